@@ -1,0 +1,24 @@
+# SPDX-License-Identifier: MIT
+# The module pycnc._nck: face headers → preprocessor → cdef → generated C → one module for every Python ≥ 3.11.
+find_package(Python 3.11 REQUIRED COMPONENTS Interpreter Development.Module)
+
+file(GLOB host_headers CONFIGURE_DEPENDS RELATIVE "${PROJECT_SOURCE_DIR}/csrc" csrc/host/*.h)
+list(FILTER host_headers EXCLUDE REGEX "_math\\.h$")
+file(GLOB_RECURSE all_headers CONFIGURE_DEPENDS csrc/*.h firmware_sim/*.h)
+set(definitions ${NCK_CAPACITY_HOST})
+list(TRANSFORM definitions PREPEND "--define=")
+
+add_custom_command(
+    OUTPUT _nck.c
+    COMMAND Python::Interpreter "${PROJECT_SOURCE_DIR}/cmake/make_binding.py"
+            --cc "${CMAKE_C_COMPILER}" --module pycnc._nck --out _nck.c
+            --include "${PROJECT_SOURCE_DIR}/csrc" --include "${PROJECT_SOURCE_DIR}/firmware_sim"
+            --capacities nck/base/limits.h
+            ${definitions} nck/nck.h ${host_headers} sim.h
+    DEPENDS cmake/make_binding.py cmake/capacities.cmake ${all_headers}
+    VERBATIM)
+
+python_add_library(_nck MODULE _nck.c)
+target_link_libraries(_nck PRIVATE sim nck_host)
+set_target_properties(_nck PROPERTIES SUFFIX ".abi3.so")
+install(TARGETS _nck DESTINATION pycnc)

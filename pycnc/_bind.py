@@ -1,0 +1,68 @@
+# SPDX-License-Identifier: MIT
+"""The lowest floor: the compiled module, and the one place where a status becomes an exception.
+
+No other file imports ``pycnc._nck``.
+"""
+
+from pycnc import errors
+from pycnc._nck import ffi, lib
+
+_CAUSES = {
+    lib.NCK_E_ARGUMENT: errors.ArgumentError,
+    lib.NCK_E_MACHINE: errors.MachineError,
+    lib.NCK_E_STATE: errors.StateError,
+    lib.NCK_E_INTERNAL: errors.InternalError,
+}
+
+
+def status_id(status):
+    """Return the stable id of a status code, such as ``"arc-radius"``."""
+    return ffi.string(lib.nck_status_id(status)).decode()
+
+
+def note_id(note):
+    """Return the stable id of a note, such as ``"assumed-units"``."""
+    return ffi.string(lib.nck_note_id(note)).decode()
+
+
+def check(status, diagnostic=None):
+    """Return a status that is good or "not now"; raise what a negative one means.
+
+    Parameters
+    ----------
+    status : int
+        What a function of the kernel returned.
+    diagnostic : optional
+        An ``nck_diagnostic_t`` (or anything with its ``line`` and ``column``): where the program is wrong.
+
+    Raises
+    ------
+    NckError
+        ProgramError, MachineError, ArgumentError, StateError or InternalError.
+    """
+    if status >= 0:
+        return status
+    cause = _CAUSES.get(status, errors.ProgramError)
+    name = status_id(status)
+    if diagnostic is None:
+        raise cause(name, id=name, status=status)
+    line, column = int(diagnostic.line), int(diagnostic.column)
+    raise cause(f"{line}:{column}: {name}", id=name, status=status, line=line, column=column)
+
+
+def pointer(type_name, array):
+    """Return a C pointer into a C-contiguous array; None gives NULL. The array must outlive its use.
+
+    Parameters
+    ----------
+    type_name : str
+        C type of one item, such as ``"nck_cell_t"`` or ``"double"``.
+    array : numpy.ndarray, bytes or None
+        Its items must have the size of the type.
+    """
+    if array is None:
+        return ffi.NULL
+    size, item = ffi.sizeof(type_name), memoryview(array).itemsize
+    if item != size:
+        raise errors.ArgumentError(f"items of {item} bytes where {type_name} has {size}")
+    return ffi.from_buffer(f"{type_name}[]", array)

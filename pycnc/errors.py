@@ -1,0 +1,43 @@
+# SPDX-License-Identifier: MIT
+"""The exceptions of pycnc: one small family, one class for each kind of cause."""
+
+
+class NckError(Exception):
+    """The kernel refused something.
+
+    Attributes
+    ----------
+    id : str
+        Stable id of the cause, such as ``"arc-radius"``.
+    status : int
+        The kernel's status code.
+    line, column : int or None
+        Where in the NC program, 1-based; column 0 means the whole line. None if no program is concerned.
+    """
+
+    def __init__(self, message, *, id="", status=0, line=None, column=None):
+        super().__init__(message)
+        self.id = id
+        self.status = status
+        self.line = line
+        self.column = column
+
+
+class ProgramError(NckError):
+    """The NC program has an error."""
+
+
+class MachineError(NckError):
+    """A number of the machine is outside of its range."""
+
+
+class ArgumentError(NckError, ValueError):
+    """An argument is outside of its range."""
+
+
+class StateError(NckError):
+    """The call is not possible in the present state."""
+
+
+class InternalError(NckError):
+    """An invariant of the kernel is broken: a defect of pycnc."""

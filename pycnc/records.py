@@ -1,0 +1,85 @@
+# SPDX-License-Identifier: MIT
+"""The kernel's records as NumPy dtypes and its enumerations as Python's, both read from the compiled module."""
+
+import enum as _enum
+import functools
+
+import numpy as np
+
+from pycnc._bind import ffi
+
+
+@functools.cache
+def dtype(name):
+    """Return the NumPy dtype of a C type, laid out as the compiler laid it out.
+
+    Parameters
+    ----------
+    name : str
+        C name of a record or a number: ``"nck_cell_t"``, ``"sim_row_t"``, ``"int64_t"``.
+
+    Returns
+    -------
+    numpy.dtype
+        Nested records and arrays are nested dtypes; a pointer is an unsigned integer of its size.
+
+    Examples
+    --------
+    >>> cells = np.empty(16, dtype("nck_cell_t"))
+    >>> cells["length"].dtype
+    dtype('float64')
+    """
+    return _dtype(ffi.typeof(name))
+
+
+def _dtype(ctype):
+    if ctype.kind in ("struct", "union"):
+        return _record(ctype)
+    if ctype.kind == "array":
+        return np.dtype((_dtype(ctype.item), (ctype.length,)))
+    size = ffi.sizeof(ctype)
+    if ctype.kind in ("pointer", "function"):
+        return np.dtype(f"u{size}")
+    if ctype.cname in ("float", "double"):
+        return np.dtype(f"f{size}")
+    signed = int(ffi.cast(ctype, -1)) < 0
+    return np.dtype(f"{'i' if signed else 'u'}{size}")
+
+
+def _record(ctype):
+    fields = ctype.fields
+    return np.dtype(
+        {
+            "names": [name for name, _ in fields],
+            "formats": [_dtype(field.type) for _, field in fields],
+            "offsets": [field.offset for _, field in fields],
+            "itemsize": ffi.sizeof(ctype),
+        }
+    )
+
+
+@functools.cache
+def enum(name):
+    """Return an enumeration of the kernel as an IntEnum, without the prefix that all its names share.
+
+    Parameters
+    ----------
+    name : str
+        C name of the enumeration: ``"nck_limit_t"``.
+
+    Examples
+    --------
+    >>> enum("nck_limit_t").CORNER.name
+    'CORNER'
+    """
+    values = sorted(ffi.typeof(name).relements.items(), key=lambda item: item[1])
+    return _enum.IntEnum(name, _short_names(dict(values)), module=__name__)
+
+
+def _short_names(values):
+    """Drop the words that all names begin with: NCK_LIMIT_FEED and NCK_LIMIT_RAPID give FEED and RAPID."""
+    words = [name.split("_")[:-1] for name in values]
+    shared = 0
+    while all(len(w) > shared for w in words) and len({w[shared] for w in words}) == 1:
+        shared += 1
+    return {"_".join(name.split("_")[shared:]): value for name, value in values.items()}
