@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: MIT
 """Generate the C source of the cffi module from the face headers.
 
-The C preprocessor reads the headers once; what comes from our own files becomes the cdef, what comes from
-the system's is dropped (cffi knows the integer types), and the macros of the capacities header become
-constants. Bodies of inline functions are dropped with their heads: formulas are not for cffi.
+The C preprocessor reads the headers once. What comes from our own files becomes the cdef, what
+comes from the system's is dropped (cffi knows the integer types), and the macros of the capacities
+header become constants. Inline functions are dropped: formulas are not for cffi.
 """
 
 import argparse
@@ -17,15 +17,23 @@ LINE_MARKER = re.compile(r'^# \d+ "(?P<file>[^"]*)"')
 CAPACITY = re.compile(r"^#define (?P<name>NCK_\w+) \S")
 
 
+def include_lines(headers):
+    """Return the text of a file that includes the headers."""
+    return "".join(f'#include "{header}"\n' for header in headers)
+
+
 def preprocess(compiler, headers, includes, definitions):
     """Return the preprocessed headers with line markers and macro definitions."""
-    command = [compiler, "-E", "-dD", "-std=c99", *(f"-I{folder}" for folder in includes), *definitions, "-x", "c", "-"]
-    text = "".join(f'#include "{header}"\n' for header in headers)
-    return subprocess.run(command, input=text, capture_output=True, text=True, check=True).stdout
+    command = [compiler, "-E", "-dD", "-std=c99", "-x", "c", "-"]
+    command += [f"-I{folder}" for folder in includes] + [f"-D{each}" for each in definitions]
+    umbrella = include_lines(headers)
+    return subprocess.run(
+        command, input=umbrella, stdout=subprocess.PIPE, text=True, check=True
+    ).stdout
 
 
 def own_lines(preprocessed, includes, capacities):
-    """Yield the declarations of our own files and, as cffi constants, the macros of the capacities header."""
+    """Yield what our own files declare, and the macros of the capacities header as constants."""
     folders = [Path(folder).resolve() for folder in includes]
     own = is_capacities = False
     for line in preprocessed.splitlines():
@@ -58,23 +66,18 @@ def main():
     parser.add_argument("--cc", required=True, help="C compiler that preprocesses")
     parser.add_argument("--module", required=True, help="full name of the Python module")
     parser.add_argument("--out", required=True, type=Path, help="C file to write")
-    parser.add_argument("--include", action="append", required=True, help="folder of our own headers")
-    parser.add_argument("--define", action="append", default=[], help="macro for the preprocessor, NAME=VALUE")
+    parser.add_argument("--include", action="append", required=True, help="folder of our headers")
+    parser.add_argument("--define", action="append", default=[], help="macro, NAME=VALUE")
     parser.add_argument("--capacities", required=True, help="header whose macros become constants")
     parser.add_argument("headers", nargs="+", help="face headers, as #include names them")
-    arguments = parser.parse_args()
+    given = parser.parse_args()
 
-    definitions = [f"-D{definition}" for definition in arguments.define]
-    preprocessed = preprocess(arguments.cc, arguments.headers, arguments.include, definitions)
-    lines = own_lines(preprocessed, arguments.include, arguments.capacities)
+    preprocessed = preprocess(given.cc, given.headers, given.include, given.define)
+    lines = own_lines(preprocessed, given.include, given.capacities)
     binding = cffi.FFI()
     binding.cdef("\n".join(without_inline_functions(lines)))
-    binding.set_source(
-        arguments.module,
-        "".join(f'#include "{header}"\n' for header in arguments.headers),
-        py_limited_api=True,
-    )
-    binding.emit_c_code(str(arguments.out))
+    binding.set_source(given.module, include_lines(given.headers), py_limited_api=True)
+    binding.emit_c_code(str(given.out))
 
 
 if __name__ == "__main__":

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# The module pycnc._nck: face headers → preprocessor → cdef → generated C → one module for every Python ≥ 3.11.
+# The module pycnc._nck: face headers → preprocessor → cdef → generated C → one abi3 module.
 find_package(Python 3.11 REQUIRED COMPONENTS Interpreter Development.Module)
 
 file(GLOB host_headers CONFIGURE_DEPENDS RELATIVE "${PROJECT_SOURCE_DIR}/csrc" csrc/host/*.h)

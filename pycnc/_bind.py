@@ -33,7 +33,8 @@ def check(status, diagnostic=None):
     status : int
         What a function of the kernel returned.
     diagnostic : optional
-        An ``nck_diagnostic_t`` (or anything with its ``line`` and ``column``): where the program is wrong.
+        An ``nck_diagnostic_t``, or anything with its ``line`` and ``column``: where the program
+        is wrong.
 
     Raises
     ------
@@ -51,7 +52,7 @@ def check(status, diagnostic=None):
 
 
 def pointer(type_name, array):
-    """Return a C pointer into a C-contiguous array; None gives NULL. The array must outlive its use.
+    """Return a C pointer into a C-contiguous array, which must outlive its use; None gives NULL.
 
     Parameters
     ----------

@@ -12,7 +12,8 @@ class NckError(Exception):
     status : int
         The kernel's status code.
     line, column : int or None
-        Where in the NC program, 1-based; column 0 means the whole line. None if no program is concerned.
+        Where in the NC program, 1-based; column 0 means the whole line. None if no program is
+        concerned.
     """
 
     def __init__(self, message, *, id="", status=0, line=None, column=None):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The kernel's records as NumPy dtypes and its enumerations as Python's, both read from the compiled module."""
+"""The kernel's records as NumPy dtypes, its enumerations as Python's: read from the module."""
 
 import enum as _enum
 import functools
@@ -60,7 +60,7 @@ def _record(ctype):
 
 @functools.cache
 def enum(name):
-    """Return an enumeration of the kernel as an IntEnum, without the prefix that all its names share.
+    """Return an enumeration as an IntEnum, without the prefix that all its names share.
 
     Parameters
     ----------
@@ -77,7 +77,7 @@ def enum(name):
 
 
 def _short_names(values):
-    """Drop the words that all names begin with: NCK_LIMIT_FEED and NCK_LIMIT_RAPID give FEED and RAPID."""
+    """Drop the words that all names begin with: NCK_LIMIT_FEED and its kin give FEED."""
     words = [name.split("_")[:-1] for name in values]
     shared = 0
     while all(len(w) > shared for w in words) and len({w[shared] for w in words}) == 1:

@@ -32,8 +32,8 @@ static inline int check_that(check_t *check, int good, const char *what, const c
 }
 
 // As check_that, for whole numbers: tells both.
-static inline void check_int(check_t *check, long long got, long long want, const char *what, const char *file,
-                             int line)
+static inline void check_int(check_t *check, long long got, long long want, const char *what,
+                             const char *file, int line)
 {
     if (!check_that(check, got == want, what, file, line)) {
         printf("    got %lld, want %lld\n", got, want);
@@ -41,7 +41,8 @@ static inline void check_int(check_t *check, long long got, long long want, cons
 }
 
 // As check_that, for real numbers: |got − want| ≤ tolerance; NaN is never near.
-static inline void check_near(check_t *check, double got, double want, double tolerance, const char *file, int line)
+static inline void check_near(check_t *check, double got, double want, double tolerance,
+                              const char *file, int line)
 {
     if (!check_that(check, fabs(got - want) <= tolerance, "near", file, line)) {
         printf("    got %.17g, want %.17g within %.3g\n", got, want, tolerance);
@@ -58,7 +59,7 @@ static inline void check_run(check_t *check, void (*test)(check_t *check), const
     printf("%s %s\n", check->broken > 0 ? "FAILED" : "ok", name);
 }
 
-// Print the counts. Returns the exit status of the program: 0 if at least one test ran and none failed.
+// Print the counts. Returns the program's exit status: 0 if a test ran and none failed.
 static inline int check_end(const check_t *check)
 {
     printf("%d passed, %d failed\n", check->tests - check->failed, check->failed);
@@ -68,7 +69,8 @@ static inline int check_end(const check_t *check)
 #define CHECK(check, condition) check_that((check), (condition), #condition, __FILE__, __LINE__)
 #define CHECK_INT(check, got, want) \
     check_int((check), (long long)(got), (long long)(want), #got " == " #want, __FILE__, __LINE__)
-#define CHECK_NEAR(check, got, want, tolerance) check_near((check), (got), (want), (tolerance), __FILE__, __LINE__)
+#define CHECK_NEAR(check, got, want, tolerance) \
+    check_near((check), (got), (want), (tolerance), __FILE__, __LINE__)
 #define CHECK_RUN(check, test) check_run((check), (test), #test)
 
 #endif
