@@ -9,6 +9,12 @@ import numpy as np
 from pycnc._bind import ffi
 
 
+def names():
+    """Return the C names of all records, sorted."""
+    typedefs, _, _ = ffi.list_types()
+    return sorted(name for name in typedefs if ffi.typeof(name).kind == "struct")
+
+
 @functools.cache
 def dtype(name):
     """Return the NumPy dtype of a C type, laid out as the compiler laid it out.

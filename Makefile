@@ -1,0 +1,67 @@
+# SPDX-License-Identifier: MIT
+# The two commands. Both set up what they need, say so, and are quick the second time.
+#
+#   make run     plan a program and run it in the simulated controller; summary and picture
+#                FILE=part.ngc MACHINE=cak6150n PICTURE=part.png to choose
+#   make test    all tests
+
+PYTHON ?= python3
+FILE ?= pycnc/examples/first_part.ngc
+PICTURE ?= build/$(basename $(notdir $(FILE))).png
+MACHINE_OPTION = $(if $(MACHINE),--machine "$(MACHINE)")
+
+BIN = .venv/bin
+STAMP = build/stamp
+SOURCES := $(shell find csrc firmware_sim cmake CMakeLists.txt -type f)
+PACKAGES_TEST = clang-19 libclang-rt-19-dev cppcheck gcc-arm-none-eabi libnewlib-arm-none-eabi \
+                linuxcnc-uspace
+
+# $(call install,PACKAGES): install the Debian packages of the list that are missing.
+install = missing=$$(for package in $(1); do \
+        dpkg-query -W -f='$${Status}' $$package 2>/dev/null | grep -q ' installed' \
+            || echo $$package; done); \
+    if [ -z "$$missing" ]; then exit 0; fi; \
+    echo "installing Debian packages:" $$missing; \
+    if ! command -v apt-get >/dev/null; then \
+        echo "no apt-get here: please install the like of" $$missing; exit 1; fi; \
+    root=$$([ "$$(id -u)" = 0 ] || echo sudo); \
+    $$root apt-get -qq update && \
+    $$root env DEBIAN_FRONTEND=noninteractive \
+        apt-get -qq install -y --no-install-recommends $$missing
+
+.PHONY: run test
+
+run: $(STAMP)/module
+	$(BIN)/pycnc run "$(FILE)" $(MACHINE_OPTION)
+	$(BIN)/pycnc plot "$(FILE)" $(MACHINE_OPTION) -o "$(PICTURE)"
+	@echo "The picture of the path, coloured by speed: $(PICTURE)"
+
+test: $(STAMP)/packages-test $(STAMP)/module
+	$(BIN)/python -m pytest
+
+# A C compiler, and a Python that can make a .venv and compile a module for it.
+$(STAMP)/packages-run:
+	@mkdir -p $(STAMP)
+	@echo '#include <math.h>' | cc -E - >/dev/null 2>&1 || ($(call install,gcc libc6-dev))
+	@$(PYTHON) -c 'import ensurepip, os, sysconfig as s, sys; \
+	    sys.exit(not os.path.exists(s.get_path("include") + "/Python.h"))' 2>/dev/null \
+	    || ($(call install,python3 python3-venv python3-dev))
+	@touch $@
+
+$(STAMP)/packages-test: Makefile
+	@mkdir -p $(STAMP)
+	@($(call install,$(PACKAGES_TEST)))
+	@touch $@
+
+$(STAMP)/venv: requirements.lock $(STAMP)/packages-run
+	@echo "installing the packages of requirements.lock into .venv"
+	$(PYTHON) -m venv .venv
+	$(BIN)/python -m pip install -q --disable-pip-version-check -r requirements.lock
+	@touch $@
+
+# The editable install: Python files are used where they stand, the C module is built.
+$(STAMP)/module: $(STAMP)/venv pyproject.toml $(SOURCES)
+	@echo "building pycnc"
+	$(BIN)/python -m pip install -q --disable-pip-version-check \
+	    --no-build-isolation --no-deps -e .
+	@touch $@

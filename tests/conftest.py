@@ -1,0 +1,76 @@
+# SPDX-License-Identifier: MIT
+"""Where things are, the C builds that several tests share, and the closing line that counts."""
+
+import os
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+import hypothesis
+import pytest
+
+ROOT = Path(__file__).resolve().parents[1]
+
+# Random cases come from a fixed seed: the same run finds the same faults.
+hypothesis.settings.register_profile("house", derandomize=True, deadline=None, database=None)
+hypothesis.settings.load_profile("house")
+
+
+def find_tool(name):
+    """Return the path of a program; without it the test is skipped, under CI it fails."""
+    path = shutil.which(name)
+    if path is None:
+        absent = pytest.fail if os.environ.get("CI") else pytest.skip
+        absent(f"{name} is not installed (make test installs it on Debian)")
+    return path
+
+
+def build_c(compiler, *options):
+    """Build the libraries and the C tests in build/<compiler>; return the folder."""
+    cmake = Path(sys.executable).with_name("cmake")
+    folder = ROOT / "build" / compiler
+    configure = [cmake, "-S", ROOT, "-B", folder, "-G", "Ninja", "-DNCK_TESTS=ON"]
+    configure += [f"-DCMAKE_MAKE_PROGRAM={cmake.with_name('ninja')}"]
+    configure += [f"-DCMAKE_C_COMPILER={find_tool(compiler)}", *options]
+    for command in (configure, [cmake, "--build", folder]):
+        done = subprocess.run(command, capture_output=True, text=True)
+        if done.returncode != 0:
+            words = f"{compiler}: the C build failed\n{done.stdout}{done.stderr}"
+            pytest.fail(words, pytrace=False)
+    return folder
+
+
+@pytest.fixture(scope="session")
+def root():
+    """Return the repository's folder."""
+    return ROOT
+
+
+@pytest.fixture(scope="session")
+def tool():
+    """Return the function that finds a program or skips."""
+    return find_tool
+
+
+@pytest.fixture(scope="session")
+def gcc_build():
+    """Return the folder of the release build with gcc."""
+    return build_c("gcc")
+
+
+@pytest.fixture(scope="session")
+def clang_build():
+    """Return the folder of the build with clang under the sanitizers."""
+    return build_c("clang-19", "-DNCK_SANITIZE=ON")
+
+
+@pytest.hookimpl(trylast=True)
+def pytest_unconfigure(config):
+    """Print the plain closing line, below pytest's own."""
+    reporter = config.pluginmanager.get_plugin("terminalreporter")
+    if reporter is None or config.option.collectonly:
+        return
+    counts = {key: len(reports) for key, reports in reporter.stats.items()}
+    failed = counts.get("failed", 0) + counts.get("error", 0)
+    print(f"{counts.get('passed', 0)} passed, {failed} failed, {counts.get('skipped', 0)} skipped")

@@ -1,0 +1,307 @@
+# SPDX-License-Identifier: MIT
+"""The house rules of design/layout.md and style.md, as far as a program can check them."""
+
+import ast
+import re
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).resolve().parents[1]
+ROOMS = (
+    "prep/1_decode", "prep/2_toolcomp", "prep/3_smooth", "prep/4_lookahead", "prep/5_slope",
+    "tick/6_interpolate", "tick/7_transform",
+)  # fmt: skip
+EXTRAS = ("typer", "rich", "pydantic", "matplotlib", "pyarrow", "pyopencl")
+
+# Which of our headers a file may include, by the longest path that fits the file.
+MAY_INCLUDE = {
+    "csrc/nck/base/": ("nck/base/",),
+    **{f"csrc/nck/{room}/": ("nck/base/", f"nck/{room}/") for room in ROOMS},
+    "csrc/nck/nck.": ("nck/",),
+    "csrc/host/": ("nck/", "host/"),
+    "opencl/": ("nck/base/", "_math.h", "opencl/"),
+    "firmware_sim/os/": ("os/", "os.h"),
+    "firmware_sim/app/": ("app/", "nck/nck.h", "os.h", "hal.h"),
+    "firmware_sim/hal/": ("hal",),
+    "firmware_sim/board/": ("board/", "hal.h", "os.h"),
+    "firmware_sim/sim": ("nck/", "sim", "app/", "os.h", "hal.h"),
+    "tests/c/": ("nck/", "host/", "sim.h", "check.h"),
+}
+FORBIDDEN_WORDS = {"util", "utils", "helper", "helpers", "manager", "tmp", "interp"}
+LIBC = {
+    "memcpy", "memset", "memmove", "memchr", "memcmp", "strlen", "sqrt", "fabs", "floor",
+}  # fmt: skip
+
+
+def tracked(*patterns):
+    """Return the files that git tracks or would track, as paths relative to the root."""
+    command = ["git", "ls-files", "--cached", "--others", "--exclude-standard", "--", *patterns]
+    done = subprocess.run(command, cwd=ROOT, capture_output=True, text=True, check=True)
+    return sorted(name for name in set(done.stdout.splitlines()) if (ROOT / name).is_file())
+
+
+C_FILES = tracked("csrc/*.[ch]", "firmware_sim/*.[ch]", "tests/*.[ch]")
+CL_FILES = tracked("opencl/*.cl", "opencl/*.h")
+PYTHON_FILES = tracked("*.py")
+OTHER_FILES = tracked("*.cmake", "CMakeLists.txt", "Makefile", ".ci/run", "*.toml")
+SOURCES = C_FILES + CL_FILES + PYTHON_FILES + OTHER_FILES
+
+
+def read(name):
+    return (ROOT / name).read_text(encoding="utf-8")
+
+
+def without_comments(text):
+    """Blank out the comments, strings and characters of C text, keeping its lines."""
+    pattern = re.compile(r'//[^\n]*|/\*.*?\*/|"(?:\\.|[^"\\\n])*"|\'(?:\\.|[^\'\\\n])*\'', re.S)
+    return pattern.sub(lambda match: re.sub(r"[^\n]", " ", match[0]), text)
+
+
+def c_functions(text):
+    """Yield (name, first line, last line, parameters, nesting) of every function of C text."""
+    text = without_comments(text)
+    directive = re.compile(r"^\s*#(?:[^\n]*\\\n)*[^\n]*", re.M)
+    text = directive.sub(lambda match: "\n" * match[0].count("\n"), text)
+    head = re.compile(r"^[A-Za-z_][\w \t*]*?\b(\w+)\(([^;{}]*)\)\s*\{", re.M)
+    for match in head.finditer(text):
+        depth = deepest = blocks = 0
+        kinds = []
+        for end in range(match.end() - 1, len(text)):
+            if text[end] == "{":
+                before = text[:end].rstrip()
+                is_block = before.endswith((")", "else", "do", ";", "}", "{", ":"))
+                kinds.append(is_block)
+                blocks += is_block
+                deepest = max(deepest, blocks)
+                depth += 1
+            elif text[end] == "}":
+                depth -= 1
+                blocks -= kinds.pop()
+                if depth == 0:
+                    break
+        first = text.count("\n", 0, match.start()) + 1
+        last = text.count("\n", 0, end) + 1
+        parameters = match[2].count(",") + 1
+        yield match[1], first, last, parameters, deepest - 1
+
+
+def identifiers(tree):
+    """Yield every name that a Python module defines: functions, classes, arguments, variables."""
+    for node in ast.walk(tree):
+        if isinstance(node, (ast.FunctionDef, ast.AsyncFunctionDef, ast.ClassDef)):
+            yield node.name
+        elif isinstance(node, ast.arg):
+            yield node.arg
+        elif isinstance(node, ast.Name) and isinstance(node.ctx, ast.Store):
+            yield node.id
+
+
+def python_imports(name):
+    """Return the full names of all modules that a Python file imports, wherever it does."""
+    found = set()
+    for node in ast.walk(ast.parse(read(name))):
+        if isinstance(node, ast.Import):
+            found.update(alias.name for alias in node.names)
+        elif isinstance(node, ast.ImportFrom):
+            assert node.level == 0, f"{name}: relative import"
+            found.add(node.module)
+            found.update(f"{node.module}.{alias.name}" for alias in node.names)
+    return found
+
+
+def forbidden(names):
+    """Return the names that have a forbidden word in them; pytest's own fixtures are not ours."""
+    fixtures = {"tmp_path", "tmp_path_factory"}
+    words = {name: set(name.lower().split("_")) for name in names if name not in fixtures}
+    return sorted(name for name, parts in words.items() if parts & FORBIDDEN_WORDS)
+
+
+# Who may know whom
+
+
+@pytest.mark.parametrize("name", C_FILES + CL_FILES)
+def test_a_room_includes_only_the_ground_and_itself(name):
+    fits = [start for start in MAY_INCLUDE if name.startswith(start)]
+    assert fits, f"{name}: stands in no room of the plan"
+    allowed = MAY_INCLUDE[max(fits, key=len)]
+    included = re.findall(r'^\s*#\s*include\s+"([^"]+)"', read(name), re.M)
+    strangers = [
+        header
+        for header in included
+        if not any(header.startswith(start) or header.endswith(start) for start in allowed)
+    ]
+    assert strangers == []
+
+
+@pytest.mark.parametrize("name", [name for name in C_FILES if name.endswith("_math.h")])
+def test_a_formula_header_has_formulas_only(name):
+    text = without_comments(read(name))
+    assert not re.search(r"^\s*#\s*include\s+<", read(name), re.M), "includes a system header"
+    heads = re.findall(r"^(?!#)(\w[^\n;{}]*)\(", text, re.M)
+    assert all(head.startswith("static inline") for head in heads)
+
+
+@pytest.mark.parametrize("name", [name for name in C_FILES if name.startswith("csrc/nck/")])
+def test_only_the_fence_and_the_link_know_atomics(name):
+    if name.endswith(("base/link.h", "base/fence.h")):
+        return
+    text = without_comments(read(name))
+    assert not re.search(r"__atomic|__sync|_Atomic|\bvolatile\b|stdatomic", text)
+
+
+@pytest.mark.parametrize("name", [name for name in PYTHON_FILES if name.startswith("pycnc/")])
+def test_python_floors_point_down(name):
+    imports = python_imports(name)
+    module = Path(name).stem
+    ours = {found for found in imports if found.split(".")[0] == "pycnc"}
+    if module == "_bind":
+        assert ours <= {"pycnc", "pycnc.errors", "pycnc._nck", "pycnc._nck.ffi", "pycnc._nck.lib"}
+    else:
+        assert not any(found.startswith("pycnc._nck") for found in imports)
+        assert "cffi" not in imports
+    if module == "errors":
+        assert not ours
+    if module == "records":
+        assert {found.split(".")[1] for found in ours if "." in found} <= {"_bind", "errors"}
+    if module != "device":
+        assert not any(found.split(".")[0] == "pyopencl" for found in imports)
+    if module not in ("cli", "__main__"):
+        assert "pycnc.cli" not in imports
+
+
+def test_python_modules_do_not_import_in_circles():
+    graph = {}
+    for name in PYTHON_FILES:
+        if name.startswith("pycnc/"):
+            module = name.removesuffix(".py").removesuffix("/__init__").replace("/", ".")
+            graph[module] = python_imports(name)
+    graph["pycnc"] = set()  # the front door imports all and nobody needs it
+    graph = {module: found & graph.keys() - {module} for module, found in graph.items()}
+    while graph:
+        free = {module for module, found in graph.items() if not found & graph.keys()}
+        assert free, f"circle among {sorted(graph)}"
+        graph = {module: found for module, found in graph.items() if module not in free}
+
+
+def test_the_wrapper_needs_cffi_and_numpy_alone():
+    code = f"import pycnc, sys; print([name for name in {EXTRAS} if name in sys.modules])"
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    assert done.stdout.strip() == "[]"
+
+
+# The look of a file
+
+
+@pytest.mark.parametrize("name", SOURCES)
+def test_a_file_has_its_licence_and_its_size(name):
+    lines = read(name).split("\n")
+    assert any("SPDX-License-Identifier: MIT" in line for line in lines[:2])
+    assert len(lines) <= 501
+    assert [number for number, line in enumerate(lines, 1) if len(line) > 100] == []
+    assert "TODO" not in read(name).replace('"TODO"', "")
+    assert "\t" not in read(name) or name == "Makefile"
+
+
+@pytest.mark.parametrize("name", C_FILES)
+def test_c_functions_are_short_and_shallow(name):
+    most = 100 if name.startswith("csrc/host/") else 6
+    for function, first, last, parameters, nesting in c_functions(read(name)):
+        assert last - first < 60, f"{function} has {last - first + 1} lines"
+        assert nesting <= 3, f"{function} is {nesting} blocks deep"
+        assert parameters <= most, f"{function} has {parameters} parameters"
+
+
+@pytest.mark.parametrize("name", PYTHON_FILES)
+def test_python_functions_are_short(name):
+    for node in ast.walk(ast.parse(read(name))):
+        if isinstance(node, (ast.FunctionDef, ast.AsyncFunctionDef)):
+            assert node.end_lineno - node.lineno < 60, f"{node.name} is too long"
+
+
+@pytest.mark.parametrize("name", C_FILES + CL_FILES)
+def test_c_names_say_what_they_mean(name):
+    found = set(re.findall(r"[A-Za-z_]\w*", without_comments(read(name))))
+    assert forbidden(found | {Path(name).stem}) == []
+
+
+@pytest.mark.parametrize("name", PYTHON_FILES)
+def test_python_names_say_what_they_mean(name):
+    assert forbidden(set(identifiers(ast.parse(read(name)))) | {Path(name).stem}) == []
+
+
+@pytest.mark.parametrize("name", [n for n in C_FILES if n.startswith("csrc/nck/")])
+def test_preprocessor_branches_live_in_limits_and_real(name):
+    if name.endswith(("base/limits.h", "base/real.h")):
+        return
+    branches = re.findall(r"^\s*#\s*(?:if|ifdef|ifndef|elif)\b.*$", read(name), re.M)
+    guard = re.compile(r"#ifndef (NCK_\w*H|__OPENCL_VERSION__)$")
+    assert [branch for branch in branches if not guard.match(branch.strip())] == []
+
+
+@pytest.mark.parametrize("name", PYTHON_FILES)
+def test_python_says_what_a_module_is_for(name):
+    assert ast.get_docstring(ast.parse(read(name)))
+
+
+# The rooms
+
+
+@pytest.mark.parametrize("room", ROOMS)
+def test_a_room_has_its_page_and_its_face(room):
+    folder = ROOT / "csrc" / "nck" / room
+    page = folder / "README.md"
+    assert page.exists()
+    assert len(page.read_text(encoding="utf-8").splitlines()) <= 60
+    assert (folder / f"{room.split('_')[-1]}.h").exists()
+
+
+def test_the_core_has_no_data(gcc_build):
+    command = ["size", "-A", gcc_build / "libnck.a"]
+    done = subprocess.run(command, capture_output=True, text=True, check=True)
+    sections = re.findall(r"^(\.\S+)\s+(\d+)", done.stdout, re.M)
+    relocated = ".data.rel.ro"  # constant tables of pointers in position-independent code
+    data = [
+        (section, size)
+        for section, size in sections
+        if section.startswith((".data", ".bss", ".tdata", ".tbss"))
+        and not section.startswith(relocated)
+        and int(size) > 0
+    ]
+    assert data == []
+
+
+def test_the_core_calls_nothing_but_a_few_of_libc(gcc_build):
+    command = ["nm", "-u", gcc_build / "libnck.a"]
+    done = subprocess.run(command, capture_output=True, text=True, check=True)
+    needed = set(re.findall(r"^\s+U (\w+)$", done.stdout, re.M))
+    strangers = {name for name in needed if not name.startswith(("nck_", "_GLOBAL_OFFSET_TABLE_"))}
+    assert strangers <= LIBC
+
+
+@pytest.mark.parametrize("name", [n for n in C_FILES if n.startswith(("csrc/", "firmware_sim/"))])
+def test_no_static_local_that_changes(name):
+    text = without_comments(read(name))
+    assert re.findall(r"^[ \t]+static (?!const\b|inline\b)[^\n]*", text, re.M) == []
+
+
+# The repository
+
+
+def test_the_makefile_has_two_commands():
+    text = read("Makefile")
+    assert re.findall(r"^\.PHONY: (.*)$", text, re.M) == ["run test"]
+    targets = re.findall(r"^([^\s#:=]+):(?!=)", text, re.M)
+    assert {target for target in targets if "/" not in target} == {".PHONY", "run", "test"}
+
+
+def test_ci_calls_the_test_command():
+    assert "make test" in read(".ci/run")
+
+
+def test_the_installed_packages_fit_together():
+    command = [sys.executable, "-m", "pip", "--disable-pip-version-check", "check"]
+    done = subprocess.run(command, capture_output=True, text=True)
+    assert done.returncode == 0, done.stdout

@@ -1,0 +1,48 @@
+# SPDX-License-Identifier: MIT
+"""The C code under two compilers, a static analyser and the sanitizers, and its unit tests."""
+
+import subprocess
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).resolve().parents[1]
+C_TESTS = sorted(path.stem for path in (ROOT / "tests" / "c").glob("test_*.c"))
+CAPACITIES = ("", "_small")
+
+
+def run_c_test(executable):
+    """Run a C test program; fail with its own words."""
+    done = subprocess.run([executable], capture_output=True, text=True, timeout=300)
+    if done.returncode != 0:
+        pytest.fail(f"{done.stdout}{done.stderr}", pytrace=False)
+
+
+def test_gcc_has_no_warning(gcc_build):
+    assert (gcc_build / "libnck.a").exists()
+
+
+def test_clang_has_no_warning(clang_build):
+    assert (clang_build / "libnck.a").exists()
+
+
+@pytest.mark.parametrize("capacities", CAPACITIES)
+@pytest.mark.parametrize("name", C_TESTS)
+def test_c_tests_pass_under_the_sanitizers(clang_build, name, capacities):
+    run_c_test(clang_build / f"{name}{capacities}")
+
+
+@pytest.mark.parametrize("capacities", CAPACITIES)
+@pytest.mark.parametrize("name", C_TESTS)
+def test_c_tests_pass_in_the_release_build(gcc_build, name, capacities):
+    run_c_test(gcc_build / f"{name}{capacities}")
+
+
+def test_cppcheck_has_no_finding(root, tool):
+    command = [tool("cppcheck"), "--std=c99", "--enable=warning,style,performance,portability"]
+    command += ["--inline-suppr", "--error-exitcode=1", "--quiet", "-j2", "--force"]
+    command += [f"--suppressions-list={root / 'tests' / 'cppcheck.txt'}"]
+    command += [f"-I{root / 'csrc'}", f"-I{root / 'firmware_sim'}"]
+    command += [root / "csrc", root / "firmware_sim"]
+    done = subprocess.run(command, capture_output=True, text=True)
+    assert done.returncode == 0, done.stderr
