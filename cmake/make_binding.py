@@ -40,7 +40,8 @@ def own_lines(preprocessed, includes, capacities):
         if marker := LINE_MARKER.match(line):
             file = Path(marker["file"]).resolve()
             own = any(file.is_relative_to(folder) for folder in folders)
-            is_capacities = file.match(capacities)
+            is_given = marker["file"] == "<command-line>"  # where -D overrides the header
+            is_capacities = is_given or file.match(capacities)
         elif line.startswith("#"):
             if is_capacities and (macro := CAPACITY.match(line)):
                 yield f"#define {macro['name']} ..."
