@@ -1,0 +1,438 @@
+# SPDX-License-Identifier: MIT
+"""The machine: read from a machine file, checked whole, converted here to the kernel's units."""
+
+import difflib
+import hashlib
+import json
+import tomllib
+from decimal import ROUND_HALF_EVEN, Decimal
+from importlib import resources
+from pathlib import Path
+
+import numpy as np
+import pydantic
+
+from pycnc import errors, machine_file, tool_table
+from pycnc._bind import lib, pointer
+from pycnc.machine_file import AXES, ROTARY_AXES, WORK_SYSTEMS, MachineFile, unit_of
+from pycnc.records import dtype
+
+DEFAULT = "mill3"
+_NM = Decimal(10) ** 6  # nanometres in a millimetre, nanodegrees in a degree
+_FREE = (np.iinfo(np.int64).min, np.iinfo(np.int64).max)
+_KINEMATICS = {"identity": lib.NCK_KINEMATICS_IDENTITY, "lathe_xz": lib.NCK_KINEMATICS_LATHE_XZ}
+_DIALECTS = {
+    "linuxcnc": lib.NCK_DIALECT_LINUXCNC,
+    "fanuc": lib.NCK_DIALECT_FANUC,
+    "grbl": lib.NCK_DIALECT_GRBL,
+    "marlin": lib.NCK_DIALECT_MARLIN,
+}
+
+
+class MachineFileError(errors.MachineError):
+    """A machine file has errors, all of them told at once.
+
+    Attributes
+    ----------
+    file : str
+        The file.
+    problems : list of (str, str)
+        Path to the key (``axis.x.v_max_mm_s``, empty for the whole file) and what is wrong.
+    """
+
+    def __init__(self, file, problems):
+        self.file, self.problems = file, problems
+        lines = (
+            f"{file}: error[machine]: {key + ': ' if key else ''}{message}"
+            for key, message in problems
+        )
+        super().__init__("\n".join(lines), id="machine", status=lib.NCK_E_MACHINE)
+
+
+def shipped():
+    """Return the names of the machines that come with pycnc, sorted."""
+    folder = resources.files("pycnc") / "machines"
+    return sorted(
+        item.name.removesuffix(".toml") for item in folder.iterdir() if item.name.endswith(".toml")
+    )
+
+
+class Machine:
+    """A checked machine.
+
+    Attributes
+    ----------
+    name : str
+        Name of a shipped machine, or the file's stem.
+    file : str
+        Where it came from.
+    text : str
+        The machine file, as it is.
+    settings : MachineFile
+        Every setting, defaults included (mm, s, degrees as the keys say, exact decimals).
+    sources : dict
+        Path to key → "file", "--set", "--dialect" or the tool table's name. What is not in it is
+        a default.
+
+    Examples
+    --------
+    >>> machine = Machine.load("mill3", set={"axis.x.max_mm": 500})
+    >>> machine.axes
+    'xyz'
+    """
+
+    def __init__(self, data, *, name="machine", file="<machine>", text="", sources=None):
+        self.name, self.file, self.text = name, str(file), text
+        self.sources = sources if sources is not None else dict.fromkeys(_leaves(data), "file")
+        self.settings = _validate(data, self.file)
+        self._rows = _rows(self.settings)
+        if lib.nck_machine_check(self.pointer) != lib.NCK_OK:
+            problem = ("", "a number is outside of what the kernel can hold")
+            raise MachineFileError(self.file, [problem])
+
+    @classmethod
+    def load(cls, name, *, set=(), dialect=None, tools=None):
+        """Load a machine.
+
+        Parameters
+        ----------
+        name : str, path or Machine
+            Name of a shipped machine, or a TOML file.
+        set : dict or iterable of str
+            Changes: ``{"axis.x.max_mm": 500}`` or ``["axis.x.max_mm=500"]``.
+        dialect : str, optional
+            Replaces ``dialect.base``.
+        tools : path, optional
+            A LinuxCNC tool table, added to the file's tools.
+
+        Raises
+        ------
+        MachineFileError
+            With every problem of the file.
+        """
+        if isinstance(name, cls):
+            if not (set or dialect or tools):
+                return name
+            stem, file, text = name.name, name.file, name.text
+        else:
+            stem, file, text = _read(name)
+        data = _parse(text, file)
+        sources = dict.fromkeys(_leaves(data), "file")
+        if isinstance(name, cls):
+            _replay(data, sources, name)
+        _apply_changes(data, sources, _changes(set, dialect))
+        if tools is not None:
+            _apply_tools(data, sources, tools)
+        return cls(data, name=stem, file=file, text=text, sources=sources)
+
+    @classmethod
+    def from_text(cls, text, name="machine"):
+        """Make a machine from the text of a machine file."""
+        return cls(_parse(text, f"<{name}>"), name=name, file=f"<{name}>", text=text)
+
+    @property
+    def axes(self):
+        """Letters of the axes, lower case, in the kernel's order."""
+        return "".join(self.settings.axis.present())
+
+    @property
+    def period_s(self):
+        """Interpolation period [s]."""
+        return float(self._rows[0]["period_s"])
+
+    @property
+    def record(self):
+        """The kernel's machine, a copy: one item of dtype ``nck_machine_t``."""
+        return self._rows.copy()[0]
+
+    @property
+    def pointer(self):
+        """``nck_machine_t *`` for calls into the kernel; it lives as long as the machine."""
+        return pointer("nck_machine_t", self._rows)
+
+    @property
+    def sha256(self):
+        """Hash of all settings: equal machines have equal ones, however their files are written."""
+        settings = self.settings.model_dump(mode="json", exclude={"description"})
+        return hashlib.sha256(json.dumps(settings, sort_keys=True).encode()).hexdigest()
+
+    def limits(self, kind):
+        """Return every axis' limit.
+
+        Parameters
+        ----------
+        kind : {"v_max", "a_max", "j_max"}
+
+        Returns
+        -------
+        numpy.ndarray
+            One float64 an axis, in the order of `axes` [mm/s, mm/s², mm/s³ or degrees].
+        """
+        axis = self._rows[0]["axis"]
+        return np.array([axis[kind][AXES.index(letter)] for letter in self.axes])
+
+    def effective(self):
+        """Yield (path to key, value, source) for every setting, in the order of the description."""
+        for key, value in _walk(self.settings):
+            yield key, value, self.sources.get(key, "default")
+
+    def __repr__(self):
+        return f"<Machine {self.name}: {self.axes.upper()}, {self.period_s * 1e3:g} ms>"
+
+
+def _read(name):
+    """Return (name, file, text) of a shipped machine or of a file."""
+    if str(name) in shipped():
+        file = resources.files("pycnc") / "machines" / f"{name}.toml"
+        return str(name), str(file), file.read_text(encoding="utf-8")
+    path = Path(name)
+    try:
+        return path.stem, str(name), path.read_bytes().decode("utf-8")
+    except UnicodeDecodeError:
+        raise MachineFileError(str(name), [("", "is no text in UTF-8")]) from None
+    except (OSError, ValueError) as cause:
+        names = ", ".join(shipped())
+        reason = getattr(cause, "strerror", None) or str(cause)
+        raise MachineFileError(str(name), [("", f"{reason}; shipped machines: {names}")]) from None
+
+
+def _parse(text, file):
+    try:
+        return tomllib.loads(text, parse_float=Decimal)
+    except (tomllib.TOMLDecodeError, ArithmeticError, RecursionError) as cause:
+        raise MachineFileError(file, [("", f"is not valid TOML: {cause}")]) from None
+
+
+def _leaves(data, prefix=""):
+    """Yield the path to every value."""
+    for key, value in data.items():
+        if isinstance(value, dict):
+            yield from _leaves(value, f"{prefix}{key}.")
+        else:
+            yield f"{prefix}{key}"
+
+
+def _changes(changes, dialect):
+    """Yield (path to key, value, source)."""
+    pairs = changes.items() if isinstance(changes, dict) else (_split(change) for change in changes)
+    for key, value in pairs:
+        yield key, value, "--set"
+    if dialect is not None:
+        yield "dialect.base", dialect, "--dialect"
+
+
+def _split(change):
+    key, equals, value = change.partition("=")
+    if not equals or not key.strip():
+        raise MachineFileError("--set", [(change, "must look like axis.x.max_mm=500")])
+    try:
+        value = tomllib.loads(f"value = {value}", parse_float=Decimal)["value"]
+    except (tomllib.TOMLDecodeError, ArithmeticError, RecursionError):
+        value = value.strip()  # a bare word: slope=linear
+    return key.strip(), value
+
+
+def _apply_changes(data, sources, changes):
+    for key, value, source in changes:
+        table, (*folders, leaf) = data, key.split(".")
+        for folder in folders:
+            table = table.setdefault(folder, {})
+            if not isinstance(table, dict):
+                raise MachineFileError(source, [(key, f"{folder} is a value, not a table")])
+        table[leaf] = value
+        sources[key] = source
+
+
+def _replay(data, sources, machine):
+    """Make the changes again that had been made to a machine after its file was read."""
+    for key, value, source in machine.effective():
+        if source not in ("file", "default"):
+            _apply_changes(data, sources, [(key, "free" if value is None else value, source)])
+
+
+def _apply_tools(data, sources, file):
+    try:
+        text = Path(file).read_bytes().decode("utf-8", errors="replace")
+    except (OSError, ValueError) as cause:
+        raise MachineFileError(
+            str(file), [("", getattr(cause, "strerror", None) or str(cause))]
+        ) from None
+    tools, problems = tool_table.read(text)
+    if problems:
+        raise MachineFileError(str(file), problems)
+    _apply_changes(
+        data,
+        sources,
+        (
+            (f"tool.{number}.{key}", value, str(file))
+            for number, tool in tools.items()
+            for key, value in tool.items()
+        ),
+    )
+
+
+def _validate(data, file):
+    try:
+        settings = MachineFile.model_validate(data)
+    except pydantic.ValidationError as cause:
+        raise MachineFileError(file, [_problem(error, data) for error in cause.errors()]) from None
+    problems = list(machine_file.contradictions(settings))
+    window, tools = lib.NCK_WINDOW, lib.NCK_TOOL_MAX
+    if settings.path.lookahead_blocks > window:
+        problems.append(
+            (
+                "path.lookahead_blocks",
+                f"must be {window} at most (is {settings.path.lookahead_blocks})",
+            )
+        )
+    if len(settings.tool) > tools:
+        problems.append(("tool", f"{tools} tools at most (the table has {len(settings.tool)})"))
+    if problems:
+        raise MachineFileError(file, problems)
+    return settings
+
+
+def _problem(error, data):
+    """Return (path to key, wording) of one finding of pydantic."""
+    path = [str(step) for step in error["loc"]]
+    context, given = error.get("ctx", {}), error["input"]
+    wording = {
+        "missing": lambda: "is missing",
+        "extra_forbidden": lambda: _unknown(path),
+        "greater_than": lambda: f"must be greater than {context['gt']} (is {given})",
+        "greater_than_equal": lambda: f"must be {context['ge']} at least (is {given})",
+        "less_than_equal": lambda: f"must be {context['le']} at most (is {given})",
+        "finite_number": lambda: f"must be a finite number (is {given})",
+        "literal_error": lambda: f"must be {context['expected']} (is {given!r})",
+        "bool_type": lambda: f"must be true or false (is {given!r})",
+        "int_type": lambda: f"must be a whole number (is {given})",
+        "value_error": lambda: (
+            f"{context['error']}{'' if isinstance(given, dict) else f' (is {given!r})'}"
+        ),
+        "model_type": lambda: "must be a table",
+        "dict_type": lambda: "must be a table",
+    }
+    words = wording.get(
+        error["type"], lambda: error["msg"].removeprefix("Input ").replace("should", "must")
+    )
+    return ".".join(path), words()
+
+
+def _unknown(path):
+    """Say which keys a table has, the nearest first if one is near."""
+    table = MachineFile
+    for step in path[:-1]:
+        table = _table_of(table, step)
+    allowed = list(table.model_fields)
+    near = difflib.get_close_matches(path[-1], allowed, n=1, cutoff=0.6)
+    if near:
+        return f"unknown key; did you mean {near[0]}?"
+    return f"unknown key; allowed: {', '.join(allowed)}"
+
+
+def _table_of(table, step):
+    """Return the class of a table inside a table."""
+    if table is None or not hasattr(table, "model_fields"):
+        return table
+    if step not in table.model_fields:
+        return machine_file.Tool
+    kind = table.model_fields[step].annotation
+    options = getattr(kind, "__args__", (kind,))
+    tables = [
+        option
+        for option in options
+        if isinstance(option, type) and issubclass(option, machine_file.Table)
+    ]
+    return tables[0] if tables else machine_file.Tool
+
+
+def _walk(table, prefix=""):
+    """Yield (path to key, value) of every setting."""
+    items = (
+        table.items()
+        if isinstance(table, dict)
+        else ((name, getattr(table, name)) for name in type(table).model_fields)
+    )
+    for name, value in items:
+        if isinstance(value, machine_file.Table | dict):
+            yield from _walk(value, f"{prefix}{name}.")
+        elif not prefix.startswith("axis.") or prefix.count(".") > 1:
+            yield f"{prefix}{name}", value
+
+
+def _nanometres(value):
+    """Return exact nanometres (or nanodegrees), rounded half to even."""
+    return int((value * _NM).to_integral_value(rounding=ROUND_HALF_EVEN))
+
+
+def _rows(settings):
+    """Return the kernel's machine as an array of one record."""
+    rows = np.zeros(1, dtype("nck_machine_t"))
+    record = rows[0]
+    record["period_s"] = float(settings.kernel.period_ms / 1000)
+    for letter, axis in settings.axis.present().items():
+        _fill_axis(record["axis"][AXES.index(letter)], letter, axis)
+    _fill_path(record, settings.path)
+    record["kinematics"] = _KINEMATICS[settings.kinematics.type]
+    record["spindle"]["rpm_max"] = float(settings.spindle.rpm_max)
+    _fill_dialect(record["dialect"], settings.dialect)
+    _fill_positions(record, settings)
+    _fill_tools(record, settings.tool)
+    return rows
+
+
+def _fill_axis(row, letter, axis):
+    unit = unit_of(letter)
+    v_max, rapid = getattr(axis, f"v_max_{unit}_s"), getattr(axis, f"rapid_{unit}_s")
+    row["present"], row["rotary"] = 1, letter in ROTARY_AXES
+    row["v_max"], row["rapid"] = float(v_max), float(v_max if rapid is None else rapid)
+    row["a_max"] = float(getattr(axis, f"a_max_{unit}_s2"))
+    row["j_max"] = float(getattr(axis, f"j_max_{unit}_s3"))
+    for field, free in zip(("min", "max"), _FREE, strict=True):
+        value = getattr(axis, f"{field}_{unit}")
+        row[f"{field}_nm"] = free if value is None else _nanometres(value)
+
+
+def _fill_path(record, path):
+    axes = record["axis"][record["axis"]["present"] == 1]
+    together = {
+        kind: float(np.sqrt(np.sum(axes[kind] ** 2))) for kind in ("v_max", "a_max", "j_max")
+    }
+    row = record["path"]
+    row["feed_max"] = (
+        together["v_max"] if path.feed_max_mm_min is None else float(path.feed_max_mm_min / 60)
+    )
+    row["a_max"] = together["a_max"] if path.a_max_mm_s2 is None else float(path.a_max_mm_s2)
+    row["j_max"] = together["j_max"] if path.j_max_mm_s3 is None else float(path.j_max_mm_s3)
+    row["chord_error"] = float(path.chord_error_mm)
+    row["tolerance"] = float(path.tolerance_mm)
+    row["arc_radius"] = float(path.arc_radius_mm)
+    record["lookahead_blocks"] = path.lookahead_blocks
+    record["slope"] = lib.NCK_SLOPE_LINEAR
+
+
+def _fill_dialect(row, dialect):
+    row["base"] = _DIALECTS[dialect.base]
+    row["diameter"], row["inch"] = dialect.diameter, dialect.units == "inch"
+    row["plane"], row["arc_absolute"] = dialect.plane, dialect.arc_centre == "absolute"
+    row["block_skip"], row["optional_stop"] = dialect.block_skip, dialect.optional_stop
+    row["feed_default"] = float(dialect.feed_default_mm_min)
+
+
+def _fill_positions(record, settings):
+    homes = (settings.home.g28, settings.home.g30)
+    for index, letter in enumerate(AXES):
+        record["start_nm"][index] = _nanometres(settings.start.along(letter))
+        for row, home in enumerate(homes):
+            record["home_nm"][row][index] = _nanometres(home.along(letter))
+        for row, name in enumerate(WORK_SYSTEMS):
+            record["work_nm"][row][index] = _nanometres(getattr(settings.work, name).along(letter))
+    record["work_system"] = WORK_SYSTEMS.index(settings.start.work_system)
+
+
+def _fill_tools(record, tools):
+    record["tool_count"] = len(tools)
+    for row, (number, tool) in zip(record["tool"], tools.items(), strict=False):
+        row["number"], row["orientation"] = int(number), tool.orientation
+        row["offset_nm"] = [_nanometres(value) for value in (tool.x_mm, tool.y_mm, tool.length_mm)]
+        row["radius_mm"] = float(tool.radius_mm)

@@ -1,0 +1,337 @@
+# SPDX-License-Identifier: MIT
+"""What a machine file may say: every key with its unit, range, default and meaning.
+
+This is the one description of the format. ``docs/machine.md`` is generated from it.
+"""
+
+from decimal import Decimal
+from typing import Annotated, Literal
+
+from pydantic import BaseModel, BeforeValidator, ConfigDict, Field, Strict, model_validator
+
+LINEAR_AXES = ("x", "y", "z", "u", "v", "w")
+ROTARY_AXES = ("a", "b", "c")
+AXES = ("x", "y", "z", "a", "b", "c", "u", "v", "w")  # the kernel's order
+WORK_SYSTEMS = ("g54", "g55", "g56", "g57", "g58", "g59", "g59_1", "g59_2", "g59_3")
+TRAVEL_LIMIT = 1_000_000  # mm or degrees: a position beyond a kilometre is a mistake
+
+
+def _number(value):
+    """Let numbers pass and nothing that only looks like one."""
+    if isinstance(value, bool) or not isinstance(value, int | float | Decimal):
+        raise ValueError("must be a number")
+    return value
+
+
+def _travel(value):
+    return None if value is None or value == "free" else _number(value)
+
+
+Number = Annotated[Decimal, Strict(False)]
+Positive = Annotated[Number, Field(gt=0, le=10**12), BeforeValidator(_number)]
+NotNegative = Annotated[Number, Field(ge=0, le=10**12), BeforeValidator(_number)]
+Coordinate = Annotated[Number, Field(ge=-TRAVEL_LIMIT, le=TRAVEL_LIMIT), BeforeValidator(_number)]
+Travel = Annotated[
+    Annotated[Number, Field(ge=-TRAVEL_LIMIT, le=TRAVEL_LIMIT)] | None, BeforeValidator(_travel)
+]
+
+
+class Table(BaseModel):
+    """A table of the file: keys it does not know are errors, numbers are finite."""
+
+    model_config = ConfigDict(extra="forbid", strict=True, frozen=True, allow_inf_nan=False)
+
+
+class Kernel(Table):
+    """How often setpoints are made."""
+
+    period_ms: Annotated[Number, Field(ge=Decimal("0.01"), le=100), BeforeValidator(_number)] = (
+        Field(
+            Decimal(1),
+            description="Interpolation period: one setpoint per axis every so many milliseconds.",
+        )
+    )
+
+
+class Path(Table):
+    """Limits along the path and tolerances."""
+
+    feed_max_mm_min: Positive | None = Field(
+        None,
+        description="Highest feed along the path. Default: all that the axes give.",
+    )
+    a_max_mm_s2: Positive | None = Field(
+        None,
+        description="Highest acceleration along the path. Default: all that the axes give.",
+    )
+    j_max_mm_s3: Positive | None = Field(
+        None, description="Highest jerk along the path. Default: all that the axes give."
+    )
+    chord_error_mm: Positive = Field(
+        Decimal("0.001"), description="How far the chord between two setpoints may leave an arc."
+    )
+    tolerance_mm: NotNegative = Field(
+        Decimal(0), description="What a bare G64 means; 0 is exact path."
+    )
+    arc_radius_mm: Positive = Field(
+        Decimal("0.005"), description="How far the end point of an arc may miss its circle."
+    )
+    lookahead_blocks: int = Field(
+        0,
+        ge=0,
+        description="Blocks that the look-ahead may see, 2 at least; 0: all that the kernel holds.",
+    )
+    slope: Literal["linear", "jerk"] = Field(
+        "linear",
+        description="Velocity profile. Only `linear` (acceleration-limited) is built so far.",
+    )
+
+
+class LinearAxis(Table):
+    """One linear axis."""
+
+    v_max_mm_s: Positive = Field(description="Highest speed.")
+    rapid_mm_s: Positive | None = Field(
+        None, description="Speed of G0, v_max at most. Default: v_max."
+    )
+    a_max_mm_s2: Positive = Field(description="Highest acceleration.")
+    j_max_mm_s3: Positive = Field(
+        description="Highest jerk (reported by the linear slope, not limited)."
+    )
+    min_mm: Travel = Field(
+        None,
+        description='Lower end of travel (machine coordinates; lathe: radius). Default: `"free"`.',
+    )
+    max_mm: Travel = Field(
+        None,
+        description='Upper end of travel (machine coordinates; lathe: radius). Default: `"free"`.',
+    )
+
+
+class RotaryAxis(Table):
+    """One rotary axis."""
+
+    v_max_deg_s: Positive = Field(description="Highest speed.")
+    rapid_deg_s: Positive | None = Field(
+        None, description="Speed of G0, v_max at most. Default: v_max."
+    )
+    a_max_deg_s2: Positive = Field(description="Highest acceleration.")
+    j_max_deg_s3: Positive = Field(
+        description="Highest jerk (reported by the linear slope, not limited)."
+    )
+    min_deg: Travel = Field(
+        None, description='Lower end of travel, machine coordinates. Default: `"free"`.'
+    )
+    max_deg: Travel = Field(
+        None, description='Upper end of travel, machine coordinates. Default: `"free"`.'
+    )
+
+
+class Axis(Table):
+    """The axes that the machine has; a word of any other axis is an error in the program."""
+
+    x: LinearAxis | None = Field(None, description="The X axis.")
+    y: LinearAxis | None = Field(None, description="The Y axis.")
+    z: LinearAxis | None = Field(None, description="The Z axis.")
+    a: RotaryAxis | None = Field(None, description="The A axis, about X.")
+    b: RotaryAxis | None = Field(None, description="The B axis, about Y.")
+    c: RotaryAxis | None = Field(None, description="The C axis, about Z.")
+    u: LinearAxis | None = Field(None, description="The U axis, along X.")
+    v: LinearAxis | None = Field(None, description="The V axis, along Y.")
+    w: LinearAxis | None = Field(None, description="The W axis, along Z.")
+
+    @model_validator(mode="after")
+    def _some(self):
+        if not self.present():
+            raise ValueError("a machine needs one axis at least")
+        return self
+
+    def present(self):
+        """Return the axes that are there, letter → table, in the kernel's order."""
+        return {
+            letter: getattr(self, letter) for letter in AXES if getattr(self, letter) is not None
+        }
+
+
+class Kinematics(Table):
+    """How axes become joints."""
+
+    type: Literal["identity", "lathe_xz"] = Field(
+        "identity", description="`identity`: a joint for each axis. `lathe_xz`: X (radius) and Z."
+    )
+
+
+class Spindle(Table):
+    """The main spindle."""
+
+    rpm_max: NotNegative = Field(Decimal(0), description="Highest speed; 0: not checked.")
+
+
+class Dialect(Table):
+    """How program text is read."""
+
+    base: Literal["linuxcnc", "fanuc", "grbl", "marlin"] = Field(
+        "linuxcnc", description="The family of dialects that the text belongs to."
+    )
+    diameter: bool = Field(False, description="At start, X words are diameters (G7).")
+    units: Literal["mm", "inch"] = Field("mm", description="Units at start (G21 or G20).")
+    plane: Literal[17, 18, 19] = Field(17, description="Plane at start (G17, G18, G19).")
+    arc_centre: Literal["incremental", "absolute"] = Field(
+        "incremental", description="How I J K are meant at start (G91.1 or G90.1)."
+    )
+    block_skip: bool = Field(False, description="Lines that begin with / are skipped.")
+    optional_stop: bool = Field(False, description="M1 stops.")
+    feed_default_mm_min: NotNegative = Field(
+        Decimal(0),
+        description="Feed in force before the first F; 0: none, a cut without F is an error.",
+    )
+
+
+class Position(Table):
+    """A position: every axis that is not named is 0."""
+
+    x_mm: Coordinate = Field(Decimal(0), description="X (lathe: radius).")
+    y_mm: Coordinate = Field(Decimal(0), description="Y.")
+    z_mm: Coordinate = Field(Decimal(0), description="Z.")
+    a_deg: Coordinate = Field(Decimal(0), description="A.")
+    b_deg: Coordinate = Field(Decimal(0), description="B.")
+    c_deg: Coordinate = Field(Decimal(0), description="C.")
+    u_mm: Coordinate = Field(Decimal(0), description="U.")
+    v_mm: Coordinate = Field(Decimal(0), description="V.")
+    w_mm: Coordinate = Field(Decimal(0), description="W.")
+
+    def along(self, letter):
+        """Return the coordinate of an axis [mm, deg]."""
+        return getattr(self, position_key(letter))
+
+
+class Start(Position):
+    """Where the machine stands when a program starts, machine coordinates."""
+
+    work_system: Literal[WORK_SYSTEMS] = Field("g54", description="Work offset in force at start.")
+
+
+class Home(Table):
+    """Reference points, machine coordinates."""
+
+    g28: Position = Field(Position(), description="Where G28 goes.")
+    g30: Position = Field(Position(), description="Where G30 goes.")
+
+
+class Work(Table):
+    """Work offsets: the machine coordinates of each system's zero point."""
+
+    g54: Position = Field(Position(), description="Zero point of G54.")
+    g55: Position = Field(Position(), description="Zero point of G55.")
+    g56: Position = Field(Position(), description="Zero point of G56.")
+    g57: Position = Field(Position(), description="Zero point of G57.")
+    g58: Position = Field(Position(), description="Zero point of G58.")
+    g59: Position = Field(Position(), description="Zero point of G59.")
+    g59_1: Position = Field(Position(), description="Zero point of G59.1.")
+    g59_2: Position = Field(Position(), description="Zero point of G59.2.")
+    g59_3: Position = Field(Position(), description="Zero point of G59.3.")
+
+
+class Tool(Table):
+    """One tool: T names it, and H names its length."""
+
+    length_mm: Coordinate = Field(Decimal(0), description="Length, along Z.")
+    x_mm: Coordinate = Field(Decimal(0), description="Offset along X (lathe: radius).")
+    y_mm: Coordinate = Field(Decimal(0), description="Offset along Y.")
+    radius_mm: NotNegative = Field(Decimal(0), description="Cutter or nose radius.")
+    orientation: Annotated[int, Field(ge=0, le=9)] = Field(
+        0, description="Lathe: where the tip points, 0 to 9."
+    )
+
+
+class MachineFile(Table):
+    """A whole machine file."""
+
+    description: str = Field("", description="One line for people: shown in lists.")
+    kernel: Kernel = Field(Kernel(), description="How often setpoints are made.")
+    path: Path = Field(Path(), description="Limits along the path and tolerances.")
+    axis: Axis = Field(description="The axes.")
+    kinematics: Kinematics = Field(Kinematics(), description="How axes become joints.")
+    spindle: Spindle = Field(Spindle(), description="The main spindle.")
+    dialect: Dialect = Field(Dialect(), description="How program text is read.")
+    start: Start = Field(Start(), description="Where the machine stands when a program starts.")
+    home: Home = Field(Home(), description="Reference points.")
+    work: Work = Field(Work(), description="Work offsets.")
+    tool: dict[str, Tool] = Field({}, description="The tool table, one table for each number.")
+
+
+def unit_of(letter):
+    """Return the unit of an axis as keys write it."""
+    return "deg" if letter in ROTARY_AXES else "mm"
+
+
+def position_key(letter):
+    """Return the key of an axis in a position, such as ``x_mm``."""
+    return f"{letter}_{unit_of(letter)}"
+
+
+def contradictions(machine):
+    """Yield (path to key, message) for numbers that are good alone and wrong together."""
+    axes = machine.axis.present()
+    for letter, axis in axes.items():
+        yield from _axis_contradictions(letter, axis)
+    for name, position in _positions(machine):
+        yield from _position_contradictions(
+            name, position, axes, travel=not name.startswith("work.")
+        )
+    if machine.path.lookahead_blocks == 1:
+        yield "path.lookahead_blocks", "must be 0 (all) or 2 at least"
+    if machine.path.slope == "jerk":
+        yield "path.slope", '"jerk" is not built yet; "linear" is allowed'
+    if machine.kinematics.type == "lathe_xz" and set(axes) != {"x", "z"}:
+        yield (
+            "kinematics.type",
+            f"lathe_xz needs the axes X and Z alone (the file has {', '.join(axes).upper()})",
+        )
+    for number in machine.tool:
+        if not (
+            number.isdecimal()
+            and number.isascii()
+            and 0 < int(number) < 10**8
+            and number == str(int(number))
+        ):
+            yield f"tool.{number}", "a tool's name is its number, 1 to 99999999, as in [tool.1]"
+
+
+def _axis_contradictions(letter, axis):
+    unit = unit_of(letter)
+    v_max, rapid = getattr(axis, f"v_max_{unit}_s"), getattr(axis, f"rapid_{unit}_s")
+    low, high = getattr(axis, f"min_{unit}"), getattr(axis, f"max_{unit}")
+    if rapid is not None and rapid > v_max:
+        yield (
+            f"axis.{letter}.rapid_{unit}_s",
+            f"must not be above v_max_{unit}_s = {v_max} (is {rapid})",
+        )
+    if low is not None and high is not None and low >= high:
+        yield f"axis.{letter}.min_{unit}", f"must be below max_{unit} = {high} (is {low})"
+
+
+def _positions(machine):
+    yield "start", machine.start
+    yield "home.g28", machine.home.g28
+    yield "home.g30", machine.home.g30
+    for name in WORK_SYSTEMS:
+        yield f"work.{name}", getattr(machine.work, name)
+
+
+def _position_contradictions(name, position, axes, travel):
+    for letter in AXES:
+        value, key = position.along(letter), f"{name}.{position_key(letter)}"
+        if letter not in axes:
+            if value != 0:
+                yield key, f"the machine has no {letter.upper()} axis"
+            continue
+        if not travel:
+            continue
+        low, high = (getattr(axes[letter], f"{end}_{unit_of(letter)}") for end in ("min", "max"))
+        if (low is not None and value < low) or (high is not None and value > high):
+            yield key, f"must be within the travel {_bound(low)} … {_bound(high)} (is {value})"
+
+
+def _bound(value):
+    return "free" if value is None else value
