@@ -65,7 +65,7 @@ def c_functions(text):
     text = without_comments(text)
     directive = re.compile(r"^\s*#(?:[^\n]*\\\n)*[^\n]*", re.M)
     text = directive.sub(lambda match: "\n" * match[0].count("\n"), text)
-    head = re.compile(r"^[A-Za-z_][\w \t*]*?\b(\w+)\(([^;{}]*)\)\s*\{", re.M)
+    head = re.compile(r"^(?=[A-Za-z_])[\w \t*]*?\b(\w+)\(([^;{}]*)\)\s*\{", re.M)
     for match in head.finditer(text):
         depth = deepest = blocks = 0
         kinds = []
