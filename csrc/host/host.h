@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: MIT
+// libnck_host: the kernel in bulk, arrays in and arrays out, for Python and for planning whole programs.
+// Never in firmware. No heap here either: the caller owns every array.
+#ifndef NCK_HOST_H
+#define NCK_HOST_H
+
+#include <stddef.h> // size_t
+
+#include "nck/nck.h" // nck_t and all records
+
+// Decode text until an array is full or the text is used up. Call again with the rest of the text.
+// blocks: at least 1 row; *block_count_out rows are filled. All findings go to diagnostics (at least 1 row); decoding goes on
+// after an error with the next line. ended: 1 if text is the program's last piece.
+// Returns NCK_OK (more to come), NCK_EMPTY (all text used), NCK_DONE (program ended), NCK_E_ARGUMENT.
+// Cost: linear in the text. Context: prep.
+nck_status_t nck_host_decode(nck_decode_t *decode, const char *text, size_t n, int ended, size_t *used_out,
+                             nck_block_t *blocks, size_t block_max, size_t *block_count_out,
+                             nck_diagnostic_t *diagnostics, size_t diagnostic_max, size_t *diagnostic_count_out);
+
+// What a plan adds up to. Times in s.
+typedef struct nck_host_totals {
+    double time_s;              // whole periods, as the tick counts them
+    double cut_s, rapid_s, dwell_s;
+    double accelerate_s, cruise_s, decelerate_s;
+    double limit_s[NCK_LIMIT_AXIS_V + NCK_AXIS_MAX]; // by nck_limit_t
+    double length_mm;           // path metric
+    uint64_t ticks, blocks, segs, nodes, cells;
+} nck_host_totals_t;
+
+// A plan under way: kernel, input cursor, sums, and where single records go (any array may be NULL).
+typedef struct nck_host_plan {
+    nck_t *nck;                 // initialised by nck_host_plan_init
+    const char *text;
+    size_t text_size, text_used;
+    nck_seg_t *segs;   size_t seg_max, seg_count;     // rows of this call
+    nck_node_t *nodes; size_t node_max, node_count;
+    nck_cell_t *cells; size_t cell_max, cell_count;
+    nck_host_totals_t totals;   // of the whole plan so far
+    double since_stop_s;        // time since the last rest, not yet counted in whole periods
+} nck_host_plan_t;
+
+// Begin to plan a whole text (which must outlive the plan). Installs its own hooks in nck.
+// Returns as nck_init. Context: prep.
+nck_status_t nck_host_plan_init(nck_host_plan_t *plan, nck_t *nck, const nck_machine_t *machine,
+                                const char *text, size_t n);
+
+// Go on until an array is nearly full or the plan is done; the counts start from 0 at every call. An array that is given
+// must hold at least 4 × NCK_WINDOW rows. Returns NCK_OK (call again), NCK_DONE, or the program error, as nck_prep.
+// Cost: linear in the text. Context: prep and tick both.
+nck_status_t nck_host_plan_run(nck_host_plan_t *plan);
+
+// The exact two-pass envelope of a whole path in w = v² (algorithm: prep/4_lookahead/README.md):
+// w_cap: n nodes [mm²/s²], h: n − 1 pieces, 2·a·length [mm²/s²], w_out: n nodes. w at the first node is at most
+// w_start, at the last node at most w_end. Returns NCK_OK, or NCK_E_ARGUMENT and in *bad_out the first index whose
+// number is NaN, infinite or negative. Cost: linear, two passes. Context: any.
+nck_status_t nck_host_envelope(const double *w_cap, const double *h, size_t n, double w_start, double w_end,
+                               double *w_out, size_t *bad_out);
+
+#endif

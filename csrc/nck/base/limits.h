@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: MIT
+// Capacities: every size of the kernel, all known at compile time. Override with -D on the whole build.
+#ifndef NCK_BASE_LIMITS_H
+#define NCK_BASE_LIMITS_H
+
+// Axes a program may name, in the order X Y Z A B C U V W. Range 3..9. Fewer axes make segs smaller.
+#ifndef NCK_AXIS_MAX
+#define NCK_AXIS_MAX 9
+#endif
+
+// Longest source line in bytes. Range 80..65535. A longer line is the error NCK_E_LINE_LENGTH.
+#ifndef NCK_LINE_MAX
+#define NCK_LINE_MAX 512
+#endif
+
+// Tools in the table. Range 1..1000. An H or T word that is not in the table is an error.
+#ifndef NCK_TOOL_MAX
+#define NCK_TOOL_MAX 32
+#endif
+
+// Nodes of the look-ahead window (three a seg at most). Power of two, 64..65536.
+// Too short for the braking distance costs time, never safety; it is reported as limit "lookahead".
+#ifndef NCK_WINDOW
+#define NCK_WINDOW 256
+#endif
+
+// Junctions on either side that share one interpolation period at most. Power of two, 8..256.
+// Denser paths are slowed down until the span covers a period.
+#ifndef NCK_CORNER_SPAN
+#define NCK_CORNER_SPAN 64
+#endif
+
+// Cells between the slope and the tick. Power of two, 16..4096. More cells bridge longer pauses of prep.
+#ifndef NCK_CELL_MAX
+#define NCK_CELL_MAX 128
+#endif
+
+// Segs alive at once: the look-ahead window, the corner span and the cells all point into this ring.
+#define NCK_SEG_MAX (2 * NCK_WINDOW)
+
+// Outputs (S, M, T words) alive at once beside the segs. Power of two.
+#define NCK_OUTPUT_MAX (2 * NCK_WINDOW)
+
+#if NCK_AXIS_MAX < 3 || NCK_AXIS_MAX > 9
+#error "NCK_AXIS_MAX must be 3..9"
+#endif
+#if (NCK_WINDOW & (NCK_WINDOW - 1)) || NCK_WINDOW < 64
+#error "NCK_WINDOW must be a power of two, 64 at least"
+#endif
+#if (NCK_CELL_MAX & (NCK_CELL_MAX - 1)) || NCK_CELL_MAX < 16
+#error "NCK_CELL_MAX must be a power of two, 16 at least"
+#endif
+#if NCK_CORNER_SPAN & (NCK_CORNER_SPAN - 1)
+#error "NCK_CORNER_SPAN must be a power of two"
+#endif
+// Otherwise the seg ring could fill up before the window does, and neither side could go on.
+#if 2 * NCK_CORNER_SPAN + NCK_CELL_MAX > NCK_WINDOW
+#error "2 * NCK_CORNER_SPAN + NCK_CELL_MAX must not exceed NCK_WINDOW"
+#endif
+
+#endif

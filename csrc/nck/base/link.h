@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: MIT
+// The link between the asynchronous and the synchronous rooms: rings of cells, segs and outputs, and
+// the stop tail. The only memory that two contexts share.
+//
+//      taken                 end
+//        │  final cells       │   batch being built (prep's alone)
+//   ─────┼────────────────────┼───────────────···▶   cell ring
+//        │                    └──▶ tail[parity]: how to stop from here on, if nothing more comes
+//
+// One word says it all: end of the final cells, whether and which tail belongs to that end, and whether the
+// tick has entered it. Prep publishes more cells by exchanging the word; the tick enters the tail by exchanging it
+// too. Whoever is second sees that he lost: a cell is never taken back, a tail never overwritten in use.
+#ifndef NCK_BASE_LINK_H
+#define NCK_BASE_LINK_H
+
+#include "nck/base/fence.h"   // nck_fence_load and its kin
+#include "nck/base/limits.h"  // capacities
+#include "nck/base/records.h" // nck_cell_t nck_seg_t nck_output_t
+#include "nck/base/status.h"  // nck_status_t
+
+typedef struct nck_link {
+    uint32_t word;        // end << 3 | has tail << 2 | parity << 1 | entered; both, by exchange
+    uint32_t seg_head;    // segs pushed; prep writes
+    uint32_t output_head; // outputs pushed; prep writes
+    uint32_t base;        // the word that the batch builds on; prep alone
+    uint32_t batch;       // cells behind the end, not yet final; prep alone
+    uint32_t tail_fill;   // cells in the tail being built; prep alone
+
+    uint32_t taken;        // cells taken by the tick; tick writes
+    uint32_t seg_done;     // segs finished; tick writes
+    uint32_t output_taken; // outputs handed over; tick writes
+    uint32_t tail_rested;  // word's end whose tail has come to rest, plus one; tick writes
+    uint32_t tail_taken;   // cells taken from the tail; tick alone
+
+    uint32_t tail_count[2];
+    nck_cell_t cell[NCK_CELL_MAX];
+    nck_cell_t tail[2][NCK_WINDOW];
+    nck_seg_t seg[NCK_SEG_MAX];
+    nck_output_t output[NCK_OUTPUT_MAX];
+} nck_link_t;
+
+// Empty the link. Cost: constant. Context: any, before the tick runs.
+void nck_link_init(nck_link_t *self);
+
+// Room for more? Cells: free places behind the batch. Cost: constant. Context: prep.
+uint32_t nck_link_cell_room(const nck_link_t *self);
+
+// 1 if a seg and an output find room. Cost: constant. Context: prep.
+int nck_link_has_room(const nck_link_t *self);
+
+// Put a seg in; its place is its seq. NCK_OK or NCK_FULL. Cost: constant. Context: prep.
+nck_status_t nck_link_push_seg(nck_link_t *self, const nck_seg_t *seg);
+
+// Put an output in. NCK_OK or NCK_FULL. Cost: constant. Context: prep.
+nck_status_t nck_link_push_output(nck_link_t *self, const nck_output_t *output);
+
+// Begin a batch on what is final now. Returns 1 if the tick has entered the tail: then the batch must go on
+// from the tail's end, else 0. Cost: constant. Context: prep.
+int nck_link_batch_begin(nck_link_t *self);
+
+// Put a cell behind the batch (there must be room). Cost: constant. Context: prep.
+void nck_link_push_cell(nck_link_t *self, const nck_cell_t *cell);
+
+// Begin the tail of the batch; then put its cells in, NCK_WINDOW at most. Cost: constant. Context: prep.
+void nck_link_tail_begin(nck_link_t *self);
+void nck_link_tail_push(nck_link_t *self, const nck_cell_t *cell);
+
+// Make the batch final, with its tail, in one exchange.
+// Returns NCK_OK; NCK_FULL while the old tail has been entered but has not come to rest yet (the batch
+// is kept); NCK_E_STATE if the tick has entered the old tail since the batch was begun (the batch is void:
+// begin another). Cost: constant. Context: prep.
+nck_status_t nck_link_publish(nck_link_t *self);
+
+// The last cell of the last published tail and how many there are; NULL and 0 if that tail is empty.
+// Cost: constant. Context: prep.
+const nck_cell_t *nck_link_tail_end(const nck_link_t *self, uint32_t *count_out);
+
+// Take the next cell: a final one, else one of the tail (*from_tail_out = 1), else NCK_EMPTY: at rest.
+// Cost: constant, no spinning. Context: tick.
+nck_status_t nck_link_take(nck_link_t *self, nck_cell_t *cell_out, int *from_tail_out);
+
+// The tail has come to rest: prep may publish again. Cost: constant. Context: tick.
+void nck_link_tail_rest(nck_link_t *self);
+
+// All segs before seq are finished: their places may be used again. Cost: constant. Context: tick.
+void nck_link_seg_finish(nck_link_t *self, uint32_t seq);
+
+// The geometry of a seg that is not finished. Cost: constant. Context: tick.
+const nck_seg_t *nck_link_seg(const nck_link_t *self, uint32_t seq);
+
+// Take the next output whose segs are all finished; NCK_EMPTY if there is none.
+// Cost: constant. Context: tick.
+nck_status_t nck_link_take_output(nck_link_t *self, nck_output_t *output_out);
+
+// Final cells that wait. Cost: constant. Context: tick.
+uint32_t nck_link_waiting(const nck_link_t *self);
+
+#endif

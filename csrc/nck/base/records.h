@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: MIT
+// The records that travel between the rooms, in the order of the flow: block, seg, node, cell, pose, axes.
+// Plain data for C, OpenCL and Python alike. Inside: mm (deg for rotary axes), s; path units are mm of
+// the path metric: the Euclidean length over all axes, one degree counted as one millimetre.
+#ifndef NCK_BASE_RECORDS_H
+#define NCK_BASE_RECORDS_H
+
+#include "nck/base/limits.h" // NCK_AXIS_MAX
+
+#ifndef __OPENCL_VERSION__
+#include <stdint.h> // int64_t uint32_t uint8_t
+#endif
+
+enum {
+    NCK_AXIS_X = 0, NCK_AXIS_Y, NCK_AXIS_Z, NCK_AXIS_A, NCK_AXIS_B, NCK_AXIS_C,
+    NCK_AXIS_U, NCK_AXIS_V, NCK_AXIS_W
+};
+
+typedef enum nck_block_kind {
+    NCK_BLOCK_RAPID = 0, // G0: straight, as fast as the axes allow
+    NCK_BLOCK_LINE = 1,  // G1
+    NCK_BLOCK_ARC = 2,   // G2, G3, helix included; straight along every axis outside of the plane
+    NCK_BLOCK_DWELL = 3, // G4: stop, wait dwell_s
+    NCK_BLOCK_WAIT = 4,  // M0, M1, M6, M60: stop, hand over the output, wait for nck_resume
+    NCK_BLOCK_OUTPUT = 5,// S, F-less M, T…: handed over in order, no stop
+    NCK_BLOCK_END = 6    // M2, M30 or end of text: stop
+} nck_block_kind_t;
+
+typedef enum nck_path_mode {
+    NCK_PATH_EXACT = 0,     // G61: on the path, junctions crossed by the transfer rule
+    NCK_PATH_STOP = 1,      // G61.1, G9: a stop at the end of every move
+    NCK_PATH_CONTINUOUS = 2 // G64 P Q: within the tolerance (exact path until smoothing exists)
+} nck_path_mode_t;
+
+typedef enum nck_feed_mode {
+    NCK_FEED_PER_MINUTE = 0, // G94: feed in mm/min (deg/min for a move of rotary axes alone)
+    NCK_FEED_INVERSE = 1,    // G93: feed in 1/min: the move takes 1/feed minutes
+    NCK_FEED_PER_REV = 2     // G95: feed in mm/rev of the commanded spindle speed
+} nck_feed_mode_t;
+
+typedef enum nck_output_kind {
+    NCK_OUTPUT_SPINDLE_SPEED = 0, // S: value [rpm, or mm/min of surface speed under G96]
+    NCK_OUTPUT_M = 1,             // value = the M code
+    NCK_OUTPUT_TOOL = 2           // T: value = tool number
+} nck_output_kind_t;
+
+// What is not motion: travels beside the segs, in order, and reaches the firmware in one callback.
+typedef struct nck_output {
+    uint32_t after_segs; // fires when this many segs are finished (set by the wires)
+    uint32_t line;       // source line
+    uint32_t kind;       // nck_output_kind_t
+    uint32_t reserved;   // 0
+    double value;        // see nck_output_kind_t
+} nck_output_t;
+
+// 1_decode → 2_toolcomp → 3_smooth: one move or one thing to do.
+typedef struct nck_block {
+    uint32_t line;        // 1-based source line
+    uint8_t kind;         // nck_block_kind_t
+    uint8_t path_mode;    // nck_path_mode_t
+    uint8_t feed_mode;    // nck_feed_mode_t
+    uint8_t plane;        // 17, 18, 19 (of an arc)
+    int64_t target_nm[NCK_AXIS_MAX]; // end point, machine coordinates of the tool tip [nm, ndeg]
+    int64_t tool_nm[3];   // tool offset X Y Z in force: 2_toolcomp adds it to the target [nm]
+    double centre_mm[2];  // arc: centre in the plane's first and second axis (G17 XY, G18 ZX, G19 YZ),
+                          // tip coordinates, already moved onto the chord's bisector
+    double sweep_rad;     // arc: signed angle from start to end, full turns included, + anticlockwise
+    double feed;          // in force, unit by feed_mode; 0 for a rapid
+    double spindle_rpm;   // in force (for feed per revolution), 0 if stopped
+    double tolerance_mm;  // G64 P in force, 0: none
+    double merge_mm;      // G64 Q in force, 0: none
+    double dwell_s;       // NCK_BLOCK_DWELL
+    nck_output_t output;  // NCK_BLOCK_OUTPUT, NCK_BLOCK_WAIT, NCK_BLOCK_END (kind M)
+} nck_block_t;
+
+typedef enum nck_seg_kind {
+    NCK_SEG_LINE = 0,
+    NCK_SEG_ARC = 1,
+    NCK_SEG_DWELL = 2, // at rest for dwell_s
+    NCK_SEG_WAIT = 3   // at rest until nck_resume
+} nck_seg_kind_t;
+
+// 3_smooth → 4_lookahead, and by a ring of its own → 6_interpolate: a piece of path with its geometry.
+typedef struct nck_seg {
+    uint32_t seq;        // running number, the name of the seg for nodes and cells
+    uint32_t line;       // source line
+    uint32_t block;      // running number of the block it came from
+    uint8_t kind;        // nck_seg_kind_t
+    uint8_t rapid;       // 1: G0
+    uint8_t stop;        // 1: exact stop at the end
+    uint8_t axis_u;      // arc: index of the plane's first axis
+    uint8_t axis_v;      // arc: index of the plane's second axis
+    uint8_t reserved[3]; // 0
+    double start[NCK_AXIS_MAX]; // pose at s = 0 [mm, deg]
+    double end[NCK_AXIS_MAX];   // pose at s = length [mm, deg]
+    double length;       // path length [path mm]; 0 for dwell and wait
+    double s_begin;      // path length of all segs before [path mm], for reports
+    double centre_u;     // arc: centre [mm]
+    double centre_v;
+    double sweep;        // arc: signed angle, + from u towards v [rad]
+    double feed;         // wanted path speed [path mm/s]; rapid: 0
+    double feed_scale;   // speed that the program means / path speed (1 unless rotary axes join in)
+    double dwell_s;      // dwell [s]
+} nck_seg_t;
+
+// Which limit holds the speed. The names of limit_time_s and of the trace column "limit".
+typedef enum nck_limit {
+    NCK_LIMIT_FEED = 0, NCK_LIMIT_RAPID, NCK_LIMIT_CORNER, NCK_LIMIT_CURVATURE, NCK_LIMIT_CHORD,
+    NCK_LIMIT_ACCEL, NCK_LIMIT_JERK, NCK_LIMIT_EXACT_STOP, NCK_LIMIT_DWELL, NCK_LIMIT_WAIT,
+    NCK_LIMIT_LOOKAHEAD, NCK_LIMIT_STARVED, NCK_LIMIT_FEED_MAX,
+    NCK_LIMIT_AXIS_V = 16 // + axis index
+} nck_limit_t;
+
+// 4_lookahead → 5_slope: a point of the path and the piece that follows it.
+typedef struct nck_node {
+    uint32_t seg;        // seq of the piece's seg
+    uint8_t limit;       // nck_limit_t that set vv_cap
+    uint8_t limit_piece; // nck_limit_t that set vv_piece
+    uint8_t stop;        // 1: the path rests at the piece's end and the tick lands there
+    uint8_t last;        // 1: the piece ends its seg
+    uint8_t kind;        // nck_seg_kind_t of the seg
+    uint8_t open;        // 1: vv was held down by the window's end, not by the path
+    uint8_t reserved[6]; // 0
+    double s;            // where in its seg the piece begins [path mm]
+    double length;       // of the piece [path mm]
+    double a;            // tangential acceleration limit in the piece [mm/s²]
+    double vv_piece;     // cap inside the piece, v² [mm²/s²]
+    double dwell_s;      // at rest for so long (length 0)
+    double vv_cap;       // cap at the node, v²
+    double vv;           // envelope at the node, v² (exact two-pass)
+} nck_node_t;
+
+// 5_slope ══ring══▶ 6_interpolate: a stretch of constant jerk (0 for the linear slope).
+typedef struct nck_cell {
+    uint32_t seg;       // seq of its seg
+    uint8_t limit;      // nck_limit_t
+    uint8_t stop;       // 1: comes to rest at its end, the tick lands there
+    uint8_t last;       // 1: ends its seg
+    uint8_t kind;       // nck_seg_kind_t of the seg
+    double s;           // path coordinate in the seg at t = 0 [path mm]
+    double length;      // [path mm]
+    double v;           // speed at t = 0 [path mm/s]
+    double a;           // acceleration at t = 0 [path mm/s²]
+    double j;           // jerk [path mm/s³]
+    double duration;    // [s]
+} nck_cell_t;
+
+// 6_interpolate → 7_transform: where the tool is at this tick.
+typedef struct nck_pose {
+    uint32_t seg;        // seq
+    uint32_t line;       // source line, 0 before the first seg
+    uint32_t block;      // running number of the block
+    uint8_t kind;        // nck_seg_kind_t
+    uint8_t rapid;       // 1: G0
+    uint8_t limit;       // nck_limit_t
+    uint8_t state;       // nck_tick_state_t
+    double s;            // path coordinate from the program's start [path mm]
+    double v;            // path speed [path mm/s]
+    double feed;         // commanded path speed [path mm/s]
+    double feed_scale;   // as in the seg
+    double axis[NCK_AXIS_MAX]; // [mm, deg]
+} nck_pose_t;
+
+typedef enum nck_tick_state {
+    NCK_TICK_IDLE = 0,    // at rest, nothing to do
+    NCK_TICK_MOVE = 1,    // on the path
+    NCK_TICK_DWELL = 2,   // G4
+    NCK_TICK_WAIT = 3,    // M0, M1, M6: until nck_resume
+    NCK_TICK_STARVED = 4  // on the stop tail, or at rest in the middle of the path
+} nck_tick_state_t;
+
+// 7_transform → drives: setpoints.
+typedef struct nck_axes {
+    int64_t joint_nm[NCK_AXIS_MAX]; // [nm, ndeg]
+} nck_axes_t;
+
+#endif

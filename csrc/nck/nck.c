@@ -1,0 +1,224 @@
+// SPDX-License-Identifier: MIT
+// The wires: pull from room k, push into room k + 1. The only file that names two rooms.
+#include "nck/nck.h"
+
+#include <string.h> // memset
+
+enum {
+    TAIL_STEP = 32,                    // cells of the stop tail in one bounded step
+    BATCH_ROOM = NCK_CELL_MAX / 2,     // free places that make a batch worth its tail
+    WIRE_FILL = 0, WIRE_BATCH = 1, WIRE_TAIL = 2, WIRE_PUBLISH = 3
+};
+
+nck_status_t nck_init(nck_t *nck, const nck_machine_t *machine, const nck_hooks_t *hooks) {
+    const nck_status_t status = nck_machine_check(machine);
+    if (status != NCK_OK) return status;
+    memset(nck, 0, sizeof *nck);
+    nck->machine = *machine;
+    if (hooks) nck->hooks = *hooks;
+    nck_decode_init(&nck->decode, &nck->machine);
+    nck_toolcomp_init(&nck->toolcomp, &nck->machine);
+    nck_smooth_init(&nck->smooth, &nck->machine);
+    nck_lookahead_init(&nck->lookahead, &nck->machine);
+    nck_slope_init(&nck->slope, &nck->machine);
+    nck_link_init(&nck->link);
+    nck_interpolate_init(&nck->interpolate, &nck->machine, &nck->link);
+    nck_transform_init(&nck->transform, &nck->machine);
+    return NCK_OK;
+}
+
+nck_status_t nck_push(nck_t *nck, const char *text, size_t n, size_t *used_out) {
+    return nck_decode_push(&nck->decode, text, n, used_out);
+}
+
+void nck_end(nck_t *nck) { nck_decode_end(&nck->decode); }
+
+nck_status_t nck_diagnostic(nck_t *nck, nck_diagnostic_t *diagnostic_out) {
+    if (nck->wire.diagnostic.code == NCK_OK) {
+        return nck_decode_diagnostic(&nck->decode, diagnostic_out);
+    }
+    *diagnostic_out = nck->wire.diagnostic;
+    nck->wire.diagnostic.code = NCK_OK;
+    return NCK_OK;
+}
+
+static void end_path(nck_t *nck) {
+    nck->wire.ended = 1;
+    nck_lookahead_end(&nck->lookahead);
+}
+
+// Outputs keep their place between the segs.
+static nck_status_t push_output(nck_t *nck, const nck_block_t *block) {
+    nck_output_t output = block->output;
+    output.after_segs = nck->smooth.seq;
+    output.line = block->line;
+    return nck_link_push_output(&nck->link, &output);
+}
+
+static int has_output(const nck_block_t *block) { return block->kind >= NCK_BLOCK_WAIT; }
+
+// smooth ─▶ seg ring and lookahead. Both have room (see carry_block).
+static nck_status_t push_seg(nck_t *nck, const nck_block_t *block) {
+    nck_seg_t seg;
+    const nck_status_t status = nck_smooth_push(&nck->smooth, block, nck->wire.blocks, &seg);
+    if (status == NCK_EMPTY) return NCK_OK;
+    if (status != NCK_OK) {
+        nck->wire.diagnostic.code = status;
+        nck->wire.diagnostic.line = block->line;
+        return status;
+    }
+    if (nck_link_push_seg(&nck->link, &seg) != NCK_OK) return NCK_E_INTERNAL;
+    if (nck_lookahead_push(&nck->lookahead, &seg) != NCK_OK) return NCK_E_INTERNAL;
+    if (nck->hooks.on_seg) nck->hooks.on_seg(nck->hooks.user, &seg);
+    return NCK_OK;
+}
+
+static nck_status_t carry_block(nck_t *nck) {
+    const nck_block_t *const block = &nck->wire.block;
+    if (!nck_link_has_room(&nck->link) || !nck_lookahead_has_room(&nck->lookahead)) return NCK_FULL;
+    nck_status_t status = NCK_OK;
+    if (has_output(block)) status = push_output(nck, block);
+    if (status == NCK_OK && block->kind <= NCK_BLOCK_WAIT) status = push_seg(nck, block);
+    if (block->kind == NCK_BLOCK_END) end_path(nck);
+    nck->wire.has_block = 0;
+    nck->wire.blocks++;
+    return status;
+}
+
+// A program error ends the path where it stands: everything before it is executed.
+static nck_status_t stop_at_error(nck_t *nck, nck_status_t status) {
+    nck->wire.has_block = 0;
+    end_path(nck);
+    return status;
+}
+
+// decode ─▶ toolcomp ─▶ smooth ─▶ lookahead, one block.
+static nck_status_t pull_block(nck_t *nck) {
+    if (nck->wire.ended) return NCK_DONE;
+    if (!nck->wire.has_block) {
+        const nck_status_t status = nck_decode_pull(&nck->decode, &nck->wire.block);
+        if (status == NCK_DONE) {
+            end_path(nck);
+            return NCK_OK;
+        }
+        if (status < NCK_OK) return stop_at_error(nck, status);
+        if (status != NCK_OK) return status;
+        nck_toolcomp_push(&nck->toolcomp, &nck->wire.block);
+        nck->wire.has_block = 1;
+    }
+    const nck_status_t status = carry_block(nck);
+    return status < NCK_OK ? stop_at_error(nck, status) : status;
+}
+
+// The tick has entered the stop tail: go on from where that tail comes to rest. The tail has one cell
+// for each piece from the window's head on.
+static void go_on_from_tail(nck_t *nck) {
+    uint32_t count = 0;
+    const nck_cell_t *const end = nck_link_tail_end(&nck->link, &count);
+    nck_lookahead_restart(&nck->lookahead, count - 1, end->s + end->length);
+    nck->wire.recovered = 1;
+}
+
+static nck_status_t begin_batch(nck_t *nck) {
+    const nck_node_t *node = NULL;
+    double vv_end = 0.0;
+    if (nck_link_batch_begin(&nck->link) && !nck->wire.recovered) {
+        go_on_from_tail(nck);
+        return NCK_OK;
+    }
+    if (nck_link_cell_room(&nck->link) < BATCH_ROOM) return NCK_FULL;
+    if (nck_lookahead_piece(&nck->lookahead, 0, &node, &vv_end) != NCK_OK) return NCK_EMPTY;
+    nck->wire.pieces = 0;
+    nck->wire.phase = WIRE_BATCH;
+    return NCK_OK;
+}
+
+// lookahead ─▶ slope ─▶ cells behind the ring's end, one piece.
+static void fill_batch(nck_t *nck) {
+    const nck_node_t *node = NULL;
+    nck_cell_t cells[NCK_SLOPE_CELLS];
+    double vv_end = 0.0;
+    if (nck_link_cell_room(&nck->link) < NCK_SLOPE_CELLS
+        || nck_lookahead_piece(&nck->lookahead, nck->wire.pieces, &node, &vv_end) != NCK_OK) {
+        nck_slope_brake_begin(&nck->slope, nck->wire.vv_end);
+        nck_link_tail_begin(&nck->link);
+        nck->wire.tail = nck->wire.pieces;
+        nck->wire.phase = WIRE_TAIL;
+        return;
+    }
+    const int count = nck_slope_push(&nck->slope, node, vv_end, cells);
+    for (int k = 0; k < count; k++) nck_link_push_cell(&nck->link, &cells[k]);
+    nck->wire.vv_end = vv_end;
+    nck->wire.pieces++;
+}
+
+// lookahead ─▶ slope ─▶ stop tail, a bounded number of cells.
+static void fill_tail(nck_t *nck) {
+    for (int n = 0; n < TAIL_STEP; n++) {
+        nck_cell_t cell;
+        const nck_node_t *const node = nck_lookahead_ahead(&nck->lookahead, nck->wire.tail);
+        nck->wire.tail++;
+        const nck_node_t *const next = nck_lookahead_ahead(&nck->lookahead, nck->wire.tail);
+        const double vv_cap_end = next ? next->vv_cap : 0.0;
+        const nck_status_t status =
+            node ? nck_slope_brake(&nck->slope, node, vv_cap_end, &cell) : NCK_EMPTY;
+        if (status != NCK_EMPTY) nck_link_tail_push(&nck->link, &cell);
+        if (status != NCK_OK) {
+            nck->wire.phase = WIRE_PUBLISH;
+            return;
+        }
+    }
+}
+
+static nck_status_t publish(nck_t *nck) {
+    const nck_status_t status = nck_link_publish(&nck->link);
+    if (status == NCK_FULL) return NCK_FULL;
+    nck->wire.phase = WIRE_FILL;
+    if (status != NCK_OK) return NCK_OK;
+    nck->wire.recovered = 0;
+    for (uint32_t i = 0; nck->hooks.on_node && i < nck->wire.pieces; i++) {
+        nck->hooks.on_node(nck->hooks.user, nck_lookahead_ahead(&nck->lookahead, i));
+    }
+    nck_lookahead_drop(&nck->lookahead, nck->wire.pieces);
+    return NCK_OK;
+}
+
+// Downstream first: cells, then the envelope, then blocks.
+nck_status_t nck_prep(nck_t *nck) {
+    nck_status_t status = NCK_OK;
+    switch (nck->wire.phase) {
+    case WIRE_BATCH: fill_batch(nck); return NCK_OK;
+    case WIRE_TAIL: fill_tail(nck); return NCK_OK;
+    case WIRE_PUBLISH: status = publish(nck); break;
+    default: status = begin_batch(nck); break;
+    }
+    if (status == NCK_OK) return NCK_OK;
+    const nck_status_t ahead = nck_lookahead_step(&nck->lookahead);
+    if (ahead == NCK_OK) return NCK_OK;
+    const nck_status_t input = pull_block(nck);
+    if (input <= NCK_OK || input == NCK_EMPTY) return input;
+    return status == NCK_EMPTY && ahead == NCK_DONE ? input : NCK_FULL;
+}
+
+static void hand_over_outputs(nck_t *nck) {
+    nck_output_t output;
+    while (nck_link_take_output(&nck->link, &output) == NCK_OK) {
+        if (nck->hooks.on_output) nck->hooks.on_output(nck->hooks.user, &output);
+    }
+}
+
+nck_tick_state_t nck_tick(nck_t *nck, nck_pose_t *pose_out, nck_axes_t *axes_out) {
+    const nck_pose_t *const pose = nck_interpolate_tick(&nck->interpolate);
+    *pose_out = *pose;
+    nck_transform_tick(&nck->transform, pose, axes_out);
+    hand_over_outputs(nck);
+    return (nck_tick_state_t)pose->state;
+}
+
+void nck_resume(nck_t *nck) { nck_interpolate_resume(&nck->interpolate); }
+
+nck_status_t nck_take(nck_t *nck, nck_cell_t *cell_out) {
+    const nck_status_t status = nck_interpolate_take(&nck->interpolate, cell_out);
+    hand_over_outputs(nck);
+    return status;
+}

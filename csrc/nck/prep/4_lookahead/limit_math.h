@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: MIT
+// The limits of speed along a path, one equation each. T: interpolation period [s].
+#ifndef NCK_PREP_LIMIT_MATH_H
+#define NCK_PREP_LIMIT_MATH_H
+
+#include "nck/base/real.h" // nck_real nck_sqrt nck_fabs nck_min
+
+// Share of every axis' acceleration that a junction may use at most; README, "the budget".
+#define NCK_CORNER_SHARE_MAX 0.5
+// Share that centripetal acceleration may use of what the corner leaves; the tangential one gets at least
+// √(1 − 0.8²) = 0.6 of it, for the two are perpendicular.
+#define NCK_CURVE_SHARE 0.8
+
+// Limit of the path quantity when an axis has the limit x_lim and the direction cosine c ≠ 0:
+//   path ≤ x_lim / |c|      (speed, acceleration and jerk alike)
+static inline nck_real nck_limit_along(nck_real x_lim, nck_real c) { return x_lim / nck_fabs(c); }
+
+// The largest |cos| of the direction angle between the in-plane tangents t_in and t_out of an arc of less
+// than half a turn:   1 if the perpendicular component changes its sign in between, else the larger of
+// the two ends'. (A turn by less than π passes a given axis at most once.) in, out: component along
+// the axis; in_n, out_n: across it; all divided by the in-plane speed.
+static inline nck_real nck_limit_arc_cos(nck_real in, nck_real in_n, nck_real out, nck_real out_n) {
+    if (in_n * out_n <= 0.0) return 1.0;
+    const nck_real a = nck_fabs(in);
+    const nck_real b = nck_fabs(out);
+    return a > b ? a : b;
+}
+
+// Chord error δ on an arc of radius R > 0, chords of one period:   v ≤ (2/T)·√(2Rδ − δ²)
+// (Cao et al. 2014, section 5, closed form). δ ≥ R: half a turn a period, v ≤ 2R/T.
+static inline nck_real nck_limit_chord(nck_real r, nck_real delta, nck_real period) {
+    const nck_real d = nck_min(delta, r);
+    return 2.0 / period * nck_sqrt(2.0 * r * d - d * d);
+}
+
+// Centripetal acceleration on curvature κ > 0 with the axes' a and the corner's share β:
+//   v² ≤ 0.8·(1 − β)·a/κ
+static inline nck_real nck_limit_curve(nck_real a, nck_real kappa, nck_real beta) {
+    return NCK_CURVE_SHARE * (1.0 - beta) * a / kappa;
+}
+
+// Tangential acceleration left on an arc: of τ·a, τ = 1 − β, the centripetal part v²κ is spent at a right
+// angle:   a_t ≤ √((τa)² − (v²κ)²) / cos λ     (λ: pitch angle of a helix). v²κ ≤ τ·a.
+static inline nck_real nck_limit_arc_accel(nck_real tau_a, nck_real vv_kappa, nck_real cos_lambda) {
+    return nck_sqrt(tau_a * tau_a - vv_kappa * vv_kappa) / cos_lambda;
+}
+
+// Load of a junction on one axis: the jump of the direction cosine over the axis' acceleration,
+//   d = |c_in − c_out| / a      [s²/mm]
+// so that crossing it at v costs, sampled every T, the share d·v/T of that axis' acceleration
+// (Cao et al. 2014, eq. 14: v = a·T/|c1 − c2| for the whole of it).
+static inline nck_real nck_corner_load(nck_real c_in, nck_real c_out, nck_real a) {
+    return nck_fabs(c_in - c_out) / a;
+}
+
+// A corner so sharp that its transfer speed β_max·T/d is less than the speed gained in one period, A·T, is
+// better stopped at: then both neighbours may accelerate with all of a.
+static inline int nck_corner_sharp(nck_real load, nck_real a) {
+    return load * a > NCK_CORNER_SHARE_MAX;
+}
+
+// Transfer speed where several junctions share a period. v at junction j satisfies
+//   d_j·v + Σ_i d_i·(v + A·T − |s_i − s_j|/T) = β·T        (i: all with |s_i − s_j| < (v + A·T)·T)
+// derived in README, section "many junctions in one period". sum_d = d_j + Σ d_i,
+// others_d = Σ d_i, others_dx = Σ d_i·|s_i − s_j|/T. May be negative: then v = 0.
+static inline nck_real nck_corner_speed(nck_real beta_t, nck_real sum_d, nck_real others_d,
+                                        nck_real others_dx, nck_real a_t) {
+    return (beta_t + others_dx - a_t * others_d) / sum_d;
+}
+
+// The same equation solved for the share β that the speed v costs.
+static inline nck_real nck_corner_share(nck_real v, nck_real sum_d, nck_real others_d,
+                                        nck_real others_dx, nck_real a_t, nck_real period) {
+    return (v * sum_d + a_t * others_d - others_dx) / period;
+}
+
+// What acceleration a changes v² by over a length:   h = 2·a·length
+// (Cao et al. 2014, eq. 6). This order of the product is part of the contract of equal bits.
+static inline nck_real nck_envelope_h(nck_real a, nck_real length) { return 2.0 * a * length; }
+
+// One step of the exact two-pass envelope in w = v²; the order of the operations is the definition.
+//   backward  w_i = min(w_cap,i, w_{i+1} + h_i)        forward  w_{i+1} = min(w_{i+1}, w_i + h_i)
+// (Cao et al. 2014, eq. 13 in both directions.)
+static inline nck_real nck_envelope_backward(nck_real w_cap, nck_real w_next, nck_real h) {
+    const nck_real reach = w_next + h;
+    return reach < w_cap ? reach : w_cap;
+}
+
+static inline nck_real nck_envelope_forward(nck_real w, nck_real w_before, nck_real h) {
+    const nck_real reach = w_before + h;
+    return reach < w ? reach : w;
+}
+
+#endif

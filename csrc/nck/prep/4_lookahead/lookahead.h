@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: MIT
+// Room 4, lookahead: seg → node. Places the nodes, finds every cap, and the exact envelope in w = v².
+//
+//   push ─▶ joints (caps of segs and junctions) ─▶ window of nodes (envelope) ─▶ pieces, final
+#ifndef NCK_PREP_LOOKAHEAD_H
+#define NCK_PREP_LOOKAHEAD_H
+
+#include "nck/base/limits.h"  // NCK_WINDOW NCK_CORNER_SPAN
+#include "nck/base/machine.h" // nck_machine_t
+#include "nck/base/records.h" // nck_seg_t nck_node_t
+#include "nck/base/status.h"  // nck_status_t
+
+enum { NCK_JOINT_MAX = 4 * NCK_CORNER_SPAN };
+
+// A seg as this room sees it, and the junction at its end.
+typedef struct nck_joint {
+    uint32_t seq;         // of the seg
+    uint8_t kind;         // nck_seg_kind_t
+    uint8_t limit;        // nck_limit_t that set v_max
+    uint8_t stop;         // 1: the path rests at the end
+    uint8_t reserved;     // 0
+    double length;        // [path mm]
+    double v_max;         // speed cap of the whole seg [path mm/s]
+    double a_straight;    // tangential limit by the axes that go straight [path mm/s²]
+    double a_plane;       // arc: smaller limit of the plane's two axes [mm/s²]; line: 0
+    double cos_lambda;    // arc: in-plane share of the path speed
+    double kappa;         // arc: in-plane acceleration = v²·kappa [1/mm]; line: 0
+    double load;          // d of the junction at the end [s²/mm]; 0 at a stop
+    double v_corner;      // cap at the end [path mm/s]
+    double share;         // β that the junction at the end may use
+    double dwell_s;
+} nck_joint_t;
+
+typedef struct nck_lookahead {
+    const nck_machine_t *machine;
+    uint32_t ended;       // 1: no more segs will come
+
+    // joints, counted from the start; slot = count mod NCK_JOINT_MAX
+    struct {
+        uint32_t head;    // pushed
+        uint32_t decided; // junctions with v_corner and share
+        uint32_t placed;  // segs turned into nodes
+        double tangent[NCK_AXIS_MAX]; // at the end of the last seg
+        nck_joint_t at[NCK_JOINT_MAX];
+    } joint;
+    double vv_before;     // cap of the piece before the next node; 0 after a stop
+    uint32_t limit_before;
+
+    // window of nodes, counted from the start; slot = count mod NCK_WINDOW
+    struct {
+        uint32_t head;    // oldest node
+        uint32_t fill;    // nodes in the window
+        uint32_t segs;    // segs in the window
+        uint32_t final;   // pieces from head on whose envelope is final
+        uint32_t barrier; // pieces from head on up to and with the newest WAIT; 0: none
+        uint32_t restart; // 1: the path rests at head and may be planned at once
+        double vv_entry;  // v² at head, settled
+        nck_node_t at[NCK_WINDOW];
+    } window;
+
+    // a pass over the window in bounded steps
+    struct {
+        uint32_t phase;   // 0 none, 1 backward, 2 forward
+        uint32_t left;    // backward: nodes to go; forward: next piece
+        uint32_t final;   // what window.final will be
+        uint32_t open;    // 1: no cap met yet on the way from the window's end
+        double vv;        // v² at the node last done
+    } pass;
+} nck_lookahead_t;
+
+// Cost: linear in the capacities. Context: any, before the tick runs.
+void nck_lookahead_init(nck_lookahead_t *self, const nck_machine_t *machine);
+
+// 1 if nck_lookahead_push would take a seg. Cost: constant. Context: prep.
+int nck_lookahead_has_room(const nck_lookahead_t *self);
+
+// Take a seg. Returns NCK_OK or NCK_FULL. Cost: constant. Context: prep.
+nck_status_t nck_lookahead_push(nck_lookahead_t *self, const nck_seg_t *seg);
+
+// Say that no more segs will come. Cost: constant. Context: prep.
+void nck_lookahead_end(nck_lookahead_t *self);
+
+// One bounded piece of work. Returns NCK_OK, NCK_EMPTY (needs segs), NCK_FULL (pieces must be taken),
+// NCK_DONE (ended, and every piece is final). Cost: one junction with at most 2·NCK_CORNER_SPAN neighbours, one
+// seg's nodes, or 32 nodes of a pass. Context: prep.
+nck_status_t nck_lookahead_step(nck_lookahead_t *self);
+
+// The i-th piece from the window's head, final, and v² at its end. NCK_OK or NCK_EMPTY.
+// Cost: constant. Context: prep.
+nck_status_t nck_lookahead_piece(const nck_lookahead_t *self, uint32_t i, const nck_node_t **node_out,
+                                 double *vv_end_out);
+
+// The i-th piece from the window's head, final or not; NULL beyond the window. Context: prep.
+const nck_node_t *nck_lookahead_ahead(const nck_lookahead_t *self, uint32_t i);
+
+// Forget the first n pieces; they must be final. Cost: linear in n. Context: prep.
+void nck_lookahead_drop(nck_lookahead_t *self, uint32_t n);
+
+// Plan again from rest at s in the n-th piece from the window's head; the pieces before are forgotten.
+// Cost: linear in n. Context: prep.
+void nck_lookahead_restart(nck_lookahead_t *self, uint32_t n, double s);
+
+// Every invariant of the room, for tests: 1 if all hold. Cost: linear in the window.
+int nck_lookahead_invariants(const nck_lookahead_t *self);
+
+#endif

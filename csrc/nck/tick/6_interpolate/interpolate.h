@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+// Room 6, interpolate: cell + seg → pose. Where the tool is at tick k.
+#ifndef NCK_TICK_INTERPOLATE_H
+#define NCK_TICK_INTERPOLATE_H
+
+#include "nck/base/link.h"    // nck_link_t
+#include "nck/base/machine.h" // nck_machine_t
+#include "nck/base/records.h" // nck_cell_t nck_pose_t
+#include "nck/base/status.h"  // nck_status_t
+
+typedef struct nck_interpolate {
+    const nck_machine_t *machine;
+    nck_link_t *link;       // consumer's side
+    nck_cell_t cell;        // being executed
+    uint32_t has_cell;      // 1: cell is valid
+    uint32_t from_tail;     // 1: it came from the stop tail
+    uint32_t waits;         // 1: until resume
+    uint32_t resume;        // any context asks to go on
+    uint64_t k;             // periods since the last rest
+    double t_cell;          // time from the last rest to the begin of the cell [s]
+    nck_pose_t pose;        // of the last tick
+} nck_interpolate_t;
+
+// At rest at the machine's start position. Cost: constant. Context: any, before the tick runs.
+void nck_interpolate_init(nck_interpolate_t *self, const nck_machine_t *machine, nck_link_t *link);
+
+// One period on. Returns the pose; it stays valid and unchanged until the next call.
+// Cost: linear in the cells that end in this period. Context: tick.
+const nck_pose_t *nck_interpolate_tick(nck_interpolate_t *self);
+
+// Take a cell as the tick would, without executing it: its segs count as finished.
+// Returns NCK_OK or NCK_EMPTY; never a cell of the tail. Cost: constant. Context: tick.
+nck_status_t nck_interpolate_take(nck_interpolate_t *self, nck_cell_t *cell_out);
+
+// Go on after a WAIT. Cost: constant. Context: any.
+void nck_interpolate_resume(nck_interpolate_t *self);
+
+// Periods from a rest to the landing after the time t: the smallest k ≥ 1 with k·T ≥ t, in the arithmetic of
+// the tick. Cost: constant. Context: any.
+uint64_t nck_interpolate_periods(double t, double period);
+
+#endif
