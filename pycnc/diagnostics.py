@@ -1,0 +1,340 @@
+# SPDX-License-Identifier: MIT
+"""What is wrong with a program, in words: the kernel gives ids and numbers, this file words."""
+
+import re
+from collections import Counter
+from dataclasses import dataclass
+
+import numpy as np
+
+from pycnc._bind import lib, note_id, status_id
+
+SHOWN_PER_ID = 20  # findings of one id that are told in full; the rest is counted
+_EXCERPT = 100  # characters of a source line that are shown around the column
+_DIALECTS = {1: "Heidenhain Klartext", 2: "Sinumerik", 3: "Okuma"}
+
+# id → (message, help). The fields are those of _fields below.
+WORDING = {
+    "character": (
+        "{found} starts no word",
+        "a block is made of words such as G1 X10 F200; comments stand in ( ) or after ;",
+    ),
+    "number": (
+        "{letter} has no number that can be read",
+        "write the number right after the letter: {letter}12.5 (a decimal point, no comma)",
+    ),
+    "number-range": (
+        "{letter}{value:g} is outside of what {letter} takes here",
+        "check the number and the units in force (G20 inch, G21 mm)",
+    ),
+    "line-length": (
+        "the line is longer than {value:.0f} bytes",
+        "split the block into several lines or shorten its comment",
+    ),
+    "comment": (
+        "the comment is not closed",
+        "close it with ) on the same line, or begin it with ;",
+    ),
+    "word-unknown": (
+        "the language has no {letter} word",
+        "remove the word, or put it into a comment: ( )",
+    ),
+    "word-twice": (
+        "{letter} stands twice in one block",
+        "keep one of the two, or make two lines of the block",
+    ),
+    "word-unused": (
+        "no code of this block uses {found}",
+        "remove the word, or add the code that it belongs to",
+    ),
+    "word-missing": (
+        "a {letter} word is missing in this block",
+        "add {letter} with its number to the block",
+    ),
+    "g-unknown": (
+        "G{value:g} is no G code that the kernel knows",
+        "look up the code in the manual of the control that the program was made for",
+    ),
+    "m-unknown": (
+        "M{value:g} is no M code that the kernel knows",
+        "remove the code, or put it into a comment: ( )",
+    ),
+    "modal-group": (
+        "{found} and another code of its modal group stand in one block",
+        "put one of the two codes on a line of its own",
+    ),
+    "unsupported": (
+        "{found} is known and not built yet",
+        "have the post-processor write plain moves instead; nothing is skipped in silence",
+    ),
+    "feed-missing": (
+        "a cut without feed",
+        "put F on this line or before it, or give a default: --set dialect.feed_default_mm_min=500",
+    ),
+    "arc-radius": (
+        "arc ends {miss:.3f} mm off its circle "
+        "(start radius {limit:.3f}, end radius {value:.3f}, tolerance {tolerance:.3g})",
+        "check I J K and G90.1/G91.1, write more decimals, or set path.arc_radius_mm",
+    ),
+    "arc-centre": (
+        "the arc has no centre, or its radius is zero",
+        "give the centre by I J K in the plane in force (G17: I J, G18: I K, G19: J K), or R",
+    ),
+    "arc-chord": (
+        "R{value:g} is shorter than half of the chord, {limit:.4f} mm",
+        "check R, the end point and the units in force",
+    ),
+    "axis-unknown": (
+        "the machine {machine} has no {letter} axis",
+        "choose a machine that has it (--machine), or remove the word",
+    ),
+    "travel": (
+        "{letter} reaches {value:.3f} {unit}, its travel ends at {limit:.3f} {unit}",
+        "move the work zero (--set work.g54.{key}=…), or if the machine has more travel: "
+        "--set axis.{axis}.{end}_{unit}=…",
+    ),
+    "tool-unknown": (
+        "tool {value:.0f} is not in the tool table",
+        "add [tool.{value:.0f}] to the machine file, or give a tool table: --tools tool.tbl",
+    ),
+    "no-motion": (
+        "axis words while no motion is in force",
+        "begin the block with G0, G1, G2 or G3",
+    ),
+    "dialect": (
+        "this is a program in {dialect}, which pycnc does not read",
+        "have the post-processor write G-code as RS274NGC, Fanuc, grbl or Marlin have it",
+    ),
+    "binary": (
+        "this is no NC program: it holds a NUL byte",
+        "give a text file",
+    ),
+    "no-program": (
+        "the text holds no block",
+        "give a program with one word at least",
+    ),
+    "argument": ("a call to the kernel had a number outside of its range", "please report this"),
+    "machine": ("the kernel refuses a number of the machine", "pycnc machine validate tells which"),
+    "state": ("a call to the kernel came at the wrong time", "please report this"),
+    "internal": ("an invariant of the kernel is broken", "please report this with the program"),
+    "assumed-units": ("no G20 or G21 before the first motion: {units} assumed", ""),
+    "assumed-plane": ("no G17, G18 or G19 before the first arc: G{plane} assumed", ""),
+    "assumed-distance": ("no G90 or G91 before the first motion: absolute (G90) assumed", ""),
+    "assumed-centre": ("no G90.1 or G91.1 before I J K: {arc_centre} centres assumed", ""),
+    "no-end": ("the text ends without M2, M30 or a closing %", ""),
+    "after-end": ("what follows the program's end is not read", "remove the text or the M2 / M30"),
+}
+_WARNINGS = frozenset({"after-end"})
+
+
+@dataclass(frozen=True)
+class Diagnostic:
+    """One finding.
+
+    Attributes
+    ----------
+    file : str
+    line, col : int
+        1-based; col counts bytes; 0 where the whole line, or the whole file, is meant.
+    id : str
+        Stable id, such as ``"arc-radius"``.
+    severity : {"error", "warning", "note"}
+    message, help : str
+        help may be empty.
+    source : bytes
+        The source line, without its end.
+    """
+
+    file: str
+    line: int
+    col: int
+    id: str
+    severity: str
+    message: str
+    help: str = ""
+    source: bytes = b""
+
+    def as_dict(self):
+        """Return what ``--json`` tells."""
+        keys = ("file", "line", "col", "id", "severity", "message", "help")
+        return {key: getattr(self, key) for key in keys}
+
+    def text(self, colour=False):
+        """Return the finding as lines of text: head, source line, caret, help."""
+        place = ":".join([self.file] + [str(n) for n in (self.line, self.col) if n])
+        head = f"{_paint(place, 'bold', colour)}: {_tag(self.severity, self.id, colour)}"
+        lines = [f"{head}: {_paint(self.message, 'bold', colour)}"]
+        if self.line and self.source:
+            lines += self._excerpt(colour)
+        if self.help:
+            lines.append(f"  {_paint('help:', 'cyan', colour)} {self.help}")
+        return "\n".join(lines)
+
+    def _excerpt(self, colour):
+        before, after = (
+            _printable(self.source[: max(self.col - 1, 0)]),
+            _printable(self.source[max(self.col - 1, 0) :][: 4 * _EXCERPT]),
+        )
+        cut = max(0, len(before) - _EXCERPT // 2)
+        room = _EXCERPT - (len(before) - cut)
+        shown = ("…" if cut else "") + before[cut:] + after[:room] + ("…" if after[room:] else "")
+        if not self.col:
+            return [f"  {shown}"]
+        caret = " " * (len(before) - cut + bool(cut)) + "^"
+        return [f"  {shown}", f"  {_paint(caret, 'green', colour)}"]
+
+
+class Diagnostics:
+    """All findings of a program, in the order of the source; the many of one kind are counted.
+
+    Attributes
+    ----------
+    shown : list of Diagnostic
+        At most SHOWN_PER_ID of each id.
+    counts : collections.Counter
+        Id → how many there are.
+    errors : int
+        How many errors there are.
+    """
+
+    def __init__(self):
+        self.shown, self.counts, self.errors = [], Counter(), 0
+
+    def add(self, finding, count=1):
+        """Add a finding; count: how many of its kind it stands for."""
+        if self.counts[finding.id] < SHOWN_PER_ID:
+            self.shown.append(finding)
+        self.counts[finding.id] += count
+        self.errors += count * (finding.severity == "error")
+
+    def hidden(self):
+        """Yield (id, severity, how many) of what is counted and not shown."""
+        shown = Counter(finding.id for finding in self.shown)
+        severities = {finding.id: finding.severity for finding in self.shown}
+        for name, count in self.counts.items():
+            if count > shown[name]:
+                yield name, severities[name], count - shown[name]
+
+    def text(self, file, colour=False):
+        """Return all of it as text, empty if there is nothing to say."""
+        lines = [finding.text(colour) for finding in self.shown]
+        for name, severity, count in self.hidden():
+            lines.append(
+                f"{file}: {_tag(severity, name, colour)}: {count} more like this are not shown"
+            )
+        return "\n".join(lines)
+
+    def as_list(self):
+        """Return what ``--json`` tells."""
+        return [finding.as_dict() for finding in self.shown]
+
+    def __len__(self):
+        return sum(self.counts.values())
+
+    def __iter__(self):
+        return iter(self.shown)
+
+
+class Wording:
+    """Puts the kernel's findings about one program into words."""
+
+    def __init__(self, file, text, machine):
+        self._file, self._text, self._machine = file, text, machine
+        self._lines = None
+
+    def add(self, diagnostics, rows):
+        """Add findings of the kernel to a collection.
+
+        Parameters
+        ----------
+        diagnostics : Diagnostics
+        rows : numpy.ndarray
+            Of dtype ``nck_diagnostic_t``.
+        """
+        kept, extra = [], []
+        for code in np.unique(rows["code"]):
+            of_code = np.flatnonzero(rows["code"] == code)
+            room = max(SHOWN_PER_ID - diagnostics.counts[_id(int(code))], 0)
+            kept.extend(of_code[:room])
+            if len(of_code) > room:
+                extra.append((of_code[room], len(of_code) - room))
+        for index in sorted(kept):
+            diagnostics.add(self._finding(rows[index]))
+        for index, count in extra:
+            diagnostics.add(self._finding(rows[index]), count)
+
+    def _finding(self, row):
+        name = _id(int(row["code"]))
+        line, column = int(row["line"]), int(row["column"])
+        source = self._source(line)
+        fields = self._fields(row, source)
+        message, remedy = (words.format_map(fields) for words in WORDING[name])
+        severity = "error" if row["code"] < 0 else "warning" if name in _WARNINGS else "note"
+        return Diagnostic(self._file, line, column, name, severity, message, remedy, source)
+
+    def _source(self, line):
+        if self._lines is None:
+            self._lines = self._text.splitlines()  # of bytes: at LF, CR LF and CR, as the kernel
+        return self._lines[line - 1] if 0 < line <= len(self._lines) else b""
+
+    def _fields(self, row, source):
+        value, limit = float(row["value"]), float(row["limit"])
+        letter = chr(row["letter"]) if row["letter"] else ""
+        settings, axis = self._machine.settings, letter.lower()
+        unit = "deg" if letter in "ABC" and letter else "mm"
+        return {
+            "value": value,
+            "limit": limit,
+            "letter": letter or "?",
+            "found": _word(source, int(row["column"])),
+            "miss": abs(value - limit),
+            "tolerance": float(settings.path.arc_radius_mm),
+            "machine": self._machine.name,
+            "unit": unit,
+            "axis": axis,
+            "key": f"{axis}_{unit}",
+            "end": "max" if value > limit else "min",
+            "dialect": _DIALECTS.get(int(value), "a language of its own"),
+            "units": "inches (G20)" if settings.dialect.units == "inch" else "mm (G21)",
+            "plane": settings.dialect.plane,
+            "arc_centre": settings.dialect.arc_centre,
+        }
+
+
+def _id(code):
+    return status_id(code) if code < 0 else note_id(code)
+
+
+def ids():
+    """Return the ids of all errors and notes that the kernel may tell, errors first."""
+    names = dir(lib)
+    errors = sorted((getattr(lib, n) for n in names if n.startswith("NCK_E_")), reverse=True)
+    notes = sorted(getattr(lib, n) for n in names if n.startswith("NCK_NOTE_"))
+    return [status_id(code) for code in errors] + [note_id(code) for code in notes]
+
+
+def _word(source, column):
+    """Return the word of a source line that begins at a column, as a person would quote it."""
+    rest = source[max(column - 1, 0) :][:40].decode("utf-8", errors="replace")
+    word = re.match(r"[A-Za-z]\s*[-+]?[0-9.]+|[A-Za-z]+|.", rest)
+    return _printable(word[0].replace(" ", "").encode()) if word else "this"
+
+
+def _printable(data):
+    """Return bytes as text of one column a character: no control reaches the terminal."""
+    text = data.decode("utf-8", errors="replace")
+    return "".join(
+        c if c.isprintable() else " " if c == "\t" else "\N{REPLACEMENT CHARACTER}" for c in text
+    )
+
+
+_COLOURS = {"bold": "1", "red": "1;31", "yellow": "1;33", "cyan": "36", "green": "1;32"}
+_SEVERITY_COLOURS = {"error": "red", "warning": "yellow", "note": "cyan"}
+
+
+def _paint(text, colour, on):
+    return f"\x1b[{_COLOURS[colour]}m{text}\x1b[0m" if on else text
+
+
+def _tag(severity, name, colour):
+    return _paint(f"{severity}[{name}]", _SEVERITY_COLOURS[severity], colour)

@@ -1,0 +1,163 @@
+# SPDX-License-Identifier: MIT
+"""Where the moves of a program run: lines, arcs and helices of its blocks, in NumPy.
+
+Made from the decoded blocks alone, not from the kernel's segs, so that it can judge the kernel.
+All coordinates are machine coordinates with the tool offset in them: where the axes are.
+"""
+
+import numpy as np
+
+from pycnc._bind import lib
+
+_MM = 1e-6  # millimetres in a nanometre, degrees in a nanodegree
+_PLANE_AXES = {17: (0, 1), 18: (2, 0), 19: (1, 2)}
+_MOVES = (lib.NCK_BLOCK_RAPID, lib.NCK_BLOCK_LINE, lib.NCK_BLOCK_ARC)
+_NEWTON_STEPS = 3  # from a start within 1e-3 of the helix: the third step is below rounding
+
+
+class Moves:
+    """The moves of decoded blocks.
+
+    Attributes
+    ----------
+    start, end : numpy.ndarray
+        (blocks, axes) where every block begins and ends [mm, deg].
+    is_arc : numpy.ndarray
+        (blocks,) bool.
+    """
+
+    def __init__(self, blocks, machine):
+        position = blocks["target_nm"].astype(np.int64)
+        position[:, :3] += blocks["tool_nm"]
+        is_move = np.isin(blocks["kind"], _MOVES)
+        last = np.maximum.accumulate(np.where(is_move, np.arange(len(blocks)), -1))
+        end_nm = np.where((last >= 0)[:, None], position[last], machine.record["start_nm"])
+        self.end = end_nm * _MM
+        self.start = np.concatenate([[machine.record["start_nm"] * _MM], self.end[:-1]])
+        self.is_arc = blocks["kind"] == lib.NCK_BLOCK_ARC
+        self._arcs(blocks)
+
+    def _arcs(self, blocks):
+        """Prepare the arcs: centre in the machine, start angle, radius."""
+        pairs = np.array([_PLANE_AXES.get(plane, (0, 1)) for plane in range(20)])
+        self._axes = pairs[np.minimum(blocks["plane"], 19)]
+        tool = np.take_along_axis(blocks["tool_nm"], self._axes, axis=1) * _MM
+        self._centre = blocks["centre_mm"] + tool
+        self._sweep = blocks["sweep_rad"]
+        radius = np.take_along_axis(self.start, self._axes, axis=1) - self._centre
+        self._angle = np.arctan2(radius[:, 1], radius[:, 0])
+        self._radius = np.hypot(radius[:, 0], radius[:, 1])
+
+    def point(self, block, q):
+        """Return points of moves.
+
+        Parameters
+        ----------
+        block : numpy.ndarray
+            (n,) indices of blocks.
+        q : numpy.ndarray
+            (n,) how far along each move, 0 … 1.
+
+        Returns
+        -------
+        numpy.ndarray
+            (n, axes) [mm, deg].
+        """
+        points = self.start[block] + q[:, None] * (self.end - self.start)[block]
+        arc = np.flatnonzero(self.is_arc[block])
+        index = block[arc]
+        angle = self._angle[index] + q[arc] * self._sweep[index]
+        around = np.stack([np.cos(angle), np.sin(angle)], axis=1) * self._radius[index, None]
+        rows = arc[:, None]
+        points[rows, self._axes[index]] = self._centre[index] + around
+        return points
+
+    def distance(self, block, points):
+        """Return how far points are from their moves, in the path metric (1 deg counts as 1 mm).
+
+        Parameters
+        ----------
+        block : numpy.ndarray
+            (n,) index of the block that each point belongs to.
+        points : numpy.ndarray
+            (n, axes) [mm, deg].
+
+        Returns
+        -------
+        numpy.ndarray
+            (n,) [mm].
+        """
+        q = np.empty(len(block))
+        arc = self.is_arc[block]
+        q[~arc] = self._nearest_on_line(block[~arc], points[~arc])
+        q[arc] = self._nearest_on_helix(block[arc], points[arc])
+        return np.linalg.norm(points - self.point(block, q), axis=1)
+
+    def _nearest_on_line(self, block, points):
+        along = (self.end - self.start)[block]
+        square = np.einsum("ij,ij->i", along, along)
+        ahead = np.einsum("ij,ij->i", points - self.start[block], along)
+        return np.clip(np.divide(ahead, square, out=np.zeros(len(block)), where=square > 0), 0, 1)
+
+    def _nearest_on_helix(self, block, points):
+        sweep = self._sweep[block]
+        q = self._turn(block, points) / sweep
+        for _ in range(_NEWTON_STEPS):
+            along = self._tangent(block, q)
+            apart = points - self.point(block, q)
+            q += np.einsum("ij,ij->i", apart, along) / np.einsum("ij,ij->i", along, along)
+        return np.clip(q, 0, 1)
+
+    def _turn(self, block, points):
+        """Return the angle from the start to each point, on the turn of the helix it is on."""
+        sweep, around = self._sweep[block], 2 * np.pi
+        local = np.take_along_axis(points, self._axes[block], axis=1) - self._centre[block]
+        angle = np.arctan2(local[:, 1], local[:, 0]) - self._angle[block]
+        straight = (self.end - self.start)[block]
+        np.put_along_axis(straight, self._axes[block], 0, axis=1)
+        square = np.einsum("ij,ij->i", straight, straight)
+        ahead = np.einsum("ij,ij->i", points - self.start[block], straight)
+        q = np.divide(ahead, square, out=np.full(len(block), 0.5), where=square > 0)
+        expected = q * sweep  # of a flat arc: its middle, the angle that is nearest to all of it
+        return angle + around * np.round((expected - angle) / around)
+
+    def _tangent(self, block, q):
+        """Return the derivative of point by q."""
+        along = (self.end - self.start)[block]
+        angle = self._angle[block] + q * self._sweep[block]
+        turn = np.stack([-np.sin(angle), np.cos(angle)], axis=1)
+        np.put_along_axis(
+            along,
+            self._axes[block],
+            turn * (self._radius[block] * self._sweep[block])[:, None],
+            axis=1,
+        )
+        return along
+
+    def bounds(self):
+        """Return the smallest and the largest coordinate of every axis, arcs included.
+
+        Returns
+        -------
+        low, high : numpy.ndarray
+            (axes,) [mm, deg].
+        """
+        corners = [self.start[:1], self.end]
+        arc = np.flatnonzero(self.is_arc)
+        for quarter in range(4):  # an arc reaches beyond its ends only on its quadrants
+            angle = quarter * np.pi / 2 - self._angle[arc]
+            sweep = self._sweep[arc]
+            ahead = np.mod(np.where(sweep > 0, angle, -angle), 2 * np.pi)
+            inside = ahead < np.abs(sweep)
+            hit = arc[inside]
+            corners.append(self.point(hit, ahead[inside] / np.abs(sweep[inside])))
+        every = np.concatenate(corners)
+        return every.min(axis=0), every.max(axis=0)
+
+    def length(self):
+        """Return the length of all moves [mm of the path metric]."""
+        straight = self.end - self.start
+        arc = np.flatnonzero(self.is_arc)
+        straight[arc[:, None], self._axes[arc]] = 0
+        turned = np.where(self.is_arc, self._radius * self._sweep, 0)
+        return float(np.sum(np.sqrt(np.einsum("ij,ij->i", straight, straight) + turned**2)))

@@ -1,0 +1,147 @@
+# SPDX-License-Identifier: MIT
+"""Calls into the kernel in bulk: decode a text, plan it, run it in the simulated controller.
+
+Each is a generator that works through the text in bounded pieces, so that a caller can show
+progress, stop, or keep nothing. Arrays that it yields are its own and are filled again by the next
+piece: copy what is to stay.
+"""
+
+from importlib import metadata
+
+import numpy as np
+
+from pycnc._bind import check, ffi, lib, pointer
+from pycnc.records import dtype
+
+_BLOCK_ROWS = 16384
+_DIAGNOSTIC_ROWS = 4096
+_PLAN_ROWS = 4 * lib.NCK_WINDOW  # the least that nck_host_plan_run takes
+_TICK_ROWS = 16384
+PREP_STEPS = 256  # prep steps between two ticks: more than any program of 1 µm moves needs
+
+
+def version():
+    """Return the version of pycnc."""
+    try:
+        return metadata.version("pycnc-nck")
+    except metadata.PackageNotFoundError:
+        return "0 (not installed)"
+
+
+def decode(text, machine):
+    """Decode a whole text.
+
+    Parameters
+    ----------
+    text : bytes
+    machine : Machine
+
+    Yields
+    ------
+    blocks : numpy.ndarray
+        Of dtype ``nck_block_t``.
+    diagnostics : numpy.ndarray
+        Of dtype ``nck_diagnostic_t``.
+    used : int
+        Bytes of the text that are read so far.
+    """
+    state = ffi.new("nck_decode_t *")
+    lib.nck_decode_init(state, machine.pointer)
+    blocks = np.empty(_BLOCK_ROWS, dtype("nck_block_t"))
+    diagnostics = np.empty(_DIAGNOSTIC_ROWS, dtype("nck_diagnostic_t"))
+    data, used, counts = ffi.from_buffer("char[]", text), 0, ffi.new("size_t[3]")
+    status = lib.NCK_OK
+    while status == lib.NCK_OK:
+        status = lib.nck_host_decode(
+            state, data + used, len(text) - used, 1, counts,
+            pointer("nck_block_t", blocks), len(blocks), counts + 1,
+            pointer("nck_diagnostic_t", diagnostics), len(diagnostics), counts + 2,
+        )  # fmt: skip
+        check(status)
+        used += counts[0]
+        yield blocks[: counts[1]], diagnostics[: counts[2]], used
+
+
+class Planner:
+    """Plans a whole text without executing it.
+
+    Attributes
+    ----------
+    totals : numpy.void
+        Of dtype ``nck_host_totals_t``: sums so far, complete when `pieces` has ended.
+    """
+
+    def __init__(self, text, machine):
+        self._text, self._machine = text, machine
+        self._nck, self._plan = ffi.new("nck_t *"), ffi.new("nck_host_plan_t *")
+        self._data = ffi.from_buffer("char[]", text)
+        check(lib.nck_host_plan_init(self._plan, self._nck, machine.pointer, self._data, len(text)))
+        self._arrays = {
+            name: np.empty(_PLAN_ROWS, dtype(f"nck_{name}_t")) for name in ("seg", "node", "cell")
+        }
+        for name, array in self._arrays.items():
+            setattr(self._plan, f"{name}s", pointer(f"nck_{name}_t", array))
+            setattr(self._plan, f"{name}_max", len(array))
+
+    def pieces(self):
+        """Yield (segs, nodes, cells, bytes used) until the plan is done.
+
+        Raises
+        ------
+        ProgramError
+            At the first error of the program; everything before it has been planned.
+        """
+        status = lib.NCK_OK
+        while status == lib.NCK_OK:
+            status = lib.nck_host_plan_run(self._plan)
+            check(status)
+            segs, nodes, cells = (
+                array[: getattr(self._plan, f"{name}_count")]
+                for name, array in self._arrays.items()
+            )
+            yield segs, nodes, cells, self._plan.text_used
+
+    @property
+    def totals(self):
+        data = ffi.buffer(ffi.addressof(self._plan, "totals"))
+        return np.frombuffer(bytes(data), dtype("nck_host_totals_t"))[0]
+
+
+class Controller:
+    """The simulated controller: prep steps and ticks interleaved in virtual time.
+
+    Parameters
+    ----------
+    text : bytes
+    machine : Machine
+    prep_steps : int
+        Prep steps between two ticks, 1 at least. Few of them starve the tick.
+    """
+
+    def __init__(self, text, machine, prep_steps=PREP_STEPS):
+        self._text, self._machine = text, machine
+        self._nck, self._sim = ffi.new("nck_t *"), ffi.new("sim_t *")
+        self._data = ffi.from_buffer("char[]", text)
+        check(
+            lib.sim_init(self._sim, self._nck, machine.pointer, self._data, len(text), prep_steps)
+        )
+
+    def pieces(self):
+        """Yield (rows, bytes used): one row of dtype ``sim_row_t`` a tick.
+
+        Raises
+        ------
+        ProgramError
+            After everything before the error has been executed.
+        """
+        rows, count = np.empty(_TICK_ROWS, dtype("sim_row_t")), ffi.new("size_t *")
+        status = lib.NCK_OK
+        while status == lib.NCK_OK:
+            status = lib.sim_run(self._sim, pointer("sim_row_t", rows), len(rows), count)
+            yield rows[: count[0]], self._sim.text_used
+            check(status)
+
+    @property
+    def starved_ticks(self):
+        """Ticks so far in which the path was waited for."""
+        return self._sim.starved_ticks

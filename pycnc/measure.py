@@ -1,0 +1,156 @@
+# SPDX-License-Identifier: MIT
+"""What a run did, measured from its setpoints piece by piece: peaks, path error, times.
+
+Nothing here asks the planner: speed, acceleration and jerk are finite differences of the emitted
+positions, and the path is the decoded program's.
+"""
+
+import numpy as np
+
+from pycnc.machine_file import AXES
+from pycnc.records import enum
+
+LIMITS = enum("nck_limit_t")
+_TICK_STATES = enum("nck_tick_state_t")
+
+
+def limit_names(machine):
+    """Return the names of all limits that can hold this machine, code → name, in code order.
+
+    Examples
+    --------
+    >>> limit_names(Machine.load("cao2014"))[2]
+    'corner'
+    """
+    names = {int(limit): limit.name.lower() for limit in LIMITS if limit != LIMITS.AXIS_V}
+    for letter in machine.axes:
+        names[LIMITS.AXIS_V + AXES.index(letter)] = f"axis_v:{letter}"
+    return names
+
+
+class Peaks:
+    """Largest speed, acceleration and jerk of every axis and of the path, over their limits."""
+
+    def __init__(self, machine):
+        self._machine, self._period = machine, machine.period_s
+        self._axes = [AXES.index(letter) for letter in machine.axes]
+        self._tail = np.empty((0, len(self._axes) + 1))
+        self._peaks = np.zeros((3, len(self._axes) + 1))  # v, a, j of the axes and of s
+
+    def add(self, rows):
+        """Measure the next rows of a run (dtype ``sim_row_t``)."""
+        now = np.column_stack([rows["pose"]["axis"][:, self._axes], rows["pose"]["s"]])
+        track = np.concatenate([self._tail, now])
+        step = track
+        for order in range(3):
+            step = np.diff(step, axis=0)
+            if len(step):
+                np.maximum(self._peaks[order], np.abs(step).max(axis=0), out=self._peaks[order])
+        self._tail = track[-3:]
+
+    def result(self):
+        """Return {"x": {"v", "a", "j"}, …, "path": {"a", "j"}}: 1 means at the limit."""
+        per_second = self._peaks / self._period ** np.arange(1, 4)[:, None]
+        limits = np.stack([self._machine.limits(kind) for kind in ("v_max", "a_max", "j_max")])
+        ratios = per_second[:, :-1] / limits
+        peaks = {
+            letter: dict(zip("vaj", map(float, ratios[:, k]), strict=True))
+            for k, letter in enumerate(self._machine.axes)
+        }
+        path = self._machine.record["path"]
+        peaks["path"] = {
+            "a": float(per_second[1, -1] / path["a_max"]),
+            "j": float(per_second[2, -1] / path["j_max"]),
+        }
+        return peaks
+
+
+class PathError:
+    """Largest distance of a sampled pose from the programmed path."""
+
+    def __init__(self, moves):
+        self._moves = moves
+        self.largest_mm = 0.0
+
+    def add(self, rows):
+        """Measure the next rows of a run (dtype ``sim_row_t``)."""
+        pose = rows["pose"]
+        begun = pose["line"] > 0
+        if not begun.any():
+            return
+        block = pose["block"][begun].astype(np.intp)
+        apart = self._moves.distance(block, pose["axis"][begun])
+        self.largest_mm = max(self.largest_mm, float(apart.max()))
+
+
+class Ticks:
+    """Where the ticks of a run went: to which limit, and at which source lines."""
+
+    def __init__(self, machine):
+        self._names, self._period = limit_names(machine), machine.period_s
+        self._lines = {}  # limit code → ticks of every line
+        self.count = 0
+        self.length_mm = 0.0
+
+    def add(self, rows):
+        """Count the next rows of a run (dtype ``sim_row_t``)."""
+        pose = rows["pose"]
+        self.count += len(rows)
+        if len(rows):
+            self.length_mm = float(pose["s"][-1])
+        idle = pose["state"] == _TICK_STATES.IDLE
+        for code in np.unique(pose["limit"][~idle]):
+            lines = np.bincount(pose["line"][~idle & (pose["limit"] == code)])
+            known = self._lines.get(int(code), np.zeros(0, np.int64))
+            longer, shorter = (lines, known) if len(lines) > len(known) else (known, lines)
+            longer = longer.astype(np.int64)
+            longer[: len(shorter)] += shorter
+            self._lines[int(code)] = longer
+
+    @property
+    def time_s(self):
+        """Time of all ticks [s]."""
+        return self.count * self._period
+
+    def limit_time_s(self):
+        """Return the time that each limit held the path [s], all names."""
+        return {
+            name: float(self._lines[code].sum() * self._period) if code in self._lines else 0.0
+            for code, name in self._names.items()
+        }
+
+    def worst_lines(self, count=3):
+        """Return limit name → [(source line, time in s)], the lines that it held longest."""
+        worst = {}
+        for code, ticks in self._lines.items():
+            order = np.argsort(-ticks, kind="stable")[:count]
+            worst[self._names[code]] = [
+                (int(line), float(ticks[line] * self._period)) for line in order if ticks[line]
+            ]
+        return worst
+
+
+def plan_times(totals, machine):
+    """Return the sums of a plan as the JSON of ``time`` has them.
+
+    Parameters
+    ----------
+    totals : numpy.void
+        Of dtype ``nck_host_totals_t``.
+    machine : Machine
+
+    Returns
+    -------
+    dict
+        Times in s, lengths in mm.
+    """
+    names = ("time_s", "cut_s", "rapid_s", "dwell_s", "accelerate_s", "cruise_s", "decelerate_s")
+    times = {name: float(totals[name]) for name in names}
+    limits = {name: float(totals["limit_s"][code]) for code, name in limit_names(machine).items()}
+    return {
+        **times,
+        "blocks": int(totals["blocks"]),
+        "segments": int(totals["segs"]),
+        "length_mm": float(totals["length_mm"]),
+        "limit_time_s": limits,
+    }

@@ -1,0 +1,150 @@
+# SPDX-License-Identifier: MIT
+"""A program: NC text, decoded whole for one machine."""
+
+import hashlib
+import html
+from pathlib import Path
+
+import numpy as np
+
+from pycnc import errors, kernel
+from pycnc.diagnostics import Diagnostics, Wording
+from pycnc.geometry import Moves
+from pycnc.machine import DEFAULT, Machine
+from pycnc.machine_file import AXES, unit_of
+from pycnc.records import dtype
+
+
+class Program:
+    """NC text and what it means on a machine.
+
+    Attributes
+    ----------
+    file : str
+        Where the text came from.
+    text : bytes
+    machine : Machine
+    blocks : numpy.ndarray
+        Of dtype ``nck_block_t``; None if the program was only checked.
+    diagnostics : Diagnostics
+        Everything that was found, errors and notes.
+    block_count : int
+    """
+
+    def __init__(self, text, machine, *, file="<text>", keep=True, progress=None):
+        self.text, self.machine, self.file = bytes(text), machine, file
+        self.diagnostics, kept, self.block_count = Diagnostics(), [], 0
+        wording = Wording(file, self.text, machine)
+        for blocks, findings, used in kernel.decode(self.text, machine):
+            wording.add(self.diagnostics, findings)
+            self.block_count += len(blocks)
+            if keep:
+                kept.append(blocks.copy())
+            if progress:
+                progress(used, len(self.text))
+        self.blocks = np.concatenate(kept or [np.empty(0, dtype("nck_block_t"))]) if keep else None
+        self._moves = None
+
+    @property
+    def sha256(self):
+        """Hash of the text."""
+        return hashlib.sha256(self.text).hexdigest()
+
+    @property
+    def moves(self):
+        """Where the moves run, as `geometry.Moves`."""
+        if self._moves is None:
+            self._moves = Moves(self.blocks, self.machine)
+        return self._moves
+
+    @property
+    def bounds(self):
+        """Axis letter → (smallest, largest) machine coordinate of all moves [mm, deg]."""
+        low, high = self.moves.bounds()
+        order = {letter: AXES.index(letter) for letter in self.machine.axes}
+        return {letter: (float(low[k]), float(high[k])) for letter, k in order.items()}
+
+    @property
+    def length_mm(self):
+        """Length of all moves [mm]; a degree counts as a millimetre."""
+        return self.moves.length()
+
+    def check(self):
+        """Return the program if it has no error.
+
+        Raises
+        ------
+        ProgramError
+            At the first error, with its line and column.
+        """
+        for finding in self.diagnostics:
+            if finding.severity == "error":
+                raise errors.ProgramError(
+                    finding.text(), id=finding.id, line=finding.line, column=finding.col
+                )
+        return self
+
+    def _facts(self):
+        yield "file", self.file
+        yield "machine", self.machine.name
+        yield "blocks", f"{self.block_count:,}"
+        yield "errors", str(self.diagnostics.errors)
+        if self.blocks is not None:
+            yield "length", f"{self.length_mm:.1f} mm"
+            for letter, (low, high) in self.bounds.items():
+                yield letter.upper(), f"{low:.3f} … {high:.3f} {unit_of(letter)}"
+
+    def __repr__(self):
+        return "<Program " + ", ".join(f"{name} {value}" for name, value in self._facts()) + ">"
+
+    def _repr_html_(self):
+        rows = (
+            f"<tr><th>{html.escape(name)}</th><td>{html.escape(value)}</td></tr>"
+            for name, value in self._facts()
+        )
+        return f"<table>{''.join(rows)}</table>"
+
+
+def read_text(path_or_text):
+    """Return (name, bytes) of a program: a path, or the text itself.
+
+    bytes, and a str with a line end in it, are text; any other str is a path.
+    """
+    if isinstance(path_or_text, bytes | bytearray | memoryview):
+        return "<text>", bytes(path_or_text)
+    if isinstance(path_or_text, str) and "\n" in path_or_text:
+        return "<text>", path_or_text.encode()
+    return str(path_or_text), Path(path_or_text).read_bytes()
+
+
+def load(path_or_text, machine=DEFAULT, dialect=None):
+    """Load a program and decode it whole.
+
+    Parameters
+    ----------
+    path_or_text : path, str or bytes
+        A file; or the text: bytes, or a str with a line end in it.
+    machine : str, path or Machine
+        Name of a shipped machine, a machine file, or a machine.
+    dialect : {"linuxcnc", "fanuc", "grbl", "marlin"}, optional
+        Replaces the machine's.
+
+    Returns
+    -------
+    Program
+        Errors of the text are in its `diagnostics`; `Program.check` raises them.
+
+    Raises
+    ------
+    OSError
+        If the file cannot be read.
+    MachineFileError
+
+    Examples
+    --------
+    >>> program = load("G21 G90 G1 X10 F600\\nM2\\n", machine="mill3")
+    >>> program.length_mm
+    10.0
+    """
+    file, text = read_text(path_or_text)
+    return Program(text, Machine.load(machine, dialect=dialect), file=file)

@@ -1,0 +1,393 @@
+# SPDX-License-Identifier: MIT
+"""A trace: one row per tick of a run, and its files (npz, csv, parquet), written in pieces."""
+
+import json
+import shutil
+import tempfile
+import time
+import zipfile
+from pathlib import Path
+
+import numpy as np
+
+from pycnc import errors, kernel, measure
+from pycnc.machine_file import AXES, position_key, unit_of
+from pycnc.plan import Plan, check_backend, for_machine
+from pycnc.records import enum
+
+FORMATS = (".npz", ".csv", ".parquet")
+_SEG_KINDS = enum("nck_seg_kind_t")
+_STATES = enum("nck_tick_state_t")
+KINDS = ("idle", "rapid", "line", "arc", "dwell", "wait")  # codes of the column `kind`
+
+
+class Columns:
+    """The columns of a machine's trace.
+
+    Attributes
+    ----------
+    units : dict
+        Column → unit, in column order.
+    names : dict
+        Column of codes → {code: name}.
+    """
+
+    def __init__(self, machine):
+        self._axes = machine.axes
+        self._period = machine.period_s
+        self.units = {"t_s": "s", "line": "", "block": "", "kind": "", "s_mm": "mm"}
+        self.units |= {f"pos_{position_key(letter)}": unit_of(letter) for letter in self._axes}
+        self.units |= {f"joint_{k}_nm": f"n{unit_of(a)}" for k, a in enumerate(self._axes)}
+        self.units |= {"vel_mm_s": "mm/s", "feed_cmd_mm_min": "mm/min", "override": ""}
+        self.units |= {"limit": "", "queue_cells": "", "spindle_rpm": "1/min"}
+        self.names = {
+            "kind": dict(enumerate(KINDS)),
+            "limit": measure.limit_names(machine),
+        }
+
+    def of(self, rows):
+        """Return column → array for rows of dtype ``sim_row_t``."""
+        pose = rows["pose"]
+        columns = {
+            "t_s": rows["t_s"].copy(),
+            "line": pose["line"].copy(),
+            "block": pose["block"].copy(),
+            "kind": _kinds(pose),
+            "s_mm": pose["s"].copy(),
+        }
+        for letter in self._axes:
+            columns[f"pos_{position_key(letter)}"] = pose["axis"][:, AXES.index(letter)].copy()
+        for k in range(len(self._axes)):
+            columns[f"joint_{k}_nm"] = rows["axes"]["joint_nm"][:, k].copy()
+        columns["vel_mm_s"] = pose["v"] * pose["feed_scale"]
+        columns["feed_cmd_mm_min"] = pose["feed"] * pose["feed_scale"] * 60
+        columns["override"] = np.ones(len(rows))
+        columns["limit"] = pose["limit"].copy()
+        columns["queue_cells"] = rows["queue_cells"].copy()
+        columns["spindle_rpm"] = rows["spindle_rpm"].copy()
+        return columns
+
+
+def _kinds(pose):
+    """Return the codes of KINDS."""
+    moves = np.where(pose["rapid"] == 1, KINDS.index("rapid"), KINDS.index("line"))
+    moves = np.where(pose["kind"] == _SEG_KINDS.ARC, KINDS.index("arc"), moves)
+    moves = np.where(pose["kind"] == _SEG_KINDS.DWELL, KINDS.index("dwell"), moves)
+    moves = np.where(pose["kind"] == _SEG_KINDS.WAIT, KINDS.index("wait"), moves)
+    return np.where(pose["state"] == _STATES.IDLE, KINDS.index("idle"), moves).astype(np.uint8)
+
+
+class _Npz:
+    """Columns as they come go to a file each; the archive is put together at the end."""
+
+    def __init__(self, path, columns, metadata):
+        self._path, self._columns, self._metadata = path, columns, metadata
+        self._folder = tempfile.TemporaryDirectory()
+        self._files, self._dtypes, self._rows = {}, {}, 0
+
+    def write(self, columns):
+        for name, array in columns.items():
+            if name not in self._files:
+                self._files[name] = open(Path(self._folder.name) / name, "w+b")  # noqa: SIM115
+                self._dtypes[name] = array.dtype
+            array.tofile(self._files[name])
+        self._rows += len(columns["t_s"])
+
+    def close(self):
+        with zipfile.ZipFile(self._path, "w", zipfile.ZIP_DEFLATED, compresslevel=1) as archive:
+            facts = {**self._metadata, "units": self._columns.units, "names": self._columns.names}
+            with archive.open("metadata.npy", "w") as member:
+                np.lib.format.write_array(member, np.array(json.dumps(facts)))
+            for name, file in self._files.items():
+                with archive.open(f"{name}.npy", "w", force_zip64=True) as member:
+                    self._member(member, name, file)
+        self.discard()
+
+    def _member(self, member, name, file):
+        header = {
+            "descr": np.lib.format.dtype_to_descr(self._dtypes[name]),
+            "fortran_order": False,
+            "shape": (self._rows,),
+        }
+        np.lib.format.write_array_header_1_0(member, header)
+        file.flush()
+        file.seek(0)
+        shutil.copyfileobj(file, member, 1 << 20)
+
+    def discard(self):
+        for file in self._files.values():
+            file.close()
+        self._folder.cleanup()
+
+
+class _Csv:
+    """Comment lines with the metadata, one line of names, one line a tick."""
+
+    def __init__(self, path, columns, metadata):
+        self._names = columns.names
+        self._file = open(path, "w", encoding="utf-8", newline="\n")  # noqa: SIM115
+        self._file.writelines(f"# {key}: {value}\n" for key, value in metadata.items())
+        self._file.write(",".join(columns.units) + "\n")
+
+    def write(self, columns):
+        texts = [self._texts(name, array) for name, array in columns.items()]
+        self._file.writelines(f"{','.join(row)}\n" for row in zip(*texts, strict=True))
+
+    def _texts(self, name, array):
+        if name in self._names:
+            return [self._names[name][code] for code in array.tolist()]
+        return map(repr, array.tolist())
+
+    def close(self):
+        self._file.close()
+
+    discard = close
+
+
+class _Parquet:
+    """Row groups by pyarrow; units in the fields' metadata, the rest in the schema's."""
+
+    def __init__(self, path, columns, metadata):
+        self._arrow, parquet = _pyarrow()
+        self._columns, self._metadata, self._path = columns, metadata, path
+        self._parquet, self._writer = parquet, None
+
+    def write(self, columns):
+        arrays = [self._array(name, values) for name, values in columns.items()]
+        if self._writer is None:
+            fields = [
+                self._arrow.field(name, array.type, metadata={"unit": self._columns.units[name]})
+                for name, array in zip(columns, arrays, strict=True)
+            ]
+            texts = {key: str(value) for key, value in self._metadata.items()}
+            self._schema = self._arrow.schema(fields, metadata=texts)
+            self._writer = self._parquet.ParquetWriter(self._path, self._schema)
+        self._writer.write_table(self._arrow.table(arrays, schema=self._schema))
+
+    def _array(self, name, values):
+        if name not in self._columns.names:
+            return self._arrow.array(values)
+        names = self._columns.names[name]
+        codes = np.full(max(names) + 1, 0, np.int32)
+        codes[list(names)] = np.arange(len(names))
+        return self._arrow.DictionaryArray.from_arrays(codes[values], list(names.values()))
+
+    def close(self):
+        if self._writer:
+            self._writer.close()
+
+    discard = close
+
+
+def _pyarrow():
+    try:
+        import pyarrow
+        import pyarrow.parquet
+    except ImportError:
+        raise errors.ArgumentError(
+            'a parquet file needs pyarrow: pip install "pycnc-nck[trace]"', id="format"
+        ) from None
+    return pyarrow, pyarrow.parquet
+
+
+_WRITERS = {".npz": _Npz, ".csv": _Csv, ".parquet": _Parquet}
+
+
+def writer(path, columns, metadata):
+    """Return a writer of a trace file: an object with ``write(columns)``, ``close``, ``discard``.
+
+    Parameters
+    ----------
+    path : path
+        Its ending chooses the format: .npz, .csv or .parquet.
+    columns : Columns
+    metadata : dict
+        Goes into the file.
+
+    Raises
+    ------
+    ArgumentError
+        If the ending is none of these.
+    OSError
+        If the file cannot be written.
+    """
+    ending = Path(path).suffix.lower()
+    if ending not in _WRITERS:
+        raise errors.ArgumentError(
+            f"cannot tell the format of {str(path)!r}; endings: {', '.join(FORMATS)}", id="format"
+        )
+    return _WRITERS[ending](path, columns, metadata)
+
+
+class Trace:
+    """A run of a program in the simulated controller.
+
+    Attributes
+    ----------
+    program : Program
+    plan : Plan
+        The same program's plan, without its arrays.
+    columns : dict
+        Column → array, one row a tick; empty if rows were not kept. ``trace["t_s"]`` is the same.
+    summary : dict
+        What ``pycnc run --json`` tells.
+    worst_lines : dict
+        Limit → [(source line, time in s)], the lines that it held longest.
+    """
+
+    def __init__(self, program, *, prep_steps=kernel.PREP_STEPS, keep=True, output=None,
+                 backend="auto", progress=None):  # fmt: skip
+        check_backend(backend)
+        begun = time.perf_counter()
+        self.program = program.check()
+        self._layout = Columns(program.machine)
+        sink = writer(output, self._layout, self.metadata()) if output else None
+        try:
+            self.plan = Plan(program, keep=False)
+            self._run(prep_steps, keep, sink, progress)
+        except BaseException:
+            if sink:
+                sink.discard()
+            raise
+        if sink:
+            sink.close()
+        self.summary = self._summary(time.perf_counter() - begun)
+
+    def _run(self, prep_steps, keep, sink, progress):
+        program, machine = self.program, self.program.machine
+        controller = kernel.Controller(program.text, machine, prep_steps)
+        self._peaks, self._ticks = measure.Peaks(machine), measure.Ticks(machine)
+        self._path_error = measure.PathError(program.moves)
+        kept = []
+        for rows, used in controller.pieces():
+            for measured in (self._peaks, self._ticks, self._path_error):
+                measured.add(rows)
+            if keep or sink:
+                columns = self._layout.of(rows)
+                if sink:
+                    sink.write(columns)
+                if keep:
+                    kept.append(columns)
+            if progress:
+                progress(used, len(program.text))
+        self._starved_ticks = controller.starved_ticks
+        self.worst_lines = self._ticks.worst_lines()
+        self.columns = {
+            name: np.concatenate([columns[name] for columns in kept])
+            for name in self._layout.units
+            if kept
+        }
+
+    def _summary(self, run_s):
+        plan = self.plan.as_dict()
+        diagnostics = plan.pop("diagnostics")
+        return {
+            **plan,
+            "time_s": self._ticks.time_s,
+            "ticks": self._ticks.count,
+            "length_mm": self._ticks.length_mm,
+            "run_s": run_s,
+            "peaks": self._peaks.result(),
+            "path_error_mm": self._path_error.largest_mm,
+            "starved_ticks": int(self._starved_ticks),
+            "limit_time_s": self._ticks.limit_time_s(),
+            "diagnostics": diagnostics,
+        }
+
+    def metadata(self):
+        """Return what is written into every trace file beside the rows."""
+        machine = self.program.machine
+        return {
+            "version": kernel.version(),
+            "file": self.program.file,
+            "program_sha256": self.program.sha256,
+            "machine": machine.name,
+            "machine_sha256": machine.sha256,
+            "dialect": machine.settings.dialect.base,
+            "period_s": machine.period_s,
+        }
+
+    def __getitem__(self, name):
+        return self.columns[name]
+
+    def __len__(self):
+        return self._ticks.count
+
+    def limit_names(self):
+        """Return the names of the codes in the column ``limit``, code → name."""
+        return self._layout.names["limit"]
+
+    def to_npz(self, path):
+        """Write the rows as a NumPy archive: an array a column, and ``metadata`` as JSON text."""
+        self._write(path, _Npz)
+
+    def to_csv(self, path):
+        """Write the rows as text: metadata in # lines, then names, then a line a tick."""
+        self._write(path, _Csv)
+
+    def to_parquet(self, path):
+        """Write the rows as a Parquet file (needs pyarrow)."""
+        self._write(path, _Parquet)
+
+    def _write(self, path, kind):
+        if not self.columns:
+            raise errors.StateError("the run kept no rows", id="state")
+        sink = kind(path, self._layout, self.metadata())
+        sink.write(self.columns)
+        sink.close()
+
+    def plot(self, path=None):
+        """Draw the path coloured by speed, and speed and acceleration over time.
+
+        Parameters
+        ----------
+        path : path, optional
+            Where to write a picture.
+
+        Returns
+        -------
+        matplotlib.figure.Figure
+        """
+        from pycnc import plot
+
+        figure = plot.draw(self)
+        if path is not None:
+            figure.savefig(path)
+        return figure
+
+    def __repr__(self):
+        time_s, ticks = self.summary["time_s"], self.summary["ticks"]
+        return f"<Trace of {self.program.file}: {time_s:.3f} s, {ticks:,} ticks>"
+
+
+def run(program, machine=None, *, prep_steps=kernel.PREP_STEPS, backend="auto"):
+    """Run a whole program in the simulated controller, tick by tick.
+
+    Parameters
+    ----------
+    program : Program, path, str or bytes
+        What `load` takes, or a loaded program.
+    machine : str, path or Machine, optional
+        Another machine than the program's.
+    prep_steps : int
+        Prep steps between two ticks, 1 at least; few of them starve the tick.
+    backend : {"auto", "c"}
+        Where it is computed.
+
+    Returns
+    -------
+    Trace
+        With all rows in memory, about 200 bytes a tick.
+
+    Raises
+    ------
+    ProgramError
+        If the program has an error: nothing is run then.
+
+    Examples
+    --------
+    >>> trace = run("G21 G90 G1 X10 F600\\nM2\\n")
+    >>> float(trace["pos_x_mm"][-1])
+    10.0
+    """
+    return Trace(for_machine(program, machine), prep_steps=prep_steps, backend=backend)
