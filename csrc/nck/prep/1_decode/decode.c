@@ -1,0 +1,276 @@
+// SPDX-License-Identifier: MIT
+// The room's door: text in pieces → lines → blocks one by one.
+#include "nck/prep/1_decode/decode.h"
+#include "nck/prep/1_decode/parts.h"
+
+#include <string.h> // memchr memcmp memcpy memmove memset
+
+enum { FOREIGN_LINES = 100 }; // a foreign language shows itself at the beginning
+
+nck_status_t nck_decode_fail(nck_decode_t *self, nck_status_t code, unsigned column, int letter,
+                             double value, double limit) {
+    self->finding.error = (nck_diagnostic_t){code, self->line.number, column, letter, value, limit};
+    return code;
+}
+
+nck_status_t nck_decode_fail_word(nck_decode_t *self, nck_status_t code, int letter, double value,
+                                  double limit) {
+    return nck_decode_fail(self, code, self->words.column[letter - 'A'], letter, value, limit);
+}
+
+void nck_decode_find(nck_decode_t *self, const nck_diagnostic_t *finding) {
+    if (self->finding.count >= NCK_DECODE_FINDINGS) {
+        self->finding.lost++;
+        return;
+    }
+    self->finding.queue[self->finding.count++] = *finding;
+}
+
+static nck_status_t fail_last(nck_decode_t *self, nck_status_t code, double value) {
+    self->text.over = 1;
+    return nck_decode_fail(self, code, 0, 0, value, 0.0);
+}
+
+// A line that begins with %: the first of a text opens the program, the next one ends it. Without
+// the first one, and with something behind the %, it is a remark.
+static nck_status_t percent_line(nck_decode_t *self, const char *at) {
+    const int hint = nck_decode_foreign(at);
+    if (hint != 0) return fail_last(self, NCK_E_DIALECT, hint);
+    do at++; while (*at == ' ' || *at == '\t');
+    if (*at != '\n') return NCK_OK;
+    if (!self->text.begun) self->text.percent = 1;
+    else if (self->text.percent) self->text.closed = 1;
+    return NCK_OK;
+}
+
+// A line that cannot be read: too long, of another language, or simply wrong.
+static nck_status_t unreadable(nck_decode_t *self, nck_status_t status) {
+    const int early = self->line.number <= FOREIGN_LINES;
+    const int hint = early ? nck_decode_foreign(self->line.text) : 0;
+    if (hint != 0) return fail_last(self, NCK_E_DIALECT, hint);
+    if (!self->line.overflow) return status;
+    return nck_decode_fail(self, NCK_E_LINE_LENGTH, 0, 0, NCK_LINE_MAX, NCK_LINE_MAX);
+}
+
+static nck_status_t read_line(nck_decode_t *self) {
+    const char *at = self->line.text;
+    if (self->line.binary) {
+        return fail_last(self, NCK_E_BINARY, 0.0);
+    }
+    if (self->line.number == 1 && memcmp(at, "\xef\xbb\xbf", 3) == 0) at += 3;
+    while (*at == ' ' || *at == '\t') at++;
+    if (*at == '\n') return NCK_OK;
+    if (*at == '%') {
+        const nck_status_t status = percent_line(self, at);
+        self->text.begun = 1;
+        return status;
+    }
+    self->text.begun = 1;
+    if (*at == '/') {
+        if (self->machine->dialect.block_skip) return NCK_OK;
+        at++;
+    }
+    const nck_status_t status = nck_decode_words(self, at);
+    if (status != NCK_OK || (self->line.overflow && !self->words.tail)) {
+        self->text.words = 1;
+        return unreadable(self, status);
+    }
+    if (self->words.codes == 0 && !(self->words.letters & ~NCK_LETTER('N'))) return NCK_OK;
+    self->text.words = 1;
+    return nck_decode_resolve(self);
+}
+
+static void release_line(nck_decode_t *self) {
+    self->line.state = NCK_LINE_OPEN;
+    self->line.size = 0;
+    self->line.overflow = 0;
+    self->line.binary = 0;
+    self->words.steps = 0;
+}
+
+// Settings that give no block and have no function of their own: G40, G97, G9, G53.
+static nck_status_t nothing(nck_decode_t *self, nck_block_t *out) {
+    (void)self;
+    (void)out;
+    return NCK_EMPTY;
+}
+
+// Do the steps of the line until one gives a block.
+static nck_status_t run_steps(nck_decode_t *self, nck_block_t *out) {
+    static const nck_step_function_t steps[NCK_STEP_COUNT] = {
+        nck_decode_units, nck_decode_feed_mode, nck_decode_feed, nck_decode_speed, nck_decode_tool,
+        nck_decode_change, nck_decode_spindle, nck_decode_mist, nck_decode_flood,
+        nck_decode_override, nck_decode_dwell, nck_decode_plane, nck_decode_diameter, nothing,
+        nck_decode_length, nck_decode_work, nck_decode_path, nck_decode_distance, nck_decode_centre,
+        nothing, nck_decode_offset, nothing, nothing, nck_decode_motion, nck_decode_second,
+        nck_decode_stop
+    };
+    nck_status_t status = NCK_EMPTY;
+    unsigned step = 0;
+    while (status == NCK_EMPTY && self->words.steps != 0) {
+        while (!(self->words.steps >> step & 0xffu)) step += 8;
+        while (!(self->words.steps >> step & 1u)) step++;
+        self->words.steps &= ~NCK_STEP(step);
+        status = steps[step](self, out);
+    }
+    return status;
+}
+
+static nck_status_t fail_line(nck_decode_t *self, nck_status_t status) {
+    nck_decode_find(self, &self->finding.error);
+    release_line(self);
+    return status;
+}
+
+static nck_status_t give_end(nck_decode_t *self, nck_block_t *out) {
+    nck_decode_block(self, NCK_BLOCK_END, out);
+    out->output.kind = NCK_OUTPUT_M;
+    out->output.value = 2.0;
+    self->text.over = 1;
+    return NCK_OK;
+}
+
+// The text is used up.
+static nck_status_t finish(nck_decode_t *self, nck_block_t *out) {
+    if (!self->text.words) {
+        return fail_line(self, fail_last(self, NCK_E_NO_PROGRAM, 0.0));
+    }
+    nck_decode_assume(self, NCK_NOTE_NO_END);
+    return give_end(self, out);
+}
+
+nck_status_t nck_decode_pull(nck_decode_t *self, nck_block_t *block_out) {
+    nck_status_t status = NCK_OK;
+    if (self->text.over) return NCK_DONE;
+    if (self->line.state == NCK_LINE_OPEN) {
+        return self->text.complete ? finish(self, block_out) : NCK_EMPTY;
+    }
+    if (self->line.state == NCK_LINE_WAITING) {
+        self->words.steps = 0;
+        self->line.state = NCK_LINE_RUNNING;
+        status = read_line(self);
+    }
+    if (status == NCK_OK && self->text.closed) {
+        release_line(self);
+        if (!self->text.words) {
+            return fail_line(self, fail_last(self, NCK_E_NO_PROGRAM, 0.0));
+        }
+        self->text.watch = 1;
+        return give_end(self, block_out);
+    }
+    if (status == NCK_OK) status = run_steps(self, block_out);
+    if (status < 0) return fail_line(self, status);
+    if (self->words.steps == 0) release_line(self);
+    return status;
+}
+
+nck_status_t nck_decode_diagnostic(nck_decode_t *self, nck_diagnostic_t *diagnostic_out) {
+    if (self->finding.count == 0) return NCK_EMPTY;
+    *diagnostic_out = self->finding.queue[0];
+    self->finding.count--;
+    memmove(self->finding.queue, self->finding.queue + 1,
+            self->finding.count * sizeof self->finding.queue[0]);
+    return NCK_OK;
+}
+
+// Behind the program's end: does anything stand there that somebody may have meant to be read?
+static void watch_rest(nck_decode_t *self, const char *text, size_t n) {
+    for (size_t k = 0; k < n && self->text.watch; k++) {
+        const char c = text[k];
+        if (c == '\r' || (c == '\n' && !self->line.after_cr)) self->line.number++;
+        self->line.after_cr = c == '\r';
+        if ((unsigned char)c <= ' ' || c == '%') continue;
+        self->text.watch = 0;
+        self->line.number++;
+        nck_decode_assume(self, NCK_NOTE_AFTER_END);
+    }
+}
+
+// Add n bytes to the line; what does not fit is dropped, and the line is known to be too long.
+static void collect(nck_decode_t *self, const char *text, size_t n) {
+    const size_t room = NCK_LINE_MAX - self->line.size;
+    const size_t fits = n < room ? n : room;
+    if (memchr(text, '\0', n) != NULL) self->line.binary = 1;
+    memcpy(self->line.text + self->line.size, text, fits);
+    self->line.size += (uint32_t)fits;
+    self->line.overflow |= n > room;
+}
+
+static void close_line(nck_decode_t *self) {
+    self->line.text[self->line.size] = '\n';
+    self->line.number++;
+    self->line.state = NCK_LINE_WAITING;
+}
+
+nck_status_t nck_decode_push(nck_decode_t *self, const char *text, size_t n, size_t *used_out) {
+    *used_out = 0;
+    if (self->text.complete) return NCK_E_STATE;
+    if (self->text.over) {
+        watch_rest(self, text, n);
+        *used_out = n;
+        return NCK_OK;
+    }
+    if (self->line.state != NCK_LINE_OPEN) return NCK_FULL;
+    if (n == 0) return NCK_OK;
+    const size_t begin = self->line.after_cr && text[0] == '\n';
+    size_t span = n - begin < NCK_LINE_MAX ? n - begin : NCK_LINE_MAX;
+    const char *const first = text + begin;
+    const char *const feed = memchr(first, '\n', span);
+    if (feed != NULL) span = (size_t)(feed - first);
+    const char *const back = memchr(first, '\r', span);
+    if (back != NULL) span = (size_t)(back - first);
+    collect(self, first, span);
+    self->line.after_cr = back != NULL;
+    *used_out = begin + span + (feed != NULL || back != NULL);
+    if (feed != NULL || back != NULL) close_line(self);
+    return NCK_OK;
+}
+
+void nck_decode_end(nck_decode_t *self) {
+    const int begun = self->line.size > 0 || self->line.binary;
+    if (!self->text.over && self->line.state == NCK_LINE_OPEN && begun) close_line(self);
+    self->text.complete = 1;
+}
+
+void nck_decode_init(nck_decode_t *self, const nck_machine_t *machine) {
+    memset(self, 0, sizeof *self);
+    self->machine = machine;
+    self->modal.motion = machine->dialect.base == NCK_DIALECT_LINUXCNC ? -1 : 0;
+    self->modal.plane = machine->dialect.plane;
+    self->modal.inch = machine->dialect.inch;
+    self->modal.diameter = machine->dialect.diameter;
+    self->modal.centre_absolute = machine->dialect.arc_absolute;
+    self->modal.path_mode = NCK_PATH_CONTINUOUS;
+    self->modal.tolerance_mm = machine->path.tolerance;
+    self->modal.merge_mm = machine->path.tolerance;
+    self->modal.feed = machine->dialect.feed_default;
+    self->modal.feed_word = machine->dialect.feed_default;
+    self->modal.speed = -1.0;
+    for (unsigned axis = 0; axis < NCK_AXIS_MAX; axis++) {
+        const uint32_t bit = (uint32_t)1 << axis;
+        if (machine->axis[axis].present) self->place.axes |= bit;
+        if (machine->axis[axis].rotary) self->place.rotary |= bit;
+    }
+    memcpy(self->place.position_nm, machine->start_nm, sizeof self->place.position_nm);
+    memcpy(self->place.work_nm, machine->work_nm, sizeof self->place.work_nm);
+    self->place.work_system = machine->work_system;
+    nck_decode_scale(self);
+    nck_decode_origin(self);
+}
+
+int nck_decode_invariants(const nck_decode_t *self) {
+    const int64_t *const work = self->place.work_nm[self->place.work_system];
+    int good = self->line.size <= NCK_LINE_MAX && self->line.state <= NCK_LINE_RUNNING
+               && self->finding.count <= NCK_DECODE_FINDINGS
+               && self->place.work_system < NCK_WORK_SYSTEMS
+               && (self->line.state == NCK_LINE_RUNNING || self->words.steps == 0);
+    for (unsigned axis = 0; axis < NCK_AXIS_MAX; axis++) {
+        const int64_t tool = axis < 3 ? self->place.tool_nm[axis] : 0;
+        const int64_t limit = (self->place.rotary >> axis & 1u) ? self->place.scale[2].limit
+                                                                : self->place.scale[0].limit;
+        const int64_t at = self->place.position_nm[axis];
+        good = good && self->place.origin_nm[axis] == work[axis] + self->place.g92_nm[axis] + tool
+               && at >= -limit && at <= limit;
+    }
+    return good;
+}

@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: MIT
+// Room 1, decode: NC text → blocks. Words, modal groups, offsets, arcs, travel check.
+//
+//     push text → one line waits → pull gives its blocks one by one → push the next line
+//
+// A block is one move or one thing to do, in machine coordinates, with everything that was modal
+// written into it. Errors leave the room by pull and by nck_decode_diagnostic; the line they stand
+// in yields nothing more and decoding can go on with the next one. Notes (assumed defaults) leave
+// by nck_decode_diagnostic alone.
+#ifndef NCK_PREP_DECODE_H
+#define NCK_PREP_DECODE_H
+
+#include <stddef.h> // size_t
+
+#include "nck/base/machine.h"        // nck_machine_t
+#include "nck/base/records.h"        // nck_block_t
+#include "nck/base/status.h"         // nck_status_t nck_diagnostic_t
+#include "nck/prep/1_decode/words.h" // nck_words_t
+
+enum {
+    NCK_DECODE_VALUE_MAX = 1000000000,    // largest F [mm/min, 1/min, mm/rev] and S [rpm]
+    NCK_DECODE_DWELL_MAX_S = 1000000,     // longest G4
+    NCK_DECODE_TURNS_MAX = 100000,        // largest P of an arc
+    NCK_DECODE_FINDINGS = 8               // one error and every kind of note
+};
+
+// The value of the diagnostic NCK_E_DIALECT: whose language the text is.
+typedef enum nck_dialect_hint {
+    NCK_HINT_HEIDENHAIN = 1, // Klartext: BEGIN PGM
+    NCK_HINT_SINUMERIK = 2,  // %_N_…, DEF REAL …, PROC …
+    NCK_HINT_OKUMA = 3       // $NAME.MIN%
+} nck_dialect_hint_t;
+
+typedef enum nck_decode_line_state {
+    NCK_LINE_OPEN = 0,    // text is being collected
+    NCK_LINE_WAITING = 1, // complete, not looked at
+    NCK_LINE_RUNNING = 2  // read, its steps are being done
+} nck_decode_line_state_t;
+
+// The room's state: filled by nck_decode_init, written by the room alone.
+typedef struct nck_decode {
+    const nck_machine_t *machine;
+
+    struct {
+        char text[NCK_LINE_MAX + 1]; // the line, ended by a line feed once it is complete
+        uint32_t size;               // bytes in it
+        uint32_t number;             // of the line collected last, from 1
+        uint8_t state;               // nck_decode_line_state_t
+        uint8_t overflow;            // 1: the line had more bytes than text holds
+        uint8_t after_cr;            // 1: a line feed that comes next belongs to the line before
+        uint8_t binary;              // 1: the line had a NUL byte
+    } line;
+    nck_words_t words; // of the line in work
+
+    struct {
+        int32_t motion;         // G0 … G3 in tenths, −1: none
+        uint8_t plane;          // 17, 18, 19
+        uint8_t inch;           // 1: G20
+        uint8_t diameter;       // 1: G7
+        uint8_t incremental;    // 1: G91
+        uint8_t centre_absolute;// 1: G90.1
+        uint8_t feed_mode;      // nck_feed_mode_t
+        uint8_t path_mode;      // nck_path_mode_t
+        uint8_t spindle_on;     // 1: M3 or M4
+        double tolerance_mm;    // G64 P
+        double merge_mm;        // G64 Q
+        double feed;            // F in mm/min, mm/rev or 1/min; 0: none yet
+        double feed_word;       // F as written: what a move of rotary axes alone goes by
+        double speed;           // S [rpm], −1: none yet
+        uint32_t tool_next;     // T
+        uint32_t tool_in;       // T at the last M6
+    } modal;
+
+    struct {
+        int64_t position_nm[NCK_AXIS_MAX]; // machine position, tool offset included
+        int64_t origin_nm[NCK_AXIS_MAX];   // where the program's zero is: work + g92 + tool
+        int64_t work_nm[NCK_WORK_SYSTEMS][NCK_AXIS_MAX];
+        int64_t g92_nm[NCK_AXIS_MAX];
+        int64_t g92_kept_nm[NCK_AXIS_MAX]; // what G92.3 brings back
+        int64_t tool_nm[3];                // G43
+        uint32_t work_system;              // 0: G54
+        uint32_t axes;                     // bit k: the machine has axis k
+        uint32_t rotary;                   // bit k: axis k turns
+        nck_scale_t scale[3];              // of linear words, of X (diameter), of rotary words
+    } place;
+
+    nck_block_t second; // the block of NCK_STEP_SECOND
+
+    struct {
+        nck_diagnostic_t error;                       // of the line in work
+        nck_diagnostic_t queue[NCK_DECODE_FINDINGS];  // waiting to be taken, oldest first
+        uint32_t count;                               // of them
+        uint32_t lost;                                // findings that met a full queue
+        uint32_t notes;                               // bit k: note k was given
+        uint32_t given;                               // bit k: the program says what note k assumes
+    } finding;
+
+    struct {
+        uint8_t percent;  // 1: the text begins with a % line
+        uint8_t begun;    // 1: a line that is not blank was met
+        uint8_t closed;   // 1: the closing % was met
+        uint8_t words;    // 1: a line with words (or an error) was met
+        uint8_t complete; // 1: nck_decode_end was called
+        uint8_t over;     // 1: nothing more is decoded
+        uint8_t watch;    // 1: look whether text follows the program's end
+    } text;
+} nck_decode_t;
+
+// Begin a program. machine: checked by nck_machine_check, must outlive self.
+// Cost: constant. Context: prep.
+void nck_decode_init(nck_decode_t *self, const nck_machine_t *machine);
+
+// Hand over program text in pieces of any size: at most the rest of one line is taken, *used_out
+// bytes (0 … n). Returns NCK_OK (push the rest; nothing is left over only if *used_out is n),
+// NCK_FULL if a complete line waits to be pulled and nothing was taken, NCK_E_STATE after
+// nck_decode_end. After the program's end text is taken and dropped. Cost: linear in the bytes
+// taken, at most NCK_LINE_MAX + 2 before the end. Context: prep.
+nck_status_t nck_decode_push(nck_decode_t *self, const char *text, size_t n, size_t *used_out);
+
+// Say that the text is complete: a last line without line feed counts, and the program ends there
+// if it has not. Cost: constant. Context: prep.
+void nck_decode_end(nck_decode_t *self);
+
+// Take the next block. The last block is of kind NCK_BLOCK_END; where the text or a closing % ends
+// the program its output says M2.
+// Returns NCK_OK (block_out is filled), NCK_EMPTY (push text first), NCK_DONE (the program has
+// ended), or the error of the line in work: NCK_E_CHARACTER … NCK_E_NO_PROGRAM. After an error the
+// next pull goes on with the next line, as if the move had been made; after NCK_E_BINARY,
+// NCK_E_DIALECT and NCK_E_NO_PROGRAM it says NCK_DONE. Cost: linear in the line. Context: prep.
+nck_status_t nck_decode_pull(nck_decode_t *self, nck_block_t *block_out);
+
+// Take the oldest finding: an error that pull has returned, or a note. Returns NCK_OK or NCK_EMPTY.
+// Findings that nobody takes are kept up to NCK_DECODE_FINDINGS, later ones are dropped and
+// counted. Cost: constant. Context: prep.
+nck_status_t nck_decode_diagnostic(nck_decode_t *self, nck_diagnostic_t *diagnostic_out);
+
+// What must hold between two calls: sizes within their arrays, origin = work + G92 + tool,
+// positions within range. Returns 1 if it holds. For tests. Cost: constant. Context: prep.
+int nck_decode_invariants(const nck_decode_t *self);
+
+#endif

@@ -1,0 +1,244 @@
+// SPDX-License-Identifier: MIT
+// Settings that stay in force, and what is not motion: outputs, dwell, stops.
+#include "nck/prep/1_decode/parts.h"
+
+#include <string.h> // memcpy memset
+
+static const double value_max = NCK_DECODE_VALUE_MAX;
+static const double dwell_max_s = NCK_DECODE_DWELL_MAX_S;
+static const double linear_max_mm = NCK_LINEAR_MAX_MM;
+
+static double real_word(const nck_decode_t *self, char letter) {
+    return nck_number_real(&self->words.number[letter - 'A']);
+}
+
+static int has_word(const nck_decode_t *self, char letter) {
+    return (self->words.letters & NCK_LETTER(letter)) != 0;
+}
+
+static double unit_mm(const nck_decode_t *self) {
+    return self->modal.inch ? 25.4 : 1.0;
+}
+
+void nck_decode_block(const nck_decode_t *self, nck_block_kind_t kind, nck_block_t *out) {
+    memset(out, 0, sizeof *out);
+    out->line = self->line.number;
+    out->kind = (uint8_t)kind;
+    out->path_mode = self->modal.path_mode;
+    out->feed_mode = self->modal.feed_mode;
+    out->plane = self->modal.plane;
+    memcpy(out->target_nm, self->place.position_nm, sizeof out->target_nm);
+    for (unsigned axis = 0; axis < 3; axis++) {
+        out->tool_nm[axis] = self->place.tool_nm[axis];
+        out->target_nm[axis] -= self->place.tool_nm[axis];
+    }
+    out->spindle_rpm = self->modal.spindle_on && self->modal.speed > 0.0 ? self->modal.speed : 0.0;
+    out->tolerance_mm = self->modal.tolerance_mm;
+    out->merge_mm = self->modal.merge_mm;
+    out->output.line = self->line.number;
+}
+
+static nck_status_t give_output(const nck_decode_t *self, nck_block_kind_t block,
+                                nck_output_kind_t kind, double value, nck_block_t *out) {
+    nck_decode_block(self, block, out);
+    out->output.kind = kind;
+    out->output.value = value;
+    return NCK_OK;
+}
+
+static nck_status_t give_m(const nck_decode_t *self, nck_step_t step, nck_block_t *out) {
+    return give_output(self, NCK_BLOCK_OUTPUT, NCK_OUTPUT_M, self->words.code[step] / 10, out);
+}
+
+void nck_decode_scale(nck_decode_t *self) {
+    nck_scale_t *const scale = self->place.scale;
+    const int32_t per_mm = self->modal.inch ? 254 : 10;
+    const int64_t linear_max = (int64_t)NCK_LINEAR_MAX_MM * 1000000;
+
+    scale[0] = (nck_scale_t){per_mm, 5, linear_max};
+    scale[1] = (nck_scale_t){self->modal.diameter ? per_mm / 2 : per_mm, 5, linear_max};
+    scale[2] = (nck_scale_t){1, 9, (int64_t)NCK_ROTARY_MAX_DEG * 1000000000};
+}
+
+nck_status_t nck_decode_units(nck_decode_t *self, nck_block_t *out) {
+    (void)out;
+    self->modal.inch = self->words.code[NCK_STEP_UNITS] == 200;
+    self->finding.given |= 1u << NCK_NOTE_UNITS;
+    nck_decode_scale(self);
+    return NCK_EMPTY;
+}
+
+// A feed is meant for its mode: after a change the program has to say a new one.
+nck_status_t nck_decode_feed_mode(nck_decode_t *self, nck_block_t *out) {
+    const uint16_t code = self->words.code[NCK_STEP_FEED_MODE];
+    const nck_feed_mode_t mode = code == 930   ? NCK_FEED_INVERSE
+                                 : code == 940 ? NCK_FEED_PER_MINUTE
+                                               : NCK_FEED_PER_REV;
+    (void)out;
+    if (self->modal.feed_mode != mode) {
+        self->modal.feed = 0.0;
+        self->modal.feed_word = 0.0;
+    }
+    self->modal.feed_mode = (uint8_t)mode;
+    return NCK_EMPTY;
+}
+
+nck_status_t nck_decode_feed(nck_decode_t *self, nck_block_t *out) {
+    const double value = real_word(self, 'F');
+    const double feed = self->modal.feed_mode == NCK_FEED_INVERSE ? value : value * unit_mm(self);
+    (void)out;
+    if (value < 0.0 || feed > value_max) {
+        return nck_decode_fail_word(self, NCK_E_NUMBER_RANGE, 'F', value, value_max);
+    }
+    self->modal.feed = feed;
+    self->modal.feed_word = value;
+    return NCK_EMPTY;
+}
+
+// Handed over only when it changes: some programs repeat S in every line.
+nck_status_t nck_decode_speed(nck_decode_t *self, nck_block_t *out) {
+    const double value = real_word(self, 'S'), rpm_max = self->machine->spindle.rpm_max;
+    const double limit = rpm_max > 0.0 ? rpm_max : value_max;
+    if (value < 0.0 || value > limit) {
+        return nck_decode_fail_word(self, NCK_E_NUMBER_RANGE, 'S', value, limit);
+    }
+    if (self->modal.speed >= value && self->modal.speed <= value) return NCK_EMPTY;
+    self->modal.speed = value;
+    return give_output(self, NCK_BLOCK_OUTPUT, NCK_OUTPUT_SPINDLE_SPEED, value, out);
+}
+
+nck_status_t nck_decode_tool(nck_decode_t *self, nck_block_t *out) {
+    int64_t number;
+    if (!nck_number_whole(&self->words.number['T' - 'A'], 0, &number) || number < 0
+        || number > NCK_DECODE_VALUE_MAX) {
+        return nck_decode_fail_word(self, NCK_E_NUMBER_RANGE, 'T', real_word(self, 'T'),
+                                    NCK_DECODE_VALUE_MAX);
+    }
+    // A machine without a table does not say which tools it has.
+    if (number > 0 && self->machine->tool_count > 0
+        && nck_decode_find_tool(self, (uint32_t)number) == NULL) {
+        return nck_decode_fail_word(self, NCK_E_TOOL_UNKNOWN, 'T', (double)number, 0.0);
+    }
+    self->modal.tool_next = (uint32_t)number;
+    return give_output(self, NCK_BLOCK_OUTPUT, NCK_OUTPUT_TOOL, (double)number, out);
+}
+
+nck_status_t nck_decode_change(nck_decode_t *self, nck_block_t *out) {
+    self->modal.tool_in = self->modal.tool_next;
+    return give_output(self, NCK_BLOCK_WAIT, NCK_OUTPUT_M, 6.0, out);
+}
+
+nck_status_t nck_decode_spindle(nck_decode_t *self, nck_block_t *out) {
+    self->modal.spindle_on = self->words.code[NCK_STEP_SPINDLE] != 50;
+    return give_m(self, NCK_STEP_SPINDLE, out);
+}
+
+nck_status_t nck_decode_mist(nck_decode_t *self, nck_block_t *out) {
+    return give_m(self, NCK_STEP_MIST, out);
+}
+
+nck_status_t nck_decode_flood(nck_decode_t *self, nck_block_t *out) {
+    return give_m(self, NCK_STEP_FLOOD, out);
+}
+
+nck_status_t nck_decode_override(nck_decode_t *self, nck_block_t *out) {
+    return give_m(self, NCK_STEP_OVERRIDE, out);
+}
+
+// The word that times a dwell, 0 if there is none: P; in Fanuc's language also X or U, in Marlin's
+// S.
+static char dwell_letter(const nck_decode_t *self) {
+    const uint32_t base = self->machine->dialect.base;
+    if (has_word(self, 'P')) return 'P';
+    if (base == NCK_DIALECT_MARLIN && has_word(self, 'S')) return 'S';
+    if (base == NCK_DIALECT_FANUC && has_word(self, 'X')) return 'X';
+    if (base == NCK_DIALECT_FANUC && has_word(self, 'U')) return 'U';
+    return 0;
+}
+
+// P is in seconds, in Fanuc's and Marlin's languages in milliseconds; the other words are in
+// seconds.
+nck_status_t nck_decode_dwell(nck_decode_t *self, nck_block_t *out) {
+    const uint32_t base = self->machine->dialect.base;
+    const int millisecond = base == NCK_DIALECT_FANUC || base == NCK_DIALECT_MARLIN;
+    const char letter = dwell_letter(self);
+    if (letter == 0) {
+        return nck_decode_fail(self, NCK_E_WORD_MISSING, self->words.code_column[NCK_STEP_DWELL],
+                               'P', 0.0, 0.0);
+    }
+    const double word = real_word(self, letter);
+    const double dwell_s = letter == 'P' && millisecond ? word / 1000.0 : word;
+    if (word < 0.0 || dwell_s > dwell_max_s) {
+        return nck_decode_fail_word(self, NCK_E_NUMBER_RANGE, letter, word, dwell_max_s);
+    }
+    nck_decode_block(self, NCK_BLOCK_DWELL, out);
+    out->dwell_s = dwell_s;
+    return NCK_OK;
+}
+
+nck_status_t nck_decode_plane(nck_decode_t *self, nck_block_t *out) {
+    (void)out;
+    self->modal.plane = (uint8_t)(self->words.code[NCK_STEP_PLANE] / 10);
+    self->finding.given |= 1u << NCK_NOTE_PLANE;
+    return NCK_EMPTY;
+}
+
+nck_status_t nck_decode_diameter(nck_decode_t *self, nck_block_t *out) {
+    (void)out;
+    self->modal.diameter = self->words.code[NCK_STEP_DIAMETER] == 70;
+    nck_decode_scale(self);
+    return NCK_EMPTY;
+}
+
+// G64 without P means the machine's tolerance; without Q, Q is the tolerance in force.
+nck_status_t nck_decode_path(nck_decode_t *self, nck_block_t *out) {
+    const uint16_t code = self->words.code[NCK_STEP_PATH];
+    double tolerance = self->machine->path.tolerance, merge;
+    (void)out;
+    if (code != 640) {
+        // Fanuc's G61 is exact stop, RS274NGC's is exact path.
+        const int stop = code == 611 || self->machine->dialect.base == NCK_DIALECT_FANUC;
+        self->modal.path_mode = stop ? NCK_PATH_STOP : NCK_PATH_EXACT;
+        self->modal.tolerance_mm = 0.0;
+        self->modal.merge_mm = 0.0;
+        return NCK_EMPTY;
+    }
+    if (has_word(self, 'P')) tolerance = real_word(self, 'P') * unit_mm(self);
+    merge = has_word(self, 'Q') ? real_word(self, 'Q') * unit_mm(self) : tolerance;
+    const int p_good = tolerance >= 0.0 && tolerance <= linear_max_mm;
+    if (!p_good || merge < 0.0 || merge > linear_max_mm) {
+        const char letter = p_good ? 'Q' : 'P';
+        return nck_decode_fail_word(self, NCK_E_NUMBER_RANGE, letter, real_word(self, letter),
+                                    linear_max_mm);
+    }
+    self->modal.path_mode = NCK_PATH_CONTINUOUS;
+    self->modal.tolerance_mm = tolerance;
+    self->modal.merge_mm = merge;
+    return NCK_EMPTY;
+}
+
+nck_status_t nck_decode_distance(nck_decode_t *self, nck_block_t *out) {
+    (void)out;
+    self->modal.incremental = self->words.code[NCK_STEP_DISTANCE] == 910;
+    self->finding.given |= 1u << NCK_NOTE_DISTANCE;
+    return NCK_EMPTY;
+}
+
+nck_status_t nck_decode_centre(nck_decode_t *self, nck_block_t *out) {
+    (void)out;
+    self->modal.centre_absolute = self->words.code[NCK_STEP_CENTRE] == 901;
+    self->finding.given |= 1u << NCK_NOTE_ARC_CENTRE;
+    return NCK_EMPTY;
+}
+
+nck_status_t nck_decode_stop(nck_decode_t *self, nck_block_t *out) {
+    const uint16_t code = self->words.code[NCK_STEP_STOP];
+    nck_block_kind_t kind = NCK_BLOCK_WAIT;
+    if (code == 10 && !self->machine->dialect.optional_stop) kind = NCK_BLOCK_OUTPUT;
+    if (code == 20 || code == 300) {
+        kind = NCK_BLOCK_END;
+        self->text.over = 1;
+        self->text.watch = 1;
+    }
+    return give_output(self, kind, NCK_OUTPUT_M, code / 10, out);
+}

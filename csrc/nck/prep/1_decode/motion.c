@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: MIT
+// Moves: targets in machine coordinates, travel, feed, and the way to the reference points.
+#include "nck/prep/1_decode/parts.h"
+
+#include <string.h> // memcpy
+
+static int axis_bit(uint32_t axes, unsigned axis) {
+    return (int)((axes >> axis) & 1u);
+}
+
+// [mm] or [deg]
+static double shown(const nck_decode_t *self, unsigned axis, int64_t value_nm) {
+    return axis_bit(self->place.rotary, axis) ? (double)value_nm / 1e9 : (double)value_nm / 1e6;
+}
+
+static const nck_scale_t *scale_of(const nck_decode_t *self, unsigned axis) {
+    if (axis == NCK_AXIS_X) return &self->place.scale[1];
+    return &self->place.scale[axis_bit(self->place.rotary, axis) ? 2 : 0];
+}
+
+static unsigned column_of_axis(const nck_decode_t *self, unsigned axis) {
+    const int letter = nck_decode_letter(axis);
+    return self->words.letters & NCK_LETTER(letter) ? self->words.column[letter - 'A'] : 0;
+}
+
+void nck_decode_assume(nck_decode_t *self, nck_note_t note) {
+    if ((self->finding.given | self->finding.notes) & (1u << note)) return;
+    const nck_diagnostic_t finding = {(int32_t)note, self->line.number, 0, 0, 0.0, 0.0};
+    self->finding.notes |= 1u << note;
+    nck_decode_find(self, &finding);
+}
+
+nck_status_t nck_decode_axis_word(nck_decode_t *self, unsigned axis, int64_t *value_out) {
+    const int letter = nck_decode_letter(axis);
+    const nck_number_t *const word = &self->words.number[letter - 'A'];
+    const nck_scale_t *const scale = scale_of(self, axis);
+    if (nck_number_fixed(self->line.text, word, scale, value_out)) return NCK_OK;
+    return nck_decode_fail_word(self, NCK_E_NUMBER_RANGE, letter, nck_number_real(word),
+                                shown(self, axis, scale->limit));
+}
+
+nck_status_t nck_decode_travel(nck_decode_t *self, unsigned axis, int64_t position_nm) {
+    const nck_axis_t *const travel = &self->machine->axis[axis];
+    if (position_nm >= travel->min_nm && position_nm <= travel->max_nm) return NCK_OK;
+    const int64_t limit_nm = position_nm < travel->min_nm ? travel->min_nm : travel->max_nm;
+    return nck_decode_fail(self, NCK_E_TRAVEL, column_of_axis(self, axis), nck_decode_letter(axis),
+                           shown(self, axis, position_nm), shown(self, axis, limit_nm));
+}
+
+// The machine position that the axis words name; axes without a word stay.
+// absolute: 1: words count from the machine's zero (G53).
+static nck_status_t read_target(nck_decode_t *self, int absolute, int64_t *target_nm) {
+    memcpy(target_nm, self->place.position_nm, sizeof self->place.position_nm);
+    uint32_t axes = self->words.axes;
+    for (unsigned axis = 0; axes != 0; axis++, axes >>= 1) {
+        int64_t value = 0;
+        if (!(axes & 1u)) continue;
+        const nck_status_t status = nck_decode_axis_word(self, axis, &value);
+        if (status != NCK_OK) return status;
+        if (!absolute) {
+            value += self->modal.incremental ? self->place.position_nm[axis]
+                                             : self->place.origin_nm[axis];
+        }
+        const int64_t limit = scale_of(self, axis)->limit;
+        if (value < -limit || value > limit) {
+            return nck_decode_fail_word(self, NCK_E_NUMBER_RANGE, nck_decode_letter(axis),
+                                        shown(self, axis, value), shown(self, axis, limit));
+        }
+        target_nm[axis] = value;
+    }
+    return NCK_OK;
+}
+
+static nck_status_t check_targets(nck_decode_t *self, uint32_t axes, const int64_t *target_nm) {
+    for (unsigned axis = 0; axes != 0; axis++, axes >>= 1) {
+        const nck_status_t status = axes & 1u ? nck_decode_travel(self, axis, target_nm[axis])
+                                              : NCK_OK;
+        if (status != NCK_OK) return status;
+    }
+    return NCK_OK;
+}
+
+// Degrees per minute are what F means if nothing but rotary axes moves, in inches too.
+static int only_rotary_moves(const nck_decode_t *self, const int64_t *target_nm) {
+    if (!(self->words.axes & self->place.rotary)) return 0;
+    for (unsigned axis = 0; axis < NCK_AXIS_MAX; axis++) {
+        const int moves = target_nm[axis] != self->place.position_nm[axis];
+        if (moves && !axis_bit(self->place.rotary, axis)) return 0;
+    }
+    return 1;
+}
+
+static nck_status_t fail_feed(nck_decode_t *self, int letter) {
+    return nck_decode_fail(self, NCK_E_FEED_MISSING, 0, letter, 0.0, 0.0);
+}
+
+// The feed of a cut. NCK_E_FEED_MISSING: none was ever said, G93 without F here, G95 at a
+// standstill.
+static nck_status_t cutting_feed(nck_decode_t *self, const int64_t *target_nm, double *feed_out) {
+    const int said = (self->words.letters & NCK_LETTER('F')) != 0;
+    if (self->modal.feed <= 0.0) return fail_feed(self, 'F');
+    if (self->modal.feed_mode == NCK_FEED_INVERSE && !said) return fail_feed(self, 'F');
+    if (self->modal.feed_mode == NCK_FEED_PER_REV
+        && (!self->modal.spindle_on || self->modal.speed <= 0.0)) {
+        return fail_feed(self, 'S');
+    }
+    *feed_out = only_rotary_moves(self, target_nm) ? self->modal.feed_word : self->modal.feed;
+    return NCK_OK;
+}
+
+static void arrive(nck_decode_t *self, const int64_t *target_nm) {
+    memcpy(self->place.position_nm, target_nm, sizeof self->place.position_nm);
+}
+
+// G0, G1: target_nm in machine coordinates.
+static nck_status_t straight(nck_decode_t *self, nck_block_kind_t kind, const int64_t *target_nm,
+                             nck_block_t *out) {
+    double feed = 0.0;
+    nck_status_t status = check_targets(self, self->words.axes, target_nm);
+    if (status == NCK_OK && kind == NCK_BLOCK_LINE) {
+        status = cutting_feed(self, target_nm, &feed);
+    }
+    // Also after an error the next line counts from here: one mistake, one finding.
+    arrive(self, target_nm);
+    nck_decode_block(self, kind, out);
+    out->feed = feed;
+    return status;
+}
+
+static nck_status_t arc(nck_decode_t *self, const int64_t *target_nm, nck_block_t *out) {
+    double feed = 0.0;
+    nck_decode_assume(self, NCK_NOTE_PLANE);
+    nck_status_t status = check_targets(self, self->words.axes, target_nm);
+    if (status == NCK_OK) status = cutting_feed(self, target_nm, &feed);
+    if (status == NCK_OK) status = nck_decode_arc(self, target_nm, out);
+    arrive(self, target_nm);
+    out->feed = feed;
+    self->second.feed = feed;
+    return status;
+}
+
+// G9: this move alone ends in an exact stop.
+static void stop_exactly(const nck_decode_t *self, nck_block_t *out) {
+    if (self->words.codes & NCK_STEP(NCK_STEP_EXACT)) out->path_mode = NCK_PATH_STOP;
+}
+
+nck_status_t nck_decode_motion(nck_decode_t *self, nck_block_t *out) {
+    const int32_t code = self->words.code[NCK_STEP_MOTION];
+    const int taken = (self->words.codes & NCK_STEP(NCK_STEP_OFFSET))
+                      && self->words.code[NCK_STEP_OFFSET] <= 920;
+    int64_t target_nm[NCK_AXIS_MAX];
+
+    self->modal.motion = code == 800 ? -1 : code;
+    if (code == 800 || taken || (self->words.axes == 0 && code < 20)) return NCK_EMPTY;
+    nck_decode_assume(self, NCK_NOTE_UNITS);
+    nck_decode_assume(self, NCK_NOTE_DISTANCE);
+    const int absolute = (self->words.codes & NCK_STEP(NCK_STEP_MACHINE)) != 0;
+    nck_status_t status = read_target(self, absolute, target_nm);
+    if (status != NCK_OK) return status;
+    if (code >= 20) {
+        status = arc(self, target_nm, out);
+    } else {
+        status = straight(self, code == 0 ? NCK_BLOCK_RAPID : NCK_BLOCK_LINE, target_nm, out);
+    }
+    stop_exactly(self, out);
+    return status;
+}
+
+// G28, G30: by way of the point that the words name to the reference point, on the axes named, on
+// all if none is. Marlin's G28 has no such point: its words only name axes.
+nck_status_t nck_decode_reference(nck_decode_t *self, nck_block_t *out) {
+    const int64_t *const home = self->machine->home_nm[self->words.code[NCK_STEP_OFFSET] == 300];
+    int64_t target_nm[NCK_AXIS_MAX];
+    const uint32_t axes = self->words.axes != 0 ? self->words.axes : self->place.axes;
+
+    nck_status_t status = NCK_OK;
+    memcpy(target_nm, self->place.position_nm, sizeof target_nm);
+    if (self->machine->dialect.base != NCK_DIALECT_MARLIN && self->words.axes != 0) {
+        nck_decode_assume(self, NCK_NOTE_UNITS);
+        nck_decode_assume(self, NCK_NOTE_DISTANCE);
+        status = read_target(self, 0, target_nm);
+        if (status != NCK_OK) return status;
+    }
+    status = straight(self, NCK_BLOCK_RAPID, target_nm, out);
+    for (unsigned axis = 0; axis < NCK_AXIS_MAX; axis++) {
+        if (axis_bit(axes, axis)) target_nm[axis] = home[axis];
+    }
+    if (status == NCK_OK) status = check_targets(self, axes, target_nm);
+    arrive(self, target_nm);
+    nck_decode_block(self, NCK_BLOCK_RAPID, &self->second);
+    self->words.steps |= NCK_STEP(NCK_STEP_SECOND);
+    return status;
+}
+
+nck_status_t nck_decode_second(nck_decode_t *self, nck_block_t *out) {
+    *out = self->second;
+    stop_exactly(self, out);
+    return NCK_OK;
+}

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: MIT
+// The room's inner doors: what its files call of each other. Nobody outside of 1_decode includes
+// this.
+//
+// A step does one thing of a block. It returns NCK_OK if it filled a block, NCK_EMPTY if it had
+// none to give, or the error that nck_decode_fail has noted. Context of all: prep.
+#ifndef NCK_PREP_DECODE_PARTS_H
+#define NCK_PREP_DECODE_PARTS_H
+
+#include "nck/prep/1_decode/decode.h" // nck_decode_t
+
+// Bits of letters and steps.
+#define NCK_LETTER(c) ((uint32_t)1 << ((c) - 'A'))
+#define NCK_STEP(k) ((uint32_t)1 << (k))
+
+enum {
+    NCK_LETTERS_LINEAR = (1 << ('X' - 'A')) | (1 << ('Y' - 'A')) | (1 << ('Z' - 'A'))
+                       | (1 << ('U' - 'A')) | (1 << ('V' - 'A')) | (1 << ('W' - 'A')),
+    NCK_LETTERS_AXES = NCK_LETTERS_LINEAR | 7, // A B C
+    NCK_LETTERS_CENTRE = (1 << ('I' - 'A')) | (1 << ('J' - 'A')) | (1 << ('K' - 'A'))
+};
+
+typedef nck_status_t (*nck_step_function_t)(nck_decode_t *self, nck_block_t *out);
+
+// decode.c: note the line's error (the first one counts). column: 1-based, 0 for the whole line;
+// letter: upper case or 0. Returns code. Cost: constant.
+nck_status_t nck_decode_fail(nck_decode_t *self, nck_status_t code, unsigned column, int letter,
+                             double value, double limit);
+
+// decode.c: queue a finding. Cost: constant.
+void nck_decode_find(nck_decode_t *self, const nck_diagnostic_t *finding);
+
+// decode.c: the same for a word of the line: its column and letter.
+nck_status_t nck_decode_fail_word(nck_decode_t *self, nck_status_t code, int letter, double value,
+                                  double limit);
+
+// words.c: the line from `at` on as words. Cost: linear in the line.
+nck_status_t nck_decode_words(nck_decode_t *self, const char *at);
+
+// codes.c: what a code is. Returns NCK_OK, NCK_E_UNSUPPORTED, or NCK_E_G_UNKNOWN / NCK_E_M_UNKNOWN.
+// letter: G or M; tenths: the code; *takes_out: letters that it uses. Cost: linear in the number of
+// codes.
+nck_status_t nck_decode_code(int letter, int64_t tenths, unsigned *step_out, uint32_t *takes_out);
+
+// codes.c: the letters that a modal motion uses. Cost: constant.
+uint32_t nck_decode_motion_takes(int32_t motion);
+
+// resolve.c: do the words and codes of the line fit together, and who gets the axis words? Cost:
+// constant.
+nck_status_t nck_decode_resolve(nck_decode_t *self);
+
+// foreign.c: whose language the line is, 0 if it does not say. Cost: linear in the line.
+int nck_decode_foreign(const char *line);
+
+// modal.c: settings and outputs.
+nck_status_t nck_decode_units(nck_decode_t *self, nck_block_t *out);
+nck_status_t nck_decode_feed_mode(nck_decode_t *self, nck_block_t *out);
+nck_status_t nck_decode_feed(nck_decode_t *self, nck_block_t *out);
+nck_status_t nck_decode_speed(nck_decode_t *self, nck_block_t *out);
+nck_status_t nck_decode_tool(nck_decode_t *self, nck_block_t *out);
+nck_status_t nck_decode_change(nck_decode_t *self, nck_block_t *out);
+nck_status_t nck_decode_spindle(nck_decode_t *self, nck_block_t *out);
+nck_status_t nck_decode_mist(nck_decode_t *self, nck_block_t *out);
+nck_status_t nck_decode_flood(nck_decode_t *self, nck_block_t *out);
+nck_status_t nck_decode_override(nck_decode_t *self, nck_block_t *out);
+nck_status_t nck_decode_dwell(nck_decode_t *self, nck_block_t *out);
+nck_status_t nck_decode_plane(nck_decode_t *self, nck_block_t *out);
+nck_status_t nck_decode_diameter(nck_decode_t *self, nck_block_t *out);
+nck_status_t nck_decode_path(nck_decode_t *self, nck_block_t *out);
+nck_status_t nck_decode_distance(nck_decode_t *self, nck_block_t *out);
+nck_status_t nck_decode_centre(nck_decode_t *self, nck_block_t *out);
+nck_status_t nck_decode_stop(nck_decode_t *self, nck_block_t *out);
+
+// modal.c: fill a block with all that is modal; the target is the present position. Cost: constant.
+void nck_decode_block(const nck_decode_t *self, nck_block_kind_t kind, nck_block_t *out);
+
+// modal.c: the scales of axis words, after a change of units or of diameter mode. Cost: constant.
+void nck_decode_scale(nck_decode_t *self);
+
+// place.c: offsets.
+nck_status_t nck_decode_length(nck_decode_t *self, nck_block_t *out);
+nck_status_t nck_decode_work(nck_decode_t *self, nck_block_t *out);
+nck_status_t nck_decode_offset(nck_decode_t *self, nck_block_t *out);
+
+// place.c: a tool of the table, NULL if it has none of that number. Cost: linear in the tools.
+const nck_tool_t *nck_decode_find_tool(const nck_decode_t *self, uint32_t number);
+
+// place.c: the origin from its parts, after a change of one. Cost: constant.
+void nck_decode_origin(nck_decode_t *self);
+
+// motion.c: moves.
+nck_status_t nck_decode_motion(nck_decode_t *self, nck_block_t *out);
+nck_status_t nck_decode_reference(nck_decode_t *self, nck_block_t *out);
+nck_status_t nck_decode_second(nck_decode_t *self, nck_block_t *out);
+
+// motion.c: the word of an axis, [nm] or [ndeg]; NCK_E_NUMBER_RANGE. Cost: constant.
+nck_status_t nck_decode_axis_word(nck_decode_t *self, unsigned axis, int64_t *value_out);
+
+// motion.c: is a machine position within the travel of its axis? NCK_E_TRAVEL. Cost: constant.
+nck_status_t nck_decode_travel(nck_decode_t *self, unsigned axis, int64_t position_nm);
+
+// motion.c: give a note if the program leaves it to the machine. Cost: constant.
+void nck_decode_assume(nck_decode_t *self, nck_note_t note);
+
+// arc.c: the arc to a machine position; a second part of it goes to self->second. Cost: constant.
+nck_status_t nck_decode_arc(nck_decode_t *self, const int64_t *target_nm, nck_block_t *out);
+
+// resolve.c: the letter of axis 0 … 8: X Y Z A B C U V W. Cost: constant.
+int nck_decode_letter(unsigned axis);
+
+#endif

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: MIT
+// One source line → words: a single pass over its bytes.
+#include "nck/prep/1_decode/parts.h"
+
+#include <stddef.h> // NULL
+
+static unsigned column_of(const nck_decode_t *self, const char *at) {
+    return (unsigned)(at - self->line.text) + 1;
+}
+
+static int is_letter(char c) {
+    return (unsigned)((c | 0x20) - 'a') < NCK_LETTERS;
+}
+
+static const char *skip_blanks(const char *at) {
+    while (*at == ' ' || *at == '\t') at++;
+    return at;
+}
+
+// Does the text spell the word, in either case? word: upper case.
+static int spells(const char *at, const char *word) {
+    while (*word != '\0' && (*at & ~0x20) == *word) {
+        at++;
+        word++;
+    }
+    return *word == '\0';
+}
+
+// A letter without a number: an expression or a control word of a macro language, or a mistake.
+static nck_status_t fail_number(nck_decode_t *self, const char *at) {
+    static const char *const control[] = {"IF", "WHILE", "GOTO", "DO", "END", "THEN", "ELSE"};
+    const char next = *skip_blanks(at + 1);
+    int unsupported = next == '#' || next == '[';
+    for (unsigned k = 0; k < sizeof control / sizeof control[0]; k++) {
+        unsupported = unsupported || spells(at, control[k]);
+    }
+    return nck_decode_fail(self, unsupported ? NCK_E_UNSUPPORTED : NCK_E_NUMBER,
+                           column_of(self, at), *at & ~0x20, 0.0, 0.0);
+}
+
+// What is neither a letter nor a blank nor a comment.
+static nck_status_t fail_character(nck_decode_t *self, const char *at) {
+    const char c = *at;
+    nck_status_t code = NCK_E_CHARACTER;
+    if (c == '#' || c == '[' || c == '@' || c == '^') code = NCK_E_UNSUPPORTED;
+    if (c == '.' || c == '+' || c == '-') code = NCK_E_NUMBER;
+    return nck_decode_fail(self, code, column_of(self, at), 0, (double)(unsigned char)c, 0.0);
+}
+
+// G and M codes: sorted into the step that executes them.
+static nck_status_t read_code(nck_decode_t *self, const char **at) {
+    nck_words_t *const words = &self->words;
+    const unsigned column = column_of(self, *at);
+    const int letter = **at & ~0x20;
+    nck_number_t number;
+    int64_t tenths = 0;
+    unsigned step = 0;
+    uint32_t takes = 0;
+
+    const char *const next = nck_number_read(self->line.text, *at + 1, &number);
+    if (next == NULL) return fail_number(self, *at);
+    nck_status_t status = letter == 'G' ? NCK_E_G_UNKNOWN : NCK_E_M_UNKNOWN;
+    if (nck_number_whole(&number, 1, &tenths)) {
+        status = nck_decode_code(letter, tenths, &step, &takes);
+    }
+    if (status == NCK_OK && (words->codes & NCK_STEP(step))) status = NCK_E_MODAL_GROUP;
+    if (status != NCK_OK) {
+        return nck_decode_fail(self, status, column, letter, nck_number_real(&number), 0.0);
+    }
+    words->codes |= NCK_STEP(step);
+    words->steps |= NCK_STEP(step);
+    words->takes |= takes;
+    words->code[step] = (uint16_t)tenths;
+    words->code_column[step] = (uint16_t)column;
+    *at = next;
+    return NCK_OK;
+}
+
+// O: a program number alone is a name; anything else calls or defines something.
+static nck_status_t read_program_number(nck_decode_t *self, const char **at) {
+    nck_number_t number;
+    const char *const next = nck_number_read(self->line.text, *at + 1, &number);
+    if (next == NULL || (*next != '\n' && *next != '(' && *next != ';')) {
+        return nck_decode_fail(self, NCK_E_UNSUPPORTED, column_of(self, *at), 'O', 0.0, 0.0);
+    }
+    *at = next;
+    return NCK_OK;
+}
+
+static nck_status_t read_word(nck_decode_t *self, const char **at) {
+    nck_words_t *const words = &self->words;
+    const char letter = (char)(**at & ~0x20);
+    const unsigned index = (unsigned)(letter - 'A');
+
+    if (letter == 'G' || letter == 'M') return read_code(self, at);
+    if (letter == 'O') return read_program_number(self, at);
+    const char *const next = nck_number_read(self->line.text, *at + 1, &words->number[index]);
+    if (next == NULL) return fail_number(self, *at);
+    if (words->letters & NCK_LETTER(letter)) {
+        return nck_decode_fail(self, NCK_E_WORD_TWICE, column_of(self, *at), letter, 0.0, 0.0);
+    }
+    words->letters |= NCK_LETTER(letter);
+    words->column[index] = (uint16_t)column_of(self, *at);
+    *at = next;
+    return NCK_OK;
+}
+
+nck_status_t nck_decode_words(nck_decode_t *self, const char *at) {
+    self->words.letters = 0;
+    self->words.axes = 0;
+    self->words.steps = 0;
+    self->words.codes = 0;
+    self->words.takes = 0;
+    self->words.tail = 0;
+    while (*at != '\n') {
+        if (is_letter(*at)) {
+            const nck_status_t status = read_word(self, &at);
+            if (status != NCK_OK) return status;
+        } else if (*at == ' ' || *at == '\t') {
+            at++;
+        } else if (*at == '(') {
+            const unsigned column = column_of(self, at);
+            while (*at != ')' && *at != '\n') at++;
+            if (*at == '\n') return nck_decode_fail(self, NCK_E_COMMENT, column, 0, 0.0, 0.0);
+            at++;
+        } else if (*at == ';') {
+            self->words.tail = 1;
+            return NCK_OK;
+        } else {
+            return fail_character(self, at);
+        }
+    }
+    return NCK_OK;
+}

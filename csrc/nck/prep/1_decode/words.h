@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: MIT
+// One source line as words: letters with numbers, and the G and M codes sorted by the step that
+// executes them.
+#ifndef NCK_PREP_DECODE_WORDS_H
+#define NCK_PREP_DECODE_WORDS_H
+
+#include "nck/prep/1_decode/number.h" // nck_number_t
+
+// What a block may have to do, in the order in which it is done (RS274NGC, table of execution, with
+// the units moved to the front: an F word is read in the units of its own block). One G or M code
+// at most in each.
+typedef enum nck_step {
+    NCK_STEP_UNITS = 0,   // G20 G21
+    NCK_STEP_FEED_MODE,   // G93 G94 G95
+    NCK_STEP_FEED,        // F
+    NCK_STEP_SPEED,       // S
+    NCK_STEP_TOOL,        // T
+    NCK_STEP_CHANGE,      // M6
+    NCK_STEP_SPINDLE,     // M3 M4 M5
+    NCK_STEP_MIST,        // M7
+    NCK_STEP_FLOOD,       // M8 M9
+    NCK_STEP_OVERRIDE,    // M48 M49
+    NCK_STEP_DWELL,       // G4
+    NCK_STEP_PLANE,       // G17 G18 G19
+    NCK_STEP_DIAMETER,    // G7 G8
+    NCK_STEP_RADIUS_COMP, // G40
+    NCK_STEP_LENGTH,      // G43 G49
+    NCK_STEP_WORK,        // G54 … G59.3
+    NCK_STEP_PATH,        // G61 G61.1 G64
+    NCK_STEP_DISTANCE,    // G90 G91
+    NCK_STEP_CENTRE,      // G90.1 G91.1
+    NCK_STEP_SPEED_MODE,  // G97
+    NCK_STEP_OFFSET,      // G10 G28 G30 G92 G92.1 G92.2 G92.3: each takes the axis words for itself
+    NCK_STEP_EXACT,       // G9
+    NCK_STEP_MACHINE,     // G53
+    NCK_STEP_MOTION,      // G0 G1 G2 G3 G80
+    NCK_STEP_SECOND,      // the second move of a G28 or of an arc in two parts
+    NCK_STEP_STOP,        // M0 M1 M2 M30 M60
+    NCK_STEP_COUNT
+} nck_step_t;
+
+enum { NCK_LETTERS = 26 };
+
+// The words of the line in work. What a bit does not announce is left over from an earlier line.
+typedef struct nck_words {
+    uint32_t letters;                     // bit k: the letter A + k stands in the line
+    uint32_t axes;                        // bit k: a word of axis k that is to move or to set it
+    uint32_t steps;                       // bit k: step k is still to be done
+    uint32_t codes;                       // bit k: step k has a code
+    uint32_t takes;                       // letters that the codes use
+    uint16_t code[NCK_STEP_COUNT];        // G and M codes in tenths: G61.1 is 611
+    uint16_t code_column[NCK_STEP_COUNT]; // 1-based byte column of the code
+    uint16_t column[NCK_LETTERS];         // 1-based byte column of the word
+    nck_number_t number[NCK_LETTERS];
+    uint8_t tail;                         // 1: the line ended in a ; comment
+} nck_words_t;
+
+#endif
