@@ -15,6 +15,7 @@ void nck_interpolate_init(nck_interpolate_t *self, const nck_machine_t *machine,
         self->pose.axis[x] = (double)machine->start_nm[x] / 1e6;
     }
     self->pose.feed_scale = 1.0;
+    self->cell.stop = 1;
 }
 
 static int fetch(nck_interpolate_t *self) {
@@ -74,13 +75,12 @@ static void evaluate(nck_interpolate_t *self, double t) {
 
 // Nothing to execute: stay. In the middle of the path that is starvation.
 static const nck_pose_t *rest(nck_interpolate_t *self) {
-    const int on_path = self->cell.duration > 0.0 && !self->cell.stop;
-    const int tail = self->from_tail != 0;
+    const int on_path = !self->cell.stop || self->from_tail;
     self->k = 0;
     self->t_cell = 0.0;
     self->pose.v = 0.0;
-    self->pose.state = on_path || tail ? NCK_TICK_STARVED : NCK_TICK_IDLE;
-    self->pose.limit = on_path || tail ? NCK_LIMIT_STARVED : NCK_LIMIT_EXACT_STOP;
+    self->pose.state = on_path ? NCK_TICK_STARVED : NCK_TICK_IDLE;
+    self->pose.limit = on_path ? NCK_LIMIT_STARVED : NCK_LIMIT_EXACT_STOP;
     return &self->pose;
 }
 
