@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: MIT
+// Room 5: cells keep the piece's limits and join without a jump; the stop tail comes to rest.
+#include <math.h>   // fabs sqrt
+#include <string.h> // memset
+
+#include "check.h"
+#include "nck/prep/5_slope/slope.h" // nck_slope_push nck_slope_brake
+
+static nck_machine_t machine;
+static nck_slope_t slope;
+
+static nck_node_t piece(double length, double vv, double vv_piece)
+{
+    nck_node_t node;
+    memset(&node, 0, sizeof node);
+    node.length = length;
+    node.a = 1000.0;
+    node.vv = vv;
+    node.vv_cap = vv;
+    node.vv_piece = vv_piece;
+    node.last = 1;
+    return node;
+}
+
+static void begin(void)
+{
+    nck_machine_default(&machine);
+    nck_slope_init(&slope, &machine);
+}
+
+static double end_speed(const nck_cell_t *cell) { return cell->v + cell->a * cell->duration; }
+
+static void cells_join_and_keep_the_limits(check_t *check)
+{
+    begin();
+    for (int k = 0; k < 5000; k++) {
+        const double length = pow(10.0, -3.0 + k % 61 / 10.0);
+        const double vv_piece = 1.0 + k % 97 * 100.0;
+        const double vv0 = vv_piece * (k % 7) / 7.0;
+        const double rise = fmin(vv_piece - vv0, 2000.0 * length);
+        const double fall = fmin(vv0, 2000.0 * length);
+        const double vv1 = k % 3 == 0 ? vv0 + rise : k % 3 == 1 ? vv0 - fall : vv0;
+        const nck_node_t node = piece(length, vv0, vv_piece);
+        nck_cell_t cells[NCK_SLOPE_CELLS];
+        const int count = nck_slope_push(&slope, &node, vv1, cells);
+        double s = 0.0;
+        double v = sqrt(vv0);
+        for (int n = 0; n < count; n++) {
+            CHECK_NEAR(check, cells[n].v, v, 1e-9);
+            CHECK_NEAR(check, cells[n].s, s, 1e-12 * length);
+            CHECK(check, fabs(cells[n].a) <= 1000.0 * (1.0 + 1e-9));
+            CHECK(check, cells[n].v * cells[n].v <= vv_piece * (1.0 + 1e-12));
+            v = end_speed(&cells[n]);
+            s += cells[n].length;
+        }
+        CHECK_NEAR(check, s, length, 1e-12 * length);
+        CHECK_NEAR(check, v, sqrt(vv1), 1e-6);
+        CHECK_INT(check, cells[count - 1].last, 1);
+    }
+}
+
+static void long_piece_from_rest_to_rest_is_a_trapezoid(check_t *check)
+{
+    begin();
+    const nck_node_t node = piece(100.0, 0.0, 2500.0);
+    nck_cell_t cells[NCK_SLOPE_CELLS];
+    CHECK_INT(check, nck_slope_push(&slope, &node, 0.0, cells), 3);
+    CHECK_NEAR(check, cells[0].duration, 0.05, 1e-15);
+    CHECK_NEAR(check, cells[1].duration, (100.0 - 2.5) / 50.0, 1e-14);
+    CHECK_NEAR(check, cells[2].duration, 0.05, 1e-15);
+}
+
+static void stop_tail_comes_to_rest_on_the_path(check_t *check)
+{
+    begin();
+    nck_cell_t cell;
+    double length = 0.0;
+    int count = 0;
+    nck_slope_brake_begin(&slope, 10000.0);
+    const nck_node_t node = piece(0.7, 0.0, 10000.0);
+    nck_status_t status = NCK_OK;
+    while (status == NCK_OK && count < 100) {
+        status = nck_slope_brake(&slope, &node, 10000.0, &cell);
+        length += cell.length;
+        count++;
+        CHECK(check, cell.a >= -1000.0 * (1.0 + 1e-9));
+    }
+    CHECK_INT(check, status, NCK_DONE);
+    CHECK_NEAR(check, length, 5.0, 1e-12);
+    CHECK_INT(check, cell.stop, 1);
+    CHECK_INT(check, nck_slope_brake(&slope, &node, 0.0, &cell), NCK_EMPTY);
+}
+
+static void dwell_is_a_rest_of_its_length(check_t *check)
+{
+    begin();
+    nck_node_t node = piece(0.0, 0.0, 0.0);
+    node.kind = NCK_SEG_DWELL;
+    node.stop = 1;
+    node.dwell_s = 0.25;
+    nck_cell_t cells[NCK_SLOPE_CELLS];
+    CHECK_INT(check, nck_slope_push(&slope, &node, 0.0, cells), 1);
+    CHECK(check, cells[0].duration == 0.25 && cells[0].length == 0.0 && cells[0].stop == 1);
+}
+
+int main(void)
+{
+    check_t check = {0};
+    CHECK_RUN(&check, cells_join_and_keep_the_limits);
+    CHECK_RUN(&check, long_piece_from_rest_to_rest_is_a_trapezoid);
+    CHECK_RUN(&check, stop_tail_comes_to_rest_on_the_path);
+    CHECK_RUN(&check, dwell_is_a_rest_of_its_length);
+    return check_end(&check);
+}
