@@ -10,7 +10,7 @@
 
 // One row per tick.
 typedef struct sim_row {
-    double t_s;            // tick number × period
+    double t_s;            // tick number × period; the first tick is number 1, at 0 the machine rests
     nck_pose_t pose;
     nck_axes_t axes;
     double spindle_rpm;    // last S word handed over
@@ -23,13 +23,12 @@ typedef struct sim {
     const char *text;      // the whole program, fed as fast as the kernel takes it
     size_t text_size, text_used;
     uint32_t prep_steps;   // prep steps between two ticks, ≥ 1; few of them starve the tick
-    uint32_t prefilled;    // 1: prep has run until it had to wait, ticks have begun
+    uint32_t prepared;     // 1: prep has handed everything over
+    int32_t error;         // program error, NCK_OK if none
     uint64_t ticks;        // so far
     uint64_t starved_ticks;
-    double spindle_rpm;
-    int32_t prep_status;   // last of nck_prep
-    nck_output_t outputs[64]; // the outputs since the call began
-    size_t output_count;      // of them; more than 64 in one call end the call early
+    uint64_t outputs;      // handed over so far
+    double spindle_rpm;    // last S word handed over
 } sim_t;
 
 // Set up a run. The kernel is initialised here (hooks are the simulation's). prep_steps ≥ 1.

@@ -90,6 +90,10 @@ nck_tick_state_t nck_tick(nck_t *nck, nck_pose_t *pose_out, nck_axes_t *axes_out
 // Go on after M0, M1, M6 or M60. Cost: constant. Context: any.
 void nck_resume(nck_t *nck);
 
+// 1 if the tick has nothing left to do: at rest, not waiting for nck_resume, no cell and no output left.
+// Cost: constant. Context: tick.
+int nck_is_idle(const nck_t *nck);
+
 // Take the next final cell in place of the tick: for planning without executing (machining time, pictures).
 // Outputs are handed over as in the tick. Returns NCK_OK or NCK_EMPTY. Cost: constant. Context: tick.
 nck_status_t nck_take(nck_t *nck, nck_cell_t *cell_out);

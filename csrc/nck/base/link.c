@@ -138,3 +138,7 @@ nck_status_t nck_link_take_output(nck_link_t *self, nck_output_t *output_out) {
 uint32_t nck_link_waiting(const nck_link_t *self) {
     return cells_between(self->taken, end_of(nck_fence_load(&self->word)));
 }
+
+int nck_link_is_empty(const nck_link_t *self) {
+    return nck_link_waiting(self) == 0 && nck_fence_load(&self->output_head) == self->output_taken;
+}

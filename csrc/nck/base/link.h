@@ -95,4 +95,7 @@ nck_status_t nck_link_take_output(nck_link_t *self, nck_output_t *output_out);
 // Final cells that wait. Cost: constant. Context: tick.
 uint32_t nck_link_waiting(const nck_link_t *self);
 
+// 1 if no final cell and no output waits. Cost: constant. Context: tick.
+int nck_link_is_empty(const nck_link_t *self);
+
 #endif
