@@ -15,6 +15,8 @@ ROOMS = (
     "tick/6_interpolate", "tick/7_transform",
 )  # fmt: skip
 EXTRAS = ("typer", "rich", "pydantic", "matplotlib", "pyarrow", "pyopencl")
+# The middle floor of pycnc: above it nobody calls the kernel; constants of the kernel may be read.
+WRAPPERS = ("_bind", "records", "machine", "kernel", "stages")
 
 # Which of our headers a file may include, by the longest path that fits the file.
 MAY_INCLUDE = {
@@ -170,6 +172,17 @@ def test_python_floors_point_down(name):
         assert not any(found.split(".")[0] == "pyopencl" for found in imports)
     if module not in ("cli", "__main__"):
         assert "pycnc.cli" not in imports
+
+
+@pytest.mark.parametrize("name", [name for name in PYTHON_FILES if name.startswith("pycnc/")])
+def test_only_the_wrappers_call_the_kernel(name):
+    if Path(name).stem in WRAPPERS:
+        return
+    tree = ast.parse(read(name))
+    assert "ffi" not in {node.id for node in ast.walk(tree) if isinstance(node, ast.Name)}
+    reached = (node for node in ast.walk(tree) if isinstance(node, ast.Attribute))
+    calls = [node.attr for node in reached if getattr(node.value, "id", "") == "lib"]
+    assert [call for call in calls if not call.startswith("NCK_")] == []
 
 
 def test_python_modules_do_not_import_in_circles():
