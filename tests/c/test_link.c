@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: MIT
+// base/link.h: nothing is lost, nothing is taken back, and the stop tail is entered at most once.
+#include <string.h> // memset
+
+#include "check.h"
+#include "nck/base/link.h" // nck_link_t
+
+static nck_link_t link_;
+
+static nck_cell_t cell_of(uint32_t seg)
+{
+    nck_cell_t cell;
+    memset(&cell, 0, sizeof cell);
+    cell.seg = seg;
+    return cell;
+}
+
+static void put_batch(uint32_t first, uint32_t count, uint32_t tail)
+{
+    nck_link_batch_begin(&link_);
+    for (uint32_t k = 0; k < count; k++) {
+        const nck_cell_t cell = cell_of(first + k);
+        nck_link_push_cell(&link_, &cell);
+    }
+    nck_link_tail_begin(&link_);
+    for (uint32_t k = 0; k < tail; k++) {
+        const nck_cell_t cell = cell_of(1000 + first + count + k);
+        nck_link_tail_push(&link_, &cell);
+    }
+}
+
+static long take(int *from_tail)
+{
+    nck_cell_t cell;
+    return nck_link_take(&link_, &cell, from_tail) == NCK_OK ? (long)cell.seg : -1;
+}
+
+static void cells_come_out_in_order_round_the_ring(check_t *check)
+{
+    int from_tail = 0;
+    nck_link_init(&link_);
+    uint32_t out = 0;
+    for (uint32_t in = 0; in < 20 * NCK_CELL_MAX; in += 5) {
+        put_batch(in, 5, 2);
+        CHECK_INT(check, nck_link_publish(&link_), NCK_OK);
+        while (nck_link_cell_room(&link_) < 5) {
+            CHECK_INT(check, take(&from_tail), out);
+            out++;
+        }
+    }
+    CHECK(check, out > 10 * NCK_CELL_MAX);
+}
+
+static void batch_is_invisible_until_it_is_published(check_t *check)
+{
+    int from_tail = 0;
+    nck_link_init(&link_);
+    put_batch(0, 3, 0);
+    CHECK_INT(check, nck_link_waiting(&link_), 0);
+    CHECK_INT(check, take(&from_tail), -1);
+    CHECK_INT(check, nck_link_publish(&link_), NCK_OK);
+    CHECK_INT(check, nck_link_waiting(&link_), 3);
+    CHECK_INT(check, take(&from_tail), 0);
+}
+
+static void tail_is_entered_only_when_the_cells_are_used_up(check_t *check)
+{
+    int from_tail = 0;
+    nck_link_init(&link_);
+    put_batch(0, 2, 2);
+    nck_link_publish(&link_);
+    CHECK_INT(check, take(&from_tail), 0);
+    CHECK_INT(check, take(&from_tail), 1);
+    CHECK_INT(check, from_tail, 0);
+    CHECK_INT(check, take(&from_tail), 1002);
+    CHECK_INT(check, from_tail, 1);
+    CHECK_INT(check, take(&from_tail), 1003);
+    CHECK_INT(check, take(&from_tail), -1);
+}
+
+static void tick_first_makes_the_batch_void(check_t *check)
+{
+    int from_tail = 0;
+    nck_link_init(&link_);
+    put_batch(0, 1, 2);
+    nck_link_publish(&link_);
+    put_batch(1, 4, 2); // built on the cell, while the tick ...
+    take(&from_tail);
+    CHECK_INT(check, take(&from_tail), 1001); // ... enters the tail
+    CHECK_INT(check, nck_link_publish(&link_), NCK_E_STATE);
+    CHECK_INT(check, nck_link_batch_begin(&link_), 1);
+    CHECK_INT(check, take(&from_tail), 1002);
+    CHECK_INT(check, take(&from_tail), -1);
+}
+
+static void prep_first_keeps_the_tick_out_of_the_tail(check_t *check)
+{
+    int from_tail = 0;
+    nck_link_init(&link_);
+    put_batch(0, 1, 2);
+    nck_link_publish(&link_);
+    take(&from_tail);
+    put_batch(1, 1, 0);
+    CHECK_INT(check, nck_link_publish(&link_), NCK_OK);
+    CHECK_INT(check, take(&from_tail), 1);
+    CHECK_INT(check, from_tail, 0);
+    CHECK_INT(check, take(&from_tail), -1);
+}
+
+static void going_on_waits_until_the_tail_has_come_to_rest(check_t *check)
+{
+    int from_tail = 0;
+    uint32_t count = 0;
+    nck_link_init(&link_);
+    put_batch(0, 1, 2);
+    nck_link_publish(&link_);
+    take(&from_tail);
+    take(&from_tail);
+    CHECK(check, nck_link_tail_end(&link_, &count)->seg == 1002 && count == 2);
+    put_batch(7, 1, 0);
+    CHECK_INT(check, nck_link_publish(&link_), NCK_FULL);
+    CHECK_INT(check, take(&from_tail), 1002);
+    nck_link_tail_rest(&link_);
+    CHECK_INT(check, nck_link_publish(&link_), NCK_OK);
+    CHECK_INT(check, take(&from_tail), 7);
+    CHECK_INT(check, from_tail, 0);
+}
+
+static void outputs_wait_for_their_segs(check_t *check)
+{
+    nck_output_t output;
+    memset(&output, 0, sizeof output);
+    nck_link_init(&link_);
+    output.after_segs = 2;
+    nck_link_push_output(&link_, &output);
+    CHECK_INT(check, nck_link_take_output(&link_, &output), NCK_EMPTY);
+    nck_link_seg_finish(&link_, 1);
+    CHECK_INT(check, nck_link_take_output(&link_, &output), NCK_EMPTY);
+    nck_link_seg_finish(&link_, 2);
+    CHECK_INT(check, nck_link_take_output(&link_, &output), NCK_OK);
+    CHECK_INT(check, nck_link_take_output(&link_, &output), NCK_EMPTY);
+}
+
+static void rings_say_when_they_are_full(check_t *check)
+{
+    nck_seg_t seg;
+    nck_output_t output;
+    memset(&seg, 0, sizeof seg);
+    memset(&output, 0, sizeof output);
+    nck_link_init(&link_);
+    for (uint32_t k = 0; k < NCK_SEG_MAX; k++) {
+        seg.seq = k;
+        CHECK_INT(check, nck_link_push_seg(&link_, &seg), NCK_OK);
+    }
+    CHECK_INT(check, nck_link_has_room(&link_), 0);
+    CHECK_INT(check, nck_link_push_seg(&link_, &seg), NCK_FULL);
+    nck_link_seg_finish(&link_, 1);
+    CHECK_INT(check, nck_link_has_room(&link_), 1);
+    for (uint32_t k = 0; k < NCK_OUTPUT_MAX; k++) {
+        CHECK_INT(check, nck_link_push_output(&link_, &output), NCK_OK);
+    }
+    CHECK_INT(check, nck_link_push_output(&link_, &output), NCK_FULL);
+    CHECK_INT(check, nck_link_seg(&link_, 5)->seq, 5);
+}
+
+int main(void)
+{
+    check_t check = {0};
+    CHECK_RUN(&check, cells_come_out_in_order_round_the_ring);
+    CHECK_RUN(&check, batch_is_invisible_until_it_is_published);
+    CHECK_RUN(&check, tail_is_entered_only_when_the_cells_are_used_up);
+    CHECK_RUN(&check, tick_first_makes_the_batch_void);
+    CHECK_RUN(&check, prep_first_keeps_the_tick_out_of_the_tail);
+    CHECK_RUN(&check, going_on_waits_until_the_tail_has_come_to_rest);
+    CHECK_RUN(&check, outputs_wait_for_their_segs);
+    CHECK_RUN(&check, rings_say_when_they_are_full);
+    return check_end(&check);
+}
