@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The simulated controller on the host: prep steps and interpolation ticks interleaved in virtual time.
-// The same run gives the same bytes; nobody reads a clock.
+// The simulated controller on the host: prep steps and interpolation ticks interleaved in virtual
+// time. The same run gives the same bytes; nobody reads a clock.
 #ifndef SIM_H
 #define SIM_H
 
@@ -10,7 +10,7 @@
 
 // One row per tick.
 typedef struct sim_row {
-    double t_s;            // tick number × period; the first tick is number 1, at 0 the machine rests
+    double t_s;            // tick number × period, the first tick being number 1
     nck_pose_t pose;
     nck_axes_t axes;
     double spindle_rpm;    // last S word handed over
@@ -23,21 +23,27 @@ typedef struct sim {
     const char *text;      // the whole program, fed as fast as the kernel takes it
     size_t text_size, text_used;
     uint32_t prep_steps;   // prep steps between two ticks, ≥ 1; few of them starve the tick
-    uint32_t prepared;     // 1: prep has handed everything over
-    int32_t error;         // program error, NCK_OK if none
+    uint32_t prefilled;    // 1: prep has run until it had to wait, ticks have begun
     uint64_t ticks;        // so far
     uint64_t starved_ticks;
-    uint64_t outputs;      // handed over so far
-    double spindle_rpm;    // last S word handed over
+    double spindle_rpm;
+    int32_t prep_status;   // last of nck_prep
+    int32_t error;         // of the program: returned when all before it is executed; NCK_OK
+    nck_output_t outputs[NCK_OUTPUT_MAX]; // the outputs since the call began
+    size_t output_count;   // of them; a call ends early rather than lose one
 } sim_t;
 
-// Set up a run. The kernel is initialised here (hooks are the simulation's). prep_steps ≥ 1.
-// Returns as nck_init, or NCK_E_ARGUMENT.
-nck_status_t sim_init(sim_t *sim, nck_t *nck, const nck_machine_t *machine, const char *text, size_t n,
-                      uint32_t prep_steps);
+// Set up a run. The kernel is initialised here (hooks are the simulation's); the text must outlive
+// the run. prep_steps ≥ 1.
+// Returns as nck_init, or NCK_E_ARGUMENT. Cost: constant. Context: any.
+nck_status_t sim_init(sim_t *sim, nck_t *nck, const nck_machine_t *machine, const char *text,
+                      size_t n, uint32_t prep_steps);
 
-// Run until row_max rows are filled (*row_count_out) or the program is over. M0, M1, M6 are resumed at the next tick.
-// Returns NCK_OK (call again), NCK_DONE, or the program error after everything before it has been executed.
+// Run until row_max rows are filled (*row_count_out) or the program is over. M0, M1, M6 are resumed
+// at the next tick. A run has the ticks that its plan counts, and one at rest more for each time
+// that only outputs are left.
+// Returns NCK_OK (call again), NCK_DONE, or the program error after everything before it has been
+// executed. Cost: linear in the rows and in the text. Context: prep and tick both.
 nck_status_t sim_run(sim_t *sim, sim_row_t *rows, size_t row_max, size_t *row_count_out);
 
 #endif

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// libnck_host: the kernel in bulk, arrays in and arrays out, for Python and for planning whole programs.
-// Never in firmware. No heap here either: the caller owns every array.
+// libnck_host: the kernel in bulk, arrays in and arrays out, for Python and for planning whole
+// programs. Never in firmware. No heap here either: the caller owns every array.
 #ifndef NCK_HOST_H
 #define NCK_HOST_H
 
@@ -9,15 +9,19 @@
 #include "nck/nck.h" // nck_t and all records
 
 // Decode text until an array is full or the text is used up. Call again with the rest of the text.
-// blocks: at least 1 row; *block_count_out rows are filled. All findings go to diagnostics (at least 1 row); decoding goes on
-// after an error with the next line. ended: 1 if text is the program's last piece.
-// Returns NCK_OK (more to come), NCK_EMPTY (all text used), NCK_DONE (program ended), NCK_E_ARGUMENT.
+// blocks: at least 1 row; *block_count_out rows are filled. All findings go to diagnostics (at
+// least 1 row); decoding goes on after an error with the next line. ended: 1 if text is the
+// program's last piece.
+// Returns NCK_OK (more to come), NCK_EMPTY (all text used), NCK_DONE (program ended),
+// NCK_E_ARGUMENT (an array without rows), NCK_E_STATE (text after a piece that was the last).
 // Cost: linear in the text. Context: prep.
-nck_status_t nck_host_decode(nck_decode_t *decode, const char *text, size_t n, int ended, size_t *used_out,
-                             nck_block_t *blocks, size_t block_max, size_t *block_count_out,
-                             nck_diagnostic_t *diagnostics, size_t diagnostic_max, size_t *diagnostic_count_out);
+nck_status_t nck_host_decode(nck_decode_t *decode, const char *text, size_t n, int ended,
+                             size_t *used_out, nck_block_t *blocks, size_t block_max,
+                             size_t *block_count_out, nck_diagnostic_t *diagnostics,
+                             size_t diagnostic_max, size_t *diagnostic_count_out);
 
-// What a plan adds up to. Times in s.
+// What a plan adds up to. Times in s. cut, rapid and dwell add up to time, and so do the limits;
+// accelerate, cruise and decelerate to cut and rapid.
 typedef struct nck_host_totals {
     double time_s;              // whole periods, as the tick counts them
     double cut_s, rapid_s, dwell_s;
@@ -27,7 +31,8 @@ typedef struct nck_host_totals {
     uint64_t ticks, blocks, segs, nodes, cells;
 } nck_host_totals_t;
 
-// A plan under way: kernel, input cursor, sums, and where single records go (any array may be NULL).
+// A plan under way: kernel, input cursor, sums, and where single records go (any array may be
+// NULL).
 typedef struct nck_host_plan {
     nck_t *nck;                 // initialised by nck_host_plan_init
     const char *text;
@@ -37,6 +42,8 @@ typedef struct nck_host_plan {
     nck_cell_t *cells; size_t cell_max, cell_count;
     nck_host_totals_t totals;   // of the whole plan so far
     double since_stop_s;        // time since the last rest, not yet counted in whole periods
+    int32_t error;              // of the program: returned when all before it is planned; NCK_OK
+    int32_t status;             // last of nck_prep
 } nck_host_plan_t;
 
 // Begin to plan a whole text (which must outlive the plan). Installs its own hooks in nck.
@@ -44,16 +51,19 @@ typedef struct nck_host_plan {
 nck_status_t nck_host_plan_init(nck_host_plan_t *plan, nck_t *nck, const nck_machine_t *machine,
                                 const char *text, size_t n);
 
-// Go on until an array is nearly full or the plan is done; the counts start from 0 at every call. An array that is given
-// must hold at least 4 × NCK_WINDOW rows. Returns NCK_OK (call again), NCK_DONE, or the program error, as nck_prep.
-// Cost: linear in the text. Context: prep and tick both.
+// Go on until an array is nearly full or the plan is done; the counts start from 0 at every call.
+// An array that is given must hold at least 4 × NCK_WINDOW rows. Without arrays it goes on for
+// NCK_WINDOW cells, so that the caller can show progress.
+// Returns NCK_OK (call again), NCK_DONE, or the program error, as nck_prep; NCK_E_ARGUMENT if an
+// array is too small. Cost: linear in the text. Context: prep and tick both.
 nck_status_t nck_host_plan_run(nck_host_plan_t *plan);
 
 // The exact two-pass envelope of a whole path in w = v² (algorithm: prep/4_lookahead/README.md):
-// w_cap: n nodes [mm²/s²], h: n − 1 pieces, 2·a·length [mm²/s²], w_out: n nodes. w at the first node is at most
-// w_start, at the last node at most w_end. Returns NCK_OK, or NCK_E_ARGUMENT and in *bad_out the first index whose
-// number is NaN, infinite or negative. Cost: linear, two passes. Context: any.
-nck_status_t nck_host_envelope(const double *w_cap, const double *h, size_t n, double w_start, double w_end,
-                               double *w_out, size_t *bad_out);
+// w_cap: n nodes [mm²/s²], h: n − 1 pieces, 2·a·length [mm²/s²], w_out: n nodes (may be w_cap). w at
+// the first node is at most w_start, at the last node at most w_end.
+// Returns NCK_OK, or NCK_E_ARGUMENT and in *bad_out the first index whose number is NaN, infinite
+// or negative (w_start: 0, w_end: n − 1; n = 0: 0). Cost: linear, two passes. Context: any.
+nck_status_t nck_host_envelope(const double *w_cap, const double *h, size_t n, double w_start,
+                               double w_end, double *w_out, size_t *bad_out);
 
 #endif

@@ -1,26 +1,20 @@
 // SPDX-License-Identifier: MIT
-// libnck_host: plan a whole program without executing it.
+// Planning a whole text without executing it: cells are taken in place of the tick.
+#include "host/host.h"
+
 #include <string.h> // memset
-
-#include "host.h"
-
-enum { ROOM = 4 * NCK_WINDOW }; // rows that one turn of prep and take can add to an array
 
 static void keep_seg(void *user, const nck_seg_t *seg) {
     nck_host_plan_t *const plan = user;
     plan->totals.segs++;
-    plan->totals.length_mm += seg->length;
-    if (!plan->segs) return;
-    plan->segs[plan->seg_count] = *seg;
-    plan->seg_count++;
+    plan->totals.length_mm = seg->s_begin + seg->length;
+    if (plan->segs) plan->segs[plan->seg_count++] = *seg;
 }
 
 static void keep_node(void *user, const nck_node_t *node) {
     nck_host_plan_t *const plan = user;
     plan->totals.nodes++;
-    if (!plan->nodes) return;
-    plan->nodes[plan->node_count] = *node;
-    plan->node_count++;
+    if (plan->nodes) plan->nodes[plan->node_count++] = *node;
 }
 
 nck_status_t nck_host_plan_init(nck_host_plan_t *plan, nck_t *nck, const nck_machine_t *machine,
@@ -33,68 +27,93 @@ nck_status_t nck_host_plan_init(nck_host_plan_t *plan, nck_t *nck, const nck_mac
     return nck_init(nck, machine, &hooks);
 }
 
-// Time from rest to rest counts in whole periods, as the tick does (6_interpolate).
-static void count_time(nck_host_plan_t *plan, const nck_cell_t *cell) {
+// Time of a part of the plan, to every sum it belongs to.
+static void add_time(nck_host_plan_t *plan, const nck_cell_t *cell, double time) {
+    nck_host_totals_t *const totals = &plan->totals;
+    totals->limit_s[cell->limit] += time;
+    if (cell->kind >= NCK_SEG_DWELL) {
+        totals->dwell_s += time;
+        return;
+    }
+    const int rapid = nck_link_seg(&plan->nck->link, cell->seg)->rapid;
+    double *const kind = rapid ? &totals->rapid_s : &totals->cut_s;
+    double *const slowing = cell->a < 0.0 ? &totals->decelerate_s : &totals->cruise_s;
+    double *const phase = cell->a > 0.0 ? &totals->accelerate_s : slowing;
+    *kind += time;
+    *phase += time;
+}
+
+// At a stop the tick waits for its next period: that time belongs to the cell as well.
+static void add_cell(nck_host_plan_t *plan, const nck_cell_t *cell) {
     const double period = plan->nck->machine.period_s;
+    plan->totals.cells++;
+    add_time(plan, cell, cell->duration);
     plan->since_stop_s += cell->duration;
     if (!cell->stop) return;
-    plan->totals.ticks += nck_interpolate_periods(plan->since_stop_s, period);
+    const uint64_t periods = nck_interpolate_periods(plan->since_stop_s, period);
+    add_time(plan, cell, (double)periods * period - plan->since_stop_s);
+    plan->totals.ticks += periods;
     plan->totals.time_s = (double)plan->totals.ticks * period;
     plan->since_stop_s = 0.0;
 }
 
-static void sum_cell(nck_host_plan_t *plan, const nck_cell_t *cell) {
-    nck_host_totals_t *const totals = &plan->totals;
-    totals->cells++;
-    totals->limit_s[cell->limit] += cell->duration;
-    count_time(plan, cell);
-    if (cell->kind >= NCK_SEG_DWELL) {
-        totals->dwell_s += cell->duration;
+// Take all final cells. Returns how many.
+static uint32_t take_cells(nck_host_plan_t *plan) {
+    nck_cell_t cell;
+    uint32_t count = 0;
+    while (nck_take(plan->nck, &cell) == NCK_OK) {
+        add_cell(plan, &cell);
+        if (plan->cells) plan->cells[plan->cell_count++] = cell;
+        count++;
+    }
+    return count;
+}
+
+static void feed(nck_host_plan_t *plan) {
+    if (plan->text_used == plan->text_size) {
+        nck_end(plan->nck);
         return;
     }
-    if (nck_link_seg(&plan->nck->link, cell->seg)->rapid) totals->rapid_s += cell->duration;
-    else totals->cut_s += cell->duration;
-    if (cell->a > 0.0) totals->accelerate_s += cell->duration;
-    else if (cell->a < 0.0) totals->decelerate_s += cell->duration;
-    else totals->cruise_s += cell->duration;
-}
-
-static void take_cells(nck_host_plan_t *plan) {
-    nck_cell_t cell;
-    while (nck_take(plan->nck, &cell) == NCK_OK) {
-        sum_cell(plan, &cell);
-        if (!plan->cells) continue;
-        plan->cells[plan->cell_count] = cell;
-        plan->cell_count++;
-    }
-}
-
-static void push_text(nck_host_plan_t *plan) {
-    const size_t left = plan->text_size - plan->text_used;
     size_t used = 0;
-    if (left > 0) nck_push(plan->nck, plan->text + plan->text_used, left, &used);
-    else nck_end(plan->nck);
+    (void)nck_push(plan->nck, plan->text + plan->text_used, plan->text_size - plan->text_used,
+                   &used);
     plan->text_used += used;
 }
 
+// One prep step gives one seg, or the nodes of one batch: no more of them than cells.
 static int has_room(const nck_host_plan_t *plan) {
-    return (!plan->segs || plan->seg_count + ROOM <= plan->seg_max)
-           && (!plan->nodes || plan->node_count + ROOM <= plan->node_max)
-           && (!plan->cells || plan->cell_count + ROOM <= plan->cell_max);
+    return (!plan->segs || plan->seg_max - plan->seg_count > 1)
+           && (!plan->nodes || plan->node_max - plan->node_count > NCK_CELL_MAX)
+           && (!plan->cells || plan->cell_max - plan->cell_count > NCK_CELL_MAX);
+}
+
+static int arrays_are_large(const nck_host_plan_t *plan) {
+    const size_t least = (size_t)4 * NCK_WINDOW;
+    return (!plan->segs || plan->seg_max >= least) && (!plan->nodes || plan->node_max >= least)
+           && (!plan->cells || plan->cell_max >= least);
+}
+
+// A kernel that is full although nothing waits for the tick would never go on.
+static nck_status_t step(nck_host_plan_t *plan) {
+    const int was_full = plan->status == NCK_FULL;
+    plan->status = nck_prep(plan->nck);
+    if (plan->status < NCK_OK) plan->error = plan->status;
+    if (plan->status == NCK_EMPTY) feed(plan);
+    if (plan->status == NCK_DONE) take_cells(plan);
+    if (plan->status == NCK_FULL && take_cells(plan) == 0 && was_full) return NCK_E_INTERNAL;
+    return plan->status == NCK_DONE ? NCK_DONE : NCK_OK;
 }
 
 nck_status_t nck_host_plan_run(nck_host_plan_t *plan) {
+    const uint64_t cells_before = plan->totals.cells;
     nck_status_t status = NCK_OK;
+    if (!arrays_are_large(plan)) return NCK_E_ARGUMENT;
     plan->seg_count = 0;
     plan->node_count = 0;
     plan->cell_count = 0;
-    while (has_room(plan)) {
-        status = nck_prep(plan->nck);
-        if (status == NCK_OK) continue;
-        take_cells(plan);
-        plan->totals.blocks = plan->nck->wire.blocks;
-        if (status == NCK_DONE || status < NCK_OK) return status;
-        if (status == NCK_EMPTY) push_text(plan);
+    while (status == NCK_OK && has_room(plan) && plan->totals.cells - cells_before < NCK_WINDOW) {
+        status = step(plan);
     }
-    return NCK_OK;
+    plan->totals.blocks = plan->nck->wire.blocks;
+    return status == NCK_DONE && plan->error < NCK_OK ? (nck_status_t)plan->error : status;
 }
