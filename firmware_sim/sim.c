@@ -7,7 +7,7 @@
 static void keep_output(void *user, const nck_output_t *output) {
     sim_t *const sim = user;
     if (output->kind == NCK_OUTPUT_SPINDLE_SPEED) sim->spindle_rpm = output->value;
-    sim->outputs[sim->output_count++] = *output;
+    sim->outputs++;
 }
 
 nck_status_t sim_init(sim_t *sim, nck_t *nck, const nck_machine_t *machine, const char *text,
@@ -41,18 +41,8 @@ static int prep(sim_t *sim) {
     return sim->prep_status != NCK_FULL && sim->prep_status != NCK_DONE;
 }
 
-// Everything is handed over and executed.
 static int is_over(const sim_t *sim) {
-    const nck_t *const nck = sim->nck;
-    return sim->prep_status == NCK_DONE && !nck->interpolate.has_cell
-           && nck_link_waiting(&nck->link) == 0
-           && nck->link.output_head == nck->link.output_taken;
-}
-
-// The next tick might hand over more outputs than there is room for.
-static int outputs_full(const sim_t *sim) {
-    const nck_link_t *const link = &sim->nck->link;
-    return sim->output_count + (link->output_head - link->output_taken) > NCK_OUTPUT_MAX;
+    return sim->prep_status == NCK_DONE && nck_is_idle(sim->nck);
 }
 
 static void tick(sim_t *sim, sim_row_t *row) {
@@ -68,9 +58,8 @@ static void tick(sim_t *sim, sim_row_t *row) {
 
 nck_status_t sim_run(sim_t *sim, sim_row_t *rows, size_t row_max, size_t *row_count_out) {
     *row_count_out = 0;
-    sim->output_count = 0;
     while (!sim->prefilled) sim->prefilled = !prep(sim);
-    while (*row_count_out < row_max && !is_over(sim) && !outputs_full(sim)) {
+    while (*row_count_out < row_max && !is_over(sim)) {
         tick(sim, &rows[*row_count_out]);
         ++*row_count_out;
         for (uint32_t n = 0; n < sim->prep_steps && prep(sim); n++) continue;

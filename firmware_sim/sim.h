@@ -24,13 +24,12 @@ typedef struct sim {
     size_t text_size, text_used;
     uint32_t prep_steps;   // prep steps between two ticks, ≥ 1; few of them starve the tick
     uint32_t prefilled;    // 1: prep has run until it had to wait, ticks have begun
-    uint64_t ticks;        // so far
-    uint64_t starved_ticks;
-    double spindle_rpm;
     int32_t prep_status;   // last of nck_prep
     int32_t error;         // of the program: returned when all before it is executed; NCK_OK
-    nck_output_t outputs[NCK_OUTPUT_MAX]; // the outputs since the call began
-    size_t output_count;   // of them; a call ends early rather than lose one
+    uint64_t ticks;        // so far
+    uint64_t starved_ticks;
+    uint64_t outputs;      // handed over so far
+    double spindle_rpm;    // last S word handed over
 } sim_t;
 
 // Set up a run. The kernel is initialised here (hooks are the simulation's); the text must outlive
@@ -40,8 +39,8 @@ nck_status_t sim_init(sim_t *sim, nck_t *nck, const nck_machine_t *machine, cons
                       size_t n, uint32_t prep_steps);
 
 // Run until row_max rows are filled (*row_count_out) or the program is over. M0, M1, M6 are resumed
-// at the next tick. A run has the ticks that its plan counts, and one at rest more for each time
-// that only outputs are left.
+// at the next tick. A run has the ticks that its plan counts; one at rest more if nothing but
+// outputs is left.
 // Returns NCK_OK (call again), NCK_DONE, or the program error after everything before it has been
 // executed. Cost: linear in the rows and in the text. Context: prep and tick both.
 nck_status_t sim_run(sim_t *sim, sim_row_t *rows, size_t row_max, size_t *row_count_out);

@@ -218,7 +218,8 @@ nck_tick_state_t nck_tick(nck_t *nck, nck_pose_t *pose_out, nck_axes_t *axes_out
 void nck_resume(nck_t *nck) { nck_interpolate_resume(&nck->interpolate); }
 
 int nck_is_idle(const nck_t *nck) {
-    return !nck->interpolate.has_cell && !nck->interpolate.waits && nck_link_is_empty(&nck->link);
+    const int waits = nck->interpolate.waits && !nck_fence_load(&nck->interpolate.resume);
+    return !waits && !nck->interpolate.has_cell && nck_link_is_empty(&nck->link);
 }
 
 nck_status_t nck_take(nck_t *nck, nck_cell_t *cell_out) {
