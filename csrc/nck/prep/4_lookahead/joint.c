@@ -81,6 +81,19 @@ void nck_joint_make(nck_joint_t *joint, const nck_seg_t *seg, const nck_machine_
     }
     if (seg->kind == NCK_SEG_ARC) make_arc(joint, seg, machine);
     cap_by_axes(joint, seg, machine);
+    joint->time = joint->length / joint->v_max;
+    joint->a_most = nck_min(machine->path.a_max, joint->a_straight);
+    if (joint->kappa > 0.0) {
+        joint->a_most = nck_min(joint->a_most, joint->a_plane / joint->cos_lambda);
+    }
+}
+
+double nck_joint_a_any(const nck_machine_t *machine) {
+    double sum = 0.0;
+    for (int x = 0; x < NCK_AXIS_MAX; x++) {
+        if (machine->axis[x].present) sum += machine->axis[x].a_max * machine->axis[x].a_max;
+    }
+    return nck_min(machine->path.a_max, nck_sqrt(sum));
 }
 
 nck_piece_limit_t nck_joint_piece(const nck_joint_t *joint, double beta,
@@ -100,12 +113,6 @@ nck_piece_limit_t nck_joint_piece(const nck_joint_t *joint, double beta,
     return piece;
 }
 
-// Largest tangential acceleration anywhere on the seg: bounds how fast the speed can change.
-static double a_most(const nck_joint_t *joint, const nck_machine_t *machine) {
-    const double a = nck_min(machine->path.a_max, joint->a_straight);
-    return joint->kappa > 0.0 ? nck_min(a, joint->a_plane / joint->cos_lambda) : a;
-}
-
 void nck_joint_meet(nck_joint_t *in, const nck_joint_t *out, const double *tangent_in,
                     const double *tangent_out, const nck_machine_t *machine) {
     if (out->kind >= NCK_SEG_DWELL) in->stop = 1;
@@ -116,7 +123,7 @@ void nck_joint_meet(nck_joint_t *in, const nck_joint_t *out, const double *tange
         load = nck_max(load, nck_corner_load(tangent_in[x], tangent_out[x],
                                              machine->axis[x].a_max));
     }
-    if (nck_corner_sharp(load, nck_min(a_most(in, machine), a_most(out, machine)))) {
+    if (nck_corner_sharp(load, nck_min(in->a_most, out->a_most))) {
         in->v_corner = 0.0;
         return;
     }
@@ -129,7 +136,7 @@ typedef enum side_state { SIDE_KNOWN, SIDE_UNKNOWN, SIDE_OVER } side_state_t;
 typedef struct side {
     uint32_t at;        // the next neighbour: the junction at the end of this joint
     uint32_t steps;     // neighbours so far
-    double x;           // its distance over T [mm/s]; of an unknown one, the least that it can be
+    double x;           // its distance [mm]; of an unknown one, the least that it can be
     side_state_t state;
 } side_t;
 
@@ -137,7 +144,7 @@ typedef struct side {
 typedef struct walk {
     side_t ahead;
     side_t behind;
-    double cut;         // where a side was cut off at NCK_CORNER_SPAN neighbours [mm/s]
+    double cut;         // where a side was cut off at NCK_CORNER_SPAN neighbours [mm]
 } walk_t;
 
 static void cut_off(walk_t *walk, side_t *side) {
@@ -160,7 +167,7 @@ static void walk_ahead(nck_lookahead_t *self, walk_t *walk) {
     }
     const nck_joint_t *const joint = nck_joint_at(self, side->at);
     const int newest = side->at + 1 == self->joint.head;
-    side->x += joint->length / self->machine->period_s;
+    side->x += joint->length;
     side->state = newest && !self->ended ? SIDE_UNKNOWN : SIDE_KNOWN;
     if (joint->kind == NCK_SEG_WAIT) side->state = SIDE_OVER;
 }
@@ -175,7 +182,7 @@ static void walk_behind(nck_lookahead_t *self, walk_t *walk) {
         side->state = SIDE_OVER;
         return;
     }
-    side->x += nck_joint_at(self, side->at)->length / self->machine->period_s;
+    side->x += nck_joint_at(self, side->at)->length;
     side->steps++;
     side->at--;
 }
@@ -208,57 +215,67 @@ static nck_status_t walk_next(nck_lookahead_t *self, walk_t *walk, double reach,
 }
 
 // A·T, where A is the largest acceleration on the segs that can share a period with the junction when it
-// is crossed at v. No acceleration is larger than a_any.
+// is crossed at v.
 static nck_status_t largest_gain(nck_lookahead_t *self, uint32_t count, double v, double *a_t_out) {
-    const nck_machine_t *const machine = self->machine;
-    double sum = 0.0;
-    for (int x = 0; x < NCK_AXIS_MAX; x++) {
-        if (machine->axis[x].present) sum += machine->axis[x].a_max * machine->axis[x].a_max;
-    }
-    const double a_any = nck_min(machine->path.a_max, nck_sqrt(sum));
-    const nck_joint_t *neighbour = nck_joint_at(self, count);
-    double a = a_most(neighbour, machine);
+    const double period = self->machine->period_s;
+    const double reach = (v + self->a_any * period) * period;
+    const nck_joint_t *neighbour = nck_joint_at(self, count + 1);
+    double a = nck_max(nck_joint_at(self, count)->a_most, neighbour->a_most);
     double x = 0.0;
-    a = nck_max(a, a_most(nck_joint_at(self, count + 1), machine));
     walk_t walk;
     walk_begin(self, &walk, count);
-    nck_status_t status = NCK_OK;
+    nck_status_t status = walk_next(self, &walk, reach, &neighbour, &x);
     while (status == NCK_OK) {
-        status = walk_next(self, &walk, v + a_any * machine->period_s, &neighbour, &x);
-        if (status == NCK_OK) a = nck_max(a, a_most(neighbour, machine));
+        a = nck_max(a, neighbour->a_most);
+        status = walk_next(self, &walk, reach, &neighbour, &x);
     }
-    *a_t_out = nck_min(a, a_any) * machine->period_s;
+    *a_t_out = a * period;
     return status == NCK_DONE ? NCK_OK : status;
+}
+
+static void settle(nck_joint_t *joint, double v, double share) {
+    joint->v_corner = v;
+    joint->share = nck_min(NCK_CORNER_SHARE_MAX, nck_max(0.0, share));
+}
+
+// Speed and share of a junction that shares a period with others, v is its speed alone.
+static nck_status_t decide_crowd(nck_lookahead_t *self, uint32_t count, double v) {
+    nck_joint_t *const joint = nck_joint_at(self, count);
+    const double period = self->machine->period_s;
+    const double beta = NCK_CORNER_SHARE_MAX;
+    const double d = joint->load;
+    double a_t = 0.0;
+    nck_status_t status = largest_gain(self, count, v, &a_t);
+    if (status != NCK_OK) return status;
+    double others_d = 0.0;
+    double others_dx = 0.0;
+    walk_t walk;
+    walk_begin(self, &walk, count);
+    for (;;) {
+        const nck_joint_t *neighbour = joint;
+        double x = 0.0;
+        status = walk_next(self, &walk, (v + a_t) * period, &neighbour, &x);
+        if (status != NCK_OK) break;
+        others_d += neighbour->load;
+        others_dx += neighbour->load * x;
+        v = nck_min(v, nck_corner_speed(beta, d + others_d, others_d, others_dx, a_t, period));
+    }
+    if (status != NCK_DONE) return status;
+    v = nck_max(0.0, nck_min(v, walk.cut / period - a_t));
+    settle(joint, v, nck_corner_share(v, d + others_d, others_d, others_dx, a_t, period));
+    return NCK_OK;
 }
 
 // Speed and share of a junction with a load, between two known segs.
 static nck_status_t decide_corner(nck_lookahead_t *self, uint32_t count) {
     nck_joint_t *const joint = nck_joint_at(self, count);
+    const nck_joint_t *const out = nck_joint_at(self, count + 1);
     const double period = self->machine->period_s;
-    const double beta_t = NCK_CORNER_SHARE_MAX * period;
-    const double d = joint->load;
-    double v = nck_min(joint->v_max, nck_joint_at(self, count + 1)->v_max);
-    v = nck_min(v, beta_t / d);
-    double a_t = 0.0;
-    nck_status_t status = largest_gain(self, count, v, &a_t);
-    if (status != NCK_OK) return status;
-    double sum_d = d;
-    double sum_dx = 0.0;
-    walk_t walk;
-    walk_begin(self, &walk, count);
-    while (status == NCK_OK) {
-        const nck_joint_t *neighbour = joint;
-        double x = 0.0;
-        status = walk_next(self, &walk, v + a_t, &neighbour, &x);
-        if (status != NCK_OK) break;
-        sum_d += neighbour->load;
-        sum_dx += neighbour->load * x;
-        v = nck_min(v, nck_corner_speed(beta_t, sum_d, sum_d - d, sum_dx, a_t));
-    }
-    if (status != NCK_DONE) return status;
-    joint->v_corner = nck_max(0.0, nck_min(v, walk.cut - a_t));
-    const double share = nck_corner_share(v, sum_d, sum_d - d, sum_dx, a_t, period);
-    joint->share = nck_min(NCK_CORNER_SHARE_MAX, nck_max(0.0, share));
+    double v = nck_corner_speed(NCK_CORNER_SHARE_MAX, joint->load, 0.0, 0.0, 0.0, period);
+    v = nck_min(v, nck_min(joint->v_max, out->v_max));
+    const double reach = (v + self->a_any * period) * period;
+    if (joint->length < reach || out->length < reach) return decide_crowd(self, count, v);
+    settle(joint, v, nck_corner_share(v, joint->load, 0.0, 0.0, 0.0, period));
     return NCK_OK;
 }
 
@@ -286,7 +303,7 @@ double nck_joint_share_before(nck_lookahead_t *self, uint32_t count) {
         const nck_joint_t *const joint = nck_joint_at(self, count);
         if (joint->kind == NCK_SEG_WAIT) return share;
         share = nck_max(share, joint->share);
-        time += joint->length / joint->v_max;
+        time += joint->time;
         if (time >= self->machine->period_s) return share;
     }
     return NCK_CORNER_SHARE_MAX;
@@ -303,7 +320,7 @@ nck_status_t nck_joint_share_after(nck_lookahead_t *self, uint32_t count, double
         if (nck_joint_at(self, count)->kind == NCK_SEG_WAIT) return NCK_OK;
         count++;
         if (count == self->joint.head) return self->ended ? NCK_OK : NCK_EMPTY;
-        time += nck_joint_at(self, count)->length / nck_joint_at(self, count)->v_max;
+        time += nck_joint_at(self, count)->time;
         if (time >= self->machine->period_s) return NCK_OK;
     }
     *share_out = NCK_CORNER_SHARE_MAX;

@@ -15,6 +15,10 @@ typedef struct nck_piece_limit {
 // The joint with this count. Cost: constant.
 nck_joint_t *nck_joint_at(nck_lookahead_t *self, uint32_t count);
 
+// The largest tangential acceleration that any seg can have on this machine: √Σ a_x², path a_max at most.
+// Cost: constant.
+double nck_joint_a_any(const nck_machine_t *machine);
+
 // Fill in a seg's caps. Cost: constant.
 void nck_joint_make(nck_joint_t *joint, const nck_seg_t *seg, const nck_machine_t *machine);
 

@@ -62,16 +62,16 @@ static inline int nck_corner_sharp(nck_real load, nck_real a) {
 // Transfer speed where several junctions share a period. v at junction j satisfies
 //   d_j·v + Σ_i d_i·(v + A·T − |s_i − s_j|/T) = β·T        (i: all with |s_i − s_j| < (v + A·T)·T)
 // derived in README, section "many junctions in one period". sum_d = d_j + Σ d_i,
-// others_d = Σ d_i, others_dx = Σ d_i·|s_i − s_j|/T. May be negative: then v = 0.
-static inline nck_real nck_corner_speed(nck_real beta_t, nck_real sum_d, nck_real others_d,
-                                        nck_real others_dx, nck_real a_t) {
-    return (beta_t + others_dx - a_t * others_d) / sum_d;
+// others_d = Σ d_i, others_dx = Σ d_i·|s_i − s_j|. May be negative: then v = 0.
+static inline nck_real nck_corner_speed(nck_real beta, nck_real sum_d, nck_real others_d,
+                                        nck_real others_dx, nck_real a_t, nck_real period) {
+    return (beta * period + others_dx / period - a_t * others_d) / sum_d;
 }
 
 // The same equation solved for the share β that the speed v costs.
 static inline nck_real nck_corner_share(nck_real v, nck_real sum_d, nck_real others_d,
                                         nck_real others_dx, nck_real a_t, nck_real period) {
-    return (v * sum_d + a_t * others_d - others_dx) / period;
+    return (v * sum_d + a_t * others_d - others_dx / period) / period;
 }
 
 // What acceleration a changes v² by over a length:   h = 2·a·length

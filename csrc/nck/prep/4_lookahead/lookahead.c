@@ -22,6 +22,7 @@ enum {
 void nck_lookahead_init(nck_lookahead_t *self, const nck_machine_t *machine) {
     memset(self, 0, sizeof *self);
     self->machine = machine;
+    self->a_any = nck_joint_a_any(machine);
     self->limit_before = NCK_LIMIT_EXACT_STOP;
 }
 

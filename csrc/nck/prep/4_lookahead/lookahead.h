@@ -25,6 +25,8 @@ typedef struct nck_joint {
     double a_plane;       // arc: smaller limit of the plane's two axes [mm/s²]; line: 0
     double cos_lambda;    // arc: in-plane share of the path speed
     double kappa;         // arc: in-plane acceleration = v²·kappa [1/mm]; line: 0
+    double a_most;        // largest tangential acceleration anywhere on the seg [path mm/s²]
+    double time;          // the least that the seg takes, length/v_max [s]
     double load;          // d of the junction at the end [s²/mm]; 0 at a stop
     double v_corner;      // cap at the end [path mm/s]
     double share;         // β that the junction at the end may use
@@ -34,6 +36,7 @@ typedef struct nck_joint {
 typedef struct nck_lookahead {
     const nck_machine_t *machine;
     uint32_t ended;       // 1: no more segs will come
+    double a_any;         // no seg has a larger tangential acceleration [path mm/s²]
 
     // joints, counted from the start; slot = count mod NCK_JOINT_MAX
     struct {
