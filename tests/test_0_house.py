@@ -31,6 +31,7 @@ MAY_INCLUDE = {
     "firmware_sim/board/": ("board/", "hal.h", "os.h"),
     "firmware_sim/sim": ("nck/", "sim", "app/", "os.h", "hal.h"),
     "tests/c/": ("nck/", "host/", "sim.h", "check.h"),
+    "tests/fuzz/": ("nck/", "host/", "sim.h"),
 }
 FORBIDDEN_WORDS = {"util", "utils", "helper", "helpers", "manager", "tmp", "interp"}
 LIBC = {

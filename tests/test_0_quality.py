@@ -10,6 +10,8 @@ import pytest
 
 ROOT = Path(__file__).resolve().parents[1]
 C_TESTS = sorted(path.stem for path in (ROOT / "tests" / "c").glob("test_*.c"))
+FUZZ_TARGETS = sorted(path.stem for path in (ROOT / "tests" / "fuzz").glob("*.c"))
+FUZZ_RUNS = 200_000
 CAPACITIES = ("", "_small")
 
 
@@ -40,6 +42,15 @@ def test_c_tests_pass_in_the_release_build(gcc_build, name, capacities):
     run_c_test(gcc_build / f"{name}{capacities}")
 
 
+@pytest.mark.parametrize("name", FUZZ_TARGETS)
+def test_fuzzing_finds_no_fault(clang_build, tmp_path, name):
+    corpus = [path for path in (ROOT / "tests" / "fuzz" / name,) if path.is_dir()]
+    command = [clang_build / f"fuzz_{name}", f"-runs={FUZZ_RUNS}", "-seed=1", "-timeout=10"]
+    command += [f"-artifact_prefix={tmp_path}/", "-verbosity=0", tmp_path, *corpus]
+    done = subprocess.run(command, capture_output=True, text=True, timeout=600)
+    assert done.returncode == 0, done.stderr
+
+
 def test_cppcheck_has_no_finding(root, tool):
     command = [tool("cppcheck"), "--std=c99", "--enable=warning,style,performance,portability"]
     command += ["--inline-suppr", "--error-exitcode=1", "--quiet", "-j2", "--force"]
@@ -50,9 +61,9 @@ def test_cppcheck_has_no_finding(root, tool):
     assert done.returncode == 0, done.stderr
 
 def misra_findings(cppcheck):
-    """Return (rule, place, source line) of every finding of cppcheck's MISRA checks in csrc."""
+    """Yield (rule, place, source line) of every finding of cppcheck's MISRA checks in libnck."""
     command = [cppcheck, "--std=c99", "--addon=misra", "--enable=style", "--quiet", "-j2"]
-    command += ["--template={id}\t{file}\t{line}", f"-I{ROOT / 'csrc'}", ROOT / "csrc"]
+    command += ["--template={id}\t{file}\t{line}", f"-I{ROOT / 'csrc'}", ROOT / "csrc" / "nck"]
     done = subprocess.run(command, capture_output=True, text=True)
     assert done.returncode == 0, done.stderr
     rows = re.findall(r"^misra-c2012-(\S+)\t(\S+)\t(\d+)$", done.stderr, re.M)
