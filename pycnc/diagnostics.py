@@ -13,7 +13,7 @@ SHOWN_PER_ID = 20  # findings of one id that are told in full; the rest is count
 _EXCERPT = 100  # characters of a source line that are shown around the column
 _DIALECTS = {1: "Heidenhain Klartext", 2: "Sinumerik", 3: "Okuma"}
 
-# id → (message, help). The fields are those of _fields below.
+# id, or id:letter where one word needs its own, → (message, help). Fields: see Wording._fields.
 WORDING = {
     "character": (
         "{found} starts no word",
@@ -23,9 +23,17 @@ WORDING = {
         "{letter} has no number that can be read",
         "write the number right after the letter: {letter}12.5 (a decimal point, no comma)",
     ),
+    "number:?": (
+        "a number without a letter",
+        "write the letter that the number belongs to, such as X12.5",
+    ),
     "number-range": (
-        "{letter}{value:g} is outside of what {letter} takes here",
+        "{letter}{value:g} is out of range (limit {limit:g})",
         "check the number and the units in force (G20 inch, G21 mm)",
+    ),
+    "number-range:S": (
+        "S{value:g} is out of range (limit {limit:g})",
+        "choose another speed, or set the machine's: --set spindle.rpm_max=…",
     ),
     "line-length": (
         "the line is longer than {value:.0f} bytes",
@@ -51,6 +59,10 @@ WORDING = {
         "a {letter} word is missing in this block",
         "add {letter} with its number to the block",
     ),
+    "word-missing:G": (
+        "{found} without a straight move",
+        "add G0 or G1 to the block",
+    ),
     "g-unknown": (
         "G{value:g} is no G code that the kernel knows",
         "look up the code in the manual of the control that the program was made for",
@@ -60,7 +72,7 @@ WORDING = {
         "remove the code, or put it into a comment: ( )",
     ),
     "modal-group": (
-        "{found} and another code of its modal group stand in one block",
+        "{found} excludes another code of its block (both set the same, or both move)",
         "put one of the two codes on a line of its own",
     ),
     "unsupported": (
@@ -70,6 +82,10 @@ WORDING = {
     "feed-missing": (
         "a cut without feed",
         "put F on this line or before it, or give a default: --set dialect.feed_default_mm_min=500",
+    ),
+    "feed-missing:S": (
+        "feed per revolution (G95) while the spindle stands",
+        "start the spindle before it, as in S800 M3, or program G94 with F in mm/min",
     ),
     "arc-radius": (
         "arc ends {miss:.3f} mm off its circle "
@@ -268,7 +284,8 @@ class Wording:
         line, column = int(row["line"]), int(row["column"])
         source = self._source(line)
         fields = self._fields(row, source)
-        message, remedy = (words.format_map(fields) for words in WORDING[name])
+        wording = WORDING.get(f"{name}:{fields['letter']}", WORDING[name])
+        message, remedy = (words.format_map(fields) for words in wording)
         severity = "error" if row["code"] < 0 else "warning" if name in _WARNINGS else "note"
         return Diagnostic(self._file, line, column, name, severity, message, remedy, source)
 

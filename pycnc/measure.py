@@ -34,7 +34,8 @@ class Peaks:
     def __init__(self, machine):
         self._machine, self._period = machine, machine.period_s
         self._axes = [AXES.index(letter) for letter in machine.axes]
-        self._tail = np.empty((0, len(self._axes) + 1))
+        start = machine.record["start_nm"][self._axes] * 1e-6
+        self._tail = np.tile(np.append(start, 0.0), (3, 1))  # at rest before the first tick
         self._peaks = np.zeros((3, len(self._axes) + 1))  # v, a, j of the axes and of s
 
     def add(self, rows):

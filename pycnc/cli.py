@@ -1,0 +1,484 @@
+# SPDX-License-Identifier: MIT
+"""The command line: ``pycnc VERB``. Results on stdout, everything else on stderr."""
+
+import contextlib
+import functools
+import json
+import os
+import sys
+import traceback
+from enum import StrEnum
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from pycnc import errors
+from pycnc.diagnostics import Diagnostic
+from pycnc.machine import DEFAULT, Machine, MachineFileError, shipped
+from pycnc.plan import BackendError
+
+GOOD, WRONG, USAGE, INTERNAL, INTERRUPTED = 0, 1, 2, 4, 130
+PEAK_TOLERANCE = 1e-6  # of a limit, on the double setpoints
+
+
+class Dialect(StrEnum):
+    """What ``--dialect`` takes."""
+
+    linuxcnc = "linuxcnc"
+    fanuc = "fanuc"
+    grbl = "grbl"
+    marlin = "marlin"
+
+
+class Units(StrEnum):
+    """What ``--units`` takes."""
+
+    mm = "mm"
+    inch = "inch"
+
+
+File = Annotated[str, typer.Argument(metavar="FILE", help="NC program; - is stdin.")]
+Files = Annotated[list[str], typer.Argument(metavar="FILE…", help="NC programs; - is stdin.")]
+MachineName = Annotated[
+    str, typer.Option("--machine", "-m", help="Name of a shipped machine, or a machine file.")
+]
+Set = Annotated[
+    list[str] | None,
+    typer.Option("--set", metavar="KEY=VALUE", help="Change a setting: axis.x.max_mm=500."),
+]
+Tools = Annotated[
+    str | None, typer.Option("--tools", metavar="FILE", help="Tool table (LinuxCNC tool.tbl).")
+]
+DialectName = Annotated[
+    Dialect | None, typer.Option("--dialect", help="Read the text as this dialect.")
+]
+Json = Annotated[bool, typer.Option("--json", help="Results as JSON.")]
+Quiet = Annotated[bool, typer.Option("--quiet", "-q", help="Errors and results only.")]
+Verbose = Annotated[bool, typer.Option("--verbose", "-v", help="Tell more.")]
+Backend = Annotated[str, typer.Option("--backend", help="Where planning runs: auto or c.")]
+
+Output = Annotated[
+    str | None,
+    typer.Option(
+        "--output", "-o", metavar="TRACE", help="Write a row per tick: .npz, .csv or .parquet."
+    ),
+]
+Picture = Annotated[
+    str | None,
+    typer.Option("--plot", metavar="PICTURE", help="Draw the run: .png, .svg or .pdf."),
+]
+PrepSteps = Annotated[
+    int | None,
+    typer.Option(min=1, help="Prep steps between two ticks; few of them starve the tick."),
+]
+Subject = Annotated[
+    str | None, typer.Argument(metavar="NAME", help="Which one; without a name: a list.")
+]
+
+app = typer.Typer(
+    name="pycnc",
+    help="An NC kernel: from NC text to axis setpoints, tick by tick.",
+    no_args_is_help=True,
+    add_completion=False,
+    pretty_exceptions_enable=False,
+    rich_markup_mode=None,
+)
+machines = typer.Typer(no_args_is_help=True, help="Machine files: list, show, validate.")
+app.add_typer(machines, name="machine")
+
+
+class Refused(Exception):
+    """A file that cannot be read or written, with what to say about it."""
+
+
+def fail(message):
+    print(message, file=sys.stderr)
+
+
+def explain(cause):
+    """Return the exit code of an exception after telling it."""
+    if isinstance(cause, KeyboardInterrupt):
+        return INTERRUPTED
+    if isinstance(cause, BackendError):
+        fail(f"pycnc: error[backend]: {cause}")
+        return INTERNAL
+    if isinstance(cause, MachineFileError | Refused):
+        fail(str(cause))
+        return USAGE
+    if isinstance(cause, errors.ProgramError):
+        fail(str(cause))
+        return WRONG
+    if isinstance(cause, errors.ArgumentError):
+        fail(f"pycnc: error[{cause.id or 'argument'}]: {cause}")
+        return USAGE
+    fail(f"pycnc: error[internal]: {type(cause).__name__}: {cause}")
+    if os.environ.get("PYCNC_DEBUG"):
+        traceback.print_exception(cause)
+    else:
+        fail("  help: please report this with the program; PYCNC_DEBUG=1 shows where it happened")
+    return INTERNAL
+
+
+def verb(group):
+    """Register a function as a verb: whatever goes wrong in it becomes words and an exit code."""
+
+    def register(function):
+        @functools.wraps(function)
+        def guarded(*arguments, **options):
+            try:
+                code = function(*arguments, **options)
+                sys.stdout.flush()
+            except BrokenPipeError:  # the reader has seen enough: pycnc canon … | head
+                os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+                code = GOOD
+            except (Exception, KeyboardInterrupt) as cause:
+                code = explain(cause)
+            raise typer.Exit(code or GOOD)
+
+        group.command(name=function.__name__.rstrip("_"))(guarded)
+        return function
+
+    return register
+
+
+def machine_of(name, set, tools, dialect):
+    """Return the machine that the options describe."""
+    return Machine.load(name, set=set or (), tools=tools, dialect=dialect and dialect.value)
+
+
+def read(file):
+    """Return (name, bytes) of a program on the command line."""
+    if file == "-":
+        return "<stdin>", sys.stdin.buffer.read()
+    try:
+        return file, Path(file).read_bytes()
+    except (OSError, ValueError) as cause:
+        reason = getattr(cause, "strerror", None) or str(cause)
+        words = Diagnostic(
+            file,
+            0,
+            0,
+            "file",
+            "error",
+            f"cannot read it: {reason}",
+            "give a file with an NC program",
+        )
+        raise Refused(words.text(colour(sys.stderr))) from None
+
+
+def colour(stream):
+    """Return whether a stream shows colours."""
+    return stream.isatty() and "NO_COLOR" not in os.environ and os.environ.get("TERM") != "dumb"
+
+
+@contextlib.contextmanager
+def progress(what, quiet):
+    """Give a function that shows how far the work is: a bar on stderr, on a terminal only."""
+    if quiet or not sys.stderr.isatty():
+        yield None
+        return
+    from rich.console import Console
+    from rich.progress import Progress
+
+    with Progress(console=Console(stderr=True), transient=True) as bar:
+        task = bar.add_task(what, total=None)
+        yield lambda done, total: bar.update(task, completed=done, total=total)
+
+
+def decoded(file, machine, quiet, keep=True):
+    """Return a program on the command line, decoded whole."""
+    from pycnc.program import Program
+
+    name, text = read(file)
+    with progress(f"reading {name}", quiet) as bar:
+        return Program(text, machine, file=name, keep=keep, progress=bar)
+
+
+def tell(program, quiet, stream):
+    """Write the diagnostics of a program; quiet: errors only."""
+    found = program.diagnostics
+    if quiet:
+        kept = [each.text(colour(stream)) for each in found if each.severity == "error"]
+        text = "\n".join(kept)
+    else:
+        text = found.text(program.file, colour(stream))
+    if text:
+        print(text, file=stream)
+
+
+def refuse(program, as_json, quiet):
+    """Tell that a program has errors. Returns the exit code."""
+    from pycnc import kernel
+
+    if as_json:
+        facts = {
+            "file": program.file,
+            "machine": program.machine.name,
+            "version": kernel.version(),
+            "diagnostics": program.diagnostics.as_list(),
+        }
+        print(json.dumps(facts))
+    else:
+        tell(program, quiet, sys.stderr)
+    return WRONG
+
+
+@verb(app)
+def check(
+    files: Files, machine: MachineName = DEFAULT, dialect: DialectName = None, set: Set = None,
+    tools: Tools = None, json_: Json = False, quiet: Quiet = False, verbose: Verbose = False,
+):  # fmt: skip
+    """Tell all diagnostics of programs, without planning."""
+    mill, found, wrong = machine_of(machine, set, tools, dialect), [], False
+    for file in files:
+        program = decoded(file, mill, quiet, keep=False)
+        wrong |= program.diagnostics.errors > 0
+        if json_:
+            found += program.diagnostics.as_list()
+            continue
+        tell(program, quiet, sys.stdout)
+        if not program.diagnostics.errors and not quiet:
+            print(f"{program.file}: no errors in {program.block_count:,} blocks")
+    if json_:
+        print(json.dumps(found))
+    return WRONG if wrong else GOOD
+
+
+@verb(app)
+def canon(
+    file: File, machine: MachineName = DEFAULT, dialect: DialectName = None, set: Set = None,
+    tools: Tools = None, units: Annotated[Units, typer.Option(help="Units of the listing.")] = "mm",
+    json_: Json = False, quiet: Quiet = False, verbose: Verbose = False,
+):  # fmt: skip
+    """List the decoded motions: one a line, machine coordinates of the tool tip."""
+    from pycnc import listing
+
+    program = decoded(file, machine_of(machine, set, tools, dialect), quiet)
+    make = listing.json_lines if json_ else listing.lines
+    sys.stdout.writelines(f"{line}\n" for line in make(program, Units(units).value))
+    tell(program, True, sys.stderr)
+    return WRONG if program.diagnostics.errors else GOOD
+
+
+@verb(app)
+def time(
+    files: Files, machine: MachineName = DEFAULT, dialect: DialectName = None, set: Set = None,
+    tools: Tools = None, backend: Backend = "auto", json_: Json = False, quiet: Quiet = False,
+    verbose: Verbose = False,
+):  # fmt: skip
+    """Tell the machining time of programs, from the plan."""
+    from pycnc.plan import Plan, check_backend
+
+    check_backend(backend)
+    mill, told, code = machine_of(machine, set, tools, dialect), [], GOOD
+    for file in files:
+        program = decoded(file, mill, quiet, keep=False)
+        if program.diagnostics.errors:
+            code = refuse(program, json_, quiet)
+            continue
+        with progress(f"planning {program.file}", quiet) as bar:
+            plan = Plan(program, backend=backend, keep=False, progress=bar)
+        told.append(plan.as_dict())
+        if not json_:
+            print(_time_line(told[-1]))
+    if json_ and told:
+        print(json.dumps(told[0] if len(files) == 1 else told))
+    return code
+
+
+def _time_line(facts):
+    from pycnc.plot import duration
+
+    parts = {name: duration(facts[f"{name}_s"]) for name in ("cut", "rapid", "dwell")}
+    motion = {name: duration(facts[f"{name}_s"]) for name in ("accelerate", "cruise", "decelerate")}
+    words = "; ".join(", ".join(f"{k} {v}" for k, v in group.items()) for group in (parts, motion))
+    return f"{facts['file']}: {duration(facts['time_s'])} ({words})"
+
+
+@verb(app)
+def run(
+    file: File, machine: MachineName = DEFAULT, dialect: DialectName = None, set: Set = None,
+    tools: Tools = None,
+    output: Output = None, picture: Picture = None, prep_steps: PrepSteps = None,
+    backend: Backend = "auto", json_: Json = False, quiet: Quiet = False, verbose: Verbose = False,
+):  # fmt: skip
+    """Run a program in the simulated controller, tick by tick."""
+    from pycnc import kernel, trace
+
+    program = decoded(file, machine_of(machine, set, tools, dialect), quiet)
+    if program.diagnostics.errors:
+        return refuse(program, json_, quiet)
+    if verbose:
+        tell(program, quiet, sys.stderr)
+    with progress(f"running {program.file}", quiet) as bar, writing(output):
+        done = trace.Trace(
+            program, prep_steps=prep_steps or kernel.PREP_STEPS, keep=picture is not None,
+            output=output, backend=backend, progress=bar,
+        )  # fmt: skip
+    if picture is not None:
+        draw(done, picture)
+    if json_:
+        print(json.dumps(done.summary))
+    elif not quiet:
+        _print_summary(done, output, picture)
+    return _judge(done)
+
+
+def _print_summary(done, output, picture):
+    from rich.console import Console
+
+    from pycnc import summary
+
+    written = [("Trace", output), ("Picture", picture)]
+    Console(highlight=False, soft_wrap=True).print(
+        summary.render(done, [(what, path) for what, path in written if path])
+    )
+
+
+def _judge(done):
+    """Return the exit code of a run: WRONG if a limit was broken."""
+    broken = [
+        f"{name} {kind}: {ratio:.7f} of its limit"
+        for name, peak in done.summary["peaks"].items()
+        for kind, ratio in peak.items()
+        if kind != "j" and ratio > 1 + PEAK_TOLERANCE
+    ]
+    for words in broken:
+        fail(f"{done.program.file}: error[limit]: {words}")
+    return WRONG if broken else GOOD
+
+
+@contextlib.contextmanager
+def writing(path):
+    """Tell a file that cannot be written."""
+    try:
+        yield
+    except OSError as cause:
+        reason = cause.strerror or str(cause)
+        raise Refused(f"{path}: error[file]: cannot write it: {reason}") from None
+
+
+def draw(done, picture):
+    """Write a picture of a run."""
+    try:
+        from pycnc import plot
+
+        with writing(picture):
+            plot.write(done, picture)
+    except ImportError:
+        raise Refused('pictures need matplotlib: pip install "pycnc-nck[plot]"') from None
+    except ValueError as cause:  # matplotlib's word for an ending that it does not know
+        raise Refused(f"{picture}: error[format]: {cause}") from None
+
+
+@verb(app)
+def plot(
+    file: File,
+    output: Annotated[str, typer.Option(
+        "--output", "-o", metavar="PICTURE", help="Where to: .png, .svg or .pdf.")],
+    machine: MachineName = DEFAULT, dialect: DialectName = None, set: Set = None,
+    tools: Tools = None, backend: Backend = "auto", json_: Json = False, quiet: Quiet = False,
+    verbose: Verbose = False,
+):  # fmt: skip
+    """Draw the path coloured by the speed really reached, and speed and acceleration over time."""
+    from pycnc import trace
+
+    program = decoded(file, machine_of(machine, set, tools, dialect), quiet)
+    if program.diagnostics.errors:
+        return refuse(program, json_, quiet)
+    with progress(f"running {program.file}", quiet) as bar:
+        done = trace.Trace(program, backend=backend, progress=bar)
+    draw(done, output)
+    print(json.dumps({**done.summary, "picture": output}) if json_ else output)
+    return _judge(done)
+
+
+@verb(app)
+def bench(
+    name: Subject = None,
+    json_: Json = False, quiet: Quiet = False, verbose: Verbose = False,
+):  # fmt: skip
+    """Print one table of a benchmark."""
+    from pycnc import bench
+
+    if name is None:
+        print("\n".join(bench.SUBJECTS))
+        return GOOD
+    if name not in bench.SUBJECTS:
+        raise Refused(
+            f"pycnc: error[bench]: no bench {name!r}; there are: {', '.join(bench.SUBJECTS)}"
+        )
+    return bench.run(name, json=json_)
+
+
+@verb(machines)
+def list_(json_: Json = False, quiet: Quiet = False, verbose: Verbose = False):
+    """List the machines that come with pycnc."""
+    loaded = [Machine.load(name) for name in shipped()]
+    if json_:
+        rows = [
+            {"name": each.name, "axes": each.axes, "description": each.settings.description}
+            for each in loaded
+        ]
+        print(json.dumps(rows))
+        return
+    for each in loaded:
+        print(f"{each.name:14}{each.axes.upper():7}{each.settings.description}")
+
+
+@verb(machines)
+def show(
+    name: Annotated[str, typer.Argument(metavar="NAME|FILE", help="Which machine.")] = DEFAULT,
+    effective: Annotated[bool, typer.Option(
+        "--effective", help="Every setting in force, and where its value comes from.")] = False,
+    set: Set = None, tools: Tools = None, dialect: DialectName = None, json_: Json = False,
+    quiet: Quiet = False, verbose: Verbose = False,
+):  # fmt: skip
+    """Print a machine file."""
+    from pycnc import listing
+
+    machine = machine_of(name, set, tools, dialect)
+    changed = effective or set or tools or dialect
+    if json_:
+        print(json.dumps(listing.settings_dict(machine)))
+    elif changed:
+        print("\n".join(listing.settings_toml(machine, defaults=effective)))
+    else:
+        print(machine.text, end="")
+
+
+@verb(machines)
+def validate(
+    names: Annotated[list[str], typer.Argument(metavar="NAME|FILE…", help="Which machines.")],
+    set: Set = None, tools: Tools = None, dialect: DialectName = None, json_: Json = False,
+    quiet: Quiet = False, verbose: Verbose = False,
+):  # fmt: skip
+    """Check machine files: all errors at once."""
+    problems = []
+    for name in names:
+        try:
+            machine = machine_of(name, set, tools, dialect)
+        except MachineFileError as cause:
+            problems += [
+                {"file": cause.file, "key": key, "message": words} for key, words in cause.problems
+            ]
+            if not json_:
+                print(cause)
+            continue
+        if not (json_ or quiet):
+            print(f"{machine.file}: good ({machine.name}, axes {machine.axes.upper()})")
+    if json_:
+        print(json.dumps(problems))
+    return USAGE if problems else GOOD
+
+
+def main():
+    """Enter from the console script."""
+    for stream in (sys.stdout, sys.stderr):
+        stream.reconfigure(errors="replace")
+    app()
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,176 @@
+# SPDX-License-Identifier: MIT
+"""Pictures of a run: the path coloured by the speed really reached, speed and acceleration."""
+
+import math
+from pathlib import Path
+
+import numpy as np
+
+_POINTS = 200_000  # points of the path that are drawn at most
+_BINS = 1600  # columns of the curves over time: about one a pixel
+_FLAT = 0.12  # a path whose third extent is smaller than this part of the largest is drawn flat
+_RAPID, _INK, _GRID = "#b8bec8", "#20242c", "#e4e7ec"
+_SPEED, _FEED, _ACCELERATION = "#1f6feb", "#9aa4b2", "#d1495b"
+
+
+def duration(seconds):
+    """Return a time for people.
+
+    Examples
+    --------
+    >>> duration(83.42)
+    '1 min 23.4 s'
+    """
+    if seconds < 60:
+        return f"{seconds:.3f} s" if seconds < 10 else f"{seconds:.2f} s"
+    tenths = round(seconds * 10)
+    if tenths < 36000:
+        return f"{tenths // 600} min {tenths % 600 / 10:.1f} s"
+    minutes = round(seconds / 60)
+    return f"{minutes // 60} h {minutes % 60:02d} min"
+
+
+def draw(trace):
+    """Draw a run.
+
+    Parameters
+    ----------
+    trace : Trace
+        With its rows.
+
+    Returns
+    -------
+    matplotlib.figure.Figure
+        Path above, speed and acceleration over time below.
+    """
+    from matplotlib.figure import Figure
+
+    figure = Figure(figsize=(11, 12), dpi=110, layout="constrained", facecolor="white")
+    shape = _projection(trace)
+    grid = figure.add_gridspec(3, 1, height_ratios=(7, 2, 2))
+    three = len(shape) == 3
+    path_axes = figure.add_subplot(grid[0], projection="3d" if three else None)
+    _draw_path(figure, path_axes, trace, shape)
+    speed_axes = figure.add_subplot(grid[1])
+    _draw_speed(speed_axes, trace)
+    _draw_acceleration(figure.add_subplot(grid[2], sharex=speed_axes), trace)
+    speed_axes.tick_params(labelbottom=False)
+    figure.suptitle(_title(trace), fontsize=13, color=_INK)
+    return figure
+
+
+def write(trace, path):
+    """Draw a run into a file; its ending chooses the format (png, svg, pdf)."""
+    draw(trace).savefig(path)
+
+
+def _title(trace):
+    name, machine = Path(trace.program.file).name, trace.program.machine.name
+    return f"{name}   ·   {machine}   ·   {duration(trace.summary['time_s'])}"
+
+
+def _positions(trace):
+    """Return axis letter → positions of the linear axes [mm]."""
+    letters = [letter for letter in trace.program.machine.axes if letter in "xyz"]
+    return {letter: trace[f"pos_{letter}_mm"] for letter in letters}
+
+
+def _projection(trace):
+    """Return the axes to draw: two of a flat path, horizontal first, or all three."""
+    positions = _positions(trace)
+    if trace.program.machine.settings.kinematics.type == "lathe_xz":
+        return ("z", "x")
+    cutting = np.isin(trace["kind"], (2, 3))
+    extent = {a: float(np.ptp(p[cutting])) if cutting.any() else 0.0 for a, p in positions.items()}
+    ranked = sorted(positions, key=lambda letter: -extent[letter])
+    if len(ranked) == 3 and extent[ranked[2]] > _FLAT * extent[ranked[0]] > 0:
+        return ("x", "y", "z")
+    return tuple(sorted(ranked[:2])) if len(ranked) > 1 else (ranked[0], ranked[0])
+
+
+def _draw_path(figure, axes, trace, shape):
+    from matplotlib.collections import LineCollection
+    from matplotlib.colors import Normalize
+
+    stride = max(1, math.ceil(len(trace) / _POINTS))
+    positions = _positions(trace)
+    points = np.stack([positions[letter][::stride] for letter in shape], axis=1)
+    speed = trace["vel_mm_s"][::stride][1:] * 60
+    rapid = trace["kind"][::stride][1:] == 1
+    pieces = np.stack([points[:-1], points[1:]], axis=1)
+    moved = np.any(pieces[:, 0] != pieces[:, 1], axis=1)
+    cutting = moved & ~rapid
+    top = float(speed[cutting].max()) if cutting.any() else 1.0
+    collection = LineCollection
+    if len(shape) == 3:
+        from mpl_toolkits.mplot3d.art3d import Line3DCollection as collection
+    axes.add_collection(collection(pieces[moved & rapid], colors=_RAPID, linewidths=0.6))
+    coloured = collection(
+        pieces[cutting], cmap="turbo", norm=Normalize(0, top), linewidths=1.6, capstyle="round"
+    )
+    coloured.set_array(speed[cutting])
+    axes.add_collection(coloured)
+    _frame(axes, points, shape)
+    bar = figure.colorbar(coloured, ax=axes, shrink=0.85, pad=0.02, aspect=32)
+    bar.set_label("speed reached [mm/min]; rapids in grey", color=_INK)
+    bar.outline.set_visible(False)
+
+
+def _frame(axes, points, shape):
+    """Set limits with a margin, the same scale on all axes, and labels."""
+    low, high = points.min(axis=0), points.max(axis=0)
+    margin = 0.04 * max(float((high - low).max()), 1e-3)
+    setters = (axes.set_xlim, axes.set_ylim) + ((axes.set_zlim,) if len(shape) == 3 else ())
+    for k, setter in enumerate(setters):
+        setter(low[k] - margin, high[k] + margin)
+    axes.set_xlabel(f"{shape[0].upper()} [mm]")
+    axes.set_ylabel(f"{shape[1].upper()} [mm]")
+    if len(shape) == 3:
+        axes.set_zlabel(f"{shape[2].upper()} [mm]")
+        axes.set_box_aspect(np.maximum(high - low, 0.05 * (high - low).max()) + 2 * margin)
+        axes.view_init(elev=32, azim=-60)
+        return
+    axes.set_aspect("equal")
+    _plain(axes)
+
+
+def _draw_speed(axes, trace):
+    t, low, high = _bins(trace, trace["vel_mm_s"] * 60)
+    _, _, feed = _bins(trace, trace["feed_cmd_mm_min"])
+    if np.isfinite(feed).any() and feed.max() > 0:
+        axes.plot(t, np.where(feed > 0, feed, np.nan), color=_FEED, lw=1, label="programmed")
+    axes.fill_between(t, low, high, color=_SPEED, alpha=0.35, lw=0)
+    axes.plot(t, high, color=_SPEED, lw=1, label="reached")
+    axes.set_ylabel("speed [mm/min]")
+    axes.set_ylim(0, 1.12 * max(float(high.max()), 1e-9))
+    axes.legend(loc="upper right", ncols=2, frameon=False, fontsize=8)
+    _plain(axes)
+
+
+def _draw_acceleration(axes, trace):
+    period = trace.program.machine.period_s
+    acceleration = np.diff(trace["vel_mm_s"], prepend=trace["vel_mm_s"][:1]) / period
+    t, low, high = _bins(trace, acceleration)
+    axes.fill_between(t, low, high, color=_ACCELERATION, alpha=0.45, lw=0)
+    axes.plot(t, high, color=_ACCELERATION, lw=0.8)
+    axes.plot(t, low, color=_ACCELERATION, lw=0.8)
+    axes.set_ylabel("acceleration along\nthe path [mm/s²]")
+    axes.set_xlabel("time [s]")
+    axes.set_xlim(0, max(float(t[-1]), period))
+    _plain(axes)
+
+
+def _bins(trace, values):
+    """Return (time, smallest, largest) of values in as many bins as the picture can show."""
+    width = max(1, math.ceil(len(values) / _BINS))
+    starts = np.arange(0, len(values), width)
+    time = trace["t_s"][starts]
+    return time, np.minimum.reduceat(values, starts), np.maximum.reduceat(values, starts)
+
+
+def _plain(axes):
+    axes.grid(color=_GRID, lw=0.8)
+    axes.set_axisbelow(True)
+    for spine in axes.spines.values():
+        spine.set_color(_GRID)
+    axes.tick_params(colors=_INK, labelsize=9, length=0)

@@ -1,0 +1,133 @@
+# SPDX-License-Identifier: MIT
+"""What a run tells a person on the terminal: one screen."""
+
+from rich.console import Group
+from rich.padding import Padding
+from rich.table import Table
+from rich.text import Text
+
+from pycnc.plot import duration
+
+_SHOWN_LIMITS = 6
+_BAR = 24  # characters
+LIMIT_WORDS = {
+    "feed": "the programmed feed",
+    "rapid": "rapid speed",
+    "corner": "a corner",
+    "curvature": "the curvature of an arc",
+    "chord": "the chord error on an arc",
+    "accel": "acceleration and braking",
+    "jerk": "jerk",
+    "exact_stop": "an exact stop",
+    "dwell": "a dwell",
+    "wait": "waiting for the operator",
+    "lookahead": "the length of the look-ahead",
+    "starved": "starvation: preparation was late",
+    "feed_max": "the machine's highest feed",
+}
+
+
+def limit_words(name):
+    """Return a limit in words: ``axis_v:x`` is the top speed of X."""
+    kind, _, axis = name.partition(":")
+    return f"the top speed of {axis.upper()}" if axis else LIMIT_WORDS[kind]
+
+
+def render(trace, files=()):
+    """Return the summary of a run, to be printed by rich.
+
+    Parameters
+    ----------
+    trace : Trace
+    files : iterable of (str, str)
+        What was written: what it is, and its path.
+    """
+    facts = trace.summary
+    parts = [_head(trace), "", _times(facts), "", _limits(trace), "", _peaks(trace)]
+    if facts["starved_ticks"]:
+        parts += ["", Text(f"{facts['starved_ticks']:,} ticks waited for the path.", "yellow")]
+    parts += ["", _diagnostics(trace.program.diagnostics)]
+    parts += [Text.assemble((f"{what}: ", "bold"), path) for what, path in files]
+    return Group(*parts)
+
+
+def _head(trace):
+    facts, machine = trace.summary, trace.program.machine
+    first = Text.assemble(
+        (trace.program.file, "bold"), " on ", (machine.name, "bold"), ": ",
+        (duration(facts["time_s"]), "bold green"),
+    )  # fmt: skip
+    rate = facts["ticks"] / max(facts["run_s"], 1e-9)
+    second = Text(
+        f"{facts['blocks']:,} blocks, {_length(facts['length_mm'])} of path, "
+        f"{facts['ticks']:,} ticks of {facts['period_s'] * 1e3:g} ms, "
+        f"simulated in {facts['run_s']:.2f} s ({rate * facts['period_s']:,.0f} times real time)",
+        "dim",
+    )
+    return Group(first, second)
+
+
+def _length(mm):
+    return f"{mm / 1000:.2f} m" if mm >= 10_000 else f"{mm:.1f} mm"
+
+
+def _table(*columns):
+    table = Table(box=None, pad_edge=False, padding=(0, 2, 0, 0), header_style="bold")
+    for name, justify in columns:
+        table.add_column(name, justify=justify)
+    return table
+
+
+def _times(facts):
+    table = _table(("Time", "left"), ("", "right"), ("", "left"), ("", "left"))
+    moving = (
+        "{accelerate_s:.1f} s speeding up, {cruise_s:.1f} s steady, {decelerate_s:.1f} s braking"
+    )
+    notes = {"cut": moving.format_map(facts)}
+    for name in ("cut", "rapid", "dwell"):
+        seconds = facts[f"{name}_s"]
+        share = seconds / max(facts["time_s"], 1e-9)
+        note = Text(notes.get(name, ""), "dim")
+        table.add_row(f"  {name}", duration(seconds), Text(_bar(share), "blue"), note)
+    return table
+
+
+def _bar(share):
+    return "█" * round(_BAR * min(share, 1)) or "▏"
+
+
+def _limits(trace):
+    columns = (("What set the speed", "left"), ("time", "right"), ("share", "right"),
+               ("most at line", "left"))  # fmt: skip
+    table = _table(*columns)
+    times = trace.summary["limit_time_s"]
+    ranked = sorted((name for name in times if times[name] > 0), key=lambda name: -times[name])
+    for name in ranked[:_SHOWN_LIMITS]:
+        lines = ", ".join(str(line) for line, _ in trace.worst_lines.get(name, []) if line)
+        share = times[name] / max(trace.summary["time_s"], 1e-9)
+        table.add_row(
+            f"  {limit_words(name)}", duration(times[name]), f"{share:.1%}", Text(lines, "dim")
+        )
+    return table
+
+
+def _peaks(trace):
+    table = _table(("Peaks, of the limit", "left"), ("speed", "right"), ("acceleration", "right"))
+    for letter in trace.program.machine.axes:
+        peak = trace.summary["peaks"][letter]
+        table.add_row(f"  {letter.upper()}", _ratio(peak["v"]), _ratio(peak["a"]))
+    table.add_row("  path", "", _ratio(trace.summary["peaks"]["path"]["a"]))
+    error = f"largest distance from the programmed path: {trace.summary['path_error_mm']:.1e} mm"
+    return Group(table, Padding(Text(error, "dim"), (0, 0, 0, 2)))
+
+
+def _ratio(value):
+    return Text(f"{value:.1%}", "red" if value > 1 + 1e-6 else "")
+
+
+def _diagnostics(found):
+    if not len(found):
+        return Text("No errors, nothing to note.", "green")
+    counts = ", ".join(f"{name} ({n})" if n > 1 else name for name, n in found.counts.items())
+    words = f"{found.errors} errors: " if found.errors else "No errors. Noted: "
+    return Text(words + counts, "red" if found.errors else "green")
