@@ -156,6 +156,59 @@ static void limits_hold_at_every_tick_however_slow_prep_is(check_t *check)
     }
 }
 
+static void polyline_to(double *x, double *y, double length, double angle)
+{
+    char words[80];
+    *x += length * cos(angle);
+    *y += length * sin(angle);
+    snprintf(words, sizeof words, "X%.6f Y%.6f", *x, *y);
+    line(words);
+}
+
+static void check_peak(check_t *check, const char *what, double value, double *worst)
+{
+    const run_t run = run_text(1000);
+    CHECK_INT(check, run.status, NCK_DONE);
+    if (!CHECK(check, run.a <= 1.0 + 1e-6)) printf("    %s %g: a %.9f\n", what, value, run.a);
+    *worst = fmax(*worst, run.a);
+}
+
+// Every chord's corner counts on the same axis: what a lone corner may use would be broken many times.
+static void corners_that_share_a_period_share_the_acceleration(check_t *check)
+{
+    double worst = 0.0;
+    for (double chord = 0.003; chord < 0.3; chord *= 1.6) {
+        double x = 0.0;
+        double y = 0.0;
+        begin(1);
+        line("G21 G90 G1 F6000");
+        for (double angle = 0.0; angle < 8.0; angle += chord / 2.0) {
+            polyline_to(&x, &y, chord, angle);
+        }
+        check_peak(check, "chord", chord, &worst);
+    }
+    CHECK(check, worst > 0.8); // the budget is used, not only kept
+}
+
+// Along the diagonal a corner and full tangential acceleration meet on one axis, at every distance.
+static void corner_and_ramp_share_the_acceleration(check_t *check)
+{
+    double worst = 0.0;
+    for (double degrees = 0.1; degrees < 40.0; degrees *= 1.3) {
+        double x = 0.0;
+        double y = 0.0;
+        begin(1);
+        line("G21 G90 G1 F6000");
+        for (int k = 0; k < 40; k++) {
+            const double turn = degrees * 3.14159265358979 / 180.0;
+            const double length = 0.05 * (1.0 + k % 13) * (1.0 + k % 3);
+            polyline_to(&x, &y, length, 0.785398 + (k % 2 ? turn / 2.0 : -turn / 2.0));
+        }
+        check_peak(check, "degrees", degrees, &worst);
+    }
+    CHECK(check, worst > 0.95);
+}
+
 static void setpoints_depend_on_the_program_not_on_the_pace(check_t *check)
 {
     begin(5);
@@ -246,6 +299,8 @@ int main(void)
 {
     check_t check = {0};
     CHECK_RUN(&check, limits_hold_at_every_tick_however_slow_prep_is);
+    CHECK_RUN(&check, corners_that_share_a_period_share_the_acceleration);
+    CHECK_RUN(&check, corner_and_ramp_share_the_acceleration);
     CHECK_RUN(&check, setpoints_depend_on_the_program_not_on_the_pace);
     CHECK_RUN(&check, machining_time_agrees_with_the_run_to_the_tick);
     CHECK_RUN(&check, end_point_is_met_to_the_nanometre);
