@@ -8,7 +8,7 @@
 PYTHON ?= python3
 FILE ?= pycnc/examples/first_part.ngc
 PICTURE ?= build/$(basename $(notdir $(FILE))).png
-MACHINE_OPTION = $(if $(MACHINE),--machine "$(MACHINE)")
+MACHINE_OPTION = $(if $(MACHINE), --machine "$(MACHINE)")
 
 BIN = .venv/bin
 STAMP = build/stamp
@@ -32,8 +32,8 @@ install = missing=$$(for package in $(1); do \
 .PHONY: run test
 
 run: $(STAMP)/module
-	$(BIN)/pycnc run "$(FILE)" $(MACHINE_OPTION)
-	$(BIN)/pycnc plot "$(FILE)" $(MACHINE_OPTION) -o "$(PICTURE)"
+	$(BIN)/pycnc run "$(FILE)"$(MACHINE_OPTION)
+	$(BIN)/pycnc plot "$(FILE)"$(MACHINE_OPTION) -o "$(PICTURE)"
 	@echo "The picture of the path, coloured by speed: $(PICTURE)"
 
 test: $(STAMP)/packages-test $(STAMP)/module
