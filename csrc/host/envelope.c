@@ -15,7 +15,7 @@
 
 #include <float.h> // DBL_MAX
 
-#include "nck/prep/4_lookahead/limit_math.h" // nck_envelope_backward nck_envelope_forward
+#include "nck/prep/4_lookahead/envelope_math.h" // nck_envelope_backward nck_envelope_forward
 
 enum {
     LANES = 4,

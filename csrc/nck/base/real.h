@@ -3,10 +3,15 @@
 #ifndef NCK_BASE_REAL_H
 #define NCK_BASE_REAL_H
 
+// The number type: double, or float for bulk planning in float (never for positions).
+#ifndef NCK_REAL
+#define NCK_REAL double
+#endif
+
 #ifdef __OPENCL_VERSION__
 #pragma OPENCL FP_CONTRACT OFF
 #define NCK_IN __global const
-typedef double nck_real;
+typedef NCK_REAL nck_real;
 typedef long nck_int64;
 #define nck_sqrt(x) sqrt(x)
 #define nck_fabs(x) fabs(x)
@@ -15,7 +20,7 @@ typedef long nck_int64;
 #include <math.h>   // sqrt fabs floor: exact in IEEE 754, no other function of libm is used
 #include <stdint.h> // int64_t
 #define NCK_IN const
-typedef double nck_real;
+typedef NCK_REAL nck_real;
 typedef int64_t nck_int64;
 #define nck_sqrt(x) sqrt(x)
 #define nck_fabs(x) fabs(x)
