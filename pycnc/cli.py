@@ -331,7 +331,8 @@ def _print_summary(done, output, picture):
     from pycnc import summary
 
     written = [("Trace", output), ("Picture", picture)]
-    Console(highlight=False, soft_wrap=True).print(
+    width = None if sys.stdout.isatty() else 100
+    Console(highlight=False, width=width).print(
         summary.render(done, [(what, path) for what, path in written if path])
     )
 

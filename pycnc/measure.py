@@ -11,6 +11,7 @@ from pycnc.machine_file import AXES
 from pycnc.records import enum
 
 LIMITS = enum("nck_limit_t")
+KINDS = ("idle", "rapid", "line", "arc", "dwell", "wait")  # codes of a trace's column `kind`
 _TICK_STATES = enum("nck_tick_state_t")
 
 

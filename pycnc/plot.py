@@ -6,6 +6,8 @@ from pathlib import Path
 
 import numpy as np
 
+from pycnc.measure import KINDS
+
 _POINTS = 200_000  # points of the path that are drawn at most
 _BINS = 1600  # columns of the curves over time: about one a pixel
 _FLAT = 0.12  # a path whose third extent is smaller than this part of the largest is drawn flat
@@ -80,12 +82,20 @@ def _projection(trace):
     positions = _positions(trace)
     if trace.program.machine.settings.kinematics.type == "lathe_xz":
         return ("z", "x")
-    cutting = np.isin(trace["kind"], (2, 3))
+    cutting = np.isin(trace["kind"], (KINDS.index("line"), KINDS.index("arc")))
     extent = {a: float(np.ptp(p[cutting])) if cutting.any() else 0.0 for a, p in positions.items()}
     ranked = sorted(positions, key=lambda letter: -extent[letter])
     if len(ranked) == 3 and extent[ranked[2]] > _FLAT * extent[ranked[0]] > 0:
         return ("x", "y", "z")
     return tuple(sorted(ranked[:2])) if len(ranked) > 1 else (ranked[0], ranked[0])
+
+
+def _colours():
+    """Return the colours of speed: blue is slow, red is fast, without turbo's dark ends."""
+    from matplotlib import colormaps
+    from matplotlib.colors import LinearSegmentedColormap
+
+    return LinearSegmentedColormap.from_list("speed", colormaps["turbo"](np.linspace(0.1, 0.9, 64)))
 
 
 def _draw_path(figure, axes, trace, shape):
@@ -96,7 +106,7 @@ def _draw_path(figure, axes, trace, shape):
     positions = _positions(trace)
     points = np.stack([positions[letter][::stride] for letter in shape], axis=1)
     speed = trace["vel_mm_s"][::stride][1:] * 60
-    rapid = trace["kind"][::stride][1:] == 1
+    rapid = trace["kind"][::stride][1:] == KINDS.index("rapid")
     pieces = np.stack([points[:-1], points[1:]], axis=1)
     moved = np.any(pieces[:, 0] != pieces[:, 1], axis=1)
     cutting = moved & ~rapid
@@ -106,20 +116,21 @@ def _draw_path(figure, axes, trace, shape):
         from mpl_toolkits.mplot3d.art3d import Line3DCollection as collection
     axes.add_collection(collection(pieces[moved & rapid], colors=_RAPID, linewidths=0.6))
     coloured = collection(
-        pieces[cutting], cmap="turbo", norm=Normalize(0, top), linewidths=1.6, capstyle="round"
+        pieces[cutting], cmap=_colours(), norm=Normalize(0, top), linewidths=1.6, capstyle="round"
     )
     coloured.set_array(speed[cutting])
     axes.add_collection(coloured)
-    _frame(axes, points, shape)
+    drawn = pieces[cutting].reshape(-1, len(shape)) if cutting.any() else points
+    _frame(axes, drawn, shape)
     bar = figure.colorbar(coloured, ax=axes, shrink=0.85, pad=0.02, aspect=32)
     bar.set_label("speed reached [mm/min]; rapids in grey", color=_INK)
     bar.outline.set_visible(False)
 
 
 def _frame(axes, points, shape):
-    """Set limits with a margin, the same scale on all axes, and labels."""
+    """Set limits around points with a margin, the same scale on all axes, and labels."""
     low, high = points.min(axis=0), points.max(axis=0)
-    margin = 0.04 * max(float((high - low).max()), 1e-3)
+    margin = 0.05 * max(float((high - low).max()), 1e-3)
     setters = (axes.set_xlim, axes.set_ylim) + ((axes.set_zlim,) if len(shape) == 3 else ())
     for k, setter in enumerate(setters):
         setter(low[k] - margin, high[k] + margin)
@@ -127,7 +138,8 @@ def _frame(axes, points, shape):
     axes.set_ylabel(f"{shape[1].upper()} [mm]")
     if len(shape) == 3:
         axes.set_zlabel(f"{shape[2].upper()} [mm]")
-        axes.set_box_aspect(np.maximum(high - low, 0.05 * (high - low).max()) + 2 * margin)
+        box = np.maximum(high - low, 0.05 * (high - low).max()) + 2 * margin
+        axes.set_box_aspect(box, zoom=0.88)
         axes.view_init(elev=32, azim=-60)
         return
     axes.set_aspect("equal")
@@ -142,9 +154,20 @@ def _draw_speed(axes, trace):
     axes.fill_between(t, low, high, color=_SPEED, alpha=0.35, lw=0)
     axes.plot(t, high, color=_SPEED, lw=1, label="reached")
     axes.set_ylabel("speed [mm/min]")
-    axes.set_ylim(0, 1.12 * max(float(high.max()), 1e-9))
+    _frame_speed(axes, trace)
     axes.legend(loc="upper right", ncols=2, frameon=False, fontsize=8)
     _plain(axes)
+
+
+def _frame_speed(axes, trace):
+    """Leave the room to the cuts: of much faster rapids only the number is told."""
+    speed, rapid = trace["vel_mm_s"] * 60, trace["kind"] == KINDS.index("rapid")
+    cut, top = float(speed[~rapid].max(initial=0)), float(speed.max(initial=0))
+    if 0 < 2 * cut < top:
+        words = f"rapids reach {top:,.0f} mm/min"
+        axes.text(0.01, 0.9, words, transform=axes.transAxes, fontsize=8, color=_INK)
+        top = cut
+    axes.set_ylim(0, 1.25 * max(top, 1e-9))
 
 
 def _draw_acceleration(axes, trace):

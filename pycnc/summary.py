@@ -9,7 +9,7 @@ from rich.text import Text
 from pycnc.plot import duration
 
 _SHOWN_LIMITS = 6
-_BAR = 24  # characters
+_BAR = 40  # characters
 LIMIT_WORDS = {
     "feed": "the programmed feed",
     "rapid": "rapid speed",
@@ -47,16 +47,16 @@ def render(trace, files=()):
     if facts["starved_ticks"]:
         parts += ["", Text(f"{facts['starved_ticks']:,} ticks waited for the path.", "yellow")]
     parts += ["", _diagnostics(trace.program.diagnostics)]
-    parts += [Text.assemble((f"{what}: ", "bold"), path) for what, path in files]
+    parts += [_whole_line(Text.assemble((f"{what}: ", "bold"), path)) for what, path in files]
     return Group(*parts)
 
 
 def _head(trace):
     facts, machine = trace.summary, trace.program.machine
-    first = Text.assemble(
+    first = _whole_line(Text.assemble(
         (trace.program.file, "bold"), " on ", (machine.name, "bold"), ": ",
         (duration(facts["time_s"]), "bold green"),
-    )  # fmt: skip
+    ))  # fmt: skip
     rate = facts["ticks"] / max(facts["run_s"], 1e-9)
     second = Text(
         f"{facts['blocks']:,} blocks, {_length(facts['length_mm'])} of path, "
@@ -65,6 +65,12 @@ def _head(trace):
         "dim",
     )
     return Group(first, second)
+
+
+def _whole_line(text):
+    """Let a line with a path in it run on rather than break the path."""
+    text.no_wrap, text.overflow = True, "ignore"
+    return text
 
 
 def _length(mm):
@@ -79,17 +85,19 @@ def _table(*columns):
 
 
 def _times(facts):
-    table = _table(("Time", "left"), ("", "right"), ("", "left"), ("", "left"))
-    moving = (
-        "{accelerate_s:.1f} s speeding up, {cruise_s:.1f} s steady, {decelerate_s:.1f} s braking"
-    )
-    notes = {"cut": moving.format_map(facts)}
+    table = _table(("Time", "left"), ("", "right"), ("", "left"))
     for name in ("cut", "rapid", "dwell"):
         seconds = facts[f"{name}_s"]
-        share = seconds / max(facts["time_s"], 1e-9)
-        note = Text(notes.get(name, ""), "dim")
-        table.add_row(f"  {name}", duration(seconds), Text(_bar(share), "blue"), note)
-    return table
+        if seconds > 0:
+            share = _bar(seconds / max(facts["time_s"], 1e-9))
+            table.add_row(f"  {name}", duration(seconds), Text(share, "blue"))
+    moving = " · ".join(
+        f"{word} {duration(facts[f'{name}_s'])}"
+        for name, word in (
+            ("accelerate", "speeding up"), ("cruise", "steady"), ("decelerate", "braking"),
+        )
+    )  # fmt: skip
+    return Group(table, Padding(Text(moving, "dim"), (0, 0, 0, 2)))
 
 
 def _bar(share):

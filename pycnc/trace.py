@@ -12,13 +12,13 @@ import numpy as np
 
 from pycnc import errors, kernel, measure
 from pycnc.machine_file import AXES, position_key, unit_of
+from pycnc.measure import KINDS
 from pycnc.plan import Plan, check_backend, for_machine
 from pycnc.records import enum
 
 FORMATS = (".npz", ".csv", ".parquet")
 _SEG_KINDS = enum("nck_seg_kind_t")
 _STATES = enum("nck_tick_state_t")
-KINDS = ("idle", "rapid", "line", "arc", "dwell", "wait")  # codes of the column `kind`
 
 
 class Columns:
