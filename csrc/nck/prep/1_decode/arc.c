@@ -24,6 +24,12 @@ static int has(const nck_decode_t *self, char letter) {
     return (self->words.letters & NCK_LETTER(letter)) != 0;
 }
 
+// One of I J K, of a set that is not empty.
+static int first_of(uint32_t letters) {
+    if (letters & NCK_LETTER('I')) return 'I';
+    return (letters & NCK_LETTER('J')) ? 'J' : 'K';
+}
+
 // An error of the arc as a whole: the column of its G code if the line has one.
 static nck_status_t fail_arc(nck_decode_t *self, nck_status_t code, double value, double limit) {
     const int said = (self->words.codes & NCK_STEP(NCK_STEP_MOTION)) != 0;
@@ -128,8 +134,7 @@ static nck_status_t arc_by_radius(nck_decode_t *self, course_t *course, const in
     int64_t radius_nm;
 
     if (centre) {
-        const int letter = centre & NCK_LETTER('I') ? 'I' : centre & NCK_LETTER('J') ? 'J' : 'K';
-        return nck_decode_fail_word(self, NCK_E_WORD_UNUSED, letter, 0.0, 0.0);
+        return nck_decode_fail_word(self, NCK_E_WORD_UNUSED, first_of(centre), 0.0, 0.0);
     }
     const nck_status_t status = read_length(self, 'R', &radius_nm);
     if (status != NCK_OK) return status;
@@ -153,8 +158,7 @@ static nck_status_t read_centre(nck_decode_t *self, course_t *course) {
     const uint32_t strange = said & ~both;
 
     if (strange != 0) {
-        const int letter = strange & NCK_LETTER('I') ? 'I' : strange & NCK_LETTER('J') ? 'J' : 'K';
-        return nck_decode_fail_word(self, NCK_E_WORD_UNUSED, letter, 0.0, 0.0);
+        return nck_decode_fail_word(self, NCK_E_WORD_UNUSED, first_of(strange), 0.0, 0.0);
     }
     if (said == 0) return fail_arc(self, NCK_E_ARC_CENTRE, 0.0, 0.0);
     nck_decode_assume(self, NCK_NOTE_ARC_CENTRE);
@@ -235,7 +239,7 @@ static nck_status_t arc_by_centre(nck_decode_t *self, course_t *course, const in
     const double *const d = course->d, *const c = course->c;
     const double angle = nck_arc_angle(d[0], d[1], c[0], c[1], course->turn);
     const double aside = nck_arc_aside(d[0], d[1], c[0], c[1]);
-    if (nck_fabs(angle) > NCK_PI && nck_fabs(aside) > self->machine->path.arc_radius) {
+    if (nck_fabs(angle) > NCK_PI && nck_fabs(aside) > self->machine->path.chord_error) {
         return arc_in_two(self, course, target_nm, angle, out);
     }
     const double height = nck_arc_height(d[0], d[1], c[0], c[1]);

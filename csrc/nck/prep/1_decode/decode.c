@@ -161,7 +161,7 @@ nck_status_t nck_decode_pull(nck_decode_t *self, nck_block_t *block_out) {
     if (status == NCK_OK) status = run_steps(self, block_out);
     if (status < 0) return fail_line(self, status);
     if (self->words.steps == 0) release_line(self);
-    return status;
+    return status == NCK_EMPTY && self->text.complete ? finish(self, block_out) : status;
 }
 
 nck_status_t nck_decode_diagnostic(nck_decode_t *self, nck_diagnostic_t *diagnostic_out) {

@@ -53,11 +53,12 @@ static nck_status_t give_m(const nck_decode_t *self, nck_step_t step, nck_block_
 void nck_decode_scale(nck_decode_t *self) {
     nck_scale_t *const scale = self->place.scale;
     const int32_t per_mm = self->modal.inch ? 254 : 10;
-    const int64_t linear_max = (int64_t)NCK_LINEAR_MAX_MM * 1000000;
+    const int64_t linear_max = (int64_t)NCK_LINEAR_MAX_MM * NCK_COUNTS_PER_MM;
+    const int64_t rotary_max = (int64_t)NCK_ROTARY_MAX_DEG * NCK_COUNTS_PER_DEG;
 
     scale[0] = (nck_scale_t){per_mm, 5, linear_max};
     scale[1] = (nck_scale_t){self->modal.diameter ? per_mm / 2 : per_mm, 5, linear_max};
-    scale[2] = (nck_scale_t){1, 9, (int64_t)NCK_ROTARY_MAX_DEG * 1000000000};
+    scale[2] = (nck_scale_t){NCK_COUNTS_PER_DEG / 1000000, 6, rotary_max};
 }
 
 nck_status_t nck_decode_units(nck_decode_t *self, nck_block_t *out) {

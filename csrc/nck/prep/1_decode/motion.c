@@ -10,7 +10,8 @@ static int axis_bit(uint32_t axes, unsigned axis) {
 
 // [mm] or [deg]
 static double shown(const nck_decode_t *self, unsigned axis, int64_t value_nm) {
-    return axis_bit(self->place.rotary, axis) ? (double)value_nm / 1e9 : (double)value_nm / 1e6;
+    const int rotary = axis_bit(self->place.rotary, axis);
+    return (double)value_nm / (rotary ? NCK_COUNTS_PER_DEG : NCK_COUNTS_PER_MM);
 }
 
 static const nck_scale_t *scale_of(const nck_decode_t *self, unsigned axis) {
@@ -20,7 +21,8 @@ static const nck_scale_t *scale_of(const nck_decode_t *self, unsigned axis) {
 
 static unsigned column_of_axis(const nck_decode_t *self, unsigned axis) {
     const int letter = nck_decode_letter(axis);
-    return self->words.letters & NCK_LETTER(letter) ? self->words.column[letter - 'A'] : 0;
+    const int said = (self->words.letters & NCK_LETTER(letter)) != 0;
+    return said ? self->words.column[letter - 'A'] : 0;
 }
 
 void nck_decode_assume(nck_decode_t *self, nck_note_t note) {

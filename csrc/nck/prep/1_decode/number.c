@@ -90,6 +90,7 @@ static int64_t tail_carry(const char *first, const char *last, int64_t factor, i
 static int fixed_from_text(const char *text, const nck_number_t *number,
                            const nck_scale_t *scale, int64_t *magnitude_out) {
     const char *at = text + number->first, *last = text + number->last;
+    const int64_t most = scale->limit / scale->factor + 1;
     int64_t units = 0, rest = 0;
     int places = -1; // decimals taken; −1: before the point
     for (; at < last && places < scale->power; at++) {
@@ -101,15 +102,11 @@ static int fixed_from_text(const char *text, const nck_number_t *number,
         if (*at == '.') {
             places = 0;
         }
-        if (units > 20000000000000000) {
-            return 0;
-        }
+        if (units > most) return 0;
     }
     for (places = places < 0 ? 0 : places; places < scale->power; places++) {
         units *= 10;
-        if (units > 20000000000000000) {
-            return 0;
-        }
+        if (units > most) return 0;
     }
     units = units * scale->factor + tail_carry(at, last, scale->factor, &rest);
     *magnitude_out = round_half_even(units, rest, 20);
@@ -121,7 +118,7 @@ int nck_number_fixed(const char *text, const nck_number_t *number, const nck_sca
     const int shift = scale->power - number->decimals;
     int64_t magnitude;
 
-    if (number->longer || shift <= -POWERS || number->mantissa > INT64_MAX / 256) {
+    if (number->longer || shift <= -POWERS || number->mantissa > INT64_MAX / 1024) {
         if (!fixed_from_text(text, number, scale, &magnitude)) {
             return 0;
         }

@@ -19,7 +19,7 @@ typedef struct nck_number {
 // The unit of a fixed-point number: value × factor × 10^power units, e.g. 254 and 5 for inches in
 // nanometres.
 typedef struct nck_scale {
-    int32_t factor; // 1 … 254
+    int32_t factor; // 1 … 1000
     int32_t power;  // 0 … 9
     int64_t limit;  // largest magnitude, ≤ 1e16
 } nck_scale_t;

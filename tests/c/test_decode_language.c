@@ -1,0 +1,223 @@
+// SPDX-License-Identifier: MIT
+// Room 1: what a line may say, and what it may not: an error with line and column, never silence.
+#include "check.h"
+#include "decode_check.h"
+
+static decode_case_t self;
+
+static void outputs_come_in_the_order_of_execution(check_t *check) {
+    static const double values[] = {500.0, 2.0, 6.0, 3.0, 7.0, 8.0, 48.0};
+    case_begin(&self);
+    case_decode(&self, "M48 M8 M7 M3 M6 T2 S500 M0 G4 P1.5 F100 G1 X1\nM2\n");
+    CHECK_INT(check, self.errors, 0);
+    CHECK_INT(check, self.blocks, 11);
+    for (int k = 0; k < 7; k++) CHECK_NEAR(check, self.block[k].output.value, values[k], 0.0);
+    CHECK_INT(check, self.block[0].output.kind, NCK_OUTPUT_SPINDLE_SPEED);
+    CHECK_INT(check, self.block[1].output.kind, NCK_OUTPUT_TOOL);
+    CHECK_INT(check, self.block[2].kind, NCK_BLOCK_WAIT);
+    CHECK_INT(check, self.block[3].kind, NCK_BLOCK_OUTPUT);
+    CHECK_INT(check, self.block[7].kind, NCK_BLOCK_DWELL);
+    CHECK_NEAR(check, self.block[7].dwell_s, 1.5, 0.0);
+    CHECK_INT(check, self.block[8].kind, NCK_BLOCK_LINE);
+    CHECK_NEAR(check, self.block[8].spindle_rpm, 500.0, 0.0);
+    CHECK_INT(check, self.block[9].kind, NCK_BLOCK_WAIT);
+    CHECK_NEAR(check, self.block[9].output.value, 0.0, 0.0);
+    CHECK_INT(check, self.block[10].kind, NCK_BLOCK_END);
+    CHECK_NEAR(check, self.block[10].output.value, 2.0, 0.0);
+}
+
+static void a_repeated_speed_is_handed_over_once(check_t *check) {
+    case_begin(&self);
+    case_decode(&self, "G0 X1 S100\nX2 S100\nX3 S200\nX4 S0\nX5 S0\nM30\n");
+    CHECK_INT(check, self.blocks, 5 + 3 + 1);
+    CHECK_NEAR(check, self.block[8].output.value, 30.0, 0.0);
+}
+
+static void m1_stops_only_where_the_machine_wants_it(check_t *check) {
+    case_begin(&self);
+    case_decode(&self, "M1\nM2\n");
+    CHECK_INT(check, self.block[0].kind, NCK_BLOCK_OUTPUT);
+    self.machine.dialect.optional_stop = 1;
+    case_decode(&self, "M1\nM60\nM2\n");
+    CHECK_INT(check, self.block[0].kind, NCK_BLOCK_WAIT);
+    CHECK_INT(check, self.block[1].kind, NCK_BLOCK_WAIT);
+}
+
+static void letters_blanks_and_comments_may_be_anywhere(check_t *check) {
+    case_begin(&self);
+    case_decode(&self, "n10 g 0 (to (10 here) x 1 0 y-\t5 ; and (on\n"
+                       "N20(only a remark)\n\n\t \nG0X2Y3Z4N30\nO1001 (name)\nO7\nm2\n");
+    CHECK_INT(check, self.errors, 0);
+    CHECK_INT(check, self.blocks, 3);
+    CHECK_INT(check, self.block[0].target_nm[0], 10000000);
+    CHECK_INT(check, self.block[0].target_nm[1], -5000000);
+    CHECK_INT(check, self.block[1].target_nm[2], 4000000);
+    CHECK_INT(check, self.block[1].line, 5);
+}
+
+static void a_slash_skips_the_line_where_the_machine_wants_it(check_t *check) {
+    case_begin(&self);
+    case_decode(&self, "G0 X1\n /X2\nM2\n");
+    CHECK_INT(check, self.blocks, 3);
+    self.machine.dialect.block_skip = 1;
+    case_decode(&self, "G0 X1\n /X2 #nonsense\nM2\n");
+    CHECK_INT(check, self.blocks, 2);
+    CHECK_INT(check, self.errors, 0);
+}
+
+typedef struct wrong {
+    const char *text;
+    nck_status_t code;
+    unsigned line, column;
+} wrong_t;
+
+static const wrong_t wrongs[] = {
+    {"G0 X1 !\nM2\n", NCK_E_CHARACTER, 1, 7},
+    {"G0 X1\n5 X2\nM2\n", NCK_E_CHARACTER, 2, 1},
+    {"G0 X1 )\nM2\n", NCK_E_CHARACTER, 1, 7},
+    {"G0 X\nM2\n", NCK_E_NUMBER, 1, 4},
+    {"G0 X1.2.3\nM2\n", NCK_E_NUMBER, 1, 8},
+    {"G0 X1-2\nM2\n", NCK_E_NUMBER, 1, 6},
+    {"GX1\nM2\n", NCK_E_NUMBER, 1, 1},
+    {"G0 X2000000\nM2\n", NCK_E_NUMBER_RANGE, 1, 4},
+    {"G20 G0 Y39371\nM2\n", NCK_E_NUMBER_RANGE, 1, 8},
+    {"G0 X900000\nG91 X900000\nM2\n", NCK_E_NUMBER_RANGE, 2, 5},
+    {"F-1\nM2\n", NCK_E_NUMBER_RANGE, 1, 1},
+    {"S-1\nM2\n", NCK_E_NUMBER_RANGE, 1, 1},
+    {"T1.5\nM2\n", NCK_E_NUMBER_RANGE, 1, 1},
+    {"G4 P-1\nM2\n", NCK_E_NUMBER_RANGE, 1, 4},
+    {"G4 P1000001\nM2\n", NCK_E_NUMBER_RANGE, 1, 4},
+    {"G0 X1 (remark\nM2\n", NCK_E_COMMENT, 1, 7},
+    {"G0 X1 E5\nM2\n", NCK_E_WORD_UNKNOWN, 1, 7},
+    {"G0 X1 Y2 X3\nM2\n", NCK_E_WORD_TWICE, 1, 10},
+    {"G0 X1 I1\nM2\n", NCK_E_WORD_UNUSED, 1, 7},
+    {"G0 X1 P1\nM2\n", NCK_E_WORD_UNUSED, 1, 7},
+    {"G49 H1\nM2\n", NCK_E_WORD_UNUSED, 1, 5},
+    {"G40 D1\nM2\n", NCK_E_WORD_UNUSED, 1, 5},
+    {"G80 X1\nM2\n", NCK_E_WORD_UNUSED, 1, 5},
+    {"G4\nM2\n", NCK_E_WORD_MISSING, 1, 1},
+    {"G92\nM2\n", NCK_E_WORD_MISSING, 1, 1},
+    {"G10 P1 X1\nM2\n", NCK_E_WORD_MISSING, 1, 1},
+    {"G10 L2 X1\nM2\n", NCK_E_WORD_MISSING, 1, 1},
+    {"G53\nM2\n", NCK_E_WORD_MISSING, 1, 1},
+    {"G53 G2 X1 R5 F1\nM2\n", NCK_E_WORD_MISSING, 1, 1},
+    {"G0 G12.34 X1\nM2\n", NCK_E_G_UNKNOWN, 1, 4},
+    {"G50\nM2\n", NCK_E_G_UNKNOWN, 1, 1},
+    {"M428\nM2\n", NCK_E_M_UNKNOWN, 1, 1},
+    {"M3.5\nM2\n", NCK_E_M_UNKNOWN, 1, 1},
+    {"G0 G1 X1\nM2\n", NCK_E_MODAL_GROUP, 1, 4},
+    {"G17 G18\nM2\n", NCK_E_MODAL_GROUP, 1, 5},
+    {"M3 M4\nM2\n", NCK_E_MODAL_GROUP, 1, 4},
+    {"M7 M9\nM2\n", NCK_E_MODAL_GROUP, 1, 4},
+    {"G0 G28 X1\nM2\n", NCK_E_MODAL_GROUP, 1, 4},
+    {"G41 D1\nM2\n", NCK_E_UNSUPPORTED, 1, 1},
+    {"G0 X1\n G81 Z-1 R1\nM2\n", NCK_E_UNSUPPORTED, 2, 2},
+    {"G5.2 X1 Y1 P1\nM2\n", NCK_E_UNSUPPORTED, 1, 1},
+    {"M98 P1\nM2\n", NCK_E_UNSUPPORTED, 1, 1},
+    {"G10 L20 P1 X0\nM2\n", NCK_E_UNSUPPORTED, 1, 5},
+    {"#1=5\nM2\n", NCK_E_UNSUPPORTED, 1, 1},
+    {"G0 X#1\nM2\n", NCK_E_UNSUPPORTED, 1, 4},
+    {"G0 X [1+2]\nM2\n", NCK_E_UNSUPPORTED, 1, 4},
+    {"o100 sub\nM2\n", NCK_E_UNSUPPORTED, 1, 1},
+    {"o<cut> call\nM2\n", NCK_E_UNSUPPORTED, 1, 1},
+    {"N5 IF [#1 EQ 2] GOTO 7\nM2\n", NCK_E_UNSUPPORTED, 1, 4},
+    {"G0 X1\nY2 U3\nM2\n", NCK_E_AXIS_UNKNOWN, 2, 4},
+    {"G43 H9\nM2\n", NCK_E_TOOL_UNKNOWN, 1, 5},
+    {"X1\nM2\n", NCK_E_NO_MOTION, 1, 1},
+    {"G0 X1\nG80\nF5 Z2\nM2\n", NCK_E_NO_MOTION, 3, 4},
+    {"G1 X1\nM2\n", NCK_E_FEED_MISSING, 1, 0},
+    {"G93 F2 G1 X1\nX2\nM2\n", NCK_E_FEED_MISSING, 2, 0},
+    {"F100 G93 G1 X1\nG94 X2\nM2\n", NCK_E_FEED_MISSING, 2, 0},
+    {"G95 F0.1 G1 X1\nM2\n", NCK_E_FEED_MISSING, 1, 0},
+};
+
+static void every_mistake_is_one_error_with_its_place(check_t *check) {
+    case_begin(&self);
+    for (unsigned k = 0; k < sizeof wrongs / sizeof wrongs[0]; k++) {
+        const wrong_t *const row = &wrongs[k];
+        check_error(check, &self, row->text, row->code, row->line, row->column);
+    }
+}
+
+static void a_line_with_an_error_moves_nothing(check_t *check) {
+    case_begin(&self);
+    case_decode(&self, "G0 X1\nX2 Q7\nX3\nM2\n");
+    CHECK_INT(check, self.errors, 1);
+    CHECK_INT(check, self.blocks, 3);
+    CHECK_INT(check, self.block[1].target_nm[0], 3000000);
+}
+
+static void a_tool_must_be_in_the_table_if_there_is_one(check_t *check) {
+    case_begin(&self);
+    check_error(check, &self, "T77 M6\nM2\n", NCK_OK, 0, 0);
+    self.machine.tool_count = 1;
+    self.machine.tool[0].number = 5;
+    check_error(check, &self, "T77 M6\nM2\n", NCK_E_TOOL_UNKNOWN, 1, 1);
+    check_error(check, &self, "T5 M6\nT0 M6\nM2\n", NCK_OK, 0, 0);
+}
+
+static void speed_beyond_the_spindle_is_an_error(check_t *check) {
+    case_begin(&self);
+    self.machine.spindle.rpm_max = 3000.0;
+    check_error(check, &self, "S3000\nS3000.5\nM2\n", NCK_E_NUMBER_RANGE, 2, 1);
+    CHECK_NEAR(check, self.first.limit, 3000.0, 0.0);
+    CHECK_NEAR(check, self.first.value, 3000.5, 0.0);
+}
+
+static void dialects_read_dwell_and_first_motion_their_way(check_t *check) {
+    case_begin(&self);
+    self.machine.dialect.base = NCK_DIALECT_FANUC;
+    case_decode(&self, "X1\nG4 P1500\nG4 X2.5\nG0 G28 Z0\nG61 G0 X5\nM2\n");
+    CHECK_INT(check, self.errors, 0);
+    CHECK_INT(check, self.blocks, 7);
+    CHECK_INT(check, self.block[0].kind, NCK_BLOCK_RAPID);
+    CHECK_NEAR(check, self.block[1].dwell_s, 1.5, 0.0);
+    CHECK_NEAR(check, self.block[2].dwell_s, 2.5, 0.0);
+    CHECK_INT(check, self.block[2].target_nm[0], 1000000);
+    CHECK_INT(check, self.block[5].path_mode, NCK_PATH_STOP);
+    self.machine.dialect.base = NCK_DIALECT_MARLIN;
+    case_decode(&self, "G4 S2\nG4 P250\nG0 X5 Y5\nG28 X0\nM2\n");
+    CHECK_INT(check, self.errors, 0);
+    CHECK_NEAR(check, self.block[0].dwell_s, 2.0, 0.0);
+    CHECK_NEAR(check, self.block[1].dwell_s, 0.25, 0.0);
+    CHECK_INT(check, self.block[3].target_nm[0], 5000000); // no point on the way
+    CHECK_INT(check, self.block[4].target_nm[0], 0);
+    CHECK_INT(check, self.block[4].target_nm[1], 5000000);
+    self.machine.dialect.base = NCK_DIALECT_GRBL;
+    check_error(check, &self, "X1\nM2\n", NCK_OK, 0, 0);
+}
+
+static void path_modes_carry_their_tolerance(check_t *check) {
+    case_begin(&self);
+    self.machine.path.tolerance = 0.02;
+    case_decode(&self, "G0 X1\nG61 X2\nG61.1 X3\nG64 X4\nG64 P0.1 X5\nG20 G64 P0.01 Q0.02 X0\n"
+                       "G9 X1\nX0\nM2\n");
+    CHECK_INT(check, self.errors, 0);
+    CHECK_NEAR(check, self.block[0].tolerance_mm, 0.02, 0.0);
+    CHECK_INT(check, self.block[1].path_mode, NCK_PATH_EXACT);
+    CHECK_NEAR(check, self.block[1].tolerance_mm, 0.0, 0.0);
+    CHECK_INT(check, self.block[2].path_mode, NCK_PATH_STOP);
+    CHECK_INT(check, self.block[3].path_mode, NCK_PATH_CONTINUOUS);
+    CHECK_NEAR(check, self.block[3].merge_mm, 0.02, 0.0);
+    CHECK_NEAR(check, self.block[4].merge_mm, 0.1, 0.0);
+    CHECK_NEAR(check, self.block[5].tolerance_mm, 0.254, 1e-15);
+    CHECK_NEAR(check, self.block[5].merge_mm, 0.508, 1e-15);
+    CHECK_INT(check, self.block[6].path_mode, NCK_PATH_STOP);
+    CHECK_INT(check, self.block[7].path_mode, NCK_PATH_CONTINUOUS);
+}
+
+int main(void) {
+    check_t check = {0};
+    CHECK_RUN(&check, outputs_come_in_the_order_of_execution);
+    CHECK_RUN(&check, a_repeated_speed_is_handed_over_once);
+    CHECK_RUN(&check, m1_stops_only_where_the_machine_wants_it);
+    CHECK_RUN(&check, letters_blanks_and_comments_may_be_anywhere);
+    CHECK_RUN(&check, a_slash_skips_the_line_where_the_machine_wants_it);
+    CHECK_RUN(&check, every_mistake_is_one_error_with_its_place);
+    CHECK_RUN(&check, a_line_with_an_error_moves_nothing);
+    CHECK_RUN(&check, a_tool_must_be_in_the_table_if_there_is_one);
+    CHECK_RUN(&check, speed_beyond_the_spindle_is_an_error);
+    CHECK_RUN(&check, dialects_read_dwell_and_first_motion_their_way);
+    CHECK_RUN(&check, path_modes_carry_their_tolerance);
+    return check_end(&check);
+}
