@@ -1,5 +1,16 @@
 # SPDX-License-Identifier: MIT
-"""pycnc: an NC kernel, from NC text to axis setpoints."""
+"""pycnc: an NC kernel, from NC text to axis setpoints.
+
+    program = pycnc.load("part.ngc", machine="mill3")
+    plan = pycnc.plan(program)
+    trace = pycnc.run(program)
+    trace.plot("part.png")
+
+The front door opens rooms on use: `pycnc.stages` and the records need NumPy and cffi alone, machine
+files need pydantic, pictures matplotlib, Parquet files pyarrow.
+"""
+
+import importlib
 
 from pycnc.errors import (
     ArgumentError,
@@ -10,6 +21,17 @@ from pycnc.errors import (
     StateError,
 )
 
+_ROOMS = {
+    "Machine": "machine",
+    "MachineFileError": "machine",
+    "Program": "program",
+    "load": "program",
+    "Plan": "planning",
+    "plan": "planning",
+    "Trace": "trace",
+    "run": "trace",
+}
+
 __all__ = [
     "ArgumentError",
     "InternalError",
@@ -17,4 +39,21 @@ __all__ = [
     "NckError",
     "ProgramError",
     "StateError",
+    "stages",
+    *_ROOMS,
 ]
+
+
+def __getattr__(name):
+    """Open a room when its name is first used."""
+    if name == "stages":
+        return importlib.import_module("pycnc.stages")
+    if name in _ROOMS:
+        value = getattr(importlib.import_module(f"pycnc.{_ROOMS[name]}"), name)
+        globals()[name] = value
+        return value
+    raise AttributeError(f"module 'pycnc' has no attribute {name!r}")
+
+
+def __dir__():
+    return sorted(__all__)

@@ -16,7 +16,7 @@ import typer
 from pycnc import errors
 from pycnc.diagnostics import Diagnostic
 from pycnc.machine import DEFAULT, Machine, MachineFileError, shipped
-from pycnc.plan import BackendError
+from pycnc.planning import BackendError
 
 GOOD, WRONG, USAGE, INTERNAL, INTERRUPTED = 0, 1, 2, 4, 130
 PEAK_TOLERANCE = 1e-6  # of a limit, on the double setpoints
@@ -268,7 +268,7 @@ def time(
     verbose: Verbose = False,
 ):  # fmt: skip
     """Tell the machining time of programs, from the plan."""
-    from pycnc.plan import Plan, check_backend
+    from pycnc.planning import Plan, check_backend
 
     check_backend(backend)
     mill, told, code = machine_of(machine, set, tools, dialect), [], GOOD

@@ -165,7 +165,8 @@ def _frame_speed(axes, trace):
     cut, top = float(speed[~rapid].max(initial=0)), float(speed.max(initial=0))
     if 0 < 2 * cut < top:
         words = f"rapids reach {top:,.0f} mm/min"
-        axes.text(0.01, 0.9, words, transform=axes.transAxes, fontsize=8, color=_INK)
+        box = {"facecolor": "white", "edgecolor": "none", "pad": 1.5}
+        axes.text(0.01, 0.9, words, transform=axes.transAxes, fontsize=8, color=_INK, bbox=box)
         top = cut
     axes.set_ylim(0, 1.25 * max(top, 1e-9))
 

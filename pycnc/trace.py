@@ -13,7 +13,7 @@ import numpy as np
 from pycnc import errors, kernel, measure
 from pycnc.machine_file import AXES, position_key, unit_of
 from pycnc.measure import KINDS
-from pycnc.plan import Plan, check_backend, for_machine
+from pycnc.planning import Plan, check_backend, for_machine
 from pycnc.records import enum
 
 FORMATS = (".npz", ".csv", ".parquet")
