@@ -110,8 +110,8 @@ static nck_status_t pull_block(nck_t *nck) {
     return status < NCK_OK ? stop_at_error(nck, status) : status;
 }
 
-// The tick has entered the stop tail: go on from where that tail comes to rest. The tail has one cell
-// for each piece from the window's head on.
+// The tick has entered the stop tail: go on from where that tail comes to rest. The tail has one
+// cell for each piece from the window's head on.
 static void go_on_from_tail(nck_t *nck) {
     uint32_t count = 0;
     const nck_cell_t *const end = nck_link_tail_end(&nck->link, &count);

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
-// libnck, the front door: NC text in, axis setpoints out. One struct, owned by the caller; no heap, no static data.
+// libnck, the front door: NC text in, axis setpoints out. One struct, owned by the caller.
 //
 //     static nck_t nck;
 //     nck_machine_default(&nck_machine);            // then change what differs
 //     nck_init(&nck, &nck_machine, NULL);
-//     low-priority task:  nck_push(text) … nck_end; nck_prep until it says NCK_FULL, NCK_EMPTY or NCK_DONE
+//     low-priority task:  nck_push text …, nck_end; nck_prep as long as it says NCK_OK
 //     1 ms interrupt:     nck_tick(&nck, &pose, &axes)
 //
-// Contexts: "prep" is one task or thread, "tick" is one interrupt or thread of higher priority. Only the link
-// (base/link.h) crosses between them.
+// Contexts: "prep" is one task or thread, "tick" is one interrupt or thread of higher priority.
+// Only the link (base/link.h) crosses between them.
 #ifndef NCK_H
 #define NCK_H
 
@@ -66,7 +66,8 @@ typedef struct nck {
 nck_status_t nck_init(nck_t *nck, const nck_machine_t *machine, const nck_hooks_t *hooks);
 
 // Hand over program text, in pieces of any size; used_out is how much was taken (0 … n).
-// Returns NCK_OK, NCK_FULL if nothing more fits before nck_prep has worked, NCK_E_STATE after nck_end.
+// Returns NCK_OK, NCK_FULL if nothing more fits before nck_prep has worked, NCK_E_STATE after
+// nck_end.
 // Cost: linear in n. Context: prep.
 nck_status_t nck_push(nck_t *nck, const char *text, size_t n, size_t *used_out);
 
@@ -75,8 +76,9 @@ nck_status_t nck_push(nck_t *nck, const char *text, size_t n, size_t *used_out);
 void nck_end(nck_t *nck);
 
 // Do one bounded piece of work of the asynchronous rooms.
-// Returns NCK_OK (call again), NCK_EMPTY (needs text), NCK_FULL (waits for the tick), NCK_DONE (all is handed
-// over), or a program error, once; nck_diagnostic tells it and everything before it is executed.
+// Returns NCK_OK (call again), NCK_EMPTY (needs text), NCK_FULL (waits for the tick), NCK_DONE (all
+// is handed over), or a program error, once; nck_diagnostic tells it and everything before it is
+// executed.
 // Cost: bounded (one block, or 32 nodes, or 32 cells). Context: prep.
 nck_status_t nck_prep(nck_t *nck);
 
@@ -90,12 +92,13 @@ nck_tick_state_t nck_tick(nck_t *nck, nck_pose_t *pose_out, nck_axes_t *axes_out
 // Go on after M0, M1, M6 or M60. Cost: constant. Context: any.
 void nck_resume(nck_t *nck);
 
-// 1 if the tick has nothing left to do: at rest, not waiting for nck_resume, no cell and no output left.
+// 1 if the tick has nothing left to do: at rest, no WAIT, no cell and no output left.
 // Cost: constant. Context: tick.
 int nck_is_idle(const nck_t *nck);
 
-// Take the next final cell in place of the tick: for planning without executing (machining time, pictures).
-// Outputs are handed over as in the tick. Returns NCK_OK or NCK_EMPTY. Cost: constant. Context: tick.
+// Take the next final cell in place of the tick: for planning without executing (machining time,
+// pictures). Outputs are handed over as in the tick. Returns NCK_OK or NCK_EMPTY. Cost: constant.
+// Context: tick.
 nck_status_t nck_take(nck_t *nck, nck_cell_t *cell_out);
 
 #endif

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-// The whole kernel, text to setpoints, in every capacity: limits hold at every tick, nothing is lost,
-// and starvation is a stop on the path.
+// The whole kernel, text to setpoints, in every capacity: limits hold at every tick, nothing is
+// lost, and starvation is a stop on the path.
 #include <math.h>   // fabs cos sin
 #include <stdio.h>  // snprintf
 #include <string.h> // memset strlen
 
 #include "check.h"
-#include "host.h" // nck_host_plan_…
-#include "sim.h"  // sim_run
+#include "host/host.h" // nck_host_plan_…
+#include "sim.h"       // sim_run
 
 enum { TEXT_MAX = 200000, ROWS = 512 };
 
@@ -76,7 +76,8 @@ static void random_program(int blocks, double length, double turn, double arcs)
         } else {
             x += l * cos(angle);
             y += l * sin(angle);
-            snprintf(words, sizeof words, "G%d X%.6f Y%.6f Z%.6f", random_real() < 0.02 ? 0 : 1, x, y,
+            const int rapid = random_real() < 0.02;
+            snprintf(words, sizeof words, "G%d X%.6f Y%.6f Z%.6f", rapid ? 0 : 1, x, y,
                      length * random_real());
         }
         line(words);
@@ -148,7 +149,8 @@ static void limits_hold_at_every_tick_however_slow_prep_is(check_t *check)
             const run_t run = run_text(steps[k]);
             CHECK_INT(check, run.status, NCK_DONE);
             if (!CHECK(check, run.v <= 1.0 + 1e-6 && run.a <= 1.0 + 1e-6)) {
-                printf("    %s, %u steps: v %.9f a %.9f\n", families[f].name, steps[k], run.v, run.a);
+                printf("    %s, %u steps: v %.9f a %.9f\n", families[f].name, steps[k], run.v,
+                       run.a);
             }
             if (k == 0) memcpy(end, run.end, sizeof end);
             CHECK(check, run.end[0] == end[0] && run.end[1] == end[1]);
@@ -173,7 +175,8 @@ static void check_peak(check_t *check, const char *what, double value, double *w
     *worst = fmax(*worst, run.a);
 }
 
-// Every chord's corner counts on the same axis: what a lone corner may use would be broken many times.
+// Every chord's corner counts on the same axis: what a lone corner may use would be broken many
+// times.
 static void corners_that_share_a_period_share_the_acceleration(check_t *check)
 {
     double worst = 0.0;

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Capacities: every size of the kernel, all known at compile time. Override with -D on the whole build.
+// Capacities: every size of the kernel, known at compile time. Override with -D for all files.
 #ifndef NCK_BASE_LIMITS_H
 #define NCK_BASE_LIMITS_H
 
-// Axes a program may name, in the order X Y Z A B C U V W. Range 3..9. Fewer axes make segs smaller.
+// Axes a program may name, in the order X Y Z A B C U V W. Range 3..9. Fewer axes make segs
+// smaller.
 #ifndef NCK_AXIS_MAX
 #define NCK_AXIS_MAX 9
 #endif
@@ -30,12 +31,13 @@
 #define NCK_CORNER_SPAN 64
 #endif
 
-// Cells between the slope and the tick. Power of two, 16..4096. More cells bridge longer pauses of prep.
+// Cells between the slope and the tick. Power of two, 16..4096. More cells bridge longer pauses of
+// prep.
 #ifndef NCK_CELL_MAX
 #define NCK_CELL_MAX 128
 #endif
 
-// Segs alive at once: the look-ahead window, the corner span and the cells all point into this ring.
+// Segs alive at once: window, corner span and cells all point into this ring.
 #define NCK_SEG_MAX (2 * NCK_WINDOW)
 
 // Outputs (S, M, T words) alive at once beside the segs. Power of two.

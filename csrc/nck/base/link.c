@@ -70,7 +70,7 @@ nck_status_t nck_link_publish(nck_link_t *self) {
     const uint32_t word = ((end + self->batch) & END_MASK) << END_SHIFT
                           | (self->tail_fill ? HAS_TAIL : 0u) | parity * PARITY;
     if (!nck_fence_exchange(&self->word, self->base, word)) return NCK_E_STATE;
-    nck_link_batch_begin(self);
+    (void)nck_link_batch_begin(self);
     return NCK_OK;
 }
 
@@ -89,8 +89,8 @@ static nck_status_t take_from_tail(nck_link_t *self, uint32_t word, nck_cell_t *
     return NCK_OK;
 }
 
-// Two rounds are enough: the word can change under the tick only by a publication, and then there are
-// final cells to take.
+// Two rounds are enough: the word can change under the tick only by a publication, and then there
+// are final cells to take.
 nck_status_t nck_link_take(nck_link_t *self, nck_cell_t *cell_out, int *from_tail_out) {
     for (int round = 0; round < 2; round++) {
         const uint32_t word = nck_fence_load(&self->word);

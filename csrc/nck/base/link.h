@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: MIT
-// The link between the asynchronous and the synchronous rooms: rings of cells, segs and outputs, and
-// the stop tail. The only memory that two contexts share.
+// The link between the asynchronous and the synchronous rooms: rings of cells, segs and outputs,
+// and the stop tail. The only memory that two contexts share.
 //
 //      taken                 end
 //        │  final cells       │   batch being built (prep's alone)
 //   ─────┼────────────────────┼───────────────···▶   cell ring
 //        │                    └──▶ tail[parity]: how to stop from here on, if nothing more comes
 //
-// One word says it all: end of the final cells, whether and which tail belongs to that end, and whether the
-// tick has entered it. Prep publishes more cells by exchanging the word; the tick enters the tail by exchanging it
-// too. Whoever is second sees that he lost: a cell is never taken back, a tail never overwritten in use.
+// One word says it all: end of the final cells, whether and which tail belongs to that end, and
+// whether the tick has entered it. Prep publishes more cells by exchanging the word; the tick
+// enters the tail by exchanging it too. Whoever is second sees that he lost: a cell is never taken
+// back, a tail never overwritten in use.
 #ifndef NCK_BASE_LINK_H
 #define NCK_BASE_LINK_H
 
@@ -54,28 +55,29 @@ nck_status_t nck_link_push_seg(nck_link_t *self, const nck_seg_t *seg);
 // Put an output in. NCK_OK or NCK_FULL. Cost: constant. Context: prep.
 nck_status_t nck_link_push_output(nck_link_t *self, const nck_output_t *output);
 
-// Begin a batch on what is final now. Returns 1 if the tick has entered the tail: then the batch must go on
-// from the tail's end, else 0. Cost: constant. Context: prep.
+// Begin a batch on what is final now. Returns 1 if the tick has entered the tail: then the batch
+// must go on from the tail's end, else 0. Cost: constant. Context: prep.
 int nck_link_batch_begin(nck_link_t *self);
 
 // Put a cell behind the batch (there must be room). Cost: constant. Context: prep.
 void nck_link_push_cell(nck_link_t *self, const nck_cell_t *cell);
 
-// Begin the tail of the batch; then put its cells in, NCK_WINDOW at most. Cost: constant. Context: prep.
+// Begin the tail of the batch; then put its cells in, NCK_WINDOW at most.
+// Cost: constant. Context: prep.
 void nck_link_tail_begin(nck_link_t *self);
 void nck_link_tail_push(nck_link_t *self, const nck_cell_t *cell);
 
 // Make the batch final, with its tail, in one exchange.
-// Returns NCK_OK; NCK_FULL while the old tail has been entered but has not come to rest yet (the batch
-// is kept); NCK_E_STATE if the tick has entered the old tail since the batch was begun (the batch is void:
-// begin another). Cost: constant. Context: prep.
+// Returns NCK_OK; NCK_FULL while the old tail has been entered but has not come to rest yet (the
+// batch is kept); NCK_E_STATE if the tick has entered the old tail since the batch was begun (the
+// batch is void: begin another). Cost: constant. Context: prep.
 nck_status_t nck_link_publish(nck_link_t *self);
 
-// The last cell of the last published tail and how many there are; NULL and 0 if that tail is empty.
+// The last cell of the last published tail and the count of them; NULL and 0 if it is empty.
 // Cost: constant. Context: prep.
 const nck_cell_t *nck_link_tail_end(const nck_link_t *self, uint32_t *count_out);
 
-// Take the next cell: a final one, else one of the tail (*from_tail_out = 1), else NCK_EMPTY: at rest.
+// Take the next cell: a final one, else one of the tail (*from_tail_out = 1), else NCK_EMPTY.
 // Cost: constant, no spinning. Context: tick.
 nck_status_t nck_link_take(nck_link_t *self, nck_cell_t *cell_out, int *from_tail_out);
 

@@ -10,8 +10,8 @@
 //  line    p(s) = start + (end − start)·s/L
 //  arc     the start radius, turned:  (u, v) = centre + R(φ)·(start − centre),  φ = sweep·s/L;
 //          every other axis as on a line (helix).
-// Turning the start radius needs no start angle, and s = 0 gives start to the bit. s ≥ L gives end to
-// the bit, s ≤ 0 gives start. L = 0 (dwell): start.
+// Turning the start radius needs no start angle, and s = 0 gives start to the bit. s ≥ L gives end
+// to the bit, s ≤ 0 gives start. L = 0 (dwell): start.
 static inline void nck_path_point(const nck_seg_t *seg, nck_real s, nck_real *point_out) {
     if (s >= seg->length || s <= 0.0) {
         const nck_real *const p = s > 0.0 ? seg->end : seg->start;

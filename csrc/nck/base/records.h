@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// The records that travel between the rooms, in the order of the flow: block, seg, node, cell, pose, axes.
-// Plain data for C, OpenCL and Python alike. Inside: mm (deg for rotary axes), s; path units are mm of
-// the path metric: the Euclidean length over all axes, one degree counted as one millimetre.
+// The records that travel between the rooms, in the order of the flow: block, seg, node, cell,
+// pose, axes. Plain data for C, OpenCL and Python alike. Inside: mm (deg for rotary axes), s; path
+// units are mm of the path metric: the Euclidean length over all axes, one degree counted as one
+// millimetre.
 #ifndef NCK_BASE_RECORDS_H
 #define NCK_BASE_RECORDS_H
 
@@ -62,9 +63,9 @@ typedef struct nck_block {
     uint8_t plane;        // 17, 18, 19 (of an arc)
     int64_t target_nm[NCK_AXIS_MAX]; // end point, machine coordinates of the tool tip [nm, ndeg]
     int64_t tool_nm[3];   // tool offset X Y Z in force: 2_toolcomp adds it to the target [nm]
-    double centre_mm[2];  // arc: centre in the plane's first and second axis (G17 XY, G18 ZX, G19 YZ),
+    double centre_mm[2];  // arc: centre along the plane's axes (G17 XY, G18 ZX, G19 YZ),
                           // tip coordinates, already moved onto the chord's bisector
-    double sweep_rad;     // arc: signed angle from start to end, full turns included, + anticlockwise
+    double sweep_rad;     // arc: signed angle, full turns included, + anticlockwise
     double feed;          // in force, unit by feed_mode; 0 for a rapid
     double spindle_rpm;   // in force (for feed per revolution), 0 if stopped
     double tolerance_mm;  // G64 P in force, 0: none
@@ -80,7 +81,7 @@ typedef enum nck_seg_kind {
     NCK_SEG_WAIT = 3   // at rest until nck_resume
 } nck_seg_kind_t;
 
-// 3_smooth → 4_lookahead, and by a ring of its own → 6_interpolate: a piece of path with its geometry.
+// 3_smooth → 4_lookahead, and by its own ring → 6_interpolate: a piece of path with its geometry.
 typedef struct nck_seg {
     uint32_t seq;        // running number, the name of the seg for nodes and cells
     uint32_t line;       // source line

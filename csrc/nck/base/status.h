@@ -12,49 +12,50 @@ typedef enum nck_status {
     NCK_DONE = 3,     // the program has ended and everything is handed over
     NCK_WAIT = 4,     // stopped by M0, M1, M6 or M60: nck_resume goes on
 
-    // program errors (1_decode, 2_toolcomp): the line and column are in nck_diagnostic_t
-    NCK_E_CHARACTER = -1,      // "character"       a character that starts no word
-    NCK_E_NUMBER = -2,         // "number"          a word without a readable number
-    NCK_E_NUMBER_RANGE = -3,   // "number-range"    a number outside of what its word takes; value = number
-    NCK_E_LINE_LENGTH = -4,    // "line-length"     a line longer than NCK_LINE_MAX; value = NCK_LINE_MAX
-    NCK_E_COMMENT = -5,        // "comment"         a comment that is not closed
-    NCK_E_WORD_UNKNOWN = -6,   // "word-unknown"    a letter that the language does not have
-    NCK_E_WORD_TWICE = -7,     // "word-twice"      a letter twice in one block
-    NCK_E_WORD_UNUSED = -8,    // "word-unused"     a word that no code of its block uses
-    NCK_E_WORD_MISSING = -9,   // "word-missing"    a code without a word it needs; letter = the word
-    NCK_E_G_UNKNOWN = -10,     // "g-unknown"       a G code that the kernel does not know; value = code
-    NCK_E_M_UNKNOWN = -11,     // "m-unknown"       an M code that the kernel does not know; value = code
-    NCK_E_MODAL_GROUP = -12,   // "modal-group"     two codes of one modal group in a block
-    NCK_E_UNSUPPORTED = -13,   // "unsupported"     known to the language, not built yet (O words, G41, #…)
-    NCK_E_FEED_MISSING = -14,  // "feed-missing"    a cut before any F, or G93 without F in its block
-    NCK_E_ARC_RADIUS = -15,    // "arc-radius"      value = end radius, limit = start radius [mm]
-    NCK_E_ARC_CENTRE = -16,    // "arc-centre"      no centre, or a radius of zero
-    NCK_E_ARC_CHORD = -17,     // "arc-chord"       R shorter than half of the chord; value = R, limit = half chord [mm]
-    NCK_E_AXIS_UNKNOWN = -18,  // "axis-unknown"    a word of an axis that the machine lacks; letter
-    NCK_E_TRAVEL = -19,        // "travel"          a move leaves the travel; letter, value, limit [mm or deg]
-    NCK_E_TOOL_UNKNOWN = -20,  // "tool-unknown"    T or H not in the table; value = number
-    NCK_E_NO_MOTION = -21,     // "no-motion"       axis words while no motion mode is in force (G80)
-    NCK_E_DIALECT = -22,       // "dialect"         text of a known foreign dialect (value = nck_dialect_hint)
-    NCK_E_BINARY = -23,        // "binary"          a NUL byte: this is no NC program
-    NCK_E_NO_PROGRAM = -24,    // "no-program"      the text holds no block at all
+    // program errors (1_decode, 2_toolcomp): line and column are in nck_diagnostic_t; behind each:
+    // its id, and what it means; "value", "limit" and "letter" are what the diagnostic carries
+    NCK_E_CHARACTER = -1,     // "character": a character that starts no word
+    NCK_E_NUMBER = -2,        // "number": a word without a readable number
+    NCK_E_NUMBER_RANGE = -3,  // "number-range": outside of what its word takes; value = number
+    NCK_E_LINE_LENGTH = -4,   // "line-length": longer than NCK_LINE_MAX; value = NCK_LINE_MAX
+    NCK_E_COMMENT = -5,       // "comment": a comment that is not closed
+    NCK_E_WORD_UNKNOWN = -6,  // "word-unknown": a letter that the language does not have
+    NCK_E_WORD_TWICE = -7,    // "word-twice": a letter twice in one block
+    NCK_E_WORD_UNUSED = -8,   // "word-unused": a word that no code of its block uses
+    NCK_E_WORD_MISSING = -9,  // "word-missing": a code without a word it needs; letter
+    NCK_E_G_UNKNOWN = -10,    // "g-unknown": a G code that the kernel does not know; value
+    NCK_E_M_UNKNOWN = -11,    // "m-unknown": an M code that the kernel does not know; value
+    NCK_E_MODAL_GROUP = -12,  // "modal-group": two codes of one modal group in a block
+    NCK_E_UNSUPPORTED = -13,  // "unsupported": of the language, but not built (O words, G41, #…)
+    NCK_E_FEED_MISSING = -14, // "feed-missing": a cut before any F, or G93 without its F
+    NCK_E_ARC_RADIUS = -15,   // "arc-radius": value = end radius, limit = start radius [mm]
+    NCK_E_ARC_CENTRE = -16,   // "arc-centre": no centre, or a radius of zero
+    NCK_E_ARC_CHORD = -17,    // "arc-chord": R below half of the chord; value, limit [mm]
+    NCK_E_AXIS_UNKNOWN = -18, // "axis-unknown": a word of an axis that the machine lacks; letter
+    NCK_E_TRAVEL = -19,       // "travel": leaves the travel; letter, value, limit [mm or deg]
+    NCK_E_TOOL_UNKNOWN = -20, // "tool-unknown": T or H not in the table; value = number
+    NCK_E_NO_MOTION = -21,    // "no-motion": axis words, but no motion mode is in force (G80)
+    NCK_E_DIALECT = -22,      // "dialect": a known foreign dialect; value = nck_dialect_hint_t
+    NCK_E_BINARY = -23,       // "binary": a NUL byte: this is no NC program
+    NCK_E_NO_PROGRAM = -24,   // "no-program": the text holds no block at all
 
     // the front door
-    NCK_E_ARGUMENT = -40,      // "argument"        an argument outside of its range
-    NCK_E_MACHINE = -41,       // "machine"         a machine number outside of its range
-    NCK_E_STATE = -42,         // "state"           not possible in this state
+    NCK_E_ARGUMENT = -40, // "argument": an argument outside of its range
+    NCK_E_MACHINE = -41,  // "machine": a machine number outside of its range
+    NCK_E_STATE = -42,    // "state": not possible in this state
 
     // what must not happen, and is told all the same
-    NCK_E_INTERNAL = -60       // "internal"        an invariant is broken
+    NCK_E_INTERNAL = -60   // "internal": an invariant is broken
 } nck_status_t;
 
 // Notes: assumed defaults and the like. Not errors; at most one of each in a program.
 typedef enum nck_note {
-    NCK_NOTE_UNITS = 1,      // "assumed-units"     motion before G20 or G21
-    NCK_NOTE_PLANE = 2,      // "assumed-plane"     an arc before G17, G18 or G19
-    NCK_NOTE_DISTANCE = 3,   // "assumed-distance"  motion before G90 or G91
-    NCK_NOTE_ARC_CENTRE = 4, // "assumed-centre"    I J K before G90.1 or G91.1
-    NCK_NOTE_NO_END = 5,     // "no-end"            the text ends without M2, M30 or a closing %
-    NCK_NOTE_AFTER_END = 6   // "after-end"         text after M2 or M30 is not read
+    NCK_NOTE_UNITS = 1,      // "assumed-units": motion before G20 or G21
+    NCK_NOTE_PLANE = 2,      // "assumed-plane": an arc before G17, G18 or G19
+    NCK_NOTE_DISTANCE = 3,   // "assumed-distance": motion before G90 or G91
+    NCK_NOTE_ARC_CENTRE = 4, // "assumed-centre": I J K before G90.1 or G91.1
+    NCK_NOTE_NO_END = 5,     // "no-end": the text ends without M2, M30 or a closing %
+    NCK_NOTE_AFTER_END = 6   // "after-end": text after M2 or M30 is not read
 } nck_note_t;
 
 // One finding in a program. Wording is the caller's; ids and numbers are the kernel's.

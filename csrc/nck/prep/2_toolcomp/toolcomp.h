@@ -13,8 +13,9 @@ typedef struct nck_toolcomp {
 // Cost: constant. Context: any, before the tick runs.
 void nck_toolcomp_init(nck_toolcomp_t *self, const nck_machine_t *machine);
 
-// Turn a block of the tool tip into a block of the machine: target and arc centre are moved by the tool
-// offset in force, which is zero afterwards. Blocks without motion pass. Cost: constant. Context: prep.
+// Turn a block of the tool tip into a block of the machine: target and arc centre are moved by the
+// tool offset in force, which is zero afterwards. Blocks without motion pass. Cost: constant.
+// Context: prep.
 void nck_toolcomp_push(const nck_toolcomp_t *self, nck_block_t *block);
 
 #endif

@@ -29,8 +29,8 @@ static inline nck_real nck_metric_length(const nck_seg_t *seg) {
     return nck_sqrt(nck_metric_round(seg) + nck_metric_straight(seg, 0, NCK_AXIS_MAX - 1));
 }
 
-// The length that a feed in units per minute is meant for: X Y Z if any of them moves; else U V W; else
-// the rotary axes, in degrees (NISTIR 6556, section 2.1.2.5).
+// The length that a feed in units per minute is meant for: X Y Z if any of them moves; else U V W;
+// else the rotary axes, in degrees (NISTIR 6556, section 2.1.2.5).
 static inline nck_real nck_metric_feed_length(const nck_seg_t *seg) {
     const nck_real xyz = nck_metric_round(seg) + nck_metric_straight(seg, NCK_AXIS_X, NCK_AXIS_Z);
     if (xyz > 0.0) return nck_sqrt(xyz);

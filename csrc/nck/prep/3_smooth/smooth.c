@@ -23,8 +23,8 @@ static void set_arc(nck_seg_t *seg, const nck_block_t *block) {
     seg->sweep = block->sweep_rad;
 }
 
-// Wanted path speed [path mm/s]. G94: F along the length it is meant for; G93: the whole seg in 1/F min;
-// G95: F a revolution.
+// Wanted path speed [path mm/s]. G94: F along the length it is meant for; G93: the whole seg in 1/F
+// min; G95: F a revolution.
 static double path_feed(const nck_block_t *block, const nck_seg_t *seg) {
     if (block->feed_mode == NCK_FEED_INVERSE) return block->feed * seg->length / 60.0;
     const double per_minute =

@@ -17,10 +17,11 @@ typedef struct nck_smooth {
 // Begin at the machine's start position. Cost: constant. Context: any, before the tick runs.
 void nck_smooth_init(nck_smooth_t *self, const nck_machine_t *machine);
 
-// Make the seg of a block (RAPID, LINE, ARC, DWELL or WAIT), the running number of which is block_seq.
-// Returns NCK_OK and the seg; NCK_EMPTY if the block has no length (it vanishes; its exact stop, if any,
-// is of no use either, since nothing moved); NCK_E_FEED_MISSING if the feed comes out as zero or less (feed
-// per revolution of a spindle that stands). Cost: constant. Context: prep.
+// Make the seg of a block (RAPID, LINE, ARC, DWELL or WAIT), the running number of which is
+// block_seq.
+// Returns NCK_OK and the seg; NCK_EMPTY if the block has no length (it vanishes; its exact stop, if
+// any, is of no use either, since nothing moved); NCK_E_FEED_MISSING if the feed comes out as zero
+// or less (feed per revolution of a spindle that stands). Cost: constant. Context: prep.
 nck_status_t nck_smooth_push(nck_smooth_t *self, const nck_block_t *block, uint32_t block_seq,
                              nck_seg_t *seg_out);
 

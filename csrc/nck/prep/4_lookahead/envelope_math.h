@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The exact two-pass envelope in w = v², one step each way. Every backend computes these, in this order.
+// The exact two-pass envelope in w = v², one step each way: what every backend computes.
 #ifndef NCK_PREP_ENVELOPE_MATH_H
 #define NCK_PREP_ENVELOPE_MATH_H
 

@@ -214,8 +214,8 @@ static nck_status_t walk_next(nck_lookahead_t *self, walk_t *walk, double reach,
     return NCK_OK;
 }
 
-// A·T, where A is the largest acceleration on the segs that can share a period with the junction when it
-// is crossed at v.
+// A·T, where A is the largest acceleration on the segs that can share a period with the junction
+// when it is crossed at v.
 static nck_status_t largest_gain(nck_lookahead_t *self, uint32_t count, double v, double *a_t_out) {
     const double period = self->machine->period_s;
     const double reach = (v + self->a_any * period) * period;

@@ -5,7 +5,7 @@
 
 #include "nck/prep/4_lookahead/lookahead.h" // nck_lookahead_t nck_joint_t
 
-// What a piece of a seg may do when junctions nearby use the share beta of every axis' acceleration.
+// What a piece of a seg may do when junctions nearby use the share beta of the acceleration.
 typedef struct nck_piece_limit {
     double vv;     // v² cap
     double a;      // tangential acceleration
@@ -15,19 +15,20 @@ typedef struct nck_piece_limit {
 // The joint with this count. Cost: constant.
 nck_joint_t *nck_joint_at(nck_lookahead_t *self, uint32_t count);
 
-// The largest tangential acceleration that any seg can have on this machine: √Σ a_x², path a_max at most.
+// The largest tangential acceleration that any seg can have on this machine: √Σ a_x², path a_max at
+// most.
 // Cost: constant.
 double nck_joint_a_any(const nck_machine_t *machine);
 
 // Fill in a seg's caps. Cost: constant.
 void nck_joint_make(nck_joint_t *joint, const nck_seg_t *seg, const nck_machine_t *machine);
 
-// Settle what the junction between two segs costs, once the second one is known. The tangents are those
-// at the junction. Cost: constant.
+// Settle what the junction between two segs costs, once the second one is known. The tangents are
+// those at the junction. Cost: constant.
 void nck_joint_meet(nck_joint_t *in, const nck_joint_t *out, const double *tangent_in,
                     const double *tangent_out, const nck_machine_t *machine);
 
-// Decide the next junction's speed and share. NCK_OK, or NCK_EMPTY if more segs must be known first.
+// Decide the next junction's speed and share. NCK_OK, or NCK_EMPTY: more segs must be known.
 // Cost: 2·NCK_CORNER_SPAN neighbours at most.
 nck_status_t nck_joint_decide(nck_lookahead_t *self);
 

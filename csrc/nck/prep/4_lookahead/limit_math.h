@@ -7,18 +7,18 @@
 
 // Share of every axis' acceleration that a junction may use at most; README, "the budget".
 #define NCK_CORNER_SHARE_MAX 0.5
-// Share that centripetal acceleration may use of what the corner leaves; the tangential one gets at least
-// √(1 − 0.8²) = 0.6 of it, for the two are perpendicular.
+// Share that centripetal acceleration may use of what the corner leaves; the tangential one gets at
+// least √(1 − 0.8²) = 0.6 of it, for the two are perpendicular.
 #define NCK_CURVE_SHARE 0.8
 
 // Limit of the path quantity when an axis has the limit x_lim and the direction cosine c ≠ 0:
 //   path ≤ x_lim / |c|      (speed, acceleration and jerk alike)
 static inline nck_real nck_limit_along(nck_real x_lim, nck_real c) { return x_lim / nck_fabs(c); }
 
-// The largest |cos| of the direction angle between the in-plane tangents t_in and t_out of an arc of less
-// than half a turn:   1 if the perpendicular component changes its sign in between, else the larger of
-// the two ends'. (A turn by less than π passes a given axis at most once.) in, out: component along
-// the axis; in_n, out_n: across it; all divided by the in-plane speed.
+// The largest |cos| of the direction angle between the in-plane tangents t_in and t_out of an arc
+// of less than half a turn:   1 if the perpendicular component changes its sign in between, else
+// the larger of the two ends'. (A turn by less than π passes a given axis at most once.) in, out:
+// component along the axis; in_n, out_n: across it; all divided by the in-plane speed.
 static inline nck_real nck_limit_arc_cos(nck_real in, nck_real in_n, nck_real out, nck_real out_n) {
     if (in_n * out_n <= 0.0) return 1.0;
     const nck_real a = nck_fabs(in);
@@ -39,8 +39,8 @@ static inline nck_real nck_limit_curve(nck_real a, nck_real kappa, nck_real beta
     return NCK_CURVE_SHARE * (1.0 - beta) * a / kappa;
 }
 
-// Tangential acceleration left on an arc: of τ·a, τ = 1 − β, the centripetal part v²κ is spent at a right
-// angle:   a_t ≤ √((τa)² − (v²κ)²) / cos λ     (λ: pitch angle of a helix). v²κ ≤ τ·a.
+// Tangential acceleration left on an arc: of τ·a, τ = 1 − β, the centripetal part v²κ is spent at a
+// right angle:   a_t ≤ √((τa)² − (v²κ)²) / cos λ     (λ: pitch angle of a helix). v²κ ≤ τ·a.
 static inline nck_real nck_limit_arc_accel(nck_real tau_a, nck_real vv_kappa, nck_real cos_lambda) {
     return nck_sqrt(tau_a * tau_a - vv_kappa * vv_kappa) / cos_lambda;
 }
@@ -53,8 +53,8 @@ static inline nck_real nck_corner_load(nck_real c_in, nck_real c_out, nck_real a
     return nck_fabs(c_in - c_out) / a;
 }
 
-// A corner so sharp that its transfer speed β_max·T/d is less than the speed gained in one period, A·T, is
-// better stopped at: then both neighbours may accelerate with all of a.
+// A corner so sharp that its transfer speed β_max·T/d is less than the speed gained in one period,
+// A·T, is better stopped at: then both neighbours may accelerate with all of a.
 static inline int nck_corner_sharp(nck_real load, nck_real a) {
     return load * a > NCK_CORNER_SHARE_MAX;
 }

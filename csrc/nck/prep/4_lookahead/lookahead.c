@@ -145,8 +145,8 @@ static int all_placed(const nck_lookahead_t *self) {
     return self->ended && self->joint.placed == self->joint.head;
 }
 
-// How many pieces become final by a pass begun now; 0: none, more must come first. Depends on counts of
-// segs only, never on time, so that equal capacities give equal setpoints.
+// How many pieces become final by a pass begun now; 0: none, more must come first. Depends on
+// counts of segs only, never on time, so that equal capacities give equal setpoints.
 static uint32_t pass_final(const nck_lookahead_t *self) {
     if (self->window.fill == 0) return 0;
     if (all_placed(self)) return self->window.fill;
@@ -217,8 +217,8 @@ nck_status_t nck_lookahead_step(nck_lookahead_t *self) {
     return self->window.final > 0 || self->window.fill == 0 ? NCK_DONE : NCK_OK;
 }
 
-nck_status_t nck_lookahead_piece(const nck_lookahead_t *self, uint32_t i, const nck_node_t **node_out,
-                                 double *vv_end_out) {
+nck_status_t nck_lookahead_piece(const nck_lookahead_t *self, uint32_t i,
+                                 const nck_node_t **node_out, double *vv_end_out) {
     if (i >= self->window.final || self->pass.phase != PHASE_NONE) return NCK_EMPTY;
     *node_out = nck_lookahead_ahead(self, i);
     const nck_node_t *const next = nck_lookahead_ahead(self, i + 1);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Room 4, lookahead: seg → node. Places the nodes, finds every cap, and the exact envelope in w = v².
+// Room 4, lookahead: seg → node. Places the nodes, finds every cap, and the exact envelope in w =
+// v².
 //
 //   push ─▶ joints (caps of segs and junctions) ─▶ window of nodes (envelope) ─▶ pieces, final
 #ifndef NCK_PREP_LOOKAHEAD_H
@@ -83,15 +84,16 @@ nck_status_t nck_lookahead_push(nck_lookahead_t *self, const nck_seg_t *seg);
 // Say that no more segs will come. Cost: constant. Context: prep.
 void nck_lookahead_end(nck_lookahead_t *self);
 
-// One bounded piece of work. Returns NCK_OK, NCK_EMPTY (needs segs), NCK_FULL (pieces must be taken),
-// NCK_DONE (ended, and every piece is final). Cost: one junction with at most 2·NCK_CORNER_SPAN neighbours, one
-// seg's nodes, or 32 nodes of a pass. Context: prep.
+// One bounded piece of work. Returns NCK_OK, NCK_EMPTY (needs segs), NCK_FULL (pieces must be
+// taken),
+// NCK_DONE (ended, and every piece is final). Cost: one junction with at most 2·NCK_CORNER_SPAN
+// neighbours, one seg's nodes, or 32 nodes of a pass. Context: prep.
 nck_status_t nck_lookahead_step(nck_lookahead_t *self);
 
 // The i-th piece from the window's head, final, and v² at its end. NCK_OK or NCK_EMPTY.
 // Cost: constant. Context: prep.
-nck_status_t nck_lookahead_piece(const nck_lookahead_t *self, uint32_t i, const nck_node_t **node_out,
-                                 double *vv_end_out);
+nck_status_t nck_lookahead_piece(const nck_lookahead_t *self, uint32_t i,
+                                 const nck_node_t **node_out, double *vv_end_out);
 
 // The i-th piece from the window's head, final or not; NULL beyond the window. Context: prep.
 const nck_node_t *nck_lookahead_ahead(const nck_lookahead_t *self, uint32_t i);
@@ -99,7 +101,8 @@ const nck_node_t *nck_lookahead_ahead(const nck_lookahead_t *self, uint32_t i);
 // Forget the first n pieces; they must be final. Cost: linear in n. Context: prep.
 void nck_lookahead_drop(nck_lookahead_t *self, uint32_t n);
 
-// Plan again from rest at s in the n-th piece from the window's head; the pieces before are forgotten.
+// Plan again from rest at s in the n-th piece from the window's head; the pieces before are
+// forgotten.
 // Cost: linear in n. Context: prep.
 void nck_lookahead_restart(nck_lookahead_t *self, uint32_t n, double s);
 

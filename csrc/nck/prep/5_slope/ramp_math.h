@@ -5,7 +5,8 @@
 
 #include "nck/base/real.h" // nck_real nck_sqrt nck_min
 
-// Duration of a piece of constant acceleration from v0 to v1 (not both zero):   q = 2·length/(v0 + v1)
+// Duration of a piece of constant acceleration from v0 to v1 (not both zero):   q = 2·length/(v0 +
+// v1)
 static inline nck_real nck_ramp_duration(nck_real length, nck_real v0, nck_real v1) {
     return 2.0 * length / (v0 + v1);
 }

@@ -6,8 +6,8 @@
 
 #include "nck/prep/5_slope/ramp_math.h" // nck_ramp_…
 
-// Shorter pieces get one acceleration: a ramp up and down within a few periods would gain nothing and
-// shake the machine.
+// Shorter pieces get one acceleration: a ramp up and down within a few periods would gain nothing
+// and shake the machine.
 #define SHORT_PERIODS 4.0
 // A part of a piece that is shorter than this share of it is rounding.
 #define LENGTH_EPSILON 1e-12

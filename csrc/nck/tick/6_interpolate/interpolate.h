@@ -35,8 +35,8 @@ nck_status_t nck_interpolate_take(nck_interpolate_t *self, nck_cell_t *cell_out)
 // Go on after a WAIT. Cost: constant. Context: any.
 void nck_interpolate_resume(nck_interpolate_t *self);
 
-// Periods from a rest to the landing after the time t: the smallest k ≥ 1 with k·T ≥ t, in the arithmetic of
-// the tick. Cost: constant. Context: any.
+// Periods from a rest to the landing after the time t: the smallest k ≥ 1 with k·T ≥ t, in the
+// arithmetic of the tick. Cost: constant. Context: any.
 uint64_t nck_interpolate_periods(double t, double period);
 
 #endif
