@@ -286,7 +286,7 @@ class Wording:
         fields = self._fields(row, source)
         wording = WORDING.get(f"{name}:{fields['letter']}", WORDING[name])
         message, remedy = (words.format_map(fields) for words in wording)
-        severity = "error" if row["code"] < 0 else "warning" if name in _WARNINGS else "note"
+        severity = severity_of(name)
         return Diagnostic(self._file, line, column, name, severity, message, remedy, source)
 
     def _source(self, line):
@@ -322,12 +322,20 @@ def _id(code):
     return status_id(code) if code < 0 else note_id(code)
 
 
+def _codes(prefix):
+    return sorted((getattr(lib, name) for name in dir(lib) if name.startswith(prefix)), key=abs)
+
+
 def ids():
     """Return the ids of all errors and notes that the kernel may tell, errors first."""
-    names = dir(lib)
-    errors = sorted((getattr(lib, n) for n in names if n.startswith("NCK_E_")), reverse=True)
-    notes = sorted(getattr(lib, n) for n in names if n.startswith("NCK_NOTE_"))
-    return [status_id(code) for code in errors] + [note_id(code) for code in notes]
+    return [status_id(code) for code in _codes("NCK_E_")] + sorted(_NOTES)
+
+
+def severity_of(name):
+    """Return "error", "warning" or "note" for an id of the kernel."""
+    if name in _NOTES:
+        return "warning" if name in _WARNINGS else "note"
+    return "error"
 
 
 def _word(source, column):
@@ -355,3 +363,6 @@ def _paint(text, colour, on):
 
 def _tag(severity, name, colour):
     return _paint(f"{severity}[{name}]", _SEVERITY_COLOURS[severity], colour)
+
+
+_NOTES = frozenset(note_id(code) for code in _codes("NCK_NOTE_"))

@@ -14,7 +14,14 @@ import pydantic
 
 from pycnc import errors, machine_file, tool_table
 from pycnc._bind import lib, pointer
-from pycnc.machine_file import AXES, ROTARY_AXES, WORK_SYSTEMS, MachineFile, unit_of
+from pycnc.machine_file import (
+    AXES,
+    ROTARY_AXES,
+    WORK_SYSTEMS,
+    MachineFile,
+    position_key,
+    unit_of,
+)
 from pycnc.records import dtype
 
 DEFAULT = "mill3"
@@ -172,9 +179,15 @@ class Machine:
         return np.array([axis[kind][AXES.index(letter)] for letter in self.axes])
 
     def effective(self):
-        """Yield (path to key, value, source) for every setting, in the order of the description."""
+        """Yield (path to key, value, source) for every setting, in the order of the description.
+
+        Positions along axes that the machine does not have are left out.
+        """
+        absent = {position_key(letter) for letter in AXES if letter not in self.axes}
         for key, value in _walk(self.settings):
-            yield key, value, self.sources.get(key, "default")
+            folder, _, leaf = key.rpartition(".")
+            if leaf not in absent or folder.startswith("tool."):
+                yield key, value, self.sources.get(key, "default")
 
     def __repr__(self):
         return f"<Machine {self.name}: {self.axes.upper()}, {self.period_s * 1e3:g} ms>"

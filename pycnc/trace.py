@@ -1,7 +1,9 @@
 # SPDX-License-Identifier: MIT
 """A trace: one row per tick of a run, and its files (npz, csv, parquet), written in pieces."""
 
+import errno
 import json
+import os
 import shutil
 import tempfile
 import time
@@ -17,6 +19,7 @@ from pycnc.planning import Plan, check_backend, for_machine
 from pycnc.records import enum
 
 FORMATS = (".npz", ".csv", ".parquet")
+_JOINT_UNITS = {"mm": "nm", "deg": "ndeg"}
 _SEG_KINDS = enum("nck_seg_kind_t")
 _STATES = enum("nck_tick_state_t")
 
@@ -37,7 +40,7 @@ class Columns:
         self._period = machine.period_s
         self.units = {"t_s": "s", "line": "", "block": "", "kind": "", "s_mm": "mm"}
         self.units |= {f"pos_{position_key(letter)}": unit_of(letter) for letter in self._axes}
-        self.units |= {f"joint_{k}_nm": f"n{unit_of(a)}" for k, a in enumerate(self._axes)}
+        self.units |= {f"joint_{k}_nm": _JOINT_UNITS[unit_of(a)] for k, a in enumerate(self._axes)}
         self.units |= {"vel_mm_s": "mm/s", "feed_cmd_mm_min": "mm/min", "override": ""}
         self.units |= {"limit": "", "queue_cells": "", "spindle_rpm": "1/min"}
         self.names = {
@@ -77,11 +80,30 @@ def _kinds(pose):
     return np.where(pose["state"] == _STATES.IDLE, KINDS.index("idle"), moves).astype(np.uint8)
 
 
+class _Part:
+    """A file that appears under its name once it is complete."""
+
+    def __init__(self, path):
+        self._path, self.part = Path(path), Path(f"{path}.part")
+        if self._path.is_dir():
+            raise IsADirectoryError(errno.EISDIR, os.strerror(errno.EISDIR), str(path))
+        self.file = open(self.part, "wb")  # noqa: SIM115
+
+    def close(self):
+        self.file.close()
+        os.replace(self.part, self._path)
+
+    def discard(self):
+        self.file.close()
+        self.part.unlink(missing_ok=True)
+
+
 class _Npz:
     """Columns as they come go to a file each; the archive is put together at the end."""
 
     def __init__(self, path, columns, metadata):
-        self._path, self._columns, self._metadata = path, columns, metadata
+        self._part = _Part(path)
+        self._facts = {**metadata, "units": columns.units, "names": columns.names}
         self._folder = tempfile.TemporaryDirectory()
         self._files, self._dtypes, self._rows = {}, {}, 0
 
@@ -94,14 +116,16 @@ class _Npz:
         self._rows += len(columns["t_s"])
 
     def close(self):
-        with zipfile.ZipFile(self._path, "w", zipfile.ZIP_DEFLATED, compresslevel=1) as archive:
-            facts = {**self._metadata, "units": self._columns.units, "names": self._columns.names}
+        with zipfile.ZipFile(
+            self._part.file, "w", zipfile.ZIP_DEFLATED, compresslevel=1
+        ) as archive:
             with archive.open("metadata.npy", "w") as member:
-                np.lib.format.write_array(member, np.array(json.dumps(facts)))
+                np.lib.format.write_array(member, np.array(json.dumps(self._facts)))
             for name, file in self._files.items():
                 with archive.open(f"{name}.npy", "w", force_zip64=True) as member:
                     self._member(member, name, file)
-        self.discard()
+        self._part.close()
+        self._drop()
 
     def _member(self, member, name, file):
         header = {
@@ -114,43 +138,46 @@ class _Npz:
         file.seek(0)
         shutil.copyfileobj(file, member, 1 << 20)
 
-    def discard(self):
+    def _drop(self):
         for file in self._files.values():
             file.close()
         self._folder.cleanup()
+
+    def discard(self):
+        self._part.discard()
+        self._drop()
 
 
 class _Csv:
     """Comment lines with the metadata, one line of names, one line a tick."""
 
     def __init__(self, path, columns, metadata):
-        self._names = columns.names
-        self._file = open(path, "w", encoding="utf-8", newline="\n")  # noqa: SIM115
-        self._file.writelines(f"# {key}: {value}\n" for key, value in metadata.items())
-        self._file.write(",".join(columns.units) + "\n")
+        self._part, self._names = _Part(path), columns.names
+        facts = {**metadata, "units": json.dumps(columns.units)}
+        head = [f"# {key}: {value}\n" for key, value in facts.items()]
+        self._text("".join(head) + ",".join(columns.units) + "\n")
+        self.close, self.discard = self._part.close, self._part.discard
+
+    def _text(self, text):
+        self._part.file.write(text.encode("utf-8", errors="surrogateescape"))
 
     def write(self, columns):
-        texts = [self._texts(name, array) for name, array in columns.items()]
-        self._file.writelines(f"{','.join(row)}\n" for row in zip(*texts, strict=True))
+        texts = [self._cells(name, array) for name, array in columns.items()]
+        self._text("".join(f"{','.join(row)}\n" for row in zip(*texts, strict=True)))
 
-    def _texts(self, name, array):
+    def _cells(self, name, array):
         if name in self._names:
             return [self._names[name][code] for code in array.tolist()]
         return map(repr, array.tolist())
-
-    def close(self):
-        self._file.close()
-
-    discard = close
 
 
 class _Parquet:
     """Row groups by pyarrow; units in the fields' metadata, the rest in the schema's."""
 
     def __init__(self, path, columns, metadata):
-        self._arrow, parquet = _pyarrow()
-        self._columns, self._metadata, self._path = columns, metadata, path
-        self._parquet, self._writer = parquet, None
+        self._arrow, self._parquet = _pyarrow()
+        self._columns, self._metadata, self._part = columns, metadata, _Part(path)
+        self._writer = None
 
     def write(self, columns):
         arrays = [self._array(name, values) for name, values in columns.items()]
@@ -161,7 +188,7 @@ class _Parquet:
             ]
             texts = {key: str(value) for key, value in self._metadata.items()}
             self._schema = self._arrow.schema(fields, metadata=texts)
-            self._writer = self._parquet.ParquetWriter(self._path, self._schema)
+            self._writer = self._parquet.ParquetWriter(self._part.file, self._schema)
         self._writer.write_table(self._arrow.table(arrays, schema=self._schema))
 
     def _array(self, name, values):
@@ -175,8 +202,10 @@ class _Parquet:
     def close(self):
         if self._writer:
             self._writer.close()
+        self._part.close()
 
-    discard = close
+    def discard(self):
+        self._part.discard()
 
 
 def _pyarrow():
