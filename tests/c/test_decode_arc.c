@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Room 1: arcs pass through both of their ends, whatever the words' rounding, and keep within the travel.
+// Room 1: arcs pass through both of their ends, whatever the words' rounding, and keep within the
+// travel.
 #include <math.h>  // cos sin hypot
 #include <stdio.h> // snprintf
 

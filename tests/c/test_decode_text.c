@@ -6,8 +6,8 @@
 static decode_case_t self;
 static decode_case_t other;
 
-static const char program[] = "%\r\nG21 G90 F100\r\nG0 X1\rG1 Y2\nG3 X2 Y1 I1\n\n(remark)\rS5 M3\r\n"
-                              "G1 X3\r\n%";
+static const char program[] = "%\r\nG21 G90 F100\r\nG0 X1\rG1 Y2\nG3 X2 Y1 I1\n\n(remark)\r"
+                              "S5 M3\r\nG1 X3\r\n%";
 
 static void pieces_of_any_size_give_the_same(check_t *check) {
     case_begin(&self);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The ground: a default machine that is good, a check that finds each bad number, ids for every code.
+// The ground: a default machine that is good, a check that finds each bad number, ids for every
+// code.
 #include <math.h>   // NAN INFINITY
 #include <string.h> // strcmp
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The machine: every number that a program meets but does not contain. Filled by the caller, read by all rooms.
+// The machine: every number that a program meets but does not contain. Filled by the caller, read
+// by all rooms.
 #ifndef NCK_BASE_MACHINE_H
 #define NCK_BASE_MACHINE_H
 
@@ -16,7 +17,7 @@ enum {
 };
 
 typedef enum nck_kinematics {
-    NCK_KINEMATICS_IDENTITY = 0, // joint k is axis k of the machine's axes, in the order X Y Z A B C U V W
+    NCK_KINEMATICS_IDENTITY = 0, // joint k is the machine's axis k, in the order X Y Z A B C U V W
     NCK_KINEMATICS_LATHE_XZ = 1  // joint 0 is X (radius), joint 1 is Z
 } nck_kinematics_t;
 
@@ -87,8 +88,8 @@ typedef struct nck_machine {
     nck_tool_t tool[NCK_TOOL_MAX];
 } nck_machine_t;
 
-// Fill in a machine that is safe and complete: three axes X Y Z of 100 mm/s, 1000 mm/s², 10 000 mm/s³ and
-// free travel, T = 1 ms, linear slope. The caller changes what differs.
+// Fill in a machine that is safe and complete: three axes X Y Z of 100 mm/s, 1000 mm/s², 10 000
+// mm/s³ and free travel, T = 1 ms, linear slope. The caller changes what differs.
 // Cost: constant. Context: any, before nck_init.
 void nck_machine_default(nck_machine_t *machine);
 

@@ -1,0 +1,173 @@
+# SPDX-License-Identifier: MIT
+"""LinuxCNC's rs274 as an oracle: its canonical motions, and where they differ from decoded blocks.
+
+rs274 prints positions with four decimals, in the units of the program, without work offset and G92.
+"""
+
+import math
+import re
+import subprocess
+from dataclasses import dataclass
+
+ROUNDING = 0.51e-4  # half of the last of four decimals, in the units of the program
+PLANES = {"XY": (0, 1, 2), "XZ": (2, 0, 1), "YZ": (1, 2, 0)}
+BLOCK_PLANES = {17: (0, 1), 18: (2, 0), 19: (1, 2)}
+CALL = re.compile(r"^\s*\d+ N\S+\s+(\w+)\((.*)\)$")
+AXES = 6  # X Y Z A B C: what rs274 prints
+
+
+def _near(a, b, tolerance):
+    return all(abs(x - y) <= tolerance for x, y in zip(a, b))
+
+
+@dataclass
+class Move:
+    """One motion: end and centre in machine coordinates [mm, deg]."""
+
+    kind: str  # rapid, line, arc
+    end: list
+    plane: tuple = ()
+    centre: tuple = ()
+    turns: int = 0  # + anticlockwise; 1: up to a whole turn
+    feed: float = 0.0  # in force, as printed: per minute
+    unit: float = 1.0  # mm in the unit of the feed
+    tolerance: float = 0.0  # how far its numbers may be off by their rounding [mm]
+    line: int = 0
+    only_rotary: bool = False  # nothing but rotary axes moves: the feed is in deg/min
+
+
+class Listing:
+    """The canonical commands of rs274, read one by one into `moves`."""
+
+    def __init__(self, text):
+        self.unit, self.plane, self.feed = 1.0, PLANES["XY"], (0.0, 1.0)
+        self.offsets = {name: ([0.0] * AXES, 0.0) for name in ("G5X", "G92")}
+        self.at = [0.0] * AXES
+        self.moves = []
+        for line in text.splitlines():
+            if match := CALL.match(line):
+                self._read(match[1], match[2])
+
+    def _scale(self):
+        return [self.unit] * 3 + [1.0] * 3
+
+    def _offset(self):
+        return [sum(pair) for pair in zip(*(values for values, _ in self.offsets.values()))]
+
+    def _tolerance(self):
+        return ROUNDING * self.unit + sum(error for _, error in self.offsets.values())
+
+    def _read(self, name, arguments):
+        if name == "USE_LENGTH_UNITS":
+            self.unit = 25.4 if "INCH" in arguments else 1.0
+        elif name == "SELECT_PLANE":
+            self.plane = PLANES[arguments[-2:]]
+        elif name == "SET_FEED_RATE":
+            self.feed = float(arguments), self.unit
+        elif name in ("SET_G5X_OFFSET", "SET_G92_OFFSET"):
+            numbers = [float(word) for word in arguments.split(",")][-AXES:]
+            error = ROUNDING * self.unit if any(numbers) else 0.0
+            values = [a * b for a, b in zip(numbers, self._scale())]
+            self.offsets[name[4:7]] = values, error
+        elif name in ("STRAIGHT_TRAVERSE", "STRAIGHT_FEED", "ARC_FEED"):
+            self._move(name, [float(word) for word in arguments.split(",")])
+
+    def _move(self, name, numbers):
+        offset, scale = self._offset(), self._scale()
+        if name == "ARC_FEED":
+            u, v, w = self.plane
+            end = list(self.at)
+            for axis, number in zip((u, v, w, 3, 4, 5), (*numbers[:2], *numbers[5:9])):
+                end[axis] = number * scale[axis] + offset[axis]
+            centre = [numbers[2 + k] * self.unit + offset[axis] for k, axis in enumerate((u, v))]
+            move = Move("arc", end, (u, v), tuple(centre), int(numbers[4]))
+        else:
+            end = [numbers[k] * scale[k] + offset[k] for k in range(AXES)]
+            move = Move("rapid" if name == "STRAIGHT_TRAVERSE" else "line", end)
+        (move.feed, move.unit), move.tolerance = self.feed, self._tolerance()
+        self.moves.append(move)
+        self.at = end
+
+
+def run(program, folder, tools):
+    """Return (moves, complaint) of rs274 on a file; tools: number → length [mm]."""
+    table = "".join(f"T{n} P{n} Z{length / 25.4:.10g}\n" for n, length in tools.items())
+    (folder / "tool.tbl").write_text(table)
+    (folder / "params.var").write_text("")
+    output = folder / "canon.txt"
+    command = ["timeout", "60", "rs274", "-g", "-t", folder / "tool.tbl"]
+    command += ["-v", folder / "params.var", "-n", "2", program, output]
+    done = subprocess.run(command, stdin=subprocess.DEVNULL, capture_output=True, text=True)
+    complaint = "" if done.returncode == 0 else done.stderr.strip()
+    return Listing(output.read_text(errors="replace")).moves, complaint
+
+
+def from_blocks(blocks, counts_per_degree):
+    """Return the moves of decoded blocks from a start at zero; an arc in two parts is one."""
+    counts = [1e6] * 3 + [float(counts_per_degree)] * 3
+    moves, sweep, at = [], 0.0, [0, 0, 0]
+    for block in blocks[blocks["kind"] <= 2]:
+        end = [float(a) / b for a, b in zip(block["target_nm"][:AXES], counts)]
+        move = Move(("rapid", "line", "arc")[block["kind"]], end, line=int(block["line"]))
+        move.feed = float(block["feed"]) if block["feed_mode"] == 0 else -1.0
+        before, at = at, (block["target_nm"][:3] + block["tool_nm"]).tolist()
+        move.only_rotary = move.kind != "arc" and at == before
+        if move.kind == "arc":
+            joins = moves and moves[-1].kind == "arc" and moves[-1].line == move.line
+            sweep = float(block["sweep_rad"]) + (sweep if joins else 0.0)
+            turns = math.ceil(abs(sweep) / (2 * math.pi) - 1e-6)
+            move.turns = int(math.copysign(max(turns, 1), sweep))
+            move.plane = BLOCK_PLANES[int(block["plane"])]
+            move.centre = tuple(block["centre_mm"])
+            if joins:
+                moves.pop()
+        moves.append(move)
+    return moves
+
+
+def _arc_differs(ours, theirs, start):
+    """What differs between two arcs with the same ends.
+
+    Our centre is moved onto the chord's bisector: by what theirs is beside it, and by the rounding
+    of their numbers, which a short chord magnifies.
+    """
+    if ours.turns != theirs.turns or ours.plane != theirs.plane:
+        return f"turns {ours.turns} in {ours.plane}, not {theirs.turns} in {theirs.plane}"
+    u, v = theirs.plane
+    chord = [theirs.end[u] - start[u], theirs.end[v] - start[v]]
+    length = math.hypot(*chord)
+    middle = [(theirs.end[u] + start[u]) / 2, (theirs.end[v] + start[v]) / 2]
+    radius = math.hypot(theirs.centre[0] - start[u], theirs.centre[1] - start[v])
+    allowed = 3 * theirs.tolerance
+    if length > theirs.tolerance:
+        from_middle = [theirs.centre[k] - middle[k] for k in range(2)]
+        aside = abs(from_middle[0] * chord[0] + from_middle[1] * chord[1]) / length
+        allowed = allowed * (1 + 2 * radius / length) + aside
+    if not _near(ours.centre, theirs.centre, allowed):
+        return f"centre {ours.centre}, not {theirs.centre} within {allowed:.2g}"
+    return ""
+
+
+def difference(ours, theirs):
+    """Return (moves that are equal, words for the first that is not).
+
+    Straight moves that are shorter than their numbers' rounding may be missing on either side.
+    """
+    at, i, j, equal = [0.0] * AXES, 0, 0, 0
+    while i < len(ours) and j < len(theirs):
+        a, b = ours[i], theirs[j]
+        if a.kind == b.kind and _near(a.end, b.end, b.tolerance):
+            if a.kind == "arc" and (words := _arc_differs(a, b, at)):
+                return equal, f"line {a.line}: {words}"
+            feed = b.feed * (1.0 if a.only_rotary else b.unit)
+            cut = a.kind != "rapid" and a.feed >= 0.0
+            if cut and abs(a.feed - feed) > 2 * b.tolerance + 1e-9 * feed:
+                return equal, f"line {a.line}: feed {a.feed}, not {feed}"
+            at, i, j, equal = b.end, i + 1, j + 1, equal + 1
+        elif a.kind != "arc" and _near(a.end, at, 2 * b.tolerance):
+            i += 1
+        elif b.kind != "arc" and _near(b.end, at, 2 * b.tolerance):
+            j += 1
+        else:
+            return equal, f"line {a.line}: {a} is not {b}"
+    return equal, ""
