@@ -91,6 +91,27 @@ static void stop_tail_comes_to_rest_on_the_path(check_t *check)
     CHECK_INT(check, nck_slope_brake(&slope, &node, 0.0, &cell), NCK_EMPTY);
 }
 
+// Whether v² is used up at a piece's end is told in two ways, which round differently.
+static void stop_tail_that_ends_with_its_piece_comes_to_rest(check_t *check)
+{
+    begin();
+    for (int k = 0; k < 20000; k++) {
+        const double length = 0.12 + k % 401 * 0.3e-15 - k % 997 * 1e-5;
+        const nck_node_t node = piece(length, 0.0, 10000.0);
+        nck_cell_t cell;
+        double vv = 2000.0 * length;
+        for (int n = 0; n < k % 5; n++) vv = nextafter(vv, k % 2 ? 0.0 : 1e9);
+        nck_slope_brake_begin(&slope, vv);
+        int count = 0;
+        nck_status_t status = NCK_OK;
+        while (status == NCK_OK && count < 3) {
+            status = nck_slope_brake(&slope, &node, 10000.0, &cell);
+            count++;
+        }
+        CHECK(check, status == NCK_DONE && cell.stop == 1);
+    }
+}
+
 static void dwell_is_a_rest_of_its_length(check_t *check)
 {
     begin();
@@ -109,6 +130,7 @@ int main(void)
     CHECK_RUN(&check, cells_join_and_keep_the_limits);
     CHECK_RUN(&check, long_piece_from_rest_to_rest_is_a_trapezoid);
     CHECK_RUN(&check, stop_tail_comes_to_rest_on_the_path);
+    CHECK_RUN(&check, stop_tail_that_ends_with_its_piece_comes_to_rest);
     CHECK_RUN(&check, dwell_is_a_rest_of_its_length);
     return check_end(&check);
 }

@@ -101,9 +101,9 @@ nck_status_t nck_slope_brake(nck_slope_t *self, const nck_node_t *node, double v
     const double vv = self->vv_brake;
     if (!(vv > 0.0)) return NCK_EMPTY;
     const double reach = nck_ramp_length(vv, 0.0, node->a);
-    const int rests = reach <= node->length || vv_cap_end == 0.0;
     const double length = nck_min(reach, node->length);
     const double vv_end = nck_max(0.0, vv - 2.0 * node->a * node->length);
+    const int rests = reach <= node->length || vv_end == 0.0 || vv_cap_end == 0.0;
     const double w[2] = {vv, rests ? 0.0 : nck_min(vv_end, vv_cap_end)};
     set_cell(cell_out, node, node->s, length, w);
     cell_out->limit = NCK_LIMIT_STARVED;
