@@ -160,8 +160,9 @@ class Machine:
     @property
     def sha256(self):
         """Hash of all settings: equal machines have equal ones, however their files are written."""
-        settings = self.settings.model_dump(mode="json", exclude={"description"})
-        return hashlib.sha256(json.dumps(settings, sort_keys=True).encode()).hexdigest()
+        settings = self.settings.model_dump(exclude={"description"})
+        text = json.dumps(settings, sort_keys=True, default=lambda number: f"{number.normalize()}")
+        return hashlib.sha256(text.encode()).hexdigest()
 
     def limits(self, kind):
         """Return every axis' limit.
