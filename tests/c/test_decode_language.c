@@ -164,6 +164,15 @@ static void speed_beyond_the_spindle_is_an_error(check_t *check) {
     CHECK_NEAR(check, self.first.value, 3000.5, 0.0);
 }
 
+static void a_number_of_any_length_is_a_finite_finding(check_t *check) {
+    char text[NCK_LINE_MAX] = "F";
+    case_begin(&self);
+    memset(text + 1, '9', sizeof text - 5);
+    memcpy(text + sizeof text - 4, "\nM2", 4);
+    check_error(check, &self, text, NCK_E_NUMBER_RANGE, 1, 1);
+    CHECK(check, self.first.value > 1e100 && self.first.value < 1e300);
+}
+
 static void dialects_read_dwell_and_first_motion_their_way(check_t *check) {
     case_begin(&self);
     self.machine.dialect.base = NCK_DIALECT_FANUC;
@@ -217,6 +226,7 @@ int main(void) {
     CHECK_RUN(&check, a_line_with_an_error_moves_nothing);
     CHECK_RUN(&check, a_tool_must_be_in_the_table_if_there_is_one);
     CHECK_RUN(&check, speed_beyond_the_spindle_is_an_error);
+    CHECK_RUN(&check, a_number_of_any_length_is_a_finite_finding);
     CHECK_RUN(&check, dialects_read_dwell_and_first_motion_their_way);
     CHECK_RUN(&check, path_modes_carry_their_tolerance);
     return check_end(&check);

@@ -168,13 +168,14 @@ static void rotary_axes_count_in_degrees_and_ignore_inches(check_t *check) {
     if (NCK_AXIS_MAX < 4) return;
     case_begin(&self);
     self.machine.axis[NCK_AXIS_Z + 1].present = 1;
-    case_decode(&self, "G20 G1 F100 A90.0000005\nA91 X1\nG91 A1\nM2\n");
+    case_decode(&self, "G20 G1 F100 A90.0000005\nA91 X1\nG91 A1\nG2 I1 A1\nM2\n");
     CHECK_INT(check, self.errors, 0);
     CHECK_INT(check, self.block[0].target_nm[NCK_AXIS_MAX > 3 ? 3 : 0],
               (int64_t)90 * NCK_COUNTS_PER_DEG + NCK_COUNTS_PER_DEG / 2000000);
     CHECK_NEAR(check, self.block[0].feed, 100.0, 0.0);
     CHECK_NEAR(check, self.block[1].feed, 2540.0, 1e-9);
     CHECK_NEAR(check, self.block[2].feed, 100.0, 0.0);
+    CHECK_NEAR(check, self.block[3].feed, 2540.0, 1e-9);
 }
 
 static void a_motion_code_without_words_only_sets_the_mode(check_t *check) {

@@ -98,7 +98,7 @@ static nck_status_t fail_feed(nck_decode_t *self, int letter) {
 
 // The feed of a cut. NCK_E_FEED_MISSING: none was ever said, G93 without F here, G95 at a
 // standstill.
-static nck_status_t cutting_feed(nck_decode_t *self, const int64_t *target_nm, double *feed_out) {
+static nck_status_t cutting_feed(nck_decode_t *self, int rotary_alone, double *feed_out) {
     const int said = (self->words.letters & NCK_LETTER('F')) != 0;
     if (self->modal.feed <= 0.0) return fail_feed(self, 'F');
     if (self->modal.feed_mode == NCK_FEED_INVERSE && !said) return fail_feed(self, 'F');
@@ -106,7 +106,7 @@ static nck_status_t cutting_feed(nck_decode_t *self, const int64_t *target_nm, d
         && (!self->modal.spindle_on || self->modal.speed <= 0.0)) {
         return fail_feed(self, 'S');
     }
-    *feed_out = only_rotary_moves(self, target_nm) ? self->modal.feed_word : self->modal.feed;
+    *feed_out = rotary_alone ? self->modal.feed_word : self->modal.feed;
     return NCK_OK;
 }
 
@@ -120,7 +120,7 @@ static nck_status_t straight(nck_decode_t *self, nck_block_kind_t kind, const in
     double feed = 0.0;
     nck_status_t status = check_targets(self, self->words.axes, target_nm);
     if (status == NCK_OK && kind == NCK_BLOCK_LINE) {
-        status = cutting_feed(self, target_nm, &feed);
+        status = cutting_feed(self, only_rotary_moves(self, target_nm), &feed);
     }
     // Also after an error the next line counts from here: one mistake, one finding.
     arrive(self, target_nm);
@@ -133,7 +133,7 @@ static nck_status_t arc(nck_decode_t *self, const int64_t *target_nm, nck_block_
     double feed = 0.0;
     nck_decode_assume(self, NCK_NOTE_PLANE);
     nck_status_t status = check_targets(self, self->words.axes, target_nm);
-    if (status == NCK_OK) status = cutting_feed(self, target_nm, &feed);
+    if (status == NCK_OK) status = cutting_feed(self, 0, &feed);
     if (status == NCK_OK) status = nck_decode_arc(self, target_nm, out);
     arrive(self, target_nm);
     out->feed = feed;

@@ -4,6 +4,9 @@
 
 enum { POWERS = 19, REAL_POWERS = 23 };
 
+// Decimals are kept within these: beyond, a number is 0 or out of every range anyway.
+enum { DECIMALS_MIN = -280, DECIMALS_MAX = 32000 };
+
 static const int64_t power_of_ten[POWERS] = {
     1, 10, 100, 1000, 10000, 100000, 1000000, 10000000, 100000000, 1000000000, 10000000000,
     100000000000, 1000000000000, 10000000000000, 100000000000000, 1000000000000000,
@@ -58,6 +61,8 @@ const char *nck_number_read(const char *text, const char *at, nck_number_t *out)
     }
     out->last = (uint16_t)(at - text);
     out->mantissa = mantissa;
+    if (decimals < DECIMALS_MIN) decimals = DECIMALS_MIN;
+    if (decimals > DECIMALS_MAX) decimals = DECIMALS_MAX;
     out->decimals = (int16_t)decimals;
     out->longer = (uint8_t)longer;
     return digits ? at : (const char *)0;
