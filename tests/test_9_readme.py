@@ -1,0 +1,40 @@
+# SPDX-License-Identifier: MIT
+"""The examples of README.md run as they stand there."""
+
+import pathlib
+import re
+import subprocess
+import sys
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent
+
+
+def example(language):
+    (code,) = re.findall(rf"```{language}\n(.*?)```", (ROOT / "README.md").read_text(), re.DOTALL)
+    return code
+
+
+def test_the_python_example_tells_time_and_peak(tmp_path):
+    run = subprocess.run(
+        [sys.executable, "-c", example("python")],
+        cwd=tmp_path,
+        capture_output=True,
+        text=True,
+        check=True,
+    )
+    time_s, peak = map(float, run.stdout.split())
+    # 40 + 10π + 30 mm at 50 mm/s take 2.03 s, and ramps and a slower arc a little more.
+    assert 2.03 < time_s < 3.0
+    assert 0.9 < peak <= 1.0 + 1e-6
+
+
+def test_the_c_example_compiles_alone_and_ends_on_its_end_point(tmp_path):
+    source = tmp_path / "example.c"
+    source.write_text(example("c"))
+    command = ["cc", "-std=c99", "-O1", "-Wall", "-Wextra", "-Werror", f"-I{ROOT / 'csrc'}"]
+    kernel = sorted(map(str, (ROOT / "csrc" / "nck").rglob("*.c")))
+    subprocess.run([*command, source, *kernel, "-lm", "-o", tmp_path / "example"], check=True)
+    run = subprocess.run([tmp_path / "example"], capture_output=True, text=True, check=True)
+    rows = [tuple(map(int, row.split())) for row in run.stdout.splitlines()]
+    assert rows[-1] == (60_000_000, 20_000_000)
+    assert max(abs(b[0] - a[0]) for a, b in zip(rows, rows[1:])) <= 50_001
