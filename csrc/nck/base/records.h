@@ -104,8 +104,8 @@ typedef struct nck_seg {
     double dwell_s;      // dwell [s]
 } nck_seg_t;
 
-// Room 4, planning by grades: a piece of path of the length L or a little more (Cao et al. 2014, section 4).
-// Segs are named by their place in the caller's array.
+// Room 4, planning by grades: a piece of path of the length L or a little more (Cao et al. 2014,
+// section 4). Segs are named by their place in the caller's array.
 typedef struct nck_unit {
     uint32_t seg;        // where the unit begins
     uint32_t seg_end;    // where it ends; the same or a later one
@@ -121,10 +121,10 @@ typedef struct nck_unit {
 typedef struct nck_grade_rule {
     double period_s;     // T [s]
     double v_max;        // v_c, the command velocity and highest grade [path mm/s]
-    double v_min;        // the speed of grade 0 [path mm/s]; 0 for planning, since paths begin at rest
+    double v_min;        // the speed of grade 0 [path mm/s]; 0 where paths begin at rest
     double a;            // tangential acceleration [path mm/s²]
     double length;       // L of a unit, eq. 10 [path mm]
-    double length_error; // how far n_step steps at commanded speed may miss the unit's end [path mm]
+    double length_error; // how far the steps may miss the unit's end [path mm]
     double chord_error;  // δ [mm]
     double a_axis[NCK_AXIS_MAX]; // of every axis [mm/s², deg/s²]; 0: no limit
     uint32_t steps;      // n, steps of a unit at command velocity

@@ -56,8 +56,8 @@ static inline void nck_sincos(nck_real x, nck_real *sin_out, nck_real *cos_out) 
 // atan t for 0 ≤ t ≤ 1. The half-angle formula  atan t = 2 atan(t / (1 + √(1 + t²)))  twice brings
 // t to 0.199 or less; there  t − t³/3 + t⁵/5 − … + t²³/23  (Taylor; the rest is below 1e-18).
 static inline nck_real nck_atan_core(nck_real t) {
-    const nck_real half = t / (1.0 + nck_sqrt(1.0 + t * t));
-    const nck_real q = half / (1.0 + nck_sqrt(1.0 + half * half));
+    const nck_real once = t / (1.0 + nck_sqrt(1.0 + t * t));
+    const nck_real q = once / (1.0 + nck_sqrt(1.0 + once * once));
     const nck_real qq = q * q;
     nck_real p = -1.0 / 23.0;
     p = p * qq + 1.0 / 21.0;

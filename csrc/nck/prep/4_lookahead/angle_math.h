@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The linking vector angle at a junction: 0 is tangent-continuous, π a reversal. Directions in a plane are
-// given as out[0] = cos, out[1] = sin of the forward angle from the plane's first axis.
+// The linking vector angle at a junction: 0 is tangent-continuous, π a reversal. Directions in a
+// plane are given as out[0] = cos, out[1] = sin of the forward angle from the plane's first axis.
 #ifndef NCK_PREP_ANGLE_MATH_H
 #define NCK_PREP_ANGLE_MATH_H
 
@@ -20,8 +20,8 @@ static inline nck_real nck_angle_space(const nck_real *d1, const nck_real *d2) {
 }
 
 // Two unit tangents over all axes:   α = 2 atan2(|t1 − t2|, |t1 + t2|)
-// (W. Kahan, How Futile are Mindless Assessments of Roundoff, 2006, section 12). Full precision at 0 and
-// π in any number of axes, where a cross product does not exist.
+// (W. Kahan, How Futile are Mindless Assessments of Roundoff, 2006, section 12). Full precision at
+// 0 and π in any number of axes, where a cross product does not exist.
 static inline nck_real nck_angle_tangents(const nck_real *t1, const nck_real *t2) {
     nck_real apart = (nck_real)0;
     nck_real along = (nck_real)0;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Velocity grades: speeds so far apart that a planning unit is just long enough for one step between them.
+// Velocity grades: speeds so far apart that a planning unit is just long enough for one step
+// between them.
 #ifndef NCK_PREP_GRADE_MATH_H
 #define NCK_PREP_GRADE_MATH_H
 
@@ -39,9 +40,9 @@ static inline nck_real nck_grade_vv(NCK_IN nck_grade_rule_t *rule, int k) {
     return vv < top ? vv : top;
 }
 
-// The grade of a speed given as v²:   g = ⌊(v² − v_min²)/(2aL)⌋ in 0 … N−1     (Cao et al. 2014, eq. 9)
-// Quantised in v²: floor of the table's own rounded speeds puts many grades one too low. The grade's
-// speed is never above v, but for grade 0 below v_min.
+// The grade of a speed given as v²:   g = ⌊(v² − v_min²)/(2aL)⌋ in 0 … N−1
+// (Cao et al. 2014, eq. 9). Quantised in v²: floor of the table's own rounded speeds puts many
+// grades one too low. The grade's speed is never above v, but for grade 0 below v_min.
 static inline int nck_grade_of(NCK_IN nck_grade_rule_t *rule, nck_real vv) {
     const int top = (int)rule->count - 1;
     if (vv >= rule->v_max * rule->v_max) return top;

@@ -37,8 +37,8 @@ static inline nck_real nck_transfer_axis(nck_real a, nck_real period, nck_real c
     return a * period / nck_fabs(c1 - c2);
 }
 
-// All axes: the smallest of v and (14) for the tangents in and out; *axis_out is the axis that limits, −1 if
-// v itself does. Cosines that differ by rounding alone limit far above any speed.
+// All axes: the smallest of v and (14) for the tangents in and out; *axis_out is the axis that
+// limits, −1 if v itself does. Cosines that differ by rounding alone limit far above any speed.
 static inline nck_real nck_transfer_speed(const nck_real *in, const nck_real *out,
                                           NCK_IN nck_grade_rule_t *rule, nck_real v,
                                           int *axis_out) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Speed inside a planning unit: the number of interpolation steps that keep length, chord error and the
-// acceleration of every axis (Cao et al. 2014, section 5).
+// Speed inside a planning unit: the number of interpolation steps that keep length, chord error
+// and the acceleration of every axis (Cao et al. 2014, section 5).
 #ifndef NCK_PREP_UNIT_MATH_H
 #define NCK_PREP_UNIT_MATH_H
 
@@ -17,7 +17,7 @@
 typedef struct nck_unit_walk {
     nck_seg_t seg;
     uint32_t at;     // its place
-    nck_real before; // path length from the unit's begin to the seg's start; negative in the first seg
+    nck_real before; // from the unit's begin to the seg's start [path mm]; ≤ 0 in the first seg
 } nck_unit_walk_t;
 
 static inline void nck_unit_walk_begin(nck_unit_walk_t *walk, NCK_IN nck_seg_t *segs,
@@ -45,8 +45,8 @@ static inline int nck_unit_steps(nck_real x) {
     return n < (nck_real)NCK_UNIT_STEP_MAX ? (int)n : NCK_UNIT_STEP_MAX;
 }
 
-// First step, the length: the fewest steps of v·T that end no further than the length tolerance ε before
-// the unit's end,   n = ⌈(L − ε)/(v·T)⌉ ≥ 1.
+// First step, the length: the fewest steps of v·T that end no further than the length tolerance ε
+// before the unit's end,   n = ⌈(L − ε)/(v·T)⌉ ≥ 1.
 static inline int nck_unit_steps_least(NCK_IN nck_unit_t *unit, NCK_IN nck_grade_rule_t *rule) {
     return nck_unit_steps((unit->length - rule->length_error) / (unit->v_command * rule->period_s));
 }
@@ -64,7 +64,7 @@ static inline int nck_unit_steps_most(NCK_IN nck_unit_t *unit, NCK_IN nck_grade_
 }
 
 // Second and third step, for n equal steps of the unit, p_k the points between them:
-//   out[0]  the largest distance of a chord's midpoint from the path half-way along its step, over δ
+//   out[0]  the largest distance of a chord's middle from the path half-way along its step, over δ
 //   out[1]  the largest |p_{k+1} − 2p_k + p_{k−1}|/T² of an axis over its limit
 // 1 is just allowed.
 static inline void nck_unit_ratios(NCK_IN nck_seg_t *segs, NCK_IN nck_unit_t *unit,
@@ -98,18 +98,18 @@ static inline void nck_unit_ratios(NCK_IN nck_seg_t *segs, NCK_IN nck_unit_t *un
     }
 }
 
-// The count to try after one that exceeded a limit by the factor r > 1: one more, or n·√r if that is more.
-// Both errors fall with 1/n² on a curve (and more slowly at a corner), so that no count in between would
-// do but by the luck of where its steps fall.
+// The count to try after one that exceeded a limit by the factor r > 1: one more, or n·√r if that
+// is more. Both errors fall with 1/n² on a curve (and more slowly at a corner), so that no count
+// in between would do but by the luck of where its steps fall.
 static inline int nck_unit_steps_after(int n, nck_real r) {
     const nck_real more = (nck_real)n * nck_sqrt(r);
     const int next = more < (nck_real)NCK_UNIT_STEP_MAX ? (int)more : NCK_UNIT_STEP_MAX;
     return next > n ? next : n + 1;
 }
 
-// The unit's step count: the least one that holds all three; *limit_out is what bound last, a nck_limit_t:
-// the commanded speed's, NCK_LIMIT_CHORD, or NCK_LIMIT_CURVATURE for the acceleration. At
-// nck_unit_steps_most it ends in any case. A piece of a line holds at once.
+// The unit's step count: the least one that holds all three; *limit_out is what bound last, a
+// nck_limit_t: the commanded speed's, NCK_LIMIT_CHORD, or NCK_LIMIT_CURVATURE for the
+// acceleration. At nck_unit_steps_most it ends in any case. A piece of a line holds at once.
 static inline int nck_unit_step_count(NCK_IN nck_seg_t *segs, NCK_IN nck_unit_t *unit,
                                       NCK_IN nck_grade_rule_t *rule, int *limit_out) {
     const nck_real most_ratio = (nck_real)1 + (nck_real)NCK_UNIT_EPSILON;
