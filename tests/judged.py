@@ -1,0 +1,70 @@
+# SPDX-License-Identifier: MIT
+"""Run a program through pycnc once and keep what the tests of physics need to know of it."""
+
+import hashlib
+from dataclasses import dataclass
+
+import checker
+import numpy as np
+
+from pycnc import kernel
+from pycnc.machine import Machine
+from pycnc.program import Program
+
+
+@dataclass
+class Run:
+    """What a run was like."""
+
+    program: Program
+    ticks: int
+    starved_ticks: int
+    digest: str
+    judge: checker.Checker
+
+
+def load(case):
+    """Return the decoded program of a case or of a file of the corpus."""
+    machine = Machine.load(case.machine, set=case.set)
+    text = case.path.read_bytes() if hasattr(case, "path") else case.text.encode()
+    return Program(text, machine, file=str(case))
+
+
+def rows_of(program, prep_steps=kernel.PREP_STEPS):
+    """Return all rows of a run in one array; for short programs."""
+    controller = kernel.Controller(program.text, program.machine, prep_steps)
+    return np.concatenate([rows.copy() for rows, _ in controller.pieces()])
+
+
+def digest_of(program, prep_steps=kernel.PREP_STEPS):
+    """Return a hash of every byte of a run."""
+    controller = kernel.Controller(program.text, program.machine, prep_steps)
+    digest = hashlib.blake2b()
+    for rows, _ in controller.pieces():
+        digest.update(rows.tobytes())
+    return digest.hexdigest()
+
+
+def run(program, prep_steps=kernel.PREP_STEPS):
+    """Run a program under the checker's eyes.
+
+    Raises
+    ------
+    checker.PhysicsError
+        At the first promise that the run breaks.
+    """
+    judge = checker.Checker(program.blocks, program.machine.record)
+    controller = kernel.Controller(program.text, program.machine, prep_steps)
+    digest = hashlib.blake2b()
+    for rows, _ in controller.pieces():
+        judge.add(rows)
+        digest.update(rows.tobytes())
+    judge.finish()
+    return Run(program, judge.ticks, controller.starved_ticks, digest.hexdigest(), judge)
+
+
+def plan(program):
+    """Return (totals, segs, nodes, cells) of a whole program."""
+    planner = kernel.Planner(program.text, program.machine)
+    pieces = [[array.copy() for array in arrays] for *arrays, _ in planner.pieces()]
+    return planner.totals, *(np.concatenate(each) for each in zip(*pieces, strict=True))
