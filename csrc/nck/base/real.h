@@ -11,6 +11,7 @@
 #ifdef __OPENCL_VERSION__
 #pragma OPENCL FP_CONTRACT OFF
 #define NCK_IN __global const
+#define NCK_OUT __global
 typedef NCK_REAL nck_real;
 typedef long nck_int64;
 #define nck_sqrt(x) sqrt(x)
@@ -20,6 +21,7 @@ typedef long nck_int64;
 #include <math.h>   // sqrt fabs floor: exact in IEEE 754, no other function of libm is used
 #include <stdint.h> // int64_t
 #define NCK_IN const
+#define NCK_OUT
 typedef NCK_REAL nck_real;
 typedef int64_t nck_int64;
 #define nck_sqrt(x) sqrt(x)

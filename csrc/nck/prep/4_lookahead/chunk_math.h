@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: MIT
+// The exact envelope of one part of a path: how far to look beyond its ends, and how to know.
+//
+//        ◀──────── two chains, from 0 and from the cap
+//   ─────┼─────────────┼──────────────────────▶ nodes
+//        p     overlap k
+//
+// The true w at node k lies between 0 and the cap. Rounded + and min are monotone, so the true w at
+// p lies between what the two chains bring there; where they meet it is known to the bit. (The
+// argument is Keinert et al.'s overlap of look-ahead buffers, section 4; the proof is derived in
+// README.md.) A chain that reaches the path's end needs no guess.
+#ifndef NCK_PREP_CHUNK_MATH_H
+#define NCK_PREP_CHUNK_MATH_H
+
+#include "nck/base/real.h"                      // nck_real nck_int64 NCK_IN
+#include "nck/prep/4_lookahead/envelope_math.h" // nck_envelope_backward nck_envelope_forward
+
+// How many nodes a chain may look beyond its part. The first try, and the last: where even that
+// leaves doubt, the caller plans the whole path serially.
+enum { NCK_CHUNK_OVERLAP_MIN = 16, NCK_CHUNK_OVERLAP_MAX = 1024 };
+
+// Is x one of the numbers that an envelope accepts: finite and not negative? limit: the greatest
+// finite number.
+static inline int nck_chunk_is_good(nck_real x, nck_real limit) { return x >= 0 && x <= limit; }
+
+// Where part k of count begins, of n nodes shared out evenly. 0 <= k <= count.
+static inline nck_int64 nck_chunk_begin(nck_int64 n, nck_int64 k, nck_int64 count) {
+    return n / count * k + n % count * k / count;
+}
+
+// Length of a lane, in nodes: n nodes are cut into tiles of lanes that run side by side. A multiple
+// of line nodes (a cache line), an odd one: at powers of two the lanes evict each other. At most
+// n / lanes if that is a line or more.
+static inline nck_int64 nck_chunk_lane(nck_int64 n, nck_int64 lanes, nck_int64 line) {
+    const nck_int64 wanted = 65 * line; // 4 kB and a line: three arrays of 8 lanes stay in cache
+    const nck_int64 tiles = (n + lanes * wanted / 2) / (lanes * wanted);
+    const nck_int64 lines = n / (lanes * line * (tiles > 0 ? tiles : 1));
+    return (lines % 2 == 0 && lines > 0 ? lines - 1 : lines) * line;
+}
+
+// w at node p, backward from node last where w is w_last:   (algorithms of envelope_math.h)
+static inline nck_real nck_chunk_backward(NCK_IN nck_real *w_cap, NCK_IN nck_real *h, nck_int64 p,
+                                          nck_int64 last, nck_real w_last) {
+    nck_real w = w_last;
+    for (nck_int64 i = last; i-- > p;) w = nck_envelope_backward(w_cap[i], w, h[i]);
+    return w;
+}
+
+// w at node p, forward from node first where w is w_first. w_backward[i] is what the backward pass
+// left at node i.
+static inline nck_real nck_chunk_forward(NCK_IN nck_real *w_backward, NCK_IN nck_real *h,
+                                         nck_int64 first, nck_int64 p, nck_real w_first) {
+    nck_real w = w_first;
+    for (nck_int64 i = first; i < p; i++) w = nck_envelope_forward(w_backward[i + 1], w, h[i]);
+    return w;
+}
+
+// Two chains at once from node k = p + overlap; 1 if they meet at p, with w there in *w_out.
+static inline int nck_chunk_meets_backward(NCK_IN nck_real *w_cap, NCK_IN nck_real *h, nck_int64 p,
+                                           nck_int64 overlap, nck_real *w_out) {
+    nck_real low = 0;
+    nck_real high = w_cap[p + overlap];
+    for (nck_int64 i = p + overlap; i-- > p;) {
+        low = nck_envelope_backward(w_cap[i], low, h[i]);
+        high = nck_envelope_backward(w_cap[i], high, h[i]);
+    }
+    *w_out = low;
+    return low == high;
+}
+
+// Two chains at once from node k = p - overlap; 1 if they meet at p, with w there in *w_out.
+static inline int nck_chunk_meets_forward(NCK_IN nck_real *w_backward, NCK_IN nck_real *h,
+                                          nck_int64 p, nck_int64 overlap, nck_real *w_out) {
+    nck_real low = 0;
+    nck_real high = w_backward[p - overlap];
+    for (nck_int64 i = p - overlap; i < p; i++) {
+        low = nck_envelope_forward(w_backward[i + 1], low, h[i]);
+        high = nck_envelope_forward(w_backward[i + 1], high, h[i]);
+    }
+    *w_out = low;
+    return low == high;
+}
+
+// The backward w at node p of a path that ends at node last with w_last, in *w_out. 1 if it is
+// known, 0 if the longest overlap left doubt.
+static inline int nck_chunk_behind(NCK_IN nck_real *w_cap, NCK_IN nck_real *h, nck_int64 p,
+                                   nck_int64 last, nck_real w_last, nck_real *w_out) {
+    for (nck_int64 overlap = NCK_CHUNK_OVERLAP_MIN; overlap <= NCK_CHUNK_OVERLAP_MAX; overlap *= 2) {
+        if (p + overlap >= last) {
+            *w_out = nck_chunk_backward(w_cap, h, p, last, w_last);
+            return 1;
+        }
+        if (nck_chunk_meets_backward(w_cap, h, p, overlap, w_out)) return 1;
+    }
+    return 0;
+}
+
+// The final w at node p, in *w_out: w_backward is known from node first on, where the final w is
+// w_first. 1 if it is known, 0 if the longest overlap left doubt.
+static inline int nck_chunk_before(NCK_IN nck_real *w_backward, NCK_IN nck_real *h, nck_int64 first,
+                                   nck_int64 p, nck_real w_first, nck_real *w_out) {
+    for (nck_int64 overlap = NCK_CHUNK_OVERLAP_MIN; overlap <= NCK_CHUNK_OVERLAP_MAX; overlap *= 2) {
+        if (p - overlap <= first) {
+            *w_out = nck_chunk_forward(w_backward, h, first, p, w_first);
+            return 1;
+        }
+        if (nck_chunk_meets_forward(w_backward, h, p, overlap, w_out)) return 1;
+    }
+    return 0;
+}
+
+// The final w at node p, the last before a part, of a path that starts at node 0 with w_start at
+// most. *w: in, the backward w at node p + 1; out, the final w at p. scratch: room for
+// NCK_CHUNK_OVERLAP_MAX + 1 numbers. 1 if it is known, 0 if the longest overlap left doubt.
+static inline int nck_chunk_enter(NCK_IN nck_real *w_cap, NCK_IN nck_real *h, nck_int64 p,
+                                  nck_real w_start, NCK_OUT nck_real *scratch, nck_real *w) {
+    const nck_real behind = *w;
+    for (nck_int64 overlap = NCK_CHUNK_OVERLAP_MIN; overlap <= NCK_CHUNK_OVERLAP_MAX; overlap *= 2) {
+        const nck_int64 length = overlap < p ? overlap : p;
+        NCK_IN nck_real *const h_part = h + (p - length);
+        nck_real w_next = behind;
+        for (nck_int64 i = length + 1; i-- > 0;) {
+            w_next = nck_envelope_backward(w_cap[p - length + i], w_next, h_part[i]);
+            scratch[i] = w_next;
+        }
+        if (length == p) {
+            *w = nck_chunk_forward(scratch, h, 0, p, nck_min(w_next, w_start));
+            return 1;
+        }
+        if (nck_chunk_meets_forward(scratch, h_part, length, length, w)) return 1;
+    }
+    return 0;
+}
+
+// The whole path by the plain recurrence: n >= 1 nodes, n - 1 pieces.
+static inline void nck_chunk_whole(NCK_IN nck_real *w_cap, NCK_IN nck_real *h, nck_int64 n,
+                                   nck_real w_start, nck_real w_end, NCK_OUT nck_real *w) {
+    w[n - 1] = nck_min(w_cap[n - 1], w_end);
+    for (nck_int64 i = n - 1; i-- > 0;) w[i] = nck_envelope_backward(w_cap[i], w[i + 1], h[i]);
+    w[0] = nck_min(w[0], w_start);
+    for (nck_int64 i = 0; i < n - 1; i++) w[i + 1] = nck_envelope_forward(w[i + 1], w[i], h[i]);
+}
+
+#endif
