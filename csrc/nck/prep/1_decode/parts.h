@@ -22,31 +22,29 @@ enum {
 
 typedef nck_status_t (*nck_step_function_t)(nck_decode_t *self, nck_block_t *out);
 
-// decode.c: note the line's error (the first one counts). column: 1-based, 0 for the whole line;
+// decode.c: note the line's error, the last one counts. column: 1-based, 0 for the whole line;
 // letter: upper case or 0. Returns code. Cost: constant.
 nck_status_t nck_decode_fail(nck_decode_t *self, nck_status_t code, unsigned column, int letter,
                              double value, double limit);
-
-// decode.c: queue a finding. Cost: constant.
-void nck_decode_find(nck_decode_t *self, const nck_diagnostic_t *finding);
 
 // decode.c: the same for a word of the line: its column and letter.
 nck_status_t nck_decode_fail_word(nck_decode_t *self, nck_status_t code, int letter, double value,
                                   double limit);
 
+// decode.c: queue a finding. Cost: constant.
+void nck_decode_find(nck_decode_t *self, const nck_diagnostic_t *finding);
+
 // words.c: the line from `at` on as words. Cost: linear in the line.
 nck_status_t nck_decode_words(nck_decode_t *self, const char *at);
 
 // codes.c: what a code is. Returns NCK_OK, NCK_E_UNSUPPORTED, or NCK_E_G_UNKNOWN / NCK_E_M_UNKNOWN.
-// letter: G or M; tenths: the code; *takes_out: letters that it uses. Cost: linear in the number of
-// codes.
+// letter: G or M; tenths: the code; *takes_out: letters that it uses. Cost: linear in the codes.
 nck_status_t nck_decode_code(int letter, int64_t tenths, unsigned *step_out, uint32_t *takes_out);
 
 // codes.c: the letters that a modal motion uses. Cost: constant.
 uint32_t nck_decode_motion_takes(int32_t motion);
 
-// resolve.c: do the words and codes of the line fit together, and who gets the axis words? Cost:
-// constant.
+// resolve.c: do words and codes of the line fit, and who gets the axis words? Cost: constant.
 nck_status_t nck_decode_resolve(nck_decode_t *self);
 
 // foreign.c: whose language the line is, 0 if it does not say. Cost: linear in the line.
