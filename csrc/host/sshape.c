@@ -2,8 +2,8 @@
 // Serial look-ahead over N segments, and the cells of every segment.
 //
 // With an S-shape a ramp to a speed in the middle may need more length than one to zero: its length
-// (v0 + v1)/2 · duration(v0 − v1) rises with v1 near 0 before it falls. So "can still be braked" asks for
-// the better of the two, and the set of good speeds at a junction stays an interval from 0.
+// (v0 + v1)/2 · duration(v0 − v1) rises with v1 near 0 before it falls. So "can still be braked"
+// asks for the better of the two, and the good speeds at a junction stay an interval from 0.
 #include "host/sshape.h"
 
 #include <float.h>  // DBL_MAX
@@ -101,8 +101,8 @@ static void look_ahead_whole(const nck_host_path_t *path, double *v) {
     }
 }
 
-// The largest end speed, v_most at most, that a segment entered at v reaches. Some speed below v_most
-// is reached, because v was looked ahead for.
+// The largest end speed, v_most at most, that a segment entered at v reaches. Some speed below
+// v_most is reached, because v was looked ahead for.
 static double end_speed(const segment_t *seg, double v, double v_most) {
     if (seg->kind == NCK_HOST_RAMP_FIXED) return 0.0;
     if (v_most >= v) return nck_min(v_most, reach(seg, v));
@@ -231,7 +231,7 @@ static void draw_segment(pen_t *pen, const segment_t *seg, double v1) {
         const double ramps = ramp_length(seg, pen->v, peak) + ramp_length(seg, peak, v1);
         const double cruise = seg->length - ramps;
         const int cruises = cruise > LENGTH_EPSILON * seg->length;
-        const double stretch = cruises ? 1.0 : seg->length / ramps; // ramps fill it but for rounding
+        const double stretch = cruises ? 1.0 : seg->length / ramps; // 1 but for rounding
         draw_ramp(pen, seg, peak, stretch);
         if (cruises) draw(pen, cruise / peak, 0.0, 0.0);
         draw_ramp(pen, seg, v1, stretch);

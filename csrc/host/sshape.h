@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The velocity profile of a whole path with N look-ahead segments, as Cao et al. 2014, section 8, plan
-// it: linear or S-shaped acceleration, for the papers' experiments. Caller owns every array.
+// The velocity profile of a whole path with N look-ahead segments, as Cao et al. 2014, section 8,
+// plan it: linear or S-shaped acceleration, for the papers' experiments. Caller owns every array.
 #ifndef NCK_HOST_SSHAPE_H
 #define NCK_HOST_SSHAPE_H
 
@@ -13,9 +13,9 @@
 // How speed changes.
 typedef enum nck_host_ramp {
     NCK_HOST_RAMP_LINEAR = 0, // acceleration −a, 0 or a
-    NCK_HOST_RAMP_SSHAPE = 1, // acceleration continuous, zero at the ends of every segment, jerk within j
-    NCK_HOST_RAMP_WHOLE = 2,  // one symmetric S over the whole segment, peak of acceleration at most a
-    NCK_HOST_RAMP_FIXED = 3   // every change of speed lasts ramp_s, whatever its size; look-ahead 0 only
+    NCK_HOST_RAMP_SSHAPE = 1, // jerk within j, acceleration zero at the ends of every segment
+    NCK_HOST_RAMP_WHOLE = 2,  // one symmetric S over the whole segment, peak a at most
+    NCK_HOST_RAMP_FIXED = 3   // every ramp lasts ramp_s, whatever its size; look-ahead 0 only
 } nck_host_ramp_t;
 
 enum { NCK_HOST_SLOPE_CELLS = 7 }; // cells of a segment at most: three up, cruise, three down
@@ -24,24 +24,25 @@ typedef struct nck_host_path {
     const double *length; // n: of every segment [mm], positive
     const double *v_cap;  // n: cap inside of every segment [mm/s], positive
     const double *a_max;  // n: tangential acceleration [mm/s²], positive
-    const double *j_max;  // n: jerk [mm/s³], positive; read for NCK_HOST_RAMP_SSHAPE only, else may be NULL
-    const double *v_node; // n + 1: cap at every junction, start and end included [mm/s], not negative
+    const double *j_max;  // n: jerk [mm/s³], positive; for NCK_HOST_RAMP_SSHAPE, else unread
+    const double *v_node; // n + 1: cap at every junction, both ends included [mm/s], ≥ 0
     size_t n;             // segments, at least 1
-    size_t lookahead;     // segments that are seen behind the one in work; at their end speed 0 is assumed
+    size_t lookahead;     // segments seen behind the one in work; rest is assumed beyond
     uint32_t kind;        // nck_host_ramp_t
     double ramp_s;        // NCK_HOST_RAMP_FIXED: duration of every ramp [s], positive; else ignored
 } nck_host_path_t;
 
-// Plan a path. v_out: n + 1 speeds at the junctions [mm/s]. cells_out: room for NCK_HOST_SLOPE_CELLS·n
-// cells, *cell_count_out of them are filled; cell.seg is the segment's index. Linear in n when lookahead ≥ n
-// (one backward pass sees all), else n·lookahead.
-// Returns NCK_OK, or NCK_E_ARGUMENT and in *bad_out the index of the first segment (n: the last junction,
-// or the settings) whose number is NaN, infinite or outside of its range. Context: any.
+// Plan a path. v_out: n + 1 speeds at the junctions [mm/s]. cells_out: room for
+// NCK_HOST_SLOPE_CELLS·n cells, *cell_count_out of them are filled; cell.seg is the segment's
+// index. Linear in n when lookahead ≥ n (one backward pass sees all), else n·lookahead.
+// Returns NCK_OK, or NCK_E_ARGUMENT and in *bad_out the index of the first segment (n: the last
+// junction, or the settings) whose number is NaN, infinite or outside of its range. Context: any.
 nck_status_t nck_host_slope(const nck_host_path_t *path, double *v_out, nck_cell_t *cells_out,
                             size_t *cell_count_out, size_t *bad_out);
 
-// Where the profile stands at t = k·period_s, k = 0 … rows − 1: path coordinate [mm], speed [mm/s] and
-// acceleration [mm/s²]; behind the end it stands at the end. At a step of acceleration: the later value.
+// Where the profile stands at t = k·period_s, k = 0 … rows − 1: path coordinate [mm], speed [mm/s]
+// and acceleration [mm/s²]; behind the end it stands at the end. At a step of acceleration: the
+// later value.
 // Linear in cells and rows. Context: any.
 void nck_host_slope_sample(const nck_cell_t *cells, size_t count, double period_s, size_t rows,
                            double *s_out, double *v_out, double *a_out);

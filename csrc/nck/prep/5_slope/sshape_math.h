@@ -6,13 +6,13 @@
 //       /     \           │     dv < a²/j: triangle, peak √(dv·j)
 //   ___/       \___       ┘     symmetric in time, so its mean speed is (v0 + v1)/2
 //
-// Derived in docs/papers.md, section "The S-shape". a [mm/s²] and j [mm/s³] are positive throughout.
+// Derived in docs/papers.md, section "The S-shape". a [mm/s²] and j [mm/s³] are positive.
 #ifndef NCK_PREP_SSHAPE_MATH_H
 #define NCK_PREP_SSHAPE_MATH_H
 
 #include "nck/base/real.h" // nck_real nck_sqrt nck_min nck_max
 
-// Newton steps at most. The iteration falls by a third a step far from the root and doubles its digits near it.
+// Newton steps at most: far from the root a step takes off a third, near it doubles the digits.
 #define NCK_SSHAPE_STEPS 100
 
 // Peak acceleration of the ramp over dv ≥ 0:   min(a, √(dv·j))
@@ -30,8 +30,8 @@ static inline nck_real nck_sshape_length(nck_real v0, nck_real v1, nck_real a, n
     return 0.5 * (v0 + v1) * nck_sshape_duration(nck_fabs(v1 - v0), a, j);
 }
 
-// Half of the duration of the triangular ramp from v that takes the whole length:   j x³ + 2 v x = length
-// Newton from x_above, which must not be below the root: convex, so monotone from above.
+// Half of the duration of the triangular ramp from v over a whole length:   j x³ + 2 v x = length
+// Newton from x_above, which is not below the root: convex, so monotone from above.
 static inline nck_real nck_sshape_half(nck_real v, nck_real length, nck_real j, nck_real x_above) {
     nck_real x = x_above;
     for (int k = 0; k < NCK_SSHAPE_STEPS; k++) {
@@ -60,7 +60,7 @@ static inline nck_real nck_sshape_whole_reach(nck_real v, nck_real length, nck_r
     return nck_sqrt(v * v + a * length);
 }
 
-// The jerk of a triangular ramp over dv in a given time:   j = 4 dv/duration²; its peak is 2 dv/duration
+// The jerk of a triangular ramp over dv in a given time:   j = 4 dv/duration²
 static inline nck_real nck_sshape_jerk(nck_real dv, nck_real duration) {
     return 4.0 * dv / (duration * duration);
 }

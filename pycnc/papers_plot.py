@@ -1,0 +1,122 @@
+# SPDX-License-Identifier: MIT
+"""The figures of docs/papers.md, each from the arrays of pycnc.papers."""
+
+import io
+from pathlib import Path
+
+import numpy as np
+
+from pycnc import papers
+
+_INK, _GRID = "#20242c", "#e4e7ec"
+_COLOURS = {"linear": "#d1495b", "sshape": "#1f6feb", "whole": "#2f9e5b", "fixed": "#8a5cd6"}
+_LABELS = {
+    "linear": "linear, a = 25 mm/s²",
+    "sshape": "S-shape, a = 25 mm/s², j = 75 mm/s³",
+    "whole": "S over whole segments (gives the printed totals)",
+    "fixed": "ramps of fixed duration 2 t0 = 2 s",
+}
+PAPER = "#6b7280"  # what the paper prints
+
+
+def sheet(rows=1, columns=1, size=(9, 4), **options):
+    """Return (figure, axes) in the style of all figures."""
+    from matplotlib.figure import Figure
+
+    figure = Figure(figsize=size, dpi=100, layout="constrained", facecolor="white")
+    axes = figure.subplots(rows, columns, squeeze=False, **options)
+    for each in axes.flat:
+        each.grid(color=_GRID, lw=0.8)
+        each.set_axisbelow(True)
+        each.tick_params(colors=_INK, labelsize=9, length=0)
+        for spine in each.spines.values():
+            spine.set_color(_GRID)
+    return figure, axes
+
+
+def save(figure, folder, name):
+    """Write a figure as a PNG of few colours, which is small; return its path."""
+    from PIL import Image
+
+    path, drawn = Path(folder) / f"{name}.png", io.BytesIO()
+    path.parent.mkdir(parents=True, exist_ok=True)
+    figure.savefig(drawn, format="png")
+    Image.open(drawn).convert("RGB").quantize(48).save(path, optimize=True)
+    return path
+
+
+def velocity(path, folder):
+    """Draw speed over time for N = 0, 1, 2, 6 look-ahead segments (Cao's figure 14)."""
+    figure, axes = sheet(2, 2, (10, 6), sharey=True)
+    for each, n in zip(axes.flat, papers.LOOKAHEADS, strict=True):
+        for kind in ("whole", "sshape", "linear"):
+            t, v, _ = _sampled(path, kind, n)
+            each.plot(t, v * 60, color=_COLOURS[kind], lw=1.4, label=_LABELS[kind])
+        each.set_title(f"N = {n}", fontsize=10, color=_INK)
+        each.set_ylim(0, 560)
+        each.set_xlim(0, 10.2)
+    for each in axes[-1]:
+        each.set_xlabel("time [s]")
+    for each in axes[:, 0]:
+        each.set_ylabel("speed [mm/min]")
+    handles, labels = axes[0, 0].get_legend_handles_labels()
+    figure.legend(handles, labels, loc="outside upper center", ncols=3, frameon=False, fontsize=9)
+    return save(figure, folder, "cao_14_velocity")
+
+
+def fixed_ramp(path, folder):
+    """Draw speed over time for N = 0 with ramps of fixed duration, another model."""
+    figure, axes = sheet(1, 1, (10, 2.6))
+    t, v, _ = _sampled(path, "fixed", 0)
+    axes[0, 0].plot(t, v * 60, color=_COLOURS["fixed"], lw=1.4)
+    title = f"N = 0, {_LABELS['fixed']}: {t[-1]:.1f} s (printed: 31.636 s)"
+    axes[0, 0].set_title(title, fontsize=10, color=_INK)
+    axes[0, 0].set_xlabel("time [s]")
+    axes[0, 0].set_ylabel("speed [mm/min]")
+    return save(figure, folder, "cao_14_fixed_ramp")
+
+
+def acceleration(path, folder):
+    """Draw acceleration over time, S-shape and linear, for N = 1 (Cao's figure 15)."""
+    figure, axes = sheet(2, 1, (10, 5), sharex=True, sharey=True)
+    for each, kind in zip(axes.flat, ("sshape", "linear"), strict=True):
+        t, _, a = _sampled(path, kind, 1)
+        style = {"drawstyle": "steps-post"} if kind == "linear" else {}
+        each.plot(t, a, color=_COLOURS[kind], lw=1.4, **style)
+        each.set_title(f"N = 1, {_LABELS[kind]}", fontsize=10, color=_INK)
+        each.set_ylabel("acceleration [mm/s²]")
+    axes[-1, 0].set_xlabel("time [s]")
+    return save(figure, folder, "cao_15_acceleration")
+
+
+def total_time(rows, folder):
+    """Draw total time over the number of look-ahead segments (Cao's figure 16)."""
+    figure, axes = sheet(1, 1, (9, 4.6))
+    each = axes[0, 0]
+    ns = sorted(papers.PRINTED_MS)
+    printed = [papers.PRINTED_MS[n] for n in ns]
+    each.plot(ns, printed, "x", color=PAPER, ms=11, mew=2, zorder=5, label="printed in the paper")
+    for kind, label in _LABELS.items():
+        chosen = [row for row in rows if row["kind"] == kind]
+        marker = {"fixed": "D"}.get(kind, "o")
+        each.plot(
+            [row["lookahead"] for row in chosen], [row["total_ms"] for row in chosen],
+            f"{marker}-", color=_COLOURS[kind], lw=1.2, ms=5, label=label,
+        )  # fmt: skip
+    each.annotate("32 000", (0, 32000), (0.25, 31000), fontsize=9, color=_COLOURS["fixed"])
+    each.set_yscale("log")
+    each.set_ylim(4500, 36000)
+    each.set_yticks([5000, 7208, 10000, 20000, 31636])
+    each.set_yticklabels(["5 000", "7 208", "10 000", "20 000", "31 636"])
+    each.minorticks_off()
+    each.set_xlabel("look-ahead segments N")
+    each.set_ylabel("total time [ms]")
+    each.legend(frameon=False, fontsize=9)
+    return save(figure, folder, "cao_16_total_time")
+
+
+def _sampled(path, kind, lookahead):
+    """Return (t, v, a) of a profile, every period."""
+    profile = path.profile(kind, lookahead)
+    _, v, a = profile.sample(path.period_s)
+    return np.arange(len(v)) * path.period_s, v, a

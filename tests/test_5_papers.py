@@ -1,0 +1,176 @@
+# SPDX-License-Identifier: MIT
+"""The experiments of the two papers: what every implementation of them must show."""
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from pycnc import ArgumentError, papers, stages
+
+LOOKAHEADS = (0, 1, 2, 3, 4, 6, 8)
+KINDS = ("linear", "sshape", "whole")
+ROUNDING = 1e-9
+
+
+@pytest.fixture(scope="module")
+def lathe8():
+    return papers.lathe8()
+
+
+def totals(path, kind):
+    return {n: path.profile(kind, n).time_s for n in LOOKAHEADS}
+
+
+def at_ends(cells):
+    """Return speed and acceleration at the ends of cells."""
+    v, a, j, t = (cells[name] for name in ("v", "a", "j", "duration"))
+    return v + t * (a + t * j / 2), a + t * j
+
+
+# Cao et al., section 8
+
+
+@pytest.mark.parametrize("kind", ["sshape", "whole"])
+def test_each_of_the_first_two_look_ahead_segments_saves_time_and_no_other_does(lathe8, kind):
+    time = totals(lathe8, kind)
+    assert time[0] > time[1] > time[2]
+    assert {time[n] for n in LOOKAHEADS if n > 2} == {time[2]}
+
+
+def test_a_linear_ramp_needs_but_one_look_ahead_segment_there(lathe8):
+    # it brakes within 1.4 mm, and the shortest segment has 1.83
+    time = totals(lathe8, "linear")
+    assert time[0] > time[1]
+    assert {time[n] for n in LOOKAHEADS if n > 1} == {time[1]}
+
+
+@pytest.mark.parametrize("kind", KINDS)
+@pytest.mark.parametrize("n", [1, 2, 6])
+def test_the_slowest_inner_junction_is_the_reversal_after_segment_four(lathe8, kind, n):
+    inner = lathe8.profile(kind, n).v_node[1:-1]
+    assert inner.argmin() + 1 == 4
+    assert inner[3] == pytest.approx(lathe8.a_max * lathe8.period_s / 2)
+    assert np.all(inner > 0)
+
+
+@pytest.mark.parametrize("kind", KINDS)
+def test_without_look_ahead_every_segment_ends_at_rest(lathe8, kind):
+    assert not lathe8.profile(kind, 0).v_node.any()
+
+
+def test_the_shipped_path_gives_the_printed_totals_and_its_own_tables(lathe8):
+    for n, table in papers.lathe8_table()["tables"].items():
+        profile = lathe8.profile("whole", int(n))
+        assert (profile.v_node * 60).round(2).tolist() == table["v"]
+        assert lathe8.segment_ms(profile).tolist() == table["t"]
+        assert lathe8.segment_ms(profile).sum() == papers.PRINTED_MS[min(int(n), 2)]
+
+
+def test_ramps_of_fixed_duration_come_near_the_printed_total_without_look_ahead(lathe8):
+    total = lathe8.segment_ms(lathe8.profile("fixed", 0)).sum()
+    assert total == 32000
+    assert total == pytest.approx(papers.PRINTED_MS[0], rel=0.012)
+
+
+@pytest.mark.parametrize("kind, n", [*((k, n) for k in KINDS for n in (0, 1, 2, 6)), ("fixed", 0)])
+def test_tangential_limits_hold_at_every_period(lathe8, kind, n):
+    s, v, a = lathe8.profile(kind, n).sample(lathe8.period_s)
+    assert np.all((v >= -ROUNDING) & (v <= lathe8.v_max + ROUNDING))
+    assert np.abs(a).max() <= lathe8.a_max + ROUNDING
+    assert np.abs(np.diff(v)).max() <= lathe8.a_max * lathe8.period_s + ROUNDING
+    assert np.all(np.diff(s) >= 0)
+    assert s[-1] == pytest.approx(lathe8.length.sum(), abs=ROUNDING)
+    assert v[-1] == a[-1] == 0
+
+
+@pytest.mark.parametrize("n", [0, 1, 2, 6])
+def test_the_s_shape_has_no_steps_of_acceleration_where_the_linear_ramp_has(lathe8, n):
+    smooth, linear = (
+        np.abs(np.diff(lathe8.profile(kind, n).sample(lathe8.period_s)[2])).max()
+        for kind in ("sshape", "linear")
+    )
+    assert smooth <= lathe8.j_max * lathe8.period_s * (1 + ROUNDING)
+    assert linear >= lathe8.a_max
+
+
+def test_tangents_turn_by_half_a_turn_after_segment_four_alone(lathe8):
+    assert np.flatnonzero(lathe8.v_node[1:-1] < lathe8.v_max).tolist() == [3]
+
+
+# The look-ahead, whatever the path
+
+paths = st.integers(1, 40).flatmap(
+    lambda n: st.tuples(
+        st.lists(st.floats(1e-3, 10), min_size=n, max_size=n),
+        st.lists(st.floats(0.1, 10), min_size=n, max_size=n),
+        st.lists(st.just(0.0) | st.floats(1e-3, 12), min_size=n + 1, max_size=n + 1),
+    )
+)
+
+
+@given(
+    path=paths,
+    kind=st.sampled_from(KINDS),
+    n=st.none() | st.integers(0, 6),
+    j=st.floats(1, 1e4),
+)
+def test_every_profile_is_feasible(path, kind, n, j):
+    length, v_cap, v_node = map(np.array, path)
+    profile = stages.slope(length, v_cap, 25, j, v_node, kind=kind, lookahead=n)
+    cells, node = profile.cells, profile.v_node
+    v, a = at_ends(cells)
+    assert np.all(node <= v_node + ROUNDING)
+    # the whole length of every segment, without a gap in speed
+    assert np.bincount(cells["seg"], cells["length"]) == pytest.approx(length, rel=1e-9, abs=1e-12)
+    assert v[:-1] == pytest.approx(cells["v"][1:], abs=1e-7)
+    assert v[cells["last"] == 1] == pytest.approx(node[1:], abs=1e-7)
+    # no limit is exceeded
+    assert np.all(cells["duration"] > 0)
+    assert np.all(cells["v"] <= v_cap[cells["seg"]] * (1 + 1e-9))
+    assert max(np.abs(cells["a"]).max(), np.abs(a).max()) <= 25 * (1 + 1e-5)
+    if kind == "sshape":
+        assert np.abs(cells["j"]).max() <= j * (1 + 1e-4)  # rounding of small dv
+
+
+@given(path=paths, n=st.integers(0, 5))
+def test_looking_further_ahead_never_lowers_a_speed_of_linear_ramps(path, n):
+    length, v_cap, v_node = map(np.array, path)
+    near, far, all_ = (
+        stages.slope(length, v_cap, 25, 100, v_node, kind="linear", lookahead=k).v_node
+        for k in (n, n + 1, None)
+    )
+    assert np.all(near <= far + ROUNDING)
+    assert np.all(far <= all_ + ROUNDING)
+
+
+def test_linear_slope_over_the_whole_path_is_the_exact_envelope():
+    random = np.random.default_rng(5)
+    length, v_node = random.uniform(0.01, 2, 500), random.uniform(0, 10, 501)
+    v_node[[0, -1]] = 0
+    profile = stages.slope(length, 10, 25, None, v_node, kind="linear")
+    w = stages.envelope(v_node**2, 2 * 25 * length, w_start=0, w_end=0)
+    assert profile.v_node == pytest.approx(np.sqrt(w), rel=1e-12)
+
+
+@pytest.mark.parametrize(
+    "change, says",
+    [
+        ({"length_mm": [1.0, np.nan]}, "index 1"),
+        ({"length_mm": [0.0, 1.0]}, "index 0"),
+        ({"v_cap": [1.0, -1.0]}, "index 1"),
+        ({"a_max": np.inf}, "index 0"),
+        ({"kind": "sshape", "j_max": None}, "index 0"),
+        ({"v_node": [0.0, 1.0, np.nan]}, "index 2"),
+        ({"v_node": [0.0, 1.0]}, "do not fit"),
+        ({"length_mm": []}, "do not fit"),
+        ({"kind": "round"}, "not one of"),
+        ({"lookahead": -1}, "not be negative"),
+        ({"kind": "fixed", "lookahead": 1}, "index 2"),
+    ],
+)
+def test_a_number_outside_of_its_range_is_named(change, says):
+    good = {"length_mm": [1.0, 1.0], "v_cap": 1.0, "a_max": 1.0, "j_max": 1.0}
+    good |= {"v_node": [0.0, 1.0, 0.0]}
+    with pytest.raises(ArgumentError, match=says):
+        stages.slope(**(good | change))
