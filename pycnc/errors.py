@@ -42,3 +42,12 @@ class StateError(NckError):
 
 class InternalError(NckError):
     """An invariant of the kernel is broken: a defect of pycnc."""
+
+
+class DeviceError(NckError):
+    """An OpenCL device is absent, refused a kernel, was lost, or cannot be certain of a result.
+
+    The message names the remedy. ``id`` is one of "device-absent", "device-build", "device-lost",
+    "device-size", "device-overlap" (no overlap of two parts was certain: the C backend plans such
+    paths) and "device-number" (a number that C refuses, or a negative zero).
+    """
