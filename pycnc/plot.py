@@ -47,9 +47,10 @@ def draw(trace):
     """
     from matplotlib.figure import Figure
 
-    figure = Figure(figsize=(11, 12), dpi=110, layout="constrained", facecolor="white")
     shape = _projection(trace)
-    grid = figure.add_gridspec(3, 1, height_ratios=(7, 2, 2))
+    height = _path_height(trace, shape)
+    figure = Figure(figsize=(11, height + 4.6), dpi=110, layout="constrained", facecolor="white")
+    grid = figure.add_gridspec(3, 1, height_ratios=(height, 2, 2))
     three = len(shape) == 3
     path_axes = figure.add_subplot(grid[0], projection="3d" if three else None)
     _draw_path(figure, path_axes, trace, shape)
@@ -82,8 +83,8 @@ def _projection(trace):
     positions = _positions(trace)
     if trace.program.machine.settings.kinematics.type == "lathe_xz":
         return ("z", "x")
-    cutting = np.isin(trace["kind"], (KINDS.index("line"), KINDS.index("arc")))
-    extent = {a: float(np.ptp(p[cutting])) if cutting.any() else 0.0 for a, p in positions.items()}
+    cutting = _cutting(trace)
+    extent = {a: float(np.ptp(p[cutting])) if len(p) else 0.0 for a, p in positions.items()}
     ranked = sorted(positions, key=lambda letter: -extent[letter])
     if len(ranked) == 3 and extent[ranked[2]] > _FLAT * extent[ranked[0]] > 0:
         return ("x", "y", "z")
@@ -96,6 +97,20 @@ def _colours():
     from matplotlib.colors import LinearSegmentedColormap
 
     return LinearSegmentedColormap.from_list("speed", colormaps["turbo"](np.linspace(0.1, 0.9, 64)))
+
+
+def _path_height(trace, shape):
+    """Return the height of the path's picture [inch]: what a flat path needs at full width."""
+    if len(shape) == 3:
+        return 7.5
+    across, up = (np.ptp(_positions(trace)[letter][_cutting(trace)]) for letter in shape)
+    return float(np.clip(8.6 * up / across, 3.2, 7.5)) if across > 0 else 7.5
+
+
+def _cutting(trace):
+    """Return which rows cut; all rows if none does."""
+    cutting = np.isin(trace["kind"], (KINDS.index("line"), KINDS.index("arc")))
+    return cutting if cutting.any() else np.ones(len(trace), bool)
 
 
 def _draw_path(figure, axes, trace, shape):
@@ -155,7 +170,7 @@ def _draw_speed(axes, trace):
     axes.plot(t, high, color=_SPEED, lw=1, label="reached")
     axes.set_ylabel("speed [mm/min]")
     _frame_speed(axes, trace)
-    axes.legend(loc="upper right", ncols=2, frameon=False, fontsize=8)
+    axes.legend(loc="upper right", ncols=2, fontsize=8, edgecolor="none", framealpha=0.9)
     _plain(axes)
 
 
