@@ -10,16 +10,25 @@ static void keep_output(void *user, const nck_output_t *output) {
     sim->outputs++;
 }
 
+static nck_status_t prep_kernel(void *user) { return nck_prep(user); }
+
 nck_status_t sim_init(sim_t *sim, nck_t *nck, const nck_machine_t *machine, const char *text,
                       size_t n, uint32_t prep_steps) {
     const nck_hooks_t hooks = {sim, keep_output, NULL, NULL};
     if (prep_steps == 0) return NCK_E_ARGUMENT;
     memset(sim, 0, sizeof *sim);
     sim->nck = nck;
+    sim->prep = prep_kernel;
+    sim->prep_user = nck;
     sim->text = text;
     sim->text_size = n;
     sim->prep_steps = prep_steps;
     return nck_init(nck, machine, &hooks);
+}
+
+void sim_prepare_by(sim_t *sim, nck_status_t (*prep)(void *user), void *user) {
+    sim->prep = prep;
+    sim->prep_user = user;
 }
 
 static void feed(sim_t *sim) {
@@ -35,7 +44,7 @@ static void feed(sim_t *sim) {
 // One step of the prep task. Returns 1 if another one has something to do.
 static int prep(sim_t *sim) {
     if (sim->prep_status == NCK_DONE) return 0;
-    sim->prep_status = nck_prep(sim->nck);
+    sim->prep_status = sim->prep(sim->prep_user);
     if (sim->prep_status < NCK_OK) sim->error = sim->prep_status;
     if (sim->prep_status == NCK_EMPTY) feed(sim);
     return sim->prep_status != NCK_FULL && sim->prep_status != NCK_DONE;

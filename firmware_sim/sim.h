@@ -20,6 +20,8 @@ typedef struct sim_row {
 
 typedef struct sim {
     nck_t *nck;
+    nck_status_t (*prep)(void *user); // one step of the prep task, as nck_prep
+    void *prep_user;       // handed to it; the nck unless sim_prepare_by says otherwise
     const char *text;      // the whole program, fed as fast as the kernel takes it
     size_t text_size, text_used;
     uint32_t prep_steps;   // prep steps between two ticks, ≥ 1; few of them starve the tick
@@ -37,6 +39,10 @@ typedef struct sim {
 // Returns as nck_init, or NCK_E_ARGUMENT. Cost: constant. Context: any.
 nck_status_t sim_init(sim_t *sim, nck_t *nck, const nck_machine_t *machine, const char *text,
                       size_t n, uint32_t prep_steps);
+
+// Let something else than nck_prep fill nck's link: the same statuses, no text. Call it right
+// after sim_init. Cost: constant. Context: any.
+void sim_prepare_by(sim_t *sim, nck_status_t (*prep)(void *user), void *user);
 
 // Run until row_max rows are filled (*row_count_out) or the program is over. M0, M1, M6 are resumed
 // at the next tick. A run has the ticks that its plan counts; one at rest more if nothing but

@@ -31,6 +31,12 @@ typedef struct nck_host_totals {
     uint64_t ticks, blocks, segs, nodes, cells;
 } nck_host_totals_t;
 
+// Add a cell, rapid or not, to the sums. since_stop_s: time since the last rest, 0 before the
+// first cell; at a stop the tick waits for its next period, and that time belongs to the cell as
+// well. Cost: constant. Context: any.
+void nck_host_totals_add(nck_host_totals_t *totals, double *since_stop_s, const nck_cell_t *cell,
+                         int rapid, double period_s);
+
 // A plan under way: kernel, input cursor, sums, and where single records go (any array may be
 // NULL).
 typedef struct nck_host_plan {
@@ -40,6 +46,7 @@ typedef struct nck_host_plan {
     nck_seg_t *segs;   size_t seg_max, seg_count;     // rows of this call
     nck_node_t *nodes; size_t node_max, node_count;
     nck_cell_t *cells; size_t cell_max, cell_count;
+    nck_output_t *outputs; size_t output_max, output_count;
     nck_host_totals_t totals;   // of the whole plan so far
     double since_stop_s;        // time since the last rest, not yet counted in whole periods
     int32_t error;              // of the program: returned when all before it is planned; NCK_OK

@@ -17,9 +17,14 @@ static void keep_node(void *user, const nck_node_t *node) {
     if (plan->nodes) plan->nodes[plan->node_count++] = *node;
 }
 
+static void keep_output(void *user, const nck_output_t *output) {
+    nck_host_plan_t *const plan = user;
+    if (plan->outputs) plan->outputs[plan->output_count++] = *output;
+}
+
 nck_status_t nck_host_plan_init(nck_host_plan_t *plan, nck_t *nck, const nck_machine_t *machine,
                                 const char *text, size_t n) {
-    const nck_hooks_t hooks = {plan, NULL, keep_node, keep_seg};
+    const nck_hooks_t hooks = {plan, keep_output, keep_node, keep_seg};
     memset(plan, 0, sizeof *plan);
     plan->nck = nck;
     plan->text = text;
@@ -28,14 +33,12 @@ nck_status_t nck_host_plan_init(nck_host_plan_t *plan, nck_t *nck, const nck_mac
 }
 
 // Time of a part of the plan, to every sum it belongs to.
-static void add_time(nck_host_plan_t *plan, const nck_cell_t *cell, double time) {
-    nck_host_totals_t *const totals = &plan->totals;
+static void add_time(nck_host_totals_t *totals, const nck_cell_t *cell, int rapid, double time) {
     totals->limit_s[cell->limit] += time;
     if (cell->kind >= NCK_SEG_DWELL) {
         totals->dwell_s += time;
         return;
     }
-    const int rapid = nck_link_seg(&plan->nck->link, cell->seg)->rapid;
     double *const kind = rapid ? &totals->rapid_s : &totals->cut_s;
     double *const slowing = cell->a < 0.0 ? &totals->decelerate_s : &totals->cruise_s;
     double *const phase = cell->a > 0.0 ? &totals->accelerate_s : slowing;
@@ -43,18 +46,17 @@ static void add_time(nck_host_plan_t *plan, const nck_cell_t *cell, double time)
     *phase += time;
 }
 
-// At a stop the tick waits for its next period: that time belongs to the cell as well.
-static void add_cell(nck_host_plan_t *plan, const nck_cell_t *cell) {
-    const double period = plan->nck->machine.period_s;
-    plan->totals.cells++;
-    add_time(plan, cell, cell->duration);
-    plan->since_stop_s += cell->duration;
+void nck_host_totals_add(nck_host_totals_t *totals, double *since_stop_s, const nck_cell_t *cell,
+                         int rapid, double period_s) {
+    totals->cells++;
+    add_time(totals, cell, rapid, cell->duration);
+    *since_stop_s += cell->duration;
     if (!cell->stop) return;
-    const uint64_t periods = nck_interpolate_periods(plan->since_stop_s, period);
-    add_time(plan, cell, (double)periods * period - plan->since_stop_s);
-    plan->totals.ticks += periods;
-    plan->totals.time_s = (double)plan->totals.ticks * period;
-    plan->since_stop_s = 0.0;
+    const uint64_t periods = nck_interpolate_periods(*since_stop_s, period_s);
+    add_time(totals, cell, rapid, (double)periods * period_s - *since_stop_s);
+    totals->ticks += periods;
+    totals->time_s = (double)totals->ticks * period_s;
+    *since_stop_s = 0.0;
 }
 
 // Take all final cells. Returns how many.
@@ -62,7 +64,9 @@ static uint32_t take_cells(nck_host_plan_t *plan) {
     nck_cell_t cell;
     uint32_t count = 0;
     while (nck_take(plan->nck, &cell) == NCK_OK) {
-        add_cell(plan, &cell);
+        const int rapid = nck_link_seg(&plan->nck->link, cell.seg)->rapid;
+        nck_host_totals_add(&plan->totals, &plan->since_stop_s, &cell, rapid,
+                            plan->nck->machine.period_s);
         if (plan->cells) plan->cells[plan->cell_count++] = cell;
         count++;
     }
@@ -84,13 +88,15 @@ static void feed(nck_host_plan_t *plan) {
 static int has_room(const nck_host_plan_t *plan) {
     return (!plan->segs || plan->seg_max - plan->seg_count > 1)
            && (!plan->nodes || plan->node_max - plan->node_count > NCK_CELL_MAX)
-           && (!plan->cells || plan->cell_max - plan->cell_count > NCK_CELL_MAX);
+           && (!plan->cells || plan->cell_max - plan->cell_count > NCK_CELL_MAX)
+           && (!plan->outputs || plan->output_max - plan->output_count > NCK_OUTPUT_MAX);
 }
 
 static int arrays_are_large(const nck_host_plan_t *plan) {
     const size_t least = (size_t)4 * NCK_WINDOW;
     return (!plan->segs || plan->seg_max >= least) && (!plan->nodes || plan->node_max >= least)
-           && (!plan->cells || plan->cell_max >= least);
+           && (!plan->cells || plan->cell_max >= least)
+           && (!plan->outputs || plan->output_max >= least);
 }
 
 // A kernel that is full although nothing waits for the tick would never go on.
@@ -111,6 +117,7 @@ nck_status_t nck_host_plan_run(nck_host_plan_t *plan) {
     plan->seg_count = 0;
     plan->node_count = 0;
     plan->cell_count = 0;
+    plan->output_count = 0;
     while (status == NCK_OK && has_room(plan) && plan->totals.cells - cells_before < NCK_WINDOW) {
         status = step(plan);
     }

@@ -1,0 +1,228 @@
+// SPDX-License-Identifier: MIT
+// A plan by grades becomes cells, and cells go to the tick.
+#include "host/grade.h"
+
+#include <string.h> // memset
+
+#include "nck/prep/4_lookahead/grade_math.h" // nck_grade_of nck_grade_vv
+#include "nck/prep/5_slope/ramp_math.h"      // nck_ramp_…
+
+// What is left of a length below this share of it is rounding.
+#define LENGTH_EPSILON 1e-12
+
+enum { FEED_CELLS = 64 }; // cells made before they are published
+
+static int moves(const nck_seg_t *seg) { return seg->kind < NCK_SEG_DWELL; }
+
+static void add_phase(nck_host_grade_cursor_t *cursor, double length, double w0, double w1) {
+    if (!(length > 0.0)) return;
+    cursor->lengths[cursor->phases] = length;
+    cursor->ends[cursor->phases][0] = w0;
+    cursor->ends[cursor->phases][1] = w1;
+    cursor->phases++;
+}
+
+// The phases of the cursor's unit: one ramp (15). From rest to rest (15) would never arrive: there
+// it is up, along and down, within the unit's own speed.
+static void begin_unit(const nck_host_grades_t *self, nck_host_grade_cursor_t *cursor) {
+    const nck_host_stretch_t *const stretch = &self->stretches[cursor->stretch];
+    const nck_grade_rule_t *const rule = &stretch->rule;
+    const nck_unit_t *const unit = &self->units[cursor->unit];
+    const int32_t *const grade = self->grade + cursor->unit + cursor->stretch;
+    const double w0 = nck_grade_vv(rule, grade[0]);
+    const double w1 = nck_grade_vv(rule, grade[1]);
+    cursor->seg = unit->seg;
+    cursor->s = unit->s;
+    cursor->phase = 0;
+    cursor->phases = 0;
+    cursor->done = 0.0;
+    if (w0 > 0.0 || w1 > 0.0) {
+        add_phase(cursor, unit->length, w0, w1);
+        return;
+    }
+    const double v = self->v[cursor->unit];
+    const double peak = nck_ramp_peak(unit->length, 0.0, 0.0, rule->a, v * v);
+    const double ramp = nck_min(unit->length / 2.0, nck_ramp_length(0.0, peak, rule->a));
+    add_phase(cursor, ramp, 0.0, peak);
+    add_phase(cursor, unit->length - 2.0 * ramp, peak, peak);
+    add_phase(cursor, ramp, peak, 0.0);
+}
+
+// What holds the speed in the unit: acceleration while it changes; the unit itself or a joint at
+// one of its ends while it does not.
+static uint8_t held_by(const nck_host_grades_t *self, const nck_host_grade_cursor_t *cursor,
+                       double a) {
+    const nck_host_stretch_t *const stretch = &self->stretches[cursor->stretch];
+    const size_t point = cursor->unit + cursor->stretch;
+    const double v = self->v[cursor->unit];
+    const int32_t g = self->grade[point];
+    if (a != 0.0) return NCK_LIMIT_ACCEL;
+    if (cursor->phases > 1 || g >= nck_grade_of(&stretch->rule, v * v)) {
+        return self->unit_limit[cursor->unit];
+    }
+    const int at_joint = self->preplanned[point] == g || self->preplanned[point + 1] == g;
+    return at_joint ? NCK_LIMIT_CORNER : NCK_LIMIT_ACCEL;
+}
+
+// v² at the length `at` of the phase under way.
+static double vv_at(const nck_host_grade_cursor_t *cursor, double at) {
+    const double *const ends = cursor->ends[cursor->phase];
+    const double length = cursor->lengths[cursor->phase];
+    return at < length ? ends[0] + (ends[1] - ends[0]) * (at / length) : ends[1];
+}
+
+// The phase as far as its seg goes, or the rest of it. 0 if rounding alone is left of either.
+static int make_cell(const nck_host_grades_t *self, nck_host_grade_cursor_t *cursor,
+                     nck_cell_t *cell) {
+    const nck_unit_t *const unit = &self->units[cursor->unit];
+    const nck_seg_t *const seg = &self->segs[cursor->seg];
+    const int ends_unit = cursor->seg == unit->seg_end;
+    const int last_phase = cursor->phase + 1 == cursor->phases;
+    const double whole = cursor->lengths[cursor->phase];
+    const double room = (ends_unit ? unit->s_end : seg->length) - cursor->s;
+    const double left = whole - cursor->done;
+    const int leaves = last_phase || left > room + whole * LENGTH_EPSILON; // the seg, or the unit
+    const int finishes = leaves ? ends_unit && last_phase : 1;             // the phase
+    const double length = leaves ? room : nck_min(left, room);
+    const double w0 = vv_at(cursor, cursor->done);
+    const double w1 = finishes ? cursor->ends[cursor->phase][1]
+                               : vv_at(cursor, cursor->done + length);
+    memset(cell, 0, sizeof *cell);
+    cell->seg = seg->seq;
+    cell->kind = seg->kind;
+    cell->s = cursor->s;
+    cell->length = length;
+    cell->v = nck_sqrt(w0);
+    cell->last = (uint8_t)(leaves && (!ends_unit || unit->s_end >= seg->length));
+    cursor->s += length;
+    cursor->done += length;
+    if (leaves && !ends_unit) {
+        cursor->seg++;
+        cursor->s = 0.0;
+    }
+    if (finishes) {
+        cursor->phase++;
+        cursor->done = 0.0;
+    }
+    const int made = length > 0.0 && w0 + w1 > 0.0;
+    cell->a = made ? nck_ramp_accel(length, w0, w1) : 0.0;
+    cell->duration = made ? nck_ramp_duration(length, cell->v, nck_sqrt(w1)) : 0.0;
+    cell->limit = held_by(self, cursor, cell->a);
+    return made;
+}
+
+static void make_rest(const nck_seg_t *seg, nck_cell_t *cell) {
+    memset(cell, 0, sizeof *cell);
+    cell->seg = seg->seq;
+    cell->kind = seg->kind;
+    cell->duration = seg->dwell_s;
+    cell->limit = seg->kind == NCK_SEG_DWELL ? NCK_LIMIT_DWELL : NCK_LIMIT_WAIT;
+    cell->last = 1;
+    cell->stop = 1;
+}
+
+// The unit is over: the next one, or the end of the stretch, at rest.
+static void end_unit(const nck_host_grades_t *self, nck_host_grade_cursor_t *cursor,
+                     nck_cell_t *cell) {
+    const nck_host_stretch_t *const stretch = &self->stretches[cursor->stretch];
+    const double v_end = nck_sqrt(nck_grade_vv(&stretch->rule,
+                                               self->grade[cursor->unit + cursor->stretch + 1]));
+    cursor->unit++;
+    cursor->phases = 0;
+    cursor->phase = 0;
+    cell->stop = (uint8_t)!(v_end > 0.0);
+    if (cursor->unit < stretch->unit_end) return;
+    cursor->seg = stretch->seg_end;
+    cursor->stretch++;
+}
+
+// The next cell. 0: there is none.
+static int next_cell(const nck_host_grades_t *self, nck_host_grade_cursor_t *cursor,
+                     nck_cell_t *cell) {
+    for (;;) {
+        if (cursor->phase == cursor->phases) {
+            if (cursor->seg == self->seg_count) return 0;
+            if (!moves(&self->segs[cursor->seg])) {
+                make_rest(&self->segs[cursor->seg], cell);
+                cursor->seg++;
+                return 1;
+            }
+            begin_unit(self, cursor);
+        }
+        const int made = make_cell(self, cursor, cell);
+        if (cursor->phase == cursor->phases) end_unit(self, cursor, cell);
+        if (made || cell->stop) return 1;
+    }
+}
+
+void nck_host_grade_cells(const nck_host_grades_t *self, nck_host_grade_cursor_t *cursor,
+                          nck_cell_t *cells_out, size_t max, size_t *count_out) {
+    size_t count = 0;
+    while (count < max && next_cell(self, cursor, &cells_out[count])) count++;
+    *count_out = count;
+}
+
+void nck_host_grade_totals(const nck_host_grades_t *self, nck_host_totals_t *totals_out) {
+    const uint32_t first = self->seg_count > 0 ? self->segs[0].seq : 0;
+    nck_host_grade_cursor_t cursor;
+    nck_cell_t cell;
+    double since_stop_s = 0.0;
+    memset(&cursor, 0, sizeof cursor);
+    memset(totals_out, 0, sizeof *totals_out);
+    totals_out->segs = self->seg_count;
+    totals_out->nodes = self->unit_count;
+    while (next_cell(self, &cursor, &cell)) {
+        const nck_seg_t *const seg = &self->segs[cell.seg - first];
+        nck_host_totals_add(totals_out, &since_stop_s, &cell, seg->rapid,
+                            self->machine->period_s);
+        totals_out->length_mm = seg->s_begin + seg->length;
+    }
+}
+
+// Segs and outputs, in order, as long as there is room for them.
+static void push_path(nck_host_grade_feed_t *feed) {
+    const nck_host_grades_t *const grades = feed->grades;
+    nck_link_t *const link = &feed->nck->link;
+    while (nck_link_has_room(link)) {
+        const int more = feed->outputs < grades->output_count;
+        if (more && grades->outputs[feed->outputs].after_segs <= feed->segs) {
+            (void)nck_link_push_output(link, &grades->outputs[feed->outputs]);
+            feed->outputs++;
+            continue;
+        }
+        if (feed->segs == grades->seg_count) return;
+        (void)nck_link_push_seg(link, &grades->segs[feed->segs]);
+        feed->segs++;
+    }
+}
+
+// Cells of segs that have been pushed. Returns how many.
+static uint32_t push_cells(nck_host_grade_feed_t *feed) {
+    nck_link_t *const link = &feed->nck->link;
+    uint32_t count = 0;
+    while (count < FEED_CELLS && nck_link_cell_room(link) > 0) {
+        if (!feed->has_cell) {
+            feed->has_cell = (uint32_t)next_cell(feed->grades, &feed->cursor, &feed->cell);
+            feed->ended = !feed->has_cell;
+        }
+        if (!feed->has_cell || feed->cell.seg >= feed->segs) return count;
+        nck_link_push_cell(link, &feed->cell);
+        feed->has_cell = 0;
+        count++;
+    }
+    return count;
+}
+
+nck_status_t nck_host_grade_prep(void *user) {
+    nck_host_grade_feed_t *const feed = user;
+    nck_link_t *const link = &feed->nck->link;
+    push_path(feed);
+    (void)nck_link_batch_begin(link);
+    nck_link_tail_begin(link);
+    const uint32_t count = push_cells(feed);
+    if (count > 0 && nck_link_publish(link) != NCK_OK) return NCK_E_INTERNAL;
+    const int path_done = feed->segs == feed->grades->seg_count
+                          && feed->outputs == feed->grades->output_count;
+    if (feed->ended && path_done) return NCK_DONE;
+    return count > 0 ? NCK_OK : NCK_FULL;
+}

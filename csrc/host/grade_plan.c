@@ -1,0 +1,218 @@
+// SPDX-License-Identifier: MIT
+// Planning by grades, second half: speeds, transfers, bubble, accelerations.
+#include "host/grade.h"
+
+#include "nck/prep/4_lookahead/angle_math.h"    // nck_angle_tangents
+#include "nck/prep/4_lookahead/bubble_math.h"   // nck_bubble_sweep nck_bubble_scan
+#include "nck/prep/4_lookahead/grade_math.h"    // nck_grade_of nck_grade_vv
+#include "nck/prep/4_lookahead/transfer_math.h" // nck_transfer_…
+#include "nck/prep/4_lookahead/unit_math.h"     // nck_unit_step_count nck_unit_speed
+#include "nck/prep/5_slope/ramp_math.h"         // nck_ramp_accel
+
+// How far a rounded speed may be off, relative.
+#define SPEED_EPSILON 1e-9
+
+void nck_host_unit_speeds(const nck_seg_t *segs, const nck_unit_t *units, size_t count,
+                          const nck_grade_rule_t *rule, double *v_out, uint32_t *n_step_out,
+                          uint8_t *limit_out) {
+    for (size_t i = 0; i < count; i++) {
+        int limit = 0;
+        const int n = nck_unit_step_count(segs, &units[i], rule, &limit);
+        v_out[i] = nck_unit_speed(&units[i], rule->period_s, n);
+        n_step_out[i] = (uint32_t)n;
+        limit_out[i] = (uint8_t)limit;
+    }
+}
+
+// 1 if nothing but the axes of mask (a bit each) moves along a seg.
+static int moves_only(const nck_seg_t *seg, uint32_t mask) {
+    for (int x = 0; x < NCK_AXIS_MAX; x++) {
+        if (!(mask >> x & 1u) && seg->start[x] != seg->end[x]) return 0;
+    }
+    return 1;
+}
+
+// Forward direction of a seg in the plane (u, w) at its start or end. 0 if it does not lie in it.
+static int plane_direction(const nck_seg_t *seg, int u, int w, int end, double *out) {
+    if (!moves_only(seg, 1u << u | 1u << w)) return 0;
+    if (seg->kind == NCK_SEG_LINE) {
+        nck_angle_line(seg->end[u] - seg->start[u], seg->end[w] - seg->start[w], out);
+        return 1;
+    }
+    if (seg->axis_u != u || seg->axis_v != w) return 0;
+    const double *const at = end ? seg->end : seg->start;
+    nck_angle_arc(seg->centre_u - at[u], seg->centre_v - at[w], seg->sweep, out);
+    return 1;
+}
+
+double nck_host_link_angle(const nck_seg_t *in, const nck_seg_t *out) {
+    const uint32_t space = 1u << NCK_AXIS_X | 1u << NCK_AXIS_Y | 1u << NCK_AXIS_Z;
+    const int lines = in->kind == NCK_SEG_LINE && out->kind == NCK_SEG_LINE;
+    const nck_seg_t *const arc = in->kind == NCK_SEG_ARC ? in : out;
+    double t_in[NCK_AXIS_MAX];
+    double t_out[NCK_AXIS_MAX];
+    if (lines && moves_only(in, space) && moves_only(out, space)) {
+        for (int x = NCK_AXIS_X; x <= NCK_AXIS_Z; x++) {
+            t_in[x] = in->end[x] - in->start[x];
+            t_out[x] = out->end[x] - out->start[x];
+        }
+        return nck_angle_space(t_in, t_out);
+    }
+    if (!lines && plane_direction(in, arc->axis_u, arc->axis_v, 1, t_in)
+        && plane_direction(out, arc->axis_u, arc->axis_v, 0, t_out)) {
+        return nck_angle_plane(t_in, t_out);
+    }
+    nck_transfer_tangent(in, 1, t_in);
+    nck_transfer_tangent(out, 0, t_out);
+    return nck_angle_tangents(t_in, t_out);
+}
+
+// Cap and linking angle where one unit passes into the next. Inside of a seg the path is smooth.
+static double transfer(const nck_seg_t *segs, const nck_unit_t *in, const nck_unit_t *out,
+                       const nck_grade_rule_t *rule, double v, double *angle_out) {
+    int axis = 0;
+    *angle_out = 0.0;
+    if (in->seg_end == out->seg) return v;
+    *angle_out = nck_host_link_angle(&segs[in->seg_end], &segs[out->seg]);
+    return nck_transfer_joint(&segs[in->seg_end], &segs[out->seg], rule, v, &axis);
+}
+
+void nck_host_transfers(const nck_seg_t *segs, const nck_unit_t *units, const double *v,
+                        size_t count, const nck_grade_rule_t *rule, double *v_out,
+                        double *angle_out, int32_t *grade_out) {
+    for (size_t i = 0; i <= count; i++) {
+        const int inside = i > 0 && i < count;
+        v_out[i] = 0.0;
+        angle_out[i] = 0.0;
+        grade_out[i] = 0;
+        if (!inside) continue;
+        const double v_free = nck_min(v[i - 1], v[i]);
+        v_out[i] = transfer(segs, &units[i - 1], &units[i], rule, v_free, &angle_out[i]);
+        grade_out[i] = nck_grade_of(rule, v_out[i] * v_out[i]);
+    }
+}
+
+// NCK_OK if all grades can be counted up from; else *bad_out is the first that cannot.
+static nck_status_t check_grades(const int32_t *p, size_t n, size_t *bad_out) {
+    size_t i = 0;
+    while (i < n && p[i] >= 0 && p[i] < INT32_MAX) i++;
+    *bad_out = i;
+    return i < n ? NCK_E_ARGUMENT : NCK_OK;
+}
+
+// One sweep from the grades g to next. 1 if anything changed. The neighbour that an end lacks
+// never limits.
+static int sweep(const int32_t *p, size_t n, const int32_t *g, int32_t *next) {
+    int changed = 0;
+    for (size_t i = 0; i < n; i++) {
+        const int32_t left = i > 0 ? g[i - 1] : p[i];
+        const int32_t right = i + 1 < n ? g[i + 1] : p[i];
+        next[i] = nck_bubble_sweep(p[i], left, right);
+        changed |= next[i] != g[i];
+    }
+    return changed;
+}
+
+nck_status_t nck_host_bubble_sweeps(const int32_t *p, size_t n, int32_t *g_out, int32_t *other,
+                                    size_t *sweeps_out, size_t *bad_out) {
+    const nck_status_t status = check_grades(p, n, bad_out);
+    *sweeps_out = 0;
+    if (status != NCK_OK) return status;
+    for (size_t i = 0; i < n; i++) g_out[i] = p[i];
+    for (;;) {
+        const int changed = sweep(p, n, g_out, other);
+        for (size_t i = 0; i < n; i++) g_out[i] = other[i];
+        ++*sweeps_out;
+        if (!changed) return NCK_OK;
+    }
+}
+
+static void scan(const int32_t *p, size_t n, int32_t *g) {
+    for (size_t i = 0; i < n; i++) g[i] = i > 0 ? nck_bubble_scan(p[i], g[i - 1]) : p[i];
+    for (size_t i = n; i-- > 1;) g[i - 1] = nck_bubble_scan(g[i - 1], g[i]);
+}
+
+nck_status_t nck_host_bubble_scan(const int32_t *p, size_t n, int32_t *g_out, size_t *bad_out) {
+    const nck_status_t status = check_grades(p, n, bad_out);
+    if (status == NCK_OK) scan(p, n, g_out);
+    return status;
+}
+
+// The three conditions of Cao et al. 2014, section 7, for the pair (i, i + 1), as printed: the
+// third raises a point without asking what it may have.
+int nck_host_bubble_printed(int32_t *g, size_t n, const uint32_t *order) {
+    int changed = 0;
+    for (size_t k = 0; k + 1 < n; k++) {
+        int32_t *const here = &g[order[k]];
+        int32_t *const next = here + 1;
+        const int32_t before[2] = {*here, *next};
+        if (*here > *next + 1) {
+            *here = *next + 1;
+        } else if (*here < *next) {
+            *next = *here + 1;
+        }
+        changed |= before[0] != *here || before[1] != *next;
+    }
+    return changed;
+}
+
+// (15): a = (v_e² − v_s²)/(2L)     (Cao et al. 2014)
+static void accelerations(const nck_unit_t *units, size_t count, const nck_grade_rule_t *rule,
+                          const int32_t *grade, double *a_out) {
+    for (size_t i = 0; i < count; i++) {
+        a_out[i] = nck_ramp_accel(units[i].length, nck_grade_vv(rule, grade[i]),
+                                  nck_grade_vv(rule, grade[i + 1]));
+    }
+}
+
+nck_status_t nck_host_grade_plan(nck_host_grades_t *self) {
+    for (size_t k = 0; k < self->stretch_count; k++) {
+        const nck_host_stretch_t *const stretch = &self->stretches[k];
+        const nck_grade_rule_t *const rule = &stretch->rule;
+        const size_t begin = stretch->unit_begin;
+        const size_t point = begin + k;
+        const size_t count = stretch->unit_end - begin;
+        const nck_unit_t *const units = self->units + begin;
+        nck_host_unit_speeds(self->segs, units, count, rule, self->v + begin,
+                             self->n_step + begin, self->unit_limit + begin);
+        nck_host_transfers(self->segs, units, self->v + begin, count, rule,
+                           self->v_transfer + point, self->angle + point,
+                           self->preplanned + point);
+        scan(self->preplanned + point, count + 1, self->grade + point);
+        accelerations(units, count, rule, self->grade + point, self->a + begin);
+    }
+    return NCK_OK;
+}
+
+// Criteria 1 and 2 of Cao et al. 2014, section 7, and (13) from both sides of a unit.
+static int unit_holds(const nck_grade_rule_t *rule, const nck_unit_t *unit, double v,
+                      const int32_t *grade, const int32_t *preplanned) {
+    const double more = 1.0 + SPEED_EPSILON;
+    const double vv_begin = nck_grade_vv(rule, grade[0]);
+    const double vv_end = nck_grade_vv(rule, grade[1]);
+    int good = grade[0] - grade[1] <= 1 && grade[1] - grade[0] <= 1;
+    good &= grade[0] >= 0 && grade[0] <= preplanned[0] && grade[1] <= preplanned[1];
+    good &= vv_end <= nck_transfer_reach(vv_begin, rule->a, unit->length) * more;
+    good &= vv_begin <= nck_transfer_reach(vv_end, rule->a, unit->length) * more;
+    good &= v <= unit->v_command && vv_begin <= v * v * more && vv_end <= v * v * more;
+    return good;
+}
+
+int nck_host_grade_invariants(const nck_host_grades_t *self) {
+    int good = 1;
+    for (size_t k = 0; k < self->stretch_count; k++) {
+        const nck_host_stretch_t *const stretch = &self->stretches[k];
+        double length = 0.0;
+        double path = 0.0;
+        for (size_t i = stretch->unit_begin; i < stretch->unit_end; i++) {
+            good &= unit_holds(&stretch->rule, &self->units[i], self->v[i], self->grade + i + k,
+                               self->preplanned + i + k);
+            length += self->units[i].length;
+        }
+        for (size_t i = stretch->seg_begin; i < stretch->seg_end; i++) path += self->segs[i].length;
+        good &= nck_fabs(length - path) <= path * SPEED_EPSILON;
+        good &= self->grade[stretch->unit_begin + k] == 0;
+        good &= self->grade[stretch->unit_end + k] == 0;
+    }
+    return good;
+}
