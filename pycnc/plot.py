@@ -137,7 +137,9 @@ def _draw_path(figure, axes, trace, shape):
     axes.add_collection(coloured)
     drawn = pieces[cutting].reshape(-1, len(shape)) if cutting.any() else points
     _frame(axes, drawn, shape)
-    bar = figure.colorbar(coloured, ax=axes, shrink=0.85, pad=0.02, aspect=32)
+    bar = figure.colorbar(
+        coloured, ax=axes, shrink=0.85, pad=0.02 + 0.06 * (len(shape) == 3), aspect=32
+    )
     bar.set_label("speed reached [mm/min]; rapids in grey", color=_INK)
     bar.outline.set_visible(False)
 
