@@ -78,14 +78,15 @@ def envelope(w_cap, h, *, w_start=0.0, w_end=0.0, backend="auto", out=None):
     w = np.empty_like(w_cap) if out is None else out
     if w.shape != w_cap.shape or w.dtype != np.float64 or not w.flags.c_contiguous:
         raise errors.ArgumentError(f"out must be float64, contiguous, of shape {w_cap.shape}")
-    bad = ffi.new("size_t *")
-    status = lib.nck_host_envelope(
-        pointer("double", w_cap), pointer("double", h), len(w_cap), w_start, w_end,
-        pointer("double", w), bad,
+    choice = ffi.new("nck_host_choice_t *", {"backend": lib.NCK_HOST_SERIAL})
+    report = ffi.new("nck_host_envelope_report_t *")
+    status = lib.nck_host_envelope_double(
+        choice, pointer("double", w_cap), pointer("double", h), len(w_cap), w_start, w_end,
+        pointer("double", w), report,
     )  # fmt: skip
     if status == lib.NCK_E_ARGUMENT:
         raise errors.ArgumentError(
-            f"index {bad[0]}: a number is NaN, infinite or negative", id="argument", status=status
+            f"index {report.bad}: a number is NaN, infinite or negative", id="argument", status=status
         )
     check(status)
     return w

@@ -65,12 +65,4 @@ nck_status_t nck_host_plan_init(nck_host_plan_t *plan, nck_t *nck, const nck_mac
 // array is too small. Cost: linear in the text. Context: prep and tick both.
 nck_status_t nck_host_plan_run(nck_host_plan_t *plan);
 
-// The exact two-pass envelope of a whole path in w = v² (algorithm: prep/4_lookahead/README.md):
-// w_cap: n nodes [mm²/s²], h: n − 1 pieces, 2·a·length [mm²/s²], w_out: n nodes (may be w_cap). w
-// at the first node is at most w_start, at the last node at most w_end.
-// Returns NCK_OK, or NCK_E_ARGUMENT and in *bad_out the first index whose number is NaN, infinite
-// or negative (w_start: 0, w_end: n − 1; n = 0: 0). Cost: linear, two passes. Context: any.
-nck_status_t nck_host_envelope(const double *w_cap, const double *h, size_t n, double w_start,
-                               double w_end, double *w_out, size_t *bad_out);
-
 #endif

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: MIT
+// The exact two-pass envelope of a whole path in w = v², in float and double, by several roads that
+// give the same bits. What it computes: prep/4_lookahead/README.md; how: docs/parallel.md.
+#ifndef NCK_HOST_ENVELOPE_H
+#define NCK_HOST_ENVELOPE_H
+
+#include <stddef.h> // size_t
+#include <stdint.h> // int32_t
+
+#include "nck/base/status.h" // nck_status_t
+
+typedef enum nck_host_backend {
+    NCK_HOST_SERIAL = 0, // one node after the other: the definition
+    NCK_HOST_SIMD = 1,   // overlapped stretches in the lanes of a vector, one thread
+    NCK_HOST_THREADS = 2 // overlapped chunks on threads, lanes inside
+} nck_host_backend_t;
+
+typedef enum nck_host_cpu {
+    NCK_HOST_CPU_PLAIN = 0, // C that any processor runs
+    NCK_HOST_CPU_AVX2 = 1
+} nck_host_cpu_t;
+
+// What to use.
+typedef struct nck_host_choice {
+    int32_t backend; // nck_host_backend_t
+    int32_t cpu;     // nck_host_cpu_t, at most what nck_host_cpu returns
+    int32_t threads; // NCK_HOST_THREADS: 1 to NCK_HOST_THREADS_MAX
+} nck_host_choice_t;
+
+// What happened.
+typedef struct nck_host_envelope_report {
+    size_t bad;            // NCK_E_ARGUMENT: the first index whose number is NaN, infinite, negative
+    size_t blocks;         // planned in lanes
+    size_t blocks_refused; // planned serially, because no overlap within a lane was certain
+    size_t chunks_refused; // 1 or more: no overlap of a chunk was certain; the path, or the rest of
+                           // it, was planned on one thread in two passes
+    size_t overlap;        // longest overlap of a lane [nodes]
+} nck_host_envelope_report_t;
+
+// The best that this processor runs. Cost: constant. Context: any.
+nck_host_cpu_t nck_host_cpu(void);
+
+// The exact two-pass envelope of a whole path in double.
+// choice: the road to take. w_cap: n nodes [mm²/s²]; h: n − 1 pieces, 2·a·length [mm²/s²]. w_out: n
+// nodes; it may be w_cap unless the road is NCK_HOST_THREADS. w at the first node is at most w_start,
+// at the last node at most w_end. *report_out is filled in any case.
+// Returns NCK_OK; NCK_E_ARGUMENT if n is 0, the choice is not possible (bad = n), or a number is NaN,
+// infinite or negative (its index in bad; w_start: 0, w_end: n − 1): w_out is all zero then.
+// Cost: linear, two passes. Context: any.
+nck_status_t nck_host_envelope_double(const nck_host_choice_t *choice, const double *w_cap,
+                                      const double *h, size_t n, double w_start, double w_end,
+                                      double *w_out, nck_host_envelope_report_t *report_out);
+
+// As nck_host_envelope_double, in float. w_start and w_end are rounded to float first.
+nck_status_t nck_host_envelope_float(const nck_host_choice_t *choice, const float *w_cap,
+                                     const float *h, size_t n, double w_start, double w_end,
+                                     float *w_out, nck_host_envelope_report_t *report_out);
+
+#endif

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+// Four numbers of double in AVX2.
+// One of three twins (simd_float_avx2.h simd_double_avx2.h simd_plain.h) with the same interface:
+//
+//   vector_t  WIDTH numbers, one of each of as many stretches of the path that advance together
+//   tile      TILE consecutive numbers of every stretch: vector_t t[TILE], t[i] the i-th of each
+//   stride    distance of the stretches' first numbers in memory, in numbers
+//   GROUPS    vectors that advance together: with two, one works while the other waits
+#ifndef NCK_HOST_SIMD_H
+#define NCK_HOST_SIMD_H
+
+#include <immintrin.h> // __m256d
+#include <stddef.h>    // size_t
+
+#include "nck/base/real.h" // nck_real
+
+enum { WIDTH = 4, TILE = 4, GROUPS = 2 };
+typedef __m256d vector_t;
+
+static inline vector_t vector_load(const nck_real *x) { return _mm256_loadu_pd(x); }
+static inline void vector_store(vector_t a, nck_real *x) { _mm256_storeu_pd(x, a); }
+
+static inline vector_t vector_step(vector_t w_cap, vector_t w, vector_t h) {
+    return _mm256_min_pd(_mm256_add_pd(w, h), w_cap);
+}
+
+static inline vector_t half_load(const nck_real *x, size_t stride) {
+    const __m256d low = _mm256_castpd128_pd256(_mm_loadu_pd(x));
+    return _mm256_insertf128_pd(low, _mm_loadu_pd(x + 2 * stride), 1);
+}
+
+// Two halves of the tile: in each half of the registers a matrix of 2 × 2 is turned.
+static inline void tile_load(const nck_real *x, size_t stride, vector_t *t) {
+    for (size_t i = 0; i < 4; i += 2) {
+        const vector_t even = half_load(x + i, stride);
+        const vector_t odd = half_load(x + i + stride, stride);
+        t[i] = _mm256_unpacklo_pd(even, odd);
+        t[i + 1] = _mm256_unpackhi_pd(even, odd);
+    }
+}
+
+static inline void half_store(vector_t a, size_t stride, nck_real *x) {
+    _mm_storeu_pd(x, _mm256_castpd256_pd128(a));
+    _mm_storeu_pd(x + 2 * stride, _mm256_extractf128_pd(a, 1));
+}
+
+static inline void tile_store(vector_t *t, size_t stride, nck_real *x) {
+    for (size_t i = 0; i < 4; i += 2) {
+        half_store(_mm256_unpacklo_pd(t[i], t[i + 1]), stride, x + i);
+        half_store(_mm256_unpackhi_pd(t[i], t[i + 1]), stride, x + i + stride);
+    }
+}
+
+#endif
