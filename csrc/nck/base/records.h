@@ -10,6 +10,10 @@
 
 #ifndef __OPENCL_VERSION__
 #include <stdint.h> // int64_t uint32_t uint8_t
+#else
+typedef uchar uint8_t;
+typedef uint uint32_t;
+typedef long int64_t;
 #endif
 
 enum {

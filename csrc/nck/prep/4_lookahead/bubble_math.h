@@ -4,6 +4,8 @@
 #ifndef NCK_PREP_BUBBLE_MATH_H
 #define NCK_PREP_BUBBLE_MATH_H
 
+#include "nck/base/real.h" // NCK_IN nck_int64
+
 // One sweep at one point, from the old grades to new ones:
 //   g'_i = min(p_i, g_{i−1} + 1, g_{i+1} + 1)
 // Gather form of Cao et al. 2014, section 7: every point is written once, from values that nobody
@@ -18,6 +20,25 @@ static inline int nck_bubble_sweep(int p, int left, int right) {
 // Together min_j (p_j + |i − j|), where the sweeps end too.
 static inline int nck_bubble_scan(int p, int neighbour) {
     return neighbour + 1 < p ? neighbour + 1 : p;
+}
+
+// What the points from i on allow at point i, of n:   min_j (p_j + j − i), j ≥ i
+// The backward scan of one point alone. It looks no further than p_i points: no grade is negative.
+static inline int nck_bubble_behind(NCK_IN int *p, nck_int64 i, nck_int64 n) {
+    int low = p[i];
+    for (int k = 1; k < low && k < n - i; k++) {
+        if (p[i + k] + k < low) low = p[i + k] + k;
+    }
+    return low;
+}
+
+// The final grade of point i alone, of n:   min_j (p_j + |i − j|)
+static inline int nck_bubble_grade(NCK_IN int *p, nck_int64 i, nck_int64 n) {
+    int low = nck_bubble_behind(p, i, n);
+    for (int k = 1; k < low && k <= i; k++) {
+        if (p[i - k] + k < low) low = p[i - k] + k;
+    }
+    return low;
 }
 
 #endif

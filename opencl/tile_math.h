@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: MIT
+// The two passes of the envelope over one tile: lanes side by side, each a stretch of the path.
+//
+//   w_cap, h, w ──▶ │ lane 0      │ lane 1      │ …
+//                   ├─────────────┼─────────────┼──
+//                   first         first + length
+#ifndef OPENCL_TILE_MATH_H
+#define OPENCL_TILE_MATH_H
+
+#include "lanes_math.h"                         // LANES lanes_t (of the float or the double folder)
+#include "nck/prep/4_lookahead/envelope_math.h" // nck_envelope_backward for one number
+
+// The same formulas once more, for lanes: the text of the header is the only definition.
+#undef NCK_PREP_ENVELOPE_MATH_H
+#define nck_real lanes_t
+#define nck_envelope_h lanes_envelope_h
+#define nck_envelope_backward lanes_envelope_backward
+#define nck_envelope_forward lanes_envelope_forward
+#include "nck/prep/4_lookahead/envelope_math.h"
+#undef nck_real
+#undef nck_envelope_h
+#undef nck_envelope_backward
+#undef nck_envelope_forward
+
+static inline lanes_t tile_load(__global const nck_real *x) {
+    return *(__global const lanes_packed_t *)x;
+}
+
+static inline void tile_store(__global nck_real *x, lanes_t lanes) {
+    *(__global lanes_packed_t *)x = lanes;
+}
+
+// Backward over lanes of length nodes; w_next: w behind the end of every lane. The pointers stand
+// at the tile's first node. Returns bits, the sign of which tells of a number that is no good.
+static inline lanes_bits_t tile_backward(__global const nck_real *w_cap, __global const nck_real *h,
+                                         long length, lanes_t w_next, __global nck_real *w) {
+    lanes_bits_t doubt = 0;
+    for (long i = length - LANES; i >= 0; i -= LANES) {
+        lanes_t cap[LANES];
+        lanes_t rise[LANES];
+        for (int lane = 0; lane < LANES; lane++) {
+            cap[lane] = tile_load(w_cap + lane * length + i);
+            rise[lane] = tile_load(h + lane * length + i);
+            doubt |= lanes_doubt(lanes_bits(cap[lane])) | lanes_doubt(lanes_bits(rise[lane]));
+        }
+        lanes_transpose(cap);
+        lanes_transpose(rise);
+        for (int k = LANES - 1; k >= 0; k--) {
+            w_next = lanes_envelope_backward(cap[k], w_next, rise[k]);
+            cap[k] = w_next;
+        }
+        lanes_transpose(cap);
+        for (int lane = 0; lane < LANES; lane++) tile_store(w + lane * length + i, cap[lane]);
+    }
+    return doubt;
+}
+
+// Forward over lanes of length nodes, in place; w_before: the final w at the node before every
+// lane. h stands at the piece before the tile's first node.
+static inline void tile_forward(__global const nck_real *h, long length, lanes_t w_before,
+                                __global nck_real *w) {
+    for (long i = 0; i < length; i += LANES) {
+        lanes_t back[LANES];
+        lanes_t rise[LANES];
+        for (int lane = 0; lane < LANES; lane++) {
+            back[lane] = tile_load(w + lane * length + i);
+            rise[lane] = tile_load(h + lane * length + i);
+        }
+        lanes_transpose(back);
+        lanes_transpose(rise);
+        for (int k = 0; k < LANES; k++) {
+            w_before = lanes_envelope_forward(back[k], w_before, rise[k]);
+            back[k] = w_before;
+        }
+        lanes_transpose(back);
+        for (int lane = 0; lane < LANES; lane++) tile_store(w + lane * length + i, back[lane]);
+    }
+}
+
+#endif
