@@ -65,26 +65,33 @@ def decode(text, machine):
 class Planner:
     """Plans a whole text without executing it.
 
+    Parameters
+    ----------
+    text : bytes
+    machine : Machine
+    records : sequence of str
+        Which records `pieces` yields: of seg, node, cell, output.
+
     Attributes
     ----------
     totals : numpy.void
         Of dtype ``nck_host_totals_t``: sums so far, complete when `pieces` has ended.
     """
 
-    def __init__(self, text, machine):
+    def __init__(self, text, machine, records=("seg", "node", "cell")):
         self._text, self._machine = text, machine
         self._nck, self._plan = ffi.new("nck_t *"), ffi.new("nck_host_plan_t *")
         self._data = ffi.from_buffer("char[]", text)
         check(lib.nck_host_plan_init(self._plan, self._nck, machine.pointer, self._data, len(text)))
         self._arrays = {
-            name: np.empty(_PLAN_ROWS, dtype(f"nck_{name}_t")) for name in ("seg", "node", "cell")
+            name: np.empty(_PLAN_ROWS, dtype(f"nck_{name}_t")) for name in records
         }
         for name, array in self._arrays.items():
             setattr(self._plan, f"{name}s", pointer(f"nck_{name}_t", array))
             setattr(self._plan, f"{name}_max", len(array))
 
     def pieces(self):
-        """Yield (segs, nodes, cells, bytes used) until the plan is done.
+        """Yield (segs, nodes, cells, bytes used) or what was asked for, until the plan is done.
 
         Raises
         ------
@@ -95,11 +102,11 @@ class Planner:
         while status == lib.NCK_OK:
             status = lib.nck_host_plan_run(self._plan)
             check(status)
-            segs, nodes, cells = (
+            pieces = (
                 array[: getattr(self._plan, f"{name}_count")]
                 for name, array in self._arrays.items()
             )
-            yield segs, nodes, cells, self._plan.text_used
+            yield *pieces, self._plan.text_used
 
     @property
     def totals(self):

@@ -5,12 +5,13 @@ import time
 
 import numpy as np
 
-from pycnc import errors, kernel, measure
+from pycnc import errors, grades, kernel, measure
 from pycnc.machine import Machine
 from pycnc.program import Program, load
 from pycnc.records import dtype
 
 BACKENDS = ("auto", "c")
+PLANS = ("exact", "grades")
 
 
 class BackendError(errors.ArgumentError):
@@ -30,6 +31,19 @@ def check_backend(backend):
             f"backend {backend!r} is not available; available: {', '.join(BACKENDS)}", id="backend"
         )
     return "c"
+
+
+def check_plan(plan):
+    """Return the name of a kind of planning.
+
+    Raises
+    ------
+    ArgumentError
+        If there is no such kind.
+    """
+    if plan not in PLANS:
+        raise errors.ArgumentError(f"no plan {plan!r}; there are: {', '.join(PLANS)}", id="plan")
+    return plan
 
 
 def for_machine(program, machine):
@@ -53,14 +67,39 @@ class Plan:
         What ``pycnc time --json`` tells: times in s, counts, length in mm, time for each limit.
     plan_s : float
         Wall time that planning took [s].
+    kind : str
+        ``"exact"``: the exact envelope; ``"grades"``: velocity grades (Cao et al. 2014).
+    grades : Grades or None
+        The units and grades, if it was planned by them; there are no nodes then.
+    exact_time_s : float
+        Machining time by the exact envelope [s].
     segs, nodes, cells : numpy.ndarray
         Of dtypes ``nck_seg_t``, ``nck_node_t``, ``nck_cell_t``; empty if they were not kept.
     """
 
-    def __init__(self, program, *, backend="auto", keep=True, progress=None):
+    def __init__(self, program, *, plan="exact", backend="auto", keep=True, progress=None):
         check_backend(backend)
-        self.program = program.check()
-        begun, planner = time.perf_counter(), kernel.Planner(program.text, program.machine)
+        self.program, self.kind, self.grades = program.check(), check_plan(plan), None
+        begun = time.perf_counter()
+        make = self._by_grades if plan == "grades" else self._exactly
+        totals, exact = make(keep, progress)
+        self.totals = measure.plan_times(totals, program.machine)
+        self.time_s, self.exact_time_s = self.totals["time_s"], float(exact["time_s"])
+        self.plan_s = time.perf_counter() - begun
+
+    def _by_grades(self, keep, progress):
+        text, machine = self.program.text, self.program.machine
+        self.grades, exact = grades.of_text(text, machine, progress=progress)
+        self.segs = self.grades.segs
+        self.nodes = np.empty(0, dtype("nck_node_t"))
+        self.cells = self.grades.cells() if keep else np.empty(0, dtype("nck_cell_t"))
+        totals = self.grades.totals
+        totals["blocks"] = exact["blocks"]
+        return totals, exact
+
+    def _exactly(self, keep, progress):
+        program = self.program
+        planner = kernel.Planner(program.text, program.machine)
         kept = {name: [np.empty(0, dtype(f"nck_{name}_t"))] for name in ("seg", "node", "cell")}
         for *pieces, used in planner.pieces():
             if keep:
@@ -69,9 +108,7 @@ class Plan:
             if progress:
                 progress(used, len(program.text))
         self.segs, self.nodes, self.cells = (np.concatenate(arrays) for arrays in kept.values())
-        self.totals = measure.plan_times(planner.totals, program.machine)
-        self.time_s = self.totals["time_s"]
-        self.plan_s = time.perf_counter() - begun
+        return planner.totals, planner.totals
 
     def as_dict(self):
         """Return what ``pycnc time --json`` tells."""
@@ -83,6 +120,7 @@ class Plan:
             "period_s": machine.period_s,
             **self.totals,
             "slope": machine.settings.path.slope,
+            "plan": self.kind,
             "plan_s": self.plan_s,
             "diagnostics": self.program.diagnostics.as_list(),
         }
@@ -91,7 +129,7 @@ class Plan:
         return f"<Plan of {self.program.file}: {self.time_s:.3f} s, {len(self.cells):,} cells>"
 
 
-def plan(program, machine=None, slope="linear", backend="auto"):
+def plan(program, machine=None, slope="linear", backend="auto", plan="exact"):
     """Plan a whole program.
 
     Parameters
@@ -104,6 +142,8 @@ def plan(program, machine=None, slope="linear", backend="auto"):
         Velocity profile: acceleration-limited.
     backend : {"auto", "c"}
         Where it is computed.
+    plan : {"exact", "grades"}
+        By the exact envelope, or by velocity grades (Cao et al. 2014).
 
     Returns
     -------
@@ -114,7 +154,7 @@ def plan(program, machine=None, slope="linear", backend="auto"):
     ProgramError
         If the program has an error.
     ArgumentError
-        If the slope or the backend is not built.
+        If the slope, the backend or the kind of planning is not built.
 
     Examples
     --------
@@ -125,4 +165,4 @@ def plan(program, machine=None, slope="linear", backend="auto"):
         raise errors.ArgumentError(
             f"slope {slope!r} is not built yet; available: linear", id="slope"
         )
-    return Plan(for_machine(program, machine), backend=backend)
+    return Plan(for_machine(program, machine), plan=plan, backend=backend)

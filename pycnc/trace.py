@@ -12,7 +12,7 @@ from pathlib import Path
 
 import numpy as np
 
-from pycnc import errors, kernel, measure
+from pycnc import errors, grades, kernel, measure
 from pycnc.machine_file import AXES, position_key, unit_of
 from pycnc.measure import KINDS
 from pycnc.planning import Plan, check_backend, for_machine
@@ -265,14 +265,14 @@ class Trace:
     """
 
     def __init__(self, program, *, prep_steps=kernel.PREP_STEPS, keep=True, output=None,
-                 backend="auto", progress=None):  # fmt: skip
+                 plan="exact", backend="auto", progress=None):  # fmt: skip
         check_backend(backend)
         begun = time.perf_counter()
         self.program = program.check()
         self._layout = Columns(program.machine)
         sink = writer(output, self._layout, self.metadata()) if output else None
         try:
-            self.plan = Plan(program, keep=False)
+            self.plan = Plan(program, plan=plan, keep=False)
             self._run(prep_steps, keep, sink, progress)
         except BaseException:
             if sink:
@@ -284,7 +284,7 @@ class Trace:
 
     def _run(self, prep_steps, keep, sink, progress):
         program, machine = self.program, self.program.machine
-        controller = kernel.Controller(program.text, machine, prep_steps)
+        controller = self._controller(prep_steps)
         self._peaks, self._ticks = measure.Peaks(machine), measure.Ticks(machine)
         self._path_error = measure.PathError(program.moves)
         kept = []
@@ -306,6 +306,11 @@ class Trace:
             for name in self._layout.units
             if kept
         }
+
+    def _controller(self, prep_steps):
+        if self.plan.grades is not None:
+            return grades.Controller(self.plan.grades, prep_steps)
+        return kernel.Controller(self.program.text, self.program.machine, prep_steps)
 
     def _summary(self, run_s):
         plan = self.plan.as_dict()
@@ -389,7 +394,7 @@ class Trace:
         return f"<Trace of {self.program.file}: {time_s:.3f} s, {ticks:,} ticks>"
 
 
-def run(program, machine=None, *, prep_steps=kernel.PREP_STEPS, backend="auto"):
+def run(program, machine=None, *, prep_steps=kernel.PREP_STEPS, backend="auto", plan="exact"):
     """Run a whole program in the simulated controller, tick by tick.
 
     Parameters
@@ -402,6 +407,9 @@ def run(program, machine=None, *, prep_steps=kernel.PREP_STEPS, backend="auto"):
         Prep steps between two ticks, 1 at least; few of them starve the tick.
     backend : {"auto", "c"}
         Where it is computed.
+    plan : {"exact", "grades"}
+        By the exact envelope, or by velocity grades (Cao et al. 2014), which report the peaks of
+        acceleration and do not promise them.
 
     Returns
     -------
@@ -419,4 +427,5 @@ def run(program, machine=None, *, prep_steps=kernel.PREP_STEPS, backend="auto"):
     >>> float(trace["pos_x_mm"][-1])
     10.0
     """
-    return Trace(for_machine(program, machine), prep_steps=prep_steps, backend=backend)
+    program = for_machine(program, machine)
+    return Trace(program, prep_steps=prep_steps, backend=backend, plan=plan)
