@@ -12,7 +12,7 @@ MACHINE_OPTION = $(if $(MACHINE), --machine "$(MACHINE)")
 
 BIN = .venv/bin
 STAMP = build/stamp
-SOURCES := $(shell find csrc firmware_sim cmake CMakeLists.txt -type f)
+SOURCES := $(shell find csrc opencl firmware_sim cmake CMakeLists.txt -type f)
 PACKAGES_TEST = clang-19 libclang-rt-19-dev cppcheck gcc-arm-none-eabi libnewlib-arm-none-eabi \
                 linuxcnc-uspace
 
@@ -36,7 +36,7 @@ run: $(STAMP)/module
 	$(BIN)/pycnc plot "$(FILE)"$(MACHINE_OPTION) -o "$(PICTURE)"
 	@echo "The picture of the path, coloured by speed: $(PICTURE)"
 
-test: $(STAMP)/packages-test $(STAMP)/module
+test: $(STAMP)/packages-test $(STAMP)/venv-test $(STAMP)/module
 	$(BIN)/python -m pytest
 
 # A C compiler, and a Python that can make a .venv and compile a module for it.
@@ -57,6 +57,12 @@ $(STAMP)/venv: requirements.lock $(STAMP)/packages-run
 	@echo "installing the packages of requirements.lock into .venv"
 	$(PYTHON) -m venv .venv
 	$(BIN)/python -m pip install -q --disable-pip-version-check -r requirements.lock
+	@touch $@
+
+# What only the tests need, an OpenCL among it.
+$(STAMP)/venv-test: requirements-test.lock $(STAMP)/venv
+	@echo "installing the packages of requirements-test.lock into .venv"
+	$(BIN)/python -m pip install -q --disable-pip-version-check -r requirements-test.lock
 	@touch $@
 
 # The editable install: Python files are used where they stand, the C module is built.

@@ -22,3 +22,8 @@ python_add_library(_nck MODULE _nck.c)
 target_link_libraries(_nck PRIVATE sim nck_host)
 set_target_properties(_nck PROPERTIES SUFFIX ".abi3.so")
 install(TARGETS _nck DESTINATION pycnc)
+
+# The kernels and the headers that they include stand beside the Python files.
+install(DIRECTORY "${PROJECT_SOURCE_DIR}/opencl" DESTINATION pycnc)
+install(DIRECTORY "${PROJECT_SOURCE_DIR}/csrc/nck" DESTINATION pycnc/csrc
+        FILES_MATCHING PATTERN "limits.h" PATTERN "real.h" PATTERN "records.h" PATTERN "*_math.h")
