@@ -210,8 +210,8 @@ class CorpusFile:
 _TURNTABLE = ("axis.a.min_deg=free", "axis.a.max_deg=free", "axis.x.max_mm=1000")
 
 CORPUS_FILES = (
-    CorpusFile("arcs_rword.gcode", set=("spindle.rpm_max=15000",)),
-    CorpusFile("arcs_rword.gcode", ends=("number-range", 14)),
+    CorpusFile("arcs_rword.gcode"),
+    CorpusFile("arcs_rword.gcode", set=("spindle.rpm_max=12000",), ends=("number-range", 14)),
     CorpusFile("ax4_rotation_51k.nc", machine="mill5_xyzac", set=_TURNTABLE),
     CorpusFile("ax4_spiral_flutes.nc", machine="mill5_xyzac", set=_TURNTABLE),
     CorpusFile("ax5_boat_xyzac_g93.ngc", machine="mill5_xyzac", ends=("m-unknown", 2)),

@@ -16,10 +16,11 @@ from dataclasses import dataclass
 
 import numpy as np
 
-SHARE = 1e-6  # how far a limit may be passed: rounding of positions near a metre, divided by T²
+SHARE = 1e-6  # how far a limit may be passed
+ROUNDING = 4 * 2.0**-52  # of a coordinate: what a double cannot hold; felt in accelerations by 1/T²
 PATH_ERROR_MM = 1e-6
 BACKWARD_MM = 1e-9  # steps back that are rounding
-NM = 1e-6  # mm in a nanometre
+COUNTS = np.array([1e6] * 3 + [1e9] * 3 + [1e6] * 3)  # nm in a mm, ndeg in a degree: X Y Z A … W
 RAPID, LINE, ARC, DWELL, WAIT, OUTPUT, END = range(7)  # block kinds
 EXACT_STOP = 1  # path mode G61.1
 PLANES = {17: (0, 1), 18: (2, 0), 19: (1, 2)}
@@ -71,7 +72,7 @@ class Path:
         reached[:, :3] += blocks["tool_nm"]
         self.end_nm = np.where(at[:, None] >= 0, reached[at], limits.start_nm)
         self.start_nm = np.concatenate([limits.start_nm[None], self.end_nm])[: len(blocks)]
-        self.start, self.end = self.start_nm / 1e6, self.end_nm / 1e6
+        self.start, self.end = self.start_nm / COUNTS, self.end_nm / COUNTS
         self.is_arc = blocks["kind"] == ARC
         self._bend(blocks)
         self.length, meant = self._lengths()
@@ -86,7 +87,7 @@ class Path:
         plane = np.where(self.is_arc, blocks["plane"], 17)
         self.u, self.v = np.array([PLANES[p] for p in plane.tolist()]).reshape(-1, 2).T
         offset = np.zeros((len(blocks), 9))
-        offset[:, :3] = blocks["tool_nm"] / 1e6
+        offset[:, :3] = blocks["tool_nm"] / COUNTS[:3]
         self.centre_u = blocks["centre_mm"][:, 0] + offset[rows, self.u]
         self.centre_v = blocks["centre_mm"][:, 1] + offset[rows, self.v]
         du = self.start[rows, self.u] - self.centre_u
@@ -185,7 +186,7 @@ class Checker:
         self._path = Path(blocks, self._limits)
         self._axes = np.flatnonzero(self._limits.present)
         start = self._limits.start_nm
-        self._poses = np.repeat(start[None] / 1e6, 2, axis=0)
+        self._poses = np.repeat(start[None] / COUNTS, 2, axis=0)
         self._joints = np.repeat(start[self._limits.joint_axes][None], 2, axis=0)
         self._block, self._q, self._step = 0, 0.0, 0.0
         self._phi = 0.0  # around the arc, at the last tick
@@ -241,17 +242,19 @@ class Checker:
         v_max, a_max = self._limits.v_max, self._limits.a_max
         v = np.diff(np.concatenate([self._poses[-1:], poses]), axis=0) / t
         a = np.diff(np.concatenate([self._poses, poses]), n=2, axis=0) / t**2
-        self._within(v, v_max, v_max * SHARE, "speed")
-        self._within(a, a_max, a_max * SHARE, "acceleration")
+        noise = ROUNDING * np.abs(poses).max(axis=0)
+        self._within(v, v_max, v_max * SHARE + 2 * noise / t, "speed")
+        self._within(a, a_max, a_max * SHARE + 4 * noise / t**2, "acceleration")
         self.v = np.maximum(self.v, np.abs(v / v_max).max(axis=0))
         self.a = np.maximum(self.a, np.abs(a / a_max).max(axis=0))
-        rounding = np.abs(joints - poses[:, axes] / NM).max(axis=1)
+        nm = 1 / COUNTS[axes]
+        rounding = np.abs(joints - poses[:, axes] / nm).max(axis=1)
         self._hold(rounding <= 0.5 + 1e-3, "a joint is not the rounded pose")
-        v = np.diff(np.concatenate([self._joints[-1:], joints]), axis=0) * NM / t
-        a = np.diff(np.concatenate([self._joints, joints]), n=2, axis=0) * NM / t**2
+        v = np.diff(np.concatenate([self._joints[-1:], joints]), axis=0) * nm / t
+        a = np.diff(np.concatenate([self._joints, joints]), n=2, axis=0) * nm / t**2
         v_max, a_max = v_max[axes], a_max[axes]
-        self._within(v, v_max, v_max * SHARE + 2 * 0.5 * NM / t, "joint speed")
-        self._within(a, a_max, a_max * SHARE + 4 * 0.5 * NM / t**2, "joint acceleration")
+        self._within(v, v_max, v_max * SHARE + 2 * 0.5 * nm / t, "joint speed")
+        self._within(a, a_max, a_max * SHARE + 4 * 0.5 * nm / t**2, "joint acceleration")
 
     def _within(self, values, limit, more, what):
         size = np.abs(values)

@@ -1,0 +1,144 @@
+# SPDX-License-Identifier: MIT
+"""The exact envelope: feasible, the largest, the same bits whichever way it is computed."""
+
+import cases
+import judged
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from pycnc import stages
+from pycnc.errors import ArgumentError
+
+CASES = {str(case): case for case in cases.CASES}
+FILES = {str(file): file for file in cases.RUNNING_FILES}
+BLOCK = 2048  # what csrc/host/envelope.c works on at a time
+
+square = st.floats(0, 1e6, allow_subnormal=False)
+profile = st.integers(1, 40).flatmap(
+    lambda n: st.tuples(
+        st.lists(square, min_size=n, max_size=n), st.lists(square, min_size=n - 1, max_size=n - 1)
+    )
+)
+
+
+def two_passes(w_cap, h, w_start=np.inf, w_end=np.inf):
+    """Return the envelope by its definition, one Python float after the other."""
+    w = [float(each) for each in w_cap]
+    h = [float(each) for each in h]
+    w[-1] = min(w[-1], w_end)
+    for i in range(len(h) - 1, -1, -1):
+        w[i] = min(w[i], w[i + 1] + h[i])
+    w[0] = min(w[0], w_start)
+    for i in range(len(h)):
+        w[i + 1] = min(w[i + 1], w[i] + h[i])
+    return np.array(w)
+
+
+def fixpoint(w_cap, h):
+    """Return the largest profile by brute force: lower what breaks a rule until nothing does."""
+    w = np.array(w_cap, float)
+    while True:
+        lower = w.copy()
+        lower[:-1] = np.minimum(lower[:-1], w[1:] + h)
+        lower[1:] = np.minimum(lower[1:], w[:-1] + h)
+        if (lower == w).all():
+            return w
+        w = lower
+
+
+def random_profile(n, seed, rare):
+    """Return caps and pieces; rare: the share of low caps, few of them make long ramps."""
+    rng = np.random.default_rng(seed)
+    w_cap = np.where(rng.random(n) < rare, rng.uniform(0, 10, n), rng.uniform(1e3, 1e4, n))
+    return w_cap, rng.uniform(0.1, 5, n - 1)
+
+
+@given(profile)
+def test_the_envelope_is_the_largest_that_keeps_every_rule(case):
+    w_cap, h = np.array(case[0]), np.array(case[1])
+    w = stages.envelope(w_cap, h, w_start=1e9, w_end=1e9)
+    assert (w <= w_cap).all()
+    assert (w[1:] <= w[:-1] + h).all()
+    assert (w[:-1] <= w[1:] + h).all()
+    assert (w == fixpoint(w_cap, h)).all()
+
+
+@given(profile, square, square)
+def test_the_ends_are_kept(case, w_start, w_end):
+    w_cap, h = np.array(case[0]), np.array(case[1])
+    w = stages.envelope(w_cap, h, w_start=w_start, w_end=w_end)
+    assert w[0] <= w_start
+    assert w[-1] <= w_end
+    assert (w == two_passes(w_cap, h, w_start, w_end)).all()
+
+
+@pytest.mark.parametrize("rare", [0.5, 0.01, 0.0005, 0])
+@pytest.mark.parametrize("n", [1, 2, BLOCK - 1, BLOCK, BLOCK + 1, BLOCK + 2, 5 * BLOCK + 77])
+def test_lanes_give_the_bits_of_the_plain_recurrence(n, rare):
+    w_cap, h = random_profile(n, seed=n, rare=rare)
+    w = stages.envelope(w_cap, h)
+    assert w.tobytes() == two_passes(w_cap, h, 0.0, 0.0).tobytes()
+
+
+def test_caps_may_be_replaced_in_place():
+    w_cap, h = random_profile(3 * BLOCK, seed=1, rare=0.001)
+    want = stages.envelope(w_cap, h)
+    stages.envelope(w_cap, h, out=w_cap)
+    assert (w_cap == want).all()
+
+
+@pytest.mark.parametrize("bad", [np.nan, np.inf, -1.0])
+@pytest.mark.parametrize("place", [0, 1, BLOCK, 3 * BLOCK - 1])
+@pytest.mark.parametrize("which", [0, 1])
+def test_a_bad_number_is_named_by_its_index(bad, place, which):
+    arrays = random_profile(3 * BLOCK + 1, seed=2, rare=0.1)
+    arrays[which][place : place + 2] = bad
+    with pytest.raises(ArgumentError, match=f"index {place}:"):
+        stages.envelope(*arrays)
+
+
+@pytest.mark.parametrize("bad", [np.nan, np.inf, -1.0])
+def test_bad_ends_are_refused(bad):
+    with pytest.raises(ArgumentError):
+        stages.envelope([1.0, 1.0], [1.0], w_start=bad)
+    with pytest.raises(ArgumentError):
+        stages.envelope([1.0, 1.0], [1.0], w_end=bad)
+
+
+# The window of the kernel
+
+
+def whole_path(nodes):
+    """Return the envelope of all nodes of a plan, in one piece."""
+    w_cap = np.append(nodes["vv_cap"], 0.0)
+    return stages.envelope(w_cap, 2.0 * nodes["a"] * nodes["length"])[:-1]
+
+
+@pytest.mark.parametrize("name", CASES)
+def test_the_window_gives_the_bits_of_the_whole_path(name):
+    nodes = judged.plan(judged.load(CASES[name]))[2]
+    assert not nodes["open"].any()
+    assert nodes["vv"].tobytes() == whole_path(nodes).tobytes()
+
+
+@pytest.mark.parametrize("name", FILES)
+def test_the_window_gives_the_bits_of_the_whole_path_on_real_programs(name):
+    if not FILES[name].path.exists():
+        pytest.skip(f"{FILES[name].path} is not here: the corpus lies beside the repository")
+    nodes = judged.plan(judged.load(FILES[name]))[2]
+    assert not nodes["open"].any()
+    assert nodes["vv"].tobytes() == whole_path(nodes).tobytes()
+
+
+@pytest.mark.parametrize("blocks", [2, 3, 20])
+@pytest.mark.parametrize("name", ["spiral", "random_lines_0", "random_smooth_1", "random_arcs_2"])
+def test_a_short_window_never_exceeds_the_whole_path(name, blocks):
+    case = CASES[name]
+    change = (*case.set, f"path.lookahead_blocks={blocks}")
+    nodes = judged.plan(judged.load(cases.Case(name, case.text, case.machine, change)))[2]
+    whole = whole_path(nodes)
+    assert (nodes["vv"] <= whole).all()
+    assert (nodes["vv"][1:] <= nodes["vv"][:-1] + 2.0 * (nodes["a"] * nodes["length"])[:-1]).all()
+    assert nodes["open"].any() or nodes["vv"].tobytes() == whole.tobytes()

@@ -1,0 +1,96 @@
+# SPDX-License-Identifier: MIT
+"""Real programs: every file of the corpus runs to its end under the checker's eyes, or ends with the
+diagnostic that the table in cases.py names."""
+
+import functools
+
+import cases
+import judged
+import pytest
+
+from pycnc.errors import ProgramError
+from pycnc.planning import plan
+from pycnc.trace import Trace
+
+FILES = {str(file): file for file in cases.CORPUS_FILES}
+RUNNING = {str(file): file for file in cases.RUNNING_FILES}
+SLOW = {"ax4_rotation_51k.nc"}  # 17 million ticks: run once, and not measured a second time
+STARVED = 1  # prep step a tick: too few for moves of less than a period
+
+
+def present(file):
+    """Return the file of the corpus, or skip the test."""
+    if not file.path.exists():
+        pytest.skip(f"{file.path} is not here: the corpus lies beside the repository")
+    return file
+
+
+@functools.cache
+def program_of(name):
+    return judged.load(present(FILES[name]))
+
+
+@functools.cache
+def run_of(name):
+    """Return the run of a file, judged once for all tests."""
+    return judged.run(program_of(name))
+
+
+def quick(names):
+    """Return the names of the files that are not slow."""
+    return [name for name in names if FILES[name].file not in SLOW]
+
+
+def test_the_table_names_every_file_of_the_corpus():
+    if not cases.CORPUS.exists():
+        pytest.skip(f"{cases.CORPUS} is not here")
+    there = {path.name for path in cases.CORPUS.iterdir() if path.suffix != ".tsv"}
+    assert {file.file for file in cases.CORPUS_FILES} == there
+
+
+@pytest.mark.parametrize("name", FILES)
+def test_a_file_ends_as_the_table_says(name):
+    file, program = FILES[name], program_of(name)
+    errors = [(each.id, each.line) for each in program.diagnostics if each.severity == "error"]
+    assert (errors[0] if errors else None) == file.ends
+    if file.ends:
+        with pytest.raises(ProgramError) as caught:
+            plan(program)
+        assert (caught.value.id, caught.value.line) == file.ends
+
+
+@pytest.mark.parametrize("name", RUNNING)
+def test_a_run_keeps_limits_path_and_stops(name):
+    run = run_of(name)
+    assert run.starved_ticks == 0
+    assert run.judge.path_error_mm <= 1e-6
+
+
+@pytest.mark.parametrize("name", RUNNING)
+def test_the_plan_takes_as_long_as_the_run(name):
+    assert plan(program_of(name)).time_s == run_of(name).ticks * program_of(name).machine.period_s
+
+
+@pytest.mark.parametrize("name", quick(RUNNING))
+def test_two_runs_give_the_same_bytes(name):
+    assert judged.digest_of(program_of(name)) == run_of(name).digest
+
+
+@pytest.mark.parametrize("name", quick(RUNNING))
+def test_the_summary_tells_what_the_checker_found(name):
+    summary, run = Trace(program_of(name), keep=False).summary, run_of(name)
+    assert summary["ticks"] == run.ticks
+    assert summary["path_error_mm"] <= 1e-6
+    for axis, peaks in summary["peaks"].items():
+        assert peaks["a"] <= 1 + 1e-6
+        assert peaks.get("v", 0) <= 1 + 1e-6
+        if axis != "path":
+            column = "xyzabcuvw".index(axis)
+            assert peaks["a"] == pytest.approx(run.judge.a[column], rel=1e-9)
+            assert peaks["v"] == pytest.approx(run.judge.v[column], rel=1e-9)
+
+
+@pytest.mark.parametrize("name", quick(RUNNING))
+def test_a_starved_run_keeps_limits_path_and_stops(name):
+    starved = judged.run(program_of(name), STARVED)
+    assert starved.ticks >= run_of(name).ticks
