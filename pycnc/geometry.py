@@ -8,8 +8,8 @@ All coordinates are machine coordinates with the tool offset in them: where the 
 import numpy as np
 
 from pycnc._bind import lib
+from pycnc.records import counts_per_unit
 
-_MM = 1e-6  # millimetres in a nanometre, degrees in a nanodegree
 _PLANE_AXES = {17: (0, 1), 18: (2, 0), 19: (1, 2)}
 _MOVES = (lib.NCK_BLOCK_RAPID, lib.NCK_BLOCK_LINE, lib.NCK_BLOCK_ARC)
 _NEWTON_STEPS = 3  # from a start within 1e-3 of the helix: the third step is below rounding
@@ -32,8 +32,9 @@ class Moves:
         is_move = np.isin(blocks["kind"], _MOVES)
         last = np.maximum.accumulate(np.where(is_move, np.arange(len(blocks)), -1))
         end_nm = np.where((last >= 0)[:, None], position[last], machine.record["start_nm"])
-        self.end = end_nm * _MM
-        self.start = np.concatenate([[machine.record["start_nm"] * _MM], self.end[:-1]])
+        counts = counts_per_unit(machine.record["axis"]["rotary"])
+        self.end = end_nm / counts
+        self.start = np.concatenate([[machine.record["start_nm"] / counts], self.end[:-1]])
         self.is_arc = blocks["kind"] == lib.NCK_BLOCK_ARC
         self._arcs(blocks)
 
@@ -41,7 +42,7 @@ class Moves:
         """Prepare the arcs: centre in the machine, start angle, radius."""
         pairs = np.array([_PLANE_AXES.get(plane, (0, 1)) for plane in range(20)])
         self._axes = pairs[np.minimum(blocks["plane"], 19)]
-        tool = np.take_along_axis(blocks["tool_nm"], self._axes, axis=1) * _MM
+        tool = np.take_along_axis(blocks["tool_nm"], self._axes, axis=1) / lib.NCK_COUNTS_PER_MM
         self._centre = blocks["centre_mm"] + tool
         self._sweep = blocks["sweep_rad"]
         radius = np.take_along_axis(self.start, self._axes, axis=1) - self._centre

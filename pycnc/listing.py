@@ -64,8 +64,9 @@ def _decimal(nm, letter, units):
     value = int(nm)
     if units == "inch" and letter in LINEAR_AXES:
         return f"{Decimal(value) / Decimal(25_400_000):.10f}"
-    whole, part = divmod(abs(value), 1_000_000)
-    return f"{'-' if value < 0 else ''}{whole}.{part:06d}"
+    digits = 6 if letter in LINEAR_AXES else 9
+    whole, part = divmod(abs(value), 10**digits)
+    return f"{'-' if value < 0 else ''}{whole}.{part:0{digits}d}"
 
 
 def _output(output):

@@ -22,10 +22,9 @@ from pycnc.machine_file import (
     position_key,
     unit_of,
 )
-from pycnc.records import dtype
+from pycnc.records import counts_per_unit, dtype
 
 DEFAULT = "mill3"
-_NM = Decimal(10) ** 6  # nanometres in a millimetre, nanodegrees in a degree
 _FREE = (np.iinfo(np.int64).min, np.iinfo(np.int64).max)
 _KINEMATICS = {"identity": lib.NCK_KINEMATICS_IDENTITY, "lathe_xz": lib.NCK_KINEMATICS_LATHE_XZ}
 _DIALECTS = {
@@ -374,9 +373,10 @@ def _walk(table, prefix=""):
             yield f"{prefix}{name}", value
 
 
-def _nanometres(value):
-    """Return exact nanometres (or nanodegrees), rounded half to even."""
-    return int((value * _NM).to_integral_value(rounding=ROUND_HALF_EVEN))
+def _counts(value, letter):
+    """Return exact nanometres (or nanodegrees) of an axis, rounded half to even."""
+    counts = int(counts_per_unit(letter in ROTARY_AXES))
+    return int((value * counts).to_integral_value(rounding=ROUND_HALF_EVEN))
 
 
 def _rows(settings):
@@ -404,7 +404,7 @@ def _fill_axis(row, letter, axis):
     row["j_max"] = float(getattr(axis, f"j_max_{unit}_s3"))
     for field, free in zip(("min", "max"), _FREE, strict=True):
         value = getattr(axis, f"{field}_{unit}")
-        row[f"{field}_nm"] = free if value is None else _nanometres(value)
+        row[f"{field}_nm"] = free if value is None else _counts(value, letter)
 
 
 def _fill_path(record, path):
@@ -436,11 +436,12 @@ def _fill_dialect(row, dialect):
 def _fill_positions(record, settings):
     homes = (settings.home.g28, settings.home.g30)
     for index, letter in enumerate(AXES):
-        record["start_nm"][index] = _nanometres(settings.start.along(letter))
+        record["start_nm"][index] = _counts(settings.start.along(letter), letter)
         for row, home in enumerate(homes):
-            record["home_nm"][row][index] = _nanometres(home.along(letter))
+            record["home_nm"][row][index] = _counts(home.along(letter), letter)
         for row, name in enumerate(WORK_SYSTEMS):
-            record["work_nm"][row][index] = _nanometres(getattr(settings.work, name).along(letter))
+            place = getattr(settings.work, name).along(letter)
+            record["work_nm"][row][index] = _counts(place, letter)
     record["work_system"] = WORK_SYSTEMS.index(settings.start.work_system)
 
 
@@ -448,5 +449,6 @@ def _fill_tools(record, tools):
     record["tool_count"] = len(tools)
     for row, (number, tool) in zip(record["tool"], tools.items(), strict=False):
         row["number"], row["orientation"] = int(number), tool.orientation
-        row["offset_nm"] = [_nanometres(value) for value in (tool.x_mm, tool.y_mm, tool.length_mm)]
+        offset = {"x": tool.x_mm, "y": tool.y_mm, "z": tool.length_mm}
+        row["offset_nm"] = [_counts(value, letter) for letter, value in offset.items()]
         row["radius_mm"] = float(tool.radius_mm)

@@ -8,7 +8,7 @@ positions, and the path is the decoded program's.
 import numpy as np
 
 from pycnc.machine_file import AXES
-from pycnc.records import enum
+from pycnc.records import counts_per_unit, enum
 
 LIMITS = enum("nck_limit_t")
 KINDS = ("idle", "rapid", "line", "arc", "dwell", "wait")  # codes of a trace's column `kind`
@@ -35,8 +35,8 @@ class Peaks:
     def __init__(self, machine):
         self._machine, self._period = machine, machine.period_s
         self._axes = [AXES.index(letter) for letter in machine.axes]
-        start = machine.record["start_nm"][self._axes] * 1e-6
-        self._tail = np.tile(np.append(start, 0.0), (3, 1))  # at rest before the first tick
+        start = machine.record["start_nm"] / counts_per_unit(machine.record["axis"]["rotary"])
+        self._tail = np.tile(np.append(start[self._axes], 0.0), (3, 1))  # at rest before the first tick
         self._peaks = np.zeros((3, len(self._axes) + 1))  # v, a, j of the axes and of s
 
     def add(self, rows):

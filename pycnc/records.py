@@ -6,7 +6,7 @@ import functools
 
 import numpy as np
 
-from pycnc._bind import ffi
+from pycnc._bind import ffi, lib
 
 
 def names():
@@ -89,3 +89,23 @@ def _short_names(values):
     while all(len(w) > shared for w in words) and len({w[shared] for w in words}) == 1:
         shared += 1
     return {"_".join(name.split("_")[shared:]): value for name, value in values.items()}
+
+
+def counts_per_unit(rotary):
+    """Return the counts of the kernel's fixed point: in a millimetre, or in a degree.
+
+    Parameters
+    ----------
+    rotary : array_like of bool
+
+    Returns
+    -------
+    numpy.ndarray
+        int64, of the same shape: nanometres in a millimetre, nanodegrees in a degree.
+
+    Examples
+    --------
+    >>> counts_per_unit([False, True])
+    array([   1000000, 1000000000])
+    """
+    return np.where(rotary, lib.NCK_COUNTS_PER_DEG, lib.NCK_COUNTS_PER_MM)

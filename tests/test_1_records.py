@@ -10,7 +10,6 @@ import pytest
 from pycnc import errors, records
 from pycnc._bind import check, pointer
 
-HEADERS = ("nck/nck.h", "host/host.h", "sim.h")
 RECORDS = records.names()
 
 
@@ -27,7 +26,9 @@ def paths(dtype, before=""):
 def compiled_layout(root, tool, tmp_path_factory):
     """Return {(record, field): (offset, size)} as a C program made from the headers prints it."""
     folder = tmp_path_factory.mktemp("layout")
-    lines = [f'#include "{header}"' for header in HEADERS]
+    host = sorted(path.name for path in (root / "csrc" / "host").glob("*.h"))
+    faces = [f"host/{name}" for name in host if not name.endswith("_math.h")]
+    lines = [f'#include "{header}"' for header in ("nck/nck.h", *faces, "sim.h")]
     lines += ["#include <stdio.h>", "int main(void)", "{"]
     for record in RECORDS:
         lines.append(f'printf("{record} . 0 %zu\\n", sizeof({record}));')

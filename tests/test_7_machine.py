@@ -138,7 +138,7 @@ def test_every_setting_reaches_its_field():
     assert record["dialect"]["feed_default"] == 18
     assert record["start_nm"][0] == 1_000_000
     assert record["work_system"] == 7
-    assert record["home_nm"][1][AXES.index("c")] == -500_000
+    assert record["home_nm"][1][AXES.index("c")] == -500_000_000
     assert record["work_nm"][1][0] == 3_000_000
     tool = record["tool"][0]
     assert (record["tool_count"], tool["number"], tool["orientation"]) == (1, 42, 7)

@@ -296,8 +296,8 @@ def test_a_run_written_in_pieces_equals_one_kept_whole(trace, tmp_path):
 def test_a_rotary_machine_has_degrees_in_its_columns():
     trace = pycnc.run(b"G21 G90 G1 X10 A30 C-90 F600\nM2\n", machine="mill5_xyzac")
     assert trace["pos_c_deg"][-1] == -90.0
-    assert trace["joint_4_nm"][-1] == -90_000_000
-    assert trace["joint_3_nm"][-1] == 30_000_000
+    assert trace["joint_4_nm"][-1] == -90_000_000_000
+    assert trace["joint_3_nm"][-1] == 30_000_000_000
 
 
 def test_a_lathe_counts_radii_where_the_program_counts_diameters():

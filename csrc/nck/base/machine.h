@@ -11,9 +11,9 @@
 enum {
     NCK_WORK_SYSTEMS = 9,         // G54 … G59, G59.1 … G59.3
     NCK_LINEAR_MAX_MM = 1000000,  // furthest position, word and offset of X Y Z U V W
-    NCK_ROTARY_MAX_DEG = 10000000,// of A B C
+    NCK_ROTARY_MAX_DEG = 1000000, // of A B C
     NCK_COUNTS_PER_MM = 1000000,  // fixed point of X Y Z U V W: 1 nm
-    NCK_COUNTS_PER_DEG = 1000000  // fixed point of A B C
+    NCK_COUNTS_PER_DEG = 1000000000 // fixed point of A B C: 1 ndeg
 };
 
 typedef enum nck_kinematics {
@@ -92,6 +92,11 @@ typedef struct nck_machine {
 // mm/s³ and free travel, T = 1 ms, linear slope. The caller changes what differs.
 // Cost: constant. Context: any, before nck_init.
 void nck_machine_default(nck_machine_t *machine);
+
+// Counts of fixed point in one unit of the axis: NCK_COUNTS_PER_MM, or NCK_COUNTS_PER_DEG if rotary.
+// Up to the furthest position a double holds a count divided by it so well that times it and
+// rounded gives the count again. Cost: constant. Context: any.
+double nck_machine_counts(const nck_machine_t *machine, int axis);
 
 // Check every number. Returns NCK_OK, or NCK_E_MACHINE at the first that is outside of its range
 // (NaN and infinity included; travel may be free). Cost: constant. Context: any.

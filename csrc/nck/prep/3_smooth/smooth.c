@@ -12,8 +12,6 @@ void nck_smooth_init(nck_smooth_t *self, const nck_machine_t *machine) {
     memcpy(self->position_nm, machine->start_nm, sizeof self->position_nm);
 }
 
-static double mm_of(int64_t nm) { return (double)nm / 1e6; }
-
 static void set_arc(nck_seg_t *seg, const nck_block_t *block) {
     seg->kind = NCK_SEG_ARC;
     seg->axis_u = block->plane == 17 ? NCK_AXIS_X : block->plane == 18 ? NCK_AXIS_Z : NCK_AXIS_Y;
@@ -55,8 +53,10 @@ nck_status_t nck_smooth_push(nck_smooth_t *self, const nck_block_t *block, uint3
     seg_out->s_begin = self->s;
     seg_out->feed_scale = 1.0;
     for (int x = 0; x < NCK_AXIS_MAX; x++) {
-        seg_out->start[x] = mm_of(self->position_nm[x]);
-        seg_out->end[x] = mm_of(moves ? block->target_nm[x] : self->position_nm[x]);
+        const double counts = nck_machine_counts(self->machine, x);
+        const int64_t end_nm = moves ? block->target_nm[x] : self->position_nm[x];
+        seg_out->start[x] = (double)self->position_nm[x] / counts;
+        seg_out->end[x] = (double)end_nm / counts;
     }
     if (moves) {
         const nck_status_t status = make_motion(self, block, seg_out);

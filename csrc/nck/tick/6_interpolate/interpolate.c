@@ -12,7 +12,7 @@ void nck_interpolate_init(nck_interpolate_t *self, const nck_machine_t *machine,
     self->machine = machine;
     self->link = link;
     for (int x = 0; x < NCK_AXIS_MAX; x++) {
-        self->pose.axis[x] = (double)machine->start_nm[x] / 1e6;
+        self->pose.axis[x] = (double)machine->start_nm[x] / nck_machine_counts(machine, x);
     }
     self->pose.feed_scale = 1.0;
     self->cell.stop = 1;

@@ -14,6 +14,7 @@ void nck_transform_init(nck_transform_t *self, const nck_machine_t *machine) {
         const int used = machine->kinematics == NCK_KINEMATICS_LATHE_XZ ? on_lathe : 1;
         if (!used || !machine->axis[x].present) continue;
         self->axis[self->joints] = x;
+        self->counts[self->joints] = nck_machine_counts(machine, x);
         self->joints++;
     }
 }
@@ -31,6 +32,6 @@ static int64_t round_even(double x) {
 void nck_transform_tick(const nck_transform_t *self, const nck_pose_t *pose, nck_axes_t *axes_out) {
     memset(axes_out, 0, sizeof *axes_out);
     for (uint32_t k = 0; k < self->joints; k++) {
-        axes_out->joint_nm[k] = round_even(pose->axis[self->axis[k]] * 1e6);
+        axes_out->joint_nm[k] = round_even(pose->axis[self->axis[k]] * self->counts[k]);
     }
 }

@@ -8,6 +8,7 @@
 
 typedef struct nck_transform {
     uint32_t joints;             // how many
+    double counts[NCK_AXIS_MAX]; // of joint k in one mm or degree
     uint8_t axis[NCK_AXIS_MAX];  // which axis drives joint k
 } nck_transform_t;
 
