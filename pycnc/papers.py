@@ -5,13 +5,13 @@
 """
 
 import json
+import time
 from dataclasses import dataclass
 from importlib import resources
 
 import numpy as np
 
-from pycnc import stages
-from pycnc._bind import lib
+from pycnc import grades, stages
 from pycnc.machine import Machine
 from pycnc.planning import plan
 
@@ -113,23 +113,10 @@ def corner_speeds(segs, a_max, period_s):
     numpy.ndarray
         (n − 1,) [mm/s]; infinite where the tangent does not turn.
     """
-    begin, end = _tangents(segs, "start"), _tangents(segs, "end")
-    turn = np.linalg.norm(end[:-1] - begin[1:], axis=1)  # 2 sin(α/2)
-    turn[turn < 1e-9] = 0  # tangent but for the digits of the program
+    angle = grades.link_angles(segs)
+    angle[angle < 1e-9] = 0  # tangent but for the digits of the program
     with np.errstate(divide="ignore"):
-        return a_max * period_s / turn
-
-
-def _tangents(segs, where):
-    """Return (n, axes) unit tangents of flat arcs and lines at their starts or ends."""
-    tangents = segs["end"] - segs["start"]
-    for k in np.flatnonzero(segs["kind"] == lib.NCK_SEG_ARC):
-        seg = segs[k]
-        axes = [seg["axis_u"], seg["axis_v"]]
-        u, v = seg[where][axes] - (seg["centre_u"], seg["centre_v"])
-        tangents[k] = 0
-        tangents[k, axes] = np.copysign(1, seg["sweep"]) * np.array([-v, u])
-    return tangents / np.linalg.norm(tangents, axis=1, keepdims=True)
+        return a_max * period_s / (2 * np.sin(angle / 2))
 
 
 def lookahead_rows(path, lookaheads=(0, 1, 2, 3, 4, 6, 8)):
@@ -153,4 +140,96 @@ def lookahead_rows(path, lookaheads=(0, 1, 2, 3, 4, 6, 8)):
             "printed_ms": PRINTED_MS[min(n, 2)],
             "end_speed_mm_min": [round(float(v) * 60, 2) for v in profile.v_node[1:]],
         })  # fmt: skip
+    return rows
+
+
+# Keinert et al.: a workpiece of many short blocks, for theirs is not given.
+
+FREEFORM_FEED_MM_S = 100.0
+FREEFORM_A_MAX = 1000.0
+FREEFORM_J_MAX = 50000.0
+FREEFORM_PERIOD_S = 0.001
+_ROW_MM, _STEP_MM = 60.0, 0.5  # length of a pass over the surface, distance to the next
+_CHORD_ERROR_MM = 0.0005
+
+
+def freeform(blocks):
+    """Return the points of a wavy surface, milled in passes to and fro.
+
+    z = 4 sin(x/7) cos(y/9), with chords as long as an error of 0.5 µm allows, at most 0.6 mm in x.
+
+    Parameters
+    ----------
+    blocks : int
+        Moves, at least 1.
+
+    Returns
+    -------
+    numpy.ndarray
+        (blocks + 1, 3) [mm].
+    """
+    rows, count, row = [], 0, 0
+    while count < blocks + 1:
+        y = row * _STEP_MM
+        curvature = np.abs(4 / 49 * np.sin(np.linspace(0, _ROW_MM, 4001) / 7) * np.cos(y / 9))
+        chord = np.minimum(np.sqrt(8 * _CHORD_ERROR_MM / np.maximum(curvature, 1e-9)), 0.6)
+        index = np.concatenate([[0], np.cumsum(_ROW_MM / 4000 / chord)])
+        x = np.interp(np.arange(0, index[-1]), index[:4001], np.linspace(0, _ROW_MM, 4001))
+        x = x if row % 2 == 0 else x[::-1]
+        rows.append(np.stack([x, np.full_like(x, y), 4 * np.sin(x / 7) * np.cos(y / 9)], axis=1))
+        count, row = count + len(x), row + 1
+    return np.concatenate(rows)[: blocks + 1]
+
+
+def polyline_limits(points, feed, a_max, period_s):
+    """Return (w_cap, h) of a polyline as Keinert et al. plan it: V1 by angle, V2 by length, VC.
+
+    Parameters
+    ----------
+    points : numpy.ndarray
+        (n + 1, 3) [mm].
+    feed, a_max, period_s : float
+        Programmed feed [mm/s], path acceleration [mm/s²], sampling time [s].
+
+    Returns
+    -------
+    w_cap : numpy.ndarray
+        (n + 1,) smallest of V1² and VC² at every point, 0 at both ends [mm²/s²].
+    h : numpy.ndarray
+        (n,) 2 a·length of every block [mm²/s²].
+    """
+    along = np.diff(points, axis=0)
+    length = np.linalg.norm(along, axis=1)
+    unit = along / length[:, None]
+    turn = np.linalg.norm(np.diff(unit, axis=0), axis=1)
+    corner = a_max * period_s / np.maximum(turn, a_max * period_s / feed)
+    return np.concatenate([[0], corner**2, [0]]), 2 * a_max * length
+
+
+def reach_rows(blocks=20000, lookaheads=(0, 1, 2, 6, 10, 20, 50, 100, None)):
+    """Return time and cost over N on a path of many short blocks: when is N enough?
+
+    Returns
+    -------
+    list of dict
+        kind, lookahead (None: the whole path), time_s, ns_per_block of planning.
+    """
+    w_cap, h = polyline_limits(
+        freeform(blocks), FREEFORM_FEED_MM_S, FREEFORM_A_MAX, FREEFORM_PERIOD_S
+    )
+    length, v_node, rows = h / (2 * FREEFORM_A_MAX), np.sqrt(w_cap), []
+    for kind in ("linear", "sshape"):
+        for n in lookaheads:
+            begun = time.perf_counter()
+            profile = stages.slope(
+                length, FREEFORM_FEED_MM_S, FREEFORM_A_MAX, FREEFORM_J_MAX, v_node,
+                kind=kind, lookahead=n,
+            )  # fmt: skip
+            wall = time.perf_counter() - begun
+            rows.append({
+                "kind": kind,
+                "lookahead": n,
+                "time_s": round(profile.time_s, 3),
+                "ns_per_block": round(wall / blocks * 1e9),
+            })  # fmt: skip
     return rows

@@ -7,6 +7,7 @@ from pathlib import Path
 import numpy as np
 
 from pycnc import papers
+from pycnc.measure import KINDS
 
 _INK, _GRID = "#20242c", "#e4e7ec"
 _COLOURS = {"linear": "#d1495b", "sshape": "#1f6feb", "whole": "#2f9e5b", "fixed": "#8a5cd6"}
@@ -113,6 +114,97 @@ def total_time(rows, folder):
     each.set_ylabel("total time [ms]")
     each.legend(frameon=False, fontsize=9)
     return save(figure, folder, "cao_16_total_time")
+
+
+def worked_example(sweeps, folder):
+    """Draw the grades of the paper's six points before, during and after the bubble (10 to 12).
+
+    Parameters
+    ----------
+    sweeps : list of numpy.ndarray
+        Grades before the first sweep and after every sweep that changed one.
+    """
+    shown = [*sweeps, sweeps[-1]]
+    titles = ["preplanned", *(f"after sweep {k}" for k in range(1, len(shown)))]
+    titles[-1] += ": no change, the end"
+    figure, axes = sheet(1, len(shown), (3.3 * len(shown), 3), sharey=True)
+    for k, each in enumerate(axes.flat):
+        points = np.arange(1, len(shown[k]) + 1)
+        moved = shown[k] != shown[max(0, k - 1)]
+        each.bar(points, shown[0], color=_GRID, width=0.6)
+        each.bar(points, shown[k], color=np.where(moved, "#d1495b", "#1f6feb"), width=0.6)
+        for x, y in zip(points, shown[k], strict=True):
+            each.text(x, y + 0.1, str(y), ha="center", fontsize=9, color=_INK)
+        each.set_title(titles[k], fontsize=10, color=_INK)
+        each.set_xticks(points, [f"p{k}" for k in points])
+    axes[0, 0].set_ylabel("velocity grade")
+    axes[0, 0].set_ylim(0, 6)
+    return save(figure, folder, "cao_10_12_worked_example")
+
+
+def grade_charts(charts, folder):
+    """Draw the grades of paths before, during and after the bubble (9 to 12 for real paths).
+
+    Parameters
+    ----------
+    charts : list of (str, numpy.ndarray, list of numpy.ndarray)
+        Title, path coordinate of every point [mm], grades before the first sweep and after each.
+    """
+    figure, axes = sheet(len(charts), 1, (10, 3.2 * len(charts)))
+    for each, (title, s, sweeps) in zip(axes.flat, charts, strict=True):
+        last = len(sweeps) - 1
+        for k in sorted({0, last // 3, 2 * last // 3, last}):
+            share = k / last
+            colour = (0.82 - 0.7 * share, 0.55 - 0.1 * share, 0.3 + 0.6 * share) if k else "#9aa4b2"
+            label = "preplanned" if k == 0 else f"after sweep {k}" + ", the end" * (k == last)
+            each.plot(s, sweeps[k], color=colour, lw=1.8 if k == last else 1.1, label=label)
+        each.set_title(title, fontsize=10)
+        each.set_ylabel("velocity grade")
+        each.legend(frameon=False, fontsize=8, loc="lower center", ncols=4)
+        each.set_ylim(-0.22 * sweeps[0].max())
+        each.set_yticks([tick for tick in each.get_yticks() if 0 <= tick <= sweeps[0].max()])
+    axes[-1, 0].set_xlabel("path [mm]")
+    return save(figure, folder, "cao_9_12_grades")
+
+
+def lathe(runs, folder):
+    """Draw speed over time of a lathe program, planned exactly and by grades, and a corner of it.
+
+    Parameters
+    ----------
+    runs : dict
+        Kind of planning → Trace.
+    """
+    figure, axes = sheet(2, 1, (11, 6.4))
+    begin, end = _corner(runs["exact"], runs["grades"])
+    for kind, colour, width in (("exact", "#9aa4b2", 3), ("grades", "#1f6feb", 1)):
+        trace = runs[kind]
+        t, s, v = trace["t_s"], trace["s_mm"], trace["vel_mm_s"] * 60
+        label = f"{kind}: {trace.summary['time_s']:.3f} s"
+        axes[0, 0].plot(t, v, color=colour, lw=width, label=label)
+        near = (s >= begin) & (s <= end)
+        axes[1, 0].plot(s[near], v[near], ".-", color=colour, lw=width, ms=5, label=kind)
+    axes[0, 0].set_yscale("symlog", linthresh=10)
+    axes[0, 0].set_ylim(0, 200000)
+    axes[0, 0].set_xlim(0, float(t[-1]))
+    axes[0, 0].set_title("turned_pin.ngc on cak6150n", fontsize=10)
+    axes[0, 0].set_xlabel("time [s]")
+    axes[1, 0].set_title("the cut's corner at which the two differ most, a dot a tick", fontsize=10)
+    axes[1, 0].set_xlabel("path [mm]")
+    axes[1, 0].set_ylim(0)
+    for each in axes.flat:
+        each.set_ylabel("speed [mm/min]")
+        each.legend(frameon=False, fontsize=9, loc="upper right", ncols=2)
+    return save(figure, folder, "cao_cak6150n")
+
+
+def _corner(exact, by_grades, around_mm=0.06):
+    """Return the stretch of path [mm] around the place in a cut where two runs differ most."""
+    cut = np.isin(exact["kind"], (KINDS.index("line"), KINDS.index("arc")))
+    s, v = exact["s_mm"], exact["vel_mm_s"]
+    apart = np.abs(v - np.interp(s, by_grades["s_mm"], by_grades["vel_mm_s"]))
+    middle = float(s[np.argmax(np.where(cut, apart, 0))])
+    return middle - around_mm, middle + around_mm
 
 
 def _sampled(path, kind, lookahead):

@@ -6,7 +6,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from pycnc import ArgumentError, papers, stages
+from pycnc import ArgumentError, grades, papers, papers_grades, stages
 
 LOOKAHEADS = (0, 1, 2, 3, 4, 6, 8)
 KINDS = ("linear", "sshape", "whole")
@@ -174,3 +174,57 @@ def test_a_number_outside_of_its_range_is_named(change, says):
     good |= {"v_node": [0.0, 1.0, 0.0]}
     with pytest.raises(ArgumentError, match=says):
         stages.slope(**(good | change))
+
+
+# Cao et al., section 7: the bubble, and what its grades cost
+
+
+def test_the_worked_example_is_done_in_one_sweep_and_confirmed_in_the_next():
+    before, after = papers_grades.sweeps(papers_grades.WORKED_EXAMPLE)
+    assert before.tolist() == [1, 5, 2, 5, 3, 1]
+    assert after.tolist() == [1, 2, 2, 3, 2, 1]
+
+
+@given(preplanned=st.lists(st.integers(0, 40), min_size=1, max_size=200))
+def test_the_drawn_sweeps_end_where_the_kernel_ends(preplanned):
+    drawn = papers_grades.sweeps(preplanned)
+    kernel, made = grades.bubble(preplanned, method="sweeps")
+    assert drawn[-1].tolist() == kernel.tolist() == grades.bubble(preplanned)[0].tolist()
+    assert len(drawn) == made  # as many as change something, and the beginning
+    assert all(np.all(later <= before) for before, later in zip(drawn, drawn[1:], strict=False))
+
+
+def test_grades_in_a_chart_meet_both_criteria():
+    for _, s, steps in papers_grades.charts():
+        assert np.all(np.diff(s) > 0)
+        assert np.abs(np.diff(steps[-1])).max() <= 1
+        assert np.all(steps[-1] <= steps[0])
+        assert steps[-1][0] == steps[-1][-1] == 0
+
+
+def test_grades_never_save_time_against_the_exact_envelope_under_the_same_caps():
+    rows = papers_grades.cost_rows(steps=(4,))
+    assert {row["program"] for row in rows} == set(papers_grades.programs())
+    assert all(0 <= row["cost_percent"] < 15 for row in rows)
+
+
+def test_the_lathe_of_the_paper_runs_by_grades_to_the_same_end():
+    runs = papers_grades.lathe_runs()
+    exact, by_grades = runs["exact"], runs["grades"]
+    assert by_grades.summary["time_s"] > exact.summary["time_s"]
+    joints = [name for name in exact.columns if name.startswith("joint_")]
+    assert len(joints) == 2
+    assert [exact[name][-1] for name in joints] == [by_grades[name][-1] for name in joints]
+    for axis in ("x", "z"):
+        assert by_grades.summary["peaks"][axis]["v"] <= 1 + 1e-6
+
+
+# Keinert et al.: the path that stands in for their workpiece
+
+
+def test_the_wavy_surface_has_short_blocks_that_stay_on_it():
+    points = papers.freeform(3000)
+    x, y, z = points.T
+    assert len(points) == 3001
+    assert z == pytest.approx(4 * np.sin(x / 7) * np.cos(y / 9), abs=1e-12)
+    assert np.linalg.norm(np.diff(points, axis=0), axis=1).max() < 0.8
