@@ -128,24 +128,27 @@ def bubble_printed(preplanned, orders, most=1000):
     preplanned : array_like
         (n,) grades.
     orders : callable
-        ``orders(k)`` gives the order in which the n − 1 pairs happen to run in step k.
+        ``orders(k)`` gives the order in which the writes of the n − 1 pairs arrive in step k.
     most : int
         Steps after which it counts as never ending.
 
-    Returns
-    -------
-    numpy.ndarray or None
-        The grades at which it stops: a step changed nothing. They may break either criterion's
-        purpose. None if it did not stop.
+    Yields
+    ------
+    numpy.ndarray
+        (n,) grades after each step; the last two are equal if it stopped. They may be wrong.
     """
     g = np.array(preplanned, np.int32)
     for k in range(most):
-        order = np.ascontiguousarray(orders(k), np.uint32)
+        order, after = np.ascontiguousarray(orders(k), np.uint32), np.empty_like(g)
         if sorted(order.tolist()) != list(range(len(g) - 1)):
             raise errors.ArgumentError("an order names every pair once", id="argument")
-        if not lib.nck_host_bubble_printed(pointer("int32_t", g), len(g), pointer("uint32_t", order)):
-            return g
-    return None
+        changed = lib.nck_host_bubble_printed(
+            pointer("int32_t", g), len(g), pointer("uint32_t", order), pointer("int32_t", after)
+        )
+        yield after
+        if not changed:
+            return
+        g = after
 
 
 def link_angles(segs):

@@ -113,10 +113,11 @@ nck_status_t nck_host_bubble_sweeps(const int32_t *p, size_t n, int32_t *g_out, 
 nck_status_t nck_host_bubble_scan(const int32_t *p, size_t n, int32_t *g_out, size_t *bad_out);
 
 // A DEMONSTRATION of a defect, for no other use: one computation step of the bubble as printed,
-// where every pair of points may write either of its ends. The pairs run in the given order (n − 1
-// numbers, pair k is points k and k + 1), each reading and writing g in place, as threads that
-// happen to run in that order would. Returns 1 if anything changed. Cost: linear. Context: any.
-int nck_host_bubble_printed(int32_t *g, size_t n, const uint32_t *order);
+// where every pair of points reads the grades g and may write either of its ends, so that two
+// pairs write one point. next_out: n. order (n − 1 numbers; pair k is points k and k + 1) is the
+// order in which the writes happen to arrive; the last one stays.
+// Returns 1 if next_out differs from g. Cost: linear. Context: any.
+int nck_host_bubble_printed(const int32_t *g, size_t n, const uint32_t *order, int32_t *next_out);
 
 // All of it: speeds, transfers, bubble and accelerations of every stretch. Returns NCK_OK.
 // Cost: linear in units and their steps. Context: any.

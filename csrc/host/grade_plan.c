@@ -138,21 +138,21 @@ nck_status_t nck_host_bubble_scan(const int32_t *p, size_t n, int32_t *g_out, si
     return status;
 }
 
-// The three conditions of Cao et al. 2014, section 7, for the pair (i, i + 1), as printed: the
-// third raises a point without asking what it may have.
-int nck_host_bubble_printed(int32_t *g, size_t n, const uint32_t *order) {
+// The three conditions of Cao et al. 2014, section 7, for every pair (i, i + 1), as printed. The
+// third one is not strict: a pair that is in order writes its point all the same, and may so undo
+// what the pair on the other side had to take from it.
+int nck_host_bubble_printed(const int32_t *g, size_t n, const uint32_t *order, int32_t *next_out) {
     int changed = 0;
+    for (size_t i = 0; i < n; i++) next_out[i] = g[i];
     for (size_t k = 0; k + 1 < n; k++) {
-        int32_t *const here = &g[order[k]];
-        int32_t *const next = here + 1;
-        const int32_t before[2] = {*here, *next};
-        if (*here > *next + 1) {
-            *here = *next + 1;
-        } else if (*here < *next) {
-            *next = *here + 1;
+        const size_t i = order[k];
+        if (g[i] > g[i + 1] + 1) {
+            next_out[i] = g[i + 1] + 1;
+        } else if (g[i] < g[i + 1]) {
+            next_out[i + 1] = g[i] + 1;
         }
-        changed |= before[0] != *here || before[1] != *next;
     }
+    for (size_t i = 0; i < n; i++) changed |= next_out[i] != g[i];
     return changed;
 }
 

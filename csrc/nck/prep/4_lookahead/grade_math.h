@@ -42,14 +42,16 @@ static inline nck_real nck_grade_vv(NCK_IN nck_grade_rule_t *rule, int k) {
 
 // The grade of a speed given as v²:   g = ⌊(v² − v_min²)/(2aL)⌋ in 0 … N−1
 // (Cao et al. 2014, eq. 9). Quantised in v²: floor of the table's own rounded speeds puts many
-// grades one too low. The grade's speed is never above v, but for grade 0 below v_min.
+// grades one too low. The table decides where the division rounds: the grade's speed is never above v
+// (but for grade 0 below v_min), the next grade's always.
 static inline int nck_grade_of(NCK_IN nck_grade_rule_t *rule, nck_real vv) {
     const int top = (int)rule->count - 1;
     if (vv >= rule->v_max * rule->v_max) return top;
     const nck_real step = nck_grade_step(rule->a, rule->length);
     const nck_real x = nck_floor((vv - rule->v_min * rule->v_min) / step);
-    if (!(x > (nck_real)0)) return 0;
+    if (!(x >= (nck_real)0)) return 0;
     const int g = x < (nck_real)(top - 1) ? (int)x : top - 1;
+    if (g + 1 < top && nck_grade_vv(rule, g + 1) <= vv) return g + 1;
     return g > 0 && nck_grade_vv(rule, g) > vv ? g - 1 : g;
 }
 
