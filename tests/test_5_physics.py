@@ -154,8 +154,8 @@ def test_any_program_keeps_every_promise(text, prep_steps):
 @pytest.fixture(scope="module")
 def sound():
     """Return a program with stops and arcs, and its rows."""
-    text = cases.HEAD + "G1 X10 F3000\nG9 X20\nG3 X20 Y10 J5\nG4 P0.05\nG1 X0\nY0.0005\nY0.001\nM2\n"
-    program = Program(text.encode(), Machine.load("mill3"))
+    moves = "G1 X10 F3000\nG9 X20\nG3 X20 Y10 J5\nG4 P0.05\nG1 X0\nY0.0005\nY0.001\nM2\n"
+    program = Program((cases.HEAD + moves).encode(), Machine.load("mill3"))
     return program, judged.rows_of(program)
 
 

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-"""Real programs: every file of the corpus runs to its end under the checker's eyes, or ends with the
-diagnostic that the table in cases.py names."""
+"""Real programs: every file of the corpus runs to its end under the checker's eyes, or ends with
+the diagnostic that the table in cases.py names."""
 
 import functools
 
