@@ -88,3 +88,16 @@ nck_status_t nck_host_envelope_float(const nck_host_choice_t *choice, const floa
                                 .threads = choice->threads};
     return plan(of_float, sizeof *w_out, choice, &job, report_out);
 }
+
+size_t nck_host_envelope_bad_double(const double *w_cap, const double *h, size_t n, double w_start,
+                                    double w_end) {
+    const envelope_job_t job = {.w_cap = w_cap, .h = h, .n = n, .w_start = w_start, .w_end = w_end};
+    return n == 0 ? 0 : first_bad(of_double[NCK_HOST_CPU_PLAIN], &job);
+}
+
+size_t nck_host_envelope_bad_float(const float *w_cap, const float *h, size_t n, double w_start,
+                                   double w_end) {
+    const envelope_job_t job = {.w_cap = w_cap, .h = h, .n = n,
+                                .w_start = (double)(float)w_start, .w_end = (double)(float)w_end};
+    return n == 0 ? 0 : first_bad(of_float[NCK_HOST_CPU_PLAIN], &job);
+}

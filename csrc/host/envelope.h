@@ -56,4 +56,13 @@ nck_status_t nck_host_envelope_float(const nck_host_choice_t *choice, const floa
                                      const float *h, size_t n, double w_start, double w_end,
                                      float *w_out, nck_host_envelope_report_t *report_out);
 
+// The first index whose cap or piece is NaN, infinite or negative (w_start: 0, w_end: n − 1); n if all
+// are good. Cost: linear. Context: any.
+size_t nck_host_envelope_bad_double(const double *w_cap, const double *h, size_t n, double w_start,
+                                    double w_end);
+
+// As nck_host_envelope_bad_double, in float.
+size_t nck_host_envelope_bad_float(const float *w_cap, const float *h, size_t n, double w_start,
+                                   double w_end);
+
 #endif

@@ -10,6 +10,14 @@
 #include <omp.h> // omp_get_max_threads omp_get_thread_num
 #endif
 
+int nck_host_has_threads(void) {
+#ifdef _OPENMP
+    return 1;
+#else
+    return 0;
+#endif
+}
+
 int nck_host_threads(void) {
 #ifdef _OPENMP
     const int threads = omp_get_max_threads();

@@ -9,6 +9,9 @@
 
 enum { NCK_HOST_THREADS_MAX = 64 };
 
+// 1 if built with OpenMP. Cost: constant. Context: any.
+int nck_host_has_threads(void);
+
 // Threads that this machine runs at once, 1 to NCK_HOST_THREADS_MAX; 1 if built without OpenMP.
 // OMP_NUM_THREADS is honoured. Cost: constant. Context: any.
 int nck_host_threads(void);

@@ -178,10 +178,10 @@ static int envelope_threads(const envelope_job_t *job, envelope_count_t *count) 
 }
 
 static size_t envelope_first_bad(const envelope_job_t *job) {
-    const nck_real *w_cap = job->w_cap;
-    const nck_real *h = job->h;
+    const path_t path = {.w_cap = job->w_cap, .h = job->h, .n = job->n};
+    if (part_is_good(&path, 0, path.n)) return path.n;
     size_t i = 0;
-    while (i < job->n && is_good(w_cap[i]) && (i + 1 == job->n || is_good(h[i]))) i++;
+    while (is_good(path.w_cap[i]) && (i + 1 == path.n || is_good(path.h[i]))) i++;
     return i;
 }
 

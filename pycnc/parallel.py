@@ -1,0 +1,379 @@
+# SPDX-License-Identifier: MIT
+"""Room 4 in bulk: the exact envelope by several roads, and Keinert's parallel look-ahead."""
+
+import dataclasses
+import functools
+
+import numpy as np
+
+from pycnc import dispatch, errors, kernel
+from pycnc._bind import check, ffi, lib, pointer
+from pycnc.records import dtype, enum
+
+_BACKENDS = {
+    "c": lib.NCK_HOST_SERIAL,
+    "simd": lib.NCK_HOST_SIMD,
+    "threads": lib.NCK_HOST_THREADS,
+}
+_REALS = {np.dtype(np.float32): "float", np.dtype(np.float64): "double"}
+
+
+def threads():
+    """Return how many threads plan by default: the computer's, or ``OMP_NUM_THREADS``."""
+    return lib.nck_host_threads()
+
+
+def processors():
+    """Return the instruction sets that are built and that this processor has, the best one last."""
+    names = [each.name.removeprefix("CPU_").lower() for each in enum("nck_host_cpu_t")]
+    return tuple(names[: lib.nck_host_cpu() + 1])
+
+
+def envelope(
+    w_cap, h, *, w_start=0.0, w_end=0.0, backend="auto", threads=None, processor=None, out=None
+):
+    """Room 4: the largest profile of squared speeds that caps and accelerations allow.
+
+    The exact two-pass look-ahead: backward w_i = min(w_cap_i, w_{i+1} + h_i), then forward
+    w_{i+1} = min(w_{i+1}, w_i + h_i). All backends give the same bits. Who ran, and why, is told by
+    `pycnc.dispatch.last_report`.
+
+    Parameters
+    ----------
+    w_cap : array_like
+        (n,) cap of v² at every node [mm²/s²], not negative.
+    h : array_like
+        (n − 1,) 2·a·length of every piece [mm²/s²], not negative. If both are float32, so is the
+        result; otherwise all is computed in float64.
+    w_start, w_end : float
+        v² at the ends, at most [mm²/s²].
+    backend : {"auto", "c", "simd", "threads", "opencl"}
+        Where it is computed: serially, in the lanes of vectors, by OpenMP, on a device, or where a
+        calibration found it quickest. ``auto`` goes on in C if a device fails, with one warning.
+    threads : int, optional
+        For ``"threads"``; without it, as many as the computer has.
+    processor : str, optional
+        One of `processors`, for comparisons; without it the best one.
+    out : numpy.ndarray, optional
+        (n,) array to fill, of the result's type; it may be w_cap. After an error it is not to be
+        used.
+
+    Returns
+    -------
+    numpy.ndarray
+        (n,) v² at every node [mm²/s²].
+
+    Raises
+    ------
+    ArgumentError
+        If a number is NaN, infinite or negative (the first index is told), or the lengths do not
+        fit.
+    DeviceError
+        If a backend was named and is not here, or fails.
+
+    Examples
+    --------
+    >>> envelope([9.0, 100.0, 9.0], [16.0, 4.0], w_start=9.0, w_end=9.0)
+    array([ 9., 13.,  9.])
+    """
+    w_cap, h, w = _arrays(w_cap, h, out)
+    real, n = _REALS[w.dtype], len(w)
+    choice = dispatch.choose(backend, real, n, _identity(), _measure)
+    name, why = choice.backend, choice.why
+    ends = (float(w_start), float(w_end))
+    if name == "opencl":
+        try:
+            report = _on_device(w_cap, h, ends, w)
+        except errors.DeviceError as cause:
+            _refuse_bad_numbers(real, w_cap, h, ends)
+            if choice.is_named:
+                raise
+            name, why = "simd", dispatch.fall_back(cause)
+    if name != "opencl":
+        report = _in_c(real, name, threads, processor, w_cap, h, ends, w)
+    dispatch.note(dispatch.Report(name, backend, why, real, n, **report))
+    return w
+
+
+def _arrays(w_cap, h, out):
+    """Return caps, pieces and the array to fill: of one type, contiguous, of fitting lengths."""
+    w_cap, h = np.asarray(w_cap), np.asarray(h)
+    is_float = w_cap.dtype == np.float32 and h.dtype == np.float32
+    real = np.dtype(np.float32 if is_float else np.float64)
+    w_cap, h = np.ascontiguousarray(w_cap, real), np.ascontiguousarray(h, real)
+    if w_cap.ndim != 1 or h.ndim != 1 or len(w_cap) != len(h) + 1:
+        raise errors.ArgumentError(f"{w_cap.shape} nodes and {h.shape} pieces do not fit")
+    if out is None:
+        return w_cap, h, np.empty_like(w_cap)
+    if out.shape != w_cap.shape or out.dtype != real or not out.flags.c_contiguous:
+        raise errors.ArgumentError(f"out must be {real}, contiguous, of shape {w_cap.shape}")
+    # Chunks read what stands beside them: nothing may be overwritten there before.
+    w_cap = w_cap.copy() if np.may_share_memory(w_cap, out) else w_cap
+    return w_cap, h.copy() if np.may_share_memory(h, out) else h, out
+
+
+def _choice(name, crew, processor):
+    """Return the record that chooses a road of C."""
+    known = processors()
+    if processor is not None and processor not in known:
+        raise errors.DeviceError(
+            f"processor {processor!r} is not here; here: {', '.join(known)}", id="device-absent"
+        )
+    if name == "threads" and not lib.nck_host_has_threads():
+        raise errors.DeviceError(
+            "backend 'threads' is not built: the compiler had no OpenMP", id="device-absent"
+        )
+    if name != "threads":
+        crew = 1
+    elif crew is None:
+        crew = threads()
+    if not 1 <= crew <= lib.NCK_HOST_THREADS_MAX:
+        raise errors.ArgumentError(f"threads must be 1 to {lib.NCK_HOST_THREADS_MAX}, not {crew}")
+    cpu = known.index(processor) if processor else len(known) - 1
+    choice = {"backend": _BACKENDS[name], "cpu": cpu, "threads": crew}
+    return ffi.new("nck_host_choice_t *", choice), known[cpu], crew
+
+
+def _in_c(real, name, crew, processor, w_cap, h, ends, w):
+    """Compute on a road of C. Returns what the report tells."""
+    choice, cpu, crew = _choice(name, crew, processor)
+    report = ffi.new("nck_host_envelope_report_t *")
+    compute = getattr(lib, f"nck_host_envelope_{real}")
+    caps, pieces, result = (pointer(real, each) for each in (w_cap, h, w))
+    status = compute(choice, caps, pieces, len(w_cap), *ends, result, report)
+    if status == lib.NCK_E_ARGUMENT:
+        raise _bad_number(report.bad, w_cap, h, ends)
+    check(status)
+    counts = ("blocks", "blocks_refused", "chunks_refused", "overlap")
+    return {
+        "processor": cpu,
+        "threads": crew,
+        **{count: getattr(report, count) for count in counts},
+    }
+
+
+def _on_device(w_cap, h, ends, w):
+    """Compute on an OpenCL device. Returns what the report tells."""
+    from pycnc import device
+
+    return {"processor": str(device.envelope(w_cap, h, *ends, w))}
+
+
+def _bad_number(index, w_cap, h, ends):
+    """Return the error that names the first number that is NaN, infinite or negative."""
+    named = [("w_cap", w_cap[index])]
+    named += [("h", h[index])] if index < len(h) else [("w_end", ends[1])]
+    named += [("w_start", ends[0])] if index == 0 else []
+    what = next((f"{name} is {x}" for name, x in named if not 0 <= x < np.inf), "a number")
+    return errors.ArgumentError(
+        f"index {index}: {what}; it must be finite and not negative",
+        id="argument",
+        status=lib.NCK_E_ARGUMENT,
+    )
+
+
+def _refuse_bad_numbers(real, w_cap, h, ends):
+    find = getattr(lib, f"nck_host_envelope_bad_{real}")
+    bad = find(pointer(real, w_cap), pointer(real, h), len(w_cap), *ends)
+    if bad < len(w_cap):
+        raise _bad_number(bad, w_cap, h, ends)
+
+
+# The calibration
+
+
+@functools.cache
+def _identity():
+    return f"pycnc {kernel.version()}; {processors()[-1]}; {threads()} threads"
+
+
+def sample(real, n):
+    """Return caps and pieces of a path like a milled surface's: a tenth of its nodes are corners.
+
+    Parameters
+    ----------
+    real : {"float", "double"}
+    n : int
+        Nodes.
+    """
+    rng = np.random.default_rng(n)
+    w_cap = np.where(rng.random(n) < 0.1, rng.uniform(0, 1e4, n), 1e4)
+    h = rng.uniform(500, 1500, max(n - 1, 0))
+    kind = {"float": np.float32, "double": np.float64}[real]
+    return w_cap.astype(kind), h.astype(kind)
+
+
+def time_envelope(real, backend, w_cap, h, w, *, seconds, processor=None, threads=None):
+    """Return the least time of some runs in C [ns], after one that warms up.
+
+    Parameters
+    ----------
+    backend : {"c", "simd", "threads"}
+    seconds : float
+        Repeat for so long, three times at least.
+    """
+    choice, _, _ = _choice(backend, threads, processor)
+    report = ffi.new("nck_host_envelope_report_t *")
+    compute = getattr(lib, f"nck_host_envelope_{real}")
+    caps, pieces, result = (pointer(real, each) for each in (w_cap, h, w))
+    best, begun, runs = np.inf, lib.nck_host_clock_ns(), 0
+    while runs < 3 or lib.nck_host_clock_ns() - begun < seconds * 1e9:
+        before = lib.nck_host_clock_ns()
+        check(compute(choice, caps, pieces, len(w_cap), 0.0, 0.0, result, report))
+        best = min(best, lib.nck_host_clock_ns() - before) if runs else np.inf
+        runs += 1
+    return best
+
+
+def _measure(real, backend, n):
+    """Return ns a node, or None for what ``auto`` does not take on its own.
+
+    A device is not measured: its kernels take seconds to compile, which nobody asked for.
+    """
+    if backend == "opencl" or (backend == "threads" and threads() == 1):
+        return None
+    w_cap, h = sample(real, n)
+    return time_envelope(real, backend, w_cap, h, np.empty_like(w_cap), seconds=2e-3) / n
+
+
+def _measure_all(real, backend, n):
+    """As `_measure`, with the device; None if there is none."""
+    if backend != "opencl":
+        return _measure(real, backend, n)
+    w_cap, h = sample(real, n)
+    w, best = np.empty_like(w_cap), np.inf
+    try:
+        for _ in range(5):
+            begun = lib.nck_host_clock_ns()
+            _on_device(w_cap, h, (0.0, 0.0), w)
+            best = min(best, lib.nck_host_clock_ns() - begun)
+    except (errors.DeviceError, ImportError):
+        return None
+    return best / n
+
+
+def calibrate(*, device=False):
+    """Measure anew what ``backend="auto"`` goes by, and keep it.
+
+    Parameters
+    ----------
+    device : bool
+        Measure the OpenCL device too: only then ``auto`` takes it where it is the quickest.
+
+    Returns
+    -------
+    pycnc.dispatch.Calibration
+    """
+    return dispatch.calibration(_identity(), _measure_all if device else _measure, anew=True)
+
+
+# Keinert's look-ahead
+
+
+@dataclasses.dataclass(frozen=True)
+class Keinert:
+    """What the parallel look-ahead found, and how it went.
+
+    Attributes
+    ----------
+    w : numpy.ndarray
+        (n,) v² at every node [mm²/s²].
+    tasks : numpy.ndarray
+        Of dtype ``nck_host_keinert_task_t``, a row for each look-ahead buffer: ``first``,
+        ``count``, ``overlap_before``, ``overlap_behind``, ``too_short``, ``dropped``, ``thread``,
+        ``entry_ns``, ``exit_ns``.
+    certain : numpy.ndarray
+        (n,) False where a task reports a drop: there w may be lower than the exact envelope.
+    wall_ns : int
+        Time of the whole call: tasks, filling of buffers, putting together [ns].
+    """
+
+    w: np.ndarray
+    tasks: np.ndarray
+    certain: np.ndarray
+    wall_ns: int
+
+    @property
+    def dropped(self):
+        """Nodes that may lie lower than needed, because the largest overlap was too short."""
+        return int(self.tasks["dropped"].sum())
+
+
+def keinert(
+    w_cap, h, w_feed, *, w_start=0.0, w_end=0.0, length=300, overlap=(5, 50), threads=None
+):
+    """Room 4 as Keinert et al. (2014) run it: look-ahead buffers with an overlap, a task for each.
+
+    Parameters
+    ----------
+    w_cap, h, w_start, w_end
+        As for `envelope`.
+    w_feed : array_like
+        (n − 1,) programmed feed of every block, squared [mm²/s²].
+    length : int
+        Blocks of a look-ahead buffer, 2 at least.
+    overlap : (int, int)
+        Least and most blocks of overlap. Between them it ends where the path suffices to reach the
+        feed.
+    threads : int, optional
+        Without it, as many as the computer has.
+
+    Returns
+    -------
+    Keinert
+        Its profile equals the exact envelope wherever no drop is reported, and is never above it.
+
+    Raises
+    ------
+    ArgumentError
+        If a number is NaN, infinite or negative, or the settings are out of range.
+
+    Examples
+    --------
+    >>> found = keinert(np.full(1000, 100.0), np.full(999, 8.0), np.full(999, 100.0))
+    >>> found.dropped, len(found.tasks), int(found.tasks["overlap_behind"].max())
+    (0, 4, 13)
+    """
+    arrays = [np.ascontiguousarray(each, np.float64) for each in (w_cap, h, w_feed)]
+    n = len(arrays[0])
+    if n == 0 or any(each.shape != (n - 1,) for each in arrays[1:]):
+        raise errors.ArgumentError(f"shapes do not fit: {[each.shape for each in arrays]}")
+    crew = lib.nck_host_threads() if threads is None else threads
+    if not (length >= 2 and 0 <= overlap[0] <= overlap[1] and crew in _crews()):
+        raise errors.ArgumentError(
+            f"length {length} (2 at least), overlap {overlap} (least, most) or threads {crew} "
+            f"(1 to {lib.NCK_HOST_THREADS_MAX}) out of range"
+        )
+    settings = ffi.new("nck_host_keinert_settings_t *", [length, *overlap, crew])
+    tasks = np.empty(lib.nck_host_keinert_tasks(settings, n), dtype("nck_host_keinert_task_t"))
+    rows = lib.nck_host_keinert_rows(settings)
+    buffers = np.empty((len(tasks), rows), dtype("nck_host_keinert_row_t"))
+    w, bad = np.empty(n), ffi.new("size_t *")
+    begun = lib.nck_host_clock_ns()
+    status = lib.nck_host_keinert(
+        settings, *(pointer("double", each) for each in arrays), n, w_start, w_end,
+        pointer("nck_host_keinert_row_t", buffers), pointer("nck_host_keinert_task_t", tasks),
+        pointer("double", w), bad,
+    )  # fmt: skip
+    wall_ns = lib.nck_host_clock_ns() - begun
+    if status == lib.NCK_E_ARGUMENT:
+        raise errors.ArgumentError(
+            f"index {bad[0]}: a number is NaN, infinite or negative", id="argument", status=status
+        )
+    check(status)
+    return Keinert(w, tasks, _certain(tasks, buffers), wall_ns)
+
+
+def _crews():
+    return range(1, lib.NCK_HOST_THREADS_MAX + 1)
+
+
+def _certain(tasks, buffers):
+    """Return for every node whether its task was certain of it."""
+    certain = [
+        rows["w"][before : before + count] == rows["w_most"][before : before + count]
+        for rows, before, count in zip(
+            buffers, tasks["overlap_before"], tasks["count"], strict=True
+        )
+    ]
+    return np.concatenate(certain)
