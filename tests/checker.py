@@ -18,7 +18,7 @@ from dataclasses import dataclass
 import numpy as np
 
 SHARE = 1e-6  # how far a limit may be passed
-ROUNDING = 4 * 2.0**-52  # of a coordinate: what a double cannot hold; felt in accelerations by 1/T²
+ROUNDING = 8 * 2.0**-52  # of a coordinate, 8 ulp at most; felt in accelerations by 1/T²
 PATH_ERROR_MM = 1e-6
 BACKWARD_MM = 1e-9  # steps back that are rounding
 COUNTS = np.array([1e6] * 3 + [1e9] * 3 + [1e6] * 3)  # nm in a mm, ndeg in a degree: X Y Z A … W
