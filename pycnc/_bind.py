@@ -4,8 +4,15 @@
 No other file imports ``pycnc._nck``.
 """
 
+import os
+
 from pycnc import errors
-from pycnc._nck import ffi, lib
+
+# OpenMP reads this once, when the module is loaded. Threads that spin while they wait hold up the
+# others for whole time slices as soon as the computer has something else to do.
+os.environ.setdefault("OMP_WAIT_POLICY", "passive")
+
+from pycnc._nck import ffi, lib  # noqa: E402
 
 _CAUSES = {
     lib.NCK_E_ARGUMENT: errors.ArgumentError,
