@@ -23,6 +23,11 @@ def threads():
     return lib.nck_host_threads()
 
 
+def has_threads():
+    """Return whether the module was built with OpenMP."""
+    return bool(lib.nck_host_has_threads())
+
+
 def processors():
     """Return the instruction sets that are built and that this processor has, the best one last."""
     names = [each.name.removeprefix("CPU_").lower() for each in enum("nck_host_cpu_t")]
@@ -119,7 +124,7 @@ def _choice(name, crew, processor):
         raise errors.DeviceError(
             f"processor {processor!r} is not here; here: {', '.join(known)}", id="device-absent"
         )
-    if name == "threads" and not lib.nck_host_has_threads():
+    if name == "threads" and not has_threads():
         raise errors.DeviceError(
             "backend 'threads' is not built: the compiler had no OpenMP", id="device-absent"
         )
@@ -208,20 +213,30 @@ def time_envelope(real, backend, w_cap, h, w, *, seconds, processor=None, thread
 
     Parameters
     ----------
+    real : {"float", "double"}
+        Type of the arrays w_cap, h and w, which is filled.
     backend : {"c", "simd", "threads"}
     seconds : float
-        Repeat for so long, three times at least.
+        Repeat for so long, five times at least.
     """
     choice, _, _ = _choice(backend, threads, processor)
-    report = ffi.new("nck_host_envelope_report_t *")
-    compute = getattr(lib, f"nck_host_envelope_{real}")
+    compute = getattr(lib, f"nck_host_measure_{real}")
     caps, pieces, result = (pointer(real, each) for each in (w_cap, h, w))
-    best, begun, runs = np.inf, lib.nck_host_clock_ns(), 0
-    while runs < 3 or lib.nck_host_clock_ns() - begun < seconds * 1e9:
-        before = lib.nck_host_clock_ns()
-        check(compute(choice, caps, pieces, len(w_cap), 0.0, 0.0, result, report))
-        best = min(best, lib.nck_host_clock_ns() - before) if runs else np.inf
-        runs += 1
+    return _least_ns(functools.partial(compute, choice, caps, pieces, len(w_cap), result), seconds)
+
+
+def time_triad(n, *, threads, seconds):
+    """Return the least time of some triads a = b + s·c over n floats [ns]: the memory's bound."""
+    a, b, c = (pointer("float", each) for each in np.zeros((3, n), np.float32))
+    return _least_ns(functools.partial(lib.nck_host_measure_triad, b, c, n, threads, a), seconds)
+
+
+def _least_ns(measure, seconds):
+    """Return the least of what measure(runs) tells, repeated for so long."""
+    check(measure(1))  # warms up
+    best, begun = measure(5), lib.nck_host_clock_ns()
+    while lib.nck_host_clock_ns() - begun < seconds * 1e9:
+        best = min(best, measure(5))
     return best
 
 
@@ -243,11 +258,12 @@ def _measure_all(real, backend, n):
     w_cap, h = sample(real, n)
     w, best = np.empty_like(w_cap), np.inf
     try:
-        for _ in range(5):
+        for runs in range(6):
             begun = lib.nck_host_clock_ns()
             _on_device(w_cap, h, (0.0, 0.0), w)
-            best = min(best, lib.nck_host_clock_ns() - begun)
-    except (errors.DeviceError, ImportError):
+            took = lib.nck_host_clock_ns() - begun
+            best = min(best, took) if runs else np.inf  # the first one compiles
+    except errors.DeviceError:
         return None
     return best / n
 
