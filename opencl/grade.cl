@@ -3,8 +3,9 @@
 #include "nck/prep/4_lookahead/grade_math.h" // nck_grade_of nck_grade_vv
 #include "nck/prep/5_slope/ramp_math.h"      // nck_ramp_accel
 
-// One work-item: one point. Global size: count, rounded up. Local size: any. Reads the rule of every
-// stretch, the stretch of every point and its cap; writes its grade. Must equal nck_host_transfers.
+// One work-item: one point. Global size: count, rounded up. Local size: any. Reads the rule of
+// every stretch, the stretch of every point and its cap; writes its grade. Must equal
+// nck_host_transfers.
 __kernel void grade(__global const nck_grade_rule_t *rules, __global const uint *stretch_of,
                     __global const double *v_transfer, ulong count, __global int *preplanned) {
     const size_t i = get_global_id(0);

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Transfer speeds: the cap of every point between two planning units.
-#include "nck/prep/4_lookahead/angle_math.h"    // nck_angle_tangents
-#include "nck/prep/4_lookahead/transfer_math.h" // nck_transfer_tangent nck_transfer_speed
+#include "nck/prep/4_lookahead/link_math.h" // nck_link_transfer
 
 // One work-item: one point; those of stretch k begin at its first unit + k. Global size: count,
 // rounded up. Local size: any. Reads segs, units, their speeds v, the rule of every stretch and the
@@ -14,19 +13,12 @@ __kernel void transfer(__global const nck_seg_t *segs, __global const nck_unit_t
     const size_t i = get_global_id(0);
     if (i >= count) return;
     const uint k = stretch_of[i];
-    v_transfer[i] = 0.0;
-    angle[i] = 0.0;
-    if (i == 0 || i + 1 == count || stretch_of[i - 1] != k || stretch_of[i + 1] != k) return;
-    const size_t unit = i - k;
-    const uint in = units[unit - 1].seg_end;
-    const uint out = units[unit].seg;
-    v_transfer[i] = nck_min(v[unit - 1], v[unit]);
-    if (in == out) return; // inside of a seg the path is smooth
-    double t_in[NCK_AXIS_MAX];
-    double t_out[NCK_AXIS_MAX];
-    int axis;
-    nck_transfer_tangent(&segs[in], 1, t_in);
-    nck_transfer_tangent(&segs[out], 0, t_out);
-    angle[i] = nck_angle_tangents(t_in, t_out);
-    v_transfer[i] = nck_transfer_speed(t_in, t_out, &rules[k], v_transfer[i], &axis);
+    double cap = 0.0;
+    double turn = 0.0;
+    if (i > 0 && i + 1 < count && stretch_of[i - 1] == k && stretch_of[i + 1] == k) {
+        const size_t in = i - k - 1; // the unit that ends here
+        cap = nck_link_transfer(segs, &units[in], &rules[k], nck_min(v[in], v[in + 1]), &turn);
+    }
+    v_transfer[i] = cap;
+    angle[i] = turn;
 }

@@ -382,14 +382,17 @@ class EnvelopeLaunch:
     Parameters
     ----------
     session : Session
+        From `in_use`.
     w_cap, h, out : numpy.ndarray
         As for `envelope`; out must not share memory with w_cap.
+    count : int, optional
+        Parts to cut the path into; by default what suits the device.
     """
 
-    def __init__(self, session, w_cap, h, out):
+    def __init__(self, session, w_cap, h, out, count=None):
         self.session, self.out = session, out
         n = len(w_cap)
-        self.parts = parts(session.device, n)
+        self.parts = parts(session.device, n) if count is None else count
         self.states = empty(self.parts, np.int32)
         self.real = out.dtype.type
         try:

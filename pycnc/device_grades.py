@@ -102,7 +102,7 @@ def _launch_scan(session, p, n, settled):
 
 
 @dataclasses.dataclass(frozen=True)
-class Grades:
+class GradeArrays:
     """A plan by grades as the device left it; arrays as in ``nck_host_grades_t``."""
 
     v: np.ndarray
@@ -130,7 +130,7 @@ def plan_grades(segs, units, stretches, name=None):
 
     Returns
     -------
-    Grades
+    GradeArrays
         The bits of ``nck_host_grade_plan``.
 
     Raises
@@ -151,7 +151,7 @@ def plan_grades(segs, units, stretches, name=None):
 
 def _plan_grades(session, segs, units, rules, unit_stretch, point_stretch):
     n, points = np.uint64(len(unit_stretch)), np.uint64(len(point_stretch))
-    plan = Grades(
+    plan = GradeArrays(
         *(np.empty(n, dtype) for dtype in (np.float64, np.uint32, np.uint8, np.float64)),
         *(np.empty(points, dtype) for dtype in (np.float64, np.float64, np.int32, np.int32)),
     )

@@ -2,10 +2,10 @@
 // Planning by grades, second half: speeds, transfers, bubble, accelerations.
 #include "host/grade.h"
 
-#include "nck/prep/4_lookahead/angle_math.h"    // nck_angle_tangents
 #include "nck/prep/4_lookahead/bubble_math.h"   // nck_bubble_sweep nck_bubble_scan
 #include "nck/prep/4_lookahead/grade_math.h"    // nck_grade_of nck_grade_vv
-#include "nck/prep/4_lookahead/transfer_math.h" // nck_transfer_…
+#include "nck/prep/4_lookahead/link_math.h"     // nck_link_angle nck_link_transfer
+#include "nck/prep/4_lookahead/transfer_math.h" // nck_transfer_reach
 #include "nck/prep/4_lookahead/unit_math.h"     // nck_unit_step_count nck_unit_speed
 #include "nck/prep/5_slope/ramp_math.h"         // nck_ramp_accel
 
@@ -24,57 +24,8 @@ void nck_host_unit_speeds(const nck_seg_t *segs, const nck_unit_t *units, size_t
     }
 }
 
-// 1 if nothing but the axes of mask (a bit each) moves along a seg.
-static int moves_only(const nck_seg_t *seg, uint32_t mask) {
-    for (int x = 0; x < NCK_AXIS_MAX; x++) {
-        if (!(mask >> x & 1u) && seg->start[x] != seg->end[x]) return 0;
-    }
-    return 1;
-}
-
-// Forward direction of a seg in the plane (u, w) at its start or end. 0 if it does not lie in it.
-static int plane_direction(const nck_seg_t *seg, int u, int w, int end, double *out) {
-    if (!moves_only(seg, 1u << u | 1u << w)) return 0;
-    if (seg->kind == NCK_SEG_LINE) {
-        nck_angle_line(seg->end[u] - seg->start[u], seg->end[w] - seg->start[w], out);
-        return 1;
-    }
-    if (seg->axis_u != u || seg->axis_v != w) return 0;
-    const double *const at = end ? seg->end : seg->start;
-    nck_angle_arc(seg->centre_u - at[u], seg->centre_v - at[w], seg->sweep, out);
-    return 1;
-}
-
 double nck_host_link_angle(const nck_seg_t *in, const nck_seg_t *out) {
-    const uint32_t space = 1u << NCK_AXIS_X | 1u << NCK_AXIS_Y | 1u << NCK_AXIS_Z;
-    const int lines = in->kind == NCK_SEG_LINE && out->kind == NCK_SEG_LINE;
-    const nck_seg_t *const arc = in->kind == NCK_SEG_ARC ? in : out;
-    double t_in[NCK_AXIS_MAX];
-    double t_out[NCK_AXIS_MAX];
-    if (lines && moves_only(in, space) && moves_only(out, space)) {
-        for (int x = NCK_AXIS_X; x <= NCK_AXIS_Z; x++) {
-            t_in[x] = in->end[x] - in->start[x];
-            t_out[x] = out->end[x] - out->start[x];
-        }
-        return nck_angle_space(t_in, t_out);
-    }
-    if (!lines && plane_direction(in, arc->axis_u, arc->axis_v, 1, t_in)
-        && plane_direction(out, arc->axis_u, arc->axis_v, 0, t_out)) {
-        return nck_angle_plane(t_in, t_out);
-    }
-    nck_transfer_tangent(in, 1, t_in);
-    nck_transfer_tangent(out, 0, t_out);
-    return nck_angle_tangents(t_in, t_out);
-}
-
-// Cap and linking angle where one unit passes into the next. Inside of a seg the path is smooth.
-static double transfer(const nck_seg_t *segs, const nck_unit_t *in, const nck_unit_t *out,
-                       const nck_grade_rule_t *rule, double v, double *angle_out) {
-    int axis = 0;
-    *angle_out = 0.0;
-    if (in->seg_end == out->seg) return v;
-    *angle_out = nck_host_link_angle(&segs[in->seg_end], &segs[out->seg]);
-    return nck_transfer_joint(&segs[in->seg_end], &segs[out->seg], rule, v, &axis);
+    return nck_link_angle(in, out);
 }
 
 void nck_host_transfers(const nck_seg_t *segs, const nck_unit_t *units, const double *v,
@@ -87,7 +38,7 @@ void nck_host_transfers(const nck_seg_t *segs, const nck_unit_t *units, const do
         grade_out[i] = 0;
         if (!inside) continue;
         const double v_free = nck_min(v[i - 1], v[i]);
-        v_out[i] = transfer(segs, &units[i - 1], &units[i], rule, v_free, &angle_out[i]);
+        v_out[i] = nck_link_transfer(segs, &units[i - 1], rule, v_free, &angle_out[i]);
         grade_out[i] = nck_grade_of(rule, v_out[i] * v_out[i]);
     }
 }

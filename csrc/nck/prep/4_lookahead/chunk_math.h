@@ -85,12 +85,12 @@ static inline int nck_chunk_meets_forward(NCK_IN nck_real *w_backward, NCK_IN nc
 // known, 0 if the longest overlap left doubt.
 static inline int nck_chunk_behind(NCK_IN nck_real *w_cap, NCK_IN nck_real *h, nck_int64 p,
                                    nck_int64 last, nck_real w_last, nck_real *w_out) {
-    for (nck_int64 overlap = NCK_CHUNK_OVERLAP_MIN; overlap <= NCK_CHUNK_OVERLAP_MAX; overlap *= 2) {
-        if (p + overlap >= last) {
+    for (nck_int64 far = NCK_CHUNK_OVERLAP_MIN; far <= NCK_CHUNK_OVERLAP_MAX; far *= 2) {
+        if (p + far >= last) {
             *w_out = nck_chunk_backward(w_cap, h, p, last, w_last);
             return 1;
         }
-        if (nck_chunk_meets_backward(w_cap, h, p, overlap, w_out)) return 1;
+        if (nck_chunk_meets_backward(w_cap, h, p, far, w_out)) return 1;
     }
     return 0;
 }
@@ -99,12 +99,12 @@ static inline int nck_chunk_behind(NCK_IN nck_real *w_cap, NCK_IN nck_real *h, n
 // w_first. 1 if it is known, 0 if the longest overlap left doubt.
 static inline int nck_chunk_before(NCK_IN nck_real *w_backward, NCK_IN nck_real *h, nck_int64 first,
                                    nck_int64 p, nck_real w_first, nck_real *w_out) {
-    for (nck_int64 overlap = NCK_CHUNK_OVERLAP_MIN; overlap <= NCK_CHUNK_OVERLAP_MAX; overlap *= 2) {
-        if (p - overlap <= first) {
+    for (nck_int64 far = NCK_CHUNK_OVERLAP_MIN; far <= NCK_CHUNK_OVERLAP_MAX; far *= 2) {
+        if (p - far <= first) {
             *w_out = nck_chunk_forward(w_backward, h, first, p, w_first);
             return 1;
         }
-        if (nck_chunk_meets_forward(w_backward, h, p, overlap, w_out)) return 1;
+        if (nck_chunk_meets_forward(w_backward, h, p, far, w_out)) return 1;
     }
     return 0;
 }
@@ -115,8 +115,8 @@ static inline int nck_chunk_before(NCK_IN nck_real *w_backward, NCK_IN nck_real 
 static inline int nck_chunk_enter(NCK_IN nck_real *w_cap, NCK_IN nck_real *h, nck_int64 p,
                                   nck_real w_start, NCK_OUT nck_real *scratch, nck_real *w) {
     const nck_real behind = *w;
-    for (nck_int64 overlap = NCK_CHUNK_OVERLAP_MIN; overlap <= NCK_CHUNK_OVERLAP_MAX; overlap *= 2) {
-        const nck_int64 length = overlap < p ? overlap : p;
+    for (nck_int64 far = NCK_CHUNK_OVERLAP_MIN; far <= NCK_CHUNK_OVERLAP_MAX; far *= 2) {
+        const nck_int64 length = far < p ? far : p;
         NCK_IN nck_real *const h_part = h + (p - length);
         nck_real w_next = behind;
         for (nck_int64 i = length + 1; i-- > 0;) {
