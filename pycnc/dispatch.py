@@ -7,6 +7,7 @@ environment variable ``PYCNC_BACKEND`` names what ``auto`` stands for instead. E
 same to the bit, so a choice costs time at worst.
 """
 
+import contextlib
 import contextvars
 import dataclasses
 import json
@@ -227,4 +228,5 @@ def _write(file, kept):
         passing.write_text(json.dumps(kept), encoding="utf-8")
         passing.replace(file)  # whole or not at all, for whoever reads it now
     except OSError:
-        passing.unlink(missing_ok=True)
+        with contextlib.suppress(OSError):
+            passing.unlink()

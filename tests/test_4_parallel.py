@@ -1,0 +1,339 @@
+# SPDX-License-Identifier: MIT
+"""The exact envelope by every road of C: the bits of the serial recurrence, or a clear error."""
+
+import json
+import warnings
+
+import cases
+import judged
+import numpy as np
+import pytest
+from hypothesis import example, given
+from hypothesis import strategies as st
+
+from pycnc import bench_parallel, device, dispatch, errors, parallel, stages
+
+FILES = {str(file): file for file in cases.RUNNING_FILES}
+REALS = {"float": np.float32, "double": np.float64}
+ROADS = {
+    **{f"simd {cpu}": {"backend": "simd", "processor": cpu} for cpu in parallel.processors()},
+    **{f"threads {k}": {"backend": "threads", "threads": k} for k in (1, 2, 3)},
+}
+if not parallel.has_threads():
+    ROADS = {name: road for name, road in ROADS.items() if road["backend"] != "threads"}
+
+# Lanes are 1040 floats or 520 doubles long (65 cache lines), a block has 4, 8 or 16 of them, a chunk
+# has 32 lanes; blocks, chunks and the shortest lanes begin and end around these numbers of nodes.
+EDGES = (64, 128, 512, 2080, 4160, 8320, 16640, 33280, 66560)
+SIZES = sorted({1, 2, 3, 5, 100_003, *(edge + k for edge in EDGES for k in (-1, 0, 1, 2))})
+
+FAMILIES = {
+    # name: (share of low caps, low caps up to, high cap, pieces from, to)
+    "all capped": (1.0, 1e4, 1e4, 1e5, 2e5),
+    "never capped": (0.0, 0, 1e30, 1, 2),
+    "surface": (0.1, 1e4, 1e4, 500, 1500),
+    "5 um segments": (0.01, 1e4, 1e4, 9.9, 10.1),
+    "50 mm segments": (0.3, 1e4, 1e4, 9e4, 1.1e5),
+    "rare stops": (0.0005, 0, 1e4, 1, 100),
+    "no length": (0.2, 100, 1e4, 0, 0),
+}
+
+
+def family(name, n, real, seed=0):
+    """Return caps and pieces of a named family."""
+    share, low, high, h_from, h_to = FAMILIES[name]
+    rng = np.random.default_rng([n, seed])
+    w_cap = np.where(rng.random(n) < share, rng.uniform(0, low, n), high)
+    return w_cap.astype(REALS[real]), rng.uniform(h_from, h_to, n - 1).astype(REALS[real])
+
+
+def recurrence(w_cap, h, w_start, w_end):
+    """Return the envelope by its definition, one number after the other."""
+    w = list(w_cap)
+    w[-1] = min(w[-1], type(w[-1])(w_end))
+    for i in range(len(h) - 1, -1, -1):
+        w[i] = min(w[i], w[i + 1] + h[i])
+    w[0] = min(w[0], type(w[0])(w_start))
+    for i in range(len(h)):
+        w[i + 1] = min(w[i + 1], w[i] + h[i])
+    return np.array(w, w_cap.dtype)
+
+
+def serial(w_cap, h, **ends):
+    return stages.envelope(w_cap, h, backend="c", **ends)
+
+
+# Equal bits
+
+
+@pytest.mark.parametrize("real", REALS)
+@pytest.mark.parametrize("name", FAMILIES)
+def test_serial_c_is_the_recurrence(name, real):
+    w_cap, h = family(name, 700, real)
+    w = serial(w_cap, h, w_start=50.0, w_end=9.5)
+    assert w.dtype == REALS[real]
+    assert w.tobytes() == recurrence(w_cap, h, 50.0, 9.5).tobytes()
+
+
+@pytest.mark.parametrize("road", ROADS)
+@pytest.mark.parametrize("real", REALS)
+@pytest.mark.parametrize("name", FAMILIES)
+def test_every_road_gives_the_bits_of_the_serial_one(name, real, road):
+    for n in SIZES:
+        w_cap, h = family(name, n, real)
+        want = serial(w_cap, h, w_start=77.0, w_end=1e4)
+        w = stages.envelope(w_cap, h, w_start=77.0, w_end=1e4, **ROADS[road])
+        assert w.tobytes() == want.tobytes(), f"{n} nodes"
+
+
+number = st.one_of(
+    st.sampled_from([0.0, -0.0, 1.0, 2.0**-149, 2.0**-126, 3.0e38]),
+    st.floats(0, 1e5, width=32),
+)
+pattern = st.tuples(
+    st.lists(number, min_size=1, max_size=12),
+    st.lists(number, min_size=1, max_size=12),
+    st.integers(1, 40_000),
+    st.sampled_from(list(REALS)),
+    st.sampled_from(list(ROADS)),
+)
+
+
+@given(pattern, number, number)
+@example(([0.0, -0.0], [-0.0, 0.0], 5000, "float", "simd plain"), -0.0, 0.0)
+@example(([1e30], [-0.0], 5000, "double", "simd plain"), 1.0, -0.0)
+def test_random_patterns_give_the_bits_of_the_serial_road(case, w_start, w_end):
+    caps, pieces, n, real, road = case
+    w_cap, h = np.resize(caps, n).astype(REALS[real]), np.resize(pieces, n - 1).astype(REALS[real])
+    want = serial(w_cap, h, w_start=w_start, w_end=w_end)
+    w = stages.envelope(w_cap, h, w_start=w_start, w_end=w_end, **ROADS[road])
+    assert w.tobytes() == want.tobytes()
+
+
+@pytest.mark.parametrize("name", FILES)
+def test_every_road_gives_the_same_bits_on_real_programs(name):
+    if not FILES[name].path.exists():
+        pytest.skip(f"{FILES[name].path} is not here: the corpus lies beside the repository")
+    nodes = judged.plan(judged.load(FILES[name]))[2]
+    h = (2.0 * nodes["a"] * nodes["length"])[:-1]
+    for real in REALS.values():
+        w_cap, pieces = nodes["vv_cap"].astype(real), h.astype(real)
+        want = serial(w_cap, pieces)
+        for road in ROADS.values():
+            assert stages.envelope(w_cap, pieces, **road).tobytes() == want.tobytes()
+    found = stages.keinert(nodes["vv_cap"], h, nodes["vv_piece"][:-1])
+    want = serial(nodes["vv_cap"], h)
+    assert (found.w <= want).all()
+    assert (found.w == want)[found.certain].all()
+
+
+@pytest.mark.parametrize("road", ["serial", *ROADS])
+def test_caps_may_be_replaced_in_place(road):
+    w_cap, h = family("surface", 70_000, "float")
+    want = serial(w_cap, h)
+    stages.envelope(w_cap, h, out=w_cap, **ROADS.get(road, {"backend": "c"}))
+    assert w_cap.tobytes() == want.tobytes()
+
+
+# The certificate and the fallback
+
+
+@pytest.mark.parametrize("real", REALS)
+def test_lanes_are_used_where_overlaps_are_certain(real):
+    stages.envelope(*family("surface", 100_000, real), backend="simd")
+    report = dispatch.last_report()
+    assert report.blocks > 10
+    assert report.blocks_refused == report.chunks_refused == 0
+    assert 0 < report.overlap <= 128
+
+
+@pytest.mark.parametrize("road", ROADS)
+@pytest.mark.parametrize("real", REALS)
+def test_a_path_that_no_overlap_can_split_falls_back_and_says_so(real, road):
+    w_cap, h = family("never capped", 100_000, real)
+    w = stages.envelope(w_cap, h, **ROADS[road])
+    report = dispatch.last_report()
+    assert report.blocks_refused > 0
+    if road != "threads 1":  # its one chunk has no edge to be certain of
+        assert report.chunks_refused > 0
+    assert w.tobytes() == serial(w_cap, h).tobytes()
+
+
+def test_a_ramp_longer_than_a_lane_refuses_blocks_and_not_the_chunk():
+    w_cap, h = np.full(200_000, 1e4, np.float32), np.full(199_999, 6.0, np.float32)
+    w_cap[::4096] = 0
+    w = stages.envelope(w_cap, h, backend="simd")
+    report = dispatch.last_report()
+    assert report.blocks_refused > 0
+    assert report.chunks_refused == 0
+    assert w.tobytes() == serial(w_cap, h).tobytes()
+
+
+# Bad numbers
+
+
+@pytest.mark.parametrize("bad", [np.nan, np.inf, -np.inf, -1.0])
+@pytest.mark.parametrize("road", ["serial", *ROADS])
+@pytest.mark.parametrize("real", REALS)
+def test_a_bad_number_is_named_and_nothing_is_planned(real, road, bad):
+    options = ROADS.get(road, {"backend": "c"})
+    n = 70_001
+    for place in (0, 1, 16_640, 33_281, n - 2):
+        for which, name in enumerate(("w_cap", "h")):
+            arrays = family("surface", n, real)
+            arrays[which][place] = bad
+            arrays[0][n - 1] = np.nan  # a later one, which is not the first
+            out = np.full(n, 7, REALS[real])
+            with pytest.raises(errors.ArgumentError, match=f"index {place}: {name} is"):
+                stages.envelope(*arrays, out=out, **options)
+            assert not out.any()
+
+
+@pytest.mark.parametrize("road", ["serial", *ROADS])
+@pytest.mark.parametrize("end", ["w_start", "w_end"])
+def test_a_bad_end_is_named(road, end):
+    arrays = family("surface", 1000, "double")
+    with pytest.raises(errors.ArgumentError, match=f"{end} is nan"):
+        stages.envelope(*arrays, **{end: np.nan}, **ROADS.get(road, {"backend": "c"}))
+
+
+def test_arrays_that_do_not_fit_are_refused():
+    for w_cap, h in (([], []), ([1.0], [1.0]), ([[1.0]], []), ([1.0, 1.0], [])):
+        with pytest.raises(errors.ArgumentError, match="do not fit"):
+            stages.envelope(w_cap, h)
+    for out in (np.empty(3), np.empty(2, np.float32), np.empty(4)[::2]):
+        with pytest.raises(errors.ArgumentError, match="out must be"):
+            stages.envelope([1.0, 1.0], [1.0], out=out)
+    for threads in (0, -1, 65):
+        with pytest.raises(errors.ArgumentError, match="threads must be"):
+            stages.envelope([1.0, 1.0], [1.0], backend="threads", threads=threads)
+
+
+# The choice
+
+
+@pytest.fixture
+def store(tmp_path, monkeypatch):
+    """Let the dispatch begin without experience, in a folder of its own. Returns its file."""
+    monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path))
+    monkeypatch.delenv("PYCNC_BACKEND", raising=False)
+    monkeypatch.setattr(dispatch, "_tables", {})
+    monkeypatch.setattr(dispatch, "_warned", set())
+    return tmp_path / "pycnc" / "dispatch.json"
+
+
+COSTS = {"c": 3.0, "simd": 1.0, "threads": None, "opencl": None}
+
+
+def invented(real, backend, nodes):
+    """Return costs of a computer that is not there: vectors need a start of 300 nodes."""
+    del real
+    return None if COSTS[backend] is None else COSTS[backend] + (backend == "simd") * 300 / nodes
+
+
+def test_auto_takes_the_quickest_at_that_size(store):
+    assert dispatch.choose("auto", "float", 10, "x", invented).backend == "c"
+    assert dispatch.choose("auto", "float", 100, "x", invented).backend == "c"
+    choice = dispatch.choose("auto", "float", 5000, "x", invented)
+    assert choice.backend == "simd"
+    assert "calibrated at 5,000 nodes" in choice.why
+    assert store.exists()
+
+
+def test_a_calibration_is_kept_for_its_computer_alone(store):
+    dispatch.calibration("x", invented)
+    dispatch._tables.clear()
+
+    def refuse(*_):
+        raise AssertionError("measured again")
+
+    assert dispatch.choose("auto", "double", 5000, "x", refuse).backend == "simd"
+    with pytest.raises(AssertionError):
+        dispatch.choose("auto", "double", 5000, "another version", refuse)
+
+
+@pytest.mark.parametrize("text", ["", "{", "[]", "{}", '{"computer": "x", "costs": {"float": {}}}'])
+def test_a_damaged_calibration_is_measured_again(store, text):
+    store.parent.mkdir()
+    store.write_text(text)
+    assert dispatch.choose("auto", "float", 5000, "x", invented).backend == "simd"
+    assert json.loads(store.read_text())["costs"]["float"]["c"]
+
+
+def test_a_folder_that_cannot_be_written_is_no_error(store, monkeypatch):
+    store.parent.write_text("a file stands where the folder should be")
+    assert dispatch.choose("auto", "float", 5000, "x", invented).backend == "simd"
+
+
+def test_the_environment_names_what_auto_stands_for(store, monkeypatch):
+    monkeypatch.setenv("PYCNC_BACKEND", "c")
+    stages.envelope(*family("surface", 5000, "float"))
+    report = dispatch.last_report()
+    assert (report.backend, report.asked, report.why) == ("c", "auto", "named by PYCNC_BACKEND")
+    monkeypatch.setenv("PYCNC_BACKEND", "abacus")
+    with pytest.raises(errors.ArgumentError, match="abacus"):
+        stages.envelope(*family("surface", 5000, "float"))
+
+
+def test_the_choice_is_reported(store):
+    stages.envelope(*family("surface", 20_000, "float"))
+    report = dispatch.last_report()
+    assert report.backend in ("c", "simd", "threads")
+    assert (report.asked, report.real, report.nodes) == ("auto", "float", 20_000)
+    assert "calibrated" in report.why
+    stages.envelope(*family("surface", 20_000, "double"), backend="simd", processor="plain")
+    assert str(dispatch.last_report()) == "simd (double, plain): named by the caller"
+
+
+def broken_device(*_):
+    raise errors.DeviceError("the device was lost", id="device-lost")
+
+
+def test_auto_goes_on_in_c_with_one_warning(store, monkeypatch):
+    monkeypatch.setattr(device, "envelope", broken_device)
+    monkeypatch.setitem(COSTS, "opencl", 0.1)
+    monkeypatch.setattr(parallel, "_measure", invented)
+    w_cap, h = family("surface", 5000, "float")
+    with warnings.catch_warnings(record=True) as told:
+        warnings.simplefilter("always")
+        for _ in range(3):
+            w = stages.envelope(w_cap, h)
+            assert w.tobytes() == serial(w_cap, h).tobytes()
+    assert [str(each.message) for each in told] == ["planning goes on in C: the device was lost"]
+    stages.envelope(w_cap, h)
+    assert dispatch.last_report().backend == "simd"
+    assert "fell back: the device was lost" in dispatch.last_report().why
+
+
+def test_a_named_backend_fails_clearly(store, monkeypatch):
+    monkeypatch.setattr(device, "envelope", broken_device)
+    arrays = family("surface", 5000, "float")
+    with pytest.raises(errors.DeviceError, match="the device was lost"):
+        stages.envelope(*arrays, backend="opencl")
+    monkeypatch.setenv("PYCNC_BACKEND", "opencl")
+    with pytest.raises(errors.DeviceError, match="the device was lost"):
+        stages.envelope(*arrays)
+    with pytest.raises(errors.ArgumentError, match="abacus"):
+        stages.envelope(*arrays, backend="abacus")
+    with pytest.raises(errors.DeviceError, match="quantum"):
+        stages.envelope(*arrays, backend="simd", processor="quantum")
+
+
+def test_a_bad_number_is_named_whatever_the_device_says(store, monkeypatch):
+    monkeypatch.setattr(device, "envelope", broken_device)
+    w_cap, h = family("surface", 5000, "float")
+    h[99] = np.nan
+    with pytest.raises(errors.ArgumentError, match="index 99: h is nan"):
+        stages.envelope(w_cap, h, backend="opencl")
+
+
+# The bench
+
+
+def test_the_rows_of_the_bench_hold_equal_bits():
+    rows = bench_parallel.bench_lookahead_rows(sizes=(1000, 20_000), seconds=0.001)
+    assert {row["n"] for row in rows} == {1000, 20_000}
+    for row in rows:
+        assert row["ns_per_point"] > 0
+        assert row["equal"] is (None if row["variant"].startswith("triad") else True)
+    assert sum(row["ratio_to_serial"] == 1 for row in rows) == 4
