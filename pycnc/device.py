@@ -21,7 +21,7 @@ import numpy as np
 import pycnc
 from pycnc import errors
 
-# A cache line, and a line of the transfers that a GPU likes.
+# A page.
 ALIGNMENT = 4096
 # A part of a path that is worth a work-item of its own [nodes].
 PART_WORTH = 4096
@@ -275,6 +275,7 @@ class Session:
         except cl.Error as cause:
             raise self.lost(cause) from cause
         self.programs = {}
+        self.kernels = {}
 
     def lost(self, cause):
         """Return the exception for a device that failed at work, and forget the session."""
@@ -301,8 +302,18 @@ class Session:
         return self.programs[name, real]
 
     def kernel(self, program, name, real, arguments):
-        """Return a kernel of a program with its arguments, which the caller keeps alive."""
-        kernel = self.cl.Kernel(self.program(program, real), name)
+        """Return a kernel with its arguments, numbers typed; the caller keeps buffers alive.
+
+        It is made once, since that takes longer than a short launch: launch it before it is asked
+        for again.
+        """
+        kernel = self.kernels.get((name, real))
+        if kernel is None:
+            kernel = self.cl.Kernel(self.program(program, real), name)
+            kernel.set_scalar_arg_dtypes(
+                [None if isinstance(each, self.cl.Buffer) else type(each) for each in arguments]
+            )
+            self.kernels[name, real] = kernel
         kernel.set_args(*arguments)
         return kernel
 
@@ -347,7 +358,8 @@ def session(device):
 
 def in_use(name=None):
     """Return the session of a device, chosen as by `choose` and proved."""
-    return session(probe(name))
+    device = choose(name)
+    return _sessions.get(device) or session(probe(device))
 
 
 def parts(device, n, worth=PART_WORTH):
@@ -394,33 +406,31 @@ class EnvelopeLaunch:
         n = len(w_cap)
         self.parts = parts(session.device, n) if count is None else count
         self.states = empty(self.parts, np.int32)
-        self.real = out.dtype.type
         try:
             self.w = session.buffer(out, written=True)
             self.state_buffer = session.buffer(self.states, written=True)
             # One node has no piece; an OpenCL buffer is never empty.
-            # A kernel does not keep its buffers alive.
             self.inputs = [session.buffer(each) for each in (w_cap, h if n > 1 else w_cap)]
-            zero = self.real(0)
-            self.kernel = session.kernel(
-                "envelope", "envelope", _REAL[out.dtype],
-                [*self.inputs, np.int64(n), zero, zero, self.w, self.state_buffer],
-            )  # fmt: skip
         except session.cl.Error as cause:
             raise session.lost(cause) from cause
 
     def run(self, w_start, w_end):
         """Launch once and wait; raise DeviceError where the result is not certain."""
-        session = self.session
+        session, real = self.session, self.out.dtype.type
         try:
-            self.kernel.set_arg(3, self.real(w_start))
-            self.kernel.set_arg(4, self.real(w_end))
-            session.launch(self.kernel, self.parts)
+            kernel = session.kernel(
+                "envelope", "envelope", _REAL[self.out.dtype],
+                [*self.inputs, np.int64(len(self.out)), real(w_start), real(w_end), self.w,
+                 self.state_buffer],
+            )  # fmt: skip
+            session.launch(kernel, self.parts)
             session.read(self.w, self.out)
             session.read(self.state_buffer, self.states)
         except session.cl.Error as cause:
             raise session.lost(cause) from cause
-        doubt = int(np.bitwise_or.reduce(self.states))
+        doubt = 0
+        for state in self.states.tolist():
+            doubt |= state
         if doubt & DOUBT_NUMBER or not (_is_good(w_start) and _is_good(w_end)):
             raise errors.DeviceError(
                 "a number is NaN, infinite, negative or a negative zero; the C backend names it",
