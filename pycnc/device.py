@@ -148,12 +148,7 @@ def _found():
 
 
 def devices():
-    """Return the devices that OpenCL offers here, the preferred one first.
-
-    Raises
-    ------
-    DeviceError
-        If OpenCL is not installed or offers no platform.
+    """Return the devices that OpenCL offers here, the preferred one first; else DeviceError.
 
     Examples
     --------
