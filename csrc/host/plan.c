@@ -51,7 +51,10 @@ void nck_host_totals_add(nck_host_totals_t *totals, double *since_stop_s, const 
     totals->cells++;
     add_time(totals, cell, rapid, cell->duration);
     *since_stop_s += cell->duration;
-    if (!cell->stop) return;
+    if (!cell->stop) {
+        totals->ticks += nck_interpolate_rebase(since_stop_s, period_s);
+        return;
+    }
     const uint64_t periods = nck_interpolate_periods(*since_stop_s, period_s);
     add_time(totals, cell, rapid, (double)periods * period_s - *since_stop_s);
     totals->ticks += periods;

@@ -6,6 +6,7 @@
 
 #include "nck/base/fence.h"     // nck_fence_load nck_fence_store
 #include "nck/base/path_math.h" // nck_path_point
+#include "nck/base/real.h"      // nck_floor
 
 void nck_interpolate_init(nck_interpolate_t *self, const nck_machine_t *machine, nck_link_t *link) {
     memset(self, 0, sizeof *self);
@@ -91,21 +92,22 @@ const nck_pose_t *nck_interpolate_tick(nck_interpolate_t *self) {
         self->waits = 0;
     }
     if (!self->has_cell && !fetch(self)) return rest(self);
+    const double period = self->machine->period_s;
     self->k++;
-    const double t = (double)self->k * self->machine->period_s;
-    while (t >= self->t_cell + self->cell.duration) {
+    while ((double)self->k * period >= self->t_cell + self->cell.duration) {
         if (self->cell.stop) {
             land(self);
             return &self->pose;
         }
         leave_cell(self);
+        self->k -= nck_interpolate_rebase(&self->t_cell, period);
         const double end = self->cell.s + self->cell.length;
         if (!fetch(self)) {
             place(self, end, 0.0);
             return rest(self);
         }
     }
-    evaluate(self, t - self->t_cell);
+    evaluate(self, (double)self->k * period - self->t_cell);
     return &self->pose;
 }
 
@@ -123,4 +125,12 @@ uint64_t nck_interpolate_periods(double t, double period) {
     while ((double)k * period < t) k++;
     while (k > 0 && (double)(k - 1) * period >= t) k--;
     return k > 0 ? k : 1;
+}
+
+uint64_t nck_interpolate_rebase(double *t, double period) {
+    const double span = NCK_INTERPOLATE_SPAN * period;
+    if (*t < span) return 0;
+    const double spans = nck_floor(*t / span);
+    *t -= spans * span;
+    return (uint64_t)spans * NCK_INTERPOLATE_SPAN;
 }

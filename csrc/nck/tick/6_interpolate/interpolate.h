@@ -8,6 +8,10 @@
 #include "nck/base/records.h" // nck_cell_t nck_pose_t
 #include "nck/base/status.h"  // nck_status_t
 
+// Periods of a span. Time counts from the last rest or, if that is longer ago, from a whole number
+// of spans after it.
+enum { NCK_INTERPOLATE_SPAN = 1024 };
+
 typedef struct nck_interpolate {
     const nck_machine_t *machine;
     nck_link_t *link;       // consumer's side
@@ -16,8 +20,8 @@ typedef struct nck_interpolate {
     uint32_t from_tail;     // 1: it came from the stop tail
     uint32_t waits;         // 1: until resume
     uint32_t resume;        // any context asks to go on
-    uint64_t k;             // periods since the last rest
-    double t_cell;          // time from the last rest to the begin of the cell [s]
+    uint64_t k;             // periods since time began to count
+    double t_cell;          // when the cell begins [s]
     nck_pose_t pose;        // of the last tick
 } nck_interpolate_t;
 
@@ -38,5 +42,10 @@ void nck_interpolate_resume(nck_interpolate_t *self);
 // Periods from a rest to the landing after the time t: the smallest k ≥ 1 with k·T ≥ t, in the
 // arithmetic of the tick. Cost: constant. Context: any.
 uint64_t nck_interpolate_periods(double t, double period);
+
+// Let time begin to count later by as many whole spans as *t holds: a double resolves the time
+// within a cell much better if it need not hold the hours before. Returns the periods of the spans
+// taken off *t. Cost: constant. Context: any.
+uint64_t nck_interpolate_rebase(double *t, double period);
 
 #endif

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: MIT
+// Room 6: time keeps its last digits however long the tool has not rested.
+#include <math.h>   // fabs
+#include <string.h> // memset
+
+#include "check.h"
+#include "nck/tick/6_interpolate/interpolate.h" // nck_interpolate_tick
+
+#define LENGTH 1000.0
+#define SPEED 100.0
+#define PERIOD 0.01
+
+static nck_machine_t machine;
+static nck_link_t link_;
+static nck_interpolate_t interpolate;
+
+static void begin(void)
+{
+    nck_machine_default(&machine);
+    machine.period_s = PERIOD;
+    nck_link_init(&link_);
+    nck_interpolate_init(&interpolate, &machine, &link_);
+}
+
+// One way of a shuttle along X, to and fro, at constant speed; it does not rest at its ends.
+static void put_way(check_t *check, uint32_t seq, int stop)
+{
+    nck_seg_t seg;
+    nck_cell_t cell;
+    memset(&seg, 0, sizeof seg);
+    memset(&cell, 0, sizeof cell);
+    seg.seq = seq;
+    seg.start[0] = seq % 2 ? LENGTH : 0.0;
+    seg.end[0] = seq % 2 ? 0.0 : LENGTH;
+    seg.length = LENGTH;
+    cell.seg = seq;
+    cell.last = 1;
+    cell.stop = (uint8_t)stop;
+    cell.length = LENGTH;
+    cell.v = SPEED;
+    cell.duration = LENGTH / SPEED;
+    CHECK_INT(check, nck_link_push_seg(&link_, &seg), NCK_OK);
+    CHECK_INT(check, nck_link_batch_begin(&link_), 0);
+    nck_link_push_cell(&link_, &cell);
+    CHECK_INT(check, nck_link_publish(&link_), NCK_OK);
+}
+
+// Largest second difference of X over one way, its ends left out [mm].
+static double unevenness(double *x_out)
+{
+    const int ticks = (int)(LENGTH / SPEED / PERIOD);
+    double before[2] = {0.0, 0.0};
+    double most = 0.0;
+    for (int k = 0; k < ticks; k++) {
+        const double x = nck_interpolate_tick(&interpolate)->axis[0];
+        if (k > 2 && k + 1 < ticks) most = fmax(most, fabs(x - 2.0 * before[1] + before[0]));
+        before[0] = before[1];
+        before[1] = x;
+    }
+    *x_out = before[1];
+    return most;
+}
+
+static void speed_is_as_even_after_hours_as_at_first(check_t *check)
+{
+    const uint32_t ways = 2000;
+    double x = 0.0;
+    begin();
+    put_way(check, 0, 0);
+    for (uint32_t n = 0; n + 1 < ways; n++) {
+        put_way(check, n + 1, n + 2 == ways);
+        CHECK(check, unevenness(&x) <= 4e-12);
+    }
+    CHECK(check, unevenness(&x) <= 4e-12);
+    CHECK(check, x == 0.0);
+    CHECK_INT(check, nck_interpolate_tick(&interpolate)->state, NCK_TICK_IDLE);
+}
+
+static void spans_are_taken_off_time_and_periods_alike(check_t *check)
+{
+    for (int k = 1; k < 4000; k++) {
+        const double t = 0.37 * k * k;
+        double rest = t;
+        const uint64_t periods = nck_interpolate_rebase(&rest, 1e-3);
+        CHECK(check, periods % NCK_INTERPOLATE_SPAN == 0);
+        CHECK_NEAR(check, (double)periods * 1e-3 + rest, t, 1e-15 * t);
+        CHECK(check, fabs(rest) <= NCK_INTERPOLATE_SPAN * 1e-3);
+        CHECK_INT(check, nck_interpolate_rebase(&rest, 1e-3), 0);
+    }
+}
+
+static void landing_is_the_first_period_at_or_after_the_time(check_t *check)
+{
+    CHECK_INT(check, nck_interpolate_periods(0.0, 1e-3), 1);
+    for (int k = 1; k < 100000; k++) {
+        const double t = k * 1e-3;
+        CHECK_INT(check, nck_interpolate_periods(t, 1e-3), k);
+        CHECK_INT(check, nck_interpolate_periods(nextafter(t, 1e9), 1e-3), k + 1);
+        CHECK_INT(check, nck_interpolate_periods(nextafter(t, 0.0), 1e-3), k);
+    }
+}
+
+int main(void)
+{
+    check_t check = {0};
+    CHECK_RUN(&check, speed_is_as_even_after_hours_as_at_first);
+    CHECK_RUN(&check, spans_are_taken_off_time_and_periods_alike);
+    CHECK_RUN(&check, landing_is_the_first_period_at_or_after_the_time);
+    return check_end(&check);
+}
