@@ -1,0 +1,245 @@
+// SPDX-License-Identifier: MIT
+// Bulk planning: the bits of the recurrence by every road, in arrays that end where they must end
+// (each has a heap block of its own, so that the address sanitizer sees the first step too far).
+#include "check.h"
+
+#include <math.h>   // NAN INFINITY
+#include <stdint.h> // uint32_t
+#include <stdlib.h> // malloc free
+#include <string.h> // memcmp
+
+#include "host/envelope.h"
+#include "host/keinert.h"
+#include "host/threads.h"
+
+// A fixed sequence of numbers in 0..1, the same on every machine.
+static double next_random(uint32_t *state) {
+    *state = *state * 1664525u + 1013904223u;
+    return (double)(*state >> 8) / 16777216.0;
+}
+
+typedef struct family {
+    const char *name;
+    double share;        // of low caps
+    double low, high;    // caps
+    double h_from, h_to; // pieces
+} family_t;
+
+static const family_t families[] = {
+    {"all capped", 1.0, 1e4, 1e4, 1e5, 2e5}, {"never capped", 0.0, 0.0, 1e30, 1.0, 2.0},
+    {"surface", 0.1, 1e4, 1e4, 500, 1500},   {"5 um segments", 0.01, 1e4, 1e4, 9.9, 10.1},
+    {"50 mm segments", 0.3, 1e4, 1e4, 9e4, 1.1e5},
+};
+enum { FAMILIES = sizeof families / sizeof families[0] };
+
+static const size_t sizes[] = {1,    2,    3,    64,    65,    511,   512,   513,   1000,
+                               2080, 4160, 8319, 16640, 16641, 33280, 33281, 70000, 100003};
+enum { SIZES = sizeof sizes / sizeof sizes[0] };
+
+typedef struct path {
+    size_t n;
+    double *w_cap, *h, *w, *want;
+    float *w_cap_float, *h_float, *w_float, *want_float;
+} path_t;
+
+static void *block_of(size_t count, size_t size) {
+    void *block = malloc(count * size > 0 ? count * size : 1);
+    if (block == NULL) abort();
+    return block;
+}
+
+static path_t path_of(const family_t *family, size_t n) {
+    path_t path = {.n = n};
+    uint32_t state = (uint32_t)n;
+    path.w_cap = block_of(n, sizeof(double));
+    path.h = block_of(n - 1, sizeof(double));
+    path.w = block_of(n, sizeof(double));
+    path.want = block_of(n, sizeof(double));
+    path.w_cap_float = block_of(n, sizeof(float));
+    path.h_float = block_of(n - 1, sizeof(float));
+    path.w_float = block_of(n, sizeof(float));
+    path.want_float = block_of(n, sizeof(float));
+    for (size_t i = 0; i < n; i++) {
+        const int is_low = next_random(&state) < family->share;
+        const double low = family->low * next_random(&state);
+        path.w_cap[i] = is_low ? low : family->high;
+        path.w_cap_float[i] = (float)path.w_cap[i];
+    }
+    for (size_t i = 0; i + 1 < n; i++) {
+        path.h[i] = family->h_from + (family->h_to - family->h_from) * next_random(&state);
+        path.h_float[i] = (float)path.h[i];
+    }
+    return path;
+}
+
+static void path_free(path_t *path) {
+    void *blocks[] = {path->w_cap,       path->h,       path->w,       path->want,
+                      path->w_cap_float, path->h_float, path->w_float, path->want_float};
+    for (size_t i = 0; i < sizeof blocks / sizeof blocks[0]; i++) free(blocks[i]);
+}
+
+// The definition, in the words of the README of 4_lookahead.
+static void expect(path_t *path, double w_start, double w_end) {
+    const size_t n = path->n;
+    double *w = path->want;
+    float *f = path->want_float;
+    for (size_t i = 0; i < n; i++) {
+        w[i] = path->w_cap[i];
+        f[i] = path->w_cap_float[i];
+    }
+    if (w_end < w[n - 1]) w[n - 1] = w_end;
+    if ((float)w_end < f[n - 1]) f[n - 1] = (float)w_end;
+    for (size_t i = n - 1; i-- > 0;) {
+        if (w[i + 1] + path->h[i] < w[i]) w[i] = w[i + 1] + path->h[i];
+        if (f[i + 1] + path->h_float[i] < f[i]) f[i] = f[i + 1] + path->h_float[i];
+    }
+    if (w_start < w[0]) w[0] = w_start;
+    if ((float)w_start < f[0]) f[0] = (float)w_start;
+    for (size_t i = 0; i + 1 < n; i++) {
+        if (w[i] + path->h[i] < w[i + 1]) w[i + 1] = w[i] + path->h[i];
+        if (f[i] + path->h_float[i] < f[i + 1]) f[i + 1] = f[i] + path->h_float[i];
+    }
+}
+
+// Plan by one road and hold both number types against the definition.
+static int is_equal(path_t *path, const nck_host_choice_t *choice, double w_start, double w_end) {
+    nck_host_envelope_report_t report;
+    const nck_status_t of_double = nck_host_envelope_double(
+        choice, path->w_cap, path->h, path->n, w_start, w_end, path->w, &report);
+    const nck_status_t of_float =
+        nck_host_envelope_float(choice, path->w_cap_float, path->h_float, path->n, w_start, w_end,
+                                path->w_float, &report);
+    return of_double == NCK_OK && of_float == NCK_OK &&
+           memcmp(path->w, path->want, path->n * sizeof(double)) == 0 &&
+           memcmp(path->w_float, path->want_float, path->n * sizeof(float)) == 0;
+}
+
+static void check_roads(check_t *check, const family_t *family, size_t n) {
+    path_t path = path_of(family, n);
+    expect(&path, 77.0, 1e4);
+    for (int32_t cpu = 0; cpu <= (int32_t)nck_host_cpu(); cpu++) {
+        for (int32_t road = NCK_HOST_SERIAL; road <= NCK_HOST_THREADS; road++) {
+            const nck_host_choice_t choice = {.backend = road, .cpu = cpu, .threads = 3};
+            if (!CHECK(check, is_equal(&path, &choice, 77.0, 1e4))) {
+                printf("    %s, %zu nodes, road %d, processor %d\n", family->name, n, road, cpu);
+            }
+        }
+    }
+    path_free(&path);
+}
+
+static void every_road_gives_the_bits_of_the_recurrence(check_t *check) {
+    for (size_t k = 0; k < FAMILIES; k++) {
+        for (size_t i = 0; i < SIZES; i++) check_roads(check, &families[k], sizes[i]);
+    }
+}
+
+static void a_path_that_cannot_be_split_is_planned_serially_and_says_so(check_t *check) {
+    path_t path = path_of(&families[1], 100003);
+    expect(&path, 77.0, 1e4);
+    nck_host_envelope_report_t report;
+    for (int32_t road = NCK_HOST_SIMD; road <= NCK_HOST_THREADS; road++) {
+        const nck_host_choice_t choice = {.backend = road, .threads = 2};
+        CHECK_INT(check, nck_host_envelope_double(&choice, path.w_cap, path.h, path.n, 77.0, 1e4,
+                                                  path.w, &report), NCK_OK);
+        CHECK(check, report.chunks_refused > 0);
+        CHECK(check, report.blocks_refused > 0);
+        CHECK(check, memcmp(path.w, path.want, path.n * sizeof(double)) == 0);
+    }
+    path_free(&path);
+}
+
+static void a_bad_number_is_named_and_the_result_is_zero(check_t *check) {
+    static const double bad[] = {(double)NAN, (double)INFINITY, -1.0};
+    static const size_t places[] = {0, 1, 16640, 69998};
+    nck_host_envelope_report_t report;
+    for (size_t k = 0; k < 3 * 4 * 3; k++) {
+        path_t path = path_of(&families[2], 70000);
+        const nck_host_choice_t choice = {.backend = (int32_t)(k % 3), .threads = 2};
+        const size_t place = places[k / 3 % 4];
+        path.h[place] = bad[k / 12];
+        path.w_cap[69999] = (double)NAN;
+        CHECK_INT(check, nck_host_envelope_double(&choice, path.w_cap, path.h, path.n, 0.0, 0.0,
+                                                  path.w, &report), NCK_E_ARGUMENT);
+        CHECK_INT(check, report.bad, place);
+        double sum = 0.0;
+        for (size_t i = 0; i < path.n; i++) sum += fabs(path.w[i]);
+        CHECK(check, sum <= 0.0);
+        path_free(&path);
+    }
+}
+
+static void a_choice_that_is_not_possible_is_refused(check_t *check) {
+    const nck_host_choice_t choices[] = {
+        {.backend = -1},
+        {.backend = NCK_HOST_THREADS + 1},
+        {.cpu = -1},
+        {.cpu = (int32_t)nck_host_cpu() + 1},
+        {.backend = NCK_HOST_THREADS, .threads = 0},
+        {.backend = NCK_HOST_THREADS, .threads = NCK_HOST_THREADS_MAX + 1},
+    };
+    nck_host_envelope_report_t report;
+    double w_cap[2] = {1.0, 1.0}, h[1] = {1.0}, w[2] = {7.0, 7.0};
+    for (size_t i = 0; i < sizeof choices / sizeof choices[0]; i++) {
+        CHECK_INT(check, nck_host_envelope_double(&choices[i], w_cap, h, 2, 0, 0, w, &report),
+                  NCK_E_ARGUMENT);
+        CHECK_INT(check, report.bad, 2);
+    }
+    const nck_host_choice_t threads = {.backend = NCK_HOST_THREADS, .threads = 2};
+    CHECK_INT(check, nck_host_envelope_double(&threads, w_cap, h, 2, 0, 0, w_cap, &report),
+              NCK_E_ARGUMENT); // in place: a chunk would read what another one wrote
+    CHECK_INT(check, nck_host_envelope_double(&threads, w_cap, h, 0, 0, 0, w, &report),
+              NCK_E_ARGUMENT);
+}
+
+static void caps_may_be_replaced_in_place(check_t *check) {
+    path_t path = path_of(&families[2], 70000);
+    expect(&path, 77.0, 1e4);
+    const nck_host_choice_t choice = {.backend = NCK_HOST_SIMD};
+    nck_host_envelope_report_t report;
+    CHECK_INT(check, nck_host_envelope_double(&choice, path.w_cap, path.h, path.n, 77.0, 1e4,
+                                              path.w_cap, &report), NCK_OK);
+    CHECK(check, memcmp(path.w_cap, path.want, path.n * sizeof(double)) == 0);
+    path_free(&path);
+}
+
+// Keinert
+
+static void keinerts_profile_is_never_above_and_equal_where_certain(check_t *check) {
+    const nck_host_keinert_settings_t settings = {300, 5, 50, 2};
+    for (size_t k = 0; k < FAMILIES; k++) {
+        path_t path = path_of(&families[k], 2003);
+        expect(&path, 77.0, 1e4);
+        const size_t tasks = nck_host_keinert_tasks(&settings, path.n);
+        const size_t width = nck_host_keinert_rows(&settings);
+        nck_host_keinert_task_t *table = block_of(tasks, sizeof *table);
+        nck_host_keinert_row_t *rows = block_of(tasks * width, sizeof *rows);
+        double *w_feed = block_of(path.n - 1, sizeof *w_feed);
+        for (size_t i = 0; i + 1 < path.n; i++) w_feed[i] = families[k].high;
+        size_t bad = 0;
+        CHECK_INT(check, nck_host_keinert(&settings, path.w_cap, path.h, w_feed, path.n, 77.0, 1e4,
+                                          rows, table, path.w, &bad), NCK_OK);
+        for (size_t i = 0; i < path.n; i++) CHECK(check, path.w[i] <= path.want[i]);
+        for (size_t t = 0; t < tasks; t++) {
+            const size_t size = table[t].count * sizeof(double);
+            const size_t first = (size_t)table[t].first;
+            CHECK(check, table[t].dropped > 0 ||
+                             memcmp(path.w + first, path.want + first, size) == 0);
+        }
+        free(table);
+        free(rows);
+        free(w_feed);
+        path_free(&path);
+    }
+}
+
+int main(void) {
+    check_t check = {0};
+    CHECK_RUN(&check, every_road_gives_the_bits_of_the_recurrence);
+    CHECK_RUN(&check, a_path_that_cannot_be_split_is_planned_serially_and_says_so);
+    CHECK_RUN(&check, a_bad_number_is_named_and_the_result_is_zero);
+    CHECK_RUN(&check, a_choice_that_is_not_possible_is_refused);
+    CHECK_RUN(&check, caps_may_be_replaced_in_place);
+    CHECK_RUN(&check, keinerts_profile_is_never_above_and_equal_where_certain);
+    return check_end(&check);
+}
