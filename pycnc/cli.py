@@ -56,7 +56,7 @@ DialectName = Annotated[
 Json = Annotated[bool, typer.Option("--json", help="Results as JSON.")]
 Quiet = Annotated[bool, typer.Option("--quiet", "-q", help="Errors and results only.")]
 Verbose = Annotated[bool, typer.Option("--verbose", "-v", help="Tell more.")]
-Backend = Annotated[str, typer.Option("--backend", help="Where planning runs: auto or c.")]
+Backend = Annotated[str, typer.Option("--backend", help="Where planning runs: auto, c, opencl.")]
 PlanName = Annotated[str, typer.Option("--plan", help="How speed is planned: exact or grades.")]
 
 Output = Annotated[
@@ -101,7 +101,7 @@ def explain(cause):
     """Return the exit code of an exception after telling it."""
     if isinstance(cause, KeyboardInterrupt):
         return INTERRUPTED
-    if isinstance(cause, BackendError):
+    if isinstance(cause, BackendError | errors.DeviceError):
         fail(f"pycnc: error[backend]: {cause}")
         return INTERNAL
     if isinstance(cause, MachineFileError | Refused):
@@ -269,10 +269,9 @@ def time(
     json_: Json = False, quiet: Quiet = False, verbose: Verbose = False,
 ):  # fmt: skip
     """Tell the machining time of programs, from the plan."""
-    from pycnc.planning import Plan, check_backend, check_plan
+    from pycnc.planning import Plan, check_backend
 
-    check_backend(backend)
-    check_plan(plan)
+    check_backend(backend, plan)
     mill, told, code = machine_of(machine, set, tools, dialect), [], GOOD
     for file in files:
         program = decoded(file, mill, quiet, keep=False)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Planning by velocity grades (Cao et al. 2014): its stages as arrays, whole programs, and running them.
+"""Planning by velocity grades (Cao et al. 2014): its stages, whole programs, and running them.
 
 Arrays in, arrays out; the theory and the costs are in ``docs/grades.md``.
 """
@@ -8,10 +8,11 @@ import os
 
 import numpy as np
 
-from pycnc import errors, kernel
+from pycnc import device_grades, errors, kernel
 from pycnc._bind import check, ffi, lib, pointer
 from pycnc.records import dtype
 
+BACKENDS = ("auto", "c", "opencl")
 STEPS = lib.NCK_HOST_GRADE_STEPS  # n: steps of a planning unit at command velocity
 _INT32_MAX = 2**31 - 1
 _MEMORY_SHARE = 0.8  # of the memory that is free: what a plan may take
@@ -181,9 +182,14 @@ class Grades:
         Of dtype ``nck_output_t``: what the path hands over on its way.
     steps : int
         n of eq. 10.
+    backend : {"auto", "c", "opencl"}
+        Where the four parallel stages run. The bits are the same; ``auto`` is C, which measured
+        no slower than a device of the same cores (docs/grades.md).
 
     Attributes
     ----------
+    backend : str
+        Where they ran.
     stretches : numpy.ndarray
         Of dtype ``nck_host_stretch_t``: from rest to rest, with the rule of each.
     units : numpy.ndarray
@@ -202,9 +208,11 @@ class Grades:
     ArgumentError
         At the first seg with a number that is NaN, infinite, negative or missing; or if the plan
         does not fit into memory. Nothing is planned by half.
+    DeviceError
+        If OpenCL was asked for and is not here, or fails.
     """
 
-    def __init__(self, segs, machine, outputs=None, *, steps=STEPS):
+    def __init__(self, segs, machine, outputs=None, *, steps=STEPS, backend="auto"):
         self.machine = machine
         self.segs = _records("nck_seg_t", segs)
         self.outputs = _records("nck_output_t", () if outputs is None else outputs)
@@ -223,7 +231,13 @@ class Grades:
             self._make(name, kind, units)
         for name, kind in _OF_POINTS.items():
             self._make(name, kind, points)
-        self._check(lib.nck_host_grade_plan(self._plan))
+        self.backend = "opencl" if backend == "opencl" and units else "c"
+        if self.backend == "opencl":
+            done = device_grades.plan_grades(self.segs, self.units, self.stretches)
+            for name in (*_OF_UNITS, *_OF_POINTS):
+                getattr(self, name)[:] = getattr(done, name)
+        else:
+            self._check(lib.nck_host_grade_plan(self._plan))
 
     def _give(self, name, kind, array):
         setattr(self._plan, name, pointer(kind, array))
@@ -311,7 +325,7 @@ def _free_memory():
     return os.sysconf("SC_AVPHYS_PAGES") * os.sysconf("SC_PAGE_SIZE")
 
 
-def of_text(text, machine, *, steps=STEPS, progress=None):
+def of_text(text, machine, *, steps=STEPS, backend="auto", progress=None):
     """Plan a whole NC text by grades.
 
     Parameters
@@ -321,6 +335,8 @@ def of_text(text, machine, *, steps=STEPS, progress=None):
     machine : Machine
     steps : int
         n of eq. 10.
+    backend : {"auto", "c", "opencl"}
+        As for `Grades`.
     progress : callable, optional
         Called with (bytes used, bytes of the text).
 
@@ -338,7 +354,7 @@ def of_text(text, machine, *, steps=STEPS, progress=None):
         if progress:
             progress(used, len(text))
     segs, outputs = (np.concatenate(arrays) for arrays in kept)
-    return Grades(segs, machine, outputs, steps=steps), planner.totals
+    return Grades(segs, machine, outputs, steps=steps, backend=backend), planner.totals
 
 
 class Controller(kernel.Controller):

@@ -10,40 +10,32 @@ from pycnc.machine import Machine
 from pycnc.program import Program, load
 from pycnc.records import dtype
 
-BACKENDS = ("auto", "c")
-PLANS = ("exact", "grades")
+BACKENDS = {"exact": ("auto", "c"), "grades": grades.BACKENDS}  # of every kind of planning
 
 
 class BackendError(errors.ArgumentError):
     """A backend that is not there."""
 
 
-def check_backend(backend):
-    """Return the backend that `auto` or a name stands for.
+def check_backend(backend, plan="exact"):
+    """Refuse a backend or a kind of planning that is not built.
 
     Raises
     ------
     BackendError
-        If it is not one of those that are built.
-    """
-    if backend not in BACKENDS:
-        raise BackendError(
-            f"backend {backend!r} is not available; available: {', '.join(BACKENDS)}", id="backend"
-        )
-    return "c"
-
-
-def check_plan(plan):
-    """Return the name of a kind of planning.
-
-    Raises
-    ------
+        If planning of that kind does not know the backend.
     ArgumentError
         If there is no such kind.
     """
-    if plan not in PLANS:
-        raise errors.ArgumentError(f"no plan {plan!r}; there are: {', '.join(PLANS)}", id="plan")
-    return plan
+    if plan not in BACKENDS:
+        raise errors.ArgumentError(
+            f"no plan {plan!r}; there are: {', '.join(BACKENDS)}", id="plan"
+        )
+    if backend not in BACKENDS[plan]:
+        raise BackendError(
+            f"backend {backend!r} is not available; available: {', '.join(BACKENDS[plan])}",
+            id="backend",
+        )
 
 
 def for_machine(program, machine):
@@ -78,18 +70,20 @@ class Plan:
     """
 
     def __init__(self, program, *, plan="exact", backend="auto", keep=True, progress=None):
-        check_backend(backend)
-        self.program, self.kind, self.grades = program.check(), check_plan(plan), None
+        check_backend(backend, plan)
+        self.program, self.kind, self.grades = program.check(), plan, None
         begun = time.perf_counter()
-        make = self._by_grades if plan == "grades" else self._exactly
-        totals, exact = make(keep, progress)
+        if plan == "grades":
+            totals, exact = self._by_grades(backend, keep, progress)
+        else:
+            totals, exact = self._exactly(keep, progress)
         self.totals = measure.plan_times(totals, program.machine)
         self.time_s, self.exact_time_s = self.totals["time_s"], float(exact["time_s"])
         self.plan_s = time.perf_counter() - begun
 
-    def _by_grades(self, keep, progress):
+    def _by_grades(self, backend, keep, progress):
         text, machine = self.program.text, self.program.machine
-        self.grades, exact = grades.of_text(text, machine, progress=progress)
+        self.grades, exact = grades.of_text(text, machine, backend=backend, progress=progress)
         self.segs = self.grades.segs
         self.nodes = np.empty(0, dtype("nck_node_t"))
         self.cells = self.grades.cells() if keep else np.empty(0, dtype("nck_cell_t"))
@@ -121,6 +115,7 @@ class Plan:
             **self.totals,
             "slope": machine.settings.path.slope,
             "plan": self.kind,
+            "backend": self.grades.backend if self.grades else "c",
             "plan_s": self.plan_s,
             "diagnostics": self.program.diagnostics.as_list(),
         }
@@ -140,8 +135,8 @@ def plan(program, machine=None, slope="linear", backend="auto", plan="exact"):
         Another machine than the program's.
     slope : {"linear"}
         Velocity profile: acceleration-limited.
-    backend : {"auto", "c"}
-        Where it is computed.
+    backend : {"auto", "c", "opencl"}
+        Where it is computed; OpenCL plans by grades only.
     plan : {"exact", "grades"}
         By the exact envelope, or by velocity grades (Cao et al. 2014).
 

@@ -64,7 +64,11 @@ def _head(trace):
         f"simulated in {facts['run_s']:.2f} s ({rate * facts['period_s']:,.0f} times real time)",
         "dim",
     )
-    return Group(first, second)
+    lines = [first, second]
+    if trace.plan.kind == "grades":
+        exact = duration(trace.plan.exact_time_s)
+        lines.append(Text(f"planned by grades on {facts['backend']}; exactly: {exact}", "dim"))
+    return Group(*lines)
 
 
 def _whole_line(text):

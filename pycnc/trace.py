@@ -266,13 +266,13 @@ class Trace:
 
     def __init__(self, program, *, prep_steps=kernel.PREP_STEPS, keep=True, output=None,
                  plan="exact", backend="auto", progress=None):  # fmt: skip
-        check_backend(backend)
+        check_backend(backend, plan)
         begun = time.perf_counter()
         self.program = program.check()
         self._layout = Columns(program.machine)
         sink = writer(output, self._layout, self.metadata()) if output else None
         try:
-            self.plan = Plan(program, plan=plan, keep=False)
+            self.plan = Plan(program, plan=plan, backend=backend, keep=False)
             self._run(prep_steps, keep, sink, progress)
         except BaseException:
             if sink:
@@ -405,8 +405,8 @@ def run(program, machine=None, *, prep_steps=kernel.PREP_STEPS, backend="auto", 
         Another machine than the program's.
     prep_steps : int
         Prep steps between two ticks, 1 at least; few of them starve the tick.
-    backend : {"auto", "c"}
-        Where it is computed.
+    backend : {"auto", "c", "opencl"}
+        Where it is computed; OpenCL plans by grades only.
     plan : {"exact", "grades"}
         By the exact envelope, or by velocity grades (Cao et al. 2014), which report the peaks of
         acceleration and do not promise them.

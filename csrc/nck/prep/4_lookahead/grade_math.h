@@ -42,8 +42,8 @@ static inline nck_real nck_grade_vv(NCK_IN nck_grade_rule_t *rule, int k) {
 
 // The grade of a speed given as v²:   g = ⌊(v² − v_min²)/(2aL)⌋ in 0 … N−1
 // (Cao et al. 2014, eq. 9). Quantised in v²: floor of the table's own rounded speeds puts many
-// grades one too low. The table decides where the division rounds: the grade's speed is never above v
-// (but for grade 0 below v_min), the next grade's always.
+// grades one too low. Where the division rounds, the table decides: the grade's speed is never
+// above v (but for grade 0 below v_min), the next grade's always.
 static inline int nck_grade_of(NCK_IN nck_grade_rule_t *rule, nck_real vv) {
     const int top = (int)rule->count - 1;
     if (vv >= rule->v_max * rule->v_max) return top;
