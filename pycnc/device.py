@@ -159,18 +159,13 @@ def devices():
 
 
 def choose(name=None):
-    """Return one device.
+    """Return one device; a DeviceError lists those that are there.
 
     Parameters
     ----------
     name : str or Device, optional
         A kind ("pthread", "basic", "gpu", "oclgrind", "cpu"), or a part of ``str(device)``, such as
         a version; by default the environment's PYCNC_DEVICE, or the preferred device.
-
-    Raises
-    ------
-    DeviceError
-        If there is none; the message lists those that are there.
     """
     if isinstance(name, Device):
         return name
@@ -257,12 +252,15 @@ def prove(name):
 
 
 class Session:
-    """A device in use: its queue and its programs, built once."""
+    """A device in use: its queue and its programs, built once.
+
+    ``shares_memory`` is the device's; set it to False to see what copies cost.
+    """
 
     def __init__(self, device):
         cl = _opencl()
         self.cl = cl
-        self.device = device
+        self.device, self.shares_memory = device, device.shares_memory
         try:
             (opencl_device,) = [theirs for ours, theirs in _found() if ours == device]
             self.context = cl.Context([opencl_device])
@@ -316,7 +314,7 @@ class Session:
         """Return a buffer with the array's content: the array itself where memory is shared."""
         flags = self.cl.mem_flags
         access = flags.READ_WRITE if written else flags.READ_ONLY
-        place = flags.USE_HOST_PTR if self.device.shares_memory else flags.COPY_HOST_PTR
+        place = flags.USE_HOST_PTR if self.shares_memory else flags.COPY_HOST_PTR
         return self.cl.Buffer(self.context, access | place, hostbuf=array)
 
     def room(self, n, dtype):
@@ -331,7 +329,7 @@ class Session:
 
     def read(self, buffer, array):
         """Wait, and make the array hold what the buffer holds."""
-        if self.device.shares_memory and buffer.flags & self.cl.mem_flags.USE_HOST_PTR:
+        if self.shares_memory and buffer.flags & self.cl.mem_flags.USE_HOST_PTR:
             mapped, _ = self.cl.enqueue_map_buffer(
                 self.queue, buffer, self.cl.map_flags.READ, 0, array.shape, array.dtype
             )

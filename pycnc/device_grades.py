@@ -18,9 +18,10 @@ GROUP = 64
 def _check_grades(grades):
     if grades.dtype != np.int32 or grades.ndim != 1 or not grades.flags.c_contiguous:
         raise errors.ArgumentError("grades must be int32, contiguous, of one dimension")
-    bad = np.flatnonzero((grades < 0) | (grades >= NO_LIMIT))
-    if bad.size:
-        raise errors.ArgumentError(f"index {bad[0]}: a grade is below 0 or above {NO_LIMIT - 1}")
+    bits = grades.view(np.uint32)  # a negative grade is a large number there
+    if bits.max(initial=0) >= NO_LIMIT:
+        bad = np.argmax(bits >= NO_LIMIT)
+        raise errors.ArgumentError(f"index {bad}: a grade is below 0 or above {NO_LIMIT - 1}")
 
 
 def _sweep_until_settled(session, name, p, n, first, second, items, local):
@@ -42,7 +43,7 @@ def _sweep_until_settled(session, name, p, n, first, second, items, local):
         before, after = after, second if after is first else first
 
 
-def bubble(grades, method="scan", name=None):
+def bubble(grades, method="scan", name=None, out=None):
     """Let grades sink until neighbours differ by one at most (Cao et al. 2014, section 7).
 
     Parameters
@@ -53,6 +54,8 @@ def bubble(grades, method="scan", name=None):
         One exact scan; one launch for every sweep, as the paper has it; or 16 sweeps in a launch.
     name : str or Device, optional
         As for `device.choose`.
+    out : numpy.ndarray, optional
+        (n,) int32 to fill.
 
     Returns
     -------
@@ -74,7 +77,9 @@ def bubble(grades, method="scan", name=None):
     _check_grades(grades)
     session = device.in_use(name)
     n = len(grades)
-    settled = device.empty(n, np.int32)
+    settled = device.empty(n, np.int32) if out is None else out
+    if settled.shape != grades.shape or settled.dtype != np.int32:
+        raise errors.ArgumentError(f"out must be int32 of shape {grades.shape}")
     if n == 0:
         return settled, 0
     if method not in ("scan", "sweep", "fused"):

@@ -3,7 +3,6 @@
 happens when a device is absent, broken or in doubt."""
 
 import os
-import shutil
 import subprocess
 import sys
 
@@ -14,10 +13,9 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from pycnc import device, device_grades, grades
+from pycnc import bench_opencl, device, device_grades, grades
 from pycnc._bind import check, ffi, lib, pointer
 from pycnc.errors import ArgumentError, DeviceError, NckError
-from pycnc.machine import Machine
 from pycnc.records import dtype
 
 HOME_DEVICES = ("pthread", "basic")
@@ -376,7 +374,7 @@ def test_a_home_that_cannot_be_written_does_not_matter(tmp_path):
 
 UNDER_OCLGRIND = """
 import numpy as np
-from pycnc import device, device_grades, grades
+from pycnc import bench_opencl, device, device_grades, grades
 from pycnc.machine import Machine
 used = device.in_use("oclgrind")
 rng = np.random.default_rng(1)
@@ -423,3 +421,13 @@ def test_oclgrind_finds_no_race_and_no_overrun(tmp_path):
     assert done.returncode == 0, done.stderr
     assert done.stdout.startswith("ran")
     assert words == ""
+
+
+# The bench
+
+
+def test_the_bench_measures_equal_bits():
+    rows = bench_opencl.bench_opencl_rows(sizes=(10_000,), seconds=0.0)
+    assert len(rows) == 2 * 5 + 2 * 3
+    assert all(row["equal"] for row in rows)
+    assert all(row["ns_per_point"] > 0 for row in rows)
