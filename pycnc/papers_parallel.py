@@ -1,0 +1,212 @@
+# SPDX-License-Identifier: MIT
+"""Keinert's experiments and the scaling study, as data."""
+
+import copy
+import dataclasses
+import gc
+import os
+import time
+
+import numpy as np
+
+from pycnc import errors, papers, parallel
+
+BLOCKS = (100, 300, 1_000, 3_000, 10_000, 30_000, 100_000, 300_000, 1_000_000)
+SIZES = (10**3, 10**4, 10**5, 10**6, 10**7, 10**8)
+BACKENDS = ("c", "simd", "threads", "opencl")
+_SECONDS = 0.2  # what a measurement is repeated for, three times at least
+_REAL = {"float": np.float32, "double": np.float64}
+_ARRAYS = 8  # copies of a path that a size needs at most, caps, pieces and results together
+
+
+def limits(blocks):
+    """Return (w_cap, h, w_feed) of the wavy surface, as Keinert's look-ahead takes them."""
+    w_cap, h = papers.polyline_limits(
+        papers.freeform(blocks), papers.FREEFORM_FEED_MM_S, papers.FREEFORM_A_MAX,
+        papers.FREEFORM_PERIOD_S,
+    )  # fmt: skip
+    return w_cap, h, np.full(blocks, papers.FREEFORM_FEED_MM_S**2)
+
+
+def efficiency_rows(sizes=BLOCKS):
+    """Return time of serial and parallel look-ahead over the number of blocks (figure 5).
+
+    Returns
+    -------
+    list of dict
+        blocks, tasks, serial_us: one pass each way, parallel_us: all of Keinert's on all threads,
+        one_thread_us: the same on one thread, chunks_us: the kernel's own overlapped chunks on all
+        threads, equal: whether all profiles are equal to the bit.
+    """
+    rows = []
+    for blocks in sizes:
+        given = limits(blocks)
+        w = np.empty(blocks + 1)
+        serial_ns = parallel.time_envelope("double", "c", *given[:2], w, seconds=_SECONDS)
+        chunked, road = np.empty_like(w), "threads" if parallel.has_threads() else "simd"
+        chunks_ns = parallel.time_envelope("double", road, *given[:2], chunked, seconds=_SECONDS)
+        found = _best_keinert(given)
+        rows.append({
+            "blocks": blocks,
+            "tasks": len(found.tasks),
+            "serial_us": round(serial_ns / 1e3, 1),
+            "parallel_us": round(found.wall_ns / 1e3, 1),
+            "one_thread_us": round(_best_keinert(given, threads=1).wall_ns / 1e3, 1),
+            "chunks_us": round(chunks_ns / 1e3, 1),
+            "threads": parallel.threads(),
+            "equal": bool(np.array_equal(found.w, w) and np.array_equal(chunked, w)),
+        })  # fmt: skip
+    return rows
+
+
+def _best_keinert(given, **settings):
+    """Return the quickest of some runs."""
+    runs, begun = [], time.perf_counter()
+    while len(runs) < 3 or time.perf_counter() - begun < _SECONDS:
+        runs.append(parallel.keinert(*given, **settings))
+    return min(runs, key=lambda found: found.wall_ns)
+
+
+def profiles(blocks=200_000, short=5):
+    """Return what figures 6, 7 and 8 show of one interpreter buffer.
+
+    Parameters
+    ----------
+    blocks : int
+    short : int
+        A largest overlap that does not suffice.
+
+    Returns
+    -------
+    dict
+        s [mm] and speeds [mm/s] of all points: serial, parallel, short; found: the Keinert of
+        enough overlap; found_short: of too little.
+    """
+    given = limits(blocks)
+    found = _best_keinert(given)
+    found_short = parallel.keinert(*given, overlap=(5, short))
+    serial = parallel.envelope(*given[:2], w_start=0, w_end=0, backend="c")
+    s = np.concatenate([[0], np.cumsum(given[1] / (2 * papers.FREEFORM_A_MAX))])
+    return {
+        "s": s,
+        "serial": np.sqrt(serial),
+        "parallel": np.sqrt(found.w),
+        "short": np.sqrt(found_short.w),
+        "found": found,
+        "found_short": found_short,
+    }
+
+
+# The scaling study
+
+
+def scaling_rows(sizes=SIZES, backends=BACKENDS, progress=None):
+    """Return ns per point of every backend over the number of points, beside the triad's.
+
+    The path is that of `parallel.sample`: a tenth of its nodes are corners.
+
+    Returns
+    -------
+    list of dict
+        n, real, backend, ns_per_point, of a device with own memory also copy_in_ns and copy_out_ns
+        per point; equal: the same bits as C's serial pass. The backend "triad": the time in which
+        memory moves as many bytes, 12 a point in float, 24 in double.
+    """
+    rows = []
+    for n in sizes:
+        for real in _REAL:
+            if n * np.dtype(_REAL[real]).itemsize * _ARRAYS > _free_memory():
+                continue
+            rows += _scaling_of(n, real, backends)
+            gc.collect()
+            if progress:
+                progress(len(rows), None)
+    return rows
+
+
+def _scaling_of(n, real, backends):
+    """Return the rows of one size and number type."""
+    w_cap, h = (_aligned(each) for each in parallel.sample(real, n))
+    serial = parallel.envelope(w_cap, h, w_start=0, w_end=0, backend="c")
+    rows, w = [], _aligned(np.empty_like(w_cap))
+    for backend in backends:
+        if backend == "opencl":
+            rows += _device_rows(n, real, w_cap, h, w, serial)
+            continue
+        try:
+            ns = parallel.time_envelope(real, backend, w_cap, h, w, seconds=_SECONDS) / n
+        except errors.DeviceError:
+            continue  # built without threads
+        rows.append(_row(n, real, backend, ns, equal=bool(np.array_equal(w, serial))))
+    numbers, crews = n * w.itemsize // 4, {1, parallel.threads()}
+    triad_ns = min(parallel.time_triad(numbers, threads=crew, seconds=_SECONDS) for crew in crews)
+    return [*rows, _row(n, real, "triad", triad_ns / n)]
+
+
+def _free_memory():
+    return os.sysconf("SC_AVPHYS_PAGES") * os.sysconf("SC_PAGE_SIZE")
+
+
+def _row(n, real, backend, ns, **more):
+    return {"n": n, "real": real, "backend": backend, "ns_per_point": round(ns, 4), **more}
+
+
+def _aligned(array):
+    """Return an array at the begin of a page, where a device uses it without copies."""
+    from pycnc import device
+
+    moved = device.empty(len(array), array.dtype)
+    moved[:] = array
+    return moved
+
+
+def _device_rows(n, real, w_cap, h, w, serial):
+    """Return the rows of every OpenCL device: in place, and with copies in and out."""
+    from pycnc import device
+
+    try:
+        kinds = [each.kind for each in device.devices() if each.kind != "oclgrind"]
+    except errors.DeviceError:
+        return []
+    rows = []
+    for kind in dict.fromkeys(kinds):
+        session = device.in_use(kind)
+        try:
+            launch = device.EnvelopeLaunch(session, w_cap, h, w)
+            in_place = _least_ns(lambda run=launch.run: run(0, 0)) / n
+        except errors.DeviceError:
+            continue  # no certain overlap within a tile: auto goes on in C there
+        equal = bool(np.array_equal(w, serial))
+        rows.append(_row(n, real, f"opencl {kind}", in_place, equal=equal))
+        copies = _copies_ns(session, w_cap, h, w)
+        total = in_place + sum(copies) / n
+        rows.append(_row(
+            n, real, f"opencl {kind}, copies", total,
+            copy_in_ns=round(copies[0] / n, 4), copy_out_ns=round(copies[1] / n, 4), equal=equal,
+        ))  # fmt: skip
+    return rows
+
+
+def _copies_ns(session, w_cap, h, w):
+    """Return the time [ns] of copies into a device's own memory and of the result out of it."""
+    apart = copy.copy(session)
+    apart.device = dataclasses.replace(session.device, shares_memory=False)
+    inside = [apart.buffer(each) for each in (w_cap, h)]
+    result = apart.buffer(w, written=True)
+
+    def copy_in():
+        for buffer, array in zip(inside, (w_cap, h), strict=True):
+            apart.cl.enqueue_copy(apart.queue, buffer, array)
+
+    return _least_ns(copy_in), _least_ns(lambda: apart.read(result, w))
+
+
+def _least_ns(work):
+    """Return the least time of some runs [ns], after one that warms up."""
+    work()
+    times, begun = [], time.perf_counter()
+    while len(times) < 3 or time.perf_counter() - begun < _SECONDS:
+        before = time.perf_counter_ns()
+        work()
+        times.append(time.perf_counter_ns() - before)
+    return min(times)
