@@ -20,7 +20,8 @@ from pathlib import Path
 from pycnc import errors
 
 BACKENDS = ("c", "simd", "threads", "opencl")
-# Where the calibration measures [nodes]; between them it goes by the logarithm, beyond the ends flat.
+# Where the calibration measures [nodes]; between them it goes by the logarithm, beyond the ends
+# flat.
 SIZES = (64, 256, 1024, 4096, 16384, 65536, 262144, 1048576)
 
 _report = contextvars.ContextVar("pycnc_dispatch_report", default=None)
@@ -91,7 +92,7 @@ def fall_back(cause):
     """
     if cause.id not in _warned:
         _warned.add(cause.id)
-        warnings.warn(f"planning goes on in C: {cause}", RuntimeWarning, stacklevel=4)
+        warnings.warn(f"planning goes on in C: {cause}", RuntimeWarning, stacklevel=5)
     return f"fell back: {cause}"
 
 

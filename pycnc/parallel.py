@@ -40,28 +40,27 @@ def envelope(
     """Room 4: the largest profile of squared speeds that caps and accelerations allow.
 
     The exact two-pass look-ahead: backward w_i = min(w_cap_i, w_{i+1} + h_i), then forward
-    w_{i+1} = min(w_{i+1}, w_i + h_i). All backends give the same bits. Who ran, and why, is told by
-    `pycnc.dispatch.last_report`.
+    w_{i+1} = min(w_{i+1}, w_i + h_i). All backends give the same bits; `dispatch.last_report` tells
+    who ran and why.
 
     Parameters
     ----------
     w_cap : array_like
         (n,) cap of v² at every node [mm²/s²], not negative.
     h : array_like
-        (n − 1,) 2·a·length of every piece [mm²/s²], not negative. If both are float32, so is the
-        result; otherwise all is computed in float64.
+        (n − 1,) 2·a·length of every piece [mm²/s²], not negative. If both are float32, so is all
+        that follows; otherwise it is float64.
     w_start, w_end : float
         v² at the ends, at most [mm²/s²].
     backend : {"auto", "c", "simd", "threads", "opencl"}
-        Where it is computed: serially, in the lanes of vectors, by OpenMP, on a device, or where a
-        calibration found it quickest. ``auto`` goes on in C if a device fails, with one warning.
+        Serial, in the lanes of vectors, by OpenMP, on a device, or where a calibration found it
+        quickest. ``auto`` goes on in C if a device fails, with one warning.
     threads : int, optional
         For ``"threads"``; without it, as many as the computer has.
     processor : str, optional
         One of `processors`, for comparisons; without it the best one.
     out : numpy.ndarray, optional
-        (n,) array to fill, of the result's type; it may be w_cap. After an error it is not to be
-        used.
+        (n,) array to fill; it may be w_cap. After an error it is not to be used.
 
     Returns
     -------
@@ -71,8 +70,7 @@ def envelope(
     Raises
     ------
     ArgumentError
-        If a number is NaN, infinite or negative (the first index is told), or the lengths do not
-        fit.
+        For a NaN, infinite or negative number (the first is named) and lengths that do not fit.
     DeviceError
         If a backend was named and is not here, or fails.
 
@@ -84,19 +82,12 @@ def envelope(
     w_cap, h, w = _arrays(w_cap, h, out)
     real, n = _REALS[w.dtype], len(w)
     choice = dispatch.choose(backend, real, n, _identity(), _measure)
-    name, why = choice.backend, choice.why
-    ends = (float(w_start), float(w_end))
-    if name == "opencl":
-        try:
-            report = _on_device(w_cap, h, ends, w)
-        except errors.DeviceError as cause:
-            _refuse_bad_numbers(real, w_cap, h, ends)
-            if choice.is_named:
-                raise
-            name, why = "simd", dispatch.fall_back(cause)
-    if name != "opencl":
-        report = _in_c(real, name, threads, processor, w_cap, h, ends, w)
-    dispatch.note(dispatch.Report(name, backend, why, real, n, **report))
+    path = (w_cap, h, (float(w_start), float(w_end)), w)
+    if choice.backend == "opencl":
+        choice, report = _on_device_or_in_c(choice, real, path)
+    else:
+        report = _in_c(real, choice.backend, threads, processor, *path)
+    dispatch.note(dispatch.Report(choice.backend, backend, choice.why, real, n, **report))
     return w
 
 
@@ -162,6 +153,18 @@ def _on_device(w_cap, h, ends, w):
     from pycnc import device
 
     return {"processor": str(device.envelope(w_cap, h, *ends, w))}
+
+
+def _on_device_or_in_c(choice, real, path):
+    """Compute on a device; if it fails and nobody named it, in C. Returns who did it, and how."""
+    try:
+        return choice, _on_device(*path)
+    except errors.DeviceError as cause:
+        _refuse_bad_numbers(real, *path[:3])
+        if choice.is_named:
+            raise
+        choice = dispatch.Choice("simd", False, dispatch.fall_back(cause))
+    return choice, _in_c(real, choice.backend, None, None, *path)
 
 
 def _bad_number(index, w_cap, h, ends):
@@ -354,13 +357,7 @@ def keinert(
     n = len(arrays[0])
     if n == 0 or any(each.shape != (n - 1,) for each in arrays[1:]):
         raise errors.ArgumentError(f"shapes do not fit: {[each.shape for each in arrays]}")
-    crew = lib.nck_host_threads() if threads is None else threads
-    if not (length >= 2 and 0 <= overlap[0] <= overlap[1] and crew in _crews()):
-        raise errors.ArgumentError(
-            f"length {length} (2 at least), overlap {overlap} (least, most) or threads {crew} "
-            f"(1 to {lib.NCK_HOST_THREADS_MAX}) out of range"
-        )
-    settings = ffi.new("nck_host_keinert_settings_t *", [length, *overlap, crew])
+    settings = _keinert_settings(length, overlap, threads)
     tasks = np.empty(lib.nck_host_keinert_tasks(settings, n), dtype("nck_host_keinert_task_t"))
     rows = lib.nck_host_keinert_rows(settings)
     buffers = np.empty((len(tasks), rows), dtype("nck_host_keinert_row_t"))
@@ -380,8 +377,15 @@ def keinert(
     return Keinert(w, tasks, _certain(tasks, buffers), wall_ns)
 
 
-def _crews():
-    return range(1, lib.NCK_HOST_THREADS_MAX + 1)
+def _keinert_settings(length, overlap, crew):
+    crew = lib.nck_host_threads() if crew is None else crew
+    crews = range(1, lib.NCK_HOST_THREADS_MAX + 1)
+    if not (length >= 2 and 0 <= overlap[0] <= overlap[1] and crew in crews):
+        raise errors.ArgumentError(
+            f"length {length} (2 at least), overlap {overlap} (least, most) or threads {crew} "
+            f"(1 to {crews[-1]}) out of range"
+        )
+    return ffi.new("nck_host_keinert_settings_t *", [length, *overlap, crew])
 
 
 def _certain(tasks, buffers):

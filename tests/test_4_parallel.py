@@ -22,8 +22,9 @@ ROADS = {
 if not parallel.has_threads():
     ROADS = {name: road for name, road in ROADS.items() if road["backend"] != "threads"}
 
-# Lanes are 1040 floats or 520 doubles long (65 cache lines), a block has 4, 8 or 16 of them, a chunk
-# has 32 lanes; blocks, chunks and the shortest lanes begin and end around these numbers of nodes.
+# Lanes are 1040 floats or 520 doubles long (65 cache lines), a block has 4, 8 or 16 of them, a
+# chunk has 32 lanes; blocks, chunks and the shortest lanes begin and end around these numbers of
+# nodes.
 EDGES = (64, 128, 512, 2080, 4160, 8320, 16640, 33280, 66560)
 SIZES = sorted({1, 2, 3, 5, 100_003, *(edge + k for edge in EDGES for k in (-1, 0, 1, 2))})
 

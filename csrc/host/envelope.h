@@ -29,7 +29,7 @@ typedef struct nck_host_choice {
 
 // What happened.
 typedef struct nck_host_envelope_report {
-    size_t bad;            // NCK_E_ARGUMENT: the first index whose number is NaN, infinite, negative
+    size_t bad;            // first index whose number is NaN, infinite or negative; else n
     size_t blocks;         // planned in lanes
     size_t blocks_refused; // planned serially, because no overlap within a lane was certain
     size_t chunks_refused; // 1 or more: no overlap of a chunk was certain; the path, or the rest of
@@ -41,11 +41,11 @@ typedef struct nck_host_envelope_report {
 nck_host_cpu_t nck_host_cpu(void);
 
 // The exact two-pass envelope of a whole path in double.
-// choice: the road to take. w_cap: n nodes [mm²/s²]; h: n − 1 pieces, 2·a·length [mm²/s²]. w_out: n
-// nodes; it may be w_cap unless the road is NCK_HOST_THREADS. w at the first node is at most w_start,
-// at the last node at most w_end. *report_out is filled in any case.
-// Returns NCK_OK; NCK_E_ARGUMENT if n is 0, the choice is not possible (bad = n), or a number is NaN,
-// infinite or negative (its index in bad; w_start: 0, w_end: n − 1): w_out is all zero then.
+// choice: the road to take. w_cap: n nodes [mm²/s²]; h: n − 1 pieces, 2·a·length [mm²/s²]. w_out:
+// n nodes; it may be w_cap unless the road is NCK_HOST_THREADS. w at the first node is at most
+// w_start, at the last node at most w_end. *report_out is filled in any case.
+// Returns NCK_OK; NCK_E_ARGUMENT if n is 0, the choice is not possible (bad = n), or a number is
+// NaN, infinite or negative (its index in bad; w_start: 0, w_end: n − 1): w_out is all zero then.
 // Cost: linear, two passes. Context: any.
 nck_status_t nck_host_envelope_double(const nck_host_choice_t *choice, const double *w_cap,
                                       const double *h, size_t n, double w_start, double w_end,
@@ -56,8 +56,8 @@ nck_status_t nck_host_envelope_float(const nck_host_choice_t *choice, const floa
                                      const float *h, size_t n, double w_start, double w_end,
                                      float *w_out, nck_host_envelope_report_t *report_out);
 
-// The first index whose cap or piece is NaN, infinite or negative (w_start: 0, w_end: n − 1); n if all
-// are good. Cost: linear. Context: any.
+// The first index whose cap or piece is NaN, infinite or negative (w_start: 0, w_end: n − 1); n
+// if all are good. Cost: linear. Context: any.
 size_t nck_host_envelope_bad_double(const double *w_cap, const double *h, size_t n, double w_start,
                                     double w_end);
 

@@ -6,8 +6,9 @@
 //   task 1                          ├~~~~┼───────────────┼~~┤
 //   task 2                                          ├~~~~┼───────────────┤
 //
-// ~~~ overlap: computed and discarded. The paper passes a buffer backwards, from rest; what its slope
-// then accelerates by is passed forwards here in the same way, with an overlap on that side too.
+// ~~~ overlap: computed and discarded. The paper passes a buffer backwards, from rest; what its
+// slope then accelerates by is passed forwards here in the same way, with an overlap on that side
+// too.
 #include "host/keinert.h"
 
 #include "host/envelope.h" // nck_host_envelope_bad_double
@@ -33,9 +34,9 @@ size_t nck_host_keinert_rows(const nck_host_keinert_settings_t *settings) {
     return (size_t)settings->length + 2 * (size_t)settings->overlap_max + 1;
 }
 
-// Blocks of overlap from node i on, in direction step (+1: behind, −1: before), `room` at most: as many
-// as it takes to brake from, or to reach, the largest feed on the way. *too_short is raised if the
-// largest overlap does not suffice.
+// Blocks of overlap from node i on, in direction step (+1: behind, −1: before), `room` at most:
+// as many as it takes to brake from, or to reach, the largest feed on the way. *too_short is
+// raised if the largest overlap does not suffice.
 static uint32_t choose_overlap(const lookahead_t *self, size_t i, int step, size_t room,
                                uint32_t *too_short) {
     const size_t most = room < self->settings->overlap_max ? room : self->settings->overlap_max;

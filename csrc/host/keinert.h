@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// The parallel look-ahead of Keinert et al. (2014), section 4: the interpreter's buffer is cut into
-// look-ahead buffers with an overlap, each is a task for a thread, and the results are put together by
-// the blocks' numbers. As published: an overlap that is too short gives a lower profile, and says so.
+// The parallel look-ahead of Keinert et al. (2014), section 4: the interpreter's buffer is cut
+// into look-ahead buffers with an overlap, each is a task for a thread, and the results are put
+// together by the blocks' numbers. As published: an overlap that is too short gives a lower
+// profile, and says so.
 #ifndef NCK_HOST_KEINERT_H
 #define NCK_HOST_KEINERT_H
 
@@ -48,12 +49,12 @@ size_t nck_host_keinert_rows(const nck_host_keinert_settings_t *settings);
 
 // The look-ahead of a whole interpreter buffer by parallel tasks.
 // w_cap, h, n, w_start, w_end: as nck_host_envelope_double. w_feed: n − 1 blocks, programmed feed
-// squared [mm²/s²]: an overlap ends where the path from its border suffices to brake from there, or to
-// reach it. rows: nck_host_keinert_tasks × nck_host_keinert_rows, the look-ahead buffers. tasks: the
-// table to fill. w_out: n nodes, not w_cap: equal to the exact envelope wherever no task reports a drop,
-// never above it.
-// Returns NCK_OK; NCK_E_ARGUMENT if the settings are out of range (*bad_out = n), or a number is NaN,
-// infinite or negative (*bad_out: its index); nothing is written to w_out then.
+// squared [mm²/s²]: an overlap ends where the path from its border suffices to brake from there,
+// or to reach it. rows: nck_host_keinert_tasks × nck_host_keinert_rows, the look-ahead buffers.
+// tasks: the table to fill. w_out: n nodes, not w_cap: equal to the exact envelope wherever no
+// task reports a drop, never above it.
+// Returns NCK_OK; NCK_E_ARGUMENT if the settings are out of range (*bad_out = n), or a number is
+// NaN, infinite or negative (*bad_out: its index); nothing is written to w_out then.
 // Cost: linear. Context: prep.
 nck_status_t nck_host_keinert(const nck_host_keinert_settings_t *settings, const double *w_cap,
                               const double *h, const double *w_feed, size_t n, double w_start,

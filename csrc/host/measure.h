@@ -8,9 +8,10 @@
 
 #include "host/envelope.h" // nck_host_choice_t
 
-// The least time of some runs of nck_host_envelope_double, from rest to rest. Arrays as there; runs: 1
-// at least.
-// Returns nanoseconds, or the negative status of a run that failed. Cost: runs × linear. Context: any.
+// The least time of some runs of nck_host_envelope_double, from rest to rest. Arrays as there;
+// runs: 1 at least.
+// Returns nanoseconds, or the negative status of a run that failed. Cost: runs × linear. Context:
+// any.
 int64_t nck_host_measure_double(const nck_host_choice_t *choice, const double *w_cap,
                                 const double *h, size_t n, double *w_out, int runs);
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Threads and the clock: the one place of libnck_host that knows OpenMP. Without it everything runs,
-// on one thread.
+// Threads and the clock: the one place of libnck_host that knows OpenMP. Without it everything
+// runs, on one thread.
 #ifndef NCK_HOST_THREADS_H
 #define NCK_HOST_THREADS_H
 
@@ -17,8 +17,8 @@ int nck_host_has_threads(void);
 int nck_host_threads(void);
 
 // Run task(context, index, thread) for every index from 0 to count − 1, on 1 to
-// NCK_HOST_THREADS_MAX threads: whoever is free takes the next index. thread: 0 to threads − 1, no two
-// running tasks have the same. Returns when all are done. Context: prep.
+// NCK_HOST_THREADS_MAX threads: whoever is free takes the next index. thread: 0 to threads − 1,
+// no two running tasks have the same. Returns when all are done. Context: prep.
 void nck_host_threads_run(size_t count, int threads,
                           void (*task)(void *context, size_t index, int thread), void *context);
 

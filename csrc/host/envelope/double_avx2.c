@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The exact envelope in double, for x86-64 with AVX2; compiled with -mavx2, used where the processor has it.
+// The exact envelope in double, for x86-64 with AVX2; compiled with -mavx2, used where the
+// processor has it.
 #define NCK_REAL double
 #define ENVELOPE_VARIANT nck_host_envelope_double_avx2
 

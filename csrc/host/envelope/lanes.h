@@ -6,11 +6,12 @@
 //   ├────────────┼────────────┼────────────┼────────────┤
 //            ◀──~~~       ◀──~~~       ◀──~~~       ◀───  w behind the block, known
 //
-// What a lane begins with is found by an overlap (~~~): m nodes of the lane behind it, passed once
-// from the least value that is possible there and once from the largest. Rounded addition and min are
-// monotone, so the true value lies between the two; where they meet it is known to the bit
-// (Keinert et al. 2014, section 4, for the overlap; the certificate is derived in docs/parallel.md).
-// A block whose overlaps do not meet within a lane is refused, and planned serially.
+// What a lane begins with is found by an overlap (~~~): m nodes of the lane behind it, passed
+// once from the least value that is possible there and once from the largest. Rounded addition
+// and min are monotone, so the true value lies between the two; where they meet it is known to
+// the bit (Keinert et al. 2014, section 4, for the overlap; the certificate is derived in
+// docs/parallel.md). A block whose overlaps do not meet within a lane is refused, and planned
+// serially.
 #ifndef NCK_HOST_ENVELOPE_LANES_H
 #define NCK_HOST_ENVELOPE_LANES_H
 
@@ -21,7 +22,8 @@
 
 enum {
     LANES = GROUPS * WIDTH,
-    // Bytes of a full lane: an odd multiple of a cache line, so that the lanes do not share its sets.
+    // Bytes of a full lane: an odd multiple of a cache line, so that the lanes do not share its
+    // sets.
     LANE_BYTES = 65 * 64,
     LANE_FULL = LANE_BYTES / (int)sizeof(nck_real),
     LANE_LEAST = 4 * TILE,   // shorter lanes do not pay
@@ -160,7 +162,7 @@ static int forward_entry(const nck_real *h, const nck_real *w_back, size_t lane,
 }
 
 static inline void backward_lanes(const nck_real *w_cap, const nck_real *h, size_t lane,
-                           const nck_real *w_next, nck_real *w) {
+                                  const nck_real *w_next, nck_real *w) {
     vector_t cap[TILE], piece[TILE], before[GROUPS];
     for (size_t g = 0; g < GROUPS; g++) before[g] = vector_load(w_next + g * WIDTH);
     for (size_t i = lane; i > 0; i -= TILE) {
@@ -177,7 +179,8 @@ static inline void backward_lanes(const nck_real *w_cap, const nck_real *h, size
     }
 }
 
-static inline void forward_lanes(const nck_real *h, size_t lane, const nck_real *w_before, nck_real *w) {
+static inline void forward_lanes(const nck_real *h, size_t lane, const nck_real *w_before,
+                                 nck_real *w) {
     vector_t cap[TILE], piece[TILE], before[GROUPS];
     for (size_t g = 0; g < GROUPS; g++) before[g] = vector_load(w_before + g * WIDTH);
     for (size_t i = 0; i < lane; i += TILE) {

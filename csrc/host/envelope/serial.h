@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The exact envelope one node after the other: the definition that all other passes must equal to
-// the bit. A pass is one chain of additions and comparisons, each of which waits for the one before.
+// the bit. A pass is one chain of additions and comparisons, each of which waits for the one
+// before.
 #ifndef NCK_HOST_ENVELOPE_SERIAL_H
 #define NCK_HOST_ENVELOPE_SERIAL_H
 
@@ -14,8 +15,8 @@ static int is_good(nck_real x) {
     return x >= 0 && x - x == 0; // infinity − infinity is NaN
 }
 
-// The sign bit of what these return is set if one of n numbers is NaN, infinite or negative (−0 too):
-// the exponent of the first two is all ones, so that one more carries into the sign.
+// The sign bit of what these return is set if one of n numbers is NaN, infinite or negative (−0
+// too): the exponent of the first two is all ones, so that one more carries into the sign.
 static uint32_t doubt_float(const void *x, size_t n) {
     uint32_t doubt = 0;
     for (size_t i = 0; i < n; i++) {

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// The exact envelope of a whole path in chunks that fit into the second cache: both passes of a chunk
-// run while it is there, so the path crosses the memory once. Chunks may be planned in any order and
-// by any thread, each with overlaps of its own; a chunk whose overlaps are not certain is refused.
+// The exact envelope of a whole path in chunks that fit into the second cache: both passes of a
+// chunk run while it is there, so the path crosses the memory once. Chunks may be planned in any
+// order and by any thread, each with overlaps of its own; a chunk whose overlaps are not certain
+// is refused.
 //
 // The includer gives NCK_REAL, the lanes (one of simd_*.h) and ENVELOPE_VARIANT, the table's name.
 #ifndef NCK_HOST_ENVELOPE_WHOLE_H
@@ -99,15 +100,16 @@ static int envelope_serial(const envelope_job_t *job, envelope_count_t *count) {
     return 1;
 }
 
-// One chunk after the other, from the start: what stands before a chunk is final, what comes behind it
-// is found by an overlap. If that is not certain, the rest of the path is one chunk.
+// One chunk after the other, from the start: what stands before a chunk is final, what comes
+// behind it is found by an overlap. If that is not certain, the rest of the path is one chunk.
 static int envelope_simd(const envelope_job_t *job, envelope_count_t *count) {
     const path_t path = path_of(job);
     overlap_t back = overlap_begin(count);
     overlap_t fore = overlap_begin(count);
     for (size_t begin = 0, end = 0; begin < path.n; begin = end) {
         nck_real w_next = path.w_last;
-        const size_t wanted = begin == 0 ? CHUNK + 1 : CHUNK; // so that both passes take whole blocks
+        // One more at first, so that both passes take whole blocks.
+        const size_t wanted = begin == 0 ? CHUNK + 1 : CHUNK;
         end = path.n - begin < 2 * wanted ? path.n : begin + wanted;
         if (end < path.n && !certain_backward(&path, end, &w_next)) {
             count->chunks_refused++;
