@@ -92,15 +92,15 @@ def bubble(preplanned, *, method="scan"):
     Raises
     ------
     ArgumentError
-        At the first grade that is negative or too large.
+        At the first grade that is negative or too large, or if they are no whole numbers.
 
     Examples
     --------
     >>> bubble([1, 5, 2, 5, 3, 1], method="sweeps")
     (array([1, 2, 2, 3, 2, 1], dtype=int32), 2)
     """
-    wide = np.atleast_1d(np.asarray(preplanned, np.int64))
-    p = np.ascontiguousarray(np.clip(wide, -1, _INT32_MAX), np.int32)
+    wide = np.atleast_1d(preplanned)
+    p = _whole_numbers(wide)
     g, bad, sweeps = np.empty_like(p), ffi.new("size_t *"), ffi.new("size_t *")
     if method == "scan":
         status = lib.nck_host_bubble_scan(
@@ -119,6 +119,15 @@ def bubble(preplanned, *, method="scan"):
         )
     check(status)
     return g, int(sweeps[0])
+
+
+def _whole_numbers(array):
+    """Return grades as int32; what is too large or negative stays so."""
+    if array.dtype == np.int32:
+        return np.ascontiguousarray(array)
+    if len(array) and array.dtype.kind not in "iu":
+        raise errors.ArgumentError(f"grades are whole numbers, not {array.dtype}", id="argument")
+    return np.clip(array, -1 if array.dtype.kind == "i" else 0, _INT32_MAX).astype(np.int32)
 
 
 def bubble_printed(preplanned, orders, most=1000):

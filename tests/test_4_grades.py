@@ -14,7 +14,7 @@ from hypothesis import strategies as st
 from hypothesis.extra import numpy as arrays
 
 import pycnc
-from pycnc import errors, grades, kernel
+from pycnc import bench_grades, errors, grades, kernel
 from pycnc.machine import Machine
 from pycnc.records import dtype, enum
 from pycnc.trace import Trace
@@ -85,6 +85,12 @@ def test_a_grade_that_is_none_is_named(bad, at):
     for method in ("scan", "sweeps"):
         with pytest.raises(errors.ArgumentError, match=f"index {at}: grade {bad[at]} "):
             grades.bubble(bad, method=method)
+
+
+@pytest.mark.parametrize("bad", [[0.5, 1.0], [np.nan], [np.inf, 2.0]])
+def test_grades_are_whole_numbers(bad):
+    with pytest.raises(errors.ArgumentError, match="whole numbers"):
+        grades.bubble(bad)
 
 
 # Tables and angles
@@ -241,6 +247,15 @@ def test_an_arc_is_slowed_by_the_acceleration_between_its_steps(mill):
     a = float(mill.limits("a_max")[0])
     assert (planned.unit_limit == LIMITS.CURVATURE).any()
     assert planned.v.max() <= np.sqrt(2 * np.sqrt(2) * a) * 1.1
+
+
+# The bench
+
+
+def test_every_variant_of_the_bench_gives_the_same_grades():
+    rows = bench_grades.bench_bubble_rows(sizes=(300, 5000), seconds=0.0)
+    assert {"C scan", "C sweeps"} <= {row["variant"] for row in rows}
+    assert all(row["equal"] and row["ns_per_point"] > 0 for row in rows)
 
 
 # The front door
