@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 """The exact envelope by every road of C: the bits of the serial recurrence, or a clear error."""
 
+import doctest
 import json
 import warnings
 
@@ -326,6 +327,11 @@ def test_a_bad_number_is_named_whatever_the_device_says(store, monkeypatch):
     h[99] = np.nan
     with pytest.raises(errors.ArgumentError, match="index 99: h is nan"):
         stages.envelope(w_cap, h, backend="opencl")
+
+
+def test_the_examples_in_the_docstrings_run():
+    assert doctest.testmod(parallel).failed == 0
+    assert doctest.testmod(parallel).attempted > 3
 
 
 # The bench
