@@ -331,7 +331,7 @@ def test_a_bad_number_is_named_whatever_the_device_says(store, monkeypatch):
 
 def test_the_examples_in_the_docstrings_run():
     assert doctest.testmod(parallel).failed == 0
-    assert doctest.testmod(parallel).attempted > 3
+    assert doctest.testmod(parallel).attempted >= 3
 
 
 # The bench
