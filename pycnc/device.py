@@ -401,7 +401,7 @@ class EnvelopeLaunch:
         self.states = empty(self.parts, np.int32)
         try:
             self.w = session.buffer(out, written=True)
-            self.state_buffer = session.buffer(self.states, written=True)
+            self.state_buffer = session.room(self.parts, np.int32)
             # One node has no piece; an OpenCL buffer is never empty.
             self.inputs = [session.buffer(each) for each in (w_cap, h if n > 1 else w_cap)]
         except session.cl.Error as cause:
