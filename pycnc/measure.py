@@ -35,8 +35,9 @@ class Peaks:
     def __init__(self, machine):
         self._machine, self._period = machine, machine.period_s
         self._axes = [AXES.index(letter) for letter in machine.axes]
-        start = machine.record["start_nm"] / counts_per_unit(machine.record["axis"]["rotary"])
-        self._tail = np.tile(np.append(start[self._axes], 0.0), (3, 1))  # at rest before the first tick
+        counts = counts_per_unit(machine.record["axis"]["rotary"])
+        start = (machine.record["start_nm"] / counts)[self._axes]
+        self._tail = np.tile(np.append(start, 0.0), (3, 1))  # at rest before the first tick
         self._peaks = np.zeros((3, len(self._axes) + 1))  # v, a, j of the axes and of s
 
     def add(self, rows):

@@ -99,7 +99,7 @@ static void feed_counts_linear_axes_when_rotary_ones_join_in(check_t *check)
 {
     begin();
     nck_block_t block = block_to(NCK_BLOCK_LINE, 3000000, 0, 0);
-    block.target_nm[NCK_AXIS_A % NCK_AXIS_MAX] = NCK_AXIS_MAX > NCK_AXIS_A ? 4000000 : 3000000;
+    block.target_nm[NCK_AXIS_A % NCK_AXIS_MAX] = NCK_AXIS_MAX > NCK_AXIS_A ? 4000000000 : 3000000;
     nck_seg_t seg;
     nck_smooth_push(&smooth, &block, 0, &seg);
     CHECK_NEAR(check, seg.feed * seg.feed_scale, 10.0, 1e-14);

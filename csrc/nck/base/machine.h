@@ -93,9 +93,9 @@ typedef struct nck_machine {
 // Cost: constant. Context: any, before nck_init.
 void nck_machine_default(nck_machine_t *machine);
 
-// Counts of fixed point in one unit of the axis: NCK_COUNTS_PER_MM, or NCK_COUNTS_PER_DEG if rotary.
-// Up to the furthest position a double holds a count divided by it so well that times it and
-// rounded gives the count again. Cost: constant. Context: any.
+// Counts of fixed point in one unit of the axis: NCK_COUNTS_PER_MM, NCK_COUNTS_PER_DEG if rotary.
+// Up to the furthest position, a count divided by it, times it and rounded is the count again.
+// Cost: constant. Context: any.
 double nck_machine_counts(const nck_machine_t *machine, int axis);
 
 // Check every number. Returns NCK_OK, or NCK_E_MACHINE at the first that is outside of its range
