@@ -128,7 +128,7 @@ uint64_t nck_interpolate_periods(double t, double period) {
 }
 
 uint64_t nck_interpolate_rebase(double *t, double period) {
-    const double span = NCK_INTERPOLATE_SPAN * period;
+    const double span = (double)NCK_INTERPOLATE_SPAN * period;
     if (*t < span) return 0;
     const double spans = nck_floor(*t / span);
     *t -= spans * span;
