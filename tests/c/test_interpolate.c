@@ -84,7 +84,7 @@ static void spans_are_taken_off_time_and_periods_alike(check_t *check)
         const uint64_t periods = nck_interpolate_rebase(&rest, 1e-3);
         CHECK(check, periods % NCK_INTERPOLATE_SPAN == 0);
         CHECK_NEAR(check, (double)periods * 1e-3 + rest, t, 1e-15 * t);
-        CHECK(check, fabs(rest) <= NCK_INTERPOLATE_SPAN * 1e-3);
+        CHECK(check, fabs(rest) <= (double)NCK_INTERPOLATE_SPAN * 1e-3);
         CHECK_INT(check, nck_interpolate_rebase(&rest, 1e-3), 0);
     }
 }
