@@ -7,7 +7,10 @@ from pycnc.papers_plot import PAPER, save, sheet
 
 _SERIAL, _PARALLEL, _SHORT = "#20242c", "#1f6feb", "#d1495b"
 _THREADS = ("#1f6feb", "#d1884b", "#2f9e5b", "#8a5cd6")
-_BACKENDS = {"c": "#20242c", "simd": "#2f9e5b", "threads": "#1f6feb", "opencl": "#d1495b"}
+_BACKENDS = {
+    "c": "#20242c", "simd": "#2f9e5b", "threads": "#1f6feb",
+    "opencl pthread": "#d1495b", "opencl basic": "#d1884b", "opencl gpu": "#8a5cd6",
+}  # fmt: skip
 
 
 def efficiency(rows, folder):
@@ -118,8 +121,8 @@ def scaling(rows, folder):
         for name in dict.fromkeys(row["backend"] for row in chosen):
             line = [row for row in chosen if row["backend"] == name]
             points, ns = [row["n"] for row in line], [row["ns_per_point"] for row in line]
-            colour = _BACKENDS.get(name.split()[0], PAPER)
-            copies = "copies" in name
+            road, _, copies = name.partition(", ")
+            colour = _BACKENDS.get(road, PAPER)
             each.loglog(
                 points, ns, "o:" if copies else "o-", color=colour, ms=4, lw=1.4,
                 alpha=0.6 if copies else 1, label=name,

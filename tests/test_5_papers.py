@@ -1,12 +1,22 @@
 # SPDX-License-Identifier: MIT
 """The experiments of the two papers: what every implementation of them must show."""
 
+import re
+
 import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from pycnc import ArgumentError, grades, papers, papers_grades, stages
+from pycnc import (
+    ArgumentError,
+    bench_papers,
+    grades,
+    papers,
+    papers_grades,
+    papers_parallel,
+    stages,
+)
 
 LOOKAHEADS = (0, 1, 2, 3, 4, 6, 8)
 KINDS = ("linear", "sshape", "whole")
@@ -228,3 +238,82 @@ def test_the_wavy_surface_has_short_blocks_that_stay_on_it():
     assert len(points) == 3001
     assert z == pytest.approx(4 * np.sin(x / 7) * np.cos(y / 9), abs=1e-12)
     assert np.linalg.norm(np.diff(points, axis=0), axis=1).max() < 0.8
+
+
+def test_parallel_look_ahead_equals_the_serial_one_with_the_papers_overlap():
+    seen = papers_parallel.profiles(blocks=20_000, short=5)
+    tasks = seen["found"].tasks
+    assert np.array_equal(seen["serial"], seen["parallel"])
+    assert seen["found"].dropped == 0
+    assert np.all(tasks["overlap_behind"][:-1] >= 5)
+    assert np.all(tasks["overlap_behind"] <= 50)
+
+
+def test_too_little_overlap_gives_a_lower_profile_and_says_where():
+    seen = papers_parallel.profiles(blocks=20_000, short=5)
+    lower = seen["short"] < seen["serial"]
+    assert lower.any()
+    assert np.all(seen["short"] <= seen["serial"])
+    assert not np.any(lower & seen["found_short"].certain)
+
+
+def test_figures_5_and_the_scaling_study_have_a_row_for_everything():
+    rows = papers_parallel.efficiency_rows(sizes=(100, 1000))
+    assert [row["blocks"] for row in rows] == [100, 1000]
+    assert all(row["equal"] and row["serial_us"] > 0 < row["parallel_us"] for row in rows)
+    rows = papers_parallel.scaling_rows(sizes=(1000,), backends=("c", "simd"))
+    names = [(row["real"], row["backend"]) for row in rows]
+    assert names == [(r, b) for r in ("float", "double") for b in ("c", "simd", "triad")]
+    assert all(row.get("equal", True) and row["ns_per_point"] > 0 for row in rows)
+
+
+# The page and its figures
+
+
+def table_row(root, first_cell):
+    """Return the cells behind the first one of a table row of docs/papers.md."""
+    page = (root / "docs" / "papers.md").read_text(encoding="utf-8")
+    (row,) = [line for line in page.splitlines() if line.startswith(f"| {first_cell}")]
+    return [cell.strip() for cell in row.strip("|").split("|")][1:]
+
+
+@pytest.mark.parametrize(
+    "kind, name",
+    [("whole", "S over whole segments | a"), ("sshape", "S-shape | a"), ("linear", "linear | a")],
+)
+def test_the_page_tells_the_total_times(root, lathe8, kind, name):
+    rows = papers.lookahead_rows(lathe8, (0, 1, 2, 3))
+    told = [f"{row['total_ms']:,}".replace(",", " ") for row in rows if row["kind"] == kind]
+    assert table_row(root, name)[-4:] == told
+
+
+def test_the_page_tells_what_grades_cost(root):
+    names = {
+        "lathe8": "eight segments, cao2014", "turned_pin": "turned_pin, cak6150n",
+        "first_part": "first_part, mill3", "freeform": "wavy surface, mill3",
+    }  # fmt: skip
+    rows = papers_grades.cost_rows()
+    for program, name in names.items():
+        costs = [row["cost_percent"] for row in rows if row["program"] == program]
+        (four,) = [r for r in rows if r["program"] == program and r["steps"] == 4]
+        told = [f"{cost:.2f} %" for cost in costs]
+        told += [str(four["grades"]), f"{four['time_s']:.3f}", f"{four['kernel_s']:.3f}"]
+        assert table_row(root, name) == told
+
+
+def test_every_figure_of_the_page_is_there_and_is_a_picture(root):
+    page = (root / "docs" / "papers.md").read_text(encoding="utf-8")
+    named = re.findall(r"!\[[^]]+\]\((figures/[\w.]+)\)", page)
+    drawn = sorted(f"figures/{path.name}" for path in (root / "docs" / "figures").glob("*.png"))
+    assert sorted(named) == drawn
+    for name in named:
+        content = (root / "docs" / name).read_bytes()
+        assert content.startswith(b"\x89PNG")
+        assert len(content) < 100_000
+
+
+def test_the_benches_draw_what_the_page_shows(root, tmp_path):
+    bench_papers.cao(tmp_path)
+    drawn = {path.name for path in tmp_path.iterdir()}
+    shown = {path.name for path in (root / "docs" / "figures").glob("cao_*.png")}
+    assert drawn == shown
