@@ -232,6 +232,18 @@ def test_two_runs_by_grades_give_the_same_bytes():
     assert runs[0] == runs[1]
 
 
+def test_few_prep_steps_give_the_same_bytes():
+    program = judged.load(CASES["spiral"])
+    planned, _ = grades.of_text(program.text, program.machine)
+    runs = []
+    for prep_steps in (1, kernel.PREP_STEPS):
+        controller = grades.Controller(planned, prep_steps)
+        rows = np.concatenate([rows.copy() for rows, _ in controller.pieces()])
+        runs.append(rows["pose"].tobytes())
+        assert controller.starved_ticks == 0
+    assert runs[0] == runs[1]
+
+
 def test_a_sharp_corner_is_a_rest_and_costs_time(mill):
     program = pycnc.load("G21 G90 G17 G61 F3000\nG1 X20\nG1 Y20\nG1 X40\nM2\n", machine=mill)
     exact, by_grades = pycnc.plan(program), pycnc.plan(program, plan="grades")

@@ -10,8 +10,6 @@
 // What is left of a length below this share of it is rounding.
 #define LENGTH_EPSILON 1e-12
 
-enum { FEED_CELLS = 64 }; // cells made before they are published
-
 static int moves(const nck_seg_t *seg) { return seg->kind < NCK_SEG_DWELL; }
 
 static void add_phase(nck_host_grade_cursor_t *cursor, double length, double w0, double w1) {
@@ -200,7 +198,7 @@ static void push_path(nck_host_grade_feed_t *feed) {
 static uint32_t push_cells(nck_host_grade_feed_t *feed) {
     nck_link_t *const link = &feed->nck->link;
     uint32_t count = 0;
-    while (count < FEED_CELLS && nck_link_cell_room(link) > 0) {
+    while (nck_link_cell_room(link) > 0) {
         if (!feed->has_cell) {
             feed->has_cell = (uint32_t)next_cell(feed->grades, &feed->cursor, &feed->cell);
             feed->ended = !feed->has_cell;
