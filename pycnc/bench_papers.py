@@ -1,5 +1,10 @@
 # SPDX-License-Identifier: MIT
-"""Benches of the two papers' experiments: rows, and the figures of docs/papers.md on request."""
+"""Benches of the two papers' experiments: rows, and the figures of docs/papers.md on request.
+
+What they mean is in docs/papers.md. Machining times and speeds are the same on every computer. Wrong
+would make the times of computation: other work on the cores, threads before all; each is the least
+of several runs.
+"""
 
 from pycnc import papers, papers_grades, papers_parallel
 
@@ -31,12 +36,12 @@ def cao(folder=None):
     return rows
 
 
-def segments(folder=None):
+def segments():
     """Return time and cost of planning over N on a path of many short blocks."""
     return papers.reach_rows()
 
 
-def grades(folder=None):
+def grades():
     """Return what planning by grades costs in machining time against the exact envelope."""
     return papers_grades.cost_rows()
 
@@ -81,7 +86,3 @@ def scaling(folder=None):
         papers_plot_parallel.scaling(rows, folder)
     return rows
 
-
-SUBJECTS = {
-    "cao": cao, "segments": segments, "grades": grades, "keinert": keinert, "scaling": scaling,
-}  # fmt: skip
