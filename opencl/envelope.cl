@@ -30,13 +30,13 @@ typedef struct path {
 // then at the tile's last node.
 static int plan_tile(const path_t *path, long first, long length, nck_real *carry) {
     nck_real state[LANES];
+    const int bad = tile_has_bad(path->w_cap + first, path->h + first, length, path->w + first);
     int known = 1;
     for (int lane = 0; lane < LANES; lane++) {
         known &= nck_chunk_behind(path->w_cap, path->h, first + (lane + 1) * length, path->last,
                                   path->w_last, &state[lane]);
     }
-    const lanes_bits_t doubt = tile_backward(path->w_cap + first, path->h + first, length,
-                                             lanes_of(state), path->w + first);
+    tile_backward(path->w_cap + first, path->h + first, length, lanes_of(state), path->w + first);
     state[0] = *carry;
     const nck_real w_first = nck_envelope_forward(path->w[first], *carry, path->h[first - 1]);
     for (int lane = 1; lane < LANES; lane++) {
@@ -45,7 +45,7 @@ static int plan_tile(const path_t *path, long first, long length, nck_real *carr
     }
     tile_forward(path->h + first - 1, length, lanes_of(state), path->w + first);
     *carry = path->w[first + LANES * length - 1];
-    return (known ? 0 : DOUBT_OVERLAP) | (lanes_any_sign(doubt) ? DOUBT_NUMBER : 0);
+    return (known ? 0 : DOUBT_OVERLAP) | (bad ? DOUBT_NUMBER : 0);
 }
 
 // The final w at the node before a part, which is not the path's first.

@@ -30,18 +30,30 @@ static inline void tile_store(__global nck_real *x, lanes_t lanes) {
     *(__global lanes_packed_t *)x = lanes;
 }
 
-// Backward over lanes of length nodes; w_next: w behind the end of every lane. The pointers stand
-// at the tile's first node. Returns bits, the sign of which tells of a number that is no good.
-static inline lanes_bits_t tile_backward(__global const nck_real *w_cap, __global const nck_real *h,
-                                         long length, lanes_t w_next, __global nck_real *w) {
+// Look at every number of a tile: 1 if one is no good. This also brings the tile into the cache, w
+// too: in order, which memory serves faster than the ends of many lanes in turn (measured: twice as
+// fast at 10⁷ nodes).
+static inline int tile_has_bad(__global const nck_real *w_cap, __global const nck_real *h,
+                               long length, __global nck_real *w) {
     lanes_bits_t doubt = 0;
+    for (long i = 0; i < LANES * length; i += LANES) {
+        (void)*(volatile __global nck_real *)(w + i);
+        doubt |= lanes_doubt(lanes_bits(tile_load(w_cap + i)));
+        doubt |= lanes_doubt(lanes_bits(tile_load(h + i)));
+    }
+    return lanes_any_sign(doubt);
+}
+
+// Backward over lanes of length nodes; w_next: w behind the end of every lane. The pointers stand
+// at the tile's first node.
+static inline void tile_backward(__global const nck_real *w_cap, __global const nck_real *h,
+                                 long length, lanes_t w_next, __global nck_real *w) {
     for (long i = length - LANES; i >= 0; i -= LANES) {
         lanes_t cap[LANES];
         lanes_t rise[LANES];
         for (int lane = 0; lane < LANES; lane++) {
             cap[lane] = tile_load(w_cap + lane * length + i);
             rise[lane] = tile_load(h + lane * length + i);
-            doubt |= lanes_doubt(lanes_bits(cap[lane])) | lanes_doubt(lanes_bits(rise[lane]));
         }
         lanes_transpose(cap);
         lanes_transpose(rise);
@@ -52,7 +64,6 @@ static inline lanes_bits_t tile_backward(__global const nck_real *w_cap, __globa
         lanes_transpose(cap);
         for (int lane = 0; lane < LANES; lane++) tile_store(w + lane * length + i, cap[lane]);
     }
-    return doubt;
 }
 
 // Forward over lanes of length nodes, in place; w_before: the final w at the node before every
