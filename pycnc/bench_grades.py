@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
 """Rows of `pycnc bench bubble`: the largest grades by sweeps and by scans, in C and on devices.
 
-Wrong would make it: other work on the cores, and a first call that compiles (every variant is called
-once before it is timed). Copies to a device and back are part of its time.
+Wrong would make it: other work on the cores, and a first call that compiles (every variant is
+called once before it is timed). Copies to a device and back are part of its time.
 """
 
 import time
@@ -19,9 +19,9 @@ SECONDS = 0.1  # of repetition for each variant
 def cases(n):
     """Return name → preplanned grades of n points.
 
-    ``random``: every cap at random, settled after a few sweeps. ``rare``: a low cap now and then and
-    the top grade between, as on a path with corners; the worst for sweeps, which must carry each
-    corner as far as its ramp reaches.
+    ``random``: every cap at random, settled after a few sweeps. ``rare``: a low cap now and then
+    and the top grade between, as on a path with corners; the worst for sweeps, which must carry
+    each corner as far as its ramp reaches.
     """
     rng = np.random.default_rng(2014)
     rare = np.where(rng.random(n) < 1 / (4 * GRADES), 0, GRADES - 1)
