@@ -14,6 +14,7 @@ import shutil
 import subprocess
 import sys
 import tempfile
+import threading
 from pathlib import Path
 
 import numpy as np
@@ -267,8 +268,8 @@ class Session:
             self.queue = cl.CommandQueue(self.context)
         except cl.Error as cause:
             raise self.lost(cause) from cause
-        self.programs = {}
-        self.kernels = {}
+        self.programs, self.kernels = {}, {}
+        self.lock = threading.Lock()
 
     def lost(self, cause):
         """Return the exception for a device that failed at work, and forget the session."""
@@ -294,21 +295,25 @@ class Session:
             self.programs[name, real] = built
         return self.programs[name, real]
 
-    def kernel(self, program, name, real, arguments):
-        """Return a kernel with its arguments, numbers typed; the caller keeps buffers alive.
+    def launch(self, names, arguments, items, local=1):
+        """Enqueue a kernel for so many work-items, rounded up to whole groups.
 
-        It is made once, since that takes longer than a short launch: launch it before it is asked
-        for again.
+        names: program, kernel and number type. The caller keeps the buffers among the arguments
+        alive. A kernel is made once, since that takes longer than a short launch; its arguments
+        must not change before it is enqueued.
         """
-        kernel = self.kernels.get((name, real))
-        if kernel is None:
-            kernel = self.cl.Kernel(self.program(program, real), name)
-            kernel.set_scalar_arg_dtypes(
-                [None if isinstance(each, self.cl.Buffer) else type(each) for each in arguments]
-            )
-            self.kernels[name, real] = kernel
-        kernel.set_args(*arguments)
-        return kernel
+        program, name, real = names
+        with self.lock:
+            kernel = self.kernels.get(names)
+            if kernel is None:
+                kernel = self.cl.Kernel(self.program(program, real), name)
+                kernel.set_scalar_arg_dtypes(
+                    [None if isinstance(each, self.cl.Buffer) else type(each) for each in arguments]
+                )
+                self.kernels[names] = kernel
+            kernel.set_args(*arguments)
+            size = -(-items // local) * local
+            self.cl.enqueue_nd_range_kernel(self.queue, kernel, (size,), (local,))
 
     def buffer(self, array, written=False):
         """Return a buffer with the array's content: the array itself where memory is shared."""
@@ -321,11 +326,6 @@ class Session:
         """Return a buffer for n items that lives on the device."""
         size = max(n, 1) * np.dtype(dtype).itemsize
         return self.cl.Buffer(self.context, self.cl.mem_flags.READ_WRITE, size)
-
-    def launch(self, kernel, items, local=1):
-        """Enqueue a kernel for so many work-items, rounded up to whole groups."""
-        size = -(-items // local) * local
-        self.cl.enqueue_nd_range_kernel(self.queue, kernel, (size,), (local,))
 
     def read(self, buffer, array):
         """Wait, and make the array hold what the buffer holds."""
@@ -411,12 +411,12 @@ class EnvelopeLaunch:
         """Launch once and wait; raise DeviceError where the result is not certain."""
         session, real = self.session, self.out.dtype.type
         try:
-            kernel = session.kernel(
-                "envelope", "envelope", _REAL[self.out.dtype],
-                [*self.inputs, np.int64(len(self.out)), real(w_start), real(w_end), self.w,
-                 self.state_buffer],
+            session.launch(
+                ("envelope", "envelope", _REAL[self.out.dtype]),
+                (*self.inputs, np.int64(len(self.out)), real(w_start), real(w_end), self.w,
+                 self.state_buffer),
+                self.parts,
             )  # fmt: skip
-            session.launch(kernel, self.parts)
             session.read(self.w, self.out)
             session.read(self.state_buffer, self.states)
         except session.cl.Error as cause:

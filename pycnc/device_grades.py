@@ -28,14 +28,11 @@ def _sweep_until_settled(session, name, p, n, first, second, items, local):
     """Launch until nothing changes; return the buffer with the grades and the launches."""
     changed = session.buffer(np.zeros(1, np.int32), written=True)
     flag = np.ones(1, np.int32)
-    arguments = (p, p, np.int64(n), first, changed)
-    kernel = session.kernel("bubble", name, "float", arguments)
     before, after, launches = p, first, 0
     while True:
-        kernel.set_arg(1, before)
-        kernel.set_arg(3, after)
         session.cl.enqueue_fill_buffer(session.queue, changed, np.int32(0), 0, 4)
-        session.launch(kernel, items, local)
+        arguments = (p, before, np.int64(n), after, changed)
+        session.launch(("bubble", name, "float"), arguments, items, local)
         session.cl.enqueue_copy(session.queue, flag, changed)
         launches += 1
         if not flag[0]:
@@ -102,8 +99,8 @@ def bubble(grades, method="scan", name=None, out=None):
 
 
 def _launch_scan(session, p, n, settled):
-    kernel = session.kernel("scan", "scan", "float", (p, np.int64(n), settled))
-    session.launch(kernel, device.parts(session.device, n))
+    arguments = (p, np.int64(n), settled)
+    session.launch(("scan", "scan", "float"), arguments, device.parts(session.device, n))
 
 
 @dataclasses.dataclass(frozen=True)
@@ -167,7 +164,7 @@ def _plan_grades(session, segs, units, rules, unit_stretch, point_stretch):
     v, n_step, limit, a, v_transfer, angle, preplanned, grade = outputs
 
     def stage(program, kernel, items, *arguments):
-        session.launch(session.kernel(program, kernel, "double", arguments), int(items), GROUP)
+        session.launch((program, kernel, "double"), arguments, int(items), GROUP)
 
     stage("unit", "unit_speed", n, segs, units, rules, unit_stretch, n, v, n_step, limit)
     stage("transfer", "transfer", points, segs, units, v, rules, point_stretch, points,
@@ -199,7 +196,7 @@ def layout(name=None):
     arrays = [np.full(64, unset) for _ in names]
     try:
         buffers = [session.buffer(each, written=True) for each in arrays]
-        session.launch(session.kernel("layout", "layout", "double", buffers), 1)
+        session.launch(("layout", "layout", "double"), buffers, 1)
         for buffer, array in zip(buffers, arrays, strict=True):
             session.read(buffer, array)
     except session.cl.Error as cause:

@@ -48,6 +48,6 @@ class DeviceError(NckError):
     """An OpenCL device is absent, refused a kernel, was lost, or cannot be certain of a result.
 
     The message names the remedy. ``id`` is one of "device-absent", "device-build", "device-lost",
-    "device-size", "device-overlap" (no overlap of two parts was certain: the C backend plans such
+    "device-overlap" (no overlap of two parts was certain: the C backend plans such
     paths) and "device-number" (a number that C refuses, or a negative zero).
     """

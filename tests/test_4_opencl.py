@@ -2,6 +2,7 @@
 """OpenCL kernels: the bits of C on PoCL, always; no race and no overrun under Oclgrind; and what
 happens when a device is absent, broken or in doubt."""
 
+import concurrent.futures
 import os
 import subprocess
 import sys
@@ -195,6 +196,14 @@ def test_real_paths_have_the_bits_of_c(name):
                 assert on_device(home, w_cap, h).tobytes() == want.tobytes()
             except DeviceError as error:
                 assert error.id == "device-overlap"  # the caller plans by C then
+
+
+def test_threads_may_share_a_device(home):
+    paths = [random_path(9_000 + 100 * k, k, 0.02, np.float64) for k in range(8)]
+    with concurrent.futures.ThreadPoolExecutor(4) as crew:
+        got = list(crew.map(lambda path: on_device(home, *path), paths * 5))
+    want = [by_c(*path).tobytes() for path in paths] * 5
+    assert [each.tobytes() for each in got] == want
 
 
 # The bubble
@@ -400,7 +409,7 @@ source = "__kernel void race(__global int *x) { x[0] = get_global_id(0); x[9] = 
 kernel = used.cl.Program(used.context, source).build().race
 x = used.cl.Buffer(used.context, used.cl.mem_flags.READ_WRITE, 8)
 kernel.set_args(x)
-used.launch(kernel, 4)
+used.cl.enqueue_nd_range_kernel(used.queue, kernel, (4,), (1,))
 used.queue.finish()
 """
 
