@@ -50,11 +50,9 @@ static size_t lane_length(size_t n) {
     return most < LANE_FULL ? most : LANE_FULL;
 }
 
-// The least that the profile can be at a node, whatever comes from its neighbour.
-static vector_t least(vector_t w_cap) {
-    const nck_real zeros[WIDTH] = {0};
-    const vector_t zero = vector_load(zeros);
-    return vector_step(w_cap, zero, zero);
+static vector_t zeros(void) {
+    const nck_real each[WIDTH] = {0};
+    return vector_load(each);
 }
 
 // One number of each of WIDTH stretches.
@@ -67,14 +65,13 @@ static vector_t gather(const nck_real *x, size_t stride) {
 // Pass the first m nodes of WIDTH lanes backwards, from the least and the largest value.
 static void overlap_backward(const nck_real *w_cap, const nck_real *h, size_t lane, size_t m,
                              nck_real *low_out, nck_real *high_out) {
-    vector_t high = gather(w_cap + m - 1, lane);
-    vector_t low = least(high);
+    vector_t high = gather(w_cap + m - 1, lane); // at the node behind, as good as infinite
+    vector_t low = zeros();
     vector_t cap[TILE], piece[TILE];
     for (size_t i = m; i > 0; i -= TILE) {
         tile_load(w_cap + i - TILE, lane, cap);
         tile_load(h + i - TILE, lane, piece);
-        // The last node has its start values: in this overlap no node stands behind it.
-        for (size_t t = i == m ? TILE - 1 : TILE; t-- > 0;) {
+        for (size_t t = TILE; t-- > 0;) {
             high = vector_step(cap[t], high, piece[t]);
             low = vector_step(cap[t], low, piece[t]);
         }
@@ -87,7 +84,7 @@ static void overlap_backward(const nck_real *w_cap, const nck_real *h, size_t la
 static void overlap_forward(const nck_real *h, const nck_real *w_back, size_t lane, size_t m,
                             nck_real *low_out, nck_real *high_out) {
     vector_t high = gather(w_back + lane - m, lane);
-    vector_t low = least(high);
+    vector_t low = vector_step(high, zeros(), zeros());
     vector_t cap[TILE], piece[TILE];
     for (size_t i = lane - m; i < lane; i += TILE) {
         tile_load(w_back + i + 1, lane, cap);
