@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: MIT
 """Benches of the two papers' experiments: rows, and the figures of docs/papers.md on request.
 
-What they mean is in docs/papers.md. Machining times and speeds are the same on every computer. Wrong
-would make the times of computation: other work on the cores, threads before all; each is the least
-of several runs.
+What they mean is in docs/papers.md. Machining times and speeds are the same on every computer.
+Wrong would make the times of computation: other work on the cores, threads before all; each is the
+least of several runs.
 """
 
 from pycnc import papers, papers_grades, papers_parallel

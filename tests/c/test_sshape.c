@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Profiles with N look-ahead segments: the ramps' formulas against each other, every limit on random
-// paths, exact lengths, and the first bad number told. The arrays have no spare row.
+// Profiles with N look-ahead segments: the ramps' formulas against each other, every limit on
+// random paths, exact lengths, and the first bad number told. The arrays have no spare row.
 #include <math.h>   // fabs sqrt NAN INFINITY
 #include <stdint.h> // uint64_t
 
@@ -63,8 +63,8 @@ static void make_path(path_t *path, uint64_t *state, uint32_t kind, size_t looka
                                     n,            lookahead,   kind,     0.0};
 }
 
-static void check_cells(check_t *check, const path_t *path, const double *v, const nck_cell_t *cells,
-                        size_t count)
+static void check_cells(check_t *check, const path_t *path, const double *v,
+                        const nck_cell_t *cells, size_t count)
 {
     double length = 0.0;
     double speed = v[0];
