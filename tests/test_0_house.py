@@ -16,7 +16,7 @@ ROOMS = (
 )  # fmt: skip
 EXTRAS = ("typer", "rich", "pydantic", "matplotlib", "pyarrow", "pyopencl")
 # The middle floor of pycnc: above it nobody calls the kernel; constants of the kernel may be read.
-WRAPPERS = ("_bind", "records", "machine", "kernel", "grades", "parallel", "stages")
+WRAPPERS = ("_bind", "records", "machine", "kernel", "grades", "parallel", "stages", "timing")
 
 # Which of our headers a file may include, by the longest path that fits the file.
 MAY_INCLUDE = {

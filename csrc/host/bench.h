@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How long the kernel's own steps take: loops with a clock around what is measured and nothing else.
+// How long the kernel's own steps take: loops with a clock around what is measured, nothing else.
 #ifndef NCK_HOST_BENCH_H
 #define NCK_HOST_BENCH_H
 
@@ -9,13 +9,14 @@
 #include "nck/nck.h" // nck_t nck_lookahead_t
 
 // Run a whole text with prep always ahead, and time every tick.
-// nck: memory to work in, initialised here. ns_out: max rows, the time of each tick [ns], the clock's
-// own not taken off; *count_out rows are filled, fewer if the program is shorter.
+// nck: memory to work in, initialised here. ns_out: max rows, the time of each tick [ns], the
+// clock's own not taken off; *count_out rows are filled, fewer if the program is shorter.
 // Returns NCK_OK, or the error of nck_init or of the program. Cost: linear. Context: prep and tick.
 nck_status_t nck_host_bench_ticks(nck_t *nck, const nck_machine_t *machine, const char *text,
                                   size_t n, uint32_t *ns_out, size_t max, size_t *count_out);
 
-// The time that reading the clock takes: the least of many pairs [ns]. Cost: constant. Context: any.
+// The time that reading the clock takes: the least of many pairs [ns].
+// Cost: constant. Context: any.
 int64_t nck_host_bench_clock(void);
 
 // Room 4 alone: segs into its window, pieces out of it as they become final.
