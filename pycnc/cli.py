@@ -8,6 +8,7 @@ import os
 import sys
 import traceback
 from enum import StrEnum
+from importlib.util import find_spec
 from pathlib import Path
 from typing import Annotated
 
@@ -75,6 +76,10 @@ PrepSteps = Annotated[
 ]
 Subject = Annotated[
     str | None, typer.Argument(metavar="NAME", help="Which one; without a name: a list.")
+]
+Figures = Annotated[
+    str | None,
+    typer.Option("--output", "-o", metavar="FOLDER", help="Write the figures of a subject there."),
 ]
 
 app = typer.Typer(
@@ -400,10 +405,10 @@ def plot(
 
 @verb(app)
 def bench(
-    name: Subject = None,
+    name: Subject = None, output: Figures = None,
     json_: Json = False, quiet: Quiet = False, verbose: Verbose = False,
 ):  # fmt: skip
-    """Print one table of a benchmark."""
+    """Print one table of a benchmark; some subjects draw figures too."""
     from pycnc import bench
 
     if name is None:
@@ -413,7 +418,10 @@ def bench(
         raise Refused(
             f"pycnc: error[bench]: no bench {name!r}; there are: {', '.join(bench.SUBJECTS)}"
         )
-    bench.run(name, json=json_)
+    if output is not None and not find_spec("matplotlib"):
+        raise Refused('pictures need matplotlib: pip install "pycnc-nck[plot]"')
+    with writing(output):
+        bench.run(name, json=json_, folder=output)
     return GOOD
 
 

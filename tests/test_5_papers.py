@@ -1,16 +1,17 @@
 # SPDX-License-Identifier: MIT
 """The experiments of the two papers: what every implementation of them must show."""
 
+import json
 import re
 
 import numpy as np
 import pytest
+from command_line import pycnc
 from hypothesis import given
 from hypothesis import strategies as st
 
 from pycnc import (
     ArgumentError,
-    bench_papers,
     grades,
     papers,
     papers_grades,
@@ -312,8 +313,18 @@ def test_every_figure_of_the_page_is_there_and_is_a_picture(root):
         assert len(content) < 100_000
 
 
-def test_the_benches_draw_what_the_page_shows(root, tmp_path):
-    bench_papers.cao(tmp_path)
+def test_the_command_that_the_page_names_draws_what_it_shows(root, tmp_path):
+    done = pycnc("bench", "cao", "--json", "-o", tmp_path)
+    assert done.code == 0
+    assert json.loads(done.out)["bench"] == "cao"
+    assert {row["kind"] for row in json.loads(done.out)["rows"]} == {*KINDS, "fixed"}
     drawn = {path.name for path in tmp_path.iterdir()}
-    shown = {path.name for path in (root / "docs" / "figures").glob("cao_*.png")}
-    assert drawn == shown
+    assert drawn == {path.name for path in (root / "docs" / "figures").glob("cao_*.png")}
+
+
+def test_a_folder_that_cannot_be_made_is_told(tmp_path):
+    taken = tmp_path / "taken"
+    taken.write_text("")
+    done = pycnc("bench", "cao", "-o", taken)
+    assert done.code == 2
+    assert "cannot write it" in done.err
