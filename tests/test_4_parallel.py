@@ -137,6 +137,16 @@ def test_caps_may_be_replaced_in_place(road):
     assert w_cap.tobytes() == want.tobytes()
 
 
+@pytest.mark.parametrize("road", ROADS)
+@pytest.mark.parametrize("real", REALS)
+def test_a_path_beyond_the_last_cache_gives_the_same_bits(real, road):
+    w_cap, h = parallel.sample(real, 2_200_000)
+    want = serial(w_cap, h)
+    assert stages.envelope(w_cap, h, **ROADS[road]).tobytes() == want.tobytes()
+    stages.envelope(w_cap, h, out=w_cap, **ROADS[road])
+    assert w_cap.tobytes() == want.tobytes()
+
+
 # The certificate and the fallback
 
 

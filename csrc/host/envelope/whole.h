@@ -15,7 +15,9 @@
 enum {
     CHUNK = 32 * LANE_FULL, // nodes: 400 kB in three arrays
     REACH_MOST = 4096,      // nodes beyond a chunk's ends, at most
-    REACH_FIRST = 64
+    REACH_FIRST = 64,
+    LINE = 64 / (int)sizeof(nck_real),             // numbers of a cache line
+    FAR_NODES = (24 << 20) / 3 / (int)sizeof(nck_real) // three arrays of 24 MB in all
 };
 
 // A job with typed arrays and its two ends resolved.
@@ -81,10 +83,19 @@ static int certain_forward(const path_t *path, size_t i, nck_real w_back, nck_re
     return 0;
 }
 
+// Bring the lines of a chunk's result into the cache in their order: the lanes would ask for them in
+// many places at once, and wait for each. Nothing to gain where the path fits into the last cache.
+static void touch(const path_t *path, size_t begin, size_t end) {
+    if (path->n < FAR_NODES || path->w == path->w_cap) return;
+    volatile nck_real *w = path->w;
+    for (size_t i = begin; i < end; i += LINE) w[i] = 0;
+}
+
 // The backward pass over nodes begin to end, given its value behind them (the last node has it).
 static void chunk_backward(const path_t *path, size_t begin, size_t end, nck_real w_next,
                            overlap_t *overlap) {
     const size_t pieces = (end < path->n ? end : path->n - 1) - begin;
+    touch(path, begin, end);
     if (end == path->n) path->w[end - 1] = path->w_last;
     backward_pass(path->w_cap + begin, path->h + begin, pieces, w_next, overlap, path->w + begin);
 }
