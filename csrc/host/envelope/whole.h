@@ -83,8 +83,9 @@ static int certain_forward(const path_t *path, size_t i, nck_real w_back, nck_re
     return 0;
 }
 
-// Bring the lines of a chunk's result into the cache in their order: the lanes would ask for them in
-// many places at once, and wait for each. Nothing to gain where the path fits into the last cache.
+// Bring the lines of a chunk's result into the cache in their order: the lanes would ask for them
+// in many places at once, and wait for each. Nothing to gain where the path fits into the last
+// cache.
 static void touch(const path_t *path, size_t begin, size_t end) {
     if (path->n < FAR_NODES || path->w == path->w_cap) return;
     volatile nck_real *w = path->w;
