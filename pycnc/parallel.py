@@ -195,6 +195,11 @@ def _identity():
     return f"pycnc {kernel.version()}; {processors()[-1]}; {threads()} threads"
 
 
+def chosen(real, n):
+    """Return the `pycnc.dispatch.Choice` that ``backend="auto"`` stands for at so many nodes."""
+    return dispatch.choose("auto", real, n, _identity(), _measure)
+
+
 def sample(real, n):
     """Return caps and pieces of a path like a milled surface's: a tenth of its nodes are corners.
 

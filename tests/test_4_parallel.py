@@ -353,4 +353,8 @@ def test_the_rows_of_the_bench_hold_equal_bits():
     for row in rows:
         assert row["ns_per_point"] > 0
         assert row["equal"] is (None if row["variant"].startswith("triad") else True)
-    assert sum(row["ratio_to_serial"] == 1 for row in rows) == 4
+    for real in REALS:
+        for n in (1000, 20_000):
+            names = [row["variant"] for row in rows if row["n"] == n and real in row["variant"]]
+            assert sum(name.startswith("auto: ") for name in names) == 1
+            assert {f"serial, {real}", f"simd, {real}"} <= set(names)
