@@ -331,6 +331,16 @@ def test_a_named_backend_fails_clearly(store, monkeypatch):
         stages.envelope(*arrays, backend="simd", processor="quantum")
 
 
+def test_threads_are_refused_where_they_are_not_built(store, monkeypatch):
+    monkeypatch.setattr(parallel, "has_threads", lambda: False)
+    with pytest.raises(errors.DeviceError, match="no OpenMP"):
+        stages.envelope([1.0, 1.0], [1.0], backend="threads")
+    monkeypatch.setattr(parallel, "threads", lambda: 1)  # as C tells without OpenMP
+    stages.envelope(*family("surface", 5000, "float"))
+    assert dispatch.last_report().backend in ("c", "simd")
+    assert "threads" not in dispatch.last_report().why
+
+
 def test_a_bad_number_is_named_whatever_the_device_says(store, monkeypatch):
     monkeypatch.setattr(device, "envelope", broken_device)
     w_cap, h = family("surface", 5000, "float")

@@ -57,8 +57,8 @@ static uint32_t choose_overlap(const lookahead_t *self, size_t i, int step, size
 // Copy a task's blocks and their overlaps into its own buffer. Returns the number of rows.
 static size_t fill_buffer(const lookahead_t *self, const nck_host_keinert_task_t *task,
                           nck_host_keinert_row_t *rows) {
-    const size_t begin = task->first - task->overlap_before;
-    const size_t behind = task->first + task->count + task->overlap_behind;
+    const size_t begin = (size_t)task->first - task->overlap_before;
+    const size_t behind = (size_t)task->first + task->count + task->overlap_behind;
     const size_t end = behind < self->n ? behind + 1 : self->n;
     for (size_t i = begin; i < end; i++) {
         const double h = i + 1 < self->n ? self->h[i] : 0.0;
