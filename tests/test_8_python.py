@@ -113,7 +113,7 @@ def test_what_is_not_built_is_refused_with_what_is():
         with pytest.raises(pycnc.ArgumentError, match="auto, c"):
             call(SQUARE, backend="opencl")
     with pytest.raises(pycnc.ArgumentError, match="auto, c"):
-        stages.envelope([1.0], [], backend="simd")
+        stages.envelope([1.0], [], backend="fpga")
 
 
 # Stages
