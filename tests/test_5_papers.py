@@ -268,6 +268,17 @@ def test_figures_5_and_the_scaling_study_have_a_row_for_everything():
     assert all(row.get("equal", True) and row["ns_per_point"] > 0 for row in rows)
 
 
+def test_copies_to_a_device_take_their_time():
+    rows = papers_parallel.scaling_rows(sizes=(1_000_000,), backends=("opencl",))
+    copied = [row for row in rows if "copy_in_ns" in row]
+    if not copied:
+        pytest.skip("no OpenCL device here")
+    for row in copied:
+        bytes_in = 8 if row["real"] == "float" else 16
+        assert row["equal"]
+        assert row["copy_in_ns"] > bytes_in / 200  # no memory moves 200 GB/s for one core
+
+
 # The page and its figures
 
 
