@@ -269,7 +269,7 @@ class Session:
         except cl.Error as cause:
             raise self.lost(cause) from cause
         self.programs, self.kernels = {}, {}
-        self.lock = threading.Lock()
+        self.lock = threading.RLock()  # whoever uses the session holds it: PoCL waits in vain else
 
     def lost(self, cause):
         """Return the exception for a device that failed at work, and forget the session."""
@@ -299,21 +299,19 @@ class Session:
         """Enqueue a kernel for so many work-items, rounded up to whole groups.
 
         names: program, kernel and number type. The caller keeps the buffers among the arguments
-        alive. A kernel is made once, since that takes longer than a short launch; its arguments
-        must not change before it is enqueued.
+        alive. A kernel is made once, since that takes longer than a short launch.
         """
         program, name, real = names
-        with self.lock:
-            kernel = self.kernels.get(names)
-            if kernel is None:
-                kernel = self.cl.Kernel(self.program(program, real), name)
-                kernel.set_scalar_arg_dtypes(
-                    [None if isinstance(each, self.cl.Buffer) else type(each) for each in arguments]
-                )
-                self.kernels[names] = kernel
-            kernel.set_args(*arguments)
-            size = -(-items // local) * local
-            self.cl.enqueue_nd_range_kernel(self.queue, kernel, (size,), (local,))
+        kernel = self.kernels.get(names)
+        if kernel is None:
+            kernel = self.cl.Kernel(self.program(program, real), name)
+            kernel.set_scalar_arg_dtypes(
+                [None if isinstance(each, self.cl.Buffer) else type(each) for each in arguments]
+            )
+            self.kernels[names] = kernel
+        kernel.set_args(*arguments)
+        size = -(-items // local) * local
+        self.cl.enqueue_nd_range_kernel(self.queue, kernel, (size,), (local,))
 
     def buffer(self, array, written=False):
         """Return a buffer with the array's content: the array itself where memory is shared."""
@@ -409,6 +407,10 @@ class EnvelopeLaunch:
 
     def run(self, w_start, w_end):
         """Launch once and wait; raise DeviceError where the result is not certain."""
+        with self.session.lock:
+            self._run(w_start, w_end)
+
+    def _run(self, w_start, w_end):
         session, real = self.session, self.out.dtype.type
         try:
             session.launch(
@@ -492,5 +494,6 @@ def envelope(w_cap, h, w_start, w_end, out, device=None):
     _check_arrays(w_cap, h, out)
     used = in_use(device)
     caps = w_cap.copy() if np.may_share_memory(w_cap, out) else w_cap
-    EnvelopeLaunch(used, caps, h, out).run(w_start, w_end)
+    with used.lock:
+        EnvelopeLaunch(used, caps, h, out).run(w_start, w_end)
     return used.device

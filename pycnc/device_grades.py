@@ -82,20 +82,28 @@ def bubble(grades, method="scan", name=None, out=None):
     if method not in ("scan", "sweep", "fused"):
         raise errors.ArgumentError(f"method {method!r} is none of scan, sweep, fused")
     try:
-        p = session.buffer(grades)
-        first = session.buffer(settled, written=True)
-        if method == "scan":
-            _launch_scan(session, p, n, first)
-            return session.read(first, settled), 1
-        second = session.room(n, np.int32)
-        items, local = (n, GROUP) if method == "sweep" else (-(-n // FUSED_POINTS), 1)
-        last, launches = _sweep_until_settled(
-            session, f"bubble_{method}", p, n, first, second, items, local
-        )
-        session.cl.enqueue_copy(session.queue, settled, last)
-        return settled, launches
+        with session.lock:
+            return settled, _settle(session, method, grades, settled)
     except session.cl.Error as cause:
         raise session.lost(cause) from cause
+
+
+def _settle(session, method, grades, settled):
+    """Fill settled; return the launches."""
+    n = len(grades)
+    p = session.buffer(grades)
+    first = session.buffer(settled, written=True)
+    if method == "scan":
+        _launch_scan(session, p, n, first)
+        session.read(first, settled)
+        return 1
+    second = session.room(n, np.int32)
+    items, local = (n, GROUP) if method == "sweep" else (-(-n // FUSED_POINTS), 1)
+    last, launches = _sweep_until_settled(
+        session, f"bubble_{method}", p, n, first, second, items, local
+    )
+    session.cl.enqueue_copy(session.queue, settled, last)
+    return launches
 
 
 def _launch_scan(session, p, n, settled):
@@ -143,10 +151,11 @@ def plan_grades(segs, units, stretches, name=None):
     counts = (stretches["unit_end"] - stretches["unit_begin"]).astype(np.int64)
     numbers = np.arange(len(stretches), dtype=np.uint32)
     try:
-        return _plan_grades(
-            session, segs, units, np.ascontiguousarray(stretches["rule"]),
-            np.repeat(numbers, counts), np.repeat(numbers, counts + 1),
-        )  # fmt: skip
+        with session.lock:
+            return _plan_grades(
+                session, segs, units, np.ascontiguousarray(stretches["rule"]),
+                np.repeat(numbers, counts), np.repeat(numbers, counts + 1),
+            )  # fmt: skip
     except session.cl.Error as cause:
         raise session.lost(cause) from cause
 
