@@ -10,7 +10,7 @@ import numpy as np
 
 from pycnc import device_grades, errors, kernel
 from pycnc._bind import check, ffi, lib, pointer
-from pycnc.records import dtype
+from pycnc.records import dtype, join
 
 BACKENDS = ("auto", "c", "opencl")
 STEPS = lib.NCK_HOST_GRADE_STEPS  # n: steps of a planning unit at command velocity
@@ -174,7 +174,7 @@ def link_angles(segs):
     numpy.ndarray
         (n − 1,) angles, 0 … π [rad].
     """
-    segs = _records("nck_seg_t", segs)
+    segs = join("nck_seg_t", [segs])
     at, joints = pointer("nck_seg_t", segs), range(max(0, len(segs) - 1))
     return np.array([lib.nck_host_link_angle(at + k, at + k + 1) for k in joints])
 
@@ -223,8 +223,8 @@ class Grades:
 
     def __init__(self, segs, machine, outputs=None, *, steps=STEPS, backend="auto"):
         self.machine = machine
-        self.segs = _records("nck_seg_t", segs)
-        self.outputs = _records("nck_output_t", () if outputs is None else outputs)
+        self.segs = join("nck_seg_t", [segs])
+        self.outputs = join("nck_output_t", [] if outputs is None else [outputs])
         self._plan = ffi.new("nck_host_grades_t *")
         self._plan.machine, self._plan.steps = machine.pointer, _steps(steps)
         self._give("segs", "nck_seg_t", self.segs)
@@ -298,14 +298,14 @@ class Grades:
         """Return the cells of the whole path, of dtype ``nck_cell_t``."""
         cursor, count = ffi.new("nck_host_grade_cursor_t *"), ffi.new("size_t *")
         rows = np.empty(_CELL_ROWS, dtype("nck_cell_t"))
-        kept = [rows[:0].copy()]
+        kept = []
         count[0] = 1
         while count[0]:
             lib.nck_host_grade_cells(
                 self._plan, cursor, pointer("nck_cell_t", rows), len(rows), count
             )
             kept.append(rows[: count[0]].copy())
-        return _records("nck_cell_t", np.concatenate(kept))
+        return join("nck_cell_t", kept)
 
     def holds(self):
         """Return whether every invariant of the plan holds."""
@@ -320,14 +320,6 @@ _OF_UNITS = {"v": "double", "n_step": "uint32_t", "unit_limit": "uint8_t", "a": 
 _OF_POINTS = {
     "v_transfer": "double", "angle": "double", "preplanned": "int32_t", "grade": "int32_t",
 }  # fmt: skip
-
-
-def _records(kind, array):
-    """Return an array laid out as C has it: joining arrays drops the gaps between their fields."""
-    laid_out = np.zeros(len(array), dtype(kind))
-    if len(array):
-        laid_out[:] = array
-    return laid_out
 
 
 def _free_memory():
@@ -356,13 +348,13 @@ def of_text(text, machine, *, steps=STEPS, backend="auto", progress=None):
         Of dtype ``nck_host_totals_t``: the same program planned by the exact envelope.
     """
     planner = kernel.Planner(text, machine, ("seg", "output"))
-    kept = [[np.empty(0, dtype("nck_seg_t"))], [np.empty(0, dtype("nck_output_t"))]]
+    kept = [], []
     for *pieces, used in planner.pieces():
         for arrays, piece in zip(kept, pieces, strict=True):
             arrays.append(piece.copy())
         if progress:
             progress(used, len(text))
-    segs, outputs = (np.concatenate(arrays) for arrays in kept)
+    segs, outputs = join("nck_seg_t", kept[0]), join("nck_output_t", kept[1])
     return Grades(segs, machine, outputs, steps=steps, backend=backend), planner.totals
 
 

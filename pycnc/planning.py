@@ -8,7 +8,7 @@ import numpy as np
 from pycnc import errors, grades, kernel, measure
 from pycnc.machine import Machine
 from pycnc.program import Program, load
-from pycnc.records import dtype
+from pycnc.records import dtype, join
 
 BACKENDS = {"exact": ("auto", "c"), "grades": grades.BACKENDS}  # of every kind of planning
 
@@ -94,14 +94,14 @@ class Plan:
     def _exactly(self, keep, progress):
         program = self.program
         planner = kernel.Planner(program.text, program.machine)
-        kept = {name: [np.empty(0, dtype(f"nck_{name}_t"))] for name in ("seg", "node", "cell")}
+        kept = {"nck_seg_t": [], "nck_node_t": [], "nck_cell_t": []}
         for *pieces, used in planner.pieces():
             if keep:
                 for arrays, piece in zip(kept.values(), pieces, strict=True):
                     arrays.append(piece.copy())
             if progress:
                 progress(used, len(program.text))
-        self.segs, self.nodes, self.cells = (np.concatenate(arrays) for arrays in kept.values())
+        self.segs, self.nodes, self.cells = (join(*record) for record in kept.items())
         return planner.totals, planner.totals
 
     def as_dict(self):

@@ -5,14 +5,12 @@ import hashlib
 import html
 from pathlib import Path
 
-import numpy as np
-
 from pycnc import errors, kernel
 from pycnc.diagnostics import Diagnostics, Wording
 from pycnc.geometry import Moves
 from pycnc.machine import DEFAULT, Machine
 from pycnc.machine_file import AXES, unit_of
-from pycnc.records import dtype
+from pycnc.records import join
 
 
 class Program:
@@ -42,7 +40,7 @@ class Program:
                 kept.append(blocks.copy())
             if progress:
                 progress(used, len(self.text))
-        self.blocks = np.concatenate(kept or [np.empty(0, dtype("nck_block_t"))]) if keep else None
+        self.blocks = join("nck_block_t", kept) if keep else None
         self._moves = None
 
     @property

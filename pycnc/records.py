@@ -91,6 +91,24 @@ def _short_names(values):
     return {"_".join(name.split("_")[shared:]): value for name, value in values.items()}
 
 
+def join(name, pieces):
+    """Return arrays of one record as one array that C can read, padding kept.
+
+    Parameters
+    ----------
+    name : str
+        C name of the record.
+    pieces : sequence of numpy.ndarray
+        May be empty.
+
+    Examples
+    --------
+    >>> join("nck_cell_t", []).dtype == dtype("nck_cell_t")
+    True
+    """
+    return np.concatenate([np.empty(0, dtype(name)), *pieces], dtype=dtype(name))
+
+
 def counts_per_unit(rotary):
     """Return the counts of the kernel's fixed point: in a millimetre, or in a degree.
 

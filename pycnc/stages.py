@@ -6,7 +6,7 @@ import numpy as np
 from pycnc import errors, kernel
 from pycnc._bind import check, ffi, lib, pointer
 from pycnc.parallel import Keinert, envelope, keinert
-from pycnc.records import dtype
+from pycnc.records import dtype, join
 
 __all__ = ["Keinert", "Profile", "decode", "envelope", "keinert", "slope"]
 
@@ -26,12 +26,11 @@ def decode(text, machine):
     diagnostics : numpy.ndarray
         Of dtype ``nck_diagnostic_t``: every error and note.
     """
-    blocks = [np.empty(0, dtype("nck_block_t"))]
-    diagnostics = [np.empty(0, dtype("nck_diagnostic_t"))]
+    blocks, diagnostics = [], []
     for some_blocks, some_diagnostics, _ in kernel.decode(text, machine):
         blocks.append(some_blocks.copy())
         diagnostics.append(some_diagnostics.copy())
-    return np.concatenate(blocks), np.concatenate(diagnostics)
+    return join("nck_block_t", blocks), join("nck_diagnostic_t", diagnostics)
 
 
 RAMPS = {

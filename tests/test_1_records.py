@@ -93,3 +93,11 @@ def test_good_and_not_now_are_returned():
 def test_an_array_of_the_wrong_item_size_is_refused():
     with pytest.raises(errors.ArgumentError):
         pointer("double", np.zeros(4, np.float32))
+
+
+def test_joined_records_can_go_back_to_c():
+    pieces = [np.zeros(2, records.dtype("nck_seg_t")), np.ones(1, records.dtype("nck_seg_t"))]
+    joined = records.join("nck_seg_t", pieces)
+    assert joined.dtype == records.dtype("nck_seg_t")
+    assert joined["length"].tolist() == [0, 0, 1]
+    pointer("nck_seg_t", joined)
