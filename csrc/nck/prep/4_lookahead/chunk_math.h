@@ -7,8 +7,8 @@
 //
 // The true w at node k lies between 0 and the cap. Rounded + and min are monotone, so the true w at
 // p lies between what the two chains bring there; where they meet it is known to the bit. (The
-// argument is Keinert et al.'s overlap of look-ahead buffers, section 4; the proof is derived in
-// README.md.) A chain that reaches the path's end needs no guess.
+// argument is Keinert et al. 2014, section 4, for their look-ahead buffers; the proof is derived in
+// docs/parallel.md.) A chain that reaches the path's end needs no guess.
 #ifndef NCK_PREP_CHUNK_MATH_H
 #define NCK_PREP_CHUNK_MATH_H
 
