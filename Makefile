@@ -13,6 +13,7 @@ MACHINE_OPTION = $(if $(MACHINE), --machine "$(MACHINE)")
 BIN = .venv/bin
 STAMP = build/stamp
 SOURCES := $(shell find csrc opencl firmware_sim cmake CMakeLists.txt -type f)
+NAMES := $(shell find pycnc -name '*.py' | sort | cksum | cut -d' ' -f1)
 PACKAGES_TEST = clang-19 libclang-rt-19-dev cppcheck gcc-arm-none-eabi libnewlib-arm-none-eabi \
                 linuxcnc-uspace
 
@@ -65,8 +66,14 @@ $(STAMP)/venv-test: requirements-test.lock $(STAMP)/venv
 	$(BIN)/python -m pip install -q --disable-pip-version-check -r requirements-test.lock
 	@touch $@
 
-# The editable install: Python files are used where they stand, the C module is built.
-$(STAMP)/module: $(STAMP)/venv pyproject.toml $(SOURCES)
+$(STAMP)/names-$(NAMES):
+	@mkdir -p $(STAMP)
+	@rm -f $(STAMP)/names-*
+	@touch $@
+
+# The editable install: Python files are used where they stand, the C module is built. It knows the
+# files by name, so a new one needs it again.
+$(STAMP)/module: $(STAMP)/venv pyproject.toml $(SOURCES) $(STAMP)/names-$(NAMES)
 	@echo "building pycnc"
 	$(BIN)/python -m pip install -q --disable-pip-version-check \
 	    --no-build-isolation --no-deps -e .

@@ -14,7 +14,8 @@ from hypothesis import strategies as st
 from hypothesis.extra import numpy as arrays
 
 import pycnc
-from pycnc import bench_grades, errors, grades, kernel
+from pycnc import errors, grades, kernel
+from pycnc.bench import grades as bench_grades
 from pycnc.machine import Machine
 from pycnc.records import dtype, enum
 from pycnc.trace import Trace

@@ -12,7 +12,8 @@ import pytest
 from hypothesis import example, given
 from hypothesis import strategies as st
 
-from pycnc import bench_parallel, device, dispatch, errors, parallel, stages
+from pycnc import device, dispatch, errors, parallel, stages
+from pycnc.bench import parallel as bench_parallel
 
 FILES = {str(file): file for file in cases.RUNNING_FILES}
 REALS = {"float": np.float32, "double": np.float64}

@@ -10,14 +10,10 @@ from command_line import pycnc
 from hypothesis import given
 from hypothesis import strategies as st
 
-from pycnc import (
-    ArgumentError,
-    grades,
-    papers,
-    papers_grades,
-    papers_parallel,
-    stages,
-)
+from pycnc import ArgumentError, grades, stages
+from pycnc.papers import grades as papers_grades
+from pycnc.papers import parallel as papers_parallel
+from pycnc.papers import paths as papers
 
 LOOKAHEADS = (0, 1, 2, 3, 4, 6, 8)
 KINDS = ("linear", "sshape", "whole")

@@ -10,7 +10,10 @@ import judged
 import numpy as np
 import pytest
 
-from pycnc import bench, bench_kernel, bench_parallel, timing
+from pycnc import bench
+from pycnc.bench import kernel as bench_kernel
+from pycnc.bench import parallel as bench_parallel
+from pycnc.bench import timing
 from pycnc.errors import ArgumentError, ProgramError
 from pycnc.machine import Machine
 from pycnc.program import Program

@@ -12,24 +12,22 @@ from pathlib import Path
 
 import numpy as np
 
-from pycnc import errors, kernel
+from pycnc import errors
+from pycnc.kernel import version
 
 # Subject → (module, functions whose rows make the table). A module opens when it is asked for.
 SUBJECTS = {
-    "decode": [("bench_kernel", "bench_decode_rows")],
-    "lookahead": [
-        ("bench_parallel", "bench_lookahead_rows"),
-        ("bench_kernel", "bench_window_rows"),
-    ],
-    "tick": [("bench_kernel", "bench_tick_rows")],
-    "time": [("bench_kernel", "bench_time_rows")],
-    "bubble": [("bench_grades", "bench_bubble_rows")],
-    "opencl": [("bench_opencl", "bench_opencl_rows")],
-    "cao": [("bench_papers", "cao")],
-    "segments": [("bench_papers", "segments")],
-    "grades": [("bench_papers", "grades")],
-    "keinert": [("bench_papers", "keinert")],
-    "scaling": [("bench_papers", "scaling")],
+    "decode": [("kernel", "bench_decode_rows")],
+    "lookahead": [("parallel", "bench_lookahead_rows"), ("kernel", "bench_window_rows")],
+    "tick": [("kernel", "bench_tick_rows")],
+    "time": [("kernel", "bench_time_rows")],
+    "bubble": [("grades", "bench_bubble_rows")],
+    "opencl": [("opencl", "bench_opencl_rows")],
+    "cao": [("papers", "cao")],
+    "segments": [("papers", "segments")],
+    "grades": [("papers", "grades")],
+    "keinert": [("papers", "keinert")],
+    "scaling": [("papers", "scaling")],
 }
 
 
@@ -61,7 +59,7 @@ def run(name, *, json=False, folder=None):
         )
     rows, notes = [], []
     for place, function in SUBJECTS[name]:
-        module = importlib.import_module(f"pycnc.{place}")
+        module = importlib.import_module(f"pycnc.bench.{place}")
         rows += _rows_of(getattr(module, function), folder)
         notes.append(_note(module))
     rows = _same_keys(rows)
@@ -94,13 +92,13 @@ def _same_keys(rows):
 
 def commit():
     """Return the commit of the source tree, or the version if this is no source tree."""
-    root = Path(__file__).resolve().parents[1]
+    root = Path(__file__).resolve().parents[2]
     call = ["git", "-C", root, "describe", "--always", "--dirty", "--exclude=*"]
     try:
         done = subprocess.run(call, capture_output=True, text=True)
     except OSError:
-        return kernel.version()
-    return done.stdout.strip() or kernel.version()
+        return version()
+    return done.stdout.strip() or version()
 
 
 def computer():

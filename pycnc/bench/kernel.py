@@ -19,7 +19,8 @@ from pathlib import Path
 
 import numpy as np
 
-from pycnc import kernel, timing
+from pycnc import kernel
+from pycnc.bench import timing
 from pycnc.machine import DEFAULT, Machine
 
 ROUNDS = 5  # of every variant, in turn; the medians count

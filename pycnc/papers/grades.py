@@ -5,8 +5,9 @@ from importlib import resources
 
 import numpy as np
 
-from pycnc import grades, papers, stages
+from pycnc import grades, stages
 from pycnc.machine import Machine
+from pycnc.papers import paths
 from pycnc.program import Program
 from pycnc.trace import run
 
@@ -40,7 +41,7 @@ def programs():
     example = resources.files("pycnc").joinpath("examples")
     mill = Machine.load("mill3")
     return {
-        "lathe8": (papers.lathe8_program().encode(), Machine.load("cao2014")),
+        "lathe8": (paths.lathe8_program().encode(), Machine.load("cao2014")),
         "turned_pin": (example.joinpath("turned_pin.ngc").read_bytes(), Machine.load("cak6150n")),
         "first_part": (example.joinpath("first_part.ngc").read_bytes(), mill),
         "freeform": (freeform_program(_MANY_BLOCKS).encode(), mill),
@@ -48,9 +49,9 @@ def programs():
 
 
 def freeform_program(blocks):
-    """Return the wavy surface of papers.freeform as NC text."""
-    points = papers.freeform(blocks)
-    feed = papers.FREEFORM_FEED_MM_S * 60
+    """Return the wavy surface of paths.freeform as NC text."""
+    points = paths.freeform(blocks)
+    feed = paths.FREEFORM_FEED_MM_S * 60
     lines = ["G21 G17 G90 G61 G94", "G0 X0 Y0 Z0", f"F{feed:.0f}"]
     lines += [f"G1 X{x:.6f} Y{y:.6f} Z{z:.6f}" for x, y, z in points[1:]]
     return "\n".join([*lines, "M2", ""])

@@ -6,7 +6,8 @@ Wrong would make the times of computation: other work on the cores, threads befo
 least of several runs.
 """
 
-from pycnc import papers, papers_grades, papers_parallel
+from pycnc.papers import parallel, paths
+from pycnc.papers import grades as by_grades
 
 _KEINERT_OVERLAP = (5, 50)  # the paper's case study
 
@@ -19,18 +20,18 @@ def cao(folder=None):
     folder : path, optional
         Where to write the figures 9 to 12 and 14 to 16, and the lathe's profile.
     """
-    path = papers.lathe8()
-    rows = papers.lookahead_rows(path)
+    path = paths.lathe8()
+    rows = paths.lookahead_rows(path)
     if folder is not None:
-        from pycnc import papers_plot
+        from pycnc.papers import plot
 
-        papers_plot.velocity(path, folder)
-        papers_plot.fixed_ramp(path, folder)
-        papers_plot.acceleration(path, folder)
-        papers_plot.total_time(rows, folder)
-        papers_plot.worked_example(papers_grades.sweeps(papers_grades.WORKED_EXAMPLE), folder)
-        papers_plot.grade_charts(papers_grades.charts(), folder)
-        papers_plot.lathe(papers_grades.lathe_runs(), folder)
+        plot.velocity(path, folder)
+        plot.fixed_ramp(path, folder)
+        plot.acceleration(path, folder)
+        plot.total_time(rows, folder)
+        plot.worked_example(by_grades.sweeps(by_grades.WORKED_EXAMPLE), folder)
+        plot.grade_charts(by_grades.charts(), folder)
+        plot.lathe(by_grades.lathe_runs(), folder)
     for row in rows:
         row["end_speed_mm_min"] = " ".join(f"{v:g}" for v in row["end_speed_mm_min"])
     return rows
@@ -38,12 +39,12 @@ def cao(folder=None):
 
 def segments():
     """Return time and cost of planning over N on a path of many short blocks."""
-    return papers.reach_rows()
+    return paths.reach_rows()
 
 
 def grades():
     """Return what planning by grades costs in machining time against the exact envelope."""
-    return papers_grades.cost_rows()
+    return by_grades.cost_rows()
 
 
 def keinert(folder=None):
@@ -54,18 +55,18 @@ def keinert(folder=None):
     folder : path, optional
         Where to write the figures 5 to 8.
     """
-    rows = papers_parallel.efficiency_rows()
+    rows = parallel.efficiency_rows()
     if folder is not None:
-        from pycnc import papers_plot_parallel
+        from pycnc.papers import plot_parallel
 
-        seen = papers_parallel.profiles()
+        seen = parallel.profiles()
         tasks = seen["found"].tasks
-        papers_plot_parallel.efficiency(rows, folder)
-        papers_plot_parallel.profiles(
+        plot_parallel.efficiency(rows, folder)
+        plot_parallel.profiles(
             seen["s"], seen["serial"], seen["parallel"], seen["short"], folder
         )
-        papers_plot_parallel.overlap(tasks["overlap_behind"][:-1], *_KEINERT_OVERLAP, folder)
-        papers_plot_parallel.gantt(
+        plot_parallel.overlap(tasks["overlap_behind"][:-1], *_KEINERT_OVERLAP, folder)
+        plot_parallel.gantt(
             tasks["thread"], tasks["entry_ns"] / 1e3, tasks["exit_ns"] / 1e3, folder
         )
     return rows
@@ -79,10 +80,10 @@ def scaling(folder=None):
     folder : path, optional
         Where to write the figure.
     """
-    rows = papers_parallel.scaling_rows()
+    rows = parallel.scaling_rows()
     if folder is not None:
-        from pycnc import papers_plot_parallel
+        from pycnc.papers import plot_parallel
 
-        papers_plot_parallel.scaling(rows, folder)
+        plot_parallel.scaling(rows, folder)
     return rows
 

@@ -7,7 +7,8 @@ import time
 
 import numpy as np
 
-from pycnc import errors, papers, parallel
+from pycnc import errors, parallel
+from pycnc.papers import paths
 
 BLOCKS = (100, 300, 1_000, 3_000, 10_000, 30_000, 100_000, 300_000, 1_000_000)
 SIZES = (10**3, 10**4, 10**5, 10**6, 10**7, 10**8)
@@ -19,11 +20,11 @@ _ARRAYS = 8  # copies of a path that a size needs at most, caps, pieces and resu
 
 def limits(blocks):
     """Return (w_cap, h, w_feed) of the wavy surface, as Keinert's look-ahead takes them."""
-    w_cap, h = papers.polyline_limits(
-        papers.freeform(blocks), papers.FREEFORM_FEED_MM_S, papers.FREEFORM_A_MAX,
-        papers.FREEFORM_PERIOD_S,
+    w_cap, h = paths.polyline_limits(
+        paths.freeform(blocks), paths.FREEFORM_FEED_MM_S, paths.FREEFORM_A_MAX,
+        paths.FREEFORM_PERIOD_S,
     )  # fmt: skip
-    return w_cap, h, np.full(blocks, papers.FREEFORM_FEED_MM_S**2)
+    return w_cap, h, np.full(blocks, paths.FREEFORM_FEED_MM_S**2)
 
 
 def efficiency_rows(sizes=BLOCKS):
@@ -84,7 +85,7 @@ def profiles(blocks=200_000, short=5):
     found = _best_keinert(given)
     found_short = parallel.keinert(*given, overlap=(5, short))
     serial = parallel.envelope(*given[:2], w_start=0, w_end=0, backend="c")
-    s = np.concatenate([[0], np.cumsum(given[1] / (2 * papers.FREEFORM_A_MAX))])
+    s = np.concatenate([[0], np.cumsum(given[1] / (2 * paths.FREEFORM_A_MAX))])
     return {
         "s": s,
         "serial": np.sqrt(serial),

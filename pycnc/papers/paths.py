@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The experiments of Cao et al. 2014 and Keinert et al. 2014, as data: arrays and numbers.
+"""The paths of the experiments, and look-ahead over N segments on them: arrays and numbers.
 
 `pycnc bench cao`, `pycnc bench keinert` and docs/papers.md show them.
 """

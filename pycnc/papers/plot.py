@@ -6,8 +6,8 @@ from pathlib import Path
 
 import numpy as np
 
-from pycnc import papers
 from pycnc.measure import KINDS
+from pycnc.papers import paths
 
 _INK, _GRID = "#20242c", "#e4e7ec"
 _COLOURS = {"linear": "#d1495b", "sshape": "#1f6feb", "whole": "#2f9e5b", "fixed": "#8a5cd6"}
@@ -49,7 +49,7 @@ def save(figure, folder, name):
 def velocity(path, folder):
     """Draw speed over time for N = 0, 1, 2, 6 look-ahead segments (Cao's figure 14)."""
     figure, axes = sheet(2, 2, (10, 6), sharey=True)
-    for each, n in zip(axes.flat, papers.LOOKAHEADS, strict=True):
+    for each, n in zip(axes.flat, paths.LOOKAHEADS, strict=True):
         for kind in ("whole", "sshape", "linear"):
             t, v, _ = _sampled(path, kind, n)
             each.plot(t, v * 60, color=_COLOURS[kind], lw=1.4, label=_LABELS[kind])
@@ -94,8 +94,8 @@ def total_time(rows, folder):
     """Draw total time over the number of look-ahead segments (Cao's figure 16)."""
     figure, axes = sheet(1, 1, (9, 4.6))
     each = axes[0, 0]
-    ns = sorted(papers.PRINTED_MS)
-    printed = [papers.PRINTED_MS[n] for n in ns]
+    ns = sorted(paths.PRINTED_MS)
+    printed = [paths.PRINTED_MS[n] for n in ns]
     each.plot(ns, printed, "x", color=PAPER, ms=11, mew=2, zorder=5, label="printed in the paper")
     for kind, label in _LABELS.items():
         chosen = [row for row in rows if row["kind"] == kind]

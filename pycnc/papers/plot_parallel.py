@@ -3,7 +3,7 @@
 
 import numpy as np
 
-from pycnc.papers_plot import PAPER, save, sheet
+from pycnc.papers.plot import PAPER, save, sheet
 
 _SERIAL, _PARALLEL, _SHORT = "#20242c", "#1f6feb", "#d1495b"
 _THREADS = ("#1f6feb", "#d1884b", "#2f9e5b", "#8a5cd6")
