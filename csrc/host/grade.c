@@ -61,9 +61,12 @@ nck_status_t nck_host_grade_command(nck_host_grades_t *self) {
     for (size_t i = 0; i < self->seg_count; i++) {
         const nck_seg_t *const seg = &self->segs[i];
         nck_joint_t joint;
+        double start[NCK_AXIS_MAX];
+        double end[NCK_AXIS_MAX];
         self->bad = i;
         if (!is_good_seg(seg)) return NCK_E_ARGUMENT;
-        nck_joint_make(&joint, seg, &machine);
+        nck_joint_tangents(seg, start, end);
+        nck_joint_make(&joint, seg, start, end, &machine);
         self->v_command[i] = joint.v_max;
         self->limit[i] = joint.limit;
     }

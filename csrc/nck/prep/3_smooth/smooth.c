@@ -10,6 +10,18 @@ void nck_smooth_init(nck_smooth_t *self, const nck_machine_t *machine) {
     memset(self, 0, sizeof *self);
     self->machine = machine;
     memcpy(self->position_nm, machine->start_nm, sizeof self->position_nm);
+    for (int x = 0; x < NCK_AXIS_MAX; x++) {
+        self->position[x] = (double)machine->start_nm[x] / nck_machine_counts(machine, x);
+    }
+}
+
+// Where the block ends. Most blocks move few axes: the others need no division.
+static void set_end(const nck_smooth_t *self, const nck_block_t *block, double *end) {
+    memcpy(end, self->position, sizeof self->position);
+    for (int x = 0; x < NCK_AXIS_MAX; x++) {
+        if (block->target_nm[x] == self->position_nm[x]) continue;
+        end[x] = (double)block->target_nm[x] / nck_machine_counts(self->machine, x);
+    }
 }
 
 static void set_arc(nck_seg_t *seg, const nck_block_t *block) {
@@ -34,6 +46,7 @@ static nck_status_t make_motion(nck_smooth_t *self, const nck_block_t *block, nc
     if (block->kind == NCK_BLOCK_ARC) set_arc(seg, block);
     seg->length = nck_metric_length(seg);
     memcpy(self->position_nm, block->target_nm, sizeof self->position_nm);
+    memcpy(self->position, seg->end, sizeof self->position);
     if (!(seg->length > 0.0)) return NCK_EMPTY;
     seg->stop = block->path_mode == NCK_PATH_STOP;
     seg->rapid = block->kind == NCK_BLOCK_RAPID;
@@ -52,13 +65,10 @@ nck_status_t nck_smooth_push(nck_smooth_t *self, const nck_block_t *block, uint3
     seg_out->block = block_seq;
     seg_out->s_begin = self->s;
     seg_out->feed_scale = 1.0;
-    for (int x = 0; x < NCK_AXIS_MAX; x++) {
-        const double counts = nck_machine_counts(self->machine, x);
-        const int64_t end_nm = moves ? block->target_nm[x] : self->position_nm[x];
-        seg_out->start[x] = (double)self->position_nm[x] / counts;
-        seg_out->end[x] = (double)end_nm / counts;
-    }
+    memcpy(seg_out->start, self->position, sizeof seg_out->start);
+    memcpy(seg_out->end, self->position, sizeof seg_out->end);
     if (moves) {
+        set_end(self, block, seg_out->end);
         const nck_status_t status = make_motion(self, block, seg_out);
         if (status != NCK_OK) return status;
     } else {

@@ -10,6 +10,7 @@
 typedef struct nck_smooth {
     const nck_machine_t *machine;
     int64_t position_nm[NCK_AXIS_MAX]; // end of the last seg [nm, ndeg]
+    double position[NCK_AXIS_MAX];     // the same [mm, deg]
     double s;                          // path length so far [path mm]
     uint32_t seq;                      // of the next seg
 } nck_smooth_t;

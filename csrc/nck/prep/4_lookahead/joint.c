@@ -33,11 +33,8 @@ static double largest_cosine(const nck_joint_t *joint, const nck_seg_t *seg, int
                                           t_out[x] / cos_lambda, t_out[across] / cos_lambda);
 }
 
-static void cap_by_axes(nck_joint_t *joint, const nck_seg_t *seg, const nck_machine_t *machine) {
-    double t_in[NCK_AXIS_MAX];
-    double t_out[NCK_AXIS_MAX];
-    nck_path_tangent(seg, 0.0, t_in);
-    nck_path_tangent(seg, seg->length, t_out);
+static void cap_by_axes(nck_joint_t *joint, const nck_seg_t *seg, const double *t_in,
+                        const double *t_out, const nck_machine_t *machine) {
     for (int x = 0; x < NCK_AXIS_MAX; x++) {
         const nck_axis_t *const axis = &machine->axis[x];
         const double c = largest_cosine(joint, seg, x, t_in, t_out);
@@ -63,7 +60,18 @@ static void make_arc(nck_joint_t *joint, const nck_seg_t *seg, const nck_machine
               NCK_LIMIT_CHORD);
 }
 
-void nck_joint_make(nck_joint_t *joint, const nck_seg_t *seg, const nck_machine_t *machine) {
+void nck_joint_tangents(const nck_seg_t *seg, double *start_out, double *end_out) {
+    memset(start_out, 0, NCK_AXIS_MAX * sizeof *start_out);
+    if (seg->length > 0.0) nck_path_tangent(seg, 0.0, start_out);
+    if (seg->kind == NCK_SEG_ARC) {
+        nck_path_tangent(seg, seg->length, end_out);
+    } else {
+        memcpy(end_out, start_out, NCK_AXIS_MAX * sizeof *end_out);
+    }
+}
+
+void nck_joint_make(nck_joint_t *joint, const nck_seg_t *seg, const double *tangent_start,
+                    const double *tangent_end, const nck_machine_t *machine) {
     memset(joint, 0, sizeof *joint);
     joint->seq = seg->seq;
     joint->kind = seg->kind;
@@ -80,7 +88,7 @@ void nck_joint_make(nck_joint_t *joint, const nck_seg_t *seg, const nck_machine_
         cap_speed(joint, machine->path.feed_max / seg->feed_scale, NCK_LIMIT_FEED_MAX);
     }
     if (seg->kind == NCK_SEG_ARC) make_arc(joint, seg, machine);
-    cap_by_axes(joint, seg, machine);
+    cap_by_axes(joint, seg, tangent_start, tangent_end, machine);
     joint->time = joint->length / joint->v_max;
     joint->a_most = nck_min(machine->path.a_max, joint->a_straight);
     if (joint->kappa > 0.0) {

@@ -20,8 +20,13 @@ nck_joint_t *nck_joint_at(nck_lookahead_t *self, uint32_t count);
 // Cost: constant.
 double nck_joint_a_any(const nck_machine_t *machine);
 
-// Fill in a seg's caps. Cost: constant.
-void nck_joint_make(nck_joint_t *joint, const nck_seg_t *seg, const nck_machine_t *machine);
+// The unit tangents at both ends of a seg, NCK_AXIS_MAX components each; of a rest: zero.
+// Cost: constant.
+void nck_joint_tangents(const nck_seg_t *seg, double *start_out, double *end_out);
+
+// Fill in a seg's caps; the tangents are those at its start and end. Cost: constant.
+void nck_joint_make(nck_joint_t *joint, const nck_seg_t *seg, const double *tangent_start,
+                    const double *tangent_end, const nck_machine_t *machine);
 
 // Settle what the junction between two segs costs, once the second one is known. The tangents are
 // those at the junction. Cost: constant.

@@ -4,7 +4,6 @@
 
 #include <string.h> // memset
 
-#include "nck/base/path_math.h"                 // nck_path_tangent
 #include "nck/prep/4_lookahead/envelope_math.h" // nck_envelope_…
 #include "nck/prep/4_lookahead/joint.h"         // nck_joint_…
 
@@ -33,14 +32,15 @@ int nck_lookahead_has_room(const nck_lookahead_t *self) {
 nck_status_t nck_lookahead_push(nck_lookahead_t *self, const nck_seg_t *seg) {
     if (!nck_lookahead_has_room(self)) return NCK_FULL;
     nck_joint_t *const joint = nck_joint_at(self, self->joint.head);
-    nck_joint_make(joint, seg, self->machine);
-    double tangent[NCK_AXIS_MAX] = {0.0};
-    if (seg->length > 0.0) nck_path_tangent(seg, 0.0, tangent);
+    double start[NCK_AXIS_MAX];
+    double end[NCK_AXIS_MAX];
+    nck_joint_tangents(seg, start, end);
+    nck_joint_make(joint, seg, start, end, self->machine);
     if (self->joint.head > 0) {
-        nck_joint_meet(nck_joint_at(self, self->joint.head - 1), joint, self->joint.tangent,
-                       tangent, self->machine);
+        nck_joint_meet(nck_joint_at(self, self->joint.head - 1), joint, self->joint.tangent, start,
+                       self->machine);
     }
-    if (seg->length > 0.0) nck_path_tangent(seg, seg->length, self->joint.tangent);
+    memcpy(self->joint.tangent, end, sizeof end);
     self->joint.head++;
     return NCK_OK;
 }
