@@ -21,23 +21,18 @@ import numpy as np
 
 import pycnc
 from pycnc import errors
+from pycnc.device_envelope import REALS, EnvelopeLaunch
 
 # A page.
 ALIGNMENT = 4096
-# A part of a path that is worth a work-item of its own [nodes].
-PART_WORTH = 4096
-# Parts for every compute unit: more than one, so that a disturbed unit does not hold up the others.
-PARTS_PER_UNIT = 8
-# bits of a part's state, as in envelope.cl
-DOUBT_OVERLAP, DOUBT_NUMBER = 1, 2
 
 # Every program and its number type.
 PROGRAMS = (
     ("unit", "double"), ("transfer", "double"), ("grade", "double"), ("bubble", "float"),
-    ("scan", "float"), ("envelope", "float"), ("envelope", "double"), ("layout", "double"),
+    ("scan", "float"), ("envelope", "float"), ("envelope", "double"), ("envelope_gpu", "float"),
+    ("envelope_gpu", "double"), ("layout", "double"),
 )  # fmt: skip
 
-_REAL = {np.dtype(np.float32): "float", np.dtype(np.float64): "double"}
 _PROBE_SECONDS = 300
 
 
@@ -305,8 +300,9 @@ class Session:
         kernel = self.kernels.get(names)
         if kernel is None:
             kernel = self.cl.Kernel(self.program(program, real), name)
+            memory = (self.cl.Buffer, self.cl.LocalMemory)
             kernel.set_scalar_arg_dtypes(
-                [None if isinstance(each, self.cl.Buffer) else type(each) for each in arguments]
+                [None if isinstance(each, memory) else type(each) for each in arguments]
             )
             self.kernels[names] = kernel
         kernel.set_args(*arguments)
@@ -353,12 +349,6 @@ def in_use(name=None):
     return _sessions.get(device) or session(probe(device))
 
 
-def parts(device, n, worth=PART_WORTH):
-    """Return how many parts to cut a path of n nodes into."""
-    most = 1 if device.kind == "basic" else PARTS_PER_UNIT * device.units
-    return max(1, min(most, n // worth))
-
-
 def empty(n, dtype=np.float64):
     """Return an uninitialised array that begins at a page: devices use it at full speed.
 
@@ -379,72 +369,9 @@ def empty(n, dtype=np.float64):
     return room[begin : begin + size].view(dtype)
 
 
-class EnvelopeLaunch:
-    """The envelope on fixed arrays, to be run often; `envelope` says what it computes.
-
-    Parameters
-    ----------
-    session : Session
-        From `in_use`.
-    w_cap, h, out : numpy.ndarray
-        As for `envelope`; out must not share memory with w_cap.
-    count : int, optional
-        Parts to cut the path into; by default what suits the device.
-    """
-
-    def __init__(self, session, w_cap, h, out, count=None):
-        self.session, self.out = session, out
-        n = len(w_cap)
-        self.parts = parts(session.device, n) if count is None else count
-        self.states = empty(self.parts, np.int32)
-        try:
-            self.w = session.buffer(out, written=True)
-            self.state_buffer = session.room(self.parts, np.int32)
-            # One node has no piece; an OpenCL buffer is never empty.
-            self.inputs = [session.buffer(each) for each in (w_cap, h if n > 1 else w_cap)]
-        except session.cl.Error as cause:
-            raise session.lost(cause) from cause
-
-    def run(self, w_start, w_end):
-        """Launch once and wait; raise DeviceError where the result is not certain."""
-        with self.session.lock:
-            self._run(w_start, w_end)
-
-    def _run(self, w_start, w_end):
-        session, real = self.session, self.out.dtype.type
-        try:
-            session.launch(
-                ("envelope", "envelope", _REAL[self.out.dtype]),
-                (*self.inputs, np.int64(len(self.out)), real(w_start), real(w_end), self.w,
-                 self.state_buffer),
-                self.parts,
-            )  # fmt: skip
-            session.read(self.w, self.out)
-            session.read(self.state_buffer, self.states)
-        except session.cl.Error as cause:
-            raise session.lost(cause) from cause
-        doubt = 0
-        for state in self.states.tolist():
-            doubt |= state
-        if doubt & DOUBT_NUMBER or not (_is_good(w_start) and _is_good(w_end)):
-            raise errors.DeviceError(
-                "a number is NaN, infinite, negative or a negative zero; the C backend names it",
-                id="device-number",
-            )
-        if doubt & DOUBT_OVERLAP:
-            raise errors.DeviceError(
-                "pieces are too short for the overlap of two parts; plan with the C backend",
-                id="device-overlap",
-            )
-
-
-def _is_good(x):
-    return 0.0 <= x < np.inf
-
-
 def _check_arrays(w_cap, h, out):
     n = len(w_cap)
-    good = w_cap.dtype == h.dtype == out.dtype and out.dtype in _REAL
+    good = w_cap.dtype == h.dtype == out.dtype and out.dtype in REALS
     shapes = (w_cap.shape, h.shape, out.shape) == ((n,), (max(n - 1, 0),), (n,))
     flat = all(each.flags.c_contiguous for each in (w_cap, h, out))
     if not (good and shapes and flat and n > 0):
@@ -455,7 +382,7 @@ def _check_arrays(w_cap, h, out):
         )
 
 
-def envelope(w_cap, h, w_start, w_end, out, device=None):
+def envelope(w_cap, h, w_start, w_end, out, device=None, kernel=None):
     """Compute the exact two-pass envelope on a device: the bits of C, or an error.
 
     Parameters
@@ -470,6 +397,8 @@ def envelope(w_cap, h, w_start, w_end, out, device=None):
         (n,) to fill; it may be w_cap.
     device : str or Device, optional
         As for `choose`.
+    kernel : {"parts", "tiles"}, optional
+        As for `EnvelopeLaunch`.
 
     Returns
     -------
@@ -495,5 +424,5 @@ def envelope(w_cap, h, w_start, w_end, out, device=None):
     used = in_use(device)
     caps = w_cap.copy() if np.may_share_memory(w_cap, out) else w_cap
     with used.lock:
-        EnvelopeLaunch(used, caps, h, out).run(w_start, w_end)
+        EnvelopeLaunch(used, caps, h, out, kernel=kernel).run(w_start, w_end)
     return used.device

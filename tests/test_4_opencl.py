@@ -11,16 +11,15 @@ import cases
 import judged
 import numpy as np
 import pytest
+from envelopes import HOME_DEVICES, REALS, by_c, on_device, random_path
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from pycnc import bench_opencl, device, device_grades, grades
-from pycnc._bind import check, ffi, lib, pointer
+from pycnc import device, device_envelope, device_grades, grades
+from pycnc.bench import opencl as bench_opencl
 from pycnc.errors import ArgumentError, DeviceError, NckError
 from pycnc.records import dtype
 
-HOME_DEVICES = ("pthread", "basic")
-REALS = (np.float32, np.float64)
 PART_MIN = 2048  # of envelope.cl: below, a path is planned in one go
 PROGRAMS = {str(each): each for each in (*cases.CASES, *cases.RUNNING_FILES)}
 
@@ -31,30 +30,10 @@ def home(request):
     return request.param
 
 
-def by_c(w_cap, h, w_start=0.0, w_end=0.0):
-    """Return the envelope as serial C computes it, in the arrays' number type."""
-    real = {np.dtype(np.float32): "float", np.dtype(np.float64): "double"}[w_cap.dtype]
-    choice = ffi.new("nck_host_choice_t *", {"backend": lib.NCK_HOST_SERIAL})
-    report, w = ffi.new("nck_host_envelope_report_t *"), np.empty_like(w_cap)
-    envelope = getattr(lib, f"nck_host_envelope_{real}")
-    check(envelope(choice, pointer(real, w_cap), pointer(real, h), len(w_cap), w_start, w_end,
-                   pointer(real, w), report))  # fmt: skip
-    return w
-
-
-def on_device(name, w_cap, h, w_start=0.0, w_end=0.0, count=None):
-    """Return the envelope as a device computes it, cut into so many parts."""
-    w = device.empty(len(w_cap), w_cap.dtype)
-    w.fill(-1.0)
-    device.EnvelopeLaunch(device.in_use(name), w_cap, h, w, count).run(w_start, w_end)
-    return w
-
-
-def random_path(n, seed, rare, real, h=(100.0, 3000.0)):
-    """Return caps and pieces; rare: the share of low caps."""
-    rng = np.random.default_rng(seed)
-    w_cap = np.where(rng.random(n) < rare, rng.uniform(0, 10, n), rng.uniform(1e3, 1e4, n))
-    return w_cap.astype(real), rng.uniform(*h, max(n - 1, 0)).astype(real)
+@pytest.fixture(params=device_envelope.KERNELS)
+def kernel(request):
+    """Return which kernel file plans: that of processors or that of GPUs."""
+    return request.param
 
 
 # The envelope
@@ -65,19 +44,19 @@ def random_path(n, seed, rare, real, h=(100.0, 3000.0)):
 @pytest.mark.parametrize(
     "n", [1, 2, 3, *(PART_MIN + k for k in (-1, 0, 1, 15, 16, 17)), 8336, 8337, 8353, 40_000]
 )
-def test_a_device_gives_the_bits_of_c(home, n, rare, real):
+def test_a_device_gives_the_bits_of_c(home, kernel, n, rare, real):
     w_cap, h = random_path(n, n, rare, real)
     want = by_c(w_cap, h, 50.0, 20.0)
-    assert on_device(home, w_cap, h, 50.0, 20.0).tobytes() == want.tobytes()
+    assert on_device(home, w_cap, h, 50.0, 20.0, kernel=kernel).tobytes() == want.tobytes()
 
 
-@given(st.integers(1, 30_000), st.integers(1, 9), st.integers(0, 99), st.sampled_from(REALS))
-@settings(max_examples=60)
-def test_the_bits_do_not_depend_on_the_parts(n, count, seed, real):
+@given(st.integers(1, 30_000), st.integers(1, 9), st.integers(0, 99), st.sampled_from(REALS),
+       st.sampled_from(device_envelope.KERNELS))  # fmt: skip
+@settings(max_examples=100)
+def test_the_bits_do_not_depend_on_the_parts(n, count, seed, real, kernel):
     w_cap, h = random_path(n, seed, 0.02, real, h=(10.0, 300.0))
-    assert on_device("basic", w_cap, h, 9.0, 4.0, count).tobytes() == by_c(
-        w_cap, h, 9.0, 4.0
-    ).tobytes()
+    got = on_device("basic", w_cap, h, 9.0, 4.0, count, kernel)
+    assert got.tobytes() == by_c(w_cap, h, 9.0, 4.0).tobytes()
 
 
 @pytest.mark.parametrize("real", REALS)
@@ -91,73 +70,89 @@ def test_edges_of_parts_do_not_show(home, count, edge, real):
 # a = 1000 mm/s², caps to (100 mm/s)²
 @pytest.mark.parametrize("real", REALS)
 @pytest.mark.parametrize("length", [0.005, 0.05, 1.0, 50.0])
-def test_short_and_long_segments(home, length, real):
+def test_short_and_long_segments(home, kernel, length, real):
     n = 30_000
     w_cap, _ = random_path(n, 11, 0.01, real)
     h = np.full(n - 1, 2 * 1000 * length, real)
-    assert on_device(home, w_cap, h).tobytes() == by_c(w_cap, h).tobytes()
+    assert on_device(home, w_cap, h, kernel=kernel).tobytes() == by_c(w_cap, h).tobytes()
 
 
 @pytest.mark.parametrize("real", REALS)
-def test_all_capped_and_wide_open_paths(home, real):
+def test_all_capped_and_wide_open_paths(home, kernel, real):
     w_cap, h = random_path(20_000, 3, 0.1, real)
     steep = np.full_like(h, 1e9)
-    assert on_device(home, w_cap, steep, 1e9, 1e9).tobytes() == w_cap.tobytes()
+    got = on_device(home, w_cap, steep, 1e9, 1e9, kernel=kernel)
+    assert got.tobytes() == w_cap.tobytes()
     open_cap = np.full_like(w_cap, 1e8)
     want = by_c(open_cap, h)
     with pytest.raises(DeviceError) as caught:  # no cap is ever met: no overlap can be certain
-        on_device(home, open_cap, h, count=2)
+        on_device(home, open_cap, h, count=2, kernel=kernel)
     assert caught.value.id == "device-overlap"
-    short = slice(0, PART_MIN - 1)  # too short to be cut: certain again
-    got = on_device(home, open_cap[short], h[short][:-1])
+    # too short to be cut, or no longer than an overlap: certain again
+    short = slice(0, {"parts": PART_MIN - 1, "tiles": 1025}[kernel])
+    got = on_device(home, open_cap[short], h[short][:-1], kernel=kernel)
     assert got.tobytes() == by_c(open_cap[short], h[short][:-1]).tobytes() != want.tobytes()
 
 
 @pytest.mark.parametrize("real", REALS)
 @pytest.mark.parametrize("count", [1, 5])
-def test_doubt_is_raised_and_never_a_wrong_profile(real, count):
+def test_doubt_is_raised_and_never_a_wrong_profile(kernel, real, count):
     told = set()
     for length in (2e-5, 5e-4, 1e-3, 2e-3, 0.01):  # braking from 100 mm/s takes 5 mm
         w_cap, _ = random_path(30_000, 2, 0.002, real)
         h = np.full(len(w_cap) - 1, 2000 * length, real)
         try:
-            assert on_device("basic", w_cap, h, count=count).tobytes() == by_c(w_cap, h).tobytes()
+            got = on_device("basic", w_cap, h, count=count, kernel=kernel)
+            assert got.tobytes() == by_c(w_cap, h).tobytes()
             told.add("certain")
         except DeviceError as error:
             told.add(error.id)
     assert told == {"certain", "device-overlap"}
 
 
+# Caps rise faster than the speed may, so that no node is at its cap going forward. Pieces grow, so
+# that going backward each is at its cap within an overlap. Mirrored, it is the other way round.
+@pytest.mark.parametrize("real", REALS)
+@pytest.mark.parametrize("step", [1, -1])
+def test_doubt_in_one_direction_alone_is_told(home, kernel, real, step):
+    h = np.exp(np.arange(8999) / 900)
+    w_cap = 1.1 * np.cumsum(np.append(1.0, h))
+    path = (np.ascontiguousarray(each[::step], real) for each in (w_cap, h))
+    with pytest.raises(DeviceError) as caught:
+        on_device(home, *path, 1e9, 1e9, count=2, kernel=kernel)
+    assert caught.value.id == "device-overlap"
+
+
 @pytest.mark.parametrize("bad", [np.nan, np.inf, -np.inf, -1.0])
 @pytest.mark.parametrize("which", [0, 1])
 @pytest.mark.parametrize("place", [0, 1, 15, 16, 5000, 9998])
 @pytest.mark.parametrize("real", REALS)
-def test_a_bad_number_is_found_wherever_it_stands(bad, which, place, real):
+def test_a_bad_number_is_found_wherever_it_stands(kernel, bad, which, place, real):
     arrays = random_path(10_000, 1, 0.01, real)
     arrays[which][place] = bad
     for name, count in (("basic", 1), ("pthread", 3)):
         with pytest.raises(DeviceError) as caught:
-            on_device(name, *arrays, count=count)
+            on_device(name, *arrays, count=count, kernel=kernel)
         assert caught.value.id == "device-number"
 
 
-def test_bad_ends_and_bad_caps_of_short_paths_are_found():
+def test_bad_ends_and_bad_caps_of_short_paths_are_found(kernel):
     w_cap, h = random_path(100, 1, 0.01, np.float64)
     for ends in ((np.nan, 0.0), (0.0, -1.0), (np.inf, 0.0)):
         with pytest.raises(DeviceError, match="NaN"):
-            on_device("basic", w_cap, h, *ends)
+            on_device("basic", w_cap, h, *ends, kernel=kernel)
     w_cap[-1] = np.nan
     with pytest.raises(DeviceError, match="NaN"):
-        on_device("basic", w_cap, h)
+        on_device("basic", w_cap, h, kernel=kernel)
 
 
-def test_arrays_of_any_alignment_and_in_place():
+def test_arrays_of_any_alignment_and_in_place(kernel):
     w_cap, h = random_path(9001, 1, 0.01, np.float32)
     want = by_c(w_cap, h)
     bytes_ = np.zeros(4 * 9001 + 4, np.uint8)
     odd = bytes_[4:].view(np.float32)
     odd[:] = w_cap
-    device.envelope(odd, h, 0.0, 0.0, odd, "basic")
+    device.envelope(odd, h, 0.0, 0.0, odd, "basic", kernel)
     assert odd.tobytes() == want.tobytes()
 
 
@@ -183,7 +178,7 @@ def nodes_of(name):
 
 
 @pytest.mark.parametrize("name", PROGRAMS)
-def test_real_paths_have_the_bits_of_c(name):
+def test_real_paths_have_the_bits_of_c(kernel, name):
     nodes = nodes_of(name)
     if len(nodes) == 0:
         pytest.skip("no motion")
@@ -193,17 +188,18 @@ def test_real_paths_have_the_bits_of_c(name):
         want = by_c(w_cap, h)
         for home in HOME_DEVICES:
             try:
-                assert on_device(home, w_cap, h).tobytes() == want.tobytes()
+                got = on_device(home, w_cap, h, kernel=kernel)
+                assert got.tobytes() == want.tobytes()
             except DeviceError as error:
                 assert error.id == "device-overlap"  # the caller plans by C then
 
 
-def test_threads_may_share_a_device(home):
+def test_threads_may_share_a_device(home, kernel):
     paths = [random_path(500 + 10 * k, k, 0.02, np.float64) for k in range(8)]
 
     def planned(path):
         w = np.empty_like(path[0])
-        device.envelope(*path, 0.0, 0.0, w, home)
+        device.envelope(*path, 0.0, 0.0, w, home, kernel)
         return w.tobytes()
 
     with concurrent.futures.ThreadPoolExecutor(4) as crew:
@@ -388,7 +384,7 @@ def test_a_home_that_cannot_be_written_does_not_matter(tmp_path):
 
 UNDER_OCLGRIND = """
 import numpy as np
-from pycnc import bench_opencl, device, device_grades, grades
+from pycnc import device, device_grades, grades
 from pycnc.machine import Machine
 used = device.in_use("oclgrind")
 rng = np.random.default_rng(1)
@@ -396,7 +392,8 @@ for real in (np.float32, np.float64):
     for n, count in ((1, 1), (2, 1), (300, 1), (2049, 1), (4200, 2)):
         w_cap, h = rng.uniform(0, 100, n).astype(real), rng.uniform(1, 30, n - 1).astype(real)
         w = np.empty(n, real)
-        device.EnvelopeLaunch(used, w_cap, h, w, count).run(1.0, 0.0)
+        for kernel in ("parts", "tiles"):
+            device.EnvelopeLaunch(used, w_cap, h, w, count, kernel).run(1.0, 0.0)
 p = rng.integers(0, 20, 1100).astype(np.int32)
 for method in ("scan", "sweep", "fused"):
     device_grades.bubble(p, method, "oclgrind")
