@@ -22,7 +22,9 @@ typedef enum nck_kinematics {
 } nck_kinematics_t;
 
 typedef enum nck_slope_kind {
-    NCK_SLOPE_LINEAR = 0 // acceleration-limited
+    NCK_SLOPE_LINEAR = 0, // acceleration-limited
+    NCK_SLOPE_JERK = 1,   // jerk-limited, acceleration carried across junctions
+    NCK_SLOPE_SSHAPE = 2  // jerk-limited, no acceleration at junctions (classical S-shape)
 } nck_slope_kind_t;
 
 typedef enum nck_dialect {

@@ -81,8 +81,9 @@ typedef struct nck_block {
 typedef enum nck_seg_kind {
     NCK_SEG_LINE = 0,
     NCK_SEG_ARC = 1,
-    NCK_SEG_DWELL = 2, // at rest for dwell_s
-    NCK_SEG_WAIT = 3   // at rest until nck_resume
+    NCK_SEG_SPLINE = 2, // cubic of Bernstein points start, inner[0], inner[1], end over s
+    NCK_SEG_DWELL = 3,  // at rest for dwell_s
+    NCK_SEG_WAIT = 4    // at rest until nck_resume
 } nck_seg_kind_t;
 
 // 3_smooth → 4_lookahead, and by its own ring → 6_interpolate: a piece of path with its geometry.
@@ -98,7 +99,9 @@ typedef struct nck_seg {
     uint8_t reserved[3]; // 0
     double start[NCK_AXIS_MAX]; // pose at s = 0 [mm, deg]
     double end[NCK_AXIS_MAX];   // pose at s = length [mm, deg]
-    double length;       // path length [path mm]; 0 for dwell and wait
+    double inner[2][NCK_AXIS_MAX]; // spline: its inner Bernstein points [mm, deg]
+    double length;       // range of s [path mm]: path length (spline: that of the programmed path
+                         // it stands for, never less than its own); 0 for dwell and wait
     double s_begin;      // path length of all segs before [path mm], for reports
     double centre_u;     // arc: centre [mm]
     double centre_v;
@@ -156,9 +159,15 @@ typedef struct nck_node {
     double s;            // where in its seg the piece begins [path mm]
     double length;       // of the piece [path mm]
     double a;            // tangential acceleration limit in the piece [mm/s²]
-    double vv_piece;     // cap inside the piece, v² [mm²/s²]
+    double a_over;       // the same at a feed override beyond 100 %; ≤ a
+    double j;            // tangential jerk limit in the piece [mm/s³]
+    double j_over;       // the same at a feed override beyond 100 %; ≤ j
+    double feed;         // programmed speed in the piece [path mm/s]; 0: a rapid
+    double vv_piece;     // cap inside the piece at an override of 100 % [mm²/s²]
+    double vv_over;      // cap inside the piece by everything but the feed; ≥ vv_piece
     double dwell_s;      // at rest for so long (length 0)
-    double vv_cap;       // cap at the node, v²
+    double vv_cap;       // cap at the node at an override of 100 %, v²
+    double vv_node;      // cap at the node by its junction alone, v²; feeds come on top
     double vv;           // envelope at the node, v² (exact two-pass)
 } nck_node_t;
 
@@ -198,7 +207,8 @@ typedef enum nck_tick_state {
     NCK_TICK_MOVE = 1,    // on the path
     NCK_TICK_DWELL = 2,   // G4
     NCK_TICK_WAIT = 3,    // M0, M1, M6: until nck_resume
-    NCK_TICK_STARVED = 4  // on the stop tail, or at rest in the middle of the path
+    NCK_TICK_STARVED = 4, // on the stop tail, or at rest in the middle of the path
+    NCK_TICK_HOLD = 5     // feed hold, single block or abort: braking, or at rest until nck_resume
 } nck_tick_state_t;
 
 // 7_transform → drives: setpoints.
