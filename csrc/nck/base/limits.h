@@ -31,6 +31,13 @@
 #define NCK_CORNER_SPAN 64
 #endif
 
+// Taps of the jerk-limited slope's output filter: a mean of the path coordinate over so many
+// periods. Range 1..16. More taps round the steps of acceleration more, and round corners of the
+// speed profile earlier.
+#ifndef NCK_FILTER_TAPS
+#define NCK_FILTER_TAPS 4
+#endif
+
 // Cells between the slope and the tick. Power of two, 16..4096. More cells bridge longer pauses of
 // prep.
 #ifndef NCK_CELL_MAX
@@ -45,6 +52,9 @@
 
 #if NCK_AXIS_MAX < 3 || NCK_AXIS_MAX > 9
 #error "NCK_AXIS_MAX must be 3..9"
+#endif
+#if NCK_FILTER_TAPS < 1 || NCK_FILTER_TAPS > 16
+#error "NCK_FILTER_TAPS must be 1..16"
 #endif
 #if (NCK_WINDOW & (NCK_WINDOW - 1)) || NCK_WINDOW < 64
 #error "NCK_WINDOW must be a power of two, 64 at least"
