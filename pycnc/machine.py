@@ -27,6 +27,11 @@ from pycnc.records import counts_per_unit, dtype
 DEFAULT = "mill3"
 _FREE = (np.iinfo(np.int64).min, np.iinfo(np.int64).max)
 _KINEMATICS = {"identity": lib.NCK_KINEMATICS_IDENTITY, "lathe_xz": lib.NCK_KINEMATICS_LATHE_XZ}
+_SLOPES = {
+    "linear": lib.NCK_SLOPE_LINEAR,
+    "jerk": lib.NCK_SLOPE_JERK,
+    "sshape": lib.NCK_SLOPE_SSHAPE,
+}
 _DIALECTS = {
     "linuxcnc": lib.NCK_DIALECT_LINUXCNC,
     "fanuc": lib.NCK_DIALECT_FANUC,
@@ -422,7 +427,7 @@ def _fill_path(record, path):
     row["tolerance"] = float(path.tolerance_mm)
     row["arc_radius"] = float(path.arc_radius_mm)
     record["lookahead_blocks"] = path.lookahead_blocks
-    record["slope"] = lib.NCK_SLOPE_LINEAR
+    record["slope"] = _SLOPES[path.slope]
 
 
 def _fill_dialect(row, dialect):

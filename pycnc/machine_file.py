@@ -36,6 +36,9 @@ Travel = Annotated[
 ]
 
 
+Slope = Literal["linear", "jerk", "sshape"]
+
+
 class Table(BaseModel):
     """A table of the file: keys it does not know are errors, numbers are finite."""
 
@@ -81,9 +84,11 @@ class Path(Table):
         ge=0,
         description="Blocks that the look-ahead may see, 2 at least; 0: all that the kernel holds.",
     )
-    slope: Literal["linear", "jerk"] = Field(
+    slope: Slope = Field(
         "linear",
-        description="Velocity profile. Only `linear` (acceleration-limited) is built so far.",
+        description="Velocity profile. `linear`: acceleration-limited. `jerk`: jerk-limited, "
+        "acceleration is carried across junctions. `sshape`: jerk-limited, acceleration is zero "
+        "at every junction.",
     )
 
 
@@ -96,7 +101,7 @@ class LinearAxis(Table):
     )
     a_max_mm_s2: Positive = Field(description="Highest acceleration.")
     j_max_mm_s3: Positive = Field(
-        description="Highest jerk (reported by the linear slope, not limited)."
+        description="Highest jerk (the linear slope reports it and does not limit it)."
     )
     min_mm: Travel = Field(
         None,
@@ -117,7 +122,7 @@ class RotaryAxis(Table):
     )
     a_max_deg_s2: Positive = Field(description="Highest acceleration.")
     j_max_deg_s3: Positive = Field(
-        description="Highest jerk (reported by the linear slope, not limited)."
+        description="Highest jerk (the linear slope reports it and does not limit it)."
     )
     min_deg: Travel = Field(
         None, description='Lower end of travel, machine coordinates. Default: `"free"`.'
@@ -281,8 +286,6 @@ def contradictions(machine):
         )
     if machine.path.lookahead_blocks == 1:
         yield "path.lookahead_blocks", "must be 0 (all) or 2 at least"
-    if machine.path.slope == "jerk":
-        yield "path.slope", '"jerk" is not built yet; "linear" is allowed'
     if machine.kinematics.type == "lathe_xz" and set(axes) != {"x", "z"}:
         yield (
             "kinematics.type",

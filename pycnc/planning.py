@@ -2,14 +2,17 @@
 """A plan: speeds along the whole path, as the kernel's look-ahead and slope give them."""
 
 import time
+import typing
 
 import numpy as np
 
 from pycnc import errors, grades, kernel, measure
 from pycnc.machine import Machine
+from pycnc.machine_file import Slope
 from pycnc.program import Program, load
 from pycnc.records import dtype, join
 
+SLOPES = typing.get_args(Slope)
 BACKENDS = {"exact": ("auto", "c"), "grades": grades.BACKENDS}  # of every kind of planning
 
 
@@ -38,8 +41,20 @@ def check_backend(backend, plan="exact"):
         )
 
 
-def for_machine(program, machine):
-    """Return a program for a machine: the same one if that is its machine already."""
+def for_machine(program, machine, slope=None):
+    """Return a program for a machine and a slope: the same one if they are its own already."""
+    program = _for_machine(program, machine)
+    if slope not in (None, *SLOPES):
+        raise errors.ArgumentError(
+            f"no slope {slope!r}; there are: {', '.join(SLOPES)}", id="slope"
+        )
+    if slope is None or slope == program.machine.settings.path.slope:
+        return program
+    changed = Machine.load(program.machine, set={"path.slope": slope})
+    return Program(program.text, changed, file=program.file)
+
+
+def _for_machine(program, machine):
     if not isinstance(program, Program):
         return load(program, machine) if machine is not None else load(program)
     if machine is None or machine is program.machine:
@@ -124,7 +139,7 @@ class Plan:
         return f"<Plan of {self.program.file}: {self.time_s:.3f} s, {len(self.cells):,} cells>"
 
 
-def plan(program, machine=None, slope="linear", backend="auto", plan="exact"):
+def plan(program, machine=None, slope=None, backend="auto", plan="exact"):
     """Plan a whole program.
 
     Parameters
@@ -133,8 +148,8 @@ def plan(program, machine=None, slope="linear", backend="auto", plan="exact"):
         What `load` takes, or a loaded program.
     machine : str, path or Machine, optional
         Another machine than the program's.
-    slope : {"linear"}
-        Velocity profile: acceleration-limited.
+    slope : {"linear", "jerk", "sshape"}, optional
+        Another velocity profile than the machine's (``path.slope``).
     backend : {"auto", "c", "opencl"}
         Where it is computed; OpenCL plans by grades only.
     plan : {"exact", "grades"}
@@ -149,15 +164,11 @@ def plan(program, machine=None, slope="linear", backend="auto", plan="exact"):
     ProgramError
         If the program has an error.
     ArgumentError
-        If the slope, the backend or the kind of planning is not built.
+        If there is no such slope, backend or kind of planning.
 
     Examples
     --------
     >>> plan("G21 G90 G1 X10 F600\\nM2\\n").time_s > 1.0
     True
     """
-    if slope != "linear":
-        raise errors.ArgumentError(
-            f"slope {slope!r} is not built yet; available: linear", id="slope"
-        )
-    return Plan(for_machine(program, machine), plan=plan, backend=backend)
+    return Plan(for_machine(program, machine, slope), plan=plan, backend=backend)

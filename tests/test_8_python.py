@@ -108,7 +108,7 @@ def test_the_arrays_of_a_plan_are_whole():
 
 def test_what_is_not_built_is_refused_with_what_is():
     with pytest.raises(pycnc.ArgumentError, match="linear"):
-        pycnc.plan(SQUARE, slope="jerk")
+        pycnc.plan(SQUARE, slope="round")
     for call in (pycnc.plan, pycnc.run):
         with pytest.raises(pycnc.ArgumentError, match="auto, c"):
             call(SQUARE, backend="opencl")
