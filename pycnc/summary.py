@@ -124,17 +124,23 @@ def _limits(trace):
 
 
 def _peaks(trace):
-    table = _table(("Peaks, of the limit", "left"), ("speed", "right"), ("acceleration", "right"))
+    columns = (("Peaks, of the limit", "left"), ("speed", "right"), ("acceleration", "right"),
+               ("jerk", "right"))  # fmt: skip
+    table, limited = _table(*columns), trace.summary["slope"] != "linear"
     for letter in trace.program.machine.axes:
         peak = trace.summary["peaks"][letter]
-        table.add_row(f"  {letter.upper()}", _ratio(peak["v"]), _ratio(peak["a"]))
-    table.add_row("  path", "", _ratio(trace.summary["peaks"]["path"]["a"]))
+        jerk = _ratio(peak["j"], promised=False)
+        table.add_row(f"  {letter.upper()}", _ratio(peak["v"]), _ratio(peak["a"]), jerk)
+    path = trace.summary["peaks"]["path"]
+    table.add_row("  path", "", _ratio(path["a"]), _ratio(path["j"], promised=limited))
     error = f"largest distance from the programmed path: {trace.summary['path_error_mm']:.1e} mm"
     return Group(table, Padding(Text(error, "dim"), (0, 0, 0, 2)))
 
 
-def _ratio(value):
-    return Text(f"{value:.1%}", "red" if value > 1 + 1e-6 else "")
+def _ratio(value, promised=True):
+    """Return a peak in words: red if it breaks a promise, pale if none is given."""
+    broken = "red" if value > 1 + 1e-6 else ""
+    return Text(f"{value:.1%}", broken if promised else "dim")
 
 
 def _diagnostics(found):

@@ -73,7 +73,8 @@ class Columns:
 
 def _kinds(pose):
     """Return the codes of KINDS."""
-    moves = np.where(pose["rapid"] == 1, KINDS.index("rapid"), KINDS.index("line"))
+    moves = np.where(pose["kind"] == _SEG_KINDS.SPLINE, KINDS.index("spline"), KINDS.index("line"))
+    moves = np.where(pose["rapid"] == 1, KINDS.index("rapid"), moves)
     moves = np.where(pose["kind"] == _SEG_KINDS.ARC, KINDS.index("arc"), moves)
     moves = np.where(pose["kind"] == _SEG_KINDS.DWELL, KINDS.index("dwell"), moves)
     moves = np.where(pose["kind"] == _SEG_KINDS.WAIT, KINDS.index("wait"), moves)
@@ -394,7 +395,8 @@ class Trace:
         return f"<Trace of {self.program.file}: {time_s:.3f} s, {ticks:,} ticks>"
 
 
-def run(program, machine=None, *, prep_steps=kernel.PREP_STEPS, backend="auto", plan="exact"):
+def run(program, machine=None, *, slope=None, prep_steps=kernel.PREP_STEPS, backend="auto",
+        plan="exact"):  # fmt: skip
     """Run a whole program in the simulated controller, tick by tick.
 
     Parameters
@@ -403,6 +405,8 @@ def run(program, machine=None, *, prep_steps=kernel.PREP_STEPS, backend="auto", 
         What `load` takes, or a loaded program.
     machine : str, path or Machine, optional
         Another machine than the program's.
+    slope : {"linear", "jerk", "sshape"}, optional
+        Another velocity profile than the machine's (``path.slope``).
     prep_steps : int
         Prep steps between two ticks, 1 at least; few of them starve the tick.
     backend : {"auto", "c", "opencl"}
@@ -427,5 +431,5 @@ def run(program, machine=None, *, prep_steps=kernel.PREP_STEPS, backend="auto", 
     >>> float(trace["pos_x_mm"][-1])
     10.0
     """
-    program = for_machine(program, machine)
+    program = for_machine(program, machine, slope)
     return Trace(program, prep_steps=prep_steps, backend=backend, plan=plan)
