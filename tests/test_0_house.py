@@ -32,6 +32,7 @@ MAY_INCLUDE = {
     "firmware_sim/sim": ("nck/", "sim", "app/", "os.h", "hal.h"),
     "tests/c/": ("nck/", "host/", "sim.h", "check.h"),
     "tests/fuzz/": ("nck/", "host/", "sim.h"),
+    "tests/package/": ("nck/nck.h", "host/"),
 }
 FORBIDDEN_WORDS = {"util", "utils", "helper", "helpers", "manager", "tmp", "interp"}
 LIBC = {

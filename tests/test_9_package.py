@@ -1,0 +1,228 @@
+# SPDX-License-Identifier: MIT
+"""libnck as strangers take it: installed, by pkg-config, as one pair of files; the same setpoints.
+
+Every project here lies outside of the tree and knows of libnck what an installation tells it.
+"""
+
+import hashlib
+import os
+import re
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+import cases
+
+ROOT = Path(__file__).resolve().parents[1]
+PACKAGE = ROOT / "tests" / "package"
+STRICT = (
+    "-std=c99 -Wall -Wextra -Wpedantic -Werror -Wconversion -Wdouble-promotion -Wshadow -Wundef"
+    " -Wvla -Wstrict-prototypes -Wmissing-prototypes -ffp-contract=off -fno-math-errno"
+).split()
+CORES = {
+    "m4f": "-mcpu=cortex-m4 -mthumb -mfloat-abi=hard -mfpu=fpv4-sp-d16".split(),
+    "m7": "-mcpu=cortex-m7 -mthumb -mfloat-abi=hard -mfpu=fpv5-d16".split(),
+}
+VERSION = re.search(r"project\(nck VERSION ([\d.]+)", (ROOT / "CMakeLists.txt").read_text())[1]
+CMAKE = Path(sys.executable).with_name("cmake")
+NINJA = Path(sys.executable).with_name("ninja")
+
+
+def call(*command, **options):
+    """Run a command; return what it prints, or fail with its words."""
+    done = subprocess.run(list(map(str, command)), capture_output=True, text=True, **options)
+    if done.returncode != 0:
+        pytest.fail(f"{command}\n{done.stdout}{done.stderr}", pytrace=False)
+    return done.stdout
+
+
+def digest(text):
+    """Return the SHA-256 of a text."""
+    return hashlib.sha256(text.encode()).hexdigest()
+
+
+@pytest.fixture(scope="module")
+def programs(tmp_path_factory):
+    """Return the files of all programs that the kernel's default machine can run."""
+    folder = tmp_path_factory.mktemp("programs")
+    files = []
+    for case in cases.PROGRAM_CASES:
+        if case.machine == "mill3" and not case.set:
+            files.append(folder / f"{case}.ngc")
+            files[-1].write_text(case.text)
+    return files
+
+
+@pytest.fixture(scope="module")
+def setpoints(programs):
+    """Return a function: the digests of the setpoints of all programs from an executable."""
+
+    def run_all(executable):
+        return {file.stem: digest(call(executable, file)) for file in programs}
+
+    return run_all
+
+
+@pytest.fixture(scope="module")
+def expected(gcc_build, setpoints, tmp_path_factory):
+    """Return what the tree's own library makes of the programs."""
+    executable = tmp_path_factory.mktemp("tree") / "run"
+    library = gcc_build[0] / "libnck.a"
+    call("gcc", *STRICT, f"-I{ROOT / 'csrc'}", PACKAGE / "run.c", library, "-lm", "-o", executable)
+    found = setpoints(executable)
+    assert len(set(found.values())) > len(found) // 2, "the programs do not tell anything apart"
+    return found
+
+
+@pytest.fixture(scope="module")
+def prefix(gcc_build, tmp_path_factory):
+    """Return an installation that was moved after it was made."""
+    folder = tmp_path_factory.mktemp("installed")
+    call(CMAKE, "--install", gcc_build[0], "--prefix", folder / "here")
+    return (folder / "here").rename(folder / "there")
+
+
+def configure(source, build, *options):
+    """Configure a project with Ninja; return the finished process."""
+    command = [CMAKE, "-S", source, "-B", build, "-G", "Ninja", f"-DCMAKE_MAKE_PROGRAM={NINJA}"]
+    return subprocess.run([*command, *options], capture_output=True, text=True)
+
+
+def stranger(folder, *options):
+    """Copy the stranger's project to a folder and configure it there."""
+    source = shutil.copytree(PACKAGE, folder / "stranger")
+    return configure(source, folder / "build", *options)
+
+
+# find_package
+
+
+def test_a_project_finds_the_package_and_gets_the_same_setpoints(
+    prefix, setpoints, expected, tmp_path
+):
+    done = stranger(tmp_path, f"-DCMAKE_PREFIX_PATH={prefix}")
+    assert done.returncode == 0, done.stdout + done.stderr
+    call(CMAKE, "--build", tmp_path / "build")
+    assert setpoints(tmp_path / "build" / "run") == expected
+    assert not (tmp_path / "build" / "bulk").exists(), "a component that nobody asked for"
+
+
+def test_a_component_brings_its_library_and_what_that_needs(prefix, tmp_path):
+    want = "-DNCK_WANT=0.1;REQUIRED;COMPONENTS;nck;host"
+    done = stranger(tmp_path, f"-DCMAKE_PREFIX_PATH={prefix}", want)
+    assert done.returncode == 0, done.stdout + done.stderr
+    call(CMAKE, "--build", tmp_path / "build")
+    assert call(tmp_path / "build" / "bulk") == "0 50 0\n"
+
+
+@pytest.mark.parametrize("want", ["0.2;REQUIRED", "0.0;REQUIRED", "1;REQUIRED"])
+def test_another_version_is_refused(prefix, tmp_path, want):
+    done = stranger(tmp_path, f"-DCMAKE_PREFIX_PATH={prefix}", f"-DNCK_WANT={want}")
+    assert done.returncode != 0
+    assert f"nckConfig.cmake, version: {VERSION}" in done.stderr
+
+
+def test_a_component_that_is_not_there_is_refused_by_name(gcc_build, tmp_path):
+    call(CMAKE, "--install", gcc_build[0], "--prefix", tmp_path / "kernel", "--component", "nck")
+    want = "-DNCK_WANT=0.1;REQUIRED;COMPONENTS;host"
+    done = stranger(tmp_path, f"-DCMAKE_PREFIX_PATH={tmp_path / 'kernel'}", want)
+    assert done.returncode != 0
+    assert "no component host is installed here" in " ".join(done.stderr.split())
+
+
+# pkg-config
+
+
+def test_pkg_config_names_all_that_a_compiler_needs(prefix, setpoints, expected, tool, tmp_path):
+    (pc,) = prefix.rglob("nck.pc")
+    asked = {**os.environ, "PKG_CONFIG_PATH": str(pc.parent)}
+    config = tool("pkg-config")
+    flags = call(config, "--cflags", "--libs", "nck", env=asked).split()
+    call("gcc", *STRICT, PACKAGE / "run.c", *flags, "-o", tmp_path / "run")
+    assert setpoints(tmp_path / "run") == expected
+    assert call(config, "--modversion", "nck", env=asked).strip() == VERSION
+
+
+# Capacities
+
+
+def kernel_size(nm, binary):
+    """Return the size of the symbol that tests/package/sizes.c defines."""
+    return int(re.search(r"^\w+ (\w+) \w kernel_size$", call(nm, "-S", binary), re.M)[1], 16)
+
+
+def test_an_installation_for_a_microcontroller_keeps_its_capacities(tool, tmp_path):
+    compiler, nm = tool("arm-none-eabi-gcc"), tool("arm-none-eabi-nm")
+    board = [f"--toolchain={ROOT / 'firmware_sim/board/arm-none-eabi.cmake'}", "-DNCK_CORE=m4f"]
+    done = configure(ROOT, tmp_path / "cross", *board, "-DNCK_CAPACITIES=SMALL")
+    assert done.returncode == 0, done.stdout + done.stderr
+    call(CMAKE, "--build", tmp_path / "cross")
+    call(CMAKE, "--install", tmp_path / "cross", "--prefix", tmp_path / "small")
+    done = stranger(tmp_path, f"-DCMAKE_PREFIX_PATH={tmp_path / 'small'}", *board)
+    assert done.returncode == 0, done.stdout + done.stderr
+    call(CMAKE, "--build", tmp_path / "build")
+    text = (ROOT / "cmake" / "capacities.cmake").read_text()
+    words = re.search(r"NCK_CAPACITY_SMALL\s+([^)]*)\)", text)[1].split()
+    sizes = []
+    for definitions in (words, []):
+        options = [*CORES["m4f"], *(f"-D{word}" for word in definitions), f"-I{ROOT / 'csrc'}"]
+        call(compiler, "-std=c99", *options, "-c", PACKAGE / "sizes.c", "-o", tmp_path / "sizes.o")
+        sizes.append(kernel_size(nm, tmp_path / "sizes.o"))
+    assert sizes[0] < sizes[1]
+    assert kernel_size(nm, tmp_path / "build" / "libsizes.a") == sizes[0]
+
+
+def test_a_capacity_that_does_not_exist_is_refused(tmp_path):
+    done = configure(ROOT, tmp_path, "-DNCK_CAPACITIES=NCK_WINDOWS=128")
+    assert done.returncode != 0
+    assert "no capacity like NCK_WINDOWS=128" in done.stderr
+
+
+# The pair of files
+
+
+@pytest.fixture(scope="module")
+def pair(gcc_build):
+    """Return the folder of nck.h and nck.c, made by the build's target."""
+    call(CMAKE, "--build", gcc_build[0], "--target", "amalgamation")
+    return gcc_build[0] / "amalgamation" / "nck"
+
+
+def test_the_pair_is_the_same_bytes_wherever_it_is_made(pair, tmp_path):
+    for seed, folder in (("1", tmp_path), ("2", ROOT)):
+        out = tmp_path / seed
+        script = [sys.executable, ROOT / "cmake" / "amalgamate.py", "--out", out]
+        call(*script, cwd=folder, env={**os.environ, "PYTHONHASHSEED": seed})
+        for name in ("nck.h", "nck.c"):
+            assert (out / name).read_bytes() == (pair / name).read_bytes()
+
+
+@pytest.mark.parametrize("compiler", ["gcc", "clang-19"])
+def test_the_pair_gives_the_same_setpoints(pair, setpoints, expected, tool, tmp_path, compiler):
+    folder = shutil.copytree(pair, tmp_path / "nck")
+    command = [tool(compiler), *STRICT, "-O2", f"-I{tmp_path}", PACKAGE / "run.c", folder / "nck.c"]
+    call(*command, "-lm", "-o", tmp_path / "run")
+    assert setpoints(tmp_path / "run") == expected
+
+
+@pytest.mark.parametrize("core", CORES)
+def test_the_pair_compiles_for_a_microcontroller(pair, tool, tmp_path, core):
+    command = [tool("arm-none-eabi-gcc"), *STRICT, *CORES[core], "-Os", "-c", pair / "nck.c"]
+    call(*command, "-o", tmp_path / "nck.o")
+
+
+def test_the_pair_can_have_other_capacities(tool, tmp_path):
+    script = [sys.executable, ROOT / "cmake" / "amalgamate.py"]
+    wanted = ["--define=NCK_WINDOW=128", "--define=NCK_CELL_MAX=64", "--define=NCK_CORNER_SPAN=32"]
+    call(*script, "--out", tmp_path / "nck", *wanted)
+    for name, include, definitions in (
+        ("pair", tmp_path, []),
+        ("tree", ROOT / "csrc", [word.replace("--define=", "-D") for word in wanted]),
+    ):
+        options = [*STRICT, *definitions, f"-I{include}", "-c", PACKAGE / "sizes.c"]
+        call("gcc", *options, "-o", tmp_path / f"{name}.o")
+    found = [kernel_size(tool("nm"), tmp_path / f"{name}.o") for name in ("pair", "tree")]
+    assert found[0] == found[1]
