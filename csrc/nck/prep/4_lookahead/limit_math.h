@@ -11,6 +11,9 @@
 // least √(1 − 0.8²) = 0.6 of it, for the two are perpendicular.
 #define NCK_CURVE_SHARE 0.8
 
+// Largest feed override.
+#define NCK_OVERRIDE_TOP 2.0
+
 // Limit of the path quantity when an axis has the limit x_lim and the direction cosine c ≠ 0:
 //   path ≤ x_lim / |c|      (speed, acceleration and jerk alike)
 static inline nck_real nck_limit_along(nck_real x_lim, nck_real c) { return x_lim / nck_fabs(c); }
@@ -24,6 +27,17 @@ static inline nck_real nck_limit_arc_cos(nck_real in, nck_real in_n, nck_real ou
     const nck_real a = nck_fabs(in);
     const nck_real b = nck_fabs(out);
     return a > b ? a : b;
+}
+
+// How much a mean over n periods can raise the speed at a node above the planned one:
+//   Δv ≤ J·(τ²/24 + q²/8)     τ = nT: the mean of v differs from v by no more than J·τ²/24
+//                              q = 1.35 T: the longest step of the ladder, inside of which the
+//                              acceleration is constant and v bulges above the smooth profile
+// Derived in 5_slope/README, section "output".
+static inline nck_real nck_limit_filter(nck_real j, nck_real period, nck_real n) {
+    const nck_real tau = n * period;
+    const nck_real q = 1.35 * period;
+    return j * (tau * tau / 24.0 + q * q / 8.0);
 }
 
 // Chord error δ on an arc of radius R > 0, chords of one period:   v ≤ (2/T)·√(2Rδ − δ²)

@@ -4,6 +4,7 @@
 
 #include <string.h> // memset
 
+#include "nck/prep/4_lookahead/corner.h"        // nck_corner_…
 #include "nck/prep/4_lookahead/envelope_math.h" // nck_envelope_…
 #include "nck/prep/4_lookahead/joint.h"         // nck_joint_…
 
@@ -22,7 +23,12 @@ void nck_lookahead_init(nck_lookahead_t *self, const nck_machine_t *machine) {
     memset(self, 0, sizeof *self);
     self->machine = machine;
     self->a_any = nck_joint_a_any(machine);
-    self->limit_before = NCK_LIMIT_EXACT_STOP;
+    self->v_filter = nck_joint_v_filter(machine);
+    self->zone_s = machine->period_s;
+    if (machine->slope != NCK_SLOPE_LINEAR) {
+        self->zone_s = machine->period_s * (1.0 + (double)NCK_FILTER_TAPS / 2.0);
+    }
+    self->before.limit = NCK_LIMIT_EXACT_STOP;
 }
 
 int nck_lookahead_has_room(const nck_lookahead_t *self) {
@@ -37,8 +43,8 @@ nck_status_t nck_lookahead_push(nck_lookahead_t *self, const nck_seg_t *seg) {
     nck_joint_tangents(seg, start, end);
     nck_joint_make(joint, seg, start, end, self->machine);
     if (self->joint.head > 0) {
-        nck_joint_meet(nck_joint_at(self, self->joint.head - 1), joint, self->joint.tangent, start,
-                       self->machine);
+        nck_corner_meet(nck_joint_at(self, self->joint.head - 1), joint, self->joint.tangent, start,
+                        self->machine);
     }
     memcpy(self->joint.tangent, end, sizeof end);
     self->joint.head++;
@@ -53,10 +59,55 @@ static nck_node_t *node_at(nck_lookahead_t *self, uint32_t i) {
 
 static double h_of(const nck_node_t *node) { return nck_envelope_h(node->a, node->length); }
 
-// Append the piece from s, of a length, under the share beta; v_node caps the node at its start.
+// The shares that junctions leave to a piece, by pace.
+typedef struct shares {
+    double at[NCK_PACES];
+} shares_t;
+
+static shares_t larger(const shares_t *a, const shares_t *b) {
+    shares_t out;
+    for (int k = 0; k < NCK_PACES; k++) out.at[k] = nck_max(a->at[k], b->at[k]);
+    return out;
+}
+
+// The cap at a node by everything but the feeds: its junction and the pieces at both sides. Where
+// the speed has to fall there, what the slope's filter adds comes off.
+static double node_cap(const nck_lookahead_t *self, double vv_over, const double v_corner[]) {
+    const double vv_before = self->before.vv_over;
+    const double vv_corner = v_corner[NCK_PACE_OVER] * v_corner[NCK_PACE_OVER];
+    const double vv = nck_min(nck_min(vv_before, vv_over), vv_corner);
+    if (!(self->v_filter > 0.0) || (vv_before == vv_over && vv == vv_over)) return vv;
+    const double v = nck_max(0.0, nck_sqrt(vv) - self->v_filter);
+    return v * v;
+}
+
+// The caps of the node at a piece's start.
+static void cap_node(nck_lookahead_t *self, nck_node_t *node, const double v_corner[]) {
+    const double vv_corner = v_corner[NCK_PACE_FEED] * v_corner[NCK_PACE_FEED];
+    node->vv_node = node_cap(self, node->vv_over, v_corner);
+    node->vv_cap = node->vv_piece;
+    node->limit = node->limit_piece;
+    if (self->before.vv < node->vv_cap) {
+        node->vv_cap = self->before.vv;
+        node->limit = (uint8_t)self->before.limit;
+    }
+    if (vv_corner < node->vv_cap) {
+        node->vv_cap = vv_corner;
+        node->limit = NCK_LIMIT_CORNER;
+    }
+    if (self->v_filter > 0.0) node->vv_cap = nck_min(node->vv_cap, node->vv_node);
+    self->before.vv = node->vv_piece;
+    self->before.vv_over = node->vv_over;
+    self->before.limit = node->limit_piece;
+}
+
+// Append the piece from s[0] to s[1]; v_corner caps the node at its start.
 static void add_piece(nck_lookahead_t *self, const nck_joint_t *joint, const double s[2],
-                      double beta, double v_node) {
-    const nck_piece_limit_t piece = nck_joint_piece(joint, beta, self->machine);
+                      const shares_t *shares, const double v_corner[]) {
+    const nck_piece_limit_t piece =
+        nck_joint_piece(joint, shares->at[NCK_PACE_FEED], NCK_PACE_FEED, self->machine);
+    const nck_piece_limit_t over =
+        nck_joint_piece(joint, shares->at[NCK_PACE_OVER], NCK_PACE_OVER, self->machine);
     nck_node_t *const node = node_at(self, self->window.fill);
     memset(node, 0, sizeof *node);
     node->seg = joint->seq;
@@ -64,20 +115,15 @@ static void add_piece(nck_lookahead_t *self, const nck_joint_t *joint, const dou
     node->s = s[0];
     node->length = s[1] - s[0];
     node->a = piece.a;
+    node->a_over = nck_min(piece.a, over.a);
+    node->j = piece.j;
+    node->j_over = nck_min(piece.j, over.j);
+    node->feed = joint->feed;
     node->vv_piece = piece.vv;
+    node->vv_over = over.vv_free;
     node->limit_piece = piece.limit;
-    node->vv_cap = piece.vv;
-    node->limit = piece.limit;
-    if (self->vv_before < node->vv_cap) {
-        node->vv_cap = self->vv_before;
-        node->limit = (uint8_t)self->limit_before;
-    }
-    if (v_node * v_node < node->vv_cap) {
-        node->vv_cap = v_node * v_node;
-        node->limit = NCK_LIMIT_CORNER;
-    }
-    self->vv_before = piece.vv;
-    self->limit_before = piece.limit;
+    if (self->v_filter > 0.0) node->vv_piece = nck_min(piece.vv, over.vv_free);
+    cap_node(self, node, v_corner);
     self->window.fill++;
 }
 
@@ -87,47 +133,80 @@ static void add_rest(nck_lookahead_t *self, const nck_joint_t *joint) {
     node->seg = joint->seq;
     node->kind = joint->kind;
     node->a = self->machine->path.a_max;
+    node->a_over = node->a;
+    node->j = self->machine->path.j_max;
+    node->j_over = node->j;
     node->dwell_s = joint->dwell_s;
     node->limit = NCK_LIMIT_EXACT_STOP;
     node->limit_piece = joint->kind == NCK_SEG_DWELL ? NCK_LIMIT_DWELL : NCK_LIMIT_WAIT;
     self->window.fill++;
 }
 
-// The ends within one period of a junction keep to its share; the middle has all of a.
-static void add_motion(nck_lookahead_t *self, const nck_joint_t *joint, double head, double tail,
-                       double v_start) {
-    const double zone = joint->v_max * self->machine->period_s;
-    const int split = nck_max(head, tail) > SPLIT_SHARE && joint->length > SPLIT_ZONES * zone;
-    const double a = split && head > 0.0 ? zone : 0.0;
-    const double b = split && tail > 0.0 ? joint->length - zone : joint->length;
+// How far the zone of a junction reaches into a seg.
+static double zone_length(const nck_lookahead_t *self, const nck_joint_t *joint) {
+    const int pace = self->v_filter > 0.0 ? NCK_PACE_OVER : NCK_PACE_FEED;
+    return joint->pace[pace].v * self->zone_s;
+}
+
+// Inside a zone the share of its junction is kept free; the middle has all of a. The linear slope's
+// zones are those of the programmed speed, so beyond it the middle keeps the shares free too.
+static void add_motion(nck_lookahead_t *self, const nck_joint_t *joint, const shares_t *head,
+                       const shares_t *tail, const double v_start[]) {
+    const double zone = zone_length(self, joint);
+    const double inside[NCK_PACES] = {joint->v_max, joint->v_free};
+    shares_t both = larger(head, tail);
+    const double most = both.at[NCK_PACE_FEED];
+    const int split = most > SPLIT_SHARE && joint->length > SPLIT_ZONES * zone;
+    const double a = split && head->at[NCK_PACE_FEED] > 0.0 ? zone : 0.0;
+    const double b = split && tail->at[NCK_PACE_FEED] > 0.0 ? joint->length - zone : joint->length;
     const double first[2] = {0.0, a};
     const double middle[2] = {a, b};
     const double last[2] = {b, joint->length};
     if (a > 0.0) add_piece(self, joint, first, head, v_start);
-    add_piece(self, joint, middle, split ? 0.0 : nck_max(head, tail),
-              a > 0.0 ? joint->v_max : v_start);
-    if (b < joint->length) add_piece(self, joint, last, tail, joint->v_max);
+    if (split) both.at[NCK_PACE_FEED] = 0.0;
+    if (split && self->v_filter > 0.0) both.at[NCK_PACE_OVER] = 0.0;
+    add_piece(self, joint, middle, &both, a > 0.0 ? inside : v_start);
+    if (b < joint->length) add_piece(self, joint, last, tail, inside);
+}
+
+// The shares that reach into the oldest joint from behind. NCK_EMPTY if they are not decided yet.
+static nck_status_t tail_shares(nck_lookahead_t *self, uint32_t count, shares_t *tail_out) {
+    for (int k = 0; k < NCK_PACES; k++) {
+        const nck_status_t status = nck_corner_share_after(self, count, k, &tail_out->at[k]);
+        if (status != NCK_OK) return status;
+    }
+    return NCK_OK;
+}
+
+static void place_motion(nck_lookahead_t *self, uint32_t count, const shares_t *tail) {
+    double v_start[NCK_PACES];
+    shares_t head;
+    for (int k = 0; k < NCK_PACES; k++) {
+        v_start[k] = count > 0 ? nck_joint_at(self, count - 1)->pace[k].v_corner : 0.0;
+        head.at[k] = nck_corner_share_before(self, count, k);
+    }
+    add_motion(self, nck_joint_at(self, count), &head, tail, v_start);
 }
 
 // Turn the oldest joint into nodes. NCK_EMPTY if what follows it is not decided yet.
 static nck_status_t place(nck_lookahead_t *self) {
     const uint32_t count = self->joint.placed;
     const nck_joint_t *const joint = nck_joint_at(self, count);
-    double tail = 0.0;
-    const nck_status_t status = nck_joint_share_after(self, count, &tail);
+    shares_t tail;
+    const nck_status_t status = tail_shares(self, count, &tail);
     if (status != NCK_OK) return status;
     if (joint->kind >= NCK_SEG_DWELL) {
         add_rest(self, joint);
     } else {
-        const double v_start = count > 0 ? nck_joint_at(self, count - 1)->v_corner : 0.0;
-        add_motion(self, joint, nck_joint_share_before(self, count), tail, v_start);
+        place_motion(self, count, &tail);
     }
     nck_node_t *const end = node_at(self, self->window.fill - 1);
     end->last = 1;
     end->stop = joint->stop;
     if (joint->stop) {
-        self->vv_before = 0.0;
-        self->limit_before = NCK_LIMIT_EXACT_STOP;
+        self->before.vv = 0.0;
+        self->before.vv_over = 0.0;
+        self->before.limit = NCK_LIMIT_EXACT_STOP;
     }
     if (joint->kind == NCK_SEG_WAIT) self->window.barrier = self->window.fill;
     self->window.segs++;
@@ -202,7 +281,8 @@ nck_status_t nck_lookahead_step(nck_lookahead_t *self) {
         pass_forward(self);
         return NCK_OK;
     }
-    if (self->window.final == 0) {
+    const int has_passes = self->machine->slope != NCK_SLOPE_JERK;
+    if (has_passes && self->window.final == 0) {
         const uint32_t final = pass_final(self);
         if (final > 0) {
             pass_begin(self, final);
@@ -212,9 +292,9 @@ nck_status_t nck_lookahead_step(nck_lookahead_t *self) {
     if (window_full(self)) return NCK_FULL;
     const int open = self->joint.placed != self->joint.decided;
     if (open && place(self) == NCK_OK) return NCK_OK;
-    if (nck_joint_decide(self) == NCK_OK) return NCK_OK;
+    if (nck_corner_decide(self) == NCK_OK) return NCK_OK;
     if (!all_placed(self)) return NCK_EMPTY;
-    return self->window.final > 0 || self->window.fill == 0 ? NCK_DONE : NCK_OK;
+    return !has_passes || self->window.final > 0 || self->window.fill == 0 ? NCK_DONE : NCK_OK;
 }
 
 nck_status_t nck_lookahead_piece(const nck_lookahead_t *self, uint32_t i,
@@ -229,6 +309,13 @@ nck_status_t nck_lookahead_piece(const nck_lookahead_t *self, uint32_t i,
 const nck_node_t *nck_lookahead_ahead(const nck_lookahead_t *self, uint32_t i) {
     if (i >= self->window.fill) return (const nck_node_t *)0;
     return &self->window.at[(self->window.head + i) & (NCK_WINDOW - 1)];
+}
+
+uint32_t nck_lookahead_fill(const nck_lookahead_t *self) { return self->window.fill; }
+
+int nck_lookahead_is_complete(const nck_lookahead_t *self) {
+    const uint32_t fill = self->window.fill;
+    return all_placed(self) || (fill > 0 && self->window.barrier == fill);
 }
 
 // Forget pieces from the head, final or not.
@@ -258,6 +345,7 @@ void nck_lookahead_restart(nck_lookahead_t *self, uint32_t n, double s) {
     node->length -= past;
     node->s += past;
     node->vv_cap = 0.0;
+    node->vv_node = 0.0;
 }
 
 int nck_lookahead_invariants(const nck_lookahead_t *self) {

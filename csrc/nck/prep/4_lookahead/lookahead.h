@@ -13,6 +13,19 @@
 
 enum { NCK_JOINT_MAX = 4 * NCK_CORNER_SPAN };
 
+// The two paces that a path is planned for: as programmed, and at a feed override beyond 100 %.
+enum { NCK_PACE_FEED = 0, NCK_PACE_OVER = 1, NCK_PACES = 2 };
+
+// A seg and the junction at its end at one pace.
+typedef struct nck_pace {
+    double v;             // speed cap of the whole seg [path mm/s]
+    double a_straight;    // tangential limit by the axes that are on no arc [path mm/s²]
+    double j;             // tangential jerk limit [path mm/s³]
+    double time;          // the least that the seg takes, length/v [s]
+    double v_corner;      // cap at the end [path mm/s]
+    double share;         // β that the junction at the end may use
+} nck_pace_t;
+
 // A seg as this room sees it, and the junction at its end.
 typedef struct nck_joint {
     uint32_t seq;         // of the seg
@@ -21,23 +34,24 @@ typedef struct nck_joint {
     uint8_t stop;         // 1: the path rests at the end
     uint8_t reserved;     // 0
     double length;        // [path mm]
-    double v_max;         // speed cap of the whole seg [path mm/s]
-    double a_straight;    // tangential limit by the axes that go straight [path mm/s²]
-    double a_plane;       // arc: smaller limit of the plane's two axes [mm/s²]; line: 0
+    double feed;          // programmed speed [path mm/s]; 0: a rapid
+    double v_max;         // speed cap of the whole seg at 100 % [path mm/s]
+    double v_free;        // the same by everything but the feed; ≥ v_max
+    double a_plane;       // arc: smaller limit of the plane's two axes [mm/s²]; else unlimited
     double cos_lambda;    // arc: in-plane share of the path speed
-    double kappa;         // arc: in-plane acceleration = v²·kappa [1/mm]; line: 0
+    double kappa;         // arc: in-plane acceleration = v²·kappa [1/mm]; else 0
     double a_most;        // largest tangential acceleration anywhere on the seg [path mm/s²]
-    double time;          // the least that the seg takes, length/v_max [s]
     double load;          // d of the junction at the end [s²/mm]; 0 at a stop
-    double v_corner;      // cap at the end [path mm/s]
-    double share;         // β that the junction at the end may use
     double dwell_s;
+    nck_pace_t pace[NCK_PACES];
 } nck_joint_t;
 
 typedef struct nck_lookahead {
     const nck_machine_t *machine;
     uint32_t ended;       // 1: no more segs will come
     double a_any;         // no seg has a larger tangential acceleration [path mm/s²]
+    double zone_s;        // how long before and after a junction its share is kept free [s]
+    double v_filter;      // how much the slope's filter can raise the speed at a node [mm/s]
 
     // joints, counted from the start; slot = count mod NCK_JOINT_MAX
     struct {
@@ -47,8 +61,13 @@ typedef struct nck_lookahead {
         double tangent[NCK_AXIS_MAX]; // at the end of the last seg
         nck_joint_t at[NCK_JOINT_MAX];
     } joint;
-    double vv_before;     // cap of the piece before the next node; 0 after a stop
-    uint32_t limit_before;
+
+    // the piece before the next node; caps are 0 after a stop
+    struct {
+        double vv;        // cap at 100 %, v²
+        double vv_over;   // cap by everything but the feed, v²
+        uint32_t limit;   // nck_limit_t that set vv
+    } before;
 
     // window of nodes, counted from the start; slot = count mod NCK_WINDOW
     struct {
@@ -86,8 +105,10 @@ void nck_lookahead_end(nck_lookahead_t *self);
 
 // One bounded piece of work. Returns NCK_OK, NCK_EMPTY (needs segs), NCK_FULL (pieces must be
 // taken),
-// NCK_DONE (ended, and every piece is final). Cost: one junction with at most 2·NCK_CORNER_SPAN
-// neighbours, one seg's nodes, or 32 nodes of a pass. Context: prep.
+// NCK_DONE (ended, and every piece is final). Cost: one junction or one seg's nodes with at most
+// 2·NCK_CORNER_SPAN neighbours at both paces, or 32 nodes of a pass. Context: prep.
+// The jerk-limited slope has an envelope of its own: for it the nodes carry no vv, no piece is ever
+// final, and pieces are there for nck_lookahead_ahead as soon as they are placed.
 nck_status_t nck_lookahead_step(nck_lookahead_t *self);
 
 // The i-th piece from the window's head, final, and v² at its end. NCK_OK or NCK_EMPTY.
@@ -98,7 +119,15 @@ nck_status_t nck_lookahead_piece(const nck_lookahead_t *self, uint32_t i,
 // The i-th piece from the window's head, final or not; NULL beyond the window. Context: prep.
 const nck_node_t *nck_lookahead_ahead(const nck_lookahead_t *self, uint32_t i);
 
-// Forget the first n pieces; they must be final. Cost: linear in n. Context: prep.
+// Pieces in the window. Cost: constant. Context: prep.
+uint32_t nck_lookahead_fill(const nck_lookahead_t *self);
+
+// 1 if no more pieces come before the path is at rest: the path has ended, or the newest piece is a
+// WAIT. Cost: constant. Context: prep.
+int nck_lookahead_is_complete(const nck_lookahead_t *self);
+
+// Forget the first n pieces; for the linear and the classical slope they must be final.
+// Cost: linear in n. Context: prep.
 void nck_lookahead_drop(nck_lookahead_t *self, uint32_t n);
 
 // Plan again from rest at s in the n-th piece from the window's head; the pieces before are

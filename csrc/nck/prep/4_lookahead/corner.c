@@ -1,0 +1,239 @@
+// SPDX-License-Identifier: MIT
+// Inside room 4: speed and share of junctions, alone and where many share a period.
+#include "nck/prep/4_lookahead/corner.h"
+
+#include "nck/prep/4_lookahead/limit_math.h" // nck_corner_…
+
+#define UNLIMITED 1e30
+
+void nck_corner_meet(nck_joint_t *in, const nck_joint_t *out, const double *tangent_in,
+                    const double *tangent_out, const nck_machine_t *machine) {
+    if (out->kind >= NCK_SEG_DWELL) in->stop = 1;
+    if (in->stop || in->kind >= NCK_SEG_DWELL) return;
+    double load = 0.0;
+    for (int x = 0; x < NCK_AXIS_MAX; x++) {
+        if (tangent_in[x] == tangent_out[x]) continue;
+        load = nck_max(load, nck_corner_load(tangent_in[x], tangent_out[x],
+                                             machine->axis[x].a_max));
+    }
+    // Under a jerk limit nobody accelerates with all of a next to a standstill: it is not worth it.
+    if (machine->slope == NCK_SLOPE_LINEAR
+        && nck_corner_sharp(load, nck_min(in->a_most, out->a_most))) {
+        for (int k = 0; k < NCK_PACES; k++) in->pace[k].v_corner = 0.0;
+        return;
+    }
+    in->load = load;
+}
+
+// One direction of a walk along the junctions, away from the one in the middle.
+typedef enum side_state { SIDE_KNOWN, SIDE_UNKNOWN, SIDE_OVER } side_state_t;
+
+typedef struct side {
+    uint32_t at;        // the next neighbour: the junction at the end of this joint
+    uint32_t steps;     // neighbours so far
+    double x;           // its distance [mm]; of an unknown one, the least that it can be
+    side_state_t state;
+} side_t;
+
+// Neighbours of a junction on both sides, nearest first.
+typedef struct walk {
+    side_t ahead;
+    side_t behind;
+    double cut;         // where a side was cut off at NCK_CORNER_SPAN neighbours [mm]
+} walk_t;
+
+static void cut_off(walk_t *walk, side_t *side) {
+    side->state = SIDE_OVER;
+    walk->cut = nck_min(walk->cut, side->x);
+}
+
+// A junction's load is known once the seg behind it is; nothing is shared across a WAIT.
+static void walk_ahead(nck_lookahead_t *self, walk_t *walk) {
+    side_t *const side = &walk->ahead;
+    if (side->steps >= NCK_CORNER_SPAN) {
+        cut_off(walk, side);
+        return;
+    }
+    side->steps++;
+    side->at++;
+    if (side->at == self->joint.head) {
+        side->state = self->ended ? SIDE_OVER : SIDE_UNKNOWN;
+        return;
+    }
+    const nck_joint_t *const joint = nck_joint_at(self, side->at);
+    const int newest = side->at + 1 == self->joint.head;
+    side->x += joint->length;
+    side->state = newest && !self->ended ? SIDE_UNKNOWN : SIDE_KNOWN;
+    if (joint->kind == NCK_SEG_WAIT) side->state = SIDE_OVER;
+}
+
+static void walk_behind(nck_lookahead_t *self, walk_t *walk) {
+    side_t *const side = &walk->behind;
+    if (side->steps >= NCK_CORNER_SPAN) {
+        cut_off(walk, side);
+        return;
+    }
+    if (side->at == 0 || nck_joint_at(self, side->at - 1)->kind == NCK_SEG_WAIT) {
+        side->state = SIDE_OVER;
+        return;
+    }
+    side->x += nck_joint_at(self, side->at)->length;
+    side->steps++;
+    side->at--;
+}
+
+static void walk_begin(nck_lookahead_t *self, walk_t *walk, uint32_t count) {
+    const side_t here = {count, 0, 0.0, SIDE_KNOWN};
+    walk->ahead = here;
+    walk->behind = here;
+    walk->cut = UNLIMITED;
+    walk_ahead(self, walk);
+    walk_behind(self, walk);
+}
+
+// The next neighbour nearer than reach. NCK_OK; NCK_DONE: no more; NCK_EMPTY: not known yet.
+static nck_status_t walk_next(nck_lookahead_t *self, walk_t *walk, double reach,
+                              const nck_joint_t **joint_out, double *x_out) {
+    const int forth = walk->behind.state == SIDE_OVER
+                      || (walk->ahead.state != SIDE_OVER && walk->ahead.x <= walk->behind.x);
+    const side_t *const side = forth ? &walk->ahead : &walk->behind;
+    if (side->state == SIDE_OVER || side->x >= reach) return NCK_DONE;
+    if (side->state == SIDE_UNKNOWN) return NCK_EMPTY;
+    *joint_out = nck_joint_at(self, side->at);
+    *x_out = side->x;
+    if (forth) {
+        walk_ahead(self, walk);
+    } else {
+        walk_behind(self, walk);
+    }
+    return NCK_OK;
+}
+
+// A·T, where A is the largest acceleration on the segs that can share a period with the junction
+// when it is crossed at v.
+static nck_status_t largest_gain(nck_lookahead_t *self, uint32_t count, double v, double *a_t_out) {
+    const double period = self->machine->period_s;
+    const double reach = (v + self->a_any * period) * period;
+    const nck_joint_t *neighbour = nck_joint_at(self, count + 1);
+    double a = nck_max(nck_joint_at(self, count)->a_most, neighbour->a_most);
+    double x = 0.0;
+    walk_t walk;
+    walk_begin(self, &walk, count);
+    nck_status_t status = walk_next(self, &walk, reach, &neighbour, &x);
+    while (status == NCK_OK) {
+        a = nck_max(a, neighbour->a_most);
+        status = walk_next(self, &walk, reach, &neighbour, &x);
+    }
+    *a_t_out = a * period;
+    return status == NCK_DONE ? NCK_OK : status;
+}
+
+// The slope's filter crosses the junction up to v_filter faster than v. A junction that even this
+// is too fast for is stopped at.
+static void settle(nck_lookahead_t *self, nck_joint_t *joint, int pace, double v, double share) {
+    joint->pace[pace].v_corner = v;
+    joint->pace[pace].share = nck_min(NCK_CORNER_SHARE_MAX, nck_max(0.0, share));
+    if (share > NCK_CORNER_SHARE_MAX && v < self->v_filter) joint->stop = 1;
+}
+
+// Speed and share of a junction that shares a period with others, v is its speed alone.
+static nck_status_t decide_crowd(nck_lookahead_t *self, uint32_t count, int pace, double v) {
+    nck_joint_t *const joint = nck_joint_at(self, count);
+    const double period = self->machine->period_s;
+    const double beta = NCK_CORNER_SHARE_MAX;
+    const double d = joint->load;
+    double a_t = 0.0;
+    nck_status_t status = largest_gain(self, count, v, &a_t);
+    if (status != NCK_OK) return status;
+    double others_d = 0.0;
+    double others_dx = 0.0;
+    walk_t walk;
+    walk_begin(self, &walk, count);
+    for (;;) {
+        const nck_joint_t *neighbour = joint;
+        double x = 0.0;
+        status = walk_next(self, &walk, (v + a_t) * period, &neighbour, &x);
+        if (status != NCK_OK) break;
+        others_d += neighbour->load;
+        others_dx += neighbour->load * x;
+        v = nck_min(v, nck_corner_speed(beta, d + others_d, others_d, others_dx, a_t, period));
+    }
+    if (status != NCK_DONE) return status;
+    v = nck_max(0.0, nck_min(v, walk.cut / period - a_t));
+    const double v_true = nck_max(v, self->v_filter);
+    settle(self, joint, pace, v,
+           nck_corner_share(v_true, d + others_d, others_d, others_dx, a_t, period));
+    return NCK_OK;
+}
+
+// Speed and share at a pace of a junction with a load, between two known segs.
+static nck_status_t decide_pace(nck_lookahead_t *self, uint32_t count, int pace) {
+    nck_joint_t *const joint = nck_joint_at(self, count);
+    const nck_joint_t *const out = nck_joint_at(self, count + 1);
+    const double period = self->machine->period_s;
+    double v = nck_corner_speed(NCK_CORNER_SHARE_MAX, joint->load, 0.0, 0.0, 0.0, period);
+    v = nck_min(v, nck_min(joint->pace[pace].v, out->pace[pace].v));
+    const double reach = (v + self->a_any * period) * period;
+    if (joint->length < reach || out->length < reach) return decide_crowd(self, count, pace, v);
+    const double v_true = nck_max(v, self->v_filter);
+    settle(self, joint, pace, v, nck_corner_share(v_true, joint->load, 0.0, 0.0, 0.0, period));
+    return NCK_OK;
+}
+
+static nck_status_t decide_corner(nck_lookahead_t *self, uint32_t count) {
+    for (int k = 0; k < NCK_PACES; k++) {
+        const nck_status_t status = decide_pace(self, count, k);
+        if (status != NCK_OK) return status;
+    }
+    return NCK_OK;
+}
+
+nck_status_t nck_corner_decide(nck_lookahead_t *self) {
+    const uint32_t count = self->joint.decided;
+    if (count == self->joint.head) return NCK_EMPTY;
+    nck_joint_t *const joint = nck_joint_at(self, count);
+    const int newest = count + 1 == self->joint.head;
+    if (newest && !self->ended && joint->kind < NCK_SEG_DWELL) return NCK_EMPTY;
+    if (newest) joint->stop = 1;
+    if (joint->load > 0.0) {
+        const nck_status_t status = decide_corner(self, count);
+        if (status != NCK_OK) return status;
+    }
+    self->joint.decided++;
+    return NCK_OK;
+}
+
+double nck_corner_share_before(nck_lookahead_t *self, uint32_t count, int pace) {
+    double share = 0.0;
+    double time = 0.0;
+    for (uint32_t n = 0; n < NCK_CORNER_SPAN; n++) {
+        if (count == 0) return share;
+        count--;
+        const nck_joint_t *const joint = nck_joint_at(self, count);
+        if (joint->kind == NCK_SEG_WAIT) return share;
+        share = nck_max(share, joint->pace[pace].share);
+        time += joint->pace[pace].time;
+        if (time >= self->zone_s) return share;
+    }
+    return NCK_CORNER_SHARE_MAX;
+}
+
+nck_status_t nck_corner_share_after(nck_lookahead_t *self, uint32_t count, int pace,
+                                    double *share_out) {
+    double share = 0.0;
+    double time = 0.0;
+    *share_out = NCK_CORNER_SHARE_MAX;
+    for (uint32_t n = 0; n < NCK_CORNER_SPAN; n++) {
+        if (count == self->joint.decided) return NCK_EMPTY;
+        const nck_joint_t *const joint = nck_joint_at(self, count);
+        share = nck_max(share, joint->pace[pace].share);
+        *share_out = share;
+        if (joint->kind == NCK_SEG_WAIT) return NCK_OK;
+        count++;
+        if (count == self->joint.head) return self->ended ? NCK_OK : NCK_EMPTY;
+        time += nck_joint_at(self, count)->pace[pace].time;
+        if (time >= self->zone_s) return NCK_OK;
+    }
+    *share_out = NCK_CORNER_SHARE_MAX;
+    return NCK_OK;
+}
