@@ -1,0 +1,214 @@
+// SPDX-License-Identifier: MIT
+// Lay a ladder, plan, divide what lasts too long, plan again; then the cells.
+#include "host/jerk.h"
+
+#include <float.h>  // DBL_MAX
+#include <string.h> // memset
+
+#include "nck/prep/5_slope/ladder_math.h" // nck_ladder_…
+#include "nck/prep/5_slope/profile.h"     // nck_profile_t
+
+enum { ARRAYS = 10, TAPS_MOST = 16, PARTS_MOST = 1000 };
+
+// No cell is capped in rule R while the ladder is still coarse.
+#define UNCAPPED_PERIODS 1e9
+
+// The ladder under construction: the profile's arrays, and the segment of every cell.
+typedef struct ladder {
+    const nck_host_path_t *path;
+    const nck_host_jerk_t *how;
+    double j_scale;
+    size_t room; // nodes
+    nck_profile_t profile;
+    uint32_t *seg;
+} ladder_t;
+
+size_t nck_host_jerk_bytes(size_t nodes) {
+    return nodes * (ARRAYS * sizeof(double) + 2 * sizeof(uint32_t));
+}
+
+static int is_positive(double x) { return x > 0.0 && x <= DBL_MAX; }
+
+static size_t first_bad(const nck_host_path_t *path, const nck_host_jerk_t *how) {
+    if (!is_positive(how->period_s) || !is_positive(how->step_s)) return path->n;
+    if (how->step_s > 4.0 * how->period_s || how->taps < 1 || how->taps > TAPS_MOST) return path->n;
+    if (!(how->j_scale >= 0.0 && how->j_scale <= 1.0)) return path->n;
+    for (size_t i = 0; i < path->n; i++) {
+        const int good = is_positive(path->length[i]) && is_positive(path->v_cap[i])
+                         && is_positive(path->a_max[i]) && is_positive(path->j_max[i]);
+        if (!good || !(path->v_node[i] >= 0.0)) return i;
+    }
+    return path->n > 0 && path->v_node[path->n] >= 0.0 ? path->n + 1 : path->n;
+}
+
+static void share_out(ladder_t *self, void *work, size_t nodes) {
+    double *const first = work;
+    double **const arrays[ARRAYS] = {
+        &self->profile.h, &self->profile.w_cap, &self->profile.a_max, &self->profile.j_max,
+        &self->profile.w, &self->profile.s,     &self->profile.up,    &self->profile.down,
+        &self->profile.e, &self->profile.z};
+    for (size_t k = 0; k < ARRAYS; k++) *arrays[k] = first + k * nodes;
+    self->profile.stack = (uint32_t *)(first + ARRAYS * nodes);
+    self->seg = self->profile.stack + nodes;
+    self->room = nodes;
+}
+
+static double square(double x) { return x * x; }
+
+// Cap of a speed, lowered by what the filter may add.
+static double lowered(const ladder_t *self, double v, double j) {
+    const double tau = (double)self->how->taps * self->how->period_s;
+    const double q = NCK_LADDER_STRETCH * self->how->step_s;
+    return square(nck_max(0.0, v - nck_ladder_raise(j * self->j_scale, tau, q)));
+}
+
+static double junction_cap(const ladder_t *self, size_t node) {
+    const nck_host_path_t *const path = self->path;
+    const size_t n = path->n;
+    if (node == 0 || node == n) return 0.0;
+    const double v = nck_min(path->v_node[node], nck_min(path->v_cap[node - 1], path->v_cap[node]));
+    return lowered(self, v, nck_max(path->j_max[node - 1], path->j_max[node]));
+}
+
+static int push(ladder_t *self, uint32_t seg, double h) {
+    if ((size_t)self->profile.n + 2 > self->room) return 0;
+    self->profile.h[self->profile.n] = h;
+    self->seg[self->profile.n] = seg;
+    self->profile.n++;
+    return 1;
+}
+
+static int lay_segment(ladder_t *self, uint32_t seg) {
+    const nck_host_path_t *const path = self->path;
+    const double w0 = junction_cap(self, seg);
+    const double w1 = junction_cap(self, (size_t)seg + 1);
+    const double w = square(path->v_cap[seg]);
+    // From rest to rest takes two cells at least.
+    const double most = w0 == 0.0 && w1 == 0.0 ? 0.25 * path->length[seg] : path->length[seg];
+    double x = 0.0;
+    for (;;) {
+        const double left = path->length[seg] - x;
+        const double step = nck_ladder_step(x, left, w0, w1, w, path->a_max[seg],
+                                            path->j_max[seg] * self->j_scale, self->how->step_s);
+        const double h = nck_min(most, step);
+        if (left < 1.5 * h) return push(self, seg, left);
+        if (!push(self, seg, h)) return 0;
+        x += h;
+    }
+}
+
+static int lay(ladder_t *self) {
+    self->profile.n = 0;
+    for (size_t i = 0; i < self->path->n; i++) {
+        if (!lay_segment(self, (uint32_t)i)) return 0;
+    }
+    return 1;
+}
+
+static double cell_duration(const ladder_t *self, uint32_t i) {
+    const nck_profile_t *const p = &self->profile;
+    const double v_sum = nck_sqrt(p->w[i]) + nck_sqrt(p->w[i + 1]);
+    return v_sum > 0.0 ? 2.0 * p->h[i] / v_sum : DBL_MAX;
+}
+
+static int parts_of(const ladder_t *self, uint32_t i) {
+    return nck_ladder_parts(cell_duration(self, i), self->how->step_s, PARTS_MOST);
+}
+
+// Divide a cell into parts of equal time, the last one first, downward from place `to`.
+static uint32_t divide(ladder_t *self, uint32_t from, uint32_t to, int parts) {
+    nck_profile_t *const p = &self->profile;
+    const double h = p->h[from];
+    const double q = cell_duration(self, from);
+    const double v = nck_sqrt(p->w[from]);
+    const double a = (p->w[from + 1] - p->w[from]) / (2.0 * h);
+    const uint32_t seg = self->seg[from];
+    double end = h;
+    for (int k = parts - 1; k >= 0; k--) {
+        const double t = q * (double)k / (double)parts;
+        const double begin = parts == 1 || q == DBL_MAX ? h * (double)k / (double)parts
+                                                        : t * (v + 0.5 * a * t);
+        to--;
+        p->h[to] = end - begin;
+        self->seg[to] = seg;
+        end = begin;
+    }
+    return to;
+}
+
+// In place, from the last cell to the first: what grows never overtakes what is still to be read.
+static int divide_long(ladder_t *self) {
+    nck_profile_t *const p = &self->profile;
+    size_t total = 0;
+    for (uint32_t i = 0; i < p->n; i++) total += (size_t)parts_of(self, i);
+    if (total + 1 > self->room) return 0;
+    uint32_t to = (uint32_t)total;
+    for (uint32_t i = p->n; i-- > 0;) to = divide(self, i, to, parts_of(self, i));
+    p->n = (uint32_t)total;
+    return 1;
+}
+
+// Caps and limits of every node and cell, and the plan. q_cap: see nck_profile_t.
+static void plan(ladder_t *self, double q_cap) {
+    nck_profile_t *const p = &self->profile;
+    const nck_host_path_t *const path = self->path;
+    for (uint32_t i = 0; i < p->n; i++) {
+        const uint32_t seg = self->seg[i];
+        const int junction = i == 0 || self->seg[i - 1] != seg;
+        p->a_max[i] = path->a_max[seg];
+        p->j_max[i] = path->j_max[seg] * self->j_scale;
+        p->w_cap[i] = junction ? junction_cap(self, seg)
+                               : lowered(self, path->v_cap[seg], path->j_max[seg]);
+    }
+    p->q_cap = q_cap;
+    p->v = p->a = p->q = 0.0;
+    nck_profile_begin(p);
+    while (nck_profile_step(p, UINT32_MAX) != NCK_DONE) continue;
+}
+
+static void draw(const ladder_t *self, double *v_out, nck_cell_t *cells) {
+    const nck_profile_t *const p = &self->profile;
+    double s = 0.0;
+    for (uint32_t i = 0; i < p->n; i++) {
+        nck_cell_t *const cell = &cells[i];
+        const int first = i == 0 || self->seg[i - 1] != self->seg[i];
+        memset(cell, 0, sizeof *cell);
+        if (first) s = 0.0;
+        cell->seg = self->seg[i];
+        cell->last = i + 1 == p->n || self->seg[i + 1] != self->seg[i];
+        cell->stop = p->w[i + 1] == 0.0;
+        cell->s = s;
+        cell->length = p->h[i];
+        cell->v = nck_sqrt(p->w[i]);
+        cell->duration = cell_duration(self, i);
+        cell->a = (p->w[i + 1] - p->w[i]) / (2.0 * p->h[i]);
+        if (first) v_out[cell->seg] = cell->v;
+        s += p->h[i];
+    }
+    v_out[self->path->n] = 0.0;
+}
+
+nck_status_t nck_host_jerk(const nck_host_path_t *path, const nck_host_jerk_t *how, size_t nodes,
+                           void *work, double *v_out, nck_cell_t *cells_out,
+                           size_t *cell_count_out, size_t *bad_out) {
+    ladder_t self;
+    *cell_count_out = 0;
+    *bad_out = first_bad(path, how);
+    if (*bad_out <= path->n) return NCK_E_ARGUMENT;
+    memset(&self, 0, sizeof self);
+    self.path = path;
+    self.how = how;
+    const double q_cap = NCK_LADDER_STRETCH * how->step_s;
+    const double excess = nck_ladder_excess(q_cap, how->period_s, (int)how->taps);
+    self.j_scale = how->j_scale > 0.0 ? how->j_scale : 1.0 / (1.0 + excess);
+    share_out(&self, work, nodes);
+    if (!lay(&self)) return NCK_FULL;
+    for (uint32_t round = 0; round < how->rounds; round++) {
+        plan(&self, UNCAPPED_PERIODS * how->period_s);
+        if (!divide_long(&self)) return NCK_FULL;
+    }
+    plan(&self, q_cap);
+    draw(&self, v_out, cells_out);
+    *cell_count_out = self.profile.n;
+    return NCK_OK;
+}

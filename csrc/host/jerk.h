@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+// The jerk-limited profile of a whole path at once: the kernel's planner (5_slope/profile.h)
+// without its window. Caller owns every array.
+#ifndef NCK_HOST_JERK_H
+#define NCK_HOST_JERK_H
+
+#include <stddef.h> // size_t
+
+#include "host/sshape.h"      // nck_host_path_t
+#include "nck/base/records.h" // nck_cell_t
+#include "nck/base/status.h"  // nck_status_t
+
+// How the profile is made and played.
+typedef struct nck_host_jerk {
+    double period_s;  // T, the period of the output [s], positive
+    double step_s;    // D, what a cell lasts about [s], positive, at most 4 T
+    uint32_t taps;    // n, of the filter at the output: s is the mean over n samples, 1 … 16
+    uint32_t rounds;  // how often the ladder is made again from the plan, 2 suffice
+    double j_scale;   // rule R plans with j_scale·J, 0 … 1; 0: with what holds J at every sample
+} nck_host_jerk_t;
+
+// Bytes of work memory for up to `nodes` nodes.
+size_t nck_host_jerk_bytes(size_t nodes);
+
+// Plan a path (kind, lookahead and ramp_s are unread) from rest to rest; a cap of 0 at an inner
+// junction is a stop. v_out: n + 1 speeds at the junctions [mm/s]. cells_out: room for `nodes`
+// cells, *cell_count_out of them are filled, of constant acceleration; cell.seg is the segment's
+// index, cell.stop marks the cells that end at rest.
+// work: nck_host_jerk_bytes(nodes), aligned as malloc does. Linear in the nodes.
+// Returns NCK_OK; NCK_FULL if `nodes` is too small (try twice as many); NCK_E_ARGUMENT and in
+// *bad_out the index of the first segment (n: the last junction, or the settings) whose number is
+// NaN, infinite or outside of its range. Context: any.
+nck_status_t nck_host_jerk(const nck_host_path_t *path, const nck_host_jerk_t *how, size_t nodes,
+                           void *work, double *v_out, nck_cell_t *cells_out,
+                           size_t *cell_count_out, size_t *bad_out);
+
+#endif

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MIT
+// The jerk rule and the two steps that keep it, in w = v² over the path coordinate. Derived in
+// README, section "Jerk".
+#ifndef NCK_PREP_HULL_MATH_H
+#define NCK_PREP_HULL_MATH_H
+
+#include "nck/base/real.h" // nck_real nck_sqrt nck_min
+
+enum { NCK_RISE_STEPS = 16 }; // Newton's steps at most; 3 to 5 are the rule, 11 at a start from rest
+
+// What one cell adds to the change of acceleration that rule R allows at either of its ends: half
+// of its duration, or of the longest duration that counts.
+//        q = 2h/(v0 + v1)        share = min(q, q_cap)/2
+// v0 + v1 = 0 (a cell between two rests) counts as the longest.
+static inline nck_real nck_hull_share(nck_real h, nck_real v_sum, nck_real q_cap) {
+    if (!(v_sum > 0.0) || 2.0 * h > v_sum * q_cap) return 0.5 * q_cap;
+    return h / v_sum;
+}
+
+// The largest speed at the end of a cell of length h, entered at v, under rule R and a ≤ a_max.
+// b is the acceleration that the rule allows apart from the cell's own share: a_before + J·q/2.
+//
+//     a ≤ b + J·min(q, q_cap)/2,   q = 2h/(v + v1),   v1² = v² + 2ah.
+//     With x = v + v1:   x³ − 2v·x² − 2hb·x − 2Jh² = 0   (largest root, if q ≤ q_cap there),
+//
+// by Newton from x = v + √(v² + 2·a_max·h): f is convex to the right of its largest root, so the
+// steps come down to it and never pass it. Returns −1 if the speed would come to nothing within
+// the cell.
+static inline nck_real nck_hull_rise(nck_real v, nck_real b, nck_real a_max, nck_real j, nck_real h,
+                                     nck_real q_cap) {
+    const nck_real a_long = nck_min(a_max, b + 0.5 * j * q_cap);
+    const nck_real vv = v * v + 2.0 * a_long * h;
+    if (vv < 0.0) return -1.0;
+    const nck_real v_long = nck_sqrt(vv);
+    const nck_real hb = 2.0 * h * b;
+    const nck_real jhh = 2.0 * j * h * h;
+    nck_real x = v + v_long;
+    for (int n = 0; n < NCK_RISE_STEPS; n++) {
+        const nck_real f = ((x - 2.0 * v) * x - hb) * x - jhh;
+        const nck_real slope = (3.0 * x - 4.0 * v) * x - hb;
+        if (!(f > 0.0) || !(slope > 0.0)) break;
+        const nck_real next = x - f / slope;
+        if (!(next < x)) break;
+        x = next;
+    }
+    return x < v ? -1.0 : x - v;
+}
+
+// Where the middle of three points of growing abscissa lies: > 0 above the chord of the others.
+static inline nck_real nck_hull_above(nck_real s0, nck_real z0, nck_real s1, nck_real z1,
+                                      nck_real s2, nck_real z2) {
+    return (z1 - z0) * (s2 - s0) - (z2 - z0) * (s1 - s0);
+}
+
+#endif

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: MIT
+// The ladder: where the nodes of a jerk-limited profile stand inside a piece of path, so that its
+// cells last about a step D each; and how the filter at the output and that step bound the jerk.
+#ifndef NCK_PREP_LADDER_MATH_H
+#define NCK_PREP_LADDER_MATH_H
+
+#include "nck/base/real.h" // nck_real nck_sqrt nck_min
+
+// Cells of a plan last no longer than this many steps, else they are divided.
+#define NCK_LADDER_STRETCH 1.35
+
+// ∛x for x ≥ 0, to 1 % for 1e-24 ≤ x ≤ 1e24: x^(1/4 + 1/16 + 1/64) by square roots, then two of
+// Newton's steps. Ladders need no more.
+static inline nck_real nck_ladder_cbrt(nck_real x) {
+    if (!(x > 0.0)) return 0.0;
+    const nck_real r4 = nck_sqrt(nck_sqrt(x));
+    const nck_real r16 = nck_sqrt(nck_sqrt(r4));
+    const nck_real r64 = nck_sqrt(nck_sqrt(r16));
+    nck_real y = r4 * r16 * r64;
+    y = (2.0 * y + x / (y * y)) / 3.0;
+    return (2.0 * y + x / (y * y)) / 3.0;
+}
+
+// v² at a distance x behind a point that is passed at w0 with no acceleration: from rest under the
+// jerk J, x = J·t³/6 and v = J·t²/2, so v² = (81/4)^(1/3)·(J·x²)^(2/3) = 2.726·x·(J²·x)^(1/3); under
+// the acceleration A it is 2·A·x.
+//        w(x) ≈ w0 + x·min(2A, 2.726·(J²·x)^(1/3))
+static inline nck_real nck_ladder_gain(nck_real x, nck_real a, nck_real j) {
+    return x * nck_min(2.0 * a, 2.726 * nck_ladder_cbrt(j * j * x));
+}
+
+// The length of the next cell at a distance x behind a node capped at w0 and y before one capped at
+// w1, in a piece capped at w: D·v a little further on (J·D³/6, what one step from rest makes).
+static inline nck_real nck_ladder_step(nck_real x, nck_real y, nck_real w0, nck_real w1, nck_real w,
+                                       nck_real a, nck_real j, nck_real step) {
+    const nck_real first = j * step * step * step / 6.0;
+    const nck_real behind = w0 + nck_ladder_gain(x + first, a, j);
+    const nck_real before = w1 + nck_ladder_gain(y + first, a, j);
+    return step * nck_sqrt(nck_min(w, nck_min(behind, before)));
+}
+
+// How many cells a cell of the duration q becomes.
+static inline int nck_ladder_parts(nck_real q, nck_real step, int most) {
+    if (!(q > NCK_LADDER_STRETCH * step)) return 1;
+    const nck_real parts = nck_floor(q / step) + 1.0;
+    return parts < (nck_real)most ? (int)parts : most;
+}
+
+// By how much the sampled jerk may exceed the J of rule R, as a share of it. A sample is the mean of
+// the jumps of acceleration under the kernel K: the quadratic B-spline of the period T, summed over
+// the n taps of the filter. Rule R allows a jump J·(q0 + q1)/2 at a node, so the sum is at most J
+// times the trapezoidal sum of K over nodes no more than q apart. Its excess over ∫K = 1 was
+// computed by dynamic programming over all ladders (README):
+//        q²/(6·n·T²) for q ≤ T (exact),   at most q²/(5·n·T²) beyond, and never more than q/(n·T).
+static inline nck_real nck_ladder_excess(nck_real q, nck_real period, int taps) {
+    const nck_real r = q / period;
+    const nck_real bound = r * r / (r <= 1.0 ? 6.0 : 5.0);
+    return nck_min(bound, r) / (nck_real)taps;
+}
+
+// By how much the filter of the duration tau and the cells of the duration q may raise the speed at
+// a node over the plan's:   J·(τ²/24 + q²/8)
+static inline nck_real nck_ladder_raise(nck_real j, nck_real tau, nck_real q) {
+    return j * (tau * tau / 24.0 + q * q / 8.0);
+}
+
+#endif
