@@ -81,6 +81,9 @@ Figures = Annotated[
     str | None,
     typer.Option("--output", "-o", metavar="FOLDER", help="Write the figures of a subject there."),
 ]
+Paths = Annotated[
+    str | None, typer.Option(metavar="FOLDER", help="Problems for the subject optimum.")
+]
 
 app = typer.Typer(
     name="pycnc",
@@ -405,7 +408,7 @@ def plot(
 
 @verb(app)
 def bench(
-    name: Subject = None, output: Figures = None,
+    name: Subject = None, output: Figures = None, paths: Paths = None,
     json_: Json = False, quiet: Quiet = False, verbose: Verbose = False,
 ):  # fmt: skip
     """Print one table of a benchmark; some subjects draw figures too."""
@@ -414,14 +417,10 @@ def bench(
     if name is None:
         print("\n".join(bench.SUBJECTS))
         return GOOD
-    if name not in bench.SUBJECTS:
-        raise Refused(
-            f"pycnc: error[bench]: no bench {name!r}; there are: {', '.join(bench.SUBJECTS)}"
-        )
     if output is not None and not find_spec("matplotlib"):
         raise Refused('pictures need matplotlib: pip install "pycnc-nck[plot]"')
     with writing(output):
-        bench.run(name, json=json_, folder=output)
+        bench.run(name, json=json_, folder=output, paths=paths)
     return GOOD
 
 

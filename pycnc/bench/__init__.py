@@ -21,6 +21,7 @@ SUBJECTS = {
     "lookahead": [("parallel", "bench_lookahead_rows"), ("kernel", "bench_window_rows")],
     "tick": [("kernel", "bench_tick_rows")],
     "time": [("kernel", "bench_time_rows")],
+    "optimum": [("optimum", "bench_optimum_rows")],
     "bubble": [("grades", "bench_bubble_rows")],
     "opencl": [("opencl", "bench_opencl_rows")],
     "cao": [("papers", "cao")],
@@ -31,7 +32,7 @@ SUBJECTS = {
 }
 
 
-def run(name, *, json=False, folder=None):
+def run(name, *, json=False, folder=None, paths=None):
     """Run a bench and print its table.
 
     Parameters
@@ -42,6 +43,8 @@ def run(name, *, json=False, folder=None):
         Print {"bench", "commit", "machine": {"cpu", "cores", "device"}, "rows"} instead.
     folder : path, optional
         Where subjects that draw figures put them.
+    paths : path, optional
+        Folder with problems, for the subject that takes them.
 
     Returns
     -------
@@ -60,7 +63,7 @@ def run(name, *, json=False, folder=None):
     rows, notes = [], []
     for place, function in SUBJECTS[name]:
         module = importlib.import_module(f"pycnc.bench.{place}")
-        rows += _rows_of(getattr(module, function), folder)
+        rows += _rows_of(getattr(module, function), folder=folder, paths=paths)
         notes.append(_note(module))
     rows = _same_keys(rows)
     facts = {"bench": name, "commit": commit(), "machine": computer()}
@@ -75,9 +78,10 @@ def run(name, *, json=False, folder=None):
     return rows
 
 
-def _rows_of(function, folder):
-    draws = "folder" in inspect.signature(function).parameters
-    return function(folder=folder) if draws else function()
+def _rows_of(function, **options):
+    """Call a subject with those options that it takes."""
+    taken = inspect.signature(function).parameters
+    return function(**{name: value for name, value in options.items() if name in taken})
 
 
 def _note(module):
