@@ -11,13 +11,13 @@
 #include <stdint.h> // uint32_t uint64_t
 
 #ifndef OS_STACK_RESERVE
-#define OS_STACK_RESERVE 0 // bytes that a port needs in every stack beside the task's own; its build
-#endif                     // says how many
+#define OS_STACK_RESERVE 208 // bytes of every stack that are the port's: a Cortex-M's saved
+#endif                       // registers; the build of another port says how many
 
 enum {
     OS_PRIORITIES = 16,                   // 0 is the highest; one task, or one ceiling, each
     OS_PRIORITY_IDLE = OS_PRIORITIES - 1, // the kernel's own task
-    OS_STACK_GUARD = 256                  // bytes at a stack's end that nobody may touch
+    OS_STACK_GUARD = 256                  // bytes at the stack's far end that nobody may touch
 };
 
 #define OS_NO_WAIT 0u           // a timeout: look once
@@ -102,7 +102,7 @@ os_status_t os_task_create(uint32_t priority, const char *name, void (*entry)(vo
 
 // Run the tasks. tick_units: length of a tick in units of os_clock (processor cycles on a Cortex-M,
 // where it is at most 2^24; virtual units on the host), ≥ 1. Returns OS_OK after os_stop;
-// OS_E_ARGUMENT; OS_E_CONTEXT: it runs already. Context: before.
+// OS_E_ARGUMENT; OS_E_CONTEXT: it runs already, or ran (os_init comes first). Context: before.
 os_status_t os_start(uint32_t tick_units);
 
 // End: no task runs any more and os_start returns. Cost: constant. Context: task (it does not
