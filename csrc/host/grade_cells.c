@@ -87,7 +87,6 @@ static int make_cell(const nck_host_grades_t *self, nck_host_grade_cursor_t *cur
                                : vv_at(cursor, cursor->done + length);
     memset(cell, 0, sizeof *cell);
     cell->seg = seg->seq;
-    cell->kind = seg->kind;
     cell->s = cursor->s;
     cell->length = length;
     cell->v = nck_sqrt(w0);
@@ -112,7 +111,6 @@ static int make_cell(const nck_host_grades_t *self, nck_host_grade_cursor_t *cur
 static void make_rest(const nck_seg_t *seg, nck_cell_t *cell) {
     memset(cell, 0, sizeof *cell);
     cell->seg = seg->seq;
-    cell->kind = seg->kind;
     cell->duration = seg->dwell_s;
     cell->limit = seg->kind == NCK_SEG_DWELL ? NCK_LIMIT_DWELL : NCK_LIMIT_WAIT;
     cell->last = 1;

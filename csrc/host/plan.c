@@ -35,7 +35,7 @@ nck_status_t nck_host_plan_init(nck_host_plan_t *plan, nck_t *nck, const nck_mac
 // Time of a part of the plan, to every sum it belongs to.
 static void add_time(nck_host_totals_t *totals, const nck_cell_t *cell, int rapid, double time) {
     totals->limit_s[cell->limit] += time;
-    if (cell->kind >= NCK_SEG_DWELL) {
+    if (!(cell->length > 0.0)) {
         totals->dwell_s += time;
         return;
     }
@@ -51,7 +51,7 @@ void nck_host_totals_add(nck_host_totals_t *totals, double *since_stop_s, const 
     totals->cells++;
     add_time(totals, cell, rapid, cell->duration);
     *since_stop_s += cell->duration;
-    if (!cell->stop) {
+    if (!(cell->stop & NCK_STOP_REST)) {
         totals->ticks += nck_interpolate_rebase(since_stop_s, period_s);
         return;
     }

@@ -38,6 +38,13 @@
 #define NCK_FILTER_TAPS 4
 #endif
 
+// Nodes of the jerk-limited slope's window. Power of two, 32..65536. A node lasts half a period
+// (two to four periods if the window would else be shorter than braking takes): fewer nodes cost
+// time, never safety.
+#ifndef NCK_PROFILE
+#define NCK_PROFILE 1024
+#endif
+
 // Cells between the slope and the tick. Power of two, 16..4096. More cells bridge longer pauses of
 // prep.
 #ifndef NCK_CELL_MAX
@@ -46,6 +53,13 @@
 
 // Segs alive at once: window, corner span and cells all point into this ring.
 #define NCK_SEG_MAX (2 * NCK_WINDOW)
+
+// Cells of a stop tail: the rest of the window, to rest.
+#if NCK_PROFILE > NCK_WINDOW
+#define NCK_TAIL_MAX NCK_PROFILE
+#else
+#define NCK_TAIL_MAX NCK_WINDOW
+#endif
 
 // Outputs (S, M, T words) alive at once beside the segs. Power of two.
 #define NCK_OUTPUT_MAX (2 * NCK_WINDOW)
@@ -58,6 +72,9 @@
 #endif
 #if (NCK_WINDOW & (NCK_WINDOW - 1)) || NCK_WINDOW < 64
 #error "NCK_WINDOW must be a power of two, 64 at least"
+#endif
+#if (NCK_PROFILE & (NCK_PROFILE - 1)) || NCK_PROFILE < 32 || NCK_PROFILE > 65536
+#error "NCK_PROFILE must be a power of two, 32..65536"
 #endif
 #if (NCK_CELL_MAX & (NCK_CELL_MAX - 1)) || NCK_CELL_MAX < 16
 #error "NCK_CELL_MAX must be a power of two, 16 at least"

@@ -4,6 +4,8 @@
 
 #include <string.h> // memset
 
+#include "nck/base/real.h" // nck_max
+
 enum { ENTERED = 1, PARITY = 2, HAS_TAIL = 4, END_SHIFT = 3, END_MASK = 0x1fffffff };
 
 static uint32_t end_of(uint32_t word) { return word >> END_SHIFT; }
@@ -55,7 +57,10 @@ void nck_link_push_cell(nck_link_t *self, const nck_cell_t *cell) {
 // The tail in use belongs to the other parity, so this one is prep's alone.
 static uint32_t next_parity(const nck_link_t *self) { return 1u - parity_of(self->base); }
 
-void nck_link_tail_begin(nck_link_t *self) { self->tail_fill = 0; }
+void nck_link_tail_begin(nck_link_t *self) {
+    self->tail_fill = 0;
+    self->tail_origin[next_parity(self)] = (end_of(self->base) + self->batch) & END_MASK;
+}
 
 void nck_link_tail_push(nck_link_t *self, const nck_cell_t *cell) {
     self->tail[next_parity(self)][self->tail_fill] = *cell;
@@ -72,6 +77,90 @@ nck_status_t nck_link_publish(nck_link_t *self) {
     if (!nck_fence_exchange(&self->word, self->base, word)) return NCK_E_STATE;
     (void)nck_link_batch_begin(self);
     return NCK_OK;
+}
+
+// The time of cells that the tick has taken no longer counts.
+static double lead_of(nck_link_t *self) {
+    const uint32_t taken = nck_fence_load(&self->taken);
+    while (self->lead_seen != taken) {
+        self->lead_s -= self->cell[self->lead_seen & (NCK_CELL_MAX - 1)].duration;
+        self->lead_seen = (self->lead_seen + 1) & END_MASK;
+    }
+    if (taken == end_of(nck_fence_load(&self->word))) self->lead_s = 0.0;
+    return self->lead_s;
+}
+
+// Copy the cells from place `first` of a tail on behind the final ones, as far as lead and most
+// allow.
+static void copy_ahead(nck_link_t *self, uint32_t parity, uint32_t first, double lead,
+                       uint32_t most) {
+    while (self->batch < most && first + self->batch < self->tail_count[parity]
+           && nck_link_cell_room(self) > 0 && self->lead_s < lead) {
+        const nck_cell_t *const cell = &self->tail[parity][first + self->batch];
+        self->lead_s += cell->duration;
+        nck_link_push_cell(self, cell);
+    }
+}
+
+nck_status_t nck_link_install(nck_link_t *self, double lead, uint32_t most) {
+    const uint32_t fill = self->tail_fill;
+    (void)nck_link_batch_begin(self);
+    const uint32_t parity = next_parity(self);
+    const uint32_t end = end_of(self->base);
+    if ((self->base & ENTERED) && nck_fence_load(&self->tail_rested) != end + 1) {
+        self->tail_fill = fill;
+        return NCK_FULL;
+    }
+    self->tail_count[parity] = fill;
+    self->tail_origin[parity] = end;
+    const double before = lead_of(self);
+    copy_ahead(self, parity, 0, nck_max(lead, before + self->tail[parity][0].duration), most);
+    self->tail_fill = fill;
+    if (self->batch == 0) return NCK_FULL;
+    const uint32_t word = ((end + self->batch) & END_MASK) << END_SHIFT
+                          | (self->batch < fill ? HAS_TAIL : 0u) | parity * PARITY;
+    const int done = nck_fence_exchange(&self->word, self->base, word);
+    if (!done) self->lead_s = before;
+    (void)nck_link_batch_begin(self);
+    return done ? NCK_OK : NCK_E_STATE;
+}
+
+nck_status_t nck_link_advance(nck_link_t *self, double lead, uint32_t most) {
+    const uint32_t fill = self->tail_fill;
+    const double before = lead_of(self);
+    const int entered = nck_link_batch_begin(self);
+    const uint32_t parity = parity_of(self->base);
+    const uint32_t end = end_of(self->base);
+    const uint32_t first = cells_between(self->tail_origin[parity], end);
+    if (!entered && (self->base & HAS_TAIL)) copy_ahead(self, parity, first, lead, most);
+    const uint32_t count = self->batch;
+    const uint32_t left = self->tail_count[parity] - first;
+    const uint32_t word = ((end + count) & END_MASK) << END_SHIFT
+                          | (count < left ? HAS_TAIL : 0u) | parity * PARITY;
+    nck_status_t status = entered ? NCK_E_STATE : NCK_FULL;
+    if (count > 0) {
+        status = nck_fence_exchange(&self->word, self->base, word) ? NCK_OK : NCK_E_STATE;
+        if (status != NCK_OK) self->lead_s = before;
+    }
+    (void)nck_link_batch_begin(self);
+    self->tail_fill = fill;
+    return status;
+}
+
+uint32_t nck_link_end(const nck_link_t *self, int *entered_out) {
+    const uint32_t word = nck_fence_load(&self->word);
+    *entered_out = (word & ENTERED) != 0;
+    return end_of(word);
+}
+
+const nck_cell_t *nck_link_tail_cell(const nck_link_t *self, uint32_t count) {
+    const uint32_t parity = parity_of(nck_fence_load(&self->word));
+    const uint32_t place = cells_between(self->tail_origin[parity], count);
+    return place < self->tail_count[parity] ? &self->tail[parity][place] : (const nck_cell_t *)0;
+}
+
+const nck_cell_t *nck_link_built_cell(const nck_link_t *self, uint32_t i) {
+    return i < self->tail_fill ? &self->tail[next_parity(self)][i] : (const nck_cell_t *)0;
 }
 
 const nck_cell_t *nck_link_tail_end(const nck_link_t *self, uint32_t *count_out) {
@@ -97,7 +186,6 @@ nck_status_t nck_link_take(nck_link_t *self, nck_cell_t *cell_out, int *from_tai
         *from_tail_out = 0;
         if (cells_between(self->taken, end_of(word)) > 0) {
             *cell_out = self->cell[self->taken & (NCK_CELL_MAX - 1)];
-            self->tail_taken = 0;
             nck_fence_store(&self->taken, (self->taken + 1) & END_MASK);
             return NCK_OK;
         }
@@ -105,7 +193,7 @@ nck_status_t nck_link_take(nck_link_t *self, nck_cell_t *cell_out, int *from_tai
         *from_tail_out = 1;
         if (word & ENTERED) return take_from_tail(self, word, cell_out);
         if (nck_fence_exchange(&self->word, word, word | ENTERED)) {
-            self->tail_taken = 0;
+            self->tail_taken = cells_between(self->tail_origin[parity_of(word)], end_of(word));
             return take_from_tail(self, word | ENTERED, cell_out);
         }
     }

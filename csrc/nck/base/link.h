@@ -7,6 +7,9 @@
 //   ─────┼────────────────────┼───────────────···▶   cell ring
 //        │                    └──▶ tail[parity]: how to stop from here on, if nothing more comes
 //
+// A tail may also be a whole plan, the first cells of which are made final bit by bit as the tick
+// comes near (nck_link_install, nck_link_advance): what is left of it is the tail from there on.
+//
 // One word says it all: end of the final cells, whether and which tail belongs to that end, and
 // whether the tick has entered it. Prep publishes more cells by exchanging the word; the tick
 // enters the tail by exchanging it too. Whoever is second sees that he lost: a cell is never taken
@@ -26,6 +29,8 @@ typedef struct nck_link {
     uint32_t base;        // the word that the batch builds on; prep alone
     uint32_t batch;       // cells behind the end, not yet final; prep alone
     uint32_t tail_fill;   // cells in the tail being built; prep alone
+    uint32_t lead_seen;   // cells whose time has left lead_s; prep alone
+    double lead_s;        // duration of the final cells from lead_seen on; prep alone
 
     uint32_t taken;        // cells taken by the tick; tick writes
     uint32_t seg_done;     // segs finished; tick writes
@@ -34,8 +39,9 @@ typedef struct nck_link {
     uint32_t tail_taken;   // cells taken from the tail; tick alone
 
     uint32_t tail_count[2];
+    uint32_t tail_origin[2]; // end of the final cells that the tail's first cell follows
     nck_cell_t cell[NCK_CELL_MAX];
-    nck_cell_t tail[2][NCK_WINDOW];
+    nck_cell_t tail[2][NCK_TAIL_MAX];
     nck_seg_t seg[NCK_SEG_MAX];
     nck_output_t output[NCK_OUTPUT_MAX];
 } nck_link_t;
@@ -62,7 +68,7 @@ int nck_link_batch_begin(nck_link_t *self);
 // Put a cell behind the batch (there must be room). Cost: constant. Context: prep.
 void nck_link_push_cell(nck_link_t *self, const nck_cell_t *cell);
 
-// Begin the tail of the batch; then put its cells in, NCK_WINDOW at most.
+// Begin the tail of the batch; then put its cells in, NCK_TAIL_MAX at most.
 // Cost: constant. Context: prep.
 void nck_link_tail_begin(nck_link_t *self);
 void nck_link_tail_push(nck_link_t *self, const nck_cell_t *cell);
@@ -72,6 +78,28 @@ void nck_link_tail_push(nck_link_t *self, const nck_cell_t *cell);
 // batch is kept); NCK_E_STATE if the tick has entered the old tail since the batch was begun (the
 // batch is void: begin another). Cost: constant. Context: prep.
 nck_status_t nck_link_publish(nck_link_t *self);
+
+// Make the cells put in since nck_link_tail_begin the plan from the end of the final cells on; the
+// first of them become final at once, up to `lead` seconds of them (one at least), and no more than
+// `most`. Returns as nck_link_publish, and NCK_FULL too if the ring has no room.
+// Cost: linear in the cells made final. Context: prep.
+nck_status_t nck_link_install(nck_link_t *self, double lead, uint32_t most);
+
+// Make more of the published tail final, until `lead` seconds wait for the tick, and no more cells
+// than `most`. Returns NCK_OK; NCK_FULL if there was nothing to do; NCK_E_STATE if the tick is in
+// the tail. Cost: linear in the cells made final. Context: prep.
+nck_status_t nck_link_advance(nck_link_t *self, double lead, uint32_t most);
+
+// The end of the final cells as a running number; 1 in *entered_out if the tick is in the tail.
+// Cost: constant. Context: prep.
+uint32_t nck_link_end(const nck_link_t *self, int *entered_out);
+
+// The cell number `count` (as nck_link_end counts) of the published tail or plan, whether final or
+// not; NULL outside of it. Cost: constant. Context: prep.
+const nck_cell_t *nck_link_tail_cell(const nck_link_t *self, uint32_t count);
+
+// The i-th cell of the tail being built; NULL outside of it. Cost: constant. Context: prep.
+const nck_cell_t *nck_link_built_cell(const nck_link_t *self, uint32_t i);
 
 // The last cell of the last published tail and the count of them; NULL and 0 if it is empty.
 // Cost: constant. Context: prep.

@@ -171,15 +171,21 @@ typedef struct nck_node {
     double vv;           // envelope at the node, v² (exact two-pass)
 } nck_node_t;
 
+// How a cell ends, bit by bit.
+typedef enum nck_stop {
+    NCK_STOP_REST = 1, // comes to rest at its end, the tick lands there
+    NCK_STOP_HOLD = 2  // of a hold: braking for a rest from which only nck_resume goes on
+} nck_stop_t;
+
 // 5_slope ══ring══▶ 6_interpolate: a stretch of constant jerk (0 for the linear slope).
 typedef struct nck_cell {
-    uint32_t seg;       // seq of its seg
+    uint32_t seg;       // seq of the seg that it begins in
     uint8_t limit;      // nck_limit_t
-    uint8_t stop;       // 1: comes to rest at its end, the tick lands there
-    uint8_t last;       // 1: ends its seg
-    uint8_t kind;       // nck_seg_kind_t of the seg
+    uint8_t stop;       // of nck_stop_t
+    uint8_t last;       // 1: ends the seg that it ends in
+    uint8_t span;       // so many segs further on it ends (short segs share a cell)
     double s;           // path coordinate in the seg at t = 0 [path mm]
-    double length;      // [path mm]
+    double length;      // [path mm]; 0: at rest (dwell, wait)
     double v;           // speed at t = 0 [path mm/s]
     double a;           // acceleration at t = 0 [path mm/s²]
     double j;           // jerk [path mm/s³]

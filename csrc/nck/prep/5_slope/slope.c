@@ -33,7 +33,6 @@ static void set_cell(nck_cell_t *cell, const nck_node_t *node, double s, double 
     const double v1 = nck_sqrt(w[1]);
     memset(cell, 0, sizeof *cell);
     cell->seg = node->seg;
-    cell->kind = node->kind;
     cell->s = s;
     cell->length = length;
     cell->v = v0;
@@ -46,7 +45,6 @@ static void set_cell(nck_cell_t *cell, const nck_node_t *node, double s, double 
 static int push_rest(const nck_node_t *node, nck_cell_t *cell) {
     memset(cell, 0, sizeof *cell);
     cell->seg = node->seg;
-    cell->kind = node->kind;
     cell->s = node->s;
     cell->duration = node->dwell_s;
     cell->limit = node->limit_piece;

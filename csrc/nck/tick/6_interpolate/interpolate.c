@@ -16,21 +16,45 @@ void nck_interpolate_init(nck_interpolate_t *self, const nck_machine_t *machine,
         self->pose.axis[x] = (double)machine->start_nm[x] / nck_machine_counts(machine, x);
     }
     self->pose.feed_scale = 1.0;
-    self->cell.stop = 1;
+    self->cell.stop = NCK_STOP_REST;
+    self->rests = 1;
+    self->filter.taps = machine->slope == NCK_SLOPE_JERK ? NCK_FILTER_TAPS : 1;
+}
+
+static const nck_seg_t *seg_at(const nck_interpolate_t *self, uint32_t seq) {
+    return nck_link_seg(self->link, seq);
+}
+
+// From the start of one seg to that of a later one.
+static double length_between(const nck_interpolate_t *self, uint32_t from, uint32_t to) {
+    double length = 0.0;
+    for (uint32_t seq = from; seq != to; seq++) length += seg_at(self, seq)->length;
+    return length;
 }
 
 static int fetch(nck_interpolate_t *self) {
+    const uint32_t seg_before = self->cell.seg;
     int from_tail = 0;
     if (nck_link_take(self->link, &self->cell, &from_tail) != NCK_OK) return 0;
     self->has_cell = 1;
     self->from_tail = (uint32_t)from_tail;
-    nck_link_seg_finish(self->link, self->cell.seg);
+    if (!self->rests) {
+        self->filter.ahead += length_between(self, seg_before, self->cell.seg);
+        return 1;
+    }
+    self->rests = 0;
+    self->filter.seg = self->cell.seg;
+    self->filter.ahead = 0.0;
+    for (uint32_t n = 0; n < self->filter.taps; n++) {
+        self->filter.s[n] = self->cell.s;
+        self->filter.v[n] = 0.0;
+    }
+    nck_link_seg_finish(self->link, self->filter.seg);
     return 1;
 }
 
-// Stand at s of the cell's seg.
-static void place(nck_interpolate_t *self, double s, double v) {
-    const nck_seg_t *const seg = nck_link_seg(self->link, self->cell.seg);
+// Stand at s of a seg.
+static void place(nck_interpolate_t *self, const nck_seg_t *seg, double s, double v) {
     nck_pose_t *const pose = &self->pose;
     pose->seg = seg->seq;
     pose->line = seg->line;
@@ -42,28 +66,85 @@ static void place(nck_interpolate_t *self, double s, double v) {
     pose->v = v;
     pose->feed = seg->feed;
     pose->feed_scale = seg->feed_scale;
-    pose->state = self->from_tail ? NCK_TICK_STARVED
+    pose->state = self->cell.stop & NCK_STOP_HOLD ? NCK_TICK_HOLD
+                  : self->from_tail ? NCK_TICK_STARVED
                   : seg->kind == NCK_SEG_DWELL ? NCK_TICK_DWELL
                   : seg->kind == NCK_SEG_WAIT ? NCK_TICK_WAIT : NCK_TICK_MOVE;
     if (seg->kind < NCK_SEG_DWELL) nck_path_point(seg, s, pose->axis);
 }
 
+// The segs from the filter's on that lie behind s; none beyond the seg where the cell ends.
+static double walk(nck_interpolate_t *self, double s) {
+    nck_filter_t *const filter = &self->filter;
+    const uint32_t last = self->cell.seg + self->cell.span;
+    while (filter->seg != last && s >= seg_at(self, filter->seg)->length) {
+        const double length = seg_at(self, filter->seg)->length;
+        s -= length;
+        filter->ahead -= length;
+        for (uint32_t n = 0; n < filter->taps; n++) filter->s[n] -= length;
+        filter->seg++;
+    }
+    nck_link_seg_finish(self->link, filter->seg);
+    return s;
+}
+
+// The cells stand at s of the cell's seg: hand out the mean over the taps. Summed anew each time: a
+// running sum would drift.
+static void pass(nck_interpolate_t *self, double s, double v) {
+    nck_filter_t *const filter = &self->filter;
+    if (filter->taps == 1) {
+        filter->seg = self->cell.seg;
+        nck_link_seg_finish(self->link, filter->seg);
+        place(self, seg_at(self, filter->seg), s, v);
+        return;
+    }
+    filter->s[filter->at] = s + filter->ahead;
+    filter->v[filter->at] = v;
+    filter->at = filter->at + 1 < filter->taps ? filter->at + 1 : 0;
+    double s_sum = 0.0;
+    double v_sum = 0.0;
+    for (uint32_t n = 0; n < filter->taps; n++) {
+        s_sum += filter->s[n];
+        v_sum += filter->v[n];
+    }
+    const double taps = (double)filter->taps;
+    const double s_mean = walk(self, s_sum / taps);
+    place(self, seg_at(self, filter->seg), s_mean, v_sum / taps);
+}
+
 static void leave_cell(nck_interpolate_t *self) {
     self->t_cell += self->cell.duration;
     self->has_cell = 0;
-    if (self->cell.last) nck_link_seg_finish(self->link, self->cell.seg + 1);
 }
 
 // Come to rest at the end of the cell: the count of periods begins anew.
 static void land(nck_interpolate_t *self) {
-    const nck_seg_t *const seg = nck_link_seg(self->link, self->cell.seg);
-    place(self, self->cell.last ? seg->length : self->cell.s + self->cell.length, 0.0);
+    const nck_cell_t *const cell = &self->cell;
+    const uint32_t seq = cell->seg + cell->span;
+    const nck_seg_t *const seg = seg_at(self, seq);
+    const double s = cell->s + cell->length - length_between(self, cell->seg, seq);
+    place(self, seg, cell->last ? seg->length : s, 0.0);
     self->waits = seg->kind == NCK_SEG_WAIT;
     nck_fence_store(&self->resume, 0);
     leave_cell(self);
+    nck_link_seg_finish(self->link, cell->last ? seq + 1 : seq);
     if (self->from_tail) nck_link_tail_rest(self->link);
+    self->rests = 1;
     self->k = 0;
     self->t_cell = 0.0;
+}
+
+// The cell has come to rest at its end. Its mean does so when every tap is there.
+static void settle(nck_interpolate_t *self) {
+    nck_filter_t *const filter = &self->filter;
+    const int moved = self->cell.length > 0.0;
+    if (filter->settle == 0) filter->settle = moved ? filter->taps : 1;
+    filter->settle--;
+    if (filter->settle == 0) {
+        land(self);
+    } else {
+        pass(self, self->cell.s + self->cell.length, 0.0);
+    }
 }
 
 // s(t) = s0 + v·t + a·t²/2 + j·t³/6, never beyond the cell; t from the begin of the cell.
@@ -71,17 +152,18 @@ static void evaluate(nck_interpolate_t *self, double t) {
     const nck_cell_t *const cell = &self->cell;
     const double ds = (cell->v + (cell->a / 2.0 + cell->j / 6.0 * t) * t) * t;
     const double v = cell->v + (cell->a + cell->j / 2.0 * t) * t;
-    place(self, cell->s + nck_max(0.0, nck_min(ds, cell->length)), nck_max(0.0, v));
+    pass(self, cell->s + nck_max(0.0, nck_min(ds, cell->length)), nck_max(0.0, v));
 }
 
-// Nothing to execute: stay. In the middle of the path that is starvation.
+// Nothing to execute: stay. In the middle of the path that is starvation, unless it is held there.
 static const nck_pose_t *rest(nck_interpolate_t *self) {
-    const int on_path = !self->cell.stop || self->from_tail;
+    const int on_path = !self->rests || self->from_tail;
     self->k = 0;
     self->t_cell = 0.0;
     self->pose.v = 0.0;
-    self->pose.state = on_path ? NCK_TICK_STARVED : NCK_TICK_IDLE;
     self->pose.limit = on_path ? NCK_LIMIT_STARVED : NCK_LIMIT_EXACT_STOP;
+    self->pose.state = self->cell.stop & NCK_STOP_HOLD ? NCK_TICK_HOLD
+                       : on_path ? NCK_TICK_STARVED : NCK_TICK_IDLE;
     return &self->pose;
 }
 
@@ -91,19 +173,23 @@ const nck_pose_t *nck_interpolate_tick(nck_interpolate_t *self) {
         nck_fence_store(&self->resume, 0);
         self->waits = 0;
     }
+    if (self->filter.settle > 0) {
+        settle(self);
+        return &self->pose;
+    }
     if (!self->has_cell && !fetch(self)) return rest(self);
     const double period = self->machine->period_s;
     self->k++;
     while ((double)self->k * period >= self->t_cell + self->cell.duration) {
-        if (self->cell.stop) {
-            land(self);
+        if (self->cell.stop & NCK_STOP_REST) {
+            settle(self);
             return &self->pose;
         }
         leave_cell(self);
         self->k -= nck_interpolate_rebase(&self->t_cell, period);
         const double end = self->cell.s + self->cell.length;
         if (!fetch(self)) {
-            place(self, end, 0.0);
+            pass(self, end, 0.0);
             return rest(self);
         }
     }
@@ -113,7 +199,10 @@ const nck_pose_t *nck_interpolate_tick(nck_interpolate_t *self) {
 
 nck_status_t nck_interpolate_take(nck_interpolate_t *self, nck_cell_t *cell_out) {
     if (nck_link_waiting(self->link) == 0 || !fetch(self)) return NCK_EMPTY;
+    const uint32_t seg = self->cell.seg + self->cell.span;
+    nck_link_seg_finish(self->link, self->cell.last ? seg + 1 : self->cell.seg);
     leave_cell(self);
+    self->rests = 1;
     *cell_out = self->cell;
     return NCK_OK;
 }

@@ -12,14 +12,29 @@
 // of spans after it.
 enum { NCK_INTERPOLATE_SPAN = 1024 };
 
+// The filter at the output of the jerk-limited slope: the path coordinate handed out is the mean
+// over the last taps of what the cells say. It filters the path coordinate, never the position, so
+// it costs no accuracy on the path. One tap: no filter.
+typedef struct nck_filter {
+    uint32_t taps;          // n, periods
+    uint32_t at;            // oldest tap
+    uint32_t settle;        // periods left until the mean rests where the cells rest
+    uint32_t seg;           // seq of the seg that the mean lies in
+    double ahead;           // from that seg's start to that of the cell's seg [path mm]
+    double s[NCK_FILTER_TAPS]; // from that seg's start [path mm]
+    double v[NCK_FILTER_TAPS]; // [path mm/s]
+} nck_filter_t;
+
 typedef struct nck_interpolate {
     const nck_machine_t *machine;
     nck_link_t *link;       // consumer's side
     nck_cell_t cell;        // being executed
     uint32_t has_cell;      // 1: cell is valid
     uint32_t from_tail;     // 1: it came from the stop tail
+    uint32_t rests;         // 1: the last cell came to rest and the tick has landed
     uint32_t waits;         // 1: until resume
     uint32_t resume;        // any context asks to go on
+    nck_filter_t filter;
     uint64_t k;             // periods since time began to count
     double t_cell;          // when the cell begins [s]
     nck_pose_t pose;        // of the last tick
@@ -40,7 +55,8 @@ nck_status_t nck_interpolate_take(nck_interpolate_t *self, nck_cell_t *cell_out)
 void nck_interpolate_resume(nck_interpolate_t *self);
 
 // Periods from a rest to the landing after the time t: the smallest k ≥ 1 with k·T ≥ t, in the
-// arithmetic of the tick. Cost: constant. Context: any.
+// arithmetic of the tick. A filter adds its taps less one, if the path moved.
+// Cost: constant. Context: any.
 uint64_t nck_interpolate_periods(double t, double period);
 
 // Let time begin to count later by as many whole spans as *t holds: a double resolves the time
