@@ -11,7 +11,8 @@ from pycnc.machine_file import AXES
 from pycnc.records import counts_per_unit, enum
 
 LIMITS = enum("nck_limit_t")
-KINDS = ("idle", "rapid", "line", "arc", "dwell", "wait", "spline")  # codes of a trace's column `kind`
+# Codes of a trace's column `kind`.
+KINDS = ("idle", "rapid", "line", "arc", "dwell", "wait", "spline")
 _TICK_STATES = enum("nck_tick_state_t")
 
 

@@ -8,7 +8,7 @@ from pycnc._bind import check, ffi, lib, pointer
 from pycnc.parallel import Keinert, envelope, keinert
 from pycnc.records import dtype, join
 
-__all__ = ["Keinert", "Profile", "decode", "envelope", "keinert", "slope"]
+__all__ = ["JerkPlanner", "Keinert", "Profile", "decode", "envelope", "keinert", "slope"]
 
 
 def decode(text, machine):
@@ -33,12 +33,17 @@ def decode(text, machine):
     return join("nck_block_t", blocks), join("nck_diagnostic_t", diagnostics)
 
 
+STEP = 0.5  # periods that a cell of a jerk-limited profile lasts about
+LADDER_ROUNDS = 2  # times that long cells are divided
 RAMPS = {
     "linear": lib.NCK_HOST_RAMP_LINEAR,
     "sshape": lib.NCK_HOST_RAMP_SSHAPE,
     "whole": lib.NCK_HOST_RAMP_WHOLE,
     "fixed": lib.NCK_HOST_RAMP_FIXED,
 }
+
+
+FILTER_TAPS = lib.NCK_FILTER_TAPS  # samples of the path coordinate that the tick takes the mean of
 
 
 class Profile:
@@ -54,10 +59,14 @@ class Profile:
         (n,) time of every segment [s].
     time_s : float
         Time of all [s].
+    taps : int
+        A sample is the mean over so many delayed by `delay_s` each: the tick's filter.
+    delay_s : float
+        [s].
     """
 
-    def __init__(self, v_node, cells):
-        self.v_node, self.cells = v_node, cells
+    def __init__(self, v_node, cells, taps=1, delay_s=0.0):
+        self.v_node, self.cells, self.taps, self.delay_s = v_node, cells, taps, delay_s
         segments = len(v_node) - 1
         self.segment_s = np.bincount(cells["seg"], cells["duration"], minlength=segments)
         self.time_s = float(self.segment_s.sum())
@@ -79,36 +88,110 @@ class Profile:
         if not (np.isfinite(period_s) and period_s > 0):
             raise errors.ArgumentError(f"period_s is {period_s}, must be positive", id="argument")
         rows = int(np.ceil(self.time_s / period_s)) + 1
+        if self.taps == 1:
+            return self._sample(self.cells, period_s, rows)
+        rest = np.zeros(1, self.cells.dtype)
+        mean = np.zeros((3, rows))
+        for tap in range(self.taps):
+            rest["duration"] = tap * self.delay_s
+            mean += self._sample(join("nck_cell_t", [rest, self.cells]), period_s, rows)
+        return tuple(mean / self.taps)
+
+    @staticmethod
+    def _sample(cells, period_s, rows):
         s, v, a = np.empty((3, rows))
         lib.nck_host_slope_sample(
-            pointer("nck_cell_t", self.cells), len(self.cells), period_s, rows,
+            pointer("nck_cell_t", cells), len(cells), period_s, rows,
             pointer("double", s), pointer("double", v), pointer("double", a),
         )  # fmt: skip
         return s, v, a
 
 
-def _slope(arrays, kind, lookahead, ramp_s):
-    n = len(arrays["length"])
+def _raise_argument(status, bad):
+    if status == lib.NCK_E_ARGUMENT:
+        message = f"index {bad}: a number is NaN, infinite or outside of its range"
+        raise errors.ArgumentError(message, id="argument", status=status)
+    check(status)
+
+
+def _path(arrays):
     path = ffi.new("nck_host_path_t *", {k: pointer("double", x) for k, x in arrays.items()})
-    path.n, path.kind, path.ramp_s = n, RAMPS[kind], ramp_s
+    path.n = len(arrays["length"])
+    return path
+
+
+def _slope(arrays, kind, lookahead, ramp_s):
+    path, n = _path(arrays), len(arrays["length"])
+    path.kind, path.ramp_s = RAMPS[kind], ramp_s
     path.lookahead = n if lookahead is None else min(int(lookahead), n)
     v_out, cells = np.empty(n + 1), np.empty(lib.NCK_HOST_SLOPE_CELLS * n, dtype("nck_cell_t"))
     count, bad = ffi.new("size_t *"), ffi.new("size_t *")
     status = lib.nck_host_slope(
         path, pointer("double", v_out), pointer("nck_cell_t", cells), count, bad
     )
-    if status == lib.NCK_E_ARGUMENT:
-        message = f"index {bad[0]}: a number is NaN, infinite or outside of its range"
-        raise errors.ArgumentError(message, id="argument", status=status)
-    check(status)
+    _raise_argument(status, bad[0])
     return Profile(v_out, cells[: count[0]].copy())
 
 
-def slope(length_mm, v_cap, a_max, j_max, v_node, *, kind="linear", lookahead=None, ramp_s=1.0):
-    """Room 5 as Cao et al. 2014 have it: a profile with N look-ahead segments.
+class JerkPlanner:
+    """A path and the arrays that its jerk-limited profile needs: planned once or many times.
 
-    Planning looks `lookahead` segments beyond the one in work and assumes rest at the end of them.
-    The kernel itself plans with :func:`envelope`; this is for comparison with the paper.
+    Parameters
+    ----------
+    arrays : dict
+        length, v_cap, a_max, j_max, v_node as :func:`slope` takes them, float64.
+    period_s, step_s, j_scale : float
+        As there.
+
+    Attributes
+    ----------
+    arguments : tuple
+        What ``nck_host_jerk`` takes, up to the cells.
+    """
+
+    def __init__(self, arrays, period_s, step_s, j_scale):
+        self._path, self._how = _path(arrays), ffi.new("nck_host_jerk_t *")
+        self._how.period_s, self._how.step_s, self._how.j_scale = period_s, step_s, j_scale
+        self._how.taps, self._how.rounds = FILTER_TAPS, LADDER_ROUNDS
+        self._v_out = np.empty(len(arrays["v_node"]))
+        self._rest_s = (FILTER_TAPS - 1) * period_s
+        self._make_room(4 * len(arrays["length"]) + 2048)
+
+    def _make_room(self, nodes):
+        self._work = np.empty(lib.nck_host_jerk_bytes(nodes), np.uint8)
+        self._cells = np.empty(nodes, dtype("nck_cell_t"))
+        self.arguments = (
+            self._path, self._how, nodes, ffi.from_buffer(self._work),
+            pointer("double", self._v_out), pointer("nck_cell_t", self._cells),
+        )  # fmt: skip
+
+    def profile(self):
+        """Plan; return the Profile."""
+        count, bad = ffi.new("size_t *"), ffi.new("size_t *")
+        status = lib.nck_host_jerk(*self.arguments, count, bad)
+        while status == lib.NCK_FULL:
+            self._make_room(2 * len(self._cells))
+            status = lib.nck_host_jerk(*self.arguments, count, bad)
+        _raise_argument(status, bad[0])
+        cells = _resting(self._cells[: count[0]], self._rest_s)
+        return Profile(self._v_out.copy(), cells, FILTER_TAPS, self._how.period_s)
+
+
+def _resting(cells, rest_s):
+    """Return cells with a rest behind every stop, as long as the tick's filter needs to land."""
+    stops = np.flatnonzero(cells["stop"])
+    rests = np.zeros(len(stops), cells.dtype)
+    rests["seg"], rests["duration"] = cells["seg"][stops], rest_s
+    where = np.concatenate([np.arange(len(cells)), stops])
+    return join("nck_cell_t", [cells, rests])[np.argsort(where, kind="stable")]
+
+
+def slope(length_mm, v_cap, a_max, j_max, v_node, *, kind="linear", lookahead=None, ramp_s=1.0,
+          period_s=1e-3, step_s=None, j_scale=0.0):  # fmt: skip
+    """Room 5 over a whole path: the kernel's jerk-limited profile, or one of Cao et al. 2014.
+
+    Those plan `lookahead` segments beyond the one in work and assume rest at the end of them; they
+    are for comparison with the paper.
 
     Parameters
     ----------
@@ -118,16 +201,23 @@ def slope(length_mm, v_cap, a_max, j_max, v_node, *, kind="linear", lookahead=No
         Cap inside of every segment [mm/s], one number or (n,), positive.
     a_max, j_max : array_like
         Tangential acceleration [mm/s²] and jerk [mm/s³], one number or (n,), positive. j_max is
-        for "sshape" only and may be None otherwise.
+        for "jerk" and "sshape" only and may be None otherwise.
     v_node : array_like
         (n + 1,) cap at every junction, start and end included [mm/s], not negative.
-    kind : {"linear", "sshape", "whole", "fixed"}
-        How speed changes: constant acceleration; S-shaped within a_max and j_max; one symmetric S
+    kind : {"linear", "jerk", "sshape", "whole", "fixed"}
+        How speed changes: constant acceleration; within a_max and j_max, acceleration carried
+        across junctions, from rest to rest; S-shaped within a_max and j_max; one symmetric S
         over every whole segment, within a_max; every ramp lasts ramp_s (look-ahead 0 only).
     lookahead : int, optional
         Segments seen beyond the one in work; None: all. 0: a stop at the end of every segment.
     ramp_s : float
         Duration of every ramp of the kind "fixed" [s], positive.
+    period_s : float
+        Kind "jerk": the tick's period [s]; at every sample of that period j_max holds.
+    step_s : float, optional
+        Kind "jerk": how long a cell lasts about [s]. None: `STEP` periods.
+    j_scale : float
+        Kind "jerk": share of j_max to plan with, 0 … 1. 0: as much as holds at every sample.
 
     Returns
     -------
@@ -143,15 +233,27 @@ def slope(length_mm, v_cap, a_max, j_max, v_node, *, kind="linear", lookahead=No
     >>> slope([4.0, 4.0], 10.0, 2.0, None, [0.0, 10.0, 0.0]).v_node
     array([0., 4., 0.])
     """
-    lengths, nodes = (np.ascontiguousarray(x, np.float64) for x in (length_mm, v_node))
+    arrays = checked_path(length_mm, v_cap, a_max, j_max, v_node)
+    if kind == "jerk":
+        if lookahead is not None:
+            raise errors.ArgumentError('kind "jerk" sees the whole path', id="lookahead")
+        step_s = STEP * period_s if step_s is None else step_s
+        return JerkPlanner(arrays, period_s, step_s, j_scale).profile()
     if kind not in RAMPS:
-        raise errors.ArgumentError(f"kind {kind!r} is not one of {', '.join(RAMPS)}", id="kind")
-    if lengths.ndim != 1 or lengths.size == 0 or nodes.shape != (lengths.size + 1,):
-        raise errors.ArgumentError(f"{lengths.shape} segments and {nodes.shape} nodes do not fit")
+        kinds = ", ".join([*RAMPS, "jerk"])
+        raise errors.ArgumentError(f"kind {kind!r} is not one of {kinds}", id="kind")
     if lookahead is not None and lookahead < 0:
         raise errors.ArgumentError(f"lookahead is {lookahead}, must not be negative")
+    return _slope(arrays, kind, lookahead, ramp_s)
+
+
+def checked_path(length_mm, v_cap, a_max, j_max, v_node):
+    """Return the arrays of a path as C reads them, name → float64."""
+    lengths, nodes = (np.ascontiguousarray(x, np.float64) for x in (length_mm, v_node))
+    if lengths.ndim != 1 or lengths.size == 0 or nodes.shape != (lengths.size + 1,):
+        raise errors.ArgumentError(f"{lengths.shape} segments and {nodes.shape} nodes do not fit")
     arrays = {"length": lengths, "v_node": nodes}
     for name, numbers in (("v_cap", v_cap), ("a_max", a_max), ("j_max", j_max)):
         given = np.broadcast_to(np.nan if numbers is None else numbers, lengths.shape)
         arrays[name] = np.ascontiguousarray(given, np.float64)
-    return _slope(arrays, kind, lookahead, ramp_s)
+    return arrays

@@ -7,6 +7,7 @@
 #include <stdint.h> // int64_t
 
 #include "host/envelope.h" // nck_host_choice_t
+#include "host/jerk.h"     // nck_host_jerk_t
 
 // The least time of some runs of nck_host_envelope_double, from rest to rest. Arrays as there;
 // runs: 1 at least.
@@ -22,5 +23,11 @@ int64_t nck_host_measure_float(const nck_host_choice_t *choice, const float *w_c
 // The least time of some runs of nck_host_triad [ns]. Arrays as there. Context: any.
 int64_t nck_host_measure_triad(const float *b, const float *c, size_t n, int threads, float *a_out,
                                int runs);
+
+// The least time of some runs of nck_host_jerk. Arrays as there; runs: 1 at least.
+// Returns nanoseconds, or the negative status of a run that failed (NCK_E_ARGUMENT if `nodes` is too
+// small). Cost: runs × linear. Context: any.
+int64_t nck_host_measure_jerk(const nck_host_path_t *path, const nck_host_jerk_t *how, size_t nodes,
+                              void *work, double *v_out, nck_cell_t *cells_out, int runs);
 
 #endif

@@ -5,20 +5,22 @@ With --paths: every NAME.npz of a folder beside the optimum in NAME.opt.npz, if 
 Without: random problems with fixed seeds, beside an optimum that `pycnc.bench.numeric` finds; its
 cells make it 0.1 to 0.2 % faster than the true one, so ratios are that much too large. Peaks are
 taken from the path coordinate alone, sampled every period: its differences over the largest cap of
-the segments that they touch. Wrong would make it: other work on the cores, for ns_per_node only.
+the segments that they touch. ns_per_node is the time of a whole plan over its nodes, beside the
+exact two-pass envelope (speed and acceleration alone) over as many. Wrong would make it: other work
+on the cores, for these two columns only.
 """
 
-import time
 from pathlib import Path
 
 import numpy as np
 
-from pycnc import errors, stages
-from pycnc.bench import numeric
+from pycnc import errors, parallel, stages
+from pycnc.bench import numeric, timing
 
 PERIOD_S = 1e-3
 FINE = 20  # samples in a period, to find the speed at a junction
 RUNS = 5  # the least time counts
+ENVELOPE_S = 0.01  # of repetition
 PROBLEMS = 40
 CELLS = 360  # of the numerical optimum
 KEYS = {"length_mm": "L", "v_cap": "F", "a_max": "A", "j_max": "J", "v_node": "Vj"}
@@ -26,7 +28,7 @@ KEYS = {"length_mm": "L", "v_cap": "F", "a_max": "A", "j_max": "J", "v_node": "V
 
 def bench_optimum_rows(paths=None, *, problems=PROBLEMS, kind="jerk"):
     """Return rows {path, segments, nodes, time_s, t_opt_s, ratio, v_peak, a_peak, j_peak,
-    junction_over_mm_s, ns_per_node}.
+    junction_over_mm_s, ns_per_node, envelope_ns_per_node}.
 
     Parameters
     ----------
@@ -96,12 +98,9 @@ def _random(problems):
 
 
 def _row(name, problem, optimum, kind):
-    least = np.inf
-    for _ in range(RUNS):
-        begun = time.perf_counter_ns()
-        profile = stages.slope(**problem, kind=kind)
-        least = min(least, time.perf_counter_ns() - begun)
-    nodes = len(profile.cells) + 1
+    profile = stages.slope(**problem, kind=kind, period_s=PERIOD_S)
+    nodes = int(np.count_nonzero(profile.cells["length"])) + 1
+    ns = timing.jerk(problem, RUNS, PERIOD_S) if kind == "jerk" else None
     return {
         "path": name,
         "segments": len(problem["length_mm"]),
@@ -110,8 +109,16 @@ def _row(name, problem, optimum, kind):
         "t_opt_s": optimum,
         "ratio": None if optimum is None else profile.time_s / optimum,
         **peaks(problem, profile),
-        "ns_per_node": least / nodes,
+        "ns_per_node": None if ns is None else ns / nodes,
+        "envelope_ns_per_node": _envelope_ns(nodes) / nodes,
     }
+
+
+def _envelope_ns(nodes):
+    """Return the time of the exact two-pass envelope over so many nodes [ns]."""
+    w_cap, h = parallel.sample("double", nodes)
+    w = np.empty_like(w_cap)
+    return parallel.time_envelope("double", w_cap=w_cap, h=h, w=w, backend="c", seconds=ENVELOPE_S)
 
 
 def peaks(problem, profile):
@@ -164,7 +171,8 @@ def _median(rows):
     row = dict.fromkeys(rows[0], None)
     row["path"] = "median, largest peaks"
     row["ratio"] = float(np.median([each["ratio"] for each in rows]))
-    row["ns_per_node"] = float(np.median([each["ns_per_node"] for each in rows]))
+    for key in ("ns_per_node", "envelope_ns_per_node"):
+        row[key] = float(np.median([each[key] for each in rows]))
     for key in ("v_peak", "a_peak", "j_peak", "junction_over_mm_s"):
         row[key] = max(each[key] for each in rows)
     return row

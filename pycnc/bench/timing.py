@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: MIT
-"""Calls into the kernel that time it: every tick of a program, and the window of room 4 alone."""
+"""Calls into the kernel that time it: every tick of a program, the window of room 4, profiles."""
 
 import numpy as np
 
-from pycnc import kernel
+from pycnc import kernel, stages
 from pycnc._bind import check, ffi, lib, pointer
 from pycnc.records import dtype
 
@@ -69,3 +69,26 @@ def segs_of(text, machine):
     """Return all segs of a program, of dtype ``nck_seg_t``."""
     pieces = [segs.copy() for segs, *_ in kernel.Planner(text, machine).pieces()]
     return np.concatenate(pieces, dtype=dtype("nck_seg_t"))  # else NumPy drops the padding
+
+
+def jerk(problem, runs, period_s=1e-3):
+    """Plan the jerk-limited profile of a path again and again.
+
+    Parameters
+    ----------
+    problem : dict
+        length_mm, v_cap, a_max, j_max, v_node as `pycnc.stages.slope` takes them.
+    runs : int
+    period_s : float
+
+    Returns
+    -------
+    float
+        The least time of a run [ns].
+    """
+    arrays = stages.checked_path(**problem)
+    planner = stages.JerkPlanner(arrays, period_s, stages.STEP * period_s, 0.0)
+    planner.profile()  # makes room
+    ns = lib.nck_host_measure_jerk(*planner.arguments, runs)
+    check(min(ns, 0))
+    return float(ns)
