@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: MIT
+// The firmware of a controller: a feeder task, a prep task, the tick and a supervisor task around
+// one nck_t. The same source on every board; what differs is behind os.h and hal.h.
+#ifndef APP_H
+#define APP_H
+
+#include "app/job.h" // app_job_t
+#include "nck/nck.h" // nck_t
+#include "os/os.h"   // os_queue_t os_stack_t
+
+enum {
+    APP_CHUNKS = 4,          // pieces of text between the feeder and prep
+    APP_CHUNK_BYTES = 512,
+    APP_STACK_BYTES = 6144,  // of every task
+    APP_EVENTS = 64,         // changes of state that are kept for the report
+    APP_DIAGNOSTICS = 16,    // findings in the program that are kept for the report
+    APP_REST_TICKS = 16,     // without motion before rest is believed in
+    APP_TASKS = 3
+};
+
+// What the operator is shown. From APP_DONE on the run is over and the setpoint stays.
+typedef enum app_state {
+    APP_IDLE = 0,       // planning ahead, no tick so far
+    APP_RUN,            // on the path
+    APP_STOPPING,       // braking on the path: a hold, an abort or a fault
+    APP_HELD,           // at rest until the operator resumes
+    APP_WAIT,           // M0, M1, M6: at rest until the operator resumes
+    APP_STARVED,        // on the stop tail, or at rest until the next text comes
+    APP_DONE,           // the whole program is executed
+    APP_ABORTED,        // the operator's wish
+    APP_PROGRAM_ERROR,  // everything before the error is executed
+    APP_SOFT_LIMIT,     // the guard's travel would have been left
+    APP_EMERGENCY,      // the operator's wish: drives off
+    APP_FAULT_OVERRUN,  // a tick took longer than its period
+    APP_FAULT_STACK,    // a task left its stack
+    APP_FAULT_STARVED,  // no text for too long
+    APP_FAULT_TASK,     // the supervisor did not run when it had to
+    APP_FAULT_MACHINE,  // the machine's numbers make no sense
+    APP_STATES
+} app_state_t;
+
+// One row of the trace: what the drives got. Followed by one int64_t a joint [nm, ndeg].
+typedef struct app_row {
+    uint32_t tick;       // 1 is the first
+    uint32_t line;       // source line
+    uint32_t queue;      // final cells that wait
+    uint8_t state;       // app_state_t
+    uint8_t tick_state;  // nck_tick_state_t
+    uint8_t limit;       // nck_limit_t
+    uint8_t drives;      // 1: on
+} app_row_t;
+
+typedef struct app_event {
+    uint32_t tick;
+    uint32_t state; // app_state_t
+} app_event_t;
+
+typedef struct app_chunk {
+    uint32_t size;               // 0: the end of the program
+    uint32_t used;               // by prep
+    char text[APP_CHUNK_BYTES];
+} app_chunk_t;
+
+typedef struct app_range {
+    int64_t least, most; // [nm, ndeg]
+    uint32_t narrowed;   // 1: by the operator; programs know the machine's travel, not this
+} app_range_t;
+
+struct app;
+
+// What a task is handed. There is room below its stack, so that a task that overruns it on purpose
+// destroys nobody else's.
+typedef struct app_task {
+    struct app *app;
+    uint32_t priority;
+    uint32_t cycle;              // [ticks]
+    os_stack_t spare[APP_STACK_BYTES / sizeof(os_stack_t)];
+    os_stack_t stack[OS_STACK_WORDS(APP_STACK_BYTES)];
+} app_task_t;
+
+typedef struct app {
+    nck_t nck;
+    app_job_t job;
+
+    struct {                      // feeder ─▶ prep, and the empty ones back
+        app_chunk_t chunk[APP_CHUNKS];
+        os_queue_t filled, empty;
+        void *filled_slots[APP_CHUNKS], *empty_slots[APP_CHUNKS];
+        uint32_t pause;           // ticks that the source stays silent; the supervisor sets it
+    } text;
+
+    struct {                      // written by prep
+        app_chunk_t *chunk;       // being pushed, or NULL
+        uint64_t steps;           // so far
+        uint32_t budget;          // steps left in this tick
+        uint32_t budget_time;     // the tick it was given for
+        volatile uint32_t ready;  // 1: it has had to wait for the tick: motion may begin
+        volatile uint32_t done;   // 1: all is handed over
+        volatile int32_t error;   // of the program, NCK_OK: none
+        uint32_t diagnostic_count;
+        nck_diagnostic_t diagnostic[APP_DIAGNOSTICS];
+    } prep;
+
+    struct {                      // written by the tick
+        volatile uint32_t count;  // setpoints so far
+        volatile uint32_t state;  // nck_tick_state_t of the last
+        volatile uint32_t idle;   // 1: nck_is_idle after the last
+        volatile uint32_t resting;// ticks that the setpoint has not changed at speed 0
+        volatile uint32_t near;   // 1: braking must begin for the guard's travel
+        volatile uint32_t beyond; // 1: the guard has kept a setpoint back
+        uint32_t overruns;        // seen so far
+        uint32_t given_away;      // periods without a setpoint, after an overrun
+        uint32_t starved;         // ticks in NCK_TICK_STARVED
+        uint32_t underruns;       // ticks that prep owed a setpoint: starved, or idle too early
+        uint64_t most_units;      // of one tick
+        uint64_t hash;            // of the setpoints up to the last that was not idle
+        uint64_t hash_idle;       // and with the idle ones behind it
+        nck_pose_t pose;
+        nck_axes_t axes;          // what the drives have
+    } tick;
+
+    struct {                      // written by the supervisor
+        volatile uint32_t started;// 1: the tick may take setpoints
+        volatile uint32_t frozen; // 1: the setpoint stays
+        volatile uint32_t seen;   // os_time of its last cycle
+        volatile uint32_t work_units, work_ticks; // other work in the tick
+        volatile uint32_t overrun_stack;          // priority + 1 of the task that is to overrun
+        uint32_t command;         // next of the job
+        uint32_t state;           // app_state_t
+        uint32_t goal;            // app_state_t to end in, APP_IDLE: none
+        uint32_t waited;          // ticks in WAIT
+        uint32_t starved;         // ticks at rest in STARVED
+        uint32_t settled;         // ticks in the last state
+        uint32_t event_count;
+        app_event_t event[APP_EVENTS];
+    } supervisor;
+
+    volatile uint32_t fault_stack; // priority + 1 of a task that left its stack; the kernel's hook
+    app_range_t travel[NCK_AXIS_MAX]; // of every joint; in a critical section
+    app_task_t task[APP_TASKS];
+} app_t;
+
+// Read the job, make the kernel and the tasks, run until the run is over, write the report.
+// Returns 0, or the exit status of a job that makes no sense. Context: before os_start.
+int app_run(app_t *app);
+
+// The tasks; user is the app_task_t. Context: task.
+void app_feed(void *user);
+void app_prepare(void *user);
+void app_supervise(void *user);
+
+// The tick; user is the app_t. Cost: bounded, as nck_tick. Context: tick.
+void app_tick(void *user);
+
+// What the hash of no setpoint is. Cost: constant. Context: any.
+uint64_t app_hash_begin(void);
+
+// Overrun the stack of the running task, which is task, if the supervisor says so: a fault on
+// purpose. Cost: linear in the stack. Context: task.
+void app_overrun_stack(app_task_t *task);
+
+#endif

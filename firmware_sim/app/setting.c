@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: MIT
+// Which numbers a machine has, and where they stand in nck_machine_t.
+#include "app/setting.h"
+
+#include <stddef.h> // offsetof
+#include <string.h> // memcpy
+
+typedef enum kind { REAL, INTEGER, WORD, BYTE } kind_t;
+
+typedef struct setting {
+    const char *name;
+    kind_t kind;
+    size_t offset;
+    int64_t rows, columns;
+    size_t row_size; // from one row to the next
+} setting_t;
+
+#define MACHINE ((nck_machine_t *)0)
+#define ONE(member, kind) {#member, kind, offsetof(nck_machine_t, member), 1, 1, 0}
+#define LIST(member, kind) \
+    {#member, kind, offsetof(nck_machine_t, member), \
+     (int64_t)(sizeof MACHINE->member / sizeof MACHINE->member[0]), 1, sizeof MACHINE->member[0]}
+#define TABLE(member, kind) \
+    {#member, kind, offsetof(nck_machine_t, member), \
+     (int64_t)(sizeof MACHINE->member / sizeof MACHINE->member[0]), \
+     (int64_t)(sizeof MACHINE->member[0] / sizeof MACHINE->member[0][0]), \
+     sizeof MACHINE->member[0]}
+#define RECORDS(list, member, kind) \
+    {#list "." #member, kind, offsetof(nck_machine_t, list[0].member), \
+     (int64_t)(sizeof MACHINE->list / sizeof MACHINE->list[0]), 1, sizeof MACHINE->list[0]}
+
+static const setting_t settings[] = {
+    ONE(period_s, REAL),
+    RECORDS(axis, present, BYTE),
+    RECORDS(axis, rotary, BYTE),
+    RECORDS(axis, v_max, REAL),
+    RECORDS(axis, rapid, REAL),
+    RECORDS(axis, a_max, REAL),
+    RECORDS(axis, j_max, REAL),
+    RECORDS(axis, min_nm, INTEGER),
+    RECORDS(axis, max_nm, INTEGER),
+    ONE(path.feed_max, REAL),
+    ONE(path.a_max, REAL),
+    ONE(path.j_max, REAL),
+    ONE(path.chord_error, REAL),
+    ONE(path.tolerance, REAL),
+    ONE(path.arc_radius, REAL),
+    ONE(lookahead_blocks, WORD),
+    ONE(slope, WORD),
+    ONE(kinematics, WORD),
+    ONE(dialect.base, WORD),
+    ONE(dialect.diameter, BYTE),
+    ONE(dialect.inch, BYTE),
+    ONE(dialect.plane, BYTE),
+    ONE(dialect.arc_absolute, BYTE),
+    ONE(dialect.block_skip, BYTE),
+    ONE(dialect.optional_stop, BYTE),
+    ONE(dialect.feed_default, REAL),
+    ONE(spindle.rpm_max, REAL),
+    LIST(start_nm, INTEGER),
+    TABLE(home_nm, INTEGER),
+    TABLE(work_nm, INTEGER),
+    ONE(work_system, WORD),
+    ONE(tool_count, WORD),
+    RECORDS(tool, number, WORD),
+    RECORDS(tool, orientation, WORD),
+    {"tool.offset_nm", INTEGER, offsetof(nck_machine_t, tool[0].offset_nm),
+     (int64_t)(sizeof MACHINE->tool / sizeof MACHINE->tool[0]), 3, sizeof MACHINE->tool[0]},
+    RECORDS(tool, radius_mm, REAL),
+};
+
+static const setting_t *find(const app_word_t *name) {
+    for (size_t k = 0; k < sizeof settings / sizeof settings[0]; k++) {
+        if (app_word_is(name, settings[k].name)) return &settings[k];
+    }
+    return NULL;
+}
+
+static size_t size_of(kind_t kind) {
+    static const size_t sizes[] = {sizeof(double), sizeof(int64_t), sizeof(uint32_t), 1};
+    return sizes[kind];
+}
+
+static int store(void *place, kind_t kind, const app_word_t *word) {
+    double real = 0.0;
+    int64_t integer = 0;
+    if (kind == REAL) {
+        if (!app_real(word, &real)) return 0;
+        memcpy(place, &real, sizeof real);
+        return 1;
+    }
+    if (!app_integer(word, &integer)) return 0;
+    const uint32_t narrow = (uint32_t)integer;
+    const uint8_t byte = (uint8_t)integer;
+    if (kind == INTEGER) memcpy(place, &integer, sizeof integer);
+    else if (kind == WORD) memcpy(place, &narrow, sizeof narrow);
+    else memcpy(place, &byte, sizeof byte);
+    return kind == INTEGER || integer == (kind == WORD ? (int64_t)narrow : (int64_t)byte);
+}
+
+app_setting_status_t app_setting(nck_machine_t *machine, const app_word_t *name, int64_t row,
+                                 int64_t column, const app_word_t *value) {
+    const setting_t *const setting = find(name);
+    if (!setting) return APP_SETTING_E_NAME;
+    if (row < 0 || row >= setting->rows || column < 0 || column >= setting->columns) {
+        return APP_SETTING_E_INDEX;
+    }
+    uint8_t *const place = (uint8_t *)machine + setting->offset + (size_t)row * setting->row_size
+                           + (size_t)column * size_of(setting->kind);
+    return store(place, setting->kind, value) ? APP_SETTING_OK : APP_SETTING_E_VALUE;
+}

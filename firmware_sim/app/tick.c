@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: MIT
+// The tick: one setpoint a period, in the interrupt.
+#include "app/app.h"
+
+#include <string.h> // memcmp
+
+#include "app/guard.h" // app_guard_check
+#include "hal/hal.h"   // hal_write
+
+enum { SUPERVISOR_LATE = 50 }; // ticks without a cycle of the supervisor that are a fault
+
+static const uint64_t fnv_prime = 1099511628211u; // FNV-1a of 64 bits: Fowler, Noll, Vo
+
+uint64_t app_hash_begin(void) { return 14695981039346656037u; }
+
+// Continue a hash with an integer, lowest byte first.
+static uint64_t hash_integer(uint64_t hash, int64_t value) {
+    uint64_t rest = (uint64_t)value;
+    for (int byte = 0; byte < 8; byte++) {
+        hash = (hash ^ (rest & 0xffu)) * fnv_prime;
+        rest >>= 8;
+    }
+    return hash;
+}
+
+// A hash that ends at the last tick that was not idle does not depend on when the run is ended.
+static void keep_hash(app_t *app) {
+    uint64_t hash = app->tick.hash_idle;
+    for (uint32_t k = 0; k < app->nck.transform.joints; k++) {
+        hash = hash_integer(hash, app->tick.axes.joint_nm[k]);
+    }
+    app->tick.hash_idle = hash;
+    if (app->tick.state != NCK_TICK_IDLE && !app->supervisor.frozen) app->tick.hash = hash;
+}
+
+static void write_row(const app_t *app) {
+    const app_row_t row = {
+        app->tick.count, app->tick.pose.line, nck_link_waiting(&app->nck.link),
+        (uint8_t)app->supervisor.state, (uint8_t)app->tick.state, app->tick.pose.limit,
+        app->supervisor.state != APP_EMERGENCY
+    };
+    uint8_t bytes[sizeof row + sizeof app->tick.axes.joint_nm];
+    const size_t joints = app->nck.transform.joints * sizeof app->tick.axes.joint_nm[0];
+    memcpy(bytes, &row, sizeof row);
+    memcpy(bytes + sizeof row, app->tick.axes.joint_nm, joints);
+    hal_write(HAL_TRACE, bytes, sizeof row + joints);
+}
+
+// Hand the next setpoint over, unless the guard says that the drives must not have it.
+static void take_setpoint(app_t *app) {
+    nck_pose_t pose;
+    nck_axes_t axes;
+    app->tick.state = nck_tick(&app->nck, &pose, &axes);
+    app->tick.idle = (uint32_t)nck_is_idle(&app->nck);
+    const app_guard_t guard = app_guard_check(app, &pose, &axes);
+    if (guard == APP_GUARD_BEYOND) {
+        app->supervisor.frozen = 1;
+        app->tick.beyond = 1;
+        return;
+    }
+    if (guard == APP_GUARD_NEAR) app->tick.near = 1;
+    const int still = pose.v == 0.0 && memcmp(&axes, &app->tick.axes, sizeof axes) == 0;
+    app->tick.resting = still ? app->tick.resting + 1 : 0;
+    app->tick.pose = pose;
+    app->tick.axes = axes;
+}
+
+static void count_lateness(app_t *app) {
+    const int idle_early = app->tick.state == NCK_TICK_IDLE && !app->prep.done;
+    app->tick.starved += app->tick.state == NCK_TICK_STARVED;
+    app->tick.underruns += app->tick.state == NCK_TICK_STARVED || idle_early;
+}
+
+// Keep the processor busy. On a board time passes by itself, on the host by os_spend. The clock steps
+// back where a tick was lost.
+static void work(uint32_t units) {
+    uint64_t last = os_clock(), spent = 0;
+    os_spend(units);
+    while (spent < units) {
+        const uint64_t now = os_clock();
+        if (now > last) spent += now - last;
+        last = now;
+    }
+}
+
+static void do_other_work(app_t *app) {
+    os_spend(app->job.tick_units);
+    if (app->supervisor.work_ticks == 0) return;
+    app->supervisor.work_ticks--;
+    work(app->supervisor.work_units);
+}
+
+// Nobody else could end a run whose supervisor does not run any more.
+static void watch_supervisor(app_t *app) {
+    if (os_time() - app->supervisor.seen < SUPERVISOR_LATE) return;
+    if (app->supervisor.goal == APP_IDLE) app->supervisor.goal = APP_FAULT_TASK;
+    nck_abort(&app->nck);
+    if (app->tick.resting < APP_REST_TICKS && !app->supervisor.frozen) return;
+    app->supervisor.state = app->fault_stack ? APP_FAULT_STACK : app->supervisor.goal;
+    os_stop();
+}
+
+// After an overrun a period is given away: the tasks get time to act on it, and the motion is
+// stretched in time instead of jumping.
+static int is_given_away(app_t *app) {
+    const uint32_t overruns = os_overruns();
+    if (overruns == app->tick.overruns) return 0;
+    app->tick.overruns = overruns;
+    app->tick.given_away++;
+    return 1;
+}
+
+void app_tick(void *user) {
+    app_t *const app = user;
+    const uint64_t begin = os_clock();
+    if (is_given_away(app)) return;
+    watch_supervisor(app);
+    if (!app->supervisor.started) return;
+    app->tick.count++;
+    if (!app->supervisor.frozen) take_setpoint(app);
+    if (!app->supervisor.frozen) count_lateness(app);
+    keep_hash(app);
+    if (app->job.trace) write_row(app);
+    do_other_work(app);
+    const uint64_t units = os_clock() - begin;
+    if (os_clock() > begin && units > app->tick.most_units) app->tick.most_units = units;
+}

@@ -1,0 +1,341 @@
+# SPDX-License-Identifier: MIT
+"""The firmware as a controller: on the host in virtual time, or on a Cortex-M under QEMU.
+
+The firmware of ``firmware_sim/app`` is built in ``build/firmware`` when a controller is opened and
+runs as a process of its own, with a job, a program, a report and a trace as its files.
+"""
+
+import fcntl
+import functools
+import shutil
+import struct
+import subprocess
+import sys
+import tempfile
+import time
+from pathlib import Path
+
+import numpy as np
+
+from pycnc import errors
+from pycnc.diagnostics import Diagnostics, Wording
+from pycnc.machine import DEFAULT, Machine
+from pycnc.records import dtype
+
+ROOT = Path(__file__).resolve().parents[1]
+CORES = {"m4f": "mps2-an386", "m7": "mps2-an500"}
+CONTROLLERS = ("host", *CORES)
+TIMEOUT_S = 300.0
+_SHIFT = 3  # an instruction takes 2³ ns of QEMU's virtual time: 125 million in a second
+_COMPILER, _EMULATOR = "arm-none-eabi-gcc", "qemu-system-arm"
+_PACKAGES = {
+    _COMPILER: "gcc-arm-none-eabi libnewlib-arm-none-eabi",
+    _EMULATOR: "qemu-system-arm",
+    "cmake": "cmake",
+}
+# What the work takes where time is virtual, in units of the controller's clock of 25 MHz.
+_NOMINAL = {"prep_units": 250, "tick_units": 250, "feeder_units": 250}
+_ROW = [
+    ("tick", "<u4"), ("line", "<u4"), ("queue", "<u4"), ("state", "u1"), ("tick_state", "u1"),
+    ("limit", "u1"), ("drives", "u1"),
+]  # fmt: skip
+_LISTS = ("task", "diagnostic", "event")
+_BOARD_FAULTS = {
+    100: "an exception that nobody takes", 101: "NMI", 102: "hard fault", 103: "memory fault",
+    104: "bus fault", 105: "usage fault", 106: "tick overrun",
+}  # fmt: skip
+
+
+class FirmwareError(errors.NckError):
+    """A controller cannot be built, does not start or does not end; the message has the remedy."""
+
+
+class Outcome:
+    """What a run of the firmware gave.
+
+    Attributes
+    ----------
+    state : str
+        The state it ended in: "done", "hold", "aborted", "program_error", "soft_limit", "estop",
+        "fault_overrun", "fault_stack", "fault_starved", "fault_task", "fault_machine", or another
+        one if ``max_ticks`` ended it.
+    events : list of (int, str)
+        Changes of state, and the tick each came after.
+    hash : str
+        FNV-1a of 64 bits over all setpoints, up to the last tick with something to do.
+    joints_nm : tuple of int
+        Where the axes stand at the end [nm, nanodegrees].
+    ticks, overruns, underruns, starved_ticks, given_away : int
+        Setpoints; ticks longer than their period; ticks that preparation was late for, and those
+        of them on the stop tail; periods without a setpoint after an overrun.
+    load : dict
+        Share of the processor's time: "tick", and every task by its name.
+    tick_most : float
+        The longest tick, as a share of its period.
+    stack_left : dict
+        Bytes of stack that each task never touched.
+    diagnostics : Diagnostics
+    rows : numpy.ndarray or None
+        One item a tick: tick, line, queue, state, tick_state, limit, drives, joint_nm.
+    facts : dict
+        Every number of the report.
+    wall_s : float
+    """
+
+    def __init__(self, report, diagnostics, rows, period_s, wall_s):
+        self.facts, self.wall_s = report, wall_s
+        self.diagnostics, self.rows = diagnostics, rows
+        names = report["names"].split()
+        self.state, self.hash = report["state"], report["hash"]
+        self.joints_nm = tuple(map(int, report["joints"].split()))
+        self.events = [(int(tick), names[int(code)]) for tick, code in report["event"]]
+        for name in ("ticks", "overruns", "underruns", "starved_ticks", "given_away"):
+            setattr(self, name, int(report[name]))
+        self._measure(report, period_s)
+        self.state_names = dict(enumerate(names))
+
+    def _measure(self, report, period_s):
+        clock = max(int(report["clock_units"]), 1)
+        self.load = {"tick": int(report["tick_units"]) / clock}
+        self.load |= {words[0]: int(words[3]) / clock for words in report["task"]}
+        self.stack_left = {words[0]: int(words[5]) for words in report["task"]}
+        self.tick_most = int(report["tick_most_units"]) / (period_s * int(report["clock_hz"]))
+
+    def as_dict(self):
+        """Return what a script needs to know, ready for JSON."""
+        names = ("state", "hash", "ticks", "overruns", "underruns", "starved_ticks", "given_away",
+                 "load", "tick_most", "stack_left", "joints_nm", "events", "wall_s")  # fmt: skip
+        facts = {name: getattr(self, name) for name in names}
+        return facts | {"diagnostics": self.diagnostics.as_list()}
+
+    def __repr__(self):
+        return f"<Outcome {self.state} after {self.ticks} ticks, setpoints {self.hash}>"
+
+
+class Controller:
+    """A controller that is built and ready; made by `open`."""
+
+    def __init__(self, name, image):
+        self.name, self._image = name, image
+
+    def run(self, program, machine=DEFAULT, commands=(), *, file="<text>", trace=False,
+            timeout_s=TIMEOUT_S, **conditions):  # fmt: skip
+        """Run a program and return what happened.
+
+        Parameters
+        ----------
+        program : str or bytes
+            NC text.
+        machine : str, path or Machine
+        commands : iterable of tuple
+            (tick, name, numbers…), in any order: what the operator does behind the setpoint of
+            that tick. Names: "hold", "resume", "override" (feed and rapid in percent),
+            "single_block" (1 or 0), "abort", "estop", "travel" (joint, lowest and highest
+            nanometre), and what a test does: "feeder_pause" (ticks), "tick_work" (units of the
+            clock, ticks), "stack_work" (priority of a task).
+        file : str
+            Name of the program in diagnostics.
+        trace : bool
+            Keep a row a tick.
+        timeout_s : float
+            Wall time.
+        **conditions
+            prep_steps (of a tick at most; 0: no limit), wait_ticks (until the operator resumes
+            after M0, M1, M6; 0: never), starve_ticks (at rest without text until that is a fault;
+            0: never), max_ticks; prep_units, tick_units and feeder_units: what the work takes on
+            the host.
+
+        Returns
+        -------
+        Outcome
+
+        Raises
+        ------
+        FirmwareError
+
+        Examples
+        --------
+        >>> outcome = open("host").run("G1 F600 X5\\nM2\\n", commands=[(100, "hold"), (200, "resume")])
+        >>> outcome.state, outcome.joints_nm[0]
+        ('done', 5000000)
+        """
+        mill = Machine.load(machine)
+        job = [*_settings(mill), *_conditions(conditions, trace), *_commands(commands)]
+        text = program.encode() if isinstance(program, str) else program
+        with tempfile.TemporaryDirectory(prefix="pycnc-") as folder:
+            place = Path(folder)
+            (place / "job").write_text("\n".join(job) + "\n", encoding="ascii")
+            (place / "program").write_bytes(text)
+            begin = time.perf_counter()
+            self._execute(place, timeout_s)
+            wall_s = time.perf_counter() - begin
+            report = _read_report(place / "report")
+            rows = _read_rows(place / "trace", report) if trace else None
+        found = Diagnostics()
+        Wording(file, text, mill).add(found, _findings(report))
+        return Outcome(report, found, rows, mill.period_s, wall_s)
+
+    def _execute(self, place, timeout_s):
+        command = [self._image]
+        if self.name != "host":
+            command = [
+                _EMULATOR, "-M", CORES[self.name], "-display", "none", "-monitor", "none",
+                "-serial", "none", "-semihosting-config", "enable=on,target=native",
+                "-icount", f"shift={_SHIFT},align=off,sleep=off", "-kernel", self._image,
+            ]  # fmt: skip
+        try:
+            done = subprocess.run(command, cwd=place, capture_output=True, timeout=timeout_s)
+        except subprocess.TimeoutExpired:
+            raise FirmwareError(
+                f"the {self.name} controller did not end within {timeout_s:g} s: allow more time, "
+                "or give max_ticks", id="controller-timeout",
+            ) from None  # fmt: skip
+        self._judge(done, place)
+
+    def _judge(self, done, place):
+        if done.returncode == 0:
+            return
+        report = place / "report"
+        words = report.read_text(encoding="ascii") if report.exists() else ""
+        if words.startswith("job_error"):
+            number = int(words.split()[1])
+            line = (place / "job").read_text(encoding="ascii").splitlines()[number - 1]
+            raise errors.ArgumentError(f"the controller does not take {line!r}", id="job")
+        cause = _BOARD_FAULTS.get(done.returncode, f"exit status {done.returncode}")
+        said = done.stderr.decode(errors="replace").strip()
+        raise FirmwareError(
+            f"the {self.name} controller stopped: {cause}{': ' if said else ''}{said}",
+            id="controller-fault",
+        )
+
+
+def open(controller="host"):
+    """Open a controller; its firmware is built first where that has not been done yet.
+
+    Parameters
+    ----------
+    controller : {"host", "m4f", "m7"}
+        The native program in virtual time, or a Cortex-M under QEMU.
+
+    Returns
+    -------
+    Controller
+
+    Raises
+    ------
+    FirmwareError
+        The sources, a compiler or the emulator is missing, or the build fails.
+    """
+    if controller not in CONTROLLERS:
+        raise errors.ArgumentError(f"no controller {controller!r}; there are: "
+                                   f"{', '.join(CONTROLLERS)}", id="controller")  # fmt: skip
+    return Controller(controller, _build(controller))
+
+
+def _tool(name):
+    """Return the path of a program: beside Python, or on the search path."""
+    beside = Path(sys.executable).with_name(name)
+    path = str(beside) if beside.exists() else shutil.which(name)
+    if path is None:
+        raise FirmwareError(f"{name} is not installed: on Debian, apt-get install "
+                            f"{_PACKAGES[name]}", id="controller-absent")  # fmt: skip
+    return path
+
+
+@functools.cache
+def _build(controller):
+    """Build the firmware of a controller and return its image."""
+    if not (ROOT / "firmware_sim" / "app").is_dir():
+        raise FirmwareError("controllers are built from the sources of pycnc: work in a checkout, "
+                            "with an editable install", id="controller-absent")  # fmt: skip
+    folder = ROOT / "build" / "firmware" / controller
+    configure = [_tool("cmake"), "-S", ROOT, "-B", folder, "-DNCK_FIRMWARE=ON"]
+    if controller in CORES:
+        toolchain = ROOT / "firmware_sim" / "board" / "arm-none-eabi.cmake"
+        configure += ["--toolchain", toolchain, f"-DNCK_CORE={controller}"]
+        _tool(_COMPILER), _tool(_EMULATOR)
+    folder.mkdir(parents=True, exist_ok=True)
+    with (folder / "lock").open("w") as lock:
+        fcntl.flock(lock, fcntl.LOCK_EX)
+        for command in (configure, [_tool("cmake"), "--build", folder, "--target", "firmware"]):
+            done = subprocess.run(command, capture_output=True, text=True)
+            if done.returncode != 0:
+                raise FirmwareError(f"the firmware of {controller} does not build:\n{done.stdout}"
+                                    f"{done.stderr}", id="controller-build")  # fmt: skip
+    suffix = ".elf" if controller in CORES else ""
+    return folder / "firmware_sim" / "app" / f"firmware{suffix}"
+
+
+def _number(value):
+    """Return a number as the firmware reads it: exactly."""
+    return float(value).hex() if isinstance(value, np.floating) else str(int(value))
+
+
+def _items(prefix, value):
+    """Yield (name, index…, number) of a record, of lists of records and of lists."""
+    if isinstance(value, np.void):
+        for name in value.dtype.names:
+            if name != "reserved":
+                yield from _items(f"{prefix}.{name}" if prefix else name, value[name])
+    elif isinstance(value, np.ndarray):
+        for k, item in enumerate(value):
+            for name, *index, number in _items(prefix, item):
+                yield name, k, *index, number
+    else:
+        yield prefix, value
+
+
+def _settings(machine):
+    """Return the machine as lines of a job; what is zero need not be said."""
+    record = machine.record
+    lines, tools = [], int(record["tool_count"])
+    for name, *index, number in _items("", record):
+        row, column = [*index, 0, 0][:2]
+        of_axis = name.startswith("axis.")
+        absent = (of_axis and not record["axis"][row]["present"]) or (
+            name.startswith("tool.") and row >= tools
+        )
+        if number != 0 and not absent:
+            lines.append(f"set {name} {row} {column} {_number(number)}")
+    return lines
+
+
+def _conditions(conditions, trace):
+    """Return the conditions of a run as lines of a job; the firmware knows which there are."""
+    values = _NOMINAL | conditions | {"trace": int(trace)}
+    return [f"{name} {int(value)}" for name, value in values.items()]
+
+
+def _commands(commands):
+    ordered = sorted(commands, key=lambda command: command[0])
+    return [
+        f"at {int(tick)} {name} {' '.join(str(int(number)) for number in numbers)}".strip()
+        for tick, name, *numbers in ordered
+    ]
+
+
+def _read_report(path):
+    """Return word → rest of its line; tasks, diagnostics and events are lists of words."""
+    report = {name: [] for name in _LISTS}
+    for line in path.read_text(encoding="ascii").splitlines():
+        name, _, rest = line.partition(" ")
+        if name in _LISTS:
+            report[name].append(rest.split())
+        else:
+            report[name] = rest
+    return report
+
+
+def _findings(report):
+    """Return the diagnostics of a report as records of the kernel."""
+    rows = np.zeros(len(report["diagnostic"]), dtype("nck_diagnostic_t"))
+    for row, (code, line, column, letter, *reals) in zip(rows, report["diagnostic"], strict=True):
+        row["code"], row["line"], row["column"] = int(code), int(line), int(column)
+        row["letter"] = int(letter)
+        row["value"], row["limit"] = (struct.unpack(">d", bytes.fromhex(b))[0] for b in reals)
+    return rows
+
+
+def _read_rows(path, report):
+    joints = len(report["joints"].split())
+    return np.fromfile(path, np.dtype([*_ROW, ("joint_nm", "<i8", (joints,))]))
