@@ -22,6 +22,8 @@ SUBJECTS = {
     "tick": [("kernel", "bench_tick_rows")],
     "time": [("kernel", "bench_time_rows")],
     "optimum": [("optimum", "bench_optimum_rows")],
+    "linuxcnc": [("linuxcnc", "bench_linuxcnc_rows")],
+    "butterfly": [("linuxcnc", "bench_butterfly_rows")],
     "bubble": [("grades", "bench_bubble_rows")],
     "opencl": [("opencl", "bench_opencl_rows")],
     "cao": [("papers", "cao")],
