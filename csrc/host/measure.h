@@ -25,8 +25,8 @@ int64_t nck_host_measure_triad(const float *b, const float *c, size_t n, int thr
                                int runs);
 
 // The least time of some runs of nck_host_jerk. Arrays as there; runs: 1 at least.
-// Returns nanoseconds, or the negative status of a run that failed (NCK_E_ARGUMENT if `nodes` is too
-// small). Cost: runs × linear. Context: any.
+// Returns nanoseconds, or NCK_E_ARGUMENT if a run fails (`nodes` too small among it).
+// Cost: runs × linear. Context: any.
 int64_t nck_host_measure_jerk(const nck_host_path_t *path, const nck_host_jerk_t *how, size_t nodes,
                               void *work, double *v_out, nck_cell_t *cells_out, int runs);
 
