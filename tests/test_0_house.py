@@ -29,9 +29,11 @@ MAY_INCLUDE = {
     "firmware_sim/app/": ("app/", "nck/nck.h", "os.h", "hal.h"),
     "firmware_sim/hal/": ("hal",),
     "firmware_sim/board/": ("board/", "hal.h", "os.h"),
+    "firmware_sim/examples/": ("nck/nck.h", "board/board.h", "os.h"),
     "firmware_sim/sim": ("nck/", "sim", "app/", "os.h", "hal.h"),
-    "tests/c/": ("nck/", "host/", "sim.h", "check.h"),
+    "tests/c/": ("nck/", "host/", "sim.h", "check.h", "os/", "board/"),
     "tests/fuzz/": ("nck/", "host/", "sim.h"),
+    "tests/qemu/": ("nck/nck.h", "nck/base/link.h", "board/", "mark.h", "traffic.h"),
     "tests/package/": ("nck/nck.h", "host/"),
 }
 FORBIDDEN_WORDS = {"util", "utils", "helper", "helpers", "manager", "tmp", "interp"}

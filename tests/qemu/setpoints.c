@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: MIT
+// A controller in one loop, the same source on the host and on the emulated boards: NC program in,
+// hash of all setpoints out.
+//
+//     setpoints MACHINE PROGRAM SUMMARY [ROWS]
+//
+// MACHINE is an nck_machine_t as it stands in memory, SUMMARY becomes the numbers of `summary_t`,
+// ROWS every tick's setpoints. Exit status: 0, or 1 if an argument or a file is wrong.
+#include <string.h> // memcpy
+
+#include "board/board.h" // files, arguments
+#include "mark.h"        // mark_*
+#include "nck/nck.h"     // the kernel
+
+enum {
+    NAME_MAX = 200,
+    TEXT_MAX = 1024, // bytes of program in memory
+    PREP_STEPS = 256 // between two ticks, as pycnc.run has it
+};
+
+typedef struct summary {
+    uint64_t hash;         // of all setpoints, tick by tick
+    uint64_t ticks;
+    uint64_t starved;      // ticks in which the path was waited for
+    uint64_t prep_steps;
+    int64_t error;         // nck_status_t of a program error, else 0
+    uint64_t kernel_bytes; // sizeof(nck_t)
+} summary_t;
+
+typedef struct controller {
+    int program; // file
+    int rows;    // file, -1: none
+    char text[TEXT_MAX];
+    size_t text_size, text_used;
+    nck_status_t prep_status;
+    summary_t summary;
+} controller_t;
+
+static nck_t nck;
+static nck_machine_t machine;
+static controller_t controller;
+
+static void feed(controller_t *self) {
+    if (self->text_used == self->text_size) {
+        self->text_size = board_read(self->program, self->text, sizeof self->text);
+        self->text_used = 0;
+    }
+    if (self->text_size == 0) {
+        nck_end(&nck);
+        return;
+    }
+    size_t used = 0;
+    (void)nck_push(&nck, self->text + self->text_used, self->text_size - self->text_used, &used);
+    self->text_used += used;
+}
+
+// One step of prep. Returns 1 if another one has something to do.
+static int prep(controller_t *self) {
+    if (self->prep_status == NCK_DONE) return 0;
+    mark_prep_begin();
+    const nck_status_t status = nck_prep(&nck);
+    mark_prep_end();
+    self->prep_status = status;
+    self->summary.prep_steps++;
+    if (status < NCK_OK) self->summary.error = status;
+    if (status == NCK_EMPTY) feed(self);
+    return status != NCK_FULL && status != NCK_DONE;
+}
+
+// FNV-1a over words of 64 bits (Fowler, Noll, Vo, Eastlake: The FNV Non-Cryptographic Hash
+// Algorithm, 2012), with its constants.
+static void hash_setpoints(summary_t *summary, const nck_axes_t *axes) {
+    for (int k = 0; k < NCK_AXIS_MAX; k++) {
+        summary->hash = (summary->hash ^ (uint64_t)axes->joint_nm[k]) * 0x100000001b3u;
+    }
+}
+
+static void tick(controller_t *self) {
+    nck_pose_t pose;
+    nck_axes_t axes;
+    mark_tick_begin();
+    const nck_tick_state_t state = nck_tick(&nck, &pose, &axes);
+    mark_tick_end();
+    if (state == NCK_TICK_WAIT) nck_resume(&nck);
+    self->summary.starved += state == NCK_TICK_STARVED;
+    self->summary.ticks++;
+    hash_setpoints(&self->summary, &axes);
+    if (self->rows >= 0) (void)board_write(self->rows, &axes, sizeof axes);
+}
+
+static void run(controller_t *self) {
+    while (prep(self)) continue;
+    while (self->prep_status != NCK_DONE || !nck_is_idle(&nck)) {
+        tick(self);
+        for (int n = 0; n < PREP_STEPS && prep(self); n++) continue;
+    }
+}
+
+static int open_argument(int k, board_mode_t mode) {
+    char name[NAME_MAX];
+    return board_argument(k, name, sizeof name) < 0 ? -1 : board_open(name, mode);
+}
+
+// The image must have this build's size: then capacities and layout are the same.
+static int read_machine(void) {
+    char beyond;
+    const int file = open_argument(1, BOARD_READ);
+    if (file < 0 || board_read(file, &machine, sizeof machine) != sizeof machine) return 0;
+    return board_read(file, &beyond, 1) == 0;
+}
+
+int main(void) {
+    controller.program = open_argument(2, BOARD_READ);
+    const int file = open_argument(3, BOARD_WRITE);
+    controller.rows = open_argument(4, BOARD_WRITE);
+    if (controller.program < 0 || file < 0 || !read_machine()) return 1;
+    if (nck_init(&nck, &machine, NULL) != NCK_OK) return 1;
+    controller.summary.hash = 0xcbf29ce484222325u;
+    controller.summary.kernel_bytes = sizeof nck;
+    run(&controller);
+    const size_t size = sizeof controller.summary;
+    return board_write(file, &controller.summary, size) == size ? 0 : 1;
+}

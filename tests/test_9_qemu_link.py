@@ -1,0 +1,174 @@
+# SPDX-License-Identifier: MIT
+"""The link between prep and tick: interrupted at every instruction, and between two threads.
+
+The negative controls change one thing in a copy of base/, and must be caught.
+"""
+
+import os
+import shutil
+import subprocess
+from dataclasses import dataclass
+
+import pytest
+import targets
+
+GAPS = (211, 307, 503, 997)  # instructions of prep between two interrupts
+CLOCKS_PER_INSTRUCTION = 25.6  # SysTick counts every 40 ns; -icount shift=10 is 1024 ns
+INTERRUPTS = 20_000
+CELLS = 100_000
+WAYS = {"batches": 0, "plans": 1}  # how prep publishes: linear slope, jerk-limited slope
+OPTIONS = ["-std=c99", "-Wall", "-Wextra", "-Werror", "-ffp-contract=off"]
+SMALL = [f"-D{macro}={value}" for macro, value in targets.capacities("small").items()]
+CORES = {
+    "m4f": ["-mcpu=cortex-m4", "-mfpu=fpv4-sp-d16", "-mthumb", "-mfloat-abi=hard"],
+    "m7": ["-mcpu=cortex-m7", "-mfpu=fpv5-d16", "-mthumb", "-mfloat-abi=hard"],
+}
+
+
+@dataclass(frozen=True)
+class Fault:
+    """A change that must be caught: in `file` of base/, `was` becomes `now`."""
+
+    name: str
+    file: str
+    was: str
+    now: str
+
+    def __str__(self):
+        return self.name
+
+
+OUTPUT_WRITE = "    self->output[self->output_head & (NCK_OUTPUT_MAX - 1)] = *output;\n"
+OUTPUT_PUBLISH = "    nck_fence_store(&self->output_head, self->output_head + 1);\n"
+CELL_READ = "            *cell_out = self->cell[self->taken & (NCK_CELL_MAX - 1)];\n"
+CELL_FREE = "            nck_fence_store(&self->taken, (self->taken + 1) & END_MASK);\n"
+EXCHANGE = (
+    "    return __atomic_compare_exchange_n(word, &expected, desired, 0, __ATOMIC_ACQ_REL,\n"
+    "                                       __ATOMIC_ACQUIRE);\n"
+)
+
+OUTPUT_FIRST = Fault(
+    "an output is published before it is written", "link.c", OUTPUT_WRITE + OUTPUT_PUBLISH,
+    "    const uint32_t at = self->output_head & (NCK_OUTPUT_MAX - 1);\n"
+    + OUTPUT_PUBLISH + "    __asm__ volatile(\"\" ::: \"memory\");\n"
+    + "    self->output[at] = *output;\n",
+)  # fmt: skip
+NO_EXCHANGE = Fault(
+    "the exchange can be interrupted", "fence.h", EXCHANGE,
+    "    if (*(const volatile uint32_t *)word != expected) return 0;\n"
+    "    *(volatile uint32_t *)word = desired;\n    return 1;\n",
+)  # fmt: skip
+SAME_TAIL = Fault(
+    "the tail in use is written over", "link.c", "return 1u - parity_of(self->base);",
+    "return parity_of(self->base);",
+)  # fmt: skip
+NO_WAIT = Fault(
+    "prep goes on before the tail has come to rest", "link.c", "!= end + 1) return NCK_FULL;",
+    "== end + 2) return NCK_FULL;",
+)  # fmt: skip
+NO_LOSS = Fault(
+    "prep does not see that it lost", "link.c",
+    "if (!nck_fence_exchange(&self->word, self->base, word)) return NCK_E_STATE;",
+    "nck_fence_store(&self->word, word);",
+)  # fmt: skip
+ROOM = Fault(
+    "one cell more than there is room for", "link.c", "return NCK_CELL_MAX - used;",
+    "return NCK_CELL_MAX + 1 - used;",
+)  # fmt: skip
+PLAIN_STORE = Fault(
+    "words are stored without release", "fence.h", "__ATOMIC_RELEASE", "__ATOMIC_RELAXED"
+)
+PLAIN_LOAD = Fault(
+    "words are read without acquire", "fence.h", "return __atomic_load_n(word, __ATOMIC_ACQUIRE);",
+    "return *word;",
+)  # fmt: skip
+FREE_FIRST = Fault(
+    "a cell's place is free before it is read", "link.c", CELL_READ + CELL_FREE,
+    CELL_FREE + CELL_READ.replace("self->taken &", "(self->taken - 1) &"),
+)  # fmt: skip
+
+SWEEP_FAULTS = (OUTPUT_FIRST, NO_EXCHANGE, SAME_TAIL, NO_WAIT, NO_LOSS, ROOM)
+THREAD_FAULTS = (OUTPUT_FIRST, PLAIN_STORE, PLAIN_LOAD, FREE_FIRST, SAME_TAIL, NO_WAIT)
+
+
+def ground(folder, fault=None):
+    """Return the include folders and link.c: the real ones, or a copy with a fault."""
+    csrc = targets.ROOT / "csrc"
+    if fault is None:
+        return [f"-I{csrc}", csrc / "nck" / "base" / "link.c"]
+    copy = folder / "csrc"
+    shutil.copytree(csrc / "nck" / "base", copy / "nck" / "base", dirs_exist_ok=True)
+    file = copy / "nck" / "base" / fault.file
+    text = file.read_text(encoding="utf-8")
+    assert text.count(fault.was) >= 1, f"{fault.file} has nothing that can be changed so"
+    file.write_text(text.replace(fault.was, fault.now), encoding="utf-8")
+    return [f"-I{copy}", copy / "nck" / "base" / "link.c"]
+
+
+def compile_c(compiler, options, sources, program):
+    command = [compiler, *OPTIONS, *SMALL, *options, f"-I{targets.ROOT / 'tests' / 'qemu'}"]
+    command += [targets.ROOT / "tests" / "qemu" / name for name in sources]
+    done = subprocess.run([*command, "-o", program], capture_output=True, text=True)
+    assert done.returncode == 0, done.stderr
+
+
+def build_sweep(core, tool, folder, fault=None):
+    """Build the sweep's image for a core."""
+    sim, board = targets.ROOT / "firmware_sim", targets.ROOT / "firmware_sim" / "board"
+    options = [*CORES[core], "-O2", *ground(folder, fault), f"-I{sim}", "-nostartfiles"]
+    options += [board / "startup.c", board / "board.c", f"-L{board}", f"-T{core}.ld"]
+    image = folder / f"sweep_{core}.elf"
+    compile_c(tool("arm-none-eabi-gcc"), options, ["link_sweep.c", "traffic.c"], image)
+    return image
+
+
+def build_threads(tool, folder, fault=None):
+    """Build the two threads under the thread sanitizer."""
+    options = ["-O1", "-g", "-fsanitize=thread", *ground(folder, fault), "-pthread"]
+    program = folder / "threads"
+    compile_c(tool("clang-19"), options, ["link_threads.c", "traffic.c"], program)
+    return program
+
+
+def sweep(core, image, gap, plans=0):
+    """Run the sweep; return what it says, empty if no rule is broken."""
+    clocks, appetite = round(gap * CLOCKS_PER_INSTRUCTION), gap // 80 + 1
+    try:
+        targets.emulate(core, image, clocks, INTERRUPTS, appetite, plans, shift=10)
+    except targets.TargetError as cause:
+        return str(cause)
+    return ""
+
+
+def run_threads(program, plans=0):
+    """Run the threads; return what they say, empty if all is well."""
+    first = {**os.environ, "TSAN_OPTIONS": "halt_on_error=1"}
+    command = [program, str(CELLS), str(plans)]
+    done = subprocess.run(command, capture_output=True, text=True, timeout=60, env=first)
+    return done.stdout + done.stderr if done.returncode != 0 else ""
+
+
+@pytest.mark.parametrize("plans", WAYS.values(), ids=WAYS)
+@pytest.mark.parametrize("core", CORES)
+def test_no_interrupt_breaks_the_traffic(tool, tmp_path, core, plans):
+    tool("qemu-system-arm")
+    image = build_sweep(core, tool, tmp_path)
+    assert [said for gap in GAPS if (said := sweep(core, image, gap, plans))] == []
+
+
+@pytest.mark.parametrize("fault", SWEEP_FAULTS, ids=str)
+def test_the_sweep_catches_a_broken_link(tool, tmp_path, fault):
+    tool("qemu-system-arm")
+    image = build_sweep("m7", tool, tmp_path, fault)
+    assert any("broken: " in sweep("m7", image, gap) for gap in GAPS)
+
+
+@pytest.mark.parametrize("plans", WAYS.values(), ids=WAYS)
+def test_two_threads_do_not_race(tool, tmp_path, plans):
+    assert run_threads(build_threads(tool, tmp_path), plans) == ""
+
+
+@pytest.mark.parametrize("fault", THREAD_FAULTS, ids=str)
+def test_two_threads_catch_a_broken_link(tool, tmp_path, fault):
+    said = run_threads(build_threads(tool, tmp_path, fault))
+    assert "data race" in said or "broken: " in said
