@@ -16,6 +16,7 @@ import typer
 
 from pycnc import errors
 from pycnc.diagnostics import Diagnostic
+from pycnc.firmware import FirmwareError
 from pycnc.machine import DEFAULT, Machine, MachineFileError, shipped
 from pycnc.planning import BackendError
 
@@ -74,6 +75,17 @@ PrepSteps = Annotated[
     int | None,
     typer.Option(min=1, help="Prep steps between two ticks; few of them starve the tick."),
 ]
+ControllerName = Annotated[
+    str | None,
+    typer.Option("--controller", help="Run the firmware: host, or m4f or m7 under QEMU."),
+]
+Commands = Annotated[
+    list[str] | None,
+    typer.Option(
+        "--at", metavar='"TICK COMMAND …"',
+        help='What the operator does there: "250 hold", "400 override 50 100"; with --controller.',
+    ),
+]  # fmt: skip
 Subject = Annotated[
     str | None, typer.Argument(metavar="NAME", help="Which one; without a name: a list.")
 ]
@@ -111,6 +123,9 @@ def explain(cause):
         return INTERRUPTED
     if isinstance(cause, BackendError | errors.DeviceError):
         fail(f"pycnc: error[backend]: {cause}")
+        return INTERNAL
+    if isinstance(cause, FirmwareError):
+        fail(f"pycnc: error[controller]: {cause}")
         return INTERNAL
     if isinstance(cause, MachineFileError | Refused):
         fail(str(cause))
@@ -310,12 +325,20 @@ def run(
     file: File, machine: MachineName = DEFAULT, dialect: DialectName = None, set: Set = None,
     tools: Tools = None,
     output: Output = None, picture: Picture = None, prep_steps: PrepSteps = None,
-    plan: PlanName = "exact", backend: Backend = "auto", json_: Json = False,
-    quiet: Quiet = False, verbose: Verbose = False,
+    plan: PlanName = "exact", backend: Backend = "auto", controller: ControllerName = None,
+    at: Commands = None, json_: Json = False, quiet: Quiet = False, verbose: Verbose = False,
 ):  # fmt: skip
     """Run a program in the simulated controller, tick by tick."""
     from pycnc import kernel, trace
 
+    if controller is not None:
+        if output or picture or plan != "exact" or backend != "auto":
+            raise Refused("pycnc: error[controller]: --controller runs the firmware, which has no "
+                          "--output, --plot, --plan or --backend")  # fmt: skip
+        mill = machine_of(machine, set, tools, dialect)
+        return _run_firmware(file, mill, controller, at or (), prep_steps or 0, json_, quiet)
+    if at:
+        raise Refused("pycnc: error[controller]: --at needs --controller")
     program = decoded(file, machine_of(machine, set, tools, dialect), quiet)
     if program.diagnostics.errors:
         return refuse(program, json_, quiet)
@@ -333,6 +356,27 @@ def run(
     elif not quiet:
         _print_summary(done, output, picture)
     return _judge(done)
+
+
+def _run_firmware(file, machine, controller, at, prep_steps, as_json, quiet):
+    """Run a program on a controller. Returns the exit code."""
+    from pycnc import firmware, kernel
+
+    name, text = read(file)
+    done = firmware.open(controller).run(
+        text, machine, firmware.read_commands(at), file=name, prep_steps=prep_steps
+    )
+    if as_json:
+        facts = {"file": name, "machine": machine.name, "version": kernel.version(),
+                 "controller": controller, "period_s": machine.period_s}  # fmt: skip
+        print(json.dumps(facts | done.as_dict()))
+    elif not quiet:
+        print("\n".join([f"{name} on {controller}:", *done.lines()]))
+    if not as_json:
+        words = [each.text(colour(sys.stderr)) for each in done.diagnostics
+                 if each.severity == "error"]  # fmt: skip
+        print("\n".join(words), file=sys.stderr, end="\n" if words else "")
+    return GOOD if done.state in firmware.WANTED else WRONG
 
 
 def _print_summary(done, output, picture):

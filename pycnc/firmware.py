@@ -5,7 +5,6 @@ The firmware of ``firmware_sim/app`` is built in ``build/firmware`` when a contr
 runs as a process of its own, with a job, a program, a report and a trace as its files.
 """
 
-import fcntl
 import functools
 import shutil
 import struct
@@ -26,6 +25,7 @@ ROOT = Path(__file__).resolve().parents[1]
 CORES = {"m4f": "mps2-an386", "m7": "mps2-an500"}
 CONTROLLERS = ("host", *CORES)
 TIMEOUT_S = 300.0
+WANTED = frozenset({"done", "hold", "wait", "aborted", "estop"})  # ends that somebody asked for
 _SHIFT = 3  # an instruction takes 2³ ns of QEMU's virtual time: 125 million in a second
 _COMPILER, _EMULATOR = "arm-none-eabi-gcc", "qemu-system-arm"
 _PACKAGES = {
@@ -108,6 +108,15 @@ class Outcome:
         facts = {name: getattr(self, name) for name in names}
         return facts | {"diagnostics": self.diagnostics.as_list()}
 
+    def lines(self):
+        """Return a summary for a person, a line each."""
+        load = ", ".join(f"{name} {share:.1%}" for name, share in self.load.items())
+        return [
+            f"  {self.state} after {self.ticks:,} ticks; setpoints {self.hash}",
+            f"  load: {load}; longest tick {self.tick_most:.1%} of its period",
+            f"  {self.overruns:,} overruns, {self.underruns:,} underruns; {self.wall_s:.1f} s",
+        ]
+
     def __repr__(self):
         return f"<Outcome {self.state} after {self.ticks} ticks, setpoints {self.hash}>"
 
@@ -155,7 +164,7 @@ class Controller:
 
         Examples
         --------
-        >>> outcome = open("host").run("G1 F600 X5\\nM2\\n", commands=[(100, "hold"), (200, "resume")])
+        >>> outcome = open("host").run("G1 F600 X5", commands=[(100, "hold"), (200, "resume")])
         >>> outcome.state, outcome.joints_nm[0]
         ('done', 5000000)
         """
@@ -245,6 +254,8 @@ def _tool(name):
 @functools.cache
 def _build(controller):
     """Build the firmware of a controller and return its image."""
+    import fcntl  # not everywhere where the rest of pycnc runs
+
     if not (ROOT / "firmware_sim" / "app").is_dir():
         raise FirmwareError("controllers are built from the sources of pycnc: work in a checkout, "
                             "with an editable install", id="controller-absent")  # fmt: skip
@@ -304,6 +315,25 @@ def _conditions(conditions, trace):
     """Return the conditions of a run as lines of a job; the firmware knows which there are."""
     values = _NOMINAL | conditions | {"trace": int(trace)}
     return [f"{name} {int(value)}" for name, value in values.items()]
+
+
+def read_commands(texts):
+    """Return commands for `Controller.run` from texts such as ``"400 override 50 100"``.
+
+    Raises
+    ------
+    ArgumentError
+    """
+    commands = []
+    for text in texts:
+        words = text.split()
+        try:
+            tick, name, *numbers = words
+            commands.append((int(tick), name, *map(int, numbers)))
+        except ValueError:
+            raise errors.ArgumentError(f"{text!r} is no command: a tick, a name and its numbers, "
+                                       "such as \"250 hold\"", id="job") from None  # fmt: skip
+    return commands
 
 
 def _commands(commands):

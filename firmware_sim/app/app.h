@@ -103,6 +103,7 @@ typedef struct app {
 
     struct {                      // written by the tick
         volatile uint32_t count;  // setpoints so far
+        uint32_t used;            // of them up to the last that was not idle
         volatile uint32_t state;  // nck_tick_state_t of the last
         volatile uint32_t idle;   // 1: nck_is_idle after the last
         volatile uint32_t resting;// ticks that the setpoint has not changed at speed 0
@@ -114,12 +115,12 @@ typedef struct app {
         uint32_t underruns;       // ticks that prep owed a setpoint: starved, or idle too early
         uint64_t most_units;      // of one tick
         uint64_t hash;            // of the setpoints up to the last that was not idle
-        uint64_t hash_idle;       // and with the idle ones behind it
+        uint64_t hash_idle;       // and of the idle ones behind it too
         nck_pose_t pose;
         nck_axes_t axes;          // what the drives have
     } tick;
 
-    struct {                      // written by the supervisor
+    struct {                      // written by the supervisor; by the tick if it is dead
         volatile uint32_t started;// 1: the tick may take setpoints
         volatile uint32_t frozen; // 1: the setpoint stays
         volatile uint32_t seen;   // os_time of its last cycle
@@ -154,6 +155,10 @@ void app_tick(void *user);
 
 // What the hash of no setpoint is. Cost: constant. Context: any.
 uint64_t app_hash_begin(void);
+
+// Show another state and note when it came. Cost: constant. Context: supervisor; the tick once the
+// supervisor is dead.
+void app_enter(app_t *app, uint32_t state);
 
 // Overrun the stack of the running task, which is task, if the supervisor says so: a fault on
 // purpose. Cost: linear in the stack. Context: task.

@@ -69,7 +69,8 @@ static void report_counts(const app_t *app) {
         const char *name;
         uint64_t value;
     } counts[] = {
-        {"ticks", app->tick.count},
+        {"ticks", app->tick.used},
+        {"setpoints", app->tick.count},
         {"overruns", os_overruns()},
         {"given_away", app->tick.given_away},
         {"underruns", app->tick.underruns},

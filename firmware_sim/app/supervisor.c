@@ -8,22 +8,12 @@
 
 enum { SETTLE_TICKS = 16 }; // that a last state is watched for
 
-static void enter(app_t *app, uint32_t state) {
-    if (app->supervisor.state == state) return;
-    app->supervisor.state = state;
-    if (app->supervisor.event_count == APP_EVENTS) return;
-    app_event_t *const event = &app->supervisor.event[app->supervisor.event_count];
-    event->tick = app->tick.count;
-    event->state = state;
-    app->supervisor.event_count++;
-}
-
 static int is_over(const app_t *app) { return app->supervisor.state >= APP_DONE; }
 
 // A last state: the setpoint stays as it is.
 static void finish(app_t *app, uint32_t state) {
     app->supervisor.frozen = 1;
-    enter(app, state);
+    app_enter(app, state);
 }
 
 // Brake on the path, then end in the state goal.
@@ -95,11 +85,11 @@ static void follow_motion(app_t *app) {
     if (app->supervisor.goal != APP_IDLE) {
         const int at_rest = drained || app->tick.resting >= APP_REST_TICKS;
         if (at_rest) finish(app, app->supervisor.goal);
-        else enter(app, APP_STOPPING);
+        else app_enter(app, APP_STOPPING);
         return;
     }
     if (drained) finish(app, app->prep.error < NCK_OK ? APP_PROGRAM_ERROR : APP_DONE);
-    else enter(app, state_of_motion(app));
+    else app_enter(app, state_of_motion(app));
 }
 
 // Nobody will resume any more.
@@ -114,6 +104,16 @@ static void end_run(app_t *app) {
     const int last = is_over(app) || is_left_alone(app);
     app->supervisor.settled = last ? app->supervisor.settled + 1 : 0;
     if (late || app->supervisor.settled >= SETTLE_TICKS) os_stop();
+}
+
+void app_enter(app_t *app, uint32_t state) {
+    if (app->supervisor.state == state) return;
+    app->supervisor.state = state;
+    if (app->supervisor.event_count == APP_EVENTS) return;
+    app_event_t *const event = &app->supervisor.event[app->supervisor.event_count];
+    event->tick = app->tick.count;
+    event->state = state;
+    app->supervisor.event_count++;
 }
 
 void app_supervise(void *user) {

@@ -30,7 +30,9 @@ static void keep_hash(app_t *app) {
         hash = hash_integer(hash, app->tick.axes.joint_nm[k]);
     }
     app->tick.hash_idle = hash;
-    if (app->tick.state != NCK_TICK_IDLE && !app->supervisor.frozen) app->tick.hash = hash;
+    if (app->tick.state == NCK_TICK_IDLE || app->supervisor.frozen) return;
+    app->tick.hash = hash;
+    app->tick.used = app->tick.count;
 }
 
 static void write_row(const app_t *app) {
@@ -96,7 +98,7 @@ static void watch_supervisor(app_t *app) {
     if (app->supervisor.goal == APP_IDLE) app->supervisor.goal = APP_FAULT_TASK;
     nck_abort(&app->nck);
     if (app->tick.resting < APP_REST_TICKS && !app->supervisor.frozen) return;
-    app->supervisor.state = app->fault_stack ? APP_FAULT_STACK : app->supervisor.goal;
+    app_enter(app, app->fault_stack ? (uint32_t)APP_FAULT_STACK : app->supervisor.goal);
     os_stop();
 }
 
