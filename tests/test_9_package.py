@@ -4,6 +4,8 @@
 Every project here lies outside of the tree and knows of libnck what an installation tells it.
 """
 
+import array
+import functools
 import hashlib
 import os
 import re
@@ -226,3 +228,66 @@ def test_the_pair_can_have_other_capacities(tool, tmp_path):
         call("gcc", *options, "-o", tmp_path / f"{name}.o")
     found = [kernel_size(tool("nm"), tmp_path / f"{name}.o") for name in ("pair", "tree")]
     assert found[0] == found[1]
+
+
+# The examples, under an emulator
+
+
+EXAMPLES = ROOT / "firmware_sim" / "examples"
+TOOLCHAIN = ROOT / "firmware_sim" / "board" / "arm-none-eabi.cmake"
+MACHINES = {"m4f": "mps2-an386", "m7": "mps2-an500"}
+
+
+@pytest.fixture(scope="module")
+def examples(tool, tmp_path_factory):
+    """Return a function: the folder of the examples, built for a core."""
+    tool("arm-none-eabi-gcc")
+
+    @functools.cache
+    def build(core):
+        folder = tmp_path_factory.mktemp(f"examples_{core}")
+        options = [f"--toolchain={TOOLCHAIN}", f"-DNCK_CORE={core}"]
+        done = configure(EXAMPLES, folder, *options)
+        assert done.returncode == 0, done.stdout + done.stderr
+        call(CMAKE, "--build", folder)
+        return folder
+
+    return build
+
+
+def emulate(emulator, core, image, arguments, shift=3):
+    """Run an image; return the exit status. An instruction takes 2^shift ns of its time."""
+    arguments = ",".join(f"arg={word}" for word in ("image", *arguments))
+    command = ["timeout", "60", emulator, "-M", MACHINES[core], "-kernel", image]
+    command += ["-display", "none", "-monitor", "none", "-serial", "none"]
+    command += ["-semihosting-config", f"enable=on,target=native,{arguments}"]
+    command += ["-icount", f"shift={shift},align=off,sleep=off"]
+    return subprocess.run(list(map(str, command)), capture_output=True).returncode
+
+
+def logged(file, axes=9):
+    """Return the setpoints of a log as tests/package/run.c prints them."""
+    numbers = array.array("q", file.read_bytes())
+    rows = (numbers[k : k + 3] for k in range(0, len(numbers), axes))
+    return "".join(f"{x} {y} {z}\n" for x, y, z in rows)
+
+
+@pytest.mark.parametrize("name", ["bare_metal"])
+@pytest.mark.parametrize("core", MACHINES)
+def test_an_example_drives_as_the_library_on_the_host(
+    examples, programs, expected, tool, tmp_path, core, name
+):
+    image = examples(core) / f"{name}.elf"
+    for program in programs:
+        if program.stem in ("square", "star", "helix", "zigzag"):
+            log = tmp_path / f"{program.stem}.bin"
+            assert emulate(tool("qemu-system-arm"), core, image, (program, log)) == 0
+            assert digest(logged(log)) == expected[program.stem], program.stem
+
+
+@pytest.mark.parametrize("name", ["bare_metal"])
+def test_an_example_on_a_core_that_is_too_slow_says_so(
+    examples, programs, tool, tmp_path, name
+):
+    image, arguments = examples("m4f") / f"{name}.elf", (programs[0], tmp_path / "log")
+    assert emulate(tool("qemu-system-arm"), "m4f", image, arguments, shift=10) == 106
