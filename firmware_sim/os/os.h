@@ -133,7 +133,7 @@ void os_spend(uint32_t units);
 // How often a tick came while the tick before was at work. Cost: constant. Context: any.
 uint32_t os_overruns(void);
 
-// Semaphore: counts; the highest task that waits is served first -----------------------------------
+// Semaphore: counts; the highest task that waits is served first ----------------------------------
 
 // Returns OS_OK, OS_E_ARGUMENT. Cost: constant. Context: any.
 os_status_t os_sem_create(os_sem_t *sem, uint32_t count);
@@ -148,7 +148,7 @@ os_status_t os_sem_pend(os_sem_t *sem, uint32_t timeout);
 os_status_t os_sem_post(os_sem_t *sem);
 
 // Mutex: its owner runs at the ceiling, so that a lower task holds up a higher one for the length
-// of one critical region at most -------------------------------------------------------------------
+// of one critical region at most ------------------------------------------------------------------
 
 // ceiling: a priority of its own, above all tasks that use the mutex, and no task's.
 // Returns OS_OK, OS_E_PRIORITY, OS_E_ARGUMENT, OS_E_CONTEXT. Cost: constant. Context: before, task.
@@ -163,7 +163,7 @@ os_status_t os_mutex_pend(os_mutex_t *mutex, uint32_t timeout);
 // Returns OS_OK, OS_E_OWNER, OS_E_ARGUMENT, OS_E_CONTEXT. Cost: constant. Context: task.
 os_status_t os_mutex_post(os_mutex_t *mutex);
 
-// Queue of pointers, first in, first out -----------------------------------------------------------
+// Queue of pointers, first in, first out ----------------------------------------------------------
 
 // slots: static storage for capacity pointers, ≥ 1.
 // Returns OS_OK, OS_E_ARGUMENT. Cost: constant. Context: any.
@@ -178,7 +178,7 @@ os_status_t os_queue_pend(os_queue_t *queue, uint32_t timeout, void **message_ou
 // Context: any, interrupts too.
 os_status_t os_queue_post(os_queue_t *queue, void *message);
 
-// Critical section and checks ----------------------------------------------------------------------
+// Critical section and checks ---------------------------------------------------------------------
 
 // Keep interrupts out; sections nest. Returns what os_critical_exit needs.
 // Cost: constant. Context: any.

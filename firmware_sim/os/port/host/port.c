@@ -2,9 +2,9 @@
 // The host port: a processor with virtual time. Tasks are coroutines on their own stacks; nobody
 // reads a clock, so that the same run has the same schedule.
 //
-// Time passes in three places: os_spend, one unit whenever a task enters a critical section (so that
-// every call of the kernel is a place where a tick may preempt), and the idle task, which goes to
-// the next tick at once. Handlers take the time that they spend, and none else.
+// Time passes in three places: os_spend, one unit whenever a task enters a critical section, so
+// that every call of the kernel is a place where a tick may preempt, and the idle task, which goes
+// to the next tick at once. Handlers take the time that they spend, and none else.
 #define _XOPEN_SOURCE 700 // ucontext
 
 #include "os/port.h"
