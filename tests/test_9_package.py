@@ -272,7 +272,7 @@ def logged(file, axes=9):
     return "".join(f"{x} {y} {z}\n" for x, y, z in rows)
 
 
-@pytest.mark.parametrize("name", ["bare_metal"])
+@pytest.mark.parametrize("name", ["bare_metal", "os_kernel"])
 @pytest.mark.parametrize("core", MACHINES)
 def test_an_example_drives_as_the_library_on_the_host(
     examples, programs, expected, tool, tmp_path, core, name
@@ -285,9 +285,7 @@ def test_an_example_drives_as_the_library_on_the_host(
             assert digest(logged(log)) == expected[program.stem], program.stem
 
 
-@pytest.mark.parametrize("name", ["bare_metal"])
-def test_an_example_on_a_core_that_is_too_slow_says_so(
-    examples, programs, tool, tmp_path, name
-):
+@pytest.mark.parametrize("name", ["bare_metal", "os_kernel"])
+def test_an_example_on_a_core_that_is_too_slow_says_so(examples, programs, tool, tmp_path, name):
     image, arguments = examples("m4f") / f"{name}.elf", (programs[0], tmp_path / "log")
     assert emulate(tool("qemu-system-arm"), "m4f", image, arguments, shift=10) == 106

@@ -7,11 +7,17 @@
 #include "board/board.h"
 #include "nck/nck.h"
 
-enum { CORE_HZ = 25000000, LOG_PERIODS = 200000, LINE_SIZE = 512 };
+enum { CORE_HZ = 25000000, LOG_PERIODS = 200000, CHUNK_BYTES = 512 };
 
 static nck_machine_t machine;
 static nck_t nck;
-static int program;
+
+// The program's text: what was read and not yet taken.
+static struct {
+    int file;
+    size_t first, count;
+    char text[CHUNK_BYTES];
+} program;
 
 // In place of the drives: a log, because a file would hold up the interrupt.
 static nck_axes_t drives[LOG_PERIODS] __attribute__((section(".bulk")));
@@ -38,19 +44,17 @@ void SysTick_Handler(void) {
 
 // Hand over what the kernel has room for. Text that it leaves is offered again.
 static void feed(void) {
-    static char line[LINE_SIZE];
-    static size_t count, first;
     size_t used = 0;
-    if (first == count) {
-        first = 0;
-        count = board_read(program, line, sizeof line);
+    if (program.first == program.count) {
+        program.first = 0;
+        program.count = board_read(program.file, program.text, sizeof program.text);
     }
-    if (count == 0) {
+    if (program.count == 0) {
         nck_end(&nck);
         return;
     }
-    (void)nck_push(&nck, line + first, count - first, &used);
-    first += used;
+    (void)nck_push(&nck, program.text + program.first, program.count - program.first, &used);
+    program.first += used;
 }
 
 // Plan until the tick must go first, or nothing is left to plan. Returns nck_prep's last status.
@@ -75,10 +79,10 @@ static void run(void) {
 int main(void) {
     char name[256];
     if (board_argument(1, name, sizeof name) < 0) return 2;
-    program = board_open(name, BOARD_READ);
+    program.file = board_open(name, BOARD_READ);
     if (board_argument(2, name, sizeof name) < 0) return 2;
     const int log = board_open(name, BOARD_WRITE);
-    if (program < 0 || log < 0) return 2;
+    if (program.file < 0 || log < 0) return 2;
     nck_machine_default(&machine); // then change what differs
     if (nck_init(&nck, &machine, NULL) != NCK_OK) return 2;
     run();
