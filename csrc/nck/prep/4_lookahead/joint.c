@@ -4,8 +4,9 @@
 
 #include <string.h> // memset
 
-#include "nck/base/path_math.h"              // nck_path_tangent
-#include "nck/prep/4_lookahead/limit_math.h" // nck_limit_… nck_corner_…
+#include "nck/base/path_math.h"               // nck_path_tangent …
+#include "nck/prep/4_lookahead/budget_math.h" // nck_budget_…
+#include "nck/prep/4_lookahead/limit_math.h"  // nck_limit_…
 
 #define UNLIMITED 1e30
 
@@ -22,12 +23,16 @@ static void cap_feed(nck_joint_t *joint, double v, int limit) {
 
 static void cap_speed(nck_joint_t *joint, double v, int limit) {
     cap_feed(joint, v, limit);
-    joint->v_free = nck_min(joint->v_free, v);
+    if (v < joint->v_free) {
+        joint->v_free = v;
+        joint->limit_free = (uint8_t)limit;
+    }
 }
 
 // How much of the path speed an axis sees at most: its direction cosine, on an arc the largest one.
 static double largest_cosine(const nck_joint_t *joint, const nck_seg_t *seg, int x,
                              const double *t_in, const double *t_out) {
+    if (seg->kind == NCK_SEG_SPLINE) return joint->first[x];
     if (seg->kind != NCK_SEG_ARC || (x != seg->axis_u && x != seg->axis_v)) {
         return nck_fabs(t_in[x]);
     }
@@ -55,10 +60,8 @@ static void cap_by_axes(nck_joint_t *joint, const nck_seg_t *seg, const double *
             a_straight = nck_min(a_straight, nck_limit_along(axis->a_max, c));
         }
     }
-    for (int k = 0; k < NCK_PACES; k++) {
-        joint->pace[k].a_straight = a_straight;
-        joint->pace[k].j = j;
-    }
+    joint->a_straight = a_straight;
+    joint->j_straight = j;
 }
 
 static void make_arc(nck_joint_t *joint, const nck_seg_t *seg, const nck_machine_t *machine) {
@@ -72,23 +75,57 @@ static void make_arc(nck_joint_t *joint, const nck_seg_t *seg, const nck_machine
               NCK_LIMIT_CHORD);
 }
 
+// The largest of each axis' derivatives on a spline: |p′| by its Bernstein coefficients, |p″| at one
+// of the ends, |p‴| everywhere.
+static void bound_spline(nck_joint_t *joint, const nck_seg_t *seg) {
+    double at_start[NCK_AXIS_MAX];
+    double at_end[NCK_AXIS_MAX];
+    nck_path_second(seg, 0.0, at_start);
+    nck_path_second(seg, seg->length, at_end);
+    nck_path_third(seg, 0.0, joint->third);
+    for (int x = 0; x < NCK_AXIS_MAX; x++) {
+        const double d0 = nck_fabs(seg->inner[0][x] - seg->start[x]);
+        const double d1 = nck_fabs(seg->inner[1][x] - seg->inner[0][x]);
+        const double d2 = nck_fabs(seg->end[x] - seg->inner[1][x]);
+        joint->first[x] = 3.0 * nck_max(d0, nck_max(d1, d2)) / seg->length;
+        joint->second[x] = nck_max(nck_fabs(at_start[x]), nck_fabs(at_end[x]));
+        joint->third[x] = nck_fabs(joint->third[x]);
+    }
+}
+
+// Speed over a smooth piece: chord error, and what bends cost of every axis' acceleration and jerk.
+static void make_spline(nck_joint_t *joint, const nck_seg_t *seg, const nck_machine_t *machine) {
+    const int limits_jerk = machine->slope != NCK_SLOPE_LINEAR;
+    double bend = 0.0;
+    double twist = UNLIMITED;
+    bound_spline(joint, seg);
+    for (int x = 0; x < NCK_AXIS_MAX; x++) {
+        const nck_axis_t *const axis = &machine->axis[x];
+        const double second = joint->second[x];
+        const double third = joint->third[x];
+        bend += second * second;
+        if (second > 0.0) {
+            cap_speed(joint, nck_sqrt(nck_budget_curve(axis->a_max, second)), NCK_LIMIT_CURVATURE);
+        }
+        if (third > 0.0) twist = nck_min(twist, nck_budget_twist(axis->j_max, third));
+    }
+    if (bend > 0.0) {
+        cap_speed(joint, nck_limit_sag(nck_sqrt(bend), machine->path.chord_error, machine->period_s),
+                  NCK_LIMIT_CHORD);
+    }
+    if (limits_jerk && twist < UNLIMITED) {
+        cap_speed(joint, nck_budget_cube_root(twist), NCK_LIMIT_JERK);
+    }
+}
+
 void nck_joint_tangents(const nck_seg_t *seg, double *start_out, double *end_out) {
     memset(start_out, 0, NCK_AXIS_MAX * sizeof *start_out);
     if (seg->length > 0.0) nck_path_tangent(seg, 0.0, start_out);
-    if (seg->kind == NCK_SEG_ARC) {
+    if (seg->kind == NCK_SEG_ARC || seg->kind == NCK_SEG_SPLINE) {
         nck_path_tangent(seg, seg->length, end_out);
     } else {
         memcpy(end_out, start_out, NCK_AXIS_MAX * sizeof *end_out);
     }
-}
-
-// The speeds that the limits of both paces are for.
-static void set_paces(nck_joint_t *joint) {
-    const double v_over = NCK_OVERRIDE_TOP * joint->feed;
-    joint->pace[NCK_PACE_FEED].v = joint->v_max;
-    joint->pace[NCK_PACE_OVER].v =
-        joint->feed > 0.0 ? nck_min(joint->v_free, v_over) : joint->v_free;
-    for (int k = 0; k < NCK_PACES; k++) joint->pace[k].time = joint->length / joint->pace[k].v;
 }
 
 void nck_joint_make(nck_joint_t *joint, const nck_seg_t *seg, const double *tangent_start,
@@ -111,9 +148,10 @@ void nck_joint_make(nck_joint_t *joint, const nck_seg_t *seg, const double *tang
         cap_speed(joint, machine->path.feed_max / seg->feed_scale, NCK_LIMIT_FEED_MAX);
     }
     if (seg->kind == NCK_SEG_ARC) make_arc(joint, seg, machine);
+    if (seg->kind == NCK_SEG_SPLINE) make_spline(joint, seg, machine);
     cap_by_axes(joint, seg, tangent_start, tangent_end, machine);
-    set_paces(joint);
-    joint->a_most = nck_min(machine->path.a_max, joint->pace[NCK_PACE_FEED].a_straight);
+    joint->w_near = joint->v_free * joint->v_free;
+    joint->a_most = nck_min(machine->path.a_max, joint->a_straight);
     if (joint->kappa > 0.0) {
         joint->a_most = nck_min(joint->a_most, joint->a_plane / joint->cos_lambda);
     }
@@ -155,12 +193,55 @@ static void limit_on_arc(const nck_joint_t *joint, double beta, double v_filter,
     piece->a = nck_min(piece->a, a_arc);
 }
 
+// What a spline's bends leave of all axes' acceleration and jerk at speed v.
+static void limit_spline(const nck_joint_t *joint, nck_pace_t *at, double v,
+                         const nck_machine_t *machine) {
+    const int limits_jerk = machine->slope != NCK_SLOPE_LINEAR;
+    at->a = machine->path.a_max;
+    at->j = joint->j_straight;
+    for (int x = 0; x < NCK_AXIS_MAX; x++) {
+        const nck_axis_t *const axis = &machine->axis[x];
+        if (!(joint->first[x] > 0.0)) continue;
+        at->a = nck_min(at->a, nck_budget_accel(axis->a_max, joint->first[x], joint->second[x], v));
+        if (!limits_jerk || !(joint->second[x] > 0.0)) continue;
+        at->a = nck_min(at->a, nck_budget_ramp(axis->j_max, joint->second[x], joint->third[x], v));
+    }
+    for (int x = 0; limits_jerk && x < NCK_AXIS_MAX; x++) {
+        if (!(joint->first[x] > 0.0)) continue;
+        at->j = nck_min(at->j, nck_budget_jerk(machine->axis[x].j_max, joint->first[x],
+                                               joint->second[x], joint->third[x], v, at->a));
+    }
+}
+
+void nck_joint_settle(nck_joint_t *joint, const nck_machine_t *machine) {
+    const double v_filter = nck_joint_v_filter(machine);
+    const double v_free = joint->kind == NCK_SEG_SPLINE ? nck_sqrt(joint->w_near) : joint->v_free;
+    const double v_over = joint->feed > 0.0 ? NCK_OVERRIDE_TOP * joint->feed : v_free;
+    const double speeds[NCK_PACES] = {nck_min(joint->v_max, v_free), nck_min(v_free, v_over)};
+    if (v_free < joint->v_max) joint->limit = joint->limit_free;
+    for (int k = 0; k < NCK_PACES; k++) {
+        nck_pace_t *const at = &joint->pace[k];
+        at->v = speeds[k];
+        at->time = joint->length / at->v;
+        at->j = joint->j_straight;
+        if (joint->kind == NCK_SEG_SPLINE) {
+            limit_spline(joint, at, nck_min(at->v + v_filter, v_free), machine);
+        }
+    }
+}
+
 nck_piece_limit_t nck_joint_piece(const nck_joint_t *joint, double beta, int pace,
                                   const nck_machine_t *machine) {
     const nck_pace_t *const at = &joint->pace[pace];
     nck_piece_limit_t piece = {at->v * at->v, joint->v_free * joint->v_free, machine->path.a_max,
                                at->j, joint->limit};
-    piece.a = nck_min(piece.a, (1.0 - beta) * at->a_straight);
+    if (joint->kind == NCK_SEG_SPLINE) {
+        piece.vv *= 1.0 - beta;
+        piece.vv_free = (1.0 - beta) * joint->w_near;
+        piece.a = (1.0 - beta) * at->a;
+        return piece;
+    }
+    piece.a = nck_min(piece.a, (1.0 - beta) * joint->a_straight);
     if (joint->kappa > 0.0) limit_on_arc(joint, beta, nck_joint_v_filter(machine), &piece);
     return piece;
 }

@@ -7,6 +7,7 @@
 #include "nck/prep/4_lookahead/corner.h"        // nck_corner_…
 #include "nck/prep/4_lookahead/envelope_math.h" // nck_envelope_…
 #include "nck/prep/4_lookahead/joint.h"         // nck_joint_…
+#include "nck/prep/4_lookahead/near.h"          // nck_near_…
 
 enum {
     PIECES_PER_SEG = 3, // head, middle, tail
@@ -17,7 +18,9 @@ enum {
 // A seg is cut where its junctions' share ends only if that frees more than this share of its
 // acceleration, and if the middle is at least as long as both its ends.
 #define SPLIT_SHARE 0.05
-#define SPLIT_ZONES 4.0
+#define SPLIT_ZONES 2.0
+
+#define UNLIMITED 1e30
 
 void nck_lookahead_init(nck_lookahead_t *self, const nck_machine_t *machine) {
     memset(self, 0, sizeof *self);
@@ -48,6 +51,7 @@ nck_status_t nck_lookahead_push(nck_lookahead_t *self, const nck_seg_t *seg) {
     }
     memcpy(self->joint.tangent, end, sizeof end);
     self->joint.head++;
+    nck_near_level(self);
     return NCK_OK;
 }
 
@@ -59,14 +63,23 @@ static nck_node_t *node_at(nck_lookahead_t *self, uint32_t i) {
 
 static double h_of(const nck_node_t *node) { return nck_envelope_h(node->a, node->length); }
 
-// The shares that junctions leave to a piece, by pace.
-typedef struct shares {
-    double at[NCK_PACES];
-} shares_t;
+// What the neighbourhood leaves to a piece, by pace.
+typedef struct around {
+    double share[NCK_PACES];
+    nck_near_t near[NCK_PACES];
+} around_t;
 
-static shares_t larger(const shares_t *a, const shares_t *b) {
-    shares_t out;
-    for (int k = 0; k < NCK_PACES; k++) out.at[k] = nck_max(a->at[k], b->at[k]);
+static const around_t NOTHING_AROUND = {
+    {0.0, 0.0}, {{UNLIMITED, UNLIMITED, 1.0}, {UNLIMITED, UNLIMITED, 1.0}}};
+
+static around_t both_of(const around_t *a, const around_t *b) {
+    around_t out;
+    for (int k = 0; k < NCK_PACES; k++) {
+        out.share[k] = nck_max(a->share[k], b->share[k]);
+        out.near[k].a = nck_min(a->near[k].a, b->near[k].a);
+        out.near[k].j = nck_min(a->near[k].j, b->near[k].j);
+        out.near[k].slow = nck_min(a->near[k].slow, b->near[k].slow);
+    }
     return out;
 }
 
@@ -101,13 +114,23 @@ static void cap_node(nck_lookahead_t *self, nck_node_t *node, const double v_cor
     self->before.limit = node->limit_piece;
 }
 
+static nck_piece_limit_t limits_of(const nck_lookahead_t *self, const nck_joint_t *joint,
+                                   const around_t *around, int pace) {
+    const nck_near_t *const near = &around->near[pace];
+    nck_piece_limit_t piece =
+        nck_joint_piece(joint, around->share[pace], pace, self->machine);
+    piece.a = nck_min(piece.a, near->a);
+    piece.j = nck_min(piece.j, near->j);
+    piece.vv *= near->slow * near->slow;
+    piece.vv_free *= near->slow * near->slow;
+    return piece;
+}
+
 // Append the piece from s[0] to s[1]; v_corner caps the node at its start.
 static void add_piece(nck_lookahead_t *self, const nck_joint_t *joint, const double s[2],
-                      const shares_t *shares, const double v_corner[]) {
-    const nck_piece_limit_t piece =
-        nck_joint_piece(joint, shares->at[NCK_PACE_FEED], NCK_PACE_FEED, self->machine);
-    const nck_piece_limit_t over =
-        nck_joint_piece(joint, shares->at[NCK_PACE_OVER], NCK_PACE_OVER, self->machine);
+                      const around_t *around, const double v_corner[]) {
+    const nck_piece_limit_t piece = limits_of(self, joint, around, NCK_PACE_FEED);
+    const nck_piece_limit_t over = limits_of(self, joint, around, NCK_PACE_OVER);
     nck_node_t *const node = node_at(self, self->window.fill);
     memset(node, 0, sizeof *node);
     node->seg = joint->seq;
@@ -142,63 +165,108 @@ static void add_rest(nck_lookahead_t *self, const nck_joint_t *joint) {
     self->window.fill++;
 }
 
-// How far the zone of a junction reaches into a seg.
-static double zone_length(const nck_lookahead_t *self, const nck_joint_t *joint) {
-    const int pace = self->v_filter > 0.0 ? NCK_PACE_OVER : NCK_PACE_FEED;
-    return joint->pace[pace].v * self->zone_s;
+// How far a zone reaches into a seg that is entered (left) at v_node at most: zone_s at the seg's own
+// speed, or at what it can have gained by then.
+static double zone_length(const nck_lookahead_t *self, const nck_joint_t *joint, double v_node) {
+    const double time = self->zone_s;
+    if (!(self->v_filter > 0.0)) return joint->v_max * time;
+    const double gained = 0.5 * joint->a_most * time * time;
+    return nck_min(joint->pace[NCK_PACE_OVER].v * time, (v_node + self->v_filter) * time + gained);
 }
 
-// Inside a zone the share of its junction is kept free; the middle has all of a. The linear slope's
+// Whether a seg is worth a piece of its own next to the node around which less is allowed.
+static int is_tighter(const nck_lookahead_t *self, const nck_joint_t *joint,
+                      const around_t *around) {
+    const nck_piece_limit_t own = nck_joint_piece(joint, 0.0, NCK_PACE_FEED, self->machine);
+    const nck_near_t *const near = &around->near[NCK_PACE_FEED];
+    return around->share[NCK_PACE_FEED] > SPLIT_SHARE || near->a < (1.0 - SPLIT_SHARE) * own.a
+           || near->j < (1.0 - SPLIT_SHARE) * own.j;
+}
+
+// Whether a zone is cut off. The linear slope, once it cuts a seg, cuts at every share.
+static int is_cut(const nck_lookahead_t *self, const nck_joint_t *joint, const around_t *around) {
+    if (self->v_filter > 0.0) return is_tighter(self, joint, around);
+    return around->share[NCK_PACE_FEED] > 0.0;
+}
+
+// What is left of the neighbourhood in a middle whose ends are cut off or not. The linear slope's
 // zones are those of the programmed speed, so beyond it the middle keeps the shares free too.
-static void add_motion(nck_lookahead_t *self, const nck_joint_t *joint, const shares_t *head,
-                       const shares_t *tail, const double v_start[]) {
-    const double zone = zone_length(self, joint);
-    const double inside[NCK_PACES] = {joint->v_max, joint->v_free};
-    shares_t both = larger(head, tail);
-    const double most = both.at[NCK_PACE_FEED];
-    const int split = most > SPLIT_SHARE && joint->length > SPLIT_ZONES * zone;
-    const double a = split && head->at[NCK_PACE_FEED] > 0.0 ? zone : 0.0;
-    const double b = split && tail->at[NCK_PACE_FEED] > 0.0 ? joint->length - zone : joint->length;
+static around_t middle_of(const nck_lookahead_t *self, const around_t ends[2], int head, int tail) {
+    const around_t whole = both_of(&ends[0], &ends[1]);
+    around_t none = NOTHING_AROUND;
+    if (!head) none = both_of(&none, &ends[0]);
+    if (!tail) none = both_of(&none, &ends[1]);
+    if (!(self->v_filter > 0.0)) none.share[NCK_PACE_OVER] = whole.share[NCK_PACE_OVER];
+    return none;
+}
+
+// Inside a zone the share of its junction is kept free and its neighbour's limits hold; the middle
+// has all that the seg allows.
+static void add_motion(nck_lookahead_t *self, const nck_joint_t *joint, const around_t ends[2],
+                       const double v_start[], const double v_end[]) {
+    const double zone = zone_length(self, joint, v_start[NCK_PACE_OVER]);
+    const double zone_end = zone_length(self, joint, v_end[NCK_PACE_OVER]);
+    const int tighter = is_tighter(self, joint, &ends[0]) || is_tighter(self, joint, &ends[1]);
+    const int split = tighter && joint->length > SPLIT_ZONES * (zone + zone_end);
+    const int head = split && is_cut(self, joint, &ends[0]);
+    const int tail = split && is_cut(self, joint, &ends[1]);
+    const double unlimited[NCK_PACES] = {joint->v_max, joint->v_free};
+    const double a = head ? zone : 0.0;
+    const double b = tail ? joint->length - zone_end : joint->length;
     const double first[2] = {0.0, a};
     const double middle[2] = {a, b};
     const double last[2] = {b, joint->length};
-    if (a > 0.0) add_piece(self, joint, first, head, v_start);
-    if (split) both.at[NCK_PACE_FEED] = 0.0;
-    if (split && self->v_filter > 0.0) both.at[NCK_PACE_OVER] = 0.0;
-    add_piece(self, joint, middle, &both, a > 0.0 ? inside : v_start);
-    if (b < joint->length) add_piece(self, joint, last, tail, inside);
+    const around_t inside = middle_of(self, ends, head, tail);
+    if (head) add_piece(self, joint, first, &ends[0], v_start);
+    add_piece(self, joint, middle, &inside, head ? unlimited : v_start);
+    if (tail) add_piece(self, joint, last, &ends[1], unlimited);
 }
 
-// The shares that reach into the oldest joint from behind. NCK_EMPTY if they are not decided yet.
-static nck_status_t tail_shares(nck_lookahead_t *self, uint32_t count, shares_t *tail_out) {
+// The speeds that a node before or behind the oldest joint allows, by its junction and its far side.
+static void node_speeds(nck_lookahead_t *self, uint32_t count, double v_start[], double v_end[]) {
     for (int k = 0; k < NCK_PACES; k++) {
-        const nck_status_t status = nck_corner_share_after(self, count, k, &tail_out->at[k]);
+        v_start[k] = count > 0 ? nck_joint_at(self, count - 1)->pace[k].v_corner : 0.0;
+        v_end[k] = nck_joint_at(self, count)->pace[k].v_corner;
+        if (count + 1 == self->joint.head) continue;
+        v_end[k] = nck_min(v_end[k], nck_joint_at(self, count + 1)->pace[k].v);
+    }
+}
+
+// What reaches into the oldest joint from before and from behind. NCK_EMPTY if it is not known yet.
+static nck_status_t look_around(nck_lookahead_t *self, uint32_t count, around_t ends[2]) {
+    ends[0] = NOTHING_AROUND;
+    ends[1] = NOTHING_AROUND;
+    for (int k = 0; k < NCK_PACES; k++) {
+        nck_status_t status = nck_corner_share_after(self, count, k, &ends[1].share[k]);
         if (status != NCK_OK) return status;
+        ends[0].share[k] = nck_corner_share_before(self, count, k);
+        if (!(self->v_filter > 0.0)) continue;
+        const double beta = nck_max(ends[0].share[k], ends[1].share[k]);
+        status = nck_near_after(self, count, k, beta, &ends[1].near[k]);
+        if (status != NCK_OK) return status;
+        ends[0].near[k] = nck_near_before(self, count, k, beta);
     }
     return NCK_OK;
 }
 
-static void place_motion(nck_lookahead_t *self, uint32_t count, const shares_t *tail) {
+static void place_motion(nck_lookahead_t *self, uint32_t count, const around_t ends[2]) {
     double v_start[NCK_PACES];
-    shares_t head;
-    for (int k = 0; k < NCK_PACES; k++) {
-        v_start[k] = count > 0 ? nck_joint_at(self, count - 1)->pace[k].v_corner : 0.0;
-        head.at[k] = nck_corner_share_before(self, count, k);
-    }
-    add_motion(self, nck_joint_at(self, count), &head, tail, v_start);
+    double v_end[NCK_PACES];
+    node_speeds(self, count, v_start, v_end);
+    add_motion(self, nck_joint_at(self, count), ends, v_start, v_end);
 }
 
 // Turn the oldest joint into nodes. NCK_EMPTY if what follows it is not decided yet.
 static nck_status_t place(nck_lookahead_t *self) {
     const uint32_t count = self->joint.placed;
     const nck_joint_t *const joint = nck_joint_at(self, count);
-    shares_t tail;
-    const nck_status_t status = tail_shares(self, count, &tail);
+    around_t ends[2];
+    const nck_status_t status = look_around(self, count, ends);
     if (status != NCK_OK) return status;
     if (joint->kind >= NCK_SEG_DWELL) {
         add_rest(self, joint);
     } else {
-        place_motion(self, count, &tail);
+        place_motion(self, count, ends);
     }
     nck_node_t *const end = node_at(self, self->window.fill - 1);
     end->last = 1;
@@ -293,6 +361,7 @@ nck_status_t nck_lookahead_step(nck_lookahead_t *self) {
     const int open = self->joint.placed != self->joint.decided;
     if (open && place(self) == NCK_OK) return NCK_OK;
     if (nck_corner_decide(self) == NCK_OK) return NCK_OK;
+    if (nck_near_settle(self) == NCK_OK) return NCK_OK;
     if (!all_placed(self)) return NCK_EMPTY;
     return !has_passes || self->window.final > 0 || self->window.fill == 0 ? NCK_DONE : NCK_OK;
 }
@@ -352,6 +421,7 @@ int nck_lookahead_invariants(const nck_lookahead_t *self) {
     const uint32_t fill = self->window.fill;
     int good = fill <= NCK_WINDOW && self->window.final <= fill && self->window.barrier <= fill
                && self->joint.head - self->joint.decided <= self->joint.head - self->joint.placed
+               && self->joint.head - self->joint.settled <= self->joint.head - self->joint.decided
                && self->joint.head - self->joint.placed <= NCK_JOINT_MAX - NCK_CORNER_SPAN;
     for (uint32_t i = 0; good && i < self->window.final; i++) {
         const nck_node_t *const node = nck_lookahead_ahead(self, i);

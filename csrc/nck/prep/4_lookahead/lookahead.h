@@ -19,9 +19,9 @@ enum { NCK_PACE_FEED = 0, NCK_PACE_OVER = 1, NCK_PACES = 2 };
 // A seg and the junction at its end at one pace.
 typedef struct nck_pace {
     double v;             // speed cap of the whole seg [path mm/s]
-    double a_straight;    // tangential limit by the axes that are on no arc [path mm/s²]
-    double j;             // tangential jerk limit [path mm/s³]
     double time;          // the least that the seg takes, length/v [s]
+    double a;             // spline: tangential acceleration left at v [path mm/s²]
+    double j;             // tangential jerk left at v [path mm/s³]
     double v_corner;      // cap at the end [path mm/s]
     double share;         // β that the junction at the end may use
 } nck_pace_t;
@@ -31,18 +31,24 @@ typedef struct nck_joint {
     uint32_t seq;         // of the seg
     uint8_t kind;         // nck_seg_kind_t
     uint8_t limit;        // nck_limit_t that set v_max
+    uint8_t limit_free;   // nck_limit_t that set v_free
     uint8_t stop;         // 1: the path rests at the end
-    uint8_t reserved;     // 0
     double length;        // [path mm]
     double feed;          // programmed speed [path mm/s]; 0: a rapid
     double v_max;         // speed cap of the whole seg at 100 % [path mm/s]
     double v_free;        // the same by everything but the feed; ≥ v_max
+    double w_near;        // spline: v_free², lowered to what its neighbours let it use
+    double a_straight;    // tangential limit by the axes that are on no arc [path mm/s²]
+    double j_straight;    // tangential jerk limit by all axes' directions [path mm/s³]
     double a_plane;       // arc: smaller limit of the plane's two axes [mm/s²]; else unlimited
     double cos_lambda;    // arc: in-plane share of the path speed
     double kappa;         // arc: in-plane acceleration = v²·kappa [1/mm]; else 0
     double a_most;        // largest tangential acceleration anywhere on the seg [path mm/s²]
     double load;          // d of the junction at the end [s²/mm]; 0 at a stop
     double dwell_s;
+    double first[NCK_AXIS_MAX];  // spline: bounds on |p′|
+    double second[NCK_AXIS_MAX]; // on |p″| [1/mm]
+    double third[NCK_AXIS_MAX];  // on |p‴| [1/mm²]
     nck_pace_t pace[NCK_PACES];
 } nck_joint_t;
 
@@ -56,6 +62,8 @@ typedef struct nck_lookahead {
     // joints, counted from the start; slot = count mod NCK_JOINT_MAX
     struct {
         uint32_t head;    // pushed
+        uint32_t broken;  // up to here the caps of splines hang on no seg that is still to come
+        uint32_t settled; // segs with speeds and limits
         uint32_t decided; // junctions with v_corner and share
         uint32_t placed;  // segs turned into nodes
         double tangent[NCK_AXIS_MAX]; // at the end of the last seg

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT
+// One axis' acceleration and jerk on a smooth path p(s), shared between what the path's bends cost at
+// speed v and what is left along the path:
+//   p̈ = p″·v² + p′·a           p⃛ = p‴·v³ + 3p″·v·a + p′·j
+// first, second, third: bounds on |p′|, |p″|, |p‴| of the axis. README, section "smooth pieces".
+#ifndef NCK_PREP_BUDGET_MATH_H
+#define NCK_PREP_BUDGET_MATH_H
+
+#include "nck/base/real.h" // nck_real nck_sqrt nck_min
+
+// Shares that the speed alone may use: of acceleration |p″|v² ≤ γ·a_x, of jerk |p‴|v³ ≤ β·j_x.
+#define NCK_BUDGET_CURVE_SHARE 0.95
+#define NCK_BUDGET_TWIST_SHARE 0.9
+// Share of the jerk that |p‴|v³ leaves which 3|p″|v·a may use; the rest is for p′·j.
+#define NCK_BUDGET_RAMP_SHARE 0.5
+// How steep the caps of neighbouring pieces may be: at most this share of a, and this multiple of
+// √(j·v), about what a jerk-limited profile that has just been at v can make use of.
+#define NCK_BUDGET_STEEP_A 0.8
+#define NCK_BUDGET_STEEP_J 0.4
+
+// Cube root of x > 0: y ← ⁴√(x·y) divides the error's logarithm by 4 each time, then Newton's
+// method, which doubles the digits. Exact to 2 ulp for 1e-30 … 1e30.
+static inline nck_real nck_budget_cube_root(nck_real x) {
+    nck_real y = nck_sqrt(x);
+    for (int k = 0; k < 6; k++) y = nck_sqrt(nck_sqrt(x * y));
+    for (int k = 0; k < 3; k++) y -= (y * y * y - x) / ((nck_real)3 * y * y);
+    return y;
+}
+
+// v² that the curvature allows:   v² ≤ γ·a/|p″|,   second > 0
+static inline nck_real nck_budget_curve(nck_real a, nck_real second) {
+    return NCK_BUDGET_CURVE_SHARE * a / second;
+}
+
+// v³ that the change of curvature allows:   v³ ≤ β·j/|p‴|,   third > 0
+static inline nck_real nck_budget_twist(nck_real j, nck_real third) {
+    return NCK_BUDGET_TWIST_SHARE * j / third;
+}
+
+// What |p″|v² leaves to the path's acceleration:   a_t ≤ (a − |p″|v²)/|p′|,   first > 0
+static inline nck_real nck_budget_accel(nck_real a, nck_real first, nck_real second, nck_real v) {
+    return (a - second * v * v) / first;
+}
+
+// The path's acceleration with which 3|p″|v·a_t keeps to its share of the jerk, second·v > 0:
+//   a_t ≤ ½·(j − |p‴|v³)/(3|p″|v)
+static inline nck_real nck_budget_ramp(nck_real j, nck_real second, nck_real third, nck_real v) {
+    return NCK_BUDGET_RAMP_SHARE * (j - third * v * v * v) / ((nck_real)3 * second * v);
+}
+
+// What is left to the path's jerk:   j_t ≤ (j − |p‴|v³ − 3|p″|v·a_t)/|p′|,   first > 0
+static inline nck_real nck_budget_jerk(nck_real j, nck_real first, nck_real second, nck_real third,
+                                       nck_real v, nck_real a_t) {
+    return (j - third * v * v * v - (nck_real)3 * second * v * a_t) / first;
+}
+
+// By how much v² may differ over a length between neighbouring caps:
+//   Δw = 2·min(0.8 a, 0.4 √(j·v))·l
+static inline nck_real nck_budget_steep(nck_real a, nck_real j, nck_real w, nck_real length) {
+    const nck_real reach = NCK_BUDGET_STEEP_J * nck_sqrt(j * nck_sqrt(w));
+    return (nck_real)2 * nck_min(NCK_BUDGET_STEEP_A * a, reach) * length;
+}
+
+#endif

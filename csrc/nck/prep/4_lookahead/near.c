@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: MIT
+// Inside room 4: what neighbouring segs have to do with a seg's speed and limits.
+#include "nck/prep/4_lookahead/near.h"
+
+#include "nck/prep/4_lookahead/budget_math.h" // nck_budget_steep
+
+#define UNLIMITED 1e30
+
+// Where caps may be levelled across: splines that pass into each other without a stop.
+static int is_chain(const nck_joint_t *joint) {
+    return joint->kind == NCK_SEG_SPLINE && !joint->stop;
+}
+
+// The speed next to a cap is of no use much above it, but would cost acceleration and jerk.
+// Returns 1 if the cap came down.
+static int level(nck_joint_t *joint, const nck_joint_t *neighbour) {
+    const double apart = 0.5 * (joint->length + neighbour->length);
+    const double w = neighbour->w_near
+                     + nck_budget_steep(neighbour->a_most, neighbour->j_straight,
+                                        neighbour->w_near, apart);
+    if (!(w < joint->w_near)) return 0;
+    joint->w_near = w;
+    joint->limit_free = neighbour->limit_free;
+    return 1;
+}
+
+void nck_near_level(nck_lookahead_t *self) {
+    uint32_t at = self->joint.head - 1;
+    nck_joint_t *joint = nck_joint_at(self, at);
+    if (!is_chain(joint)) self->joint.broken = self->joint.head;
+    if (at == 0 || joint->kind != NCK_SEG_SPLINE || !is_chain(nck_joint_at(self, at - 1))) return;
+    level(joint, nck_joint_at(self, at - 1));
+    for (int n = 0; n < NCK_NEAR_SPAN && at > 0; n++) {
+        nck_joint_t *const before = nck_joint_at(self, at - 1);
+        if (!is_chain(before) || !level(before, joint)) return;
+        joint = before;
+        at--;
+    }
+}
+
+// Depends on counts of segs only: no push lowers a cap more than NCK_NEAR_SPAN segs before it.
+nck_status_t nck_near_settle(nck_lookahead_t *self) {
+    const uint32_t count = self->joint.settled;
+    if (count == self->joint.head) return NCK_EMPTY;
+    const uint32_t known = self->joint.head - count;
+    const int open = self->joint.broken <= count && known <= NCK_NEAR_SPAN && !self->ended;
+    if (open) return NCK_EMPTY;
+    nck_joint_settle(nck_joint_at(self, count), self->machine);
+    self->joint.settled++;
+    return NCK_OK;
+}
+
+static void include(nck_near_t *near, const nck_piece_limit_t *piece) {
+    near->a = nck_min(near->a, piece->a);
+    near->j = nck_min(near->j, piece->j);
+}
+
+nck_near_t nck_near_before(nck_lookahead_t *self, uint32_t count, int pace, double beta) {
+    nck_near_t near = {UNLIMITED, UNLIMITED, 1.0};
+    double time = 0.0;
+    for (int n = 0; n < NCK_NEAR_SPAN; n++) {
+        if (count == 0) return near;
+        count--;
+        const nck_joint_t *const joint = nck_joint_at(self, count);
+        if (joint->stop || joint->kind >= NCK_SEG_DWELL) return near;
+        const nck_piece_limit_t piece = nck_joint_piece(joint, beta, pace, self->machine);
+        include(&near, &piece);
+        time += joint->pace[pace].time;
+        if (time >= self->zone_s) return near;
+    }
+    near.slow = time / self->zone_s;
+    return near;
+}
+
+nck_status_t nck_near_after(nck_lookahead_t *self, uint32_t count, int pace, double beta,
+                            nck_near_t *near_out) {
+    const nck_near_t unlimited = {UNLIMITED, UNLIMITED, 1.0};
+    double time = 0.0;
+    *near_out = unlimited;
+    for (int n = 0; n < NCK_NEAR_SPAN; n++) {
+        if (nck_joint_at(self, count)->stop) return NCK_OK;
+        count++;
+        if (count == self->joint.head && self->ended) return NCK_OK;
+        if (count >= self->joint.settled) return NCK_EMPTY;
+        const nck_joint_t *const joint = nck_joint_at(self, count);
+        if (joint->kind >= NCK_SEG_DWELL) return NCK_OK;
+        const nck_piece_limit_t piece = nck_joint_piece(joint, beta, pace, self->machine);
+        include(near_out, &piece);
+        time += joint->pace[pace].time;
+        if (time >= self->zone_s) return NCK_OK;
+    }
+    near_out->slow = time / self->zone_s;
+    return NCK_OK;
+}
