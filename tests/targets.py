@@ -92,7 +92,8 @@ def _smaller(record, lengths):
     """Return a record whose arrays of axes and tools are shorter: their last dimension."""
     if record.subdtype:
         base, shape = record.subdtype
-        return np.dtype((_smaller(base, lengths), (*shape[:-1], lengths.get(shape[-1], shape[-1]))))
+        last = shape[-1] if base.subdtype else lengths.get(shape[-1], shape[-1])
+        return np.dtype((_smaller(base, lengths), (*shape[:-1], last)))
     if not record.names:
         return record
     fields = [(name, _smaller(record[name], lengths)) for name in record.names]

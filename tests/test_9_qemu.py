@@ -1,0 +1,121 @@
+# SPDX-License-Identifier: MIT
+"""The same bits everywhere: setpoints on Cortex-M4F and Cortex-M7, on the host and from Python.
+
+Nothing is compared with a stored path. Python's module has the capacities "host", which no board
+can hold, so that the chain is: Python, a host program of equal capacities, the same program with a
+board's capacities, the boards.
+"""
+
+from concurrent.futures import ThreadPoolExecutor
+
+import numpy as np
+import pytest
+import targets
+from cases import PROGRAM_CASES, RANDOM_CASES
+from targets import run_setpoints
+
+import pycnc
+from pycnc.machine import Machine
+
+SLOPES = ("linear",)
+CASES = [*PROGRAM_CASES, *(case for case in RANDOM_CASES if case.name.endswith("_0"))]
+THREE_AXES = [case for case in CASES if set(Machine.load(case.machine).axes) <= set("xyz")]
+# Too dense for a board's window: there, and only there, capacities change the path's speed.
+DENSE = ("micrometres",)
+HASH_BEGIN, HASH_PRIME = 0xCBF29CE484222325, 0x100000001B3
+
+
+@pytest.fixture(scope="module", autouse=True)
+def builds(tool):
+    """Build all programs before the first test runs."""
+    for name in ("arm-none-eabi-gcc", "qemu-system-arm"):
+        tool(name)
+    for core in ("host", *targets.BOARDS):
+        targets.build(core)
+
+
+def machine_of(case, slope):
+    return Machine.load(case.machine, set=(*case.set, f"path.slope={slope}"))
+
+
+def run_everywhere(runs, case, slope, folder):
+    """Run a case as each (core, capacities); return their results."""
+    machine = machine_of(case, slope)
+
+    def run_one(run):
+        place = folder / "-".join(run)
+        place.mkdir()
+        return run_setpoints(*run, case, machine, place)
+
+    with ThreadPoolExecutor(2) as pool:
+        return list(pool.map(run_one, runs))
+
+
+def rows_of(run, folder):
+    """Return the setpoints of a run: one row a tick."""
+    axes = targets.capacities(run[1]).get("NCK_AXIS_MAX", 9) if run[1] != "default" else 9
+    return np.fromfile(folder / "-".join(run) / "rows", "i8").reshape(-1, axes)
+
+
+def hash_of(rows):
+    """Return the hash that the programs compute, of the same setpoints."""
+    value = HASH_BEGIN
+    for word in rows.ravel().view("u8").tolist():
+        value = ((value ^ word) * HASH_PRIME) & 0xFFFFFFFFFFFFFFFF
+    return value
+
+
+def first_difference(one, other):
+    """Return the number of the first tick that differs, and both its rows."""
+    count = min(len(one), len(other))
+    differs = np.flatnonzero((one[:count] != other[:count]).any(axis=1))
+    k = int(differs[0]) if len(differs) else count
+    return k, one[k : k + 1], other[k : k + 1]
+
+
+def assert_equal(runs, results, folder):
+    first = results[0]
+    assert first.error == 0 and first.starved == 0 and first.ticks > 0
+    for run, result in zip(runs[1:], results[1:], strict=True):
+        if result.hash != first.hash:
+            pytest.fail(f"{run}: {first_difference(rows_of(runs[0], folder), rows_of(run, folder))}")
+        assert result.ticks == first.ticks
+
+
+@pytest.mark.parametrize("slope", SLOPES)
+@pytest.mark.parametrize("case", CASES, ids=str)
+def test_setpoints_are_the_same_on_every_core(case, slope, tmp_path):
+    runs = (("host", "default"), ("m4f", "default"), ("m7", "default"))
+    assert_equal(runs, run_everywhere(runs, case, slope, tmp_path), tmp_path)
+
+
+@pytest.mark.parametrize("slope", SLOPES)
+@pytest.mark.parametrize("case", THREE_AXES, ids=str)
+def test_setpoints_are_the_same_with_small_capacities(case, slope, tmp_path):
+    runs = (("host", "small"), ("m4f", "small"))
+    assert_equal(runs, run_everywhere(runs, case, slope, tmp_path), tmp_path)
+
+
+@pytest.mark.parametrize("slope", SLOPES)
+@pytest.mark.parametrize("case", CASES, ids=str)
+def test_python_gives_the_same_setpoints(case, slope, tmp_path):
+    runs = (("host", "host"), ("host", "default"))
+    results = run_everywhere(runs, case, slope, tmp_path)
+    trace = pycnc.run(pycnc.load(case.text, machine=machine_of(case, slope)))
+    rows = rows_of(runs[0], tmp_path)
+    names = [name for name in trace.columns if name.startswith("joint_")]
+    given = np.stack([trace[name] for name in names], axis=1)
+    np.testing.assert_array_equal(rows[:, : len(names)], given)
+    assert not rows[:, len(names) :].any()
+    assert results[0].hash == hash_of(rows)
+    assert (results[1].hash == results[0].hash) == (case.name not in DENSE)
+
+
+def test_a_setpoint_that_differs_by_a_nanometre_is_seen(tmp_path):
+    case = PROGRAM_CASES[0]
+    run = ("host", "default")
+    result = run_everywhere([run], case, "linear", tmp_path)[0]
+    rows = rows_of(run, tmp_path)
+    assert hash_of(rows) == result.hash
+    rows[len(rows) // 2, 0] += 1
+    assert hash_of(rows) != result.hash
