@@ -114,7 +114,7 @@ void os_stop(void);
 // Ticks since os_start; wraps after 2^32. Cost: constant. Context: any.
 uint32_t os_time(void);
 
-// Units since os_start, to measure with. Cost: constant. Context: any.
+// Units since os_start, to measure with; never goes back. Cost: constant. Context: any.
 uint64_t os_clock(void);
 
 // Sleep until the ticks-th tick from now, between ticks − 1 and ticks periods; 0: return at once.

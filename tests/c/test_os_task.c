@@ -321,6 +321,43 @@ static void a_tick_that_overruns_is_told(check_t *check)
     CHECK_INT(check, stage.faults, 1);
 }
 
+static uint64_t worked, clock_after;
+
+// Three ticks come meanwhile: one is due at the end, two are lost.
+static void work_for_three_ticks(void)
+{
+    if (stage.ticks != 7) return;
+    const uint64_t begun = os_clock();
+    for (uint64_t last = begun, now; worked < 3 * TICK_UNITS; last = now) {
+        os_spend(20);
+        now = os_clock();
+        clock_went_back += now < last;
+        worked = now - begun;
+    }
+}
+
+static void note_the_clock(void *user)
+{
+    (void)user;
+    os_delay_until(20);
+    clock_after = os_clock();
+    os_stop();
+}
+
+static void the_clock_goes_on_when_ticks_are_lost(check_t *check)
+{
+    begin();
+    clock_went_back = 0;
+    worked = 0;
+    stage.on_tick = work_for_three_ticks;
+    (void)add(4, note_the_clock);
+    run(check);
+    CHECK_INT(check, clock_went_back, 0);
+    CHECK(check, worked < 3 * TICK_UNITS + TICK_UNITS / 5);
+    CHECK_INT(check, clock_after / TICK_UNITS, 22);
+    CHECK_INT(check, os_overruns(), 1);
+}
+
 static void stop_at_tick_4(void)
 {
     if (stage.ticks == 4) os_stop();
@@ -360,6 +397,7 @@ int main(void)
     CHECK_RUN(&check, the_clock_agrees_with_the_ticks);
     CHECK_RUN(&check, the_work_of_each_task_is_measured);
     CHECK_RUN(&check, a_tick_that_overruns_is_told);
+    CHECK_RUN(&check, the_clock_goes_on_when_ticks_are_lost);
     CHECK_RUN(&check, an_interrupt_can_stop_the_kernel);
     CHECK_RUN(&check, an_idle_kernel_can_be_stopped);
     return check_end(&check);

@@ -39,7 +39,8 @@ void *os_port_switch(void *stack_pointer);
 void os_port_enter(os_stack_t *process_stack);
 void os_port_return(void);
 
-static uint64_t ticks;
+static uint64_t clock_base; // units up to the last tick that was counted
+static uint64_t clock_last;
 static uint32_t tick_units;
 // The process stack on the way into the first task and out of the last one.
 static os_stack_t scratch[SCRATCH_WORDS];
@@ -105,7 +106,7 @@ void os_port_start(uint32_t units)
 {
     const uint32_t before = os_critical_enter();
     *system_priorities = (*system_priorities & 0x0000FFFFu) | (0xFFu << 16);
-    ticks = 0;
+    clock_base = clock_last = 0;
     tick_units = units;
     systick->control = 0;
     systick->reload = units - 1;
@@ -151,7 +152,7 @@ void *os_port_switch(void *stack_pointer) { return os_switch(stack_pointer, stac
 
 void SysTick_Handler(void)
 {
-    ticks++;
+    clock_base += tick_units;
     os_tick();
 }
 
@@ -185,15 +186,20 @@ static uint32_t phase(void)
 }
 
 // A tick that is due is not counted yet; if it became due after the counter was read, read again.
+// SysTick keeps one tick in mind: a second one that comes while interrupts are kept out shows by
+// the clock going back, and is put in, so that who works on and on still sees time pass.
 uint64_t os_port_clock(void)
 {
     uint32_t units = phase();
-    uint64_t counted = ticks;
-    if (os_port_tick_is_due()) {
-        units = phase();
-        counted++;
+    const int due = os_port_tick_is_due();
+    if (due) units = phase();
+    uint64_t now = clock_base + units + (due ? tick_units : 0u);
+    if (now < clock_last) {
+        clock_base += tick_units;
+        now += tick_units;
     }
-    return counted * tick_units + units;
+    clock_last = now;
+    return now;
 }
 
 void os_port_idle(void) { __asm__ volatile("dsb\n wfi" ::: "memory"); }
