@@ -47,7 +47,7 @@ static void add_time(nck_host_totals_t *totals, const nck_cell_t *cell, int rapi
 }
 
 void nck_host_totals_add(nck_host_totals_t *totals, double *since_stop_s, const nck_cell_t *cell,
-                         int rapid, double period_s) {
+                         int rapid, double period_s, uint32_t settle) {
     totals->cells++;
     add_time(totals, cell, rapid, cell->duration);
     *since_stop_s += cell->duration;
@@ -55,7 +55,8 @@ void nck_host_totals_add(nck_host_totals_t *totals, double *since_stop_s, const 
         totals->ticks += nck_interpolate_rebase(since_stop_s, period_s);
         return;
     }
-    const uint64_t periods = nck_interpolate_periods(*since_stop_s, period_s);
+    const uint64_t periods = nck_interpolate_periods(*since_stop_s, period_s)
+                             + (cell->length > 0.0 ? settle : 0);
     add_time(totals, cell, rapid, (double)periods * period_s - *since_stop_s);
     totals->ticks += periods;
     totals->time_s = (double)totals->ticks * period_s;
@@ -64,12 +65,13 @@ void nck_host_totals_add(nck_host_totals_t *totals, double *since_stop_s, const 
 
 // Take all final cells. Returns how many.
 static uint32_t take_cells(nck_host_plan_t *plan) {
+    const uint32_t settle = plan->nck->interpolate.filter.taps - 1;
     nck_cell_t cell;
     uint32_t count = 0;
     while (nck_take(plan->nck, &cell) == NCK_OK) {
         const int rapid = nck_link_seg(&plan->nck->link, cell.seg)->rapid;
         nck_host_totals_add(&plan->totals, &plan->since_stop_s, &cell, rapid,
-                            plan->nck->machine.period_s);
+                            plan->nck->machine.period_s, settle);
         if (plan->cells) plan->cells[plan->cell_count++] = cell;
         count++;
     }

@@ -5,6 +5,7 @@
 #include <string.h> // memset
 
 enum {
+    PERCENT = 100, FEED_MOST = 200,    // overrides
     TAIL_STEP = 32,                    // cells of the stop tail in one bounded step
     BATCH_ROOM = NCK_CELL_MAX / 2,     // free places that make a batch worth its tail
     WIRE_FILL = 0, WIRE_BATCH = 1, WIRE_TAIL = 2, WIRE_PUBLISH = 3
@@ -15,12 +16,15 @@ nck_status_t nck_init(nck_t *nck, const nck_machine_t *machine, const nck_hooks_
     if (status != NCK_OK) return status;
     memset(nck, 0, sizeof *nck);
     nck->machine = *machine;
+    nck->command.feed_percent = PERCENT;
+    nck->command.rapid_percent = PERCENT;
     if (hooks) nck->hooks = *hooks;
     nck_decode_init(&nck->decode, &nck->machine);
     nck_toolcomp_init(&nck->toolcomp, &nck->machine);
     nck_smooth_init(&nck->smooth, &nck->machine);
     nck_lookahead_init(&nck->lookahead, &nck->machine);
     nck_slope_init(&nck->slope, &nck->machine);
+    nck_jerk_init(&nck->jerk, &nck->machine, &nck->link);
     nck_link_init(&nck->link);
     nck_interpolate_init(&nck->interpolate, &nck->machine, &nck->link);
     nck_transform_init(&nck->transform, &nck->machine);
@@ -183,16 +187,46 @@ static nck_status_t publish(nck_t *nck) {
     return NCK_OK;
 }
 
-// Downstream first: cells, then the envelope, then blocks.
-nck_status_t nck_prep(nck_t *nck) {
-    nck_status_t status = NCK_OK;
+static nck_status_t step_linear(nck_t *nck) {
     switch (nck->wire.phase) {
     case WIRE_BATCH: fill_batch(nck); return NCK_OK;
     case WIRE_TAIL: fill_tail(nck); return NCK_OK;
-    case WIRE_PUBLISH: status = publish(nck); break;
-    default: status = begin_batch(nck); break;
+    case WIRE_PUBLISH: return publish(nck);
+    default: return nck_fence_load(&nck->command.hold) ? NCK_FULL : begin_batch(nck);
     }
+}
+
+static nck_wish_t wish_of(const nck_command_t *command) {
+    const nck_wish_t wish = {(double)nck_fence_load(&command->feed_percent) / PERCENT,
+                             (double)nck_fence_load(&command->rapid_percent) / PERCENT,
+                             nck_fence_load(&command->hold),
+                             nck_fence_load(&command->single_block),
+                             nck_fence_load(&command->resumes)};
+    return wish;
+}
+
+// lookahead ─▶ jerk-limited slope ─▶ plans and final cells. Pieces are dropped behind them.
+static nck_status_t step_jerk(nck_t *nck) {
+    const nck_pieces_t pieces = {nck->lookahead.window.at, nck->lookahead.window.head,
+                                 nck_lookahead_fill(&nck->lookahead)};
+    const nck_wish_t wish = wish_of(&nck->command);
+    const nck_status_t status = nck_jerk_step(&nck->jerk, &pieces, &wish);
+    const uint32_t count = nck_jerk_needs(&nck->jerk) - pieces.head;
+    for (uint32_t i = 0; nck->hooks.on_node && i < count; i++) {
+        nck->hooks.on_node(nck->hooks.user, nck_lookahead_ahead(&nck->lookahead, i));
+    }
+    if (count > 0) nck_lookahead_drop(&nck->lookahead, count);
+    return status;
+}
+
+// Downstream first: cells, then the envelope, then blocks.
+nck_status_t nck_prep(nck_t *nck) {
+    const int jerk = nck->machine.slope == NCK_SLOPE_JERK;
+    const nck_status_t status = jerk ? step_jerk(nck) : step_linear(nck);
     if (status == NCK_OK) return NCK_OK;
+    if (nck_fence_load(&nck->command.abort)) {
+        return jerk && !nck_jerk_is_held(&nck->jerk) ? NCK_FULL : NCK_DONE;
+    }
     const nck_status_t ahead = nck_lookahead_step(&nck->lookahead);
     if (ahead == NCK_OK) return NCK_OK;
     const nck_status_t input = pull_block(nck);
@@ -207,19 +241,55 @@ static void hand_over_outputs(nck_t *nck) {
     }
 }
 
+// Held: at rest, or on the way to it along the stop tail.
+static int is_held(const nck_t *nck, const nck_pose_t *pose) {
+    return nck_fence_load(&nck->command.hold)
+           && (pose->state == NCK_TICK_IDLE || pose->state == NCK_TICK_STARVED);
+}
+
 nck_tick_state_t nck_tick(nck_t *nck, nck_pose_t *pose_out, nck_axes_t *axes_out) {
     const nck_pose_t *const pose = nck_interpolate_tick(&nck->interpolate);
     *pose_out = *pose;
+    if (is_held(nck, pose)) pose_out->state = NCK_TICK_HOLD;
     nck_transform_tick(&nck->transform, pose, axes_out);
     hand_over_outputs(nck);
-    return (nck_tick_state_t)pose->state;
+    return (nck_tick_state_t)pose_out->state;
 }
 
-void nck_resume(nck_t *nck) { nck_interpolate_resume(&nck->interpolate); }
+void nck_resume(nck_t *nck) {
+    if (nck_fence_load(&nck->command.abort)) return;
+    nck_fence_store(&nck->command.hold, 0);
+    nck_fence_store(&nck->command.resumes, nck_fence_load(&nck->command.resumes) + 1);
+    nck_interpolate_resume(&nck->interpolate);
+}
+
+void nck_hold(nck_t *nck) { nck_fence_store(&nck->command.hold, 1); }
+
+void nck_abort(nck_t *nck) {
+    nck_fence_store(&nck->command.abort, 1);
+    nck_fence_store(&nck->command.hold, 1);
+}
+
+static nck_status_t set_command(const nck_t *nck, uint32_t *word, uint32_t value, uint32_t most) {
+    if (nck->machine.slope != NCK_SLOPE_JERK) return NCK_E_STATE;
+    nck_fence_store(word, value < most ? value : most);
+    return NCK_OK;
+}
+
+nck_status_t nck_set_single_block(nck_t *nck, uint32_t on) {
+    return set_command(nck, &nck->command.single_block, on, 1);
+}
+
+nck_status_t nck_set_override(nck_t *nck, uint32_t feed_percent, uint32_t rapid_percent) {
+    (void)set_command(nck, &nck->command.rapid_percent, rapid_percent, PERCENT);
+    return set_command(nck, &nck->command.feed_percent, feed_percent, FEED_MOST);
+}
 
 int nck_is_idle(const nck_t *nck) {
     const int waits = nck->interpolate.waits && !nck_fence_load(&nck->interpolate.resume);
-    return !waits && !nck->interpolate.has_cell && nck_link_is_empty(&nck->link);
+    const int moves = nck->interpolate.has_cell || nck_link_waiting(&nck->link) > 0;
+    if (nck_fence_load(&nck->command.abort)) return nck->interpolate.rests && !moves;
+    return !waits && !moves && nck_link_is_empty(&nck->link);
 }
 
 nck_status_t nck_take(nck_t *nck, nck_cell_t *cell_out) {

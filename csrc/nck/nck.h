@@ -22,6 +22,7 @@
 #include "nck/prep/2_toolcomp/toolcomp.h"       // nck_toolcomp_t
 #include "nck/prep/3_smooth/smooth.h"           // nck_smooth_t
 #include "nck/prep/4_lookahead/lookahead.h"     // nck_lookahead_t
+#include "nck/prep/5_slope/jerk.h"              // nck_jerk_t
 #include "nck/prep/5_slope/slope.h"             // nck_slope_t
 #include "nck/tick/6_interpolate/interpolate.h" // nck_interpolate_t
 #include "nck/tick/7_transform/transform.h"     // nck_transform_t
@@ -34,15 +35,27 @@ typedef struct nck_hooks {
     void (*on_seg)(void *user, const nck_seg_t *seg);            // every seg; prep context
 } nck_hooks_t;
 
+// What the operator asks for: single words, so that any context may write them.
+typedef struct nck_command {
+    uint32_t feed_percent;  // override of programmed feeds, 0 … 200
+    uint32_t rapid_percent; // override of rapids, 0 … 100
+    uint32_t hold;          // 1: come to rest on the path and stay
+    uint32_t single_block;  // 1: the same at the end of every block
+    uint32_t resumes;       // how often to go on was asked for
+    uint32_t abort;         // 1: come to rest and drop the rest of the program
+} nck_command_t;
+
 // The kernel. The order of the members is the order of the flow.
 typedef struct nck {
     nck_machine_t machine;
     nck_hooks_t hooks;
+    nck_command_t command;
     nck_decode_t decode;
     nck_toolcomp_t toolcomp;
     nck_smooth_t smooth;
     nck_lookahead_t lookahead;
     nck_slope_t slope;
+    nck_jerk_t jerk;
     nck_link_t link;
     nck_interpolate_t interpolate;
     nck_transform_t transform;
@@ -89,8 +102,29 @@ nck_status_t nck_diagnostic(nck_t *nck, nck_diagnostic_t *diagnostic_out);
 // Returns the state. Cost: bounded by the cells in one period. Context: tick.
 nck_tick_state_t nck_tick(nck_t *nck, nck_pose_t *pose_out, nck_axes_t *axes_out);
 
-// Go on after M0, M1, M6 or M60. Cost: constant. Context: any.
+// Go on after M0, M1, M6 or M60, after a hold, and at a block's end in single block.
+// Cost: constant. Context: any.
 void nck_resume(nck_t *nck);
+
+// Come to rest on the path, within the limits of the slope, and stay until nck_resume. The state is
+// NCK_TICK_HOLD from the first cell of the brake on. Jerk-limited slope: the brake begins within ten
+// periods and the prep steps of one plan; linear slope: behind the cells that are final already.
+// Cost: constant. Context: any.
+void nck_hold(nck_t *nck);
+
+// Hold at the end of every block (1) or no longer (0). Jerk-limited slope only: returns NCK_OK, or
+// NCK_E_STATE under another. Cost: constant. Context: any.
+nck_status_t nck_set_single_block(nck_t *nck, uint32_t on);
+
+// Scale the programmed feeds by 0 … 200 % and the rapids by 0 … 100 %; what is more counts as the
+// most. The other limits stay. 0 rests until it is raised again. Jerk-limited slope only: returns
+// NCK_OK, or NCK_E_STATE under another. Cost: constant. Context: any.
+nck_status_t nck_set_override(nck_t *nck, uint32_t feed_percent, uint32_t rapid_percent);
+
+// Come to rest as by a hold and drop what has not been executed: nck_prep says NCK_DONE, the tick
+// stays in NCK_TICK_HOLD and is idle there. Only nck_init begins anew (machine.start_nm: where the
+// axes stand). Cost: constant. Context: any.
+void nck_abort(nck_t *nck);
 
 // 1 if the tick has nothing left to do: at rest, no WAIT, no cell and no output left.
 // Cost: constant. Context: tick.

@@ -6,13 +6,12 @@
 
 #include "nck/base/real.h" // nck_max
 
-enum { ENTERED = 1, PARITY = 2, HAS_TAIL = 4, END_SHIFT = 3, END_MASK = 0x1fffffff };
+enum { ENTERED = 1, PARITY = 2, HAS_TAIL = 4, END_SHIFT = 3, END_MASK = NCK_LINK_COUNT_MASK };
 
 static uint32_t end_of(uint32_t word) { return word >> END_SHIFT; }
 
 static uint32_t parity_of(uint32_t word) { return (word & PARITY) ? 1u : 0u; }
 
-// Counters of cells run modulo 2²⁹, the width of the end in the word.
 static uint32_t cells_between(uint32_t taken, uint32_t end) { return (end - taken) & END_MASK; }
 
 void nck_link_init(nck_link_t *self) { memset(self, 0, sizeof *self); }

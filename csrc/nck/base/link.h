@@ -22,6 +22,9 @@
 #include "nck/base/records.h" // nck_cell_t nck_seg_t nck_output_t
 #include "nck/base/status.h"  // nck_status_t
 
+// Running numbers of cells count modulo 2²⁹.
+enum { NCK_LINK_COUNT_MASK = 0x1fffffff };
+
 typedef struct nck_link {
     uint32_t word;        // end << 3 | has tail << 2 | parity << 1 | entered; both, by exchange
     uint32_t seg_head;    // segs pushed; prep writes

@@ -1,0 +1,386 @@
+// SPDX-License-Identifier: MIT
+// Room 5, slope: the jerk-limited slope, plan after plan.
+#include "nck/prep/5_slope/jerk.h"
+
+#include <string.h> // memset
+
+#include "nck/base/real.h"                // nck_min nck_max
+#include "nck/prep/5_slope/ladder_math.h" // nck_ladder_excess
+#include "nck/prep/5_slope/window.h"      // nck_window_…
+
+enum {
+    PHASE_IDLE = 0, PHASE_LOAD, PHASE_LAY, PHASE_LIMIT, PHASE_BRAKE, PHASE_PLAN, PHASE_DRAW,
+    PHASE_INSTALL
+};
+
+// A part of a plan in three becomes final before the next one takes over.
+#define COMMIT_SHARE 3
+// The window is to see this many times the time that a ramp from full speed to rest takes.
+#define RAMPS_SEEN 3.0
+// Cells last half a period at least: finer ladders gain next to nothing (README).
+#define STEP_LEAST 0.5
+// Periods that are final ahead of the tick.
+#define LEAD_PERIODS 5.0
+// Room for rounding below every jerk limit.
+#define JERK_MARGIN 1e-5
+// While the ladder is coarse no cell's duration is capped in rule R.
+#define UNCAPPED_S 1e6
+// A hold that cannot be met gets so much more length.
+#define REACH_GROWTH 1.1
+
+void nck_jerk_init(nck_jerk_t *self, const nck_machine_t *machine, nck_link_t *link) {
+    memset(self, 0, sizeof *self);
+    self->machine = machine;
+    self->link = link;
+    const double period = machine->period_s;
+    const double ramp = machine->path.feed_max / machine->path.a_max
+                        + machine->path.a_max / machine->path.j_max;
+    const double most = nck_max(1.0, 0.25 * (double)NCK_FILTER_TAPS) * period;
+    self->step_s = nck_max(STEP_LEAST * period,
+                           nck_min(most, RAMPS_SEEN * ramp / (double)NCK_PROFILE));
+    self->q_cap = NCK_LADDER_STRETCH * self->step_s;
+    self->j_scale = (1.0 - JERK_MARGIN)
+                    / (1.0 + nck_ladder_excess(self->q_cap, period, NCK_FILTER_TAPS));
+    self->lead_s = LEAD_PERIODS * period;
+    self->now.complete = 1;
+    self->now.end_s = -1.0;
+    self->wish.feed = 1.0;
+    self->wish.rapid = 1.0;
+    nck_profile_t *const p = &self->profile;
+    p->h = self->h;
+    p->w_cap = self->w_cap;
+    p->a_max = self->a_max;
+    p->j_max = self->j_max;
+    p->w = self->w;
+    p->s = self->s;
+    p->up = self->up;
+    p->down = self->down;
+    p->e = self->e;
+    p->z = self->z;
+    p->stack = self->stack;
+}
+
+static void enter(nck_jerk_t *self, uint32_t phase) {
+    self->work.phase = phase;
+    self->work.i = 0;
+    self->work.w_cell = 0.0;
+}
+
+// A plan from rest or from a moving state, under the wishes of now.
+static void begin(nck_jerk_t *self, uint32_t count) {
+    memset(&self->next, 0, sizeof self->next);
+    memset(&self->work, 0, sizeof self->work);
+    self->next.begin = count & NCK_LINK_COUNT_MASK;
+    self->work.wish = self->wish;
+    if (self->wish.feed > 1.0) self->over = 1;
+    self->work.over = self->over;
+    self->profile.v = 0.0;
+    self->profile.a = 0.0;
+    self->profile.q = 0.0;
+}
+
+static int is_released(const nck_jerk_t *self) {
+    if (self->wish.hold) return 0;
+    return self->now.held != NCK_HELD_RESUME || self->wish.resumes != self->resumes;
+}
+
+// From the rest at the end of the plan of now.
+static nck_status_t begin_at_rest(nck_jerk_t *self, const nck_pieces_t *pieces) {
+    const nck_node_t *const piece = nck_window_piece(pieces, self->now.end_piece);
+    if (!is_released(self)) return NCK_FULL;
+    if (!piece) return NCK_EMPTY;
+    self->over = 0;
+    begin(self, self->now.begin + self->now.n);
+    if (piece->length > 0.0 && !(nck_window_cap(self, piece) > 0.0)) return NCK_FULL;
+    self->work.coarse = 1;
+    self->next.piece = self->now.end_piece;
+    self->next.s = self->now.end_s < 0.0 ? piece->s : self->now.end_s;
+    self->work.piece = self->next.piece;
+    self->work.s = self->next.s;
+    enter(self, PHASE_LAY);
+    return NCK_OK;
+}
+
+// From the moving state behind the plan's first `first` cells. A stop at a block's end is laid anew,
+// because the cells of now may run past it.
+static void begin_moving(nck_jerk_t *self, const nck_pieces_t *pieces, uint32_t first) {
+    const uint32_t count = (self->now.begin + first) & NCK_LINK_COUNT_MASK;
+    const nck_cell_t *const cell = nck_link_tail_cell(self->link, count);
+    const nck_cell_t *const before =
+        nck_link_tail_cell(self->link, (count - 1) & NCK_LINK_COUNT_MASK);
+    const int anew = self->wish.single_block || !(self->wish.feed > 0.0 && self->wish.rapid > 0.0);
+    begin(self, count);
+    self->profile.v = cell->v;
+    self->profile.a = before->a;
+    self->profile.q = before->duration;
+    self->next.piece = nck_window_find(pieces, self->now.piece, cell);
+    self->next.s = cell->s;
+    self->work.piece = self->next.piece;
+    self->work.s = self->next.s;
+    self->work.source = count;
+    self->work.coarse = (uint32_t)anew;
+    enter(self, anew ? PHASE_LAY : PHASE_LOAD);
+}
+
+// Path length to rest from v ≥ 0 with acceleration a, under the deceleration a_max and the jerk j:
+// off the acceleration first, then down to −p, held, and back to 0 (for a < 0 a little too much).
+//        v1 = v + a²/2j when a is 0;   p = min(a_max, √(v1·j));   s = v1/2·(v1/p + p/j)
+static double brake_length(double v, double a, double a_max, double j) {
+    const double t = nck_max(0.0, a / j);
+    const double v1 = v + 0.5 * j * t * t;
+    const double p = nck_min(a_max, nck_sqrt(v1 * j));
+    if (!(p > 0.0)) return 0.0;
+    return (v + j * t * t / 3.0) * t + 0.5 * v1 * (v1 / p + p / j);
+}
+
+// Where a hold can rest, by the least acceleration and jerk on its way.
+static double hold_reach(const nck_jerk_t *self, const nck_pieces_t *pieces) {
+    const nck_profile_t *const p = &self->profile;
+    uint32_t number = self->next.piece;
+    double a = self->machine->path.a_max;
+    double j = self->machine->path.j_max;
+    double seen = nck_window_piece(pieces, number)->s - self->next.s;
+    double reach = 0.0;
+    for (uint32_t n = 0; n < NCK_JERK_PIECES; n++) {
+        const nck_node_t *const piece = nck_window_piece(pieces, number);
+        if (!piece || !(piece->length > 0.0)) break;
+        a = nck_min(a, self->work.over ? piece->a_over : piece->a);
+        j = nck_min(j, (self->work.over ? piece->j_over : piece->j) * self->j_scale);
+        reach = brake_length(p->v, p->a, a, j) + p->v * self->q_cap;
+        seen += piece->length;
+        if (seen >= reach) break;
+        number++;
+    }
+    return reach;
+}
+
+// Cells of the plan of now that are final.
+static uint32_t final_count(const nck_jerk_t *self) {
+    int entered = 0;
+    return (nck_link_end(self->link, &entered) - self->now.begin) & NCK_LINK_COUNT_MASK;
+}
+
+// Cells of it that may become final.
+static uint32_t final_limit(const nck_jerk_t *self) {
+    return self->now.complete ? self->now.n : self->now.commit;
+}
+
+// The plan of now stays, to its end.
+static void keep_plan(nck_jerk_t *self, uint32_t held) {
+    self->now.complete = 1;
+    if (held) self->now.held = held;
+    if (held) self->resumes = self->wish.resumes;
+    enter(self, PHASE_IDLE);
+}
+
+// Other wishes: plan anew from a few cells behind the final ones, unless the path rests by then.
+static void replan(nck_jerk_t *self, const nck_pieces_t *pieces) {
+    const uint32_t reserve = (uint32_t)(LEAD_PERIODS * self->machine->period_s / self->step_s);
+    const uint32_t first = final_count(self) + reserve;
+    enter(self, PHASE_IDLE);
+    if (self->now.held) return;
+    if (first >= self->now.n) {
+        if (self->wish.hold) keep_plan(self, NCK_HELD_RESUME);
+        return;
+    }
+    self->now.complete = 0;
+    self->now.commit = first;
+    begin_moving(self, pieces, first);
+    const nck_node_t *const piece = nck_window_piece(pieces, self->next.piece);
+    const uint32_t held = self->wish.hold ? (uint32_t)NCK_HELD_RESUME
+                          : nck_window_cap(self, piece) > 0.0 ? (uint32_t)NCK_HELD_NOT
+                                                              : (uint32_t)NCK_HELD_OVERRIDE;
+    if (!held) return;
+    self->next.held = held;
+    self->work.reach = hold_reach(self, pieces);
+    self->work.coarse = 0;
+    enter(self, PHASE_LOAD);
+}
+
+// The tick has run into the tail: the path comes to rest where the plan of now does.
+static void fall_into_tail(nck_jerk_t *self) {
+    int entered = 0;
+    self->now.begin = nck_link_end(self->link, &entered);
+    self->now.n = 0;
+    self->now.piece = self->now.end_piece;
+    self->in_tail = 1;
+    keep_plan(self, NCK_HELD_NOT);
+}
+
+// The plan does not join. A hold gets more length, a stop at a block's end waits for a later block;
+// else the plan of now goes on, and the next one begins later.
+static void give_way(nck_jerk_t *self, const nck_pieces_t *pieces) {
+    const uint32_t held = self->next.held;
+    const uint32_t first = (self->next.begin - self->now.begin) & NCK_LINK_COUNT_MASK;
+    const double reach = self->work.reach;
+    const uint32_t passed = self->work.passed + 1;
+    self->failures++;
+    if (reach > 0.0) {
+        begin_moving(self, pieces, first);
+        self->next.held = held;
+        self->work.reach = REACH_GROWTH * reach;
+        self->work.coarse = 0;
+        enter(self, PHASE_LOAD);
+        return;
+    }
+    if (self->wish.single_block && self->next.complete && passed < NCK_JERK_PIECES) {
+        begin_moving(self, pieces, first);
+        self->work.passed = passed;
+        return;
+    }
+    enter(self, PHASE_IDLE);
+    self->now.commit += 1 + NCK_PROFILE / 8;
+    if (self->now.commit >= self->now.n) keep_plan(self, NCK_HELD_NOT);
+}
+
+static void finish_load(nck_jerk_t *self) {
+    if (self->work.from_built) {
+        const int all = !nck_link_built_cell(self->link, self->work.i);
+        if (!all) {
+            self->next.complete = 0;
+            self->next.end_piece = self->work.piece;
+            self->next.end_s = self->work.s;
+        }
+        self->next.n = self->work.n;
+        enter(self, PHASE_LIMIT);
+        return;
+    }
+    if (!(self->work.reach > 0.0)) {
+        enter(self, PHASE_LAY);
+        return;
+    }
+    if (self->work.length < self->work.reach) {
+        keep_plan(self, self->next.held); // it rests sooner than the hold would
+        return;
+    }
+    self->next.complete = 1;
+    self->next.n = self->work.n;
+    self->next.end_piece = self->work.piece;
+    self->next.end_s = self->work.s;
+    enter(self, PHASE_LIMIT);
+}
+
+static int is_rest(const nck_jerk_t *self) {
+    return self->work.n == 1 && !(self->h[0] > 0.0);
+}
+
+static void finish_brake(nck_jerk_t *self) {
+    nck_profile_t *const p = &self->profile;
+    p->n = self->work.n;
+    p->q_cap = self->work.coarse ? UNCAPPED_S : self->q_cap;
+    nck_profile_begin(p);
+    enter(self, PHASE_PLAN);
+}
+
+static void finish_plan(nck_jerk_t *self, const nck_pieces_t *pieces) {
+    if (!self->work.coarse && !nck_profile_joins(&self->profile)) {
+        give_way(self, pieces);
+        return;
+    }
+    nck_link_tail_begin(self->link);
+    enter(self, PHASE_DRAW);
+}
+
+// A coarse plan only tells how to divide the ladder.
+static void finish_draw(nck_jerk_t *self) {
+    if (self->work.coarse && !is_rest(self)) {
+        self->work.coarse = 0;
+        self->work.from_built = 1;
+        self->work.n = 0;
+        self->work.length = 0.0;
+        self->work.piece = self->next.piece;
+        enter(self, PHASE_LOAD);
+        return;
+    }
+    self->next.commit = self->next.n / COMMIT_SHARE + 1;
+    enter(self, PHASE_INSTALL);
+}
+
+static nck_status_t install(nck_jerk_t *self) {
+    int entered = 0;
+    const uint32_t most = self->next.complete ? self->next.n : self->next.commit;
+    if (nck_link_end(self->link, &entered) != self->next.begin) return NCK_FULL;
+    const nck_status_t status = nck_link_install(self->link, self->lead_s, most);
+    if (status != NCK_OK) return status == NCK_FULL ? NCK_FULL : NCK_OK;
+    self->now = self->next;
+    self->in_tail = 0;
+    self->resumes = self->wish.resumes;
+    enter(self, PHASE_IDLE);
+    return NCK_OK;
+}
+
+static nck_status_t begin_next(nck_jerk_t *self, const nck_pieces_t *pieces) {
+    if (self->now.complete) return begin_at_rest(self, pieces);
+    begin_moving(self, pieces, self->now.commit);
+    return NCK_OK;
+}
+
+// One step of the plan in work.
+static nck_status_t work(nck_jerk_t *self, const nck_pieces_t *pieces) {
+    nck_status_t status = NCK_OK;
+    switch (self->work.phase) {
+    case PHASE_IDLE: return begin_next(self, pieces);
+    case PHASE_LOAD:
+        if (nck_window_load(self, pieces) == NCK_DONE) finish_load(self);
+        return NCK_OK;
+    case PHASE_LAY:
+        status = nck_window_lay(self, pieces);
+        if (status != NCK_DONE) return status;
+        enter(self, is_rest(self) ? PHASE_PLAN : PHASE_LIMIT);
+        return NCK_OK;
+    case PHASE_LIMIT:
+        if (nck_window_limit(self, pieces) == NCK_DONE) enter(self, PHASE_BRAKE);
+        return NCK_OK;
+    case PHASE_BRAKE:
+        if (nck_window_brake(self) == NCK_DONE) finish_brake(self);
+        return NCK_OK;
+    case PHASE_PLAN:
+        if (is_rest(self) || nck_profile_step(&self->profile, NCK_JERK_STEP) == NCK_DONE) {
+            finish_plan(self, pieces);
+        }
+        return NCK_OK;
+    case PHASE_DRAW:
+        if (nck_window_draw(self, pieces) == NCK_DONE) finish_draw(self);
+        return NCK_OK;
+    default: return install(self);
+    }
+}
+
+static int is_other(const nck_wish_t *a, const nck_wish_t *b) {
+    return a->hold != b->hold || a->feed != b->feed || a->rapid != b->rapid
+           || a->single_block != b->single_block;
+}
+
+// The oldest piece in use moves on with the final cells.
+static void follow(nck_jerk_t *self, const nck_pieces_t *pieces) {
+    int entered = 0;
+    const nck_cell_t *const cell =
+        nck_link_tail_cell(self->link, nck_link_end(self->link, &entered));
+    const int within = final_count(self) < self->now.n;
+    if (within && cell) self->now.piece = nck_window_find(pieces, self->now.piece, cell);
+    if (!within && self->now.complete) self->now.piece = self->now.end_piece;
+}
+
+nck_status_t nck_jerk_step(nck_jerk_t *self, const nck_pieces_t *pieces, const nck_wish_t *wish) {
+    int entered = 0;
+    (void)nck_link_end(self->link, &entered);
+    if (entered && !self->in_tail) fall_into_tail(self);
+    const int other = is_other(&self->wish, wish);
+    self->wish = *wish;
+    if (other) replan(self, pieces);
+    const uint32_t done = final_count(self);
+    const uint32_t limit = final_limit(self);
+    if (done < limit && nck_link_advance(self->link, self->lead_s, limit - done) == NCK_OK) {
+        follow(self, pieces);
+        return NCK_OK;
+    }
+    follow(self, pieces);
+    const nck_status_t status = work(self, pieces);
+    return status == NCK_EMPTY && final_count(self) < final_limit(self) ? NCK_FULL : status;
+}
+
+uint32_t nck_jerk_needs(const nck_jerk_t *self) { return self->now.piece; }
+
+int nck_jerk_is_held(const nck_jerk_t *self) {
+    return self->now.held && final_count(self) >= self->now.n;
+}

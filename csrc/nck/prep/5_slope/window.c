@@ -1,0 +1,381 @@
+// SPDX-License-Identifier: MIT
+// Room 5, slope: the ladder of the jerk-limited slope.
+#include "nck/prep/5_slope/window.h"
+
+#include <string.h> // memset
+
+#include "nck/base/real.h"                // nck_min nck_max
+#include "nck/prep/5_slope/hull_math.h"   // nck_hull_share
+#include "nck/prep/5_slope/ladder_math.h" // nck_ladder_…
+
+enum { PARTS_MOST = 256, SPAN_MOST = 200 };
+
+// A cap beyond every speed's square.
+#define UNCAPPED 1e18
+// A speed is at its cap within this share of v².
+#define CAP_EPSILON 1e-4
+// An acceleration is at its limit above this share of it.
+#define ACCEL_SHARE 0.999
+// A part of a piece shorter than this share of a cell is rounding.
+#define LENGTH_EPSILON 1e-9
+// The brake curve keeps off the limits by so much, so that the plan above it finds room.
+#define BRAKE_SHARE 0.9
+
+const nck_node_t *nck_window_piece(const nck_pieces_t *pieces, uint32_t number) {
+    if (number - pieces->head >= pieces->fill) return (const nck_node_t *)0;
+    return &pieces->at[number & (NCK_WINDOW - 1)];
+}
+
+double nck_window_cap(const nck_jerk_t *self, const nck_node_t *piece) {
+    if (!(piece->feed > 0.0)) return piece->vv_over * self->work.wish.rapid * self->work.wish.rapid;
+    const double v = piece->feed * self->work.wish.feed;
+    return nck_min(piece->vv_over, v * v);
+}
+
+static double end_of(const nck_node_t *piece) { return piece->s + piece->length; }
+
+// From the place (piece, s) on by a length.
+static void walk(const nck_pieces_t *pieces, uint32_t *number, double *s, double length) {
+    const nck_node_t *piece = nck_window_piece(pieces, *number);
+    double left = length;
+    while (left >= (end_of(piece) - *s) * (1.0 - LENGTH_EPSILON)) {
+        const nck_node_t *const next = nck_window_piece(pieces, *number + 1);
+        if (!next) break;
+        left = nck_max(0.0, left - (end_of(piece) - *s));
+        piece = next;
+        *s = piece->s;
+        ++*number;
+    }
+    *s += left;
+}
+
+uint32_t nck_window_find(const nck_pieces_t *pieces, uint32_t number, const nck_cell_t *cell) {
+    for (;;) {
+        const nck_node_t *const piece = nck_window_piece(pieces, number);
+        const nck_node_t *const next = nck_window_piece(pieces, number + 1);
+        const int beyond = next && next->seg == cell->seg && cell->s >= next->s;
+        if (!next || (piece->seg == cell->seg && !beyond)) return number;
+        number++;
+    }
+}
+
+static void push(nck_jerk_t *self, uint32_t piece, double s, double h, double vv) {
+    const uint32_t n = self->work.n;
+    self->rung_piece[n] = piece;
+    self->rung_s[n] = s;
+    self->h[n] = h;
+    self->w[n] = vv;
+    self->work.length += h;
+    self->work.n++;
+}
+
+// ---- load
+
+static const nck_cell_t *source(const nck_jerk_t *self, uint32_t i) {
+    if (self->work.from_built) return nck_link_built_cell(self->link, i);
+    return nck_link_tail_cell(self->link, self->work.source + i);
+}
+
+// A cell in parts of equal time. Returns 0 if they find no room, or the rest asked for is reached.
+static int load_cell(nck_jerk_t *self, const nck_pieces_t *pieces, const nck_cell_t *cell) {
+    const int parts = nck_ladder_parts(cell->duration, self->step_s, PARTS_MOST);
+    uint32_t piece = nck_window_find(pieces, self->work.piece, cell);
+    double s = cell->s;
+    double begin = 0.0;
+    if (self->work.n + (uint32_t)parts > NCK_JERK_CELLS) return 0;
+    for (int k = 1; k <= parts; k++) {
+        const double t = cell->duration * (double)k / (double)parts;
+        const double end = k < parts ? t * (cell->v + 0.5 * cell->a * t) : cell->length;
+        const double v = cell->v + cell->a * cell->duration * (double)(k - 1) / (double)parts;
+        double h = end - begin;
+        const double room = self->work.reach - self->work.length;
+        const int rests = self->work.reach > 0.0 && room <= h;
+        if (rests) h = room;
+        push(self, piece, s, h, v * v);
+        walk(pieces, &piece, &s, h);
+        begin = end;
+        if (rests) break;
+    }
+    self->work.piece = piece;
+    self->work.s = s;
+    return !(self->work.reach > 0.0 && self->work.length >= self->work.reach);
+}
+
+nck_status_t nck_window_load(nck_jerk_t *self, const nck_pieces_t *pieces) {
+    for (int n = 0; n < NCK_JERK_STEP; n++) {
+        const nck_cell_t *const cell = source(self, self->work.i);
+        const int wanted = self->work.from_built || self->work.reach > 0.0
+                           || self->work.source + self->work.i - self->now.begin < self->now.keep;
+        if (!cell || !wanted || !load_cell(self, pieces, cell)) {
+            self->work.loaded = self->work.n;
+            return NCK_DONE;
+        }
+        self->work.i++;
+    }
+    return NCK_OK;
+}
+
+// ---- lay
+
+// 1 if the path rests at the end of this piece; -1 if that is not known yet.
+static int rests_behind(const nck_jerk_t *self, const nck_pieces_t *pieces, uint32_t number) {
+    const nck_node_t *const piece = nck_window_piece(pieces, number);
+    const nck_node_t *const next = nck_window_piece(pieces, number + 1);
+    if (piece->stop) return 1;
+    if (!next) return -1;
+    if (!(nck_window_cap(self, next) > 0.0)) return 1;
+    if (!self->work.wish.single_block || !piece->last) return 0;
+    return nck_link_seg(self->link, piece->seg)->block
+           != nck_link_seg(self->link, next->seg)->block;
+}
+
+static void close_pending(nck_jerk_t *self) {
+    if (!(self->work.pending > 0.0)) return;
+    push(self, self->work.pending_piece, self->work.pending_s, self->work.pending, UNCAPPED);
+    self->work.pending = 0.0;
+}
+
+// The ladder has come to the end of a piece.
+static nck_status_t end_piece(nck_jerk_t *self, int rests) {
+    self->work.piece++;
+    self->work.s = -1.0;
+    if (!rests) return NCK_OK;
+    if (self->work.passed > 0 && rests != 2) {
+        self->work.passed--;
+        return NCK_OK;
+    }
+    close_pending(self);
+    self->next.complete = 1;
+    if (self->work.wish.single_block) self->next.held = NCK_HELD_RESUME;
+    return NCK_DONE;
+}
+
+// Short pieces share a cell as long as it stays within a step.
+static int joins_pending(const nck_jerk_t *self, const nck_node_t *piece, double step) {
+    return self->work.pending > 0.0 && self->work.pending + piece->length <= step
+           && piece->vv_node > 0.0
+           && self->work.piece - self->work.pending_piece < SPAN_MOST;
+}
+
+// Lay what is left of a piece, or one cell of it.
+static nck_status_t lay_some(nck_jerk_t *self, const nck_pieces_t *pieces,
+                             const nck_node_t *piece, int rests) {
+    const nck_node_t *const next = nck_window_piece(pieces, self->work.piece + 1);
+    const double w = nck_window_cap(self, piece);
+    const double w0 = nck_min(w, piece->vv_node);
+    const double w1 = rests || !next ? 0.0 : nck_min(w, next->vv_node);
+    const double x = self->work.s - piece->s;
+    const double left = piece->length - x;
+    const double step = nck_ladder_step(x, left, w0, w1, w, piece->a,
+                                        piece->j * self->j_scale, self->step_s);
+    const int alone = w0 == 0.0 && w1 == 0.0; // from rest to rest: several cells
+    const double h = alone ? nck_min(step, 0.25 * piece->length) : step;
+    if (joins_pending(self, piece, step) && x == 0.0 && !alone) {
+        self->work.pending += left;
+        return end_piece(self, rests);
+    }
+    close_pending(self);
+    if (left < 0.5 * h && x == 0.0 && !rests) {
+        self->work.pending = left;
+        self->work.pending_piece = self->work.piece;
+        self->work.pending_s = self->work.s;
+        return end_piece(self, rests);
+    }
+    if (left < 1.5 * h) {
+        push(self, self->work.piece, self->work.s, left, UNCAPPED);
+        return end_piece(self, rests);
+    }
+    push(self, self->work.piece, self->work.s, h, UNCAPPED);
+    self->work.s += h;
+    return NCK_OK;
+}
+
+// A dwell or a wait is a plan of its own.
+static nck_status_t lay_rest(nck_jerk_t *self, const nck_node_t *piece) {
+    close_pending(self);
+    self->next.complete = 1;
+    if (self->work.n > 0) return NCK_DONE;
+    push(self, self->work.piece, piece->s, 0.0, 0.0);
+    self->work.piece++;
+    self->work.s = -1.0;
+    return NCK_DONE;
+}
+
+static nck_status_t lay_one(nck_jerk_t *self, const nck_pieces_t *pieces) {
+    const uint32_t blocks = self->machine->lookahead_blocks;
+    const nck_node_t *const first = nck_window_piece(pieces, self->next.piece);
+    const nck_node_t *const piece = nck_window_piece(pieces, self->work.piece);
+    if (!piece) return NCK_EMPTY;
+    if (self->work.s < 0.0) self->work.s = piece->s;
+    if (!(piece->length > 0.0)) return lay_rest(self, piece);
+    const int full = self->work.n + 2 > NCK_JERK_CELLS
+                     || self->work.piece - self->next.piece >= NCK_JERK_PIECES
+                     || (blocks > 0 && piece->seg - first->seg >= blocks);
+    if (full) {
+        close_pending(self);
+        return NCK_DONE;
+    }
+    const int rests = rests_behind(self, pieces, self->work.piece);
+    if (rests < 0) return NCK_EMPTY;
+    return lay_some(self, pieces, piece, piece->stop ? 2 : rests);
+}
+
+nck_status_t nck_window_lay(nck_jerk_t *self, const nck_pieces_t *pieces) {
+    for (int n = 0; n < NCK_JERK_STEP; n++) {
+        const nck_status_t status = lay_one(self, pieces);
+        if (status == NCK_OK) continue;
+        if (status == NCK_DONE) {
+            self->next.n = self->work.n;
+            self->next.end_piece = self->work.piece;
+            self->next.end_s = self->work.s;
+        }
+        return status;
+    }
+    return NCK_OK;
+}
+
+// ---- limit
+
+// A cell keeps to the limits of every piece that it touches, and its nodes to the caps of the nodes
+// that it passes over.
+static void limit_cell(nck_jerk_t *self, const nck_pieces_t *pieces, uint32_t i) {
+    uint32_t number = self->rung_piece[i];
+    const nck_node_t *piece = nck_window_piece(pieces, number);
+    const int over = self->work.over != 0;
+    double w_node = self->rung_s[i] == piece->s ? piece->vv_node : UNCAPPED;
+    double w_cell = nck_window_cap(self, piece);
+    double a = over ? piece->a_over : piece->a;
+    double j = over ? piece->j_over : piece->j;
+    double left = self->h[i] - (end_of(piece) - self->rung_s[i]);
+    while (left > LENGTH_EPSILON * self->h[i]) {
+        piece = nck_window_piece(pieces, ++number);
+        if (!piece) break;
+        w_cell = nck_min(w_cell, nck_min(piece->vv_node, nck_window_cap(self, piece)));
+        a = nck_min(a, over ? piece->a_over : piece->a);
+        j = nck_min(j, over ? piece->j_over : piece->j);
+        left -= piece->length;
+    }
+    if (i > 0) w_node = nck_min(w_node, self->work.w_cell);
+    self->w_cap[i] = nck_min(w_node, w_cell);
+    self->a_max[i] = a;
+    self->j_max[i] = j * self->j_scale;
+    self->work.w_cell = w_cell;
+}
+
+nck_status_t nck_window_limit(nck_jerk_t *self, const nck_pieces_t *pieces) {
+    for (int n = 0; n < NCK_JERK_STEP; n++) {
+        if (self->work.i == self->work.n) return NCK_DONE;
+        limit_cell(self, pieces, self->work.i);
+        self->work.i++;
+    }
+    return NCK_OK;
+}
+
+// ---- brake
+
+// v² after a cell under rising deceleration; the profile's state serves as the brake's.
+static double brake_cell(nck_profile_t *state, double h, double a_max, double j, double q_cap) {
+    const double v = state->v_last;
+    const double share = nck_hull_share(h, 2.0 * v, q_cap);
+    const double fall = BRAKE_SHARE * j * (state->share + share);
+    const double a = nck_max(-BRAKE_SHARE * a_max, state->a_last - fall);
+    state->a_last = a;
+    state->share = share;
+    return nck_max(0.0, v * v + 2.0 * a * h);
+}
+
+nck_status_t nck_window_brake(nck_jerk_t *self) {
+    nck_profile_t *const state = &self->profile;
+    if (self->work.i == 0) {
+        state->v_last = state->v;
+        state->a_last = state->a;
+        state->share = 0.5 * nck_min(state->q, self->q_cap);
+        if (state->v > 0.0) self->w_cap[0] = nck_max(self->w_cap[0], state->v * state->v);
+    }
+    for (int n = 0; n < NCK_JERK_STEP; n++) {
+        const uint32_t i = self->work.i;
+        if (i + 1 >= self->work.loaded || !(state->v_last > 0.0)) return NCK_DONE;
+        const double vv = brake_cell(state, self->h[i], self->a_max[i], self->j_max[i], self->q_cap);
+        const double floor = nck_min(vv, self->w[i + 1]);
+        self->w_cap[i + 1] = nck_max(self->w_cap[i + 1], floor);
+        state->v_last = nck_sqrt(vv);
+        self->work.i++;
+    }
+    return NCK_OK;
+}
+
+// ---- draw
+
+static uint8_t limit_of(const nck_jerk_t *self, const nck_node_t *piece, uint32_t i, double a) {
+    const double w0 = self->w[i];
+    const double w1 = self->w[i + 1];
+    const double cap = nck_window_cap(self, piece);
+    const double near = 1.0 - CAP_EPSILON;
+    if (nck_fabs(a) >= ACCEL_SHARE * self->a_max[i]) return NCK_LIMIT_ACCEL;
+    if (nck_min(w0, w1) >= near * cap) {
+        return cap < near * piece->vv_piece ? (uint8_t)NCK_LIMIT_FEED : piece->limit_piece;
+    }
+    const int at_node = w0 >= near * self->w_cap[i] && self->rung_s[i] == piece->s;
+    if (at_node && w0 > 0.0) return piece->limit;
+    return NCK_LIMIT_JERK;
+}
+
+// How many segs further on a place lies, and whether it is a seg's end.
+static void end_cell(const nck_jerk_t *self, const nck_pieces_t *pieces, uint32_t i,
+                     nck_cell_t *cell) {
+    const int is_end = i + 1 == self->work.n;
+    const uint32_t number = is_end ? self->next.end_piece : self->rung_piece[i + 1];
+    const double s = is_end ? self->next.end_s : self->rung_s[i + 1];
+    const nck_node_t *const at = nck_window_piece(pieces, number);
+    const nck_node_t *const before = nck_window_piece(pieces, number - 1);
+    const int behind = s < 0.0 || (at && s == at->s); // at a piece's start: the one before ends
+    const nck_node_t *const piece = behind ? before : at;
+    cell->span = (uint8_t)(piece->seg - cell->seg);
+    cell->last = behind && piece->last;
+}
+
+static void draw_cell(nck_jerk_t *self, const nck_pieces_t *pieces, uint32_t i) {
+    const nck_node_t *const piece = nck_window_piece(pieces, self->rung_piece[i]);
+    const double v = nck_sqrt(self->w[i]);
+    const double v_end = nck_sqrt(self->w[i + 1]);
+    nck_cell_t cell;
+    memset(&cell, 0, sizeof cell);
+    cell.seg = piece->seg;
+    cell.s = self->rung_s[i];
+    cell.length = self->h[i];
+    cell.v = v;
+    cell.a = (self->w[i + 1] - self->w[i]) / (2.0 * self->h[i]);
+    cell.duration = 2.0 * self->h[i] / (v + v_end);
+    cell.limit = limit_of(self, piece, i, cell.a);
+    end_cell(self, pieces, i, &cell);
+    if (i + 1 == self->work.n) cell.stop = NCK_STOP_REST;
+    if (self->next.held) cell.stop |= NCK_STOP_HOLD;
+    if (cell.a >= 0.0) self->next.keep = i + 1;
+    nck_link_tail_push(self->link, &cell);
+}
+
+static void draw_rest(nck_jerk_t *self, const nck_pieces_t *pieces) {
+    const nck_node_t *const piece = nck_window_piece(pieces, self->rung_piece[0]);
+    nck_cell_t cell;
+    memset(&cell, 0, sizeof cell);
+    cell.seg = piece->seg;
+    cell.s = piece->s;
+    cell.duration = piece->dwell_s;
+    cell.limit = piece->limit_piece;
+    cell.stop = NCK_STOP_REST;
+    cell.last = 1;
+    nck_link_tail_push(self->link, &cell);
+}
+
+nck_status_t nck_window_draw(nck_jerk_t *self, const nck_pieces_t *pieces) {
+    if (self->work.n == 1 && !(self->h[0] > 0.0)) {
+        draw_rest(self, pieces);
+        return NCK_DONE;
+    }
+    for (int n = 0; n < NCK_JERK_STEP; n++) {
+        if (self->work.i == self->work.n) return NCK_DONE;
+        draw_cell(self, pieces, self->work.i);
+        self->work.i++;
+    }
+    return NCK_OK;
+}

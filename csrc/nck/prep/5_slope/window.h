@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+// The ladder of the jerk-limited slope: nodes are laid on the pieces, capped, and drawn as cells.
+// Inside of the room.
+#ifndef NCK_PREP_WINDOW_H
+#define NCK_PREP_WINDOW_H
+
+#include "nck/prep/5_slope/jerk.h" // nck_jerk_t nck_pieces_t
+
+enum {
+    NCK_JERK_STEP = 32,                        // units of work in one bounded step
+    NCK_JERK_PIECES = (NCK_WINDOW - 8) / 2,    // pieces of a plan at most: two plans find room
+    NCK_JERK_CELLS = NCK_PROFILE - 1
+};
+
+// The piece of a running number; NULL if it is not there (yet). Cost: constant.
+const nck_node_t *nck_window_piece(const nck_pieces_t *pieces, uint32_t number);
+
+// The piece in which a cell begins, from a piece at or before it. Cost: linear in the pieces between.
+uint32_t nck_window_find(const nck_pieces_t *pieces, uint32_t number, const nck_cell_t *cell);
+
+// Cap of a piece under the overrides that the plan is made for, v². Cost: constant.
+double nck_window_cap(const nck_jerk_t *self, const nck_node_t *piece);
+
+// Take over cells of an earlier plan, the long ones divided. NCK_OK: call again; NCK_DONE.
+// Cost: bounded.
+nck_status_t nck_window_load(nck_jerk_t *self, const nck_pieces_t *pieces);
+
+// Lay more cells behind them. NCK_OK: call again; NCK_EMPTY: needs pieces; NCK_DONE. Cost: bounded.
+nck_status_t nck_window_lay(nck_jerk_t *self, const nck_pieces_t *pieces);
+
+// Caps and limits of every cell and node. NCK_OK: call again; NCK_DONE. Cost: bounded.
+nck_status_t nck_window_limit(nck_jerk_t *self, const nck_pieces_t *pieces);
+
+// Raise the caps to where the path can brake to from its entry speed: an override may have lowered
+// them below that. NCK_OK: call again; NCK_DONE. Cost: bounded.
+nck_status_t nck_window_brake(nck_jerk_t *self);
+
+// The plan as cells of a tail. NCK_OK: call again; NCK_DONE. Cost: bounded.
+nck_status_t nck_window_draw(nck_jerk_t *self, const nck_pieces_t *pieces);
+
+#endif
