@@ -61,7 +61,6 @@ typedef struct nck {
     nck_transform_t transform;
     struct {
         nck_block_t block;      // on its way from 2_toolcomp to 3_smooth
-        uint8_t has_block;      // 1: block waits for room further on
         uint8_t ended;          // 1: no more blocks: END, end of text or a program error
         uint8_t recovered;      // 1: the stop tail in use is taken into account
         uint8_t phase;          // of the batch of cells being built

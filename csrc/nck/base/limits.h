@@ -45,6 +45,12 @@
 #define NCK_PROFILE 1024
 #endif
 
+// Blocks that smoothing sees at once. Power of two, 16..65536. A spline's piece is at most about a
+// quarter as long as these blocks together: fewer make dense paths less smooth, never less exact.
+#ifndef NCK_SMOOTH_SPAN
+#define NCK_SMOOTH_SPAN 128
+#endif
+
 // Cells between the slope and the tick. Power of two, 16..4096. More cells bridge longer pauses of
 // prep.
 #ifndef NCK_CELL_MAX
@@ -78,6 +84,9 @@
 #endif
 #if (NCK_CELL_MAX & (NCK_CELL_MAX - 1)) || NCK_CELL_MAX < 16
 #error "NCK_CELL_MAX must be a power of two, 16 at least"
+#endif
+#if (NCK_SMOOTH_SPAN & (NCK_SMOOTH_SPAN - 1)) || NCK_SMOOTH_SPAN < 16
+#error "NCK_SMOOTH_SPAN must be a power of two, 16 at least"
 #endif
 #if NCK_CORNER_SPAN & (NCK_CORNER_SPAN - 1)
 #error "NCK_CORNER_SPAN must be a power of two"

@@ -1,10 +1,31 @@
 // SPDX-License-Identifier: MIT
-// Room 3, smooth: exact segs.
+// Room 3, smooth: blocks in, segs and outputs out.
 #include "nck/prep/3_smooth/smooth.h"
 
-#include <string.h> // memset
+#include <string.h> // memcpy memset
 
+#include "nck/base/real.h"                 // nck_min nck_max
+#include "nck/prep/3_smooth/knot.h"        // nck_knot_…
 #include "nck/prep/3_smooth/metric_math.h" // nck_metric_length nck_metric_feed_length
+#include "nck/prep/3_smooth/raw.h"         // nck_raw_…
+#include "nck/prep/3_smooth/spline_math.h" // nck_spline_…
+
+#define TOLERANCE_MIN 1e-4 // [mm] a smaller one means the exact path
+
+// The widest spacing that any speed, acceleration and jerk of the machine can ask for.
+static double widest_spacing(const nck_machine_t *machine) {
+    double vv = 0.0;
+    double a = machine->path.a_max;
+    double j = machine->path.j_max;
+    for (int x = 0; x < NCK_AXIS_MAX; x++) {
+        const nck_axis_t *const axis = &machine->axis[x];
+        if (!axis->present) continue;
+        vv += axis->v_max * axis->v_max;
+        a = nck_min(a, axis->a_max);
+        j = nck_min(j, axis->j_max);
+    }
+    return nck_spline_spacing_max(nck_sqrt(vv), a, j);
+}
 
 void nck_smooth_init(nck_smooth_t *self, const nck_machine_t *machine) {
     memset(self, 0, sizeof *self);
@@ -13,6 +34,7 @@ void nck_smooth_init(nck_smooth_t *self, const nck_machine_t *machine) {
     for (int x = 0; x < NCK_AXIS_MAX; x++) {
         self->position[x] = (double)machine->start_nm[x] / nck_machine_counts(machine, x);
     }
+    self->spacing_max = widest_spacing(machine);
 }
 
 // Where the block ends. Most blocks move few axes: the others need no division.
@@ -42,11 +64,12 @@ static double path_feed(const nck_block_t *block, const nck_seg_t *seg) {
     return per_minute / 60.0 / seg->feed_scale;
 }
 
-static nck_status_t make_motion(nck_smooth_t *self, const nck_block_t *block, nck_seg_t *seg) {
+// NCK_EMPTY if the move has no length.
+static nck_status_t make_motion(const nck_smooth_t *self, const nck_block_t *block,
+                                nck_seg_t *seg) {
+    set_end(self, block, seg->end);
     if (block->kind == NCK_BLOCK_ARC) set_arc(seg, block);
     seg->length = nck_metric_length(seg);
-    memcpy(self->position_nm, block->target_nm, sizeof self->position_nm);
-    memcpy(self->position, seg->end, sizeof self->position);
     if (!(seg->length > 0.0)) return NCK_EMPTY;
     seg->stop = block->path_mode == NCK_PATH_STOP;
     seg->rapid = block->kind == NCK_BLOCK_RAPID;
@@ -56,27 +79,218 @@ static nck_status_t make_motion(nck_smooth_t *self, const nck_block_t *block, nc
     return seg->feed > 0.0 ? NCK_OK : NCK_E_FEED_MISSING;
 }
 
-nck_status_t nck_smooth_push(nck_smooth_t *self, const nck_block_t *block, uint32_t block_seq,
-                             nck_seg_t *seg_out) {
-    const int moves = block->kind <= NCK_BLOCK_ARC;
-    memset(seg_out, 0, sizeof *seg_out);
-    seg_out->seq = self->seq;
-    seg_out->line = block->line;
-    seg_out->block = block_seq;
-    seg_out->s_begin = self->s;
-    seg_out->feed_scale = 1.0;
-    memcpy(seg_out->start, self->position, sizeof seg_out->start);
-    memcpy(seg_out->end, self->position, sizeof seg_out->end);
-    if (moves) {
-        set_end(self, block, seg_out->end);
-        const nck_status_t status = make_motion(self, block, seg_out);
-        if (status != NCK_OK) return status;
-    } else {
-        seg_out->kind = block->kind == NCK_BLOCK_DWELL ? NCK_SEG_DWELL : NCK_SEG_WAIT;
-        seg_out->stop = 1;
-        seg_out->dwell_s = block->kind == NCK_BLOCK_DWELL ? block->dwell_s : 0.0;
+// The exact seg of a block that moves or rests.
+static nck_status_t make_seg(const nck_smooth_t *self, const nck_block_t *block, nck_seg_t *seg) {
+    seg->line = block->line;
+    seg->feed_scale = 1.0;
+    memcpy(seg->start, self->position, sizeof seg->start);
+    memcpy(seg->end, self->position, sizeof seg->end);
+    if (block->kind <= NCK_BLOCK_ARC) return make_motion(self, block, seg);
+    seg->kind = block->kind == NCK_BLOCK_DWELL ? NCK_SEG_DWELL : NCK_SEG_WAIT;
+    seg->stop = 1;
+    seg->dwell_s = block->kind == NCK_BLOCK_DWELL ? block->dwell_s : 0.0;
+    return NCK_OK;
+}
+
+// Does the block at count join the run at the front? Outputs do, until the program ends.
+static int joins(nck_smooth_t *self, uint32_t count) {
+    const nck_raw_t *const raw = nck_raw_at(self, count);
+    return raw->smooth || (raw->has_output && !raw->has_seg && !raw->ends);
+}
+
+// Let blocks join the run at the front.
+static void extend_run(nck_smooth_t *self) {
+    while (self->run.open && !self->run.closed && self->run.end != self->raw.head) {
+        if (joins(self, self->run.end)) self->run.end++;
+        else self->run.closed = 1;
     }
-    self->s += seg_out->length;
+    if (self->ended) self->run.closed = 1;
+}
+
+// Where the newest block of a run begins in it: where the run's block before it ends.
+static double place_in_run(nck_smooth_t *self) {
+    uint32_t count = self->raw.head;
+    while (count != self->raw.tail && joins(self, count - 1)) {
+        const nck_raw_t *const raw = nck_raw_at(self, count - 1);
+        if (raw->smooth) return raw->s + raw->seg.length;
+        count--;
+    }
+    return 0.0;
+}
+
+static int is_smooth(const nck_block_t *block) {
+    return block->kind <= NCK_BLOCK_ARC && block->path_mode == NCK_PATH_CONTINUOUS
+           && block->tolerance_mm >= TOLERANCE_MIN;
+}
+
+nck_status_t nck_smooth_push(nck_smooth_t *self, const nck_block_t *block, uint32_t block_seq) {
+    if (!self->hungry) return NCK_FULL;
+    nck_raw_t *const raw = nck_raw_at(self, self->raw.head);
+    memset(raw, 0, sizeof *raw);
+    raw->has_output = block->kind >= NCK_BLOCK_WAIT;
+    raw->has_seg = block->kind <= NCK_BLOCK_WAIT;
+    raw->ends = block->kind == NCK_BLOCK_END;
+    raw->seg.block = block_seq;
+    raw->output = block->output;
+    raw->output.line = block->line;
+    if (raw->has_seg) {
+        const nck_status_t status = make_seg(self, block, &raw->seg);
+        if (status != NCK_OK) return status == NCK_EMPTY ? NCK_OK : status;
+        memcpy(self->position_nm, block->target_nm, sizeof self->position_nm);
+        memcpy(self->position, raw->seg.end, sizeof self->position);
+    }
+    raw->smooth = (uint8_t)is_smooth(block);
+    raw->s = place_in_run(self);
+    if (raw->smooth) {
+        raw->tolerance = block->tolerance_mm;
+        raw->inside = nck_knot_spacing_inside(self, &raw->seg, raw->tolerance);
+    }
+    self->raw.head++;
+    self->hungry = 0;
+    extend_run(self);
+    return NCK_OK;
+}
+
+void nck_smooth_end(nck_smooth_t *self) {
+    self->ended = 1;
+    extend_run(self);
+}
+
+static nck_status_t give_output(nck_smooth_t *self, nck_raw_t *raw, nck_smooth_item_t *item_out) {
+    item_out->is_output = 1;
+    item_out->output = raw->output;
+    item_out->output.after_segs = self->seq;
+    raw->has_output = 0;
+    return NCK_OK;
+}
+
+static nck_status_t give_seg(nck_smooth_t *self, nck_smooth_item_t *item_out) {
+    item_out->is_output = 0;
+    item_out->seg.seq = self->seq;
+    item_out->seg.s_begin = self->s;
+    self->s += item_out->seg.length;
     self->seq++;
     return NCK_OK;
+}
+
+// The next output of the run before the place s.
+static nck_raw_t *due_output(nck_smooth_t *self, double s) {
+    for (uint32_t count = self->raw.tail; count != self->run.end; count++) {
+        nck_raw_t *const raw = nck_raw_at(self, count);
+        if (raw->s >= s) return NULL;
+        if (raw->has_output) return raw;
+    }
+    return NULL;
+}
+
+// Forget what the run has passed.
+static void drop_passed(nck_smooth_t *self, double s) {
+    while (self->raw.tail != self->run.end) {
+        const nck_raw_t *const raw = nck_raw_at(self, self->raw.tail);
+        if (raw->has_output || raw->s + raw->seg.length > s) return;
+        self->raw.tail++;
+    }
+}
+
+// What the blocks between two places mean for the seg that stands for them: the slowest feed, the
+// line of the one in the middle.
+static void take_words(nck_smooth_t *self, double from, double to, nck_seg_t *seg) {
+    const double middle = 0.5 * (from + to);
+    uint32_t count = nck_raw_find(self, from);
+    seg->rapid = 1;
+    seg->feed_scale = 0.0;
+    while (count != self->run.end) {
+        const nck_seg_t *const raw = &nck_raw_at(self, count)->seg;
+        const double begin = nck_raw_at(self, count)->s;
+        if (begin >= to) return;
+        if (begin <= middle) {
+            seg->line = raw->line;
+            seg->block = raw->block;
+        }
+        if (!raw->rapid) seg->feed = seg->rapid ? raw->feed : nck_min(seg->feed, raw->feed);
+        seg->rapid = seg->rapid && raw->rapid;
+        seg->feed_scale = nck_max(seg->feed_scale, raw->feed_scale);
+        count = nck_raw_next(self, count);
+    }
+}
+
+static nck_status_t give_spline(nck_smooth_t *self, nck_smooth_item_t *item_out) {
+    const double *const t = self->run.t;
+    nck_seg_t *const seg = &item_out->seg;
+    nck_raw_spline(self, 0, seg);
+    memcpy(seg->start, self->run.position, sizeof seg->start);
+    memcpy(self->run.position, seg->end, sizeof seg->end);
+    take_words(self, t[2], t[3], seg);
+    nck_knot_advance(self);
+    drop_passed(self, t[2]);
+    return give_seg(self, item_out);
+}
+
+static int run_is_over(nck_smooth_t *self) {
+    return self->run.closed && self->run.t[2] >= nck_raw_known(self);
+}
+
+// The next item of the run at the front. NCK_DONE: the run is over.
+static nck_status_t pull_run(nck_smooth_t *self, nck_smooth_item_t *item_out) {
+    while (!run_is_over(self)) {
+        if (!self->run.chosen) {
+            const nck_status_t status = nck_knot_choose(self);
+            if (status != NCK_OK) return status;
+            self->run.chosen = 1;
+        }
+        nck_raw_t *const raw = due_output(self, self->run.t[3]);
+        if (raw) return give_output(self, raw, item_out);
+        if (self->run.t[3] > self->run.t[2]) return give_spline(self, item_out);
+        nck_knot_advance(self);
+    }
+    nck_raw_t *const raw = due_output(self, self->run.t[2] + 1.0);
+    return raw ? give_output(self, raw, item_out) : NCK_DONE;
+}
+
+// The next item of the exact path. NCK_EMPTY: none at the front.
+static nck_status_t pull_exact(nck_smooth_t *self, nck_smooth_item_t *item_out) {
+    nck_raw_t *const raw = nck_raw_at(self, self->raw.tail);
+    if (raw->has_output) {
+        if (!raw->has_seg) self->raw.tail++;
+        return give_output(self, raw, item_out);
+    }
+    self->raw.tail++;
+    item_out->seg = raw->seg;
+    return give_seg(self, item_out);
+}
+
+static void open_run(nck_smooth_t *self) {
+    self->run.open = 1;
+    self->run.closed = 0;
+    self->run.end = self->raw.tail;
+    extend_run(self);
+    nck_knot_begin(self);
+}
+
+nck_status_t nck_smooth_pull(nck_smooth_t *self, nck_smooth_item_t *item_out) {
+    self->hungry = 0;
+    if (self->run.open) {
+        const nck_status_t status = pull_run(self, item_out);
+        self->hungry = status == NCK_EMPTY;
+        if (status != NCK_DONE) return status;
+        self->run.open = 0;
+        self->raw.tail = self->run.end;
+    }
+    if (self->raw.tail == self->raw.head) {
+        self->hungry = !self->ended;
+        return self->ended ? NCK_DONE : NCK_EMPTY;
+    }
+    if (!nck_raw_at(self, self->raw.tail)->smooth) return pull_exact(self, item_out);
+    open_run(self);
+    const nck_status_t status = pull_run(self, item_out);
+    self->hungry = status == NCK_EMPTY;
+    return status;
+}
+
+int nck_smooth_invariants(const nck_smooth_t *self) {
+    int good = self->raw.head - self->raw.tail <= NCK_SMOOTH_SPAN;
+    if (!self->run.open) return good;
+    good = good && self->run.end - self->raw.tail <= self->raw.head - self->raw.tail;
+    for (int i = 0; i < 5; i++) good = good && self->run.t[i] <= self->run.t[i + 1];
+    return good;
 }

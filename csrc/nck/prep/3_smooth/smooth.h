@@ -1,29 +1,88 @@
 // SPDX-License-Identifier: MIT
-// Room 3, smooth: block → seg. Lines, arcs and helices become exact pieces of path.
+// Room 3, smooth: block → seg. Exact lines, arcs and helices; within a tolerance a spline of them.
 #ifndef NCK_PREP_SMOOTH_H
 #define NCK_PREP_SMOOTH_H
 
+#include "nck/base/limits.h"  // NCK_SMOOTH_SPAN
 #include "nck/base/machine.h" // nck_machine_t
-#include "nck/base/records.h" // nck_block_t nck_seg_t
+#include "nck/base/records.h" // nck_block_t nck_seg_t nck_output_t
 #include "nck/base/status.h"  // nck_status_t
+
+// A block on its way through the room.
+typedef struct nck_raw {
+    nck_seg_t seg;       // its exact seg
+    nck_output_t output; // what it hands over, before its seg
+    double s;            // where it begins in its run [path mm]
+    double tolerance;    // [mm] of the smoothed path; 0: exact
+    double spacing;      // of knots, as its end allows [path mm]; 0: not known yet
+    double inside;       // of knots, as its inside allows [path mm]
+    uint8_t has_seg;     // 1: it moves or rests
+    uint8_t has_output;  // 1: it hands over something, and has not yet
+    uint8_t smooth;      // 1: part of a run
+    uint8_t key;         // 1: its end is a corner that wants a knot of its own
+    uint8_t ends;        // 1: end of the program
+    uint8_t reserved[3]; // 0
+} nck_raw_t;
+
+// What the room gives: a seg, or an output between segs.
+typedef struct nck_smooth_item {
+    uint8_t is_output;   // 1: output, 0: seg
+    uint8_t reserved[7]; // 0
+    nck_seg_t seg;
+    nck_output_t output; // after_segs is set
+} nck_smooth_item_t;
 
 typedef struct nck_smooth {
     const nck_machine_t *machine;
-    int64_t position_nm[NCK_AXIS_MAX]; // end of the last seg [nm, ndeg]
+    int64_t position_nm[NCK_AXIS_MAX]; // end of the last block pushed [nm, ndeg]
     double position[NCK_AXIS_MAX];     // the same [mm, deg]
-    double s;                          // path length so far [path mm]
-    uint32_t seq;                      // of the next seg
+    double s;            // length of all segs pulled [path mm]
+    double spacing_max;  // of knots [path mm]
+    uint32_t seq;        // of the next seg pulled
+    uint8_t hungry;      // 1: pull needs a block
+    uint8_t ended;       // 1: no more blocks
+    uint8_t reserved[2]; // 0
+
+    struct {
+        uint32_t head; // blocks pushed
+        uint32_t tail; // blocks done with
+        nck_raw_t at[NCK_SMOOTH_SPAN];
+    } raw;
+
+    // The smoothed stretch at the front, from rest or exact path to the next: knots t, controls c.
+    struct {
+        uint8_t open;    // 1: there is one
+        uint8_t closed;  // 1: it gets no more blocks
+        uint8_t chosen;  // 1: t[5] and c[3] are chosen
+        uint8_t on_key;  // 1: t[4] is the knot of a corner
+        uint32_t end;    // count of the block behind its last one
+        uint32_t kinks;  // knots that had to be doubled to stay within the tolerance, in all runs
+        double t[8];     // the next seg lies over t[2] … t[3]; t[6], t[7]: if it had to end at t[5]
+        double c[6][NCK_AXIS_MAX]; // c[i] belongs to t[i] t[i+1] t[i+2]
+        double position[NCK_AXIS_MAX]; // end of its last seg
+    } run;
 } nck_smooth_t;
 
 // Begin at the machine's start position. Cost: constant. Context: any, before the tick runs.
 void nck_smooth_init(nck_smooth_t *self, const nck_machine_t *machine);
 
-// Make the seg of a block (RAPID, LINE, ARC, DWELL or WAIT), the running number of which is
-// block_seq.
-// Returns NCK_OK and the seg; NCK_EMPTY if the block has no length (it vanishes; its exact stop, if
-// any, is of no use either, since nothing moved); NCK_E_FEED_MISSING if the feed comes out as zero
-// or less (feed per revolution of a spindle that stands). Cost: constant. Context: prep.
-nck_status_t nck_smooth_push(nck_smooth_t *self, const nck_block_t *block, uint32_t block_seq,
-                             nck_seg_t *seg_out);
+// Take a block of any kind, the running number of which is block_seq. Blocks without length vanish.
+// Returns NCK_OK; NCK_FULL if nck_smooth_pull has not asked for a block (pull until it says
+// NCK_EMPTY; so the segs depend on the blocks alone); NCK_E_FEED_MISSING if the feed comes out as
+// zero or less (feed per revolution of a spindle that stands): the block is not taken.
+// Cost: constant. Context: prep.
+nck_status_t nck_smooth_push(nck_smooth_t *self, const nck_block_t *block, uint32_t block_seq);
+
+// There are no more blocks: end of the program, or an error. Cost: constant. Context: prep.
+void nck_smooth_end(nck_smooth_t *self);
+
+// Give the next seg or output, in order.
+// Returns NCK_OK and the item; NCK_EMPTY if it needs another block or nck_smooth_end; NCK_DONE if
+// all is given.
+// Cost: bounded, some 100 · NCK_SMOOTH_SPAN points of the path at most (README). Context: prep.
+nck_status_t nck_smooth_pull(nck_smooth_t *self, nck_smooth_item_t *item_out);
+
+// 1 if what must always hold does: for tests. Cost: linear in NCK_SMOOTH_SPAN. Context: prep.
+int nck_smooth_invariants(const nck_smooth_t *self);
 
 #endif

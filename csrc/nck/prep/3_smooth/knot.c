@@ -1,0 +1,213 @@
+// SPDX-License-Identifier: MIT
+// Inside room 3: where the knots go. As far apart as the tolerance allows; one on each sharp
+// corner, with even spacing on either side of it.
+#include "nck/prep/3_smooth/knot.h"
+
+#include <string.h> // memmove memset
+
+#include "nck/base/path_math.h"            // nck_path_second
+#include "nck/base/real.h"                 // nck_min nck_max
+#include "nck/prep/3_smooth/raw.h"         // nck_raw_…
+#include "nck/prep/3_smooth/spline_math.h" // nck_spline_…
+
+#define AIM 0.9          // of the tolerance: what a spacing is chosen for before it is checked
+#define GROWTH 1.25      // between two spacings that are tried for a block's end
+#define KEY_SHARE 0.5    // a corner that alone deviates by so much of the tolerance is a key
+enum {
+    GROWTH_STEPS = 64,   // from 1 µm to beyond any spacing
+    BISECT_STEPS = 3,    // the last 25 % to 3 %
+    TRIES = 8            // spacings that are checked before a knot is doubled
+};
+
+// What the way ahead of t[4] asks for.
+typedef struct way {
+    double step;  // spacing, as all that is not a goal allows
+    double goal;  // place of the next corner, of an output or of the run's end, within two steps
+    double half;  // spacing wanted on either side of the goal; 0: any
+    uint8_t is_key; // 1: the goal is a corner
+} way_t;
+
+static int is_full(const nck_smooth_t *self) {
+    return self->raw.head - self->raw.tail == NCK_SMOOTH_SPAN;
+}
+
+// How far a spline of even spacing h would leave the path at a knot at s.
+static double deviation(nck_smooth_t *self, double s, double h) {
+    double before[NCK_AXIS_MAX];
+    double here[NCK_AXIS_MAX];
+    double behind[NCK_AXIS_MAX];
+    double middle[NCK_AXIS_MAX];
+    nck_raw_point(self, s - h, before);
+    nck_raw_point(self, s, here);
+    nck_raw_point(self, s + h, behind);
+    for (int x = 0; x < NCK_AXIS_MAX; x++) middle[x] = 0.5 * (before[x] + behind[x]);
+    return nck_spline_distance(middle, here) / 3.0;
+}
+
+// The largest spacing at s, from a good one on, before the deviation first exceeds the aim.
+// NCK_EMPTY if that depends on what is not known yet.
+static nck_status_t grow(nck_smooth_t *self, double s, double aim, double *spacing) {
+    const double known = self->run.closed ? s + self->spacing_max : nck_raw_known(self);
+    double good = *spacing;
+    double bad = good;
+    for (int n = 0; n < GROWTH_STEPS && bad == good && good < self->spacing_max; n++) {
+        const double next = nck_min(good * GROWTH, self->spacing_max);
+        if (s + next > known) {
+            if (!is_full(self)) return NCK_EMPTY;
+            break;
+        }
+        if (deviation(self, s, next) <= aim) {
+            good = next;
+            bad = good;
+        } else {
+            bad = next;
+        }
+    }
+    for (int n = 0; n < BISECT_STEPS && bad > good; n++) {
+        const double middle = 0.5 * (good + bad);
+        if (deviation(self, s, middle) <= aim) good = middle;
+        else bad = middle;
+    }
+    *spacing = good;
+    return NCK_OK;
+}
+
+// Find the spacing that the end of a block allows, once; next is the block behind it.
+static nck_status_t know_spacing(nck_smooth_t *self, nck_raw_t *raw, const nck_raw_t *next) {
+    if (raw->spacing > 0.0) return NCK_OK;
+    const double aim = AIM * nck_min(raw->tolerance, next->tolerance);
+    const double turn = nck_raw_turn(&raw->seg, &next->seg);
+    const double nearest = nck_min(nck_min(raw->seg.length, next->seg.length),
+                                   nck_min(raw->inside, next->inside));
+    double alone = self->spacing_max;
+    if (turn > 0.0) alone = nck_min(alone, nck_spline_vertex_spacing(aim, turn));
+    double spacing = nck_min(alone, nearest);
+    if (spacing < alone || raw->seg.kind != NCK_SEG_LINE || next->seg.kind != NCK_SEG_LINE) {
+        const nck_status_t status = grow(self, raw->s + raw->seg.length, aim, &spacing);
+        if (status != NCK_OK) return status;
+    }
+    raw->spacing = spacing;
+    raw->key = spacing >= KEY_SHARE * alone && alone < self->spacing_max;
+    return NCK_OK;
+}
+
+// The end of the known path, in place of a corner.
+static nck_status_t look_at_end(nck_smooth_t *self, double end, way_t *way) {
+    if (self->run.closed) {
+        way->goal = end;
+        way->half = 0.0;
+        return NCK_OK;
+    }
+    if (!is_full(self)) return NCK_EMPTY;
+    way->step = nck_min(way->step, 0.5 * (end - self->run.t[4]));
+    return NCK_OK;
+}
+
+// Look ahead from t[4]. A spacing at distance d may be half of d smaller: steps may halve.
+static nck_status_t look_ahead(nck_smooth_t *self, way_t *way) {
+    const double here = self->run.t[4];
+    uint32_t count = nck_raw_find(self, here);
+    way->step = self->spacing_max;
+    way->goal = here + 4.0 * self->spacing_max;
+    way->half = 0.0;
+    way->is_key = 0;
+    for (;;) {
+        nck_raw_t *const raw = nck_raw_at(self, count);
+        const double far = nck_max(0.0, raw->s - here);
+        if (far > 2.0 * way->step) return NCK_OK;
+        way->step = nck_min(way->step, raw->inside + 0.5 * far);
+        const double end = raw->s + raw->seg.length;
+        count = nck_raw_next(self, count);
+        if (count == self->run.end) return look_at_end(self, end, way);
+        if (!(end > here)) continue;
+        if (nck_raw_at(self, count - 1)->has_output) {
+            way->goal = end;
+            return NCK_OK;
+        }
+        const nck_status_t status = know_spacing(self, raw, nck_raw_at(self, count));
+        if (status != NCK_OK) return status;
+        if (raw->key) {
+            way->goal = end;
+            way->half = raw->spacing;
+            way->is_key = 1;
+            return NCK_OK;
+        }
+        way->step = nck_min(way->step, raw->spacing + 0.5 * (end - here));
+    }
+}
+
+// From the knot of a corner on: as far as before it, so that the control point stays on the corner.
+static double step_from_key(const nck_smooth_t *self, const way_t *way, double ahead) {
+    const double even = self->run.t[4] - self->run.t[3];
+    const double step = even > 0.0 ? nck_min(even, way->step) : way->step;
+    if (ahead <= step) return ahead;
+    return ahead < step + way->half ? nck_min(step, 0.5 * ahead) : step;
+}
+
+// The step from t[4] on that is wanted.
+static double wanted_step(const nck_smooth_t *self, const way_t *way) {
+    const double ahead = way->goal - self->run.t[4];
+    if (self->run.on_key) return step_from_key(self, way, ahead);
+    const double gap = ahead - way->half;
+    if (gap <= 0.01 * way->half) return ahead;
+    if (gap < 0.5 * way->half) return 0.5 * ahead;
+    if (gap <= way->step) return gap;
+    return nck_min(way->step, nck_max(0.5 * gap, 0.5 * way->step));
+}
+
+// Try the knot t[5]: the next seg, and the two behind it if the run had to end there.
+static int try_knot(nck_smooth_t *self, double t) {
+    double *const knot = self->run.t;
+    for (int i = 5; i < 8; i++) {
+        knot[i] = t;
+        nck_raw_point(self, nck_spline_greville(knot + i - 2), self->run.c[i - 2]);
+    }
+    return nck_raw_fits(self, 0) && nck_raw_fits(self, 1) && nck_raw_fits(self, 2);
+}
+
+double nck_knot_spacing_inside(const nck_smooth_t *self, const nck_seg_t *seg, double tolerance) {
+    const double zero[NCK_AXIS_MAX] = {0.0};
+    double second[NCK_AXIS_MAX];
+    nck_path_second(seg, 0.0, second);
+    const double kappa = nck_spline_distance(second, zero);
+    if (!(kappa > 0.0)) return self->spacing_max;
+    return nck_min(self->spacing_max, nck_spline_curve_spacing(AIM * tolerance, kappa));
+}
+
+nck_status_t nck_knot_choose(nck_smooth_t *self) {
+    static const double factor[TRIES] = {1.0, 0.8, 0.6, 0.45, 0.3, 0.2, 0.1, 0.05};
+    const double here = self->run.t[4];
+    way_t way = {0.0, 0.0, 0.0, 0};
+    if (self->run.closed && here >= nck_raw_known(self)) {
+        (void)try_knot(self, here); // the end: fits since the knot before was chosen
+        return NCK_OK;
+    }
+    const nck_status_t status = look_ahead(self, &way);
+    if (status != NCK_OK) return status;
+    const double step = wanted_step(self, &way);
+    const int reaches = here + step >= way.goal || step == way.goal - here;
+    for (int n = 0; n < TRIES; n++) {
+        const double t = n == 0 && reaches ? way.goal : here + factor[n] * step;
+        if (!try_knot(self, t)) continue;
+        self->run.on_key = n == 0 && reaches && way.is_key;
+        return NCK_OK;
+    }
+    (void)try_knot(self, here); // fits since the knot before was chosen
+    self->run.kinks++;
+    return NCK_OK;
+}
+
+void nck_knot_begin(nck_smooth_t *self) {
+    const nck_raw_t *const front = nck_raw_at(self, self->raw.tail);
+    memset(&self->run.t, 0, sizeof self->run.t);
+    self->run.on_key = 0;
+    self->run.chosen = 0;
+    for (int i = 0; i < 6; i++) memcpy(self->run.c[i], front->seg.start, sizeof self->run.c[i]);
+    memcpy(self->run.position, front->seg.start, sizeof self->run.position);
+}
+
+void nck_knot_advance(nck_smooth_t *self) {
+    memmove(self->run.t, self->run.t + 1, 7 * sizeof *self->run.t);
+    memmove(self->run.c, self->run.c + 1, 5 * sizeof *self->run.c);
+    self->run.chosen = 0;
+}

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+// Inside room 3: where the knots go.
+#ifndef NCK_PREP_KNOT_H
+#define NCK_PREP_KNOT_H
+
+#include "nck/prep/3_smooth/smooth.h" // nck_smooth_t
+
+// The spacing of knots that the inside of an exact seg allows. Cost: constant.
+double nck_knot_spacing_inside(const nck_smooth_t *self, const nck_seg_t *seg, double tolerance);
+
+// Begin a run at the front block: all knots at its begin. Cost: constant.
+void nck_knot_begin(nck_smooth_t *self);
+
+// Choose t[5], so that the seg over t[2] … t[3] is known and within the tolerance, and could be
+// followed by an end at t[5] that is within it too.
+// Returns NCK_OK, or NCK_EMPTY if more blocks must be known.
+// Cost: bounded, see nck_smooth_pull.
+nck_status_t nck_knot_choose(nck_smooth_t *self);
+
+// Go on by one knot: t[2] … t[3] is done with. Cost: constant.
+void nck_knot_advance(nck_smooth_t *self);
+
+#endif

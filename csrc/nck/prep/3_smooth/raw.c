@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: MIT
+// Inside room 3: the programmed path of a run.
+#include "nck/prep/3_smooth/raw.h"
+
+#include <string.h> // memset
+
+#include "nck/base/path_math.h"            // nck_path_point nck_path_tangent nck_path_second
+#include "nck/base/real.h"                 // nck_sqrt nck_min nck_max
+#include "nck/prep/3_smooth/spline_math.h" // nck_spline_bernstein nck_spline_distance
+
+enum { PARTS = 8 };               // a knot interval is looked at in so many parts at least
+#define SLACK 1e-9                // [mm] rounding of path coordinates
+#define ROUNDING 2e-6             // [mm] kept of the tolerance: setpoints are whole nanometres
+
+nck_raw_t *nck_raw_at(nck_smooth_t *self, uint32_t count) {
+    return &self->raw.at[count & (NCK_SMOOTH_SPAN - 1)];
+}
+
+static double raw_end(const nck_raw_t *raw) { return raw->s + raw->seg.length; }
+
+uint32_t nck_raw_next(nck_smooth_t *self, uint32_t count) {
+    count++;
+    while (count != self->run.end && !nck_raw_at(self, count)->has_seg) count++;
+    return count;
+}
+
+static uint32_t raw_last(nck_smooth_t *self) {
+    uint32_t count = self->run.end - 1;
+    while (!nck_raw_at(self, count)->has_seg) count--;
+    return count;
+}
+
+double nck_raw_known(nck_smooth_t *self) { return raw_end(nck_raw_at(self, raw_last(self))); }
+
+uint32_t nck_raw_find(nck_smooth_t *self, double s) {
+    uint32_t low = self->raw.tail;
+    uint32_t count = self->run.end - low;
+    while (count > 0) {
+        const uint32_t half = count / 2;
+        if (raw_end(nck_raw_at(self, low + half)) < s) {
+            low += half + 1;
+            count -= half + 1;
+        } else {
+            count = half;
+        }
+    }
+    if (low != self->run.end && !nck_raw_at(self, low)->has_seg) low = nck_raw_next(self, low);
+    return low == self->run.end ? raw_last(self) : low;
+}
+
+void nck_raw_point(nck_smooth_t *self, double s, double *point_out) {
+    const nck_raw_t *const raw = nck_raw_at(self, nck_raw_find(self, s));
+    const double beyond = nck_min(s - raw->s, nck_max(0.0, s - raw_end(raw)));
+    // The end is its point to the bit, whatever s − raw->s rounds to.
+    const double inside = s >= raw_end(raw) ? raw->seg.length : nck_max(0.0, s - raw->s);
+    nck_path_point(&raw->seg, inside, point_out);
+    if (beyond == 0.0) return;
+    double tangent[NCK_AXIS_MAX];
+    nck_path_tangent(&raw->seg, inside, tangent);
+    for (int x = 0; x < NCK_AXIS_MAX; x++) point_out[x] += tangent[x] * beyond;
+}
+
+double nck_raw_turn(const nck_seg_t *in, const nck_seg_t *out) {
+    double tangent_in[NCK_AXIS_MAX];
+    double tangent_out[NCK_AXIS_MAX];
+    nck_path_tangent(in, in->length, tangent_in);
+    nck_path_tangent(out, 0.0, tangent_out);
+    return nck_spline_distance(tangent_in, tangent_out);
+}
+
+// The control points of a straight stretch of path lie on it evenly, and so does the spline.
+static int is_straight(nck_smooth_t *self, double from, double to) {
+    const nck_raw_t *const raw = nck_raw_at(self, nck_raw_find(self, to - SLACK));
+    return raw->seg.kind == NCK_SEG_LINE && raw->s <= from + SLACK;
+}
+
+void nck_raw_spline(nck_smooth_t *self, int first, nck_seg_t *seg_out) {
+    const double *const t = self->run.t + first;
+    memset(seg_out, 0, sizeof *seg_out);
+    nck_spline_bernstein(t, self->run.c[first], self->run.c[first + 1], self->run.c[first + 2],
+                         self->run.c[first + 3], seg_out);
+    seg_out->length = t[3] - t[2];
+    seg_out->kind = NCK_SEG_SPLINE;
+    if (!is_straight(self, nck_spline_greville(t), nck_spline_greville(t + 3))) return;
+    seg_out->kind = NCK_SEG_LINE;
+    memset(seg_out->inner, 0, sizeof seg_out->inner);
+}
+
+// |p″| over a seg: of a spline the larger end's, for it is linear in between.
+static double largest_second(const nck_seg_t *seg) {
+    const double zero[NCK_AXIS_MAX] = {0.0};
+    double start[NCK_AXIS_MAX];
+    double end[NCK_AXIS_MAX];
+    nck_path_second(seg, 0.0, start);
+    nck_path_second(seg, seg->length, end);
+    return nck_max(nck_spline_distance(start, zero), nck_spline_distance(end, zero));
+}
+
+// |spline − programmed path| at s of the spline's run; the spline begins at s_begin there.
+static double deviation(const nck_seg_t *spline, double s_begin, const nck_raw_t *raw, double s) {
+    double p[NCK_AXIS_MAX];
+    double q[NCK_AXIS_MAX];
+    nck_path_point(spline, s - s_begin, p);
+    nck_path_point(&raw->seg, s - raw->s, q);
+    return nck_spline_distance(p, q);
+}
+
+// Both ends of a part are near enough that nothing between them can leave the tolerance.
+static int part_fits(const nck_raw_t *raw, double deviation_max, double second, double h) {
+    return deviation_max + nck_spline_sag(second, h) <= raw->tolerance - ROUNDING;
+}
+
+// As nck_raw_fits, over one block: from … to, in equal parts no longer than part.
+static int block_fits(const nck_seg_t *spline, double s_begin, const nck_raw_t *raw,
+                      const double *range, double part) {
+    const double length = range[1] - range[0];
+    const double second = largest_second(spline) + largest_second(&raw->seg);
+    const int parts = 1 + (int)(length / part);
+    const double h = length / parts;
+    double before = deviation(spline, s_begin, raw, range[0]);
+    for (int n = 1; n <= parts; n++) {
+        const double now = deviation(spline, s_begin, raw, range[0] + h * n);
+        if (!part_fits(raw, nck_max(before, now), second, h)) return 0;
+        before = now;
+    }
+    return 1;
+}
+
+int nck_raw_fits(nck_smooth_t *self, int first) {
+    const double from = self->run.t[first + 2];
+    const double to = self->run.t[first + 3];
+    if (!(to > from)) return 1;
+    nck_seg_t spline;
+    nck_raw_spline(self, first, &spline);
+    if (spline.kind == NCK_SEG_LINE) return 1;
+    double range[2] = {from, from};
+    uint32_t count = nck_raw_find(self, from);
+    while (count != self->run.end && range[1] < to) {
+        const nck_raw_t *const raw = nck_raw_at(self, count);
+        range[1] = nck_min(to, raw_end(raw));
+        if (!block_fits(&spline, from, raw, range, spline.length / (double)PARTS)) return 0;
+        range[0] = range[1];
+        count = nck_raw_next(self, count);
+    }
+    return 1;
+}

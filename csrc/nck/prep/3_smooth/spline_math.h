@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: MIT
+// Cubic B-splines over any knots t_0 ≤ … ≤ t_5, with control points taken from the programmed path.
+#ifndef NCK_PREP_SPLINE_MATH_H
+#define NCK_PREP_SPLINE_MATH_H
+
+#include "nck/base/real.h"    // nck_real nck_sqrt
+#include "nck/base/records.h" // nck_seg_t NCK_AXIS_MAX
+
+// Greville abscissa of the control point that the knots at t[0] t[1] t[2] enclose:
+//   ξ = (t_0 + t_1 + t_2)/3
+// A triple knot gives itself, to the bit.
+// (M. J. Marsden, I. J. Schoenberg, On Variation Diminishing Spline Approximation Methods, 1966.)
+static inline nck_real nck_spline_greville(const nck_real *t) {
+    return t[0] < t[2] ? (t[0] + t[1] + t[2]) / 3.0 : t[0];
+}
+
+// The Bernstein points of the piece over t_2 … t_3, t_2 < t_3, from its four control points:
+//
+//       c1 ──●──●── c2        inner points: where the leg c1 c2 is over t_2 + Δ/3 and t_3 − Δ/3
+//      ╱                ╲     ends: between neighbouring pieces' inner points, over t_2 and t_3
+//    c0                  c3
+//
+// (W. Boehm, Inserting New Knots into B-spline Curves, 1980: each knot inserted three times.)
+// Fills start, inner and end of the seg. A triple knot at t_3 gives end = c3, at t_2 start = c0, to
+// the bit.
+static inline void nck_spline_bernstein(const nck_real *t, const nck_real *c0, const nck_real *c1,
+                                        const nck_real *c2, const nck_real *c3,
+                                        nck_seg_t *seg_out) {
+    const nck_real before = (t[2] - t[0]) / (t[3] - t[0]);
+    const nck_real first = (t[2] - t[1]) / (t[4] - t[1]);
+    const nck_real second = (t[3] - t[1]) / (t[4] - t[1]);
+    const nck_real behind = (t[3] - t[2]) / (t[5] - t[2]);
+    const nck_real at_start = (t[2] - t[1]) / (t[3] - t[1]);
+    const nck_real at_end = (t[3] - t[2]) / (t[4] - t[2]);
+    for (int x = 0; x < NCK_AXIS_MAX; x++) {
+        const nck_real last = c0[x] + (c1[x] - c0[x]) * before;
+        const nck_real b1 = c1[x] + (c2[x] - c1[x]) * first;
+        const nck_real b2 = c1[x] + (c2[x] - c1[x]) * second;
+        const nck_real next = c2[x] + (c3[x] - c2[x]) * behind;
+        seg_out->inner[0][x] = b1;
+        seg_out->inner[1][x] = b2;
+        seg_out->start[x] = t[0] < t[2] ? last + (b1 - last) * at_start : c0[x];
+        seg_out->end[x] = t[3] < t[5] ? b2 + (next - b2) * at_end : c3[x];
+    }
+}
+
+// How far a cubic can leave its chord between two points of it that are h apart:   |p″|·h²/8
+// where second is the largest |p″| (the error of linear interpolation).
+static inline nck_real nck_spline_sag(nck_real second, nck_real h) { return second * h * h / 8.0; }
+
+// Spacing of knots at which a spline of evenly spaced knots leaves a vertex by ε:  ε = |Δu|·Δ/6
+// (derived in README, section "how far it leaves the path"). turn = |Δu| > 0.
+static inline nck_real nck_spline_vertex_spacing(nck_real tolerance, nck_real turn) {
+    return 6.0 * tolerance / turn;
+}
+
+// The same on a curve:   ε = κ·Δ²/6,  κ > 0
+static inline nck_real nck_spline_curve_spacing(nck_real tolerance, nck_real kappa) {
+    return nck_sqrt(6.0 * tolerance / kappa);
+}
+
+// Spacing that crosses a reversal, |Δu| = 2, at speed v within half of acceleration and jerk:
+//   |p″|·v² = 2v²/Δ ≤ a/2,   |p‴|·v³ = 2v³/Δ² ≤ j/2
+// No turn of any path gains from a wider one.
+static inline nck_real nck_spline_spacing_max(nck_real v, nck_real a, nck_real j) {
+    return nck_max(4.0 * v * v / a, 2.0 * nck_sqrt(v * v * v / j));
+}
+
+// Distance of two points in the path metric.
+static inline nck_real nck_spline_distance(const nck_real *p, const nck_real *q) {
+    nck_real sum = 0.0;
+    for (int x = 0; x < NCK_AXIS_MAX; x++) sum += (p[x] - q[x]) * (p[x] - q[x]);
+    return nck_sqrt(sum);
+}
+
+#endif
