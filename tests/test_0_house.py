@@ -30,6 +30,7 @@ MAY_INCLUDE = {
     "firmware_sim/hal/": ("hal",),
     "firmware_sim/board/": ("board/", "hal.h", "os.h"),
     "firmware_sim/examples/": ("nck/nck.h", "board/board.h", "os.h"),
+    "firmware_sim/glue/": ("glue/", "os/os.h"),
     "firmware_sim/sim": ("nck/", "sim", "app/", "os.h", "hal.h"),
     "tests/c/": ("nck/", "host/", "sim.h", "check.h", "os/", "board/"),
     "tests/fuzz/": ("nck/", "host/", "sim.h"),

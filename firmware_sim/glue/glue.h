@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: MIT
+// Between os.c, which is os.h on a Cortex-M with somebody else's kernel, and one file for each such
+// kernel. No type of either side passes through here, so that their names cannot meet.
+//
+// Priorities are os.h's plus GLUE_PRIORITY_TASKS: 0 is the highest, below it stands the starter.
+#ifndef GLUE_H
+#define GLUE_H
+
+#include <stddef.h> // size_t
+#include <stdint.h> // uint32_t
+
+enum {
+    GLUE_PRIORITY_STARTER = 1, // above all tasks: starts the clock and looks for the end
+    GLUE_PRIORITY_TASKS = 2,   // os.h's priority 0
+    GLUE_TASKS = 17,           // at most, the starter included
+    GLUE_QUEUES = 4            // at most
+};
+
+#define GLUE_FOREVER 0xFFFFFFFFu // a timeout: wait until it comes; 0: look once
+
+// Of the kernel's file ----------------------------------------------------------------------------
+
+// Get the kernel ready. Context: before.
+void glue_init(void);
+
+// Create a task on a stack of so many bytes, a multiple of 8, which the kernel may not clear.
+// Returns 1 if done. Context: before.
+int glue_task_create(uint32_t priority, void (*entry)(void *user), void *user, void *stack,
+                     size_t bytes);
+
+// Start the scheduler; does not return. Context: before.
+void glue_start(void);
+
+// Start the tick: an interrupt every so many cycles. Context: the starter.
+void glue_clock_start(uint32_t cycles);
+
+// Sleep until the ticks-th tick from now, ticks ≥ 1. Context: task.
+void glue_delay(uint32_t ticks);
+
+// Make a queue of pointers on slots. Returns the kernel's queue, NULL: none left. Context: before.
+void *glue_queue_create(void **slots, uint32_t capacity);
+
+// Take the oldest pointer, waiting so many ticks at most. Returns 1 if there was one.
+// Context: task.
+int glue_queue_pend(void *queue, uint32_t timeout, void **message_out);
+
+// Put a pointer in. Returns 1 if there was room. Context: any.
+int glue_queue_post(void *queue, void *message);
+
+// Of the board's vector table: the kernel takes them.
+void SVC_Handler(void);
+void PendSV_Handler(void);
+void SysTick_Handler(void);
+
+// Of os.c -----------------------------------------------------------------------------------------
+
+// The kernel's tick hook calls this, in the interrupt, before any task is woken.
+void glue_tick(void);
+
+// The kernel's switch hook calls this with the priority that goes on, interrupts kept out.
+void glue_switch(uint32_t priority);
+
+#endif

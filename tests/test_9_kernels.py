@@ -1,0 +1,178 @@
+# SPDX-License-Identifier: MIT
+"""The firmware on µC/OS-II, µC/OS-III and FreeRTOS, built against a checkout of each.
+
+Their sources are not here. tests/package/kernels has their published prototypes in their published
+folders; a test makes a checkout of it by giving every prototype a body.
+"""
+
+import re
+import shutil
+import subprocess
+import sys
+from dataclasses import dataclass
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).resolve().parents[1]
+KERNELS = ROOT / "tests" / "package" / "kernels"
+GLUE = ROOT / "firmware_sim" / "glue"
+TOOLCHAIN = ROOT / "firmware_sim" / "board" / "arm-none-eabi.cmake"
+CMAKE = Path(sys.executable).with_name("cmake")
+NINJA = Path(sys.executable).with_name("ninja")
+PROTOTYPE = re.compile(r"^(?!typedef|#)(\w[\w ]*[ *])(\w+)(\([^;{]*\));", re.M)
+OBJECT = re.compile(r"^extern ([^;]*);", re.M)
+PORT = "Ports/ARM-Cortex-M/ARMv7-M"
+# What a body must do for the glue to be reached by the linker as it is by the real kernel.
+BODIES = {
+    "OS_CPU_SysTickHandler": {
+        "uC-OS2": "App_TimeTickHook();",
+        "uC-OS3": "OS_AppTimeTickHookPtr();",
+    },
+    "OS_CPU_PendSVHandler": {"uC-OS2": "App_TaskSwHook();", "uC-OS3": "OS_AppTaskSwHookPtr();"},
+    "xPortSysTickHandler": {"FreeRTOS-Kernel": "vApplicationTickHook();"},
+    "vTaskSwitchContext": {"FreeRTOS-Kernel": "traceTASK_SWITCHED_IN();"},
+}
+
+
+@dataclass(frozen=True)
+class Kernel:
+    """Option and folder of a kernel; its sources, each with the header that it implements."""
+
+    option: str
+    folder: str
+    sources: tuple
+    calls: tuple  # of its functions, some that the image must end up calling
+
+    def __str__(self):
+        return self.folder
+
+
+CHECKOUTS = (
+    Kernel(
+        "UCOS2_DIR",
+        "uC-OS2",
+        (
+            ("uC-OS2/Source/ucos_ii.c", "uC-OS2/Source/ucos_ii.h", "<ucos_ii.h>"),
+            (f"uC-OS2/{PORT}/os_cpu_c.c", f"uC-OS2/{PORT}/GNU/os_cpu.h", "<ucos_ii.h>"),
+            (f"uC-OS2/{PORT}/GNU/os_cpu_a.S", None, None),
+            (f"uC-OS2/{PORT}/GNU/os_dbg.c", None, None),
+        ),
+        ("OSTaskCreateExt", "OSStart", "OSQPend", "OSQPost", "OSTimeDly", "OS_CPU_SysTickInit"),
+    ),
+    Kernel(
+        "UCOS3_DIR",
+        "uC-OS3",
+        (
+            ("uC-OS3/Source/os_core.c", "uC-OS3/Source/os.h", "<os.h>"),
+            (f"uC-OS3/{PORT}/os_cpu_c.c", f"uC-OS3/{PORT}/GNU/os_cpu.h", "<os.h>"),
+            (f"uC-OS3/{PORT}/GNU/os_cpu_a.S", None, None),
+            ("uC-CPU/cpu_core.c", "uC-CPU/cpu_core.h", "<cpu_core.h>"),
+            ("uC-CPU/ARM-Cortex-M/ARMv7-M/cpu_c.c", None, None),
+            ("uC-CPU/ARM-Cortex-M/ARMv7-M/GNU/cpu_a.s", None, None),
+            ("uC-LIB/lib_mem.c", None, None),
+        ),
+        ("OSTaskCreate", "OSStart", "OSQPend", "OSQPost", "OSTimeDly", "OS_CPU_SysTickInit"),
+    ),
+    Kernel(
+        "FREERTOS_DIR",
+        "FreeRTOS-Kernel",
+        (
+            ("FreeRTOS-Kernel/tasks.c", "FreeRTOS-Kernel/include/task.h", "<task.h>"),
+            ("FreeRTOS-Kernel/queue.c", "FreeRTOS-Kernel/include/queue.h", "<queue.h>"),
+            ("FreeRTOS-Kernel/list.c", None, None),
+            (
+                "FreeRTOS-Kernel/portable/GCC/ARM_CM7/r0p1/port.c",
+                "FreeRTOS-Kernel/portable/GCC/ARM_CM7/r0p1/portmacro.h",
+                "<task.h>",
+            ),
+        ),
+        ("xTaskCreateStatic", "vTaskStartScheduler", "xQueueReceive", "vTaskDelay"),
+    ),
+)
+
+
+def call(*command):
+    """Run a command; return what it prints, or fail with its words."""
+    done = subprocess.run(list(map(str, command)), capture_output=True, text=True)
+    if done.returncode != 0:
+        pytest.fail(f"{command}\n{done.stdout}{done.stderr}", pytrace=False)
+    return done.stdout
+
+
+def implemented(header, include, folder):
+    """Return C text that defines what a header declares, but for the application's hooks."""
+    text = re.sub(r"//[^\n]*", "", header.read_text(encoding="utf-8"))
+    lines = ["#include <FreeRTOS.h>"] if folder == "FreeRTOS-Kernel" else []
+    lines += [f"#include {include}"]
+    if "TaskHandle_t" in text and include == "<task.h>":
+        lines += ["struct tskTaskControlBlock { UBaseType_t uxPriority; };"]
+        lines += ["struct tskTaskControlBlock *volatile pxCurrentTCB;"]
+    lines += [f"{declared};" for declared in OBJECT.findall(text)]
+    for result, name, parameters in PROTOTYPE.findall(text):
+        if result.startswith("extern") or name.startswith(("App_", "vApplication")):
+            continue
+        body = BODIES.get(name, {}).get(folder, "")
+        lines.append(f"{result}{name}{parameters} {{ {body} for (;;) {{}} }}")
+    return "\n".join(lines) + "\n"
+
+
+def check_out(kernel, folder):
+    """Make a checkout of a kernel in a folder; return its path."""
+    shutil.copytree(KERNELS, folder, dirs_exist_ok=True)
+    ports = folder / "FreeRTOS-Kernel" / "portable" / "GCC"
+    shutil.copytree(ports / "ARM_CM4F", ports / "ARM_CM7" / "r0p1")
+    for source, header, include in kernel.sources:
+        text = implemented(folder / header, include, kernel.folder) if header else "\n"
+        (folder / source).parent.mkdir(parents=True, exist_ok=True)
+        (folder / source).write_text(text, encoding="utf-8")
+    return folder / kernel.folder
+
+
+@pytest.fixture(scope="module")
+def build_folder(tmp_path_factory):
+    """Return the folder of all builds here: only os and the image differ from one to the next."""
+    return tmp_path_factory.mktemp("build")
+
+
+def build(target, kernel, checkout, folder):
+    """Build a target for a Cortex-M7 on a checkout; return the finished process."""
+    configure = [CMAKE, "-S", ROOT, "-B", folder, "-G", "Ninja", f"-DCMAKE_MAKE_PROGRAM={NINJA}"]
+    configure += [f"--toolchain={TOOLCHAIN}", "-DNCK_CORE=m7", "-DNCK_FIRMWARE=ON"]
+    configure += [f"-D{other.option}=" for other in CHECKOUTS if other != kernel]
+    done = subprocess.run(
+        [*configure, f"-D{kernel.option}={checkout}"], capture_output=True, text=True
+    )
+    if done.returncode != 0:
+        return done
+    command = [CMAKE, "--build", folder, "--target", target]
+    return subprocess.run(command, capture_output=True, text=True)
+
+
+@pytest.mark.parametrize("kernel", CHECKOUTS, ids=str)
+def test_the_app_is_built_on_a_checkout_of_the_kernel(kernel, build_folder, tool, tmp_path):
+    tool("arm-none-eabi-gcc")
+    done = build("firmware", kernel, check_out(kernel, tmp_path), build_folder)
+    assert done.returncode == 0, done.stdout + done.stderr
+    image = build_folder / "firmware_sim" / "app" / "firmware.elf"
+    symbols = set(re.findall(r" \w (\w+)$", call(tool("arm-none-eabi-nm"), image), re.M))
+    assert set(kernel.calls) <= symbols
+    assert {"app_tick", "nck_tick", "glue_tick", "os_start"} <= symbols
+    assert not {"os_switch", "os_port_start"} & symbols, "our own kernel is in the image"
+
+
+def test_a_kernel_with_another_prototype_is_noticed(build_folder, tool, tmp_path):
+    tool("arm-none-eabi-gcc")
+    kernel = CHECKOUTS[0]
+    checkout = check_out(kernel, tmp_path)
+    header = checkout / "Source" / "ucos_ii.h"
+    text = header.read_text(encoding="utf-8")
+    header.write_text(text.replace("(void **start, INT16U size)", "(INT16U size, void **start)"))
+    done = build("os", kernel, checkout, build_folder)
+    assert done.returncode != 0
+    assert "OSQCreate" in done.stdout
+
+
+@pytest.mark.parametrize("name", ["ucos2.c", "ucos3.c", "freertos.c"])
+def test_a_glue_file_has_at_most_sixty_lines(name):
+    assert len((GLUE / name).read_text(encoding="utf-8").splitlines()) <= 60
