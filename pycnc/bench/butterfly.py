@@ -71,7 +71,7 @@ def _error(u0, u1):
     return float(np.linalg.norm(apart - along[:, None] * way, axis=1).max())
 
 
-def polygon(chord_error_mm):
+def cuts(chord_error_mm):
     """Cut the curve into chords, each as long as the error lets it be.
 
     Parameters
@@ -82,7 +82,7 @@ def polygon(chord_error_mm):
     Returns
     -------
     numpy.ndarray
-        (n, 2) points on the curve, both ends among them [mm].
+        (n,) parameters of the chords' ends, 0 and 1 among them.
     """
     u, step = [0.0], FIRST_STEP
     while u[-1] < 1:
@@ -92,4 +92,9 @@ def polygon(chord_error_mm):
         u.append(min(u[-1] + step, 1.0))
         if 1 - u[-1] < 1e-12:
             u[-1] = 1.0
-    return point(u)
+    return np.array(u)
+
+
+def polygon(chord_error_mm):
+    """Return the ends of the chords, points on the curve: (n, 2) [mm]."""
+    return point(cuts(chord_error_mm))

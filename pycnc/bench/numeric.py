@@ -125,16 +125,35 @@ class _Rules:
         return total[1:-1]
 
     def hessian(self, weights, n):
-        """Return the sum of the rows' squares, each times its weight."""
-        total = np.zeros((n + 3, n + 3))
-        every = np.arange(n + 3)
+        """Return the bands of the sum of the rows' squares, each times its weight."""
+        bands = np.zeros((3, n + 3))
         for i in range(3):
-            for k in range(3):
+            for k in range(i, 3):
                 product = self.rows[:, i] * self.rows[:, k] * weights
-                band = np.bincount(self.node + i, product, minlength=n + 3)
-                inside = (every + k - i >= 0) & (every + k - i < n + 3)
-                total[every[inside], every[inside] + k - i] += band[inside]
-        return total[1:-1, 1:-1]
+                bands[k - i] += np.bincount(self.node + i, product, minlength=n + 3)
+        return bands[:, 1:-1]
+
+
+def _solve(bands, right):
+    """Solve a symmetric system of five diagonals by elimination.
+
+    bands: the diagonal and the two next to it, each from its first row on.
+    """
+    (d, e, f), x = (band.tolist() for band in bands), right.tolist()
+    n = len(x)
+    for k in range(n - 1):
+        share = e[k] / d[k]
+        d[k + 1] -= share * e[k]
+        x[k + 1] -= share * x[k]
+        if k + 2 < n:
+            e[k + 1] -= share * f[k]
+            share = f[k] / d[k]
+            d[k + 2] -= share * f[k]
+            x[k + 2] -= share * x[k]
+    for k in range(n - 1, -1, -1):
+        behind = (e[k] * x[k + 1] if k + 1 < n else 0) + (f[k] * x[k + 2] if k + 2 < n else 0)
+        x[k] = (x[k] - behind) / d[k]
+    return np.array(x)
 
 
 def _products(rows, w, node):
@@ -148,14 +167,12 @@ def _newton(grid, w, weight):
     inverse = 1 / rules.slack(w)
     _, left, right = _durations(grid.h, w)
     gradient = np.append(left, 0) + np.append(0, right) + weight * rules.gradient(inverse, n)
-    hessian = weight * rules.hessian(inverse**2, n)
+    bands = weight * rules.hessian(inverse**2, n)
     diagonal, across = _time_bands(grid.h, w)
-    k = np.arange(n)
-    hessian[k[1:], k[1:]] += diagonal[1:-1]
-    hessian[k[1:-1], k[2:]] += across[1:-1]
-    hessian[k[2:], k[1:-1]] += across[1:-1]
+    bands[0, 1:-1] += diagonal[1:-1]
+    bands[1, 1:-2] += across[1:-1]
     step = np.zeros(n + 1)
-    step[1:-1] = -np.linalg.solve(hessian[1:-1, 1:-1], gradient[1:-1])
+    step[1:-1] = -_solve(bands[:, 1:-1], gradient[1:-1])
     limits = np.append(rules.products(step) * inverse, -step[1:-1] / w[1:-1])
     most = min(1.0, INSIDE / max(limits.max(), 1e-12))
     return w + most * step, -float(gradient @ step)

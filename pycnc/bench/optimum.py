@@ -3,7 +3,7 @@
 
 With --paths: every NAME.npz of a folder beside the optimum in NAME.opt.npz, if that is there.
 Without: random problems with fixed seeds, beside an optimum that `pycnc.bench.numeric` finds; its
-cells make it 0.1 to 0.2 % faster than the true one, so ratios are that much too large. Peaks are
+cells make it up to 0.1 % faster than the true one, so ratios are that much too large. Peaks are
 taken from the path coordinate alone, sampled every period: its differences over the largest cap of
 the segments that they touch. ns_per_node is the time of a whole plan over its nodes, beside the
 exact two-pass envelope (speed and acceleration alone) over as many. Wrong would make it: other work
@@ -22,7 +22,7 @@ FINE = 20  # samples in a period, to find the speed at a junction
 RUNS = 5  # the least time counts
 ENVELOPE_S = 0.01  # of repetition
 PROBLEMS = 40
-CELLS = 360  # of the numerical optimum
+CELLS = 720  # of the numerical optimum
 KEYS = {"length_mm": "L", "v_cap": "F", "a_max": "A", "j_max": "J", "v_node": "Vj"}
 
 
