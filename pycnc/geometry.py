@@ -13,6 +13,8 @@ from pycnc.records import counts_per_unit
 _PLANE_AXES = {17: (0, 1), 18: (2, 0), 19: (1, 2)}
 _MOVES = (lib.NCK_BLOCK_RAPID, lib.NCK_BLOCK_LINE, lib.NCK_BLOCK_ARC)
 _NEWTON_STEPS = 3  # from a start within 1e-3 of the helix: the third step is below rounding
+ON_PATH_MM = 1e-9  # nearer needs no better
+REACH = 3.0  # of a distance: how much longer the way along the path to the nearest point may be
 
 
 class Moves:
@@ -37,6 +39,7 @@ class Moves:
         self.start = np.concatenate([[machine.record["start_nm"] / counts], self.end[:-1]])
         self.is_arc = blocks["kind"] == lib.NCK_BLOCK_ARC
         self._arcs(blocks)
+        self._begin = np.concatenate([[0.0], np.cumsum(self._lengths())])
 
     def _arcs(self, blocks):
         """Prepare the arcs: centre in the machine, start angle, radius."""
@@ -93,6 +96,38 @@ class Moves:
         q[~arc] = self._nearest_on_line(block[~arc], points[~arc])
         q[arc] = self._nearest_on_helix(block[arc], points[arc])
         return np.linalg.norm(points - self.point(block, q), axis=1)
+
+    def nearest(self, block, points):
+        """Return how far points are from the path about a block: it, and its neighbours.
+
+        Neighbours are looked at as far along the path as `REACH` times the distance found so far.
+
+        Parameters
+        ----------
+        block : numpy.ndarray
+            (n,) index of the block that each point is about.
+        points : numpy.ndarray
+            (n, axes) [mm, deg].
+
+        Returns
+        -------
+        numpy.ndarray
+            (n,) [mm].
+        """
+        best = self.distance(block, points)
+        begin, last = self._begin, len(self.is_arc) - 1
+        far, k = np.flatnonzero(best > ON_PATH_MM), 0
+        while len(far):
+            k += 1
+            own = block[far]
+            below, above = np.maximum(own - k, 0), np.minimum(own + k, last)
+            for other in (below, above):
+                best[far] = np.minimum(best[far], self.distance(other, points[far]))
+            reach = REACH * best[far]
+            again = (begin[own] - begin[below] <= reach) & (own > k)
+            again |= (begin[above + 1] - begin[own + 1] <= reach) & (own + k < last)
+            far = far[again & (best[far] > ON_PATH_MM)]
+        return best
 
     def _nearest_on_line(self, block, points):
         along = (self.end - self.start)[block]
@@ -157,8 +192,11 @@ class Moves:
 
     def length(self):
         """Return the length of all moves [mm of the path metric]."""
+        return float(self._begin[-1])
+
+    def _lengths(self):
         straight = self.end - self.start
         arc = np.flatnonzero(self.is_arc)
         straight[arc[:, None], self._axes[arc]] = 0
         turned = np.where(self.is_arc, self._radius * self._sweep, 0)
-        return float(np.sum(np.sqrt(np.einsum("ij,ij->i", straight, straight) + turned**2)))
+        return np.sqrt(np.einsum("ij,ij->i", straight, straight) + turned**2)

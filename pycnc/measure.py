@@ -83,7 +83,7 @@ class PathError:
         if not begun.any():
             return
         block = pose["block"][begun].astype(np.intp)
-        apart = self._moves.distance(block, pose["axis"][begun])
+        apart = self._moves.nearest(block, pose["axis"][begun])
         self.largest_mm = max(self.largest_mm, float(apart.max()))
 
 
