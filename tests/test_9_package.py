@@ -230,6 +230,78 @@ def test_the_pair_can_have_other_capacities(tool, tmp_path):
     assert found[0] == found[1]
 
 
+# docs/firmware.md
+
+
+PAGE_PROGRAM = "G21 G90 G61\nS1200 M3\nM8\nG1 F3000 X60\nG3 X90 Y30 J30\nG1 Y80\nM9\nM2\n"
+PAGE_END = [90_000_000, 80_000_000, 0]  # [nm]
+PAGE_STEP = 50_001  # F3000 in one period, rounded at both ends [nm]
+
+
+@pytest.fixture(scope="module")
+def page_firmware(prefix, tmp_path_factory):
+    """Return a function that runs the firmware of the page: (exit status, setpoints, outputs)."""
+    folder = tmp_path_factory.mktemp("page")
+    page = (ROOT / "docs" / "firmware.md").read_text(encoding="utf-8")
+    for language, name in (("cmake", "CMakeLists.txt"), ("c", "firmware.c")):
+        blocks = re.findall(rf"^```{language}\n(.*?)^```", page, re.M | re.S)
+        assert blocks, f"the page has no {language}"
+        (folder / name).write_text("".join(blocks), encoding="utf-8")
+    shutil.copy(PACKAGE / "board.c", folder)
+    (folder / "part.ngc").write_text(PAGE_PROGRAM)
+    strict = [word for word in STRICT if word != "-Wmissing-prototypes"]  # its caller is the board
+    flags = f"-DCMAKE_C_FLAGS={' '.join(strict)}"
+    done = configure(folder, folder / "build", f"-DCMAKE_PREFIX_PATH={prefix}", flags)
+    assert done.returncode == 0, done.stdout + done.stderr
+    call(CMAKE, "--build", folder / "build")
+
+    def run(*panel):
+        command = [folder / "build" / "firmware", folder / "part.ngc", *map(str, panel)]
+        done = subprocess.run(command, capture_output=True, text=True, timeout=60)
+        lines = done.stdout.splitlines()
+        rows = [list(map(int, row.split())) for row in lines if row[0] in "-0123456789"]
+        return done.returncode, rows, [row for row in lines if row[0] in "sc"]
+
+    return run
+
+
+def largest_step(rows):
+    """Return the longest way of an axis in one period [nm]."""
+    return max(
+        abs(after - before) for b, a in zip(rows, rows[1:]) for before, after in zip(b, a)
+    )
+
+
+def test_the_firmware_of_the_page_runs_a_program(page_firmware):
+    status, rows, outputs = page_firmware()
+    assert status == 0
+    assert rows[-1] == PAGE_END
+    assert largest_step(rows) <= PAGE_STEP
+    assert outputs == ["spindle 1200", "coolant 1", "coolant 0"]
+
+
+def test_the_panel_of_the_page_holds_and_goes_on(page_firmware):
+    _, free, _ = page_firmware()
+    status, held, outputs = page_firmware(100, "hold", 1500, "start")
+    assert status == 0
+    assert held[-1] == PAGE_END
+    assert held[1400] == held[1498] != free[1498], "it rests while it is held"
+    assert largest_step(held) <= PAGE_STEP
+    assert outputs == ["spindle 1200", "coolant 1", "coolant 0"]
+
+
+def test_the_panel_of_the_page_overrides_and_aborts(page_firmware):
+    _, free, _ = page_firmware()
+    _, slow, _ = page_firmware(1, "half")
+    assert slow[-1] == PAGE_END
+    assert len(slow) > 1.5 * len(free)
+    status, rows, outputs = page_firmware(100, "abort")
+    assert status == 0
+    assert rows[-1] not in ([0, 0, 0], PAGE_END)
+    assert rows[-1] == rows[-2], "it ends at rest"
+    assert outputs[-1] == "coolant 1", "what was not executed is dropped"
+
+
 # The examples, under an emulator
 
 
