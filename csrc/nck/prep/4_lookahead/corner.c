@@ -11,6 +11,35 @@
 // share as small as this one is left out; the nanometre of a setpoint costs more.
 #define SHARE_OF_ROUNDING 1e-7
 
+// A junction is alone if the segs around it are longer than so many of its zones: then what happens
+// between junctions takes longer than what happens at them.
+#define ZONES_APART 16.0
+
+double nck_corner_zone_s(const nck_machine_t *machine) {
+    if (machine->slope == NCK_SLOPE_LINEAR) return machine->period_s;
+    return machine->period_s * (1.0 + (double)NCK_FILTER_TAPS / 2.0);
+}
+
+// Whether no other junction is near one of this load.
+static int is_alone(const nck_joint_t *in, const nck_joint_t *out, double load,
+                    const nck_machine_t *machine) {
+    const double time = nck_corner_zone_s(machine);
+    const double v = nck_corner_speed(NCK_CORNER_SHARE_DENSE, load, 0.0, 0.0, 0.0,
+                                      machine->period_s);
+    const double zone = (v + 0.5 * nck_max(in->a_most, out->a_most) * time) * time;
+    return nck_min(in->length, out->length) > ZONES_APART * zone;
+}
+
+// Whether the path better stops at a junction. Under a jerk limit: if it is alone, and even what
+// little acceleration can be reached next to a standstill is worth more than its speed.
+static int is_sharp(const nck_joint_t *in, const nck_joint_t *out, double load,
+                    const nck_machine_t *machine) {
+    const double a = nck_min(in->a_most, out->a_most);
+    if (machine->slope == NCK_SLOPE_LINEAR) return nck_corner_sharp(load, a);
+    const double a_there = nck_min(a, machine->path.j_max * nck_corner_zone_s(machine));
+    return is_alone(in, out, load, machine) && nck_corner_sharp(load, a_there);
+}
+
 void nck_corner_meet(nck_joint_t *in, const nck_joint_t *out, const double *tangent_in,
                     const double *tangent_out, const nck_machine_t *machine) {
     if (out->kind >= NCK_SEG_DWELL) in->stop = 1;
@@ -24,10 +53,9 @@ void nck_corner_meet(nck_joint_t *in, const nck_joint_t *out, const double *tang
     }
     const double v = nck_min(in->v_free, out->v_free);
     if (smooth && load * v <= SHARE_OF_ROUNDING * machine->period_s) return;
-    // Under a jerk limit nobody accelerates with all of a next to a standstill: it is not worth it.
-    if (machine->slope == NCK_SLOPE_LINEAR
-        && nck_corner_sharp(load, nck_min(in->a_most, out->a_most))) {
+    if (is_sharp(in, out, load, machine)) {
         for (int k = 0; k < NCK_PACES; k++) in->pace[k].v_corner = 0.0;
+        in->stop = machine->slope != NCK_SLOPE_LINEAR;
         return;
     }
     in->load = load;
@@ -139,16 +167,27 @@ static nck_status_t largest_gain(nck_lookahead_t *self, uint32_t count, double v
 // The slope's filter crosses the junction up to v_filter faster than v. A junction that even this
 // is too fast for is stopped at.
 static void settle(nck_lookahead_t *self, nck_joint_t *joint, int pace, double v, double share) {
+    const double most = self->v_filter > 0.0 ? NCK_CORNER_SHARE_LONE : NCK_CORNER_SHARE_MAX;
     joint->pace[pace].v_corner = v;
-    joint->pace[pace].share = nck_min(NCK_CORNER_SHARE_MAX, nck_max(0.0, share));
-    if (share > NCK_CORNER_SHARE_MAX && v < self->v_filter) joint->stop = 1;
+    joint->pace[pace].share = nck_min(most, nck_max(0.0, share));
+    if (share > most && v < self->v_filter) joint->stop = 1;
 }
 
-// Speed and share of a junction that shares a period with others, v is its speed alone.
+// The largest share of a junction. Under a jerk limit the speed is least where the acceleration is
+// small, so that most of it can go to the junction: more of it if the junction is alone.
+static double share_most(const nck_lookahead_t *self, const nck_joint_t *in,
+                         const nck_joint_t *out) {
+    if (!(self->v_filter > 0.0)) return NCK_CORNER_SHARE_MAX;
+    if (!is_alone(in, out, in->load, self->machine)) return NCK_CORNER_SHARE_DENSE;
+    return nck_corner_share_lone(nck_max(in->j_straight, out->j_straight),
+                                 nck_min(in->a_most, out->a_most), self->zone_s);
+}
+
+// Speed and share of a junction that shares a period with others; v is its speed alone.
 static nck_status_t decide_crowd(nck_lookahead_t *self, uint32_t count, int pace, double v) {
     nck_joint_t *const joint = nck_joint_at(self, count);
     const double period = self->machine->period_s;
-    const double beta = NCK_CORNER_SHARE_MAX;
+    const double beta = share_most(self, joint, nck_joint_at(self, count + 1));
     const double d = joint->load;
     double a_t = 0.0;
     nck_status_t status = largest_gain(self, count, v, &a_t);
@@ -179,7 +218,8 @@ static nck_status_t decide_pace(nck_lookahead_t *self, uint32_t count, int pace)
     nck_joint_t *const joint = nck_joint_at(self, count);
     const nck_joint_t *const out = nck_joint_at(self, count + 1);
     const double period = self->machine->period_s;
-    double v = nck_corner_speed(NCK_CORNER_SHARE_MAX, joint->load, 0.0, 0.0, 0.0, period);
+    const double beta = share_most(self, joint, out);
+    double v = nck_corner_speed(beta, joint->load, 0.0, 0.0, 0.0, period);
     v = nck_min(v, nck_min(joint->pace[pace].v, out->pace[pace].v));
     const double reach = (v + self->a_any * period) * period;
     if (joint->length < reach || out->length < reach) return decide_crowd(self, count, pace, v);
@@ -212,6 +252,12 @@ nck_status_t nck_corner_decide(nck_lookahead_t *self) {
     return NCK_OK;
 }
 
+// The share where the span is shorter than the zone. Under a jerk limit the seg is slowed until it is
+// not (near.h); else the worst is assumed.
+static double beyond_span(const nck_lookahead_t *self, double share) {
+    return self->v_filter > 0.0 ? share : NCK_CORNER_SHARE_MAX;
+}
+
 double nck_corner_share_before(nck_lookahead_t *self, uint32_t count, int pace) {
     double share = 0.0;
     double time = 0.0;
@@ -224,7 +270,7 @@ double nck_corner_share_before(nck_lookahead_t *self, uint32_t count, int pace) 
         time += joint->pace[pace].time;
         if (time >= self->zone_s) return share;
     }
-    return NCK_CORNER_SHARE_MAX;
+    return beyond_span(self, share);
 }
 
 nck_status_t nck_corner_share_after(nck_lookahead_t *self, uint32_t count, int pace,
@@ -243,6 +289,6 @@ nck_status_t nck_corner_share_after(nck_lookahead_t *self, uint32_t count, int p
         time += nck_joint_at(self, count)->pace[pace].time;
         if (time >= self->zone_s) return NCK_OK;
     }
-    *share_out = NCK_CORNER_SHARE_MAX;
+    *share_out = beyond_span(self, share);
     return NCK_OK;
 }

@@ -5,6 +5,10 @@
 
 #include "nck/prep/4_lookahead/joint.h" // nck_lookahead_t nck_joint_t nck_joint_at
 
+// How long before and after a junction its share is kept free: one period, and half of what the
+// slope's filter mixes [s]. Cost: constant.
+double nck_corner_zone_s(const nck_machine_t *machine);
+
 // Settle what the junction between two segs costs, once the second one is known. The tangents are
 // those at the junction. Cost: constant.
 void nck_corner_meet(nck_joint_t *in, const nck_joint_t *out, const double *tangent_in,

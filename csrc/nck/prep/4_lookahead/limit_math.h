@@ -7,6 +7,9 @@
 
 // Share of every axis' acceleration that a junction may use at most; README, "the budget".
 #define NCK_CORNER_SHARE_MAX 0.5
+// The same under a jerk limit: of junctions close to each other, and of one alone at most.
+#define NCK_CORNER_SHARE_DENSE 0.8
+#define NCK_CORNER_SHARE_LONE 0.9
 // Share that centripetal acceleration may use of what the corner leaves; the tangential one gets at
 // least √(1 − 0.8²) = 0.6 of it, for the two are perpendicular.
 #define NCK_CURVE_SHARE 0.8
@@ -70,6 +73,13 @@ static inline nck_real nck_limit_arc_accel(nck_real tau_a, nck_real vv_kappa, nc
 // (Cao et al. 2014, eq. 14: v = a·T/|c1 − c2| for the whole of it).
 static inline nck_real nck_corner_load(nck_real c_in, nck_real c_out, nck_real a) {
     return nck_fabs(c_in - c_out) / a;
+}
+
+// The largest share of a junction that is alone, so that next to it the acceleration can still grow
+// by twice what the jerk allows there:   β = 1 − 2·j·zone/a,   0.5 ≤ β ≤ 0.9
+static inline nck_real nck_corner_share_lone(nck_real j, nck_real a, nck_real zone) {
+    const nck_real share = 1.0 - 2.0 * j * zone / a;
+    return nck_max(NCK_CORNER_SHARE_MAX, nck_min(NCK_CORNER_SHARE_LONE, share));
 }
 
 // A corner so sharp that its transfer speed β_max·T/d is less than the speed gained in one period,

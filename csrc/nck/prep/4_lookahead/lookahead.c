@@ -27,10 +27,7 @@ void nck_lookahead_init(nck_lookahead_t *self, const nck_machine_t *machine) {
     self->machine = machine;
     self->a_any = nck_joint_a_any(machine);
     self->v_filter = nck_joint_v_filter(machine);
-    self->zone_s = machine->period_s;
-    if (machine->slope != NCK_SLOPE_LINEAR) {
-        self->zone_s = machine->period_s * (1.0 + (double)NCK_FILTER_TAPS / 2.0);
-    }
+    self->zone_s = nck_corner_zone_s(machine);
     self->before.limit = NCK_LIMIT_EXACT_STOP;
 }
 
