@@ -13,8 +13,10 @@ enum {
     PHASE_INSTALL
 };
 
-// A part of a plan in three becomes final before the next one takes over.
-#define COMMIT_SHARE 3
+// Of a plan's cells, so many parts become final before the next one takes over: at most one in three,
+// at least one in ten; and so many cells less than where it begins to brake for the window's end.
+enum { COMMIT_MOST = 3, COMMIT_LEAST = 10, KEEP_OFF = 4 };
+
 // The window is to see this many times the time that a ramp from full speed to rest takes.
 #define RAMPS_SEEN 3.0
 // Cells last half a period at least: finer ladders gain next to nothing (README).
@@ -93,6 +95,8 @@ static nck_status_t begin_at_rest(nck_jerk_t *self, const nck_pieces_t *pieces) 
     begin(self, self->now.begin + self->now.n);
     if (piece->length > 0.0 && !(nck_window_cap(self, piece) > 0.0)) return NCK_FULL;
     self->work.coarse = 1;
+    self->work.base = self->now.end_piece;
+    self->work.pieces = NCK_JERK_PIECES / 2;
     self->next.piece = self->now.end_piece;
     self->next.s = self->now.end_s < 0.0 ? piece->s : self->now.end_s;
     self->work.piece = self->next.piece;
@@ -117,6 +121,9 @@ static void begin_moving(nck_jerk_t *self, const nck_pieces_t *pieces, uint32_t 
     self->next.s = cell->s;
     self->work.piece = self->next.piece;
     self->work.s = self->next.s;
+    self->work.base = self->now.first_piece;
+    self->work.pieces = NCK_JERK_PIECES;
+    self->work.w_entry = cell->v * cell->v;
     self->work.source = count;
     self->work.coarse = (uint32_t)anew;
     enter(self, anew ? PHASE_LAY : PHASE_LOAD);
@@ -203,12 +210,14 @@ static void fall_into_tail(nck_jerk_t *self) {
     self->now.begin = nck_link_end(self->link, &entered);
     self->now.n = 0;
     self->now.piece = self->now.end_piece;
+    self->now.first_piece = self->now.end_piece;
     self->in_tail = 1;
     keep_plan(self, NCK_HELD_NOT);
 }
 
-// The plan does not join. A hold gets more length, a stop at a block's end waits for a later block;
-// else the plan of now goes on, and the next one begins later.
+// The plan does not join. A hold gets more length, a stop at a block's end waits for a later block.
+// Else the ladder of now is taken over as it is: where short pieces share cells in another way, caps
+// may differ. If that does not help either, the plan of now goes on and the next one begins later.
 static void give_way(nck_jerk_t *self, const nck_pieces_t *pieces) {
     const uint32_t held = self->next.held;
     const uint32_t first = (self->next.begin - self->now.begin) & NCK_LINK_COUNT_MASK;
@@ -226,6 +235,11 @@ static void give_way(nck_jerk_t *self, const nck_pieces_t *pieces) {
     if (self->wish.single_block && self->next.complete && passed < NCK_JERK_PIECES) {
         begin_moving(self, pieces, first);
         self->work.passed = passed;
+        return;
+    }
+    if (!self->work.all && !self->wish.single_block) {
+        begin_moving(self, pieces, first);
+        self->work.all = 1;
         return;
     }
     enter(self, PHASE_IDLE);
@@ -281,6 +295,15 @@ static void finish_plan(nck_jerk_t *self, const nck_pieces_t *pieces) {
     enter(self, PHASE_DRAW);
 }
 
+// Where the next plan takes over: a third on, but not where this one already brakes for the window's
+// end, if that leaves something.
+static uint32_t commit_of(const nck_jerk_plan_t *plan) {
+    const uint32_t most = plan->n / COMMIT_MOST + 1;
+    const uint32_t least = plan->n / COMMIT_LEAST + 1;
+    const uint32_t keep = plan->keep > KEEP_OFF ? plan->keep - KEEP_OFF : 0;
+    return keep > most ? most : keep < least ? least : keep;
+}
+
 // A coarse plan only tells how to divide the ladder.
 static void finish_draw(nck_jerk_t *self) {
     if (self->work.coarse && !is_rest(self)) {
@@ -292,7 +315,7 @@ static void finish_draw(nck_jerk_t *self) {
         enter(self, PHASE_LOAD);
         return;
     }
-    self->next.commit = self->next.n / COMMIT_SHARE + 1;
+    self->next.commit = commit_of(&self->next);
     enter(self, PHASE_INSTALL);
 }
 
@@ -303,6 +326,7 @@ static nck_status_t install(nck_jerk_t *self) {
     const nck_status_t status = nck_link_install(self->link, self->lead_s, most);
     if (status != NCK_OK) return status == NCK_FULL ? NCK_FULL : NCK_OK;
     self->now = self->next;
+    self->now.first_piece = self->next.piece;
     self->in_tail = 0;
     self->resumes = self->wish.resumes;
     enter(self, PHASE_IDLE);

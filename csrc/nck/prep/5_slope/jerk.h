@@ -44,7 +44,8 @@ typedef enum nck_held {
 typedef struct nck_jerk_plan {
     uint32_t begin;    // its first cell follows so many final cells (as nck_link_end counts)
     uint32_t n;        // cells
-    uint32_t piece;    // where it begins
+    uint32_t first_piece; // where it begins
+    uint32_t piece;    // where the first cell that is not final begins
     double s;          // path coordinate there, in the piece's seg
     uint32_t end_piece; // where it comes to rest
     double end_s;      // path coordinate there; negative: where that piece begins
@@ -69,6 +70,7 @@ typedef struct nck_jerk {
         uint32_t i;        // next cell to load, cap or draw
         uint32_t source;   // load: first cell; from the built tail or the published plan
         uint32_t from_built;
+        uint32_t all;      // load: 1: every cell of the plan of now, not only up to its `keep`
         uint32_t coarse;   // 1: the plan in work only tells how to divide the ladder
         uint32_t n;        // cells of the ladder
         uint32_t loaded;   // of them, those that an earlier plan had
@@ -79,6 +81,9 @@ typedef struct nck_jerk {
         double pending_s;
         double reach;      // rest within this length, for a hold; 0: no hold
         double length;     // of the ladder so far
+        uint32_t base;     // lay: pieces from this one on …
+        uint32_t pieces;   // … so many: what room 4 can hold whatever the tick has done
+        double w_entry;    // lay: about the largest v² at the piece's start
         uint32_t passed;   // block ends that came too early to rest at
         uint32_t over;     // 1: limits for overrides beyond 100 %
         double w_cell;     // cap of the cell before

@@ -76,14 +76,15 @@ static const nck_cell_t *source(const nck_jerk_t *self, uint32_t i) {
     return nck_link_tail_cell(self->link, self->work.source + i);
 }
 
-// A cell in parts of equal time. Returns 0 if they find no room, or the rest asked for is reached.
+// A cell in parts of equal time. Returns 0 if the window is full, or the rest asked for is reached.
 static int load_cell(nck_jerk_t *self, const nck_pieces_t *pieces, const nck_cell_t *cell) {
     const int parts = nck_ladder_parts(cell->duration, self->step_s, PARTS_MOST);
     uint32_t piece = nck_window_find(pieces, self->work.piece, cell);
     double s = cell->s;
     double begin = 0.0;
-    if (self->work.n + (uint32_t)parts > NCK_JERK_CELLS) return 0;
+    self->work.w_entry = cell->v * cell->v;
     for (int k = 1; k <= parts; k++) {
+        if (self->work.n == NCK_JERK_CELLS) return 0;
         const double t = cell->duration * (double)k / (double)parts;
         const double end = k < parts ? t * (cell->v + 0.5 * cell->a * t) : cell->length;
         const double v = cell->v + cell->a * cell->duration * (double)(k - 1) / (double)parts;
@@ -93,18 +94,18 @@ static int load_cell(nck_jerk_t *self, const nck_pieces_t *pieces, const nck_cel
         if (rests) h = room;
         push(self, piece, s, h, v * v);
         walk(pieces, &piece, &s, h);
+        self->work.piece = piece;
+        self->work.s = s;
         begin = end;
-        if (rests) break;
+        if (rests) return 0;
     }
-    self->work.piece = piece;
-    self->work.s = s;
     return !(self->work.reach > 0.0 && self->work.length >= self->work.reach);
 }
 
 nck_status_t nck_window_load(nck_jerk_t *self, const nck_pieces_t *pieces) {
     for (int n = 0; n < NCK_JERK_STEP; n++) {
         const nck_cell_t *const cell = source(self, self->work.i);
-        const int wanted = self->work.from_built || self->work.reach > 0.0
+        const int wanted = self->work.from_built || self->work.all || self->work.reach > 0.0
                            || self->work.source + self->work.i - self->now.begin < self->now.keep;
         if (!cell || !wanted || !load_cell(self, pieces, cell)) {
             self->work.loaded = self->work.n;
@@ -136,7 +137,8 @@ static void close_pending(nck_jerk_t *self) {
 }
 
 // The ladder has come to the end of a piece.
-static nck_status_t end_piece(nck_jerk_t *self, int rests) {
+static nck_status_t end_piece(nck_jerk_t *self, const nck_node_t *piece, int rests) {
+    self->work.w_entry += nck_ladder_gain(piece->length, piece->a, piece->j * self->j_scale);
     self->work.piece++;
     self->work.s = -1.0;
     if (!rests) return NCK_OK;
@@ -157,33 +159,43 @@ static int joins_pending(const nck_jerk_t *self, const nck_node_t *piece, double
            && self->work.piece - self->work.pending_piece < SPAN_MOST;
 }
 
+// About the largest v² at a piece's start, by what the piece and the node behind it allow. Zones of
+// corners make pieces of their own, so the corner itself may be one further on.
+static double exit_cap(const nck_jerk_t *self, const nck_pieces_t *pieces, const nck_node_t *next) {
+    const nck_node_t *const second = nck_window_piece(pieces, self->work.piece + 2);
+    const double w_end = next->stop || !second ? 0.0 : second->vv_node;
+    const double gain = nck_ladder_gain(next->length, next->a, next->j * self->j_scale);
+    return nck_min(next->vv_node, w_end + gain);
+}
+
 // Lay what is left of a piece, or one cell of it.
 static nck_status_t lay_some(nck_jerk_t *self, const nck_pieces_t *pieces,
                              const nck_node_t *piece, int rests) {
     const nck_node_t *const next = nck_window_piece(pieces, self->work.piece + 1);
+    const double j = piece->j * self->j_scale;
     const double w = nck_window_cap(self, piece);
-    const double w0 = nck_min(w, piece->vv_node);
-    const double w1 = rests || !next ? 0.0 : nck_min(w, next->vv_node);
     const double x = self->work.s - piece->s;
     const double left = piece->length - x;
-    const double step = nck_ladder_step(x, left, w0, w1, w, piece->a,
-                                        piece->j * self->j_scale, self->step_s);
+    if (x == 0.0) self->work.w_entry = nck_min(nck_min(w, piece->vv_node), self->work.w_entry);
+    const double w0 = self->work.w_entry;
+    const double w1 = rests || !next ? 0.0 : nck_min(w, exit_cap(self, pieces, next));
+    const double step = nck_ladder_step(x, left, w0, w1, w, piece->a, j, self->step_s);
     const int alone = w0 == 0.0 && w1 == 0.0; // from rest to rest: several cells
     const double h = alone ? nck_min(step, 0.25 * piece->length) : step;
     if (joins_pending(self, piece, step) && x == 0.0 && !alone) {
         self->work.pending += left;
-        return end_piece(self, rests);
+        return end_piece(self, piece, rests);
     }
     close_pending(self);
     if (left < 0.5 * h && x == 0.0 && !rests) {
         self->work.pending = left;
         self->work.pending_piece = self->work.piece;
         self->work.pending_s = self->work.s;
-        return end_piece(self, rests);
+        return end_piece(self, piece, rests);
     }
     if (left < 1.5 * h) {
         push(self, self->work.piece, self->work.s, left, UNCAPPED);
-        return end_piece(self, rests);
+        return end_piece(self, piece, rests);
     }
     push(self, self->work.piece, self->work.s, h, UNCAPPED);
     self->work.s += h;
@@ -209,7 +221,7 @@ static nck_status_t lay_one(nck_jerk_t *self, const nck_pieces_t *pieces) {
     if (self->work.s < 0.0) self->work.s = piece->s;
     if (!(piece->length > 0.0)) return lay_rest(self, piece);
     const int full = self->work.n + 2 > NCK_JERK_CELLS
-                     || self->work.piece - self->next.piece >= NCK_JERK_PIECES
+                     || self->work.piece - self->work.base >= self->work.pieces
                      || (blocks > 0 && piece->seg - first->seg >= blocks);
     if (full) {
         close_pending(self);
