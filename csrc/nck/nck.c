@@ -51,67 +51,50 @@ static void end_path(nck_t *nck) {
     nck_lookahead_end(&nck->lookahead);
 }
 
-// Outputs keep their place between the segs.
-static nck_status_t push_output(nck_t *nck, const nck_block_t *block) {
-    nck_output_t output = block->output;
-    output.after_segs = nck->smooth.seq;
-    output.line = block->line;
-    return nck_link_push_output(&nck->link, &output);
-}
-
-static int has_output(const nck_block_t *block) { return block->kind >= NCK_BLOCK_WAIT; }
-
-// smooth ─▶ seg ring and lookahead. Both have room (see carry_block).
-static nck_status_t push_seg(nck_t *nck, const nck_block_t *block) {
-    nck_seg_t seg;
-    const nck_status_t status = nck_smooth_push(&nck->smooth, block, nck->wire.blocks, &seg);
-    if (status == NCK_EMPTY) return NCK_OK;
-    if (status != NCK_OK) {
-        nck->wire.diagnostic.code = status;
-        nck->wire.diagnostic.line = block->line;
-        return status;
-    }
-    if (nck_link_push_seg(&nck->link, &seg) != NCK_OK) return NCK_E_INTERNAL;
-    if (nck_lookahead_push(&nck->lookahead, &seg) != NCK_OK) return NCK_E_INTERNAL;
-    if (nck->hooks.on_seg) nck->hooks.on_seg(nck->hooks.user, &seg);
+// smooth ─▶ seg ring and lookahead, or output ring. All have room (see carry_item).
+static nck_status_t push_item(nck_t *nck, const nck_smooth_item_t *item) {
+    if (item->is_output) return nck_link_push_output(&nck->link, &item->output);
+    if (nck_link_push_seg(&nck->link, &item->seg) != NCK_OK) return NCK_E_INTERNAL;
+    if (nck_lookahead_push(&nck->lookahead, &item->seg) != NCK_OK) return NCK_E_INTERNAL;
+    if (nck->hooks.on_seg) nck->hooks.on_seg(nck->hooks.user, &item->seg);
     return NCK_OK;
 }
 
-static nck_status_t carry_block(nck_t *nck) {
-    const nck_block_t *const block = &nck->wire.block;
+// One item out of smooth. NCK_EMPTY: it needs a block.
+static nck_status_t carry_item(nck_t *nck) {
+    nck_smooth_item_t item;
     if (!nck_link_has_room(&nck->link) || !nck_lookahead_has_room(&nck->lookahead)) return NCK_FULL;
-    nck_status_t status = NCK_OK;
-    if (has_output(block)) status = push_output(nck, block);
-    if (status == NCK_OK && block->kind <= NCK_BLOCK_WAIT) status = push_seg(nck, block);
-    if (block->kind == NCK_BLOCK_END) end_path(nck);
-    nck->wire.has_block = 0;
+    const nck_status_t status = nck_smooth_pull(&nck->smooth, &item);
+    if (status == NCK_OK) return push_item(nck, &item);
+    if (status == NCK_DONE) end_path(nck);
+    return status;
+}
+
+// One block into smooth, which asks for it. A program error ends the path where it stands:
+// everything before it is executed.
+static nck_status_t carry_block(nck_t *nck, const nck_block_t *block) {
+    const nck_status_t status = nck_smooth_push(&nck->smooth, block, nck->wire.blocks);
     nck->wire.blocks++;
+    if (block->kind == NCK_BLOCK_END) nck_smooth_end(&nck->smooth);
+    if (status >= NCK_OK) return status;
+    nck->wire.diagnostic.code = status;
+    nck->wire.diagnostic.line = block->line;
+    nck_smooth_end(&nck->smooth);
     return status;
 }
 
-// A program error ends the path where it stands: everything before it is executed.
-static nck_status_t stop_at_error(nck_t *nck, nck_status_t status) {
-    nck->wire.has_block = 0;
-    end_path(nck);
-    return status;
-}
-
-// decode ─▶ toolcomp ─▶ smooth ─▶ lookahead, one block.
+// decode ─▶ toolcomp ─▶ smooth ─▶ lookahead, one item or one block.
 static nck_status_t pull_block(nck_t *nck) {
     if (nck->wire.ended) return NCK_DONE;
-    if (!nck->wire.has_block) {
-        const nck_status_t status = nck_decode_pull(&nck->decode, &nck->wire.block);
-        if (status == NCK_DONE) {
-            end_path(nck);
-            return NCK_OK;
-        }
-        if (status < NCK_OK) return stop_at_error(nck, status);
-        if (status != NCK_OK) return status;
-        nck_toolcomp_push(&nck->toolcomp, &nck->wire.block);
-        nck->wire.has_block = 1;
-    }
-    const nck_status_t status = carry_block(nck);
-    return status < NCK_OK ? stop_at_error(nck, status) : status;
+    const nck_status_t carried = carry_item(nck);
+    if (carried != NCK_EMPTY) return carried == NCK_DONE ? NCK_OK : carried;
+    nck_block_t *const block = &nck->wire.block;
+    const nck_status_t status = nck_decode_pull(&nck->decode, block);
+    if (status == NCK_DONE || status < NCK_OK) nck_smooth_end(&nck->smooth);
+    if (status == NCK_DONE) return NCK_OK;
+    if (status != NCK_OK) return status;
+    nck_toolcomp_push(&nck->toolcomp, block);
+    return carry_block(nck, block);
 }
 
 // The tick has entered the stop tail: go on from where that tail comes to rest. The tail has one
