@@ -16,7 +16,6 @@ from pycnc.records import dtype
 ROOT = Path(__file__).resolve().parents[1]
 BOARDS = {"m4f": "mps2-an386", "m7": "mps2-an500"}
 SPANS = ("prep", "tick")
-SUMMARY = ("hash", "ticks", "starved", "prep_steps", "error", "kernel_bytes")
 LIMIT_S = 120  # an interrupt that takes longer than its period never lets go
 
 
@@ -33,6 +32,7 @@ class Result:
     prep_steps: int
     error: int
     kernel_bytes: int
+    stack_bytes: int
     instructions: dict | None = None
 
 

@@ -78,7 +78,8 @@ def assert_equal(runs, results, folder):
     assert first.error == 0 and first.starved == 0 and first.ticks > 0
     for run, result in zip(runs[1:], results[1:], strict=True):
         if result.hash != first.hash:
-            pytest.fail(f"{run}: {first_difference(rows_of(runs[0], folder), rows_of(run, folder))}")
+            where = first_difference(rows_of(runs[0], folder), rows_of(run, folder))
+            pytest.fail(f"{run} differs from {runs[0]} at tick {where}")
         assert result.ticks == first.ticks
 
 

@@ -12,6 +12,14 @@ enum {
     LINE_MAX = 512
 };
 
+// The stack: its pattern, what is painted at most, and what a function of this file may stand on.
+enum { PAINT = 0x5aa5c33c, PAINT_WORDS = 16384, OWN_WORDS = 64 };
+
+// Of the linker script.
+extern uint32_t board_stack_top[];
+extern uint8_t board_bss_begin[], board_bss_size[];
+
+
 // Armv7-M Architecture Reference Manual, B3.2 and B3.3.
 typedef struct systick {
     uint32_t control; // bit 0 counts, bit 1 interrupts, bit 2 clock of the core
@@ -79,6 +87,24 @@ int board_argument(int k, char *text, size_t size) {
     memcpy(text, word, length);
     text[length] = '\0';
     return (int)length;
+}
+
+static uint32_t *lowest_painted(void) {
+    const uintptr_t free = (uintptr_t)board_bss_begin + (uintptr_t)board_bss_size;
+    const uintptr_t lowest = (uintptr_t)board_stack_top - PAINT_WORDS * sizeof(uint32_t);
+    return (uint32_t *)(lowest > free ? lowest : free);
+}
+
+void board_stack_paint(void) {
+    uint32_t here = 0;
+    const uintptr_t end = (uintptr_t)&here - OWN_WORDS * sizeof(uint32_t);
+    for (volatile uint32_t *at = lowest_painted(); (uintptr_t)at < end; at++) *at = PAINT;
+}
+
+uint32_t board_stack_used(void) {
+    const uint32_t *at = lowest_painted();
+    while (at < board_stack_top && *at == PAINT) at++;
+    return (uint32_t)((uintptr_t)board_stack_top - (uintptr_t)at);
 }
 
 void board_tick_start(uint32_t clocks) {

@@ -50,6 +50,14 @@ void board_print(const char *text);
 // Cost: a halt for the host. Context: main.
 int board_argument(int k, char *text, size_t size);
 
+// Paint the free part of the stack, 64 KB at most, to measure what follows. No interrupt may run.
+// Cost: linear in the bytes painted. Context: main.
+void board_stack_paint(void);
+
+// The most stack that was used since then, from its top on [bytes]. Cost: linear in the bytes
+// painted. Context: main.
+uint32_t board_stack_used(void);
+
 // Run SysTick_Handler every so many clocks of the core (2 … 2²⁴). Cost: constant. Context: main.
 void board_tick_start(uint32_t clocks);
 

@@ -2,11 +2,11 @@
 // The tick interrupts prep every few instructions: the gap between two interrupts is fixed, prep's
 // loop is not a multiple of it, so that in the end every instruction of prep has been interrupted.
 //
-//     link_sweep CLOCKS INTERRUPTS APPETITE PLANS
+//     link_sweep CLOCKS INTERRUPTS APPETITE WAY
 //
 // APPETITE is the most cells that one interrupt takes, more than prep makes in a gap, so that the
-// tick runs into the tail; every other while it takes but one, so that the ring is full. PLANS is 1
-// for whole plans, 0 for batches and tails.
+// tick runs into the tail; every other while it takes but one, so that the ring is full. WAY is a
+// traffic_way_t.
 //
 // Exit status: 0, or 1 if a rule of the traffic is broken, 2 if an argument is wrong or the run
 // met none of what it is for.
@@ -47,7 +47,7 @@ static int judge(void) {
         board_print("\n");
         return 1;
     }
-    const int met = prep.losses >= EVENTS_LEAST && tick.tails >= EVENTS_LEAST
+    const int met = prep.batches >= EVENTS_LEAST && tick.tails >= EVENTS_LEAST
                     && tick.cells >= EVENTS_LEAST && tick.outputs >= EVENTS_LEAST;
     return met ? 0 : 2;
 }
@@ -57,7 +57,7 @@ int main(void) {
     clocks = number(1);
     appetite = number(3);
     if (clocks < 2 || wanted == 0 || appetite == 0) return 2;
-    prep.plans = tick.plans = number(4);
+    prep.way = tick.way = number(4);
     nck_link_init(&link_);
     board_tick_start(clocks);
     while (interrupts < wanted && !prep.fault && !tick.fault) traffic_prepare(&link_, &prep);

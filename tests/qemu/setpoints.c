@@ -25,6 +25,7 @@ typedef struct summary {
     uint64_t prep_steps;
     int64_t error;         // nck_status_t of a program error, else 0
     uint64_t kernel_bytes; // sizeof(nck_t)
+    uint64_t stack_bytes;  // used at most, from main on
 } summary_t;
 
 typedef struct controller {
@@ -117,7 +118,9 @@ int main(void) {
     if (nck_init(&nck, &machine, NULL) != NCK_OK) return 1;
     controller.summary.hash = 0xcbf29ce484222325u;
     controller.summary.kernel_bytes = sizeof nck;
+    board_stack_paint();
     run(&controller);
+    controller.summary.stack_bytes = board_stack_used();
     const size_t size = sizeof controller.summary;
     return board_write(file, &controller.summary, size) == size ? 0 : 1;
 }

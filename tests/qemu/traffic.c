@@ -7,7 +7,7 @@
 enum {
     SEG_PLACES = 4, SEGS_AHEAD = 8,
     BATCH_MOST = 7, TAIL_MOST = 9,
-    PLAN_MOST = 16, LEAD_MOST = 12, ADVANCES = 3 // of a plan
+    PLAN_MOST = 16, SKIP_MOST = 5, LEAD_MOST = 12, ADVANCES = 3 // of a plan
 };
 
 // A linear congruential generator (Knuth, The Art of Computer Programming 2, 3.3.4): its upper bits
@@ -75,15 +75,10 @@ static void fill_batch(nck_link_t *link, traffic_prep_t *prep) {
     }
 }
 
-static void fill_tail(nck_link_t *link, traffic_prep_t *prep, uint32_t count) {
-    uint32_t place = prep->place;
-    nck_link_tail_begin(link);
-    for (uint32_t n = count; n > 0 && has_seg(prep, place); n--) {
-        nck_cell_t cell;
-        make_cell(&cell, place, 1);
-        nck_link_tail_push(link, &cell);
-        place++;
-    }
+static void push_tail(nck_link_t *link, uint32_t place) {
+    nck_cell_t cell;
+    make_cell(&cell, place, 1);
+    nck_link_tail_push(link, &cell);
 }
 
 static void count_outcome(traffic_prep_t *prep, nck_status_t status) {
@@ -91,12 +86,25 @@ static void count_outcome(traffic_prep_t *prep, nck_status_t status) {
     prep->losses += status == NCK_E_STATE;
 }
 
+// Where the path goes on: behind the final cells, or where the tail comes to rest.
+static uint32_t next_place(const nck_link_t *link, traffic_prep_t *prep, int entered) {
+    uint32_t count = 0;
+    const nck_cell_t *const end = nck_link_tail_end(link, &count);
+    if (!entered) return prep->final;
+    blame(&prep->fault, count > 0, "a tail that was entered has cells");
+    return count > 0 ? (uint32_t)end->s + 1 : prep->final;
+}
+
 // The linear slope's way: a batch of cells, and behind it a tail.
 static void prepare_batch(nck_link_t *link, traffic_prep_t *prep) {
-    const uint32_t begin = prep->place;
+    const uint32_t begin = next_place(link, prep, nck_link_batch_begin(link));
+    prep->place = begin;
     fill_batch(link, prep);
     if (prep->place == begin) return; // a batch has one cell at least
-    fill_tail(link, prep, traffic_below(&prep->seed, TAIL_MOST + 1));
+    nck_link_tail_begin(link);
+    const uint32_t most = prep->way == TRAFFIC_BARE ? 0 : TAIL_MOST;
+    const uint32_t end = prep->place + traffic_below(&prep->seed, most + 1);
+    for (uint32_t at = prep->place; at < end && has_seg(prep, at); at++) push_tail(link, at);
     nck_status_t status = nck_link_publish(link);
     while (status == NCK_FULL) status = nck_link_publish(link); // until the tail is at rest
     if (status == NCK_OK) prep->final = prep->place;
@@ -105,46 +113,76 @@ static void prepare_batch(nck_link_t *link, traffic_prep_t *prep) {
 
 static double some_lead(traffic_prep_t *prep) { return traffic_below(&prep->seed, LEAD_MOST + 1); }
 
-static void check_plan(const nck_link_t *link, traffic_prep_t *prep) {
+// See how far the plan has become final. Returns 1 if the tick has left it for its tail.
+static int follow(const nck_link_t *link, traffic_prep_t *prep) {
     int entered = 0;
     const uint32_t end = nck_link_end(link, &entered);
     const nck_cell_t *const next = nck_link_tail_cell(link, end);
-    blame(&prep->fault, !next || next->s == prep->final, "a plan goes on where the ring ends");
+    prep->final += end - prep->end;
+    prep->end = end;
+    blame(&prep->fault, prep->in_tail || !next || next->s == prep->final,
+          "a plan goes on where the ring ends");
+    return entered && !prep->in_tail;
 }
 
-// The jerk-limited slope's way: a whole plan to rest, made final from its beginning on.
-static void prepare_plan(nck_link_t *link, traffic_prep_t *prep) {
-    int entered = 0;
-    uint32_t end = nck_link_end(link, &entered);
-    if (!has_seg(prep, prep->place)) return;
-    fill_tail(link, prep, 1 + traffic_below(&prep->seed, PLAN_MOST));
-    const uint32_t begin = prep->place;
-    nck_status_t status = nck_link_install(link, some_lead(prep), BATCH_MOST);
-    while (status == NCK_FULL) status = nck_link_install(link, some_lead(prep), BATCH_MOST);
-    count_outcome(prep, status);
-    if (status != NCK_OK) return;
-    prep->final = begin;
-    for (int n = 0; n <= ADVANCES && status != NCK_E_STATE; n++) {
-        const uint32_t before = end;
-        end = nck_link_end(link, &entered);
-        prep->final += end - before;
-        check_plan(link, prep);
-        if (n < ADVANCES) status = nck_link_advance(link, some_lead(prep), BATCH_MOST);
+// Make more of the plan final, but not beyond a place.
+static void advance(nck_link_t *link, traffic_prep_t *prep, uint32_t place) {
+    if (prep->in_tail || prep->final >= place) return;
+    (void)nck_link_advance(link, some_lead(prep), place - prep->final);
+}
+
+// Build a plan from a place on, while what is final comes nearer to it, and install it there.
+static nck_status_t install_plan(nck_link_t *link, traffic_prep_t *prep, uint32_t begin) {
+    const uint32_t wanted = begin + 1 + traffic_below(&prep->seed, PLAN_MOST);
+    uint32_t place = begin;
+    nck_link_tail_begin(link);
+    while (place < wanted && has_seg(prep, place)) {
+        push_tail(link, place);
+        place++;
+        advance(link, prep, begin);
+        if (follow(link, prep)) return NCK_E_STATE;
     }
-    prep->losses += status == NCK_E_STATE;
+    nck_status_t status = NCK_FULL;
+    while (status != NCK_OK) {
+        if (follow(link, prep)) return NCK_E_STATE;
+        if (prep->in_tail || prep->final == begin) {
+            status = nck_link_install(link, some_lead(prep), BATCH_MOST);
+        } else {
+            advance(link, prep, begin);
+        }
+    }
+    prep->in_tail = 0;
+    prep->final = begin;
+    prep->place = place;
+    return NCK_OK;
+}
+
+// The jerk-limited slope's way: a whole plan to rest, made final from its beginning on; the next one
+// goes on from a place within it.
+static void prepare_plan(nck_link_t *link, traffic_prep_t *prep) {
+    if (follow(link, prep)) {
+        prep->rest = next_place(link, prep, 1);
+        prep->in_tail = 1;
+    }
+    const uint32_t skip = traffic_below(&prep->seed, SKIP_MOST + 1);
+    const uint32_t within = prep->final + skip < prep->place ? prep->final + skip : prep->place;
+    const uint32_t begin = prep->in_tail ? prep->rest : within;
+    if (!has_seg(prep, begin)) {
+        advance(link, prep, prep->place);
+        return;
+    }
+    const nck_status_t status = install_plan(link, prep, begin);
+    count_outcome(prep, status);
+    for (int n = 0; n < ADVANCES && status == NCK_OK; n++) {
+        if (follow(link, prep)) return;
+        advance(link, prep, prep->place);
+    }
 }
 
 void traffic_prepare(nck_link_t *link, traffic_prep_t *prep) {
     push_output(link, prep);
     push_segs(link, prep);
-    prep->place = prep->final;
-    if (nck_link_batch_begin(link)) {
-        uint32_t count = 0;
-        const nck_cell_t *const end = nck_link_tail_end(link, &count);
-        blame(&prep->fault, count > 0, "a tail that was entered has cells");
-        if (count > 0) prep->place = (uint32_t)end->s + 1;
-    }
-    if (prep->plans) {
+    if (prep->way == TRAFFIC_PLANS) {
         prepare_plan(link, prep);
     } else {
         prepare_batch(link, prep);
@@ -169,7 +207,7 @@ static void take_cell(nck_link_t *link, traffic_tick_t *tick) {
         return;
     }
     const uint32_t is_tail = from_tail ? 1u : 0u;
-    blame(&tick->fault, cell.limit <= is_tail || tick->plans, "a tail is told from what is final");
+    blame(&tick->fault, cell.limit <= is_tail || tick->way == TRAFFIC_PLANS, "a tail is told from what is final");
     blame(&tick->fault, is_tail || !tick->braking || tick->rested, "a tail is left at rest only");
     tick->tails += is_tail && (!tick->braking || tick->rested);
     tick->braking = is_tail;

@@ -11,11 +11,21 @@
 
 #include "nck/base/link.h" // nck_link_t
 
+// How prep publishes.
+typedef enum traffic_way {
+    TRAFFIC_BATCHES = 0, // the linear slope's: a batch of cells, and a tail behind it
+    TRAFFIC_PLANS = 1,   // the jerk-limited slope's: whole plans, made final bit by bit
+    TRAFFIC_BARE = 2     // batches without tails: the tick has no word to exchange
+} traffic_way_t;
+
 // What prep knows.
 typedef struct traffic_prep {
-    uint32_t plans;   // 1: whole plans (nck_link_install); 0: batches and tails
-    uint32_t place;   // of the next cell of the batch
+    uint32_t way;     // traffic_way_t
+    uint32_t place;   // behind the batch or the plan
     uint32_t final;   // place behind the last final cell
+    uint32_t end;     // the same as nck_link_end counts
+    uint32_t in_tail; // 1: the tick has left the plan for its tail
+    uint32_t rest;    // place where that tail ends
     uint32_t segs;    // pushed
     uint32_t outputs; // pushed
     uint32_t seed;    // of the sizes of batches and tails
@@ -26,7 +36,7 @@ typedef struct traffic_prep {
 
 // What the tick knows.
 typedef struct traffic_tick {
-    uint32_t plans;   // as in prep
+    uint32_t way;     // as in prep
     uint32_t place;   // where the next cell must begin
     uint32_t outputs; // taken
     uint32_t cells;   // taken

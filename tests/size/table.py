@@ -1,27 +1,46 @@
 # SPDX-License-Identifier: MIT
-"""The size of libnck on two microcontroller cores: print the table, or renew README's (--write).
+"""What libnck costs on two microcontroller cores: print the tables, or renew README's (--write).
 
 Flash is code and constants, room by room, of the default capacities. The C runtime counts what a
 linked image takes from the compiler's libraries on top: arithmetic in double without a double FPU,
-memcpy and the like.
+memcpy and the like. Instructions are counted by the emulator, call included; they say nothing about
+cycles.
 """
 
 import argparse
 import re
 import subprocess
+import sys
 import tempfile
+from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
+sys.path[:0] = [str(ROOT / "tests"), str(ROOT / "tests" / "size")]
+
+import stack  # noqa: E402
+import targets  # noqa: E402
+from cases import CASES  # noqa: E402
+
+from pycnc.machine import Machine  # noqa: E402
+
 CSRC = ROOT / "csrc"
 PREFIX = "arm-none-eabi-"
 BEGIN, END = "<!-- size-table -->\n", "<!-- /size-table -->"
-CORES = {
-    "Cortex-M4F": "-mcpu=cortex-m4 -mthumb -mfloat-abi=hard -mfpu=fpv4-sp-d16",
-    "Cortex-M7": "-mcpu=cortex-m7 -mthumb -mfloat-abi=hard -mfpu=fpv5-d16",
+CORES = {"m4f": "Cortex-M4F", "m7": "Cortex-M7"}
+OPTIONS = {
+    "m4f": "-mcpu=cortex-m4 -mthumb -mfloat-abi=hard -mfpu=fpv4-sp-d16".split(),
+    "m7": "-mcpu=cortex-m7 -mthumb -mfloat-abi=hard -mfpu=fpv5-d16".split(),
 }
-FLAGS = "-std=c99 -Os -DNDEBUG -ffp-contract=off -fno-math-errno".split()
 RUNTIME = "C runtime"
+WIRES = "nck.c (wires)"
+SETS = {
+    "small": "small (3 axes, window {NCK_WINDOW})",
+    "default": "default (9 axes, window {NCK_WINDOW})",
+    "host": "host (9 axes, window {NCK_WINDOW})",
+}
+BUDGETS = ("star", "random_arcs_0", "random_stops_0", "lathe_part", "rotary")
+SLOPES = ("linear",)
 
 
 def run(tool, *arguments):
@@ -30,27 +49,27 @@ def run(tool, *arguments):
     return subprocess.run(command, stdout=subprocess.PIPE, text=True, check=True).stdout
 
 
-def capacities(name):
-    """Return the macro definitions of a capacity set as compiler options."""
-    text = (ROOT / "cmake" / "capacities.cmake").read_text(encoding="utf-8")
-    words = re.search(rf"{name}\s+([^)]*)\)", text)[1].split()
-    return [f"-D{word}" for word in words]
+def compiler():
+    """Return name and version of the cross compiler."""
+    return f"{PREFIX}gcc {run('gcc', '-dumpfullversion').strip()}"
 
 
-def room_of(source):
-    """Return the row of the table that a source file counts in."""
-    folder = source.relative_to(CSRC / "nck").parent.name
-    return folder or "nck.c (wires)"
+def objects(core):
+    """Return {source: object} of libnck, as tests/qemu builds it: -O2, default capacities."""
+    found = {}
+    for binary in sorted((targets.build(core) / "CMakeFiles/nck_default.dir").rglob("*.obj")):
+        source = re.search(r"csrc/nck/(.*)\.obj$", binary.as_posix())[1]
+        if (CSRC / "nck" / source).exists():
+            found[source] = binary
+    return found
 
 
-def compile_all(core, folder):
-    """Compile every source file of libnck; return {source: object}."""
-    objects = {}
-    for source in sorted((CSRC / "nck").rglob("*.c")):
-        objects[source] = folder / f"{len(objects)}.o"
-        options = [*core.split(), *FLAGS, f"-I{CSRC}"]
-        run("gcc", *options, "-c", source, "-o", objects[source])
-    return objects
+def link_whole(core, folder):
+    """Link all of libnck, used or not, with the C runtime that it needs; return the image."""
+    image = Path(folder) / f"{core}.elf"
+    link = [*OPTIONS[core], "-nostartfiles", "-Wl,-e,nck_tick", *objects(core).values()]
+    run("gcc", *link, "-lm", "-o", image)
+    return image
 
 
 def sizes(binary):
@@ -59,37 +78,48 @@ def sizes(binary):
     return text, data + bss
 
 
-def measure_flash(core):
+def measure_flash(core, image):
     """Return {room: flash in bytes}, the runtime last, and data plus bss of libnck."""
-    with tempfile.TemporaryDirectory() as name:
-        folder = Path(name)
-        objects = compile_all(core, folder)
-        rooms, ram = {}, 0
-        for source, binary in objects.items():
-            flash, data = sizes(binary)
-            rooms[room_of(source)] = rooms.get(room_of(source), 0) + flash
-            ram += data
-        image = folder / "image.elf"
-        link = [*core.split(), "-nostartfiles", "-Wl,-e,nck_tick", *objects.values()]
-        run("gcc", *link, "-lm", "-o", image)
-        rooms[RUNTIME] = sizes(image)[0] - sum(rooms.values())
-        return rooms, ram
+    rooms, ram = {}, 0
+    for source, binary in objects(core).items():
+        flash, data = sizes(binary)
+        room = Path(source).parent.name or WIRES
+        rooms[room] = rooms.get(room, 0) + flash
+        ram += data
+    rooms[RUNTIME] = sizes(image)[0] - sum(rooms.values())
+    return rooms, ram
 
 
-def measure_struct(core, definitions):
-    """Return sizeof(nck_t) in bytes, read from an object so that it holds for the target."""
+def measure_structs(core, set_name):
+    """Return sizeof(nck_t) [bytes] and NCK_WINDOW, as they are on the target."""
+    given = {} if set_name == "default" else targets.capacities(set_name)
+    definitions = [f"-D{macro}={value}" for macro, value in given.items()]
     with tempfile.TemporaryDirectory() as folder:
         source, binary = Path(folder, "probe.c"), Path(folder, "probe.o")
-        source.write_text('#include "nck/nck.h"\nchar probe[sizeof(nck_t)];\n')
-        options = [*core.split(), *FLAGS, *definitions, f"-I{CSRC}"]
-        run("gcc", *options, "-c", source, "-o", binary)
-        symbol = re.search(r"^\w+ (\w+) \w probe$", run("nm", "-S", binary), re.M)
-        return int(symbol[1], 16)
+        source.write_text(
+            '#include "nck/nck.h"\nchar probe[sizeof(nck_t)];\n'
+            "char window[NCK_WINDOW];\n"
+        )
+        run("gcc", *OPTIONS[core], *definitions, f"-I{CSRC}", "-c", source, "-o", binary)
+        rows = re.findall(r"^\w+ (\w+) \w (probe|window)$", run("nm", "-S", binary), re.M)
+    found = {name: int(size, 16) for size, name in rows}
+    return found["probe"], found["window"]
 
 
-def compiler():
-    """Return name and version of the cross compiler."""
-    return f"{PREFIX}gcc {run('gcc', '-dumpfullversion').strip()}"
+def measure_stack(core, image):
+    """Return {public function: deepest stack in bytes}."""
+    graph = stack.CallGraph(objects(core).values(), image)
+    return {name: graph.depth(name) for name in stack.entry_points(CSRC / "nck" / "nck.h")}
+
+
+def measure_instructions(core, name, slope):
+    """Return (most and mean of a tick, most of a step of prep) in instructions."""
+    case = next(case for case in CASES if case.name == name)
+    machine = Machine.load(case.machine, set=(*case.set, f"path.slope={slope}"))
+    with tempfile.TemporaryDirectory() as folder:
+        result = targets.run_setpoints(core, "default", case, machine, Path(folder), count=True)
+    runs, total, most = result.instructions["tick"]
+    return most, round(total / runs), result.instructions["prep"][2]
 
 
 def in_order_of_flow(rooms):
@@ -99,35 +129,82 @@ def in_order_of_flow(rooms):
     return first + numbered + [name for name in rooms if name not in first + numbered]
 
 
-def table():
-    """Measure and return the table as Markdown."""
-    flash = {name: measure_flash(core) for name, core in CORES.items()}
+def lines_of(head, columns, rows):
+    """Return the lines of a Markdown table; rows are (title, numbers)."""
+    yield f"| {head} | {' | '.join(columns)} |"
+    yield "|---|" + "---:|" * len(columns)
+    for title, values in rows:
+        yield f"| {title} | " + " | ".join(f"{value:,}" for value in values) + " |"
+    yield ""
+
+
+def flash_rows(images):
+    flash = {core: measure_flash(core, image) for core, image in images.items()}
     rooms = in_order_of_flow(next(iter(flash.values()))[0])
-    lines = [f"| flash [bytes] | {' | '.join(CORES)} |", "|---|" + "---:|" * len(CORES)]
-
-    def row(title, values):
-        lines.append(f"| {title} | " + " | ".join(f"{value:,}" for value in values) + " |")
-
     for room in rooms[:-1]:
-        row(room, [found[room] for found, _ in flash.values()])
-    row("**libnck**", [sum(found.values()) - found[RUNTIME] for found, _ in flash.values()])
-    row("C runtime on top", [found[RUNTIME] for found, _ in flash.values()])
-    row("data + bss of libnck", [ram for _, ram in flash.values()])
-    lines += ["", f"| RAM: `sizeof(nck_t)` [bytes] | {' | '.join(CORES)} |"]
-    lines += ["|---|" + "---:|" * len(CORES)]
-    sets = {
-        "small (3 axes, window 64)": capacities("NCK_CAPACITY_SMALL"),
-        "default (9 axes, window 256)": [],
-        "host (9 axes, window 16 384)": capacities("NCK_CAPACITY_HOST"),
-    }
-    for title, definitions in sets.items():
-        row(title, [measure_struct(core, definitions) for core in CORES.values()])
-    lines += ["", f"Measured with {compiler()} -Os by `tests/size/table.py`; a test holds it true."]
+        yield room, [found[room] for found, _ in flash.values()]
+    yield "**libnck**", [sum(found.values()) - found[RUNTIME] for found, _ in flash.values()]
+    yield "C runtime on top", [found[RUNTIME] for found, _ in flash.values()]
+    yield "data + bss of libnck", [ram for _, ram in flash.values()]
+
+
+def ram_rows():
+    for set_name, title in SETS.items():
+        found = [measure_structs(core, set_name) for core in CORES]
+        window = f"{found[0][1]:,}".replace(",", " ")
+        yield title.format(NCK_WINDOW=window), [size for size, _ in found]
+
+
+def stack_rows(images):
+    depths = [measure_stack(core, image) for core, image in images.items()]
+    for name in depths[0]:
+        yield f"`{name}`", [found[name] for found in depths]
+
+
+def instruction_rows():
+    jobs = [(core, name, slope) for name in BUDGETS for slope in SLOPES for core in CORES]
+    with ThreadPoolExecutor(2) as pool:
+        found = list(pool.map(lambda job: measure_instructions(*job), jobs))
+    for k in range(0, len(jobs), len(CORES)):
+        yield f"{jobs[k][1]}, {jobs[k][2]}", [n for numbers in found[k : k + 2] for n in numbers]
+
+
+def table():
+    """Measure and return the tables as Markdown."""
+    targets.build("host")
+    with tempfile.TemporaryDirectory() as folder:
+        images = {core: link_whole(core, folder) for core in CORES}
+        names = list(CORES.values())
+        lines = list(lines_of("flash [bytes]", names, flash_rows(images)))
+        lines += lines_of("RAM: `sizeof(nck_t)` [bytes]", names, ram_rows())
+        lines += lines_of("deepest stack of a call [bytes]", names, stack_rows(images))
+    spans = ("tick, most", "tick, mean", "prep step, most")
+    columns = [f"{name}: {span}" for name in ("M4F", "M7") for span in spans]
+    lines += lines_of("instructions: program, slope", columns, instruction_rows())
+    lines += [
+        f"Measured with {compiler()} -O2 by `tests/size/table.py`; a test fails where a number is",
+        "off by more than 5 %. Stacks are bounds by call graph, without hooks and interrupts.",
+        "Instructions are counted under QEMU over the programs of `tests/cases.py`, call included.",
+    ]
     return "\n".join(lines) + "\n"
 
 
+def numbers(text):
+    """Return {(head of the table, title of the row): numbers} of the tables."""
+    found, head = {}, ""
+    for line in text.splitlines():
+        cells = [cell.strip() for cell in line.strip("|").split("|")]
+        if len(cells) < 2 or cells[0].startswith("---"):
+            continue
+        if not cells[1].replace(",", "").isdigit():
+            head = cells[0]
+        else:
+            found[head, cells[0]] = [int(cell.replace(",", "")) for cell in cells[1:]]
+    return found
+
+
 def split_readme(text):
-    """Return README's text before, in and after the table."""
+    """Return README's text before, in and after the tables."""
     begin = text.index(BEGIN) + len(BEGIN)
     end = text.index(END, begin)
     return text[:begin], text[begin:end], text[end:]
@@ -135,9 +212,10 @@ def split_readme(text):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--write", action="store_true", help="renew the table in README.md")
+    parser.add_argument("--write", action="store_true", help="renew the tables in README.md")
+    given = parser.parse_args()
     measured = table()
-    if not parser.parse_args().write:
+    if not given.write:
         print(measured, end="")
         return
     readme = ROOT / "README.md"
