@@ -10,13 +10,20 @@
 #include "nck/prep/3_smooth/raw.h"         // nck_raw_…
 #include "nck/prep/3_smooth/spline_math.h" // nck_spline_…
 
-#define AIM 0.9          // of the tolerance: what a spacing is chosen for before it is checked
-#define GROWTH 1.25      // between two spacings that are tried for a block's end
-#define KEY_SHARE 0.5    // a corner that alone deviates by so much of the tolerance is a key
+// Shares of the tolerance: what a spacing is chosen for before it is checked, in general and on a
+// lone corner, where nothing is left to chance; and what the end of the run may take that could
+// follow, so that something is left for the knot that follows instead.
+#define AIM 0.7
+#define AIM_KEY 0.96
+#define AIM_END 0.98
+#define GROWTH 1.25      // from one spacing to the next, where the path is not straight
+#define KEY_LEAST 0.5    // a corner is a key if the spacing that it allows alone is right within …
+#define KEY_MOST 1.5     // … these shares
 enum {
     GROWTH_STEPS = 64,   // from 1 µm to beyond any spacing
     BISECT_STEPS = 3,    // the last 25 % to 3 %
-    TRIES = 8            // spacings that are checked before a knot is doubled
+    TRIES = 10,          // spacings that are checked before a knot is doubled
+    TRIES_CAREFUL = 8    // of them with AIM_END
 };
 
 // What the way ahead of t[4] asks for.
@@ -24,7 +31,8 @@ typedef struct way {
     double step;  // spacing, as all that is not a goal allows
     double goal;  // place of the next corner, of an output or of the run's end, within two steps
     double half;  // spacing wanted on either side of the goal; 0: any
-    uint8_t is_key; // 1: the goal is a corner
+    uint8_t is_key;   // 1: the goal is a corner
+    uint8_t straight; // 1: one line leads to the goal
 } way_t;
 
 static int is_full(const nck_smooth_t *self) {
@@ -86,8 +94,10 @@ static nck_status_t know_spacing(nck_smooth_t *self, nck_raw_t *raw, const nck_r
         const nck_status_t status = grow(self, raw->s + raw->seg.length, aim, &spacing);
         if (status != NCK_OK) return status;
     }
+    raw->key = spacing >= KEY_LEAST * alone && spacing <= KEY_MOST * alone
+               && alone < self->spacing_max;
+    if (spacing == alone && raw->key) spacing = nck_min(spacing * (AIM_KEY / AIM), nearest);
     raw->spacing = spacing;
-    raw->key = spacing >= KEY_SHARE * alone && alone < self->spacing_max;
     return NCK_OK;
 }
 
@@ -103,14 +113,24 @@ static nck_status_t look_at_end(nck_smooth_t *self, double end, way_t *way) {
     return NCK_OK;
 }
 
+// The largest step that does not grow too fast; any on a line.
+static double largest_step(nck_smooth_t *self, const nck_raw_t *raw) {
+    const double here = self->run.t[4];
+    const double most = GROWTH * (here - self->run.t[3]);
+    const int is_line =
+        raw->seg.kind == NCK_SEG_LINE && raw->s + raw->seg.length >= here + most;
+    return most > 0.0 && !is_line ? most : self->spacing_max;
+}
+
 // Look ahead from t[4]. A spacing at distance d may be half of d smaller: steps may halve.
 static nck_status_t look_ahead(nck_smooth_t *self, way_t *way) {
     const double here = self->run.t[4];
     uint32_t count = nck_raw_find(self, here);
-    way->step = self->spacing_max;
+    way->step = largest_step(self, nck_raw_at(self, count));
     way->goal = here + 4.0 * self->spacing_max;
     way->half = 0.0;
     way->is_key = 0;
+    way->straight = 0;
     for (;;) {
         nck_raw_t *const raw = nck_raw_at(self, count);
         const double far = nck_max(0.0, raw->s - here);
@@ -130,6 +150,7 @@ static nck_status_t look_ahead(nck_smooth_t *self, way_t *way) {
             way->goal = end;
             way->half = raw->spacing;
             way->is_key = 1;
+            way->straight = far == 0.0 && raw->seg.kind == NCK_SEG_LINE;
             return NCK_OK;
         }
         way->step = nck_min(way->step, raw->spacing + 0.5 * (end - here));
@@ -150,19 +171,21 @@ static double wanted_step(const nck_smooth_t *self, const way_t *way) {
     if (self->run.on_key) return step_from_key(self, way, ahead);
     const double gap = ahead - way->half;
     if (gap <= 0.01 * way->half) return ahead;
+    if (way->straight) return gap;
     if (gap < 0.5 * way->half) return 0.5 * ahead;
     if (gap <= way->step) return gap;
     return nck_min(way->step, nck_max(0.5 * gap, 0.5 * way->step));
 }
 
 // Try the knot t[5]: the next seg, and the two behind it if the run had to end there.
-static int try_knot(nck_smooth_t *self, double t) {
+static int try_knot(nck_smooth_t *self, double t, double share) {
     double *const knot = self->run.t;
     for (int i = 5; i < 8; i++) {
         knot[i] = t;
         nck_raw_point(self, nck_spline_greville(knot + i - 2), self->run.c[i - 2]);
     }
-    return nck_raw_fits(self, 0) && nck_raw_fits(self, 1) && nck_raw_fits(self, 2);
+    return nck_raw_fits(self, 0, 1.0) && nck_raw_fits(self, 1, share)
+           && nck_raw_fits(self, 2, share);
 }
 
 double nck_knot_spacing_inside(const nck_smooth_t *self, const nck_seg_t *seg, double tolerance) {
@@ -175,11 +198,12 @@ double nck_knot_spacing_inside(const nck_smooth_t *self, const nck_seg_t *seg, d
 }
 
 nck_status_t nck_knot_choose(nck_smooth_t *self) {
-    static const double factor[TRIES] = {1.0, 0.8, 0.6, 0.45, 0.3, 0.2, 0.1, 0.05};
+    static const double factor[TRIES] = {1.0, 0.8, 0.6,  0.45, 0.3,
+                                         0.2, 0.1, 0.05, 0.02, 0.01};
     const double here = self->run.t[4];
-    way_t way = {0.0, 0.0, 0.0, 0};
+    way_t way = {0.0, 0.0, 0.0, 0, 0};
     if (self->run.closed && here >= nck_raw_known(self)) {
-        (void)try_knot(self, here); // the end: fits since the knot before was chosen
+        (void)try_knot(self, here, 1.0); // the end: fits since the knot before was chosen
         return NCK_OK;
     }
     const nck_status_t status = look_ahead(self, &way);
@@ -188,11 +212,11 @@ nck_status_t nck_knot_choose(nck_smooth_t *self) {
     const int reaches = here + step >= way.goal || step == way.goal - here;
     for (int n = 0; n < TRIES; n++) {
         const double t = n == 0 && reaches ? way.goal : here + factor[n] * step;
-        if (!try_knot(self, t)) continue;
+        if (!try_knot(self, t, n < TRIES_CAREFUL ? AIM_END : 1.0)) continue;
         self->run.on_key = n == 0 && reaches && way.is_key;
         return NCK_OK;
     }
-    (void)try_knot(self, here); // fits since the knot before was chosen
+    (void)try_knot(self, here, 1.0); // fits since the knot before was chosen
     self->run.kinks++;
     return NCK_OK;
 }

@@ -105,28 +105,22 @@ static double deviation(const nck_seg_t *spline, double s_begin, const nck_raw_t
     return nck_spline_distance(p, q);
 }
 
-// Both ends of a part are near enough that nothing between them can leave the tolerance.
-static int part_fits(const nck_raw_t *raw, double deviation_max, double second, double h) {
-    return deviation_max + nck_spline_sag(second, h) <= raw->tolerance - ROUNDING;
-}
-
-// As nck_raw_fits, over one block: from … to, in equal parts no longer than part.
-static int block_fits(const nck_seg_t *spline, double s_begin, const nck_raw_t *raw,
-                      const double *range, double part) {
+// As nck_raw_fits, over one block: from range[0] to range[1]. Between two points that are looked at
+// the deviation cannot exceed the larger one by more than the sag of both curves.
+static int block_fits(const nck_seg_t *spline, const nck_raw_t *raw, const double *range,
+                      double s_begin, double allowed) {
     const double length = range[1] - range[0];
+    const int parts = 1 + (int)(length * (double)PARTS / spline->length);
+    const double h = length / (double)parts;
     const double second = largest_second(spline) + largest_second(&raw->seg);
-    const int parts = 1 + (int)(length / part);
-    const double h = length / parts;
-    double before = deviation(spline, s_begin, raw, range[0]);
-    for (int n = 1; n <= parts; n++) {
-        const double now = deviation(spline, s_begin, raw, range[0] + h * n);
-        if (!part_fits(raw, nck_max(before, now), second, h)) return 0;
-        before = now;
+    const double near = allowed - nck_spline_sag(second, h);
+    for (int n = 0; n <= parts; n++) {
+        if (!(deviation(spline, s_begin, raw, range[0] + h * (double)n) <= near)) return 0;
     }
     return 1;
 }
 
-int nck_raw_fits(nck_smooth_t *self, int first) {
+int nck_raw_fits(nck_smooth_t *self, int first, double share) {
     const double from = self->run.t[first + 2];
     const double to = self->run.t[first + 3];
     if (!(to > from)) return 1;
@@ -138,7 +132,8 @@ int nck_raw_fits(nck_smooth_t *self, int first) {
     while (count != self->run.end && range[1] < to) {
         const nck_raw_t *const raw = nck_raw_at(self, count);
         range[1] = nck_min(to, raw_end(raw));
-        if (!block_fits(&spline, from, raw, range, spline.length / (double)PARTS)) return 0;
+        const double allowed = share * (raw->tolerance - ROUNDING);
+        if (!block_fits(&spline, raw, range, from, allowed)) return 0;
         range[0] = range[1];
         count = nck_raw_next(self, count);
     }

@@ -29,8 +29,8 @@ double nck_raw_turn(const nck_seg_t *in, const nck_seg_t *out);
 // path is straight. Cost: as nck_raw_find.
 void nck_raw_spline(nck_smooth_t *self, int first, nck_seg_t *seg_out);
 
-// 1 if that spline keeps the tolerance, or has no length. Cost: a point for each block there, and
-// 16.
-int nck_raw_fits(nck_smooth_t *self, int first);
+// 1 if that spline keeps to a share of the tolerance, or has no length.
+// Cost: a point for each block there, and 16.
+int nck_raw_fits(nck_smooth_t *self, int first, double share);
 
 #endif
