@@ -2,7 +2,8 @@
 """The firmware on µC/OS-II, µC/OS-III and FreeRTOS, built against a checkout of each.
 
 Their sources are not here. tests/package/kernels has their published prototypes in their published
-folders; a test makes a checkout of it by giving every prototype a body.
+folders; a test makes a checkout of it by giving every prototype a body. For µC/OS-II the bodies can
+also be calls of our own kernel under other names: an imitation that runs.
 """
 
 import re
@@ -13,6 +14,8 @@ from dataclasses import dataclass
 from pathlib import Path
 
 import pytest
+
+from pycnc import firmware
 
 ROOT = Path(__file__).resolve().parents[1]
 KERNELS = ROOT / "tests" / "package" / "kernels"
@@ -32,6 +35,53 @@ BODIES = {
     "OS_CPU_PendSVHandler": {"uC-OS2": "App_TaskSwHook();", "uC-OS3": "OS_AppTaskSwHookPtr();"},
     "xPortSysTickHandler": {"FreeRTOS-Kernel": "vApplicationTickHook();"},
     "vTaskSwitchContext": {"FreeRTOS-Kernel": "traceTASK_SWITCHED_IN();"},
+}
+
+
+# What µC/OS-II's functions do in the imitation, in calls of own_os_…; parameters as published.
+OWN_HEAD = """
+#include <own/own_kernel.h>
+static own_os_queue_t queues[OS_MAX_QS];
+static INT16U queue_count;
+static OS_TCB next_task;
+static void tick(void *user) { (void)user; App_TimeTickHook(); }
+static INT8U result(own_os_status_t status) { return status == OS_OK ? 0u : 1u; }
+void *imitation_switch(void *context, const void *stack);
+void *imitation_switch(void *context, const void *stack) {
+    void *const next = own_os_switch(context, stack);
+    if (!own_os_kernel.running) return next;
+    next_task.OSTCBPrio = (INT8U)own_os_kernel.running->name;
+    OSTCBHighRdy = &next_task;
+    App_TaskSwHook();
+    return next;
+}
+"""
+OWN_BODIES = {
+    "OSInit": "const own_os_hooks_t hooks = {tick, NULL, NULL}; own_os_init(&hooks);",
+    "OSStart": "(void)own_os_start(1u << 24);",
+    "OSTaskCreateExt": (
+        '(void)ptos, (void)id, (void)pext, (void)opt; return result(own_os_task_create('
+        'prio, "task", task, p_arg, (own_os_stack_t *)pbos, stk_size / 2u));'
+    ),
+    "OSTimeDly": "(void)own_os_delay(ticks);",
+    "OSQCreate": (
+        "own_os_queue_t *const queue = &queues[queue_count++];"
+        " return own_os_queue_create(queue, start, size) == OS_OK ? (OS_EVENT *)queue : NULL;"
+    ),
+    "OSQAccept": (
+        "void *message = NULL;"
+        " *perr = result(own_os_queue_pend((own_os_queue_t *)pevent, 0u, &message));"
+        " return message;"
+    ),
+    "OSQPend": (
+        "void *message = NULL; if (timeout == 0u) timeout = OS_FOREVER;"
+        " *perr = result(own_os_queue_pend((own_os_queue_t *)pevent, timeout, &message));"
+        " return message;"
+    ),
+    "OSQPost": "return result(own_os_queue_post((own_os_queue_t *)pevent, pmsg));",
+    "OS_CPU_SysTickInit": (
+        "*(volatile INT32U *)0xe000e014u = cnts - 1u; *(volatile INT32U *)0xe000e018u = 0u;"
+    ),
 }
 
 
@@ -100,8 +150,11 @@ def call(*command):
     return done.stdout
 
 
-def implemented(header, include, folder):
-    """Return C text that defines what a header declares, but for the application's hooks."""
+def implemented(header, include, folder, own=None):
+    """Return C text that defines what a header declares, but for the application's hooks.
+
+    With own, {name: body}, the functions work; of the port's only those are defined that it names.
+    """
     text = re.sub(r"//[^\n]*", "", header.read_text(encoding="utf-8"))
     lines = ["#include <FreeRTOS.h>"] if folder == "FreeRTOS-Kernel" else []
     lines += [f"#include {include}"]
@@ -109,24 +162,50 @@ def implemented(header, include, folder):
         lines += ["struct tskTaskControlBlock { UBaseType_t uxPriority; };"]
         lines += ["struct tskTaskControlBlock *volatile pxCurrentTCB;"]
     lines += [f"{declared};" for declared in OBJECT.findall(text)]
+    if own and "OSInit" in text:
+        lines.append(OWN_HEAD)
     for result, name, parameters in PROTOTYPE.findall(text):
         if result.startswith("extern") or name.startswith(("App_", "vApplication")):
             continue
-        body = BODIES.get(name, {}).get(folder, "")
-        lines.append(f"{result}{name}{parameters} {{ {body} for (;;) {{}} }}")
+        body = BODIES.get(name, {}).get(folder, "") + " for (;;) {}"
+        if own is None or name in own:
+            lines.append(f"{result}{name}{parameters} {{ {own[name] if own else body} }}")
     return "\n".join(lines) + "\n"
 
 
-def check_out(kernel, folder):
+def check_out(kernel, folder, own=None):
     """Make a checkout of a kernel in a folder; return its path."""
     shutil.copytree(KERNELS, folder, dirs_exist_ok=True)
     ports = folder / "FreeRTOS-Kernel" / "portable" / "GCC"
     shutil.copytree(ports / "ARM_CM4F", ports / "ARM_CM7" / "r0p1")
     for source, header, include in kernel.sources:
-        text = implemented(folder / header, include, kernel.folder) if header else "\n"
+        text = "\n"
+        if header:
+            text = implemented(folder / header, include, kernel.folder, own)
         (folder / source).parent.mkdir(parents=True, exist_ok=True)
         (folder / source).write_text(text, encoding="utf-8")
     return folder / kernel.folder
+
+
+def imitate(folder):
+    """Make a checkout of µC/OS-II that runs: our own kernel under other names; return its path."""
+    checkout = check_out(CHECKOUTS[0], folder, OWN_BODIES)
+    own = checkout / "Source" / "own"
+    own.mkdir()
+    kernel = ROOT / "firmware_sim" / "os"
+    for file in [*kernel.glob("*.[ch]"), kernel / "port" / "cortex_m" / "port.c"]:
+        text = file.read_text(encoding="utf-8").replace('#include "os/', '#include "own_')
+        text = re.sub(r"\bos_", "own_os_", text)
+        text = re.sub(r"\b(PendSV|SysTick)_Handler\b", r"OS_CPU_\1Handler", text)
+        text = re.sub(r"\bpaint = \w+", "paint = 0xa5a5a5a5a5a5a5a5u", text)  # what the glue seeks
+        if file.name == "port.c":
+            text = re.sub(r"(?<!\*)\bown_os_switch\(", "imitation_switch(", text)
+            text = text.replace('"own_port.h"', '"own_port.h"\nvoid *imitation_switch();')
+        (own / f"own_{file.name}").write_text(text, encoding="utf-8")
+    sources = ("os.c", "queue.c", "mutex.c", "sem.c", "port.c")
+    parts = "".join(f"#include <own/own_{name}>\n" for name in sources)
+    (checkout / PORT / "GNU" / "os_dbg.c").write_text(parts, encoding="utf-8")
+    return checkout
 
 
 @pytest.fixture(scope="module")
@@ -171,6 +250,49 @@ def test_a_kernel_with_another_prototype_is_noticed(build_folder, tool, tmp_path
     done = build("os", kernel, checkout, build_folder)
     assert done.returncode != 0
     assert "OSQCreate" in done.stdout
+
+
+# µC/OS-II, imitated, under the emulator
+
+
+PROGRAM = "G21 G90 G61\nS800 M3\nG1 F3000 X20\nG3 X30 Y10 J10\nG1 Y25 Z-3\nM5\nM2\n"
+
+
+@pytest.fixture(scope="module")
+def glued(build_folder, tool, tmp_path_factory):
+    """Return the controller whose app runs on the glue and the imitated µC/OS-II."""
+    tool("arm-none-eabi-gcc")
+    tool("qemu-system-arm")
+    checkout = imitate(tmp_path_factory.mktemp("imitation"))
+    done = build("firmware", CHECKOUTS[0], checkout, build_folder)
+    assert done.returncode == 0, done.stdout + done.stderr
+    image = build_folder / "firmware_sim" / "app" / "firmware.elf"
+    return firmware.Controller("m7", shutil.copy(image, checkout))
+
+
+def test_the_app_does_the_same_on_the_glue_as_on_our_own_kernel(glued):
+    own = firmware.open("m7").run(PROGRAM)
+    outcome = glued.run(PROGRAM)
+    assert (outcome.state, outcome.hash) == ("done", own.hash)
+    assert (outcome.overruns, outcome.underruns) == (0, 0)
+    assert outcome.joints_nm == own.joints_nm
+    assert set(outcome.load) == set(own.load)
+    assert all(0 < share < 1 for share in outcome.load.values()), outcome.load
+    assert sum(outcome.load.values()) <= 1
+    assert all(left > 0 for left in outcome.stack_left.values()), outcome.stack_left
+
+
+@pytest.mark.parametrize(
+    ("command", "state"),
+    [
+        ((100, "abort"), "aborted"),
+        ((100, "tick_work", 30_000, 1), "fault_overrun"),
+        ((100, "stack_work", 5), "fault_stack"),
+    ],
+    ids=lambda value: value[1] if isinstance(value, tuple) else value,
+)
+def test_faults_end_in_the_same_states_on_the_glue(glued, command, state):
+    assert glued.run(PROGRAM, commands=[command]).state == state
 
 
 @pytest.mark.parametrize("name", ["ucos2.c", "ucos3.c", "freertos.c"])
