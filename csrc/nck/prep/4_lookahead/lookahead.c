@@ -171,6 +171,16 @@ static double zone_length(const nck_lookahead_t *self, const nck_joint_t *joint,
     return nck_min(joint->pace[NCK_PACE_OVER].v * time, (v_node + self->v_filter) * time + gained);
 }
 
+// How fast the path may be between the segs count − 1 and count, both known if they exist, by the
+// junction and the segs.
+static double speed_between(nck_lookahead_t *self, uint32_t count) {
+    if (count == 0 || count == self->joint.head) return 0.0;
+    const nck_pace_t *const before = &nck_joint_at(self, count - 1)->pace[NCK_PACE_OVER];
+    const nck_joint_t *const behind = nck_joint_at(self, count);
+    if (behind->kind >= NCK_SEG_DWELL) return 0.0;
+    return nck_min(before->v_corner, nck_min(before->v, behind->pace[NCK_PACE_OVER].v));
+}
+
 // Whether a seg is worth a piece of its own next to the node around which less is allowed.
 static int is_tighter(const nck_lookahead_t *self, const nck_joint_t *joint,
                       const around_t *around) {
@@ -199,10 +209,11 @@ static around_t middle_of(const nck_lookahead_t *self, const around_t ends[2], i
 
 // Inside a zone the share of its junction is kept free and its neighbour's limits hold; the middle
 // has all that the seg allows.
-static void add_motion(nck_lookahead_t *self, const nck_joint_t *joint, const around_t ends[2],
-                       const double v_start[], const double v_end[]) {
-    const double zone = zone_length(self, joint, v_start[NCK_PACE_OVER]);
-    const double zone_end = zone_length(self, joint, v_end[NCK_PACE_OVER]);
+static void add_motion(nck_lookahead_t *self, uint32_t count, const around_t ends[2],
+                       const double v_start[]) {
+    const nck_joint_t *const joint = nck_joint_at(self, count);
+    const double zone = zone_length(self, joint, speed_between(self, count));
+    const double zone_end = zone_length(self, joint, speed_between(self, count + 1));
     const int tighter = is_tighter(self, joint, &ends[0]) || is_tighter(self, joint, &ends[1]);
     const int split = tighter && joint->length > SPLIT_ZONES * (zone + zone_end);
     const int head = split && is_cut(self, joint, &ends[0]);
@@ -217,16 +228,6 @@ static void add_motion(nck_lookahead_t *self, const nck_joint_t *joint, const ar
     if (head) add_piece(self, joint, first, &ends[0], v_start);
     add_piece(self, joint, middle, &inside, head ? unlimited : v_start);
     if (tail) add_piece(self, joint, last, &ends[1], unlimited);
-}
-
-// The speeds that a node before or behind the oldest joint allows, by its junction and its far side.
-static void node_speeds(nck_lookahead_t *self, uint32_t count, double v_start[], double v_end[]) {
-    for (int k = 0; k < NCK_PACES; k++) {
-        v_start[k] = count > 0 ? nck_joint_at(self, count - 1)->pace[k].v_corner : 0.0;
-        v_end[k] = nck_joint_at(self, count)->pace[k].v_corner;
-        if (count + 1 == self->joint.head) continue;
-        v_end[k] = nck_min(v_end[k], nck_joint_at(self, count + 1)->pace[k].v);
-    }
 }
 
 // What reaches into the oldest joint from before and from behind. NCK_EMPTY if it is not known yet.
@@ -247,10 +248,11 @@ static nck_status_t look_around(nck_lookahead_t *self, uint32_t count, around_t 
 }
 
 static void place_motion(nck_lookahead_t *self, uint32_t count, const around_t ends[2]) {
-    double v_start[NCK_PACES];
-    double v_end[NCK_PACES];
-    node_speeds(self, count, v_start, v_end);
-    add_motion(self, nck_joint_at(self, count), ends, v_start, v_end);
+    double v_start[NCK_PACES] = {0.0, 0.0};
+    for (int k = 0; k < NCK_PACES && count > 0; k++) {
+        v_start[k] = nck_joint_at(self, count - 1)->pace[k].v_corner;
+    }
+    add_motion(self, count, ends, v_start);
 }
 
 // Turn the oldest joint into nodes. NCK_EMPTY if what follows it is not decided yet.
