@@ -9,7 +9,7 @@
 #include "nck/prep/5_slope/window.h"      // nck_window_…
 
 enum {
-    PHASE_IDLE = 0, PHASE_LOAD, PHASE_LAY, PHASE_LIMIT, PHASE_BRAKE, PHASE_PLAN, PHASE_DRAW,
+    PHASE_IDLE = 0, PHASE_REACH, PHASE_LOAD, PHASE_LAY, PHASE_LIMIT, PHASE_BRAKE, PHASE_PLAN, PHASE_DRAW,
     PHASE_INSTALL
 };
 
@@ -28,7 +28,7 @@ enum { COMMIT_MOST = 3, COMMIT_LEAST = 10, KEEP_OFF = 4 };
 // While the ladder is coarse no cell's duration is capped in rule R.
 #define UNCAPPED_S 1e6
 // A hold that cannot be met gets so much more length.
-#define REACH_GROWTH 1.1
+#define REACH_GROWTH 1.05
 
 void nck_jerk_init(nck_jerk_t *self, const nck_machine_t *machine, nck_link_t *link) {
     memset(self, 0, sizeof *self);
@@ -129,36 +129,13 @@ static void begin_moving(nck_jerk_t *self, const nck_pieces_t *pieces, uint32_t 
     enter(self, anew ? PHASE_LAY : PHASE_LOAD);
 }
 
-// Path length to rest from v ≥ 0 with acceleration a, under the deceleration a_max and the jerk j:
-// off the acceleration first, then down to −p, held, and back to 0 (for a < 0 a little too much).
-//        v1 = v + a²/2j when a is 0;   p = min(a_max, √(v1·j));   s = v1/2·(v1/p + p/j)
-static double brake_length(double v, double a, double a_max, double j) {
-    const double t = nck_max(0.0, a / j);
-    const double v1 = v + 0.5 * j * t * t;
-    const double p = nck_min(a_max, nck_sqrt(v1 * j));
-    if (!(p > 0.0)) return 0.0;
-    return (v + j * t * t / 3.0) * t + 0.5 * v1 * (v1 / p + p / j);
-}
-
-// Where a hold can rest, by the least acceleration and jerk on its way.
-static double hold_reach(const nck_jerk_t *self, const nck_pieces_t *pieces) {
-    const nck_profile_t *const p = &self->profile;
-    uint32_t number = self->next.piece;
-    double a = self->machine->path.a_max;
-    double j = self->machine->path.j_max;
-    double seen = nck_window_piece(pieces, number)->s - self->next.s;
-    double reach = 0.0;
-    for (uint32_t n = 0; n < NCK_JERK_PIECES; n++) {
-        const nck_node_t *const piece = nck_window_piece(pieces, number);
-        if (!piece || !(piece->length > 0.0)) break;
-        a = nck_min(a, self->work.over ? piece->a_over : piece->a);
-        j = nck_min(j, (self->work.over ? piece->j_over : piece->j) * self->j_scale);
-        reach = brake_length(p->v, p->a, a, j) + p->v * self->q_cap;
-        seen += piece->length;
-        if (seen >= reach) break;
-        number++;
-    }
-    return reach;
+// The ladder of now up to where the path is to rest; it was made for other speeds, so it is divided
+// anew.
+static void begin_hold(nck_jerk_t *self, double reach) {
+    self->work.reach = reach;
+    self->work.piece = self->next.piece;
+    self->work.coarse = 1;
+    enter(self, PHASE_LOAD);
 }
 
 // Cells of the plan of now that are final.
@@ -199,9 +176,7 @@ static void replan(nck_jerk_t *self, const nck_pieces_t *pieces) {
                                                               : (uint32_t)NCK_HELD_OVERRIDE;
     if (!held) return;
     self->next.held = held;
-    self->work.reach = hold_reach(self, pieces);
-    self->work.coarse = 0;
-    enter(self, PHASE_LOAD);
+    enter(self, PHASE_REACH);
 }
 
 // The tick has run into the tail: the path comes to rest where the plan of now does.
@@ -227,9 +202,7 @@ static void give_way(nck_jerk_t *self, const nck_pieces_t *pieces) {
     if (reach > 0.0) {
         begin_moving(self, pieces, first);
         self->next.held = held;
-        self->work.reach = REACH_GROWTH * reach;
-        self->work.coarse = 0;
-        enter(self, PHASE_LOAD);
+        begin_hold(self, REACH_GROWTH * reach);
         return;
     }
     if (self->wish.single_block && self->next.complete && passed < NCK_JERK_PIECES) {
@@ -249,7 +222,8 @@ static void give_way(nck_jerk_t *self, const nck_pieces_t *pieces) {
 
 static void finish_load(nck_jerk_t *self) {
     if (self->work.from_built) {
-        const int all = !nck_link_built_cell(self->link, self->work.i);
+        const int all = self->work.reach > 0.0 ? self->work.length >= self->work.reach
+                                               : !nck_link_built_cell(self->link, self->work.i);
         if (!all) {
             self->next.complete = 0;
             self->next.end_piece = self->work.piece;
@@ -287,7 +261,8 @@ static void finish_brake(nck_jerk_t *self) {
 }
 
 static void finish_plan(nck_jerk_t *self, const nck_pieces_t *pieces) {
-    if (!self->work.coarse && !nck_profile_joins(&self->profile)) {
+    const int checks = !self->work.coarse || self->work.reach > 0.0;
+    if (checks && !nck_profile_joins(&self->profile)) {
         give_way(self, pieces);
         return;
     }
@@ -344,6 +319,11 @@ static nck_status_t work(nck_jerk_t *self, const nck_pieces_t *pieces) {
     nck_status_t status = NCK_OK;
     switch (self->work.phase) {
     case PHASE_IDLE: return begin_next(self, pieces);
+    case PHASE_REACH:
+        status = nck_window_reach(self, pieces);
+        if (status == NCK_EMPTY) keep_plan(self, self->next.held);
+        if (status == NCK_DONE) begin_hold(self, self->work.reach);
+        return NCK_OK;
     case PHASE_LOAD:
         if (nck_window_load(self, pieces) == NCK_DONE) finish_load(self);
         return NCK_OK;

@@ -19,7 +19,7 @@ enum { PARTS_MOST = 256, SPAN_MOST = 200 };
 // A part of a piece shorter than this share of a cell is rounding.
 #define LENGTH_EPSILON 1e-9
 // The brake curve keeps off the limits by so much, so that the plan above it finds room.
-#define BRAKE_SHARE 0.9
+#define BRAKE_SHARE 0.97
 
 const nck_node_t *nck_window_piece(const nck_pieces_t *pieces, uint32_t number) {
     if (number - pieces->head >= pieces->fill) return (const nck_node_t *)0;
@@ -90,7 +90,7 @@ static int load_cell(nck_jerk_t *self, const nck_pieces_t *pieces, const nck_cel
         const double v = cell->v + cell->a * cell->duration * (double)(k - 1) / (double)parts;
         double h = end - begin;
         const double room = self->work.reach - self->work.length;
-        const int rests = self->work.reach > 0.0 && room <= h;
+        const int rests = self->work.reach > 0.0 && room <= h * (1.0 + LENGTH_EPSILON);
         if (rests) h = room;
         push(self, piece, s, h, v * v);
         walk(pieces, &piece, &s, h);
@@ -311,6 +311,47 @@ nck_status_t nck_window_brake(nck_jerk_t *self) {
         const double floor = nck_min(vv, self->w[i + 1]);
         self->w_cap[i + 1] = nck_max(self->w_cap[i + 1], floor);
         state->v_last = nck_sqrt(vv);
+        self->work.i++;
+    }
+    return NCK_OK;
+}
+
+// ---- reach
+
+// Under full deceleration from here on the speed would be gone: by then the acceleration must be
+// back at zero, over  |a|³/(6J²)  of path from the speed  a²/(2J).
+static int rests_within(const nck_profile_t *state, double j) {
+    const double a = state->a_last;
+    return a < 0.0 && state->v_last * state->v_last * 4.0 * j * j <= a * a * a * a;
+}
+
+// One cell of the plan of now under the brake. Returns 1 when the rest is found.
+static int reach_cell(nck_jerk_t *self, const nck_pieces_t *pieces, const nck_cell_t *cell) {
+    nck_profile_t *const state = &self->profile;
+    self->work.piece = nck_window_find(pieces, self->work.piece, cell);
+    const nck_node_t *const piece = nck_window_piece(pieces, self->work.piece);
+    const double a_max = self->work.over ? piece->a_over : piece->a;
+    const double j = BRAKE_SHARE * self->j_scale * (self->work.over ? piece->j_over : piece->j);
+    const double vv = brake_cell(state, cell->length, a_max, j, self->q_cap);
+    state->v_last = nck_sqrt(vv);
+    self->work.reach += cell->length;
+    if (!rests_within(state, j)) return 0;
+    const double ramp = -state->a_last / j;
+    self->work.reach += ramp * state->v_last / 3.0 + self->q_cap * self->profile.v;
+    return 1;
+}
+
+nck_status_t nck_window_reach(nck_jerk_t *self, const nck_pieces_t *pieces) {
+    if (self->work.i == 0) {
+        nck_profile_t *const state = &self->profile;
+        state->v_last = state->v;
+        state->a_last = state->a;
+        state->share = 0.5 * nck_min(state->q, self->q_cap);
+    }
+    for (int n = 0; n < NCK_JERK_STEP; n++) {
+        const nck_cell_t *const cell = source(self, self->work.i);
+        if (!cell) return NCK_EMPTY;
+        if (reach_cell(self, pieces, cell)) return NCK_DONE;
         self->work.i++;
     }
     return NCK_OK;
