@@ -17,6 +17,7 @@
 #define AIM_KEY 0.96
 #define AIM_END 0.98
 #define GROWTH 1.25      // from one spacing to the next, where the path is not straight
+#define NEIGHBOUR 0.7    // of a spacing: where to begin to look for the next one
 #define KEY_LEAST 0.5    // a corner is a key if the spacing that it allows alone is right within …
 #define KEY_MOST 1.5     // … these shares
 enum {
@@ -53,7 +54,8 @@ static double deviation(nck_smooth_t *self, double s, double h) {
 }
 
 // The largest spacing at s, from a good one on, before the deviation first exceeds the aim.
-// NCK_EMPTY if that depends on what is not known yet.
+// NCK_EMPTY if that depends on what is not known yet; NCK_FULL if it does and the ring is full: then
+// what is known must do for now.
 static nck_status_t grow(nck_smooth_t *self, double s, double aim, double *spacing) {
     const double known = self->run.closed ? s + self->spacing_max : nck_raw_known(self);
     double good = *spacing;
@@ -61,8 +63,8 @@ static nck_status_t grow(nck_smooth_t *self, double s, double aim, double *spaci
     for (int n = 0; n < GROWTH_STEPS && bad == good && good < self->spacing_max; n++) {
         const double next = nck_min(good * GROWTH, self->spacing_max);
         if (s + next > known) {
-            if (!is_full(self)) return NCK_EMPTY;
-            break;
+            *spacing = good;
+            return is_full(self) ? NCK_FULL : NCK_EMPTY;
         }
         if (deviation(self, s, next) <= aim) {
             good = next;
@@ -80,23 +82,64 @@ static nck_status_t grow(nck_smooth_t *self, double s, double aim, double *spaci
     return NCK_OK;
 }
 
-// Find the spacing that the end of a block allows, once; next is the block behind it.
-static nck_status_t know_spacing(nck_smooth_t *self, nck_raw_t *raw, const nck_raw_t *next) {
-    if (raw->spacing > 0.0) return NCK_OK;
+// Neighbours on a dense path are much alike: begin to grow not far below the one before.
+static double begin_growing(nck_smooth_t *self, uint32_t count, double aim, double spacing) {
+    if (count == self->raw.tail) return spacing;
+    const nck_raw_t *const raw = nck_raw_at(self, count);
+    const double s = raw->s + raw->seg.length;
+    const double likely = NEIGHBOUR * nck_raw_at(self, count - 1)->spacing;
+    if (likely <= spacing || s + likely > nck_raw_known(self)) return spacing;
+    return deviation(self, s, likely) <= aim ? likely : spacing;
+}
+
+// The spacing that a corner between two blocks allows if it is alone.
+static double lone_spacing(const nck_smooth_t *self, const nck_raw_t *raw, const nck_raw_t *next) {
     const double aim = AIM * nck_min(raw->tolerance, next->tolerance);
     const double turn = nck_raw_turn(&raw->seg, &next->seg);
+    if (!(turn > 0.0)) return self->spacing_max;
+    return nck_min(self->spacing_max, nck_spline_vertex_spacing(aim, turn));
+}
+
+// How much of the blocks on either side a lone corner may use: half where another one follows.
+static nck_status_t room_beside(nck_smooth_t *self, uint32_t count, double *room_out) {
+    const nck_raw_t *const raw = nck_raw_at(self, count);
+    const uint32_t after = nck_raw_next(self, count);
+    const nck_raw_t *const next = nck_raw_at(self, after);
+    const uint32_t third = nck_raw_next(self, after);
+    double behind = raw->seg.length;
+    double before = next->seg.length;
+    if (third == self->run.end && !self->run.closed && !is_full(self)) return NCK_EMPTY;
+    if (count != self->raw.tail && nck_raw_at(self, count - 1)->key) behind *= 0.5;
+    if (third != self->run.end && lone_spacing(self, next, nck_raw_at(self, third)) < before) {
+        before *= 0.5;
+    }
+    *room_out = nck_min(behind, before);
+    return NCK_OK;
+}
+
+// Find the spacing that the end of a block allows, once.
+static nck_status_t know_spacing(nck_smooth_t *self, uint32_t count) {
+    nck_raw_t *const raw = nck_raw_at(self, count);
+    const nck_raw_t *const next = nck_raw_at(self, nck_raw_next(self, count));
+    if (raw->spacing > 0.0 && !raw->partial) return NCK_OK;
+    const double aim = AIM * nck_min(raw->tolerance, next->tolerance);
+    const double alone = lone_spacing(self, raw, next);
     const double nearest = nck_min(nck_min(raw->seg.length, next->seg.length),
                                    nck_min(raw->inside, next->inside));
-    double alone = self->spacing_max;
-    if (turn > 0.0) alone = nck_min(alone, nck_spline_vertex_spacing(aim, turn));
-    double spacing = nck_min(alone, nearest);
-    if (spacing < alone || raw->seg.kind != NCK_SEG_LINE || next->seg.kind != NCK_SEG_LINE) {
-        const nck_status_t status = grow(self, raw->s + raw->seg.length, aim, &spacing);
-        if (status != NCK_OK) return status;
-    }
-    raw->key = spacing >= KEY_LEAST * alone && spacing <= KEY_MOST * alone
-               && alone < self->spacing_max;
-    if (spacing == alone && raw->key) spacing = nck_min(spacing * (AIM_KEY / AIM), nearest);
+    const int lines = raw->seg.kind == NCK_SEG_LINE && next->seg.kind == NCK_SEG_LINE;
+    double spacing = raw->partial ? raw->spacing : nck_min(alone, nearest);
+    double room = nearest;
+    const int lone = lines && spacing == alone && alone < self->spacing_max;
+    if (!lone) spacing = begin_growing(self, count, aim, spacing);
+    const nck_status_t status =
+        lone ? room_beside(self, count, &room)
+             : grow(self, raw->s + raw->seg.length, aim, &spacing);
+    if (status == NCK_EMPTY) return status;
+    raw->partial = status == NCK_FULL;
+    if (lone) spacing = nck_min(spacing * (AIM_KEY / AIM), nearest);
+    if (lone && spacing < nearest) spacing = nck_min(spacing, room);
+    raw->key = lone || (spacing >= KEY_LEAST * alone && spacing <= KEY_MOST * alone
+                        && alone < self->spacing_max);
     raw->spacing = spacing;
     return NCK_OK;
 }
@@ -126,25 +169,26 @@ static double largest_step(nck_smooth_t *self, const nck_raw_t *raw) {
 static nck_status_t look_ahead(nck_smooth_t *self, way_t *way) {
     const double here = self->run.t[4];
     uint32_t count = nck_raw_find(self, here);
+    uint32_t next = count;
     way->step = largest_step(self, nck_raw_at(self, count));
     way->goal = here + 4.0 * self->spacing_max;
     way->half = 0.0;
     way->is_key = 0;
     way->straight = 0;
-    for (;;) {
-        nck_raw_t *const raw = nck_raw_at(self, count);
+    for (;; count = next) {
+        const nck_raw_t *const raw = nck_raw_at(self, count);
         const double far = nck_max(0.0, raw->s - here);
         if (far > 2.0 * way->step) return NCK_OK;
         way->step = nck_min(way->step, raw->inside + 0.5 * far);
         const double end = raw->s + raw->seg.length;
-        count = nck_raw_next(self, count);
-        if (count == self->run.end) return look_at_end(self, end, way);
+        next = nck_raw_next(self, count);
+        if (next == self->run.end) return look_at_end(self, end, way);
         if (!(end > here)) continue;
-        if (nck_raw_at(self, count - 1)->has_output) {
+        if (nck_raw_at(self, next - 1)->has_output) {
             way->goal = end;
             return NCK_OK;
         }
-        const nck_status_t status = know_spacing(self, raw, nck_raw_at(self, count));
+        const nck_status_t status = know_spacing(self, count);
         if (status != NCK_OK) return status;
         if (raw->key) {
             way->goal = end;

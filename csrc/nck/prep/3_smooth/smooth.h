@@ -21,7 +21,8 @@ typedef struct nck_raw {
     uint8_t smooth;      // 1: part of a run
     uint8_t key;         // 1: its end is a corner that wants a knot of its own
     uint8_t ends;        // 1: end of the program
-    uint8_t reserved[3]; // 0
+    uint8_t partial;     // 1: spacing is what the full ring lets us see; perhaps there is more
+    uint8_t reserved[2]; // 0
 } nck_raw_t;
 
 // What the room gives: a seg, or an output between segs.
