@@ -58,6 +58,7 @@ static uint32_t next_parity(const nck_link_t *self) { return 1u - parity_of(self
 
 void nck_link_tail_begin(nck_link_t *self) {
     self->tail_fill = 0;
+    self->tail_entered = nck_fence_load(&self->word) & ENTERED;
     self->tail_origin[next_parity(self)] = (end_of(self->base) + self->batch) & END_MASK;
 }
 
@@ -106,15 +107,14 @@ nck_status_t nck_link_install(nck_link_t *self, double lead, uint32_t most) {
     (void)nck_link_batch_begin(self);
     const uint32_t parity = next_parity(self);
     const uint32_t end = end_of(self->base);
-    if ((self->base & ENTERED) && nck_fence_load(&self->tail_rested) != end + 1) {
-        self->tail_fill = fill;
-        return NCK_FULL;
-    }
+    self->tail_fill = fill;
+    // A plan made before the tick entered the tail begins where the path no longer passes.
+    if ((self->base & ENTERED) != self->tail_entered) return NCK_E_STATE;
+    if (self->tail_entered && nck_fence_load(&self->tail_rested) != end + 1) return NCK_FULL;
     self->tail_count[parity] = fill;
     self->tail_origin[parity] = end;
     const double before = lead_of(self);
     copy_ahead(self, parity, 0, nck_max(lead, before + self->tail[parity][0].duration), most);
-    self->tail_fill = fill;
     if (self->batch == 0) return NCK_FULL;
     const uint32_t word = ((end + self->batch) & END_MASK) << END_SHIFT
                           | (self->batch < fill ? HAS_TAIL : 0u) | parity * PARITY;
@@ -171,6 +171,8 @@ const nck_cell_t *nck_link_tail_end(const nck_link_t *self, uint32_t *count_out)
 
 static nck_status_t take_from_tail(nck_link_t *self, uint32_t word, nck_cell_t *cell_out) {
     const uint32_t parity = parity_of(word);
+    // At rest: prep may be writing both tails.
+    if (self->tail_rested == end_of(word) + 1) return NCK_EMPTY;
     if (self->tail_taken >= self->tail_count[parity]) return NCK_EMPTY;
     *cell_out = self->tail[parity][self->tail_taken];
     self->tail_taken++;

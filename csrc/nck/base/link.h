@@ -32,6 +32,7 @@ typedef struct nck_link {
     uint32_t base;        // the word that the batch builds on; prep alone
     uint32_t batch;       // cells behind the end, not yet final; prep alone
     uint32_t tail_fill;   // cells in the tail being built; prep alone
+    uint32_t tail_entered; // whether the tick was in the old tail then; prep alone
     uint32_t lead_seen;   // cells whose time has left lead_s; prep alone
     double lead_s;        // duration of the final cells from lead_seen on; prep alone
 
