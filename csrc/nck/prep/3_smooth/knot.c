@@ -202,11 +202,13 @@ static nck_status_t look_ahead(nck_smooth_t *self, way_t *way) {
 }
 
 // From the knot of a corner on: as far as before it, so that the control point stays on the corner.
+// What is too short for both corners' spacings is shared: half for each that wants more.
 static double step_from_key(const nck_smooth_t *self, const way_t *way, double ahead) {
     const double even = self->run.t[4] - self->run.t[3];
     const double step = even > 0.0 ? nck_min(even, way->step) : way->step;
-    if (ahead <= step) return ahead;
-    return ahead < step + way->half ? nck_min(step, 0.5 * ahead) : step;
+    if (ahead >= step + way->half) return step;
+    if (ahead <= step && (ahead <= way->half || !way->is_key)) return ahead;
+    return nck_min(step, nck_max(0.5 * ahead, ahead - way->half));
 }
 
 // The step from t[4] on that is wanted.

@@ -10,7 +10,6 @@
 
 enum { PARTS = 8 };               // a knot interval is looked at in so many parts at least
 #define SLACK 1e-9                // [mm] rounding of path coordinates
-#define ROUNDING 2e-6             // [mm] kept of the tolerance: setpoints are whole nanometres
 
 nck_raw_t *nck_raw_at(nck_smooth_t *self, uint32_t count) {
     return &self->raw.at[count & (NCK_SMOOTH_SPAN - 1)];
@@ -132,8 +131,7 @@ int nck_raw_fits(nck_smooth_t *self, int first, double share) {
     while (count != self->run.end && range[1] < to) {
         const nck_raw_t *const raw = nck_raw_at(self, count);
         range[1] = nck_min(to, raw_end(raw));
-        const double allowed = share * (raw->tolerance - ROUNDING);
-        if (!block_fits(&spline, raw, range, from, allowed)) return 0;
+        if (!block_fits(&spline, raw, range, from, share * raw->tolerance)) return 0;
         range[0] = range[1];
         count = nck_raw_next(self, count);
     }

@@ -11,6 +11,7 @@
 #include "nck/prep/3_smooth/spline_math.h" // nck_spline_…
 
 #define TOLERANCE_MIN 1e-4 // [mm] a smaller one means the exact path
+#define ROUNDING 2e-6      // [mm] kept of the tolerance: setpoints are whole nanometres
 
 // The widest spacing that any speed, acceleration and jerk of the machine can ask for.
 static double widest_spacing(const nck_machine_t *machine) {
@@ -142,7 +143,7 @@ nck_status_t nck_smooth_push(nck_smooth_t *self, const nck_block_t *block, uint3
     raw->smooth = (uint8_t)is_smooth(block);
     raw->s = place_in_run(self);
     if (raw->smooth) {
-        raw->tolerance = block->tolerance_mm;
+        raw->tolerance = block->tolerance_mm - ROUNDING;
         raw->inside = nck_knot_spacing_inside(self, &raw->seg, raw->tolerance);
     }
     self->raw.head++;
