@@ -17,24 +17,25 @@ static inline nck_real nck_hull_share(nck_real h, nck_real v_sum, nck_real q_cap
     return h / v_sum;
 }
 
-// The largest speed at the end of a cell of length h, entered at v, under rule R and a ≤ a_max.
-// b is the acceleration that the rule allows apart from the cell's own share: a_before + J·q/2.
+// The largest speed at the end of a cell of length h, entered at v, under rule R and a ≤ a_max, and
+// no more than v_cap. b is the acceleration that the rule allows apart from the cell's own share:
+// a_before + J·q/2.
 //
 //     a ≤ b + J·min(q, q_cap)/2,   q = 2h/(v + v1),   v1² = v² + 2ah.
-//     With x = v + v1:   x³ − 2v·x² − 2hb·x − 2Jh² = 0   (largest root, if q ≤ q_cap there),
+//     With x = v + v1:   f(x) = x³ − 2v·x² − 2hb·x − 2Jh² ≤ 0   up to the largest root,
 //
-// by Newton from x = v + √(v² + 2·a_max·h): f is convex to the right of its largest root, so the
-// steps come down to it and never pass it. Returns −1 if the speed would come to nothing within
-// the cell.
+// found by Newton from above: f is convex to the right of its largest root, so the steps come down
+// to it and never pass it. Where f(v + v_cap) ≤ 0 the cap itself can be met.
+// Returns −1 if the speed would come to nothing within the cell.
 static inline nck_real nck_hull_rise(nck_real v, nck_real b, nck_real a_max, nck_real j, nck_real h,
-                                     nck_real q_cap) {
+                                     nck_real q_cap, nck_real v_cap) {
     const nck_real a_long = nck_min(a_max, b + 0.5 * j * q_cap);
     const nck_real vv = v * v + 2.0 * a_long * h;
     if (vv < 0.0) return -1.0;
-    const nck_real v_long = nck_sqrt(vv);
     const nck_real hb = 2.0 * h * b;
     const nck_real jhh = 2.0 * j * h * h;
-    nck_real x = v + v_long;
+    const int capped = v_cap * v_cap < vv;
+    nck_real x = v + (capped ? v_cap : nck_sqrt(vv));
     for (int n = 0; n < NCK_RISE_STEPS; n++) {
         const nck_real f = ((x - 2.0 * v) * x - hb) * x - jhh;
         const nck_real slope = (3.0 * x - 4.0 * v) * x - hb;

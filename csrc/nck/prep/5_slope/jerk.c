@@ -95,6 +95,7 @@ static nck_status_t begin_at_rest(nck_jerk_t *self, const nck_pieces_t *pieces) 
     begin(self, self->now.begin + self->now.n);
     if (piece->length > 0.0 && !(nck_window_cap(self, piece) > 0.0)) return NCK_FULL;
     self->work.coarse = 1;
+    self->work.far = UNCAPPED_S;
     self->work.base = self->now.end_piece;
     self->work.pieces = NCK_JERK_PIECES / 2;
     self->next.piece = self->now.end_piece;
@@ -124,6 +125,7 @@ static void begin_moving(nck_jerk_t *self, const nck_pieces_t *pieces, uint32_t 
     self->work.base = self->now.first_piece;
     self->work.pieces = NCK_JERK_PIECES;
     self->work.w_entry = cell->v * cell->v;
+    self->work.far = UNCAPPED_S;
     self->work.source = count;
     self->work.coarse = (uint32_t)anew;
     enter(self, anew ? PHASE_LAY : PHASE_LOAD);

@@ -84,6 +84,7 @@ typedef struct nck_jerk {
         uint32_t base;     // lay: pieces from this one on …
         uint32_t pieces;   // … so many: what room 4 can hold whatever the tick has done
         double w_entry;    // lay: about the largest v² at the piece's start
+        double far;        // lay: how near its ends the ladder is finer [mm]
         uint32_t passed;   // block ends that came too early to rest at
         uint32_t over;     // 1: limits for overrides beyond 100 %
         double w_cell;     // cap of the cell before

@@ -39,6 +39,14 @@ static inline nck_real nck_ladder_step(nck_real x, nck_real y, nck_real w0, nck_
     return step * nck_sqrt(nck_min(w, nck_min(behind, before)));
 }
 
+// The distance over which the gain reaches dw: beyond it a node's cap no longer matters.
+//        x = max(dw/2A, (dw/2.726)^(3/4)/√J)
+static inline nck_real nck_ladder_far(nck_real dw, nck_real a, nck_real j) {
+    if (!(dw > 0.0)) return 0.0;
+    const nck_real r = dw / 2.726;
+    return nck_max(dw / (2.0 * a), nck_sqrt(r * nck_sqrt(r) / j));
+}
+
 // How many cells a cell of the duration q becomes.
 static inline int nck_ladder_parts(nck_real q, nck_real step, int most) {
     if (!(q > NCK_LADDER_STRETCH * step)) return 1;

@@ -20,6 +20,8 @@ enum {
 // it by no more than this share of a_max (rounding in w over short cells).
 #define SPEED_EPSILON 1e-9
 #define JOIN_EPSILON 1e-6
+// A speed is at the envelope within this share of it: it was added to another one and taken off.
+#define CAP_EPSILON 1e-14
 
 static double jerk_at(const nck_profile_t *self, uint32_t i) {
     if (i == 0) return self->j_max[0];
@@ -148,10 +150,10 @@ static int hull(nck_profile_t *self, const double *g, const double *w_of_time, i
 }
 
 // Every node down onto the hull. On a corner the value stays to the bit.
-static void level(nck_profile_t *self, const double *g, const double *w_of_time, double *out) {
+static void level(nck_profile_t *self, const double *g, double *out) {
     const uint32_t i = self->i;
     const double value = g[i];
-    const double fall = fall_at(self, w_of_time);
+    const double fall = self->z[i] - value;
     if (i == 0) self->top = 0;
     if (self->stack[self->top] == i) {
         self->top++;
@@ -171,12 +173,13 @@ static double rise(nck_profile_t *self, double v, uint32_t cell, double j, doubl
                    double e_end) {
     const double h = self->h[cell];
     const double b = self->a_last + j * self->share;
-    double v1 = nck_hull_rise(v, b, a_max, j, h, self->q_cap);
+    const double v_cap = nck_sqrt(e_end);
+    double v1 = nck_hull_rise(v, b, a_max, j, h, self->q_cap, v_cap);
     if (v1 < 0.0) self->broken = 1;
-    double vv1 = v1 < 0.0 ? 0.0 : v1 * v1;
-    const int capped = vv1 >= e_end;
-    if (capped) vv1 = e_end;
-    v1 = nck_sqrt(vv1);
+    if (v1 < 0.0) v1 = 0.0;
+    const int capped = v1 >= v_cap * (1.0 - CAP_EPSILON);
+    const double vv1 = capped ? e_end : v1 * v1;
+    if (capped) v1 = v_cap;
     self->a_last = (vv1 - v * v) / (2.0 * h);
     self->share = nck_hull_share(h, v + v1, self->q_cap);
     if (!(vv1 > 0.0)) {
@@ -222,13 +225,13 @@ static int work(nck_profile_t *self, int fresh) {
     case RAMP_BACK: ramp_back(self); return 1;
     case RAMP_FORTH: ramp_forth(self); return 1;
     case HULL_U: return hull(self, self->w, self->w, fresh);
-    case LEVEL_U: level(self, self->w, self->w, self->e); return 1;
+    case LEVEL_U: level(self, self->w, self->e); return 1;
     case HULL_E: return hull(self, self->w, self->e, fresh);
-    case LEVEL_E: level(self, self->w, self->e, self->e); return 1;
+    case LEVEL_E: level(self, self->w, self->e); return 1;
     case RISE: rise_one(self); return 1;
     case FALL: fall_one(self); return 1;
     case HULL_W: return hull(self, self->w, self->w, fresh);
-    default: level(self, self->w, self->w, self->w); return 1;
+    default: level(self, self->w, self->w); return 1;
     }
 }
 

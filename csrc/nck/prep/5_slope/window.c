@@ -179,7 +179,10 @@ static nck_status_t lay_some(nck_jerk_t *self, const nck_pieces_t *pieces,
     if (x == 0.0) self->work.w_entry = nck_min(nck_min(w, piece->vv_node), self->work.w_entry);
     const double w0 = self->work.w_entry;
     const double w1 = rests || !next ? 0.0 : nck_min(w, exit_cap(self, pieces, next));
-    const double step = nck_ladder_step(x, left, w0, w1, w, piece->a, j, self->step_s);
+    if (x == 0.0) self->work.far = nck_ladder_far(w - nck_min(w0, w1), piece->a, j);
+    const int is_far = nck_min(x, left) > self->work.far;
+    const double step = is_far ? self->step_s * nck_sqrt(w)
+                               : nck_ladder_step(x, left, w0, w1, w, piece->a, j, self->step_s);
     const int alone = w0 == 0.0 && w1 == 0.0; // from rest to rest: several cells
     const double h = alone ? nck_min(step, 0.25 * piece->length) : step;
     if (joins_pending(self, piece, step) && x == 0.0 && !alone) {
