@@ -23,8 +23,9 @@
 enum {
     GROWTH_STEPS = 64,   // from 1 µm to beyond any spacing
     BISECT_STEPS = 3,    // the last 25 % to 3 %
-    TRIES = 10,          // spacings that are checked before a knot is doubled
-    TRIES_CAREFUL = 8    // of them with AIM_END
+    TRIES = 11,          // spacings that are checked before a knot is doubled
+    TRIES_WANTED = 5,    // of them as parts of the step wanted
+    TRIES_CAREFUL = 9    // of them with AIM_END
 };
 
 // What the way ahead of t[4] asks for.
@@ -243,9 +244,16 @@ double nck_knot_spacing_inside(const nck_smooth_t *self, const nck_seg_t *seg, d
     return nck_min(self->spacing_max, nck_spline_curve_spacing(AIM * tolerance, kappa));
 }
 
+// The n-th step to try: parts of the one wanted, then of the one before, which fitted.
+static double shorter_step(const nck_smooth_t *self, double step, int n) {
+    static const double of_wanted[TRIES_WANTED] = {1.0, 0.8, 0.6, 0.45, 0.3};
+    static const double of_last[TRIES - TRIES_WANTED] = {1.0, 0.6, 0.3, 0.1, 0.03, 0.01};
+    const double last = self->run.t[4] - self->run.t[3];
+    if (n < TRIES_WANTED) return of_wanted[n] * step;
+    return of_last[n - TRIES_WANTED] * (last > 0.0 ? nck_min(last, 0.3 * step) : 0.3 * step);
+}
+
 nck_status_t nck_knot_choose(nck_smooth_t *self) {
-    static const double factor[TRIES] = {1.0, 0.8, 0.6,  0.45, 0.3,
-                                         0.2, 0.1, 0.05, 0.02, 0.01};
     const double here = self->run.t[4];
     way_t way = {0.0, 0.0, 0.0, 0, 0};
     if (self->run.closed && here >= nck_raw_known(self)) {
@@ -257,7 +265,7 @@ nck_status_t nck_knot_choose(nck_smooth_t *self) {
     const double step = wanted_step(self, &way);
     const int reaches = here + step >= way.goal || step == way.goal - here;
     for (int n = 0; n < TRIES; n++) {
-        const double t = n == 0 && reaches ? way.goal : here + factor[n] * step;
+        const double t = n == 0 && reaches ? way.goal : here + shorter_step(self, step, n);
         if (!try_knot(self, t, n < TRIES_CAREFUL ? AIM_END : 1.0)) continue;
         self->run.on_key = n == 0 && reaches && way.is_key;
         return NCK_OK;
