@@ -4,6 +4,11 @@
 
 #include <string.h> // memset
 
+enum {
+    PERCENT = 100,
+    HELD_TICKS = 16 // at rest with nothing to prepare and nothing to wait for: it stays there
+};
+
 static void keep_output(void *user, const nck_output_t *output) {
     sim_t *const sim = user;
     if (output->kind == NCK_OUTPUT_SPINDLE_SPEED) sim->spindle_rpm = output->value;
@@ -23,12 +28,53 @@ nck_status_t sim_init(sim_t *sim, nck_t *nck, const nck_machine_t *machine, cons
     sim->text = text;
     sim->text_size = n;
     sim->prep_steps = prep_steps;
+    sim->feed_percent = sim->rapid_percent = PERCENT;
     return nck_init(nck, machine, &hooks);
 }
 
 void sim_prepare_by(sim_t *sim, nck_status_t (*prep)(void *user), void *user) {
     sim->prep = prep;
     sim->prep_user = user;
+}
+
+void sim_operate(sim_t *sim, const sim_command_t *commands, size_t count) {
+    sim->commands = commands;
+    sim->command_count = count;
+}
+
+static void override(sim_t *sim, const sim_command_t *command) {
+    const nck_status_t status = nck_set_override(sim->nck, command->value[0], command->value[1]);
+    if (status == NCK_OK) {
+        sim->feed_percent = (uint16_t)command->value[0];
+        sim->rapid_percent = (uint16_t)command->value[1];
+    } else if (sim->command_status == NCK_OK) {
+        sim->command_status = status;
+    }
+}
+
+static void set_single_block(sim_t *sim, const sim_command_t *command) {
+    const nck_status_t status = nck_set_single_block(sim->nck, command->value[0]);
+    if (sim->command_status == NCK_OK) sim->command_status = status;
+}
+
+static void obey(sim_t *sim, const sim_command_t *command) {
+    switch (command->kind) {
+    case SIM_HOLD: nck_hold(sim->nck); break;
+    case SIM_RESUME: nck_resume(sim->nck); break;
+    case SIM_OVERRIDE: override(sim, command); break;
+    case SIM_SINGLE_BLOCK: set_single_block(sim, command); break;
+    default: nck_abort(sim->nck); break;
+    }
+    sim->held_ticks = 0;
+}
+
+// What the operator does behind the last tick.
+static void operate(sim_t *sim) {
+    while (sim->command_next < sim->command_count
+           && sim->commands[sim->command_next].tick <= sim->ticks) {
+        obey(sim, &sim->commands[sim->command_next]);
+        sim->command_next++;
+    }
 }
 
 static void feed(sim_t *sim) {
@@ -51,7 +97,8 @@ static int prep(sim_t *sim) {
 }
 
 static int is_over(const sim_t *sim) {
-    return sim->prep_status == NCK_DONE && nck_is_idle(sim->nck);
+    if (sim->prep_status == NCK_DONE && nck_is_idle(sim->nck)) return 1;
+    return sim->held_ticks >= HELD_TICKS && sim->command_next == sim->command_count;
 }
 
 static void tick(sim_t *sim, sim_row_t *row) {
@@ -63,16 +110,24 @@ static void tick(sim_t *sim, sim_row_t *row) {
     row->t_s = (double)sim->ticks * sim->nck->machine.period_s;
     row->spindle_rpm = sim->spindle_rpm;
     row->queue_cells = nck_link_waiting(&sim->nck->link);
+    row->feed_percent = sim->feed_percent;
+    row->rapid_percent = sim->rapid_percent;
+    const int waits = state == NCK_TICK_DWELL || state == NCK_TICK_WAIT;
+    const int held = !waits && row->pose.v == 0.0 && sim->prep_status == NCK_FULL;
+    sim->held_ticks = held ? sim->held_ticks + 1 : 0;
 }
 
 nck_status_t sim_run(sim_t *sim, sim_row_t *rows, size_t row_max, size_t *row_count_out) {
     *row_count_out = 0;
+    if (sim->ticks == 0) operate(sim);
     while (!sim->prefilled) sim->prefilled = !prep(sim);
     while (*row_count_out < row_max && !is_over(sim)) {
         tick(sim, &rows[*row_count_out]);
         ++*row_count_out;
+        operate(sim);
         for (uint32_t n = 0; n < sim->prep_steps && prep(sim); n++) continue;
     }
     if (!is_over(sim)) return NCK_OK;
-    return sim->error < NCK_OK ? (nck_status_t)sim->error : NCK_DONE;
+    if (sim->error < NCK_OK) return (nck_status_t)sim->error;
+    return sim->command_status < NCK_OK ? (nck_status_t)sim->command_status : NCK_DONE;
 }

@@ -15,8 +15,25 @@ typedef struct sim_row {
     nck_axes_t axes;
     double spindle_rpm;    // last S word handed over
     uint32_t queue_cells;  // final cells waiting
-    uint32_t reserved;     // 0
+    uint16_t feed_percent; // override in force
+    uint16_t rapid_percent;
 } sim_row_t;
+
+// What the operator can do.
+typedef enum sim_command_kind {
+    SIM_HOLD = 0,
+    SIM_RESUME = 1,
+    SIM_OVERRIDE = 2,      // value: feed [%], rapids [%]
+    SIM_SINGLE_BLOCK = 3,  // value: 1 on, 0 off
+    SIM_ABORT = 4
+} sim_command_kind_t;
+
+typedef struct sim_command {
+    uint64_t tick;         // given behind the setpoint of this tick; 0: before the first
+    uint32_t kind;         // sim_command_kind_t
+    uint32_t value[2];     // see sim_command_kind_t, else 0
+    uint32_t reserved;     // 0
+} sim_command_t;
 
 typedef struct sim {
     nck_t *nck;
@@ -24,9 +41,14 @@ typedef struct sim {
     void *prep_user;       // handed to it; the nck unless sim_prepare_by says otherwise
     const char *text;      // the whole program, fed as fast as the kernel takes it
     size_t text_size, text_used;
+    const sim_command_t *commands; // of the operator, in the order of their ticks
+    size_t command_count, command_next;
     uint32_t prep_steps;   // prep steps between two ticks, ≥ 1; few of them starve the tick
     uint32_t prefilled;    // 1: prep has run until it had to wait, ticks have begun
     int32_t prep_status;   // last of nck_prep
+    int32_t command_status;// first that a command was refused with; NCK_OK
+    uint32_t held_ticks;   // at rest, with nothing to prepare or to wait for, so far
+    uint16_t feed_percent, rapid_percent; // override in force
     int32_t error;         // of the program: returned when all before it is executed; NCK_OK
     uint64_t ticks;        // so far
     uint64_t starved_ticks;
@@ -44,11 +66,15 @@ nck_status_t sim_init(sim_t *sim, nck_t *nck, const nck_machine_t *machine, cons
 // after sim_init. Cost: constant. Context: any.
 void sim_prepare_by(sim_t *sim, nck_status_t (*prep)(void *user), void *user);
 
-// Run until row_max rows are filled (*row_count_out) or the program is over. M0, M1, M6 are resumed
-// at the next tick. A run has the ticks that its plan counts; one at rest more if nothing but
-// outputs is left.
+// Let the operator give commands, ordered by tick; the array must outlive the run. Call it right
+// after sim_init. Cost: constant. Context: any.
+void sim_operate(sim_t *sim, const sim_command_t *commands, size_t count);
+
+// Run until row_max rows are filled (*row_count_out) or the program is over: all is executed, or
+// it rests in a hold that no command is left to end. M0, M1, M6 are resumed at the next tick. A run
+// has the ticks that its plan counts; one at rest more if nothing but outputs is left.
 // Returns NCK_OK (call again), NCK_DONE, or the program error after everything before it has been
-// executed. Cost: linear in the rows and in the text. Context: prep and tick both.
+// executed, or NCK_E_STATE at the end of a run in which a command was refused. Cost: linear in the rows and in the text. Context: prep and tick both.
 nck_status_t sim_run(sim_t *sim, sim_row_t *rows, size_t row_max, size_t *row_count_out);
 
 #endif

@@ -10,6 +10,7 @@ from importlib import metadata
 
 import numpy as np
 
+from pycnc import errors
 from pycnc._bind import check, ffi, lib, pointer
 from pycnc.records import dtype
 
@@ -17,6 +18,13 @@ _BLOCK_ROWS = 16384
 _DIAGNOSTIC_ROWS = 4096
 _PLAN_ROWS = 4 * lib.NCK_WINDOW  # the least that nck_host_plan_run takes
 _TICK_ROWS = 16384
+_COMMANDS = {  # name → (kind, how many numbers it needs, the most that each may be)
+    "hold": (lib.SIM_HOLD, 0, ()),
+    "resume": (lib.SIM_RESUME, 0, ()),
+    "override": (lib.SIM_OVERRIDE, 1, (200, 100)),
+    "single_block": (lib.SIM_SINGLE_BLOCK, 1, (1,)),
+    "abort": (lib.SIM_ABORT, 0, ()),
+}
 PREP_STEPS = 256  # prep steps between two ticks: more than any program of 1 µm moves needs
 
 
@@ -114,6 +122,34 @@ class Planner:
         return np.frombuffer(bytes(data), dtype("nck_host_totals_t"))[0]
 
 
+def _command_rows(commands):
+    """Return what the operator does as C reads it, in the order of ticks."""
+    commands = sorted(commands, key=lambda command: command[0])
+    rows = np.zeros(len(commands), dtype("sim_command_t"))
+    for row, (tick, name, *numbers) in zip(rows, commands, strict=True):
+        kind, needed, most = _command(tick, name, numbers)
+        if name == "override":
+            numbers = [*numbers, *most[len(numbers) :]]  # rapids are at 100 % unless told
+        row["tick"], row["kind"], row["value"][: len(numbers)] = tick, kind, numbers
+    return rows
+
+
+def _command(tick, name, numbers):
+    """Return an item of _COMMANDS; refuse what it does not allow."""
+    if name not in _COMMANDS:
+        names = ", ".join(_COMMANDS)
+        raise errors.ArgumentError(f"no command {name!r}; there are: {names}", id="command")
+    kind, needed, most = _COMMANDS[name]
+    good = tick >= 0 and needed <= len(numbers) <= len(most)
+    if not good or any(not 0 <= n <= limit for n, limit in zip(numbers, most, strict=False)):
+        ranges = " and ".join(f"0 … {limit}" for limit in most) or "no number"
+        told = " ".join(map(str, (tick, name, *numbers)))
+        raise errors.ArgumentError(
+            f"command {told!r}: takes a tick from 0 on, and {ranges}", id="command"
+        )
+    return kind, needed, most
+
+
 class Controller:
     """The simulated controller: prep steps and ticks interleaved in virtual time.
 
@@ -123,14 +159,20 @@ class Controller:
     machine : Machine
     prep_steps : int
         Prep steps between two ticks, 1 at least. Few of them starve the tick.
+    commands : iterable of tuple
+        What the operator does, as `pycnc.run` takes it.
     """
 
-    def __init__(self, text, machine, prep_steps=PREP_STEPS):
+    def __init__(self, text, machine, prep_steps=PREP_STEPS, commands=()):
         self._text, self._machine = text, machine
         self._nck, self._sim = ffi.new("nck_t *"), ffi.new("sim_t *")
         self._data = ffi.from_buffer("char[]", text)
         check(
             lib.sim_init(self._sim, self._nck, machine.pointer, self._data, len(text), prep_steps)
+        )
+        self._commands = _command_rows(commands)
+        lib.sim_operate(
+            self._sim, pointer("sim_command_t", self._commands), len(self._commands)
         )
 
     def pieces(self):
@@ -140,12 +182,19 @@ class Controller:
         ------
         ProgramError
             After everything before the error has been executed.
+        StateError
+            At the end, if the slope does not know a command that was given.
         """
         rows, count = np.empty(_TICK_ROWS, dtype("sim_row_t")), ffi.new("size_t *")
         status = lib.NCK_OK
         while status == lib.NCK_OK:
             status = lib.sim_run(self._sim, pointer("sim_row_t", rows), len(rows), count)
             yield rows[: count[0]], self._sim.text_used
+            if self._sim.command_status != lib.NCK_OK:
+                slope = self._machine.settings.path.slope
+                raise errors.StateError(
+                    f"the slope {slope!r} takes no override and no single block", id="command"
+                )
             check(status)
 
     @property

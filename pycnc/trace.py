@@ -64,7 +64,8 @@ class Columns:
             columns[f"joint_{k}_nm"] = rows["axes"]["joint_nm"][:, k].copy()
         columns["vel_mm_s"] = pose["v"] * pose["feed_scale"]
         columns["feed_cmd_mm_min"] = pose["feed"] * pose["feed_scale"] * 60
-        columns["override"] = np.ones(len(rows))
+        percent = np.where(pose["rapid"] == 1, rows["rapid_percent"], rows["feed_percent"])
+        columns["override"] = percent / 100
         columns["limit"] = pose["limit"].copy()
         columns["queue_cells"] = rows["queue_cells"].copy()
         columns["spindle_rpm"] = rows["spindle_rpm"].copy()
@@ -266,7 +267,7 @@ class Trace:
     """
 
     def __init__(self, program, *, prep_steps=kernel.PREP_STEPS, keep=True, output=None,
-                 plan="exact", backend="auto", progress=None):  # fmt: skip
+                 plan="exact", backend="auto", commands=(), progress=None):  # fmt: skip
         check_backend(backend, plan)
         begun = time.perf_counter()
         self.program = program.check()
@@ -274,7 +275,7 @@ class Trace:
         sink = writer(output, self._layout, self.metadata()) if output else None
         try:
             self.plan = Plan(program, plan=plan, backend=backend, keep=False)
-            self._run(prep_steps, keep, sink, progress)
+            self._run(prep_steps, commands, keep, sink, progress)
         except BaseException:
             if sink:
                 sink.discard()
@@ -283,9 +284,9 @@ class Trace:
             sink.close()
         self.summary = self._summary(time.perf_counter() - begun)
 
-    def _run(self, prep_steps, keep, sink, progress):
+    def _run(self, prep_steps, commands, keep, sink, progress):
         program, machine = self.program, self.program.machine
-        controller = self._controller(prep_steps)
+        controller = self._controller(prep_steps, commands)
         self._peaks, self._ticks = measure.Peaks(machine), measure.Ticks(machine)
         self._path_error = measure.PathError(program.moves)
         kept = []
@@ -308,10 +309,12 @@ class Trace:
             if kept
         }
 
-    def _controller(self, prep_steps):
+    def _controller(self, prep_steps, commands):
         if self.plan.grades is not None:
+            if commands:
+                raise errors.ArgumentError("a plan by grades takes no commands", id="command")
             return grades.Controller(self.plan.grades, prep_steps)
-        return kernel.Controller(self.program.text, self.program.machine, prep_steps)
+        return kernel.Controller(self.program.text, self.program.machine, prep_steps, commands)
 
     def _summary(self, run_s):
         plan = self.plan.as_dict()
@@ -395,8 +398,8 @@ class Trace:
         return f"<Trace of {self.program.file}: {time_s:.3f} s, {ticks:,} ticks>"
 
 
-def run(program, machine=None, *, slope=None, prep_steps=kernel.PREP_STEPS, backend="auto",
-        plan="exact"):  # fmt: skip
+def run(program, machine=None, *, slope=None, prep_steps=kernel.PREP_STEPS, commands=(),
+        backend="auto", plan="exact"):  # fmt: skip
     """Run a whole program in the simulated controller, tick by tick.
 
     Parameters
@@ -409,6 +412,11 @@ def run(program, machine=None, *, slope=None, prep_steps=kernel.PREP_STEPS, back
         Another velocity profile than the machine's (``path.slope``).
     prep_steps : int
         Prep steps between two ticks, 1 at least; few of them starve the tick.
+    commands : iterable of tuple
+        What the operator does: (tick, name, numbers…), behind the setpoint of that tick, 0 being
+        before the first. Names: "hold", "resume", "override" (feed 0 … 200 %, and rapids
+        0 … 100 %, which are 100 unless told), "single_block" (1 or 0), "abort". The run ends at
+        rest in a hold that no command ends.
     backend : {"auto", "c", "opencl"}
         Where it is computed; OpenCL plans by grades only.
     plan : {"exact", "grades"}
@@ -424,6 +432,10 @@ def run(program, machine=None, *, slope=None, prep_steps=kernel.PREP_STEPS, back
     ------
     ProgramError
         If the program has an error: nothing is run then.
+    ArgumentError
+        If there is no such slope, command, backend or kind of planning.
+    StateError
+        If the slope does not know a command: the linear one takes hold, resume and abort.
 
     Examples
     --------
@@ -432,4 +444,6 @@ def run(program, machine=None, *, slope=None, prep_steps=kernel.PREP_STEPS, back
     10.0
     """
     program = for_machine(program, machine, slope)
-    return Trace(program, prep_steps=prep_steps, backend=backend, plan=plan)
+    return Trace(
+        program, prep_steps=prep_steps, commands=tuple(commands), backend=backend, plan=plan
+    )

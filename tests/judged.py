@@ -30,9 +30,9 @@ def load(case):
     return Program(text, machine, file=str(case))
 
 
-def rows_of(program, prep_steps=kernel.PREP_STEPS):
+def rows_of(program, prep_steps=kernel.PREP_STEPS, commands=()):
     """Return all rows of a run in one array; for short programs."""
-    controller = kernel.Controller(program.text, program.machine, prep_steps)
+    controller = kernel.Controller(program.text, program.machine, prep_steps, commands)
     return np.concatenate([rows.copy() for rows, _ in controller.pieces()])
 
 
@@ -45,7 +45,7 @@ def digest_of(program, prep_steps=kernel.PREP_STEPS):
     return digest.hexdigest()
 
 
-def run(program, prep_steps=kernel.PREP_STEPS):
+def run(program, prep_steps=kernel.PREP_STEPS, commands=()):
     """Run a program under the checker's eyes.
 
     Raises
@@ -53,8 +53,8 @@ def run(program, prep_steps=kernel.PREP_STEPS):
     checker.PhysicsError
         At the first promise that the run breaks.
     """
-    judge = checker.Checker(program.blocks, program.machine.record)
-    controller = kernel.Controller(program.text, program.machine, prep_steps)
+    judge = checker.Checker(program.blocks, program.machine.record, commands)
+    controller = kernel.Controller(program.text, program.machine, prep_steps, commands)
     digest = hashlib.blake2b()
     for rows, _ in controller.pieces():
         judge.add(rows)
