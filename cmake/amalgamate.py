@@ -77,23 +77,23 @@ def body(name, text):
 
 def file_names(text):
     """Return the names that a source file defines and does not export."""
-    outer = re.sub(r"\{[^{}]*\}", "{}", re.sub(r"//[^\n]*", "", text))
+    text = re.sub(r"//[^\n]*|^#[^\n]*", "", text, flags=re.M)
+    outer = re.sub(r"\{[^{}]*\}", "{}", text)
     while (flat := re.sub(r"\{[^{}]*\{\}[^{}]*\}", "{}", outer)) != outer:
         outer = flat
     found = re.findall(r"^static [^;={(]*?\b(\w+)(?:\[[^\n]*\])? ?[(=;]", outer, re.M)
     found += re.findall(r"^\} (\w+);", text, re.M)
     found += re.findall(r"^typedef \w+ (\w+) \{", text, re.M)
     for enumerators in re.findall(r"^(?:typedef )?enum(?: \w+)? \{(.*?)\}", text, re.M | re.S):
-        plain = re.sub(r"//[^\n]*", "", enumerators)
-        found += re.findall(r"(\w+)\s*(?:=[^,]*)?(?:,|$)", plain)
+        found += re.findall(r"(\w+)\s*(?:=[^,]*)?(?:,|$)", enumerators)
     return set(found)
 
 
 def renamed(text, names, prefix):
-    """Put the prefix before the words in names, but for members behind a dot or an arrow."""
+    """Put the prefix before the words in names, but for members (. ->) and directives (#)."""
     out, before = [], ""
     for token in TOKEN.findall(text):
-        is_name = token in names and before not in (".", "->")
+        is_name = token in names and before not in (".", "->", "#")
         out.append(prefix + token if is_name else token)
         before = before if token.isspace() else token
     return "".join(out)
