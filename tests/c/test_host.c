@@ -160,7 +160,8 @@ static void plan_takes_as_long_as_its_run(check_t *check)
     CHECK_INT(check, run_plan(0), NCK_DONE);
     CHECK_INT(check, watched_run(check, 1000, NCK_DONE), plan.totals.ticks);
     CHECK_INT(check, sim.starved_ticks, 0);
-    CHECK(check, rows[0].reserved == 0 && sim.spindle_rpm == 500.0);
+    CHECK(check, rows[0].feed_percent == 100 && rows[0].rapid_percent == 100);
+    CHECK(check, sim.spindle_rpm == 500.0);
 }
 
 static void starved_run_comes_to_its_end_within_the_limits(check_t *check)
