@@ -19,7 +19,7 @@
 #define NCK_TOOL_MAX 32
 #endif
 
-// Nodes of the look-ahead window (three a seg at most). Power of two, 64..65536.
+// Nodes of the look-ahead window (three a seg at most). Power of two, 32..65536.
 // Too short for the braking distance costs time, never safety; it is reported as limit "lookahead".
 #ifndef NCK_WINDOW
 #define NCK_WINDOW 256
@@ -76,8 +76,8 @@
 #if NCK_FILTER_TAPS < 1 || NCK_FILTER_TAPS > 16
 #error "NCK_FILTER_TAPS must be 1..16"
 #endif
-#if (NCK_WINDOW & (NCK_WINDOW - 1)) || NCK_WINDOW < 64
-#error "NCK_WINDOW must be a power of two, 64 at least"
+#if (NCK_WINDOW & (NCK_WINDOW - 1)) || NCK_WINDOW < 32
+#error "NCK_WINDOW must be a power of two, 32 at least"
 #endif
 #if (NCK_PROFILE & (NCK_PROFILE - 1)) || NCK_PROFILE < 32 || NCK_PROFILE > 65536
 #error "NCK_PROFILE must be a power of two, 32..65536"
