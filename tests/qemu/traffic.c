@@ -157,8 +157,8 @@ static nck_status_t install_plan(nck_link_t *link, traffic_prep_t *prep, uint32_
     return NCK_OK;
 }
 
-// The jerk-limited slope's way: a whole plan to rest, made final from its beginning on; the next one
-// goes on from a place within it.
+// The jerk-limited slope's way: a whole plan to rest, made final from its beginning on; the next
+// one goes on from a place within it.
 static void prepare_plan(nck_link_t *link, traffic_prep_t *prep) {
     if (follow(link, prep)) {
         prep->rest = next_place(link, prep, 1);
@@ -207,7 +207,8 @@ static void take_cell(nck_link_t *link, traffic_tick_t *tick) {
         return;
     }
     const uint32_t is_tail = from_tail ? 1u : 0u;
-    blame(&tick->fault, cell.limit <= is_tail || tick->way == TRAFFIC_PLANS, "a tail is told from what is final");
+    blame(&tick->fault, cell.limit <= is_tail || tick->way == TRAFFIC_PLANS,
+          "a tail is told from what is final");
     blame(&tick->fault, is_tail || !tick->braking || tick->rested, "a tail is left at rest only");
     tick->tails += is_tail && (!tick->braking || tick->rested);
     tick->braking = is_tail;
