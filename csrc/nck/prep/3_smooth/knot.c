@@ -236,10 +236,9 @@ static int try_knot(nck_smooth_t *self, double t, double share) {
 }
 
 double nck_knot_spacing_inside(const nck_smooth_t *self, const nck_seg_t *seg, double tolerance) {
-    const double zero[NCK_AXIS_MAX] = {0.0};
     double second[NCK_AXIS_MAX];
     nck_path_second(seg, 0.0, second);
-    const double kappa = nck_spline_distance(second, zero);
+    const double kappa = nck_spline_norm(second);
     if (!(kappa > 0.0)) return self->spacing_max;
     return nck_min(self->spacing_max, nck_spline_curve_spacing(AIM * tolerance, kappa));
 }

@@ -6,7 +6,7 @@
 
 #include "nck/base/path_math.h"            // nck_path_point nck_path_tangent nck_path_second
 #include "nck/base/real.h"                 // nck_sqrt nck_min nck_max
-#include "nck/prep/3_smooth/spline_math.h" // nck_spline_bernstein nck_spline_distance
+#include "nck/prep/3_smooth/spline_math.h" // nck_spline_…
 
 enum { PARTS = 8 };               // a knot interval is looked at in so many parts at least
 #define SLACK 1e-9                // [mm] rounding of path coordinates
@@ -87,12 +87,11 @@ void nck_raw_spline(nck_smooth_t *self, int first, nck_seg_t *seg_out) {
 
 // |p″| over a seg: of a spline the larger end's, for it is linear in between.
 static double largest_second(const nck_seg_t *seg) {
-    const double zero[NCK_AXIS_MAX] = {0.0};
     double start[NCK_AXIS_MAX];
     double end[NCK_AXIS_MAX];
     nck_path_second(seg, 0.0, start);
     nck_path_second(seg, seg->length, end);
-    return nck_max(nck_spline_distance(start, zero), nck_spline_distance(end, zero));
+    return nck_max(nck_spline_norm(start), nck_spline_norm(end));
 }
 
 // |spline − programmed path| at s of the spline's run; the spline begins at s_begin there.
