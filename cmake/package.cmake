@@ -23,6 +23,7 @@ endforeach()
 file(CONFIGURE OUTPUT "${nck_limits}" CONTENT "${text}" @ONLY)
 
 set(nck_cmake_folder "${CMAKE_INSTALL_LIBDIR}/cmake/nck")
+target_include_directories(nck INTERFACE $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
 install(TARGETS nck EXPORT nck ARCHIVE COMPONENT nck)
 install(EXPORT nck NAMESPACE nck:: FILE nckTargets.cmake DESTINATION "${nck_cmake_folder}"
         COMPONENT nck)
@@ -32,6 +33,9 @@ install(FILES "${nck_limits}" DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/nck/base"
 install(FILES LICENSE DESTINATION "${CMAKE_INSTALL_DOCDIR}" COMPONENT nck)
 
 if(TARGET nck_host)
+    set_target_properties(nck_host PROPERTIES EXPORT_NAME host)
+    target_include_directories(nck_host INTERFACE
+        $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/nck_host>)
     install(TARGETS nck_host EXPORT nck_host ARCHIVE COMPONENT host)
     install(EXPORT nck_host NAMESPACE nck:: FILE nckHostTargets.cmake
             DESTINATION "${nck_cmake_folder}" COMPONENT host)
