@@ -159,11 +159,12 @@ def kernel_size(nm, binary):
 def test_an_installation_for_a_microcontroller_keeps_its_capacities(tool, tmp_path):
     compiler, nm = tool("arm-none-eabi-gcc"), tool("arm-none-eabi-nm")
     board = [f"--toolchain={ROOT / 'firmware_sim/board/arm-none-eabi.cmake'}", "-DNCK_CORE=m4f"]
-    done = configure(ROOT, tmp_path / "cross", *board, "-DNCK_CAPACITIES=SMALL")
+    folders = ["-DCMAKE_INSTALL_LIBDIR=lib/m4f", "-DCMAKE_INSTALL_INCLUDEDIR=include/m4f"]
+    done = configure(ROOT, tmp_path / "cross", *board, *folders, "-DNCK_CAPACITIES=SMALL")
     assert done.returncode == 0, done.stdout + done.stderr
     call(CMAKE, "--build", tmp_path / "cross")
     call(CMAKE, "--install", tmp_path / "cross", "--prefix", tmp_path / "small")
-    done = stranger(tmp_path, f"-DCMAKE_PREFIX_PATH={tmp_path / 'small'}", *board)
+    done = stranger(tmp_path, f"-Dnck_DIR={tmp_path / 'small/lib/m4f/cmake/nck'}", *board)
     assert done.returncode == 0, done.stdout + done.stderr
     call(CMAKE, "--build", tmp_path / "build")
     text = (ROOT / "cmake" / "capacities.cmake").read_text()
@@ -208,6 +209,14 @@ def test_the_pair_gives_the_same_setpoints(pair, setpoints, expected, tool, tmp_
     command = [tool(compiler), *STRICT, "-O2", f"-I{tmp_path}", PACKAGE / "run.c", folder / "nck.c"]
     call(*command, "-lm", "-o", tmp_path / "run")
     assert setpoints(tmp_path / "run") == expected
+
+
+def test_the_headers_can_be_read_from_cpp(pair, tool, tmp_path):
+    source = tmp_path / "firmware.cpp"
+    source.write_text('extern "C" {\n#include "nck/nck.h"\n}\nnck_t nck;\n')
+    for include in (ROOT / "csrc", pair.parent):
+        options = [*CORES["m7"], "-std=c++11", "-Wall", "-Wextra", "-Werror", f"-I{include}"]
+        call(tool("arm-none-eabi-g++"), *options, "-fsyntax-only", source)
 
 
 @pytest.mark.parametrize("core", CORES)
