@@ -16,7 +16,7 @@ from pycnc.records import dtype
 ROOT = Path(__file__).resolve().parents[1]
 BOARDS = {"m4f": "mps2-an386", "m7": "mps2-an500"}
 SPANS = ("prep", "tick")
-LIMIT_S = 120  # an interrupt that takes longer than its period never lets go
+LIMIT_S = 60  # an interrupt that takes longer than its period never lets go
 
 
 @dataclass(frozen=True)
@@ -41,9 +41,11 @@ class TargetError(Exception):
 
 
 def _run(command, **options):
-    done = subprocess.run(
-        [str(word) for word in command], capture_output=True, text=True, **options
-    )
+    words = [str(word) for word in command]
+    try:
+        done = subprocess.run(words, capture_output=True, text=True, **options)
+    except subprocess.TimeoutExpired as cause:
+        raise TargetError(f"{command[0]}: no end within {cause.timeout} s") from None
     if done.returncode != 0:
         raise TargetError(f"{command[0]}: status {done.returncode}\n{done.stdout}{done.stderr}")
     return done.stdout
@@ -139,10 +141,7 @@ def emulate(core, image, *arguments, counts=None, folder=None, shift=3):
         ]
         plugin = build("host") / "count.so"
         command += ["-plugin", ",".join([str(plugin), f"out={counts}", *spans])]
-    try:
-        return _run(command, timeout=LIMIT_S, cwd=folder)
-    except subprocess.TimeoutExpired:
-        raise TargetError(f"{image.name} did not end within {LIMIT_S} s") from None
+    return _run(command, timeout=LIMIT_S, cwd=folder)
 
 
 def run_setpoints(core, set_name, case, machine, folder, count=False):

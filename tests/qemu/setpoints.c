@@ -5,7 +5,8 @@
 //     setpoints MACHINE PROGRAM SUMMARY [ROWS]
 //
 // MACHINE is an nck_machine_t as it stands in memory, SUMMARY becomes the numbers of `summary_t`,
-// ROWS every tick's setpoints. Exit status: 0, or 1 if an argument or a file is wrong.
+// ROWS every tick's setpoints. Exit status: 0; 1 if an argument or a file is wrong; 2 if the program
+// has not ended after a million ticks.
 #include <string.h> // memcpy
 
 #include "board/board.h" // files, arguments
@@ -15,6 +16,7 @@
 enum {
     NAME_MAX = 200,
     TEXT_MAX = 1024, // bytes of program in memory
+    TICK_MAX = 1000000,
     PREP_STEPS = 256 // between two ticks, as pycnc.run has it
 };
 
@@ -89,12 +91,15 @@ static void tick(controller_t *self) {
     if (self->rows >= 0) (void)board_write(self->rows, &axes, sizeof axes);
 }
 
-static void run(controller_t *self) {
+// Returns 1 when the program has ended.
+static int run(controller_t *self) {
     while (prep(self)) continue;
     while (self->prep_status != NCK_DONE || !nck_is_idle(&nck)) {
+        if (self->summary.ticks == TICK_MAX) return 0;
         tick(self);
         for (int n = 0; n < PREP_STEPS && prep(self); n++) continue;
     }
+    return 1;
 }
 
 static int open_argument(int k, board_mode_t mode) {
@@ -119,7 +124,7 @@ int main(void) {
     controller.summary.hash = 0xcbf29ce484222325u;
     controller.summary.kernel_bytes = sizeof nck;
     board_stack_paint();
-    run(&controller);
+    if (!run(&controller)) return 2;
     controller.summary.stack_bytes = board_stack_used();
     const size_t size = sizeof controller.summary;
     return board_write(file, &controller.summary, size) == size ? 0 : 1;
