@@ -2,8 +2,8 @@
 """The firmware on µC/OS-II, µC/OS-III and FreeRTOS, built against a checkout of each.
 
 Their sources are not here. tests/package/kernels has their published prototypes in their published
-folders; a test makes a checkout of it by giving every prototype a body. For µC/OS-II the bodies can
-also be calls of our own kernel under other names: an imitation that runs.
+folders; a test makes a checkout of it by giving every prototype a body. The bodies can also be calls
+of our own kernel under other names: an imitation that runs.
 """
 
 import re
@@ -38,50 +38,95 @@ BODIES = {
 }
 
 
-# What µC/OS-II's functions do in the imitation, in calls of own_os_…; parameters as published.
-OWN_HEAD = """
+# What the functions of a kernel do in its imitation, in calls of own_os_…; parameters as published.
+OWN_QUEUES = """
 #include <own/own_kernel.h>
-static own_os_queue_t queues[OS_MAX_QS];
-static INT16U queue_count;
-static OS_TCB next_task;
-static void tick(void *user) { (void)user; App_TimeTickHook(); }
-static INT8U result(own_os_status_t status) { return status == OS_OK ? 0u : 1u; }
+static own_os_queue_t queues[8];
+static uint32_t queue_count;
+static uint32_t wait_of(uint32_t timeout) { return timeout == 0u ? OS_FOREVER : timeout; }
+"""
+OWN_SWITCH = """
+static void tick(void *user) {{ (void)user; {tick}(); }}
+static const own_os_hooks_t hooks = {{tick, NULL, NULL}};
+static {task} next_task;
 void *imitation_switch(void *context, const void *stack);
-void *imitation_switch(void *context, const void *stack) {
+void *imitation_switch(void *context, const void *stack) {{
     void *const next = own_os_switch(context, stack);
     if (!own_os_kernel.running) return next;
-    next_task.OSTCBPrio = (INT8U)own_os_kernel.running->name;
-    OSTCBHighRdy = &next_task;
-    App_TaskSwHook();
+    {switch};
     return next;
-}
+}}
 """
-OWN_BODIES = {
-    "OSInit": "const own_os_hooks_t hooks = {tick, NULL, NULL}; own_os_init(&hooks);",
+SYSTICK = "*(volatile uint32_t *)0xe000e014u = cnts - 1u; *(volatile uint32_t *)0xe000e018u = 0u;"
+OWN_UCOS2 = {
+    "": OWN_SWITCH.format(
+        tick="App_TimeTickHook",
+        task="OS_TCB",
+        switch="next_task.OSTCBPrio = (INT8U)own_os_kernel.running->name;"
+        " OSTCBHighRdy = &next_task; App_TaskSwHook()",
+    ),
+    "OSInit": "own_os_init(&hooks);",
     "OSStart": "(void)own_os_start(1u << 24);",
-    "OSTaskCreateExt": (
-        '(void)ptos, (void)id, (void)pext, (void)opt; return result(own_os_task_create('
-        'prio, "task", task, p_arg, (own_os_stack_t *)pbos, stk_size / 2u));'
-    ),
+    "OSTaskCreateExt": "(void)ptos, (void)id, (void)pext, (void)opt;"
+    ' return (INT8U)(own_os_task_create(prio, "task", task, p_arg, (void *)pbos, stk_size / 2u)'
+    " != OS_OK);",
     "OSTimeDly": "(void)own_os_delay(ticks);",
-    "OSQCreate": (
-        "own_os_queue_t *const queue = &queues[queue_count++];"
-        " return own_os_queue_create(queue, start, size) == OS_OK ? (OS_EVENT *)queue : NULL;"
+    "OSQCreate": "own_os_queue_t *const queue = &queues[queue_count++];"
+    " return own_os_queue_create(queue, start, size) == OS_OK ? (void *)queue : NULL;",
+    "OSQAccept": "void *message = NULL;"
+    " *perr = own_os_queue_pend((void *)pevent, 0u, &message) != OS_OK; return message;",
+    "OSQPend": "void *message = NULL; *perr ="
+    " own_os_queue_pend((void *)pevent, wait_of(timeout), &message) != OS_OK; return message;",
+    "OSQPost": "return own_os_queue_post((void *)pevent, pmsg) != OS_OK;",
+    "OS_CPU_SysTickInit": SYSTICK,
+}
+OWN_UCOS3 = {
+    "": OWN_SWITCH.format(
+        tick="OS_AppTimeTickHookPtr",
+        task="OS_TCB",
+        switch="next_task.Prio = (OS_PRIO)own_os_kernel.running->name;"
+        " OSTCBHighRdyPtr = &next_task; OS_AppTaskSwHookPtr()",
+    )
+    + "static void *pool[8][16];\n",
+    "CPU_Init": "",
+    "OSInit": "own_os_init(&hooks); *p_err = OS_ERR_NONE;",
+    "OSStart": "(void)own_os_start(1u << 24); *p_err = OS_ERR_NONE;",
+    "OSTaskCreate": "(void)p_tcb, (void)stk_limit, (void)q_size, (void)time_quanta, (void)p_ext,"
+    " (void)opt; *p_err = (OS_ERR)(own_os_task_create(prio, p_name, p_task, p_arg,"
+    " (void *)p_stk_base, stk_size / 2u) != OS_OK);",
+    "OSTimeDly": "(void)opt; (void)own_os_delay(dly); *p_err = OS_ERR_NONE;",
+    "OSQCreate": "(void)p_name; p_q->Entries = (OS_MSG_QTY)queue_count++; *p_err = (OS_ERR)("
+    "own_os_queue_create(&queues[p_q->Entries], pool[p_q->Entries], max_qty) != OS_OK);",
+    "OSQPend": "void *message = NULL; (void)p_msg_size, (void)p_ts;"
+    " const uint32_t wait = opt == OS_OPT_PEND_NON_BLOCKING ? 0u : wait_of(timeout); *p_err ="
+    " (OS_ERR)(own_os_queue_pend(&queues[p_q->Entries], wait, &message) != OS_OK);"
+    " return message;",
+    "OSQPost": "(void)msg_size, (void)opt;"
+    " *p_err = (OS_ERR)(own_os_queue_post(&queues[p_q->Entries], p_void) != OS_OK);",
+    "OS_CPU_SysTickInit": SYSTICK,
+}
+OWN_TASKS = {
+    "": OWN_SWITCH.format(
+        tick="vApplicationTickHook",
+        task="struct tskTaskControlBlock",
+        switch="next_task.uxPriority = GLUE_TURN(own_os_kernel.running->name);"
+        " pxCurrentTCB = &next_task; traceTASK_SWITCHED_IN()",
     ),
-    "OSQAccept": (
-        "void *message = NULL;"
-        " *perr = result(own_os_queue_pend((own_os_queue_t *)pevent, 0u, &message));"
-        " return message;"
-    ),
-    "OSQPend": (
-        "void *message = NULL; if (timeout == 0u) timeout = OS_FOREVER;"
-        " *perr = result(own_os_queue_pend((own_os_queue_t *)pevent, timeout, &message));"
-        " return message;"
-    ),
-    "OSQPost": "return result(own_os_queue_post((own_os_queue_t *)pevent, pmsg));",
-    "OS_CPU_SysTickInit": (
-        "*(volatile INT32U *)0xe000e014u = cnts - 1u; *(volatile INT32U *)0xe000e018u = 0u;"
-    ),
+    "xTaskCreateStatic": "if (own_os_kernel.ready == 0u) own_os_init(&hooks);"
+    " return own_os_task_create(GLUE_TURN(uxPriority), pcName, pxTaskCode, pvParameters,"
+    " (void *)puxStackBuffer, uxStackDepth / 2u) == OS_OK ? (void *)pxTaskBuffer : NULL;",
+    "vTaskStartScheduler": "(void)own_os_start(1u << 24);",
+    "vTaskDelay": "(void)own_os_delay(xTicksToDelay);",
+    "xPortIsInsideInterrupt": "return own_os_port_in_interrupt();",
+    "xQueueGenericCreateStatic": "(void)uxItemSize, (void)ucQueueType, (void)pxStaticQueue;"
+    " own_os_queue_t *const queue = &queues[queue_count++];"
+    " (void)own_os_queue_create(queue, (void *)pucQueueStorage, uxQueueLength);"
+    " return (void *)queue;",
+    "xQueueGenericSend": "(void)xTicksToWait, (void)xCopyPosition;"
+    " return own_os_queue_post((void *)xQueue, *(void *const *)pvItemToQueue) == OS_OK;",
+    "xQueueGenericSendFromISR": "(void)xCopyPosition, (void)pxHigherPriorityTaskWoken;"
+    " return own_os_queue_post((void *)xQueue, *(void *const *)pvItemToQueue) == OS_OK;",
+    "xQueueReceive": "return own_os_queue_pend((void *)xQueue, xTicksToWait, pvBuffer) == OS_OK;",
 }
 
 
@@ -93,6 +138,8 @@ class Kernel:
     folder: str
     sources: tuple
     calls: tuple  # of its functions, some that the image must end up calling
+    own: dict  # what the imitation's functions do; "": what stands before them in the first source
+    own_file: str  # of its sources, the one that takes our own kernel in
 
     def __str__(self):
         return self.folder
@@ -109,6 +156,8 @@ CHECKOUTS = (
             (f"uC-OS2/{PORT}/GNU/os_dbg.c", None, None),
         ),
         ("OSTaskCreateExt", "OSStart", "OSQPend", "OSQPost", "OSTimeDly", "OS_CPU_SysTickInit"),
+        OWN_UCOS2,
+        f"uC-OS2/{PORT}/GNU/os_dbg.c",
     ),
     Kernel(
         "UCOS3_DIR",
@@ -123,6 +172,8 @@ CHECKOUTS = (
             ("uC-LIB/lib_mem.c", None, None),
         ),
         ("OSTaskCreate", "OSStart", "OSQPend", "OSQPost", "OSTimeDly", "OS_CPU_SysTickInit"),
+        OWN_UCOS3,
+        "uC-CPU/ARM-Cortex-M/ARMv7-M/cpu_c.c",
     ),
     Kernel(
         "FREERTOS_DIR",
@@ -138,6 +189,8 @@ CHECKOUTS = (
             ),
         ),
         ("xTaskCreateStatic", "vTaskStartScheduler", "xQueueReceive", "vTaskDelay"),
+        OWN_TASKS,
+        "FreeRTOS-Kernel/list.c",
     ),
 )
 
@@ -150,7 +203,7 @@ def call(*command):
     return done.stdout
 
 
-def implemented(header, include, folder, own=None):
+def implemented(header, include, folder, own=None, is_first=False):
     """Return C text that defines what a header declares, but for the application's hooks.
 
     With own, {name: body}, the functions work; of the port's only those are defined that it names.
@@ -162,8 +215,9 @@ def implemented(header, include, folder, own=None):
         lines += ["struct tskTaskControlBlock { UBaseType_t uxPriority; };"]
         lines += ["struct tskTaskControlBlock *volatile pxCurrentTCB;"]
     lines += [f"{declared};" for declared in OBJECT.findall(text)]
-    if own and "OSInit" in text:
-        lines.append(OWN_HEAD)
+    if own:
+        lines.append(OWN_QUEUES if include != "<cpu_core.h>" else "")
+        lines.append(own[""] if is_first else "")
     for result, name, parameters in PROTOTYPE.findall(text):
         if result.startswith("extern") or name.startswith(("App_", "vApplication")):
             continue
@@ -181,30 +235,34 @@ def check_out(kernel, folder, own=None):
     for source, header, include in kernel.sources:
         text = "\n"
         if header:
-            text = implemented(folder / header, include, kernel.folder, own)
+            is_first = source == kernel.sources[0][0]
+            text = implemented(folder / header, include, kernel.folder, own, is_first)
         (folder / source).parent.mkdir(parents=True, exist_ok=True)
         (folder / source).write_text(text, encoding="utf-8")
     return folder / kernel.folder
 
 
-def imitate(folder):
-    """Make a checkout of µC/OS-II that runs: our own kernel under other names; return its path."""
-    checkout = check_out(CHECKOUTS[0], folder, OWN_BODIES)
-    own = checkout / "Source" / "own"
+def imitate(kernel, folder):
+    """Make a checkout of a kernel that runs: our own under other names; return its path."""
+    checkout = check_out(kernel, folder, kernel.own)
+    includes = "include" if kernel.folder == "FreeRTOS-Kernel" else "Source"
+    own = checkout / includes / "own"
     own.mkdir()
-    kernel = ROOT / "firmware_sim" / "os"
-    for file in [*kernel.glob("*.[ch]"), kernel / "port" / "cortex_m" / "port.c"]:
+    room = ROOT / "firmware_sim" / "os"
+    for file in [*room.glob("*.[ch]"), room / "port" / "cortex_m" / "port.c"]:
         text = file.read_text(encoding="utf-8").replace('#include "os/', '#include "own_')
         text = re.sub(r"\bos_", "own_os_", text)
-        text = re.sub(r"\b(PendSV|SysTick)_Handler\b", r"OS_CPU_\1Handler", text)
+        text = re.sub(r"\bOS_H\b", "OWN_OS_H", text)
         text = re.sub(r"\bpaint = \w+", "paint = 0xa5a5a5a5a5a5a5a5u", text)  # what the glue seeks
+        if kernel.folder != "FreeRTOS-Kernel":
+            text = re.sub(r"\b(PendSV|SysTick)_Handler\b", r"OS_CPU_\1Handler", text)
         if file.name == "port.c":
             text = re.sub(r"(?<!\*)\bown_os_switch\(", "imitation_switch(", text)
             text = text.replace('"own_port.h"', '"own_port.h"\nvoid *imitation_switch();')
         (own / f"own_{file.name}").write_text(text, encoding="utf-8")
     sources = ("os.c", "queue.c", "mutex.c", "sem.c", "port.c")
     parts = "".join(f"#include <own/own_{name}>\n" for name in sources)
-    (checkout / PORT / "GNU" / "os_dbg.c").write_text(parts, encoding="utf-8")
+    (folder / kernel.own_file).write_text(parts, encoding="utf-8")
     return checkout
 
 
@@ -252,19 +310,19 @@ def test_a_kernel_with_another_prototype_is_noticed(build_folder, tool, tmp_path
     assert "OSQCreate" in done.stdout
 
 
-# µC/OS-II, imitated, under the emulator
+# The kernels, imitated, under the emulator
 
 
 PROGRAM = "G21 G90 G61\nS800 M3\nG1 F3000 X20\nG3 X30 Y10 J10\nG1 Y25 Z-3\nM5\nM2\n"
 
 
-@pytest.fixture(scope="module")
-def glued(build_folder, tool, tmp_path_factory):
-    """Return the controller whose app runs on the glue and the imitated µC/OS-II."""
+@pytest.fixture(scope="module", params=CHECKOUTS, ids=str)
+def glued(request, build_folder, tool, tmp_path_factory):
+    """Return the controller whose app runs on the glue and an imitated kernel."""
     tool("arm-none-eabi-gcc")
     tool("qemu-system-arm")
-    checkout = imitate(tmp_path_factory.mktemp("imitation"))
-    done = build("firmware", CHECKOUTS[0], checkout, build_folder)
+    checkout = imitate(request.param, tmp_path_factory.mktemp("imitation"))
+    done = build("firmware", request.param, checkout, build_folder)
     assert done.returncode == 0, done.stdout + done.stderr
     image = build_folder / "firmware_sim" / "app" / "firmware.elf"
     return firmware.Controller("m7", shutil.copy(image, checkout))
