@@ -2,8 +2,8 @@
 """The firmware on µC/OS-II, µC/OS-III and FreeRTOS, built against a checkout of each.
 
 Their sources are not here. tests/package/kernels has their published prototypes in their published
-folders; a test makes a checkout of it by giving every prototype a body. The bodies can also be calls
-of our own kernel under other names: an imitation that runs.
+folders; a test makes a checkout of it by giving every prototype a body. The bodies can also be
+calls of our own kernel under other names: an imitation that runs.
 """
 
 import re
