@@ -8,7 +8,8 @@
 #include "nck/prep/5_slope/hull_math.h"   // nck_hull_share
 #include "nck/prep/5_slope/ladder_math.h" // nck_ladder_…
 
-enum { PARTS_MOST = 256, SPAN_MOST = 200 };
+// From rest to rest a path takes REST_PARTS cells, PARTS_LEAST if there is no room for more.
+enum { PARTS_MOST = 256, SPAN_MOST = 200, REST_PARTS = 4, PARTS_LEAST = 2 };
 
 // A cap beyond every speed's square.
 #define UNCAPPED 1e18
@@ -16,8 +17,9 @@ enum { PARTS_MOST = 256, SPAN_MOST = 200 };
 #define CAP_EPSILON 1e-4
 // An acceleration is at its limit above this share of it.
 #define ACCEL_SHARE 0.999
-// A part of a piece shorter than this share of a cell is rounding.
+// A part of a piece shorter than this share of a cell, or of the coordinate in its seg, is rounding.
 #define LENGTH_EPSILON 1e-9
+#define PLACE_EPSILON 1e-14
 // The brake curve keeps off the limits by so much, so that the plan above it finds room.
 #define BRAKE_SHARE 0.97
 
@@ -34,11 +36,16 @@ double nck_window_cap(const nck_jerk_t *self, const nck_node_t *piece) {
 
 static double end_of(const nck_node_t *piece) { return piece->s + piece->length; }
 
+// What is only rounding beside a length of path that ends in or with a piece.
+static double rounding_of(const nck_node_t *piece, double length) {
+    return LENGTH_EPSILON * length + PLACE_EPSILON * end_of(piece);
+}
+
 // From the place (piece, s) on by a length.
 static void walk(const nck_pieces_t *pieces, uint32_t *number, double *s, double length) {
     const nck_node_t *piece = nck_window_piece(pieces, *number);
     double left = length;
-    while (left >= (end_of(piece) - *s) * (1.0 - LENGTH_EPSILON)) {
+    while (left >= end_of(piece) - *s - rounding_of(piece, left)) {
         const nck_node_t *const next = nck_window_piece(pieces, *number + 1);
         if (!next) break;
         left = nck_max(0.0, left - (end_of(piece) - *s));
@@ -130,14 +137,33 @@ static int rests_behind(const nck_jerk_t *self, const nck_pieces_t *pieces, uint
            != nck_link_seg(self->link, next->seg)->block;
 }
 
-static void close_pending(nck_jerk_t *self) {
+// 1 if the path rests where the next cell begins.
+static int begins_at_rest(const nck_jerk_t *self, const nck_node_t *piece, double s) {
+    if (self->work.n == 0) return !(self->profile.v > 0.0);
+    return s == piece->s && !(piece->vv_node > 0.0);
+}
+
+// A cell that ends a piece. From a rest it comes in parts, because it may end at another one.
+static void push_end(nck_jerk_t *self, const nck_pieces_t *pieces, uint32_t number, double s,
+                     double h) {
+    const int splits = begins_at_rest(self, nck_window_piece(pieces, number), s);
+    const int has_room = self->work.n + 2 * REST_PARTS <= NCK_JERK_CELLS;
+    const int parts = !splits ? 1 : has_room ? REST_PARTS : PARTS_LEAST;
+    for (int k = 0; k < parts; k++) {
+        push(self, number, s, h / (double)parts, UNCAPPED);
+        walk(pieces, &number, &s, h / (double)parts);
+    }
+}
+
+static void close_pending(nck_jerk_t *self, const nck_pieces_t *pieces) {
     if (!(self->work.pending > 0.0)) return;
-    push(self, self->work.pending_piece, self->work.pending_s, self->work.pending, UNCAPPED);
+    push_end(self, pieces, self->work.pending_piece, self->work.pending_s, self->work.pending);
     self->work.pending = 0.0;
 }
 
 // The ladder has come to the end of a piece.
-static nck_status_t end_piece(nck_jerk_t *self, const nck_node_t *piece, int rests) {
+static nck_status_t end_piece(nck_jerk_t *self, const nck_pieces_t *pieces,
+                              const nck_node_t *piece, int rests) {
     self->work.w_entry += nck_ladder_gain(piece->length, piece->a, piece->j * self->j_scale);
     self->work.piece++;
     self->work.s = -1.0;
@@ -146,7 +172,7 @@ static nck_status_t end_piece(nck_jerk_t *self, const nck_node_t *piece, int res
         self->work.passed--;
         return NCK_OK;
     }
-    close_pending(self);
+    close_pending(self, pieces);
     self->next.complete = 1;
     if (self->work.wish.single_block) self->next.held = NCK_HELD_RESUME;
     return NCK_DONE;
@@ -187,18 +213,18 @@ static nck_status_t lay_some(nck_jerk_t *self, const nck_pieces_t *pieces,
     const double h = alone ? nck_min(step, 0.25 * piece->length) : step;
     if (joins_pending(self, piece, step) && x == 0.0 && !alone) {
         self->work.pending += left;
-        return end_piece(self, piece, rests);
+        return end_piece(self, pieces, piece, rests);
     }
-    close_pending(self);
+    close_pending(self, pieces);
     if (left < 0.5 * h && x == 0.0 && !rests) {
         self->work.pending = left;
         self->work.pending_piece = self->work.piece;
         self->work.pending_s = self->work.s;
-        return end_piece(self, piece, rests);
+        return end_piece(self, pieces, piece, rests);
     }
     if (left < 1.5 * h) {
-        push(self, self->work.piece, self->work.s, left, UNCAPPED);
-        return end_piece(self, piece, rests);
+        push_end(self, pieces, self->work.piece, self->work.s, left);
+        return end_piece(self, pieces, piece, rests);
     }
     push(self, self->work.piece, self->work.s, h, UNCAPPED);
     self->work.s += h;
@@ -206,8 +232,9 @@ static nck_status_t lay_some(nck_jerk_t *self, const nck_pieces_t *pieces,
 }
 
 // A dwell or a wait is a plan of its own.
-static nck_status_t lay_rest(nck_jerk_t *self, const nck_node_t *piece) {
-    close_pending(self);
+static nck_status_t lay_rest(nck_jerk_t *self, const nck_pieces_t *pieces,
+                             const nck_node_t *piece) {
+    close_pending(self, pieces);
     self->next.complete = 1;
     if (self->work.n > 0) return NCK_DONE;
     push(self, self->work.piece, piece->s, 0.0, 0.0);
@@ -222,16 +249,18 @@ static nck_status_t lay_one(nck_jerk_t *self, const nck_pieces_t *pieces) {
     const nck_node_t *const piece = nck_window_piece(pieces, self->work.piece);
     if (!piece) return NCK_EMPTY;
     if (self->work.s < 0.0) self->work.s = piece->s;
-    if (!(piece->length > 0.0)) return lay_rest(self, piece);
-    const int full = self->work.n + 2 > NCK_JERK_CELLS
+    if (!(piece->length > 0.0)) return lay_rest(self, pieces, piece);
+    const int full = self->work.n + 2 * PARTS_LEAST > NCK_JERK_CELLS
                      || self->work.piece - self->work.base >= self->work.pieces
                      || (blocks > 0 && piece->seg - first->seg >= blocks);
     if (full) {
-        close_pending(self);
+        close_pending(self, pieces);
         return NCK_DONE;
     }
     const int rests = rests_behind(self, pieces, self->work.piece);
     if (rests < 0) return NCK_EMPTY;
+    const int is_over = end_of(piece) - self->work.s <= rounding_of(piece, 0.0);
+    if (is_over && self->work.n > 0) return end_piece(self, pieces, piece, piece->stop ? 2 : rests);
     return lay_some(self, pieces, piece, piece->stop ? 2 : rests);
 }
 
@@ -262,7 +291,7 @@ static void limit_cell(nck_jerk_t *self, const nck_pieces_t *pieces, uint32_t i)
     double a = over ? piece->a_over : piece->a;
     double j = over ? piece->j_over : piece->j;
     double left = self->h[i] - (end_of(piece) - self->rung_s[i]);
-    while (left > LENGTH_EPSILON * self->h[i]) {
+    while (left > rounding_of(piece, self->h[i])) {
         piece = nck_window_piece(pieces, ++number);
         if (!piece) break;
         w_cell = nck_min(w_cell, nck_min(piece->vv_node, nck_window_cap(self, piece)));
@@ -277,9 +306,23 @@ static void limit_cell(nck_jerk_t *self, const nck_pieces_t *pieces, uint32_t i)
     self->work.w_cell = w_cell;
 }
 
+// A window or a hold that ends in the cell behind a rest ends at that rest.
+static void end_at_rest(nck_jerk_t *self) {
+    const uint32_t last = self->work.n - 1;
+    const int may_end = !self->next.complete || self->work.reach > 0.0;
+    if (!may_end || last == 0 || self->w_cap[last] > 0.0) return;
+    self->work.n = last;
+    self->next.n = last;
+    self->next.end_piece = self->rung_piece[last];
+    self->next.end_s = self->rung_s[last];
+}
+
 nck_status_t nck_window_limit(nck_jerk_t *self, const nck_pieces_t *pieces) {
     for (int n = 0; n < NCK_JERK_STEP; n++) {
-        if (self->work.i == self->work.n) return NCK_DONE;
+        if (self->work.i == self->work.n) {
+            end_at_rest(self);
+            return NCK_DONE;
+        }
         limit_cell(self, pieces, self->work.i);
         self->work.i++;
     }

@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: MIT
+// The jerk-limited slope through the whole kernel, in every capacity: limits of speed, acceleration
+// and jerk hold at every tick, the path is kept, nothing is lost, and every run comes to its end.
+#include <string.h> // memcmp
+
+#include "motion_check.h"
+
+static motion_t motion;
+
+typedef struct setting {
+    const char *name;
+    double period, a, j; // [s], times the default machine's limits
+    int slow;            // 1: long programs take too long to test
+} setting_t;
+
+static const setting_t settings[] = {
+    {"T 1 ms", 1e-3, 1.0, 1.0, 0},
+    {"T 0.5 ms", 5e-4, 1.0, 1.0, 0},
+    {"T 4 ms", 4e-3, 1.0, 1.0, 0},
+    {"low a, low j", 1e-3, 0.01, 0.01, 1},
+    {"high j", 1e-3, 1.0, 100.0, 0},
+    {"low j", 1e-3, 1.0, 0.01, 1},
+    {"high a, high j", 1e-3, 100.0, 100.0, 0},
+    {"high a", 1e-3, 100.0, 1.0, 0},
+    {"low a, high j", 1e-3, 0.01, 100.0, 1},
+};
+enum { SETTINGS = (int)(sizeof settings / sizeof settings[0]), SHORT_MM = 1 };
+
+// The program of a family on a machine; mixed: with stops, waits, outputs and reversals.
+static void begin(int family, int setting, int mixed)
+{
+    const setting_t *const s = &settings[setting];
+    motion_begin(&motion, 11 + (uint64_t)family);
+    motion_scale(&motion, s->period, s->a, s->j);
+    motion_program(&motion, &motion_family[family], mixed ? 0.1 : 0.0);
+}
+
+static int takes_too_long(int family, int setting)
+{
+    return settings[setting].slow && motion_family[family].length >= (double)SHORT_MM / 2.0;
+}
+
+// The run came to its end with everything done; limits held.
+static void check_run_of(check_t *check, int over, const char *what)
+{
+    char name[160];
+    const motion_t *const m = &motion;
+    snprintf(name, sizeof name, "%s, %d bytes", what, (int)m->size);
+    const int good = over && m->error == NCK_OK && m->early == 0;
+    if (!CHECK(check, good)) {
+        printf("    %s: over %d error %d early %u ticks %llu state %u\n", name, over, m->error,
+               m->early, (unsigned long long)m->ticks, m->pose.state);
+    }
+    motion_holds(check, m, name);
+}
+
+static void check_family(check_t *check, int family, int setting, int mixed)
+{
+    char name[120];
+    snprintf(name, sizeof name, "%s, %s, mixed %d", motion_family[family].name,
+             settings[setting].name, mixed);
+    begin(family, setting, mixed);
+    check_run_of(check, motion_run(&motion, NULL), name);
+    CHECK_INT(check, motion.starved, 0);
+    const nck_seg_t *const last = &motion.seg[motion.segs - 1];
+    CHECK(check, motion.peak.s == last->s_begin + last->length);
+    for (int x = 0; x < 3; x++) CHECK(check, motion.pose.axis[x] == last->end[x]);
+}
+
+static void limits_hold_at_every_tick_on_every_machine(check_t *check)
+{
+    for (int family = 0; family < MOTION_FAMILIES; family++) {
+        for (int setting = 0; setting < SETTINGS; setting++) {
+            if (takes_too_long(family, setting)) continue;
+            check_family(check, family, setting, 0);
+            check_family(check, family, setting, 1);
+        }
+    }
+}
+
+// ---- pace
+
+// Prep steps and pauses at random: from most starved to hardly.
+typedef struct pace {
+    uint64_t seed;
+    uint32_t most;   // steps a tick
+    uint32_t pauses; // ticks of a pause, at most
+    uint32_t pause;  // ticks left of it
+} pace_t;
+
+static uint32_t steps_at_random(void *user, uint64_t tick)
+{
+    pace_t *const pace = user;
+    (void)tick;
+    if (pace->pause > 0) {
+        pace->pause--;
+        return 0;
+    }
+    if (motion_random(&pace->seed) < 0.01) {
+        pace->pause = (uint32_t)(pace->pauses * motion_random(&pace->seed));
+    }
+    return 1 + (uint32_t)(pace->most * motion_random(&pace->seed));
+}
+
+static void starvation_keeps_limits_path_and_end(check_t *check)
+{
+    const pace_t paces[] = {{77, 1, 0, 0}, {78, 20, 100, 0}, {79, 50, 10, 0}};
+    for (int family = 1; family < MOTION_FAMILIES; family++) {
+        for (int k = 0; k < 3; k++) {
+            const int crawls = k == 0 && motion_family[family].length > (double)SHORT_MM / 2.0;
+            if (crawls) continue; // from stop to stop over a long path
+            pace_t pace = paces[k];
+            const motion_script_t script = {steps_at_random, NULL, &pace};
+            begin(family, (family + k) % 3, k > 0);
+            check_run_of(check, motion_run(&motion, NULL), motion_family[family].name);
+            const nck_axes_t end = motion.axes;
+            const uint32_t outputs = motion.outputs;
+            check_run_of(check, motion_run(&motion, &script), motion_family[family].name);
+            CHECK(check, memcmp(&end, &motion.axes, sizeof end) == 0);
+            CHECK_INT(check, motion.outputs, outputs);
+        }
+    }
+}
+
+static uint32_t steps_of(void *user, uint64_t tick)
+{
+    const uint32_t *const steps = user;
+    return tick == 0 ? MOTION_STEPS : *steps;
+}
+
+static void setpoints_depend_on_the_program_not_on_the_pace(check_t *check)
+{
+    uint32_t steps = 400;
+    int starved = 0;
+    const motion_script_t script = {steps_of, NULL, &steps};
+    for (int family = 0; family < MOTION_FAMILIES; family++) {
+        begin(family, 0, 1);
+        check_run_of(check, motion_run(&motion, NULL), motion_family[family].name);
+        const uint64_t hash = motion.hash;
+        const uint64_t ticks = motion.ticks;
+        check_run_of(check, motion_run(&motion, &script), motion_family[family].name);
+        starved += motion.starved > 0;
+        if (!CHECK(check, motion.starved > 0 || (motion.hash == hash && motion.ticks == ticks))) {
+            printf("    %s\n", motion_family[family].name);
+        }
+    }
+    CHECK(check, starved < MOTION_FAMILIES / 2);
+}
+
+static void outputs_come_in_order_behind_their_moves(check_t *check)
+{
+    begin(1, 0, 0);
+    motion.size = 0;
+    motion_line(&motion, "G61 G1 F3000");
+    for (int k = 0; k < 200; k++) {
+        char words[40];
+        snprintf(words, sizeof words, "X%.3f S%d", 0.1 * (k + 1), 100 + k);
+        motion_line(&motion, words);
+    }
+    motion_line(&motion, "M2");
+    check_run_of(check, motion_run(&motion, NULL), "outputs");
+    CHECK_INT(check, motion.outputs, 201);
+    for (int k = 0; k < 200; k++) CHECK(check, motion.output[k].value == 100.0 + k);
+}
+
+int main(void)
+{
+    check_t check = {0};
+    CHECK_RUN(&check, limits_hold_at_every_tick_on_every_machine);
+    CHECK_RUN(&check, starvation_keeps_limits_path_and_end);
+    CHECK_RUN(&check, setpoints_depend_on_the_program_not_on_the_pace);
+    CHECK_RUN(&check, outputs_come_in_order_behind_their_moves);
+    return check_end(&check);
+}
