@@ -10,13 +10,11 @@
 
 // Shares that the speed alone may use: of acceleration |p″|v² ≤ γ·a_x, of jerk |p‴|v³ ≤ β·j_x.
 #define NCK_BUDGET_CURVE_SHARE 0.95
-#define NCK_BUDGET_TWIST_SHARE 0.9
+#define NCK_BUDGET_TWIST_SHARE 0.85
 // Share of the jerk that |p‴|v³ leaves which 3|p″|v·a may use; the rest is for p′·j.
 #define NCK_BUDGET_RAMP_SHARE 0.5
-// How steep the caps of neighbouring pieces may be: at most this share of a, and this multiple of
-// √(j·v), about what a jerk-limited profile that has just been at v can make use of.
-#define NCK_BUDGET_STEEP_A 0.8
-#define NCK_BUDGET_STEEP_J 0.4
+// How steep the caps of neighbouring pieces may be: this share of the acceleration that is left.
+#define NCK_BUDGET_STEEP_SHARE 0.8
 
 // Cube root of x > 0: y ← ⁴√(x·y) divides the error's logarithm by 4 each time, then Newton's
 // method, which doubles the digits. Exact to 2 ulp for 1e-30 … 1e30.
@@ -52,13 +50,6 @@ static inline nck_real nck_budget_ramp(nck_real j, nck_real second, nck_real thi
 static inline nck_real nck_budget_jerk(nck_real j, nck_real first, nck_real second, nck_real third,
                                        nck_real v, nck_real a_t) {
     return (j - third * v * v * v - (nck_real)3 * second * v * a_t) / first;
-}
-
-// By how much v² may differ over a length between neighbouring caps:
-//   Δw = 2·min(0.8 a, 0.4 √(j·v))·l
-static inline nck_real nck_budget_steep(nck_real a, nck_real j, nck_real w, nck_real length) {
-    const nck_real reach = NCK_BUDGET_STEEP_J * nck_sqrt(j * nck_sqrt(w));
-    return (nck_real)2 * nck_min(NCK_BUDGET_STEEP_A * a, reach) * length;
 }
 
 #endif

@@ -16,8 +16,7 @@
 #define ZONES_APART 16.0
 
 double nck_corner_zone_s(const nck_machine_t *machine) {
-    if (machine->slope == NCK_SLOPE_LINEAR) return machine->period_s;
-    return machine->period_s * (1.0 + (double)NCK_FILTER_TAPS / 2.0);
+    return machine->period_s + nck_joint_mix_s(machine);
 }
 
 // Whether no other junction is near one of this load.

@@ -10,6 +10,9 @@
 
 #define UNLIMITED 1e30
 
+// A spline is parted if |p″|v² changes by more than this share of an axis' acceleration.
+#define PART_CHANGE 0.02
+
 nck_joint_t *nck_joint_at(nck_lookahead_t *self, uint32_t count) {
     return &self->joint.at[count & (NCK_JOINT_MAX - 1)];
 }
@@ -75,30 +78,28 @@ static void make_arc(nck_joint_t *joint, const nck_seg_t *seg, const nck_machine
               NCK_LIMIT_CHORD);
 }
 
-// The largest of each axis' derivatives on a spline: |p′| by its Bernstein coefficients, |p″| at one
-// of the ends, |p‴| everywhere.
-static void bound_spline(nck_joint_t *joint, const nck_seg_t *seg) {
-    double at_start[NCK_AXIS_MAX];
-    double at_end[NCK_AXIS_MAX];
-    nck_path_second(seg, 0.0, at_start);
-    nck_path_second(seg, seg->length, at_end);
+// The largest of each axis' derivatives on a spline between two places: |p″| at one of them, |p‴|
+// the same everywhere, and |p′|, a parabola, above its chord by no more than |p‴|·h²/8.
+static void bound_spline(nck_joint_t *joint, const nck_seg_t *seg, const double span[2]) {
+    double at[2][2][NCK_AXIS_MAX];
+    for (int k = 0; k < 2; k++) {
+        nck_path_tangent(seg, span[k], at[k][0]);
+        nck_path_second(seg, span[k], at[k][1]);
+    }
     nck_path_third(seg, 0.0, joint->third);
     for (int x = 0; x < NCK_AXIS_MAX; x++) {
-        const double d0 = nck_fabs(seg->inner[0][x] - seg->start[x]);
-        const double d1 = nck_fabs(seg->inner[1][x] - seg->inner[0][x]);
-        const double d2 = nck_fabs(seg->end[x] - seg->inner[1][x]);
-        joint->first[x] = 3.0 * nck_max(d0, nck_max(d1, d2)) / seg->length;
-        joint->second[x] = nck_max(nck_fabs(at_start[x]), nck_fabs(at_end[x]));
         joint->third[x] = nck_fabs(joint->third[x]);
+        const double bulge = joint->third[x] * joint->length * joint->length / 8.0;
+        joint->first[x] = nck_max(nck_fabs(at[0][0][x]), nck_fabs(at[1][0][x])) + bulge;
+        joint->second[x] = nck_max(nck_fabs(at[0][1][x]), nck_fabs(at[1][1][x]));
     }
 }
 
 // Speed over a smooth piece: chord error, and what bends cost of every axis' acceleration and jerk.
-static void make_spline(nck_joint_t *joint, const nck_seg_t *seg, const nck_machine_t *machine) {
+static void make_spline(nck_joint_t *joint, const nck_machine_t *machine) {
     const int limits_jerk = machine->slope != NCK_SLOPE_LINEAR;
     double bend = 0.0;
     double twist = UNLIMITED;
-    bound_spline(joint, seg);
     for (int x = 0; x < NCK_AXIS_MAX; x++) {
         const nck_axis_t *const axis = &machine->axis[x];
         const double second = joint->second[x];
@@ -128,13 +129,14 @@ void nck_joint_tangents(const nck_seg_t *seg, double *start_out, double *end_out
     }
 }
 
-void nck_joint_make(nck_joint_t *joint, const nck_seg_t *seg, const double *tangent_start,
-                    const double *tangent_end, const nck_machine_t *machine) {
+// What a joint has of its seg, before any cap.
+static void begin(nck_joint_t *joint, const nck_seg_t *seg) {
     memset(joint, 0, sizeof *joint);
     joint->seq = seg->seq;
     joint->kind = seg->kind;
     joint->length = seg->length;
     joint->stop = seg->stop;
+    joint->last = 1;
     joint->dwell_s = seg->dwell_s;
     joint->feed = seg->feed;
     joint->v_max = UNLIMITED;
@@ -142,19 +144,61 @@ void nck_joint_make(nck_joint_t *joint, const nck_seg_t *seg, const double *tang
     joint->a_plane = UNLIMITED;
     joint->pace[NCK_PACE_FEED].v_corner = UNLIMITED;
     joint->pace[NCK_PACE_OVER].v_corner = UNLIMITED;
-    if (seg->kind >= NCK_SEG_DWELL) return;
+}
+
+static void make_caps(nck_joint_t *joint, const nck_seg_t *seg, const double *tangent_start,
+                      const double *tangent_end, const nck_machine_t *machine) {
     if (!seg->rapid) {
         cap_feed(joint, seg->feed, NCK_LIMIT_FEED);
         cap_speed(joint, machine->path.feed_max / seg->feed_scale, NCK_LIMIT_FEED_MAX);
     }
     if (seg->kind == NCK_SEG_ARC) make_arc(joint, seg, machine);
-    if (seg->kind == NCK_SEG_SPLINE) make_spline(joint, seg, machine);
+    if (seg->kind == NCK_SEG_SPLINE) make_spline(joint, machine);
     cap_by_axes(joint, seg, tangent_start, tangent_end, machine);
     joint->w_near = joint->v_free * joint->v_free;
     joint->a_most = nck_min(machine->path.a_max, joint->a_straight);
     if (joint->kappa > 0.0) {
         joint->a_most = nck_min(joint->a_most, joint->a_plane / joint->cos_lambda);
     }
+}
+
+void nck_joint_make(nck_joint_t *joint, const nck_seg_t *seg, const double *tangent_start,
+                    const double *tangent_end, const nck_machine_t *machine) {
+    const double span[2] = {0.0, seg->length};
+    begin(joint, seg);
+    if (seg->kind >= NCK_SEG_DWELL) return;
+    if (seg->kind == NCK_SEG_SPLINE) bound_spline(joint, seg, span);
+    make_caps(joint, seg, tangent_start, tangent_end, machine);
+}
+
+void nck_joint_part(nck_joint_t *joint, const nck_seg_t *seg, const double span[2],
+                    const nck_machine_t *machine) {
+    begin(joint, seg);
+    joint->s = span[0];
+    joint->length = span[1] - span[0];
+    joint->last = !(span[1] < seg->length);
+    joint->stop = joint->last ? seg->stop : 0;
+    bound_spline(joint, seg, span);
+    make_caps(joint, seg, joint->first, joint->first, machine);
+}
+
+double nck_joint_mix_s(const nck_machine_t *machine) {
+    if (machine->slope == NCK_SLOPE_LINEAR) return 0.0;
+    return machine->period_s * (double)NCK_FILTER_TAPS / 2.0;
+}
+
+// Parts no shorter than the reach of what the filter mixes, if the curvature changes so much in the
+// seg that they will differ.
+int nck_joint_parts(const nck_joint_t *joint, const nck_machine_t *machine) {
+    const double mixed = joint->v_free * nck_joint_mix_s(machine);
+    double change = 0.0;
+    if (joint->kind != NCK_SEG_SPLINE || !(mixed > 0.0)) return 1;
+    for (int x = 0; x < NCK_AXIS_MAX; x++) {
+        const double bend = joint->third[x] * joint->length * joint->v_free * joint->v_free;
+        change = nck_max(change, bend / machine->axis[x].a_max);
+    }
+    if (change < PART_CHANGE || joint->length < 2.0 * mixed) return 1;
+    return (int)nck_min((double)NCK_SPLINE_PARTS, nck_floor(joint->length / mixed));
 }
 
 double nck_joint_a_any(const nck_machine_t *machine) {
@@ -193,19 +237,29 @@ static void limit_on_arc(const nck_joint_t *joint, double beta, double v_filter,
     piece->a = nck_min(piece->a, a_arc);
 }
 
+static double accel_left(const nck_joint_t *joint, double v, const nck_machine_t *machine) {
+    const int limits_jerk = machine->slope != NCK_SLOPE_LINEAR;
+    double a = machine->path.a_max;
+    for (int x = 0; x < NCK_AXIS_MAX; x++) {
+        const nck_axis_t *const axis = &machine->axis[x];
+        if (!(joint->first[x] > 0.0)) continue;
+        a = nck_min(a, nck_budget_accel(axis->a_max, joint->first[x], joint->second[x], v));
+        if (!limits_jerk || !(joint->second[x] > 0.0)) continue;
+        a = nck_min(a, nck_budget_ramp(axis->j_max, joint->second[x], joint->third[x], v));
+    }
+    return a;
+}
+
+double nck_joint_left(const nck_joint_t *joint, double w, const nck_machine_t *machine) {
+    return accel_left(joint, nck_sqrt(w), machine);
+}
+
 // What a spline's bends leave of all axes' acceleration and jerk at speed v.
 static void limit_spline(const nck_joint_t *joint, nck_pace_t *at, double v,
                          const nck_machine_t *machine) {
     const int limits_jerk = machine->slope != NCK_SLOPE_LINEAR;
-    at->a = machine->path.a_max;
+    at->a = accel_left(joint, v, machine);
     at->j = joint->j_straight;
-    for (int x = 0; x < NCK_AXIS_MAX; x++) {
-        const nck_axis_t *const axis = &machine->axis[x];
-        if (!(joint->first[x] > 0.0)) continue;
-        at->a = nck_min(at->a, nck_budget_accel(axis->a_max, joint->first[x], joint->second[x], v));
-        if (!limits_jerk || !(joint->second[x] > 0.0)) continue;
-        at->a = nck_min(at->a, nck_budget_ramp(axis->j_max, joint->second[x], joint->third[x], v));
-    }
     for (int x = 0; limits_jerk && x < NCK_AXIS_MAX; x++) {
         if (!(joint->first[x] > 0.0)) continue;
         at->j = nck_min(at->j, nck_budget_jerk(machine->axis[x].j_max, joint->first[x],

@@ -30,6 +30,21 @@ double nck_joint_v_filter(const nck_machine_t *machine);
 // Cost: constant.
 void nck_joint_tangents(const nck_seg_t *seg, double *start_out, double *end_out);
 
+// Into how many joints a spline is worth to be parted; of other segs: 1. joint: the whole seg's.
+// Cost: constant.
+int nck_joint_parts(const nck_joint_t *joint, const nck_machine_t *machine);
+
+// Fill in the caps of the part from span[0] to span[1] of a spline, else as nck_joint_make.
+// Cost: constant.
+void nck_joint_part(nck_joint_t *joint, const nck_seg_t *seg, const double span[2],
+                    const nck_machine_t *machine);
+
+// What a spline's bends leave of the path's acceleration at v². Cost: constant.
+double nck_joint_left(const nck_joint_t *joint, double w, const nck_machine_t *machine);
+
+// How far in time the slope's filter mixes accelerations: half its length [s]. Cost: constant.
+double nck_joint_mix_s(const nck_machine_t *machine);
+
 // Fill in a seg's caps; the tangents are those at its start and end. Cost: constant.
 void nck_joint_make(nck_joint_t *joint, const nck_seg_t *seg, const double *tangent_start,
                     const double *tangent_end, const nck_machine_t *machine);

@@ -11,6 +11,7 @@
 
 enum {
     PIECES_PER_SEG = 3, // head, middle, tail
+    JOINT_ROOM = NCK_JOINT_MAX - NCK_CORNER_SPAN - NCK_SPLINE_PARTS, // and one seg more goes in
     PASS_STEP = 32,     // nodes in one bounded step of a pass
     PHASE_NONE = 0, PHASE_BACKWARD = 1, PHASE_FORWARD = 2
 };
@@ -28,11 +29,29 @@ void nck_lookahead_init(nck_lookahead_t *self, const nck_machine_t *machine) {
     self->a_any = nck_joint_a_any(machine);
     self->v_filter = nck_joint_v_filter(machine);
     self->zone_s = nck_corner_zone_s(machine);
+    self->mix_s = nck_joint_mix_s(machine);
     self->before.limit = NCK_LIMIT_EXACT_STOP;
 }
 
 int nck_lookahead_has_room(const nck_lookahead_t *self) {
-    return self->joint.head - self->joint.placed < NCK_JOINT_MAX - NCK_CORNER_SPAN;
+    return self->joint.head - self->joint.placed <= JOINT_ROOM;
+}
+
+// Put the newest joint into the chain.
+static void join(nck_lookahead_t *self) {
+    self->joint.head++;
+    nck_near_level(self);
+}
+
+// Part the newest joint, a spline's, which is not in the chain yet.
+static void push_parts(nck_lookahead_t *self, const nck_seg_t *seg, int count) {
+    double span[2] = {0.0, 0.0};
+    for (int k = 0; k < count; k++) {
+        span[1] = k + 1 < count ? seg->length * (double)(k + 1) / (double)count : seg->length;
+        nck_joint_part(nck_joint_at(self, self->joint.head), seg, span, self->machine);
+        join(self);
+        span[0] = span[1];
+    }
 }
 
 nck_status_t nck_lookahead_push(nck_lookahead_t *self, const nck_seg_t *seg) {
@@ -47,8 +66,12 @@ nck_status_t nck_lookahead_push(nck_lookahead_t *self, const nck_seg_t *seg) {
                         self->machine);
     }
     memcpy(self->joint.tangent, end, sizeof end);
-    self->joint.head++;
-    nck_near_level(self);
+    const int parts = nck_joint_parts(joint, self->machine);
+    if (parts > 1) {
+        push_parts(self, seg, parts);
+    } else {
+        join(self);
+    }
     return NCK_OK;
 }
 
@@ -132,7 +155,7 @@ static void add_piece(nck_lookahead_t *self, const nck_joint_t *joint, const dou
     memset(node, 0, sizeof *node);
     node->seg = joint->seq;
     node->kind = joint->kind;
-    node->s = s[0];
+    node->s = joint->s + s[0];
     node->length = s[1] - s[0];
     node->a = piece.a;
     node->a_over = nck_min(piece.a, over.a);
@@ -162,11 +185,12 @@ static void add_rest(nck_lookahead_t *self, const nck_joint_t *joint) {
     self->window.fill++;
 }
 
-// How far a zone reaches into a seg that is entered (left) at v_node at most: zone_s at the seg's own
-// speed, or at what it can have gained by then.
-static double zone_length(const nck_lookahead_t *self, const nck_joint_t *joint, double v_node) {
-    const double time = self->zone_s;
-    if (!(self->v_filter > 0.0)) return joint->v_max * time;
+// How far a zone reaches into a seg that is entered (left) at v_node at most: at the seg's own speed,
+// or at what it can have gained by then. Where no junction takes a share, as far as the filter mixes.
+static double zone_length(const nck_lookahead_t *self, const nck_joint_t *joint, double v_node,
+                          const around_t *around) {
+    if (!(self->v_filter > 0.0)) return joint->v_max * self->zone_s;
+    const double time = around->share[NCK_PACE_OVER] > 0.0 ? self->zone_s : self->mix_s;
     const double gained = 0.5 * joint->a_most * time * time;
     return nck_min(joint->pace[NCK_PACE_OVER].v * time, (v_node + self->v_filter) * time + gained);
 }
@@ -212,8 +236,8 @@ static around_t middle_of(const nck_lookahead_t *self, const around_t ends[2], i
 static void add_motion(nck_lookahead_t *self, uint32_t count, const around_t ends[2],
                        const double v_start[]) {
     const nck_joint_t *const joint = nck_joint_at(self, count);
-    const double zone = zone_length(self, joint, speed_between(self, count));
-    const double zone_end = zone_length(self, joint, speed_between(self, count + 1));
+    const double zone = zone_length(self, joint, speed_between(self, count), &ends[0]);
+    const double zone_end = zone_length(self, joint, speed_between(self, count + 1), &ends[1]);
     const int tighter = is_tighter(self, joint, &ends[0]) || is_tighter(self, joint, &ends[1]);
     const int split = tighter && joint->length > SPLIT_ZONES * (zone + zone_end);
     const int head = split && is_cut(self, joint, &ends[0]);
@@ -268,7 +292,7 @@ static nck_status_t place(nck_lookahead_t *self) {
         place_motion(self, count, ends);
     }
     nck_node_t *const end = node_at(self, self->window.fill - 1);
-    end->last = 1;
+    end->last = joint->last;
     end->stop = joint->stop;
     if (joint->stop) {
         self->before.vv = 0.0;
@@ -276,7 +300,7 @@ static nck_status_t place(nck_lookahead_t *self) {
         self->before.limit = NCK_LIMIT_EXACT_STOP;
     }
     if (joint->kind == NCK_SEG_WAIT) self->window.barrier = self->window.fill;
-    self->window.segs++;
+    self->window.segs += joint->last;
     self->joint.placed++;
     return NCK_OK;
 }

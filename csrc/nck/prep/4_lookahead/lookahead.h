@@ -11,7 +11,10 @@
 #include "nck/base/records.h" // nck_seg_t nck_node_t
 #include "nck/base/status.h"  // nck_status_t
 
-enum { NCK_JOINT_MAX = 4 * NCK_CORNER_SPAN };
+enum {
+    NCK_JOINT_MAX = 4 * NCK_CORNER_SPAN,
+    NCK_SPLINE_PARTS = 4 // joints of a spline at most
+};
 
 // The two paces that a path is planned for: as programmed, and at a feed override beyond 100 %.
 enum { NCK_PACE_FEED = 0, NCK_PACE_OVER = 1, NCK_PACES = 2 };
@@ -26,13 +29,16 @@ typedef struct nck_pace {
     double share;         // β that the junction at the end may use
 } nck_pace_t;
 
-// A seg as this room sees it, and the junction at its end.
+// A seg (of a spline: a part of it) as this room sees it, and the junction at its end.
 typedef struct nck_joint {
     uint32_t seq;         // of the seg
     uint8_t kind;         // nck_seg_kind_t
     uint8_t limit;        // nck_limit_t that set v_max
     uint8_t limit_free;   // nck_limit_t that set v_free
     uint8_t stop;         // 1: the path rests at the end
+    uint8_t last;         // 1: ends its seg
+    uint8_t reserved[7];  // 0
+    double s;             // where in its seg it begins [path mm]
     double length;        // [path mm]
     double feed;          // programmed speed [path mm/s]; 0: a rapid
     double v_max;         // speed cap of the whole seg at 100 % [path mm/s]
@@ -57,6 +63,7 @@ typedef struct nck_lookahead {
     uint32_t ended;       // 1: no more segs will come
     double a_any;         // no seg has a larger tangential acceleration [path mm/s²]
     double zone_s;        // how long before and after a junction its share is kept free [s]
+    double mix_s;         // how far the slope's filter mixes accelerations [s]
     double v_filter;      // how much the slope's filter can raise the speed at a node [mm/s]
 
     // joints, counted from the start; slot = count mod NCK_JOINT_MAX

@@ -2,7 +2,7 @@
 // Inside room 4: what neighbouring segs have to do with a seg's speed and limits.
 #include "nck/prep/4_lookahead/near.h"
 
-#include "nck/prep/4_lookahead/budget_math.h" // nck_budget_steep
+#include "nck/prep/4_lookahead/budget_math.h" // NCK_BUDGET_STEEP_SHARE
 
 #define UNLIMITED 1e30
 
@@ -11,13 +11,34 @@ static int is_chain(const nck_joint_t *joint) {
     return joint->kind == NCK_SEG_SPLINE && !joint->stop;
 }
 
-// The speed next to a cap is of no use much above it, but would cost acceleration and jerk.
-// Returns 1 if the cap came down.
-static int level(nck_joint_t *joint, const nck_joint_t *neighbour) {
+// v² next to a neighbour's, with the acceleration that the joint's own bends leave at w:
+//   g(w) = w_n + 2σ·a_left(w)·l
+static double reach(const nck_joint_t *joint, const nck_joint_t *neighbour, double w,
+                    const nck_machine_t *machine) {
     const double apart = 0.5 * (joint->length + neighbour->length);
-    const double w = neighbour->w_near
-                     + nck_budget_steep(neighbour->a_most, neighbour->j_straight,
-                                        neighbour->w_near, apart);
+    const double left = nck_max(0.0, nck_joint_left(joint, w, machine));
+    return neighbour->w_near + 2.0 * NCK_BUDGET_STEEP_SHARE * left * apart;
+}
+
+// The largest v² that a joint can come down from to its neighbour's: about the root of w = g(w). As g
+// falls, the root lies between g(high) and any high that is not below it; a secant makes the gap
+// small. It need not be exact: what is allowed at a speed is worked out when the speed is settled.
+static double leveled(const nck_joint_t *joint, const nck_joint_t *neighbour,
+                      const nck_machine_t *machine) {
+    const double high = nck_min(joint->w_near, reach(joint, neighbour, neighbour->w_near, machine));
+    const double low = reach(joint, neighbour, high, machine);
+    if (!(low < high)) return high;
+    const double above = reach(joint, neighbour, low, machine) - low;
+    const double below = high - low;
+    const double w = low + (high - low) * above / (above + below);
+    return nck_min(w, reach(joint, neighbour, w, machine));
+}
+
+// A cap much above its neighbour's is of no use, but would cost acceleration and jerk.
+// Returns 1 if the cap came down.
+static int level(nck_joint_t *joint, const nck_joint_t *neighbour, const nck_machine_t *machine) {
+    if (!(neighbour->w_near < joint->w_near)) return 0;
+    const double w = leveled(joint, neighbour, machine);
     if (!(w < joint->w_near)) return 0;
     joint->w_near = w;
     joint->limit_free = neighbour->limit_free;
@@ -29,10 +50,10 @@ void nck_near_level(nck_lookahead_t *self) {
     nck_joint_t *joint = nck_joint_at(self, at);
     if (!is_chain(joint)) self->joint.broken = self->joint.head;
     if (at == 0 || joint->kind != NCK_SEG_SPLINE || !is_chain(nck_joint_at(self, at - 1))) return;
-    level(joint, nck_joint_at(self, at - 1));
+    level(joint, nck_joint_at(self, at - 1), self->machine);
     for (int n = 0; n < NCK_NEAR_SPAN && at > 0; n++) {
         nck_joint_t *const before = nck_joint_at(self, at - 1);
-        if (!is_chain(before) || !level(before, joint)) return;
+        if (!is_chain(before) || !level(before, joint, self->machine)) return;
         joint = before;
         at--;
     }
@@ -66,9 +87,9 @@ nck_near_t nck_near_before(nck_lookahead_t *self, uint32_t count, int pace, doub
         const nck_piece_limit_t piece = nck_joint_piece(joint, beta, pace, self->machine);
         include(&near, &piece);
         time += joint->pace[pace].time;
-        if (time >= self->zone_s) return near;
+        if (time >= self->mix_s) return near;
     }
-    near.slow = time / self->zone_s;
+    near.slow = time / self->mix_s;
     return near;
 }
 
@@ -87,8 +108,8 @@ nck_status_t nck_near_after(nck_lookahead_t *self, uint32_t count, int pace, dou
         const nck_piece_limit_t piece = nck_joint_piece(joint, beta, pace, self->machine);
         include(near_out, &piece);
         time += joint->pace[pace].time;
-        if (time >= self->zone_s) return NCK_OK;
+        if (time >= self->mix_s) return NCK_OK;
     }
-    near_out->slow = time / self->zone_s;
+    near_out->slow = time / self->mix_s;
     return NCK_OK;
 }
