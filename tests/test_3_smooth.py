@@ -1,0 +1,81 @@
+# SPDX-License-Identifier: MIT
+"""Smoothing as setpoints show it: within the tolerance, with limits held, never slower for more."""
+
+import math
+
+import judged
+import pytest
+from cases import Case
+
+WAVES = [
+    (50 * math.cos(t / 100) + 3 * math.sin(t / 9), 50 * math.sin(t / 100), 2 * math.sin(t / 20))
+    for t in range(600)
+]
+
+
+def micro_segments(mode):
+    lines = (f"X{x:.3f} Y{y:.3f} Z{z:.3f}" for x, y, z in WAVES)
+    return f"G21 G17 G90 {mode}\nG0 X50 Y0 Z0\nG1 F6000\n" + "\n".join(lines) + "\nM2\n"
+
+
+def corners(mode):
+    return (
+        f"G21 G17 G90 {mode}\nG1 X10 F30000\nY10\nX0 Y9\nG3 X-4 Y5 I0 J-4\nG2 X-8 Y1 I-4\n"
+        "G1 X-8 Y9 Z3\nG3 X-8 Y9 Z-3 I4\nG1 X0 Y0\nG0 Z9\nX20\nG1 Z0\nX0\nX20\nM2\n"
+    )
+
+
+def five_axes(mode):
+    rows = (
+        f"X{20 * math.cos(k / 7):.3f} Y{15 * math.sin(k / 5):.3f} Z{k / 9:.3f}"
+        f" A{10 * math.sin(k / 11):.3f} C{4 * (k % 3):.3f}"
+        for k in range(90)
+    )
+    return f"G21 G17 G90 {mode}\nG1 F60000\n" + "\n".join(rows) + "\nM2\n"
+
+
+def load(text, machine="mill3", slope="jerk", **settings):
+    settings["path__slope"] = slope
+    pairs = tuple(f"{key.replace('__', '.')}={value}" for key, value in settings.items())
+    return judged.load(Case("smooth", text, machine=machine, set=pairs))
+
+
+@pytest.mark.parametrize("tolerance", ["0.002", "0.01", "0.1", "1"])
+@pytest.mark.parametrize("make", [micro_segments, corners])
+def test_setpoints_stay_within_the_tolerance(make, tolerance):
+    judge = judged.run(load(make(f"G64 P{tolerance}"))).judge
+    assert 0.2 < judge.tolerance_used <= 1.0
+
+
+@pytest.mark.parametrize("tolerance", ["0.01", "0.2"])
+def test_rotary_axes_are_smoothed_too(tolerance):
+    program = load(five_axes(f"G64 P{tolerance}"), "mill5_xyzac")
+    assert 0.2 < judged.run(program).judge.tolerance_used <= 1.0
+
+
+def test_the_machines_tolerance_is_what_a_bare_g64_means():
+    bare = load(corners("G64"), path__tolerance_mm=0.05)
+    assert judged.digest_of(bare) == judged.digest_of(load(corners("G64 P0.05")))
+
+
+@pytest.mark.parametrize("mode", ["G61", "G61.1", "G64 P0"])
+def test_the_exact_path_knows_no_tolerance(mode):
+    digests = {
+        judged.digest_of(load(corners(mode), path__tolerance_mm=tolerance))
+        for tolerance in (0.0, 0.5)
+    }
+    assert len(digests) == 1
+
+
+def test_setpoints_do_not_depend_on_how_fast_prep_is():
+    program = load(micro_segments("G64 P0.02"))
+    assert judged.digest_of(program, 40) == judged.digest_of(program, 5000)
+
+
+@pytest.mark.parametrize("make", [micro_segments, corners])
+def test_a_looser_tolerance_is_not_slower(make):
+    times = [
+        judged.plan(load(make(f"G64 P{tolerance}")))[0]["time_s"]
+        for tolerance in ("0.003", "0.01", "0.03", "0.1", "0.3")
+    ]
+    assert all(late <= 1.005 * early for early, late in zip(times, times[1:], strict=False)), times
