@@ -353,6 +353,21 @@ def test_faults_end_in_the_same_states_on_the_glue(glued, command, state):
     assert glued.run(PROGRAM, commands=[command]).state == state
 
 
+@pytest.mark.parametrize(
+    "source",
+    [GLUE / "os.c", *sorted((ROOT / "firmware_sim" / "examples").glob("*.c"))],
+    ids=lambda path: path.name,
+)
+def test_clang_has_no_warning_for_a_cortex_m(source, tool):
+    command = [tool("clang-19"), "--target=thumbv7em-none-eabihf", "-mcpu=cortex-m7", "-std=c99"]
+    command += "-Wall -Wextra -Wpedantic -Werror -Wconversion -Wdouble-promotion -Wshadow".split()
+    command += "-Wundef -Wvla -Wstrict-prototypes -Wmissing-prototypes -fsyntax-only".split()
+    library = Path(call(tool("arm-none-eabi-gcc"), "-print-file-name=libc.a").strip())
+    headers = library.parents[1] / "include"
+    command += [f"-isystem{headers}", f"-I{ROOT / 'csrc'}", f"-I{ROOT / 'firmware_sim'}", source]
+    call(*command)
+
+
 @pytest.mark.parametrize("name", ["ucos2.c", "ucos3.c", "freertos.c"])
 def test_a_glue_file_has_at_most_sixty_lines(name):
     assert len((GLUE / name).read_text(encoding="utf-8").splitlines()) <= 60

@@ -69,7 +69,7 @@ static nck_status_t plan(void) {
 
 static void run(void) {
     (void)plan(); // a full look-ahead first, so that the path begins at full speed
-    board_tick_start((uint32_t)(machine.period_s * CORE_HZ));
+    board_tick_start((uint32_t)(machine.period_s * (double)CORE_HZ + 0.5));
     while (plan() != NCK_DONE && !is_late) __asm__ volatile("wfi");
     is_idle = 0;
     while (!is_idle && !is_late && periods < LOG_PERIODS) __asm__ volatile("wfi");

@@ -116,7 +116,7 @@ static os_status_t run(void) {
     status = os_task_create(PREP, "prep", prepare, NULL, prep_stack,
                             sizeof prep_stack / sizeof prep_stack[0]);
     if (status != OS_OK) return status;
-    return os_start((uint32_t)(machine.period_s * CORE_HZ));
+    return os_start((uint32_t)(machine.period_s * (double)CORE_HZ + 0.5));
 }
 
 int main(void) {
