@@ -117,7 +117,7 @@ def test_setpoints_are_the_same_on_every_core(case, slope, tmp_path):
 
 @pytest.mark.parametrize("slope", SLOPES)
 @pytest.mark.parametrize("case", [case for case in THREE_AXES if case.name in SHORT], ids=str)
-def test_setpoints_are_the_same_with_small_capacities(case, slope, tmp_path):
+def test_setpoints_are_the_same_in_64_kilobytes_of_ram(case, slope, tmp_path):
     runs = [("host", "small"), ("m4f", "small")]
     assert_equal(runs, run_everywhere(runs, case, slope, tmp_path), tmp_path)
 

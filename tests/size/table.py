@@ -13,6 +13,7 @@ import subprocess
 import sys
 import tempfile
 from concurrent.futures import ThreadPoolExecutor
+from dataclasses import replace
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -33,14 +34,19 @@ OPTIONS = {
     "m7": "-mcpu=cortex-m7 -mthumb -mfloat-abi=hard -mfpu=fpv5-d16".split(),
 }
 RUNTIME = "C runtime"
+SMOOTHED = "_smoothed"
 WIRES = "nck.c (wires)"
 SETS = {
     "small": "small (3 axes, window {NCK_WINDOW})",
     "default": "default (9 axes, window {NCK_WINDOW})",
     "host": "host (9 axes, window {NCK_WINDOW})",
 }
-BUDGETS = ("star", "random_arcs_0", "random_stops_0", "lathe_part", "rotary")
-SLOPES = ("linear",)
+# Micro-segments, the same smoothed, arcs in three planes, one dense straight line, five axes.
+BUDGETS = (
+    ("star", "linear"), ("star", "jerk"), ("star_smoothed", "linear"), ("star_smoothed", "jerk"),
+    ("planes", "linear"), ("planes", "jerk"), ("micrometres", "linear"), ("micrometres", "jerk"),
+    ("rotary", "linear"),
+)  # fmt: skip
 
 
 def run(tool, *arguments):
@@ -114,7 +120,9 @@ def measure_stack(core, image):
 
 def measure_instructions(core, name, slope):
     """Return (most and mean of a tick, most of a step of prep) in instructions."""
-    case = next(case for case in CASES if case.name == name)
+    case = next(case for case in CASES if case.name == name.removesuffix(SMOOTHED))
+    if name.endswith(SMOOTHED):
+        case = replace(case, text=case.text.replace("G61", "G64 P0.01"))
     machine = Machine.load(case.machine, set=(*case.set, f"path.slope={slope}"))
     with tempfile.TemporaryDirectory() as folder:
         result = targets.run_setpoints(core, "default", case, machine, Path(folder), count=True)
@@ -162,11 +170,12 @@ def stack_rows(images):
 
 
 def instruction_rows():
-    jobs = [(core, name, slope) for name in BUDGETS for slope in SLOPES for core in CORES]
+    jobs = [(core, *budget) for budget in BUDGETS for core in CORES]
     with ThreadPoolExecutor(2) as pool:
         found = list(pool.map(lambda job: measure_instructions(*job), jobs))
     for k in range(0, len(jobs), len(CORES)):
-        yield f"{jobs[k][1]}, {jobs[k][2]}", [n for numbers in found[k : k + 2] for n in numbers]
+        numbers = [number for each in found[k : k + len(CORES)] for number in each]
+        yield f"{jobs[k][1].replace('_', ', ')}, {jobs[k][2]}", numbers
 
 
 def table():
