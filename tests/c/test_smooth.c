@@ -259,6 +259,8 @@ static void micro_segments_stay_within_the_tolerance(check_t *check)
         machine.start_nm[0] = 50000000;
         add_micro_segments(chord[k / 3], k % 2 ? 1e-3 : 1e-4, tolerance[k % 3]);
         hold_promises(check, "micro-segments");
+        for (int n = 0; n < blocks; n++) block[n].merge_mm = tolerance[k % 3];
+        hold_promises(check, "merged micro-segments");
     }
 }
 
@@ -278,6 +280,7 @@ static void add_random_block(void)
     }
     line_to(x + random_between(-reach, reach), y + random_between(-reach, reach), 0.0, p);
     nck_block_t *const last = &block[blocks - 1];
+    last->merge_mm = random_between(0.0, p);
     last->kind = random_between(0.0, 1.0) < 0.1 ? NCK_BLOCK_RAPID : NCK_BLOCK_LINE;
     for (int axis = 2; axis < NCK_AXIS_MAX; axis++) {
         const double counts = nck_machine_counts(&machine, axis);
@@ -318,6 +321,28 @@ static void straight_blocks_become_straight_segs(check_t *check)
     CHECK(check, run(&exact, 1) && run(&path, 0));
     CHECK_INT(check, path.segs, 1);
     CHECK(check, memcmp(&path.seg[0], &exact.seg[0], sizeof path.seg[0]) == 0);
+}
+
+// Q joins what is nearly one line, up to nine blocks; never across a feed, an output or a corner.
+static void nearly_collinear_lines_are_merged_within_q(check_t *check)
+{
+    begin();
+    for (int k = 1; k <= 36; k++) {
+        line_to(0.1 * k, k % 2 ? 0.0003 : 0.0, 0.0, 0.01);
+        block[blocks - 1].merge_mm = 0.01;
+    }
+    hold_promises(check, "merged lines");
+    CHECK_INT(check, smooth.raw.head, 4);
+    for (int k = 0; k < blocks; k++) block[k].merge_mm = 1e-4;
+    hold_promises(check, "lines too far from one for Q");
+    CHECK_INT(check, smooth.raw.head, 36);
+    for (int k = 0; k < blocks; k++) block[k].merge_mm = 0.01;
+    for (int k = 0; k < 18; k++) block[k].feed = 1000.0 + k;
+    hold_promises(check, "lines of many feeds");
+    CHECK_INT(check, smooth.raw.head, 18 + 2);
+    block[30].target_nm[1] += 1000000;
+    hold_promises(check, "lines with a spike");
+    CHECK_INT(check, smooth.raw.head, 18 + 5);
 }
 
 // What is not smoothed is the same to the bit beside a run as alone.
@@ -456,6 +481,7 @@ int main(void)
     CHECK_RUN(&check, random_paths_of_all_axes_stay_within_the_tolerance);
     CHECK_RUN(&check, a_corner_uses_most_of_its_tolerance);
     CHECK_RUN(&check, straight_blocks_become_straight_segs);
+    CHECK_RUN(&check, nearly_collinear_lines_are_merged_within_q);
     CHECK_RUN(&check, exact_blocks_pass_unchanged);
     CHECK_RUN(&check, outputs_keep_order_and_place);
     CHECK_RUN(&check, a_seg_takes_the_slowest_feed_and_the_line_of_its_middle);

@@ -6,6 +6,7 @@
 
 #include "nck/base/real.h"                 // nck_min nck_max
 #include "nck/prep/3_smooth/knot.h"        // nck_knot_…
+#include "nck/prep/3_smooth/merge.h"       // nck_merge_…
 #include "nck/prep/3_smooth/metric_math.h" // nck_metric_length nck_metric_feed_length
 #include "nck/prep/3_smooth/raw.h"         // nck_raw_…
 #include "nck/prep/3_smooth/spline_math.h" // nck_spline_…
@@ -124,31 +125,41 @@ static int is_smooth(const nck_block_t *block) {
            && block->tolerance_mm >= TOLERANCE_MIN;
 }
 
-nck_status_t nck_smooth_push(nck_smooth_t *self, const nck_block_t *block, uint32_t block_seq) {
-    if (!self->hungry) return NCK_FULL;
-    nck_raw_t *const raw = nck_raw_at(self, self->raw.head);
+static void begin_raw(nck_raw_t *raw, const nck_block_t *block, uint32_t block_seq) {
     memset(raw, 0, sizeof *raw);
     raw->has_output = block->kind >= NCK_BLOCK_WAIT;
     raw->has_seg = block->kind <= NCK_BLOCK_WAIT;
     raw->ends = block->kind == NCK_BLOCK_END;
+    raw->smooth = (uint8_t)is_smooth(block);
     raw->seg.block = block_seq;
     raw->output = block->output;
     raw->output.line = block->line;
-    if (raw->has_seg) {
-        const nck_status_t status = make_seg(self, block, &raw->seg);
-        if (status != NCK_OK) return status == NCK_EMPTY ? NCK_OK : status;
-        memcpy(self->position_nm, block->target_nm, sizeof self->position_nm);
-        memcpy(self->position, raw->seg.end, sizeof self->position);
-    }
-    raw->smooth = (uint8_t)is_smooth(block);
+}
+
+// The block at the head of the ring becomes part of it.
+static void take_raw(nck_smooth_t *self, nck_raw_t *raw, const nck_block_t *block) {
     raw->s = place_in_run(self);
     if (raw->smooth) {
         raw->tolerance = block->tolerance_mm - ROUNDING;
         raw->inside = nck_knot_spacing_inside(self, &raw->seg, raw->tolerance);
     }
     self->raw.head++;
-    self->hungry = 0;
+    nck_merge_begin(self, block);
     extend_run(self);
+}
+
+nck_status_t nck_smooth_push(nck_smooth_t *self, const nck_block_t *block, uint32_t block_seq) {
+    if (!self->hungry) return NCK_FULL;
+    nck_raw_t *const raw = nck_raw_at(self, self->raw.head);
+    begin_raw(raw, block, block_seq);
+    if (raw->has_seg) {
+        const nck_status_t status = make_seg(self, block, &raw->seg);
+        if (status != NCK_OK) return status == NCK_EMPTY ? NCK_OK : status;
+        memcpy(self->position_nm, block->target_nm, sizeof self->position_nm);
+        memcpy(self->position, raw->seg.end, sizeof self->position);
+    }
+    self->hungry = 0;
+    if (!raw->smooth || !nck_merge_line(self, block, &raw->seg)) take_raw(self, raw, block);
     return NCK_OK;
 }
 

@@ -8,6 +8,9 @@
 #include "nck/base/records.h" // nck_block_t nck_seg_t nck_output_t
 #include "nck/base/status.h"  // nck_status_t
 
+// Blocks that G64 Q may join to one, the first not counted.
+enum { NCK_SMOOTH_MERGE = 8 };
+
 // A block on its way through the room.
 typedef struct nck_raw {
     nck_seg_t seg;       // its exact seg
@@ -49,6 +52,15 @@ typedef struct nck_smooth {
         uint32_t tail; // blocks done with
         nck_raw_t at[NCK_SMOOTH_SPAN];
     } raw;
+
+    // The newest block, as lines are joined to it.
+    struct {
+        uint32_t count;    // vertices that have vanished in it
+        double tolerance;  // P of its blocks [mm]
+        double within;     // its tolerance before anything was joined [mm]
+        double s[NCK_SMOOTH_MERGE + 1]; // where the vertices were in it [path mm]
+        double vertex[NCK_SMOOTH_MERGE + 1][NCK_AXIS_MAX];
+    } merge;
 
     // The smoothed stretch at the front, from rest or exact path to the next: knots t, controls c.
     struct {

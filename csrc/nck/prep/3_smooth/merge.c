@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: MIT
+// Inside room 3: lines that are nearly one.
+#include "nck/prep/3_smooth/merge.h"
+
+#include <string.h> // memcpy
+
+#include "nck/base/real.h"                 // nck_min nck_max
+#include "nck/prep/3_smooth/raw.h"         // nck_raw_at
+#include "nck/prep/3_smooth/spline_math.h" // nck_spline_distance
+
+#define SHARE 0.05 // of the tolerance that merging may use: it is lost to the spline
+
+// May the newest block still change, and does the line continue it in all but direction?
+static int is_alike(const nck_smooth_t *self, const nck_raw_t *raw, const nck_block_t *block,
+                    const nck_seg_t *seg) {
+    const int is_line = block->kind == NCK_BLOCK_LINE && raw->seg.kind == NCK_SEG_LINE;
+    const int unused = !self->run.open || self->run.t[4] <= raw->s;
+    return is_line && raw->smooth && !raw->seg.rapid && unused
+           && self->merge.count < NCK_SMOOTH_MERGE
+           && self->merge.tolerance == block->tolerance_mm && raw->seg.feed == seg->feed
+           && raw->seg.feed_scale == seg->feed_scale;
+}
+
+// How far the vertices between are from one line over the same path coordinate. Between vertices
+// both are straight, so nothing is further.
+static double leaves_by(const nck_smooth_t *self, const double *start, const double *end,
+                        double length) {
+    double worst = 0.0;
+    for (uint32_t i = 0; i <= self->merge.count; i++) {
+        double p[NCK_AXIS_MAX];
+        const double f = self->merge.s[i] / length;
+        for (int x = 0; x < NCK_AXIS_MAX; x++) p[x] = start[x] + (end[x] - start[x]) * f;
+        worst = nck_max(worst, nck_spline_distance(p, self->merge.vertex[i]));
+    }
+    return worst;
+}
+
+int nck_merge_line(nck_smooth_t *self, const nck_block_t *block, const nck_seg_t *seg) {
+    if (self->raw.head == self->raw.tail || !(block->merge_mm > 0.0)) return 0;
+    nck_raw_t *const raw = nck_raw_at(self, self->raw.head - 1);
+    if (!is_alike(self, raw, block, seg)) return 0;
+    const uint32_t count = self->merge.count;
+    const double length = raw->seg.length + seg->length;
+    memcpy(self->merge.vertex[count], raw->seg.end, sizeof self->merge.vertex[count]);
+    self->merge.s[count] = raw->seg.length;
+    const double error = leaves_by(self, raw->seg.start, seg->end, length);
+    if (error > nck_min(block->merge_mm, SHARE * block->tolerance_mm)) return 0;
+    memcpy(raw->seg.end, seg->end, sizeof raw->seg.end);
+    raw->seg.length = length;
+    raw->tolerance = self->merge.within - error;
+    self->merge.count++;
+    return 1;
+}
+
+void nck_merge_begin(nck_smooth_t *self, const nck_block_t *block) {
+    self->merge.count = 0;
+    self->merge.tolerance = block->tolerance_mm;
+    self->merge.within = nck_raw_at(self, self->raw.head - 1)->tolerance;
+}
