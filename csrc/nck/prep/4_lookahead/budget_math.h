@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One axis' acceleration and jerk on a smooth path p(s), shared between what the path's bends cost at
-// speed v and what is left along the path:
+// One axis' acceleration and jerk on a smooth path p(s), shared between what the path's bends cost
+// at speed v and what is left along the path:
 //   p̈ = p″·v² + p′·a           p⃛ = p‴·v³ + 3p″·v·a + p′·j
 // first, second, third: bounds on |p′|, |p″|, |p‴| of the axis. README, section "smooth pieces".
 #ifndef NCK_PREP_BUDGET_MATH_H

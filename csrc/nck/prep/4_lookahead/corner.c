@@ -7,8 +7,8 @@
 #define UNLIMITED 1e30
 
 // Smooth pieces pass into each other without a corner, but for rounding: 1e-13 mm in 1000 mm over a
-// piece of 0.01 mm turns it by 3e-11, which at 100 mm/s, 1 ms and 1000 mm/s² costs the share 3e-9. A
-// share as small as this one is left out; the nanometre of a setpoint costs more.
+// piece of 0.01 mm turns it by 3e-11, which at 100 mm/s, 1 ms and 1000 mm/s² costs the share 3e-9.
+// A share as small as this one is left out; the nanometre of a setpoint costs more.
 #define SHARE_OF_ROUNDING 1e-7
 
 // A junction is alone if the segs around it are longer than so many of its zones: then what happens
@@ -251,8 +251,8 @@ nck_status_t nck_corner_decide(nck_lookahead_t *self) {
     return NCK_OK;
 }
 
-// The share where the span is shorter than the zone. Under a jerk limit the seg is slowed until it is
-// not (near.h); else the worst is assumed.
+// The share where the span is shorter than the zone. Under a jerk limit the seg is slowed until it
+// is not (near.h); else the worst is assumed.
 static double beyond_span(const nck_lookahead_t *self, double share) {
     return self->v_filter > 0.0 ? share : NCK_CORNER_SHARE_MAX;
 }

@@ -111,8 +111,8 @@ static void make_spline(nck_joint_t *joint, const nck_machine_t *machine) {
         if (third > 0.0) twist = nck_min(twist, nck_budget_twist(axis->j_max, third));
     }
     if (bend > 0.0) {
-        cap_speed(joint, nck_limit_sag(nck_sqrt(bend), machine->path.chord_error, machine->period_s),
-                  NCK_LIMIT_CHORD);
+        const double delta = machine->path.chord_error;
+        cap_speed(joint, nck_limit_sag(nck_sqrt(bend), delta, machine->period_s), NCK_LIMIT_CHORD);
     }
     if (limits_jerk && twist < UNLIMITED) {
         cap_speed(joint, nck_budget_cube_root(twist), NCK_LIMIT_JERK);

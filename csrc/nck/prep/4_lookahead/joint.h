@@ -52,7 +52,8 @@ void nck_joint_make(nck_joint_t *joint, const nck_seg_t *seg, const double *tang
 // Speed and limits of a seg at both paces, once w_near is known. Cost: constant.
 void nck_joint_settle(nck_joint_t *joint, const nck_machine_t *machine);
 
-// Limits in a piece of the settled seg at a pace (NCK_PACE_…), under the share beta. Cost: constant.
+// Limits in a piece of the settled seg at a pace (NCK_PACE_…), under the share beta.
+// Cost: constant.
 nck_piece_limit_t nck_joint_piece(const nck_joint_t *joint, double beta, int pace,
                                   const nck_machine_t *machine);
 

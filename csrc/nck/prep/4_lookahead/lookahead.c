@@ -92,15 +92,15 @@ typedef struct around {
 static const around_t NOTHING_AROUND = {
     {0.0, 0.0}, {{UNLIMITED, UNLIMITED, 1.0}, {UNLIMITED, UNLIMITED, 1.0}}};
 
-static around_t both_of(const around_t *a, const around_t *b) {
-    around_t out;
+// What another side's neighbourhood takes on top.
+static void add_around(around_t *around, const around_t *other) {
     for (int k = 0; k < NCK_PACES; k++) {
-        out.share[k] = nck_max(a->share[k], b->share[k]);
-        out.near[k].a = nck_min(a->near[k].a, b->near[k].a);
-        out.near[k].j = nck_min(a->near[k].j, b->near[k].j);
-        out.near[k].slow = nck_min(a->near[k].slow, b->near[k].slow);
+        nck_near_t *const near = &around->near[k];
+        around->share[k] = nck_max(around->share[k], other->share[k]);
+        near->a = nck_min(near->a, other->near[k].a);
+        near->j = nck_min(near->j, other->near[k].j);
+        near->slow = nck_min(near->slow, other->near[k].slow);
     }
-    return out;
 }
 
 // The cap at a node by everything but the feeds: its junction and the pieces at both sides. Where
@@ -185,8 +185,9 @@ static void add_rest(nck_lookahead_t *self, const nck_joint_t *joint) {
     self->window.fill++;
 }
 
-// How far a zone reaches into a seg that is entered (left) at v_node at most: at the seg's own speed,
-// or at what it can have gained by then. Where no junction takes a share, as far as the filter mixes.
+// How far a zone reaches into a seg that is entered (left) at v_node at most: at the seg's own
+// speed, or at what it can have gained by then. Where no junction takes a share, as far as the
+// filter mixes.
 static double zone_length(const nck_lookahead_t *self, const nck_joint_t *joint, double v_node,
                           const around_t *around) {
     if (!(self->v_filter > 0.0)) return joint->v_max * self->zone_s;
@@ -222,13 +223,15 @@ static int is_cut(const nck_lookahead_t *self, const nck_joint_t *joint, const a
 
 // What is left of the neighbourhood in a middle whose ends are cut off or not. The linear slope's
 // zones are those of the programmed speed, so beyond it the middle keeps the shares free too.
-static around_t middle_of(const nck_lookahead_t *self, const around_t ends[2], int head, int tail) {
-    const around_t whole = both_of(&ends[0], &ends[1]);
-    around_t none = NOTHING_AROUND;
-    if (!head) none = both_of(&none, &ends[0]);
-    if (!tail) none = both_of(&none, &ends[1]);
-    if (!(self->v_filter > 0.0)) none.share[NCK_PACE_OVER] = whole.share[NCK_PACE_OVER];
-    return none;
+static void keep_in_middle(const nck_lookahead_t *self, const around_t ends[2],
+                           const int is_cut_off[2], around_t *middle_out) {
+    double share = 0.0;
+    *middle_out = NOTHING_AROUND;
+    for (int n = 0; n < 2; n++) {
+        share = nck_max(share, ends[n].share[NCK_PACE_OVER]);
+        if (!is_cut_off[n]) add_around(middle_out, &ends[n]);
+    }
+    if (!(self->v_filter > 0.0)) middle_out->share[NCK_PACE_OVER] = share;
 }
 
 // Inside a zone the share of its junction is kept free and its neighbour's limits hold; the middle
@@ -240,18 +243,19 @@ static void add_motion(nck_lookahead_t *self, uint32_t count, const around_t end
     const double zone_end = zone_length(self, joint, speed_between(self, count + 1), &ends[1]);
     const int tighter = is_tighter(self, joint, &ends[0]) || is_tighter(self, joint, &ends[1]);
     const int split = tighter && joint->length > SPLIT_ZONES * (zone + zone_end);
-    const int head = split && is_cut(self, joint, &ends[0]);
-    const int tail = split && is_cut(self, joint, &ends[1]);
+    const int is_cut_off[2] = {split && is_cut(self, joint, &ends[0]),
+                               split && is_cut(self, joint, &ends[1])};
     const double unlimited[NCK_PACES] = {joint->v_max, joint->v_free};
-    const double a = head ? zone : 0.0;
-    const double b = tail ? joint->length - zone_end : joint->length;
+    const double a = is_cut_off[0] ? zone : 0.0;
+    const double b = is_cut_off[1] ? joint->length - zone_end : joint->length;
     const double first[2] = {0.0, a};
     const double middle[2] = {a, b};
     const double last[2] = {b, joint->length};
-    const around_t inside = middle_of(self, ends, head, tail);
-    if (head) add_piece(self, joint, first, &ends[0], v_start);
-    add_piece(self, joint, middle, &inside, head ? unlimited : v_start);
-    if (tail) add_piece(self, joint, last, &ends[1], unlimited);
+    around_t inside;
+    keep_in_middle(self, ends, is_cut_off, &inside);
+    if (is_cut_off[0]) add_piece(self, joint, first, &ends[0], v_start);
+    add_piece(self, joint, middle, &inside, is_cut_off[0] ? unlimited : v_start);
+    if (is_cut_off[1]) add_piece(self, joint, last, &ends[1], unlimited);
 }
 
 // What reaches into the oldest joint from before and from behind. NCK_EMPTY if it is not known yet.

@@ -20,8 +20,8 @@ static double reach(const nck_joint_t *joint, const nck_joint_t *neighbour, doub
     return neighbour->w_near + 2.0 * NCK_BUDGET_STEEP_SHARE * left * apart;
 }
 
-// The largest v² that a joint can come down from to its neighbour's: about the root of w = g(w). As g
-// falls, the root lies between g(high) and any high that is not below it; a secant makes the gap
+// The largest v² that a joint can come down from to its neighbour's: about the root of w = g(w). As
+// g falls, the root lies between g(high) and any high that is not below it; a secant makes the gap
 // small. It need not be exact: what is allowed at a speed is worked out when the speed is settled.
 static double leveled(const nck_joint_t *joint, const nck_joint_t *neighbour,
                       const nck_machine_t *machine) {
