@@ -7,7 +7,6 @@ import json
 import os
 import sys
 import traceback
-from enum import StrEnum
 from importlib.util import find_spec
 from pathlib import Path
 from typing import Annotated
@@ -15,6 +14,28 @@ from typing import Annotated
 import typer
 
 from pycnc import errors
+from pycnc.cli_options import (
+    Backend,
+    Commands,
+    ControllerName,
+    DialectName,
+    Figures,
+    File,
+    Files,
+    Json,
+    MachineName,
+    Output,
+    Paths,
+    Picture,
+    PlanName,
+    PrepSteps,
+    Quiet,
+    Set,
+    Subject,
+    Tools,
+    Units,
+    Verbose,
+)
 from pycnc.diagnostics import Diagnostic
 from pycnc.firmware import FirmwareError
 from pycnc.machine import DEFAULT, Machine, MachineFileError, shipped
@@ -22,80 +43,6 @@ from pycnc.planning import BackendError
 
 GOOD, WRONG, USAGE, INTERNAL, INTERRUPTED = 0, 1, 2, 4, 130
 PEAK_TOLERANCE = 1e-6  # of a limit, on the double setpoints
-
-
-class Dialect(StrEnum):
-    """What ``--dialect`` takes."""
-
-    linuxcnc = "linuxcnc"
-    fanuc = "fanuc"
-    grbl = "grbl"
-    marlin = "marlin"
-
-
-class Units(StrEnum):
-    """What ``--units`` takes."""
-
-    mm = "mm"
-    inch = "inch"
-
-
-File = Annotated[str, typer.Argument(metavar="FILE", help="NC program; - is stdin.")]
-Files = Annotated[list[str], typer.Argument(metavar="FILE…", help="NC programs; - is stdin.")]
-MachineName = Annotated[
-    str, typer.Option("--machine", "-m", help="Name of a shipped machine, or a machine file.")
-]
-Set = Annotated[
-    list[str] | None,
-    typer.Option("--set", metavar="KEY=VALUE", help="Change a setting: axis.x.max_mm=500."),
-]
-Tools = Annotated[
-    str | None, typer.Option("--tools", metavar="FILE", help="Tool table (LinuxCNC tool.tbl).")
-]
-DialectName = Annotated[
-    Dialect | None, typer.Option("--dialect", help="Read the text as this dialect.")
-]
-Json = Annotated[bool, typer.Option("--json", help="Results as JSON.")]
-Quiet = Annotated[bool, typer.Option("--quiet", "-q", help="Errors and results only.")]
-Verbose = Annotated[bool, typer.Option("--verbose", "-v", help="Tell more.")]
-Backend = Annotated[str, typer.Option("--backend", help="Where planning runs: auto, c, opencl.")]
-PlanName = Annotated[str, typer.Option("--plan", help="How speed is planned: exact or grades.")]
-
-Output = Annotated[
-    str | None,
-    typer.Option(
-        "--output", "-o", metavar="TRACE", help="Write a row per tick: .npz, .csv or .parquet."
-    ),
-]
-Picture = Annotated[
-    str | None,
-    typer.Option("--plot", metavar="PICTURE", help="Draw the run: .png, .svg or .pdf."),
-]
-PrepSteps = Annotated[
-    int | None,
-    typer.Option(min=1, help="Prep steps between two ticks; few of them starve the tick."),
-]
-ControllerName = Annotated[
-    str | None,
-    typer.Option("--controller", help="Run the firmware: host, or m4f or m7 under QEMU."),
-]
-Commands = Annotated[
-    list[str] | None,
-    typer.Option(
-        "--at", metavar='"TICK COMMAND …"',
-        help='What the operator does there: "250 hold", "400 override 50 100"; with --controller.',
-    ),
-]  # fmt: skip
-Subject = Annotated[
-    str | None, typer.Argument(metavar="NAME", help="Which one; without a name: a list.")
-]
-Figures = Annotated[
-    str | None,
-    typer.Option("--output", "-o", metavar="FOLDER", help="Write the figures of a subject there."),
-]
-Paths = Annotated[
-    str | None, typer.Option(metavar="FOLDER", help="Problems for the subject optimum.")
-]
 
 app = typer.Typer(
     name="pycnc",

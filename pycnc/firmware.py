@@ -26,19 +26,21 @@ CORES = {"m4f": "mps2-an386", "m7": "mps2-an500"}
 CONTROLLERS = ("host", *CORES)
 TIMEOUT_S = 300.0
 WANTED = frozenset({"done", "hold", "wait", "aborted", "estop"})  # ends that somebody asked for
-_SHIFT = 3  # an instruction takes 2³ ns of QEMU's virtual time: 125 million in a second
+INSTRUCTION_NS = 8  # of QEMU's virtual time: 125 million in a second
 _COMPILER, _EMULATOR = "arm-none-eabi-gcc", "qemu-system-arm"
 _PACKAGES = {
     _COMPILER: "gcc-arm-none-eabi libnewlib-arm-none-eabi",
     _EMULATOR: "qemu-system-arm",
     "cmake": "cmake",
 }
-# What the work takes where time is virtual, in units of the controller's clock of 25 MHz.
-_NOMINAL = {"prep_units": 250, "tick_units": 250, "feeder_units": 250}
+# What the work takes where time is virtual, in units of the controller's clock of 25 MHz: about
+# what an M7 takes for it with the jerk-limited slope.
+_NOMINAL = {"prep_units": 550, "tick_units": 530, "feeder_units": 550}
 _ROW = [
     ("tick", "<u4"), ("line", "<u4"), ("queue", "<u4"), ("state", "u1"), ("tick_state", "u1"),
     ("limit", "u1"), ("drives", "u1"),
 ]  # fmt: skip
+_COUNTS = ("ticks", "overruns", "underruns", "starved_ticks", "given_away", "refused")
 _LISTS = ("task", "diagnostic", "event")
 _BOARD_FAULTS = {
     100: "an exception that nobody takes", 101: "NMI", 102: "hard fault", 103: "memory fault",
@@ -62,12 +64,16 @@ class Outcome:
     events : list of (int, str)
         Changes of state, and the tick each came after.
     hash : str
-        FNV-1a of 64 bits over all setpoints, up to the last tick with something to do.
+        FNV-1a of 64 bits over the setpoints of all ticks with something to do.
     joints_nm : tuple of int
         Where the axes stand at the end [nm, nanodegrees].
     ticks, overruns, underruns, starved_ticks, given_away : int
-        Setpoints; ticks longer than their period; ticks that preparation was late for, and those
-        of them on the stop tail; periods without a setpoint after an overrun.
+        Ticks with something to do; ticks longer than their period; ticks that preparation was late
+        for, at a stop or on the stop tail, and those on the tail; periods without a setpoint after
+        an overrun.
+    refused : int
+        Commands that the machine cannot follow: overrides and single blocks need ``slope =
+        "jerk"``.
     load : dict
         Share of the processor's time: "tick", and every task by its name.
     tick_most : float
@@ -89,7 +95,7 @@ class Outcome:
         self.state, self.hash = report["state"], report["hash"]
         self.joints_nm = tuple(map(int, report["joints"].split()))
         self.events = [(int(tick), names[int(code)]) for tick, code in report["event"]]
-        for name in ("ticks", "overruns", "underruns", "starved_ticks", "given_away"):
+        for name in _COUNTS:
             setattr(self, name, int(report[name]))
         self._measure(report, period_s)
         self.state_names = dict(enumerate(names))
@@ -103,8 +109,8 @@ class Outcome:
 
     def as_dict(self):
         """Return what a script needs to know, ready for JSON."""
-        names = ("state", "hash", "ticks", "overruns", "underruns", "starved_ticks", "given_away",
-                 "load", "tick_most", "stack_left", "joints_nm", "events", "wall_s")  # fmt: skip
+        names = ("state", "hash", *_COUNTS, "load",
+                 "tick_most", "stack_left", "joints_nm", "events", "wall_s")  # fmt: skip
         facts = {name: getattr(self, name) for name in names}
         return facts | {"diagnostics": self.diagnostics.as_list()}
 
@@ -128,7 +134,7 @@ class Controller:
         self.name, self._image = name, image
 
     def run(self, program, machine=DEFAULT, commands=(), *, file="<text>", trace=False,
-            timeout_s=TIMEOUT_S, **conditions):  # fmt: skip
+            timeout_s=TIMEOUT_S, instruction_ns=INSTRUCTION_NS, **conditions):  # fmt: skip
         """Run a program and return what happened.
 
         Parameters
@@ -148,6 +154,8 @@ class Controller:
             Keep a row a tick.
         timeout_s : float
             Wall time.
+        instruction_ns : int
+            What an instruction of a Cortex-M takes, a power of two. Of no meaning on the host.
         **conditions
             prep_steps (of a tick at most; 0: no limit), wait_ticks (until the operator resumes
             after M0, M1, M6; 0: never), starve_ticks (at rest without text until that is a fault;
@@ -176,7 +184,7 @@ class Controller:
             (place / "job").write_text("\n".join(job) + "\n", encoding="ascii")
             (place / "program").write_bytes(text)
             begin = time.perf_counter()
-            self._execute(place, timeout_s)
+            self._execute(place, timeout_s, instruction_ns)
             wall_s = time.perf_counter() - begin
             report = _read_report(place / "report")
             rows = _read_rows(place / "trace", report) if trace else None
@@ -184,13 +192,14 @@ class Controller:
         Wording(file, text, mill).add(found, _findings(report))
         return Outcome(report, found, rows, mill.period_s, wall_s)
 
-    def _execute(self, place, timeout_s):
+    def _execute(self, place, timeout_s, instruction_ns):
         command = [self._image]
         if self.name != "host":
             command = [
                 _EMULATOR, "-M", CORES[self.name], "-display", "none", "-monitor", "none",
                 "-serial", "none", "-semihosting-config", "enable=on,target=native",
-                "-icount", f"shift={_SHIFT},align=off,sleep=off", "-kernel", self._image,
+                "-icount", f"shift={instruction_ns.bit_length() - 1},align=off,sleep=off",
+                "-kernel", self._image,
             ]  # fmt: skip
         try:
             done = subprocess.run(command, cwd=place, capture_output=True, timeout=timeout_s)

@@ -102,7 +102,7 @@ static int start(app_t *app) {
 int app_run(app_t *app) {
     memset(app, 0, sizeof *app);
     if (!read_job(&app->job)) return EXIT_JOB;
-    app->tick.hash_idle = app->tick.hash = app_hash_begin();
+    app->tick.hash = app_hash_begin();
     if (nck_init(&app->nck, &app->job.machine, NULL) != NCK_OK) {
         app->supervisor.state = APP_FAULT_MACHINE;
         app_report(app);

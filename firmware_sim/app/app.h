@@ -103,7 +103,7 @@ typedef struct app {
 
     struct {                      // written by the tick
         volatile uint32_t count;  // setpoints so far
-        uint32_t used;            // of them up to the last that was not idle
+        uint32_t used;            // of them not idle
         volatile uint32_t state;  // nck_tick_state_t of the last
         volatile uint32_t idle;   // 1: nck_is_idle after the last
         volatile uint32_t resting;// ticks that the setpoint has not changed at speed 0
@@ -114,8 +114,7 @@ typedef struct app {
         uint32_t starved;         // ticks in NCK_TICK_STARVED
         uint32_t underruns;       // ticks that prep owed a setpoint: starved, or idle too early
         uint64_t most_units;      // of one tick
-        uint64_t hash;            // of the setpoints up to the last that was not idle
-        uint64_t hash_idle;       // and of the idle ones behind it too
+        uint64_t hash;            // of the setpoints that were not idle
         nck_pose_t pose;
         nck_axes_t axes;          // what the drives have
     } tick;
@@ -127,11 +126,13 @@ typedef struct app {
         volatile uint32_t work_units, work_ticks; // other work in the tick
         volatile uint32_t overrun_stack;          // priority + 1 of the task that is to overrun
         uint32_t command;         // next of the job
+        uint32_t refused;         // commands that this machine cannot follow
         uint32_t state;           // app_state_t
         uint32_t goal;            // app_state_t to end in, APP_IDLE: none
-        uint32_t waited;          // ticks in WAIT
+        uint32_t waited;          // ticks in WAIT, in this seg
+        uint32_t wait_seg;
         uint32_t starved;         // ticks at rest in STARVED
-        uint32_t settled;         // ticks in the last state
+        uint32_t settled;         // ticks that nothing more was to come
         uint32_t event_count;
         app_event_t event[APP_EVENTS];
     } supervisor;

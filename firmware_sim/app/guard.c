@@ -37,7 +37,7 @@ static double weakest(const nck_machine_t *machine, int jerk) {
 static double seconds_to_stop(const nck_machine_t *machine, double v) {
     const double a = weakest(machine, 0);
     const double to_full = machine->slope == NCK_SLOPE_LINEAR ? 0.0 : a / weakest(machine, 1);
-    return HOLD_TICKS * machine->period_s + (v / a + to_full) / 2.0 + to_full;
+    return (double)HOLD_TICKS * machine->period_s + (v / a + to_full) / 2.0 + to_full;
 }
 
 app_guard_t app_guard_check(const app_t *app, const nck_pose_t *pose, const nck_axes_t *next) {

@@ -19,7 +19,8 @@ int app_word_is(const app_word_t *word, const char *text);
 int app_integer(const app_word_t *word, int64_t *value_out);
 
 // Read a real: an integer, or [-]0xH.H…p±D with at most 53 significant bits and a result that is
-// zero or of 2⁻¹⁰²² … 2¹⁰²³. Returns 1 if the whole word is one, 0 as well if bits would be lost.
+// zero or of 2⁻¹⁰²² … 2¹⁰²³. Returns 1 if the whole word is one, and 0 as well if bits would be
+// lost.
 // Cost: linear in the length and in the exponent. Context: any.
 int app_real(const app_word_t *word, double *value_out);
 

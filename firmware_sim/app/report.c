@@ -75,6 +75,7 @@ static void report_counts(const app_t *app) {
         {"given_away", app->tick.given_away},
         {"underruns", app->tick.underruns},
         {"starved_ticks", app->tick.starved},
+        {"refused", app->supervisor.refused},
         {"prep_steps", app->prep.steps},
         {"tick_most_units", app->tick.most_units},
         {"tick_units", os_interrupt_units()},

@@ -6,7 +6,10 @@
 
 #include "app/guard.h" // app_guard_set
 
-enum { SETTLE_TICKS = 16 }; // that a last state is watched for
+enum {
+    SETTLE_TICKS = 16,  // that a last state is watched for
+    ALONE_TICKS = 1000  // at rest after the last command: nobody will resume any more
+};
 
 static int is_over(const app_t *app) { return app->supervisor.state >= APP_DONE; }
 
@@ -23,24 +26,28 @@ static void end_in(app_t *app, uint32_t goal) {
     nck_abort(&app->nck);
 }
 
-static void execute(app_t *app, const app_command_t *command) {
+// Returns 1, or 0 if this machine cannot follow: overrides and single blocks need the jerk-limited
+// slope, a travel a joint.
+static int execute(app_t *app, const app_command_t *command) {
     const app_range_t travel = {command->argument[1], command->argument[2], 1};
     const uint32_t first = (uint32_t)command->argument[0];
+    const uint32_t second = (uint32_t)command->argument[1];
     switch (command->kind) {
     case APP_HOLD: nck_hold(&app->nck); break;
     case APP_RESUME: nck_resume(&app->nck); break;
-    case APP_OVERRIDE: nck_set_override(&app->nck, first, (uint32_t)command->argument[1]); break;
-    case APP_SINGLE_BLOCK: nck_set_single_block(&app->nck, first); break;
+    case APP_OVERRIDE: return nck_set_override(&app->nck, first, second) == NCK_OK;
+    case APP_SINGLE_BLOCK: return nck_set_single_block(&app->nck, first) == NCK_OK;
     case APP_ABORT: end_in(app, APP_ABORTED); break;
     case APP_ESTOP: finish(app, APP_EMERGENCY); break;
-    case APP_TRAVEL: (void)app_guard_set(app, command->argument[0], &travel); break;
+    case APP_TRAVEL: return app_guard_set(app, command->argument[0], &travel);
     case APP_FEEDER_PAUSE: app->text.pause = first; break;
     case APP_TICK_WORK:
         app->supervisor.work_units = first;
-        app->supervisor.work_ticks = (uint32_t)command->argument[1];
+        app->supervisor.work_ticks = second;
         break;
     default: app->supervisor.overrun_stack = first + 1; break;
     }
+    return 1;
 }
 
 static void obey(app_t *app) {
@@ -48,7 +55,7 @@ static void obey(app_t *app) {
         const app_command_t *const next = &app->job.command[app->supervisor.command];
         if (next->tick > app->tick.count) return;
         app->supervisor.command++;
-        if (!is_over(app)) execute(app, next);
+        if (!is_over(app) && !execute(app, next)) app->supervisor.refused++;
     }
 }
 
@@ -67,7 +74,9 @@ static void look_for_faults(app_t *app) {
 // M0, M1, M6: the operator is there after a while.
 static void wait_for_operator(app_t *app) {
     const int waits = app->tick.state == NCK_TICK_WAIT;
-    app->supervisor.waited = waits ? app->supervisor.waited + 1 : 0;
+    if (!waits || app->supervisor.wait_seg != app->tick.pose.seg) app->supervisor.waited = 0;
+    app->supervisor.wait_seg = app->tick.pose.seg;
+    app->supervisor.waited += (uint32_t)waits;
     if (waits && app->supervisor.waited == app->job.wait_ticks) nck_resume(&app->nck);
 }
 
@@ -92,18 +101,19 @@ static void follow_motion(app_t *app) {
     else app_enter(app, state_of_motion(app));
 }
 
-// Nobody will resume any more.
-static int is_left_alone(const app_t *app) {
+// Ticks that the state must last before the run is ended; 0: it goes on.
+static uint32_t patience(const app_t *app) {
     const int waits = app->supervisor.state == APP_HELD
                       || (app->supervisor.state == APP_WAIT && app->job.wait_ticks == 0);
-    return waits && app->supervisor.command == app->job.command_count;
+    if (is_over(app)) return SETTLE_TICKS;
+    return waits && app->supervisor.command == app->job.command_count ? ALONE_TICKS : 0;
 }
 
 static void end_run(app_t *app) {
     const int late = app->job.max_ticks > 0 && os_time() >= app->job.max_ticks;
-    const int last = is_over(app) || is_left_alone(app);
-    app->supervisor.settled = last ? app->supervisor.settled + 1 : 0;
-    if (late || app->supervisor.settled >= SETTLE_TICKS) os_stop();
+    const uint32_t ticks = patience(app);
+    app->supervisor.settled = ticks > 0 ? app->supervisor.settled + 1 : 0;
+    if (late || (ticks > 0 && app->supervisor.settled >= ticks)) os_stop();
 }
 
 void app_enter(app_t *app, uint32_t state) {

@@ -23,16 +23,15 @@ static uint64_t hash_integer(uint64_t hash, int64_t value) {
     return hash;
 }
 
-// A hash that ends at the last tick that was not idle does not depend on when the run is ended.
-static void keep_hash(app_t *app) {
-    uint64_t hash = app->tick.hash_idle;
-    for (uint32_t k = 0; k < app->nck.transform.joints; k++) {
-        hash = hash_integer(hash, app->tick.axes.joint_nm[k]);
-    }
-    app->tick.hash_idle = hash;
+// Idle ticks do not count: how many there are depends on how soon prep goes on after a stop, and on
+// when the run is ended.
+static void count_setpoint(app_t *app) {
+    app->tick.count++;
     if (app->tick.state == NCK_TICK_IDLE || app->supervisor.frozen) return;
-    app->tick.hash = hash;
-    app->tick.used = app->tick.count;
+    app->tick.used++;
+    for (uint32_t k = 0; k < app->nck.transform.joints; k++) {
+        app->tick.hash = hash_integer(app->tick.hash, app->tick.axes.joint_nm[k]);
+    }
 }
 
 static void write_row(const app_t *app) {
@@ -48,11 +47,18 @@ static void write_row(const app_t *app) {
     hal_write(HAL_TRACE, bytes, sizeof row + joints);
 }
 
+// An override of nothing rests in the middle of the path as a late prep does, but the operator
+// wants it so.
+static uint32_t state_of(const nck_t *nck, nck_tick_state_t state) {
+    const int nothing = nck->command.feed_percent == 0 || nck->command.rapid_percent == 0;
+    return nothing && state == NCK_TICK_STARVED ? NCK_TICK_HOLD : state;
+}
+
 // Hand the next setpoint over, unless the guard says that the drives must not have it.
 static void take_setpoint(app_t *app) {
     nck_pose_t pose;
     nck_axes_t axes;
-    app->tick.state = nck_tick(&app->nck, &pose, &axes);
+    app->tick.state = state_of(&app->nck, nck_tick(&app->nck, &pose, &axes));
     app->tick.idle = (uint32_t)nck_is_idle(&app->nck);
     const app_guard_t guard = app_guard_check(app, &pose, &axes);
     if (guard == APP_GUARD_BEYOND) {
@@ -73,8 +79,8 @@ static void count_lateness(app_t *app) {
     app->tick.underruns += app->tick.state == NCK_TICK_STARVED || idle_early;
 }
 
-// Keep the processor busy. On a board time passes by itself, on the host by os_spend. The clock steps
-// back where a tick was lost.
+// Keep the processor busy. On a board time passes by itself, on the host by os_spend. The clock may
+// step back where a tick was lost.
 static void work(uint32_t units) {
     uint64_t last = os_clock(), spent = 0;
     os_spend(units);
@@ -118,10 +124,9 @@ void app_tick(void *user) {
     if (is_given_away(app)) return;
     watch_supervisor(app);
     if (!app->supervisor.started) return;
-    app->tick.count++;
     if (!app->supervisor.frozen) take_setpoint(app);
     if (!app->supervisor.frozen) count_lateness(app);
-    keep_hash(app);
+    count_setpoint(app);
     if (app->job.trace) write_row(app);
     do_other_work(app);
     const uint64_t units = os_clock() - begin;
