@@ -14,7 +14,7 @@ from pycnc._bind import lib
 from pycnc.records import dtype
 
 ROOT = Path(__file__).resolve().parents[1]
-BOARDS = {"m4f": "mps2-an386", "m7": "mps2-an500"}
+BOARDS = {"m4f": "mps2-an386", "m7": "mps2-an500", "m55": "mps3-an547"}
 SPANS = ("prep", "tick")
 LIMIT_S = 60  # an interrupt that takes longer than its period never lets go
 
@@ -37,7 +37,11 @@ class Result:
 
 
 class TargetError(Exception):
-    """A program did not build, or did not run to its end."""
+    """A program did not build, or did not run to its end; `status` is its exit status."""
+
+    def __init__(self, message, status=None):
+        super().__init__(message)
+        self.status = status
 
 
 def _run(command, **options):
@@ -47,13 +51,14 @@ def _run(command, **options):
     except subprocess.TimeoutExpired as cause:
         raise TargetError(f"{command[0]}: no end within {cause.timeout} s") from None
     if done.returncode != 0:
-        raise TargetError(f"{command[0]}: status {done.returncode}\n{done.stdout}{done.stderr}")
+        said = f"{command[0]}: status {done.returncode}\n{done.stdout}{done.stderr}"
+        raise TargetError(said, done.returncode)
     return done.stdout
 
 
 @cache
 def build(core):
-    """Build all programs for "host", "m4f" or "m7"; return the folder."""
+    """Build all programs for the host or a board: "host", "m4f", "m7", "m55"; return the folder."""
     cmake = Path(sys.executable).with_name("cmake")
     folder = ROOT / "build" / f"qemu-{core}"
     configure = [cmake, "-S", ROOT / "tests" / "qemu", "-B", folder, "-G", "Ninja"]
@@ -149,7 +154,7 @@ def run_setpoints(core, set_name, case, machine, folder, count=False):
 
     Parameters
     ----------
-    core : {"host", "m4f", "m7"}
+    core : {"host", "m4f", "m7", "m55"}
     set_name : {"default", "small", "host"}
         Capacities.
     case : Case

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The same bits everywhere: setpoints on Cortex-M4F and Cortex-M7, on the host and from Python.
+"""The same bits everywhere: setpoints on three Cortex-M, on the host and from Python.
 
 Nothing is compared with a stored path. Python's module has the capacities "host", which no board
 can hold, so that the chain is: Python, a host program of equal capacities, the same program with a
@@ -112,6 +112,7 @@ def is_quick(case, slope):
 def test_setpoints_are_the_same_on_every_core(case, slope, tmp_path):
     runs = [("host", "default"), ("m7", "default")]
     runs += [("m4f", "default")] * is_quick(case, slope)
+    runs += [("m55", "default")] * (case.name in SHORT)
     assert_equal(runs, run_everywhere(runs, case, slope, tmp_path), tmp_path)
 
 
@@ -146,3 +147,22 @@ def test_a_setpoint_that_differs_by_a_nanometre_is_seen(tmp_path):
     assert hash_of(rows) == result.hash
     rows[len(rows) // 2, 0] += 1
     assert hash_of(rows) != result.hash
+
+
+# How a board ends a run that its program does not end
+
+EXITS = {
+    "none": 0, "unexpected": 100, "hard": 102, "bus": 104, "division": 105, "undefined": 105,
+    "overrun": 106,
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("core", targets.BOARDS)
+@pytest.mark.parametrize("kind", EXITS)
+def test_a_fault_ends_the_run_with_its_own_status(core, kind):
+    image, status = targets.build(core) / "faults.elf", 0
+    try:
+        targets.emulate(core, image, kind)
+    except targets.TargetError as cause:
+        status = cause.status
+    assert status == EXITS[kind]

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The emulated boards: Cortex-M4F (QEMU's mps2-an386) and Cortex-M7 (mps2-an500). Files and the
-// exit status go through semihosting, time comes from SysTick alone.
+// The emulated boards: Cortex-M4F (QEMU's mps2-an386), Cortex-M7 (mps2-an500) and Cortex-M55
+// (mps3-an547). Files and the exit status go through semihosting, time comes from SysTick alone.
 //
 // startup.c owns the vector table. A firmware or an operating system takes an exception by defining
 // SVC_Handler, PendSV_Handler or SysTick_Handler; what nobody takes ends the run with its status.

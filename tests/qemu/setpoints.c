@@ -5,8 +5,8 @@
 //     setpoints MACHINE PROGRAM SUMMARY [ROWS]
 //
 // MACHINE is an nck_machine_t as it stands in memory, SUMMARY becomes the numbers of `summary_t`,
-// ROWS every tick's setpoints. Exit status: 0; 1 if an argument or a file is wrong; 2 if the program
-// has not ended after a million ticks.
+// ROWS every tick's setpoints. Exit status: 0; 1 if an argument or a file is wrong; 2 if the
+// program has not ended after a million ticks.
 #include <string.h> // memcpy
 
 #include "board/board.h" // files, arguments

@@ -38,7 +38,7 @@ SMOOTHED = "_smoothed"
 WIRES = "nck.c (wires)"
 SETS = {
     "small": "small (3 axes, window {NCK_WINDOW})",
-    "default": "default (9 axes, window {NCK_WINDOW})",
+    "default": "medium, the default (9 axes, window {NCK_WINDOW})",
     "host": "host (9 axes, window {NCK_WINDOW})",
 }
 # Micro-segments, the same smoothed, arcs in three planes, one dense straight line, five axes.
