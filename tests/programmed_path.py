@@ -11,6 +11,9 @@ COUNTS = np.array([1e6] * 3 + [1e9] * 3 + [1e6] * 3)  # nm in a mm, ndeg in a de
 RAPID, LINE, ARC, DWELL, WAIT, OUTPUT, END = range(7)  # block kinds
 EXACT_STOP, CONTINUOUS = 1, 2  # path modes G61.1, G64
 LINEAR = 0  # slope kind
+NEARER_MM = 1e-7  # a point this far from an arc may be nearer to another place of a helix
+NEWTON_STEPS = 3
+SHORT = 1e-4  # share of an arc over which derivatives are differences
 PLANES = {17: (0, 1), 18: (2, 0), 19: (1, 2)}
 
 
@@ -169,7 +172,22 @@ class Path:
     def apart(self, block, s, points):
         """Return how far points are from blocks [mm]."""
         q = np.clip(self.along(block, s, points), 0, 1)
-        return np.linalg.norm(points - self.point(block, q), axis=1)
+        found = np.linalg.norm(points - self.point(block, q), axis=1)
+        steep = np.flatnonzero(self.is_arc[block] & (found > NEARER_MM))
+        for _ in range(NEWTON_STEPS):  # of a helix, the nearest point is not at the same angle
+            b = block[steep]
+            here = self.point(b, q[steep])
+            ahead = self.point(b, q[steep] + SHORT) - here
+            behind = self.point(b, q[steep] - SHORT) - here
+            away = here - points[steep]
+            slope = np.einsum("ij,ij->i", away, ahead - behind)
+            bend = np.einsum("ij,ij->i", ahead - behind, ahead - behind) / 2
+            bend += 2 * np.einsum("ij,ij->i", away, ahead + behind)
+            step = np.divide(-slope * SHORT, bend, out=np.zeros(len(b)), where=bend > 0)
+            q[steep] = np.clip(q[steep] + step, 0, 1)
+            nearer = np.linalg.norm(points[steep] - self.point(b, q[steep]), axis=1)
+            found[steep] = np.minimum(found[steep], nearer)
+        return found
 
     def nearest(self, s, points, near, reach=5.0):
         """Return how far points are from the path around the coordinates s [mm].
