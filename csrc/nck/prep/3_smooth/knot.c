@@ -16,7 +16,8 @@
 #define AIM 0.7
 #define AIM_KEY 0.96
 #define AIM_END 0.98
-#define GROWTH 1.25      // from one spacing to the next, where the path is not straight
+#define GROWTH 1.25      // between two spacings that are looked at for a block's end
+#define STEP_GROWTH 1.1  // from one knot interval to the next, where the path is not straight
 #define NEIGHBOUR 0.7    // of a spacing: where to begin to look for the next one
 #define KEY_LEAST 0.5    // a corner is a key if the spacing that it allows alone is right within …
 #define KEY_MOST 1.5     // … these shares
@@ -160,7 +161,7 @@ static nck_status_t look_at_end(nck_smooth_t *self, double end, way_t *way) {
 // The largest step that does not grow too fast; any on a line.
 static double largest_step(nck_smooth_t *self, const nck_raw_t *raw) {
     const double here = self->run.t[4];
-    const double most = GROWTH * (here - self->run.t[3]);
+    const double most = STEP_GROWTH * (here - self->run.t[3]);
     const int is_line =
         raw->seg.kind == NCK_SEG_LINE && raw->s + raw->seg.length >= here + most;
     return most > 0.0 && !is_line ? most : self->spacing_max;
@@ -245,7 +246,7 @@ double nck_knot_spacing_inside(const nck_smooth_t *self, const nck_seg_t *seg, d
 
 // The n-th step to try: parts of the one wanted, then of the one before, which fitted.
 static double shorter_step(const nck_smooth_t *self, double step, int n) {
-    static const double of_wanted[TRIES_WANTED] = {1.0, 0.8, 0.6, 0.45, 0.3};
+    static const double of_wanted[TRIES_WANTED] = {1.0, 0.9, 0.8, 0.65, 0.45};
     static const double of_last[TRIES - TRIES_WANTED] = {1.0, 0.6, 0.3, 0.1, 0.03, 0.01};
     const double last = self->run.t[4] - self->run.t[3];
     if (n < TRIES_WANTED) return of_wanted[n] * step;
