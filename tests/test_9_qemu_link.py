@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: MIT
-"""The link between prep and tick: interrupted at every instruction, and between two threads.
+"""The link between prep and tick: interrupted at every instruction, and between two threads; and
+the whole kernel in three threads.
 
 The negative controls change one thing in a copy of base/, and must be caught.
 """
@@ -11,6 +12,10 @@ from dataclasses import dataclass
 
 import pytest
 import targets
+from cases import PROGRAM_CASES
+
+import pycnc
+from pycnc.machine import Machine
 
 GAPS = (211, 307, 503, 997)  # instructions of prep between two interrupts
 CLOCKS_PER_INSTRUCTION = 25.6  # SysTick counts every 40 ns; -icount shift=10 is 1024 ns
@@ -19,6 +24,7 @@ CELLS = 30_000
 WAYS = {"batches": 0, "plans": 1, "bare": 2}  # traffic_way_t
 SWEPT = ("batches", "plans")
 OPTIONS = ["-std=c99", "-Wall", "-Wextra", "-Werror", "-ffp-contract=off"]
+THREADED = [case for case in PROGRAM_CASES if case.name in ("planes", "waits")]
 SMALL = [f"-D{macro}={value}" for macro, value in targets.capacities("small").items()]
 CORES = {
     "m4f": ["-mcpu=cortex-m4", "-mfpu=fpv4-sp-d16", "-mthumb", "-mfloat-abi=hard"],
@@ -174,3 +180,49 @@ def test_two_threads_catch_a_broken_link(tool, tmp_path, fault):
     program = build_threads(tool, tmp_path, fault)
     said = (run_threads(program, way) for way in WAYS)
     assert any("data race" in each or "broken: " in each for each in said)
+
+
+# The whole kernel
+
+
+def build_kernel(tool, folder, fault=None):
+    """Build prep, tick and operator in three threads under the thread sanitizer."""
+    csrc = targets.ROOT / "csrc"
+    includes = [*ground(folder, fault)[:-1], f"-I{csrc}", f"-I{targets.ROOT / 'firmware_sim'}"]
+    options = ["-O1", "-g", "-fsanitize=thread", *includes, "-pthread", "-lm"]
+    sources = ["kernel_threads.c", "board_host.c", *sorted((csrc / "nck").rglob("*.c"))]
+    program = folder / "kernel_threads"
+    compile_c(tool("clang-19"), options, sources, program)
+    return program
+
+
+def run_kernel(program, case, slope, folder):
+    """Run a case; return the ticks, the last setpoints and what the sanitizer says."""
+    machine = Machine.load(case.machine, set=(*case.set, f"path.slope={slope}"))
+    (folder / "machine").write_bytes(targets.machine_image(machine, "small"))
+    (folder / "program").write_text(case.text)
+    first = {**os.environ, "TSAN_OPTIONS": "halt_on_error=1"}
+    done = subprocess.run(
+        [program, "machine", "program"], capture_output=True, text=True, timeout=120, env=first,
+        cwd=folder,
+    )  # fmt: skip
+    if done.returncode != 0:
+        return 0, [], done.stdout + done.stderr
+    ticks, *setpoints = map(int, done.stdout.split())
+    return ticks, setpoints, ""
+
+
+def test_prep_tick_and_operator_do_not_race(tool, tmp_path):
+    program = build_kernel(tool, tmp_path)
+    for case in THREADED:
+        for slope in ("linear", "jerk"):
+            ticks, setpoints, said = run_kernel(program, case, slope, tmp_path)
+            assert said == ""
+            end = pycnc.run(pycnc.load(case.text, machine=case.machine))
+            assert ticks >= len(end["t_s"])
+            assert setpoints == [int(end[f"joint_{k}_nm"][-1]) for k in range(3)]
+
+
+def test_the_three_threads_catch_a_broken_fence(tool, tmp_path):
+    program = build_kernel(tool, tmp_path, PLAIN_LOAD)
+    assert "data race" in run_kernel(program, THREADED[0], "linear", tmp_path)[2]
