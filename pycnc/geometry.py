@@ -97,10 +97,15 @@ class Moves:
         q[arc] = self._nearest_on_helix(block[arc], points[arc])
         return np.linalg.norm(points - self.point(block, q), axis=1)
 
+    def block_at(self, s):
+        """Return the blocks in which path coordinates are [mm]."""
+        block = np.searchsorted(self._begin, s, "right") - 1
+        return np.clip(block, 0, len(self.is_arc) - 1)
+
     def nearest(self, block, points):
         """Return how far points are from the path about a block: it, and its neighbours.
 
-        Neighbours are looked at as far along the path as `REACH` times the distance found so far.
+        Neighbours are looked at as far along the path as `REACH` times the distance from the block.
 
         Parameters
         ----------
@@ -117,15 +122,15 @@ class Moves:
         best = self.distance(block, points)
         begin, last = self._begin, len(self.is_arc) - 1
         far, k = np.flatnonzero(best > ON_PATH_MM), 0
+        reach = REACH * best
         while len(far):
             k += 1
             own = block[far]
             below, above = np.maximum(own - k, 0), np.minimum(own + k, last)
             for other in (below, above):
                 best[far] = np.minimum(best[far], self.distance(other, points[far]))
-            reach = REACH * best[far]
-            again = (begin[own] - begin[below] <= reach) & (own > k)
-            again |= (begin[above + 1] - begin[own + 1] <= reach) & (own + k < last)
+            again = (begin[own] - begin[below] <= reach[far]) & (own > k)
+            again |= (begin[above + 1] - begin[own + 1] <= reach[far]) & (own + k < last)
             far = far[again & (best[far] > ON_PATH_MM)]
         return best
 

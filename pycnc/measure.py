@@ -82,7 +82,7 @@ class PathError:
         begun = pose["line"] > 0
         if not begun.any():
             return
-        block = pose["block"][begun].astype(np.intp)
+        block = self._moves.block_at(pose["s"][begun])
         apart = self._moves.nearest(block, pose["axis"][begun])
         self.largest_mm = max(self.largest_mm, float(apart.max()))
 
