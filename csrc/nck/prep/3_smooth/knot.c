@@ -56,8 +56,8 @@ static double deviation(nck_smooth_t *self, double s, double h) {
 }
 
 // The largest spacing at s, from a good one on, before the deviation first exceeds the aim.
-// NCK_EMPTY if that depends on what is not known yet; NCK_FULL if it does and the ring is full: then
-// what is known must do for now.
+// NCK_EMPTY if that depends on what is not known yet; NCK_FULL if it does and the ring is full:
+// then what is known must do for now.
 static nck_status_t grow(nck_smooth_t *self, double s, double aim, double *spacing) {
     const double known = self->run.closed ? s + self->spacing_max : nck_raw_known(self);
     double good = *spacing;

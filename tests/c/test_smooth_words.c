@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: MIT
+// Room 3: what else goes through it: straight and exact blocks, merged ones, outputs, feeds.
+#include <string.h> // memcmp memset
+
+#include "check.h"
+#include "nck/prep/3_smooth/smooth.h" // nck_smooth_…
+#include "smooth_check.h"             // line_to hold_promises
+
+static void straight_blocks_become_straight_segs(check_t *check)
+{
+    begin();
+    for (int k = 1; k < 20; k++) line_to(0.7 * k, 0.3 * k, 0.1 * k, 0.01);
+    hold_promises(check, "a straight line");
+    CHECK(check, worst_share() < 1e-9);
+    begin();
+    line_to(30.0, 40.0, 0.0, 0.5);
+    CHECK(check, run(&exact, 1) && run(&path, 0));
+    CHECK_INT(check, path.segs, 1);
+    CHECK(check, memcmp(&path.seg[0], &exact.seg[0], sizeof path.seg[0]) == 0);
+}
+
+// Q joins what is nearly one line, up to nine blocks; never across a feed, an output or a corner.
+static void nearly_collinear_lines_are_merged_within_q(check_t *check)
+{
+    begin();
+    for (int k = 1; k <= 36; k++) {
+        line_to(0.1 * k, k % 2 ? 0.0003 : 0.0, 0.0, 0.01);
+        block[blocks - 1].merge_mm = 0.01;
+    }
+    hold_promises(check, "merged lines");
+    CHECK_INT(check, smooth.raw.head, 4);
+    for (int k = 0; k < blocks; k++) block[k].merge_mm = 1e-4;
+    hold_promises(check, "lines too far from one for Q");
+    CHECK_INT(check, smooth.raw.head, 36);
+    for (int k = 0; k < blocks; k++) block[k].merge_mm = 0.01;
+    for (int k = 0; k < 18; k++) block[k].feed = 1000.0 + k;
+    hold_promises(check, "lines of many feeds");
+    CHECK_INT(check, smooth.raw.head, 18 + 2);
+    block[30].target_nm[1] += 1000000;
+    hold_promises(check, "lines with a spike");
+    CHECK_INT(check, smooth.raw.head, 18 + 5);
+}
+
+// What is not smoothed is the same to the bit beside a run as alone.
+static void exact_blocks_pass_unchanged(check_t *check)
+{
+    begin();
+    for (int k = 0; k < 60; k++) {
+        line_to(k % 2, k, 0.1 * k, 0.05);
+        block[blocks - 1].path_mode = (uint8_t)(k % 20 < 5    ? NCK_PATH_EXACT
+                                                : k % 20 < 7 ? NCK_PATH_STOP
+                                                             : NCK_PATH_CONTINUOUS);
+        if (k % 20 == 9) add(NCK_BLOCK_DWELL, 0.05)->dwell_s = 0.5;
+    }
+    hold_promises(check, "exact and smooth");
+    int same = 0;
+    for (int k = 0, i = 0; k < path.segs; k++) {
+        const nck_seg_t *const seg = &path.seg[k];
+        if (is_smooth(seg)) continue;
+        while (exact.seg[i].block != seg->block) i++;
+        same += memcmp(seg->start, exact.seg[i].start, sizeof seg->start) == 0
+                && memcmp(seg->end, exact.seg[i].end, sizeof seg->end) == 0
+                && seg->length == exact.seg[i].length && seg->stop == exact.seg[i].stop
+                && seg->dwell_s == exact.seg[i].dwell_s && seg->feed == exact.seg[i].feed
+                && seg->kind == exact.seg[i].kind;
+    }
+    CHECK_INT(check, same, 20 + 3); // the first block has no length
+}
+
+static void outputs_keep_order_and_place(check_t *check)
+{
+    begin();
+    for (int k = 0; k < 200; k++) {
+        line_to(0.3 * k, (k % 3) * 0.2, 0.0, k % 50 < 40 ? 0.02 : 0.0);
+        if (k % 2 == 0) add(NCK_BLOCK_OUTPUT, 0.0)->output.value = k;
+        if (k % 37 == 0) add(NCK_BLOCK_WAIT, 0.0)->output.value = k + 0.5;
+    }
+    add(NCK_BLOCK_END, 0.0)->output.value = 1e9;
+    hold_promises(check, "outputs");
+    CHECK_INT(check, path.outputs, exact.outputs);
+    for (int k = 0; k < path.outputs && k < exact.outputs; k++) {
+        CHECK(check, path.output[k].value == exact.output[k].value
+                         && path.output[k].line == exact.output[k].line);
+        const uint32_t here = path.output[k].after_segs;
+        const uint32_t there = exact.output[k].after_segs;
+        const double s = here < (uint32_t)path.segs ? path.seg[here].s_begin : 1e9;
+        const double wanted = there < (uint32_t)exact.segs ? exact.seg[there].s_begin : 1e9;
+        CHECK_NEAR(check, s, wanted, 1e-9);
+    }
+}
+
+static void a_seg_takes_the_slowest_feed_and_the_line_of_its_middle(check_t *check)
+{
+    begin();
+    line_to(1.0, 0.0, 0.0, 0.2);
+    line_to(1.2, 0.1, 0.0, 0.2);
+    block[1].feed = 60.0;
+    line_to(2.0, 0.2, 0.0, 0.2);
+    add(NCK_BLOCK_RAPID, 0.2)->target_nm[0] = 3000000;
+    CHECK(check, run(&exact, 1) && run(&path, 0));
+    int slow = 0;
+    for (int k = 0; k < path.segs; k++) {
+        const nck_seg_t *const seg = &path.seg[k];
+        const double s_end = seg->s_begin + seg->length;
+        const int overlaps = seg->s_begin < exact.seg[2].s_begin && s_end > exact.seg[1].s_begin;
+        const int is_rapid = seg->s_begin >= exact.seg[3].s_begin;
+        CHECK(check, seg->rapid == is_rapid && (seg->feed > 0.0) == !is_rapid);
+        CHECK(check, is_rapid || (seg->feed == 1.0) == overlaps);
+        slow += overlaps;
+        const double middle = 0.5 * (seg->s_begin + s_end);
+        const nck_seg_t *const raw = &exact.seg[seg->block];
+        CHECK(check, raw->s_begin <= middle && middle <= raw->s_begin + raw->length);
+        CHECK_INT(check, seg->line, seg->block + 1);
+    }
+    CHECK(check, slow > 0);
+}
+
+static void push_waits_until_pull_asks(check_t *check)
+{
+    begin();
+    line_to(1.0, 0.0, 0.0, 0.0);
+    nck_smooth_init(&smooth, &machine);
+    nck_smooth_item_t item;
+    CHECK_INT(check, nck_smooth_push(&smooth, &block[0], 0), NCK_FULL);
+    CHECK_INT(check, nck_smooth_pull(&smooth, &item), NCK_EMPTY);
+    CHECK_INT(check, nck_smooth_push(&smooth, &block[0], 0), NCK_OK);
+    CHECK_INT(check, nck_smooth_push(&smooth, &block[0], 0), NCK_FULL);
+    CHECK_INT(check, nck_smooth_pull(&smooth, &item), NCK_OK);
+    nck_smooth_end(&smooth);
+    CHECK_INT(check, nck_smooth_pull(&smooth, &item), NCK_DONE);
+}
+
+int main(void)
+{
+    check_t check = {0};
+    CHECK_RUN(&check, straight_blocks_become_straight_segs);
+    CHECK_RUN(&check, nearly_collinear_lines_are_merged_within_q);
+    CHECK_RUN(&check, exact_blocks_pass_unchanged);
+    CHECK_RUN(&check, outputs_keep_order_and_place);
+    CHECK_RUN(&check, a_seg_takes_the_slowest_feed_and_the_line_of_its_middle);
+    CHECK_RUN(&check, push_waits_until_pull_asks);
+    return check_end(&check);
+}
