@@ -306,7 +306,8 @@ static inline void motion_walk_block(motion_t *self, const motion_family_t *fami
     motion_line(self, words);
 }
 
-// Words between moves: dwell, wait, stop, output, reversal, another feed. The case is drawn.
+// Words between moves: dwell, wait, output, or a move there and back with a stop, a reversal or
+// another feed. The case is drawn.
 static inline void motion_walk_between(motion_t *self, const double *at)
 {
     char words[80];
@@ -314,13 +315,17 @@ static inline void motion_walk_between(motion_t *self, const double *at)
     case 0: motion_line(self, "G4 P0.0123"); return;
     case 1: motion_line(self, "M0"); return;
     case 2: motion_line(self, "M8"); return;
-    case 3: snprintf(words, sizeof words, "G9 G1 X%.6f Y%.6f", at[0] + 1e-5, at[1]); break;
-    case 4: snprintf(words, sizeof words, "G1 X%.6f Y%.6f", at[0] - 0.3, at[1] + 0.2); break;
-    case 5: snprintf(words, sizeof words, "S%d", (int)(1e4 * motion_random(&self->seed))); break;
-    case 6: snprintf(words, sizeof words, "G1 X%.6f F%.3f", at[0] + 1e-5,
-                     motion_random_decades(&self->seed, 300.0, 6000.0)); break;
+    case 3: motion_line(self, "G91 G9 G1 X0.00001"); break;
+    case 4: motion_line(self, "G91 G1 X-0.3 Y0.2"); break;
+    case 5: motion_line(self, "S1234.5"); return;
+    case 6:
+        snprintf(words, sizeof words, "G91 G1 X0.00001 F%.3f",
+                 motion_random_decades(&self->seed, 300.0, 6000.0));
+        motion_line(self, words);
+        break;
     default: return;
     }
+    snprintf(words, sizeof words, "G90 G1 X%.6f Y%.6f", at[0], at[1]);
     motion_line(self, words);
 }
 

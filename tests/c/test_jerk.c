@@ -163,6 +163,83 @@ static void outputs_come_in_order_behind_their_moves(check_t *check)
     for (int k = 0; k < 200; k++) CHECK(check, motion.output[k].value == 100.0 + k);
 }
 
+// ---- the operator
+
+// Commands at random ticks, as of a hand that knows no mercy; after `last` ticks everything goes on.
+typedef struct operator_hand {
+    pace_t pace;
+    uint64_t seed;
+    double often;  // chance of a command in a tick
+    uint64_t last; // tick
+} operator_hand_t;
+
+static uint32_t random_percent(uint64_t *seed, double most)
+{
+    const double chance = motion_random(seed);
+    if (chance < 0.1) return 0;
+    return chance < 0.3 ? 100 : (uint32_t)((most + 1.0) * motion_random(seed));
+}
+
+static void let_go_on(nck_t *nck)
+{
+    (void)nck_set_override(nck, 100, 100);
+    (void)nck_set_single_block(nck, 0);
+    nck_resume(nck);
+}
+
+static void command_at_random(void *user, uint64_t tick)
+{
+    operator_hand_t *const hand = user;
+    nck_t *const nck = &motion.nck;
+    if (tick == hand->last) let_go_on(nck);
+    if (tick >= hand->last || motion_random(&hand->seed) > hand->often) return;
+    switch ((int)(10.0 * motion_random(&hand->seed))) {
+    case 0: (void)nck_set_single_block(nck, motion_random(&hand->seed) < 0.3); return;
+    case 1:
+    case 2: nck_hold(nck); return;
+    case 3:
+    case 4:
+    case 5: nck_resume(nck); return;
+    default: {
+        const uint32_t feed = random_percent(&hand->seed, 200.0);
+        (void)nck_set_override(nck, feed, random_percent(&hand->seed, 100.0));
+    }
+    }
+}
+
+static uint32_t steps_of_hand(void *user, uint64_t tick)
+{
+    operator_hand_t *const hand = user;
+    return hand->pace.most ? steps_at_random(&hand->pace, tick) : MOTION_STEPS;
+}
+
+static void check_operated(check_t *check, int family, int setting, uint64_t seed)
+{
+    char name[120];
+    snprintf(name, sizeof name, "%s, %s, seed %d", motion_family[family].name,
+             settings[setting].name, (int)seed);
+    operator_hand_t hand = {{seed, seed % 5 == 4 ? 50 : 0, 10, 0}, 1000003 * seed + 1,
+                            seed % 3 == 0 ? 0.1 : 0.01, 2000};
+    const motion_script_t script = {steps_of_hand, command_at_random, &hand};
+    begin(family, setting, seed % 2 == 1);
+    check_run_of(check, motion_run(&motion, &script), name);
+    const nck_seg_t *const last = &motion.seg[motion.segs - 1];
+    for (int x = 0; x < 3; x++) CHECK(check, motion.pose.axis[x] == last->end[x]);
+}
+
+static void limits_hold_whatever_the_operator_does(check_t *check)
+{
+    for (uint64_t seed = 1; seed <= 3; seed++) {
+        for (int family = 0; family < MOTION_FAMILIES; family++) {
+            for (int setting = 0; setting < SETTINGS; setting++) {
+                const int drawn = (family + setting + (int)seed) % 4 == 0;
+                if (!drawn || takes_too_long(family, setting)) continue;
+                check_operated(check, family, setting, seed);
+            }
+        }
+    }
+}
+
 int main(void)
 {
     check_t check = {0};
@@ -170,5 +247,6 @@ int main(void)
     CHECK_RUN(&check, starvation_keeps_limits_path_and_end);
     CHECK_RUN(&check, setpoints_depend_on_the_program_not_on_the_pace);
     CHECK_RUN(&check, outputs_come_in_order_behind_their_moves);
+    CHECK_RUN(&check, limits_hold_whatever_the_operator_does);
     return check_end(&check);
 }

@@ -116,8 +116,8 @@ static void begin_moving(nck_jerk_t *self, const nck_pieces_t *pieces, uint32_t 
     const int anew = self->wish.single_block || !(self->wish.feed > 0.0 && self->wish.rapid > 0.0);
     begin(self, count);
     self->profile.v = cell->v;
-    self->profile.a = before->a;
-    self->profile.q = before->duration;
+    if (cell->v > 0.0) self->profile.a = before->a;
+    if (cell->v > 0.0) self->profile.q = before->duration;
     self->next.piece = nck_window_find(pieces, self->now.piece, cell);
     self->next.s = cell->s;
     self->work.piece = self->next.piece;
@@ -132,8 +132,10 @@ static void begin_moving(nck_jerk_t *self, const nck_pieces_t *pieces, uint32_t 
 }
 
 // The ladder of now up to where the path is to rest; it was made for other speeds, so it is divided
-// anew.
+// anew. An override of zero brakes, it is no cap.
 static void begin_hold(nck_jerk_t *self, double reach) {
+    if (!(self->work.wish.feed > 0.0)) self->work.wish.feed = 1.0;
+    if (!(self->work.wish.rapid > 0.0)) self->work.wish.rapid = 1.0;
     self->work.reach = reach;
     self->work.piece = self->next.piece;
     self->work.coarse = 1;
@@ -162,9 +164,12 @@ static void keep_plan(nck_jerk_t *self, uint32_t held) {
 // Other wishes: plan anew from a few cells behind the final ones, unless the path rests by then.
 static void replan(nck_jerk_t *self, const nck_pieces_t *pieces) {
     const uint32_t reserve = (uint32_t)(LEAD_PERIODS * self->machine->period_s / self->step_s);
-    const uint32_t first = final_count(self) + reserve;
+    uint32_t first = final_count(self) + reserve;
     enter(self, PHASE_IDLE);
     if (self->now.held) return;
+    const nck_cell_t *const cell =
+        nck_link_tail_cell(self->link, (self->now.begin + first) & NCK_LINK_COUNT_MASK);
+    if (cell && !(cell->v > 0.0)) first++; // a corner passed at no speed is no state to brake from
     if (first >= self->now.n) {
         if (self->wish.hold) keep_plan(self, NCK_HELD_RESUME);
         return;
@@ -222,7 +227,7 @@ static void give_way(nck_jerk_t *self, const nck_pieces_t *pieces) {
     if (self->now.commit >= self->now.n) keep_plan(self, NCK_HELD_NOT);
 }
 
-static void finish_load(nck_jerk_t *self) {
+static void finish_load(nck_jerk_t *self, const nck_pieces_t *pieces) {
     if (self->work.from_built) {
         const int all = self->work.reach > 0.0 ? self->work.length >= self->work.reach
                                                : !nck_link_built_cell(self->link, self->work.i);
@@ -235,7 +240,7 @@ static void finish_load(nck_jerk_t *self) {
         enter(self, PHASE_LIMIT);
         return;
     }
-    if (!(self->work.reach > 0.0)) {
+    if (!(self->work.reach > 0.0) && !nck_window_rests(self, pieces)) {
         enter(self, PHASE_LAY);
         return;
     }
@@ -327,7 +332,7 @@ static nck_status_t work(nck_jerk_t *self, const nck_pieces_t *pieces) {
         if (status == NCK_DONE) begin_hold(self, self->work.reach);
         return NCK_OK;
     case PHASE_LOAD:
-        if (nck_window_load(self, pieces) == NCK_DONE) finish_load(self);
+        if (nck_window_load(self, pieces) == NCK_DONE) finish_load(self, pieces);
         return NCK_OK;
     case PHASE_LAY:
         status = nck_window_lay(self, pieces);

@@ -20,6 +20,9 @@ enum {
 // it by no more than this share of a_max (rounding in w over short cells).
 #define SPEED_EPSILON 1e-9
 #define JOIN_EPSILON 1e-6
+// A plan that can but slow down at first is none if that takes it below a tenth of what a cell
+// reaches from rest, v³ = J·h²: it would creep on from there.
+#define SLOWEST 1e-3
 // A speed is at the envelope within this share of it: it was added to another one and taken off.
 #define CAP_EPSILON 1e-14
 
@@ -45,6 +48,7 @@ static void begin_pass(nck_profile_t *self, uint32_t phase) {
     self->share = 0.0;
     self->sigma = 0.0;
     self->fall = 0.0;
+    self->slows = 0;
     if (!is_level(phase)) self->top = 0;
 }
 
@@ -181,6 +185,8 @@ static double rise(nck_profile_t *self, double v, uint32_t cell, double j, doubl
     const double vv1 = capped ? e_end : v1 * v1;
     if (capped) v1 = v_cap;
     self->a_last = (vv1 - v * v) / (2.0 * h);
+    self->slows = self->slows && !capped && self->a_last < 0.0;
+    if (self->slows && v1 * v1 * v1 < SLOWEST * j * h * h) self->broken = 1;
     self->share = nck_hull_share(h, v + v1, self->q_cap);
     if (!(vv1 > 0.0)) {
         self->a_last = 0.0;
@@ -200,6 +206,7 @@ static void rise_one(nck_profile_t *self) {
         self->v_last = nck_sqrt(self->w[0]);
         self->a_last = self->a;
         self->share = 0.5 * nck_min(self->q, self->q_cap);
+        self->slows = self->a < 0.0;
         return;
     }
     const double j = jerk_at(self, i - 1);
@@ -257,8 +264,8 @@ nck_status_t nck_profile_step(nck_profile_t *self, uint32_t budget) {
 
 int nck_profile_joins(const nck_profile_t *self) {
     const double vv = self->v * self->v;
-    if (self->broken || nck_fabs(self->w[0] - vv) > SPEED_EPSILON * vv) return 0;
     if (!(vv > 0.0)) return 1;
+    if (self->broken || nck_fabs(self->w[0] - vv) > SPEED_EPSILON * vv) return 0;
     const double share =
         nck_hull_share(self->h[0], self->v + nck_sqrt(self->w[1]), self->q_cap);
     const double a = (self->w[1] - self->w[0]) / (2.0 * self->h[0]);

@@ -48,7 +48,8 @@ static void walk(const nck_pieces_t *pieces, uint32_t *number, double *s, double
     while (left >= end_of(piece) - *s - rounding_of(piece, left)) {
         const nck_node_t *const next = nck_window_piece(pieces, *number + 1);
         if (!next) break;
-        left = nck_max(0.0, left - (end_of(piece) - *s));
+        left -= end_of(piece) - *s;
+        if (left <= rounding_of(piece, length)) left = 0.0; // on the next piece's begin to the bit
         piece = next;
         *s = piece->s;
         ++*number;
@@ -104,7 +105,9 @@ static int load_cell(nck_jerk_t *self, const nck_pieces_t *pieces, const nck_cel
         self->work.piece = piece;
         self->work.s = s;
         begin = end;
-        if (rests) return 0;
+        if (!rests) continue;
+        self->work.length = self->work.reach; // to the bit: finish_load compares
+        return 0;
     }
     return !(self->work.reach > 0.0 && self->work.length >= self->work.reach);
 }
@@ -135,6 +138,13 @@ static int rests_behind(const nck_jerk_t *self, const nck_pieces_t *pieces, uint
     if (!self->work.wish.single_block || !piece->last) return 0;
     return nck_link_seg(self->link, piece->seg)->block
            != nck_link_seg(self->link, next->seg)->block;
+}
+
+int nck_window_rests(const nck_jerk_t *self, const nck_pieces_t *pieces) {
+    const nck_node_t *const piece = nck_window_piece(pieces, self->work.piece);
+    if (self->work.n == 0 || !piece || self->work.s != piece->s) return 0;
+    if (!nck_window_piece(pieces, self->work.piece - 1)) return 0;
+    return rests_behind(self, pieces, self->work.piece - 1) == 1;
 }
 
 // 1 if the path rests where the next cell begins.

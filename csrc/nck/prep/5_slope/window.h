@@ -25,6 +25,9 @@ double nck_window_cap(const nck_jerk_t *self, const nck_node_t *piece);
 // Cost: bounded.
 nck_status_t nck_window_load(nck_jerk_t *self, const nck_pieces_t *pieces);
 
+// 1 if the path rests where the cells taken over end. Cost: constant.
+int nck_window_rests(const nck_jerk_t *self, const nck_pieces_t *pieces);
+
 // Lay more cells behind them. NCK_OK: call again; NCK_EMPTY: needs pieces; NCK_DONE. Cost: bounded.
 nck_status_t nck_window_lay(nck_jerk_t *self, const nck_pieces_t *pieces);
 
