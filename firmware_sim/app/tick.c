@@ -54,6 +54,12 @@ static uint32_t state_of(const nck_t *nck, nck_tick_state_t state) {
     return nothing && state == NCK_TICK_STARVED ? NCK_TICK_HOLD : state;
 }
 
+static void count_lateness(app_t *app) {
+    const int idle_early = app->tick.state == NCK_TICK_IDLE && !app->prep.done;
+    app->tick.starved += app->tick.state == NCK_TICK_STARVED;
+    app->tick.underruns += app->tick.state == NCK_TICK_STARVED || idle_early;
+}
+
 // Hand the next setpoint over, unless the guard says that the drives must not have it.
 static void take_setpoint(app_t *app) {
     nck_pose_t pose;
@@ -71,12 +77,7 @@ static void take_setpoint(app_t *app) {
     app->tick.resting = still ? app->tick.resting + 1 : 0;
     app->tick.pose = pose;
     app->tick.axes = axes;
-}
-
-static void count_lateness(app_t *app) {
-    const int idle_early = app->tick.state == NCK_TICK_IDLE && !app->prep.done;
-    app->tick.starved += app->tick.state == NCK_TICK_STARVED;
-    app->tick.underruns += app->tick.state == NCK_TICK_STARVED || idle_early;
+    count_lateness(app);
 }
 
 // Keep the processor busy. On a board time passes by itself, on the host by os_spend. The clock may
@@ -125,7 +126,6 @@ void app_tick(void *user) {
     watch_supervisor(app);
     if (!app->supervisor.started) return;
     if (!app->supervisor.frozen) take_setpoint(app);
-    if (!app->supervisor.frozen) count_lateness(app);
     count_setpoint(app);
     if (app->job.trace) write_row(app);
     do_other_work(app);
