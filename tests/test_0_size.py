@@ -55,8 +55,9 @@ def test_the_tables_in_the_readme_are_true(written, measured):
 
 def test_a_rise_by_six_percent_is_seen(measured):
     grown = {key: [round(number * 1.06) for number in row] for key, row in measured.items()}
-    small = {key for key, row in measured.items() if max(row) < 20}
-    assert off(measured, grown).keys() == measured.keys() - small
+    large = {key for key, row in measured.items() if max(row) >= 100}
+    assert len(large) > 40
+    assert large <= off(measured, grown).keys()
 
 
 def test_the_core_has_no_data_on_a_target(measured):

@@ -33,8 +33,8 @@ SMOOTHED = [
 ]
 CASES = [*PROGRAM_CASES, *RANDOM, *SMOOTHED, STOPS]
 THREE_AXES = [case for case in CASES if set(Machine.load(case.machine).axes) <= set("xyz")]
-# Planning under a jerk limit takes a Cortex-M4F, which has no double, 20 times as long as a linear
-# slope: it gets the short programs.
+# Smoothing and planning under a jerk limit take a Cortex-M4F, which has no double, 20 times as
+# long as the rest: it gets the short programs.
 SHORT = (
     "circle_of_two_arcs", "full_circle", "tiny_circles", "planes", "empty_moves", "waits",
     "outputs_alone", "wait_at_the_end", "tiny_circles_smoothed",
@@ -104,7 +104,7 @@ def assert_equal(runs, results, folder):
 
 
 def is_quick(case, slope):
-    return slope == "linear" or case.name in SHORT
+    return case.name in SHORT or (slope == "linear" and case not in SMOOTHED)
 
 
 @pytest.mark.parametrize("slope", SLOPES)

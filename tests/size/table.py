@@ -36,11 +36,7 @@ OPTIONS = {
 RUNTIME = "C runtime"
 SMOOTHED = "_smoothed"
 WIRES = "nck.c (wires)"
-SETS = {
-    "small": "small (3 axes, window {NCK_WINDOW})",
-    "default": "medium, the default (9 axes, window {NCK_WINDOW})",
-    "host": "host (9 axes, window {NCK_WINDOW})",
-}
+SETS = {"small": "small", "default": "medium, the default", "host": "host"}
 # Micro-segments, the same smoothed, arcs in three planes, one dense straight line, five axes.
 BUDGETS = (
     ("star", "linear"), ("star", "jerk"), ("star_smoothed", "linear"), ("star_smoothed", "jerk"),
@@ -96,20 +92,23 @@ def measure_flash(core, image):
     return rooms, ram
 
 
-def measure_structs(core, set_name):
-    """Return sizeof(nck_t) [bytes] and NCK_WINDOW, as they are on the target."""
+def measure_structs(set_name):
+    """Return {member of nck_t: bytes}, and {capacity: value}, as they are on a 32-bit Arm."""
     given = {} if set_name == "default" else targets.capacities(set_name)
     definitions = [f"-D{macro}={value}" for macro, value in given.items()]
+    text = (CSRC / "nck" / "nck.h").read_text(encoding="utf-8")
+    body = re.search(r"typedef struct nck \{\n(.*?)\n\} nck_t;", text, re.S)[1]
+    members = re.findall(r"^    (?:nck_\w+_t|\}) (\w+);", body, re.M)
+    probes = [f"char p_{name}[sizeof(((nck_t *)0)->{name})];" for name in members]
+    probes += [f"char p_{name}[{name}];" for name in ("NCK_AXIS_MAX", "NCK_WINDOW")]
     with tempfile.TemporaryDirectory() as folder:
         source, binary = Path(folder, "probe.c"), Path(folder, "probe.o")
-        source.write_text(
-            '#include "nck/nck.h"\nchar probe[sizeof(nck_t)];\n'
-            "char window[NCK_WINDOW];\n"
-        )
-        run("gcc", *OPTIONS[core], *definitions, f"-I{CSRC}", "-c", source, "-o", binary)
-        rows = re.findall(r"^\w+ (\w+) \w (probe|window)$", run("nm", "-S", binary), re.M)
+        probes.append("char p_all[sizeof(nck_t)];\n")
+        source.write_text("\n".join(['#include "nck/nck.h"', *probes]))
+        run("gcc", *OPTIONS["m7"], *definitions, f"-I{CSRC}", "-c", source, "-o", binary)
+        rows = re.findall(r"^\w+ (\w+) \w p_(\w+)$", run("nm", "-S", binary), re.M)
     found = {name: int(size, 16) for size, name in rows}
-    return found["probe"], found["window"]
+    return {name: found[name] for name in [*members, "all"]}, found
 
 
 def measure_stack(core, image):
@@ -156,11 +155,16 @@ def flash_rows(images):
     yield "data + bss of libnck", [ram for _, ram in flash.values()]
 
 
-def ram_rows():
-    for set_name, title in SETS.items():
-        found = [measure_structs(core, set_name) for core in CORES]
-        window = f"{found[0][1]:,}".replace(",", " ")
-        yield title.format(NCK_WINDOW=window), [size for size, _ in found]
+def ram_lines():
+    found = {title: measure_structs(set_name) for set_name, title in SETS.items()}
+    columns = [
+        f"{title} ({known['NCK_AXIS_MAX']} axes, window {known['NCK_WINDOW']})"
+        for title, (_, known) in found.items()
+    ]
+    sizes_of = [members for members, _ in found.values()]
+    names = {name: f"`{name}`" for name in sizes_of[0]} | {"all": "**`sizeof(nck_t)`**"}
+    rows = [(names[name], [members[name] for members in sizes_of]) for name in names]
+    return lines_of("RAM: members of `nck_t` [bytes]", columns, rows)
 
 
 def stack_rows(images):
@@ -185,7 +189,7 @@ def table():
         images = {core: link_whole(core, folder) for core in CORES}
         names = list(CORES.values())
         lines = list(lines_of("flash [bytes]", names, flash_rows(images)))
-        lines += lines_of("RAM: `sizeof(nck_t)` [bytes]", names, ram_rows())
+        lines += ram_lines()
         lines += lines_of("deepest stack of a call [bytes]", names, stack_rows(images))
     spans = ("tick, most", "tick, mean", "prep step, most")
     columns = [f"{name}: {span}" for name in ("M4F", "M7") for span in spans]
