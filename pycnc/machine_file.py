@@ -82,7 +82,8 @@ class Path(Table):
     lookahead_blocks: int = Field(
         0,
         ge=0,
-        description="Blocks that the look-ahead may see, 2 at least; 0: all that the kernel holds.",
+        description="Blocks that the look-ahead may see, the one in work among them, 2 at least "
+        "(`sshape`: 1, which stops at every block); 0: all that the kernel holds.",
     )
     slope: Slope = Field(
         "linear",
@@ -284,7 +285,7 @@ def contradictions(machine):
         yield from _position_contradictions(
             name, position, axes, travel=not name.startswith("work.")
         )
-    if machine.path.lookahead_blocks == 1:
+    if machine.path.lookahead_blocks == 1 and machine.path.slope != "sshape":
         yield "path.lookahead_blocks", "must be 0 (all) or 2 at least"
     if machine.kinematics.type == "lathe_xz" and set(axes) != {"x", "z"}:
         yield (

@@ -1,33 +1,26 @@
 // SPDX-License-Identifier: MIT
-// Serial look-ahead over N segments, and the cells of every segment.
-//
-// With an S-shape a ramp to a speed in the middle may need more length than one to zero: its length
-// (v0 + v1)/2 · duration(v0 − v1) rises with v1 near 0 before it falls. So "can still be braked"
-// asks for the better of the two, and the good speeds at a junction stay an interval from 0.
+// Serial look-ahead over N segments, and the cells of every segment. The S-shape's rules are the
+// kernel's own (nck/prep/5_slope/sshape_piece.h); the other ramps have closed forms.
 #include "host/sshape.h"
 
-#include <float.h>  // DBL_MAX
-#include <string.h> // memset
+#include <float.h> // DBL_MAX
 
-#include "nck/prep/5_slope/ramp_math.h"   // nck_ramp_length nck_ramp_peak
-#include "nck/prep/5_slope/sshape_math.h" // nck_sshape_…
-
-enum { HALVINGS = 60 }; // a double has 53 bits
-
-// A part of a segment shorter than this share of it is rounding.
-#define LENGTH_EPSILON 1e-12
+#include "nck/prep/5_slope/ramp_math.h"    // nck_ramp_length nck_ramp_peak
+#include "nck/prep/5_slope/sshape_math.h"  // nck_sshape_whole_reach nck_sshape_jerk
+#include "nck/prep/5_slope/sshape_piece.h" // nck_sshape_plan nck_sshape_draw …
 
 // What the ramps of one segment go by.
 typedef struct segment {
-    double length, v_cap, a, j, ramp_s;
+    nck_sshape_piece_t of;
+    double ramp_s;
     uint32_t kind;
     uint32_t index;
 } segment_t;
 
 static segment_t segment_of(const nck_host_path_t *path, size_t i) {
     const double j = path->kind == NCK_HOST_RAMP_SSHAPE ? path->j_max[i] : 0.0;
-    return (segment_t){path->length[i], path->v_cap[i], path->a_max[i], j,
-                       path->ramp_s,    path->kind,     (uint32_t)i};
+    return (segment_t){{path->length[i], path->v_cap[i], path->a_max[i], j},
+                       path->ramp_s, path->kind, (uint32_t)i};
 }
 
 static int is_positive(double x) { return x > 0.0 && x <= DBL_MAX; }
@@ -51,24 +44,16 @@ static size_t first_bad(const nck_host_path_t *path) {
     return path->n > 0 && is_cap(path->v_node[path->n]) ? path->n + 1 : path->n;
 }
 
-// Length of a ramp between two speeds.
-static double ramp_length(const segment_t *seg, double v0, double v1) {
-    if (v0 == v1) return 0.0;
-    if (seg->kind == NCK_HOST_RAMP_LINEAR) return nck_ramp_length(v0 * v0, v1 * v1, seg->a);
-    if (seg->kind == NCK_HOST_RAMP_FIXED) return 0.5 * (v0 + v1) * seg->ramp_s;
-    return nck_sshape_length(v0, v1, seg->a, seg->j);
-}
-
 // Largest speed that a ramp over the whole segment joins with v, either way.
 static double reach(const segment_t *seg, double v) {
-    if (seg->kind == NCK_HOST_RAMP_LINEAR) return nck_sqrt(v * v + 2.0 * seg->a * seg->length);
-    if (seg->kind == NCK_HOST_RAMP_SSHAPE) return nck_sshape_reach(v, seg->length, seg->a, seg->j);
-    return nck_sshape_whole_reach(v, seg->length, seg->a);
+    const double share = seg->kind == NCK_HOST_RAMP_LINEAR ? 2.0 : 1.0;
+    return nck_sshape_whole_reach(v, share * seg->of.length, seg->of.a);
 }
 
 // Largest speed at a segment's start from which some speed in [0, v_end] is met at its end.
 static double brakeable(const segment_t *seg, double v_end) {
-    return nck_max(reach(seg, v_end), reach(seg, 0.0));
+    if (seg->kind == NCK_HOST_RAMP_SSHAPE) return nck_sshape_brakeable(&seg->of, v_end);
+    return reach(seg, v_end);
 }
 
 // The cap at a junction: its own, and those of the segments on both sides.
@@ -105,136 +90,85 @@ static void look_ahead_whole(const nck_host_path_t *path, double *v) {
 // v_most is reached, because v was looked ahead for.
 static double end_speed(const segment_t *seg, double v, double v_most) {
     if (seg->kind == NCK_HOST_RAMP_FIXED) return 0.0;
-    if (v_most >= v) return nck_min(v_most, reach(seg, v));
-    if (seg->kind != NCK_HOST_RAMP_SSHAPE) return v_most;
-    if (v <= reach(seg, v_most)) return v_most;
-    double low = 0.0;
-    double high = v_most;
-    for (int k = 0; k < HALVINGS; k++) {
-        const double middle = 0.5 * (low + high);
-        if (ramp_length(seg, v, middle) <= seg->length) {
-            low = middle;
-        } else {
-            high = middle;
-        }
-    }
-    return low;
-}
-
-// Peak of the fastest profile of a segment from v0 to v1; at least the larger of the two.
-static double peak_speed(const segment_t *seg, double v0, double v1) {
-    if (seg->kind == NCK_HOST_RAMP_LINEAR) {
-        const double cap = seg->v_cap * seg->v_cap;
-        return nck_sqrt(nck_ramp_peak(seg->length, v0 * v0, v1 * v1, seg->a, cap));
-    }
-    double low = nck_max(v0, v1);
-    double high = seg->v_cap;
-    if (seg->kind == NCK_HOST_RAMP_FIXED) high = nck_min(high, 0.5 * seg->a * seg->ramp_s);
-    if (ramp_length(seg, v0, high) + ramp_length(seg, high, v1) <= seg->length) return high;
-    for (int k = 0; k < HALVINGS; k++) {
-        const double middle = 0.5 * (low + high);
-        if (ramp_length(seg, v0, middle) + ramp_length(seg, middle, v1) <= seg->length) {
-            low = middle;
-        } else {
-            high = middle;
-        }
-    }
-    return low;
-}
-
-// Cells under construction: where the next one begins.
-typedef struct pen {
-    nck_cell_t *cells;
-    size_t count;
-    uint32_t seg;
-    double s, v;
-} pen_t;
-
-// A cell of constant jerk from where the pen stands.
-static void draw(pen_t *pen, double duration, double a, double j) {
-    if (!(duration > 0.0)) return;
-    nck_cell_t *cell = &pen->cells[pen->count];
-    memset(cell, 0, sizeof *cell);
-    cell->seg = pen->seg;
-    cell->s = pen->s;
-    cell->v = pen->v;
-    cell->a = a;
-    cell->j = j;
-    cell->duration = duration;
-    cell->length = duration * (pen->v + duration * (a / 2.0 + duration * j / 6.0));
-    pen->s += cell->length;
-    pen->v += duration * (a + duration * j / 2.0);
-    pen->count++;
-}
-
-// An S from the pen's speed to v: jerk up, acceleration constant for `hold`, jerk down.
-static void draw_s(pen_t *pen, double v, double rise, double hold, double j) {
-    const double sign = v > pen->v ? 1.0 : -1.0;
-    draw(pen, rise, 0.0, sign * j);
-    draw(pen, hold, sign * j * rise, 0.0);
-    draw(pen, rise, sign * j * rise, -sign * j);
-    pen->v = v;
+    if (seg->kind == NCK_HOST_RAMP_SSHAPE) return nck_sshape_fastest_end(&seg->of, v, v_most);
+    return v_most >= v ? nck_min(v_most, reach(seg, v)) : v_most;
 }
 
 // A triangle of acceleration that lasts a given time.
-static void draw_triangle(pen_t *pen, double v, double duration) {
+static void draw_triangle(nck_sshape_pen_t *pen, double v, double duration) {
     const double dv = nck_fabs(v - pen->v);
-    draw_s(pen, v, 0.5 * duration, 0.0, nck_sshape_jerk(dv, duration));
-}
-
-// A ramp from the pen's speed to v, its time stretched by a factor near 1.
-static void draw_ramp(pen_t *pen, const segment_t *seg, double v, double stretch) {
-    const double dv = nck_fabs(v - pen->v);
-    if (dv == 0.0) return;
-    if (seg->kind == NCK_HOST_RAMP_LINEAR) {
-        const double duration = stretch * dv / seg->a;
-        draw(pen, duration, (v - pen->v) / duration, 0.0);
-        pen->v = v;
-        return;
-    }
-    if (seg->kind == NCK_HOST_RAMP_FIXED) {
-        draw_triangle(pen, v, stretch * seg->ramp_s);
-        return;
-    }
-    const double rise = nck_sshape_peak(dv, seg->a, seg->j) / seg->j;
-    const double hold = nck_sshape_duration(dv, seg->a, seg->j) - 2.0 * rise;
-    const double j = seg->j / (stretch * stretch);
-    draw_s(pen, v, stretch * rise, hold > LENGTH_EPSILON * rise ? stretch * hold : 0.0, j);
+    nck_sshape_draw_s(pen, v, 0.5 * duration, 0.0, nck_sshape_jerk(dv, duration));
 }
 
 // One S over the whole segment; from rest to rest one over each half.
-static void draw_whole(pen_t *pen, const segment_t *seg, double v1) {
+static void draw_whole(nck_sshape_pen_t *pen, const segment_t *seg, double v1) {
     const double v0 = pen->v;
     if (v0 + v1 > 0.0) {
-        const double duration = 2.0 * seg->length / (v0 + v1);
+        const double duration = nck_ramp_duration(seg->of.length, v0, v1);
         if (v0 == v1) {
-            draw(pen, duration, 0.0, 0.0);
+            nck_sshape_draw(pen, duration, 0.0, 0.0);
         } else {
             draw_triangle(pen, v1, duration);
         }
         return;
     }
-    const double half = 0.5 * seg->length;
-    const double peak = nck_min(seg->v_cap, nck_sshape_whole_reach(0.0, half, seg->a));
+    const double half = 0.5 * seg->of.length;
+    const double peak = nck_min(seg->of.v_cap, nck_sshape_whole_reach(0.0, half, seg->of.a));
     draw_triangle(pen, peak, 2.0 * half / peak);
     draw_triangle(pen, 0.0, 2.0 * half / peak);
 }
 
-// The cells of one segment: up, cruise, down.
-static void draw_segment(pen_t *pen, const segment_t *seg, double v1) {
+// Ramps from rest to rest that last ramp_s each, with a peak of ramp_s·a/2 at most.
+static void draw_fixed(nck_sshape_pen_t *pen, const segment_t *seg) {
+    const double most = nck_min(seg->of.v_cap, 0.5 * seg->of.a * seg->ramp_s);
+    const double peak = nck_min(most, seg->of.length / seg->ramp_s);
+    const double cruise = seg->of.length - peak * seg->ramp_s;
+    draw_triangle(pen, peak, seg->ramp_s);
+    if (cruise > NCK_SSHAPE_EPSILON * seg->of.length) {
+        nck_sshape_draw(pen, cruise / peak, 0.0, 0.0);
+    }
+    draw_triangle(pen, 0.0, seg->ramp_s);
+}
+
+// A ramp of constant acceleration, its time stretched by a factor near 1.
+static void draw_line(nck_sshape_pen_t *pen, const segment_t *seg, double v, double stretch) {
+    const double duration = stretch * nck_fabs(v - pen->v) / seg->of.a;
+    if (duration > 0.0) nck_sshape_draw(pen, duration, (v - pen->v) / duration, 0.0);
+    pen->v = v;
+}
+
+static void draw_linear(nck_sshape_pen_t *pen, const segment_t *seg, double v1) {
+    const double cap = seg->of.v_cap * seg->of.v_cap;
+    const double w[2] = {pen->v * pen->v, v1 * v1};
+    const double w_peak = nck_ramp_peak(seg->of.length, w[0], w[1], seg->of.a, cap);
+    const double ramps = nck_ramp_length(w[0], w_peak, seg->of.a)
+                         + nck_ramp_length(w_peak, w[1], seg->of.a);
+    const double cruise = seg->of.length - ramps;
+    const int cruises = cruise > NCK_SSHAPE_EPSILON * seg->of.length;
+    const double stretch = cruises ? 1.0 : seg->of.length / ramps;
+    const double peak = nck_sqrt(w_peak);
+    draw_line(pen, seg, peak, stretch);
+    if (cruises) nck_sshape_draw(pen, cruise / peak, 0.0, 0.0);
+    draw_line(pen, seg, v1, stretch);
+}
+
+static void draw_sshape(nck_sshape_pen_t *pen, const segment_t *seg, double v1) {
+    nck_sshape_course_t course;
+    nck_sshape_plan(&seg->of, pen->v, v1, &course);
+    nck_sshape_draw_ramp(pen, &seg->of, course.peak, course.stretch);
+    if (course.cruise > 0.0) nck_sshape_draw(pen, course.cruise / course.peak, 0.0, 0.0);
+    nck_sshape_draw_ramp(pen, &seg->of, v1, course.stretch);
+}
+
+// The cells of one segment.
+static void draw_segment(nck_sshape_pen_t *pen, const segment_t *seg, double v1) {
     pen->seg = seg->index;
     pen->s = 0.0;
-    if (seg->kind == NCK_HOST_RAMP_WHOLE) {
-        draw_whole(pen, seg, v1);
-    } else {
-        const double peak = peak_speed(seg, pen->v, v1);
-        const double ramps = ramp_length(seg, pen->v, peak) + ramp_length(seg, peak, v1);
-        const double cruise = seg->length - ramps;
-        const int cruises = cruise > LENGTH_EPSILON * seg->length;
-        const double stretch = cruises ? 1.0 : seg->length / ramps; // 1 but for rounding
-        draw_ramp(pen, seg, peak, stretch);
-        if (cruises) draw(pen, cruise / peak, 0.0, 0.0);
-        draw_ramp(pen, seg, v1, stretch);
+    switch (seg->kind) {
+    case NCK_HOST_RAMP_WHOLE: draw_whole(pen, seg, v1); break;
+    case NCK_HOST_RAMP_FIXED: draw_fixed(pen, seg); break;
+    case NCK_HOST_RAMP_LINEAR: draw_linear(pen, seg, v1); break;
+    default: draw_sshape(pen, seg, v1); break;
     }
     pen->cells[pen->count - 1].last = 1;
     pen->cells[pen->count - 1].stop = v1 == 0.0;
@@ -251,7 +185,7 @@ nck_status_t nck_host_slope(const nck_host_path_t *path, double *v_out, nck_cell
     v_out[0] = path->kind == NCK_HOST_RAMP_FIXED ? 0.0
                : whole                           ? v_out[0]
                                                  : look_ahead(path, 0);
-    pen_t pen = {cells_out, 0, 0, 0.0, v_out[0]};
+    nck_sshape_pen_t pen = {cells_out, 0, 0, 0.0, v_out[0]};
     for (size_t i = 0; i < path->n; i++) {
         const segment_t seg = segment_of(path, i);
         const double most = whole ? v_out[i + 1] : look_ahead(path, i + 1);

@@ -9,6 +9,7 @@
 
 #include "nck/base/records.h" // nck_cell_t
 #include "nck/base/status.h"  // nck_status_t
+#include "nck/prep/5_slope/sshape_piece.h" // NCK_SSHAPE_CELLS
 
 // How speed changes.
 typedef enum nck_host_ramp {
@@ -18,7 +19,7 @@ typedef enum nck_host_ramp {
     NCK_HOST_RAMP_FIXED = 3   // every ramp lasts ramp_s, whatever its size; look-ahead 0 only
 } nck_host_ramp_t;
 
-enum { NCK_HOST_SLOPE_CELLS = 7 }; // cells of a segment at most: three up, cruise, three down
+enum { NCK_HOST_SLOPE_CELLS = NCK_SSHAPE_CELLS }; // cells of a segment at most
 
 typedef struct nck_host_path {
     const double *length; // n: of every segment [mm], positive

@@ -25,6 +25,7 @@ nck_status_t nck_init(nck_t *nck, const nck_machine_t *machine, const nck_hooks_
     nck_lookahead_init(&nck->lookahead, &nck->machine);
     nck_slope_init(&nck->slope, &nck->machine);
     nck_jerk_init(&nck->jerk, &nck->machine, &nck->link);
+    nck_sshape_init(&nck->sshape, &nck->machine, &nck->link);
     nck_link_init(&nck->link);
     nck_interpolate_init(&nck->interpolate, &nck->machine, &nck->link);
     nck_transform_init(&nck->transform, &nck->machine);
@@ -188,24 +189,51 @@ static nck_wish_t wish_of(const nck_command_t *command) {
     return wish;
 }
 
-// lookahead ─▶ jerk-limited slope ─▶ plans and final cells. Pieces are dropped behind them.
-static nck_status_t step_jerk(nck_t *nck) {
+static nck_pieces_t pieces_of(const nck_t *nck) {
     const nck_pieces_t pieces = {nck->lookahead.window.at, nck->lookahead.window.head,
                                  nck_lookahead_fill(&nck->lookahead)};
-    const nck_wish_t wish = wish_of(&nck->command);
-    const nck_status_t status = nck_jerk_step(&nck->jerk, &pieces, &wish);
-    const uint32_t count = nck_jerk_needs(&nck->jerk) - pieces.head;
+    return pieces;
+}
+
+// The pieces before this number are done with.
+static void drop_before(nck_t *nck, uint32_t number) {
+    const uint32_t count = number - nck->lookahead.window.head;
     for (uint32_t i = 0; nck->hooks.on_node && i < count; i++) {
         nck->hooks.on_node(nck->hooks.user, nck_lookahead_ahead(&nck->lookahead, i));
     }
     if (count > 0) nck_lookahead_drop(&nck->lookahead, count);
+}
+
+// lookahead ─▶ jerk-limited slope ─▶ plans and final cells.
+static nck_status_t step_jerk(nck_t *nck) {
+    const nck_pieces_t pieces = pieces_of(nck);
+    const nck_wish_t wish = wish_of(&nck->command);
+    const nck_status_t status = nck_jerk_step(&nck->jerk, &pieces, &wish);
+    drop_before(nck, nck_jerk_needs(&nck->jerk));
     return status;
+}
+
+// lookahead ─▶ classical S-shape ─▶ parts of pieces, each with its brake.
+static nck_status_t step_sshape(nck_t *nck) {
+    const nck_pieces_t pieces = pieces_of(nck);
+    const uint32_t hold = nck_fence_load(&nck->command.hold);
+    const nck_status_t status = nck_sshape_step(&nck->sshape, &pieces, hold);
+    drop_before(nck, nck_sshape_needs(&nck->sshape));
+    return status;
+}
+
+static nck_status_t step_slope(nck_t *nck) {
+    switch (nck->machine.slope) {
+    case NCK_SLOPE_JERK: return step_jerk(nck);
+    case NCK_SLOPE_SSHAPE: return step_sshape(nck);
+    default: return step_linear(nck);
+    }
 }
 
 // Downstream first: cells, then the envelope, then blocks.
 nck_status_t nck_prep(nck_t *nck) {
     const int jerk = nck->machine.slope == NCK_SLOPE_JERK;
-    const nck_status_t status = jerk ? step_jerk(nck) : step_linear(nck);
+    const nck_status_t status = step_slope(nck);
     if (status == NCK_OK) return NCK_OK;
     if (nck_fence_load(&nck->command.abort)) {
         return jerk && !nck_jerk_is_held(&nck->jerk) ? NCK_FULL : NCK_DONE;

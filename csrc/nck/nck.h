@@ -24,6 +24,7 @@
 #include "nck/prep/4_lookahead/lookahead.h"     // nck_lookahead_t
 #include "nck/prep/5_slope/jerk.h"              // nck_jerk_t
 #include "nck/prep/5_slope/slope.h"             // nck_slope_t
+#include "nck/prep/5_slope/sshape.h"            // nck_sshape_t
 #include "nck/tick/6_interpolate/interpolate.h" // nck_interpolate_t
 #include "nck/tick/7_transform/transform.h"     // nck_transform_t
 
@@ -56,6 +57,7 @@ typedef struct nck {
     nck_lookahead_t lookahead;
     nck_slope_t slope;
     nck_jerk_t jerk;
+    nck_sshape_t sshape;
     nck_link_t link;
     nck_interpolate_t interpolate;
     nck_transform_t transform;

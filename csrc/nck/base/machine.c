@@ -84,8 +84,8 @@ static int path_good(const nck_machine_t *machine) {
     return positive(machine->path.feed_max) && positive(machine->path.a_max)
            && positive(machine->path.j_max) && positive(machine->path.chord_error)
            && within(machine->path.tolerance, 0.0, 1e6) && positive(machine->path.arc_radius)
-           && machine->slope <= NCK_SLOPE_JERK
-           && machine->lookahead_blocks != 1 && machine->lookahead_blocks <= NCK_WINDOW;
+           && machine->slope <= NCK_SLOPE_SSHAPE && machine->lookahead_blocks <= NCK_WINDOW
+           && (machine->lookahead_blocks != 1 || machine->slope == NCK_SLOPE_SSHAPE);
 }
 
 static int dialect_good(const nck_machine_t *machine) {

@@ -62,7 +62,8 @@ typedef struct nck_machine {
         double tolerance;    // [mm] ≥ 0: what a bare G64 means
         double arc_radius;   // [mm] > 0: how far an arc's end may miss its circle
     } path;
-    uint32_t lookahead_blocks; // blocks in the window, 2 … NCK_WINDOW; 0: all of it
+    uint32_t lookahead_blocks; // blocks in the window, the one in work among them, 2 … NCK_WINDOW
+                             // (NCK_SLOPE_SSHAPE: from 1 on); 0: all of it
     uint32_t slope;          // nck_slope_kind_t
     uint32_t kinematics;     // nck_kinematics_t
 

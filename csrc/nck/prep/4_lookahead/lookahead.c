@@ -376,7 +376,7 @@ nck_status_t nck_lookahead_step(nck_lookahead_t *self) {
         pass_forward(self);
         return NCK_OK;
     }
-    const int has_passes = self->machine->slope != NCK_SLOPE_JERK;
+    const int has_passes = self->machine->slope == NCK_SLOPE_LINEAR;
     if (has_passes && self->window.final == 0) {
         const uint32_t final = pass_final(self);
         if (final > 0) {
