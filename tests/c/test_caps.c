@@ -131,7 +131,7 @@ static void use_of(const nck_node_t *node, double v, double a, double j, double 
     use[0] = 0.0;
     use[1] = 0.0;
     for (int n = 0; n <= SAMPLES; n++) {
-        const double s = node->s + node->length * n / SAMPLES;
+        const double s = node->s + node->length * n / (double)SAMPLES;
         double d1[NCK_AXIS_MAX];
         double d2[NCK_AXIS_MAX];
         double d3[NCK_AXIS_MAX];
