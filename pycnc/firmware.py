@@ -26,7 +26,7 @@ CORES = {"m4f": "mps2-an386", "m7": "mps2-an500"}
 CONTROLLERS = ("host", *CORES)
 TIMEOUT_S = 300.0
 WANTED = frozenset({"done", "hold", "wait", "aborted", "estop"})  # ends that somebody asked for
-INSTRUCTION_NS = 8  # of QEMU's virtual time: 125 million in a second
+INSTRUCTION_NS = {"m4f": 8, "m7": 4}  # of QEMU's virtual time: 125 and 250 million in a second
 _COMPILER, _EMULATOR = "arm-none-eabi-gcc", "qemu-system-arm"
 _PACKAGES = {
     _COMPILER: "gcc-arm-none-eabi libnewlib-arm-none-eabi",
@@ -35,7 +35,7 @@ _PACKAGES = {
 }
 # What the work takes where time is virtual, in units of the controller's clock of 25 MHz: about
 # what an M7 takes for it with the jerk-limited slope.
-_NOMINAL = {"prep_units": 550, "tick_units": 530, "feeder_units": 550}
+_NOMINAL = {"prep_units": 280, "tick_units": 270, "feeder_units": 280}
 _ROW = [
     ("tick", "<u4"), ("line", "<u4"), ("queue", "<u4"), ("state", "u1"), ("tick_state", "u1"),
     ("limit", "u1"), ("drives", "u1"),
@@ -134,7 +134,7 @@ class Controller:
         self.name, self._image = name, image
 
     def run(self, program, machine=DEFAULT, commands=(), *, file="<text>", trace=False,
-            timeout_s=TIMEOUT_S, instruction_ns=INSTRUCTION_NS, **conditions):  # fmt: skip
+            timeout_s=TIMEOUT_S, instruction_ns=None, **conditions):  # fmt: skip
         """Run a program and return what happened.
 
         Parameters
@@ -154,8 +154,9 @@ class Controller:
             Keep a row a tick.
         timeout_s : float
             Wall time.
-        instruction_ns : int
-            What an instruction of a Cortex-M takes, a power of two. Of no meaning on the host.
+        instruction_ns : int, optional
+            What an instruction of a Cortex-M takes, a power of two; 8 on an M4F and 4 on an M7
+            unless said otherwise. Of no meaning on the host.
         **conditions
             prep_steps (of a tick at most; 0: no limit), wait_ticks (until the operator resumes
             after M0, M1, M6; 0: never), starve_ticks (at rest without text until that is a fault;
@@ -194,11 +195,12 @@ class Controller:
 
     def _execute(self, place, timeout_s, instruction_ns):
         command = [self._image]
-        if self.name != "host":
+        if self.name in CORES:
+            shift = (instruction_ns or INSTRUCTION_NS[self.name]).bit_length() - 1
             command = [
                 _EMULATOR, "-M", CORES[self.name], "-display", "none", "-monitor", "none",
                 "-serial", "none", "-semihosting-config", "enable=on,target=native",
-                "-icount", f"shift={instruction_ns.bit_length() - 1},align=off,sleep=off",
+                "-icount", f"shift={shift},align=off,sleep=off",
                 "-kernel", self._image,
             ]  # fmt: skip
         try:
