@@ -18,7 +18,7 @@ from targets import run_setpoints
 import pycnc
 from pycnc.machine import Machine
 
-SLOPES = ("linear", "jerk")
+SLOPES = ("linear", "jerk", "sshape")
 # Once the slope's last node but one came out at rest, and its cell never ended.
 STOPS = Case(
     "stops_after_stops",
@@ -32,7 +32,6 @@ SMOOTHED = [
     if case.name in ("star", "zigzag", "tiny_circles", "random_lines_0", "random_arcs_0")
 ]
 CASES = [*PROGRAM_CASES, *RANDOM, *SMOOTHED, STOPS]
-THREE_AXES = [case for case in CASES if set(Machine.load(case.machine).axes) <= set("xyz")]
 # Smoothing and planning under a jerk limit take a Cortex-M4F, which has no double, 20 times as
 # long as the rest: it gets the short programs.
 SHORT = (
@@ -42,6 +41,9 @@ SHORT = (
 # Too dense for a board's window: there, and only there, capacities change what the linear slope
 # does.
 DENSE = ("micrometres",)
+RUNS = [(case, slope) for slope in SLOPES for case in CASES]
+RUNS = [(case, slope) for case, slope in RUNS if slope != "sshape" or case.name in SHORT]
+SMALL_RUNS = [(case, slope) for case, slope in RUNS if case.name in SHORT]
 HASH_BEGIN, HASH_PRIME = 0xCBF29CE484222325, 0x100000001B3
 
 
@@ -107,8 +109,7 @@ def is_quick(case, slope):
     return case.name in SHORT or (slope == "linear" and case not in SMOOTHED)
 
 
-@pytest.mark.parametrize("slope", SLOPES)
-@pytest.mark.parametrize("case", CASES, ids=str)
+@pytest.mark.parametrize(("case", "slope"), RUNS, ids=str)
 def test_setpoints_are_the_same_on_every_core(case, slope, tmp_path):
     runs = [("host", "default"), ("m7", "default")]
     runs += [("m4f", "default")] * is_quick(case, slope)
@@ -116,15 +117,13 @@ def test_setpoints_are_the_same_on_every_core(case, slope, tmp_path):
     assert_equal(runs, run_everywhere(runs, case, slope, tmp_path), tmp_path)
 
 
-@pytest.mark.parametrize("slope", SLOPES)
-@pytest.mark.parametrize("case", [case for case in THREE_AXES if case.name in SHORT], ids=str)
+@pytest.mark.parametrize(("case", "slope"), SMALL_RUNS, ids=str)
 def test_setpoints_are_the_same_in_64_kilobytes_of_ram(case, slope, tmp_path):
     runs = [("host", "small"), ("m4f", "small")]
     assert_equal(runs, run_everywhere(runs, case, slope, tmp_path), tmp_path)
 
 
-@pytest.mark.parametrize("slope", SLOPES)
-@pytest.mark.parametrize("case", CASES, ids=str)
+@pytest.mark.parametrize(("case", "slope"), RUNS, ids=str)
 def test_python_gives_the_same_setpoints(case, slope, tmp_path):
     runs = (("host", "host"), ("host", "default"))
     results = run_everywhere(runs, case, slope, tmp_path)

@@ -40,8 +40,8 @@ SETS = {"small": "small", "default": "medium, the default", "host": "host"}
 # Micro-segments, the same smoothed, arcs in three planes, one dense straight line, five axes.
 BUDGETS = (
     ("star", "linear"), ("star", "jerk"), ("star_smoothed", "linear"), ("star_smoothed", "jerk"),
-    ("planes", "linear"), ("planes", "jerk"), ("micrometres", "linear"), ("micrometres", "jerk"),
-    ("rotary", "linear"),
+    ("planes", "linear"), ("planes", "jerk"), ("planes", "sshape"),
+    ("micrometres", "linear"), ("micrometres", "jerk"), ("rotary", "linear"),
 )  # fmt: skip
 
 
