@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The firmware's job: numbers read exactly, settings in their places, commands in order, and nothing
-// taken that is not one.
+// The firmware's job: numbers read exactly, settings in their places, commands in order, and
+// nothing taken that is not one.
 #include <stdint.h> // INT64_MAX
 #include <string.h> // strlen
 
@@ -53,8 +53,8 @@ static void reals_are_read_to_their_last_bit(check_t *check)
 static void what_is_no_real_or_not_exact_is_refused(check_t *check)
 {
     static const char *const wrong[] = {
-        "", "-", "0x", "0x1.8", "0x1.8p", "0xp+1", "0x1.8p+", "0x1..8p+1", "0x1.8p+1x", "1.5", "nan",
-        "inf", "0x1.0000000000000p+1024", "0x1.0000000000000p-1023", "0x1.00000000000001p+0",
+        "", "-", "0x", "0x1.8", "0x1.8p", "0xp+1", "0x1.8p+", "0x1..8p+1", "0x1.8p+1x", "1.5",
+        "nan", "inf", "0x1.0000000000000p+1024", "0x1.0000000000000p-1023", "0x1.00000000000001p+0",
         "0x1.8p+99999999999", "0X1.8P+1"};
     double value = 7.0;
     for (size_t k = 0; k < sizeof wrong / sizeof wrong[0]; k++) {
@@ -134,7 +134,9 @@ static void a_job_holds_so_many_commands_and_no_more(check_t *check)
 {
     static app_job_t job;
     app_job_init(&job);
-    for (int k = 0; k < APP_JOB_COMMANDS; k++) CHECK_INT(check, line(&job, "at 5 hold"), APP_JOB_OK);
+    for (int k = 0; k < APP_JOB_COMMANDS; k++) {
+        CHECK_INT(check, line(&job, "at 5 hold"), APP_JOB_OK);
+    }
     CHECK_INT(check, line(&job, "at 5 hold"), APP_JOB_E_COUNT);
     CHECK_INT(check, job.command_count, APP_JOB_COMMANDS);
 }
