@@ -45,7 +45,7 @@ def digest_of(program, prep_steps=kernel.PREP_STEPS):
     return digest.hexdigest()
 
 
-def run(program, prep_steps=kernel.PREP_STEPS, commands=()):
+def run(program, prep_steps=kernel.PREP_STEPS, commands=(), answer=None):
     """Run a program under the checker's eyes.
 
     Raises
@@ -53,7 +53,7 @@ def run(program, prep_steps=kernel.PREP_STEPS, commands=()):
     checker.PhysicsError
         At the first promise that the run breaks.
     """
-    judge = checker.Checker(program.blocks, program.machine.record, commands)
+    judge = checker.Checker(program.blocks, program.machine.record, commands, answer)
     controller = kernel.Controller(program.text, program.machine, prep_steps, commands)
     digest = hashlib.blake2b()
     for rows, _ in controller.pieces():
