@@ -311,7 +311,7 @@ static inline void motion_walk_block(motion_t *self, const motion_family_t *fami
 static inline void motion_walk_between(motion_t *self, const double *at)
 {
     char words[80];
-    switch ((int)(motion_random(&self->seed) * MOTION_MOVES)) {
+    switch ((int)(motion_random(&self->seed) * (double)MOTION_MOVES)) {
     case 0: motion_line(self, "G4 P0.0123"); return;
     case 1: motion_line(self, "M0"); return;
     case 2: motion_line(self, "M8"); return;

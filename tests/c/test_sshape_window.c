@@ -145,8 +145,8 @@ static void hold_at_random(void *user, uint64_t tick)
     nck_hold(&motion.nck);
 }
 
-// The default machine: a ramp takes 0.2 s, a cell of it 0.1 s at most. Before the brake come what is
-// final, 20 periods and a cell, and the part in work, 50 periods and a ramp.
+// The default machine: a ramp takes 0.2 s, a cell of it 0.1 s at most. Before the brake come what
+// is final, 20 periods and a cell, and the part in work, 50 periods and a ramp.
 static void a_hold_comes_to_rest_soon_and_the_program_to_its_end(check_t *check)
 {
     const uint64_t soon = 20 + 100 + 50 + 200 + 200;

@@ -51,6 +51,7 @@ void nck_corner_meet(nck_joint_t *in, const nck_joint_t *out, const double *tang
                                              machine->axis[x].a_max));
     }
     const double v = nck_min(in->v_free, out->v_free);
+    if (!(load > 0.0)) return;
     if (smooth && load * v <= SHARE_OF_ROUNDING * machine->period_s) return;
     if (is_sharp(in, out, load, machine)) {
         for (int k = 0; k < NCK_PACES; k++) in->pace[k].v_corner = 0.0;

@@ -146,8 +146,8 @@ static int is_far(const nck_sshape_t *self, const nck_pieces_t *pieces) {
     return stops || seen || count + NCK_SSHAPE_RUN > PIECES_MOST;
 }
 
-// Whether to look further at all. N blocks are counted anew at every run; all that the window holds,
-// only when half of it is left, so that a run costs two speeds and not as many as a ramp has runs.
+// Whether to look further at all. N blocks are counted anew at every run; what the window holds only
+// when half of it is left, so that a run costs two speeds and not as many as a ramp has runs.
 static int is_far_enough(nck_sshape_t *self) {
     const uint32_t count = self->ahead.horizon - self->at.piece;
     if (self->machine->lookahead_blocks > 0 || count < PIECES_MOST / 2) self->ahead.looks = 1;
@@ -177,8 +177,8 @@ static void begin_brake(nck_sshape_t *self) {
     self->phase = PHASE_BRAKE;
 }
 
-// Pieces are missing: the part ends here. How a path is divided into parts changes nothing about how
-// it is passed.
+// Pieces are missing: the part ends here. How a path is divided into parts does not change how it is
+// passed.
 static nck_status_t look_in_vain(nck_sshape_t *self) {
     if (self->part.built == 0) return NCK_EMPTY;
     begin_brake(self);

@@ -42,8 +42,8 @@ double nck_sshape_fastest_end(const nck_sshape_piece_t *piece, double v, double 
     return low;
 }
 
-// Too short to come to rest: then, from v down to a limit, all speeds are reached. Where the limit is
-// above v_most, rounding has missed one of the two speeds that v was brakeable for.
+// Too short to come to rest: then, from v down to a limit, all speeds are reached. Where the limit
+// is above v_most, rounding has missed one of the two speeds that v was brakeable for.
 double nck_sshape_slowest_end(const nck_sshape_piece_t *piece, double v, double v_most) {
     if (ramp_length(piece, v, 0.0) <= piece->length) return 0.0;
     double low = 0.0;

@@ -44,16 +44,16 @@ typedef struct nck_sshape_pen {
     double v;          // speed [mm/s]
 } nck_sshape_pen_t;
 
-// The largest speed at the start from which some speed in [0, v_out] is met at the end. Speeds up to
-// it are good, too. Cost: bounded (two of Newton's methods). Context: any.
+// The largest speed at the start from which some speed in [0, v_out] is met at the end. Speeds up
+// to it are good, too. Cost: bounded (two of Newton's methods). Context: any.
 double nck_sshape_brakeable(const nck_sshape_piece_t *piece, double v_out);
 
-// The largest speed at the end, v_most at most, that a piece entered at v reaches; v is brakeable for
-// v_most. Cost: bounded (60 halvings). Context: any.
+// The largest speed at the end, v_most at most, that a piece entered at v reaches; v is brakeable
+// for v_most. Cost: bounded (60 halvings). Context: any.
 double nck_sshape_fastest_end(const nck_sshape_piece_t *piece, double v, double v_most);
 
-// The least speed at the end, v_most at most, that braking from v > 0 on gets to; v is brakeable for
-// v_most. Cost: bounded (60 halvings). Context: any.
+// The least speed at the end, v_most at most, that braking from v > 0 on gets to; v is brakeable
+// for v_most. Cost: bounded (60 halvings). Context: any.
 double nck_sshape_slowest_end(const nck_sshape_piece_t *piece, double v, double v_most);
 
 // The fastest way from v_in to v_out. Cost: bounded (60 halvings). Context: any.
