@@ -9,7 +9,9 @@ import judged
 import pytest
 
 from pycnc.errors import ProgramError
+from pycnc.machine import Machine
 from pycnc.planning import plan
+from pycnc.program import Program
 from pycnc.trace import Trace
 
 FILES = {str(file): file for file in cases.CORPUS_FILES}
@@ -94,3 +96,39 @@ def test_the_summary_tells_what_the_checker_found(name):
 def test_a_starved_run_keeps_limits_path_and_stops(name):
     starved = judged.run(program_of(name), STARVED)
     assert starved.ticks >= run_of(name).ticks
+
+
+# The jerk-limited slope, on the beginning of every file
+
+LINES = 400  # read of a file: enough for arcs, corners and micro-segments
+JERK_QUICK = [
+    name for name in RUNNING
+    if FILES[name].file not in SLOW | {"tp_random_lines_0.001in.ngc", "odd_no_spaces.gcode"}
+]  # fmt: skip
+# A file in which the operator's words stand between two moves; see docs/jerk.md.
+KINKED = {"mill_fanuc_g17_18_19.nc"}
+
+
+def beginning_of(name, mode):
+    """Return the first lines of a file as a program, in a path mode of its own."""
+    file = present(FILES[name])
+    lines = [line for line in file.path.read_bytes().split(b"\n")[:LINES] if line.strip() != b"%"]
+    text = b"\n".join([mode.encode(), *lines, b"M2", b""]).replace(b"G61", b"").replace(b"G64", b"")
+    text = mode.encode() + b"\n" + text.partition(b"\n")[2]
+    machine = Machine.load(file.machine, set=(*file.set, "path.slope=jerk"))
+    return Program(text, machine, file=name).check()
+
+
+@pytest.mark.parametrize("name", JERK_QUICK)
+def test_on_the_exact_path_the_path_keeps_its_jerk(name):
+    judge = judged.run(beginning_of(name, "G61")).judge
+    assert judge.path_j <= 1 + 1e-6
+    assert judge.path_error_mm <= 1e-6
+
+
+@pytest.mark.parametrize("name", [n for n in JERK_QUICK if FILES[n].file not in KINKED])
+def test_within_a_tolerance_every_axis_keeps_its_jerk(name):
+    judge = judged.run(beginning_of(name, "G64 P0.01")).judge
+    assert judge.j.max() <= 1 + 1e-6
+    assert judge.path_j <= 1 + 1e-6
+    assert judge.tolerance_used <= 1 + 1e-6
