@@ -230,13 +230,19 @@ static nck_status_t step_slope(nck_t *nck) {
     }
 }
 
+// At a WAIT that nobody has ended. After an abort nobody can.
+static int is_waiting(const nck_t *nck) {
+    return nck->interpolate.waits && !nck_fence_load(&nck->interpolate.resume);
+}
+
 // Downstream first: cells, then the envelope, then blocks.
 nck_status_t nck_prep(nck_t *nck) {
     const int jerk = nck->machine.slope == NCK_SLOPE_JERK;
     const nck_status_t status = step_slope(nck);
     if (status == NCK_OK) return NCK_OK;
     if (nck_fence_load(&nck->command.abort)) {
-        return jerk && !nck_jerk_is_held(&nck->jerk) ? NCK_FULL : NCK_DONE;
+        const int rests = nck_jerk_is_held(&nck->jerk) || is_waiting(nck);
+        return jerk && !rests ? NCK_FULL : NCK_DONE;
     }
     const nck_status_t ahead = nck_lookahead_step(&nck->lookahead);
     if (ahead == NCK_OK) return NCK_OK;
@@ -254,6 +260,7 @@ static void hand_over_outputs(nck_t *nck) {
 
 // Held: at rest, or on the way to it along the stop tail.
 static int is_held(const nck_t *nck, const nck_pose_t *pose) {
+    if (nck_fence_load(&nck->command.abort) && is_waiting(nck)) return 1;
     return nck_fence_load(&nck->command.hold)
            && (pose->state == NCK_TICK_IDLE || pose->state == NCK_TICK_STARVED);
 }
@@ -297,9 +304,9 @@ nck_status_t nck_set_override(nck_t *nck, uint32_t feed_percent, uint32_t rapid_
 }
 
 int nck_is_idle(const nck_t *nck) {
-    const int waits = nck->interpolate.waits && !nck_fence_load(&nck->interpolate.resume);
+    const int waits = is_waiting(nck);
     const int moves = nck->interpolate.has_cell || nck_link_waiting(&nck->link) > 0;
-    if (nck_fence_load(&nck->command.abort)) return nck->interpolate.rests && !moves;
+    if (nck_fence_load(&nck->command.abort)) return waits || (nck->interpolate.rests && !moves);
     return !waits && !moves && nck_link_is_empty(&nck->link);
 }
 

@@ -218,8 +218,9 @@ static void check_operated(check_t *check, int family, int setting, uint64_t see
     char name[120];
     snprintf(name, sizeof name, "%s, %s, seed %d", motion_family[family].name,
              settings[setting].name, (int)seed);
-    operator_hand_t hand = {{seed, seed % 5 == 4 ? 50 : 0, 10, 0}, 1000003 * seed + 1,
-                            seed % 3 == 0 ? 0.1 : 0.01, 2000};
+    const double often = seed % 3 == 0 ? 0.1 : 0.01;
+    const pace_t pace = {seed, seed == 2 ? 50 : 0, 10, 0};
+    operator_hand_t hand = {pace, 1000003 * seed + 1, often, 2000};
     const motion_script_t script = {steps_of_hand, command_at_random, &hand};
     begin(family, setting, seed % 2 == 1);
     check_run_of(check, motion_run(&motion, &script), name);
@@ -240,6 +241,140 @@ static void limits_hold_whatever_the_operator_does(check_t *check)
     }
 }
 
+static void start_at(uint64_t tick)
+{
+    motion.status = motion_start(&motion);
+    while (motion.ticks < tick && motion_tick(&motion, NULL)) continue;
+}
+
+// Goes on until the tick holds at rest. Returns the ticks that took; `most` if it did not come.
+static uint64_t ticks_to_rest(uint64_t most)
+{
+    const uint64_t begin_tick = motion.ticks;
+    while (motion.ticks - begin_tick < most) {
+        (void)motion_tick(&motion, NULL);
+        const double *const s = motion.s;
+        const int rests = s[3] == s[2] && s[2] == s[1];
+        if (rests && motion.pose.state == NCK_TICK_HOLD) return motion.ticks - begin_tick;
+    }
+    return most;
+}
+
+// The highest acceleration and speed after a hold now: it begins to brake some periods later, and
+// the acceleration takes its time to fall to nothing.
+static double highest_a(const motion_t *m)
+{
+    const double period = m->machine.period_s;
+    const double a = (m->s[3] - 2.0 * m->s[2] + m->s[1]) / (period * period);
+    return fmin(m->machine.path.a_max, fmax(0.0, a) + 15.0 * m->machine.path.j_max * period);
+}
+
+static double highest_v(const motion_t *m)
+{
+    const double period = m->machine.period_s;
+    const double a = highest_a(m);
+    const double v = (m->s[3] - m->s[2]) / period;
+    const double most = v + a * (15.0 * period + 0.5 * a / m->machine.path.j_max);
+    return fmin(most, m->machine.path.feed_max);
+}
+
+// The longest that a rest may take from the state of now, with a tenth to spare [s].
+static double time_to_rest(const motion_t *m)
+{
+    const double a_max = m->machine.path.a_max;
+    const double j_max = m->machine.path.j_max;
+    const double v = highest_v(m);
+    const double ramps = v * j_max >= a_max * a_max ? v / a_max + a_max / j_max
+                                                    : 2.0 * sqrt(v / j_max);
+    return 1.1 * (ramps + highest_a(m) / j_max) + 20.0 * m->machine.period_s;
+}
+
+// A window of few cells cannot hold a fine ladder down to rest: there the brake is coarse, or the
+// window's own stop.
+static void hold_rests_within_the_braking_distance(check_t *check)
+{
+    const double coarse = NCK_PROFILE < 256 ? 4.0 : 1.0;
+    for (uint64_t tick = 20; tick < 3000; tick += 130) {
+        motion_begin(&motion, 1);
+        motion_line(&motion, "G61 G1 X250 F6000");
+        motion_line(&motion, "M2");
+        start_at(tick);
+        const double time = coarse * time_to_rest(&motion);
+        const double s = motion.s[3];
+        const double v = highest_v(&motion);
+        if (motion.is_over) break;
+        nck_hold(&motion.nck);
+        const double rest = (double)ticks_to_rest(4000) * motion.machine.period_s;
+        if (!CHECK(check, rest <= time)) {
+            printf("    hold at %d: %g s, at most %g s\n", (int)tick, rest, time);
+        }
+        CHECK(check, motion.s[3] - s <= v * time);
+        motion_holds(check, &motion, "hold");
+    }
+}
+
+static void held_path_goes_on_to_the_same_end(check_t *check)
+{
+    for (int family = 0; family < MOTION_FAMILIES; family++) {
+        for (uint64_t tick = 15; tick < 900; tick += 210) {
+            begin(family, family % 3, 1);
+            start_at(tick);
+            nck_hold(&motion.nck);
+            const int is_over = motion.is_over;
+            if (!is_over && !CHECK(check, ticks_to_rest(3000) < 3000)) {
+                printf("    %s, hold at %d\n", motion_family[family].name, (int)tick);
+            }
+            const double s = motion.pose.s;
+            for (int k = 0; k < 50 && !is_over; k++) (void)motion_tick(&motion, NULL);
+            CHECK(check, motion.pose.s == s);
+            nck_resume(&motion.nck);
+            while (!motion.is_over && motion_tick(&motion, NULL)) continue;
+            check_run_of(check, motion.is_over, motion_family[family].name);
+            const nck_seg_t *const last = &motion.seg[motion.segs - 1];
+            for (int x = 0; x < 3; x++) CHECK(check, motion.pose.axis[x] == last->end[x]);
+        }
+    }
+}
+
+static void abort_keeps_the_position_and_drops_the_rest(check_t *check)
+{
+    for (int family = 0; family < MOTION_FAMILIES; family++) {
+        for (uint64_t tick = 5; tick < 800; tick += 130) {
+            begin(family, family % 3, 1);
+            start_at(tick);
+            if (motion.is_over) break;
+            nck_abort(&motion.nck);
+            while (!motion.is_over && motion.ticks < tick + 3000) (void)motion_tick(&motion, NULL);
+            check_run_of(check, motion.is_over, motion_family[family].name);
+            CHECK_INT(check, motion.status, NCK_DONE);
+            const nck_axes_t axes = motion.axes;
+            nck_resume(&motion.nck);
+            for (int k = 0; k < 50; k++) (void)motion_tick(&motion, NULL);
+            CHECK_INT(check, motion.pose.state, NCK_TICK_HOLD);
+            CHECK(check, memcmp(&axes, &motion.axes, sizeof axes) == 0);
+        }
+    }
+}
+
+static void single_block_rests_at_the_end_of_every_block(check_t *check)
+{
+    motion_begin(&motion, 1);
+    motion_line(&motion, "G61 G1 F3000 X10");
+    for (int k = 1; k < 8; k++) motion_line(&motion, k % 2 ? "G91 X10" : "G91 X7 Y7");
+    motion_line(&motion, "M2");
+    motion.status = motion_start(&motion);
+    (void)nck_set_single_block(&motion.nck, 1);
+    for (uint32_t k = 0; k < 8; k++) {
+        CHECK(check, ticks_to_rest(4000) < 4000);
+        const nck_seg_t *const seg = &motion.seg[k];
+        CHECK_NEAR(check, motion.pose.s, seg->s_begin + seg->length, 1e-9);
+        nck_resume(&motion.nck);
+        (void)motion_tick(&motion, NULL);
+        (void)motion_tick(&motion, NULL);
+    }
+    motion_holds(check, &motion, "single block");
+}
+
 int main(void)
 {
     check_t check = {0};
@@ -248,5 +383,9 @@ int main(void)
     CHECK_RUN(&check, setpoints_depend_on_the_program_not_on_the_pace);
     CHECK_RUN(&check, outputs_come_in_order_behind_their_moves);
     CHECK_RUN(&check, limits_hold_whatever_the_operator_does);
+    CHECK_RUN(&check, hold_rests_within_the_braking_distance);
+    CHECK_RUN(&check, held_path_goes_on_to_the_same_end);
+    CHECK_RUN(&check, abort_keeps_the_position_and_drops_the_rest);
+    CHECK_RUN(&check, single_block_rests_at_the_end_of_every_block);
     return check_end(&check);
 }

@@ -73,6 +73,7 @@ static void begin(nck_jerk_t *self, uint32_t count) {
     memset(&self->next, 0, sizeof self->next);
     memset(&self->work, 0, sizeof self->work);
     self->next.begin = count & NCK_LINK_COUNT_MASK;
+    self->work.step = self->step_s;
     self->work.wish = self->wish;
     if (self->wish.feed > 1.0) self->over = 1;
     self->work.over = self->over;
@@ -229,10 +230,14 @@ static void give_way(nck_jerk_t *self, const nck_pieces_t *pieces) {
 
 static void finish_load(nck_jerk_t *self, const nck_pieces_t *pieces) {
     if (self->work.from_built) {
-        const int all = self->work.reach > 0.0 ? self->work.length >= self->work.reach
-                                               : !nck_link_built_cell(self->link, self->work.i);
+        const int all = !nck_link_built_cell(self->link, self->work.i);
+        if (!all && self->work.reach > 0.0) {
+            keep_plan(self, self->next.held); // no room for a ladder to the rest
+            return;
+        }
         if (!all) {
             self->next.complete = 0;
+            self->next.held = NCK_HELD_NOT;
             self->next.end_piece = self->work.piece;
             self->next.end_s = self->work.s;
         }
@@ -289,6 +294,9 @@ static uint32_t commit_of(const nck_jerk_plan_t *plan) {
 // A coarse plan only tells how to divide the ladder.
 static void finish_draw(nck_jerk_t *self) {
     if (self->work.coarse && !is_rest(self)) {
+        const double spare = (double)(NCK_JERK_CELLS - self->work.n);
+        const double fits = self->work.time / nck_max(1.0, spare);
+        if (self->work.reach > 0.0) self->work.step = nck_max(self->step_s, fits);
         self->work.coarse = 0;
         self->work.from_built = 1;
         self->work.n = 0;

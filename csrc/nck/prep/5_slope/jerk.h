@@ -81,6 +81,8 @@ typedef struct nck_jerk {
         double pending_s;
         double reach;      // rest within this length, for a hold; 0: no hold
         double length;     // of the ladder so far
+        double step;       // D of this plan: a hold's ladder has to fit [s]
+        double time;       // duration of the cells drawn so far [s]
         uint32_t base;     // lay: pieces from this one on …
         uint32_t pieces;   // … so many: what room 4 can hold whatever the tick has done
         double w_entry;    // lay: about the largest v² at the piece's start

@@ -84,9 +84,10 @@ static const nck_cell_t *source(const nck_jerk_t *self, uint32_t i) {
     return nck_link_tail_cell(self->link, self->work.source + i);
 }
 
-// A cell in parts of equal time. Returns 0 if the window is full, or the rest asked for is reached.
+// A cell in parts of equal time; as it is for a hold, whose ladder is divided later. Returns 0 if the window is full, or the rest asked for is reached.
 static int load_cell(nck_jerk_t *self, const nck_pieces_t *pieces, const nck_cell_t *cell) {
-    const int parts = nck_ladder_parts(cell->duration, self->step_s, PARTS_MOST);
+    const int is_hold = self->work.reach > 0.0 && !self->work.from_built;
+    const int parts = is_hold ? 1 : nck_ladder_parts(cell->duration, self->work.step, PARTS_MOST);
     uint32_t piece = nck_window_find(pieces, self->work.piece, cell);
     double s = cell->s;
     double begin = 0.0;
@@ -98,7 +99,7 @@ static int load_cell(nck_jerk_t *self, const nck_pieces_t *pieces, const nck_cel
         const double v = cell->v + cell->a * cell->duration * (double)(k - 1) / (double)parts;
         double h = end - begin;
         const double room = self->work.reach - self->work.length;
-        const int rests = self->work.reach > 0.0 && room <= h * (1.0 + LENGTH_EPSILON);
+        const int rests = is_hold && room <= h + LENGTH_EPSILON * self->work.reach;
         if (rests) h = room;
         push(self, piece, s, h, v * v);
         walk(pieces, &piece, &s, h);
@@ -109,7 +110,7 @@ static int load_cell(nck_jerk_t *self, const nck_pieces_t *pieces, const nck_cel
         self->work.length = self->work.reach; // to the bit: finish_load compares
         return 0;
     }
-    return !(self->work.reach > 0.0 && self->work.length >= self->work.reach);
+    return 1;
 }
 
 nck_status_t nck_window_load(nck_jerk_t *self, const nck_pieces_t *pieces) {
@@ -455,6 +456,7 @@ static void draw_cell(nck_jerk_t *self, const nck_pieces_t *pieces, uint32_t i) 
     cell.v = v;
     cell.a = (self->w[i + 1] - self->w[i]) / (2.0 * self->h[i]);
     cell.duration = 2.0 * self->h[i] / (v + v_end);
+    self->work.time += cell.duration;
     cell.limit = limit_of(self, piece, i, cell.a);
     end_cell(self, pieces, i, &cell);
     if (i + 1 == self->work.n) cell.stop = NCK_STOP_REST;
