@@ -84,7 +84,8 @@ static void reach_forth(nck_profile_t *self) {
     const double share = nck_hull_share(self->h[cell], self->v_last + v, self->q_cap);
     double bound = self->a_max[cell];
     if (cell > 0) {
-        bound = nck_min(bound, self->down[cell - 1] + jerk_at(self, cell) * (self->share + share));
+        const double step = jerk_at(self, cell) * (self->share + share);
+        bound = nck_min(bound, self->down[cell - 1] + step);
     }
     self->down[cell] = bound;
     self->z[cell] = share;
@@ -186,7 +187,9 @@ static double rise(nck_profile_t *self, double v, uint32_t cell, double j, doubl
     if (capped) v1 = v_cap;
     self->a_last = (vv1 - v * v) / (2.0 * h);
     self->slows = self->slows && !capped && self->a_last < 0.0;
-    if (self->slows && v1 * v1 * v1 < SLOWEST * j * h * h) self->broken = 1;
+    const double a_least = -(1.0 + JOIN_EPSILON) * self->a_max[cell];
+    const int creeps = v1 * v1 * v1 < SLOWEST * j * h * h;
+    if (self->slows && (creeps || self->a_last < a_least)) self->broken = 1;
     self->share = nck_hull_share(h, v + v1, self->q_cap);
     if (!(vv1 > 0.0)) {
         self->a_last = 0.0;

@@ -38,7 +38,7 @@ typedef struct nck_profile {
     uint32_t top;  // corners on the stack, or the edge in use
     uint32_t fresh;  // 1: node i has not been looked at yet
     uint32_t broken; // 1: the entry speed comes to nothing within the jerk: no plan from here
-    uint32_t slows;  // 1: the acceleration has been negative, for the jerk's sake, from the entry on
+    uint32_t slows;  // 1: the jerk has kept the acceleration negative from the entry on
     double v_last; // speed at the node done last
     double a_last; // acceleration of the cell done last
     double share;  // of the cell done last

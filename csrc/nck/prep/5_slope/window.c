@@ -84,7 +84,8 @@ static const nck_cell_t *source(const nck_jerk_t *self, uint32_t i) {
     return nck_link_tail_cell(self->link, self->work.source + i);
 }
 
-// A cell in parts of equal time; as it is for a hold, whose ladder is divided later. Returns 0 if the window is full, or the rest asked for is reached.
+// A cell in parts of equal time; as it is for a hold, whose ladder is divided later. Returns 0 if
+// the window is full, or the rest asked for is reached.
 static int load_cell(nck_jerk_t *self, const nck_pieces_t *pieces, const nck_cell_t *cell) {
     const int is_hold = self->work.reach > 0.0 && !self->work.from_built;
     const int parts = is_hold ? 1 : nck_ladder_parts(cell->duration, self->work.step, PARTS_MOST);
