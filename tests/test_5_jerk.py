@@ -52,6 +52,12 @@ def test_within_a_tolerance_every_axis_keeps_its_jerk(case):
     assert run.judge.j.max() <= 1 + 1e-6
 
 
+@pytest.mark.parametrize("lookahead", [0, 3])
+def test_the_classical_s_shape_keeps_the_same_promises(case, lookahead):
+    change = (*case.set, "path.slope=sshape", f"path.lookahead_blocks={lookahead}")
+    judged.run(judged.load(cases.Case(case.name, case.text, case.machine, change)).check())
+
+
 @pytest.mark.parametrize("prep_steps", [1, 5])
 @pytest.mark.parametrize("mode", [None, TOLERANCE])
 def test_a_starved_run_keeps_every_promise(case, mode, prep_steps):
