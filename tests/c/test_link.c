@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// base/link.h: nothing is lost, nothing is taken back, and the stop tail is entered at most once.
+// base/link.h: nothing is lost, nothing is taken back, the stop tail is entered at most once, and plans
+// become final cell by cell.
 #include <string.h> // memset
 
 #include "check.h"
@@ -163,6 +164,121 @@ static void rings_say_when_they_are_full(check_t *check)
     CHECK_INT(check, nck_link_seg(&link_, 5)->seq, 5);
 }
 
+// A plan as prep lays it: cells of 1 ms, their seg telling which plan and which cell.
+static nck_status_t install(uint32_t name, uint32_t count, double lead, uint32_t most)
+{
+    nck_link_tail_begin(&link_);
+    for (uint32_t k = 0; k < count; k++) {
+        nck_cell_t cell = cell_of(name + k);
+        cell.duration = 1e-3;
+        nck_link_tail_push(&link_, &cell);
+    }
+    return nck_link_install(&link_, lead, most);
+}
+
+static uint32_t end_now(void)
+{
+    int entered = 0;
+    return nck_link_end(&link_, &entered);
+}
+
+static void begin_plans(void)
+{
+    nck_link_init(&link_);
+    (void)nck_link_batch_begin(&link_);
+}
+
+static void plan_becomes_final_as_far_as_lead_and_most_allow(check_t *check)
+{
+    int from_tail = 0;
+    begin_plans();
+    CHECK_INT(check, install(100, 10, 2.5e-3, 8), NCK_OK);
+    CHECK_INT(check, end_now(), 3);
+    CHECK_INT(check, nck_link_advance(&link_, 2.5e-3, 5), NCK_FULL);
+    CHECK_INT(check, take(&from_tail), 100);
+    CHECK_INT(check, nck_link_advance(&link_, 2.5e-3, 5), NCK_OK);
+    CHECK_INT(check, end_now(), 4);
+    CHECK_INT(check, nck_link_advance(&link_, 1.0, 2), NCK_OK); // no more than two
+    CHECK_INT(check, end_now(), 6);
+    for (long k = 101; k < 106; k++) CHECK_INT(check, take(&from_tail), k);
+    CHECK_INT(check, from_tail, 0);
+}
+
+static void rest_of_the_plan_is_the_tail(check_t *check)
+{
+    int from_tail = 0;
+    begin_plans();
+    CHECK_INT(check, install(100, 6, 2e-3, 6), NCK_OK);
+    CHECK_INT(check, take(&from_tail), 100);
+    CHECK_INT(check, nck_link_advance(&link_, 2e-3, 6), NCK_OK);
+    for (long k = 101; k < 103; k++) CHECK_INT(check, take(&from_tail), k);
+    CHECK_INT(check, from_tail, 0);
+    for (long k = 103; k < 106; k++) CHECK_INT(check, take(&from_tail), k);
+    CHECK_INT(check, from_tail, 1);
+    CHECK_INT(check, nck_link_advance(&link_, 1.0, 6), NCK_E_STATE);
+    CHECK_INT(check, take(&from_tail), -1);
+}
+
+static void plan_follows_on_the_final_cells_of_the_last(check_t *check)
+{
+    int from_tail = 0;
+    begin_plans();
+    CHECK_INT(check, install(100, 6, 2e-3, 6), NCK_OK);
+    CHECK_INT(check, install(200, 4, 2e-3, 4), NCK_OK); // one cell at least, whatever waits
+    CHECK_INT(check, end_now(), 3);
+    CHECK_INT(check, nck_link_advance(&link_, 1.0, 99), NCK_OK);
+    const long want[] = {100, 101, 200, 201, 202, 203, -1};
+    for (int k = 0; k < 7; k++) CHECK_INT(check, take(&from_tail), want[k]);
+    CHECK_INT(check, from_tail, 0);
+}
+
+static void plan_in_a_tail_in_use_waits_for_its_rest(check_t *check)
+{
+    int from_tail = 0;
+    begin_plans();
+    CHECK_INT(check, install(100, 3, 1e-3, 3), NCK_OK);
+    for (long k = 100; k < 102; k++) CHECK_INT(check, take(&from_tail), k);
+    CHECK_INT(check, from_tail, 1);
+    CHECK_INT(check, install(200, 3, 1e-3, 3), NCK_FULL);
+    CHECK_INT(check, take(&from_tail), 102);
+    nck_link_tail_rest(&link_);
+    CHECK_INT(check, nck_link_install(&link_, 1e-3, 3), NCK_OK); // kept meanwhile
+    CHECK_INT(check, take(&from_tail), 200);
+    CHECK_INT(check, from_tail, 0);
+}
+
+static void cells_of_a_plan_are_found_by_their_count(check_t *check)
+{
+    begin_plans();
+    nck_link_tail_begin(&link_);
+    CHECK(check, nck_link_built_cell(&link_, 0) == NULL);
+    CHECK_INT(check, install(100, 5, 2e-3, 5), NCK_OK);
+    for (uint32_t k = 0; k < 5; k++) {
+        const nck_cell_t *const cell = nck_link_tail_cell(&link_, k);
+        CHECK(check, cell && cell->seg == 100 + k);
+    }
+    CHECK(check, nck_link_tail_cell(&link_, 5) == NULL);
+    CHECK(check, nck_link_tail_cell(&link_, NCK_LINK_COUNT_MASK) == NULL);
+    nck_link_tail_begin(&link_);
+    const nck_cell_t built = cell_of(7);
+    nck_link_tail_push(&link_, &built);
+    CHECK(check, nck_link_built_cell(&link_, 0) && nck_link_built_cell(&link_, 0)->seg == 7);
+    CHECK(check, nck_link_built_cell(&link_, 1) == NULL);
+}
+
+static void plans_come_out_in_order_round_the_ring(check_t *check)
+{
+    int from_tail = 0;
+    begin_plans();
+    uint32_t out = 0;
+    for (uint32_t n = 0; n < 10 * NCK_CELL_MAX; n++) {
+        CHECK_INT(check, install(3 * n, 5, 0.0, 1), NCK_OK); // one cell, then two, then a new plan
+        CHECK_INT(check, nck_link_advance(&link_, 1.0, 2), NCK_OK);
+        while (nck_link_waiting(&link_) > 2) CHECK_INT(check, take(&from_tail), out++);
+    }
+    CHECK(check, out > 20 * NCK_CELL_MAX && from_tail == 0);
+}
+
 int main(void)
 {
     check_t check = {0};
@@ -174,5 +290,11 @@ int main(void)
     CHECK_RUN(&check, going_on_waits_until_the_tail_has_come_to_rest);
     CHECK_RUN(&check, outputs_wait_for_their_segs);
     CHECK_RUN(&check, rings_say_when_they_are_full);
+    CHECK_RUN(&check, plan_becomes_final_as_far_as_lead_and_most_allow);
+    CHECK_RUN(&check, rest_of_the_plan_is_the_tail);
+    CHECK_RUN(&check, plan_follows_on_the_final_cells_of_the_last);
+    CHECK_RUN(&check, plan_in_a_tail_in_use_waits_for_its_rest);
+    CHECK_RUN(&check, cells_of_a_plan_are_found_by_their_count);
+    CHECK_RUN(&check, plans_come_out_in_order_round_the_ring);
     return check_end(&check);
 }
