@@ -102,6 +102,8 @@ static void copy_ahead(nck_link_t *self, uint32_t parity, uint32_t first, double
     }
 }
 
+double nck_link_lead(nck_link_t *self) { return lead_of(self); }
+
 nck_status_t nck_link_install(nck_link_t *self, double lead, uint32_t most) {
     const uint32_t fill = self->tail_fill;
     (void)nck_link_batch_begin(self);

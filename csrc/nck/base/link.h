@@ -94,6 +94,10 @@ nck_status_t nck_link_install(nck_link_t *self, double lead, uint32_t most);
 // the tail. Cost: linear in the cells made final. Context: prep.
 nck_status_t nck_link_advance(nck_link_t *self, double lead, uint32_t most);
 
+// How long the final cells last that the tick has not taken [s].
+// Cost: linear in the cells taken since it was last asked. Context: prep.
+double nck_link_lead(nck_link_t *self);
+
 // The end of the final cells as a running number; 1 in *entered_out if the tick is in the tail.
 // Cost: constant. Context: prep.
 uint32_t nck_link_end(const nck_link_t *self, int *entered_out);

@@ -404,7 +404,8 @@ static uint32_t final_count(const nck_sshape_t *self) {
 static nck_status_t install(nck_sshape_t *self) {
     int entered = 0;
     const uint32_t begin = nck_link_end(self->link, &entered);
-    if (final_count(self) < self->part.cells) return NCK_FULL;
+    const int early = nck_link_lead(self->link) >= lead_of(self);
+    if (early || final_count(self) < self->part.cells) return NCK_FULL;
     const nck_status_t status = nck_link_install(self->link, lead_of(self), self->part.built);
     if (status != NCK_OK) return status == NCK_FULL ? NCK_FULL : NCK_OK;
     self->part.begin = begin;
