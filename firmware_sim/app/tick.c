@@ -27,7 +27,8 @@ static uint64_t hash_integer(uint64_t hash, int64_t value) {
 // when the run is ended.
 static void count_setpoint(app_t *app) {
     app->tick.count++;
-    if (app->tick.state == NCK_TICK_IDLE || app->supervisor.frozen) return;
+    if (app->supervisor.frozen) app->tick.state = NCK_TICK_IDLE;
+    if (app->tick.state == NCK_TICK_IDLE) return;
     app->tick.used++;
     for (uint32_t k = 0; k < app->nck.transform.joints; k++) {
         app->tick.hash = hash_integer(app->tick.hash, app->tick.axes.joint_nm[k]);
