@@ -165,7 +165,7 @@ static void outputs_come_in_order_behind_their_moves(check_t *check)
 
 // ---- the operator
 
-// Commands at random ticks, as of a hand that knows no mercy; after `last` ticks everything goes on.
+// Commands at random ticks, as of a hand without mercy; after `last` ticks everything goes on.
 typedef struct operator_hand {
     pace_t pace;
     uint64_t seed;

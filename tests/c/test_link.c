@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// base/link.h: nothing is lost, nothing is taken back, the stop tail is entered at most once, and plans
-// become final cell by cell.
+// base/link.h: nothing is lost, nothing is taken back, the stop tail is entered at most once, and
+// plans become final cell by cell.
 #include <string.h> // memset
 
 #include "check.h"

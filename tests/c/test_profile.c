@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// prep/5_slope/profile.h on random ladders: caps, acceleration and rule R hold, every profile ends at
-// rest, steps of any size give the same bits, and higher caps are not slower.
+// prep/5_slope/profile.h on random ladders: caps, acceleration and rule R hold, every profile ends
+// at rest, steps of any size give the same bits, and higher caps are not slower.
 #include <math.h>   // pow sqrt fmin
 #include <string.h> // memcmp
 
