@@ -9,12 +9,13 @@
 #include "nck/prep/5_slope/window.h"      // nck_window_…
 
 enum {
-    PHASE_IDLE = 0, PHASE_REACH, PHASE_LOAD, PHASE_LAY, PHASE_LIMIT, PHASE_BRAKE, PHASE_PLAN, PHASE_DRAW,
-    PHASE_INSTALL
+    PHASE_IDLE = 0, PHASE_REACH, PHASE_LOAD, PHASE_LAY, PHASE_LIMIT, PHASE_BRAKE, PHASE_PLAN,
+    PHASE_DRAW, PHASE_INSTALL
 };
 
-// Of a plan's cells, so many parts become final before the next one takes over: at most one in three,
-// at least one in ten; and so many cells less than where it begins to brake for the window's end.
+// Of a plan's cells, so many parts become final before the next one takes over: at most one in
+// three, at least one in ten; and so many cells less than where it begins to brake for the window's
+// end.
 enum { COMMIT_MOST = 3, COMMIT_LEAST = 10, KEEP_OFF = 4 };
 
 // The window is to see this many times the time that a ramp from full speed to rest takes.
@@ -107,8 +108,8 @@ static nck_status_t begin_at_rest(nck_jerk_t *self, const nck_pieces_t *pieces) 
     return NCK_OK;
 }
 
-// From the moving state behind the plan's first `first` cells. A stop at a block's end is laid anew,
-// because the cells of now may run past it.
+// From the moving state behind the plan's first `first` cells. A stop at a block's end is laid
+// anew, because the cells of now may run past it.
 static void begin_moving(nck_jerk_t *self, const nck_pieces_t *pieces, uint32_t first) {
     const uint32_t count = (self->now.begin + first) & NCK_LINK_COUNT_MASK;
     const nck_cell_t *const cell = nck_link_tail_cell(self->link, count);
@@ -199,8 +200,9 @@ static void fall_into_tail(nck_jerk_t *self) {
 }
 
 // The plan does not join. A hold gets more length, a stop at a block's end waits for a later block.
-// Else the ladder of now is taken over as it is: where short pieces share cells in another way, caps
-// may differ. If that does not help either, the plan of now goes on and the next one begins later.
+// Else the ladder of now is taken over as it is: where short pieces share cells in another way,
+// caps may differ. If that does not help either, the plan of now goes on and the next one begins
+// later.
 static void give_way(nck_jerk_t *self, const nck_pieces_t *pieces) {
     const uint32_t held = self->next.held;
     const uint32_t first = (self->next.begin - self->now.begin) & NCK_LINK_COUNT_MASK;
@@ -282,8 +284,8 @@ static void finish_plan(nck_jerk_t *self, const nck_pieces_t *pieces) {
     enter(self, PHASE_DRAW);
 }
 
-// Where the next plan takes over: a third on, but not where this one already brakes for the window's
-// end, if that leaves something.
+// Where the next plan takes over: a third on, but not where this one already brakes for the
+// window's end, if that leaves something.
 static uint32_t commit_of(const nck_jerk_plan_t *plan) {
     const uint32_t most = plan->n / COMMIT_MOST + 1;
     const uint32_t least = plan->n / COMMIT_LEAST + 1;

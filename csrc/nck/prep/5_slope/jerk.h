@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The jerk-limited slope: pieces of path become plans, each from the moving state where the last one
-// is left to rest, and plans become final cells bit by bit. Hold, override and single block are
+// The jerk-limited slope: pieces of path become plans, each from the moving state where the last
+// one is left to rest, and plans become final cells bit by bit. Hold, override and single block are
 // plans like any other. README, section "Jerk".
 //
 //     pieces ─▶ lay ─▶ cap ─▶ plan ─▶ draw ─▶ install        next: the plan in work

@@ -134,8 +134,8 @@ static double fall_at(nck_profile_t *self, const double *w_of_time) {
     return self->fall;
 }
 
-// Corners of the lower hull of (s, g + C). Returns 1 when node i is on the stack, 0 after taking one
-// corner off.
+// Corners of the lower hull of (s, g + C). Returns 1 when node i is on the stack, 0 after taking
+// one corner off.
 static int hull(nck_profile_t *self, const double *g, const double *w_of_time, int fresh) {
     const uint32_t i = self->i;
     const double *const s = self->s;

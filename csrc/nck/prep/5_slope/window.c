@@ -17,7 +17,8 @@ enum { PARTS_MOST = 256, SPAN_MOST = 200, REST_PARTS = 4, PARTS_LEAST = 2 };
 #define CAP_EPSILON 1e-4
 // An acceleration is at its limit above this share of it.
 #define ACCEL_SHARE 0.999
-// A part of a piece shorter than this share of a cell, or of the coordinate in its seg, is rounding.
+// A part of a piece is rounding if it is shorter than this share of a cell, or of the coordinate
+// in its seg.
 #define LENGTH_EPSILON 1e-9
 #define PLACE_EPSILON 1e-14
 // The brake curve keeps off the limits by so much, so that the plan above it finds room.
@@ -365,7 +366,8 @@ nck_status_t nck_window_brake(nck_jerk_t *self) {
     for (int n = 0; n < NCK_JERK_STEP; n++) {
         const uint32_t i = self->work.i;
         if (i + 1 >= self->work.loaded || !(state->v_last > 0.0)) return NCK_DONE;
-        const double vv = brake_cell(state, self->h[i], self->a_max[i], self->j_max[i], self->q_cap);
+        const double a_max = self->a_max[i];
+        const double vv = brake_cell(state, self->h[i], a_max, self->j_max[i], self->q_cap);
         const double floor = nck_min(vv, self->w[i + 1]);
         self->w_cap[i + 1] = nck_max(self->w_cap[i + 1], floor);
         state->v_last = nck_sqrt(vv);

@@ -15,7 +15,8 @@ enum {
 // The piece of a running number; NULL if it is not there (yet). Cost: constant.
 const nck_node_t *nck_window_piece(const nck_pieces_t *pieces, uint32_t number);
 
-// The piece in which a cell begins, from a piece at or before it. Cost: linear in the pieces between.
+// The piece in which a cell begins, from a piece at or before it. Cost: linear in the pieces
+// between.
 uint32_t nck_window_find(const nck_pieces_t *pieces, uint32_t number, const nck_cell_t *cell);
 
 // Cap of a piece under the overrides that the plan is made for, v². Cost: constant.
