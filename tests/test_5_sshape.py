@@ -32,7 +32,7 @@ def under(case, *change):
 
 
 def cao(lookahead):
-    """Return the experiment's machine with N look-ahead segments: N blocks behind the one in work."""
+    """Return the experiment's machine with N look-ahead segments behind the one in work."""
     change = {"path.slope": "sshape", "path.lookahead_blocks": lookahead + 1}
     return Machine.load("cao2014", set={**change, "path.j_max_mm_s3": papers.lathe8().j_max})
 

@@ -19,9 +19,9 @@ enum {
     PIECES_BY_TAIL = (NCK_TAIL_MAX - PART_CELLS) / 3,
     PIECES_BY_WINDOW = NCK_WINDOW - 8 - PART_PIECES,
     PIECES_MOST = PIECES_BY_TAIL < PIECES_BY_WINDOW ? PIECES_BY_TAIL : PIECES_BY_WINDOW,
-    PHASE_LOOK = 0, PHASE_SPEEDS, PHASE_PART, PHASE_BRAKE, PHASE_INSTALL,
-    STAGE_RISE = 0, STAGE_CRUISE, STAGE_FALL, STAGE_END
 };
+enum { PHASE_LOOK = 0, PHASE_SPEEDS, PHASE_PART, PHASE_BRAKE, PHASE_INSTALL };
+enum { STAGE_RISE = 0, STAGE_CRUISE, STAGE_FALL, STAGE_END };
 
 // Periods that are final ahead of the tick, and that a stretch of cruise lasts: a hold begins to
 // brake within about both.
@@ -146,8 +146,8 @@ static int is_far(const nck_sshape_t *self, const nck_pieces_t *pieces) {
     return stops || seen || count + NCK_SSHAPE_RUN > PIECES_MOST;
 }
 
-// Whether to look further at all. N blocks are counted anew at every run; what the window holds only
-// when half of it is left, so that a run costs two speeds and not as many as a ramp has runs.
+// Whether to look further at all. N blocks are counted anew at every run; what the window holds
+// only when half of it is left, so that a run costs two speeds, not as many as a ramp has runs.
 static int is_far_enough(nck_sshape_t *self) {
     const uint32_t count = self->ahead.horizon - self->at.piece;
     if (self->machine->lookahead_blocks > 0 || count < PIECES_MOST / 2) self->ahead.looks = 1;
@@ -177,8 +177,8 @@ static void begin_brake(nck_sshape_t *self) {
     self->phase = PHASE_BRAKE;
 }
 
-// Pieces are missing: the part ends here. How a path is divided into parts does not change how it is
-// passed.
+// Pieces are missing: the part ends here. How a path is divided into parts does not change how it
+// is passed.
 static nck_status_t look_in_vain(nck_sshape_t *self) {
     if (self->part.built == 0) return NCK_EMPTY;
     begin_brake(self);
@@ -335,7 +335,7 @@ static nck_status_t build_part(nck_sshape_t *self, const nck_pieces_t *pieces) {
     nck_sshape_pen_t pen = {cells, 0, run.first->seg, run.s, self->at.v};
     self->at = run.piece.length > 0.0 ? draw_run(self, &run, &pen)
                                       : draw_rest(self, run.first, &pen);
-    if (!(self->at.v > 0.0)) cells[pen.count - 1].stop = NCK_STOP_REST;
+    if (!(self->at.v > 0.0)) pen.cells[pen.count - 1].stop = NCK_STOP_REST;
     add_to_part(self, &pen);
     if (part_is_full(self)) {
         begin_brake(self);
