@@ -129,3 +129,12 @@ def test_the_kernels_s_shape_is_slower_on_short_blocks_than_its_carried_accelera
     sshape, jerk = (plan(text, machine=programs.machine(slope)).time_s
                     for slope in ("sshape", "jerk"))  # fmt: skip
     assert sshape > 1.05 * jerk
+
+
+def test_a_ramp_counts_as_speeding_up_or_braking_from_its_first_jerk_on():
+    program = under(CASES["helix"])
+    totals, _, _, cells = judged.plan(program)
+    steady = (cells["a"] == 0) & (cells["j"] == 0) & (cells["length"] > 0)
+    rests = np.count_nonzero(cells["stop"]) * program.machine.period_s
+    assert totals["cruise_s"] == pytest.approx(cells["duration"][steady].sum(), abs=rests)
+    assert totals["accelerate_s"] == pytest.approx(totals["decelerate_s"], rel=0.1)

@@ -39,9 +39,10 @@ static void add_time(nck_host_totals_t *totals, const nck_cell_t *cell, int rapi
         totals->dwell_s += time;
         return;
     }
+    const double a_mean = cell->a + 0.5 * cell->j * cell->duration;
     double *const kind = rapid ? &totals->rapid_s : &totals->cut_s;
-    double *const slowing = cell->a < 0.0 ? &totals->decelerate_s : &totals->cruise_s;
-    double *const phase = cell->a > 0.0 ? &totals->accelerate_s : slowing;
+    double *const slowing = a_mean < 0.0 ? &totals->decelerate_s : &totals->cruise_s;
+    double *const phase = a_mean > 0.0 ? &totals->accelerate_s : slowing;
     *kind += time;
     *phase += time;
 }
