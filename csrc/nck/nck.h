@@ -108,8 +108,9 @@ nck_tick_state_t nck_tick(nck_t *nck, nck_pose_t *pose_out, nck_axes_t *axes_out
 void nck_resume(nck_t *nck);
 
 // Come to rest on the path, within the limits of the slope, and stay until nck_resume. The state is
-// NCK_TICK_HOLD from the first cell of the brake on. Jerk-limited slope: the brake begins within ten
-// periods and the prep steps of one plan; linear slope: behind the cells that are final already.
+// NCK_TICK_HOLD from the first cell of the brake on. Jerk-limited slope: the brake begins within
+// ten periods and the prep steps of one plan; classical S-shape: within 70 periods, a ramp and one
+// of its cells; linear slope: behind the cells that are final already.
 // Cost: constant. Context: any.
 void nck_hold(nck_t *nck);
 
