@@ -315,10 +315,12 @@ def _run_firmware(file, machine, controller, at, prep_steps, as_json, quiet):
     )
     if as_json:
         facts = {"file": name, "machine": machine.name, "version": kernel.version(),
-                 "controller": controller, "period_s": machine.period_s}  # fmt: skip
+                 "controller": controller, "slope": machine.settings.path.slope,
+                 "period_s": machine.period_s}  # fmt: skip
         print(json.dumps(facts | done.as_dict()))
     elif not quiet:
-        print("\n".join([f"{name} on {controller}:", *done.lines()]))
+        head = f"{name} on {controller}, slope {machine.settings.path.slope}:"
+        print("\n".join([head, *done.lines()]))
     if not as_json:
         words = [each.text(colour(sys.stderr)) for each in done.diagnostics
                  if each.severity == "error"]  # fmt: skip

@@ -9,7 +9,7 @@ import numpy as np
 from pycnc import firmware
 from pycnc.machine import Machine
 
-SLOPES = ("linear", "jerk")
+SLOPES = ("linear", "sshape", "jerk")
 EVERYWHERE = ("host", "m7")  # where the faults are tried
 PERIOD_S = 1e-3
 NM = 1e-6  # mm
