@@ -67,7 +67,7 @@ static void draw_ladder(ladder_t *self, uint64_t first_seed)
         if (random_real() < change) cap = 0.5 * pow(200.0, random_real());
         if (random_real() < change) a = 200.0 * pow(10.0, random_real());
         if (random_real() < change) j = 5000.0 * pow(10.0, random_real());
-        const int rests = i > 0 && random_real() < stops && self->w_cap[i - 1] > 0.0;
+        const int rests = i > 1 && random_real() < stops && self->w_cap[i - 1] > 0.0;
         self->h[i] = cap * p->q_cap * (0.05 + random_real());
         self->w_cap[i] = rests ? 0.0 : cap * cap;
         self->a_max[i] = a;

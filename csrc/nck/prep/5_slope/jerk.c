@@ -328,6 +328,8 @@ static nck_status_t install(nck_jerk_t *self) {
 static nck_status_t begin_next(nck_jerk_t *self, const nck_pieces_t *pieces) {
     if (self->now.complete) return begin_at_rest(self, pieces);
     begin_moving(self, pieces, self->now.commit);
+    const nck_node_t *const piece = nck_window_piece(pieces, self->next.piece);
+    if (!(nck_window_cap(self, piece) > 0.0)) keep_plan(self, NCK_HELD_OVERRIDE);
     return NCK_OK;
 }
 
