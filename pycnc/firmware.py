@@ -279,7 +279,8 @@ def _build(controller):
     folder.mkdir(parents=True, exist_ok=True)
     with (folder / "lock").open("w") as lock:
         fcntl.flock(lock, fcntl.LOCK_EX)
-        for command in (configure, [_tool("cmake"), "--build", folder, "--target", "firmware"]):
+        make = [_tool("cmake"), "--build", folder, "--target", "firmware", "--parallel", "2"]
+        for command in (configure, make):
             done = subprocess.run(command, capture_output=True, text=True)
             if done.returncode != 0:
                 raise FirmwareError(f"the firmware of {controller} does not build:\n{done.stdout}"
