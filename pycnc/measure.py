@@ -82,7 +82,7 @@ class PathError:
         begun = pose["line"] > 0
         if not begun.any():
             return
-        block = self._moves.block_at(pose["s"][begun])
+        block = self._moves.block_at(pose["s_program"][begun])
         apart = self._moves.nearest(block, pose["axis"][begun])
         self.largest_mm = max(self.largest_mm, float(apart.max()))
 
@@ -101,7 +101,7 @@ class Ticks:
         pose = rows["pose"]
         self.count += len(rows)
         if len(rows):
-            self.length_mm = float(pose["s"][-1])
+            self.length_mm = float(pose["s_program"][-1])
         idle = pose["state"] == _TICK_STATES.IDLE
         for code in np.unique(pose["limit"][~idle]):
             lines = np.bincount(pose["line"][~idle & (pose["limit"] == code)])

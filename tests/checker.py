@@ -137,6 +137,7 @@ class Checker:
         self._poses = np.repeat(start[None] / COUNTS, 3, axis=0)
         self._joints = np.repeat(start[self._limits.joint_axes][None], 3, axis=0)
         self._s, self._block, self._settled = np.zeros(3), np.zeros(3, np.intp), 0
+        self._programmed = 0.0
         self._exact = np.concatenate(
             [[0], np.cumsum((self._path.length > 0) & (self._path.tolerance == 0))]
         )
@@ -160,12 +161,15 @@ class Checker:
         self._hold(block < len(self._path.length), "a block that the program has not")
         self._hold(np.diff(block, prepend=self._block[-1]) >= 0, "back to an earlier block")
         self._axis_limits(poses, joints, block)
+        programmed = rows["pose"]["s_program"]
         self._progress(rows["pose"]["s"], poses)
-        self._on_path(block, rows["pose"]["s"], poses)
+        self._feed(programmed)
+        self._on_path(block, programmed, poses)
         self._stops(block, joints)
         self._poses = np.concatenate([self._poses, poses])[-3:]
         self._joints = np.concatenate([self._joints, joints])[-3:]
         self._s = np.concatenate([self._s, rows["pose"]["s"]])[-3:]
+        self._programmed = programmed[-1]
         self._block = np.concatenate([self._block, block])[-3:]
         self.ticks += len(rows)
 
@@ -176,7 +180,7 @@ class Checker:
             return
         end = self._path.end_nm[-1, self._limits.joint_axes]
         self._hold(np.array([(self._joints[-1] == end).all()]), f"end {end} is not reached")
-        left = self._path.begin[-1] - self._s[-1]
+        left = self._path.begin[-1] - self._programmed
         self._hold(np.array([abs(left) <= COORDINATE_MM]), f"{left} mm of path are left out")
         self._dwells()
 
@@ -262,16 +266,17 @@ class Checker:
             self._hold(values <= most * (1 + SHARE) + more, what)
             name = ("path_a", "path_j")[order - 1]
             setattr(self, name, max(getattr(self, name), float(values.max() / most)))
-        self._feed(s, step)
 
-    def _feed(self, s, step):
+    def _feed(self, s):
+        """Not faster than the program says; at rest when the operator holds."""
+        step = np.diff(s, prepend=self._programmed)
         ticks = np.arange(self.ticks + 1, self.ticks + len(s) + 1)
         feed, rapid = self._operator.overrides(ticks)
         for pair in set(zip(feed.tolist(), rapid.tolist(), strict=True)):
             if pair not in self._times:
                 self._times[pair] = self._path.least_times(*pair)
             times, begin = self._times[pair], self._path.begin
-            from_s = np.append(self._s[-1], s[:-1])
+            from_s = np.append(self._programmed, s[:-1])
             at = np.interp(from_s, begin, times) + self._limits.period_s
             most = np.interp(at, times, begin) - from_s
             good = step <= most * (1 + SHARE) + self._raise + BACKWARD_MM

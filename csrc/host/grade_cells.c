@@ -171,7 +171,7 @@ void nck_host_grade_totals(const nck_host_grades_t *self, nck_host_totals_t *tot
         const nck_seg_t *const seg = &self->segs[cell.seg - first];
         nck_host_totals_add(totals_out, &since_stop_s, &cell, seg->rapid,
                             self->machine->period_s, 0);
-        totals_out->length_mm = seg->s_begin + seg->length;
+        totals_out->length_mm = seg->s_program + seg->program;
     }
 }
 

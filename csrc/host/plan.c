@@ -7,7 +7,7 @@
 static void keep_seg(void *user, const nck_seg_t *seg) {
     nck_host_plan_t *const plan = user;
     plan->totals.segs++;
-    plan->totals.length_mm = seg->s_begin + seg->length;
+    plan->totals.length_mm = seg->s_program + seg->program;
     if (plan->segs) plan->segs[plan->seg_count++] = *seg;
 }
 

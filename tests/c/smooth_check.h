@@ -153,18 +153,49 @@ static inline double share_used(const double *p, double s, int *at)
     return distance(p, q) / (tolerance > 0.0 ? tolerance : 1e-9);
 }
 
+// Distance of a point from the exact line of a block.
+static inline double distance_from_line(const double *p, const nck_seg_t *line)
+{
+    double along = 0.0;
+    double q[NCK_AXIS_MAX];
+    for (int x = 0; x < NCK_AXIS_MAX; x++) {
+        along += (p[x] - line->start[x]) * (line->end[x] - line->start[x]) / line->length;
+    }
+    nck_path_point(line, fmin(line->length, fmax(0.0, along)), q);
+    return distance(p, q);
+}
+
+// Share of a corner's own blend: the distance from the nearest of the lines that make its two.
+static inline double blend_share(const double *p, const nck_seg_t *first, const nck_seg_t *last)
+{
+    const double tolerance =
+        fmin(block[first->block].tolerance_mm, block[last->block].tolerance_mm);
+    double apart = 1e9;
+    int k = 0;
+    while (exact.seg[k].block < first->block) k++;
+    for (; k < exact.segs && exact.seg[k].block <= last->block + NCK_SMOOTH_MERGE; k++) {
+        if (exact.seg[k].length > 0.0) apart = fmin(apart, distance_from_line(p, &exact.seg[k]));
+    }
+    return apart / tolerance;
+}
+
 // Largest share of the tolerance, sampled densely.
 static inline double worst_share(void)
 {
     double worst = 0.0;
+    int first = 0;
     int at = 0;
     for (int k = 0; k < path.segs; k++) {
         const nck_seg_t *const seg = &path.seg[k];
+        int last = k;
+        if (seg->blend && !path.seg[k - 1].blend) first = k;
+        while (seg->blend && path.seg[last + 1].blend) last++;
         for (double n = 0.0; n <= SAMPLES && seg->length > 0.0; n += 1.0) {
             double p[NCK_AXIS_MAX];
             const double s = seg->length * n / SAMPLES;
             nck_path_point(seg, s, p);
-            worst = fmax(worst, share_used(p, seg->s_begin + s, &at));
+            worst = fmax(worst, seg->blend ? blend_share(p, &path.seg[first], &path.seg[last])
+                                           : share_used(p, seg->s_program + s, &at));
         }
     }
     return worst;

@@ -184,7 +184,7 @@ static void corners_that_share_a_period_share_the_acceleration(check_t *check)
         double x = 0.0;
         double y = 0.0;
         begin(1);
-        line("G21 G90 G1 F6000");
+        line("G21 G90 G61 G1 F6000");
         for (double angle = 0.0; angle < 8.0; angle += chord / 2.0) {
             polyline_to(&x, &y, chord, angle);
         }
@@ -201,7 +201,7 @@ static void corner_and_ramp_share_the_acceleration(check_t *check)
         double x = 0.0;
         double y = 0.0;
         begin(1);
-        line("G21 G90 G1 F6000");
+        line("G21 G90 G61 G1 F6000");
         for (int k = 0; k < 40; k++) {
             const double turn = degrees * 3.14159265358979 / 180.0;
             const double length = 0.05 * (1.0 + k % 13) * (1.0 + k % 3);

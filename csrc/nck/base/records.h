@@ -34,7 +34,7 @@ typedef enum nck_block_kind {
 typedef enum nck_path_mode {
     NCK_PATH_EXACT = 0,     // G61: on the path, junctions crossed by the transfer rule
     NCK_PATH_STOP = 1,      // G61.1, G9: a stop at the end of every move
-    NCK_PATH_CONTINUOUS = 2 // G64 P Q: within the tolerance (exact path until smoothing exists)
+    NCK_PATH_CONTINUOUS = 2 // G64 P Q: within the tolerance
 } nck_path_mode_t;
 
 typedef enum nck_feed_mode {
@@ -96,13 +96,17 @@ typedef struct nck_seg {
     uint8_t stop;        // 1: exact stop at the end
     uint8_t axis_u;      // arc: index of the plane's first axis
     uint8_t axis_v;      // arc: index of the plane's second axis
-    uint8_t reserved[3]; // 0
+    uint8_t blend;       // 1: of a sharp corner's own blend: its s runs on while the path turns
+    uint8_t reserved[2]; // 0
     double start[NCK_AXIS_MAX]; // pose at s = 0 [mm, deg]
     double end[NCK_AXIS_MAX];   // pose at s = length [mm, deg]
     double inner[2][NCK_AXIS_MAX]; // spline: its inner Bernstein points [mm, deg]
     double length;       // range of s [path mm]: path length (spline: that of the programmed path
-                         // it stands for, never less than its own); 0 for dwell and wait
-    double s_begin;      // path length of all segs before [path mm], for reports
+                         // it stands for, never less than its own; blend: what makes its
+                         // speed even); 0 for dwell and wait
+    double s_begin;      // length of all segs before [path mm], for reports
+    double s_program;    // programmed path before [path mm], for reports
+    double program;      // programmed path that it stands for [path mm]; length but for a blend
     double centre_u;     // arc: centre [mm]
     double centre_v;
     double sweep;        // arc: signed angle, + from u towards v [rad]
@@ -202,6 +206,7 @@ typedef struct nck_pose {
     uint8_t limit;       // nck_limit_t
     uint8_t state;       // nck_tick_state_t
     double s;            // path coordinate from the program's start [path mm]
+    double s_program;    // programmed path so far [path mm]: less than s behind blends
     double v;            // path speed [path mm/s]
     double feed;         // commanded path speed [path mm/s]
     double feed_scale;   // as in the seg

@@ -225,6 +225,14 @@ static double wanted_step(const nck_smooth_t *self, const way_t *way) {
     return nck_min(way->step, nck_max(0.5 * gap, 0.5 * way->step));
 }
 
+// Behind a blend the path is on the move: there the first three control points must lie on its line,
+// so that the spline begins without curvature.
+static double straight_step(const nck_smooth_t *self) {
+    const double *const t = self->run.t;
+    if (!(self->run.straight > 0.0) || t[3] > 0.0) return 2.0 * self->spacing_max;
+    return t[4] > 0.0 ? nck_max(0.0, 3.0 * self->run.straight - 2.0 * t[4]) : self->run.straight;
+}
+
 // Try the knot t[5]: the next seg, and the two behind it if the run had to end there.
 static int try_knot(nck_smooth_t *self, double t, double share) {
     double *const knot = self->run.t;
@@ -262,7 +270,7 @@ nck_status_t nck_knot_choose(nck_smooth_t *self) {
     }
     const nck_status_t status = look_ahead(self, &way);
     if (status != NCK_OK) return status;
-    const double step = wanted_step(self, &way);
+    const double step = nck_min(wanted_step(self, &way), straight_step(self));
     const int reaches = here + step >= way.goal || step == way.goal - here;
     for (int n = 0; n < TRIES; n++) {
         const double t = n == 0 && reaches ? way.goal : here + shorter_step(self, step, n);
@@ -280,6 +288,7 @@ void nck_knot_begin(nck_smooth_t *self) {
     memset(&self->run.t, 0, sizeof self->run.t);
     self->run.on_key = 0;
     self->run.chosen = 0;
+    self->run.straight = front->cut > 0.0 ? front->seg.length : 0.0;
     for (int i = 0; i < 6; i++) memcpy(self->run.c[i], front->seg.start, sizeof self->run.c[i]);
     memcpy(self->run.position, front->seg.start, sizeof self->run.position);
 }

@@ -5,6 +5,7 @@
 #include <string.h> // memcpy memset
 
 #include "nck/base/real.h"                 // nck_min nck_max
+#include "nck/prep/3_smooth/blend.h"       // nck_blend_corner
 #include "nck/prep/3_smooth/knot.h"        // nck_knot_…
 #include "nck/prep/3_smooth/merge.h"       // nck_merge_…
 #include "nck/prep/3_smooth/metric_math.h" // nck_metric_length nck_metric_feed_length
@@ -131,18 +132,18 @@ static void begin_raw(nck_raw_t *raw, const nck_block_t *block, uint32_t block_s
     raw->has_seg = block->kind <= NCK_BLOCK_WAIT;
     raw->ends = block->kind == NCK_BLOCK_END;
     raw->smooth = (uint8_t)is_smooth(block);
+    raw->tolerance = raw->smooth ? block->tolerance_mm - ROUNDING : 0.0;
     raw->seg.block = block_seq;
     raw->output = block->output;
     raw->output.line = block->line;
 }
 
 // The block at the head of the ring becomes part of it.
-static void take_raw(nck_smooth_t *self, nck_raw_t *raw, const nck_block_t *block) {
+static void take_raw(nck_smooth_t *self, const nck_block_t *block) {
+    (void)nck_blend_corner(self, 1);
+    nck_raw_t *const raw = nck_raw_at(self, self->raw.head);
     raw->s = place_in_run(self);
-    if (raw->smooth) {
-        raw->tolerance = block->tolerance_mm - ROUNDING;
-        raw->inside = nck_knot_spacing_inside(self, &raw->seg, raw->tolerance);
-    }
+    if (raw->smooth) raw->inside = nck_knot_spacing_inside(self, &raw->seg, raw->tolerance);
     self->raw.head++;
     nck_merge_begin(self, block);
     extend_run(self);
@@ -159,11 +160,12 @@ nck_status_t nck_smooth_push(nck_smooth_t *self, const nck_block_t *block, uint3
         memcpy(self->position, raw->seg.end, sizeof self->position);
     }
     self->hungry = 0;
-    if (!raw->smooth || !nck_merge_line(self, block, &raw->seg)) take_raw(self, raw, block);
+    if (!raw->smooth || !nck_merge_line(self, block, &raw->seg)) take_raw(self, block);
     return NCK_OK;
 }
 
 void nck_smooth_end(nck_smooth_t *self) {
+    if (!self->ended) (void)nck_blend_corner(self, 0);
     self->ended = 1;
     extend_run(self);
 }
@@ -180,7 +182,10 @@ static nck_status_t give_seg(nck_smooth_t *self, nck_smooth_item_t *item_out) {
     item_out->is_output = 0;
     item_out->seg.seq = self->seq;
     item_out->seg.s_begin = self->s;
+    item_out->seg.s_program = self->s_program;
+    if (!item_out->seg.blend) item_out->seg.program = item_out->seg.length;
     self->s += item_out->seg.length;
+    self->s_program += item_out->seg.program;
     self->seq++;
     return NCK_OK;
 }

@@ -19,6 +19,7 @@ typedef struct nck_raw {
     double tolerance;    // [mm] of the smoothed path; 0: exact
     double spacing;      // of knots, as its end allows [path mm]; 0: not known yet
     double inside;       // of knots, as its inside allows [path mm]
+    double cut;          // what the blend of the corner before it has taken of it [path mm]
     uint8_t has_seg;     // 1: it moves or rests
     uint8_t has_output;  // 1: it hands over something, and has not yet
     uint8_t smooth;      // 1: part of a run
@@ -41,6 +42,7 @@ typedef struct nck_smooth {
     int64_t position_nm[NCK_AXIS_MAX]; // end of the last block pushed [nm, ndeg]
     double position[NCK_AXIS_MAX];     // the same [mm, deg]
     double s;            // length of all segs pulled [path mm]
+    double s_program;    // programmed path that they stand for [path mm]
     double spacing_max;  // of knots [path mm]
     uint32_t seq;        // of the next seg pulled
     uint8_t hungry;      // 1: pull needs a block
@@ -69,6 +71,7 @@ typedef struct nck_smooth {
         uint8_t chosen;  // 1: t[5] and c[3] are chosen
         uint8_t on_key;  // 1: t[4] is the knot of a corner
         uint32_t end;    // count of the block behind its last one
+        double straight; // of the line that it begins on behind a blend [path mm]; 0: at rest
         uint32_t kinks;  // knots that had to be doubled to stay within the tolerance, in all runs
         double t[8];     // the next seg lies over t[2] … t[3]; t[6], t[7]: if it had to end at t[5]
         double c[6][NCK_AXIS_MAX]; // c[i] belongs to t[i] t[i+1] t[i+2]

@@ -30,9 +30,15 @@ const nck_node_t *nck_window_piece(const nck_pieces_t *pieces, uint32_t number) 
 }
 
 double nck_window_cap(const nck_jerk_t *self, const nck_node_t *piece) {
-    if (!(piece->feed > 0.0)) return piece->vv_over * self->work.wish.rapid * self->work.wish.rapid;
+    const double cap = self->work.over ? piece->vv_over : piece->vv_piece;
+    if (!(piece->feed > 0.0)) return cap * self->work.wish.rapid * self->work.wish.rapid;
     const double v = piece->feed * self->work.wish.feed;
-    return nck_min(piece->vv_over, v * v);
+    return nck_min(cap, v * v);
+}
+
+// Cap of the node at a piece's start.
+static double node_cap(const nck_jerk_t *self, const nck_node_t *piece) {
+    return self->work.over ? piece->vv_node : piece->vv_cap;
 }
 
 static double end_of(const nck_node_t *piece) { return piece->s + piece->length; }
@@ -153,7 +159,7 @@ int nck_window_rests(const nck_jerk_t *self, const nck_pieces_t *pieces) {
 // 1 if the path rests where the next cell begins.
 static int begins_at_rest(const nck_jerk_t *self, const nck_node_t *piece, double s) {
     if (self->work.n == 0) return !(self->profile.v > 0.0);
-    return s == piece->s && !(piece->vv_node > 0.0);
+    return s == piece->s && !(node_cap(self, piece) > 0.0);
 }
 
 // A cell that ends a piece. From a rest it comes in parts, because it may end at another one.
@@ -194,7 +200,7 @@ static nck_status_t end_piece(nck_jerk_t *self, const nck_pieces_t *pieces,
 // Short pieces share a cell as long as it stays within a step.
 static int joins_pending(const nck_jerk_t *self, const nck_node_t *piece, double step) {
     return self->work.pending > 0.0 && self->work.pending + piece->length <= step
-           && piece->vv_node > 0.0
+           && node_cap(self, piece) > 0.0
            && self->work.piece - self->work.pending_piece < SPAN_MOST;
 }
 
@@ -202,9 +208,9 @@ static int joins_pending(const nck_jerk_t *self, const nck_node_t *piece, double
 // corners make pieces of their own, so the corner itself may be one further on.
 static double exit_cap(const nck_jerk_t *self, const nck_pieces_t *pieces, const nck_node_t *next) {
     const nck_node_t *const second = nck_window_piece(pieces, self->work.piece + 2);
-    const double w_end = next->stop || !second ? 0.0 : second->vv_node;
+    const double w_end = next->stop || !second ? 0.0 : node_cap(self, second);
     const double gain = nck_ladder_gain(next->length, next->a, next->j * self->j_scale);
-    return nck_min(next->vv_node, w_end + gain);
+    return nck_min(node_cap(self, next), w_end + gain);
 }
 
 // Lay what is left of a piece, or one cell of it.
@@ -215,7 +221,7 @@ static nck_status_t lay_some(nck_jerk_t *self, const nck_pieces_t *pieces,
     const double w = nck_window_cap(self, piece);
     const double x = self->work.s - piece->s;
     const double left = piece->length - x;
-    if (x == 0.0) self->work.w_entry = nck_min(nck_min(w, piece->vv_node), self->work.w_entry);
+    if (x == 0.0) self->work.w_entry = nck_min(nck_min(w, node_cap(self, piece)), self->work.w_entry);
     const double w0 = self->work.w_entry;
     const double w1 = rests || !next ? 0.0 : nck_min(w, exit_cap(self, pieces, next));
     if (x == 0.0) self->work.far = nck_ladder_far(w - nck_min(w0, w1), piece->a, j);
@@ -299,7 +305,7 @@ static void limit_cell(nck_jerk_t *self, const nck_pieces_t *pieces, uint32_t i)
     uint32_t number = self->rung_piece[i];
     const nck_node_t *piece = nck_window_piece(pieces, number);
     const int over = self->work.over != 0;
-    double w_node = self->rung_s[i] == piece->s ? piece->vv_node : UNCAPPED;
+    double w_node = self->rung_s[i] == piece->s ? node_cap(self, piece) : UNCAPPED;
     double w_cell = nck_window_cap(self, piece);
     double a = over ? piece->a_over : piece->a;
     double j = over ? piece->j_over : piece->j;
@@ -307,7 +313,7 @@ static void limit_cell(nck_jerk_t *self, const nck_pieces_t *pieces, uint32_t i)
     while (left > rounding_of(piece, self->h[i])) {
         piece = nck_window_piece(pieces, ++number);
         if (!piece) break;
-        w_cell = nck_min(w_cell, nck_min(piece->vv_node, nck_window_cap(self, piece)));
+        w_cell = nck_min(w_cell, nck_min(node_cap(self, piece), nck_window_cap(self, piece)));
         a = nck_min(a, over ? piece->a_over : piece->a);
         j = nck_min(j, over ? piece->j_over : piece->j);
         left -= piece->length;

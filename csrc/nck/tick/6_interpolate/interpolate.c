@@ -63,6 +63,7 @@ static void place(nck_interpolate_t *self, const nck_seg_t *seg, double s, doubl
     pose->rapid = seg->rapid;
     pose->limit = self->cell.limit;
     pose->s = seg->s_begin + s;
+    pose->s_program = seg->s_program + (seg->blend ? s * (seg->program / seg->length) : s);
     pose->v = v;
     pose->feed = seg->feed;
     pose->feed_scale = seg->feed_scale;

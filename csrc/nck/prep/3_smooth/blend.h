@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: MIT
+// Inside room 3: sharp corners between two lines, as two overlapping stops and starts.
+#ifndef NCK_PREP_BLEND_H
+#define NCK_PREP_BLEND_H
+
+#include <stdint.h> // uint32_t
+
+#include "nck/prep/3_smooth/smooth.h" // nck_smooth_t
+
+enum { NCK_BLEND_SEGS = 5 };
+
+// The corner in front of the newest block of the ring, which nothing will be joined to any more: if
+// it is one between two lines of a run, and a blend of its own is faster than the spline, put that
+// blend between the two, as exact pieces; the lines get shorter, and the run ends before it. `more`
+// blocks behind the ring's head (0 or 1) move along. Returns by how many blocks.
+// Cost: some 100 square roots.
+uint32_t nck_blend_corner(nck_smooth_t *self, uint32_t more);
+
+#endif

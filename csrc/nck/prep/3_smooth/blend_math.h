@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+// The blend of one sharp corner between two straight pieces: the path comes to the corner V along
+// u1 and leaves along u2, and each of the two motions is a smooth stop and a smooth start of its own,
+// overlapping as far as the tolerance lets them. Derived in README, section "Corners".
+#ifndef NCK_PREP_BLEND_MATH_H
+#define NCK_PREP_BLEND_MATH_H
+
+#include "nck/base/real.h" // nck_real nck_sqrt nck_min
+
+// The first motion, as a distance along u1 from V, at the path coordinate s (0: its middle), with
+// the half-width d:
+//        f″ = −hat(s/d)/d,   hat(x) = max(0, 1 − |x|)
+//        f  = s,  s − (s + d)³/6d²,  −(d − s)³/6d²,  0     up to −d, 0, d, beyond
+// At a constant ds/dt = v this is the time-optimal stop from v under the jerk v³/d².
+static inline nck_real nck_blend_stop(nck_real s, nck_real d) {
+    if (s >= d) return 0.0;
+    if (s >= 0.0) return -(d - s) * (d - s) * (d - s) / (6.0 * d * d);
+    if (s <= -d) return s;
+    return s - (s + d) * (s + d) * (s + d) / (6.0 * d * d);
+}
+
+// df/ds of it.
+static inline nck_real nck_blend_stop_slope(nck_real s, nck_real d) {
+    if (s >= d) return 0.0;
+    if (s >= 0.0) return (d - s) * (d - s) / (2.0 * d * d);
+    if (s <= -d) return 1.0;
+    return 1.0 - (s + d) * (s + d) / (2.0 * d * d);
+}
+
+// The blend:   p(s) = V + u1·f(s) − u2·f(D − s).
+// The two motions overlap over o = 2d − D of s. In the middle of it both are (o/2)³/6d² from V, and
+// the path is that far from its two lines, times the sine of the angle θ between them:
+//        o = min(2d, ∛(48·d²·tol/sin θ))
+// Returns D. A blend without parking (D = 0) is what a cubic spline makes of the corner.
+static inline nck_real nck_blend_parking(nck_real d, nck_real tolerance, nck_real sin_theta) {
+    const nck_real cube = 48.0 * d * d * tolerance;
+    if (8.0 * d * d * d * sin_theta <= cube) return 0.0;
+    nck_real o = 2.0 * d; // Newton on o³ = cube/sin θ, from above
+    for (int n = 0; n < 12; n++) {
+        o -= (o * o * o * sin_theta - cube) / (3.0 * o * o * sin_theta);
+    }
+    return 2.0 * d - o;
+}
+
+#endif
