@@ -71,7 +71,7 @@ class Path:
         self.begin = np.concatenate([[0.0], np.cumsum(self.length)])  # path coordinates
         self._feed, self._most = self._speeds(blocks, limits, meant)
         self._is_rapid = blocks["kind"] == RAPID
-        is_smoothed = (blocks["path_mode"] == CONTINUOUS) & np.isfinite(limits.path_j_max)
+        is_smoothed = blocks["path_mode"] == CONTINUOUS
         self.tolerance = np.where(is_smoothed, blocks["tolerance_mm"], 0.0)
         self.is_stop = self._stops(blocks)
         self.dwell_s = np.where(blocks["kind"] == DWELL, blocks["dwell_s"], 0.0)

@@ -1,11 +1,15 @@
 # SPDX-License-Identifier: MIT
 """Smoothing as setpoints show it: within the tolerance, with limits held, never slower for more."""
 
+import functools
 import math
 
 import judged
 import pytest
 from cases import Case
+
+from pycnc.bench import programs
+from pycnc.program import Program
 
 WAVES = [
     (50 * math.cos(t / 100) + 3 * math.sin(t / 9), 50 * math.sin(t / 100), 2 * math.sin(t / 20))
@@ -44,6 +48,39 @@ def load(text, machine="mill3", slope="jerk", **settings):
 @pytest.mark.parametrize("make", [micro_segments, corners])
 def test_setpoints_stay_within_the_tolerance(make, tolerance):
     judge = judged.run(load(make(f"G64 P{tolerance}"))).judge
+    assert 0.2 < judge.tolerance_used <= 1.0
+
+
+@functools.cache
+def zigzag(mode, count, step):
+    """Return a run of right angles on the machine of the comparison."""
+    return judged.run(Program(programs.zigzag(mode, count, step), programs.machine("jerk")))
+
+
+STAIRS = pytest.mark.parametrize(("count", "step"), [(400, 0.1), (200, 1.0), (60, 10.0)])
+
+
+@STAIRS
+@pytest.mark.parametrize("tolerance", ["0.01", "0.1"])
+def test_right_angles_keep_every_axis_within_speed_acceleration_and_jerk(tolerance, count, step):
+    judge = zigzag(f"G64 P{tolerance}", count, step).judge
+    assert max(judge.v.max(), judge.a.max(), judge.j.max(), judge.path_j) <= 1 + 1e-6
+    assert 0.2 < judge.tolerance_used <= 1.0
+
+
+@STAIRS
+def test_right_angles_within_a_tolerance_are_not_slower_than_with_stops(count, step):
+    stops, tight, loose = (
+        zigzag(mode, count, step).ticks for mode in ("G61.1", "G64 P0.01", "G64 P0.1")
+    )
+    assert loose <= 1.005 * tight
+    assert tight <= stops
+
+
+@pytest.mark.parametrize("slope", ["linear", "sshape"])
+@pytest.mark.parametrize("make", [micro_segments, corners])
+def test_other_slopes_stay_within_the_tolerance_too(make, slope):
+    judge = judged.run(load(make("G64 P0.02"), slope=slope)).judge
     assert 0.2 < judge.tolerance_used <= 1.0
 
 
