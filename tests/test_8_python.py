@@ -185,9 +185,9 @@ def test_rows_stay_on_the_path_and_a_step_aside_is_found(trace):
 
 
 def _rows(trace):
-    """Return the rows of a trace as the controller gave them."""
+    """Return the rows of a trace on the exact path as the controller gave them."""
     rows = np.zeros(len(trace), dtype("sim_row_t"))
-    for name, field in (("line", "line"), ("block", "block"), ("s_mm", "s")):
+    for field, name in (("line", "line"), ("block", "block"), ("s", "s_mm"), ("s_program", "s_mm")):
         rows["pose"][field] = trace[name]
     for k, letter in enumerate("xyz"):
         rows["pose"]["axis"][:, k] = trace[f"pos_{letter}_mm"]
