@@ -312,7 +312,7 @@ static nck_status_t place(nck_lookahead_t *self) {
 static int window_full(const nck_lookahead_t *self) {
     const uint32_t blocks = self->machine->lookahead_blocks;
     return self->window.fill > NCK_WINDOW - PIECES_PER_SEG
-           || (blocks > 0 && self->window.segs >= blocks);
+           || (blocks > 0 && self->machine->slope != NCK_SLOPE_JERK && self->window.segs >= blocks);
 }
 
 static int all_placed(const nck_lookahead_t *self) {

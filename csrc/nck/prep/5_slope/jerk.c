@@ -26,8 +26,6 @@ enum { COMMIT_MOST = 3, COMMIT_LEAST = 10, KEEP_OFF = 4 };
 #define LEAD_PERIODS 5.0
 // Room for rounding below every jerk limit.
 #define JERK_MARGIN 1e-5
-// While the ladder is coarse no cell's duration is capped in rule R.
-#define UNCAPPED_S 1e6
 // A hold that cannot be met gets so much more length.
 #define REACH_GROWTH 1.05
 
@@ -97,7 +95,7 @@ static nck_status_t begin_at_rest(nck_jerk_t *self, const nck_pieces_t *pieces) 
     begin(self, self->now.begin + self->now.n);
     if (piece->length > 0.0 && !(nck_window_cap(self, piece) > 0.0)) return NCK_FULL;
     self->work.coarse = 1;
-    self->work.far = UNCAPPED_S;
+    self->work.far = NCK_JERK_UNKNOWN;
     self->work.base = self->now.end_piece;
     self->work.pieces = NCK_JERK_PIECES / 2;
     self->next.piece = self->now.end_piece;
@@ -127,7 +125,7 @@ static void begin_moving(nck_jerk_t *self, const nck_pieces_t *pieces, uint32_t 
     self->work.base = self->now.first_piece;
     self->work.pieces = NCK_JERK_PIECES;
     self->work.w_entry = cell->v * cell->v;
-    self->work.far = UNCAPPED_S;
+    self->work.far = NCK_JERK_UNKNOWN;
     self->work.source = count;
     self->work.coarse = (uint32_t)anew;
     enter(self, anew ? PHASE_LAY : PHASE_LOAD);
@@ -183,6 +181,7 @@ static void replan(nck_jerk_t *self, const nck_pieces_t *pieces) {
     const uint32_t held = self->wish.hold ? (uint32_t)NCK_HELD_RESUME
                           : nck_window_cap(self, piece) > 0.0 ? (uint32_t)NCK_HELD_NOT
                                                               : (uint32_t)NCK_HELD_OVERRIDE;
+    self->work.coarse = 1; // for other speeds than the ladder of now
     if (!held) return;
     self->next.held = held;
     enter(self, PHASE_REACH);
@@ -269,7 +268,7 @@ static int is_rest(const nck_jerk_t *self) {
 static void finish_brake(nck_jerk_t *self) {
     nck_profile_t *const p = &self->profile;
     p->n = self->work.n;
-    p->q_cap = self->work.coarse ? UNCAPPED_S : self->q_cap;
+    p->q_cap = nck_window_q_cap(self);
     nck_profile_begin(p);
     enter(self, PHASE_PLAN);
 }

@@ -11,6 +11,8 @@
 // From rest to rest a path takes REST_PARTS cells, PARTS_LEAST if there is no room for more.
 enum { PARTS_MOST = 256, SPAN_MOST = 200, REST_PARTS = 4, PARTS_LEAST = 2 };
 
+// While the ladder is coarse no cell's duration is capped in rule R [s].
+#define UNCAPPED_S 1e6
 // A cap beyond every speed's square.
 #define UNCAPPED 1e18
 // A speed is at its cap within this share of v².
@@ -22,11 +24,15 @@ enum { PARTS_MOST = 256, SPAN_MOST = 200, REST_PARTS = 4, PARTS_LEAST = 2 };
 #define LENGTH_EPSILON 1e-9
 #define PLACE_EPSILON 1e-14
 // The brake curve keeps off the limits by so much, so that the plan above it finds room.
-#define BRAKE_SHARE 0.97
+#define BRAKE_SHARE 0.95
 
 const nck_node_t *nck_window_piece(const nck_pieces_t *pieces, uint32_t number) {
     if (number - pieces->head >= pieces->fill) return (const nck_node_t *)0;
     return &pieces->at[number & (NCK_WINDOW - 1)];
+}
+
+double nck_window_q_cap(const nck_jerk_t *self) {
+    return self->work.coarse ? UNCAPPED_S : self->q_cap;
 }
 
 double nck_window_cap(const nck_jerk_t *self, const nck_node_t *piece) {
@@ -361,22 +367,37 @@ static double brake_cell(nck_profile_t *state, double h, double a_max, double j,
     return nck_max(0.0, v * v + 2.0 * a * h);
 }
 
+// The deceleration must be gone when the cap is met: v − v_cap ≥ a²/(2J), which in steps of the
+// duration q becomes |a| ≤ √((Jq/2)² + 2J·(v − v_cap)) − Jq/2. Near the cap the brake gives way, and
+// vv becomes more.
+static double land_cell(nck_profile_t *state, double h, double j, double w_cap, double vv) {
+    const double v = state->v_last;
+    const double above = nck_max(0.0, v - nck_sqrt(w_cap));
+    const double step = BRAKE_SHARE * j * state->share; // J·q/2
+    const double least = step - nck_sqrt(step * step + 2.0 * BRAKE_SHARE * j * above);
+    if (state->a_last >= least) return vv;
+    state->a_last = least;
+    return nck_max(0.0, v * v + 2.0 * least * h);
+}
+
 nck_status_t nck_window_brake(nck_jerk_t *self) {
     nck_profile_t *const state = &self->profile;
+    const double q_cap = nck_window_q_cap(self);
     if (self->work.i == 0) {
         state->v_last = state->v;
         state->a_last = state->a;
-        state->share = 0.5 * nck_min(state->q, self->q_cap);
+        state->share = 0.5 * nck_min(state->q, q_cap);
         if (state->v > 0.0) self->w_cap[0] = nck_max(self->w_cap[0], state->v * state->v);
     }
     for (int n = 0; n < NCK_JERK_STEP; n++) {
         const uint32_t i = self->work.i;
         if (i + 1 >= self->work.loaded || !(state->v_last > 0.0)) return NCK_DONE;
         const double a_max = self->a_max[i];
-        const double vv = brake_cell(state, self->h[i], a_max, self->j_max[i], self->q_cap);
-        const double floor = nck_min(vv, self->w[i + 1]);
+        const double vv = brake_cell(state, self->h[i], a_max, self->j_max[i], q_cap);
+        const double landed = land_cell(state, self->h[i], self->j_max[i], self->w_cap[i + 1], vv);
+        const double floor = nck_min(landed, self->w[i + 1]);
         self->w_cap[i + 1] = nck_max(self->w_cap[i + 1], floor);
-        state->v_last = nck_sqrt(vv);
+        state->v_last = nck_sqrt(landed);
         self->work.i++;
     }
     return NCK_OK;

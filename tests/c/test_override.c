@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: MIT
+// An override at speed is met as soon as the jerk lets it, and no limit breaks on the way.
+#include <math.h>   // fabs fmax sqrt
+#include <string.h> // strlen
+
+#include "check.h"
+#include "nck/nck.h"
+
+static const char text[] = "G21 G90 G61 G1 X400 F6000\nM2\n";
+
+static nck_t nck;
+
+// Run the program; at tick 1000 the override changes. Returns the ticks until the new speed is met,
+// and the largest acceleration and jerk over their limits.
+static int ticks_to_meet(uint32_t percent, double *peak_out)
+{
+    nck_machine_t machine;
+    nck_pose_t pose;
+    nck_axes_t axes;
+    size_t used = 0;
+    double s[4] = {0.0, 0.0, 0.0, 0.0};
+    int met = 0;
+    nck_machine_default(&machine);
+    machine.slope = NCK_SLOPE_JERK;
+    machine.axis[0].v_max = 200.0;
+    machine.path.feed_max = 200.0;
+    *peak_out = 0.0;
+    (void)nck_init(&nck, &machine, NULL);
+    (void)nck_push(&nck, text, strlen(text), &used);
+    nck_end(&nck);
+    for (int tick = 1; tick < 3000; tick++) {
+        while (nck_prep(&nck) == NCK_OK) continue;
+        if (tick == 1000) (void)nck_set_override(&nck, percent, 100);
+        (void)nck_tick(&nck, &pose, &axes);
+        memmove(s, s + 1, 3 * sizeof *s);
+        s[3] = pose.s;
+        const double a = fabs(s[3] - 2.0 * s[2] + s[1]) / 1e-6;
+        const double j = fabs(s[3] - 3.0 * s[2] + 3.0 * s[1] - s[0]) / 1e-9;
+        *peak_out = fmax(*peak_out, fmax(a / machine.path.a_max, j / machine.path.j_max));
+        if (tick > 1000 && !met && fabs(pose.v - (double)percent) < 0.5) met = tick - 1000;
+    }
+    return met;
+}
+
+static void an_override_is_met_as_soon_as_the_jerk_lets_it(check_t *check)
+{
+    static const uint32_t percent[] = {1, 10, 50, 90, 99, 110, 150, 200};
+    const double a = 1000.0;
+    const double j = 10000.0;
+    for (int k = 0; k < 8; k++) {
+        double peak = 0.0;
+        const int met = ticks_to_meet(percent[k], &peak);
+        const double dv = fabs((double)percent[k] - 100.0);
+        const double ramp = dv * j <= a * a ? 2.0 * sqrt(dv / j) : dv / a + a / j;
+        CHECK(check, peak <= 1.0 + 1e-6);
+        if (NCK_PROFILE < 256) continue; // a short window never gets to that speed
+        if (!CHECK(check, met > 0 && met <= (int)(1150.0 * ramp) + 20)) {
+            printf("    %u %%: %d ticks, the ramp takes %.0f\n", percent[k], met, 1000.0 * ramp);
+        }
+    }
+}
+
+int main(void)
+{
+    check_t check = {0};
+    CHECK_RUN(&check, an_override_is_met_as_soon_as_the_jerk_lets_it);
+    return check_end(&check);
+}
