@@ -154,6 +154,8 @@ uint32_t nck_link_end(const nck_link_t *self, int *entered_out) {
     return end_of(word);
 }
 
+uint32_t nck_link_taken(const nck_link_t *self) { return nck_fence_load(&self->taken); }
+
 const nck_cell_t *nck_link_tail_cell(const nck_link_t *self, uint32_t count) {
     const uint32_t parity = parity_of(nck_fence_load(&self->word));
     const uint32_t place = cells_between(self->tail_origin[parity], count);

@@ -102,6 +102,9 @@ double nck_link_lead(nck_link_t *self);
 // Cost: constant. Context: prep.
 uint32_t nck_link_end(const nck_link_t *self, int *entered_out);
 
+// Cells that the tick has taken, as a running number. Cost: constant. Context: prep.
+uint32_t nck_link_taken(const nck_link_t *self);
+
 // The cell number `count` (as nck_link_end counts) of the published tail or plan, whether final or
 // not; NULL outside of it. Cost: constant. Context: prep.
 const nck_cell_t *nck_link_tail_cell(const nck_link_t *self, uint32_t count);

@@ -72,6 +72,7 @@ static void begin(nck_jerk_t *self, uint32_t count) {
     memset(&self->next, 0, sizeof self->next);
     memset(&self->work, 0, sizeof self->work);
     self->next.begin = count & NCK_LINK_COUNT_MASK;
+    self->taken = nck_link_taken(self->link);
     self->work.step = self->step_s;
     self->work.wish = self->wish;
     if (self->wish.feed > 1.0) self->over = 1;
@@ -161,10 +162,16 @@ static void keep_plan(nck_jerk_t *self, uint32_t held) {
     enter(self, PHASE_IDLE);
 }
 
+// Cells that pass until a plan begun now is made: twice as many as for the last one, because it is
+// made twice. A hold's is short.
+static uint32_t reserve_of(const nck_jerk_t *self) {
+    const double lead = LEAD_PERIODS * self->machine->period_s / self->step_s;
+    return (uint32_t)(self->wish.hold ? lead : nck_max(lead, 2.0 * (double)self->spent));
+}
+
 // Other wishes: plan anew from a few cells behind the final ones, unless the path rests by then.
 static void replan(nck_jerk_t *self, const nck_pieces_t *pieces) {
-    const uint32_t reserve = (uint32_t)(LEAD_PERIODS * self->machine->period_s / self->step_s);
-    uint32_t first = final_count(self) + reserve;
+    uint32_t first = final_count(self) + reserve_of(self);
     enter(self, PHASE_IDLE);
     if (self->now.held) return;
     const nck_cell_t *const cell =
@@ -307,6 +314,7 @@ static void finish_draw(nck_jerk_t *self) {
         return;
     }
     self->next.commit = commit_of(&self->next);
+    self->spent = (nck_link_taken(self->link) - self->taken) & NCK_LINK_COUNT_MASK;
     enter(self, PHASE_INSTALL);
 }
 

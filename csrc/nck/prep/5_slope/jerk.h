@@ -94,6 +94,8 @@ typedef struct nck_jerk {
     } work;
     uint32_t resumes;      // as counted when the plan of now was installed
     uint32_t over;         // 1: an override beyond 100 % has been in force since the last rest
+    uint32_t taken;        // cells that the tick had taken when the plan in work was begun
+    uint32_t spent;        // cells that it took while the last plan was made
     uint32_t in_tail;      // 1: the tick has been seen in the stop tail
     uint32_t failures;     // plans that did not join, since nck_jerk_init
     nck_profile_t profile;
