@@ -24,6 +24,7 @@ SUBJECTS = {
     "optimum": [("optimum", "bench_optimum_rows")],
     "linuxcnc": [("linuxcnc", "bench_linuxcnc_rows")],
     "butterfly": [("linuxcnc", "bench_butterfly_rows")],
+    "window": [("linuxcnc", "bench_window_rows")],
     "bubble": [("grades", "bench_bubble_rows")],
     "opencl": [("opencl", "bench_opencl_rows")],
     "cao": [("papers", "cao")],

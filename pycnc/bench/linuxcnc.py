@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Rows of `pycnc bench linuxcnc` and `pycnc bench butterfly`: machining times of whole programs.
+"""Rows of `pycnc bench linuxcnc`, `butterfly` and `window`: machining times of whole programs.
 
 Times and peaks are those of the emitted setpoints. Peaks are shares of the limits: v, a and j are
 the largest of any axis, path_j is that of the path coordinate. The columns of LinuxCNC are times
@@ -11,6 +11,8 @@ same on every computer; a missing path_error or time would mean that the program
 """
 
 from pycnc.bench import programs
+from pycnc.machine import Machine
+from pycnc.planning import Plan
 from pycnc.program import Program
 from pycnc.trace import Trace
 
@@ -25,6 +27,8 @@ CASES = (
 )
 CHORDS_MM = (0.0005, 0.001, 0.002, 0.005, 0.01)
 TOLERANCE = "G64 P0.01"
+WINDOWS = (8, 16, 32, 64, 128, 256, 640, 1024, 0)  # blocks; 0: all that the kernel holds
+RAMP_S = 100 / 1000 + 1000 / 10_000  # v/A + A/J of the machine of the comparison
 BUTTERFLY_LIMITS = ((1000, 10_000), (3000, 50_000))  # of every axis: mm/s², mm/s³
 
 
@@ -94,3 +98,31 @@ def _butterfly_row(chord_mm, a, j, machine):
         "ratio": None,
         **measured(text, machine),
     }
+
+
+def bench_window_rows(modes=("G64 P0.01", "G61"), windows=WINDOWS):
+    """Return rows {program, mode, lookahead_blocks, time_s, ratio, ramps}.
+
+    Planned times of the micro-segments with a look-ahead of so many blocks (within a tolerance: of
+    the pieces that smoothing makes); ratio: over the time with all of the window; ramps: how long
+    the blocks last at the mean speed of that, over v/A + A/J.
+    """
+    rows = []
+    for mode in modes:
+        text, machine = programs.micro(mode), programs.machine()
+        whole = Plan(Program(text, machine), keep=False)
+        each_s = whole.time_s / int(whole.totals["segments"])
+        for blocks in windows:
+            changed = Machine.load(machine, set={"path.lookahead_blocks": blocks})
+            time_s = Plan(Program(text, changed), keep=False).time_s
+            rows.append(
+                {
+                    "program": "micro-segments",
+                    "mode": mode,
+                    "lookahead_blocks": blocks,
+                    "time_s": time_s,
+                    "ratio": time_s / whole.time_s,
+                    "ramps": blocks * each_s / RAMP_S if blocks else None,
+                }
+            )
+    return rows
