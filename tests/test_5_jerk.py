@@ -58,6 +58,13 @@ def test_the_classical_s_shape_keeps_the_same_promises(case, lookahead):
     judged.run(judged.load(cases.Case(case.name, case.text, case.machine, change)).check())
 
 
+@pytest.mark.parametrize(("blocks", "mode"), [(2, None), (20, None), (3, TOLERANCE)])
+def test_a_short_window_comes_to_the_end_and_keeps_every_promise(case, blocks, mode):
+    change = (*case.set, f"path.lookahead_blocks={blocks}")
+    run = judged.run(jerk_limited(cases.Case(case.name, case.text, case.machine, change), mode))
+    assert run.starved_ticks == 0
+
+
 @pytest.mark.parametrize("prep_steps", [1, 5])
 @pytest.mark.parametrize("mode", [None, TOLERANCE])
 def test_a_starved_run_keeps_every_promise(case, mode, prep_steps):

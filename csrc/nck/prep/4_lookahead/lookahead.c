@@ -309,8 +309,10 @@ static nck_status_t place(nck_lookahead_t *self) {
     return NCK_OK;
 }
 
+// The jerk-limited slope counts blocks itself, and must know what comes behind the last of them.
 static int window_full(const nck_lookahead_t *self) {
-    const uint32_t blocks = self->machine->lookahead_blocks;
+    const int counts = self->machine->slope != NCK_SLOPE_JERK;
+    const uint32_t blocks = counts ? self->machine->lookahead_blocks : 0;
     return self->window.fill > NCK_WINDOW - PIECES_PER_SEG
            || (blocks > 0 && self->machine->slope != NCK_SLOPE_JERK && self->window.segs >= blocks);
 }
