@@ -1,10 +1,14 @@
 # SPDX-License-Identifier: MIT
-"""The examples of README.md run as they stand there."""
+"""The examples of README.md run as they stand there; what pages point to is there."""
 
 import pathlib
 import re
 import subprocess
 import sys
+
+import pytest
+
+from pycnc import bench
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 
@@ -38,3 +42,33 @@ def test_the_c_example_compiles_alone_and_ends_on_its_end_point(tmp_path):
     rows = [tuple(map(int, row.split())) for row in run.stdout.splitlines()]
     assert rows[-1] == (60_000_000, 20_000_000)
     assert max(abs(b[0] - a[0]) for a, b in zip(rows, rows[1:])) <= 50_001
+
+
+# All pages
+
+PAGES = sorted(
+    ROOT / name
+    for name in subprocess.run(
+        ["git", "ls-files", "*.md"], cwd=ROOT, capture_output=True, text=True, check=True
+    ).stdout.splitlines()
+)
+
+
+@pytest.mark.parametrize("page", PAGES, ids=lambda page: str(page.relative_to(ROOT)))
+def test_what_a_page_links_to_is_there(page):
+    targets = re.findall(r"\]\(([^)#:\s]+)(?:#[^)]*)?\)", page.read_text(encoding="utf-8"))
+    assert [target for target in targets if not (page.parent / target).exists()] == []
+
+
+@pytest.mark.parametrize("page", PAGES, ids=lambda page: str(page.relative_to(ROOT)))
+def test_the_benches_that_a_page_names_exist(page):
+    named = re.findall(r"pycnc bench ((?:[a-z]+(?: \| )?)+)", page.read_text(encoding="utf-8"))
+    subjects = {subject for names in named for subject in names.split(" | ")}
+    assert subjects <= set(bench.SUBJECTS)
+
+
+def test_every_page_of_docs_is_found_from_the_readme():
+    text = (ROOT / "README.md").read_text(encoding="utf-8")
+    pages = [page.name for page in PAGES if page.parent == ROOT / "docs"]
+    assert pages
+    assert [name for name in pages if f"(docs/{name})" not in text] == []
