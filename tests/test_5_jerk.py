@@ -183,6 +183,16 @@ def test_the_linear_slope_refuses_an_override():
         pycnc.run(SQUARE, commands=[(3, "override", 50)])
 
 
+@pytest.mark.parametrize("rest", ["M0", "G4 P0.01"])
+@pytest.mark.parametrize("tick", [460, 470])
+def test_a_rest_that_a_late_override_plans_anew_is_kept(rest, tick):
+    head = "G17 G21 G90 G94 G64 P1 F5607\nG0 X-3.8533 Y-5.913\nX-19.0223 Y19.2605\n"
+    text = f"{head}{rest}\nG1 Y0\nM2\n"
+    slow_y = ("axis.y.a_max_mm_s2=500", "path.slope=jerk")
+    program = judged.load(cases.Case("late", text, set=slow_y))
+    judged.run(program, commands=[(tick, "override", 176, 40)])
+
+
 SCRIPT = st.lists(
     st.one_of(
         st.tuples(st.integers(0, 4000), st.sampled_from(("hold", "resume", "resume"))),

@@ -54,7 +54,7 @@ static double rounding_of(const nck_node_t *piece, double length) {
     return LENGTH_EPSILON * length + PLACE_EPSILON * end_of(piece);
 }
 
-// From the place (piece, s) on by a length.
+// From the place (piece, s) on by a length; a dwell or a wait on the way is not passed.
 static void walk(const nck_pieces_t *pieces, uint32_t *number, double *s, double length) {
     const nck_node_t *piece = nck_window_piece(pieces, *number);
     double left = length;
@@ -66,6 +66,7 @@ static void walk(const nck_pieces_t *pieces, uint32_t *number, double *s, double
         piece = next;
         *s = piece->s;
         ++*number;
+        if (!(piece->length > 0.0)) return;
     }
     *s += left;
 }
