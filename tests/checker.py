@@ -305,15 +305,17 @@ class Checker:
         self._hold(agree, "pose and path coordinate are two places")
 
     def _stops(self, block, joints):
+        """Of blocks that share a tick, one stops at most: where the last tick of them stood."""
         path, axes = self._path, self._limits.joint_axes
         came_from = np.concatenate([self._block[-1:], block[:-1]])
         stood = np.concatenate([self._joints[-1:], joints[:-1]])
         count = np.concatenate([[0], np.cumsum(path.is_stop)])
-        left = block != came_from
-        passed = count[block] - count[came_from] - path.is_stop[came_from]
-        self._hold(~left | (passed == 0), "an exact stop is passed without a tick on it")
-        landed = (stood == path.end_nm[came_from][:, axes]).all(axis=1)
-        self._hold(~left | ~path.is_stop[came_from] | landed, "an exact stop is left out")
+        passed = count[block] - count[came_from]
+        self._hold(passed <= 1, "an exact stop is passed without a tick on it")
+        numbers = np.where(path.is_stop, np.arange(len(path.is_stop)), 0)
+        stop = np.concatenate([[0], np.maximum.accumulate(numbers)])[block]
+        landed = (stood == path.end_nm[stop][:, axes]).all(axis=1)
+        self._hold((passed == 0) | landed, "an exact stop is left out")
         np.add.at(self._dwelt, block[path.is_dwell[block]], 1)
 
     def _dwells(self):
