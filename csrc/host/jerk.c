@@ -48,7 +48,8 @@ static void share_out(ladder_t *self, void *work, size_t nodes) {
         &self->profile.w, &self->profile.s,     &self->profile.up,    &self->profile.down,
         &self->profile.e, &self->profile.z};
     for (size_t k = 0; k < ARRAYS; k++) *arrays[k] = first + k * nodes;
-    self->profile.stack = (uint32_t *)(first + ARRAYS * nodes);
+    void *const behind = first + ARRAYS * nodes;
+    self->profile.stack = behind;
     self->seg = self->profile.stack + nodes;
     self->room = nodes;
 }
@@ -82,14 +83,14 @@ static int lay_segment(ladder_t *self, uint32_t seg) {
     const nck_host_path_t *const path = self->path;
     const double w0 = junction_cap(self, seg);
     const double w1 = junction_cap(self, (size_t)seg + 1);
-    const double w = square(path->v_cap[seg]);
+    const nck_ladder_piece_t piece = {w0, w1, square(path->v_cap[seg]), path->a_max[seg],
+                                      path->j_max[seg] * self->j_scale};
     // From rest to rest takes two cells at least.
     const double most = w0 == 0.0 && w1 == 0.0 ? 0.25 * path->length[seg] : path->length[seg];
     double x = 0.0;
     for (;;) {
         const double left = path->length[seg] - x;
-        const double step = nck_ladder_step(x, left, w0, w1, w, path->a_max[seg],
-                                            path->j_max[seg] * self->j_scale, self->how->step_s);
+        const double step = nck_ladder_step(&piece, x, left, self->how->step_s);
         const double h = nck_min(most, step);
         if (left < 1.5 * h) return push(self, seg, left);
         if (!push(self, seg, h)) return 0;

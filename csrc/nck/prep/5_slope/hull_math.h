@@ -4,9 +4,17 @@
 #ifndef NCK_PREP_HULL_MATH_H
 #define NCK_PREP_HULL_MATH_H
 
-#include "nck/base/real.h" // nck_real nck_sqrt nck_min
+#include "nck/base/real.h" // nck_real nck_sqrt nck_min NCK_IN
 
-enum { NCK_RISE_STEPS = 16 }; // Newton's steps at most; 3 to 5 are the rule, 11 at a start from rest
+enum { NCK_RISE_STEPS = 16 }; // Newton's steps at most; 3 to 5 are the rule, 11 from rest
+
+// A cell of the ladder under rule R.
+typedef struct nck_hull_cell {
+    nck_real h;     // length [mm]
+    nck_real a_max; // [mm/s²]
+    nck_real j;     // [mm/s³]
+    nck_real q_cap; // the longest duration that counts [s]
+} nck_hull_cell_t;
 
 // What one cell adds to the change of acceleration that rule R allows at either of its ends: half
 // of its duration, or of the longest duration that counts.
@@ -17,8 +25,8 @@ static inline nck_real nck_hull_share(nck_real h, nck_real v_sum, nck_real q_cap
     return h / v_sum;
 }
 
-// The largest speed at the end of a cell of length h, entered at v, under rule R and a ≤ a_max, and
-// no more than v_cap. b is the acceleration that the rule allows apart from the cell's own share:
+// The largest speed at the end of a cell that is entered at v, under rule R and a ≤ a_max, and no
+// more than v_cap. b is the acceleration that the rule allows apart from the cell's own share:
 // a_before + J·q/2.
 //
 //     a ≤ b + J·min(q, q_cap)/2,   q = 2h/(v + v1),   v1² = v² + 2ah.
@@ -27,9 +35,11 @@ static inline nck_real nck_hull_share(nck_real h, nck_real v_sum, nck_real q_cap
 // found by Newton from above: f is convex to the right of its largest root, so the steps come down
 // to it and never pass it. Where f(v + v_cap) ≤ 0 the cap itself can be met.
 // Returns −1 if the speed would come to nothing within the cell.
-static inline nck_real nck_hull_rise(nck_real v, nck_real b, nck_real a_max, nck_real j, nck_real h,
-                                     nck_real q_cap, nck_real v_cap) {
-    const nck_real a_long = nck_min(a_max, b + 0.5 * j * q_cap);
+static inline nck_real nck_hull_rise(NCK_IN nck_hull_cell_t *cell, nck_real v, nck_real b,
+                                     nck_real v_cap) {
+    const nck_real h = cell->h;
+    const nck_real j = cell->j;
+    const nck_real a_long = nck_min(cell->a_max, b + 0.5 * j * cell->q_cap);
     const nck_real vv = v * v + 2.0 * a_long * h;
     if (vv < 0.0) return -1.0;
     const nck_real hb = 2.0 * h * b;
@@ -39,8 +49,7 @@ static inline nck_real nck_hull_rise(nck_real v, nck_real b, nck_real a_max, nck
     for (int n = 0; n < NCK_RISE_STEPS; n++) {
         const nck_real f = ((x - 2.0 * v) * x - hb) * x - jhh;
         const nck_real slope = (3.0 * x - 4.0 * v) * x - hb;
-        if (!(f > 0.0) || !(slope > 0.0)) break;
-        const nck_real next = x - f / slope;
+        const nck_real next = f > 0.0 && slope > 0.0 ? x - f / slope : x;
         if (!(next < x)) break;
         x = next;
     }

@@ -157,8 +157,10 @@ static uint32_t final_limit(const nck_jerk_t *self) {
 // The plan of now stays, to its end.
 static void keep_plan(nck_jerk_t *self, uint32_t held) {
     self->now.complete = 1;
-    if (held) self->now.held = held;
-    if (held) self->resumes = self->wish.resumes;
+    if (held) {
+        self->now.held = held;
+        self->resumes = self->wish.resumes;
+    }
     enter(self, PHASE_IDLE);
 }
 

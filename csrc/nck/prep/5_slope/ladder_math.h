@@ -4,7 +4,7 @@
 #ifndef NCK_PREP_LADDER_MATH_H
 #define NCK_PREP_LADDER_MATH_H
 
-#include "nck/base/real.h" // nck_real nck_sqrt nck_min
+#include "nck/base/real.h" // nck_real nck_sqrt nck_min NCK_IN
 
 // Cells of a plan last no longer than this many steps, else they are divided.
 #define NCK_LADDER_STRETCH 1.35
@@ -22,21 +22,32 @@ static inline nck_real nck_ladder_cbrt(nck_real x) {
 }
 
 // v² at a distance x behind a point that is passed at w0 with no acceleration: from rest under the
-// jerk J, x = J·t³/6 and v = J·t²/2, so v² = (81/4)^(1/3)·(J·x²)^(2/3) = 2.726·x·(J²·x)^(1/3); under
-// the acceleration A it is 2·A·x.
+// jerk J, x = J·t³/6 and v = J·t²/2, so v² = (81/4)^(1/3)·(J·x²)^(2/3) = 2.726·x·(J²·x)^(1/3);
+// under the acceleration A it is 2·A·x.
 //        w(x) ≈ w0 + x·min(2A, 2.726·(J²·x)^(1/3))
 static inline nck_real nck_ladder_gain(nck_real x, nck_real a, nck_real j) {
     return x * nck_min(2.0 * a, 2.726 * nck_ladder_cbrt(j * j * x));
 }
 
-// The length of the next cell at a distance x behind a node capped at w0 and y before one capped at
-// w1, in a piece capped at w: D·v a little further on (J·D³/6, what one step from rest makes).
-static inline nck_real nck_ladder_step(nck_real x, nck_real y, nck_real w0, nck_real w1, nck_real w,
-                                       nck_real a, nck_real j, nck_real step) {
+// A piece of path that a ladder is laid over: caps of v² and limits.
+typedef struct nck_ladder_piece {
+    nck_real w0; // at its start [mm²/s²]
+    nck_real w1; // at its end
+    nck_real w;  // between
+    nck_real a;  // [mm/s²]
+    nck_real j;  // [mm/s³]
+} nck_ladder_piece_t;
+
+// The length of the next cell at a distance x behind a piece's start and y before its end: D·v a
+// little further on (J·D³/6, what one step from rest makes).
+static inline nck_real nck_ladder_step(NCK_IN nck_ladder_piece_t *piece, nck_real x, nck_real y,
+                                       nck_real step) {
+    const nck_real a = piece->a;
+    const nck_real j = piece->j;
     const nck_real first = j * step * step * step / 6.0;
-    const nck_real behind = w0 + nck_ladder_gain(x + first, a, j);
-    const nck_real before = w1 + nck_ladder_gain(y + first, a, j);
-    return step * nck_sqrt(nck_min(w, nck_min(behind, before)));
+    const nck_real behind = piece->w0 + nck_ladder_gain(x + first, a, j);
+    const nck_real before = piece->w1 + nck_ladder_gain(y + first, a, j);
+    return step * nck_sqrt(nck_min(piece->w, nck_min(behind, before)));
 }
 
 // The distance over which the gain reaches dw: beyond it a node's cap no longer matters.
@@ -54,10 +65,10 @@ static inline int nck_ladder_parts(nck_real q, nck_real step, int most) {
     return parts < (nck_real)most ? (int)parts : most;
 }
 
-// By how much the sampled jerk may exceed the J of rule R, as a share of it. A sample is the mean of
-// the jumps of acceleration under the kernel K: the quadratic B-spline of the period T, summed over
-// the n taps of the filter. Rule R allows a jump J·(q0 + q1)/2 at a node, so the sum is at most J
-// times the trapezoidal sum of K over nodes no more than q apart. Its excess over ∫K = 1 was
+// By how much the sampled jerk may exceed the J of rule R, as a share of it. A sample is the mean
+// of the jumps of acceleration under the kernel K: the quadratic B-spline of the period T, summed
+// over the n taps of the filter. Rule R allows a jump J·(q0 + q1)/2 at a node, so the sum is at
+// most J times the trapezoidal sum of K over nodes no more than q apart. Its excess over ∫K = 1 was
 // computed by dynamic programming over all ladders (README):
 //        q²/(6·n·T²) for q ≤ T (exact),   at most q²/(5·n·T²) beyond, and never more than q/(n·T).
 static inline nck_real nck_ladder_excess(nck_real q, nck_real period, int taps) {

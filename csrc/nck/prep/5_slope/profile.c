@@ -101,8 +101,8 @@ static void ramp_back(nck_profile_t *self) {
     }
     double bound = self->a_max[i];
     if (i + 1 < self->n) {
-        const double rise = jerk_at(self, i + 1) * (self->z[i] + self->z[i + 1]);
-        bound = nck_min(bound, self->up[i + 1] + rise);
+        const double growth = jerk_at(self, i + 1) * (self->z[i] + self->z[i + 1]);
+        bound = nck_min(bound, self->up[i + 1] + growth);
     }
     self->up[i] = bound;
     self->w[i] = nck_min(self->w_cap[i], self->w[i + 1] + 2.0 * self->down[i] * self->h[i]);
@@ -179,9 +179,12 @@ static double rise(nck_profile_t *self, double v, uint32_t cell, double j, doubl
     const double h = self->h[cell];
     const double b = self->a_last + j * self->share;
     const double v_cap = nck_sqrt(e_end);
-    double v1 = nck_hull_rise(v, b, a_max, j, h, self->q_cap, v_cap);
-    if (v1 < 0.0) self->broken = 1;
-    if (v1 < 0.0) v1 = 0.0;
+    const nck_hull_cell_t step = {h, a_max, j, self->q_cap};
+    double v1 = nck_hull_rise(&step, v, b, v_cap);
+    if (v1 < 0.0) {
+        self->broken = 1;
+        v1 = 0.0;
+    }
     const int capped = v1 >= v_cap * (1.0 - CAP_EPSILON);
     const double vv1 = capped ? e_end : v1 * v1;
     if (capped) v1 = v_cap;

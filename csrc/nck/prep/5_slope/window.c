@@ -2,8 +2,6 @@
 // Room 5, slope: the ladder of the jerk-limited slope.
 #include "nck/prep/5_slope/window.h"
 
-#include <string.h> // memset
-
 #include "nck/base/real.h"                // nck_min nck_max
 #include "nck/prep/5_slope/hull_math.h"   // nck_hull_share
 #include "nck/prep/5_slope/ladder_math.h" // nck_ladder_…
@@ -15,10 +13,6 @@ enum { PARTS_MOST = 256, SPAN_MOST = 200, REST_PARTS = 4, PARTS_LEAST = 2 };
 #define UNCAPPED_S 1e6
 // A cap beyond every speed's square.
 #define UNCAPPED 1e18
-// A speed is at its cap within this share of v².
-#define CAP_EPSILON 1e-4
-// An acceleration is at its limit above this share of it.
-#define ACCEL_SHARE 0.999
 // A part of a piece is rounding if it is shorter than this share of a cell, or of the coordinate
 // in its seg.
 #define LENGTH_EPSILON 1e-9
@@ -228,13 +222,15 @@ static nck_status_t lay_some(nck_jerk_t *self, const nck_pieces_t *pieces,
     const double w = nck_window_cap(self, piece);
     const double x = self->work.s - piece->s;
     const double left = piece->length - x;
-    if (x == 0.0) self->work.w_entry = nck_min(nck_min(w, node_cap(self, piece)), self->work.w_entry);
+    const double w_node = nck_min(w, node_cap(self, piece));
+    if (x == 0.0) self->work.w_entry = nck_min(w_node, self->work.w_entry);
     const double w0 = self->work.w_entry;
     const double w1 = rests || !next ? 0.0 : nck_min(w, exit_cap(self, pieces, next));
     if (x == 0.0) self->work.far = nck_ladder_far(w - nck_min(w0, w1), piece->a, j);
     const int is_far = nck_min(x, left) > self->work.far;
+    const nck_ladder_piece_t rungs = {w0, w1, w, piece->a, j};
     const double step = is_far ? self->step_s * nck_sqrt(w)
-                               : nck_ladder_step(x, left, w0, w1, w, piece->a, j, self->step_s);
+                               : nck_ladder_step(&rungs, x, left, self->step_s);
     const int alone = w0 == 0.0 && w1 == 0.0; // from rest to rest: several cells
     const double h = alone ? nck_min(step, 0.25 * piece->length) : step;
     if (joins_pending(self, piece, step) && x == 0.0 && !alone) {
@@ -369,8 +365,8 @@ static double brake_cell(nck_profile_t *state, double h, double a_max, double j,
 }
 
 // The deceleration must be gone when the cap is met: v − v_cap ≥ a²/(2J), which in steps of the
-// duration q becomes |a| ≤ √((Jq/2)² + 2J·(v − v_cap)) − Jq/2. Near the cap the brake gives way, and
-// vv becomes more.
+// duration q becomes |a| ≤ √((Jq/2)² + 2J·(v − v_cap)) − Jq/2. Near the cap the brake gives way,
+// and vv becomes more.
 static double land_cell(nck_profile_t *state, double h, double j, double w_cap, double vv) {
     const double v = state->v_last;
     const double above = nck_max(0.0, v - nck_sqrt(w_cap));
@@ -440,83 +436,6 @@ nck_status_t nck_window_reach(nck_jerk_t *self, const nck_pieces_t *pieces) {
         const nck_cell_t *const cell = source(self, self->work.i);
         if (!cell) return NCK_EMPTY;
         if (reach_cell(self, pieces, cell)) return NCK_DONE;
-        self->work.i++;
-    }
-    return NCK_OK;
-}
-
-// ---- draw
-
-static uint8_t limit_of(const nck_jerk_t *self, const nck_node_t *piece, uint32_t i, double a) {
-    const double w0 = self->w[i];
-    const double w1 = self->w[i + 1];
-    const double cap = nck_window_cap(self, piece);
-    const double near = 1.0 - CAP_EPSILON;
-    if (nck_fabs(a) >= ACCEL_SHARE * self->a_max[i]) return NCK_LIMIT_ACCEL;
-    if (nck_min(w0, w1) >= near * cap) {
-        return cap < near * piece->vv_piece ? (uint8_t)NCK_LIMIT_FEED : piece->limit_piece;
-    }
-    const int at_node = w0 >= near * self->w_cap[i] && self->rung_s[i] == piece->s;
-    if (at_node && w0 > 0.0) return piece->limit;
-    return NCK_LIMIT_JERK;
-}
-
-// How many segs further on a place lies, and whether it is a seg's end.
-static void end_cell(const nck_jerk_t *self, const nck_pieces_t *pieces, uint32_t i,
-                     nck_cell_t *cell) {
-    const int is_end = i + 1 == self->work.n;
-    const uint32_t number = is_end ? self->next.end_piece : self->rung_piece[i + 1];
-    const double s = is_end ? self->next.end_s : self->rung_s[i + 1];
-    const nck_node_t *const at = nck_window_piece(pieces, number);
-    const nck_node_t *const before = nck_window_piece(pieces, number - 1);
-    const int behind = s < 0.0 || (at && s == at->s); // at a piece's start: the one before ends
-    const nck_node_t *const piece = behind ? before : at;
-    cell->span = (uint8_t)(piece->seg - cell->seg);
-    cell->last = behind && piece->last;
-}
-
-static void draw_cell(nck_jerk_t *self, const nck_pieces_t *pieces, uint32_t i) {
-    const nck_node_t *const piece = nck_window_piece(pieces, self->rung_piece[i]);
-    const double v = nck_sqrt(self->w[i]);
-    const double v_end = nck_sqrt(self->w[i + 1]);
-    nck_cell_t cell;
-    memset(&cell, 0, sizeof cell);
-    cell.seg = piece->seg;
-    cell.s = self->rung_s[i];
-    cell.length = self->h[i];
-    cell.v = v;
-    cell.a = (self->w[i + 1] - self->w[i]) / (2.0 * self->h[i]);
-    cell.duration = 2.0 * self->h[i] / (v + v_end);
-    self->work.time += cell.duration;
-    cell.limit = limit_of(self, piece, i, cell.a);
-    end_cell(self, pieces, i, &cell);
-    if (i + 1 == self->work.n) cell.stop = NCK_STOP_REST;
-    if (self->next.held) cell.stop |= NCK_STOP_HOLD;
-    if (cell.a >= 0.0) self->next.keep = i + 1;
-    nck_link_tail_push(self->link, &cell);
-}
-
-static void draw_rest(nck_jerk_t *self, const nck_pieces_t *pieces) {
-    const nck_node_t *const piece = nck_window_piece(pieces, self->rung_piece[0]);
-    nck_cell_t cell;
-    memset(&cell, 0, sizeof cell);
-    cell.seg = piece->seg;
-    cell.s = piece->s;
-    cell.duration = piece->dwell_s;
-    cell.limit = piece->limit_piece;
-    cell.stop = NCK_STOP_REST;
-    cell.last = 1;
-    nck_link_tail_push(self->link, &cell);
-}
-
-nck_status_t nck_window_draw(nck_jerk_t *self, const nck_pieces_t *pieces) {
-    if (self->work.n == 1 && !(self->h[0] > 0.0)) {
-        draw_rest(self, pieces);
-        return NCK_DONE;
-    }
-    for (int n = 0; n < NCK_JERK_STEP; n++) {
-        if (self->work.i == self->work.n) return NCK_DONE;
-        draw_cell(self, pieces, self->work.i);
         self->work.i++;
     }
     return NCK_OK;
