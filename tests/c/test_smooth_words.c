@@ -109,10 +109,11 @@ static void a_seg_takes_the_slowest_feed_and_the_line_of_its_middle(check_t *che
     for (int k = 0; k < path.segs; k++) {
         const nck_seg_t *const seg = &path.seg[k];
         const double s_end = seg->s_program + seg->program;
-        const int overlaps = seg->s_program < exact.seg[2].s_program && s_end > exact.seg[1].s_program;
-        const int is_rapid = seg->s_program >= exact.seg[3].s_program;
-        CHECK(check, seg->rapid == is_rapid && (seg->feed > 0.0) == !is_rapid);
-        CHECK(check, is_rapid || (seg->feed == 1.0) == overlaps);
+        const double s_behind = exact.seg[2].s_program;
+        const int overlaps = seg->s_program < s_behind && s_end > exact.seg[1].s_program;
+        const int is_behind = seg->s_program >= exact.seg[3].s_program;
+        CHECK(check, seg->rapid == is_behind && (seg->feed > 0.0) == !is_behind);
+        CHECK(check, is_behind || (seg->feed == 1.0) == overlaps);
         slow += overlaps;
         const double middle = 0.5 * (seg->s_program + s_end);
         const nck_seg_t *const raw = &exact.seg[seg->block];

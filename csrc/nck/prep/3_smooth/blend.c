@@ -236,19 +236,18 @@ static uint32_t insert(nck_smooth_t *self, const shape_t *shape, uint32_t first,
     }
     nck_raw_t *const a = nck_raw_at(self, first - 1);
     nck_raw_t *const b = nck_raw_at(self, first + count);
-    const double *start = NULL;
     for (uint32_t k = 0; k < count; k++) {
         nck_raw_t *const raw = nck_raw_at(self, first + k);
         memset(raw, 0, sizeof *raw);
         raw->has_seg = 1;
         set_piece(shape, knot[k], knot[k + 1], &raw->seg);
         take_words(a, b, knot[k] + knot[k + 1] > shape->parking, &raw->seg);
-        if (start) memcpy(raw->seg.start, start, sizeof raw->seg.start);
-        start = raw->seg.end;
+        if (k == 0) continue;
+        memcpy(raw->seg.start, nck_raw_at(self, first + k - 1)->seg.end, sizeof raw->seg.start);
     }
     memcpy(a->seg.end, nck_raw_at(self, first)->seg.start, sizeof a->seg.end);
     a->seg.length -= shape->d;
-    memcpy(b->seg.start, start, sizeof b->seg.start);
+    memcpy(b->seg.start, nck_raw_at(self, first + count - 1)->seg.end, sizeof b->seg.start);
     b->seg.length -= shape->d;
     b->cut = shape->d;
     b->s = 0.0;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The blend of one sharp corner between two straight pieces: the path comes to the corner V along
-// u1 and leaves along u2, and each of the two motions is a smooth stop and a smooth start of its own,
-// overlapping as far as the tolerance lets them. Derived in README, section "Corners".
+// u1 and leaves along u2, and each of the two motions is a smooth stop and a smooth start of its
+// own, overlapping as far as the tolerance lets them. Derived in README, section "Corners".
 #ifndef NCK_PREP_BLEND_MATH_H
 #define NCK_PREP_BLEND_MATH_H
 

@@ -225,8 +225,8 @@ static double wanted_step(const nck_smooth_t *self, const way_t *way) {
     return nck_min(way->step, nck_max(0.5 * gap, 0.5 * way->step));
 }
 
-// Behind a blend the path is on the move: there the first three control points must lie on its line,
-// so that the spline begins without curvature.
+// Behind a blend the path is on the move: there the first three control points must lie on its
+// line, so that the spline begins without curvature.
 static double straight_step(const nck_smooth_t *self) {
     const double *const t = self->run.t;
     if (!(self->run.straight > 0.0) || t[3] > 0.0) return 2.0 * self->spacing_max;
