@@ -74,7 +74,8 @@ void sim_operate(sim_t *sim, const sim_command_t *commands, size_t count);
 // it rests in a hold that no command is left to end. M0, M1, M6 are resumed at the next tick. A run
 // has the ticks that its plan counts; one at rest more if nothing but outputs is left.
 // Returns NCK_OK (call again), NCK_DONE, or the program error after everything before it has been
-// executed, or NCK_E_STATE at the end of a run in which a command was refused. Cost: linear in the rows and in the text. Context: prep and tick both.
+// executed, or NCK_E_STATE at the end of a run in which a command was refused.
+// Cost: linear in the rows and in the text. Context: prep and tick both.
 nck_status_t sim_run(sim_t *sim, sim_row_t *rows, size_t row_max, size_t *row_count_out);
 
 #endif

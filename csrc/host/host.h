@@ -32,8 +32,8 @@ typedef struct nck_host_totals {
 } nck_host_totals_t;
 
 // Add a cell, rapid or not, to the sums. since_stop_s: time since the last rest, 0 before the
-// first cell; at a stop the tick waits for its next period, and `settle` more until its filter (taps
-// less one) has settled, and that time belongs to the cell as well. Cost: constant. Context: any.
+// first cell; at a stop the tick waits for its next period, and `settle` more until its filter
+// (taps less one) has settled, and that time belongs to the cell too. Cost: constant. Context: any.
 void nck_host_totals_add(nck_host_totals_t *totals, double *since_stop_s, const nck_cell_t *cell,
                          int rapid, double period_s, uint32_t settle);
 

@@ -93,7 +93,9 @@ void nck_end(nck_t *nck);
 // Returns NCK_OK (call again), NCK_EMPTY (needs text), NCK_FULL (waits for the tick), NCK_DONE (all
 // is handed over), or a program error, once; nck_diagnostic tells it and everything before it is
 // executed.
-// Cost: bounded (one block, or 32 nodes, or 32 cells). Context: prep.
+// Cost: bounded work (one block, or one spline or corner, or 32 nodes, or 32 cells), not time: the
+// README's table has the longest steps, millions of instructions where doubles are software.
+// Context: prep.
 nck_status_t nck_prep(nck_t *nck);
 
 // Take the oldest diagnostic. Returns NCK_OK or NCK_EMPTY. Cost: constant. Context: prep.
@@ -109,8 +111,9 @@ void nck_resume(nck_t *nck);
 
 // Come to rest on the path, within the limits of the slope, and stay until nck_resume. The state is
 // NCK_TICK_HOLD from the first cell of the brake on. Jerk-limited slope: the brake begins within
-// ten periods and the prep steps of one plan; classical S-shape: within 70 periods, a ramp and one
-// of its cells; linear slope: behind the cells that are final already.
+// ten periods if prep makes one short plan, a bounded number of steps, in five of them, else that
+// much later; classical S-shape: within 70 periods, a ramp and one of its cells; linear slope:
+// behind the cells that are final already.
 // Cost: constant. Context: any.
 void nck_hold(nck_t *nck);
 
