@@ -3,6 +3,7 @@
 
 import functools
 import math
+import re
 
 import judged
 import pytest
@@ -26,6 +27,14 @@ def corners(mode):
     return (
         f"G21 G17 G90 {mode}\nG1 X10 F30000\nY10\nX0 Y9\nG3 X-4 Y5 I0 J-4\nG2 X-8 Y1 I-4\n"
         "G1 X-8 Y9 Z3\nG3 X-8 Y9 Z-3 I4\nG1 X0 Y0\nG0 Z9\nX20\nG1 Z0\nX0\nX20\nM2\n"
+    )
+
+
+def corners_with_outputs(mode):
+    """Return long and short lines, arcs and rapids, with M, S and T words in between."""
+    return (
+        f"G21 G17 G90 {mode}\nG0 Y50\nM8\nX10\nG1 F3000 Y20\nS100\nM3\nX11 Y20.01\nM8\nX12 Y20\n"
+        "M9\nG3 X13 Y21 J1\nM8\nX12 Y22 I-1\nT1\nG1 X2\nM9\nS200\nM8\nY20\nX2.1\nM9\nY20.1\nM2\n"
     )
 
 
@@ -82,6 +91,15 @@ def test_right_angles_within_a_tolerance_are_not_slower_than_with_stops(count, s
 def test_other_slopes_stay_within_the_tolerance_too(make, slope):
     judge = judged.run(load(make("G64 P0.02"), slope=slope)).judge
     assert 0.2 < judge.tolerance_used <= 1.0
+
+
+@pytest.mark.parametrize("tolerance", ["0.01", "0.1"])
+def test_an_output_in_a_corner_leaves_it_smooth(tolerance):
+    text = corners_with_outputs(f"G64 P{tolerance}")
+    judge = judged.run(load(text)).judge
+    assert 0.5 < judge.j.max() <= 1.0
+    without = re.sub(r"^[MST]\d+\n", "", text, flags=re.MULTILINE) + "M2\n"
+    assert judge.ticks <= 1.02 * judged.run(load(without)).judge.ticks
 
 
 @pytest.mark.parametrize("tolerance", ["0.01", "0.2"])

@@ -165,18 +165,19 @@ static inline double distance_from_line(const double *p, const nck_seg_t *line)
     return distance(p, q);
 }
 
-// Share of a corner's own blend: the distance from the nearest of the lines that make its two.
+// Share of a corner's own blend: of the lines that make its two, the one whose tolerance it uses
+// least of.
 static inline double blend_share(const double *p, const nck_seg_t *first, const nck_seg_t *last)
 {
-    const double tolerance =
-        fmin(block[first->block].tolerance_mm, block[last->block].tolerance_mm);
-    double apart = 1e9;
+    double least = 1e9;
     int k = 0;
     while (exact.seg[k].block < first->block) k++;
     for (; k < exact.segs && exact.seg[k].block <= last->block + NCK_SMOOTH_MERGE; k++) {
-        if (exact.seg[k].length > 0.0) apart = fmin(apart, distance_from_line(p, &exact.seg[k]));
+        const double tolerance = block[exact.seg[k].block].tolerance_mm;
+        if (!(exact.seg[k].length > 0.0) || !(tolerance > 0.0)) continue;
+        least = fmin(least, distance_from_line(p, &exact.seg[k]) / tolerance);
     }
-    return apart / tolerance;
+    return least;
 }
 
 // Largest share of the tolerance, sampled densely.

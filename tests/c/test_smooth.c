@@ -56,6 +56,11 @@ static void micro_segments_stay_within_the_tolerance(check_t *check)
 // Everything at random: lengths over four decades, tolerances that change, all axes.
 static void add_random_block(void)
 {
+    if (blocks > 0 && random_between(0.0, 1.0) < 0.15) {
+        nck_block_t *const output = add(NCK_BLOCK_OUTPUT, 0.0);
+        output->output.value = blocks;
+        return;
+    }
     static const double tolerances[] = {0.001, 0.01, 0.05, 0.5};
     const double p = tolerances[(int)random_between(0.0, 3.999)];
     const double reach = pow(10.0, random_between(-2.0, 1.5));

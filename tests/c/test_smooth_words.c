@@ -74,6 +74,20 @@ static void exact_blocks_pass_unchanged(check_t *check)
     CHECK_INT(check, same, 20 + 3); // the first block has no length
 }
 
+static void outputs_are_in_order_and_place(check_t *check)
+{
+    CHECK_INT(check, path.outputs, exact.outputs);
+    for (int k = 0; k < path.outputs && k < exact.outputs; k++) {
+        CHECK(check, path.output[k].value == exact.output[k].value
+                         && path.output[k].line == exact.output[k].line);
+        const uint32_t here = path.output[k].after_segs;
+        const uint32_t there = exact.output[k].after_segs;
+        const double s = here < (uint32_t)path.segs ? path.seg[here].s_program : 1e9;
+        const double wanted = there < (uint32_t)exact.segs ? exact.seg[there].s_program : 1e9;
+        CHECK_NEAR(check, s, wanted, 1e-9);
+    }
+}
+
 static void outputs_keep_order_and_place(check_t *check)
 {
     begin();
@@ -84,15 +98,34 @@ static void outputs_keep_order_and_place(check_t *check)
     }
     add(NCK_BLOCK_END, 0.0)->output.value = 1e9;
     hold_promises(check, "outputs");
-    CHECK_INT(check, path.outputs, exact.outputs);
-    for (int k = 0; k < path.outputs && k < exact.outputs; k++) {
-        CHECK(check, path.output[k].value == exact.output[k].value
-                         && path.output[k].line == exact.output[k].line);
-        const uint32_t here = path.output[k].after_segs;
-        const uint32_t there = exact.output[k].after_segs;
-        const double s = here < (uint32_t)path.segs ? path.seg[here].s_program : 1e9;
-        const double wanted = there < (uint32_t)exact.segs ? exact.seg[there].s_program : 1e9;
-        CHECK_NEAR(check, s, wanted, 1e-9);
+    outputs_are_in_order_and_place(check);
+}
+
+// Long sharp corners, with a blend of their own, between lines, and corners that have none.
+static void outputs_leave_a_corner_smooth(check_t *check)
+{
+    const uint32_t least = NCK_SMOOTH_SPAN < 64 ? 0 : 20; // a short ring has no room for blends
+    for (int many = 0; many < 4; many++) {
+        begin();
+        random_state = 7;
+        for (int k = 0; k < 60; k++) {
+            const double reach = k % 10 < 7 ? 5.0 : 0.2;
+            line_to(reach * (k % 2) + random_between(0.0, 0.5 * reach), reach * (k % 3), 0.0, 0.01);
+            if (k % 13 == 5) arc_about(reach, 0.0, 2.0, 0.0, 0.01);
+            for (int n = 0; n < many; n++) add(NCK_BLOCK_OUTPUT, 0.0)->output.value = 10 * k + n;
+        }
+        add(NCK_BLOCK_END, 0.0);
+        hold_promises(check, "corners with outputs");
+        outputs_are_in_order_and_place(check);
+        CHECK(check, blend_segs() > 2 * least);
+        if (many == 0 || least == 0) continue;
+        uint32_t in_blends = 0;
+        for (int k = 0; k < path.outputs; k++) {
+            const uint32_t after = path.output[k].after_segs;
+            in_blends += after < (uint32_t)path.segs && path.seg[after].blend
+                         && path.seg[after - 1].blend;
+        }
+        CHECK(check, in_blends > least);
     }
 }
 
@@ -145,6 +178,7 @@ int main(void)
     CHECK_RUN(&check, nearly_collinear_lines_are_merged_within_q);
     CHECK_RUN(&check, exact_blocks_pass_unchanged);
     CHECK_RUN(&check, outputs_keep_order_and_place);
+    CHECK_RUN(&check, outputs_leave_a_corner_smooth);
     CHECK_RUN(&check, a_seg_takes_the_slowest_feed_and_the_line_of_its_middle);
     CHECK_RUN(&check, push_waits_until_pull_asks);
     return check_end(&check);

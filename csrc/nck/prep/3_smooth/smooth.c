@@ -95,10 +95,15 @@ static nck_status_t make_seg(const nck_smooth_t *self, const nck_block_t *block,
     return NCK_OK;
 }
 
-// Does the block at count join the run at the front? Outputs do, until the program ends.
+// Outputs, until the program ends: what comes next decides about the corner before them.
+static int is_between(const nck_raw_t *raw) {
+    return raw->has_output && !raw->has_seg && !raw->ends;
+}
+
+// Does the block at count join the run at the front?
 static int joins(nck_smooth_t *self, uint32_t count) {
     const nck_raw_t *const raw = nck_raw_at(self, count);
-    return raw->smooth || (raw->has_output && !raw->has_seg && !raw->ends);
+    return raw->smooth || is_between(raw);
 }
 
 // Let blocks join the run at the front.
@@ -140,7 +145,7 @@ static void begin_raw(nck_raw_t *raw, const nck_block_t *block, uint32_t block_s
 
 // The block at the head of the ring becomes part of it.
 static void take_raw(nck_smooth_t *self, const nck_block_t *block) {
-    (void)nck_blend_corner(self, 1);
+    if (!is_between(nck_raw_at(self, self->raw.head))) (void)nck_blend_corner(self, 1);
     nck_raw_t *const raw = nck_raw_at(self, self->raw.head);
     raw->s = place_in_run(self);
     if (raw->smooth) raw->inside = nck_knot_spacing_inside(self, &raw->seg, raw->tolerance);
