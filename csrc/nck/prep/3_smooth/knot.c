@@ -7,6 +7,7 @@
 
 #include "nck/base/path_math.h"            // nck_path_second
 #include "nck/base/real.h"                 // nck_min nck_max
+#include "nck/prep/3_smooth/blend.h"       // NCK_BLEND_KEEP_OFF
 #include "nck/prep/3_smooth/raw.h"         // nck_raw_…
 #include "nck/prep/3_smooth/spline_math.h" // nck_spline_…
 
@@ -84,20 +85,12 @@ static nck_status_t grow(nck_smooth_t *self, double s, double aim, double *spaci
     return NCK_OK;
 }
 
-// The block with length before this one; this one if it is not known any more.
-static uint32_t raw_before(nck_smooth_t *self, uint32_t count) {
-    uint32_t before = count;
-    do {
-        if (before == self->raw.tail) return count;
-    } while (!nck_raw_at(self, --before)->has_seg);
-    return before;
-}
-
 // Neighbours on a dense path are much alike: begin to grow not far below the one before.
 static double begin_growing(nck_smooth_t *self, uint32_t count, double aim, double spacing) {
+    if (count == self->raw.tail) return spacing;
     const nck_raw_t *const raw = nck_raw_at(self, count);
     const double s = raw->s + raw->seg.length;
-    const double likely = NEIGHBOUR * nck_raw_at(self, raw_before(self, count))->spacing;
+    const double likely = NEIGHBOUR * nck_raw_at(self, count - 1)->spacing;
     if (likely <= spacing || s + likely > nck_raw_known(self)) return spacing;
     return deviation(self, s, likely) <= aim ? likely : spacing;
 }
@@ -119,13 +112,20 @@ static nck_status_t room_beside(nck_smooth_t *self, uint32_t count, double *room
     double behind = raw->seg.length;
     double before = next->seg.length;
     if (third == self->run.end && !self->run.closed && !is_full(self)) return NCK_EMPTY;
-    const uint32_t first = raw_before(self, count);
-    if (first != count && nck_raw_at(self, first)->key) behind *= 0.5;
+    if (count != self->raw.tail && nck_raw_at(self, count - 1)->key) behind *= 0.5;
     if (third != self->run.end && lone_spacing(self, next, nck_raw_at(self, third)) < before) {
         before *= 0.5;
     }
     *room_out = nck_min(behind, before);
     return NCK_OK;
+}
+
+// 1 if the block behind this one is the run's last and leads into a blend: the spline must be
+// straight again there.
+static int ends_in_blend(nck_smooth_t *self, uint32_t count) {
+    const uint32_t last = nck_raw_next(self, count);
+    if (!self->run.closed || nck_raw_next(self, last) != self->run.end) return 0;
+    return self->run.end != self->raw.head && nck_raw_at(self, self->run.end)->seg.blend;
 }
 
 // Find the spacing that the end of a block allows, once.
@@ -151,6 +151,9 @@ static nck_status_t know_spacing(nck_smooth_t *self, uint32_t count) {
     if (lone && spacing < nearest) spacing = nck_min(spacing, room);
     raw->key = lone || (spacing >= KEY_LEAST * alone && spacing <= KEY_MOST * alone
                         && alone < self->spacing_max);
+    if (ends_in_blend(self, count)) {
+        spacing = nck_min(spacing, next->seg.length / NCK_BLEND_KEEP_OFF);
+    }
     raw->spacing = spacing;
     return NCK_OK;
 }
@@ -195,6 +198,10 @@ static nck_status_t look_ahead(nck_smooth_t *self, way_t *way) {
         next = nck_raw_next(self, count);
         if (next == self->run.end) return look_at_end(self, end, way);
         if (!(end > here)) continue;
+        if (nck_raw_at(self, next - 1)->has_output) {
+            way->goal = end;
+            return NCK_OK;
+        }
         const nck_status_t status = know_spacing(self, count);
         if (status != NCK_OK) return status;
         if (raw->key) {
@@ -205,10 +212,6 @@ static nck_status_t look_ahead(nck_smooth_t *self, way_t *way) {
             return NCK_OK;
         }
         way->step = nck_min(way->step, raw->spacing + 0.5 * (end - here));
-        if (nck_raw_at(self, next - 1)->has_output) {
-            way->goal = end;
-            return NCK_OK;
-        }
     }
 }
 

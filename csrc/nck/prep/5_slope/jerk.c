@@ -172,7 +172,7 @@ static uint32_t reserve_of(const nck_jerk_t *self) {
 }
 
 // Other wishes: plan anew from a few cells behind the final ones, unless the path rests by then.
-static void replan(nck_jerk_t *self, const nck_pieces_t *pieces) {
+static void replan(nck_jerk_t *self, const nck_pieces_t *pieces, int slower) {
     uint32_t first = final_count(self) + reserve_of(self);
     enter(self, PHASE_IDLE);
     if (self->now.held) return;
@@ -190,7 +190,7 @@ static void replan(nck_jerk_t *self, const nck_pieces_t *pieces) {
     const uint32_t held = self->wish.hold ? (uint32_t)NCK_HELD_RESUME
                           : nck_window_cap(self, piece) > 0.0 ? (uint32_t)NCK_HELD_NOT
                                                               : (uint32_t)NCK_HELD_OVERRIDE;
-    self->work.coarse = 1; // for other speeds than the ladder of now
+    if (slower) self->work.coarse = 1; // the ladder of now is for higher speeds
     if (!held) return;
     self->next.held = held;
     enter(self, PHASE_REACH);
@@ -398,8 +398,9 @@ nck_status_t nck_jerk_step(nck_jerk_t *self, const nck_pieces_t *pieces, const n
     (void)nck_link_end(self->link, &entered);
     if (entered && !self->in_tail) fall_into_tail(self);
     const int other = is_other(&self->wish, wish);
+    const int slower = wish->feed < self->wish.feed || wish->rapid < self->wish.rapid;
     self->wish = *wish;
-    if (other) replan(self, pieces);
+    if (other) replan(self, pieces, slower);
     const uint32_t done = final_count(self);
     const uint32_t limit = final_limit(self);
     if (done < limit && nck_link_advance(self->link, self->lead_s, limit - done) == NCK_OK) {
