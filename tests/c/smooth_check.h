@@ -42,6 +42,7 @@ static inline double random_between(double low, double high)
 static inline void begin(void)
 {
     nck_machine_default(&machine);
+    machine.slope = NCK_SLOPE_JERK; // corners get blends of their own
     for (int x = 0; x < NCK_AXIS_MAX; x++) {
         machine.axis[x] = machine.axis[0];
         machine.axis[x].rotary = x >= NCK_AXIS_A && x <= NCK_AXIS_C;

@@ -19,7 +19,7 @@
 #define ACCEL_SHARE 0.95     // the same of its acceleration
 #define WORTH 0.98           // of the spline's time, to be taken
 #define LEAST 1e-9           // [path mm]: a piece shorter than that is rounding
-enum { HALVINGS = 30 };
+enum { HALVINGS = 30, MIDDLE = 3 };
 
 // What a corner is like. Speeds in path mm/s.
 typedef struct corner {
@@ -171,6 +171,7 @@ typedef struct shape {
     const corner_t *corner;
     const double *vertex;
     double d, parking;
+    int is_split; // 1: a piece ends in the middle, for outputs
 } shape_t;
 
 static void point(const shape_t *shape, double s, double *p, double *tangent) {
@@ -203,14 +204,18 @@ static void set_piece(const shape_t *shape, double from, double to, nck_seg_t *s
     seg->program = seg->length * (2.0 * shape->d / (2.0 * shape->d + shape->parking));
 }
 
-// The places where the shape's third derivative changes, in order. Returns how many.
+// The places where the shape's third derivative changes, in order; and its middle, if outputs are
+// to come there. Returns how many.
 static int knots_of(const shape_t *shape, double *knot) {
     const double inner = shape->parking - shape->d;
     const double places[NCK_BLEND_SEGS + 1] = {
-        -shape->d, nck_min(0.0, inner), nck_max(0.0, inner), nck_min(shape->d, shape->parking),
-        nck_max(shape->d, shape->parking), shape->parking + shape->d};
+        -shape->d, nck_min(0.0, inner), nck_max(0.0, inner),
+        0.5 * shape->parking, // MIDDLE
+        nck_min(shape->d, shape->parking), nck_max(shape->d, shape->parking),
+        shape->parking + shape->d};
     int count = 0;
     for (int k = 0; k <= NCK_BLEND_SEGS; k++) {
+        if (k == MIDDLE && !shape->is_split) continue;
         if (count == 0 || places[k] > knot[count - 1] + LEAST) knot[count++] = places[k];
     }
     return count;
@@ -226,43 +231,63 @@ static void take_words(const nck_raw_t *a, const nck_raw_t *b, int later, nck_se
     seg->feed_scale = nck_max(a->seg.feed_scale, b->seg.feed_scale);
 }
 
-// The corner's blocks from `first` on: pieces, then the second line, shortened.
-static uint32_t insert(nck_smooth_t *self, const shape_t *shape, uint32_t first, uint32_t more) {
+// Where the corner of a blend is in the ring, by counts.
+typedef struct place {
+    uint32_t first; // the block before the corner; outputs follow
+    uint32_t last;  // the block behind it
+    uint32_t end;   // behind the blocks that move along
+} place_t;
+
+static void move_block(nck_smooth_t *self, uint32_t from, uint32_t by) {
+    *nck_raw_at(self, from + by) = *nck_raw_at(self, from);
+}
+
+// Room for the pieces of the corner: so many before its outputs, so many behind them.
+static void make_way(nck_smooth_t *self, const place_t *place, uint32_t before, uint32_t behind) {
+    for (uint32_t k = place->end; k-- != place->last;) move_block(self, k, before + behind);
+    for (uint32_t k = place->last; --k != place->first;) move_block(self, k, before);
+}
+
+// The pieces take the places in front of the outputs and behind them; the lines get shorter.
+static uint32_t insert(nck_smooth_t *self, const shape_t *shape, const place_t *place) {
     double knot[NCK_BLEND_SEGS + 1];
     const uint32_t count = (uint32_t)knots_of(shape, knot) - 1;
-    for (uint32_t k = more + 1; k-- > 0;) {
-        *nck_raw_at(self, first + count + k) = *nck_raw_at(self, first + k);
-    }
-    nck_raw_t *const a = nck_raw_at(self, first - 1);
-    nck_raw_t *const b = nck_raw_at(self, first + count);
+    const uint32_t outputs = place->last - place->first - 1;
+    const uint32_t before = outputs > 0 ? count / 2 : count;
+    make_way(self, place, before, count - before);
+    nck_raw_t *const a = nck_raw_at(self, place->first);
+    nck_raw_t *const b = nck_raw_at(self, place->last + count);
+    const double *start = shape->vertex;
     for (uint32_t k = 0; k < count; k++) {
-        nck_raw_t *const raw = nck_raw_at(self, first + k);
+        const uint32_t at = place->first + 1 + k + (k < before ? 0 : outputs);
+        nck_raw_t *const raw = nck_raw_at(self, at);
         memset(raw, 0, sizeof *raw);
         raw->has_seg = 1;
         set_piece(shape, knot[k], knot[k + 1], &raw->seg);
         take_words(a, b, knot[k] + knot[k + 1] > shape->parking, &raw->seg);
-        if (k == 0) continue;
-        memcpy(raw->seg.start, nck_raw_at(self, first + k - 1)->seg.end, sizeof raw->seg.start);
+        if (k > 0) memcpy(raw->seg.start, start, sizeof raw->seg.start);
+        start = raw->seg.end;
     }
-    memcpy(a->seg.end, nck_raw_at(self, first)->seg.start, sizeof a->seg.end);
+    memcpy(a->seg.end, nck_raw_at(self, place->first + 1)->seg.start, sizeof a->seg.end);
     a->seg.length -= shape->d;
-    memcpy(b->seg.start, nck_raw_at(self, first + count - 1)->seg.end, sizeof b->seg.start);
+    memcpy(b->seg.start, start, sizeof b->seg.start);
     b->seg.length -= shape->d;
     b->cut = shape->d;
-    b->s = 0.0;
+    b->s = 0.0; // a run of its own: outputs behind it are at its end
     self->raw.head += count;
+    for (uint32_t k = place->last + 1; k != place->end; k++) {
+        nck_raw_at(self, k + count)->s = b->seg.length;
+    }
     return count;
 }
 
 static int is_line(const nck_raw_t *raw) {
-    return raw->smooth && raw->has_seg && !raw->has_output && raw->seg.kind == NCK_SEG_LINE;
+    return raw->smooth && raw->has_seg && raw->seg.kind == NCK_SEG_LINE;
 }
 
 // How much of a line the spline of the corner between it and another block may bend. Where the run
-// goes on from a blend its first stretch must be straight: the blend ends without curvature. What
-// is beyond an output is not looked for.
+// goes on from a blend its first stretch must be straight: the blend ends without curvature.
 static double bent_by(const nck_smooth_t *self, const nck_raw_t *a, const nck_raw_t *b) {
-    if (!a->has_seg || !b->has_seg) return a->ends || b->ends ? 0.0 : NCK_BLEND_KEEP_OFF * self->spacing_max;
     if (!a->smooth || !b->smooth) return 0.0;
     const double turn = nck_raw_turn(&a->seg, &b->seg);
     const double tolerance = nck_min(a->tolerance, b->tolerance);
@@ -271,15 +296,17 @@ static double bent_by(const nck_smooth_t *self, const nck_raw_t *a, const nck_ra
 }
 
 // What the corners at the far ends of both lines leave to a blend between them.
-static double room_of(nck_smooth_t *self, uint32_t first, uint32_t more) {
-    const nck_raw_t *const a = nck_raw_at(self, first - 1);
-    const nck_raw_t *const b = nck_raw_at(self, first);
+static double room_of(nck_smooth_t *self, const place_t *place) {
+    const nck_raw_t *const a = nck_raw_at(self, place->first);
+    const nck_raw_t *const b = nck_raw_at(self, place->last);
     double room = nck_min(a->seg.length, b->seg.length);
-    if (more > 0) {
-        room = nck_min(room, b->seg.length - bent_by(self, b, nck_raw_at(self, first + 1)));
+    if (place->end != place->last + 1) {
+        room = nck_min(room, b->seg.length - bent_by(self, b, nck_raw_at(self, place->end - 1)));
     }
-    if (first - 1 != self->raw.tail) {
-        room = nck_min(room, a->seg.length - bent_by(self, nck_raw_at(self, first - 2), a));
+    uint32_t count = place->first;
+    while (count != self->raw.tail && !nck_raw_at(self, count - 1)->has_seg) count--;
+    if (count != self->raw.tail) {
+        room = nck_min(room, a->seg.length - bent_by(self, nck_raw_at(self, count - 1), a));
     }
     return room;
 }
@@ -293,26 +320,39 @@ static int is_free(nck_smooth_t *self, uint32_t count, double d) {
     return !(raw->spacing > 0.0) && (!in_run || raw->s + raw->seg.length - d > taken + LEAST);
 }
 
+// The newest two blocks of the ring with segs. 0 if there are no two.
+static int find_place(nck_smooth_t *self, uint32_t more, place_t *place) {
+    place->end = self->raw.head + more;
+    place->last = self->raw.head;
+    do {
+        if (place->last == self->raw.tail) return 0;
+    } while (!nck_raw_at(self, --place->last)->has_seg);
+    place->first = place->last;
+    do {
+        if (place->first == self->raw.tail) return 0;
+    } while (!nck_raw_at(self, --place->first)->has_seg);
+    return place->end - self->raw.tail + NCK_BLEND_SEGS <= NCK_SMOOTH_SPAN;
+}
+
 uint32_t nck_blend_corner(nck_smooth_t *self, uint32_t more) {
-    const uint32_t blocks = self->raw.head - self->raw.tail;
-    const uint32_t first = self->raw.head - 1;
+    place_t place;
     corner_t corner;
     if (self->machine->slope == NCK_SLOPE_LINEAR) return 0;
-    if (blocks < 2 || blocks + more + NCK_BLEND_SEGS > NCK_SMOOTH_SPAN) return 0;
-    nck_raw_t *const a = nck_raw_at(self, first - 1);
-    const nck_raw_t *const b = nck_raw_at(self, first);
+    if (!find_place(self, more, &place)) return 0;
+    nck_raw_t *const a = nck_raw_at(self, place.first);
+    const nck_raw_t *const b = nck_raw_at(self, place.last);
     if (!is_line(a) || !is_line(b) || !measure(self, a, b, &corner)) return 0;
-    corner.half = nck_min(corner.half, room_of(self, first, more));
+    corner.half = nck_min(corner.half, room_of(self, &place));
     if (!(corner.half > 0.0)) return 0;
     double parking = 0.0;
     const double d = width_of(&corner, &parking);
-    if (!(d > 0.0) || !is_free(self, first - 1, d)) return 0;
+    if (!(d > 0.0) || !is_free(self, place.first, d)) return 0;
     double vertex[NCK_AXIS_MAX];
     memcpy(vertex, a->seg.end, sizeof vertex);
-    const shape_t shape = {&corner, vertex, d, parking};
-    const uint32_t count = insert(self, &shape, first, more);
-    if (self->run.open && (int32_t)(self->run.end - first) > 0) {
-        self->run.end = first;
+    const shape_t shape = {&corner, vertex, d, parking, place.last != place.first + 1};
+    const uint32_t count = insert(self, &shape, &place);
+    if (self->run.open && (int32_t)(self->run.end - place.first) > 1) {
+        self->run.end = place.first + 1;
         self->run.closed = 1;
     }
     return count;

@@ -85,12 +85,20 @@ static nck_status_t grow(nck_smooth_t *self, double s, double aim, double *spaci
     return NCK_OK;
 }
 
+// The block with length before this one; this one if it is not known any more.
+static uint32_t raw_before(nck_smooth_t *self, uint32_t count) {
+    uint32_t before = count;
+    do {
+        if (before == self->raw.tail) return count;
+    } while (!nck_raw_at(self, --before)->has_seg);
+    return before;
+}
+
 // Neighbours on a dense path are much alike: begin to grow not far below the one before.
 static double begin_growing(nck_smooth_t *self, uint32_t count, double aim, double spacing) {
-    if (count == self->raw.tail) return spacing;
     const nck_raw_t *const raw = nck_raw_at(self, count);
     const double s = raw->s + raw->seg.length;
-    const double likely = NEIGHBOUR * nck_raw_at(self, count - 1)->spacing;
+    const double likely = NEIGHBOUR * nck_raw_at(self, raw_before(self, count))->spacing;
     if (likely <= spacing || s + likely > nck_raw_known(self)) return spacing;
     return deviation(self, s, likely) <= aim ? likely : spacing;
 }
@@ -112,7 +120,8 @@ static nck_status_t room_beside(nck_smooth_t *self, uint32_t count, double *room
     double behind = raw->seg.length;
     double before = next->seg.length;
     if (third == self->run.end && !self->run.closed && !is_full(self)) return NCK_EMPTY;
-    if (count != self->raw.tail && nck_raw_at(self, count - 1)->key) behind *= 0.5;
+    const uint32_t first = raw_before(self, count);
+    if (first != count && nck_raw_at(self, first)->key) behind *= 0.5;
     if (third != self->run.end && lone_spacing(self, next, nck_raw_at(self, third)) < before) {
         before *= 0.5;
     }
@@ -198,10 +207,6 @@ static nck_status_t look_ahead(nck_smooth_t *self, way_t *way) {
         next = nck_raw_next(self, count);
         if (next == self->run.end) return look_at_end(self, end, way);
         if (!(end > here)) continue;
-        if (nck_raw_at(self, next - 1)->has_output) {
-            way->goal = end;
-            return NCK_OK;
-        }
         const nck_status_t status = know_spacing(self, count);
         if (status != NCK_OK) return status;
         if (raw->key) {
@@ -212,6 +217,10 @@ static nck_status_t look_ahead(nck_smooth_t *self, way_t *way) {
             return NCK_OK;
         }
         way->step = nck_min(way->step, raw->spacing + 0.5 * (end - here));
+        if (nck_raw_at(self, next - 1)->has_output) {
+            way->goal = end;
+            return NCK_OK;
+        }
     }
 }
 
