@@ -105,8 +105,6 @@ JERK_QUICK = [
     name for name in RUNNING
     if FILES[name].file not in SLOW | {"tp_random_lines_0.001in.ngc", "odd_no_spaces.gcode"}
 ]  # fmt: skip
-# A file in which the operator's words stand between two moves; see docs/jerk.md.
-KINKED = {"mill_fanuc_g17_18_19.nc"}
 
 
 def beginning_of(name, mode):
@@ -126,7 +124,7 @@ def test_on_the_exact_path_the_path_keeps_its_jerk(name):
     assert judge.path_error_mm <= 1e-6
 
 
-@pytest.mark.parametrize("name", [n for n in JERK_QUICK if FILES[n].file not in KINKED])
+@pytest.mark.parametrize("name", JERK_QUICK)
 def test_within_a_tolerance_every_axis_keeps_its_jerk(name):
     judge = judged.run(beginning_of(name, "G64 P0.01")).judge
     assert judge.j.max() <= 1 + 1e-6

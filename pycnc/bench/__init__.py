@@ -115,7 +115,8 @@ def computer():
     except OSError:
         lines = []
     models = [line.partition(":")[2].strip() for line in lines if line.startswith("model name")]
-    device = sys.modules.get("pycnc.device")  # only if a bench has opened one
+    # Only if a bench has opened one.
+    device = sys.modules.get("pycnc.device") if "pyopencl" in sys.modules else None
     return {
         "cpu": models[0] if models else platform.processor() or platform.machine(),
         "cores": os.cpu_count(),

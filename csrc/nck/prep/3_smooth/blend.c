@@ -289,7 +289,8 @@ static int is_line(const nck_raw_t *raw) {
 // goes on from a blend its first stretch must be straight: the blend ends without curvature.
 static double bent_by(const nck_smooth_t *self, const nck_raw_t *a, const nck_raw_t *b) {
     if (!a->smooth || !b->smooth) return 0.0;
-    const double turn = nck_raw_turn(&a->seg, &b->seg);
+    double by[NCK_AXIS_MAX];
+    const double turn = nck_raw_turn(&a->seg, &b->seg, by);
     const double tolerance = nck_min(a->tolerance, b->tolerance);
     const double spacing = turn > 0.0 ? nck_spline_vertex_spacing(tolerance, turn) : 1e9;
     return NCK_BLEND_KEEP_OFF * nck_min(nck_max(a->spacing, spacing), self->spacing_max);

@@ -20,8 +20,7 @@
 #define GROWTH 1.25      // between two spacings that are looked at for a block's end
 #define STEP_GROWTH 1.1  // from one knot interval to the next, where the path is not straight
 #define NEIGHBOUR 0.7    // of a spacing: where to begin to look for the next one
-#define KEY_LEAST 0.5    // a corner is a key if the spacing that it allows alone is right within …
-#define KEY_MOST 1.5     // … these shares
+#define ALIKE 0.9         // cosine between the turns of two corners of one bend
 enum {
     GROWTH_STEPS = 64,   // from 1 µm to beyond any spacing
     BISECT_STEPS = 3,    // the last 25 % to 3 %
@@ -106,7 +105,8 @@ static double begin_growing(nck_smooth_t *self, uint32_t count, double aim, doub
 // The spacing that a corner between two blocks allows if it is alone.
 static double lone_spacing(const nck_smooth_t *self, const nck_raw_t *raw, const nck_raw_t *next) {
     const double aim = AIM * nck_min(raw->tolerance, next->tolerance);
-    const double turn = nck_raw_turn(&raw->seg, &next->seg);
+    double by[NCK_AXIS_MAX];
+    const double turn = nck_raw_turn(&raw->seg, &next->seg, by);
     if (!(turn > 0.0)) return self->spacing_max;
     return nck_min(self->spacing_max, nck_spline_vertex_spacing(aim, turn));
 }
@@ -137,6 +137,35 @@ static int ends_in_blend(nck_smooth_t *self, uint32_t count) {
     return self->run.end != self->raw.head && nck_raw_at(self, self->run.end)->seg.blend;
 }
 
+// 1 if a corner turns as another one does: about as much, and the same way.
+static int turns_alike(const double *turn, double size, const nck_seg_t *in,
+                       const nck_seg_t *out) {
+    double other[NCK_AXIS_MAX];
+    const double other_size = nck_raw_turn(in, out, other);
+    double along = 0.0;
+    for (int x = 0; x < NCK_AXIS_MAX; x++) along += turn[x] * other[x];
+    return other_size < 2.0 * size && size < 2.0 * other_size
+           && along > ALIKE * size * other_size;
+}
+
+// 1 if a corner is one of many that make a bend: the one before or behind it turns alike. Such a
+// corner stands for the curve that was cut into chords, and the curve's own bend is what counts.
+static int bends_on(nck_smooth_t *self, uint32_t count) {
+    const uint32_t after = nck_raw_next(self, count);
+    const uint32_t third = nck_raw_next(self, after);
+    const nck_seg_t *const in = &nck_raw_at(self, count)->seg;
+    const nck_seg_t *const out = &nck_raw_at(self, after)->seg;
+    double turn[NCK_AXIS_MAX];
+    const double size = nck_raw_turn(in, out, turn);
+    uint32_t before = count;
+    while (before != self->raw.tail && !nck_raw_at(self, before - 1)->has_seg) before--;
+    if (before != self->raw.tail
+        && turns_alike(turn, size, &nck_raw_at(self, before - 1)->seg, in)) {
+        return 1;
+    }
+    return third != self->run.end && turns_alike(turn, size, out, &nck_raw_at(self, third)->seg);
+}
+
 // Find the spacing that the end of a block allows, once.
 static nck_status_t know_spacing(nck_smooth_t *self, uint32_t count) {
     nck_raw_t *const raw = nck_raw_at(self, count);
@@ -149,17 +178,19 @@ static nck_status_t know_spacing(nck_smooth_t *self, uint32_t count) {
     const int lines = raw->seg.kind == NCK_SEG_LINE && next->seg.kind == NCK_SEG_LINE;
     double spacing = raw->partial ? raw->spacing : nck_min(alone, nearest);
     double room = nearest;
-    const int lone = lines && spacing == alone && alone < self->spacing_max;
-    if (!lone) spacing = begin_growing(self, count, aim, spacing);
-    const nck_status_t status =
-        lone ? room_beside(self, count, &room)
-             : grow(self, raw->s + raw->seg.length, aim, &spacing);
+    int lone = lines && spacing == alone && alone < self->spacing_max;
+    nck_status_t status = lone ? room_beside(self, count, &room) : NCK_OK;
+    if (status == NCK_EMPTY) return status;
+    lone = lone && !bends_on(self, count);
+    if (!lone) {
+        spacing = begin_growing(self, count, aim, spacing);
+        status = grow(self, raw->s + raw->seg.length, aim, &spacing);
+    }
     if (status == NCK_EMPTY) return status;
     raw->partial = status == NCK_FULL;
     if (lone) spacing = nck_min(spacing * (AIM_KEY / AIM), nearest);
     if (lone && spacing < nearest) spacing = nck_min(spacing, room);
-    raw->key = lone || (spacing >= KEY_LEAST * alone && spacing <= KEY_MOST * alone
-                        && alone < self->spacing_max);
+    raw->key = (uint8_t)lone;
     if (ends_in_blend(self, count)) {
         spacing = nck_min(spacing, next->seg.length / NCK_BLEND_KEEP_OFF);
     }

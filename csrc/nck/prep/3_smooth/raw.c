@@ -59,12 +59,12 @@ void nck_raw_point(nck_smooth_t *self, double s, double *point_out) {
     for (int x = 0; x < NCK_AXIS_MAX; x++) point_out[x] += tangent[x] * beyond;
 }
 
-double nck_raw_turn(const nck_seg_t *in, const nck_seg_t *out) {
-    double tangent_in[NCK_AXIS_MAX];
-    double tangent_out[NCK_AXIS_MAX];
-    nck_path_tangent(in, in->length, tangent_in);
-    nck_path_tangent(out, 0.0, tangent_out);
-    return nck_spline_distance(tangent_in, tangent_out);
+double nck_raw_turn(const nck_seg_t *in, const nck_seg_t *out, double *turn_out) {
+    double tangent[NCK_AXIS_MAX];
+    nck_path_tangent(in, in->length, tangent);
+    nck_path_tangent(out, 0.0, turn_out);
+    for (int x = 0; x < NCK_AXIS_MAX; x++) turn_out[x] -= tangent[x];
+    return nck_spline_norm(turn_out);
 }
 
 // The control points of a straight stretch of path lie on it evenly, and so does the spline.

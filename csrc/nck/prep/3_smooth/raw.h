@@ -22,8 +22,9 @@ double nck_raw_known(nck_smooth_t *self);
 // Cost: as nck_raw_find.
 void nck_raw_point(nck_smooth_t *self, double s, double *point_out);
 
-// How sharply the path turns from one seg to the next: |Δu| of the unit tangents. Cost: constant.
-double nck_raw_turn(const nck_seg_t *in, const nck_seg_t *out);
+// How sharply the path turns from one seg to the next: Δu of the unit tangents; returns |Δu|. Cost:
+// constant.
+double nck_raw_turn(const nck_seg_t *in, const nck_seg_t *out, double *turn_out);
 
 // The run's spline between t[first + 2] and t[first + 3], as a seg without words; a line where the
 // path is straight. Cost: as nck_raw_find.
