@@ -8,7 +8,8 @@
 PYTHON ?= python3
 FILE ?= pycnc/examples/first_part.ngc
 PICTURE ?= build/$(basename $(notdir $(FILE))).png
-MACHINE_OPTION = $(if $(MACHINE), --machine "$(MACHINE)")
+# Without a machine of the user's own: what the kernel does best.
+MACHINE_OPTION = $(if $(MACHINE), --machine "$(MACHINE)", --set path.slope=jerk)
 
 BIN = .venv/bin
 STAMP = build/stamp
