@@ -244,8 +244,16 @@ static void move_block(nck_smooth_t *self, uint32_t from, uint32_t by) {
 
 // Room for the pieces of the corner: so many before its outputs, so many behind them.
 static void make_way(nck_smooth_t *self, const place_t *place, uint32_t before, uint32_t behind) {
-    for (uint32_t k = place->end; k-- != place->last;) move_block(self, k, before + behind);
-    for (uint32_t k = place->last; --k != place->first;) move_block(self, k, before);
+    uint32_t k = place->end;
+    while (k != place->last) {
+        k--;
+        move_block(self, k, before + behind);
+    }
+    k--;
+    while (k != place->first) {
+        move_block(self, k, before);
+        k--;
+    }
 }
 
 // The pieces take the places in front of the outputs and behind them; the lines get shorter.
