@@ -20,6 +20,8 @@
 #define GROWTH 1.25      // between two spacings that are looked at for a block's end
 #define STEP_GROWTH 1.1  // from one knot interval to the next, where the path is not straight
 #define NEIGHBOUR 0.7    // of a spacing: where to begin to look for the next one
+#define KEY_LEAST 0.5    // a corner is a key if the spacing that it allows alone is right within …
+#define KEY_MOST 1.5     // … these shares, and it is none of a bend
 #define ALIKE 0.9         // cosine between the turns of two corners of one bend
 enum {
     GROWTH_STEPS = 64,   // from 1 µm to beyond any spacing
@@ -190,7 +192,9 @@ static nck_status_t know_spacing(nck_smooth_t *self, uint32_t count) {
     raw->partial = status == NCK_FULL;
     if (lone) spacing = nck_min(spacing * (AIM_KEY / AIM), nearest);
     if (lone && spacing < nearest) spacing = nck_min(spacing, room);
-    raw->key = (uint8_t)lone;
+    const int likely = spacing >= KEY_LEAST * alone && spacing <= KEY_MOST * alone
+                       && alone < self->spacing_max;
+    raw->key = lone || (likely && !bends_on(self, count));
     if (ends_in_blend(self, count)) {
         spacing = nck_min(spacing, next->seg.length / NCK_BLEND_KEEP_OFF);
     }
