@@ -9,6 +9,7 @@
 #include <string.h> // memcpy memset
 
 #include "nck/base/real.h"                 // nck_min nck_max
+#include "nck/base/root_math.h"            // nck_root_cube
 #include "nck/prep/3_smooth/blend_math.h"  // nck_blend_…
 #include "nck/prep/3_smooth/raw.h"         // nck_raw_at
 #include "nck/prep/3_smooth/spline_math.h" // nck_spline_…
@@ -65,20 +66,9 @@ static void limits_of(const nck_machine_t *machine, corner_t *corner) {
     corner->plain_j *= JERK_SHARE;
 }
 
-static double cube_root(double x) {
-    double high = nck_max(1.0, x);
-    double low = 0.0;
-    for (int n = 0; n < 2 * HALVINGS; n++) {
-        const double middle = 0.5 * (low + high);
-        if (middle * middle * middle < x) low = middle;
-        else high = middle;
-    }
-    return low;
-}
-
 // Speed through a blend of half-width d.
 static double blend_speed(const corner_t *corner, double d) {
-    const double by_jerk = cube_root(corner->bend_j * d * d);
+    const double by_jerk = nck_root_cube(corner->bend_j * d * d);
     return nck_min(corner->v_max, nck_min(by_jerk, nck_sqrt(corner->bend_a * d)));
 }
 
@@ -112,7 +102,7 @@ static double ramp_over(const corner_t *corner, double v, double length, double 
 // Time of half a corner over a length of line beside it, ramps to full speed included.
 static double plain_time(const corner_t *corner, double length) {
     const double d = nck_spline_vertex_spacing(corner->tolerance, corner->turn);
-    const double v = nck_min(corner->v_max, cube_root(corner->plain_j * d * d));
+    const double v = nck_min(corner->v_max, nck_root_cube(corner->plain_j * d * d));
     double v_end = 0.0;
     if (!(v > 0.0) || d >= length) return 0.0;
     const double t = d / v + ramp_over(corner, v, length - d, &v_end);

@@ -5,7 +5,8 @@
 #ifndef NCK_PREP_BLEND_MATH_H
 #define NCK_PREP_BLEND_MATH_H
 
-#include "nck/base/real.h" // nck_real nck_sqrt nck_min
+#include "nck/base/real.h"      // nck_real
+#include "nck/base/root_math.h" // nck_root_cube
 
 // The first motion, as a distance along u1 from V, at the path coordinate s (0: its middle), with
 // the half-width d:
@@ -35,11 +36,7 @@ static inline nck_real nck_blend_stop_slope(nck_real s, nck_real d) {
 static inline nck_real nck_blend_parking(nck_real d, nck_real tolerance, nck_real sin_theta) {
     const nck_real cube = 48.0 * d * d * tolerance;
     if (8.0 * d * d * d * sin_theta <= cube) return 0.0;
-    nck_real o = 2.0 * d; // Newton on o³ = cube/sin θ, from above
-    for (int n = 0; n < 12; n++) {
-        o -= (o * o * o * sin_theta - cube) / (3.0 * o * o * sin_theta);
-    }
-    return 2.0 * d - o;
+    return 2.0 * d - nck_root_cube(cube / sin_theta);
 }
 
 #endif

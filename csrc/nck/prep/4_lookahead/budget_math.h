@@ -16,15 +16,6 @@
 // How steep the caps of neighbouring pieces may be: this share of the acceleration that is left.
 #define NCK_BUDGET_STEEP_SHARE 0.8
 
-// Cube root of x > 0: y ← ⁴√(x·y) divides the error's logarithm by 4 each time, then Newton's
-// method, which doubles the digits. Exact to 2 ulp for 1e-30 … 1e30.
-static inline nck_real nck_budget_cube_root(nck_real x) {
-    nck_real y = nck_sqrt(x);
-    for (int k = 0; k < 6; k++) y = nck_sqrt(nck_sqrt(x * y));
-    for (int k = 0; k < 3; k++) y -= (y * y * y - x) / ((nck_real)3 * y * y);
-    return y;
-}
-
 // v² that the curvature allows:   v² ≤ γ·a/|p″|,   second > 0
 static inline nck_real nck_budget_curve(nck_real a, nck_real second) {
     return NCK_BUDGET_CURVE_SHARE * a / second;

@@ -5,6 +5,7 @@
 #include <string.h> // memset
 
 #include "nck/base/path_math.h"               // nck_path_tangent …
+#include "nck/base/root_math.h"               // nck_root_cube
 #include "nck/prep/4_lookahead/budget_math.h" // nck_budget_…
 #include "nck/prep/4_lookahead/limit_math.h"  // nck_limit_…
 
@@ -115,7 +116,7 @@ static void make_spline(nck_joint_t *joint, const nck_machine_t *machine) {
         cap_speed(joint, nck_limit_sag(nck_sqrt(bend), delta, machine->period_s), NCK_LIMIT_CHORD);
     }
     if (limits_jerk && twist < UNLIMITED) {
-        cap_speed(joint, nck_budget_cube_root(twist), NCK_LIMIT_JERK);
+        cap_speed(joint, nck_root_cube(twist), NCK_LIMIT_JERK);
     }
 }
 
