@@ -138,12 +138,22 @@ nck_status_t nck_window_load(nck_jerk_t *self, const nck_pieces_t *pieces) {
 
 // ---- lay
 
-// 1 if the path rests at the end of this piece; -1 if that is not known yet.
+// 1 if the ladder over a piece may be laid: the piece behind it is known, and the one after that,
+// whose cap says how fast the path may leave (exit_cap). Without it the ladder would be as fine as
+// for a rest, and fill the window.
+static int knows_exit(const nck_pieces_t *pieces, uint32_t number) {
+    const nck_node_t *const piece = nck_window_piece(pieces, number);
+    const nck_node_t *const next = nck_window_piece(pieces, number + 1);
+    if (piece->stop) return 1;
+    if (!next) return 0;
+    return next->stop || !(next->length > 0.0) || nck_window_piece(pieces, number + 2);
+}
+
+// 1 if the path rests at the end of this piece, which is its last or has one behind it.
 static int rests_behind(const nck_jerk_t *self, const nck_pieces_t *pieces, uint32_t number) {
     const nck_node_t *const piece = nck_window_piece(pieces, number);
     const nck_node_t *const next = nck_window_piece(pieces, number + 1);
     if (piece->stop) return 1;
-    if (!next) return -1;
     if (!(nck_window_cap(self, next) > 0.0)) return 1;
     if (!self->work.wish.single_block || !piece->last) return 0;
     return nck_link_seg(self->link, piece->seg)->block
@@ -154,7 +164,7 @@ int nck_window_rests(const nck_jerk_t *self, const nck_pieces_t *pieces) {
     const nck_node_t *const piece = nck_window_piece(pieces, self->work.piece);
     if (self->work.n == 0 || !piece || self->work.s != piece->s) return 0;
     if (!nck_window_piece(pieces, self->work.piece - 1)) return 0;
-    return rests_behind(self, pieces, self->work.piece - 1) == 1;
+    return rests_behind(self, pieces, self->work.piece - 1);
 }
 
 // 1 if the path rests where the next cell begins.
@@ -279,8 +289,8 @@ static nck_status_t lay_one(nck_jerk_t *self, const nck_pieces_t *pieces) {
         close_pending(self, pieces);
         return NCK_DONE;
     }
+    if (!knows_exit(pieces, self->work.piece)) return NCK_EMPTY;
     const int rests = rests_behind(self, pieces, self->work.piece);
-    if (rests < 0) return NCK_EMPTY;
     const int is_over = end_of(piece) - self->work.s <= rounding_of(piece, 0.0);
     if (is_over && self->work.n > 0) return end_piece(self, pieces, piece, piece->stop ? 2 : rests);
     return lay_some(self, pieces, piece, piece->stop ? 2 : rests);
