@@ -11,52 +11,89 @@ static int is_chain(const nck_joint_t *joint) {
     return joint->kind == NCK_SEG_SPLINE && !joint->stop;
 }
 
+// What a joint's cap is levelled with: a neighbour, or a rest.
+typedef struct side {
+    double w;      // v² there [path mm²/s²]
+    double apart;  // between the middle of the joint and that of the neighbour [path mm]
+    uint8_t limit; // nck_limit_t of w
+} side_t;
+
+static side_t beside(const nck_joint_t *joint, const nck_joint_t *neighbour) {
+    const side_t side = {neighbour->w_near, 0.5 * (joint->length + neighbour->length),
+                         neighbour->limit_free};
+    return side;
+}
+
+static side_t at_rest(const nck_joint_t *joint) {
+    const side_t side = {0.0, 0.5 * joint->length, NCK_LIMIT_EXACT_STOP};
+    return side;
+}
+
 // v² next to a neighbour's, with the acceleration that the joint's own bends leave at w:
 //   g(w) = w_n + 2σ·a_left(w)·l
-static double reach(const nck_joint_t *joint, const nck_joint_t *neighbour, double w,
+static double reach(const nck_joint_t *joint, const side_t *side, double w,
                     const nck_machine_t *machine) {
-    const double apart = 0.5 * (joint->length + neighbour->length);
     const double left = nck_max(0.0, nck_joint_left(joint, w, machine));
-    return neighbour->w_near + 2.0 * NCK_BUDGET_STEEP_SHARE * left * apart;
+    return side->w + 2.0 * NCK_BUDGET_STEEP_SHARE * left * side->apart;
 }
 
 // The largest v² that a joint can come down from to its neighbour's: about the root of w = g(w). As
 // g falls, the root lies between g(high) and any high that is not below it; a secant makes the gap
 // small. It need not be exact: what is allowed at a speed is worked out when the speed is settled.
-static double leveled(const nck_joint_t *joint, const nck_joint_t *neighbour,
-                      const nck_machine_t *machine) {
-    const double high = nck_min(joint->w_near, reach(joint, neighbour, neighbour->w_near, machine));
-    const double low = reach(joint, neighbour, high, machine);
+static double leveled(const nck_joint_t *joint, const side_t *side, const nck_machine_t *machine) {
+    const double high = nck_min(joint->w_near, reach(joint, side, side->w, machine));
+    const double low = reach(joint, side, high, machine);
     if (!(low < high)) return high;
-    const double above = reach(joint, neighbour, low, machine) - low;
+    const double above = reach(joint, side, low, machine) - low;
     const double below = high - low;
     const double w = low + (high - low) * above / (above + below);
-    return nck_min(w, reach(joint, neighbour, w, machine));
+    return nck_min(w, reach(joint, side, w, machine));
 }
 
 // A cap much above its neighbour's is of no use, but would cost acceleration and jerk.
 // Returns 1 if the cap came down.
-static int level(nck_joint_t *joint, const nck_joint_t *neighbour, const nck_machine_t *machine) {
-    if (!(neighbour->w_near < joint->w_near)) return 0;
-    const double w = leveled(joint, neighbour, machine);
+static int level(nck_joint_t *joint, const side_t *side, const nck_machine_t *machine) {
+    if (!(side->w < joint->w_near)) return 0;
+    const double w = leveled(joint, side, machine);
     if (!(w < joint->w_near)) return 0;
     joint->w_near = w;
-    joint->limit_free = neighbour->limit_free;
+    joint->limit_free = side->limit;
     return 1;
 }
 
-void nck_near_level(nck_lookahead_t *self) {
-    uint32_t at = self->joint.head - 1;
-    nck_joint_t *joint = nck_joint_at(self, at);
-    if (!is_chain(joint)) self->joint.broken = self->joint.head;
-    if (at == 0 || joint->kind != NCK_SEG_SPLINE || !is_chain(nck_joint_at(self, at - 1))) return;
-    level(joint, nck_joint_at(self, at - 1), self->machine);
-    for (int n = 0; n < NCK_NEAR_SPAN && at > 0; n++) {
+// Level what lies before a joint whose cap came down, NCK_NEAR_SPAN joints before the newest at
+// most.
+static void level_before(nck_lookahead_t *self, uint32_t at) {
+    while (at > 0 && self->joint.head - at <= NCK_NEAR_SPAN) {
         nck_joint_t *const before = nck_joint_at(self, at - 1);
-        if (!is_chain(before) || !level(before, joint, self->machine)) return;
-        joint = before;
+        const side_t side = beside(before, nck_joint_at(self, at));
+        if (!is_chain(before) || !level(before, &side, self->machine)) return;
         at--;
     }
+}
+
+// A spline that ends at rest comes down to it.
+static void level_to_rest(nck_lookahead_t *self, uint32_t at) {
+    nck_joint_t *const joint = nck_joint_at(self, at);
+    if (joint->kind != NCK_SEG_SPLINE || !joint->stop) return;
+    const side_t rest = at_rest(joint);
+    if (level(joint, &rest, self->machine)) level_before(self, at);
+}
+
+void nck_near_level(nck_lookahead_t *self) {
+    const uint32_t at = self->joint.head - 1;
+    nck_joint_t *const joint = nck_joint_at(self, at);
+    const nck_joint_t *const before = at > 0 ? nck_joint_at(self, at - 1) : (nck_joint_t *)0;
+    if (!is_chain(joint)) self->joint.broken = self->joint.head;
+    if (before) level_to_rest(self, at - 1); // known since this joint met it
+    if (joint->kind != NCK_SEG_SPLINE) return;
+    const int rests = !before || before->stop || before->kind >= NCK_SEG_DWELL;
+    if (rests || is_chain(before)) {
+        const side_t side = rests ? at_rest(joint) : beside(joint, before);
+        level(joint, &side, self->machine);
+    }
+    if (before && !rests) level_before(self, at);
+    level_to_rest(self, at);
 }
 
 // Depends on counts of segs only: no push lowers a cap more than NCK_NEAR_SPAN segs before it.
