@@ -5,11 +5,12 @@
 #ifndef SMOOTH_CHECK_H
 #define SMOOTH_CHECK_H
 
-#include <math.h>   // sin cos fabs hypot
+#include <math.h>   // sin cos fabs hypot isfinite
 #include <string.h> // memcmp memset
 
 #include "check.h"
 #include "nck/base/path_math.h"       // nck_path_…
+#include "nck/prep/3_smooth/knot.h"   // NCK_KNOT_TRIES
 #include "nck/prep/3_smooth/smooth.h" // nck_smooth_…
 
 enum { BLOCK_MAX = 3000, SEG_MAX = 12000, OUTPUT_MAX = 400 };
@@ -32,6 +33,7 @@ static path_t exact;
 static path_t path;
 
 static uint32_t random_state;
+static uint32_t most_tries; // knots in one pull
 
 static inline double random_between(double low, double high)
 {
@@ -94,13 +96,31 @@ static inline void arc_about(double u, double v, double sweep, double z, double 
     next->sweep_rad = turn;
 }
 
+// A pull tries no more knots than a run from rest to rest of one interval needs.
+static inline int is_bounded(void)
+{
+    if (smooth.run.tries > most_tries) most_tries = smooth.run.tries;
+    return smooth.run.tries <= 4 * NCK_KNOT_TRIES;
+}
+
+// A seg that moves has a length that setpoints can tell, and no number that is none.
+static inline int is_sound(const nck_seg_t *seg)
+{
+    double sum = seg->length + seg->feed + seg->program;
+    for (int x = 0; x < NCK_AXIS_MAX; x++) {
+        sum += seg->start[x] + seg->end[x] + seg->inner[0][x] + seg->inner[1][x];
+    }
+    return isfinite(sum) && (seg->kind >= NCK_SEG_DWELL || seg->length > 0.5e-9);
+}
+
 // Take what the room gives until it asks for a block; 0 if it breaks a promise.
 static inline int drain(path_t *out)
 {
     nck_smooth_item_t item;
     nck_status_t status = nck_smooth_pull(&smooth, &item);
     while (status == NCK_OK) {
-        if (!nck_smooth_invariants(&smooth)) return 0;
+        if (!nck_smooth_invariants(&smooth) || !is_bounded()) return 0;
+        if (!item.is_output && !is_sound(&item.seg)) return 0;
         if (item.is_output) {
             if (out->outputs == OUTPUT_MAX) return 0;
             out->output[out->outputs++] = item.output;
@@ -126,7 +146,7 @@ static inline int run(path_t *out, int is_exact)
         good = good && nck_smooth_push(&smooth, &next, (uint32_t)k) == NCK_OK && drain(out);
     }
     nck_smooth_end(&smooth);
-    return good && drain(out) && smooth.run.kinks == 0;
+    return good && drain(out);
 }
 
 static inline int is_smooth(const nck_seg_t *seg)
@@ -164,6 +184,25 @@ static inline double distance_from_line(const double *p, const nck_seg_t *line)
     }
     nck_path_point(line, fmin(line->length, fmax(0.0, along)), q);
     return distance(p, q);
+}
+
+// How far the programmed corners are from their blends, as a share of the smaller tolerance beside
+// them. The middle of a blend is where the block's name changes.
+static inline double worst_corner(void)
+{
+    double worst = 0.0;
+    for (int k = 0; k + 1 < path.segs; k++) {
+        const nck_seg_t *const in = &path.seg[k];
+        const nck_seg_t *const out = &path.seg[k + 1];
+        if (!in->blend || !out->blend || in->block == out->block) continue;
+        int at = 0;
+        while (at + 1 < exact.segs && exact.seg[at + 1].block < out->block) at++;
+        while (at > 0 && exact.seg[at].block >= out->block) at--;
+        const double tolerance =
+            fmin(block[in->block].tolerance_mm, block[out->block].tolerance_mm);
+        worst = fmax(worst, distance(in->end, exact.seg[at].end) / tolerance);
+    }
+    return worst;
 }
 
 // Share of a corner's own blend: of the lines that make its two, the one whose tolerance it uses
@@ -211,7 +250,7 @@ static inline double worst_jump(void)
     for (int k = 0; k + 1 < path.segs; k++) {
         const nck_seg_t *const in = &path.seg[k];
         const nck_seg_t *const out = &path.seg[k + 1];
-        if (!is_smooth(in) || !is_smooth(out)) continue;
+        if (!is_smooth(in) || !is_smooth(out) || in->stop) continue;
         const double h = fmin(in->length, out->length);
         double a[NCK_AXIS_MAX];
         double b[NCK_AXIS_MAX];
@@ -248,7 +287,7 @@ static inline void hold_promises(check_t *check, const char *name)
         printf("    %s: %d segs, %u kinks\n", name, path.segs, smooth.run.kinks);
         return;
     }
-    const double share = worst_share();
+    const double share = fmax(worst_share(), worst_corner());
     const double jump = worst_jump();
     if (!CHECK(check, share <= 1.0 && jump <= 1e-10) || !CHECK(check, is_chained())) {
         printf("    %s: share %.9f, jump %.3g\n", name, share, jump);

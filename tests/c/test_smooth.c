@@ -98,7 +98,7 @@ static void a_corner_uses_most_of_its_tolerance(check_t *check)
     line_to(10.0, 0.0, 0.0, 0.01);
     line_to(10.0, 10.0, 0.0, 0.01);
     hold_promises(check, "a corner");
-    CHECK(check, worst_share() > 0.9);
+    CHECK(check, fmax(worst_share(), worst_corner()) > 0.9);
     const nck_seg_t *const last = &path.seg[path.segs - 1];
     CHECK(check, path.seg[0].kind == NCK_SEG_LINE && last->kind == NCK_SEG_LINE);
     CHECK(check, path.seg[0].length > 5.0 && last->length > 5.0);
@@ -143,6 +143,58 @@ static void a_looser_tolerance_is_not_slower(check_t *check)
     }
 }
 
+// A spike, corners of all angles, an exact reversal: the tip is no further from the path than P.
+static void programmed_corners_are_within_the_tolerance_of_the_path(check_t *check)
+{
+    static const double angle[] = {0.026, 0.5, 0.785, 1.571, 2.0, 2.6, 3.0, 3.1414, 3.1415926535};
+    static const double tolerance[] = {0.001, 0.01, 0.1, 1.0};
+    for (int k = 0; k < 36; k++) {
+        const double turn = angle[k / 4];
+        const double p = tolerance[k % 4];
+        begin();
+        line_to(80.0, 0.0, 0.0, p);
+        line_to(80.0 + 80.0 * cos(turn), 80.0 * sin(turn), 0.0, p);
+        for (int n = 0; n < blocks; n++) block[n].feed = 12000.0;
+        hold_promises(check, "a corner of any angle");
+        double least = 1e9;
+        for (int n = 0; n < path.segs; n++) {
+            for (double s = 0.0; s <= 1.0; s += 1e-4) {
+                double at[NCK_AXIS_MAX];
+                nck_path_point(&path.seg[n], s * path.seg[n].length, at);
+                least = fmin(least, hypot(at[0] - 80.0, at[1]));
+            }
+        }
+        if (!CHECK(check, least <= p)) printf("    %g rad, P%g: %g\n", turn, p, least);
+    }
+}
+
+// Nothing that is wanted fits: the path rests, and goes on.
+static void a_spline_that_cannot_go_on_rests(check_t *check)
+{
+    begin();
+    line_to(39.518791, -1.077110, -0.765224, 0.0);
+    line_to(39.518979, -1.078910, -0.766503, 0.006760);
+    line_to(39.518621, -1.075471, -0.764060, 0.006760);
+    line_to(48.184718, -84.190473, -59.811348, 0.006760);
+    for (int k = 1; k < blocks; k++) block[k].merge_mm = 0.059633;
+    hold_promises(check, "reversals shorter than the tolerance");
+    uint32_t kinks = 0;
+    for (uint32_t seed = 1; seed <= 300; seed++) {
+        begin();
+        random_state = seed;
+        for (int k = 0; k < 40; k++) {
+            const double reach = pow(10.0, random_between(-6.0, 2.0));
+            const double x = k ? 1e-6 * (double)block[k - 1].target_nm[0] : 0.0;
+            line_to(random_between(0.0, 1.0) < 0.3 ? -x : x + reach, random_between(-reach, reach),
+                    0.0, pow(10.0, random_between(-3.9, 0.5)));
+            block[k].merge_mm = random_between(-0.01, 0.01);
+        }
+        hold_promises(check, "lengths over eight decades");
+        kinks += smooth.run.kinks;
+    }
+    printf("    %u rests, %u knots tried in one pull at most\n", kinks, most_tries);
+}
+
 int main(void)
 {
     check_t check = {0};
@@ -151,5 +203,7 @@ int main(void)
     CHECK_RUN(&check, random_paths_of_all_axes_stay_within_the_tolerance);
     CHECK_RUN(&check, a_corner_uses_most_of_its_tolerance);
     CHECK_RUN(&check, a_looser_tolerance_is_not_slower);
+    CHECK_RUN(&check, programmed_corners_are_within_the_tolerance_of_the_path);
+    CHECK_RUN(&check, a_spline_that_cannot_go_on_rests);
     return check_end(&check);
 }

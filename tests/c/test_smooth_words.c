@@ -129,31 +129,52 @@ static void outputs_leave_a_corner_smooth(check_t *check)
     }
 }
 
-static void a_seg_takes_the_slowest_feed_and_the_line_of_its_middle(check_t *check)
+// Feeds and rapids change where the program changes them, however the knots lie.
+static void words_change_where_the_program_changes_them(check_t *check)
+{
+    static const double tolerance[] = {0.002, 0.02, 0.2};
+    for (int k = 0; k < 3; k++) {
+        begin();
+        line_to(1.0, 0.0, 0.0, tolerance[k]);
+        line_to(1.2, 0.1, 0.0, tolerance[k]);
+        block[1].feed = 60.0;
+        line_to(2.0, 0.2, 0.0, tolerance[k]);
+        for (int n = 1; n < 30; n++) {
+            line_to(2.0 + 0.01 * n, 0.2 + 0.001 * n * n, 0.0, tolerance[k]);
+            block[blocks - 1].feed = 600.0 + n;
+        }
+        add(NCK_BLOCK_RAPID, tolerance[k])->target_nm[0] = 3000000;
+        hold_promises(check, "changing feeds");
+        for (int n = 0; n < path.segs; n++) {
+            const nck_seg_t *const seg = &path.seg[n];
+            const nck_seg_t *const raw = &exact.seg[seg->block];
+            CHECK(check, seg->feed == raw->feed && seg->rapid == raw->rapid);
+            CHECK_INT(check, seg->line, seg->block + 1);
+            if (seg->blend) continue;
+            CHECK(check, raw->s_program <= seg->s_program + 1e-9);
+            CHECK(check, seg->s_program + seg->program <= raw->s_program + raw->program + 1e-9);
+        }
+    }
+}
+
+// A block that makes much of an interval of knots ends where a seg does: there single block rests.
+static void long_blocks_end_with_a_seg(check_t *check)
 {
     begin();
-    line_to(1.0, 0.0, 0.0, 0.2);
-    line_to(1.2, 0.1, 0.0, 0.2);
-    block[1].feed = 60.0;
-    line_to(2.0, 0.2, 0.0, 0.2);
-    add(NCK_BLOCK_RAPID, 0.2)->target_nm[0] = 3000000;
-    CHECK(check, run(&exact, 1) && run(&path, 0));
-    int slow = 0;
-    for (int k = 0; k < path.segs; k++) {
-        const nck_seg_t *const seg = &path.seg[k];
-        const double s_end = seg->s_program + seg->program;
-        const double s_behind = exact.seg[2].s_program;
-        const int overlaps = seg->s_program < s_behind && s_end > exact.seg[1].s_program;
-        const int is_behind = seg->s_program >= exact.seg[3].s_program;
-        CHECK(check, seg->rapid == is_behind && (seg->feed > 0.0) == !is_behind);
-        CHECK(check, is_behind || (seg->feed == 1.0) == overlaps);
-        slow += overlaps;
-        const double middle = 0.5 * (seg->s_program + s_end);
-        const nck_seg_t *const raw = &exact.seg[seg->block];
-        CHECK(check, raw->s_program <= middle && middle <= raw->s_program + raw->program);
-        CHECK_INT(check, seg->line, seg->block + 1);
+    random_state = 3;
+    for (int k = 1; k < 60; k++) {
+        line_to(3.0 * k, random_between(0.0, 3.0), random_between(0.0, 2.0), 0.05);
     }
-    CHECK(check, slow > 0);
+    hold_promises(check, "long blocks");
+    int at = 0;
+    for (int k = 0; k < exact.segs; k++) {
+        const double end = exact.seg[k].s_program + exact.seg[k].program;
+        while (at + 1 < path.segs && path.seg[at].s_program + path.seg[at].program < end - 1e-9) {
+            at++;
+        }
+        CHECK_NEAR(check, path.seg[at].s_program + path.seg[at].program, end, 1e-9);
+        CHECK_INT(check, path.seg[at].block, exact.seg[k].block);
+    }
 }
 
 static void push_waits_until_pull_asks(check_t *check)
@@ -179,7 +200,8 @@ int main(void)
     CHECK_RUN(&check, exact_blocks_pass_unchanged);
     CHECK_RUN(&check, outputs_keep_order_and_place);
     CHECK_RUN(&check, outputs_leave_a_corner_smooth);
-    CHECK_RUN(&check, a_seg_takes_the_slowest_feed_and_the_line_of_its_middle);
+    CHECK_RUN(&check, words_change_where_the_program_changes_them);
+    CHECK_RUN(&check, long_blocks_end_with_a_seg);
     CHECK_RUN(&check, push_waits_until_pull_asks);
     return check_end(&check);
 }

@@ -1,167 +1,23 @@
 // SPDX-License-Identifier: MIT
-// Inside room 3: is a blend of its own worth it, how long is it, and its pieces.
-//
-// A spline within the tolerance takes a sharp corner at a speed that falls with the tolerance, and
-// the path has to slow down to it and to speed up again. The blend is passed at one speed, as wide
-// as the lines allow: slowing down is part of its shape (README, "Corners").
+// Inside room 3: where a corner is in the ring, how much room it has, and the pieces of its blend.
 #include "nck/prep/3_smooth/blend.h"
 
 #include <string.h> // memcpy memset
 
 #include "nck/base/real.h"                 // nck_min nck_max
-#include "nck/base/root_math.h"            // nck_root_cube
 #include "nck/prep/3_smooth/blend_math.h"  // nck_blend_…
+#include "nck/prep/3_smooth/choice.h"      // nck_choice_make
 #include "nck/prep/3_smooth/raw.h"         // nck_raw_at
 #include "nck/prep/3_smooth/spline_math.h" // nck_spline_…
 
-#define HALF 0.495           // of a line, for the blend at one of its ends
-#define TOLERANCE_SHARE 0.98 // of P: rounding of setpoints is the rest
-#define JERK_SHARE 0.85      // of what room 4 lets the bend use of an axis' jerk
-#define ACCEL_SHARE 0.95     // the same of its acceleration
-#define WORTH 0.98           // of the spline's time, to be taken
-#define LEAST 1e-9           // [path mm]: a piece shorter than that is rounding
-enum { HALVINGS = 30, MIDDLE = 3 };
-
-// What a corner is like. Speeds in path mm/s.
-typedef struct corner {
-    double in[NCK_AXIS_MAX];  // unit tangents
-    double out[NCK_AXIS_MAX];
-    double sine;              // of the angle between the two lines
-    double turn;              // |out − in|
-    double tolerance;         // [path mm]
-    double half;              // most that a blend may take of either line [path mm]
-    double v_max;             // of the lines
-    double a, j;              // tangential, of the slower line
-    double bend_a, bend_j;    // of v²·(shape) and v³·(shape): see limits_of
-    double plain_j;           // the same of the spline
-} corner_t;
-
-// Largest number whose product with every axis' part keeps to that axis' limit.
-static double least_of(double so_far, double limit, double part) {
-    const double size = nck_fabs(part);
-    return size > 0.0 ? nck_min(so_far, limit / size) : so_far;
-}
-
-// What the axes allow: along the lines, and of |p″| and |p‴| of the shapes in units of 1/d, 1/d².
-static void limits_of(const nck_machine_t *machine, corner_t *corner) {
-    corner->a = machine->path.a_max;
-    corner->j = machine->path.j_max;
-    corner->bend_a = machine->path.a_max;
-    corner->bend_j = machine->path.j_max;
-    corner->plain_j = machine->path.j_max;
-    for (int x = 0; x < NCK_AXIS_MAX; x++) {
-        const double a = machine->axis[x].a_max;
-        const double j = machine->axis[x].j_max;
-        const double in = corner->in[x];
-        const double out = corner->out[x];
-        const double sum = nck_fabs(in) + nck_fabs(out);
-        corner->a = least_of(least_of(corner->a, a, in), a, out);
-        corner->j = least_of(least_of(corner->j, j, in), j, out);
-        corner->bend_a = least_of(corner->bend_a, a, sum);
-        corner->bend_j = least_of(corner->bend_j, j, sum);
-        corner->plain_j = least_of(corner->plain_j, j, out - in);
-    }
-    corner->bend_a *= ACCEL_SHARE;
-    corner->bend_j *= JERK_SHARE;
-    corner->plain_j *= JERK_SHARE;
-}
-
-// Speed through a blend of half-width d.
-static double blend_speed(const corner_t *corner, double d) {
-    const double by_jerk = nck_root_cube(corner->bend_j * d * d);
-    return nck_min(corner->v_max, nck_min(by_jerk, nck_sqrt(corner->bend_a * d)));
-}
-
-// Time of an S-shaped ramp over a difference of speeds.
-static double ramp_time(const corner_t *corner, double dv) {
-    const double a = corner->a;
-    const double j = corner->j;
-    return dv * j <= a * a ? 2.0 * nck_sqrt(dv / j) : dv / a + a / j;
-}
-
-// Time lost by a ramp between v and full speed, against full speed over the same path.
-static double ramp_loss(const corner_t *corner, double v) {
-    const double dv = nck_max(0.0, corner->v_max - v);
-    return ramp_time(corner, dv) * dv / (2.0 * corner->v_max);
-}
-
-// Least time over a length from v on, and the speed at its end.
-static double ramp_over(const corner_t *corner, double v, double length, double *v_end) {
-    double low = v;
-    double high = corner->v_max;
-    for (int n = 0; n < HALVINGS; n++) {
-        const double middle = 0.5 * (low + high);
-        if (0.5 * (v + middle) * ramp_time(corner, middle - v) <= length) low = middle;
-        else high = middle;
-    }
-    const double t = ramp_time(corner, low - v);
-    *v_end = low;
-    return t + (length - 0.5 * (v + low) * t) / low;
-}
-
-// Time of half a corner over a length of line beside it, ramps to full speed included.
-static double plain_time(const corner_t *corner, double length) {
-    const double d = nck_spline_vertex_spacing(corner->tolerance, corner->turn);
-    const double v = nck_min(corner->v_max, nck_root_cube(corner->plain_j * d * d));
-    double v_end = 0.0;
-    if (!(v > 0.0) || d >= length) return 0.0;
-    const double t = d / v + ramp_over(corner, v, length - d, &v_end);
-    return t + ramp_loss(corner, v_end);
-}
-
-static double blend_time(const corner_t *corner, double d, double parking) {
-    const double v = blend_speed(corner, d);
-    return (d + 0.5 * parking) / v + ramp_loss(corner, v);
-}
-
-static double line_speed(const nck_smooth_t *self, const nck_seg_t *seg) {
-    double v = nck_min(self->machine->path.feed_max, seg->rapid ? 1e9 : seg->feed);
-    for (int x = 0; x < NCK_AXIS_MAX; x++) {
-        const nck_axis_t *const axis = &self->machine->axis[x];
-        const double limit = seg->rapid ? axis->rapid : axis->v_max;
-        v = least_of(v, limit, (seg->end[x] - seg->start[x]) / seg->length);
-    }
-    return v;
-}
-
-// 1 if there is a corner that might want a blend.
-static int measure(const nck_smooth_t *self, const nck_raw_t *a, const nck_raw_t *b,
-                   corner_t *corner) {
-    double cosine = 0.0;
-    for (int x = 0; x < NCK_AXIS_MAX; x++) {
-        corner->in[x] = (a->seg.end[x] - a->seg.start[x]) / a->seg.length;
-        corner->out[x] = (b->seg.end[x] - b->seg.start[x]) / b->seg.length;
-        cosine += corner->in[x] * corner->out[x];
-    }
-    corner->turn = nck_spline_distance(corner->in, corner->out);
-    corner->sine = nck_sqrt(nck_max(0.0, 1.0 - cosine * cosine));
-    corner->tolerance = TOLERANCE_SHARE * nck_min(a->tolerance, b->tolerance);
-    corner->half = nck_min(nck_min(a->seg.length, HALF * (a->seg.length + a->cut)),
-                           HALF * b->seg.length);
-    corner->v_max = nck_min(line_speed(self, &a->seg), line_speed(self, &b->seg));
-    limits_of(self->machine, corner);
-    return corner->turn > 0.0;
-}
-
-// The half-width and the parking of a blend that is faster than the spline; 0: none is.
-static double width_of(const corner_t *corner, double *parking) {
-    const double v = corner->v_max;
-    const double enough = nck_max(v * v / corner->bend_a,
-                                  nck_sqrt(v * v * v / corner->bend_j));
-    const double d = nck_min(corner->half, enough);
-    *parking = nck_blend_parking(d, corner->tolerance, corner->sine);
-    if (!(*parking > LEAST)) return 0.0;
-    const double plain = plain_time(corner, d);
-    return plain > 0.0 && blend_time(corner, d, *parking) < WORTH * plain ? d : 0.0;
-}
+#define LEAST 1e-9 // [path mm]: a piece shorter than that is rounding
 
 // ---- the pieces
 
 typedef struct shape {
-    const corner_t *corner;
+    const nck_choice_t *corner;
     const double *vertex;
     double d, parking;
-    int is_split; // 1: a piece ends in the middle, for outputs
 } shape_t;
 
 static void point(const shape_t *shape, double s, double *p, double *tangent) {
@@ -194,31 +50,29 @@ static void set_piece(const shape_t *shape, double from, double to, nck_seg_t *s
     seg->program = seg->length * (2.0 * shape->d / (2.0 * shape->d + shape->parking));
 }
 
-// The places where the shape's third derivative changes, in order; and its middle, if outputs are
-// to come there. Returns how many.
+// The places where the shape's third derivative changes, in order, and its middle: there one block
+// ends and the next one begins, and outputs come. Returns how many.
 static int knots_of(const shape_t *shape, double *knot) {
     const double inner = shape->parking - shape->d;
     const double places[NCK_BLEND_SEGS + 1] = {
         -shape->d, nck_min(0.0, inner), nck_max(0.0, inner),
-        0.5 * shape->parking, // MIDDLE
+        0.5 * shape->parking,
         nck_min(shape->d, shape->parking), nck_max(shape->d, shape->parking),
         shape->parking + shape->d};
     int count = 0;
     for (int k = 0; k <= NCK_BLEND_SEGS; k++) {
-        if (k == MIDDLE && !shape->is_split) continue;
         if (count == 0 || places[k] > knot[count - 1] + LEAST) knot[count++] = places[k];
     }
     return count;
 }
 
-static void take_words(const nck_raw_t *a, const nck_raw_t *b, int later, nck_seg_t *seg) {
-    const nck_seg_t *const named = later ? &b->seg : &a->seg;
-    const double least = nck_min(a->seg.feed, b->seg.feed);
-    seg->line = named->line;
-    seg->block = named->block;
-    seg->rapid = a->seg.rapid && b->seg.rapid;
-    seg->feed = a->seg.rapid || b->seg.rapid ? nck_max(a->seg.feed, b->seg.feed) : least;
-    seg->feed_scale = nck_max(a->seg.feed_scale, b->seg.feed_scale);
+// Each half has the words of its own block.
+static void take_words(const nck_raw_t *named, nck_seg_t *seg) {
+    seg->line = named->seg.line;
+    seg->block = named->seg.block;
+    seg->rapid = named->seg.rapid;
+    seg->feed = named->seg.feed;
+    seg->feed_scale = named->seg.feed_scale;
 }
 
 // Where the corner of a blend is in the ring, by counts.
@@ -251,7 +105,7 @@ static uint32_t insert(nck_smooth_t *self, const shape_t *shape, const place_t *
     double knot[NCK_BLEND_SEGS + 1];
     const uint32_t count = (uint32_t)knots_of(shape, knot) - 1;
     const uint32_t outputs = place->last - place->first - 1;
-    const uint32_t before = outputs > 0 ? count / 2 : count;
+    const uint32_t before = count / 2;
     make_way(self, place, before, count - before);
     nck_raw_t *const a = nck_raw_at(self, place->first);
     nck_raw_t *const b = nck_raw_at(self, place->last + count);
@@ -262,7 +116,7 @@ static uint32_t insert(nck_smooth_t *self, const shape_t *shape, const place_t *
         memset(raw, 0, sizeof *raw);
         raw->has_seg = 1;
         set_piece(shape, knot[k], knot[k + 1], &raw->seg);
-        take_words(a, b, knot[k] + knot[k + 1] > shape->parking, &raw->seg);
+        take_words(k < before ? a : b, &raw->seg);
         if (k > 0) memcpy(raw->seg.start, start, sizeof raw->seg.start);
         start = raw->seg.end;
     }
@@ -286,7 +140,7 @@ static int is_line(const nck_raw_t *raw) {
 // How much of a line the spline of the corner between it and another block may bend. Where the run
 // goes on from a blend its first stretch must be straight: the blend ends without curvature.
 static double bent_by(const nck_smooth_t *self, const nck_raw_t *a, const nck_raw_t *b) {
-    if (!a->smooth || !b->smooth) return 0.0;
+    if (!a->smooth || !b->smooth || a->seg.stop) return 0.0;
     double by[NCK_AXIS_MAX];
     const double turn = nck_raw_turn(&a->seg, &b->seg, by);
     const double tolerance = nck_min(a->tolerance, b->tolerance);
@@ -333,26 +187,46 @@ static int find_place(nck_smooth_t *self, uint32_t more, place_t *place) {
     return place->end - self->raw.tail + NCK_BLEND_SEGS <= NCK_SMOOTH_SPAN;
 }
 
+// The run at the front ends at the corner.
+static void end_run_behind(nck_smooth_t *self, uint32_t first) {
+    if (!self->run.open || (int32_t)(self->run.end - first) <= 1) return;
+    self->run.end = first + 1;
+    self->run.closed = 1;
+}
+
+static uint32_t insert_blend(nck_smooth_t *self, const nck_choice_t *corner,
+                             const place_t *place) {
+    double vertex[NCK_AXIS_MAX];
+    memcpy(vertex, nck_raw_at(self, place->first)->seg.end, sizeof vertex);
+    const shape_t shape = {corner, vertex, corner->d, corner->parking};
+    const uint32_t count = insert(self, &shape, place);
+    end_run_behind(self, place->first);
+    return count;
+}
+
+// The path rests at the corner, and a run of its own begins there.
+static void stop_at(nck_smooth_t *self, const place_t *place) {
+    nck_raw_t *const b = nck_raw_at(self, place->last);
+    nck_raw_at(self, place->first)->seg.stop = 1;
+    b->s = 0.0;
+    for (uint32_t k = place->last + 1; k != place->end; k++) {
+        nck_raw_at(self, k)->s = b->seg.length;
+    }
+    end_run_behind(self, place->first);
+}
+
 uint32_t nck_blend_corner(nck_smooth_t *self, uint32_t more) {
     place_t place;
-    corner_t corner;
-    if (self->machine->slope == NCK_SLOPE_LINEAR) return 0;
+    nck_choice_t choice;
     if (!find_place(self, more, &place)) return 0;
-    nck_raw_t *const a = nck_raw_at(self, place.first);
+    const nck_raw_t *const a = nck_raw_at(self, place.first);
     const nck_raw_t *const b = nck_raw_at(self, place.last);
-    if (!is_line(a) || !is_line(b) || !measure(self, a, b, &corner)) return 0;
-    corner.half = nck_min(corner.half, room_of(self, &place));
-    if (!(corner.half > 0.0)) return 0;
-    double parking = 0.0;
-    const double d = width_of(&corner, &parking);
-    if (!(d > 0.0) || !is_free(self, place.first, d)) return 0;
-    double vertex[NCK_AXIS_MAX];
-    memcpy(vertex, a->seg.end, sizeof vertex);
-    const shape_t shape = {&corner, vertex, d, parking, place.last != place.first + 1};
-    const uint32_t count = insert(self, &shape, &place);
-    if (self->run.open && (int32_t)(self->run.end - place.first) > 1) {
-        self->run.end = place.first + 1;
-        self->run.closed = 1;
+    if (!a->smooth || !b->smooth) return 0;
+    const int blends = self->machine->slope != NCK_SLOPE_LINEAR && is_line(a) && is_line(b);
+    nck_choice_make(self, a, b, blends ? room_of(self, &place) : 0.0, &choice);
+    if (choice.kind == NCK_CHOICE_BLEND && is_free(self, place.first, choice.d)) {
+        return insert_blend(self, &choice, &place);
     }
-    return count;
+    if (choice.kind == NCK_CHOICE_STOP && is_free(self, place.first, 0.0)) stop_at(self, &place);
+    return 0;
 }

@@ -29,14 +29,18 @@ static inline nck_real nck_blend_stop_slope(nck_real s, nck_real d) {
 }
 
 // The blend:   p(s) = V + u1·f(s) − u2·f(D − s).
-// The two motions overlap over o = 2d − D of s. In the middle of it both are (o/2)³/6d² from V, and
-// the path is that far from its two lines, times the sine of the angle θ between them:
-//        o = min(2d, ∛(48·d²·tol/sin θ))
+// The two motions overlap over o = 2d − D of s. In its middle both are (o/2)³/6d² from V, and the
+// path is that far times |u2 − u1| = 2 sin(α/2) from V, α the angle it turns by. Nowhere is it
+// further from its two lines than there from V: of either line it leaves it is off by no more than
+// the other motion times sin α. So the corner is no further from the path than the tolerance, and
+// the path no further from the lines, if
+//        o = min(2d, ∛(48·d²·tol/|u2 − u1|))
 // Returns D. A blend without parking (D = 0) is what a cubic spline makes of the corner.
-static inline nck_real nck_blend_parking(nck_real d, nck_real tolerance, nck_real sin_theta) {
+// turn = |u2 − u1| > 0.
+static inline nck_real nck_blend_parking(nck_real d, nck_real tolerance, nck_real turn) {
     const nck_real cube = 48.0 * d * d * tolerance;
-    if (8.0 * d * d * d * sin_theta <= cube) return 0.0;
-    return 2.0 * d - nck_root_cube(cube / sin_theta);
+    if (8.0 * d * d * d * turn <= cube) return 0.0;
+    return 2.0 * d - nck_root_cube(cube / turn);
 }
 
 #endif

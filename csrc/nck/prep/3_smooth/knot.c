@@ -23,10 +23,13 @@
 #define KEY_LEAST 0.5    // a corner is a key if the spacing that it allows alone is right within …
 #define KEY_MOST 1.5     // … these shares, and it is none of a bend
 #define ALIKE 0.9         // cosine between the turns of two corners of one bend
+#define SAME 0.9         // tolerances of blocks that differ by no more count as one
+#define SURE 0.5         // of √(P/κ): from rest a step on one block that certainly fits
+#define NEVER 1e300      // [path mm] no place of a run
 enum {
     GROWTH_STEPS = 64,   // from 1 µm to beyond any spacing
     BISECT_STEPS = 3,    // the last 25 % to 3 %
-    TRIES = 11,          // spacings that are checked before a knot is doubled
+    TRIES = 11,          // spacings that are checked before the path has to rest
     TRIES_WANTED = 5,    // of them as parts of the step wanted
     TRIES_CAREFUL = 9    // of them with AIM_END
 };
@@ -39,6 +42,9 @@ typedef struct way {
     uint8_t is_key;   // 1: the goal is a corner
     uint8_t straight; // 1: one line leads to the goal
 } way_t;
+
+// 1 if the spline begins at t[4], at rest.
+static int is_fresh(const nck_smooth_t *self) { return !(self->run.t[0] < self->run.t[4]); }
 
 static int is_full(const nck_smooth_t *self) {
     return self->raw.head - self->raw.tail == NCK_SMOOTH_SPAN;
@@ -168,6 +174,35 @@ static int bends_on(nck_smooth_t *self, uint32_t count) {
     return third != self->run.end && turns_alike(turn, size, out, &nck_raw_at(self, third)->seg);
 }
 
+// A spacing beside a block that is `far` off and has such a share of the tolerance.
+static double stay_within(double spacing, double far, double share) {
+    return share < SAME ? nck_min(spacing, nck_max(0.5 * far, share * spacing)) : spacing;
+}
+
+// Where the tolerance changes: a spacing h bends the path over 2h on either side, so it must not
+// reach into blocks with a smaller tolerance, unless it keeps to that as well.
+static double keep_off(nck_smooth_t *self, uint32_t count, double spacing) {
+    const double own = nck_min(nck_raw_at(self, count)->tolerance,
+                               nck_raw_at(self, nck_raw_next(self, count))->tolerance);
+    double least = spacing;
+    double far = nck_raw_at(self, count)->seg.length;
+    uint32_t at = count;
+    while (raw_before(self, at) != at && far < 2.0 * least) {
+        at = raw_before(self, at);
+        const nck_raw_t *const raw = nck_raw_at(self, at);
+        if (!raw->smooth) break;
+        least = stay_within(least, far, raw->tolerance / own);
+        far += raw->seg.length;
+    }
+    at = nck_raw_next(self, count);
+    far = nck_raw_at(self, at)->seg.length;
+    while ((at = nck_raw_next(self, at)) != self->run.end && far < 2.0 * least) {
+        least = stay_within(least, far, nck_raw_at(self, at)->tolerance / own);
+        far += nck_raw_at(self, at)->seg.length;
+    }
+    return least;
+}
+
 // Find the spacing that the end of a block allows, once.
 static nck_status_t know_spacing(nck_smooth_t *self, uint32_t count) {
     nck_raw_t *const raw = nck_raw_at(self, count);
@@ -198,7 +233,7 @@ static nck_status_t know_spacing(nck_smooth_t *self, uint32_t count) {
     if (ends_in_blend(self, count)) {
         spacing = nck_min(spacing, next->seg.length / NCK_BLEND_KEEP_OFF);
     }
-    raw->spacing = spacing;
+    raw->spacing = self->mixed ? keep_off(self, count, spacing) : spacing;
     return NCK_OK;
 }
 
@@ -226,6 +261,7 @@ static double largest_step(nck_smooth_t *self, const nck_raw_t *raw) {
 // Look ahead from t[4]. A spacing at distance d may be half of d smaller: steps may halve.
 static nck_status_t look_ahead(nck_smooth_t *self, way_t *way) {
     const double here = self->run.t[4];
+    const double growth = is_fresh(self) ? 0.0 : 0.5; // from rest on: even spacings
     uint32_t count = nck_raw_find(self, here);
     uint32_t next = count;
     way->step = largest_step(self, nck_raw_at(self, count));
@@ -251,7 +287,7 @@ static nck_status_t look_ahead(nck_smooth_t *self, way_t *way) {
             way->straight = far == 0.0 && raw->seg.kind == NCK_SEG_LINE;
             return NCK_OK;
         }
-        way->step = nck_min(way->step, raw->spacing + 0.5 * (end - here));
+        way->step = nck_min(way->step, raw->spacing + growth * (end - here));
         if (nck_raw_at(self, next - 1)->has_output) {
             way->goal = end;
             return NCK_OK;
@@ -292,12 +328,35 @@ static double straight_step(const nck_smooth_t *self) {
 // Try the knot t[5]: the next seg, and the two behind it if the run had to end there.
 static int try_knot(nck_smooth_t *self, double t, double share) {
     double *const knot = self->run.t;
+    self->run.tries++;
     for (int i = 5; i < 8; i++) {
         knot[i] = t;
         nck_raw_point(self, nck_spline_greville(knot + i - 2), self->run.c[i - 2]);
     }
     return nck_raw_fits(self, 0, 1.0) && nck_raw_fits(self, 1, share)
            && nck_raw_fits(self, 2, share);
+}
+
+// No knot beside the end of a block, nearer than rounding can tell.
+static double snap(nck_smooth_t *self, double t) {
+    const double least = nck_raw_least(t);
+    const nck_raw_t *const raw = nck_raw_at(self, nck_raw_find(self, t - least));
+    const double end = raw->s + raw->seg.length;
+    return nck_fabs(end - t) <= least ? end : t;
+}
+
+// From rest a knot that fits whatever comes behind it: no further than the block, the rest of which
+// is its own spline if it is a line; an arc's spline leaves it by less than κh²/12.
+static double sure_knot(nck_smooth_t *self, double here) {
+    const uint32_t count = nck_raw_find(self, here + nck_raw_least(here));
+    const nck_raw_t *const raw = nck_raw_at(self, count);
+    const double end = raw->s + raw->seg.length;
+    double second[NCK_AXIS_MAX];
+    nck_path_second(&raw->seg, 0.0, second);
+    const double kappa = nck_spline_norm(second);
+    if (!(kappa > 0.0)) return end;
+    const double t = here + SURE * nck_sqrt(raw->tolerance / kappa);
+    return t < end - nck_raw_least(end) ? t : end;
 }
 
 double nck_knot_spacing_inside(const nck_smooth_t *self, const nck_seg_t *seg, double tolerance) {
@@ -317,10 +376,23 @@ static double shorter_step(const nck_smooth_t *self, double step, int n) {
     return of_last[n - TRIES_WANTED] * (last > 0.0 ? nck_min(last, 0.3 * step) : 0.3 * step);
 }
 
+// Nothing that is wanted fits.
+static void take_what_fits(nck_smooth_t *self) {
+    const double here = self->run.t[4];
+    self->run.on_key = 0;
+    if (is_fresh(self)) {
+        (void)try_knot(self, sure_knot(self, here), 1.0);
+        return;
+    }
+    (void)try_knot(self, here, 1.0); // fits since the knot before was chosen
+    self->run.rest = here;
+    self->run.kinks++;
+}
+
 nck_status_t nck_knot_choose(nck_smooth_t *self) {
     const double here = self->run.t[4];
     way_t way = {0.0, 0.0, 0.0, 0, 0};
-    if (self->run.closed && here >= nck_raw_known(self)) {
+    if (here >= self->run.rest || (self->run.closed && here >= nck_raw_known(self))) {
         (void)try_knot(self, here, 1.0); // the end: fits since the knot before was chosen
         return NCK_OK;
     }
@@ -329,28 +401,47 @@ nck_status_t nck_knot_choose(nck_smooth_t *self) {
     const double step = nck_min(wanted_step(self, &way), straight_step(self));
     const int reaches = here + step >= way.goal || step == way.goal - here;
     for (int n = 0; n < TRIES; n++) {
-        const double t = n == 0 && reaches ? way.goal : here + shorter_step(self, step, n);
+        const int at_goal = n == 0 && reaches;
+        const double t = at_goal ? way.goal : snap(self, here + shorter_step(self, step, n));
+        if (t - here < nck_raw_least(t)) break;
         if (!try_knot(self, t, n < TRIES_CAREFUL ? AIM_END : 1.0)) continue;
-        self->run.on_key = n == 0 && reaches && way.is_key;
+        self->run.on_key = at_goal && way.is_key;
         return NCK_OK;
     }
-    (void)try_knot(self, here, 1.0); // fits since the knot before was chosen
-    self->run.kinks++;
+    take_what_fits(self);
     return NCK_OK;
+}
+
+static void begin_at(nck_smooth_t *self, double s, const double *point) {
+    for (int i = 0; i < 8; i++) self->run.t[i] = s;
+    for (int i = 0; i < 6; i++) memcpy(self->run.c[i], point, sizeof self->run.c[i]);
+    memcpy(self->run.position, point, sizeof self->run.position);
+    self->run.given = s;
+    self->run.rest = NEVER;
+    self->run.on_key = 0;
+    self->run.chosen = 0;
 }
 
 void nck_knot_begin(nck_smooth_t *self) {
     const nck_raw_t *const front = nck_raw_at(self, self->raw.tail);
-    memset(&self->run.t, 0, sizeof self->run.t);
-    self->run.on_key = 0;
-    self->run.chosen = 0;
     self->run.straight = front->cut > 0.0 ? front->seg.length : 0.0;
-    for (int i = 0; i < 6; i++) memcpy(self->run.c[i], front->seg.start, sizeof self->run.c[i]);
-    memcpy(self->run.position, front->seg.start, sizeof self->run.position);
+    begin_at(self, 0.0, front->seg.start);
 }
 
 void nck_knot_advance(nck_smooth_t *self) {
+    double here[NCK_AXIS_MAX];
     memmove(self->run.t, self->run.t + 1, 7 * sizeof *self->run.t);
     memmove(self->run.c, self->run.c + 1, 5 * sizeof *self->run.c);
+    self->run.given = self->run.t[2];
     self->run.chosen = 0;
+    if (self->run.t[2] < self->run.rest) return;
+    memcpy(here, self->run.position, sizeof here);
+    self->run.straight = 0.0;
+    begin_at(self, self->run.rest, here);
+}
+
+int nck_knot_rests(nck_smooth_t *self, double s) {
+    if (s >= self->run.rest) return 1;
+    const uint32_t last = self->run.end - 1;
+    return self->run.closed && s >= nck_raw_known(self) && nck_raw_at(self, last)->seg.stop;
 }

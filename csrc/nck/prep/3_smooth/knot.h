@@ -5,6 +5,9 @@
 
 #include "nck/prep/3_smooth/smooth.h" // nck_smooth_t
 
+// Knots that are tried for one interval, at most.
+enum { NCK_KNOT_TRIES = 13 };
+
 // The spacing of knots that the inside of an exact seg allows. Cost: constant.
 double nck_knot_spacing_inside(const nck_smooth_t *self, const nck_seg_t *seg, double tolerance);
 
@@ -12,12 +15,17 @@ double nck_knot_spacing_inside(const nck_smooth_t *self, const nck_seg_t *seg, d
 void nck_knot_begin(nck_smooth_t *self);
 
 // Choose t[5], so that the seg over t[2] … t[3] is known and within the tolerance, and could be
-// followed by an end at t[5] that is within it too.
+// followed by an end at t[5] that is within it too. Where nothing fits, the spline ends at t[4] and
+// rests there (run.rest); from such a rest something always fits (README, "Always a way on").
 // Returns NCK_OK, or NCK_EMPTY if more blocks must be known.
-// Cost: bounded, see nck_smooth_pull.
+// Cost: NCK_KNOT_TRIES knots at most, see nck_smooth_pull.
 nck_status_t nck_knot_choose(nck_smooth_t *self);
 
-// Go on by one knot: t[2] … t[3] is done with. Cost: constant.
+// Go on by one knot: t[2] … t[3] is done with; behind a rest, begin anew there. Cost: constant.
 void nck_knot_advance(nck_smooth_t *self);
+
+// 1 if the path rests at this place, which the spline has come to. Cost: linear in outputs at the
+// end of the run.
+int nck_knot_rests(nck_smooth_t *self, double s);
 
 #endif

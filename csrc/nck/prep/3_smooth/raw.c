@@ -9,7 +9,10 @@
 #include "nck/prep/3_smooth/spline_math.h" // nck_spline_…
 
 enum { PARTS = 8 };               // a knot interval is looked at in so many parts at least
-#define SLACK 1e-9                // [mm] rounding of path coordinates
+#define LEAST 1e-9                // [path mm] a thousandth of what a setpoint can tell
+#define LEAST_SHARE 1e-15         // of the place, whose own rounding this is
+
+double nck_raw_least(double s) { return LEAST + LEAST_SHARE * s; }
 
 nck_raw_t *nck_raw_at(nck_smooth_t *self, uint32_t count) {
     return &self->raw.at[count & (NCK_SMOOTH_SPAN - 1)];
@@ -69,8 +72,9 @@ double nck_raw_turn(const nck_seg_t *in, const nck_seg_t *out, double *turn_out)
 
 // The control points of a straight stretch of path lie on it evenly, and so does the spline.
 static int is_straight(nck_smooth_t *self, double from, double to) {
-    const nck_raw_t *const raw = nck_raw_at(self, nck_raw_find(self, to - SLACK));
-    return raw->seg.kind == NCK_SEG_LINE && raw->s <= from + SLACK;
+    const double least = nck_raw_least(to);
+    const nck_raw_t *const raw = nck_raw_at(self, nck_raw_find(self, to - least));
+    return raw->seg.kind == NCK_SEG_LINE && raw->s <= from + least;
 }
 
 void nck_raw_spline(nck_smooth_t *self, int first, nck_seg_t *seg_out) {

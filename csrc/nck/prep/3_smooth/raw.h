@@ -5,6 +5,9 @@
 
 #include "nck/prep/3_smooth/smooth.h" // nck_smooth_t nck_raw_t
 
+// What is only rounding beside a place of the run: nearer places are one [path mm].
+double nck_raw_least(double s);
+
 // The block with this count. Cost: constant.
 nck_raw_t *nck_raw_at(nck_smooth_t *self, uint32_t count);
 

@@ -13,6 +13,7 @@
 #include "nck/prep/3_smooth/spline_math.h" // nck_spline_…
 
 #define TOLERANCE_MIN 1e-4 // [mm] a smaller one means the exact path
+#define MUCH 0.5           // of a knot interval, for a block's end to be a seg's end
 #define ROUNDING 2e-6      // [mm] kept of the tolerance: setpoints are whole nanometres
 
 // The widest spacing that any speed, acceleration and jerk of the machine can ask for.
@@ -100,16 +101,18 @@ static int is_between(const nck_raw_t *raw) {
     return raw->has_output && !raw->has_seg && !raw->ends;
 }
 
-// Does the block at count join the run at the front?
+// Is the block at count part of a run?
 static int joins(nck_smooth_t *self, uint32_t count) {
     const nck_raw_t *const raw = nck_raw_at(self, count);
     return raw->smooth || is_between(raw);
 }
 
-// Let blocks join the run at the front.
+// Let blocks join the run at the front, up to a stop.
 static void extend_run(nck_smooth_t *self) {
     while (self->run.open && !self->run.closed && self->run.end != self->raw.head) {
-        if (joins(self, self->run.end)) self->run.end++;
+        const int begins = self->run.end == self->raw.tail;
+        const int rests = !begins && nck_raw_at(self, self->run.end - 1)->seg.stop;
+        if (!rests && joins(self, self->run.end)) self->run.end++;
         else self->run.closed = 1;
     }
     if (self->ended) self->run.closed = 1;
@@ -120,7 +123,7 @@ static double place_in_run(nck_smooth_t *self) {
     uint32_t count = self->raw.head;
     while (count != self->raw.tail && joins(self, count - 1)) {
         const nck_raw_t *const raw = nck_raw_at(self, count - 1);
-        if (raw->smooth) return raw->s + raw->seg.length;
+        if (raw->smooth) return raw->seg.stop ? 0.0 : raw->s + raw->seg.length;
         count--;
     }
     return 0.0;
@@ -148,7 +151,11 @@ static void take_raw(nck_smooth_t *self, const nck_block_t *block) {
     if (!is_between(nck_raw_at(self, self->raw.head))) (void)nck_blend_corner(self, 1);
     nck_raw_t *const raw = nck_raw_at(self, self->raw.head);
     raw->s = place_in_run(self);
-    if (raw->smooth) raw->inside = nck_knot_spacing_inside(self, &raw->seg, raw->tolerance);
+    if (raw->smooth) {
+        raw->inside = nck_knot_spacing_inside(self, &raw->seg, raw->tolerance);
+        self->mixed |= self->tolerance > 0.0 && self->tolerance != raw->tolerance;
+        self->tolerance = raw->tolerance;
+    }
     self->raw.head++;
     nck_merge_begin(self, block);
     extend_run(self);
@@ -214,37 +221,54 @@ static void drop_passed(nck_smooth_t *self, double s) {
     }
 }
 
-// What the blocks between two places mean for the seg that stands for them: the slowest feed, the
-// line of the one in the middle.
-static void take_words(nck_smooth_t *self, double from, double to, nck_seg_t *seg) {
-    const double middle = 0.5 * (from + to);
-    uint32_t count = nck_raw_find(self, from);
-    seg->rapid = 1;
-    seg->feed_scale = 0.0;
-    while (count != self->run.end) {
-        const nck_seg_t *const raw = &nck_raw_at(self, count)->seg;
-        const double begin = nck_raw_at(self, count)->s;
-        if (begin >= to) return;
-        if (begin <= middle) {
-            seg->line = raw->line;
-            seg->block = raw->block;
+// 1 if two blocks mean different motions on the same path.
+static int words_differ(const nck_seg_t *a, const nck_seg_t *b) {
+    return a->rapid != b->rapid || a->feed != b->feed || a->feed_scale != b->feed_scale;
+}
+
+// Where the next part of the interval at t[2] … t[3] ends: where the words of the program change,
+// or where a block ends that makes much of the interval. Shorter blocks are executed together.
+static double part_end(nck_smooth_t *self) {
+    const double to = self->run.t[3];
+    const double least = nck_raw_least(to);
+    const double much = MUCH * (to - self->run.t[2]);
+    uint32_t count = nck_raw_find(self, self->run.given + least);
+    for (;;) {
+        const nck_raw_t *const raw = nck_raw_at(self, count);
+        const uint32_t next = nck_raw_next(self, count);
+        const double end = raw->s + raw->seg.length;
+        if (next == self->run.end || end > to - least) return to;
+        if (raw->seg.length > much || words_differ(&raw->seg, &nck_raw_at(self, next)->seg)) {
+            return end;
         }
-        if (!raw->rapid) seg->feed = seg->rapid ? raw->feed : nck_min(seg->feed, raw->feed);
-        seg->rapid = seg->rapid && raw->rapid;
-        seg->feed_scale = nck_max(seg->feed_scale, raw->feed_scale);
-        count = nck_raw_next(self, count);
+        count = next;
     }
+}
+
+// The words of a part are those of the block that it ends in, or with.
+static void take_words(nck_smooth_t *self, double end, nck_seg_t *seg) {
+    const uint32_t count = nck_raw_find(self, end - nck_raw_least(end));
+    const nck_seg_t *const raw = &nck_raw_at(self, count)->seg;
+    seg->line = raw->line;
+    seg->block = raw->block;
+    seg->rapid = raw->rapid;
+    seg->feed = raw->feed;
+    seg->feed_scale = raw->feed_scale;
 }
 
 static nck_status_t give_spline(nck_smooth_t *self, nck_smooth_item_t *item_out) {
     const double *const t = self->run.t;
     nck_seg_t *const seg = &item_out->seg;
+    const double end = part_end(self);
     nck_raw_spline(self, 0, seg);
+    nck_spline_part(seg, self->run.given - t[2], end - t[2]);
     memcpy(seg->start, self->run.position, sizeof seg->start);
     memcpy(self->run.position, seg->end, sizeof seg->end);
-    take_words(self, t[2], t[3], seg);
-    nck_knot_advance(self);
-    drop_passed(self, t[2]);
+    take_words(self, end, seg);
+    seg->stop = (uint8_t)nck_knot_rests(self, end);
+    self->run.given = end;
+    if (end >= t[3]) nck_knot_advance(self);
+    drop_passed(self, end);
     return give_seg(self, item_out);
 }
 
@@ -291,6 +315,7 @@ static void open_run(nck_smooth_t *self) {
 
 nck_status_t nck_smooth_pull(nck_smooth_t *self, nck_smooth_item_t *item_out) {
     self->hungry = 0;
+    self->run.tries = 0;
     if (self->run.open) {
         const nck_status_t status = pull_run(self, item_out);
         self->hungry = status == NCK_EMPTY;

@@ -44,10 +44,12 @@ typedef struct nck_smooth {
     double s;            // length of all segs pulled [path mm]
     double s_program;    // programmed path that they stand for [path mm]
     double spacing_max;  // of knots [path mm]
+    double tolerance;    // of the newest smoothed block [mm]; 0: none yet
     uint32_t seq;        // of the next seg pulled
     uint8_t hungry;      // 1: pull needs a block
     uint8_t ended;       // 1: no more blocks
-    uint8_t reserved[2]; // 0
+    uint8_t mixed;       // 1: blocks have come with more than one tolerance
+    uint8_t reserved;    // 0
 
     struct {
         uint32_t head; // blocks pushed
@@ -72,7 +74,10 @@ typedef struct nck_smooth {
         uint8_t on_key;  // 1: t[4] is the knot of a corner
         uint32_t end;    // count of the block behind its last one
         double straight; // of the line that it begins on behind a blend [path mm]; 0: at rest
-        uint32_t kinks;  // knots that had to be doubled to stay within the tolerance, in all runs
+        uint32_t kinks;  // places where it must rest to stay within the tolerance, in all runs
+        uint32_t tries;  // knots that the last pull has tried
+        double rest;     // the place of the next of them; beyond the run: none is known
+        double given;    // t[2] … t[3] is given up to here
         double t[8];     // the next seg lies over t[2] … t[3]; t[6], t[7]: if it had to end at t[5]
         double c[6][NCK_AXIS_MAX]; // c[i] belongs to t[i] t[i+1] t[i+2]
         double position[NCK_AXIS_MAX]; // end of its last seg

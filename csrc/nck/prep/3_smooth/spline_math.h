@@ -44,6 +44,38 @@ static inline void nck_spline_bernstein(const nck_real *t, const nck_real *c0, c
     }
 }
 
+// The blossom of a cubic with the Bernstein points b at u, v, w (shares of its length): symmetric,
+// and the cubic itself where all three are the same (P. de Casteljau, Formes à pôles, 1985).
+static inline nck_real nck_spline_blossom(const nck_real *b, nck_real u, nck_real v, nck_real w) {
+    const nck_real c0 = b[0] + (b[1] - b[0]) * u;
+    const nck_real c1 = b[1] + (b[2] - b[1]) * u;
+    const nck_real c2 = b[2] + (b[3] - b[2]) * u;
+    const nck_real d0 = c0 + (c1 - c0) * v;
+    const nck_real d1 = c1 + (c2 - c1) * v;
+    return d0 + (d1 - d0) * w;
+}
+
+// The part of a spline or a line from x0 to x1 of its length: its Bernstein points are the blossom
+// at x0 x0 x0, x0 x0 x1, x0 x1 x1, x1 x1 x1. An end of the whole that is kept stays to the bit.
+static inline void nck_spline_part(nck_seg_t *seg, nck_real x0, nck_real x1) {
+    const nck_real u = x0 / seg->length;
+    const nck_real v = x1 / seg->length;
+    const int begins = !(x0 > 0.0);
+    const int ends = !(x1 < seg->length);
+    if (begins && ends) return;
+    for (int x = 0; x < NCK_AXIS_MAX; x++) {
+        const nck_real start = seg->start[x];
+        const nck_real way = seg->end[x] - start;
+        const nck_real b[4] = {start, seg->inner[0][x], seg->inner[1][x], seg->end[x]};
+        const int cubic = seg->kind == NCK_SEG_SPLINE;
+        if (cubic) seg->inner[0][x] = nck_spline_blossom(b, u, u, v);
+        if (cubic) seg->inner[1][x] = nck_spline_blossom(b, u, v, v);
+        if (!begins) seg->start[x] = cubic ? nck_spline_blossom(b, u, u, u) : start + way * u;
+        if (!ends) seg->end[x] = cubic ? nck_spline_blossom(b, v, v, v) : start + way * v;
+    }
+    seg->length = x1 - x0;
+}
+
 // How far a cubic can leave its chord between two points of it that are h apart:   |p″|·h²/8
 // where second is the largest |p″| (the error of linear interpolation).
 static inline nck_real nck_spline_sag(nck_real second, nck_real h) { return second * h * h / 8.0; }
