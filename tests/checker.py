@@ -8,8 +8,10 @@ acceleration and jerk is a finite difference of setpoints.
 - every axis keeps its speed and acceleration, in the double poses and in the integer joints;
 - the path coordinate goes forward, to the end, at the feed at most, within the acceleration and,
   under a jerk-limited slope, the jerk that the machine allows on the path;
-- every pose is on the programmed path where its coordinate says, or within the tolerance in force,
-  and no longer way is gone than the coordinate's;
+- every pose is on the programmed path where its coordinate says, or within the tolerance in force
+  there, and no longer way is gone than the coordinate's;
+- within a tolerance the run comes as near to every corner of the program and every part of an arc,
+  in their order;
 - under a jerk-limited slope every axis keeps its jerk wherever a tolerance is in force, and inside
   every straight block;
 - exact stops land on their end points to the nanometre, dwells last as long as they are to, or
@@ -21,6 +23,7 @@ import math
 
 import numpy as np
 from programmed_path import COUNTS, Limits, Path
+from visits import Visits
 
 SHARE = 1e-6  # how far a limit may be passed
 ROUNDING = 8 * 2.0**-52  # of a coordinate, 8 ulp at most; felt in accelerations by 1/T²
@@ -125,7 +128,7 @@ class Checker:
         The same of the path.
     path_error_mm : float
     tolerance_used : float
-        Largest share of the tolerance in force that the path was left by.
+        Largest share of the tolerance in force that the path was left by, or missed by.
     ticks : int
     """
 
@@ -137,6 +140,7 @@ class Checker:
         self._poses = np.repeat(start[None] / COUNTS, 3, axis=0)
         self._joints = np.repeat(start[self._limits.joint_axes][None], 3, axis=0)
         self._s, self._block, self._settled = np.zeros(3), np.zeros(3, np.intp), 0
+        self._visits = Visits(self._path, self._poses[0])
         self._programmed = 0.0
         self._exact = np.concatenate(
             [[0], np.cumsum((self._path.length > 0) & (self._path.tolerance == 0))]
@@ -165,6 +169,7 @@ class Checker:
         self._progress(rows["pose"]["s"], poses)
         self._feed(programmed)
         self._on_path(block, programmed, poses)
+        self._visited(self._visits.add(programmed, poses))
         self._stops(block, joints)
         self._poses = np.concatenate([self._poses, poses])[-3:]
         self._joints = np.concatenate([self._joints, joints])[-3:]
@@ -180,6 +185,7 @@ class Checker:
             return
         end = self._path.end_nm[-1, self._limits.joint_axes]
         self._hold(np.array([(self._joints[-1] == end).all()]), f"end {end} is not reached")
+        self._visited(self._visits.finish())
         left = self._path.begin[-1] - self._programmed
         self._hold(np.array([abs(left) <= COORDINATE_MM]), f"{left} mm of path are left out")
         self._dwells()
@@ -290,6 +296,7 @@ class Checker:
         """On the path where the coordinate says, or within the tolerance in force."""
         path, tolerance = self._path, self._path.tolerance[block]
         exact, smoothed = np.flatnonzero(tolerance == 0), np.flatnonzero(tolerance > 0)
+        tolerance[smoothed] = path.tolerance_at(s[smoothed])
         apart = np.zeros(len(block))
         apart[exact] = path.apart(block[exact], s[exact], poses[exact])
         apart[smoothed] = path.nearest(s[smoothed], poses[smoothed], tolerance[smoothed])
@@ -303,6 +310,13 @@ class Checker:
         agree = np.ones(len(block), bool)
         agree[exact] = np.abs(here - s[exact]) <= COORDINATE_MM
         self._hold(agree, "pose and path coordinate are two places")
+
+    def _visited(self, missed):
+        """The run comes near to the points that the program names; missed: where it does not."""
+        self.tolerance_used = max(self.tolerance_used, self._visits.largest)
+        if missed is not None:
+            tick, line, words = missed
+            raise PhysicsError(f"tick {tick}, line {line}: a programmed point is {words}")
 
     def _stops(self, block, joints):
         """Of blocks that share a tick, one stops at most: where the last tick of them stood."""

@@ -148,6 +148,15 @@ class Path:
         points[arc, self.v[b]] = self.centre_v[b] + self.radius[b] * np.sin(phi)
         return points
 
+    def tolerance_at(self, s, rounding=1e-7):
+        """Return the tolerances of the blocks where s is; the larger where two blocks meet."""
+        last = len(self.length) - 1
+        before, behind = (
+            np.clip(np.searchsorted(self.begin, s + away, "right") - 1, 0, last)
+            for away in (-rounding, rounding)
+        )
+        return np.maximum(self.tolerance[before], self.tolerance[behind])
+
     def along(self, block, s, points):
         """Return the shares of blocks that are done at points, unclipped.
 
@@ -189,7 +198,7 @@ class Path:
             found[steep] = np.minimum(found[steep], nearer)
         return found
 
-    def nearest(self, s, points, near, reach=5.0):
+    def nearest(self, s, points, near, reach=50.0):
         """Return how far points are from the path around the coordinates s [mm].
 
         Where the block of s itself is as near as `near` asks (one number a point), that is it; else
