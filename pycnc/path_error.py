@@ -27,12 +27,20 @@ class PathError:
     Parameters
     ----------
     program : Program
+
+    Attributes
+    ----------
+    largest_mm : float
+        The larger of both ways [mm].
+    missed : float
+        How far the path misses a point of the program at most, as a share of the tolerance in force
+        there; 0 where there is none.
     """
 
     def __init__(self, program):
         self._moves, self._marks = program.moves, _Marks(program)
         self._next, self._segs = 0, join("nck_seg_t", [])
-        self.largest_mm = 0.0
+        self.largest_mm = self.missed = 0.0
 
     def add(self, rows):
         """Measure the next rows of a run (dtype ``sim_row_t``) against the program."""
@@ -72,14 +80,19 @@ class PathError:
         share = (marks.s[here] - segs["s_program"][at]) / segs["program"][at]
         points = _points(segs[at], np.clip(share, 0, 1)[:, None])[:, 0]
         most = np.linalg.norm(points - marks.point[here], axis=1)
-        order = np.argsort(-most)
+        tolerance = marks.tolerance[here]
+        shares = np.divide(most, tolerance, out=np.zeros(len(here)), where=tolerance > 0)
+        order = np.argsort(-np.maximum(shares, most))
         for k in range(0, len(order), _BATCH):
             some = order[k : k + _BATCH]
-            some = some[most[some] > max(self.largest_mm, ON_PATH_MM)]
+            more = (most[some] > self.largest_mm) | (shares[some] > self.missed)
+            some = some[more & (most[some] > ON_PATH_MM)]
             if not len(some):
-                return
+                continue
             found = np.minimum(most[some], self._nearest(here[some]))
             self.largest_mm = max(self.largest_mm, float(found.max()))
+            here_missed = (shares[some] * found / most[some]).max()
+            self.missed = max(self.missed, float(here_missed))
 
     def _nearest(self, marks):
         """Return how far marks are from the segs about them."""
@@ -106,9 +119,10 @@ class _Marks:
         self.point = moves.point(block, share)
         smoothed = blocks["path_mode"] == _PATH_MODES.CONTINUOUS
         tolerance = np.where(smoothed, blocks["tolerance_mm"], 0.0)[block]
+        self.tolerance = np.minimum(tolerance, np.append(tolerance[1:], tolerance[-1:]))
         way = np.diff(self.s, prepend=0.0)
-        self.low = self.s - np.maximum(tolerance, 0.5 * way)
-        self.high = self.s + np.maximum(tolerance, 0.5 * np.append(way[1:], 0.0))
+        self.low = self.s - np.maximum(self.tolerance, 0.5 * way)
+        self.high = self.s + np.maximum(self.tolerance, 0.5 * np.append(way[1:], 0.0))
         self.judged = np.maximum.accumulate(self.high)
         self.needed = np.minimum.accumulate(self.low[::-1])[::-1]
 

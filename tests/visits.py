@@ -7,14 +7,18 @@ for on the run: where the run's coordinate of the program says, or half the way 
 point before and behind it, so that the order of the points is kept.
 
 Between ticks the run is the cubic through the four setpoints about it. What that may miss is a
-part of the third difference of those setpoints; it is granted on top of the tolerance.
+part of the third difference of those setpoints; it is granted on top of the tolerance. That is
+little where the jerk is limited, and enough where a whole bend lies between two ticks.
 """
 
 import numpy as np
 
 ARC_STEP = np.pi / 12  # from one point of an arc to the next, at most
 PARTS = 16  # of a period, when the nearest place in it is looked for
-MISSED = 1 / 24  # of the third difference: how far the cubic may be off
+# Of the third difference: how far the cubic may be off. A corner at the share q of a period, turned
+# off by w, is q (1 − q) |w| T off its chord; the larger of the third differences about it is
+# max(q, 1 − q) |w| T.
+MISSED = 1 / 2
 CUBIC = np.array([  # of four setpoints, by 1, u, u², u³: u is the share of the middle period
     [0, 1, 0, 0], [-1 / 3, -1 / 2, 1, -1 / 6], [1 / 2, -1, 1 / 2, 0], [-1 / 6, 1 / 2, -1 / 2, 1 / 6],
 ])  # fmt: skip

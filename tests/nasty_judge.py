@@ -1,0 +1,119 @@
+# SPDX-License-Identifier: MIT
+"""Judges one nasty case: is it read as it is meant, is its plan a plan, does its run keep every
+promise, come to an end, and take no longer than with a stop at every move."""
+
+import math
+
+import checker
+import numpy as np
+from nasty_programs import DWELL
+
+from pycnc import kernel, path_error
+from pycnc.errors import NckError
+from pycnc.machine import Machine
+from pycnc.program import Program
+
+SLOWER = 1.05  # than with exact stops
+SLOWER_PERIODS = 4  # and so many periods: of a stop and of the filter
+TURN_SHARE = 1e-6  # of sweep and centre of an arc, as printed
+RUN_SHARE = 30  # a run takes so many times its plan at most, whatever the operator does
+RUN_PERIODS = 5000
+COMPARED = ("line", "kind", "path_mode", "target_nm")
+
+
+def find(case):
+    """Return what is wrong with a case, in one line, or None."""
+    try:
+        _judge(case)
+    except checker.PhysicsError as error:
+        return str(error)
+    except NckError as error:
+        return f"{type(error).__name__}: {error}"
+    return None
+
+
+def _hold(good, words):
+    if not good:
+        raise checker.PhysicsError(words)
+
+
+def _judge(case):
+    machine = Machine.from_text(case.machine, "nasty")
+    text, blocks = case.written()
+    program = Program(text.encode(), machine, file="nasty.ngc").check()
+    _same(program.blocks, blocks)
+    plan = _plan(program)
+    _run(case, program, blocks, plan)
+    stopping = Program(case.exact_stops().written()[0].encode(), machine).check()
+    stops = _plan(stopping)
+    most = SLOWER * stops["ticks"] + SLOWER_PERIODS
+    _hold(plan["ticks"] <= most,
+          f"slower than with exact stops: {plan['ticks']} ticks, {stops['ticks']}")  # fmt: skip
+
+
+def _same(read, meant):
+    """The kernel reads what was written."""
+    _hold(len(read) == len(meant), f"read as {len(read)} blocks, not {len(meant)}")
+    moves = meant["kind"] <= 2
+    for name in COMPARED:
+        _hold((read[name] == meant[name]).all(), f"{name} is read as something else")
+    for name in ("feed", "feed_mode", "spindle_rpm"):
+        _hold((read[name] == meant[name])[moves].all(), f"{name} is read as something else")
+    for name in ("tolerance_mm", "merge_mm"):
+        near = np.isclose(read[name], meant[name], rtol=1e-12, atol=0)
+        _hold(near[moves].all(), f"{name} is read as something else")
+    near = np.isclose(read["sweep_rad"], meant["sweep_rad"], rtol=TURN_SHARE, atol=1e-12)
+    _hold(near.all(), "an arc is read as something else")
+    dwells = meant["kind"] == DWELL
+    _hold((read["dwell_s"] == meant["dwell_s"])[dwells].all(), "a dwell is read as something else")
+
+
+def _plan(program):
+    """Return the totals of a plan that is finite and near enough to the program."""
+    planner = kernel.Planner(program.text, program.machine)
+    error = path_error.PathError(program)
+    for segs, nodes, cells, _ in planner.pieces():
+        error.add_segs(segs)
+        moving = segs[segs["kind"] < 3]
+        _hold((moving["length"] > 0).all(), "a seg of no length")
+        for name, array in (("seg", segs), ("node", nodes), ("cell", cells)):
+            _finite(name, array)
+    error.finish_segs()
+    smoothed = np.where(program.blocks["path_mode"] == 2, program.blocks["tolerance_mm"], 0)
+    most = max(float(smoothed.max()) * (1 + checker.SHARE), checker.PATH_ERROR_MM)
+    _hold(error.largest_mm <= most, f"the path misses the program by {error.largest_mm:.6g} mm")
+    _hold(error.missed <= 1 + checker.SHARE,
+          f"the path misses a programmed point by {error.missed:.6g} P")  # fmt: skip
+    totals = planner.totals
+    _hold(math.isfinite(totals["time_s"]), "a plan without a time")
+    return totals
+
+
+def _finite(name, array):
+    for key in array.dtype.names:
+        if array.dtype[key].base.kind == "f":
+            _hold(np.isfinite(array[key]).all(), f"a {name} with {key} that is no number")
+
+
+def _answer(case, machine):
+    """Return the ticks in which a hold must have come to rest; None: the checker's own."""
+    if case.prep_steps < kernel.PREP_STEPS or machine.settings.path.slope != "jerk":
+        return math.inf
+    return None
+
+
+def _run(case, program, blocks, plan):
+    machine = program.machine
+    judge = checker.Checker(blocks, machine.record, case.commands, _answer(case, machine))
+    controller = kernel.Controller(program.text, machine, case.prep_steps, case.commands)
+    last = max((tick for tick, *_ in case.commands), default=0)
+    most = RUN_SHARE * int(plan["ticks"]) + last + RUN_PERIODS
+    for rows, _ in controller.pieces():
+        _hold(np.isfinite(rows["pose"]["axis"]).all(), "a setpoint that is no number")
+        judge.add(rows)
+        _hold(judge.ticks <= most, f"no end after {judge.ticks} ticks, {plan['ticks']} planned")
+    judge.finish()
+    if not case.commands and controller.starved_ticks == 0:
+        longer = judge.ticks - int(plan["ticks"])
+        dwells = np.count_nonzero(blocks["kind"] > 2)
+        _hold(0 <= longer <= dwells, f"{judge.ticks} ticks are run, {plan['ticks']} planned")
