@@ -36,19 +36,19 @@ class Worker:
         theirs.close()
 
     def find(self, case, answer_s=ANSWER_S):
-        """Return the finding of a case, or None."""
+        """Return the findings of a case."""
         if self._process is None:
             self._begin()
         self._pipe.send(case)
         try:
             if self._pipe.poll(answer_s):
                 return self._pipe.recv()
-            finding = f"hangs: no answer in {answer_s:g} s"
+            found = [f"hangs: no answer in {answer_s:g} s"]
         except (EOFError, ConnectionResetError):
             self._process.join()
-            finding = f"dies: exit code {self._process.exitcode}"
+            found = [f"dies: exit code {self._process.exitcode}"]
         self.close()
-        return finding
+        return found
 
     def close(self):
         """End the process."""
@@ -84,8 +84,7 @@ def shrink(case, kind, worker):
         left -= 1
         if left < 0 or time.monotonic() > until:
             return False
-        finding = worker.find(smaller, patience)
-        return finding is not None and kind_of(finding).split(":")[0] == kind.split(":")[0]
+        return kind in map(kind_of, worker.find(smaller, patience))
 
     for simpler in ({"prep_steps": 256}, {"commands": ()}, {"relative": False}):
         if is_kept(replace(case, **simpler)):
@@ -113,11 +112,10 @@ def _with_fewer(case, name, is_kept):
 
 
 def findings(slope, seed, numbers, worker):
-    """Yield (number, case, finding) of every case that has one."""
+    """Yield (number, case, finding) of everything that is found."""
     for number in numbers:
         case = nasty_seeds.case(slope, seed, number)
-        finding = worker.find(case)
-        if finding is not None:
+        for finding in worker.find(case):
             yield number, case, finding
 
 
@@ -145,7 +143,8 @@ def main(arguments=None):
         print(f"=== {options.slope} {options.seed} {number}: {finding}", flush=True)
         if kinds[kind] <= 2:
             smallest = shrink(case, kind, worker)
-            print(told(smallest, worker.find(smallest) or finding), flush=True)
+            found = [one for one in worker.find(smallest) if kind_of(one) == kind]
+            print(told(smallest, (found or [finding])[0]), flush=True)
     worker.close()
     print(f"{options.count} programs, {sum(kinds.values())} findings")
     for kind, count in sorted(kinds.items(), key=lambda item: -item[1]):

@@ -8,7 +8,8 @@ point before and behind it, so that the order of the points is kept.
 
 Between ticks the run is the cubic through the four setpoints about it. What that may miss is a
 part of the third difference of those setpoints; it is granted on top of the tolerance. That is
-little where the jerk is limited, and enough where a whole bend lies between two ticks.
+little where the jerk is limited, and enough where a whole corner lies between two ticks. Where the
+four setpoints pass more than one such point they tell nothing of either; no one is judged then.
 """
 
 import numpy as np
@@ -96,6 +97,7 @@ class Visits:
         marks, found = self._marks, None
         here = np.arange(self._next, until)
         here = here[marks.tolerance[here] > 0]
+        here = here[self._is_alone(here)]
         if len(here):
             apart, granted = self._where_told(here)
             missed = np.flatnonzero(apart > marks.tolerance[here])
@@ -131,6 +133,16 @@ class Visits:
         """Return four setpoints about each of the periods k → k + 1: (4, periods, 9)."""
         last = len(self._s) - 1
         return np.stack([self._poses[np.clip(k + n, 0, last)] for n in (-1, 0, 1, 2)])
+
+    def _is_alone(self, marks):
+        """Return which marks are the only ones that the four setpoints about them pass."""
+        s, every = self._marks.s[marks], self._marks.s
+        k = np.searchsorted(self._s, s, "right") - 1
+        last = len(self._s) - 1
+        begin, end = self._s[np.clip(k - 1, 0, last)], self._s[np.clip(k + 2, 0, last)]
+        before = np.append(-np.inf, every)[marks]
+        behind = np.append(every, np.inf)[marks + 1]
+        return (before < begin) & (behind > end)
 
     def _where_told(self, marks):
         """Return how far the run is from marks where its coordinate is theirs, and what of that
