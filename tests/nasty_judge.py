@@ -8,6 +8,8 @@ import checker
 import numpy as np
 from nasty_programs import ARC, DWELL
 
+from visits import Marks
+
 from pycnc import kernel, path_error
 from pycnc.errors import NckError
 from pycnc.machine import Machine
@@ -15,6 +17,7 @@ from pycnc.program import Program
 
 SLOWER = 1.05  # than with exact stops
 SLOWER_PERIODS = 4  # and so many periods: of a stop and of the filter
+HOLD = 5  # state of a tick
 TURN_SHARE = 1e-6  # of sweep and centre of an arc, as printed
 RUN_SHARE = 30  # a run takes so many times its plan at most, whatever the operator does
 RUN_PERIODS = 5000
@@ -110,10 +113,12 @@ def _run(case, program, blocks, plan, found):
     controller = kernel.Controller(program.text, machine, case.prep_steps, case.commands)
     last = max((tick for tick, *_ in case.commands), default=0)
     most = RUN_SHARE * int(plan["ticks"]) + last + RUN_PERIODS
+    rests = SingleBlock(case.commands, judge.path)
     try:
         for rows, _ in controller.pieces():
             _hold(np.isfinite(rows["pose"]["axis"]).all(), "a setpoint that is no number")
             judge.add(rows)
+            rests.add(rows)
             _hold(judge.ticks <= most, f"no end after {judge.ticks} ticks, {plan['ticks']} planned")
         judge.finish()
     except checker.PhysicsError as error:
@@ -121,6 +126,34 @@ def _run(case, program, blocks, plan, found):
         return
     if not case.commands and case.prep_steps == kernel.PREP_STEPS:
         longer = judge.ticks - int(plan["ticks"])
-        rests = np.count_nonzero(blocks["kind"] > ARC)
-        if not 0 <= longer <= rests:
+        stops = np.count_nonzero(blocks["kind"] > ARC)
+        if not 0 <= longer <= stops:
             found.append(f"{judge.ticks} ticks are run, {plan['ticks']} planned")
+
+
+class SingleBlock:
+    """Where a run rests that nothing but single block holds: at the end of a move, within its
+    tolerance."""
+
+    def __init__(self, commands, path):
+        names = {name for _, name, *_ in commands}
+        self._judged = "single_block" in names and names <= {"single_block", "resume"}
+        self._marks, self._before = Marks(path, arc_step=np.inf), None
+
+    def add(self, rows):
+        """Judge the rests among the next rows."""
+        pose = rows["pose"]
+        if not self._judged or not len(rows):
+            return
+        s = pose["s_program"]
+        still = np.diff(s, prepend=-1.0 if self._before is None else self._before) == 0
+        self._before = s[-1]
+        at = np.unique(s[still & (pose["state"] == HOLD)], return_index=True)
+        held = np.flatnonzero(still & (pose["state"] == HOLD))[at[1]]
+        marks = self._marks
+        for k in held:
+            near = np.flatnonzero((marks.low <= s[k]) & (s[k] <= marks.high))
+            apart = np.linalg.norm(marks.point[near] - pose["axis"][k], axis=1)
+            allowed = np.maximum(marks.tolerance[near] * (1 + checker.SHARE), checker.PATH_ERROR_MM)
+            words = f"single block rests {apart.min(initial=np.inf):.6g} mm from the end of a move"
+            _hold((apart <= allowed).any(), f"line {pose['line'][k]}: {words}")

@@ -69,10 +69,10 @@ class Path:
         self._bend(blocks)
         self.length, meant = self._lengths()
         self.begin = np.concatenate([[0.0], np.cumsum(self.length)])  # path coordinates
-        self._feed, self._most = self._speeds(blocks, limits, meant)
-        self._is_rapid = blocks["kind"] == RAPID
         is_smoothed = blocks["path_mode"] == CONTINUOUS
         self.tolerance = np.where(is_smoothed, blocks["tolerance_mm"], 0.0)
+        self._feed, self._most = self._speeds(blocks, limits, meant)
+        self._is_rapid = blocks["kind"] == RAPID
         self.is_stop = self._stops(blocks)
         self.dwell_s = np.where(blocks["kind"] == DWELL, blocks["dwell_s"], 0.0)
         self.is_dwell = blocks["kind"] == DWELL
@@ -114,6 +114,9 @@ class Path:
             feed = np.take_along_axis(by_mode, blocks["feed_mode"][None].astype(np.intp), 0)[0]
             cosine = np.abs(self.end - self.start) / self.length[:, None]
             rapid = np.where(cosine > 0, limits.rapid / cosine, np.inf).min(axis=1)
+            # Within a tolerance its direction is not the programmed one: all axes at their rapids.
+            free = np.linalg.norm(limits.rapid[limits.present])
+            rapid = np.where(self.tolerance > 0, free, rapid)
             wanted = np.where(blocks["kind"] == RAPID, rapid, feed)
             return wanted, np.where(blocks["kind"] == RAPID, rapid, limits.feed_max * scale)
 

@@ -7,9 +7,9 @@ for on the run: where the run's coordinate of the program says, or half the way 
 point before and behind it, so that the order of the points is kept.
 
 Between ticks the run is the cubic through the four setpoints about it. What that may miss is a
-part of the third difference of those setpoints; it is granted on top of the tolerance. That is
+part of the third differences of the setpoints about; it is granted on top of the tolerance. That is
 little where the jerk is limited, and enough where a whole corner lies between two ticks. Where the
-four setpoints pass more than one such point they tell nothing of either; no one is judged then.
+setpoints about pass more than one such point they tell nothing of either; none is judged then.
 """
 
 import numpy as np
@@ -45,10 +45,10 @@ class Marks:
         (marks,) source lines.
     """
 
-    def __init__(self, path):
+    def __init__(self, path, arc_step=ARC_STEP):
         moves = np.flatnonzero(path.length > 0)
         turn = np.abs(path.sweep[moves])
-        count = np.maximum(1, np.ceil(turn / ARC_STEP)).astype(np.intp)
+        count = np.maximum(1, np.ceil(turn / arc_step)).astype(np.intp)
         block = np.repeat(moves, count)
         first = np.repeat(np.cumsum(count) - count, count)
         share = (np.arange(len(block)) - first + 1) / np.repeat(count, count)
@@ -87,7 +87,7 @@ class Visits:
         """Take the next rows; return None or (tick, line, words) of the first mark missed."""
         self._s = np.concatenate([self._s, s])
         self._poses = np.concatenate([self._poses, poses])
-        return self._judge(np.searchsorted(self._marks.judged, self._s[-2:].min(), "left"))
+        return self._judge(np.searchsorted(self._marks.judged, self._s[-3:].min(), "left"))
 
     def finish(self):
         """Judge what is left at the end of a run."""
@@ -124,22 +124,22 @@ class Visits:
         """Drop rows that no mark to come needs."""
         left = self._marks.needed[self._next : self._next + 1]
         needed = left[0] if len(left) else self._s[-1]
-        keep = min(np.searchsorted(self._s, needed) - 3, len(self._s) - 4)
+        keep = min(np.searchsorted(self._s, needed) - 4, len(self._s) - 6)
         if keep > 0:
             self._s, self._poses = self._s[keep:], self._poses[keep:]
             self._first += keep
 
     def _around(self, k):
-        """Return four setpoints about each of the periods k → k + 1: (4, periods, 9)."""
+        """Return six setpoints about each of the periods k → k + 1: (6, periods, 9)."""
         last = len(self._s) - 1
-        return np.stack([self._poses[np.clip(k + n, 0, last)] for n in (-1, 0, 1, 2)])
+        return np.stack([self._poses[np.clip(k + n, 0, last)] for n in range(-2, 4)])
 
     def _is_alone(self, marks):
-        """Return which marks are the only ones that the four setpoints about them pass."""
+        """Return which marks are the only ones that the setpoints about them pass."""
         s, every = self._marks.s[marks], self._marks.s
         k = np.searchsorted(self._s, s, "right") - 1
         last = len(self._s) - 1
-        begin, end = self._s[np.clip(k - 1, 0, last)], self._s[np.clip(k + 2, 0, last)]
+        begin, end = self._s[np.clip(k - 2, 0, last)], self._s[np.clip(k + 3, 0, last)]
         before = np.append(-np.inf, every)[marks]
         behind = np.append(every, np.inf)[marks + 1]
         return (before < begin) & (behind > end)
@@ -151,10 +151,10 @@ class Visits:
         k = np.clip(np.searchsorted(self._s, s, "right") - 1, 0, len(self._s) - 2)
         way = self._s[k + 1] - self._s[k]
         u = np.clip(np.divide(s - self._s[k], way, out=np.zeros(len(k)), where=way > 0), 0, 1)
-        four = self._around(k)
+        six = self._around(k)
         weights = np.stack([u**0, u, u**2, u**3], axis=1) @ CUBIC
-        points = np.einsum("kn,nkx->kx", weights, four)
-        return np.linalg.norm(points - self._marks.point[marks], axis=1), granted(four)
+        points = np.einsum("kn,nkx->kx", weights, six[1:5])
+        return np.linalg.norm(points - self._marks.point[marks], axis=1), granted(six)
 
     def _nearest(self, mark):
         """Return the same of the place that is nearest to one mark."""
@@ -162,19 +162,19 @@ class Visits:
         high = np.searchsorted(self._s, self._marks.high[mark], "right")
         k = np.arange(max(low, 0), max(min(high, len(self._s) - 1), max(low, 0) + 1))
         u = np.linspace(0, 1, PARTS + 1)
-        four = self._around(k)
+        six = self._around(k)
         weights = np.stack([u**0, u, u**2, u**3], axis=1) @ CUBIC
-        points = np.einsum("un,nkx->kux", weights, four) - self._marks.point[mark]
+        points = np.einsum("un,nkx->kux", weights, six[1:5]) - self._marks.point[mark]
         begin, way = points[:, :-1], np.diff(points, axis=1)
         square = np.einsum("kux,kux->ku", way, way)
         ahead = -np.einsum("kux,kux->ku", begin, way)
         q = np.clip(np.divide(ahead, square, out=np.zeros_like(ahead), where=square > 0), 0, 1)
         apart = np.linalg.norm(begin + q[..., None] * way, axis=2).min(axis=1)
-        best = np.argmin(apart - granted(four))
-        return apart[best], granted(four)[best]
+        best = np.argmin(apart - granted(six))
+        return apart[best], granted(six)[best]
 
 
-def granted(four):
-    """Return how far the cubics through four setpoints each may be off the run between them."""
-    third = four[3] - 3 * four[2] + 3 * four[1] - four[0]
-    return MISSED * np.linalg.norm(third, axis=1)
+def granted(six):
+    """Return how far the cubics in the middle of six setpoints each may be off the run there."""
+    third = np.diff(six, n=3, axis=0)
+    return MISSED * np.linalg.norm(third, axis=2).max(axis=0)
