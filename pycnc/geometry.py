@@ -97,6 +97,31 @@ class Moves:
         q[arc] = self._nearest_on_helix(block[arc], points[arc])
         return np.linalg.norm(points - self.point(block, q), axis=1)
 
+    def marks(self, arc_step):
+        """Return points of the moves, in order: every move's end, and points on arcs between.
+
+        Parameters
+        ----------
+        arc_step : float
+            Angle from one point of an arc to the next, at most [rad].
+
+        Returns
+        -------
+        block : numpy.ndarray
+            (n,) indices of blocks that have a length.
+        q : numpy.ndarray
+            (n,) how far along each of them, 0 … 1.
+        s : numpy.ndarray
+            (n,) path coordinates [mm].
+        """
+        moves = np.flatnonzero(np.diff(self._begin) > 0)
+        turn = np.where(self.is_arc[moves], np.abs(self._sweep[moves]), 0)
+        count = np.maximum(1, np.ceil(turn / arc_step)).astype(np.intp)
+        block = np.repeat(moves, count)
+        done = np.arange(len(block)) - np.repeat(np.cumsum(count) - count, count) + 1
+        q = done / np.repeat(count, count)
+        return block, q, self._begin[block] + q * np.diff(self._begin)[block]
+
     def block_at(self, s):
         """Return the blocks in which path coordinates are [mm]."""
         block = np.searchsorted(self._begin, s, "right") - 1

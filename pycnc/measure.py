@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
-"""What a run did, measured from its setpoints piece by piece: peaks, path error, times.
+"""What a run did, measured from its setpoints piece by piece: peaks, times.
 
 Nothing here asks the planner: speed, acceleration and jerk are finite differences of the emitted
-positions, and the path is the decoded program's.
+positions.
 """
 
 import numpy as np
@@ -67,24 +67,6 @@ class Peaks:
             "j": float(per_second[2, -1] / path["j_max"]),
         }
         return peaks
-
-
-class PathError:
-    """Largest distance of a sampled pose from the programmed path."""
-
-    def __init__(self, moves):
-        self._moves = moves
-        self.largest_mm = 0.0
-
-    def add(self, rows):
-        """Measure the next rows of a run (dtype ``sim_row_t``)."""
-        pose = rows["pose"]
-        begun = pose["line"] > 0
-        if not begun.any():
-            return
-        block = self._moves.block_at(pose["s_program"][begun])
-        apart = self._moves.nearest(block, pose["axis"][begun])
-        self.largest_mm = max(self.largest_mm, float(apart.max()))
 
 
 class Ticks:

@@ -82,16 +82,21 @@ class Plan:
         Machining time by the exact envelope [s].
     segs, nodes, cells : numpy.ndarray
         Of dtypes ``nck_seg_t``, ``nck_node_t``, ``nck_cell_t``; empty if they were not kept.
+
+    `look` is called with the segs as they come, kept or not.
     """
 
-    def __init__(self, program, *, plan="exact", backend="auto", keep=True, progress=None):
+    def __init__(self, program, *, plan="exact", backend="auto", keep=True, progress=None,
+                 look=None):  # fmt: skip
         check_backend(backend, plan)
         self.program, self.kind, self.grades = program.check(), plan, None
         begun = time.perf_counter()
         if plan == "grades":
             totals, exact = self._by_grades(backend, keep, progress)
+            if look:
+                look(self.segs)
         else:
-            totals, exact = self._exactly(keep, progress)
+            totals, exact = self._exactly(keep, progress, look)
         self.totals = measure.plan_times(totals, program.machine)
         self.time_s, self.exact_time_s = self.totals["time_s"], float(exact["time_s"])
         self.plan_s = time.perf_counter() - begun
@@ -106,7 +111,7 @@ class Plan:
         totals["blocks"] = exact["blocks"]
         return totals, exact
 
-    def _exactly(self, keep, progress):
+    def _exactly(self, keep, progress, look):
         program = self.program
         planner = kernel.Planner(program.text, program.machine)
         kept = {"nck_seg_t": [], "nck_node_t": [], "nck_cell_t": []}
@@ -114,6 +119,8 @@ class Plan:
             if keep:
                 for arrays, piece in zip(kept.values(), pieces, strict=True):
                     arrays.append(piece.copy())
+            if look:
+                look(pieces[0])
             if progress:
                 progress(used, len(program.text))
         self.segs, self.nodes, self.cells = (join(*record) for record in kept.items())

@@ -15,6 +15,7 @@ import numpy as np
 from pycnc import errors, grades, kernel, measure
 from pycnc.machine_file import AXES, position_key, unit_of
 from pycnc.measure import KINDS
+from pycnc.path_error import PathError
 from pycnc.planning import Plan, check_backend, for_machine
 from pycnc.records import enum
 
@@ -274,7 +275,10 @@ class Trace:
         self._layout = Columns(program.machine)
         sink = writer(output, self._layout, self.metadata()) if output else None
         try:
-            self.plan = Plan(program, plan=plan, backend=backend, keep=False)
+            self._path_error = PathError(program)
+            look = self._path_error.add_segs
+            self.plan = Plan(program, plan=plan, backend=backend, keep=False, look=look)
+            self._path_error.finish_segs()
             self._run(prep_steps, commands, keep, sink, progress)
         except BaseException:
             if sink:
@@ -288,7 +292,6 @@ class Trace:
         program, machine = self.program, self.program.machine
         controller = self._controller(prep_steps, commands)
         self._peaks, self._ticks = measure.Peaks(machine), measure.Ticks(machine)
-        self._path_error = measure.PathError(program.moves)
         kept = []
         for rows, used in controller.pieces():
             for measured in (self._peaks, self._ticks, self._path_error):

@@ -8,8 +8,10 @@ acceleration and jerk is a finite difference of setpoints.
 - every axis keeps its speed and acceleration, in the double poses and in the integer joints;
 - the path coordinate goes forward, to the end, at the feed at most, within the acceleration and,
   under a jerk-limited slope, the jerk that the machine allows on the path;
-- every pose is on the programmed path where its coordinate says, or within the tolerance in force,
-  and no longer way is gone than the coordinate's;
+- every pose is on the programmed path where its coordinate says, or within the tolerance in force
+  there, and no longer way is gone than the coordinate's;
+- within a tolerance the run comes as near to every corner of the program and every part of an arc,
+  in their order;
 - under a jerk-limited slope every axis keeps its jerk wherever a tolerance is in force, and inside
   every straight block;
 - exact stops land on their end points to the nanometre, dwells last as long as they are to, or
@@ -21,6 +23,7 @@ import math
 
 import numpy as np
 from programmed_path import COUNTS, Limits, Path
+from visits import Visits
 
 SHARE = 1e-6  # how far a limit may be passed
 ROUNDING = 8 * 2.0**-52  # of a coordinate, 8 ulp at most; felt in accelerations by 1/T²
@@ -119,27 +122,29 @@ class Checker:
 
     Attributes
     ----------
+    path : Path
     v, a, j : numpy.ndarray
         Largest share of each axis' limit so far; j: where it is promised.
     path_a, path_j : float
         The same of the path.
     path_error_mm : float
     tolerance_used : float
-        Largest share of the tolerance in force that the path was left by.
+        Largest share of the tolerance in force that the path was left by, or missed by.
     ticks : int
     """
 
     def __init__(self, blocks, machine, commands=(), answer=None):
         self._limits = Limits.of(machine)
-        self._path = Path(blocks, self._limits)
+        self.path = Path(blocks, self._limits)
         self._operator = Operator(commands, self._limits, answer)
         start = self._limits.start_nm
         self._poses = np.repeat(start[None] / COUNTS, 3, axis=0)
         self._joints = np.repeat(start[self._limits.joint_axes][None], 3, axis=0)
         self._s, self._block, self._settled = np.zeros(3), np.zeros(3, np.intp), 0
+        self._visits = Visits(self.path, self._poses[0])
         self._programmed = 0.0
         self._exact = np.concatenate(
-            [[0], np.cumsum((self._path.length > 0) & (self._path.tolerance == 0))]
+            [[0], np.cumsum((self.path.length > 0) & (self.path.tolerance == 0))]
         )
         self._dwelt = np.zeros(len(blocks), np.int64)
         self._times = {}
@@ -158,13 +163,14 @@ class Checker:
         poses = np.ascontiguousarray(rows["pose"]["axis"])
         joints = rows["axes"]["joint_nm"][:, : len(self._limits.joint_axes)]
         self._clock(rows["t_s"])
-        self._hold(block < len(self._path.length), "a block that the program has not")
+        self._hold(block < len(self.path.length), "a block that the program has not")
         self._hold(np.diff(block, prepend=self._block[-1]) >= 0, "back to an earlier block")
         self._axis_limits(poses, joints, block)
         programmed = rows["pose"]["s_program"]
         self._progress(rows["pose"]["s"], poses)
         self._feed(programmed)
         self._on_path(block, programmed, poses)
+        self._visited(self._visits.add(programmed, poses))
         self._stops(block, joints)
         self._poses = np.concatenate([self._poses, poses])[-3:]
         self._joints = np.concatenate([self._joints, joints])[-3:]
@@ -176,11 +182,12 @@ class Checker:
     def finish(self):
         """Judge the end of the run: at rest, and everything done."""
         self._rest()
-        if self._operator.aborted or self._operator.ends_held or not len(self._path.length):
+        if self._operator.aborted or self._operator.ends_held or not len(self.path.length):
             return
-        end = self._path.end_nm[-1, self._limits.joint_axes]
+        end = self.path.end_nm[-1, self._limits.joint_axes]
         self._hold(np.array([(self._joints[-1] == end).all()]), f"end {end} is not reached")
-        left = self._path.begin[-1] - self._programmed
+        self._visited(self._visits.finish())
+        left = self.path.begin[-1] - self._programmed
         self._hold(np.array([abs(left) <= COORDINATE_MM]), f"{left} mm of path are left out")
         self._dwells()
 
@@ -244,7 +251,7 @@ class Checker:
         entered = np.diff(block, prepend=self._block[-1]) != 0
         age = here - np.maximum.accumulate(np.where(entered, here, -1 - self._settled))
         self._settled = int(age[-1]) + 1
-        straight = ~self._path.is_arc[block] & (self._path.length[block] > 0)
+        straight = ~self.path.is_arc[block] & (self.path.length[block] > 0)
         return smoothed | (straight & (age >= SETTLED))
 
     def _progress(self, s, poses):
@@ -274,8 +281,8 @@ class Checker:
         feed, rapid = self._operator.overrides(ticks)
         for pair in set(zip(feed.tolist(), rapid.tolist(), strict=True)):
             if pair not in self._times:
-                self._times[pair] = self._path.least_times(*pair)
-            times, begin = self._times[pair], self._path.begin
+                self._times[pair] = self.path.least_times(*pair)
+            times, begin = self._times[pair], self.path.begin
             from_s = np.append(self._programmed, s[:-1])
             at = np.interp(from_s, begin, times) + self._limits.period_s
             most = np.interp(at, times, begin) - from_s
@@ -288,8 +295,9 @@ class Checker:
 
     def _on_path(self, block, s, poses):
         """On the path where the coordinate says, or within the tolerance in force."""
-        path, tolerance = self._path, self._path.tolerance[block]
+        path, tolerance = self.path, self.path.tolerance[block]
         exact, smoothed = np.flatnonzero(tolerance == 0), np.flatnonzero(tolerance > 0)
+        tolerance[smoothed] = path.tolerance_at(s[smoothed])
         apart = np.zeros(len(block))
         apart[exact] = path.apart(block[exact], s[exact], poses[exact])
         apart[smoothed] = path.nearest(s[smoothed], poses[smoothed], tolerance[smoothed])
@@ -304,9 +312,16 @@ class Checker:
         agree[exact] = np.abs(here - s[exact]) <= COORDINATE_MM
         self._hold(agree, "pose and path coordinate are two places")
 
+    def _visited(self, missed):
+        """The run comes near to the points that the program names; missed: where it does not."""
+        self.tolerance_used = max(self.tolerance_used, self._visits.largest)
+        if missed is not None:
+            tick, line, words = missed
+            raise PhysicsError(f"tick {tick}, line {line}: a programmed point is {words}")
+
     def _stops(self, block, joints):
         """Of blocks that share a tick, one stops at most: where the last tick of them stood."""
-        path, axes = self._path, self._limits.joint_axes
+        path, axes = self.path, self._limits.joint_axes
         came_from = np.concatenate([self._block[-1:], block[:-1]])
         stood = np.concatenate([self._joints[-1:], joints[:-1]])
         count = np.concatenate([[0], np.cumsum(path.is_stop)])
@@ -319,14 +334,14 @@ class Checker:
         np.add.at(self._dwelt, block[path.is_dwell[block]], 1)
 
     def _dwells(self):
-        for block in np.flatnonzero(self._path.is_dwell):
-            t, period = self._path.dwell_s[block], self._limits.period_s
+        for block in np.flatnonzero(self.path.is_dwell):
+            t, period = self.path.dwell_s[block], self._limits.period_s
             ticks = max(1, math.ceil(t / period - 1e-6))
             good = self._dwelt[block] == ticks
             if self._operator.commands or np.isfinite(self._limits.path_j_max):
                 good = self._dwelt[block] >= ticks  # a hold, or a plan that is late
             if not good:
-                line = self._path.line[block]
+                line = self.path.line[block]
                 raise PhysicsError(f"line {line}: dwells {self._dwelt[block]} ticks, not {ticks}")
 
     def _rest(self):

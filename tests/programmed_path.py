@@ -69,10 +69,10 @@ class Path:
         self._bend(blocks)
         self.length, meant = self._lengths()
         self.begin = np.concatenate([[0.0], np.cumsum(self.length)])  # path coordinates
-        self._feed, self._most = self._speeds(blocks, limits, meant)
-        self._is_rapid = blocks["kind"] == RAPID
         is_smoothed = blocks["path_mode"] == CONTINUOUS
         self.tolerance = np.where(is_smoothed, blocks["tolerance_mm"], 0.0)
+        self._feed, self._most = self._speeds(blocks, limits, meant)
+        self._is_rapid = blocks["kind"] == RAPID
         self.is_stop = self._stops(blocks)
         self.dwell_s = np.where(blocks["kind"] == DWELL, blocks["dwell_s"], 0.0)
         self.is_dwell = blocks["kind"] == DWELL
@@ -114,6 +114,9 @@ class Path:
             feed = np.take_along_axis(by_mode, blocks["feed_mode"][None].astype(np.intp), 0)[0]
             cosine = np.abs(self.end - self.start) / self.length[:, None]
             rapid = np.where(cosine > 0, limits.rapid / cosine, np.inf).min(axis=1)
+            # Within a tolerance its direction is not the programmed one: all axes at their rapids.
+            free = np.linalg.norm(limits.rapid[limits.present])
+            rapid = np.where(self.tolerance > 0, free, rapid)
             wanted = np.where(blocks["kind"] == RAPID, rapid, feed)
             return wanted, np.where(blocks["kind"] == RAPID, rapid, limits.feed_max * scale)
 
@@ -147,6 +150,15 @@ class Path:
         points[arc, self.u[b]] = self.centre_u[b] + self.radius[b] * np.cos(phi)
         points[arc, self.v[b]] = self.centre_v[b] + self.radius[b] * np.sin(phi)
         return points
+
+    def tolerance_at(self, s, rounding=1e-7):
+        """Return the tolerances of the blocks where s is; the larger where two blocks meet."""
+        last = len(self.length) - 1
+        before, behind = (
+            np.clip(np.searchsorted(self.begin, s + away, "right") - 1, 0, last)
+            for away in (-rounding, rounding)
+        )
+        return np.maximum(self.tolerance[before], self.tolerance[behind])
 
     def along(self, block, s, points):
         """Return the shares of blocks that are done at points, unclipped.
@@ -189,7 +201,7 @@ class Path:
             found[steep] = np.minimum(found[steep], nearer)
         return found
 
-    def nearest(self, s, points, near, reach=5.0):
+    def nearest(self, s, points, near, reach=50.0):
         """Return how far points are from the path around the coordinates s [mm].
 
         Where the block of s itself is as near as `near` asks (one number a point), that is it; else
