@@ -6,7 +6,7 @@
 
 #include "nck/base/real.h"                 // nck_min nck_max
 #include "nck/prep/3_smooth/blend_math.h"  // nck_blend_…
-#include "nck/prep/3_smooth/choice.h"      // nck_choice_make
+#include "nck/prep/3_smooth/choice.h"      // nck_choice_blend
 #include "nck/prep/3_smooth/raw.h"         // nck_raw_at
 #include "nck/prep/3_smooth/spline_math.h" // nck_spline_…
 
@@ -15,7 +15,7 @@
 // ---- the pieces
 
 typedef struct shape {
-    const nck_choice_t *corner;
+    const nck_blend_t *corner;
     const double *vertex;
     double d, parking;
 } shape_t;
@@ -194,7 +194,7 @@ static void end_run_behind(nck_smooth_t *self, uint32_t first) {
     self->run.closed = 1;
 }
 
-static uint32_t insert_blend(nck_smooth_t *self, const nck_choice_t *corner,
+static uint32_t insert_blend(nck_smooth_t *self, const nck_blend_t *corner,
                              const place_t *place) {
     double vertex[NCK_AXIS_MAX];
     memcpy(vertex, nck_raw_at(self, place->first)->seg.end, sizeof vertex);
@@ -204,29 +204,13 @@ static uint32_t insert_blend(nck_smooth_t *self, const nck_choice_t *corner,
     return count;
 }
 
-// The path rests at the corner, and a run of its own begins there.
-static void stop_at(nck_smooth_t *self, const place_t *place) {
-    nck_raw_t *const b = nck_raw_at(self, place->last);
-    nck_raw_at(self, place->first)->seg.stop = 1;
-    b->s = 0.0;
-    for (uint32_t k = place->last + 1; k != place->end; k++) {
-        nck_raw_at(self, k)->s = b->seg.length;
-    }
-    end_run_behind(self, place->first);
-}
-
 uint32_t nck_blend_corner(nck_smooth_t *self, uint32_t more) {
     place_t place;
-    nck_choice_t choice;
-    if (!find_place(self, more, &place)) return 0;
+    nck_blend_t blend;
+    if (self->machine->slope == NCK_SLOPE_LINEAR || !find_place(self, more, &place)) return 0;
     const nck_raw_t *const a = nck_raw_at(self, place.first);
     const nck_raw_t *const b = nck_raw_at(self, place.last);
-    if (!a->smooth || !b->smooth) return 0;
-    const int blends = self->machine->slope != NCK_SLOPE_LINEAR && is_line(a) && is_line(b);
-    nck_choice_make(self, a, b, blends ? room_of(self, &place) : 0.0, &choice);
-    if (choice.kind == NCK_CHOICE_BLEND && is_free(self, place.first, choice.d)) {
-        return insert_blend(self, &choice, &place);
-    }
-    if (choice.kind == NCK_CHOICE_STOP && is_free(self, place.first, 0.0)) stop_at(self, &place);
-    return 0;
+    if (!is_line(a) || !is_line(b)) return 0;
+    if (!nck_choice_blend(self, a, b, room_of(self, &place), &blend)) return 0;
+    return is_free(self, place.first, blend.d) ? insert_blend(self, &blend, &place) : 0;
 }

@@ -7,6 +7,8 @@
 // at rest. Each is judged by its time over half of either block, the next corners being alike.
 #include "nck/prep/3_smooth/choice.h"
 
+#include <string.h> // memcpy
+
 #include "nck/base/path_math.h"            // nck_path_tangent
 #include "nck/base/real.h"                 // nck_min nck_max
 #include "nck/base/root_math.h"            // nck_root_cube
@@ -21,19 +23,25 @@
 #define REVERSAL 1e-6        // |in + out| up to which a corner is an exact reversal
 #define REST_PERIODS 3.0     // that a stop costs besides its ramps and the filter
 #define UNLIMITED 1e30       // jerk of the linear slope
+#define OWN 0.7              // of the spline's turn that a corner has to make for a stop to help
 enum { HALVINGS = 30 };
 
 // What a corner is like. Speeds in path mm/s.
 typedef struct corner {
-    double turn;            // |out − in|
-    double tolerance;       // [path mm]
-    double half[2];         // how much of either block is this corner's [path mm]
-    double v_max;           // of both blocks
-    double a, j;            // tangential, of the slower block
-    double bend_a, bend_j;  // of v²·(shape) and v³·(shape) of a blend: see limits_of
-    double plain_a, plain_j; // the same of the spline
-    double mix_s;           // that the slope's filter adds to a low point [s]
+    double in[NCK_AXIS_MAX];  // dp/ds of both blocks where they meet
+    double out[NCK_AXIS_MAX];
+    double turn;              // |out − in| of the unit tangents
+    double tolerance;         // [path mm]
+    double half[2];           // how much of either block is this corner's [path mm]
+    double v_max;             // of both blocks
+    double a, j;              // tangential, of the slower block
+    double mix_s;             // that the slope's filter adds to a low point [s]
 } corner_t;
+
+// What axes allow of a shape's |p″|·d·v² and |p‴|·d²·v³, by how long each of its axes' parts is.
+typedef struct shape_limit {
+    double a, j;
+} shape_limit_t;
 
 // Largest number whose product with every axis' part keeps to that axis' limit.
 static double least_of(double so_far, double limit, double part) {
@@ -41,42 +49,47 @@ static double least_of(double so_far, double limit, double part) {
     return size > 0.0 ? nck_min(so_far, limit / size) : so_far;
 }
 
-// What the axes allow along the blocks, and of the spline's |p″| and |p‴| in units of 1/d, 1/d².
-static void limits_of(const nck_machine_t *machine, const nck_choice_t *choice, corner_t *corner) {
+// What the axes allow along the blocks.
+static void limit_along(const nck_machine_t *machine, corner_t *corner) {
+    const int limits_jerk = machine->slope != NCK_SLOPE_LINEAR;
     corner->a = machine->path.a_max;
-    corner->j = machine->path.j_max;
-    corner->plain_a = corner->plain_j = UNLIMITED;
+    corner->j = limits_jerk ? machine->path.j_max : UNLIMITED;
     for (int x = 0; x < NCK_AXIS_MAX; x++) {
         const double a = machine->axis[x].a_max;
-        const double j = machine->axis[x].j_max;
-        const double in = choice->in[x];
-        const double out = choice->out[x];
-        corner->a = least_of(least_of(corner->a, a, in), a, out);
-        corner->j = least_of(least_of(corner->j, j, in), j, out);
-        corner->plain_a = least_of(corner->plain_a, ACCEL_SHARE * a, out - in);
-        corner->plain_j = least_of(corner->plain_j, JERK_SHARE * j, out - in);
+        const double j = limits_jerk ? machine->axis[x].j_max : UNLIMITED;
+        corner->a = least_of(least_of(corner->a, a, corner->in[x]), a, corner->out[x]);
+        corner->j = least_of(least_of(corner->j, j, corner->in[x]), j, corner->out[x]);
     }
-    if (machine->slope == NCK_SLOPE_LINEAR) corner->j = corner->plain_j = UNLIMITED;
 }
 
-// The same of a blend: d²p″ = hat(D − s)·u2 − hat(s)·u1 is largest where one of the hats is, and
-// d²p‴ is a sum of ±u1 and ±u2, their difference only where they overlap by more than d.
-// apart = D/d.
-static void bend_limits(const nck_machine_t *machine, const nck_choice_t *choice, double apart,
-                        corner_t *corner) {
+// The spline's p″ is the turn over d, its p‴ the turn over d².
+static shape_limit_t limit_plain(const nck_machine_t *machine, const double *turn) {
+    const int limits_jerk = machine->slope != NCK_SLOPE_LINEAR;
+    shape_limit_t limit = {UNLIMITED, UNLIMITED};
+    for (int x = 0; x < NCK_AXIS_MAX; x++) {
+        limit.a = least_of(limit.a, ACCEL_SHARE * machine->axis[x].a_max, turn[x]);
+        if (!limits_jerk) continue;
+        limit.j = least_of(limit.j, JERK_SHARE * machine->axis[x].j_max, turn[x]);
+    }
+    return limit;
+}
+
+// A blend's d·p″ = hat(D − s)·u2 − hat(s)·u1 is largest where one of the hats is; d²p‴ is a sum of
+// ±u1 and ±u2, their difference only where they overlap by more than d. apart = D/d.
+static shape_limit_t limit_blend(const nck_machine_t *machine, const corner_t *corner,
+                                 double apart) {
     const double overlap = nck_max(0.0, 1.0 - apart);
-    corner->bend_a = corner->bend_j = UNLIMITED;
+    shape_limit_t limit = {UNLIMITED, UNLIMITED};
     for (int x = 0; x < NCK_AXIS_MAX; x++) {
         const double a = ACCEL_SHARE * machine->axis[x].a_max;
         const double j = JERK_SHARE * machine->axis[x].j_max;
-        const double in = choice->in[x];
-        const double out = choice->out[x];
-        corner->bend_a = least_of(corner->bend_a, a, in - overlap * out);
-        corner->bend_a = least_of(corner->bend_a, a, out - overlap * in);
-        corner->bend_j = least_of(least_of(corner->bend_j, j, in), j, out);
-        corner->bend_j = least_of(corner->bend_j, j, in + out);
-        if (overlap > 0.0) corner->bend_j = least_of(corner->bend_j, j, in - out);
+        const double in = corner->in[x];
+        const double out = corner->out[x];
+        limit.a = least_of(least_of(limit.a, a, in - overlap * out), a, out - overlap * in);
+        limit.j = least_of(least_of(least_of(limit.j, j, in), j, out), j, in + out);
+        if (overlap > 0.0) limit.j = least_of(limit.j, j, in - out);
     }
+    return limit;
 }
 
 // Time of an S-shaped ramp over a difference of speeds.
@@ -86,8 +99,8 @@ static double ramp_time(const corner_t *corner, double dv) {
     return dv * j <= a * a ? 2.0 * nck_sqrt(dv / j) : dv / a + a / j;
 }
 
-// Least time over a length from v on.
-static double ramp_over(const corner_t *corner, double v, double length) {
+// Least time over a length from v on, and the speed at its end.
+static double ramp_over(const corner_t *corner, double v, double length, double *v_end) {
     double low = v;
     double high = corner->v_max;
     for (int n = 0; n < HALVINGS; n++) {
@@ -97,37 +110,53 @@ static double ramp_over(const corner_t *corner, double v, double length) {
     }
     const double t = ramp_time(corner, low - v);
     const double left = length - 0.5 * (v + low) * t;
+    *v_end = low;
     return left > 0.0 ? t + left / low : t;
 }
 
 // Time of a corner that is passed at v over d of either block, and of what is left of them.
 static double time_at(const corner_t *corner, double v, double d, double bend) {
-    return bend / v + ramp_over(corner, v, corner->half[0] - d)
-           + ramp_over(corner, v, corner->half[1] - d);
+    double time = bend / v;
+    double v_end = v;
+    for (int n = 0; n < 2; n++) {
+        const double left = corner->half[n] - d;
+        if (left > 0.0) time += ramp_over(corner, v, left, &v_end);
+    }
+    return time;
 }
 
-static double bend_speed(double v_max, double a, double j, double d) {
-    return nck_min(v_max, nck_min(nck_root_cube(j * d * d), nck_sqrt(a * d)));
+// Time of a stop, over d of either block at least: where a block is shorter the path goes on as
+// fast as it has become.
+static double stop_time(const corner_t *corner, double d, const nck_machine_t *machine) {
+    double time = REST_PERIODS * machine->period_s + corner->mix_s;
+    for (int n = 0; n < 2; n++) {
+        double v_end = 0.0;
+        time += ramp_over(corner, 0.0, corner->half[n], &v_end);
+        if (corner->half[n] < d) time += (d - corner->half[n]) / v_end;
+    }
+    return time;
 }
 
-// The corner as the spline makes it; 0 if it is so blunt that only its neighbours bound the spline.
-static double plain_time(const corner_t *corner) {
-    const double d = nck_spline_vertex_spacing(corner->tolerance, corner->turn);
-    if (!(d < nck_min(corner->half[0], corner->half[1]))) return 0.0;
-    const double v = bend_speed(corner->v_max, corner->plain_a, corner->plain_j, d);
-    return v > 0.0 ? time_at(corner, v, d, 2.0 * d) + corner->mix_s : 0.0;
+static double bend_speed(const corner_t *corner, const shape_limit_t *limit, double d) {
+    const double v = nck_min(nck_root_cube(limit->j * d * d), nck_sqrt(limit->a * d));
+    return nck_min(corner->v_max, v);
 }
 
-static double blend_time(const nck_machine_t *machine, const nck_choice_t *choice,
-                         corner_t *corner, double d, double parking) {
-    bend_limits(machine, choice, parking / d, corner);
-    const double v = bend_speed(corner->v_max, corner->bend_a, corner->bend_j, d);
-    return time_at(corner, v, d, 2.0 * d + parking);
+// Room 4 keeps the limits of a bend for half a filter on either side, over what may be gained in
+// that time: a bend shorter than that costs as much.
+static double plain_time(const corner_t *corner, const nck_bend_t *bend,
+                         const nck_machine_t *machine) {
+    const shape_limit_t limit = limit_plain(machine, bend->turn);
+    const double v = bend_speed(corner, &limit, bend->d);
+    const double d = bend->d + 0.125 * corner->a * corner->mix_s * corner->mix_s;
+    return time_at(corner, v, d, 2.0 * d) + corner->mix_s;
 }
 
-static double stop_time(const corner_t *corner, const nck_machine_t *machine) {
-    return ramp_over(corner, 0.0, corner->half[0]) + ramp_over(corner, 0.0, corner->half[1])
-           + REST_PERIODS * machine->period_s + corner->mix_s;
+static double blend_time(const corner_t *corner, const nck_blend_t *blend,
+                         const nck_machine_t *machine) {
+    const shape_limit_t limit = limit_blend(machine, corner, blend->parking / blend->d);
+    const double v = bend_speed(corner, &limit, blend->d);
+    return time_at(corner, v, blend->d, 2.0 * blend->d + blend->parking);
 }
 
 static double speed_of(const nck_smooth_t *self, const nck_seg_t *seg, const double *tangent) {
@@ -151,27 +180,26 @@ static double unit_distance(const double *in, const double *out, double sign) {
 }
 
 static void measure(const nck_smooth_t *self, const nck_raw_t *a, const nck_raw_t *b,
-                    nck_choice_t *choice, corner_t *corner) {
-    nck_path_tangent(&a->seg, a->seg.length, choice->in);
-    nck_path_tangent(&b->seg, 0.0, choice->out);
-    corner->turn = unit_distance(choice->in, choice->out, -1.0);
+                    corner_t *corner) {
+    const nck_machine_t *const machine = self->machine;
+    nck_path_tangent(&a->seg, a->seg.length, corner->in);
+    nck_path_tangent(&b->seg, 0.0, corner->out);
+    corner->turn = unit_distance(corner->in, corner->out, -1.0);
     corner->tolerance = TOLERANCE_SHARE * nck_min(a->tolerance, b->tolerance);
     corner->half[0] = nck_min(a->seg.length, HALF * (a->seg.length + a->cut));
     corner->half[1] = HALF * b->seg.length;
     corner->v_max =
-        nck_min(speed_of(self, &a->seg, choice->in), speed_of(self, &b->seg, choice->out));
-    corner->mix_s = 0.0;
-    if (self->machine->slope == NCK_SLOPE_JERK) {
-        corner->mix_s = (double)NCK_FILTER_TAPS * self->machine->period_s;
-    }
-    limits_of(self->machine, choice, corner);
-    bend_limits(self->machine, choice, 1.0, corner);
+        nck_min(speed_of(self, &a->seg, corner->in), speed_of(self, &b->seg, corner->out));
+    corner->mix_s = machine->slope == NCK_SLOPE_LINEAR ? 0.0 : NCK_FILTER_TAPS * machine->period_s;
+    limit_along(machine, corner);
 }
 
 // The half-width of a blend as full speed needs it, and its parking. 0: none.
-static double width_of(const corner_t *corner, double room, double *parking) {
+static double width_of(const corner_t *corner, double room, const nck_machine_t *machine,
+                       double *parking) {
     const double v = corner->v_max;
-    const double enough = nck_max(v * v / corner->bend_a, nck_sqrt(v * v * v / corner->bend_j));
+    const shape_limit_t limit = limit_blend(machine, corner, 1.0);
+    const double enough = nck_max(v * v / limit.a, nck_sqrt(v * v * v / limit.j));
     const double half = nck_min(room, nck_min(corner->half[0], corner->half[1]));
     const double d = nck_min(half, enough);
     if (!(d > 0.0)) return 0.0;
@@ -179,22 +207,33 @@ static double width_of(const corner_t *corner, double room, double *parking) {
     return *parking > LEAST ? d : 0.0;
 }
 
-void nck_choice_make(const nck_smooth_t *self, const nck_raw_t *a, const nck_raw_t *b, double room,
-                     nck_choice_t *choice) {
+// A lone corner's bend; 0 if it is so blunt that only its neighbours bound the spline.
+static int lone_bend(const corner_t *corner, nck_bend_t *bend) {
+    bend->d = nck_spline_vertex_spacing(corner->tolerance, corner->turn);
+    for (int x = 0; x < NCK_AXIS_MAX; x++) bend->turn[x] = corner->out[x] - corner->in[x];
+    return bend->d < nck_min(corner->half[0], corner->half[1]);
+}
+
+int nck_choice_blend(const nck_smooth_t *self, const nck_raw_t *a, const nck_raw_t *b, double room,
+                     nck_blend_t *blend) {
+    const nck_machine_t *const machine = self->machine;
     corner_t corner;
-    choice->kind = NCK_CHOICE_SPLINE;
-    measure(self, a, b, choice, &corner);
-    if (!(corner.turn > 0.0)) return;
-    double least = plain_time(&corner);
-    if (!(least > 0.0)) return;
-    const int is_reversal = unit_distance(choice->in, choice->out, 1.0) <= REVERSAL;
-    const double d = is_reversal ? 0.0 : width_of(&corner, room, &choice->parking);
-    const double blend =
-        d > 0.0 ? blend_time(self->machine, choice, &corner, d, choice->parking) : UNLIMITED;
-    if (blend < least) {
-        choice->kind = NCK_CHOICE_BLEND;
-        choice->d = d;
-        least = blend;
-    }
-    if (stop_time(&corner, self->machine) < least) choice->kind = NCK_CHOICE_STOP;
+    nck_bend_t bend;
+    measure(self, a, b, &corner);
+    if (!(corner.turn > 0.0) || !lone_bend(&corner, &bend)) return 0;
+    if (unit_distance(corner.in, corner.out, 1.0) <= REVERSAL) return 0;
+    blend->d = width_of(&corner, room, machine, &blend->parking);
+    if (!(blend->d > 0.0)) return 0;
+    memcpy(blend->in, corner.in, sizeof blend->in);
+    memcpy(blend->out, corner.out, sizeof blend->out);
+    const double time = blend_time(&corner, blend, machine);
+    return time < plain_time(&corner, &bend, machine) && time < stop_time(&corner, 0.0, machine);
+}
+
+int nck_choice_stop(const nck_smooth_t *self, const nck_raw_t *a, const nck_raw_t *b,
+                    const nck_bend_t *bend) {
+    corner_t corner;
+    measure(self, a, b, &corner);
+    if (corner.turn < OWN * nck_spline_norm(bend->turn)) return 0;
+    return stop_time(&corner, bend->d, self->machine) < plain_time(&corner, bend, self->machine);
 }

@@ -6,24 +6,32 @@
 
 #include "nck/prep/3_smooth/smooth.h" // nck_smooth_t nck_raw_t
 
-typedef enum nck_choice_kind {
-    NCK_CHOICE_SPLINE = 0,
-    NCK_CHOICE_BLEND, // README, section "Corners"
-    NCK_CHOICE_STOP   // at the corner itself
-} nck_choice_kind_t;
-
-// What a corner becomes, and what it is like.
-typedef struct nck_choice {
-    uint32_t kind;            // nck_choice_kind_t
-    double d, parking;        // of a blend: half-width d, length D in between [path mm]
+// The blend of a corner (README, section "Corners").
+typedef struct nck_blend {
+    double d, parking;        // half-width d, length D in between [path mm]
     double in[NCK_AXIS_MAX];  // dp/ds of both blocks where they meet
     double out[NCK_AXIS_MAX];
-} nck_choice_t;
+} nck_blend_t;
 
-// Choose for the corner where b follows a. A blend may reach `room` into either [path mm]; 0: none
-// is wanted.
+// The bend of the spline at a corner.
+typedef struct nck_bend {
+    double d;                 // spacing of the knots beside it [path mm]
+    double turn[NCK_AXIS_MAX]; // by how much the spline's tangent turns over it
+} nck_bend_t;
+
+// Choose for the corner where line b follows line a. A blend may reach `room` into either [path mm].
+// Returns 1 and the blend if it is faster than the spline and than a stop.
 // Cost: some 100 square roots at a sharp corner, constant elsewhere.
-void nck_choice_make(const nck_smooth_t *self, const nck_raw_t *a, const nck_raw_t *b, double room,
-                     nck_choice_t *choice);
+int nck_choice_blend(const nck_smooth_t *self, const nck_raw_t *a, const nck_raw_t *b, double room,
+                     nck_blend_t *blend);
+
+// |out − in| from which on a stop may be faster: a blunter bend is passed as fast as what a ramp from
+// rest reaches at its ends.
+#define NCK_CHOICE_SHARP 0.5
+
+// Returns 1 if a stop at the corner where b follows a is faster than the spline's bend.
+// Cost: as above.
+int nck_choice_stop(const nck_smooth_t *self, const nck_raw_t *a, const nck_raw_t *b,
+                    const nck_bend_t *bend);
 
 #endif

@@ -8,6 +8,7 @@
 #include "nck/base/path_math.h"            // nck_path_second
 #include "nck/base/real.h"                 // nck_min nck_max
 #include "nck/prep/3_smooth/blend.h"       // NCK_BLEND_KEEP_OFF
+#include "nck/prep/3_smooth/choice.h"      // nck_choice_stop
 #include "nck/prep/3_smooth/raw.h"         // nck_raw_…
 #include "nck/prep/3_smooth/spline_math.h" // nck_spline_…
 
@@ -203,6 +204,35 @@ static double keep_off(nck_smooth_t *self, uint32_t count, double spacing) {
     return least;
 }
 
+// The run at the front ends at rest behind the block at count, and a run of its own begins there.
+static void stop_behind(nck_smooth_t *self, uint32_t count) {
+    const double end = nck_raw_at(self, count)->s + nck_raw_at(self, count)->seg.length;
+    nck_raw_at(self, count)->seg.stop = 1;
+    for (uint32_t k = count + 1; k != self->run.end; k++) nck_raw_at(self, k)->s -= end;
+    nck_raw_at(self, nck_raw_next(self, count))->s = 0.0;
+    self->run.end = count + 1;
+    self->run.closed = 1;
+}
+
+// Stop at a corner if that is faster than what the spline makes of it: a bend as wide as its
+// spacing, or as the run's ends leave it.
+static void stop_or_bend(nck_smooth_t *self, uint32_t count) {
+    const nck_raw_t *const raw = nck_raw_at(self, count);
+    const nck_raw_t *const next = nck_raw_at(self, nck_raw_next(self, count));
+    const double s = raw->s + raw->seg.length;
+    nck_bend_t bend = {nck_min(raw->spacing, s), {0.0}};
+    double before[NCK_AXIS_MAX];
+    double here[NCK_AXIS_MAX];
+    if (self->run.closed) bend.d = nck_min(bend.d, nck_raw_known(self) - s);
+    nck_raw_point(self, s - bend.d, before);
+    nck_raw_point(self, s, here);
+    nck_raw_point(self, s + bend.d, bend.turn);
+    for (int x = 0; x < NCK_AXIS_MAX; x++) {
+        bend.turn[x] = (before[x] - 2.0 * here[x] + bend.turn[x]) / bend.d;
+    }
+    if (nck_choice_stop(self, raw, next, &bend)) stop_behind(self, count);
+}
+
 // Find the spacing that the end of a block allows, once.
 static nck_status_t know_spacing(nck_smooth_t *self, uint32_t count) {
     nck_raw_t *const raw = nck_raw_at(self, count);
@@ -234,6 +264,8 @@ static nck_status_t know_spacing(nck_smooth_t *self, uint32_t count) {
         spacing = nck_min(spacing, next->seg.length / NCK_BLEND_KEEP_OFF);
     }
     raw->spacing = self->mixed ? keep_off(self, count, spacing) : spacing;
+    const int is_sharp = alone < nck_spline_vertex_spacing(aim, NCK_CHOICE_SHARP);
+    if (is_sharp && !raw->partial) stop_or_bend(self, count);
     return NCK_OK;
 }
 
@@ -280,6 +312,7 @@ static nck_status_t look_ahead(nck_smooth_t *self, way_t *way) {
         if (!(end > here)) continue;
         const nck_status_t status = know_spacing(self, count);
         if (status != NCK_OK) return status;
+        if (raw->seg.stop) return look_at_end(self, end, way);
         if (raw->key) {
             way->goal = end;
             way->half = raw->spacing;

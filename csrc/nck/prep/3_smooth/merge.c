@@ -14,7 +14,8 @@
 static int is_alike(const nck_smooth_t *self, const nck_raw_t *raw, const nck_block_t *block,
                     const nck_seg_t *seg) {
     const int is_line = block->kind == NCK_BLOCK_LINE && raw->seg.kind == NCK_SEG_LINE;
-    const int unused = !self->run.open || self->run.t[4] <= raw->s;
+    const int in_run = self->run.open && self->run.end == self->raw.head;
+    const int unused = !in_run || self->run.t[4] <= raw->s;
     return is_line && raw->smooth && !raw->seg.rapid && unused
            && self->merge.count < NCK_SMOOTH_MERGE
            && self->merge.tolerance == block->tolerance_mm && raw->seg.feed == seg->feed
