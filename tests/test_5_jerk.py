@@ -157,6 +157,44 @@ def test_a_single_block_stops_at_the_end_of_every_block():
         assert trace["pos_y_mm"][tick] == pytest.approx(y, abs=1e-9)
 
 
+BLOCKS = "G21 G17 G90 G61 G94\nG1 X60 F3000\nG1 Y20\nM2\n"
+SINGLE = (0, "single_block", 1)  # at tick 500 the plan rests at X60 already
+
+
+@pytest.mark.parametrize("command", ["hold", "abort"])
+def test_a_hold_and_an_abort_behind_single_block_rest_as_soon_as_without_it(command):
+    alone, behind = (traced([*first, (500, command)], BLOCKS) for first in ((), (SINGLE,)))
+    braked = np.flatnonzero(np.diff(behind["s_mm"][499:]) < 0.05 * (1 - 1e-9))[0]
+    assert braked <= 10
+    assert behind["s_mm"][-1] == pytest.approx(alone["s_mm"][-1], abs=0.05)
+    assert behind["s_mm"][-1] < 30
+
+
+def test_a_resume_behind_single_block_goes_on_to_the_end_of_the_block():
+    program = Program(BLOCKS.encode(), Machine.load("mill3", set=["path.slope=jerk"]))
+    held = [SINGLE, (500, "hold"), (900, "resume")]
+    judged.run(program, commands=held)
+    assert traced(held, BLOCKS)["s_mm"][-1] == 60
+    assert traced([*held, (3000, "resume")], BLOCKS)["s_mm"][-1] == 80
+
+
+@pytest.mark.parametrize("percent", [20, 50, 99, 120, 200])
+def test_an_override_behind_single_block_is_met_and_the_end_of_the_block_kept(percent):
+    program = Program(BLOCKS.encode(), Machine.load("mill3", set=["path.slope=jerk"]))
+    commands = [SINGLE, (500, "override", percent, 100)]
+    judged.run(program, commands=commands)
+    trace = traced(commands, BLOCKS)
+    assert trace["vel_mm_s"][750] == pytest.approx(0.5 * percent, rel=1e-3)
+    assert trace["s_mm"][-1] == 60
+
+
+@pytest.mark.parametrize("tick", [500, 1180, 1240])
+def test_single_block_switched_off_on_the_way_goes_on_without_a_resume(tick):
+    trace = traced([SINGLE, (tick, "single_block", 0)], BLOCKS)
+    assert trace["s_mm"][tick] < 60
+    assert trace["s_mm"][-1] == 80
+
+
 def test_an_abort_rests_and_drops_the_rest():
     trace = traced([(300, "abort"), (900, "resume")])
     assert 0 < trace["pos_x_mm"][-1] < 50

@@ -26,6 +26,13 @@ enum { COMMIT_MOST = 3, COMMIT_LEAST = 10, KEEP_OFF = 4 };
 #define LEAD_PERIODS 5.0
 // Room for rounding below every jerk limit.
 #define JERK_MARGIN 1e-5
+// A hold begins to brake so many periods behind them.
+#define HOLD_PERIODS 2.0
+// A plan that answers the operator is put off while so many periods are still final: the tick must
+// not run into the tail, where nobody is heard.
+#define LEAD_LEAST 2.0
+// It gets so many times the cells that have passed in vain.
+#define PATIENCE 4
 // A hold that cannot be met gets so much more length.
 #define REACH_GROWTH 1.05
 
@@ -84,7 +91,8 @@ static void begin(nck_jerk_t *self, uint32_t count) {
 
 static int is_released(const nck_jerk_t *self) {
     if (self->wish.hold) return 0;
-    return self->now.held != NCK_HELD_RESUME || self->wish.resumes != self->resumes;
+    const int waits = self->now.held == NCK_HELD_RESUME || self->now.held == NCK_HELD_BLOCK;
+    return !waits || self->wish.resumes != self->resumes;
 }
 
 // From the rest at the end of the plan of now.
@@ -129,6 +137,7 @@ static void begin_moving(nck_jerk_t *self, const nck_pieces_t *pieces, uint32_t 
     self->work.far = NCK_JERK_UNKNOWN;
     self->work.source = count;
     self->work.coarse = (uint32_t)anew;
+    self->work.anew = (uint32_t)anew;
     enter(self, anew ? PHASE_LAY : PHASE_LOAD);
 }
 
@@ -157,6 +166,7 @@ static uint32_t final_limit(const nck_jerk_t *self) {
 // The plan of now stays, to its end.
 static void keep_plan(nck_jerk_t *self, uint32_t held) {
     self->now.complete = 1;
+    memset(&self->answer, 0, sizeof self->answer);
     if (held) {
         self->now.held = held;
         self->resumes = self->wish.resumes;
@@ -165,17 +175,24 @@ static void keep_plan(nck_jerk_t *self, uint32_t held) {
 }
 
 // Cells that pass until a plan begun now is made: twice as many as for the last one, because it is
-// made twice. A hold's is short.
+// made twice. A hold's is short. What was put off gets more.
 static uint32_t reserve_of(const nck_jerk_t *self) {
-    const double lead = LEAD_PERIODS * self->machine->period_s / self->step_s;
-    return (uint32_t)(self->wish.hold ? lead : nck_max(lead, 2.0 * (double)self->spent));
+    const double periods = self->wish.hold ? HOLD_PERIODS : LEAD_PERIODS;
+    const double least = periods * self->machine->period_s / self->q_cap;
+    const double spent = self->wish.hold ? 0.0 : 2.0 * (double)self->spent;
+    return (uint32_t)nck_max(nck_max(least, spent), (double)self->answer.reserve);
+}
+
+// Cells that the tick has taken since the plan in work was begun.
+static uint32_t passed_meanwhile(const nck_jerk_t *self) {
+    return (nck_link_taken(self->link) - self->taken) & NCK_LINK_COUNT_MASK;
 }
 
 // Other wishes: plan anew from a few cells behind the final ones, unless the path rests by then.
-static void replan(nck_jerk_t *self, const nck_pieces_t *pieces, int slower) {
+static void replan(nck_jerk_t *self, const nck_pieces_t *pieces) {
     uint32_t first = final_count(self) + reserve_of(self);
     enter(self, PHASE_IDLE);
-    if (self->now.held) return;
+    if (self->now.held == NCK_HELD_RESUME) return; // brakes already
     const nck_cell_t *const cell =
         nck_link_tail_cell(self->link, (self->now.begin + first) & NCK_LINK_COUNT_MASK);
     if (cell && !(cell->v > 0.0)) first++; // a corner passed at no speed is no state to brake from
@@ -190,10 +207,25 @@ static void replan(nck_jerk_t *self, const nck_pieces_t *pieces, int slower) {
     const uint32_t held = self->wish.hold ? (uint32_t)NCK_HELD_RESUME
                           : nck_window_cap(self, piece) > 0.0 ? (uint32_t)NCK_HELD_NOT
                                                               : (uint32_t)NCK_HELD_OVERRIDE;
-    if (slower) self->work.coarse = 1; // the ladder of now is for higher speeds
+    self->answer.pending = 1;
+    if (self->answer.slower) self->work.coarse = 1; // the ladder of now is for higher speeds
     if (!held) return;
     self->next.held = held;
     enter(self, PHASE_REACH);
+}
+
+// The answer to the operator is not made in time: the plan of now goes on, and another answer is
+// made from further on. Only answers may wait for time; other plans depend on counts alone.
+static void put_off(nck_jerk_t *self, const nck_pieces_t *pieces) {
+    self->answer.reserve = PATIENCE * (1 + passed_meanwhile(self));
+    replan(self, pieces);
+    if (self->work.phase == PHASE_IDLE) keep_plan(self, NCK_HELD_NOT);
+}
+
+static int is_late(nck_jerk_t *self) {
+    const double least = LEAD_LEAST * self->machine->period_s;
+    const int makes = self->work.phase != PHASE_IDLE && self->work.phase != PHASE_INSTALL;
+    return self->answer.pending && makes && nck_link_lead(self->link) < least;
 }
 
 // The tick has run into the tail: the path comes to rest where the plan of now does.
@@ -207,7 +239,15 @@ static void fall_into_tail(nck_jerk_t *self) {
     keep_plan(self, NCK_HELD_NOT);
 }
 
-// The plan does not join. A hold gets more length, a stop at a block's end waits for a later block.
+// Whether the plan of now runs past the place where the next one rests.
+static int runs_past(const nck_jerk_t *self, const nck_pieces_t *pieces) {
+    const nck_node_t *const behind = nck_window_piece(pieces, self->next.end_piece);
+    const int32_t further = (int32_t)(self->now.end_piece - self->next.end_piece);
+    return further > 0 || (further == 0 && behind && self->now.end_s > behind->s);
+}
+
+// The plan does not join. A hold gets more length. A stop at a block's end waits for a later block
+// if the plan of now is on its way past that end; if it rests there or before, it is as good.
 // Else the ladder of now is taken over as it is: where short pieces share cells in another way,
 // caps may differ. If that does not help either, the plan of now goes on and the next one begins
 // later.
@@ -223,7 +263,8 @@ static void give_way(nck_jerk_t *self, const nck_pieces_t *pieces) {
         begin_hold(self, REACH_GROWTH * reach);
         return;
     }
-    if (self->wish.single_block && self->next.complete && passed < NCK_JERK_PIECES) {
+    const int passes = self->next.complete && runs_past(self, pieces);
+    if (self->wish.single_block && passes && passed < NCK_JERK_PIECES) {
         begin_moving(self, pieces, first);
         self->work.passed = passed;
         return;
@@ -308,6 +349,7 @@ static void finish_draw(nck_jerk_t *self) {
         const double fits = self->work.time / nck_max(1.0, spare);
         if (self->work.reach > 0.0) self->work.step = nck_max(self->step_s, fits);
         self->work.coarse = 0;
+        self->work.anew = 0;
         self->work.from_built = 1;
         self->work.n = 0;
         self->work.length = 0.0;
@@ -316,7 +358,8 @@ static void finish_draw(nck_jerk_t *self) {
         return;
     }
     self->next.commit = commit_of(&self->next);
-    self->spent = (nck_link_taken(self->link) - self->taken) & NCK_LINK_COUNT_MASK;
+    const int counts = self->profile.v > 0.0 && !(self->work.reach > 0.0);
+    if (counts) self->spent = passed_meanwhile(self);
     enter(self, PHASE_INSTALL);
 }
 
@@ -326,10 +369,13 @@ static nck_status_t install(nck_jerk_t *self) {
     if (nck_link_end(self->link, &entered) != self->next.begin) return NCK_FULL;
     const nck_status_t status = nck_link_install(self->link, self->lead_s, most);
     if (status != NCK_OK) return status == NCK_FULL ? NCK_FULL : NCK_OK;
+    const int same_block = self->now.held == NCK_HELD_BLOCK && self->next.held == NCK_HELD_BLOCK;
+    const int on_the_way = same_block && self->now.end_piece == self->next.end_piece;
+    if (!on_the_way) self->resumes = self->wish.resumes;
     self->now = self->next;
     self->now.first_piece = self->next.piece;
     self->in_tail = 0;
-    self->resumes = self->wish.resumes;
+    memset(&self->answer, 0, sizeof self->answer);
     enter(self, PHASE_IDLE);
     return NCK_OK;
 }
@@ -383,6 +429,14 @@ static int is_other(const nck_wish_t *a, const nck_wish_t *b) {
            || a->single_block != b->single_block;
 }
 
+// Single block switched off on the way to a block's end is a resume in advance, in case it is too
+// late to pass that end. At rest there it takes a resume.
+static void hear_single_block(nck_jerk_t *self) {
+    const int moves = final_count(self) < self->now.n;
+    if (self->now.held != NCK_HELD_BLOCK || !moves) return;
+    self->resumes = self->wish.resumes - (self->wish.single_block ? 0u : 1u);
+}
+
 // The oldest piece in use moves on with the final cells.
 static void follow(nck_jerk_t *self, const nck_pieces_t *pieces) {
     int entered = 0;
@@ -399,10 +453,19 @@ nck_status_t nck_jerk_step(nck_jerk_t *self, const nck_pieces_t *pieces, const n
     if (entered && !self->in_tail) fall_into_tail(self);
     const int other = is_other(&self->wish, wish);
     const int slower = wish->feed < self->wish.feed || wish->rapid < self->wish.rapid;
+    const int switched = wish->single_block != self->wish.single_block;
     self->wish = *wish;
-    if (other) replan(self, pieces, slower);
+    if (switched) hear_single_block(self);
+    if (other) {
+        self->answer.slower |= (uint32_t)slower;
+        replan(self, pieces);
+    }
     const uint32_t done = final_count(self);
     const uint32_t limit = final_limit(self);
+    if (done == limit && is_late(self)) {
+        put_off(self, pieces);
+        return NCK_OK;
+    }
     if (done < limit && nck_link_advance(self->link, self->lead_s, limit - done) == NCK_OK) {
         follow(self, pieces);
         return NCK_OK;

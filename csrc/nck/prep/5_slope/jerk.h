@@ -37,7 +37,8 @@ typedef struct nck_wish {
 typedef enum nck_held {
     NCK_HELD_NOT = 0,
     NCK_HELD_RESUME = 1,  // until the operator wants to go on
-    NCK_HELD_OVERRIDE = 2 // until the override is no longer zero
+    NCK_HELD_OVERRIDE = 2, // until the override is no longer zero
+    NCK_HELD_BLOCK = 3    // at a block's end, until the operator wants to go on
 } nck_held_t;
 
 // A place on the path, and a plan from there on.
@@ -90,8 +91,17 @@ typedef struct nck_jerk {
         uint32_t passed;   // block ends that came too early to rest at
         uint32_t over;     // 1: limits for overrides beyond 100 %
         double w_cell;     // cap of the cell before
+        uint32_t anew;     // 1: the whole ladder is laid anew, over the path of the plan of now
+        uint32_t planned_cell; // brake: cell of that plan …
+        double planned_at; // … so much path behind the ladder's begin [mm]
+        double braked;     // path that the brake has gone through [mm]
         nck_wish_t wish;   // that the plan is made for
     } work;
+    struct {
+        uint32_t pending;  // 1: the plan in work answers the operator
+        uint32_t slower;   // 1: an override has come down
+        uint32_t reserve;  // cells that are to pass until it takes over, at least
+    } answer;
     uint32_t resumes;      // as counted when the plan of now was installed
     uint32_t over;         // 1: an override beyond 100 % has been in force since the last rest
     uint32_t taken;        // cells that the tick had taken when the plan in work was begun

@@ -86,7 +86,7 @@ static double v_beside(const nck_node_t *zone, const nck_node_t *middle, double 
 }
 
 // Pieces of the run that begins with this one; 0: what follows in its seg is not known yet. The
-// middle of a seg is longer than its zones.
+// middle of a seg is longer than its zones; of two parts of a length the second is taken for it.
 static uint32_t run_pieces(const nck_pieces_t *pieces, uint32_t number) {
     const nck_node_t *const first = nck_window_piece(pieces, number);
     if (first->last) return 1;
@@ -100,6 +100,14 @@ static uint32_t run_pieces(const nck_pieces_t *pieces, uint32_t number) {
     return third->length <= second->length && joins(third, second) ? NCK_SSHAPE_RUN : 2;
 }
 
+// The middle of a run, the one that run_pieces has joined the others to.
+static const nck_node_t *middle_of(const nck_pieces_t *pieces, uint32_t number, uint32_t count) {
+    const nck_node_t *const first = nck_window_piece(pieces, number);
+    if (count == 1) return first;
+    const nck_node_t *const second = nck_window_piece(pieces, number + 1);
+    return first->length > second->length ? first : second;
+}
+
 static run_t run_of(nck_sshape_t *self, const nck_pieces_t *pieces,
                     const nck_sshape_place_t *place) {
     run_t run;
@@ -108,12 +116,10 @@ static run_t run_of(nck_sshape_t *self, const nck_pieces_t *pieces,
     run.first = nck_window_piece(pieces, place->piece);
     run.end = nck_window_piece(pieces, place->piece + run.count - 1);
     run.s = place->fresh ? run.first->s : place->s;
-    const nck_node_t *middle = run.first;
+    const nck_node_t *const middle = middle_of(pieces, place->piece, run.count);
     double j = middle->j;
-    for (uint32_t i = 1; i < run.count; i++) {
-        const nck_node_t *const node = nck_window_piece(pieces, place->piece + i);
-        if (node->length > middle->length) middle = node;
-        j = nck_min(j, node->j);
+    for (uint32_t i = 0; i < run.count; i++) {
+        j = nck_min(j, nck_window_piece(pieces, place->piece + i)->j);
     }
     run.piece.length = run.end->s + run.end->length - run.s;
     run.piece.v_cap = nck_sqrt(middle->vv_piece);

@@ -204,7 +204,7 @@ static nck_status_t end_piece(nck_jerk_t *self, const nck_pieces_t *pieces,
     }
     close_pending(self, pieces);
     self->next.complete = 1;
-    if (self->work.wish.single_block) self->next.held = NCK_HELD_RESUME;
+    if (self->work.wish.single_block) self->next.held = NCK_HELD_BLOCK;
     return NCK_DONE;
 }
 
@@ -387,6 +387,20 @@ static double land_cell(nck_profile_t *state, double h, double j, double w_cap, 
     return nck_max(0.0, v * v + 2.0 * least * h);
 }
 
+// v² of the plan of now at the ladder's next node, both counted from where the ladder begins. On a
+// ladder taken over it came along. Returns −1 while the cell of the plan is still looked for.
+static double planned(nck_jerk_t *self) {
+    const uint32_t i = self->work.i;
+    if (i + 1 < self->work.loaded) return self->w[i + 1];
+    const nck_cell_t *const cell = source(self, self->work.planned_cell);
+    if (!cell) return 0.0;
+    const double x = self->work.braked + self->h[i] - self->work.planned_at;
+    if (x <= cell->length) return nck_max(0.0, cell->v * cell->v + 2.0 * cell->a * x);
+    self->work.planned_at += cell->length;
+    self->work.planned_cell++;
+    return -1.0;
+}
+
 nck_status_t nck_window_brake(nck_jerk_t *self) {
     nck_profile_t *const state = &self->profile;
     const double q_cap = nck_window_q_cap(self);
@@ -398,13 +412,17 @@ nck_status_t nck_window_brake(nck_jerk_t *self) {
     }
     for (int n = 0; n < NCK_JERK_STEP; n++) {
         const uint32_t i = self->work.i;
-        if (i + 1 >= self->work.loaded || !(state->v_last > 0.0)) return NCK_DONE;
+        const uint32_t known = self->work.anew ? self->work.n : self->work.loaded;
+        if (i + 1 >= known || !(state->v_last > 0.0)) return NCK_DONE;
+        const double vv_planned = planned(self);
+        if (vv_planned < 0.0) continue;
         const double a_max = self->a_max[i];
         const double vv = brake_cell(state, self->h[i], a_max, self->j_max[i], q_cap);
         const double landed = land_cell(state, self->h[i], self->j_max[i], self->w_cap[i + 1], vv);
-        const double floor = nck_min(landed, self->w[i + 1]);
+        const double floor = nck_min(landed, vv_planned);
         self->w_cap[i + 1] = nck_max(self->w_cap[i + 1], floor);
         state->v_last = nck_sqrt(landed);
+        self->work.braked += self->h[i];
         self->work.i++;
     }
     return NCK_OK;
