@@ -301,7 +301,7 @@ class Trace:
                     kept.append(columns)
             if progress:
                 progress(used, len(program.text))
-        self._starved_ticks = controller.starved_ticks
+        self._starved_ticks, self._end = controller.starved_ticks, controller.end
         self.worst_lines = self._ticks.worst_lines()
         self.columns = {
             name: np.concatenate([columns[name] for columns in kept])
@@ -328,6 +328,7 @@ class Trace:
             "peaks": self._peaks.result(),
             "path_error_mm": self._path_error.largest_mm,
             "starved_ticks": int(self._starved_ticks),
+            "end": self._end,
             "limit_time_s": self._ticks.limit_time_s(),
             "diagnostics": diagnostics,
         }
@@ -394,8 +395,9 @@ class Trace:
         return figure
 
     def __repr__(self):
-        time_s, ticks = self.summary["time_s"], self.summary["ticks"]
-        return f"<Trace of {self.program.file}: {time_s:.3f} s, {ticks:,} ticks>"
+        time_s, ticks, end = (self.summary[name] for name in ("time_s", "ticks", "end"))
+        early = "" if end == "done" else f", ended by {end}"
+        return f"<Trace of {self.program.file}: {time_s:.3f} s, {ticks:,} ticks{early}>"
 
 
 def run(program, machine=None, *, slope=None, prep_steps=kernel.PREP_STEPS, commands=(),
@@ -416,7 +418,8 @@ def run(program, machine=None, *, slope=None, prep_steps=kernel.PREP_STEPS, comm
         What the operator does: (tick, name, numbers…), behind the setpoint of that tick, 0 being
         before the first. Names: "hold", "resume", "override" (feed 0 … 200 %, and rapids
         0 … 100 %, which are 100 unless told), "single_block" (1 or 0), "abort". The run ends at
-        rest in a hold that no command ends.
+        rest where no command is left to go on; ``summary["end"]`` says how: "done", "hold",
+        "single_block", "override" (of 0) or "aborted".
     backend : {"auto", "c", "opencl"}
         Where it is computed; OpenCL plans by grades only.
     plan : {"exact", "grades"}
@@ -436,6 +439,8 @@ def run(program, machine=None, *, slope=None, prep_steps=kernel.PREP_STEPS, comm
         If there is no such slope, command, backend or kind of planning.
     StateError
         If the slope does not know a command: the linear one takes hold, resume and abort.
+    InternalError
+        If the run stands still although nobody holds it: a defect.
 
     Examples
     --------
