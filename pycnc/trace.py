@@ -13,6 +13,7 @@ from pathlib import Path
 import numpy as np
 
 from pycnc import errors, grades, kernel, measure
+from pycnc.extras import need
 from pycnc.machine_file import AXES, position_key, unit_of
 from pycnc.measure import KINDS
 from pycnc.planning import Plan, check_backend, for_machine
@@ -177,7 +178,7 @@ class _Parquet:
     """Row groups by pyarrow; units in the fields' metadata, the rest in the schema's."""
 
     def __init__(self, path, columns, metadata):
-        self._arrow, self._parquet = _pyarrow()
+        self._arrow, self._parquet = need("pyarrow"), need("pyarrow.parquet")
         self._columns, self._metadata, self._part = columns, metadata, _Part(path)
         self._writer = None
 
@@ -210,17 +211,6 @@ class _Parquet:
         self._part.discard()
 
 
-def _pyarrow():
-    try:
-        import pyarrow
-        import pyarrow.parquet
-    except ImportError:
-        raise errors.ArgumentError(
-            'a parquet file needs pyarrow: pip install "pycnc-nck[trace]"', id="format"
-        ) from None
-    return pyarrow, pyarrow.parquet
-
-
 _WRITERS = {".npz": _Npz, ".csv": _Csv, ".parquet": _Parquet}
 
 
@@ -239,6 +229,8 @@ def writer(path, columns, metadata):
     ------
     ArgumentError
         If the ending is none of these.
+    AbsentError
+        If the format needs a package that is not installed.
     OSError
         If the file cannot be written.
     """
@@ -272,7 +264,7 @@ class Trace:
         begun = time.perf_counter()
         self.program = program.check()
         self._layout = Columns(program.machine)
-        sink = writer(output, self._layout, self.metadata()) if output else None
+        sink = writer(output, self._layout, self.metadata()) if output is not None else None
         try:
             self.plan = Plan(program, plan=plan, backend=backend, keep=False)
             self._run(prep_steps, commands, keep, sink, progress)
