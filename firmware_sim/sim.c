@@ -6,7 +6,8 @@
 
 enum {
     PERCENT = 100,
-    HELD_TICKS = 16 // at rest with nothing to prepare and nothing to wait for: it stays there
+    REST_TICKS = 16, // at rest with nothing to prepare and nothing to wait for: it stays there
+    STEPS_MOST = 1 << 22 // of prep, none of which moves the run on: it never will
 };
 
 static void keep_output(void *user, const nck_output_t *output) {
@@ -60,12 +61,15 @@ static void set_single_block(sim_t *sim, const sim_command_t *command) {
 static void obey(sim_t *sim, const sim_command_t *command) {
     switch (command->kind) {
     case SIM_HOLD: nck_hold(sim->nck); break;
-    case SIM_RESUME: nck_resume(sim->nck); break;
+    case SIM_RESUME:
+        nck_resume(sim->nck);
+        sim->resumed = 1;
+        break;
     case SIM_OVERRIDE: override(sim, command); break;
     case SIM_SINGLE_BLOCK: set_single_block(sim, command); break;
     default: nck_abort(sim->nck); break;
     }
-    sim->held_ticks = 0;
+    sim->rest_ticks = 0;
 }
 
 // What the operator does behind the last tick.
@@ -87,24 +91,68 @@ static void feed(sim_t *sim) {
     sim->text_used += used;
 }
 
+// Changes as long as the run gets on: text read, segs and outputs made, cells taken.
+static uint64_t progress(const sim_t *sim) {
+    const nck_link_t *const link = &sim->nck->link;
+    return sim->text_used + link->seg_head + link->output_head + link->taken + link->tail_taken;
+}
+
+static void count_step(sim_t *sim) {
+    const uint64_t now = progress(sim);
+    sim->steps = now == sim->progress ? sim->steps + 1 : 0;
+    sim->progress = now;
+    if (sim->steps >= STEPS_MOST) sim->end = SIM_END_STALLED;
+}
+
 // One step of the prep task. Returns 1 if another one has something to do.
 static int prep(sim_t *sim) {
-    if (sim->prep_status == NCK_DONE) return 0;
+    if (sim->prep_status == NCK_DONE || sim->end != SIM_END_NOT) return 0;
     sim->prep_status = sim->prep(sim->prep_user);
     if (sim->prep_status < NCK_OK) sim->error = sim->prep_status;
     if (sim->prep_status == NCK_EMPTY) feed(sim);
-    return sim->prep_status != NCK_FULL && sim->prep_status != NCK_DONE;
+    if (sim->prep_status == NCK_FULL || sim->prep_status == NCK_DONE) return 0;
+    count_step(sim);
+    return 1;
 }
 
-static int is_over(const sim_t *sim) {
-    if (sim->prep_status == NCK_DONE && nck_is_idle(sim->nck)) return 1;
-    return sim->held_ticks >= HELD_TICKS && sim->command_next == sim->command_count;
+// What keeps the path at rest while neither prep nor the tick has anything to do.
+static sim_end_t cause_of_rest(const sim_t *sim) {
+    const nck_command_t *const command = &sim->nck->command;
+    if (command->abort) return SIM_END_STALLED; // prep has to say that it is done
+    if (command->hold) return SIM_END_HOLD;
+    if (command->feed_percent == 0 || command->rapid_percent == 0) return SIM_END_OVERRIDE;
+    const int held = sim->nck->interpolate.pose.state == NCK_TICK_HOLD;
+    return held && !sim->resumed ? SIM_END_SINGLE_BLOCK : SIM_END_STALLED;
+}
+
+// How the run has ended behind a tick and the prep that follows it.
+static uint32_t find_end(const sim_t *sim) {
+    if (sim->end != SIM_END_NOT) return sim->end;
+    if (sim->prep_status == NCK_DONE && nck_is_idle(sim->nck)) {
+        return sim->nck->command.abort ? SIM_END_ABORTED : SIM_END_DONE;
+    }
+    if (sim->rest_ticks < REST_TICKS || sim->prep_status != NCK_FULL) return SIM_END_NOT;
+    const sim_end_t cause = cause_of_rest(sim);
+    const int waits = cause != SIM_END_STALLED && sim->command_next < sim->command_count;
+    return waits ? SIM_END_NOT : cause;
+}
+
+// M0, M1 and M6 end here, a hold in force does not.
+static void end_wait(nck_t *nck) {
+    const uint32_t hold = nck->command.hold;
+    nck_resume(nck);
+    if (hold) nck_hold(nck);
+}
+
+static int moves(const sim_t *sim) {
+    return sim->nck->interpolate.has_cell || nck_link_waiting(&sim->nck->link) > 0;
 }
 
 static void tick(sim_t *sim, sim_row_t *row) {
     memset(row, 0, sizeof *row);
+    if (moves(sim)) sim->resumed = 0;
     const nck_tick_state_t state = nck_tick(sim->nck, &row->pose, &row->axes);
-    if (state == NCK_TICK_WAIT) nck_resume(sim->nck);
+    if (state == NCK_TICK_WAIT) end_wait(sim->nck);
     sim->starved_ticks += state == NCK_TICK_STARVED;
     sim->ticks++;
     row->t_s = (double)sim->ticks * sim->nck->machine.period_s;
@@ -112,22 +160,24 @@ static void tick(sim_t *sim, sim_row_t *row) {
     row->queue_cells = nck_link_waiting(&sim->nck->link);
     row->feed_percent = sim->feed_percent;
     row->rapid_percent = sim->rapid_percent;
-    const int waits = state == NCK_TICK_DWELL || state == NCK_TICK_WAIT;
-    const int held = !waits && row->pose.v == 0.0 && sim->prep_status == NCK_FULL;
-    sim->held_ticks = held ? sim->held_ticks + 1 : 0;
+    const int rests = !moves(sim) && state != NCK_TICK_WAIT && sim->prep_status == NCK_FULL;
+    sim->rest_ticks = rests ? sim->rest_ticks + 1 : 0;
 }
 
 nck_status_t sim_run(sim_t *sim, sim_row_t *rows, size_t row_max, size_t *row_count_out) {
     *row_count_out = 0;
     if (sim->ticks == 0) operate(sim);
     while (!sim->prefilled) sim->prefilled = !prep(sim);
-    while (*row_count_out < row_max && !is_over(sim)) {
+    sim->end = find_end(sim);
+    while (*row_count_out < row_max && sim->end == SIM_END_NOT) {
         tick(sim, &rows[*row_count_out]);
         ++*row_count_out;
         operate(sim);
         for (uint32_t n = 0; n < sim->prep_steps && prep(sim); n++) continue;
+        sim->end = find_end(sim);
     }
-    if (!is_over(sim)) return NCK_OK;
+    if (sim->end == SIM_END_NOT) return NCK_OK;
+    if (sim->end == SIM_END_STALLED) return NCK_E_INTERNAL;
     if (sim->error < NCK_OK) return (nck_status_t)sim->error;
     return sim->command_status < NCK_OK ? (nck_status_t)sim->command_status : NCK_DONE;
 }

@@ -35,6 +35,17 @@ typedef struct sim_command {
     uint32_t reserved;     // 0
 } sim_command_t;
 
+// How a run ends.
+typedef enum sim_end {
+    SIM_END_NOT = 0,
+    SIM_END_DONE = 1,         // all is executed, or all before a program error
+    SIM_END_HOLD = 2,         // at rest in a hold that no command ends
+    SIM_END_SINGLE_BLOCK = 3, // at rest at the end of a block, and no command goes on
+    SIM_END_OVERRIDE = 4,     // at rest under an override of 0 that no command raises
+    SIM_END_ABORTED = 5,
+    SIM_END_STALLED = 6       // neither prep nor the tick goes on: a defect
+} sim_end_t;
+
 typedef struct sim {
     nck_t *nck;
     nck_status_t (*prep)(void *user); // one step of the prep task, as nck_prep
@@ -47,7 +58,11 @@ typedef struct sim {
     uint32_t prefilled;    // 1: prep has run until it had to wait, ticks have begun
     int32_t prep_status;   // last of nck_prep
     int32_t command_status;// first that a command was refused with; NCK_OK
-    uint32_t held_ticks;   // at rest, with nothing to prepare or to wait for, so far
+    uint32_t end;          // sim_end_t
+    uint32_t rest_ticks;   // at rest, with nothing to prepare or to wait for, so far
+    uint32_t resumed;      // 1: the operator has gone on since the path last moved
+    uint32_t steps;        // of prep since the run last got on, those that wait not counted
+    uint64_t progress;     // changes as long as it gets on
     uint16_t feed_percent, rapid_percent; // override in force
     int32_t error;         // of the program: returned when all before it is executed; NCK_OK
     uint64_t ticks;        // so far
@@ -70,11 +85,12 @@ void sim_prepare_by(sim_t *sim, nck_status_t (*prep)(void *user), void *user);
 // after sim_init. Cost: constant. Context: any.
 void sim_operate(sim_t *sim, const sim_command_t *commands, size_t count);
 
-// Run until row_max rows are filled (*row_count_out) or the program is over: all is executed, or
-// it rests in a hold that no command is left to end. M0, M1, M6 are resumed at the next tick. A run
-// has the ticks that its plan counts; one at rest more if nothing but outputs is left.
+// Run until row_max rows are filled (*row_count_out) or the run is over; sim->end says how. M0, M1,
+// M6 are resumed at the next tick, a hold in force stays. A run has the ticks that its plan counts;
+// one at rest more if nothing but outputs is left.
 // Returns NCK_OK (call again), NCK_DONE, or the program error after everything before it has been
-// executed, or NCK_E_STATE at the end of a run in which a command was refused.
+// executed, or NCK_E_STATE at the end of a run in which a command was refused, or NCK_E_INTERNAL if
+// neither prep nor the tick goes on.
 // Cost: linear in the rows and in the text. Context: prep and tick both.
 nck_status_t sim_run(sim_t *sim, sim_row_t *rows, size_t row_max, size_t *row_count_out);
 

@@ -7,12 +7,14 @@
     trace.plot("part.png")
 
 The front door opens rooms on use: `pycnc.stages` and the records need NumPy and cffi alone, machine
-files need pydantic, pictures matplotlib, Parquet files pyarrow.
+files pydantic. Pictures need matplotlib, Parquet files pyarrow, OpenCL pyopencl: extras, each with
+one sentence that names it where it is absent.
 """
 
 import importlib
 
 from pycnc.errors import (
+    AbsentError,
     ArgumentError,
     InternalError,
     MachineError,
@@ -33,6 +35,7 @@ _ROOMS = {
 }
 
 __all__ = [
+    "AbsentError",
     "ArgumentError",
     "InternalError",
     "MachineError",

@@ -1,14 +1,10 @@
 # SPDX-License-Identifier: MIT
 """The command line: ``pycnc VERB``. Results on stdout, everything else on stderr."""
 
-import contextlib
 import functools
 import json
 import os
 import sys
-import traceback
-from importlib.util import find_spec
-from pathlib import Path
 from typing import Annotated
 
 import typer
@@ -36,12 +32,28 @@ from pycnc.cli_options import (
     Units,
     Verbose,
 )
-from pycnc.diagnostics import Diagnostic
-from pycnc.firmware import FirmwareError
+from pycnc.cli_words import (
+    GOOD,
+    USAGE,
+    WRONG,
+    Refused,
+    colour,
+    decoded,
+    draw,
+    drop_stdout,
+    explain,
+    facts_of_failure,
+    fail,
+    give_up,
+    look_at,
+    progress,
+    read,
+    tell,
+    writing,
+)
+from pycnc.extras import need
 from pycnc.machine import DEFAULT, Machine, MachineFileError, shipped
-from pycnc.planning import BackendError
 
-GOOD, WRONG, USAGE, INTERNAL, INTERRUPTED = 0, 1, 2, 4, 130
 PEAK_TOLERANCE = 1e-6  # of a limit, on the double setpoints
 
 app = typer.Typer(
@@ -56,41 +68,6 @@ machines = typer.Typer(no_args_is_help=True, help="Machine files: list, show, va
 app.add_typer(machines, name="machine")
 
 
-class Refused(Exception):
-    """A file that cannot be read or written, with what to say about it."""
-
-
-def fail(message):
-    print(message, file=sys.stderr)
-
-
-def explain(cause):
-    """Return the exit code of an exception after telling it."""
-    if isinstance(cause, KeyboardInterrupt):
-        return INTERRUPTED
-    if isinstance(cause, BackendError | errors.DeviceError):
-        fail(f"pycnc: error[backend]: {cause}")
-        return INTERNAL
-    if isinstance(cause, FirmwareError):
-        fail(f"pycnc: error[controller]: {cause}")
-        return INTERNAL
-    if isinstance(cause, MachineFileError | Refused):
-        fail(str(cause))
-        return USAGE
-    if isinstance(cause, errors.ProgramError):
-        fail(str(cause))
-        return WRONG
-    if isinstance(cause, errors.ArgumentError):
-        fail(f"pycnc: error[{cause.id or 'argument'}]: {cause}")
-        return USAGE
-    fail(f"pycnc: error[internal]: {type(cause).__name__}: {cause}")
-    if os.environ.get("PYCNC_DEBUG"):
-        traceback.print_exception(cause)
-    else:
-        fail("  help: please report this with the program; PYCNC_DEBUG=1 shows where it happened")
-    return INTERNAL
-
-
 def verb(group):
     """Register a function as a verb: whatever goes wrong in it becomes words and an exit code."""
 
@@ -101,7 +78,7 @@ def verb(group):
                 code = function(*arguments, **options)
                 sys.stdout.flush()
             except BrokenPipeError:  # the reader has seen enough: pycnc canon … | head
-                os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+                drop_stdout()
                 code = GOOD
             except (Exception, KeyboardInterrupt) as cause:
                 code = explain(cause)
@@ -118,93 +95,21 @@ def machine_of(name, set, tools, dialect):
     return Machine.load(name, set=set or (), tools=tools, dialect=dialect and dialect.value)
 
 
-def read(file):
-    """Return (name, bytes) of a program on the command line."""
-    if file == "-":
-        return "<stdin>", sys.stdin.buffer.read()
-    try:
-        return file, Path(file).read_bytes()
-    except (OSError, ValueError) as cause:
-        reason = getattr(cause, "strerror", None) or str(cause)
-        words = Diagnostic(
-            file,
-            0,
-            0,
-            "file",
-            "error",
-            f"cannot read it: {reason}",
-            "give a file with an NC program",
-        )
-        raise Refused(words.text(colour(sys.stderr))) from None
-
-
-def colour(stream):
-    """Return whether a stream shows colours."""
-    return stream.isatty() and "NO_COLOR" not in os.environ and os.environ.get("TERM") != "dumb"
-
-
-@contextlib.contextmanager
-def progress(what, quiet):
-    """Give a function that shows how far the work is: a bar on stderr, on a terminal only."""
-    if quiet or not sys.stderr.isatty():
-        yield None
-        return
-    from rich.console import Console
-    from rich.progress import Progress
-
-    with Progress(console=Console(stderr=True), transient=True) as bar:
-        task = bar.add_task(what, total=None)
-        yield lambda done, total: bar.update(task, completed=done, total=total)
-
-
-def decoded(file, machine, quiet, keep=True):
-    """Return a program on the command line, decoded whole."""
-    from pycnc.program import Program
-
-    name, text = read(file)
-    with progress(f"reading {name}", quiet) as bar:
-        return Program(text, machine, file=name, keep=keep, progress=bar)
-
-
-def tell(program, quiet, stream):
-    """Write the diagnostics of a program; quiet: errors only."""
-    found = program.diagnostics
-    if quiet:
-        kept = [each.text(colour(stream)) for each in found if each.severity == "error"]
-        text = "\n".join(kept)
-    else:
-        text = found.text(program.file, colour(stream))
-    if text:
-        print(text, file=stream)
-
-
-def refuse(program, as_json, quiet):
-    """Tell that a program has errors. Returns the exit code."""
-    from pycnc import kernel
-
-    if as_json:
-        facts = {
-            "file": program.file,
-            "machine": program.machine.name,
-            "version": kernel.version(),
-            "diagnostics": program.diagnostics.as_list(),
-        }
-        print(json.dumps(facts))
-    else:
-        tell(program, quiet, sys.stderr)
-    return WRONG
-
-
 @verb(app)
 def check(
     files: Files, machine: MachineName = DEFAULT, dialect: DialectName = None, set: Set = None,
     tools: Tools = None, json_: Json = False, quiet: Quiet = False, verbose: Verbose = False,
 ):  # fmt: skip
     """Tell all diagnostics of programs, without planning."""
-    mill, found, wrong = machine_of(machine, set, tools, dialect), [], False
+    mill, found, code = machine_of(machine, set, tools, dialect), [], GOOD
     for file in files:
-        program = decoded(file, mill, quiet, keep=False)
-        wrong |= program.diagnostics.errors > 0
+        try:
+            program = decoded(file, mill, quiet, keep=False)
+        except Refused as cause:
+            code = max(code, explain(cause))
+            found.append(cause.finding.as_dict())
+            continue
+        code = max(code, WRONG if program.diagnostics.errors else GOOD)
         if json_:
             found += program.diagnostics.as_list()
             continue
@@ -213,7 +118,7 @@ def check(
             print(f"{program.file}: no errors in {program.block_count:,} blocks")
     if json_:
         print(json.dumps(found))
-    return WRONG if wrong else GOOD
+    return code
 
 
 @verb(app)
@@ -228,7 +133,7 @@ def canon(
     program = decoded(file, machine_of(machine, set, tools, dialect), quiet)
     make = listing.json_lines if json_ else listing.lines
     sys.stdout.writelines(f"{line}\n" for line in make(program, Units(units).value))
-    tell(program, True, sys.stderr)
+    tell(program, quiet, sys.stderr)
     return WRONG if program.diagnostics.errors else GOOD
 
 
@@ -239,23 +144,34 @@ def time(
     json_: Json = False, quiet: Quiet = False, verbose: Verbose = False,
 ):  # fmt: skip
     """Tell the machining time of programs, from the plan."""
-    from pycnc.planning import Plan, check_backend
+    from pycnc.planning import check_backend
 
     check_backend(backend, plan)
     mill, told, code = machine_of(machine, set, tools, dialect), [], GOOD
     for file in files:
-        program = decoded(file, mill, quiet, keep=False)
-        if program.diagnostics.errors:
-            code = refuse(program, json_, quiet)
-            continue
-        with progress(f"planning {program.file}", quiet) as bar:
-            planned = Plan(program, plan=plan, backend=backend, keep=False, progress=bar)
-        told.append(planned.as_dict())
-        if not json_:
-            print(_time_line(told[-1]))
-    if json_ and told:
+        program, facts, this = look_at(file, mill, quiet, json_, keep=False)
+        if program is not None:
+            facts, this = _timed(program, facts, plan, backend, json_, quiet)
+        told.append(facts)
+        code = max(code, this)
+    if json_:
         print(json.dumps(told[0] if len(files) == 1 else told))
     return code
+
+
+def _timed(program, facts, plan, backend, as_json, quiet):
+    """Plan a program and tell its time. Returns (what --json tells of it, exit code)."""
+    from pycnc.planning import Plan
+
+    try:
+        with progress(f"planning {program.file}", quiet) as bar:
+            planned = Plan(program, plan=plan, backend=backend, keep=False, progress=bar)
+    except Exception as cause:
+        return facts_of_failure(facts, cause), explain(cause)
+    if not as_json:
+        tell(program, quiet, sys.stderr)
+        print(_time_line(planned.as_dict()))
+    return planned.as_dict(), GOOD
 
 
 def _time_line(facts):
@@ -264,7 +180,9 @@ def _time_line(facts):
     parts = {name: duration(facts[f"{name}_s"]) for name in ("cut", "rapid", "dwell")}
     motion = {name: duration(facts[f"{name}_s"]) for name in ("accelerate", "cruise", "decelerate")}
     words = "; ".join(", ".join(f"{k} {v}" for k, v in group.items()) for group in (parts, motion))
-    return f"{facts['file']}: {duration(facts['time_s'])} ({words})"
+    head = f"{facts['file']} on {facts['machine']}, slope {facts['slope']}"
+    by = ", planned by grades" if facts["plan"] == "grades" else ""
+    return f"{head}{by}: {duration(facts['time_s'])} ({words})"
 
 
 @verb(app)
@@ -286,9 +204,12 @@ def run(
         return _run_firmware(file, mill, controller, at or (), prep_steps or 0, json_, quiet)
     if at:
         raise Refused("pycnc: error[controller]: --at needs --controller")
-    program = decoded(file, machine_of(machine, set, tools, dialect), quiet)
-    if program.diagnostics.errors:
-        return refuse(program, json_, quiet)
+    if picture is not None:
+        need("matplotlib.figure")
+    mill = machine_of(machine, set, tools, dialect)
+    program, facts, code = look_at(file, mill, quiet, json_)
+    if program is None:
+        return give_up(facts, code, json_)
     if verbose:
         tell(program, quiet, sys.stderr)
     with progress(f"running {program.file}", quiet) as bar, writing(output):
@@ -297,7 +218,7 @@ def run(
             output=output, plan=plan, backend=backend, progress=bar,
         )  # fmt: skip
     if picture is not None:
-        draw(done, picture)
+        picture = draw(done, picture)
     if json_:
         print(json.dumps(done.summary))
     elif not quiet:
@@ -335,9 +256,8 @@ def _print_summary(done, output, picture):
 
     written = [("Trace", output), ("Picture", picture)]
     width = None if sys.stdout.isatty() else 100
-    Console(highlight=False, width=width).print(
-        summary.render(done, [(what, path) for what, path in written if path])
-    )
+    shown = summary.render(done, [(what, path) for what, path in written if path])
+    Console(highlight=False, width=width).print(shown, crop=False)
 
 
 def _judge(done):
@@ -354,29 +274,6 @@ def _judge(done):
     return WRONG if broken else GOOD
 
 
-@contextlib.contextmanager
-def writing(path):
-    """Tell a file that cannot be written."""
-    try:
-        yield
-    except OSError as cause:
-        reason = cause.strerror or str(cause)
-        raise Refused(f"{path}: error[file]: cannot write it: {reason}") from None
-
-
-def draw(done, picture):
-    """Write a picture of a run."""
-    try:
-        from pycnc import plot
-
-        with writing(picture):
-            plot.write(done, picture)
-    except ImportError:
-        raise Refused('pictures need matplotlib: pip install "pycnc-nck[plot]"') from None
-    except ValueError as cause:  # matplotlib's word for an ending that it does not know
-        raise Refused(f"{picture}: error[format]: {cause}") from None
-
-
 @verb(app)
 def plot(
     file: File,
@@ -389,13 +286,17 @@ def plot(
     """Draw the path coloured by the speed really reached, and speed and acceleration over time."""
     from pycnc import trace
 
-    program = decoded(file, machine_of(machine, set, tools, dialect), quiet)
-    if program.diagnostics.errors:
-        return refuse(program, json_, quiet)
+    need("matplotlib.figure")
+    mill = machine_of(machine, set, tools, dialect)
+    program, facts, code = look_at(file, mill, quiet, json_)
+    if program is None:
+        return give_up(facts, code, json_)
     with progress(f"running {program.file}", quiet) as bar:
         done = trace.Trace(program, backend=backend, progress=bar)
-    draw(done, output)
-    print(json.dumps({**done.summary, "picture": output}) if json_ else output)
+    picture = draw(done, output)
+    if not json_:
+        tell(program, quiet, sys.stderr)
+    print(json.dumps({**done.summary, "picture": picture}) if json_ else picture)
     return _judge(done)
 
 
@@ -410,8 +311,8 @@ def bench(
     if name is None:
         print("\n".join(bench.SUBJECTS))
         return GOOD
-    if output is not None and not find_spec("matplotlib"):
-        raise Refused('pictures need matplotlib: pip install "pycnc-nck[plot]"')
+    if output is not None:
+        need("matplotlib.figure")
     with writing(output):
         bench.run(name, json=json_, folder=output, paths=paths)
     return GOOD
@@ -466,7 +367,8 @@ def validate(
             machine = machine_of(name, set, tools, dialect)
         except MachineFileError as cause:
             problems += [
-                {"file": cause.file, "key": key, "message": words} for key, words in cause.problems
+                {"file": place, "key": key, "message": words}
+                for place, (key, words) in zip(cause.places, cause.problems, strict=True)
             ]
             if not json_:
                 print(cause)
@@ -480,8 +382,10 @@ def validate(
 
 def main():
     """Enter from the console script."""
-    for stream in (sys.stdout, sys.stderr):
-        stream.reconfigure(errors="replace")
+    for name in ("stdout", "stderr"):
+        if getattr(sys, name) is None:  # the caller has closed it: pycnc time … >&-
+            setattr(sys, name, open(os.devnull, "w", encoding="utf-8"))  # noqa: SIM115
+        getattr(sys, name).reconfigure(errors="replace")
     app()
 
 

@@ -56,7 +56,9 @@ Picture = Annotated[
 ]
 PrepSteps = Annotated[
     int | None,
-    typer.Option(min=1, help="Prep steps between two ticks; few of them starve the tick."),
+    typer.Option(
+        min=1, max=2**32 - 1, help="Prep steps between two ticks; few of them starve the tick."
+    ),
 ]
 ControllerName = Annotated[
     str | None,

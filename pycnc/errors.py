@@ -36,6 +36,10 @@ class ArgumentError(NckError, ValueError):
     """An argument is outside of its range."""
 
 
+class AbsentError(NckError, ImportError):
+    """A package that the work needs is not installed; the message says how to get it."""
+
+
 class StateError(NckError):
     """The call is not possible in the present state."""
 

@@ -4,18 +4,15 @@
 Arrays in, arrays out; the theory and the costs are in ``docs/grades.md``.
 """
 
-import os
-
 import numpy as np
 
 from pycnc import device_grades, errors, kernel
 from pycnc._bind import check, ffi, lib, pointer
-from pycnc.records import dtype, join
+from pycnc.records import dtype, join, room
 
 BACKENDS = ("auto", "c", "opencl")
 STEPS = lib.NCK_HOST_GRADE_STEPS  # n: steps of a planning unit at command velocity
 _INT32_MAX = 2**31 - 1
-_MEMORY_SHARE = 0.8  # of the memory that is free: what a plan may take
 
 
 def rule(machine, v_command, *, a=None, v_min=0.0, steps=STEPS):
@@ -253,14 +250,8 @@ class Grades:
 
     def _make(self, name, kind, count):
         """Make an array of a stage."""
-        type_ = dtype(kind)
-        if count * type_.itemsize > _MEMORY_SHARE * _free_memory():
-            size = count * type_.itemsize / 2**30
-            raise errors.ArgumentError(
-                f"{count:,} items of {name} need {size:.1f} GiB, more than there is: "
-                "give more steps to a planning unit, or plan the program in parts", id="memory",
-            )  # fmt: skip
-        setattr(self, name, np.zeros(count, type_))
+        remedy = "give more steps to a planning unit, or plan the program in parts"
+        setattr(self, name, room(name, count, kind, remedy))
         self._give(name, kind, getattr(self, name))
 
     def _fill(self, noun, name, stage):
@@ -320,10 +311,6 @@ _OF_UNITS = {"v": "double", "n_step": "uint32_t", "unit_limit": "uint8_t", "a": 
 _OF_POINTS = {
     "v_transfer": "double", "angle": "double", "preplanned": "int32_t", "grade": "int32_t",
 }  # fmt: skip
-
-
-def _free_memory():
-    return os.sysconf("SC_AVPHYS_PAGES") * os.sysconf("SC_PAGE_SIZE")
 
 
 def of_text(text, machine, *, steps=STEPS, backend="auto", progress=None):

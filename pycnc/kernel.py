@@ -12,7 +12,7 @@ import numpy as np
 
 from pycnc import errors
 from pycnc._bind import check, ffi, lib, pointer
-from pycnc.records import dtype
+from pycnc.records import dtype, enum
 
 _BLOCK_ROWS = 16384
 _DIAGNOSTIC_ROWS = 4096
@@ -184,6 +184,8 @@ class Controller:
             After everything before the error has been executed.
         StateError
             At the end, if the slope does not know a command that was given.
+        InternalError
+            If neither preparation nor the tick goes on, with the numbers of where it stands.
         """
         rows, count = np.empty(_TICK_ROWS, dtype("sim_row_t")), ffi.new("size_t *")
         status = lib.NCK_OK
@@ -195,7 +197,25 @@ class Controller:
                 raise errors.StateError(
                     f"the slope {slope!r} takes no override and no single block", id="command"
                 )
+            if self.end == "stalled":
+                raise errors.InternalError(self._stall(), id="internal", status=status)
             check(status)
+
+    def _stall(self):
+        sim, nck = self._sim, self._nck
+        return (
+            f"the run stands still after tick {sim.ticks:,} ({sim.ticks * self._machine.period_s:g}"
+            f" s), at line {nck.interpolate.pose.line}: neither preparation nor the tick goes on "
+            f"({sim.text_used:,} of {len(self._text):,} bytes read, prep status "
+            f"{sim.prep_status}, {nck.link.seg_head - nck.link.seg_done} segs unfinished)"
+        )
+
+    @property
+    def end(self):
+        """How the run has ended: "done", "hold", "single_block", "override" (of 0), "aborted" or
+        "stalled"; "not" while it goes on.
+        """
+        return enum("sim_end_t")(self._sim.end).name.lower()
 
     @property
     def starved_ticks(self):

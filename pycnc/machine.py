@@ -4,6 +4,7 @@
 import difflib
 import hashlib
 import json
+import re
 import tomllib
 from decimal import ROUND_HALF_EVEN, Decimal
 from importlib import resources
@@ -49,15 +50,34 @@ class MachineFileError(errors.MachineError):
         The file.
     problems : list of (str, str)
         Path to the key (``axis.x.v_max_mm_s``, empty for the whole file) and what is wrong.
+    places : list of str
+        Of every problem: the file, or the option that made it.
     """
 
-    def __init__(self, file, problems):
+    def __init__(self, file, problems, changes=(), own=()):
         self.file, self.problems = file, problems
+        self.places = [
+            str(file) if problem in own else _place(file, problem[0], changes)
+            for problem in problems
+        ]
         lines = (
-            f"{file}: error[machine]: {key + ': ' if key else ''}{message}"
-            for key, message in problems
+            f"{place}: error[machine]: {key + ': ' if key else ''}{message}"
+            for place, (key, message) in zip(self.places, problems, strict=True)
         )
         super().__init__("\n".join(lines), id="machine", status=lib.NCK_E_MACHINE)
+
+
+def _place(file, key, changes):
+    """Return what a problem of a key is to be blamed on: the change of the key or of one in its
+    table, else the file, with the changes that were made to it.
+
+    changes: (path to key, value, source), as they were made.
+    """
+    for changed, value, source in changes:
+        if changed == key or changed.startswith(f"{key}."):
+            return f"--set {changed}={value}" if source == "--set" else source
+    made = ", ".join(f"{changed}={value}" for changed, value, source in changes if source == "--set")
+    return f"{file} with --set {made}" if made else file
 
 
 def shipped():
@@ -92,14 +112,18 @@ class Machine:
     'xyz'
     """
 
-    def __init__(self, data, *, name="machine", file="<machine>", text="", sources=None):
+    def __init__(self, data, *, name="machine", file="<machine>", text="", changes=()):
         self.name, self.file, self.text = name, str(file), text
-        self.sources = sources if sources is not None else dict.fromkeys(_leaves(data), "file")
-        self.settings = _validate(data, self.file)
+        self.sources = dict.fromkeys(_leaves(data), "file")
+        self.sources |= {key: source for key, _, source in changes}
+        self.settings, problems = _validate(data)
+        if problems:
+            own = _validate(_parse(text, file))[1] if changes else ()
+            raise MachineFileError(self.file, problems, changes, own)
         self._rows = _rows(self.settings)
         if lib.nck_machine_check(self.pointer) != lib.NCK_OK:
             problem = ("", "a number is outside of what the kernel can hold")
-            raise MachineFileError(self.file, [problem])
+            raise MachineFileError(self.file, [problem], changes)
 
     @classmethod
     def load(cls, name, *, set=(), dialect=None, tools=None):
@@ -128,13 +152,13 @@ class Machine:
         else:
             stem, file, text = _read(name)
         data = _parse(text, file)
-        sources = dict.fromkeys(_leaves(data), "file")
-        if isinstance(name, cls):
-            _replay(data, sources, name)
-        _apply_changes(data, sources, _changes(set, dialect))
-        if tools is not None:
-            _apply_tools(data, sources, tools)
-        return cls(data, name=stem, file=file, text=text, sources=sources)
+        changes = [
+            *(_changes_of(name) if isinstance(name, cls) else ()),
+            *_changes(set, dialect),
+            *(_tools_of(tools) if tools is not None else ()),
+        ]
+        _apply_changes(data, changes)
+        return cls(data, name=stem, file=file, text=text, changes=changes)
 
     @classmethod
     def from_text(cls, text, name="machine"):
@@ -250,7 +274,7 @@ def _split(change):
     return key.strip(), value
 
 
-def _apply_changes(data, sources, changes):
+def _apply_changes(data, changes):
     for key, value, source in changes:
         table, (*folders, leaf) = data, key.split(".")
         for folder in folders:
@@ -258,17 +282,17 @@ def _apply_changes(data, sources, changes):
             if not isinstance(table, dict):
                 raise MachineFileError(source, [(key, f"{folder} is a value, not a table")])
         table[leaf] = value
-        sources[key] = source
 
 
-def _replay(data, sources, machine):
-    """Make the changes again that had been made to a machine after its file was read."""
+def _changes_of(machine):
+    """Yield the changes that had been made to a machine after its file was read."""
     for key, value, source in machine.effective():
         if source not in ("file", "default"):
-            _apply_changes(data, sources, [(key, "free" if value is None else value, source)])
+            yield key, "free" if value is None else value, source
 
 
-def _apply_tools(data, sources, file):
+def _tools_of(file):
+    """Yield the tools of a table as changes."""
     try:
         text = Path(file).read_bytes().decode("utf-8", errors="replace")
     except (OSError, ValueError) as cause:
@@ -278,22 +302,17 @@ def _apply_tools(data, sources, file):
     tools, problems = tool_table.read(text)
     if problems:
         raise MachineFileError(str(file), problems)
-    _apply_changes(
-        data,
-        sources,
-        (
-            (f"tool.{number}.{key}", value, str(file))
-            for number, tool in tools.items()
-            for key, value in tool.items()
-        ),
-    )
+    for number, tool in tools.items():
+        for key, value in tool.items():
+            yield f"tool.{number}.{key}", value, str(file)
 
 
-def _validate(data, file):
+def _validate(data):
+    """Return (settings, problems) of a machine file."""
     try:
         settings = MachineFile.model_validate(data)
     except pydantic.ValidationError as cause:
-        raise MachineFileError(file, [_problem(error, data) for error in cause.errors()]) from None
+        return None, [_problem(error, data) for error in cause.errors()]
     problems = list(machine_file.contradictions(settings))
     window, tools = lib.NCK_WINDOW, lib.NCK_TOOL_MAX
     if settings.path.lookahead_blocks > window:
@@ -305,9 +324,7 @@ def _validate(data, file):
         )
     if len(settings.tool) > tools:
         problems.append(("tool", f"{tools} tools at most (the table has {len(settings.tool)})"))
-    if problems:
-        raise MachineFileError(file, problems)
-    return settings
+    return settings, problems
 
 
 def _problem(error, data):
@@ -341,11 +358,16 @@ def _unknown(path):
     table = MachineFile
     for step in path[:-1]:
         table = _table_of(table, step)
-    allowed = list(table.model_fields)
-    near = difflib.get_close_matches(path[-1], allowed, n=1, cutoff=0.6)
+    allowed = {_bare(key): key for key in table.model_fields}
+    near = difflib.get_close_matches(_bare(path[-1]), allowed, n=1, cutoff=0.7)
     if near:
-        return f"unknown key; did you mean {near[0]}?"
-    return f"unknown key; allowed: {', '.join(allowed)}"
+        return f"unknown key; did you mean {allowed[near[0]]}?"
+    return f"unknown key; allowed: {', '.join(allowed.values())}"
+
+
+def _bare(key):
+    """Return a key without its unit and its underscores: amax is a_max_mm_s2."""
+    return re.sub(r"_(mm|deg|ms)(_.*)?$", "", key).replace("_", "").lower()
 
 
 def _table_of(table, step):

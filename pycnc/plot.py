@@ -1,11 +1,14 @@
 # SPDX-License-Identifier: MIT
 """Pictures of a run: the path coloured by the speed really reached, speed and acceleration."""
 
+import errno
 import math
+import os
 from pathlib import Path
 
 import numpy as np
 
+from pycnc.extras import need
 from pycnc.measure import KINDS
 
 _POINTS = 200_000  # points of the path that are drawn at most
@@ -45,11 +48,11 @@ def draw(trace):
     matplotlib.figure.Figure
         Path above, speed and acceleration over time below.
     """
-    from matplotlib.figure import Figure
-
     shape = _projection(trace)
     height = _path_height(trace, shape)
-    figure = Figure(figsize=(11, height + 4.6), dpi=110, layout="constrained", facecolor="white")
+    figure = need("matplotlib.figure").Figure(
+        figsize=(11, height + 4.6), dpi=110, layout="constrained", facecolor="white"
+    )
     grid = figure.add_gridspec(3, 1, height_ratios=(height, 2, 2))
     three = len(shape) == 3
     path_axes = figure.add_subplot(grid[0], projection="3d" if three else None)
@@ -63,8 +66,26 @@ def draw(trace):
 
 
 def write(trace, path):
-    """Draw a run into a file; its ending chooses the format (png, svg, pdf)."""
-    draw(trace).savefig(path)
+    """Draw a run into a file.
+
+    Parameters
+    ----------
+    trace : Trace
+        With its rows.
+    path : path
+        Its ending chooses the format: png, svg, pdf. Without one it gets ``.png``.
+
+    Returns
+    -------
+    str
+        The file that was written.
+    """
+    name = os.fspath(path)
+    if os.path.isdir(name or os.curdir):
+        raise IsADirectoryError(errno.EISDIR, os.strerror(errno.EISDIR), name)
+    name = name if Path(name).suffix else f"{name}.png"
+    draw(trace).savefig(name)
+    return name
 
 
 def _title(trace):

@@ -3,10 +3,14 @@
 
 import enum as _enum
 import functools
+import os
 
 import numpy as np
 
+from pycnc import errors
 from pycnc._bind import ffi, lib
+
+_MEMORY_SHARE = 0.8  # of the memory that is free: what an array may take
 
 
 def names():
@@ -107,6 +111,43 @@ def join(name, pieces):
     True
     """
     return np.concatenate([np.empty(0, dtype(name)), *pieces], dtype=dtype(name))
+
+
+def free_memory():
+    """Return the bytes of memory that nobody uses."""
+    return os.sysconf("SC_AVPHYS_PAGES") * os.sysconf("SC_PAGE_SIZE")
+
+
+def room(what, count, name, remedy):
+    """Return an array of zeros, if there is the memory for it.
+
+    Parameters
+    ----------
+    what : str
+        Whose items they are, in words.
+    count : int
+    name : str
+        C type of an item.
+    remedy : str
+        What to do where there is not enough.
+
+    Raises
+    ------
+    ArgumentError
+
+    Examples
+    --------
+    >>> room("a plan", 2, "double", "plan less")
+    array([0., 0.])
+    """
+    type_ = dtype(name)
+    if count * type_.itemsize > _MEMORY_SHARE * free_memory():
+        size = count * type_.itemsize / 2**30
+        raise errors.ArgumentError(
+            f"{count:,} items of {what} need {size:.1f} GiB, more than there is: {remedy}",
+            id="memory",
+        )
+    return np.zeros(count, type_)
 
 
 def counts_per_unit(rotary):

@@ -6,7 +6,7 @@ import numpy as np
 from pycnc import errors, kernel
 from pycnc._bind import check, ffi, lib, pointer
 from pycnc.parallel import Keinert, envelope, keinert
-from pycnc.records import dtype, join
+from pycnc.records import dtype, join, room
 
 __all__ = ["JerkPlanner", "Keinert", "Profile", "decode", "envelope", "keinert", "slope"]
 
@@ -88,10 +88,10 @@ class Profile:
         if not (np.isfinite(period_s) and period_s > 0):
             raise errors.ArgumentError(f"period_s is {period_s}, must be positive", id="argument")
         rows = int(np.ceil(self.time_s / period_s)) + 1
+        mean = room("the samples", 3 * rows, "double", "give a longer period_s").reshape(3, rows)
         if self.taps == 1:
             return self._sample(self.cells, period_s, rows)
         rest = np.zeros(1, self.cells.dtype)
-        mean = np.zeros((3, rows))
         for tap in range(self.taps):
             rest["duration"] = tap * self.delay_s
             mean += self._sample(join("nck_cell_t", [rest, self.cells]), period_s, rows)
@@ -158,8 +158,14 @@ class JerkPlanner:
         self._make_room(4 * len(arrays["length"]) + 2048)
 
     def _make_room(self, nodes):
-        self._work = np.empty(lib.nck_host_jerk_bytes(nodes), np.uint8)
-        self._cells = np.empty(nodes, dtype("nck_cell_t"))
+        remedy = "give a longer period_s or step_s, or plan the path in parts, between its stops"
+        if nodes > lib.NCK_HOST_JERK_NODES:
+            raise errors.ArgumentError(
+                f"the profile has more than {lib.NCK_HOST_JERK_NODES:,} nodes: {remedy}",
+                id="memory",
+            )
+        self._work = room("the profile", lib.nck_host_jerk_bytes(nodes), "uint8_t", remedy)
+        self._cells = room("the profile", nodes, "nck_cell_t", remedy)
         self.arguments = (
             self._path, self._how, nodes, ffi.from_buffer(self._work),
             pointer("double", self._v_out), pointer("nck_cell_t", self._cells),
@@ -170,8 +176,16 @@ class JerkPlanner:
         count, bad = ffi.new("size_t *"), ffi.new("size_t *")
         status = lib.nck_host_jerk(*self.arguments, count, bad)
         while status == lib.NCK_FULL:
-            self._make_room(2 * len(self._cells))
+            more = count[0] + count[0] // 4  # the next round divides some
+            self._make_room(max(count[0], min(more, lib.NCK_HOST_JERK_NODES)))
             status = lib.nck_host_jerk(*self.arguments, count, bad)
+        if status == lib.NCK_E_STATE:
+            raise errors.ArgumentError(
+                f"segment {bad[0]} would never be passed at a period of {self._how.period_s:g} s: "
+                "its v_cap is below what the tick's filter may add, or a step is lost in rounding "
+                "on so long a path; change period_s or step_s, or plan the path in parts",
+                id="period", status=status,
+            )  # fmt: skip
         _raise_argument(status, bad[0])
         cells = _resting(self._cells[: count[0]], self._rest_s)
         return Profile(self._v_out.copy(), cells, FILTER_TAPS, self._how.period_s)
@@ -226,7 +240,9 @@ def slope(length_mm, v_cap, a_max, j_max, v_node, *, kind="linear", lookahead=No
     Raises
     ------
     ArgumentError
-        If a number is outside of its range (the first such index is told) or shapes do not fit.
+        If a number is outside of its range (the first such index is told) or shapes do not fit;
+        with the id "memory" if a jerk-limited profile has more cells than can be held, with the id
+        "period" if a segment would never be passed at that period.
 
     Examples
     --------

@@ -54,7 +54,7 @@ def render(trace, files=()):
 def _head(trace):
     facts, machine = trace.summary, trace.program.machine
     first = _whole_line(Text.assemble(
-        (trace.program.file, "bold"), " on ", (machine.name, "bold"), ": ",
+        (trace.program.file, "bold"), " on ", (machine.name, "bold"), f", slope {facts['slope']}: ",
         (duration(facts["time_s"]), "bold green"),
     ))  # fmt: skip
     rate = facts["ticks"] / max(facts["run_s"], 1e-9)

@@ -13,6 +13,7 @@ from pathlib import Path
 import numpy as np
 
 from pycnc import errors, grades, kernel, measure
+from pycnc.extras import need
 from pycnc.machine_file import AXES, position_key, unit_of
 from pycnc.measure import KINDS
 from pycnc.path_error import PathError
@@ -178,7 +179,7 @@ class _Parquet:
     """Row groups by pyarrow; units in the fields' metadata, the rest in the schema's."""
 
     def __init__(self, path, columns, metadata):
-        self._arrow, self._parquet = _pyarrow()
+        self._arrow, self._parquet = need("pyarrow"), need("pyarrow.parquet")
         self._columns, self._metadata, self._part = columns, metadata, _Part(path)
         self._writer = None
 
@@ -211,17 +212,6 @@ class _Parquet:
         self._part.discard()
 
 
-def _pyarrow():
-    try:
-        import pyarrow
-        import pyarrow.parquet
-    except ImportError:
-        raise errors.ArgumentError(
-            'a parquet file needs pyarrow: pip install "pycnc-nck[trace]"', id="format"
-        ) from None
-    return pyarrow, pyarrow.parquet
-
-
 _WRITERS = {".npz": _Npz, ".csv": _Csv, ".parquet": _Parquet}
 
 
@@ -240,6 +230,8 @@ def writer(path, columns, metadata):
     ------
     ArgumentError
         If the ending is none of these.
+    AbsentError
+        If the format needs a package that is not installed.
     OSError
         If the file cannot be written.
     """
@@ -273,7 +265,7 @@ class Trace:
         begun = time.perf_counter()
         self.program = program.check()
         self._layout = Columns(program.machine)
-        sink = writer(output, self._layout, self.metadata()) if output else None
+        sink = writer(output, self._layout, self.metadata()) if output is not None else None
         try:
             self._path_error = PathError(program)
             look = self._path_error.add_segs
@@ -304,7 +296,7 @@ class Trace:
                     kept.append(columns)
             if progress:
                 progress(used, len(program.text))
-        self._starved_ticks = controller.starved_ticks
+        self._starved_ticks, self._end = controller.starved_ticks, controller.end
         self.worst_lines = self._ticks.worst_lines()
         self.columns = {
             name: np.concatenate([columns[name] for columns in kept])
@@ -331,6 +323,7 @@ class Trace:
             "peaks": self._peaks.result(),
             "path_error_mm": self._path_error.largest_mm,
             "starved_ticks": int(self._starved_ticks),
+            "end": self._end,
             "limit_time_s": self._ticks.limit_time_s(),
             "diagnostics": diagnostics,
         }
@@ -397,8 +390,9 @@ class Trace:
         return figure
 
     def __repr__(self):
-        time_s, ticks = self.summary["time_s"], self.summary["ticks"]
-        return f"<Trace of {self.program.file}: {time_s:.3f} s, {ticks:,} ticks>"
+        time_s, ticks, end = (self.summary[name] for name in ("time_s", "ticks", "end"))
+        early = "" if end == "done" else f", ended by {end}"
+        return f"<Trace of {self.program.file}: {time_s:.3f} s, {ticks:,} ticks{early}>"
 
 
 def run(program, machine=None, *, slope=None, prep_steps=kernel.PREP_STEPS, commands=(),
@@ -419,7 +413,8 @@ def run(program, machine=None, *, slope=None, prep_steps=kernel.PREP_STEPS, comm
         What the operator does: (tick, name, numbers…), behind the setpoint of that tick, 0 being
         before the first. Names: "hold", "resume", "override" (feed 0 … 200 %, and rapids
         0 … 100 %, which are 100 unless told), "single_block" (1 or 0), "abort". The run ends at
-        rest in a hold that no command ends.
+        rest where no command is left to go on; ``summary["end"]`` says how: "done", "hold",
+        "single_block", "override" (of 0) or "aborted".
     backend : {"auto", "c", "opencl"}
         Where it is computed; OpenCL plans by grades only.
     plan : {"exact", "grades"}
@@ -439,6 +434,8 @@ def run(program, machine=None, *, slope=None, prep_steps=kernel.PREP_STEPS, comm
         If there is no such slope, command, backend or kind of planning.
     StateError
         If the slope does not know a command: the linear one takes hold, resume and abort.
+    InternalError
+        If the run stands still although nobody holds it: a defect.
 
     Examples
     --------

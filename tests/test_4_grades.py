@@ -14,7 +14,7 @@ from hypothesis import strategies as st
 from hypothesis.extra import numpy as arrays
 
 import pycnc
-from pycnc import errors, grades, kernel
+from pycnc import errors, grades, kernel, records
 from pycnc.bench import grades as bench_grades
 from pycnc.machine import Machine
 from pycnc.records import dtype, enum
@@ -158,7 +158,7 @@ def test_the_first_bad_seg_is_named_and_nothing_planned(mill, field, bad):
 
 
 def test_a_plan_that_memory_does_not_hold_is_refused(mill, monkeypatch):
-    monkeypatch.setattr(grades, "_free_memory", lambda: 2**20)
+    monkeypatch.setattr(records, "free_memory", lambda: 2**20)
     with pytest.raises(errors.ArgumentError, match="items of units need .* GiB") as caught:
         grades.Grades(line_segs([1e4]), mill)
     assert caught.value.id == "memory"

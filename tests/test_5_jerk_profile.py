@@ -8,7 +8,7 @@ import json
 import numpy as np
 import pytest
 
-from pycnc import bench, geometry, stages
+from pycnc import bench, geometry, records, stages
 from pycnc.bench import butterfly, linuxcnc, numeric, optimum, programs, timing
 from pycnc.errors import ArgumentError
 from pycnc.machine import Machine
@@ -102,6 +102,33 @@ def test_acceleration_is_carried_across_junctions():
 def test_a_number_out_of_range_is_refused(change, words):
     with pytest.raises(ArgumentError, match=words):
         stages.slope(**{**problem([10], 50, [0, 0]), **change}, kind="jerk")
+
+
+@pytest.mark.parametrize(
+    ("change", "id_", "words"),
+    [
+        ({"period_s": 1e-6}, "period", "segment 0 would never be passed"),
+        ({"length_mm": [0.01], "v_cap": [1e-4]}, "period", "segment 0 would never be passed"),
+        ({"length_mm": [1e6], "v_cap": [1.0]}, "memory", "33,554,432 nodes"),
+    ],
+)
+def test_a_profile_of_too_many_cells_is_refused_in_little_memory(change, id_, words):
+    rooms = []
+
+    def make(what, count, name, remedy):
+        rooms.append(count * records.dtype(name).itemsize)
+        return records.room(what, count, name, remedy)
+
+    with pytest.MonkeyPatch.context() as patch, pytest.raises(ArgumentError, match=words) as caught:
+        patch.setattr(stages, "room", make)
+        stages.slope(**{**problem([10], 50, [0, 0]), **change}, kind="jerk")
+    assert caught.value.id == id_
+    assert max(rooms) < 2**27
+
+
+def test_more_samples_than_memory_holds_are_refused():
+    with pytest.raises(ArgumentError, match="give a longer period_s"):
+        stages.slope(**problem([10], 50, [0, 0]), kind="jerk").sample(1e-14)
 
 
 # The numerical optimum

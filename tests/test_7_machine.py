@@ -246,6 +246,39 @@ def test_a_change_that_makes_no_sense_is_refused(change):
         Machine.load("mill3", set=[change])
 
 
+@pytest.mark.parametrize(
+    ("change", "place", "words"),
+    [
+        ("axis.x.amax=5", "--set axis.x.amax=5", "axis.x.amax: unknown key; did you mean a_max_mm_"),
+        ("axis.x.jmax=5", "--set axis.x.jmax=5", "did you mean j_max_mm_s3?"),
+        ("axs.x.amax=5", "--set axs.x.amax=5", "axs: unknown key; did you mean axis?"),
+        ("axis.q.v=5", "--set axis.q.v=5", "axis.q: unknown key; allowed: x, y, z"),
+        ("path.slope=jrek", "--set path.slope=jrek", "'jrek'"),
+        ("axis.z.max_mm=13", "mill3.toml with --set axis.z.max_mm=13", "home.g28.z_mm: must be"),
+        ("axis.a.v_max_deg_s=9", "mill3.toml with --set axis.a.v_max_deg_s=9", "is missing"),
+    ],
+)
+def test_a_change_is_blamed_for_what_it_breaks(change, place, words):
+    with pytest.raises(MachineFileError) as caught:
+        Machine.load("mill3", set=["path.tolerance_mm=0.5", change])
+    line = str(caught.value).splitlines()[0]
+    assert words in line
+    if place.startswith("--set"):
+        assert line.startswith(f"{place}: error[machine]: ")
+    else:
+        named = place.replace("with --set ", "with --set path.tolerance_mm=0.5, ")
+        assert f"{named}: error[machine]: " in line
+
+
+def test_a_mistake_of_the_file_is_blamed_on_the_file_whatever_is_changed(tmp_path):
+    file = tmp_path / "small.toml"
+    file.write_text(f"{SMALL}speed = 3\n")
+    with pytest.raises(MachineFileError) as caught:
+        Machine.load(file, set=["path.tolerance_mm=0.5", "axis.x.amax=3"])
+    places = dict(zip(dict(caught.value.problems), caught.value.places, strict=True))
+    assert places == {"axis.x.speed": str(file), "axis.x.amax": "--set axis.x.amax=3"}
+
+
 def test_a_tool_table_is_read_in_mm_with_diameters(tmp_path):
     table = tmp_path / "tool.tbl"
     table.write_text("T1 P1 Z51.25 D6 ;end mill\n\nT7 P2 X-1.5 Z0.1 D0.8 Q3 I10 J95\n")

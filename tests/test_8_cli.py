@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 """The command line: verbs, JSON, exit codes, streams."""
 
+import contextlib
 import json
 import os
 import re
@@ -12,6 +13,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 from command_line import pycnc
+
+from pycnc import kernel
 
 EXAMPLES = Path(__file__).resolve().parents[1] / "pycnc" / "examples"
 GOOD = b"G21 G90 G17 G91.1\nS1200 M3\nG1 X10 Y0.5 F600\nG3 X20 Y10.5 I0 J10\nG4 P0.25\nM30\n"
@@ -130,6 +133,61 @@ def test_time_takes_several_files(good):
     assert len(json.loads(pycnc("time", "--json", good, good).out)) == 2
 
 
+def test_time_looks_at_every_file_and_json_is_one_document(good, wrong, tmp_path):
+    missing = tmp_path / "missing.nc"
+    result = pycnc("time", "--json", good, wrong, missing, good)
+    told = json.loads(result.out)
+    assert result.code == 2
+    assert [each["file"] for each in told] == list(map(str, (good, wrong, missing, good)))
+    assert ["time_s" in each for each in told] == [True, False, False, True]
+    errors = [[d["id"] for d in e["diagnostics"] if d["severity"] == "error"] for e in told]
+    assert errors == [[], ["word-unused", "arc-radius"], ["file"], []]
+    assert pycnc("time", "--json", good, wrong).code == 1
+    assert json.loads(pycnc("time", "--json", wrong).out)["file"] == str(wrong)
+    lines = pycnc("time", good, wrong, missing, good).out.splitlines()
+    assert [line.partition(" on ")[0] for line in lines] == [str(good)] * 2
+
+
+def test_a_defect_in_one_file_does_not_hide_the_others(good, wrong, monkeypatch):
+    pieces = kernel.Planner.pieces
+
+    def spoilt(self):
+        return pieces(self) if b"X20" in self._text else 1 / 0
+
+    monkeypatch.setattr("pycnc.kernel.Planner.pieces", spoilt)
+    good_too = good.with_name("short.nc")
+    good_too.write_bytes(b"G21 G90\nG1 X1 F100\nM2\n")
+    result = pycnc("time", "--json", good_too, good)
+    told = json.loads(result.out)
+    assert result.code == 4
+    assert told[0]["diagnostics"][0]["id"] == "internal"
+    assert told[1]["time_s"] > 0
+
+
+def test_check_looks_at_every_file(good, wrong, tmp_path):
+    result = pycnc("check", "--json", tmp_path, wrong, good)
+    found = {(each["file"], each["id"]) for each in json.loads(result.out)}
+    assert result.code == 2
+    assert {(str(tmp_path), "file"), (str(wrong), "arc-radius")} <= found
+    assert f"{good}: no errors" in pycnc("check", tmp_path, good).out
+
+
+def test_time_names_machine_and_slope_and_tells_what_was_assumed():
+    result = pycnc("time", "-", "--set", "path.slope=jerk", stdin=b"G1 X10 F600\nM2\n")
+    assert re.match(r"<stdin> on mill3, slope jerk: 1\.0\d\d s \(cut 1\.", result.out)
+    assert "note[assumed-units]" in result.err
+    assert pycnc("time", "-q", "-", stdin=b"G1 X10 F600\nM2\n").err == ""
+    grades = pycnc("time", "-", "--plan", "grades", stdin=GOOD)
+    assert "slope linear, planned by grades: " in grades.out
+
+
+def test_every_verb_tells_as_json_that_it_cannot_read_a_file(tmp_path):
+    for verb in (["time"], ["run"], ["plot", "-o", tmp_path / "x.png"]):
+        result = pycnc(*verb, "--json", tmp_path)
+        assert result.code == 2
+        assert json.loads(result.out)["diagnostics"][0]["id"] == "file"
+
+
 def test_run_writes_json_a_trace_and_a_picture(good, tmp_path):
     trace, picture = tmp_path / "t.npz", tmp_path / "t.png"
     result = pycnc("run", "--json", good, "-o", trace, "--plot", picture)
@@ -140,6 +198,20 @@ def test_run_writes_json_a_trace_and_a_picture(good, tmp_path):
     with np.load(trace) as archive:
         assert len(archive["t_s"]) == told["ticks"]
     assert picture.read_bytes().startswith(b"\x89PNG")
+
+
+def test_a_long_path_cuts_nothing_off_the_summary(tmp_path):
+    folder = tmp_path / ("long_" * 20) / ("longer_" * 20)
+    folder.mkdir(parents=True)
+    file, trace = folder / "part.nc", folder / "trace.csv"
+    file.write_bytes(GOOD)
+    result = pycnc("run", file, "-o", trace)
+    assert re.match(re.escape(str(file)) + r" on mill3, slope linear: \d\.\d+ s\n", result.out)
+    assert result.out.endswith(f"Trace: {trace}\n")
+    shown = on_a_terminal("run", file, "-o", trace, COLUMNS="80", NO_COLOR="1").decode()
+    told = re.sub(r"\x1b\[[0-9;?]*[A-Za-z]", "", shown).replace("\r", "\n").splitlines()
+    assert any(line.endswith(" s") and f"{file} on mill3, slope linear: " in line for line in told)
+    assert any(line.endswith(f"Trace: {trace}") for line in told)
 
 
 def test_the_summary_of_a_run_fits_a_screen(good):
@@ -167,6 +239,13 @@ def test_plot_says_what_it_wrote(good, tmp_path):
     picture = tmp_path / "part.svg"
     assert pycnc("plot", good, "-o", picture).out == f"{picture}\n"
     assert b"<svg" in picture.read_bytes()
+    for verb, option in (("plot", "-o"), ("run", "--plot")):
+        bare = tmp_path / f"bare_{verb}"
+        assert pycnc(verb, good, option, bare).out.endswith(f"{bare}.png\n")
+        assert bare.with_suffix(".png").read_bytes().startswith(b"\x89PNG")
+        assert not bare.exists()
+    told = json.loads(pycnc("plot", good, "--json", "-o", tmp_path / "bare").out)
+    assert told["picture"] == str(tmp_path / "bare.png")
 
 
 @pytest.mark.parametrize(
@@ -226,6 +305,10 @@ def test_the_machines_are_listed_and_shown():
         (["run", "-", "--plot", "/nowhere/picture.png"], 2),
         (["run", "-", "--plot", "picture.xyz"], 2),
         (["run", "-", "--prep-steps", "0"], 2),
+        (["run", "-", "--prep-steps", "99999999999"], 2),
+        (["run", "-", "-o", ""], 2),
+        (["run", "-", "--plot", ""], 2),
+        (["plot", "-", "-o", "."], 2),
         (["time", "-", "--backend", "opencl"], 4),
         (["bench", "frobnicate"], 2),
         (["machine", "validate", "nowhere"], 2),
@@ -298,22 +381,48 @@ def test_a_reader_that_leaves_early_is_no_error(tmp_path):
     assert done.stderr == b""
 
 
-def test_colours_are_for_terminals_that_want_them(wrong):
+def test_a_stream_that_is_closed_or_full_is_no_traceback(good):
+    for words, code in ((">&-", 0), ("2>&-", 0), (">/dev/full", 2), ("--json >/dev/full", 2)):
+        command = f"{sys.executable} -m pycnc.cli time {good} {words}"
+        done = subprocess.run(["bash", "-c", command], capture_output=True, timeout=120)
+        assert (done.returncode, b"Traceback" in done.stderr) == (code, False), words
+        assert (b"error[file]: No space left" in done.stderr) == (code == 2)
+    done = subprocess.run(["bash", "-c", f"{sys.executable} -m pycnc.cli check - <&-"],
+                          capture_output=True, timeout=120)  # fmt: skip
+    assert done.returncode == 2
+    assert b"-: error[file]: cannot read it" in done.stderr
+
+
+def on_a_terminal(*arguments, **changes):
+    """Return what a process writes to a terminal, as its stdout and stderr."""
     os_pty = pytest.importorskip("pty")
-    command = [sys.executable, "-m", "pycnc.cli", "check", str(wrong)]
+    try:
+        ours, theirs = os_pty.openpty()
+    except OSError as cause:
+        pytest.skip(f"this system has no pseudo-terminals: {cause}")
+    command = [sys.executable, "-m", "pycnc.cli", *map(str, arguments)]
+    environment = {**os.environ, "TERM": "xterm", **changes}
+    process = subprocess.Popen(command, stdout=theirs, stderr=theirs, env=environment)
+    os.close(theirs)
+    data = b""
+    with contextlib.suppress(OSError):  # the terminal is gone with the process
+        while piece := os.read(ours, 65536):
+            data += piece
+    os.close(ours)
+    process.wait(timeout=120)
+    return data
 
-    def seen(**changes):
-        try:
-            ours, theirs = os_pty.openpty()
-        except OSError as cause:
-            pytest.skip(f"this system has no pseudo-terminals: {cause}")
-        environment = {**os.environ, "TERM": "xterm", **changes}
-        subprocess.run(command, stdout=theirs, stderr=subprocess.DEVNULL, env=environment)
-        os.close(theirs)
-        data = os.read(ours, 65536)
-        os.close(ours)
-        return data
 
-    assert b"\x1b[" in seen()
-    assert b"\x1b[" not in seen(NO_COLOR="1")
+def test_a_name_with_brackets_is_no_markup(tmp_path):
+    file = tmp_path / "[" / "b].nc"
+    file.parent.mkdir()
+    file.write_bytes(GOOD)
+    shown = on_a_terminal("time", file)
+    assert b"error[" not in shown
+    assert str(file).encode() + b" on mill3" in shown
+
+
+def test_colours_are_for_terminals_that_want_them(wrong):
+    assert b"\x1b[" in on_a_terminal("check", wrong)
+    assert b"\x1b[" not in on_a_terminal("check", wrong, "-q", NO_COLOR="1")
     assert b"\x1b[" not in script("check", wrong).stdout

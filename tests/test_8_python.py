@@ -11,7 +11,8 @@ import numpy as np
 import pytest
 
 import pycnc
-from pycnc import geometry, measure, stages
+from pycnc import geometry, kernel, measure, stages
+from pycnc._bind import lib
 from pycnc.machine import Machine
 from pycnc.records import dtype
 
@@ -214,6 +215,58 @@ def test_a_jump_shows_in_the_peaks(trace):
     peaks = measure.Peaks(trace.program.machine)
     peaks.add(rows)
     assert peaks.result()["y"]["v"] > 3
+
+
+# How a run ends
+
+STOPS = [k * 1e-4 for k in range(1, 61)] + [k * 0.1 for k in range(1, 1001)]  # [mm]
+HELD = b"G21 G90 G17 G61 F3000\nG1 X50\nM0\nY50\nX0\nM2\n"
+
+
+def test_stops_of_one_tick_each_do_not_end_a_run():
+    moves = "".join(f"G1 X{x:.6f}\n" for x in STOPS)
+    text = f"G17 G21 G90 G94 G61.1 F3000\n{moves}M2\n"
+    plan, done = pycnc.plan(text), pycnc.run(text)
+    assert (len(done), done.summary["end"]) == (round(plan.time_s / 1e-3), "done")
+    assert done["pos_x_mm"][-1] == 100
+
+
+@pytest.mark.parametrize(
+    ("commands", "end"),
+    [
+        ([], "done"),
+        ([(300, "hold")], "hold"),
+        ([(300, "hold"), (5000, "resume")], "done"),
+        ([(0, "hold")], "hold"),
+        ([(0, "single_block", 1)], "single_block"),
+        ([(0, "single_block", 1), (5000, "single_block", 0)], "single_block"),
+        ([(0, "override", 0)], "override"),
+        ([(500, "override", 0)], "override"),
+        ([(500, "override", 0), (5000, "override", 100)], "done"),
+        ([(300, "abort")], "aborted"),
+    ],
+)
+def test_a_run_says_how_it_ended(commands, end):
+    done = pycnc.run(HELD, slope="jerk", commands=commands)
+    assert done.summary["end"] == end
+    assert (done["pos_x_mm"][-1] == 0 and done["pos_y_mm"][-1] == 50) == (end == "done")
+    assert (end in repr(done)) == (end != "done")
+
+
+def test_a_hold_during_a_wait_is_kept_when_the_wait_ends():
+    free = pycnc.run(HELD, slope="jerk")
+    waits = int(np.flatnonzero(free["kind"] == measure.KINDS.index("wait"))[-1]) + 1
+    done = pycnc.run(HELD, slope="jerk", commands=[(waits - 1, "hold")])
+    assert (done.summary["end"], done["pos_x_mm"][-1]) == ("hold", 50)
+
+
+def test_a_kernel_that_stands_still_is_told_with_numbers():
+    controller = kernel.Controller(HELD, Machine.load("mill3"))
+    controller._nck.link.seg_head = lib.NCK_SEG_MAX  # no room that ever becomes free
+    with pytest.raises(pycnc.InternalError, match=r"after tick 16 \(0\.016 s\), at line 0: neither"):
+        for _ in controller.pieces():
+            pass
+    assert controller.end == "stalled"
 
 
 def test_few_prep_steps_starve_the_tick_and_break_no_limit():

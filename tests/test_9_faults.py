@@ -83,6 +83,11 @@ def test_an_override_of_nothing_stands_still_until_it_is_raised(controllers, nam
     assert outcome.state == "done" and outcome.joints_nm == END_NM
 
 
+def test_an_override_of_nothing_before_the_first_move_ends_the_run_as_a_hold(controllers):
+    outcome = controllers("host").run(PROGRAM, mill(), [(0, "override", 0, 0)], timeout_s=20)
+    assert outcome.state == "hold" and outcome.joints_nm == (0, 0, 0)
+
+
 @pytest.mark.parametrize("name", EVERYWHERE)
 def test_single_block_holds_at_the_end_of_every_block(controllers, name):
     text = cases.polyline(POINTS[:4], feed=6000)

@@ -18,7 +18,8 @@ typedef struct ladder {
     const nck_host_path_t *path;
     const nck_host_jerk_t *how;
     double j_scale;
-    size_t room; // nodes
+    size_t room;  // nodes
+    size_t cells; // of the ladder, whether there is room for them or not
     nck_profile_t profile;
     uint32_t *seg;
 } ladder_t;
@@ -71,15 +72,15 @@ static double junction_cap(const ladder_t *self, size_t node) {
     return lowered(self, v, nck_max(path->j_max[node - 1], path->j_max[node]));
 }
 
-static int push(ladder_t *self, uint32_t seg, double h) {
-    if ((size_t)self->profile.n + 2 > self->room) return 0;
-    self->profile.h[self->profile.n] = h;
-    self->seg[self->profile.n] = seg;
-    self->profile.n++;
-    return 1;
+static void push(ladder_t *self, uint32_t seg, double h) {
+    if (self->cells + 1 < self->room) {
+        self->profile.h[self->cells] = h;
+        self->seg[self->cells] = seg;
+    }
+    self->cells++;
 }
 
-static int lay_segment(ladder_t *self, uint32_t seg) {
+static void lay_segment(ladder_t *self, uint32_t seg) {
     const nck_host_path_t *const path = self->path;
     const double w0 = junction_cap(self, seg);
     const double w1 = junction_cap(self, (size_t)seg + 1);
@@ -88,22 +89,35 @@ static int lay_segment(ladder_t *self, uint32_t seg) {
     // From rest to rest takes two cells at least.
     const double most = w0 == 0.0 && w1 == 0.0 ? 0.25 * path->length[seg] : path->length[seg];
     double x = 0.0;
-    for (;;) {
+    while (self->cells < NCK_HOST_JERK_NODES) {
         const double left = path->length[seg] - x;
         const double step = nck_ladder_step(&piece, x, left, self->how->step_s);
         const double h = nck_min(most, step);
-        if (left < 1.5 * h) return push(self, seg, left);
-        if (!push(self, seg, h)) return 0;
+        push(self, seg, left < 1.5 * h ? left : h);
+        if (left < 1.5 * h) return;
         x += h;
     }
 }
 
-static int lay(ladder_t *self) {
-    self->profile.n = 0;
+// 1 if the nodes of the ladder find room.
+static int fits(const ladder_t *self) { return self->cells + 1 <= self->room; }
+
+// Cells that the path has at least: none but the last of a segment is longer than D·v_cap, and that
+// one by half.
+static double least_cells(const ladder_t *self) {
+    double count = 0.0;
     for (size_t i = 0; i < self->path->n; i++) {
-        if (!lay_segment(self, (uint32_t)i)) return 0;
+        count += self->path->length[i] / (1.5 * self->how->step_s * self->path->v_cap[i]);
     }
-    return 1;
+    return count;
+}
+
+static int lay(ladder_t *self) {
+    const int many = !(least_cells(self) < (double)NCK_HOST_JERK_NODES);
+    self->cells = many ? NCK_HOST_JERK_NODES : 0;
+    for (size_t i = 0; !many && i < self->path->n; i++) lay_segment(self, (uint32_t)i);
+    if (fits(self)) self->profile.n = (uint32_t)self->cells;
+    return fits(self);
 }
 
 static double cell_duration(const ladder_t *self, uint32_t i) {
@@ -140,17 +154,28 @@ static uint32_t divide(ladder_t *self, uint32_t from, uint32_t to, int parts) {
 // In place, from the last cell to the first: what grows never overtakes what is still to be read.
 static int divide_long(ladder_t *self) {
     nck_profile_t *const p = &self->profile;
-    size_t total = 0;
-    for (uint32_t i = 0; i < p->n; i++) total += (size_t)parts_of(self, i);
-    if (total + 1 > self->room) return 0;
-    uint32_t to = (uint32_t)total;
+    self->cells = 0;
+    for (uint32_t i = 0; i < p->n; i++) self->cells += (size_t)parts_of(self, i);
+    if (!fits(self)) return 0;
+    uint32_t to = (uint32_t)self->cells;
     for (uint32_t i = p->n; i-- > 0;) to = divide(self, i, to, parts_of(self, i));
-    p->n = (uint32_t)total;
+    p->n = (uint32_t)self->cells;
     return 1;
 }
 
-// Caps and limits of every node and cell, and the plan. q_cap: see nck_profile_t.
-static void plan(ladder_t *self, double q_cap) {
+// The segment of the first cell that would last for ever, because both of its ends are at rest; n
+// if there is none.
+static size_t first_standing(const ladder_t *self) {
+    const nck_profile_t *const p = &self->profile;
+    for (uint32_t i = 0; i < p->n; i++) {
+        if (!(p->w[i] + p->w[i + 1] > 0.0)) return self->seg[i];
+    }
+    return self->path->n;
+}
+
+// Caps and limits of every node and cell, and the plan. q_cap: see nck_profile_t. Returns as
+// first_standing.
+static size_t plan(ladder_t *self, double q_cap) {
     nck_profile_t *const p = &self->profile;
     const nck_host_path_t *const path = self->path;
     for (uint32_t i = 0; i < p->n; i++) {
@@ -165,6 +190,19 @@ static void plan(ladder_t *self, double q_cap) {
     p->v = p->a = p->q = 0.0;
     nck_profile_begin(p);
     while (nck_profile_step(p, UINT32_MAX) != NCK_DONE) continue;
+    return first_standing(self);
+}
+
+// All rounds. Returns NCK_OK, NCK_FULL, or NCK_E_STATE and the segment where the path would stand.
+static nck_status_t plan_in_rounds(ladder_t *self, double q_cap, size_t *bad_out) {
+    if (!lay(self)) return NCK_FULL;
+    for (uint32_t round = 0; round < self->how->rounds; round++) {
+        *bad_out = plan(self, UNCAPPED_PERIODS * self->how->period_s);
+        if (*bad_out < self->path->n) return NCK_E_STATE;
+        if (!divide_long(self)) return NCK_FULL;
+    }
+    *bad_out = plan(self, q_cap);
+    return *bad_out < self->path->n ? NCK_E_STATE : NCK_OK;
 }
 
 static void draw(const ladder_t *self, double *v_out, nck_cell_t *cells) {
@@ -203,13 +241,8 @@ nck_status_t nck_host_jerk(const nck_host_path_t *path, const nck_host_jerk_t *h
     const double excess = nck_ladder_excess(q_cap, how->period_s, (int)how->taps);
     self.j_scale = how->j_scale > 0.0 ? how->j_scale : 1.0 / (1.0 + excess);
     share_out(&self, work, nodes);
-    if (!lay(&self)) return NCK_FULL;
-    for (uint32_t round = 0; round < how->rounds; round++) {
-        plan(&self, UNCAPPED_PERIODS * how->period_s);
-        if (!divide_long(&self)) return NCK_FULL;
-    }
-    plan(&self, q_cap);
-    draw(&self, v_out, cells_out);
-    *cell_count_out = self.profile.n;
-    return NCK_OK;
+    const nck_status_t status = plan_in_rounds(&self, q_cap, bad_out);
+    *cell_count_out = status == NCK_FULL ? self.cells + 1 : self.profile.n;
+    if (status == NCK_OK) draw(&self, v_out, cells_out);
+    return status;
 }

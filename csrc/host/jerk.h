@@ -10,6 +10,9 @@
 #include "nck/base/records.h" // nck_cell_t
 #include "nck/base/status.h"  // nck_status_t
 
+// Nodes that a ladder has at most: 4.6 hours of motion at a period of 1 ms.
+enum { NCK_HOST_JERK_NODES = 1 << 25 };
+
 // How the profile is made and played.
 typedef struct nck_host_jerk {
     double period_s;  // T, the period of the output [s], positive
@@ -27,9 +30,11 @@ size_t nck_host_jerk_bytes(size_t nodes);
 // cells, *cell_count_out of them are filled, of constant acceleration; cell.seg is the segment's
 // index, cell.stop marks the cells that end at rest.
 // work: nck_host_jerk_bytes(nodes), aligned as malloc does. Linear in the nodes.
-// Returns NCK_OK; NCK_FULL if `nodes` is too small (try twice as many); NCK_E_ARGUMENT and in
-// *bad_out the index of the first segment (n: the last junction, or the settings) whose number is
-// NaN, infinite or outside of its range. Context: any.
+// Returns NCK_OK; NCK_FULL if `nodes` is too small: *cell_count_out are needed at least, and more
+// than NCK_HOST_JERK_NODES are too many; NCK_E_ARGUMENT and in *bad_out the index of the first
+// segment (n: the last junction, or the settings) whose number is NaN, infinite or outside of its
+// range; NCK_E_STATE and in *bad_out the first segment that would never be passed: the filter may
+// add more than its cap, or next to the whole path its steps are lost in rounding. Context: any.
 nck_status_t nck_host_jerk(const nck_host_path_t *path, const nck_host_jerk_t *how, size_t nodes,
                            void *work, double *v_out, nck_cell_t *cells_out,
                            size_t *cell_count_out, size_t *bad_out);

@@ -48,11 +48,13 @@ static void write_row(const app_t *app) {
     hal_write(HAL_TRACE, bytes, sizeof row + joints);
 }
 
-// An override of nothing rests in the middle of the path as a late prep does, but the operator
-// wants it so.
-static uint32_t state_of(const nck_t *nck, nck_tick_state_t state) {
-    const int nothing = nck->command.feed_percent == 0 || nck->command.rapid_percent == 0;
-    return nothing && state == NCK_TICK_STARVED ? NCK_TICK_HOLD : state;
+// An override of nothing rests in the middle of the path as a late prep does, or before a block as
+// an ended program does, but the operator wants it so.
+static uint32_t state_of(const app_t *app, nck_tick_state_t state) {
+    const nck_command_t *const command = &app->nck.command;
+    const int nothing = command->feed_percent == 0 || command->rapid_percent == 0;
+    const int rests = state == NCK_TICK_STARVED || (state == NCK_TICK_IDLE && !app->prep.done);
+    return nothing && rests ? NCK_TICK_HOLD : state;
 }
 
 static void count_lateness(app_t *app) {
@@ -65,7 +67,7 @@ static void count_lateness(app_t *app) {
 static void take_setpoint(app_t *app) {
     nck_pose_t pose;
     nck_axes_t axes;
-    app->tick.state = state_of(&app->nck, nck_tick(&app->nck, &pose, &axes));
+    app->tick.state = state_of(app, nck_tick(&app->nck, &pose, &axes));
     app->tick.idle = (uint32_t)nck_is_idle(&app->nck);
     const app_guard_t guard = app_guard_check(app, &pose, &axes);
     if (guard == APP_GUARD_BEYOND) {

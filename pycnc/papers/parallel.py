@@ -2,13 +2,13 @@
 """Keinert's experiments and the scaling study, as data."""
 
 import gc
-import os
 import time
 
 import numpy as np
 
 from pycnc import errors, parallel
 from pycnc.papers import paths
+from pycnc.records import free_memory
 
 BLOCKS = (100, 300, 1_000, 3_000, 10_000, 30_000, 100_000, 300_000, 1_000_000)
 SIZES = (10**3, 10**4, 10**5, 10**6, 10**7, 10**8)
@@ -114,7 +114,7 @@ def scaling_rows(sizes=SIZES, backends=BACKENDS, progress=None):
     rows = []
     for n in sizes:
         for real in _REAL:
-            if n * np.dtype(_REAL[real]).itemsize * _ARRAYS > _free_memory():
+            if n * np.dtype(_REAL[real]).itemsize * _ARRAYS > free_memory():
                 continue
             rows += _scaling_of(n, real, backends)
             gc.collect()
@@ -140,10 +140,6 @@ def _scaling_of(n, real, backends):
     numbers, crews = n * w.itemsize // 4, {1, parallel.threads()}
     triad_ns = min(parallel.time_triad(numbers, threads=crew, seconds=_SECONDS) for crew in crews)
     return [*rows, _row(n, real, "triad", triad_ns / n)]
-
-
-def _free_memory():
-    return os.sysconf("SC_AVPHYS_PAGES") * os.sysconf("SC_PAGE_SIZE")
 
 
 def _row(n, real, backend, ns, **more):

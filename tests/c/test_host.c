@@ -187,6 +187,37 @@ static void everything_before_an_error_is_executed(check_t *check)
     CHECK(check, nck.interpolate.pose.axis[0] == 2.0);
 }
 
+// Three hundred exact stops of a tick each, then a long move.
+static void a_run_ends_when_the_kernel_says_so(check_t *check)
+{
+    begin(1);
+    size_t used = (size_t)snprintf(text, TEXT, "G21 G90 G94 G17 G61.1 F3000\n");
+    for (int k = 1; k <= 300; k++) {
+        used += (size_t)snprintf(text + used, TEXT - used, "G1 X%.6f\n", k * 1e-4);
+    }
+    snprintf(text + used, TEXT - used, "X20\nM2\n");
+    CHECK_INT(check, run_plan(0), NCK_DONE);
+    CHECK_INT(check, watched_run(check, 1000, NCK_DONE), plan.totals.ticks);
+    CHECK_INT(check, sim.end, SIM_END_DONE);
+    CHECK(check, nck.interpolate.pose.axis[0] == 20.0);
+}
+
+static nck_status_t prep_that_says(void *user) { return *(const nck_status_t *)user; }
+
+static void a_kernel_that_does_not_go_on_is_a_defect(check_t *check)
+{
+    static nck_status_t said[] = {NCK_OK, NCK_EMPTY, NCK_FULL};
+    begin(1);
+    for (int k = 0; k < 3; k++) {
+        size_t count = 0;
+        CHECK_INT(check, sim_init(&sim, &nck, &machine, text, strlen(text), 10), NCK_OK);
+        sim_prepare_by(&sim, prep_that_says, &said[k]);
+        CHECK_INT(check, sim_run(&sim, rows, TICKS, &count), NCK_E_INTERNAL);
+        CHECK_INT(check, sim.end, SIM_END_STALLED);
+        CHECK(check, count < TICKS);
+    }
+}
+
 int main(void)
 {
     check_t check = {0};
@@ -196,5 +227,7 @@ int main(void)
     CHECK_RUN(&check, plan_takes_as_long_as_its_run);
     CHECK_RUN(&check, starved_run_comes_to_its_end_within_the_limits);
     CHECK_RUN(&check, everything_before_an_error_is_executed);
+    CHECK_RUN(&check, a_run_ends_when_the_kernel_says_so);
+    CHECK_RUN(&check, a_kernel_that_does_not_go_on_is_a_defect);
     return check_end(&check);
 }
