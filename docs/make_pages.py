@@ -33,6 +33,8 @@ ELSEWHERE = {
     "axis-unknown": ("", "error:20"),
     "travel": ("Move would exceed limit", "alarm:2, error:15"),
     "tool-unknown": ("Requested tool not found in the tool table", "error:38"),
+    "word-shared": ("G4 not allowed with G2 or G3 because they both use P", ""),
+    "incremental": ("Cannot use g53 incremental", ""),
     "no-motion": ("Cannot use axis values without a g code that uses them", "error:31"),
 }
 FORMAT = re.compile(r":\.?\d?[gf]\}")  # {value:.3f} is for the formatter, not for the reader
@@ -77,8 +79,10 @@ before anything moves (exit code 1); warnings and notes do not. A file that cann
 `error[file]`, a machine file that is wrong `error[machine]` (both exit code 2), a limit that a run
 broke `error[limit]` (exit code 1).
 
-In the messages a word in braces is the program's own letter, number or machine. The last two
-columns name what RS274NGC interpreters (LinuxCNC's `rs274`) and grbl say in the same case.
+In the messages a word in braces is the program's own letter, number or machine. An id with a letter
+or a code behind it, such as `unsupported:G90`, has words of its own; `--json` tells the id alone.
+The last two columns name what RS274NGC interpreters (LinuxCNC's `rs274`) and grbl say in the same
+case.
 This page is written by `docs/make_pages.py` from `pycnc/diagnostics.py`; a test compares them.
 """
 
@@ -139,10 +143,11 @@ def diagnostics_page():
     lines = [DIAGNOSTICS_HEAD.format(shown=diagnostics.SHOWN_PER_ID)]
     lines += ["| id | severity | message | help | RS274NGC | grbl |", "|---|---|---|---|---|---|"]
     for name in diagnostics.ids():
-        message, remedy = (FORMAT.sub("}", text) for text in diagnostics.WORDING[name])
         wording, number = ELSEWHERE.get(name, ("", ""))
         severity = diagnostics.severity_of(name)
-        lines.append(f"| `{name}` | {severity} | {message} | {remedy} | {wording} | {number} |")
+        for key in [key for key in diagnostics.WORDING if key.split(":")[0] == name]:
+            message, remedy = (FORMAT.sub("}", text) for text in diagnostics.WORDING[key])
+            lines.append(f"| `{key}` | {severity} | {message} | {remedy} | {wording} | {number} |")
     return "\n".join(lines) + "\n"
 
 

@@ -13,7 +13,12 @@ SHOWN_PER_ID = 20  # findings of one id that are told in full; the rest is count
 _EXCERPT = 100  # characters of a source line that are shown around the column
 _DIALECTS = {1: "Heidenhain Klartext", 2: "Sinumerik", 3: "Okuma"}
 
-# id, or id:letter where one word needs its own, → (message, help). Fields: see Wording._fields.
+_CYCLE_HELP = (
+    "write a cycle as G0 and G1 moves; where the mode is meant, let a motion stand behind the code, "
+    "as in G90 G0 X50; a program made for RS274NGC: --dialect linuxcnc"
+)
+
+# id, or id:letter or id:code where one word or code needs its own, → (message, help). Fields: see Wording._fields.
 WORDING = {
     "character": (
         "{found} starts no word",
@@ -56,8 +61,16 @@ WORDING = {
         "remove the word, or add the code that it belongs to",
     ),
     "word-missing": (
-        "a {letter} word is missing in this block",
+        "a word is missing in this block: {letter}",
         "add {letter} with its number to the block",
+    ),
+    "word-missing:X": (
+        "{found} names no axis",
+        "add the axes with their numbers, such as X0, to the block",
+    ),
+    "word-shared": (
+        "two codes of this block use {found}",
+        "put one of the two codes on a line of its own",
     ),
     "word-missing:G": (
         "{found} without a straight move",
@@ -76,8 +89,28 @@ WORDING = {
         "put one of the two codes on a line of its own",
     ),
     "unsupported": (
-        "{found} is known and not built yet",
+        "{found} is not supported yet",
         "have the post-processor write plain moves instead; nothing is skipped in silence",
+    ),
+    "unsupported:G90": (
+        "G90 may be a turning cycle (Fanuc's G-code system A) or absolute distances (system B): "
+        "on a lathe it is not supported yet before axis words",
+        _CYCLE_HELP,
+    ),
+    "unsupported:G92": (
+        "G92 may limit the spindle's speed (with S), be a threading cycle (Fanuc's G-code system A) "
+        "or shift the zero (system B): here it is not supported yet",
+        "limit the speed by --set spindle.rpm_max=…, write a cycle as moves, shift the zero by "
+        "G10 L2 or G54 … G59; a program made for RS274NGC: --dialect linuxcnc",
+    ),
+    "unsupported:G94": (
+        "G94 may be a facing cycle (Fanuc's G-code system A) or feed per minute (system B): "
+        "on a lathe it is not supported yet before axis words",
+        _CYCLE_HELP,
+    ),
+    "incremental": (
+        "{found} names a machine position while distances are incremental (G91)",
+        "put G90 into the block or before it",
     ),
     "feed-missing": (
         "a cut without feed",
@@ -139,6 +172,10 @@ WORDING = {
     "assumed-centre": ("no G90.1 or G91.1 before I J K: {arc_centre} centres assumed", ""),
     "no-end": ("the text ends without M2, M30 or a closing %", ""),
     "after-end": ("what follows the program's end is not read", "remove the text or the M2 / M30"),
+    "feed-units": (
+        "F beside a change of units is read in the units that its own line begins",
+        "put G20 or G21 on a line before: LinuxCNC reads such an F in the units before the line",
+    ),
 }
 _WARNINGS = frozenset({"after-end"})
 
@@ -284,8 +321,7 @@ class Wording:
         line, column = int(row["line"]), int(row["column"])
         source = self._source(line)
         fields = self._fields(row, source)
-        wording = WORDING.get(f"{name}:{fields['letter']}", WORDING[name])
-        message, remedy = (words.format_map(fields) for words in wording)
+        message, remedy = (words.format_map(fields) for words in _wording(name, fields))
         severity = severity_of(name)
         return Diagnostic(self._file, line, column, name, severity, message, remedy, source)
 
@@ -316,6 +352,14 @@ class Wording:
             "plane": settings.dialect.plane,
             "arc_centre": settings.dialect.arc_centre,
         }
+
+
+def _wording(name, fields):
+    letter = fields["letter"]
+    for key in (f"{name}:{letter}{fields['value']:g}", f"{name}:{letter}"):
+        if key in WORDING:
+            return WORDING[key]
+    return WORDING[name]
 
 
 def _id(code):

@@ -217,7 +217,7 @@ CORPUS_FILES = (
     CorpusFile("ax5_boat_xyzac_g93.ngc", machine="mill5_xyzac", ends=("m-unknown", 2)),
     CorpusFile("bad_longmill_invalid.nc", ends=("word-unknown", 124)),
     CorpusFile("laser_tball_engrave.gcode"),
-    CorpusFile("lathe_fanuc0t_css.nc", machine="cak6150n", ends=("g-unknown", 4)),
+    CorpusFile("lathe_fanuc0t_css.nc", machine="cak6150n", ends=("unsupported", 4)),
     CorpusFile("lathe_g71_g70_pawn.ngc", machine="cak6150n", ends=("unsupported", 4)),
     CorpusFile("lathe_g76_thread_part.ngc", machine="cak6150n", ends=("unsupported", 23)),
     CorpusFile("mill_camotics_locket.ngc"),

@@ -4,6 +4,7 @@
 import decimal
 import math
 import random
+import re
 from pathlib import Path
 
 import hypothesis
@@ -28,7 +29,7 @@ FIRST_ERROR = {
     "ax5_boat_xyzac_g93.ngc": ("m-unknown", 2),
     "bad_longmill_invalid.nc": ("word-unknown", 124),
     "laser_tball_engrave.gcode": None,
-    "lathe_fanuc0t_css.nc": ("g-unknown", 4),
+    "lathe_fanuc0t_css.nc": ("unsupported", 4),
     "lathe_g71_g70_pawn.ngc": ("unsupported", 4),
     "lathe_g76_thread_part.ngc": ("unsupported", 23),
     "mill_camotics_locket.ngc": None,
@@ -165,7 +166,7 @@ def modal_program(seed):
         return words_of(source, source.sample(letters, source.randint(1, most)), 50)
 
     for _ in range(60):
-        kind = source.randint(0, 14)
+        kind = source.randint(0, 15)
         if kind <= 3:
             lines.append(f"G{source.randint(0, 1)} {some('XYZABC', 4)}")
         elif kind == 4:
@@ -187,6 +188,10 @@ def modal_program(seed):
             lines += ["G90", f"G53 G{source.randint(0, 1)} {some('XYZ', 3)}"]
         elif kind == 12:
             lines.append(f"G{source.choice(['28', '30'])} {some('XYZ', 3)}")
+        elif kind == 14:
+            words = [f"G{source.randint(0, 1)}", "G80", "G40", source.choice(["G90", "G91"])]
+            source.shuffle(words)
+            lines += [f"{' '.join(words)} {some('XYZ', 3)}", some("XYZ", 2)]
         elif kind == 13:
             lines.append(source.choice(["G7", "G8", "G4 P0.5", "G61", "G64 P0.1"]))
         else:
@@ -205,6 +210,42 @@ def test_random_modal_programs_equal_rs274(seed, machine, oracle):
     equal, words = rs274_oracle.difference(ours, theirs)
     assert words == "", f"{text.decode()}\n{words}"
     assert equal > 0.9 * len(theirs)
+
+
+REFUSED_ALIKE = {
+    "G91 G53 G0 X1": "incremental",
+    "G91\nG53 G0 X1": "incremental",
+    "F9 G4 P2 G2 I3 J4": "word-shared",
+    "G0 G1 X1": "modal-group",
+    "G0 G80 G1 X1": "modal-group",
+    "F9 G1 G28 X1": "modal-group",
+    "G92": "word-missing",
+    "G92 S500": "unsupported",
+    "F-1": "number-range",
+}
+
+
+@pytest.mark.parametrize("line", REFUSED_ALIKE)
+def test_what_rs274_refuses_is_refused(line, machine, oracle):
+    text = f"G21\n{line}\nM2\n".encode()
+    blocks, diagnostics = stages.decode(text, machine)
+    assert [name for name, _ in errors_of(diagnostics)] == [REFUSED_ALIKE[line]]
+    assert not len(blocks[blocks["kind"] <= lib.NCK_BLOCK_ARC])
+    moves, complaint = oracle(text)
+    assert complaint != "" and moves == []
+
+
+def test_a_tool_change_stops_the_spindle_where_rs274_does(machine, oracle, tmp_path):
+    text = b"G21 S500 M3\nT2 M6\nM2\n"
+    outputs = [
+        block["output"]["value"]
+        for block in stages.decode(text, machine)[0]
+        if block["output"]["kind"] == lib.NCK_OUTPUT_M
+    ]
+    assert outputs == [3, 5, 6, 2]
+    oracle(text)
+    canon = re.findall(r"(START_SPINDLE|STOP_SPINDLE|CHANGE_TOOL)", (tmp_path / "canon.txt").read_text())
+    assert canon[:3] == ["START_SPINDLE", "STOP_SPINDLE", "CHANGE_TOOL"]
 
 
 DIGITS = st.text("0123456789", max_size=40)

@@ -29,6 +29,10 @@ BAD = {
     "unknown G code": (START + b"G123 X1\n", "g-unknown", 2, 1),
     "unknown M code": (START + b"M123\n", "m-unknown", 2, 1),
     "G code that is not built": (START + b"G41 D1\n", "unsupported", 2, 1),
+    "G code that is standard": (START + b"G50 S500\n", "unsupported", 2, 1),
+    "limit of the spindle's speed": (START + b"G92 S500\nS900\nX1\n", "unsupported", 2, 1),
+    "one P for two codes": (START + b"G64 P2 G2 I3 J4 F9\n", "word-shared", 2, 5),
+    "G53 in incremental": (START + b"G91 G53 G0 X1\n", "incremental", 2, 5),
     "expression": (START + b"G1 X[1+2] F100\n", "unsupported", 2, 4),
     "subprogram": (START + b"O100 sub\n", "unsupported", 2, 1),
     "missing feed": (START + b"G1 X10\n", "feed-missing", 2, 0),
@@ -38,7 +42,8 @@ BAD = {
     "arc with a small R": (START + b"G2 X10 R4 F100\n", "arc-chord", 2, 8),
     "number out of range": (START + b"G1 X99999999 F100\n", "number-range", 2, 4),
     "huge number": (START + b"G1 X" + b"9" * 300 + b" F100\n", "number-range", 2, 4),
-    "negative feed": (START + b"G1 X1 F-5\n", "number-range", 2, 7),
+    "negative feed": (START + b"G1 X1 F-5\n" + b"X2\nG2 X3 I1\n" * 50, "number-range", 2, 7),
+    "missing feed of many lines": (START + b"G1 X10\n" + b"X20\nX30\n" * 50, "feed-missing", 2, 0),
     "spindle too fast": (START + b"S99999 M3\n", "number-range", 2, 1),
     "word without number": (START + b"G1 X Y5 F100\n", "number", 2, 4),
     "number without letter": (START + b"5 X1\n", "character", 2, 1),
@@ -111,6 +116,41 @@ def test_a_long_line_is_shown_around_its_mistake():
 )
 def test_a_word_can_have_wording_of_its_own(wording, letter):
     assert diagnostics.WORDING.get(f"{wording}:{letter}", diagnostics.WORDING[wording])
+
+
+def test_what_is_not_built_is_told_as_not_supported_yet():
+    for line in (b"G41 D1", b"G33 Z-1 K1", b"G76 P1 Z1", b"G81 Z-1 R1", b"G71 U1", b"M98 P1", b"G50"):
+        (error,) = findings(START + line + b"\n")[1]
+        assert error["id"] == "unsupported"
+        assert error["message"] == f"{line.split()[0].decode()} is not supported yet"
+
+
+# G-code system A and B read these lines of a lathe each in its own way.
+CYCLES = {
+    "G90 X55 Z-30 F0.2\nX50\nX45": "turning cycle",
+    "G94 X20 Z-1": "facing cycle",
+    "G92 X49.2 Z-20 F1.5\nX48.6": "threading cycle",
+    "G90\nX55 Z-30": "turning cycle",
+}
+
+
+@pytest.mark.parametrize("lines", CYCLES)
+def test_what_may_be_a_cycle_on_a_lathe_is_refused_with_its_reason(lines):
+    text = f"G21 G18\nG0 X60 Z2\n{lines}\nM2\n".encode()
+    code, errors = findings(text, "--machine", "cak6150n")
+    assert code == 1
+    assert [each["id"] for each in errors] == ["unsupported"]
+    assert CYCLES[lines] in errors[0]["message"]
+    assert "not supported yet" in errors[0]["message"]
+    assert "--dialect linuxcnc" in errors[0]["help"]
+    assert findings(text, "--machine", "cak6150n", "--dialect", "linuxcnc")[1] == []
+
+
+def test_a_feed_beside_its_units_is_read_in_them_with_a_note():
+    text = b"G90 G17 G94 G20 F10\nG1 X1\nM2\n"
+    (note,) = json.loads(pycnc("check", "--json", "-", stdin=text).out)
+    assert (note["id"], note["severity"], note["line"]) == ("feed-units", "note", 1)
+    assert "F254 mm/min" in pycnc("canon", "-", stdin=text).out
 
 
 def test_the_travel_message_names_the_end_that_was_passed():

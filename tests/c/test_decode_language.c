@@ -6,24 +6,39 @@
 static decode_case_t self;
 
 static void outputs_come_in_the_order_of_execution(check_t *check) {
-    static const double values[] = {500.0, 2.0, 6.0, 3.0, 7.0, 8.0, 48.0};
+    static const double values[] = {500.0, 2.0, 5.0, 6.0, 3.0, 7.0, 8.0, 48.0};
     case_begin(&self);
     case_decode(&self, "M48 M8 M7 M3 M6 T2 S500 M0 G4 P1.5 F100 G1 X1\nM2\n");
     CHECK_INT(check, self.errors, 0);
-    CHECK_INT(check, self.blocks, 11);
-    for (int k = 0; k < 7; k++) CHECK_NEAR(check, self.block[k].output.value, values[k], 0.0);
+    CHECK_INT(check, self.blocks, 12);
+    for (int k = 0; k < 8; k++) CHECK_NEAR(check, self.block[k].output.value, values[k], 0.0);
     CHECK_INT(check, self.block[0].output.kind, NCK_OUTPUT_SPINDLE_SPEED);
     CHECK_INT(check, self.block[1].output.kind, NCK_OUTPUT_TOOL);
-    CHECK_INT(check, self.block[2].kind, NCK_BLOCK_WAIT);
+    CHECK_INT(check, self.block[2].kind, NCK_BLOCK_OUTPUT);
+    CHECK_INT(check, self.block[3].kind, NCK_BLOCK_WAIT);
+    CHECK_INT(check, self.block[4].kind, NCK_BLOCK_OUTPUT);
+    CHECK_INT(check, self.block[8].kind, NCK_BLOCK_DWELL);
+    CHECK_NEAR(check, self.block[8].dwell_s, 1.5, 0.0);
+    CHECK_INT(check, self.block[9].kind, NCK_BLOCK_LINE);
+    CHECK_NEAR(check, self.block[9].spindle_rpm, 500.0, 0.0);
+    CHECK_INT(check, self.block[10].kind, NCK_BLOCK_WAIT);
+    CHECK_NEAR(check, self.block[10].output.value, 0.0, 0.0);
+    CHECK_INT(check, self.block[11].kind, NCK_BLOCK_END);
+    CHECK_NEAR(check, self.block[11].output.value, 2.0, 0.0);
+}
+
+static void a_tool_change_stops_the_spindle(check_t *check) {
+    case_begin(&self);
+    case_decode(&self, "F100 S500 M3\nG1 X1\nM6\nX2\nM3 X3\nM2\n");
+    CHECK_INT(check, self.errors, 0);
     CHECK_INT(check, self.block[3].kind, NCK_BLOCK_OUTPUT);
-    CHECK_INT(check, self.block[7].kind, NCK_BLOCK_DWELL);
-    CHECK_NEAR(check, self.block[7].dwell_s, 1.5, 0.0);
-    CHECK_INT(check, self.block[8].kind, NCK_BLOCK_LINE);
-    CHECK_NEAR(check, self.block[8].spindle_rpm, 500.0, 0.0);
-    CHECK_INT(check, self.block[9].kind, NCK_BLOCK_WAIT);
-    CHECK_NEAR(check, self.block[9].output.value, 0.0, 0.0);
-    CHECK_INT(check, self.block[10].kind, NCK_BLOCK_END);
-    CHECK_NEAR(check, self.block[10].output.value, 2.0, 0.0);
+    CHECK_NEAR(check, self.block[3].output.value, 5.0, 0.0);
+    CHECK_INT(check, self.block[4].kind, NCK_BLOCK_WAIT);
+    CHECK_NEAR(check, self.block[4].output.value, 6.0, 0.0);
+    CHECK_NEAR(check, self.block[2].spindle_rpm, 500.0, 0.0);
+    CHECK_NEAR(check, self.block[5].spindle_rpm, 0.0, 0.0);
+    CHECK_NEAR(check, self.block[7].spindle_rpm, 500.0, 0.0);
+    check_error(check, &self, "G95 F.1 S9 M3 G1 X1\nM6\nX2\nX3\nM2\n", NCK_E_FEED_MISSING, 3, 0);
 }
 
 static void a_repeated_speed_is_handed_over_once(check_t *check) {
@@ -102,10 +117,23 @@ static const wrong_t wrongs[] = {
     {"G53\nM2\n", NCK_E_WORD_MISSING, 1, 1},
     {"G53 G2 X1 R5 F1\nM2\n", NCK_E_WORD_MISSING, 1, 1},
     {"G0 G12.34 X1\nM2\n", NCK_E_G_UNKNOWN, 1, 4},
-    {"G50\nM2\n", NCK_E_G_UNKNOWN, 1, 1},
+    {"G55.5\nM2\n", NCK_E_G_UNKNOWN, 1, 1},
     {"M428\nM2\n", NCK_E_M_UNKNOWN, 1, 1},
     {"M3.5\nM2\n", NCK_E_M_UNKNOWN, 1, 1},
     {"G0 G1 X1\nM2\n", NCK_E_MODAL_GROUP, 1, 4},
+    {"G0 G80 G1 X1\nM2\n", NCK_E_MODAL_GROUP, 1, 8},
+    {"G80 G80\nM2\n", NCK_E_MODAL_GROUP, 1, 5},
+    {"F9 G64 P2 G2 I3 J4\nM2\n", NCK_E_WORD_SHARED, 1, 8},
+    {"F9 G2 I3\nG64 P2 I3\nM2\n", NCK_E_WORD_SHARED, 2, 5},
+    {"F9 G4 P2 G2 I3 J4\nM2\n", NCK_E_WORD_SHARED, 1, 7},
+    {"G4 P2 G64\nM2\n", NCK_E_WORD_SHARED, 1, 4},
+    {"G10 L2 P1 X1 G64\nM2\n", NCK_E_WORD_SHARED, 1, 8},
+    {"G91 G53 G0 X1\nM2\n", NCK_E_INCREMENTAL, 1, 5},
+    {"G91\nG53 G0 X1\nM2\n", NCK_E_INCREMENTAL, 2, 1},
+    {"G92 S500\nM2\n", NCK_E_UNSUPPORTED, 1, 1},
+    {"G50 S500\nM2\n", NCK_E_UNSUPPORTED, 1, 1},
+    {"M19\nM2\n", NCK_E_UNSUPPORTED, 1, 1},
+    {"M99\nM2\n", NCK_E_UNSUPPORTED, 1, 1},
     {"G17 G18\nM2\n", NCK_E_MODAL_GROUP, 1, 5},
     {"M3 M4\nM2\n", NCK_E_MODAL_GROUP, 1, 4},
     {"M7 M9\nM2\n", NCK_E_MODAL_GROUP, 1, 4},
@@ -137,6 +165,93 @@ static void every_mistake_is_one_error_with_its_place(check_t *check) {
         const wrong_t *const row = &wrongs[k];
         check_error(check, &self, row->text, row->code, row->line, row->column);
     }
+}
+
+// What RS274NGC and Fanuc's controls name and the kernel does not build: told apart from nonsense.
+static void standard_codes_are_unsupported_not_unknown(check_t *check) {
+    static const char *const codes[] = {
+        "G5", "G5.1", "G7.1", "G12.1", "G15", "G16", "G17.1", "G27", "G28.1", "G29", "G31", "G32",
+        "G33", "G34", "G38.2", "G41", "G42", "G41.1", "G43.1", "G43.4", "G44", "G45", "G50", "G51",
+        "G52", "G54.1", "G60", "G62", "G63", "G65", "G66", "G68", "G68.2", "G69", "G70", "G71",
+        "G72", "G73", "G74", "G75", "G76", "G77", "G79", "G81", "G83", "G84.2", "G89", "G96", "G98",
+        "G99", "M19", "M29", "M41", "M62", "M97", "M98", "M99", "M198"
+    };
+    char text[32];
+    case_begin(&self);
+    for (unsigned k = 0; k < sizeof codes / sizeof codes[0]; k++) {
+        memset(text, 0, sizeof text);
+        memcpy(text, codes[k], strlen(codes[k]));
+        memcpy(text + strlen(codes[k]), "\nM2\n", 4);
+        check_error(check, &self, text, NCK_E_UNSUPPORTED, 1, 1);
+    }
+}
+
+// The safety line of most post-processors: G80 cancels cycles, the motion beside it is in force.
+static void g80_beside_a_motion_is_the_motion(check_t *check) {
+    case_begin(&self);
+    case_decode(&self, "G90 G17 G40 G80 G0 G21\nX1\nF60 G1 G80 X2\nG80 G91 G28 Z0\nM2\n");
+    CHECK_INT(check, self.errors, 0);
+    CHECK_INT(check, self.blocks, 5);
+    CHECK_INT(check, self.block[0].kind, NCK_BLOCK_RAPID);
+    CHECK_INT(check, self.block[1].kind, NCK_BLOCK_LINE);
+    CHECK_INT(check, self.block[1].target_nm[0], 2000000);
+    check_error(check, &self, "G80 G28 Z0\nX1\nM2\n", NCK_E_NO_MOTION, 2, 1);
+}
+
+static void a_refused_feed_speed_or_motion_is_one_finding(check_t *check) {
+    case_begin(&self);
+    check_error(check, &self, "F-1\nG1 X1\nX2\nG2 X3 I.5\nM2\n", NCK_E_NUMBER_RANGE, 1, 1);
+    CHECK_INT(check, self.blocks, 1);
+    check_error(check, &self, "G1 X1 F1 F2\nM3 S5\nX2\nM2\n", NCK_E_WORD_TWICE, 1, 10);
+    check_error(check, &self, "G0 G41 X1 f 200\nG1 X2\nX3\nM2\n", NCK_E_UNSUPPORTED, 1, 4);
+    check_error(check, &self, "G1 X1\nX2\nX3\nM2\n", NCK_E_FEED_MISSING, 1, 0);
+    check_error(check, &self, "G53 G0 Q1 X1\nX2\nX3\nM2\n", NCK_E_WORD_UNUSED, 1, 8);
+    check_error(check, &self, "G95 F1 G1\nS-1 M3\nX2\nX3\nM2\n", NCK_E_NUMBER_RANGE, 2, 1);
+    case_decode(&self, "F-1\nG1 X1\nF60 X2\nG93 X3\nX4\nM2\n"); // a good F ends the excuse
+    CHECK_INT(check, self.errors, 2);
+    CHECK_INT(check, self.blocks, 2);
+    CHECK_INT(check, self.block[0].target_nm[0], 2000000);
+    case_decode(&self, "G0 X1 Q5 (F5)\nG1 X2\nM2\n"); // a remark is no F
+    CHECK_INT(check, self.errors, 2);
+}
+
+// G90, G92 and G94 are cycles in G-code system A: nothing moves by what may be one.
+static void what_may_be_a_cycle_of_a_lathe_is_refused(check_t *check) {
+    case_begin(&self);
+    self.machine.dialect.base = NCK_DIALECT_FANUC;
+    self.machine.kinematics = NCK_KINEMATICS_LATHE_XZ;
+    check_error(check, &self, "G90 X55 Z-30 F0.2\nX50\nX45 R1\nM2\n", NCK_E_UNSUPPORTED, 1, 1);
+    CHECK_NEAR(check, self.first.value, 90.0, 0.0);
+    CHECK_INT(check, self.blocks, 1);
+    check_error(check, &self, "G90 U-5 W-30 F0.2\nM2\n", NCK_E_UNSUPPORTED, 1, 1);
+    check_error(check, &self, "G94 X20 Z-1\nZ-2\nM2\n", NCK_E_UNSUPPORTED, 1, 1);
+    check_error(check, &self, "G92 X49.2 Z-20 F1.5\nX48\nM2\n", NCK_E_UNSUPPORTED, 1, 1);
+    CHECK_INT(check, self.blocks, 1);
+    check_error(check, &self, "G0 G90 X5\nM2\n", NCK_E_UNSUPPORTED, 1, 4);
+    check_error(check, &self, "F9 G1 G94 X5\nM2\n", NCK_E_UNSUPPORTED, 1, 7);
+    check_error(check, &self, "G90 G80 X5\nM2\n", NCK_E_UNSUPPORTED, 1, 1);
+    check_error(check, &self, "F9 G1 X1\nG90\nX5\nX6\nM2\n", NCK_E_UNSUPPORTED, 3, 1);
+    check_error(check, &self, "G0 G94\nM3\nX5\nM2\n", NCK_E_UNSUPPORTED, 3, 1);
+    check_error(check, &self, "G92 S500\nX5\nM2\n", NCK_E_UNSUPPORTED, 1, 1);
+}
+
+static void what_every_system_of_a_lathe_reads_alike_is_read(check_t *check) {
+    case_begin(&self);
+    self.machine.dialect.base = NCK_DIALECT_FANUC;
+    self.machine.kinematics = NCK_KINEMATICS_LATHE_XZ;
+    case_decode(&self, "G21 G18 G90 G94 F60\nG1 X5\nX4\nG90 G0 X6\nG94 F9\nG90 G28 X7\nG91\n"
+                       "G1 X1\nG90 G4 X2.\nG95 F1 S5 M3\nG92.1\nG90 G1 X3\nM2\n");
+    CHECK_INT(check, self.errors, 0);
+    CHECK_INT(check, self.block[2].target_nm[0], 6000000);
+    CHECK_INT(check, self.block[3].target_nm[0], 7000000);
+    CHECK_INT(check, self.block[5].target_nm[0], 1000000);
+    CHECK_INT(check, self.block[6].kind, NCK_BLOCK_DWELL);
+    self.machine.kinematics = NCK_KINEMATICS_IDENTITY; // a mill knows no such cycles
+    check_error(check, &self, "F9 G90 X5 Z-3\nG92 X4\nG0 G94 X2\nG0 G90 X1\nM2\n", NCK_OK, 0, 0);
+    CHECK_INT(check, self.blocks, 4);
+    self.machine.kinematics = NCK_KINEMATICS_LATHE_XZ;
+    self.machine.dialect.base = NCK_DIALECT_LINUXCNC;
+    check_error(check, &self, "G0 G90 X5 Z-3\nG92 X4\nG94 X2\nM2\n", NCK_OK, 0, 0);
 }
 
 static void a_line_with_an_error_moves_nothing(check_t *check) {
@@ -218,11 +333,17 @@ static void path_modes_carry_their_tolerance(check_t *check) {
 int main(void) {
     check_t check = {0};
     CHECK_RUN(&check, outputs_come_in_the_order_of_execution);
+    CHECK_RUN(&check, a_tool_change_stops_the_spindle);
     CHECK_RUN(&check, a_repeated_speed_is_handed_over_once);
     CHECK_RUN(&check, m1_stops_only_where_the_machine_wants_it);
     CHECK_RUN(&check, letters_blanks_and_comments_may_be_anywhere);
     CHECK_RUN(&check, a_slash_skips_the_line_where_the_machine_wants_it);
     CHECK_RUN(&check, every_mistake_is_one_error_with_its_place);
+    CHECK_RUN(&check, standard_codes_are_unsupported_not_unknown);
+    CHECK_RUN(&check, g80_beside_a_motion_is_the_motion);
+    CHECK_RUN(&check, a_refused_feed_speed_or_motion_is_one_finding);
+    CHECK_RUN(&check, what_may_be_a_cycle_of_a_lathe_is_refused);
+    CHECK_RUN(&check, what_every_system_of_a_lathe_reads_alike_is_read);
     CHECK_RUN(&check, a_line_with_an_error_moves_nothing);
     CHECK_RUN(&check, a_tool_must_be_in_the_table_if_there_is_one);
     CHECK_RUN(&check, speed_beyond_the_spindle_is_an_error);

@@ -85,9 +85,9 @@ static void tool_length_moves_the_tip_not_the_machine(check_t *check) {
     goes_to(check, 2, 1, 0, 100);
     goes_to(check, 3, 1, 0, -80);
     goes_to(check, 4, 2, 0, 0);
-    goes_to(check, 7, 3, 0, 0);
-    CHECK_INT(check, self.block[7].tool_nm[0], 1000000);
-    CHECK_INT(check, self.block[7].tool_nm[2], 0);
+    goes_to(check, 8, 3, 0, 0); // behind the tool, the spindle's stop and the wait
+    CHECK_INT(check, self.block[8].tool_nm[0], 1000000);
+    CHECK_INT(check, self.block[8].tool_nm[2], 0);
 }
 
 static void g53_is_the_machine_position_with_the_tool(check_t *check) {
@@ -96,7 +96,7 @@ static void g53_is_the_machine_position_with_the_tool(check_t *check) {
     self.machine.tool[0].number = 1;
     self.machine.tool[0].offset_nm[2] = 30000000;
     self.machine.work_nm[0][2] = -500000000;
-    case_decode(&self, "G43 H1\nG91 G53 G0 Z-5\nM2\n");
+    case_decode(&self, "G43 H1\nG91\nG90 G53 G0 Z-5\nM2\n");
     goes_to(check, 0, 0, 0, -35);
 }
 

@@ -95,6 +95,17 @@ static void assumed_defaults_are_noted_once_each(check_t *check) {
     CHECK_INT(check, self.findings, 0);
 }
 
+static void a_feed_beside_a_change_of_units_is_noted(check_t *check) {
+    case_begin(&self);
+    case_decode(&self, "G90 G20 F10\nG1 X1\nG21 F9\nM2\n");
+    CHECK_INT(check, self.findings, 1);
+    CHECK_INT(check, self.finding[0].code, NCK_NOTE_FEED_UNITS);
+    CHECK_INT(check, self.finding[0].line, 1);
+    CHECK_NEAR(check, self.block[0].feed, 254.0, 0.0);
+    case_decode(&self, "G21 F10\nG20\nF10\nG93 G21 F2\nG20 F2\nM2\n"); // nothing another reads otherwise
+    CHECK_INT(check, self.findings, 0);
+}
+
 static void a_text_without_a_block_is_no_program(check_t *check) {
     case_begin(&self);
     check_error(check, &self, "", NCK_E_NO_PROGRAM, 0, 0);
@@ -199,6 +210,7 @@ int main(void) {
     CHECK_RUN(&check, text_after_the_end_is_noted_once);
     CHECK_RUN(&check, a_missing_end_is_noted_and_the_last_line_counts);
     CHECK_RUN(&check, assumed_defaults_are_noted_once_each);
+    CHECK_RUN(&check, a_feed_beside_a_change_of_units_is_noted);
     CHECK_RUN(&check, a_text_without_a_block_is_no_program);
     CHECK_RUN(&check, a_nul_byte_ends_it_at_once);
     CHECK_RUN(&check, a_line_may_be_as_long_as_the_buffer_and_no_longer);

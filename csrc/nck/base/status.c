@@ -39,6 +39,8 @@ static const name_t statuses[] = {
     {NCK_E_DIALECT, "dialect"},
     {NCK_E_BINARY, "binary"},
     {NCK_E_NO_PROGRAM, "no-program"},
+    {NCK_E_WORD_SHARED, "word-shared"},
+    {NCK_E_INCREMENTAL, "incremental"},
     {NCK_E_ARGUMENT, "argument"},
     {NCK_E_MACHINE, "machine"},
     {NCK_E_STATE, "state"},
@@ -51,7 +53,8 @@ static const name_t notes[] = {
     {NCK_NOTE_DISTANCE, "assumed-distance"},
     {NCK_NOTE_ARC_CENTRE, "assumed-centre"},
     {NCK_NOTE_NO_END, "no-end"},
-    {NCK_NOTE_AFTER_END, "after-end"}
+    {NCK_NOTE_AFTER_END, "after-end"},
+    {NCK_NOTE_FEED_UNITS, "feed-units"}
 };
 
 static const char *id_of(const name_t *names, size_t count, int32_t code) {

@@ -27,7 +27,8 @@ typedef enum nck_status {
     NCK_E_M_UNKNOWN = -11,    // "m-unknown": an M code that the kernel does not know; value
     NCK_E_MODAL_GROUP = -12,  // "modal-group": two codes of one modal group in a block
     NCK_E_UNSUPPORTED = -13,  // "unsupported": of the language, but not built (O words, G41, #…)
-    NCK_E_FEED_MISSING = -14, // "feed-missing": a cut before any F, or G93 without its F
+    NCK_E_FEED_MISSING = -14, // "feed-missing": a cut before any F, or G93 without its F; told again
+                              // only after another word about feed or spindle
     NCK_E_ARC_RADIUS = -15,   // "arc-radius": value = end radius, limit = start radius [mm]
     NCK_E_ARC_CENTRE = -16,   // "arc-centre": no centre, or a radius of zero
     NCK_E_ARC_CHORD = -17,    // "arc-chord": R below half of the chord; value, limit [mm]
@@ -38,6 +39,8 @@ typedef enum nck_status {
     NCK_E_DIALECT = -22,      // "dialect": a known foreign dialect; value = nck_dialect_hint_t
     NCK_E_BINARY = -23,       // "binary": a NUL byte: this is no NC program
     NCK_E_NO_PROGRAM = -24,   // "no-program": the text holds no block at all
+    NCK_E_WORD_SHARED = -25,  // "word-shared": a word that two codes of its block would use; letter
+    NCK_E_INCREMENTAL = -26,  // "incremental": G53 while G91 is in force
 
     // the front door
     NCK_E_ARGUMENT = -40, // "argument": an argument outside of its range
@@ -55,7 +58,8 @@ typedef enum nck_note {
     NCK_NOTE_DISTANCE = 3,   // "assumed-distance": motion before G90 or G91
     NCK_NOTE_ARC_CENTRE = 4, // "assumed-centre": I J K before G90.1 or G91.1
     NCK_NOTE_NO_END = 5,     // "no-end": the text ends without M2, M30 or a closing %
-    NCK_NOTE_AFTER_END = 6   // "after-end": text after M2 or M30 is not read
+    NCK_NOTE_AFTER_END = 6,  // "after-end": text after M2 or M30 is not read
+    NCK_NOTE_FEED_UNITS = 7  // "feed-units": F beside a G20 or G21 that changes the units
 } nck_note_t;
 
 // One finding in a program. Wording is the caller's; ids and numbers are the kernel's.

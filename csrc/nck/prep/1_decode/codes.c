@@ -4,11 +4,9 @@
 
 #include <stddef.h> // size_t
 
-enum { UNSUPPORTED = NCK_STEP_COUNT }; // known to the language, not built
-
 typedef struct code {
     uint16_t tenths; // G61.1 is 611
-    uint16_t step;   // nck_step_t or UNSUPPORTED
+    uint16_t step;   // nck_step_t
     uint32_t takes;  // letters
 } code_t;
 
@@ -37,19 +35,7 @@ static const code_t g_codes[] = {
     {921, NCK_STEP_OFFSET, 0}, {922, NCK_STEP_OFFSET, 0}, {923, NCK_STEP_OFFSET, 0},
     {100, NCK_STEP_OFFSET, AXES | NCK_LETTER('L') | NCK_LETTER('P') | NCK_LETTER('R')},
     {70, NCK_STEP_DIAMETER, 0}, {80, NCK_STEP_DIAMETER, 0},
-    {90, NCK_STEP_EXACT, 0}, {970, NCK_STEP_SPEED_MODE, 0},
-    {50, UNSUPPORTED, 0}, {51, UNSUPPORTED, 0}, {52, UNSUPPORTED, 0}, {53, UNSUPPORTED, 0},
-    {171, UNSUPPORTED, 0}, {181, UNSUPPORTED, 0}, {191, UNSUPPORTED, 0},
-    {281, UNSUPPORTED, 0}, {301, UNSUPPORTED, 0}, {330, UNSUPPORTED, 0}, {331, UNSUPPORTED, 0},
-    {382, UNSUPPORTED, 0}, {383, UNSUPPORTED, 0}, {384, UNSUPPORTED, 0}, {385, UNSUPPORTED, 0},
-    {410, UNSUPPORTED, 0}, {411, UNSUPPORTED, 0}, {420, UNSUPPORTED, 0}, {421, UNSUPPORTED, 0},
-    {431, UNSUPPORTED, 0}, {432, UNSUPPORTED, 0}, {520, UNSUPPORTED, 0},
-    {700, UNSUPPORTED, 0}, {710, UNSUPPORTED, 0}, {711, UNSUPPORTED, 0}, {712, UNSUPPORTED, 0},
-    {720, UNSUPPORTED, 0}, {721, UNSUPPORTED, 0}, {722, UNSUPPORTED, 0}, {730, UNSUPPORTED, 0},
-    {740, UNSUPPORTED, 0}, {760, UNSUPPORTED, 0}, {810, UNSUPPORTED, 0}, {820, UNSUPPORTED, 0},
-    {830, UNSUPPORTED, 0}, {840, UNSUPPORTED, 0}, {850, UNSUPPORTED, 0}, {860, UNSUPPORTED, 0},
-    {870, UNSUPPORTED, 0}, {880, UNSUPPORTED, 0}, {890, UNSUPPORTED, 0},
-    {960, UNSUPPORTED, 0}, {980, UNSUPPORTED, 0}, {990, UNSUPPORTED, 0}
+    {90, NCK_STEP_EXACT, 0}, {970, NCK_STEP_SPEED_MODE, 0}
 };
 
 static const code_t m_codes[] = {
@@ -58,12 +44,23 @@ static const code_t m_codes[] = {
     {30, NCK_STEP_SPINDLE, 0}, {40, NCK_STEP_SPINDLE, 0}, {50, NCK_STEP_SPINDLE, 0},
     {60, NCK_STEP_CHANGE, 0},
     {70, NCK_STEP_MIST, 0}, {80, NCK_STEP_FLOOD, 0}, {90, NCK_STEP_FLOOD, 0},
-    {480, NCK_STEP_OVERRIDE, 0}, {490, NCK_STEP_OVERRIDE, 0},
-    {190, UNSUPPORTED, 0}, {500, UNSUPPORTED, 0}, {510, UNSUPPORTED, 0}, {520, UNSUPPORTED, 0},
-    {530, UNSUPPORTED, 0}, {610, UNSUPPORTED, 0}, {620, UNSUPPORTED, 0}, {630, UNSUPPORTED, 0},
-    {640, UNSUPPORTED, 0}, {650, UNSUPPORTED, 0}, {660, UNSUPPORTED, 0}, {670, UNSUPPORTED, 0},
-    {680, UNSUPPORTED, 0}, {700, UNSUPPORTED, 0}, {710, UNSUPPORTED, 0}, {720, UNSUPPORTED, 0},
-    {730, UNSUPPORTED, 0}, {980, UNSUPPORTED, 0}, {990, UNSUPPORTED, 0}
+    {480, NCK_STEP_OVERRIDE, 0}, {490, NCK_STEP_OVERRIDE, 0}
+};
+
+// Known to RS274NGC or to Fanuc's controls, not built.
+static const uint16_t g_later[] = {
+    50, 51, 52, 53, 62, 71, 72, 106, 109, 110, 120, 121, 130, 131, 150, 160, 171, 181, 191, 220,
+    230, 250, 260, 270, 281, 290, 301, 310, 320, 330, 331, 340, 350, 360, 370, 380, 382, 383, 384,
+    385, 390, 401, 410, 411, 412, 413, 414, 415, 416, 420, 421, 422, 424, 425, 426, 431, 432, 433,
+    434, 435, 437, 440, 450, 460, 470, 480, 500, 501, 502, 503, 510, 511, 512, 520, 531, 532, 536,
+    541, 542, 544, 600, 620, 630, 650, 660, 661, 670, 680, 681, 682, 683, 684, 690, 691, 700, 710,
+    711, 712, 720, 721, 722, 730, 740, 750, 760, 770, 780, 790, 810, 811, 820, 830, 840, 842, 843,
+    850, 860, 870, 880, 890, 960, 980, 990, 1070, 1120, 1130
+};
+
+static const uint16_t m_later[] = {
+    100, 110, 130, 140, 190, 290, 400, 410, 420, 430, 440, 450, 500, 510, 520, 530, 560, 610, 620,
+    630, 640, 650, 660, 670, 680, 700, 710, 720, 730, 960, 970, 980, 990, 1980
 };
 
 static const code_t *find(const code_t *codes, size_t count, int64_t tenths) {
@@ -73,12 +70,23 @@ static const code_t *find(const code_t *codes, size_t count, int64_t tenths) {
     return NULL;
 }
 
+static int is_later(const uint16_t *codes, size_t count, int64_t tenths) {
+    for (size_t k = 0; k < count; k++) {
+        if (codes[k] == tenths) return 1;
+    }
+    return 0;
+}
+
 nck_status_t nck_decode_code(int letter, int64_t tenths, unsigned *step_out, uint32_t *takes_out) {
-    const code_t *const code = letter == 'G'
-        ? find(g_codes, sizeof g_codes / sizeof g_codes[0], tenths)
-        : find(m_codes, sizeof m_codes / sizeof m_codes[0], tenths);
-    if (code == NULL) return letter == 'G' ? NCK_E_G_UNKNOWN : NCK_E_M_UNKNOWN;
-    if (code->step == UNSUPPORTED) return NCK_E_UNSUPPORTED;
+    const int g = letter == 'G';
+    const code_t *const code = g ? find(g_codes, sizeof g_codes / sizeof g_codes[0], tenths)
+                                 : find(m_codes, sizeof m_codes / sizeof m_codes[0], tenths);
+    if (code == NULL) {
+        const int later = g ? is_later(g_later, sizeof g_later / sizeof g_later[0], tenths)
+                            : is_later(m_later, sizeof m_later / sizeof m_later[0], tenths);
+        if (later) return NCK_E_UNSUPPORTED;
+        return g ? NCK_E_G_UNKNOWN : NCK_E_M_UNKNOWN;
+    }
     *step_out = code->step;
     *takes_out = code->takes;
     return NCK_OK;

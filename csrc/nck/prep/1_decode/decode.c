@@ -99,8 +99,8 @@ static nck_status_t nothing(nck_decode_t *self, nck_block_t *out) {
 static nck_status_t run_steps(nck_decode_t *self, nck_block_t *out) {
     static const nck_step_function_t steps[NCK_STEP_COUNT] = {
         nck_decode_units, nck_decode_feed_mode, nck_decode_feed, nck_decode_speed, nck_decode_tool,
-        nck_decode_change, nck_decode_spindle, nck_decode_mist, nck_decode_flood,
-        nck_decode_override, nck_decode_dwell, nck_decode_plane, nck_decode_diameter, nothing,
+        nck_decode_change, nck_decode_change_wait, nck_decode_spindle, nck_decode_mist,
+        nck_decode_flood, nck_decode_override, nck_decode_dwell, nck_decode_plane, nck_decode_diameter, nothing,
         nck_decode_length, nck_decode_work, nck_decode_path, nck_decode_distance, nck_decode_centre,
         nothing, nck_decode_offset, nothing, nothing, nck_decode_motion, nck_decode_second,
         nck_decode_stop
@@ -118,6 +118,7 @@ static nck_status_t run_steps(nck_decode_t *self, nck_block_t *out) {
 
 static nck_status_t fail_line(nck_decode_t *self, nck_status_t status) {
     nck_decode_find(self, &self->finding.error);
+    nck_decode_excuse(self);
     release_line(self);
     return status;
 }
@@ -235,7 +236,7 @@ void nck_decode_end(nck_decode_t *self) {
 void nck_decode_init(nck_decode_t *self, const nck_machine_t *machine) {
     memset(self, 0, sizeof *self);
     self->machine = machine;
-    self->modal.motion = machine->dialect.base == NCK_DIALECT_LINUXCNC ? -1 : 0;
+    self->modal.motion = machine->dialect.base == NCK_DIALECT_LINUXCNC ? NCK_MOTION_NONE : 0;
     self->modal.plane = machine->dialect.plane;
     self->modal.inch = machine->dialect.inch;
     self->modal.diameter = machine->dialect.diameter;

@@ -37,6 +37,14 @@ typedef enum nck_decode_line_state {
     NCK_LINE_RUNNING = 2  // read, its steps are being done
 } nck_decode_line_state_t;
 
+typedef enum nck_no_motion {
+    NCK_MOTION_NONE = -1,   // at start, after G80
+    NCK_MOTION_REFUSED = -2 // a refused line would have set it: what counts on that moves nothing
+} nck_no_motion_t;
+
+// Bits of modal.excused.
+enum { NCK_EXCUSED_FEED = 1, NCK_EXCUSED_SPEED = 2 };
+
 // The room's state: filled by nck_decode_init, written by the room alone.
 typedef struct nck_decode {
     const nck_machine_t *machine;
@@ -53,7 +61,8 @@ typedef struct nck_decode {
     nck_words_t words; // of the line in work
 
     struct {
-        int32_t motion;         // G0 … G3 in tenths, −1: none
+        int32_t motion;         // G0 … G3 in tenths, or nck_no_motion_t, or minus the code in tenths
+                                // that may have begun a cycle
         uint8_t plane;          // 17, 18, 19
         uint8_t inch;           // 1: G20
         uint8_t diameter;       // 1: G7
@@ -62,6 +71,7 @@ typedef struct nck_decode {
         uint8_t feed_mode;      // nck_feed_mode_t
         uint8_t path_mode;      // nck_path_mode_t
         uint8_t spindle_on;     // 1: M3 or M4
+        uint8_t excused;        // NCK_EXCUSED_…: what is missing was told, or follows from an error
         double tolerance_mm;    // G64 P
         double merge_mm;        // G64 Q
         double feed;            // F in mm/min, mm/rev or 1/min; 0: none yet

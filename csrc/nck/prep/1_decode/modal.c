@@ -62,8 +62,16 @@ void nck_decode_scale(nck_decode_t *self) {
 }
 
 nck_status_t nck_decode_units(nck_decode_t *self, nck_block_t *out) {
+    const nck_words_t *const words = &self->words;
+    const uint8_t inch = words->code[NCK_STEP_UNITS] == 200;
+    const int inverse = words->codes & NCK_STEP(NCK_STEP_FEED_MODE)
+                            ? words->code[NCK_STEP_FEED_MODE] == 930
+                            : self->modal.feed_mode == NCK_FEED_INVERSE;
     (void)out;
-    self->modal.inch = self->words.code[NCK_STEP_UNITS] == 200;
+    if (inch != self->modal.inch && has_word(self, 'F') && !inverse) {
+        nck_decode_assume(self, NCK_NOTE_FEED_UNITS);
+    }
+    self->modal.inch = inch;
     self->finding.given |= 1u << NCK_NOTE_UNITS;
     nck_decode_scale(self);
     return NCK_EMPTY;
@@ -81,6 +89,7 @@ nck_status_t nck_decode_feed_mode(nck_decode_t *self, nck_block_t *out) {
         self->modal.feed_word = 0.0;
     }
     self->modal.feed_mode = (uint8_t)mode;
+    self->modal.excused &= (uint8_t)~NCK_EXCUSED_FEED;
     return NCK_EMPTY;
 }
 
@@ -93,6 +102,7 @@ nck_status_t nck_decode_feed(nck_decode_t *self, nck_block_t *out) {
     }
     self->modal.feed = feed;
     self->modal.feed_word = value;
+    self->modal.excused &= (uint8_t)~NCK_EXCUSED_FEED;
     return NCK_EMPTY;
 }
 
@@ -105,6 +115,7 @@ nck_status_t nck_decode_speed(nck_decode_t *self, nck_block_t *out) {
     }
     if (self->modal.speed >= value && self->modal.speed <= value) return NCK_EMPTY;
     self->modal.speed = value;
+    self->modal.excused &= (uint8_t)~NCK_EXCUSED_SPEED;
     return give_output(self, NCK_BLOCK_OUTPUT, NCK_OUTPUT_SPINDLE_SPEED, value, out);
 }
 
@@ -124,13 +135,23 @@ nck_status_t nck_decode_tool(nck_decode_t *self, nck_block_t *out) {
     return give_output(self, NCK_BLOCK_OUTPUT, NCK_OUTPUT_TOOL, (double)number, out);
 }
 
+// A tool is changed at rest (NISTIR 6556, M6): the spindle's stop goes before the wait, whether or
+// not the program has started it.
 nck_status_t nck_decode_change(nck_decode_t *self, nck_block_t *out) {
     self->modal.tool_in = self->modal.tool_next;
+    self->modal.spindle_on = 0;
+    self->modal.excused &= (uint8_t)~NCK_EXCUSED_SPEED;
+    self->words.steps |= NCK_STEP(NCK_STEP_CHANGE_WAIT);
+    return give_output(self, NCK_BLOCK_OUTPUT, NCK_OUTPUT_M, 5.0, out);
+}
+
+nck_status_t nck_decode_change_wait(nck_decode_t *self, nck_block_t *out) {
     return give_output(self, NCK_BLOCK_WAIT, NCK_OUTPUT_M, 6.0, out);
 }
 
 nck_status_t nck_decode_spindle(nck_decode_t *self, nck_block_t *out) {
     self->modal.spindle_on = self->words.code[NCK_STEP_SPINDLE] != 50;
+    self->modal.excused &= (uint8_t)~NCK_EXCUSED_SPEED;
     return give_m(self, NCK_STEP_SPINDLE, out);
 }
 

@@ -92,12 +92,16 @@ static int only_rotary_moves(const nck_decode_t *self, const int64_t *target_nm)
     return 1;
 }
 
+// What is missing is told once, not on every line: NCK_EMPTY from then on.
 static nck_status_t fail_feed(nck_decode_t *self, int letter) {
+    const uint8_t bit = letter == 'F' ? NCK_EXCUSED_FEED : NCK_EXCUSED_SPEED;
+    if (self->modal.excused & bit) return NCK_EMPTY;
+    self->modal.excused |= bit;
     return nck_decode_fail(self, NCK_E_FEED_MISSING, 0, letter, 0.0, 0.0);
 }
 
 // The feed of a cut. NCK_E_FEED_MISSING: none was ever said, G93 without F here, G95 at a
-// standstill.
+// standstill; NCK_EMPTY: the same, and known.
 static nck_status_t cutting_feed(nck_decode_t *self, int rotary_alone, double *feed_out) {
     const int said = (self->words.letters & NCK_LETTER('F')) != 0;
     if (self->modal.feed <= 0.0) return fail_feed(self, 'F');
@@ -152,7 +156,7 @@ nck_status_t nck_decode_motion(nck_decode_t *self, nck_block_t *out) {
                       && self->words.code[NCK_STEP_OFFSET] <= 920;
     int64_t target_nm[NCK_AXIS_MAX];
 
-    self->modal.motion = code == 800 ? -1 : code;
+    self->modal.motion = code == 800 ? NCK_MOTION_NONE : code;
     if (code == 800 || taken || (self->words.axes == 0 && code < 20)) return NCK_EMPTY;
     nck_decode_assume(self, NCK_NOTE_UNITS);
     nck_decode_assume(self, NCK_NOTE_DISTANCE);

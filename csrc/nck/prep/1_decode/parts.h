@@ -37,6 +37,10 @@ void nck_decode_find(nck_decode_t *self, const nck_diagnostic_t *finding);
 // words.c: the line from `at` on as words. Cost: linear in the line.
 nck_status_t nck_decode_words(nck_decode_t *self, const char *at);
 
+// words.c: the line is refused. If it says a feed, a speed or the first motion, that one is missing
+// behind it is no mistake of its own. Cost: linear in the line.
+void nck_decode_excuse(nck_decode_t *self);
+
 // codes.c: what a code is. Returns NCK_OK, NCK_E_UNSUPPORTED, or NCK_E_G_UNKNOWN / NCK_E_M_UNKNOWN.
 // letter: G or M; tenths: the code; *takes_out: letters that it uses. Cost: linear in the codes.
 nck_status_t nck_decode_code(int letter, int64_t tenths, unsigned *step_out, uint32_t *takes_out);
@@ -57,6 +61,7 @@ nck_status_t nck_decode_feed(nck_decode_t *self, nck_block_t *out);
 nck_status_t nck_decode_speed(nck_decode_t *self, nck_block_t *out);
 nck_status_t nck_decode_tool(nck_decode_t *self, nck_block_t *out);
 nck_status_t nck_decode_change(nck_decode_t *self, nck_block_t *out);
+nck_status_t nck_decode_change_wait(nck_decode_t *self, nck_block_t *out);
 nck_status_t nck_decode_spindle(nck_decode_t *self, nck_block_t *out);
 nck_status_t nck_decode_mist(nck_decode_t *self, nck_block_t *out);
 nck_status_t nck_decode_flood(nck_decode_t *self, nck_block_t *out);

@@ -40,14 +40,57 @@ static void claim_dwell(nck_decode_t *self) {
     }
 }
 
+// The axis words that no dwell has.
+static uint32_t axis_letters(const nck_decode_t *self) {
+    const uint32_t letters = self->words.letters & NCK_LETTERS_AXES;
+    const int dwells = has(&self->words, NCK_STEP_DWELL);
+    if (!dwells || self->machine->dialect.base != NCK_DIALECT_FANUC) return letters;
+    return letters & ~(NCK_LETTER('X') | NCK_LETTER('U'));
+}
+
+// The step of the G90, G92 or G94 that a lathe in Fanuc's G-code system A takes for a cycle: the
+// one behind which no other code of its group stands. NCK_STEP_COUNT: none.
+static nck_step_t cycle_of(const nck_words_t *words) {
+    static const struct {
+        uint16_t step, code;
+    } cycles[] = {{NCK_STEP_DISTANCE, 900}, {NCK_STEP_OFFSET, 920}, {NCK_STEP_FEED_MODE, 940}};
+    const int moves = has(words, NCK_STEP_MOTION) && words->code[NCK_STEP_MOTION] != 800;
+    unsigned last = moves ? words->code_column[NCK_STEP_MOTION] : 0;
+    nck_step_t found = NCK_STEP_COUNT;
+    for (unsigned k = 0; k < sizeof cycles / sizeof cycles[0]; k++) {
+        const nck_step_t step = (nck_step_t)cycles[k].step;
+        if (!has(words, step) || words->code[step] != cycles[k].code) continue;
+        if (words->code_column[step] < last) continue;
+        last = words->code_column[step];
+        found = step;
+    }
+    return found;
+}
+
+// G90, G92 and G94 are cycles in system A, modes in B and C, and a program does not say which it is
+// written in. With words to move by they are refused; without, the next move must name its motion.
+static nck_status_t check_cycle(nck_decode_t *self) {
+    nck_words_t *const words = &self->words;
+    const int lathe = self->machine->kinematics == NCK_KINEMATICS_LATHE_XZ;
+    if (!lathe || self->machine->dialect.base != NCK_DIALECT_FANUC) return NCK_OK;
+    const nck_step_t step = cycle_of(words);
+    if (step == NCK_STEP_COUNT) return NCK_OK;
+    const int taken = has(words, NCK_STEP_OFFSET) && words->code[NCK_STEP_OFFSET] < 920;
+    if (!taken && (axis_letters(self) | (words->letters & NCK_LETTERS_CENTRE)) != 0) {
+        self->modal.motion = NCK_MOTION_REFUSED;
+        return fail_code(self, NCK_E_UNSUPPORTED, step);
+    }
+    words->steps &= ~NCK_STEP(NCK_STEP_MOTION);
+    const int refused = step == NCK_STEP_OFFSET; // G92 with no axis word is an error of its own
+    self->modal.motion = refused ? NCK_MOTION_REFUSED : -(int32_t)words->code[step];
+    return NCK_OK;
+}
+
 // The axes that have a word to move or to set them. NCK_E_AXIS_UNKNOWN for one that is missing.
 static nck_status_t claim_axes(nck_decode_t *self) {
     nck_words_t *const words = &self->words;
-    uint32_t letters = words->letters & NCK_LETTERS_AXES;
+    uint32_t letters = axis_letters(self);
     uint32_t strangers = 0;
-    if (has(words, NCK_STEP_DWELL) && self->machine->dialect.base == NCK_DIALECT_FANUC) {
-        letters &= ~(NCK_LETTER('X') | NCK_LETTER('U'));
-    }
     for (unsigned axis = 0; letters != 0; axis++) {
         const uint32_t letter = letters & NCK_LETTER(axis_letter[axis]);
         const uint32_t bit = (uint32_t)1 << axis;
@@ -57,6 +100,18 @@ static nck_status_t claim_axes(nck_decode_t *self) {
     }
     if (strangers == 0) return NCK_OK;
     return nck_decode_fail_word(self, NCK_E_AXIS_UNKNOWN, leftmost(words, strangers), 0.0, 0.0);
+}
+
+// No motion that could use the axis words is in force; a cycle that may be is told once.
+static nck_status_t fail_no_motion(nck_decode_t *self) {
+    const int letter = leftmost(&self->words, self->words.letters & NCK_LETTERS_AXES);
+    const int32_t modal = self->modal.motion;
+    if (modal == NCK_MOTION_NONE) {
+        return nck_decode_fail_word(self, NCK_E_NO_MOTION, letter, 0.0, 0.0);
+    }
+    self->modal.motion = NCK_MOTION_REFUSED;
+    return nck_decode_fail(self, NCK_E_UNSUPPORTED, self->words.column[letter - 'A'], 'G',
+                           -modal / 10.0, 0.0);
 }
 
 // Axis words go to G10, G28, G30 or G92 if there is one, else to the motion: the block's or the
@@ -69,25 +124,74 @@ static nck_status_t claim_motion(nck_decode_t *self) {
 
     if (has(words, NCK_STEP_MOTION)) {
         // Fanuc's G0 G28 Z0: the motion code sets the mode, G28 has the words.
-        if (taken && self->machine->dialect.base != NCK_DIALECT_FANUC) {
+        const int second = taken && words->code[NCK_STEP_MOTION] != 800;
+        if (second && self->machine->dialect.base != NCK_DIALECT_FANUC) {
             return fail_code(self, NCK_E_MODAL_GROUP, NCK_STEP_OFFSET);
         }
         return NCK_OK;
     }
     if (taken || (words->axes == 0 && !centre)) return NCK_OK;
-    if (modal < 0) {
-        return nck_decode_fail_word(self, NCK_E_NO_MOTION,
-                                    leftmost(words, words->letters & NCK_LETTERS_AXES), 0.0, 0.0);
+    if (modal == NCK_MOTION_REFUSED) {
+        words->takes |= nck_decode_motion_takes(20);
+        return NCK_OK;
     }
+    if (modal < 0) return fail_no_motion(self);
     words->steps |= NCK_STEP(NCK_STEP_MOTION);
     words->code[NCK_STEP_MOTION] = (uint16_t)modal;
     words->takes |= nck_decode_motion_takes(modal);
     return NCK_OK;
 }
 
+// G53 needs a straight move, and a position that counts from the machine's zero.
+static nck_status_t check_machine(nck_decode_t *self) {
+    const nck_words_t *const words = &self->words;
+    const int straight = (words->steps & NCK_STEP(NCK_STEP_MOTION))
+                         && words->code[NCK_STEP_MOTION] <= 10;
+    if (!straight) return fail_code(self, NCK_E_WORD_MISSING, NCK_STEP_MACHINE);
+    const int incremental = has(words, NCK_STEP_DISTANCE) ? words->code[NCK_STEP_DISTANCE] == 910
+                                                          : self->modal.incremental;
+    return incremental ? fail_code(self, NCK_E_INCREMENTAL, NCK_STEP_MACHINE) : NCK_OK;
+}
+
+// P is a dwell's, a tolerance, a work system or an arc's turns: of one of them. (rs274 refuses G4
+// with G2 alone and lets the others share.)
+static nck_status_t check_shared(nck_decode_t *self) {
+    const nck_words_t *const words = &self->words;
+    const int arc = (words->steps & NCK_STEP(NCK_STEP_MOTION))
+                    && words->code[NCK_STEP_MOTION] >= 20 && words->code[NCK_STEP_MOTION] != 800;
+    const int work = has(words, NCK_STEP_OFFSET) && words->code[NCK_STEP_OFFSET] == 100;
+    const int path = has(words, NCK_STEP_PATH) && words->code[NCK_STEP_PATH] == 640;
+    if (arc + work + path + has(words, NCK_STEP_DWELL) <= 1) return NCK_OK;
+    return nck_decode_fail_word(self, NCK_E_WORD_SHARED, 'P', 0.0, 0.0);
+}
+
+// G92 with S and nothing else limits the spindle's speed on Fanuc's controls.
+static nck_status_t check_limit(nck_decode_t *self) {
+    const nck_words_t *const words = &self->words;
+    const int alone = words->code[NCK_STEP_OFFSET] == 920 && words->axes == 0;
+    if (!alone || !(words->letters & NCK_LETTER('S'))) return NCK_OK;
+    return fail_code(self, NCK_E_UNSUPPORTED, NCK_STEP_OFFSET);
+}
+
+// What else cannot stand in one block.
+static nck_status_t check_codes(nck_decode_t *self) {
+    const nck_words_t *const words = &self->words;
+    if (has(words, NCK_STEP_MIST) && has(words, NCK_STEP_FLOOD)
+        && words->code[NCK_STEP_FLOOD] == 90) {
+        return fail_code(self, NCK_E_MODAL_GROUP, NCK_STEP_FLOOD);
+    }
+    nck_status_t status = NCK_OK;
+    if (words->letters & NCK_LETTER('P')) status = check_shared(self);
+    if (status == NCK_OK && has(words, NCK_STEP_OFFSET)) status = check_limit(self);
+    if (status == NCK_OK && has(words, NCK_STEP_MACHINE)) status = check_machine(self);
+    return status;
+}
+
 nck_status_t nck_decode_resolve(nck_decode_t *self) {
     nck_words_t *const words = &self->words;
     const uint32_t always = NCK_LETTER('F') | NCK_LETTER('N') | NCK_LETTER('S') | NCK_LETTER('T');
+    const int plain = !(words->codes & ~NCK_STEP(NCK_STEP_MOTION));
+    nck_status_t status = NCK_OK;
 
     if (words->letters & NCK_LETTER('E')) {
         return nck_decode_fail_word(self, NCK_E_WORD_UNKNOWN, 'E', 0.0, 0.0);
@@ -95,22 +199,16 @@ nck_status_t nck_decode_resolve(nck_decode_t *self) {
     if (words->letters & NCK_LETTER('F')) words->steps |= NCK_STEP(NCK_STEP_FEED);
     if (words->letters & NCK_LETTER('S')) words->steps |= NCK_STEP(NCK_STEP_SPEED);
     if (words->letters & NCK_LETTER('T')) words->steps |= NCK_STEP(NCK_STEP_TOOL);
-    claim_dwell(self);
-    nck_status_t status = claim_axes(self);
+    if (!plain) {
+        claim_dwell(self);
+        status = check_cycle(self);
+    }
+    if (status == NCK_OK) status = claim_axes(self);
     if (status == NCK_OK) status = claim_motion(self);
     if (status != NCK_OK) return status;
     if (words->letters & ~(words->takes | always)) {
         const int letter = leftmost(words, words->letters & ~(words->takes | always));
         return nck_decode_fail_word(self, NCK_E_WORD_UNUSED, letter, 0.0, 0.0);
     }
-    if (has(words, NCK_STEP_MIST) && has(words, NCK_STEP_FLOOD)
-        && words->code[NCK_STEP_FLOOD] == 90) {
-        return fail_code(self, NCK_E_MODAL_GROUP, NCK_STEP_FLOOD);
-    }
-    const int straight = (words->steps & NCK_STEP(NCK_STEP_MOTION))
-                         && words->code[NCK_STEP_MOTION] <= 10;
-    if (has(words, NCK_STEP_MACHINE) && !straight) {
-        return fail_code(self, NCK_E_WORD_MISSING, NCK_STEP_MACHINE);
-    }
-    return NCK_OK;
+    return plain ? NCK_OK : check_codes(self);
 }

@@ -4,12 +4,31 @@
 
 #include <stddef.h> // NULL
 
-static unsigned column_of(const nck_decode_t *self, const char *at) {
-    return (unsigned)(at - self->line.text) + 1;
-}
-
 static int is_letter(char c) {
     return (unsigned)((c | 0x20) - 'a') < NCK_LETTERS;
+}
+
+// Does the line have a word of this letter? Asked of lines that are refused, read or not.
+static int says(const nck_decode_t *self, char letter) {
+    const char *const text = self->line.text;
+    int comment = 0;
+    for (uint32_t k = 0; k < self->line.size && (comment || text[k] != ';'); k++) {
+        if (text[k] == '(' || text[k] == ')') comment = text[k] == '(';
+        if (!comment && (text[k] & ~0x20) == letter && !is_letter(text[k + 1])) return 1;
+    }
+    return 0;
+}
+
+void nck_decode_excuse(nck_decode_t *self) {
+    if (says(self, 'F')) self->modal.excused |= NCK_EXCUSED_FEED;
+    if (says(self, 'S')) self->modal.excused |= NCK_EXCUSED_SPEED;
+    if (self->modal.motion == NCK_MOTION_NONE && says(self, 'G')) {
+        self->modal.motion = NCK_MOTION_REFUSED;
+    }
+}
+
+static unsigned column_of(const nck_decode_t *self, const char *at) {
+    return (unsigned)(at - self->line.text) + 1;
 }
 
 static const char *skip_blanks(const char *at) {
@@ -47,6 +66,13 @@ static nck_status_t fail_character(nck_decode_t *self, const char *at) {
     return nck_decode_fail(self, code, column_of(self, at), 0, (double)(unsigned char)c, 0.0);
 }
 
+// A code whose step has one already. G80 cancels cycles, and a motion beside it is the motion.
+static nck_status_t collide(nck_words_t *words, unsigned step, int64_t tenths) {
+    const int before = words->code[step] == 800, now = tenths == 800;
+    if (step != NCK_STEP_MOTION || before == now) return NCK_E_MODAL_GROUP;
+    return now ? NCK_EMPTY : NCK_OK;
+}
+
 // G and M codes: sorted into the step that executes them.
 static nck_status_t read_code(nck_decode_t *self, const char **at) {
     nck_words_t *const words = &self->words;
@@ -63,7 +89,9 @@ static nck_status_t read_code(nck_decode_t *self, const char **at) {
     if (nck_number_whole(&number, 1, &tenths)) {
         status = nck_decode_code(letter, tenths, &step, &takes);
     }
-    if (status == NCK_OK && (words->codes & NCK_STEP(step))) status = NCK_E_MODAL_GROUP;
+    *at = next;
+    if (status == NCK_OK && (words->codes & NCK_STEP(step))) status = collide(words, step, tenths);
+    if (status == NCK_EMPTY) return NCK_OK;
     if (status != NCK_OK) {
         return nck_decode_fail(self, status, column, letter, nck_number_real(&number), 0.0);
     }
@@ -72,7 +100,6 @@ static nck_status_t read_code(nck_decode_t *self, const char **at) {
     words->takes |= takes;
     words->code[step] = (uint16_t)tenths;
     words->code_column[step] = (uint16_t)column;
-    *at = next;
     return NCK_OK;
 }
 

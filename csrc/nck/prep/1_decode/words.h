@@ -15,7 +15,8 @@ typedef enum nck_step {
     NCK_STEP_FEED,        // F
     NCK_STEP_SPEED,       // S
     NCK_STEP_TOOL,        // T
-    NCK_STEP_CHANGE,      // M6
+    NCK_STEP_CHANGE,      // M6: the spindle stops first
+    NCK_STEP_CHANGE_WAIT, // the wait of M6
     NCK_STEP_SPINDLE,     // M3 M4 M5
     NCK_STEP_MIST,        // M7
     NCK_STEP_FLOOD,       // M8 M9
