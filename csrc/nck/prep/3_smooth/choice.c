@@ -21,8 +21,11 @@
 #define ACCEL_SHARE 0.95     // the same of its acceleration
 #define LEAST 1e-9           // [path mm]: a parking shorter than that is none
 #define REVERSAL 1e-6        // |in + out| up to which a corner is an exact reversal
-#define REST_PERIODS 3.0     // that a stop costs besides its ramps and the filter
+#define REST_PERIODS 1.0     // that a stop costs besides its ramps and the filter
 #define UNLIMITED 1e30       // jerk of the linear slope
+#define ZONES_CUT 1.3        // see SPLIT_ZONES of room 4
+#define RAISE 0.056          // 1/24 + (1.35/4)²/8
+#define STANDSTILL 1e-3
 #define OWN 0.7              // of the spline's turn that a corner has to make for a stop to help
 enum { HALVINGS = 30 };
 
@@ -32,7 +35,9 @@ typedef struct corner {
     double out[NCK_AXIS_MAX];
     double turn;              // |out − in| of the unit tangents
     double tolerance;         // [path mm]
-    double half[2];           // how much of either block is this corner's [path mm]
+    double length[2];         // of either block [path mm]
+    double half[2];           // how much of it is this corner's [path mm]
+    uint8_t rests[2];         // 1: the path rests at the block's other end
     double v_max;             // of both blocks
     double a, j;              // tangential, of the slower block
     double mix_s;             // that the slope's filter adds to a low point [s]
@@ -114,15 +119,56 @@ static double ramp_over(const corner_t *corner, double v, double length, double 
     return left > 0.0 ? t + left / low : t;
 }
 
-// Time of a corner that is passed at v over d of either block, and of what is left of them.
-static double time_at(const corner_t *corner, double v, double d, double bend) {
-    double time = bend / v;
-    double v_end = v;
-    for (int n = 0; n < 2; n++) {
-        const double left = corner->half[n] - d;
-        if (left > 0.0) time += ramp_over(corner, v, left, &v_end);
+// Least time over a length that is entered at v and ends at rest, as v lets it.
+static double there_and_back(const corner_t *corner, double v, double length) {
+    double low = v;
+    double high = corner->v_max;
+    for (int n = 0; n < HALVINGS; n++) {
+        const double top = 0.5 * (low + high);
+        const double up = 0.5 * (v + top) * ramp_time(corner, top - v);
+        if (up + 0.5 * top * ramp_time(corner, top) <= length) low = top;
+        else high = top;
     }
-    return time;
+    const double up = ramp_time(corner, low - v);
+    const double down = ramp_time(corner, low);
+    const double left = length - 0.5 * (v + low) * up - 0.5 * low * down;
+    return up + down + nck_max(0.0, left) / low;
+}
+
+// What the filter may raise a speed by: its share of J·τ², which room 4 takes off.
+static double raise_of(const corner_t *corner) {
+    return RAISE * corner->j * corner->mix_s * corner->mix_s;
+}
+
+// How much of a block the bend's limits hold in, behind the bend: the slope's filter mixes, for half
+// its length, and a piece that is too short is not cut there.
+static double bound_by(const corner_t *corner, double v, double left) {
+    const double zone = 0.5 * (v + raise_of(corner)) * corner->mix_s;
+    return left < ZONES_CUT * zone ? left : zone;
+}
+
+// Time of one block beside a bend that is passed at v and takes d of it: half of the block if
+// another corner follows, all of it if a rest does.
+static double side_time(const corner_t *corner, int n, double v, double d) {
+    const double all = corner->rests[n] ? corner->length[n] : corner->half[n];
+    const double left = nck_max(0.0, all - d);
+    const double bound = bound_by(corner, v, left);
+    double v_end = v;
+    if (!corner->rests[n]) return bound / v + ramp_over(corner, v, left - bound, &v_end);
+    return bound / v + there_and_back(corner, v, left - bound);
+}
+
+// The speed of a bend that takes d of either block, as what is left beside a rest lets it be.
+static double reachable(const corner_t *corner, double v, double d) {
+    const double least = STANDSTILL * v;
+    for (int n = 0; n < 2; n++) {
+        const double left = nck_max(0.0, corner->length[n] - d);
+        double v_end = v;
+        if (!corner->rests[n]) continue;
+        (void)ramp_over(corner, 0.0, left - bound_by(corner, v, left), &v_end);
+        v = nck_max(least, nck_min(v, v_end));
+    }
+    return v;
 }
 
 // Time of a stop, over d of either block at least: where a block is shorter the path goes on as
@@ -131,32 +177,33 @@ static double stop_time(const corner_t *corner, double d, const nck_machine_t *m
     double time = REST_PERIODS * machine->period_s + corner->mix_s;
     for (int n = 0; n < 2; n++) {
         double v_end = 0.0;
-        time += ramp_over(corner, 0.0, corner->half[n], &v_end);
+        const double half = ramp_over(corner, 0.0, corner->half[n], &v_end);
+        time += corner->rests[n] ? 2.0 * half : half;
         if (corner->half[n] < d) time += (d - corner->half[n]) / v_end;
     }
     return time;
 }
 
+// A bend that is left next to nothing is a standstill.
 static double bend_speed(const corner_t *corner, const shape_limit_t *limit, double d) {
     const double v = nck_min(nck_root_cube(limit->j * d * d), nck_sqrt(limit->a * d));
-    return nck_min(corner->v_max, v);
+    return nck_min(corner->v_max, nck_max(v - raise_of(corner), STANDSTILL * v));
 }
 
-// Room 4 keeps the limits of a bend for half a filter on either side, over what may be gained in
-// that time: a bend shorter than that costs as much.
 static double plain_time(const corner_t *corner, const nck_bend_t *bend,
                          const nck_machine_t *machine) {
     const shape_limit_t limit = limit_plain(machine, bend->turn);
-    const double v = bend_speed(corner, &limit, bend->d);
-    const double d = bend->d + 0.125 * corner->a * corner->mix_s * corner->mix_s;
-    return time_at(corner, v, d, 2.0 * d) + corner->mix_s;
+    const double v = reachable(corner, bend_speed(corner, &limit, bend->d), bend->d);
+    return 2.0 * bend->d / v + side_time(corner, 0, v, bend->d)
+           + side_time(corner, 1, v, bend->d);
 }
 
 static double blend_time(const corner_t *corner, const nck_blend_t *blend,
                          const nck_machine_t *machine) {
     const shape_limit_t limit = limit_blend(machine, corner, blend->parking / blend->d);
-    const double v = bend_speed(corner, &limit, blend->d);
-    return time_at(corner, v, blend->d, 2.0 * blend->d + blend->parking);
+    const double v = reachable(corner, bend_speed(corner, &limit, blend->d), blend->d);
+    return (2.0 * blend->d + blend->parking) / v + side_time(corner, 0, v, blend->d)
+           + side_time(corner, 1, v, blend->d);
 }
 
 static double speed_of(const nck_smooth_t *self, const nck_seg_t *seg, const double *tangent) {
@@ -179,18 +226,23 @@ static double unit_distance(const double *in, const double *out, double sign) {
     return nck_spline_norm(sum);
 }
 
-static void measure(const nck_smooth_t *self, const nck_raw_t *a, const nck_raw_t *b,
-                    corner_t *corner) {
+static void measure(const nck_smooth_t *self, const nck_meet_t *meet, corner_t *corner) {
     const nck_machine_t *const machine = self->machine;
+    const nck_raw_t *const a = meet->a;
+    const nck_raw_t *const b = meet->b;
     nck_path_tangent(&a->seg, a->seg.length, corner->in);
     nck_path_tangent(&b->seg, 0.0, corner->out);
     corner->turn = unit_distance(corner->in, corner->out, -1.0);
     corner->tolerance = TOLERANCE_SHARE * nck_min(a->tolerance, b->tolerance);
+    corner->length[0] = a->seg.length;
+    corner->length[1] = b->seg.length;
+    memcpy(corner->rests, meet->rests, sizeof corner->rests);
     corner->half[0] = nck_min(a->seg.length, HALF * (a->seg.length + a->cut));
     corner->half[1] = HALF * b->seg.length;
     corner->v_max =
         nck_min(speed_of(self, &a->seg, corner->in), speed_of(self, &b->seg, corner->out));
-    corner->mix_s = machine->slope == NCK_SLOPE_LINEAR ? 0.0 : NCK_FILTER_TAPS * machine->period_s;
+    corner->mix_s =
+        machine->slope == NCK_SLOPE_LINEAR ? 0.0 : NCK_FILTER_TAPS * machine->period_s;
     limit_along(machine, corner);
 }
 
@@ -214,12 +266,12 @@ static int lone_bend(const corner_t *corner, nck_bend_t *bend) {
     return bend->d < nck_min(corner->half[0], corner->half[1]);
 }
 
-int nck_choice_blend(const nck_smooth_t *self, const nck_raw_t *a, const nck_raw_t *b, double room,
+int nck_choice_blend(const nck_smooth_t *self, const nck_meet_t *meet, double room,
                      nck_blend_t *blend) {
     const nck_machine_t *const machine = self->machine;
     corner_t corner;
     nck_bend_t bend;
-    measure(self, a, b, &corner);
+    measure(self, meet, &corner);
     if (!(corner.turn > 0.0) || !lone_bend(&corner, &bend)) return 0;
     if (unit_distance(corner.in, corner.out, 1.0) <= REVERSAL) return 0;
     blend->d = width_of(&corner, room, machine, &blend->parking);
@@ -230,10 +282,11 @@ int nck_choice_blend(const nck_smooth_t *self, const nck_raw_t *a, const nck_raw
     return time < plain_time(&corner, &bend, machine) && time < stop_time(&corner, 0.0, machine);
 }
 
-int nck_choice_stop(const nck_smooth_t *self, const nck_raw_t *a, const nck_raw_t *b,
-                    const nck_bend_t *bend) {
+int nck_choice_stop(const nck_smooth_t *self, const nck_meet_t *meet, const nck_bend_t *bend) {
     corner_t corner;
-    measure(self, a, b, &corner);
+    measure(self, meet, &corner);
+    // A bend that spans whole blocks does not end beside them.
+    for (int n = 0; n < 2; n++) corner.rests[n] = corner.rests[n] && bend->d < corner.half[n];
     if (corner.turn < OWN * nck_spline_norm(bend->turn)) return 0;
     return stop_time(&corner, bend->d, self->machine) < plain_time(&corner, bend, self->machine);
 }

@@ -19,19 +19,25 @@ typedef struct nck_bend {
     double turn[NCK_AXIS_MAX]; // by how much the spline's tangent turns over it
 } nck_bend_t;
 
-// Choose for the corner where line b follows line a. A blend may reach `room` into either [path mm].
+// Where two blocks meet.
+typedef struct nck_meet {
+    const nck_raw_t *a; // the block before the corner
+    const nck_raw_t *b; // the block behind it
+    uint8_t rests[2];   // 1: the path rests at the begin of a, at the end of b
+} nck_meet_t;
+
+// Choose for a corner between two lines. A blend may reach `room` into either [path mm].
 // Returns 1 and the blend if it is faster than the spline and than a stop.
 // Cost: some 100 square roots at a sharp corner, constant elsewhere.
-int nck_choice_blend(const nck_smooth_t *self, const nck_raw_t *a, const nck_raw_t *b, double room,
+int nck_choice_blend(const nck_smooth_t *self, const nck_meet_t *meet, double room,
                      nck_blend_t *blend);
 
 // |out − in| from which on a stop may be faster: a blunter bend is passed as fast as what a ramp from
 // rest reaches at its ends.
 #define NCK_CHOICE_SHARP 0.5
 
-// Returns 1 if a stop at the corner where b follows a is faster than the spline's bend.
+// Returns 1 if a stop at the corner is faster than the spline's bend.
 // Cost: as above.
-int nck_choice_stop(const nck_smooth_t *self, const nck_raw_t *a, const nck_raw_t *b,
-                    const nck_bend_t *bend);
+int nck_choice_stop(const nck_smooth_t *self, const nck_meet_t *meet, const nck_bend_t *bend);
 
 #endif

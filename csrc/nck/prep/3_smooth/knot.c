@@ -218,7 +218,7 @@ static void stop_behind(nck_smooth_t *self, uint32_t count) {
 // spacing, or as the run's ends leave it.
 static void stop_or_bend(nck_smooth_t *self, uint32_t count) {
     const nck_raw_t *const raw = nck_raw_at(self, count);
-    const nck_raw_t *const next = nck_raw_at(self, nck_raw_next(self, count));
+    const uint32_t after = nck_raw_next(self, count);
     const double s = raw->s + raw->seg.length;
     nck_bend_t bend = {nck_min(raw->spacing, s), {0.0}};
     double before[NCK_AXIS_MAX];
@@ -230,7 +230,10 @@ static void stop_or_bend(nck_smooth_t *self, uint32_t count) {
     for (int x = 0; x < NCK_AXIS_MAX; x++) {
         bend.turn[x] = (before[x] - 2.0 * here[x] + bend.turn[x]) / bend.d;
     }
-    if (nck_choice_stop(self, raw, next, &bend)) stop_behind(self, count);
+    const int is_last = self->run.closed && nck_raw_next(self, after) == self->run.end;
+    const nck_meet_t meet = {
+        raw, nck_raw_at(self, after), {!(raw->s > 0.0) && !(raw->cut > 0.0), (uint8_t)is_last}};
+    if (nck_choice_stop(self, &meet, &bend)) stop_behind(self, count);
 }
 
 // Find the spacing that the end of a block allows, once.

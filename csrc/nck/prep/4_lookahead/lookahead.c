@@ -19,7 +19,7 @@ enum {
 // A seg is cut where its junctions' share ends only if that frees more than this share of its
 // acceleration, and if the middle is at least as long as both its ends.
 #define SPLIT_SHARE 0.05
-#define SPLIT_ZONES 2.0
+#define SPLIT_ZONES 1.3
 
 #define UNLIMITED 1e30
 
@@ -186,14 +186,16 @@ static void add_rest(nck_lookahead_t *self, const nck_joint_t *joint) {
 }
 
 // How far a zone reaches into a seg that is entered (left) at v_node at most: at the seg's own
-// speed, or at what it can have gained by then. Where no junction takes a share, as far as the
-// filter mixes.
+// speed, or at what it can have gained by then with the acceleration that the zone leaves. (Where
+// the speed falls at the node, it is planned lower than v_node by what the filter adds.) Where no
+// junction takes a share, as far as the filter mixes.
 static double zone_length(const nck_lookahead_t *self, const nck_joint_t *joint, double v_node,
                           const around_t *around) {
     if (!(self->v_filter > 0.0)) return joint->v_max * self->zone_s;
     const double time = around->share[NCK_PACE_OVER] > 0.0 ? self->zone_s : self->mix_s;
-    const double gained = 0.5 * joint->a_most * time * time;
-    return nck_min(joint->pace[NCK_PACE_OVER].v * time, (v_node + self->v_filter) * time + gained);
+    const double near = nck_max(around->near[NCK_PACE_FEED].a, around->near[NCK_PACE_OVER].a);
+    const double gained = 0.5 * nck_min(joint->a_most, near) * time * time;
+    return nck_min(joint->pace[NCK_PACE_OVER].v * time, v_node * time + gained);
 }
 
 // How fast the path may be between the segs count − 1 and count, both known if they exist, by the
@@ -239,15 +241,20 @@ static void keep_in_middle(const nck_lookahead_t *self, const around_t ends[2],
 static void add_motion(nck_lookahead_t *self, uint32_t count, const around_t ends[2],
                        const double v_start[]) {
     const nck_joint_t *const joint = nck_joint_at(self, count);
-    const double zone = zone_length(self, joint, speed_between(self, count), &ends[0]);
-    const double zone_end = zone_length(self, joint, speed_between(self, count + 1), &ends[1]);
-    const int tighter = is_tighter(self, joint, &ends[0]) || is_tighter(self, joint, &ends[1]);
-    const int split = tighter && joint->length > SPLIT_ZONES * (zone + zone_end);
-    const int is_cut_off[2] = {split && is_cut(self, joint, &ends[0]),
-                               split && is_cut(self, joint, &ends[1])};
     const double unlimited[NCK_PACES] = {joint->v_max, joint->v_free};
-    const double a = is_cut_off[0] ? zone : 0.0;
-    const double b = is_cut_off[1] ? joint->length - zone_end : joint->length;
+    double zone[2] = {0.0, 0.0};
+    int is_cut_off[2];
+    int tighter = 0;
+    for (uint32_t n = 0; n < 2; n++) {
+        is_cut_off[n] = is_cut(self, joint, &ends[n]);
+        tighter = tighter || is_tighter(self, joint, &ends[n]);
+        if (!is_cut_off[n]) continue;
+        zone[n] = zone_length(self, joint, speed_between(self, count + n), &ends[n]);
+    }
+    const int split = tighter && joint->length > SPLIT_ZONES * (zone[0] + zone[1]);
+    for (int n = 0; n < 2; n++) is_cut_off[n] = is_cut_off[n] && split;
+    const double a = is_cut_off[0] ? zone[0] : 0.0;
+    const double b = is_cut_off[1] ? joint->length - zone[1] : joint->length;
     const double first[2] = {0.0, a};
     const double middle[2] = {a, b};
     const double last[2] = {b, joint->length};
