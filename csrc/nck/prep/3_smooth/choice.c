@@ -11,6 +11,7 @@
 
 #include "nck/base/path_math.h"            // nck_path_tangent
 #include "nck/base/real.h"                 // nck_min nck_max
+#include "nck/base/ramp_math.h"            // nck_ramp_…
 #include "nck/base/root_math.h"            // nck_root_cube
 #include "nck/prep/3_smooth/blend_math.h"  // nck_blend_parking
 #include "nck/prep/3_smooth/spline_math.h" // nck_spline_…
@@ -27,7 +28,6 @@
 #define RAISE 0.056          // 1/24 + (1.35/4)²/8
 #define STANDSTILL 1e-3
 #define OWN 0.7              // of the spline's turn that a corner has to make for a stop to help
-enum { HALVINGS = 30 };
 
 // What a corner is like. Speeds in path mm/s.
 typedef struct corner {
@@ -38,8 +38,7 @@ typedef struct corner {
     double length[2];         // of either block [path mm]
     double half[2];           // how much of it is this corner's [path mm]
     uint8_t rests[2];         // 1: the path rests at the block's other end
-    double v_max;             // of both blocks
-    double a, j;              // tangential, of the slower block
+    nck_ramp_t ramp;          // along both blocks, by the slower one
     double mix_s;             // that the slope's filter adds to a low point [s]
 } corner_t;
 
@@ -57,13 +56,14 @@ static double least_of(double so_far, double limit, double part) {
 // What the axes allow along the blocks.
 static void limit_along(const nck_machine_t *machine, corner_t *corner) {
     const int limits_jerk = machine->slope != NCK_SLOPE_LINEAR;
-    corner->a = machine->path.a_max;
-    corner->j = limits_jerk ? machine->path.j_max : UNLIMITED;
+    corner->ramp.a = machine->path.a_max;
+    corner->ramp.j = limits_jerk ? machine->path.j_max : UNLIMITED;
     for (int x = 0; x < NCK_AXIS_MAX; x++) {
         const double a = machine->axis[x].a_max;
         const double j = limits_jerk ? machine->axis[x].j_max : UNLIMITED;
-        corner->a = least_of(least_of(corner->a, a, corner->in[x]), a, corner->out[x]);
-        corner->j = least_of(least_of(corner->j, j, corner->in[x]), j, corner->out[x]);
+        nck_ramp_t *const ramp = &corner->ramp;
+        ramp->a = least_of(least_of(ramp->a, a, corner->in[x]), a, corner->out[x]);
+        ramp->j = least_of(least_of(ramp->j, j, corner->in[x]), j, corner->out[x]);
     }
 }
 
@@ -97,47 +97,9 @@ static shape_limit_t limit_blend(const nck_machine_t *machine, const corner_t *c
     return limit;
 }
 
-// Time of an S-shaped ramp over a difference of speeds.
-static double ramp_time(const corner_t *corner, double dv) {
-    const double a = corner->a;
-    const double j = corner->j;
-    return dv * j <= a * a ? 2.0 * nck_sqrt(dv / j) : dv / a + a / j;
-}
-
-// Least time over a length from v on, and the speed at its end.
-static double ramp_over(const corner_t *corner, double v, double length, double *v_end) {
-    double low = v;
-    double high = corner->v_max;
-    for (int n = 0; n < HALVINGS; n++) {
-        const double middle = 0.5 * (low + high);
-        if (0.5 * (v + middle) * ramp_time(corner, middle - v) <= length) low = middle;
-        else high = middle;
-    }
-    const double t = ramp_time(corner, low - v);
-    const double left = length - 0.5 * (v + low) * t;
-    *v_end = low;
-    return left > 0.0 ? t + left / low : t;
-}
-
-// Least time over a length that is entered at v and ends at rest, as v lets it.
-static double there_and_back(const corner_t *corner, double v, double length) {
-    double low = v;
-    double high = corner->v_max;
-    for (int n = 0; n < HALVINGS; n++) {
-        const double top = 0.5 * (low + high);
-        const double up = 0.5 * (v + top) * ramp_time(corner, top - v);
-        if (up + 0.5 * top * ramp_time(corner, top) <= length) low = top;
-        else high = top;
-    }
-    const double up = ramp_time(corner, low - v);
-    const double down = ramp_time(corner, low);
-    const double left = length - 0.5 * (v + low) * up - 0.5 * low * down;
-    return up + down + nck_max(0.0, left) / low;
-}
-
 // What the filter may raise a speed by: its share of J·τ², which room 4 takes off.
 static double raise_of(const corner_t *corner) {
-    return RAISE * corner->j * corner->mix_s * corner->mix_s;
+    return RAISE * corner->ramp.j * corner->mix_s * corner->mix_s;
 }
 
 // How much of a block the bend's limits hold in, behind the bend: the slope's filter mixes, for half
@@ -153,9 +115,8 @@ static double side_time(const corner_t *corner, int n, double v, double d) {
     const double all = corner->rests[n] ? corner->length[n] : corner->half[n];
     const double left = nck_max(0.0, all - d);
     const double bound = bound_by(corner, v, left);
-    double v_end = v;
-    if (!corner->rests[n]) return bound / v + ramp_over(corner, v, left - bound, &v_end);
-    return bound / v + there_and_back(corner, v, left - bound);
+    if (!corner->rests[n]) return bound / v + nck_ramp_over(&corner->ramp, v, left - bound);
+    return bound / v + nck_ramp_to_rest(&corner->ramp, v, left - bound);
 }
 
 // The speed of a bend that takes d of either block, as what is left beside a rest lets it be.
@@ -163,10 +124,10 @@ static double reachable(const corner_t *corner, double v, double d) {
     const double least = STANDSTILL * v;
     for (int n = 0; n < 2; n++) {
         const double left = nck_max(0.0, corner->length[n] - d);
-        double v_end = v;
         if (!corner->rests[n]) continue;
-        (void)ramp_over(corner, 0.0, left - bound_by(corner, v, left), &v_end);
-        v = nck_max(least, nck_min(v, v_end));
+        const double most =
+            nck_ramp_reach(&corner->ramp, 0.0, left - bound_by(corner, v, left));
+        v = nck_max(least, nck_min(v, most));
     }
     return v;
 }
@@ -176,8 +137,8 @@ static double reachable(const corner_t *corner, double v, double d) {
 static double stop_time(const corner_t *corner, double d, const nck_machine_t *machine) {
     double time = REST_PERIODS * machine->period_s + corner->mix_s;
     for (int n = 0; n < 2; n++) {
-        double v_end = 0.0;
-        const double half = ramp_over(corner, 0.0, corner->half[n], &v_end);
+        const double half = nck_ramp_over(&corner->ramp, 0.0, corner->half[n]);
+        const double v_end = nck_ramp_reach(&corner->ramp, 0.0, corner->half[n]);
         time += corner->rests[n] ? 2.0 * half : half;
         if (corner->half[n] < d) time += (d - corner->half[n]) / v_end;
     }
@@ -187,7 +148,7 @@ static double stop_time(const corner_t *corner, double d, const nck_machine_t *m
 // A bend that is left next to nothing is a standstill.
 static double bend_speed(const corner_t *corner, const shape_limit_t *limit, double d) {
     const double v = nck_min(nck_root_cube(limit->j * d * d), nck_sqrt(limit->a * d));
-    return nck_min(corner->v_max, nck_max(v - raise_of(corner), STANDSTILL * v));
+    return nck_min(corner->ramp.v_max, nck_max(v - raise_of(corner), STANDSTILL * v));
 }
 
 static double plain_time(const corner_t *corner, const nck_bend_t *bend,
@@ -239,7 +200,7 @@ static void measure(const nck_smooth_t *self, const nck_meet_t *meet, corner_t *
     memcpy(corner->rests, meet->rests, sizeof corner->rests);
     corner->half[0] = nck_min(a->seg.length, HALF * (a->seg.length + a->cut));
     corner->half[1] = HALF * b->seg.length;
-    corner->v_max =
+    corner->ramp.v_max =
         nck_min(speed_of(self, &a->seg, corner->in), speed_of(self, &b->seg, corner->out));
     corner->mix_s =
         machine->slope == NCK_SLOPE_LINEAR ? 0.0 : NCK_FILTER_TAPS * machine->period_s;
@@ -249,7 +210,7 @@ static void measure(const nck_smooth_t *self, const nck_meet_t *meet, corner_t *
 // The half-width of a blend as full speed needs it, and its parking. 0: none.
 static double width_of(const corner_t *corner, double room, const nck_machine_t *machine,
                        double *parking) {
-    const double v = corner->v_max;
+    const double v = corner->ramp.v_max;
     const shape_limit_t limit = limit_blend(machine, corner, 1.0);
     const double enough = nck_max(v * v / limit.a, nck_sqrt(v * v * v / limit.j));
     const double half = nck_min(room, nck_min(corner->half[0], corner->half[1]));

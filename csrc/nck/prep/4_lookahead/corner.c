@@ -2,6 +2,7 @@
 // Inside room 4: speed and share of junctions, alone and where many share a period.
 #include "nck/prep/4_lookahead/corner.h"
 
+#include "nck/base/ramp_math.h"              // nck_ramp_over
 #include "nck/prep/4_lookahead/limit_math.h" // nck_corner_…
 
 #define UNLIMITED 1e30
@@ -29,6 +30,35 @@ static int is_alone(const nck_joint_t *in, const nck_joint_t *out, double load,
     return nck_min(in->length, out->length) > ZONES_APART * zone;
 }
 
+// Time of a junction that is crossed at v, over half of the segs beside it: in its zone the path
+// keeps to about that speed.
+static double crossing_time(const double half[2], double v, const nck_ramp_t *ramp, double zone_s) {
+    double time = 0.0;
+    for (int n = 0; n < 2; n++) {
+        const double zone = nck_min(half[n], v * zone_s);
+        time += zone / v + nck_ramp_over(ramp, v, half[n] - zone);
+    }
+    return time;
+}
+
+// Whether the path, under a jerk limit, is faster with a stop at a junction. A blunt one is crossed
+// as fast as a ramp from rest gets over half a seg, v³ = j·l².
+static int is_slow(const nck_joint_t *in, const nck_joint_t *out, double load,
+                   const nck_machine_t *machine) {
+    const double half[2] = {0.5 * in->length, 0.5 * out->length};
+    const nck_ramp_t ramp = {nck_min(in->a_most, out->a_most),
+                             nck_min(in->j_straight, out->j_straight),
+                             nck_min(in->v_free, out->v_free)};
+    const double taps_s = (double)NCK_FILTER_TAPS * machine->period_s;
+    const double raise = nck_joint_v_filter(machine);
+    const double v = nck_min(ramp.v_max, NCK_CORNER_SHARE_DENSE * machine->period_s / load) - raise;
+    if (!(v > 0.0)) return 1;
+    if (v * v * v >= ramp.j * nck_max(half[0] * half[0], half[1] * half[1])) return 0;
+    const double stop = nck_ramp_over(&ramp, 0.0, half[0]) + nck_ramp_over(&ramp, 0.0, half[1])
+                        + taps_s + machine->period_s;
+    return stop < crossing_time(half, v, &ramp, nck_corner_zone_s(machine));
+}
+
 // Whether the path better stops at a junction. Under a jerk limit: if it is alone, and even what
 // little acceleration can be reached next to a standstill is worth more than its speed.
 static int is_sharp(const nck_joint_t *in, const nck_joint_t *out, double load,
@@ -36,7 +66,8 @@ static int is_sharp(const nck_joint_t *in, const nck_joint_t *out, double load,
     const double a = nck_min(in->a_most, out->a_most);
     if (machine->slope == NCK_SLOPE_LINEAR) return nck_corner_sharp(load, a);
     const double a_there = nck_min(a, machine->path.j_max * nck_corner_zone_s(machine));
-    return is_alone(in, out, load, machine) && nck_corner_sharp(load, a_there);
+    if (is_alone(in, out, load, machine) && nck_corner_sharp(load, a_there)) return 1;
+    return is_slow(in, out, load, machine);
 }
 
 void nck_corner_meet(nck_joint_t *in, const nck_joint_t *out, const double *tangent_in,
