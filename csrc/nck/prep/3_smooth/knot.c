@@ -24,6 +24,7 @@
 #define KEY_LEAST 0.5    // a corner is a key if the spacing that it allows alone is right within …
 #define KEY_MOST 1.5     // … these shares, and it is none of a bend
 #define ALIKE 0.9         // cosine between the turns of two corners of one bend
+#define CROWDED 0.25     // of a spacing: keys that are nearer than that are one
 #define SAME 0.9         // tolerances of blocks that differ by no more count as one
 #define SURE 0.5         // of √(P/κ): from rest a step on one block that certainly fits
 #define NEVER 1e300      // [path mm] no place of a run
@@ -175,6 +176,13 @@ static int bends_on(nck_smooth_t *self, uint32_t count) {
     return third != self->run.end && turns_alike(turn, size, out, &nck_raw_at(self, third)->seg);
 }
 
+// 1 if the corner before this one has a knot of its own, and is next to this one: they are one.
+static int is_crowded(nck_smooth_t *self, uint32_t count, double spacing) {
+    const uint32_t before = raw_before(self, count);
+    return before != count && nck_raw_at(self, before)->key
+           && nck_raw_at(self, count)->seg.length < CROWDED * spacing;
+}
+
 // A spacing beside a block that is `far` off and has such a share of the tolerance.
 static double stay_within(double spacing, double far, double share) {
     return share < SAME ? nck_min(spacing, nck_max(0.5 * far, share * spacing)) : spacing;
@@ -215,8 +223,8 @@ static void stop_behind(nck_smooth_t *self, uint32_t count) {
 }
 
 // Stop at a corner if that is faster than what the spline makes of it: a bend as wide as its
-// spacing, or as the run's ends leave it.
-static void stop_or_bend(nck_smooth_t *self, uint32_t count) {
+// spacing, or as the run's ends leave it. A blunt corner is bent, unless a run's end is near.
+static void stop_or_bend(nck_smooth_t *self, uint32_t count, int is_sharp) {
     const nck_raw_t *const raw = nck_raw_at(self, count);
     const uint32_t after = nck_raw_next(self, count);
     const double s = raw->s + raw->seg.length;
@@ -224,6 +232,7 @@ static void stop_or_bend(nck_smooth_t *self, uint32_t count) {
     double before[NCK_AXIS_MAX];
     double here[NCK_AXIS_MAX];
     if (self->run.closed) bend.d = nck_min(bend.d, nck_raw_known(self) - s);
+    if (!is_sharp && bend.d >= 0.5 * raw->spacing) return;
     nck_raw_point(self, s - bend.d, before);
     nck_raw_point(self, s, here);
     nck_raw_point(self, s + bend.d, bend.turn);
@@ -262,13 +271,13 @@ static nck_status_t know_spacing(nck_smooth_t *self, uint32_t count) {
     if (lone && spacing < nearest) spacing = nck_min(spacing, room);
     const int likely = spacing >= KEY_LEAST * alone && spacing <= KEY_MOST * alone
                        && alone < self->spacing_max;
-    raw->key = lone || (likely && !bends_on(self, count));
+    raw->key = (lone || (likely && !bends_on(self, count))) && !is_crowded(self, count, spacing);
     if (ends_in_blend(self, count)) {
         spacing = nck_min(spacing, next->seg.length / NCK_BLEND_KEEP_OFF);
     }
     raw->spacing = self->mixed ? keep_off(self, count, spacing) : spacing;
     const int is_sharp = alone < nck_spline_vertex_spacing(aim, NCK_CHOICE_SHARP);
-    if (is_sharp && !raw->partial) stop_or_bend(self, count);
+    if (!raw->partial) stop_or_bend(self, count, is_sharp);
     return NCK_OK;
 }
 
