@@ -259,10 +259,16 @@ static nck_status_t decide_pace(nck_lookahead_t *self, uint32_t count, int pace)
     return NCK_OK;
 }
 
+// A stop takes no share.
 static nck_status_t decide_corner(nck_lookahead_t *self, uint32_t count) {
+    nck_joint_t *const joint = nck_joint_at(self, count);
     for (int k = 0; k < NCK_PACES; k++) {
         const nck_status_t status = decide_pace(self, count, k);
         if (status != NCK_OK) return status;
+    }
+    for (int k = 0; k < NCK_PACES && joint->stop; k++) {
+        joint->pace[k].v_corner = 0.0;
+        joint->pace[k].share = 0.0;
     }
     return NCK_OK;
 }
