@@ -263,7 +263,8 @@ def test_a_hold_during_a_wait_is_kept_when_the_wait_ends():
 def test_a_kernel_that_stands_still_is_told_with_numbers():
     controller = kernel.Controller(HELD, Machine.load("mill3"))
     controller._nck.link.seg_head = lib.NCK_SEG_MAX  # no room that ever becomes free
-    with pytest.raises(pycnc.InternalError, match=r"after tick 16 \(0\.016 s\), at line 0: neither"):
+    words = r"after tick 16 \(0\.016 s\), at line 0: neither"
+    with pytest.raises(pycnc.InternalError, match=words):
         for _ in controller.pieces():
             pass
     assert controller.end == "stalled"
