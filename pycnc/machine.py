@@ -76,7 +76,7 @@ def _place(file, key, changes):
     for changed, value, source in changes:
         if changed == key or changed.startswith(f"{key}."):
             return f"--set {changed}={value}" if source == "--set" else source
-    made = ", ".join(f"{changed}={value}" for changed, value, source in changes if source == "--set")
+    made = ", ".join(f"{name}={value}" for name, value, source in changes if source == "--set")
     return f"{file} with --set {made}" if made else file
 
 

@@ -240,9 +240,8 @@ def slope(length_mm, v_cap, a_max, j_max, v_node, *, kind="linear", lookahead=No
     Raises
     ------
     ArgumentError
-        If a number is outside of its range (the first such index is told) or shapes do not fit;
-        with the id "memory" if a jerk-limited profile has more cells than can be held, with the id
-        "period" if a segment would never be passed at that period.
+        If a number is outside of its range (the first such index is told) or shapes do not fit. Id
+        "memory": there would be too many cells; "period": a segment would never be passed.
 
     Examples
     --------

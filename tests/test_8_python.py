@@ -11,9 +11,10 @@ import numpy as np
 import pytest
 
 import pycnc
-from pycnc import geometry, kernel, measure, stages
+from pycnc import kernel, measure, stages
 from pycnc._bind import lib
 from pycnc.machine import Machine
+from pycnc.path_error import PathError
 from pycnc.records import dtype
 
 SQUARE = b"G21 G90 G17 G91.1 G54 F1200\nG0 Z5\nG1 X20\nY20\nX0\nY0\nM2\n"
@@ -172,14 +173,13 @@ def test_a_trace_ends_where_the_program_ends(trace):
 
 def test_rows_stay_on_the_path_and_a_step_aside_is_found(trace):
     assert trace.summary["path_error_mm"] < 1e-9
-    moves = geometry.Moves(trace.program.blocks, trace.program.machine)
     for line in range(2, 7):  # line, arc, helix, arcs in the other planes
         middle = int(np.median(np.flatnonzero(trace["line"] == line)))
         found = []
         for axis in range(3):
             rows = _rows(trace)
             rows["pose"]["axis"][middle, axis] += 1e-4
-            error = measure.PathError(moves)
+            error = PathError(trace.program)
             error.add(rows)
             found.append(error.largest_mm)
         assert 5e-5 < max(found) <= 1e-4 + 1e-9
@@ -263,7 +263,8 @@ def test_a_hold_during_a_wait_is_kept_when_the_wait_ends():
 def test_a_kernel_that_stands_still_is_told_with_numbers():
     controller = kernel.Controller(HELD, Machine.load("mill3"))
     controller._nck.link.seg_head = lib.NCK_SEG_MAX  # no room that ever becomes free
-    with pytest.raises(pycnc.InternalError, match=r"after tick 16 \(0\.016 s\), at line 0: neither"):
+    words = r"after tick 16 \(0\.016 s\), at line 0: neither"
+    with pytest.raises(pycnc.InternalError, match=words):
         for _ in controller.pieces():
             pass
     assert controller.end == "stalled"

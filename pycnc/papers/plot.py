@@ -23,7 +23,9 @@ PAPER = "#6b7280"  # what the paper prints
 
 def sheet(rows=1, columns=1, size=(9, 4), **options):
     """Return (figure, axes) in the style of all figures."""
-    figure = need("matplotlib.figure").Figure(figsize=size, dpi=100, layout="constrained", facecolor="white")
+    figure = need("matplotlib.figure").Figure(
+        figsize=size, dpi=100, layout="constrained", facecolor="white"
+    )
     axes = figure.subplots(rows, columns, squeeze=False, **options)
     for each in axes.flat:
         each.grid(color=_GRID, lw=0.8)
