@@ -14,11 +14,12 @@ _EXCERPT = 100  # characters of a source line that are shown around the column
 _DIALECTS = {1: "Heidenhain Klartext", 2: "Sinumerik", 3: "Okuma"}
 
 _CYCLE_HELP = (
-    "write a cycle as G0 and G1 moves; where the mode is meant, let a motion stand behind the code, "
-    "as in G90 G0 X50; a program made for RS274NGC: --dialect linuxcnc"
+    "write a cycle as G0 and G1 moves; where the mode is meant, let a motion stand behind the "
+    "code, as in G90 G0 X50; a program made for RS274NGC: --dialect linuxcnc"
 )
 
-# id, or id:letter or id:code where one word or code needs its own, → (message, help). Fields: see Wording._fields.
+# id, or id:letter or id:code where one word or code needs its own, → (message, help). Fields: see
+# Wording._fields.
 WORDING = {
     "character": (
         "{found} starts no word",
@@ -98,8 +99,8 @@ WORDING = {
         _CYCLE_HELP,
     ),
     "unsupported:G92": (
-        "G92 may limit the spindle's speed (with S), be a threading cycle (Fanuc's G-code system A) "
-        "or shift the zero (system B): here it is not supported yet",
+        "G92 may limit the spindle's speed (with S), be a threading cycle (Fanuc's G-code system "
+        "A) or shift the zero (system B): here it is not supported yet",
         "limit the speed by --set spindle.rpm_max=…, write a cycle as moves, shift the zero by "
         "G10 L2 or G54 … G59; a program made for RS274NGC: --dialect linuxcnc",
     ),

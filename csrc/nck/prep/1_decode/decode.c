@@ -100,10 +100,10 @@ static nck_status_t run_steps(nck_decode_t *self, nck_block_t *out) {
     static const nck_step_function_t steps[NCK_STEP_COUNT] = {
         nck_decode_units, nck_decode_feed_mode, nck_decode_feed, nck_decode_speed, nck_decode_tool,
         nck_decode_change, nck_decode_change_wait, nck_decode_spindle, nck_decode_mist,
-        nck_decode_flood, nck_decode_override, nck_decode_dwell, nck_decode_plane, nck_decode_diameter, nothing,
-        nck_decode_length, nck_decode_work, nck_decode_path, nck_decode_distance, nck_decode_centre,
-        nothing, nck_decode_offset, nothing, nothing, nck_decode_motion, nck_decode_second,
-        nck_decode_stop
+        nck_decode_flood, nck_decode_override, nck_decode_dwell, nck_decode_plane,
+        nck_decode_diameter, nothing, nck_decode_length, nck_decode_work, nck_decode_path,
+        nck_decode_distance, nck_decode_centre, nothing, nck_decode_offset, nothing, nothing,
+        nck_decode_motion, nck_decode_second, nck_decode_stop
     };
     nck_status_t status = NCK_EMPTY;
     unsigned step = 0;

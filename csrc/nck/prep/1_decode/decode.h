@@ -61,8 +61,8 @@ typedef struct nck_decode {
     nck_words_t words; // of the line in work
 
     struct {
-        int32_t motion;         // G0 … G3 in tenths, or nck_no_motion_t, or minus the code in tenths
-                                // that may have begun a cycle
+        int32_t motion;         // G0 … G3 in tenths; nck_no_motion_t; minus a code in tenths that
+                                // may have begun a cycle
         uint8_t plane;          // 17, 18, 19
         uint8_t inch;           // 1: G20
         uint8_t diameter;       // 1: G7

@@ -64,9 +64,9 @@ void nck_decode_scale(nck_decode_t *self) {
 nck_status_t nck_decode_units(nck_decode_t *self, nck_block_t *out) {
     const nck_words_t *const words = &self->words;
     const uint8_t inch = words->code[NCK_STEP_UNITS] == 200;
-    const int inverse = words->codes & NCK_STEP(NCK_STEP_FEED_MODE)
-                            ? words->code[NCK_STEP_FEED_MODE] == 930
-                            : self->modal.feed_mode == NCK_FEED_INVERSE;
+    const int mode_said = (words->codes & NCK_STEP(NCK_STEP_FEED_MODE)) != 0;
+    const int inverse = mode_said ? words->code[NCK_STEP_FEED_MODE] == 930
+                                  : self->modal.feed_mode == NCK_FEED_INVERSE;
     (void)out;
     if (inch != self->modal.inch && has_word(self, 'F') && !inverse) {
         nck_decode_assume(self, NCK_NOTE_FEED_UNITS);
