@@ -44,7 +44,8 @@ _COUNTS = ("ticks", "overruns", "underruns", "starved_ticks", "given_away", "ref
 _LISTS = ("task", "diagnostic", "event")
 _BOARD_FAULTS = {
     100: "an exception that nobody takes", 101: "NMI", 102: "hard fault", 103: "memory fault",
-    104: "bus fault", 105: "usage fault", 106: "tick overrun",
+    104: "bus fault", 105: "usage fault", 106: "tick overrun", 107: "watchdog",
+    5: "its operating system refused a call",
 }  # fmt: skip
 
 

@@ -2,6 +2,7 @@
 """What the tests of the firmware share: programs, and promises that a run's trace must keep."""
 
 import math
+from typing import NamedTuple
 
 import cases
 import numpy as np
@@ -13,6 +14,7 @@ SLOPES = ("linear", "sshape", "jerk")
 EVERYWHERE = ("host", "m7")  # where the faults are tried
 PERIOD_S = 1e-3
 NM = 1e-6  # mm
+PERIOD_UNITS = 25_000  # of the controllers' clock
 END_NM = (24_000_000, 5_000_000, 0)
 # A way that never crosses itself: straight moves of 2 to 25 mm, and many of 0.1 mm.
 POINTS = [(0, 0), (25, 0), (25, 10), (12, 10), (10, 12), (12, 15), (40, 15), (40, 2)]
@@ -29,6 +31,39 @@ def opened(name, tool):
     if name != "host":
         tool("arm-none-eabi-gcc"), tool("qemu-system-arm")
     return firmware.open(name)
+
+
+class Change(NamedTuple):
+    """Something that the board switched, and how long ago the watchdog was fed then."""
+
+    output: str
+    value: int
+    unfed: int
+
+
+def run_in(folder, controller, program, commands=(), **conditions):
+    """Run a program in a folder; return why it stopped ("" for a whole run) and what was switched.
+
+    A run that a handler or the watchdog has ended leaves no report, but its outputs.
+    """
+    job = [*firmware._settings(mill()), *firmware._conditions(conditions, False)]
+    (folder / "job").write_text("\n".join([*job, *firmware._commands(commands)]) + "\n")
+    (folder / "program").write_text(program)
+    cause = ""
+    try:
+        controller._execute(folder, 60, None)
+    except firmware.FirmwareError as error:
+        cause = str(error).partition(" stopped: ")[2]
+    kind = [("output", "<u4"), ("value", "<i4"), ("unfed", "<u4")]
+    rows = np.fromfile(folder / "outputs", kind).tolist()
+    return cause, [Change(("drives", "spindle", "coolant")[k], *rest) for k, *rest in rows]
+
+
+def is_safe(changes):
+    """Drives, spindle and coolant were on, and are off since: nothing is switched on again."""
+    last = {change.output: change.value for change in changes}
+    once_off = [change.value for change in changes if change.value == 0]
+    return last == {"drives": 0, "spindle": 0, "coolant": 0} and once_off == [0, 0, 0]
 
 
 def mill(slope="jerk", **changes):

@@ -27,7 +27,7 @@ MAY_INCLUDE = {
     "opencl/": ("nck/base/", "_math.h", "opencl/"),
     "firmware_sim/os/": ("os/", "os.h"),
     "firmware_sim/app/": ("app/", "nck/nck.h", "os.h", "hal.h"),
-    "firmware_sim/hal/": ("hal", "board/board.h"),
+    "firmware_sim/hal/": ("hal", "board/board.h", "os/port.h"),
     "firmware_sim/board/": ("board/", "hal.h", "os.h"),
     "firmware_sim/examples/": ("nck/nck.h", "board/board.h", "os.h"),
     "firmware_sim/glue/": ("glue/", "os/os.h"),

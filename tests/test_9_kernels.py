@@ -1,198 +1,27 @@
 # SPDX-License-Identifier: MIT
-"""The firmware on µC/OS-II, µC/OS-III and FreeRTOS, built against a checkout of each.
+"""The firmware on µC/OS-II, µC/OS-III and FreeRTOS, built against a checkout of each and run on
+imitations of them (imitated_kernels.py)."""
 
-Their sources are not here. tests/package/kernels has their published prototypes in their published
-folders; a test makes a checkout of it by giving every prototype a body. The bodies can also be
-calls of our own kernel under other names: an imitation that runs.
-"""
-
+import json
 import re
+import shlex
 import shutil
 import subprocess
 import sys
-from dataclasses import dataclass
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
+from firmware_runs import is_safe, long_way, mill, run_in
+from imitated_kernels import CHECKOUTS, ROOT, check_out, imitate
 
 from pycnc import firmware
 
-ROOT = Path(__file__).resolve().parents[1]
-KERNELS = ROOT / "tests" / "package" / "kernels"
 GLUE = ROOT / "firmware_sim" / "glue"
 TOOLCHAIN = ROOT / "firmware_sim" / "board" / "arm-none-eabi.cmake"
 CMAKE = Path(sys.executable).with_name("cmake")
 NINJA = Path(sys.executable).with_name("ninja")
-PROTOTYPE = re.compile(r"^(?!typedef|#)(\w[\w ]*[ *])(\w+)(\([^;{]*\));", re.M)
-OBJECT = re.compile(r"^extern ([^;]*);", re.M)
-PORT = "Ports/ARM-Cortex-M/ARMv7-M"
-# What a body must do for the glue to be reached by the linker as it is by the real kernel.
-BODIES = {
-    "OS_CPU_SysTickHandler": {
-        "uC-OS2": "App_TimeTickHook();",
-        "uC-OS3": "OS_AppTimeTickHookPtr();",
-    },
-    "OS_CPU_PendSVHandler": {"uC-OS2": "App_TaskSwHook();", "uC-OS3": "OS_AppTaskSwHookPtr();"},
-    "xPortSysTickHandler": {"FreeRTOS-Kernel": "vApplicationTickHook();"},
-    "vTaskSwitchContext": {"FreeRTOS-Kernel": "traceTASK_SWITCHED_IN();"},
-}
-
-
-# What the functions of a kernel do in its imitation, in calls of own_os_…; parameters as published.
-OWN_QUEUES = """
-#include <own/own_kernel.h>
-static own_os_queue_t queues[8];
-static uint32_t queue_count;
-static uint32_t wait_of(uint32_t timeout) { return timeout == 0u ? OS_FOREVER : timeout; }
-"""
-OWN_SWITCH = """
-static void tick(void *user) {{ (void)user; {tick}(); }}
-static const own_os_hooks_t hooks = {{tick, NULL, NULL}};
-static {task} next_task;
-void *imitation_switch(void *context, const void *stack);
-void *imitation_switch(void *context, const void *stack) {{
-    void *const next = own_os_switch(context, stack);
-    if (!own_os_kernel.running) return next;
-    {switch};
-    return next;
-}}
-"""
-SYSTICK = "*(volatile uint32_t *)0xe000e014u = cnts - 1u; *(volatile uint32_t *)0xe000e018u = 0u;"
-OWN_UCOS2 = {
-    "": OWN_SWITCH.format(
-        tick="App_TimeTickHook",
-        task="OS_TCB",
-        switch="next_task.OSTCBPrio = (INT8U)own_os_kernel.running->name;"
-        " OSTCBHighRdy = &next_task; App_TaskSwHook()",
-    ),
-    "OSInit": "own_os_init(&hooks);",
-    "OSStart": "(void)own_os_start(1u << 24);",
-    "OSTaskCreateExt": "(void)ptos, (void)id, (void)pext, (void)opt;"
-    ' return (INT8U)(own_os_task_create(prio, "task", task, p_arg, (void *)pbos, stk_size / 2u)'
-    " != OS_OK);",
-    "OSTimeDly": "(void)own_os_delay(ticks);",
-    "OSQCreate": "own_os_queue_t *const queue = &queues[queue_count++];"
-    " return own_os_queue_create(queue, start, size) == OS_OK ? (void *)queue : NULL;",
-    "OSQAccept": "void *message = NULL;"
-    " *perr = own_os_queue_pend((void *)pevent, 0u, &message) != OS_OK; return message;",
-    "OSQPend": "void *message = NULL; *perr ="
-    " own_os_queue_pend((void *)pevent, wait_of(timeout), &message) != OS_OK; return message;",
-    "OSQPost": "return own_os_queue_post((void *)pevent, pmsg) != OS_OK;",
-    "OS_CPU_SysTickInit": SYSTICK,
-}
-OWN_UCOS3 = {
-    "": OWN_SWITCH.format(
-        tick="OS_AppTimeTickHookPtr",
-        task="OS_TCB",
-        switch="next_task.Prio = (OS_PRIO)own_os_kernel.running->name;"
-        " OSTCBHighRdyPtr = &next_task; OS_AppTaskSwHookPtr()",
-    )
-    + "static void *pool[8][16];\n",
-    "CPU_Init": "",
-    "OSInit": "own_os_init(&hooks); *p_err = OS_ERR_NONE;",
-    "OSStart": "(void)own_os_start(1u << 24); *p_err = OS_ERR_NONE;",
-    "OSTaskCreate": "(void)p_tcb, (void)stk_limit, (void)q_size, (void)time_quanta, (void)p_ext,"
-    " (void)opt; *p_err = (OS_ERR)(own_os_task_create(prio, p_name, p_task, p_arg,"
-    " (void *)p_stk_base, stk_size / 2u) != OS_OK);",
-    "OSTimeDly": "(void)opt; (void)own_os_delay(dly); *p_err = OS_ERR_NONE;",
-    "OSQCreate": "(void)p_name; p_q->Entries = (OS_MSG_QTY)queue_count++; *p_err = (OS_ERR)("
-    "own_os_queue_create(&queues[p_q->Entries], pool[p_q->Entries], max_qty) != OS_OK);",
-    "OSQPend": "void *message = NULL; (void)p_msg_size, (void)p_ts;"
-    " const uint32_t wait = opt == OS_OPT_PEND_NON_BLOCKING ? 0u : wait_of(timeout); *p_err ="
-    " (OS_ERR)(own_os_queue_pend(&queues[p_q->Entries], wait, &message) != OS_OK);"
-    " return message;",
-    "OSQPost": "(void)msg_size, (void)opt;"
-    " *p_err = (OS_ERR)(own_os_queue_post(&queues[p_q->Entries], p_void) != OS_OK);",
-    "OS_CPU_SysTickInit": SYSTICK,
-}
-OWN_TASKS = {
-    "": OWN_SWITCH.format(
-        tick="vApplicationTickHook",
-        task="struct tskTaskControlBlock",
-        switch="next_task.uxPriority = GLUE_TURN(own_os_kernel.running->name);"
-        " pxCurrentTCB = &next_task; traceTASK_SWITCHED_IN()",
-    ),
-    "xTaskCreateStatic": "if (own_os_kernel.ready == 0u) own_os_init(&hooks);"
-    " return own_os_task_create(GLUE_TURN(uxPriority), pcName, pxTaskCode, pvParameters,"
-    " (void *)puxStackBuffer, uxStackDepth / 2u) == OS_OK ? (void *)pxTaskBuffer : NULL;",
-    "vTaskStartScheduler": "(void)own_os_start(1u << 24);",
-    "vTaskDelay": "(void)own_os_delay(xTicksToDelay);",
-    "xPortIsInsideInterrupt": "return own_os_port_in_interrupt();",
-    "xQueueGenericCreateStatic": "(void)uxItemSize, (void)ucQueueType, (void)pxStaticQueue;"
-    " own_os_queue_t *const queue = &queues[queue_count++];"
-    " (void)own_os_queue_create(queue, (void *)pucQueueStorage, uxQueueLength);"
-    " return (void *)queue;",
-    "xQueueGenericSend": "(void)xTicksToWait, (void)xCopyPosition;"
-    " return own_os_queue_post((void *)xQueue, *(void *const *)pvItemToQueue) == OS_OK;",
-    "xQueueGenericSendFromISR": "(void)xCopyPosition, (void)pxHigherPriorityTaskWoken;"
-    " return own_os_queue_post((void *)xQueue, *(void *const *)pvItemToQueue) == OS_OK;",
-    "xQueueReceive": "return own_os_queue_pend((void *)xQueue, xTicksToWait, pvBuffer) == OS_OK;",
-}
-
-
-@dataclass(frozen=True)
-class Kernel:
-    """Option and folder of a kernel; its sources, each with the header that it implements."""
-
-    option: str
-    folder: str
-    sources: tuple
-    calls: tuple  # of its functions, some that the image must end up calling
-    own: dict  # what the imitation's functions do; "": what stands before them in the first source
-    own_file: str  # of its sources, the one that takes our own kernel in
-
-    def __str__(self):
-        return self.folder
-
-
-CHECKOUTS = (
-    Kernel(
-        "UCOS2_DIR",
-        "uC-OS2",
-        (
-            ("uC-OS2/Source/ucos_ii.c", "uC-OS2/Source/ucos_ii.h", "<ucos_ii.h>"),
-            (f"uC-OS2/{PORT}/os_cpu_c.c", f"uC-OS2/{PORT}/GNU/os_cpu.h", "<ucos_ii.h>"),
-            (f"uC-OS2/{PORT}/GNU/os_cpu_a.S", None, None),
-            (f"uC-OS2/{PORT}/GNU/os_dbg.c", None, None),
-        ),
-        ("OSTaskCreateExt", "OSStart", "OSQPend", "OSQPost", "OSTimeDly", "OS_CPU_SysTickInit"),
-        OWN_UCOS2,
-        f"uC-OS2/{PORT}/GNU/os_dbg.c",
-    ),
-    Kernel(
-        "UCOS3_DIR",
-        "uC-OS3",
-        (
-            ("uC-OS3/Source/os_core.c", "uC-OS3/Source/os.h", "<os.h>"),
-            (f"uC-OS3/{PORT}/os_cpu_c.c", f"uC-OS3/{PORT}/GNU/os_cpu.h", "<os.h>"),
-            (f"uC-OS3/{PORT}/GNU/os_cpu_a.S", None, None),
-            ("uC-CPU/cpu_core.c", "uC-CPU/cpu_core.h", "<cpu_core.h>"),
-            ("uC-CPU/ARM-Cortex-M/ARMv7-M/cpu_c.c", None, None),
-            ("uC-CPU/ARM-Cortex-M/ARMv7-M/GNU/cpu_a.s", None, None),
-            ("uC-LIB/lib_mem.c", None, None),
-        ),
-        ("OSTaskCreate", "OSStart", "OSQPend", "OSQPost", "OSTimeDly", "OS_CPU_SysTickInit"),
-        OWN_UCOS3,
-        "uC-CPU/ARM-Cortex-M/ARMv7-M/cpu_c.c",
-    ),
-    Kernel(
-        "FREERTOS_DIR",
-        "FreeRTOS-Kernel",
-        (
-            ("FreeRTOS-Kernel/tasks.c", "FreeRTOS-Kernel/include/task.h", "<task.h>"),
-            ("FreeRTOS-Kernel/queue.c", "FreeRTOS-Kernel/include/queue.h", "<queue.h>"),
-            ("FreeRTOS-Kernel/list.c", None, None),
-            (
-                "FreeRTOS-Kernel/portable/GCC/ARM_CM7/r0p1/port.c",
-                "FreeRTOS-Kernel/portable/GCC/ARM_CM7/r0p1/portmacro.h",
-                "<task.h>",
-            ),
-        ),
-        ("xTaskCreateStatic", "vTaskStartScheduler", "xQueueReceive", "vTaskDelay"),
-        OWN_TASKS,
-        "FreeRTOS-Kernel/list.c",
-    ),
-)
+FP_ARCH = {"m4f": "VFPv4-D16", "m7": "FPv5/FP-D16 for ARMv8"}
 
 
 def call(*command):
@@ -203,83 +32,25 @@ def call(*command):
     return done.stdout
 
 
-def implemented(header, include, folder, own=None, is_first=False):
-    """Return C text that defines what a header declares, but for the application's hooks.
-
-    With own, {name: body}, the functions work; of the port's only those are defined that it names.
-    """
-    text = re.sub(r"//[^\n]*", "", header.read_text(encoding="utf-8"))
-    lines = ["#include <FreeRTOS.h>"] if folder == "FreeRTOS-Kernel" else []
-    lines += [f"#include {include}"]
-    if "TaskHandle_t" in text and include == "<task.h>":
-        lines += ["struct tskTaskControlBlock { UBaseType_t uxPriority; };"]
-        lines += ["struct tskTaskControlBlock *volatile pxCurrentTCB;"]
-    lines += [f"{declared};" for declared in OBJECT.findall(text)]
-    if own:
-        lines.append(OWN_QUEUES if include != "<cpu_core.h>" else "")
-        lines.append(own[""] if is_first else "")
-    for result, name, parameters in PROTOTYPE.findall(text):
-        if result.startswith("extern") or name.startswith(("App_", "vApplication")):
-            continue
-        body = BODIES.get(name, {}).get(folder, "") + " for (;;) {}"
-        if own is None or name in own:
-            lines.append(f"{result}{name}{parameters} {{ {own[name] if own else body} }}")
-    return "\n".join(lines) + "\n"
-
-
-def check_out(kernel, folder, own=None):
-    """Make a checkout of a kernel in a folder; return its path."""
-    shutil.copytree(KERNELS, folder, dirs_exist_ok=True)
-    ports = folder / "FreeRTOS-Kernel" / "portable" / "GCC"
-    shutil.copytree(ports / "ARM_CM4F", ports / "ARM_CM7" / "r0p1")
-    for source, header, include in kernel.sources:
-        text = "\n"
-        if header:
-            is_first = source == kernel.sources[0][0]
-            text = implemented(folder / header, include, kernel.folder, own, is_first)
-        (folder / source).parent.mkdir(parents=True, exist_ok=True)
-        (folder / source).write_text(text, encoding="utf-8")
-    return folder / kernel.folder
-
-
-def imitate(kernel, folder):
-    """Make a checkout of a kernel that runs: our own under other names; return its path."""
-    checkout = check_out(kernel, folder, kernel.own)
-    includes = "include" if kernel.folder == "FreeRTOS-Kernel" else "Source"
-    own = checkout / includes / "own"
-    own.mkdir()
-    room = ROOT / "firmware_sim" / "os"
-    for file in [*room.glob("*.[ch]"), room / "port" / "cortex_m" / "port.c"]:
-        text = file.read_text(encoding="utf-8").replace('#include "os/', '#include "own_')
-        text = re.sub(r"\bos_", "own_os_", text)
-        text = re.sub(r"\bOS_H\b", "OWN_OS_H", text)
-        text = re.sub(r"\bpaint = \w+", "paint = 0xa5a5a5a5a5a5a5a5u", text)  # what the glue seeks
-        if kernel.folder != "FreeRTOS-Kernel":
-            text = re.sub(r"\b(PendSV|SysTick)_Handler\b", r"OS_CPU_\1Handler", text)
-        if file.name == "port.c":
-            text = re.sub(r"(?<!\*)\bown_os_switch\(", "imitation_switch(", text)
-            text = text.replace('"own_port.h"', '"own_port.h"\nvoid *imitation_switch();')
-        (own / f"own_{file.name}").write_text(text, encoding="utf-8")
-    sources = ("os.c", "queue.c", "mutex.c", "sem.c", "port.c")
-    parts = "".join(f"#include <own/own_{name}>\n" for name in sources)
-    (folder / kernel.own_file).write_text(parts, encoding="utf-8")
-    return checkout
-
-
 @pytest.fixture(scope="module")
 def build_folder(tmp_path_factory):
     """Return the folder of all builds here: only os and the image differ from one to the next."""
     return tmp_path_factory.mktemp("build")
 
 
-def build(target, kernel, checkout, folder):
-    """Build a target for a Cortex-M7 on a checkout; return the finished process."""
+def image(folder, core="m7"):
+    """Return the image that build has made."""
+    return folder / core / "firmware_sim" / "app" / "firmware.elf"
+
+
+def build(target, kernel, checkout, folder, core="m7", settings=""):
+    """Build a target on a checkout, with a folder of settings or none; return the process."""
+    folder = folder / core
     configure = [CMAKE, "-S", ROOT, "-B", folder, "-G", "Ninja", f"-DCMAKE_MAKE_PROGRAM={NINJA}"]
-    configure += [f"--toolchain={TOOLCHAIN}", "-DNCK_CORE=m7", "-DNCK_FIRMWARE=ON"]
+    configure += [f"--toolchain={TOOLCHAIN}", f"-DNCK_CORE={core}", "-DNCK_FIRMWARE=ON"]
     configure += [f"-D{other.option}=" for other in CHECKOUTS if other != kernel]
-    done = subprocess.run(
-        [*configure, f"-D{kernel.option}={checkout}"], capture_output=True, text=True
-    )
+    configure += [f"-D{kernel.option}={checkout}", f"-DNCK_KERNEL_CONFIG_DIR={settings}"]
+    done = subprocess.run(configure, capture_output=True, text=True)
     if done.returncode != 0:
         return done
     command = [CMAKE, "--build", folder, "--target", target]
@@ -291,8 +62,8 @@ def test_the_app_is_built_on_a_checkout_of_the_kernel(kernel, build_folder, tool
     tool("arm-none-eabi-gcc")
     done = build("firmware", kernel, check_out(kernel, tmp_path), build_folder)
     assert done.returncode == 0, done.stdout + done.stderr
-    image = build_folder / "firmware_sim" / "app" / "firmware.elf"
-    symbols = set(re.findall(r" \w (\w+)$", call(tool("arm-none-eabi-nm"), image), re.M))
+    listed = call(tool("arm-none-eabi-nm"), image(build_folder))
+    symbols = set(re.findall(r" \w (\w+)$", listed, re.M))
     assert set(kernel.calls) <= symbols
     assert {"app_tick", "nck_tick", "glue_tick", "os_start"} <= symbols
     assert not {"os_switch", "os_port_start"} & symbols, "our own kernel is in the image"
@@ -310,6 +81,88 @@ def test_a_kernel_with_another_prototype_is_noticed(build_folder, tool, tmp_path
     assert "OSQCreate" in done.stdout
 
 
+# What the documented command finds in a checkout
+
+
+@pytest.mark.parametrize("core", ["m4f", "m7"])
+@pytest.mark.parametrize("kernel", CHECKOUTS[:2], ids=str)
+def test_assembler_files_are_for_the_same_core_as_the_others(
+    kernel, core, build_folder, tool, tmp_path
+):
+    readelf = tool("arm-none-eabi-readelf")
+    shutil.rmtree(build_folder / core, ignore_errors=True)
+    done = build("kernel", kernel, check_out(kernel, tmp_path), build_folder, core)
+    assert done.returncode == 0, done.stdout + done.stderr
+    found = {}
+    for binary in (build_folder / core).rglob("kernel.dir/**/*.obj"):
+        attributes = call(readelf, "-A", binary)
+        found[binary.name] = re.findall(r"Tag_(?:CPU_arch|FP_arch): .*", attributes)
+    assert any(name.lower().endswith(".s.obj") for name in found)
+    (common,) = {tuple(tags) for tags in found.values()}
+    assert common == ("Tag_CPU_arch: v7E-M", f"Tag_FP_arch: {FP_ARCH[core]}")
+
+
+def macros(kernel, checkout, folder, header, names, settings=""):
+    """Return what macros say in a header as the kernel's files include it, by their name."""
+    assert build("kernel", kernel, checkout, folder, settings=settings).returncode == 0
+    listed = json.loads((folder / "m7" / "compile_commands.json").read_text(encoding="utf-8"))
+    (command,) = {each["command"] for each in listed if each["file"].endswith("os_cpu_c.c")}
+    words = [word for word in shlex.split(command)[1:] if word.startswith(("-I", "-m"))]
+    probe = folder / "probe.c"
+    probe.write_text(f"#include <{header}>\n" + "".join(f"= {name} = {name}\n" for name in names))
+    text = call("arm-none-eabi-gcc", *words, "-E", "-P", probe)
+    return re.findall(r"^= .* = (.*)$", text, re.M)
+
+
+@pytest.mark.parametrize("with_template", [True, False])
+def test_a_template_of_ucos2_says_what_it_knows_and_the_glue_the_rest(
+    with_template, build_folder, tool, tmp_path
+):
+    tool("arm-none-eabi-gcc")
+    checkout = check_out(CHECKOUTS[0], tmp_path)
+    template = checkout / "Cfg" / "Template" / "app_cfg.h"
+    assert "CPU_CFG" not in template.read_text()
+    if not with_template:
+        template.unlink()
+    names = ("CPU_CFG_NVIC_PRIO_BITS", "OS_TASK_TMR_PRIO")
+    said = macros(CHECKOUTS[0], checkout, build_folder, "app_cfg.h", names)
+    assert said == ["3u", "(OS_LOWEST_PRIO - 2u)"]
+
+
+def test_what_a_users_own_settings_say_holds(build_folder, tool, tmp_path):
+    tool("arm-none-eabi-gcc")
+    own = tmp_path / "own"
+    own.mkdir()
+    (own / "app_cfg.h").write_text(
+        "#define CPU_CFG_NVIC_PRIO_BITS 4u\n#define OS_TASK_TMR_PRIO 40u\n"
+    )
+    (own / "cpu_cfg.h").write_text(
+        "#define CPU_CFG_NVIC_PRIO_BITS 4u\n#define CPU_CFG_KA_IPL_BOUNDARY 5u\n"
+    )
+    names = ("CPU_CFG_NVIC_PRIO_BITS", "OS_TASK_TMR_PRIO", "CPU_CFG_KA_IPL_BOUNDARY")
+    checkout = check_out(CHECKOUTS[0], tmp_path / "two")
+    said = macros(CHECKOUTS[0], checkout, build_folder, "app_cfg.h", names, own)
+    assert said == ["4u", "40u", "1u"]
+    checkout = check_out(CHECKOUTS[1], tmp_path / "three")
+    said = macros(CHECKOUTS[1], checkout, build_folder, "cpu_cfg.h", names[::2], own)
+    assert said == ["4u", "5u"]
+
+
+@pytest.mark.parametrize(
+    ("kernel", "hook"),
+    [(CHECKOUTS[0], "OS_TIME_TICK_HOOK_EN"), (CHECKOUTS[1], "OS_CFG_APP_HOOKS_EN")],
+    ids=str,
+)
+def test_settings_without_a_tick_do_not_build(kernel, hook, build_folder, tool, tmp_path):
+    tool("arm-none-eabi-gcc")
+    checkout = check_out(kernel, tmp_path)
+    template = checkout / "Cfg" / "Template" / "os_cfg.h"
+    template.write_text(template.read_text().replace(f"{hook} 1u", f"{hook} 0u"))
+    done = build("os", kernel, checkout, build_folder)
+    assert done.returncode != 0
+    assert f"{hook} must be 1" in done.stdout
+
+
 # The kernels, imitated, under the emulator
 
 
@@ -324,8 +177,7 @@ def glued(request, build_folder, tool, tmp_path_factory):
     checkout = imitate(request.param, tmp_path_factory.mktemp("imitation"))
     done = build("firmware", request.param, checkout, build_folder)
     assert done.returncode == 0, done.stdout + done.stderr
-    image = build_folder / "firmware_sim" / "app" / "firmware.elf"
-    return firmware.Controller("m7", shutil.copy(image, checkout))
+    return firmware.Controller("m7", shutil.copy(image(build_folder), checkout))
 
 
 def test_the_app_does_the_same_on_the_glue_as_on_our_own_kernel(glued):
@@ -351,6 +203,43 @@ def test_the_app_does_the_same_on_the_glue_as_on_our_own_kernel(glued):
 )
 def test_faults_end_in_the_same_states_on_the_glue(glued, command, state):
     assert glued.run(PROGRAM, commands=[command]).state == state
+
+
+# A call that the kernel refuses after so many ticks, by what it says then.
+REFUSALS = {
+    "uC-OS2": ("OSQPend", "if (own_os_time() > 200u) { *perr = 99u; return NULL; }"),
+    "uC-OS3": ("OSTimeDly", "if (own_os_time() > 200u) { *p_err = OS_ERR_SCHED_LOCKED; return; }"),
+    "FreeRTOS-Kernel": ("vTaskDelay", "configASSERT(own_os_time() <= 200u);"),
+}
+
+
+@pytest.mark.parametrize("kernel", CHECKOUTS, ids=str)
+def test_a_call_that_the_kernel_refuses_ends_in_the_safe_state(
+    kernel, build_folder, tool, tmp_path
+):
+    tool("arm-none-eabi-gcc"), tool("qemu-system-arm")
+    name, refusal = REFUSALS[kernel.folder]
+    own = {**kernel.own, name: f"{refusal} {kernel.own[name]}"}
+    checkout = imitate(replace(kernel, own=own), tmp_path)
+    done = build("firmware", kernel, checkout, build_folder)
+    assert done.returncode == 0, done.stdout + done.stderr
+    controller = firmware.Controller("m7", image(build_folder))
+    cause, changes = run_in(tmp_path, controller, "S800 M3\nM8\n" + long_way())
+    assert cause == "its operating system refused a call"
+    assert is_safe(changes)
+
+
+# The tick of a core without doubles, writing a trace: the deepest that there is.
+@pytest.mark.parametrize("kernel", CHECKOUTS[:2], ids=str)
+def test_the_stack_that_the_kernel_gives_to_interrupts_is_large_enough(
+    kernel, build_folder, tool, tmp_path
+):
+    tool("arm-none-eabi-gcc"), tool("qemu-system-arm")
+    done = build("firmware", kernel, imitate(kernel, tmp_path), build_folder, "m4f")
+    assert done.returncode == 0, done.stdout + done.stderr
+    controller = firmware.Controller("m4f", image(build_folder, "m4f"))
+    text = PROGRAM.replace("G61", "G64 P0.01")
+    assert controller.run(text, mill("linear"), trace=True).state == "done"
 
 
 @pytest.mark.parametrize(

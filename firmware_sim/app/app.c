@@ -5,8 +5,9 @@
 #include <string.h> // memset
 
 #include "app/guard.h"  // app_guard_init
+#include "app/output.h" // app_output
 #include "app/report.h" // app_report
-#include "hal/hal.h"    // hal_read hal_clock_hz
+#include "hal/hal.h"    // hal_read hal_clock_hz hal_make_safe hal_exit
 
 // 0 is the highest. The tick is above all of them: an interrupt.
 enum {
@@ -15,7 +16,11 @@ enum {
     PREP = 5        // has work for all the time that is left
 };
 
-enum { EXIT_JOB = 2, EXIT_SYSTEM = 3 };
+enum { EXIT_JOB = 2, EXIT_SYSTEM = 3, EXIT_KERNEL = 5 };
+
+// Without a whole tick for so long the watchdog takes over: more than the longest overrun that can
+// still be braked from.
+enum { WATCHDOG_TICKS = 16 };
 
 static const struct {
     const char *name;
@@ -28,16 +33,18 @@ static const struct {
     {"prep", PREP, 1, app_prepare},               // when it has to wait for the tick
 };
 
-void app_overrun_stack(app_task_t *task) {
-    if (task->app->supervisor.overrun_stack != task->priority + 1) return;
-    volatile uint8_t frame[sizeof task->stack - OS_STACK_GUARD / 2];
-    for (size_t k = 0; k < sizeof frame; k++) frame[k] = (uint8_t)k;
-    task->app->supervisor.overrun_stack = 0;
-}
-
+// A kernel that refuses what it must do cannot be braked with either.
 static void note_fault(void *user, os_fault_t fault, uint32_t priority) {
     app_t *const app = user;
     if (fault == OS_FAULT_STACK) app->fault_stack = priority + 1;
+    if (fault == OS_FAULT_KERNEL) hal_exit(EXIT_KERNEL);
+}
+
+// The end of every run whose tasks have run.
+static void end_run(void *user) {
+    hal_make_safe();
+    app_report(user);
+    hal_exit(0);
 }
 
 // Put a line together from the pieces that the job comes in. Returns 1 at the end of a line.
@@ -68,13 +75,12 @@ static int read_job(app_job_t *job) {
     return 1;
 }
 
-// Give every chunk to the feeder.
-static void make_queues(app_t *app) {
-    (void)os_queue_create(&app->text.filled, app->text.filled_slots, APP_CHUNKS);
-    (void)os_queue_create(&app->text.empty, app->text.empty_slots, APP_CHUNKS);
-    for (int k = 0; k < APP_CHUNKS; k++) {
-        (void)os_queue_post(&app->text.empty, &app->text.chunk[k]);
-    }
+static int make_queues(app_t *app) {
+    const os_status_t filled =
+        os_queue_create(&app->text.filled, app->text.filled_slots, APP_CHUNKS);
+    const os_status_t empty =
+        os_queue_create(&app->text.empty, app->text.empty_slots, APP_CHUNKS);
+    return filled == OS_OK && empty == OS_OK;
 }
 
 static int make_tasks(app_t *app) {
@@ -90,27 +96,29 @@ static int make_tasks(app_t *app) {
     return status == OS_OK;
 }
 
-static int start(app_t *app) {
-    const os_hooks_t hooks = {app_tick, note_fault, app};
+// It comes back only if the tasks cannot run: the hook end_run ends a run.
+static void start(app_t *app) {
+    const os_hooks_t hooks = {app_tick, note_fault, app, end_run};
     os_init(&hooks);
-    make_queues(app);
-    if (!make_tasks(app)) return 0;
+    if (!make_queues(app) || !make_tasks(app)) return;
     const double units = app->nck.machine.period_s * (double)hal_clock_hz();
-    return os_start((uint32_t)(units + 0.5)) == OS_OK;
+    const uint32_t tick_units = (uint32_t)(units + 0.5);
+    hal_watchdog_start(tick_units * WATCHDOG_TICKS);
+    (void)os_start(tick_units);
 }
 
 int app_run(app_t *app) {
     memset(app, 0, sizeof *app);
     if (!read_job(&app->job)) return EXIT_JOB;
     app->tick.hash = app_hash_begin();
-    if (nck_init(&app->nck, &app->job.machine, NULL) != NCK_OK) {
+    const nck_hooks_t hooks = {.user = app, .on_output = app_output};
+    if (nck_init(&app->nck, &app->job.machine, &hooks) != NCK_OK) {
         app->supervisor.state = APP_FAULT_MACHINE;
         app_report(app);
         return 0;
     }
     app_guard_init(app);
     nck_transform_tick(&app->nck.transform, &app->nck.interpolate.pose, &app->tick.axes);
-    if (!start(app)) return EXIT_SYSTEM;
-    app_report(app);
-    return 0;
+    start(app);
+    return EXIT_SYSTEM;
 }

@@ -124,7 +124,8 @@ typedef struct app {
         volatile uint32_t frozen; // 1: the setpoint stays
         volatile uint32_t seen;   // os_time of its last cycle
         volatile uint32_t work_units, work_ticks; // other work in the tick
-        volatile uint32_t overrun_stack;          // priority + 1 of the task that is to overrun
+        volatile uint32_t harm;                   // app_command_kind_t of a test, 0: none
+        volatile uint32_t harmed, harm_units;     // to this priority, 0 being the tick
         uint32_t command;         // next of the job
         uint32_t refused;         // commands that this machine cannot follow
         uint32_t state;           // app_state_t
@@ -137,13 +138,19 @@ typedef struct app {
         app_event_t event[APP_EVENTS];
     } supervisor;
 
+    struct {                      // written by the tick: what the program wants of the spindle
+        int32_t rpm;              // S
+        int32_t turns;            // M3: 1, M4: -1, M5: 0
+    } spindle;
+
     volatile uint32_t fault_stack; // priority + 1 of a task that left its stack; the kernel's hook
     app_range_t travel[NCK_AXIS_MAX]; // of every joint; in a critical section
     app_task_t task[APP_TASKS];
 } app_t;
 
-// Read the job, make the kernel and the tasks, run until the run is over, write the report.
-// Returns 0, or the exit status of a job that makes no sense. Context: before os_start.
+// Read the job, make the kernel and the tasks, run until the run is over, write the report and end.
+// Returns an exit status if it does not come to a run: 0 for a machine that the report refuses.
+// Context: before os_start.
 int app_run(app_t *app);
 
 // The tasks; user is the app_task_t. Context: task.
@@ -161,8 +168,11 @@ uint64_t app_hash_begin(void);
 // supervisor is dead.
 void app_enter(app_t *app, uint32_t state);
 
-// Overrun the stack of the running task, which is task, if the supervisor says so: a fault on
-// purpose. Cost: linear in the stack. Context: task.
-void app_overrun_stack(app_task_t *task);
+// Do to the caller, a task of this priority or the tick (0), what a test wants: a fault on purpose.
+// Cost: constant, but for the harm. Context: task, tick.
+void app_suffer(app_t *app, uint32_t priority);
+
+// Keep the processor busy for so many units of os_clock. Cost: that. Context: task, tick.
+void app_work(uint32_t units);
 
 #endif

@@ -22,12 +22,20 @@ static int feed_chunk(app_task_t *task, app_chunk_t *chunk) {
     return chunk->size > 0;
 }
 
+// Here and not before os_start: some kernels let nobody post until they run. Never full, as above.
+static void give_chunks(app_t *app) {
+    for (int k = 0; k < APP_CHUNKS; k++) {
+        (void)os_queue_post(&app->text.empty, &app->text.chunk[k]);
+    }
+}
+
 void app_feed(void *user) {
     app_task_t *const task = user;
     int more = 1;
+    give_chunks(task->app);
     for (;;) {
         void *message = NULL;
-        app_overrun_stack(task);
+        app_suffer(task->app, task->priority);
         if (!more) (void)os_delay(task->cycle);
         else if (os_queue_pend(&task->app->text.empty, task->cycle, &message) == OS_OK) {
             more = feed_chunk(task, message);

@@ -30,6 +30,9 @@ static const struct {
     {"feeder_pause", 1, 1, UINT32_MAX},
     {"tick_work", 2, 1, UINT32_MAX},
     {"stack_work", 1, 0, UINT32_MAX},
+    {"task_work", 2, 0, UINT32_MAX},
+    {"masked_work", 2, 0, UINT32_MAX},
+    {"trap", 1, 0, UINT32_MAX},
 };
 
 static const struct {

@@ -41,7 +41,10 @@ typedef enum app_command_kind {
     APP_FEEDER_PAUSE = 7, // the program's source is silent for so many ticks
     APP_TICK_WORK = 8,    // units of other work in the tick interrupt, for so many ticks
     APP_STACK_WORK = 9,   // the task of this priority overruns its stack
-    APP_COMMAND_KINDS = 10
+    APP_TASK_WORK = 10,   // priority (0: the tick), units: it keeps the processor
+    APP_MASKED_WORK = 11, // priority, units: it keeps the processor, and interrupts out
+    APP_TRAP = 12,        // priority: it executes an instruction that does not exist
+    APP_COMMAND_KINDS = 13
 } app_command_kind_t;
 
 typedef struct app_command {

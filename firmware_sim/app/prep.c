@@ -47,7 +47,7 @@ void app_prepare(void *user) {
     app_task_t *const task = user;
     app_t *const app = task->app;
     for (;;) {
-        app_overrun_stack(task);
+        app_suffer(app, task->priority);
         ration(task);
         const nck_status_t status = nck_prep(&app->nck);
         app->prep.steps++;

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
 // The supervisor task: the operator's commands, the state that he is shown, and what follows from a
-// fault. Every fault ends at rest in a state of its own; the first one counts, but for the
-// emergency stop, which ends everything.
+// fault. Every fault ends at rest in a state of its own, which is safe: drives, spindle and coolant
+// are off. The first one counts, but for the emergency stop, which ends everything.
 #include "app/app.h"
 
 #include "app/guard.h" // app_guard_set
+#include "hal/hal.h"   // hal_make_safe hal_switch
 
 enum {
     SETTLE_TICKS = 16,  // that a last state is watched for
@@ -16,6 +17,7 @@ static int is_over(const app_t *app) { return app->supervisor.state >= APP_DONE;
 // A last state: the setpoint stays as it is.
 static void finish(app_t *app, uint32_t state) {
     app->supervisor.frozen = 1;
+    if (state >= APP_SOFT_LIMIT) hal_make_safe();
     app_enter(app, state);
 }
 
@@ -45,7 +47,11 @@ static int execute(app_t *app, const app_command_t *command) {
         app->supervisor.work_units = first;
         app->supervisor.work_ticks = second;
         break;
-    default: app->supervisor.overrun_stack = first + 1; break;
+    default:
+        app->supervisor.harmed = first;
+        app->supervisor.harm_units = second;
+        app->supervisor.harm = command->kind;
+        break;
     }
     return 1;
 }
@@ -126,6 +132,11 @@ void app_enter(app_t *app, uint32_t state) {
     app->supervisor.event_count++;
 }
 
+static void begin_motion(app_t *app) {
+    hal_switch(HAL_DRIVES, 1);
+    app->supervisor.started = 1;
+}
+
 void app_supervise(void *user) {
     app_task_t *const task = user;
     app_t *const app = task->app;
@@ -137,9 +148,9 @@ void app_supervise(void *user) {
             look_for_faults(app);
         }
         if (app->tick.count > 0 && !is_over(app)) follow_motion(app);
-        if (app->prep.ready && !app->supervisor.started) app->supervisor.started = 1;
+        if (app->prep.ready && !app->supervisor.started) begin_motion(app);
         end_run(app);
-        app_overrun_stack(task);
+        app_suffer(app, task->priority);
         (void)os_delay(task->cycle);
     }
 }

@@ -5,7 +5,7 @@
 #include <string.h> // memcmp
 
 #include "app/guard.h" // app_guard_check
-#include "hal/hal.h"   // hal_write
+#include "hal/hal.h"   // hal_write hal_make_safe hal_watchdog_feed
 
 enum { SUPERVISOR_LATE = 50 }; // ticks without a cycle of the supervisor that are a fault
 
@@ -39,7 +39,7 @@ static void write_row(const app_t *app) {
     const app_row_t row = {
         app->tick.count, app->tick.pose.line, nck_link_waiting(&app->nck.link),
         (uint8_t)app->supervisor.state, (uint8_t)app->tick.state, app->tick.pose.limit,
-        app->supervisor.state != APP_EMERGENCY
+        hal_switched(HAL_DRIVES) != 0
     };
     uint8_t bytes[sizeof row + sizeof app->tick.axes.joint_nm];
     const size_t joints = app->nck.transform.joints * sizeof app->tick.axes.joint_nm[0];
@@ -71,6 +71,7 @@ static void take_setpoint(app_t *app) {
     app->tick.idle = (uint32_t)nck_is_idle(&app->nck);
     const app_guard_t guard = app_guard_check(app, &pose, &axes);
     if (guard == APP_GUARD_BEYOND) {
+        hal_make_safe();
         app->supervisor.frozen = 1;
         app->tick.beyond = 1;
         return;
@@ -83,23 +84,11 @@ static void take_setpoint(app_t *app) {
     count_lateness(app);
 }
 
-// Keep the processor busy. On a board time passes by itself, on the host by os_spend. The clock may
-// step back where a tick was lost.
-static void work(uint32_t units) {
-    uint64_t last = os_clock(), spent = 0;
-    os_spend(units);
-    while (spent < units) {
-        const uint64_t now = os_clock();
-        if (now > last) spent += now - last;
-        last = now;
-    }
-}
-
 static void do_other_work(app_t *app) {
     os_spend(app->job.tick_units);
     if (app->supervisor.work_ticks == 0) return;
     app->supervisor.work_ticks--;
-    work(app->supervisor.work_units);
+    app_work(app->supervisor.work_units);
 }
 
 // Nobody else could end a run whose supervisor does not run any more.
@@ -108,6 +97,7 @@ static void watch_supervisor(app_t *app) {
     if (app->supervisor.goal == APP_IDLE) app->supervisor.goal = APP_FAULT_TASK;
     nck_abort(&app->nck);
     if (app->tick.resting < APP_REST_TICKS && !app->supervisor.frozen) return;
+    hal_make_safe();
     app_enter(app, app->fault_stack ? (uint32_t)APP_FAULT_STACK : app->supervisor.goal);
     os_stop();
 }
@@ -122,16 +112,23 @@ static int is_given_away(app_t *app) {
     return 1;
 }
 
-void app_tick(void *user) {
-    app_t *const app = user;
+static void give_period(app_t *app) {
     const uint64_t begin = os_clock();
-    if (is_given_away(app)) return;
     watch_supervisor(app);
     if (!app->supervisor.started) return;
     if (!app->supervisor.frozen) take_setpoint(app);
     count_setpoint(app);
     if (app->job.trace) write_row(app);
     do_other_work(app);
+    app_suffer(app, 0);
     const uint64_t units = os_clock() - begin;
     if (os_clock() > begin && units > app->tick.most_units) app->tick.most_units = units;
+}
+
+// Here alone the watchdog is fed: if a tick hangs, or none comes any more, the board goes to the
+// safe state by itself. A supervisor that hangs is the tick's to see.
+void app_tick(void *user) {
+    app_t *const app = user;
+    if (!is_given_away(app)) give_period(app);
+    hal_watchdog_feed();
 }

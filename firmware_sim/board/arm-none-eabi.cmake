@@ -7,6 +7,7 @@
 set(CMAKE_SYSTEM_NAME Generic)
 set(CMAKE_SYSTEM_PROCESSOR arm)
 set(CMAKE_C_COMPILER arm-none-eabi-gcc)
+set(CMAKE_ASM_COMPILER arm-none-eabi-gcc)
 set(CMAKE_TRY_COMPILE_TARGET_TYPE STATIC_LIBRARY)
 list(APPEND CMAKE_TRY_COMPILE_PLATFORM_VARIABLES NCK_CORE)
 
@@ -20,5 +21,6 @@ elseif(NCK_CORE STREQUAL "m55")
 else()
     message(FATAL_ERROR "NCK_CORE is m4f, m7 or m55, not ${NCK_CORE}")
 endif()
-set(CMAKE_C_FLAGS_INIT
-    "${core_options} -mthumb -mfloat-abi=hard -ffunction-sections -fdata-sections")
+string(APPEND core_options " -mthumb -mfloat-abi=hard")
+set(CMAKE_C_FLAGS_INIT "${core_options} -ffunction-sections -fdata-sections")
+set(CMAKE_ASM_FLAGS_INIT "${core_options}") # without it the assembler takes another core

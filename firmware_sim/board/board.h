@@ -3,7 +3,8 @@
 // (mps3-an547). Files and the exit status go through semihosting, time comes from SysTick alone.
 //
 // startup.c owns the vector table. A firmware or an operating system takes an exception by defining
-// SVC_Handler, PendSV_Handler or SysTick_Handler; what nobody takes ends the run with its status.
+// NMI_Handler, SVC_Handler, PendSV_Handler or SysTick_Handler; what nobody takes ends the run with
+// its status.
 #ifndef BOARD_H
 #define BOARD_H
 
@@ -18,13 +19,18 @@ enum {
     BOARD_EXIT_MEM_FAULT = 103,
     BOARD_EXIT_BUS_FAULT = 104,
     BOARD_EXIT_USAGE_FAULT = 105, // undefined instruction, division by zero
-    BOARD_EXIT_OVERRUN = 106      // for a program: a tick that took longer than its period
+    BOARD_EXIT_OVERRUN = 106,     // for a program: a tick that took longer than its period
+    BOARD_EXIT_WATCHDOG = 107     // for a program: its watchdog was not fed
 };
 
 typedef enum board_mode {
     BOARD_READ = 1, // binary, from the start
     BOARD_WRITE = 5 // binary, emptied or made
 } board_mode_t;
+
+// Of the program: called first in the handler of every fault and of every exception that nobody
+// takes, on the main stack from its top on, to switch off what moves. Without it nothing is done.
+void board_on_fault(void);
 
 // End the run: the emulator exits with this status (0 … 255). Cost: constant. Context: any.
 void board_exit(int status);

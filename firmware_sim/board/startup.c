@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // From reset to main: vector table, floating-point unit, data and bss. A fault ends the run with a
 // status of its own, so that a test can tell them apart.
-#include "board/board.h" // board_exit
+#include "board/board.h" // board_exit board_on_fault
 
 #include <string.h> // memcpy memset
 
@@ -23,16 +23,38 @@ void SVC_Handler(void);
 void DebugMon_Handler(void);
 void PendSV_Handler(void);
 void SysTick_Handler(void);
-void board_unexpected(void);
+void board_fault(void);
+void board_end_in_fault(void);
 
-void board_unexpected(void) { board_exit(BOARD_EXIT_UNEXPECTED); }
-void NMI_Handler(void) { board_exit(BOARD_EXIT_NMI); }
-void HardFault_Handler(void) { board_exit(BOARD_EXIT_HARD_FAULT); }
-void MemManage_Handler(void) { board_exit(BOARD_EXIT_MEM_FAULT); }
-void BusFault_Handler(void) { board_exit(BOARD_EXIT_BUS_FAULT); }
-void UsageFault_Handler(void) { board_exit(BOARD_EXIT_USAGE_FAULT); }
+__attribute__((weak)) void board_on_fault(void) {}
 
-#define FREE_TO_TAKE __attribute__((weak, alias("board_unexpected")))
+static uint32_t exception(void) {
+    uint32_t number;
+    __asm__ volatile("mrs %0, ipsr" : "=r"(number));
+    return number;
+}
+
+void board_end_in_fault(void) {
+    enum { NMI = 2, USAGE_FAULT = 6 };
+    const uint32_t number = exception();
+    const int known = number >= NMI && number <= USAGE_FAULT;
+    board_on_fault();
+    board_exit(known ? BOARD_EXIT_NMI + (int)number - NMI : BOARD_EXIT_UNEXPECTED);
+}
+
+// The stack may be what is broken: begin it anew. Nobody goes back.
+__attribute__((naked)) void board_fault(void) {
+    __asm__ volatile("ldr r0, =board_stack_top\n"
+                     "msr msp, r0\n"
+                     "b board_end_in_fault\n");
+}
+
+#define FREE_TO_TAKE __attribute__((weak, alias("board_fault")))
+FREE_TO_TAKE void NMI_Handler(void);
+FREE_TO_TAKE void HardFault_Handler(void);
+FREE_TO_TAKE void MemManage_Handler(void);
+FREE_TO_TAKE void BusFault_Handler(void);
+FREE_TO_TAKE void UsageFault_Handler(void);
 FREE_TO_TAKE void SVC_Handler(void);
 FREE_TO_TAKE void DebugMon_Handler(void);
 FREE_TO_TAKE void PendSV_Handler(void);

@@ -105,7 +105,7 @@ static void prepare(void *user) {
 }
 
 static os_status_t run(void) {
-    const os_hooks_t hooks = {tick, fault, NULL};
+    const os_hooks_t hooks = {.tick = tick, .fault = fault};
     os_init(&hooks);
     (void)os_queue_create(&filled, filled_slots, CHUNKS);
     (void)os_queue_create(&empty, empty_slots, CHUNKS);

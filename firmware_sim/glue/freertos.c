@@ -11,7 +11,7 @@ static StaticQueue_t queues[GLUE_QUEUES];
 static StackType_t idle_stack[configMINIMAL_STACK_SIZE];
 static uint32_t task_count, queue_count;
 
-void glue_init(void) {}
+int glue_init(void) { return 1; }
 
 int glue_task_create(uint32_t priority, void (*entry)(void *user), void *user, void *stack,
                      size_t bytes) {
@@ -29,24 +29,24 @@ void glue_clock_start(uint32_t cycles) {
     *(volatile uint32_t *)0xe000e018u = 0u;
 }
 
-void glue_delay(uint32_t ticks) { vTaskDelay(ticks); }
+glue_answer_t glue_delay(uint32_t ticks) { vTaskDelay(ticks); return GLUE_DONE; }
 
 void *glue_queue_create(void **slots, uint32_t capacity) {
     if (queue_count == GLUE_QUEUES) return NULL;
     return xQueueCreateStatic(capacity, sizeof(void *), (uint8_t *)slots, &queues[queue_count++]);
 }
 
-int glue_queue_pend(void *queue, uint32_t timeout, void **message_out) {
+glue_answer_t glue_queue_pend(void *queue, uint32_t timeout, void **message_out) {
     const TickType_t wait = timeout == GLUE_FOREVER ? portMAX_DELAY : timeout;
-    return xQueueReceive(queue, message_out, wait) == pdPASS;
+    return xQueueReceive(queue, message_out, wait) == pdPASS ? GLUE_DONE : GLUE_NOT_NOW;
 }
 
-int glue_queue_post(void *queue, void *message) {
-    BaseType_t is_higher_awake = pdFALSE;
-    if (!xPortIsInsideInterrupt()) return xQueueSend(queue, &message, 0u) == pdPASS;
-    const BaseType_t sent = xQueueSendFromISR(queue, &message, &is_higher_awake);
+glue_answer_t glue_queue_post(void *queue, void *message) {
+    BaseType_t sent = pdFALSE, is_higher_awake = pdFALSE;
+    if (!xPortIsInsideInterrupt()) sent = xQueueSend(queue, &message, 0u);
+    else sent = xQueueSendFromISR(queue, &message, &is_higher_awake);
     portYIELD_FROM_ISR(is_higher_awake);
-    return sent == pdPASS;
+    return sent == pdPASS ? GLUE_DONE : GLUE_NOT_NOW; // errQUEUE_FULL is all that it can be
 }
 
 void vApplicationTickHook(void) { glue_tick(); }

@@ -2,16 +2,15 @@
 // os.h on a Cortex-M with somebody else's kernel: what the app calls, over glue.h. Semaphores and
 // mutexes are not here, because the app has none.
 //
-// It differs from the kernel in ../os in two ways: a task that left its stack is told by the fault
-// hook but goes on, and os_start comes back with interrupts kept out.
+// It differs from the kernel in ../os in three ways: a task that left its stack is told by the
+// fault hook but goes on; os_start does not come back; a queue takes nothing before os_start.
 #include "os/os.h"
 
-#include <setjmp.h> // setjmp longjmp: the kernels here have no way back out of their scheduler
 #include <string.h> // memset
 
 #include "glue/glue.h"
 
-enum { PAINT = 0xa5, GUARD_WORDS = OS_STACK_GUARD / sizeof(os_stack_t), STARTER_BYTES = 1024 };
+enum { PAINT = 0xa5, GUARD_WORDS = OS_STACK_GUARD / sizeof(os_stack_t), STARTER_BYTES = 3072 };
 
 // Armv7-M Architecture Reference Manual, B3.2.4 and B3.3: ICSR and the current value of SysTick.
 #define INTERRUPT_STATE (*(volatile uint32_t *)0xe000ed04u)
@@ -21,9 +20,9 @@ static const os_stack_t untouched = 0xa5a5a5a5a5a5a5a5u; // what a kernel paints
 
 static struct {
     os_hooks_t hooks;
-    jmp_buf caller;              // of os_start
     volatile uint32_t stopping;  // 1: os_stop was called
     volatile uint32_t time;      // ticks
+    uint32_t ready;              // 1: glue_init has done its work
     uint32_t tick_units, overruns;
     uint32_t running;            // priority, OS_PRIORITIES: the starter
     uint64_t switched_at, interrupt_units;
@@ -68,7 +67,7 @@ void os_init(const os_hooks_t *hooks) {
     memset(&state, 0, sizeof state);
     if (hooks) state.hooks = *hooks;
     state.running = OS_PRIORITIES;
-    glue_init();
+    state.ready = (uint32_t)glue_init();
 }
 
 // Words at the far end of a task's stack that were never touched, most at most.
@@ -80,6 +79,18 @@ static size_t untouched_words(uint32_t priority, size_t most) {
 
 static void tell(os_fault_t fault, uint32_t priority) {
     if (state.hooks.fault) state.hooks.fault(state.hooks.user, fault, priority);
+}
+
+// Nothing is known to hold any more, so that nobody goes on.
+void glue_refused(void) {
+    (void)os_critical_enter();
+    tell(OS_FAULT_KERNEL, state.running);
+    for (;;) continue;
+}
+
+static os_status_t status_of(glue_answer_t answer, os_status_t not_now) {
+    if (answer == GLUE_REFUSED) glue_refused();
+    return answer == GLUE_DONE ? OS_OK : not_now;
 }
 
 static int create(uint32_t priority, void (*entry)(void *user), void *user, os_stack_t *stack,
@@ -101,36 +112,37 @@ os_status_t os_task_create(uint32_t priority, const char *name, void (*entry)(vo
     return create(priority, entry, user, stack, words) ? OS_OK : OS_E_ARGUMENT;
 }
 
-// The way back is its own to go: whoever calls os_stop may be an interrupt.
+// The end is its own to go: whoever calls os_stop may be an interrupt. os_start's caller is out of
+// reach: FreeRTOS has set the main stack back to its start, and interrupts have written over it.
 static void starter(void *user) {
     (void)user;
     glue_clock_start(state.tick_units);
-    while (!state.stopping) glue_delay(1);
+    while (!state.stopping) (void)os_delay(1);
     (void)os_critical_enter();
-    longjmp(state.caller, 1);
+    if (state.hooks.over) state.hooks.over(state.hooks.user);
+    for (;;) continue;
 }
 
 os_status_t os_start(uint32_t tick_units) {
     if (tick_units == 0 || tick_units > 1u << 24) return OS_E_ARGUMENT;
-    if (state.tick_units > 0) return OS_E_CONTEXT;
+    if (!state.ready || state.tick_units > 0) return OS_E_CONTEXT;
     state.tick_units = tick_units;
     if (!create(OS_PRIORITIES, starter, NULL, state.starter_stack,
                 sizeof state.starter_stack / sizeof(os_stack_t))) {
         return OS_E_ARGUMENT;
     }
-    if (setjmp(state.caller) == 0) glue_start();
-    return OS_OK;
+    glue_start();
+    return OS_E_CONTEXT;
 }
 
 void os_stop(void) {
     state.stopping = 1;
     const int in_interrupt = (INTERRUPT_STATE & 0x1ffu) != 0;
-    while (!in_interrupt) glue_delay(1); // a task that stops does not return
+    while (!in_interrupt) (void)os_delay(1); // a task that stops does not return
 }
 
 os_status_t os_delay(uint32_t ticks) {
-    if (ticks > 0) glue_delay(ticks);
-    return OS_OK;
+    return ticks > 0 ? status_of(glue_delay(ticks), OS_OK) : OS_OK;
 }
 
 // The handle takes the place of the slots, which the kernel has now.
@@ -142,11 +154,12 @@ os_status_t os_queue_create(os_queue_t *queue, void **slots, uint32_t capacity) 
 }
 
 os_status_t os_queue_pend(os_queue_t *queue, uint32_t timeout, void **message_out) {
-    return glue_queue_pend(queue->slots, timeout, message_out) ? OS_OK : OS_TIMED_OUT;
+    return status_of(glue_queue_pend(queue->slots, timeout, message_out), OS_TIMED_OUT);
 }
 
 os_status_t os_queue_post(os_queue_t *queue, void *message) {
-    return glue_queue_post(queue->slots, message) ? OS_OK : OS_FULL;
+    if (state.tick_units == 0) return OS_E_CONTEXT;
+    return status_of(glue_queue_post(queue->slots, message), OS_FULL);
 }
 
 os_status_t os_stack_left(uint32_t priority, size_t *bytes_out) {

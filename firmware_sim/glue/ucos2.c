@@ -1,15 +1,11 @@
 // SPDX-License-Identifier: MIT
-// µC/OS-II under os.h. OS_CPU_HOOKS_EN, OS_APP_HOOKS_EN, OS_TASK_SW_HOOK_EN and
-// OS_TIME_TICK_HOOK_EN must be 1; OS_MAX_EVENTS and OS_MAX_QS at least GLUE_QUEUES.
+// µC/OS-II under os.h. OS_MAX_EVENTS and OS_MAX_QS must be at least GLUE_QUEUES.
+#include "glue/exceptions.h"
 #include "glue/glue.h"
 
 #include <ucos_ii.h>
 
-// A branch, not a call: the port's handler reads the exception's return address from LR.
-__attribute__((naked)) void PendSV_Handler(void) { __asm__ volatile("b OS_CPU_PendSVHandler"); }
-void SysTick_Handler(void) { OS_CPU_SysTickHandler(); }
-
-void glue_init(void) { OSInit(); }
+int glue_init(void) { OSInit(); return 1; }
 
 int glue_task_create(uint32_t priority, void (*entry)(void *user), void *user, void *stack,
                      size_t bytes) {
@@ -23,22 +19,27 @@ void glue_start(void) { OSStart(); }
 
 void glue_clock_start(uint32_t cycles) { OS_CPU_SysTickInit(cycles); } // not before OSStart
 
-void glue_delay(uint32_t ticks) { OSTimeDly(ticks); }
+glue_answer_t glue_delay(uint32_t ticks) { OSTimeDly(ticks); return GLUE_DONE; }
 
 void *glue_queue_create(void **slots, uint32_t capacity) {
     return OSQCreate(slots, (INT16U)capacity);
 }
 
-int glue_queue_pend(void *queue, uint32_t timeout, void **message_out) {
+glue_answer_t glue_queue_pend(void *queue, uint32_t timeout, void **message_out) {
     INT8U error = OS_ERR_NONE;
     void *message = NULL;
     if (timeout == 0u) message = OSQAccept(queue, &error);
     else message = OSQPend(queue, timeout == GLUE_FOREVER ? 0u : timeout, &error); // 0: for ever
+    if (error == OS_ERR_TIMEOUT || error == OS_ERR_Q_EMPTY) return GLUE_NOT_NOW;
     if (error == OS_ERR_NONE) *message_out = message;
-    return error == OS_ERR_NONE;
+    return error == OS_ERR_NONE ? GLUE_DONE : GLUE_REFUSED;
 }
 
-int glue_queue_post(void *queue, void *message) { return OSQPost(queue, message) == OS_ERR_NONE; }
+glue_answer_t glue_queue_post(void *queue, void *message) {
+    const INT8U error = OSQPost(queue, message);
+    if (error == OS_ERR_NONE) return GLUE_DONE;
+    return error == OS_ERR_Q_FULL ? GLUE_NOT_NOW : GLUE_REFUSED;
+}
 
 void App_TimeTickHook(void) { glue_tick(); }
 void App_TaskSwHook(void) { glue_switch(OSTCBHighRdy->OSTCBPrio); }

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
 // The boards under QEMU: files of the host by semihosting, buffered, because each call halts the
-// board.
+// board; the watchdog is the board's own, which raises the exception that nothing can keep out.
 #include "hal/hal.h"
 
 #include <string.h> // memcpy
 
-#include "board/board.h" // board_open board_read board_write board_exit
+#include "board/board.h"  // board_open board_read board_write board_exit
+#include "hal/switches.h" // hal_change_t
 
 enum { BLOCK = 4096 };
 
@@ -22,7 +23,21 @@ static struct {
     uint8_t waiting[BLOCK];
 } streams[HAL_STREAMS];
 
+// CMSDK APB watchdog: Arm, Cortex-M System Design Kit Technical Reference Manual, 4.4.
+typedef struct watchdog {
+    uint32_t load;
+    uint32_t value;     // counts down with the clock of SysTick
+    uint32_t control;   // bit 0: counts and raises the exception
+    uint32_t clear;     // a write clears the exception and loads the counter
+    uint32_t is_raised; // bit 0
+} watchdog_t;
+
+static volatile watchdog_t *const watchdog = (volatile watchdog_t *)0x40008000u;
+static int outputs_file = -1;
+
 int hal_init(void) {
+    outputs_file = board_open("outputs", BOARD_WRITE);
+    if (outputs_file < 0) return 0;
     for (int k = 0; k < HAL_STREAMS; k++) {
         streams[k].file = board_open(files[k].name, files[k].mode);
         if (streams[k].file < 0) return 0;
@@ -55,7 +70,42 @@ void hal_write(hal_stream_t stream, const void *data, size_t n) {
 
 uint32_t hal_clock_hz(void) { return 25000000; }
 
+void hal_write_change(const hal_change_t *change) {
+    (void)board_write(outputs_file, change, sizeof *change);
+}
+
+void hal_watchdog_start(uint32_t units) {
+    watchdog->load = units;
+    watchdog->control = 1;
+}
+
+void hal_watchdog_feed(void) { watchdog->clear = 1; }
+
+// It has begun anew when the exception is there.
+uint32_t hal_unfed(void) {
+    if (watchdog->control == 0) return 0;
+    const uint32_t since = watchdog->load - watchdog->value;
+    return (watchdog->is_raised & 1u) != 0 ? since + watchdog->load : since;
+}
+
+// Every exception that is a fault: whoever was at work is not to be relied on.
+void board_on_fault(void) { hal_make_safe(); }
+
+void NMI_Handler(void);
+
+// In the safe state there is nothing left for the watchdog to do.
+void NMI_Handler(void) {
+    const int barked = (watchdog->is_raised & 1u) != 0;
+    if (barked && hal_is_safe()) {
+        watchdog->clear = 1;
+        return;
+    }
+    hal_make_safe();
+    board_exit(barked ? BOARD_EXIT_WATCHDOG : BOARD_EXIT_NMI);
+}
+
 void hal_exit(int status) {
+    hal_make_safe();
     flush(HAL_REPORT);
     flush(HAL_TRACE);
     const int failed = streams[HAL_REPORT].failed || streams[HAL_TRACE].failed;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// What the firmware needs of the board besides the processor: four streams, the clock's rate and an
-// end. host.c and board.c are the two of it; files of fixed names in the current folder.
+// What the firmware needs of the board besides the processor: four streams, the clock's rate, what
+// is switched, a safe state, a watchdog and an end. host.c and board.c are the two of it; files of
+// fixed names in the current folder.
 #ifndef HAL_H
 #define HAL_H
 
@@ -14,6 +15,14 @@ typedef enum hal_stream {
     HAL_TRACE = 3,   // out, "trace": what the drives got, tick by tick
     HAL_STREAMS = 4
 } hal_stream_t;
+
+// What the board switches, setpoints aside. All of it is off at reset.
+typedef enum hal_output {
+    HAL_DRIVES = 0,  // 1: power on the drives, brakes open
+    HAL_SPINDLE = 1, // revolutions a minute, negative: backwards; 0: off
+    HAL_COOLANT = 2, // 1: on
+    HAL_OUTPUTS = 3
+} hal_output_t;
 
 // Open the streams; those that go out are emptied. Returns 1, or 0 if one cannot be opened.
 // Cost: constant. Context: before the tick runs.
@@ -30,8 +39,29 @@ void hal_write(hal_stream_t stream, const void *data, size_t n);
 // Units of os_clock in a second. Cost: constant. Context: any.
 uint32_t hal_clock_hz(void);
 
-// Send what was written and end the run with a status, 0 … 99; 1 instead of 0 if something could
-// not be written. Does not return. Cost: linear in what waits. Context: any.
+// Switch an output; in the safe state it stays off. Cost: constant. Context: tick or task, each
+// output from one of them.
+void hal_switch(hal_output_t output, int32_t value);
+
+// What an output is switched to. Cost: constant. Context: any.
+int32_t hal_switched(hal_output_t output);
+
+// The safe state: drives, spindle and coolant off at once, and off until reset. It needs no kernel,
+// waits for nothing and may be called again. Cost: constant. Context: any, a fault's handler too.
+void hal_make_safe(void);
+
+// 1: in the safe state. Cost: constant. Context: any.
+int hal_is_safe(void);
+
+// Start the watchdog, once: if it is not fed for so many units of os_clock, the board goes to the
+// safe state by itself, whatever the processor does. Cost: constant. Context: before os_start.
+void hal_watchdog_start(uint32_t units);
+
+// Feed it. Cost: constant. Context: tick.
+void hal_watchdog_feed(void);
+
+// Go to the safe state, send what was written and end the run with a status, 0 … 99; 1 instead of 0
+// if something could not be written. Does not return. Cost: linear in what waits. Context: any.
 void hal_exit(int status);
 
 #endif

@@ -253,6 +253,7 @@ os_status_t os_start(uint32_t tick_units)
     os_kernel.phase = OS_PHASE_RUNNING;
     os_port_start(tick_units);
     os_kernel.phase = OS_PHASE_OVER;
+    if (os_kernel.hooks.over) os_kernel.hooks.over(os_kernel.hooks.user);
     return OS_OK;
 }
 

@@ -41,7 +41,8 @@ typedef enum os_fault {
     OS_FAULT_NONE = 0,
     OS_FAULT_STACK = 1,   // the task left its stack or touched the guard: it never runs again
     OS_FAULT_OVERRUN = 2, // a tick came before the tick hook of the last one was done
-    OS_FAULT_MUTEX = 3    // the task ended while it held a mutex, which stays taken
+    OS_FAULT_MUTEX = 3,   // the task ended while it held a mutex, which stays taken
+    OS_FAULT_KERNEL = 4   // of ../glue: the kernel refused a call, or a check of its own failed
 } os_fault_t;
 
 // A stack is a static array: os_stack_t stack[OS_STACK_WORDS(1024)].
@@ -53,7 +54,8 @@ typedef uint64_t os_stack_t;
 typedef struct os_hooks {
     void (*tick)(void *user); // every tick, in the interrupt, before any task is woken
     void (*fault)(void *user, os_fault_t fault, uint32_t priority); // interrupts off; short
-    void *user;               // handed to both
+    void *user;               // handed to all
+    void (*over)(void *user); // after os_stop, when no task and no tick runs any more
 } os_hooks_t;
 
 // What a task did so far.
@@ -101,12 +103,13 @@ os_status_t os_task_create(uint32_t priority, const char *name, void (*entry)(vo
                            void *user, os_stack_t *stack, size_t words);
 
 // Run the tasks. tick_units: length of a tick in units of os_clock (processor cycles on a Cortex-M,
-// where it is at most 2^24; virtual units on the host), ≥ 1. Returns OS_OK after os_stop;
-// OS_E_ARGUMENT; OS_E_CONTEXT: it runs already, or ran (os_init comes first). Context: before.
+// where it is at most 2^24; virtual units on the host), ≥ 1. Returns OS_OK after os_stop and the
+// hook `over`; OS_E_ARGUMENT; OS_E_CONTEXT: it runs already, or ran (os_init comes first). Kernels
+// of ../glue have no way back: there the hook is the last that is called. Context: before.
 os_status_t os_start(uint32_t tick_units);
 
-// End: no task runs any more and os_start returns. Cost: constant. Context: task (it does not
-// return), interrupt (it returns, os_start follows after the interrupt).
+// End: no task runs any more, the hook `over` is called and os_start returns. Cost: constant.
+// Context: task (it does not return), interrupt (it returns, the end follows after the interrupt).
 void os_stop(void);
 
 // Time -------------------------------------------------------------------------------------------

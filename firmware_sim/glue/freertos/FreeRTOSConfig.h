@@ -4,7 +4,7 @@
 #ifndef FREERTOS_CONFIG_H
 #define FREERTOS_CONFIG_H
 
-#include "glue/glue.h" // GLUE_TASKS glue_switch
+#include "glue/glue.h" // GLUE_TASKS glue_switch glue_refused
 
 #define configUSE_PREEMPTION 1
 #define configUSE_TIME_SLICING 0
@@ -23,10 +23,13 @@
 #define configUSE_MUTEXES 0
 #define configUSE_TIMERS 0
 #define configCHECK_FOR_STACK_OVERFLOW 0 // os.c paints and looks
+#define configASSERT(holds) \
+    do { \
+        if (!(holds)) glue_refused(); \
+    } while (0)
 #define INCLUDE_vTaskDelay 1
 
 // The kernel may be called from interrupts at 0x20 and below; the highest can never be kept out.
-#define configPRIO_BITS 3
 #define configKERNEL_INTERRUPT_PRIORITY 0xe0u
 #define configMAX_SYSCALL_INTERRUPT_PRIORITY 0x20u
 

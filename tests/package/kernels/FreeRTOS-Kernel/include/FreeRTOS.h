@@ -10,6 +10,13 @@
 #include <FreeRTOSConfig.h>
 #include <portmacro.h>
 
+#ifdef configASSERT
+#define configASSERT_DEFINED 1
+#else
+#define configASSERT_DEFINED 0
+#define configASSERT(holds)
+#endif
+
 #define pdFALSE ((BaseType_t)0)
 #define pdPASS ((BaseType_t)1)
 

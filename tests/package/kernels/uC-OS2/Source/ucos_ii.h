@@ -9,6 +9,9 @@
 #include <stddef.h>
 
 #define OS_ERR_NONE 0u
+#define OS_ERR_TIMEOUT 10u
+#define OS_ERR_Q_FULL 30u
+#define OS_ERR_Q_EMPTY 31u
 #define OS_TASK_OPT_SAVE_FP 0x0004u
 
 typedef struct os_event {

@@ -6,6 +6,7 @@
 
 #include <cpu_core.h>
 #include <os_cfg.h>
+#include <os_cfg_app.h>
 #include <os_cpu.h>
 #include <stddef.h>
 
@@ -18,7 +19,12 @@ typedef void (*OS_TASK_PTR)(void *p_arg);
 typedef void (*OS_APP_HOOK_VOID)(void);
 
 typedef enum os_err {
-    OS_ERR_NONE = 0u
+    OS_ERR_NONE = 0u,
+    OS_ERR_OS_NOT_RUNNING = 24201u,
+    OS_ERR_PEND_WOULD_BLOCK = 25008u,
+    OS_ERR_Q_MAX = 26003u,
+    OS_ERR_SCHED_LOCKED = 28003u,
+    OS_ERR_TIMEOUT = 29401u
 } OS_ERR;
 
 #define OS_OPT_PEND_BLOCKING (OS_OPT)(0x0000u)
@@ -43,6 +49,7 @@ typedef struct os_mutex {
     OS_TCB *OwnerTCBPtr;
 } OS_MUTEX;
 
+extern CPU_STK OSCfg_ISRStk[OS_CFG_ISR_STK_SIZE];
 extern OS_TCB *OSTCBHighRdyPtr;
 extern OS_APP_HOOK_VOID OS_AppTaskSwHookPtr;
 extern OS_APP_HOOK_VOID OS_AppTimeTickHookPtr;

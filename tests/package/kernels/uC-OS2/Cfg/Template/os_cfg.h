@@ -7,7 +7,9 @@
 #define OS_CPU_HOOKS_EN 1u
 #define OS_TASK_SW_HOOK_EN 1u
 #define OS_TIME_TICK_HOOK_EN 1u
+#define OS_LOWEST_PRIO 63u
 #define OS_MAX_EVENTS 10u
 #define OS_MAX_QS 4u
+#define OS_TMR_EN 1u
 
 #endif

@@ -4,6 +4,6 @@
 #define OS_CFG_H
 
 #define OS_CFG_APP_HOOKS_EN 1u
-#define OS_CFG_INVALID_OS_CALLS_CHK_EN 0u
+#define OS_CFG_INVALID_OS_CALLS_CHK_EN 1u
 
 #endif

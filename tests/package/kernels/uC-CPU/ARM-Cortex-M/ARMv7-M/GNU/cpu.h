@@ -3,6 +3,8 @@
 #ifndef CPU_MODULE_PRESENT
 #define CPU_MODULE_PRESENT
 
+#include <cpu_cfg.h>
+
 typedef char CPU_CHAR;
 typedef unsigned char CPU_INT08U;
 typedef unsigned short CPU_INT16U;

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+// What the program switches. Tools are the operator's: M6 waits for him.
+#include "app/output.h"
+
+#include "app/app.h" // app_t
+#include "hal/hal.h" // hal_switch
+
+static void set_spindle(app_t *app) {
+    hal_switch(HAL_SPINDLE, app->spindle.turns * app->spindle.rpm);
+}
+
+static void turn(app_t *app, int32_t turns) {
+    app->spindle.turns = turns;
+    set_spindle(app);
+}
+
+static void execute(app_t *app, int code) {
+    switch (code) {
+    case 3: turn(app, 1); break;
+    case 4: turn(app, -1); break;
+    case 5: turn(app, 0); break;
+    case 7:
+    case 8: hal_switch(HAL_COOLANT, 1); break;
+    case 9: hal_switch(HAL_COOLANT, 0); break;
+    default: break;
+    }
+}
+
+void app_output(void *user, const nck_output_t *output) {
+    app_t *const app = user;
+    if (output->kind == NCK_OUTPUT_M) execute(app, (int)output->value);
+    if (output->kind != NCK_OUTPUT_SPINDLE_SPEED) return;
+    app->spindle.rpm = output->value < (double)INT32_MAX ? (int32_t)output->value : INT32_MAX;
+    set_spindle(app);
+}

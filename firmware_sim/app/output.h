@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: MIT
+// What the program switches: spindle and coolant.
+#ifndef APP_OUTPUT_H
+#define APP_OUTPUT_H
+
+#include "nck/nck.h" // nck_output_t
+
+// Switch what an output says; user is the app_t. Cost: constant. Context: tick.
+void app_output(void *user, const nck_output_t *output);
+
+#endif
