@@ -51,7 +51,7 @@ TABLES = (
     ("[home.g28], [home.g30], [work.g54] … [work.g59_3]", machine_file.Position),
     ("[tool.N]", machine_file.Tool),
 )
-POWERS = {10**12: "10¹²", 10**6: "10⁶", -(10**6): "−10⁶"}
+RAISED = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
 MACHINE_HEAD = """\
 # Machine files
 
@@ -117,6 +117,15 @@ def takes(field):
     return " ".join([number, *limits(bounds)])
 
 
+def bound_in_words(bound):
+    """Return the end of a range; one of many zeros as a power of ten."""
+    sign, digits, exponent = Decimal(bound).normalize().as_tuple()
+    if len(digits) > 1 or -3 <= exponent < 6:
+        return f"{Decimal(bound).normalize():f}"
+    factor = "" if digits == (1,) else f"{digits[0]}·"
+    return f"{'−' * sign}{factor}10{str(exponent).translate(RAISED)}"
+
+
 def limits(bounds):
     """Yield the range of a number, in words."""
     signs = {"gt": ">", "ge": "≥", "le": "≤"}
@@ -124,7 +133,7 @@ def limits(bounds):
         for part in [bound, *getattr(bound, "metadata", ())]:
             for name, sign in signs.items():
                 if hasattr(part, name):
-                    yield f"{sign} {POWERS.get(getattr(part, name), getattr(part, name))}"
+                    yield f"{sign} {bound_in_words(getattr(part, name))}"
 
 
 def default(field):

@@ -23,7 +23,7 @@ from pycnc.machine_file import (
     position_key,
     unit_of,
 )
-from pycnc.records import counts_per_unit, dtype
+from pycnc.records import counts_per_unit, dtype, quantity_range
 
 DEFAULT = "mill3"
 _FREE = (np.iinfo(np.int64).min, np.iinfo(np.int64).max)
@@ -327,6 +327,11 @@ def _validate(data):
     return settings, problems
 
 
+def _plain(number):
+    """Return a number without an exponent."""
+    return f"{Decimal(number):f}"
+
+
 def _problem(error, data):
     """Return (path to key, wording) of one finding of pydantic."""
     path = [str(step) for step in error["loc"]]
@@ -334,9 +339,8 @@ def _problem(error, data):
     wording = {
         "missing": lambda: "is missing",
         "extra_forbidden": lambda: _unknown(path),
-        "greater_than": lambda: f"must be greater than {context['gt']} (is {given})",
-        "greater_than_equal": lambda: f"must be {context['ge']} at least (is {given})",
-        "less_than_equal": lambda: f"must be {context['le']} at most (is {given})",
+        "greater_than_equal": lambda: f"must be {_plain(context['ge'])} at least (is {given})",
+        "less_than_equal": lambda: f"must be {_plain(context['le'])} at most (is {given})",
         "finite_number": lambda: f"must be a finite number (is {given})",
         "literal_error": lambda: f"must be {context['expected']} (is {given!r})",
         "bool_type": lambda: f"must be true or false (is {given!r})",
@@ -434,11 +438,16 @@ def _fill_axis(row, letter, axis):
         row[f"{field}_nm"] = free if value is None else _counts(value, letter)
 
 
+def _together(axes, kind, quantity):
+    """Return what all axes give along the path together, within the range of path limits."""
+    most = float(quantity_range(quantity)[1])
+    return min(most, float(np.sqrt(np.sum(axes[kind] ** 2))))
+
+
 def _fill_path(record, path):
     axes = record["axis"][record["axis"]["present"] == 1]
-    together = {
-        kind: float(np.sqrt(np.sum(axes[kind] ** 2))) for kind in ("v_max", "a_max", "j_max")
-    }
+    kinds = {"v_max": "speed", "a_max": "acceleration", "j_max": "jerk"}
+    together = {kind: _together(axes, kind, quantity) for kind, quantity in kinds.items()}
     row = record["path"]
     row["feed_max"] = (
         together["v_max"] if path.feed_max_mm_min is None else float(path.feed_max_mm_min / 60)

@@ -9,6 +9,8 @@ from typing import Annotated, Literal
 
 from pydantic import BaseModel, BeforeValidator, ConfigDict, Field, Strict, model_validator
 
+from pycnc.records import quantity_range
+
 LINEAR_AXES = ("x", "y", "z", "u", "v", "w")
 ROTARY_AXES = ("a", "b", "c")
 AXES = ("x", "y", "z", "a", "b", "c", "u", "v", "w")  # the kernel's order
@@ -28,8 +30,23 @@ def _travel(value):
 
 
 Number = Annotated[Decimal, Strict(False)]
-Positive = Annotated[Number, Field(gt=0, le=10**12), BeforeValidator(_number)]
-NotNegative = Annotated[Number, Field(ge=0, le=10**12), BeforeValidator(_number)]
+
+
+def _within(quantity, units=1):
+    """Return the type of a number with the kernel's range; units: the file's in one of its."""
+    low, high = ((end * units).normalize() for end in quantity_range(quantity))
+    return Annotated[Number, Field(ge=low, le=high), BeforeValidator(_number)]
+
+
+Period = _within("period", 1000)
+Speed = _within("speed")
+SpeedPerMinute = _within("speed", 60)
+Acceleration = _within("acceleration")
+Jerk = _within("jerk")
+Error = _within("error")
+Size = _within("size")
+Feed = _within("feed")
+Rotation = _within("rotation")
 Coordinate = Annotated[Number, Field(ge=-TRAVEL_LIMIT, le=TRAVEL_LIMIT), BeforeValidator(_number)]
 Travel = Annotated[
     Annotated[Number, Field(ge=-TRAVEL_LIMIT, le=TRAVEL_LIMIT)] | None, BeforeValidator(_travel)
@@ -48,35 +65,33 @@ class Table(BaseModel):
 class Kernel(Table):
     """How often setpoints are made."""
 
-    period_ms: Annotated[Number, Field(ge=Decimal("0.01"), le=100), BeforeValidator(_number)] = (
-        Field(
-            Decimal(1),
-            description="Interpolation period: one setpoint per axis every so many milliseconds.",
-        )
+    period_ms: Period = Field(
+        Decimal(1),
+        description="Interpolation period: one setpoint per axis every so many milliseconds.",
     )
 
 
 class Path(Table):
     """Limits along the path and tolerances."""
 
-    feed_max_mm_min: Positive | None = Field(
+    feed_max_mm_min: SpeedPerMinute | None = Field(
         None,
         description="Highest feed along the path. Default: all that the axes give.",
     )
-    a_max_mm_s2: Positive | None = Field(
+    a_max_mm_s2: Acceleration | None = Field(
         None,
         description="Highest acceleration along the path. Default: all that the axes give.",
     )
-    j_max_mm_s3: Positive | None = Field(
+    j_max_mm_s3: Jerk | None = Field(
         None, description="Highest jerk along the path. Default: all that the axes give."
     )
-    chord_error_mm: Positive = Field(
+    chord_error_mm: Error = Field(
         Decimal("0.001"), description="How far the chord between two setpoints may leave an arc."
     )
-    tolerance_mm: NotNegative = Field(
+    tolerance_mm: Size = Field(
         Decimal(0), description="What a bare G64 means; 0 is exact path."
     )
-    arc_radius_mm: Positive = Field(
+    arc_radius_mm: Error = Field(
         Decimal("0.005"), description="How far the end point of an arc may miss its circle."
     )
     lookahead_blocks: int = Field(
@@ -96,12 +111,12 @@ class Path(Table):
 class LinearAxis(Table):
     """One linear axis."""
 
-    v_max_mm_s: Positive = Field(description="Highest speed.")
-    rapid_mm_s: Positive | None = Field(
+    v_max_mm_s: Speed = Field(description="Highest speed.")
+    rapid_mm_s: Speed | None = Field(
         None, description="Speed of G0, v_max at most. Default: v_max."
     )
-    a_max_mm_s2: Positive = Field(description="Highest acceleration.")
-    j_max_mm_s3: Positive = Field(
+    a_max_mm_s2: Acceleration = Field(description="Highest acceleration.")
+    j_max_mm_s3: Jerk = Field(
         description="Highest jerk (the linear slope reports it and does not limit it)."
     )
     min_mm: Travel = Field(
@@ -117,12 +132,12 @@ class LinearAxis(Table):
 class RotaryAxis(Table):
     """One rotary axis."""
 
-    v_max_deg_s: Positive = Field(description="Highest speed.")
-    rapid_deg_s: Positive | None = Field(
+    v_max_deg_s: Speed = Field(description="Highest speed.")
+    rapid_deg_s: Speed | None = Field(
         None, description="Speed of G0, v_max at most. Default: v_max."
     )
-    a_max_deg_s2: Positive = Field(description="Highest acceleration.")
-    j_max_deg_s3: Positive = Field(
+    a_max_deg_s2: Acceleration = Field(description="Highest acceleration.")
+    j_max_deg_s3: Jerk = Field(
         description="Highest jerk (the linear slope reports it and does not limit it)."
     )
     min_deg: Travel = Field(
@@ -170,7 +185,7 @@ class Kinematics(Table):
 class Spindle(Table):
     """The main spindle."""
 
-    rpm_max: NotNegative = Field(Decimal(0), description="Highest speed; 0: not checked.")
+    rpm_max: Rotation = Field(Decimal(0), description="Highest speed; 0: not checked.")
 
 
 class Dialect(Table):
@@ -187,7 +202,7 @@ class Dialect(Table):
     )
     block_skip: bool = Field(False, description="Lines that begin with / are skipped.")
     optional_stop: bool = Field(False, description="M1 stops.")
-    feed_default_mm_min: NotNegative = Field(
+    feed_default_mm_min: Feed = Field(
         Decimal(0),
         description="Feed in force before the first F; 0: none, a cut without F is an error.",
     )
@@ -244,7 +259,7 @@ class Tool(Table):
     length_mm: Coordinate = Field(Decimal(0), description="Length, along Z.")
     x_mm: Coordinate = Field(Decimal(0), description="Offset along X (lathe: radius).")
     y_mm: Coordinate = Field(Decimal(0), description="Offset along Y.")
-    radius_mm: NotNegative = Field(Decimal(0), description="Cutter or nose radius.")
+    radius_mm: Size = Field(Decimal(0), description="Cutter or nose radius.")
     orientation: Annotated[int, Field(ge=0, le=9)] = Field(
         0, description="Lathe: where the tip points, 0 to 9."
     )

@@ -4,6 +4,7 @@
 import enum as _enum
 import functools
 import os
+from decimal import Decimal
 
 import numpy as np
 
@@ -168,3 +169,26 @@ def counts_per_unit(rotary):
     array([   1000000, 1000000000])
     """
     return np.where(rotary, lib.NCK_COUNTS_PER_DEG, lib.NCK_COUNTS_PER_MM)
+
+
+def quantity_range(name):
+    """Return the range of what a machine is measured in, as the kernel has it.
+
+    Parameters
+    ----------
+    name : str
+        Of ``nck_quantity_t``, without prefix, lower case.
+
+    Returns
+    -------
+    low, high : Decimal
+        The least and the most that the kernel takes, in its units.
+
+    Examples
+    --------
+    >>> quantity_range("period")
+    (Decimal('0.00001'), Decimal('0.1'))
+    """
+    ends = ffi.new("nck_range_t *")
+    lib.nck_machine_range(getattr(lib, f"NCK_QUANTITY_{name.upper()}"), ends)
+    return tuple(Decimal(repr(end)).normalize() for end in (ends.low, ends.high))

@@ -11,8 +11,10 @@ from command_line import pycnc
 from hypothesis import given
 from hypothesis import strategies as st
 
+from pycnc._bind import lib
 from pycnc.machine import Machine, MachineFileError, shipped
 from pycnc.machine_file import AXES
+from pycnc.records import quantity_range
 
 DOCS = Path(__file__).resolve().parents[1] / "docs"
 SMALL = """\
@@ -159,6 +161,36 @@ def test_equal_settings_have_equal_hashes_and_others_do_not():
     assert one.sha256 == same.sha256 != other.sha256
 
 
+# Ranges
+
+QUANTITIES = {
+    "kernel.period_ms": ("period", 1000), "path.feed_max_mm_min": ("speed", 60),
+    "path.a_max_mm_s2": ("acceleration", 1), "path.j_max_mm_s3": ("jerk", 1),
+    "path.chord_error_mm": ("error", 1), "path.tolerance_mm": ("size", 1),
+    "path.arc_radius_mm": ("error", 1), "axis.x.v_max_mm_s": ("speed", 1),
+    "axis.x.rapid_mm_s": ("speed", 1), "axis.x.a_max_mm_s2": ("acceleration", 1),
+    "axis.x.j_max_mm_s3": ("jerk", 1), "axis.c.v_max_deg_s": ("speed", 1),
+    "axis.c.a_max_deg_s2": ("acceleration", 1), "axis.c.j_max_deg_s3": ("jerk", 1),
+    "axis.c.rapid_deg_s": ("speed", 1), "spindle.rpm_max": ("rotation", 1),
+    "dialect.feed_default_mm_min": ("feed", 1), "tool.42.radius_mm": ("size", 1),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("end", [0, 1])
+def test_the_file_takes_what_the_kernel_takes(end):
+    ends = {key: quantity_range(name)[end] * units for key, (name, units) in QUANTITIES.items()}
+    machine = Machine.load(Machine.from_text(EVERYTHING), set=ends)
+    assert lib.nck_machine_check(machine.pointer) == lib.NCK_OK
+
+
+@pytest.mark.parametrize("key", QUANTITIES)
+def test_what_the_kernel_refuses_is_told_with_its_key(key):
+    name, units = QUANTITIES[key]
+    low, high = (end * units for end in quantity_range(name))
+    for value, words in ((low - Decimal("1e-12"), "at least"), (high + 1, "at most")):
+        assert words in problems(EVERYTHING, set={key: value})[key]
+
+
 # Mistakes
 
 
@@ -167,7 +199,9 @@ def test_equal_settings_have_equal_hashes_and_others_do_not():
     [
         ("v_max = 3", "axis.x.v_max", "v_max_mm_s"),
         ("v_max_deg_s = 3", "axis.x.v_max_deg_s", "did you mean v_max_mm_s"),
-        ("rapid_mm_s = -5", "axis.x.rapid_mm_s", "greater than 0 (is -5)"),
+        ("rapid_mm_s = -5", "axis.x.rapid_mm_s", "0.000001 at least (is -5)"),
+        ("[path]\nj_max_mm_s3 = 2.3e12", "path.j_max_mm_s3", "1000000000000 at most"),
+        ("[path]\na_max_mm_s2 = 2.2e-308", "path.a_max_mm_s2", "0.001 at least"),
         ("rapid_mm_s = nan", "axis.x.rapid_mm_s", "finite"),
         ("rapid_mm_s = inf", "axis.x.rapid_mm_s", "finite"),
         ("rapid_mm_s = 200", "axis.x.rapid_mm_s", "v_max_mm_s = 100"),

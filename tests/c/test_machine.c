@@ -34,6 +34,41 @@ static void each_bad_number_is_found(check_t *check) {
     }
 }
 
+// The range's ends are good, their neighbours are not.
+static void each_limit_has_its_range(check_t *check) {
+    const struct {
+        double *number;
+        nck_quantity_t quantity;
+    } limits[] = {
+        {&machine.period_s, NCK_QUANTITY_PERIOD}, {&machine.axis[0].v_max, NCK_QUANTITY_SPEED},
+        {&machine.axis[1].rapid, NCK_QUANTITY_SPEED}, {&machine.path.feed_max, NCK_QUANTITY_SPEED},
+        {&machine.axis[2].a_max, NCK_QUANTITY_ACCELERATION},
+        {&machine.path.a_max, NCK_QUANTITY_ACCELERATION},
+        {&machine.axis[0].j_max, NCK_QUANTITY_JERK}, {&machine.path.j_max, NCK_QUANTITY_JERK},
+        {&machine.path.chord_error, NCK_QUANTITY_ERROR},
+        {&machine.path.arc_radius, NCK_QUANTITY_ERROR},
+        {&machine.path.tolerance, NCK_QUANTITY_SIZE},
+        {&machine.tool[0].radius_mm, NCK_QUANTITY_SIZE},
+        {&machine.dialect.feed_default, NCK_QUANTITY_FEED},
+        {&machine.spindle.rpm_max, NCK_QUANTITY_ROTATION}};
+    for (unsigned k = 0; k < sizeof limits / sizeof limits[0]; k++) {
+        nck_range_t range;
+        nck_machine_range(limits[k].quantity, &range);
+        nck_machine_default(&machine);
+        machine.tool_count = 1;
+        machine.axis[0].rapid = 1e-6;
+        machine.axis[1].v_max = 1e6;
+        const double good[] = {range.low, range.high};
+        const double bad[] = {nextafter(range.low, -1.0), nextafter(range.high, 2e12)};
+        for (int n = 0; n < 2; n++) {
+            *limits[k].number = good[n];
+            CHECK_INT(check, nck_machine_check(&machine), NCK_OK);
+            *limits[k].number = bad[n];
+            CHECK_INT(check, nck_machine_check(&machine), NCK_E_MACHINE);
+        }
+    }
+}
+
 static void each_bad_choice_is_found(check_t *check) {
     uint8_t *const bytes[] = {&machine.axis[0].present, &machine.axis[0].rotary,
                               &machine.dialect.diameter, &machine.dialect.inch,
@@ -115,6 +150,7 @@ int main(void) {
     check_t check = {0};
     CHECK_RUN(&check, the_default_machine_is_good);
     CHECK_RUN(&check, each_bad_number_is_found);
+    CHECK_RUN(&check, each_limit_has_its_range);
     CHECK_RUN(&check, each_bad_choice_is_found);
     CHECK_RUN(&check, places_must_be_within_the_kernels_range);
     CHECK_RUN(&check, a_lathe_needs_its_two_axes);

@@ -41,8 +41,19 @@ static int within(double value, double low, double high) {
     return value >= low && value <= high;
 }
 
-static int positive(double value) {
-    return value > 0.0 && value <= 1e12;
+// In the order of nck_quantity_t. With lengths from 1e-7 to 1e7 mm the formulas of the rooms then
+// keep their digits: v² and a·l stay within 1e-12 … 1e16, the cube root's j²·l (nck_ladder_cbrt)
+// within 1e-13 … 1e31 (2 %), and Newton's start a/j within 1e14 of its root (nck_sshape_half: 1e17).
+static const nck_range_t ranges[NCK_QUANTITIES] = {
+    {1e-5, 0.1}, {1e-6, 1e6}, {1e-3, 1e9}, {1e-3, 1e12}, {1e-9, 1e6}, {0.0, 1e6}, {0.0, 1e9},
+    {0.0, 1e9}};
+
+void nck_machine_range(uint32_t quantity, nck_range_t *range_out) {
+    *range_out = ranges[quantity];
+}
+
+static int good(nck_quantity_t quantity, double value) {
+    return within(value, ranges[quantity].low, ranges[quantity].high);
 }
 
 static int place_good(const nck_axis_t *axis, int64_t place_nm) {
@@ -52,9 +63,10 @@ static int place_good(const nck_axis_t *axis, int64_t place_nm) {
 }
 
 static int axis_good(const nck_axis_t *axis) {
-    return axis->present <= 1 && axis->rotary <= 1 && positive(axis->v_max)
-           && positive(axis->rapid) && axis->rapid <= axis->v_max && positive(axis->a_max)
-           && positive(axis->j_max) && axis->min_nm <= axis->max_nm
+    return axis->present <= 1 && axis->rotary <= 1 && good(NCK_QUANTITY_SPEED, axis->v_max)
+           && good(NCK_QUANTITY_SPEED, axis->rapid) && axis->rapid <= axis->v_max
+           && good(NCK_QUANTITY_ACCELERATION, axis->a_max)
+           && good(NCK_QUANTITY_JERK, axis->j_max) && axis->min_nm <= axis->max_nm
            && (axis->min_nm == free_below || place_good(axis, axis->min_nm))
            && (axis->max_nm == INT64_MAX || place_good(axis, axis->max_nm));
 }
@@ -81,9 +93,12 @@ static int axes_good(const nck_machine_t *machine) {
 }
 
 static int path_good(const nck_machine_t *machine) {
-    return positive(machine->path.feed_max) && positive(machine->path.a_max)
-           && positive(machine->path.j_max) && positive(machine->path.chord_error)
-           && within(machine->path.tolerance, 0.0, 1e6) && positive(machine->path.arc_radius)
+    return good(NCK_QUANTITY_SPEED, machine->path.feed_max)
+           && good(NCK_QUANTITY_ACCELERATION, machine->path.a_max)
+           && good(NCK_QUANTITY_JERK, machine->path.j_max)
+           && good(NCK_QUANTITY_ERROR, machine->path.chord_error)
+           && good(NCK_QUANTITY_SIZE, machine->path.tolerance)
+           && good(NCK_QUANTITY_ERROR, machine->path.arc_radius)
            && machine->slope <= NCK_SLOPE_SSHAPE && machine->lookahead_blocks <= NCK_WINDOW
            && (machine->lookahead_blocks != 1 || machine->slope == NCK_SLOPE_SSHAPE);
 }
@@ -93,8 +108,8 @@ static int dialect_good(const nck_machine_t *machine) {
            && machine->dialect.inch <= 1 && machine->dialect.arc_absolute <= 1
            && machine->dialect.plane >= 17 && machine->dialect.plane <= 19
            && machine->dialect.block_skip <= 1 && machine->dialect.optional_stop <= 1
-           && within(machine->dialect.feed_default, 0.0, 1e9)
-           && within(machine->spindle.rpm_max, 0.0, 1e9)
+           && good(NCK_QUANTITY_FEED, machine->dialect.feed_default)
+           && good(NCK_QUANTITY_ROTATION, machine->spindle.rpm_max)
            && machine->work_system < NCK_WORK_SYSTEMS;
 }
 
@@ -102,7 +117,7 @@ static int tools_good(const nck_machine_t *machine) {
     if (machine->tool_count > NCK_TOOL_MAX) return 0;
     for (uint32_t k = 0; k < machine->tool_count; k++) {
         const nck_tool_t *const tool = &machine->tool[k];
-        if (tool->orientation > 9 || !within(tool->radius_mm, 0.0, 1e6)) return 0;
+        if (tool->orientation > 9 || !good(NCK_QUANTITY_SIZE, tool->radius_mm)) return 0;
         for (unsigned axis = 0; axis < 3; axis++) {
             if (!place_good(&machine->axis[axis], tool->offset_nm[axis])) return 0;
         }
@@ -111,7 +126,7 @@ static int tools_good(const nck_machine_t *machine) {
 }
 
 nck_status_t nck_machine_check(const nck_machine_t *machine) {
-    const int good = within(machine->period_s, 1e-5, 0.1) && axes_good(machine)
-                     && path_good(machine) && dialect_good(machine) && tools_good(machine);
-    return good ? NCK_OK : NCK_E_MACHINE;
+    const int all = good(NCK_QUANTITY_PERIOD, machine->period_s) && axes_good(machine)
+                    && path_good(machine) && dialect_good(machine) && tools_good(machine);
+    return all ? NCK_OK : NCK_E_MACHINE;
 }

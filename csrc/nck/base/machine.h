@@ -31,14 +31,32 @@ typedef enum nck_dialect {
     NCK_DIALECT_LINUXCNC = 0, NCK_DIALECT_FANUC = 1, NCK_DIALECT_GRBL = 2, NCK_DIALECT_MARLIN = 3
 } nck_dialect_t;
 
+// What a machine is measured in; each has one range (nck_machine_range).
+typedef enum nck_quantity {
+    NCK_QUANTITY_PERIOD = 0,       // [s]
+    NCK_QUANTITY_SPEED = 1,        // [mm/s, deg/s]
+    NCK_QUANTITY_ACCELERATION = 2, // [mm/s², deg/s²]
+    NCK_QUANTITY_JERK = 3,         // [mm/s³, deg/s³]
+    NCK_QUANTITY_ERROR = 4,        // [mm] how far something may miss
+    NCK_QUANTITY_SIZE = 5,         // [mm] 0: none
+    NCK_QUANTITY_FEED = 6,         // [mm/min] 0: none
+    NCK_QUANTITY_ROTATION = 7,     // [rpm] 0: none
+    NCK_QUANTITIES = 8
+} nck_quantity_t;
+
+typedef struct nck_range {
+    double low;  // the least that is good
+    double high; // the most
+} nck_range_t;
+
 typedef struct nck_axis {
     uint8_t present;  // 1: the machine has this axis
     uint8_t rotary;   // 1: degrees
     uint8_t reserved[6];
-    double v_max;     // [mm/s, deg/s] > 0: no setpoint is faster
-    double rapid;     // [mm/s, deg/s] > 0, ≤ v_max: G0
-    double a_max;     // [mm/s², deg/s²] > 0
-    double j_max;     // [mm/s³, deg/s³] > 0 (reported by the linear slope, not limited)
+    double v_max;     // SPEED: no setpoint is faster
+    double rapid;     // SPEED, ≤ v_max: G0
+    double a_max;     // ACCELERATION
+    double j_max;     // JERK (reported by the linear slope, not limited)
     int64_t min_nm;   // travel [nm, ndeg]; INT64_MIN: free
     int64_t max_nm;   // travel; INT64_MAX: free
 } nck_axis_t;
@@ -47,20 +65,21 @@ typedef struct nck_tool {
     uint32_t number;      // T and H name it
     uint32_t orientation; // lathe: 0..9
     int64_t offset_nm[3]; // X Y Z (mill: Z = length) [nm]
-    double radius_mm;
+    double radius_mm;     // SIZE
 } nck_tool_t;
 
+// Numbers name their quantity in capitals.
 typedef struct nck_machine {
-    double period_s;         // T, interpolation period, 1e-5 … 0.1
+    double period_s;         // PERIOD: T, interpolation period
     nck_axis_t axis[NCK_AXIS_MAX];
 
     struct {
-        double feed_max;     // [mm/s] > 0
-        double a_max;        // tangential [mm/s²] > 0
-        double j_max;        // tangential [mm/s³] > 0
-        double chord_error;  // [mm] > 0: chord cap on arcs
-        double tolerance;    // [mm] ≥ 0: what a bare G64 means
-        double arc_radius;   // [mm] > 0: how far an arc's end may miss its circle
+        double feed_max;     // SPEED
+        double a_max;        // ACCELERATION, tangential
+        double j_max;        // JERK, tangential
+        double chord_error;  // ERROR: chord cap on arcs
+        double tolerance;    // SIZE: what a bare G64 means
+        double arc_radius;   // ERROR: how far an arc's end may miss its circle
     } path;
     uint32_t lookahead_blocks; // blocks in the window, the one in work among them, 2 … NCK_WINDOW
                              // (NCK_SLOPE_SSHAPE: from 1 on); 0: all of it
@@ -76,11 +95,11 @@ typedef struct nck_machine {
         uint8_t block_skip;  // 1: lines that begin with / are skipped
         uint8_t optional_stop; // 1: M1 stops
         uint8_t reserved[6];
-        double feed_default; // [mm/min] in force before the first F; 0: none
+        double feed_default; // FEED: in force before the first F
     } dialect;
 
     struct {
-        double rpm_max;      // 0: no check
+        double rpm_max;      // ROTATION; 0: no check
     } spindle;
 
     int64_t start_nm[NCK_AXIS_MAX];               // position at start, after homing
@@ -100,6 +119,11 @@ void nck_machine_default(nck_machine_t *machine);
 // Up to the furthest position, a count divided by it, times it and rounded is the count again.
 // Cost: constant. Context: any.
 double nck_machine_counts(const nck_machine_t *machine, int axis);
+
+// The range of a quantity, an nck_quantity_t below NCK_QUANTITIES. Limits stay six decades and more
+// from where a formula of the rooms would lose its digits (machine.c).
+// Cost: constant. Context: any.
+void nck_machine_range(uint32_t quantity, nck_range_t *range_out);
 
 // Check every number. Returns NCK_OK, or NCK_E_MACHINE at the first that is outside of its range
 // (NaN and infinity included; travel may be free). Cost: constant. Context: any.
