@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Room 6: time keeps its last digits however long the tool has not rested.
+// Room 6: time keeps its last digits however long the tool has not rested, and no cell is left at
+// either end.
 #include <math.h>   // fabs
 #include <string.h> // memset
 
@@ -76,6 +77,48 @@ static void speed_is_as_even_after_hours_as_at_first(check_t *check)
     CHECK_INT(check, nck_interpolate_tick(&interpolate)->state, NCK_TICK_IDLE);
 }
 
+// One line of 10 mm along X and one cell on it, which rests at its end.
+static void put_cell(check_t *check, const nck_cell_t *cell)
+{
+    nck_seg_t seg;
+    memset(&seg, 0, sizeof seg);
+    seg.end[0] = 10.0;
+    seg.length = 10.0;
+    CHECK_INT(check, nck_link_push_seg(&link_, &seg), NCK_OK);
+    CHECK_INT(check, nck_link_batch_begin(&link_), 0);
+    nck_link_push_cell(&link_, cell);
+    CHECK_INT(check, nck_link_publish(&link_), NCK_OK);
+}
+
+// Speed and duration of a cell say 2.8 mm, its length says 2: rounding, made large.
+static void no_setpoint_lies_beyond_a_cell(check_t *check)
+{
+    const nck_cell_t cell = {.stop = NCK_STOP_REST, .s = 1.0, .length = 2.0, .v = 40.0,
+                             .duration = 0.07};
+    begin();
+    put_cell(check, &cell);
+    for (int k = 1; k < 7; k++) {
+        const double x = nck_interpolate_tick(&interpolate)->axis[0];
+        CHECK_NEAR(check, x, fmin(1.0 + 0.4 * k, 3.0), 1e-12);
+    }
+    for (int k = 0; k < 3; k++) CHECK(check, nck_interpolate_tick(&interpolate)->axis[0] == 3.0);
+}
+
+static void no_setpoint_lies_before_a_cell(check_t *check)
+{
+    const nck_cell_t cell = {.stop = NCK_STOP_REST, .s = 1.0, .length = 1.0, .a = -10.0, .j = 1e3,
+                             .duration = 0.1};
+    begin();
+    put_cell(check, &cell);
+    double before = 1.0;
+    for (int k = 1; k <= 12; k++) {
+        const nck_pose_t *const pose = nck_interpolate_tick(&interpolate);
+        CHECK(check, pose->axis[0] >= before && pose->v >= 0.0);
+        before = pose->axis[0];
+    }
+    CHECK(check, before == 2.0);
+}
+
 static void spans_are_taken_off_time_and_periods_alike(check_t *check)
 {
     for (int k = 1; k < 4000; k++) {
@@ -104,6 +147,8 @@ int main(void)
 {
     check_t check = {0};
     CHECK_RUN(&check, speed_is_as_even_after_hours_as_at_first);
+    CHECK_RUN(&check, no_setpoint_lies_beyond_a_cell);
+    CHECK_RUN(&check, no_setpoint_lies_before_a_cell);
     CHECK_RUN(&check, spans_are_taken_off_time_and_periods_alike);
     CHECK_RUN(&check, landing_is_the_first_period_at_or_after_the_time);
     return check_end(&check);

@@ -34,6 +34,27 @@ static void each_bad_number_is_found(check_t *check) {
     }
 }
 
+// A limit of zero would let nothing move, and what divides by it would be infinite.
+static void a_limit_of_zero_is_found(check_t *check) {
+    double *const limits[] = {
+        &machine.period_s, &machine.axis[0].v_max, &machine.axis[1].rapid, &machine.axis[2].a_max,
+        &machine.axis[0].j_max, &machine.path.feed_max, &machine.path.a_max, &machine.path.j_max,
+        &machine.path.chord_error, &machine.path.arc_radius};
+    double *const may_be_zero[] = {&machine.path.tolerance, &machine.dialect.feed_default,
+                                   &machine.spindle.rpm_max, &machine.tool[0].radius_mm};
+    for (unsigned k = 0; k < sizeof limits / sizeof limits[0]; k++) {
+        nck_machine_default(&machine);
+        *limits[k] = 0.0;
+        CHECK_INT(check, nck_machine_check(&machine), NCK_E_MACHINE);
+    }
+    nck_machine_default(&machine);
+    machine.tool_count = 1;
+    for (unsigned k = 0; k < sizeof may_be_zero / sizeof may_be_zero[0]; k++) {
+        *may_be_zero[k] = 0.0;
+    }
+    CHECK_INT(check, nck_machine_check(&machine), NCK_OK);
+}
+
 static void each_bad_choice_is_found(check_t *check) {
     uint8_t *const bytes[] = {&machine.axis[0].present, &machine.axis[0].rotary,
                               &machine.dialect.diameter, &machine.dialect.inch,
@@ -115,6 +136,7 @@ int main(void) {
     check_t check = {0};
     CHECK_RUN(&check, the_default_machine_is_good);
     CHECK_RUN(&check, each_bad_number_is_found);
+    CHECK_RUN(&check, a_limit_of_zero_is_found);
     CHECK_RUN(&check, each_bad_choice_is_found);
     CHECK_RUN(&check, places_must_be_within_the_kernels_range);
     CHECK_RUN(&check, a_lathe_needs_its_two_axes);
