@@ -177,7 +177,28 @@ static void rings_say_when_they_are_full(check_t *check)
         CHECK_INT(check, nck_link_push_output(&link_, &output), NCK_OK);
     }
     CHECK_INT(check, nck_link_push_output(&link_, &output), NCK_FULL);
+    CHECK_INT(check, nck_link_has_room(&link_), 0);
+    CHECK_INT(check, nck_link_take_output(&link_, &output), NCK_OK);
+    CHECK_INT(check, nck_link_has_room(&link_), 1);
     CHECK_INT(check, nck_link_seg(&link_, 5)->seq, 5);
+}
+
+static void link_is_empty_without_a_cell_and_an_output(check_t *check)
+{
+    nck_output_t output;
+    int from_tail = 0;
+    memset(&output, 0, sizeof output);
+    nck_link_init(&link_);
+    CHECK(check, nck_link_is_empty(&link_));
+    put_batch(0, 1, 0);
+    CHECK_INT(check, nck_link_publish(&link_), NCK_OK);
+    CHECK(check, !nck_link_is_empty(&link_));
+    CHECK_INT(check, take(&from_tail), 0);
+    CHECK(check, nck_link_is_empty(&link_));
+    CHECK_INT(check, nck_link_push_output(&link_, &output), NCK_OK);
+    CHECK(check, !nck_link_is_empty(&link_));
+    CHECK_INT(check, nck_link_take_output(&link_, &output), NCK_OK);
+    CHECK(check, nck_link_is_empty(&link_));
 }
 
 // A plan as prep lays it: cells of 1 ms, their seg telling which plan and which cell.
@@ -261,6 +282,37 @@ static void plan_in_a_tail_in_use_waits_for_its_rest(check_t *check)
     CHECK_INT(check, nck_link_install(&link_, 1e-3, 3), NCK_OK); // kept meanwhile
     CHECK_INT(check, take(&from_tail), 200);
     CHECK_INT(check, from_tail, 0);
+}
+
+static void plan_waits_for_room_in_the_ring(check_t *check)
+{
+    int from_tail = 0;
+    nck_link_init(&link_);
+    put_batch(0, NCK_CELL_MAX, 0);
+    CHECK_INT(check, nck_link_publish(&link_), NCK_OK);
+    CHECK_INT(check, nck_link_cell_room(&link_), 0);
+    CHECK_INT(check, install(NCK_CELL_MAX, 3, 1.0, 3), NCK_FULL);
+    for (long k = 0; k < 2; k++) CHECK_INT(check, take(&from_tail), k);
+    CHECK_INT(check, nck_link_install(&link_, 1.0, 3), NCK_OK); // two of it find room
+    CHECK_INT(check, nck_link_cell_room(&link_), 0);
+    CHECK_INT(check, nck_link_advance(&link_, 1.0, 3), NCK_FULL);
+    for (long k = 2; k < NCK_CELL_MAX + 2; k++) CHECK_INT(check, take(&from_tail), k);
+    CHECK_INT(check, from_tail, 0);
+    CHECK_INT(check, take(&from_tail), NCK_CELL_MAX + 2);
+    CHECK_INT(check, from_tail, 1);
+}
+
+static void plan_that_is_all_final_goes_no_further(check_t *check)
+{
+    int from_tail = 0;
+    begin_plans();
+    CHECK_INT(check, install(100, 2, 1.0, 2), NCK_OK);
+    CHECK_INT(check, nck_link_advance(&link_, 1.0, 2), NCK_FULL);
+    CHECK_INT(check, end_now(), 2);
+    for (long k = 100; k < 102; k++) CHECK_INT(check, take(&from_tail), k);
+    CHECK_INT(check, from_tail, 0);
+    CHECK_INT(check, take(&from_tail), -1);
+    CHECK_INT(check, nck_link_advance(&link_, 1.0, 2), NCK_FULL);
 }
 
 // Even where the tail has come to rest meanwhile: the plan goes on from where the path left it.
@@ -348,10 +400,13 @@ int main(void)
     CHECK_RUN(&check, nothing_of_a_tail_at_rest_is_taken);
     CHECK_RUN(&check, outputs_wait_for_their_segs);
     CHECK_RUN(&check, rings_say_when_they_are_full);
+    CHECK_RUN(&check, link_is_empty_without_a_cell_and_an_output);
     CHECK_RUN(&check, plan_becomes_final_as_far_as_lead_and_most_allow);
     CHECK_RUN(&check, rest_of_the_plan_is_the_tail);
     CHECK_RUN(&check, plan_follows_on_the_final_cells_of_the_last);
     CHECK_RUN(&check, plan_in_a_tail_in_use_waits_for_its_rest);
+    CHECK_RUN(&check, plan_waits_for_room_in_the_ring);
+    CHECK_RUN(&check, plan_that_is_all_final_goes_no_further);
     CHECK_RUN(&check, plan_from_before_the_tail_is_void);
     CHECK_RUN(&check, lead_is_the_time_that_waits);
     CHECK_RUN(&check, cells_of_a_plan_are_found_by_their_count);
