@@ -32,7 +32,8 @@ TREE = FOLDER / "tree"
 BUILT = FOLDER / "out" / "tree"
 COPIED = ("CMakeLists.txt", "cmake", "csrc", "firmware_sim", "tests/c", "tests/fuzz")
 PLACES = ("base", "prep/3_smooth", "prep/4_lookahead", "prep/5_slope", "tick")
-LIBRARIES = ("nck", "nck_small", "nck_host", "nck_host_small")
+NINJA = Path(sys.executable).with_name("ninja")
+LIBRARIES = [BUILT / f"lib{name}.a" for name in ("nck", "nck_small", "nck_host", "nck_host_small")]
 FOREIGN = ("test_os_", "test_app_", "test_bench")  # of the firmware and of clocks
 GOAL = 0.95
 SLOWER, SLACK_S = 5.0, 2.0  # a mutant may take so many times as long, and so much longer; then
@@ -255,24 +256,20 @@ def copy_tree():
     (FOLDER / "CMakeLists.txt").write_text(PROJECT)
 
 
-def run_cmake(*words):
-    cmake = Path(sys.executable).with_name("cmake")
-    return subprocess.run([cmake, *map(str, words)], capture_output=True, text=True)
-
-
-def make(*targets):
-    """Build targets, one process at a time. Returns 1 if they are built."""
-    words = ["--build", FOLDER / "out", "--target", *targets, "--", "-j1"]
-    return run_cmake(*words).returncode == 0
+def make(*files):
+    """Build files, one process at a time. Returns 1 if they are built."""
+    names = [str(file.relative_to(FOLDER / "out")) for file in files]
+    command = [NINJA, "-C", FOLDER / "out", "-j1", *names]
+    return subprocess.run(command, capture_output=True).returncode == 0
 
 
 def configure():
     """Make the build folder."""
-    ninja = Path(sys.executable).with_name("ninja")
-    words = ["-S", FOLDER, "-B", FOLDER / "out", "-G", "Ninja", f"-DCMAKE_MAKE_PROGRAM={ninja}"]
-    words += ["-DCMAKE_C_COMPILER=gcc", "-DNCK_TESTS=ON"]
-    words += ["-DCMAKE_BUILD_TYPE=Mutate", "-DCMAKE_C_FLAGS_MUTATE=-O1 -DNDEBUG"]
-    done = run_cmake(*words)
+    cmake = NINJA.with_name("cmake")
+    command = [cmake, "-S", FOLDER, "-B", FOLDER / "out", "-G", "Ninja"]
+    command += [f"-DCMAKE_MAKE_PROGRAM={NINJA}", "-DCMAKE_C_COMPILER=gcc", "-DNCK_TESTS=ON"]
+    command += ["-DCMAKE_BUILD_TYPE=Mutate", "-DCMAKE_C_FLAGS_MUTATE=-O1 -DNDEBUG"]
+    done = subprocess.run(command, capture_output=True, text=True)
     if done.returncode != 0:
         sys.exit(done.stdout + done.stderr)
 
@@ -282,7 +279,7 @@ def time_of(test, limit_s):
     limit = math.ceil(limit_s)
     begin = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime
     done = subprocess.run(
-        [BUILT / test],
+        [test],
         stdout=subprocess.DEVNULL,
         preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_CPU, (limit, limit)),
     )
@@ -294,14 +291,14 @@ def tests_in_order():
     """Build and run all tests of the original; return [(limit [s], test)], the quickest first."""
     stems = sorted(path.stem for path in (TREE / "tests" / "c").glob("test_*.c"))
     names = [name for name in stems if not name.startswith(FOREIGN)]
-    tests = [name + suffix for name in names for suffix in ("", "_small")]
+    tests = [BUILT / f"{name}{suffix}" for name in names for suffix in ("", "_small")]
     if not make(*LIBRARIES, *tests):
         sys.exit("the C tests do not build")
     found = []
     for test in tests:
         took = time_of(test, 600.0)
         if took is None:
-            sys.exit(f"{test} fails without any change")
+            sys.exit(f"{test.name} fails without any change")
         found.append((took, test))
     return [(SLACK_S + SLOWER * took, test) for took, test in sorted(found)]
 
@@ -309,8 +306,8 @@ def tests_in_order():
 def fingerprint():
     """Return a hash of all that the compiler made of the kernel."""
     digest = hashlib.sha256()
-    for name in LIBRARIES:
-        digest.update((BUILT / f"lib{name}.a").read_bytes())
+    for library in LIBRARIES:
+        digest.update(library.read_bytes())
     return digest.digest()
 
 
@@ -318,7 +315,7 @@ def killer_of(tests):
     """Return the first test that notices the change; None if none does."""
     for limit_s, test in tests:
         if not make(test) or time_of(test, limit_s) is None:
-            return test
+            return test.name
     return None
 
 
