@@ -35,9 +35,12 @@ PLACES = ("base", "prep/3_smooth", "prep/4_lookahead", "prep/5_slope", "tick")
 NINJA = Path(sys.executable).with_name("ninja")
 LIBRARIES = [BUILT / f"lib{name}.a" for name in ("nck", "nck_small", "nck_host", "nck_host_small")]
 FOREIGN = ("test_os_", "test_app_", "test_bench")  # of the firmware and of clocks
+# What is undefined stops the program, as it does in the C tests under the sanitizers.
+FLAGS = ("-O1", "-fsanitize=undefined,float-divide-by-zero,float-cast-overflow,bounds-strict",
+         "-fsanitize-undefined-trap-on-error")  # fmt: skip
 GOAL = 0.95
-SLOWER, SLACK_S = 5.0, 2.0  # a mutant may take so many times as long, and so much longer; then
-# it counts as one that never ends
+# A test that takes so many times as long, and so much longer, counts as one that never ends.
+SLOWER, SLACK_S = 5.0, 2.0
 # The project as a part of another one: warnings are no errors then.
 PROJECT = """cmake_minimum_required(VERSION 3.25)
 project(mutants LANGUAGES C)
@@ -268,7 +271,7 @@ def configure():
     cmake = NINJA.with_name("cmake")
     command = [cmake, "-S", FOLDER, "-B", FOLDER / "out", "-G", "Ninja"]
     command += [f"-DCMAKE_MAKE_PROGRAM={NINJA}", "-DCMAKE_C_COMPILER=gcc", "-DNCK_TESTS=ON"]
-    command += ["-DCMAKE_BUILD_TYPE=Mutate", "-DCMAKE_C_FLAGS_MUTATE=-O1 -DNDEBUG"]
+    command += ["-DCMAKE_BUILD_TYPE=Mutate", f"-DCMAKE_C_FLAGS_MUTATE={' '.join(FLAGS)}"]
     done = subprocess.run(command, capture_output=True, text=True)
     if done.returncode != 0:
         sys.exit(done.stdout + done.stderr)
@@ -333,11 +336,16 @@ def judge(mutant, tests, original):
         path.write_text(text, encoding="utf-8")
 
 
+def name_of(mutant):
+    """Return what names a mutant in tests/mutants.toml."""
+    return mutant.file, mutant.source.strip(), mutant.was, " ".join(mutant.now.split())
+
+
 def reviewed():
-    """Return {(file, line of the source, what stands there instead)} of tests/mutants.toml."""
+    """Return the names of the mutants of tests/mutants.toml."""
     text = (ROOT / "tests" / "mutants.toml").read_text(encoding="utf-8")
     rows = tomllib.loads(text).get("equivalent", [])
-    return {(row["file"], row["line"], row["now"]) for row in rows}
+    return {(row["file"], row["line"], row["was"], row["now"]) for row in rows}
 
 
 def run(mutants, count):
@@ -349,7 +357,7 @@ def run(mutants, count):
     for mutant in mutants:
         if killed + len(survivors) == count:
             break
-        if (mutant.file, mutant.source.strip(), " ".join(mutant.now.split())) in known:
+        if name_of(mutant) in known:
             same += 1
             continue
         verdict = judge(mutant, tests, original)

@@ -290,6 +290,19 @@ static void axes_count_by_what_they_see_of_an_arc(check_t *check)
     CHECK_INT(check, node.limit_piece, NCK_LIMIT_AXIS_V + NCK_AXIS_Y);
 }
 
+// Of two limits that are the same it is the program that is told.
+static void a_feed_that_is_just_allowed_is_the_limit(check_t *check)
+{
+    begin(1, NCK_SLOPE_LINEAR);
+    draw_line();
+    seg.feed = machine.path.feed_max;
+    seg.feed_scale = 1.0;
+    for (int x = 0; x < 3; x++) machine.axis[x].v_max = 1000.0;
+    plan(check);
+    CHECK(check, node.vv_piece == seg.feed * seg.feed && node.vv_over == node.vv_piece);
+    CHECK_INT(check, node.limit_piece, NCK_LIMIT_FEED);
+}
+
 int main(void)
 {
     check_t check = {0};
@@ -297,5 +310,6 @@ int main(void)
     CHECK_RUN(&check, arcs_get_what_chords_bends_and_axes_allow);
     CHECK_RUN(&check, arcs_pay_for_what_the_filter_adds);
     CHECK_RUN(&check, axes_count_by_what_they_see_of_an_arc);
+    CHECK_RUN(&check, a_feed_that_is_just_allowed_is_the_limit);
     return check_end(&check);
 }
