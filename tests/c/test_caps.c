@@ -321,27 +321,6 @@ static void pieces_are_there_without_a_pass(check_t *check)
     CHECK_INT(check, nck_lookahead_fill(&lookahead), 2);
 }
 
-// A rest ends what must be known: what comes behind it changes nothing before.
-static void a_dwell_is_decided_before_anything_follows_it(check_t *check)
-{
-    for (uint32_t slope = NCK_SLOPE_LINEAR; slope <= NCK_SLOPE_SSHAPE; slope++) {
-        begin(1);
-        machine.slope = slope;
-        add_line(10.0, 0.0, 50.0);
-        nck_seg_t *const dwell = next_seg(NCK_SEG_DWELL, 0.0);
-        memcpy(dwell->end, dwell->start, sizeof dwell->end);
-        dwell->stop = 1;
-        dwell->dwell_s = 0.25;
-        nck_lookahead_init(&lookahead, &machine);
-        for (uint32_t i = 0; i < 2; i++) nck_lookahead_push(&lookahead, &segs[i]);
-        while (nck_lookahead_step(&lookahead) == NCK_OK) { }
-        CHECK_INT(check, nck_lookahead_fill(&lookahead), 2);
-        CHECK_INT(check, nck_lookahead_ahead(&lookahead, 0)->stop, 1);
-        const nck_node_t *const node = nck_lookahead_ahead(&lookahead, 1);
-        CHECK(check, node->dwell_s == 0.25 && node->limit_piece == NCK_LIMIT_DWELL);
-    }
-}
-
 // An override meets the caps of the path, and of a rapid it is none.
 static void override_moves_the_feed_alone(check_t *check)
 {
@@ -364,7 +343,6 @@ int main(void)
     CHECK_RUN(&check, rounding_is_no_corner);
     CHECK_RUN(&check, corner_and_pieces_share_the_acceleration);
     CHECK_RUN(&check, pieces_are_there_without_a_pass);
-    CHECK_RUN(&check, a_dwell_is_decided_before_anything_follows_it);
     CHECK_RUN(&check, override_moves_the_feed_alone);
     return check_end(&check);
 }
