@@ -15,8 +15,8 @@ BIN = .venv/bin
 STAMP = build/stamp
 SOURCES := $(shell find csrc opencl firmware_sim cmake CMakeLists.txt -type f)
 NAMES := $(shell find pycnc -name '*.py' | sort | cksum | cut -d' ' -f1)
-PACKAGES_TEST = clang-19 libclang-rt-19-dev cppcheck gcc-arm-none-eabi libnewlib-arm-none-eabi \
-                qemu-system-arm pkgconf linuxcnc-uspace
+PACKAGES_TEST = clang-19 libclang-rt-19-dev llvm-19 cppcheck gcc-arm-none-eabi \
+                libnewlib-arm-none-eabi qemu-system-arm pkgconf linuxcnc-uspace
 
 # $(call install,PACKAGES): install the Debian packages of the list that are missing.
 install = missing=$$(for package in $(1); do \

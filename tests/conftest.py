@@ -26,14 +26,14 @@ def find_tool(name):
     return path
 
 
-def build_c(compiler, *options):
-    """Build all C targets in build/<compiler>; return (folder, the words of a failure or "")."""
+def build_c(compiler, *options, name=None, targets=("all",)):
+    """Build C targets in build/<name or compiler>; return (folder, the words of a failure or "")."""
     cmake = Path(sys.executable).with_name("cmake")
-    folder = ROOT / "build" / compiler
+    folder = ROOT / "build" / (name or compiler)
     configure = [cmake, "-S", ROOT, "-B", folder, "-G", "Ninja", "-DNCK_TESTS=ON"]
     configure += [f"-DCMAKE_MAKE_PROGRAM={cmake.with_name('ninja')}"]
     configure += [f"-DCMAKE_C_COMPILER={find_tool(compiler)}", *options]
-    keep_going = [cmake, "--build", folder, "--", "-k", "0"]
+    keep_going = [cmake, "--build", folder, "--target", *targets, "--", "-k", "0"]
     for command in (configure, keep_going):
         done = subprocess.run(command, capture_output=True, text=True)
         if done.returncode != 0:
@@ -63,6 +63,17 @@ def gcc_build():
 def clang_build():
     """Return the folder of the build with clang under the sanitizers, and its complaints."""
     return build_c("clang-19", "-DNCK_SANITIZE=ON")
+
+
+@pytest.fixture(scope="session")
+def coverage_build():
+    """Return the function that builds C tests to be counted, MC/DC among it; see build_c."""
+
+    def build(*targets):
+        flags = "-fprofile-instr-generate -fcoverage-mapping -fcoverage-mcdc"
+        return build_c("clang-19", f"-DCMAKE_C_FLAGS={flags}", name="coverage", targets=targets)
+
+    return build
 
 
 @pytest.hookimpl(trylast=True)

@@ -127,6 +127,22 @@ static void going_on_waits_until_the_tail_has_come_to_rest(check_t *check)
     CHECK_INT(check, from_tail, 0);
 }
 
+// The stop may lie before the tail's last cell; what comes behind it is prep's to write.
+static void nothing_of_a_tail_at_rest_is_taken(check_t *check)
+{
+    int from_tail = 0;
+    nck_link_init(&link_);
+    put_batch(0, 1, 3);
+    CHECK_INT(check, nck_link_publish(&link_), NCK_OK);
+    CHECK_INT(check, take(&from_tail), 0);
+    CHECK_INT(check, take(&from_tail), 1001);
+    nck_link_tail_rest(&link_);
+    CHECK_INT(check, take(&from_tail), -1);
+    put_batch(7, 1, 0);
+    CHECK_INT(check, nck_link_publish(&link_), NCK_OK);
+    CHECK_INT(check, take(&from_tail), 7);
+}
+
 static void outputs_wait_for_their_segs(check_t *check)
 {
     nck_output_t output;
@@ -161,7 +177,28 @@ static void rings_say_when_they_are_full(check_t *check)
         CHECK_INT(check, nck_link_push_output(&link_, &output), NCK_OK);
     }
     CHECK_INT(check, nck_link_push_output(&link_, &output), NCK_FULL);
+    CHECK_INT(check, nck_link_has_room(&link_), 0);
+    CHECK_INT(check, nck_link_take_output(&link_, &output), NCK_OK);
+    CHECK_INT(check, nck_link_has_room(&link_), 1);
     CHECK_INT(check, nck_link_seg(&link_, 5)->seq, 5);
+}
+
+static void link_is_empty_without_a_cell_and_an_output(check_t *check)
+{
+    nck_output_t output;
+    int from_tail = 0;
+    memset(&output, 0, sizeof output);
+    nck_link_init(&link_);
+    CHECK(check, nck_link_is_empty(&link_));
+    put_batch(0, 1, 0);
+    CHECK_INT(check, nck_link_publish(&link_), NCK_OK);
+    CHECK(check, !nck_link_is_empty(&link_));
+    CHECK_INT(check, take(&from_tail), 0);
+    CHECK(check, nck_link_is_empty(&link_));
+    CHECK_INT(check, nck_link_push_output(&link_, &output), NCK_OK);
+    CHECK(check, !nck_link_is_empty(&link_));
+    CHECK_INT(check, nck_link_take_output(&link_, &output), NCK_OK);
+    CHECK(check, nck_link_is_empty(&link_));
 }
 
 // A plan as prep lays it: cells of 1 ms, their seg telling which plan and which cell.
@@ -247,6 +284,78 @@ static void plan_in_a_tail_in_use_waits_for_its_rest(check_t *check)
     CHECK_INT(check, from_tail, 0);
 }
 
+static void plan_waits_for_room_in_the_ring(check_t *check)
+{
+    int from_tail = 0;
+    nck_link_init(&link_);
+    put_batch(0, NCK_CELL_MAX, 0);
+    CHECK_INT(check, nck_link_publish(&link_), NCK_OK);
+    CHECK_INT(check, nck_link_cell_room(&link_), 0);
+    CHECK_INT(check, install(NCK_CELL_MAX, 3, 1.0, 3), NCK_FULL);
+    for (long k = 0; k < 2; k++) CHECK_INT(check, take(&from_tail), k);
+    CHECK_INT(check, nck_link_install(&link_, 1.0, 3), NCK_OK); // two of it find room
+    CHECK_INT(check, nck_link_cell_room(&link_), 0);
+    CHECK_INT(check, nck_link_advance(&link_, 1.0, 3), NCK_FULL);
+    for (long k = 2; k < NCK_CELL_MAX + 2; k++) CHECK_INT(check, take(&from_tail), k);
+    CHECK_INT(check, from_tail, 0);
+    CHECK_INT(check, take(&from_tail), NCK_CELL_MAX + 2);
+    CHECK_INT(check, from_tail, 1);
+}
+
+static void plan_that_is_all_final_goes_no_further(check_t *check)
+{
+    int from_tail = 0;
+    begin_plans();
+    CHECK_INT(check, install(100, 2, 1.0, 2), NCK_OK);
+    CHECK_INT(check, nck_link_advance(&link_, 1.0, 2), NCK_FULL);
+    CHECK_INT(check, end_now(), 2);
+    for (long k = 100; k < 102; k++) CHECK_INT(check, take(&from_tail), k);
+    CHECK_INT(check, from_tail, 0);
+    CHECK_INT(check, take(&from_tail), -1);
+    CHECK_INT(check, nck_link_advance(&link_, 1.0, 2), NCK_FULL);
+}
+
+// Even where the tail has come to rest meanwhile: the plan goes on from where the path left it.
+static void plan_from_before_the_tail_is_void(check_t *check)
+{
+    int from_tail = 0;
+    begin_plans();
+    CHECK_INT(check, install(100, 4, 1e-3, 4), NCK_OK);
+    nck_link_tail_begin(&link_);
+    const nck_cell_t early = cell_of(201);
+    nck_link_tail_push(&link_, &early);
+    for (long k = 100; k < 104; k++) CHECK_INT(check, take(&from_tail), k);
+    nck_link_tail_rest(&link_);
+    CHECK_INT(check, nck_link_install(&link_, 1e-3, 1), NCK_E_STATE);
+    CHECK_INT(check, take(&from_tail), -1);
+    CHECK_INT(check, install(300, 2, 1e-3, 2), NCK_OK);
+    CHECK_INT(check, take(&from_tail), 300);
+}
+
+// Sums of tenths and their differences leave a rest of rounding, an empty ring none.
+static void lead_is_the_time_that_waits(check_t *check)
+{
+    const double durations[] = {0.1, 0.2, 0.3};
+    int from_tail = 0;
+    begin_plans();
+    CHECK(check, nck_link_lead(&link_) == 0.0);
+    nck_link_tail_begin(&link_);
+    for (uint32_t k = 0; k < 3; k++) {
+        nck_cell_t cell = cell_of(k);
+        cell.duration = durations[k];
+        nck_link_tail_push(&link_, &cell);
+    }
+    CHECK_INT(check, nck_link_install(&link_, 0.0, 3), NCK_OK);
+    CHECK_NEAR(check, nck_link_lead(&link_), 0.1, 1e-15);
+    CHECK_INT(check, nck_link_advance(&link_, 1.0, 3), NCK_OK);
+    CHECK_NEAR(check, nck_link_lead(&link_), 0.6, 1e-15);
+    CHECK_INT(check, take(&from_tail), 0);
+    CHECK_NEAR(check, nck_link_lead(&link_), 0.5, 1e-15);
+    CHECK_INT(check, take(&from_tail), 1);
+    CHECK_INT(check, take(&from_tail), 2);
+    CHECK(check, nck_link_lead(&link_) == 0.0);
+}
+
 static void cells_of_a_plan_are_found_by_their_count(check_t *check)
 {
     begin_plans();
@@ -288,12 +397,18 @@ int main(void)
     CHECK_RUN(&check, tick_first_makes_the_batch_void);
     CHECK_RUN(&check, prep_first_keeps_the_tick_out_of_the_tail);
     CHECK_RUN(&check, going_on_waits_until_the_tail_has_come_to_rest);
+    CHECK_RUN(&check, nothing_of_a_tail_at_rest_is_taken);
     CHECK_RUN(&check, outputs_wait_for_their_segs);
     CHECK_RUN(&check, rings_say_when_they_are_full);
+    CHECK_RUN(&check, link_is_empty_without_a_cell_and_an_output);
     CHECK_RUN(&check, plan_becomes_final_as_far_as_lead_and_most_allow);
     CHECK_RUN(&check, rest_of_the_plan_is_the_tail);
     CHECK_RUN(&check, plan_follows_on_the_final_cells_of_the_last);
     CHECK_RUN(&check, plan_in_a_tail_in_use_waits_for_its_rest);
+    CHECK_RUN(&check, plan_waits_for_room_in_the_ring);
+    CHECK_RUN(&check, plan_that_is_all_final_goes_no_further);
+    CHECK_RUN(&check, plan_from_before_the_tail_is_void);
+    CHECK_RUN(&check, lead_is_the_time_that_waits);
     CHECK_RUN(&check, cells_of_a_plan_are_found_by_their_count);
     CHECK_RUN(&check, plans_come_out_in_order_round_the_ring);
     return check_end(&check);

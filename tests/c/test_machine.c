@@ -15,6 +15,25 @@ static void the_default_machine_is_good(check_t *check) {
     CHECK(check, machine.axis[0].present && machine.axis[2].present && !machine.axis[0].rotary);
 }
 
+static void the_default_machine_is_what_its_header_says(check_t *check) {
+    nck_machine_default(&machine);
+    CHECK(check, machine.period_s == 1e-3 && machine.slope == NCK_SLOPE_LINEAR);
+    CHECK(check, machine.kinematics == NCK_KINEMATICS_IDENTITY);
+    CHECK(check, machine.dialect.base == NCK_DIALECT_LINUXCNC && machine.dialect.plane == 17);
+    for (int x = 0; x < NCK_AXIS_MAX; x++) {
+        const nck_axis_t *const axis = &machine.axis[x];
+        CHECK_INT(check, axis->present, x <= NCK_AXIS_Z);
+        CHECK_INT(check, axis->rotary, x >= NCK_AXIS_A && x <= NCK_AXIS_C);
+        CHECK(check, axis->v_max == 100.0 && axis->rapid == 100.0 && axis->a_max == 1e3);
+        CHECK(check, axis->j_max == 1e4 && axis->max_nm == INT64_MAX);
+        CHECK(check, axis->min_nm == -INT64_MAX - 1);
+        CHECK(check, nck_machine_counts(&machine, x) == (axis->rotary ? 1e9 : 1e6));
+    }
+    CHECK(check, machine.path.feed_max == 100.0 && machine.path.a_max == 1e3);
+    CHECK(check, machine.path.j_max == 1e4 && machine.path.tolerance == 0.01);
+    CHECK(check, machine.path.chord_error == 1e-3 && machine.path.arc_radius == 5e-3);
+}
+
 // Every real number of the machine must be refused when it is NaN, infinite or negative.
 static void each_bad_number_is_found(check_t *check) {
     double *const numbers[] = {
@@ -69,6 +88,27 @@ static void each_limit_has_its_range(check_t *check) {
     }
 }
 
+// A limit of zero would let nothing move, and what divides by it would be infinite.
+static void a_limit_of_zero_is_found(check_t *check) {
+    double *const limits[] = {
+        &machine.period_s, &machine.axis[0].v_max, &machine.axis[1].rapid, &machine.axis[2].a_max,
+        &machine.axis[0].j_max, &machine.path.feed_max, &machine.path.a_max, &machine.path.j_max,
+        &machine.path.chord_error, &machine.path.arc_radius};
+    double *const may_be_zero[] = {&machine.path.tolerance, &machine.dialect.feed_default,
+                                   &machine.spindle.rpm_max, &machine.tool[0].radius_mm};
+    for (unsigned k = 0; k < sizeof limits / sizeof limits[0]; k++) {
+        nck_machine_default(&machine);
+        *limits[k] = 0.0;
+        CHECK_INT(check, nck_machine_check(&machine), NCK_E_MACHINE);
+    }
+    nck_machine_default(&machine);
+    machine.tool_count = 1;
+    for (unsigned k = 0; k < sizeof may_be_zero / sizeof may_be_zero[0]; k++) {
+        *may_be_zero[k] = 0.0;
+    }
+    CHECK_INT(check, nck_machine_check(&machine), NCK_OK);
+}
+
 static void each_bad_choice_is_found(check_t *check) {
     uint8_t *const bytes[] = {&machine.axis[0].present, &machine.axis[0].rotary,
                               &machine.dialect.diameter, &machine.dialect.inch,
@@ -93,6 +133,74 @@ static void each_bad_choice_is_found(check_t *check) {
     CHECK_INT(check, nck_machine_check(&machine), NCK_E_MACHINE);
     machine.lookahead_blocks = NCK_WINDOW;
     CHECK_INT(check, nck_machine_check(&machine), NCK_OK);
+}
+
+static void check_word(check_t *check, uint32_t *word, uint32_t value, int good) {
+    const uint32_t before = *word;
+    *word = value;
+    CHECK_INT(check, nck_machine_check(&machine), good ? NCK_OK : NCK_E_MACHINE);
+    *word = before;
+}
+
+static void choices_end_at_their_last_one(check_t *check) {
+    nck_machine_default(&machine);
+    check_word(check, &machine.slope, NCK_SLOPE_SSHAPE, 1);
+    check_word(check, &machine.slope, NCK_SLOPE_SSHAPE + 1, 0);
+    check_word(check, &machine.kinematics, NCK_KINEMATICS_LATHE_XZ, 1);
+    check_word(check, &machine.kinematics, NCK_KINEMATICS_LATHE_XZ + 1, 0);
+    check_word(check, &machine.dialect.base, NCK_DIALECT_MARLIN, 1);
+    check_word(check, &machine.dialect.base, NCK_DIALECT_MARLIN + 1, 0);
+    check_word(check, &machine.work_system, NCK_WORK_SYSTEMS - 1, 1);
+    check_word(check, &machine.work_system, NCK_WORK_SYSTEMS, 0);
+    check_word(check, &machine.tool_count, NCK_TOOL_MAX, 1);
+    check_word(check, &machine.tool_count, NCK_TOOL_MAX + 1, 0);
+    machine.tool_count = NCK_TOOL_MAX;
+    check_word(check, &machine.tool[NCK_TOOL_MAX - 1].orientation, 9, 1);
+    check_word(check, &machine.tool[NCK_TOOL_MAX - 1].orientation, 10, 0);
+    machine.slope = NCK_SLOPE_SSHAPE;
+    check_word(check, &machine.lookahead_blocks, 1, 1);
+    for (uint8_t plane = 15; plane < 22; plane++) {
+        machine.dialect.plane = plane;
+        const int good = plane >= 17 && plane <= 19;
+        CHECK_INT(check, nck_machine_check(&machine), good ? NCK_OK : NCK_E_MACHINE);
+    }
+}
+
+// A place may be as far as the kernel's range and not a count further, on either side.
+static void check_place(check_t *check, int64_t *place, int64_t furthest) {
+    for (int sign = -1; sign <= 1; sign += 2) {
+        *place = sign * furthest;
+        CHECK_INT(check, nck_machine_check(&machine), NCK_OK);
+        *place = sign * (furthest + 1);
+        CHECK_INT(check, nck_machine_check(&machine), NCK_E_MACHINE);
+        *place = 0;
+    }
+}
+
+static void every_place_may_be_as_far_as_the_kernels_range(check_t *check) {
+    nck_machine_default(&machine);
+    machine.tool_count = NCK_TOOL_MAX;
+    for (int x = 0; x < NCK_AXIS_MAX; x++) {
+        const int64_t furthest = machine.axis[x].rotary
+                                     ? (int64_t)NCK_ROTARY_MAX_DEG * NCK_COUNTS_PER_DEG
+                                     : (int64_t)NCK_LINEAR_MAX_MM * NCK_COUNTS_PER_MM;
+        check_place(check, &machine.start_nm[x], furthest);
+        for (int n = 0; n < 2; n++) check_place(check, &machine.home_nm[n][x], furthest);
+        for (int n = 0; n < NCK_WORK_SYSTEMS; n++) {
+            check_place(check, &machine.work_nm[n][x], furthest);
+        }
+    }
+    for (int x = 0; x < 3; x++) {
+        const int64_t furthest = (int64_t)NCK_LINEAR_MAX_MM * NCK_COUNTS_PER_MM;
+        check_place(check, &machine.tool[NCK_TOOL_MAX - 1].offset_nm[x], furthest);
+        machine.axis[x].min_nm = -furthest;
+        machine.axis[x].max_nm = furthest;
+        CHECK_INT(check, nck_machine_check(&machine), NCK_OK);
+        machine.axis[x].max_nm = furthest + 1;
+        CHECK_INT(check, nck_machine_check(&machine), NCK_E_MACHINE);
+        machine.axis[x].max_nm = machine.axis[x].min_nm; // no travel is one, too
+        CHECK_INT(check, nck_machine_check(&machine), NCK_OK);
+    }
 }
 
 static void places_must_be_within_the_kernels_range(check_t *check) {
@@ -122,8 +230,11 @@ static void a_lathe_needs_its_two_axes(check_t *check) {
     CHECK_INT(check, nck_machine_check(&machine), NCK_OK);
     machine.axis[0].present = 0;
     CHECK_INT(check, nck_machine_check(&machine), NCK_E_MACHINE);
-    machine.kinematics = NCK_KINEMATICS_IDENTITY;
+    machine.axis[0].present = 1;
     machine.axis[2].present = 0;
+    CHECK_INT(check, nck_machine_check(&machine), NCK_E_MACHINE);
+    machine.axis[0].present = 0;
+    machine.kinematics = NCK_KINEMATICS_IDENTITY;
     CHECK_INT(check, nck_machine_check(&machine), NCK_E_MACHINE); // no axis at all
 }
 
@@ -149,9 +260,13 @@ static void every_code_has_an_id_of_its_own(check_t *check) {
 int main(void) {
     check_t check = {0};
     CHECK_RUN(&check, the_default_machine_is_good);
+    CHECK_RUN(&check, the_default_machine_is_what_its_header_says);
     CHECK_RUN(&check, each_bad_number_is_found);
     CHECK_RUN(&check, each_limit_has_its_range);
+    CHECK_RUN(&check, a_limit_of_zero_is_found);
     CHECK_RUN(&check, each_bad_choice_is_found);
+    CHECK_RUN(&check, choices_end_at_their_last_one);
+    CHECK_RUN(&check, every_place_may_be_as_far_as_the_kernels_range);
     CHECK_RUN(&check, places_must_be_within_the_kernels_range);
     CHECK_RUN(&check, a_lathe_needs_its_two_axes);
     CHECK_RUN(&check, every_code_has_an_id_of_its_own);

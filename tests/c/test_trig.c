@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-// base/trig_math.h against libm, which it must equal to rounding.
-#include <math.h> // sin cos atan2: the oracle
+// base/trig_math.h and base/root_math.h against libm, which they must equal to rounding.
+#include <math.h> // sin cos atan2 cbrtl: the oracle
 
 #include "check.h"
+#include "nck/base/root_math.h" // nck_root_cube
 #include "nck/base/trig_math.h" // nck_sincos nck_atan2
 
 static void sine_and_cosine_are_within_two_ulp_of_one(check_t *check)
@@ -52,6 +53,20 @@ static void angle_on_the_axes_is_right(check_t *check)
     CHECK(check, nck_atan2(-2.0, 0.0) == -NCK_HALF_PI);
 }
 
+// The oracle is of more digits: cbrt itself may be off by more than what is promised here.
+static void cube_root_is_within_two_ulp_over_sixty_decades(check_t *check)
+{
+    double worst = 0.0;
+    for (int k = 0; k <= 60000; k++) {
+        const double x = pow(10.0, k * 1e-3 - 30.0);
+        const long double want = cbrtl((long double)x);
+        const double ulp = nextafter((double)want, HUGE_VAL) - (double)want;
+        worst = fmax(worst, (double)fabsl((long double)nck_root_cube(x) - want) / ulp);
+    }
+    CHECK(check, worst <= 2.0);
+    CHECK(check, nck_root_cube(1.0) == 1.0);
+}
+
 int main(void)
 {
     check_t check = {0};
@@ -59,5 +74,6 @@ int main(void)
     CHECK_RUN(&check, quarter_turns_are_exact_to_their_own_rounding);
     CHECK_RUN(&check, angle_of_a_vector_is_within_four_ulp);
     CHECK_RUN(&check, angle_on_the_axes_is_right);
+    CHECK_RUN(&check, cube_root_is_within_two_ulp_over_sixty_decades);
     return check_end(&check);
 }

@@ -79,7 +79,8 @@ nck_status_t nck_link_publish(nck_link_t *self) {
     return NCK_OK;
 }
 
-// The time of cells that the tick has taken no longer counts.
+// The time of cells that the tick has taken no longer counts. When all are taken nothing is left of
+// it, neither by rounding nor of an exchange that failed: the tick was in the tail then.
 static double lead_of(nck_link_t *self) {
     const uint32_t taken = nck_fence_load(&self->taken);
     while (self->lead_seen != taken) {
@@ -121,14 +122,13 @@ nck_status_t nck_link_install(nck_link_t *self, double lead, uint32_t most) {
     const uint32_t word = ((end + self->batch) & END_MASK) << END_SHIFT
                           | (self->batch < fill ? HAS_TAIL : 0u) | parity * PARITY;
     const int done = nck_fence_exchange(&self->word, self->base, word);
-    if (!done) self->lead_s = before;
     (void)nck_link_batch_begin(self);
     return done ? NCK_OK : NCK_E_STATE;
 }
 
 nck_status_t nck_link_advance(nck_link_t *self, double lead, uint32_t most) {
     const uint32_t fill = self->tail_fill;
-    const double before = lead_of(self);
+    (void)lead_of(self);
     const int entered = nck_link_batch_begin(self);
     const uint32_t parity = parity_of(self->base);
     const uint32_t end = end_of(self->base);
@@ -141,7 +141,6 @@ nck_status_t nck_link_advance(nck_link_t *self, double lead, uint32_t most) {
     nck_status_t status = entered ? NCK_E_STATE : NCK_FULL;
     if (count > 0) {
         status = nck_fence_exchange(&self->word, self->base, word) ? NCK_OK : NCK_E_STATE;
-        if (status != NCK_OK) self->lead_s = before;
     }
     (void)nck_link_batch_begin(self);
     self->tail_fill = fill;

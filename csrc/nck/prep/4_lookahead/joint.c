@@ -245,7 +245,7 @@ static double accel_left(const nck_joint_t *joint, double v, const nck_machine_t
         const nck_axis_t *const axis = &machine->axis[x];
         if (!(joint->first[x] > 0.0)) continue;
         a = nck_min(a, nck_budget_accel(axis->a_max, joint->first[x], joint->second[x], v));
-        if (!limits_jerk || !(joint->second[x] > 0.0)) continue;
+        if (!limits_jerk || !(joint->second[x] * v > 0.0)) continue; // at rest a bend costs nothing
         a = nck_min(a, nck_budget_ramp(axis->j_max, joint->second[x], joint->third[x], v));
     }
     return a;

@@ -210,10 +210,10 @@ nck_status_t nck_interpolate_take(nck_interpolate_t *self, nck_cell_t *cell_out)
 
 void nck_interpolate_resume(nck_interpolate_t *self) { nck_fence_store(&self->resume, 1); }
 
+// Up to 2⁵² periods the quotient is never too large by one, however it is rounded.
 uint64_t nck_interpolate_periods(double t, double period) {
     uint64_t k = (uint64_t)(t / period);
     while ((double)k * period < t) k++;
-    while (k > 0 && (double)(k - 1) * period >= t) k--;
     return k > 0 ? k : 1;
 }
 

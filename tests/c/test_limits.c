@@ -1,0 +1,315 @@
+// SPDX-License-Identifier: MIT
+// Room 4, one seg alone: how fast it may be run and what is left along it, against limits worked out
+// from its shape. Nothing more is allowed, and no less.
+#include <math.h>   // sqrt fabs cos sin hypot
+#include <string.h> // memset
+
+#include "check.h"
+#include "nck/base/path_math.h"             // nck_path_tangent
+#include "nck/prep/4_lookahead/lookahead.h" // nck_lookahead_t
+
+enum { TRIALS = 300, SAMPLES = 4000 };
+#define NEAR 1e-6 // of a cosine sampled so often
+#define TAU 6.283185307179586
+
+static nck_machine_t machine;
+static nck_lookahead_t lookahead;
+static nck_seg_t seg;
+static nck_node_t node;
+static uint64_t seed;
+static uint32_t told[NCK_LIMIT_AXIS_V + NCK_AXIS_MAX]; // how often each limit was the one
+
+// What the seg's shape and the machine allow.
+typedef struct allowed {
+    double v;      // at the programmed feed
+    double v_free; // whatever the feed
+    double a, j;   // along the path
+    int limit;     // that sets v
+} allowed_t;
+
+// Xorshift, G. Marsaglia 2003: the same numbers everywhere. low … high.
+static double random_between(double low, double high)
+{
+    seed ^= seed << 13;
+    seed ^= seed >> 7;
+    seed ^= seed << 17;
+    return low + (high - low) * (double)(seed >> 11) / 9007199254740992.0;
+}
+
+static void begin(uint64_t first_seed, uint32_t slope)
+{
+    nck_machine_default(&machine);
+    machine.slope = slope;
+    seed = first_seed;
+    memset(told, 0, sizeof told);
+}
+
+static void draw_machine(void)
+{
+    machine.period_s = random_between(1e-3, 8e-3);
+    machine.path.feed_max = random_between(40.0, 200.0);
+    machine.path.a_max = random_between(300.0, 3000.0);
+    machine.path.j_max = random_between(3e3, 3e4);
+    machine.path.chord_error = random_between(1e-3, 5e-2);
+    for (int x = 0; x < 3; x++) {
+        nck_axis_t *const axis = &machine.axis[x];
+        axis->v_max = random_between(30.0, 200.0);
+        axis->rapid = random_between(0.5, 1.0) * axis->v_max;
+        axis->a_max = random_between(300.0, 3000.0);
+        axis->j_max = random_between(3e3, 3e4);
+    }
+}
+
+static void draw_line(void)
+{
+    memset(&seg, 0, sizeof seg);
+    seg.kind = NCK_SEG_LINE;
+    for (int x = 0; x < 3; x++) {
+        seg.start[x] = random_between(-50.0, 50.0);
+        seg.end[x] = seg.start[x] + random_between(-50.0, 50.0);
+    }
+    if (random_between(0.0, 1.0) < 0.2) seg.end[1] = seg.start[1]; // an axis that stands still
+    seg.length = sqrt(pow(seg.end[0] - seg.start[0], 2.0) + pow(seg.end[1] - seg.start[1], 2.0)
+                      + pow(seg.end[2] - seg.start[2], 2.0));
+}
+
+// An arc or a helix in any plane, from a tenth of a radian to more than a turn.
+static void draw_arc(void)
+{
+    memset(&seg, 0, sizeof seg);
+    seg.kind = NCK_SEG_ARC;
+    const int plane = (int)random_between(0.0, 3.0);
+    seg.axis_u = (uint8_t)plane;
+    seg.axis_v = (uint8_t)((plane + 1) % 3);
+    const int across = (plane + 2) % 3;
+    const double r = random_between(0.3, 30.0);
+    const double from = random_between(0.0, TAU);
+    seg.sweep = random_between(0.1, 8.0) * (random_between(-1.0, 1.0) < 0.0 ? -1.0 : 1.0);
+    seg.centre_u = random_between(-20.0, 20.0);
+    seg.centre_v = random_between(-20.0, 20.0);
+    seg.start[seg.axis_u] = seg.centre_u + r * cos(from);
+    seg.start[seg.axis_v] = seg.centre_v + r * sin(from);
+    seg.end[seg.axis_u] = seg.centre_u + r * cos(from + seg.sweep);
+    seg.end[seg.axis_v] = seg.centre_v + r * sin(from + seg.sweep);
+    if (random_between(0.0, 1.0) < 0.5) seg.end[across] = random_between(-20.0, 20.0);
+    seg.length = hypot(r * seg.sweep, seg.end[across]);
+}
+
+static void draw_feed(void)
+{
+    seg.rapid = random_between(0.0, 1.0) < 0.2;
+    seg.feed = seg.rapid ? 0.0 : random_between(5.0, 250.0);
+    seg.feed_scale = random_between(0.5, 1.0);
+}
+
+static void plan(check_t *check)
+{
+    nck_lookahead_init(&lookahead, &machine);
+    CHECK_INT(check, nck_lookahead_push(&lookahead, &seg), NCK_OK);
+    nck_lookahead_end(&lookahead);
+    while (nck_lookahead_step(&lookahead) == NCK_OK) continue;
+    CHECK_INT(check, nck_lookahead_fill(&lookahead), 1);
+    node = *nck_lookahead_ahead(&lookahead, 0);
+    CHECK(check, node.s == 0.0 && node.length == seg.length && node.last == 1 && node.stop == 1);
+}
+
+// The largest share of the path's speed that each axis sees somewhere on the seg.
+static void find_cosines(double cosine[3])
+{
+    double tangent[NCK_AXIS_MAX];
+    memset(cosine, 0, 3 * sizeof *cosine);
+    for (int k = 0; k <= SAMPLES; k++) {
+        nck_path_tangent(&seg, seg.length * k / (double)SAMPLES, tangent);
+        for (int x = 0; x < 3; x++) cosine[x] = fmax(cosine[x], fabs(tangent[x]));
+    }
+}
+
+static void cap(allowed_t *allowed, double v, int limit)
+{
+    allowed->v_free = fmin(allowed->v_free, v);
+    if (v >= allowed->v) return;
+    allowed->v = v;
+    allowed->limit = limit;
+}
+
+// How much of the speed lies in an arc's plane, and how much the path bends.
+static double arc_cosine(double *radius_out)
+{
+    *radius_out = hypot(seg.start[seg.axis_u] - seg.centre_u, seg.start[seg.axis_v] - seg.centre_v);
+    return *radius_out * fabs(seg.sweep) / seg.length;
+}
+
+static double plane_a(void)
+{
+    return fmin(machine.axis[seg.axis_u].a_max, machine.axis[seg.axis_v].a_max);
+}
+
+// Chords of one period stay within the chord error; the centripetal acceleration takes 0.8.
+static void cap_arc(allowed_t *allowed)
+{
+    double r = 0.0;
+    const double cosine = arc_cosine(&r);
+    const double sagitta = fmin(machine.path.chord_error, r);
+    const double chord = 2.0 * sqrt(r * r - (r - sagitta) * (r - sagitta));
+    cap(allowed, chord / machine.period_s / cosine, NCK_LIMIT_CHORD);
+    cap(allowed, sqrt(0.8 * plane_a() * r) / cosine, NCK_LIMIT_CURVATURE);
+}
+
+static allowed_t find_allowed(void)
+{
+    double cosine[3];
+    allowed_t allowed = {1e30, 1e30, machine.path.a_max, machine.path.j_max, -1};
+    if (!seg.rapid) {
+        cap(&allowed, machine.path.feed_max / seg.feed_scale, NCK_LIMIT_FEED_MAX);
+    }
+    find_cosines(cosine);
+    for (int x = 0; x < 3; x++) {
+        const nck_axis_t *const axis = &machine.axis[x];
+        const int in_plane = seg.kind == NCK_SEG_ARC && (x == seg.axis_u || x == seg.axis_v);
+        if (!(cosine[x] > 0.0)) continue;
+        cap(&allowed, (seg.rapid ? axis->rapid : axis->v_max) / cosine[x],
+            seg.rapid ? NCK_LIMIT_RAPID : NCK_LIMIT_AXIS_V + x);
+        allowed.j = fmin(allowed.j, axis->j_max / cosine[x]);
+        if (!in_plane) allowed.a = fmin(allowed.a, axis->a_max / cosine[x]);
+    }
+    if (seg.kind == NCK_SEG_ARC) cap_arc(&allowed);
+    if (!seg.rapid && seg.feed < allowed.v) {
+        allowed.v = seg.feed;
+        allowed.limit = NCK_LIMIT_FEED;
+    }
+    return allowed;
+}
+
+// What an arc's bend at v leaves along the path; the two are at a right angle.
+static double a_beside_the_bend(double v)
+{
+    double r = 0.0;
+    const double cosine = arc_cosine(&r);
+    const double bend = v * v * cosine * cosine / r;
+    return sqrt(fmax(0.0, plane_a() * plane_a() - bend * bend)) / cosine;
+}
+
+static void check_speed(check_t *check, const allowed_t *allowed)
+{
+    CHECK_NEAR(check, sqrt(node.vv_piece), allowed->v, NEAR * allowed->v);
+    CHECK_NEAR(check, sqrt(node.vv_over), allowed->v_free, NEAR * allowed->v_free);
+    CHECK_NEAR(check, node.j, allowed->j, NEAR * allowed->j);
+    CHECK_INT(check, node.limit_piece, allowed->limit);
+    CHECK(check, node.feed == seg.feed);
+    told[node.limit_piece]++;
+}
+
+static void lines_get_what_every_axis_allows(check_t *check)
+{
+    for (uint32_t slope = NCK_SLOPE_LINEAR; slope <= NCK_SLOPE_SSHAPE; slope++) {
+        begin(1 + slope, slope);
+        for (int k = 0; k < TRIALS; k++) {
+            draw_machine();
+            draw_line();
+            draw_feed();
+            plan(check);
+            const allowed_t allowed = find_allowed();
+            check_speed(check, &allowed);
+            CHECK_NEAR(check, node.a, allowed.a, NEAR * allowed.a);
+            CHECK(check, node.a_over == node.a && node.j_over == node.j);
+        }
+        for (int x = 0; x < 3; x++) CHECK(check, told[NCK_LIMIT_AXIS_V + x] > 0);
+        CHECK(check, told[NCK_LIMIT_FEED] > 0 && told[NCK_LIMIT_FEED_MAX] > 0);
+        CHECK(check, told[NCK_LIMIT_RAPID] > 0);
+    }
+}
+
+static void arcs_get_what_chords_bends_and_axes_allow(check_t *check)
+{
+    begin(7, NCK_SLOPE_LINEAR);
+    for (int k = 0; k < TRIALS; k++) {
+        draw_machine();
+        draw_arc();
+        draw_feed();
+        plan(check);
+        const allowed_t allowed = find_allowed();
+        const double left = fmin(allowed.a, a_beside_the_bend(allowed.v));
+        check_speed(check, &allowed);
+        CHECK_NEAR(check, node.a, left, 2.0 * NEAR * left);
+    }
+    CHECK(check, told[NCK_LIMIT_CHORD] > 0 && told[NCK_LIMIT_CURVATURE] > 0);
+    CHECK(check, told[NCK_LIMIT_FEED] > 0 && told[NCK_LIMIT_AXIS_V] > 0);
+}
+
+// Under a jerk limit the filter may add a little to the speed: the bend at that speed is paid for,
+// also where an override raises the feed.
+static void arcs_pay_for_what_the_filter_adds(check_t *check)
+{
+    begin(8, NCK_SLOPE_JERK);
+    for (int k = 0; k < TRIALS; k++) {
+        draw_machine();
+        draw_arc();
+        draw_feed();
+        plan(check);
+        const allowed_t allowed = find_allowed();
+        const double tau = NCK_FILTER_TAPS * machine.period_s;
+        const double q = 1.35 * machine.period_s; // 5_slope/README, section "output"
+        const double v_filter = machine.path.j_max * (tau * tau / 24.0 + q * q / 8.0);
+        double r = 0.0;
+        const double cosine = arc_cosine(&r);
+        const double v_bend = sqrt(0.8 * plane_a() * r) / cosine;
+        const double v = fmin(allowed.v + v_filter, v_bend);
+        const double v_top = seg.feed > 0.0 ? fmin(2.0 * seg.feed, allowed.v_free) : allowed.v_free;
+        const double v_over = fmin(v_top + v_filter, v_bend);
+        const double left = fmin(allowed.a, a_beside_the_bend(v));
+        const double over = fmin(left, a_beside_the_bend(v_over));
+        check_speed(check, &allowed);
+        CHECK_NEAR(check, node.a, left, 1e-5 * left);
+        CHECK_NEAR(check, node.a_over, over, 1e-5 * over);
+    }
+}
+
+// A quarter of a circle from 45° to 135°: in the middle X sees all of the speed; what Y sees is most
+// at the ends.
+static void axes_count_by_what_they_see_of_an_arc(check_t *check)
+{
+    begin(1, NCK_SLOPE_LINEAR);
+    memset(&seg, 0, sizeof seg);
+    seg.kind = NCK_SEG_ARC;
+    seg.axis_v = NCK_AXIS_Y;
+    seg.start[0] = seg.start[1] = seg.end[1] = 40.0 * sqrt(0.5);
+    seg.end[0] = -seg.start[0];
+    seg.sweep = TAU / 4.0;
+    seg.length = 10.0 * TAU;
+    seg.feed = 1000.0;
+    seg.feed_scale = 1.0;
+    machine.path.feed_max = 500.0;
+    machine.axis[0].v_max = machine.axis[0].rapid = 50.0;
+    plan(check);
+    CHECK_NEAR(check, sqrt(node.vv_piece), 50.0, 1e-9);
+    CHECK_INT(check, node.limit_piece, NCK_LIMIT_AXIS_V + NCK_AXIS_X);
+    machine.axis[0].v_max = machine.axis[0].rapid = 500.0;
+    machine.axis[1].v_max = machine.axis[1].rapid = 50.0;
+    plan(check);
+    CHECK_NEAR(check, sqrt(node.vv_piece), 50.0 / sqrt(0.5), 1e-9);
+    CHECK_INT(check, node.limit_piece, NCK_LIMIT_AXIS_V + NCK_AXIS_Y);
+}
+
+// Of two limits that are the same it is the program that is told.
+static void a_feed_that_is_just_allowed_is_the_limit(check_t *check)
+{
+    begin(1, NCK_SLOPE_LINEAR);
+    draw_line();
+    seg.feed = machine.path.feed_max;
+    seg.feed_scale = 1.0;
+    for (int x = 0; x < 3; x++) machine.axis[x].v_max = 1000.0;
+    plan(check);
+    CHECK(check, node.vv_piece == seg.feed * seg.feed && node.vv_over == node.vv_piece);
+    CHECK_INT(check, node.limit_piece, NCK_LIMIT_FEED);
+}
+
+int main(void)
+{
+    check_t check = {0};
+    CHECK_RUN(&check, lines_get_what_every_axis_allows);
+    CHECK_RUN(&check, arcs_get_what_chords_bends_and_axes_allow);
+    CHECK_RUN(&check, arcs_pay_for_what_the_filter_adds);
+    CHECK_RUN(&check, axes_count_by_what_they_see_of_an_arc);
+    CHECK_RUN(&check, a_feed_that_is_just_allowed_is_the_limit);
+    return check_end(&check);
+}
