@@ -109,7 +109,9 @@ def _answer(case, machine):
 
 def _run(case, program, blocks, plan, found):
     machine = program.machine
-    judge = checker.Checker(blocks, machine.record, case.commands, _answer(case, machine))
+    judge = checker.Checker(
+        blocks, machine.record, case.commands, _answer(case, machine), visits=not found
+    )
     controller = kernel.Controller(program.text, machine, case.prep_steps, case.commands)
     last = max((tick for tick, *_ in case.commands), default=0)
     most = RUN_SHARE * int(plan["ticks"]) + last + RUN_PERIODS
