@@ -6,18 +6,18 @@ lines of a spike are nearly one. So the corners of the program, and points on it
 for on the run: where the run's coordinate of the program says, or half the way to the next such
 point before and behind it, so that the order of the points is kept.
 
-Between ticks the run is the cubic through the four setpoints about it. What that may miss is a
-part of the third differences of the setpoints about; it is granted on top of the tolerance. That is
-little where the jerk is limited, and enough where a whole corner lies between two ticks. Where the
-setpoints about pass more than one such point they tell nothing of either; none is judged then.
+Between ticks the run is the cubic through the four setpoints about it. What that may miss, a bend
+shorter than a period, is a part of the second differences of the setpoints about, and is granted on
+top of the tolerance: a micrometre for 2 m/s² and a period of 1 ms. Where the setpoints about pass
+more than one such point they tell nothing of either; none is judged then.
 """
 
 import numpy as np
 
 ARC_STEP = np.pi / 12  # from one point of an arc to the next, at most
 PARTS = 16  # of a period, when the nearest place in it is looked for
-# Of the third difference: how far the cubic may be off. A corner at the share q of a period, turned
-# off by w, is q (1 − q) |w| T off its chord; the larger of the third differences about it is
+# Of the second difference: how far the cubic may be off. A corner at the share q of a period, turned
+# off by w, is q (1 − q) |w| T off its chord, and the larger second difference about it is
 # max(q, 1 − q) |w| T.
 MISSED = 1 / 2
 CUBIC = np.array([  # of four setpoints, by 1, u, u², u³: u is the share of the middle period
@@ -176,5 +176,5 @@ class Visits:
 
 def granted(six):
     """Return how far the cubics in the middle of six setpoints each may be off the run there."""
-    third = np.diff(six, n=3, axis=0)
-    return MISSED * np.linalg.norm(third, axis=2).max(axis=0)
+    second = np.diff(six, n=2, axis=0)
+    return MISSED * np.linalg.norm(second, axis=2).max(axis=0)
