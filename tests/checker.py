@@ -173,7 +173,7 @@ class Checker:
         self._feed(programmed)
         self._on_path(block, programmed, poses)
         if self._visits:
-            self._visited(self._visits.add(programmed, poses))
+            self._visits.add(rows["pose"]["s"], programmed, poses)
         self._stops(block, joints)
         self._poses = np.concatenate([self._poses, poses])[-3:]
         self._joints = np.concatenate([self._joints, joints])[-3:]
@@ -185,12 +185,12 @@ class Checker:
     def finish(self):
         """Judge the end of the run: at rest, and everything done."""
         self._rest()
+        if self._visits:
+            self._visited(self._visits.finish())
         if self._operator.aborted or self._operator.ends_held or not len(self.path.length):
             return
         end = self.path.end_nm[-1, self._limits.joint_axes]
         self._hold(np.array([(self._joints[-1] == end).all()]), f"end {end} is not reached")
-        if self._visits:
-            self._visited(self._visits.finish())
         left = self.path.begin[-1] - self._programmed
         self._hold(np.array([abs(left) <= COORDINATE_MM]), f"{left} mm of path are left out")
         self._dwells()
