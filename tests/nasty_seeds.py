@@ -41,7 +41,9 @@ class Author:
         self._longest = max(self._longest, 10 * TINY)
         small = TINY if self._rng.random() < 0.4 else self._longest / 30
         self._size = self._log(small, self._longest)
-        self._is_smooth = self._rng.random() < 0.5  # G64 all along, and no pause
+        style = self._rng.random()
+        self._is_smooth = style < 0.5  # G64 all along, and no pause
+        self._is_exact = style > 0.85  # no G64 at all
         self._items += [self._mode(), self._feed()]
         while len(self._items) < count:
             self._figure()
@@ -113,7 +115,7 @@ class Author:
     # Words
 
     def _mode(self):
-        kind = 1.0 if self._is_smooth else self._rng.random()
+        kind = 1.0 if self._is_smooth else self._rng.random() * (0.25 if self._is_exact else 1)
         if kind < 0.15:
             return Mode(EXACT)
         if kind < 0.25:
