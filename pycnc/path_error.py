@@ -6,7 +6,8 @@ program to the run: the distance of every corner of the program, and of points o
 path that the kernel made, in closed form: ticks do not come into it, so nothing is lost between
 them. The second way sees a tip that is cut off, where the two lines of a spike are nearly one. Of
 the path only the part counts that stands for the program about such a point, half the way to the
-next one at most or as far as the tolerance: what comes by there later does not.
+next one at most or as far as the tolerance: what comes by there later does not. A blend stands for
+the program as a whole: where the tool all but parks, the program's coordinate runs on evenly.
 """
 
 import numpy as np
@@ -59,10 +60,14 @@ class PathError:
             return
         marks, ahead = self._marks, moving["s_program"][-1]
         self._segs = join("nck_seg_t", [self._segs, moving])
-        self._measure(np.arange(self._next, np.searchsorted(marks.judged, ahead)))
+        is_whole = not moving["blend"][-1]  # the last blend is there to its end
+        if is_whole:
+            self._measure(np.arange(self._next, np.searchsorted(marks.judged, ahead)))
         left = marks.needed[self._next : self._next + 1]
         needed = left[0] if len(left) else np.inf
-        self._segs = self._segs[self._segs["s_program"] + self._segs["program"] >= needed]
+        keep = np.searchsorted(self._segs["s_program"] + self._segs["program"], needed)
+        keep = np.array([min(keep, len(self._segs) - 1)])
+        self._segs = self._segs[self._whole_blends(keep, keep)[0][0] :]
 
     def finish_segs(self):
         """There are no more segs: measure what is left of the program."""
@@ -96,10 +101,11 @@ class PathError:
 
     def _nearest(self, marks):
         """Return how far marks are from the segs about them."""
-        begin = self._segs["s_program"]
+        begin, last = self._segs["s_program"], len(self._segs) - 1
         first = np.searchsorted(begin, self._marks.low[marks], "right") - 1
-        first = np.clip(first, 0, len(begin) - 1)
-        count = np.maximum(np.searchsorted(begin, self._marks.high[marks], "left") - first, 1)
+        end = np.searchsorted(begin, self._marks.high[marks], "left") - 1
+        first, end = self._whole_blends(np.clip(first, 0, last), np.clip(end, 0, last))
+        count = np.maximum(end - first, 0) + 1
         which = np.repeat(np.arange(len(marks)), count)
         at = np.arange(len(which)) - np.repeat(np.cumsum(count) - count - first, count)
         found = np.full(len(marks), np.inf)
@@ -108,6 +114,15 @@ class PathError:
             apart = _distance(self._segs[at[pair]], self._marks.point[marks[which[pair]]])
             np.minimum.at(found, which[pair], apart)
         return found
+
+
+    def _whole_blends(self, first, end):
+        """Return the first and the last seg, made more where they are in the middle of a blend."""
+        n, is_blend = np.arange(len(self._segs)), self._segs["blend"] == 1
+        begins = np.maximum.accumulate(np.where(is_blend & np.append(False, is_blend[:-1]), 0, n))
+        inside = is_blend & np.append(is_blend[1:], False)
+        ends = np.minimum.accumulate(np.where(inside, n[-1], n)[::-1])[::-1]
+        return begins[first], ends[end]
 
 
 class _Marks:

@@ -119,6 +119,8 @@ class Checker:
         What the operator did, as `pycnc.run` takes it.
     answer : float, optional
         See `Operator`.
+    visits : bool
+        Whether to ask how near the run comes to the points of the program.
 
     Attributes
     ----------
@@ -133,7 +135,7 @@ class Checker:
     ticks : int
     """
 
-    def __init__(self, blocks, machine, commands=(), answer=None):
+    def __init__(self, blocks, machine, commands=(), answer=None, visits=True):
         self._limits = Limits.of(machine)
         self.path = Path(blocks, self._limits)
         self._operator = Operator(commands, self._limits, answer)
@@ -141,7 +143,7 @@ class Checker:
         self._poses = np.repeat(start[None] / COUNTS, 3, axis=0)
         self._joints = np.repeat(start[self._limits.joint_axes][None], 3, axis=0)
         self._s, self._block, self._settled = np.zeros(3), np.zeros(3, np.intp), 0
-        self._visits = Visits(self.path, self._poses[0])
+        self._visits = Visits(self.path, self._poses[0]) if visits else None
         self._programmed = 0.0
         self._exact = np.concatenate(
             [[0], np.cumsum((self.path.length > 0) & (self.path.tolerance == 0))]
@@ -170,7 +172,8 @@ class Checker:
         self._progress(rows["pose"]["s"], poses)
         self._feed(programmed)
         self._on_path(block, programmed, poses)
-        self._visited(self._visits.add(programmed, poses))
+        if self._visits:
+            self._visits.add(rows["pose"]["s"], programmed, poses)
         self._stops(block, joints)
         self._poses = np.concatenate([self._poses, poses])[-3:]
         self._joints = np.concatenate([self._joints, joints])[-3:]
@@ -182,11 +185,12 @@ class Checker:
     def finish(self):
         """Judge the end of the run: at rest, and everything done."""
         self._rest()
+        if self._visits:
+            self._visited(self._visits.finish())
         if self._operator.aborted or self._operator.ends_held or not len(self.path.length):
             return
         end = self.path.end_nm[-1, self._limits.joint_axes]
         self._hold(np.array([(self._joints[-1] == end).all()]), f"end {end} is not reached")
-        self._visited(self._visits.finish())
         left = self.path.begin[-1] - self._programmed
         self._hold(np.array([abs(left) <= COORDINATE_MM]), f"{left} mm of path are left out")
         self._dwells()

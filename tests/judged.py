@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import checker
 import numpy as np
 
-from pycnc import kernel
+from pycnc import kernel, path_error
 from pycnc.machine import Machine
 from pycnc.program import Program
 
@@ -60,7 +60,19 @@ def run(program, prep_steps=kernel.PREP_STEPS, commands=(), answer=None):
         judge.add(rows)
         digest.update(rows.tobytes())
     judge.finish()
+    missed = missed_by(program)
+    if missed > 1 + checker.SHARE:
+        raise checker.PhysicsError(f"the path misses a programmed point by {missed} P")
     return Run(program, judge.ticks, controller.starved_ticks, digest.hexdigest(), judge)
+
+
+def missed_by(program):
+    """Return how far the path misses a point of a program at most, in shares of its tolerance."""
+    error = path_error.PathError(program)
+    for segs, _ in kernel.Planner(program.text, program.machine, records=("seg",)).pieces():
+        error.add_segs(segs)
+    error.finish_segs()
+    return error.missed
 
 
 def plan(program):

@@ -9,7 +9,7 @@ from nasty_programs import (
 )  # fmt: skip
 
 PERIODS_MS = (0.25, 0.5, 1, 2, 4, 10)
-PERIODS = 1500  # of a program, about
+PERIODS = 4000  # of a program, about
 TINY = 1e-6  # the shortest move [mm]
 LONGEST = 1000.0  # [mm]
 COMMANDS = {
@@ -39,9 +39,12 @@ class Author:
         t = self._budget
         self._longest = min(v * t, a * t * t / 4, j * t**3 / 32 if j else math.inf, LONGEST)
         self._longest = max(self._longest, 10 * TINY)
-        self._size = self._log(TINY, self._longest)
-        self._items.append(self._mode())
-        self._items.append(self._feed())
+        small = TINY if self._rng.random() < 0.4 else self._longest / 30
+        self._size = self._log(small, self._longest)
+        style = self._rng.random()
+        self._is_smooth = style < 0.5  # G64 all along, and no pause
+        self._is_exact = style > 0.85  # no G64 at all
+        self._items += [self._mode(), self._feed()]
         while len(self._items) < count:
             self._figure()
         commands = self._operator()
@@ -83,6 +86,8 @@ class Author:
         self._period = self._one_of(*PERIODS_MS) * 1e-3
         base = [self._log(5, 5000), self._log(20, 20000), 0]
         base[2] = base[1] * self._log(5, 500)
+        if rng.random() < 0.3:  # a milling machine
+            self._period, base = 1e-3, [250, 2500, 50000]
         lines = [f"[kernel]\nperiod_ms = {self._period * 1e3:g}", f'[path]\nslope = "{self._slope}"']
         if rng.random() < 0.2:
             lines.append(f"a_max_mm_s2 = {base[1] * self._log(0.2, 2):.5g}")
@@ -110,13 +115,13 @@ class Author:
     # Words
 
     def _mode(self):
-        kind = self._rng.random()
+        kind = 1.0 if self._is_smooth else self._rng.random() * (0.25 if self._is_exact else 1)
         if kind < 0.15:
             return Mode(EXACT)
         if kind < 0.25:
             return Mode(STOP)
-        p = round(NM * self._log(1e-4, 1.0))
-        if self._rng.random() < 0.4:  # about what fits the lengths
+        p = round(NM * self._one_of(self._log(1e-4, 1.0), self._log(1e-4, 1e-3), self._log(0.1, 1)))
+        if self._rng.random() < 0.3:  # about what fits the lengths
             p = max(round(NM * min(self._size * self._log(1e-3, 1), 1)), 100)
         q = self._one_of(None, None, 0, round(p * self._log(0.01, 3)))
         return Mode(CONTINUOUS, p, q)
@@ -127,11 +132,9 @@ class Author:
 
     def _word(self):
         kind = self._rng.random()
-        if kind < 0.4:
-            return self._mode()
-        if kind < 0.8:
+        if kind < 0.7:
             return self._feed()
-        if kind < 0.9:
+        if kind < 0.85 and not self._is_smooth:
             return Pause(self._one_of(None, self._log(1e-4, 20 * self._period)))
         return Coolant(self._one_of(7, 8, 9))
 
@@ -140,8 +143,8 @@ class Author:
     def _figure(self):
         figures = (
             (self._line, 4), (self._reversal, 3), (self._near, 3), (self._arc, 4), (self._steps, 1),
-            (self._bend, 1), (self._split, 1), (self._spike, 1), (self._home, 1), (self._still, 0.5),
-            (lambda: self._items.append(self._word()), 4),
+            (self._bend, 1), (self._split, 1), (self._loosen, 1), (self._spike, 1), (self._home, 1), (self._still, 0.5),
+            (lambda: self._items.append(self._word()), 2),
         )  # fmt: skip
         weights = np.array([weight for _, weight in figures])
         figures[int(self._rng.choice(len(figures), p=weights / weights.sum()))][0]()
@@ -158,6 +161,8 @@ class Author:
         self._to(target, rapid=self._rng.random() < 0.08)
 
     def _to(self, target, rapid=False):
+        if self._rng.random() < 0.2:  # in the middle of a figure too
+            self._items.append(self._one_of(self._mode, self._feed)())
         self._at = target
         self._items.append(Move(tuple(int(n) for n in target), rapid))
 
@@ -202,6 +207,14 @@ class Author:
             target[:3] += np.round(way * length * share * NM).astype(np.int64)
             self._way = way
             self._to(target)
+
+    def _loosen(self):
+        """Another tolerance in the middle of a line that ends in a corner."""
+        way, length = self._direction(), self._length()
+        self._go(way, length)
+        self._items.append(self._mode())
+        self._go(way, length * self._log(1e-3, 1))
+        self._go(self._direction(), self._length())
 
     def _spike(self):
         """Out and back beside it."""
@@ -267,6 +280,7 @@ class Author:
         if self._rng.random() < 0.6:
             return ()
         commands = []
+        last = self._log(10, PERIODS)
         for _ in range(int(self._rng.integers(1, 6))):
             name = self._one_of(*COMMANDS[self._slope])
             numbers = ()
@@ -274,5 +288,5 @@ class Author:
                 numbers = (int(self._rng.integers(10, 201)), int(self._rng.integers(10, 101)))
             if name == "single_block":
                 numbers = (int(self._rng.random() < 0.7),)
-            commands.append((int(self._rng.integers(0, PERIODS)), name, *numbers))
+            commands.append((int(self._rng.uniform(0, last)), name, *numbers))
         return tuple(sorted(commands))

@@ -114,9 +114,9 @@ class Path:
             feed = np.take_along_axis(by_mode, blocks["feed_mode"][None].astype(np.intp), 0)[0]
             cosine = np.abs(self.end - self.start) / self.length[:, None]
             rapid = np.where(cosine > 0, limits.rapid / cosine, np.inf).min(axis=1)
-            # Within a tolerance its direction is not the programmed one: all axes at their rapids.
-            free = np.linalg.norm(limits.rapid[limits.present])
-            rapid = np.where(self.tolerance > 0, free, rapid)
+            # Within a tolerance its way is another one: shorter, and in another direction. Then the
+            # axes alone are its limit.
+            rapid = np.where(self.tolerance > 0, np.inf, rapid)
             wanted = np.where(blocks["kind"] == RAPID, rapid, feed)
             return wanted, np.where(blocks["kind"] == RAPID, rapid, limits.feed_max * scale)
 

@@ -4,20 +4,23 @@
 The other way round, how far the run is from the program, cannot see a tip that is cut off: the two
 lines of a spike are nearly one. So the corners of the program, and points on its arcs, are looked
 for on the run: where the run's coordinate of the program says, or half the way to the next such
-point before and behind it, so that the order of the points is kept.
+point before and behind it, so that the order of the points is kept. Where the path's coordinate
+runs on while the program's falls behind, in the blend of a corner, the latter is told evenly over
+the whole blend; there all of it is looked at.
 
-Between ticks the run is the cubic through the four setpoints about it. What that may miss is a
-part of the third differences of the setpoints about; it is granted on top of the tolerance. That is
-little where the jerk is limited, and enough where a whole corner lies between two ticks. Where the
-setpoints about pass more than one such point they tell nothing of either; none is judged then.
+Between ticks the run is the cubic through the four setpoints about it. What that may miss, a bend
+shorter than a period, is a part of the second differences of the setpoints about, and is granted on
+top of the tolerance: a micrometre for 2 m/s² and a period of 1 ms. Where the setpoints about pass
+more than one such point they tell nothing of either; none is judged then.
 """
 
 import numpy as np
 
 ARC_STEP = np.pi / 12  # from one point of an arc to the next, at most
+BEHIND, ROUNDING_MM = 1e-3, 1e-9  # of two coordinates that go on alike
 PARTS = 16  # of a period, when the nearest place in it is looked for
-# Of the third difference: how far the cubic may be off. A corner at the share q of a period, turned
-# off by w, is q (1 − q) |w| T off its chord; the larger of the third differences about it is
+# Of the second difference: how far the cubic may be off. A corner at the share q of a period, turned
+# off by w, is q (1 − q) |w| T off its chord, and the larger second difference about it is
 # max(q, 1 − q) |w| T.
 MISSED = 1 / 2
 CUBIC = np.array([  # of four setpoints, by 1, u, u², u³: u is the share of the middle period
@@ -38,9 +41,6 @@ class Marks:
         (marks,) the smallest of the blocks that meet there [mm].
     low, high : numpy.ndarray
         (marks,) coordinates between which the run has to come near.
-    judged, needed : numpy.ndarray
-        (marks,) the coordinate at which a mark and all before it can be judged, and the least that
-        it and those behind it need.
     line : numpy.ndarray
         (marks,) source lines.
     """
@@ -63,12 +63,12 @@ class Marks:
         reach = np.maximum(self.tolerance, 0.5 * way)
         self.low = self.s - reach
         self.high = self.s + np.maximum(self.tolerance, 0.5 * np.append(way[1:], 0.0))
-        self.judged = np.maximum.accumulate(self.high)
-        self.needed = np.minimum.accumulate(self.low[::-1])[::-1]
 
 
 class Visits:
     """Takes a run in pieces and tells how near it came to the marks within a tolerance.
+
+    It keeps the setpoints: 88 bytes a tick.
 
     Parameters
     ----------
@@ -78,56 +78,50 @@ class Visits:
     """
 
     def __init__(self, path, start):
-        self._marks, self._next = Marks(path), 0
-        self._s, self._poses = np.zeros(1), start[None]
-        self._first = 0  # tick of the first row that is kept
+        self._marks = Marks(path)
+        self._pieces = [(np.zeros(1), np.zeros(1, bool), start[None])]
+        self._before = 0.0, 0.0  # coordinates of the path and of the program
         self.largest = 0.0  # share of the tolerance
 
-    def add(self, s, poses):
-        """Take the next rows; return None or (tick, line, words) of the first mark missed."""
-        self._s = np.concatenate([self._s, s])
-        self._poses = np.concatenate([self._poses, poses])
-        return self._judge(np.searchsorted(self._marks.judged, self._s[-3:].min(), "left"))
+    def add(self, path_s, s, poses):
+        """Take the next rows: coordinates of the path, of the program, and poses."""
+        told = np.diff(path_s, prepend=self._before[0]), np.diff(s, prepend=self._before[1])
+        self._before = path_s[-1], s[-1]
+        is_behind = told[0] - told[1] > BEHIND * told[0] + ROUNDING_MM
+        self._pieces.append((s, is_behind, poses))
 
     def finish(self):
-        """Judge what is left at the end of a run."""
-        return self._judge(len(self._marks.s))
-
-    def _judge(self, until):
-        marks, found = self._marks, None
-        here = np.arange(self._next, until)
-        here = here[marks.tolerance[here] > 0]
+        """Return None, or (tick, line, words) of the first mark missed by the run so far."""
+        self._s, is_behind, self._poses = map(np.concatenate, zip(*self._pieces, strict=True))
+        self._blends(is_behind)
+        marks = self._marks
+        here = np.flatnonzero((marks.tolerance > 0) & (marks.high <= self._s[-1] + ROUNDING_MM))
         here = here[self._is_alone(here)]
-        if len(here):
-            apart, granted = self._where_told(here)
-            missed = np.flatnonzero(apart > marks.tolerance[here])
-            for k in missed:
-                apart[k], granted[k] = self._nearest(here[k])
-            share = (apart - granted) / marks.tolerance[here]
-            self.largest = max(self.largest, float(share.max()))
-            found = self._first_missed(here, share)
-        self._next = max(self._next, until)
-        self._forget()
-        return found
+        if not len(here):
+            return None
+        apart, granted = self._where_told(here)
+        for k in np.flatnonzero(apart > marks.tolerance[here]):
+            apart[k], granted[k] = self._nearest(here[k])
+        share = (apart - granted) / marks.tolerance[here]
+        self.largest = float(share.max())
+        return self._first_missed(here, share)
+
+    def _blends(self, is_behind):
+        """Find for every setpoint the first and the last of the blend that it is in, or itself."""
+        n = np.arange(len(is_behind))
+        self._first = np.maximum.accumulate(np.where(is_behind, 0, n))
+        behind = np.append(is_behind[1:], False)
+        self._last = np.minimum.accumulate(np.where(behind, n[-1], n)[::-1])[::-1]
 
     def _first_missed(self, marks, share):
         over = np.flatnonzero(share > 1 + 1e-6)
         if not len(over):
             return None
         mark = marks[over[0]]
-        tick = self._first + int(np.searchsorted(self._s, self._marks.s[mark]))
+        tick = int(np.searchsorted(self._s, self._marks.s[mark]))
         most = self._marks.tolerance[mark]
         words = f"missed by {share[over[0]] * most:.9g} mm, tolerance {most:g}"
         return tick, int(self._marks.line[mark]), words
-
-    def _forget(self):
-        """Drop rows that no mark to come needs."""
-        left = self._marks.needed[self._next : self._next + 1]
-        needed = left[0] if len(left) else self._s[-1]
-        keep = min(np.searchsorted(self._s, needed) - 4, len(self._s) - 6)
-        if keep > 0:
-            self._s, self._poses = self._s[keep:], self._poses[keep:]
-            self._first += keep
 
     def _around(self, k):
         """Return six setpoints about each of the periods k → k + 1: (6, periods, 9)."""
@@ -158,9 +152,9 @@ class Visits:
 
     def _nearest(self, mark):
         """Return the same of the place that is nearest to one mark."""
-        low = np.searchsorted(self._s, self._marks.low[mark], "left") - 1
-        high = np.searchsorted(self._s, self._marks.high[mark], "right")
-        k = np.arange(max(low, 0), max(min(high, len(self._s) - 1), max(low, 0) + 1))
+        low = max(np.searchsorted(self._s, self._marks.low[mark], "left") - 1, 0)
+        high = min(np.searchsorted(self._s, self._marks.high[mark], "right"), len(self._s) - 1)
+        k = np.arange(self._first[low], max(self._last[high], low + 1))
         u = np.linspace(0, 1, PARTS + 1)
         six = self._around(k)
         weights = np.stack([u**0, u, u**2, u**3], axis=1) @ CUBIC
@@ -176,5 +170,5 @@ class Visits:
 
 def granted(six):
     """Return how far the cubics in the middle of six setpoints each may be off the run there."""
-    third = np.diff(six, n=3, axis=0)
-    return MISSED * np.linalg.norm(third, axis=2).max(axis=0)
+    second = np.diff(six, n=2, axis=0)
+    return MISSED * np.linalg.norm(second, axis=2).max(axis=0)
