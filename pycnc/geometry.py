@@ -67,7 +67,7 @@ class Moves:
         numpy.ndarray
             (n, axes) [mm, deg].
         """
-        points = self.start[block] + q[:, None] * (self.end - self.start)[block]
+        points = self.start[block] + q[:, None] * (self.end[block] - self.start[block])
         arc = np.flatnonzero(self.is_arc[block])
         index = block[arc]
         angle = self._angle[index] + q[arc] * self._sweep[index]
@@ -160,7 +160,7 @@ class Moves:
         return best
 
     def _nearest_on_line(self, block, points):
-        along = (self.end - self.start)[block]
+        along = self.end[block] - self.start[block]
         square = np.einsum("ij,ij->i", along, along)
         ahead = np.einsum("ij,ij->i", points - self.start[block], along)
         return np.clip(np.divide(ahead, square, out=np.zeros(len(block)), where=square > 0), 0, 1)
@@ -179,7 +179,7 @@ class Moves:
         sweep, around = self._sweep[block], 2 * np.pi
         local = np.take_along_axis(points, self._axes[block], axis=1) - self._centre[block]
         angle = np.arctan2(local[:, 1], local[:, 0]) - self._angle[block]
-        straight = (self.end - self.start)[block]
+        straight = self.end[block] - self.start[block]
         np.put_along_axis(straight, self._axes[block], 0, axis=1)
         square = np.einsum("ij,ij->i", straight, straight)
         ahead = np.einsum("ij,ij->i", points - self.start[block], straight)
@@ -189,7 +189,7 @@ class Moves:
 
     def _tangent(self, block, q):
         """Return the derivative of point by q."""
-        along = (self.end - self.start)[block]
+        along = self.end[block] - self.start[block]
         angle = self._angle[block] + q * self._sweep[block]
         turn = np.stack([-np.sin(angle), np.cos(angle)], axis=1)
         np.put_along_axis(

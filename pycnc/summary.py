@@ -133,7 +133,7 @@ def _peaks(trace):
         table.add_row(f"  {letter.upper()}", _ratio(peak["v"]), _ratio(peak["a"]), jerk)
     path = trace.summary["peaks"]["path"]
     table.add_row("  path", "", _ratio(path["a"]), _ratio(path["j"], promised=limited))
-    error = f"largest distance from the programmed path: {trace.summary['path_error_mm']:.1e} mm"
+    error = f"largest distance of path and program: {trace.summary['path_error_mm']:.1e} mm"
     return Group(table, Padding(Text(error, "dim"), (0, 0, 0, 2)))
 
 

@@ -88,7 +88,8 @@ class Author:
         base[2] = base[1] * self._log(5, 500)
         if rng.random() < 0.3:  # a milling machine
             self._period, base = 1e-3, [250, 2500, 50000]
-        lines = [f"[kernel]\nperiod_ms = {self._period * 1e3:g}", f'[path]\nslope = "{self._slope}"']
+        lines = [f"[kernel]\nperiod_ms = {self._period * 1e3:g}"]
+        lines.append(f'[path]\nslope = "{self._slope}"')
         if rng.random() < 0.2:
             lines.append(f"a_max_mm_s2 = {base[1] * self._log(0.2, 2):.5g}")
         if rng.random() < 0.2:
@@ -143,7 +144,8 @@ class Author:
     def _figure(self):
         figures = (
             (self._line, 4), (self._reversal, 3), (self._near, 3), (self._arc, 4), (self._steps, 1),
-            (self._bend, 1), (self._split, 1), (self._loosen, 1), (self._spike, 1), (self._home, 1), (self._still, 0.5),
+            (self._bend, 1), (self._split, 1), (self._loosen, 1), (self._spike, 1), (self._home, 1),
+            (self._still, 0.5),
             (lambda: self._items.append(self._word()), 2),
         )  # fmt: skip
         weights = np.array([weight for _, weight in figures])
@@ -201,7 +203,8 @@ class Author:
     def _split(self):
         """One straight line in unequal pieces."""
         way, length = self._direction(), self._length()
-        start, shares = self._at.copy(), np.sort(self._rng.random(int(self._rng.integers(1, 5))) ** 2)
+        start, count = self._at.copy(), int(self._rng.integers(1, 5))
+        shares = np.sort(self._rng.random(count) ** 2)
         for share in (*shares, 1.0):
             target = start.copy()
             target[:3] += np.round(way * length * share * NM).astype(np.int64)

@@ -24,8 +24,11 @@ PARTS = 16  # of a period, when the nearest place in it is looked for
 # max(q, 1 − q) |w| T.
 MISSED = 1 / 2
 CUBIC = np.array([  # of four setpoints, by 1, u, u², u³: u is the share of the middle period
-    [0, 1, 0, 0], [-1 / 3, -1 / 2, 1, -1 / 6], [1 / 2, -1, 1 / 2, 0], [-1 / 6, 1 / 2, -1 / 2, 1 / 6],
-])  # fmt: skip
+    [0, 1, 0, 0],
+    [-1 / 3, -1 / 2, 1, -1 / 6],
+    [1 / 2, -1, 1 / 2, 0],
+    [-1 / 6, 1 / 2, -1 / 2, 1 / 6],
+])
 
 
 class Marks:
