@@ -9,9 +9,9 @@ runs on while the program's falls behind, in the blend of a corner, the latter i
 the whole blend; there all of it is looked at.
 
 Between ticks the run is the cubic through the four setpoints about it. What that may miss, a bend
-shorter than a period, is a part of the second differences of the setpoints about, and is granted on
-top of the tolerance: a micrometre for 2 m/s² and a period of 1 ms. Where the setpoints about pass
-more than one such point they tell nothing of either; none is judged then.
+shorter than a period, is a part of the second differences of the setpoints about, and is granted
+on top of the tolerance: a micrometre for 2 m/s² and a period of 1 ms. Where the setpoints about
+pass more than one such point they tell nothing of either; none is judged then.
 """
 
 import numpy as np
@@ -19,9 +19,9 @@ import numpy as np
 ARC_STEP = np.pi / 12  # from one point of an arc to the next, at most
 BEHIND, ROUNDING_MM = 1e-3, 1e-9  # of two coordinates that go on alike
 PARTS = 16  # of a period, when the nearest place in it is looked for
-# Of the second difference: how far the cubic may be off. A corner at the share q of a period, turned
-# off by w, is q (1 − q) |w| T off its chord, and the larger second difference about it is
-# max(q, 1 − q) |w| T.
+# Of the second difference: how far the cubic may be off. A corner at the share q of a period where
+# the speed turns by w is q (1 − q) |w| T off its chord, and the larger second difference about it
+# is max(q, 1 − q) |w| T.
 MISSED = 1 / 2
 CUBIC = np.array([  # of four setpoints, by 1, u, u², u³: u is the share of the middle period
     [0, 1, 0, 0],
