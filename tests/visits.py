@@ -87,11 +87,14 @@ class Visits:
         self.largest = 0.0  # share of the tolerance
 
     def add(self, path_s, s, poses):
-        """Take the next rows: coordinates of the path, of the program, and poses."""
+        """Take the next rows: coordinates of the path, of the program, and poses.
+
+        Copies: the rows of a run are filled again by its next piece.
+        """
         told = np.diff(path_s, prepend=self._before[0]), np.diff(s, prepend=self._before[1])
         self._before = path_s[-1], s[-1]
         is_behind = told[0] - told[1] > BEHIND * told[0] + ROUNDING_MM
-        self._pieces.append((s, is_behind, poses))
+        self._pieces.append((s.copy(), is_behind, poses.copy()))
 
     def finish(self):
         """Return None, or (tick, line, words) of the first mark missed by the run so far."""
