@@ -212,7 +212,8 @@ uint32_t nck_blend_corner(nck_smooth_t *self, uint32_t more) {
     const nck_raw_t *const b = nck_raw_at(self, place.last);
     if (!is_line(a) || !is_line(b)) return 0;
     const int rests_behind = !more || !nck_raw_at(self, self->raw.head)->smooth;
-    const nck_meet_t meet = {a, b, {!(a->s > 0.0) && !(a->cut > 0.0), (uint8_t)rests_behind}};
+    const nck_meet_t meet = {a, b, {a->seg.length, b->seg.length},
+                             {!(a->s > 0.0) && !(a->cut > 0.0), (uint8_t)rests_behind}};
     if (!nck_choice_blend(self, &meet, room_of(self, &place), &blend)) return 0;
     return is_free(self, place.first, blend.d) ? insert_blend(self, &blend, &place) : 0;
 }

@@ -195,11 +195,10 @@ static void measure(const nck_smooth_t *self, const nck_meet_t *meet, corner_t *
     nck_path_tangent(&b->seg, 0.0, corner->out);
     corner->turn = unit_distance(corner->in, corner->out, -1.0);
     corner->tolerance = TOLERANCE_SHARE * nck_min(a->tolerance, b->tolerance);
-    corner->length[0] = a->seg.length;
-    corner->length[1] = b->seg.length;
+    memcpy(corner->length, meet->length, sizeof corner->length);
     memcpy(corner->rests, meet->rests, sizeof corner->rests);
-    corner->half[0] = nck_min(a->seg.length, HALF * (a->seg.length + a->cut));
-    corner->half[1] = HALF * b->seg.length;
+    corner->half[0] = nck_min(meet->length[0], HALF * (meet->length[0] + a->cut));
+    corner->half[1] = HALF * meet->length[1];
     corner->ramp.v_max =
         nck_min(speed_of(self, &a->seg, corner->in), speed_of(self, &b->seg, corner->out));
     corner->mix_s =

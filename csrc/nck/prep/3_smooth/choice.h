@@ -23,7 +23,8 @@ typedef struct nck_bend {
 typedef struct nck_meet {
     const nck_raw_t *a; // the block before the corner
     const nck_raw_t *b; // the block behind it
-    uint8_t rests[2];   // 1: the path rests at the begin of a, at the end of b
+    double length[2];   // how far the path leads to it and on as good as straight [path mm]
+    uint8_t rests[2];   // 1: it rests at the other ends of these
 } nck_meet_t;
 
 // Choose for a corner between two lines. A blend may reach `room` into either [path mm].

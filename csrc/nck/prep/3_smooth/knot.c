@@ -24,11 +24,13 @@
 #define KEY_LEAST 0.5    // a corner is a key if the spacing that it allows alone is right within …
 #define KEY_MOST 1.5     // … these shares, and it is none of a bend
 #define ALIKE 0.9         // cosine between the turns of two corners of one bend
+#define STRAIGHT 0.1     // |Δu| up to which a path goes on straight, for the time of a stop
 #define CROWDED 0.25     // of a spacing: keys that are nearer than that are one
 #define SAME 0.9         // tolerances of blocks that differ by no more count as one
 #define SURE 0.5         // of √(P/κ): from rest a step on one block that certainly fits
 #define NEVER 1e300      // [path mm] no place of a run
 enum {
+    WAYS = 16,           // blocks on either side that go on straight, at most
     GROWTH_STEPS = 64,   // from 1 µm to beyond any spacing
     BISECT_STEPS = 3,    // the last 25 % to 3 %
     TRIES = 11,          // spacings that are checked before the path has to rest
@@ -222,13 +224,42 @@ static void stop_behind(nck_smooth_t *self, uint32_t count) {
     self->run.closed = 1;
 }
 
+// 1 if the path goes on as good as straight from one block to the next.
+static int goes_on(nck_smooth_t *self, uint32_t in, uint32_t out) {
+    double turn[NCK_AXIS_MAX];
+    return nck_raw_turn(&nck_raw_at(self, in)->seg, &nck_raw_at(self, out)->seg, turn) < STRAIGHT;
+}
+
+// How far the path leads straight to the corner behind a block, and on from it.
+static void measure_ways(nck_smooth_t *self, uint32_t count, nck_meet_t *meet) {
+    uint32_t at = count;
+    uint32_t other = raw_before(self, at);
+    for (int n = 0; n < WAYS && other != at && nck_raw_at(self, other)->smooth; n++) {
+        if (nck_raw_at(self, other)->seg.stop || !goes_on(self, other, at)) break;
+        at = other;
+        other = raw_before(self, at);
+    }
+    const nck_raw_t *const first = nck_raw_at(self, at);
+    meet->length[0] = meet->a->s + meet->a->seg.length - first->s;
+    meet->rests[0] = !(first->s > 0.0) && !(first->cut > 0.0);
+    at = nck_raw_next(self, count);
+    other = nck_raw_next(self, at);
+    for (int n = 0; n < WAYS && other != self->run.end && goes_on(self, at, other); n++) {
+        at = other;
+        other = nck_raw_next(self, at);
+    }
+    const nck_raw_t *const last = nck_raw_at(self, at);
+    meet->length[1] = last->s + last->seg.length - meet->b->s;
+    meet->rests[1] = self->run.closed && other == self->run.end;
+}
+
 // Stop at a corner if that is faster than what the spline makes of it: a bend as wide as its
 // spacing, or as the run's ends leave it. A blunt corner is bent, unless a run's end is near.
 static void stop_or_bend(nck_smooth_t *self, uint32_t count, int is_sharp) {
     const nck_raw_t *const raw = nck_raw_at(self, count);
-    const uint32_t after = nck_raw_next(self, count);
     const double s = raw->s + raw->seg.length;
     nck_bend_t bend = {nck_min(raw->spacing, s), {0.0}};
+    nck_meet_t meet = {raw, nck_raw_at(self, nck_raw_next(self, count)), {0.0, 0.0}, {0, 0}};
     double before[NCK_AXIS_MAX];
     double here[NCK_AXIS_MAX];
     if (self->run.closed) bend.d = nck_min(bend.d, nck_raw_known(self) - s);
@@ -239,9 +270,7 @@ static void stop_or_bend(nck_smooth_t *self, uint32_t count, int is_sharp) {
     for (int x = 0; x < NCK_AXIS_MAX; x++) {
         bend.turn[x] = (before[x] - 2.0 * here[x] + bend.turn[x]) / bend.d;
     }
-    const int is_last = self->run.closed && nck_raw_next(self, after) == self->run.end;
-    const nck_meet_t meet = {
-        raw, nck_raw_at(self, after), {!(raw->s > 0.0) && !(raw->cut > 0.0), (uint8_t)is_last}};
+    measure_ways(self, count, &meet);
     if (nck_choice_stop(self, &meet, &bend)) stop_behind(self, count);
 }
 
@@ -277,7 +306,7 @@ static nck_status_t know_spacing(nck_smooth_t *self, uint32_t count) {
     }
     raw->spacing = self->mixed ? keep_off(self, count, spacing) : spacing;
     const int is_sharp = alone < nck_spline_vertex_spacing(aim, NCK_CHOICE_SHARP);
-    if (!raw->partial) stop_or_bend(self, count, is_sharp);
+    if (!raw->partial && alone < self->spacing_max) stop_or_bend(self, count, is_sharp);
     return NCK_OK;
 }
 
