@@ -349,7 +349,10 @@ static nck_status_t look_ahead(nck_smooth_t *self, way_t *way) {
         way->step = nck_min(way->step, raw->inside + 0.5 * far);
         const double end = raw->s + raw->seg.length;
         next = nck_raw_next(self, count);
-        if (next == self->run.end) return look_at_end(self, end, way);
+        if (next == self->run.end) {
+            way->straight = far == 0.0 && raw->seg.kind == NCK_SEG_LINE;
+            return look_at_end(self, end, way);
+        }
         if (!(end > here)) continue;
         const nck_status_t status = know_spacing(self, count);
         if (status != NCK_OK) return status;

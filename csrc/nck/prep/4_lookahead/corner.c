@@ -7,8 +7,9 @@
 
 #define UNLIMITED 1e30
 
-// Smooth pieces pass into each other without a corner, but for rounding: 1e-13 mm in 1000 mm over a
-// piece of 0.01 mm turns it by 3e-11, which at 100 mm/s, 1 ms and 1000 mm/s² costs the share 3e-9.
+// Smooth or straight pieces pass into each other without a corner, but for rounding: 1e-13 mm in
+// 1000 mm over a piece of 0.01 mm turns it by 3e-11, which at 100 mm/s, 1 ms and 1000 mm/s² costs
+// the share 3e-9.
 // A share as small as this one is left out; the nanometre of a setpoint costs more.
 #define SHARE_OF_ROUNDING 1e-7
 
@@ -50,8 +51,9 @@ static int is_slow(const nck_joint_t *in, const nck_joint_t *out, double load,
                              nck_min(in->j_straight, out->j_straight),
                              nck_min(in->v_free, out->v_free)};
     const double taps_s = (double)NCK_FILTER_TAPS * machine->period_s;
-    const double raise = nck_joint_v_filter(machine);
-    const double v = nck_min(ramp.v_max, NCK_CORNER_SHARE_DENSE * machine->period_s / load) - raise;
+    const double most = NCK_CORNER_SHARE_DENSE * machine->period_s / load;
+    const double v = most - nck_joint_v_filter(machine);
+    if (most >= ramp.v_max) return 0;
     if (!(v > 0.0)) return 1;
     if (v * v * v >= ramp.j * nck_max(half[0] * half[0], half[1] * half[1])) return 0;
     const double stop = nck_ramp_over(&ramp, 0.0, half[0]) + nck_ramp_over(&ramp, 0.0, half[1])
@@ -74,7 +76,6 @@ void nck_corner_meet(nck_joint_t *in, const nck_joint_t *out, const double *tang
                     const double *tangent_out, const nck_machine_t *machine) {
     if (out->kind >= NCK_SEG_DWELL) in->stop = 1;
     if (in->stop || in->kind >= NCK_SEG_DWELL) return;
-    const int smooth = in->kind == NCK_SEG_SPLINE || out->kind == NCK_SEG_SPLINE;
     double load = 0.0;
     for (int x = 0; x < NCK_AXIS_MAX; x++) {
         if (tangent_in[x] == tangent_out[x]) continue;
@@ -83,7 +84,7 @@ void nck_corner_meet(nck_joint_t *in, const nck_joint_t *out, const double *tang
     }
     const double v = nck_min(in->v_free, out->v_free);
     if (!(load > 0.0)) return;
-    if (smooth && load * v <= SHARE_OF_ROUNDING * machine->period_s) return;
+    if (load * v <= SHARE_OF_ROUNDING * machine->period_s) return;
     if (is_sharp(in, out, load, machine)) {
         for (int k = 0; k < NCK_PACES; k++) in->pace[k].v_corner = 0.0;
         in->stop = machine->slope != NCK_SLOPE_LINEAR;
