@@ -152,7 +152,7 @@ def test_a_setpoint_that_differs_by_a_nanometre_is_seen(tmp_path):
 
 EXITS = {
     "none": 0, "unexpected": 100, "hard": 102, "bus": 104, "division": 105, "undefined": 105,
-    "overrun": 106,
+    "stack": 104, "overrun": 106,
 }  # fmt: skip
 NO_FAULT = ("none", "overrun")
 

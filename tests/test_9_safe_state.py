@@ -114,3 +114,4 @@ def test_a_whole_run_switches_what_the_program_says_and_ends_safe(controllers, n
         ("drives", 1), ("coolant", 1), ("spindle", -500), ("spindle", -600), ("spindle", 0),
         ("coolant", 0), ("spindle", 600), ("drives", 0), ("spindle", 0),
     ]  # fmt: skip
+    assert changes[-1].unfed <= HANDLER_UNITS, "the report is written first"
