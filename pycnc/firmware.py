@@ -148,7 +148,8 @@ class Controller:
             that tick. Names: "hold", "resume", "override" (feed and rapid in percent),
             "single_block" (1 or 0), "abort", "estop", "travel" (joint, lowest and highest
             nanometre), and what a test does: "feeder_pause" (ticks), "tick_work" (units of the
-            clock, ticks), "stack_work" (priority of a task).
+            clock, ticks), "stack_work" (priority of a task), "task_work" and "masked_work"
+            (priority, units), "trap" (priority).
         file : str
             Name of the program in diagnostics.
         trace : bool

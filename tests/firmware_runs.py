@@ -46,7 +46,7 @@ def run_in(folder, controller, program, commands=(), **conditions):
 
     A run that a handler or the watchdog has ended leaves no report, but its outputs.
     """
-    job = [*firmware._settings(mill()), *firmware._conditions(conditions, False)]
+    job = [*firmware._settings(mill()), *firmware._conditions(conditions, True)]
     (folder / "job").write_text("\n".join([*job, *firmware._commands(commands)]) + "\n")
     (folder / "program").write_text(program)
     cause = ""
@@ -57,6 +57,14 @@ def run_in(folder, controller, program, commands=(), **conditions):
     kind = [("output", "<u4"), ("value", "<i4"), ("unfed", "<u4")]
     rows = np.fromfile(folder / "outputs", kind).tolist()
     return cause, [Change(("drives", "spindle", "coolant")[k], *rest) for k, *rest in rows]
+
+
+def report_in(folder):
+    """Return the last state of a whole run, the tick that it came after, and the run's rows."""
+    report = firmware._read_report(folder / "report")
+    tick, code = report["event"][-1]
+    names = report["names"].split()
+    return names[int(code)], int(tick), firmware._read_rows(folder / "trace", report)
 
 
 def is_safe(changes):

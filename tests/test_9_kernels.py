@@ -205,6 +205,17 @@ def test_faults_end_in_the_same_states_on_the_glue(glued, command, state):
     assert glued.run(PROGRAM, commands=[command]).state == state
 
 
+@pytest.mark.parametrize(
+    ("command", "cause"),
+    [((100, "trap", 5), "usage fault"), ((100, "masked_work", 5, 4_000_000_000), "watchdog")],
+    ids=lambda value: value[1] if isinstance(value, tuple) else value,
+)
+def test_handlers_and_the_watchdog_make_safe_on_the_glue_too(glued, command, cause, tmp_path):
+    found, changes = run_in(tmp_path, glued, "S800 M3\nM8\n" + PROGRAM, [command])
+    assert found == cause
+    assert is_safe(changes)
+
+
 # A call that the kernel refuses after so many ticks, by what it says then.
 REFUSALS = {
     "uC-OS2": ("OSQPend", "if (own_os_time() > 200u) { *perr = 99u; return NULL; }"),

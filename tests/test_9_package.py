@@ -271,7 +271,19 @@ def page_firmware(prefix, tmp_path_factory):
         rows = [list(map(int, row.split())) for row in lines if row[0] in "-0123456789"]
         return done.returncode, rows, [row for row in lines if row[0] in "sc"]
 
+    def prefill(text):
+        (folder / "long.ngc").write_text(text)
+        command = [folder / "build" / "firmware", folder / "long.ngc", "1", "abort"]
+        return int(subprocess.run(command, capture_output=True, text=True, timeout=60).stderr)
+
+    run.prefill = prefill
     return run
+
+
+def test_the_planning_of_the_page_says_when_it_may_sleep(page_firmware, tmp_path):
+    text = "G21 G90 G61 F3000\n" + "".join(f"X{k % 7} Y{k % 11}\n" for k in range(2000)) + "M2\n"
+    steps = page_firmware.prefill(text)
+    assert steps < 8 * 2000, "it plans on and on where only a tick makes room"
 
 
 def largest_step(rows):

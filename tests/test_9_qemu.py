@@ -152,16 +152,18 @@ def test_a_setpoint_that_differs_by_a_nanometre_is_seen(tmp_path):
 
 EXITS = {
     "none": 0, "unexpected": 100, "hard": 102, "bus": 104, "division": 105, "undefined": 105,
-    "overrun": 106,
+    "stack": 104, "overrun": 106,
 }  # fmt: skip
+NO_FAULT = ("none", "overrun")
 
 
 @pytest.mark.parametrize("core", targets.BOARDS)
 @pytest.mark.parametrize("kind", EXITS)
 def test_a_fault_ends_the_run_with_its_own_status(core, kind):
-    image, status = targets.build(core) / "faults.elf", 0
+    image, status, said = targets.build(core) / "faults.elf", 0, ""
     try:
         targets.emulate(core, image, kind)
     except targets.TargetError as cause:
-        status = cause.status
+        status, said = cause.status, str(cause)
     assert status == EXITS[kind]
+    assert ("switched off" in said) == (kind not in NO_FAULT)

@@ -3,13 +3,15 @@
 // the setpoints, and a panel that is operated at given periods:
 //
 //     firmware PROGRAM [PERIOD hold|start|half|full|abort]…
+//
+// Prints on standard error how often it has planned before the first period.
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "nck/nck.h"
 
-enum { PREFILL = 100000, STEPS = 200, PERIODS_MAX = 100000 };
+enum { PREFILL_MAX = 100000, STEPS = 200, PERIODS_MAX = 100000 };
 
 // What the page has the reader write, and what it defines.
 size_t line_read(char *text, size_t size);
@@ -18,7 +20,7 @@ void drives_write(const int64_t *joint_nm);
 void spindle_set(double rpm);
 void coolant_set(int on);
 nck_status_t motion_init(const int64_t *position_nm);
-int motion_plan(void);
+nck_status_t motion_plan(void);
 int motion_tick(void);
 void panel_hold(void);
 void panel_start(void);
@@ -45,17 +47,30 @@ static void operate(const char *word) {
     if (strcmp(word, "full") == 0 && panel_override(100, 100) != NCK_OK) exit(3);
 }
 
+// Plan until the tick must go first, so many steps at most. Returns how many it were, and whether
+// nothing is left to plan.
+static int plan(int steps_max, int *is_done_out) {
+    nck_status_t status = NCK_OK;
+    int n = 0;
+    while (n < steps_max && status != NCK_FULL && status != NCK_DONE) {
+        status = motion_plan();
+        n++;
+    }
+    *is_done_out = status == NCK_DONE;
+    return n;
+}
+
 // Run until nothing is left, or the panel rests in a hold. Returns 0 if all was executed.
 static int run(int count, char **arguments) {
-    int is_planning = 1;
-    for (int n = 0; n < PREFILL && is_planning; n++) is_planning = motion_plan();
+    int is_done = 0;
+    fprintf(stderr, "%d\n", plan(PREFILL_MAX, &is_done));
     for (int period = 1; period <= PERIODS_MAX; period++) {
         for (int k = 2; k + 1 < count; k += 2) {
             if (atoi(arguments[k]) == period) operate(arguments[k + 1]);
         }
         const int is_moving = motion_tick();
-        for (int n = 0; n < STEPS && is_planning; n++) is_planning = motion_plan();
-        if (!is_moving && !is_planning) return 0;
+        if (!is_done) (void)plan(STEPS, &is_done);
+        if (!is_moving && is_done) return 0;
     }
     return 1;
 }

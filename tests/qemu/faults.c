@@ -17,6 +17,9 @@ void SysTick_Handler(void) {
 static volatile uint32_t *const nowhere = (volatile uint32_t *)0xf0000000u;
 static volatile uint32_t *const fault_handlers = (volatile uint32_t *)0xe000ed24u; // SHCSR
 
+// Before the end every fault gives the program a chance.
+void board_on_fault(void) { board_print("switched off\n"); }
+
 static int divide(volatile int zero) { return WORD_MAX / zero; }
 
 int main(void) {
@@ -29,6 +32,9 @@ int main(void) {
     if (strcmp(kind, "hard") == 0) {
         *fault_handlers = 0; // without a handler of its own a fault becomes a hard one
         __asm__ volatile("dsb\n udf #0");
+    }
+    if (strcmp(kind, "stack") == 0) {
+        __asm__ volatile("msr msp, %0\n isb\n udf #0" ::"r"(nowhere));
     }
     if (strcmp(kind, "overrun") == 0) {
         board_tick_start(PERIOD);
