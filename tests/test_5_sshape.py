@@ -87,6 +87,52 @@ def test_a_run_keeps_limits_path_and_stops(name, change):
 
 
 @pytest.mark.parametrize("name", CASES)
+@pytest.mark.parametrize("tolerance", ["G64 P0.01", "G64 P0.1"])
+def test_a_run_within_a_tolerance_keeps_limits_path_and_stops(name, tolerance):
+    case = CASES[name]
+    text = case.text.replace("G61\n", f"{tolerance}\n", 1)
+    judged.run(under(cases.Case(name, text, case.machine, case.set)))
+
+
+AXIS = "[axis.{}]\nv_max_mm_s = {}\na_max_mm_s2 = {}\nj_max_mm_s3 = {}\n"
+HEAD = "G21 G17 G90 G94 "
+PARTED = {
+    "an arc of a tenth of a millimetre": (
+        "period_ms = 4", "arc_radius_mm = 0.01",
+        ((285.92, 70.166, 2918.4), (192.68, 31.935, 2388.5), (486.41, 23.58, 2327.0)),
+        "G64 P0.121540\nG1 X0.311798 Y0.000204 Z3.036227 F2029.939\n"
+        "G1 X4.073120 Y-2.261747 Z0.004341\n"
+        "G17 G3 X4.073120 Y-2.261747 I-0.108731 J-0.044598\nG1 X4.029749 Y-2.156008\n"
+        "G18 G3 Z0.605765 X3.991595 Y-2.156446 K0.301922 I0.000000\n"
+        "G18 G2 Z1.705346 X4.282825 Y-2.137287 K0.608902 I-0.077568\nM2\n",
+    ),
+    "long lines": (
+        "period_ms = 10", "j_max_mm_s3 = 839.25",
+        ((3349.3, 23.262, 21.834), (78.51, 148.15, 545.21), (119.43, 874.9, 6413.8)),
+        "G64 P0.005525\nG1 X112.001879 Y-146.596552 Z65.472182 F2352.592\nG1 Z120.336695\n"
+        "G1 X172.721176\nG1 Z128.316160\nG1 X204.638076\nM2\n",
+    ),
+    "moves of a micrometre": (
+        "period_ms = 1", "lookahead_blocks = 0", ((13.107, 1235.2, 14107.0),) * 3,
+        "G64 P0.002374\nG1 X-3.776310 Y6.147200 Z0.926320 F99.568\n"
+        "G1 X-3.776097 Y6.147054 F142.454\nG1 Y6.147707 F1480.648\nG1 Z0.926363 F384.623\n"
+        "G1 Y6.147054 F627.714\nG1 Y6.147707 F44.770\nG1 Z0.926449 F233.417\nM2\n",
+    ),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("name", PARTED)
+def test_parts_of_a_spline_keep_the_limits_of_each(name):
+    """Parts are of one length: neither of two is the middle by its length."""
+    period, path, limits, text = PARTED[name]
+    machine = f'[kernel]\n{period}\n[path]\nslope = "sshape"\n{path}\n'
+    machine += "".join(AXIS.format("xyz"[k], *limits[k]) for k in range(3))
+    program = Program((HEAD + text).encode(), Machine.from_text(machine, name)).check()
+    run = judged.run(program)
+    assert max(run.judge.path_a, run.judge.path_j) <= 1 + 1e-6
+
+
+@pytest.mark.parametrize("name", CASES)
 def test_a_starved_run_keeps_limits_path_and_stops(name):
     judged.run(under(CASES[name]), prep_steps=3)
 

@@ -4,7 +4,7 @@
 
 #include <string.h> // memset
 
-#include "nck/base/real.h"                // nck_min nck_sqrt
+#include "nck/base/real.h"                // nck_min nck_max nck_sqrt
 #include "nck/prep/5_slope/ladder_math.h" // nck_ladder_cbrt
 #include "nck/prep/5_slope/sshape_math.h" // nck_sshape_length
 #include "nck/prep/5_slope/window.h"      // nck_window_piece
@@ -81,7 +81,7 @@ static int joins(const nck_node_t *zone, const nck_node_t *middle) {
 
 // The speed at the junction next to a zone that keeps its cap throughout.
 static double v_beside(const nck_node_t *zone, const nck_node_t *middle, double j) {
-    if (zone->vv_piece >= middle->vv_piece) return nck_sqrt(zone->vv_piece);
+    if (zone->vv_piece >= middle->vv_piece) return nck_sqrt(middle->vv_piece);
     return nck_sqrt(zone->vv_piece - gain_in(zone, j));
 }
 
@@ -251,15 +251,17 @@ static void set_course(nck_sshape_t *self, const run_t *run) {
     self->course.stage = STAGE_RISE;
 }
 
-// A stretch of the cruise, or all that is left of it.
+// A stretch of the cruise, or all that is left of it. That is measured from the run's end, or the
+// roundings of many stretches would add up; half of it is never rounding.
 static void draw_cruise(nck_sshape_t *self, const run_t *run, nck_sshape_pen_t *pen) {
     nck_sshape_course_t *const way = &self->course.way;
+    const double fall = nck_sshape_length(way->peak, way->v_out, run->piece.a, run->piece.j);
+    const double left = nck_max(0.5 * way->cruise, run->piece.length - fall);
     const double stretch = way->peak * lead_of(self);
-    const int whole = way->cruise < 1.5 * stretch;
-    const double length = whole ? way->cruise : stretch;
-    nck_sshape_draw(pen, length / way->peak, 0.0, 0.0);
+    const int whole = left < 1.5 * stretch;
+    nck_sshape_draw(pen, (whole ? left : stretch) / way->peak, 0.0, 0.0);
     pen->cells[pen->count - 1].limit = run->limit;
-    way->cruise -= length;
+    way->cruise = whole ? 0.0 : left - stretch;
 }
 
 // Down to the end's speed. What the horizon alone asks for is told.

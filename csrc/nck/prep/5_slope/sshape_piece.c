@@ -25,6 +25,11 @@ double nck_sshape_brakeable(const nck_sshape_piece_t *piece, double v_out) {
     return nck_max(reach(piece, v_out), reach(piece, 0.0));
 }
 
+// Rounding has missed one of the two speeds that v was brakeable for: this one.
+static double nearer_end(const nck_sshape_piece_t *piece, double v, double v_most) {
+    return ramp_length(piece, v, v_most) <= ramp_length(piece, v, 0.0) ? v_most : 0.0;
+}
+
 // Some speed below v_most is reached, because v is brakeable; from 0 on up to a limit all are.
 double nck_sshape_fastest_end(const nck_sshape_piece_t *piece, double v, double v_most) {
     if (v_most >= v) return nck_min(v_most, reach(piece, v));
@@ -39,11 +44,10 @@ double nck_sshape_fastest_end(const nck_sshape_piece_t *piece, double v, double 
             high = middle;
         }
     }
-    return low;
+    return low > 0.0 ? low : nearer_end(piece, v, v_most);
 }
 
-// Too short to come to rest: then, from v down to a limit, all speeds are reached. Where the limit
-// is above v_most, rounding has missed one of the two speeds that v was brakeable for.
+// Too short to come to rest: then, from v down to a limit, all speeds are reached.
 double nck_sshape_slowest_end(const nck_sshape_piece_t *piece, double v, double v_most) {
     if (ramp_length(piece, v, 0.0) <= piece->length) return 0.0;
     double low = 0.0;
@@ -56,8 +60,7 @@ double nck_sshape_slowest_end(const nck_sshape_piece_t *piece, double v, double 
             low = middle;
         }
     }
-    if (high <= v_most) return high;
-    return ramp_length(piece, v, v_most) <= ramp_length(piece, v, 0.0) ? v_most : 0.0;
+    return high <= v_most ? high : nearer_end(piece, v, v_most);
 }
 
 static double ramps_by(const nck_sshape_piece_t *piece, double v_in, double peak, double v_out) {
