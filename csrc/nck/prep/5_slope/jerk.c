@@ -204,7 +204,7 @@ static void fall_into_tail(nck_jerk_t *self) {
     self->now.piece = self->now.end_piece;
     self->now.first_piece = self->now.end_piece;
     self->in_tail = 1;
-    keep_plan(self, NCK_HELD_NOT);
+    keep_plan(self, self->wish.hold ? (uint32_t)NCK_HELD_RESUME : (uint32_t)NCK_HELD_NOT);
 }
 
 // The plan does not join. A hold gets more length, a stop at a block's end waits for a later block.
@@ -325,7 +325,7 @@ static nck_status_t install(nck_jerk_t *self) {
     const uint32_t most = self->next.complete ? self->next.n : self->next.commit;
     if (nck_link_end(self->link, &entered) != self->next.begin) return NCK_FULL;
     const nck_status_t status = nck_link_install(self->link, self->lead_s, most);
-    if (status != NCK_OK) return status == NCK_FULL ? NCK_FULL : NCK_OK;
+    if (status != NCK_OK) return status == NCK_E_STATE ? NCK_OK : status;
     self->now = self->next;
     self->now.first_piece = self->next.piece;
     self->in_tail = 0;
