@@ -24,11 +24,21 @@ def worker():
     found.close()
 
 
+# Of COUNT programs, how many may be slower than with exact stops by more than 5 %: corners on the
+# scale of one period, whose time is misjudged (docs/jerk.md).
+SLOWER_MOST = {"jerk": 6, "linear": 4, "sshape": 12}
+
+
 @pytest.mark.parametrize("slope", nasty_seeds.COMMANDS)
-def test_nasty_programs_find_nothing(slope, worker):
-    for _, case, finding in nasty.findings(slope, SEED, range(COUNT), worker):
+def test_nasty_programs_find_nothing_and_few_are_slower_than_with_stops(slope, worker):
+    slower = []
+    for number, case, finding in nasty.findings(slope, SEED, range(COUNT), worker):
+        if finding.startswith("slower"):
+            slower.append(f"{number}: {finding}")
+            continue
         smallest = nasty.shrink(case, nasty.kind_of(finding), worker)
         pytest.fail(nasty.told(smallest, finding))
+    assert len(slower) <= SLOWER_MOST[slope], slower
 
 
 def to(x, y=0.0, z=0.0):

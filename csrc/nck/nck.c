@@ -160,7 +160,7 @@ static void fill_tail(nck_t *nck) {
 
 static nck_status_t publish(nck_t *nck) {
     const nck_status_t status = nck_link_publish(&nck->link);
-    if (status == NCK_FULL) return NCK_FULL;
+    if (status == NCK_FULL || status == NCK_E_INTERNAL) return status;
     nck->wire.phase = WIRE_FILL;
     if (status != NCK_OK) return NCK_OK;
     nck->wire.recovered = 0;
@@ -235,11 +235,22 @@ static int is_waiting(const nck_t *nck) {
     return nck->interpolate.waits && !nck_fence_load(&nck->interpolate.resume);
 }
 
+// An invariant is broken: the tick comes to rest on what is published, and that is the end.
+static nck_status_t give_up(nck_t *nck, uint32_t line) {
+    nck->wire.given_up = 1;
+    nck->wire.diagnostic.code = NCK_E_INTERNAL;
+    nck->wire.diagnostic.line = line;
+    nck_abort(nck);
+    return NCK_E_INTERNAL;
+}
+
 // Downstream first: cells, then the envelope, then blocks.
 nck_status_t nck_prep(nck_t *nck) {
     const int jerk = nck->machine.slope == NCK_SLOPE_JERK;
+    if (nck->wire.given_up) return NCK_DONE;
     const nck_status_t status = step_slope(nck);
     if (status == NCK_OK) return NCK_OK;
+    if (status == NCK_E_INTERNAL) return give_up(nck, nck_link_broken_line(&nck->link));
     if (nck_fence_load(&nck->command.abort)) {
         const int rests = nck_jerk_is_held(&nck->jerk) || is_waiting(nck);
         return jerk && !rests ? NCK_FULL : NCK_DONE;
@@ -247,6 +258,7 @@ nck_status_t nck_prep(nck_t *nck) {
     const nck_status_t ahead = nck_lookahead_step(&nck->lookahead);
     if (ahead == NCK_OK) return NCK_OK;
     const nck_status_t input = pull_block(nck);
+    if (input == NCK_E_INTERNAL) return give_up(nck, nck->wire.block.line);
     if (input <= NCK_OK || input == NCK_EMPTY) return input;
     return status == NCK_EMPTY && ahead == NCK_DONE ? input : NCK_FULL;
 }
@@ -306,7 +318,7 @@ nck_status_t nck_set_override(nck_t *nck, uint32_t feed_percent, uint32_t rapid_
 int nck_is_idle(const nck_t *nck) {
     const int waits = is_waiting(nck);
     const int moves = nck->interpolate.has_cell || nck_link_waiting(&nck->link) > 0;
-    if (nck_fence_load(&nck->command.abort)) return waits || (nck->interpolate.rests && !moves);
+    if (nck_fence_load(&nck->command.abort)) return waits || !moves;
     return !waits && !moves && nck_link_is_empty(&nck->link);
 }
 

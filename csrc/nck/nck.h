@@ -65,6 +65,7 @@ typedef struct nck {
         nck_block_t block;      // on its way from 2_toolcomp to 3_smooth
         uint8_t ended;          // 1: no more blocks: END, end of text or a program error
         uint8_t recovered;      // 1: the stop tail in use is taken into account
+        uint8_t given_up;       // 1: after NCK_E_INTERNAL
         uint8_t phase;          // of the batch of cells being built
         uint32_t blocks;        // blocks so far, of all kinds
         uint32_t pieces;        // pieces in the batch
@@ -92,7 +93,8 @@ void nck_end(nck_t *nck);
 // Do one bounded piece of work of the asynchronous rooms.
 // Returns NCK_OK (call again), NCK_EMPTY (needs text), NCK_FULL (waits for the tick), NCK_DONE (all
 // is handed over), or a program error, once; nck_diagnostic tells it and everything before it is
-// executed.
+// executed. NCK_E_INTERNAL, once, and told likewise: an invariant is broken; the tick comes to rest
+// on what is final and its stop tail, as after nck_abort.
 // Cost: bounded work (one block, or one spline or corner, or 32 nodes, or 32 cells), not time: the
 // README's table has the longest steps, millions of instructions where doubles are software.
 // Context: prep.

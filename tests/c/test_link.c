@@ -52,6 +52,31 @@ static void cells_come_out_in_order_round_the_ring(check_t *check)
     CHECK(check, out > 10 * NCK_CELL_MAX);
 }
 
+// Numbers that no cell may have, in each of its places.
+static void what_is_no_number_is_never_published(check_t *check)
+{
+    const double bad[] = {(double)NAN, (double)INFINITY, -(double)INFINITY};
+    int from_tail = 0;
+    for (int k = 0; k < 6 * 3; k++) {
+        nck_cell_t cell = cell_of(0);
+        double *const number[] = {&cell.s, &cell.length, &cell.v, &cell.a, &cell.j, &cell.duration};
+        *number[k % 6] = bad[k / 6];
+        nck_link_init(&link_);
+        link_.seg[0].line = 7;
+        put_batch(0, 3, 2);
+        CHECK_INT(check, nck_link_publish(&link_), NCK_OK);
+        nck_link_tail_begin(&link_);
+        nck_link_tail_push(&link_, &cell);
+        CHECK_INT(check, nck_link_install(&link_, 1.0, 1), NCK_E_INTERNAL);
+        CHECK_INT(check, nck_link_broken_line(&link_), 7);
+        put_batch(0, 1, 1);
+        CHECK_INT(check, nck_link_publish(&link_), NCK_E_INTERNAL);
+        for (int n = 0; n < 3; n++) CHECK_INT(check, take(&from_tail), n);
+        CHECK_INT(check, take(&from_tail), 1003);
+        CHECK(check, from_tail);
+    }
+}
+
 static void batch_is_invisible_until_it_is_published(check_t *check)
 {
     int from_tail = 0;
@@ -392,6 +417,7 @@ int main(void)
 {
     check_t check = {0};
     CHECK_RUN(&check, cells_come_out_in_order_round_the_ring);
+    CHECK_RUN(&check, what_is_no_number_is_never_published);
     CHECK_RUN(&check, batch_is_invisible_until_it_is_published);
     CHECK_RUN(&check, tail_is_entered_only_when_the_cells_are_used_up);
     CHECK_RUN(&check, tick_first_makes_the_batch_void);

@@ -48,7 +48,17 @@ int nck_link_batch_begin(nck_link_t *self) {
     return (self->base & ENTERED) != 0;
 }
 
+// One sum tells: what is not finite makes it so.
+static void inspect(nck_link_t *self, const nck_cell_t *cell) {
+    const double sum = cell->s + cell->length + cell->v + cell->a + cell->j + cell->duration;
+    const int good = sum - sum == 0.0 && cell->length >= 0.0 && cell->duration >= 0.0;
+    if (good || self->broken) return;
+    self->broken = 1;
+    self->broken_line = nck_link_seg(self, cell->seg)->line;
+}
+
 void nck_link_push_cell(nck_link_t *self, const nck_cell_t *cell) {
+    inspect(self, cell);
     self->cell[(end_of(self->base) + self->batch) & (NCK_CELL_MAX - 1)] = *cell;
     self->batch++;
 }
@@ -63,6 +73,7 @@ void nck_link_tail_begin(nck_link_t *self) {
 }
 
 void nck_link_tail_push(nck_link_t *self, const nck_cell_t *cell) {
+    inspect(self, cell);
     self->tail[next_parity(self)][self->tail_fill] = *cell;
     self->tail_fill++;
 }
@@ -70,6 +81,7 @@ void nck_link_tail_push(nck_link_t *self, const nck_cell_t *cell) {
 nck_status_t nck_link_publish(nck_link_t *self) {
     const uint32_t parity = next_parity(self);
     const uint32_t end = end_of(self->base);
+    if (self->broken) return NCK_E_INTERNAL;
     if ((self->base & ENTERED) && nck_fence_load(&self->tail_rested) != end + 1) return NCK_FULL;
     self->tail_count[parity] = self->tail_fill;
     const uint32_t word = ((end + self->batch) & END_MASK) << END_SHIFT
@@ -107,6 +119,7 @@ double nck_link_lead(nck_link_t *self) { return lead_of(self); }
 
 nck_status_t nck_link_install(nck_link_t *self, double lead, uint32_t most) {
     const uint32_t fill = self->tail_fill;
+    if (self->broken) return NCK_E_INTERNAL;
     (void)nck_link_batch_begin(self);
     const uint32_t parity = next_parity(self);
     const uint32_t end = end_of(self->base);
@@ -152,6 +165,8 @@ uint32_t nck_link_end(const nck_link_t *self, int *entered_out) {
     *entered_out = (word & ENTERED) != 0;
     return end_of(word);
 }
+
+uint32_t nck_link_broken_line(const nck_link_t *self) { return self->broken_line; }
 
 uint32_t nck_link_taken(const nck_link_t *self) { return nck_fence_load(&self->taken); }
 

@@ -35,6 +35,8 @@ typedef struct nck_link {
     uint32_t tail_entered; // whether the tick was in the old tail then; prep alone
     uint32_t lead_seen;   // cells whose time has left lead_s; prep alone
     double lead_s;        // duration of the final cells from lead_seen on; prep alone
+    uint32_t broken;      // 1: a cell was put in that is none; prep alone
+    uint32_t broken_line; // its source line; prep alone
 
     uint32_t taken;        // cells taken by the tick; tick writes
     uint32_t seg_done;     // segs finished; tick writes
@@ -80,7 +82,9 @@ void nck_link_tail_push(nck_link_t *self, const nck_cell_t *cell);
 // Make the batch final, with its tail, in one exchange.
 // Returns NCK_OK; NCK_FULL while the old tail has been entered but has not come to rest yet (the
 // batch is kept); NCK_E_STATE if the tick has entered the old tail since the batch was begun (the
-// batch is void: begin another). Cost: constant. Context: prep.
+// batch is void: begin another); NCK_E_INTERNAL once a cell was put in with a number that is not
+// finite, or a length or duration below zero: nothing is published from then on, and the tick comes
+// to rest on what is. Cost: constant. Context: prep.
 nck_status_t nck_link_publish(nck_link_t *self);
 
 // Make the cells put in since nck_link_tail_begin the plan from the end of the final cells on; the
@@ -101,6 +105,10 @@ double nck_link_lead(nck_link_t *self);
 // The end of the final cells as a running number; 1 in *entered_out if the tick is in the tail.
 // Cost: constant. Context: prep.
 uint32_t nck_link_end(const nck_link_t *self, int *entered_out);
+
+// The source line of the cell that made nck_link_publish or nck_link_install say NCK_E_INTERNAL.
+// Cost: constant. Context: prep.
+uint32_t nck_link_broken_line(const nck_link_t *self);
 
 // Cells that the tick has taken, as a running number. Cost: constant. Context: prep.
 uint32_t nck_link_taken(const nck_link_t *self);

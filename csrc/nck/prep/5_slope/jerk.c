@@ -236,7 +236,7 @@ static void fall_into_tail(nck_jerk_t *self) {
     self->now.piece = self->now.end_piece;
     self->now.first_piece = self->now.end_piece;
     self->in_tail = 1;
-    keep_plan(self, NCK_HELD_NOT);
+    keep_plan(self, self->wish.hold ? (uint32_t)NCK_HELD_RESUME : (uint32_t)NCK_HELD_NOT);
 }
 
 // Whether the plan of now runs past the place where the next one rests.
@@ -368,7 +368,7 @@ static nck_status_t install(nck_jerk_t *self) {
     const uint32_t most = self->next.complete ? self->next.n : self->next.commit;
     if (nck_link_end(self->link, &entered) != self->next.begin) return NCK_FULL;
     const nck_status_t status = nck_link_install(self->link, self->lead_s, most);
-    if (status != NCK_OK) return status == NCK_FULL ? NCK_FULL : NCK_OK;
+    if (status != NCK_OK) return status == NCK_E_STATE ? NCK_OK : status;
     const int same_block = self->now.held == NCK_HELD_BLOCK && self->next.held == NCK_HELD_BLOCK;
     const int on_the_way = same_block && self->now.end_piece == self->next.end_piece;
     if (!on_the_way) self->resumes = self->wish.resumes;

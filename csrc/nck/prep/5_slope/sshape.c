@@ -397,7 +397,10 @@ static void brake_run(nck_sshape_t *self, const nck_pieces_t *pieces) {
 }
 
 static nck_status_t build_brake(nck_sshape_t *self, const nck_pieces_t *pieces) {
-    for (int n = 0; n < BRAKE_STEP && self->brake.v > 0.0; n++) brake_run(self, pieces);
+    for (int n = 0; n < BRAKE_STEP && self->brake.v > 0.0; n++) {
+        if (!nck_window_piece(pieces, self->brake.piece)) return NCK_E_INTERNAL;
+        brake_run(self, pieces);
+    }
     if (!(self->brake.v > 0.0)) self->phase = PHASE_INSTALL;
     return NCK_OK;
 }
@@ -415,7 +418,7 @@ static nck_status_t install(nck_sshape_t *self) {
     const int early = nck_link_lead(self->link) >= lead_of(self);
     if (early || final_count(self) < self->part.cells) return NCK_FULL;
     const nck_status_t status = nck_link_install(self->link, lead_of(self), self->part.built);
-    if (status != NCK_OK) return status == NCK_FULL ? NCK_FULL : NCK_OK;
+    if (status != NCK_OK) return status == NCK_E_STATE ? NCK_OK : status;
     self->part.begin = begin;
     self->part.cells = self->part.built;
     self->part.built = 0;

@@ -70,8 +70,9 @@ void nck_sshape_init(nck_sshape_t *self, const nck_machine_t *machine, nck_link_
 
 // One bounded piece of work. hold: 1: make nothing more final, so that the tick comes to rest on
 // the stop tail. Returns NCK_OK (call again), NCK_EMPTY (needs pieces), NCK_FULL (waits for the
-// tick, or holds). Cost: 32 pieces looked at or their speeds found, or one run drawn, or eight
-// braked through, or the cells of a part made final. Context: prep.
+// tick, or holds), NCK_E_INTERNAL (a broken plan, see nck_link_publish). Cost: 32 pieces looked at
+// or their speeds found, or one run drawn, or eight braked through, or the cells of a part made
+// final. Context: prep.
 nck_status_t nck_sshape_step(nck_sshape_t *self, const nck_pieces_t *pieces, uint32_t hold);
 
 // The number of the oldest piece that is still needed. Cost: constant. Context: prep.

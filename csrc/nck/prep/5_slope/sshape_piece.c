@@ -96,7 +96,7 @@ void nck_sshape_plan(const nck_sshape_piece_t *piece, double v_in, double v_out,
 }
 
 void nck_sshape_draw(nck_sshape_pen_t *pen, double duration, double a, double j) {
-    if (!(duration > 0.0)) return;
+    if (duration <= 0.0) return; // what is no number is drawn, and refused by the link
     nck_cell_t *const cell = &pen->cells[pen->count];
     memset(cell, 0, sizeof *cell);
     cell->seg = pen->seg;
