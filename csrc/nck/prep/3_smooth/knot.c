@@ -216,10 +216,13 @@ static double keep_off(nck_smooth_t *self, uint32_t count, double spacing) {
 
 // The run at the front ends at rest behind the block at count, and a run of its own begins there.
 static void stop_behind(nck_smooth_t *self, uint32_t count) {
-    const double end = nck_raw_at(self, count)->s + nck_raw_at(self, count)->seg.length;
+    double s = 0.0;
     nck_raw_at(self, count)->seg.stop = 1;
-    for (uint32_t k = count + 1; k != self->run.end; k++) nck_raw_at(self, k)->s -= end;
-    nck_raw_at(self, nck_raw_next(self, count))->s = 0.0;
+    for (uint32_t k = count + 1; k != self->run.end; k++) {
+        nck_raw_t *const raw = nck_raw_at(self, k);
+        raw->s = s; // added up as in smooth.c, so that an output is at its block's end to the bit
+        if (raw->has_seg) s = raw->s + raw->seg.length;
+    }
     self->run.end = count + 1;
     self->run.closed = 1;
 }

@@ -6,6 +6,9 @@
 
 #define UNLIMITED 1e30
 
+// A cap comes down only if that frees more than this share of the acceleration left.
+#define BENDS_SHARE 0.95
+
 // Where caps may be levelled across: splines that pass into each other without a stop.
 static int is_chain(const nck_joint_t *joint) {
     return joint->kind == NCK_SEG_SPLINE && !joint->stop;
@@ -50,12 +53,14 @@ static double leveled(const nck_joint_t *joint, const side_t *side, const nck_ma
     return nck_min(w, reach(joint, side, w, machine));
 }
 
-// A cap much above its neighbour's is of no use, but would cost acceleration and jerk.
-// Returns 1 if the cap came down.
+// A cap much above its neighbour's is of no use, but would cost acceleration and jerk; where the
+// joint hardly bends it costs none. Returns 1 if the cap came down.
 static int level(nck_joint_t *joint, const side_t *side, const nck_machine_t *machine) {
     if (!(side->w < joint->w_near)) return 0;
     const double w = leveled(joint, side, machine);
     if (!(w < joint->w_near)) return 0;
+    const double left = nck_joint_left(joint, joint->w_near, machine);
+    if (left >= BENDS_SHARE * nck_joint_left(joint, w, machine)) return 0;
     joint->w_near = w;
     joint->limit_free = side->limit;
     return 1;
