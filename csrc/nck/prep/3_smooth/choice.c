@@ -102,8 +102,8 @@ static double raise_of(const corner_t *corner) {
     return RAISE * corner->ramp.j * corner->mix_s * corner->mix_s;
 }
 
-// How much of a block the bend's limits hold in, behind the bend: the slope's filter mixes, for half
-// its length, and a piece that is too short is not cut there.
+// How much of a block the bend's limits hold in, behind the bend: the slope's filter mixes, for
+// half its length, and a piece that is too short is not cut there.
 static double bound_by(const corner_t *corner, double v, double left) {
     const double zone = 0.5 * (v + raise_of(corner)) * corner->mix_s;
     return left < ZONES_CUT * zone ? left : zone;

@@ -27,14 +27,14 @@ typedef struct nck_meet {
     uint8_t rests[2];   // 1: it rests at the other ends of these
 } nck_meet_t;
 
-// Choose for a corner between two lines. A blend may reach `room` into either [path mm].
+// Choose for a corner between two lines. A blend may reach `room` into either.
 // Returns 1 and the blend if it is faster than the spline and than a stop.
 // Cost: some 100 square roots at a sharp corner, constant elsewhere.
 int nck_choice_blend(const nck_smooth_t *self, const nck_meet_t *meet, double room,
                      nck_blend_t *blend);
 
-// |out − in| from which on a stop may be faster: a blunter bend is passed as fast as what a ramp from
-// rest reaches at its ends.
+// |out − in| from which on a stop may be faster: a blunter bend is passed as fast as what a ramp
+// from rest reaches at its ends.
 #define NCK_CHOICE_SHARP 0.5
 
 // Returns 1 if a stop at the corner is faster than the spline's bend.

@@ -8,9 +8,6 @@
 // Knots that are tried for one interval, at most.
 enum { NCK_KNOT_TRIES = 13 };
 
-// The spacing of knots that the inside of an exact seg allows. Cost: constant.
-double nck_knot_spacing_inside(const nck_smooth_t *self, const nck_seg_t *seg, double tolerance);
-
 // Begin a run at the front block: all knots at its begin. Cost: constant.
 void nck_knot_begin(nck_smooth_t *self);
 

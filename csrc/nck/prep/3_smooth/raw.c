@@ -18,6 +18,10 @@ nck_raw_t *nck_raw_at(nck_smooth_t *self, uint32_t count) {
     return &self->raw.at[count & (NCK_SMOOTH_SPAN - 1)];
 }
 
+int nck_raw_is_full(const nck_smooth_t *self) {
+    return self->raw.head - self->raw.tail == NCK_SMOOTH_SPAN;
+}
+
 static double raw_end(const nck_raw_t *raw) { return raw->s + raw->seg.length; }
 
 uint32_t nck_raw_next(nck_smooth_t *self, uint32_t count) {

@@ -11,6 +11,9 @@ double nck_raw_least(double s);
 // The block with this count. Cost: constant.
 nck_raw_t *nck_raw_at(nck_smooth_t *self, uint32_t count);
 
+// 1 if the ring has no room. Cost: constant.
+int nck_raw_is_full(const nck_smooth_t *self);
+
 // The first block of the run that has length and ends at s or behind it; the run's last one if none
 // does. Cost: logarithmic in NCK_SMOOTH_SPAN, and linear in outputs in a row.
 uint32_t nck_raw_find(nck_smooth_t *self, double s);

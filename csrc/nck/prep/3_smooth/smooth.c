@@ -10,6 +10,7 @@
 #include "nck/prep/3_smooth/merge.h"       // nck_merge_…
 #include "nck/prep/3_smooth/metric_math.h" // nck_metric_length nck_metric_feed_length
 #include "nck/prep/3_smooth/raw.h"         // nck_raw_…
+#include "nck/prep/3_smooth/spacing.h"     // nck_spacing_inside
 #include "nck/prep/3_smooth/spline_math.h" // nck_spline_…
 
 #define TOLERANCE_MIN 1e-4 // [mm] a smaller one means the exact path
@@ -152,7 +153,7 @@ static void take_raw(nck_smooth_t *self, const nck_block_t *block) {
     nck_raw_t *const raw = nck_raw_at(self, self->raw.head);
     raw->s = place_in_run(self);
     if (raw->smooth) {
-        raw->inside = nck_knot_spacing_inside(self, &raw->seg, raw->tolerance);
+        raw->inside = nck_spacing_inside(self, &raw->seg, raw->tolerance);
         self->mixed |= self->tolerance > 0.0 && self->tolerance != raw->tolerance;
         self->tolerance = raw->tolerance;
     }

@@ -100,7 +100,7 @@ void nck_smooth_end(nck_smooth_t *self);
 // Give the next seg or output, in order.
 // Returns NCK_OK and the item; NCK_EMPTY if it needs another block or nck_smooth_end; NCK_DONE if
 // all is given.
-// Cost: 270 · NCK_SMOOTH_SPAN + 1100 points of the path at most; some 30 on average (README).
+// Cost: 580 · NCK_SMOOTH_SPAN + 5000 points of the path at most; some 30 on average (README).
 // Context: prep.
 nck_status_t nck_smooth_pull(nck_smooth_t *self, nck_smooth_item_t *item_out);
 
