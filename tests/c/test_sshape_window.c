@@ -240,6 +240,27 @@ static void n_blocks_of_look_ahead_are_those_of_whole_programs(check_t *check)
     }
 }
 
+static void hold_twice(void *user, uint64_t tick)
+{
+    (void)user;
+    if (tick == 2000 || tick == 6000) nck_hold(&motion.nck);
+    if (tick == 4000 || tick == 8000) nck_resume(&motion.nck);
+}
+
+// Hundreds of stretches of cruise, drawn one after the other: their roundings once added up to a
+// step of path at the run's end, 1e-4 of the jerk.
+static void a_long_cruise_ends_where_its_run_does(check_t *check)
+{
+    const motion_script_t script = {NULL, hold_twice, NULL};
+    motion_begin(&motion, 1);
+    motion.machine.slope = NCK_SLOPE_SSHAPE;
+    motion_scale(&motion, 5e-4, 1.0, 0.01);
+    motion_line(&motion, "G21 G90 G61 G1 X426.1 F2961");
+    motion_line(&motion, "X431.1 F100");
+    motion_line(&motion, "M2");
+    check_run_of(check, motion_run(&motion, &script), "a long cruise");
+}
+
 int main(void)
 {
     check_t check = {0};
@@ -249,5 +270,6 @@ int main(void)
     CHECK_RUN(&check, a_hold_comes_to_rest_soon_and_the_program_to_its_end);
     CHECK_RUN(&check, an_abort_comes_to_rest_and_drops_the_rest);
     CHECK_RUN(&check, n_blocks_of_look_ahead_are_those_of_whole_programs);
+    CHECK_RUN(&check, a_long_cruise_ends_where_its_run_does);
     return check_end(&check);
 }
