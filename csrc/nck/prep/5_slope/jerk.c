@@ -316,6 +316,7 @@ static void finish_draw(nck_jerk_t *self) {
         return;
     }
     self->next.commit = commit_of(&self->next);
+    if (self->next.commit >= self->next.n) self->next.complete = 1; // nothing to take over from
     self->spent = (nck_link_taken(self->link) - self->taken) & NCK_LINK_COUNT_MASK;
     enter(self, PHASE_INSTALL);
 }
