@@ -244,6 +244,14 @@ static nck_status_t give_up(nck_t *nck, uint32_t line) {
     return NCK_E_INTERNAL;
 }
 
+// The rings are full of what waits for the tick, and the tick has executed all that the slope has:
+// nothing else will make room. So the path is planned to rest where it is known to.
+static int is_stuck(const nck_t *nck, nck_status_t slope, nck_status_t ahead, nck_status_t input) {
+    const uint32_t finished = nck_link_finished(&nck->link);
+    return slope == NCK_EMPTY && ahead == NCK_EMPTY && input == NCK_FULL
+           && nck_lookahead_oldest(&nck->lookahead, finished + 1) == finished;
+}
+
 // Downstream first: cells, then the envelope, then blocks.
 nck_status_t nck_prep(nck_t *nck) {
     const int jerk = nck->machine.slope == NCK_SLOPE_JERK;
@@ -260,6 +268,10 @@ nck_status_t nck_prep(nck_t *nck) {
     const nck_status_t input = pull_block(nck);
     if (input == NCK_E_INTERNAL) return give_up(nck, nck->wire.block.line);
     if (input <= NCK_OK || input == NCK_EMPTY) return input;
+    if (is_stuck(nck, status, ahead, input)) {
+        nck_lookahead_end(&nck->lookahead);
+        return NCK_OK;
+    }
     return status == NCK_EMPTY && ahead == NCK_DONE ? input : NCK_FULL;
 }
 

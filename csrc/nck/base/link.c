@@ -168,6 +168,8 @@ uint32_t nck_link_end(const nck_link_t *self, int *entered_out) {
 
 uint32_t nck_link_broken_line(const nck_link_t *self) { return self->broken_line; }
 
+uint32_t nck_link_finished(const nck_link_t *self) { return nck_fence_load(&self->seg_done); }
+
 uint32_t nck_link_taken(const nck_link_t *self) { return nck_fence_load(&self->taken); }
 
 const nck_cell_t *nck_link_tail_cell(const nck_link_t *self, uint32_t count) {

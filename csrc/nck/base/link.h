@@ -110,6 +110,9 @@ uint32_t nck_link_end(const nck_link_t *self, int *entered_out);
 // Cost: constant. Context: prep.
 uint32_t nck_link_broken_line(const nck_link_t *self);
 
+// The tick has finished all segs before this one. Cost: constant. Context: prep.
+uint32_t nck_link_finished(const nck_link_t *self);
+
 // Cells that the tick has taken, as a running number. Cost: constant. Context: prep.
 uint32_t nck_link_taken(const nck_link_t *self);
 

@@ -56,6 +56,7 @@ static void push_parts(nck_lookahead_t *self, const nck_seg_t *seg, int count) {
 
 nck_status_t nck_lookahead_push(nck_lookahead_t *self, const nck_seg_t *seg) {
     if (!nck_lookahead_has_room(self)) return NCK_FULL;
+    self->ended = 0;
     nck_joint_t *const joint = nck_joint_at(self, self->joint.head);
     double start[NCK_AXIS_MAX];
     double end[NCK_AXIS_MAX];
@@ -414,6 +415,12 @@ nck_status_t nck_lookahead_piece(const nck_lookahead_t *self, uint32_t i,
 const nck_node_t *nck_lookahead_ahead(const nck_lookahead_t *self, uint32_t i) {
     if (i >= self->window.fill) return (const nck_node_t *)0;
     return &self->window.at[(self->window.head + i) & (NCK_WINDOW - 1)];
+}
+
+uint32_t nck_lookahead_oldest(const nck_lookahead_t *self, uint32_t newer) {
+    const uint32_t placed = self->joint.placed;
+    if (self->window.fill > 0) return nck_lookahead_ahead(self, 0)->seg;
+    return placed == self->joint.head ? newer : self->joint.at[placed & (NCK_JOINT_MAX - 1)].seq;
 }
 
 uint32_t nck_lookahead_fill(const nck_lookahead_t *self) { return self->window.fill; }

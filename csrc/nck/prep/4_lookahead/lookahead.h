@@ -60,7 +60,7 @@ typedef struct nck_joint {
 
 typedef struct nck_lookahead {
     const nck_machine_t *machine;
-    uint32_t ended;       // 1: no more segs will come
+    uint32_t ended;       // 1: no more segs will come before the path is at rest
     double a_any;         // no seg has a larger tangential acceleration [path mm/s²]
     double zone_s;        // how long before and after a junction its share is kept free [s]
     double mix_s;         // how far the slope's filter mixes accelerations [s]
@@ -112,10 +112,11 @@ void nck_lookahead_init(nck_lookahead_t *self, const nck_machine_t *machine);
 // 1 if nck_lookahead_push would take a seg. Cost: constant. Context: prep.
 int nck_lookahead_has_room(const nck_lookahead_t *self);
 
-// Take a seg. Returns NCK_OK or NCK_FULL. Cost: constant. Context: prep.
+// Take a seg; behind an end it is where the path goes on from its rest. Returns NCK_OK or NCK_FULL.
+// Cost: constant. Context: prep.
 nck_status_t nck_lookahead_push(nck_lookahead_t *self, const nck_seg_t *seg);
 
-// Say that no more segs will come. Cost: constant. Context: prep.
+// Say that no more segs will come before the path has come to rest. Cost: constant. Context: prep.
 void nck_lookahead_end(nck_lookahead_t *self);
 
 // One bounded piece of work. Returns NCK_OK, NCK_EMPTY (needs segs), NCK_FULL (pieces must be
@@ -133,6 +134,10 @@ nck_status_t nck_lookahead_piece(const nck_lookahead_t *self, uint32_t i,
 
 // The i-th piece from the window's head, final or not; NULL beyond the window. Context: prep.
 const nck_node_t *nck_lookahead_ahead(const nck_lookahead_t *self, uint32_t i);
+
+// The oldest seg that has not become final to its end; `newer` if there is none. Cost: constant.
+// Context: prep.
+uint32_t nck_lookahead_oldest(const nck_lookahead_t *self, uint32_t newer);
 
 // Pieces in the window. Cost: constant. Context: prep.
 uint32_t nck_lookahead_fill(const nck_lookahead_t *self);

@@ -358,6 +358,7 @@ static void finish_draw(nck_jerk_t *self) {
         return;
     }
     self->next.commit = commit_of(&self->next);
+    if (self->next.commit >= self->next.n) self->next.complete = 1; // nothing to take over from
     const int counts = self->profile.v > 0.0 && !(self->work.reach > 0.0);
     if (counts) self->spent = passed_meanwhile(self);
     enter(self, PHASE_INSTALL);
