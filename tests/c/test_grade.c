@@ -265,6 +265,30 @@ static void steps_on_arcs_are_those_of_the_closed_forms(check_t *check)
     }
 }
 
+// What is just allowed is allowed: a limit that ten steps meet to the bit takes ten.
+static void a_limit_met_to_the_bit_takes_no_step_more(check_t *check)
+{
+    const double half[4] = {5.0, 0.3, 3.0, 0.0};
+    nck_unit_t unit;
+    nck_grade_rule_t rule;
+    double ratio[2];
+    int limit = 0;
+    memset(&unit, 0, sizeof unit);
+    memset(&segs[0], 0, sizeof segs[0]);
+    add_arc(0, 400.0, 0, 1, half);
+    (void)nck_host_grade_rule(&machine, 400.0, 0.0, 1000.0, 4, &rule);
+    memset(rule.a_axis, 0, sizeof rule.a_axis);
+    unit.length = unit.s_end = segs[0].length;
+    unit.v_command = unit.length / (4.0 * rule.period_s);
+    rule.chord_error = 1.0;
+    nck_unit_ratios(segs, &unit, &rule, 10, ratio);
+    rule.chord_error = ratio[0];
+    CHECK_INT(check, nck_unit_step_count(segs, &unit, &rule, &limit), 10);
+    CHECK_INT(check, limit, NCK_LIMIT_CHORD);
+    rule.chord_error = ratio[0] * (1.0 - 1e-6);
+    CHECK_INT(check, nck_unit_step_count(segs, &unit, &rule, &limit), 11);
+}
+
 static void steps_hold_both_limits_on_merged_lines(check_t *check)
 {
     seed = 17;
@@ -450,6 +474,7 @@ int main(void)
     CHECK_RUN(&check, every_grade_of_the_table_is_its_own);
     CHECK_RUN(&check, units_are_as_long_as_they_must_be);
     CHECK_RUN(&check, steps_on_arcs_are_those_of_the_closed_forms);
+    CHECK_RUN(&check, a_limit_met_to_the_bit_takes_no_step_more);
     CHECK_RUN(&check, steps_hold_both_limits_on_merged_lines);
     CHECK_RUN(&check, transfer_speed_is_that_of_the_worst_axis);
     CHECK_RUN(&check, bubble_gives_the_worked_example);

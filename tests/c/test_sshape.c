@@ -7,6 +7,7 @@
 #include "check.h"
 #include "host/sshape.h"                  // nck_host_slope
 #include "nck/prep/5_slope/sshape_math.h" // nck_sshape_…
+#include "nck/prep/5_slope/sshape_piece.h" // nck_sshape_draw_ramp
 
 enum { SEGMENTS = 40, PATHS = 3000 };
 
@@ -38,6 +39,35 @@ static void a_ramp_at_the_border_of_both_shapes_is_the_same_in_both(check_t *che
     CHECK_NEAR(check, nck_sshape_duration(dv, a, j), 2.0 * sqrt(dv / j), 1e-12);
     CHECK_NEAR(check, nck_sshape_peak(dv, a, j), a, 1e-12);
     CHECK_NEAR(check, nck_sshape_jerk(dv, 2.0 * sqrt(dv / j)), j, 1e-9);
+}
+
+// Its cells lead from speed to speed without a jump, and take the stretched time.
+static void a_stretched_ramp_reaches_its_speed(check_t *check)
+{
+    const nck_sshape_piece_t piece = {10.0, 100.0, 500.0, 9000.0};
+    const double speeds[][2] = {{3.0, 40.0}, {40.0, 3.0}, {5.0, 9.0}, {9.0, 5.0}};
+    for (int k = 0; k < 4; k++) {
+        for (double stretch = 1.0; stretch < 3.0; stretch += 0.7) {
+            nck_cell_t cells[NCK_SSHAPE_CELLS];
+            nck_sshape_pen_t pen = {cells, 0, 0, 0.0, speeds[k][0]};
+            double v = speeds[k][0];
+            double a = 0.0;
+            double time = 0.0;
+            nck_sshape_draw_ramp(&pen, &piece, speeds[k][1], stretch);
+            CHECK_INT(check, pen.count, k < 2 ? 3 : 2); // the longer ones hold the acceleration
+            for (uint32_t i = 0; i < pen.count; i++) {
+                CHECK_NEAR(check, cells[i].v, v, 1e-9);
+                CHECK_NEAR(check, cells[i].a, a, 1e-9);
+                v += cells[i].duration * (cells[i].a + cells[i].duration * cells[i].j / 2.0);
+                a += cells[i].duration * cells[i].j;
+                time += cells[i].duration;
+            }
+            const double dv = fabs(speeds[k][1] - speeds[k][0]);
+            CHECK_NEAR(check, v, speeds[k][1], 1e-9);
+            CHECK_NEAR(check, a, 0.0, 1e-9);
+            CHECK_NEAR(check, time, stretch * nck_sshape_duration(dv, 500.0, 9000.0), 1e-12);
+        }
+    }
 }
 
 // A path of n segments, n from 1 to SEGMENTS.
@@ -149,6 +179,7 @@ int main(void)
     check_t check = {0};
     CHECK_RUN(&check, what_a_ramp_reaches_takes_the_whole_length);
     CHECK_RUN(&check, a_ramp_at_the_border_of_both_shapes_is_the_same_in_both);
+    CHECK_RUN(&check, a_stretched_ramp_reaches_its_speed);
     CHECK_RUN(&check, every_profile_keeps_its_limits_and_lengths);
     CHECK_RUN(&check, the_first_bad_number_is_told);
     CHECK_RUN(&check, a_sample_behind_the_end_stands_there);
