@@ -27,7 +27,7 @@ def find_tool(name):
 
 
 def build_c(compiler, *options, name=None, targets=("all",)):
-    """Build C targets in build/<name or compiler>; return (folder, the words of a failure or "")."""
+    """Build C targets in build/<name or compiler>; return (folder, words of a failure or "")."""
     cmake = Path(sys.executable).with_name("cmake")
     folder = ROOT / "build" / (name or compiler)
     configure = [cmake, "-S", ROOT, "-B", folder, "-G", "Ninja", "-DNCK_TESTS=ON"]

@@ -3,9 +3,9 @@
 
 A seeded sample of changes ("mutants") over base/ and the rooms 3 to 7, each compiled into a copy of
 the tree in build/mutate and run against the C tests, the quickest first, in the default and in the
-small capacities. A test that fails, crashes or does not end kills the mutant. Survivors are printed;
-those of tests/mutants.toml are reviewed: nobody can tell them from the original, for the reason that
-stands there. The exit status is 1 below the share of GOAL.
+small capacities. A test that fails, crashes or does not end kills the mutant. Survivors are
+printed; those of tests/mutants.toml are reviewed: nobody can tell them from the original, for the
+reason that stands there. The exit status is 1 below the share of GOAL.
 
     python tests/mutate.py                      the sample, 100 mutants
     python tests/mutate.py --count 50 tick/     50 of the files whose path contains tick/
@@ -278,7 +278,7 @@ def configure():
 
 
 def time_of(test, limit_s):
-    """Run a test. Returns the processor's time [s], None if it failed or took more than the limit."""
+    """Run a test. Returns the processor's time [s]; None: it failed or took more than the limit."""
     limit = math.ceil(limit_s)
     begin = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime
     done = subprocess.run(

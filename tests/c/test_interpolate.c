@@ -84,7 +84,8 @@ static void put_cell(check_t *check, const nck_cell_t *cell)
     CHECK_INT(check, nck_link_publish(&link_), NCK_OK);
 }
 
-// A line of 10 mm along X that stands for 12 mm of program, behind 90 mm of path and 100 of program.
+// A line of 10 mm along X that stands for 12 mm of program, behind 90 mm of path and 100 of
+// program.
 static void put_line(check_t *check, int blend)
 {
     nck_seg_t seg;

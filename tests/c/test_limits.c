@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Room 4, one seg alone: how fast it may be run and what is left along it, against limits worked out
-// from its shape. Nothing more is allowed, and no less.
+// Room 4, one seg alone: how fast it may be run and what is left along it, against limits worked
+// out from its shape. Nothing more is allowed, and no less.
 #include <math.h>   // sqrt fabs cos sin hypot
 #include <string.h> // memset
 
@@ -264,8 +264,8 @@ static void arcs_pay_for_what_the_filter_adds(check_t *check)
     }
 }
 
-// A quarter of a circle from 45° to 135°: in the middle X sees all of the speed; what Y sees is most
-// at the ends.
+// A quarter of a circle from 45° to 135°: in the middle X sees all of the speed; what Y sees is
+// most at the ends.
 static void axes_count_by_what_they_see_of_an_arc(check_t *check)
 {
     begin(1, NCK_SLOPE_LINEAR);

@@ -121,8 +121,8 @@ typedef struct nck_jerk {
 void nck_jerk_init(nck_jerk_t *self, const nck_machine_t *machine, nck_link_t *link);
 
 // One bounded piece of work. Returns NCK_OK (call again), NCK_EMPTY (needs pieces), NCK_FULL (waits
-// for the tick, or is held), NCK_E_INTERNAL (a broken plan, see nck_link_publish). Cost: 32 nodes of
-// a pass, or 32 cells. Context: prep.
+// for the tick, or is held), NCK_E_INTERNAL (a broken plan, see nck_link_publish).
+// Cost: 32 nodes of a pass, or 32 cells. Context: prep.
 nck_status_t nck_jerk_step(nck_jerk_t *self, const nck_pieces_t *pieces, const nck_wish_t *wish);
 
 // The number of the oldest piece that is still needed. Cost: constant. Context: prep.
