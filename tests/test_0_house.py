@@ -32,7 +32,7 @@ MAY_INCLUDE = {
     "firmware_sim/examples/": ("nck/nck.h", "board/board.h", "os.h"),
     "firmware_sim/glue/": ("glue/", "os/os.h"),
     "firmware_sim/sim": ("nck/", "sim", "app/", "os.h", "hal.h"),
-    "tests/c/": ("nck/", "host/", "sim.h", "check.h", "os/", "board/", "app/", "hal/"),
+    "tests/c/": ("nck/", "host/", "sim.h", "check.h", "pace.h", "os/", "board/", "app/", "hal/"),
     "tests/fuzz/": ("nck/", "host/", "sim.h"),
     "tests/qemu/": ("nck/nck.h", "nck/base/link.h", "board/", "mark.h", "traffic.h"),
     "tests/package/": ("nck/nck.h", "host/"),
