@@ -175,21 +175,21 @@ static void smooth_pieces_keep_every_axis(check_t *check)
     }
 }
 
-// The speed that a piece can have at all, from one that can be reached at its ends.
+// The speed that a piece can have at all, from one that can be reached at its ends with what the
+// pieces between allow.
 static double reachable[NODES];
 
 static void find_reachable(void)
 {
-    const double a_most = 1500.0;
     double w = 0.0;
     for (uint32_t i = 0; i < node_count; i++) {
         const double cap = speed_at(&nodes[i], 1.0) * speed_at(&nodes[i], 1.0);
-        w = fmin(fmin(w, cap) + 2.0 * a_most * nodes[i].length, cap);
+        w = fmin(fmin(w, cap) + 2.0 * nodes[i].a * nodes[i].length, cap);
         reachable[i] = w;
     }
     w = 0.0;
     for (uint32_t i = node_count; i-- > 0;) {
-        w = fmin(w + 2.0 * a_most * nodes[i].length, reachable[i]);
+        w = fmin(w + 2.0 * nodes[i].a * nodes[i].length, reachable[i]);
         reachable[i] = sqrt(w);
     }
 }
@@ -199,6 +199,18 @@ static void use_is_kept(check_t *check, uint32_t at, uint32_t limits)
     double use[2];
     use_of(&nodes[at], reachable[at], nodes[limits].a, nodes[limits].j, use);
     CHECK(check, use[0] <= 1.0 + 1e-9 && use[1] <= 1.0 + 1e-9);
+}
+
+// The least time in a piece: a slower one beside it must be left, or come down to, with what the
+// piece's acceleration allows.
+static double least_time(uint32_t at)
+{
+    const double v = reachable[at];
+    const double a = nodes[at].a;
+    double low = at > 0 ? fmin(v, reachable[at - 1]) : 0.0;
+    if (at + 1 < node_count) low = fmin(low, reachable[at + 1]);
+    const double over = fmin(nodes[at].length, (v * v - low * low) / (2.0 * a));
+    return (sqrt(low * low + 2.0 * a * over) - low) / a + (nodes[at].length - over) / v;
 }
 
 // The filter mixes what pieces up to half its length away allow.
@@ -215,7 +227,7 @@ static void limits_are_good_for_all_that_the_filter_mixes(check_t *check)
         for (uint32_t k = i + 1; k < node_count && time < reach; k++) {
             use_is_kept(check, k, i);
             use_is_kept(check, i, k);
-            time += nodes[k].length / reachable[k];
+            time += least_time(k);
         }
     }
 }

@@ -187,8 +187,7 @@ static void add_rest(nck_lookahead_t *self, const nck_joint_t *joint) {
 }
 
 // How far a zone reaches into a seg that is entered (left) at v_node at most: at the seg's own
-// speed, or at what it can have gained by then with the acceleration that the zone leaves. (Where
-// the speed falls at the node, it is planned lower than v_node by what the filter adds.) Where no
+// speed, or at what it can have gained by then with the acceleration that the zone leaves. Where no
 // junction takes a share, as far as the filter mixes.
 static double zone_length(const nck_lookahead_t *self, const nck_joint_t *joint, double v_node,
                           const around_t *around) {
@@ -196,7 +195,7 @@ static double zone_length(const nck_lookahead_t *self, const nck_joint_t *joint,
     const double time = around->share[NCK_PACE_OVER] > 0.0 ? self->zone_s : self->mix_s;
     const double near = nck_max(around->near[NCK_PACE_FEED].a, around->near[NCK_PACE_OVER].a);
     const double gained = 0.5 * nck_min(joint->a_most, near) * time * time;
-    return nck_min(joint->pace[NCK_PACE_OVER].v * time, v_node * time + gained);
+    return nck_min(joint->pace[NCK_PACE_OVER].v * time, (v_node + self->v_filter) * time + gained);
 }
 
 // How fast the path may be between the segs count − 1 and count, both known if they exist, by the
@@ -260,10 +259,14 @@ static void add_motion(nck_lookahead_t *self, uint32_t count, const around_t end
     const double middle[2] = {a, b};
     const double last[2] = {b, joint->length};
     around_t inside;
+    around_t beside[2] = {ends[0], ends[1]};
     keep_in_middle(self, ends, is_cut_off, &inside);
-    if (is_cut_off[0]) add_piece(self, joint, first, &ends[0], v_start);
+    for (int n = 0; n < 2 && self->v_filter > 0.0; n++) {
+        if (!is_cut_off[1 - n]) add_around(&beside[n], &ends[1 - n]); // it may reach all the way
+    }
+    if (is_cut_off[0]) add_piece(self, joint, first, &beside[0], v_start);
     add_piece(self, joint, middle, &inside, is_cut_off[0] ? unlimited : v_start);
-    if (is_cut_off[1]) add_piece(self, joint, last, &ends[1], unlimited);
+    if (is_cut_off[1]) add_piece(self, joint, last, &beside[1], unlimited);
 }
 
 // What reaches into the oldest joint from before and from behind. NCK_EMPTY if it is not known yet.
