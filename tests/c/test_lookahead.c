@@ -188,6 +188,32 @@ static void sharp_corner_is_stopped_at_and_frees_the_acceleration(check_t *check
     CHECK_INT(check, nodes[0].stop, 0);
 }
 
+// A corner that takes much, at one end, lets both ends be cut off: the middle has all.
+static void middle_between_two_corners_has_all_of_the_acceleration(check_t *check)
+{
+    const double angle[] = {0.0, 0.004, 0.0042}; // shares of 0.4 and 0.02 at 100 mm/s
+    begin(1);
+    nck_seg_t seg;
+    memset(&seg, 0, sizeof seg);
+    seg.seq = 0xffffffffu;
+    nck_lookahead_init(&lookahead, &machine);
+    for (int k = 0; k < 3; k++) {
+        seg = line_from(&seg, 50.0 * cos(angle[k]), 50.0 * sin(angle[k]), 100.0);
+        nck_lookahead_push(&lookahead, &seg);
+    }
+    nck_lookahead_end(&lookahead);
+    while (work(check)) { }
+    double most = 0.0;
+    double least = 1e9;
+    for (uint32_t i = 0; i < node_count; i++) {
+        if (nodes[i].seg != 1) continue;
+        most = fmax(most, nodes[i].a);
+        least = fmin(least, nodes[i].a);
+    }
+    CHECK_NEAR(check, most, 1000.0, 1e-9);
+    CHECK_NEAR(check, least, 600.0, 1.0);
+}
+
 int main(void)
 {
     check_t check = {0};
@@ -196,5 +222,6 @@ int main(void)
     CHECK_RUN(&check, every_piece_can_be_braked);
     CHECK_RUN(&check, lone_corner_keeps_the_transfer_rule);
     CHECK_RUN(&check, sharp_corner_is_stopped_at_and_frees_the_acceleration);
+    CHECK_RUN(&check, middle_between_two_corners_has_all_of_the_acceleration);
     return check_end(&check);
 }
