@@ -52,6 +52,17 @@ static void radius_words_choose_the_way(check_t *check) {
     is_arc(check, 7, 5, 0, -pi);
 }
 
+// Two circles through the middle need a middle that is neither end.
+static void an_arc_of_a_nanometre_is_no_more_than_that(check_t *check) {
+    case_begin(&self);
+    self.machine.path.chord_error = 1e-9;
+    case_decode(&self, "F100 G0 X0\nG2 X-0.000001 Y0.000001 I-0.000001 J0.000001\n"
+                       "G3 X0 Y0 I0.000001 J-0.000001\nM2\n");
+    CHECK_INT(check, self.errors, 0);
+    ends_on_its_target(check, &self.block[0], &self.block[1]);
+    ends_on_its_target(check, &self.block[1], &self.block[2]);
+}
+
 static void planes_turn_their_own_way(check_t *check) {
     case_begin(&self);
     case_decode(&self, "F100 G18 G0 Z10\nG3 Z0 X10 K-10\nG19 G0 X0 Y10 Z0\nG2 Y0 Z10 J-10 K0 X3\n"
@@ -207,6 +218,7 @@ int main(void) {
     check_t check = {0};
     CHECK_RUN(&check, quarters_and_their_long_ways);
     CHECK_RUN(&check, radius_words_choose_the_way);
+    CHECK_RUN(&check, an_arc_of_a_nanometre_is_no_more_than_that);
     CHECK_RUN(&check, planes_turn_their_own_way);
     CHECK_RUN(&check, full_circles_and_turns);
     CHECK_RUN(&check, centres_may_be_absolute);

@@ -191,6 +191,10 @@ static nck_status_t check_radii(nck_decode_t *self, const course_t *course) {
     return fail_arc(self, NCK_E_ARC_RADIUS, end, start);
 }
 
+static int is_empty(const course_t *course) {
+    return !(nck_arc_norm(course->d[0], course->d[1]) > 0.0);
+}
+
 // A long arc whose ends are close together and not quite equally far from the centre: the circle
 // through both ends would stand far beside the programmed one. Two circles through the middle of
 // the arc stay close to it.
@@ -217,6 +221,10 @@ static nck_status_t arc_in_two(nck_decode_t *self, course_t *course, const int64
     for (unsigned k = 0; k < 2; k++) {
         second.d[k] = course->d[k] - first.d[k];
         second.c[k] = course->c[k] - first.d[k];
+    }
+    if (is_empty(&first) || is_empty(&second)) { // of a few nanometres
+        const double all = nck_arc_height(course->d[0], course->d[1], course->c[0], course->c[1]);
+        return fill_arc(self, course, from_nm, target_nm, all, out);
     }
     double height = nck_arc_height(first.d[0], first.d[1], first.c[0], first.c[1]);
     nck_status_t status = fill_arc(self, &first, from_nm, middle_nm, height, out);
