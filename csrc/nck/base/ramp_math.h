@@ -3,9 +3,13 @@
 #ifndef NCK_BASE_RAMP_MATH_H
 #define NCK_BASE_RAMP_MATH_H
 
-#include "nck/base/real.h" // nck_real nck_sqrt nck_max
+#include "nck/base/real.h"      // nck_real nck_sqrt nck_max
+#include "nck/base/root_math.h" // nck_root_cube
 
-enum { NCK_RAMP_HALVINGS = 30 }; // of a speed that is sought: to 1e-9 of the highest
+enum {
+    NCK_RAMP_NEWTON = 8,    // steps at most; 3 to 5 are the rule
+    NCK_RAMP_HALVINGS = 12  // of a highest speed that is sought: times are good to 1e-4
+};
 
 // What ramps keep to.
 typedef struct nck_ramp {
@@ -27,16 +31,28 @@ static inline nck_real nck_ramp_length(NCK_IN nck_ramp_t *ramp, nck_real v, nck_
     return 0.5 * (v + v_end) * nck_ramp_time(ramp, v_end - v);
 }
 
-// The speed that a ramp from v reaches within a length ≥ 0, v_max at most.
+// The speed that a ramp from v reaches within a length ≥ 0, v_max at most. With u = √dv and no
+// cruise in it:   u³ + 2v·u = length·√j,   found by Newton from above (convex for u > 0);
+// beyond dv = a²/j:   (2v + dv)·(dv/a + a/j)/2 = length.
 static inline nck_real nck_ramp_reach(NCK_IN nck_ramp_t *ramp, nck_real v, nck_real length) {
-    nck_real low = v;
-    nck_real high = ramp->v_max;
-    for (int n = 0; n < NCK_RAMP_HALVINGS; n++) {
-        const nck_real middle = 0.5 * (low + high);
-        if (nck_ramp_length(ramp, v, middle) <= length) low = middle;
-        else high = middle;
+    const nck_real a = ramp->a;
+    const nck_real j = ramp->j;
+    const nck_real whole = length * nck_sqrt(j);
+    if (!(whole > 0.0)) return v;
+    nck_real u = nck_root_cube(whole);
+    if (u * 2.0 * v > whole) u = whole / (2.0 * v);
+    for (int n = 0; n < NCK_RAMP_NEWTON; n++) {
+        const nck_real next = u - ((u * u + 2.0 * v) * u - whole) / (3.0 * u * u + 2.0 * v);
+        if (!(next < u)) break;
+        u = next;
     }
-    return low;
+    nck_real dv = u * u;
+    if (dv * j > a * a) {
+        const nck_real half = v / a + 0.5 * a / j;
+        const nck_real twice = 2.0 * (length - v * a / j);
+        dv = twice / (nck_sqrt(half * half + twice / a) + half);
+    }
+    return nck_min(ramp->v_max, v + dv);
 }
 
 // Least time over a length from v on: a ramp, and what is left at its end's speed.
@@ -50,7 +66,7 @@ static inline nck_real nck_ramp_over(NCK_IN nck_ramp_t *ramp, nck_real v, nck_re
 // Least time over a length that is entered at v and ends at rest, where v can be braked from.
 static inline nck_real nck_ramp_to_rest(NCK_IN nck_ramp_t *ramp, nck_real v, nck_real length) {
     nck_real low = v;
-    nck_real high = ramp->v_max;
+    nck_real high = nck_ramp_reach(ramp, v, length);
     for (int n = 0; n < NCK_RAMP_HALVINGS; n++) {
         const nck_real top = 0.5 * (low + high);
         const nck_real both = nck_ramp_length(ramp, v, top) + nck_ramp_length(ramp, 0.0, top);

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+// S-shaped ramps: what they reach is what their length says, and no time is better than the least.
+#include <math.h> // pow fmin fabs
+
+#include "check.h"
+#include "nck/base/ramp_math.h" // nck_ramp_…
+
+static uint32_t state = 1;
+
+static double decades(double low, double high) {
+    state = state * 1664525u + 1013904223u;
+    return pow(10.0, low + (high - low) * (state >> 8) / 16777216.0);
+}
+
+static void a_ramp_reaches_what_its_length_says(check_t *check) {
+    for (int n = 0; n < 20000; n++) {
+        const nck_ramp_t ramp = {decades(-1.0, 5.0), decades(0.0, 7.0), decades(-1.0, 4.0)};
+        const double v = n % 3 == 0 ? 0.0 : fmin(ramp.v_max, decades(-5.0, 4.0));
+        const double length = decades(-7.0, 3.0);
+        const double v_end = nck_ramp_reach(&ramp, v, length);
+        const double taken = nck_ramp_length(&ramp, v, v_end);
+        CHECK(check, v_end >= v && v_end <= ramp.v_max);
+        CHECK(check, taken <= length * (1.0 + 1e-6) + 1e-9 * v_end);
+        if (v_end < ramp.v_max && v_end > v * (1.0 + 1e-6)) CHECK(check, taken >= 0.999 * length);
+        const double time = nck_ramp_over(&ramp, v, length);
+        CHECK(check, time >= length / v_end * (1.0 - 1e-6));
+        if (v > 0.0) CHECK(check, time <= length / v * (1.0 + 1e-6) + 1e-9);
+        CHECK(check, nck_ramp_reach(&ramp, v, 0.0) == v);
+    }
+}
+
+static void from_rest_to_rest_is_twice_the_half(check_t *check) {
+    for (int n = 0; n < 5000; n++) {
+        const nck_ramp_t ramp = {decades(1.0, 4.0), decades(2.0, 6.0), decades(0.0, 3.0)};
+        const double length = decades(-5.0, 3.0);
+        const double whole = nck_ramp_to_rest(&ramp, 0.0, length);
+        const double half = nck_ramp_over(&ramp, 0.0, 0.5 * length);
+        CHECK(check, fabs(whole - 2.0 * half) <= 2e-3 * whole);
+    }
+}
+
+int main(void) {
+    check_t check = {0};
+    CHECK_RUN(&check, a_ramp_reaches_what_its_length_says);
+    CHECK_RUN(&check, from_rest_to_rest_is_twice_the_half);
+    return check_end(&check);
+}
