@@ -3,8 +3,7 @@
 #include <math.h>   // fabs fmax sqrt
 #include <string.h> // strlen
 
-#include "check.h"
-#include "nck/nck.h"
+#include "motion_check.h"
 
 static const char text[] = "G21 G90 G61 G1 X400 F6000\nM2\n";
 
@@ -60,9 +59,35 @@ static void an_override_is_met_as_soon_as_the_jerk_lets_it(check_t *check)
     }
 }
 
+static motion_t motion;
+
+// Above 100 % an arc leaves less acceleration along the path. It does so until the speed has come
+// down, also if the plan of what follows the next rest was begun meanwhile.
+static void an_override_lowered_twice_keeps_the_acceleration_on_an_arc(check_t *check)
+{
+    for (uint64_t tick = 300; tick < 500; tick += 20) {
+        motion_begin(&motion, 1);
+        motion_scale(&motion, 1e-3, 1.0, 20.0);
+        motion_line(&motion, "G21 G90 G17 G61 G2 I5 F1900");
+        motion_line(&motion, "G4 P0.1");
+        motion_line(&motion, "G1 Y5");
+        motion_line(&motion, "M2");
+        motion.status = motion_start(&motion);
+        (void)nck_set_override(&motion.nck, 200, 100);
+        while (motion.ticks < tick) (void)motion_tick(&motion, NULL);
+        (void)nck_set_override(&motion.nck, 95, 100);
+        while (motion.ticks < tick + 12) (void)motion_tick(&motion, NULL);
+        (void)nck_set_override(&motion.nck, 30, 100);
+        while (motion_tick(&motion, NULL)) continue;
+        CHECK(check, motion.is_over);
+        motion_holds(check, &motion, "an override lowered twice");
+    }
+}
+
 int main(void)
 {
     check_t check = {0};
     CHECK_RUN(&check, an_override_is_met_as_soon_as_the_jerk_lets_it);
+    CHECK_RUN(&check, an_override_lowered_twice_keeps_the_acceleration_on_an_arc);
     return check_end(&check);
 }

@@ -74,16 +74,17 @@ static void enter(nck_jerk_t *self, uint32_t phase) {
     self->work.w_cell = 0.0;
 }
 
-// A plan from rest or from a moving state, under the wishes of now.
-static void begin(nck_jerk_t *self, uint32_t count) {
+// A plan from rest or from a moving state, under the wishes of now. over: 1: that state may be one
+// of an override beyond 100 %.
+static void begin(nck_jerk_t *self, uint32_t count, uint32_t over) {
     memset(&self->next, 0, sizeof self->next);
     memset(&self->work, 0, sizeof self->work);
     self->next.begin = count & NCK_LINK_COUNT_MASK;
     self->taken = nck_link_taken(self->link);
     self->work.step = self->step_s;
     self->work.wish = self->wish;
-    if (self->wish.feed > 1.0) self->over = 1;
-    self->work.over = self->over;
+    self->next.over = over || self->wish.feed > 1.0;
+    self->work.over = self->next.over;
     self->profile.v = 0.0;
     self->profile.a = 0.0;
     self->profile.q = 0.0;
@@ -100,8 +101,7 @@ static nck_status_t begin_at_rest(nck_jerk_t *self, const nck_pieces_t *pieces) 
     const nck_node_t *const piece = nck_window_piece(pieces, self->now.end_piece);
     if (!is_released(self)) return NCK_FULL;
     if (!piece) return NCK_EMPTY;
-    self->over = 0;
-    begin(self, self->now.begin + self->now.n);
+    begin(self, self->now.begin + self->now.n, 0);
     if (piece->length > 0.0 && !(nck_window_cap(self, piece) > 0.0)) return NCK_FULL;
     self->work.coarse = 1;
     self->work.far = NCK_JERK_UNKNOWN;
@@ -123,7 +123,7 @@ static void begin_moving(nck_jerk_t *self, const nck_pieces_t *pieces, uint32_t 
     const nck_cell_t *const before =
         nck_link_tail_cell(self->link, (count - 1) & NCK_LINK_COUNT_MASK);
     const int anew = self->wish.single_block || !(self->wish.feed > 0.0 && self->wish.rapid > 0.0);
-    begin(self, count);
+    begin(self, count, self->now.over);
     self->profile.v = cell->v;
     if (cell->v > 0.0) self->profile.a = before->a;
     if (cell->v > 0.0) self->profile.q = before->duration;

@@ -54,6 +54,7 @@ typedef struct nck_jerk_plan {
     uint32_t held;     // nck_held_t: what must happen before it goes on
     uint32_t commit;   // so many of its cells may become final before the next plan takes over
     uint32_t keep;     // behind this cell it brakes for the window's end only
+    uint32_t over;     // 1: an override beyond 100 % has been in force since it was last at rest
 } nck_jerk_plan_t;
 
 typedef struct nck_jerk {
@@ -103,7 +104,6 @@ typedef struct nck_jerk {
         uint32_t reserve;  // cells that are to pass until it takes over, at least
     } answer;
     uint32_t resumes;      // as counted when the plan of now was installed
-    uint32_t over;         // 1: an override beyond 100 % has been in force since the last rest
     uint32_t taken;        // cells that the tick had taken when the plan in work was begun
     uint32_t spent;        // cells that it took while the last plan was made
     uint32_t in_tail;      // 1: the tick has been seen in the stop tail
