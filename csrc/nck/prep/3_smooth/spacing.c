@@ -266,7 +266,9 @@ nck_status_t nck_spacing_know(nck_smooth_t *self, uint32_t count) {
     nck_status_t status = lone ? room_beside(self, count, &room) : NCK_OK;
     if (status == NCK_EMPTY) return status;
     lone = lone && !bends_on(self, count);
-    if (!lone) {
+    if (lines && !(alone < self->spacing_max)) {
+        spacing = alone; // other corners bound the way
+    } else if (!lone) {
         spacing = begin_growing(self, count, aim, spacing);
         status = grow(self, raw->s + raw->seg.length, aim, &spacing);
     }
