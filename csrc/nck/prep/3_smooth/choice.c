@@ -24,8 +24,9 @@
 #define REVERSAL 1e-6        // |in + out| up to which a corner is an exact reversal
 #define REST_PERIODS 1.0     // that a stop costs besides its ramps and the filter
 #define UNLIMITED 1e30       // jerk of the linear slope
-// A bend takes up to so much longer than estimated, a blend too (families of corners, 0.3 to 40 mm,
-// 0.2 to 3.1 rad: 2.5 % and 1.5 % in the middle). A stop's time is sure.
+// A bend takes up to so much longer than estimated under the jerk-limited slope, a blend too
+// (families of corners, 0.3 to 40 mm, 0.2 to 3.1 rad: 2.5 % and 1.5 % in the middle). A stop's time
+// is sure, and so is all under the other slopes.
 #define PLAIN_SHORT 1.1
 #define BLEND_SHORT 1.015
 #define ZONES_CUT 1.3        // see SPLIT_ZONES of room 4
@@ -159,8 +160,9 @@ static double plain_time(const corner_t *corner, const nck_bend_t *bend,
                          const nck_machine_t *machine) {
     const shape_limit_t limit = limit_plain(machine, bend->turn);
     const double v = reachable(corner, bend_speed(corner, &limit, bend->d), bend->d);
-    return PLAIN_SHORT * (2.0 * bend->d / v + side_time(corner, 0, v, bend->d)
-                          + side_time(corner, 1, v, bend->d));
+    const double time = 2.0 * bend->d / v + side_time(corner, 0, v, bend->d)
+                        + side_time(corner, 1, v, bend->d);
+    return machine->slope == NCK_SLOPE_JERK ? PLAIN_SHORT * time : time;
 }
 
 static double blend_time(const corner_t *corner, const nck_blend_t *blend,
