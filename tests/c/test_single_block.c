@@ -152,6 +152,67 @@ static void single_block_switched_off_at_rest_waits_for_a_resume(check_t *check)
     CHECK_NEAR(check, next_rest(), 30.0, 1e-9);
 }
 
+// The most prep steps between two ticks, until the path rests.
+static uint32_t most_steps_to_rest(void)
+{
+    uint32_t most = 0;
+    do {
+        uint32_t steps = 0;
+        while (steps < MOTION_STEPS && motion_prep(&motion)) steps++;
+        most = steps > most ? steps : most;
+        (void)motion_tick(&motion, NULL);
+    } while (!rests() && motion.ticks < LONG_RUN);
+    return most;
+}
+
+static void block_ends_too_near_to_rest_at_are_passed(check_t *check)
+{
+    for (int k = 1; k <= 3; k++) {
+        motion_begin(&motion, 1);
+        motion_line(&motion, "G21 G90 G61 G1 F1500 X10");
+        for (int n = 1; n <= k; n++) motion_line(&motion, "G91 X0.1");
+        motion_line(&motion, "G90 X20");
+        motion_line(&motion, "Y10");
+        motion_line(&motion, "M2");
+        motion.status = motion_start(&motion);
+        do (void)motion_tick(&motion, NULL);
+        while (motion.pose.s < 9.7);
+        (void)nck_set_single_block(&motion.nck, 1);
+        CHECK(check, most_steps_to_rest() < MOTION_STEPS / 2);
+        CHECK_INT(check, motion.starved, 0);
+        CHECK_INT(check, motion.pose.state, NCK_TICK_HOLD);
+        if (NCK_PROFILE >= 256) CHECK_NEAR(check, motion.pose.s, 20.0, 1e-9);
+        motion_holds(check, &motion, "block ends too near");
+    }
+}
+
+// On a rapid, before a block that may not be entered any more: too late to rest in front of it, but
+// for the low speeds of a short window.
+static void an_override_of_zero_rests_behind_a_block_end_too_near(check_t *check)
+{
+    for (uint32_t single = 0; single < 2; single++) {
+        motion_begin(&motion, 1);
+        motion_line(&motion, "G21 G90 G61 G0 X20");
+        motion_line(&motion, "G1 X60 F6000");
+        motion_line(&motion, "Y10");
+        motion_line(&motion, "M2");
+        motion.status = motion_start(&motion);
+        do (void)motion_tick(&motion, NULL);
+        while (motion.pose.s < 13.0);
+        (void)nck_set_single_block(&motion.nck, single);
+        (void)nck_set_override(&motion.nck, 0, 100);
+        CHECK(check, most_steps_to_rest() < MOTION_STEPS / 2);
+        CHECK_INT(check, motion.starved, 0);
+        CHECK(check, motion.pose.s < 40.0);
+        (void)nck_set_override(&motion.nck, 100, 100);
+        for (int k = 0; k < 10; k++) (void)motion_tick(&motion, NULL);
+        (void)ticks_to_rest();
+        const int in_front = NCK_PROFILE < 256 && single;
+        CHECK_NEAR(check, motion.pose.s, in_front ? 20.0 : single ? 60.0 : 70.0, 1e-9);
+        motion_holds(check, &motion, "override of zero on a rapid");
+    }
+}
+
 static uint32_t slow_steps(void *user, uint64_t tick)
 {
     return tick < 200 ? MOTION_STEPS : *(const uint32_t *)user;
@@ -189,6 +250,8 @@ int main(void)
     CHECK_RUN(&check, an_override_of_zero_rests_on_the_way_and_goes_on_with_it);
     CHECK_RUN(&check, single_block_switched_off_on_the_way_needs_no_resume);
     CHECK_RUN(&check, single_block_switched_off_at_rest_waits_for_a_resume);
+    CHECK_RUN(&check, block_ends_too_near_to_rest_at_are_passed);
+    CHECK_RUN(&check, an_override_of_zero_rests_behind_a_block_end_too_near);
     CHECK_RUN(&check, a_slow_preparation_hears_a_hold_before_the_window_ends);
     return check_end(&check);
 }

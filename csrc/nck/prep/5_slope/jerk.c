@@ -188,6 +188,27 @@ static uint32_t passed_meanwhile(const nck_jerk_t *self) {
     return (nck_link_taken(self->link) - self->taken) & NCK_LINK_COUNT_MASK;
 }
 
+// Brake, and stay as told.
+static void begin_brake(nck_jerk_t *self, const nck_pieces_t *pieces, uint32_t first,
+                        uint32_t held) {
+    begin_moving(self, pieces, first);
+    self->next.held = held;
+    enter(self, PHASE_REACH);
+}
+
+// The plan that follows the first cells of now: a brake, if the operator wants it or has taken the
+// speed away.
+static void begin_from(nck_jerk_t *self, const nck_pieces_t *pieces, uint32_t first) {
+    begin_moving(self, pieces, first);
+    const nck_node_t *const piece = nck_window_piece(pieces, self->next.piece);
+    const int moves = nck_window_cap(self, piece) > 0.0;
+    if (self->wish.hold) {
+        begin_brake(self, pieces, first, NCK_HELD_RESUME);
+    } else if (!moves) {
+        begin_brake(self, pieces, first, NCK_HELD_OVERRIDE);
+    }
+}
+
 // Other wishes: plan anew from a few cells behind the final ones, unless the path rests by then.
 static void replan(nck_jerk_t *self, const nck_pieces_t *pieces) {
     uint32_t first = final_count(self) + reserve_of(self);
@@ -202,16 +223,9 @@ static void replan(nck_jerk_t *self, const nck_pieces_t *pieces) {
     }
     self->now.complete = 0;
     self->now.commit = first;
-    begin_moving(self, pieces, first);
-    const nck_node_t *const piece = nck_window_piece(pieces, self->next.piece);
-    const uint32_t held = self->wish.hold ? (uint32_t)NCK_HELD_RESUME
-                          : nck_window_cap(self, piece) > 0.0 ? (uint32_t)NCK_HELD_NOT
-                                                              : (uint32_t)NCK_HELD_OVERRIDE;
     self->answer.pending = 1;
+    begin_from(self, pieces, first);
     if (self->answer.slower) self->work.coarse = 1; // the ladder of now is for higher speeds
-    if (!held) return;
-    self->next.held = held;
-    enter(self, PHASE_REACH);
 }
 
 // The answer to the operator is not made in time: the plan of now goes on, and another answer is
@@ -246,8 +260,9 @@ static int runs_past(const nck_jerk_t *self, const nck_pieces_t *pieces) {
     return further > 0 || (further == 0 && behind && self->now.end_s > behind->s);
 }
 
-// The plan does not join. A hold gets more length. A stop at a block's end waits for a later block
-// if the plan of now is on its way past that end; if it rests there or before, it is as good.
+// The plan does not join. A hold gets more length. Is the plan of now on its way past the place, it
+// is too late to rest there: a stop at a block's end waits for a later block, an override of zero
+// rests further on. If it rests there or before, it is as good.
 // Else the ladder of now is taken over as it is: where short pieces share cells in another way,
 // caps may differ. If that does not help either, the plan of now goes on and the next one begins
 // later.
@@ -255,7 +270,7 @@ static void give_way(nck_jerk_t *self, const nck_pieces_t *pieces) {
     const uint32_t held = self->next.held;
     const uint32_t first = (self->next.begin - self->now.begin) & NCK_LINK_COUNT_MASK;
     const double reach = self->work.reach;
-    const uint32_t passed = self->work.passed + 1;
+    const uint32_t passes = self->work.passes + 1;
     self->failures++;
     if (reach > 0.0) {
         begin_moving(self, pieces, first);
@@ -263,10 +278,15 @@ static void give_way(nck_jerk_t *self, const nck_pieces_t *pieces) {
         begin_hold(self, REACH_GROWTH * reach);
         return;
     }
-    const int passes = self->next.complete && runs_past(self, pieces);
-    if (self->wish.single_block && passes && passed < NCK_JERK_PIECES) {
+    const int is_past = self->next.complete && runs_past(self, pieces);
+    if (is_past && self->work.must_rest) {
+        begin_brake(self, pieces, first, NCK_HELD_OVERRIDE);
+        return;
+    }
+    if (self->wish.single_block && is_past && passes < NCK_JERK_PIECES) {
         begin_moving(self, pieces, first);
-        self->work.passed = passed;
+        self->work.passes = passes;
+        self->work.to_pass = passes;
         return;
     }
     if (!self->work.all && !self->wish.single_block) {
@@ -383,9 +403,7 @@ static nck_status_t install(nck_jerk_t *self) {
 
 static nck_status_t begin_next(nck_jerk_t *self, const nck_pieces_t *pieces) {
     if (self->now.complete) return begin_at_rest(self, pieces);
-    begin_moving(self, pieces, self->now.commit);
-    const nck_node_t *const piece = nck_window_piece(pieces, self->next.piece);
-    if (!(nck_window_cap(self, piece) > 0.0)) keep_plan(self, NCK_HELD_OVERRIDE);
+    begin_from(self, pieces, self->now.commit);
     return NCK_OK;
 }
 

@@ -89,7 +89,9 @@ typedef struct nck_jerk {
         uint32_t pieces;   // … so many: what room 4 can hold whatever the tick has done
         double w_entry;    // lay: about the largest v² at the piece's start
         double far;        // lay: how near its ends the ladder is finer [mm]
-        uint32_t passed;   // block ends that came too early to rest at
+        uint32_t must_rest; // 1: at the ladder's end it cannot go on: a stop, an override of zero
+        uint32_t passes;   // block ends that came too early to rest at
+        uint32_t to_pass;  // lay: of them, those still ahead
         uint32_t over;     // 1: limits for overrides beyond 100 %
         double w_cell;     // cap of the cell before
         uint32_t anew;     // 1: the whole ladder is laid anew, over the path of the plan of now

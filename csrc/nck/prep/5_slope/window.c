@@ -8,6 +8,8 @@
 
 // From rest to rest a path takes REST_PARTS cells, PARTS_LEAST if there is no room for more.
 enum { PARTS_MOST = 256, SPAN_MOST = 200, REST_PARTS = 4, PARTS_LEAST = 2 };
+// Why the path rests at a piece's end: single block does, or it cannot go on.
+enum { BLOCK_END = 1, MUST_REST = 2 };
 
 // While the ladder is coarse no cell's duration is capped in rule R [s].
 #define UNCAPPED_S 1e6
@@ -149,15 +151,15 @@ static int knows_exit(const nck_pieces_t *pieces, uint32_t number) {
     return next->stop || !(next->length > 0.0) || nck_window_piece(pieces, number + 2);
 }
 
-// 1 if the path rests at the end of this piece, which is its last or has one behind it.
+// BLOCK_END or MUST_REST if the path rests at the end of this piece, which is its last or has one
+// behind it.
 static int rests_behind(const nck_jerk_t *self, const nck_pieces_t *pieces, uint32_t number) {
     const nck_node_t *const piece = nck_window_piece(pieces, number);
     const nck_node_t *const next = nck_window_piece(pieces, number + 1);
-    if (piece->stop) return 1;
-    if (!(nck_window_cap(self, next) > 0.0)) return 1;
+    if (piece->stop || !(nck_window_cap(self, next) > 0.0)) return MUST_REST;
     if (!self->work.wish.single_block || !piece->last) return 0;
-    return nck_link_seg(self->link, piece->seg)->block
-           != nck_link_seg(self->link, next->seg)->block;
+    const uint32_t block = nck_link_seg(self->link, piece->seg)->block;
+    return block != nck_link_seg(self->link, next->seg)->block ? BLOCK_END : 0;
 }
 
 int nck_window_rests(const nck_jerk_t *self, const nck_pieces_t *pieces) {
@@ -198,8 +200,9 @@ static nck_status_t end_piece(nck_jerk_t *self, const nck_pieces_t *pieces,
     self->work.piece++;
     self->work.s = -1.0;
     if (!rests) return NCK_OK;
-    if (self->work.passed > 0 && rests != 2) {
-        self->work.passed--;
+    self->work.must_rest = rests == MUST_REST;
+    if (self->work.to_pass > 0 && rests == BLOCK_END) {
+        self->work.to_pass--;
         return NCK_OK;
     }
     close_pending(self, pieces);
@@ -292,8 +295,8 @@ static nck_status_t lay_one(nck_jerk_t *self, const nck_pieces_t *pieces) {
     if (!knows_exit(pieces, self->work.piece)) return NCK_EMPTY;
     const int rests = rests_behind(self, pieces, self->work.piece);
     const int is_over = end_of(piece) - self->work.s <= rounding_of(piece, 0.0);
-    if (is_over && self->work.n > 0) return end_piece(self, pieces, piece, piece->stop ? 2 : rests);
-    return lay_some(self, pieces, piece, piece->stop ? 2 : rests);
+    if (is_over && self->work.n > 0) return end_piece(self, pieces, piece, rests);
+    return lay_some(self, pieces, piece, rests);
 }
 
 nck_status_t nck_window_lay(nck_jerk_t *self, const nck_pieces_t *pieces) {
