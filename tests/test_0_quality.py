@@ -51,8 +51,9 @@ def test_c_tests_pass_in_the_release_build(gcc_build, name, capacities):
 @pytest.mark.parametrize("name", FUZZ_TARGETS)
 def test_fuzzing_finds_no_fault(clang_build, tmp_path, name):
     corpus = [path for path in (ROOT / "tests" / "fuzz" / name,) if path.is_dir()]
-    command = [clang_build[0] / f"fuzz_{name}", f"-runs={FUZZ_RUNS[name]}", "-seed=1", "-timeout=20"]
-    command += [f"-artifact_prefix={tmp_path}/", "-verbosity=0", *FUZZ_FLAGS.get(name, [])]
+    command = [clang_build[0] / f"fuzz_{name}", f"-runs={FUZZ_RUNS[name]}", "-seed=1"]
+    command += ["-timeout=20", f"-artifact_prefix={tmp_path}/", "-verbosity=0"]
+    command += FUZZ_FLAGS.get(name, [])
     command += [tmp_path, *corpus]
     done = subprocess.run(command, capture_output=True, text=True, timeout=600)
     assert done.returncode == 0, done.stderr

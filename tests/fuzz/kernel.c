@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Fuzz target of the whole kernel: bytes fill a machine, then a program, an operator and a prep task
-// of any pace. Either the machine is refused, or every prep step is bounded, every number finite,
+// Fuzz target of the whole kernel: bytes fill a machine, then a program, an operator and a prep
+// task of any pace. Either the machine is refused, or every prep step is bounded, every number finite,
 // nothing jumps, and the run comes to its end where the program ends.
 //
 //     machine: slope, edits │ one byte for an operation, more for what it needs │ …
@@ -71,7 +71,8 @@ static double decades(source_t *source, double low, double high) {
 // Numbers that ought to be refused, or to be survived.
 static double odd_number(source_t *source) {
     static const double odd[] = {0.0, -0.0, -1.0, 2.2e-308, 5e-324, 1e-100, 1e-30, 1e-12, 1e-9,
-                                 1e-6, 1e-5, 1e-3, 0.1, 1.0, 1e3, 1e6, 1e9, 1e12, 1.1e12, 1e18, 1e100, 1.7e308,
+                                 1e-6, 1e-5, 1e-3, 0.1, 1.0, 1e3, 1e6, 1e9, 1e12,
+                                 1.1e12, 1e18, 1e100, 1.7e308,
                                  (double)NAN, (double)INFINITY, -(double)INFINITY};
     const uint8_t n = byte_of(source);
     if (n < sizeof odd / sizeof odd[0]) return odd[n];
