@@ -88,13 +88,14 @@ static void an_abort_in_the_stop_tail_ends(check_t *check) {
 // ---- full rings
 
 // Moves with so many outputs behind each of them.
-static void begin_talkative(uint32_t slope, int moves, int outputs) {
+static void begin_talkative(uint32_t slope, const char *mode, int moves, int outputs) {
     char words[80];
     motion_begin(&self, 1);
     self.machine.slope = slope;
-    motion_line(&self, "G21 G90 G17 G61 G1 F3000");
+    motion_line(&self, "G21 G90 G17 G1 F3000");
+    motion_line(&self, mode);
     for (int k = 1; k <= moves; k++) {
-        snprintf(words, sizeof words, "X%d", k & 1);
+        snprintf(words, sizeof words, "X%d Y%d", k, k & 1);
         motion_line(&self, words);
         for (int n = 0; n < outputs; n++) motion_line(&self, "M8");
     }
@@ -102,12 +103,17 @@ static void begin_talkative(uint32_t slope, int moves, int outputs) {
 }
 
 static void outputs_that_fill_their_ring_do_not_stop_the_program(check_t *check) {
-    const int cases[][2] = {{2 * NCK_WINDOW, 3}, {2 * NCK_WINDOW, 7}, {5, 2 * NCK_OUTPUT_MAX}};
+    static const struct {
+        const char *mode;
+        int moves, outputs;
+    } cases[] = {{"G61", 2 * NCK_WINDOW, 3}, {"G61", 2 * NCK_WINDOW, 7},
+                 {"G61", 5, 2 * NCK_OUTPUT_MAX}, {"G64 P0.01", 2 * NCK_WINDOW, 3},
+                 {"G64 P0.01", 5, 2 * NCK_OUTPUT_MAX}};
     for (uint32_t slope = NCK_SLOPE_LINEAR; slope <= NCK_SLOPE_SSHAPE; slope++) {
         for (unsigned k = 0; k < sizeof cases / sizeof cases[0]; k++) {
-            begin_talkative(slope, cases[k][0], cases[k][1]);
+            begin_talkative(slope, cases[k].mode, cases[k].moves, cases[k].outputs);
             if (!CHECK(check, motion_run(&self, NULL))) return;
-            CHECK_INT(check, self.outputs, (uint32_t)(cases[k][0] * cases[k][1]) + 1);
+            CHECK_INT(check, self.outputs, (uint32_t)(cases[k].moves * cases[k].outputs) + 1);
             CHECK_INT(check, self.early, 0);
             CHECK(check, self.peak.a <= self.machine.path.a_max * (1.0 + 1e-6));
         }
