@@ -88,13 +88,14 @@ static void an_abort_in_the_stop_tail_ends(check_t *check) {
 // ---- full rings
 
 // Moves with so many outputs behind each of them.
-static void begin_talkative(uint32_t slope, int moves, int outputs) {
+static void begin_talkative(uint32_t slope, const char *mode, int moves, int outputs) {
     char words[80];
     motion_begin(&self, 1);
     self.machine.slope = slope;
-    motion_line(&self, "G21 G90 G17 G61 G1 F3000");
+    motion_line(&self, "G21 G90 G17 G1 F3000");
+    motion_line(&self, mode);
     for (int k = 1; k <= moves; k++) {
-        snprintf(words, sizeof words, "X%d", k & 1);
+        snprintf(words, sizeof words, "X%d Y%d", k, k & 1);
         motion_line(&self, words);
         for (int n = 0; n < outputs; n++) motion_line(&self, "M8");
     }
@@ -102,16 +103,63 @@ static void begin_talkative(uint32_t slope, int moves, int outputs) {
 }
 
 static void outputs_that_fill_their_ring_do_not_stop_the_program(check_t *check) {
-    const int cases[][2] = {{2 * NCK_WINDOW, 3}, {2 * NCK_WINDOW, 7}, {5, 2 * NCK_OUTPUT_MAX}};
+    static const struct {
+        const char *mode;
+        int moves, outputs;
+    } cases[] = {{"G61", 2 * NCK_WINDOW, 3}, {"G61", 2 * NCK_WINDOW, 7},
+                 {"G61", 5, 2 * NCK_OUTPUT_MAX}, {"G64 P0.01", 2 * NCK_WINDOW, 3},
+                 {"G64 P0.01", 5, 2 * NCK_OUTPUT_MAX}};
     for (uint32_t slope = NCK_SLOPE_LINEAR; slope <= NCK_SLOPE_SSHAPE; slope++) {
         for (unsigned k = 0; k < sizeof cases / sizeof cases[0]; k++) {
-            begin_talkative(slope, cases[k][0], cases[k][1]);
+            begin_talkative(slope, cases[k].mode, cases[k].moves, cases[k].outputs);
             if (!CHECK(check, motion_run(&self, NULL))) return;
-            CHECK_INT(check, self.outputs, (uint32_t)(cases[k][0] * cases[k][1]) + 1);
+            CHECK_INT(check, self.outputs, (uint32_t)(cases[k].moves * cases[k].outputs) + 1);
             CHECK_INT(check, self.early, 0);
             CHECK(check, self.peak.a <= self.machine.path.a_max * (1.0 + 1e-6));
         }
     }
+}
+
+// ---- short blocks
+
+// So few blocks in sight that a plan is one cell: nothing is left of it to take over from.
+static void plans_of_one_cell_are_executed(check_t *check) {
+    motion_begin(&self, 1);
+    self.machine.period_s = 0.1;
+    self.machine.lookahead_blocks = 2;
+    self.machine.path.j_max = 113.7;
+    motion_line(&self, "G21 G91 G17 G61 G1 F3000");
+    for (int k = 0; k < 4; k++) motion_line(&self, "G1 X-0.000002 Y0.000002");
+    CHECK(check, motion_run(&self, NULL));
+    motion_holds(check, &self, "2.8 nm");
+}
+
+// Two jerk limits a factor of a hundred apart, cells that last longer than the jerk rule counts: the
+// way down from the faster piece comes to nothing where the way up is slow.
+static void no_plan_stands_still_between_two_nodes(check_t *check) {
+    static const double limits[3][3] = {
+        {7.49273, 22.9608, 19131.7}, {7.94269, 1.88873, 50506.9}, {781.232, 19699.8, 9.08488}};
+    static const double places[10][2] = {
+        {499, 500}, {479, 519}, {459, 537}, {439, 554}, {417, 570},
+        {395, 585}, {373, 600}, {350, 614}, {326, 627}, {302, 638}}; // [nm]
+    char words[80];
+    motion_begin(&self, 1);
+    self.machine.period_s = 0.00025;
+    self.machine.lookahead_blocks = 2;
+    self.machine.path.feed_max = 4.14695;
+    self.machine.path.a_max = 6506.51;
+    for (int x = 0; x < 3; x++) {
+        self.machine.axis[x].v_max = self.machine.axis[x].rapid = limits[x][0];
+        self.machine.axis[x].a_max = limits[x][1];
+        self.machine.axis[x].j_max = limits[x][2];
+    }
+    for (int k = 0; k < 10; k++) {
+        snprintf(words, sizeof words, "G1 X%.6f Y%.6f Z%.6f", places[k][0] * 1e-6, places[k][1] * 1e-6,
+                 k == 9 ? 0.000147 : 0.0);
+        motion_line(&self, words);
+    }
+    CHECK(check, motion_run(&self, NULL));
+    motion_holds(check, &self, "28 nm");
 }
 
 int main(void) {
@@ -120,5 +168,7 @@ int main(void) {
     CHECK_RUN(&check, an_abort_ends_wherever_it_comes);
     CHECK_RUN(&check, an_abort_in_the_stop_tail_ends);
     CHECK_RUN(&check, outputs_that_fill_their_ring_do_not_stop_the_program);
+    CHECK_RUN(&check, plans_of_one_cell_are_executed);
+    CHECK_RUN(&check, no_plan_stands_still_between_two_nodes);
     return check_end(&check);
 }

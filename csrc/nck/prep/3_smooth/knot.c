@@ -186,6 +186,8 @@ static void take_what_fits(nck_smooth_t *self) {
 nck_status_t nck_knot_choose(nck_smooth_t *self) {
     const double here = self->run.t[4];
     way_t way = {0.0, 0.0, 0.0, 0, 0};
+    // Outputs fill the ring: no more path comes before they are given.
+    self->run.closed |= nck_raw_is_full(self) && here >= nck_raw_known(self);
     if (here >= self->run.rest || (self->run.closed && here >= nck_raw_known(self))) {
         (void)try_knot(self, here, 1.0); // the end: fits since the knot before was chosen
         return NCK_OK;

@@ -30,13 +30,13 @@ uint32_t nck_raw_next(nck_smooth_t *self, uint32_t count) {
     return count;
 }
 
-static uint32_t raw_last(nck_smooth_t *self) {
+uint32_t nck_raw_last(nck_smooth_t *self) {
     uint32_t count = self->run.end - 1;
     while (!nck_raw_at(self, count)->has_seg) count--;
     return count;
 }
 
-double nck_raw_known(nck_smooth_t *self) { return raw_end(nck_raw_at(self, raw_last(self))); }
+double nck_raw_known(nck_smooth_t *self) { return raw_end(nck_raw_at(self, nck_raw_last(self))); }
 
 uint32_t nck_raw_find(nck_smooth_t *self, double s) {
     uint32_t low = self->raw.tail;
@@ -51,7 +51,7 @@ uint32_t nck_raw_find(nck_smooth_t *self, double s) {
         }
     }
     if (low != self->run.end && !nck_raw_at(self, low)->has_seg) low = nck_raw_next(self, low);
-    return low == self->run.end ? raw_last(self) : low;
+    return low == self->run.end ? nck_raw_last(self) : low;
 }
 
 void nck_raw_point(nck_smooth_t *self, double s, double *point_out) {

@@ -21,6 +21,9 @@ uint32_t nck_raw_find(nck_smooth_t *self, double s);
 // The next block with length behind this one; run.end if there is none. Cost: linear in outputs.
 uint32_t nck_raw_next(nck_smooth_t *self, uint32_t count);
 
+// The last seg of the run. Cost: linear in the outputs behind it.
+uint32_t nck_raw_last(nck_smooth_t *self);
+
 // Where the known part of the run ends [path mm]. Cost: linear in outputs at its end.
 double nck_raw_known(nck_smooth_t *self);
 

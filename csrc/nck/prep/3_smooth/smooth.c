@@ -213,9 +213,10 @@ static nck_raw_t *due_output(nck_smooth_t *self, double s) {
     return NULL;
 }
 
-// Forget what the run has passed.
+// Forget what the run has passed, but for its last seg: there it goes on, whatever outputs follow.
 static void drop_passed(nck_smooth_t *self, double s) {
-    while (self->raw.tail != self->run.end) {
+    const uint32_t last = nck_raw_last(self);
+    while (self->raw.tail != last) {
         const nck_raw_t *const raw = nck_raw_at(self, self->raw.tail);
         if (raw->has_output || raw->s + raw->seg.length > s) return;
         self->raw.tail++;

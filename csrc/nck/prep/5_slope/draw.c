@@ -4,10 +4,13 @@
 
 #include <string.h> // memset
 
-#include "nck/base/real.h" // nck_min nck_fabs nck_sqrt
+#include "nck/base/real.h"                // nck_min nck_fabs nck_sqrt
+#include "nck/prep/5_slope/ladder_math.h" // nck_ladder_cbrt
 
 // A speed is at its cap within this share of v².
 #define CAP_EPSILON 1e-4
+// Of the speed that a cell reaches from rest, v³ = J·h².
+#define CREEP 0.1
 // An acceleration is at its limit above this share of it.
 #define ACCEL_SHARE 0.999
 
@@ -39,8 +42,20 @@ static void end_cell(const nck_jerk_t *self, const nck_pieces_t *pieces, uint32_
     cell->last = behind && piece->last;
 }
 
+// Between two nodes at no speed a cell would last for ever. Where a plan is broken there may be such
+// (a coarse one is not asked, and from rest there is no other): the node behind cell i creeps then.
+static void keep_moving(nck_jerk_t *self, uint32_t i) {
+    const uint32_t node = i + 1;
+    if (node == self->work.n || self->w[node] > 0.0 || !(self->w_cap[node] > 0.0)) return;
+    if (self->w[i] > 0.0 && self->w[node + 1] > 0.0) return;
+    const double h = nck_min(self->h[i], self->h[node]);
+    const double v = CREEP * nck_ladder_cbrt(nck_min(self->j_max[i], self->j_max[node]) * h * h);
+    self->w[node] = v * v;
+}
+
 static void draw_cell(nck_jerk_t *self, const nck_pieces_t *pieces, uint32_t i) {
     const nck_node_t *const piece = nck_window_piece(pieces, self->rung_piece[i]);
+    keep_moving(self, i);
     const double v = nck_sqrt(self->w[i]);
     const double v_end = nck_sqrt(self->w[i + 1]);
     nck_cell_t cell;

@@ -219,6 +219,15 @@ static void rise_one(nck_profile_t *self) {
     self->w[i] = rise(self, self->v_last, i - 1, j, self->up[i - 1], self->e[i]);
 }
 
+// The way down comes to nothing above the way up: that one is kept from here on.
+static void follow_rise(nck_profile_t *self) {
+    const uint32_t i = self->i;
+    const double h = self->h[i];
+    self->v_last = nck_sqrt(self->w[i]);
+    self->a_last = (self->w[i] - self->w[i + 1]) / (2.0 * h);
+    self->share = nck_hull_share(h, self->v_last + nck_sqrt(self->w[i + 1]), self->q_cap);
+}
+
 static void fall_one(nck_profile_t *self) {
     const uint32_t i = self->i;
     if (i == self->n) {
@@ -226,8 +235,15 @@ static void fall_one(nck_profile_t *self) {
         return;
     }
     const double j = jerk_at(self, i + 1);
-    const double vv = rise(self, self->v_last, i, j, self->down[i], self->e[i]);
-    self->w[i] = nck_min(self->w[i], vv);
+    const double v = self->v_last;
+    const uint32_t broken = self->broken;
+    const double vv = rise(self, v, i, j, self->down[i], self->e[i]);
+    if (vv > 0.0 || !(self->e[i] > 0.0) || !(self->w[i + 1] < v * v)) {
+        self->w[i] = nck_min(self->w[i], vv);
+        return;
+    }
+    self->broken = broken;
+    follow_rise(self);
 }
 
 // One unit of work; returns 1 when node i of the pass is done.
