@@ -188,6 +188,7 @@ static void push_waits_until_pull_asks(check_t *check)
     CHECK_INT(check, nck_smooth_push(&smooth, &block[0], 0), NCK_OK);
     CHECK_INT(check, nck_smooth_push(&smooth, &block[0], 0), NCK_FULL);
     CHECK_INT(check, nck_smooth_pull(&smooth, &item), NCK_OK);
+    CHECK_INT(check, nck_smooth_push(&smooth, &block[0], 0), NCK_FULL);
     nck_smooth_end(&smooth);
     CHECK_INT(check, nck_smooth_pull(&smooth, &item), NCK_DONE);
 }
