@@ -99,7 +99,6 @@ static void begin_talkative(uint32_t slope, const char *mode, int moves, int out
         motion_line(&self, words);
         for (int n = 0; n < outputs; n++) motion_line(&self, "M8");
     }
-    motion_line(&self, "M2");
 }
 
 static void outputs_that_fill_their_ring_do_not_stop_the_program(check_t *check) {
@@ -112,11 +111,25 @@ static void outputs_that_fill_their_ring_do_not_stop_the_program(check_t *check)
     for (uint32_t slope = NCK_SLOPE_LINEAR; slope <= NCK_SLOPE_SSHAPE; slope++) {
         for (unsigned k = 0; k < sizeof cases / sizeof cases[0]; k++) {
             begin_talkative(slope, cases[k].mode, cases[k].moves, cases[k].outputs);
+            motion_line(&self, "M2");
             if (!CHECK(check, motion_run(&self, NULL))) return;
             CHECK_INT(check, self.outputs, (uint32_t)(cases[k].moves * cases[k].outputs) + 1);
             CHECK_INT(check, self.early, 0);
             CHECK(check, self.peak.a <= self.machine.path.a_max * (1.0 + 1e-6));
         }
+    }
+}
+
+// What is known of the path ends there: the line is not the way to what comes behind them.
+static void outputs_behind_a_short_line_do_not_lengthen_it(check_t *check) {
+    for (uint32_t slope = NCK_SLOPE_LINEAR; slope <= NCK_SLOPE_SSHAPE; slope++) {
+        begin_talkative(slope, "G64 P0.01", 0, 0);
+        motion_line(&self, "G1 X0.000029 Y0.000032");
+        for (int n = 0; n < 2 * NCK_SMOOTH_SPAN; n++) motion_line(&self, "M8");
+        motion_line(&self, "X5 Y0");
+        if (!CHECK(check, motion_run(&self, NULL))) return;
+        CHECK_NEAR(check, self.peak.s, 5.0, 0.001);
+        CHECK_NEAR(check, self.pose.axis[NCK_AXIS_X], 5.0, 1e-9);
     }
 }
 
@@ -168,6 +181,7 @@ int main(void) {
     CHECK_RUN(&check, an_abort_ends_wherever_it_comes);
     CHECK_RUN(&check, an_abort_in_the_stop_tail_ends);
     CHECK_RUN(&check, outputs_that_fill_their_ring_do_not_stop_the_program);
+    CHECK_RUN(&check, outputs_behind_a_short_line_do_not_lengthen_it);
     CHECK_RUN(&check, plans_of_one_cell_are_executed);
     CHECK_RUN(&check, no_plan_stands_still_between_two_nodes);
     return check_end(&check);

@@ -43,6 +43,7 @@ static nck_status_t look_at_end(nck_smooth_t *self, double end, way_t *way) {
         return NCK_OK;
     }
     if (!nck_raw_is_full(self)) return NCK_EMPTY;
+    way->straight = 0; // as far as is known, not as far as a line may go
     way->step = nck_min(way->step, 0.5 * (end - self->run.t[4]));
     return NCK_OK;
 }
@@ -186,8 +187,8 @@ static void take_what_fits(nck_smooth_t *self) {
 nck_status_t nck_knot_choose(nck_smooth_t *self) {
     const double here = self->run.t[4];
     way_t way = {0.0, 0.0, 0.0, 0, 0};
-    // Outputs fill the ring: no more path comes before they are given.
-    self->run.closed |= nck_raw_is_full(self) && here >= nck_raw_known(self);
+    // Outputs fill the ring behind its only seg: no more path comes before they are given.
+    self->run.closed |= nck_raw_is_full(self) && self->raw.tail == nck_raw_last(self);
     if (here >= self->run.rest || (self->run.closed && here >= nck_raw_known(self))) {
         (void)try_knot(self, here, 1.0); // the end: fits since the knot before was chosen
         return NCK_OK;
