@@ -59,9 +59,10 @@ static int knots_of(const shape_t *shape, double *knot) {
         0.5 * shape->parking,
         nck_min(shape->d, shape->parking), nck_max(shape->d, shape->parking),
         shape->parking + shape->d};
-    int count = 0;
-    for (int k = 0; k <= NCK_BLEND_SEGS; k++) {
-        if (count == 0 || places[k] > knot[count - 1] + LEAST) knot[count++] = places[k];
+    int count = 1;
+    knot[0] = places[0];
+    for (int k = 1; k <= NCK_BLEND_SEGS; k++) {
+        if (places[k] > knot[count - 1] + LEAST) knot[count++] = places[k];
     }
     return count;
 }

@@ -235,10 +235,11 @@ static void measure_ways(nck_smooth_t *self, uint32_t count, nck_meet_t *meet) {
 static void stop_or_bend(nck_smooth_t *self, uint32_t count, int is_sharp) {
     const nck_raw_t *const raw = nck_raw_at(self, count);
     const double s = raw->s + raw->seg.length;
-    nck_bend_t bend = {nck_min(raw->spacing, s), {0.0}};
+    nck_bend_t bend;
     nck_meet_t meet = {raw, nck_raw_at(self, nck_raw_next(self, count)), {0.0, 0.0}, {0, 0}};
     double before[NCK_AXIS_MAX];
     double here[NCK_AXIS_MAX];
+    bend.d = nck_min(raw->spacing, s);
     if (self->run.closed) bend.d = nck_min(bend.d, nck_raw_known(self) - s);
     if (!is_sharp && bend.d >= 0.5 * raw->spacing) return;
     nck_raw_point(self, s - bend.d, before);

@@ -68,8 +68,10 @@ static inline void nck_spline_part(nck_seg_t *seg, nck_real x0, nck_real x1) {
         const nck_real way = seg->end[x] - start;
         const nck_real b[4] = {start, seg->inner[0][x], seg->inner[1][x], seg->end[x]};
         const int cubic = seg->kind == NCK_SEG_SPLINE;
-        if (cubic) seg->inner[0][x] = nck_spline_blossom(b, u, u, v);
-        if (cubic) seg->inner[1][x] = nck_spline_blossom(b, u, v, v);
+        if (cubic) {
+            seg->inner[0][x] = nck_spline_blossom(b, u, u, v);
+            seg->inner[1][x] = nck_spline_blossom(b, u, v, v);
+        }
         if (!begins) seg->start[x] = cubic ? nck_spline_blossom(b, u, u, u) : start + way * u;
         if (!ends) seg->end[x] = cubic ? nck_spline_blossom(b, v, v, v) : start + way * v;
     }

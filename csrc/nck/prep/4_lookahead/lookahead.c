@@ -259,7 +259,8 @@ static void add_motion(nck_lookahead_t *self, uint32_t count, const around_t end
     const double middle[2] = {a, b};
     const double last[2] = {b, joint->length};
     around_t inside;
-    around_t beside[2] = {ends[0], ends[1]};
+    around_t beside[2];
+    memcpy(beside, ends, sizeof beside);
     keep_in_middle(self, ends, is_cut_off, &inside);
     for (int n = 0; n < 2 && self->v_filter > 0.0; n++) {
         if (!is_cut_off[1 - n]) add_around(&beside[n], &ends[1 - n]); // it may reach all the way

@@ -95,7 +95,7 @@ void nck_near_level(nck_lookahead_t *self) {
     const int rests = !before || before->stop || before->kind >= NCK_SEG_DWELL;
     if (rests || is_chain(before)) {
         const side_t side = rests ? at_rest(joint) : beside(joint, before);
-        level(joint, &side, self->machine);
+        (void)level(joint, &side, self->machine);
     }
     if (before && !rests) level_before(self, at);
     level_to_rest(self, at);
