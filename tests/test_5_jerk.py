@@ -259,7 +259,7 @@ def test_whatever_the_operator_does_limits_and_path_are_kept(name, mode, prep_st
 @pytest.fixture(scope="module")
 def sound():
     """Return a program that rounds corners of lines and arcs within a tolerance, and its rows."""
-    text = "G17 G21 G90 G94 G64 P0.1\nG1 X20 F3000\nY10\nG3 X10 Y20 I-10\nG1 X0\nY0\nM2\n"
+    text = "G17 G21 G90 G94 G64 P0.5\nG1 X20 F3000\nY10\nG3 X10 Y20 I-10\nG1 X0\nY0\nM2\n"
     program = Program(text.encode(), Machine.load("mill3", set=["path.slope=jerk"]))
     return program, judged.rows_of(program)
 
@@ -269,7 +269,7 @@ def out_of_the_tolerance(rows):
     arc = np.flatnonzero(rows["pose"]["block"] == 2)[100:-100]
     bump = np.sin(np.linspace(0, np.pi, len(arc)))[:, None] ** 4
     poses = rows["pose"]["axis"]
-    poses[arc, :2] = 10 + (poses[arc, :2] - 10) * (1 - 0.013 * bump)
+    poses[arc, :2] = 10 + (poses[arc, :2] - 10) * (1 - 0.06 * bump)
     return rounded(rows)
 
 

@@ -147,8 +147,8 @@ static void plans_of_one_cell_are_executed(check_t *check) {
     motion_holds(check, &self, "2.8 nm");
 }
 
-// Two jerk limits a factor of a hundred apart, cells that last longer than the jerk rule counts: the
-// way down from the faster piece comes to nothing where the way up is slow.
+// Two jerk limits a factor of a hundred apart, cells that last longer than the jerk rule counts:
+// the way down from the faster piece comes to nothing where the way up is slow.
 static void no_plan_stands_still_between_two_nodes(check_t *check) {
     static const double limits[3][3] = {
         {7.49273, 22.9608, 19131.7}, {7.94269, 1.88873, 50506.9}, {781.232, 19699.8, 9.08488}};
@@ -167,8 +167,8 @@ static void no_plan_stands_still_between_two_nodes(check_t *check) {
         self.machine.axis[x].j_max = limits[x][2];
     }
     for (int k = 0; k < 10; k++) {
-        snprintf(words, sizeof words, "G1 X%.6f Y%.6f Z%.6f", places[k][0] * 1e-6, places[k][1] * 1e-6,
-                 k == 9 ? 0.000147 : 0.0);
+        snprintf(words, sizeof words, "G1 X%.6f Y%.6f Z%.6f", places[k][0] * 1e-6,
+                 places[k][1] * 1e-6, k == 9 ? 0.000147 : 0.0);
         motion_line(&self, words);
     }
     CHECK(check, motion_run(&self, NULL));

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Fuzz target of the whole kernel: bytes fill a machine, then a program, an operator and a prep
-// task of any pace. Either the machine is refused, or every prep step is bounded, every number finite,
-// nothing jumps, and the run comes to its end where the program ends.
+// task of any pace. Either the machine is refused, or every prep step is bounded, every number
+// finite, nothing jumps, and the run comes to its end where the program ends.
 //
 //     machine: slope, edits │ one byte for an operation, more for what it needs │ …
 #include "nck/nck.h" // nck_t

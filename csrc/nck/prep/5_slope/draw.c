@@ -42,8 +42,8 @@ static void end_cell(const nck_jerk_t *self, const nck_pieces_t *pieces, uint32_
     cell->last = behind && piece->last;
 }
 
-// Between two nodes at no speed a cell would last for ever. Where a plan is broken there may be such
-// (a coarse one is not asked, and from rest there is no other): the node behind cell i creeps then.
+// Between two nodes at no speed a cell would last for ever. Where a plan is broken there may be
+// such (a coarse one is not asked, and from rest there is no other): the node behind cell i creeps.
 static void keep_moving(nck_jerk_t *self, uint32_t i) {
     const uint32_t node = i + 1;
     if (node == self->work.n || self->w[node] > 0.0 || !(self->w_cap[node] > 0.0)) return;

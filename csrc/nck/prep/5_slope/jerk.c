@@ -13,8 +13,8 @@ enum {
     PHASE_DRAW, PHASE_INSTALL
 };
 
-// Of a plan's cells at most one in three, at least one in ten become final before the next one takes
-// over; and so many cells less than where it begins to brake for the window's end.
+// Of a plan's cells at most one in three, at least one in ten become final before the next one
+// takes over; and so many cells less than where it begins to brake for the window's end.
 enum { COMMIT_MOST = 3, COMMIT_LEAST = 10, KEEP_OFF = 4 };
 
 // The window is to see this many times the time that a ramp from full speed to rest takes.
