@@ -11,7 +11,7 @@
 
 #include "nck/base/path_math.h"            // nck_path_tangent
 #include "nck/base/real.h"                 // nck_min nck_max
-#include "nck/base/ramp_math.h"            // nck_ramp_…
+#include "nck/base/scurve_math.h"          // nck_scurve_…
 #include "nck/base/root_math.h"            // nck_root_cube
 #include "nck/prep/3_smooth/blend_math.h"  // nck_blend_parking
 #include "nck/prep/3_smooth/spline_math.h" // nck_spline_…
@@ -43,7 +43,7 @@ typedef struct corner {
     double length[2];         // of either block [path mm]
     double half[2];           // how much of it is this corner's [path mm]
     uint8_t rests[2];         // 1: the path rests at the block's other end
-    nck_ramp_t ramp;          // along both blocks, by the slower one
+    nck_scurve_t ramp;        // along both blocks, by the slower one
     double mix_s;             // that the slope's filter adds to a low point [s]
 } corner_t;
 
@@ -66,7 +66,7 @@ static void limit_along(const nck_machine_t *machine, corner_t *corner) {
     for (int x = 0; x < NCK_AXIS_MAX; x++) {
         const double a = machine->axis[x].a_max;
         const double j = limits_jerk ? machine->axis[x].j_max : UNLIMITED;
-        nck_ramp_t *const ramp = &corner->ramp;
+        nck_scurve_t *const ramp = &corner->ramp;
         ramp->a = least_of(least_of(ramp->a, a, corner->in[x]), a, corner->out[x]);
         ramp->j = least_of(least_of(ramp->j, j, corner->in[x]), j, corner->out[x]);
     }
@@ -120,8 +120,8 @@ static double side_time(const corner_t *corner, int n, double v, double d) {
     const double all = corner->rests[n] ? corner->length[n] : corner->half[n];
     const double left = nck_max(0.0, all - d);
     const double bound = bound_by(corner, v, left);
-    if (!corner->rests[n]) return bound / v + nck_ramp_over(&corner->ramp, v, left - bound);
-    return bound / v + nck_ramp_to_rest(&corner->ramp, v, left - bound);
+    if (!corner->rests[n]) return bound / v + nck_scurve_over(&corner->ramp, v, left - bound);
+    return bound / v + nck_scurve_to_rest(&corner->ramp, v, left - bound);
 }
 
 // The speed of a bend that takes d of either block, as what is left beside a rest lets it be.
@@ -131,7 +131,7 @@ static double reachable(const corner_t *corner, double v, double d) {
         const double left = nck_max(0.0, corner->length[n] - d);
         if (!corner->rests[n]) continue;
         const double most =
-            nck_ramp_reach(&corner->ramp, 0.0, left - bound_by(corner, v, left));
+            nck_scurve_reach(&corner->ramp, 0.0, left - bound_by(corner, v, left));
         v = nck_max(least, nck_min(v, most));
     }
     return v;
@@ -142,8 +142,8 @@ static double reachable(const corner_t *corner, double v, double d) {
 static double stop_time(const corner_t *corner, double d, const nck_machine_t *machine) {
     double time = REST_PERIODS * machine->period_s + corner->mix_s;
     for (int n = 0; n < 2; n++) {
-        const double half = nck_ramp_over(&corner->ramp, 0.0, corner->half[n]);
-        const double v_end = nck_ramp_reach(&corner->ramp, 0.0, corner->half[n]);
+        const double half = nck_scurve_over(&corner->ramp, 0.0, corner->half[n]);
+        const double v_end = nck_scurve_reach(&corner->ramp, 0.0, corner->half[n]);
         time += corner->rests[n] ? 2.0 * half : half;
         if (corner->half[n] < d) time += (d - corner->half[n]) / v_end;
     }

@@ -2,7 +2,7 @@
 // Inside room 4: speed and share of junctions, alone and where many share a period.
 #include "nck/prep/4_lookahead/corner.h"
 
-#include "nck/base/ramp_math.h"              // nck_ramp_over
+#include "nck/base/scurve_math.h"            // nck_scurve_over
 #include "nck/prep/4_lookahead/limit_math.h" // nck_corner_…
 
 #define UNLIMITED 1e30
@@ -33,11 +33,12 @@ static int is_alone(const nck_joint_t *in, const nck_joint_t *out, double load,
 
 // Time of a junction that is crossed at v, over half of the segs beside it: in its zone the path
 // keeps to about that speed.
-static double crossing_time(const double half[2], double v, const nck_ramp_t *ramp, double zone_s) {
+static double crossing_time(const double half[2], double v, const nck_scurve_t *ramp,
+                            double zone_s) {
     double time = 0.0;
     for (int n = 0; n < 2; n++) {
         const double zone = nck_min(half[n], v * zone_s);
-        time += zone / v + nck_ramp_over(ramp, v, half[n] - zone);
+        time += zone / v + nck_scurve_over(ramp, v, half[n] - zone);
     }
     return time;
 }
@@ -47,7 +48,7 @@ static double crossing_time(const double half[2], double v, const nck_ramp_t *ra
 static int is_slow(const nck_joint_t *in, const nck_joint_t *out, double load,
                    const nck_machine_t *machine) {
     const double half[2] = {0.5 * in->length, 0.5 * out->length};
-    const nck_ramp_t ramp = {nck_min(in->a_most, out->a_most),
+    const nck_scurve_t ramp = {nck_min(in->a_most, out->a_most),
                              nck_min(in->j_straight, out->j_straight),
                              nck_min(in->v_free, out->v_free)};
     const double taps_s = (double)NCK_FILTER_TAPS * machine->period_s;
@@ -56,7 +57,7 @@ static int is_slow(const nck_joint_t *in, const nck_joint_t *out, double load,
     if (most >= ramp.v_max) return 0;
     if (!(v > 0.0)) return 1;
     if (v * v * v >= ramp.j * nck_max(half[0] * half[0], half[1] * half[1])) return 0;
-    const double stop = nck_ramp_over(&ramp, 0.0, half[0]) + nck_ramp_over(&ramp, 0.0, half[1])
+    const double stop = nck_scurve_over(&ramp, 0.0, half[0]) + nck_scurve_over(&ramp, 0.0, half[1])
                         + taps_s + machine->period_s;
     return stop < crossing_time(half, v, &ramp, nck_corner_zone_s(machine));
 }

@@ -15,26 +15,26 @@ static int is_chain(const nck_joint_t *joint) {
 }
 
 // What a joint's cap is levelled with: a neighbour, or a rest.
-typedef struct side {
+typedef struct neighbour {
     double w;      // v² there [path mm²/s²]
     double apart;  // between the middle of the joint and that of the neighbour [path mm]
     uint8_t limit; // nck_limit_t of w
-} side_t;
+} neighbour_t;
 
-static side_t beside(const nck_joint_t *joint, const nck_joint_t *neighbour) {
-    const side_t side = {neighbour->w_near, 0.5 * (joint->length + neighbour->length),
-                         neighbour->limit_free};
+static neighbour_t beside(const nck_joint_t *joint, const nck_joint_t *neighbour) {
+    const neighbour_t side = {neighbour->w_near, 0.5 * (joint->length + neighbour->length),
+                              neighbour->limit_free};
     return side;
 }
 
-static side_t at_rest(const nck_joint_t *joint) {
-    const side_t side = {0.0, 0.5 * joint->length, NCK_LIMIT_EXACT_STOP};
+static neighbour_t at_rest(const nck_joint_t *joint) {
+    const neighbour_t side = {0.0, 0.5 * joint->length, NCK_LIMIT_EXACT_STOP};
     return side;
 }
 
 // v² next to a neighbour's, with the acceleration that the joint's own bends leave at w:
 //   g(w) = w_n + 2σ·a_left(w)·l
-static double reach(const nck_joint_t *joint, const side_t *side, double w,
+static double reach(const nck_joint_t *joint, const neighbour_t *side, double w,
                     const nck_machine_t *machine) {
     const double left = nck_max(0.0, nck_joint_left(joint, w, machine));
     return side->w + 2.0 * NCK_BUDGET_STEEP_SHARE * left * side->apart;
@@ -43,7 +43,8 @@ static double reach(const nck_joint_t *joint, const side_t *side, double w,
 // The largest v² that a joint can come down from to its neighbour's: about the root of w = g(w). As
 // g falls, the root lies between g(high) and any high that is not below it; a secant makes the gap
 // small. It need not be exact: what is allowed at a speed is worked out when the speed is settled.
-static double leveled(const nck_joint_t *joint, const side_t *side, const nck_machine_t *machine) {
+static double leveled(const nck_joint_t *joint, const neighbour_t *side,
+                      const nck_machine_t *machine) {
     const double high = nck_min(joint->w_near, reach(joint, side, side->w, machine));
     const double low = reach(joint, side, high, machine);
     if (!(low < high)) return high;
@@ -55,7 +56,7 @@ static double leveled(const nck_joint_t *joint, const side_t *side, const nck_ma
 
 // A cap much above its neighbour's is of no use, but would cost acceleration and jerk; where the
 // joint hardly bends it costs none. Returns 1 if the cap came down.
-static int level(nck_joint_t *joint, const side_t *side, const nck_machine_t *machine) {
+static int level(nck_joint_t *joint, const neighbour_t *side, const nck_machine_t *machine) {
     if (!(side->w < joint->w_near)) return 0;
     const double w = leveled(joint, side, machine);
     if (!(w < joint->w_near)) return 0;
@@ -71,7 +72,7 @@ static int level(nck_joint_t *joint, const side_t *side, const nck_machine_t *ma
 static void level_before(nck_lookahead_t *self, uint32_t at) {
     while (at > 0 && self->joint.head - at <= NCK_NEAR_SPAN) {
         nck_joint_t *const before = nck_joint_at(self, at - 1);
-        const side_t side = beside(before, nck_joint_at(self, at));
+        const neighbour_t side = beside(before, nck_joint_at(self, at));
         if (!is_chain(before) || !level(before, &side, self->machine)) return;
         at--;
     }
@@ -81,7 +82,7 @@ static void level_before(nck_lookahead_t *self, uint32_t at) {
 static void level_to_rest(nck_lookahead_t *self, uint32_t at) {
     nck_joint_t *const joint = nck_joint_at(self, at);
     if (joint->kind != NCK_SEG_SPLINE || !joint->stop) return;
-    const side_t rest = at_rest(joint);
+    const neighbour_t rest = at_rest(joint);
     if (level(joint, &rest, self->machine)) level_before(self, at);
 }
 
@@ -94,7 +95,7 @@ void nck_near_level(nck_lookahead_t *self) {
     if (joint->kind != NCK_SEG_SPLINE) return;
     const int rests = !before || before->stop || before->kind >= NCK_SEG_DWELL;
     if (rests || is_chain(before)) {
-        const side_t side = rests ? at_rest(joint) : beside(joint, before);
+        const neighbour_t side = rests ? at_rest(joint) : beside(joint, before);
         (void)level(joint, &side, self->machine);
     }
     if (before && !rests) level_before(self, at);

@@ -3,7 +3,7 @@
 #include <math.h> // pow fmin fabs
 
 #include "check.h"
-#include "nck/base/ramp_math.h" // nck_ramp_…
+#include "nck/base/scurve_math.h" // nck_scurve_…
 
 static uint32_t state = 1;
 
@@ -14,28 +14,28 @@ static double decades(double low, double high) {
 
 static void a_ramp_reaches_what_its_length_says(check_t *check) {
     for (int n = 0; n < 20000; n++) {
-        const nck_ramp_t ramp = {decades(-1.0, 5.0), decades(0.0, 7.0), decades(-1.0, 4.0)};
+        const nck_scurve_t ramp = {decades(-1.0, 5.0), decades(0.0, 7.0), decades(-1.0, 4.0)};
         const double v = n % 3 == 0 ? 0.0 : fmin(ramp.v_max, decades(-5.0, 4.0));
         const double length = decades(-7.0, 3.0);
-        const double v_end = nck_ramp_reach(&ramp, v, length);
-        const double taken = nck_ramp_length(&ramp, v, v_end);
+        const double v_end = nck_scurve_reach(&ramp, v, length);
+        const double taken = nck_scurve_length(&ramp, v, v_end);
         CHECK(check, v_end >= v && v_end <= ramp.v_max);
         if (v_end - v < 1e-6 * v) continue; // too few digits to look at
         CHECK(check, taken <= length * (1.0 + 1e-6) + 1e-9 * v_end);
         if (v_end < ramp.v_max) CHECK(check, taken >= 0.999 * length);
-        const double time = nck_ramp_over(&ramp, v, length);
+        const double time = nck_scurve_over(&ramp, v, length);
         CHECK(check, time >= length / v_end * (1.0 - 1e-6));
         if (v > 0.0) CHECK(check, time <= length / v * (1.0 + 1e-5) + 1e-9);
-        CHECK(check, nck_ramp_reach(&ramp, v, 0.0) == v);
+        CHECK(check, nck_scurve_reach(&ramp, v, 0.0) == v);
     }
 }
 
 static void from_rest_to_rest_is_twice_the_half(check_t *check) {
     for (int n = 0; n < 5000; n++) {
-        const nck_ramp_t ramp = {decades(1.0, 4.0), decades(2.0, 6.0), decades(0.0, 3.0)};
+        const nck_scurve_t ramp = {decades(1.0, 4.0), decades(2.0, 6.0), decades(0.0, 3.0)};
         const double length = decades(-5.0, 3.0);
-        const double whole = nck_ramp_to_rest(&ramp, 0.0, length);
-        const double half = nck_ramp_over(&ramp, 0.0, 0.5 * length);
+        const double whole = nck_scurve_to_rest(&ramp, 0.0, length);
+        const double half = nck_scurve_over(&ramp, 0.0, 0.5 * length);
         CHECK(check, fabs(whole - 2.0 * half) <= 2e-3 * whole);
     }
 }
