@@ -8,7 +8,7 @@
 #define OPENCL_TILE_MATH_H
 
 #include "lanes_math.h"                         // LANES lanes_t (of the float or the double folder)
-#include "nck/prep/4_lookahead/envelope_math.h" // nck_envelope_backward for one number
+#include "nck/base/envelope_math.h" // nck_envelope_backward for one number
 
 // The same formulas once more, for lanes: the text of the header is the only definition.
 #undef NCK_PREP_ENVELOPE_MATH_H
@@ -16,7 +16,7 @@
 #define nck_envelope_h lanes_envelope_h
 #define nck_envelope_backward lanes_envelope_backward
 #define nck_envelope_forward lanes_envelope_forward
-#include "nck/prep/4_lookahead/envelope_math.h"
+#include "nck/base/envelope_math.h"
 #undef nck_real
 #undef nck_envelope_h
 #undef nck_envelope_backward

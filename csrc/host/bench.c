@@ -55,10 +55,7 @@ int64_t nck_host_bench_clock(void) {
 }
 
 static size_t take_pieces(nck_lookahead_t *lookahead) {
-    const nck_node_t *node = (const nck_node_t *)0;
-    double vv_end = 0.0;
-    uint32_t count = 0;
-    while (nck_lookahead_piece(lookahead, count, &node, &vv_end) == NCK_OK) count++;
+    const uint32_t count = nck_lookahead_fill(lookahead);
     if (count > 0) nck_lookahead_drop(lookahead, count);
     return count;
 }

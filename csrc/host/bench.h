@@ -19,7 +19,7 @@ nck_status_t nck_host_bench_ticks(nck_t *nck, const nck_machine_t *machine, cons
 // Cost: constant. Context: any.
 int64_t nck_host_bench_clock(void);
 
-// Room 4 alone: segs into its window, pieces out of it as they become final.
+// Room 4 alone: segs into its window, pieces out of it whenever it wants no more.
 // lookahead: memory to work in, initialised here. *pieces_out: how many came out.
 // Returns the time of all [ns]. Cost: linear. Context: prep.
 int64_t nck_host_bench_window(nck_lookahead_t *lookahead, const nck_machine_t *machine,

@@ -14,7 +14,7 @@
 #include "host/envelope.h" // nck_host_envelope_bad_double
 #include "host/threads.h"  // nck_host_threads_run nck_host_clock_ns
 
-#include "nck/prep/4_lookahead/envelope_math.h" // nck_envelope_backward nck_envelope_forward
+#include "nck/base/envelope_math.h" // nck_envelope_backward nck_envelope_forward
 
 typedef struct lookahead {
     const nck_host_keinert_settings_t *settings;

@@ -5,10 +5,7 @@
 #include <string.h> // memset
 
 enum {
-    PERCENT = 100, FEED_MOST = 200,    // overrides
-    TAIL_STEP = 32,                    // cells of the stop tail in one bounded step
-    BATCH_ROOM = NCK_CELL_MAX / 2,     // free places that make a batch worth its tail
-    WIRE_FILL = 0, WIRE_BATCH = 1, WIRE_TAIL = 2, WIRE_PUBLISH = 3
+    PERCENT = 100, FEED_MOST = 200 // overrides
 };
 
 nck_status_t nck_init(nck_t *nck, const nck_machine_t *machine, const nck_hooks_t *hooks) {
@@ -23,16 +20,15 @@ nck_status_t nck_init(nck_t *nck, const nck_machine_t *machine, const nck_hooks_
     nck_toolcomp_init(&nck->toolcomp, &nck->machine);
     nck_smooth_init(&nck->smooth, &nck->machine);
     nck_lookahead_init(&nck->lookahead, &nck->machine);
-    nck_slope_init(&nck->slope, &nck->machine);
-    nck_jerk_init(&nck->jerk, &nck->machine, &nck->link);
-    nck_sshape_init(&nck->sshape, &nck->machine, &nck->link);
     nck_link_init(&nck->link);
+    nck_slope_init(&nck->slope, &nck->machine, &nck->link);
     nck_interpolate_init(&nck->interpolate, &nck->machine, &nck->link);
     nck_transform_init(&nck->transform, &nck->machine);
     return NCK_OK;
 }
 
 nck_status_t nck_push(nck_t *nck, const char *text, size_t n, size_t *used_out) {
+    nck->wire.hungry = 0;
     return nck_decode_push(&nck->decode, text, n, used_out);
 }
 
@@ -98,88 +94,6 @@ static nck_status_t pull_block(nck_t *nck) {
     return carry_block(nck, block);
 }
 
-// The tick has entered the stop tail: go on from where that tail comes to rest. The tail has one
-// cell for each piece from the window's head on.
-static void go_on_from_tail(nck_t *nck) {
-    uint32_t count = 0;
-    const nck_cell_t *const end = nck_link_tail_end(&nck->link, &count);
-    nck_lookahead_restart(&nck->lookahead, count - 1, end->s + end->length);
-    nck->wire.recovered = 1;
-}
-
-static nck_status_t begin_batch(nck_t *nck) {
-    const nck_node_t *node = NULL;
-    double vv_end = 0.0;
-    if (nck_link_batch_begin(&nck->link) && !nck->wire.recovered) {
-        go_on_from_tail(nck);
-        return NCK_OK;
-    }
-    if (nck_link_cell_room(&nck->link) < BATCH_ROOM) return NCK_FULL;
-    if (nck_lookahead_piece(&nck->lookahead, 0, &node, &vv_end) != NCK_OK) return NCK_EMPTY;
-    nck->wire.pieces = 0;
-    nck->wire.phase = WIRE_BATCH;
-    return NCK_OK;
-}
-
-// lookahead ─▶ slope ─▶ cells behind the ring's end, one piece.
-static void fill_batch(nck_t *nck) {
-    const nck_node_t *node = NULL;
-    nck_cell_t cells[NCK_SLOPE_CELLS];
-    double vv_end = 0.0;
-    if (nck_link_cell_room(&nck->link) < NCK_SLOPE_CELLS
-        || nck_lookahead_piece(&nck->lookahead, nck->wire.pieces, &node, &vv_end) != NCK_OK) {
-        nck_slope_brake_begin(&nck->slope, nck->wire.vv_end);
-        nck_link_tail_begin(&nck->link);
-        nck->wire.tail = nck->wire.pieces;
-        nck->wire.phase = WIRE_TAIL;
-        return;
-    }
-    const int count = nck_slope_push(&nck->slope, node, vv_end, cells);
-    for (int k = 0; k < count; k++) nck_link_push_cell(&nck->link, &cells[k]);
-    nck->wire.vv_end = vv_end;
-    nck->wire.pieces++;
-}
-
-// lookahead ─▶ slope ─▶ stop tail, a bounded number of cells.
-static void fill_tail(nck_t *nck) {
-    for (int n = 0; n < TAIL_STEP; n++) {
-        nck_cell_t cell;
-        const nck_node_t *const node = nck_lookahead_ahead(&nck->lookahead, nck->wire.tail);
-        nck->wire.tail++;
-        const nck_node_t *const next = nck_lookahead_ahead(&nck->lookahead, nck->wire.tail);
-        const double vv_cap_end = next ? next->vv_cap : 0.0;
-        const nck_status_t status =
-            node ? nck_slope_brake(&nck->slope, node, vv_cap_end, &cell) : NCK_EMPTY;
-        if (status != NCK_EMPTY) nck_link_tail_push(&nck->link, &cell);
-        if (status != NCK_OK) {
-            nck->wire.phase = WIRE_PUBLISH;
-            return;
-        }
-    }
-}
-
-static nck_status_t publish(nck_t *nck) {
-    const nck_status_t status = nck_link_publish(&nck->link);
-    if (status == NCK_FULL || status == NCK_E_INTERNAL) return status;
-    nck->wire.phase = WIRE_FILL;
-    if (status != NCK_OK) return NCK_OK;
-    nck->wire.recovered = 0;
-    for (uint32_t i = 0; nck->hooks.on_node && i < nck->wire.pieces; i++) {
-        nck->hooks.on_node(nck->hooks.user, nck_lookahead_ahead(&nck->lookahead, i));
-    }
-    nck_lookahead_drop(&nck->lookahead, nck->wire.pieces);
-    return NCK_OK;
-}
-
-static nck_status_t step_linear(nck_t *nck) {
-    switch (nck->wire.phase) {
-    case WIRE_BATCH: fill_batch(nck); return NCK_OK;
-    case WIRE_TAIL: fill_tail(nck); return NCK_OK;
-    case WIRE_PUBLISH: return publish(nck);
-    default: return nck_fence_load(&nck->command.hold) ? NCK_FULL : begin_batch(nck);
-    }
-}
-
 static nck_wish_t wish_of(const nck_command_t *command) {
     const nck_wish_t wish = {(double)nck_fence_load(&command->feed_percent) / 100.0,
                              (double)nck_fence_load(&command->rapid_percent) / 100.0,
@@ -189,9 +103,10 @@ static nck_wish_t wish_of(const nck_command_t *command) {
     return wish;
 }
 
-static nck_pieces_t pieces_of(const nck_t *nck) {
+static nck_pieces_t pieces_of(nck_t *nck) {
     const nck_pieces_t pieces = {nck->lookahead.window.at, nck->lookahead.window.head,
-                                 nck_lookahead_fill(&nck->lookahead)};
+                                 nck->lookahead.window.fill, nck->lookahead.window.barrier,
+                                 (uint32_t)nck_lookahead_is_complete(&nck->lookahead)};
     return pieces;
 }
 
@@ -204,30 +119,13 @@ static void drop_before(nck_t *nck, uint32_t number) {
     if (count > 0) nck_lookahead_drop(&nck->lookahead, count);
 }
 
-// lookahead ─▶ jerk-limited slope ─▶ plans and final cells.
-static nck_status_t step_jerk(nck_t *nck) {
+// lookahead ─▶ slope ─▶ plans and final cells.
+static nck_status_t step_slope(nck_t *nck) {
     const nck_pieces_t pieces = pieces_of(nck);
     const nck_wish_t wish = wish_of(&nck->command);
-    const nck_status_t status = nck_jerk_step(&nck->jerk, &pieces, &wish);
-    drop_before(nck, nck_jerk_needs(&nck->jerk));
+    const nck_status_t status = nck_slope_step(&nck->slope, &pieces, &wish);
+    drop_before(nck, nck_slope_needs(&nck->slope));
     return status;
-}
-
-// lookahead ─▶ classical S-shape ─▶ parts of pieces, each with its brake.
-static nck_status_t step_sshape(nck_t *nck) {
-    const nck_pieces_t pieces = pieces_of(nck);
-    const uint32_t hold = nck_fence_load(&nck->command.hold);
-    const nck_status_t status = nck_sshape_step(&nck->sshape, &pieces, hold);
-    drop_before(nck, nck_sshape_needs(&nck->sshape));
-    return status;
-}
-
-static nck_status_t step_slope(nck_t *nck) {
-    switch (nck->machine.slope) {
-    case NCK_SLOPE_JERK: return step_jerk(nck);
-    case NCK_SLOPE_SSHAPE: return step_sshape(nck);
-    default: return step_linear(nck);
-    }
 }
 
 // At a WAIT that nobody has ended. After an abort nobody can.
@@ -252,22 +150,34 @@ static int is_stuck(const nck_t *nck, nck_status_t slope, nck_status_t ahead, nc
            && nck_lookahead_oldest(&nck->lookahead, finished + 1) == finished;
 }
 
-// Downstream first: cells, then the envelope, then blocks.
+// More text is needed. Asked for it in vain, the slope plans with what is there before the path
+// would come to rest; a caller who always has text sees the same plans however late he is asked.
+static nck_status_t needs_text(nck_t *nck, nck_status_t slope) {
+    const int hurries = nck->wire.hungry && slope == NCK_EMPTY;
+    if (hurries && nck_slope_hurry(&nck->slope) == NCK_OK) {
+        nck->wire.hungry = 0;
+        return NCK_OK;
+    }
+    nck->wire.hungry = 1;
+    return NCK_EMPTY;
+}
+
+// Downstream first: cells, then caps, then blocks.
 nck_status_t nck_prep(nck_t *nck) {
-    const int jerk = nck->machine.slope == NCK_SLOPE_JERK;
     if (nck->wire.given_up) return NCK_DONE;
     const nck_status_t status = step_slope(nck);
     if (status == NCK_OK) return NCK_OK;
     if (status == NCK_E_INTERNAL) return give_up(nck, nck_link_broken_line(&nck->link));
     if (nck_fence_load(&nck->command.abort)) {
-        const int rests = nck_jerk_is_held(&nck->jerk) || is_waiting(nck);
-        return jerk && !rests ? NCK_FULL : NCK_DONE;
+        const int rests = nck_slope_is_held(&nck->slope) || is_waiting(nck);
+        return rests ? NCK_DONE : NCK_FULL;
     }
     const nck_status_t ahead = nck_lookahead_step(&nck->lookahead);
     if (ahead == NCK_OK) return NCK_OK;
     const nck_status_t input = pull_block(nck);
     if (input == NCK_E_INTERNAL) return give_up(nck, nck->wire.block.line);
-    if (input <= NCK_OK || input == NCK_EMPTY) return input;
+    if (input <= NCK_OK) return input;
+    if (input == NCK_EMPTY) return needs_text(nck, status);
     if (is_stuck(nck, status, ahead, input)) {
         nck_lookahead_end(&nck->lookahead);
         return NCK_OK;
@@ -313,7 +223,7 @@ void nck_abort(nck_t *nck) {
 }
 
 static nck_status_t set_command(const nck_t *nck, uint32_t *word, uint32_t value, uint32_t most) {
-    if (nck->machine.slope != NCK_SLOPE_JERK) return NCK_E_STATE;
+    if (nck->machine.slope == NCK_SLOPE_SSHAPE) return NCK_E_STATE;
     nck_fence_store(word, value < most ? value : most);
     return NCK_OK;
 }

@@ -22,9 +22,7 @@
 #include "nck/prep/2_toolcomp/toolcomp.h"       // nck_toolcomp_t
 #include "nck/prep/3_smooth/smooth.h"           // nck_smooth_t
 #include "nck/prep/4_lookahead/lookahead.h"     // nck_lookahead_t
-#include "nck/prep/5_slope/jerk.h"              // nck_jerk_t
 #include "nck/prep/5_slope/slope.h"             // nck_slope_t
-#include "nck/prep/5_slope/sshape.h"            // nck_sshape_t
 #include "nck/tick/6_interpolate/interpolate.h" // nck_interpolate_t
 #include "nck/tick/7_transform/transform.h"     // nck_transform_t
 
@@ -56,21 +54,15 @@ typedef struct nck {
     nck_smooth_t smooth;
     nck_lookahead_t lookahead;
     nck_slope_t slope;
-    nck_jerk_t jerk;
-    nck_sshape_t sshape;
     nck_link_t link;
     nck_interpolate_t interpolate;
     nck_transform_t transform;
     struct {
         nck_block_t block;      // on its way from 2_toolcomp to 3_smooth
         uint8_t ended;          // 1: no more blocks: END, end of text or a program error
-        uint8_t recovered;      // 1: the stop tail in use is taken into account
         uint8_t given_up;       // 1: after NCK_E_INTERNAL
-        uint8_t phase;          // of the batch of cells being built
+        uint8_t hungry;         // 1: text has been asked for and has not come
         uint32_t blocks;        // blocks so far, of all kinds
-        uint32_t pieces;        // pieces in the batch
-        uint32_t tail;          // next piece of its stop tail
-        double vv_end;          // v² at the batch's end
         nck_diagnostic_t diagnostic; // of a room behind 1_decode; code 0: none
     } wire;
 } nck_t;

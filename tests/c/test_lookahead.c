@@ -4,7 +4,7 @@
 #include <string.h> // memset
 
 #include "check.h"
-#include "nck/prep/4_lookahead/envelope_math.h" // nck_envelope_…
+#include "nck/base/envelope_math.h" // nck_envelope_…
 #include "nck/prep/4_lookahead/lookahead.h"     // nck_lookahead_t
 
 enum { SEGS = 6000, NODES = 3 * SEGS };

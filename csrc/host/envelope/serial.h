@@ -9,7 +9,7 @@
 #include <stdint.h> // uint32_t uint64_t
 #include <string.h> // memcpy
 
-#include "nck/prep/4_lookahead/envelope_math.h" // nck_envelope_backward nck_envelope_forward
+#include "nck/base/envelope_math.h" // nck_envelope_backward nck_envelope_forward
 
 static int is_good(nck_real x) {
     return x >= 0 && x - x == 0; // infinity − infinity is NaN

@@ -11,7 +11,7 @@
 
 #include <stddef.h> // size_t
 
-#include "nck/prep/4_lookahead/envelope_math.h" // nck_envelope_backward
+#include "nck/base/envelope_math.h" // nck_envelope_backward
 
 // Plain C: the stretches break the chain of waits, and a compiler may put them into one register.
 enum { WIDTH = 4, TILE = 4, GROUPS = 1 };

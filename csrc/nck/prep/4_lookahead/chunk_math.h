@@ -13,7 +13,7 @@
 #define NCK_PREP_CHUNK_MATH_H
 
 #include "nck/base/real.h"                      // nck_real nck_int64 NCK_IN
-#include "nck/prep/4_lookahead/envelope_math.h" // nck_envelope_backward nck_envelope_forward
+#include "nck/base/envelope_math.h" // nck_envelope_backward nck_envelope_forward
 
 // How many nodes a chain may look beyond its part. The first try, and the last: where even that
 // leaves doubt, the caller plans the whole path serially.

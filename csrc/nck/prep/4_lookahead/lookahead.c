@@ -4,16 +4,14 @@
 
 #include <string.h> // memset
 
-#include "nck/prep/4_lookahead/corner.h"        // nck_corner_…
-#include "nck/prep/4_lookahead/envelope_math.h" // nck_envelope_…
-#include "nck/prep/4_lookahead/joint.h"         // nck_joint_…
-#include "nck/prep/4_lookahead/near.h"          // nck_near_…
+#include "nck/base/real.h"               // nck_min nck_max nck_sqrt
+#include "nck/prep/4_lookahead/corner.h" // nck_corner_…
+#include "nck/prep/4_lookahead/joint.h"  // nck_joint_…
+#include "nck/prep/4_lookahead/near.h"   // nck_near_…
 
 enum {
     PIECES_PER_SEG = 3, // head, middle, tail
     JOINT_ROOM = NCK_JOINT_MAX - NCK_CORNER_SPAN - NCK_SPLINE_PARTS, // and one seg more goes in
-    PASS_STEP = 32,     // nodes in one bounded step of a pass
-    PHASE_NONE = 0, PHASE_BACKWARD = 1, PHASE_FORWARD = 2
 };
 
 // A seg is cut where its junctions' share ends only if that frees more than this share of its
@@ -81,8 +79,6 @@ void nck_lookahead_end(nck_lookahead_t *self) { self->ended = 1; }
 static nck_node_t *node_at(nck_lookahead_t *self, uint32_t i) {
     return &self->window.at[(self->window.head + i) & (NCK_WINDOW - 1)];
 }
-
-static double h_of(const nck_node_t *node) { return nck_envelope_h(node->a, node->length); }
 
 // What the neighbourhood leaves to a piece, by pace.
 typedef struct around {
@@ -316,104 +312,25 @@ static nck_status_t place(nck_lookahead_t *self) {
         self->before.limit = NCK_LIMIT_EXACT_STOP;
     }
     if (joint->kind == NCK_SEG_WAIT) self->window.barrier = self->window.fill;
-    self->window.segs += joint->last;
     self->joint.placed++;
     return NCK_OK;
 }
 
-// The jerk-limited slope counts blocks itself, and must know what comes behind the last of them.
 static int window_full(const nck_lookahead_t *self) {
-    const int counts = self->machine->slope != NCK_SLOPE_JERK;
-    const uint32_t blocks = counts ? self->machine->lookahead_blocks : 0;
-    return self->window.fill > NCK_WINDOW - PIECES_PER_SEG
-           || (blocks > 0 && self->machine->slope != NCK_SLOPE_JERK && self->window.segs >= blocks);
+    return self->window.fill > NCK_WINDOW - PIECES_PER_SEG;
 }
 
 static int all_placed(const nck_lookahead_t *self) {
     return self->ended && self->joint.placed == self->joint.head;
 }
 
-// How many pieces become final by a pass begun now; 0: none, more must come first. Depends on
-// counts of segs only, never on time, so that equal capacities give equal setpoints.
-static uint32_t pass_final(const nck_lookahead_t *self) {
-    if (self->window.fill == 0) return 0;
-    if (all_placed(self)) return self->window.fill;
-    const uint32_t half = window_full(self) || self->window.restart ? self->window.fill / 2 : 0;
-    return half > self->window.barrier ? half : self->window.barrier;
-}
-
-static void pass_begin(nck_lookahead_t *self, uint32_t final) {
-    self->pass.phase = PHASE_BACKWARD;
-    self->pass.left = self->window.fill;
-    self->pass.final = final;
-    self->pass.vv = 0.0;
-    self->pass.open = !node_at(self, self->window.fill - 1)->stop;
-    self->window.restart = 0;
-}
-
-// w_i = min(w_cap,i, w_{i+1} + h_i) from the window's end, where the path must be able to rest.
-static void pass_backward(nck_lookahead_t *self) {
-    for (int n = 0; n < PASS_STEP && self->pass.left > 0; n++) {
-        self->pass.left--;
-        nck_node_t *const node = node_at(self, self->pass.left);
-        const double h = h_of(node);
-        if (!(self->pass.vv + h < node->vv_cap)) self->pass.open = 0;
-        node->open = (uint8_t)self->pass.open;
-        node->vv = nck_envelope_backward(node->vv_cap, self->pass.vv, h);
-        self->pass.vv = node->vv;
-    }
-    if (self->pass.left > 0) return;
-    self->pass.phase = PHASE_FORWARD;
-    node_at(self, 0)->vv = self->window.vv_entry;
-}
-
-// w_{i+1} = min(w_{i+1}, w_i + h_i) over the pieces that become final.
-static void pass_forward(nck_lookahead_t *self) {
-    for (int n = 0; n < PASS_STEP && self->pass.left < self->pass.final; n++) {
-        const nck_node_t *const node = node_at(self, self->pass.left);
-        self->pass.left++;
-        if (self->pass.left == self->window.fill) break;
-        nck_node_t *const next = node_at(self, self->pass.left);
-        next->vv = nck_envelope_forward(next->vv, node->vv, h_of(node));
-    }
-    if (self->pass.left < self->pass.final) return;
-    self->pass.phase = PHASE_NONE;
-    self->window.final = self->pass.final;
-}
-
 nck_status_t nck_lookahead_step(nck_lookahead_t *self) {
-    if (self->pass.phase == PHASE_BACKWARD) {
-        pass_backward(self);
-        return NCK_OK;
-    }
-    if (self->pass.phase == PHASE_FORWARD) {
-        pass_forward(self);
-        return NCK_OK;
-    }
-    const int has_passes = self->machine->slope == NCK_SLOPE_LINEAR;
-    if (has_passes && self->window.final == 0) {
-        const uint32_t final = pass_final(self);
-        if (final > 0) {
-            pass_begin(self, final);
-            return NCK_OK;
-        }
-    }
     if (window_full(self)) return NCK_FULL;
     const int open = self->joint.placed != self->joint.decided;
     if (open && place(self) == NCK_OK) return NCK_OK;
     if (nck_corner_decide(self) == NCK_OK) return NCK_OK;
     if (nck_near_settle(self) == NCK_OK) return NCK_OK;
-    if (!all_placed(self)) return NCK_EMPTY;
-    return !has_passes || self->window.final > 0 || self->window.fill == 0 ? NCK_DONE : NCK_OK;
-}
-
-nck_status_t nck_lookahead_piece(const nck_lookahead_t *self, uint32_t i,
-                                 const nck_node_t **node_out, double *vv_end_out) {
-    if (i >= self->window.final || self->pass.phase != PHASE_NONE) return NCK_EMPTY;
-    *node_out = nck_lookahead_ahead(self, i);
-    const nck_node_t *const next = nck_lookahead_ahead(self, i + 1);
-    *vv_end_out = next ? next->vv : 0.0;
-    return NCK_OK;
+    return all_placed(self) ? NCK_DONE : NCK_EMPTY;
 }
 
 const nck_node_t *nck_lookahead_ahead(const nck_lookahead_t *self, uint32_t i) {
@@ -434,47 +351,23 @@ int nck_lookahead_is_complete(const nck_lookahead_t *self) {
     return all_placed(self) || (fill > 0 && self->window.barrier == fill);
 }
 
-// Forget pieces from the head, final or not.
-static void forget(nck_lookahead_t *self, uint32_t n) {
-    for (uint32_t i = 0; i < n; i++) {
-        if (node_at(self, i)->last) self->window.segs--;
-    }
+void nck_lookahead_drop(nck_lookahead_t *self, uint32_t n) {
     self->window.head += n;
     self->window.fill -= n;
-    self->window.final -= n < self->window.final ? n : self->window.final;
     self->window.barrier -= n < self->window.barrier ? n : self->window.barrier;
-}
-
-void nck_lookahead_drop(nck_lookahead_t *self, uint32_t n) {
-    forget(self, n);
-    self->window.vv_entry = self->window.fill > 0 ? node_at(self, 0)->vv : 0.0;
-}
-
-void nck_lookahead_restart(nck_lookahead_t *self, uint32_t n, double s) {
-    forget(self, n);
-    self->pass.phase = PHASE_NONE;
-    self->window.final = 0;
-    self->window.restart = 1;
-    self->window.vv_entry = 0.0;
-    nck_node_t *const node = node_at(self, 0);
-    const double past = nck_min(s - node->s, node->length);
-    node->length -= past;
-    node->s += past;
-    node->vv_cap = 0.0;
-    node->vv_node = 0.0;
 }
 
 int nck_lookahead_invariants(const nck_lookahead_t *self) {
     const uint32_t fill = self->window.fill;
-    int good = fill <= NCK_WINDOW && self->window.final <= fill && self->window.barrier <= fill
+    int good = fill <= NCK_WINDOW && self->window.barrier <= fill
                && self->joint.head - self->joint.decided <= self->joint.head - self->joint.placed
                && self->joint.head - self->joint.settled <= self->joint.head - self->joint.decided
                && self->joint.head - self->joint.placed <= NCK_JOINT_MAX - NCK_CORNER_SPAN;
-    for (uint32_t i = 0; good && i < self->window.final; i++) {
+    for (uint32_t i = 0; good && i < fill; i++) {
         const nck_node_t *const node = nck_lookahead_ahead(self, i);
         const nck_node_t *const next = nck_lookahead_ahead(self, i + 1);
-        good = node->vv >= 0.0 && node->vv <= node->vv_cap && node->vv_cap <= node->vv_piece
-               && (!next || self->pass.phase != PHASE_NONE || !node->stop || next->vv == 0.0);
+        good = node->vv_cap >= 0.0 && node->vv_cap <= node->vv_piece
+               && (!next || !node->stop || next->vv_cap == 0.0);
     }
     return good;
 }

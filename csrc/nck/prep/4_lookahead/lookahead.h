@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Room 4, lookahead: seg → node. Places the nodes, finds every cap, and the exact envelope in w =
-// v².
+// Room 4, lookahead: seg → node. Places the nodes and finds every cap.
 //
-//   push ─▶ joints (caps of segs and junctions) ─▶ window of nodes (envelope) ─▶ pieces, final
+//   push ─▶ joints (caps of segs and junctions) ─▶ window of nodes ─▶ pieces
 #ifndef NCK_PREP_LOOKAHEAD_H
 #define NCK_PREP_LOOKAHEAD_H
 
@@ -88,22 +87,9 @@ typedef struct nck_lookahead {
     struct {
         uint32_t head;    // oldest node
         uint32_t fill;    // nodes in the window
-        uint32_t segs;    // segs in the window
-        uint32_t final;   // pieces from head on whose envelope is final
         uint32_t barrier; // pieces from head on up to and with the newest WAIT; 0: none
-        uint32_t restart; // 1: the path rests at head and may be planned at once
-        double vv_entry;  // v² at head, settled
         nck_node_t at[NCK_WINDOW];
     } window;
-
-    // a pass over the window in bounded steps
-    struct {
-        uint32_t phase;   // 0 none, 1 backward, 2 forward
-        uint32_t left;    // backward: nodes to go; forward: next piece
-        uint32_t final;   // what window.final will be
-        uint32_t open;    // 1: no cap met yet on the way from the window's end
-        double vv;        // v² at the node last done
-    } pass;
 } nck_lookahead_t;
 
 // Cost: linear in the capacities. Context: any, before the tick runs.
@@ -120,19 +106,11 @@ nck_status_t nck_lookahead_push(nck_lookahead_t *self, const nck_seg_t *seg);
 void nck_lookahead_end(nck_lookahead_t *self);
 
 // One bounded piece of work. Returns NCK_OK, NCK_EMPTY (needs segs), NCK_FULL (pieces must be
-// taken),
-// NCK_DONE (ended, and every piece is final). Cost: one junction or one seg's nodes with at most
-// 2·NCK_CORNER_SPAN neighbours at both paces, or 32 nodes of a pass. Context: prep.
-// The jerk-limited slope has an envelope of its own: for it the nodes carry no vv, no piece is ever
-// final, and pieces are there for nck_lookahead_ahead as soon as they are placed.
+// dropped), NCK_DONE (ended, and every piece is placed). Cost: one junction or one seg's nodes with at most
+// 2·NCK_CORNER_SPAN neighbours at both paces. Context: prep.
 nck_status_t nck_lookahead_step(nck_lookahead_t *self);
 
-// The i-th piece from the window's head, final, and v² at its end. NCK_OK or NCK_EMPTY.
-// Cost: constant. Context: prep.
-nck_status_t nck_lookahead_piece(const nck_lookahead_t *self, uint32_t i,
-                                 const nck_node_t **node_out, double *vv_end_out);
-
-// The i-th piece from the window's head, final or not; NULL beyond the window. Context: prep.
+// The i-th piece from the window's head; NULL beyond the window. Cost: constant. Context: prep.
 const nck_node_t *nck_lookahead_ahead(const nck_lookahead_t *self, uint32_t i);
 
 // The oldest seg that has not become final to its end; `newer` if there is none. Cost: constant.
@@ -146,14 +124,8 @@ uint32_t nck_lookahead_fill(const nck_lookahead_t *self);
 // WAIT. Cost: constant. Context: prep.
 int nck_lookahead_is_complete(const nck_lookahead_t *self);
 
-// Forget the first n pieces; for the linear and the classical slope they must be final.
-// Cost: linear in n. Context: prep.
+// Forget the first n pieces. Cost: constant. Context: prep.
 void nck_lookahead_drop(nck_lookahead_t *self, uint32_t n);
-
-// Plan again from rest at s in the n-th piece from the window's head; the pieces before are
-// forgotten.
-// Cost: linear in n. Context: prep.
-void nck_lookahead_restart(nck_lookahead_t *self, uint32_t n, double s);
 
 // Every invariant of the room, for tests: 1 if all hold. Cost: linear in the window.
 int nck_lookahead_invariants(const nck_lookahead_t *self);

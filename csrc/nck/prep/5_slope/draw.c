@@ -32,10 +32,10 @@ static uint8_t limit_of(const nck_jerk_t *self, const nck_node_t *piece, uint32_
 static void end_cell(const nck_jerk_t *self, const nck_pieces_t *pieces, uint32_t i,
                      nck_cell_t *cell) {
     const int is_end = i + 1 == self->work.n;
-    const uint32_t number = is_end ? self->next.end_piece : self->rung_piece[i + 1];
-    const double s = is_end ? self->next.end_s : self->rung_s[i + 1];
-    const nck_node_t *const at = nck_window_piece(pieces, number);
-    const nck_node_t *const before = nck_window_piece(pieces, number - 1);
+    const uint32_t number = is_end ? self->next->end_piece : self->rung_piece[i + 1];
+    const double s = is_end ? self->next->end_s : self->rung_s[i + 1];
+    const nck_node_t *const at = nck_plan_piece(pieces, number);
+    const nck_node_t *const before = nck_plan_piece(pieces, number - 1);
     const int behind = s < 0.0 || (at && s == at->s); // at a piece's start: the one before ends
     const nck_node_t *const piece = behind ? before : at;
     cell->span = (uint8_t)(piece->seg - cell->seg);
@@ -54,7 +54,7 @@ static void keep_moving(nck_jerk_t *self, uint32_t i) {
 }
 
 static void draw_cell(nck_jerk_t *self, const nck_pieces_t *pieces, uint32_t i) {
-    const nck_node_t *const piece = nck_window_piece(pieces, self->rung_piece[i]);
+    const nck_node_t *const piece = nck_plan_piece(pieces, self->rung_piece[i]);
     keep_moving(self, i);
     const double v = nck_sqrt(self->w[i]);
     const double v_end = nck_sqrt(self->w[i + 1]);
@@ -70,13 +70,13 @@ static void draw_cell(nck_jerk_t *self, const nck_pieces_t *pieces, uint32_t i) 
     cell.limit = limit_of(self, piece, i, cell.a);
     end_cell(self, pieces, i, &cell);
     if (i + 1 == self->work.n) cell.stop = NCK_STOP_REST;
-    if (self->next.held) cell.stop |= NCK_STOP_HOLD;
-    if (cell.a >= 0.0) self->next.keep = i + 1;
+    if (self->next->held) cell.stop |= NCK_STOP_HOLD;
+    if (cell.a >= 0.0) self->next->keep = i + 1;
     nck_link_tail_push(self->link, &cell);
 }
 
 static void draw_rest(nck_jerk_t *self, const nck_pieces_t *pieces) {
-    const nck_node_t *const piece = nck_window_piece(pieces, self->rung_piece[0]);
+    const nck_node_t *const piece = nck_plan_piece(pieces, self->rung_piece[0]);
     nck_cell_t cell;
     memset(&cell, 0, sizeof cell);
     cell.seg = piece->seg;

@@ -1,112 +1,337 @@
 // SPDX-License-Identifier: MIT
-// Room 5, slope: the linear slope.
+// Room 5, slope: plan after plan, and what the operator wants of them.
 #include "nck/prep/5_slope/slope.h"
 
 #include <string.h> // memset
 
-#include "nck/prep/5_slope/ramp_math.h" // nck_ramp_…
+#include "nck/base/real.h" // nck_min nck_max
 
-// Shorter pieces get one acceleration: a ramp up and down within a few periods would gain nothing
-// and shake the machine.
-#define SHORT_PERIODS 4.0
-// A part of a piece that is shorter than this share of it is rounding.
-#define LENGTH_EPSILON 1e-12
-// A ramp counts as limited by acceleration above this share of it.
-#define ACCEL_EPSILON 1e-6
+enum { PHASE_IDLE = 0, PHASE_MAKE, PHASE_INSTALL };
 
-void nck_slope_init(nck_slope_t *self, const nck_machine_t *machine) {
+// Periods that are final ahead of the tick.
+#define LEAD_PERIODS 5.0
+// A hold begins to brake so many periods behind them.
+#define HOLD_PERIODS 2.0
+// A plan that answers the operator is put off while so many periods are still final: the tick must
+// not run into the tail, where nobody is heard.
+#define LEAD_LEAST 2.0
+// It gets so many times the cells that have passed in vain.
+#define PATIENCE 4
+// Cells that pass until another plan is tried where none joined.
+#define NO_WAY (1 + NCK_PROFILE / 8)
+
+void nck_slope_init(nck_slope_t *self, const nck_machine_t *machine, nck_link_t *link) {
     memset(self, 0, sizeof *self);
     self->machine = machine;
-}
-
-// What holds a ramp back: the window's end, the acceleration, or the caps at its ends.
-static uint8_t ramp_limit(const nck_node_t *node, double a) {
-    if (node->open && a < 0.0) return NCK_LIMIT_LOOKAHEAD;
-    if (nck_fabs(a) >= node->a * (1.0 - ACCEL_EPSILON)) return NCK_LIMIT_ACCEL;
-    return node->vv < node->vv_cap ? NCK_LIMIT_ACCEL : node->limit;
-}
-
-// A part of the piece, from path coordinate s on, between w0 and w1.
-static void set_cell(nck_cell_t *cell, const nck_node_t *node, double s, double length,
-                     const double w[2]) {
-    const double v0 = nck_sqrt(w[0]);
-    const double v1 = nck_sqrt(w[1]);
-    memset(cell, 0, sizeof *cell);
-    cell->seg = node->seg;
-    cell->s = s;
-    cell->length = length;
-    cell->v = v0;
-    cell->a = nck_ramp_accel(length, w[0], w[1]);
-    cell->duration = nck_ramp_duration(length, v0, v1);
-    cell->limit = w[0] == w[1] && w[0] == node->vv_piece ? node->limit_piece
-                                                         : ramp_limit(node, cell->a);
-}
-
-static int push_rest(const nck_node_t *node, nck_cell_t *cell) {
-    memset(cell, 0, sizeof *cell);
-    cell->seg = node->seg;
-    cell->s = node->s;
-    cell->duration = node->dwell_s;
-    cell->limit = node->limit_piece;
-    return 1;
-}
-
-static int push_short(const nck_node_t *node, double vv_end, nck_cell_t *cell) {
-    const double w[2] = {node->vv, vv_end};
-    set_cell(cell, node, node->s, node->length, w);
-    return 1;
-}
-
-static int push_trapezoid(const nck_node_t *node, double vv_end, nck_cell_t *cells) {
-    const double length = node->length;
-    const double peak = nck_ramp_peak(length, node->vv, vv_end, node->a, node->vv_piece);
-    const double up = nck_min(length, nck_ramp_length(node->vv, peak, node->a));
-    const double down = nck_min(length - up, nck_ramp_length(peak, vv_end, node->a));
-    const double cruise = length - up - down;
-    const double parts[NCK_SLOPE_CELLS] = {up, cruise, down};
-    const double ends[NCK_SLOPE_CELLS][2] = {{node->vv, peak}, {peak, peak}, {peak, vv_end}};
-    double s = node->s;
-    int count = 0;
-    for (int k = 0; k < NCK_SLOPE_CELLS; k++) {
-        if (!(parts[k] > LENGTH_EPSILON * length)) continue;
-        set_cell(&cells[count], node, s, parts[k], ends[k]);
-        count++;
-        s += parts[k];
+    self->link = link;
+    self->lead_s = LEAD_PERIODS * machine->period_s;
+    self->now.complete = 1;
+    self->now.end_s = -1.0;
+    self->wish.feed = 1.0;
+    self->wish.rapid = 1.0;
+    switch (machine->slope) {
+    case NCK_SLOPE_JERK:
+        nck_jerk_init(&self->planner.jerk, machine, link, &self->now, &self->next);
+        break;
+    case NCK_SLOPE_SSHAPE: nck_sshape_init(&self->planner.sshape, machine, link); break;
+    default:
+        nck_linear_init(&self->planner.linear, machine, link, &self->now, &self->next);
+        break;
     }
-    return count;
 }
 
-int nck_slope_push(const nck_slope_t *self, const nck_node_t *node, double vv_end,
-                   nck_cell_t *cells_out) {
-    int count = 0;
-    const double v_sum = nck_sqrt(node->vv) + nck_sqrt(vv_end);
-    if (!(node->length > 0.0)) {
-        count = push_rest(node, cells_out);
-    } else if (2.0 * node->length <= v_sum * SHORT_PERIODS * self->machine->period_s) {
-        count = push_short(node, vv_end, cells_out);
-    } else {
-        count = push_trapezoid(node, vv_end, cells_out);
+static void begin_plan(nck_slope_t *self, const nck_job_t *job) {
+    if (self->machine->slope == NCK_SLOPE_JERK) nck_jerk_begin(&self->planner.jerk, job);
+    else nck_linear_begin(&self->planner.linear, job);
+}
+
+static nck_status_t step_plan(nck_slope_t *self, const nck_pieces_t *pieces) {
+    if (self->machine->slope == NCK_SLOPE_JERK) return nck_jerk_step(&self->planner.jerk, pieces);
+    return nck_linear_step(&self->planner.linear, pieces);
+}
+
+// A plan from rest or from a moving state, under the wishes of now. over: 1: that state may be one
+// of an override beyond 100 %.
+static void begin(nck_slope_t *self, nck_job_t *job, uint32_t count, uint32_t over) {
+    memset(&self->next, 0, sizeof self->next);
+    memset(job, 0, sizeof *job);
+    self->next.begin = count & NCK_LINK_COUNT_MASK;
+    self->next.over = over || self->wish.feed > 1.0;
+    self->taken = nck_link_taken(self->link);
+    job->wish = self->wish;
+    job->anew = self->anew;
+    job->starved = self->in_tail;
+}
+
+static void make(nck_slope_t *self, const nck_job_t *job) {
+    self->kind = job->kind;
+    self->phase = PHASE_MAKE;
+    begin_plan(self, job);
+}
+
+static int is_released(const nck_slope_t *self) {
+    if (self->wish.hold) return 0;
+    const int waits = self->now.held == NCK_HELD_RESUME || self->now.held == NCK_HELD_BLOCK;
+    return !waits || self->wish.resumes != self->resumes;
+}
+
+// From the rest at the end of the plan of now.
+static nck_status_t start(nck_slope_t *self, const nck_pieces_t *pieces) {
+    const nck_node_t *const piece = nck_plan_piece(pieces, self->now.end_piece);
+    nck_job_t job;
+    if (!is_released(self)) return NCK_FULL;
+    if (!piece) return NCK_EMPTY;
+    begin(self, &job, self->now.begin + self->now.n, 0);
+    const double cap = nck_plan_cap(piece, &self->wish, self->next.over);
+    if (piece->length > 0.0 && !(cap > 0.0)) return NCK_FULL;
+    job.kind = NCK_JOB_START;
+    self->next.piece = self->now.end_piece;
+    self->next.s = self->now.end_s < 0.0 ? piece->s : self->now.end_s;
+    make(self, &job);
+    return NCK_OK;
+}
+
+// The plan that follows the first cells of now: a brake, if the operator wants it or has taken the
+// speed away.
+static void go_on(nck_slope_t *self, const nck_pieces_t *pieces, uint32_t first) {
+    const uint32_t count = (self->now.begin + first) & NCK_LINK_COUNT_MASK;
+    const nck_cell_t *const cell = nck_link_tail_cell(self->link, count);
+    const nck_cell_t *const before =
+        nck_link_tail_cell(self->link, (count - 1) & NCK_LINK_COUNT_MASK);
+    nck_job_t job;
+    begin(self, &job, count, self->now.over);
+    job.v = cell->v;
+    if (cell->v > 0.0) job.a = before->a;
+    if (cell->v > 0.0) job.q = before->duration;
+    job.slower = self->answer.slower;
+    self->next.piece = nck_plan_find(pieces, self->now.piece, cell);
+    self->next.s = cell->s;
+    const nck_node_t *const piece = nck_plan_piece(pieces, self->next.piece);
+    const int moves = nck_plan_cap(piece, &self->wish, self->next.over) > 0.0;
+    job.kind = self->wish.hold || !moves ? NCK_JOB_BRAKE : NCK_JOB_GO_ON;
+    job.held = self->wish.hold ? NCK_HELD_RESUME : NCK_HELD_OVERRIDE;
+    make(self, &job);
+}
+
+// Cells of the plan of now that are final.
+static uint32_t final_count(const nck_slope_t *self) {
+    int entered = 0;
+    return (nck_link_end(self->link, &entered) - self->now.begin) & NCK_LINK_COUNT_MASK;
+}
+
+// Cells of it that may become final.
+static uint32_t final_limit(const nck_slope_t *self) {
+    return self->now.complete ? self->now.n : self->now.commit;
+}
+
+// The plan of now stays, to its end.
+static void keep_plan(nck_slope_t *self, uint32_t held) {
+    self->now.complete = 1;
+    memset(&self->answer, 0, sizeof self->answer);
+    self->anew = 1;
+    if (held) {
+        self->now.held = held;
+        self->resumes = self->wish.resumes;
     }
-    cells_out[count - 1].last = node->last;
-    cells_out[count - 1].stop = node->stop;
-    return count;
+    self->phase = PHASE_IDLE;
 }
 
-void nck_slope_brake_begin(nck_slope_t *self, double vv_begin) { self->vv_brake = vv_begin; }
+// The first cell of now, from `first` on, that begins so many seconds behind that one.
+static uint32_t cell_after(const nck_slope_t *self, uint32_t first, double time) {
+    double passed = 0.0;
+    while (passed < time) {
+        const nck_cell_t *const cell =
+            nck_link_tail_cell(self->link, (self->now.begin + first) & NCK_LINK_COUNT_MASK);
+        if (!cell) break;
+        passed += cell->duration;
+        first++;
+    }
+    return first;
+}
 
-nck_status_t nck_slope_brake(nck_slope_t *self, const nck_node_t *node, double vv_cap_end,
-                             nck_cell_t *cell_out) {
-    const double vv = self->vv_brake;
-    if (!(vv > 0.0)) return NCK_EMPTY;
-    const double reach = nck_ramp_length(vv, 0.0, node->a);
-    const double length = nck_min(reach, node->length);
-    const double vv_end = nck_max(0.0, vv - 2.0 * node->a * node->length);
-    const int rests = reach <= node->length || vv_end == 0.0 || vv_cap_end == 0.0;
-    const double w[2] = {vv, rests ? 0.0 : nck_min(vv_end, vv_cap_end)};
-    set_cell(cell_out, node, node->s, length, w);
-    cell_out->limit = NCK_LIMIT_STARVED;
-    cell_out->last = !rests && node->last;
-    cell_out->stop = (uint8_t)rests;
-    self->vv_brake = w[1];
-    return rests ? NCK_DONE : NCK_OK;
+// Where a plan begun now takes over. As many cells pass as for the last one, twice, because it is
+// made twice. A hold's is short. What was put off gets more.
+static uint32_t takeover(const nck_slope_t *self) {
+    const double periods = self->wish.hold ? HOLD_PERIODS : LEAD_PERIODS;
+    const uint32_t done = final_count(self);
+    const uint32_t least = cell_after(self, done, periods * self->machine->period_s);
+    const uint32_t spent = self->wish.hold ? 0 : 2 * self->spent;
+    const uint32_t cells = spent > self->answer.reserve ? spent : self->answer.reserve;
+    return least > done + cells ? least : done + cells;
+}
+
+// Cells that the tick has taken since the plan in work was begun.
+static uint32_t passed_meanwhile(const nck_slope_t *self) {
+    return (nck_link_taken(self->link) - self->taken) & NCK_LINK_COUNT_MASK;
+}
+
+// Other wishes: plan anew from a few cells behind the final ones, unless the path rests by then.
+static void replan(nck_slope_t *self, const nck_pieces_t *pieces) {
+    uint32_t first = takeover(self);
+    self->phase = PHASE_IDLE;
+    if (self->now.held == NCK_HELD_RESUME) return; // brakes already
+    const nck_cell_t *const cell =
+        nck_link_tail_cell(self->link, (self->now.begin + first) & NCK_LINK_COUNT_MASK);
+    if (cell && !(cell->v > 0.0)) first++; // a corner passed at no speed is no state to brake from
+    self->anew = 1;
+    if (first >= self->now.n) {
+        if (self->wish.hold) keep_plan(self, NCK_HELD_RESUME);
+        return;
+    }
+    self->now.complete = 0;
+    self->now.commit = first;
+    self->answer.pending = 1;
+    go_on(self, pieces, first);
+}
+
+// The answer to the operator is not made in time: the plan of now goes on, and another answer is
+// made from further on. Only answers may wait for time; other plans depend on counts alone.
+static void put_off(nck_slope_t *self, const nck_pieces_t *pieces) {
+    self->answer.reserve = PATIENCE * (1 + passed_meanwhile(self));
+    replan(self, pieces);
+    if (self->phase == PHASE_IDLE) keep_plan(self, NCK_HELD_NOT);
+}
+
+static int is_late(nck_slope_t *self) {
+    const double least = LEAD_LEAST * self->machine->period_s;
+    return self->answer.pending && self->phase == PHASE_MAKE && nck_link_lead(self->link) < least;
+}
+
+// The tick has run into the tail: the path comes to rest where the plan of now does.
+static void fall_into_tail(nck_slope_t *self) {
+    int entered = 0;
+    self->now.begin = nck_link_end(self->link, &entered);
+    self->now.n = 0;
+    self->now.piece = self->now.end_piece;
+    self->now.first_piece = self->now.end_piece;
+    self->in_tail = 1;
+    keep_plan(self, self->wish.hold ? (uint32_t)NCK_HELD_RESUME : (uint32_t)NCK_HELD_NOT);
+}
+
+// The plan is drawn.
+static void finish(nck_slope_t *self) {
+    nck_plan_t *const next = &self->next;
+    if (next->commit >= next->n) next->complete = 1; // nothing to take over from
+    if (self->kind == NCK_JOB_GO_ON) self->spent = passed_meanwhile(self);
+    self->phase = PHASE_INSTALL;
+}
+
+// No plan joins: the plan of now goes on, and the next one begins later.
+static void give_up(nck_slope_t *self) {
+    self->phase = PHASE_IDLE;
+    self->anew = 1;
+    self->now.commit += NO_WAY;
+    if (self->now.commit >= self->now.n) keep_plan(self, NCK_HELD_NOT);
+}
+
+static nck_status_t install(nck_slope_t *self) {
+    int entered = 0;
+    const uint32_t most = self->next.complete ? self->next.n : self->next.commit;
+    if (nck_link_end(self->link, &entered) != self->next.begin) return NCK_FULL;
+    const nck_status_t status = nck_link_install(self->link, self->lead_s, most);
+    if (status != NCK_OK) return status == NCK_E_STATE ? NCK_OK : status;
+    const int same_block = self->now.held == NCK_HELD_BLOCK && self->next.held == NCK_HELD_BLOCK;
+    const int on_the_way = same_block && self->now.end_piece == self->next.end_piece;
+    if (!on_the_way) self->resumes = self->wish.resumes;
+    self->now = self->next;
+    self->now.first_piece = self->next.piece;
+    self->in_tail = 0;
+    self->anew = self->kind == NCK_JOB_BRAKE;
+    memset(&self->answer, 0, sizeof self->answer);
+    self->phase = PHASE_IDLE;
+    return NCK_OK;
+}
+
+static nck_status_t begin_next(nck_slope_t *self, const nck_pieces_t *pieces) {
+    if (self->now.complete) return start(self, pieces);
+    go_on(self, pieces, self->now.commit);
+    return NCK_OK;
+}
+
+// One step of the plan in work.
+static nck_status_t work(nck_slope_t *self, const nck_pieces_t *pieces) {
+    if (self->phase == PHASE_IDLE) return begin_next(self, pieces);
+    if (self->phase == PHASE_INSTALL) return install(self);
+    const nck_status_t status = step_plan(self, pieces);
+    switch (status) {
+    case NCK_DONE: finish(self); return NCK_OK;
+    case NCK_FULL: keep_plan(self, self->next.held); return NCK_OK;
+    case NCK_E_STATE: give_up(self); return NCK_OK;
+    default: return status;
+    }
+}
+
+static int is_other(const nck_wish_t *a, const nck_wish_t *b) {
+    return a->hold != b->hold || a->feed != b->feed || a->rapid != b->rapid
+           || a->single_block != b->single_block;
+}
+
+// Single block switched off on the way to a block's end is a resume in advance, in case it is too
+// late to pass that end. At rest there it takes a resume.
+static void hear_single_block(nck_slope_t *self) {
+    const int moves = final_count(self) < self->now.n;
+    if (self->now.held != NCK_HELD_BLOCK || !moves) return;
+    self->resumes = self->wish.resumes - (self->wish.single_block ? 0u : 1u);
+}
+
+// The oldest piece in use moves on with the final cells.
+static void follow(nck_slope_t *self, const nck_pieces_t *pieces) {
+    int entered = 0;
+    const nck_cell_t *const cell =
+        nck_link_tail_cell(self->link, nck_link_end(self->link, &entered));
+    const int within = final_count(self) < self->now.n;
+    if (within && cell) self->now.piece = nck_plan_find(pieces, self->now.piece, cell);
+    if (!within && self->now.complete) self->now.piece = self->now.end_piece;
+}
+
+static void hear(nck_slope_t *self, const nck_pieces_t *pieces, const nck_wish_t *wish) {
+    const int other = is_other(&self->wish, wish);
+    const int slower = wish->feed < self->wish.feed || wish->rapid < self->wish.rapid;
+    const int switched = wish->single_block != self->wish.single_block;
+    self->wish = *wish;
+    if (switched) hear_single_block(self);
+    if (!other) return;
+    self->answer.slower |= (uint32_t)slower;
+    replan(self, pieces);
+}
+
+nck_status_t nck_slope_step(nck_slope_t *self, const nck_pieces_t *pieces, const nck_wish_t *wish) {
+    int entered = 0;
+    if (self->machine->slope == NCK_SLOPE_SSHAPE) {
+        return nck_sshape_step(&self->planner.sshape, pieces, wish->hold);
+    }
+    (void)nck_link_end(self->link, &entered);
+    if (entered && !self->in_tail) fall_into_tail(self);
+    hear(self, pieces, wish);
+    const uint32_t done = final_count(self);
+    const uint32_t limit = final_limit(self);
+    if (done == limit && is_late(self)) {
+        put_off(self, pieces);
+        return NCK_OK;
+    }
+    if (done < limit && nck_link_advance(self->link, self->lead_s, limit - done) == NCK_OK) {
+        follow(self, pieces);
+        return NCK_OK;
+    }
+    follow(self, pieces);
+    const nck_status_t status = work(self, pieces);
+    return status == NCK_EMPTY && final_count(self) < final_limit(self) ? NCK_FULL : status;
+}
+
+nck_status_t nck_slope_hurry(nck_slope_t *self) {
+    const int waits = self->phase == PHASE_MAKE && self->kind == NCK_JOB_GO_ON;
+    if (self->machine->slope == NCK_SLOPE_SSHAPE || !waits) return NCK_FULL;
+    if (self->machine->slope == NCK_SLOPE_JERK) nck_jerk_hurry(&self->planner.jerk);
+    else nck_linear_hurry(&self->planner.linear);
+    return NCK_OK;
+}
+
+uint32_t nck_slope_needs(const nck_slope_t *self) {
+    if (self->machine->slope == NCK_SLOPE_SSHAPE) return nck_sshape_needs(&self->planner.sshape);
+    return self->now.piece;
+}
+
+int nck_slope_is_held(const nck_slope_t *self) {
+    if (self->machine->slope == NCK_SLOPE_SSHAPE) return 1;
+    return self->now.held && final_count(self) >= self->now.n;
 }

@@ -1,39 +1,67 @@
 // SPDX-License-Identifier: MIT
-// Room 5, slope: node → cell. The speed profile over each piece, and the way to stop from any of
-// them.
+// Room 5, slope: pieces of path become plans, and plans become final cells bit by bit.
+//
+//     pieces ─▶ planner of the slope in force ─▶ next: the plan in work
+//                                                  │ install
+//                                                  ▼
+//                         hold, resume ─▶ now: published; its first cells are final
+//
+// Three planners of one shape (begin, step, hurry): linear, jerk, S-shape. A plan goes on from the
+// moving state where the last one is left, and ends at rest. Hold, override, single block and abort
+// are plans like any other.
 #ifndef NCK_PREP_SLOPE_H
 #define NCK_PREP_SLOPE_H
 
-#include "nck/base/machine.h" // nck_machine_t
-#include "nck/base/records.h" // nck_node_t nck_cell_t
-#include "nck/base/status.h"  // nck_status_t
-
-enum { NCK_SLOPE_CELLS = 3 }; // cells of a piece at most: accelerate, cruise, decelerate
+#include "nck/base/link.h"            // nck_link_t
+#include "nck/base/machine.h"         // nck_machine_t
+#include "nck/base/status.h"          // nck_status_t
+#include "nck/prep/5_slope/jerk.h"    // nck_jerk_t
+#include "nck/prep/5_slope/linear.h"  // nck_linear_t
+#include "nck/prep/5_slope/plan.h"    // nck_plan_t nck_pieces_t nck_wish_t
+#include "nck/prep/5_slope/sshape.h"  // nck_sshape_t
 
 typedef struct nck_slope {
     const nck_machine_t *machine;
-    double vv_brake; // v² at the end of the brake so far
+    nck_link_t *link;      // producer's side
+    nck_wish_t wish;
+    double lead_s;         // duration of the cells that are final ahead of the tick [s]
+    uint32_t phase;        // of the plan in work
+    uint32_t kind;         // nck_job_kind_t of it
+    nck_plan_t now;        // published
+    nck_plan_t next;       // in work
+    struct {
+        uint32_t pending;  // 1: the plan in work answers the operator
+        uint32_t slower;   // 1: an override has come down
+        uint32_t reserve;  // cells that are to pass until it takes over, at least
+    } answer;
+    uint32_t anew;         // 1: the next plan does not begin where the plan of now meant it to
+    uint32_t resumes;      // as counted when the plan of now was installed
+    uint32_t taken;        // cells that the tick had taken when the plan in work was begun
+    uint32_t spent;        // cells that it took while the last plan was made
+    uint32_t in_tail;      // 1: the tick has been seen in the stop tail
+    union {                // by machine->slope
+        nck_linear_t linear;
+        nck_jerk_t jerk;
+        nck_sshape_t sshape;
+    } planner;
 } nck_slope_t;
 
-// Cost: constant. Context: any, before the tick runs.
-void nck_slope_init(nck_slope_t *self, const nck_machine_t *machine);
+// At rest where the link ends. Cost: linear in the capacities. Context: any, before the tick runs.
+void nck_slope_init(nck_slope_t *self, const nck_machine_t *machine, nck_link_t *link);
 
-// The cells of a piece whose envelope is node->vv at its start and vv_end at its end, in
-// cells_out[3].
-// Returns how many, 1 to 3. Linear slope: acceleration is −a, 0 or a in the piece; a piece that
-// lasts no longer than four periods gets one constant acceleration. Cost: constant. Context: prep.
-int nck_slope_push(const nck_slope_t *self, const nck_node_t *node, double vv_end,
-                   nck_cell_t *cells_out);
+// One bounded piece of work. Returns NCK_OK (call again), NCK_EMPTY (needs pieces), NCK_FULL (waits
+// for the tick, or is held), NCK_E_INTERNAL (a broken plan, see nck_link_publish).
+// Cost: 32 nodes of a pass, or 32 cells; S-shape: see nck_sshape_step. Context: prep.
+nck_status_t nck_slope_step(nck_slope_t *self, const nck_pieces_t *pieces, const nck_wish_t *wish);
 
-// Begin the stop tail at a node that is passed at vv_begin. Cost: constant. Context: prep.
-void nck_slope_brake_begin(nck_slope_t *self, double vv_begin);
+// No more pieces come in time: where the path moves and all that may become final is, plan with
+// those that are there. Returns NCK_OK (step again) or NCK_FULL. Cost: constant. Context: prep.
+nck_status_t nck_slope_hurry(nck_slope_t *self);
 
-// Go on braking through the next piece with all of its acceleration; vv_cap_end is the cap at its
-// end (0 at the window's end), which only rounding can exceed. Returns NCK_OK (and the cell), or
-// NCK_DONE with the last cell, which comes to rest, or NCK_EMPTY if the brake had come to rest
-// before.
-// Cost: constant. Context: prep.
-nck_status_t nck_slope_brake(nck_slope_t *self, const nck_node_t *node, double vv_cap_end,
-                             nck_cell_t *cell_out);
+// The number of the oldest piece that is still needed. Cost: constant. Context: prep.
+uint32_t nck_slope_needs(const nck_slope_t *self);
+
+// 1 if every plan is final and has come to rest by a hold. Cost: constant. Context: prep.
+int nck_slope_is_held(const nck_slope_t *self);
 
 #endif

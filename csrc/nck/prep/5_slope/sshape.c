@@ -7,7 +7,7 @@
 #include "nck/base/real.h"                // nck_min nck_max nck_sqrt
 #include "nck/prep/5_slope/ladder_math.h" // nck_ladder_cbrt
 #include "nck/prep/5_slope/sshape_math.h" // nck_sshape_length
-#include "nck/prep/5_slope/window.h"      // nck_window_piece
+
 
 enum {
     LOOK_STEP = 32, // pieces in one bounded step of looking
@@ -88,23 +88,23 @@ static double v_beside(const nck_node_t *zone, const nck_node_t *middle, double 
 // Pieces of the run that begins with this one; 0: what follows in its seg is not known yet. The
 // middle of a seg is longer than its zones; of two parts of a length the second is taken for it.
 static uint32_t run_pieces(const nck_pieces_t *pieces, uint32_t number) {
-    const nck_node_t *const first = nck_window_piece(pieces, number);
+    const nck_node_t *const first = nck_plan_piece(pieces, number);
     if (first->last) return 1;
-    const nck_node_t *const second = nck_window_piece(pieces, number + 1);
+    const nck_node_t *const second = nck_plan_piece(pieces, number + 1);
     if (!second) return 0;
     if (first->length > second->length) return joins(second, first) ? 2 : 1;
     if (!joins(first, second)) return 1;
     if (second->last) return 2;
-    const nck_node_t *const third = nck_window_piece(pieces, number + 2);
+    const nck_node_t *const third = nck_plan_piece(pieces, number + 2);
     if (!third) return 0;
     return third->length <= second->length && joins(third, second) ? NCK_SSHAPE_RUN : 2;
 }
 
 // The middle of a run, the one that run_pieces has joined the others to.
 static const nck_node_t *middle_of(const nck_pieces_t *pieces, uint32_t number, uint32_t count) {
-    const nck_node_t *const first = nck_window_piece(pieces, number);
+    const nck_node_t *const first = nck_plan_piece(pieces, number);
     if (count == 1) return first;
-    const nck_node_t *const second = nck_window_piece(pieces, number + 1);
+    const nck_node_t *const second = nck_plan_piece(pieces, number + 1);
     return first->length > second->length ? first : second;
 }
 
@@ -113,13 +113,13 @@ static run_t run_of(nck_sshape_t *self, const nck_pieces_t *pieces,
     run_t run;
     memset(&run, 0, sizeof run);
     run.count = *pieces_at(self, place->piece);
-    run.first = nck_window_piece(pieces, place->piece);
-    run.end = nck_window_piece(pieces, place->piece + run.count - 1);
+    run.first = nck_plan_piece(pieces, place->piece);
+    run.end = nck_plan_piece(pieces, place->piece + run.count - 1);
     run.s = place->fresh ? run.first->s : place->s;
     const nck_node_t *const middle = middle_of(pieces, place->piece, run.count);
     double j = middle->j;
     for (uint32_t i = 0; i < run.count; i++) {
-        j = nck_min(j, nck_window_piece(pieces, place->piece + i)->j);
+        j = nck_min(j, nck_plan_piece(pieces, place->piece + i)->j);
     }
     run.piece.length = run.end->s + run.end->length - run.s;
     run.piece.v_cap = nck_sqrt(middle->vv_piece);
@@ -145,8 +145,8 @@ static int is_far(const nck_sshape_t *self, const nck_pieces_t *pieces) {
     const uint32_t blocks = self->machine->lookahead_blocks;
     const uint32_t count = self->ahead.horizon - self->at.piece;
     if (count == 0) return 0;
-    const nck_node_t *const first = nck_window_piece(pieces, self->at.piece);
-    const nck_node_t *const last = nck_window_piece(pieces, self->ahead.horizon - 1);
+    const nck_node_t *const first = nck_plan_piece(pieces, self->at.piece);
+    const nck_node_t *const last = nck_plan_piece(pieces, self->ahead.horizon - 1);
     const int stops = last->stop || !(last->length > 0.0);
     const int seen = blocks > 0 && last->last && last->seg - first->seg + 1 >= blocks;
     return stops || seen || count + NCK_SSHAPE_RUN > PIECES_MOST;
@@ -161,7 +161,7 @@ static int is_far_enough(nck_sshape_t *self) {
 }
 
 static void begin_speeds(nck_sshape_t *self, const nck_pieces_t *pieces) {
-    const nck_node_t *const last = nck_window_piece(pieces, self->ahead.horizon - 1);
+    const nck_node_t *const last = nck_plan_piece(pieces, self->ahead.horizon - 1);
     if (last->stop || !(last->length > 0.0)) self->ahead.capped = self->ahead.horizon;
     *speed_at(self, self->ahead.horizon) = 0.0;
     self->ahead.i = self->ahead.horizon - 1;
@@ -171,7 +171,7 @@ static void begin_speeds(nck_sshape_t *self, const nck_pieces_t *pieces) {
 // NCK_EMPTY if the next run is not known yet.
 static nck_status_t add_run(nck_sshape_t *self, const nck_pieces_t *pieces) {
     const uint32_t next = self->ahead.horizon;
-    const uint32_t count = nck_window_piece(pieces, next) ? run_pieces(pieces, next) : 0;
+    const uint32_t count = nck_plan_piece(pieces, next) ? run_pieces(pieces, next) : 0;
     for (uint32_t i = 0; i < count; i++) *pieces_at(self, next + i) = 0;
     *pieces_at(self, next) = (uint8_t)count;
     self->ahead.horizon += count;
@@ -398,7 +398,7 @@ static void brake_run(nck_sshape_t *self, const nck_pieces_t *pieces) {
 
 static nck_status_t build_brake(nck_sshape_t *self, const nck_pieces_t *pieces) {
     for (int n = 0; n < BRAKE_STEP && self->brake.v > 0.0; n++) {
-        if (!nck_window_piece(pieces, self->brake.piece)) return NCK_E_INTERNAL;
+        if (!nck_plan_piece(pieces, self->brake.piece)) return NCK_E_INTERNAL;
         brake_run(self, pieces);
     }
     if (!(self->brake.v > 0.0)) self->phase = PHASE_INSTALL;

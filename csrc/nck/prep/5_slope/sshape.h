@@ -16,7 +16,7 @@
 #include "nck/base/link.h"                 // nck_link_t
 #include "nck/base/machine.h"              // nck_machine_t
 #include "nck/base/status.h"               // nck_status_t
-#include "nck/prep/5_slope/jerk.h"         // nck_pieces_t
+#include "nck/prep/5_slope/plan.h"         // nck_pieces_t
 #include "nck/prep/5_slope/sshape_piece.h" // nck_sshape_course_t
 
 enum { NCK_SSHAPE_RUN = 3 }; // pieces of a run at most: head, middle, tail of a seg

@@ -22,20 +22,12 @@ enum { BLOCK_END = 1, MUST_REST = 2 };
 // The brake curve keeps off the limits by so much, so that the plan above it finds room.
 #define BRAKE_SHARE 0.95
 
-const nck_node_t *nck_window_piece(const nck_pieces_t *pieces, uint32_t number) {
-    if (number - pieces->head >= pieces->fill) return (const nck_node_t *)0;
-    return &pieces->at[number & (NCK_WINDOW - 1)];
-}
-
 double nck_window_q_cap(const nck_jerk_t *self) {
     return self->work.coarse ? UNCAPPED_S : self->q_cap;
 }
 
 double nck_window_cap(const nck_jerk_t *self, const nck_node_t *piece) {
-    const double cap = self->work.over ? piece->vv_over : piece->vv_piece;
-    if (!(piece->feed > 0.0)) return cap * self->work.wish.rapid * self->work.wish.rapid;
-    const double v = piece->feed * self->work.wish.feed;
-    return nck_min(cap, v * v);
+    return nck_plan_cap(piece, &self->job.wish, self->work.over);
 }
 
 // Cap of the node at a piece's start.
@@ -52,10 +44,10 @@ static double rounding_of(const nck_node_t *piece, double length) {
 
 // From the place (piece, s) on by a length; a dwell or a wait on the way is not passed.
 static void walk(const nck_pieces_t *pieces, uint32_t *number, double *s, double length) {
-    const nck_node_t *piece = nck_window_piece(pieces, *number);
+    const nck_node_t *piece = nck_plan_piece(pieces, *number);
     double left = length;
     while (left >= end_of(piece) - *s - rounding_of(piece, left)) {
-        const nck_node_t *const next = nck_window_piece(pieces, *number + 1);
+        const nck_node_t *const next = nck_plan_piece(pieces, *number + 1);
         if (!next) break;
         left -= end_of(piece) - *s;
         if (left <= rounding_of(piece, length)) left = 0.0; // on the next piece's begin to the bit
@@ -65,16 +57,6 @@ static void walk(const nck_pieces_t *pieces, uint32_t *number, double *s, double
         if (!(piece->length > 0.0)) return;
     }
     *s += left;
-}
-
-uint32_t nck_window_find(const nck_pieces_t *pieces, uint32_t number, const nck_cell_t *cell) {
-    for (;;) {
-        const nck_node_t *const piece = nck_window_piece(pieces, number);
-        const nck_node_t *const next = nck_window_piece(pieces, number + 1);
-        const int beyond = next && next->seg == cell->seg && cell->s >= next->s;
-        if (!next || (piece->seg == cell->seg && !beyond)) return number;
-        number++;
-    }
 }
 
 static void push(nck_jerk_t *self, uint32_t piece, double s, double h, double vv) {
@@ -99,7 +81,7 @@ static const nck_cell_t *source(const nck_jerk_t *self, uint32_t i) {
 static int load_cell(nck_jerk_t *self, const nck_pieces_t *pieces, const nck_cell_t *cell) {
     const int is_hold = self->work.reach > 0.0 && !self->work.from_built;
     const int parts = is_hold ? 1 : nck_ladder_parts(cell->duration, self->work.step, PARTS_MOST);
-    uint32_t piece = nck_window_find(pieces, self->work.piece, cell);
+    uint32_t piece = nck_plan_find(pieces, self->work.piece, cell);
     double s = cell->s;
     double begin = 0.0;
     self->work.w_entry = cell->v * cell->v;
@@ -128,7 +110,7 @@ nck_status_t nck_window_load(nck_jerk_t *self, const nck_pieces_t *pieces) {
     for (int n = 0; n < NCK_JERK_STEP; n++) {
         const nck_cell_t *const cell = source(self, self->work.i);
         const int wanted = self->work.from_built || self->work.all || self->work.reach > 0.0
-                           || self->work.source + self->work.i - self->now.begin < self->now.keep;
+                           || self->work.source + self->work.i - self->now->begin < self->now->keep;
         if (!cell || !wanted || !load_cell(self, pieces, cell)) {
             self->work.loaded = self->work.n;
             return NCK_DONE;
@@ -144,28 +126,29 @@ nck_status_t nck_window_load(nck_jerk_t *self, const nck_pieces_t *pieces) {
 // whose cap says how fast the path may leave (exit_cap). Without it the ladder would be as fine as
 // for a rest, and fill the window.
 static int knows_exit(const nck_pieces_t *pieces, uint32_t number) {
-    const nck_node_t *const piece = nck_window_piece(pieces, number);
-    const nck_node_t *const next = nck_window_piece(pieces, number + 1);
+    const nck_node_t *const piece = nck_plan_piece(pieces, number);
+    const nck_node_t *const next = nck_plan_piece(pieces, number + 1);
     if (piece->stop) return 1;
     if (!next) return 0;
-    return next->stop || !(next->length > 0.0) || nck_window_piece(pieces, number + 2);
+    return next->stop || !(next->length > 0.0) || nck_plan_piece(pieces, number + 2);
 }
 
 // BLOCK_END or MUST_REST if the path rests at the end of this piece, which is its last or has one
 // behind it.
 static int rests_behind(const nck_jerk_t *self, const nck_pieces_t *pieces, uint32_t number) {
-    const nck_node_t *const piece = nck_window_piece(pieces, number);
-    const nck_node_t *const next = nck_window_piece(pieces, number + 1);
-    if (piece->stop || !(nck_window_cap(self, next) > 0.0)) return MUST_REST;
-    if (!self->work.wish.single_block || !piece->last) return 0;
-    const uint32_t block = nck_link_seg(self->link, piece->seg)->block;
-    return block != nck_link_seg(self->link, next->seg)->block ? BLOCK_END : 0;
+    const nck_node_t *const piece = nck_plan_piece(pieces, number);
+    const nck_node_t *const next = nck_plan_piece(pieces, number + 1);
+    if (piece->stop) return MUST_REST;
+    if (!next) return 0; // the window ends
+    if (!(nck_window_cap(self, next) > 0.0)) return MUST_REST;
+    if (!self->job.wish.single_block) return 0;
+    return nck_plan_ends_block(self->link, pieces, number) ? BLOCK_END : 0;
 }
 
 int nck_window_rests(const nck_jerk_t *self, const nck_pieces_t *pieces) {
-    const nck_node_t *const piece = nck_window_piece(pieces, self->work.piece);
+    const nck_node_t *const piece = nck_plan_piece(pieces, self->work.piece);
     if (self->work.n == 0 || !piece || self->work.s != piece->s) return 0;
-    if (!nck_window_piece(pieces, self->work.piece - 1)) return 0;
+    if (!nck_plan_piece(pieces, self->work.piece - 1)) return 0;
     return rests_behind(self, pieces, self->work.piece - 1);
 }
 
@@ -178,7 +161,7 @@ static int begins_at_rest(const nck_jerk_t *self, const nck_node_t *piece, doubl
 // A cell that ends a piece. From a rest it comes in parts, because it may end at another one.
 static void push_end(nck_jerk_t *self, const nck_pieces_t *pieces, uint32_t number, double s,
                      double h) {
-    const int splits = begins_at_rest(self, nck_window_piece(pieces, number), s);
+    const int splits = begins_at_rest(self, nck_plan_piece(pieces, number), s);
     const int has_room = self->work.n + 2 * REST_PARTS <= NCK_JERK_CELLS;
     const int parts = !splits ? 1 : has_room ? REST_PARTS : PARTS_LEAST;
     for (int k = 0; k < parts; k++) {
@@ -206,8 +189,8 @@ static nck_status_t end_piece(nck_jerk_t *self, const nck_pieces_t *pieces,
         return NCK_OK;
     }
     close_pending(self, pieces);
-    self->next.complete = 1;
-    if (self->work.wish.single_block) self->next.held = NCK_HELD_BLOCK;
+    self->next->complete = 1;
+    if (self->job.wish.single_block) self->next->held = NCK_HELD_BLOCK;
     return NCK_DONE;
 }
 
@@ -221,7 +204,7 @@ static int joins_pending(const nck_jerk_t *self, const nck_node_t *piece, double
 // About the largest v² at a piece's start, by what the piece and the node behind it allow. Zones of
 // corners make pieces of their own, so the corner itself may be one further on.
 static double exit_cap(const nck_jerk_t *self, const nck_pieces_t *pieces, const nck_node_t *next) {
-    const nck_node_t *const second = nck_window_piece(pieces, self->work.piece + 2);
+    const nck_node_t *const second = nck_plan_piece(pieces, self->work.piece + 2);
     const double w_end = next->stop || !second ? 0.0 : node_cap(self, second);
     const double gain = nck_ladder_gain(next->length, next->a, next->j * self->j_scale);
     return nck_min(node_cap(self, next), w_end + gain);
@@ -230,7 +213,7 @@ static double exit_cap(const nck_jerk_t *self, const nck_pieces_t *pieces, const
 // Lay what is left of a piece, or one cell of it.
 static nck_status_t lay_some(nck_jerk_t *self, const nck_pieces_t *pieces,
                              const nck_node_t *piece, int rests) {
-    const nck_node_t *const next = nck_window_piece(pieces, self->work.piece + 1);
+    const nck_node_t *const next = nck_plan_piece(pieces, self->work.piece + 1);
     const double j = piece->j * self->j_scale;
     const double w = nck_window_cap(self, piece);
     const double x = self->work.s - piece->s;
@@ -270,7 +253,7 @@ static nck_status_t lay_some(nck_jerk_t *self, const nck_pieces_t *pieces,
 static nck_status_t lay_rest(nck_jerk_t *self, const nck_pieces_t *pieces,
                              const nck_node_t *piece) {
     close_pending(self, pieces);
-    self->next.complete = 1;
+    self->next->complete = 1;
     if (self->work.n > 0) return NCK_DONE;
     push(self, self->work.piece, piece->s, 0.0, 0.0);
     self->work.piece++;
@@ -278,21 +261,25 @@ static nck_status_t lay_rest(nck_jerk_t *self, const nck_pieces_t *pieces,
     return NCK_DONE;
 }
 
+// The window ends here, not the path.
+static nck_status_t end_window(nck_jerk_t *self, const nck_pieces_t *pieces) {
+    close_pending(self, pieces);
+    return NCK_DONE;
+}
+
 static nck_status_t lay_one(nck_jerk_t *self, const nck_pieces_t *pieces) {
     const uint32_t blocks = self->machine->lookahead_blocks;
-    const nck_node_t *const first = nck_window_piece(pieces, self->next.piece);
-    const nck_node_t *const piece = nck_window_piece(pieces, self->work.piece);
-    if (!piece) return NCK_EMPTY;
+    const nck_node_t *const first = nck_plan_piece(pieces, self->next->piece);
+    const nck_node_t *const piece = nck_plan_piece(pieces, self->work.piece);
+    if (!piece && !(self->work.hurries && self->work.n > 0)) return NCK_EMPTY;
+    if (!piece) return end_window(self, pieces);
     if (self->work.s < 0.0) self->work.s = piece->s;
     if (!(piece->length > 0.0)) return lay_rest(self, pieces, piece);
     const int full = self->work.n + 2 * PARTS_LEAST > NCK_JERK_CELLS
                      || self->work.piece - self->work.base >= self->work.pieces
                      || (blocks > 0 && piece->seg - first->seg >= blocks);
-    if (full) {
-        close_pending(self, pieces);
-        return NCK_DONE;
-    }
-    if (!knows_exit(pieces, self->work.piece)) return NCK_EMPTY;
+    if (full) return end_window(self, pieces);
+    if (!self->work.hurries && !knows_exit(pieces, self->work.piece)) return NCK_EMPTY;
     const int rests = rests_behind(self, pieces, self->work.piece);
     const int is_over = end_of(piece) - self->work.s <= rounding_of(piece, 0.0);
     if (is_over && self->work.n > 0) return end_piece(self, pieces, piece, rests);
@@ -304,9 +291,9 @@ nck_status_t nck_window_lay(nck_jerk_t *self, const nck_pieces_t *pieces) {
         const nck_status_t status = lay_one(self, pieces);
         if (status == NCK_OK) continue;
         if (status == NCK_DONE) {
-            self->next.n = self->work.n;
-            self->next.end_piece = self->work.piece;
-            self->next.end_s = self->work.s;
+            self->next->n = self->work.n;
+            self->next->end_piece = self->work.piece;
+            self->next->end_s = self->work.s;
         }
         return status;
     }
@@ -319,7 +306,7 @@ nck_status_t nck_window_lay(nck_jerk_t *self, const nck_pieces_t *pieces) {
 // that it passes over.
 static void limit_cell(nck_jerk_t *self, const nck_pieces_t *pieces, uint32_t i) {
     uint32_t number = self->rung_piece[i];
-    const nck_node_t *piece = nck_window_piece(pieces, number);
+    const nck_node_t *piece = nck_plan_piece(pieces, number);
     const int over = self->work.over != 0;
     double w_node = self->rung_s[i] == piece->s ? node_cap(self, piece) : UNCAPPED;
     double w_cell = nck_window_cap(self, piece);
@@ -327,7 +314,7 @@ static void limit_cell(nck_jerk_t *self, const nck_pieces_t *pieces, uint32_t i)
     double j = over ? piece->j_over : piece->j;
     double left = self->h[i] - (end_of(piece) - self->rung_s[i]);
     while (left > rounding_of(piece, self->h[i])) {
-        piece = nck_window_piece(pieces, ++number);
+        piece = nck_plan_piece(pieces, ++number);
         if (!piece) break;
         w_cell = nck_min(w_cell, nck_min(node_cap(self, piece), nck_window_cap(self, piece)));
         a = nck_min(a, over ? piece->a_over : piece->a);
@@ -344,12 +331,12 @@ static void limit_cell(nck_jerk_t *self, const nck_pieces_t *pieces, uint32_t i)
 // A window or a hold that ends in the cell behind a rest ends at that rest.
 static void end_at_rest(nck_jerk_t *self) {
     const uint32_t last = self->work.n - 1;
-    const int may_end = !self->next.complete || self->work.reach > 0.0;
+    const int may_end = !self->next->complete || self->work.reach > 0.0;
     if (!may_end || last == 0 || self->w_cap[last] > 0.0) return;
     self->work.n = last;
-    self->next.n = last;
-    self->next.end_piece = self->rung_piece[last];
-    self->next.end_s = self->rung_s[last];
+    self->next->n = last;
+    self->next->end_piece = self->rung_piece[last];
+    self->next->end_s = self->rung_s[last];
 }
 
 nck_status_t nck_window_limit(nck_jerk_t *self, const nck_pieces_t *pieces) {
@@ -443,8 +430,8 @@ static int rests_within(const nck_profile_t *state, double j) {
 // One cell of the plan of now under the brake. Returns 1 when the rest is found.
 static int reach_cell(nck_jerk_t *self, const nck_pieces_t *pieces, const nck_cell_t *cell) {
     nck_profile_t *const state = &self->profile;
-    self->work.piece = nck_window_find(pieces, self->work.piece, cell);
-    const nck_node_t *const piece = nck_window_piece(pieces, self->work.piece);
+    self->work.piece = nck_plan_find(pieces, self->work.piece, cell);
+    const nck_node_t *const piece = nck_plan_piece(pieces, self->work.piece);
     const double a_max = self->work.over ? piece->a_over : piece->a;
     const double j = BRAKE_SHARE * self->j_scale * (self->work.over ? piece->j_over : piece->j);
     const double vv = brake_cell(state, cell->length, a_max, j, self->q_cap);

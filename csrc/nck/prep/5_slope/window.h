@@ -12,18 +12,11 @@ enum {
     NCK_JERK_CELLS = NCK_PROFILE - 1
 };
 
-// The piece of a running number; NULL if it is not there (yet). Cost: constant.
-const nck_node_t *nck_window_piece(const nck_pieces_t *pieces, uint32_t number);
-
 // A length beyond every ladder's.
 #define NCK_JERK_UNKNOWN 1e6
 
 // Longest duration of a cell that counts in rule R; none while the ladder is coarse.
 double nck_window_q_cap(const nck_jerk_t *self);
-
-// The piece in which a cell begins, from a piece at or before it. Cost: linear in the pieces
-// between.
-uint32_t nck_window_find(const nck_pieces_t *pieces, uint32_t number, const nck_cell_t *cell);
 
 // Cap of a piece under the overrides that the plan is made for, v². Cost: constant.
 double nck_window_cap(const nck_jerk_t *self, const nck_node_t *piece);

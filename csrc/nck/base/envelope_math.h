@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The exact two-pass envelope in w = v², one step each way: what every backend computes.
-#ifndef NCK_PREP_ENVELOPE_MATH_H
-#define NCK_PREP_ENVELOPE_MATH_H
+#ifndef NCK_BASE_ENVELOPE_MATH_H
+#define NCK_BASE_ENVELOPE_MATH_H
 
 #include "nck/base/real.h" // nck_real
 

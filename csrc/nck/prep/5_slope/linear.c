@@ -1,0 +1,450 @@
+// SPDX-License-Identifier: MIT
+// Room 5, slope: the acceleration-limited planner.
+#include "nck/prep/5_slope/linear.h"
+
+#include <string.h> // memset
+
+#include "nck/base/real.h"                // nck_min nck_max nck_floor
+#include "nck/base/envelope_math.h" // nck_envelope_…
+
+enum {
+    PASS_STEP = 32, // nodes, or cells, in one bounded step
+    PHASE_VIEW = 0, PHASE_FLOOR, PHASE_BACKWARD, PHASE_FORWARD, PHASE_PART, PHASE_BRAKE
+};
+
+// Cells are divided so that none lasts longer: a hold begins behind those that are final.
+#define SLICE_PERIODS 1.5
+// Slices last a whole number of such parts of a second, so that their sum is the leg to the bit but
+// for the carry of an exponent.
+#define GRAINS 16777216.0
+// An envelope joins the speed that it is entered with within this share.
+#define JOIN_EPSILON 1e-9
+
+void nck_linear_init(nck_linear_t *self, const nck_machine_t *machine, nck_link_t *link,
+                     const nck_plan_t *now, nck_plan_t *next) {
+    memset(self, 0, sizeof *self);
+    self->machine = machine;
+    self->link = link;
+    self->now = now;
+    self->next = next;
+    self->at.fresh = 1;
+}
+
+// ---- what a piece allows under the wishes
+
+static int is_plain(const nck_linear_t *self) {
+    const nck_wish_t *const wish = &self->job.wish;
+    return wish->feed == 1.0 && wish->rapid == 1.0 && !self->next->over;
+}
+
+static double cap_inside(const nck_linear_t *self, const nck_node_t *piece) {
+    if (is_plain(self)) return piece->vv_piece;
+    return nck_plan_cap(piece, &self->job.wish, self->next->over);
+}
+
+static double cap_at(const nck_linear_t *self, const nck_pieces_t *pieces, uint32_t number) {
+    const nck_node_t *const piece = nck_plan_piece(pieces, number);
+    if (is_plain(self)) return piece->vv_cap;
+    const double junction = self->next->over ? piece->vv_node : piece->vv_cap;
+    const double before = cap_inside(self, nck_plan_piece(pieces, number - 1));
+    return nck_min(junction, nck_min(before, cap_inside(self, piece)));
+}
+
+static double accel_of(const nck_linear_t *self, const nck_node_t *piece) {
+    return self->next->over ? piece->a_over : piece->a;
+}
+
+static double end_of(const nck_node_t *piece) { return piece->s + piece->length; }
+
+static double s_of(const nck_node_t *piece, const nck_linear_place_t *place) {
+    return place->fresh ? piece->s : place->s;
+}
+
+// What the acceleration changes v² by from a place in the piece to its end.
+static double gain_from(const nck_linear_t *self, const nck_node_t *piece,
+                        const nck_linear_place_t *place) {
+    const double length = place->fresh ? piece->length : end_of(piece) - place->s;
+    return nck_envelope_h(accel_of(self, piece), length);
+}
+
+static double gain_in(const nck_linear_t *self, const nck_node_t *piece) {
+    return nck_envelope_h(accel_of(self, piece), piece->length);
+}
+
+// ---- begin
+
+static void enter_part(nck_linear_t *self) {
+    nck_link_tail_begin(self->link);
+    self->part = 0;
+    self->phase = PHASE_PART;
+}
+
+static void enter_brake(nck_linear_t *self) {
+    self->brake = self->at;
+    self->phase = PHASE_BRAKE;
+}
+
+// Whether the plan goes on where the last part ended, within the envelope.
+static int goes_on(const nck_linear_t *self) {
+    const nck_plan_t *const next = self->next;
+    return !self->job.anew && self->at.piece == next->piece && (int32_t)(self->final - next->piece) > 0
+           && (self->at.fresh || self->at.s == next->s);
+}
+
+void nck_linear_begin(nck_linear_t *self, const nck_job_t *job) {
+    self->job = *job;
+    self->hurries = 0;
+    if (job->kind != NCK_JOB_BRAKE && goes_on(self)) {
+        enter_part(self);
+        return;
+    }
+    self->at.piece = self->next->piece;
+    self->at.fresh = 0;
+    self->at.s = self->next->s;
+    self->at.vv = job->v * job->v;
+    self->final = self->at.piece;
+    self->skip = self->at.piece;
+    self->leg.count = 0;
+    self->part = 0;
+    self->phase = PHASE_VIEW;
+    if (job->kind != NCK_JOB_BRAKE) return;
+    self->next->held = job->held;
+    nck_link_tail_begin(self->link);
+    enter_brake(self);
+}
+
+void nck_linear_hurry(nck_linear_t *self) { self->hurries = 1; }
+
+// ---- the envelope: w = v² at every node
+
+// The first piece that the look-ahead does not see. Returns 1 if that is as far as it may.
+static int find_end(nck_linear_t *self, const nck_pieces_t *pieces) {
+    const uint32_t blocks = self->machine->lookahead_blocks;
+    const uint32_t first = self->at.piece;
+    const uint32_t known = pieces->head + pieces->fill - first;
+    self->end = first + (known < NCK_LINEAR_VIEW ? known : NCK_LINEAR_VIEW);
+    if (blocks > 0) {
+        const uint32_t seg = nck_plan_piece(pieces, first)->seg;
+        uint32_t i = first;
+        while (i != self->end && nck_plan_piece(pieces, i)->seg - seg < blocks) i++;
+        if (i != self->end) {
+            self->end = i;
+            return 1;
+        }
+    }
+    return self->end - first == NCK_LINEAR_VIEW;
+}
+
+// How many pieces become final by this envelope. Depends on counts alone, never on time, so that
+// equal capacities give equal setpoints; but for what comes too late. 0: more must come first.
+static uint32_t find_final(const nck_linear_t *self, const nck_pieces_t *pieces, int is_far) {
+    const uint32_t seen = self->end - self->at.piece;
+    const uint32_t barrier = pieces->head + pieces->barrier - self->at.piece;
+    const int has_barrier = pieces->barrier > 0 && (int32_t)barrier > 0 && barrier <= seen;
+    if (pieces->complete && self->end == pieces->head + pieces->fill) return seen;
+    if (self->hurries) return seen;
+    const uint32_t half = is_far || self->job.starved ? seen / 2 : 0;
+    return has_barrier && barrier > half ? barrier : half;
+}
+
+static nck_status_t begin_pass(nck_linear_t *self, const nck_pieces_t *pieces) {
+    if (!nck_plan_piece(pieces, self->at.piece)) return NCK_EMPTY;
+    const int is_far = find_end(self, pieces);
+    const uint32_t final = find_final(self, pieces, is_far);
+    if (final == 0) return NCK_EMPTY;
+    self->final = self->at.piece + final;
+    self->open = !pieces->complete || self->end != pieces->head + pieces->fill;
+    self->held = NCK_HELD_NOT;
+    self->pass.i = self->at.piece + 1;
+    self->pass.floor = self->pass.i;
+    self->pass.vv = self->at.vv;
+    self->phase = PHASE_FLOOR;
+    return NCK_OK;
+}
+
+static void begin_backward(nck_linear_t *self, const nck_pieces_t *pieces) {
+    self->pass.floor = self->pass.i;
+    self->pass.i = self->end;
+    self->pass.vv = 0.0;
+    self->pass.open = !nck_plan_piece(pieces, self->end - 1)->stop;
+    self->phase = PHASE_BACKWARD;
+}
+
+// Under other wishes the path may be faster than its caps allow: it brakes with all of a, as the
+// plan of now can.
+static void raise_floor(nck_linear_t *self, const nck_pieces_t *pieces) {
+    const int raises = self->job.anew && self->job.kind == NCK_JOB_GO_ON;
+    for (int n = 0; raises && n < PASS_STEP; n++) {
+        if (self->pass.i == self->end || !(self->pass.vv > 0.0)) break;
+        const uint32_t number = self->pass.i - 1;
+        const nck_node_t *const piece = nck_plan_piece(pieces, number);
+        const double s = number == self->at.piece ? s_of(piece, &self->at) : piece->s;
+        const double loss = nck_envelope_h(piece->a, end_of(piece) - s);
+        self->pass.vv = nck_max(0.0, self->pass.vv - loss);
+        nck_plan_piece(pieces, self->pass.i)->vv = self->pass.vv;
+        self->pass.i++;
+    }
+    if (raises && self->pass.i != self->end && self->pass.vv > 0.0) return;
+    begin_backward(self, pieces);
+}
+
+// Single block rests at the end of the piece before this node.
+static int rests_at(const nck_linear_t *self, const nck_pieces_t *pieces, uint32_t number) {
+    if (!self->job.wish.single_block || (int32_t)(number - self->skip) <= 0) return 0;
+    return nck_plan_ends_block(self->link, pieces, number - 1);
+}
+
+// w_i = min(w_cap,i, w_{i+1} + h_i) from the view's end, where the path must be able to rest.
+static void backward_node(nck_linear_t *self, const nck_pieces_t *pieces, uint32_t number) {
+    nck_node_t *const node = nck_plan_piece(pieces, number);
+    const double h = gain_in(self, node);
+    double cap = cap_at(self, pieces, number);
+    if ((int32_t)(self->pass.floor - number) > 0) cap = nck_max(cap, node->vv);
+    if (!(self->pass.vv + h < cap)) self->pass.open = 0;
+    node->open = (uint8_t)self->pass.open;
+    node->vv = nck_envelope_backward(cap, self->pass.vv, h);
+    if (rests_at(self, pieces, number)) {
+        node->vv = 0.0;
+        self->final = number;
+        self->held = NCK_HELD_BLOCK;
+        self->pass.open = 0;
+    }
+    self->pass.vv = node->vv;
+}
+
+// The envelope has come to where the plan begins: it must be as high as the path is fast. A block's
+// end that comes too early to rest at is passed.
+static nck_status_t join(nck_linear_t *self, const nck_pieces_t *pieces) {
+    nck_node_t *const node = nck_plan_piece(pieces, self->at.piece);
+    const double reach = self->pass.vv + gain_from(self, node, &self->at);
+    node->open = (uint8_t)(self->pass.open && reach < cap_at(self, pieces, self->at.piece));
+    self->pass.i = self->at.piece;
+    self->pass.vv = self->at.vv;
+    self->phase = PHASE_FORWARD;
+    if (self->at.vv <= reach * (1.0 + JOIN_EPSILON)) return NCK_OK;
+    if (self->held != NCK_HELD_BLOCK) return NCK_E_STATE;
+    self->skip = self->final;
+    self->phase = PHASE_VIEW;
+    return NCK_OK;
+}
+
+static nck_status_t pass_backward(nck_linear_t *self, const nck_pieces_t *pieces) {
+    for (int n = 0; n < PASS_STEP; n++) {
+        if (self->pass.i == self->at.piece + 1) return join(self, pieces);
+        self->pass.i--;
+        backward_node(self, pieces, self->pass.i);
+    }
+    return NCK_OK;
+}
+
+// w_{i+1} = min(w_{i+1}, w_i + h_i) over the pieces that become final.
+static void pass_forward(nck_linear_t *self, const nck_pieces_t *pieces) {
+    for (int n = 0; n < PASS_STEP; n++) {
+        const uint32_t number = self->pass.i;
+        if (number == self->final || number + 1 == self->end) {
+            enter_part(self);
+            return;
+        }
+        const nck_node_t *const piece = nck_plan_piece(pieces, number);
+        nck_node_t *const next = nck_plan_piece(pieces, number + 1);
+        const double gain = number == self->at.piece ? gain_from(self, piece, &self->at)
+                                                     : gain_in(self, piece);
+        next->vv = nck_envelope_forward(next->vv, self->pass.vv, gain);
+        self->pass.vv = next->vv;
+        self->pass.i++;
+    }
+}
+
+// ---- the part that may become final
+
+static nck_span_t span_of(const nck_linear_t *self, const nck_node_t *piece,
+                          const nck_linear_place_t *place) {
+    const double s = s_of(piece, place);
+    const double length = place->fresh ? piece->length : end_of(piece) - s;
+    const nck_span_t span = {s, length, place->vv, 0.0, cap_inside(self, piece),
+                             accel_of(self, piece)};
+    return span;
+}
+
+// The view ends without a stop: what slows down for that only is left to the brake.
+static int only_brakes(const nck_linear_t *self, const nck_cell_t *leg) {
+    return self->open && self->at.piece + 1 == self->end && leg->a < 0.0;
+}
+
+static void begin_leg(nck_linear_t *self) {
+    const nck_cell_t *const leg = &self->leg.cell[self->leg.k];
+    const double most = SLICE_PERIODS * self->machine->period_s;
+    const int moves = leg->length > 0.0 && leg->duration > most;
+    self->leg.slices = moves ? 1 + (uint32_t)(leg->duration / most) : 1;
+    self->leg.m = 0;
+}
+
+static void begin_piece(nck_linear_t *self, const nck_pieces_t *pieces) {
+    const nck_node_t *const piece = nck_plan_piece(pieces, self->at.piece);
+    nck_span_t span = span_of(self, piece, &self->at);
+    const uint32_t behind = self->at.piece + 1;
+    const int rests = behind == self->end || (behind == self->final && self->held);
+    span.vv_out = rests ? 0.0 : nck_plan_piece(pieces, behind)->vv;
+    const double period = self->machine->period_s;
+    self->leg.count = (uint32_t)nck_trapezoid_legs(piece, &span, period, self->leg.cell);
+    self->leg.k = 0;
+    begin_leg(self);
+}
+
+// How the path rests behind the piece in work, but for a stop of its own.
+static uint8_t stop_behind(const nck_linear_t *self) {
+    const uint32_t behind = self->at.piece + 1;
+    if (self->held && behind == self->final) return NCK_STOP_REST | NCK_STOP_HOLD;
+    return behind == self->end ? NCK_STOP_REST : 0;
+}
+
+// Slice m of a leg, of equal times; the last one is what is left.
+static void draw_slice(nck_linear_t *self) {
+    const nck_cell_t *const leg = &self->leg.cell[self->leg.k];
+    nck_cell_t cell = *leg;
+    self->leg.m++;
+    const int is_last = self->leg.m == self->leg.slices;
+    if (self->leg.slices > 1) {
+        const double q =
+            nck_floor(GRAINS * leg->duration / (double)self->leg.slices) / GRAINS;
+        const double t0 = q * (double)(self->leg.m - 1);
+        const double t1 = is_last ? leg->duration : q * (double)self->leg.m;
+        const double s0 = (leg->v + 0.5 * leg->a * t0) * t0;
+        const double s1 = is_last ? leg->length : (leg->v + 0.5 * leg->a * t1) * t1;
+        cell.s = leg->s + s0;
+        cell.length = s1 - s0;
+        cell.v = leg->v + leg->a * t0;
+        cell.duration = t1 - t0;
+    }
+    if (!is_last) {
+        cell.last = 0;
+        cell.stop = 0;
+    }
+    self->at.fresh = 0;
+    self->at.s = cell.s + cell.length;
+    self->at.vv = is_last ? leg->v * leg->v + 2.0 * leg->a * leg->length
+                          : (cell.v + leg->a * cell.duration) * (cell.v + leg->a * cell.duration);
+    if (is_last && self->leg.k + 1 == self->leg.count) cell.stop |= stop_behind(self);
+    nck_link_tail_push(self->link, &cell);
+    self->part++;
+}
+
+// The piece is drawn: go on at the next one, at its envelope to the bit.
+static void leave_piece(nck_linear_t *self, const nck_pieces_t *pieces) {
+    const nck_node_t *const next = nck_plan_piece(pieces, self->at.piece + 1);
+    const int within = self->at.piece + 1 != self->end;
+    self->leg.count = 0;
+    self->at.piece++;
+    self->at.fresh = 1;
+    self->at.vv = within ? next->vv : 0.0;
+}
+
+static void set_end(nck_linear_t *self, const nck_linear_place_t *place) {
+    self->next->end_piece = place->piece;
+    self->next->end_s = place->fresh ? -1.0 : place->s;
+}
+
+// The part ends at rest.
+static nck_status_t finish_at_rest(nck_linear_t *self, uint32_t held) {
+    self->next->n = self->part;
+    self->next->commit = self->part;
+    self->next->complete = 1;
+    self->next->held = held;
+    self->at.vv = 0.0;
+    set_end(self, &self->at);
+    return NCK_DONE;
+}
+
+// The part ends where the brake begins.
+static nck_status_t end_part(nck_linear_t *self) {
+    if (self->part == 0) {
+        self->final = self->at.piece;
+        return NCK_FULL;
+    }
+    if (!(self->at.vv > 0.0)) return finish_at_rest(self, self->held);
+    enter_brake(self);
+    return NCK_OK;
+}
+
+static nck_status_t draw_one(nck_linear_t *self, const nck_pieces_t *pieces) {
+    if (self->part == NCK_LINEAR_PART) return end_part(self);
+    if (self->leg.count == 0) {
+        if (self->at.piece == self->final) return end_part(self);
+        begin_piece(self, pieces);
+    }
+    if (only_brakes(self, &self->leg.cell[self->leg.k])) {
+        self->final = self->at.piece; // with more pieces the path need not brake
+        self->leg.count = 0;
+        return end_part(self);
+    }
+    draw_slice(self);
+    if (self->leg.m < self->leg.slices) return NCK_EMPTY;
+    self->leg.k++;
+    if (self->leg.k < self->leg.count) {
+        begin_leg(self);
+        self->at.vv = self->leg.cell[self->leg.k].v * self->leg.cell[self->leg.k].v;
+        return NCK_EMPTY;
+    }
+    const nck_node_t *const piece = nck_plan_piece(pieces, self->at.piece);
+    const int rests = piece->stop || !(piece->length > 0.0);
+    leave_piece(self, pieces);
+    if (self->held && self->at.piece == self->final) return finish_at_rest(self, self->held);
+    return rests ? finish_at_rest(self, NCK_HELD_NOT) : NCK_EMPTY;
+}
+
+static nck_status_t draw_part(nck_linear_t *self, const nck_pieces_t *pieces) {
+    for (int n = 0; n < PASS_STEP; n++) {
+        const nck_status_t status = draw_one(self, pieces);
+        if (status != NCK_EMPTY) return status;
+    }
+    return NCK_OK;
+}
+
+// ---- the brake behind it
+
+static nck_status_t brake_piece(nck_linear_t *self, const nck_pieces_t *pieces) {
+    nck_linear_place_t *const place = &self->brake;
+    const nck_node_t *const piece = nck_plan_piece(pieces, place->piece);
+    const nck_node_t *const behind = nck_plan_piece(pieces, place->piece + 1);
+    nck_span_t span = span_of(self, piece, place);
+    span.vv_out = behind ? behind->vv_cap : 0.0;
+    nck_cell_t cell;
+    const int rests = nck_trapezoid_brake(piece, &span, &cell);
+    const int is_whole = !(cell.length < span.length);
+    if (self->next->held) {
+        cell.stop |= NCK_STOP_HOLD;
+        cell.limit = NCK_LIMIT_ACCEL;
+    }
+    nck_link_tail_push(self->link, &cell);
+    self->next->n++;
+    place->vv = rests ? 0.0 : nck_max(0.0, span.vv_in - 2.0 * span.a * span.length);
+    place->fresh = (uint32_t)is_whole;
+    place->s = span.s + cell.length;
+    if (is_whole) place->piece++;
+    return rests ? NCK_DONE : NCK_EMPTY;
+}
+
+static nck_status_t draw_brake(nck_linear_t *self, const nck_pieces_t *pieces) {
+    for (int n = 0; n < PASS_STEP; n++) {
+        if (brake_piece(self, pieces) != NCK_DONE) continue;
+        const int is_hold = self->job.kind == NCK_JOB_BRAKE;
+        self->next->commit = self->part;
+        self->next->n += self->part;
+        self->next->complete = (uint32_t)is_hold;
+        if (is_hold) self->next->commit = self->next->n;
+        set_end(self, &self->brake);
+        return NCK_DONE;
+    }
+    return NCK_OK;
+}
+
+nck_status_t nck_linear_step(nck_linear_t *self, const nck_pieces_t *pieces) {
+    switch (self->phase) {
+    case PHASE_VIEW: return begin_pass(self, pieces);
+    case PHASE_FLOOR: raise_floor(self, pieces); return NCK_OK;
+    case PHASE_BACKWARD: return pass_backward(self, pieces);
+    case PHASE_FORWARD: pass_forward(self, pieces); return NCK_OK;
+    case PHASE_PART: return draw_part(self, pieces);
+    default: return draw_brake(self, pieces);
+    }
+}

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: MIT
+// The acceleration-limited planner: the exact two-pass envelope over a view of the window, a
+// trapezoid over each piece, and a brake behind the part that may become final.
+// README, section "Linear".
+//
+//     pieces ─▶ [floor] ─▶ backward ─▶ forward ─▶ part ─▶ brake
+//                                                   ▲        │
+//                                                   └────────┘ (the envelope serves many parts)
+#ifndef NCK_PREP_LINEAR_H
+#define NCK_PREP_LINEAR_H
+
+#include "nck/base/limits.h"         // NCK_WINDOW NCK_TAIL_MAX
+#include "nck/base/link.h"           // nck_link_t
+#include "nck/base/machine.h"        // nck_machine_t
+#include "nck/base/records.h"        // nck_cell_t
+#include "nck/base/status.h"         // nck_status_t
+#include "nck/prep/5_slope/plan.h"   // nck_plan_t nck_job_t nck_pieces_t
+#include "nck/prep/5_slope/trapezoid.h" // NCK_TRAPEZOID_LEGS
+
+enum {
+    NCK_LINEAR_VIEW = 2 * (NCK_WINDOW - 8) / 3, // pieces that an envelope is computed for at most
+    NCK_LINEAR_PART = NCK_TAIL_MAX - NCK_LINEAR_VIEW - 4 // cells of a part at most
+};
+
+// A place on the path, and how fast it is passed.
+typedef struct nck_linear_place {
+    uint32_t piece; // running number
+    uint32_t fresh; // 1: where that piece begins; s is not set
+    double s;       // path coordinate in the piece's seg [path mm]
+    double vv;      // v² there
+} nck_linear_place_t;
+
+typedef struct nck_linear {
+    const nck_machine_t *machine;
+    nck_link_t *link;      // producer's side
+    const nck_plan_t *now; // published
+    nck_plan_t *next;      // in work
+    nck_job_t job;         // that it is made for
+    uint32_t phase;
+    uint32_t hurries;      // 1: no more pieces come in time
+    uint32_t final;        // the envelope holds for the pieces before this number …
+    uint32_t end;          // … and comes to rest before this one
+    uint32_t open;         // 1: there only because no more was known
+    uint32_t held;         // nck_held_t of the rest behind the final pieces
+    uint32_t skip;         // block ends up to this piece come too early to rest at
+    uint32_t part;         // cells of the part so far
+    nck_linear_place_t at;    // how far the part is drawn
+    nck_linear_place_t brake; // how far the brake behind it is drawn
+
+    struct {
+        uint32_t i;        // next node
+        uint32_t floor;    // nodes before this one are raised to what the path can brake to
+        uint32_t open;     // 1: no cap met yet on the way from the view's end
+        double vv;         // v² at the node last done
+    } pass;
+
+    struct {
+        uint32_t count;    // legs of the piece in work; 0: none in work
+        uint32_t k;        // the leg in work
+        uint32_t slices;   // that it is divided into
+        uint32_t m;        // of them, drawn
+        nck_cell_t cell[NCK_TRAPEZOID_LEGS];
+    } leg;
+} nck_linear_t;
+
+// now, next: the slope's plans; next's begin, piece, s and over are set before a plan is begun.
+// Cost: constant. Context: any, before the tick runs.
+void nck_linear_init(nck_linear_t *self, const nck_machine_t *machine, nck_link_t *link,
+                     const nck_plan_t *now, nck_plan_t *next);
+
+// Begin to plan. Cost: constant. Context: prep.
+void nck_linear_begin(nck_linear_t *self, const nck_job_t *job);
+
+// One bounded piece of work. Returns NCK_OK (call again), NCK_EMPTY (needs pieces), NCK_DONE (the
+// plan stands in the link's built tail), NCK_FULL (the plan of now rests as well as this one
+// would), NCK_E_STATE (no plan joins here). Cost: 32 nodes of a pass, or 32 cells; with
+// lookahead_blocks, the pieces of so many blocks. Context: prep.
+nck_status_t nck_linear_step(nck_linear_t *self, const nck_pieces_t *pieces);
+
+// No more pieces come in time: plan with those that are there. Cost: constant. Context: prep.
+void nck_linear_hurry(nck_linear_t *self);
+
+#endif

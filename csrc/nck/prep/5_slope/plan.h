@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: MIT
+// Inside room 5: what a plan is, and what the planners are asked for. Face: slope.h.
+#ifndef NCK_PREP_PLAN_H
+#define NCK_PREP_PLAN_H
+
+#include "nck/base/machine.h" // nck_machine_t
+#include "nck/base/link.h"    // nck_link_t
+#include "nck/base/records.h" // nck_node_t nck_cell_t
+#include "nck/base/status.h"  // nck_status_t
+
+// Room 4's window of pieces as this room sees it. Pieces have running numbers.
+typedef struct nck_pieces {
+    nck_node_t *at;       // ring of NCK_WINDOW; the linear slope writes the envelope into it
+    uint32_t head;        // number of the oldest
+    uint32_t fill;        // pieces in the window
+    uint32_t barrier;     // pieces from the oldest on up to and with the newest WAIT; 0: none
+    uint32_t complete;    // 1: no more come before the path is at rest
+} nck_pieces_t;
+
+// What the operator wants, as of now.
+typedef struct nck_wish {
+    double feed;           // override, 0 … 2
+    double rapid;          // override, 0 … 1
+    uint32_t hold;         // 1: rest, and stay
+    uint32_t single_block; // 1: rest at the end of every block, and stay
+    uint32_t resumes;      // counts up when the operator wants to go on
+} nck_wish_t;
+
+// What keeps the path at rest behind a plan.
+typedef enum nck_held {
+    NCK_HELD_NOT = 0,
+    NCK_HELD_RESUME = 1,  // until the operator wants to go on
+    NCK_HELD_OVERRIDE = 2, // until the override is no longer zero
+    NCK_HELD_BLOCK = 3    // at a block's end, until the operator wants to go on
+} nck_held_t;
+
+// A place on the path, and a plan from there on.
+typedef struct nck_plan {
+    uint32_t begin;    // its first cell follows so many final cells (as nck_link_end counts)
+    uint32_t n;        // cells
+    uint32_t first_piece; // where it begins
+    uint32_t piece;    // where the first cell that is not final begins
+    double s;          // path coordinate there, in the piece's seg
+    uint32_t end_piece; // where it comes to rest
+    double end_s;      // path coordinate there; negative: where that piece begins
+    uint32_t complete; // 1: the path rests there, not only the window
+    uint32_t held;     // nck_held_t: what must happen before it goes on
+    uint32_t commit;   // so many of its cells may become final before the next plan takes over
+    uint32_t keep;     // behind this cell it brakes for the window's end only
+    uint32_t over;     // 1: an override beyond 100 % has been in force since it was last at rest
+} nck_plan_t;
+
+// What a plan is made for.
+typedef enum nck_job_kind {
+    NCK_JOB_START = 0, // from the rest at the end of the plan of now
+    NCK_JOB_GO_ON = 1, // from the moving state behind some cells of the plan of now
+    NCK_JOB_BRAKE = 2  // from there to rest
+} nck_job_kind_t;
+
+typedef struct nck_job {
+    uint32_t kind;     // nck_job_kind_t
+    uint32_t held;     // brake: nck_held_t of the rest
+    uint32_t anew;     // 1: not where the plan of now meant to be followed, or other wishes
+    uint32_t slower;   // 1: the plan of now is for higher speeds
+    uint32_t starved;  // 1: the tick has run out of cells: begin with what is there
+    nck_wish_t wish;
+    double v;          // speed where it begins [path mm/s]
+    double a;          // acceleration of the cell before [path mm/s²]
+    double q;          // duration of that cell [s]; 0: from rest
+} nck_job_t;
+
+// Room 4's piece of a running number; NULL if it is not there (yet). Cost: constant.
+nck_node_t *nck_plan_piece(const nck_pieces_t *pieces, uint32_t number);
+
+// The piece in which a cell begins, from a piece at or before it. Cost: linear in the pieces
+// between.
+uint32_t nck_plan_find(const nck_pieces_t *pieces, uint32_t number, const nck_cell_t *cell);
+
+// Cap of a piece under overrides, v². over: by the limits for overrides beyond 100 %.
+// Cost: constant.
+double nck_plan_cap(const nck_node_t *piece, const nck_wish_t *wish, uint32_t over);
+
+// 1 if the piece of this number, which has one behind it, ends its block. Cost: constant.
+int nck_plan_ends_block(const nck_link_t *link, const nck_pieces_t *pieces, uint32_t number);
+
+#endif
