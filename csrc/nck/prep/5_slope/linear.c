@@ -84,33 +84,37 @@ static void enter_brake(nck_linear_t *self) {
     self->phase = PHASE_BRAKE;
 }
 
-// Whether the plan goes on where the last part ended, within the envelope.
+// Whether the plan goes on where the last part ended: v² there is known to the bit.
 static int goes_on(const nck_linear_t *self) {
     const nck_plan_t *const next = self->next;
-    return !self->job.anew && self->at.piece == next->piece && (int32_t)(self->final - next->piece) > 0
+    return !self->job.anew && self->at.piece == next->piece
            && (self->at.fresh || self->at.s == next->s);
+}
+
+static void set_place(nck_linear_t *self) {
+    self->at.piece = self->next->piece;
+    self->at.fresh = 0;
+    self->at.s = self->next->s;
+    self->at.vv = self->job.v * self->job.v;
+    self->final = self->at.piece;
+    self->leg.count = 0;
 }
 
 void nck_linear_begin(nck_linear_t *self, const nck_job_t *job) {
     self->job = *job;
     self->hurries = 0;
-    if (job->kind != NCK_JOB_BRAKE && goes_on(self)) {
-        enter_part(self);
-        return;
-    }
-    self->at.piece = self->next->piece;
-    self->at.fresh = 0;
-    self->at.s = self->next->s;
-    self->at.vv = job->v * job->v;
-    self->final = self->at.piece;
-    self->skip = self->at.piece;
-    self->leg.count = 0;
     self->part = 0;
-    self->phase = PHASE_VIEW;
-    if (job->kind != NCK_JOB_BRAKE) return;
-    self->next->held = job->held;
-    nck_link_tail_begin(self->link);
-    enter_brake(self);
+    self->skip = self->next->piece;
+    if (!goes_on(self)) set_place(self);
+    if (job->kind == NCK_JOB_BRAKE) {
+        self->next->held = job->held;
+        nck_link_tail_begin(self->link);
+        enter_brake(self);
+    } else if (self->at.piece != self->final) {
+        enter_part(self);
+    } else {
+        self->phase = PHASE_VIEW;
+    }
 }
 
 void nck_linear_hurry(nck_linear_t *self) { self->hurries = 1; }
@@ -143,8 +147,8 @@ static uint32_t find_final(const nck_linear_t *self, const nck_pieces_t *pieces,
     const int has_barrier = pieces->barrier > 0 && (int32_t)barrier > 0 && barrier <= seen;
     if (pieces->complete && self->end == pieces->head + pieces->fill) return seen;
     if (self->hurries) return seen;
-    const uint32_t half = is_far || self->job.starved ? seen / 2 : 0;
-    return has_barrier && barrier > half ? barrier : half;
+    const uint32_t some = is_far || self->job.starved ? 1 + (seen - 1) / NCK_LINEAR_FINAL : 0;
+    return has_barrier && barrier > some ? barrier : some;
 }
 
 static nck_status_t begin_pass(nck_linear_t *self, const nck_pieces_t *pieces) {

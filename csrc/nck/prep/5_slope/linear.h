@@ -18,7 +18,8 @@
 #include "nck/prep/5_slope/trapezoid.h" // NCK_TRAPEZOID_LEGS
 
 enum {
-    NCK_LINEAR_VIEW = 2 * (NCK_WINDOW - 8) / 3, // pieces that an envelope is computed for at most
+    NCK_LINEAR_VIEW = 4 * (NCK_WINDOW - 8) / 5, // pieces that an envelope is computed for at most
+    NCK_LINEAR_FINAL = 4, // of them, one in so many become final; their room is kept till then
     NCK_LINEAR_PART = NCK_TAIL_MAX - NCK_LINEAR_VIEW - 4 // cells of a part at most
 };
 

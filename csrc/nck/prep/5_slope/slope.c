@@ -10,8 +10,9 @@ enum { PHASE_IDLE = 0, PHASE_MAKE, PHASE_INSTALL };
 
 // Periods that are final ahead of the tick.
 #define LEAD_PERIODS 5.0
-// A hold begins to brake so many periods behind them.
-#define HOLD_PERIODS 2.0
+// A plan begins so many periods behind them at least; a hold's is made sooner.
+#define PLAN_PERIODS 3.5
+#define HOLD_PERIODS 1.0
 // A plan that answers the operator is put off while so many periods are still final: the tick must
 // not run into the tail, where nobody is heard.
 #define LEAD_LEAST 2.0
@@ -152,7 +153,7 @@ static uint32_t cell_after(const nck_slope_t *self, uint32_t first, double time)
 // Where a plan begun now takes over. As many cells pass as for the last one, twice, because it is
 // made twice. A hold's is short. What was put off gets more.
 static uint32_t takeover(const nck_slope_t *self) {
-    const double periods = self->wish.hold ? HOLD_PERIODS : LEAD_PERIODS;
+    const double periods = self->wish.hold ? HOLD_PERIODS : PLAN_PERIODS;
     const uint32_t done = final_count(self);
     const uint32_t least = cell_after(self, done, periods * self->machine->period_s);
     const uint32_t spent = self->wish.hold ? 0 : 2 * self->spent;

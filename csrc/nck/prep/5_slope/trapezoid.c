@@ -12,6 +12,8 @@
 #define SHORT_PERIODS 4.0
 // A leg that is shorter than this share of its span is rounding.
 #define LENGTH_EPSILON 1e-12
+// A rest this near to a piece's end, as a share of what is left of the piece, is at that end.
+#define REST_EPSILON 1e-9
 // A ramp counts as limited by acceleration above this share of it.
 #define ACCEL_EPSILON 1e-6
 
@@ -88,8 +90,10 @@ int nck_trapezoid_legs(const nck_node_t *piece, const nck_span_t *span, double p
 int nck_trapezoid_brake(const nck_node_t *piece, const nck_span_t *span, nck_cell_t *cell_out) {
     const double reach = nck_ramp_length(span->vv_in, 0.0, span->a);
     const double vv_end = nck_max(0.0, span->vv_in - 2.0 * span->a * span->length);
-    const int rests = reach <= span->length || vv_end == 0.0 || span->vv_out == 0.0;
-    const double length = nck_min(reach, span->length);
+    const int is_all = reach >= span->length * (1.0 - REST_EPSILON);
+    const int is_end = is_all && reach <= span->length * (1.0 + REST_EPSILON);
+    const int rests = !is_all || is_end || vv_end == 0.0 || span->vv_out == 0.0;
+    const double length = is_all ? span->length : reach;
     const double w[2] = {span->vv_in, rests ? 0.0 : vv_end};
     set_cell(cell_out, piece, span->s, length, w);
     cell_out->limit = NCK_LIMIT_STARVED;
