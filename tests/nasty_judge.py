@@ -107,7 +107,7 @@ def _finite(name, array):
 
 def _answer(case, machine):
     """Return the ticks in which a hold must have come to rest; None: the checker's own."""
-    if case.prep_steps < kernel.PREP_STEPS or machine.settings.path.slope != "jerk":
+    if case.prep_steps < kernel.PREP_STEPS or machine.settings.path.slope == "sshape":
         return math.inf
     return None
 

@@ -12,10 +12,11 @@ PERIODS_MS = (0.25, 0.5, 1, 2, 4, 10)
 PERIODS = 4000  # of a program, about
 TINY = 1e-6  # the shortest move [mm]
 LONGEST = 1000.0  # [mm]
+ALL = ("hold", "resume", "resume", "override", "override", "single_block", "abort")
 COMMANDS = {
-    "jerk": ("hold", "resume", "resume", "override", "override", "single_block", "abort"),
+    "jerk": ALL,
     "sshape": ("hold", "resume", "resume", "abort"),
-    "linear": ("hold", "resume", "resume", "abort"),
+    "linear": ALL,
 }
 
 

@@ -155,7 +155,7 @@ static void window_gives_the_bits_of_the_whole_path(check_t *check)
         envelope();
         CHECK_INT(check, open_count, 0);
         uint32_t different = 0;
-        for (uint32_t i = 0; i < node_count; i++) { different += nodes[i].vv != whole[i]; if (nodes[i].vv != whole[i]) printf("%d of %d: %.17g %.17g cap %.17g stop %d seg %d len %g\n", (int)i, (int)node_count, nodes[i].vv, whole[i], nodes[i].vv_cap, nodes[i].stop, nodes[i].seg, nodes[i].length); }
+        for (uint32_t i = 0; i < node_count; i++) different += nodes[i].vv != whole[i];
         CHECK_INT(check, different, 0);
     }
 }

@@ -106,8 +106,8 @@ nck_status_t nck_lookahead_push(nck_lookahead_t *self, const nck_seg_t *seg);
 void nck_lookahead_end(nck_lookahead_t *self);
 
 // One bounded piece of work. Returns NCK_OK, NCK_EMPTY (needs segs), NCK_FULL (pieces must be
-// dropped), NCK_DONE (ended, and every piece is placed). Cost: one junction or one seg's nodes with at most
-// 2·NCK_CORNER_SPAN neighbours at both paces. Context: prep.
+// dropped), NCK_DONE (ended, and every piece is placed). Cost: one junction or one seg's nodes with
+// at most 2·NCK_CORNER_SPAN neighbours at both paces. Context: prep.
 nck_status_t nck_lookahead_step(nck_lookahead_t *self);
 
 // The i-th piece from the window's head; NULL beyond the window. Cost: constant. Context: prep.

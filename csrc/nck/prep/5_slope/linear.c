@@ -46,8 +46,9 @@ static double cap_at(const nck_linear_t *self, const nck_pieces_t *pieces, uint3
     const nck_node_t *const piece = nck_plan_piece(pieces, number);
     if (is_plain(self)) return piece->vv_cap;
     const double junction = self->next->over ? piece->vv_node : piece->vv_cap;
-    const double before = cap_inside(self, nck_plan_piece(pieces, number - 1));
-    return nck_min(junction, nck_min(before, cap_inside(self, piece)));
+    const nck_node_t *const before = nck_plan_piece(pieces, number - 1);
+    const double cap = nck_min(junction, cap_inside(self, piece));
+    return before ? nck_min(cap, cap_inside(self, before)) : cap;
 }
 
 static double accel_of(const nck_linear_t *self, const nck_node_t *piece) {
@@ -341,6 +342,7 @@ static void leave_piece(nck_linear_t *self, const nck_pieces_t *pieces) {
     self->at.piece++;
     self->at.fresh = 1;
     self->at.vv = within ? next->vv : 0.0;
+    if (self->held && self->at.piece == self->final) self->at.vv = 0.0;
 }
 
 static void set_end(nck_linear_t *self, const nck_linear_place_t *place) {
@@ -348,8 +350,9 @@ static void set_end(nck_linear_t *self, const nck_linear_place_t *place) {
     self->next->end_s = place->fresh ? -1.0 : place->s;
 }
 
-// The part ends at rest.
-static nck_status_t finish_at_rest(nck_linear_t *self, uint32_t held) {
+// The part ends at rest. Single block holds it there only behind the last final piece.
+static nck_status_t finish_at_rest(nck_linear_t *self) {
+    const uint32_t held = self->at.piece == self->final ? self->held : (uint32_t)NCK_HELD_NOT;
     self->next->n = self->part;
     self->next->commit = self->part;
     self->next->complete = 1;
@@ -365,7 +368,7 @@ static nck_status_t end_part(nck_linear_t *self) {
         self->final = self->at.piece;
         return NCK_FULL;
     }
-    if (!(self->at.vv > 0.0)) return finish_at_rest(self, self->held);
+    if (!(self->at.vv > 0.0)) return finish_at_rest(self);
     enter_brake(self);
     return NCK_OK;
 }
@@ -389,11 +392,8 @@ static nck_status_t draw_one(nck_linear_t *self, const nck_pieces_t *pieces) {
         self->at.vv = self->leg.cell[self->leg.k].v * self->leg.cell[self->leg.k].v;
         return NCK_EMPTY;
     }
-    const nck_node_t *const piece = nck_plan_piece(pieces, self->at.piece);
-    const int rests = piece->stop || !(piece->length > 0.0);
     leave_piece(self, pieces);
-    if (self->held && self->at.piece == self->final) return finish_at_rest(self, self->held);
-    return rests ? finish_at_rest(self, NCK_HELD_NOT) : NCK_EMPTY;
+    return NCK_EMPTY;
 }
 
 static nck_status_t draw_part(nck_linear_t *self, const nck_pieces_t *pieces) {
