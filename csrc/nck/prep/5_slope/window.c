@@ -3,7 +3,7 @@
 #include "nck/prep/5_slope/window.h"
 
 #include "nck/base/real.h"                // nck_min nck_max
-#include "nck/prep/5_slope/hull_math.h"   // nck_hull_share
+#include "nck/prep/5_slope/brake.h"       // nck_brake_…
 #include "nck/prep/5_slope/ladder_math.h" // nck_ladder_…
 
 // From rest to rest a path takes REST_PARTS cells, PARTS_LEAST if there is no room for more.
@@ -19,8 +19,6 @@ enum { BLOCK_END = 1, MUST_REST = 2 };
 // in its seg.
 #define LENGTH_EPSILON 1e-9
 #define PLACE_EPSILON 1e-14
-// The brake curve keeps off the limits by so much, so that the plan above it finds room.
-#define BRAKE_SHARE 0.95
 
 double nck_window_q_cap(const nck_jerk_t *self) {
     return self->work.coarse ? UNCAPPED_S : self->q_cap;
@@ -302,6 +300,20 @@ nck_status_t nck_window_lay(nck_jerk_t *self, const nck_pieces_t *pieces) {
 
 // ---- limit
 
+// A hold brakes with what bends leave at the speed that it has by then, and keeps below that speed.
+static void brake_along(nck_jerk_t *self, const nck_pieces_t *pieces, uint32_t i) {
+    nck_profile_t *const state = &self->profile;
+    const double q_cap = nck_window_q_cap(self);
+    if (i == 0) nck_brake_begin(state, q_cap);
+    const double v = nck_min(nck_sqrt(self->w_cap[i]), NCK_BRAKE_ABOVE * state->v_last);
+    if (state->v_last > 0.0) self->w_cap[i] = nck_max(v * v, state->v_last * state->v_last);
+    nck_brake_limits_t limits = {self->a_max[i], self->j_max[i]};
+    nck_brake_relax(self, pieces, self->rung_piece[i], v, &limits);
+    self->a_max[i] = limits.a;
+    self->j_max[i] = limits.j;
+    state->v_last = nck_sqrt(nck_brake_cell(state, self->h[i], limits.a, limits.j, q_cap));
+}
+
 // A cell keeps to the limits of every piece that it touches, and its nodes to the caps of the nodes
 // that it passes over.
 static void limit_cell(nck_jerk_t *self, const nck_pieces_t *pieces, uint32_t i) {
@@ -326,6 +338,7 @@ static void limit_cell(nck_jerk_t *self, const nck_pieces_t *pieces, uint32_t i)
     self->a_max[i] = a;
     self->j_max[i] = j * self->j_scale;
     self->work.w_cell = w_cell;
+    if (self->work.reach > 0.0) brake_along(self, pieces, i);
 }
 
 // A window or a hold that ends in the cell behind a rest ends at that rest.
@@ -353,25 +366,14 @@ nck_status_t nck_window_limit(nck_jerk_t *self, const nck_pieces_t *pieces) {
 
 // ---- brake
 
-// v² after a cell under rising deceleration; the profile's state serves as the brake's.
-static double brake_cell(nck_profile_t *state, double h, double a_max, double j, double q_cap) {
-    const double v = state->v_last;
-    const double share = nck_hull_share(h, 2.0 * v, q_cap);
-    const double fall = BRAKE_SHARE * j * (state->share + share);
-    const double a = nck_max(-BRAKE_SHARE * a_max, state->a_last - fall);
-    state->a_last = a;
-    state->share = share;
-    return nck_max(0.0, v * v + 2.0 * a * h);
-}
-
 // The deceleration must be gone when the cap is met: v − v_cap ≥ a²/(2J), which in steps of the
 // duration q becomes |a| ≤ √((Jq/2)² + 2J·(v − v_cap)) − Jq/2. Near the cap the brake gives way,
 // and vv becomes more.
 static double land_cell(nck_profile_t *state, double h, double j, double w_cap, double vv) {
     const double v = state->v_last;
     const double above = nck_max(0.0, v - nck_sqrt(w_cap));
-    const double step = BRAKE_SHARE * j * state->share; // J·q/2
-    const double least = step - nck_sqrt(step * step + 2.0 * BRAKE_SHARE * j * above);
+    const double step = NCK_BRAKE_SHARE * j * state->share; // J·q/2
+    const double least = step - nck_sqrt(step * step + 2.0 * NCK_BRAKE_SHARE * j * above);
     if (state->a_last >= least) return vv;
     state->a_last = least;
     return nck_max(0.0, v * v + 2.0 * least * h);
@@ -395,9 +397,7 @@ nck_status_t nck_window_brake(nck_jerk_t *self) {
     nck_profile_t *const state = &self->profile;
     const double q_cap = nck_window_q_cap(self);
     if (self->work.i == 0) {
-        state->v_last = state->v;
-        state->a_last = state->a;
-        state->share = 0.5 * nck_min(state->q, q_cap);
+        nck_brake_begin(state, q_cap);
         if (state->v > 0.0) self->w_cap[0] = nck_max(self->w_cap[0], state->v * state->v);
     }
     for (int n = 0; n < NCK_JERK_STEP; n++) {
@@ -407,53 +407,12 @@ nck_status_t nck_window_brake(nck_jerk_t *self) {
         const double vv_planned = planned(self);
         if (vv_planned < 0.0) continue;
         const double a_max = self->a_max[i];
-        const double vv = brake_cell(state, self->h[i], a_max, self->j_max[i], q_cap);
+        const double vv = nck_brake_cell(state, self->h[i], a_max, self->j_max[i], q_cap);
         const double landed = land_cell(state, self->h[i], self->j_max[i], self->w_cap[i + 1], vv);
         const double floor = nck_min(landed, vv_planned);
         self->w_cap[i + 1] = nck_max(self->w_cap[i + 1], floor);
         state->v_last = nck_sqrt(landed);
         self->work.braked += self->h[i];
-        self->work.i++;
-    }
-    return NCK_OK;
-}
-
-// ---- reach
-
-// Under full deceleration from here on the speed would be gone: by then the acceleration must be
-// back at zero, over  |a|³/(6J²)  of path from the speed  a²/(2J).
-static int rests_within(const nck_profile_t *state, double j) {
-    const double a = state->a_last;
-    return a < 0.0 && state->v_last * state->v_last * 4.0 * j * j <= a * a * a * a;
-}
-
-// One cell of the plan of now under the brake. Returns 1 when the rest is found.
-static int reach_cell(nck_jerk_t *self, const nck_pieces_t *pieces, const nck_cell_t *cell) {
-    nck_profile_t *const state = &self->profile;
-    self->work.piece = nck_plan_find(pieces, self->work.piece, cell);
-    const nck_node_t *const piece = nck_plan_piece(pieces, self->work.piece);
-    const double a_max = self->work.over ? piece->a_over : piece->a;
-    const double j = BRAKE_SHARE * self->j_scale * (self->work.over ? piece->j_over : piece->j);
-    const double vv = brake_cell(state, cell->length, a_max, j, self->q_cap);
-    state->v_last = nck_sqrt(vv);
-    self->work.reach += cell->length;
-    if (!rests_within(state, j)) return 0;
-    const double ramp = -state->a_last / j;
-    self->work.reach += ramp * state->v_last / 3.0 + self->q_cap * self->profile.v;
-    return 1;
-}
-
-nck_status_t nck_window_reach(nck_jerk_t *self, const nck_pieces_t *pieces) {
-    if (self->work.i == 0) {
-        nck_profile_t *const state = &self->profile;
-        state->v_last = state->v;
-        state->a_last = state->a;
-        state->share = 0.5 * nck_min(state->q, self->q_cap);
-    }
-    for (int n = 0; n < NCK_JERK_STEP; n++) {
-        const nck_cell_t *const cell = source(self, self->work.i);
-        if (!cell) return NCK_EMPTY;
-        if (reach_cell(self, pieces, cell)) return NCK_DONE;
         self->work.i++;
     }
     return NCK_OK;

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+// Inside room 5: how a hold brakes along the ladder of the jerk-limited slope.
+#ifndef NCK_PREP_BRAKE_H
+#define NCK_PREP_BRAKE_H
+
+#include "nck/prep/5_slope/jerk.h" // nck_jerk_t nck_pieces_t nck_profile_t
+
+// The brake keeps off the limits by so much, so that the plan above it finds room.
+#define NCK_BRAKE_SHARE 0.95
+// That plan is at most so many times as fast.
+#define NCK_BRAKE_ABOVE 1.1
+
+// What a piece leaves to the path. j counts in rule R: a share of the piece's own.
+typedef struct nck_brake_limits {
+    double a; // [path mm/s²]
+    double j; // [path mm/s³]
+} nck_brake_limits_t;
+
+// Brake from the profile's entry state; v_last, a_last and share of the profile are the brake's.
+// Cost: constant.
+void nck_brake_begin(nck_profile_t *state, double q_cap);
+
+// v² after a cell of length h under rising deceleration. Cost: constant.
+double nck_brake_cell(nck_profile_t *state, double h, double a_max, double j, double q_cap);
+
+// A piece's limits hold at its cap; raise them to what they are at speed v at least. README,
+// section "Hold". Cost: linear in the pieces that the output filter mixes at v.
+void nck_brake_relax(const nck_jerk_t *self, const nck_pieces_t *pieces, uint32_t number, double v,
+                     nck_brake_limits_t *limits);
+
+#endif
