@@ -25,6 +25,7 @@ SUBJECTS = {
     "linuxcnc": [("linuxcnc", "bench_linuxcnc_rows")],
     "butterfly": [("linuxcnc", "bench_butterfly_rows")],
     "window": [("linuxcnc", "bench_window_rows")],
+    "stops": [("stops", "bench_stops_rows")],
     "bubble": [("grades", "bench_bubble_rows")],
     "opencl": [("opencl", "bench_opencl_rows")],
     "cao": [("papers", "cao")],

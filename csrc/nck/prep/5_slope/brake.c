@@ -33,6 +33,11 @@ double nck_brake_cell(nck_profile_t *state, double h, double a_max, double j, do
     return nck_max(0.0, v * v + 2.0 * a * h);
 }
 
+int nck_brake_rests(const nck_profile_t *state, double j) {
+    const double a = state->a_last;
+    return a < 0.0 && state->v_last * state->v_last * 4.0 * j * j <= a * a * a * a;
+}
+
 // ---- what is left at a lower speed
 
 // The smaller cap of a piece and of the node at its start; a rest at the node is none.
@@ -105,13 +110,6 @@ void nck_brake_relax(const nck_jerk_t *self, const nck_pieces_t *pieces, uint32_
 
 // ---- reach
 
-// Under full deceleration from here on the speed would be gone: by then the acceleration must be
-// back at zero, over  |a|³/(6J²)  of path from the speed  a²/(2J).
-static int rests_within(const nck_profile_t *state, double j) {
-    const double a = state->a_last;
-    return a < 0.0 && state->v_last * state->v_last * 4.0 * j * j <= a * a * a * a;
-}
-
 // One cell of the plan of now under the brake. Returns 1 when the rest is found.
 static int reach_cell(nck_jerk_t *self, const nck_pieces_t *pieces, const nck_cell_t *cell) {
     nck_profile_t *const state = &self->profile;
@@ -120,11 +118,11 @@ static int reach_cell(nck_jerk_t *self, const nck_pieces_t *pieces, const nck_ce
     const double v = nck_min(cell->v, NCK_BRAKE_ABOVE * state->v_last);
     nck_brake_limits_t limits = {self->work.over ? piece->a_over : piece->a,
                                  self->j_scale * (self->work.over ? piece->j_over : piece->j)};
-    nck_brake_relax(self, pieces, self->work.piece, v, &limits);
+    if (!self->work.as_capped) nck_brake_relax(self, pieces, self->work.piece, v, &limits);
     const double j = NCK_BRAKE_SHARE * limits.j;
     state->v_last = nck_sqrt(nck_brake_cell(state, cell->length, limits.a, j, self->q_cap));
     self->work.reach += cell->length;
-    if (!rests_within(state, j)) return 0;
+    if (!nck_brake_rests(state, j)) return 0;
     const double ramp = -state->a_last / j;
     self->work.reach += ramp * state->v_last / 3.0 + self->q_cap * self->profile.v;
     return 1;

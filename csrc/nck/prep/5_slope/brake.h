@@ -23,6 +23,10 @@ void nck_brake_begin(nck_profile_t *state, double q_cap);
 // v² after a cell of length h under rising deceleration. Cost: constant.
 double nck_brake_cell(nck_profile_t *state, double h, double a_max, double j, double q_cap);
 
+// Under full deceleration from here on the speed would be gone: by then the acceleration must be
+// back at zero, over  |a|³/(6J²)  of path from the speed  a²/(2J). Cost: constant.
+int nck_brake_rests(const nck_profile_t *state, double j);
+
 // A piece's limits hold at its cap; raise them to what they are at speed v at least. README,
 // section "Hold". Cost: linear in the pieces that the output filter mixes at v.
 void nck_brake_relax(const nck_jerk_t *self, const nck_pieces_t *pieces, uint32_t number, double v,

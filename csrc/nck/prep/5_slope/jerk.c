@@ -22,8 +22,10 @@ enum { COMMIT_MOST = 3, COMMIT_LEAST = 10, KEEP_OFF = 4 };
 #define STEP_LEAST 0.5
 // Room for rounding below every jerk limit.
 #define JERK_MARGIN 1e-5
-// A hold that cannot be met gets so much more length.
+// A hold that cannot be met gets so much more length, …
 #define REACH_GROWTH 1.05
+// … and after so many tries pieces are asked for no more than they leave at their caps.
+#define RELAXED_TRIES 4
 
 void nck_jerk_init(nck_jerk_t *self, const nck_machine_t *machine, nck_link_t *link,
                    const nck_plan_t *now, nck_plan_t *next) {
@@ -138,13 +140,15 @@ static int runs_past(const nck_jerk_t *self, const nck_pieces_t *pieces) {
     return further > 0 || (further == 0 && behind && self->now->end_s > behind->s);
 }
 
-// The plan does not join. A hold gets more length. Is the plan of now on its way past the place, it
+// The plan does not join. A hold gets more length; in the end it is content with what pieces leave
+// at their caps. Is the plan of now on its way past the place, it
 // is too late to rest there: a stop at a block's end waits for a later block, an override of zero
 // rests further on. If it rests there or before, it is as good.
 // Else the ladder of now is taken over as it is: where short pieces share cells in another way,
 // caps may differ. NCK_E_STATE if that does not help either.
 static nck_status_t give_way(nck_jerk_t *self, const nck_pieces_t *pieces) {
     const double reach = self->work.reach;
+    const uint32_t tries = self->work.tries + 1;
     const uint32_t passes = self->work.passes + 1;
     const int is_past = self->next->complete && runs_past(self, pieces);
     const int must_rest = self->work.must_rest != 0;
@@ -154,7 +158,9 @@ static nck_status_t give_way(nck_jerk_t *self, const nck_pieces_t *pieces) {
     restart(self);
     if (reach > 0.0) {
         begin_brake(self, self->job.held);
-        begin_hold(self, REACH_GROWTH * reach);
+        self->work.tries = tries;
+        self->work.as_capped = tries >= RELAXED_TRIES;
+        if (tries != RELAXED_TRIES) begin_hold(self, REACH_GROWTH * reach);
     } else if (is_past && must_rest) {
         begin_brake(self, NCK_HELD_OVERRIDE);
     } else if (single_block && is_past && passes < NCK_JERK_PIECES) {

@@ -39,6 +39,8 @@ typedef struct nck_jerk {
         uint32_t pending_piece;
         double pending_s;
         double reach;      // rest within this length, for a hold; 0: no hold
+        uint32_t tries;    // of a hold, in vain
+        uint32_t as_capped; // 1: a hold brakes with what pieces leave at their caps only
         double length;     // of the ladder so far
         double step;       // D of this plan: a hold's ladder has to fit [s]
         double time;       // duration of the cells drawn so far [s]

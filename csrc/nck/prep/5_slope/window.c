@@ -311,6 +311,7 @@ static void brake_along(nck_jerk_t *self, const nck_pieces_t *pieces, uint32_t i
     nck_brake_relax(self, pieces, self->rung_piece[i], v, &limits);
     self->a_max[i] = limits.a;
     self->j_max[i] = limits.j;
+    if (nck_brake_rests(state, NCK_BRAKE_SHARE * limits.j)) return; // what is left rounds the end
     state->v_last = nck_sqrt(nck_brake_cell(state, self->h[i], limits.a, limits.j, q_cap));
 }
 
@@ -338,7 +339,7 @@ static void limit_cell(nck_jerk_t *self, const nck_pieces_t *pieces, uint32_t i)
     self->a_max[i] = a;
     self->j_max[i] = j * self->j_scale;
     self->work.w_cell = w_cell;
-    if (self->work.reach > 0.0) brake_along(self, pieces, i);
+    if (self->work.reach > 0.0 && !self->work.as_capped) brake_along(self, pieces, i);
 }
 
 // A window or a hold that ends in the cell behind a rest ends at that rest.
