@@ -1,15 +1,19 @@
 # SPDX-License-Identifier: MIT
-"""Write machine.md and diagnostics.md from the code that they describe.
+"""Write machine.md, diagnostics.md and the output in README.md from the code that they describe.
 
 python docs/make_pages.py
 """
 
 import re
+import subprocess
+import sys
 import typing
 from decimal import Decimal
 from pathlib import Path
 
 from pycnc import diagnostics, machine_file
+
+ROOT = Path(__file__).resolve().parents[1]
 
 # id → (wording of RS274NGC interpreters, grbl's error number or alarm)
 ELSEWHERE = {
@@ -160,12 +164,39 @@ def diagnostics_page():
     return "\n".join(lines) + "\n"
 
 
+BEGIN, END = "<!-- output -->\n", "<!-- /output -->"
+EXAMPLE = ("run", "pycnc/examples/first_part.ngc", "--set", "path.slope=jerk")
+
+
+def example_output():
+    """Run the example of the README, and return the command and its output as Markdown."""
+    command = [sys.executable, "-c", "from pycnc.cli import main; main()", *EXAMPLE]
+    done = subprocess.run(command, cwd=ROOT, capture_output=True, text=True, check=True)
+    lines = [f"$ pycnc {' '.join(EXAMPLE)}", *map(str.rstrip, done.stdout.splitlines())]
+    return "\n".join(["```", *lines, "```", ""])
+
+
+def split_readme(text):
+    """Return README's text before, in and after the output of the example."""
+    begin = text.index(BEGIN) + len(BEGIN)
+    end = text.index(END, begin)
+    return text[:begin], text[begin:end], text[end:]
+
+
+def write_readme():
+    """Renew the output in the README."""
+    readme = ROOT / "README.md"
+    before, _, after = split_readme(readme.read_text(encoding="utf-8"))
+    readme.write_text(before + example_output() + after, encoding="utf-8")
+
+
 PAGES = {"machine.md": machine_page, "diagnostics.md": diagnostics_page}
 
 
 def main():
     for name, page in PAGES.items():
-        (Path(__file__).parent / name).write_text(page(), encoding="utf-8")
+        (ROOT / "docs" / name).write_text(page(), encoding="utf-8")
+    write_readme()
 
 
 if __name__ == "__main__":

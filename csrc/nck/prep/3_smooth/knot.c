@@ -11,8 +11,8 @@
 #include "nck/prep/3_smooth/spacing.h"     // nck_spacing_know
 #include "nck/prep/3_smooth/spline_math.h" // nck_spline_…
 
-// Share of the tolerance that the end of the run may take which could follow a knot, so that
-// something is left for the knot that follows instead.
+// A knot is taken only if the spline could also end there. The first tries allow that end this share
+// of the tolerance. The rest is left to the knot that will follow instead.
 #define AIM_END 0.98
 #define STEP_GROWTH 1.1  // from one knot interval to the next, where the path is not straight
 #define SURE 0.5         // of √(P/κ): from rest a step on one block that certainly fits
