@@ -23,6 +23,7 @@ enum {
     BOARD_EXIT_WATCHDOG = 107     // for a program: its watchdog was not fed
 };
 
+// How a file of the host is opened.
 typedef enum board_mode {
     BOARD_READ = 1, // binary, from the start
     BOARD_WRITE = 5 // binary, emptied or made
