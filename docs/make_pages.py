@@ -194,6 +194,7 @@ PAGES = {"machine.md": machine_page, "diagnostics.md": diagnostics_page}
 
 
 def main():
+    """Renew all pages."""
     for name, page in PAGES.items():
         (ROOT / "docs" / name).write_text(page(), encoding="utf-8")
     write_readme()

@@ -97,7 +97,7 @@ def machine_of(name, set, tools, dialect):
 
 @verb(app)
 def check(
-    files: Files, machine: MachineName = DEFAULT, dialect: DialectName = None, set: Set = None,
+    *, files: Files, machine: MachineName = DEFAULT, dialect: DialectName = None, set: Set = None,
     tools: Tools = None, json_: Json = False, quiet: Quiet = False, verbose: Verbose = False,
 ):  # fmt: skip
     """Tell all diagnostics of programs, without planning."""
@@ -123,7 +123,7 @@ def check(
 
 @verb(app)
 def canon(
-    file: File, machine: MachineName = DEFAULT, dialect: DialectName = None, set: Set = None,
+    *, file: File, machine: MachineName = DEFAULT, dialect: DialectName = None, set: Set = None,
     tools: Tools = None, units: Annotated[Units, typer.Option(help="Units of the listing.")] = "mm",
     json_: Json = False, quiet: Quiet = False, verbose: Verbose = False,
 ):  # fmt: skip
@@ -139,7 +139,7 @@ def canon(
 
 @verb(app)
 def time(
-    files: Files, machine: MachineName = DEFAULT, dialect: DialectName = None, set: Set = None,
+    *, files: Files, machine: MachineName = DEFAULT, dialect: DialectName = None, set: Set = None,
     tools: Tools = None, plan: PlanName = "exact", backend: Backend = "auto",
     json_: Json = False, quiet: Quiet = False, verbose: Verbose = False,
 ):  # fmt: skip
@@ -187,7 +187,7 @@ def _time_line(facts):
 
 @verb(app)
 def run(
-    file: File, machine: MachineName = DEFAULT, dialect: DialectName = None, set: Set = None,
+    *, file: File, machine: MachineName = DEFAULT, dialect: DialectName = None, set: Set = None,
     tools: Tools = None,
     output: Output = None, picture: Picture = None, prep_steps: PrepSteps = None,
     plan: PlanName = "exact", backend: Backend = "auto", controller: ControllerName = None,
@@ -276,7 +276,7 @@ def _judge(done):
 
 @verb(app)
 def plot(
-    file: File,
+    *, file: File,
     output: Annotated[str, typer.Option(
         "--output", "-o", metavar="PICTURE", help="Where to: .png, .svg or .pdf.")],
     machine: MachineName = DEFAULT, dialect: DialectName = None, set: Set = None,
@@ -302,7 +302,7 @@ def plot(
 
 @verb(app)
 def bench(
-    name: Subject = None, output: Figures = None, paths: Paths = None,
+    *, name: Subject = None, output: Figures = None, paths: Paths = None,
     json_: Json = False, quiet: Quiet = False, verbose: Verbose = False,
 ):  # fmt: skip
     """Print one table of a benchmark; some subjects draw figures too."""
@@ -319,7 +319,7 @@ def bench(
 
 
 @verb(machines)
-def list_(json_: Json = False, quiet: Quiet = False, verbose: Verbose = False):
+def list_(*, json_: Json = False, quiet: Quiet = False, verbose: Verbose = False):
     """List the machines that come with pycnc."""
     loaded = [Machine.load(name) for name in shipped()]
     if json_:
@@ -335,7 +335,7 @@ def list_(json_: Json = False, quiet: Quiet = False, verbose: Verbose = False):
 
 @verb(machines)
 def show(
-    name: Annotated[str, typer.Argument(metavar="NAME|FILE", help="Which machine.")] = DEFAULT,
+    *, name: Annotated[str, typer.Argument(metavar="NAME|FILE", help="Which machine.")] = DEFAULT,
     effective: Annotated[bool, typer.Option(
         "--effective", help="Every setting in force, and where its value comes from.")] = False,
     set: Set = None, tools: Tools = None, dialect: DialectName = None, json_: Json = False,
@@ -356,7 +356,7 @@ def show(
 
 @verb(machines)
 def validate(
-    names: Annotated[list[str], typer.Argument(metavar="NAME|FILE…", help="Which machines.")],
+    *, names: Annotated[list[str], typer.Argument(metavar="NAME|FILE…", help="Which machines.")],
     set: Set = None, tools: Tools = None, dialect: DialectName = None, json_: Json = False,
     quiet: Quiet = False, verbose: Verbose = False,
 ):  # fmt: skip

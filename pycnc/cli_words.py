@@ -32,6 +32,7 @@ class Refused(Exception):
 
 
 def fail(message):
+    """Say on stderr what is wrong."""
     print(message, file=sys.stderr)
 
 

@@ -382,7 +382,7 @@ def _check_arrays(w_cap, h, out):
         )
 
 
-def envelope(w_cap, h, w_start, w_end, out, device=None, kernel=None):
+def envelope(w_cap, h, w_start, w_end, out, *, device=None, kernel=None):
     """Compute the exact two-pass envelope on a device: the bits of C, or an error.
 
     Parameters

@@ -118,6 +118,7 @@ class Planner:
 
     @property
     def totals(self):
+        """What the plan adds up to, as a record of ``nck_host_totals_t``."""
         data = ffi.buffer(ffi.addressof(self._plan, "totals"))
         return np.frombuffer(bytes(data), dtype("nck_host_totals_t"))[0]
 

@@ -86,7 +86,7 @@ def envelope(
     if choice.backend == "opencl":
         choice, report = _on_device_or_in_c(choice, real, path)
     else:
-        report = _in_c(real, choice.backend, threads, processor, *path)
+        report = _in_c(real, (choice.backend, threads, processor), *path)
     dispatch.note(dispatch.Report(choice.backend, backend, choice.why, real, n, **report))
     return w
 
@@ -130,9 +130,9 @@ def _choice(name, crew, processor):
     return ffi.new("nck_host_choice_t *", choice), known[cpu], crew
 
 
-def _in_c(real, name, crew, processor, w_cap, h, ends, w):
-    """Compute on a road of C. Returns what the report tells."""
-    choice, cpu, crew = _choice(name, crew, processor)
+def _in_c(real, road, w_cap, h, ends, w):
+    """Compute on a road of C, as `_choice` takes it. Returns what the report tells."""
+    choice, cpu, crew = _choice(*road)
     report = ffi.new("nck_host_envelope_report_t *")
     compute = getattr(lib, f"nck_host_envelope_{real}")
     caps, pieces, result = (pointer(real, each) for each in (w_cap, h, w))
@@ -164,7 +164,7 @@ def _on_device_or_in_c(choice, real, path):
         if choice.is_named:
             raise
         choice = dispatch.Choice("simd", False, dispatch.fall_back(cause))
-    return choice, _in_c(real, choice.backend, None, None, *path)
+    return choice, _in_c(real, (choice.backend, None, None), *path)
 
 
 def _bad_number(index, w_cap, h, ends):
