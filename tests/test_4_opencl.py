@@ -55,7 +55,7 @@ def test_a_device_gives_the_bits_of_c(home, kernel, n, rare, real):
 @settings(max_examples=100)
 def test_the_bits_do_not_depend_on_the_parts(n, count, seed, real, kernel):
     w_cap, h = random_path(n, seed, 0.02, real, h=(10.0, 300.0))
-    got = on_device("basic", w_cap, h, 9.0, 4.0, count, kernel)
+    got = on_device("basic", w_cap, h, 9.0, 4.0, count=count, kernel=kernel)
     assert got.tobytes() == by_c(w_cap, h, 9.0, 4.0).tobytes()
 
 
@@ -152,7 +152,7 @@ def test_arrays_of_any_alignment_and_in_place(kernel):
     bytes_ = np.zeros(4 * 9001 + 4, np.uint8)
     odd = bytes_[4:].view(np.float32)
     odd[:] = w_cap
-    device.envelope(odd, h, 0.0, 0.0, odd, "basic", kernel)
+    device.envelope(odd, h, 0.0, 0.0, odd, device="basic", kernel=kernel)
     assert odd.tobytes() == want.tobytes()
 
 
@@ -199,7 +199,7 @@ def test_threads_may_share_a_device(home, kernel):
 
     def planned(path):
         w = np.empty_like(path[0])
-        device.envelope(*path, 0.0, 0.0, w, home, kernel)
+        device.envelope(*path, 0.0, 0.0, w, device=home, kernel=kernel)
         return w.tobytes()
 
     with concurrent.futures.ThreadPoolExecutor(4) as crew:

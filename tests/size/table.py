@@ -1,5 +1,7 @@
 # SPDX-License-Identifier: MIT
-"""What libnck costs on two microcontroller cores: print the tables, or renew docs/size.md (--write).
+"""What libnck costs on two microcontroller cores: print the tables, or renew them (--write).
+
+They stand in docs/size.md.
 
 Flash is code and constants, room by room, of the default capacities. The C runtime counts what a
 linked image takes from the compiler's libraries on top: arithmetic in double without a double FPU,
