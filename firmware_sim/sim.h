@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The simulated controller on the host: prep steps and interpolation ticks interleaved in virtual
+// The simulation on the host: prep steps and interpolation ticks interleaved in virtual
 // time. The same run gives the same bytes; nobody reads a clock.
 #ifndef SIM_H
 #define SIM_H

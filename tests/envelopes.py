@@ -4,7 +4,7 @@
 import numpy as np
 
 from pycnc import device
-from pycnc._bind import check, ffi, lib, pointer
+from pycnc.kernel.bind import check, ffi, lib, pointer
 
 HOME_DEVICES = ("pthread", "basic")
 REALS = (np.float32, np.float64)

@@ -7,8 +7,9 @@ import subprocess
 import numpy as np
 import pytest
 
-from pycnc import errors, records
-from pycnc._bind import check, pointer
+from pycnc import errors
+from pycnc.kernel import records
+from pycnc.kernel.bind import check, pointer
 
 RECORDS = records.names()
 

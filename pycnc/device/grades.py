@@ -5,7 +5,8 @@ import dataclasses
 
 import numpy as np
 
-from pycnc import device, device_envelope, errors
+from pycnc import device, errors
+from pycnc.device import launch
 
 # Grades are below, as in bubble.cl and scan.cl.
 NO_LIMIT = 0x3FFFFFFF
@@ -109,7 +110,7 @@ def _settle(session, method, grades, settled):
 
 def _launch_scan(session, p, n, settled):
     arguments = (p, np.int64(n), settled)
-    session.launch(("scan", "scan", "float"), arguments, device_envelope.parts(session.device, n))
+    session.launch(("scan", "scan", "float"), arguments, launch.parts(session.device, n))
 
 
 @dataclasses.dataclass(frozen=True)

@@ -6,9 +6,10 @@ import functools
 
 import numpy as np
 
-from pycnc import dispatch, errors, kernel
-from pycnc._bind import check, ffi, lib, pointer
-from pycnc.records import dtype, enum
+from pycnc import errors, kernel
+from pycnc.planning import dispatch
+from pycnc.kernel.bind import check, ffi, lib, pointer
+from pycnc.kernel.records import dtype, enum
 
 _BACKENDS = {
     "c": lib.NCK_HOST_SERIAL,
@@ -196,7 +197,7 @@ def _identity():
 
 
 def chosen(real, n):
-    """Return the `pycnc.dispatch.Choice` that ``backend="auto"`` stands for at so many nodes."""
+    """Return the `pycnc.planning.dispatch.Choice` that ``backend="auto"`` stands for at so many nodes."""
     return dispatch.choose("auto", real, n, _identity(), _measure)
 
 
@@ -286,7 +287,7 @@ def calibrate(*, device=False):
 
     Returns
     -------
-    pycnc.dispatch.Calibration
+    pycnc.planning.dispatch.Calibration
     """
     return dispatch.calibration(_identity(), _measure_all if device else _measure, anew=True)
 

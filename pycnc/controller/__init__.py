@@ -17,11 +17,11 @@ from pathlib import Path
 import numpy as np
 
 from pycnc import errors
-from pycnc.diagnostics import Diagnostics, Wording
+from pycnc.program.diagnostics import Diagnostics, Wording
 from pycnc.machine import DEFAULT, Machine
-from pycnc.records import dtype
+from pycnc.kernel.records import dtype
 
-ROOT = Path(__file__).resolve().parents[1]
+ROOT = Path(__file__).resolve().parents[2]
 CORES = {"m4f": "mps2-an386", "m7": "mps2-an500"}
 CONTROLLERS = ("host", *CORES)
 TIMEOUT_S = 300.0

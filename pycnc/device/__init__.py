@@ -21,7 +21,7 @@ import numpy as np
 
 import pycnc
 from pycnc import errors
-from pycnc.device_envelope import REALS, EnvelopeLaunch
+from pycnc.device.launch import REALS, EnvelopeLaunch
 
 # A page.
 ALIGNMENT = 4096
