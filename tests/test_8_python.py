@@ -41,8 +41,10 @@ def test_the_front_door_has_the_promised_names():
 
 
 @pytest.mark.parametrize(
-    "name", ["program", "planning", "trace", "stages", "measure", "plot", "machine", "records"]
-)
+    "name",
+    ["program", "planning.plan", "report.trace", "stages", "planning.measure", "report.plot",
+     "machine", "kernel.records"],
+)  # fmt: skip
 def test_the_examples_in_the_docstrings_run(name):
     module = importlib.import_module(f"pycnc.{name}")
     names = {"np": np, "enum": importlib.import_module("pycnc.kernel.records").enum}
