@@ -4,9 +4,10 @@
 #ifndef APP_H
 #define APP_H
 
-#include "app/job.h" // app_job_t
-#include "nck/nck.h" // nck_t
-#include "os/os.h"   // os_queue_t os_stack_t
+#include "app/job.h"     // app_job_t
+#include "app/outcome.h" // app_row_t app_exit_t
+#include "nck/nck.h"     // nck_t
+#include "os/os.h"       // os_queue_t os_stack_t
 
 // Sizes of the app.
 enum {
@@ -39,17 +40,6 @@ typedef enum app_state {
     APP_FAULT_MACHINE,  // the machine's numbers make no sense
     APP_STATES
 } app_state_t;
-
-// One row of the trace: what the drives got. Followed by one int64_t a joint [nm, ndeg].
-typedef struct app_row {
-    uint32_t tick;       // 1 is the first
-    uint32_t line;       // source line
-    uint32_t queue;      // final cells that wait
-    uint8_t state;       // app_state_t
-    uint8_t tick_state;  // nck_tick_state_t
-    uint8_t limit;       // nck_limit_t
-    uint8_t drives;      // 1: on
-} app_row_t;
 
 // When a state began.
 typedef struct app_event {
