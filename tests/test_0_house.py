@@ -69,6 +69,12 @@ REBUILT = (
     "csrc/nck/nck.", "csrc/nck/prep/5_slope/", "csrc/nck/prep/4_lookahead/corner.c",
     "csrc/nck/prep/4_lookahead/joint.c", "csrc/nck/prep/4_lookahead/lookahead.c",
 )  # fmt: skip
+# Bulk calls for Python that still take their arrays one by one: to be given structs.
+BULK = (
+    "nck_host_bench_ticks", "nck_host_decode", "nck_host_envelope_double",
+    "nck_host_envelope_float", "nck_host_transfers", "nck_host_unit_speeds", "nck_host_jerk",
+    "nck_host_keinert", "nck_host_measure_jerk", "nck_host_slope_sample",
+)  # fmt: skip
 CORE = [name for name in C_FILES if name.startswith("csrc/nck/")]
 # Headers for others: not those that are compiled in variants, not those of another kernel.
 PUBLIC_HEADERS = [
@@ -220,11 +226,10 @@ def test_a_public_definition_of_python_has_a_docstring(name):
 
 @pytest.mark.parametrize("name", C_FILES)
 def test_c_functions_are_short_and_shallow(name):
-    most = 100 if name.startswith("csrc/host/") else 6
     for function, first, last, parameters, nesting in c_functions(read(name)):
         assert last - first < 60, f"{function} has {last - first + 1} lines"
         assert nesting <= 3, f"{function} is {nesting} blocks deep"
-        assert parameters <= most, f"{function} has {parameters} parameters"
+        assert parameters <= 6 or function in BULK, f"{function} has {parameters} parameters"
 
 
 @pytest.mark.parametrize("name", PYTHON_FILES)
@@ -270,7 +275,7 @@ def test_a_room_has_its_page_and_its_face(room):
     folder = ROOT / "csrc" / "nck" / room
     page = folder / "README.md"
     assert page.exists()
-    assert len(page.read_text(encoding="utf-8").splitlines()) <= 60
+    assert len(page.read_text(encoding="utf-8").splitlines()) <= 80
     assert (folder / f"{room.split('_')[-1]}.h").exists()
 
 
