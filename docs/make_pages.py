@@ -67,7 +67,7 @@ every value in force and where it comes from. `--set axis.x.max_mm=500` changes 
 `--tools FILE` adds the tools of a LinuxCNC tool table (mm; D is a diameter).
 
 Positions are machine coordinates. A key without a default must be there, if its table is.
-This page is written by `docs/make_pages.py` from `pycnc/machine/schema.py`; a test compares them.
+This page is written by `docs/make_pages.py` from `pycnc/machine/schema.py`; a test compares.
 """
 DIAGNOSTICS_HEAD = """\
 # Diagnostics
@@ -88,7 +88,7 @@ In the messages a word in braces is the program's own letter, number or machine.
 or a code behind it, such as `unsupported:G90`, has words of its own; `--json` tells the id alone.
 The last two columns name what RS274NGC interpreters (LinuxCNC's `rs274`) and grbl say in the same
 case.
-This page is written by `docs/make_pages.py` from `pycnc/program/diagnostics.py`; a test compares them.
+This page is written by `docs/make_pages.py` from `pycnc/program/diagnostics.py`; a test compares.
 """
 
 

@@ -197,7 +197,7 @@ def _identity():
 
 
 def chosen(real, n):
-    """Return the `pycnc.planning.dispatch.Choice` that ``backend="auto"`` stands for at so many nodes."""
+    """Return what ``backend="auto"`` stands for at so many nodes: `pycnc.planning.dispatch.Choice`."""
     return dispatch.choose("auto", real, n, _identity(), _measure)
 
 
