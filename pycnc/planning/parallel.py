@@ -197,7 +197,7 @@ def _identity():
 
 
 def chosen(real, n):
-    """Return what ``backend="auto"`` stands for at so many nodes: `pycnc.planning.dispatch.Choice`."""
+    """Return the `pycnc.planning.dispatch.Choice` that "auto" stands for at so many nodes."""
     return dispatch.choose("auto", real, n, _identity(), _measure)
 
 
