@@ -29,14 +29,14 @@ enum {
 };
 
 // The corner at a block's end, while its spacing is chosen.
-typedef struct corner {
+typedef struct vertex {
     double aim;     // how far the spline may leave it [mm]
     double alone;   // spacing that it allows if nothing else bounds it [path mm]
     double nearest; // spacing that the blocks beside it allow [path mm]
     double room;    // spacing that the corners beside it allow, if it is alone [path mm]
     int lines;      // 1: between two lines
     int lone;       // 1: nothing but itself bounds its spacing
-} corner_t;
+} vertex_t;
 
 // How far a spline of even spacing h would leave the path at a knot at s.
 static double deviation(nck_smooth_t *self, double s, double h) {
@@ -262,10 +262,10 @@ static void stop_or_bend(nck_smooth_t *self, uint32_t count, int is_sharp) {
     if (nck_choice_stop(self, &meet, &bend)) stop_behind(self, count);
 }
 
-static corner_t look_at(nck_smooth_t *self, uint32_t count) {
+static vertex_t look_at(nck_smooth_t *self, uint32_t count) {
     const nck_raw_t *const raw = nck_raw_at(self, count);
     const nck_raw_t *const next = nck_raw_at(self, nck_raw_next(self, count));
-    corner_t corner;
+    vertex_t corner;
     corner.aim = AIM * nck_min(raw->tolerance, next->tolerance);
     corner.alone = lone_spacing(self, raw, next);
     corner.nearest = nck_min(nck_min(raw->seg.length, next->seg.length),
@@ -278,7 +278,7 @@ static corner_t look_at(nck_smooth_t *self, uint32_t count) {
 
 // The spacing at a corner, before other corners and tolerances have their say; and whether the
 // corner is alone. NCK_EMPTY if more blocks must be known, NCK_FULL if the full ring ends the view.
-static nck_status_t choose(nck_smooth_t *self, uint32_t count, corner_t *corner,
+static nck_status_t choose(nck_smooth_t *self, uint32_t count, vertex_t *corner,
                            double *spacing_out) {
     const nck_raw_t *const raw = nck_raw_at(self, count);
     const int bounded = corner->alone < self->spacing_max;
@@ -298,7 +298,7 @@ static nck_status_t choose(nck_smooth_t *self, uint32_t count, corner_t *corner,
 }
 
 // 1 if the corner gets a knot of its own.
-static int is_key(nck_smooth_t *self, uint32_t count, const corner_t *corner, double spacing) {
+static int is_key(nck_smooth_t *self, uint32_t count, const vertex_t *corner, double spacing) {
     const int likely = spacing >= KEY_LEAST * corner->alone && spacing <= KEY_MOST * corner->alone
                        && corner->alone < self->spacing_max;
     return (corner->lone || (likely && !bends_on(self, count)))
@@ -310,7 +310,7 @@ nck_status_t nck_spacing_know(nck_smooth_t *self, uint32_t count) {
     const nck_raw_t *const next = nck_raw_at(self, nck_raw_next(self, count));
     double spacing = 0.0;
     if (raw->spacing > 0.0 && !raw->partial) return NCK_OK;
-    corner_t corner = look_at(self, count);
+    vertex_t corner = look_at(self, count);
     const nck_status_t status = choose(self, count, &corner, &spacing);
     if (status == NCK_EMPTY) return status;
     raw->partial = status == NCK_FULL;
