@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 # The two commands. Both set up what they need, say so, and are quick the second time.
 #
-#   make run     plan a program and run it in the simulated controller; summary and picture
+#   make run     plan a program and run it in the simulation; summary and picture
 #                FILE=part.ngc MACHINE=cak6150n PICTURE=part.png to choose
 #   make test    all tests
 

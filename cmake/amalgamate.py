@@ -165,6 +165,7 @@ def amalgamate(definitions):
 
 
 def main():
+    """Write the pair of files that the command line asks for."""
     parser = argparse.ArgumentParser(description=__doc__.partition("\n")[0])
     parser.add_argument("--out", required=True, type=Path, help="folder for nck.h and nck.c")
     parser.add_argument("--define", action="append", default=[], help="capacity, NAME=VALUE")

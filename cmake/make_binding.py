@@ -63,6 +63,7 @@ def without_inline_functions(lines):
 
 
 def main():
+    """Write the source of the Python module."""
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--cc", required=True, help="C compiler that preprocesses")
     parser.add_argument("--module", required=True, help="full name of the Python module")

@@ -1,15 +1,20 @@
 # SPDX-License-Identifier: MIT
-"""Write machine.md and diagnostics.md from the code that they describe.
+"""Write machine.md, diagnostics.md and the output in README.md from the code that they describe.
 
 python docs/make_pages.py
 """
 
 import re
+import subprocess
+import sys
 import typing
 from decimal import Decimal
 from pathlib import Path
 
-from pycnc import diagnostics, machine_file
+from pycnc.machine import schema
+from pycnc.program import diagnostics
+
+ROOT = Path(__file__).resolve().parents[1]
 
 # id → (wording of RS274NGC interpreters, grbl's error number or alarm)
 ELSEWHERE = {
@@ -39,17 +44,17 @@ ELSEWHERE = {
 }
 FORMAT = re.compile(r":\.?\d?[gf]\}")  # {value:.3f} is for the formatter, not for the reader
 TABLES = (
-    ("", machine_file.MachineFile),
-    ("[kernel]", machine_file.Kernel),
-    ("[path]", machine_file.Path),
-    ("[axis.x], y, z, u, v, w", machine_file.LinearAxis),
-    ("[axis.a], b, c", machine_file.RotaryAxis),
-    ("[kinematics]", machine_file.Kinematics),
-    ("[spindle]", machine_file.Spindle),
-    ("[dialect]", machine_file.Dialect),
-    ("[start]", machine_file.Start),
-    ("[home.g28], [home.g30], [work.g54] … [work.g59_3]", machine_file.Position),
-    ("[tool.N]", machine_file.Tool),
+    ("", schema.MachineFile),
+    ("[kernel]", schema.Kernel),
+    ("[path]", schema.Path),
+    ("[axis.x], y, z, u, v, w", schema.LinearAxis),
+    ("[axis.a], b, c", schema.RotaryAxis),
+    ("[kinematics]", schema.Kinematics),
+    ("[spindle]", schema.Spindle),
+    ("[dialect]", schema.Dialect),
+    ("[start]", schema.Start),
+    ("[home.g28], [home.g30], [work.g54] … [work.g59_3]", schema.Position),
+    ("[tool.N]", schema.Tool),
 )
 RAISED = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
 MACHINE_HEAD = """\
@@ -62,7 +67,7 @@ every value in force and where it comes from. `--set axis.x.max_mm=500` changes 
 `--tools FILE` adds the tools of a LinuxCNC tool table (mm; D is a diameter).
 
 Positions are machine coordinates. A key without a default must be there, if its table is.
-This page is written by `docs/make_pages.py` from `pycnc/machine_file.py`; a test compares them.
+This page is written by `docs/make_pages.py` from `pycnc/machine/schema.py`; a test compares.
 """
 DIAGNOSTICS_HEAD = """\
 # Diagnostics
@@ -83,7 +88,7 @@ In the messages a word in braces is the program's own letter, number or machine.
 or a code behind it, such as `unsupported:G90`, has words of its own; `--json` tells the id alone.
 The last two columns name what RS274NGC interpreters (LinuxCNC's `rs274`) and grbl say in the same
 case.
-This page is written by `docs/make_pages.py` from `pycnc/diagnostics.py`; a test compares them.
+This page is written by `docs/make_pages.py` from `pycnc/program/diagnostics.py`; a test compares.
 """
 
 
@@ -110,7 +115,7 @@ def takes(field):
             bounds += getattr(member, "__metadata__", ())
             kind = typing.get_args(member)[0] if hasattr(member, "__metadata__") else member
         members = [m for m in typing.get_args(kind) if m is not type(None)]
-    if isinstance(kind, type) and issubclass(kind, machine_file.Table):
+    if isinstance(kind, type) and issubclass(kind, schema.Table):
         return "table"
     words = {bool: "true, false", str: "text", dict: "tables", int: "whole number"}
     number = words.get(typing.get_origin(kind) or kind, "number")
@@ -139,7 +144,7 @@ def limits(bounds):
 def default(field):
     """Return a default as the file would write it; nothing if the key must be there."""
     value = field.default
-    if field.is_required() or isinstance(value, machine_file.Table | dict) or value is None:
+    if field.is_required() or isinstance(value, schema.Table | dict) or value is None:
         return "required" if field.is_required() else ""
     if isinstance(value, Decimal):
         return f"{value}"
@@ -160,12 +165,40 @@ def diagnostics_page():
     return "\n".join(lines) + "\n"
 
 
+BEGIN, END = "<!-- output -->\n", "<!-- /output -->"
+EXAMPLE = ("run", "pycnc/examples/first_part.ngc", "--set", "path.slope=jerk")
+
+
+def example_output():
+    """Run the example of the README, and return the command and its output as Markdown."""
+    command = [sys.executable, "-c", "from pycnc.cli import main; main()", *EXAMPLE]
+    done = subprocess.run(command, cwd=ROOT, capture_output=True, text=True, check=True)
+    lines = [f"$ pycnc {' '.join(EXAMPLE)}", *map(str.rstrip, done.stdout.splitlines())]
+    return "\n".join(["```", *lines, "```", ""])
+
+
+def split_readme(text):
+    """Return README's text before, in and after the output of the example."""
+    begin = text.index(BEGIN) + len(BEGIN)
+    end = text.index(END, begin)
+    return text[:begin], text[begin:end], text[end:]
+
+
+def write_readme():
+    """Renew the output in the README."""
+    readme = ROOT / "README.md"
+    before, _, after = split_readme(readme.read_text(encoding="utf-8"))
+    readme.write_text(before + example_output() + after, encoding="utf-8")
+
+
 PAGES = {"machine.md": machine_page, "diagnostics.md": diagnostics_page}
 
 
 def main():
+    """Renew all pages."""
     for name, page in PAGES.items():
-        (Path(__file__).parent / name).write_text(page(), encoding="utf-8")
+        (ROOT / "docs" / name).write_text(page(), encoding="utf-8")
+    write_readme()
 
 
 if __name__ == "__main__":

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The simulated controller: one loop in place of a low-priority task and a timer interrupt.
+// The simulation: one loop in place of a low-priority task and a timer interrupt.
 #include "sim.h"
 
 #include <string.h> // memset

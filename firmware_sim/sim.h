@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The simulated controller on the host: prep steps and interpolation ticks interleaved in virtual
+// The simulation on the host: prep steps and interpolation ticks interleaved in virtual
 // time. The same run gives the same bytes; nobody reads a clock.
 #ifndef SIM_H
 #define SIM_H
@@ -28,6 +28,7 @@ typedef enum sim_command_kind {
     SIM_ABORT = 4
 } sim_command_kind_t;
 
+// One command of the operator.
 typedef struct sim_command {
     uint64_t tick;         // given behind the setpoint of this tick; 0: before the first
     uint32_t kind;         // sim_command_kind_t
@@ -46,6 +47,7 @@ typedef enum sim_end {
     SIM_END_STALLED = 6       // neither prep nor the tick goes on: a defect
 } sim_end_t;
 
+// The simulation.
 typedef struct sim {
     nck_t *nck;
     nck_status_t (*prep)(void *user); // one step of the prep task, as nck_prep

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Transfer speeds: the cap of every point between two planning units.
-#include "nck/prep/4_lookahead/link_math.h" // nck_link_transfer
+#include "nck/prep/4_lookahead/turn_math.h" // nck_turn_transfer
 
 // One work-item: one point; those of stretch k begin at its first unit + k. Global size: count,
 // rounded up. Local size: any. Reads segs, units, their speeds v, the rule of every stretch and the
@@ -17,7 +17,7 @@ __kernel void transfer(__global const nck_seg_t *segs, __global const nck_unit_t
     double turn = 0.0;
     if (i > 0 && i + 1 < count && stretch_of[i - 1] == k && stretch_of[i + 1] == k) {
         const size_t in = i - k - 1; // the unit that ends here
-        cap = nck_link_transfer(segs, &units[in], &rules[k], nck_min(v[in], v[in + 1]), &turn);
+        cap = nck_turn_transfer(segs, &units[in], &rules[k], nck_min(v[in], v[in + 1]), &turn);
     }
     v_transfer[i] = cap;
     angle[i] = turn;

@@ -28,10 +28,10 @@ _ROOMS = {
     "MachineFileError": "machine",
     "Program": "program",
     "load": "program",
-    "Plan": "planning",
-    "plan": "planning",
-    "Trace": "trace",
-    "run": "trace",
+    "Plan": "planning.plan",
+    "plan": "planning.plan",
+    "Trace": "report.trace",
+    "run": "report.trace",
 }
 
 __all__ = [

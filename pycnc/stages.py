@@ -4,9 +4,9 @@
 import numpy as np
 
 from pycnc import errors, kernel
-from pycnc._bind import check, ffi, lib, pointer
-from pycnc.parallel import Keinert, envelope, keinert
-from pycnc.records import dtype, join, room
+from pycnc.kernel.bind import check, ffi, lib, pointer
+from pycnc.planning.parallel import Keinert, envelope, keinert
+from pycnc.kernel.records import dtype, join, room
 
 __all__ = ["JerkPlanner", "Keinert", "Profile", "decode", "envelope", "keinert", "slope"]
 

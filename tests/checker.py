@@ -35,7 +35,8 @@ SUMS = (2, 4, 8)  # of the absolute coefficients of the differences
 SETTLED = 24  # ticks in a block after which no output filter mixes in what came before
 ANSWER_S = 0.2  # to a command, before braking begins
 # The mean over four periods, which the jerk-limited slope hands out, raises the speed at a kink of
-# the profile by J τ²/24, and cells of one period by J q²/8 more (design/algorithms.md, section 8).
+# the profile by J τ²/24, and cells of one period by J q²/8 more
+# (csrc/nck/prep/5_slope/README.md, "Output filter").
 # A feed may be passed by so much where a faster block begins; no limit of an axis may.
 FILTER_PERIODS, CELL_PERIODS = 4, 1.35
 

@@ -4,7 +4,7 @@
 import numpy as np
 
 from pycnc import device
-from pycnc._bind import check, ffi, lib, pointer
+from pycnc.kernel.bind import check, ffi, lib, pointer
 
 HOME_DEVICES = ("pthread", "basic")
 REALS = (np.float32, np.float64)
@@ -21,7 +21,7 @@ def by_c(w_cap, h, w_start=0.0, w_end=0.0):
     return w
 
 
-def on_device(name, w_cap, h, w_start=0.0, w_end=0.0, count=None, kernel=None):
+def on_device(name, w_cap, h, w_start=0.0, w_end=0.0, *, count=None, kernel=None):
     """Return the envelope as a device computes it, cut into so many parts, or into tiles."""
     w = device.empty(len(w_cap), w_cap.dtype)
     w.fill(-1.0)

@@ -7,7 +7,7 @@ from typing import NamedTuple
 import cases
 import numpy as np
 
-from pycnc import firmware
+from pycnc import controller
 from pycnc.machine import Machine
 
 SLOPES = ("linear", "sshape", "jerk")
@@ -30,7 +30,7 @@ def opened(name, tool):
     """Open a controller, or skip where its tools are missing."""
     if name != "host":
         tool("arm-none-eabi-gcc"), tool("qemu-system-arm")
-    return firmware.open(name)
+    return controller.open(name)
 
 
 class Change(NamedTuple):
@@ -41,18 +41,18 @@ class Change(NamedTuple):
     unfed: int
 
 
-def run_in(folder, controller, program, commands=(), **conditions):
+def run_in(folder, chosen, program, commands=(), **conditions):
     """Run a program in a folder; return why it stopped ("" for a whole run) and what was switched.
 
     A run that a handler or the watchdog has ended leaves no report, but its outputs.
     """
-    job = [*firmware._settings(mill()), *firmware._conditions(conditions, True)]
-    (folder / "job").write_text("\n".join([*job, *firmware._commands(commands)]) + "\n")
+    job = [*controller._settings(mill()), *controller._conditions(conditions, True)]
+    (folder / "job").write_text("\n".join([*job, *controller._commands(commands)]) + "\n")
     (folder / "program").write_text(program)
     cause = ""
     try:
-        controller._execute(folder, 60, None)
-    except firmware.FirmwareError as error:
+        chosen._execute(folder, 60, None)
+    except controller.FirmwareError as error:
         cause = str(error).partition(" stopped: ")[2]
     kind = [("output", "<u4"), ("value", "<i4"), ("unfed", "<u4")]
     rows = np.fromfile(folder / "outputs", kind).tolist()
@@ -61,10 +61,10 @@ def run_in(folder, controller, program, commands=(), **conditions):
 
 def report_in(folder):
     """Return the last state of a whole run, the tick that it came after, and the run's rows."""
-    report = firmware._read_report(folder / "report")
+    report = controller._read_report(folder / "report")
     tick, code = report["event"][-1]
     names = report["names"].split()
-    return names[int(code)], int(tick), firmware._read_rows(folder / "trace", report)
+    return names[int(code)], int(tick), controller._read_rows(folder / "trace", report)
 
 
 def is_safe(changes):

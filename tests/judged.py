@@ -7,7 +7,8 @@ from dataclasses import dataclass
 import checker
 import numpy as np
 
-from pycnc import kernel, path_error
+from pycnc import kernel
+from pycnc.report import path_error
 from pycnc.machine import Machine
 from pycnc.program import Program
 
@@ -32,13 +33,13 @@ def load(case):
 
 def rows_of(program, prep_steps=kernel.PREP_STEPS, commands=()):
     """Return all rows of a run in one array; for short programs."""
-    controller = kernel.Controller(program.text, program.machine, prep_steps, commands)
+    controller = kernel.Simulation(program.text, program.machine, prep_steps, commands)
     return np.concatenate([rows.copy() for rows, _ in controller.pieces()])
 
 
 def digest_of(program, prep_steps=kernel.PREP_STEPS):
     """Return a hash of every byte of a run."""
-    controller = kernel.Controller(program.text, program.machine, prep_steps)
+    controller = kernel.Simulation(program.text, program.machine, prep_steps)
     digest = hashlib.blake2b()
     for rows, _ in controller.pieces():
         digest.update(rows.tobytes())
@@ -54,7 +55,7 @@ def run(program, prep_steps=kernel.PREP_STEPS, commands=(), answer=None):
         At the first promise that the run breaks.
     """
     judge = checker.Checker(program.blocks, program.machine.record, commands, answer)
-    controller = kernel.Controller(program.text, program.machine, prep_steps, commands)
+    controller = kernel.Simulation(program.text, program.machine, prep_steps, commands)
     digest = hashlib.blake2b()
     for rows, _ in controller.pieces():
         judge.add(rows)

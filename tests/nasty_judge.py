@@ -10,7 +10,8 @@ from nasty_programs import ARC, DWELL, Turn
 
 from visits import Marks
 
-from pycnc import kernel, path_error
+from pycnc import kernel
+from pycnc.report import path_error
 from pycnc.errors import NckError
 from pycnc.machine import Machine
 from pycnc.program import Program
@@ -117,7 +118,7 @@ def _run(case, program, blocks, plan, found):
     judge = checker.Checker(
         blocks, machine.record, case.commands, _answer(case, machine), visits=not found
     )
-    controller = kernel.Controller(program.text, machine, case.prep_steps, case.commands)
+    controller = kernel.Simulation(program.text, machine, case.prep_steps, case.commands)
     last = max((tick for tick, *_ in case.commands), default=0)
     most = RUN_SHARE * int(plan["ticks"]) + last + RUN_PERIODS
     rests = SingleBlock(case.commands, judge.path)

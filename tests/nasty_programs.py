@@ -11,7 +11,7 @@ from dataclasses import dataclass, field, replace
 
 import numpy as np
 
-from pycnc.records import dtype
+from pycnc.kernel.records import dtype
 
 NM = 1_000_000  # in a mm; thousandths of a microdegree in a degree are a thousand times more
 LETTERS = "XYZABCUVW"

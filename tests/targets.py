@@ -10,8 +10,8 @@ from pathlib import Path
 
 import numpy as np
 
-from pycnc._bind import lib
-from pycnc.records import dtype
+from pycnc.kernel.bind import lib
+from pycnc.kernel.records import dtype
 
 ROOT = Path(__file__).resolve().parents[1]
 BOARDS = {"m4f": "mps2-an386", "m7": "mps2-an500", "m55": "mps3-an547"}

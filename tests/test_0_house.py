@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The house rules of design/layout.md and style.md, as far as a program can check them."""
+"""The house rules of DESIGN.md and CONTRIBUTING.md, as far as a program can check them."""
 
 import ast
 import re
@@ -8,15 +8,41 @@ import sys
 from pathlib import Path
 
 import pytest
+from house import (
+    C_FILES,
+    CL_FILES,
+    PAGES,
+    PYTHON_FILES,
+    ROOT,
+    SOURCES,
+    c_functions,
+    call_graph,
+    circles,
+    complexity,
+    identifiers,
+    public_definitions,
+    python_imports,
+    read,
+    undocumented,
+    without_comments,
+    without_own_rules,
+)
 
-ROOT = Path(__file__).resolve().parents[1]
 ROOMS = (
     "prep/1_decode", "prep/2_toolcomp", "prep/3_smooth", "prep/4_lookahead", "prep/5_slope",
     "tick/6_interpolate", "tick/7_transform",
 )  # fmt: skip
 EXTRAS = ("typer", "rich", "pydantic", "matplotlib", "pyarrow", "pyopencl")
-# The middle floor of pycnc: above it nobody calls the kernel; constants of the kernel may be read.
-WRAPPERS = ("_bind", "records", "machine", "kernel", "grades", "parallel", "stages", "bench/timing")
+# The rooms of pycnc: each may import those before it.
+PYTHON_ROOMS = (
+    "errors", "extras", "kernel", "machine", "program", "device", "planning", "stages", "report",
+    "controller", "papers", "bench", "cli",
+)  # fmt: skip
+# Who calls the kernel; everybody else may read its constants.
+WRAPPERS = (
+    "kernel/__init__", "kernel/bind", "kernel/records", "machine/__init__", "planning/grades",
+    "planning/parallel", "stages", "bench/timing",
+)  # fmt: skip
 
 # Which of our headers a file may include, by the longest path that fits the file.
 MAY_INCLUDE = {
@@ -38,90 +64,37 @@ MAY_INCLUDE = {
     "tests/package/": ("nck/nck.h", "host/"),
 }
 FORBIDDEN_WORDS = {"util", "utils", "helper", "helpers", "manager", "tmp", "interp"}
+# Being rebuilt: to be held to the rules below when that is done, and taken off here.
+REBUILT = (
+    "csrc/nck/nck.", "csrc/nck/prep/5_slope/", "csrc/nck/prep/4_lookahead/corner.c",
+    "csrc/nck/prep/4_lookahead/joint.c", "csrc/nck/prep/4_lookahead/lookahead.c",
+)  # fmt: skip
+WIDE_PAGES = ("CHANGELOG.md", "csrc/nck/prep/4_lookahead/README.md")  # to be wrapped, too
+# Bulk calls for Python that still take their arrays one by one: to be given structs.
+BULK = (
+    "nck_host_bench_ticks", "nck_host_decode", "nck_host_envelope_double",
+    "nck_host_envelope_float", "nck_host_transfers", "nck_host_unit_speeds", "nck_host_jerk",
+    "nck_host_keinert", "nck_host_measure_jerk", "nck_host_slope_sample",
+)  # fmt: skip
+CORE = [name for name in C_FILES if name.startswith("csrc/nck/")]
+# Headers for others: not those that are compiled in variants, not those of another kernel.
+PUBLIC_HEADERS = [
+    name
+    for name in C_FILES
+    if name.endswith(".h")
+    and name.startswith(("csrc/", "firmware_sim/"))
+    and not name.startswith(("csrc/host/envelope/", "firmware_sim/glue/"))
+]
+PYCNC = [name for name in PYTHON_FILES if name.startswith("pycnc/")]
+PUBLIC_PYTHON = [name for name in PYTHON_FILES if name.startswith(("pycnc/", "cmake/", "docs/"))]
 LIBC = {
     "memcpy", "memset", "memmove", "memchr", "memcmp", "strlen", "sqrt", "fabs", "floor",
 }  # fmt: skip
 
 
-def tracked(*patterns):
-    """Return the files that git tracks or would track, as paths relative to the root."""
-    command = ["git", "ls-files", "--cached", "--others", "--exclude-standard", "--", *patterns]
-    done = subprocess.run(command, cwd=ROOT, capture_output=True, text=True, check=True)
-    return sorted(name for name in set(done.stdout.splitlines()) if (ROOT / name).is_file())
-
-
-C_FILES = tracked("csrc/*.[ch]", "firmware_sim/*.[ch]", "tests/*.[ch]")
-CL_FILES = tracked("opencl/*.cl", "opencl/*.h")
-PYTHON_FILES = tracked("*.py")
-OTHER_FILES = tracked("*.cmake", "CMakeLists.txt", "Makefile", ".ci/run", "*.toml")
-SOURCES = C_FILES + CL_FILES + PYTHON_FILES + OTHER_FILES
-
-
-def read(name):
-    return (ROOT / name).read_text(encoding="utf-8")
-
-
-def without_own_rules(text):
-    """Drop the lines of this file that name what they forbid."""
-    return re.sub(r'^.*"(TOD[O]|\.cdef\()".*$', "", text, flags=re.M)
-
-
-def without_comments(text):
-    """Blank out the comments, strings and characters of C text, keeping its lines."""
-    pattern = re.compile(r'//[^\n]*|/\*.*?\*/|"(?:\\.|[^"\\\n])*"|\'(?:\\.|[^\'\\\n])*\'', re.S)
-    return pattern.sub(lambda match: re.sub(r"[^\n]", " ", match[0]), text)
-
-
-def c_functions(text):
-    """Yield (name, first line, last line, parameters, nesting) of every function of C text."""
-    text = without_comments(text)
-    directive = re.compile(r"^\s*#(?:[^\n]*\\\n)*[^\n]*", re.M)
-    text = directive.sub(lambda match: "\n" * match[0].count("\n"), text)
-    head = re.compile(r"^(?=[A-Za-z_])[\w \t*]*?\b(\w+)\(([^;{}]*)\)\s*\{", re.M)
-    for match in head.finditer(text):
-        depth = deepest = blocks = 0
-        kinds = []
-        for end in range(match.end() - 1, len(text)):
-            if text[end] == "{":
-                before = text[:end].rstrip()
-                is_block = before.endswith((")", "else", "do", ";", "}", "{", ":"))
-                kinds.append(is_block)
-                blocks += is_block
-                deepest = max(deepest, blocks)
-                depth += 1
-            elif text[end] == "}":
-                depth -= 1
-                blocks -= kinds.pop()
-                if depth == 0:
-                    break
-        first = text.count("\n", 0, match.start()) + 1
-        last = text.count("\n", 0, end) + 1
-        parameters = match[2].count(",") + 1
-        yield match[1], first, last, parameters, deepest - 1
-
-
-def identifiers(tree):
-    """Yield every name that a Python module defines: functions, classes, arguments, variables."""
-    for node in ast.walk(tree):
-        if isinstance(node, (ast.FunctionDef, ast.AsyncFunctionDef, ast.ClassDef)):
-            yield node.name
-        elif isinstance(node, ast.arg):
-            yield node.arg
-        elif isinstance(node, ast.Name) and isinstance(node.ctx, ast.Store):
-            yield node.id
-
-
-def python_imports(name):
-    """Return the full names of all modules that a Python file imports, wherever it does."""
-    found = set()
-    for node in ast.walk(ast.parse(read(name))):
-        if isinstance(node, ast.Import):
-            found.update(alias.name for alias in node.names)
-        elif isinstance(node, ast.ImportFrom):
-            assert node.level == 0, f"{name}: relative import"
-            found.add(node.module)
-            found.update(f"{node.module}.{alias.name}" for alias in node.names)
-    return found
+def held(names):
+    """Return the names of files that are not being rebuilt."""
+    return [name for name in names if not name.startswith(REBUILT)]
 
 
 def forbidden(names):
@@ -156,7 +129,11 @@ def test_a_formula_header_has_formulas_only(name):
     assert all(head.startswith("static inline") for head in heads)
 
 
-@pytest.mark.parametrize("name", [name for name in C_FILES if name.startswith("csrc/nck/")])
+def test_files_of_the_core_do_not_call_in_circles():
+    assert held(circles(call_graph(CORE))) == []
+
+
+@pytest.mark.parametrize("name", CORE)
 def test_only_the_fence_and_the_link_know_atomics(name):
     if name.endswith(("base/link.h", "base/fence.h")):
         return
@@ -164,27 +141,25 @@ def test_only_the_fence_and_the_link_know_atomics(name):
     assert not re.search(r"__atomic|__sync|_Atomic|\bvolatile\b|stdatomic", text)
 
 
-@pytest.mark.parametrize("name", [name for name in PYTHON_FILES if name.startswith("pycnc/")])
-def test_python_floors_point_down(name):
-    imports = python_imports(name)
-    module = Path(name).stem
-    ours = {found for found in imports if found.split(".")[0] == "pycnc"}
-    if module == "_bind":
-        assert ours <= {"pycnc", "pycnc.errors", "pycnc._nck", "pycnc._nck.ffi", "pycnc._nck.lib"}
-    else:
-        assert not any(found.startswith("pycnc._nck") for found in imports)
-        assert "cffi" not in imports
-    if module == "errors":
-        assert not ours
-    if module == "records":
-        assert {found.split(".")[1] for found in ours if "." in found} <= {"_bind", "errors"}
-    if module != "device":
-        assert not any(found.split(".")[0] == "pyopencl" for found in imports)
-    if module not in ("cli", "__main__"):
-        assert "pycnc.cli" not in imports
+@pytest.mark.parametrize("name", PYCNC)
+def test_a_room_of_python_imports_those_before_it(name):
+    room = name.split("/")[1].removesuffix(".py")
+    if room in ("__init__", "examples"):  # the front door; a program of its own
+        return
+    found = {module.split(".")[1] for module in python_imports(name) if module[:6] == "pycnc."}
+    before = PYTHON_ROOMS[: PYTHON_ROOMS.index(room) + 1]
+    binding = {"_nck"} if name == "pycnc/kernel/bind.py" else set()
+    assert found <= {*before, *binding}
 
 
-@pytest.mark.parametrize("name", [name for name in PYTHON_FILES if name.startswith("pycnc/")])
+@pytest.mark.parametrize("name", PYCNC)
+def test_cffi_and_opencl_have_one_door_each(name):
+    packages = {module.split(".")[0] for module in python_imports(name)}
+    assert "cffi" not in packages
+    assert "pyopencl" not in packages or name == "pycnc/device/__init__.py"
+
+
+@pytest.mark.parametrize("name", PYCNC)
 def test_only_the_wrappers_call_the_kernel(name):
     if name.removeprefix("pycnc/").removesuffix(".py") in WRAPPERS:
         return
@@ -197,16 +172,11 @@ def test_only_the_wrappers_call_the_kernel(name):
 
 def test_python_modules_do_not_import_in_circles():
     graph = {}
-    for name in PYTHON_FILES:
-        if name.startswith("pycnc/"):
-            module = name.removesuffix(".py").removesuffix("/__init__").replace("/", ".")
-            graph[module] = python_imports(name)
+    for name in PYCNC:
+        module = name.removesuffix(".py").removesuffix("/__init__").replace("/", ".")
+        graph[module] = python_imports(name)
     graph["pycnc"] = set()  # the front door imports all and nobody needs it
-    graph = {module: found & graph.keys() - {module} for module, found in graph.items()}
-    while graph:
-        free = {module for module, found in graph.items() if not found & graph.keys()}
-        assert free, f"circle among {sorted(graph)}"
-        graph = {module: found for module, found in graph.items() if module not in free}
+    assert circles({module: found & graph.keys() for module, found in graph.items()}) == []
 
 
 def test_the_wrapper_needs_cffi_and_numpy_alone():
@@ -233,13 +203,34 @@ def test_a_file_has_its_licence_and_its_size(name):
     assert "\t" not in read(name) or name == "Makefile"
 
 
+@pytest.mark.parametrize("name", [page for page in held(PAGES) if page not in WIDE_PAGES])
+def test_a_page_has_short_lines(name):
+    lines = [line for line in read(name).split("\n") if not line.lstrip().startswith("|")]
+    assert [line for line in lines if len(line) > 100] == []
+
+
+@pytest.mark.parametrize("name", held(CORE))
+def test_the_core_is_simple(name):
+    assert {f: count for f, count in complexity(name).items() if count > 12} == {}
+
+
+@pytest.mark.parametrize("name", held(PUBLIC_HEADERS))
+def test_a_public_declaration_of_c_has_a_comment(name):
+    assert list(undocumented(read(name))) == []
+
+
+@pytest.mark.parametrize("name", PUBLIC_PYTHON)
+def test_a_public_definition_of_python_has_a_docstring(name):
+    defined = public_definitions(ast.parse(read(name)))
+    assert [node.name for node in defined if not ast.get_docstring(node)] == []
+
+
 @pytest.mark.parametrize("name", C_FILES)
 def test_c_functions_are_short_and_shallow(name):
-    most = 100 if name.startswith("csrc/host/") else 6
     for function, first, last, parameters, nesting in c_functions(read(name)):
         assert last - first < 60, f"{function} has {last - first + 1} lines"
         assert nesting <= 3, f"{function} is {nesting} blocks deep"
-        assert parameters <= most, f"{function} has {parameters} parameters"
+        assert parameters <= 6 or function in BULK, f"{function} has {parameters} parameters"
 
 
 @pytest.mark.parametrize("name", PYTHON_FILES)
@@ -247,6 +238,9 @@ def test_python_functions_are_short(name):
     for node in ast.walk(ast.parse(read(name))):
         if isinstance(node, (ast.FunctionDef, ast.AsyncFunctionDef)):
             assert node.end_lineno - node.lineno < 60, f"{node.name} is too long"
+            given = [each.arg for each in node.args.posonlyargs + node.args.args]
+            by_place = [name for name in given if name not in ("self", "cls")]
+            assert len(by_place) <= 6, f"{node.name}: what is more is given by name"
 
 
 @pytest.mark.parametrize("name", C_FILES + CL_FILES)
@@ -260,7 +254,7 @@ def test_python_names_say_what_they_mean(name):
     assert forbidden(set(identifiers(ast.parse(read(name)))) | {Path(name).stem}) == []
 
 
-@pytest.mark.parametrize("name", [n for n in C_FILES if n.startswith("csrc/nck/")])
+@pytest.mark.parametrize("name", CORE)
 def test_preprocessor_branches_live_in_limits_and_real(name):
     if name.endswith(("base/limits.h", "base/real.h")):
         return
@@ -282,7 +276,7 @@ def test_a_room_has_its_page_and_its_face(room):
     folder = ROOT / "csrc" / "nck" / room
     page = folder / "README.md"
     assert page.exists()
-    assert len(page.read_text(encoding="utf-8").splitlines()) <= 60
+    assert len(page.read_text(encoding="utf-8").splitlines()) <= 80
     assert (folder / f"{room.split('_')[-1]}.h").exists()
 
 
@@ -321,6 +315,13 @@ def test_the_knobs_are_few():
 
 
 # The repository
+
+
+@pytest.mark.parametrize("name", held(SOURCES + PAGES))
+def test_a_page_that_is_named_is_there(name):
+    named = {found.lstrip("./") for found in re.findall(r"[\w./-]+\.md\b", read(name))}
+    pages = [f"/{page}" for page in PAGES]
+    assert [found for found in named if not any(p.endswith(f"/{found}") for p in pages)] == []
 
 
 def test_the_makefile_has_two_commands():

@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: MIT
-"""README's tables say what libnck costs on two cores, and nothing grows unseen."""
+"""The tables in docs/size.md say what libnck costs on two cores, and nothing grows unseen."""
 
 import importlib.util
 
 import pytest
 
-SLACK = 0.05  # how far a number of the README may be off
+SLACK = 0.05  # how far a number of the page may be off
 
 
 def load(root, name):
@@ -31,8 +31,8 @@ def measured(size_table):
 
 @pytest.fixture(scope="module")
 def written(root, size_table):
-    """Return all numbers of the README, if they are of the compiler at hand."""
-    _, text, _ = size_table.split_readme((root / "README.md").read_text(encoding="utf-8"))
+    """Return all numbers of the page, if they are of the compiler at hand."""
+    _, text, _ = size_table.split_page((root / "docs" / "size.md").read_text(encoding="utf-8"))
     if size_table.compiler() not in text:
         pytest.skip(f"the tables were measured with another compiler than {size_table.compiler()}")
     return size_table.numbers(text)
@@ -47,7 +47,7 @@ def off(written, measured):
     }
 
 
-def test_the_tables_in_the_readme_are_true(written, measured):
+def test_the_tables_in_the_page_are_true(written, measured):
     hint = "renew them: python tests/size/table.py --write"
     assert list(measured) == list(written), hint
     assert off(written, measured) == {}, hint

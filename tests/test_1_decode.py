@@ -14,7 +14,7 @@ import pytest
 import rs274_oracle
 
 from pycnc import stages
-from pycnc._bind import lib, note_id, status_id
+from pycnc.kernel.bind import lib, note_id, status_id
 from pycnc.machine import Machine
 
 ROOT = Path(__file__).resolve().parents[1]

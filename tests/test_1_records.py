@@ -7,8 +7,9 @@ import subprocess
 import numpy as np
 import pytest
 
-from pycnc import errors, records
-from pycnc._bind import check, pointer
+from pycnc import errors
+from pycnc.kernel import records
+from pycnc.kernel.bind import check, pointer
 
 RECORDS = records.names()
 
@@ -28,7 +29,8 @@ def compiled_layout(root, tool, tmp_path_factory):
     folder = tmp_path_factory.mktemp("layout")
     host = sorted(path.name for path in (root / "csrc" / "host").glob("*.h"))
     faces = [f"host/{name}" for name in host if not name.endswith("_math.h")]
-    lines = [f'#include "{header}"' for header in ("nck/nck.h", *faces, "sim.h")]
+    own = ("sim.h", "app/outcome.h", "board/exits.h")
+    lines = [f'#include "{header}"' for header in ("nck/nck.h", *faces, *own)]
     lines += ["#include <stdio.h>", "int main(void)", "{"]
     for record in RECORDS:
         lines.append(f'printf("{record} . 0 %zu\\n", sizeof({record}));')

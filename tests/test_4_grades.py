@@ -14,11 +14,13 @@ from hypothesis import strategies as st
 from hypothesis.extra import numpy as arrays
 
 import pycnc
-from pycnc import errors, grades, kernel, records
+from pycnc import errors, kernel
+from pycnc.kernel import records
+from pycnc.planning import grades
 from pycnc.bench import grades as bench_grades
 from pycnc.machine import Machine
-from pycnc.records import dtype, enum
-from pycnc.trace import Trace
+from pycnc.kernel.records import dtype, enum
+from pycnc.report.trace import Trace
 
 WORKED = [1, 5, 2, 5, 3, 1]  # figure 10
 SETTLED = [1, 2, 2, 3, 2, 1]  # figure 12
@@ -184,7 +186,7 @@ def judge_run(program):
     lenient = program.machine.record.copy()
     lenient["axis"]["a_max"] = np.inf
     judge = checker.Checker(program.blocks, lenient)
-    controller = grades.Controller(planned)
+    controller = grades.Simulation(planned)
     for rows, _ in controller.pieces():
         judge.add(rows)
     judge.finish()
@@ -215,7 +217,7 @@ def test_outputs_come_in_the_same_order_as_by_the_exact_plan(name):
     by_grades, _ = grades.of_text(program.text, program.machine)
     told = []
     for controller in (
-        kernel.Controller(program.text, program.machine), grades.Controller(by_grades),
+        kernel.Simulation(program.text, program.machine), grades.Simulation(by_grades),
     ):  # fmt: skip
         rows = np.concatenate([rows.copy() for rows, _ in controller.pieces()])
         changes = np.flatnonzero(np.diff(rows["spindle_rpm"], prepend=0.0))
@@ -228,7 +230,7 @@ def test_two_runs_by_grades_give_the_same_bytes():
     program = judged.load(CASES["random_arcs_0"])
     runs = []
     for _ in range(2):
-        controller = grades.Controller(grades.of_text(program.text, program.machine)[0])
+        controller = grades.Simulation(grades.of_text(program.text, program.machine)[0])
         runs.append(b"".join(rows.tobytes() for rows, _ in controller.pieces()))
     assert runs[0] == runs[1]
 
@@ -238,7 +240,7 @@ def test_few_prep_steps_give_the_same_bytes():
     planned, _ = grades.of_text(program.text, program.machine)
     runs = []
     for prep_steps in (1, kernel.PREP_STEPS):
-        controller = grades.Controller(planned, prep_steps)
+        controller = grades.Simulation(planned, prep_steps)
         rows = np.concatenate([rows.copy() for rows, _ in controller.pieces()])
         runs.append(rows["pose"].tobytes())
         assert controller.starved_ticks == 0
@@ -310,7 +312,7 @@ def test_a_run_planned_on_a_device_has_the_same_bytes():
         except errors.DeviceError as cause:
             pytest.skip(f"no OpenCL here: {cause}")
         assert planned.backend == backend and planned.holds()
-        rows = [rows.tobytes() for rows, _ in grades.Controller(planned).pieces()]
+        rows = [rows.tobytes() for rows, _ in grades.Simulation(planned).pieces()]
         runs.append(b"".join(rows))
     assert runs[0] == runs[1]
 

@@ -6,7 +6,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from pycnc import errors, parallel, stages
+from pycnc import errors, stages
+from pycnc.planning import parallel
 
 FEED = 100.0  # mm/s
 # An acceleration of 1000 mm/s² reaches it within 5 mm.

@@ -15,10 +15,13 @@ from envelopes import HOME_DEVICES, REALS, by_c, on_device, random_path
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from pycnc import device, device_envelope, device_grades, grades
+from pycnc import device
+from pycnc.device import grades as device_grades
+from pycnc.device import launch
+from pycnc.planning import grades
 from pycnc.bench import opencl as bench_opencl
 from pycnc.errors import ArgumentError, DeviceError, NckError
-from pycnc.records import dtype
+from pycnc.kernel.records import dtype
 
 PART_MIN = 2048  # of envelope.cl: below, a path is planned in one go
 PROGRAMS = {str(each): each for each in (*cases.CASES, *cases.RUNNING_FILES)}
@@ -30,7 +33,7 @@ def home(request):
     return request.param
 
 
-@pytest.fixture(params=device_envelope.KERNELS)
+@pytest.fixture(params=launch.KERNELS)
 def kernel(request):
     """Return which kernel file plans: that of processors or that of GPUs."""
     return request.param
@@ -51,11 +54,11 @@ def test_a_device_gives_the_bits_of_c(home, kernel, n, rare, real):
 
 
 @given(st.integers(1, 30_000), st.integers(1, 9), st.integers(0, 99), st.sampled_from(REALS),
-       st.sampled_from(device_envelope.KERNELS))  # fmt: skip
+       st.sampled_from(launch.KERNELS))  # fmt: skip
 @settings(max_examples=100)
 def test_the_bits_do_not_depend_on_the_parts(n, count, seed, real, kernel):
     w_cap, h = random_path(n, seed, 0.02, real, h=(10.0, 300.0))
-    got = on_device("basic", w_cap, h, 9.0, 4.0, count, kernel)
+    got = on_device("basic", w_cap, h, 9.0, 4.0, count=count, kernel=kernel)
     assert got.tobytes() == by_c(w_cap, h, 9.0, 4.0).tobytes()
 
 
@@ -152,7 +155,7 @@ def test_arrays_of_any_alignment_and_in_place(kernel):
     bytes_ = np.zeros(4 * 9001 + 4, np.uint8)
     odd = bytes_[4:].view(np.float32)
     odd[:] = w_cap
-    device.envelope(odd, h, 0.0, 0.0, odd, "basic", kernel)
+    device.envelope(odd, h, 0.0, 0.0, odd, device="basic", kernel=kernel)
     assert odd.tobytes() == want.tobytes()
 
 
@@ -199,7 +202,7 @@ def test_threads_may_share_a_device(home, kernel):
 
     def planned(path):
         w = np.empty_like(path[0])
-        device.envelope(*path, 0.0, 0.0, w, home, kernel)
+        device.envelope(*path, 0.0, 0.0, w, device=home, kernel=kernel)
         return w.tobytes()
 
     with concurrent.futures.ThreadPoolExecutor(4) as crew:
@@ -384,7 +387,9 @@ def test_a_home_that_cannot_be_written_does_not_matter(tmp_path):
 
 UNDER_OCLGRIND = """
 import numpy as np
-from pycnc import device, device_grades, grades
+from pycnc import device
+from pycnc.device import grades as device_grades
+from pycnc.planning import grades
 from pycnc.machine import Machine
 used = device.in_use("oclgrind")
 rng = np.random.default_rng(1)

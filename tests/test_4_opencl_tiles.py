@@ -8,11 +8,12 @@ import numpy as np
 import pytest
 from envelopes import HOME_DEVICES, REALS, by_c, on_device, random_path
 
-from pycnc import device, device_envelope
+from pycnc import device
+from pycnc.device import launch
 from pycnc.errors import ArgumentError, DeviceError
 
 TILES = {  # nodes of a tile of envelope_gpu.cl on PoCL
-    real: np.prod(device_envelope.tile_sizes(1 << 20, 4096, np.dtype(real).itemsize))
+    real: np.prod(launch.tile_sizes(1 << 20, 4096, np.dtype(real).itemsize))
     for real in REALS
 }
 
@@ -33,9 +34,9 @@ def test_edges_of_tiles_do_not_show(home, count, beside, edge, real):
 @pytest.mark.parametrize("real", REALS)
 def test_tiles_are_cut_to_the_local_memory(monkeypatch, local_bytes, group_most, real):
     item = np.dtype(real).itemsize
-    group, run = device_envelope.tile_sizes(local_bytes, group_most, item)
+    group, run = launch.tile_sizes(local_bytes, group_most, item)
     assert group <= group_most and run % 2 == 1
-    assert 2 * item * (group * run + device_envelope.OVERLAP_ROOM) < local_bytes
+    assert 2 * item * (group * run + launch.OVERLAP_ROOM) < local_bytes
     monkeypatch.setattr(device_envelope, "tile_sizes", lambda *_: (group, run))
     w_cap, h = random_path(9001, 4, 0.01, real)
     assert on_device("basic", w_cap, h, kernel="tiles").tobytes() == by_c(w_cap, h).tobytes()
@@ -49,7 +50,7 @@ def test_the_example_of_the_sizes_runs():
 @pytest.mark.parametrize("limits", [(16384, 256, 8), (49152, 32, 4)])
 def test_a_device_that_does_not_hold_a_tile_is_refused(limits):
     with pytest.raises(DeviceError, match="do not hold a tile") as caught:
-        device_envelope.tile_sizes(*limits)
+        launch.tile_sizes(*limits)
     assert caught.value.id == "device-build"
 
 

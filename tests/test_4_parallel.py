@@ -12,7 +12,8 @@ import pytest
 from hypothesis import example, given
 from hypothesis import strategies as st
 
-from pycnc import device, dispatch, errors, parallel, stages
+from pycnc import device, errors, stages
+from pycnc.planning import dispatch, parallel
 from pycnc.bench import parallel as bench_parallel
 
 FILES = {str(file): file for file in cases.RUNNING_FILES}

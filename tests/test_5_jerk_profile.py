@@ -8,7 +8,9 @@ import json
 import numpy as np
 import pytest
 
-from pycnc import bench, geometry, records, stages
+from pycnc import bench, stages
+from pycnc.kernel import records
+from pycnc.program import geometry
 from pycnc.bench import butterfly, linuxcnc, numeric, optimum, programs, timing
 from pycnc.errors import ArgumentError
 from pycnc.machine import Machine

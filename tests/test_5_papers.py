@@ -10,7 +10,8 @@ from command_line import pycnc
 from hypothesis import given
 from hypothesis import strategies as st
 
-from pycnc import ArgumentError, grades, stages
+from pycnc import ArgumentError, stages
+from pycnc.planning import grades
 from pycnc.papers import grades as papers_grades
 from pycnc.papers import parallel as papers_parallel
 from pycnc.papers import paths as papers

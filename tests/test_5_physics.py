@@ -103,7 +103,7 @@ def test_everything_before_an_error_is_executed_and_nothing_after():
     program = Program(b"G21 G90 G94 G17\nG1 X10 F600\nX20\nG1 QQ\nX30\nM2\n", Machine.load("mill3"))
     good = program.blocks["line"] < 4
     judge = checker.Checker(program.blocks[good], program.machine.record)
-    controller = kernel.Controller(program.text, program.machine)
+    controller = kernel.Simulation(program.text, program.machine)
     with pytest.raises(ProgramError, match="number"):
         for rows, _ in controller.pieces():
             judge.add(rows)

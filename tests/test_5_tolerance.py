@@ -11,7 +11,7 @@ from test_5_physics import judge, rounded
 
 import pycnc
 from pycnc.machine import Machine
-from pycnc.path_error import PathError
+from pycnc.report.path_error import PathError
 from pycnc.program import Program
 
 P = 0.1

@@ -10,9 +10,9 @@ import pytest
 
 from pycnc.errors import ProgramError
 from pycnc.machine import Machine
-from pycnc.planning import plan
+from pycnc.planning.plan import plan
 from pycnc.program import Program
-from pycnc.trace import Trace
+from pycnc.report.trace import Trace
 
 FILES = {str(file): file for file in cases.CORPUS_FILES}
 RUNNING = {str(file): file for file in cases.RUNNING_FILES}

@@ -11,10 +11,10 @@ from command_line import pycnc
 from hypothesis import given
 from hypothesis import strategies as st
 
-from pycnc._bind import lib
+from pycnc.kernel.bind import lib
 from pycnc.machine import Machine, MachineFileError, shipped
-from pycnc.machine_file import AXES
-from pycnc.records import quantity_range
+from pycnc.machine.schema import AXES
+from pycnc.kernel.records import quantity_range
 
 DOCS = Path(__file__).resolve().parents[1] / "docs"
 SMALL = """\

@@ -8,7 +8,8 @@ from command_line import pycnc
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from pycnc import diagnostics, stages
+from pycnc import stages
+from pycnc.program import diagnostics
 from pycnc.machine import Machine
 
 START = b"G21 G90 G17 G91.1 G54\n"

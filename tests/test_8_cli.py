@@ -47,7 +47,7 @@ def script(*arguments, **options):
 def test_the_verbs_are_those_that_are_built():
     shown = pycnc("--help").out
     verbs = re.findall(r"^  (\w+) {2,}\S", shown.split("Commands:")[1], re.M)
-    assert verbs == ["check", "canon", "time", "run", "plot", "bench", "machine"]
+    assert verbs == ["check", "canon", "time", "run", "controller", "plot", "bench", "machine"]
 
 
 def test_check_tells_all_diagnostics_with_line_caret_and_help(wrong, good):

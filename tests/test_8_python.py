@@ -11,11 +11,12 @@ import numpy as np
 import pytest
 
 import pycnc
-from pycnc import kernel, measure, stages
-from pycnc._bind import lib
+from pycnc import kernel, stages
+from pycnc.planning import measure
+from pycnc.kernel.bind import lib
 from pycnc.machine import Machine
-from pycnc.path_error import PathError
-from pycnc.records import dtype
+from pycnc.report.path_error import PathError
+from pycnc.kernel.records import dtype
 
 SQUARE = b"G21 G90 G17 G91.1 G54 F1200\nG0 Z5\nG1 X20\nY20\nX0\nY0\nM2\n"
 ARCS = (
@@ -40,11 +41,13 @@ def test_the_front_door_has_the_promised_names():
 
 
 @pytest.mark.parametrize(
-    "name", ["program", "planning", "trace", "stages", "measure", "plot", "machine", "records"]
-)
+    "name",
+    ["program", "planning.plan", "report.trace", "stages", "planning.measure", "report.plot",
+     "machine", "kernel.records"],
+)  # fmt: skip
 def test_the_examples_in_the_docstrings_run(name):
     module = importlib.import_module(f"pycnc.{name}")
-    names = {"np": np, "enum": importlib.import_module("pycnc.records").enum}
+    names = {"np": np, "enum": importlib.import_module("pycnc.kernel.records").enum}
     found = doctest.testmod(module, extraglobs=names | {"Machine": Machine})
     assert found.failed == 0
 
@@ -261,7 +264,7 @@ def test_a_hold_during_a_wait_is_kept_when_the_wait_ends():
 
 
 def test_a_kernel_that_stands_still_is_told_with_numbers():
-    controller = kernel.Controller(HELD, Machine.load("mill3"))
+    controller = kernel.Simulation(HELD, Machine.load("mill3"))
     controller._nck.link.seg_head = lib.NCK_SEG_MAX  # no room that ever becomes free
     words = r"after tick 16 \(0\.016 s\), at line 0: neither"
     with pytest.raises(pycnc.InternalError, match=words):
@@ -337,7 +340,7 @@ def test_a_parquet_file_has_every_row_and_its_units(trace, tmp_path):
 
 
 def test_a_run_written_in_pieces_equals_one_kept_whole(trace, tmp_path):
-    from pycnc.trace import Trace
+    from pycnc.report.trace import Trace
 
     piecewise = Trace(trace.program, keep=False, output=tmp_path / "a.npz")
     assert piecewise.columns == {}

@@ -27,7 +27,7 @@ from firmware_runs import (
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from pycnc import firmware
+from pycnc import controller
 
 
 @pytest.fixture(scope="session")
@@ -164,7 +164,7 @@ def test_whatever_the_operator_does_the_limits_hold_and_the_end_is_reached(scrip
     machine = mill(slope)
     commands = [(tick, *command) for tick, command in script]
     commands += [(2600, "override", 100, 100), (2601, "resume"), (2900, "resume")]
-    outcome = firmware.open("host").run(PROGRAM, machine, commands, trace=True, prep_steps=steps)
+    outcome = controller.open("host").run(PROGRAM, machine, commands, trace=True, prep_steps=steps)
     assert outcome.state == "done" and outcome.joints_nm == END_NM
     hold_limits(outcome, machine)
     along(outcome)
@@ -175,7 +175,7 @@ def test_whatever_the_operator_does_the_limits_hold_and_the_end_is_reached(scrip
        slope=st.sampled_from(SLOPES))  # fmt: skip
 def test_an_end_at_any_tick_keeps_the_position(tick, what, slope):
     machine = mill(slope)
-    outcome = firmware.open("host").run(PROGRAM, machine, [(tick, what)], trace=True)
+    outcome = controller.open("host").run(PROGRAM, machine, [(tick, what)], trace=True)
     assert outcome.state in ({"hold": "hold", "abort": "aborted", "estop": "estop"}[what], "done")
     rests_at_its_end(outcome)
     along(outcome)

@@ -16,9 +16,9 @@ import pytest
 from command_line import pycnc
 from firmware_runs import ERROR, EVERYWHERE, POINTS, PROGRAM, mill
 
-from pycnc import errors, firmware
+from pycnc import controller, errors
 from pycnc.machine import Machine
-from pycnc.records import enum
+from pycnc.kernel.records import enum
 
 ROOT = Path(__file__).resolve().parents[1]
 IDLE, WAIT = (enum("nck_tick_state_t")[name] for name in ("IDLE", "WAIT"))
@@ -50,7 +50,7 @@ def all_agree(outcomes):
 @pytest.mark.parametrize("case", GOLDEN, ids=str)
 def test_setpoints_are_the_same_on_every_controller(controllers, case):
     machine = Machine.load(case.machine, set=[*case.set, "path.slope=linear"])
-    all_agree([controllers(name).run(case.text, machine) for name in firmware.CONTROLLERS])
+    all_agree([controllers(name).run(case.text, machine) for name in controller.CONTROLLERS])
 
 
 @pytest.mark.parametrize("case", GOLDEN, ids=str)
@@ -141,14 +141,14 @@ def test_a_run_is_repeated_to_the_bit(controllers):
 def test_a_missing_tool_is_named_with_its_remedy(monkeypatch, tmp_path, missing):
     file = tmp_path / "part.nc"
     file.write_text(PROGRAM)
-    which = firmware.shutil.which
+    which = controller.shutil.which
 
     def look(name):
         return None if name == missing else which(name)
 
-    monkeypatch.setattr(firmware.shutil, "which", look)
-    firmware._build.cache_clear()
-    result = pycnc("run", file, "--controller", "m7")
+    monkeypatch.setattr(controller.shutil, "which", look)
+    controller._build.cache_clear()
+    result = pycnc("controller", file, "--on", "m7")
     assert result.code == 4
     assert re.search(rf"error\[controller\]: {missing} is not installed.*apt-get", result.err)
 
@@ -156,12 +156,13 @@ def test_a_missing_tool_is_named_with_its_remedy(monkeypatch, tmp_path, missing)
 def test_what_the_controller_does_not_take_is_a_usage_error(controllers, tmp_path):
     file = tmp_path / "part.nc"
     file.write_text(PROGRAM)
-    wrong = (["--at", "100 fly"], ["--at", "hold"], ["--at", "9 override 500 1"], ["-o", "t.npz"])
+    wrong = (["--at", "100 fly"], ["--at", "hold"], ["--at", "9 override 500 1"])
     for words in wrong:
-        result = pycnc("run", file, "--controller", "host", *words)
+        result = pycnc("controller", file, "--on", "host", *words)
         assert result.code == 2 and "pycnc: error[" in result.err
+    assert pycnc("controller", file, "-o", "t.npz").code == 2
     assert pycnc("run", file, "--at", "100 hold").code == 2
-    assert pycnc("run", file, "--controller", "m9").code == 2
+    assert pycnc("controller", file, "--on", "m9").code == 2
     with pytest.raises(errors.ArgumentError):
         controllers("host").run(PROGRAM, prep_step=3)
 
@@ -169,7 +170,7 @@ def test_what_the_controller_does_not_take_is_a_usage_error(controllers, tmp_pat
 def test_a_controller_that_does_not_end_is_given_up(controllers):
     silent = [(0, "feeder_pause", 4_000_000_000)]
     for name in EVERYWHERE:
-        with pytest.raises(firmware.FirmwareError, match="did not end"):
+        with pytest.raises(controller.FirmwareError, match="did not end"):
             controllers(name).run(PROGRAM, commands=silent, timeout_s=1)
 
 
@@ -179,14 +180,14 @@ def test_a_controller_that_does_not_end_is_given_up(controllers):
 def test_run_on_a_controller_tells_state_load_and_hash(controllers, tmp_path):
     file = tmp_path / "part.nc"
     file.write_text(PROGRAM)
-    words = ["run", file, "--controller", "host", "--at", "400 hold", "--at", "900 resume"]
+    words = ["controller", file, "--on", "host", "--at", "400 hold", "--at", "900 resume"]
     facts = json.loads(pycnc(*words, "--json").out)
     assert facts["state"] == "done" and facts["controller"] == "host" and facts["overruns"] == 0
     assert [state for _, state in facts["events"]][-2:] == ["run", "done"]
     shown = pycnc(*words)
     assert shown.code == 0 and facts["hash"] in shown.out
     file.write_text(ERROR)
-    wrong = pycnc("run", file, "--controller", "host")
+    wrong = pycnc("controller", file, "--on", "host")
     assert wrong.code == 1 and "error[unsupported]" in wrong.err
 
 

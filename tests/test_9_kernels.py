@@ -15,7 +15,7 @@ import pytest
 from firmware_runs import is_safe, long_way, mill, run_in
 from imitated_kernels import CHECKOUTS, ROOT, check_out, imitate
 
-from pycnc import firmware
+from pycnc import controller
 
 GLUE = ROOT / "firmware_sim" / "glue"
 TOOLCHAIN = ROOT / "firmware_sim" / "board" / "arm-none-eabi.cmake"
@@ -177,11 +177,11 @@ def glued(request, build_folder, tool, tmp_path_factory):
     checkout = imitate(request.param, tmp_path_factory.mktemp("imitation"))
     done = build("firmware", request.param, checkout, build_folder)
     assert done.returncode == 0, done.stdout + done.stderr
-    return firmware.Controller("m7", shutil.copy(image(build_folder), checkout))
+    return controller.Controller("m7", shutil.copy(image(build_folder), checkout))
 
 
 def test_the_app_does_the_same_on_the_glue_as_on_our_own_kernel(glued):
-    own = firmware.open("m7").run(PROGRAM)
+    own = controller.open("m7").run(PROGRAM)
     outcome = glued.run(PROGRAM)
     assert (outcome.state, outcome.hash) == ("done", own.hash)
     assert (outcome.overruns, outcome.underruns) == (0, 0)
@@ -234,8 +234,8 @@ def test_a_call_that_the_kernel_refuses_ends_in_the_safe_state(
     checkout = imitate(replace(kernel, own=own), tmp_path)
     done = build("firmware", kernel, checkout, build_folder)
     assert done.returncode == 0, done.stdout + done.stderr
-    controller = firmware.Controller("m7", image(build_folder))
-    cause, changes = run_in(tmp_path, controller, "S800 M3\nM8\n" + long_way())
+    chosen = controller.Controller("m7", image(build_folder))
+    cause, changes = run_in(tmp_path, chosen, "S800 M3\nM8\n" + long_way())
     assert cause == "its operating system refused a call"
     assert is_safe(changes)
 
@@ -248,9 +248,9 @@ def test_the_stack_that_the_kernel_gives_to_interrupts_is_large_enough(
     tool("arm-none-eabi-gcc"), tool("qemu-system-arm")
     done = build("firmware", kernel, imitate(kernel, tmp_path), build_folder, "m4f")
     assert done.returncode == 0, done.stdout + done.stderr
-    controller = firmware.Controller("m4f", image(build_folder, "m4f"))
+    chosen = controller.Controller("m4f", image(build_folder, "m4f"))
     text = PROGRAM.replace("G61", "G64 P0.01")
-    assert controller.run(text, mill("linear"), trace=True).state == "done"
+    assert chosen.run(text, mill("linear"), trace=True).state == "done"
 
 
 @pytest.mark.parametrize(

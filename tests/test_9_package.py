@@ -7,6 +7,7 @@ Every project here lies outside of the tree and knows of libnck what an installa
 import array
 import functools
 import hashlib
+import itertools
 import os
 import re
 import shutil
@@ -365,11 +366,11 @@ def logged(file, axes=9):
     return "".join(f"{x} {y} {z}\n" for x, y, z in rows)
 
 
-@pytest.mark.parametrize("name", ["bare_metal", "os_kernel"])
-@pytest.mark.parametrize("core", MACHINES)
+@pytest.mark.parametrize("of", itertools.product(MACHINES, ("bare_metal", "os_kernel")), ids=str)
 def test_an_example_drives_as_the_library_on_the_host(
-    examples, programs, expected, tool, tmp_path, core, name
+    examples, programs, expected, tool, tmp_path, of
 ):
+    core, name = of
     image = examples(core) / f"{name}.elf"
     for program in programs:
         if program.stem in ("star", "helix"):

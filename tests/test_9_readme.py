@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 """The examples of README.md run as they stand there; what pages point to is there."""
 
+import importlib.util
 import pathlib
 import re
 import subprocess
@@ -42,6 +43,20 @@ def test_the_c_example_compiles_alone_and_ends_on_its_end_point(tmp_path):
     rows = [tuple(map(int, row.split())) for row in run.stdout.splitlines()]
     assert rows[-1] == (60_000_000, 20_000_000)
     assert max(abs(b[0] - a[0]) for a, b in zip(rows, rows[1:])) <= 50_001
+
+
+def test_the_readme_fits_on_two_screens():
+    assert len((ROOT / "README.md").read_text(encoding="utf-8").splitlines()) <= 110
+
+
+def test_the_output_in_the_readme_is_what_the_command_prints():
+    spec = importlib.util.spec_from_file_location("make_pages", ROOT / "docs" / "make_pages.py")
+    pages = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(pages)
+    _, shown, _ = pages.split_readme((ROOT / "README.md").read_text(encoding="utf-8"))
+    clock = r"simulated in .*"  # how busy this computer is
+    now = re.sub(clock, "", pages.example_output())
+    assert re.sub(clock, "", shown) == now, "run docs/make_pages.py"
 
 
 # All pages

@@ -6,7 +6,7 @@ import firmware_runs
 import pytest
 from firmware_runs import PERIOD_UNITS, is_safe, long_way, report_in, run_in
 
-from pycnc import firmware
+from pycnc import controller
 
 PROGRAM = "S800 M3\nM8\n" + long_way()
 WATCHDOG_PERIODS = 16
@@ -22,7 +22,7 @@ def controllers(tool):
     return lambda name: firmware_runs.opened(name, tool)
 
 
-@pytest.fixture(params=firmware.CONTROLLERS)
+@pytest.fixture(params=controller.CONTROLLERS)
 def name(request):
     """Return the name of each controller in turn."""
     return request.param

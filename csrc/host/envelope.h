@@ -9,12 +9,14 @@
 
 #include "nck/base/status.h" // nck_status_t
 
+// How an envelope is planned; the bits are the same.
 typedef enum nck_host_backend {
     NCK_HOST_SERIAL = 0, // one node after the other: the definition
     NCK_HOST_SIMD = 1,   // overlapped stretches in the lanes of a vector, one thread
     NCK_HOST_THREADS = 2 // overlapped chunks on threads, lanes inside
 } nck_host_backend_t;
 
+// Which processor the code is for.
 typedef enum nck_host_cpu {
     NCK_HOST_CPU_PLAIN = 0, // C that any processor runs
     NCK_HOST_CPU_AVX2 = 1

@@ -13,6 +13,7 @@
 
 #include "host/host.h" // nck_host_totals_t and all records
 
+// Numbers of planning by grades.
 enum {
     NCK_HOST_GRADE_STEPS = 4, // n of eq. 10, unless the caller says otherwise
     // A slower seg joins a table if its own speed is this grade at least; below, rounding down to a

@@ -4,7 +4,7 @@
 
 #include "nck/prep/4_lookahead/bubble_math.h"   // nck_bubble_sweep nck_bubble_scan
 #include "nck/prep/4_lookahead/grade_math.h"    // nck_grade_of nck_grade_vv
-#include "nck/prep/4_lookahead/link_math.h"     // nck_link_angle nck_link_transfer
+#include "nck/prep/4_lookahead/turn_math.h"     // nck_turn_angle nck_turn_transfer
 #include "nck/prep/4_lookahead/transfer_math.h" // nck_transfer_reach
 #include "nck/prep/4_lookahead/unit_math.h"     // nck_unit_step_count nck_unit_speed
 #include "nck/prep/5_slope/ramp_math.h"         // nck_ramp_accel
@@ -25,7 +25,7 @@ void nck_host_unit_speeds(const nck_seg_t *segs, const nck_unit_t *units, size_t
 }
 
 double nck_host_link_angle(const nck_seg_t *in, const nck_seg_t *out) {
-    return nck_link_angle(in, out);
+    return nck_turn_angle(in, out);
 }
 
 void nck_host_transfers(const nck_seg_t *segs, const nck_unit_t *units, const double *v,
@@ -38,7 +38,7 @@ void nck_host_transfers(const nck_seg_t *segs, const nck_unit_t *units, const do
         grade_out[i] = 0;
         if (!inside) continue;
         const double v_free = nck_min(v[i - 1], v[i]);
-        v_out[i] = nck_link_transfer(segs, &units[i - 1], rule, v_free, &angle_out[i]);
+        v_out[i] = nck_turn_transfer(segs, &units[i - 1], rule, v_free, &angle_out[i]);
         grade_out[i] = nck_grade_of(rule, v_out[i] * v_out[i]);
     }
 }

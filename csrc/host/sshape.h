@@ -21,6 +21,7 @@ typedef enum nck_host_ramp {
 
 enum { NCK_HOST_SLOPE_CELLS = NCK_SSHAPE_CELLS }; // cells of a segment at most
 
+// A path of segments, as the caller steps its limits.
 typedef struct nck_host_path {
     const double *length; // n: of every segment [mm], positive
     const double *v_cap;  // n: cap inside of every segment [mm/s], positive

@@ -7,6 +7,7 @@
 #include <stddef.h> // size_t
 #include <stdint.h> // int64_t
 
+// Threads of one job, at most.
 enum { NCK_HOST_THREADS_MAX = 64 };
 
 // 1 if built with OpenMP. Cost: constant. Context: any.

@@ -16,8 +16,6 @@ enum {
     PREP = 5        // has work for all the time that is left
 };
 
-enum { EXIT_JOB = 2, EXIT_SYSTEM = 3, EXIT_KERNEL = 5 };
-
 // Without a whole tick for so long the watchdog takes over: more than the longest overrun that can
 // still be braked from.
 enum { WATCHDOG_TICKS = 16 };
@@ -37,7 +35,7 @@ static const struct {
 static void note_fault(void *user, os_fault_t fault, uint32_t priority) {
     app_t *const app = user;
     if (fault == OS_FAULT_STACK) app->fault_stack = priority + 1;
-    if (fault == OS_FAULT_KERNEL) hal_exit(EXIT_KERNEL);
+    if (fault == OS_FAULT_KERNEL) hal_exit(APP_EXIT_KERNEL);
 }
 
 // The end of every run whose tasks have run.
@@ -109,7 +107,7 @@ static void start(app_t *app) {
 
 int app_run(app_t *app) {
     memset(app, 0, sizeof *app);
-    if (!read_job(&app->job)) return EXIT_JOB;
+    if (!read_job(&app->job)) return APP_EXIT_JOB;
     app->tick.hash = app_hash_begin();
     const nck_hooks_t hooks = {.user = app, .on_output = app_output};
     if (nck_init(&app->nck, &app->job.machine, &hooks) != NCK_OK) {
@@ -120,5 +118,5 @@ int app_run(app_t *app) {
     app_guard_init(app);
     nck_transform_tick(&app->nck.transform, &app->nck.interpolate.pose, &app->tick.axes);
     start(app);
-    return EXIT_SYSTEM;
+    return APP_EXIT_SYSTEM;
 }

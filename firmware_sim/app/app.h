@@ -4,10 +4,12 @@
 #ifndef APP_H
 #define APP_H
 
-#include "app/job.h" // app_job_t
-#include "nck/nck.h" // nck_t
-#include "os/os.h"   // os_queue_t os_stack_t
+#include "app/job.h"     // app_job_t
+#include "app/outcome.h" // app_row_t app_exit_t
+#include "nck/nck.h"     // nck_t
+#include "os/os.h"       // os_queue_t os_stack_t
 
+// Sizes of the app.
 enum {
     APP_CHUNKS = 4,          // pieces of text between the feeder and prep
     APP_CHUNK_BYTES = 512,
@@ -39,33 +41,26 @@ typedef enum app_state {
     APP_STATES
 } app_state_t;
 
-// One row of the trace: what the drives got. Followed by one int64_t a joint [nm, ndeg].
-typedef struct app_row {
-    uint32_t tick;       // 1 is the first
-    uint32_t line;       // source line
-    uint32_t queue;      // final cells that wait
-    uint8_t state;       // app_state_t
-    uint8_t tick_state;  // nck_tick_state_t
-    uint8_t limit;       // nck_limit_t
-    uint8_t drives;      // 1: on
-} app_row_t;
-
+// When a state began.
 typedef struct app_event {
     uint32_t tick;
     uint32_t state; // app_state_t
 } app_event_t;
 
+// A piece of program text on its way from the feeder to prep.
 typedef struct app_chunk {
     uint32_t size;               // 0: the end of the program
     uint32_t used;               // by prep
     char text[APP_CHUNK_BYTES];
 } app_chunk_t;
 
+// A joint's travel.
 typedef struct app_range {
     int64_t least, most; // [nm, ndeg]
     uint32_t narrowed;   // 1: by the operator; programs know the machine's travel, not this
 } app_range_t;
 
+// The app, below.
 struct app;
 
 // What a task is handed. There is room below its stack, so that a task that overruns it on purpose
@@ -78,6 +73,7 @@ typedef struct app_task {
     os_stack_t stack[OS_STACK_WORDS(APP_STACK_BYTES)];
 } app_task_t;
 
+// The whole app: one static instance.
 typedef struct app {
     nck_t nck;
     app_job_t job;

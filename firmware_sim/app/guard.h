@@ -5,6 +5,7 @@
 
 #include "app/app.h" // app_t
 
+// What the guard says of a setpoint.
 typedef enum app_guard {
     APP_GUARD_FAR = 0,
     APP_GUARD_NEAR = 1,  // a joint can only just be stopped before its limit

@@ -15,11 +15,13 @@
 
 #include "nck/nck.h" // nck_machine_t
 
+// Bounds of a job.
 enum {
     APP_JOB_LINE_MAX = 120,   // bytes of a line
     APP_JOB_COMMANDS = 64     // commands of a job
 };
 
+// What reading a job returns.
 typedef enum app_job_status {
     APP_JOB_OK = 0,
     APP_JOB_E_WORD = -1,    // an unknown statement, setting or command
@@ -47,12 +49,14 @@ typedef enum app_command_kind {
     APP_COMMAND_KINDS = 13
 } app_command_kind_t;
 
+// One command of the job.
 typedef struct app_command {
     uint32_t tick;       // takes effect behind the setpoint of this tick; 0: before the first
     uint32_t kind;       // app_command_kind_t
     int64_t argument[3];
 } app_command_t;
 
+// What a run is to do.
 typedef struct app_job {
     nck_machine_t machine;
     uint32_t prep_steps;     // prep steps in a tick at most; 0: as many as there is time for

@@ -3,12 +3,10 @@
 #include "app/app.h" // app_run
 #include "hal/hal.h" // hal_init hal_exit
 
-enum { EXIT_STREAMS = 4 };
-
 static app_t app;
 
 int main(void) {
-    if (!hal_init()) hal_exit(EXIT_STREAMS);
+    if (!hal_init()) hal_exit(APP_EXIT_STREAMS);
     hal_exit(app_run(&app));
     return 0;
 }

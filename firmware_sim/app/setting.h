@@ -6,6 +6,7 @@
 #include "app/number.h" // app_word_t
 #include "nck/nck.h"    // nck_machine_t
 
+// What setting a number returns.
 typedef enum app_setting_status {
     APP_SETTING_OK = 0,
     APP_SETTING_E_NAME = -1,  // no such number

@@ -11,18 +11,9 @@
 #include <stddef.h> // size_t
 #include <stdint.h> // uint32_t
 
-// Exit statuses of the board itself; a program keeps to 0 … 99.
-enum {
-    BOARD_EXIT_UNEXPECTED = 100, // an exception that nobody takes
-    BOARD_EXIT_NMI = 101,
-    BOARD_EXIT_HARD_FAULT = 102,
-    BOARD_EXIT_MEM_FAULT = 103,
-    BOARD_EXIT_BUS_FAULT = 104,
-    BOARD_EXIT_USAGE_FAULT = 105, // undefined instruction, division by zero
-    BOARD_EXIT_OVERRUN = 106,     // for a program: a tick that took longer than its period
-    BOARD_EXIT_WATCHDOG = 107     // for a program: its watchdog was not fed
-};
+#include "board/exits.h" // board_exit_t
 
+// How a file of the host is opened.
 typedef enum board_mode {
     BOARD_READ = 1, // binary, from the start
     BOARD_WRITE = 5 // binary, emptied or made

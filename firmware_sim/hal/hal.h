@@ -8,6 +8,7 @@
 #include <stddef.h> // size_t
 #include <stdint.h> // uint32_t
 
+// Streams to and from the world outside.
 typedef enum hal_stream {
     HAL_JOB = 0,     // in, "job": what this run is to do
     HAL_PROGRAM = 1, // in, "program": NC text

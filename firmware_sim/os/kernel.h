@@ -7,6 +7,7 @@
 #include "os/os.h"
 #include "os/port.h" // os_port_may_wait
 
+// A task, as the kernel keeps it.
 typedef struct os_task {
     void *context;               // of the port, while the task does not run
     void (*entry)(void *user);   // NULL: there is no such task
@@ -24,6 +25,7 @@ typedef struct os_task {
     os_task_report_t report;
 } os_task_t;
 
+// How far the kernel is.
 typedef enum os_phase {
     OS_PHASE_BEFORE = 0,
     OS_PHASE_RUNNING = 1,
@@ -31,6 +33,7 @@ typedef enum os_phase {
     OS_PHASE_OVER = 3
 } os_phase_t;
 
+// All that the kernel knows.
 typedef struct os_kernel {
     os_hooks_t hooks;
     os_phase_t phase;

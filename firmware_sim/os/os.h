@@ -14,6 +14,7 @@
 #define OS_STACK_RESERVE 208 // bytes of every stack that are the port's: a Cortex-M's saved
 #endif                       // registers; the build of another port says how many
 
+// Bounds of the kernel.
 enum {
     OS_PRIORITIES = 16,                   // 0 is the highest; one task, or one ceiling, each
     OS_PRIORITY_IDLE = OS_PRIORITIES - 1, // the kernel's own task
@@ -23,6 +24,7 @@ enum {
 #define OS_NO_WAIT 0u           // a timeout: look once
 #define OS_FOREVER 0xFFFFFFFFu  // a timeout: wait until it comes
 
+// What a call returns.
 typedef enum os_status {
     OS_OK = 0,
     OS_TIMED_OUT = 1,    // it did not come in time
@@ -73,6 +75,7 @@ typedef struct os_sem {
     uint32_t waiting; // a bit for each priority that waits
 } os_sem_t;
 
+// Fields are the kernel's own.
 typedef struct os_mutex {
     uint32_t ceiling; // the owner runs at this priority, or its own if that is higher
     uint32_t owner;   // the task, OS_PRIORITIES: nobody
@@ -81,6 +84,7 @@ typedef struct os_mutex {
     struct os_mutex *previous; // which the owner took before this one
 } os_mutex_t;
 
+// Fields are the kernel's own.
 typedef struct os_queue {
     void **slots;
     uint32_t capacity, used, first;

@@ -9,7 +9,9 @@ import time
 
 import numpy as np
 
-from pycnc import device, device_grades, errors, grades
+from pycnc import device, errors
+from pycnc.device import grades as device_grades
+from pycnc.planning import grades
 
 SIZES = (1_000, 10_000, 100_000, 1_000_000)
 GRADES = 64  # as many as a table may have

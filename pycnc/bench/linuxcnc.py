@@ -12,9 +12,9 @@ same on every computer; a missing path_error or time would mean that the program
 
 from pycnc.bench import programs
 from pycnc.machine import Machine
-from pycnc.planning import Plan
+from pycnc.planning.plan import Plan
 from pycnc.program import Program
-from pycnc.trace import Trace
+from pycnc.report.trace import Trace
 
 # (name, program, path mode, LinuxCNC 2.9 trapezoid, 2.10 S-curve, lower bound [s])
 CASES = (

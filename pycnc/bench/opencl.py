@@ -11,7 +11,9 @@ import time
 
 import numpy as np
 
-from pycnc import device, device_grades, grades, parallel
+from pycnc import device
+from pycnc.device import grades as device_grades
+from pycnc.planning import grades, parallel
 
 SIZES = (10_000, 100_000, 1_000_000, 10_000_000)
 SECONDS = 0.3  # of repetition for each variant; three runs at least

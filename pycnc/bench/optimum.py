@@ -14,7 +14,8 @@ from pathlib import Path
 
 import numpy as np
 
-from pycnc import errors, parallel, stages
+from pycnc import errors, stages
+from pycnc.planning import parallel
 from pycnc.bench import numeric, timing
 
 PERIOD_S = 1e-3

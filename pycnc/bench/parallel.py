@@ -8,7 +8,7 @@ changes between variants, and paths on which no overlap is certain (see docs/par
 
 import numpy as np
 
-from pycnc import parallel
+from pycnc.planning import parallel
 
 SIZES = (1_000, 10_000, 100_000, 1_000_000, 10_000_000)
 SECONDS = 0.1  # of repetition for each variant; large sizes take five runs at least

@@ -4,8 +4,8 @@
 import numpy as np
 
 from pycnc import kernel, stages
-from pycnc._bind import check, ffi, lib, pointer
-from pycnc.records import dtype
+from pycnc.kernel.bind import check, ffi, lib, pointer
+from pycnc.kernel.records import dtype
 
 
 def ticks(text, machine, most):

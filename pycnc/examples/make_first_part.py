@@ -13,11 +13,13 @@ STAR = 360  # micro-segments of the star
 
 
 def main():
+    """Print the program."""
     for part in (head(), contour(), pocket(), holes(), star(), tail()):
         print("\n".join(part))
 
 
 def head():
+    """Yield what stands before the first cut."""
     yield "%"
     yield "(first_part: a plate 76 x 76 mm, zero in its middle, Z0 on top)"
     yield "(written by make_first_part.py)"
@@ -25,6 +27,7 @@ def head():
 
 
 def contour():
+    """Yield a rounded square around the plate, entered along an arc."""
     side, lead = PLATE + TOOL, 6.0
     round_, flat = CORNER + TOOL, PLATE - CORNER
     yield from ("", "(1: contour, end mill of 6 mm)", "T1 M6", "S9000 M3", "M8")
@@ -67,6 +70,7 @@ def pocket():
 
 
 def holes():
+    """Yield four holes, each a helix and a dwell."""
     yield from ("", "(3: four holes, a helix and a dwell each)", "F600")
     for x, y in ((28, 28), (-28, 28), (-28, -28), (28, -28)):
         yield f"G0 X{x + 1.5:.3f} Y{y}"
@@ -78,6 +82,7 @@ def holes():
 
 
 def star():
+    """Yield a star of micro-segments."""
     yield from ("", "(4: star on the floor of the pocket, micro-segments)", "M9", "T7 M6")
     yield from ("S18000 M3", "G64")
     for k in range(STAR + 1):
@@ -92,6 +97,7 @@ def star():
 
 
 def tail():
+    """Yield the way back."""
     yield from ("", "G61", "M5", "G28 Z5 (up to the reference point)", "G0 X0 Y0", "M30", "%")
 
 

@@ -5,11 +5,12 @@ from importlib import resources
 
 import numpy as np
 
-from pycnc import grades, stages
+from pycnc import stages
+from pycnc.planning import grades
 from pycnc.machine import Machine
 from pycnc.papers import paths
 from pycnc.program import Program
-from pycnc.trace import run
+from pycnc.report.trace import run
 
 WORKED_EXAMPLE = (1, 5, 2, 5, 3, 1)  # Cao, figure 10: preplanned grades of p1 to p6
 _FEW_BLOCKS, _MANY_BLOCKS = 200, 5000

@@ -6,9 +6,10 @@ import time
 
 import numpy as np
 
-from pycnc import errors, parallel
+from pycnc import errors
+from pycnc.planning import parallel
 from pycnc.papers import paths
-from pycnc.records import free_memory
+from pycnc.kernel.records import free_memory
 
 BLOCKS = (100, 300, 1_000, 3_000, 10_000, 30_000, 100_000, 300_000, 1_000_000)
 SIZES = (10**3, 10**4, 10**5, 10**6, 10**7, 10**8)

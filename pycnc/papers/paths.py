@@ -11,9 +11,10 @@ from importlib import resources
 
 import numpy as np
 
-from pycnc import grades, stages
+from pycnc import stages
+from pycnc.planning import grades
 from pycnc.machine import Machine
-from pycnc.planning import plan
+from pycnc.planning.plan import plan
 
 LOOKAHEADS = (0, 1, 2, 6)  # of Cao's figures 14 and table 2
 PRINTED_MS = {0: 31636, 1: 7456, 2: 7208}  # Cao, section 8: total time by look-ahead segments

@@ -7,7 +7,7 @@ from pathlib import Path
 import numpy as np
 
 from pycnc.extras import need
-from pycnc.measure import KINDS
+from pycnc.planning.measure import KINDS
 from pycnc.papers import paths
 
 _INK, _GRID = "#20242c", "#e4e7ec"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Bulk calls and the simulated controller, in the capacities of this build: nothing is lost at the
+// Bulk calls and the simulation, in the capacities of this build: nothing is lost at the
 // end of an array, a plan takes as long as its run, and however few steps prep gets, a run comes to
 // its end within the limits.
 #include <math.h>   // fabs

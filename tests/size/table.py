@@ -1,5 +1,7 @@
 # SPDX-License-Identifier: MIT
-"""What libnck costs on two microcontroller cores: print the tables, or renew README's (--write).
+"""What libnck costs on two microcontroller cores: print the tables, or renew them (--write).
+
+They stand in docs/size.md.
 
 Flash is code and constants, room by room, of the default capacities. The C runtime counts what a
 linked image takes from the compiler's libraries on top: arithmetic in double without a double FPU,
@@ -216,8 +218,8 @@ def numbers(text):
     return found
 
 
-def split_readme(text):
-    """Return README's text before, in and after the tables."""
+def split_page(text):
+    """Return the page's text before, in and after the tables."""
     begin = text.index(BEGIN) + len(BEGIN)
     end = text.index(END, begin)
     return text[:begin], text[begin:end], text[end:]
@@ -225,15 +227,15 @@ def split_readme(text):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--write", action="store_true", help="renew the tables in README.md")
+    parser.add_argument("--write", action="store_true", help="renew the tables in docs/size.md")
     given = parser.parse_args()
     measured = table()
     if not given.write:
         print(measured, end="")
         return
-    readme = ROOT / "README.md"
-    before, _, after = split_readme(readme.read_text(encoding="utf-8"))
-    readme.write_text(before + measured + after, encoding="utf-8")
+    page = ROOT / "docs" / "size.md"
+    before, _, after = split_page(page.read_text(encoding="utf-8"))
+    page.write_text(before + measured + after, encoding="utf-8")
 
 
 if __name__ == "__main__":

@@ -19,6 +19,7 @@ static inline nck_real nck_envelope_backward(nck_real w_cap, nck_real w_next, nc
     return reach < w_cap ? reach : w_cap;
 }
 
+// The forward step: see above.
 static inline nck_real nck_envelope_forward(nck_real w, nck_real w_before, nck_real h) {
     const nck_real reach = w_before + h;
     return reach < w ? reach : w;

@@ -25,6 +25,7 @@
 // Running numbers of cells count modulo 2²⁹.
 enum { NCK_LINK_COUNT_MASK = 0x1fffffff };
 
+// The link. Who writes a member stands behind it; the tick reads the rings, prep fills them.
 typedef struct nck_link {
     uint32_t word;        // end << 3 | has tail << 2 | parity << 1 | entered; both, by exchange
     uint32_t seg_head;    // segs pushed; prep writes

@@ -8,6 +8,7 @@
 #include "nck/base/records.h" // axis order
 #include "nck/base/status.h"  // nck_status_t
 
+// Counts and ranges that are no machine's to choose.
 enum {
     NCK_WORK_SYSTEMS = 9,         // G54 … G59, G59.1 … G59.3
     NCK_LINEAR_MAX_MM = 1000000,  // furthest position, word and offset of X Y Z U V W
@@ -16,17 +17,20 @@ enum {
     NCK_COUNTS_PER_DEG = 1000000000 // fixed point of A B C: 1 ndeg
 };
 
+// How axes become joints.
 typedef enum nck_kinematics {
     NCK_KINEMATICS_IDENTITY = 0, // joint k is the machine's axis k, in the order X Y Z A B C U V W
     NCK_KINEMATICS_LATHE_XZ = 1  // joint 0 is X (radius), joint 1 is Z
 } nck_kinematics_t;
 
+// The velocity profile (slope): how speed is built up and taken down.
 typedef enum nck_slope_kind {
     NCK_SLOPE_LINEAR = 0, // acceleration-limited
     NCK_SLOPE_JERK = 1,   // jerk-limited, acceleration carried across junctions
     NCK_SLOPE_SSHAPE = 2  // jerk-limited, no acceleration at junctions (classical S-shape)
 } nck_slope_kind_t;
 
+// How program text is read.
 typedef enum nck_dialect {
     NCK_DIALECT_LINUXCNC = 0, NCK_DIALECT_FANUC = 1, NCK_DIALECT_GRBL = 2, NCK_DIALECT_MARLIN = 3
 } nck_dialect_t;
@@ -44,11 +48,13 @@ typedef enum nck_quantity {
     NCK_QUANTITIES = 8
 } nck_quantity_t;
 
+// What a quantity may be.
 typedef struct nck_range {
     double low;  // the least that is good
     double high; // the most
 } nck_range_t;
 
+// One axis. Capitals name the quantity whose range holds.
 typedef struct nck_axis {
     uint8_t present;  // 1: the machine has this axis
     uint8_t rotary;   // 1: degrees
@@ -61,6 +67,7 @@ typedef struct nck_axis {
     int64_t max_nm;   // travel; INT64_MAX: free
 } nck_axis_t;
 
+// One tool of the table.
 typedef struct nck_tool {
     uint32_t number;      // T and H name it
     uint32_t orientation; // lathe: 0..9

@@ -10,6 +10,7 @@
 
 #ifdef __OPENCL_VERSION__
 #pragma OPENCL FP_CONTRACT OFF
+// The same words in both languages: arguments read and written, the number, its functions.
 #define NCK_IN __global const
 #define NCK_OUT __global
 typedef NCK_REAL nck_real;
@@ -20,6 +21,7 @@ typedef long nck_int64;
 #else
 #include <math.h>   // sqrt fabs floor: exact in IEEE 754, no other function of libm is used
 #include <stdint.h> // int64_t
+// As above.
 #define NCK_IN const
 #define NCK_OUT
 typedef NCK_REAL nck_real;

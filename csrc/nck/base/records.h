@@ -11,16 +11,19 @@
 #ifndef __OPENCL_VERSION__
 #include <stdint.h> // int64_t uint32_t uint8_t
 #else
+// OpenCL C has these types by other names.
 typedef uchar uint8_t;
 typedef uint uint32_t;
 typedef long int64_t;
 #endif
 
+// Axes by their place in every array.
 enum {
     NCK_AXIS_X = 0, NCK_AXIS_Y, NCK_AXIS_Z, NCK_AXIS_A, NCK_AXIS_B, NCK_AXIS_C,
     NCK_AXIS_U, NCK_AXIS_V, NCK_AXIS_W
 };
 
+// What a block asks for.
 typedef enum nck_block_kind {
     NCK_BLOCK_RAPID = 0, // G0: straight, as fast as the axes allow
     NCK_BLOCK_LINE = 1,  // G1
@@ -31,18 +34,21 @@ typedef enum nck_block_kind {
     NCK_BLOCK_END = 6    // M2, M30 or end of text: stop
 } nck_block_kind_t;
 
+// How the path meets the program.
 typedef enum nck_path_mode {
     NCK_PATH_EXACT = 0,     // G61: on the path, junctions crossed by the transfer rule
     NCK_PATH_STOP = 1,      // G61.1, G9: a stop at the end of every move
     NCK_PATH_CONTINUOUS = 2 // G64 P Q: within the tolerance
 } nck_path_mode_t;
 
+// What F means.
 typedef enum nck_feed_mode {
     NCK_FEED_PER_MINUTE = 0, // G94: feed in mm/min (deg/min for a move of rotary axes alone)
     NCK_FEED_INVERSE = 1,    // G93: feed in 1/min: the move takes 1/feed minutes
     NCK_FEED_PER_REV = 2     // G95: feed in mm/rev of the commanded spindle speed
 } nck_feed_mode_t;
 
+// What an output hands over.
 typedef enum nck_output_kind {
     NCK_OUTPUT_SPINDLE_SPEED = 0, // S: value [rpm, or mm/min of surface speed under G96]
     NCK_OUTPUT_M = 1,             // value = the M code
@@ -78,6 +84,7 @@ typedef struct nck_block {
     nck_output_t output;  // NCK_BLOCK_OUTPUT, NCK_BLOCK_WAIT, NCK_BLOCK_END (kind M)
 } nck_block_t;
 
+// The geometry of a seg.
 typedef enum nck_seg_kind {
     NCK_SEG_LINE = 0,
     NCK_SEG_ARC = 1,
@@ -213,6 +220,7 @@ typedef struct nck_pose {
     double axis[NCK_AXIS_MAX]; // [mm, deg]
 } nck_pose_t;
 
+// What a tick finds the path doing.
 typedef enum nck_tick_state {
     NCK_TICK_IDLE = 0,    // at rest, nothing to do
     NCK_TICK_MOVE = 1,    // on the path

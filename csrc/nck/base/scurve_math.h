@@ -6,6 +6,7 @@
 #include "nck/base/real.h"      // nck_real nck_sqrt nck_max
 #include "nck/base/root_math.h" // nck_root_cube
 
+// Steps of the searches here.
 enum {
     NCK_SCURVE_NEWTON = 8,    // steps at most; 3 to 5 are the rule
     NCK_SCURVE_HALVINGS = 12  // of a highest speed that is sought: times are good to 1e-4

@@ -5,6 +5,7 @@
 
 #include <stdint.h> // int32_t uint32_t
 
+// What a call returns.
 typedef enum nck_status {
     NCK_OK = 0,       // done, or one bounded piece of work done
     NCK_EMPTY = 1,    // nothing to take: the producer must go first

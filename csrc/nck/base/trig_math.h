@@ -5,6 +5,7 @@
 
 #include "nck/base/real.h" // nck_real nck_sqrt nck_floor
 
+// π and π/2, rounded.
 #define NCK_PI 3.14159265358979323846
 #define NCK_HALF_PI 1.57079632679489661923
 

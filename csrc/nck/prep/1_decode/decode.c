@@ -7,25 +7,6 @@
 
 enum { FOREIGN_LINES = 100 }; // a foreign language shows itself at the beginning
 
-nck_status_t nck_decode_fail(nck_decode_t *self, nck_status_t code, unsigned column, int letter,
-                             double value, double limit) {
-    self->finding.error = (nck_diagnostic_t){code, self->line.number, column, letter, value, limit};
-    return code;
-}
-
-nck_status_t nck_decode_fail_word(nck_decode_t *self, nck_status_t code, int letter, double value,
-                                  double limit) {
-    return nck_decode_fail(self, code, self->words.column[letter - 'A'], letter, value, limit);
-}
-
-void nck_decode_find(nck_decode_t *self, const nck_diagnostic_t *finding) {
-    if (self->finding.count >= NCK_DECODE_FINDINGS) {
-        self->finding.lost++;
-        return;
-    }
-    self->finding.queue[self->finding.count++] = *finding;
-}
-
 static nck_status_t fail_last(nck_decode_t *self, nck_status_t code, double value) {
     self->text.over = 1;
     return nck_decode_fail(self, code, 0, 0, value, 0.0);
@@ -52,24 +33,16 @@ static nck_status_t unreadable(nck_decode_t *self, nck_status_t status) {
     return nck_decode_fail(self, NCK_E_LINE_LENGTH, 0, 0, NCK_LINE_MAX, NCK_LINE_MAX);
 }
 
-static nck_status_t read_line(nck_decode_t *self) {
+// Where the line begins, behind a byte order mark and blanks.
+static const char *begin_of_line(const nck_decode_t *self) {
     const char *at = self->line.text;
-    if (self->line.binary) {
-        return fail_last(self, NCK_E_BINARY, 0.0);
-    }
     if (self->line.number == 1 && memcmp(at, "\xef\xbb\xbf", 3) == 0) at += 3;
     while (*at == ' ' || *at == '\t') at++;
-    if (*at == '\n') return NCK_OK;
-    if (*at == '%') {
-        const nck_status_t status = percent_line(self, at);
-        self->text.begun = 1;
-        return status;
-    }
-    self->text.begun = 1;
-    if (*at == '/') {
-        if (self->machine->dialect.block_skip) return NCK_OK;
-        at++;
-    }
+    return at;
+}
+
+// What the line says from its first word on.
+static nck_status_t read_words(nck_decode_t *self, const char *at) {
     const nck_status_t status = nck_decode_words(self, at);
     if (status != NCK_OK || (self->line.overflow && !self->words.tail)) {
         self->text.words = 1;
@@ -78,6 +51,20 @@ static nck_status_t read_line(nck_decode_t *self) {
     if (self->words.codes == 0 && !(self->words.letters & ~NCK_LETTER('N'))) return NCK_OK;
     self->text.words = 1;
     return nck_decode_resolve(self);
+}
+
+static nck_status_t read_line(nck_decode_t *self) {
+    if (self->line.binary) return fail_last(self, NCK_E_BINARY, 0.0);
+    const char *const at = begin_of_line(self);
+    if (*at == '\n') return NCK_OK;
+    if (*at == '%') {
+        const nck_status_t status = percent_line(self, at);
+        self->text.begun = 1;
+        return status;
+    }
+    self->text.begun = 1;
+    if (*at != '/') return read_words(self, at);
+    return self->machine->dialect.block_skip ? NCK_OK : read_words(self, at + 1);
 }
 
 static void release_line(nck_decode_t *self) {
@@ -140,6 +127,14 @@ static nck_status_t finish(nck_decode_t *self, nck_block_t *out) {
     return give_end(self, out);
 }
 
+// The closing % has been read.
+static nck_status_t close_program(nck_decode_t *self, nck_block_t *out) {
+    release_line(self);
+    if (!self->text.words) return fail_line(self, fail_last(self, NCK_E_NO_PROGRAM, 0.0));
+    self->text.watch = 1;
+    return give_end(self, out);
+}
+
 nck_status_t nck_decode_pull(nck_decode_t *self, nck_block_t *block_out) {
     nck_status_t status = NCK_OK;
     if (self->text.over) return NCK_DONE;
@@ -151,14 +146,7 @@ nck_status_t nck_decode_pull(nck_decode_t *self, nck_block_t *block_out) {
         self->line.state = NCK_LINE_RUNNING;
         status = read_line(self);
     }
-    if (status == NCK_OK && self->text.closed) {
-        release_line(self);
-        if (!self->text.words) {
-            return fail_line(self, fail_last(self, NCK_E_NO_PROGRAM, 0.0));
-        }
-        self->text.watch = 1;
-        return give_end(self, block_out);
-    }
+    if (status == NCK_OK && self->text.closed) return close_program(self, block_out);
     if (status == NCK_OK) status = run_steps(self, block_out);
     if (status < 0) return fail_line(self, status);
     if (self->words.steps == 0) release_line(self);

@@ -17,6 +17,7 @@
 #include "nck/base/status.h"         // nck_status_t nck_diagnostic_t
 #include "nck/prep/1_decode/words.h" // nck_words_t
 
+// Bounds of words, and of what is kept.
 enum {
     NCK_DECODE_VALUE_MAX = 1000000000,    // largest F [mm/min, 1/min, mm/rev] and S [rpm]
     NCK_DECODE_DWELL_MAX_S = 1000000,     // longest G4
@@ -31,12 +32,14 @@ typedef enum nck_dialect_hint {
     NCK_HINT_OKUMA = 3       // $NAME.MIN%
 } nck_dialect_hint_t;
 
+// How far the line in hand is.
 typedef enum nck_decode_line_state {
     NCK_LINE_OPEN = 0,    // text is being collected
     NCK_LINE_WAITING = 1, // complete, not looked at
     NCK_LINE_RUNNING = 2  // read, its steps are being done
 } nck_decode_line_state_t;
 
+// What modal.motion is where it is no G code.
 typedef enum nck_no_motion {
     NCK_MOTION_NONE = -1,   // at start, after G80
     NCK_MOTION_REFUSED = -2 // a refused line would have set it: what counts on that moves nothing

@@ -2,11 +2,19 @@
 // Settings that stay in force, and what is not motion: outputs, dwell, stops.
 #include "nck/prep/1_decode/parts.h"
 
+#include <stddef.h> // NULL
 #include <string.h> // memcpy memset
 
 static const double value_max = NCK_DECODE_VALUE_MAX;
 static const double dwell_max_s = NCK_DECODE_DWELL_MAX_S;
 static const double linear_max_mm = NCK_LINEAR_MAX_MM;
+
+const nck_tool_t *nck_decode_find_tool(const nck_decode_t *self, uint32_t number) {
+    for (uint32_t k = 0; k < self->machine->tool_count; k++) {
+        if (self->machine->tool[k].number == number) return &self->machine->tool[k];
+    }
+    return NULL;
+}
 
 static double real_word(const nck_decode_t *self, char letter) {
     return nck_number_real(&self->words.number[letter - 'A']);

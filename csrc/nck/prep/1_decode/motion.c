@@ -8,71 +8,6 @@ static int axis_bit(uint32_t axes, unsigned axis) {
     return (int)((axes >> axis) & 1u);
 }
 
-// [mm] or [deg]
-static double shown(const nck_decode_t *self, unsigned axis, int64_t value_nm) {
-    const int rotary = axis_bit(self->place.rotary, axis);
-    return (double)value_nm / (rotary ? NCK_COUNTS_PER_DEG : NCK_COUNTS_PER_MM);
-}
-
-static const nck_scale_t *scale_of(const nck_decode_t *self, unsigned axis) {
-    if (axis == NCK_AXIS_X) return &self->place.scale[1];
-    return &self->place.scale[axis_bit(self->place.rotary, axis) ? 2 : 0];
-}
-
-static unsigned column_of_axis(const nck_decode_t *self, unsigned axis) {
-    const int letter = nck_decode_letter(axis);
-    const int said = (self->words.letters & NCK_LETTER(letter)) != 0;
-    return said ? self->words.column[letter - 'A'] : 0;
-}
-
-void nck_decode_assume(nck_decode_t *self, nck_note_t note) {
-    if ((self->finding.given | self->finding.notes) & (1u << note)) return;
-    const nck_diagnostic_t finding = {(int32_t)note, self->line.number, 0, 0, 0.0, 0.0};
-    self->finding.notes |= 1u << note;
-    nck_decode_find(self, &finding);
-}
-
-nck_status_t nck_decode_axis_word(nck_decode_t *self, unsigned axis, int64_t *value_out) {
-    const int letter = nck_decode_letter(axis);
-    const nck_number_t *const word = &self->words.number[letter - 'A'];
-    const nck_scale_t *const scale = scale_of(self, axis);
-    if (nck_number_fixed(self->line.text, word, scale, value_out)) return NCK_OK;
-    return nck_decode_fail_word(self, NCK_E_NUMBER_RANGE, letter, nck_number_real(word),
-                                shown(self, axis, scale->limit));
-}
-
-nck_status_t nck_decode_travel(nck_decode_t *self, unsigned axis, int64_t position_nm) {
-    const nck_axis_t *const travel = &self->machine->axis[axis];
-    if (position_nm >= travel->min_nm && position_nm <= travel->max_nm) return NCK_OK;
-    const int64_t limit_nm = position_nm < travel->min_nm ? travel->min_nm : travel->max_nm;
-    return nck_decode_fail(self, NCK_E_TRAVEL, column_of_axis(self, axis), nck_decode_letter(axis),
-                           shown(self, axis, position_nm), shown(self, axis, limit_nm));
-}
-
-// The machine position that the axis words name; axes without a word stay.
-// absolute: 1: words count from the machine's zero (G53).
-static nck_status_t read_target(nck_decode_t *self, int absolute, int64_t *target_nm) {
-    memcpy(target_nm, self->place.position_nm, sizeof self->place.position_nm);
-    uint32_t axes = self->words.axes;
-    for (unsigned axis = 0; axes != 0; axis++, axes >>= 1) {
-        int64_t value = 0;
-        if (!(axes & 1u)) continue;
-        const nck_status_t status = nck_decode_axis_word(self, axis, &value);
-        if (status != NCK_OK) return status;
-        if (!absolute) {
-            value += self->modal.incremental ? self->place.position_nm[axis]
-                                             : self->place.origin_nm[axis];
-        }
-        const int64_t limit = scale_of(self, axis)->limit;
-        if (value < -limit || value > limit) {
-            return nck_decode_fail_word(self, NCK_E_NUMBER_RANGE, nck_decode_letter(axis),
-                                        shown(self, axis, value), shown(self, axis, limit));
-        }
-        target_nm[axis] = value;
-    }
-    return NCK_OK;
-}
-
 static nck_status_t check_targets(nck_decode_t *self, uint32_t axes, const int64_t *target_nm) {
     for (unsigned axis = 0; axes != 0; axis++, axes >>= 1) {
         const nck_status_t status = axes & 1u ? nck_decode_travel(self, axis, target_nm[axis])
@@ -161,7 +96,7 @@ nck_status_t nck_decode_motion(nck_decode_t *self, nck_block_t *out) {
     nck_decode_assume(self, NCK_NOTE_UNITS);
     nck_decode_assume(self, NCK_NOTE_DISTANCE);
     const int absolute = (self->words.codes & NCK_STEP(NCK_STEP_MACHINE)) != 0;
-    nck_status_t status = read_target(self, absolute, target_nm);
+    nck_status_t status = nck_decode_target(self, absolute, target_nm);
     if (status != NCK_OK) return status;
     if (code >= 20) {
         status = arc(self, target_nm, out);
@@ -184,7 +119,7 @@ nck_status_t nck_decode_reference(nck_decode_t *self, nck_block_t *out) {
     if (self->machine->dialect.base != NCK_DIALECT_MARLIN && self->words.axes != 0) {
         nck_decode_assume(self, NCK_NOTE_UNITS);
         nck_decode_assume(self, NCK_NOTE_DISTANCE);
-        status = read_target(self, 0, target_nm);
+        status = nck_decode_target(self, 0, target_nm);
         if (status != NCK_OK) return status;
     }
     status = straight(self, NCK_BLOCK_RAPID, target_nm, out);

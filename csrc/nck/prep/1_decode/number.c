@@ -34,15 +34,23 @@ static const char *skip_blanks(const char *at) {
     return at;
 }
 
+// Read the sign, if there is one. Returns what follows it.
+static const char *read_sign(const char *at, nck_number_t *out) {
+    at = skip_blanks(at);
+    out->negative = *at == '-';
+    return *at == '-' || *at == '+' ? skip_blanks(at + 1) : at;
+}
+
+static int16_t bounded_decimals(int decimals) {
+    if (decimals < DECIMALS_MIN) return DECIMALS_MIN;
+    return decimals > DECIMALS_MAX ? DECIMALS_MAX : (int16_t)decimals;
+}
+
 const char *nck_number_read(const char *text, const char *at, nck_number_t *out) {
     int64_t mantissa = 0;
     int decimals = 0, point = 0, digits = 0, longer = 0;
 
-    at = skip_blanks(at);
-    out->negative = *at == '-';
-    if (*at == '-' || *at == '+') {
-        at = skip_blanks(at + 1);
-    }
+    at = read_sign(at, out);
     out->first = (uint16_t)(at - text);
     for (;; at++) {
         const unsigned digit = digit_of(*at);
@@ -61,9 +69,7 @@ const char *nck_number_read(const char *text, const char *at, nck_number_t *out)
     }
     out->last = (uint16_t)(at - text);
     out->mantissa = mantissa;
-    if (decimals < DECIMALS_MIN) decimals = DECIMALS_MIN;
-    if (decimals > DECIMALS_MAX) decimals = DECIMALS_MAX;
-    out->decimals = (int16_t)decimals;
+    out->decimals = bounded_decimals(decimals);
     out->longer = (uint8_t)longer;
     return digits ? at : (const char *)0;
 }

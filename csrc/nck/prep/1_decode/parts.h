@@ -13,6 +13,7 @@
 #define NCK_LETTER(c) ((uint32_t)1 << ((c) - 'A'))
 #define NCK_STEP(k) ((uint32_t)1 << (k))
 
+// Sets of letters.
 enum {
     NCK_LETTERS_LINEAR = (1 << ('X' - 'A')) | (1 << ('Y' - 'A')) | (1 << ('Z' - 'A'))
                        | (1 << ('U' - 'A')) | (1 << ('V' - 'A')) | (1 << ('W' - 'A')),
@@ -20,19 +21,36 @@ enum {
     NCK_LETTERS_CENTRE = (1 << ('I' - 'A')) | (1 << ('J' - 'A')) | (1 << ('K' - 'A'))
 };
 
+// A step.
 typedef nck_status_t (*nck_step_function_t)(nck_decode_t *self, nck_block_t *out);
 
-// decode.c: note the line's error, the last one counts. column: 1-based, 0 for the whole line;
+// finding.c: note the line's error, the last one counts. column: 1-based, 0 for the whole line;
 // letter: upper case or 0. Returns code. Cost: constant.
 nck_status_t nck_decode_fail(nck_decode_t *self, nck_status_t code, unsigned column, int letter,
                              double value, double limit);
 
-// decode.c: the same for a word of the line: its column and letter.
+// finding.c: the same for a word of the line: its column and letter.
 nck_status_t nck_decode_fail_word(nck_decode_t *self, nck_status_t code, int letter, double value,
                                   double limit);
 
-// decode.c: queue a finding. Cost: constant.
+// finding.c: queue a finding. Cost: constant.
 void nck_decode_find(nck_decode_t *self, const nck_diagnostic_t *finding);
+
+// finding.c: give a note if the program leaves it to the machine. Cost: constant.
+void nck_decode_assume(nck_decode_t *self, nck_note_t note);
+
+// axis.c: the letter of axis 0 … 8: X Y Z A B C U V W. Cost: constant.
+int nck_decode_letter(unsigned axis);
+
+// axis.c: the word of an axis, [nm] or [ndeg]; NCK_E_NUMBER_RANGE. Cost: constant.
+nck_status_t nck_decode_axis_word(nck_decode_t *self, unsigned axis, int64_t *value_out);
+
+// axis.c: the machine position that the axis words name; axes without a word stay. absolute: 1:
+// words count from the machine's zero (G53). NCK_E_NUMBER_RANGE. Cost: constant.
+nck_status_t nck_decode_target(nck_decode_t *self, int absolute, int64_t *target_nm);
+
+// axis.c: is a machine position within the travel of its axis? NCK_E_TRAVEL. Cost: constant.
+nck_status_t nck_decode_travel(nck_decode_t *self, unsigned axis, int64_t position_nm);
 
 // words.c: the line from `at` on as words. Cost: linear in the line.
 nck_status_t nck_decode_words(nck_decode_t *self, const char *at);
@@ -80,13 +98,13 @@ void nck_decode_block(const nck_decode_t *self, nck_block_kind_t kind, nck_block
 // modal.c: the scales of axis words, after a change of units or of diameter mode. Cost: constant.
 void nck_decode_scale(nck_decode_t *self);
 
+// modal.c: a tool of the table, NULL if it has none of that number. Cost: linear in the tools.
+const nck_tool_t *nck_decode_find_tool(const nck_decode_t *self, uint32_t number);
+
 // place.c: offsets.
 nck_status_t nck_decode_length(nck_decode_t *self, nck_block_t *out);
 nck_status_t nck_decode_work(nck_decode_t *self, nck_block_t *out);
 nck_status_t nck_decode_offset(nck_decode_t *self, nck_block_t *out);
-
-// place.c: a tool of the table, NULL if it has none of that number. Cost: linear in the tools.
-const nck_tool_t *nck_decode_find_tool(const nck_decode_t *self, uint32_t number);
 
 // place.c: the origin from its parts, after a change of one. Cost: constant.
 void nck_decode_origin(nck_decode_t *self);
@@ -96,19 +114,7 @@ nck_status_t nck_decode_motion(nck_decode_t *self, nck_block_t *out);
 nck_status_t nck_decode_reference(nck_decode_t *self, nck_block_t *out);
 nck_status_t nck_decode_second(nck_decode_t *self, nck_block_t *out);
 
-// motion.c: the word of an axis, [nm] or [ndeg]; NCK_E_NUMBER_RANGE. Cost: constant.
-nck_status_t nck_decode_axis_word(nck_decode_t *self, unsigned axis, int64_t *value_out);
-
-// motion.c: is a machine position within the travel of its axis? NCK_E_TRAVEL. Cost: constant.
-nck_status_t nck_decode_travel(nck_decode_t *self, unsigned axis, int64_t position_nm);
-
-// motion.c: give a note if the program leaves it to the machine. Cost: constant.
-void nck_decode_assume(nck_decode_t *self, nck_note_t note);
-
 // arc.c: the arc to a machine position; a second part of it goes to self->second. Cost: constant.
 nck_status_t nck_decode_arc(nck_decode_t *self, const int64_t *target_nm, nck_block_t *out);
-
-// resolve.c: the letter of axis 0 … 8: X Y Z A B C U V W. Cost: constant.
-int nck_decode_letter(unsigned axis);
 
 #endif

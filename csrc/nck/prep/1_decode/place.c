@@ -5,13 +5,6 @@
 #include <stddef.h> // NULL
 #include <string.h> // memcpy memset
 
-const nck_tool_t *nck_decode_find_tool(const nck_decode_t *self, uint32_t number) {
-    for (uint32_t k = 0; k < self->machine->tool_count; k++) {
-        if (self->machine->tool[k].number == number) return &self->machine->tool[k];
-    }
-    return NULL;
-}
-
 void nck_decode_origin(nck_decode_t *self) {
     const int64_t *const work = self->place.work_nm[self->place.work_system];
     for (unsigned axis = 0; axis < NCK_AXIS_MAX; axis++) {
@@ -77,10 +70,10 @@ static nck_status_t rename_position(nck_decode_t *self) {
     return NCK_EMPTY;
 }
 
-// G10 L2 Pn: the zero of work system n (P0: the one in force) for the axes named.
-static nck_status_t set_work(nck_decode_t *self) {
+// G10 L2 Pn: which work system, 0 for the one in force.
+static nck_status_t read_system(nck_decode_t *self, int64_t *number_out) {
     const nck_words_t *const words = &self->words;
-    int64_t list = 0, number = 0;
+    int64_t list = 0;
     if (!(words->letters & NCK_LETTER('L'))) return fail_missing(self, 'L');
     if (!(words->letters & NCK_LETTER('P'))) return fail_missing(self, 'P');
     if (!nck_number_whole(&words->number['L' - 'A'], 0, &list) || list != 2) {
@@ -90,11 +83,20 @@ static nck_status_t set_work(nck_decode_t *self) {
     if (words->letters & NCK_LETTER('R')) {
         return nck_decode_fail_word(self, NCK_E_UNSUPPORTED, 'R', 0.0, 0.0);
     }
-    if (!nck_number_whole(&words->number['P' - 'A'], 0, &number) || number < 0
-        || number > NCK_WORK_SYSTEMS) {
+    if (!nck_number_whole(&words->number['P' - 'A'], 0, number_out) || *number_out < 0
+        || *number_out > NCK_WORK_SYSTEMS) {
         return nck_decode_fail_word(self, NCK_E_NUMBER_RANGE, 'P',
                                     nck_number_real(&words->number['P' - 'A']), NCK_WORK_SYSTEMS);
     }
+    return NCK_OK;
+}
+
+// G10 L2: the zero of a work system for the axes named.
+static nck_status_t set_work(nck_decode_t *self) {
+    const nck_words_t *const words = &self->words;
+    int64_t number = 0;
+    const nck_status_t system = read_system(self, &number);
+    if (system != NCK_OK) return system;
     int64_t *const work = self->place.work_nm[number > 0 ? number - 1 : self->place.work_system];
     for (unsigned axis = 0; axis < NCK_AXIS_MAX; axis++) {
         int64_t value = 0;

@@ -2,12 +2,6 @@
 // Do the words and codes of a line fit together, and who gets the axis words?
 #include "nck/prep/1_decode/parts.h"
 
-static const char axis_letter[] = "XYZABCUVW";
-
-int nck_decode_letter(unsigned axis) {
-    return axis_letter[axis];
-}
-
 static int has(const nck_words_t *words, nck_step_t step) {
     return (words->codes & NCK_STEP(step)) != 0;
 }
@@ -92,7 +86,7 @@ static nck_status_t claim_axes(nck_decode_t *self) {
     uint32_t letters = axis_letters(self);
     uint32_t strangers = 0;
     for (unsigned axis = 0; letters != 0; axis++) {
-        const uint32_t letter = letters & NCK_LETTER(axis_letter[axis]);
+        const uint32_t letter = letters & NCK_LETTER(nck_decode_letter(axis));
         const uint32_t bit = (uint32_t)1 << axis;
         letters &= ~letter;
         if (letter != 0) words->axes |= bit;

@@ -40,6 +40,7 @@ typedef enum nck_step {
     NCK_STEP_COUNT
 } nck_step_t;
 
+// Letters that a word may begin with.
 enum { NCK_LETTERS = 26 };
 
 // The words of the line in work. What a bit does not announce is left over from an earlier line.

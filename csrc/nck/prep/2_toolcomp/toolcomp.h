@@ -6,6 +6,7 @@
 #include "nck/base/machine.h" // nck_machine_t
 #include "nck/base/records.h" // nck_block_t
 
+// The room's state.
 typedef struct nck_toolcomp {
     const nck_machine_t *machine; // who has X, Y and Z
 } nck_toolcomp_t;

@@ -7,6 +7,7 @@
 
 #include "nck/prep/3_smooth/smooth.h" // nck_smooth_t
 
+// Segs of a blend, at most.
 enum { NCK_BLEND_SEGS = 6 };
 
 // How far a blend keeps from the next corner, in spacings of the spline there.

@@ -11,8 +11,8 @@
 #include "nck/prep/3_smooth/spacing.h"     // nck_spacing_know
 #include "nck/prep/3_smooth/spline_math.h" // nck_spline_…
 
-// Share of the tolerance that the end of the run may take which could follow a knot, so that
-// something is left for the knot that follows instead.
+// A knot is taken only if the spline could also end there. The first tries allow that end this
+// share of the tolerance. The rest is left to the knot that will follow instead.
 #define AIM_END 0.98
 #define STEP_GROWTH 1.1  // from one knot interval to the next, where the path is not straight
 #define SURE 0.5         // of √(P/κ): from rest a step on one block that certainly fits
@@ -184,6 +184,22 @@ static void take_what_fits(nck_smooth_t *self) {
     self->run.kinks++;
 }
 
+// Try the steps on a way, from the one wanted down. 1 if the knot at one of them fits.
+static int take_step(nck_smooth_t *self, const way_t *way) {
+    const double here = self->run.t[4];
+    const double step = nck_min(wanted_step(self, way), straight_step(self));
+    const int reaches = here + step >= way->goal || step == way->goal - here;
+    for (int n = 0; n < TRIES; n++) {
+        const int at_goal = n == 0 && reaches;
+        const double t = at_goal ? way->goal : snap(self, here + shorter_step(self, step, n));
+        if (t - here < nck_raw_least(t)) return 0;
+        if (!try_knot(self, t, n < TRIES_CAREFUL ? AIM_END : 1.0)) continue;
+        self->run.on_key = at_goal && way->is_key;
+        return 1;
+    }
+    return 0;
+}
+
 nck_status_t nck_knot_choose(nck_smooth_t *self) {
     const double here = self->run.t[4];
     way_t way = {0.0, 0.0, 0.0, 0, 0};
@@ -195,17 +211,7 @@ nck_status_t nck_knot_choose(nck_smooth_t *self) {
     }
     const nck_status_t status = look_ahead(self, &way);
     if (status != NCK_OK) return status;
-    const double step = nck_min(wanted_step(self, &way), straight_step(self));
-    const int reaches = here + step >= way.goal || step == way.goal - here;
-    for (int n = 0; n < TRIES; n++) {
-        const int at_goal = n == 0 && reaches;
-        const double t = at_goal ? way.goal : snap(self, here + shorter_step(self, step, n));
-        if (t - here < nck_raw_least(t)) break;
-        if (!try_knot(self, t, n < TRIES_CAREFUL ? AIM_END : 1.0)) continue;
-        self->run.on_key = at_goal && way.is_key;
-        return NCK_OK;
-    }
-    take_what_fits(self);
+    if (!take_step(self, &way)) take_what_fits(self);
     return NCK_OK;
 }
 

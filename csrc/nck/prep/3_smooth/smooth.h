@@ -37,6 +37,7 @@ typedef struct nck_smooth_item {
     nck_output_t output; // after_segs is set
 } nck_smooth_item_t;
 
+// The room's state: filled by nck_smooth_init, written by the room alone.
 typedef struct nck_smooth {
     const nck_machine_t *machine;
     int64_t position_nm[NCK_AXIS_MAX]; // end of the last block pushed [nm, ndeg]

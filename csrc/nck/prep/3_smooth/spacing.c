@@ -28,6 +28,16 @@ enum {
     BISECT_STEPS = 3     // the last 25 % to 3 %
 };
 
+// The corner at a block's end, while its spacing is chosen.
+typedef struct vertex {
+    double aim;     // how far the spline may leave it [mm]
+    double alone;   // spacing that it allows if nothing else bounds it [path mm]
+    double nearest; // spacing that the blocks beside it allow [path mm]
+    double room;    // spacing that the corners beside it allow, if it is alone [path mm]
+    int lines;      // 1: between two lines
+    int lone;       // 1: nothing but itself bounds its spacing
+} vertex_t;
+
 // How far a spline of even spacing h would leave the path at a knot at s.
 static double deviation(nck_smooth_t *self, double s, double h) {
     double before[NCK_AXIS_MAX];
@@ -252,40 +262,67 @@ static void stop_or_bend(nck_smooth_t *self, uint32_t count, int is_sharp) {
     if (nck_choice_stop(self, &meet, &bend)) stop_behind(self, count);
 }
 
+static vertex_t look_at(nck_smooth_t *self, uint32_t count) {
+    const nck_raw_t *const raw = nck_raw_at(self, count);
+    const nck_raw_t *const next = nck_raw_at(self, nck_raw_next(self, count));
+    vertex_t corner;
+    corner.aim = AIM * nck_min(raw->tolerance, next->tolerance);
+    corner.alone = lone_spacing(self, raw, next);
+    corner.nearest = nck_min(nck_min(raw->seg.length, next->seg.length),
+                             nck_min(raw->inside, next->inside));
+    corner.room = corner.nearest;
+    corner.lines = raw->seg.kind == NCK_SEG_LINE && next->seg.kind == NCK_SEG_LINE;
+    corner.lone = 0;
+    return corner;
+}
+
+// The spacing at a corner, before other corners and tolerances have their say; and whether the
+// corner is alone. NCK_EMPTY if more blocks must be known, NCK_FULL if the full ring ends the view.
+static nck_status_t choose(nck_smooth_t *self, uint32_t count, vertex_t *corner,
+                           double *spacing_out) {
+    const nck_raw_t *const raw = nck_raw_at(self, count);
+    const int bounded = corner->alone < self->spacing_max;
+    nck_status_t status = NCK_OK;
+    *spacing_out = raw->partial ? raw->spacing : nck_min(corner->alone, corner->nearest);
+    corner->lone = corner->lines && *spacing_out == corner->alone && bounded;
+    if (corner->lone) status = room_beside(self, count, &corner->room);
+    if (status == NCK_EMPTY) return status;
+    corner->lone = corner->lone && !bends_on(self, count);
+    if (corner->lines && !bounded) {
+        *spacing_out = corner->alone; // other corners bound the way
+    } else if (!corner->lone) {
+        *spacing_out = begin_growing(self, count, corner->aim, *spacing_out);
+        status = grow(self, raw->s + raw->seg.length, corner->aim, spacing_out);
+    }
+    return status;
+}
+
+// 1 if the corner gets a knot of its own.
+static int is_key(nck_smooth_t *self, uint32_t count, const vertex_t *corner, double spacing) {
+    const int likely = spacing >= KEY_LEAST * corner->alone && spacing <= KEY_MOST * corner->alone
+                       && corner->alone < self->spacing_max;
+    return (corner->lone || (likely && !bends_on(self, count)))
+           && !is_crowded(self, count, spacing);
+}
+
 nck_status_t nck_spacing_know(nck_smooth_t *self, uint32_t count) {
     nck_raw_t *const raw = nck_raw_at(self, count);
     const nck_raw_t *const next = nck_raw_at(self, nck_raw_next(self, count));
+    double spacing = 0.0;
     if (raw->spacing > 0.0 && !raw->partial) return NCK_OK;
-    const double aim = AIM * nck_min(raw->tolerance, next->tolerance);
-    const double alone = lone_spacing(self, raw, next);
-    const double nearest = nck_min(nck_min(raw->seg.length, next->seg.length),
-                                   nck_min(raw->inside, next->inside));
-    const int lines = raw->seg.kind == NCK_SEG_LINE && next->seg.kind == NCK_SEG_LINE;
-    double spacing = raw->partial ? raw->spacing : nck_min(alone, nearest);
-    double room = nearest;
-    int lone = lines && spacing == alone && alone < self->spacing_max;
-    nck_status_t status = lone ? room_beside(self, count, &room) : NCK_OK;
-    if (status == NCK_EMPTY) return status;
-    lone = lone && !bends_on(self, count);
-    if (lines && !(alone < self->spacing_max)) {
-        spacing = alone; // other corners bound the way
-    } else if (!lone) {
-        spacing = begin_growing(self, count, aim, spacing);
-        status = grow(self, raw->s + raw->seg.length, aim, &spacing);
-    }
+    vertex_t corner = look_at(self, count);
+    const nck_status_t status = choose(self, count, &corner, &spacing);
     if (status == NCK_EMPTY) return status;
     raw->partial = status == NCK_FULL;
-    if (lone) spacing = nck_min(spacing * (AIM_KEY / AIM), nearest);
-    if (lone && spacing < nearest) spacing = nck_min(spacing, room);
-    const int likely = spacing >= KEY_LEAST * alone && spacing <= KEY_MOST * alone
-                       && alone < self->spacing_max;
-    raw->key = (lone || (likely && !bends_on(self, count))) && !is_crowded(self, count, spacing);
+    if (corner.lone) spacing = nck_min(spacing * (AIM_KEY / AIM), corner.nearest);
+    if (corner.lone && spacing < corner.nearest) spacing = nck_min(spacing, corner.room);
+    raw->key = (uint8_t)is_key(self, count, &corner, spacing);
     if (ends_in_blend(self, count)) {
         spacing = nck_min(spacing, next->seg.length / NCK_BLEND_KEEP_OFF);
     }
     raw->spacing = self->mixed ? keep_off(self, count, spacing) : spacing;
-    const int is_sharp = alone < nck_spline_vertex_spacing(aim, NCK_CHOICE_SHARP);
-    if (!raw->partial && alone < self->spacing_max) stop_or_bend(self, count, is_sharp);
+    const int is_sharp = corner.alone < nck_spline_vertex_spacing(corner.aim, NCK_CHOICE_SHARP);
+    if (!raw->partial && corner.alone < self->spacing_max) stop_or_bend(self, count, is_sharp);
     return NCK_OK;
 }
 

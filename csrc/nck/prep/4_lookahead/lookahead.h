@@ -10,6 +10,7 @@
 #include "nck/base/records.h" // nck_seg_t nck_node_t
 #include "nck/base/status.h"  // nck_status_t
 
+// Joints that are kept, and joints of one seg.
 enum {
     NCK_JOINT_MAX = 4 * NCK_CORNER_SPAN,
     NCK_SPLINE_PARTS = 4 // joints of a spline at most
@@ -57,6 +58,7 @@ typedef struct nck_joint {
     nck_pace_t pace[NCK_PACES];
 } nck_joint_t;
 
+// The room's state.
 typedef struct nck_lookahead {
     const nck_machine_t *machine;
     uint32_t ended;       // 1: no more segs will come before the path is at rest

@@ -20,6 +20,7 @@ typedef struct nck_unit_walk {
     nck_real before; // from the unit's begin to the seg's start [path mm]; ≤ 0 in the first seg
 } nck_unit_walk_t;
 
+// Stand at the begin of a unit.
 static inline void nck_unit_walk_begin(nck_unit_walk_t *walk, NCK_IN nck_seg_t *segs,
                                        NCK_IN nck_unit_t *unit) {
     walk->at = unit->seg;

@@ -25,6 +25,7 @@ typedef struct nck_filter {
     double v[NCK_FILTER_TAPS]; // [path mm/s]
 } nck_filter_t;
 
+// The room's state.
 typedef struct nck_interpolate {
     const nck_machine_t *machine;
     nck_link_t *link;       // consumer's side

@@ -6,6 +6,7 @@
 #include "nck/base/machine.h" // nck_machine_t
 #include "nck/base/records.h" // nck_pose_t nck_axes_t
 
+// The room's state: filled by nck_transform_init, const from then on.
 typedef struct nck_transform {
     uint32_t joints;             // how many
     double counts[NCK_AXIS_MAX]; // of joint k in one mm or degree

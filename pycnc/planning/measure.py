@@ -7,8 +7,8 @@ positions.
 
 import numpy as np
 
-from pycnc.machine_file import AXES
-from pycnc.records import counts_per_unit, enum
+from pycnc.machine.schema import AXES
+from pycnc.kernel.records import counts_per_unit, enum
 
 LIMITS = enum("nck_limit_t")
 # Codes of a trace's column `kind`.

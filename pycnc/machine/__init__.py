@@ -13,9 +13,10 @@ from pathlib import Path
 import numpy as np
 import pydantic
 
-from pycnc import errors, machine_file, tool_table
-from pycnc._bind import lib, pointer
-from pycnc.machine_file import (
+from pycnc import errors
+from pycnc.machine import schema, tool_table
+from pycnc.kernel.bind import lib, pointer
+from pycnc.machine.schema import (
     AXES,
     ROTARY_AXES,
     WORK_SYSTEMS,
@@ -23,7 +24,7 @@ from pycnc.machine_file import (
     position_key,
     unit_of,
 )
-from pycnc.records import counts_per_unit, dtype, quantity_range
+from pycnc.kernel.records import counts_per_unit, dtype, quantity_range
 
 DEFAULT = "mill3"
 _FREE = (np.iinfo(np.int64).min, np.iinfo(np.int64).max)
@@ -313,7 +314,7 @@ def _validate(data):
         settings = MachineFile.model_validate(data)
     except pydantic.ValidationError as cause:
         return None, [_problem(error, data) for error in cause.errors()]
-    problems = list(machine_file.contradictions(settings))
+    problems = list(schema.contradictions(settings))
     window, tools = lib.NCK_WINDOW, lib.NCK_TOOL_MAX
     if settings.path.lookahead_blocks > window:
         problems.append(
@@ -379,15 +380,15 @@ def _table_of(table, step):
     if table is None or not hasattr(table, "model_fields"):
         return table
     if step not in table.model_fields:
-        return machine_file.Tool
+        return schema.Tool
     kind = table.model_fields[step].annotation
     options = getattr(kind, "__args__", (kind,))
     tables = [
         option
         for option in options
-        if isinstance(option, type) and issubclass(option, machine_file.Table)
+        if isinstance(option, type) and issubclass(option, schema.Table)
     ]
-    return tables[0] if tables else machine_file.Tool
+    return tables[0] if tables else schema.Tool
 
 
 def _walk(table, prefix=""):
@@ -398,7 +399,7 @@ def _walk(table, prefix=""):
         else ((name, getattr(table, name)) for name in type(table).model_fields)
     )
     for name, value in items:
-        if isinstance(value, machine_file.Table | dict):
+        if isinstance(value, schema.Table | dict):
             yield from _walk(value, f"{prefix}{name}.")
         elif not prefix.startswith("axis.") or prefix.count(".") > 1:
             yield f"{prefix}{name}", value

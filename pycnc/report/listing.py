@@ -4,8 +4,8 @@
 import json
 from decimal import Decimal
 
-from pycnc.machine_file import AXES, LINEAR_AXES
-from pycnc.records import enum
+from pycnc.machine.schema import AXES, LINEAR_AXES
+from pycnc.kernel.records import enum
 
 _KINDS = {int(kind): kind.name.lower() for kind in enum("nck_block_kind_t")}
 _OUTPUTS = enum("nck_output_kind_t")

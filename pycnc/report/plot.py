@@ -9,7 +9,7 @@ from pathlib import Path
 import numpy as np
 
 from pycnc.extras import need
-from pycnc.measure import KINDS
+from pycnc.planning.measure import KINDS
 
 _POINTS = 200_000  # points of the path that are drawn at most
 _BINS = 1600  # columns of the curves over time: about one a pixel

@@ -5,7 +5,8 @@ import dataclasses
 
 import numpy as np
 
-from pycnc import device, device_envelope, errors
+from pycnc import device, errors
+from pycnc.device import launch
 
 # Grades are below, as in bubble.cl and scan.cl.
 NO_LIMIT = 0x3FFFFFFF
@@ -24,20 +25,21 @@ def _check_grades(grades):
         raise errors.ArgumentError(f"index {bad}: a grade is below 0 or above {NO_LIMIT - 1}")
 
 
-def _sweep_until_settled(session, name, p, n, first, second, items, local):
+def _sweep_until_settled(session, name, points, buffers, grid):
     """Launch until nothing changes; return the buffer with the grades and the launches."""
     changed = session.buffer(np.zeros(1, np.int32), written=True)
     flag = np.ones(1, np.int32)
-    before, after, launches = p, first, 0
+    (before, n), launches = points, 0
+    after, spare = buffers
     while True:
         session.cl.enqueue_fill_buffer(session.queue, changed, np.int32(0), 0, 4)
-        arguments = (p, before, np.int64(n), after, changed)
-        session.launch(("bubble", name, "float"), arguments, items, local)
+        arguments = (points[0], before, np.int64(n), after, changed)
+        session.launch(("bubble", name, "float"), arguments, *grid)
         session.cl.enqueue_copy(session.queue, flag, changed)
         launches += 1
         if not flag[0]:
             return after, launches
-        before, after = after, second if after is first else first
+        before, after, spare = after, spare, after
 
 
 def bubble(grades, method="scan", name=None, out=None):
@@ -98,9 +100,9 @@ def _settle(session, method, grades, settled):
         session.read(first, settled)
         return 1
     second = session.room(n, np.int32)
-    items, local = (n, GROUP) if method == "sweep" else (-(-n // FUSED_POINTS), 1)
+    grid = (n, GROUP) if method == "sweep" else (-(-n // FUSED_POINTS), 1)
     last, launches = _sweep_until_settled(
-        session, f"bubble_{method}", p, n, first, second, items, local
+        session, f"bubble_{method}", (p, n), (first, second), grid
     )
     session.cl.enqueue_copy(session.queue, settled, last)
     return launches
@@ -108,7 +110,7 @@ def _settle(session, method, grades, settled):
 
 def _launch_scan(session, p, n, settled):
     arguments = (p, np.int64(n), settled)
-    session.launch(("scan", "scan", "float"), arguments, device_envelope.parts(session.device, n))
+    session.launch(("scan", "scan", "float"), arguments, launch.parts(session.device, n))
 
 
 @dataclasses.dataclass(frozen=True)

@@ -61,14 +61,13 @@ PrepSteps = Annotated[
     ),
 ]
 ControllerName = Annotated[
-    str | None,
-    typer.Option("--controller", help="Run the firmware: host, or m4f or m7 under QEMU."),
+    str, typer.Option("--on", help="Which controller: host, or m4f or m7 under QEMU.")
 ]
 Commands = Annotated[
     list[str] | None,
     typer.Option(
         "--at", metavar='"TICK COMMAND …"',
-        help='What the operator does there: "250 hold", "400 override 50 100"; with --controller.',
+        help='What the operator does there: "250 hold", "400 override 50 100".',
     ),
 ]  # fmt: skip
 Subject = Annotated[

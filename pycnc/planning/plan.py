@@ -6,11 +6,12 @@ import typing
 
 import numpy as np
 
-from pycnc import errors, grades, kernel, measure
+from pycnc import errors, kernel
+from pycnc.planning import grades, measure
 from pycnc.machine import Machine
-from pycnc.machine_file import Slope
+from pycnc.machine.schema import Slope
 from pycnc.program import Program, load
-from pycnc.records import dtype, join
+from pycnc.kernel.records import dtype, join
 
 SLOPES = typing.get_args(Slope)
 BACKENDS = {"exact": ("auto", "c"), "grades": grades.BACKENDS}  # of every kind of planning

@@ -6,9 +6,10 @@ Arrays in, arrays out; the theory and the costs are in ``docs/grades.md``.
 
 import numpy as np
 
-from pycnc import device_grades, errors, kernel
-from pycnc._bind import check, ffi, lib, pointer
-from pycnc.records import dtype, join, room
+from pycnc import errors, kernel
+from pycnc.device import grades as device_grades
+from pycnc.kernel.bind import check, ffi, lib, pointer
+from pycnc.kernel.records import dtype, join, room
 
 BACKENDS = ("auto", "c", "opencl")
 STEPS = lib.NCK_HOST_GRADE_STEPS  # n: steps of a planning unit at command velocity
@@ -345,8 +346,8 @@ def of_text(text, machine, *, steps=STEPS, backend="auto", progress=None):
     return Grades(segs, machine, outputs, steps=steps, backend=backend), planner.totals
 
 
-class Controller(kernel.Controller):
-    """The simulated controller, fed with a plan by grades.
+class Simulation(kernel.Simulation):
+    """The simulation, fed with a plan by grades.
 
     Parameters
     ----------

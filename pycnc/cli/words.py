@@ -9,10 +9,10 @@ import traceback
 from pathlib import Path
 
 from pycnc import errors
-from pycnc.diagnostics import Diagnostic
-from pycnc.firmware import FirmwareError
+from pycnc.program.diagnostics import Diagnostic
+from pycnc.controller import FirmwareError
 from pycnc.machine import MachineFileError
-from pycnc.planning import BackendError
+from pycnc.planning.plan import BackendError
 
 GOOD, WRONG, USAGE, INTERNAL, INTERRUPTED = 0, 1, 2, 4, 130
 
@@ -32,6 +32,7 @@ class Refused(Exception):
 
 
 def fail(message):
+    """Say on stderr what is wrong."""
     print(message, file=sys.stderr)
 
 
@@ -189,7 +190,7 @@ def writing(path):
 
 def draw(done, picture):
     """Write a picture of a run; return its path."""
-    from pycnc import plot
+    from pycnc.report import plot
 
     try:
         with writing(picture):

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The joint of two planning units: its linking vector angle and its transfer speed.
-#ifndef NCK_PREP_LINK_MATH_H
-#define NCK_PREP_LINK_MATH_H
+#ifndef NCK_PREP_TURN_MATH_H
+#define NCK_PREP_TURN_MATH_H
 
 #include "nck/base/real.h"                      // nck_real NCK_IN
 #include "nck/base/records.h"                   // nck_seg_t nck_unit_t nck_grade_rule_t
@@ -9,7 +9,7 @@
 #include "nck/prep/4_lookahead/transfer_math.h" // nck_transfer_tangent nck_transfer_joint
 
 // 1 if nothing but the axes of mask (a bit each) moves along a seg.
-static inline int nck_link_moves_only(NCK_IN nck_seg_t *seg, uint32_t mask) {
+static inline int nck_turn_moves_only(NCK_IN nck_seg_t *seg, uint32_t mask) {
     for (int x = 0; x < NCK_AXIS_MAX; x++) {
         if (!(mask >> x & 1u) && seg->start[x] != seg->end[x]) return 0;
     }
@@ -17,9 +17,9 @@ static inline int nck_link_moves_only(NCK_IN nck_seg_t *seg, uint32_t mask) {
 }
 
 // Forward direction of a seg in the plane (u, w) at its start or end. 0 if it does not lie in it.
-static inline int nck_link_direction(NCK_IN nck_seg_t *seg, int u, int w, int end,
+static inline int nck_turn_direction(NCK_IN nck_seg_t *seg, int u, int w, int end,
                                      nck_real *direction_out) {
-    if (!nck_link_moves_only(seg, 1u << u | 1u << w)) return 0;
+    if (!nck_turn_moves_only(seg, 1u << u | 1u << w)) return 0;
     if (seg->kind == NCK_SEG_LINE) {
         nck_angle_line(seg->end[u] - seg->start[u], seg->end[w] - seg->start[w], direction_out);
         return 1;
@@ -33,21 +33,21 @@ static inline int nck_link_direction(NCK_IN nck_seg_t *seg, int u, int w, int en
 
 // The linking vector angle where seg `in` passes into seg `out`: by eq. 1 between lines in space,
 // by eqs. 2 to 5 with an arc in its plane, over all axes otherwise (Cao et al. 2014, section 3).
-static inline nck_real nck_link_angle(NCK_IN nck_seg_t *in, NCK_IN nck_seg_t *out) {
+static inline nck_real nck_turn_angle(NCK_IN nck_seg_t *in, NCK_IN nck_seg_t *out) {
     const uint32_t space = 1u << NCK_AXIS_X | 1u << NCK_AXIS_Y | 1u << NCK_AXIS_Z;
     const int lines = in->kind == NCK_SEG_LINE && out->kind == NCK_SEG_LINE;
     NCK_IN nck_seg_t *const arc = in->kind == NCK_SEG_ARC ? in : out;
     nck_real t_in[NCK_AXIS_MAX];
     nck_real t_out[NCK_AXIS_MAX];
-    if (lines && nck_link_moves_only(in, space) && nck_link_moves_only(out, space)) {
+    if (lines && nck_turn_moves_only(in, space) && nck_turn_moves_only(out, space)) {
         for (int x = NCK_AXIS_X; x <= NCK_AXIS_Z; x++) {
             t_in[x] = in->end[x] - in->start[x];
             t_out[x] = out->end[x] - out->start[x];
         }
         return nck_angle_space(t_in, t_out);
     }
-    if (!lines && nck_link_direction(in, arc->axis_u, arc->axis_v, 1, t_in)
-        && nck_link_direction(out, arc->axis_u, arc->axis_v, 0, t_out)) {
+    if (!lines && nck_turn_direction(in, arc->axis_u, arc->axis_v, 1, t_in)
+        && nck_turn_direction(out, arc->axis_u, arc->axis_v, 0, t_out)) {
         return nck_angle_plane(t_in, t_out);
     }
     nck_transfer_tangent(in, 1, t_in);
@@ -57,14 +57,14 @@ static inline nck_real nck_link_angle(NCK_IN nck_seg_t *in, NCK_IN nck_seg_t *ou
 
 // Cap and linking angle where unit `in` passes into the next one; v: the smaller of both units'
 // speeds. Inside of a seg the path is smooth.
-static inline nck_real nck_link_transfer(NCK_IN nck_seg_t *segs, NCK_IN nck_unit_t *in,
+static inline nck_real nck_turn_transfer(NCK_IN nck_seg_t *segs, NCK_IN nck_unit_t *in,
                                          NCK_IN nck_grade_rule_t *rule, nck_real v,
                                          nck_real *angle_out) {
     NCK_IN nck_unit_t *const out = in + 1;
     int axis = 0;
     *angle_out = (nck_real)0;
     if (in->seg_end == out->seg) return v;
-    *angle_out = nck_link_angle(&segs[in->seg_end], &segs[out->seg]);
+    *angle_out = nck_turn_angle(&segs[in->seg_end], &segs[out->seg]);
     return nck_transfer_joint(&segs[in->seg_end], &segs[out->seg], rule, v, &axis);
 }
 

@@ -6,9 +6,10 @@ import functools
 
 import numpy as np
 
-from pycnc import dispatch, errors, kernel
-from pycnc._bind import check, ffi, lib, pointer
-from pycnc.records import dtype, enum
+from pycnc import errors, kernel
+from pycnc.planning import dispatch
+from pycnc.kernel.bind import check, ffi, lib, pointer
+from pycnc.kernel.records import dtype, enum
 
 _BACKENDS = {
     "c": lib.NCK_HOST_SERIAL,
@@ -86,7 +87,7 @@ def envelope(
     if choice.backend == "opencl":
         choice, report = _on_device_or_in_c(choice, real, path)
     else:
-        report = _in_c(real, choice.backend, threads, processor, *path)
+        report = _in_c(real, (choice.backend, threads, processor), *path)
     dispatch.note(dispatch.Report(choice.backend, backend, choice.why, real, n, **report))
     return w
 
@@ -130,9 +131,9 @@ def _choice(name, crew, processor):
     return ffi.new("nck_host_choice_t *", choice), known[cpu], crew
 
 
-def _in_c(real, name, crew, processor, w_cap, h, ends, w):
-    """Compute on a road of C. Returns what the report tells."""
-    choice, cpu, crew = _choice(name, crew, processor)
+def _in_c(real, road, w_cap, h, ends, w):
+    """Compute on a road of C, as `_choice` takes it. Returns what the report tells."""
+    choice, cpu, crew = _choice(*road)
     report = ffi.new("nck_host_envelope_report_t *")
     compute = getattr(lib, f"nck_host_envelope_{real}")
     caps, pieces, result = (pointer(real, each) for each in (w_cap, h, w))
@@ -164,7 +165,7 @@ def _on_device_or_in_c(choice, real, path):
         if choice.is_named:
             raise
         choice = dispatch.Choice("simd", False, dispatch.fall_back(cause))
-    return choice, _in_c(real, choice.backend, None, None, *path)
+    return choice, _in_c(real, (choice.backend, None, None), *path)
 
 
 def _bad_number(index, w_cap, h, ends):
@@ -196,7 +197,7 @@ def _identity():
 
 
 def chosen(real, n):
-    """Return the `pycnc.dispatch.Choice` that ``backend="auto"`` stands for at so many nodes."""
+    """Return the `pycnc.planning.dispatch.Choice` that "auto" stands for at so many nodes."""
     return dispatch.choose("auto", real, n, _identity(), _measure)
 
 
@@ -286,7 +287,7 @@ def calibrate(*, device=False):
 
     Returns
     -------
-    pycnc.dispatch.Calibration
+    pycnc.planning.dispatch.Calibration
     """
     return dispatch.calibration(_identity(), _measure_all if device else _measure, anew=True)
 

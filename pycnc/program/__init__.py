@@ -6,11 +6,11 @@ import html
 from pathlib import Path
 
 from pycnc import errors, kernel
-from pycnc.diagnostics import Diagnostics, Wording
-from pycnc.geometry import Moves
+from pycnc.program.diagnostics import Diagnostics, Wording
+from pycnc.program.geometry import Moves
 from pycnc.machine import DEFAULT, Machine
-from pycnc.machine_file import AXES, unit_of
-from pycnc.records import join
+from pycnc.machine.schema import AXES, unit_of
+from pycnc.kernel.records import join
 
 
 class Program:

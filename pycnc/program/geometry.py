@@ -7,8 +7,8 @@ All coordinates are machine coordinates with the tool offset in them: where the 
 
 import numpy as np
 
-from pycnc._bind import lib
-from pycnc.records import counts_per_unit
+from pycnc.kernel.bind import lib
+from pycnc.kernel.records import counts_per_unit
 
 _PLANE_AXES = {17: (0, 1), 18: (2, 0), 19: (1, 2)}
 _MOVES = (lib.NCK_BLOCK_RAPID, lib.NCK_BLOCK_LINE, lib.NCK_BLOCK_ARC)

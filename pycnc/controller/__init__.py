@@ -17,11 +17,11 @@ from pathlib import Path
 import numpy as np
 
 from pycnc import errors
-from pycnc.diagnostics import Diagnostics, Wording
+from pycnc.program.diagnostics import Diagnostics, Wording
 from pycnc.machine import DEFAULT, Machine
-from pycnc.records import dtype
+from pycnc.kernel.records import dtype, enum
 
-ROOT = Path(__file__).resolve().parents[1]
+ROOT = Path(__file__).resolve().parents[2]
 CORES = {"m4f": "mps2-an386", "m7": "mps2-an500"}
 CONTROLLERS = ("host", *CORES)
 TIMEOUT_S = 300.0
@@ -36,16 +36,16 @@ _PACKAGES = {
 # What the work takes where time is virtual, in units of the controller's clock of 25 MHz: about
 # what an M7 takes for it with the jerk-limited slope.
 _NOMINAL = {"prep_units": 280, "tick_units": 270, "feeder_units": 280}
-_ROW = [
-    ("tick", "<u4"), ("line", "<u4"), ("queue", "<u4"), ("state", "u1"), ("tick_state", "u1"),
-    ("limit", "u1"), ("drives", "u1"),
-]  # fmt: skip
 _COUNTS = ("ticks", "overruns", "underruns", "starved_ticks", "given_away", "refused")
 _LISTS = ("task", "diagnostic", "event")
-_BOARD_FAULTS = {
-    100: "an exception that nobody takes", 101: "NMI", 102: "hard fault", 103: "memory fault",
-    104: "bus fault", 105: "usage fault", 106: "tick overrun", 107: "watchdog",
-    5: "its operating system refused a call",
+_BOARD, _APP = enum("board_exit_t"), enum("app_exit_t")
+_CAUSES = {  # exit status of the firmware → what has happened
+    _BOARD.UNEXPECTED: "an exception that nobody takes", _BOARD.NMI: "NMI",
+    _BOARD.HARD_FAULT: "hard fault", _BOARD.MEM_FAULT: "memory fault",
+    _BOARD.BUS_FAULT: "bus fault", _BOARD.USAGE_FAULT: "usage fault",
+    _BOARD.OVERRUN: "tick overrun", _BOARD.WATCHDOG: "watchdog",
+    _APP.SYSTEM: "its tasks could not be made", _APP.STREAMS: "a file could not be opened",
+    _APP.KERNEL: "its operating system refused a call",
 }  # fmt: skip
 
 
@@ -223,7 +223,7 @@ class Controller:
             number = int(words.split()[1])
             line = (place / "job").read_text(encoding="ascii").splitlines()[number - 1]
             raise errors.ArgumentError(f"the controller does not take {line!r}", id="job")
-        cause = _BOARD_FAULTS.get(done.returncode, f"exit status {done.returncode}")
+        cause = _CAUSES.get(done.returncode, f"exit status {done.returncode}")
         said = done.stderr.decode(errors="replace").strip()
         raise FirmwareError(
             f"the {self.name} controller stopped: {cause}{': ' if said else ''}{said}",
@@ -382,4 +382,4 @@ def _findings(report):
 
 def _read_rows(path, report):
     joints = len(report["joints"].split())
-    return np.fromfile(path, np.dtype([*_ROW, ("joint_nm", "<i8", (joints,))]))
+    return np.fromfile(path, np.dtype([*dtype("app_row_t").descr, ("joint_nm", "<i8", (joints,))]))

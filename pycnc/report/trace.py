@@ -12,13 +12,14 @@ from pathlib import Path
 
 import numpy as np
 
-from pycnc import errors, grades, kernel, measure
+from pycnc import errors, kernel
+from pycnc.planning import grades, measure
 from pycnc.extras import need
-from pycnc.machine_file import AXES, position_key, unit_of
-from pycnc.measure import KINDS
-from pycnc.path_error import PathError
-from pycnc.planning import Plan, check_backend, for_machine
-from pycnc.records import enum
+from pycnc.machine.schema import AXES, position_key, unit_of
+from pycnc.planning.measure import KINDS
+from pycnc.report.path_error import PathError
+from pycnc.planning.plan import Plan, check_backend, for_machine
+from pycnc.kernel.records import enum
 
 FORMATS = (".npz", ".csv", ".parquet")
 _JOINT_UNITS = {"mm": "nm", "deg": "ndeg"}
@@ -244,7 +245,7 @@ def writer(path, columns, metadata):
 
 
 class Trace:
-    """A run of a program in the simulated controller.
+    """A run of a program in the simulation.
 
     Attributes
     ----------
@@ -308,8 +309,8 @@ class Trace:
         if self.plan.grades is not None:
             if commands:
                 raise errors.ArgumentError("a plan by grades takes no commands", id="command")
-            return grades.Controller(self.plan.grades, prep_steps)
-        return kernel.Controller(self.program.text, self.program.machine, prep_steps, commands)
+            return grades.Simulation(self.plan.grades, prep_steps)
+        return kernel.Simulation(self.program.text, self.program.machine, prep_steps, commands)
 
     def _summary(self, run_s):
         plan = self.plan.as_dict()
@@ -382,7 +383,7 @@ class Trace:
         -------
         matplotlib.figure.Figure
         """
-        from pycnc import plot
+        from pycnc.report import plot
 
         figure = plot.draw(self)
         if path is not None:
@@ -397,7 +398,7 @@ class Trace:
 
 def run(program, machine=None, *, slope=None, prep_steps=kernel.PREP_STEPS, commands=(),
         backend="auto", plan="exact"):  # fmt: skip
-    """Run a whole program in the simulated controller, tick by tick.
+    """Run a whole program in the simulation, tick by tick.
 
     Parameters
     ----------

@@ -21,7 +21,7 @@ import numpy as np
 
 import pycnc
 from pycnc import errors
-from pycnc.device_envelope import REALS, EnvelopeLaunch
+from pycnc.device.launch import REALS, EnvelopeLaunch
 
 # A page.
 ALIGNMENT = 4096
@@ -382,7 +382,7 @@ def _check_arrays(w_cap, h, out):
         )
 
 
-def envelope(w_cap, h, w_start, w_end, out, device=None, kernel=None):
+def envelope(w_cap, h, w_start, w_end, out, *, device=None, kernel=None):
     """Compute the exact two-pass envelope on a device: the bits of C, or an error.
 
     Parameters

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Calls into the kernel in bulk: decode a text, plan it, run it in the simulated controller.
+"""Calls into the kernel in bulk: decode a text, plan it, run it in the simulation.
 
 Each is a generator that works through the text in bounded pieces, so that a caller can show
 progress, stop, or keep nothing. Arrays that it yields are its own and are filled again by the next
@@ -11,8 +11,8 @@ from importlib import metadata
 import numpy as np
 
 from pycnc import errors
-from pycnc._bind import check, ffi, lib, pointer
-from pycnc.records import dtype, enum
+from pycnc.kernel.bind import check, ffi, lib, pointer
+from pycnc.kernel.records import dtype, enum
 
 _BLOCK_ROWS = 16384
 _DIAGNOSTIC_ROWS = 4096
@@ -118,6 +118,7 @@ class Planner:
 
     @property
     def totals(self):
+        """What the plan adds up to, as a record of ``nck_host_totals_t``."""
         data = ffi.buffer(ffi.addressof(self._plan, "totals"))
         return np.frombuffer(bytes(data), dtype("nck_host_totals_t"))[0]
 
@@ -150,8 +151,8 @@ def _command(tick, name, numbers):
     return kind, needed, most
 
 
-class Controller:
-    """The simulated controller: prep steps and ticks interleaved in virtual time.
+class Simulation:
+    """The simulation: prep steps and ticks interleaved in virtual time.
 
     Parameters
     ----------

@@ -10,7 +10,7 @@ from typing import Annotated
 import typer
 
 from pycnc import errors
-from pycnc.cli_options import (
+from pycnc.cli.options import (
     Backend,
     Commands,
     ControllerName,
@@ -32,7 +32,7 @@ from pycnc.cli_options import (
     Units,
     Verbose,
 )
-from pycnc.cli_words import (
+from pycnc.cli.words import (
     GOOD,
     USAGE,
     WRONG,
@@ -97,7 +97,7 @@ def machine_of(name, set, tools, dialect):
 
 @verb(app)
 def check(
-    files: Files, machine: MachineName = DEFAULT, dialect: DialectName = None, set: Set = None,
+    *, files: Files, machine: MachineName = DEFAULT, dialect: DialectName = None, set: Set = None,
     tools: Tools = None, json_: Json = False, quiet: Quiet = False, verbose: Verbose = False,
 ):  # fmt: skip
     """Tell all diagnostics of programs, without planning."""
@@ -123,12 +123,12 @@ def check(
 
 @verb(app)
 def canon(
-    file: File, machine: MachineName = DEFAULT, dialect: DialectName = None, set: Set = None,
+    *, file: File, machine: MachineName = DEFAULT, dialect: DialectName = None, set: Set = None,
     tools: Tools = None, units: Annotated[Units, typer.Option(help="Units of the listing.")] = "mm",
     json_: Json = False, quiet: Quiet = False, verbose: Verbose = False,
 ):  # fmt: skip
     """List the decoded motions: one a line, machine coordinates of the tool tip."""
-    from pycnc import listing
+    from pycnc.report import listing
 
     program = decoded(file, machine_of(machine, set, tools, dialect), quiet)
     make = listing.json_lines if json_ else listing.lines
@@ -139,12 +139,12 @@ def canon(
 
 @verb(app)
 def time(
-    files: Files, machine: MachineName = DEFAULT, dialect: DialectName = None, set: Set = None,
+    *, files: Files, machine: MachineName = DEFAULT, dialect: DialectName = None, set: Set = None,
     tools: Tools = None, plan: PlanName = "exact", backend: Backend = "auto",
     json_: Json = False, quiet: Quiet = False, verbose: Verbose = False,
 ):  # fmt: skip
     """Tell the machining time of programs, from the plan."""
-    from pycnc.planning import check_backend
+    from pycnc.planning.plan import check_backend
 
     check_backend(backend, plan)
     mill, told, code = machine_of(machine, set, tools, dialect), [], GOOD
@@ -161,7 +161,7 @@ def time(
 
 def _timed(program, facts, plan, backend, as_json, quiet):
     """Plan a program and tell its time. Returns (what --json tells of it, exit code)."""
-    from pycnc.planning import Plan
+    from pycnc.planning.plan import Plan
 
     try:
         with progress(f"planning {program.file}", quiet) as bar:
@@ -175,7 +175,7 @@ def _timed(program, facts, plan, backend, as_json, quiet):
 
 
 def _time_line(facts):
-    from pycnc.plot import duration
+    from pycnc.report.plot import duration
 
     parts = {name: duration(facts[f"{name}_s"]) for name in ("cut", "rapid", "dwell")}
     motion = {name: duration(facts[f"{name}_s"]) for name in ("accelerate", "cruise", "decelerate")}
@@ -187,23 +187,16 @@ def _time_line(facts):
 
 @verb(app)
 def run(
-    file: File, machine: MachineName = DEFAULT, dialect: DialectName = None, set: Set = None,
+    *, file: File, machine: MachineName = DEFAULT, dialect: DialectName = None, set: Set = None,
     tools: Tools = None,
     output: Output = None, picture: Picture = None, prep_steps: PrepSteps = None,
-    plan: PlanName = "exact", backend: Backend = "auto", controller: ControllerName = None,
-    at: Commands = None, json_: Json = False, quiet: Quiet = False, verbose: Verbose = False,
+    plan: PlanName = "exact", backend: Backend = "auto",
+    json_: Json = False, quiet: Quiet = False, verbose: Verbose = False,
 ):  # fmt: skip
-    """Run a program in the simulated controller, tick by tick."""
-    from pycnc import kernel, trace
+    """Run a program in the simulation, tick by tick."""
+    from pycnc import kernel
+    from pycnc.report import trace
 
-    if controller is not None:
-        if output or picture or plan != "exact" or backend != "auto":
-            raise Refused("pycnc: error[controller]: --controller runs the firmware, which has no "
-                          "--output, --plot, --plan or --backend")  # fmt: skip
-        mill = machine_of(machine, set, tools, dialect)
-        return _run_firmware(file, mill, controller, at or (), prep_steps or 0, json_, quiet)
-    if at:
-        raise Refused("pycnc: error[controller]: --at needs --controller")
     if picture is not None:
         need("matplotlib.figure")
     mill = machine_of(machine, set, tools, dialect)
@@ -226,33 +219,10 @@ def run(
     return _judge(done)
 
 
-def _run_firmware(file, machine, controller, at, prep_steps, as_json, quiet):
-    """Run a program on a controller. Returns the exit code."""
-    from pycnc import firmware, kernel
-
-    name, text = read(file)
-    done = firmware.open(controller).run(
-        text, machine, firmware.read_commands(at), file=name, prep_steps=prep_steps
-    )
-    if as_json:
-        facts = {"file": name, "machine": machine.name, "version": kernel.version(),
-                 "controller": controller, "slope": machine.settings.path.slope,
-                 "period_s": machine.period_s}  # fmt: skip
-        print(json.dumps(facts | done.as_dict()))
-    elif not quiet:
-        head = f"{name} on {controller}, slope {machine.settings.path.slope}:"
-        print("\n".join([head, *done.lines()]))
-    if not as_json:
-        words = [each.text(colour(sys.stderr)) for each in done.diagnostics
-                 if each.severity == "error"]  # fmt: skip
-        print("\n".join(words), file=sys.stderr, end="\n" if words else "")
-    return GOOD if done.state in firmware.WANTED else WRONG
-
-
 def _print_summary(done, output, picture):
     from rich.console import Console
 
-    from pycnc import summary
+    from pycnc.report import summary
 
     written = [("Trace", output), ("Picture", picture)]
     width = None if sys.stdout.isatty() else 100
@@ -275,8 +245,37 @@ def _judge(done):
 
 
 @verb(app)
+def controller(
+    *, file: File, on: ControllerName = "host", at: Commands = None,
+    machine: MachineName = DEFAULT, dialect: DialectName = None, set: Set = None,
+    tools: Tools = None, prep_steps: PrepSteps = None,
+    json_: Json = False, quiet: Quiet = False, verbose: Verbose = False,
+):  # fmt: skip
+    """Run a program on a controller: the firmware, with its tasks and interrupts."""
+    from pycnc import controller, kernel
+
+    mill = machine_of(machine, set, tools, dialect)
+    name, text = read(file)
+    done = controller.open(on).run(
+        text, mill, controller.read_commands(at or ()), file=name, prep_steps=prep_steps or 0
+    )
+    if json_:
+        facts = {"file": name, "machine": mill.name, "version": kernel.version(),
+                 "controller": on, "slope": mill.settings.path.slope,
+                 "period_s": mill.period_s}  # fmt: skip
+        print(json.dumps(facts | done.as_dict()))
+        return GOOD if done.state in controller.WANTED else WRONG
+    if not quiet:
+        print("\n".join([f"{name} on {on}, slope {mill.settings.path.slope}:", *done.lines()]))
+    for found in done.diagnostics:
+        if found.severity == "error":
+            fail(found.text(colour(sys.stderr)))
+    return GOOD if done.state in controller.WANTED else WRONG
+
+
+@verb(app)
 def plot(
-    file: File,
+    *, file: File,
     output: Annotated[str, typer.Option(
         "--output", "-o", metavar="PICTURE", help="Where to: .png, .svg or .pdf.")],
     machine: MachineName = DEFAULT, dialect: DialectName = None, set: Set = None,
@@ -284,7 +283,7 @@ def plot(
     verbose: Verbose = False,
 ):  # fmt: skip
     """Draw the path coloured by the speed really reached, and speed and acceleration over time."""
-    from pycnc import trace
+    from pycnc.report import trace
 
     need("matplotlib.figure")
     mill = machine_of(machine, set, tools, dialect)
@@ -302,7 +301,7 @@ def plot(
 
 @verb(app)
 def bench(
-    name: Subject = None, output: Figures = None, paths: Paths = None,
+    *, name: Subject = None, output: Figures = None, paths: Paths = None,
     json_: Json = False, quiet: Quiet = False, verbose: Verbose = False,
 ):  # fmt: skip
     """Print one table of a benchmark; some subjects draw figures too."""
@@ -319,7 +318,7 @@ def bench(
 
 
 @verb(machines)
-def list_(json_: Json = False, quiet: Quiet = False, verbose: Verbose = False):
+def list_(*, json_: Json = False, quiet: Quiet = False, verbose: Verbose = False):
     """List the machines that come with pycnc."""
     loaded = [Machine.load(name) for name in shipped()]
     if json_:
@@ -335,14 +334,14 @@ def list_(json_: Json = False, quiet: Quiet = False, verbose: Verbose = False):
 
 @verb(machines)
 def show(
-    name: Annotated[str, typer.Argument(metavar="NAME|FILE", help="Which machine.")] = DEFAULT,
+    *, name: Annotated[str, typer.Argument(metavar="NAME|FILE", help="Which machine.")] = DEFAULT,
     effective: Annotated[bool, typer.Option(
         "--effective", help="Every setting in force, and where its value comes from.")] = False,
     set: Set = None, tools: Tools = None, dialect: DialectName = None, json_: Json = False,
     quiet: Quiet = False, verbose: Verbose = False,
 ):  # fmt: skip
     """Print a machine file."""
-    from pycnc import listing
+    from pycnc.report import listing
 
     machine = machine_of(name, set, tools, dialect)
     changed = effective or set or tools or dialect
@@ -356,7 +355,7 @@ def show(
 
 @verb(machines)
 def validate(
-    names: Annotated[list[str], typer.Argument(metavar="NAME|FILE…", help="Which machines.")],
+    *, names: Annotated[list[str], typer.Argument(metavar="NAME|FILE…", help="Which machines.")],
     set: Set = None, tools: Tools = None, dialect: DialectName = None, json_: Json = False,
     quiet: Quiet = False, verbose: Verbose = False,
 ):  # fmt: skip
@@ -387,7 +386,3 @@ def main():
             setattr(sys, name, open(os.devnull, "w", encoding="utf-8"))  # noqa: SIM115
         getattr(sys, name).reconfigure(errors="replace")
     app()
-
-
-if __name__ == "__main__":
-    main()

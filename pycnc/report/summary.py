@@ -6,7 +6,7 @@ from rich.padding import Padding
 from rich.table import Table
 from rich.text import Text
 
-from pycnc.plot import duration
+from pycnc.report.plot import duration
 
 _SHOWN_LIMITS = 6
 _BAR = 40  # characters

@@ -12,7 +12,7 @@ the program as a whole: where the tool all but parks, the program's coordinate r
 
 import numpy as np
 
-from pycnc.records import enum, join
+from pycnc.kernel.records import enum, join
 
 _SEG_KINDS = enum("nck_seg_kind_t")
 _PATH_MODES = enum("nck_path_mode_t")

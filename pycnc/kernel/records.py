@@ -9,7 +9,7 @@ from decimal import Decimal
 import numpy as np
 
 from pycnc import errors
-from pycnc._bind import ffi, lib
+from pycnc.kernel.bind import ffi, lib
 
 _MEMORY_SHARE = 0.8  # of the memory that is free: what an array may take
 

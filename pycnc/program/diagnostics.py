@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from pycnc._bind import lib, note_id, status_id
+from pycnc.kernel.bind import lib, note_id, status_id
 
 SHOWN_PER_ID = 20  # findings of one id that are told in full; the rest is counted
 _EXCERPT = 100  # characters of a source line that are shown around the column

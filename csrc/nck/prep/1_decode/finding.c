@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+// What is found in the text: the error of a line, and the queue of what is to be told.
+#include "nck/prep/1_decode/parts.h"
+
+nck_status_t nck_decode_fail(nck_decode_t *self, nck_status_t code, unsigned column, int letter,
+                             double value, double limit) {
+    self->finding.error = (nck_diagnostic_t){code, self->line.number, column, letter, value, limit};
+    return code;
+}
+
+nck_status_t nck_decode_fail_word(nck_decode_t *self, nck_status_t code, int letter, double value,
+                                  double limit) {
+    return nck_decode_fail(self, code, self->words.column[letter - 'A'], letter, value, limit);
+}
+
+void nck_decode_find(nck_decode_t *self, const nck_diagnostic_t *finding) {
+    if (self->finding.count >= NCK_DECODE_FINDINGS) {
+        self->finding.lost++;
+        return;
+    }
+    self->finding.queue[self->finding.count++] = *finding;
+}
+
+void nck_decode_assume(nck_decode_t *self, nck_note_t note) {
+    if ((self->finding.given | self->finding.notes) & (1u << note)) return;
+    const nck_diagnostic_t finding = {(int32_t)note, self->line.number, 0, 0, 0.0, 0.0};
+    self->finding.notes |= 1u << note;
+    nck_decode_find(self, &finding);
+}
