@@ -104,20 +104,19 @@ nck_tick_state_t nck_tick(nck_t *nck, nck_pose_t *pose_out, nck_axes_t *axes_out
 void nck_resume(nck_t *nck);
 
 // Come to rest on the path, within the limits of the slope, and stay until nck_resume. The state is
-// NCK_TICK_HOLD from the first cell of the brake on. Jerk-limited slope: the brake begins within
-// ten periods if prep makes one short plan, a bounded number of steps, in five of them, else that
-// much later; classical S-shape: within 70 periods, a ramp and one of its cells; linear slope:
-// behind the cells that are final already.
+// NCK_TICK_HOLD from the first cell of the brake on. The brake begins within ten periods if prep
+// makes one short plan, a bounded number of steps, in five of them, else that much later; classical
+// S-shape: within 70 periods, a ramp and one of its cells.
 // Cost: constant. Context: any.
 void nck_hold(nck_t *nck);
 
-// Hold at the end of every block (1) or no longer (0). Jerk-limited slope only: returns NCK_OK, or
-// NCK_E_STATE under another. Cost: constant. Context: any.
+// Hold at the end of every block (1) or no longer (0). Returns NCK_OK, or NCK_E_STATE under the
+// classical S-shape. Cost: constant. Context: any.
 nck_status_t nck_set_single_block(nck_t *nck, uint32_t on);
 
 // Scale the programmed feeds by 0 … 200 % and the rapids by 0 … 100 %; what is more counts as the
-// most. The other limits stay. 0 rests until it is raised again. Jerk-limited slope only: returns
-// NCK_OK, or NCK_E_STATE under another. Cost: constant. Context: any.
+// most. The other limits stay. 0 rests until it is raised again. Returns NCK_OK, or NCK_E_STATE
+// under the classical S-shape. Cost: constant. Context: any.
 nck_status_t nck_set_override(nck_t *nck, uint32_t feed_percent, uint32_t rapid_percent);
 
 // Come to rest as by a hold and drop what has not been executed: nck_prep says NCK_DONE, the tick

@@ -28,8 +28,8 @@ static void end_in(app_t *app, uint32_t goal) {
     nck_abort(&app->nck);
 }
 
-// Returns 1, or 0 if this machine cannot follow: overrides and single blocks need the jerk-limited
-// slope, a travel a joint.
+// Returns 1, or 0 if this machine cannot follow: the classical S-shape knows no override and no
+// single block; a travel needs a joint.
 static int execute(app_t *app, const app_command_t *command) {
     const app_range_t travel = {command->argument[1], command->argument[2], 1};
     const uint32_t first = (uint32_t)command->argument[0];
