@@ -6,7 +6,7 @@
 #include "nck/prep/5_slope/jerk.h" // nck_jerk_t nck_pieces_t nck_profile_t
 
 // The brake keeps off the limits by so much, so that the plan above it finds room.
-#define NCK_BRAKE_SHARE 0.95
+#define NCK_BRAKE_SHARE 0.98
 // That plan is at most so many times as fast.
 #define NCK_BRAKE_ABOVE 1.1
 

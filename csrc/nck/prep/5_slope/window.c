@@ -306,7 +306,7 @@ static void brake_along(nck_jerk_t *self, const nck_pieces_t *pieces, uint32_t i
     const double q_cap = nck_window_q_cap(self);
     if (i == 0) nck_brake_begin(state, q_cap);
     const double v = nck_min(nck_sqrt(self->w_cap[i]), NCK_BRAKE_ABOVE * state->v_last);
-    if (state->v_last > 0.0) self->w_cap[i] = nck_max(v * v, state->v_last * state->v_last);
+    if (state->v_last > 0.0) self->w_cap[i] = v * v;
     nck_brake_limits_t limits = {self->a_max[i], self->j_max[i]};
     nck_brake_relax(self, pieces, self->rung_piece[i], v, &limits);
     self->a_max[i] = limits.a;
