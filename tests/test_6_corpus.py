@@ -29,7 +29,8 @@ def present(file):
 
 @functools.cache
 def program_of(name):
-    return judged.load(present(FILES[name]))
+    """Return a file as a program for the linear slope, on the exact path."""
+    return judged.load_exact(present(FILES[name]))
 
 
 @functools.cache

@@ -28,6 +28,7 @@ static nck_block_t block_to(int kind, int64_t x_nm, int64_t y_nm, int64_t z_nm)
 static void begin(void)
 {
     nck_machine_default(&machine);
+    machine.slope = NCK_SLOPE_LINEAR;
     nck_smooth_init(&smooth, &machine);
 }
 

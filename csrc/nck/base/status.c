@@ -54,7 +54,8 @@ static const name_t notes[] = {
     {NCK_NOTE_ARC_CENTRE, "assumed-centre"},
     {NCK_NOTE_NO_END, "no-end"},
     {NCK_NOTE_AFTER_END, "after-end"},
-    {NCK_NOTE_FEED_UNITS, "feed-units"}
+    {NCK_NOTE_FEED_UNITS, "feed-units"},
+    {NCK_NOTE_TOLERANCE, "no-tolerance"}
 };
 
 static const char *id_of(const name_t *names, size_t count, int32_t code) {

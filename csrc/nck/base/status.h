@@ -60,7 +60,8 @@ typedef enum nck_note {
     NCK_NOTE_ARC_CENTRE = 4, // "assumed-centre": I J K before G90.1 or G91.1
     NCK_NOTE_NO_END = 5,     // "no-end": the text ends without M2, M30 or a closing %
     NCK_NOTE_AFTER_END = 6,  // "after-end": text after M2 or M30 is not read
-    NCK_NOTE_FEED_UNITS = 7  // "feed-units": F beside a G20 or G21 that changes the units
+    NCK_NOTE_FEED_UNITS = 7, // "feed-units": F beside a G20 or G21 that changes the units
+    NCK_NOTE_TOLERANCE = 8   // "no-tolerance": G64 without P on a machine whose tolerance is 0
 } nck_note_t;
 
 // One finding in a program. Wording is the caller's; ids and numbers are the kernel's.
