@@ -50,7 +50,7 @@ MAY_INCLUDE = {
     **{f"csrc/nck/{room}/": ("nck/base/", f"nck/{room}/") for room in ROOMS},
     "csrc/nck/nck.": ("nck/",),
     "csrc/host/": ("nck/", "host/"),
-    "opencl/": ("nck/base/", "_math.h", "opencl/"),
+    "opencl/": ("nck/base/", "_math.h", "host/unit.h", "opencl/"),
     "firmware_sim/os/": ("os/", "os.h"),
     "firmware_sim/app/": ("app/", "nck/nck.h", "os.h", "hal.h"),
     "firmware_sim/hal/": ("hal", "board/board.h", "os/port.h"),

@@ -5,8 +5,8 @@
 #include <float.h>  // DBL_MAX
 #include <string.h> // memset
 
-#include "nck/prep/4_lookahead/grade_math.h" // nck_grade_…
-#include "nck/prep/4_lookahead/joint.h"      // nck_joint_make
+#include "host/grade_math.h"            // nck_grade_…
+#include "nck/prep/4_lookahead/joint.h" // nck_joint_make
 
 // A length within this share of a border is at it.
 #define LENGTH_EPSILON 1e-9

@@ -12,6 +12,7 @@
 #include <stddef.h> // size_t
 
 #include "host/host.h" // nck_host_totals_t and all records
+#include "host/unit.h" // nck_unit_t nck_grade_rule_t
 
 // Numbers of planning by grades.
 enum {

@@ -360,7 +360,7 @@ class Simulation(kernel.Simulation):
     def __init__(self, grades, prep_steps=kernel.PREP_STEPS):
         slope = grades.machine.settings.path.slope
         if slope != "linear":
-            raise errors.ArgumentError(f"grades run under the slope linear, not {slope}", id="slope")
+            raise errors.ArgumentError(f"grades run with the slope linear, not {slope}", id="slope")
         super().__init__(b"", grades.machine, prep_steps)
         self._feed = ffi.new("nck_host_grade_feed_t *")
         self._grades = grades

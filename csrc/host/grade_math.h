@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 // Velocity grades: speeds so far apart that a planning unit is just long enough for one step
 // between them.
-#ifndef NCK_PREP_GRADE_MATH_H
-#define NCK_PREP_GRADE_MATH_H
+#ifndef NCK_HOST_GRADE_MATH_H
+#define NCK_HOST_GRADE_MATH_H
 
-#include "nck/base/real.h"    // nck_real nck_sqrt nck_floor
-#include "nck/base/records.h" // nck_grade_rule_t
+#include "host/unit.h"     // nck_grade_rule_t
+#include "nck/base/real.h" // nck_real nck_sqrt nck_floor
 
 // Length of a planning unit: n steps at the command velocity,   L = n·v_c·T
 // (Cao et al. 2014, eq. 10; theirs is in m/min).

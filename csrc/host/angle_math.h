@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // The linking vector angle at a junction: 0 is tangent-continuous, π a reversal. Directions in a
 // plane are given as out[0] = cos, out[1] = sin of the forward angle from the plane's first axis.
-#ifndef NCK_PREP_ANGLE_MATH_H
-#define NCK_PREP_ANGLE_MATH_H
+#ifndef NCK_HOST_ANGLE_MATH_H
+#define NCK_HOST_ANGLE_MATH_H
 
 #include "nck/base/real.h"      // nck_real nck_sqrt nck_fabs
 #include "nck/base/records.h"   // NCK_AXIS_MAX
