@@ -5,6 +5,10 @@
 
 #include <stdint.h> // int32_t uint32_t
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 // What a call returns.
 typedef enum nck_status {
     NCK_OK = 0,       // done, or one bounded piece of work done
@@ -80,5 +84,9 @@ const char *nck_status_id(int32_t status);
 
 // The stable id of a note ("assumed-units"), never NULL. Cost and context as above.
 const char *nck_note_id(int32_t note);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif
