@@ -80,7 +80,8 @@ static inline nck_real nck_atan2(nck_real y, nck_real x) {
     const nck_real ax = nck_fabs(x);
     const nck_real ay = nck_fabs(y);
     if (ax == 0.0 && ay == 0.0) return 0.0;
-    nck_real angle = ay <= ax ? nck_atan_core(ay / ax) : NCK_HALF_PI - nck_atan_core(ax / ay);
+    const nck_real core = nck_atan_core(ay <= ax ? ay / ax : ax / ay);
+    nck_real angle = ay <= ax ? core : NCK_HALF_PI - core;
     if (x < 0.0) angle = NCK_PI - angle;
     return y < 0.0 ? -angle : angle;
 }
