@@ -6,7 +6,7 @@
 
 #include "nck/base/real.h"      // nck_real nck_sqrt nck_fabs
 #include "nck/base/records.h"   // NCK_AXIS_MAX
-#include "nck/base/trig_math.h" // nck_atan2
+#include "nck/base/trig_math.h" // what nck_atan2 stands for
 
 // Two vectors in space, of any length but 0:
 //   cos α = d1·d2 / (|d1||d2|)     (Cao et al. 2014, eq. 1)

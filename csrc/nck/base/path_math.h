@@ -6,7 +6,7 @@
 
 #include "nck/base/real.h"      // nck_real
 #include "nck/base/records.h"   // nck_seg_t
-#include "nck/base/trig_math.h" // nck_sincos
+#include "nck/base/trig_math.h" // what nck_sincos stands for
 
 // A cubic over f = s/L in 0…1 by its Bernstein points b0 … b3, repeated linear interpolation:
 //   p = Σ C(3,k) (1 − f)^(3−k) f^k b_k
