@@ -6,7 +6,7 @@
 
 #include "check.h"
 #include "host/grade.h"
-#include "nck/base/path_math.h" // nck_path_tangent
+#include "nck/base/path.h"      // nck_path_tangent
 #include "host/angle_math.h"    // nck_angle_…
 #include "host/grade_math.h"    // nck_grade_…
 #include "host/transfer_math.h" // nck_transfer_tangent
