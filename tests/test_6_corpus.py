@@ -99,6 +99,20 @@ def test_a_starved_run_keeps_limits_path_and_stops(name):
     assert starved.ticks >= run_of(name).ticks
 
 
+# The machines as they are shipped: jerk-limited, within their tolerance
+
+SHORT = ("arcs_rword.gcode", "mill_fanuc_g17_18_19.nc", "tp_trochoidal.ngc", "tp_zigzag.ngc")
+
+
+@pytest.mark.parametrize("name", [name for name in RUNNING if FILES[name].file in SHORT])
+def test_a_shipped_machine_keeps_every_limit_and_its_tolerance(name):
+    program = judged.load(present(FILES[name]))
+    judge = judged.run(program).judge
+    assert program.machine.settings.path.slope == "jerk"
+    assert judge.tolerance_used <= 1
+    assert judge.j.max() <= 1 + 1e-6
+
+
 # The jerk-limited slope, on the beginning of every file
 
 LINES = 400  # read of a file: enough for arcs, corners and micro-segments
