@@ -8,8 +8,7 @@
 PYTHON ?= python3
 FILE ?= pycnc/examples/first_part.ngc
 PICTURE ?= build/$(basename $(notdir $(FILE))).png
-# Without a machine of the user's own: what the kernel does best.
-MACHINE_OPTION = $(if $(MACHINE), --machine "$(MACHINE)", --set path.slope=jerk)
+MACHINE_OPTION = $(if $(MACHINE), --machine "$(MACHINE)")
 
 BIN = .venv/bin
 STAMP = build/stamp

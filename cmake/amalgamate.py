@@ -25,6 +25,7 @@ WORD = re.compile(r"[A-Za-z_]\w*")
 OWN_INCLUDE = re.compile(r'^#include "([^"]+)".*\n', re.M)
 SYSTEM_INCLUDE = re.compile(r"^#include <([^>]+)>.*\n", re.M)
 GUARD = re.compile(r"^#ifndef (NCK_\w*H)\n#define \1\n(.*)^#endif\n", re.M | re.S)
+LINKAGE = re.compile(r'^#ifdef __cplusplus\n(?:extern "C" \{|\})\n#endif\n', re.M)
 INLINE = re.compile(
     r"(?:^//[^\n]*\n)*^static inline [^;{]*?\b(\w+)\([^{]*\{(?:[^\n]*\}|.*?^\})\n", re.M | re.S
 )
@@ -70,7 +71,7 @@ def capacities_filled_in(text, definitions):
 
 def body(name, text):
     """Return a file's text without guard and includes, under a line that names it."""
-    text = GUARD.sub(r"\2", text)
+    text = LINKAGE.sub("", GUARD.sub(r"\2", text))
     text = OWN_INCLUDE.sub("", SYSTEM_INCLUDE.sub("", text)).strip("\n")
     return f"\n// ======== {name}\n" + re.sub(r"\n{3,}", "\n\n", text) + "\n"
 
@@ -155,7 +156,9 @@ def amalgamate(definitions):
     texts[limits] = capacities_filled_in(texts[limits], definitions)
     face = head + "#ifndef NCK_H\n#define NCK_H\n\n"
     face += system_includes(texts[name] for name in faces)
-    face += "".join(body(name, texts[name]) for name in faces) + "\n#endif\n"
+    face += '\n#ifdef __cplusplus\nextern "C" {\n#endif\n'
+    face += "".join(body(name, texts[name]) for name in faces)
+    face += "\n#ifdef __cplusplus\n}\n#endif\n\n#endif\n"
     inner = "".join(body(name, texts[name]) for name in formulas)
     for name in sources:
         inner += body(name, texts[name]) + macros_end_here(texts[name])

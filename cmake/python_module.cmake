@@ -27,3 +27,5 @@ install(TARGETS _nck DESTINATION pycnc)
 install(DIRECTORY "${PROJECT_SOURCE_DIR}/opencl" DESTINATION pycnc)
 install(DIRECTORY "${PROJECT_SOURCE_DIR}/csrc/nck" DESTINATION pycnc/csrc
         FILES_MATCHING PATTERN "limits.h" PATTERN "real.h" PATTERN "records.h" PATTERN "*_math.h")
+install(DIRECTORY "${PROJECT_SOURCE_DIR}/csrc/host" DESTINATION pycnc/csrc
+        FILES_MATCHING PATTERN "unit.h" PATTERN "*_math.h")

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The bubble by sweeps: grades sink until neighbours differ by one at most. Launch until a sweep
 // changes nothing; the grades are those of scan.cl then. Grades lie in 0 … NO_LIMIT − 1.
-#include "nck/prep/4_lookahead/bubble_math.h" // nck_bubble_sweep
+#include "host/bubble_math.h" // nck_bubble_sweep
 
 // Beyond the ends nothing limits.
 enum { NO_LIMIT = 0x3fffffff };

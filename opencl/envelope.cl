@@ -4,8 +4,8 @@
 // One work-item plans one contiguous part of the path, tile after tile. Global size: the number of
 // parts. Local size: 1. Reads w_cap (n), h (n − 1); writes w (n) and one state per part. Must equal
 // nck_host_envelope to the bit where every state is 0; where one is not, w is not to be used.
-#include "tile_math.h"                       // tile_backward tile_forward
-#include "nck/prep/4_lookahead/chunk_math.h" // nck_chunk_behind nck_chunk_before nck_chunk_enter
+#include "tile_math.h"       // tile_backward tile_forward
+#include "host/chunk_math.h" // nck_chunk_behind nck_chunk_before nck_chunk_enter
 
 // State of a part: bits.
 enum { DOUBT_OVERLAP = 1, DOUBT_NUMBER = 2 };

@@ -17,7 +17,7 @@
 #undef NCK_OUT
 #define NCK_IN __local const
 #define NCK_OUT __local
-#include "nck/prep/4_lookahead/chunk_math.h" // nck_chunk_behind nck_chunk_before nck_chunk_is_good
+#include "host/chunk_math.h" // nck_chunk_behind nck_chunk_before nck_chunk_is_good
 
 // State of a tile: bits, as in envelope.cl.
 enum { DOUBT_OVERLAP = 1, DOUBT_NUMBER = 2 };

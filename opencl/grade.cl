@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Grades: of the caps before the bubble, and the accelerations that follow from those after it.
-#include "nck/prep/4_lookahead/grade_math.h" // nck_grade_of nck_grade_vv
-#include "nck/prep/5_slope/ramp_math.h"      // nck_ramp_accel
+#include "host/grade_math.h"            // nck_grade_of nck_grade_vv
+#include "nck/prep/5_slope/ramp_math.h" // nck_ramp_accel
 
 // One work-item: one point. Global size: count, rounded up. Local size: any. Reads the rule of
 // every stretch, the stretch of every point and its cap; writes its grade. Must equal

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // How this device lays out the records that the kernels read: a test compares it with C.
-#include "nck/base/records.h" // nck_seg_t nck_unit_t nck_grade_rule_t
+#include "host/unit.h"        // nck_unit_t nck_grade_rule_t
+#include "nck/base/records.h" // nck_seg_t
 
 #define OFFSET(record, field) (ulong)&((__global record *)0)->field
 

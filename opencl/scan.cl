@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // The bubble's grades at once: one scan backward and one forward, exact on all data.
-#include "lanes_math.h"                       // lanes_t lanes_transpose (of the float folder)
-#include "nck/prep/4_lookahead/bubble_math.h" // nck_bubble_behind nck_bubble_grade nck_bubble_scan
-#include "nck/prep/4_lookahead/chunk_math.h"  // nck_chunk_begin nck_chunk_lane
+#include "lanes_math.h"       // lanes_t lanes_transpose (of the float folder)
+#include "host/bubble_math.h" // nck_bubble_behind nck_bubble_grade nck_bubble_scan
+#include "host/chunk_math.h"  // nck_chunk_begin nck_chunk_lane
 
 // Beyond the ends nothing limits. Grades lie in 0 … NO_LIMIT − 1.
 enum { NO_LIMIT = 0x3fffffff };

@@ -11,7 +11,7 @@
 #include "nck/base/envelope_math.h" // nck_envelope_backward for one number
 
 // The same formulas once more, for lanes: the text of the header is the only definition.
-#undef NCK_PREP_ENVELOPE_MATH_H
+#undef NCK_BASE_ENVELOPE_MATH_H
 #define nck_real lanes_t
 #define nck_envelope_h lanes_envelope_h
 #define nck_envelope_backward lanes_envelope_backward

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Transfer speeds: the cap of every point between two planning units.
-#include "nck/prep/4_lookahead/turn_math.h" // nck_turn_transfer
+#include "host/turn_math.h" // nck_turn_transfer
 
 // One work-item: one point; those of stretch k begin at its first unit + k. Global size: count,
 // rounded up. Local size: any. Reads segs, units, their speeds v, the rule of every stretch and the

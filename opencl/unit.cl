@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Speed inside every planning unit.
-#include "nck/prep/4_lookahead/unit_math.h" // nck_unit_step_count nck_unit_speed
+#include "host/unit_math.h" // nck_unit_step_count nck_unit_speed
 
 // One work-item: one unit. Global size: count, rounded up. Local size: any. Reads segs, units, the
 // rule of every stretch and the stretch of every unit; writes v, n_step and limit of every unit.

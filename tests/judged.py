@@ -24,11 +24,19 @@ class Run:
     judge: checker.Checker
 
 
-def load(case):
+LINEAR_EXACT = ("path.slope=linear", "path.tolerance_mm=0")
+
+
+def load(case, change=()):
     """Return the decoded program of a case or of a file of the corpus."""
-    machine = Machine.load(case.machine, set=case.set)
+    machine = Machine.load(case.machine, set=(*change, *case.set))
     text = case.path.read_bytes() if hasattr(case, "path") else case.text.encode()
     return Program(text, machine, file=str(case))
+
+
+def load_exact(case):
+    """Return a program under the linear slope, on the exact path wherever it gives no tolerance."""
+    return load(case, LINEAR_EXACT)
 
 
 def rows_of(program, prep_steps=kernel.PREP_STEPS, commands=()):

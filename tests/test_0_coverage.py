@@ -18,7 +18,8 @@ TICK_PATH = {
     "tick/7_transform/transform.c": None,
     "base/link.c": None,
     "base/path_math.h": {"nck_path_point", "nck_path_cubic"},
-    "base/trig_math.h": {"nck_sincos", "nck_sin_core", "nck_cos_core"},
+    "base/trig.c": {"nck_sincos"},
+    "base/trig_math.h": {"nck_trig_sincos", "nck_sin_core", "nck_cos_core"},
     "nck.c": {"nck_tick", "is_held", "is_waiting", "hand_over_outputs", "nck_resume", "nck_hold",
               "nck_abort", "nck_is_idle", "nck_take"},
 }  # fmt: skip

@@ -50,7 +50,7 @@ MAY_INCLUDE = {
     **{f"csrc/nck/{room}/": ("nck/base/", f"nck/{room}/") for room in ROOMS},
     "csrc/nck/nck.": ("nck/",),
     "csrc/host/": ("nck/", "host/"),
-    "opencl/": ("nck/base/", "_math.h", "opencl/"),
+    "opencl/": ("nck/base/", "_math.h", "host/unit.h", "opencl/"),
     "firmware_sim/os/": ("os/", "os.h"),
     "firmware_sim/app/": ("app/", "nck/nck.h", "os.h", "hal.h"),
     "firmware_sim/hal/": ("hal", "board/board.h", "os/port.h"),
@@ -259,7 +259,7 @@ def test_preprocessor_branches_live_in_limits_and_real(name):
     if name.endswith(("base/limits.h", "base/real.h")):
         return
     branches = re.findall(r"^\s*#\s*(?:if|ifdef|ifndef|elif)\b.*$", read(name), re.M)
-    guard = re.compile(r"#ifndef (NCK_\w*H|__OPENCL_VERSION__)$")
+    guard = re.compile(r"#ifndef (NCK_\w*H|__OPENCL_VERSION__)$|#ifdef __cplusplus$")
     assert [branch for branch in branches if not guard.match(branch.strip())] == []
 
 

@@ -118,7 +118,7 @@ def whole_path(nodes):
 
 @pytest.mark.parametrize("name", CASES)
 def test_the_window_gives_the_bits_of_the_whole_path(name):
-    nodes = judged.plan(judged.load(CASES[name]))[2]
+    nodes = judged.plan(judged.load_exact(CASES[name]))[2]
     assert not nodes["open"].any()
     assert nodes["vv"].tobytes() == whole_path(nodes).tobytes()
 
@@ -127,7 +127,7 @@ def test_the_window_gives_the_bits_of_the_whole_path(name):
 def test_the_window_gives_the_bits_of_the_whole_path_on_real_programs(name):
     if not FILES[name].path.exists():
         pytest.skip(f"{FILES[name].path} is not here: the corpus lies beside the repository")
-    nodes = judged.plan(judged.load(FILES[name]))[2]
+    nodes = judged.plan(judged.load_exact(FILES[name]))[2]
     assert not nodes["open"].any()
     assert nodes["vv"].tobytes() == whole_path(nodes).tobytes()
 
@@ -137,7 +137,7 @@ def test_the_window_gives_the_bits_of_the_whole_path_on_real_programs(name):
 def test_a_short_window_never_exceeds_the_whole_path(name, blocks):
     case = CASES[name]
     change = (*case.set, f"path.lookahead_blocks={blocks}")
-    nodes = judged.plan(judged.load(cases.Case(name, case.text, case.machine, change)))[2]
+    nodes = judged.plan(judged.load_exact(cases.Case(name, case.text, case.machine, change)))[2]
     whole = whole_path(nodes)
     assert (nodes["vv"] <= whole).all()
     assert (nodes["vv"][1:] <= nodes["vv"][:-1] + 2.0 * (nodes["a"] * nodes["length"])[:-1]).all()

@@ -31,8 +31,8 @@ LIMITS = enum("nck_limit_t")
 
 @pytest.fixture(scope="module")
 def mill():
-    """Return the shipped mill."""
-    return Machine.load("mill3")
+    """Return the shipped mill as grades run on it."""
+    return Machine.load("mill3", set=judged.LINEAR_EXACT)
 
 
 def line_segs(lengths, feed=20.0):
@@ -195,7 +195,7 @@ def judge_run(program):
 
 @pytest.mark.parametrize("name", CASES)
 def test_a_run_by_grades_keeps_speeds_path_stops_and_end(name):
-    planned, controller, judge = judge_run(judged.load(CASES[name]))
+    planned, controller, judge = judge_run(judged.load_exact(CASES[name]))
     assert planned.holds()
     assert controller.starved_ticks == 0
     assert judge.ticks == planned.totals["ticks"] or not len(planned.segs)
@@ -206,14 +206,14 @@ def test_a_corpus_file_runs_by_grades(name):
     file = next(each for each in cases.RUNNING_FILES if each.file == name)
     if not file.path.exists():
         pytest.skip("no corpus here")
-    planned, controller, judge = judge_run(judged.load(file))
+    planned, controller, judge = judge_run(judged.load_exact(file))
     assert planned.holds() and controller.starved_ticks == 0
     assert judge.ticks == planned.totals["ticks"]
 
 
 @pytest.mark.parametrize("name", [name for name in CASES if "stops" in name or "output" in name])
 def test_outputs_come_in_the_same_order_as_by_the_exact_plan(name):
-    program = judged.load(CASES[name])
+    program = judged.load_exact(CASES[name])
     by_grades, _ = grades.of_text(program.text, program.machine)
     told = []
     for controller in (
@@ -227,7 +227,7 @@ def test_outputs_come_in_the_same_order_as_by_the_exact_plan(name):
 
 
 def test_two_runs_by_grades_give_the_same_bytes():
-    program = judged.load(CASES["random_arcs_0"])
+    program = judged.load_exact(CASES["random_arcs_0"])
     runs = []
     for _ in range(2):
         controller = grades.Simulation(grades.of_text(program.text, program.machine)[0])
@@ -236,7 +236,7 @@ def test_two_runs_by_grades_give_the_same_bytes():
 
 
 def test_few_prep_steps_give_the_same_bytes():
-    program = judged.load(CASES["spiral"])
+    program = judged.load_exact(CASES["spiral"])
     planned, _ = grades.of_text(program.text, program.machine)
     runs = []
     for prep_steps in (1, kernel.PREP_STEPS):
@@ -298,13 +298,13 @@ def test_an_unknown_plan_is_a_wrong_call(tmp_path):
 
 
 def test_accelerations_are_reported_and_not_judged():
-    trace = Trace(judged.load(CASES["zigzag"]), plan="grades")
+    trace = Trace(judged.load_exact(CASES["zigzag"]), plan="grades")
     assert trace.plan.kind == "grades" and "a" in trace.summary["peaks"]["x"]
     assert trace["pos_x_mm"][-1] == trace.plan.segs["end"][-1, 0]
 
 
 def test_a_run_planned_on_a_device_has_the_same_bytes():
-    program = judged.load(CASES["random_smooth_0"])
+    program = judged.load_exact(CASES["random_smooth_0"])
     runs = []
     for backend in ("c", "opencl"):
         try:

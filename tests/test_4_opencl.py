@@ -177,7 +177,7 @@ def nodes_of(name):
     case = PROGRAMS[name]
     if hasattr(case, "path") and not case.path.exists():
         pytest.skip(f"{case.path} is not here: the corpus lies beside the repository")
-    return judged.plan(judged.load(case))[2]
+    return judged.plan(judged.load_exact(case))[2]
 
 
 @pytest.mark.parametrize("name", PROGRAMS)
@@ -264,7 +264,7 @@ def test_planning_by_grades_has_the_bits_of_c(name):
     case = PROGRAMS[name]
     if hasattr(case, "path") and not case.path.exists():
         pytest.skip(f"{case.path} is not here: the corpus lies beside the repository")
-    program = judged.load(case)
+    program = judged.load_exact(case)
     plan, _ = grades.of_text(program.text, program.machine)
     if len(plan.units) == 0:
         pytest.skip("no motion")
@@ -403,7 +403,7 @@ p = rng.integers(0, 20, 1100).astype(np.int32)
 for method in ("scan", "sweep", "fused"):
     device_grades.bubble(p, method, "oclgrind")
 text = b"G21 G90 G94 G17 G61\\nF1200\\nG1 X2 Y1\\nG3 X4 Y1 I1 J0\\nG1 X5\\nM2\\n"
-plan, _ = grades.of_text(text, Machine.load("mill3"))
+plan, _ = grades.of_text(text, Machine.load("mill3", set=["path.slope=linear"]))
 device_grades.plan_grades(plan.segs, plan.units, plan.stretches, "oclgrind")
 print("ran", len(plan.units))
 """

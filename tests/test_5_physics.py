@@ -28,30 +28,31 @@ def case(request):
 # Runs keep every promise
 
 
-def test_a_run_keeps_limits_path_and_stops(case):
-    judged.run(judged.load(case).check())
+@pytest.mark.parametrize("load", [judged.load_exact, judged.load], ids=["linear", "shipped"])
+def test_a_run_keeps_limits_path_and_stops(case, load):
+    judged.run(load(case).check())
 
 
 @pytest.mark.parametrize("prep_steps", [1, 2, 3, 7])
 def test_a_starved_run_keeps_limits_path_and_stops(case, prep_steps):
-    judged.run(judged.load(case), prep_steps)
+    judged.run(judged.load_exact(case), prep_steps)
 
 
 @pytest.mark.parametrize("prep_steps", [2, kernel.PREP_STEPS])
 def test_two_runs_give_the_same_bytes(case, prep_steps):
-    program = judged.load(case)
+    program = judged.load_exact(case)
     assert judged.digest_of(program, prep_steps) == judged.digest_of(program, prep_steps)
 
 
 def test_how_many_rows_are_asked_for_makes_no_difference(case, monkeypatch):
-    program = judged.load(case)
+    program = judged.load_exact(case)
     whole = judged.digest_of(program, 3)
     monkeypatch.setattr(kernel, "_TICK_ROWS", 17)
     assert judged.digest_of(program, 3) == whole
 
 
 def test_the_plan_takes_as_long_as_the_run(case):
-    program = judged.load(case)
+    program = judged.load_exact(case)
     totals, segs, nodes, cells = judged.plan(program)
     rows = judged.rows_of(program)
     assert totals["ticks"] == (0 if case.name in AT_REST_ALONE else len(rows))
@@ -61,7 +62,7 @@ def test_the_plan_takes_as_long_as_the_run(case):
 
 
 def test_the_times_of_a_plan_add_up(case):
-    totals = judged.plan(judged.load(case))[0]
+    totals = judged.plan(judged.load_exact(case))[0]
     by_kind = totals["cut_s"] + totals["rapid_s"] + totals["dwell_s"]
     by_phase = totals["accelerate_s"] + totals["cruise_s"] + totals["decelerate_s"]
     assert by_kind == pytest.approx(totals["time_s"], rel=1e-9)
@@ -70,7 +71,7 @@ def test_the_times_of_a_plan_add_up(case):
 
 
 def test_the_length_of_a_plan_is_the_length_of_the_program(case):
-    program = judged.load(case)
+    program = judged.load_exact(case)
     path = checker.Path(program.blocks, checker.Limits.of(program.machine.record))
     assert judged.plan(program)[0]["length_mm"] == pytest.approx(path.length.sum(), rel=1e-12)
 
@@ -79,12 +80,12 @@ def test_the_length_of_a_plan_is_the_length_of_the_program(case):
 def test_a_short_window_is_slower_and_keeps_every_promise(case, blocks):
     change = (*case.set, f"path.lookahead_blocks={blocks}")
     short = cases.Case(case.name, case.text, case.machine, change)
-    ticks = judged.run(judged.load(short)).ticks
-    assert ticks >= len(judged.rows_of(judged.load(case)))
+    ticks = judged.run(judged.load_exact(short)).ticks
+    assert ticks >= len(judged.rows_of(judged.load_exact(case)))
 
 
 def test_starvation_is_noticed_and_costs_time():
-    program = judged.load(CASES["spiral"])
+    program = judged.load_exact(CASES["spiral"])
     fed, starved = judged.run(program), judged.run(program, prep_steps=1)
     assert fed.starved_ticks == 0
     assert starved.starved_ticks > 0
@@ -96,11 +97,12 @@ def test_starvation_is_noticed_and_costs_time():
 def test_any_period_keeps_every_promise(name, period_ms):
     case = CASES[name]
     change = (*case.set, f"kernel.period_ms={period_ms}")
-    judged.run(judged.load(cases.Case(name, case.text, case.machine, change)))
+    judged.run(judged.load_exact(cases.Case(name, case.text, case.machine, change)))
 
 
 def test_everything_before_an_error_is_executed_and_nothing_after():
-    program = Program(b"G21 G90 G94 G17\nG1 X10 F600\nX20\nG1 QQ\nX30\nM2\n", Machine.load("mill3"))
+    text = b"G21 G90 G94 G17\nG1 X10 F600\nX20\nG1 QQ\nX30\nM2\n"
+    program = Program(text, Machine.load("mill3", set=judged.LINEAR_EXACT))
     good = program.blocks["line"] < 4
     judge = checker.Checker(program.blocks[good], program.machine.record)
     controller = kernel.Simulation(program.text, program.machine)
@@ -142,7 +144,8 @@ program_text = st.lists(move, min_size=1, max_size=30).map(
 @settings(max_examples=250)
 @given(program_text, st.sampled_from((1, 2, 3, 5, 11, 256)))
 def test_any_program_keeps_every_promise(text, prep_steps):
-    machine = Machine.load("mill3", set=["axis.z.max_mm=free", "axis.z.min_mm=free"])
+    free = ("axis.z.max_mm=free", "axis.z.min_mm=free")
+    machine = Machine.load("mill3", set=(*judged.LINEAR_EXACT, *free))
     program = Program(text.encode(), machine)
     if not program.diagnostics.errors:  # arcs and steps may leave the travel
         judged.run(program, prep_steps)
@@ -155,7 +158,7 @@ def test_any_program_keeps_every_promise(text, prep_steps):
 def sound():
     """Return a program with stops and arcs, and its rows."""
     moves = "G1 X10 F3000\nG9 X20\nG3 X20 Y10 J5\nG4 P0.05\nG1 X0\nY0.0005\nY0.001\nM2\n"
-    program = Program((cases.HEAD + moves).encode(), Machine.load("mill3"))
+    program = Program((cases.HEAD + moves).encode(), Machine.load("mill3", set=judged.LINEAR_EXACT))
     return program, judged.rows_of(program)
 
 

@@ -29,7 +29,8 @@ def present(file):
 
 @functools.cache
 def program_of(name):
-    return judged.load(present(FILES[name]))
+    """Return a file as a program for the linear slope, on the exact path."""
+    return judged.load_exact(present(FILES[name]))
 
 
 @functools.cache
@@ -96,6 +97,20 @@ def test_the_summary_tells_what_the_checker_found(name):
 def test_a_starved_run_keeps_limits_path_and_stops(name):
     starved = judged.run(program_of(name), STARVED)
     assert starved.ticks >= run_of(name).ticks
+
+
+# The machines as they are shipped: jerk-limited, within their tolerance
+
+SHORT = ("arcs_rword.gcode", "mill_fanuc_g17_18_19.nc", "tp_trochoidal.ngc", "tp_zigzag.ngc")
+
+
+@pytest.mark.parametrize("name", [name for name in RUNNING if FILES[name].file in SHORT])
+def test_a_shipped_machine_keeps_every_limit_and_its_tolerance(name):
+    program = judged.load(present(FILES[name]))
+    judge = judged.run(program).judge
+    assert program.machine.settings.path.slope == "jerk"
+    assert judge.tolerance_used <= 1
+    assert judge.j.max() <= 1 + 1e-6
 
 
 # The jerk-limited slope, on the beginning of every file

@@ -6,15 +6,16 @@ import math
 from decimal import Decimal
 from pathlib import Path
 
+import numpy as np
 import pytest
 from command_line import pycnc
 from hypothesis import given
 from hypothesis import strategies as st
 
-from pycnc.kernel.bind import lib
+from pycnc.kernel.bind import lib, pointer
 from pycnc.machine import Machine, MachineFileError, shipped
 from pycnc.machine.schema import AXES
-from pycnc.kernel.records import quantity_range
+from pycnc.kernel.records import dtype, quantity_range
 
 DOCS = Path(__file__).resolve().parents[1] / "docs"
 SMALL = """\
@@ -89,6 +90,33 @@ def test_a_shipped_machine_is_good_and_described(name):
     machine = Machine.load(name)
     assert machine.settings.description
     assert machine.period_s == 1e-3
+
+
+@pytest.mark.parametrize(
+    ("name", "tolerance"),
+    [("mill3", 0.01), ("mill5_xyzac", 0.01), ("cak6150n", 0.005), ("printer", 0.05)],
+)
+def test_a_shipped_machine_limits_jerk_and_rounds_corners(name, tolerance):
+    machine = Machine.load(name)
+    assert machine.settings.path.slope == "jerk"
+    assert machine.record["path"]["tolerance"] == tolerance
+    ramp_s = machine.limits("a_max") / machine.limits("j_max")
+    assert ((ramp_s >= 0.01) & (ramp_s <= 0.1)).all(), "full acceleration within 10 to 100 ms"
+
+
+def test_the_experiment_is_acceleration_limited_on_the_exact_path():
+    path = Machine.load("cao2014").settings.path
+    assert (path.slope, path.tolerance_mm) == ("linear", 0)
+
+
+def test_a_file_that_says_nothing_has_the_defaults_of_the_kernel():
+    record, kernel = Machine.from_text(SMALL).record, np.zeros(1, dtype("nck_machine_t"))
+    lib.nck_machine_default(pointer("nck_machine_t", kernel))
+    for name in ("period_s", "slope", "kinematics", "lookahead_blocks"):
+        assert record[name] == kernel[0][name], name
+    for name in ("chord_error", "tolerance", "arc_radius"):
+        assert record["path"][name] == kernel[0]["path"][name], name
+    assert record["dialect"] == kernel[0]["dialect"]
 
 
 def test_the_lathe_has_rapids_of_15_m_per_minute_and_programs_diameters():

@@ -173,7 +173,7 @@ def test_check_looks_at_every_file(good, wrong, tmp_path):
 
 
 def test_time_names_machine_and_slope_and_tells_what_was_assumed():
-    result = pycnc("time", "-", "--set", "path.slope=jerk", stdin=b"G1 X10 F600\nM2\n")
+    result = pycnc("time", "-", stdin=b"G1 X10 F600\nM2\n")
     assert re.match(r"<stdin> on mill3, slope jerk: 1\.0\d\d s \(cut 1\.", result.out)
     assert "note[assumed-units]" in result.err
     assert pycnc("time", "-q", "-", stdin=b"G1 X10 F600\nM2\n").err == ""
@@ -193,8 +193,10 @@ def test_run_writes_json_a_trace_and_a_picture(good, tmp_path):
     result = pycnc("run", "--json", good, "-o", trace, "--plot", picture)
     told = json.loads(result.out)
     assert result.code == 0
-    assert told["path_error_mm"] < 1e-6
+    assert told["slope"] == "jerk"
+    assert 0 < told["path_error_mm"] <= 0.01, "the machine's tolerance"
     assert told["peaks"]["x"]["a"] <= 1 + 1e-6
+    assert told["peaks"]["x"]["j"] <= 1 + 1e-6
     with np.load(trace) as archive:
         assert len(archive["t_s"]) == told["ticks"]
     assert picture.read_bytes().startswith(b"\x89PNG")
@@ -206,11 +208,11 @@ def test_a_long_path_cuts_nothing_off_the_summary(tmp_path):
     file, trace = folder / "part.nc", folder / "trace.csv"
     file.write_bytes(GOOD)
     result = pycnc("run", file, "-o", trace)
-    assert re.match(re.escape(str(file)) + r" on mill3, slope linear: \d\.\d+ s\n", result.out)
+    assert re.match(re.escape(str(file)) + r" on mill3, slope jerk: \d\.\d+ s\n", result.out)
     assert result.out.endswith(f"Trace: {trace}\n")
     shown = on_a_terminal("run", file, "-o", trace, COLUMNS="80", NO_COLOR="1").decode()
     told = re.sub(r"\x1b\[[0-9;?]*[A-Za-z]", "", shown).replace("\r", "\n").splitlines()
-    assert any(line.endswith(" s") and f"{file} on mill3, slope linear: " in line for line in told)
+    assert any(line.endswith(" s") and f"{file} on mill3, slope jerk: " in line for line in told)
     assert any(line.endswith(f"Trace: {trace}") for line in told)
 
 
@@ -221,6 +223,23 @@ def test_the_summary_of_a_run_fits_a_screen(good):
     assert max(map(len, lines)) <= 100 + len(str(good))
     for words in ("What set the speed", "Peaks", "the programmed feed", "No errors"):
         assert words in result.out
+
+
+@pytest.mark.parametrize(
+    ("change", "words"),
+    [
+        ("path.tolerance_mm=0.01", ""),
+        ("path.tolerance_mm=0", "On an exact path (G61, or no tolerance) a corner crossed moving"),
+        ("path.slope=linear", "The linear slope limits acceleration, not jerk"),
+    ],
+)
+def test_jerk_above_its_limit_is_explained_where_it_is_told(good, change, words):
+    shown = pycnc("run", good, "--set", change).out
+    told = json.loads(pycnc("run", "--json", good, "--set", change).out)
+    assert (max(peak["j"] for peak in told["peaks"].values()) > 1 + 1e-6) == bool(words)
+    assert words in shown
+    for other in ("On an exact path", "The linear slope"):
+        assert (other in shown) == words.startswith(other)
 
 
 def test_a_run_with_errors_moves_nothing(wrong, tmp_path):
@@ -249,13 +268,15 @@ def test_plot_says_what_it_wrote(good, tmp_path):
 
 
 @pytest.mark.parametrize(
-    ("name", "machine"), [("first_part.ngc", "mill3"), ("turned_pin.ngc", "cak6150n")]
+    ("name", "machine", "tolerance"),
+    [("first_part.ngc", "mill3", 0.01), ("turned_pin.ngc", "cak6150n", 0.005)],
 )
-def test_the_examples_run_without_a_word_of_complaint(name, machine):
+def test_the_examples_run_without_a_word_of_complaint(name, machine, tolerance):
     result = pycnc("run", "--json", EXAMPLES / name, "--machine", machine)
     told = json.loads(result.out)
     assert (result.code, result.err, told["diagnostics"]) == (0, "", [])
-    assert told["path_error_mm"] < 1e-6
+    assert told["path_error_mm"] <= tolerance
+    assert max(peak["j"] for peak in told["peaks"].values()) <= 1
 
 
 def test_the_first_part_is_what_its_generator_writes():
@@ -326,7 +347,7 @@ def test_an_exit_code_says_what_kind_of_trouble_it_was(arguments, code, tmp_path
 
 def test_a_broken_limit_is_told_and_exits_1(good, monkeypatch):
     monkeypatch.setattr("pycnc.cli.PEAK_TOLERANCE", -0.5)
-    result = pycnc("run", "-q", good)
+    result = pycnc("run", "-q", good, "--set", "path.slope=linear")
     assert result.code == 1
     assert f"{good}: error[limit]: x a: 1.0" in result.err
 

@@ -26,8 +26,14 @@ ARCS = (
 
 
 @pytest.fixture(scope="module")
-def trace():
-    return pycnc.run(ARCS)
+def exact():
+    """Return a machine that keeps to the exact path where the program gives no tolerance."""
+    return Machine.load("mill3", set=["path.slope=linear", "path.tolerance_mm=0"])
+
+
+@pytest.fixture(scope="module")
+def trace(exact):
+    return pycnc.run(ARCS, machine=exact)
 
 
 # Doors
@@ -93,8 +99,10 @@ def test_a_program_error_names_its_line():
 # Plans
 
 
-def test_a_plan_and_its_run_take_the_same_time():
-    assert pycnc.plan(ARCS).time_s == pytest.approx(pycnc.run(ARCS).summary["time_s"], abs=1e-9)
+@pytest.mark.parametrize("slope", ["linear", "jerk", "sshape"])
+def test_a_plan_and_its_run_take_the_same_time(slope):
+    planned, run = pycnc.plan(ARCS, slope=slope), pycnc.run(ARCS, slope=slope)
+    assert planned.time_s == pytest.approx(run.summary["time_s"], abs=1e-9)
 
 
 def test_the_times_of_a_plan_add_up():
@@ -104,8 +112,8 @@ def test_the_times_of_a_plan_add_up():
     assert sum(parts["limit_time_s"].values()) == pytest.approx(plan.time_s)
 
 
-def test_the_arrays_of_a_plan_are_whole():
-    plan = pycnc.plan(SQUARE)
+def test_the_arrays_of_a_plan_are_whole(exact):
+    plan = pycnc.plan(SQUARE, machine=exact)
     assert len(plan.segs) == plan.totals["segments"] == 5
     assert plan.cells["length"].sum() == pytest.approx(plan.totals["length_mm"])
     assert plan.nodes["length"].sum() == pytest.approx(plan.totals["length_mm"])
@@ -162,8 +170,8 @@ def test_the_decode_stage_gives_blocks_and_findings():
 # Traces
 
 
-def test_two_runs_give_the_same_rows(trace):
-    again = pycnc.run(ARCS)
+def test_two_runs_give_the_same_rows(trace, exact):
+    again = pycnc.run(ARCS, machine=exact)
     assert all(np.array_equal(trace[name], again[name]) for name in trace.columns)
 
 
@@ -273,10 +281,10 @@ def test_a_kernel_that_stands_still_is_told_with_numbers():
     assert controller.end == "stalled"
 
 
-def test_few_prep_steps_starve_the_tick_and_break_no_limit():
+def test_few_prep_steps_starve_the_tick_and_break_no_limit(exact):
     lines = b"".join(b"G1 X%.3f Y%.3f\n" % (k * 0.02, k % 2 * 0.001) for k in range(1500))
-    starved = pycnc.run(b"G21 G90 F6000\n" + lines + b"M2\n", prep_steps=1)
-    fluent = pycnc.run(b"G21 G90 F6000\n" + lines + b"M2\n")
+    starved = pycnc.run(b"G21 G90 F6000\n" + lines + b"M2\n", machine=exact, prep_steps=1)
+    fluent = pycnc.run(b"G21 G90 F6000\n" + lines + b"M2\n", machine=exact)
     assert fluent.summary["starved_ticks"] == 0
     assert starved.summary["time_s"] >= fluent.summary["time_s"]
     for name in "xyz":

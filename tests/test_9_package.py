@@ -212,12 +212,51 @@ def test_the_pair_gives_the_same_setpoints(pair, setpoints, expected, tool, tmp_
     assert setpoints(tmp_path / "run") == expected
 
 
-def test_the_headers_can_be_read_from_cpp(pair, tool, tmp_path):
-    source = tmp_path / "firmware.cpp"
-    source.write_text('extern "C" {\n#include "nck/nck.h"\n}\nnck_t nck;\n')
-    for include in (ROOT / "csrc", pair.parent):
-        options = [*CORES["m7"], "-std=c++11", "-Wall", "-Wextra", "-Werror", f"-I{include}"]
-        call(tool("arm-none-eabi-g++"), *options, "-fsyntax-only", source)
+CPP = """
+#include "nck/nck.h"
+static nck_t kernel;
+static nck_machine_t machine;
+int main() {
+    nck_machine_default(&machine);
+    return nck_init(&kernel, &machine, nullptr) == NCK_OK && nck_is_idle(&kernel) ? 0 : 1;
+}
+"""
+CPP_FLAGS = "-std=c++11 -fno-exceptions -fno-rtti -Wall -Wextra -Werror".split()
+
+
+@pytest.mark.parametrize("form", ["library", "pair"])
+def test_a_cpp_file_includes_links_and_runs(gcc_build, pair, tool, tmp_path, form):
+    source, program = tmp_path / "firmware.cpp", tmp_path / "firmware"
+    source.write_text(CPP)
+    include, kernel = ROOT / "csrc", gcc_build[0] / "libnck.a"
+    if form == "pair":
+        include, kernel = pair.parent, tmp_path / "nck.o"
+        call("gcc", "-std=c99", "-c", pair / "nck.c", "-o", kernel)
+    for compiler, options in ((tool("clang++-19"), []), (tool("arm-none-eabi-g++"), CORES["m7"])):
+        call(compiler, *CPP_FLAGS, *options, f"-I{include}", "-c", source, "-o", f"{program}.o")
+        if not options:
+            call("gcc", f"{program}.o", kernel, "-lm", "-o", program)
+            call(program)
+
+
+def test_every_public_header_links_from_cpp(gcc_build, tool, tmp_path):
+    source, program = tmp_path / "all.cpp", tmp_path / "all"
+    headers = [*(f"host/{path.name}" for path in sorted((ROOT / "csrc/host").glob("*.h"))),
+               *(f"nck/base/{name}.h" for name in ("link", "machine", "status"))]  # fmt: skip
+    lines = [f'#include "{name}"' for name in headers if not name.endswith("_math.h")]
+    wanted = ("nck_host_decode", "nck_host_grade_rule", "nck_host_slope", "nck_host_bench_clock",
+              "nck_host_jerk", "nck_host_keinert", "nck_host_threads",
+              "nck_host_measure_float",
+              "nck_host_triad", "nck_link_init", "nck_machine_check", "nck_status_id")  # fmt: skip
+    addresses = ", ".join(f"(const void *)&{name}" for name in wanted)
+    lines.append(f"static const void *const all[] = {{{addresses}}};")
+    lines.append("int main(int count, char **) { return all[count - 1] ? 0 : 1; }\n")
+    source.write_text("\n".join(lines))
+    options = [*CPP_FLAGS, "-std=c++17", f"-I{ROOT / 'csrc'}"]
+    call(tool("clang++-19"), *options, "-c", source, "-o", tmp_path / "all.o")
+    libraries = [gcc_build[0] / "libnck_host.a", gcc_build[0] / "libnck.a"]
+    call("gcc", tmp_path / "all.o", *libraries, "-lm", "-fopenmp", "-o", program)
+    call(program)
 
 
 @pytest.mark.parametrize("core", CORES)

@@ -30,7 +30,7 @@ def test_the_python_example_tells_time_and_peak(tmp_path):
     time_s, peak = map(float, run.stdout.split())
     # 40 + 10π + 30 mm at 50 mm/s take 2.03 s, and ramps and a slower arc a little more.
     assert 2.03 < time_s < 3.0
-    assert 0.9 < peak <= 1.0 + 1e-6
+    assert 0.5 < peak <= 1.0 + 1e-6
 
 
 def test_the_c_example_compiles_alone_and_ends_on_its_end_point(tmp_path):

@@ -8,6 +8,10 @@
 
 #include "nck/nck.h" // nck_t nck_lookahead_t
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 // Run a whole text with prep always ahead, and time every tick.
 // nck: memory to work in, initialised here. ns_out: max rows, the time of each tick [ns], the
 // clock's own not taken off; *count_out rows are filled, fewer if the program is shorter.
@@ -24,5 +28,9 @@ int64_t nck_host_bench_clock(void);
 // Returns the time of all [ns]. Cost: linear. Context: prep.
 int64_t nck_host_bench_window(nck_lookahead_t *lookahead, const nck_machine_t *machine,
                               const nck_seg_t *segs, size_t n, size_t *pieces_out);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

@@ -9,6 +9,10 @@
 
 #include "nck/base/status.h" // nck_status_t
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 // How an envelope is planned; the bits are the same.
 typedef enum nck_host_backend {
     NCK_HOST_SERIAL = 0, // one node after the other: the definition
@@ -66,5 +70,9 @@ size_t nck_host_envelope_bad_double(const double *w_cap, const double *h, size_t
 // As nck_host_envelope_bad_double, in float.
 size_t nck_host_envelope_bad_float(const float *w_cap, const float *h, size_t n, double w_start,
                                    double w_end);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

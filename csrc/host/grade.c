@@ -5,8 +5,9 @@
 #include <float.h>  // DBL_MAX
 #include <string.h> // memset
 
-#include "nck/prep/4_lookahead/grade_math.h" // nck_grade_…
-#include "nck/prep/4_lookahead/joint.h"      // nck_joint_make
+#include "host/grade_math.h"            // nck_grade_…
+#include "nck/base/envelope_math.h"     // nck_envelope_h
+#include "nck/prep/4_lookahead/joint.h" // nck_joint_make
 
 // A length within this share of a border is at it.
 #define LENGTH_EPSILON 1e-9
@@ -33,7 +34,7 @@ nck_status_t nck_host_grade_rule(const nck_machine_t *machine, double v_command,
     for (int x = 0; x < NCK_AXIS_MAX; x++) {
         if (machine->axis[x].present) rule.a_axis[x] = machine->axis[x].a_max;
     }
-    const double count = nck_grade_count(v_command, v_min, nck_grade_step(a, rule.length));
+    const double count = nck_grade_count(v_command, v_min, nck_envelope_h(a, rule.length));
     if (!(count < COUNT_MAX)) return NCK_E_ARGUMENT;
     rule.count = (uint32_t)count;
     *rule_out = rule;

@@ -12,6 +12,11 @@
 #include <stddef.h> // size_t
 
 #include "host/host.h" // nck_host_totals_t and all records
+#include "host/unit.h" // nck_unit_t nck_grade_rule_t
+
+#ifdef __cplusplus
+extern "C" {
+#endif
 
 // Numbers of planning by grades.
 enum {
@@ -163,5 +168,9 @@ typedef struct nck_host_grade_feed {
 // Everything is final, so there is no stop tail: call it between any two ticks, and a period must
 // not use up all cells. Cost: linear in the capacities. Context: prep.
 nck_status_t nck_host_grade_prep(void *user);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

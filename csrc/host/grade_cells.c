@@ -4,8 +4,8 @@
 
 #include <string.h> // memset
 
-#include "nck/prep/4_lookahead/grade_math.h" // nck_grade_of nck_grade_vv
-#include "nck/prep/5_slope/ramp_math.h"      // nck_ramp_…
+#include "host/grade_math.h"            // nck_grade_of nck_grade_vv
+#include "nck/prep/5_slope/ramp_math.h" // nck_ramp_…
 
 // What is left of a length below this share of it is rounding.
 #define LENGTH_EPSILON 1e-12

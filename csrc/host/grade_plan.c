@@ -2,11 +2,11 @@
 // Planning by grades, second half: speeds, transfers, bubble, accelerations.
 #include "host/grade.h"
 
-#include "nck/prep/4_lookahead/bubble_math.h"   // nck_bubble_sweep nck_bubble_scan
-#include "nck/prep/4_lookahead/grade_math.h"    // nck_grade_of nck_grade_vv
-#include "nck/prep/4_lookahead/turn_math.h"     // nck_turn_angle nck_turn_transfer
-#include "nck/prep/4_lookahead/transfer_math.h" // nck_transfer_reach
-#include "nck/prep/4_lookahead/unit_math.h"     // nck_unit_step_count nck_unit_speed
+#include "host/bubble_math.h"   // nck_bubble_sweep nck_bubble_scan
+#include "host/grade_math.h"    // nck_grade_of nck_grade_vv
+#include "host/turn_math.h"     // nck_turn_angle nck_turn_transfer
+#include "host/transfer_math.h" // nck_transfer_reach
+#include "host/unit_math.h"     // nck_unit_step_count nck_unit_speed
 #include "nck/prep/5_slope/ramp_math.h"         // nck_ramp_accel
 
 // How far a rounded speed may be off, relative.

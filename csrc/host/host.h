@@ -8,6 +8,10 @@
 
 #include "nck/nck.h" // nck_t and all records
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 // Decode text until an array is full or the text is used up. Call again with the rest of the text.
 // blocks: at least 1 row; *block_count_out rows are filled. All findings go to diagnostics (at
 // least 1 row); decoding goes on after an error with the next line. ended: 1 if text is the
@@ -64,5 +68,9 @@ nck_status_t nck_host_plan_init(nck_host_plan_t *plan, nck_t *nck, const nck_mac
 // Returns NCK_OK (call again), NCK_DONE, or the program error, as nck_prep; NCK_E_ARGUMENT if an
 // array is too small. Cost: linear in the text. Context: prep and tick both.
 nck_status_t nck_host_plan_run(nck_host_plan_t *plan);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

@@ -10,6 +10,10 @@
 #include "nck/base/records.h" // nck_cell_t
 #include "nck/base/status.h"  // nck_status_t
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 // Nodes that a ladder has at most: 4.6 hours of motion at a period of 1 ms.
 enum { NCK_HOST_JERK_NODES = 1 << 25 };
 
@@ -38,5 +42,9 @@ size_t nck_host_jerk_bytes(size_t nodes);
 nck_status_t nck_host_jerk(const nck_host_path_t *path, const nck_host_jerk_t *how, size_t nodes,
                            void *work, double *v_out, nck_cell_t *cells_out,
                            size_t *cell_count_out, size_t *bad_out);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

@@ -11,6 +11,10 @@
 
 #include "nck/base/status.h" // nck_status_t
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 // The paper's case study: 300, 5, 50.
 typedef struct nck_host_keinert_settings {
     uint32_t length;      // blocks of a look-ahead buffer without its overlaps, 2 at least
@@ -60,5 +64,9 @@ nck_status_t nck_host_keinert(const nck_host_keinert_settings_t *settings, const
                               const double *h, const double *w_feed, size_t n, double w_start,
                               double w_end, nck_host_keinert_row_t *rows,
                               nck_host_keinert_task_t *tasks, double *w_out, size_t *bad_out);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

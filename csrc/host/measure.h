@@ -9,6 +9,10 @@
 #include "host/envelope.h" // nck_host_choice_t
 #include "host/jerk.h"     // nck_host_jerk_t
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 // The least time of some runs of nck_host_envelope_double, from rest to rest. Arrays as there;
 // runs: 1 at least.
 // Returns nanoseconds, or the negative status of a run that failed. Cost: runs × linear. Context:
@@ -29,5 +33,9 @@ int64_t nck_host_measure_triad(const float *b, const float *c, size_t n, int thr
 // Cost: runs × linear. Context: any.
 int64_t nck_host_measure_jerk(const nck_host_path_t *path, const nck_host_jerk_t *how, size_t nodes,
                               void *work, double *v_out, nck_cell_t *cells_out, int runs);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

@@ -11,6 +11,10 @@
 #include "nck/base/status.h"  // nck_status_t
 #include "nck/prep/5_slope/sshape_piece.h" // NCK_SSHAPE_CELLS
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 // How speed changes.
 typedef enum nck_host_ramp {
     NCK_HOST_RAMP_LINEAR = 0, // acceleration −a, 0 or a
@@ -48,5 +52,9 @@ nck_status_t nck_host_slope(const nck_host_path_t *path, double *v_out, nck_cell
 // Linear in cells and rows. Context: any.
 void nck_host_slope_sample(const nck_cell_t *cells, size_t count, double period_s, size_t rows,
                            double *s_out, double *v_out, double *a_out);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

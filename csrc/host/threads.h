@@ -7,6 +7,10 @@
 #include <stddef.h> // size_t
 #include <stdint.h> // int64_t
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 // Threads of one job, at most.
 enum { NCK_HOST_THREADS_MAX = 64 };
 
@@ -25,5 +29,9 @@ void nck_host_threads_run(size_t count, int threads,
 
 // Monotonic time since an arbitrary moment [ns]. Cost: constant. Context: any.
 int64_t nck_host_clock_ns(void);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

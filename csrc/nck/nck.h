@@ -14,6 +14,10 @@
 
 #include <stddef.h> // size_t
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 #include "nck/base/link.h"                      // nck_link_t
 #include "nck/base/machine.h"                   // nck_machine_t
 #include "nck/base/records.h"                   // nck_block_t … nck_axes_t
@@ -44,7 +48,8 @@ typedef struct nck_command {
     uint32_t abort;         // 1: come to rest and drop the rest of the program
 } nck_command_t;
 
-// The kernel. The order of the members is the order of the flow.
+// The kernel. The order of the members is the order of the flow. Once made it must be neither moved
+// nor copied, for its rooms point to its machine and to one another.
 typedef struct nck {
     nck_machine_t machine;
     nck_hooks_t hooks;
@@ -132,5 +137,9 @@ int nck_is_idle(const nck_t *nck);
 // pictures). Outputs are handed over as in the tick. Returns NCK_OK or NCK_EMPTY. Cost: constant.
 // Context: tick.
 nck_status_t nck_take(nck_t *nck, nck_cell_t *cell_out);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

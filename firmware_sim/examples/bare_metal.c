@@ -84,6 +84,7 @@ int main(void) {
     const int log = board_open(name, BOARD_WRITE);
     if (program.file < 0 || log < 0) return 2;
     nck_machine_default(&machine); // then change what differs
+    machine.slope = NCK_SLOPE_LINEAR; // doubles are software on an M4F: jerk would starve there
     if (nck_init(&nck, &machine, NULL) != NCK_OK) return 2;
     run();
     const size_t size = periods * sizeof drives[0];

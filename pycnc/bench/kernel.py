@@ -67,8 +67,10 @@ def micrometres(count=200_000):
 
 
 def _machine():
+    """Return the mill without travel limits, linear slope, exact path: what the pages tell of."""
+    plain = ["path.slope=linear", "path.tolerance_mm=0"]
     free = [f"axis.{axis}.{end}_mm=free" for axis in "xyz" for end in ("min", "max")]
-    return Machine.load(DEFAULT, set=free)
+    return Machine.load(DEFAULT, set=[*plain, *free])
 
 
 # rs274

@@ -23,7 +23,7 @@ def head():
     yield "%"
     yield "(first_part: a plate 76 x 76 mm, zero in its middle, Z0 on top)"
     yield "(written by make_first_part.py)"
-    yield "G21 G90 G91.1 G94 G17 G40 G49 G54 G61"
+    yield "G21 G90 G91.1 G94 G17 G40 G49 G54 G64"
 
 
 def contour():
@@ -84,7 +84,7 @@ def holes():
 def star():
     """Yield a star of micro-segments."""
     yield from ("", "(4: star on the floor of the pocket, micro-segments)", "M9", "T7 M6")
-    yield from ("S18000 M3", "G64")
+    yield "S18000 M3"
     for k in range(STAR + 1):
         angle = 2 * math.pi * k / STAR
         radius = 11.5 + 4.5 * math.cos(5 * angle) + 0.8 * math.cos(10 * angle)
@@ -98,7 +98,7 @@ def star():
 
 def tail():
     """Yield the way back."""
-    yield from ("", "G61", "M5", "G28 Z5 (up to the reference point)", "G0 X0 Y0", "M30", "%")
+    yield from ("", "M5", "G28 Z5 (up to the reference point)", "G0 X0 Y0", "M30", "%")
 
 
 if __name__ == "__main__":

@@ -89,7 +89,8 @@ class Path(Table):
         Decimal("0.001"), description="How far the chord between two setpoints may leave an arc."
     )
     tolerance_mm: Size = Field(
-        Decimal(0), description="What a bare G64 means; 0 is exact path."
+        Decimal("0.01"),
+        description="What G64 without P means, and a program without G61 and G64; 0 is exact path.",
     )
     arc_radius_mm: Error = Field(
         Decimal("0.005"), description="How far the end point of an arc may miss its circle."
@@ -101,7 +102,7 @@ class Path(Table):
         "(`sshape`: 1, which stops at every block); 0: all that the kernel holds.",
     )
     slope: Slope = Field(
-        "linear",
+        "jerk",
         description="Velocity profile. `linear`: acceleration-limited. `jerk`: jerk-limited, "
         "acceleration is carried across junctions. `sshape`: jerk-limited, acceleration is zero "
         "at every junction.",

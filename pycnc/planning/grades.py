@@ -352,11 +352,15 @@ class Simulation(kernel.Simulation):
     Parameters
     ----------
     grades : Grades
+        For a machine whose slope is linear: the others' filter would blur the plan.
     prep_steps : int
         Prep steps between two ticks, 1 at least.
     """
 
     def __init__(self, grades, prep_steps=kernel.PREP_STEPS):
+        slope = grades.machine.settings.path.slope
+        if slope != "linear":
+            raise errors.ArgumentError(f"grades run with the slope linear, not {slope}", id="slope")
         super().__init__(b"", grades.machine, prep_steps)
         self._feed = ffi.new("nck_host_grade_feed_t *")
         self._grades = grades

@@ -55,6 +55,16 @@ def for_machine(program, machine, slope=None):
     return Program(program.text, changed, file=program.file)
 
 
+def for_plan(program, plan):
+    """Return a program for a kind of planning: grades are as published, accelerations and no
+    jerk, the exact path wherever the program says nothing else."""
+    path = program.machine.settings.path
+    if plan != "grades" or (path.slope, path.tolerance_mm) == ("linear", 0):
+        return program
+    plain = Machine.load(program.machine, set={"path.slope": "linear", "path.tolerance_mm": 0})
+    return Program(program.text, plain, file=program.file)
+
+
 def _for_machine(program, machine):
     if not isinstance(program, Program):
         return load(program, machine) if machine is not None else load(program)
@@ -90,7 +100,7 @@ class Plan:
     def __init__(self, program, *, plan="exact", backend="auto", keep=True, progress=None,
                  look=None):  # fmt: skip
         check_backend(backend, plan)
-        self.program, self.kind, self.grades = program.check(), plan, None
+        self.program, self.kind, self.grades = for_plan(program.check(), plan), plan, None
         begun = time.perf_counter()
         if plan == "grades":
             totals, exact = self._by_grades(backend, keep, progress)
@@ -161,7 +171,8 @@ def plan(program, machine=None, slope=None, backend="auto", plan="exact"):
     backend : {"auto", "c", "opencl"}
         Where it is computed; OpenCL plans by grades only.
     plan : {"exact", "grades"}
-        By the exact envelope, or by velocity grades (Cao et al. 2014).
+        By the exact envelope, or by velocity grades (Cao et al. 2014): these under the linear
+        slope and without the machine's tolerance.
 
     Returns
     -------

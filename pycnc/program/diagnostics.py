@@ -171,6 +171,10 @@ WORDING = {
     "assumed-plane": ("no G17, G18 or G19 before the first arc: G{plane} assumed", ""),
     "assumed-distance": ("no G90 or G91 before the first motion: absolute (G90) assumed", ""),
     "assumed-centre": ("no G90.1 or G91.1 before I J K: {arc_centre} centres assumed", ""),
+    "no-tolerance": (
+        "G64 without P means the machine's tolerance, and that is 0: the path is exact",
+        "give P, as in G64 P0.01, or the machine a tolerance: --set path.tolerance_mm=0.01",
+    ),
     "no-end": ("the text ends without M2, M30 or a closing %", ""),
     "after-end": ("what follows the program's end is not read", "remove the text or the M2 / M30"),
     "feed-units": (

@@ -10,6 +10,7 @@ from pycnc.report.plot import duration
 
 _SHOWN_LIMITS = 6
 _BAR = 40  # characters
+JERK_TOLD = 1e-6  # by how much a peak of jerk is above its limit before words are made of it
 LIMIT_WORDS = {
     "feed": "the programmed feed",
     "rapid": "rapid speed",
@@ -134,7 +135,21 @@ def _peaks(trace):
     path = trace.summary["peaks"]["path"]
     table.add_row("  path", "", _ratio(path["a"]), _ratio(path["j"], promised=limited))
     error = f"largest distance of path and program: {trace.summary['path_error_mm']:.1e} mm"
-    return Group(table, Padding(Text(error, "dim"), (0, 0, 0, 2)))
+    words = [error, *_jerk_words(trace.summary)]
+    return Group(table, *(Padding(Text(each, "dim"), (0, 0, 0, 2)) for each in words))
+
+
+def _jerk_words(facts):
+    """Yield why an axis has more jerk than its limit, if one has."""
+    if max(peak["j"] for peak in facts["peaks"].values()) <= 1 + JERK_TOLD:
+        return
+    if facts["slope"] == "linear":
+        yield "The linear slope limits acceleration, not jerk: --set path.slope=jerk does."
+    else:
+        yield (
+            "On an exact path (G61, or no tolerance) a corner crossed moving is a jump of speed: "
+            "its jerk has no bound. G64 P0.01 bounds it."
+        )
 
 
 def _ratio(value, promised=True):

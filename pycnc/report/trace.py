@@ -18,7 +18,7 @@ from pycnc.extras import need
 from pycnc.machine.schema import AXES, position_key, unit_of
 from pycnc.planning.measure import KINDS
 from pycnc.report.path_error import PathError
-from pycnc.planning.plan import Plan, check_backend, for_machine
+from pycnc.planning.plan import Plan, check_backend, for_machine, for_plan
 from pycnc.kernel.records import enum
 
 FORMATS = (".npz", ".csv", ".parquet")
@@ -264,7 +264,7 @@ class Trace:
                  plan="exact", backend="auto", commands=(), progress=None):  # fmt: skip
         check_backend(backend, plan)
         begun = time.perf_counter()
-        self.program = program.check()
+        self.program = program = for_plan(program.check(), plan)
         self._layout = Columns(program.machine)
         sink = writer(output, self._layout, self.metadata()) if output is not None else None
         try:
@@ -420,7 +420,8 @@ def run(program, machine=None, *, slope=None, prep_steps=kernel.PREP_STEPS, comm
         Where it is computed; OpenCL plans by grades only.
     plan : {"exact", "grades"}
         By the exact envelope, or by velocity grades (Cao et al. 2014), which report the peaks of
-        acceleration and do not promise them.
+        acceleration and do not promise them, under the linear slope and without the machine's
+        tolerance.
 
     Returns
     -------

@@ -53,6 +53,7 @@ static void window_gives_every_piece_of_the_path(check_t *check)
     size_t pieces = 0;
     memset(segs, 0, sizeof segs);
     nck_machine_default(&machine);
+    machine.slope = NCK_SLOPE_LINEAR; // whose pieces come from the window
     for (uint32_t k = 0; k < SEGS; k++) {
         segs[k].seq = k;
         segs[k].start[0] = k;

@@ -4,7 +4,7 @@
 #include <string.h> // memset
 
 #include "check.h"
-#include "nck/base/path_math.h"              // nck_path_tangent …
+#include "nck/base/path.h"                   // nck_path_tangent …
 #include "nck/prep/4_lookahead/limit_math.h" // nck_limit_filter
 #include "nck/prep/4_lookahead/lookahead.h"  // nck_lookahead_t
 

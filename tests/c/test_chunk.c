@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // The certificate of the parts of an envelope, and the cutting into parts, tiles and lanes.
 #include "check.h"
-#include "nck/prep/4_lookahead/bubble_math.h"
-#include "nck/prep/4_lookahead/chunk_math.h"
+#include "host/bubble_math.h"
+#include "host/chunk_math.h"
 
 enum { NODES = 6000 };
 

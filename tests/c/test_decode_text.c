@@ -95,6 +95,19 @@ static void assumed_defaults_are_noted_once_each(check_t *check) {
     CHECK_INT(check, self.findings, 0);
 }
 
+static void a_g64_that_gives_no_tolerance_is_noted(check_t *check) {
+    case_begin(&self);
+    case_decode(&self, "G64\nM2\n");
+    CHECK_INT(check, self.findings, 0); // it means the machine's
+    self.machine.path.tolerance = 0.0;
+    case_decode(&self, "G64 P0.1\nG61\nM2\n");
+    CHECK_INT(check, self.findings, 0);
+    case_decode(&self, "G64 P0\nM3\nG64\nG64 Q0.1\nM2\n");
+    CHECK_INT(check, self.findings, 1);
+    CHECK_INT(check, self.finding[0].code, NCK_NOTE_TOLERANCE);
+    CHECK_INT(check, self.finding[0].line, 3);
+}
+
 static void a_feed_beside_a_change_of_units_is_noted(check_t *check) {
     case_begin(&self);
     case_decode(&self, "G90 G20 F10\nG1 X1\nG21 F9\nM2\n");
@@ -211,6 +224,7 @@ int main(void) {
     CHECK_RUN(&check, text_after_the_end_is_noted_once);
     CHECK_RUN(&check, a_missing_end_is_noted_and_the_last_line_counts);
     CHECK_RUN(&check, assumed_defaults_are_noted_once_each);
+    CHECK_RUN(&check, a_g64_that_gives_no_tolerance_is_noted);
     CHECK_RUN(&check, a_feed_beside_a_change_of_units_is_noted);
     CHECK_RUN(&check, a_text_without_a_block_is_no_program);
     CHECK_RUN(&check, a_nul_byte_ends_it_at_once);

@@ -6,11 +6,12 @@
 
 #include "check.h"
 #include "host/grade.h"
-#include "nck/base/path_math.h"                 // nck_path_tangent
-#include "nck/prep/4_lookahead/angle_math.h"    // nck_angle_…
-#include "nck/prep/4_lookahead/grade_math.h"    // nck_grade_…
-#include "nck/prep/4_lookahead/transfer_math.h" // nck_transfer_tangent
-#include "nck/prep/4_lookahead/unit_math.h"     // nck_unit_…
+#include "nck/base/envelope_math.h" // nck_envelope_h
+#include "nck/base/path.h"      // nck_path_tangent
+#include "host/angle_math.h"    // nck_angle_…
+#include "host/grade_math.h"    // nck_grade_…
+#include "host/transfer_math.h" // nck_transfer_tangent
+#include "host/unit_math.h"     // nck_unit_…
 
 enum { SEGS = 400, UNITS = 120000, POINTS = UNITS + SEGS };
 
@@ -179,7 +180,7 @@ static void every_grade_of_the_table_is_its_own(check_t *check)
             CHECK_NEAR(check, sqrt(vv), next, 1e-9 * v_c);
             CHECK_INT(check, nck_grade_of(&rule, vv), k);
             if (k > 0) CHECK_INT(check, nck_grade_of(&rule, nextafter(vv, 0.0)), k - 1);
-            next = nck_grade_next(next, nck_grade_step(rule.a, rule.length));
+            next = nck_grade_next(next, nck_envelope_h(rule.a, rule.length));
         }
         CHECK_INT(check, nck_grade_of(&rule, v_c * v_c), rule.count - 1);
         CHECK_INT(check, nck_grade_of(&rule, 0.0), 0);

@@ -157,19 +157,23 @@ static uint64_t watched_run(check_t *check, uint32_t prep_steps, nck_status_t en
 static void plan_takes_as_long_as_its_run(check_t *check)
 {
     begin(3000);
-    CHECK_INT(check, run_plan(0), NCK_DONE);
-    CHECK_INT(check, watched_run(check, 1000, NCK_DONE), plan.totals.ticks);
-    CHECK_INT(check, sim.starved_ticks, 0);
-    CHECK(check, rows[0].feed_percent == 100 && rows[0].rapid_percent == 100);
-    CHECK(check, sim.spindle_rpm == 500.0);
+    for (machine.slope = NCK_SLOPE_LINEAR; machine.slope <= NCK_SLOPE_SSHAPE; machine.slope++) {
+        CHECK_INT(check, run_plan(0), NCK_DONE);
+        CHECK_INT(check, watched_run(check, 1000, NCK_DONE), plan.totals.ticks);
+        CHECK_INT(check, sim.starved_ticks, 0);
+        CHECK(check, rows[0].feed_percent == 100 && rows[0].rapid_percent == 100);
+        CHECK(check, sim.spindle_rpm == 500.0);
+    }
 }
 
 static void starved_run_comes_to_its_end_within_the_limits(check_t *check)
 {
     begin(3000);
-    for (uint32_t steps = 1; steps <= 5; steps++) {
-        watched_run(check, steps, NCK_DONE);
-        CHECK(check, steps > 1 || sim.starved_ticks > 0);
+    for (machine.slope = NCK_SLOPE_LINEAR; machine.slope <= NCK_SLOPE_SSHAPE; machine.slope++) {
+        for (uint32_t steps = 1; steps <= 5; steps++) {
+            watched_run(check, steps, NCK_DONE);
+            CHECK(check, steps > 1 || sim.starved_ticks > 0);
+        }
     }
     CHECK_INT(check, sim_init(&sim, &nck, &machine, text, strlen(text), 0), NCK_E_ARGUMENT);
 }
@@ -177,6 +181,7 @@ static void starved_run_comes_to_its_end_within_the_limits(check_t *check)
 static void everything_before_an_error_is_executed(check_t *check)
 {
     begin(1);
+    machine.slope = NCK_SLOPE_LINEAR; // one step a tick is enough for it
     strcpy(text, "G21 G90 G94 G17\nG1 X1 F600\nX2\nG1 QQ\nX9\n");
     CHECK_INT(check, run_plan(0), NCK_E_NUMBER);
     const uint64_t ticks = plan.totals.ticks;

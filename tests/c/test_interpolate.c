@@ -18,6 +18,7 @@ static nck_interpolate_t interpolate;
 static void begin(void)
 {
     nck_machine_default(&machine);
+    machine.slope = NCK_SLOPE_LINEAR; // whose path coordinate no filter delays
     machine.period_s = PERIOD;
     nck_link_init(&link_);
     nck_interpolate_init(&interpolate, &machine, &link_);

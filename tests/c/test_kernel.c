@@ -40,6 +40,7 @@ static double random_real(void)
 static void begin(uint64_t first_seed)
 {
     nck_machine_default(&machine);
+    machine.slope = NCK_SLOPE_LINEAR;
     machine.dialect.feed_default = 1000.0;
     text_size = 0;
     seed = first_seed;

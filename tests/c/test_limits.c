@@ -5,7 +5,7 @@
 #include <string.h> // memset
 
 #include "check.h"
-#include "nck/base/path_math.h"             // nck_path_tangent
+#include "nck/base/path.h"                  // nck_path_tangent
 #include "nck/prep/4_lookahead/lookahead.h" // nck_lookahead_t
 
 enum { TRIALS = 300, SAMPLES = 4000 };

@@ -17,7 +17,8 @@ static void the_default_machine_is_good(check_t *check) {
 
 static void the_default_machine_is_what_its_header_says(check_t *check) {
     nck_machine_default(&machine);
-    CHECK(check, machine.period_s == 1e-3 && machine.slope == NCK_SLOPE_LINEAR);
+    CHECK(check, machine.period_s == 1e-3 && machine.slope == NCK_SLOPE_JERK);
+    CHECK(check, machine.path.tolerance == 0.01);
     CHECK(check, machine.kinematics == NCK_KINEMATICS_IDENTITY);
     CHECK(check, machine.dialect.base == NCK_DIALECT_LINUXCNC && machine.dialect.plane == 17);
     for (int x = 0; x < NCK_AXIS_MAX; x++) {
@@ -251,7 +252,7 @@ static void every_code_has_an_id_of_its_own(check_t *check) {
     CHECK_INT(check, known, 5 + 26 + 3 + 1);
     CHECK(check, strcmp(nck_status_id(NCK_E_ARC_RADIUS), "arc-radius") == 0);
     CHECK(check, strcmp(nck_status_id(12345), "unknown") == 0);
-    for (int note = NCK_NOTE_UNITS; note <= NCK_NOTE_FEED_UNITS; note++) {
+    for (int note = NCK_NOTE_UNITS; note <= NCK_NOTE_TOLERANCE; note++) {
         CHECK(check, strcmp(nck_note_id(note), "unknown") != 0);
     }
     CHECK(check, strcmp(nck_note_id(NCK_NOTE_ARC_CENTRE), "assumed-centre") == 0);

@@ -5,7 +5,7 @@
 #include <string.h> // memset
 
 #include "check.h"
-#include "nck/base/path_math.h"           // nck_path_point nck_path_tangent
+#include "nck/base/path.h"                // nck_path_point nck_path_tangent
 #include "nck/prep/2_toolcomp/toolcomp.h" // nck_toolcomp_push
 #include "nck/prep/3_smooth/smooth.h"     // nck_smooth_push nck_smooth_pull
 
@@ -28,6 +28,7 @@ static nck_block_t block_to(int kind, int64_t x_nm, int64_t y_nm, int64_t z_nm)
 static void begin(void)
 {
     nck_machine_default(&machine);
+    machine.slope = NCK_SLOPE_LINEAR;
     nck_smooth_init(&smooth, &machine);
 }
 

@@ -3,7 +3,7 @@
 #include <math.h> // cos sin floor fabs sqrt cbrt llround
 
 #include "check.h"
-#include "nck/base/path_math.h"       // nck_path_second nck_path_third
+#include "nck/base/path.h"            // nck_path_second nck_path_third
 #include "nck/prep/3_smooth/smooth.h" // nck_machine_t
 #include "smooth_check.h"             // line_to arc_about hold_promises
 

@@ -4,7 +4,7 @@
 
 #include "check.h"
 #include "nck/base/root_math.h" // nck_root_cube
-#include "nck/base/trig_math.h" // nck_sincos nck_atan2
+#include "nck/base/trig_math.h" // NCK_PI NCK_HALF_PI
 
 static void sine_and_cosine_are_within_two_ulp_of_one(check_t *check)
 {

@@ -40,6 +40,7 @@ int main(int count, char **arguments) {
     const size_t size = fread(text, 1, sizeof text, file);
     fclose(file);
     nck_machine_default(&machine);
+    machine.slope = NCK_SLOPE_LINEAR; // as in firmware_sim/examples, which have to give the same
     if (nck_init(&nck, &machine, NULL) != NCK_OK) return 2;
     return run(size);
 }

@@ -22,6 +22,10 @@
 #include "nck/base/records.h" // nck_cell_t nck_seg_t nck_output_t
 #include "nck/base/status.h"  // nck_status_t
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 // Running numbers of cells count modulo 2²⁹.
 enum { NCK_LINK_COUNT_MASK = 0x1fffffff };
 
@@ -150,5 +154,9 @@ uint32_t nck_link_waiting(const nck_link_t *self);
 
 // 1 if no final cell and no output waits. Cost: constant. Context: tick.
 int nck_link_is_empty(const nck_link_t *self);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

@@ -26,7 +26,7 @@ void nck_machine_default(nck_machine_t *machine) {
     machine->path.chord_error = 1e-3;
     machine->path.tolerance = 0.01;
     machine->path.arc_radius = 5e-3;
-    machine->slope = NCK_SLOPE_LINEAR;
+    machine->slope = NCK_SLOPE_JERK;
     machine->kinematics = NCK_KINEMATICS_IDENTITY;
     machine->dialect.base = NCK_DIALECT_LINUXCNC;
     machine->dialect.plane = 17;
@@ -57,6 +57,13 @@ static int good(nck_quantity_t quantity, double value) {
     return within(value, ranges[quantity].low, ranges[quantity].high);
 }
 
+// Is each value, as far as there are any, within the range of its quantity?
+static int all_good(const nck_quantity_t *quantity, const double *const *value, unsigned count) {
+    unsigned k = 0;
+    while (k < count && good(quantity[k], *value[k])) k++;
+    return k == count;
+}
+
 static int place_good(const nck_axis_t *axis, int64_t place_nm) {
     const int64_t limit = axis->rotary ? (int64_t)NCK_ROTARY_MAX_DEG * NCK_COUNTS_PER_DEG
                                        : (int64_t)NCK_LINEAR_MAX_MM * NCK_COUNTS_PER_MM;
@@ -64,10 +71,11 @@ static int place_good(const nck_axis_t *axis, int64_t place_nm) {
 }
 
 static int axis_good(const nck_axis_t *axis) {
-    return axis->present <= 1 && axis->rotary <= 1 && good(NCK_QUANTITY_SPEED, axis->v_max)
-           && good(NCK_QUANTITY_SPEED, axis->rapid) && axis->rapid <= axis->v_max
-           && good(NCK_QUANTITY_ACCELERATION, axis->a_max)
-           && good(NCK_QUANTITY_JERK, axis->j_max) && axis->min_nm <= axis->max_nm
+    static const nck_quantity_t quantity[] = {NCK_QUANTITY_SPEED, NCK_QUANTITY_SPEED,
+                                              NCK_QUANTITY_ACCELERATION, NCK_QUANTITY_JERK};
+    const double *const value[] = {&axis->v_max, &axis->rapid, &axis->a_max, &axis->j_max};
+    return axis->present <= 1 && axis->rotary <= 1 && all_good(quantity, value, 4)
+           && axis->rapid <= axis->v_max && axis->min_nm <= axis->max_nm
            && (axis->min_nm == free_below || place_good(axis, axis->min_nm))
            && (axis->max_nm == INT64_MAX || place_good(axis, axis->max_nm));
 }
@@ -93,14 +101,20 @@ static int axes_good(const nck_machine_t *machine) {
     return machine->kinematics == NCK_KINEMATICS_IDENTITY && present > 0;
 }
 
+static int numbers_good(const nck_machine_t *machine) {
+    static const nck_quantity_t quantity[] = {
+        NCK_QUANTITY_PERIOD, NCK_QUANTITY_SPEED, NCK_QUANTITY_ACCELERATION, NCK_QUANTITY_JERK,
+        NCK_QUANTITY_ERROR, NCK_QUANTITY_SIZE, NCK_QUANTITY_ERROR, NCK_QUANTITY_FEED,
+        NCK_QUANTITY_ROTATION};
+    const double *const value[] = {
+        &machine->period_s, &machine->path.feed_max, &machine->path.a_max, &machine->path.j_max,
+        &machine->path.chord_error, &machine->path.tolerance, &machine->path.arc_radius,
+        &machine->dialect.feed_default, &machine->spindle.rpm_max};
+    return all_good(quantity, value, 9);
+}
+
 static int path_good(const nck_machine_t *machine) {
-    return good(NCK_QUANTITY_SPEED, machine->path.feed_max)
-           && good(NCK_QUANTITY_ACCELERATION, machine->path.a_max)
-           && good(NCK_QUANTITY_JERK, machine->path.j_max)
-           && good(NCK_QUANTITY_ERROR, machine->path.chord_error)
-           && good(NCK_QUANTITY_SIZE, machine->path.tolerance)
-           && good(NCK_QUANTITY_ERROR, machine->path.arc_radius)
-           && machine->slope <= NCK_SLOPE_SSHAPE && machine->lookahead_blocks <= NCK_WINDOW
+    return machine->slope <= NCK_SLOPE_SSHAPE && machine->lookahead_blocks <= NCK_WINDOW
            && (machine->lookahead_blocks != 1 || machine->slope == NCK_SLOPE_SSHAPE);
 }
 
@@ -109,8 +123,6 @@ static int dialect_good(const nck_machine_t *machine) {
            && machine->dialect.inch <= 1 && machine->dialect.arc_absolute <= 1
            && machine->dialect.plane >= 17 && machine->dialect.plane <= 19
            && machine->dialect.block_skip <= 1 && machine->dialect.optional_stop <= 1
-           && good(NCK_QUANTITY_FEED, machine->dialect.feed_default)
-           && good(NCK_QUANTITY_ROTATION, machine->spindle.rpm_max)
            && machine->work_system < NCK_WORK_SYSTEMS;
 }
 
@@ -127,7 +139,7 @@ static int tools_good(const nck_machine_t *machine) {
 }
 
 nck_status_t nck_machine_check(const nck_machine_t *machine) {
-    const int all = good(NCK_QUANTITY_PERIOD, machine->period_s) && axes_good(machine)
+    const int all = numbers_good(machine) && axes_good(machine)
                     && path_good(machine) && dialect_good(machine) && tools_good(machine);
     return all ? NCK_OK : NCK_E_MACHINE;
 }

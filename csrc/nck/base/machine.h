@@ -8,6 +8,10 @@
 #include "nck/base/records.h" // axis order
 #include "nck/base/status.h"  // nck_status_t
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 // Counts and ranges that are no machine's to choose.
 enum {
     NCK_WORK_SYSTEMS = 9,         // G54 … G59, G59.1 … G59.3
@@ -118,7 +122,7 @@ typedef struct nck_machine {
 } nck_machine_t;
 
 // Fill in a machine that is safe and complete: three axes X Y Z of 100 mm/s, 1000 mm/s², 10 000
-// mm/s³ and free travel, T = 1 ms, linear slope. The caller changes what differs.
+// mm/s³ and free travel, T = 1 ms, jerk-limited slope, tolerance 0.01 mm. The caller changes what differs.
 // Cost: constant. Context: any, before nck_init.
 void nck_machine_default(nck_machine_t *machine);
 
@@ -135,5 +139,9 @@ void nck_machine_range(uint32_t quantity, nck_range_t *range_out);
 // Check every number. Returns NCK_OK, or NCK_E_MACHINE at the first that is outside of its range
 // (NaN and infinity included; travel may be free). Cost: constant. Context: any.
 nck_status_t nck_machine_check(const nck_machine_t *machine);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

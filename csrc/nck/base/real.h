@@ -18,9 +18,14 @@ typedef long nck_int64;
 #define nck_sqrt(x) sqrt(x)
 #define nck_fabs(x) fabs(x)
 #define nck_floor(x) floor(x)
+#define nck_sincos(x, sin_out, cos_out) nck_trig_sincos(x, sin_out, cos_out) // trig_math.h
+#define nck_atan2(y, x) nck_trig_atan2(y, x)
 #else
 #include <math.h>   // sqrt fabs floor: exact in IEEE 754, no other function of libm is used
 #include <stdint.h> // int64_t
+
+#include "nck/base/trig.h" // nck_sincos nck_atan2
+
 // As above.
 #define NCK_IN const
 #define NCK_OUT

@@ -3,71 +3,76 @@
 #include "nck/base/status.h"
 
 #include <stddef.h> // size_t
+#include <string.h> // strlen
 
-typedef struct name {
-    int32_t code;
-    const char *id;
-} name_t;
+// Every code with its id. The ids stand one behind the other: no pointer to each is kept.
+#define STATUSES(x)                       \
+    x(NCK_OK, "ok")                       \
+    x(NCK_EMPTY, "empty")                 \
+    x(NCK_FULL, "full")                   \
+    x(NCK_DONE, "done")                   \
+    x(NCK_WAIT, "wait")                   \
+    x(NCK_E_CHARACTER, "character")       \
+    x(NCK_E_NUMBER, "number")             \
+    x(NCK_E_NUMBER_RANGE, "number-range") \
+    x(NCK_E_LINE_LENGTH, "line-length")   \
+    x(NCK_E_COMMENT, "comment")           \
+    x(NCK_E_WORD_UNKNOWN, "word-unknown") \
+    x(NCK_E_WORD_TWICE, "word-twice")     \
+    x(NCK_E_WORD_UNUSED, "word-unused")   \
+    x(NCK_E_WORD_MISSING, "word-missing") \
+    x(NCK_E_G_UNKNOWN, "g-unknown")       \
+    x(NCK_E_M_UNKNOWN, "m-unknown")       \
+    x(NCK_E_MODAL_GROUP, "modal-group")   \
+    x(NCK_E_UNSUPPORTED, "unsupported")   \
+    x(NCK_E_FEED_MISSING, "feed-missing") \
+    x(NCK_E_ARC_RADIUS, "arc-radius")     \
+    x(NCK_E_ARC_CENTRE, "arc-centre")     \
+    x(NCK_E_ARC_CHORD, "arc-chord")       \
+    x(NCK_E_AXIS_UNKNOWN, "axis-unknown") \
+    x(NCK_E_TRAVEL, "travel")             \
+    x(NCK_E_TOOL_UNKNOWN, "tool-unknown") \
+    x(NCK_E_NO_MOTION, "no-motion")       \
+    x(NCK_E_DIALECT, "dialect")           \
+    x(NCK_E_BINARY, "binary")             \
+    x(NCK_E_NO_PROGRAM, "no-program")     \
+    x(NCK_E_WORD_SHARED, "word-shared")   \
+    x(NCK_E_INCREMENTAL, "incremental")   \
+    x(NCK_E_ARGUMENT, "argument")         \
+    x(NCK_E_MACHINE, "machine")           \
+    x(NCK_E_STATE, "state")               \
+    x(NCK_E_INTERNAL, "internal")
 
-static const name_t statuses[] = {
-    {NCK_OK, "ok"},
-    {NCK_EMPTY, "empty"},
-    {NCK_FULL, "full"},
-    {NCK_DONE, "done"},
-    {NCK_WAIT, "wait"},
-    {NCK_E_CHARACTER, "character"},
-    {NCK_E_NUMBER, "number"},
-    {NCK_E_NUMBER_RANGE, "number-range"},
-    {NCK_E_LINE_LENGTH, "line-length"},
-    {NCK_E_COMMENT, "comment"},
-    {NCK_E_WORD_UNKNOWN, "word-unknown"},
-    {NCK_E_WORD_TWICE, "word-twice"},
-    {NCK_E_WORD_UNUSED, "word-unused"},
-    {NCK_E_WORD_MISSING, "word-missing"},
-    {NCK_E_G_UNKNOWN, "g-unknown"},
-    {NCK_E_M_UNKNOWN, "m-unknown"},
-    {NCK_E_MODAL_GROUP, "modal-group"},
-    {NCK_E_UNSUPPORTED, "unsupported"},
-    {NCK_E_FEED_MISSING, "feed-missing"},
-    {NCK_E_ARC_RADIUS, "arc-radius"},
-    {NCK_E_ARC_CENTRE, "arc-centre"},
-    {NCK_E_ARC_CHORD, "arc-chord"},
-    {NCK_E_AXIS_UNKNOWN, "axis-unknown"},
-    {NCK_E_TRAVEL, "travel"},
-    {NCK_E_TOOL_UNKNOWN, "tool-unknown"},
-    {NCK_E_NO_MOTION, "no-motion"},
-    {NCK_E_DIALECT, "dialect"},
-    {NCK_E_BINARY, "binary"},
-    {NCK_E_NO_PROGRAM, "no-program"},
-    {NCK_E_WORD_SHARED, "word-shared"},
-    {NCK_E_INCREMENTAL, "incremental"},
-    {NCK_E_ARGUMENT, "argument"},
-    {NCK_E_MACHINE, "machine"},
-    {NCK_E_STATE, "state"},
-    {NCK_E_INTERNAL, "internal"}
-};
+#define NOTES(x)                             \
+    x(NCK_NOTE_UNITS, "assumed-units")       \
+    x(NCK_NOTE_PLANE, "assumed-plane")       \
+    x(NCK_NOTE_DISTANCE, "assumed-distance") \
+    x(NCK_NOTE_ARC_CENTRE, "assumed-centre") \
+    x(NCK_NOTE_NO_END, "no-end")             \
+    x(NCK_NOTE_AFTER_END, "after-end")       \
+    x(NCK_NOTE_FEED_UNITS, "feed-units")     \
+    x(NCK_NOTE_TOLERANCE, "no-tolerance")
 
-static const name_t notes[] = {
-    {NCK_NOTE_UNITS, "assumed-units"},
-    {NCK_NOTE_PLANE, "assumed-plane"},
-    {NCK_NOTE_DISTANCE, "assumed-distance"},
-    {NCK_NOTE_ARC_CENTRE, "assumed-centre"},
-    {NCK_NOTE_NO_END, "no-end"},
-    {NCK_NOTE_AFTER_END, "after-end"},
-    {NCK_NOTE_FEED_UNITS, "feed-units"}
-};
+#define CODE(code, id) code,
+#define ID(code, id) id "\0"
 
-static const char *id_of(const name_t *names, size_t count, int32_t code) {
+static const int8_t status_codes[] = {STATUSES(CODE)};
+static const char status_ids[] = STATUSES(ID);
+static const int8_t note_codes[] = {NOTES(CODE)};
+static const char note_ids[] = NOTES(ID);
+
+static const char *id_of(const int8_t *codes, size_t count, const char *ids, int32_t code) {
     for (size_t k = 0; k < count; k++) {
-        if (names[k].code == code) return names[k].id;
+        if (codes[k] == code) return ids;
+        ids += strlen(ids) + 1;
     }
     return "unknown";
 }
 
 const char *nck_status_id(int32_t status) {
-    return id_of(statuses, sizeof statuses / sizeof statuses[0], status);
+    return id_of(status_codes, sizeof status_codes, status_ids, status);
 }
 
 const char *nck_note_id(int32_t note) {
-    return id_of(notes, sizeof notes / sizeof notes[0], note);
+    return id_of(note_codes, sizeof note_codes, note_ids, note);
 }

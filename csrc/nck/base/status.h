@@ -5,6 +5,10 @@
 
 #include <stdint.h> // int32_t uint32_t
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 // What a call returns.
 typedef enum nck_status {
     NCK_OK = 0,       // done, or one bounded piece of work done
@@ -60,7 +64,8 @@ typedef enum nck_note {
     NCK_NOTE_ARC_CENTRE = 4, // "assumed-centre": I J K before G90.1 or G91.1
     NCK_NOTE_NO_END = 5,     // "no-end": the text ends without M2, M30 or a closing %
     NCK_NOTE_AFTER_END = 6,  // "after-end": text after M2 or M30 is not read
-    NCK_NOTE_FEED_UNITS = 7  // "feed-units": F beside a G20 or G21 that changes the units
+    NCK_NOTE_FEED_UNITS = 7, // "feed-units": F beside a G20 or G21 that changes the units
+    NCK_NOTE_TOLERANCE = 8   // "no-tolerance": G64 without P on a machine whose tolerance is 0
 } nck_note_t;
 
 // One finding in a program. Wording is the caller's; ids and numbers are the kernel's.
@@ -79,5 +84,9 @@ const char *nck_status_id(int32_t status);
 
 // The stable id of a note ("assumed-units"), never NULL. Cost and context as above.
 const char *nck_note_id(int32_t note);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

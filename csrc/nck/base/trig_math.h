@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Sine, cosine and the angle of a vector, made of + − × ÷ √ alone: the same bits on every target.
+// Formulas call them by nck_sincos and nck_atan2 (real.h).
 #ifndef NCK_BASE_TRIG_MATH_H
 #define NCK_BASE_TRIG_MATH_H
 
@@ -43,7 +44,7 @@ static inline nck_real nck_cos_core(nck_real r) {
 // Reduction by quarter turns, x = n·π/2 + r, with π/2 in three parts of 33 bits each, so that
 // n·part is exact for n < 2²⁰ (W. J. Cody, W. Waite, Software Manual for the Elementary
 // Functions, 1980).
-static inline void nck_sincos(nck_real x, nck_real *sin_out, nck_real *cos_out) {
+static inline void nck_trig_sincos(nck_real x, nck_real *sin_out, nck_real *cos_out) {
     const nck_real n = nck_floor(x * (1.0 / NCK_HALF_PI) + 0.5);
     const nck_real r = ((x - n * 1.57079632673412561417e+00) - n * 6.07710050630396597660e-11)
                        - n * 2.02226624879595063154e-21;
@@ -76,11 +77,12 @@ static inline nck_real nck_atan_core(nck_real t) {
 
 // The angle of the vector (x, y) from the x axis, −π < angle ≤ π [rad]; 0 for the zero vector.
 // Relative error ≤ 4 ulp.
-static inline nck_real nck_atan2(nck_real y, nck_real x) {
+static inline nck_real nck_trig_atan2(nck_real y, nck_real x) {
     const nck_real ax = nck_fabs(x);
     const nck_real ay = nck_fabs(y);
     if (ax == 0.0 && ay == 0.0) return 0.0;
-    nck_real angle = ay <= ax ? nck_atan_core(ay / ax) : NCK_HALF_PI - nck_atan_core(ax / ay);
+    const nck_real core = nck_atan_core(ay <= ax ? ay / ax : ax / ay);
+    nck_real angle = ay <= ax ? core : NCK_HALF_PI - core;
     if (x < 0.0) angle = NCK_PI - angle;
     return y < 0.0 ? -angle : angle;
 }

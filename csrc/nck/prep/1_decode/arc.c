@@ -4,12 +4,11 @@
 #include "nck/prep/1_decode/parts.h"
 
 #include <stddef.h> // NULL
-#include <string.h> // memcpy
+#include <string.h> // memcpy memset
 
 // An arc on its way to a block. Points in the plane are in mm, relative to the start.
 typedef struct course {
     unsigned u, v;          // axes of the plane
-    char letter_u, letter_v;// of the centre words
     double turn;            // +1 anticlockwise (G3), −1 clockwise (G2)
     double more;            // whole turns beyond the first, as an angle [rad] ≥ 0
     double d[2];            // end
@@ -38,12 +37,13 @@ static nck_status_t fail_arc(nck_decode_t *self, nck_status_t code, double value
 }
 
 static nck_status_t choose_plane(nck_decode_t *self, course_t *course) {
-    static const course_t planes[3] = {
-        {NCK_AXIS_X, NCK_AXIS_Y, 'I', 'J', 0.0, 0.0, {0.0, 0.0}, {0.0, 0.0}},
-        {NCK_AXIS_Z, NCK_AXIS_X, 'K', 'I', 0.0, 0.0, {0.0, 0.0}, {0.0, 0.0}},
-        {NCK_AXIS_Y, NCK_AXIS_Z, 'J', 'K', 0.0, 0.0, {0.0, 0.0}, {0.0, 0.0}}
+    static const uint8_t planes[3][2] = {
+        {NCK_AXIS_X, NCK_AXIS_Y}, {NCK_AXIS_Z, NCK_AXIS_X}, {NCK_AXIS_Y, NCK_AXIS_Z}
     };
-    *course = planes[self->modal.plane - 17];
+    const uint8_t *const plane = planes[self->modal.plane - 17];
+    memset(course, 0, sizeof *course);
+    course->u = plane[0];
+    course->v = plane[1];
     const unsigned axes[2] = {course->u, course->v};
     for (unsigned k = 0; k < 2; k++) {
         if (!(self->place.axes & ((uint32_t)1 << axes[k]))) {
@@ -84,12 +84,13 @@ static nck_status_t read_length(nck_decode_t *self, char letter, int64_t *value_
 // machine.
 static nck_status_t check_bulge(nck_decode_t *self, const course_t *course, const double *a,
                                 const double *b, const double *centre_nm) {
-    static const double way[4][2] = {{1.0, 0.0}, {0.0, 1.0}, {-1.0, 0.0}, {0.0, -1.0}};
     const double radius_nm = nck_arc_norm(a[0], a[1]) * 1e6;
     for (unsigned k = 0; k < 4; k++) {
         const unsigned axis = k % 2 == 0 ? course->u : course->v;
-        if (b != NULL && !nck_arc_passes(a, b, way[k])) continue;
-        const double far_nm = centre_nm[k % 2] + (way[k][0] + way[k][1]) * radius_nm;
+        const double sign = k < 2 ? 1.0 : -1.0;
+        const double way[2] = {k % 2 == 0 ? sign : 0.0, k % 2 == 0 ? 0.0 : sign};
+        if (b != NULL && !nck_arc_passes(a, b, way)) continue;
+        const double far_nm = centre_nm[k % 2] + sign * radius_nm;
         const nck_status_t status = nck_decode_travel(self, axis, (int64_t)nck_floor(far_nm + 0.5));
         if (status != NCK_OK) return status;
     }
@@ -152,7 +153,7 @@ static nck_status_t arc_by_radius(nck_decode_t *self, course_t *course, const in
 // I J K: from the start (G91.1) or from the program's zero (G90.1) to the centre.
 static nck_status_t read_centre(nck_decode_t *self, course_t *course) {
     const unsigned axes[2] = {course->u, course->v};
-    const char letters[2] = {course->letter_u, course->letter_v};
+    const char letters[2] = {(char)('I' + course->u), (char)('I' + course->v)}; // X I, Y J, Z K
     const uint32_t both = NCK_LETTER(letters[0]) | NCK_LETTER(letters[1]);
     const uint32_t said = self->words.letters & NCK_LETTERS_CENTRE;
     const uint32_t strange = said & ~both;

@@ -12,7 +12,7 @@
 #define NCK_PREP_DECODE_ARC_MATH_H
 
 #include "nck/base/real.h"      // nck_real nck_sqrt
-#include "nck/base/trig_math.h" // nck_atan2 nck_sincos
+#include "nck/base/trig_math.h" // NCK_PI, what nck_atan2 stands for
 
 // |(u, v)| [mm]
 static inline nck_real nck_arc_norm(nck_real u, nck_real v) {

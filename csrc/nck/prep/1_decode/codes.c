@@ -4,63 +4,81 @@
 
 #include <stddef.h> // size_t
 
+// The sets of letters that codes use.
+enum { NONE, AXES, ARC, DWELL, PATH, LENGTH, SET };
+
+static const uint32_t letters_of[] = {
+    [NONE] = 0,
+    [AXES] = NCK_LETTERS_AXES,
+    [ARC] = NCK_LETTERS_AXES | NCK_LETTERS_CENTRE | NCK_LETTER('R') | NCK_LETTER('P'),
+    [DWELL] = NCK_LETTER('P'),
+    [PATH] = NCK_LETTER('P') | NCK_LETTER('Q'),
+    [LENGTH] = NCK_LETTER('H'),
+    [SET] = NCK_LETTERS_AXES | NCK_LETTER('L') | NCK_LETTER('P') | NCK_LETTER('R')
+};
+
 typedef struct code {
     uint16_t tenths; // G61.1 is 611
-    uint16_t step;   // nck_step_t
-    uint32_t takes;  // letters
+    uint8_t step;    // nck_step_t
+    uint8_t takes;   // place in letters_of
 } code_t;
-
-#define AXES NCK_LETTERS_AXES
-#define ARC (NCK_LETTERS_AXES | NCK_LETTERS_CENTRE | NCK_LETTER('R') | NCK_LETTER('P'))
 
 // Ordered by how often programs use them: the search is from the front.
 static const code_t g_codes[] = {
     {10, NCK_STEP_MOTION, AXES}, {0, NCK_STEP_MOTION, AXES},
     {20, NCK_STEP_MOTION, ARC}, {30, NCK_STEP_MOTION, ARC},
-    {40, NCK_STEP_DWELL, NCK_LETTER('P')},
-    {170, NCK_STEP_PLANE, 0}, {180, NCK_STEP_PLANE, 0}, {190, NCK_STEP_PLANE, 0},
-    {200, NCK_STEP_UNITS, 0}, {210, NCK_STEP_UNITS, 0},
-    {900, NCK_STEP_DISTANCE, 0}, {910, NCK_STEP_DISTANCE, 0},
-    {901, NCK_STEP_CENTRE, 0}, {911, NCK_STEP_CENTRE, 0},
-    {930, NCK_STEP_FEED_MODE, 0}, {940, NCK_STEP_FEED_MODE, 0}, {950, NCK_STEP_FEED_MODE, 0},
-    {610, NCK_STEP_PATH, 0}, {611, NCK_STEP_PATH, 0},
-    {640, NCK_STEP_PATH, NCK_LETTER('P') | NCK_LETTER('Q')},
-    {800, NCK_STEP_MOTION, 0}, {530, NCK_STEP_MACHINE, 0}, {400, NCK_STEP_RADIUS_COMP, 0},
-    {540, NCK_STEP_WORK, 0}, {550, NCK_STEP_WORK, 0}, {560, NCK_STEP_WORK, 0},
-    {570, NCK_STEP_WORK, 0}, {580, NCK_STEP_WORK, 0}, {590, NCK_STEP_WORK, 0},
-    {591, NCK_STEP_WORK, 0}, {592, NCK_STEP_WORK, 0}, {593, NCK_STEP_WORK, 0},
-    {430, NCK_STEP_LENGTH, NCK_LETTER('H')}, {490, NCK_STEP_LENGTH, 0},
+    {40, NCK_STEP_DWELL, DWELL},
+    {170, NCK_STEP_PLANE, NONE}, {180, NCK_STEP_PLANE, NONE}, {190, NCK_STEP_PLANE, NONE},
+    {200, NCK_STEP_UNITS, NONE}, {210, NCK_STEP_UNITS, NONE},
+    {900, NCK_STEP_DISTANCE, NONE}, {910, NCK_STEP_DISTANCE, NONE},
+    {901, NCK_STEP_CENTRE, NONE}, {911, NCK_STEP_CENTRE, NONE},
+    {930, NCK_STEP_FEED_MODE, NONE}, {940, NCK_STEP_FEED_MODE, NONE},
+    {950, NCK_STEP_FEED_MODE, NONE},
+    {610, NCK_STEP_PATH, NONE}, {611, NCK_STEP_PATH, NONE},
+    {640, NCK_STEP_PATH, PATH},
+    {800, NCK_STEP_MOTION, NONE}, {530, NCK_STEP_MACHINE, NONE}, {400, NCK_STEP_RADIUS_COMP, NONE},
+    {540, NCK_STEP_WORK, NONE}, {550, NCK_STEP_WORK, NONE}, {560, NCK_STEP_WORK, NONE},
+    {570, NCK_STEP_WORK, NONE}, {580, NCK_STEP_WORK, NONE}, {590, NCK_STEP_WORK, NONE},
+    {591, NCK_STEP_WORK, NONE}, {592, NCK_STEP_WORK, NONE}, {593, NCK_STEP_WORK, NONE},
+    {430, NCK_STEP_LENGTH, LENGTH}, {490, NCK_STEP_LENGTH, NONE},
     {280, NCK_STEP_OFFSET, AXES}, {300, NCK_STEP_OFFSET, AXES},
     {920, NCK_STEP_OFFSET, AXES},
-    {921, NCK_STEP_OFFSET, 0}, {922, NCK_STEP_OFFSET, 0}, {923, NCK_STEP_OFFSET, 0},
-    {100, NCK_STEP_OFFSET, AXES | NCK_LETTER('L') | NCK_LETTER('P') | NCK_LETTER('R')},
-    {70, NCK_STEP_DIAMETER, 0}, {80, NCK_STEP_DIAMETER, 0},
-    {90, NCK_STEP_EXACT, 0}, {970, NCK_STEP_SPEED_MODE, 0}
+    {921, NCK_STEP_OFFSET, NONE}, {922, NCK_STEP_OFFSET, NONE}, {923, NCK_STEP_OFFSET, NONE},
+    {100, NCK_STEP_OFFSET, SET},
+    {70, NCK_STEP_DIAMETER, NONE}, {80, NCK_STEP_DIAMETER, NONE},
+    {90, NCK_STEP_EXACT, NONE}, {970, NCK_STEP_SPEED_MODE, NONE}
 };
 
 static const code_t m_codes[] = {
-    {0, NCK_STEP_STOP, 0}, {10, NCK_STEP_STOP, 0}, {20, NCK_STEP_STOP, 0},
-    {300, NCK_STEP_STOP, 0}, {600, NCK_STEP_STOP, 0},
-    {30, NCK_STEP_SPINDLE, 0}, {40, NCK_STEP_SPINDLE, 0}, {50, NCK_STEP_SPINDLE, 0},
-    {60, NCK_STEP_CHANGE, 0},
-    {70, NCK_STEP_MIST, 0}, {80, NCK_STEP_FLOOD, 0}, {90, NCK_STEP_FLOOD, 0},
-    {480, NCK_STEP_OVERRIDE, 0}, {490, NCK_STEP_OVERRIDE, 0}
+    {0, NCK_STEP_STOP, NONE}, {10, NCK_STEP_STOP, NONE}, {20, NCK_STEP_STOP, NONE},
+    {300, NCK_STEP_STOP, NONE}, {600, NCK_STEP_STOP, NONE},
+    {30, NCK_STEP_SPINDLE, NONE}, {40, NCK_STEP_SPINDLE, NONE}, {50, NCK_STEP_SPINDLE, NONE},
+    {60, NCK_STEP_CHANGE, NONE},
+    {70, NCK_STEP_MIST, NONE}, {80, NCK_STEP_FLOOD, NONE}, {90, NCK_STEP_FLOOD, NONE},
+    {480, NCK_STEP_OVERRIDE, NONE}, {490, NCK_STEP_OVERRIDE, NONE}
 };
 
-// Known to RS274NGC or to Fanuc's controls, not built.
-static const uint16_t g_later[] = {
-    50, 51, 52, 53, 62, 71, 72, 106, 109, 110, 120, 121, 130, 131, 150, 160, 171, 181, 191, 220,
-    230, 250, 260, 270, 281, 290, 301, 310, 320, 330, 331, 340, 350, 360, 370, 380, 382, 383, 384,
-    385, 390, 401, 410, 411, 412, 413, 414, 415, 416, 420, 421, 422, 424, 425, 426, 431, 432, 433,
-    434, 435, 437, 440, 450, 460, 470, 480, 500, 501, 502, 503, 510, 511, 512, 520, 531, 532, 536,
-    541, 542, 544, 600, 620, 630, 650, 660, 661, 670, 680, 681, 682, 683, 684, 690, 691, 700, 710,
-    711, 712, 720, 721, 722, 730, 740, 750, 760, 770, 780, 790, 810, 811, 820, 830, 840, 842, 843,
-    850, 860, 870, 880, 890, 960, 980, 990, 1070, 1120, 1130
+// Known to RS274NGC or to Fanuc's controls, not built. A number tells how far its code lies behind
+// the one before: of G codes in tenths, of M codes, which have none, in whole ones.
+static const uint8_t g_later[] = {
+    50, 1, 1, 1, 9, 9, 1, 34, 3, 1, 10, // G5 G5.1 G5.2 G5.3 G6.2 G7.1 G7.2 G10.6 G10.9 G11 G12
+    1, 9, 1, 19, 10, 11, 10, 10, 29, 10, // G12.1 G13 G13.1 G15 G16 G17.1 G18.1 G19.1 G22 G23
+    20, 10, 10, 11, 9, 11, 9, 10, 10, 1, 9, // G25 G26 G27 G28.1 G29 G30.1 G31 G32 G33 G33.1 G34
+    10, 10, 10, 10, 2, 1, 1, 1, 5, 11, 9, // G35 G36 G37 G38 G38.2 G38.3 G38.4 G38.5 G39 G40.1 G41
+    1, 1, 1, 1, 1, 1, 4, 1, 1, 2, // G41.1 G41.2 G41.3 G41.4 G41.5 G41.6 G42 G42.1 G42.2 G42.4
+    1, 1, 5, 1, 1, 1, 1, 2, 3, 10, // G42.5 G42.6 G43.1 G43.2 G43.3 G43.4 G43.5 G43.7 G44 G45
+    10, 10, 10, 20, 1, 1, 1, 7, 1, 1, 8, // G46 G47 G48 G50 G50.1 G50.2 G50.3 G51 G51.1 G51.2 G52
+    11, 1, 4, 5, 1, 2, 56, 20, 10, 20, // G53.1 G53.2 G53.6 G54.1 G54.2 G54.4 G60 G62 G63 G65
+    10, 1, 9, 10, 1, 1, 1, 1, 6, 1, 9, // G66 G66.1 G67 G68 G68.1 G68.2 G68.3 G68.4 G69 G69.1 G70
+    10, 1, 1, 8, 1, 1, 8, 10, 10, 10, 10, // G71 G71.1 G71.2 G72 G72.1 G72.2 G73 G74 G75 G76 G77
+    10, 10, 20, 1, 9, 10, 10, 2, 1, 7, 10, // G78 G79 G81 G81.1 G82 G83 G84 G84.2 G84.3 G85 G86
+    10, 10, 10, 70, 20, 10, 80, 50, 10 // G87 G88 G89 G96 G98 G99 G107 G112 G113
 };
 
-static const uint16_t m_later[] = {
-    100, 110, 130, 140, 190, 290, 400, 410, 420, 430, 440, 450, 500, 510, 520, 530, 560, 610, 620,
-    630, 640, 650, 660, 670, 680, 700, 710, 720, 730, 960, 970, 980, 990, 1980
+static const uint8_t m_later[] = {
+    10, 1, 2, 1, 5, 10, 11, 1, 1, 1, 1, 1, // M10 M11 M13 M14 M19 M29 M40 M41 M42 M43 M44 M45
+    5, 1, 1, 1, 3, 5, 1, 1, 1, 1, 1, 1, 1, // M50 M51 M52 M53 M56 M61 M62 M63 M64 M65 M66 M67 M68
+    2, 1, 1, 1, 23, 1, 1, 1, 99 // M70 M71 M72 M73 M96 M97 M98 M99 M198
 };
 
 static const code_t *find(const code_t *codes, size_t count, int64_t tenths) {
@@ -70,11 +88,11 @@ static const code_t *find(const code_t *codes, size_t count, int64_t tenths) {
     return NULL;
 }
 
-static int is_later(const uint16_t *codes, size_t count, int64_t tenths) {
-    for (size_t k = 0; k < count; k++) {
-        if (codes[k] == tenths) return 1;
-    }
-    return 0;
+// unit: of the steps from code to code [tenths].
+static int is_later(const uint8_t *steps, size_t count, int unit, int64_t tenths) {
+    int64_t code = 0;
+    for (size_t k = 0; k < count && code < tenths; k++) code += steps[k] * unit;
+    return code == tenths;
 }
 
 nck_status_t nck_decode_code(int letter, int64_t tenths, unsigned *step_out, uint32_t *takes_out) {
@@ -82,16 +100,16 @@ nck_status_t nck_decode_code(int letter, int64_t tenths, unsigned *step_out, uin
     const code_t *const code = g ? find(g_codes, sizeof g_codes / sizeof g_codes[0], tenths)
                                  : find(m_codes, sizeof m_codes / sizeof m_codes[0], tenths);
     if (code == NULL) {
-        const int later = g ? is_later(g_later, sizeof g_later / sizeof g_later[0], tenths)
-                            : is_later(m_later, sizeof m_later / sizeof m_later[0], tenths);
+        const int later = g ? is_later(g_later, sizeof g_later, 1, tenths)
+                            : is_later(m_later, sizeof m_later, 10, tenths);
         if (later) return NCK_E_UNSUPPORTED;
         return g ? NCK_E_G_UNKNOWN : NCK_E_M_UNKNOWN;
     }
     *step_out = code->step;
-    *takes_out = code->takes;
+    *takes_out = letters_of[code->takes];
     return NCK_OK;
 }
 
 uint32_t nck_decode_motion_takes(int32_t motion) {
-    return motion >= 20 ? ARC : AXES;
+    return letters_of[motion >= 20 ? ARC : AXES];
 }

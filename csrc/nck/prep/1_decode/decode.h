@@ -22,7 +22,7 @@ enum {
     NCK_DECODE_VALUE_MAX = 1000000000,    // largest F [mm/min, 1/min, mm/rev] and S [rpm]
     NCK_DECODE_DWELL_MAX_S = 1000000,     // longest G4
     NCK_DECODE_TURNS_MAX = 100000,        // largest P of an arc
-    NCK_DECODE_FINDINGS = 8               // one error and every kind of note
+    NCK_DECODE_FINDINGS = 9               // one error and every kind of note
 };
 
 // The value of the diagnostic NCK_E_DIALECT: whose language the text is.

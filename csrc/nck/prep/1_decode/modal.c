@@ -234,6 +234,7 @@ nck_status_t nck_decode_path(nck_decode_t *self, nck_block_t *out) {
         return NCK_EMPTY;
     }
     if (has_word(self, 'P')) tolerance = real_word(self, 'P') * unit_mm(self);
+    else if (tolerance <= 0.0) nck_decode_assume(self, NCK_NOTE_TOLERANCE);
     merge = has_word(self, 'Q') ? real_word(self, 'Q') * unit_mm(self) : tolerance;
     const int p_good = tolerance >= 0.0 && tolerance <= linear_max_mm;
     if (!p_good || merge < 0.0 || merge > linear_max_mm) {

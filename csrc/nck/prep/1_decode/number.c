@@ -2,7 +2,7 @@
 // Decimal numbers: reading, exact fixed point, floating point.
 #include "nck/prep/1_decode/number.h"
 
-enum { POWERS = 19, REAL_POWERS = 23 };
+enum { POWERS = 19, REAL_POWERS = 23 }; // of ten: the first that is no int64_t, no exact double
 
 // Decimals are kept within these: beyond, a number is 0 or out of every range anyway.
 enum { DECIMALS_MIN = -280, DECIMALS_MAX = 32000 };
@@ -13,11 +13,11 @@ static const int64_t power_of_ten[POWERS] = {
     10000000000000000, 100000000000000000, 1000000000000000000
 };
 
-// All of these are exact in binary64.
-static const double real_power_of_ten[REAL_POWERS] = {
-    1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11,
-    1e12, 1e13, 1e14, 1e15, 1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22
-};
+// 10^n, 0 ≤ n < REAL_POWERS: exact in binary64, and so are both factors.
+static double real_power_of_ten(int n) {
+    const int rest = n < POWERS ? 0 : n - (POWERS - 1);
+    return (double)power_of_ten[n - rest] * (double)power_of_ten[rest];
+}
 
 static int is_blank(char c) {
     return c == ' ' || c == '\t';
@@ -154,15 +154,15 @@ double nck_number_real(const nck_number_t *number) {
     double value = (double)number->mantissa;
     int decimals = number->decimals;
     for (; decimals >= REAL_POWERS; decimals -= REAL_POWERS - 1) {
-        value /= real_power_of_ten[REAL_POWERS - 1];
+        value /= real_power_of_ten(REAL_POWERS - 1);
     }
     for (; decimals <= -REAL_POWERS; decimals += REAL_POWERS - 1) {
-        value *= real_power_of_ten[REAL_POWERS - 1];
+        value *= real_power_of_ten(REAL_POWERS - 1);
     }
     if (decimals >= 0) {
-        value /= real_power_of_ten[decimals];
+        value /= real_power_of_ten(decimals);
     } else {
-        value *= real_power_of_ten[-decimals];
+        value *= real_power_of_ten(-decimals);
     }
     return number->negative ? -value : value;
 }

@@ -9,7 +9,7 @@
 
 #include <string.h> // memcpy
 
-#include "nck/base/path_math.h"            // nck_path_tangent
+#include "nck/base/path.h"                 // nck_path_tangent
 #include "nck/base/real.h"                 // nck_min nck_max
 #include "nck/base/scurve_math.h"          // nck_scurve_…
 #include "nck/base/root_math.h"            // nck_root_cube

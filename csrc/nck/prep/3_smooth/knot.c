@@ -5,7 +5,7 @@
 
 #include <string.h> // memmove memset
 
-#include "nck/base/path_math.h"            // nck_path_second
+#include "nck/base/path.h"                 // nck_path_second
 #include "nck/base/real.h"                 // nck_min nck_max
 #include "nck/prep/3_smooth/raw.h"         // nck_raw_…
 #include "nck/prep/3_smooth/spacing.h"     // nck_spacing_know

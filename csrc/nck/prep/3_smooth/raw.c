@@ -4,7 +4,7 @@
 
 #include <string.h> // memset
 
-#include "nck/base/path_math.h"            // nck_path_point nck_path_tangent nck_path_second
+#include "nck/base/path.h"                 // nck_path_point nck_path_tangent nck_path_second
 #include "nck/base/real.h"                 // nck_sqrt nck_min nck_max
 #include "nck/prep/3_smooth/spline_math.h" // nck_spline_…
 

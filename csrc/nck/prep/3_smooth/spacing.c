@@ -3,7 +3,7 @@
 // to rest there.
 #include "nck/prep/3_smooth/spacing.h"
 
-#include "nck/base/path_math.h"            // nck_path_second
+#include "nck/base/path.h"                 // nck_path_second
 #include "nck/base/real.h"                 // nck_min nck_max
 #include "nck/prep/3_smooth/blend.h"       // NCK_BLEND_KEEP_OFF
 #include "nck/prep/3_smooth/choice.h"      // nck_choice_stop

@@ -1,21 +1,17 @@
 // SPDX-License-Identifier: MIT
 // Velocity grades: speeds so far apart that a planning unit is just long enough for one step
 // between them.
-#ifndef NCK_PREP_GRADE_MATH_H
-#define NCK_PREP_GRADE_MATH_H
+#ifndef NCK_HOST_GRADE_MATH_H
+#define NCK_HOST_GRADE_MATH_H
 
-#include "nck/base/real.h"    // nck_real nck_sqrt nck_floor
-#include "nck/base/records.h" // nck_grade_rule_t
+#include "host/unit.h"              // nck_grade_rule_t
+#include "nck/base/envelope_math.h" // nck_envelope_h
+#include "nck/base/real.h"          // nck_real nck_sqrt nck_floor
 
 // Length of a planning unit: n steps at the command velocity,   L = n·v_c·T
 // (Cao et al. 2014, eq. 10; theirs is in m/min).
 static inline nck_real nck_grade_length(nck_real n, nck_real v_c, nck_real period) {
     return n * v_c * period;
-}
-
-// What a unit changes v² by:   v1² − v2² = 2·a·L     (Cao et al. 2014, eq. 6)
-static inline nck_real nck_grade_step(nck_real a, nck_real length) {
-    return (nck_real)2 * a * length;
 }
 
 // The next grade:   v_{k+1} = √(v_k² + 2aL)     (Cao et al. 2014, eq. 7)
@@ -35,7 +31,7 @@ static inline nck_real nck_grade_count(nck_real v_c, nck_real v_min, nck_real st
 static inline nck_real nck_grade_vv(NCK_IN nck_grade_rule_t *rule, int k) {
     const nck_real top = rule->v_max * rule->v_max;
     if (k + 1 >= (int)rule->count) return top;
-    const nck_real step = nck_grade_step(rule->a, rule->length);
+    const nck_real step = nck_envelope_h(rule->a, rule->length);
     const nck_real vv = rule->v_min * rule->v_min + step * (nck_real)k;
     return vv < top ? vv : top;
 }
@@ -47,7 +43,7 @@ static inline nck_real nck_grade_vv(NCK_IN nck_grade_rule_t *rule, int k) {
 static inline int nck_grade_of(NCK_IN nck_grade_rule_t *rule, nck_real vv) {
     const int top = (int)rule->count - 1;
     if (vv >= rule->v_max * rule->v_max) return top;
-    const nck_real step = nck_grade_step(rule->a, rule->length);
+    const nck_real step = nck_envelope_h(rule->a, rule->length);
     const nck_real x = nck_floor((vv - rule->v_min * rule->v_min) / step);
     if (!(x >= (nck_real)0)) return 0;
     const int g = x < (nck_real)(top - 1) ? (int)x : top - 1;

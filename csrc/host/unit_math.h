@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
 // Speed inside a planning unit: the number of interpolation steps that keep length, chord error
 // and the acceleration of every axis (Cao et al. 2014, section 5).
-#ifndef NCK_PREP_UNIT_MATH_H
-#define NCK_PREP_UNIT_MATH_H
+#ifndef NCK_HOST_UNIT_MATH_H
+#define NCK_HOST_UNIT_MATH_H
 
+#include "host/unit.h"          // nck_unit_t nck_grade_rule_t
 #include "nck/base/path_math.h" // nck_path_point
 #include "nck/base/real.h"      // nck_real nck_sqrt nck_fabs nck_floor nck_max
-#include "nck/base/records.h"   // nck_seg_t nck_unit_t nck_grade_rule_t
+#include "nck/base/records.h"   // nck_seg_t
 
 // No unit takes more steps; below, counts are exact in a float too.
 #define NCK_UNIT_STEP_MAX 16777216

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // The bubble: the largest grades under the preplanned ones that differ by one step at most from
 // point to point. Grades are whole numbers, so every form below gives the same ones.
-#ifndef NCK_PREP_BUBBLE_MATH_H
-#define NCK_PREP_BUBBLE_MATH_H
+#ifndef NCK_HOST_BUBBLE_MATH_H
+#define NCK_HOST_BUBBLE_MATH_H
 
 #include "nck/base/real.h" // NCK_IN nck_int64
 

@@ -9,11 +9,11 @@
 // p lies between what the two chains bring there; where they meet it is known to the bit. (The
 // argument is Keinert et al. 2014, section 4, for their look-ahead buffers; the proof is derived in
 // docs/parallel.md.) A chain that reaches the path's end needs no guess.
-#ifndef NCK_PREP_CHUNK_MATH_H
-#define NCK_PREP_CHUNK_MATH_H
+#ifndef NCK_HOST_CHUNK_MATH_H
+#define NCK_HOST_CHUNK_MATH_H
 
-#include "nck/base/real.h"                      // nck_real nck_int64 NCK_IN
 #include "nck/base/envelope_math.h" // nck_envelope_backward nck_envelope_forward
+#include "nck/base/real.h"          // nck_real nck_int64 NCK_IN
 
 // How many nodes a chain may look beyond its part. The first try, and the last: where even that
 // leaves doubt, the caller plans the whole path serially.

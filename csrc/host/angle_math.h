@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 // The linking vector angle at a junction: 0 is tangent-continuous, π a reversal. Directions in a
 // plane are given as out[0] = cos, out[1] = sin of the forward angle from the plane's first axis.
-#ifndef NCK_PREP_ANGLE_MATH_H
-#define NCK_PREP_ANGLE_MATH_H
+#ifndef NCK_HOST_ANGLE_MATH_H
+#define NCK_HOST_ANGLE_MATH_H
 
 #include "nck/base/real.h"      // nck_real nck_sqrt nck_fabs
 #include "nck/base/records.h"   // NCK_AXIS_MAX
-#include "nck/base/trig_math.h" // nck_atan2
+#include "nck/base/trig_math.h" // what nck_atan2 stands for
 
 // Two vectors in space, of any length but 0:
 //   cos α = d1·d2 / (|d1||d2|)     (Cao et al. 2014, eq. 1)

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
 // The joint of two planning units: its linking vector angle and its transfer speed.
-#ifndef NCK_PREP_TURN_MATH_H
-#define NCK_PREP_TURN_MATH_H
+#ifndef NCK_HOST_TURN_MATH_H
+#define NCK_HOST_TURN_MATH_H
 
 #include "nck/base/real.h"                      // nck_real NCK_IN
+#include "host/unit.h"  // nck_unit_t nck_grade_rule_t
 #include "nck/base/records.h"                   // nck_seg_t nck_unit_t nck_grade_rule_t
-#include "nck/prep/4_lookahead/angle_math.h"    // nck_angle_…
-#include "nck/prep/4_lookahead/transfer_math.h" // nck_transfer_tangent nck_transfer_joint
+#include "host/angle_math.h"    // nck_angle_…
+#include "host/transfer_math.h" // nck_transfer_tangent nck_transfer_joint
 
 // 1 if nothing but the axes of mask (a bit each) moves along a seg.
 static inline int nck_turn_moves_only(NCK_IN nck_seg_t *seg, uint32_t mask) {

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
 // Speed at the point where one planning unit passes into the next.
-#ifndef NCK_PREP_TRANSFER_MATH_H
-#define NCK_PREP_TRANSFER_MATH_H
+#ifndef NCK_HOST_TRANSFER_MATH_H
+#define NCK_HOST_TRANSFER_MATH_H
 
+#include "host/unit.h"        // nck_grade_rule_t
 #include "nck/base/real.h"    // nck_real nck_sqrt nck_fabs
-#include "nck/base/records.h" // nck_seg_t nck_grade_rule_t
+#include "nck/base/records.h" // nck_seg_t
 
 // Direction cosines of a seg at its start (end = 0) or end (end = 1), over all axes.
 //   line    (end − start)/L
