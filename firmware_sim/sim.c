@@ -2,7 +2,7 @@
 // The simulation: one loop in place of a low-priority task and a timer interrupt.
 #include "sim.h"
 
-#include <string.h> // memset
+#include <string.h> // memcpy memset
 
 enum {
     PERCENT = 100,
@@ -81,9 +81,22 @@ static void operate(sim_t *sim) {
     }
 }
 
+void sim_feed_blocks(sim_t *sim) { sim->is_blocks = 1; }
+
+static void feed_block(sim_t *sim) {
+    nck_block_in_t block;
+    memcpy(&block, sim->text + sim->text_used, sizeof block);
+    if (nck_push_block(sim->nck, &block) == NCK_FULL) return;
+    sim->text_used += sizeof block;
+}
+
 static void feed(sim_t *sim) {
     if (sim->text_used == sim->text_size) {
         nck_end(sim->nck);
+        return;
+    }
+    if (sim->is_blocks) {
+        feed_block(sim);
         return;
     }
     size_t used = 0;
@@ -93,7 +106,7 @@ static void feed(sim_t *sim) {
 
 // Changes as long as the run gets on: text read, segs and outputs made, cells taken.
 static uint64_t progress(const sim_t *sim) {
-    const nck_link_t *const link = &sim->nck->link;
+    const nck_link_t *const link = nck_link_of(sim->nck);
     return sim->text_used + link->seg_head + link->output_head + link->taken + link->tail_taken;
 }
 
@@ -115,13 +128,21 @@ static int prep(sim_t *sim) {
     return 1;
 }
 
+static nck_command_t asked_of(const nck_t *nck) {
+    nck_command_t command;
+    nck_asked(nck, &command);
+    return command;
+}
+
 // What keeps the path at rest while neither prep nor the tick has anything to do.
 static sim_end_t cause_of_rest(const sim_t *sim) {
-    const nck_command_t *const command = &sim->nck->command;
-    if (command->abort) return SIM_END_STALLED; // prep has to say that it is done
-    if (command->hold) return SIM_END_HOLD;
-    if (command->feed_percent == 0 || command->rapid_percent == 0) return SIM_END_OVERRIDE;
-    const int held = sim->nck->interpolate.pose.state == NCK_TICK_HOLD;
+    const nck_command_t command = asked_of(sim->nck);
+    if (command.abort) return SIM_END_STALLED; // prep has to say that it is done
+    if (command.hold) return SIM_END_HOLD;
+    if (command.feed_percent == 0 || command.rapid_percent == 0) return SIM_END_OVERRIDE;
+    nck_pose_t pose;
+    nck_axes_t axes;
+    const int held = nck_position(sim->nck, &pose, &axes) == NCK_TICK_HOLD;
     return held && !sim->resumed ? SIM_END_SINGLE_BLOCK : SIM_END_STALLED;
 }
 
@@ -129,7 +150,7 @@ static sim_end_t cause_of_rest(const sim_t *sim) {
 static uint32_t find_end(const sim_t *sim) {
     if (sim->end != SIM_END_NOT) return sim->end;
     if (sim->prep_status == NCK_DONE && nck_is_idle(sim->nck)) {
-        return sim->nck->command.abort ? SIM_END_ABORTED : SIM_END_DONE;
+        return asked_of(sim->nck).abort ? SIM_END_ABORTED : SIM_END_DONE;
     }
     if (sim->rest_ticks < REST_TICKS || sim->prep_status != NCK_FULL) return SIM_END_NOT;
     const sim_end_t cause = cause_of_rest(sim);
@@ -139,13 +160,13 @@ static uint32_t find_end(const sim_t *sim) {
 
 // M0, M1 and M6 end here, a hold in force does not.
 static void end_wait(nck_t *nck) {
-    const uint32_t hold = nck->command.hold;
+    const uint32_t hold = asked_of(nck).hold;
     nck_resume(nck);
     if (hold) nck_hold(nck);
 }
 
 static int moves(const sim_t *sim) {
-    return sim->nck->interpolate.has_cell || nck_link_waiting(&sim->nck->link) > 0;
+    return nck_is_moving(sim->nck);
 }
 
 static void tick(sim_t *sim, sim_row_t *row) {
@@ -155,9 +176,9 @@ static void tick(sim_t *sim, sim_row_t *row) {
     if (state == NCK_TICK_WAIT) end_wait(sim->nck);
     sim->starved_ticks += state == NCK_TICK_STARVED;
     sim->ticks++;
-    row->t_s = (double)sim->ticks * sim->nck->machine.period_s;
+    row->t_s = (double)sim->ticks * nck_machine_of(sim->nck)->period_s;
     row->spindle_rpm = sim->spindle_rpm;
-    row->queue_cells = nck_link_waiting(&sim->nck->link);
+    row->queue_cells = nck_queue_cells(sim->nck);
     row->feed_percent = sim->feed_percent;
     row->rapid_percent = sim->rapid_percent;
     const int rests = !moves(sim) && state != NCK_TICK_WAIT && sim->prep_status == NCK_FULL;

@@ -54,6 +54,7 @@ typedef struct sim {
     void *prep_user;       // handed to it; the nck unless sim_prepare_by says otherwise
     const char *text;      // the whole program, fed as fast as the kernel takes it
     size_t text_size, text_used;
+    uint32_t is_blocks;    // 1: the text is rows of nck_block_in_t
     const sim_command_t *commands; // of the operator, in the order of their ticks
     size_t command_count, command_next;
     uint32_t prep_steps;   // prep steps between two ticks, ≥ 1; few of them starve the tick
@@ -82,6 +83,10 @@ nck_status_t sim_init(sim_t *sim, nck_t *nck, const nck_machine_t *machine, cons
 // Let something else than nck_prep fill nck's link: the same statuses, no text. Call it right
 // after sim_init. Cost: constant. Context: any.
 void sim_prepare_by(sim_t *sim, nck_status_t (*prep)(void *user), void *user);
+
+// What was given as text is rows of nck_block_in_t, each valid. Call it right after sim_init.
+// Cost: constant. Context: any.
+void sim_feed_blocks(sim_t *sim);
 
 // Let the operator give commands, ordered by tick; the array must outlive the run. Call it right
 // after sim_init. Cost: constant. Context: any.

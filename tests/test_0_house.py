@@ -49,6 +49,7 @@ MAY_INCLUDE = {
     "csrc/nck/base/": ("nck/base/",),
     **{f"csrc/nck/{room}/": ("nck/base/", f"nck/{room}/") for room in ROOMS},
     "csrc/nck/nck.": ("nck/",),
+    "csrc/nck/front.": ("nck/nck.h",),
     "csrc/host/": ("nck/", "host/"),
     "opencl/": ("nck/base/", "_math.h", "host/unit.h", "opencl/"),
     "firmware_sim/os/": ("os/", "os.h"),
@@ -339,3 +340,25 @@ def test_the_installed_packages_fit_together():
     command = [sys.executable, "-m", "pip", "--disable-pip-version-check", "check"]
     done = subprocess.run(command, capture_output=True, text=True)
     assert done.returncode == 0, done.stdout
+
+
+# The front door
+
+
+def kernel_members():
+    """Return the names of nck_t's members."""
+    text = without_comments(read("csrc/nck/nck.h"))
+    body = re.search(r"typedef struct nck \{(.*?)\n\} nck_t;", text, re.S)[1]
+    return re.findall(r"^    (?:nck_\w+_t|\}) (\w+);", body, re.M)
+
+
+def test_the_kernel_has_members_that_are_looked_for():
+    assert {"machine", "decode", "link", "interpolate", "wire"} <= set(kernel_members())
+
+
+@pytest.mark.parametrize(
+    "name", tracked("csrc/host/*.[ch]", "firmware_sim/*.[ch]", "pycnc/*.py")
+)
+def test_nobody_outside_of_the_kernel_touches_its_members(name):
+    members = "|".join(kernel_members())
+    assert re.findall(rf"\bnck\)?(?:\.|->|\[0\]\.)(?:{members})\b", read(name)) == []

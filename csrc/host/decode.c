@@ -25,6 +25,24 @@ static nck_status_t feed(nck_decode_t *decode, const char *text, size_t n, size_
     return status == NCK_FULL ? NCK_OK : status;
 }
 
+nck_status_t nck_host_decode_blocks(nck_decode_t *decode, nck_host_blocks_t *blocks) {
+    blocks->out_count = 0;
+    while (blocks->out_count < blocks->out_max) {
+        const nck_status_t pulled = nck_decode_pull(decode, &blocks->out[blocks->out_count]);
+        blocks->out_count += pulled == NCK_OK;
+        if (pulled == NCK_DONE || pulled < NCK_OK) return pulled;
+        if (pulled != NCK_EMPTY) continue;
+        if (blocks->in_used == blocks->in_count) {
+            nck_decode_end(decode);
+            continue;
+        }
+        const nck_status_t pushed = nck_decode_push_block(decode, &blocks->in[blocks->in_used]);
+        if (pushed < NCK_OK) return pushed;
+        blocks->in_used++;
+    }
+    return NCK_OK;
+}
+
 nck_status_t nck_host_decode(nck_decode_t *decode, const char *text, size_t n, int ended,
                              size_t *used_out, nck_block_t *blocks, size_t block_max,
                              size_t *block_count_out, nck_diagnostic_t *diagnostics,

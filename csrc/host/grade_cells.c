@@ -178,7 +178,7 @@ void nck_host_grade_totals(const nck_host_grades_t *self, nck_host_totals_t *tot
 // Segs and outputs, in order, as long as there is room for them.
 static void push_path(nck_host_grade_feed_t *feed) {
     const nck_host_grades_t *const grades = feed->grades;
-    nck_link_t *const link = &feed->nck->link;
+    nck_link_t *const link = nck_link_of(feed->nck);
     while (nck_link_has_room(link)) {
         const int more = feed->outputs < grades->output_count;
         if (more && grades->outputs[feed->outputs].after_segs <= feed->segs) {
@@ -194,7 +194,7 @@ static void push_path(nck_host_grade_feed_t *feed) {
 
 // Cells of segs that have been pushed. Returns how many.
 static uint32_t push_cells(nck_host_grade_feed_t *feed) {
-    nck_link_t *const link = &feed->nck->link;
+    nck_link_t *const link = nck_link_of(feed->nck);
     uint32_t count = 0;
     while (nck_link_cell_room(link) > 0) {
         if (!feed->has_cell) {
@@ -211,7 +211,7 @@ static uint32_t push_cells(nck_host_grade_feed_t *feed) {
 
 nck_status_t nck_host_grade_prep(void *user) {
     nck_host_grade_feed_t *const feed = user;
-    nck_link_t *const link = &feed->nck->link;
+    nck_link_t *const link = nck_link_of(feed->nck);
     push_path(feed);
     (void)nck_link_batch_begin(link);
     nck_link_tail_begin(link);

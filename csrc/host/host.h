@@ -24,6 +24,21 @@ nck_status_t nck_host_decode(nck_decode_t *decode, const char *text, size_t n, i
                              size_t *block_count_out, nck_diagnostic_t *diagnostics,
                              size_t diagnostic_max, size_t *diagnostic_count_out);
 
+// Pushed blocks under way: which of them are decoded, and where their blocks go.
+typedef struct nck_host_blocks {
+    const nck_block_in_t *in; // in_count of them
+    size_t in_count, in_used;
+    nck_block_t *out;         // at least two rows
+    size_t out_max, out_count; // rows of this call
+} nck_host_blocks_t;
+
+// Decode pushed blocks until `out` is full or all are used; the last call gives the program's end.
+// Call again with what is left.
+// Returns NCK_OK (more to come), NCK_DONE, NCK_E_ARGUMENT for a block outside of its range
+// (in[in_used]; nothing goes on from there), or the program error of a block: nck_decode_diagnostic
+// tells it, and decoding goes on with the next one. Cost: linear in the blocks. Context: prep.
+nck_status_t nck_host_decode_blocks(nck_decode_t *decode, nck_host_blocks_t *blocks);
+
 // What a plan adds up to. Times in s. cut, rapid and dwell add up to time, and so do the limits;
 // accelerate, cruise and decelerate to cut and rapid.
 typedef struct nck_host_totals {
@@ -47,6 +62,7 @@ typedef struct nck_host_plan {
     nck_t *nck;                 // initialised by nck_host_plan_init
     const char *text;
     size_t text_size, text_used;
+    uint32_t is_blocks;         // 1: the text is rows of nck_block_in_t
     nck_seg_t *segs;   size_t seg_max, seg_count;     // rows of this call
     nck_node_t *nodes; size_t node_max, node_count;
     nck_cell_t *cells; size_t cell_max, cell_count;
@@ -61,6 +77,10 @@ typedef struct nck_host_plan {
 // Returns as nck_init. Context: prep.
 nck_status_t nck_host_plan_init(nck_host_plan_t *plan, nck_t *nck, const nck_machine_t *machine,
                                 const char *text, size_t n);
+
+// What was given as text is rows of nck_block_in_t, each valid. Call it right after
+// nck_host_plan_init. Cost: constant. Context: prep.
+void nck_host_plan_blocks(nck_host_plan_t *plan);
 
 // Go on until an array is nearly full or the plan is done; the counts start from 0 at every call.
 // An array that is given must hold at least 4 × NCK_WINDOW rows. Without arrays it goes on for

@@ -2,7 +2,7 @@
 // Planning a whole text without executing it: cells are taken in place of the tick.
 #include "host/host.h"
 
-#include <string.h> // memset
+#include <string.h> // memcpy memset
 
 static void keep_seg(void *user, const nck_seg_t *seg) {
     nck_host_plan_t *const plan = user;
@@ -66,22 +66,36 @@ void nck_host_totals_add(nck_host_totals_t *totals, double *since_stop_s, const 
 
 // Take all final cells. Returns how many.
 static uint32_t take_cells(nck_host_plan_t *plan) {
-    const uint32_t settle = plan->nck->interpolate.filter.taps - 1;
+    const nck_machine_t *const machine = nck_machine_of(plan->nck);
+    const uint32_t settle = nck_interpolate_taps(machine) - 1;
     nck_cell_t cell;
     uint32_t count = 0;
     while (nck_take(plan->nck, &cell) == NCK_OK) {
-        const int rapid = nck_link_seg(&plan->nck->link, cell.seg)->rapid;
+        const int rapid = nck_link_seg(nck_link_of(plan->nck), cell.seg)->rapid;
         nck_host_totals_add(&plan->totals, &plan->since_stop_s, &cell, rapid,
-                            plan->nck->machine.period_s, settle);
+                            machine->period_s, settle);
         if (plan->cells) plan->cells[plan->cell_count++] = cell;
         count++;
     }
     return count;
 }
 
+void nck_host_plan_blocks(nck_host_plan_t *plan) { plan->is_blocks = 1; }
+
+static void feed_block(nck_host_plan_t *plan) {
+    nck_block_in_t block;
+    memcpy(&block, plan->text + plan->text_used, sizeof block);
+    if (nck_push_block(plan->nck, &block) == NCK_FULL) return;
+    plan->text_used += sizeof block;
+}
+
 static void feed(nck_host_plan_t *plan) {
     if (plan->text_used == plan->text_size) {
         nck_end(plan->nck);
+        return;
+    }
+    if (plan->is_blocks) {
+        feed_block(plan);
         return;
     }
     size_t used = 0;
@@ -127,6 +141,8 @@ nck_status_t nck_host_plan_run(nck_host_plan_t *plan) {
     while (status == NCK_OK && has_room(plan) && plan->totals.cells - cells_before < NCK_WINDOW) {
         status = step(plan);
     }
-    plan->totals.blocks = plan->nck->wire.blocks;
+    nck_queue_t queue;
+    nck_queue(plan->nck, &queue);
+    plan->totals.blocks = queue.blocks;
     return status == NCK_DONE && plan->error < NCK_OK ? (nck_status_t)plan->error : status;
 }

@@ -1,12 +1,21 @@
 // SPDX-License-Identifier: MIT
-// The wires: pull from room k, push into room k + 1. The only file that names two rooms.
+// The wires: pull from room k, push into room k + 1. Only this file and front.c name two rooms.
 #include "nck/nck.h"
 
 #include <string.h> // memset
 
+#include "nck/base/real.h" // nck_floor
+
 enum {
     PERCENT = 100, FEED_MOST = 200 // overrides
 };
+
+// Rooms 3 to 5 at rest at the machine's start position, and where the link ends.
+static void begin_rooms(nck_t *nck) {
+    nck_smooth_init(&nck->smooth, &nck->machine);
+    nck_lookahead_init(&nck->lookahead, &nck->machine);
+    nck_slope_init(&nck->slope, &nck->machine, &nck->link);
+}
 
 nck_status_t nck_init(nck_t *nck, const nck_machine_t *machine, const nck_hooks_t *hooks) {
     const nck_status_t status = nck_machine_check(machine);
@@ -18,34 +27,29 @@ nck_status_t nck_init(nck_t *nck, const nck_machine_t *machine, const nck_hooks_
     if (hooks) nck->hooks = *hooks;
     nck_decode_init(&nck->decode, &nck->machine);
     nck_toolcomp_init(&nck->toolcomp, &nck->machine);
-    nck_smooth_init(&nck->smooth, &nck->machine);
-    nck_lookahead_init(&nck->lookahead, &nck->machine);
     nck_link_init(&nck->link);
-    nck_slope_init(&nck->slope, &nck->machine, &nck->link);
+    begin_rooms(nck);
     nck_interpolate_init(&nck->interpolate, &nck->machine, &nck->link);
     nck_transform_init(&nck->transform, &nck->machine);
     return NCK_OK;
 }
 
-nck_status_t nck_push(nck_t *nck, const char *text, size_t n, size_t *used_out) {
-    nck->wire.hungry = 0;
-    return nck_decode_push(&nck->decode, text, n, used_out);
-}
-
-void nck_end(nck_t *nck) { nck_decode_end(&nck->decode); }
-
-nck_status_t nck_diagnostic(nck_t *nck, nck_diagnostic_t *diagnostic_out) {
-    if (nck->wire.diagnostic.code == NCK_OK) {
-        return nck_decode_diagnostic(&nck->decode, diagnostic_out);
-    }
-    *diagnostic_out = nck->wire.diagnostic;
-    nck->wire.diagnostic.code = NCK_OK;
-    return NCK_OK;
-}
-
+// Smoothing has given all. After a flush blocks may follow: the path rests here and goes on.
 static void end_path(nck_t *nck) {
-    nck->wire.ended = 1;
+    const int flushes = nck->wire.flush == NCK_FLUSH_SMOOTH;
+    if (flushes) nck_smooth_go_on(&nck->smooth);
+    nck->wire.flush = flushes ? NCK_FLUSH_AHEAD : NCK_FLUSH_NOT;
+    nck->wire.ended = !flushes;
     nck_lookahead_end(&nck->lookahead);
+}
+
+// What was pushed before a flush is planned to its end before more is taken, so that the path
+// depends on where the flush stands and not on time. NCK_FULL: not yet.
+static nck_status_t finish_flush(nck_t *nck) {
+    if (nck->wire.flush != NCK_FLUSH_AHEAD) return NCK_OK;
+    if (!nck_lookahead_is_settled(&nck->lookahead)) return NCK_FULL;
+    nck->wire.flush = NCK_FLUSH_NOT;
+    return NCK_OK;
 }
 
 // smooth ─▶ seg ring and lookahead, or output ring. All have room (see carry_item).
@@ -83,12 +87,15 @@ static nck_status_t carry_block(nck_t *nck, const nck_block_t *block) {
 // decode ─▶ toolcomp ─▶ smooth ─▶ lookahead, one item or one block.
 static nck_status_t pull_block(nck_t *nck) {
     if (nck->wire.ended) return NCK_DONE;
+    if (finish_flush(nck) != NCK_OK) return NCK_FULL;
     const nck_status_t carried = carry_item(nck);
     if (carried != NCK_EMPTY) return carried == NCK_DONE ? NCK_OK : carried;
     nck_block_t *const block = &nck->wire.block;
     const nck_status_t status = nck_decode_pull(&nck->decode, block);
-    if (status == NCK_DONE || status < NCK_OK) nck_smooth_end(&nck->smooth);
-    if (status == NCK_DONE) return NCK_OK;
+    const int flushes = status == NCK_EMPTY && nck->wire.flush == NCK_FLUSH_ASKED;
+    if (flushes) nck->wire.flush = NCK_FLUSH_SMOOTH;
+    if (flushes || status == NCK_DONE || status < NCK_OK) nck_smooth_end(&nck->smooth);
+    if (flushes || status == NCK_DONE) return NCK_OK;
     if (status != NCK_OK) return status;
     nck_toolcomp_push(&nck->toolcomp, block);
     return carry_block(nck, block);
@@ -128,11 +135,6 @@ static nck_status_t step_slope(nck_t *nck) {
     return status;
 }
 
-// At a WAIT that nobody has ended. After an abort nobody can.
-static int is_waiting(const nck_t *nck) {
-    return nck->interpolate.waits && !nck_fence_load(&nck->interpolate.resume);
-}
-
 // An invariant is broken: the tick comes to rest on what is published, and that is the end.
 static nck_status_t give_up(nck_t *nck, uint32_t line) {
     nck->wire.given_up = 1;
@@ -162,14 +164,36 @@ static nck_status_t needs_text(nck_t *nck, nck_status_t slope) {
     return NCK_EMPTY;
 }
 
+// All rooms begin anew where the axes rest.
+static void begin_anew(nck_t *nck) {
+    for (int x = 0; x < NCK_AXIS_MAX; x++) {
+        const double counts = nck_machine_counts(&nck->machine, x);
+        const double place = nck->interpolate.pose.axis[x] * counts;
+        nck->machine.start_nm[x] = (int64_t)nck_floor(place + 0.5);
+    }
+    nck_decode_stand(&nck->decode);
+    nck_link_renew(&nck->link);
+    begin_rooms(nck);
+    nck_link_give_back(&nck->link);
+}
+
+// 0: nck_begin has asked for the link, and the tick has not yielded it yet.
+static int is_begun(nck_t *nck) {
+    const uint32_t owner = nck_link_owner(&nck->link);
+    if (owner == NCK_LINK_PREP) begin_anew(nck);
+    return owner != NCK_LINK_ASKED;
+}
+
 // Downstream first: cells, then caps, then blocks.
 nck_status_t nck_prep(nck_t *nck) {
     if (nck->wire.given_up) return NCK_DONE;
+    if (!is_begun(nck)) return NCK_FULL;
     const nck_status_t status = step_slope(nck);
     if (status == NCK_OK) return NCK_OK;
     if (status == NCK_E_INTERNAL) return give_up(nck, nck_link_broken_line(&nck->link));
     if (nck_fence_load(&nck->command.abort)) {
-        const int rests = nck_slope_is_held(&nck->slope) || is_waiting(nck);
+        const int rests = nck_slope_is_held(&nck->slope)
+                          || nck_interpolate_is_waiting(&nck->interpolate);
         return rests ? NCK_DONE : NCK_FULL;
     }
     const nck_status_t ahead = nck_lookahead_step(&nck->lookahead);
@@ -194,18 +218,25 @@ static void hand_over_outputs(nck_t *nck) {
 
 // Held: at rest, or on the way to it along the stop tail.
 static int is_held(const nck_t *nck, const nck_pose_t *pose) {
-    if (nck_fence_load(&nck->command.abort) && is_waiting(nck)) return 1;
+    const int waits = nck_interpolate_is_waiting(&nck->interpolate);
+    if (nck_fence_load(&nck->command.abort) && waits) return 1;
     return nck_fence_load(&nck->command.hold)
            && (pose->state == NCK_TICK_IDLE || pose->state == NCK_TICK_STARVED);
 }
 
-nck_tick_state_t nck_tick(nck_t *nck, nck_pose_t *pose_out, nck_axes_t *axes_out) {
-    const nck_pose_t *const pose = nck_interpolate_tick(&nck->interpolate);
+nck_tick_state_t nck_position(const nck_t *nck, nck_pose_t *pose_out, nck_axes_t *axes_out) {
+    const nck_pose_t *const pose = &nck->interpolate.pose;
     *pose_out = *pose;
     if (is_held(nck, pose)) pose_out->state = NCK_TICK_HOLD;
     nck_transform_tick(&nck->transform, pose, axes_out);
-    hand_over_outputs(nck);
     return (nck_tick_state_t)pose_out->state;
+}
+
+nck_tick_state_t nck_tick(nck_t *nck, nck_pose_t *pose_out, nck_axes_t *axes_out) {
+    (void)nck_interpolate_tick(&nck->interpolate);
+    const nck_tick_state_t state = nck_position(nck, pose_out, axes_out);
+    hand_over_outputs(nck);
+    return state;
 }
 
 void nck_resume(nck_t *nck) {
@@ -237,9 +268,14 @@ nck_status_t nck_set_override(nck_t *nck, uint32_t feed_percent, uint32_t rapid_
     return set_command(nck, &nck->command.feed_percent, feed_percent, FEED_MOST);
 }
 
+int nck_is_moving(const nck_t *nck) {
+    return nck->interpolate.has_cell || nck_link_waiting(&nck->link) > 0;
+}
+
 int nck_is_idle(const nck_t *nck) {
-    const int waits = is_waiting(nck);
-    const int moves = nck->interpolate.has_cell || nck_link_waiting(&nck->link) > 0;
+    const int waits = nck_interpolate_is_waiting(&nck->interpolate);
+    if (nck_link_owner(&nck->link) == NCK_LINK_PREP) return 1;
+    const int moves = nck_is_moving(nck);
     if (nck_fence_load(&nck->command.abort)) return waits || !moves;
     return !waits && !moves && nck_link_is_empty(&nck->link);
 }

@@ -6,9 +6,11 @@
 //     nck_init(&nck, &nck_machine, NULL);
 //     low-priority task:  nck_push text …, nck_end; nck_prep as long as it says NCK_OK
 //     1 ms interrupt:     nck_tick(&nck, &pose, &axes)
+//     after the end:      nck_begin, and more text; or geometry by nck_push_block
 //
 // Contexts: "prep" is one task or thread, "tick" is one interrupt or thread of higher priority.
-// Only the link (base/link.h) crosses between them.
+// Only the link (base/link.h) crosses between them, and single words of room 6: whether the tick
+// waits or is at rest.
 #ifndef NCK_H
 #define NCK_H
 
@@ -48,8 +50,48 @@ typedef struct nck_command {
     uint32_t abort;         // 1: come to rest and drop the rest of the program
 } nck_command_t;
 
-// The kernel. The order of the members is the order of the flow. Once made it must be neither moved
-// nor copied, for its rooms point to its machine and to one another.
+// How far a flush has come.
+typedef enum nck_flush_state {
+    NCK_FLUSH_NOT = 0,
+    NCK_FLUSH_ASKED = 1,  // decode still has blocks
+    NCK_FLUSH_SMOOTH = 2, // smooth gives what it held back
+    NCK_FLUSH_AHEAD = 3   // look-ahead places what it held back
+} nck_flush_state_t;
+
+// How much is under way.
+typedef struct nck_queue {
+    uint64_t blocks;  // taken from text and pushed blocks since nck_init or nck_begin
+    uint32_t smooth;  // of them, held back until what follows them is known
+    uint32_t segs;    // not executed to their ends
+    uint32_t outputs; // not handed over
+    uint32_t cells;   // final and not taken by the tick
+} nck_queue_t;
+
+// What is in force where the next line or block begins.
+typedef struct nck_modal {
+    int32_t motion;       // 0 … 3: G0 … G3; −1: none
+    uint8_t plane;        // 17, 18, 19
+    uint8_t inch;         // 1: G20
+    uint8_t diameter;     // 1: G7
+    uint8_t incremental;  // 1: G91
+    uint8_t feed_mode;    // nck_feed_mode_t
+    uint8_t path_mode;    // nck_path_mode_t
+    uint8_t spindle_on;   // 1: M3 or M4
+    uint8_t work_system;  // 0: G54 … 8: G59.3
+    double tolerance_mm;  // G64 P
+    double feed;          // by feed_mode [mm/min, 1/min, mm/rev]; 0: none yet
+    double spindle_rpm;   // S; 0: none yet
+    uint32_t tool_next;   // T
+    uint32_t tool_in;     // T at the last M6
+    int64_t position_nm[NCK_AXIS_MAX]; // programmed, of the machine [nm, ndeg]
+    int64_t origin_nm[NCK_AXIS_MAX];   // the program's zero there: work + G92 + tool
+    int64_t work_nm[NCK_AXIS_MAX];     // of the work system in force
+    int64_t g92_nm[NCK_AXIS_MAX];
+    int64_t tool_nm[3];                // G43: X Y Z
+} nck_modal_t;
+
+// The kernel. The order of the members is the order of the flow. They are its own: the functions
+// below tell what others need. Once initialised it must not move, for it points into itself.
 typedef struct nck {
     nck_machine_t machine;
     nck_hooks_t hooks;
@@ -67,6 +109,7 @@ typedef struct nck {
         uint8_t ended;          // 1: no more blocks: END, end of text or a program error
         uint8_t given_up;       // 1: after NCK_E_INTERNAL
         uint8_t hungry;         // 1: text has been asked for and has not come
+        uint8_t flush;          // nck_flush_state_t
         uint32_t blocks;        // blocks so far, of all kinds
         nck_diagnostic_t diagnostic; // of a room behind 1_decode; code 0: none
     } wire;
@@ -81,7 +124,41 @@ nck_status_t nck_init(nck_t *nck, const nck_machine_t *machine, const nck_hooks_
 // Returns NCK_OK, NCK_FULL if nothing more fits before nck_prep has worked, NCK_E_STATE after
 // nck_end.
 // Cost: linear in n. Context: prep.
+// In pose, outputs and diagnostics `line` is the number of the source line.
 nck_status_t nck_push(nck_t *nck, const char *text, size_t n, size_t *used_out);
+
+// Hand over a block without text, in the place of a line: its units are mm, degrees and seconds.
+// Text and blocks may alternate; position and modes are one for both. What is wrong with it in the
+// program's terms (travel, feed, arc) nck_prep tells, as for a line; `line` is the block's id.
+// Returns NCK_OK; NCK_FULL if nothing more fits before nck_prep has worked; NCK_E_ARGUMENT if a
+// member is outside of its range; NCK_E_STATE in the middle of a line, after the program's end and
+// after nck_end. Cost: constant. Context: prep.
+nck_status_t nck_push_block(nck_t *nck, const nck_block_in_t *block);
+
+// Nothing more comes for now: what has been pushed is executed to its end, where the path comes to
+// rest; a line without its line feed is complete. More may be pushed afterwards: the path goes on
+// from there. Until everything before is planned, pushing says NCK_FULL.
+// Cost: constant. Context: prep.
+void nck_flush(nck_t *nck);
+
+// Begin another program where the axes are at rest now. Offsets stay as the last block decoded has
+// left them (work systems, G92, tool length, and the tools of T and M6); modes are those of the
+// machine again, as behind nck_init; overrides and single block stay; a hold or an abort is over.
+// Counts (seg, block, line, s) begin at 0. What an abort has dropped stays dropped. Text can be
+// pushed at once; nck_prep says NCK_FULL until the next tick (or nck_take).
+// Returns NCK_OK; NCK_E_STATE while the tick still moves, before the end of the program is executed
+// (nck_abort drops the rest), and after NCK_E_INTERNAL: there only nck_init begins anew.
+// Cost: linear in the capacities. Context: prep; the tick may go on running.
+nck_status_t nck_begin(nck_t *nck);
+
+// Change limits between blocks: of every axis v_max, rapid, a_max and j_max, of the path feed_max,
+// a_max, j_max, chord_error and tolerance (what a bare G64 means from the next one on). The rest of
+// `machine` must be valid and counts for nothing. They hold for what is pushed afterwards; the path
+// comes to rest between. What waits is flushed first: NCK_FULL until it is planned (call nck_prep,
+// then again). A change of feed or of tolerance alone needs no rest: see nck_block_in_t.
+// Returns NCK_OK, NCK_FULL, or NCK_E_MACHINE if nck_machine_check refuses the machine.
+// Cost: constant. Context: prep.
+nck_status_t nck_set_limits(nck_t *nck, const nck_machine_t *machine);
 
 // Say that the text is complete: what is left is planned to its end.
 // Cost: constant. Context: prep.
@@ -125,18 +202,49 @@ nck_status_t nck_set_single_block(nck_t *nck, uint32_t on);
 nck_status_t nck_set_override(nck_t *nck, uint32_t feed_percent, uint32_t rapid_percent);
 
 // Come to rest as by a hold and drop what has not been executed: nck_prep says NCK_DONE, the tick
-// stays in NCK_TICK_HOLD and is idle there. Only nck_init begins anew (machine.start_nm: where the
-// axes stand). Cost: constant. Context: any.
+// stays in NCK_TICK_HOLD and is idle there. nck_begin goes on from there with another program.
+// Cost: constant. Context: any.
 void nck_abort(nck_t *nck);
 
 // 1 if the tick has nothing left to do: at rest, no WAIT, no cell and no output left.
 // Cost: constant. Context: tick.
 int nck_is_idle(const nck_t *nck);
 
+// 1 if the tick executes a cell, or has one to take. Cost: constant. Context: tick.
+int nck_is_moving(const nck_t *nck);
+
 // Take the next final cell in place of the tick: for planning without executing (machining time,
 // pictures). Outputs are handed over as in the tick. Returns NCK_OK or NCK_EMPTY. Cost: constant.
 // Context: tick.
 nck_status_t nck_take(nck_t *nck, nck_cell_t *cell_out);
+
+// Where the axes are: what the last tick has handed out, before the first one the start. Returns
+// the tick's state. Cost: constant. Context: tick; prep while the tick is at rest.
+nck_tick_state_t nck_position(const nck_t *nck, nck_pose_t *pose_out, nck_axes_t *axes_out);
+
+// How many joints the machine has, and the axis that drives joint k < nck_joint_count.
+// Cost: constant. Context: any.
+uint32_t nck_joint_count(const nck_t *nck);
+uint32_t nck_joint_axis(const nck_t *nck, uint32_t joint);
+
+// How much is under way. Cost: constant. Context: prep; `cells` from the tick too.
+void nck_queue(const nck_t *nck, nck_queue_t *queue_out);
+
+// Final cells that wait for the tick. Cost: constant. Context: any.
+uint32_t nck_queue_cells(const nck_t *nck);
+
+// What is in force, and where the program's zero is, as of the last block decoded.
+// Cost: constant. Context: prep.
+void nck_modal(const nck_t *nck, nck_modal_t *modal_out);
+
+// The machine, with the limits in force. Cost: constant. Context: any.
+const nck_machine_t *nck_machine_of(const nck_t *nck);
+
+// What the operator asks for, as of now. Cost: constant. Context: any.
+void nck_asked(const nck_t *nck, nck_command_t *command_out);
+
+// The link, for a planner that fills it in nck_prep's place. Cost: constant. Context: any.
+nck_link_t *nck_link_of(nck_t *nck);
 
 #ifdef __cplusplus
 }

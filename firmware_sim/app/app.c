@@ -99,7 +99,7 @@ static void start(app_t *app) {
     const os_hooks_t hooks = {app_tick, note_fault, app, end_run};
     os_init(&hooks);
     if (!make_queues(app) || !make_tasks(app)) return;
-    const double units = app->nck.machine.period_s * (double)hal_clock_hz();
+    const double units = nck_machine_of(&app->nck)->period_s * (double)hal_clock_hz();
     const uint32_t tick_units = (uint32_t)(units + 0.5);
     hal_watchdog_start(tick_units * WATCHDOG_TICKS);
     (void)os_start(tick_units);
@@ -116,7 +116,7 @@ int app_run(app_t *app) {
         return 0;
     }
     app_guard_init(app);
-    nck_transform_tick(&app->nck.transform, &app->nck.interpolate.pose, &app->tick.axes);
+    (void)nck_position(&app->nck, &app->tick.pose, &app->tick.axes);
     start(app);
     return APP_EXIT_SYSTEM;
 }

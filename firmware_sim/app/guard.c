@@ -6,15 +6,16 @@
 enum { HOLD_TICKS = 40 };
 
 void app_guard_init(app_t *app) {
-    for (uint32_t k = 0; k < app->nck.transform.joints; k++) {
-        const nck_axis_t *const axis = &app->nck.machine.axis[app->nck.transform.axis[k]];
+    for (uint32_t k = 0; k < nck_joint_count(&app->nck); k++) {
+        const uint32_t driven = nck_joint_axis(&app->nck, k);
+        const nck_axis_t *const axis = &nck_machine_of(&app->nck)->axis[driven];
         app->travel[k].least = axis->min_nm;
         app->travel[k].most = axis->max_nm;
     }
 }
 
 int app_guard_set(app_t *app, int64_t joint, const app_range_t *travel) {
-    if (joint < 0 || joint >= (int64_t)app->nck.transform.joints) return 0;
+    if (joint < 0 || joint >= (int64_t)nck_joint_count(&app->nck)) return 0;
     if (travel->least > travel->most) return 0;
     const uint32_t before = os_critical_enter();
     app->travel[joint] = *travel;
@@ -42,9 +43,9 @@ static double seconds_to_stop(const nck_machine_t *machine, double v) {
 
 app_guard_t app_guard_check(const app_t *app, const nck_pose_t *pose, const nck_axes_t *next) {
     app_guard_t found = APP_GUARD_FAR;
-    const nck_machine_t *const machine = &app->nck.machine;
+    const nck_machine_t *const machine = nck_machine_of(&app->nck);
     const double periods = seconds_to_stop(machine, pose->v) / machine->period_s;
-    for (uint32_t k = 0; k < app->nck.transform.joints; k++) {
+    for (uint32_t k = 0; k < nck_joint_count(&app->nck); k++) {
         const app_range_t *const travel = &app->travel[k];
         const int64_t at = next->joint_nm[k];
         const int64_t step = at - app->tick.axes.joint_nm[k];

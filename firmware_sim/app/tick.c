@@ -30,19 +30,19 @@ static void count_setpoint(app_t *app) {
     if (app->supervisor.frozen) app->tick.state = NCK_TICK_IDLE;
     if (app->tick.state == NCK_TICK_IDLE) return;
     app->tick.used++;
-    for (uint32_t k = 0; k < app->nck.transform.joints; k++) {
+    for (uint32_t k = 0; k < nck_joint_count(&app->nck); k++) {
         app->tick.hash = hash_integer(app->tick.hash, app->tick.axes.joint_nm[k]);
     }
 }
 
 static void write_row(const app_t *app) {
     const app_row_t row = {
-        app->tick.count, app->tick.pose.line, nck_link_waiting(&app->nck.link),
+        app->tick.count, app->tick.pose.line, nck_queue_cells(&app->nck),
         (uint8_t)app->supervisor.state, (uint8_t)app->tick.state, app->tick.pose.limit,
         hal_switched(HAL_DRIVES) != 0
     };
     uint8_t bytes[sizeof row + sizeof app->tick.axes.joint_nm];
-    const size_t joints = app->nck.transform.joints * sizeof app->tick.axes.joint_nm[0];
+    const size_t joints = nck_joint_count(&app->nck) * sizeof app->tick.axes.joint_nm[0];
     memcpy(bytes, &row, sizeof row);
     memcpy(bytes + sizeof row, app->tick.axes.joint_nm, joints);
     hal_write(HAL_TRACE, bytes, sizeof row + joints);
@@ -51,8 +51,9 @@ static void write_row(const app_t *app) {
 // An override of nothing rests in the middle of the path as a late prep does, or before a block as
 // an ended program does, but the operator wants it so.
 static uint32_t state_of(const app_t *app, nck_tick_state_t state) {
-    const nck_command_t *const command = &app->nck.command;
-    const int nothing = command->feed_percent == 0 || command->rapid_percent == 0;
+    nck_command_t asked;
+    nck_asked(&app->nck, &asked);
+    const int nothing = asked.feed_percent == 0 || asked.rapid_percent == 0;
     const int rests = state == NCK_TICK_STARVED || (state == NCK_TICK_IDLE && !app->prep.done);
     return nothing && rests ? NCK_TICK_HOLD : state;
 }

@@ -36,8 +36,41 @@ def version():
         return "0 (not installed)"
 
 
+class Blocks(bytes):
+    """A program without text: the bytes of rows of dtype ``nck_block_in_t``."""
+
+    def splitlines(self, keepends=False):
+        """Return no line: there is no text."""
+        return []
+
+
+def _decode_blocks(data, machine):
+    state, source = ffi.new("nck_decode_t *"), ffi.new("nck_host_blocks_t *")
+    lib.nck_decode_init(state, machine.pointer)
+    rows = np.frombuffer(data, dtype("nck_block_in_t"))
+    blocks = np.empty(_BLOCK_ROWS, dtype("nck_block_t"))
+    found = np.empty(lib.NCK_DECODE_FINDINGS, dtype("nck_diagnostic_t"))
+    at = pointer("nck_diagnostic_t", found)
+    source.__setattr__("in", ffi.cast("nck_block_in_t *", ffi.from_buffer(data)))
+    source.in_count, source.out_max = len(rows), len(blocks)
+    source.out = pointer("nck_block_t", blocks)
+    status = lib.NCK_OK
+    while status != lib.NCK_DONE:
+        status = lib.nck_host_decode_blocks(state, source)
+        if status == lib.NCK_E_ARGUMENT:
+            raise errors.ArgumentError(
+                f"move {source.in_used} (counted from 0) has a member outside of its range: "
+                f"{rows[source.in_used]}; see docs/firmware.md, section 9",
+                id="argument",
+            )
+        count = 0
+        while count < len(found) and lib.nck_decode_diagnostic(state, at + count) == lib.NCK_OK:
+            count += 1
+        yield blocks[: source.out_count], found[:count], source.in_used * rows.itemsize
+
+
 def decode(text, machine):
-    """Decode a whole text.
+    """Decode a whole text, or `Blocks`.
 
     Parameters
     ----------
@@ -53,6 +86,9 @@ def decode(text, machine):
     used : int
         Bytes of the text that are read so far.
     """
+    if isinstance(text, Blocks):
+        yield from _decode_blocks(text, machine)
+        return
     state = ffi.new("nck_decode_t *")
     lib.nck_decode_init(state, machine.pointer)
     blocks = np.empty(_BLOCK_ROWS, dtype("nck_block_t"))
@@ -91,6 +127,8 @@ class Planner:
         self._nck, self._plan = ffi.new("nck_t *"), ffi.new("nck_host_plan_t *")
         self._data = ffi.from_buffer("char[]", text)
         check(lib.nck_host_plan_init(self._plan, self._nck, machine.pointer, self._data, len(text)))
+        if isinstance(text, Blocks):
+            lib.nck_host_plan_blocks(self._plan)
         self._arrays = {
             name: np.empty(_PLAN_ROWS, dtype(f"nck_{name}_t")) for name in records
         }
@@ -171,6 +209,8 @@ class Simulation:
         check(
             lib.sim_init(self._sim, self._nck, machine.pointer, self._data, len(text), prep_steps)
         )
+        if isinstance(text, Blocks):
+            lib.sim_feed_blocks(self._sim)
         self._commands = _command_rows(commands)
         lib.sim_operate(
             self._sim, pointer("sim_command_t", self._commands), len(self._commands)
@@ -203,12 +243,15 @@ class Simulation:
             check(status)
 
     def _stall(self):
-        sim, nck = self._sim, self._nck
+        sim, pose, axes = self._sim, ffi.new("nck_pose_t *"), ffi.new("nck_axes_t *")
+        queue = ffi.new("nck_queue_t *")
+        lib.nck_position(self._nck, pose, axes)
+        lib.nck_queue(self._nck, queue)
         return (
             f"the run stands still after tick {sim.ticks:,} ({sim.ticks * self._machine.period_s:g}"
-            f" s), at line {nck.interpolate.pose.line}: neither preparation nor the tick goes on "
+            f" s), at line {pose.line}: neither preparation nor the tick goes on "
             f"({sim.text_used:,} of {len(self._text):,} bytes read, prep status "
-            f"{sim.prep_status}, {nck.link.seg_head - nck.link.seg_done} segs unfinished)"
+            f"{sim.prep_status}, {queue.segs} segs unfinished)"
         )
 
     @property

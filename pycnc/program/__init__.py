@@ -6,6 +6,7 @@ import html
 from pathlib import Path
 
 from pycnc import errors, kernel
+from pycnc.program import moves
 from pycnc.program.diagnostics import Diagnostics, Wording
 from pycnc.program.geometry import Moves
 from pycnc.machine import DEFAULT, Machine
@@ -14,13 +15,14 @@ from pycnc.kernel.records import join
 
 
 class Program:
-    """NC text and what it means on a machine.
+    """NC text, or geometry without text, and what it means on a machine.
 
     Attributes
     ----------
     file : str
         Where the text came from.
     text : bytes
+        Of a program without text: the bytes of its moves (`kernel.Blocks`).
     machine : Machine
     blocks : numpy.ndarray
         Of dtype ``nck_block_t``; None if the program was only checked.
@@ -30,7 +32,8 @@ class Program:
     """
 
     def __init__(self, text, machine, *, file="<text>", keep=True, progress=None):
-        self.text, self.machine, self.file = bytes(text), machine, file
+        self.text = text if isinstance(text, bytes) else bytes(text)
+        self.machine, self.file = machine, file
         self.diagnostics, kept, self.block_count = Diagnostics(), [], 0
         wording = Wording(file, self.text, machine)
         for blocks, findings, used in kernel.decode(self.text, machine):
@@ -42,6 +45,66 @@ class Program:
                 progress(used, len(self.text))
         self.blocks = join("nck_block_t", kept) if keep else None
         self._moves = None
+
+    @classmethod
+    def from_points(cls, points, feed, machine=DEFAULT, *, tolerance=None):
+        """Make a program of straight moves from point to point.
+
+        Parameters
+        ----------
+        points : array_like
+            (n, k) coordinates on the machine's first k axes, in the order X Y Z A B C U V W, from
+            the program's zero [mm, deg]. The first point is gone to as a rapid.
+        feed : float or array_like
+            One for all moves, or (n,): `feed[i]` is that of the move to point i [mm/min].
+        machine : str, path or Machine
+        tolerance : float, optional
+            How far the path may leave the points' polygon [mm]; 0: the exact path; without it the
+            machine's own (``path.tolerance_mm``).
+
+        Returns
+        -------
+        Program
+            The move to point i is line i + 1 in traces, plans and diagnostics.
+
+        Examples
+        --------
+        >>> program = Program.from_points([[0, 0], [10, 0], [10, 5]], feed=600, tolerance=0.01)
+        >>> program.length_mm
+        15.0
+        """
+        machine = Machine.load(machine)
+        rows = moves.of_points(points, feed, machine.axes, tolerance)
+        return cls(kernel.Blocks(rows.tobytes()), machine, file="<points>")
+
+    @classmethod
+    def from_moves(cls, sequence, machine=DEFAULT):
+        """Make a program of moves of all kinds.
+
+        Parameters
+        ----------
+        sequence : iterable of dict, or numpy.ndarray
+            Each with a ``kind`` ("rapid", "line", "arc", "dwell", "m", "s", "t" or "set") and what
+            belongs to it (docs/firmware.md, section 9); or rows of dtype ``nck_block_in_t``.
+        machine : str, path or Machine
+
+        Returns
+        -------
+        Program
+            A move's line in traces, plans and diagnostics is its ``id``, else its place, from 1.
+
+        Examples
+        --------
+        >>> program = Program.from_moves([
+        ...     {"kind": "rapid", "x": 0, "y": 0},
+        ...     {"kind": "line", "x": 10, "feed": 600, "tolerance": 0.01},
+        ...     {"kind": "arc", "x": 10, "y": 8, "centre": (10, 4), "turns": 1},
+        ... ])
+        >>> len(program.blocks)
+        4
+        """
+        rows = moves.rows_of(sequence)
+        return cls(kernel.Blocks(rows.tobytes()), Machine.load(machine), file="<moves>")
 
     @property
     def sha256(self):

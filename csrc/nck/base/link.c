@@ -2,6 +2,7 @@
 // The link between the asynchronous and the synchronous rooms.
 #include "nck/base/link.h"
 
+#include <stddef.h> // offsetof
 #include <string.h> // memset
 
 #include "nck/base/real.h" // nck_max
@@ -15,6 +16,26 @@ static uint32_t parity_of(uint32_t word) { return (word & PARITY) ? 1u : 0u; }
 static uint32_t cells_between(uint32_t taken, uint32_t end) { return (end - taken) & END_MASK; }
 
 void nck_link_init(nck_link_t *self) { memset(self, 0, sizeof *self); }
+
+void nck_link_ask(nck_link_t *self) { nck_fence_store(&self->owner, NCK_LINK_ASKED); }
+
+uint32_t nck_link_owner(const nck_link_t *self) { return nck_fence_load(&self->owner); }
+
+// What lies in the rings counts for nothing.
+void nck_link_renew(nck_link_t *self) {
+    memset(self, 0, offsetof(nck_link_t, cell));
+}
+
+void nck_link_give_back(nck_link_t *self) { nck_fence_store(&self->owner, NCK_LINK_BOTH); }
+
+void nck_link_yield(nck_link_t *self) { nck_fence_store(&self->owner, NCK_LINK_PREP); }
+
+int nck_link_is_spent(const nck_link_t *self) {
+    const uint32_t word = nck_fence_load(&self->word);
+    const int rested = nck_fence_load(&self->tail_rested) == end_of(word) + 1;
+    return cells_between(nck_fence_load(&self->taken), end_of(word)) == 0
+           && (!(word & HAS_TAIL) || ((word & ENTERED) && rested));
+}
 
 uint32_t nck_link_cell_room(const nck_link_t *self) {
     const uint32_t end = end_of(nck_fence_load(&self->word));
@@ -235,6 +256,7 @@ const nck_seg_t *nck_link_seg(const nck_link_t *self, uint32_t seq) {
 }
 
 nck_status_t nck_link_take_output(nck_link_t *self, nck_output_t *output_out) {
+    if (nck_link_owner(self) == NCK_LINK_PREP) return NCK_EMPTY;
     const uint32_t head = nck_fence_load(&self->output_head);
     if (self->output_taken == head) return NCK_EMPTY;
     const nck_output_t *const output = &self->output[self->output_taken & (NCK_OUTPUT_MAX - 1)];

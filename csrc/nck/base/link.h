@@ -14,6 +14,9 @@
 // whether the tick has entered it. Prep publishes more cells by exchanging the word; the tick
 // enters the tail by exchanging it too. Whoever is second sees that he lost: a cell is never taken
 // back, a tail never overwritten in use.
+//
+// To begin anew prep asks for the link; the tick, once it has nothing left to execute, yields it
+// and touches nothing until prep has emptied it.
 #ifndef NCK_BASE_LINK_H
 #define NCK_BASE_LINK_H
 
@@ -28,6 +31,13 @@ extern "C" {
 
 // Running numbers of cells count modulo 2²⁹.
 enum { NCK_LINK_COUNT_MASK = 0x1fffffff };
+
+// Whose the link is.
+typedef enum nck_link_owner {
+    NCK_LINK_BOTH = 0,  // each his side
+    NCK_LINK_ASKED = 1, // the same; prep wants all of it, and publishes nothing
+    NCK_LINK_PREP = 2   // prep's alone
+} nck_link_owner_t;
 
 // The link. Who writes a member stands behind it; the tick reads the rings, prep fills them.
 typedef struct nck_link {
@@ -55,6 +65,7 @@ typedef struct nck_link {
     nck_cell_t tail[2][NCK_TAIL_MAX];
     nck_seg_t seg[NCK_SEG_MAX];
     nck_output_t output[NCK_OUTPUT_MAX];
+    uint32_t owner; // nck_link_owner_t; both: prep asks and gives back, the tick yields
 } nck_link_t;
 
 // Empty the link. Cost: constant. Context: any, before the tick runs.
@@ -132,6 +143,24 @@ const nck_cell_t *nck_link_built_cell(const nck_link_t *self, uint32_t i);
 // Cost: constant. Context: prep.
 const nck_cell_t *nck_link_tail_end(const nck_link_t *self, uint32_t *count_out);
 
+// Ask the tick for the link, and publish nothing from then on. Cost: constant. Context: prep.
+void nck_link_ask(nck_link_t *self);
+
+// Whose the link is, an nck_link_owner_t. Cost: constant. Context: any.
+uint32_t nck_link_owner(const nck_link_t *self);
+
+// Empty the link that the tick has yielded: its numbers count from 0 again. Then give it back.
+// Cost: constant. Context: prep.
+void nck_link_renew(nck_link_t *self);
+void nck_link_give_back(nck_link_t *self);
+
+// Yield the link that prep has asked for. Cost: constant. Context: tick.
+void nck_link_yield(nck_link_t *self);
+
+// 1 if neither a final cell nor a tail that has not come to rest is left to take. Cost: constant.
+// Context: any; another than tick's: as long as nothing is published.
+int nck_link_is_spent(const nck_link_t *self);
+
 // Take the next cell: a final one, else one of the tail (*from_tail_out = 1), else NCK_EMPTY.
 // Cost: constant, no spinning. Context: tick.
 nck_status_t nck_link_take(nck_link_t *self, nck_cell_t *cell_out, int *from_tail_out);
@@ -145,7 +174,8 @@ void nck_link_seg_finish(nck_link_t *self, uint32_t seq);
 // The geometry of a seg that is not finished. Cost: constant. Context: tick.
 const nck_seg_t *nck_link_seg(const nck_link_t *self, uint32_t seq);
 
-// Take the next output whose segs are all finished; NCK_EMPTY if there is none.
+// Take the next output whose segs are all finished; NCK_EMPTY if there is none, or the link
+// yielded.
 // Cost: constant. Context: tick.
 nck_status_t nck_link_take_output(nck_link_t *self, nck_output_t *output_out);
 

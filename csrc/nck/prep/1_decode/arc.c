@@ -235,11 +235,10 @@ static nck_status_t arc_in_two(nck_decode_t *self, course_t *course, const int64
     return fill_arc(self, &second, middle_nm, target_nm, height, &self->second);
 }
 
-static nck_status_t arc_by_centre(nck_decode_t *self, course_t *course, const int64_t *target_nm,
-                                  nck_block_t *out) {
+static nck_status_t arc_about(nck_decode_t *self, course_t *course, const int64_t *target_nm,
+                              nck_block_t *out) {
     const int64_t *const from_nm = self->place.position_nm;
-    nck_status_t status = read_centre(self, course);
-    if (status == NCK_OK) status = check_radii(self, course);
+    const nck_status_t status = check_radii(self, course);
     if (status != NCK_OK) return status;
     if (target_nm[course->u] == from_nm[course->u] && target_nm[course->v] == from_nm[course->v]) {
         const double sweep = course->turn * (2.0 * NCK_PI + course->more);
@@ -255,14 +254,29 @@ static nck_status_t arc_by_centre(nck_decode_t *self, course_t *course, const in
     return fill_arc(self, course, from_nm, target_nm, height, out);
 }
 
-nck_status_t nck_decode_arc(nck_decode_t *self, const int64_t *target_nm, nck_block_t *out) {
+// A pushed block says centre and turns as numbers.
+static void take_centre(const nck_decode_t *self, const nck_block_in_t *pushed, course_t *course) {
+    const unsigned axes[2] = {course->u, course->v};
+    const double turns = nck_fabs((double)pushed->turns);
+    for (unsigned k = 0; k < 2; k++) {
+        const int64_t origin_nm = self->place.origin_nm[axes[k]];
+        const int64_t centre_nm = (int64_t)nck_floor(pushed->centre[k] * 1e6 + 0.5);
+        course->c[k] = mm(origin_nm + centre_nm - self->place.position_nm[axes[k]]);
+    }
+    course->more = (turns - 1.0) * 2.0 * NCK_PI;
+}
+
+nck_status_t nck_decode_arc(nck_decode_t *self, const nck_block_in_t *pushed,
+                            const int64_t *target_nm, nck_block_t *out) {
     course_t course;
     nck_status_t status = choose_plane(self, &course);
-    if (status == NCK_OK) status = read_turns(self, &course);
+    if (status == NCK_OK && !pushed) status = read_turns(self, &course);
     if (status != NCK_OK) return status;
     course.turn = self->words.code[NCK_STEP_MOTION] == 30 ? 1.0 : -1.0;
     course.d[0] = mm(target_nm[course.u] - self->place.position_nm[course.u]);
     course.d[1] = mm(target_nm[course.v] - self->place.position_nm[course.v]);
-    if (has(self, 'R')) return arc_by_radius(self, &course, target_nm, out);
-    return arc_by_centre(self, &course, target_nm, out);
+    if (!pushed && has(self, 'R')) return arc_by_radius(self, &course, target_nm, out);
+    if (pushed) take_centre(self, pushed, &course);
+    else status = read_centre(self, &course);
+    return status == NCK_OK ? arc_about(self, &course, target_nm, out) : status;
 }

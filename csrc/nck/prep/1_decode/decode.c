@@ -90,7 +90,7 @@ static nck_status_t run_steps(nck_decode_t *self, nck_block_t *out) {
         nck_decode_flood, nck_decode_override, nck_decode_dwell, nck_decode_plane,
         nck_decode_diameter, nothing, nck_decode_length, nck_decode_work, nck_decode_path,
         nck_decode_distance, nck_decode_centre, nothing, nck_decode_offset, nothing, nothing,
-        nck_decode_motion, nck_decode_second, nck_decode_stop
+        nck_decode_motion, nck_decode_give_pushed, nck_decode_second, nck_decode_stop
     };
     nck_status_t status = NCK_EMPTY;
     unsigned step = 0;
@@ -144,7 +144,14 @@ nck_status_t nck_decode_pull(nck_decode_t *self, nck_block_t *block_out) {
     if (self->line.state == NCK_LINE_WAITING) {
         self->words.steps = 0;
         self->line.state = NCK_LINE_RUNNING;
+        self->line.tag = self->line.number;
         status = read_line(self);
+    }
+    if (self->line.state == NCK_LINE_PUSHED) {
+        self->line.state = NCK_LINE_RUNNING;
+        self->text.begun = 1;
+        self->text.words = 1;
+        status = nck_decode_pushed(self);
     }
     if (status == NCK_OK && self->text.closed) return close_program(self, block_out);
     if (status == NCK_OK) status = run_steps(self, block_out);
@@ -170,7 +177,7 @@ static void watch_rest(nck_decode_t *self, const char *text, size_t n) {
         self->line.after_cr = c == '\r';
         if ((unsigned char)c <= ' ' || c == '%') continue;
         self->text.watch = 0;
-        self->line.number++;
+        self->line.tag = self->line.number + 1;
         nck_decode_assume(self, NCK_NOTE_AFTER_END);
     }
 }
@@ -190,6 +197,9 @@ static void close_line(nck_decode_t *self) {
     self->line.number++;
     self->line.state = NCK_LINE_WAITING;
 }
+
+// A part of a line is there.
+static int is_begun(const nck_decode_t *self) { return self->line.size > 0 || self->line.binary; }
 
 nck_status_t nck_decode_push(nck_decode_t *self, const char *text, size_t n, size_t *used_out) {
     *used_out = 0;
@@ -215,15 +225,33 @@ nck_status_t nck_decode_push(nck_decode_t *self, const char *text, size_t n, siz
     return NCK_OK;
 }
 
+nck_status_t nck_decode_push_block(nck_decode_t *self, const nck_block_in_t *block) {
+    if (!nck_decode_block_good(block)) return NCK_E_ARGUMENT;
+    if (self->text.complete || self->text.over) return NCK_E_STATE;
+    if (self->line.state != NCK_LINE_OPEN) return NCK_FULL;
+    if (is_begun(self)) return NCK_E_STATE;
+    self->pushed = *block;
+    self->line.tag = block->id;
+    self->line.state = NCK_LINE_PUSHED;
+    return NCK_OK;
+}
+
+void nck_decode_flush(nck_decode_t *self) {
+    if (!self->text.over && self->line.state == NCK_LINE_OPEN && is_begun(self)) close_line(self);
+}
+
+int nck_decode_is_empty(const nck_decode_t *self) {
+    return self->line.state == NCK_LINE_OPEN && !is_begun(self);
+}
+
 void nck_decode_end(nck_decode_t *self) {
-    const int begun = self->line.size > 0 || self->line.binary;
-    if (!self->text.over && self->line.state == NCK_LINE_OPEN && begun) close_line(self);
+    nck_decode_flush(self);
     self->text.complete = 1;
 }
 
-void nck_decode_init(nck_decode_t *self, const nck_machine_t *machine) {
-    memset(self, 0, sizeof *self);
-    self->machine = machine;
+static void begin_modes(nck_decode_t *self) {
+    const nck_machine_t *const machine = self->machine;
+    memset(&self->modal, 0, sizeof self->modal);
     self->modal.motion = machine->dialect.base == NCK_DIALECT_LINUXCNC ? NCK_MOTION_NONE : 0;
     self->modal.plane = machine->dialect.plane;
     self->modal.inch = machine->dialect.inch;
@@ -235,21 +263,43 @@ void nck_decode_init(nck_decode_t *self, const nck_machine_t *machine) {
     self->modal.feed = machine->dialect.feed_default;
     self->modal.feed_word = machine->dialect.feed_default;
     self->modal.speed = -1.0;
+    nck_decode_scale(self);
+}
+
+void nck_decode_begin(nck_decode_t *self) {
+    const uint32_t tool_next = self->modal.tool_next;
+    const uint32_t tool_in = self->modal.tool_in;
+    memset(&self->line, 0, sizeof self->line);
+    memset(&self->finding, 0, sizeof self->finding);
+    memset(&self->text, 0, sizeof self->text);
+    self->words.steps = 0;
+    begin_modes(self);
+    self->modal.tool_next = tool_next;
+    self->modal.tool_in = tool_in;
+}
+
+void nck_decode_stand(nck_decode_t *self) {
+    memcpy(self->place.position_nm, self->machine->start_nm, sizeof self->place.position_nm);
+}
+
+void nck_decode_init(nck_decode_t *self, const nck_machine_t *machine) {
+    memset(self, 0, sizeof *self);
+    self->machine = machine;
+    begin_modes(self);
     for (unsigned axis = 0; axis < NCK_AXIS_MAX; axis++) {
         const uint32_t bit = (uint32_t)1 << axis;
         if (machine->axis[axis].present) self->place.axes |= bit;
         if (machine->axis[axis].rotary) self->place.rotary |= bit;
     }
-    memcpy(self->place.position_nm, machine->start_nm, sizeof self->place.position_nm);
+    nck_decode_stand(self);
     memcpy(self->place.work_nm, machine->work_nm, sizeof self->place.work_nm);
     self->place.work_system = machine->work_system;
-    nck_decode_scale(self);
     nck_decode_origin(self);
 }
 
 int nck_decode_invariants(const nck_decode_t *self) {
     const int64_t *const work = self->place.work_nm[self->place.work_system];
-    int good = self->line.size <= NCK_LINE_MAX && self->line.state <= NCK_LINE_RUNNING
+    int good = self->line.size <= NCK_LINE_MAX && self->line.state <= NCK_LINE_PUSHED
                && self->finding.count <= NCK_DECODE_FINDINGS
                && self->place.work_system < NCK_WORK_SYSTEMS
                && (self->line.state == NCK_LINE_RUNNING || self->words.steps == 0);

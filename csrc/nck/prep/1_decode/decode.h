@@ -7,6 +7,8 @@
 // written into it. Errors leave the room by pull and by nck_decode_diagnostic; the line they stand
 // in yields nothing more and decoding can go on with the next one. Notes (assumed defaults) leave
 // by nck_decode_diagnostic alone.
+//
+// What comes without text enters by nck_decode_push_block and takes the place of a line.
 #ifndef NCK_PREP_DECODE_H
 #define NCK_PREP_DECODE_H
 
@@ -15,6 +17,7 @@
 #include "nck/base/machine.h"        // nck_machine_t
 #include "nck/base/records.h"        // nck_block_t
 #include "nck/base/status.h"         // nck_status_t nck_diagnostic_t
+#include "nck/prep/1_decode/block_in.h" // nck_block_in_t
 #include "nck/prep/1_decode/words.h" // nck_words_t
 
 // Bounds of words, and of what is kept.
@@ -36,7 +39,8 @@ typedef enum nck_dialect_hint {
 typedef enum nck_decode_line_state {
     NCK_LINE_OPEN = 0,    // text is being collected
     NCK_LINE_WAITING = 1, // complete, not looked at
-    NCK_LINE_RUNNING = 2  // read, its steps are being done
+    NCK_LINE_RUNNING = 2, // read, its steps are being done
+    NCK_LINE_PUSHED = 3   // a pushed block waits in place of a line
 } nck_decode_line_state_t;
 
 // What modal.motion is where it is no G code.
@@ -56,6 +60,8 @@ typedef struct nck_decode {
         char text[NCK_LINE_MAX + 1]; // the line, ended by a line feed once it is complete
         uint32_t size;               // bytes in it
         uint32_t number;             // of the line collected last, from 1
+        uint32_t tag;                // what blocks and findings call the line in work: its number,
+                                     // or the id of a pushed block
         uint8_t state;               // nck_decode_line_state_t
         uint8_t overflow;            // 1: the line had more bytes than text holds
         uint8_t after_cr;            // 1: a line feed that comes next belongs to the line before
@@ -97,7 +103,8 @@ typedef struct nck_decode {
         nck_scale_t scale[3];              // of linear words, of X (diameter), of rotary words
     } place;
 
-    nck_block_t second; // the block of NCK_STEP_SECOND
+    nck_block_in_t pushed; // the block in place of a line
+    nck_block_t second;    // the block of NCK_STEP_SECOND
 
     struct {
         nck_diagnostic_t error;                       // of the line in work
@@ -129,6 +136,28 @@ void nck_decode_init(nck_decode_t *self, const nck_machine_t *machine);
 // nck_decode_end. After the program's end text is taken and dropped. Cost: linear in the bytes
 // taken, at most NCK_LINE_MAX + 2 before the end. Context: prep.
 nck_status_t nck_decode_push(nck_decode_t *self, const char *text, size_t n, size_t *used_out);
+
+// Take a block in place of a line: its units are mm, degrees and seconds whatever the modes say,
+// its coordinates are absolute, and what it sets is modal for what follows. What is wrong with it
+// in the program's terms (travel, feed, arc) is told by nck_decode_pull, as for a line.
+// Returns NCK_OK; NCK_FULL if a line or block waits to be pulled; NCK_E_STATE in the middle of a
+// line, after the program's end and after nck_decode_end; NCK_E_ARGUMENT if a member is outside of
+// its range (see nck_block_in_t). Cost: constant. Context: prep.
+nck_status_t nck_decode_push_block(nck_decode_t *self, const nck_block_in_t *block);
+
+// Say that text stops here: a line without line feed is complete. Cost: constant. Context: prep.
+void nck_decode_flush(nck_decode_t *self);
+
+// 1 if neither a line, nor a part of one, nor a block waits. Cost: constant. Context: prep.
+int nck_decode_is_empty(const nck_decode_t *self);
+
+// Begin another program: modes are the machine's again, the
+// offsets (work systems, G92, tool length) and the tools of T and M6 stay. Cost: constant.
+// Context: prep.
+void nck_decode_begin(nck_decode_t *self);
+
+// The axes stand at the machine's start position. Cost: constant. Context: prep.
+void nck_decode_stand(nck_decode_t *self);
 
 // Say that the text is complete: a last line without line feed counts, and the program ends there
 // if it has not. Cost: constant. Context: prep.

@@ -4,13 +4,15 @@
 
 nck_status_t nck_decode_fail(nck_decode_t *self, nck_status_t code, unsigned column, int letter,
                              double value, double limit) {
-    self->finding.error = (nck_diagnostic_t){code, self->line.number, column, letter, value, limit};
+    self->finding.error = (nck_diagnostic_t){code, self->line.tag, column, letter, value, limit};
     return code;
 }
 
 nck_status_t nck_decode_fail_word(nck_decode_t *self, nck_status_t code, int letter, double value,
                                   double limit) {
-    return nck_decode_fail(self, code, self->words.column[letter - 'A'], letter, value, limit);
+    const int said = (self->words.letters & NCK_LETTER(letter)) != 0; // not by a pushed block
+    const unsigned column = said ? self->words.column[letter - 'A'] : 0;
+    return nck_decode_fail(self, code, column, letter, value, limit);
 }
 
 void nck_decode_find(nck_decode_t *self, const nck_diagnostic_t *finding) {
@@ -23,7 +25,7 @@ void nck_decode_find(nck_decode_t *self, const nck_diagnostic_t *finding) {
 
 void nck_decode_assume(nck_decode_t *self, nck_note_t note) {
     if ((self->finding.given | self->finding.notes) & (1u << note)) return;
-    const nck_diagnostic_t finding = {(int32_t)note, self->line.number, 0, 0, 0.0, 0.0};
+    const nck_diagnostic_t finding = {(int32_t)note, self->line.tag, 0, 0, 0.0, 0.0};
     self->finding.notes |= 1u << note;
     nck_decode_find(self, &finding);
 }

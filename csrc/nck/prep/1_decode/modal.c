@@ -30,7 +30,7 @@ static double unit_mm(const nck_decode_t *self) {
 
 void nck_decode_block(const nck_decode_t *self, nck_block_kind_t kind, nck_block_t *out) {
     memset(out, 0, sizeof *out);
-    out->line = self->line.number;
+    out->line = self->line.tag;
     out->kind = (uint8_t)kind;
     out->path_mode = self->modal.path_mode;
     out->feed_mode = self->modal.feed_mode;
@@ -43,7 +43,7 @@ void nck_decode_block(const nck_decode_t *self, nck_block_kind_t kind, nck_block
     out->spindle_rpm = self->modal.spindle_on && self->modal.speed > 0.0 ? self->modal.speed : 0.0;
     out->tolerance_mm = self->modal.tolerance_mm;
     out->merge_mm = self->modal.merge_mm;
-    out->output.line = self->line.number;
+    out->output.line = self->line.tag;
 }
 
 static nck_status_t give_output(const nck_decode_t *self, nck_block_kind_t block,
@@ -101,6 +101,12 @@ nck_status_t nck_decode_feed_mode(nck_decode_t *self, nck_block_t *out) {
     return NCK_EMPTY;
 }
 
+void nck_decode_set_feed(nck_decode_t *self, double feed, double word) {
+    self->modal.feed = feed;
+    self->modal.feed_word = word;
+    self->modal.excused &= (uint8_t)~NCK_EXCUSED_FEED;
+}
+
 nck_status_t nck_decode_feed(nck_decode_t *self, nck_block_t *out) {
     const double value = real_word(self, 'F');
     const double feed = self->modal.feed_mode == NCK_FEED_INVERSE ? value : value * unit_mm(self);
@@ -108,15 +114,12 @@ nck_status_t nck_decode_feed(nck_decode_t *self, nck_block_t *out) {
     if (value < 0.0 || feed > value_max) {
         return nck_decode_fail_word(self, NCK_E_NUMBER_RANGE, 'F', value, value_max);
     }
-    self->modal.feed = feed;
-    self->modal.feed_word = value;
-    self->modal.excused &= (uint8_t)~NCK_EXCUSED_FEED;
+    nck_decode_set_feed(self, feed, value);
     return NCK_EMPTY;
 }
 
-// Handed over only when it changes: some programs repeat S in every line.
-nck_status_t nck_decode_speed(nck_decode_t *self, nck_block_t *out) {
-    const double value = real_word(self, 'S'), rpm_max = self->machine->spindle.rpm_max;
+nck_status_t nck_decode_set_speed(nck_decode_t *self, double value, nck_block_t *out) {
+    const double rpm_max = self->machine->spindle.rpm_max;
     const double limit = rpm_max > 0.0 ? rpm_max : value_max;
     if (value < 0.0 || value > limit) {
         return nck_decode_fail_word(self, NCK_E_NUMBER_RANGE, 'S', value, limit);
@@ -127,6 +130,21 @@ nck_status_t nck_decode_speed(nck_decode_t *self, nck_block_t *out) {
     return give_output(self, NCK_BLOCK_OUTPUT, NCK_OUTPUT_SPINDLE_SPEED, value, out);
 }
 
+nck_status_t nck_decode_speed(nck_decode_t *self, nck_block_t *out) {
+    return nck_decode_set_speed(self, real_word(self, 'S'), out);
+}
+
+nck_status_t nck_decode_set_tool(nck_decode_t *self, double value, nck_block_t *out) {
+    const uint32_t number = (uint32_t)value;
+    // A machine without a table does not say which tools it has.
+    if (number > 0 && self->machine->tool_count > 0
+        && nck_decode_find_tool(self, number) == NULL) {
+        return nck_decode_fail_word(self, NCK_E_TOOL_UNKNOWN, 'T', value, 0.0);
+    }
+    self->modal.tool_next = number;
+    return give_output(self, NCK_BLOCK_OUTPUT, NCK_OUTPUT_TOOL, value, out);
+}
+
 nck_status_t nck_decode_tool(nck_decode_t *self, nck_block_t *out) {
     int64_t number;
     if (!nck_number_whole(&self->words.number['T' - 'A'], 0, &number) || number < 0
@@ -134,13 +152,7 @@ nck_status_t nck_decode_tool(nck_decode_t *self, nck_block_t *out) {
         return nck_decode_fail_word(self, NCK_E_NUMBER_RANGE, 'T', real_word(self, 'T'),
                                     NCK_DECODE_VALUE_MAX);
     }
-    // A machine without a table does not say which tools it has.
-    if (number > 0 && self->machine->tool_count > 0
-        && nck_decode_find_tool(self, (uint32_t)number) == NULL) {
-        return nck_decode_fail_word(self, NCK_E_TOOL_UNKNOWN, 'T', (double)number, 0.0);
-    }
-    self->modal.tool_next = (uint32_t)number;
-    return give_output(self, NCK_BLOCK_OUTPUT, NCK_OUTPUT_TOOL, (double)number, out);
+    return nck_decode_set_tool(self, (double)number, out);
 }
 
 // A tool is changed at rest (NISTIR 6556, M6): the spindle's stop goes before the wait, whether or
@@ -186,6 +198,12 @@ static char dwell_letter(const nck_decode_t *self) {
     return 0;
 }
 
+nck_status_t nck_decode_give_dwell(const nck_decode_t *self, double dwell_s, nck_block_t *out) {
+    nck_decode_block(self, NCK_BLOCK_DWELL, out);
+    out->dwell_s = dwell_s;
+    return NCK_OK;
+}
+
 // P is in seconds, in Fanuc's and Marlin's languages in milliseconds; the other words are in
 // seconds.
 nck_status_t nck_decode_dwell(nck_decode_t *self, nck_block_t *out) {
@@ -201,9 +219,7 @@ nck_status_t nck_decode_dwell(nck_decode_t *self, nck_block_t *out) {
     if (word < 0.0 || dwell_s > dwell_max_s) {
         return nck_decode_fail_word(self, NCK_E_NUMBER_RANGE, letter, word, dwell_max_s);
     }
-    nck_decode_block(self, NCK_BLOCK_DWELL, out);
-    out->dwell_s = dwell_s;
-    return NCK_OK;
+    return nck_decode_give_dwell(self, dwell_s, out);
 }
 
 nck_status_t nck_decode_plane(nck_decode_t *self, nck_block_t *out) {

@@ -2,6 +2,7 @@
 // Moves: targets in machine coordinates, travel, feed, and the way to the reference points.
 #include "nck/prep/1_decode/parts.h"
 
+#include <stddef.h> // NULL
 #include <string.h> // memcpy
 
 static int axis_bit(uint32_t axes, unsigned axis) {
@@ -68,12 +69,13 @@ static nck_status_t straight(nck_decode_t *self, nck_block_kind_t kind, const in
     return status;
 }
 
-static nck_status_t arc(nck_decode_t *self, const int64_t *target_nm, nck_block_t *out) {
+// pushed: the block that says centre and turns; NULL: the words do.
+static nck_status_t arc(nck_decode_t *self, const nck_block_in_t *pushed, const int64_t *target_nm,
+                        nck_block_t *out) {
     double feed = 0.0;
-    nck_decode_assume(self, NCK_NOTE_PLANE);
     nck_status_t status = check_targets(self, self->words.axes, target_nm);
     if (status == NCK_OK) status = cutting_feed(self, 0, &feed);
-    if (status == NCK_OK) status = nck_decode_arc(self, target_nm, out);
+    if (status == NCK_OK) status = nck_decode_arc(self, pushed, target_nm, out);
     arrive(self, target_nm);
     out->feed = feed;
     self->second.feed = feed;
@@ -83,6 +85,19 @@ static nck_status_t arc(nck_decode_t *self, const int64_t *target_nm, nck_block_
 // G9: this move alone ends in an exact stop.
 static void stop_exactly(const nck_decode_t *self, nck_block_t *out) {
     if (self->words.codes & NCK_STEP(NCK_STEP_EXACT)) out->path_mode = NCK_PATH_STOP;
+}
+
+nck_status_t nck_decode_go(nck_decode_t *self, const nck_block_in_t *pushed,
+                           const int64_t *target_nm, nck_block_t *out) {
+    const int32_t code = self->words.code[NCK_STEP_MOTION];
+    nck_status_t status = NCK_OK;
+    if (code >= 20) {
+        status = arc(self, pushed, target_nm, out);
+    } else {
+        status = straight(self, code == 0 ? NCK_BLOCK_RAPID : NCK_BLOCK_LINE, target_nm, out);
+    }
+    stop_exactly(self, out);
+    return status;
 }
 
 nck_status_t nck_decode_motion(nck_decode_t *self, nck_block_t *out) {
@@ -96,15 +111,10 @@ nck_status_t nck_decode_motion(nck_decode_t *self, nck_block_t *out) {
     nck_decode_assume(self, NCK_NOTE_UNITS);
     nck_decode_assume(self, NCK_NOTE_DISTANCE);
     const int absolute = (self->words.codes & NCK_STEP(NCK_STEP_MACHINE)) != 0;
-    nck_status_t status = nck_decode_target(self, absolute, target_nm);
+    const nck_status_t status = nck_decode_target(self, absolute, target_nm);
     if (status != NCK_OK) return status;
-    if (code >= 20) {
-        status = arc(self, target_nm, out);
-    } else {
-        status = straight(self, code == 0 ? NCK_BLOCK_RAPID : NCK_BLOCK_LINE, target_nm, out);
-    }
-    stop_exactly(self, out);
-    return status;
+    if (code >= 20) nck_decode_assume(self, NCK_NOTE_PLANE);
+    return nck_decode_go(self, NULL, target_nm, out);
 }
 
 // G28, G30: by way of the point that the words name to the reference point, on the axes named, on

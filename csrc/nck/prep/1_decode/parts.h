@@ -92,6 +92,13 @@ nck_status_t nck_decode_distance(nck_decode_t *self, nck_block_t *out);
 nck_status_t nck_decode_centre(nck_decode_t *self, nck_block_t *out);
 nck_status_t nck_decode_stop(nck_decode_t *self, nck_block_t *out);
 
+// modal.c: a feed [mm/min, mm/rev or 1/min], and as written; a spindle speed [rpm], a tool number,
+// a dwell. Cost: constant, set_tool linear in the tools.
+void nck_decode_set_feed(nck_decode_t *self, double feed, double word);
+nck_status_t nck_decode_set_speed(nck_decode_t *self, double value, nck_block_t *out);
+nck_status_t nck_decode_set_tool(nck_decode_t *self, double value, nck_block_t *out);
+nck_status_t nck_decode_give_dwell(const nck_decode_t *self, double dwell_s, nck_block_t *out);
+
 // modal.c: fill a block with all that is modal; the target is the present position. Cost: constant.
 void nck_decode_block(const nck_decode_t *self, nck_block_kind_t kind, nck_block_t *out);
 
@@ -114,7 +121,24 @@ nck_status_t nck_decode_motion(nck_decode_t *self, nck_block_t *out);
 nck_status_t nck_decode_reference(nck_decode_t *self, nck_block_t *out);
 nck_status_t nck_decode_second(nck_decode_t *self, nck_block_t *out);
 
-// arc.c: the arc to a machine position; a second part of it goes to self->second. Cost: constant.
-nck_status_t nck_decode_arc(nck_decode_t *self, const int64_t *target_nm, nck_block_t *out);
+// motion.c: the motion of the line in work to a machine position; pushed: of this block, NULL: of
+// words. Cost: constant.
+nck_status_t nck_decode_go(nck_decode_t *self, const nck_block_in_t *pushed,
+                           const int64_t *target_nm, nck_block_t *out);
+
+// arc.c: the arc to a machine position; a second part of it goes to self->second. pushed: the block
+// that says centre and turns, NULL: words do. Cost: constant.
+nck_status_t nck_decode_arc(nck_decode_t *self, const nck_block_in_t *pushed,
+                            const int64_t *target_nm, nck_block_t *out);
+
+// block_in.c: 1 if every member is within its range. Cost: constant.
+int nck_decode_block_good(const nck_block_in_t *block);
+
+// block_in.c: the pushed block becomes the line in work: its settings count, its steps are set.
+// Cost: constant.
+nck_status_t nck_decode_pushed(nck_decode_t *self);
+
+// block_in.c: what the pushed block does.
+nck_status_t nck_decode_give_pushed(nck_decode_t *self, nck_block_t *out);
 
 #endif

@@ -39,8 +39,12 @@ void nck_smooth_init(nck_smooth_t *self, const nck_machine_t *machine) {
     for (int x = 0; x < NCK_AXIS_MAX; x++) {
         self->position[x] = (double)machine->start_nm[x] / nck_machine_counts(machine, x);
     }
-    self->spacing_max = widest_spacing(machine);
+    nck_smooth_adapt(self);
 }
+
+void nck_smooth_adapt(nck_smooth_t *self) { self->spacing_max = widest_spacing(self->machine); }
+
+int nck_smooth_is_empty(const nck_smooth_t *self) { return self->raw.head == self->raw.tail; }
 
 // Where the block ends. Most blocks move few axes: the others need no division.
 static void set_end(const nck_smooth_t *self, const nck_block_t *block, double *end) {
@@ -182,6 +186,8 @@ void nck_smooth_end(nck_smooth_t *self) {
     self->ended = 1;
     extend_run(self);
 }
+
+void nck_smooth_go_on(nck_smooth_t *self) { self->ended = 0; }
 
 static nck_status_t give_output(nck_smooth_t *self, nck_raw_t *raw, nck_smooth_item_t *item_out) {
     item_out->is_output = 1;

@@ -98,6 +98,17 @@ nck_status_t nck_smooth_push(nck_smooth_t *self, const nck_block_t *block, uint3
 // There are no more blocks: end of the program, or an error. Cost: constant. Context: prep.
 void nck_smooth_end(nck_smooth_t *self);
 
+// There are more blocks after all: the path goes on from the end that nck_smooth_pull has told by
+// NCK_DONE. Cost: constant. Context: prep.
+void nck_smooth_go_on(nck_smooth_t *self);
+
+// Take the machine's limits anew: they have changed. Only while no block is under way.
+// Cost: constant. Context: prep.
+void nck_smooth_adapt(nck_smooth_t *self);
+
+// 1 if no block is under way. Cost: constant. Context: prep.
+int nck_smooth_is_empty(const nck_smooth_t *self);
+
 // Give the next seg or output, in order.
 // Returns NCK_OK and the item; NCK_EMPTY if it needs another block or nck_smooth_end; NCK_DONE if
 // all is given.

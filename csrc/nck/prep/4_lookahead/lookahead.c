@@ -24,11 +24,15 @@ enum {
 void nck_lookahead_init(nck_lookahead_t *self, const nck_machine_t *machine) {
     memset(self, 0, sizeof *self);
     self->machine = machine;
-    self->a_any = nck_joint_a_any(machine);
-    self->v_filter = nck_joint_v_filter(machine);
-    self->zone_s = nck_corner_zone_s(machine);
-    self->mix_s = nck_joint_mix_s(machine);
+    nck_lookahead_adapt(self);
     self->before.limit = NCK_LIMIT_EXACT_STOP;
+}
+
+void nck_lookahead_adapt(nck_lookahead_t *self) {
+    self->a_any = nck_joint_a_any(self->machine);
+    self->v_filter = nck_joint_v_filter(self->machine);
+    self->zone_s = nck_corner_zone_s(self->machine);
+    self->mix_s = nck_joint_mix_s(self->machine);
 }
 
 int nck_lookahead_has_room(const nck_lookahead_t *self) {
@@ -322,6 +326,10 @@ static int window_full(const nck_lookahead_t *self) {
 
 static int all_placed(const nck_lookahead_t *self) {
     return self->ended && self->joint.placed == self->joint.head;
+}
+
+int nck_lookahead_is_settled(const nck_lookahead_t *self) {
+    return self->joint.placed == self->joint.head && (self->ended || self->joint.head == 0);
 }
 
 nck_status_t nck_lookahead_step(nck_lookahead_t *self) {

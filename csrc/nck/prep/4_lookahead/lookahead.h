@@ -97,6 +97,13 @@ typedef struct nck_lookahead {
 // Cost: linear in the capacities. Context: any, before the tick runs.
 void nck_lookahead_init(nck_lookahead_t *self, const nck_machine_t *machine);
 
+// Take the machine's limits anew: they have changed. Only while the path is to rest at the end of
+// the last seg. Cost: constant. Context: prep.
+void nck_lookahead_adapt(nck_lookahead_t *self);
+
+// 1 if every seg is placed and the path rests at the last one's end. Cost: constant. Context: prep.
+int nck_lookahead_is_settled(const nck_lookahead_t *self);
+
 // 1 if nck_lookahead_push would take a seg. Cost: constant. Context: prep.
 int nck_lookahead_has_room(const nck_lookahead_t *self);
 

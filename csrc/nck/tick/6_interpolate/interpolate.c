@@ -8,6 +8,10 @@
 #include "nck/base/path_math.h" // nck_path_point
 #include "nck/base/real.h"      // nck_floor
 
+uint32_t nck_interpolate_taps(const nck_machine_t *machine) {
+    return machine->slope == NCK_SLOPE_JERK ? NCK_FILTER_TAPS : 1;
+}
+
 void nck_interpolate_init(nck_interpolate_t *self, const nck_machine_t *machine, nck_link_t *link) {
     memset(self, 0, sizeof *self);
     self->machine = machine;
@@ -18,7 +22,7 @@ void nck_interpolate_init(nck_interpolate_t *self, const nck_machine_t *machine,
     self->pose.feed_scale = 1.0;
     self->cell.stop = NCK_STOP_REST;
     self->rests = 1;
-    self->filter.taps = machine->slope == NCK_SLOPE_JERK ? NCK_FILTER_TAPS : 1;
+    self->filter.taps = nck_interpolate_taps(machine);
 }
 
 static const nck_seg_t *seg_at(const nck_interpolate_t *self, uint32_t seq) {
@@ -36,7 +40,7 @@ static int fetch(nck_interpolate_t *self) {
     const uint32_t seg_before = self->cell.seg;
     int from_tail = 0;
     if (nck_link_take(self->link, &self->cell, &from_tail) != NCK_OK) return 0;
-    self->has_cell = 1;
+    nck_fence_store(&self->has_cell, 1);
     self->from_tail = (uint32_t)from_tail;
     if (!self->rests) {
         self->filter.ahead += length_between(self, seg_before, self->cell.seg);
@@ -115,7 +119,7 @@ static void pass(nck_interpolate_t *self, double s, double v) {
 
 static void leave_cell(nck_interpolate_t *self) {
     self->t_cell += self->cell.duration;
-    self->has_cell = 0;
+    nck_fence_store(&self->has_cell, 0);
 }
 
 // Come to rest at the end of the cell: the count of periods begins anew.
@@ -125,7 +129,7 @@ static void land(nck_interpolate_t *self) {
     const nck_seg_t *const seg = seg_at(self, seq);
     const double s = cell->s + cell->length - length_between(self, cell->seg, seq);
     place(self, seg, cell->last ? seg->length : s, 0.0);
-    self->waits = seg->kind == NCK_SEG_WAIT;
+    nck_fence_store(&self->waits, seg->kind == NCK_SEG_WAIT);
     nck_fence_store(&self->resume, 0);
     leave_cell(self);
     nck_link_seg_finish(self->link, cell->last ? seq + 1 : seq);
@@ -168,11 +172,41 @@ static const nck_pose_t *rest(nck_interpolate_t *self) {
     return &self->pose;
 }
 
+// The next path begins where the drives stand: at whole counts.
+static void settle_on_counts(nck_interpolate_t *self) {
+    for (int x = 0; x < NCK_AXIS_MAX; x++) {
+        const double counts = nck_machine_counts(self->machine, x);
+        self->pose.axis[x] = nck_floor(self->pose.axis[x] * counts + 0.5) / counts;
+    }
+}
+
+// Prep wants to begin anew: once nothing is left to execute the link is its own, and what the last
+// program left behind is over.
+static int stands_aside(nck_interpolate_t *self) {
+    const uint32_t owner = nck_link_owner(self->link);
+    if (owner == NCK_LINK_BOTH) return 0;
+    if (owner == NCK_LINK_PREP) return 1;
+    if (!nck_interpolate_is_at_rest(self)) return 0;
+    memset(&self->cell, 0, sizeof self->cell);
+    self->pose.seg = 0;
+    self->pose.line = 0;
+    self->pose.block = 0;
+    self->pose.s = 0.0;
+    self->pose.s_program = 0.0;
+    settle_on_counts(self);
+    self->from_tail = 0;
+    self->rests = 1;
+    nck_fence_store(&self->waits, 0);
+    nck_link_yield(self->link);
+    return 1;
+}
+
 const nck_pose_t *nck_interpolate_tick(nck_interpolate_t *self) {
+    if (stands_aside(self)) return rest(self);
     if (self->waits) {
         if (!nck_fence_load(&self->resume)) return &self->pose;
         nck_fence_store(&self->resume, 0);
-        self->waits = 0;
+        nck_fence_store(&self->waits, 0);
     }
     if (self->filter.settle > 0) {
         settle(self);
@@ -199,6 +233,7 @@ const nck_pose_t *nck_interpolate_tick(nck_interpolate_t *self) {
 }
 
 nck_status_t nck_interpolate_take(nck_interpolate_t *self, nck_cell_t *cell_out) {
+    if (stands_aside(self)) return NCK_EMPTY;
     if (nck_link_waiting(self->link) == 0 || !fetch(self)) return NCK_EMPTY;
     const uint32_t seg = self->cell.seg + self->cell.span;
     nck_link_seg_finish(self->link, self->cell.last ? seg + 1 : self->cell.seg);
@@ -206,6 +241,15 @@ nck_status_t nck_interpolate_take(nck_interpolate_t *self, nck_cell_t *cell_out)
     self->rests = 1;
     *cell_out = self->cell;
     return NCK_OK;
+}
+
+int nck_interpolate_is_waiting(const nck_interpolate_t *self) {
+    return nck_fence_load(&self->waits) && !nck_fence_load(&self->resume);
+}
+
+int nck_interpolate_is_at_rest(const nck_interpolate_t *self) {
+    if (nck_fence_load(&self->waits)) return 1;
+    return nck_link_is_spent(self->link) && !nck_fence_load(&self->has_cell);
 }
 
 void nck_interpolate_resume(nck_interpolate_t *self) { nck_fence_store(&self->resume, 1); }

@@ -30,16 +30,19 @@ typedef struct nck_interpolate {
     const nck_machine_t *machine;
     nck_link_t *link;       // consumer's side
     nck_cell_t cell;        // being executed
-    uint32_t has_cell;      // 1: cell is valid
+    uint32_t has_cell;      // 1: cell is valid; any reads it
     uint32_t from_tail;     // 1: it came from the stop tail
     uint32_t rests;         // 1: the last cell came to rest and the tick has landed
-    uint32_t waits;         // 1: until resume
+    uint32_t waits;         // 1: until resume; any reads it
     uint32_t resume;        // any context asks to go on
     nck_filter_t filter;
     uint64_t k;             // periods since time began to count
     double t_cell;          // when the cell begins [s]
     nck_pose_t pose;        // of the last tick
 } nck_interpolate_t;
+
+// Taps of the filter that the machine's slope needs. Cost: constant. Context: any.
+uint32_t nck_interpolate_taps(const nck_machine_t *machine);
 
 // At rest at the machine's start position. Cost: constant. Context: any, before the tick runs.
 void nck_interpolate_init(nck_interpolate_t *self, const nck_machine_t *machine, nck_link_t *link);
@@ -51,6 +54,13 @@ const nck_pose_t *nck_interpolate_tick(nck_interpolate_t *self);
 // Take a cell as the tick would, without executing it: its segs count as finished.
 // Returns NCK_OK or NCK_EMPTY; never a cell of the tail. Cost: constant. Context: tick.
 nck_status_t nck_interpolate_take(nck_interpolate_t *self, nck_cell_t *cell_out);
+
+// 1 at a WAIT that nobody has ended. Cost: constant. Context: any.
+int nck_interpolate_is_waiting(const nck_interpolate_t *self);
+
+// 1 if the tick has nothing left to execute, or waits. Cost: constant. Context: any; another than
+// the tick's: as long as nothing is published.
+int nck_interpolate_is_at_rest(const nck_interpolate_t *self);
 
 // Go on after a WAIT. Cost: constant. Context: any.
 void nck_interpolate_resume(nck_interpolate_t *self);

@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: MIT
+// The wires, second half: what goes in at the front door, how the kernel begins anew, and what it
+// tells. nck.c moves the records from room to room.
+#include "nck/nck.h"
+
+#include <string.h> // memcpy memset
+
+// ---- in
+
+static int flushes(const nck_t *nck) { return nck->wire.flush != NCK_FLUSH_NOT; }
+
+nck_status_t nck_push(nck_t *nck, const char *text, size_t n, size_t *used_out) {
+    *used_out = 0;
+    nck->wire.hungry = 0;
+    return flushes(nck) ? NCK_FULL : nck_decode_push(&nck->decode, text, n, used_out);
+}
+
+nck_status_t nck_push_block(nck_t *nck, const nck_block_in_t *block) {
+    nck->wire.hungry = 0;
+    return flushes(nck) ? NCK_FULL : nck_decode_push_block(&nck->decode, block);
+}
+
+void nck_flush(nck_t *nck) {
+    nck_decode_flush(&nck->decode);
+    if (!flushes(nck) && !nck->wire.ended) nck->wire.flush = NCK_FLUSH_ASKED;
+}
+
+void nck_end(nck_t *nck) { nck_decode_end(&nck->decode); }
+
+nck_status_t nck_diagnostic(nck_t *nck, nck_diagnostic_t *diagnostic_out) {
+    if (nck->wire.diagnostic.code == NCK_OK) {
+        return nck_decode_diagnostic(&nck->decode, diagnostic_out);
+    }
+    *diagnostic_out = nck->wire.diagnostic;
+    nck->wire.diagnostic.code = NCK_OK;
+    return NCK_OK;
+}
+
+// ---- limits
+
+// Nothing is under way that was made for the limits of now, but what is planned already.
+static int is_planned(const nck_t *nck) {
+    return !flushes(nck) && nck_decode_is_empty(&nck->decode) && nck_smooth_is_empty(&nck->smooth)
+           && nck_lookahead_is_settled(&nck->lookahead);
+}
+
+static void take_limits(nck_machine_t *machine, const nck_machine_t *from) {
+    for (int x = 0; x < NCK_AXIS_MAX; x++) {
+        nck_axis_t *const axis = &machine->axis[x];
+        axis->v_max = from->axis[x].v_max;
+        axis->rapid = from->axis[x].rapid;
+        axis->a_max = from->axis[x].a_max;
+        axis->j_max = from->axis[x].j_max;
+    }
+    machine->path.feed_max = from->path.feed_max;
+    machine->path.a_max = from->path.a_max;
+    machine->path.j_max = from->path.j_max;
+    machine->path.chord_error = from->path.chord_error;
+    machine->path.tolerance = from->path.tolerance;
+}
+
+nck_status_t nck_set_limits(nck_t *nck, const nck_machine_t *machine) {
+    const nck_status_t status = nck_machine_check(machine);
+    if (status != NCK_OK) return status;
+    if (!is_planned(nck)) {
+        nck_flush(nck);
+        return NCK_FULL;
+    }
+    take_limits(&nck->machine, machine);
+    nck_smooth_adapt(&nck->smooth);
+    nck_lookahead_adapt(&nck->lookahead);
+    return NCK_OK;
+}
+
+// ---- begin anew
+
+// The program has ended, and every seg and output of it is done.
+static int is_executed(const nck_t *nck) {
+    nck_queue_t queue;
+    nck_queue(nck, &queue);
+    return nck->wire.ended && queue.segs == 0 && queue.outputs == 0;
+}
+
+nck_status_t nck_begin(nck_t *nck) {
+    const int aborted = nck_fence_load(&nck->command.abort) != 0;
+    const int over = aborted || is_executed(nck);
+    const int rests = nck_interpolate_is_at_rest(&nck->interpolate);
+    if (nck->wire.given_up || !over || !rests) return NCK_E_STATE;
+    nck_link_ask(&nck->link); // nck_prep begins the other rooms when the tick has yielded it
+    nck_decode_begin(&nck->decode);
+    memset(&nck->wire, 0, sizeof nck->wire);
+    nck_fence_store(&nck->command.hold, 0);
+    nck_fence_store(&nck->command.abort, 0);
+    return NCK_OK;
+}
+
+// ---- what it tells
+
+uint32_t nck_joint_count(const nck_t *nck) { return nck->transform.joints; }
+
+uint32_t nck_joint_axis(const nck_t *nck, uint32_t joint) { return nck->transform.axis[joint]; }
+
+void nck_queue(const nck_t *nck, nck_queue_t *queue_out) {
+    const nck_link_t *const link = &nck->link;
+    queue_out->blocks = nck->wire.blocks;
+    queue_out->smooth = nck->smooth.raw.head - nck->smooth.raw.tail;
+    queue_out->segs = link->seg_head - nck_link_finished(link);
+    queue_out->outputs = link->output_head - nck_fence_load(&link->output_taken);
+    queue_out->cells = nck_link_waiting(link);
+}
+
+uint32_t nck_queue_cells(const nck_t *nck) { return nck_link_waiting(&nck->link); }
+
+void nck_modal(const nck_t *nck, nck_modal_t *modal_out) {
+    const nck_decode_t *const decode = &nck->decode;
+    const uint32_t system = decode->place.work_system;
+    memset(modal_out, 0, sizeof *modal_out);
+    modal_out->motion = decode->modal.motion < 0 ? -1 : decode->modal.motion / 10;
+    modal_out->plane = decode->modal.plane;
+    modal_out->inch = decode->modal.inch;
+    modal_out->diameter = decode->modal.diameter;
+    modal_out->incremental = decode->modal.incremental;
+    modal_out->feed_mode = decode->modal.feed_mode;
+    modal_out->path_mode = decode->modal.path_mode;
+    modal_out->spindle_on = decode->modal.spindle_on;
+    modal_out->work_system = (uint8_t)system;
+    modal_out->tolerance_mm = decode->modal.tolerance_mm;
+    modal_out->feed = decode->modal.feed;
+    modal_out->spindle_rpm = decode->modal.speed > 0.0 ? decode->modal.speed : 0.0;
+    modal_out->tool_next = decode->modal.tool_next;
+    modal_out->tool_in = decode->modal.tool_in;
+    memcpy(modal_out->position_nm, decode->place.position_nm, sizeof modal_out->position_nm);
+    memcpy(modal_out->origin_nm, decode->place.origin_nm, sizeof modal_out->origin_nm);
+    memcpy(modal_out->work_nm, decode->place.work_nm[system], sizeof modal_out->work_nm);
+    memcpy(modal_out->g92_nm, decode->place.g92_nm, sizeof modal_out->g92_nm);
+    memcpy(modal_out->tool_nm, decode->place.tool_nm, sizeof modal_out->tool_nm);
+}
+
+const nck_machine_t *nck_machine_of(const nck_t *nck) { return &nck->machine; }
+
+void nck_asked(const nck_t *nck, nck_command_t *command_out) {
+    const nck_command_t *const command = &nck->command;
+    command_out->feed_percent = nck_fence_load(&command->feed_percent);
+    command_out->rapid_percent = nck_fence_load(&command->rapid_percent);
+    command_out->hold = nck_fence_load(&command->hold);
+    command_out->single_block = nck_fence_load(&command->single_block);
+    command_out->resumes = nck_fence_load(&command->resumes);
+    command_out->abort = nck_fence_load(&command->abort);
+}
+
+nck_link_t *nck_link_of(nck_t *nck) { return &nck->link; }
