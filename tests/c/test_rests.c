@@ -30,6 +30,8 @@ static const corners_t cases[] = {
      "G64 P0.000126", {"X-0.0015 Y-0.0011 Z0.0027", "Z0.0017"}},
     {"a corner close behind a stop", 1e-3, 100.0, 1000.0, {1e5, 1e5}, 1, "G61",
      {"G61.1 X0.3", "G61 X0.002", "X0.002 Y0.0004"}},
+    {"a corner that takes half of short lines' acceleration", 2.5e-4, 100.0, 100.0, {1e4, 1e4}, 0,
+     "G61", {"X0.01", "X0.0017 Y0.0008", "X0.0033"}},
     {"a bend whose filter is wider than its lines", 1e-2, 6.5, 17.0, {9000.0, 900.0}, 0,
      "G64 P0.0001", {"X-0.0378 Y-0.0011", "Z0.0378"}},
 };
