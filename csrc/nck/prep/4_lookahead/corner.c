@@ -70,7 +70,8 @@ static int is_slow_linear(const nck_joint_t *in, const nck_joint_t *out, double 
                           const nck_machine_t *machine) {
     const nck_joint_t *const joint[2] = {in, out};
     const double period = machine->period_s;
-    const double v = nck_min(NCK_CORNER_SHARE_MAX * period / load, nck_min(in->v_max, out->v_max));
+    const double v_max = nck_min(in->v_max, out->v_max);
+    const double v = nck_min(NCK_CORNER_SHARE_MAX * period / load, v_max);
     const double share = v * load / period;
     double stop = period;
     double crossing = 0.0;
