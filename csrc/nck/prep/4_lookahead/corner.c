@@ -64,8 +64,8 @@ static int is_slow(const nck_joint_t *in, const nck_joint_t *out, double load,
     return stop < crossing_time(half, v, &ramp, nck_corner_zone_s(machine));
 }
 
-// The same where jerk is not limited: in the zones of the programmed speed, or all over segs that are
-// too short to be cut, a crossing leaves half of the acceleration. A stop costs a period at most.
+// The same where jerk is not limited: all over segs that are too short to be cut at the zones of
+// the programmed speed, a crossing leaves half of the acceleration. A stop costs a period at most.
 static int is_slow_linear(const nck_joint_t *in, const nck_joint_t *out, double load,
                           const nck_machine_t *machine) {
     const nck_joint_t *const joint[2] = {in, out};
