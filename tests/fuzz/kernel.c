@@ -17,7 +17,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
 enum {
     TEXT_MAX = 32768,
     LINE_SIZE = 160,
-    PREP_MOST = 20000,  // steps in a row without a tick: more than the rings can hold
+    PREP_MOST = 20000,  // steps in a row without a tick or a byte: more than the rings can hold
     STILL_MOST = 200,   // ticks in a row in which nothing happens though something is left to do
     TICKS_MOST = 2000,  // of an input: a program may last for years
     EDITS_MOST = 8
@@ -308,8 +308,10 @@ static int prep(run_t *self) {
     return 1;
 }
 
+// Until there is nothing to do without a tick. A push takes one byte at least, so that text lasts.
 static void prep_all(run_t *self) {
-    for (int n = 0; prep(self); n++) require(n < PREP_MOST);
+    const size_t used = self->used;
+    for (size_t n = 0; prep(self); n++) require(n < PREP_MOST + (self->used - used));
 }
 
 static void tick(run_t *self) {

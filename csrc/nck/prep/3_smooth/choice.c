@@ -24,15 +24,15 @@
 #define REVERSAL 1e-6        // |in + out| up to which a corner is an exact reversal
 #define REST_PERIODS 1.0     // that a stop costs besides its ramps and the filter
 #define UNLIMITED 1e30       // jerk of the linear slope
-// A bend takes up to so much longer than estimated under the jerk-limited slope, a blend too
-// (families of corners, 0.3 to 40 mm, 0.2 to 3.1 rad: 2.5 % and 1.5 % in the middle). A stop's time
-// is sure, and so is all under the other slopes.
-#define PLAIN_SHORT 1.1
-#define BLEND_SHORT 1.015
 #define ZONES_CUT 1.3        // see SPLIT_ZONES of room 4
 #define RAISE 0.056          // 1/24 + (1.35/4)²/8
+#define RAMP_SHARE 0.5       // of the jerk that is left, for speeding up in a bend (room 4)
+#define STEEP_SHARE 0.8      // of the acceleration that is left: how steep room 4 lets caps be
+// A blend is many pieces, which fill a window sooner: it has to be surely faster.
+#define BLEND_SHORT 1.015
 #define STANDSTILL 1e-3
 #define OWN 0.7              // of the spline's turn that a corner has to make for a stop to help
+enum { HALVINGS = 12 };      // of a speed that is sought: to 1e-3 of it
 
 // What a corner is like. Speeds in path mm/s.
 typedef struct corner {
@@ -43,13 +43,18 @@ typedef struct corner {
     double length[2];         // of either block [path mm]
     double half[2];           // how much of it is this corner's [path mm]
     uint8_t rests[2];         // 1: the path rests at the block's other end
-    nck_scurve_t ramp;        // along both blocks, by the slower one
-    double mix_s;             // that the slope's filter adds to a low point [s]
+    nck_scurve_t ramp[2];     // along either block
+    double v_max;             // of both [path mm/s]
+    double mix_s;             // that the slope's filter mixes [s]
+    double raise;             // what it may raise a speed by: its share of J·τ² [path mm/s]
+    double rest_s;            // that a stop costs besides its ramps [s]
+    uint8_t limits_jerk;      // 1: the slope does
 } corner_t;
 
-// What axes allow of a shape's |p″|·d·v² and |p‴|·d²·v³, by how long each of its axes' parts is.
+// What axes allow of a shape's |p″|·d·v² and |p‴|·d²·v³, by how long each of its axes' parts is,
+// and what the chord error of one period allows of the former.
 typedef struct shape_limit {
-    double a, j;
+    double a, j, sag;
 } shape_limit_t;
 
 // Largest number whose product with every axis' part keeps to that axis' limit.
@@ -58,24 +63,27 @@ static double least_of(double so_far, double limit, double part) {
     return size > 0.0 ? nck_min(so_far, limit / size) : so_far;
 }
 
-// What the axes allow along the blocks.
-static void limit_along(const nck_machine_t *machine, corner_t *corner) {
+// What the axes allow along a block.
+static nck_scurve_t limit_along(const nck_machine_t *machine, const double *tangent, double v) {
     const int limits_jerk = machine->slope != NCK_SLOPE_LINEAR;
-    corner->ramp.a = machine->path.a_max;
-    corner->ramp.j = limits_jerk ? machine->path.j_max : UNLIMITED;
+    nck_scurve_t ramp = {machine->path.a_max, limits_jerk ? machine->path.j_max : UNLIMITED, v};
     for (int x = 0; x < NCK_AXIS_MAX; x++) {
-        const double a = machine->axis[x].a_max;
-        const double j = limits_jerk ? machine->axis[x].j_max : UNLIMITED;
-        nck_scurve_t *const ramp = &corner->ramp;
-        ramp->a = least_of(least_of(ramp->a, a, corner->in[x]), a, corner->out[x]);
-        ramp->j = least_of(least_of(ramp->j, j, corner->in[x]), j, corner->out[x]);
+        ramp.a = least_of(ramp.a, machine->axis[x].a_max, tangent[x]);
+        if (limits_jerk) ramp.j = least_of(ramp.j, machine->axis[x].j_max, tangent[x]);
     }
+    return ramp;
+}
+
+// A chord of one period may leave a bend by so much: κ·(vT)²/8 ≤ δ (room 4), as v²·κ.
+static double sag_of(const nck_machine_t *machine) {
+    return 8.0 * machine->path.chord_error / (machine->period_s * machine->period_s);
 }
 
 // The spline's p″ is the turn over d, its p‴ the turn over d².
 static shape_limit_t limit_plain(const nck_machine_t *machine, const double *turn) {
     const int limits_jerk = machine->slope != NCK_SLOPE_LINEAR;
-    shape_limit_t limit = {UNLIMITED, UNLIMITED};
+    shape_limit_t limit = {
+        UNLIMITED, UNLIMITED, least_of(UNLIMITED, sag_of(machine), nck_spline_norm(turn))};
     for (int x = 0; x < NCK_AXIS_MAX; x++) {
         limit.a = least_of(limit.a, ACCEL_SHARE * machine->axis[x].a_max, turn[x]);
         if (!limits_jerk) continue;
@@ -89,7 +97,7 @@ static shape_limit_t limit_plain(const nck_machine_t *machine, const double *tur
 static shape_limit_t limit_blend(const nck_machine_t *machine, const corner_t *corner,
                                  double apart) {
     const double overlap = nck_max(0.0, 1.0 - apart);
-    shape_limit_t limit = {UNLIMITED, UNLIMITED};
+    shape_limit_t limit = {UNLIMITED, UNLIMITED, sag_of(machine)};
     for (int x = 0; x < NCK_AXIS_MAX; x++) {
         const double a = ACCEL_SHARE * machine->axis[x].a_max;
         const double j = JERK_SHARE * machine->axis[x].j_max;
@@ -102,76 +110,130 @@ static shape_limit_t limit_blend(const nck_machine_t *machine, const corner_t *c
     return limit;
 }
 
-// What the filter may raise a speed by: its share of J·τ², which room 4 takes off.
-static double raise_of(const corner_t *corner) {
-    return RAISE * corner->ramp.j * corner->mix_s * corner->mix_s;
+// What a bend of half-width d, passed at v, leaves of the limits along a block, as room 4 does it.
+static nck_scurve_t left_by(const nck_scurve_t *ramp, const shape_limit_t *limit, double d,
+                            double v) {
+    const double bent = ACCEL_SHARE * v * v / (limit->a * d);
+    const double jerk = limit->j * d * d / JERK_SHARE; // that |p‴| = 1/d² may use
+    const double untwisted = 1.0 - v * v * v / jerk;
+    const double steepest = RAMP_SHARE * untwisted * jerk / (3.0 * v * d);
+    nck_scurve_t left = {nck_min((1.0 - bent) * ramp->a, steepest), ramp->j, v};
+    left.j *= untwisted - 3.0 * v * left.a * d / jerk;
+    return left;
 }
 
 // How much of a block the bend's limits hold in, behind the bend: the slope's filter mixes, for
 // half its length, and a piece that is too short is not cut there.
-static double bound_by(const corner_t *corner, double v, double left) {
-    const double zone = 0.5 * (v + raise_of(corner)) * corner->mix_s;
+static double bound_by(const corner_t *corner, double v, double a, double left) {
+    const double time = 0.5 * corner->mix_s;
+    const double zone = (v + corner->raise) * time + 0.5 * a * time * time;
     return left < ZONES_CUT * zone ? left : zone;
 }
 
-// Time of one block beside a bend that is passed at v and takes d of it: half of the block if
-// another corner follows, all of it if a rest does.
-static double side_time(const corner_t *corner, int n, double v, double d) {
-    const double all = corner->rests[n] ? corner->length[n] : corner->half[n];
-    const double left = nck_max(0.0, all - d);
-    const double bound = bound_by(corner, v, left);
-    if (!corner->rests[n]) return bound / v + nck_scurve_over(&corner->ramp, v, left - bound);
-    return bound / v + nck_scurve_to_rest(&corner->ramp, v, left - bound);
+// A block from a rest to the middle of a bend.
+typedef struct way {
+    double free;       // its part beyond the bend's limits [path mm]
+    double bound;      // the rest of it, half of the bend included [path mm]
+    double v_free;     // reached in the free part, the bend's speed at most [path mm/s]
+    nck_scurve_t left; // what holds in the other one; its v_max is what is reached there
+} way_t;
+
+// Where the free part is too short, room 4 lowers the bend's cap until the acceleration that the
+// bend leaves then is enough to reach it: v² ≤ v_free² + 2·0.8·a(v)·l.
+static double leveled(const nck_scurve_t *ramp, const shape_limit_t *limit, const way_t *way,
+                      double d) {
+    const double apart = way->bound - 0.5 * d;
+    double low = way->v_free;
+    double high = way->left.v_max;
+    for (int k = 0; k < HALVINGS; k++) {
+        const double v = 0.5 * (low + high);
+        const nck_scurve_t left = left_by(ramp, limit, d, v);
+        const double vv = way->v_free * way->v_free + 2.0 * STEEP_SHARE * left.a * apart;
+        if (v * v <= vv) low = v;
+        else high = v;
+    }
+    return high;
+}
+
+static way_t way_from_rest(const corner_t *corner, const shape_limit_t *limit, int n, double v,
+                           double d) {
+    const nck_scurve_t *const ramp = &corner->ramp[n];
+    way_t way = {0.0, 0.0, 0.0, left_by(ramp, limit, d, v)};
+    const double beside = nck_max(0.0, corner->length[n] - d);
+    way.free = beside - bound_by(corner, v, way.left.a, beside);
+    way.bound = beside - way.free + d;
+    way.v_free = nck_min(v, nck_scurve_reach(ramp, 0.0, way.free));
+    if (way.v_free >= v) return way;
+    way.left = left_by(ramp, limit, d, leveled(ramp, limit, &way, d));
+    way.left.v_max = nck_scurve_reach(&way.left, way.v_free, way.bound);
+    return way;
 }
 
 // The speed of a bend that takes d of either block, as what is left beside a rest lets it be.
-static double reachable(const corner_t *corner, double v, double d) {
-    const double least = STANDSTILL * v;
+static double reachable(const corner_t *corner, const shape_limit_t *limit, double v, double d) {
+    double least = v;
     for (int n = 0; n < 2; n++) {
-        const double left = nck_max(0.0, corner->length[n] - d);
         if (!corner->rests[n]) continue;
-        const double most =
-            nck_scurve_reach(&corner->ramp, 0.0, left - bound_by(corner, v, left));
-        v = nck_max(least, nck_min(v, most));
+        const way_t way = way_from_rest(corner, limit, n, v, d);
+        least = nck_min(least, way.left.v_max);
     }
-    return v;
+    return nck_max(least, STANDSTILL * v);
+}
+
+// Time of one block up to the middle of a bend that is passed at v and takes d of it: half of the
+// block if another corner follows, all of it if a rest does.
+static double side_time(const corner_t *corner, const shape_limit_t *limit, int n, double v,
+                        double d) {
+    const nck_scurve_t *const ramp = &corner->ramp[n];
+    if (!corner->rests[n]) {
+        const nck_scurve_t left = left_by(ramp, limit, d, v);
+        const double beside = nck_max(0.0, corner->half[n] - d);
+        const double bound = bound_by(corner, v, left.a, beside);
+        return (d + bound) / v + nck_scurve_over(ramp, v, beside - bound);
+    }
+    way_t way = way_from_rest(corner, limit, n, v, d);
+    if (way.v_free >= v) return way.bound / v + nck_scurve_to_rest(ramp, v, way.free);
+    way.left.v_max = v;
+    return nck_scurve_over(ramp, 0.0, way.free)
+           + nck_scurve_over(&way.left, way.v_free, way.bound);
 }
 
 // Time of a stop, over d of either block at least: where a block is shorter the path goes on as
-// fast as it has become.
-static double stop_time(const corner_t *corner, double d, const nck_machine_t *machine) {
-    double time = REST_PERIODS * machine->period_s + corner->mix_s;
+// fast as it has become. Under a jerk limit that is next to nothing, and the next corner's stop is
+// the bound.
+static double stop_time(const corner_t *corner, double d) {
+    double time = corner->rest_s;
     for (int n = 0; n < 2; n++) {
-        const double half = nck_scurve_over(&corner->ramp, 0.0, corner->half[n]);
-        const double v_end = nck_scurve_reach(&corner->ramp, 0.0, corner->half[n]);
-        time += corner->rests[n] ? 2.0 * half : half;
-        if (corner->half[n] < d) time += (d - corner->half[n]) / v_end;
+        const nck_scurve_t *const ramp = &corner->ramp[n];
+        const double half = nck_scurve_over(ramp, 0.0, corner->half[n]);
+        const double beyond = nck_max(0.0, d - corner->half[n]);
+        const double on = beyond / nck_scurve_reach(ramp, 0.0, corner->half[n]);
+        if (corner->rests[n]) time += 2.0 * half;
+        else time += half + (corner->limits_jerk ? nck_min(half, on) : on);
     }
     return time;
 }
 
 // A bend that is left next to nothing is a standstill.
 static double bend_speed(const corner_t *corner, const shape_limit_t *limit, double d) {
-    const double v = nck_min(nck_root_cube(limit->j * d * d), nck_sqrt(limit->a * d));
-    return nck_min(corner->ramp.v_max, nck_max(v - raise_of(corner), STANDSTILL * v));
+    const double vv = nck_min(limit->a, limit->sag) * d;
+    const double v = nck_min(nck_root_cube(limit->j * d * d), nck_sqrt(vv));
+    return nck_min(corner->v_max, nck_max(v - corner->raise, STANDSTILL * v));
 }
 
 static double plain_time(const corner_t *corner, const nck_bend_t *bend,
                          const nck_machine_t *machine) {
     const shape_limit_t limit = limit_plain(machine, bend->turn);
-    const double v = reachable(corner, bend_speed(corner, &limit, bend->d), bend->d);
-    const double time = 2.0 * bend->d / v + side_time(corner, 0, v, bend->d)
-                        + side_time(corner, 1, v, bend->d);
-    return machine->slope == NCK_SLOPE_JERK ? PLAIN_SHORT * time : time;
+    const double v = reachable(corner, &limit, bend_speed(corner, &limit, bend->d), bend->d);
+    return side_time(corner, &limit, 0, v, bend->d) + side_time(corner, &limit, 1, v, bend->d);
 }
 
 static double blend_time(const corner_t *corner, const nck_blend_t *blend,
                          const nck_machine_t *machine) {
     const shape_limit_t limit = limit_blend(machine, corner, blend->parking / blend->d);
-    const double v = reachable(corner, bend_speed(corner, &limit, blend->d), blend->d);
-    return BLEND_SHORT * ((2.0 * blend->d + blend->parking) / v
-                          + side_time(corner, 0, v, blend->d)
-                          + side_time(corner, 1, v, blend->d));
+    const double v = reachable(corner, &limit, bend_speed(corner, &limit, blend->d), blend->d);
+    return BLEND_SHORT * (blend->parking / v + side_time(corner, &limit, 0, v, blend->d)
+                          + side_time(corner, &limit, 1, v, blend->d));
 }
 
 static double speed_of(const nck_smooth_t *self, const nck_seg_t *seg, const double *tangent) {
@@ -194,6 +256,16 @@ static double unit_distance(const double *in, const double *out, double sign) {
     return nck_spline_norm(sum);
 }
 
+// What a corner costs besides ramps, by the slope. Only the jerk-limited one mixes at a rest.
+static void set_slope(const nck_machine_t *machine, corner_t *corner) {
+    const double mix_s = NCK_FILTER_TAPS * machine->period_s;
+    corner->limits_jerk = machine->slope != NCK_SLOPE_LINEAR;
+    corner->mix_s = corner->limits_jerk ? mix_s : 0.0;
+    corner->raise = RAISE * machine->path.j_max * corner->mix_s * corner->mix_s;
+    corner->rest_s = REST_PERIODS * machine->period_s;
+    if (machine->slope == NCK_SLOPE_JERK) corner->rest_s += mix_s;
+}
+
 static void measure(const nck_smooth_t *self, const nck_meet_t *meet, corner_t *corner) {
     const nck_machine_t *const machine = self->machine;
     const nck_raw_t *const a = meet->a;
@@ -206,17 +278,16 @@ static void measure(const nck_smooth_t *self, const nck_meet_t *meet, corner_t *
     memcpy(corner->rests, meet->rests, sizeof corner->rests);
     corner->half[0] = nck_min(meet->length[0], HALF * (meet->length[0] + a->cut));
     corner->half[1] = HALF * meet->length[1];
-    corner->ramp.v_max =
-        nck_min(speed_of(self, &a->seg, corner->in), speed_of(self, &b->seg, corner->out));
-    corner->mix_s =
-        machine->slope == NCK_SLOPE_LINEAR ? 0.0 : NCK_FILTER_TAPS * machine->period_s;
-    limit_along(machine, corner);
+    set_slope(machine, corner);
+    corner->ramp[0] = limit_along(machine, corner->in, speed_of(self, &a->seg, corner->in));
+    corner->ramp[1] = limit_along(machine, corner->out, speed_of(self, &b->seg, corner->out));
+    corner->v_max = nck_min(corner->ramp[0].v_max, corner->ramp[1].v_max);
 }
 
 // The half-width of a blend as full speed needs it, and its parking. 0: none.
 static double width_of(const corner_t *corner, double room, const nck_machine_t *machine,
                        double *parking) {
-    const double v = corner->ramp.v_max;
+    const double v = corner->v_max;
     const shape_limit_t limit = limit_blend(machine, corner, 1.0);
     const double enough = nck_max(v * v / limit.a, nck_sqrt(v * v * v / limit.j));
     const double half = nck_min(room, nck_min(corner->half[0], corner->half[1]));
@@ -246,14 +317,12 @@ int nck_choice_blend(const nck_smooth_t *self, const nck_meet_t *meet, double ro
     memcpy(blend->in, corner.in, sizeof blend->in);
     memcpy(blend->out, corner.out, sizeof blend->out);
     const double time = blend_time(&corner, blend, machine);
-    return time < plain_time(&corner, &bend, machine) && time < stop_time(&corner, 0.0, machine);
+    return time < plain_time(&corner, &bend, machine) && time < stop_time(&corner, 0.0);
 }
 
 int nck_choice_stop(const nck_smooth_t *self, const nck_meet_t *meet, const nck_bend_t *bend) {
     corner_t corner;
     measure(self, meet, &corner);
-    // A bend that spans whole blocks does not end beside them.
-    for (int n = 0; n < 2; n++) corner.rests[n] = corner.rests[n] && bend->d < corner.half[n];
     if (corner.turn < OWN * nck_spline_norm(bend->turn)) return 0;
-    return stop_time(&corner, bend->d, self->machine) < plain_time(&corner, bend, self->machine);
+    return stop_time(&corner, bend->d) < plain_time(&corner, bend, self->machine);
 }

@@ -33,10 +33,6 @@ typedef struct nck_meet {
 int nck_choice_blend(const nck_smooth_t *self, const nck_meet_t *meet, double room,
                      nck_blend_t *blend);
 
-// |out − in| from which on a stop may be faster: a blunter bend is passed as fast as what a ramp
-// from rest reaches at its ends.
-#define NCK_CHOICE_SHARP 0.5
-
 // Returns 1 if a stop at the corner is faster than the spline's bend.
 // Cost: as above.
 int nck_choice_stop(const nck_smooth_t *self, const nck_meet_t *meet, const nck_bend_t *bend);

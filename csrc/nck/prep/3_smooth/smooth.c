@@ -344,6 +344,10 @@ nck_status_t nck_smooth_pull(nck_smooth_t *self, nck_smooth_item_t *item_out) {
 
 int nck_smooth_invariants(const nck_smooth_t *self) {
     int good = self->raw.head - self->raw.tail <= NCK_SMOOTH_SPAN;
+    for (uint32_t k = self->raw.tail; good && k != self->raw.head; k++) {
+        const nck_raw_t *const raw = &self->raw.at[k & (NCK_SMOOTH_SPAN - 1)];
+        good = raw->has_seg || !(raw->seg.length > 0.0);
+    }
     if (!self->run.open) return good;
     good = good && self->run.end - self->raw.tail <= self->raw.head - self->raw.tail;
     for (int i = 0; i < 5; i++) good = good && self->run.t[i] <= self->run.t[i + 1];

@@ -241,8 +241,8 @@ static void measure_ways(nck_smooth_t *self, uint32_t count, nck_meet_t *meet) {
 }
 
 // Stop at a corner if that is faster than what the spline makes of it: a bend as wide as its
-// spacing, or as the run's ends leave it. A blunt corner is bent, unless a run's end is near.
-static void stop_or_bend(nck_smooth_t *self, uint32_t count, int is_sharp) {
+// spacing, or as the run's ends leave it.
+static void stop_or_bend(nck_smooth_t *self, uint32_t count) {
     const nck_raw_t *const raw = nck_raw_at(self, count);
     const double s = raw->s + raw->seg.length;
     nck_bend_t bend;
@@ -251,7 +251,6 @@ static void stop_or_bend(nck_smooth_t *self, uint32_t count, int is_sharp) {
     double here[NCK_AXIS_MAX];
     bend.d = nck_min(raw->spacing, s);
     if (self->run.closed) bend.d = nck_min(bend.d, nck_raw_known(self) - s);
-    if (!is_sharp && bend.d >= 0.5 * raw->spacing) return;
     nck_raw_point(self, s - bend.d, before);
     nck_raw_point(self, s, here);
     nck_raw_point(self, s + bend.d, bend.turn);
@@ -321,8 +320,7 @@ nck_status_t nck_spacing_know(nck_smooth_t *self, uint32_t count) {
         spacing = nck_min(spacing, next->seg.length / NCK_BLEND_KEEP_OFF);
     }
     raw->spacing = self->mixed ? keep_off(self, count, spacing) : spacing;
-    const int is_sharp = corner.alone < nck_spline_vertex_spacing(corner.aim, NCK_CHOICE_SHARP);
-    if (!raw->partial && corner.alone < self->spacing_max) stop_or_bend(self, count, is_sharp);
+    if (!raw->partial && corner.alone < self->spacing_max) stop_or_bend(self, count);
     return NCK_OK;
 }
 

@@ -15,6 +15,8 @@
 #define NCK_BUDGET_RAMP_SHARE 0.5
 // How steep the caps of neighbouring pieces may be: this share of the acceleration that is left.
 #define NCK_BUDGET_STEEP_SHARE 0.8
+// The same under the classical S-shape: its acceleration is zero at both ends of a piece.
+#define NCK_BUDGET_STEEP_HALF 0.4
 
 // v² that the curvature allows:   v² ≤ γ·a/|p″|,   second > 0
 static inline nck_real nck_budget_curve(nck_real a, nck_real second) {

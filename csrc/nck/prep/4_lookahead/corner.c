@@ -16,6 +16,8 @@
 // A junction is alone if the segs around it are longer than so many of its zones: then what happens
 // between junctions takes longer than what happens at them.
 #define ZONES_APART 16.0
+// A seg is cut at its zones if it is longer than both of them by so much (lookahead.c).
+#define ZONES_CUT 1.3
 
 double nck_corner_zone_s(const nck_machine_t *machine) {
     return machine->period_s + nck_joint_mix_s(machine);
@@ -62,12 +64,37 @@ static int is_slow(const nck_joint_t *in, const nck_joint_t *out, double load,
     return stop < crossing_time(half, v, &ramp, nck_corner_zone_s(machine));
 }
 
+// The same where jerk is not limited: all over segs that are too short to be cut at the zones of
+// the programmed speed, a crossing leaves half of the acceleration. A stop costs a period at most.
+static int is_slow_linear(const nck_joint_t *in, const nck_joint_t *out, double load,
+                          const nck_machine_t *machine) {
+    const nck_joint_t *const joint[2] = {in, out};
+    const double period = machine->period_s;
+    const double v_max = nck_min(in->v_max, out->v_max);
+    const double v = nck_min(NCK_CORNER_SHARE_MAX * period / load, v_max);
+    const double share = v * load / period;
+    double stop = period;
+    double crossing = 0.0;
+    for (int n = 0; n < 2; n++) {
+        const nck_scurve_t all = {joint[n]->a_most, UNLIMITED, joint[n]->v_max};
+        const nck_scurve_t left = {(1.0 - share) * all.a, UNLIMITED, all.v_max};
+        const double half = 0.5 * joint[n]->length;
+        const double zone = joint[n]->v_max * period;
+        stop += nck_scurve_over(&all, 0.0, half);
+        if (half > ZONES_CUT * zone) return 0;
+        crossing += nck_scurve_over(&left, v, half);
+    }
+    return stop < crossing;
+}
+
 // Whether the path better stops at a junction. Under a jerk limit: if it is alone, and even what
 // little acceleration can be reached next to a standstill is worth more than its speed.
 static int is_sharp(const nck_joint_t *in, const nck_joint_t *out, double load,
                     const nck_machine_t *machine) {
     const double a = nck_min(in->a_most, out->a_most);
-    if (machine->slope == NCK_SLOPE_LINEAR) return nck_corner_sharp(load, a);
+    if (machine->slope == NCK_SLOPE_LINEAR) {
+        return nck_corner_sharp(load, a) || is_slow_linear(in, out, load, machine);
+    }
     const double a_there = nck_min(a, machine->path.j_max * nck_corner_zone_s(machine));
     if (is_alone(in, out, load, machine) && nck_corner_sharp(load, a_there)) return 1;
     return is_slow(in, out, load, machine);

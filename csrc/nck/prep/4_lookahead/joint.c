@@ -194,6 +194,7 @@ int nck_joint_parts(const nck_joint_t *joint, const nck_machine_t *machine) {
     const double mixed = joint->v_free * nck_joint_mix_s(machine);
     double change = 0.0;
     if (joint->kind != NCK_SEG_SPLINE || !(mixed > 0.0)) return 1;
+    if (machine->slope == NCK_SLOPE_SSHAPE) return 1; // each part ends without acceleration
     for (int x = 0; x < NCK_AXIS_MAX; x++) {
         const double bend = joint->third[x] * joint->length * joint->v_free * joint->v_free;
         change = nck_max(change, bend / machine->axis[x].a_max);

@@ -78,7 +78,10 @@ nck_status_t nck_lookahead_push(nck_lookahead_t *self, const nck_seg_t *seg) {
     return NCK_OK;
 }
 
-void nck_lookahead_end(nck_lookahead_t *self) { self->ended = 1; }
+void nck_lookahead_end(nck_lookahead_t *self) {
+    nck_near_end(self);
+    self->ended = 1;
+}
 
 static nck_node_t *node_at(nck_lookahead_t *self, uint32_t i) {
     return &self->window.at[(self->window.head + i) & (NCK_WINDOW - 1)];
@@ -202,10 +205,11 @@ static double zone_length(const nck_lookahead_t *self, const nck_joint_t *joint,
 // junction and the segs.
 static double speed_between(nck_lookahead_t *self, uint32_t count) {
     if (count == 0 || count == self->joint.head) return 0.0;
-    const nck_pace_t *const before = &nck_joint_at(self, count - 1)->pace[NCK_PACE_OVER];
+    const nck_joint_t *const before = nck_joint_at(self, count - 1);
     const nck_joint_t *const behind = nck_joint_at(self, count);
-    if (behind->kind >= NCK_SEG_DWELL) return 0.0;
-    return nck_min(before->v_corner, nck_min(before->v, behind->pace[NCK_PACE_OVER].v));
+    if (before->stop || behind->kind >= NCK_SEG_DWELL) return 0.0;
+    const nck_pace_t *const pace = &before->pace[NCK_PACE_OVER];
+    return nck_min(pace->v_corner, nck_min(pace->v, behind->pace[NCK_PACE_OVER].v));
 }
 
 // Whether a seg is worth a piece of its own next to the node around which less is allowed.

@@ -2,6 +2,7 @@
 // Inside room 4: what neighbouring segs have to do with a seg's speed and limits.
 #include "nck/prep/4_lookahead/near.h"
 
+#include "nck/base/scurve_math.h"              // nck_scurve_reach
 #include "nck/prep/4_lookahead/budget_math.h" // NCK_BUDGET_STEEP_SHARE
 
 #define UNLIMITED 1e30
@@ -32,12 +33,27 @@ static neighbour_t at_rest(const nck_joint_t *joint) {
     return side;
 }
 
+// A rest at the other end of a line: what the line gains before the filter mixes it with the joint.
+static neighbour_t beyond_line(const nck_joint_t *joint, const nck_joint_t *line,
+                               const nck_machine_t *machine) {
+    const double v = nck_sqrt(joint->w_near);
+    const double zone = nck_min(line->length, v * nck_joint_mix_s(machine));
+    const int limits_jerk = machine->slope != NCK_SLOPE_LINEAR;
+    const nck_scurve_t ramp = {line->a_most, limits_jerk ? line->j_straight : UNLIMITED,
+                               line->v_free};
+    const double v_line = nck_scurve_reach(&ramp, 0.0, line->length - zone);
+    const neighbour_t side = {v_line * v_line, zone + 0.5 * joint->length, NCK_LIMIT_EXACT_STOP};
+    return side;
+}
+
 // v² next to a neighbour's, with the acceleration that the joint's own bends leave at w:
 //   g(w) = w_n + 2σ·a_left(w)·l
 static double reach(const nck_joint_t *joint, const neighbour_t *side, double w,
                     const nck_machine_t *machine) {
     const double left = nck_max(0.0, nck_joint_left(joint, w, machine));
-    return side->w + 2.0 * NCK_BUDGET_STEEP_SHARE * left * side->apart;
+    const double steep = 
+        machine->slope == NCK_SLOPE_SSHAPE ? NCK_BUDGET_STEEP_HALF : NCK_BUDGET_STEEP_SHARE;
+    return side->w + 2.0 * steep * left * side->apart;
 }
 
 // The largest v² that a joint can come down from to its neighbour's: about the root of w = g(w). As
@@ -78,28 +94,67 @@ static void level_before(nck_lookahead_t *self, uint32_t at) {
     }
 }
 
-// A spline that ends at rest comes down to it.
+static int rests(const nck_joint_t *joint) {
+    return !joint || joint->stop || joint->kind >= NCK_SEG_DWELL;
+}
+
+// A line that ends a chain of splines: where it ends at rest the chain comes down to it.
+static int ends_chain(nck_lookahead_t *self, uint32_t at) {
+    return at > 0 && nck_joint_at(self, at)->kind == NCK_SEG_LINE
+           && is_chain(nck_joint_at(self, at - 1));
+}
+
+// Where the first joints are that a later one may level. A chain stays open behind its end until
+// it is known whether the line there ends at rest.
+static void close_chains(nck_lookahead_t *self, uint32_t at) {
+    if (at > 0 && !is_chain(nck_joint_at(self, at - 1))) self->joint.broken = at;
+    if (!is_chain(nck_joint_at(self, at)) && !ends_chain(self, at)) self->joint.broken = at + 1;
+}
+
+// The path rests behind a joint: it comes down to that, and so does what lies before it.
 static void level_to_rest(nck_lookahead_t *self, uint32_t at) {
-    nck_joint_t *const joint = nck_joint_at(self, at);
-    if (joint->kind != NCK_SEG_SPLINE || !joint->stop) return;
-    const neighbour_t rest = at_rest(joint);
-    if (level(joint, &rest, self->machine)) level_before(self, at);
+    const int by_line = ends_chain(self, at);
+    const uint32_t last = by_line ? at - 1 : at;
+    nck_joint_t *const joint = nck_joint_at(self, last);
+    if (joint->kind != NCK_SEG_SPLINE) return;
+    const neighbour_t side =
+        by_line ? beyond_line(joint, nck_joint_at(self, at), self->machine) : at_rest(joint);
+    if (level(joint, &side, self->machine)) level_before(self, last);
+}
+
+// What a spline is levelled with before it: 0 if with nothing.
+static int side_before(nck_lookahead_t *self, uint32_t at, neighbour_t *side_out) {
+    const nck_joint_t *const joint = nck_joint_at(self, at);
+    const nck_joint_t *const before = at > 0 ? nck_joint_at(self, at - 1) : (nck_joint_t *)0;
+    if (rests(before)) {
+        *side_out = at_rest(joint);
+        return 1;
+    }
+    if (is_chain(before)) {
+        *side_out = beside(joint, before);
+        return 1;
+    }
+    if (before->kind != NCK_SEG_LINE) return 0;
+    if (at > 1 && !rests(nck_joint_at(self, at - 2))) return 0;
+    *side_out = beyond_line(joint, before, self->machine);
+    return 1;
 }
 
 void nck_near_level(nck_lookahead_t *self) {
     const uint32_t at = self->joint.head - 1;
     nck_joint_t *const joint = nck_joint_at(self, at);
-    const nck_joint_t *const before = at > 0 ? nck_joint_at(self, at - 1) : (nck_joint_t *)0;
-    if (!is_chain(joint)) self->joint.broken = self->joint.head;
-    if (before) level_to_rest(self, at - 1); // known since this joint met it
-    if (joint->kind != NCK_SEG_SPLINE) return;
-    const int rests = !before || before->stop || before->kind >= NCK_SEG_DWELL;
-    if (rests || is_chain(before)) {
-        const neighbour_t side = rests ? at_rest(joint) : beside(joint, before);
+    neighbour_t side;
+    close_chains(self, at);
+    if (at > 0 && nck_joint_at(self, at - 1)->stop) level_to_rest(self, at - 1); // known by now
+    if (joint->kind == NCK_SEG_SPLINE && side_before(self, at, &side)) {
         (void)level(joint, &side, self->machine);
+        if (at > 0 && is_chain(nck_joint_at(self, at - 1))) level_before(self, at);
     }
-    if (before && !rests) level_before(self, at);
-    level_to_rest(self, at);
+    if (joint->stop) level_to_rest(self, at);
+}
+
+void nck_near_end(nck_lookahead_t *self) {
+    if (!self->ended && self->joint.head > 0) level_to_rest(self, self->joint.head - 1);
 }
 
 // Depends on counts of segs only: no push lowers a cap more than NCK_NEAR_SPAN segs before it.

@@ -19,6 +19,10 @@ typedef struct nck_near {
 // Cost: NCK_NEAR_SPAN neighbours at most.
 void nck_near_level(nck_lookahead_t *self);
 
+// The path ends behind the newest joint: its splines come down to the rest there.
+// Cost: as above.
+void nck_near_end(nck_lookahead_t *self);
+
 // Settle the next joint's speeds and limits. NCK_OK, or NCK_EMPTY: more segs must be known.
 // Cost: constant.
 nck_status_t nck_near_settle(nck_lookahead_t *self);

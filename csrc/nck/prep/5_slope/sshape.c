@@ -26,6 +26,9 @@ enum { STAGE_RISE = 0, STAGE_CRUISE, STAGE_FALL, STAGE_END };
 // Periods that are final ahead of the tick, and that a stretch of cruise lasts: a hold begins to
 // brake within about both.
 #define LEAD_PERIODS 20.0
+// A run keeps to the least jerk of its pieces: a zone that has less than this share of its middle's
+// is a run of its own.
+#define RUN_JERK 0.6
 // nck_ladder_cbrt is good to 1 %.
 #define CBRT_ROOM 1.02
 
@@ -76,7 +79,8 @@ static int joins(const nck_node_t *zone, const nck_node_t *middle) {
     const int slow = zone->a >= middle->a
                      || zone->a * zone->a * zone->a >= 6.0 * zone->length * j * j;
     const int open = zone->vv_piece >= middle->vv_piece;
-    return slow && (open || 0.5 * zone->vv_piece >= gain_in(zone, j));
+    const int brisk = zone->j >= RUN_JERK * middle->j;
+    return brisk && slow && (open || 0.5 * zone->vv_piece >= gain_in(zone, j));
 }
 
 // The speed at the junction next to a zone that keeps its cap throughout.
