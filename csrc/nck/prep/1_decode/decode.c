@@ -135,24 +135,27 @@ static nck_status_t close_program(nck_decode_t *self, nck_block_t *out) {
     return give_end(self, out);
 }
 
+// The line that waits, or the block in its place, is taken into work.
+static nck_status_t begin_line(nck_decode_t *self) {
+    const uint8_t state = self->line.state;
+    if (state == NCK_LINE_RUNNING) return NCK_OK;
+    self->line.state = NCK_LINE_RUNNING;
+    self->words.steps = 0;
+    if (state == NCK_LINE_WAITING) {
+        self->line.tag = self->line.number;
+        return read_line(self);
+    }
+    self->text.begun = 1;
+    self->text.words = 1;
+    return nck_decode_pushed(self);
+}
+
 nck_status_t nck_decode_pull(nck_decode_t *self, nck_block_t *block_out) {
-    nck_status_t status = NCK_OK;
     if (self->text.over) return NCK_DONE;
     if (self->line.state == NCK_LINE_OPEN) {
         return self->text.complete ? finish(self, block_out) : NCK_EMPTY;
     }
-    if (self->line.state == NCK_LINE_WAITING) {
-        self->words.steps = 0;
-        self->line.state = NCK_LINE_RUNNING;
-        self->line.tag = self->line.number;
-        status = read_line(self);
-    }
-    if (self->line.state == NCK_LINE_PUSHED) {
-        self->line.state = NCK_LINE_RUNNING;
-        self->text.begun = 1;
-        self->text.words = 1;
-        status = nck_decode_pushed(self);
-    }
+    nck_status_t status = begin_line(self);
     if (status == NCK_OK && self->text.closed) return close_program(self, block_out);
     if (status == NCK_OK) status = run_steps(self, block_out);
     if (status < 0) return fail_line(self, status);
