@@ -5,9 +5,9 @@
 #include <stddef.h> // size_t
 
 // The sets of letters that codes use.
-enum { NONE, AXES, ARC, DWELL, PATH, LENGTH, SET };
+enum { NONE, AXES, ARC, DWELL, PATH, LENGTH, SET, SETS };
 
-static const uint32_t letters_of[] = {
+static const uint32_t letters_of[SETS] = {
     [NONE] = 0,
     [AXES] = NCK_LETTERS_AXES,
     [ARC] = NCK_LETTERS_AXES | NCK_LETTERS_CENTRE | NCK_LETTER('R') | NCK_LETTER('P'),

@@ -131,16 +131,16 @@ static double bound_by(const corner_t *corner, double v, double a, double left) 
 }
 
 // A block from a rest to the middle of a bend.
-typedef struct way {
+typedef struct approach {
     double free;       // its part beyond the bend's limits [path mm]
     double bound;      // the rest of it, half of the bend included [path mm]
     double v_free;     // reached in the free part, the bend's speed at most [path mm/s]
     nck_scurve_t left; // what holds in the other one; its v_max is what is reached there
-} way_t;
+} approach_t;
 
 // Where the free part is too short, room 4 lowers the bend's cap until the acceleration that the
 // bend leaves then is enough to reach it: v² ≤ v_free² + 2·0.8·a(v)·l.
-static double leveled(const nck_scurve_t *ramp, const shape_limit_t *limit, const way_t *way,
+static double leveled(const nck_scurve_t *ramp, const shape_limit_t *limit, const approach_t *way,
                       double d) {
     const double apart = way->bound - 0.5 * d;
     double low = way->v_free;
@@ -155,10 +155,10 @@ static double leveled(const nck_scurve_t *ramp, const shape_limit_t *limit, cons
     return high;
 }
 
-static way_t way_from_rest(const corner_t *corner, const shape_limit_t *limit, int n, double v,
-                           double d) {
+static approach_t way_from_rest(const corner_t *corner, const shape_limit_t *limit, int n,
+                                double v, double d) {
     const nck_scurve_t *const ramp = &corner->ramp[n];
-    way_t way = {0.0, 0.0, 0.0, left_by(ramp, limit, d, v)};
+    approach_t way = {0.0, 0.0, 0.0, left_by(ramp, limit, d, v)};
     const double beside = nck_max(0.0, corner->length[n] - d);
     way.free = beside - bound_by(corner, v, way.left.a, beside);
     way.bound = beside - way.free + d;
@@ -174,7 +174,7 @@ static double reachable(const corner_t *corner, const shape_limit_t *limit, doub
     double least = v;
     for (int n = 0; n < 2; n++) {
         if (!corner->rests[n]) continue;
-        const way_t way = way_from_rest(corner, limit, n, v, d);
+        const approach_t way = way_from_rest(corner, limit, n, v, d);
         least = nck_min(least, way.left.v_max);
     }
     return nck_max(least, STANDSTILL * v);
@@ -191,7 +191,7 @@ static double side_time(const corner_t *corner, const shape_limit_t *limit, int 
         const double bound = bound_by(corner, v, left.a, beside);
         return (d + bound) / v + nck_scurve_over(ramp, v, beside - bound);
     }
-    way_t way = way_from_rest(corner, limit, n, v, d);
+    approach_t way = way_from_rest(corner, limit, n, v, d);
     if (way.v_free >= v) return way.bound / v + nck_scurve_to_rest(ramp, v, way.free);
     way.left.v_max = v;
     return nck_scurve_over(ramp, 0.0, way.free)

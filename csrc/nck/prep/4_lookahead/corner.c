@@ -68,7 +68,9 @@ static int is_slow(const nck_joint_t *in, const nck_joint_t *out, double load,
 // the programmed speed, a crossing leaves half of the acceleration. A stop costs a period at most.
 static int is_slow_linear(const nck_joint_t *in, const nck_joint_t *out, double load,
                           const nck_machine_t *machine) {
-    const nck_joint_t *const joint[2] = {in, out};
+    const nck_joint_t *joint[2];
+    joint[0] = in;
+    joint[1] = out;
     const double period = machine->period_s;
     const double v_max = nck_min(in->v_max, out->v_max);
     const double v = nck_min(NCK_CORNER_SHARE_MAX * period / load, v_max);

@@ -259,7 +259,7 @@ static nck_status_t lay(nck_jerk_t *self, const nck_pieces_t *pieces) {
     return NCK_OK;
 }
 
-static nck_status_t reach(nck_jerk_t *self, const nck_pieces_t *pieces) {
+static nck_status_t find_reach(nck_jerk_t *self, const nck_pieces_t *pieces) {
     const nck_status_t status = nck_window_reach(self, pieces);
     if (status == NCK_EMPTY) return NCK_FULL; // the plan of now rests before
     if (status == NCK_DONE) begin_hold(self, self->work.reach);
@@ -268,7 +268,7 @@ static nck_status_t reach(nck_jerk_t *self, const nck_pieces_t *pieces) {
 
 nck_status_t nck_jerk_step(nck_jerk_t *self, const nck_pieces_t *pieces) {
     switch (self->work.phase) {
-    case PHASE_REACH: return reach(self, pieces);
+    case PHASE_REACH: return find_reach(self, pieces);
     case PHASE_LOAD:
         return nck_window_load(self, pieces) == NCK_DONE ? finish_load(self, pieces) : NCK_OK;
     case PHASE_LAY: return lay(self, pieces);

@@ -222,7 +222,8 @@ static void backward_node(nck_linear_t *self, const nck_pieces_t *pieces, uint32
 static nck_status_t join(nck_linear_t *self, const nck_pieces_t *pieces) {
     nck_node_t *const node = nck_plan_piece(pieces, self->at.piece);
     const double reach = self->pass.vv + gain_from(self, node, &self->at);
-    node->open = (uint8_t)(self->pass.open && reach < cap_at(self, pieces, self->at.piece));
+    const int open = self->pass.open && reach < cap_at(self, pieces, self->at.piece);
+    node->open = (uint8_t)open;
     self->pass.i = self->at.piece;
     self->pass.vv = self->at.vv;
     self->phase = PHASE_FORWARD;

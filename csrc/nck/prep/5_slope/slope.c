@@ -139,15 +139,16 @@ static void keep_plan(nck_slope_t *self, uint32_t held) {
 
 // The first cell of now, from `first` on, that begins so many seconds behind that one.
 static uint32_t cell_after(const nck_slope_t *self, uint32_t first, double time) {
-    double passed = 0.0;
-    while (passed < time) {
+    double left = time;
+    uint32_t i = first;
+    while (left > 0.0) {
         const nck_cell_t *const cell =
-            nck_link_tail_cell(self->link, (self->now.begin + first) & NCK_LINK_COUNT_MASK);
+            nck_link_tail_cell(self->link, (self->now.begin + i) & NCK_LINK_COUNT_MASK);
         if (!cell) break;
-        passed += cell->duration;
-        first++;
+        left -= cell->duration;
+        i++;
     }
-    return first;
+    return i;
 }
 
 // Where a plan begun now takes over. As many cells pass as for the last one, twice, because it is
