@@ -131,6 +131,7 @@ def undocumented(text):
     Declarations without an empty line between them share the comment of the first.
     """
     told, depth, goes_on = False, 0, False
+    text = re.sub(r"#ifdef __cplusplus\n.*?\n#endif\n", "\n\n\n", text, flags=re.S)
     is_declaration = re.compile(
         r"#\s*define (?!\w+_H$)\w"
         r"|(typedef|enum|struct|static inline|extern)\b"

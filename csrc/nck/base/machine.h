@@ -122,7 +122,8 @@ typedef struct nck_machine {
 } nck_machine_t;
 
 // Fill in a machine that is safe and complete: three axes X Y Z of 100 mm/s, 1000 mm/s², 10 000
-// mm/s³ and free travel, T = 1 ms, jerk-limited slope, tolerance 0.01 mm. The caller changes what differs.
+// mm/s³ and free travel, T = 1 ms, jerk-limited slope, tolerance 0.01 mm. The caller changes what
+// differs.
 // Cost: constant. Context: any, before nck_init.
 void nck_machine_default(nck_machine_t *machine);
 

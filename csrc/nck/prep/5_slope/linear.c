@@ -14,6 +14,8 @@ enum {
 
 // Cells are divided so that none lasts longer: a hold begins behind those that are final.
 #define SLICE_PERIODS 1.5
+// Of a leg, at most: after days its slices are longer.
+#define SLICES_MOST 1e9
 // Slices last a whole number of such parts of a second, so that their sum is the leg to the bit but
 // for the carry of an exponent.
 #define GRAINS 16777216.0
@@ -281,7 +283,7 @@ static void begin_leg(nck_linear_t *self) {
     const nck_cell_t *const leg = &self->leg.cell[self->leg.k];
     const double most = SLICE_PERIODS * self->machine->period_s;
     const int moves = leg->length > 0.0 && leg->duration > most;
-    self->leg.slices = moves ? 1 + (uint32_t)(leg->duration / most) : 1;
+    self->leg.slices = moves ? 1 + (uint32_t)nck_min(SLICES_MOST, leg->duration / most) : 1;
     self->leg.m = 0;
 }
 

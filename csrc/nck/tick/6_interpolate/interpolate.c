@@ -223,8 +223,10 @@ const nck_pose_t *nck_interpolate_tick(nck_interpolate_t *self) {
         leave_cell(self);
         self->k -= nck_interpolate_rebase(&self->t_cell, period);
         const double end = self->cell.s + self->cell.length;
+        const uint32_t from_tail = self->from_tail;
         if (!fetch(self)) {
             pass(self, end, 0.0);
+            if (from_tail) nck_link_tail_rest(self->link); // a tail ends at rest
             return rest(self);
         }
     }

@@ -1,0 +1,46 @@
+# SPDX-License-Identifier: MIT
+"""A hold, an abort and an override of zero are heard within ten periods, and the path rests within
+what braking takes and 20 periods; within a tolerance it takes longer, and no longer than told in
+docs/controller.md."""
+
+import re
+
+import pytest
+
+from pycnc.bench import stops
+
+HEARD = 10
+SPARE = 20  # periods beyond v/a + a/j
+
+
+@pytest.mark.parametrize("event", stops.EVENTS)
+@pytest.mark.parametrize("slope", ["linear", "jerk"])
+def test_a_line_of_a_metre_is_left_at_once(slope, event):
+    told = stops.row(slope, "a line of 1 m", event, moments=2)
+    assert told["heard_ms"] <= HEARD or event == "override 0"
+    assert told["rest_worst_ms"] <= told["least_worst_ms"] + SPARE + 20 * (event == "override 0")
+
+
+@pytest.mark.parametrize("event", ["hold", "abort"])
+@pytest.mark.parametrize("slope", ["linear", "jerk"])
+def test_blocks_of_a_micrometre_stop_as_a_line_does(slope, event):
+    told = stops.row(slope, "blocks of 1 µm", event, moments=3)
+    assert told["rest_worst_ms"] <= told["least_worst_ms"] + SPARE + told["heard_ms"]
+
+
+@pytest.mark.parametrize(
+    "slope, name, most_ms",
+    [
+        ("linear", "micro-segments, exact", 200), ("linear", "micro-segments, P0.01", 220),
+        ("linear", "zigzag 10 mm, P0.01", 130), ("jerk", "micro-segments, exact", 360),
+        ("jerk", "micro-segments, P0.01", 640), ("jerk", "zigzag 10 mm, P0.01", 720),
+    ],
+)  # fmt: skip
+def test_many_segments_stop_no_later_than_told(slope, name, most_ms):
+    assert stops.row(slope, name, "hold", moments=3)["rest_worst_ms"] <= most_ms
+
+
+def test_the_page_has_a_row_for_every_slope_and_program(root):
+    page = (root / "docs" / "controller.md").read_text(encoding="utf-8")
+    rows = re.findall(r"^\| `(\w+)`, (.+?) \|(?: +[\d–]+ \|){4}$", page, re.M)
+    assert rows == [(slope, name) for slope in stops.SLOPES for name in stops.PROGRAMS]
