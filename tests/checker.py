@@ -120,6 +120,8 @@ class Checker:
         What the operator did, as `pycnc.run` takes it.
     answer : float, optional
         See `Operator`.
+    late : bool
+        The preparation may be late: a dwell may last longer.
     visits : bool
         Whether to ask how near the run comes to the points of the program.
 
@@ -136,7 +138,8 @@ class Checker:
     ticks : int
     """
 
-    def __init__(self, blocks, machine, commands=(), answer=None, visits=True):
+    def __init__(self, blocks, machine, commands=(), answer=None, *, visits=True, late=False):
+        self._late = late
         self._limits = Limits.of(machine)
         self.path = Path(blocks, self._limits)
         self._operator = Operator(commands, self._limits, answer)
@@ -343,7 +346,7 @@ class Checker:
             t, period = self.path.dwell_s[block], self._limits.period_s
             ticks = max(1, math.ceil(t / period - 1e-6))
             good = self._dwelt[block] == ticks
-            if self._operator.commands or np.isfinite(self._limits.path_j_max):
+            if self._late or self._operator.commands or np.isfinite(self._limits.path_j_max):
                 good = self._dwelt[block] >= ticks  # a hold, or a plan that is late
             if not good:
                 line = self.path.line[block]

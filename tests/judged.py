@@ -62,7 +62,8 @@ def run(program, prep_steps=kernel.PREP_STEPS, commands=(), answer=None):
     checker.PhysicsError
         At the first promise that the run breaks.
     """
-    judge = checker.Checker(program.blocks, program.machine.record, commands, answer)
+    late = prep_steps < kernel.PREP_STEPS
+    judge = checker.Checker(program.blocks, program.machine.record, commands, answer, late=late)
     controller = kernel.Simulation(program.text, program.machine, prep_steps, commands)
     digest = hashlib.blake2b()
     for rows, _ in controller.pieces():

@@ -116,7 +116,8 @@ def _answer(case, machine):
 def _run(case, program, blocks, plan, found):
     machine = program.machine
     judge = checker.Checker(
-        blocks, machine.record, case.commands, _answer(case, machine), visits=not found
+        blocks, machine.record, case.commands, _answer(case, machine), visits=not found,
+        late=case.prep_steps < kernel.PREP_STEPS,
     )
     controller = kernel.Simulation(program.text, machine, case.prep_steps, case.commands)
     last = max((tick for tick, *_ in case.commands), default=0)

@@ -395,8 +395,10 @@ static nck_status_t draw_one(nck_linear_t *self, const nck_pieces_t *pieces) {
         self->at.vv = self->leg.cell[self->leg.k].v * self->leg.cell[self->leg.k].v;
         return NCK_EMPTY;
     }
+    const nck_node_t *const piece = nck_plan_piece(pieces, self->at.piece);
+    const int rests = piece->stop || !(piece->length > 0.0);
     leave_piece(self, pieces);
-    return NCK_EMPTY;
+    return rests ? finish_at_rest(self) : NCK_EMPTY; // a tail has one rest, at its end
 }
 
 static nck_status_t draw_part(nck_linear_t *self, const nck_pieces_t *pieces) {
