@@ -11,7 +11,10 @@ import subprocess
 
 import pytest
 
-TESTS = ("link", "link_races", "interpolate", "transform", "filter", "path", "linear", "tick")
+TESTS = (
+    "link", "link_races", "interpolate", "transform", "filter", "path", "tick", "kernel", "begin",
+    "flush", "survive",
+)  # fmt: skip
 # What runs in the tick, below csrc/nck: a file, and its functions if not all of them do.
 TICK_PATH = {
     "tick/6_interpolate/interpolate.c": None,

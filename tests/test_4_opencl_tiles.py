@@ -37,13 +37,13 @@ def test_tiles_are_cut_to_the_local_memory(monkeypatch, local_bytes, group_most,
     group, run = launch.tile_sizes(local_bytes, group_most, item)
     assert group <= group_most and run % 2 == 1
     assert 2 * item * (group * run + launch.OVERLAP_ROOM) < local_bytes
-    monkeypatch.setattr(device_envelope, "tile_sizes", lambda *_: (group, run))
+    monkeypatch.setattr(launch, "tile_sizes", lambda *_: (group, run))
     w_cap, h = random_path(9001, 4, 0.01, real)
     assert on_device("basic", w_cap, h, kernel="tiles").tobytes() == by_c(w_cap, h).tobytes()
 
 
 def test_the_example_of_the_sizes_runs():
-    found = doctest.testmod(device_envelope)
+    found = doctest.testmod(launch)
     assert (found.failed, found.attempted) == (0, 1)
 
 

@@ -11,12 +11,10 @@ static int flushes(const nck_t *nck) { return nck->wire.flush != NCK_FLUSH_NOT; 
 
 nck_status_t nck_push(nck_t *nck, const char *text, size_t n, size_t *used_out) {
     *used_out = 0;
-    nck->wire.hungry = 0;
     return flushes(nck) ? NCK_FULL : nck_decode_push(&nck->decode, text, n, used_out);
 }
 
 nck_status_t nck_push_block(nck_t *nck, const nck_block_in_t *block) {
-    nck->wire.hungry = 0;
     return flushes(nck) ? NCK_FULL : nck_decode_push_block(&nck->decode, block);
 }
 

@@ -152,18 +152,6 @@ static int is_stuck(const nck_t *nck, nck_status_t slope, nck_status_t ahead, nc
            && nck_lookahead_oldest(&nck->lookahead, finished + 1) == finished;
 }
 
-// More text is needed. Asked for it in vain, the slope plans with what is there before the path
-// would come to rest; a caller who always has text sees the same plans however late he is asked.
-static nck_status_t needs_text(nck_t *nck, nck_status_t slope) {
-    const int hurries = nck->wire.hungry && slope == NCK_EMPTY;
-    if (hurries && nck_slope_hurry(&nck->slope) == NCK_OK) {
-        nck->wire.hungry = 0;
-        return NCK_OK;
-    }
-    nck->wire.hungry = 1;
-    return NCK_EMPTY;
-}
-
 // All rooms begin anew where the axes rest.
 static void begin_anew(nck_t *nck) {
     for (int x = 0; x < NCK_AXIS_MAX; x++) {
@@ -200,8 +188,7 @@ nck_status_t nck_prep(nck_t *nck) {
     if (ahead == NCK_OK) return NCK_OK;
     const nck_status_t input = pull_block(nck);
     if (input == NCK_E_INTERNAL) return give_up(nck, nck->wire.block.line);
-    if (input <= NCK_OK) return input;
-    if (input == NCK_EMPTY) return needs_text(nck, status);
+    if (input <= NCK_OK || input == NCK_EMPTY) return input;
     if (is_stuck(nck, status, ahead, input)) {
         nck_lookahead_end(&nck->lookahead);
         return NCK_OK;

@@ -108,7 +108,6 @@ typedef struct nck {
         nck_block_t block;      // on its way from 2_toolcomp to 3_smooth
         uint8_t ended;          // 1: no more blocks: END, end of text or a program error
         uint8_t given_up;       // 1: after NCK_E_INTERNAL
-        uint8_t hungry;         // 1: text has been asked for and has not come
         uint8_t flush;          // nck_flush_state_t
         uint32_t blocks;        // blocks so far, of all kinds
         nck_diagnostic_t diagnostic; // of a room behind 1_decode; code 0: none

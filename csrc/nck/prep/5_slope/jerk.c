@@ -120,8 +120,6 @@ void nck_jerk_begin(nck_jerk_t *self, const nck_job_t *job) {
     }
 }
 
-void nck_jerk_hurry(nck_jerk_t *self) { self->work.hurries = 1; }
-
 // The ladder of now up to where the path is to rest; it was made for other speeds, so it is divided
 // anew. An override of zero brakes, it is no cap.
 static void begin_hold(nck_jerk_t *self, double reach) {

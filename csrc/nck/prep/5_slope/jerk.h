@@ -48,7 +48,6 @@ typedef struct nck_jerk {
         uint32_t pieces;   // … so many: what room 4 can hold whatever the tick has done
         double w_entry;    // lay: about the largest v² at the piece's start
         double far;        // lay: how near its ends the ladder is finer [mm]
-        uint32_t hurries;  // 1: lay: no more pieces come in time
         uint32_t must_rest; // 1: at the ladder's end it cannot go on: a stop, an override of zero
         uint32_t passes;   // block ends that came too early to rest at
         uint32_t to_pass;  // lay: of them, those still ahead
@@ -80,8 +79,5 @@ void nck_jerk_begin(nck_jerk_t *self, const nck_job_t *job);
 // plan stands in the link's built tail), NCK_FULL (the plan of now rests as well as this one
 // would), NCK_E_STATE (no plan joins here). Cost: 32 nodes of a pass, or 32 cells. Context: prep.
 nck_status_t nck_jerk_step(nck_jerk_t *self, const nck_pieces_t *pieces);
-
-// No more pieces come in time: plan with those that are there. Cost: constant. Context: prep.
-void nck_jerk_hurry(nck_jerk_t *self);
 
 #endif

@@ -105,7 +105,6 @@ static void set_place(nck_linear_t *self) {
 
 void nck_linear_begin(nck_linear_t *self, const nck_job_t *job) {
     self->job = *job;
-    self->hurries = 0;
     self->part = 0;
     self->skip = self->next->piece;
     if (!goes_on(self)) set_place(self);
@@ -119,8 +118,6 @@ void nck_linear_begin(nck_linear_t *self, const nck_job_t *job) {
         self->phase = PHASE_VIEW;
     }
 }
-
-void nck_linear_hurry(nck_linear_t *self) { self->hurries = 1; }
 
 // ---- the envelope: w = v² at every node
 
@@ -149,7 +146,6 @@ static uint32_t find_final(const nck_linear_t *self, const nck_pieces_t *pieces,
     const uint32_t barrier = pieces->head + pieces->barrier - self->at.piece;
     const int has_barrier = pieces->barrier > 0 && (int32_t)barrier > 0 && barrier <= seen;
     if (pieces->complete && self->end == pieces->head + pieces->fill) return seen;
-    if (self->hurries) return seen;
     const uint32_t some = is_far || self->job.starved ? 1 + (seen - 1) / NCK_LINEAR_FINAL : 0;
     return has_barrier && barrier > some ? barrier : some;
 }
@@ -160,7 +156,6 @@ static nck_status_t begin_pass(nck_linear_t *self, const nck_pieces_t *pieces) {
     const uint32_t final = find_final(self, pieces, is_far);
     if (final == 0) return NCK_EMPTY;
     self->final = self->at.piece + final;
-    self->open = !pieces->complete || self->end != pieces->head + pieces->fill;
     self->held = NCK_HELD_NOT;
     self->pass.i = self->at.piece + 1;
     self->pass.floor = self->pass.i;
@@ -274,11 +269,6 @@ static nck_span_t span_of(const nck_linear_t *self, const nck_node_t *piece,
     return span;
 }
 
-// The view ends without a stop: what slows down for that only is left to the brake.
-static int only_brakes(const nck_linear_t *self, const nck_cell_t *leg) {
-    return self->open && self->at.piece + 1 == self->end && leg->a < 0.0;
-}
-
 static void begin_leg(nck_linear_t *self) {
     const nck_cell_t *const leg = &self->leg.cell[self->leg.k];
     const double most = SLICE_PERIODS * self->machine->period_s;
@@ -381,11 +371,6 @@ static nck_status_t draw_one(nck_linear_t *self, const nck_pieces_t *pieces) {
     if (self->leg.count == 0) {
         if (self->at.piece == self->final) return end_part(self);
         begin_piece(self, pieces);
-    }
-    if (only_brakes(self, &self->leg.cell[self->leg.k])) {
-        self->final = self->at.piece; // with more pieces the path need not brake
-        self->leg.count = 0;
-        return end_part(self);
     }
     draw_slice(self);
     if (self->leg.m < self->leg.slices) return NCK_EMPTY;

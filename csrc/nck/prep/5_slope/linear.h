@@ -38,10 +38,8 @@ typedef struct nck_linear {
     nck_plan_t *next;      // in work
     nck_job_t job;         // that it is made for
     uint32_t phase;
-    uint32_t hurries;      // 1: no more pieces come in time
     uint32_t final;        // the envelope holds for the pieces before this number …
     uint32_t end;          // … and comes to rest before this one
-    uint32_t open;         // 1: there only because no more was known
     uint32_t held;         // nck_held_t of the rest behind the final pieces
     uint32_t skip;         // block ends up to this piece come too early to rest at
     uint32_t part;         // cells of the part so far
@@ -77,8 +75,5 @@ void nck_linear_begin(nck_linear_t *self, const nck_job_t *job);
 // would), NCK_E_STATE (no plan joins here). Cost: 32 nodes of a pass, or 32 cells; with
 // lookahead_blocks, the pieces of so many blocks. Context: prep.
 nck_status_t nck_linear_step(nck_linear_t *self, const nck_pieces_t *pieces);
-
-// No more pieces come in time: plan with those that are there. Cost: constant. Context: prep.
-void nck_linear_hurry(nck_linear_t *self);
 
 #endif

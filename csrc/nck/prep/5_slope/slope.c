@@ -320,14 +320,6 @@ nck_status_t nck_slope_step(nck_slope_t *self, const nck_pieces_t *pieces, const
     return status == NCK_EMPTY && final_count(self) < final_limit(self) ? NCK_FULL : status;
 }
 
-nck_status_t nck_slope_hurry(nck_slope_t *self) {
-    const int waits = self->phase == PHASE_MAKE && self->kind == NCK_JOB_GO_ON;
-    if (self->machine->slope == NCK_SLOPE_SSHAPE || !waits) return NCK_FULL;
-    if (self->machine->slope == NCK_SLOPE_JERK) nck_jerk_hurry(&self->planner.jerk);
-    else nck_linear_hurry(&self->planner.linear);
-    return NCK_OK;
-}
-
 uint32_t nck_slope_needs(const nck_slope_t *self) {
     if (self->machine->slope == NCK_SLOPE_SSHAPE) return nck_sshape_needs(&self->planner.sshape);
     return self->now.piece;

@@ -6,7 +6,7 @@
 //                                                  ▼
 //                         hold, resume ─▶ now: published; its first cells are final
 //
-// Three planners of one shape (begin, step, hurry): linear, jerk, S-shape. A plan goes on from the
+// Three planners of one shape (begin, step): linear, jerk, S-shape. A plan goes on from the
 // moving state where the last one is left, and ends at rest. Hold, override, single block and abort
 // are plans like any other.
 #ifndef NCK_PREP_SLOPE_H
@@ -53,10 +53,6 @@ void nck_slope_init(nck_slope_t *self, const nck_machine_t *machine, nck_link_t 
 // for the tick, or is held), NCK_E_INTERNAL (a broken plan, see nck_link_publish).
 // Cost: 32 nodes of a pass, or 32 cells; S-shape: see nck_sshape_step. Context: prep.
 nck_status_t nck_slope_step(nck_slope_t *self, const nck_pieces_t *pieces, const nck_wish_t *wish);
-
-// No more pieces come in time: where the path moves and all that may become final is, plan with
-// those that are there. Returns NCK_OK (step again) or NCK_FULL. Cost: constant. Context: prep.
-nck_status_t nck_slope_hurry(nck_slope_t *self);
 
 // The number of the oldest piece that is still needed. Cost: constant. Context: prep.
 uint32_t nck_slope_needs(const nck_slope_t *self);

@@ -269,15 +269,14 @@ static nck_status_t lay_one(nck_jerk_t *self, const nck_pieces_t *pieces) {
     const uint32_t blocks = self->machine->lookahead_blocks;
     const nck_node_t *const first = nck_plan_piece(pieces, self->next->piece);
     const nck_node_t *const piece = nck_plan_piece(pieces, self->work.piece);
-    if (!piece && !(self->work.hurries && self->work.n > 0)) return NCK_EMPTY;
-    if (!piece) return end_window(self, pieces);
+    if (!piece) return NCK_EMPTY;
     if (self->work.s < 0.0) self->work.s = piece->s;
     if (!(piece->length > 0.0)) return lay_rest(self, pieces, piece);
     const int full = self->work.n + 2 * PARTS_LEAST > NCK_JERK_CELLS
                      || self->work.piece - self->work.base >= self->work.pieces
                      || (blocks > 0 && piece->seg - first->seg >= blocks);
     if (full) return end_window(self, pieces);
-    if (!self->work.hurries && !knows_exit(pieces, self->work.piece)) return NCK_EMPTY;
+    if (!knows_exit(pieces, self->work.piece)) return NCK_EMPTY;
     const int rests = rests_behind(self, pieces, self->work.piece);
     const int is_over = end_of(piece) - self->work.s <= rounding_of(piece, 0.0);
     if (is_over && self->work.n > 0) return end_piece(self, pieces, piece, rests);
