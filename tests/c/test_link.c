@@ -413,6 +413,37 @@ static void plans_come_out_in_order_round_the_ring(check_t *check)
     CHECK(check, out > 20 * NCK_CELL_MAX && from_tail == 0);
 }
 
+// A length or a duration below zero, each on its own; one such cell is enough.
+static void a_cell_that_goes_back_is_never_published(check_t *check)
+{
+    for (int k = 0; k < 3; k++) {
+        nck_cell_t cell = cell_of(0);
+        if (k != 1) cell.length = -1e-9;
+        if (k != 0) cell.duration = -1e-9;
+        nck_link_init(&link_);
+        nck_link_batch_begin(&link_);
+        for (int n = 0; n <= k; n++) nck_link_push_cell(&link_, &cell);
+        nck_link_tail_begin(&link_);
+        CHECK_INT(check, nck_link_publish(&link_), NCK_E_INTERNAL);
+    }
+}
+
+static void a_link_is_spent_when_its_tail_rests(check_t *check)
+{
+    int from_tail = 0;
+    nck_link_init(&link_);
+    CHECK(check, nck_link_is_spent(&link_));
+    put_batch(0, 1, 1);
+    CHECK_INT(check, nck_link_publish(&link_), NCK_OK);
+    CHECK(check, !nck_link_is_spent(&link_));
+    CHECK_INT(check, take(&from_tail), 0);
+    CHECK(check, !nck_link_is_spent(&link_)); // a tail not entered
+    CHECK_INT(check, take(&from_tail), 1001);
+    CHECK(check, !nck_link_is_spent(&link_)); // entered, on its way
+    nck_link_tail_rest(&link_);
+    CHECK(check, nck_link_is_spent(&link_));
+}
+
 int main(void)
 {
     check_t check = {0};
@@ -437,5 +468,7 @@ int main(void)
     CHECK_RUN(&check, lead_is_the_time_that_waits);
     CHECK_RUN(&check, cells_of_a_plan_are_found_by_their_count);
     CHECK_RUN(&check, plans_come_out_in_order_round_the_ring);
+    CHECK_RUN(&check, a_cell_that_goes_back_is_never_published);
+    CHECK_RUN(&check, a_link_is_spent_when_its_tail_rests);
     return check_end(&check);
 }
