@@ -171,7 +171,7 @@ def test_whatever_the_operator_does_the_limits_hold_and_the_end_is_reached(scrip
 
 
 @settings(max_examples=30)
-@given(tick=st.integers(0, 2000), what=st.sampled_from(["abort", "estop", "hold"]),
+@given(tick=st.integers(1, 2000), what=st.sampled_from(["abort", "estop", "hold"]),
        slope=st.sampled_from(SLOPES))  # fmt: skip
 def test_an_end_at_any_tick_keeps_the_position(tick, what, slope):
     machine = mill(slope)
