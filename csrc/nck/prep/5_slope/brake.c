@@ -128,10 +128,8 @@ static int reach_cell(nck_jerk_t *self, const nck_pieces_t *pieces, const nck_ce
     return 1;
 }
 
-nck_status_t nck_window_reach(nck_jerk_t *self, const nck_pieces_t *pieces) {
-    if (self->work.i == 0) {
-        nck_brake_begin(&self->profile, self->q_cap);
-    }
+nck_status_t nck_brake_reach(nck_jerk_t *self, const nck_pieces_t *pieces) {
+    if (self->work.i == 0) nck_brake_begin(&self->profile, self->q_cap);
     for (int n = 0; n < NCK_JERK_STEP; n++) {
         const nck_cell_t *const cell =
             nck_link_tail_cell(self->link, self->work.source + self->work.i);

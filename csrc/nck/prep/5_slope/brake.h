@@ -32,4 +32,8 @@ int nck_brake_rests(const nck_profile_t *state, double j);
 void nck_brake_relax(const nck_jerk_t *self, const nck_pieces_t *pieces, uint32_t number, double v,
                      nck_brake_limits_t *limits);
 
+// How far a hold brakes: work.reach. NCK_OK: call again; NCK_EMPTY: the plan of now rests before;
+// NCK_DONE. Cost: bounded.
+nck_status_t nck_brake_reach(nck_jerk_t *self, const nck_pieces_t *pieces);
+
 #endif

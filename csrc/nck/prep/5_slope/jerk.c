@@ -5,6 +5,7 @@
 #include <string.h> // memset
 
 #include "nck/base/real.h"                // nck_min nck_max
+#include "nck/prep/5_slope/brake.h"       // nck_brake_reach
 #include "nck/prep/5_slope/ladder_math.h" // nck_ladder_excess
 #include "nck/prep/5_slope/window.h"      // nck_window_…
 
@@ -258,7 +259,7 @@ static nck_status_t lay(nck_jerk_t *self, const nck_pieces_t *pieces) {
 }
 
 static nck_status_t find_reach(nck_jerk_t *self, const nck_pieces_t *pieces) {
-    const nck_status_t status = nck_window_reach(self, pieces);
+    const nck_status_t status = nck_brake_reach(self, pieces);
     if (status == NCK_EMPTY) return NCK_FULL; // the plan of now rests before
     if (status == NCK_DONE) begin_hold(self, self->work.reach);
     return NCK_OK;

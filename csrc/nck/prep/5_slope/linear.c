@@ -4,8 +4,8 @@
 
 #include <string.h> // memset
 
-#include "nck/base/real.h"                // nck_min nck_max nck_floor
 #include "nck/base/envelope_math.h" // nck_envelope_…
+#include "nck/base/real.h"          // nck_min nck_max nck_floor
 
 enum {
     PASS_STEP = 32, // nodes, or cells, in one bounded step
@@ -23,11 +23,10 @@ enum {
 #define JOIN_EPSILON 1e-9
 
 void nck_linear_init(nck_linear_t *self, const nck_machine_t *machine, nck_link_t *link,
-                     const nck_plan_t *now, nck_plan_t *next) {
+                     nck_plan_t *next) {
     memset(self, 0, sizeof *self);
     self->machine = machine;
     self->link = link;
-    self->now = now;
     self->next = next;
     self->at.fresh = 1;
 }
@@ -63,15 +62,17 @@ static double s_of(const nck_node_t *piece, const nck_linear_place_t *place) {
     return place->fresh ? piece->s : place->s;
 }
 
-// What the acceleration changes v² by from a place in the piece to its end.
-static double gain_from(const nck_linear_t *self, const nck_node_t *piece,
-                        const nck_linear_place_t *place) {
-    const double length = place->fresh ? piece->length : end_of(piece) - place->s;
-    return nck_envelope_h(accel_of(self, piece), length);
+// What a place leaves of its piece.
+static double length_left(const nck_node_t *piece, const nck_linear_place_t *place) {
+    return place->fresh ? piece->length : end_of(piece) - place->s;
 }
 
-static double gain_in(const nck_linear_t *self, const nck_node_t *piece) {
-    return nck_envelope_h(accel_of(self, piece), piece->length);
+// What the acceleration changes v² by over a piece; over the first one, from where the plan begins.
+static double gain_over(const nck_linear_t *self, const nck_pieces_t *pieces, uint32_t number) {
+    const nck_node_t *const piece = nck_plan_piece(pieces, number);
+    const int is_first = number == self->at.piece;
+    const double length = is_first ? length_left(piece, &self->at) : piece->length;
+    return nck_envelope_h(accel_of(self, piece), length);
 }
 
 // ---- begin
@@ -199,7 +200,7 @@ static int rests_at(const nck_linear_t *self, const nck_pieces_t *pieces, uint32
 // w_i = min(w_cap,i, w_{i+1} + h_i) from the view's end, where the path must be able to rest.
 static void backward_node(nck_linear_t *self, const nck_pieces_t *pieces, uint32_t number) {
     nck_node_t *const node = nck_plan_piece(pieces, number);
-    const double h = gain_in(self, node);
+    const double h = gain_over(self, pieces, number);
     double cap = cap_at(self, pieces, number);
     if ((int32_t)(self->pass.floor - number) > 0) cap = nck_max(cap, node->vv);
     if (!(self->pass.vv + h < cap)) self->pass.open = 0;
@@ -218,7 +219,7 @@ static void backward_node(nck_linear_t *self, const nck_pieces_t *pieces, uint32
 // end that comes too early to rest at is passed.
 static nck_status_t join(nck_linear_t *self, const nck_pieces_t *pieces) {
     nck_node_t *const node = nck_plan_piece(pieces, self->at.piece);
-    const double reach = self->pass.vv + gain_from(self, node, &self->at);
+    const double reach = self->pass.vv + gain_over(self, pieces, self->at.piece);
     const int open = self->pass.open && reach < cap_at(self, pieces, self->at.piece);
     node->open = (uint8_t)open;
     self->pass.i = self->at.piece;
@@ -248,10 +249,8 @@ static void pass_forward(nck_linear_t *self, const nck_pieces_t *pieces) {
             enter_part(self);
             return;
         }
-        const nck_node_t *const piece = nck_plan_piece(pieces, number);
         nck_node_t *const next = nck_plan_piece(pieces, number + 1);
-        const double gain = number == self->at.piece ? gain_from(self, piece, &self->at)
-                                                     : gain_in(self, piece);
+        const double gain = gain_over(self, pieces, number);
         next->vv = nck_envelope_forward(next->vv, self->pass.vv, gain);
         self->pass.vv = next->vv;
         self->pass.i++;
@@ -262,10 +261,8 @@ static void pass_forward(nck_linear_t *self, const nck_pieces_t *pieces) {
 
 static nck_span_t span_of(const nck_linear_t *self, const nck_node_t *piece,
                           const nck_linear_place_t *place) {
-    const double s = s_of(piece, place);
-    const double length = place->fresh ? piece->length : end_of(piece) - s;
-    const nck_span_t span = {s, length, place->vv, 0.0, cap_inside(self, piece),
-                             accel_of(self, piece)};
+    const nck_span_t span = {s_of(piece, place), length_left(piece, place), place->vv, 0.0,
+                             cap_inside(self, piece), accel_of(self, piece)};
     return span;
 }
 
@@ -320,8 +317,8 @@ static void draw_slice(nck_linear_t *self) {
     }
     self->at.fresh = 0;
     self->at.s = cell.s + cell.length;
-    self->at.vv = is_last ? leg->v * leg->v + 2.0 * leg->a * leg->length
-                          : (cell.v + leg->a * cell.duration) * (cell.v + leg->a * cell.duration);
+    const double v_end = cell.v + leg->a * cell.duration;
+    self->at.vv = v_end * v_end; // where the leg ends, the next one or the next piece knows better
     if (is_last && self->leg.k + 1 == self->leg.count) cell.stop |= stop_behind(self);
     nck_link_tail_push(self->link, &cell);
     self->part++;
@@ -357,10 +354,6 @@ static nck_status_t finish_at_rest(nck_linear_t *self) {
 
 // The part ends where the brake begins.
 static nck_status_t end_part(nck_linear_t *self) {
-    if (self->part == 0) {
-        self->final = self->at.piece;
-        return NCK_FULL;
-    }
     if (!(self->at.vv > 0.0)) return finish_at_rest(self);
     enter_brake(self);
     return NCK_OK;

@@ -34,7 +34,6 @@ typedef struct nck_linear_place {
 typedef struct nck_linear {
     const nck_machine_t *machine;
     nck_link_t *link;      // producer's side
-    const nck_plan_t *now; // published
     nck_plan_t *next;      // in work
     nck_job_t job;         // that it is made for
     uint32_t phase;
@@ -62,18 +61,17 @@ typedef struct nck_linear {
     } leg;
 } nck_linear_t;
 
-// now, next: the slope's plans; next's begin, piece, s and over are set before a plan is begun.
+// next: the slope's plan in work; its begin, piece, s and over are set before a plan is begun.
 // Cost: constant. Context: any, before the tick runs.
 void nck_linear_init(nck_linear_t *self, const nck_machine_t *machine, nck_link_t *link,
-                     const nck_plan_t *now, nck_plan_t *next);
+                     nck_plan_t *next);
 
 // Begin to plan. Cost: constant. Context: prep.
 void nck_linear_begin(nck_linear_t *self, const nck_job_t *job);
 
 // One bounded piece of work. Returns NCK_OK (call again), NCK_EMPTY (needs pieces), NCK_DONE (the
-// plan stands in the link's built tail), NCK_FULL (the plan of now rests as well as this one
-// would), NCK_E_STATE (no plan joins here). Cost: 32 nodes of a pass, or 32 cells; with
-// lookahead_blocks, the pieces of so many blocks. Context: prep.
+// plan stands in the link's built tail), NCK_E_STATE (no plan joins here). Cost: 32 nodes of a
+// pass, or 32 cells; with lookahead_blocks, the pieces of so many blocks. Context: prep.
 nck_status_t nck_linear_step(nck_linear_t *self, const nck_pieces_t *pieces);
 
 #endif

@@ -36,7 +36,7 @@ void nck_slope_init(nck_slope_t *self, const nck_machine_t *machine, nck_link_t 
         break;
     case NCK_SLOPE_SSHAPE: nck_sshape_init(&self->planner.sshape, machine, link); break;
     default:
-        nck_linear_init(&self->planner.linear, machine, link, &self->now, &self->next);
+        nck_linear_init(&self->planner.linear, machine, link, &self->next);
         break;
     }
 }

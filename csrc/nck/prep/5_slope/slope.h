@@ -6,9 +6,9 @@
 //                                                  ▼
 //                         hold, resume ─▶ now: published; its first cells are final
 //
-// Three planners of one shape (begin, step): linear, jerk, S-shape. A plan goes on from the
-// moving state where the last one is left, and ends at rest. Hold, override, single block and abort
-// are plans like any other.
+// Two planners of one shape (begin, step): linear and jerk. The S-shape steps by itself and hears a
+// hold only. A plan goes on from the moving state where the last one is left, and ends at rest.
+// Hold, override, single block and abort are plans like any other.
 #ifndef NCK_PREP_SLOPE_H
 #define NCK_PREP_SLOPE_H
 

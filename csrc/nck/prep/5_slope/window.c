@@ -259,12 +259,6 @@ static nck_status_t lay_rest(nck_jerk_t *self, const nck_pieces_t *pieces,
     return NCK_DONE;
 }
 
-// The window ends here, not the path.
-static nck_status_t end_window(nck_jerk_t *self, const nck_pieces_t *pieces) {
-    close_pending(self, pieces);
-    return NCK_DONE;
-}
-
 static nck_status_t lay_one(nck_jerk_t *self, const nck_pieces_t *pieces) {
     const uint32_t blocks = self->machine->lookahead_blocks;
     const nck_node_t *const first = nck_plan_piece(pieces, self->next->piece);
@@ -275,7 +269,10 @@ static nck_status_t lay_one(nck_jerk_t *self, const nck_pieces_t *pieces) {
     const int full = self->work.n + 2 * PARTS_LEAST > NCK_JERK_CELLS
                      || self->work.piece - self->work.base >= self->work.pieces
                      || (blocks > 0 && piece->seg - first->seg >= blocks);
-    if (full) return end_window(self, pieces);
+    if (full) {
+        close_pending(self, pieces);
+        return NCK_DONE;
+    }
     if (!knows_exit(pieces, self->work.piece)) return NCK_EMPTY;
     const int rests = rests_behind(self, pieces, self->work.piece);
     const int is_over = end_of(piece) - self->work.s <= rounding_of(piece, 0.0);

@@ -38,10 +38,6 @@ nck_status_t nck_window_limit(nck_jerk_t *self, const nck_pieces_t *pieces);
 // them below that. NCK_OK: call again; NCK_DONE. Cost: bounded.
 nck_status_t nck_window_brake(nck_jerk_t *self);
 
-// How far a hold brakes: work.reach. NCK_OK: call again; NCK_EMPTY: the plan of now rests before;
-// NCK_DONE. Cost: bounded.
-nck_status_t nck_window_reach(nck_jerk_t *self, const nck_pieces_t *pieces);
-
 // The plan as cells of a tail. NCK_OK: call again; NCK_DONE. Cost: bounded.
 nck_status_t nck_window_draw(nck_jerk_t *self, const nck_pieces_t *pieces);
 
