@@ -70,6 +70,13 @@ nck_status_t nck_set_limits(nck_t *nck, const nck_machine_t *machine) {
     return NCK_OK;
 }
 
+nck_status_t nck_set_travel(nck_t *nck, uint32_t axis, int64_t least_nm, int64_t most_nm) {
+    if (axis >= NCK_AXIS_MAX || least_nm > most_nm) return NCK_E_ARGUMENT;
+    const double counts = nck_machine_counts(&nck->machine, (int)axis);
+    nck_travel_set(&nck->travel, (int)axis, (double)least_nm / counts, (double)most_nm / counts);
+    return NCK_OK;
+}
+
 // ---- begin anew
 
 // The program has ended, and every seg and output of it is done.
@@ -86,6 +93,7 @@ nck_status_t nck_begin(nck_t *nck) {
     if (nck->wire.given_up || !over || !rests) return NCK_E_STATE;
     nck_link_ask(&nck->link); // nck_prep begins the other rooms when the tick has yielded it
     nck_decode_begin(&nck->decode);
+    nck_travel_begin(&nck->travel);
     memset(&nck->wire, 0, sizeof nck->wire);
     nck_fence_store(&nck->command.hold, 0);
     nck_fence_store(&nck->command.abort, 0);
@@ -133,6 +141,8 @@ void nck_modal(const nck_t *nck, nck_modal_t *modal_out) {
     memcpy(modal_out->g92_nm, decode->place.g92_nm, sizeof modal_out->g92_nm);
     memcpy(modal_out->tool_nm, decode->place.tool_nm, sizeof modal_out->tool_nm);
 }
+
+int nck_is_at_travel(const nck_t *nck) { return (int)nck_fence_load(&nck->travel.stops); }
 
 const nck_machine_t *nck_machine_of(const nck_t *nck) { return &nck->machine; }
 

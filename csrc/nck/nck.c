@@ -28,6 +28,7 @@ nck_status_t nck_init(nck_t *nck, const nck_machine_t *machine, const nck_hooks_
     nck_decode_init(&nck->decode, &nck->machine);
     nck_toolcomp_init(&nck->toolcomp, &nck->machine);
     nck_link_init(&nck->link);
+    nck_travel_init(&nck->travel);
     begin_rooms(nck);
     nck_interpolate_init(&nck->interpolate, &nck->machine, &nck->link);
     nck_transform_init(&nck->transform, &nck->machine);
@@ -129,7 +130,9 @@ static void drop_before(nck_t *nck, uint32_t number) {
 // lookahead ─▶ slope ─▶ plans and final cells.
 static nck_status_t step_slope(nck_t *nck) {
     const nck_pieces_t pieces = pieces_of(nck);
-    const nck_wish_t wish = wish_of(&nck->command);
+    const int beyond = nck_travel_step(&nck->travel, &nck->machine, &nck->link, &pieces);
+    nck_wish_t wish = wish_of(&nck->command);
+    if (beyond) wish.hold = 1;
     const nck_status_t status = nck_slope_step(&nck->slope, &pieces, &wish);
     drop_before(nck, nck_slope_needs(&nck->slope));
     return status;

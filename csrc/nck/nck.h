@@ -29,6 +29,7 @@ extern "C" {
 #include "nck/prep/3_smooth/smooth.h"           // nck_smooth_t
 #include "nck/prep/4_lookahead/lookahead.h"     // nck_lookahead_t
 #include "nck/prep/5_slope/slope.h"             // nck_slope_t
+#include "nck/prep/5_slope/travel.h"            // nck_travel_t
 #include "nck/tick/6_interpolate/interpolate.h" // nck_interpolate_t
 #include "nck/tick/7_transform/transform.h"     // nck_transform_t
 
@@ -100,6 +101,7 @@ typedef struct nck {
     nck_toolcomp_t toolcomp;
     nck_smooth_t smooth;
     nck_lookahead_t lookahead;
+    nck_travel_t travel;
     nck_slope_t slope;
     nck_link_t link;
     nck_interpolate_t interpolate;
@@ -158,6 +160,19 @@ nck_status_t nck_begin(nck_t *nck);
 // Returns NCK_OK, NCK_FULL, or NCK_E_MACHINE if nck_machine_check refuses the machine.
 // Cost: constant. Context: prep.
 nck_status_t nck_set_limits(nck_t *nck, const nck_machine_t *machine);
+
+// Soft limits of an axis from now on, besides the travel that the program is held against: before
+// the path leaves them it comes to rest, as by a hold, as far in front as a brake may take that has
+// no more than what its bends leave at their caps. nck_resume goes on once they are wide enough.
+// What is within ten periods and a brake of the limit by now is left as soon as it can be, no
+// sooner: the last look at a setpoint is the drive's. They stay until nck_init.
+// least_nm ≤ most_nm [nm, ndeg]; INT64_MIN, INT64_MAX: free. Returns NCK_OK, or NCK_E_ARGUMENT.
+// Cost: constant. Context: prep.
+nck_status_t nck_set_travel(nck_t *nck, uint32_t axis, int64_t least_nm, int64_t most_nm);
+
+// 1 if the path brakes, or rests, before the soft limits that it would leave.
+// Cost: constant. Context: any.
+int nck_is_at_travel(const nck_t *nck);
 
 // Say that the text is complete: what is left is planned to its end.
 // Cost: constant. Context: prep.

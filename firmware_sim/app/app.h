@@ -57,7 +57,7 @@ typedef struct app_chunk {
 // A joint's travel.
 typedef struct app_range {
     int64_t least, most; // [nm, ndeg]
-    uint32_t narrowed;   // 1: by the operator; programs know the machine's travel, not this
+    volatile uint32_t untold; // 1: changed by the operator, and the kernel does not know it yet
 } app_range_t;
 
 // The app, below.
@@ -103,7 +103,6 @@ typedef struct app {
         volatile uint32_t state;  // nck_tick_state_t of the last
         volatile uint32_t idle;   // 1: nck_is_idle after the last
         volatile uint32_t resting;// ticks that the setpoint has not changed at speed 0
-        volatile uint32_t near;   // 1: braking must begin for the guard's travel
         volatile uint32_t beyond; // 1: the guard has kept a setpoint back
         uint32_t overruns;        // seen so far
         uint32_t given_away;      // periods without a setpoint, after an overrun

@@ -5,13 +5,6 @@
 
 #include "app/app.h" // app_t
 
-// What the guard says of a setpoint.
-typedef enum app_guard {
-    APP_GUARD_FAR = 0,
-    APP_GUARD_NEAR = 1,  // a joint can only just be stopped before its limit
-    APP_GUARD_BEYOND = 2 // the setpoint leaves the travel: it must not be handed over
-} app_guard_t;
-
 // Take the travel of every joint from the machine's axes. Cost: constant. Context: before the tick.
 void app_guard_init(app_t *app);
 
@@ -19,7 +12,12 @@ void app_guard_init(app_t *app);
 // Cost: constant. Context: task.
 int app_guard_set(app_t *app, int64_t joint, const app_range_t *travel);
 
-// Judge the next setpoint. Cost: linear in the joints. Context: tick.
-app_guard_t app_guard_check(const app_t *app, const nck_pose_t *pose, const nck_axes_t *next);
+// Tell the kernel of the joints whose travel has changed: it holds before the path leaves it.
+// Cost: linear in the joints. Context: prep.
+void app_guard_tell(app_t *app);
+
+// 1 if the drives may have the next setpoint, 0 if a joint would leave its travel.
+// Cost: linear in the joints. Context: tick.
+int app_guard_lets(const app_t *app, const nck_axes_t *next);
 
 #endif

@@ -2,6 +2,8 @@
 // The prep task: the kernel's asynchronous rooms, a bounded step at a time.
 #include "app/app.h"
 
+#include "app/guard.h" // app_guard_tell
+
 // Wait for the next tick if this one's steps are used up; planning ahead is not rationed.
 static void ration(app_task_t *task) {
     app_t *const app = task->app;
@@ -49,6 +51,7 @@ void app_prepare(void *user) {
     for (;;) {
         app_suffer(app, task->priority);
         ration(task);
+        app_guard_tell(app);
         const nck_status_t status = nck_prep(&app->nck);
         app->prep.steps++;
         os_spend(app->job.prep_units);

@@ -69,7 +69,7 @@ static void look_for_faults(app_t *app) {
     if (app->tick.beyond) finish(app, APP_SOFT_LIMIT);
     if (app->fault_stack) end_in(app, APP_FAULT_STACK);
     if (os_overruns() > 0) end_in(app, APP_FAULT_OVERRUN);
-    if (app->tick.near) end_in(app, APP_SOFT_LIMIT);
+    if (nck_is_at_travel(&app->nck)) end_in(app, APP_SOFT_LIMIT);
     const int starving = app->tick.state == NCK_TICK_STARVED && app->tick.resting > 0;
     app->supervisor.starved = starving ? app->supervisor.starved + 1 : 0;
     if (app->job.starve_ticks > 0 && app->supervisor.starved >= app->job.starve_ticks) {

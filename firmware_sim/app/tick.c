@@ -4,7 +4,7 @@
 
 #include <string.h> // memcmp
 
-#include "app/guard.h" // app_guard_check
+#include "app/guard.h" // app_guard_lets
 #include "hal/hal.h"   // hal_write hal_make_safe hal_watchdog_feed
 
 enum { SUPERVISOR_LATE = 50 }; // ticks without a cycle of the supervisor that are a fault
@@ -70,14 +70,12 @@ static void take_setpoint(app_t *app) {
     nck_axes_t axes;
     app->tick.state = state_of(app, nck_tick(&app->nck, &pose, &axes));
     app->tick.idle = (uint32_t)nck_is_idle(&app->nck);
-    const app_guard_t guard = app_guard_check(app, &pose, &axes);
-    if (guard == APP_GUARD_BEYOND) {
+    if (!app_guard_lets(app, &axes)) {
         hal_make_safe();
         app->supervisor.frozen = 1;
         app->tick.beyond = 1;
         return;
     }
-    if (guard == APP_GUARD_NEAR) app->tick.near = 1;
     const int still = pose.v == 0.0 && memcmp(&axes, &app->tick.axes, sizeof axes) == 0;
     app->tick.resting = still ? app->tick.resting + 1 : 0;
     app->tick.pose = pose;

@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: MIT
+// Room 5: where the path leaves the soft limits, and how long before it has to brake.
+#include "nck/prep/5_slope/travel.h"
+
+#include <string.h> // memset
+
+#include "nck/base/fence.h"     // nck_fence_store
+#include "nck/base/path_math.h" // nck_path_point
+#include "nck/base/real.h"      // nck_min nck_max nck_sqrt
+
+enum { POINTS = 32 }; // of the path in one step
+
+// Between two points of a curve this far apart it strays by half of that, which is kept clear [mm].
+#define STEP_LEAST 0.001
+// Periods from the end of the final cells until a brake begins, at most.
+#define HEARD_PERIODS 10.0
+// A brake keeps off the limits by so much (NCK_BRAKE_SHARE), twice over.
+#define BRAKE_SHARE 0.95
+// Farther than every path.
+#define FAR 1e18
+
+void nck_travel_init(nck_travel_t *self) {
+    memset(self, 0, sizeof *self);
+    for (int x = 0; x < NCK_AXIS_MAX; x++) {
+        self->least[x] = -FAR;
+        self->most[x] = FAR;
+    }
+}
+
+void nck_travel_begin(nck_travel_t *self) {
+    self->known = 0;
+    self->leaves = 0;
+    nck_fence_store(&self->stops, 0);
+}
+
+void nck_travel_set(nck_travel_t *self, int axis, double least, double most) {
+    self->set = 1;
+    self->least[axis] = least;
+    self->most[axis] = most;
+    nck_travel_begin(self);
+}
+
+// ---- where the path leaves
+
+// How far the nearest limit is; negative outside.
+static double room_at(const nck_travel_t *self, const double *point) {
+    double room = FAR;
+    for (int x = 0; x < NCK_AXIS_MAX; x++) {
+        room = nck_min(room, nck_min(self->most[x] - point[x], point[x] - self->least[x]));
+    }
+    return room;
+}
+
+// Where a straight line that begins inside leaves; FAR if it does not.
+static double leave_line(const nck_travel_t *self, const nck_seg_t *seg) {
+    double share = FAR;
+    if (room_at(self, seg->end) >= 0.0) return FAR;
+    for (int x = 0; x < NCK_AXIS_MAX; x++) {
+        const double way = seg->end[x] - seg->start[x];
+        const double left = way > 0.0 ? self->most[x] - seg->start[x]
+                                      : seg->start[x] - self->least[x];
+        if (nck_fabs(way) > left) share = nck_min(share, left / nck_fabs(way));
+    }
+    return nck_max(share, 0.0) * seg->length;
+}
+
+static void found(nck_travel_t *self, const nck_seg_t *seg, double s) {
+    self->leaves = 1;
+    self->exit = seg->s_begin + s;
+}
+
+static void next_seg(nck_travel_t *self) {
+    self->seq++;
+    self->s = 0.0;
+}
+
+// No coordinate changes faster than s: as far as the nearest limit is, the path stays inside.
+static void look_at(nck_travel_t *self, const nck_seg_t *seg) {
+    double point[NCK_AXIS_MAX];
+    nck_path_point(seg, self->s, point);
+    const int straight = seg->kind == NCK_SEG_LINE;
+    const double room = room_at(self, point) - (straight ? 0.0 : STEP_LEAST / 2.0);
+    const double leaves = straight ? leave_line(self, seg) : FAR;
+    if (room < 0.0) found(self, seg, self->s);
+    else if (leaves < FAR) found(self, seg, leaves);
+    else if (straight || self->s >= seg->length) next_seg(self);
+    else self->s = nck_min(seg->length, self->s + nck_max(room, STEP_LEAST));
+}
+
+static void look_further(nck_travel_t *self, const nck_link_t *link) {
+    for (int n = 0; n < POINTS && !self->leaves && self->seq != link->seg_head; n++) {
+        const nck_seg_t *const seg = nck_link_seg(link, self->seq);
+        if (seg->kind < NCK_SEG_DWELL) look_at(self, seg);
+        else next_seg(self);
+    }
+}
+
+// ---- the front
+
+// What is final ends here; the rest of the path can still be planned otherwise.
+typedef struct front {
+    uint32_t seq;
+    double s;  // in the seg [path mm]
+    double v;  // [path mm/s]
+    double a;  // of the cell before [path mm/s²]
+} front_t;
+
+// At rest: in the oldest piece that is needed, at the end of the last cell if that ends within.
+static front_t rest_of(const nck_link_t *link, const nck_pieces_t *pieces, const nck_cell_t *last) {
+    const nck_node_t *const piece = nck_plan_piece(pieces, pieces->head);
+    const front_t behind_all = {nck_link_finished(link), 0.0, 0.0, 0.0};
+    if (!piece) return behind_all;
+    const int within = last && last->seg == piece->seg && last->span == 0 && !last->last;
+    const front_t rest = {piece->seg, within ? last->s + last->length : piece->s, 0.0, 0.0};
+    return rest;
+}
+
+static front_t front_of(const nck_link_t *link, const nck_pieces_t *pieces) {
+    int entered = 0;
+    uint32_t count = 0;
+    const uint32_t end = nck_link_end(link, &entered);
+    if (entered) return rest_of(link, pieces, nck_link_tail_end(link, &count));
+    const nck_cell_t *const cell = nck_link_tail_cell(link, end);
+    const nck_cell_t *const before = nck_link_tail_cell(link, (end - 1) & NCK_LINK_COUNT_MASK);
+    if (!cell) return rest_of(link, pieces, before);
+    const front_t front = {cell->seg, cell->s, cell->v, before ? before->a : 0.0};
+    return front;
+}
+
+// ---- how long before
+
+// The weakest limits of what lies before the exit.
+typedef struct weakest {
+    double a, j, v_cap;
+} weakest_t;
+
+static weakest_t weakest_before(const nck_travel_t *self, const nck_pieces_t *pieces,
+                                const nck_machine_t *machine) {
+    weakest_t limits = {FAR, FAR, 0.0};
+    for (uint32_t i = 0; i < pieces->fill; i++) {
+        const nck_node_t *const piece = nck_plan_piece(pieces, pieces->head + i);
+        if (piece->seg > self->seq && piece->seg - self->seq < NCK_SEG_MAX) break;
+        if (!(piece->length > 0.0)) continue;
+        limits.a = nck_min(limits.a, BRAKE_SHARE * nck_min(piece->a, piece->a_over));
+        limits.j = nck_min(limits.j, BRAKE_SHARE * nck_min(piece->j, piece->j_over));
+        limits.v_cap = nck_max(limits.v_cap, nck_sqrt(piece->vv_over));
+    }
+    if (machine->slope == NCK_SLOPE_LINEAR) limits.j = FAR;
+    return limits;
+}
+
+// Braking from v and a: the acceleration goes first, then comes and goes the deceleration.
+//   v/a ≥ a/j:  v/2·(v/a + a/j),  else  v·√(v/j)
+static double braking(const weakest_t *limits, double v, double a) {
+    const double rising = nck_max(a, 0.0) / limits->j;
+    const double most = v + 0.5 * nck_max(a, 0.0) * rising;
+    const double ramp = limits->a / limits->j;
+    const int full = most >= limits->a * ramp;
+    return most * rising
+           + (full ? 0.5 * most * (most / limits->a + ramp) : most * nck_sqrt(most / limits->j));
+}
+
+// Whether the exit is no farther than the way to rest. Until the brake is heard speed may rise.
+static int is_near(const nck_travel_t *self, const front_t *front, const nck_link_t *link,
+                   const weakest_t *limits, double period_s) {
+    const double begin = front->seq == link->seg_head ? self->exit
+                         : nck_link_seg(link, front->seq)->s_begin + front->s;
+    const double heard = HEARD_PERIODS * period_s;
+    const double v = nck_max(front->v, nck_min(front->v + limits->a * heard, limits->v_cap));
+    const double way = v * heard + braking(limits, v, nck_min(front->a, limits->a));
+    return self->exit - begin <= way;
+}
+
+int nck_travel_step(nck_travel_t *self, const nck_machine_t *machine, const nck_link_t *link,
+                    const nck_pieces_t *pieces) {
+    if (!self->set) return 0;
+    const front_t front = front_of(link, pieces);
+    if (!self->known || (int32_t)(front.seq - self->seq) > 0) {
+        self->known = 1;
+        self->seq = front.seq;
+        self->s = front.s;
+    }
+    look_further(self, link);
+    if (!self->leaves || self->stops) return (int)self->stops;
+    const weakest_t limits = weakest_before(self, pieces, machine);
+    const int near = is_near(self, &front, link, &limits, machine->period_s);
+    nck_fence_store(&self->stops, (uint32_t)near);
+    return near;
+}
