@@ -105,6 +105,7 @@ static void free_path(void)
 {
     (void)nck_set_override(&motion.nck, 100, 100);
     (void)nck_set_single_block(&motion.nck, 0);
+    for (uint32_t x = 0; x < 2; x++) (void)nck_set_travel(&motion.nck, x, INT64_MIN, INT64_MAX);
     nck_resume(&motion.nck);
 }
 
@@ -306,14 +307,25 @@ static void flush_out(void)
     if (!script.broken) check_position();
 }
 
+// Somewhere around where the program is.
+static void set_travel(void)
+{
+    const int x = pick(2);
+    const double at = script.target[x];
+    const int64_t least = (int64_t)((at - 20.0 * draw()) * 1e6);
+    const int64_t most = (int64_t)((at + 20.0 * draw()) * 1e6);
+    (void)nck_set_travel(&motion.nck, (uint32_t)x, least, most);
+}
+
 static void ask(void)
 {
-    switch (pick(6)) {
+    switch (pick(7)) {
     case 0: nck_hold(&motion.nck); break;
     case 1: nck_resume(&motion.nck); break;
     case 2: (void)nck_set_override(&motion.nck, (uint32_t)pick(201), 100); break;
     case 3: (void)nck_set_override(&motion.nck, 100, (uint32_t)pick(101)); break;
     case 4: (void)nck_set_single_block(&motion.nck, (uint32_t)pick(2)); break;
+    case 5: set_travel(); break;
     default: free_path(); break;
     }
 }

@@ -332,7 +332,11 @@ static void command(run_t *self) {
     case 3: (void)nck_set_override(nck, byte_of(&self->source), what); break;
     case 4: (void)nck_set_override(nck, 10u + what, 100); break;
     case 5: (void)nck_set_override(nck, 100, 100); break;
-    case 6: self->complete |= what > 200; break;
+    case 6:
+        self->complete |= what > 200;
+        (void)nck_set_travel(nck, what >> 3 & 1u, -1000000 * (int64_t)byte_of(&self->source),
+                             1000000 * (int64_t)byte_of(&self->source));
+        break;
     default:
         if (what <= 220) break;
         self->aborted = 1;
@@ -369,6 +373,7 @@ static void release(run_t *self) {
     nck_t *const nck = &self->nck;
     (void)nck_set_single_block(nck, 0);
     (void)nck_set_override(nck, 100, 100);
+    for (uint32_t x = 0; x < 2; x++) (void)nck_set_travel(nck, x, INT64_MIN, INT64_MAX);
     nck_resume(nck);
 }
 

@@ -51,17 +51,16 @@ static double room_at(const nck_travel_t *self, const double *point) {
     return room;
 }
 
-// Where a straight line that begins inside leaves; FAR if it does not.
-static double leave_line(const nck_travel_t *self, const nck_seg_t *seg) {
+// Where a straight line leaves behind a point inside; FAR if it does not.
+static double leave_line(const nck_travel_t *self, const nck_seg_t *seg, const double *point) {
     double share = FAR;
     if (room_at(self, seg->end) >= 0.0) return FAR;
     for (int x = 0; x < NCK_AXIS_MAX; x++) {
-        const double way = seg->end[x] - seg->start[x];
-        const double left = way > 0.0 ? self->most[x] - seg->start[x]
-                                      : seg->start[x] - self->least[x];
+        const double way = seg->end[x] - point[x];
+        const double left = way > 0.0 ? self->most[x] - point[x] : point[x] - self->least[x];
         if (nck_fabs(way) > left) share = nck_min(share, left / nck_fabs(way));
     }
-    return nck_max(share, 0.0) * seg->length;
+    return self->s + share * (seg->length - self->s);
 }
 
 static void found(nck_travel_t *self, const nck_seg_t *seg, double s) {
@@ -80,7 +79,7 @@ static void look_at(nck_travel_t *self, const nck_seg_t *seg) {
     nck_path_point(seg, self->s, point);
     const int straight = seg->kind == NCK_SEG_LINE;
     const double room = room_at(self, point) - (straight ? 0.0 : STEP_LEAST / 2.0);
-    const double leaves = straight ? leave_line(self, seg) : FAR;
+    const double leaves = straight ? leave_line(self, seg, point) : FAR;
     if (room < 0.0) found(self, seg, self->s);
     else if (leaves < FAR) found(self, seg, leaves);
     else if (straight || self->s >= seg->length) next_seg(self);
