@@ -33,6 +33,8 @@ ELSEWHERE = {
     "unsupported": ("", "error:20"),
     "feed-missing": ("Cannot do g1 with zero feed rate", "error:22"),
     "arc-radius": ("Radius to end of arc differs from radius to start", "error:33"),
+    "arc-mode": ("Radius to end of arc differs from radius to start", "error:33"),
+    "arc-mode:A": ("Radius to end of arc differs from radius to start", "error:33"),
     "arc-centre": ("(by word) missing while center of arc needed", "error:35"),
     "arc-chord": ("Arc radius too small to reach end point", "error:34"),
     "axis-unknown": ("", "error:20"),
@@ -55,6 +57,7 @@ TABLES = (
     ("[start]", schema.Start),
     ("[home.g28], [home.g30], [work.g54] … [work.g59_3]", schema.Position),
     ("[tool.N]", schema.Tool),
+    ("[m.N]", schema.OwnM),
 )
 RAISED = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
 MACHINE_HEAD = """\

@@ -208,6 +208,7 @@ class CorpusFile:
 
 
 _TURNTABLE = ("axis.a.min_deg=free", "axis.a.max_deg=free", "axis.x.max_mm=1000")
+_BOAT = ("m.428.action=output", "m.429.action=output")
 
 CORPUS_FILES = (
     CorpusFile("arcs_rword.gcode"),
@@ -215,6 +216,7 @@ CORPUS_FILES = (
     CorpusFile("ax4_rotation_51k.nc", machine="mill5_xyzac", set=_TURNTABLE),
     CorpusFile("ax4_spiral_flutes.nc", machine="mill5_xyzac", set=_TURNTABLE),
     CorpusFile("ax5_boat_xyzac_g93.ngc", machine="mill5_xyzac", ends=("m-unknown", 2)),
+    CorpusFile("ax5_boat_xyzac_g93.ngc", machine="mill5_xyzac", set=_BOAT),
     CorpusFile("bad_longmill_invalid.nc", ends=("word-unknown", 124)),
     CorpusFile("laser_tball_engrave.gcode"),
     CorpusFile("lathe_fanuc0t_css.nc", machine="cak6150n", ends=("unsupported", 4)),

@@ -253,6 +253,10 @@ def test_what_the_kernel_refuses_is_told_with_its_key(key):
         ("[tool.1]\nradius_mm = -1", "tool.1.radius_mm", "0 at least"),
         ("[tool.1]\nlength = 1", "tool.1.length", "length_mm"),
         ("[colour]\nred = 1", "colour", "unknown key"),
+        ('[m.M8]\naction = "wait"', "m.M8", "its number"),
+        ('[m.8]\naction = "wait"', "m.8", "executes itself"),
+        ('[m.1000]\naction = "wait"', "m.1000", "999 at most"),
+        ("[m.88]\nwaits = true", "m.88.waits", "allowed: action"),
     ],
 )
 def test_a_mistake_is_told_with_its_key_and_what_is_allowed(line, key, words):

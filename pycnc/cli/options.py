@@ -14,6 +14,7 @@ class Dialect(StrEnum):
     fanuc = "fanuc"
     grbl = "grbl"
     marlin = "marlin"
+    auto = "auto"
 
 
 class Units(StrEnum):
@@ -36,7 +37,8 @@ Tools = Annotated[
     str | None, typer.Option("--tools", metavar="FILE", help="Tool table (LinuxCNC tool.tbl).")
 ]
 DialectName = Annotated[
-    Dialect | None, typer.Option("--dialect", help="Read the text as this dialect.")
+    Dialect | None,
+    typer.Option("--dialect", help="Read the text as this dialect; auto: as it looks."),
 ]
 Json = Annotated[bool, typer.Option("--json", help="Results as JSON.")]
 Quiet = Annotated[bool, typer.Option("--quiet", "-q", help="Errors and results only.")]

@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: MIT
-"""The machine: read from a machine file, checked whole, converted here to the kernel's units."""
+"""The machine: read from a machine file, checked whole, and the same as the kernel has it."""
 
 import difflib
 import hashlib
 import json
 import re
 import tomllib
-from decimal import ROUND_HALF_EVEN, Decimal
+from decimal import Decimal
 from importlib import resources
 from pathlib import Path
 
@@ -15,31 +15,11 @@ import pydantic
 
 from pycnc import errors
 from pycnc.machine import schema, tool_table
-from pycnc.kernel.bind import lib, pointer
-from pycnc.machine.schema import (
-    AXES,
-    ROTARY_AXES,
-    WORK_SYSTEMS,
-    MachineFile,
-    position_key,
-    unit_of,
-)
-from pycnc.kernel.records import counts_per_unit, dtype, quantity_range
+from pycnc.kernel.bind import ffi, lib, pointer
+from pycnc.machine.rows import rows_of
+from pycnc.machine.schema import AXES, MachineFile, position_key, unit_of
 
 DEFAULT = "mill3"
-_FREE = (np.iinfo(np.int64).min, np.iinfo(np.int64).max)
-_KINEMATICS = {"identity": lib.NCK_KINEMATICS_IDENTITY, "lathe_xz": lib.NCK_KINEMATICS_LATHE_XZ}
-_SLOPES = {
-    "linear": lib.NCK_SLOPE_LINEAR,
-    "jerk": lib.NCK_SLOPE_JERK,
-    "sshape": lib.NCK_SLOPE_SSHAPE,
-}
-_DIALECTS = {
-    "linuxcnc": lib.NCK_DIALECT_LINUXCNC,
-    "fanuc": lib.NCK_DIALECT_FANUC,
-    "grbl": lib.NCK_DIALECT_GRBL,
-    "marlin": lib.NCK_DIALECT_MARLIN,
-}
 
 
 class MachineFileError(errors.MachineError):
@@ -121,7 +101,7 @@ class Machine:
         if problems:
             own = _validate(_parse(text, file))[1] if changes else ()
             raise MachineFileError(self.file, problems, changes, own)
-        self._rows = _rows(self.settings)
+        self._rows = rows_of(self.settings)
         if lib.nck_machine_check(self.pointer) != lib.NCK_OK:
             problem = ("", "a number is outside of what the kernel can hold")
             raise MachineFileError(self.file, [problem], changes)
@@ -323,9 +303,27 @@ def _validate(data):
                 f"must be {window} at most (is {settings.path.lookahead_blocks})",
             )
         )
+    problems += [
+        (f"m.{number}", f"{lib.NCK_M_MAX} at most, and no code that the kernel executes itself")
+        for number in settings.m
+        if number.isdecimal() and not _is_free(int(number))
+    ]
+    if len(settings.m) > lib.NCK_OWN_M_MAX:
+        problems.append(("m", f"{lib.NCK_OWN_M_MAX} codes at most (the table has more)"))
     if len(settings.tool) > tools:
         problems.append(("tool", f"{tools} tools at most (the table has {len(settings.tool)})"))
     return settings, problems
+
+
+def _is_free(code):
+    """Tell whether an M code is within range and none that the kernel executes itself."""
+    machine, decode = ffi.new("nck_machine_t *"), ffi.new("nck_decode_t *")
+    lib.nck_machine_default(machine)
+    lib.nck_decode_init(decode, machine)
+    line = f"M{code}\n".encode()
+    lib.nck_decode_push(decode, line, len(line), ffi.new("size_t *"))
+    status = lib.nck_decode_pull(decode, ffi.new("nck_block_t *"))
+    return code <= lib.NCK_M_MAX and status in (lib.NCK_E_M_UNKNOWN, lib.NCK_E_UNSUPPORTED)
 
 
 def _plain(number):
@@ -376,19 +374,17 @@ def _bare(key):
 
 
 def _table_of(table, step):
-    """Return the class of a table inside a table."""
-    if table is None or not hasattr(table, "model_fields"):
+    """Return the class of a table inside a table, or inside a table of numbered tables."""
+    if step not in table.model_fields:  # a number
         return table
-    if step not in table.model_fields:
-        return schema.Tool
     kind = table.model_fields[step].annotation
     options = getattr(kind, "__args__", (kind,))
-    tables = [
+    tables = (
         option
         for option in options
         if isinstance(option, type) and issubclass(option, schema.Table)
-    ]
-    return tables[0] if tables else schema.Tool
+    )
+    return next(tables, table)
 
 
 def _walk(table, prefix=""):
@@ -403,89 +399,3 @@ def _walk(table, prefix=""):
             yield from _walk(value, f"{prefix}{name}.")
         elif not prefix.startswith("axis.") or prefix.count(".") > 1:
             yield f"{prefix}{name}", value
-
-
-def _counts(value, letter):
-    """Return exact nanometres (or nanodegrees) of an axis, rounded half to even."""
-    counts = int(counts_per_unit(letter in ROTARY_AXES))
-    return int((value * counts).to_integral_value(rounding=ROUND_HALF_EVEN))
-
-
-def _rows(settings):
-    """Return the kernel's machine as an array of one record."""
-    rows = np.zeros(1, dtype("nck_machine_t"))
-    record = rows[0]
-    record["period_s"] = float(settings.kernel.period_ms / 1000)
-    for letter, axis in settings.axis.present().items():
-        _fill_axis(record["axis"][AXES.index(letter)], letter, axis)
-    _fill_path(record, settings.path)
-    record["kinematics"] = _KINEMATICS[settings.kinematics.type]
-    record["spindle"]["rpm_max"] = float(settings.spindle.rpm_max)
-    _fill_dialect(record["dialect"], settings.dialect)
-    _fill_positions(record, settings)
-    _fill_tools(record, settings.tool)
-    return rows
-
-
-def _fill_axis(row, letter, axis):
-    unit = unit_of(letter)
-    v_max, rapid = getattr(axis, f"v_max_{unit}_s"), getattr(axis, f"rapid_{unit}_s")
-    row["present"], row["rotary"] = 1, letter in ROTARY_AXES
-    row["v_max"], row["rapid"] = float(v_max), float(v_max if rapid is None else rapid)
-    row["a_max"] = float(getattr(axis, f"a_max_{unit}_s2"))
-    row["j_max"] = float(getattr(axis, f"j_max_{unit}_s3"))
-    for field, free in zip(("min", "max"), _FREE, strict=True):
-        value = getattr(axis, f"{field}_{unit}")
-        row[f"{field}_nm"] = free if value is None else _counts(value, letter)
-
-
-def _together(axes, kind, quantity):
-    """Return what all axes give along the path together, within the range of path limits."""
-    most = float(quantity_range(quantity)[1])
-    return min(most, float(np.sqrt(np.sum(axes[kind] ** 2))))
-
-
-def _fill_path(record, path):
-    axes = record["axis"][record["axis"]["present"] == 1]
-    kinds = {"v_max": "speed", "a_max": "acceleration", "j_max": "jerk"}
-    together = {kind: _together(axes, kind, quantity) for kind, quantity in kinds.items()}
-    row = record["path"]
-    row["feed_max"] = (
-        together["v_max"] if path.feed_max_mm_min is None else float(path.feed_max_mm_min / 60)
-    )
-    row["a_max"] = together["a_max"] if path.a_max_mm_s2 is None else float(path.a_max_mm_s2)
-    row["j_max"] = together["j_max"] if path.j_max_mm_s3 is None else float(path.j_max_mm_s3)
-    row["chord_error"] = float(path.chord_error_mm)
-    row["tolerance"] = float(path.tolerance_mm)
-    row["arc_radius"] = float(path.arc_radius_mm)
-    record["lookahead_blocks"] = path.lookahead_blocks
-    record["slope"] = _SLOPES[path.slope]
-
-
-def _fill_dialect(row, dialect):
-    row["base"] = _DIALECTS[dialect.base]
-    row["diameter"], row["inch"] = dialect.diameter, dialect.units == "inch"
-    row["plane"], row["arc_absolute"] = dialect.plane, dialect.arc_centre == "absolute"
-    row["block_skip"], row["optional_stop"] = dialect.block_skip, dialect.optional_stop
-    row["feed_default"] = float(dialect.feed_default_mm_min)
-
-
-def _fill_positions(record, settings):
-    homes = (settings.home.g28, settings.home.g30)
-    for index, letter in enumerate(AXES):
-        record["start_nm"][index] = _counts(settings.start.along(letter), letter)
-        for row, home in enumerate(homes):
-            record["home_nm"][row][index] = _counts(home.along(letter), letter)
-        for row, name in enumerate(WORK_SYSTEMS):
-            place = getattr(settings.work, name).along(letter)
-            record["work_nm"][row][index] = _counts(place, letter)
-    record["work_system"] = WORK_SYSTEMS.index(settings.start.work_system)
-
-
-def _fill_tools(record, tools):
-    record["tool_count"] = len(tools)
-    for row, (number, tool) in zip(record["tool"], tools.items(), strict=False):
-        row["number"], row["orientation"] = int(number), tool.orientation
-        offset = {"x": tool.x_mm, "y": tool.y_mm, "z": tool.length_mm}
-        row["offset_nm"] = [_counts(value, letter) for letter, value in offset.items()]
-        row["radius_mm"] = float(tool.radius_mm)

@@ -192,8 +192,10 @@ class Spindle(Table):
 class Dialect(Table):
     """How program text is read."""
 
-    base: Literal["linuxcnc", "fanuc", "grbl", "marlin"] = Field(
-        "linuxcnc", description="The family of dialects that the text belongs to."
+    base: Literal["linuxcnc", "fanuc", "grbl", "marlin", "auto"] = Field(
+        "linuxcnc",
+        description="The family of dialects that the text belongs to; `auto`: as the text looks, "
+        "which a note tells.",
     )
     diameter: bool = Field(False, description="At start, X words are diameters (G7).")
     units: Literal["mm", "inch"] = Field("mm", description="Units at start (G21 or G20).")
@@ -266,6 +268,15 @@ class Tool(Table):
     )
 
 
+class OwnM(Table):
+    """An M code of the machine's own."""
+
+    action: Literal["output", "wait"] = Field(
+        description="`output`: the code is handed over and the path goes on. `wait`: the path "
+        "rests, the code is handed over, and the program waits to be resumed."
+    )
+
+
 class MachineFile(Table):
     """A whole machine file."""
 
@@ -280,6 +291,9 @@ class MachineFile(Table):
     home: Home = Field(Home(), description="Reference points.")
     work: Work = Field(Work(), description="Work offsets.")
     tool: dict[str, Tool] = Field({}, description="The tool table, one table for each number.")
+    m: dict[str, OwnM] = Field(
+        {}, description="M codes of the machine's own, one table for each: `[m.428]`."
+    )
 
 
 def unit_of(letter):
@@ -308,6 +322,9 @@ def contradictions(machine):
             "kinematics.type",
             f"lathe_xz needs the axes X and Z alone (the file has {', '.join(axes).upper()})",
         )
+    for number in machine.m:
+        if not (number.isdecimal() and number.isascii() and number == str(int(number))):
+            yield f"m.{number}", "an M code's name is its number, as in [m.428]"
     for number in machine.tool:
         if not (
             number.isdecimal()

@@ -6,10 +6,11 @@ import html
 from pathlib import Path
 
 from pycnc import errors, kernel
-from pycnc.program import moves
-from pycnc.program.diagnostics import Diagnostics, Wording
+from pycnc.program import guess, moves
+from pycnc.program.diagnostics import Diagnostic, Diagnostics, Wording
 from pycnc.program.geometry import Moves
 from pycnc.machine import DEFAULT, Machine
+from pycnc.machine.rows import DIALECTS
 from pycnc.machine.schema import AXES, unit_of
 from pycnc.kernel.records import join
 
@@ -33,8 +34,8 @@ class Program:
 
     def __init__(self, text, machine, *, file="<text>", keep=True, progress=None):
         self.text = text if isinstance(text, bytes) else bytes(text)
-        self.machine, self.file = machine, file
-        self.diagnostics, kept, self.block_count = Diagnostics(), [], 0
+        self.file, self.diagnostics, kept, self.block_count = file, Diagnostics(), [], 0
+        self.machine = machine = self._choose_dialect(machine)
         wording = Wording(file, self.text, machine)
         for blocks, findings, used in kernel.decode(self.text, machine):
             wording.add(self.diagnostics, findings)
@@ -45,6 +46,20 @@ class Program:
                 progress(used, len(self.text))
         self.blocks = join("nck_block_t", kept) if keep else None
         self._moves = None
+
+    def _choose_dialect(self, machine):
+        """Return the machine; if it leaves the dialect to the text, with that of the text."""
+        if machine.settings.dialect.base != "auto":
+            return machine
+        dialect, line, reason = guess.dialect_of(self.text)
+        source = self.text.splitlines()[line - 1] if line else b""
+        self.diagnostics.add(
+            Diagnostic(
+                self.file, line, 0, "dialect-auto", "note", f"read as {dialect}: {reason}",
+                f"if that is wrong: --dialect {' or '.join(sorted(DIALECTS - {dialect}))}", source,
+            )
+        )  # fmt: skip
+        return Machine.load(machine, dialect=dialect)
 
     @classmethod
     def from_points(cls, points, feed, machine=DEFAULT, *, tolerance=None):
@@ -187,8 +202,8 @@ def load(path_or_text, machine=DEFAULT, dialect=None):
         A file; or the text: bytes, or a str with a line end in it.
     machine : str, path or Machine
         Name of a shipped machine, a machine file, or a machine.
-    dialect : {"linuxcnc", "fanuc", "grbl", "marlin"}, optional
-        Replaces the machine's.
+    dialect : {"linuxcnc", "fanuc", "grbl", "marlin", "auto"}, optional
+        Replaces the machine's; "auto": as the text looks, which a note tells.
 
     Returns
     -------

@@ -83,7 +83,8 @@ WORDING = {
     ),
     "m-unknown": (
         "M{value:g} is no M code that the kernel knows",
-        "remove the code, or put it into a comment: ( )",
+        "remove the code, or if the machine has it, tell so in its file: [m.{value:.0f}] "
+        'action = "output"',
     ),
     "modal-group": (
         "{found} excludes another code of its block (both set the same, or both move)",
@@ -125,6 +126,16 @@ WORDING = {
         "arc ends {miss:.3f} mm off its circle "
         "(start radius {limit:.3f}, end radius {value:.3f}, tolerance {tolerance:.3g})",
         "check I J K and G90.1/G91.1, write more decimals, or set path.arc_radius_mm",
+    ),
+    "arc-mode": (
+        "arc ends {miss:.3f} mm off its circle as it is read, and on one if I J K counted from "
+        "the start (G91.1)",
+        "--set dialect.arc_centre=incremental, or G91.1 in the program",
+    ),
+    "arc-mode:A": (
+        "arc ends {miss:.3f} mm off its circle as it is read, and on one if I J K counted from "
+        "the program's zero (G90.1)",
+        "--set dialect.arc_centre=absolute, or G90.1 in the program",
     ),
     "arc-centre": (
         "the arc has no centre, or its radius is zero",

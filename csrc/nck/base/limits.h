@@ -19,6 +19,11 @@
 #define NCK_TOOL_MAX 32
 #endif
 
+// M codes of the machine's own. Range 1..1000.
+#ifndef NCK_OWN_M_MAX
+#define NCK_OWN_M_MAX 16
+#endif
+
 // Nodes of the look-ahead window (three a seg at most). Power of two, 32..65536.
 // Too short for the braking distance costs time, never safety; it is reported as limit "lookahead".
 #ifndef NCK_WINDOW

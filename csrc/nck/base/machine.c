@@ -138,8 +138,16 @@ static int tools_good(const nck_machine_t *machine) {
     return 1;
 }
 
+static int own_good(const nck_machine_t *machine) {
+    int good = machine->own_m_count <= NCK_OWN_M_MAX;
+    for (uint32_t k = 0; good && k < machine->own_m_count; k++) {
+        good = machine->own_m[k].code <= NCK_M_MAX && machine->own_m[k].waits <= 1;
+    }
+    return good;
+}
+
 nck_status_t nck_machine_check(const nck_machine_t *machine) {
-    const int all = numbers_good(machine) && axes_good(machine)
-                    && path_good(machine) && dialect_good(machine) && tools_good(machine);
+    const int all = numbers_good(machine) && axes_good(machine) && path_good(machine)
+                    && dialect_good(machine) && tools_good(machine) && own_good(machine);
     return all ? NCK_OK : NCK_E_MACHINE;
 }

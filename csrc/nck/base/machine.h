@@ -18,7 +18,8 @@ enum {
     NCK_LINEAR_MAX_MM = 1000000,  // furthest position, word and offset of X Y Z U V W
     NCK_ROTARY_MAX_DEG = 1000000, // of A B C
     NCK_COUNTS_PER_MM = 1000000,  // fixed point of X Y Z U V W: 1 nm
-    NCK_COUNTS_PER_DEG = 1000000000 // fixed point of A B C: 1 ndeg
+    NCK_COUNTS_PER_DEG = 1000000000, // fixed point of A B C: 1 ndeg
+    NCK_M_MAX = 999               // largest M code
 };
 
 // How axes become joints.
@@ -79,6 +80,13 @@ typedef struct nck_tool {
     double radius_mm;     // SIZE
 } nck_tool_t;
 
+// An M code that the machine has beside those of the language. It is handed over as an output.
+typedef struct nck_own_m {
+    uint16_t code;       // 0 … NCK_M_MAX; a code that the kernel executes itself stays the kernel's
+    uint8_t waits;       // 1: the program waits there until nck_resume, as at M0
+    uint8_t reserved;
+} nck_own_m_t;
+
 // Numbers name their quantity in capitals.
 typedef struct nck_machine {
     double period_s;         // PERIOD: T, interpolation period
@@ -119,6 +127,8 @@ typedef struct nck_machine {
     uint32_t work_system;                         // in force at start, 0 = G54
     uint32_t tool_count;
     nck_tool_t tool[NCK_TOOL_MAX];
+    uint32_t own_m_count;
+    nck_own_m_t own_m[NCK_OWN_M_MAX];
 } nck_machine_t;
 
 // Fill in a machine that is safe and complete: three axes X Y Z of 100 mm/s, 1000 mm/s², 10 000

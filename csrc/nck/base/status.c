@@ -38,6 +38,7 @@
     x(NCK_E_NO_PROGRAM, "no-program")     \
     x(NCK_E_WORD_SHARED, "word-shared")   \
     x(NCK_E_INCREMENTAL, "incremental")   \
+    x(NCK_E_ARC_MODE, "arc-mode")         \
     x(NCK_E_ARGUMENT, "argument")         \
     x(NCK_E_MACHINE, "machine")           \
     x(NCK_E_STATE, "state")               \

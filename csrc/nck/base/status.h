@@ -46,6 +46,8 @@ typedef enum nck_status {
     NCK_E_NO_PROGRAM = -24,   // "no-program": the text holds no block at all
     NCK_E_WORD_SHARED = -25,  // "word-shared": a word that two codes of its block would use; letter
     NCK_E_INCREMENTAL = -26,  // "incremental": G53 while G91 is in force
+    NCK_E_ARC_MODE = -27,     // "arc-mode": as arc-radius, but on its circle if I J K counted the
+                              // other way; letter 'A': from the zero (G90.1), 'I': from the start
 
     // the front door
     NCK_E_ARGUMENT = -40, // "argument": an argument outside of its range

@@ -180,16 +180,40 @@ static nck_status_t read_centre(nck_decode_t *self, course_t *course) {
 
 // LinuxCNC's rule: the radii may differ by the tolerance, or by a thousandth up to a hundred times
 // that.
+static int radii_agree(const nck_decode_t *self, double start, double end) {
+    const double tolerance = self->machine->path.arc_radius;
+    const double miss = nck_fabs(start - end);
+    return miss <= tolerance
+           || (miss <= 100.0 * tolerance && miss <= 0.001 * nck_max(start, end));
+}
+
+// An arc that misses its circle: would it be on one if I J K counted the other way?
+static nck_status_t fail_radius(nck_decode_t *self, const course_t *course, double start,
+                                double end) {
+    const unsigned axes[2] = {course->u, course->v};
+    const int absolute = self->modal.centre_absolute;
+    const double sign = absolute ? -1.0 : 1.0;
+    const nck_status_t status = fail_arc(self, NCK_E_ARC_RADIUS, end, start);
+    double c[2];
+    for (unsigned k = 0; k < 2; k++) {
+        if (!has(self, (char)('I' + axes[k]))) return status;
+        const int64_t zero_nm = self->place.origin_nm[axes[k]] - self->place.position_nm[axes[k]];
+        c[k] = course->c[k] + sign * mm(zero_nm);
+    }
+    const double other = nck_arc_norm(c[0], c[1]);
+    const double rest = nck_arc_norm(course->d[0] - c[0], course->d[1] - c[1]);
+    if (!(other > 0.0) || !radii_agree(self, other, rest)) return status;
+    self->finding.error.code = NCK_E_ARC_MODE;
+    self->finding.error.letter = absolute ? 'I' : 'A';
+    return NCK_E_ARC_MODE;
+}
+
 static nck_status_t check_radii(nck_decode_t *self, const course_t *course) {
     const double start = nck_arc_norm(course->c[0], course->c[1]);
     const double end = nck_arc_norm(course->d[0] - course->c[0], course->d[1] - course->c[1]);
-    const double tolerance = self->machine->path.arc_radius;
-    const double miss = nck_fabs(start - end);
 
     if (!(start > 0.0)) return fail_arc(self, NCK_E_ARC_CENTRE, 0.0, 0.0);
-    if (miss <= tolerance) return NCK_OK;
-    if (miss <= 100.0 * tolerance && miss <= 0.001 * nck_max(start, end)) return NCK_OK;
-    return fail_arc(self, NCK_E_ARC_RADIUS, end, start);
+    return radii_agree(self, start, end) ? NCK_OK : fail_radius(self, course, start, end);
 }
 
 static int is_empty(const course_t *course) {

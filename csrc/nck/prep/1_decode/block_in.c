@@ -74,7 +74,7 @@ static nck_status_t set_code(nck_decode_t *self, const nck_block_in_t *block) {
     unsigned step = 0;
     uint32_t takes = 0;
     const int64_t tenths = 10 * (int64_t)block->value;
-    const nck_status_t status = nck_decode_code('M', tenths, &step, &takes);
+    const nck_status_t status = nck_decode_code(self, 'M', tenths, &step, &takes);
     if (status != NCK_OK) return nck_decode_fail(self, status, 0, 'M', block->value, 0.0);
     self->words.steps = NCK_STEP(step);
     self->words.code[step] = (uint16_t)tenths;

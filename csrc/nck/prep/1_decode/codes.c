@@ -5,7 +5,7 @@
 #include <stddef.h> // size_t
 
 // The sets of letters that codes use.
-enum { NONE, AXES, ARC, DWELL, PATH, LENGTH, SET, SETS };
+enum { NONE, AXES, ARC, DWELL, PATH, LENGTH, REFERENCE, SET, SETS };
 
 static const uint32_t letters_of[SETS] = {
     [NONE] = 0,
@@ -14,6 +14,7 @@ static const uint32_t letters_of[SETS] = {
     [DWELL] = NCK_LETTER('P'),
     [PATH] = NCK_LETTER('P') | NCK_LETTER('Q'),
     [LENGTH] = NCK_LETTER('H'),
+    [REFERENCE] = NCK_LETTERS_AXES | NCK_LETTER('P'),
     [SET] = NCK_LETTERS_AXES | NCK_LETTER('L') | NCK_LETTER('P') | NCK_LETTER('R')
 };
 
@@ -41,7 +42,7 @@ static const code_t g_codes[] = {
     {570, NCK_STEP_WORK, NONE}, {580, NCK_STEP_WORK, NONE}, {590, NCK_STEP_WORK, NONE},
     {591, NCK_STEP_WORK, NONE}, {592, NCK_STEP_WORK, NONE}, {593, NCK_STEP_WORK, NONE},
     {430, NCK_STEP_LENGTH, LENGTH}, {490, NCK_STEP_LENGTH, NONE},
-    {280, NCK_STEP_OFFSET, AXES}, {300, NCK_STEP_OFFSET, AXES},
+    {280, NCK_STEP_OFFSET, AXES}, {300, NCK_STEP_OFFSET, REFERENCE},
     {920, NCK_STEP_OFFSET, AXES},
     {921, NCK_STEP_OFFSET, NONE}, {922, NCK_STEP_OFFSET, NONE}, {923, NCK_STEP_OFFSET, NONE},
     {100, NCK_STEP_OFFSET, SET},
@@ -95,15 +96,35 @@ static int is_later(const uint8_t *steps, size_t count, int unit, int64_t tenths
     return code == tenths;
 }
 
-nck_status_t nck_decode_code(int letter, int64_t tenths, unsigned *step_out, uint32_t *takes_out) {
+const nck_own_m_t *nck_decode_own_m(const nck_decode_t *self, int64_t code) {
+    const nck_machine_t *const machine = self->machine;
+    for (uint32_t k = 0; k < machine->own_m_count; k++) {
+        if (machine->own_m[k].code == code) return &machine->own_m[k];
+    }
+    return NULL;
+}
+
+// What is in no table of room 1: the machine may have it.
+static nck_status_t other_code(const nck_decode_t *self, int g, int64_t tenths,
+                               unsigned *step_out) {
+    if (!g && tenths % 10 == 0 && nck_decode_own_m(self, tenths / 10) != NULL) {
+        *step_out = NCK_STEP_OWN;
+        return NCK_OK;
+    }
+    const int later = g ? is_later(g_later, sizeof g_later, 1, tenths)
+                        : is_later(m_later, sizeof m_later, 10, tenths);
+    if (later) return NCK_E_UNSUPPORTED;
+    return g ? NCK_E_G_UNKNOWN : NCK_E_M_UNKNOWN;
+}
+
+nck_status_t nck_decode_code(const nck_decode_t *self, int letter, int64_t tenths,
+                             unsigned *step_out, uint32_t *takes_out) {
     const int g = letter == 'G';
     const code_t *const code = g ? find(g_codes, sizeof g_codes / sizeof g_codes[0], tenths)
                                  : find(m_codes, sizeof m_codes / sizeof m_codes[0], tenths);
     if (code == NULL) {
-        const int later = g ? is_later(g_later, sizeof g_later, 1, tenths)
-                            : is_later(m_later, sizeof m_later, 10, tenths);
-        if (later) return NCK_E_UNSUPPORTED;
-        return g ? NCK_E_G_UNKNOWN : NCK_E_M_UNKNOWN;
+        *takes_out = 0;
+        return other_code(self, g, tenths, step_out);
     }
     *step_out = code->step;
     *takes_out = letters_of[code->takes];

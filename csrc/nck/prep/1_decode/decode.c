@@ -53,6 +53,12 @@ static nck_status_t read_words(nck_decode_t *self, const char *at) {
     return nck_decode_resolve(self);
 }
 
+// Behind the / of a line that may be skipped, and the number of its switch: one setting is for all.
+static const char *behind_skip(const char *at) {
+    do at++; while (*at == ' ' || *at == '\t');
+    return *at >= '1' && *at <= '9' ? at + 1 : at;
+}
+
 static nck_status_t read_line(nck_decode_t *self) {
     if (self->line.binary) return fail_last(self, NCK_E_BINARY, 0.0);
     const char *const at = begin_of_line(self);
@@ -64,7 +70,7 @@ static nck_status_t read_line(nck_decode_t *self) {
     }
     self->text.begun = 1;
     if (*at != '/') return read_words(self, at);
-    return self->machine->dialect.block_skip ? NCK_OK : read_words(self, at + 1);
+    return self->machine->dialect.block_skip ? NCK_OK : read_words(self, behind_skip(at));
 }
 
 static void release_line(nck_decode_t *self) {
@@ -87,7 +93,7 @@ static nck_status_t run_steps(nck_decode_t *self, nck_block_t *out) {
     static const nck_step_function_t steps[NCK_STEP_COUNT] = {
         nck_decode_units, nck_decode_feed_mode, nck_decode_feed, nck_decode_speed, nck_decode_tool,
         nck_decode_change, nck_decode_change_wait, nck_decode_spindle, nck_decode_mist,
-        nck_decode_flood, nck_decode_override, nck_decode_dwell, nck_decode_plane,
+        nck_decode_flood, nck_decode_override, nck_decode_own, nck_decode_dwell, nck_decode_plane,
         nck_decode_diameter, nothing, nck_decode_length, nck_decode_work, nck_decode_path,
         nck_decode_distance, nck_decode_centre, nothing, nck_decode_offset, nothing, nothing,
         nck_decode_motion, nck_decode_give_pushed, nck_decode_second, nck_decode_stop

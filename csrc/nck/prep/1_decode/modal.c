@@ -187,6 +187,14 @@ nck_status_t nck_decode_override(nck_decode_t *self, nck_block_t *out) {
     return give_m(self, NCK_STEP_OVERRIDE, out);
 }
 
+// What the machine does at its own M codes is its own: the code is handed over.
+nck_status_t nck_decode_own(nck_decode_t *self, nck_block_t *out) {
+    const int code = self->words.code[NCK_STEP_OWN] / 10;
+    const nck_own_m_t *const own = nck_decode_own_m(self, code);
+    const int waits = own != NULL && own->waits;
+    return give_output(self, waits ? NCK_BLOCK_WAIT : NCK_BLOCK_OUTPUT, NCK_OUTPUT_M, code, out);
+}
+
 // The word that times a dwell, 0 if there is none: P; in Fanuc's language also X or U, in Marlin's
 // S.
 static char dwell_letter(const nck_decode_t *self) {

@@ -117,6 +117,19 @@ nck_status_t nck_decode_motion(nck_decode_t *self, nck_block_t *out) {
     return nck_decode_go(self, NULL, target_nm, out);
 }
 
+// G30 P: which reference point. The kernel has the second, which is G30 without P.
+static nck_status_t check_point(nck_decode_t *self) {
+    const nck_number_t *const word = &self->words.number['P' - 'A'];
+    int64_t point = 2;
+    const int said = (self->words.letters & NCK_LETTER('P')) != 0
+                     && self->words.code[NCK_STEP_OFFSET] == 300;
+    if (said && (!nck_number_whole(word, 0, &point) || point < 2 || point > 4)) {
+        return nck_decode_fail_word(self, NCK_E_NUMBER_RANGE, 'P', nck_number_real(word), 4.0);
+    }
+    if (point == 2) return NCK_OK;
+    return nck_decode_fail_word(self, NCK_E_UNSUPPORTED, 'P', (double)point, 0.0);
+}
+
 // G28, G30: by way of the point that the words name to the reference point, on the axes named, on
 // all if none is. Marlin's G28 has no such point: its words only name axes.
 nck_status_t nck_decode_reference(nck_decode_t *self, nck_block_t *out) {
@@ -124,7 +137,8 @@ nck_status_t nck_decode_reference(nck_decode_t *self, nck_block_t *out) {
     int64_t target_nm[NCK_AXIS_MAX];
     const uint32_t axes = self->words.axes != 0 ? self->words.axes : self->place.axes;
 
-    nck_status_t status = NCK_OK;
+    nck_status_t status = check_point(self);
+    if (status != NCK_OK) return status;
     memcpy(target_nm, self->place.position_nm, sizeof target_nm);
     if (self->machine->dialect.base != NCK_DIALECT_MARLIN && self->words.axes != 0) {
         nck_decode_assume(self, NCK_NOTE_UNITS);

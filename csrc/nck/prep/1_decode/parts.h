@@ -61,7 +61,11 @@ void nck_decode_excuse(nck_decode_t *self);
 
 // codes.c: what a code is. Returns NCK_OK, NCK_E_UNSUPPORTED, or NCK_E_G_UNKNOWN / NCK_E_M_UNKNOWN.
 // letter: G or M; tenths: the code; *takes_out: letters that it uses. Cost: linear in the codes.
-nck_status_t nck_decode_code(int letter, int64_t tenths, unsigned *step_out, uint32_t *takes_out);
+nck_status_t nck_decode_code(const nck_decode_t *self, int letter, int64_t tenths,
+                             unsigned *step_out, uint32_t *takes_out);
+
+// codes.c: the machine's entry for an M code; NULL: it has none. Cost: linear in the entries.
+const nck_own_m_t *nck_decode_own_m(const nck_decode_t *self, int64_t code);
 
 // codes.c: the letters that a modal motion uses. Cost: constant.
 uint32_t nck_decode_motion_takes(int32_t motion);
@@ -84,6 +88,7 @@ nck_status_t nck_decode_spindle(nck_decode_t *self, nck_block_t *out);
 nck_status_t nck_decode_mist(nck_decode_t *self, nck_block_t *out);
 nck_status_t nck_decode_flood(nck_decode_t *self, nck_block_t *out);
 nck_status_t nck_decode_override(nck_decode_t *self, nck_block_t *out);
+nck_status_t nck_decode_own(nck_decode_t *self, nck_block_t *out);
 nck_status_t nck_decode_dwell(nck_decode_t *self, nck_block_t *out);
 nck_status_t nck_decode_plane(nck_decode_t *self, nck_block_t *out);
 nck_status_t nck_decode_diameter(nck_decode_t *self, nck_block_t *out);

@@ -147,13 +147,14 @@ static nck_status_t check_machine(nck_decode_t *self) {
     return incremental ? fail_code(self, NCK_E_INCREMENTAL, NCK_STEP_MACHINE) : NCK_OK;
 }
 
-// P is a dwell's, a tolerance, a work system or an arc's turns: of one of them. (rs274 refuses G4
-// with G2 alone and lets the others share.)
+// P is a dwell's, a tolerance, a work system, a reference point or an arc's turns: of one of them.
+// (rs274 refuses G4 with G2 alone and lets the others share.)
 static nck_status_t check_shared(nck_decode_t *self) {
     const nck_words_t *const words = &self->words;
     const int arc = (words->steps & NCK_STEP(NCK_STEP_MOTION))
                     && words->code[NCK_STEP_MOTION] >= 20 && words->code[NCK_STEP_MOTION] != 800;
-    const int work = has(words, NCK_STEP_OFFSET) && words->code[NCK_STEP_OFFSET] == 100;
+    const int work = has(words, NCK_STEP_OFFSET) && (words->code[NCK_STEP_OFFSET] == 100
+                                                     || words->code[NCK_STEP_OFFSET] == 300);
     const int path = has(words, NCK_STEP_PATH) && words->code[NCK_STEP_PATH] == 640;
     if (arc + work + path + has(words, NCK_STEP_DWELL) <= 1) return NCK_OK;
     return nck_decode_fail_word(self, NCK_E_WORD_SHARED, 'P', 0.0, 0.0);

@@ -87,7 +87,7 @@ static nck_status_t read_code(nck_decode_t *self, const char **at) {
     if (next == NULL) return fail_number(self, *at);
     nck_status_t status = letter == 'G' ? NCK_E_G_UNKNOWN : NCK_E_M_UNKNOWN;
     if (nck_number_whole(&number, 1, &tenths)) {
-        status = nck_decode_code(letter, tenths, &step, &takes);
+        status = nck_decode_code(self, letter, tenths, &step, &takes);
     }
     *at = next;
     if (status == NCK_OK && (words->codes & NCK_STEP(step))) status = collide(words, step, tenths);
@@ -103,7 +103,7 @@ static nck_status_t read_code(nck_decode_t *self, const char **at) {
     return NCK_OK;
 }
 
-// O: a program number alone is a name; anything else calls or defines something.
+// O or a colon: a program number alone is a name; anything else calls or defines something.
 static nck_status_t read_program_number(nck_decode_t *self, const char **at) {
     nck_number_t number;
     const char *const next = nck_number_read(self->line.text, *at + 1, &number);
@@ -132,30 +132,38 @@ static nck_status_t read_word(nck_decode_t *self, const char **at) {
     return NCK_OK;
 }
 
+// What begins with no letter: a remark, or the name of a program behind a colon.
+static nck_status_t read_other(nck_decode_t *self, const char **at) {
+    const char *const first = *at;
+    if (*first == ':') return read_program_number(self, at);
+    if (*first != '(') return fail_character(self, first);
+    while (**at != ')' && **at != '\n') ++*at;
+    if (**at == '\n') {
+        return nck_decode_fail(self, NCK_E_COMMENT, column_of(self, first), 0, 0.0, 0.0);
+    }
+    ++*at;
+    return NCK_OK;
+}
+
 nck_status_t nck_decode_words(nck_decode_t *self, const char *at) {
+    nck_status_t status = NCK_OK;
     self->words.letters = 0;
     self->words.axes = 0;
     self->words.steps = 0;
     self->words.codes = 0;
     self->words.takes = 0;
     self->words.tail = 0;
-    while (*at != '\n') {
+    while (status == NCK_OK && *at != '\n') {
         if (is_letter(*at)) {
-            const nck_status_t status = read_word(self, &at);
-            if (status != NCK_OK) return status;
+            status = read_word(self, &at);
         } else if (*at == ' ' || *at == '\t') {
-            at++;
-        } else if (*at == '(') {
-            const unsigned column = column_of(self, at);
-            while (*at != ')' && *at != '\n') at++;
-            if (*at == '\n') return nck_decode_fail(self, NCK_E_COMMENT, column, 0, 0.0, 0.0);
             at++;
         } else if (*at == ';') {
             self->words.tail = 1;
             return NCK_OK;
         } else {
-            return fail_character(self, at);
+            status = read_other(self, &at);
         }
     }
-    return NCK_OK;
+    return status;
 }

@@ -21,6 +21,7 @@ typedef enum nck_step {
     NCK_STEP_MIST,        // M7
     NCK_STEP_FLOOD,       // M8 M9
     NCK_STEP_OVERRIDE,    // M48 M49
+    NCK_STEP_OWN,         // an M code of the machine's
     NCK_STEP_DWELL,       // G4
     NCK_STEP_PLANE,       // G17 G18 G19
     NCK_STEP_DIAMETER,    // G7 G8

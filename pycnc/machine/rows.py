@@ -1,0 +1,118 @@
+# SPDX-License-Identifier: MIT
+"""Settings as the kernel has them: exact decimals become its units and numbers."""
+
+from decimal import ROUND_HALF_EVEN
+
+import numpy as np
+
+from pycnc.kernel.bind import lib
+from pycnc.kernel.records import counts_per_unit, dtype, quantity_range
+from pycnc.machine.schema import AXES, ROTARY_AXES, WORK_SYSTEMS, unit_of
+
+_FREE = (np.iinfo(np.int64).min, np.iinfo(np.int64).max)
+_KINEMATICS = {"identity": lib.NCK_KINEMATICS_IDENTITY, "lathe_xz": lib.NCK_KINEMATICS_LATHE_XZ}
+_SLOPES = {
+    "linear": lib.NCK_SLOPE_LINEAR,
+    "jerk": lib.NCK_SLOPE_JERK,
+    "sshape": lib.NCK_SLOPE_SSHAPE,
+}
+_DIALECTS = {
+    "linuxcnc": lib.NCK_DIALECT_LINUXCNC,
+    "fanuc": lib.NCK_DIALECT_FANUC,
+    "grbl": lib.NCK_DIALECT_GRBL,
+    "marlin": lib.NCK_DIALECT_MARLIN,
+}
+DIALECTS = frozenset(_DIALECTS)
+
+
+def _counts(value, letter):
+    """Return exact nanometres (or nanodegrees) of an axis, rounded half to even."""
+    counts = int(counts_per_unit(letter in ROTARY_AXES))
+    return int((value * counts).to_integral_value(rounding=ROUND_HALF_EVEN))
+
+
+def rows_of(settings):
+    """Return the kernel's machine as an array of one record."""
+    rows = np.zeros(1, dtype("nck_machine_t"))
+    record = rows[0]
+    record["period_s"] = float(settings.kernel.period_ms / 1000)
+    for letter, axis in settings.axis.present().items():
+        _fill_axis(record["axis"][AXES.index(letter)], letter, axis)
+    _fill_path(record, settings.path)
+    record["kinematics"] = _KINEMATICS[settings.kinematics.type]
+    record["spindle"]["rpm_max"] = float(settings.spindle.rpm_max)
+    _fill_dialect(record["dialect"], settings.dialect)
+    _fill_positions(record, settings)
+    _fill_tools(record, settings.tool)
+    _fill_own_m(record, settings.m)
+    return rows
+
+
+def _fill_axis(row, letter, axis):
+    unit = unit_of(letter)
+    v_max, rapid = getattr(axis, f"v_max_{unit}_s"), getattr(axis, f"rapid_{unit}_s")
+    row["present"], row["rotary"] = 1, letter in ROTARY_AXES
+    row["v_max"], row["rapid"] = float(v_max), float(v_max if rapid is None else rapid)
+    row["a_max"] = float(getattr(axis, f"a_max_{unit}_s2"))
+    row["j_max"] = float(getattr(axis, f"j_max_{unit}_s3"))
+    for field, free in zip(("min", "max"), _FREE, strict=True):
+        value = getattr(axis, f"{field}_{unit}")
+        row[f"{field}_nm"] = free if value is None else _counts(value, letter)
+
+
+def _together(axes, kind, quantity):
+    """Return what all axes give along the path together, within the range of path limits."""
+    most = float(quantity_range(quantity)[1])
+    return min(most, float(np.sqrt(np.sum(axes[kind] ** 2))))
+
+
+def _fill_path(record, path):
+    axes = record["axis"][record["axis"]["present"] == 1]
+    kinds = {"v_max": "speed", "a_max": "acceleration", "j_max": "jerk"}
+    together = {kind: _together(axes, kind, quantity) for kind, quantity in kinds.items()}
+    row = record["path"]
+    row["feed_max"] = (
+        together["v_max"] if path.feed_max_mm_min is None else float(path.feed_max_mm_min / 60)
+    )
+    row["a_max"] = together["a_max"] if path.a_max_mm_s2 is None else float(path.a_max_mm_s2)
+    row["j_max"] = together["j_max"] if path.j_max_mm_s3 is None else float(path.j_max_mm_s3)
+    row["chord_error"] = float(path.chord_error_mm)
+    row["tolerance"] = float(path.tolerance_mm)
+    row["arc_radius"] = float(path.arc_radius_mm)
+    record["lookahead_blocks"] = path.lookahead_blocks
+    record["slope"] = _SLOPES[path.slope]
+
+
+def _fill_dialect(row, dialect):
+    row["base"] = _DIALECTS.get(dialect.base, lib.NCK_DIALECT_LINUXCNC)  # auto: until a text tells
+    row["diameter"], row["inch"] = dialect.diameter, dialect.units == "inch"
+    row["plane"], row["arc_absolute"] = dialect.plane, dialect.arc_centre == "absolute"
+    row["block_skip"], row["optional_stop"] = dialect.block_skip, dialect.optional_stop
+    row["feed_default"] = float(dialect.feed_default_mm_min)
+
+
+def _fill_positions(record, settings):
+    homes = (settings.home.g28, settings.home.g30)
+    for index, letter in enumerate(AXES):
+        record["start_nm"][index] = _counts(settings.start.along(letter), letter)
+        for row, home in enumerate(homes):
+            record["home_nm"][row][index] = _counts(home.along(letter), letter)
+        for row, name in enumerate(WORK_SYSTEMS):
+            place = getattr(settings.work, name).along(letter)
+            record["work_nm"][row][index] = _counts(place, letter)
+    record["work_system"] = WORK_SYSTEMS.index(settings.start.work_system)
+
+
+def _fill_tools(record, tools):
+    record["tool_count"] = len(tools)
+    for row, (number, tool) in zip(record["tool"], tools.items(), strict=False):
+        row["number"], row["orientation"] = int(number), tool.orientation
+        offset = {"x": tool.x_mm, "y": tool.y_mm, "z": tool.length_mm}
+        row["offset_nm"] = [_counts(value, letter) for letter, value in offset.items()]
+        row["radius_mm"] = float(tool.radius_mm)
+
+
+def _fill_own_m(record, codes):
+    record["own_m_count"] = len(codes)
+    for row, (number, code) in zip(record["own_m"], codes.items(), strict=False):
+        row["code"], row["waits"] = int(number), code.action == "wait"

@@ -1,0 +1,55 @@
+# SPDX-License-Identifier: MIT
+"""The dialect that a text is read as where the machine leaves it open."""
+
+import pytest
+from cases import CORPUS, CORPUS_FILES
+
+import pycnc
+from pycnc.machine.rows import DIALECTS
+from pycnc.program import guess
+
+SIGNS = [
+    (b";FLAVOR:Marlin\nG1 X1\n", "marlin", 1),
+    (b"G21\nM104 S200\n", "marlin", 2),
+    (b"G0 X1\nG1 X2 E0.5\n", "marlin", 2),
+    (b"o<cut> sub\no<cut> endsub\n", "linuxcnc", 1),
+    (b"%\nO100 CALL [1]\n", "linuxcnc", 2),
+    (b"G0 X#<wide>\n", "linuxcnc", 1),
+    (b"G64 P0.01\n", "linuxcnc", 1),
+    (b"%\nO0100 (PART)\nG0 X1\n", "fanuc", 2),
+    (b"%\n:0100\nG0 X1\n", "fanuc", 2),
+    (b"G0 X1\nN5 IF [#1 EQ 2] GOTO 9\n", "fanuc", 2),
+    (b"G0 X1\n/M98 P100\n", "fanuc", 2),
+    (b"(for Grbl)\nG0 X1\n", "grbl", 1),
+    (b"G0 X1\n(O0100)\nG1 X2 F9\n", "linuxcnc", 0),
+    (b"", "linuxcnc", 0),
+]
+FANUC = ("fanuc", "haas")
+
+
+@pytest.mark.parametrize(("text", "dialect", "line"), SIGNS)
+def test_a_sign_of_a_dialect_decides(text, dialect, line):
+    found = guess.dialect_of(text)
+    assert found[:2] == (dialect, line)
+    assert dialect in DIALECTS
+
+
+@pytest.mark.parametrize("file", CORPUS_FILES, ids=str)
+def test_the_corpus_is_read_as_what_it_is(file):
+    if not file.path.exists():
+        pytest.skip(f"no corpus file in {CORPUS}")
+    dialect, _, _ = guess.dialect_of(file.path.read_bytes())
+    shop = any(name in file.file for name in FANUC) and "m98_vars" not in file.file
+    printer = file.file.startswith("print_")
+    assert dialect == ("fanuc" if shop else "marlin" if printer else "linuxcnc")
+
+
+def test_a_program_says_what_was_chosen_and_reads_it_so():
+    text = "%\nO0100\nG21 G90 G0 X1\nG4 P1500\nM30\n%\n"
+    program = pycnc.load(text, dialect="auto")
+    note = program.diagnostics.as_list()[0]
+    assert (note["id"], note["severity"], note["line"]) == ("dialect-auto", "note", 2)
+    assert "fanuc" in note["message"] and "linuxcnc" in note["help"]
+    assert program.machine.settings.dialect.base == "fanuc"
+    assert program.blocks["dwell_s"].max() == 1.5
+    assert pycnc.load(text).machine.settings.dialect.base == "linuxcnc"
