@@ -139,11 +139,11 @@ static int tools_good(const nck_machine_t *machine) {
 }
 
 static int own_good(const nck_machine_t *machine) {
-    int good = machine->own_m_count <= NCK_OWN_M_MAX;
-    for (uint32_t k = 0; good && k < machine->own_m_count; k++) {
-        good = machine->own_m[k].code <= NCK_M_MAX && machine->own_m[k].waits <= 1;
+    int all = machine->own_m_count <= NCK_OWN_M_MAX;
+    for (uint32_t k = 0; all && k < machine->own_m_count; k++) {
+        all = machine->own_m[k].code <= NCK_M_MAX && machine->own_m[k].waits <= 1;
     }
-    return good;
+    return all;
 }
 
 nck_status_t nck_machine_check(const nck_machine_t *machine) {
