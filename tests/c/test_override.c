@@ -84,10 +84,56 @@ static void an_override_lowered_twice_keeps_the_acceleration_on_an_arc(check_t *
     }
 }
 
+// What a change finds on the way to a sharp corner can brake to rest there but for rounding, which
+// is no speed to pass the corner at.
+static void an_override_on_the_way_to_a_corner_rests_at_it_under_the_linear_slope(check_t *check)
+{
+    for (uint64_t tick = 800; tick < 1540; tick += 3) {
+        motion_begin(&motion, 1);
+        motion.machine.slope = NCK_SLOPE_LINEAR;
+        motion_scale(&motion, 1e-3, 0.1, 1e6); // jerk is not limited
+        motion.machine.path.a_max = 1e3;       // nor the path, but the axes
+        motion_line(&motion, "G21 G90 G61 G1 X60 F6000");
+        motion_line(&motion, "X3 Y-23");
+        motion_line(&motion, "M2");
+        motion.status = motion_start(&motion);
+        while (motion.ticks < tick) (void)motion_tick(&motion, NULL);
+        (void)nck_set_override(&motion.nck, 120, 100);
+        while (motion_tick(&motion, NULL)) continue;
+        CHECK(check, motion.is_over);
+        motion_holds(check, &motion, "an override before a corner");
+    }
+}
+
+// The envelope of the speeds before it is none of those behind it, in no block.
+static void a_lowered_override_is_kept_in_every_block_under_the_linear_slope(check_t *check)
+{
+    double v_most = 0.0;
+    motion_begin(&motion, 1);
+    motion.machine.slope = NCK_SLOPE_LINEAR;
+    motion_line(&motion, "G21 G90 G61 G1 X10 F3000");
+    for (int k = 2; k <= 9; k++) {
+        char words[40];
+        snprintf(words, sizeof words, "X%d", 10 * k);
+        motion_line(&motion, words);
+    }
+    motion_line(&motion, "M2");
+    motion.status = motion_start(&motion);
+    do (void)motion_tick(&motion, NULL);
+    while (motion.pose.s < 5.0);
+    (void)nck_set_override(&motion.nck, 40, 100);
+    while (motion.pose.s < 9.0) (void)motion_tick(&motion, NULL);
+    while (motion_tick(&motion, NULL)) v_most = fmax(v_most, motion.s[3] - motion.s[2]);
+    CHECK(check, motion.is_over);
+    CHECK_NEAR(check, v_most, 20e-3, 1e-9);
+}
+
 int main(void)
 {
     check_t check = {0};
     CHECK_RUN(&check, an_override_is_met_as_soon_as_the_jerk_lets_it);
     CHECK_RUN(&check, an_override_lowered_twice_keeps_the_acceleration_on_an_arc);
+    CHECK_RUN(&check, an_override_on_the_way_to_a_corner_rests_at_it_under_the_linear_slope);
+    CHECK_RUN(&check, a_lowered_override_is_kept_in_every_block_under_the_linear_slope);
     return check_end(&check);
 }

@@ -142,6 +142,24 @@ static void single_block_switched_off_on_the_way_needs_no_resume(check_t *check)
     }
 }
 
+// Off and on again in the last periods of a block, whose way to rest is final: there it waits for a
+// resume.
+static void single_block_switched_on_again_on_the_way_waits_for_a_resume(check_t *check)
+{
+    begin(SWITCHED_ON + 1);
+    const uint32_t end = SWITCHED_ON + 1 + ticks_to_rest();
+    for (uint32_t before = 2; before < 12; before++) {
+        begin(end - before);
+        (void)nck_set_single_block(&motion.nck, 0);
+        (void)motion_tick(&motion, NULL);
+        (void)nck_set_single_block(&motion.nck, 1);
+        for (int k = 0; k < 100; k++) (void)motion_tick(&motion, NULL);
+        CHECK_INT(check, motion.pose.state, NCK_TICK_HOLD);
+        CHECK_NEAR(check, motion.pose.s, 20.0, 1e-9);
+        CHECK_NEAR(check, next_rest(), 30.0, 1e-9);
+    }
+}
+
 static void single_block_switched_off_at_rest_waits_for_a_resume(check_t *check)
 {
     begin(SWITCHED_ON + 1);
@@ -249,6 +267,7 @@ int main(void)
     CHECK_RUN(&check, an_override_is_met_and_the_block_end_kept);
     CHECK_RUN(&check, an_override_of_zero_rests_on_the_way_and_goes_on_with_it);
     CHECK_RUN(&check, single_block_switched_off_on_the_way_needs_no_resume);
+    CHECK_RUN(&check, single_block_switched_on_again_on_the_way_waits_for_a_resume);
     CHECK_RUN(&check, single_block_switched_off_at_rest_waits_for_a_resume);
     CHECK_RUN(&check, block_ends_too_near_to_rest_at_are_passed);
     CHECK_RUN(&check, an_override_of_zero_rests_behind_a_block_end_too_near);

@@ -21,6 +21,8 @@ enum {
 #define GRAINS 16777216.0
 // An envelope joins the speed that it is entered with within this share.
 #define JOIN_EPSILON 1e-9
+// Where braking leaves less than this share of v², it ends at rest but for rounding.
+#define FLOOR_EPSILON (0.1 * JOIN_EPSILON)
 
 void nck_linear_init(nck_linear_t *self, const nck_machine_t *machine, nck_link_t *link,
                      nck_plan_t *next) {
@@ -183,7 +185,8 @@ static void raise_floor(nck_linear_t *self, const nck_pieces_t *pieces) {
         const nck_node_t *const piece = nck_plan_piece(pieces, number);
         const double s = number == self->at.piece ? s_of(piece, &self->at) : piece->s;
         const double loss = nck_envelope_h(piece->a, end_of(piece) - s);
-        self->pass.vv = nck_max(0.0, self->pass.vv - loss);
+        const double left = self->pass.vv - loss;
+        self->pass.vv = left > FLOOR_EPSILON * self->at.vv ? left : 0.0;
         nck_plan_piece(pieces, self->pass.i)->vv = self->pass.vv;
         self->pass.i++;
     }
