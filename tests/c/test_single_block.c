@@ -142,13 +142,12 @@ static void single_block_switched_off_on_the_way_needs_no_resume(check_t *check)
     }
 }
 
-// Off and on again in the last periods of a block, whose way to rest is final: there it waits for a
-// resume.
+// Off and on again while the path brakes for the block's end: there it waits for a resume.
 static void single_block_switched_on_again_on_the_way_waits_for_a_resume(check_t *check)
 {
     begin(SWITCHED_ON + 1);
     const uint32_t end = SWITCHED_ON + 1 + ticks_to_rest();
-    for (uint32_t before = 2; before < 12; before++) {
+    for (uint32_t before = 13; before < 70; before += 7) {
         begin(end - before);
         (void)nck_set_single_block(&motion.nck, 0);
         (void)motion_tick(&motion, NULL);
