@@ -48,6 +48,37 @@ static void nearly_collinear_lines_are_merged_within_q(check_t *check)
     CHECK_INT(check, smooth.raw.head - blend_segs(), 18 + 5);
 }
 
+// How long the lines before and behind the blend of a right angle are, by the feeds along them.
+static void blend_between(check_t *check, double feed_in, double feed_out, double length_out[2])
+{
+    begin();
+    line_to(20.0, 0.0, 0.0, 0.3);
+    line_to(20.0, 20.0, 0.0, 0.3);
+    block[0].feed = feed_in;
+    block[1].feed = feed_out;
+    hold_promises(check, "a blend between two feeds");
+    CHECK(check, blend_segs() > 0 && blend_segs() == (uint32_t)path.segs - 2);
+    length_out[0] = path.seg[0].length;
+    length_out[1] = path.seg[path.segs - 1].length;
+}
+
+// The slower feed is the blend's, on whichever side of it: the faster one would need it wider.
+static void a_blend_between_two_feeds_is_as_wide_as_the_slower_one_needs(check_t *check)
+{
+    double slow[2];
+    double fast[2];
+    double lengths[2];
+    blend_between(check, 2400.0, 2400.0, slow);
+    blend_between(check, 3000.0, 3000.0, fast);
+    CHECK(check, fast[0] < slow[0] - 0.1);
+    blend_between(check, 2400.0, 3000.0, lengths);
+    CHECK_NEAR(check, lengths[0], slow[0], 1e-9);
+    CHECK_NEAR(check, lengths[1], slow[1], 1e-9);
+    blend_between(check, 3000.0, 2400.0, lengths);
+    CHECK_NEAR(check, lengths[0], slow[0], 1e-9);
+    CHECK_NEAR(check, lengths[1], slow[1], 1e-9);
+}
+
 // What is not smoothed is the same to the bit beside a run as alone.
 static void exact_blocks_pass_unchanged(check_t *check)
 {
@@ -198,6 +229,7 @@ int main(void)
     check_t check = {0};
     CHECK_RUN(&check, straight_blocks_become_straight_segs);
     CHECK_RUN(&check, nearly_collinear_lines_are_merged_within_q);
+    CHECK_RUN(&check, a_blend_between_two_feeds_is_as_wide_as_the_slower_one_needs);
     CHECK_RUN(&check, exact_blocks_pass_unchanged);
     CHECK_RUN(&check, outputs_keep_order_and_place);
     CHECK_RUN(&check, outputs_leave_a_corner_smooth);
