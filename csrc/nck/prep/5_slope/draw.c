@@ -50,7 +50,7 @@ static void keep_moving(nck_jerk_t *self, uint32_t i) {
     if (self->w[i] > 0.0 && self->w[node + 1] > 0.0) return;
     const double h = nck_min(self->h[i], self->h[node]);
     const double v = CREEP * nck_ladder_cbrt(nck_min(self->j_max[i], self->j_max[node]) * h * h);
-    self->w[node] = v * v;
+    self->w[node] = nck_min(self->w_cap[node], v * v);
 }
 
 static void draw_cell(nck_jerk_t *self, const nck_pieces_t *pieces, uint32_t i) {
