@@ -22,8 +22,10 @@ enum { NCK_PACE_FEED = 0, NCK_PACE_OVER = 1, NCK_PACES = 2 };
 // A seg and the junction at its end at one pace.
 typedef struct nck_pace {
     double v;             // speed cap of the whole seg [path mm/s]
-    double time;          // the least that the seg takes, length/v [s]
-    double a;             // spline: tangential acceleration left at v [path mm/s²]
+    double time;          // that the seg takes at v [s]
+    double v_out;         // the speed at its end is no more [path mm/s]
+    double least;         // the time that the seg takes is no less [s]
+    double a;             // tangential acceleration, of a spline what is left at v [path mm/s²]
     double j;             // tangential jerk left at v [path mm/s³]
     double v_corner;      // cap at the end [path mm/s]
     double share;         // β that the junction at the end may use

@@ -164,7 +164,9 @@ nck_status_t nck_near_settle(nck_lookahead_t *self) {
     const uint32_t known = self->joint.head - count;
     const int open = self->joint.broken <= count && known <= NCK_NEAR_SPAN && !self->ended;
     if (open) return NCK_EMPTY;
-    nck_joint_settle(nck_joint_at(self, count), self->machine);
+    const nck_joint_t *const before =
+        count > 0 ? nck_joint_at(self, count - 1) : (const nck_joint_t *)0;
+    nck_joint_settle(nck_joint_at(self, count), before, self->machine);
     self->joint.settled++;
     return NCK_OK;
 }
@@ -177,6 +179,7 @@ static void include(nck_near_t *near, const nck_piece_limit_t *piece) {
 nck_near_t nck_near_before(nck_lookahead_t *self, uint32_t count, int pace, double beta) {
     nck_near_t near = {UNLIMITED, UNLIMITED, 1.0};
     double time = 0.0;
+    double least = 0.0;
     for (int n = 0; n < NCK_NEAR_SPAN; n++) {
         if (count == 0) return near;
         count--;
@@ -185,7 +188,8 @@ nck_near_t nck_near_before(nck_lookahead_t *self, uint32_t count, int pace, doub
         const nck_piece_limit_t piece = nck_joint_piece(joint, beta, pace, self->machine);
         include(&near, &piece);
         time += joint->pace[pace].time;
-        if (time >= self->mix_s) return near;
+        least += joint->pace[pace].least;
+        if (least >= self->mix_s) return near;
     }
     near.slow = time / self->mix_s;
     return near;
@@ -195,6 +199,7 @@ nck_status_t nck_near_after(nck_lookahead_t *self, uint32_t count, int pace, dou
                             nck_near_t *near_out) {
     const nck_near_t unlimited = {UNLIMITED, UNLIMITED, 1.0};
     double time = 0.0;
+    double least = 0.0;
     *near_out = unlimited;
     for (int n = 0; n < NCK_NEAR_SPAN; n++) {
         if (nck_joint_at(self, count)->stop) return NCK_OK;
@@ -206,7 +211,8 @@ nck_status_t nck_near_after(nck_lookahead_t *self, uint32_t count, int pace, dou
         const nck_piece_limit_t piece = nck_joint_piece(joint, beta, pace, self->machine);
         include(near_out, &piece);
         time += joint->pace[pace].time;
-        if (time >= self->mix_s) return NCK_OK;
+        least += joint->pace[pace].least;
+        if (least >= self->mix_s) return NCK_OK;
     }
     near_out->slow = time / self->mix_s;
     return NCK_OK;
