@@ -21,6 +21,7 @@
 #define ALIKE 0.9        // cosine between the turns of two corners of one bend
 #define STRAIGHT 0.1     // |Δu| up to which a path goes on straight, for the time of a stop
 #define CROWDED 0.25     // of a spacing: keys that are nearer than that are one
+#define AT_REST 0.02     // of a way: a rest so near to its end is there, for the time of a stop
 #define SAME 0.9         // tolerances of blocks that differ by no more count as one
 enum {
     WAYS = 16,           // blocks on either side that go on straight, at most
@@ -228,7 +229,7 @@ static void measure_ways(nck_smooth_t *self, uint32_t count, nck_meet_t *meet) {
     }
     const nck_raw_t *const first = nck_raw_at(self, at);
     meet->length[0] = meet->a->s + meet->a->seg.length - first->s;
-    meet->rests[0] = !(first->s > 0.0) && !(first->cut > 0.0);
+    meet->rests[0] = first->s <= AT_REST * meet->length[0] && !(first->cut > 0.0);
     at = nck_raw_next(self, count);
     other = nck_raw_next(self, at);
     for (int n = 0; n < WAYS && other != self->run.end && goes_on(self, at, other); n++) {
@@ -237,7 +238,8 @@ static void measure_ways(nck_smooth_t *self, uint32_t count, nck_meet_t *meet) {
     }
     const nck_raw_t *const last = nck_raw_at(self, at);
     meet->length[1] = last->s + last->seg.length - meet->b->s;
-    meet->rests[1] = self->run.closed && other == self->run.end;
+    const double behind = nck_raw_known(self) - (last->s + last->seg.length);
+    meet->rests[1] = self->run.closed && behind <= AT_REST * meet->length[1];
 }
 
 // Stop at a corner if that is faster than what the spline makes of it: a bend as wide as its

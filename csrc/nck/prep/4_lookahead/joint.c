@@ -269,17 +269,14 @@ static void limit_spline(const nck_joint_t *joint, nck_pace_t *at, double v,
     }
 }
 
-// The least time that a joint takes which is entered at v_in at most: no more than its acceleration
-// gains. Leaves the speed at its end.
-static double least_time(const nck_joint_t *joint, double v_in, nck_pace_t *at) {
-    const double v_out = nck_sqrt(v_in * v_in + 2.0 * at->a * joint->length);
-    at->v_out = nck_min(at->v, v_out);
-    return v_out < at->v ? 2.0 * joint->length / (v_in + v_out) : at->time;
+// The least time that a joint takes at a pace, entered at w_in at most: its acceleration gains no
+// more.
+static double least_time(const nck_joint_t *joint, double w_in, const nck_pace_t *at) {
+    const double v_out = nck_sqrt(w_in + 2.0 * at->a * joint->length);
+    return v_out < at->v ? 2.0 * joint->length / (nck_sqrt(w_in) + v_out) : at->time;
 }
 
-void nck_joint_settle(nck_joint_t *joint, const nck_joint_t *before,
-                      const nck_machine_t *machine) {
-    const int rests = !before || before->stop || before->kind >= NCK_SEG_DWELL;
+void nck_joint_settle(nck_joint_t *joint, double w_in, const nck_machine_t *machine) {
     const double v_filter = nck_joint_v_filter(machine);
     const double v_free = joint->kind == NCK_SEG_SPLINE ? nck_sqrt(joint->w_near) : joint->v_free;
     const double v_over = joint->feed > 0.0 ? NCK_OVERRIDE_TOP * joint->feed : v_free;
@@ -294,7 +291,7 @@ void nck_joint_settle(nck_joint_t *joint, const nck_joint_t *before,
             limit_spline(joint, at, nck_min(at->v + v_filter, v_free), machine);
         }
         at->time = joint->length / at->v;
-        at->least = least_time(joint, rests ? 0.0 : before->pace[k].v_out, at);
+        at->least = least_time(joint, w_in, at);
     }
 }
 

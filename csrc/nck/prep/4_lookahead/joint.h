@@ -49,10 +49,9 @@ double nck_joint_mix_s(const nck_machine_t *machine);
 void nck_joint_make(nck_joint_t *joint, const nck_seg_t *seg, const double *tangent_start,
                     const double *tangent_end, const nck_machine_t *machine);
 
-// Speed and limits of a seg at both paces, once w_near is known. before: the settled joint before
-// it; NULL: the path begins there. Cost: constant.
-void nck_joint_settle(nck_joint_t *joint, const nck_joint_t *before,
-                      const nck_machine_t *machine);
+// Speed and limits of a seg at both paces, once w_near is known; it is entered at w_in at most.
+// Cost: constant.
+void nck_joint_settle(nck_joint_t *joint, double w_in, const nck_machine_t *machine);
 
 // Limits in a piece of the settled seg at a pace (NCK_PACE_…), under the share beta.
 // Cost: constant.

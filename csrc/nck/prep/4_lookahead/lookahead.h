@@ -23,7 +23,6 @@ enum { NCK_PACE_FEED = 0, NCK_PACE_OVER = 1, NCK_PACES = 2 };
 typedef struct nck_pace {
     double v;             // speed cap of the whole seg [path mm/s]
     double time;          // that the seg takes at v [s]
-    double v_out;         // the speed at its end is no more [path mm/s]
     double least;         // the time that the seg takes is no less [s]
     double a;             // tangential acceleration, of a spline what is left at v [path mm/s²]
     double j;             // tangential jerk left at v [path mm/s³]
@@ -46,6 +45,7 @@ typedef struct nck_joint {
     double v_max;         // speed cap of the whole seg at 100 % [path mm/s]
     double v_free;        // the same by everything but the feed; ≥ v_max
     double w_near;        // spline: v_free², lowered to what its neighbours let it use
+    double w_out;         // v² at its end is no more: what can be gained from the last rest on
     double a_straight;    // tangential limit by the axes that are on no arc [path mm/s²]
     double j_straight;    // tangential jerk limit by all axes' directions [path mm/s³]
     double a_plane;       // arc: smaller limit of the plane's two axes [mm/s²]; else unlimited

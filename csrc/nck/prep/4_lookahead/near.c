@@ -33,6 +33,12 @@ static neighbour_t at_rest(const nck_joint_t *joint) {
     return side;
 }
 
+// A neighbour that is too short from a rest on to reach its cap.
+static neighbour_t gained_before(const nck_joint_t *joint, const nck_joint_t *before) {
+    const neighbour_t side = {before->w_out, 0.5 * joint->length, NCK_LIMIT_EXACT_STOP};
+    return side;
+}
+
 // A rest at the other end of a line: what the line gains before the filter mixes it with the joint.
 static neighbour_t beyond_line(const nck_joint_t *joint, const nck_joint_t *line,
                                const nck_machine_t *machine) {
@@ -98,6 +104,12 @@ static int rests(const nck_joint_t *joint) {
     return !joint || joint->stop || joint->kind >= NCK_SEG_DWELL;
 }
 
+// v² at which a joint is entered at most.
+static double entered_at(nck_lookahead_t *self, uint32_t at) {
+    const nck_joint_t *const before = at > 0 ? nck_joint_at(self, at - 1) : (nck_joint_t *)0;
+    return rests(before) ? 0.0 : before->w_out;
+}
+
 // A line that ends a chain of splines: where it ends at rest the chain comes down to it.
 static int ends_chain(nck_lookahead_t *self, uint32_t at) {
     return at > 0 && nck_joint_at(self, at)->kind == NCK_SEG_LINE
@@ -132,6 +144,7 @@ static int side_before(nck_lookahead_t *self, uint32_t at, neighbour_t *side_out
     }
     if (is_chain(before)) {
         *side_out = beside(joint, before);
+        if (before->w_out < before->w_near) *side_out = gained_before(joint, before);
         return 1;
     }
     if (before->kind != NCK_SEG_LINE) return 0;
@@ -150,6 +163,8 @@ void nck_near_level(nck_lookahead_t *self) {
         (void)level(joint, &side, self->machine);
         if (at > 0 && is_chain(nck_joint_at(self, at - 1))) level_before(self, at);
     }
+    joint->w_out =
+        nck_min(joint->w_near, entered_at(self, at) + 2.0 * joint->a_most * joint->length);
     if (joint->stop) level_to_rest(self, at);
 }
 
@@ -164,9 +179,7 @@ nck_status_t nck_near_settle(nck_lookahead_t *self) {
     const uint32_t known = self->joint.head - count;
     const int open = self->joint.broken <= count && known <= NCK_NEAR_SPAN && !self->ended;
     if (open) return NCK_EMPTY;
-    const nck_joint_t *const before =
-        count > 0 ? nck_joint_at(self, count - 1) : (const nck_joint_t *)0;
-    nck_joint_settle(nck_joint_at(self, count), before, self->machine);
+    nck_joint_settle(nck_joint_at(self, count), entered_at(self, count), self->machine);
     self->joint.settled++;
     return NCK_OK;
 }
