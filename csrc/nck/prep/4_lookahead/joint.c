@@ -272,8 +272,9 @@ static void limit_spline(const nck_joint_t *joint, nck_pace_t *at, double v,
 // The least time that a joint takes at a pace, entered at w_in at most: its acceleration gains no
 // more.
 static double least_time(const nck_joint_t *joint, double w_in, const nck_pace_t *at) {
+    const double v_in = nck_sqrt(w_in);
     const double v_out = nck_sqrt(w_in + 2.0 * at->a * joint->length);
-    return v_out < at->v ? 2.0 * joint->length / (nck_sqrt(w_in) + v_out) : at->time;
+    return v_out > v_in && v_out < at->v ? 2.0 * joint->length / (v_in + v_out) : at->time;
 }
 
 void nck_joint_settle(nck_joint_t *joint, double w_in, const nck_machine_t *machine) {
