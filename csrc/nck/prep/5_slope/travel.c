@@ -58,7 +58,7 @@ static double leave_line(const nck_travel_t *self, const nck_seg_t *seg, const d
     for (int x = 0; x < NCK_AXIS_MAX; x++) {
         const double way = seg->end[x] - point[x];
         const double left = way > 0.0 ? self->most[x] - point[x] : point[x] - self->least[x];
-        if (nck_fabs(way) > left) share = nck_min(share, left / nck_fabs(way));
+        if (nck_fabs(way) > left) share = nck_min(share, left > 0.0 ? left / nck_fabs(way) : 0.0);
     }
     return self->s + share * (seg->length - self->s);
 }
