@@ -2,7 +2,8 @@
 // Ticks and the window, timed.
 #include "host/bench.h"
 
-#include "host/threads.h" // nck_host_clock_ns
+#include "host/threads.h"           // nck_host_clock_ns
+#include "nck/prep/5_slope/slope.h" // nck_slope_terms
 
 // A program on its way through prep.
 typedef struct feed {
@@ -63,7 +64,9 @@ static size_t take_pieces(nck_lookahead_t *lookahead) {
 int64_t nck_host_bench_window(nck_lookahead_t *lookahead, const nck_machine_t *machine,
                               const nck_seg_t *segs, size_t n, size_t *pieces_out) {
     size_t pushed = 0;
-    nck_lookahead_init(lookahead, machine);
+    nck_terms_t terms;
+    nck_slope_terms(machine, &terms);
+    nck_lookahead_init(lookahead, &terms);
     *pieces_out = 0;
     const int64_t begun = nck_host_clock_ns();
     for (nck_status_t status = NCK_OK; status != NCK_DONE;) {

@@ -8,6 +8,7 @@
 #include "host/grade_math.h"            // nck_grade_…
 #include "nck/base/envelope_math.h"     // nck_envelope_h
 #include "nck/prep/4_lookahead/joint.h" // nck_joint_make
+#include "nck/prep/5_slope/slope.h"     // nck_slope_terms
 
 // A length within this share of a border is at it.
 #define LENGTH_EPSILON 1e-9
@@ -59,6 +60,8 @@ static int is_good_seg(const nck_seg_t *seg) {
 nck_status_t nck_host_grade_command(nck_host_grades_t *self) {
     nck_machine_t machine = *self->machine;
     machine.path.chord_error = DBL_MAX;
+    nck_terms_t terms;
+    nck_slope_terms(&machine, &terms);
     for (size_t i = 0; i < self->seg_count; i++) {
         const nck_seg_t *const seg = &self->segs[i];
         nck_joint_t joint;
@@ -67,7 +70,7 @@ nck_status_t nck_host_grade_command(nck_host_grades_t *self) {
         self->bad = i;
         if (!is_good_seg(seg)) return NCK_E_ARGUMENT;
         nck_joint_tangents(seg, start, end);
-        nck_joint_make(&joint, seg, start, end, &machine);
+        nck_joint_make(&joint, seg, start, end, &terms);
         self->v_command[i] = joint.v_max;
         self->limit[i] = joint.limit;
     }

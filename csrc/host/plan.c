@@ -67,7 +67,9 @@ void nck_host_totals_add(nck_host_totals_t *totals, double *since_stop_s, const 
 // Take all final cells. Returns how many.
 static uint32_t take_cells(nck_host_plan_t *plan) {
     const nck_machine_t *const machine = nck_machine_of(plan->nck);
-    const uint32_t settle = nck_interpolate_taps(machine) - 1;
+    nck_terms_t terms;
+    nck_slope_terms(machine, &terms);
+    const uint32_t settle = terms.taps - 1u;
     nck_cell_t cell;
     uint32_t count = 0;
     while (nck_take(plan->nck, &cell) == NCK_OK) {

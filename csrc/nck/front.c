@@ -65,6 +65,7 @@ nck_status_t nck_set_limits(nck_t *nck, const nck_machine_t *machine) {
         return NCK_FULL;
     }
     take_limits(&nck->machine, machine);
+    nck_slope_terms(&nck->machine, &nck->terms);
     nck_smooth_adapt(&nck->smooth);
     nck_lookahead_adapt(&nck->lookahead);
     return NCK_OK;

@@ -12,8 +12,8 @@ enum {
 
 // Rooms 3 to 5 at rest at the machine's start position, and where the link ends.
 static void begin_rooms(nck_t *nck) {
-    nck_smooth_init(&nck->smooth, &nck->machine);
-    nck_lookahead_init(&nck->lookahead, &nck->machine);
+    nck_smooth_init(&nck->smooth, &nck->terms);
+    nck_lookahead_init(&nck->lookahead, &nck->terms);
     nck_slope_init(&nck->slope, &nck->machine, &nck->link);
 }
 
@@ -25,12 +25,13 @@ nck_status_t nck_init(nck_t *nck, const nck_machine_t *machine, const nck_hooks_
     nck->command.feed_percent = PERCENT;
     nck->command.rapid_percent = PERCENT;
     if (hooks) nck->hooks = *hooks;
+    nck_slope_terms(&nck->machine, &nck->terms);
     nck_decode_init(&nck->decode, &nck->machine);
     nck_toolcomp_init(&nck->toolcomp, &nck->machine);
     nck_link_init(&nck->link);
     nck_travel_init(&nck->travel);
     begin_rooms(nck);
-    nck_interpolate_init(&nck->interpolate, &nck->machine, &nck->link);
+    nck_interpolate_init(&nck->interpolate, &nck->terms, &nck->link);
     nck_transform_init(&nck->transform, &nck->machine);
     return NCK_OK;
 }

@@ -24,6 +24,7 @@ extern "C" {
 #include "nck/base/machine.h"                   // nck_machine_t
 #include "nck/base/records.h"                   // nck_block_t … nck_axes_t
 #include "nck/base/status.h"                    // nck_status_t nck_diagnostic_t
+#include "nck/base/terms.h"                     // nck_terms_t
 #include "nck/prep/1_decode/decode.h"           // nck_decode_t
 #include "nck/prep/2_toolcomp/toolcomp.h"       // nck_toolcomp_t
 #include "nck/prep/3_smooth/smooth.h"           // nck_smooth_t
@@ -95,6 +96,7 @@ typedef struct nck_modal {
 // below tell what others need. Once initialised it must not move, for it points into itself.
 typedef struct nck {
     nck_machine_t machine;
+    nck_terms_t terms;
     nck_hooks_t hooks;
     nck_command_t command;
     nck_decode_t decode;

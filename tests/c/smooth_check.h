@@ -12,6 +12,7 @@
 #include "nck/base/path.h"            // nck_path_…
 #include "nck/prep/3_smooth/knot.h"   // NCK_KNOT_TRIES
 #include "nck/prep/3_smooth/smooth.h" // nck_smooth_…
+#include "terms_check.h"                 // terms_of
 
 enum { BLOCK_MAX = 3000, SEG_MAX = 12000, OUTPUT_MAX = 400 };
 
@@ -136,7 +137,7 @@ static inline int drain(path_t *out)
 // All blocks through the room; exactly if is_exact.
 static inline int run(path_t *out, int is_exact)
 {
-    nck_smooth_init(&smooth, &machine);
+    nck_smooth_init(&smooth, terms_of(&machine));
     out->segs = 0;
     out->outputs = 0;
     int good = drain(out);

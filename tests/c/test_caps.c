@@ -5,8 +5,9 @@
 
 #include "check.h"
 #include "nck/base/path.h"                   // nck_path_tangent …
-#include "nck/prep/4_lookahead/limit_math.h" // nck_limit_filter
 #include "nck/prep/4_lookahead/lookahead.h"  // nck_lookahead_t
+#include "nck/prep/5_slope/ladder_math.h"    // nck_ladder_raise
+#include "terms_check.h" // terms_of
 
 enum { SEGS = 1200, NODES = 3 * SEGS, SAMPLES = 8 };
 
@@ -103,7 +104,7 @@ static void plan(check_t *check, int greedy)
 {
     uint32_t pushed = 0;
     node_count = 0;
-    nck_lookahead_init(&lookahead, &machine);
+    nck_lookahead_init(&lookahead, terms_of(&machine));
     for (;;) {
         while (greedy && pushed < seg_count
                && nck_lookahead_push(&lookahead, &segs[pushed]) == NCK_OK) {
@@ -280,7 +281,8 @@ static void rounding_is_no_corner(check_t *check)
 // the pieces around leave the rest free.
 static void corner_and_pieces_share_the_acceleration(check_t *check)
 {
-    const double raise = nck_limit_filter(10000.0, PERIOD, NCK_FILTER_TAPS);
+    const double raise =
+        nck_ladder_raise(10000.0, NCK_FILTER_TAPS * PERIOD, NCK_LADDER_STRETCH * PERIOD);
     const double angles[] = {0.01, 0.1, 0.5, 1.5, 3.0};
     for (int k = 0; k < 5; k++) {
         begin(1);
@@ -315,7 +317,7 @@ static void pieces_are_there_as_soon_as_they_are_placed(check_t *check)
     nck_seg_t *const wait = next_seg(NCK_SEG_WAIT, 0.0);
     memcpy(wait->end, wait->start, sizeof wait->end);
     wait->stop = 1;
-    nck_lookahead_init(&lookahead, &machine);
+    nck_lookahead_init(&lookahead, terms_of(&machine));
     CHECK_INT(check, nck_lookahead_fill(&lookahead), 0);
     for (uint32_t i = 0; i < 3; i++) nck_lookahead_push(&lookahead, &segs[i]);
     while (nck_lookahead_step(&lookahead) == NCK_OK) { }

@@ -6,6 +6,7 @@
 
 #include "check.h"
 #include "nck/tick/6_interpolate/interpolate.h" // nck_interpolate_tick
+#include "terms_check.h" // terms_of
 
 #define LENGTH 1000.0
 #define SPEED 100.0
@@ -21,7 +22,7 @@ static void begin(void)
     machine.slope = NCK_SLOPE_LINEAR; // whose path coordinate no filter delays
     machine.period_s = PERIOD;
     nck_link_init(&link_);
-    nck_interpolate_init(&interpolate, &machine, &link_);
+    nck_interpolate_init(&interpolate, terms_of(&machine), &link_);
 }
 
 // One way of a shuttle along X, to and fro, at constant speed; it does not rest at its ends.

@@ -7,6 +7,7 @@
 #include "check.h"
 #include "nck/base/path.h"                  // nck_path_tangent
 #include "nck/prep/4_lookahead/lookahead.h" // nck_lookahead_t
+#include "terms_check.h" // terms_of
 
 enum { TRIALS = 300, SAMPLES = 4000 };
 #define NEAR 1e-6 // of a cosine sampled so often
@@ -104,7 +105,7 @@ static void draw_feed(void)
 
 static void plan(check_t *check)
 {
-    nck_lookahead_init(&lookahead, &machine);
+    nck_lookahead_init(&lookahead, terms_of(&machine));
     CHECK_INT(check, nck_lookahead_push(&lookahead, &seg), NCK_OK);
     nck_lookahead_end(&lookahead);
     while (nck_lookahead_step(&lookahead) == NCK_OK) continue;

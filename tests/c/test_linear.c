@@ -7,6 +7,7 @@
 #include "nck/base/envelope_math.h"             // nck_envelope_…
 #include "nck/prep/4_lookahead/lookahead.h" // nck_lookahead_t
 #include "nck/prep/5_slope/slope.h"         // nck_slope_t
+#include "terms_check.h" // terms_of
 
 enum { SEGS = 6000, NODES = 3 * SEGS };
 
@@ -114,7 +115,7 @@ static void plan(check_t *check, int count, double length, double turn)
     memset(&seg, 0, sizeof seg);
     seg.seq = 0xffffffffu;
     double angle = 0.0;
-    nck_lookahead_init(&lookahead, &machine);
+    nck_lookahead_init(&lookahead, terms_of(&machine));
     nck_link_init(&link);
     nck_slope_init(&slope, &machine, &link);
     end_of_cells = 0.0;

@@ -5,6 +5,7 @@
 
 #include "check.h"
 #include "nck/prep/4_lookahead/lookahead.h"     // nck_lookahead_t
+#include "terms_check.h" // terms_of
 
 enum { NODES = 64 };
 
@@ -64,7 +65,7 @@ static void lone_corner_keeps_the_transfer_rule(check_t *check)
     nck_seg_t seg;
     memset(&seg, 0, sizeof seg);
     seg.seq = 0xffffffffu;
-    nck_lookahead_init(&lookahead, &machine);
+    nck_lookahead_init(&lookahead, terms_of(&machine));
     for (int k = 0; k < 2; k++) {
         seg = line_from(&seg, 50.0, k * 10.0, 100.0);
         nck_lookahead_push(&lookahead, &seg);
@@ -86,7 +87,7 @@ static void sharp_corner_is_stopped_at_and_frees_the_acceleration(check_t *check
     nck_seg_t seg;
     memset(&seg, 0, sizeof seg);
     seg.seq = 0xffffffffu;
-    nck_lookahead_init(&lookahead, &machine);
+    nck_lookahead_init(&lookahead, terms_of(&machine));
     for (int k = 0; k < 2; k++) {
         seg = line_from(&seg, k ? 0.0 : 50.0, k ? 50.0 : 0.0, 100.0);
         nck_lookahead_push(&lookahead, &seg);
@@ -106,7 +107,7 @@ static void middle_between_two_corners_has_all_of_the_acceleration(check_t *chec
     nck_seg_t seg;
     memset(&seg, 0, sizeof seg);
     seg.seq = 0xffffffffu;
-    nck_lookahead_init(&lookahead, &machine);
+    nck_lookahead_init(&lookahead, terms_of(&machine));
     for (int k = 0; k < 3; k++) {
         seg = line_from(&seg, 50.0 * cos(angle[k]), 50.0 * sin(angle[k]), 100.0);
         nck_lookahead_push(&lookahead, &seg);

@@ -8,6 +8,7 @@
 #include "nck/base/path.h"                // nck_path_point nck_path_tangent
 #include "nck/prep/2_toolcomp/toolcomp.h" // nck_toolcomp_push
 #include "nck/prep/3_smooth/smooth.h"     // nck_smooth_push nck_smooth_pull
+#include "terms_check.h" // terms_of
 
 static nck_machine_t machine;
 static nck_smooth_t smooth;
@@ -29,7 +30,7 @@ static void begin(void)
 {
     nck_machine_default(&machine);
     machine.slope = NCK_SLOPE_LINEAR;
-    nck_smooth_init(&smooth, &machine);
+    nck_smooth_init(&smooth, terms_of(&machine));
 }
 
 // One block in, its seg out: what the exact path does.

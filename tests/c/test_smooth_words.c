@@ -212,7 +212,7 @@ static void push_waits_until_pull_asks(check_t *check)
 {
     begin();
     line_to(1.0, 0.0, 0.0, 0.0);
-    nck_smooth_init(&smooth, &machine);
+    nck_smooth_init(&smooth, terms_of(&machine));
     nck_smooth_item_t item;
     CHECK_INT(check, nck_smooth_push(&smooth, &block[0], 0), NCK_FULL);
     CHECK_INT(check, nck_smooth_pull(&smooth, &item), NCK_EMPTY);

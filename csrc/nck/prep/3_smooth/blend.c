@@ -208,7 +208,7 @@ static uint32_t insert_blend(nck_smooth_t *self, const nck_blend_t *corner,
 uint32_t nck_blend_corner(nck_smooth_t *self, uint32_t more) {
     place_t place;
     nck_blend_t blend;
-    if (self->machine->slope == NCK_SLOPE_LINEAR || !find_place(self, more, &place)) return 0;
+    if (!self->terms->limits_jerk || !find_place(self, more, &place)) return 0;
     const nck_raw_t *const a = nck_raw_at(self, place.first);
     const nck_raw_t *const b = nck_raw_at(self, place.last);
     if (!is_line(a) || !is_line(b)) return 0;

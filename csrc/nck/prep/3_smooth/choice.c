@@ -22,10 +22,8 @@
 #define ACCEL_SHARE 0.95     // the same of its acceleration
 #define LEAST 1e-9           // [path mm]: a parking shorter than that is none
 #define REVERSAL 1e-6        // |in + out| up to which a corner is an exact reversal
-#define REST_PERIODS 1.0     // that a stop costs besides its ramps and the filter
 #define UNLIMITED 1e30       // jerk of the linear slope
 #define ZONES_CUT 1.3        // see SPLIT_ZONES of room 4
-#define RAISE 0.056          // 1/24 + (1.35/4)²/8
 #define RAMP_SHARE 0.5       // of the jerk that is left, for speeding up in a bend (room 4)
 #define STEEP_SHARE 0.8      // of the acceleration that is left: how steep room 4 lets caps be
 // A blend is many pieces, which fill a window sooner: it has to be surely faster.
@@ -45,10 +43,7 @@ typedef struct corner {
     uint8_t rests[2];         // 1: the path rests at the block's other end
     nck_scurve_t ramp[2];     // along either block
     double v_max;             // of both [path mm/s]
-    double mix_s;             // that the slope's filter mixes [s]
-    double raise;             // what it may raise a speed by: its share of J·τ² [path mm/s]
-    double rest_s;            // that a stop costs besides its ramps [s]
-    uint8_t limits_jerk;      // 1: the slope does
+    const nck_terms_t *terms; // of the slope
 } corner_t;
 
 // What axes allow of a shape's |p″|·d·v² and |p‴|·d²·v³, by how long each of its axes' parts is,
@@ -64,8 +59,9 @@ static double least_of(double so_far, double limit, double part) {
 }
 
 // What the axes allow along a block.
-static nck_scurve_t limit_along(const nck_machine_t *machine, const double *tangent, double v) {
-    const int limits_jerk = machine->slope != NCK_SLOPE_LINEAR;
+static nck_scurve_t limit_along(const nck_terms_t *terms, const double *tangent, double v) {
+    const nck_machine_t *const machine = terms->machine;
+    const int limits_jerk = terms->limits_jerk;
     nck_scurve_t ramp = {machine->path.a_max, limits_jerk ? machine->path.j_max : UNLIMITED, v};
     for (int x = 0; x < NCK_AXIS_MAX; x++) {
         ramp.a = least_of(ramp.a, machine->axis[x].a_max, tangent[x]);
@@ -80,13 +76,13 @@ static double sag_of(const nck_machine_t *machine) {
 }
 
 // The spline's p″ is the turn over d, its p‴ the turn over d².
-static shape_limit_t limit_plain(const nck_machine_t *machine, const double *turn) {
-    const int limits_jerk = machine->slope != NCK_SLOPE_LINEAR;
+static shape_limit_t limit_plain(const nck_terms_t *terms, const double *turn) {
+    const nck_machine_t *const machine = terms->machine;
     shape_limit_t limit = {
         UNLIMITED, UNLIMITED, least_of(UNLIMITED, sag_of(machine), nck_spline_norm(turn))};
     for (int x = 0; x < NCK_AXIS_MAX; x++) {
         limit.a = least_of(limit.a, ACCEL_SHARE * machine->axis[x].a_max, turn[x]);
-        if (!limits_jerk) continue;
+        if (!terms->limits_jerk) continue;
         limit.j = least_of(limit.j, JERK_SHARE * machine->axis[x].j_max, turn[x]);
     }
     return limit;
@@ -94,8 +90,8 @@ static shape_limit_t limit_plain(const nck_machine_t *machine, const double *tur
 
 // A blend's d·p″ = hat(D − s)·u2 − hat(s)·u1 is largest where one of the hats is; d²p‴ is a sum of
 // ±u1 and ±u2, their difference only where they overlap by more than d. apart = D/d.
-static shape_limit_t limit_blend(const nck_machine_t *machine, const corner_t *corner,
-                                 double apart) {
+static shape_limit_t limit_blend(const corner_t *corner, double apart) {
+    const nck_machine_t *const machine = corner->terms->machine;
     const double overlap = nck_max(0.0, 1.0 - apart);
     shape_limit_t limit = {UNLIMITED, UNLIMITED, sag_of(machine)};
     for (int x = 0; x < NCK_AXIS_MAX; x++) {
@@ -125,8 +121,8 @@ static nck_scurve_t left_by(const nck_scurve_t *ramp, const shape_limit_t *limit
 // How much of a block the bend's limits hold in, behind the bend: the slope's filter mixes, for
 // half its length, and a piece that is too short is not cut there.
 static double bound_by(const corner_t *corner, double v, double a, double left) {
-    const double time = 0.5 * corner->mix_s;
-    const double zone = (v + corner->raise) * time + 0.5 * a * time * time;
+    const double time = corner->terms->mix_s;
+    const double zone = (v + corner->terms->v_filter) * time + 0.5 * a * time * time;
     return left < ZONES_CUT * zone ? left : zone;
 }
 
@@ -202,14 +198,14 @@ static double side_time(const corner_t *corner, const shape_limit_t *limit, int 
 // fast as it has become. Under a jerk limit that is next to nothing, and the next corner's stop is
 // the bound.
 static double stop_time(const corner_t *corner, double d) {
-    double time = corner->rest_s;
+    double time = corner->terms->rest_s;
     for (int n = 0; n < 2; n++) {
         const nck_scurve_t *const ramp = &corner->ramp[n];
         const double half = nck_scurve_over(ramp, 0.0, corner->half[n]);
         const double beyond = nck_max(0.0, d - corner->half[n]);
         const double on = beyond / nck_scurve_reach(ramp, 0.0, corner->half[n]);
         if (corner->rests[n]) time += 2.0 * half;
-        else time += half + (corner->limits_jerk ? nck_min(half, on) : on);
+        else time += half + (corner->terms->limits_jerk ? nck_min(half, on) : on);
     }
     return time;
 }
@@ -218,28 +214,26 @@ static double stop_time(const corner_t *corner, double d) {
 static double bend_speed(const corner_t *corner, const shape_limit_t *limit, double d) {
     const double vv = nck_min(limit->a, limit->sag) * d;
     const double v = nck_min(nck_root_cube(limit->j * d * d), nck_sqrt(vv));
-    return nck_min(corner->v_max, nck_max(v - corner->raise, STANDSTILL * v));
+    return nck_min(corner->v_max, nck_max(v - corner->terms->v_filter, STANDSTILL * v));
 }
 
-static double plain_time(const corner_t *corner, const nck_bend_t *bend,
-                         const nck_machine_t *machine) {
-    const shape_limit_t limit = limit_plain(machine, bend->turn);
+static double plain_time(const corner_t *corner, const nck_bend_t *bend) {
+    const shape_limit_t limit = limit_plain(corner->terms, bend->turn);
     const double v = reachable(corner, &limit, bend_speed(corner, &limit, bend->d), bend->d);
     return side_time(corner, &limit, 0, v, bend->d) + side_time(corner, &limit, 1, v, bend->d);
 }
 
-static double blend_time(const corner_t *corner, const nck_blend_t *blend,
-                         const nck_machine_t *machine) {
-    const shape_limit_t limit = limit_blend(machine, corner, blend->parking / blend->d);
+static double blend_time(const corner_t *corner, const nck_blend_t *blend) {
+    const shape_limit_t limit = limit_blend(corner, blend->parking / blend->d);
     const double v = reachable(corner, &limit, bend_speed(corner, &limit, blend->d), blend->d);
     return BLEND_SHORT * (blend->parking / v + side_time(corner, &limit, 0, v, blend->d)
                           + side_time(corner, &limit, 1, v, blend->d));
 }
 
 static double speed_of(const nck_smooth_t *self, const nck_seg_t *seg, const double *tangent) {
-    double v = nck_min(self->machine->path.feed_max, seg->rapid ? 1e9 : seg->feed);
+    double v = nck_min(self->terms->machine->path.feed_max, seg->rapid ? 1e9 : seg->feed);
     for (int x = 0; x < NCK_AXIS_MAX; x++) {
-        const nck_axis_t *const axis = &self->machine->axis[x];
+        const nck_axis_t *const axis = &self->terms->machine->axis[x];
         v = least_of(v, seg->rapid ? axis->rapid : axis->v_max, tangent[x]);
     }
     return v;
@@ -256,18 +250,8 @@ static double unit_distance(const double *in, const double *out, double sign) {
     return nck_spline_norm(sum);
 }
 
-// What a corner costs besides ramps, by the slope. Only the jerk-limited one mixes at a rest.
-static void set_slope(const nck_machine_t *machine, corner_t *corner) {
-    const double mix_s = NCK_FILTER_TAPS * machine->period_s;
-    corner->limits_jerk = machine->slope != NCK_SLOPE_LINEAR;
-    corner->mix_s = corner->limits_jerk ? mix_s : 0.0;
-    corner->raise = RAISE * machine->path.j_max * corner->mix_s * corner->mix_s;
-    corner->rest_s = REST_PERIODS * machine->period_s;
-    if (machine->slope == NCK_SLOPE_JERK) corner->rest_s += mix_s;
-}
-
 static void measure(const nck_smooth_t *self, const nck_meet_t *meet, corner_t *corner) {
-    const nck_machine_t *const machine = self->machine;
+    const nck_terms_t *const terms = self->terms;
     const nck_raw_t *const a = meet->a;
     const nck_raw_t *const b = meet->b;
     nck_path_tangent(&a->seg, a->seg.length, corner->in);
@@ -278,17 +262,16 @@ static void measure(const nck_smooth_t *self, const nck_meet_t *meet, corner_t *
     memcpy(corner->rests, meet->rests, sizeof corner->rests);
     corner->half[0] = nck_min(meet->length[0], HALF * (meet->length[0] + a->cut));
     corner->half[1] = HALF * meet->length[1];
-    set_slope(machine, corner);
-    corner->ramp[0] = limit_along(machine, corner->in, speed_of(self, &a->seg, corner->in));
-    corner->ramp[1] = limit_along(machine, corner->out, speed_of(self, &b->seg, corner->out));
+    corner->terms = terms;
+    corner->ramp[0] = limit_along(terms, corner->in, speed_of(self, &a->seg, corner->in));
+    corner->ramp[1] = limit_along(terms, corner->out, speed_of(self, &b->seg, corner->out));
     corner->v_max = nck_min(corner->ramp[0].v_max, corner->ramp[1].v_max);
 }
 
 // The half-width of a blend as full speed needs it, and its parking. 0: none.
-static double width_of(const corner_t *corner, double room, const nck_machine_t *machine,
-                       double *parking) {
+static double width_of(const corner_t *corner, double room, double *parking) {
     const double v = corner->v_max;
-    const shape_limit_t limit = limit_blend(machine, corner, 1.0);
+    const shape_limit_t limit = limit_blend(corner, 1.0);
     const double enough = nck_max(v * v / limit.a, nck_sqrt(v * v * v / limit.j));
     const double half = nck_min(room, nck_min(corner->half[0], corner->half[1]));
     const double d = nck_min(half, enough);
@@ -306,23 +289,22 @@ static int lone_bend(const corner_t *corner, nck_bend_t *bend) {
 
 int nck_choice_blend(const nck_smooth_t *self, const nck_meet_t *meet, double room,
                      nck_blend_t *blend) {
-    const nck_machine_t *const machine = self->machine;
     corner_t corner;
     nck_bend_t bend;
     measure(self, meet, &corner);
     if (!(corner.turn > 0.0) || !lone_bend(&corner, &bend)) return 0;
     if (unit_distance(corner.in, corner.out, 1.0) <= REVERSAL) return 0;
-    blend->d = width_of(&corner, room, machine, &blend->parking);
+    blend->d = width_of(&corner, room, &blend->parking);
     if (!(blend->d > 0.0)) return 0;
     memcpy(blend->in, corner.in, sizeof blend->in);
     memcpy(blend->out, corner.out, sizeof blend->out);
-    const double time = blend_time(&corner, blend, machine);
-    return time < plain_time(&corner, &bend, machine) && time < stop_time(&corner, 0.0);
+    const double time = blend_time(&corner, blend);
+    return time < plain_time(&corner, &bend) && time < stop_time(&corner, 0.0);
 }
 
 int nck_choice_stop(const nck_smooth_t *self, const nck_meet_t *meet, const nck_bend_t *bend) {
     corner_t corner;
     measure(self, meet, &corner);
     if (corner.turn < OWN * nck_spline_norm(bend->turn)) return 0;
-    return stop_time(&corner, bend->d) < plain_time(&corner, bend, self->machine);
+    return stop_time(&corner, bend->d) < plain_time(&corner, bend);
 }

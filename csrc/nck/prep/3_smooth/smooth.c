@@ -32,9 +32,10 @@ static double widest_spacing(const nck_machine_t *machine) {
     return nck_spline_spacing_max(nck_sqrt(vv), a, j);
 }
 
-void nck_smooth_init(nck_smooth_t *self, const nck_machine_t *machine) {
+void nck_smooth_init(nck_smooth_t *self, const nck_terms_t *terms) {
+    const nck_machine_t *const machine = terms->machine;
     memset(self, 0, sizeof *self);
-    self->machine = machine;
+    self->terms = terms;
     memcpy(self->position_nm, machine->start_nm, sizeof self->position_nm);
     for (int x = 0; x < NCK_AXIS_MAX; x++) {
         self->position[x] = (double)machine->start_nm[x] / nck_machine_counts(machine, x);
@@ -42,7 +43,9 @@ void nck_smooth_init(nck_smooth_t *self, const nck_machine_t *machine) {
     nck_smooth_adapt(self);
 }
 
-void nck_smooth_adapt(nck_smooth_t *self) { self->spacing_max = widest_spacing(self->machine); }
+void nck_smooth_adapt(nck_smooth_t *self) {
+    self->spacing_max = widest_spacing(self->terms->machine);
+}
 
 int nck_smooth_is_empty(const nck_smooth_t *self) { return self->raw.head == self->raw.tail; }
 
@@ -51,7 +54,7 @@ static void set_end(const nck_smooth_t *self, const nck_block_t *block, double *
     memcpy(end, self->position, sizeof self->position);
     for (int x = 0; x < NCK_AXIS_MAX; x++) {
         if (block->target_nm[x] == self->position_nm[x]) continue;
-        end[x] = (double)block->target_nm[x] / nck_machine_counts(self->machine, x);
+        end[x] = (double)block->target_nm[x] / nck_machine_counts(self->terms->machine, x);
     }
 }
 

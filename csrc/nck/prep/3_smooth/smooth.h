@@ -4,9 +4,9 @@
 #define NCK_PREP_SMOOTH_H
 
 #include "nck/base/limits.h"  // NCK_SMOOTH_SPAN
-#include "nck/base/machine.h" // nck_machine_t
 #include "nck/base/records.h" // nck_block_t nck_seg_t nck_output_t
 #include "nck/base/status.h"  // nck_status_t
+#include "nck/base/terms.h"   // nck_terms_t
 
 // Blocks that G64 Q may join to one, the first not counted.
 enum { NCK_SMOOTH_MERGE = 8 };
@@ -39,7 +39,7 @@ typedef struct nck_smooth_item {
 
 // The room's state: filled by nck_smooth_init, written by the room alone.
 typedef struct nck_smooth {
-    const nck_machine_t *machine;
+    const nck_terms_t *terms;
     int64_t position_nm[NCK_AXIS_MAX]; // end of the last block pushed [nm, ndeg]
     double position[NCK_AXIS_MAX];     // the same [mm, deg]
     double s;            // length of all segs pulled [path mm]
@@ -86,7 +86,7 @@ typedef struct nck_smooth {
 } nck_smooth_t;
 
 // Begin at the machine's start position. Cost: constant. Context: any, before the tick runs.
-void nck_smooth_init(nck_smooth_t *self, const nck_machine_t *machine);
+void nck_smooth_init(nck_smooth_t *self, const nck_terms_t *terms);
 
 // Take a block of any kind, the running number of which is block_seq. Blocks without length vanish.
 // Returns NCK_OK; NCK_FULL if nck_smooth_pull has not asked for a block (pull until it says

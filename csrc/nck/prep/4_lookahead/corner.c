@@ -19,16 +19,16 @@
 // A seg is cut at its zones if it is longer than both of them by so much (lookahead.c).
 #define ZONES_CUT 1.3
 
-double nck_corner_zone_s(const nck_machine_t *machine) {
-    return machine->period_s + nck_joint_mix_s(machine);
+double nck_corner_zone_s(const nck_terms_t *terms) {
+    return terms->machine->period_s + terms->mix_s;
 }
 
 // Whether no other junction is near one of this load.
 static int is_alone(const nck_joint_t *in, const nck_joint_t *out, double load,
-                    const nck_machine_t *machine) {
-    const double time = nck_corner_zone_s(machine);
+                    const nck_terms_t *terms) {
+    const double time = nck_corner_zone_s(terms);
     const double v = nck_corner_speed(NCK_CORNER_SHARE_DENSE, load, 0.0, 0.0, 0.0,
-                                      machine->period_s);
+                                      terms->machine->period_s);
     const double zone = (v + 0.5 * nck_max(in->a_most, out->a_most) * time) * time;
     return nck_min(in->length, out->length) > ZONES_APART * zone;
 }
@@ -48,20 +48,20 @@ static double crossing_time(const double half[2], double v, const nck_scurve_t *
 // Whether the path, under a jerk limit, is faster with a stop at a junction. A blunt one is crossed
 // as fast as a ramp from rest gets over half a seg, v³ = j·l².
 static int is_slow(const nck_joint_t *in, const nck_joint_t *out, double load,
-                   const nck_machine_t *machine) {
+                   const nck_terms_t *terms) {
+    const double period = terms->machine->period_s;
     const double half[2] = {0.5 * in->length, 0.5 * out->length};
     const nck_scurve_t ramp = {nck_min(in->a_most, out->a_most),
                              nck_min(in->j_straight, out->j_straight),
                              nck_min(in->v_free, out->v_free)};
-    const double taps_s = (double)NCK_FILTER_TAPS * machine->period_s;
-    const double most = NCK_CORNER_SHARE_DENSE * machine->period_s / load;
-    const double v = most - nck_joint_v_filter(machine);
+    const double most = NCK_CORNER_SHARE_DENSE * period / load;
+    const double v = most - terms->v_filter;
     if (most >= ramp.v_max) return 0;
     if (!(v > 0.0)) return 1;
     if (v * v * v >= ramp.j * nck_max(half[0] * half[0], half[1] * half[1])) return 0;
     const double stop = nck_scurve_over(&ramp, 0.0, half[0]) + nck_scurve_over(&ramp, 0.0, half[1])
-                        + taps_s + machine->period_s;
-    return stop < crossing_time(half, v, &ramp, nck_corner_zone_s(machine));
+                        + 2.0 * terms->mix_s + period;
+    return stop < crossing_time(half, v, &ramp, nck_corner_zone_s(terms));
 }
 
 // The same where jerk is not limited: all over segs that are too short to be cut at the zones of
@@ -92,18 +92,20 @@ static int is_slow_linear(const nck_joint_t *in, const nck_joint_t *out, double 
 // Whether the path better stops at a junction. Under a jerk limit: if it is alone, and even what
 // little acceleration can be reached next to a standstill is worth more than its speed.
 static int is_sharp(const nck_joint_t *in, const nck_joint_t *out, double load,
-                    const nck_machine_t *machine) {
+                    const nck_terms_t *terms) {
+    const nck_machine_t *const machine = terms->machine;
     const double a = nck_min(in->a_most, out->a_most);
-    if (machine->slope == NCK_SLOPE_LINEAR) {
+    if (!terms->limits_jerk) {
         return nck_corner_sharp(load, a) || is_slow_linear(in, out, load, machine);
     }
-    const double a_there = nck_min(a, machine->path.j_max * nck_corner_zone_s(machine));
-    if (is_alone(in, out, load, machine) && nck_corner_sharp(load, a_there)) return 1;
-    return is_slow(in, out, load, machine);
+    const double a_there = nck_min(a, machine->path.j_max * nck_corner_zone_s(terms));
+    if (is_alone(in, out, load, terms) && nck_corner_sharp(load, a_there)) return 1;
+    return is_slow(in, out, load, terms);
 }
 
 void nck_corner_meet(nck_joint_t *in, const nck_joint_t *out, const double *tangent_in,
-                    const double *tangent_out, const nck_machine_t *machine) {
+                    const double *tangent_out, const nck_terms_t *terms) {
+    const nck_machine_t *const machine = terms->machine;
     if (out->kind >= NCK_SEG_DWELL) in->stop = 1;
     if (in->stop || in->kind >= NCK_SEG_DWELL) return;
     double load = 0.0;
@@ -115,9 +117,9 @@ void nck_corner_meet(nck_joint_t *in, const nck_joint_t *out, const double *tang
     const double v = nck_min(in->v_free, out->v_free);
     if (!(load > 0.0)) return;
     if (load * v <= SHARE_OF_ROUNDING * machine->period_s) return;
-    if (is_sharp(in, out, load, machine)) {
+    if (is_sharp(in, out, load, terms)) {
         for (int k = 0; k < NCK_PACES; k++) in->pace[k].v_corner = 0.0;
-        in->stop = machine->slope != NCK_SLOPE_LINEAR;
+        in->stop = terms->limits_jerk;
         return;
     }
     in->load = load;
@@ -210,7 +212,7 @@ static nck_status_t walk_next(nck_lookahead_t *self, walk_t *walk, double reach,
 // A·T, where A is the largest acceleration on the segs that can share a period with the junction
 // when it is crossed at v.
 static nck_status_t largest_gain(nck_lookahead_t *self, uint32_t count, double v, double *a_t_out) {
-    const double period = self->machine->period_s;
+    const double period = self->terms->machine->period_s;
     const double reach = (v + self->a_any * period) * period;
     const nck_joint_t *neighbour = nck_joint_at(self, count + 1);
     double a = nck_max(nck_joint_at(self, count)->a_most, neighbour->a_most);
@@ -229,18 +231,18 @@ static nck_status_t largest_gain(nck_lookahead_t *self, uint32_t count, double v
 // The slope's filter crosses the junction up to v_filter faster than v. A junction that even this
 // is too fast for is stopped at.
 static void settle(nck_lookahead_t *self, nck_joint_t *joint, int pace, double v, double share) {
-    const double most = self->v_filter > 0.0 ? NCK_CORNER_SHARE_LONE : NCK_CORNER_SHARE_MAX;
+    const double most = self->terms->limits_jerk ? NCK_CORNER_SHARE_LONE : NCK_CORNER_SHARE_MAX;
     joint->pace[pace].v_corner = v;
     joint->pace[pace].share = nck_min(most, nck_max(0.0, share));
-    if (share > most && v < self->v_filter) joint->stop = 1;
+    if (share > most && v < self->terms->v_filter) joint->stop = 1;
 }
 
 // The largest share of a junction. Under a jerk limit the speed is least where the acceleration is
 // small, so that most of it can go to the junction: more of it if the junction is alone.
 static double share_most(const nck_lookahead_t *self, const nck_joint_t *in,
                          const nck_joint_t *out) {
-    if (!(self->v_filter > 0.0)) return NCK_CORNER_SHARE_MAX;
-    if (!is_alone(in, out, in->load, self->machine)) return NCK_CORNER_SHARE_DENSE;
+    if (!self->terms->limits_jerk) return NCK_CORNER_SHARE_MAX;
+    if (!is_alone(in, out, in->load, self->terms)) return NCK_CORNER_SHARE_DENSE;
     return nck_corner_share_lone(nck_max(in->j_straight, out->j_straight),
                                  nck_min(in->a_most, out->a_most), self->zone_s);
 }
@@ -248,7 +250,7 @@ static double share_most(const nck_lookahead_t *self, const nck_joint_t *in,
 // Speed and share of a junction that shares a period with others; v is its speed alone.
 static nck_status_t decide_crowd(nck_lookahead_t *self, uint32_t count, int pace, double v) {
     nck_joint_t *const joint = nck_joint_at(self, count);
-    const double period = self->machine->period_s;
+    const double period = self->terms->machine->period_s;
     const double beta = share_most(self, joint, nck_joint_at(self, count + 1));
     const double d = joint->load;
     double a_t = 0.0;
@@ -269,7 +271,7 @@ static nck_status_t decide_crowd(nck_lookahead_t *self, uint32_t count, int pace
     }
     if (status != NCK_DONE) return status;
     v = nck_max(0.0, nck_min(v, walk.cut / period - a_t));
-    const double v_true = nck_max(v, self->v_filter);
+    const double v_true = nck_max(v, self->terms->v_filter);
     settle(self, joint, pace, v,
            nck_corner_share(v_true, d + others_d, others_d, others_dx, a_t, period));
     return NCK_OK;
@@ -279,13 +281,13 @@ static nck_status_t decide_crowd(nck_lookahead_t *self, uint32_t count, int pace
 static nck_status_t decide_pace(nck_lookahead_t *self, uint32_t count, int pace) {
     nck_joint_t *const joint = nck_joint_at(self, count);
     const nck_joint_t *const out = nck_joint_at(self, count + 1);
-    const double period = self->machine->period_s;
+    const double period = self->terms->machine->period_s;
     const double beta = share_most(self, joint, out);
     double v = nck_corner_speed(beta, joint->load, 0.0, 0.0, 0.0, period);
     v = nck_min(v, nck_min(joint->pace[pace].v, out->pace[pace].v));
     const double reach = (v + self->a_any * period) * period;
     if (joint->length < reach || out->length < reach) return decide_crowd(self, count, pace, v);
-    const double v_true = nck_max(v, self->v_filter);
+    const double v_true = nck_max(v, self->terms->v_filter);
     settle(self, joint, pace, v, nck_corner_share(v_true, joint->load, 0.0, 0.0, 0.0, period));
     return NCK_OK;
 }
@@ -323,7 +325,7 @@ nck_status_t nck_corner_decide(nck_lookahead_t *self) {
 // The share where the span is shorter than the zone. Under a jerk limit the seg is slowed until it
 // is not (near.h); else the worst is assumed.
 static double beyond_span(const nck_lookahead_t *self, double share) {
-    return self->v_filter > 0.0 ? share : NCK_CORNER_SHARE_MAX;
+    return self->terms->limits_jerk ? share : NCK_CORNER_SHARE_MAX;
 }
 
 double nck_corner_share_before(nck_lookahead_t *self, uint32_t count, int pace) {

@@ -7,12 +7,12 @@
 
 // How long before and after a junction its share is kept free: one period, and half of what the
 // slope's filter mixes [s]. Cost: constant.
-double nck_corner_zone_s(const nck_machine_t *machine);
+double nck_corner_zone_s(const nck_terms_t *terms);
 
 // Settle what the junction between two segs costs, once the second one is known. The tangents are
 // those at the junction. Cost: constant.
 void nck_corner_meet(nck_joint_t *in, const nck_joint_t *out, const double *tangent_in,
-                     const double *tangent_out, const nck_machine_t *machine);
+                     const double *tangent_out, const nck_terms_t *terms);
 
 // Decide the next junction's speed and share at both paces. NCK_OK, or NCK_EMPTY: more segs must be
 // known. Cost: 4·NCK_CORNER_SPAN neighbours at most.

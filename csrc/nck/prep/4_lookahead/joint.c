@@ -97,8 +97,8 @@ static void bound_spline(nck_joint_t *joint, const nck_seg_t *seg, const double 
 }
 
 // Speed over a smooth piece: chord error, and what bends cost of every axis' acceleration and jerk.
-static void make_spline(nck_joint_t *joint, const nck_machine_t *machine) {
-    const int limits_jerk = machine->slope != NCK_SLOPE_LINEAR;
+static void make_spline(nck_joint_t *joint, const nck_terms_t *terms) {
+    const nck_machine_t *const machine = terms->machine;
     double bend = 0.0;
     double twist = UNLIMITED;
     for (int x = 0; x < NCK_AXIS_MAX; x++) {
@@ -115,7 +115,7 @@ static void make_spline(nck_joint_t *joint, const nck_machine_t *machine) {
         const double delta = machine->path.chord_error;
         cap_speed(joint, nck_limit_sag(nck_sqrt(bend), delta, machine->period_s), NCK_LIMIT_CHORD);
     }
-    if (limits_jerk && twist < UNLIMITED) {
+    if (terms->limits_jerk && twist < UNLIMITED) {
         cap_speed(joint, nck_root_cube(twist), NCK_LIMIT_JERK);
     }
 }
@@ -148,13 +148,14 @@ static void begin(nck_joint_t *joint, const nck_seg_t *seg) {
 }
 
 static void make_caps(nck_joint_t *joint, const nck_seg_t *seg, const double *tangent_start,
-                      const double *tangent_end, const nck_machine_t *machine) {
+                      const double *tangent_end, const nck_terms_t *terms) {
+    const nck_machine_t *const machine = terms->machine;
     if (!seg->rapid) {
         cap_feed(joint, seg->feed, NCK_LIMIT_FEED);
         cap_speed(joint, machine->path.feed_max / seg->feed_scale, NCK_LIMIT_FEED_MAX);
     }
     if (seg->kind == NCK_SEG_ARC) make_arc(joint, seg, machine);
-    if (seg->kind == NCK_SEG_SPLINE) make_spline(joint, machine);
+    if (seg->kind == NCK_SEG_SPLINE) make_spline(joint, terms);
     cap_by_axes(joint, seg, tangent_start, tangent_end, machine);
     joint->w_near = joint->v_free * joint->v_free;
     joint->a_most = nck_min(machine->path.a_max, joint->a_straight);
@@ -164,37 +165,33 @@ static void make_caps(nck_joint_t *joint, const nck_seg_t *seg, const double *ta
 }
 
 void nck_joint_make(nck_joint_t *joint, const nck_seg_t *seg, const double *tangent_start,
-                    const double *tangent_end, const nck_machine_t *machine) {
+                    const double *tangent_end, const nck_terms_t *terms) {
     const double span[2] = {0.0, seg->length};
     begin(joint, seg);
     if (seg->kind >= NCK_SEG_DWELL) return;
     if (seg->kind == NCK_SEG_SPLINE) bound_spline(joint, seg, span);
-    make_caps(joint, seg, tangent_start, tangent_end, machine);
+    make_caps(joint, seg, tangent_start, tangent_end, terms);
 }
 
 void nck_joint_part(nck_joint_t *joint, const nck_seg_t *seg, const double span[2],
-                    const nck_machine_t *machine) {
+                    const nck_terms_t *terms) {
     begin(joint, seg);
     joint->s = span[0];
     joint->length = span[1] - span[0];
     joint->last = !(span[1] < seg->length);
     joint->stop = joint->last ? seg->stop : 0;
     bound_spline(joint, seg, span);
-    make_caps(joint, seg, joint->first, joint->first, machine);
-}
-
-double nck_joint_mix_s(const nck_machine_t *machine) {
-    if (machine->slope == NCK_SLOPE_LINEAR) return 0.0;
-    return machine->period_s * (double)NCK_FILTER_TAPS / 2.0;
+    make_caps(joint, seg, joint->first, joint->first, terms);
 }
 
 // Parts no shorter than the reach of what the filter mixes, if the curvature changes so much in the
 // seg that they will differ.
-int nck_joint_parts(const nck_joint_t *joint, const nck_machine_t *machine) {
-    const double mixed = joint->v_free * nck_joint_mix_s(machine);
+int nck_joint_parts(const nck_joint_t *joint, const nck_terms_t *terms) {
+    const nck_machine_t *const machine = terms->machine;
+    const double mixed = joint->v_free * terms->mix_s;
     double change = 0.0;
     if (joint->kind != NCK_SEG_SPLINE || !(mixed > 0.0)) return 1;
-    if (machine->slope == NCK_SLOPE_SSHAPE) return 1; // each part ends without acceleration
+    if (!terms->carries) return 1; // each part ends without acceleration
     for (int x = 0; x < NCK_AXIS_MAX; x++) {
         const double bend = joint->third[x] * joint->length * joint->v_free * joint->v_free;
         change = nck_max(change, bend / machine->axis[x].a_max);
@@ -209,11 +206,6 @@ double nck_joint_a_any(const nck_machine_t *machine) {
         if (machine->axis[x].present) sum += machine->axis[x].a_max * machine->axis[x].a_max;
     }
     return nck_min(machine->path.a_max, nck_sqrt(sum));
-}
-
-double nck_joint_v_filter(const nck_machine_t *machine) {
-    if (machine->slope == NCK_SLOPE_LINEAR) return 0.0;
-    return nck_limit_filter(machine->path.j_max, machine->period_s, (double)NCK_FILTER_TAPS);
 }
 
 // v² where a speed is v_filter more than planned.
@@ -239,30 +231,31 @@ static void limit_on_arc(const nck_joint_t *joint, double beta, double v_filter,
     piece->a = nck_min(piece->a, a_arc);
 }
 
-static double accel_left(const nck_joint_t *joint, double v, const nck_machine_t *machine) {
-    const int limits_jerk = machine->slope != NCK_SLOPE_LINEAR;
+static double accel_left(const nck_joint_t *joint, double v, const nck_terms_t *terms) {
+    const nck_machine_t *const machine = terms->machine;
     double a = machine->path.a_max;
     for (int x = 0; x < NCK_AXIS_MAX; x++) {
         const nck_axis_t *const axis = &machine->axis[x];
         if (!(joint->first[x] > 0.0)) continue;
         a = nck_min(a, nck_budget_accel(axis->a_max, joint->first[x], joint->second[x], v));
-        if (!limits_jerk || !(joint->second[x] * v > 0.0)) continue; // at rest a bend costs nothing
+        // At rest a bend costs nothing.
+        if (!terms->limits_jerk || !(joint->second[x] * v > 0.0)) continue;
         a = nck_min(a, nck_budget_ramp(axis->j_max, joint->second[x], joint->third[x], v));
     }
     return a;
 }
 
-double nck_joint_left(const nck_joint_t *joint, double w, const nck_machine_t *machine) {
-    return accel_left(joint, nck_sqrt(w), machine);
+double nck_joint_left(const nck_joint_t *joint, double w, const nck_terms_t *terms) {
+    return accel_left(joint, nck_sqrt(w), terms);
 }
 
 // What a spline's bends leave of all axes' acceleration and jerk at speed v.
 static void limit_spline(const nck_joint_t *joint, nck_pace_t *at, double v,
-                         const nck_machine_t *machine) {
-    const int limits_jerk = machine->slope != NCK_SLOPE_LINEAR;
-    at->a = accel_left(joint, v, machine);
+                         const nck_terms_t *terms) {
+    const nck_machine_t *const machine = terms->machine;
+    at->a = accel_left(joint, v, terms);
     at->j = joint->j_straight;
-    for (int x = 0; limits_jerk && x < NCK_AXIS_MAX; x++) {
+    for (int x = 0; terms->limits_jerk && x < NCK_AXIS_MAX; x++) {
         if (!(joint->first[x] > 0.0)) continue;
         at->j = nck_min(at->j, nck_budget_jerk(machine->axis[x].j_max, joint->first[x],
                                                joint->second[x], joint->third[x], v, at->a));
@@ -277,8 +270,7 @@ static double least_time(const nck_joint_t *joint, double w_in, const nck_pace_t
     return v_out > v_in && v_out < at->v ? 2.0 * joint->length / (v_in + v_out) : at->time;
 }
 
-void nck_joint_settle(nck_joint_t *joint, double w_in, const nck_machine_t *machine) {
-    const double v_filter = nck_joint_v_filter(machine);
+void nck_joint_settle(nck_joint_t *joint, double w_in, const nck_terms_t *terms) {
     const double v_free = joint->kind == NCK_SEG_SPLINE ? nck_sqrt(joint->w_near) : joint->v_free;
     const double v_over = joint->feed > 0.0 ? NCK_OVERRIDE_TOP * joint->feed : v_free;
     const double speeds[NCK_PACES] = {nck_min(joint->v_max, v_free), nck_min(v_free, v_over)};
@@ -289,7 +281,7 @@ void nck_joint_settle(nck_joint_t *joint, double w_in, const nck_machine_t *mach
         at->a = joint->a_most;
         at->j = joint->j_straight;
         if (joint->kind == NCK_SEG_SPLINE) {
-            limit_spline(joint, at, nck_min(at->v + v_filter, v_free), machine);
+            limit_spline(joint, at, nck_min(at->v + terms->v_filter, v_free), terms);
         }
         at->time = joint->length / at->v;
         at->least = least_time(joint, w_in, at);
@@ -297,10 +289,10 @@ void nck_joint_settle(nck_joint_t *joint, double w_in, const nck_machine_t *mach
 }
 
 nck_piece_limit_t nck_joint_piece(const nck_joint_t *joint, double beta, int pace,
-                                  const nck_machine_t *machine) {
+                                  const nck_terms_t *terms) {
     const nck_pace_t *const at = &joint->pace[pace];
-    nck_piece_limit_t piece = {at->v * at->v, joint->v_free * joint->v_free, machine->path.a_max,
-                               at->j, joint->limit};
+    nck_piece_limit_t piece = {at->v * at->v, joint->v_free * joint->v_free,
+                               terms->machine->path.a_max, at->j, joint->limit};
     if (joint->kind == NCK_SEG_SPLINE) {
         piece.vv *= 1.0 - beta;
         piece.vv_free = (1.0 - beta) * joint->w_near;
@@ -308,6 +300,6 @@ nck_piece_limit_t nck_joint_piece(const nck_joint_t *joint, double beta, int pac
         return piece;
     }
     piece.a = nck_min(piece.a, (1.0 - beta) * joint->a_straight);
-    if (joint->kappa > 0.0) limit_on_arc(joint, beta, nck_joint_v_filter(machine), &piece);
+    if (joint->kappa > 0.0) limit_on_arc(joint, beta, terms->v_filter, &piece);
     return piece;
 }

@@ -22,40 +22,33 @@ nck_joint_t *nck_joint_at(nck_lookahead_t *self, uint32_t count);
 // Cost: constant.
 double nck_joint_a_any(const nck_machine_t *machine);
 
-// How much the filter of the machine's slope can raise the speed at a node above the planned one
-// [path mm/s]; 0 for the linear slope. Cost: constant.
-double nck_joint_v_filter(const nck_machine_t *machine);
-
 // The unit tangents at both ends of a seg, NCK_AXIS_MAX components each; of a rest: zero.
 // Cost: constant.
 void nck_joint_tangents(const nck_seg_t *seg, double *start_out, double *end_out);
 
 // Into how many joints a spline is worth to be parted; of other segs: 1. joint: the whole seg's.
 // Cost: constant.
-int nck_joint_parts(const nck_joint_t *joint, const nck_machine_t *machine);
+int nck_joint_parts(const nck_joint_t *joint, const nck_terms_t *terms);
 
 // Fill in the caps of the part from span[0] to span[1] of a spline, else as nck_joint_make.
 // Cost: constant.
 void nck_joint_part(nck_joint_t *joint, const nck_seg_t *seg, const double span[2],
-                    const nck_machine_t *machine);
+                    const nck_terms_t *terms);
 
 // What a spline's bends leave of the path's acceleration at v². Cost: constant.
-double nck_joint_left(const nck_joint_t *joint, double w, const nck_machine_t *machine);
-
-// How far in time the slope's filter mixes accelerations: half its length [s]. Cost: constant.
-double nck_joint_mix_s(const nck_machine_t *machine);
+double nck_joint_left(const nck_joint_t *joint, double w, const nck_terms_t *terms);
 
 // Fill in a seg's caps; the tangents are those at its start and end. Cost: constant.
 void nck_joint_make(nck_joint_t *joint, const nck_seg_t *seg, const double *tangent_start,
-                    const double *tangent_end, const nck_machine_t *machine);
+                    const double *tangent_end, const nck_terms_t *terms);
 
 // Speed and limits of a seg at both paces, once w_near is known; it is entered at w_in at most.
 // Cost: constant.
-void nck_joint_settle(nck_joint_t *joint, double w_in, const nck_machine_t *machine);
+void nck_joint_settle(nck_joint_t *joint, double w_in, const nck_terms_t *terms);
 
 // Limits in a piece of the settled seg at a pace (NCK_PACE_…), under the share beta.
 // Cost: constant.
 nck_piece_limit_t nck_joint_piece(const nck_joint_t *joint, double beta, int pace,
-                                  const nck_machine_t *machine);
+                                  const nck_terms_t *terms);
 
 #endif

@@ -32,17 +32,6 @@ static inline nck_real nck_limit_arc_cos(nck_real in, nck_real in_n, nck_real ou
     return a > b ? a : b;
 }
 
-// How much a mean over n periods can raise the speed at a node above the planned one:
-//   Δv ≤ J·(τ²/24 + q²/8)     τ = nT: the mean of v differs from v by no more than J·τ²/24
-//                              q = 1.35 T: the longest step of the ladder, inside of which the
-//                              acceleration is constant and v bulges above the smooth profile
-// Derived in 5_slope/README, section "output".
-static inline nck_real nck_limit_filter(nck_real j, nck_real period, nck_real n) {
-    const nck_real tau = n * period;
-    const nck_real q = 1.35 * period;
-    return j * (tau * tau / 24.0 + q * q / 8.0);
-}
-
 // Chord error δ on an arc of radius R > 0, chords of one period:   v ≤ (2/T)·√(2Rδ − δ²)
 // (Cao et al. 2014, section 5, closed form). δ ≥ R: half a turn a period, v ≤ 2R/T.
 static inline nck_real nck_limit_chord(nck_real r, nck_real delta, nck_real period) {

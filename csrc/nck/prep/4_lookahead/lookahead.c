@@ -21,18 +21,16 @@ enum {
 
 #define UNLIMITED 1e30
 
-void nck_lookahead_init(nck_lookahead_t *self, const nck_machine_t *machine) {
+void nck_lookahead_init(nck_lookahead_t *self, const nck_terms_t *terms) {
     memset(self, 0, sizeof *self);
-    self->machine = machine;
+    self->terms = terms;
     nck_lookahead_adapt(self);
     self->before.limit = NCK_LIMIT_EXACT_STOP;
 }
 
 void nck_lookahead_adapt(nck_lookahead_t *self) {
-    self->a_any = nck_joint_a_any(self->machine);
-    self->v_filter = nck_joint_v_filter(self->machine);
-    self->zone_s = nck_corner_zone_s(self->machine);
-    self->mix_s = nck_joint_mix_s(self->machine);
+    self->a_any = nck_joint_a_any(self->terms->machine);
+    self->zone_s = nck_corner_zone_s(self->terms);
 }
 
 int nck_lookahead_has_room(const nck_lookahead_t *self) {
@@ -50,7 +48,7 @@ static void push_parts(nck_lookahead_t *self, const nck_seg_t *seg, int count) {
     double span[2] = {0.0, 0.0};
     for (int k = 0; k < count; k++) {
         span[1] = k + 1 < count ? seg->length * (double)(k + 1) / (double)count : seg->length;
-        nck_joint_part(nck_joint_at(self, self->joint.head), seg, span, self->machine);
+        nck_joint_part(nck_joint_at(self, self->joint.head), seg, span, self->terms);
         join(self);
         span[0] = span[1];
     }
@@ -63,13 +61,13 @@ nck_status_t nck_lookahead_push(nck_lookahead_t *self, const nck_seg_t *seg) {
     double start[NCK_AXIS_MAX];
     double end[NCK_AXIS_MAX];
     nck_joint_tangents(seg, start, end);
-    nck_joint_make(joint, seg, start, end, self->machine);
+    nck_joint_make(joint, seg, start, end, self->terms);
     if (self->joint.head > 0) {
         nck_corner_meet(nck_joint_at(self, self->joint.head - 1), joint, self->joint.tangent, start,
-                        self->machine);
+                        self->terms);
     }
     memcpy(self->joint.tangent, end, sizeof end);
-    const int parts = nck_joint_parts(joint, self->machine);
+    const int parts = nck_joint_parts(joint, self->terms);
     if (parts > 1) {
         push_parts(self, seg, parts);
     } else {
@@ -113,8 +111,8 @@ static double node_cap(const nck_lookahead_t *self, double vv_over, const double
     const double vv_before = self->before.vv_over;
     const double vv_corner = v_corner[NCK_PACE_OVER] * v_corner[NCK_PACE_OVER];
     const double vv = nck_min(nck_min(vv_before, vv_over), vv_corner);
-    if (!(self->v_filter > 0.0) || (vv_before == vv_over && vv == vv_over)) return vv;
-    const double v = nck_max(0.0, nck_sqrt(vv) - self->v_filter);
+    if (!self->terms->limits_jerk || (vv_before == vv_over && vv == vv_over)) return vv;
+    const double v = nck_max(0.0, nck_sqrt(vv) - self->terms->v_filter);
     return v * v;
 }
 
@@ -132,7 +130,7 @@ static void cap_node(nck_lookahead_t *self, nck_node_t *node, const double v_cor
         node->vv_cap = vv_corner;
         node->limit = NCK_LIMIT_CORNER;
     }
-    if (self->v_filter > 0.0) node->vv_cap = nck_min(node->vv_cap, node->vv_node);
+    if (self->terms->limits_jerk) node->vv_cap = nck_min(node->vv_cap, node->vv_node);
     self->before.vv = node->vv_piece;
     self->before.vv_over = node->vv_over;
     self->before.limit = node->limit_piece;
@@ -142,7 +140,7 @@ static nck_piece_limit_t limits_of(const nck_lookahead_t *self, const nck_joint_
                                    const around_t *around, int pace) {
     const nck_near_t *const near = &around->near[pace];
     nck_piece_limit_t piece =
-        nck_joint_piece(joint, around->share[pace], pace, self->machine);
+        nck_joint_piece(joint, around->share[pace], pace, self->terms);
     piece.a = nck_min(piece.a, near->a);
     piece.j = nck_min(piece.j, near->j);
     piece.vv *= near->slow * near->slow;
@@ -169,7 +167,7 @@ static void add_piece(nck_lookahead_t *self, const nck_joint_t *joint, const dou
     node->vv_piece = piece.vv;
     node->vv_over = over.vv_free;
     node->limit_piece = piece.limit;
-    if (self->v_filter > 0.0) node->vv_piece = nck_min(piece.vv, over.vv_free);
+    if (self->terms->limits_jerk) node->vv_piece = nck_min(piece.vv, over.vv_free);
     cap_node(self, node, v_corner);
     self->window.fill++;
 }
@@ -179,9 +177,9 @@ static void add_rest(nck_lookahead_t *self, const nck_joint_t *joint) {
     memset(node, 0, sizeof *node);
     node->seg = joint->seq;
     node->kind = joint->kind;
-    node->a = self->machine->path.a_max;
+    node->a = self->terms->machine->path.a_max;
     node->a_over = node->a;
-    node->j = self->machine->path.j_max;
+    node->j = self->terms->machine->path.j_max;
     node->j_over = node->j;
     node->dwell_s = joint->dwell_s;
     node->limit = NCK_LIMIT_EXACT_STOP;
@@ -194,11 +192,12 @@ static void add_rest(nck_lookahead_t *self, const nck_joint_t *joint) {
 // junction takes a share, as far as the filter mixes.
 static double zone_length(const nck_lookahead_t *self, const nck_joint_t *joint, double v_node,
                           const around_t *around) {
-    if (!(self->v_filter > 0.0)) return joint->v_max * self->zone_s;
-    const double time = around->share[NCK_PACE_OVER] > 0.0 ? self->zone_s : self->mix_s;
+    if (!self->terms->limits_jerk) return joint->v_max * self->zone_s;
+    const double time = around->share[NCK_PACE_OVER] > 0.0 ? self->zone_s : self->terms->mix_s;
     const double near = nck_max(around->near[NCK_PACE_FEED].a, around->near[NCK_PACE_OVER].a);
     const double gained = 0.5 * nck_min(joint->a_most, near) * time * time;
-    return nck_min(joint->pace[NCK_PACE_OVER].v * time, (v_node + self->v_filter) * time + gained);
+    const double raised = v_node + self->terms->v_filter;
+    return nck_min(joint->pace[NCK_PACE_OVER].v * time, raised * time + gained);
 }
 
 // How fast the path may be between the segs count − 1 and count, both known if they exist, by the
@@ -215,7 +214,7 @@ static double speed_between(nck_lookahead_t *self, uint32_t count) {
 // Whether a seg is worth a piece of its own next to the node around which less is allowed.
 static int is_tighter(const nck_lookahead_t *self, const nck_joint_t *joint,
                       const around_t *around) {
-    const nck_piece_limit_t own = nck_joint_piece(joint, 0.0, NCK_PACE_FEED, self->machine);
+    const nck_piece_limit_t own = nck_joint_piece(joint, 0.0, NCK_PACE_FEED, self->terms);
     const nck_near_t *const near = &around->near[NCK_PACE_FEED];
     return around->share[NCK_PACE_FEED] > SPLIT_SHARE || near->a < (1.0 - SPLIT_SHARE) * own.a
            || near->j < (1.0 - SPLIT_SHARE) * own.j;
@@ -223,7 +222,7 @@ static int is_tighter(const nck_lookahead_t *self, const nck_joint_t *joint,
 
 // Whether a zone is cut off. The linear slope, once it cuts a seg, cuts at every share.
 static int is_cut(const nck_lookahead_t *self, const nck_joint_t *joint, const around_t *around) {
-    if (self->v_filter > 0.0) return is_tighter(self, joint, around);
+    if (self->terms->limits_jerk) return is_tighter(self, joint, around);
     return around->share[NCK_PACE_FEED] > 0.0;
 }
 
@@ -237,7 +236,7 @@ static void keep_in_middle(const nck_lookahead_t *self, const around_t ends[2],
         share = nck_max(share, ends[n].share[NCK_PACE_OVER]);
         if (!is_cut_off[n]) add_around(middle_out, &ends[n]);
     }
-    if (!(self->v_filter > 0.0)) middle_out->share[NCK_PACE_OVER] = share;
+    if (!self->terms->limits_jerk) middle_out->share[NCK_PACE_OVER] = share;
 }
 
 // Inside a zone the share of its junction is kept free and its neighbour's limits hold; the middle
@@ -266,7 +265,7 @@ static void add_motion(nck_lookahead_t *self, uint32_t count, const around_t end
     around_t beside[2];
     memcpy(beside, ends, sizeof beside);
     keep_in_middle(self, ends, is_cut_off, &inside);
-    for (int n = 0; n < 2 && self->v_filter > 0.0; n++) {
+    for (int n = 0; n < 2 && self->terms->limits_jerk; n++) {
         if (!is_cut_off[1 - n]) add_around(&beside[n], &ends[1 - n]); // it may reach all the way
     }
     if (is_cut_off[0]) add_piece(self, joint, first, &beside[0], v_start);
@@ -282,7 +281,7 @@ static nck_status_t look_around(nck_lookahead_t *self, uint32_t count, around_t 
         nck_status_t status = nck_corner_share_after(self, count, k, &ends[1].share[k]);
         if (status != NCK_OK) return status;
         ends[0].share[k] = nck_corner_share_before(self, count, k);
-        if (!(self->v_filter > 0.0)) continue;
+        if (!self->terms->limits_jerk) continue;
         const double beta = nck_max(ends[0].share[k], ends[1].share[k]);
         status = nck_near_after(self, count, k, beta, &ends[1].near[k]);
         if (status != NCK_OK) return status;

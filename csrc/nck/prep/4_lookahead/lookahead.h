@@ -6,9 +6,9 @@
 #define NCK_PREP_LOOKAHEAD_H
 
 #include "nck/base/limits.h"  // NCK_WINDOW NCK_CORNER_SPAN
-#include "nck/base/machine.h" // nck_machine_t
 #include "nck/base/records.h" // nck_seg_t nck_node_t
 #include "nck/base/status.h"  // nck_status_t
+#include "nck/base/terms.h"   // nck_terms_t
 
 // Joints that are kept, and joints of one seg.
 enum {
@@ -62,12 +62,10 @@ typedef struct nck_joint {
 
 // The room's state.
 typedef struct nck_lookahead {
-    const nck_machine_t *machine;
+    const nck_terms_t *terms;
     uint32_t ended;       // 1: no more segs will come before the path is at rest
     double a_any;         // no seg has a larger tangential acceleration [path mm/s²]
     double zone_s;        // how long before and after a junction its share is kept free [s]
-    double mix_s;         // how far the slope's filter mixes accelerations [s]
-    double v_filter;      // how much the slope's filter can raise the speed at a node [mm/s]
 
     // joints, counted from the start; slot = count mod NCK_JOINT_MAX
     struct {
@@ -97,7 +95,7 @@ typedef struct nck_lookahead {
 } nck_lookahead_t;
 
 // Cost: linear in the capacities. Context: any, before the tick runs.
-void nck_lookahead_init(nck_lookahead_t *self, const nck_machine_t *machine);
+void nck_lookahead_init(nck_lookahead_t *self, const nck_terms_t *terms);
 
 // Take the machine's limits anew: they have changed. Only while the path is to rest at the end of
 // the last seg. Cost: constant. Context: prep.

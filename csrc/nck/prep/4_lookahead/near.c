@@ -41,11 +41,10 @@ static neighbour_t gained_before(const nck_joint_t *joint, const nck_joint_t *be
 
 // A rest at the other end of a line: what the line gains before the filter mixes it with the joint.
 static neighbour_t beyond_line(const nck_joint_t *joint, const nck_joint_t *line,
-                               const nck_machine_t *machine) {
+                               const nck_terms_t *terms) {
     const double v = nck_sqrt(joint->w_near);
-    const double zone = nck_min(line->length, v * nck_joint_mix_s(machine));
-    const int limits_jerk = machine->slope != NCK_SLOPE_LINEAR;
-    const nck_scurve_t ramp = {line->a_most, limits_jerk ? line->j_straight : UNLIMITED,
+    const double zone = nck_min(line->length, v * terms->mix_s);
+    const nck_scurve_t ramp = {line->a_most, terms->limits_jerk ? line->j_straight : UNLIMITED,
                                line->v_free};
     const double v_line = nck_scurve_reach(&ramp, 0.0, line->length - zone);
     const neighbour_t side = {v_line * v_line, zone + 0.5 * joint->length, NCK_LIMIT_EXACT_STOP};
@@ -55,10 +54,9 @@ static neighbour_t beyond_line(const nck_joint_t *joint, const nck_joint_t *line
 // v² next to a neighbour's, with the acceleration that the joint's own bends leave at w:
 //   g(w) = w_n + 2σ·a_left(w)·l
 static double reach(const nck_joint_t *joint, const neighbour_t *side, double w,
-                    const nck_machine_t *machine) {
-    const double left = nck_max(0.0, nck_joint_left(joint, w, machine));
-    const double steep = 
-        machine->slope == NCK_SLOPE_SSHAPE ? NCK_BUDGET_STEEP_HALF : NCK_BUDGET_STEEP_SHARE;
+                    const nck_terms_t *terms) {
+    const double left = nck_max(0.0, nck_joint_left(joint, w, terms));
+    const double steep = terms->carries ? NCK_BUDGET_STEEP_SHARE : NCK_BUDGET_STEEP_HALF;
     return side->w + 2.0 * steep * left * side->apart;
 }
 
@@ -66,24 +64,24 @@ static double reach(const nck_joint_t *joint, const neighbour_t *side, double w,
 // g falls, the root lies between g(high) and any high that is not below it; a secant makes the gap
 // small. It need not be exact: what is allowed at a speed is worked out when the speed is settled.
 static double leveled(const nck_joint_t *joint, const neighbour_t *side,
-                      const nck_machine_t *machine) {
-    const double high = nck_min(joint->w_near, reach(joint, side, side->w, machine));
-    const double low = reach(joint, side, high, machine);
+                      const nck_terms_t *terms) {
+    const double high = nck_min(joint->w_near, reach(joint, side, side->w, terms));
+    const double low = reach(joint, side, high, terms);
     if (!(low < high)) return high;
-    const double above = reach(joint, side, low, machine) - low;
+    const double above = reach(joint, side, low, terms) - low;
     const double below = high - low;
     const double w = low + (high - low) * above / (above + below);
-    return nck_min(w, reach(joint, side, w, machine));
+    return nck_min(w, reach(joint, side, w, terms));
 }
 
 // A cap much above its neighbour's is of no use, but would cost acceleration and jerk; where the
 // joint hardly bends it costs none. Returns 1 if the cap came down.
-static int level(nck_joint_t *joint, const neighbour_t *side, const nck_machine_t *machine) {
+static int level(nck_joint_t *joint, const neighbour_t *side, const nck_terms_t *terms) {
     if (!(side->w < joint->w_near)) return 0;
-    const double w = leveled(joint, side, machine);
+    const double w = leveled(joint, side, terms);
     if (!(w < joint->w_near)) return 0;
-    const double left = nck_joint_left(joint, joint->w_near, machine);
-    if (left >= BENDS_SHARE * nck_joint_left(joint, w, machine)) return 0;
+    const double left = nck_joint_left(joint, joint->w_near, terms);
+    if (left >= BENDS_SHARE * nck_joint_left(joint, w, terms)) return 0;
     joint->w_near = w;
     joint->limit_free = side->limit;
     return 1;
@@ -95,7 +93,7 @@ static void level_before(nck_lookahead_t *self, uint32_t at) {
     while (at > 0 && self->joint.head - at <= NCK_NEAR_SPAN) {
         nck_joint_t *const before = nck_joint_at(self, at - 1);
         const neighbour_t side = beside(before, nck_joint_at(self, at));
-        if (!is_chain(before) || !level(before, &side, self->machine)) return;
+        if (!is_chain(before) || !level(before, &side, self->terms)) return;
         at--;
     }
 }
@@ -130,8 +128,8 @@ static void level_to_rest(nck_lookahead_t *self, uint32_t at) {
     nck_joint_t *const joint = nck_joint_at(self, last);
     if (joint->kind != NCK_SEG_SPLINE) return;
     const neighbour_t side =
-        by_line ? beyond_line(joint, nck_joint_at(self, at), self->machine) : at_rest(joint);
-    if (level(joint, &side, self->machine)) level_before(self, last);
+        by_line ? beyond_line(joint, nck_joint_at(self, at), self->terms) : at_rest(joint);
+    if (level(joint, &side, self->terms)) level_before(self, last);
 }
 
 // What a spline is levelled with before it: 0 if with nothing.
@@ -149,7 +147,7 @@ static int side_before(nck_lookahead_t *self, uint32_t at, neighbour_t *side_out
     }
     if (before->kind != NCK_SEG_LINE) return 0;
     if (at > 1 && !rests(nck_joint_at(self, at - 2))) return 0;
-    *side_out = beyond_line(joint, before, self->machine);
+    *side_out = beyond_line(joint, before, self->terms);
     return 1;
 }
 
@@ -160,7 +158,7 @@ void nck_near_level(nck_lookahead_t *self) {
     close_chains(self, at);
     if (at > 0 && nck_joint_at(self, at - 1)->stop) level_to_rest(self, at - 1); // known by now
     if (joint->kind == NCK_SEG_SPLINE && side_before(self, at, &side)) {
-        (void)level(joint, &side, self->machine);
+        (void)level(joint, &side, self->terms);
         if (at > 0 && is_chain(nck_joint_at(self, at - 1))) level_before(self, at);
     }
     joint->w_out =
@@ -179,7 +177,7 @@ nck_status_t nck_near_settle(nck_lookahead_t *self) {
     const uint32_t known = self->joint.head - count;
     const int open = self->joint.broken <= count && known <= NCK_NEAR_SPAN && !self->ended;
     if (open) return NCK_EMPTY;
-    nck_joint_settle(nck_joint_at(self, count), entered_at(self, count), self->machine);
+    nck_joint_settle(nck_joint_at(self, count), entered_at(self, count), self->terms);
     self->joint.settled++;
     return NCK_OK;
 }
@@ -198,13 +196,13 @@ nck_near_t nck_near_before(nck_lookahead_t *self, uint32_t count, int pace, doub
         count--;
         const nck_joint_t *const joint = nck_joint_at(self, count);
         if (joint->stop || joint->kind >= NCK_SEG_DWELL) return near;
-        const nck_piece_limit_t piece = nck_joint_piece(joint, beta, pace, self->machine);
+        const nck_piece_limit_t piece = nck_joint_piece(joint, beta, pace, self->terms);
         include(&near, &piece);
         time += joint->pace[pace].time;
         least += joint->pace[pace].least;
-        if (least >= self->mix_s) return near;
+        if (least >= self->terms->mix_s) return near;
     }
-    near.slow = time / self->mix_s;
+    near.slow = time / self->terms->mix_s;
     return near;
 }
 
@@ -221,12 +219,12 @@ nck_status_t nck_near_after(nck_lookahead_t *self, uint32_t count, int pace, dou
         if (count >= self->joint.settled) return NCK_EMPTY;
         const nck_joint_t *const joint = nck_joint_at(self, count);
         if (joint->kind >= NCK_SEG_DWELL) return NCK_OK;
-        const nck_piece_limit_t piece = nck_joint_piece(joint, beta, pace, self->machine);
+        const nck_piece_limit_t piece = nck_joint_piece(joint, beta, pace, self->terms);
         include(near_out, &piece);
         time += joint->pace[pace].time;
         least += joint->pace[pace].least;
-        if (least >= self->mix_s) return NCK_OK;
+        if (least >= self->terms->mix_s) return NCK_OK;
     }
-    near_out->slow = time / self->mix_s;
+    near_out->slow = time / self->terms->mix_s;
     return NCK_OK;
 }

@@ -15,6 +15,7 @@
 #include "nck/base/link.h"            // nck_link_t
 #include "nck/base/machine.h"         // nck_machine_t
 #include "nck/base/status.h"          // nck_status_t
+#include "nck/base/terms.h"           // nck_terms_t
 #include "nck/prep/5_slope/jerk.h"    // nck_jerk_t
 #include "nck/prep/5_slope/linear.h"  // nck_linear_t
 #include "nck/prep/5_slope/plan.h"    // nck_plan_t nck_pieces_t nck_wish_t
@@ -45,6 +46,10 @@ typedef struct nck_slope {
         nck_sshape_t sshape;
     } planner;
 } nck_slope_t;
+
+// Fill in what the machine's slope means to the other rooms. Once more after a change of limits.
+// Cost: constant. Context: prep.
+void nck_slope_terms(const nck_machine_t *machine, nck_terms_t *terms_out);
 
 // At rest where the link ends. Cost: linear in the capacities. Context: any, before the tick runs.
 void nck_slope_init(nck_slope_t *self, const nck_machine_t *machine, nck_link_t *link);

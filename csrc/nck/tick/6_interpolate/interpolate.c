@@ -8,11 +8,8 @@
 #include "nck/base/path_math.h" // nck_path_point
 #include "nck/base/real.h"      // nck_floor
 
-uint32_t nck_interpolate_taps(const nck_machine_t *machine) {
-    return machine->slope == NCK_SLOPE_JERK ? NCK_FILTER_TAPS : 1;
-}
-
-void nck_interpolate_init(nck_interpolate_t *self, const nck_machine_t *machine, nck_link_t *link) {
+void nck_interpolate_init(nck_interpolate_t *self, const nck_terms_t *terms, nck_link_t *link) {
+    const nck_machine_t *const machine = terms->machine;
     memset(self, 0, sizeof *self);
     self->machine = machine;
     self->link = link;
@@ -22,7 +19,7 @@ void nck_interpolate_init(nck_interpolate_t *self, const nck_machine_t *machine,
     self->pose.feed_scale = 1.0;
     self->cell.stop = NCK_STOP_REST;
     self->rests = 1;
-    self->filter.taps = nck_interpolate_taps(machine);
+    self->filter.taps = terms->taps;
 }
 
 static const nck_seg_t *seg_at(const nck_interpolate_t *self, uint32_t seq) {

@@ -7,6 +7,7 @@
 #include "nck/base/machine.h" // nck_machine_t
 #include "nck/base/records.h" // nck_cell_t nck_pose_t
 #include "nck/base/status.h"  // nck_status_t
+#include "nck/base/terms.h"   // nck_terms_t
 
 // Periods of a span. Time counts from the last rest or, if that is longer ago, from a whole number
 // of spans after it.
@@ -41,11 +42,8 @@ typedef struct nck_interpolate {
     nck_pose_t pose;        // of the last tick
 } nck_interpolate_t;
 
-// Taps of the filter that the machine's slope needs. Cost: constant. Context: any.
-uint32_t nck_interpolate_taps(const nck_machine_t *machine);
-
 // At rest at the machine's start position. Cost: constant. Context: any, before the tick runs.
-void nck_interpolate_init(nck_interpolate_t *self, const nck_machine_t *machine, nck_link_t *link);
+void nck_interpolate_init(nck_interpolate_t *self, const nck_terms_t *terms, nck_link_t *link);
 
 // One period on. Returns the pose; it stays valid and unchanged until the next call.
 // Cost: linear in the cells that end in this period. Context: tick.

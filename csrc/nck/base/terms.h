@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: MIT
+// What the other rooms must know of the slope in force, in one place: 5_slope fills it.
+#ifndef NCK_BASE_TERMS_H
+#define NCK_BASE_TERMS_H
+
+#include <stdint.h> // uint8_t
+
+#include "nck/base/machine.h" // nck_machine_t
+
+// The terms of a machine's slope.
+typedef struct nck_terms {
+    const nck_machine_t *machine; // whose terms they are
+    uint8_t limits_jerk; // 1: the slope keeps to limits of jerk
+    uint8_t carries;     // 1: acceleration is carried across junctions
+    uint8_t taps;        // the tick hands out the mean of so many periods; 1: no filter
+    uint8_t reserved;    // 0
+    double mix_s;        // how far in time accelerations are mixed: half the filter's length [s]
+    double v_filter;     // by how much the speed at a node may pass the planned one [path mm/s]
+    double rest_s;       // what a rest costs besides its ramps [s]
+} nck_terms_t;
+
+#endif

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: MIT
+// Room 5, slope: what its velocity profile means to the other rooms.
+#include "nck/prep/5_slope/slope.h"
+
+#include "nck/base/limits.h"              // NCK_FILTER_TAPS
+#include "nck/prep/5_slope/ladder_math.h" // nck_ladder_raise NCK_LADDER_STRETCH
+
+// Only the jerk-limited slope has a filter, and waits at a rest until it has run out. Room 4 gives
+// the classical S-shape the same margins.
+void nck_slope_terms(const nck_machine_t *machine, nck_terms_t *terms_out) {
+    const double period = machine->period_s;
+    const double filter = (double)NCK_FILTER_TAPS * period;
+    const int is_filtered = machine->slope == NCK_SLOPE_JERK;
+    const nck_terms_t linear = {machine, 0, 1, 1, 0, 0.0, 0.0, period};
+    *terms_out = linear;
+    if (machine->slope == NCK_SLOPE_LINEAR) return;
+    terms_out->limits_jerk = 1;
+    terms_out->carries = (uint8_t)is_filtered;
+    terms_out->taps = is_filtered ? NCK_FILTER_TAPS : 1;
+    terms_out->mix_s = 0.5 * filter;
+    terms_out->v_filter =
+        nck_ladder_raise(machine->path.j_max, filter, NCK_LADDER_STRETCH * period);
+    terms_out->rest_s = is_filtered ? period + filter : period;
+}
