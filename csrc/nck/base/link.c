@@ -95,9 +95,11 @@ void nck_link_tail_begin(nck_link_t *self) {
 
 void nck_link_tail_push(nck_link_t *self, const nck_cell_t *cell) {
     inspect(self, cell);
-    self->tail[next_parity(self)][self->tail_fill] = *cell;
+    self->tail[next_parity(self)].cell[self->tail_fill] = *cell;
     self->tail_fill++;
 }
+
+nck_link_spare_t *nck_link_spare(nck_link_t *self) { return &self->tail[next_parity(self)].spare; }
 
 nck_status_t nck_link_publish(nck_link_t *self) {
     const uint32_t parity = next_parity(self);
@@ -130,7 +132,7 @@ static void copy_ahead(nck_link_t *self, uint32_t parity, uint32_t first, double
                        uint32_t most) {
     while (self->batch < most && first + self->batch < self->tail_count[parity]
            && nck_link_cell_room(self) > 0 && self->lead_s < lead) {
-        const nck_cell_t *const cell = &self->tail[parity][first + self->batch];
+        const nck_cell_t *const cell = &self->tail[parity].cell[first + self->batch];
         self->lead_s += cell->duration;
         nck_link_push_cell(self, cell);
     }
@@ -151,7 +153,7 @@ nck_status_t nck_link_install(nck_link_t *self, double lead, uint32_t most) {
     self->tail_count[parity] = fill;
     self->tail_origin[parity] = end;
     const double before = lead_of(self);
-    copy_ahead(self, parity, 0, nck_max(lead, before + self->tail[parity][0].duration), most);
+    copy_ahead(self, parity, 0, nck_max(lead, before + self->tail[parity].cell[0].duration), most);
     if (self->batch == 0) return NCK_FULL;
     const uint32_t word = ((end + self->batch) & END_MASK) << END_SHIFT
                           | (self->batch < fill ? HAS_TAIL : 0u) | parity * PARITY;
@@ -196,18 +198,19 @@ uint32_t nck_link_taken(const nck_link_t *self) { return nck_fence_load(&self->t
 const nck_cell_t *nck_link_tail_cell(const nck_link_t *self, uint32_t count) {
     const uint32_t parity = parity_of(nck_fence_load(&self->word));
     const uint32_t place = cells_between(self->tail_origin[parity], count);
-    return place < self->tail_count[parity] ? &self->tail[parity][place] : (const nck_cell_t *)0;
+    if (place >= self->tail_count[parity]) return (const nck_cell_t *)0;
+    return &self->tail[parity].cell[place];
 }
 
 const nck_cell_t *nck_link_built_cell(const nck_link_t *self, uint32_t i) {
-    return i < self->tail_fill ? &self->tail[next_parity(self)][i] : (const nck_cell_t *)0;
+    return i < self->tail_fill ? &self->tail[next_parity(self)].cell[i] : (const nck_cell_t *)0;
 }
 
 const nck_cell_t *nck_link_tail_end(const nck_link_t *self, uint32_t *count_out) {
     const uint32_t word = nck_fence_load(&self->word);
     const uint32_t parity = parity_of(word);
     *count_out = (word & HAS_TAIL) ? self->tail_count[parity] : 0;
-    return *count_out ? &self->tail[parity][*count_out - 1] : (const nck_cell_t *)0;
+    return *count_out ? &self->tail[parity].cell[*count_out - 1] : (const nck_cell_t *)0;
 }
 
 static nck_status_t take_from_tail(nck_link_t *self, uint32_t word, nck_cell_t *cell_out) {
@@ -215,7 +218,7 @@ static nck_status_t take_from_tail(nck_link_t *self, uint32_t word, nck_cell_t *
     // At rest: prep may be writing both tails.
     if (self->tail_rested == end_of(word) + 1) return NCK_EMPTY;
     if (self->tail_taken >= self->tail_count[parity]) return NCK_EMPTY;
-    *cell_out = self->tail[parity][self->tail_taken];
+    *cell_out = self->tail[parity].cell[self->tail_taken];
     self->tail_taken++;
     return NCK_OK;
 }

@@ -39,6 +39,18 @@ typedef enum nck_link_owner {
     NCK_LINK_PREP = 2   // prep's alone
 } nck_link_owner_t;
 
+// What prep finds in the memory of the next tail as long as it builds none there.
+typedef struct nck_link_spare {
+    double number[5][NCK_TAIL_MAX];
+    uint32_t index[NCK_TAIL_MAX];
+} nck_link_spare_t;
+
+// The memory of a tail.
+typedef union nck_link_tail {
+    nck_cell_t cell[NCK_TAIL_MAX];
+    nck_link_spare_t spare;
+} nck_link_tail_t;
+
 // The link. Who writes a member stands behind it; the tick reads the rings, prep fills them.
 typedef struct nck_link {
     uint32_t word;        // end << 3 | has tail << 2 | parity << 1 | entered; both, by exchange
@@ -62,7 +74,7 @@ typedef struct nck_link {
     uint32_t tail_count[2];
     uint32_t tail_origin[2]; // end of the final cells that the tail's first cell follows
     nck_cell_t cell[NCK_CELL_MAX];
-    nck_cell_t tail[2][NCK_TAIL_MAX];
+    nck_link_tail_t tail[2];
     nck_seg_t seg[NCK_SEG_MAX];
     nck_output_t output[NCK_OUTPUT_MAX];
     uint32_t owner; // nck_link_owner_t; both: prep asks and gives back, the tick yields
@@ -94,6 +106,11 @@ void nck_link_push_cell(nck_link_t *self, const nck_cell_t *cell);
 // Cost: constant. Context: prep.
 void nck_link_tail_begin(nck_link_t *self);
 void nck_link_tail_push(nck_link_t *self, const nck_cell_t *cell);
+
+// The memory of the tail that is built next, for prep to work in until nck_link_tail_begin; a tail
+// that was being built is lost. It stays where it is until something is published.
+// Cost: constant. Context: prep.
+nck_link_spare_t *nck_link_spare(nck_link_t *self);
 
 // Make the batch final, with its tail, in one exchange.
 // Returns NCK_OK; NCK_FULL while the old tail has been entered but has not come to rest yet (the

@@ -50,12 +50,6 @@ void nck_jerk_init(nck_jerk_t *self, const nck_machine_t *machine, nck_link_t *l
     p->a_max = self->a_max;
     p->j_max = self->j_max;
     p->w = self->w;
-    p->s = self->s;
-    p->up = self->up;
-    p->down = self->down;
-    p->e = self->e;
-    p->z = self->z;
-    p->stack = self->stack;
 }
 
 static void enter(nck_jerk_t *self, uint32_t phase) {
@@ -207,8 +201,16 @@ static int is_rest(const nck_jerk_t *self) {
     return self->work.n == 1 && !(self->h[0] > 0.0);
 }
 
+// The profile is worked out where its cells will be drawn.
 static void finish_brake(nck_jerk_t *self) {
     nck_profile_t *const p = &self->profile;
+    nck_link_spare_t *const spare = nck_link_spare(self->link);
+    p->s = spare->number[0];
+    p->up = spare->number[1];
+    p->down = spare->number[2];
+    p->e = spare->number[3];
+    p->z = spare->number[4];
+    p->stack = spare->index;
     p->n = self->work.n;
     p->q_cap = nck_window_q_cap(self);
     nck_profile_begin(p);

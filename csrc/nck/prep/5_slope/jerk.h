@@ -62,9 +62,7 @@ typedef struct nck_jerk {
     uint32_t rung_piece[NCK_PROFILE]; // where every cell begins
     double rung_s[NCK_PROFILE];
     double h[NCK_PROFILE], w_cap[NCK_PROFILE], a_max[NCK_PROFILE], j_max[NCK_PROFILE];
-    double w[NCK_PROFILE], s[NCK_PROFILE], up[NCK_PROFILE], down[NCK_PROFILE];
-    double e[NCK_PROFILE], z[NCK_PROFILE];
-    uint32_t stack[NCK_PROFILE];
+    double w[NCK_PROFILE];
 } nck_jerk_t;
 
 // now, next: the slope's plans; next's begin, piece, s and over are set before a plan is begun.
