@@ -10,12 +10,10 @@ __kernel void layout(__global ulong *seg, __global ulong *unit, __global ulong *
     const ulong of_seg[] = {
         OFFSET(nck_seg_t, seq), OFFSET(nck_seg_t, line), OFFSET(nck_seg_t, block),
         OFFSET(nck_seg_t, kind), OFFSET(nck_seg_t, rapid), OFFSET(nck_seg_t, stop),
-        OFFSET(nck_seg_t, axis_u), OFFSET(nck_seg_t, axis_v), OFFSET(nck_seg_t, blend),
-        OFFSET(nck_seg_t, reserved), OFFSET(nck_seg_t, start), OFFSET(nck_seg_t, end),
-        OFFSET(nck_seg_t, inner), OFFSET(nck_seg_t, length), OFFSET(nck_seg_t, s_begin),
-        OFFSET(nck_seg_t, s_program), OFFSET(nck_seg_t, program), OFFSET(nck_seg_t, centre_u),
-        OFFSET(nck_seg_t, centre_v), OFFSET(nck_seg_t, sweep), OFFSET(nck_seg_t, feed),
-        OFFSET(nck_seg_t, feed_scale), OFFSET(nck_seg_t, dwell_s), sizeof(nck_seg_t),
+        OFFSET(nck_seg_t, blend), OFFSET(nck_seg_t, start), OFFSET(nck_seg_t, end),
+        OFFSET(nck_seg_t, length), OFFSET(nck_seg_t, s_begin), OFFSET(nck_seg_t, s_program),
+        OFFSET(nck_seg_t, program), OFFSET(nck_seg_t, feed), OFFSET(nck_seg_t, feed_scale),
+        OFFSET(nck_seg_t, shape), sizeof(nck_seg_t),
     };
     const ulong of_unit[] = {
         OFFSET(nck_unit_t, seg), OFFSET(nck_unit_t, seg_end), OFFSET(nck_unit_t, limit),

@@ -157,7 +157,7 @@ def test_a_spline_that_cuts_a_corner_misses_its_vertex(pieces):
     _, segs = segs_of("G61\nG1 X37 F1200\nX40\nY40\nM2\n")
     segs["kind"][1] = 2
     segs["start"][2] = segs["end"][1] = [40, 3, 0, 0, 0, 0, 0, 0, 0]
-    segs["inner"][1] = [segs["start"][1], segs["end"][1]]  # a straight cut
+    segs["shape"]["inner"][1] = [segs["start"][1], segs["end"][1]]  # a straight cut
     segs["length"][1:] = segs["program"][1:] = [6, 37]
     segs["s_program"][2] = 43
     error = error_of(program, *np.array_split(segs, pieces))

@@ -7,6 +7,7 @@
 
 #include "host/grade_math.h"            // nck_grade_…
 #include "nck/base/envelope_math.h"     // nck_envelope_h
+#include "nck/base/path_math.h"         // nck_path_turns
 #include "nck/prep/4_lookahead/joint.h" // nck_joint_make
 #include "nck/prep/5_slope/slope.h"     // nck_slope_terms
 
@@ -45,15 +46,16 @@ nck_status_t nck_host_grade_rule(const nck_machine_t *machine, double v_command,
 static int moves(const nck_seg_t *seg) { return seg->kind < NCK_SEG_DWELL; }
 
 static int is_good_seg(const nck_seg_t *seg) {
-    if (!moves(seg)) return seg->dwell_s >= 0.0 && seg->dwell_s <= DBL_MAX;
+    if (!moves(seg)) return seg->shape.dwell_s >= 0.0 && seg->shape.dwell_s <= DBL_MAX;
     int good = is_positive(seg->length) && is_positive(seg->feed_scale);
     good &= seg->rapid ? is_finite(seg->feed) : is_positive(seg->feed);
     for (int x = 0; x < NCK_AXIS_MAX; x++) {
         good &= is_finite(seg->start[x]) && is_finite(seg->end[x]);
     }
     if (seg->kind != NCK_SEG_ARC) return good;
-    good &= seg->axis_u < NCK_AXIS_MAX && seg->axis_v < NCK_AXIS_MAX;
-    return good && is_finite(seg->centre_u) && is_finite(seg->centre_v) && is_finite(seg->sweep);
+    const nck_seg_arc_t *const arc = &seg->shape.arc;
+    good &= arc->axis_u < NCK_AXIS_MAX && arc->axis_v < NCK_AXIS_MAX;
+    return good && is_finite(arc->centre_u) && is_finite(arc->centre_v) && is_finite(arc->sweep);
 }
 
 // The chord error is left to the steps inside a unit, so it must not cut a stretch here.
@@ -84,8 +86,7 @@ static double common_accel(const nck_host_grades_t *self) {
     for (size_t i = 0; i < self->seg_count; i++) {
         const nck_seg_t *const seg = &self->segs[i];
         for (int x = 0; x < NCK_AXIS_MAX; x++) {
-            const int turns = seg->kind == NCK_SEG_ARC && (x == seg->axis_u || x == seg->axis_v);
-            if (turns || seg->start[x] != seg->end[x]) moved |= 1u << x;
+            if (nck_path_turns(seg, x) || seg->start[x] != seg->end[x]) moved |= 1u << x;
         }
     }
     double a = machine->path.a_max;

@@ -111,7 +111,7 @@ static int make_cell(const nck_host_grades_t *self, nck_host_grade_cursor_t *cur
 static void make_rest(const nck_seg_t *seg, nck_cell_t *cell) {
     memset(cell, 0, sizeof *cell);
     cell->seg = seg->seq;
-    cell->duration = seg->dwell_s;
+    cell->duration = seg->shape.dwell_s;
     cell->limit = seg->kind == NCK_SEG_DWELL ? NCK_LIMIT_DWELL : NCK_LIMIT_WAIT;
     cell->last = 1;
     cell->stop = 1;

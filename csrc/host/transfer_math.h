@@ -17,11 +17,12 @@ static inline void nck_transfer_tangent(NCK_IN nck_seg_t *seg, int end, nck_real
         tangent_out[x] = (seg->end[x] - seg->start[x]) / seg->length;
     }
     if (seg->kind != NCK_SEG_ARC) return;
-    const int u = seg->axis_u;
-    const int v = seg->axis_v;
-    const nck_real i_u = seg->centre_u - (end ? seg->end[u] : seg->start[u]);
-    const nck_real i_v = seg->centre_v - (end ? seg->end[v] : seg->start[v]);
-    const nck_real turn = seg->sweep / seg->length;
+    NCK_IN nck_seg_arc_t *const arc = &seg->shape.arc;
+    const int u = arc->axis_u;
+    const int v = arc->axis_v;
+    const nck_real i_u = arc->centre_u - (end ? seg->end[u] : seg->start[u]);
+    const nck_real i_v = arc->centre_v - (end ? seg->end[v] : seg->start[v]);
+    const nck_real turn = arc->sweep / seg->length;
     tangent_out[u] = i_v * turn;
     tangent_out[v] = -i_u * turn;
 }

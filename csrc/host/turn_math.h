@@ -25,10 +25,11 @@ static inline int nck_turn_direction(NCK_IN nck_seg_t *seg, int u, int w, int en
         nck_angle_line(seg->end[u] - seg->start[u], seg->end[w] - seg->start[w], direction_out);
         return 1;
     }
-    if (seg->axis_u != u || seg->axis_v != w) return 0;
+    NCK_IN nck_seg_arc_t *const arc = &seg->shape.arc;
+    if (seg->kind != NCK_SEG_ARC || arc->axis_u != u || arc->axis_v != w) return 0;
     const nck_real at_u = end ? seg->end[u] : seg->start[u];
     const nck_real at_w = end ? seg->end[w] : seg->start[w];
-    nck_angle_arc(seg->centre_u - at_u, seg->centre_v - at_w, seg->sweep, direction_out);
+    nck_angle_arc(arc->centre_u - at_u, arc->centre_v - at_w, arc->sweep, direction_out);
     return 1;
 }
 
@@ -47,8 +48,10 @@ static inline nck_real nck_turn_angle(NCK_IN nck_seg_t *in, NCK_IN nck_seg_t *ou
         }
         return nck_angle_space(t_in, t_out);
     }
-    if (!lines && nck_turn_direction(in, arc->axis_u, arc->axis_v, 1, t_in)
-        && nck_turn_direction(out, arc->axis_u, arc->axis_v, 0, t_out)) {
+    const int u = arc->shape.arc.axis_u;
+    const int w = arc->shape.arc.axis_v;
+    if (arc->kind == NCK_SEG_ARC && nck_turn_direction(in, u, w, 1, t_in)
+        && nck_turn_direction(out, u, w, 0, t_out)) {
         return nck_angle_plane(t_in, t_out);
     }
     nck_transfer_tangent(in, 1, t_in);

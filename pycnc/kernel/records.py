@@ -32,7 +32,8 @@ def dtype(name):
     Returns
     -------
     numpy.dtype
-        Nested records and arrays are nested dtypes; a pointer is an unsigned integer of its size.
+        Nested records and arrays are nested dtypes; a pointer is an unsigned integer of its size;
+        a union is its largest member.
 
     Examples
     --------
@@ -45,7 +46,7 @@ def dtype(name):
 
 def _dtype(ctype):
     if ctype.kind in ("struct", "union"):
-        return _record(ctype)
+        return _record(ctype, _members(ctype))
     if ctype.kind == "array":
         return np.dtype((_dtype(ctype.item), (ctype.length,)))
     size = ffi.sizeof(ctype)
@@ -57,8 +58,14 @@ def _dtype(ctype):
     return np.dtype(f"{'i' if signed else 'u'}{size}")
 
 
-def _record(ctype):
-    fields = ctype.fields
+def _members(ctype):
+    """Return (name, field) of a record; of a union the largest member, for others would overlap."""
+    if ctype.kind == "struct":
+        return ctype.fields
+    return [max(ctype.fields, key=lambda member: ffi.sizeof(member[1].type))]
+
+
+def _record(ctype, fields):
     return np.dtype(
         {
             "names": [name for name, _ in fields],

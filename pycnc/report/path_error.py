@@ -12,7 +12,7 @@ the program as a whole: where the tool all but parks, the program's coordinate r
 
 import numpy as np
 
-from pycnc.kernel.records import enum, join
+from pycnc.kernel.records import dtype, enum, join
 
 _SEG_KINDS = enum("nck_seg_kind_t")
 _PATH_MODES = enum("nck_path_mode_t")
@@ -150,7 +150,7 @@ def _points(segs, share):
     curved = np.flatnonzero(segs["kind"] == _SEG_KINDS.SPLINE)
     if len(curved):
         f, first, last = f[curved], start[curved], end[curved]
-        inner = segs["inner"][curved]
+        inner = segs["shape"]["inner"][curved]
         points[curved] = (
             first * (1 - f) ** 3 + 3 * inner[:, None, 0] * f * (1 - f) ** 2
             + 3 * inner[:, None, 1] * f**2 * (1 - f) + last * f**3
@@ -164,12 +164,15 @@ def _points(segs, share):
 def _turn(segs, share, points, rows):
     """Put the points of arcs, in the axes of their planes, into rows of points."""
     n = np.arange(len(segs))
-    u, v = segs["axis_u"], segs["axis_v"]
-    ru = (segs["start"][n, u] - segs["centre_u"])[:, None]
-    rv = (segs["start"][n, v] - segs["centre_v"])[:, None]
-    phi = segs["sweep"][:, None] * share
-    points[rows, :, u] = segs["centre_u"][:, None] + ru * np.cos(phi) - rv * np.sin(phi)
-    points[rows, :, v] = segs["centre_v"][:, None] + ru * np.sin(phi) + rv * np.cos(phi)
+    shape = segs["shape"]["inner"].reshape(len(segs), -1)  # the numbers of an arc lie there, too
+    width = dtype("nck_seg_arc_t").itemsize // shape.itemsize
+    arc = np.ascontiguousarray(shape[:, :width]).view(dtype("nck_seg_arc_t"))[:, 0]
+    u, v = arc["axis_u"], arc["axis_v"]
+    ru = (segs["start"][n, u] - arc["centre_u"])[:, None]
+    rv = (segs["start"][n, v] - arc["centre_v"])[:, None]
+    phi = arc["sweep"][:, None] * share
+    points[rows, :, u] = arc["centre_u"][:, None] + ru * np.cos(phi) - rv * np.sin(phi)
+    points[rows, :, v] = arc["centre_v"][:, None] + ru * np.sin(phi) + rv * np.cos(phi)
 
 
 def _distance(segs, points):

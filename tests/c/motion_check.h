@@ -162,15 +162,16 @@ static inline double motion_off(const nck_seg_t *seg, double s, const double *ax
     const double share = seg->length > 0.0 ? s / seg->length : 0.0;
     const int is_arc = seg->kind == NCK_SEG_ARC;
     for (int x = 0; x < NCK_AXIS_MAX; x++) {
-        if (is_arc && (x == seg->axis_u || x == seg->axis_v)) continue;
+        if (is_arc && (x == seg->shape.arc.axis_u || x == seg->shape.arc.axis_v)) continue;
         const double off = axis[x] - (seg->start[x] + (seg->end[x] - seg->start[x]) * share);
         sum += off * off;
     }
     if (is_arc) {
-        const int u = seg->axis_u;
-        const int v = seg->axis_v;
-        const double radius = hypot(seg->start[u] - seg->centre_u, seg->start[v] - seg->centre_v);
-        const double off = hypot(axis[u] - seg->centre_u, axis[v] - seg->centre_v) - radius;
+        const nck_seg_arc_t *const arc = &seg->shape.arc;
+        const int u = arc->axis_u;
+        const int v = arc->axis_v;
+        const double radius = hypot(seg->start[u] - arc->centre_u, seg->start[v] - arc->centre_v);
+        const double off = hypot(axis[u] - arc->centre_u, axis[v] - arc->centre_v) - radius;
         sum += off * off;
     }
     return sqrt(sum);

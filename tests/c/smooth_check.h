@@ -104,12 +104,13 @@ static inline int is_bounded(void)
     return smooth.run.tries <= 4 * NCK_KNOT_TRIES;
 }
 
-// A seg that moves has a length that setpoints can tell, and no number that is none.
+// A seg that moves has a length that setpoints can tell, and no number that is none. What an arc or
+// a dwell has of its own lies where a spline has its inner points.
 static inline int is_sound(const nck_seg_t *seg)
 {
     double sum = seg->length + seg->feed + seg->program;
     for (int x = 0; x < NCK_AXIS_MAX; x++) {
-        sum += seg->start[x] + seg->end[x] + seg->inner[0][x] + seg->inner[1][x];
+        sum += seg->start[x] + seg->end[x] + seg->shape.inner[0][x] + seg->shape.inner[1][x];
     }
     return isfinite(sum) && (seg->kind >= NCK_SEG_DWELL || seg->length > 0.5e-9);
 }

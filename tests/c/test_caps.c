@@ -76,8 +76,8 @@ static void add_spline(int count, double spacing, double turn, double feed)
         seg->length = spacing;
         for (int x = 0; x < NCK_AXIS_MAX; x++) {
             seg->start[x] = (c[0][x] + 4.0 * c[1][x] + c[2][x]) / 6.0;
-            seg->inner[0][x] = (2.0 * c[1][x] + c[2][x]) / 3.0;
-            seg->inner[1][x] = (c[1][x] + 2.0 * c[2][x]) / 3.0;
+            seg->shape.inner[0][x] = (2.0 * c[1][x] + c[2][x]) / 3.0;
+            seg->shape.inner[1][x] = (c[1][x] + 2.0 * c[2][x]) / 3.0;
             seg->end[x] = (c[1][x] + 4.0 * c[2][x] + c[3][x]) / 6.0;
         }
         angle += turn * (random_real() - 0.5);
@@ -257,8 +257,8 @@ static void rounding_is_no_corner(check_t *check)
     for (uint32_t i = 0; i < seg_count; i++) {
         for (int k = 0; k < 3; k++) {
             segs[i].start[k] += 900.0;
-            segs[i].inner[0][k] += 900.0;
-            segs[i].inner[1][k] += 900.0;
+            segs[i].shape.inner[0][k] += 900.0;
+            segs[i].shape.inner[1][k] += 900.0;
             segs[i].end[k] += 900.0;
         }
     }

@@ -6,6 +6,7 @@
 
 #include "check.h"
 #include "nck/base/path.h"                  // nck_path_tangent
+#include "nck/base/path_math.h"             // nck_path_turns
 #include "nck/prep/4_lookahead/lookahead.h" // nck_lookahead_t
 #include "terms_check.h" // terms_of
 
@@ -80,20 +81,20 @@ static void draw_arc(void)
     memset(&seg, 0, sizeof seg);
     seg.kind = NCK_SEG_ARC;
     const int plane = (int)random_between(0.0, 3.0);
-    seg.axis_u = (uint8_t)plane;
-    seg.axis_v = (uint8_t)((plane + 1) % 3);
+    seg.shape.arc.axis_u = (uint8_t)plane;
+    seg.shape.arc.axis_v = (uint8_t)((plane + 1) % 3);
     const int across = (plane + 2) % 3;
     const double r = random_between(0.3, 30.0);
     const double from = random_between(0.0, TAU);
-    seg.sweep = random_between(0.1, 8.0) * (random_between(-1.0, 1.0) < 0.0 ? -1.0 : 1.0);
-    seg.centre_u = random_between(-20.0, 20.0);
-    seg.centre_v = random_between(-20.0, 20.0);
-    seg.start[seg.axis_u] = seg.centre_u + r * cos(from);
-    seg.start[seg.axis_v] = seg.centre_v + r * sin(from);
-    seg.end[seg.axis_u] = seg.centre_u + r * cos(from + seg.sweep);
-    seg.end[seg.axis_v] = seg.centre_v + r * sin(from + seg.sweep);
+    seg.shape.arc.sweep = random_between(0.1, 8.0) * (random_between(-1.0, 1.0) < 0.0 ? -1.0 : 1.0);
+    seg.shape.arc.centre_u = random_between(-20.0, 20.0);
+    seg.shape.arc.centre_v = random_between(-20.0, 20.0);
+    seg.start[seg.shape.arc.axis_u] = seg.shape.arc.centre_u + r * cos(from);
+    seg.start[seg.shape.arc.axis_v] = seg.shape.arc.centre_v + r * sin(from);
+    seg.end[seg.shape.arc.axis_u] = seg.shape.arc.centre_u + r * cos(from + seg.shape.arc.sweep);
+    seg.end[seg.shape.arc.axis_v] = seg.shape.arc.centre_v + r * sin(from + seg.shape.arc.sweep);
     if (random_between(0.0, 1.0) < 0.5) seg.end[across] = random_between(-20.0, 20.0);
-    seg.length = hypot(r * seg.sweep, seg.end[across]);
+    seg.length = hypot(r * seg.shape.arc.sweep, seg.end[across]);
 }
 
 static void draw_feed(void)
@@ -136,13 +137,15 @@ static void cap(allowed_t *allowed, double v, int limit)
 // How much of the speed lies in an arc's plane, and how much the path bends.
 static double arc_cosine(double *radius_out)
 {
-    *radius_out = hypot(seg.start[seg.axis_u] - seg.centre_u, seg.start[seg.axis_v] - seg.centre_v);
-    return *radius_out * fabs(seg.sweep) / seg.length;
+    const nck_seg_arc_t *const arc = &seg.shape.arc;
+    *radius_out = hypot(seg.start[arc->axis_u] - arc->centre_u,
+                        seg.start[arc->axis_v] - arc->centre_v);
+    return *radius_out * fabs(arc->sweep) / seg.length;
 }
 
 static double plane_a(void)
 {
-    return fmin(machine.axis[seg.axis_u].a_max, machine.axis[seg.axis_v].a_max);
+    return fmin(machine.axis[seg.shape.arc.axis_u].a_max, machine.axis[seg.shape.arc.axis_v].a_max);
 }
 
 // Chords of one period stay within the chord error; the centripetal acceleration takes 0.8.
@@ -166,7 +169,7 @@ static allowed_t find_allowed(void)
     find_cosines(cosine);
     for (int x = 0; x < 3; x++) {
         const nck_axis_t *const axis = &machine.axis[x];
-        const int in_plane = seg.kind == NCK_SEG_ARC && (x == seg.axis_u || x == seg.axis_v);
+        const int in_plane = nck_path_turns(&seg, x);
         if (!(cosine[x] > 0.0)) continue;
         cap(&allowed, (seg.rapid ? axis->rapid : axis->v_max) / cosine[x],
             seg.rapid ? NCK_LIMIT_RAPID : NCK_LIMIT_AXIS_V + x);
@@ -272,10 +275,10 @@ static void axes_count_by_what_they_see_of_an_arc(check_t *check)
     begin(1, NCK_SLOPE_LINEAR);
     memset(&seg, 0, sizeof seg);
     seg.kind = NCK_SEG_ARC;
-    seg.axis_v = NCK_AXIS_Y;
+    seg.shape.arc.axis_v = NCK_AXIS_Y;
     seg.start[0] = seg.start[1] = seg.end[1] = 40.0 * sqrt(0.5);
     seg.end[0] = -seg.start[0];
-    seg.sweep = TAU / 4.0;
+    seg.shape.arc.sweep = TAU / 4.0;
     seg.length = 10.0 * TAU;
     seg.feed = 1000.0;
     seg.feed_scale = 1.0;

@@ -119,12 +119,12 @@ static void derivatives_of_a_spline_and_an_arc_follow_one_another(check_t *check
     memset(segs, 0, sizeof segs);
     segs[0].kind = NCK_SEG_SPLINE;
     segs[1].kind = NCK_SEG_ARC;
-    segs[1].axis_v = NCK_AXIS_Y;
-    segs[1].sweep = -2.5;
+    segs[1].shape.arc.axis_v = NCK_AXIS_Y;
+    segs[1].shape.arc.sweep = -2.5;
     for (int x = 0; x < NCK_AXIS_MAX; x++) {
         segs[0].start[x] = 0.1 * x;
-        segs[0].inner[0][x] = 1.0 - 0.2 * x * x;
-        segs[0].inner[1][x] = 1.5 + x;
+        segs[0].shape.inner[0][x] = 1.0 - 0.2 * x * x;
+        segs[0].shape.inner[1][x] = 1.5 + x;
         segs[0].end[x] = 2.0 - x;
     }
     segs[0].length = 3.5;
@@ -156,8 +156,8 @@ static void spline_ends_to_the_bit_and_its_tangent_is_its_derivative(check_t *ch
     seg.length = 0.7;
     for (int x = 0; x < NCK_AXIS_MAX; x++) {
         seg.start[x] = 0.1 + x;
-        seg.inner[0][x] = 0.3 + x;
-        seg.inner[1][x] = 0.7;
+        seg.shape.inner[0][x] = 0.3 + x;
+        seg.shape.inner[1][x] = 0.7;
         seg.end[x] = 1.1 / 3.0;
     }
     double p[3][NCK_AXIS_MAX];

@@ -99,8 +99,8 @@ static void exact_blocks_pass_unchanged(check_t *check)
         same += memcmp(seg->start, exact.seg[i].start, sizeof seg->start) == 0
                 && memcmp(seg->end, exact.seg[i].end, sizeof seg->end) == 0
                 && seg->length == exact.seg[i].length && seg->stop == exact.seg[i].stop
-                && seg->dwell_s == exact.seg[i].dwell_s && seg->feed == exact.seg[i].feed
-                && seg->kind == exact.seg[i].kind;
+                && memcmp(&seg->shape, &exact.seg[i].shape, sizeof seg->shape) == 0
+                && seg->feed == exact.seg[i].feed && seg->kind == exact.seg[i].kind;
     }
     CHECK_INT(check, same, 20 + 3); // the first block has no length
 }

@@ -4,11 +4,12 @@
 
 // Where the start radius (u, v) of an arc points at s: turned by sweep·s/L.
 static void radius_at(const nck_seg_t *seg, double s, double *radius_out) {
-    const double ru = seg->start[seg->axis_u] - seg->centre_u;
-    const double rv = seg->start[seg->axis_v] - seg->centre_v;
+    const nck_seg_arc_t *const arc = &seg->shape.arc;
+    const double ru = seg->start[arc->axis_u] - arc->centre_u;
+    const double rv = seg->start[arc->axis_v] - arc->centre_v;
     double sin_phi = 0.0;
     double cos_phi = 1.0;
-    nck_sincos(seg->sweep / seg->length * s, &sin_phi, &cos_phi);
+    nck_sincos(arc->sweep / seg->length * s, &sin_phi, &cos_phi);
     radius_out[0] = ru * cos_phi - rv * sin_phi;
     radius_out[1] = ru * sin_phi + rv * cos_phi;
 }
@@ -23,9 +24,9 @@ void nck_path_tangent(const nck_seg_t *seg, double s, double *tangent_out) {
     if (seg->kind == NCK_SEG_SPLINE) {
         const double f = s / seg->length;
         for (int x = 0; x < NCK_AXIS_MAX; x++) {
-            const double d0 = seg->inner[0][x] - seg->start[x];
-            const double d1 = seg->inner[1][x] - seg->inner[0][x];
-            const double d2 = seg->end[x] - seg->inner[1][x];
+            const double d0 = seg->shape.inner[0][x] - seg->start[x];
+            const double d1 = seg->shape.inner[1][x] - seg->shape.inner[0][x];
+            const double d2 = seg->end[x] - seg->shape.inner[1][x];
             const double d01 = d0 + (d1 - d0) * f;
             const double d12 = d1 + (d2 - d1) * f;
             tangent_out[x] = 3.0 * (d01 + (d12 - d01) * f) / seg->length;
@@ -36,11 +37,12 @@ void nck_path_tangent(const nck_seg_t *seg, double s, double *tangent_out) {
         tangent_out[x] = (seg->end[x] - seg->start[x]) / seg->length;
     }
     if (seg->kind != NCK_SEG_ARC) return;
-    const double turn = seg->sweep / seg->length;
+    const nck_seg_arc_t *const arc = &seg->shape.arc;
+    const double turn = arc->sweep / seg->length;
     double radius[2];
     radius_at(seg, s, radius);
-    tangent_out[seg->axis_u] = -radius[1] * turn;
-    tangent_out[seg->axis_v] = radius[0] * turn;
+    tangent_out[arc->axis_u] = -radius[1] * turn;
+    tangent_out[arc->axis_v] = radius[0] * turn;
 }
 
 // d²p/ds² [1/mm]: 0 on a line.
@@ -54,18 +56,19 @@ void nck_path_second(const nck_seg_t *seg, double s, double *second_out) {
         const double f = s / seg->length;
         const double scale = 6.0 / (seg->length * seg->length);
         for (int x = 0; x < NCK_AXIS_MAX; x++) {
-            const double d1 = seg->inner[1][x] - seg->inner[0][x];
-            const double dd0 = d1 - (seg->inner[0][x] - seg->start[x]);
-            const double dd1 = (seg->end[x] - seg->inner[1][x]) - d1;
+            const double d1 = seg->shape.inner[1][x] - seg->shape.inner[0][x];
+            const double dd0 = d1 - (seg->shape.inner[0][x] - seg->start[x]);
+            const double dd1 = (seg->end[x] - seg->shape.inner[1][x]) - d1;
             second_out[x] = scale * (dd0 + (dd1 - dd0) * f);
         }
     }
     if (seg->kind != NCK_SEG_ARC) return;
-    const double turn = seg->sweep / seg->length;
+    const nck_seg_arc_t *const arc = &seg->shape.arc;
+    const double turn = arc->sweep / seg->length;
     double radius[2];
     radius_at(seg, s, radius);
-    second_out[seg->axis_u] = -radius[0] * turn * turn;
-    second_out[seg->axis_v] = -radius[1] * turn * turn;
+    second_out[arc->axis_u] = -radius[0] * turn * turn;
+    second_out[arc->axis_v] = -radius[1] * turn * turn;
 }
 
 // d³p/ds³ [1/mm²]: 0 on a line.
@@ -77,16 +80,17 @@ void nck_path_third(const nck_seg_t *seg, double s, double *third_out) {
     if (seg->kind == NCK_SEG_SPLINE) {
         const double scale = 6.0 / (seg->length * seg->length * seg->length);
         for (int x = 0; x < NCK_AXIS_MAX; x++) {
-            const double d1 = seg->inner[1][x] - seg->inner[0][x];
-            const double dd0 = d1 - (seg->inner[0][x] - seg->start[x]);
-            const double dd1 = (seg->end[x] - seg->inner[1][x]) - d1;
+            const double d1 = seg->shape.inner[1][x] - seg->shape.inner[0][x];
+            const double dd0 = d1 - (seg->shape.inner[0][x] - seg->start[x]);
+            const double dd1 = (seg->end[x] - seg->shape.inner[1][x]) - d1;
             third_out[x] = scale * (dd1 - dd0);
         }
     }
     if (seg->kind != NCK_SEG_ARC) return;
-    const double turn = seg->sweep / seg->length;
+    const nck_seg_arc_t *const arc = &seg->shape.arc;
+    const double turn = arc->sweep / seg->length;
     double radius[2];
     radius_at(seg, s, radius);
-    third_out[seg->axis_u] = radius[1] * turn * turn * turn;
-    third_out[seg->axis_v] = -radius[0] * turn * turn * turn;
+    third_out[arc->axis_u] = radius[1] * turn * turn * turn;
+    third_out[arc->axis_v] = -radius[0] * turn * turn * turn;
 }

@@ -7,14 +7,22 @@
 #include "nck/base/records.h"   // nck_seg_t
 #include "nck/base/trig_math.h" // what nck_sincos stands for
 
+// 1 if the axis is one of the two that an arc turns in.
+static inline int nck_path_turns(const nck_seg_t *seg, int x) {
+    return seg->kind == NCK_SEG_ARC
+           && (x == seg->shape.arc.axis_u || x == seg->shape.arc.axis_v);
+}
+
 // A cubic over f = s/L in 0…1 by its Bernstein points b0 … b3, repeated linear interpolation:
 //   p = Σ C(3,k) (1 − f)^(3−k) f^k b_k
 // (P. de Casteljau; G. Farin, Curves and Surfaces for CAGD, 2002, section 4.2.) Never outside of
 // what its points span, but for rounding.
 static inline nck_real nck_path_cubic(const nck_seg_t *seg, int x, nck_real f) {
-    const nck_real b01 = seg->start[x] + (seg->inner[0][x] - seg->start[x]) * f;
-    const nck_real b12 = seg->inner[0][x] + (seg->inner[1][x] - seg->inner[0][x]) * f;
-    const nck_real b23 = seg->inner[1][x] + (seg->end[x] - seg->inner[1][x]) * f;
+    const nck_real b1 = seg->shape.inner[0][x];
+    const nck_real b2 = seg->shape.inner[1][x];
+    const nck_real b01 = seg->start[x] + (b1 - seg->start[x]) * f;
+    const nck_real b12 = b1 + (b2 - b1) * f;
+    const nck_real b23 = b2 + (seg->end[x] - b2) * f;
     const nck_real b012 = b01 + (b12 - b01) * f;
     const nck_real b123 = b12 + (b23 - b12) * f;
     return b012 + (b123 - b012) * f;
@@ -41,13 +49,14 @@ static inline void nck_path_point(const nck_seg_t *seg, nck_real s, nck_real *po
         point_out[x] = seg->start[x] + (seg->end[x] - seg->start[x]) * f;
     }
     if (seg->kind != NCK_SEG_ARC) return;
-    const nck_real ru = seg->start[seg->axis_u] - seg->centre_u;
-    const nck_real rv = seg->start[seg->axis_v] - seg->centre_v;
+    const nck_seg_arc_t *const arc = &seg->shape.arc;
+    const nck_real ru = seg->start[arc->axis_u] - arc->centre_u;
+    const nck_real rv = seg->start[arc->axis_v] - arc->centre_v;
     nck_real sin_phi = 0.0;
     nck_real cos_phi = 1.0;
-    nck_sincos(seg->sweep * f, &sin_phi, &cos_phi);
-    point_out[seg->axis_u] = seg->centre_u + (ru * cos_phi - rv * sin_phi);
-    point_out[seg->axis_v] = seg->centre_v + (ru * sin_phi + rv * cos_phi);
+    nck_sincos(arc->sweep * f, &sin_phi, &cos_phi);
+    point_out[arc->axis_u] = arc->centre_u + (ru * cos_phi - rv * sin_phi);
+    point_out[arc->axis_v] = arc->centre_v + (ru * sin_phi + rv * cos_phi);
 }
 
 #endif

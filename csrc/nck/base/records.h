@@ -93,6 +93,23 @@ typedef enum nck_seg_kind {
     NCK_SEG_WAIT = 4    // at rest until nck_resume
 } nck_seg_kind_t;
 
+// An arc in the plane of two axes.
+typedef struct nck_seg_arc {
+    double centre_u;     // along the plane's first axis [mm]
+    double centre_v;
+    double sweep;        // signed angle, + from u towards v [rad]
+    uint8_t axis_u;      // index of the plane's first axis
+    uint8_t axis_v;      // and of its second one
+    uint8_t reserved[6]; // 0
+} nck_seg_arc_t;
+
+// What only some kinds of seg have.
+typedef union nck_seg_shape {
+    double inner[2][NCK_AXIS_MAX]; // spline: its inner Bernstein points [mm, deg]
+    nck_seg_arc_t arc;
+    double dwell_s;      // dwell [s]; wait: 0
+} nck_seg_shape_t;
+
 // 3_smooth → 4_lookahead, and by its own ring → 6_interpolate: a piece of path with its geometry.
 typedef struct nck_seg {
     uint32_t seq;        // running number, the name of the seg for nodes and cells
@@ -101,25 +118,18 @@ typedef struct nck_seg {
     uint8_t kind;        // nck_seg_kind_t
     uint8_t rapid;       // 1: G0
     uint8_t stop;        // 1: exact stop at the end
-    uint8_t axis_u;      // arc: index of the plane's first axis
-    uint8_t axis_v;      // arc: index of the plane's second axis
     uint8_t blend;       // 1: of a sharp corner's own blend: its s runs on while the path turns
-    uint8_t reserved[2]; // 0
     double start[NCK_AXIS_MAX]; // pose at s = 0 [mm, deg]
     double end[NCK_AXIS_MAX];   // pose at s = length [mm, deg]
-    double inner[2][NCK_AXIS_MAX]; // spline: its inner Bernstein points [mm, deg]
     double length;       // range of s [path mm]: path length (spline: that of the programmed path
                          // it stands for, never less than its own; blend: what makes its
                          // speed even); 0 for dwell and wait
     double s_begin;      // length of all segs before [path mm], for reports
     double s_program;    // programmed path before [path mm], for reports
     double program;      // programmed path that it stands for [path mm]; length but for a blend
-    double centre_u;     // arc: centre [mm]
-    double centre_v;
-    double sweep;        // arc: signed angle, + from u towards v [rad]
     double feed;         // wanted path speed [path mm/s]; rapid: 0
     double feed_scale;   // speed that the program means / path speed (1 unless rotary axes join in)
-    double dwell_s;      // dwell [s]
+    nck_seg_shape_t shape; // by kind; of a line 0
 } nck_seg_t;
 
 // Which limit holds the speed. The names of limit_time_s and of the trace column "limit".

@@ -41,8 +41,8 @@ static void set_piece(const shape_t *shape, double from, double to, nck_seg_t *s
     point(shape, from, seg->start, t0);
     point(shape, to, seg->end, t1);
     for (int x = 0; x < NCK_AXIS_MAX; x++) {
-        seg->inner[0][x] = seg->start[x] + t0[x] * third;
-        seg->inner[1][x] = seg->end[x] - t1[x] * third;
+        seg->shape.inner[0][x] = seg->start[x] + t0[x] * third;
+        seg->shape.inner[1][x] = seg->end[x] - t1[x] * third;
     }
     seg->kind = NCK_SEG_SPLINE;
     seg->blend = 1;

@@ -3,15 +3,16 @@
 #ifndef NCK_PREP_METRIC_MATH_H
 #define NCK_PREP_METRIC_MATH_H
 
-#include "nck/base/real.h"    // nck_real nck_sqrt
-#include "nck/base/records.h" // nck_seg_t axis order
+#include "nck/base/path_math.h" // nck_path_turns
+#include "nck/base/real.h"      // nck_real nck_sqrt
+#include "nck/base/records.h"   // nck_seg_t axis order
 
 // Σ (end − start)² over the axes first … last, but for the two of an arc's plane.
 static inline nck_real nck_metric_straight(const nck_seg_t *seg, int first, int last) {
     nck_real sum = 0.0;
     for (int x = first; x <= last && x < NCK_AXIS_MAX; x++) {
         const nck_real d = seg->end[x] - seg->start[x];
-        if (seg->kind != NCK_SEG_ARC || (x != seg->axis_u && x != seg->axis_v)) sum += d * d;
+        if (!nck_path_turns(seg, x)) sum += d * d;
     }
     return sum;
 }
@@ -19,9 +20,10 @@ static inline nck_real nck_metric_straight(const nck_seg_t *seg, int first, int 
 // The square of the way round an arc, (r·sweep)², r from the start point; 0 for a line.
 static inline nck_real nck_metric_round(const nck_seg_t *seg) {
     if (seg->kind != NCK_SEG_ARC) return 0.0;
-    const nck_real ru = seg->start[seg->axis_u] - seg->centre_u;
-    const nck_real rv = seg->start[seg->axis_v] - seg->centre_v;
-    return (ru * ru + rv * rv) * seg->sweep * seg->sweep;
+    const nck_seg_arc_t *const arc = &seg->shape.arc;
+    const nck_real ru = seg->start[arc->axis_u] - arc->centre_u;
+    const nck_real rv = seg->start[arc->axis_v] - arc->centre_v;
+    return (ru * ru + rv * rv) * arc->sweep * arc->sweep;
 }
 
 // Path length: √(Σ all axes), one degree counted as one millimetre (README, "the path metric").

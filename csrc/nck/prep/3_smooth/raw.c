@@ -90,7 +90,7 @@ void nck_raw_spline(nck_smooth_t *self, int first, nck_seg_t *seg_out) {
     seg_out->kind = NCK_SEG_SPLINE;
     if (!is_straight(self, nck_spline_greville(t), nck_spline_greville(t + 3))) return;
     seg_out->kind = NCK_SEG_LINE;
-    memset(seg_out->inner, 0, sizeof seg_out->inner);
+    memset(&seg_out->shape, 0, sizeof seg_out->shape);
 }
 
 // |p″| over a seg: of a spline the larger end's, for it is linear in between.

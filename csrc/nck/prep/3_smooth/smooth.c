@@ -59,12 +59,13 @@ static void set_end(const nck_smooth_t *self, const nck_block_t *block, double *
 }
 
 static void set_arc(nck_seg_t *seg, const nck_block_t *block) {
+    nck_seg_arc_t *const arc = &seg->shape.arc;
     seg->kind = NCK_SEG_ARC;
-    seg->axis_u = block->plane == 17 ? NCK_AXIS_X : block->plane == 18 ? NCK_AXIS_Z : NCK_AXIS_Y;
-    seg->axis_v = block->plane == 17 ? NCK_AXIS_Y : block->plane == 18 ? NCK_AXIS_X : NCK_AXIS_Z;
-    seg->centre_u = block->centre_mm[0];
-    seg->centre_v = block->centre_mm[1];
-    seg->sweep = block->sweep_rad;
+    arc->axis_u = block->plane == 17 ? NCK_AXIS_X : block->plane == 18 ? NCK_AXIS_Z : NCK_AXIS_Y;
+    arc->axis_v = block->plane == 17 ? NCK_AXIS_Y : block->plane == 18 ? NCK_AXIS_X : NCK_AXIS_Z;
+    arc->centre_u = block->centre_mm[0];
+    arc->centre_v = block->centre_mm[1];
+    arc->sweep = block->sweep_rad;
 }
 
 // Wanted path speed [path mm/s]. G94: F along the length it is meant for; G93: the whole seg in 1/F
@@ -100,7 +101,7 @@ static nck_status_t make_seg(const nck_smooth_t *self, const nck_block_t *block,
     if (block->kind <= NCK_BLOCK_ARC) return make_motion(self, block, seg);
     seg->kind = block->kind == NCK_BLOCK_DWELL ? NCK_SEG_DWELL : NCK_SEG_WAIT;
     seg->stop = 1;
-    seg->dwell_s = block->kind == NCK_BLOCK_DWELL ? block->dwell_s : 0.0;
+    seg->shape.dwell_s = block->kind == NCK_BLOCK_DWELL ? block->dwell_s : 0.0;
     return NCK_OK;
 }
 

@@ -37,8 +37,8 @@ static inline void nck_spline_bernstein(const nck_real *t, const nck_real *c0, c
         const nck_real b1 = c1[x] + (c2[x] - c1[x]) * first;
         const nck_real b2 = c1[x] + (c2[x] - c1[x]) * second;
         const nck_real next = c2[x] + (c3[x] - c2[x]) * behind;
-        seg_out->inner[0][x] = b1;
-        seg_out->inner[1][x] = b2;
+        seg_out->shape.inner[0][x] = b1;
+        seg_out->shape.inner[1][x] = b2;
         seg_out->start[x] = t[0] < t[2] ? last + (b1 - last) * at_start : c0[x];
         seg_out->end[x] = t[3] < t[5] ? b2 + (next - b2) * at_end : c3[x];
     }
@@ -66,11 +66,11 @@ static inline void nck_spline_part(nck_seg_t *seg, nck_real x0, nck_real x1) {
     for (int x = 0; x < NCK_AXIS_MAX; x++) {
         const nck_real start = seg->start[x];
         const nck_real way = seg->end[x] - start;
-        const nck_real b[4] = {start, seg->inner[0][x], seg->inner[1][x], seg->end[x]};
+        const nck_real b[4] = {start, seg->shape.inner[0][x], seg->shape.inner[1][x], seg->end[x]};
         const int cubic = seg->kind == NCK_SEG_SPLINE;
         if (cubic) {
-            seg->inner[0][x] = nck_spline_blossom(b, u, u, v);
-            seg->inner[1][x] = nck_spline_blossom(b, u, v, v);
+            seg->shape.inner[0][x] = nck_spline_blossom(b, u, u, v);
+            seg->shape.inner[1][x] = nck_spline_blossom(b, u, v, v);
         }
         if (!begins) seg->start[x] = cubic ? nck_spline_blossom(b, u, u, u) : start + way * u;
         if (!ends) seg->end[x] = cubic ? nck_spline_blossom(b, v, v, v) : start + way * v;

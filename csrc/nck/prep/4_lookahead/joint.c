@@ -5,6 +5,7 @@
 #include <string.h> // memset
 
 #include "nck/base/path.h"                    // nck_path_tangent …
+#include "nck/base/path_math.h"               // nck_path_turns
 #include "nck/base/root_math.h"               // nck_root_cube
 #include "nck/prep/4_lookahead/budget_math.h" // nck_budget_…
 #include "nck/prep/4_lookahead/limit_math.h"  // nck_limit_…
@@ -37,12 +38,11 @@ static void cap_speed(nck_joint_t *joint, double v, int limit) {
 static double largest_cosine(const nck_joint_t *joint, const nck_seg_t *seg, int x,
                              const double *t_in, const double *t_out) {
     if (seg->kind == NCK_SEG_SPLINE) return joint->first[x];
-    if (seg->kind != NCK_SEG_ARC || (x != seg->axis_u && x != seg->axis_v)) {
-        return nck_fabs(t_in[x]);
-    }
+    if (!nck_path_turns(seg, x)) return nck_fabs(t_in[x]);
+    const nck_seg_arc_t *const arc = &seg->shape.arc;
     const double cos_lambda = joint->cos_lambda;
-    if (nck_fabs(seg->sweep) >= NCK_PI) return cos_lambda;
-    const int across = x == seg->axis_u ? seg->axis_v : seg->axis_u;
+    if (nck_fabs(arc->sweep) >= NCK_PI) return cos_lambda;
+    const int across = x == arc->axis_u ? arc->axis_v : arc->axis_u;
     return cos_lambda * nck_limit_arc_cos(t_in[x] / cos_lambda, t_in[across] / cos_lambda,
                                           t_out[x] / cos_lambda, t_out[across] / cos_lambda);
 }
@@ -58,7 +58,7 @@ static void cap_by_axes(nck_joint_t *joint, const nck_seg_t *seg, const double *
         cap_speed(joint, nck_limit_along(seg->rapid ? axis->rapid : axis->v_max, c),
                   seg->rapid ? NCK_LIMIT_RAPID : NCK_LIMIT_AXIS_V + x);
         j = nck_min(j, nck_limit_along(axis->j_max, c));
-        if (seg->kind == NCK_SEG_ARC && (x == seg->axis_u || x == seg->axis_v)) {
+        if (nck_path_turns(seg, x)) {
             joint->a_plane = nck_min(joint->a_plane, axis->a_max);
         } else {
             a_straight = nck_min(a_straight, nck_limit_along(axis->a_max, c));
@@ -69,10 +69,11 @@ static void cap_by_axes(nck_joint_t *joint, const nck_seg_t *seg, const double *
 }
 
 static void make_arc(nck_joint_t *joint, const nck_seg_t *seg, const nck_machine_t *machine) {
-    const double ru = seg->start[seg->axis_u] - seg->centre_u;
-    const double rv = seg->start[seg->axis_v] - seg->centre_v;
+    const nck_seg_arc_t *const arc = &seg->shape.arc;
+    const double ru = seg->start[arc->axis_u] - arc->centre_u;
+    const double rv = seg->start[arc->axis_v] - arc->centre_v;
     const double r = nck_sqrt(ru * ru + rv * rv);
-    joint->cos_lambda = nck_min(1.0, r * nck_fabs(seg->sweep) / seg->length);
+    joint->cos_lambda = nck_min(1.0, r * nck_fabs(arc->sweep) / seg->length);
     joint->kappa = joint->cos_lambda * joint->cos_lambda / r;
     cap_speed(joint,
               nck_limit_chord(r, machine->path.chord_error, machine->period_s) / joint->cos_lambda,
@@ -138,7 +139,7 @@ static void begin(nck_joint_t *joint, const nck_seg_t *seg) {
     joint->length = seg->length;
     joint->stop = seg->stop;
     joint->last = 1;
-    joint->dwell_s = seg->dwell_s;
+    joint->dwell_s = seg->kind >= NCK_SEG_DWELL ? seg->shape.dwell_s : 0.0;
     joint->feed = seg->feed;
     joint->v_max = UNLIMITED;
     joint->v_free = UNLIMITED;
