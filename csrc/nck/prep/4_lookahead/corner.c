@@ -106,8 +106,8 @@ static int is_sharp(const nck_joint_t *in, const nck_joint_t *out, double load,
 void nck_corner_meet(nck_joint_t *in, const nck_joint_t *out, const double *tangent_in,
                     const double *tangent_out, const nck_terms_t *terms) {
     const nck_machine_t *const machine = terms->machine;
-    if (out->kind >= NCK_SEG_DWELL) in->stop = 1;
-    if (in->stop || in->kind >= NCK_SEG_DWELL) return;
+    if (out->kind >= NCK_SEG_DWELL) in->end |= NCK_JOINT_STOP;
+    if ((in->end & NCK_JOINT_STOP) || in->kind >= NCK_SEG_DWELL) return;
     double load = 0.0;
     for (int x = 0; x < NCK_AXIS_MAX; x++) {
         if (tangent_in[x] == tangent_out[x]) continue;
@@ -119,7 +119,7 @@ void nck_corner_meet(nck_joint_t *in, const nck_joint_t *out, const double *tang
     if (load * v <= SHARE_OF_ROUNDING * machine->period_s) return;
     if (is_sharp(in, out, load, terms)) {
         for (int k = 0; k < NCK_PACES; k++) in->pace[k].v_corner = 0.0;
-        in->stop = terms->limits_jerk;
+        if (terms->limits_jerk) in->end |= NCK_JOINT_STOP;
         return;
     }
     in->load = load;
@@ -234,7 +234,7 @@ static void settle(nck_lookahead_t *self, nck_joint_t *joint, int pace, double v
     const double most = self->terms->limits_jerk ? NCK_CORNER_SHARE_LONE : NCK_CORNER_SHARE_MAX;
     joint->pace[pace].v_corner = v;
     joint->pace[pace].share = nck_min(most, nck_max(0.0, share));
-    if (share > most && v < self->terms->v_filter) joint->stop = 1;
+    if (share > most && v < self->terms->v_filter) joint->end |= NCK_JOINT_STOP;
 }
 
 // The largest share of a junction. Under a jerk limit the speed is least where the acceleration is
@@ -299,7 +299,7 @@ static nck_status_t decide_corner(nck_lookahead_t *self, uint32_t count) {
         const nck_status_t status = decide_pace(self, count, k);
         if (status != NCK_OK) return status;
     }
-    for (int k = 0; k < NCK_PACES && joint->stop; k++) {
+    for (int k = 0; k < NCK_PACES && (joint->end & NCK_JOINT_STOP); k++) {
         joint->pace[k].v_corner = 0.0;
         joint->pace[k].share = 0.0;
     }
@@ -313,7 +313,7 @@ nck_status_t nck_corner_decide(nck_lookahead_t *self) {
     const int newest = count + 1 == self->joint.head;
     if (newest && !self->ended && joint->kind < NCK_SEG_DWELL) return NCK_EMPTY;
     if (count + !newest >= self->joint.settled) return NCK_EMPTY;
-    if (newest) joint->stop = 1;
+    if (newest) joint->end |= NCK_JOINT_STOP;
     if (joint->load > 0.0) {
         const nck_status_t status = decide_corner(self, count);
         if (status != NCK_OK) return status;

@@ -37,10 +37,10 @@ static void cap_speed(nck_joint_t *joint, double v, int limit) {
 // How much of the path speed an axis sees at most: its direction cosine, on an arc the largest one.
 static double largest_cosine(const nck_joint_t *joint, const nck_seg_t *seg, int x,
                              const double *t_in, const double *t_out) {
-    if (seg->kind == NCK_SEG_SPLINE) return joint->first[x];
+    if (seg->kind == NCK_SEG_SPLINE) return joint->shape.bend.first[x];
     if (!nck_path_turns(seg, x)) return nck_fabs(t_in[x]);
     const nck_seg_arc_t *const arc = &seg->shape.arc;
-    const double cos_lambda = joint->cos_lambda;
+    const double cos_lambda = joint->shape.arc.cos_lambda;
     if (nck_fabs(arc->sweep) >= NCK_PI) return cos_lambda;
     const int across = x == arc->axis_u ? arc->axis_v : arc->axis_u;
     return cos_lambda * nck_limit_arc_cos(t_in[x] / cos_lambda, t_in[across] / cos_lambda,
@@ -59,7 +59,7 @@ static void cap_by_axes(nck_joint_t *joint, const nck_seg_t *seg, const double *
                   seg->rapid ? NCK_LIMIT_RAPID : NCK_LIMIT_AXIS_V + x);
         j = nck_min(j, nck_limit_along(axis->j_max, c));
         if (nck_path_turns(seg, x)) {
-            joint->a_plane = nck_min(joint->a_plane, axis->a_max);
+            joint->shape.arc.a_plane = nck_min(joint->shape.arc.a_plane, axis->a_max);
         } else {
             a_straight = nck_min(a_straight, nck_limit_along(axis->a_max, c));
         }
@@ -68,16 +68,20 @@ static void cap_by_axes(nck_joint_t *joint, const nck_seg_t *seg, const double *
     joint->j_straight = j;
 }
 
+static int is_curved(const nck_joint_t *joint) {
+    return joint->kind == NCK_SEG_ARC && joint->shape.arc.kappa > 0.0;
+}
+
 static void make_arc(nck_joint_t *joint, const nck_seg_t *seg, const nck_machine_t *machine) {
     const nck_seg_arc_t *const arc = &seg->shape.arc;
     const double ru = seg->start[arc->axis_u] - arc->centre_u;
     const double rv = seg->start[arc->axis_v] - arc->centre_v;
     const double r = nck_sqrt(ru * ru + rv * rv);
-    joint->cos_lambda = nck_min(1.0, r * nck_fabs(arc->sweep) / seg->length);
-    joint->kappa = joint->cos_lambda * joint->cos_lambda / r;
-    cap_speed(joint,
-              nck_limit_chord(r, machine->path.chord_error, machine->period_s) / joint->cos_lambda,
-              NCK_LIMIT_CHORD);
+    const double cos_lambda = nck_min(1.0, r * nck_fabs(arc->sweep) / seg->length);
+    const double v = nck_limit_chord(r, machine->path.chord_error, machine->period_s);
+    joint->shape.arc.cos_lambda = cos_lambda;
+    joint->shape.arc.kappa = cos_lambda * cos_lambda / r;
+    cap_speed(joint, v / cos_lambda, NCK_LIMIT_CHORD);
 }
 
 // The largest of each axis' derivatives on a spline between two places: |p″| at one of them, |p‴|
@@ -88,12 +92,13 @@ static void bound_spline(nck_joint_t *joint, const nck_seg_t *seg, const double 
         nck_path_tangent(seg, span[k], at[k][0]);
         nck_path_second(seg, span[k], at[k][1]);
     }
-    nck_path_third(seg, 0.0, joint->third);
+    nck_joint_bend_t *const bend = &joint->shape.bend;
+    nck_path_third(seg, 0.0, bend->third);
     for (int x = 0; x < NCK_AXIS_MAX; x++) {
-        joint->third[x] = nck_fabs(joint->third[x]);
-        const double bulge = joint->third[x] * joint->length * joint->length / 8.0;
-        joint->first[x] = nck_max(nck_fabs(at[0][0][x]), nck_fabs(at[1][0][x])) + bulge;
-        joint->second[x] = nck_max(nck_fabs(at[0][1][x]), nck_fabs(at[1][1][x]));
+        bend->third[x] = nck_fabs(bend->third[x]);
+        const double bulge = bend->third[x] * joint->length * joint->length / 8.0;
+        bend->first[x] = nck_max(nck_fabs(at[0][0][x]), nck_fabs(at[1][0][x])) + bulge;
+        bend->second[x] = nck_max(nck_fabs(at[0][1][x]), nck_fabs(at[1][1][x]));
     }
 }
 
@@ -104,8 +109,8 @@ static void make_spline(nck_joint_t *joint, const nck_terms_t *terms) {
     double twist = UNLIMITED;
     for (int x = 0; x < NCK_AXIS_MAX; x++) {
         const nck_axis_t *const axis = &machine->axis[x];
-        const double second = joint->second[x];
-        const double third = joint->third[x];
+        const double second = joint->shape.bend.second[x];
+        const double third = joint->shape.bend.third[x];
         bend += second * second;
         if (second > 0.0) {
             cap_speed(joint, nck_sqrt(nck_budget_curve(axis->a_max, second)), NCK_LIMIT_CURVATURE);
@@ -137,13 +142,12 @@ static void begin(nck_joint_t *joint, const nck_seg_t *seg) {
     joint->seq = seg->seq;
     joint->kind = seg->kind;
     joint->length = seg->length;
-    joint->stop = seg->stop;
-    joint->last = 1;
-    joint->dwell_s = seg->kind >= NCK_SEG_DWELL ? seg->shape.dwell_s : 0.0;
+    joint->end = seg->stop ? NCK_JOINT_STOP | NCK_JOINT_LAST : NCK_JOINT_LAST;
+    if (seg->kind >= NCK_SEG_DWELL) joint->shape.dwell_s = seg->shape.dwell_s;
     joint->feed = seg->feed;
     joint->v_max = UNLIMITED;
     joint->v_free = UNLIMITED;
-    joint->a_plane = UNLIMITED;
+    if (seg->kind == NCK_SEG_ARC) joint->shape.arc.a_plane = UNLIMITED;
     joint->pace[NCK_PACE_FEED].v_corner = UNLIMITED;
     joint->pace[NCK_PACE_OVER].v_corner = UNLIMITED;
 }
@@ -160,8 +164,9 @@ static void make_caps(nck_joint_t *joint, const nck_seg_t *seg, const double *ta
     cap_by_axes(joint, seg, tangent_start, tangent_end, machine);
     joint->w_near = joint->v_free * joint->v_free;
     joint->a_most = nck_min(machine->path.a_max, joint->a_straight);
-    if (joint->kappa > 0.0) {
-        joint->a_most = nck_min(joint->a_most, joint->a_plane / joint->cos_lambda);
+    if (is_curved(joint)) {
+        const nck_joint_arc_t *const arc = &joint->shape.arc;
+        joint->a_most = nck_min(joint->a_most, arc->a_plane / arc->cos_lambda);
     }
 }
 
@@ -179,10 +184,9 @@ void nck_joint_part(nck_joint_t *joint, const nck_seg_t *seg, const double span[
     begin(joint, seg);
     joint->s = span[0];
     joint->length = span[1] - span[0];
-    joint->last = !(span[1] < seg->length);
-    joint->stop = joint->last ? seg->stop : 0;
+    if (span[1] < seg->length) joint->end = 0;
     bound_spline(joint, seg, span);
-    make_caps(joint, seg, joint->first, joint->first, terms);
+    make_caps(joint, seg, joint->shape.bend.first, joint->shape.bend.first, terms);
 }
 
 // Parts no shorter than the reach of what the filter mixes, if the curvature changes so much in the
@@ -194,7 +198,8 @@ int nck_joint_parts(const nck_joint_t *joint, const nck_terms_t *terms) {
     if (joint->kind != NCK_SEG_SPLINE || !(mixed > 0.0)) return 1;
     if (!terms->carries) return 1; // each part ends without acceleration
     for (int x = 0; x < NCK_AXIS_MAX; x++) {
-        const double bend = joint->third[x] * joint->length * joint->v_free * joint->v_free;
+        const double third = joint->shape.bend.third[x];
+        const double bend = third * joint->length * joint->v_free * joint->v_free;
         change = nck_max(change, bend / machine->axis[x].a_max);
     }
     if (change < PART_CHANGE || joint->length < 2.0 * mixed) return 1;
@@ -220,28 +225,30 @@ static double raised(double vv, double v_filter) {
 // lost to the tangential one.
 static void limit_on_arc(const nck_joint_t *joint, double beta, double v_filter,
                          nck_piece_limit_t *piece) {
-    const double vv_curve = nck_limit_curve(joint->a_plane, joint->kappa, beta);
+    const nck_joint_arc_t *const arc = &joint->shape.arc;
+    const double vv_curve = nck_limit_curve(arc->a_plane, arc->kappa, beta);
     piece->vv_free = nck_min(piece->vv_free, vv_curve);
     if (vv_curve < piece->vv) {
         piece->vv = vv_curve;
         piece->limit = NCK_LIMIT_CURVATURE;
     }
     const double vv = nck_min(vv_curve, raised(piece->vv, v_filter));
-    const double a_arc = nck_limit_arc_accel((1.0 - beta) * joint->a_plane, vv * joint->kappa,
-                                             joint->cos_lambda);
+    const double a_arc =
+        nck_limit_arc_accel((1.0 - beta) * arc->a_plane, vv * arc->kappa, arc->cos_lambda);
     piece->a = nck_min(piece->a, a_arc);
 }
 
 static double accel_left(const nck_joint_t *joint, double v, const nck_terms_t *terms) {
     const nck_machine_t *const machine = terms->machine;
+    const nck_joint_bend_t *const bend = &joint->shape.bend;
     double a = machine->path.a_max;
     for (int x = 0; x < NCK_AXIS_MAX; x++) {
         const nck_axis_t *const axis = &machine->axis[x];
-        if (!(joint->first[x] > 0.0)) continue;
-        a = nck_min(a, nck_budget_accel(axis->a_max, joint->first[x], joint->second[x], v));
+        if (!(bend->first[x] > 0.0)) continue;
+        a = nck_min(a, nck_budget_accel(axis->a_max, bend->first[x], bend->second[x], v));
         // At rest a bend costs nothing.
-        if (!terms->limits_jerk || !(joint->second[x] * v > 0.0)) continue;
-        a = nck_min(a, nck_budget_ramp(axis->j_max, joint->second[x], joint->third[x], v));
+        if (!terms->limits_jerk || !(bend->second[x] * v > 0.0)) continue;
+        a = nck_min(a, nck_budget_ramp(axis->j_max, bend->second[x], bend->third[x], v));
     }
     return a;
 }
@@ -254,12 +261,13 @@ double nck_joint_left(const nck_joint_t *joint, double w, const nck_terms_t *ter
 static void limit_spline(const nck_joint_t *joint, nck_pace_t *at, double v,
                          const nck_terms_t *terms) {
     const nck_machine_t *const machine = terms->machine;
+    const nck_joint_bend_t *const bend = &joint->shape.bend;
     at->a = accel_left(joint, v, terms);
     at->j = joint->j_straight;
     for (int x = 0; terms->limits_jerk && x < NCK_AXIS_MAX; x++) {
-        if (!(joint->first[x] > 0.0)) continue;
-        at->j = nck_min(at->j, nck_budget_jerk(machine->axis[x].j_max, joint->first[x],
-                                               joint->second[x], joint->third[x], v, at->a));
+        if (!(bend->first[x] > 0.0)) continue;
+        at->j = nck_min(at->j, nck_budget_jerk(machine->axis[x].j_max, bend->first[x],
+                                               bend->second[x], bend->third[x], v, at->a));
     }
 }
 
@@ -301,6 +309,6 @@ nck_piece_limit_t nck_joint_piece(const nck_joint_t *joint, double beta, int pac
         return piece;
     }
     piece.a = nck_min(piece.a, (1.0 - beta) * joint->a_straight);
-    if (joint->kappa > 0.0) limit_on_arc(joint, beta, terms->v_filter, &piece);
+    if (is_curved(joint)) limit_on_arc(joint, beta, terms->v_filter, &piece);
     return piece;
 }

@@ -181,7 +181,7 @@ static void add_rest(nck_lookahead_t *self, const nck_joint_t *joint) {
     node->a_over = node->a;
     node->j = self->terms->machine->path.j_max;
     node->j_over = node->j;
-    node->dwell_s = joint->dwell_s;
+    node->dwell_s = joint->shape.dwell_s;
     node->limit = NCK_LIMIT_EXACT_STOP;
     node->limit_piece = joint->kind == NCK_SEG_DWELL ? NCK_LIMIT_DWELL : NCK_LIMIT_WAIT;
     self->window.fill++;
@@ -206,7 +206,7 @@ static double speed_between(nck_lookahead_t *self, uint32_t count) {
     if (count == 0 || count == self->joint.head) return 0.0;
     const nck_joint_t *const before = nck_joint_at(self, count - 1);
     const nck_joint_t *const behind = nck_joint_at(self, count);
-    if (before->stop || behind->kind >= NCK_SEG_DWELL) return 0.0;
+    if ((before->end & NCK_JOINT_STOP) || behind->kind >= NCK_SEG_DWELL) return 0.0;
     const nck_pace_t *const pace = &before->pace[NCK_PACE_OVER];
     return nck_min(pace->v_corner, nck_min(pace->v, behind->pace[NCK_PACE_OVER].v));
 }
@@ -311,9 +311,9 @@ static nck_status_t place(nck_lookahead_t *self) {
         place_motion(self, count, ends);
     }
     nck_node_t *const end = node_at(self, self->window.fill - 1);
-    end->last = joint->last;
-    end->stop = joint->stop;
-    if (joint->stop) {
+    end->last = (joint->end & NCK_JOINT_LAST) != 0;
+    end->stop = (joint->end & NCK_JOINT_STOP) != 0;
+    if (end->stop) {
         self->before.vv = 0.0;
         self->before.vv_over = 0.0;
         self->before.limit = NCK_LIMIT_EXACT_STOP;

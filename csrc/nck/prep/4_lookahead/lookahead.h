@@ -30,15 +30,40 @@ typedef struct nck_pace {
     double share;         // β that the junction at the end may use
 } nck_pace_t;
 
+// What is at a joint's end, bit by bit.
+typedef enum nck_joint_end {
+    NCK_JOINT_STOP = 1, // the path rests there
+    NCK_JOINT_LAST = 2  // its seg ends there
+} nck_joint_end_t;
+
+// What an arc costs of its plane's two axes.
+typedef struct nck_joint_arc {
+    double a_plane;       // their smaller limit [mm/s²]
+    double cos_lambda;    // in-plane share of the path speed
+    double kappa;         // in-plane acceleration = v²·kappa [1/mm]
+} nck_joint_arc_t;
+
+// Bounds on a spline's derivatives, by axis.
+typedef struct nck_joint_bend {
+    double first[NCK_AXIS_MAX];  // |p′|
+    double second[NCK_AXIS_MAX]; // |p″| [1/mm]
+    double third[NCK_AXIS_MAX];  // |p‴| [1/mm²]
+} nck_joint_bend_t;
+
+// What only some kinds of seg have.
+typedef union nck_joint_shape {
+    nck_joint_arc_t arc;
+    nck_joint_bend_t bend; // spline
+    double dwell_s;        // dwell [s]; wait: 0
+} nck_joint_shape_t;
+
 // A seg (of a spline: a part of it) as this room sees it, and the junction at its end.
 typedef struct nck_joint {
     uint32_t seq;         // of the seg
     uint8_t kind;         // nck_seg_kind_t
     uint8_t limit;        // nck_limit_t that set v_max
     uint8_t limit_free;   // nck_limit_t that set v_free
-    uint8_t stop;         // 1: the path rests at the end
-    uint8_t last;         // 1: ends its seg
-    uint8_t reserved[7];  // 0
+    uint8_t end;          // bits of nck_joint_end_t
     double s;             // where in its seg it begins [path mm]
     double length;        // [path mm]
     double feed;          // programmed speed [path mm/s]; 0: a rapid
@@ -48,15 +73,9 @@ typedef struct nck_joint {
     double w_out;         // v² at its end is no more: what can be gained from the last rest on
     double a_straight;    // tangential limit by the axes that are on no arc [path mm/s²]
     double j_straight;    // tangential jerk limit by all axes' directions [path mm/s³]
-    double a_plane;       // arc: smaller limit of the plane's two axes [mm/s²]; else unlimited
-    double cos_lambda;    // arc: in-plane share of the path speed
-    double kappa;         // arc: in-plane acceleration = v²·kappa [1/mm]; else 0
     double a_most;        // largest tangential acceleration anywhere on the seg [path mm/s²]
     double load;          // d of the junction at the end [s²/mm]; 0 at a stop
-    double dwell_s;
-    double first[NCK_AXIS_MAX];  // spline: bounds on |p′|
-    double second[NCK_AXIS_MAX]; // on |p″| [1/mm]
-    double third[NCK_AXIS_MAX];  // on |p‴| [1/mm²]
+    nck_joint_shape_t shape; // by kind
     nck_pace_t pace[NCK_PACES];
 } nck_joint_t;
 

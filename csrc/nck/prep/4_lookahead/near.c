@@ -12,7 +12,7 @@
 
 // Where caps may be levelled across: splines that pass into each other without a stop.
 static int is_chain(const nck_joint_t *joint) {
-    return joint->kind == NCK_SEG_SPLINE && !joint->stop;
+    return joint->kind == NCK_SEG_SPLINE && !(joint->end & NCK_JOINT_STOP);
 }
 
 // What a joint's cap is levelled with: a neighbour, or a rest.
@@ -99,7 +99,7 @@ static void level_before(nck_lookahead_t *self, uint32_t at) {
 }
 
 static int rests(const nck_joint_t *joint) {
-    return !joint || joint->stop || joint->kind >= NCK_SEG_DWELL;
+    return !joint || (joint->end & NCK_JOINT_STOP) || joint->kind >= NCK_SEG_DWELL;
 }
 
 // v² at which a joint is entered at most.
@@ -156,14 +156,15 @@ void nck_near_level(nck_lookahead_t *self) {
     nck_joint_t *const joint = nck_joint_at(self, at);
     neighbour_t side;
     close_chains(self, at);
-    if (at > 0 && nck_joint_at(self, at - 1)->stop) level_to_rest(self, at - 1); // known by now
+    // Whether the joint before stops is known by now.
+    if (at > 0 && (nck_joint_at(self, at - 1)->end & NCK_JOINT_STOP)) level_to_rest(self, at - 1);
     if (joint->kind == NCK_SEG_SPLINE && side_before(self, at, &side)) {
         (void)level(joint, &side, self->terms);
         if (at > 0 && is_chain(nck_joint_at(self, at - 1))) level_before(self, at);
     }
     joint->w_out =
         nck_min(joint->w_near, entered_at(self, at) + 2.0 * joint->a_most * joint->length);
-    if (joint->stop) level_to_rest(self, at);
+    if (joint->end & NCK_JOINT_STOP) level_to_rest(self, at);
 }
 
 void nck_near_end(nck_lookahead_t *self) {
@@ -195,7 +196,7 @@ nck_near_t nck_near_before(nck_lookahead_t *self, uint32_t count, int pace, doub
         if (count == 0) return near;
         count--;
         const nck_joint_t *const joint = nck_joint_at(self, count);
-        if (joint->stop || joint->kind >= NCK_SEG_DWELL) return near;
+        if ((joint->end & NCK_JOINT_STOP) || joint->kind >= NCK_SEG_DWELL) return near;
         const nck_piece_limit_t piece = nck_joint_piece(joint, beta, pace, self->terms);
         include(&near, &piece);
         time += joint->pace[pace].time;
@@ -213,7 +214,7 @@ nck_status_t nck_near_after(nck_lookahead_t *self, uint32_t count, int pace, dou
     double least = 0.0;
     *near_out = unlimited;
     for (int n = 0; n < NCK_NEAR_SPAN; n++) {
-        if (nck_joint_at(self, count)->stop) return NCK_OK;
+        if (nck_joint_at(self, count)->end & NCK_JOINT_STOP) return NCK_OK;
         count++;
         if (count == self->joint.head && self->ended) return NCK_OK;
         if (count >= self->joint.settled) return NCK_EMPTY;
