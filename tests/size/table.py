@@ -35,6 +35,7 @@ OPTIONS = {
     "m4f": "-mcpu=cortex-m4 -mthumb -mfloat-abi=hard -mfpu=fpv4-sp-d16".split(),
     "m7": "-mcpu=cortex-m7 -mthumb -mfloat-abi=hard -mfpu=fpv5-d16".split(),
 }
+DIALECT = "-std=c99 -ffp-contract=off -fno-math-errno -ffunction-sections -DNDEBUG".split()
 RUNTIME = "C runtime"
 SMOOTHED = "_smoothed"
 WIRES = "nck.c (wires)"
@@ -68,10 +69,20 @@ def objects(core):
     return found
 
 
-def link_whole(core, folder):
+def small_objects(core, folder):
+    """Return {source: object} of libnck compiled for size, -Os."""
+    kernel, found = CSRC / "nck", {}
+    for path in sorted(kernel.rglob("*.c")):
+        source = path.relative_to(kernel).as_posix()
+        found[source] = Path(folder) / f"{core}_{source.replace('/', '_')}.o"
+        run("gcc", *OPTIONS[core], *DIALECT, "-Os", f"-I{CSRC}", "-c", path, "-o", found[source])
+    return found
+
+
+def link_whole(core, built, folder):
     """Link all of libnck, used or not, with the C runtime that it needs; return the image."""
     image = Path(folder) / f"{core}.elf"
-    link = [*OPTIONS[core], "-nostartfiles", "-Wl,-e,nck_tick", *objects(core).values()]
+    link = [*OPTIONS[core], "-nostartfiles", "-Wl,-e,nck_tick", *built.values()]
     run("gcc", *link, "-lm", "-o", image)
     return image
 
@@ -82,10 +93,10 @@ def sizes(binary):
     return text, data + bss
 
 
-def measure_flash(core, image):
+def measure_flash(built, image):
     """Return {room: flash in bytes}, the runtime last, and data plus bss of libnck."""
     rooms, ram = {}, 0
-    for source, binary in objects(core).items():
+    for source, binary in built.items():
         flash, data = sizes(binary)
         room = Path(source).parent.name or WIRES
         rooms[room] = rooms.get(room, 0) + flash
@@ -147,14 +158,22 @@ def lines_of(head, columns, rows):
     yield ""
 
 
-def flash_rows(images):
-    flash = {core: measure_flash(core, image) for core, image in images.items()}
-    rooms = in_order_of_flow(next(iter(flash.values()))[0])
+def flash_lines(images, folder):
+    flash = {}
+    for core, title in CORES.items():
+        built = small_objects(core, folder)
+        flash[f"{title} -O2"] = measure_flash(objects(core), images[core])
+        flash[f"{title} -Os"] = measure_flash(built, link_whole(core, built, folder))
+    return list(lines_of("flash [bytes]", list(flash), flash_rows(list(flash.values()))))
+
+
+def flash_rows(flash):
+    rooms = in_order_of_flow(flash[0][0])
     for room in rooms[:-1]:
-        yield room, [found[room] for found, _ in flash.values()]
-    yield "**libnck**", [sum(found.values()) - found[RUNTIME] for found, _ in flash.values()]
-    yield "C runtime on top", [found[RUNTIME] for found, _ in flash.values()]
-    yield "data + bss of libnck", [ram for _, ram in flash.values()]
+        yield room, [found[room] for found, _ in flash]
+    yield "**libnck**", [sum(found.values()) - found[RUNTIME] for found, _ in flash]
+    yield "C runtime on top", [found[RUNTIME] for found, _ in flash]
+    yield "data + bss of libnck", [ram for _, ram in flash]
 
 
 def ram_lines():
@@ -188,17 +207,19 @@ def table():
     """Measure and return the tables as Markdown."""
     targets.build("host")
     with tempfile.TemporaryDirectory() as folder:
-        images = {core: link_whole(core, folder) for core in CORES}
-        names = list(CORES.values())
-        lines = list(lines_of("flash [bytes]", names, flash_rows(images)))
+        images = {core: link_whole(core, objects(core), Path(folder)) for core in CORES}
+        with tempfile.TemporaryDirectory() as small:
+            lines = flash_lines(images, small)
         lines += ram_lines()
+        names = list(CORES.values())
         lines += lines_of("deepest stack of a call [bytes]", names, stack_rows(images))
     spans = ("tick, most", "tick, mean", "prep step, most")
     columns = [f"{name}: {span}" for name in ("M4F", "M7") for span in spans]
     lines += lines_of("instructions: program, slope", columns, instruction_rows())
     lines += [
-        f"Measured with {compiler()} -O2 by `tests/size/table.py`; a test fails where a number is",
-        "off by more than 5 %. Stacks are bounds by call graph, without hooks and interrupts.",
+        f"Measured with {compiler()} by `tests/size/table.py`; RAM, stacks and",
+        "instructions at -O2. A test fails where a number is off by more than 5 %. Stacks are",
+        "bounds by call graph, without hooks and interrupts.",
         "Instructions are counted under QEMU over the programs of `tests/cases.py`, call included.",
     ]
     return "\n".join(lines) + "\n"
