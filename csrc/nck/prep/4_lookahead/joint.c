@@ -64,7 +64,8 @@ static void cap_by_axes(nck_joint_t *joint, const nck_seg_t *seg, const double *
             a_straight = nck_min(a_straight, nck_limit_along(axis->a_max, c));
         }
     }
-    joint->a_straight = a_straight;
+    joint->a_most = nck_min(machine->path.a_max, a_straight);
+    if (seg->kind != NCK_SEG_SPLINE) joint->shape.arc.a_straight = a_straight;
     joint->j_straight = j;
 }
 
@@ -163,7 +164,6 @@ static void make_caps(nck_joint_t *joint, const nck_seg_t *seg, const double *ta
     if (seg->kind == NCK_SEG_SPLINE) make_spline(joint, terms);
     cap_by_axes(joint, seg, tangent_start, tangent_end, machine);
     joint->w_near = joint->v_free * joint->v_free;
-    joint->a_most = nck_min(machine->path.a_max, joint->a_straight);
     if (is_curved(joint)) {
         const nck_joint_arc_t *const arc = &joint->shape.arc;
         joint->a_most = nck_min(joint->a_most, arc->a_plane / arc->cos_lambda);
@@ -308,7 +308,7 @@ nck_piece_limit_t nck_joint_piece(const nck_joint_t *joint, double beta, int pac
         piece.a = (1.0 - beta) * at->a;
         return piece;
     }
-    piece.a = nck_min(piece.a, (1.0 - beta) * joint->a_straight);
+    piece.a = nck_min(piece.a, (1.0 - beta) * joint->shape.arc.a_straight);
     if (is_curved(joint)) limit_on_arc(joint, beta, terms->v_filter, &piece);
     return piece;
 }

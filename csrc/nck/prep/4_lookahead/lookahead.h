@@ -36,8 +36,9 @@ typedef enum nck_joint_end {
     NCK_JOINT_LAST = 2  // its seg ends there
 } nck_joint_end_t;
 
-// What an arc costs of its plane's two axes.
+// What the axes allow a line or an arc; the rest of it: what an arc costs of its plane's two axes.
 typedef struct nck_joint_arc {
+    double a_straight;    // tangential limit by the axes that are on no arc [path mm/s²]
     double a_plane;       // their smaller limit [mm/s²]
     double cos_lambda;    // in-plane share of the path speed
     double kappa;         // in-plane acceleration = v²·kappa [1/mm]
@@ -52,7 +53,7 @@ typedef struct nck_joint_bend {
 
 // What only some kinds of seg have.
 typedef union nck_joint_shape {
-    nck_joint_arc_t arc;
+    nck_joint_arc_t arc;   // or line
     nck_joint_bend_t bend; // spline
     double dwell_s;        // dwell [s]; wait: 0
 } nck_joint_shape_t;
@@ -71,7 +72,6 @@ typedef struct nck_joint {
     double v_free;        // the same by everything but the feed; ≥ v_max
     double w_near;        // spline: v_free², lowered to what its neighbours let it use
     double w_out;         // v² at its end is no more: what can be gained from the last rest on
-    double a_straight;    // tangential limit by the axes that are on no arc [path mm/s²]
     double j_straight;    // tangential jerk limit by all axes' directions [path mm/s³]
     double a_most;        // largest tangential acceleration anywhere on the seg [path mm/s²]
     double load;          // d of the junction at the end [s²/mm]; 0 at a stop
