@@ -12,32 +12,23 @@
 extern "C" {
 #endif
 
-// Decode text until an array is full or the text is used up. Call again with the rest of the text.
-// blocks: at least 1 row; *block_count_out rows are filled. All findings go to diagnostics (at
-// least 1 row); decoding goes on after an error with the next line. ended: 1 if text is the
-// program's last piece.
-// Returns NCK_OK (more to come), NCK_EMPTY (all text used), NCK_DONE (program ended),
-// NCK_E_ARGUMENT (an array without rows), NCK_E_STATE (text after a piece that was the last).
+// A decoding under way: input cursor, and where rows go (each array holds at least 1).
+typedef struct nck_host_decoding {
+    const char *text;           // whole, to the program's end
+    size_t text_size, text_used;
+    uint32_t is_blocks;         // 1: the text is rows of nck_block_in_t
+    nck_block_t *blocks; size_t block_max, block_count; // rows of this call
+    nck_diagnostic_t *diagnostics; size_t diagnostic_max, diagnostic_count;
+} nck_host_decoding_t;
+
+// Decode text, or pushed blocks, until an array is full or the program has ended. Call again with
+// the same cursor: it goes on where it was; the counts start from 0 at every call. All findings go
+// to diagnostics; decoding goes on after an error with the next line or block.
+// decode: begun by nck_decode_init. Returns NCK_OK (more to come), NCK_DONE (the program has ended;
+// text behind its end is used up, too), NCK_E_ARGUMENT (an array without rows, or the block at
+// text_used is outside of its range: nothing goes on from there).
 // Cost: linear in the text. Context: prep.
-nck_status_t nck_host_decode(nck_decode_t *decode, const char *text, size_t n, int ended,
-                             size_t *used_out, nck_block_t *blocks, size_t block_max,
-                             size_t *block_count_out, nck_diagnostic_t *diagnostics,
-                             size_t diagnostic_max, size_t *diagnostic_count_out);
-
-// Pushed blocks under way: which of them are decoded, and where their blocks go.
-typedef struct nck_host_blocks {
-    const nck_block_in_t *in; // in_count of them
-    size_t in_count, in_used;
-    nck_block_t *out;         // at least two rows
-    size_t out_max, out_count; // rows of this call
-} nck_host_blocks_t;
-
-// Decode pushed blocks until `out` is full or all are used; the last call gives the program's end.
-// Call again with what is left.
-// Returns NCK_OK (more to come), NCK_DONE, NCK_E_ARGUMENT for a block outside of its range
-// (in[in_used]; nothing goes on from there), or the program error of a block: nck_decode_diagnostic
-// tells it, and decoding goes on with the next one. Cost: linear in the blocks. Context: prep.
-nck_status_t nck_host_decode_blocks(nck_decode_t *decode, nck_host_blocks_t *blocks);
+nck_status_t nck_host_decode(nck_decode_t *decode, nck_host_decoding_t *self);
 
 // What a plan adds up to. Times in s. cut, rapid and dwell add up to time, and so do the limits;
 // accelerate, cruise and decelerate to cut and rapid.

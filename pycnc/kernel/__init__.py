@@ -44,31 +44,6 @@ class Blocks(bytes):
         return []
 
 
-def _decode_blocks(data, machine):
-    state, source = ffi.new("nck_decode_t *"), ffi.new("nck_host_blocks_t *")
-    lib.nck_decode_init(state, machine.pointer)
-    rows = np.frombuffer(data, dtype("nck_block_in_t"))
-    blocks = np.empty(_BLOCK_ROWS, dtype("nck_block_t"))
-    found = np.empty(lib.NCK_DECODE_FINDINGS, dtype("nck_diagnostic_t"))
-    at = pointer("nck_diagnostic_t", found)
-    source.__setattr__("in", ffi.cast("nck_block_in_t *", ffi.from_buffer(data)))
-    source.in_count, source.out_max = len(rows), len(blocks)
-    source.out = pointer("nck_block_t", blocks)
-    status = lib.NCK_OK
-    while status != lib.NCK_DONE:
-        status = lib.nck_host_decode_blocks(state, source)
-        if status == lib.NCK_E_ARGUMENT:
-            raise errors.ArgumentError(
-                f"move {source.in_used} (counted from 0) has a member outside of its range: "
-                f"{rows[source.in_used]}; see docs/firmware.md, section 9",
-                id="argument",
-            )
-        count = 0
-        while count < len(found) and lib.nck_decode_diagnostic(state, at + count) == lib.NCK_OK:
-            count += 1
-        yield blocks[: source.out_count], found[:count], source.in_used * rows.itemsize
-
-
 def decode(text, machine):
     """Decode a whole text, or `Blocks`.
 
@@ -86,24 +61,37 @@ def decode(text, machine):
     used : int
         Bytes of the text that are read so far.
     """
-    if isinstance(text, Blocks):
-        yield from _decode_blocks(text, machine)
-        return
-    state = ffi.new("nck_decode_t *")
+    state, decoding = ffi.new("nck_decode_t *"), ffi.new("nck_host_decoding_t *")
     lib.nck_decode_init(state, machine.pointer)
     blocks = np.empty(_BLOCK_ROWS, dtype("nck_block_t"))
     diagnostics = np.empty(_DIAGNOSTIC_ROWS, dtype("nck_diagnostic_t"))
-    data, used, counts = ffi.from_buffer("char[]", text), 0, ffi.new("size_t[3]")
+    data = ffi.from_buffer("char[]", text)
+    decoding.text, decoding.text_size = data, len(text)
+    decoding.is_blocks = isinstance(text, Blocks)
+    decoding.blocks, decoding.block_max = pointer("nck_block_t", blocks), len(blocks)
+    decoding.diagnostics = pointer("nck_diagnostic_t", diagnostics)
+    decoding.diagnostic_max = len(diagnostics)
     status = lib.NCK_OK
     while status == lib.NCK_OK:
-        status = lib.nck_host_decode(
-            state, data + used, len(text) - used, 1, counts,
-            pointer("nck_block_t", blocks), len(blocks), counts + 1,
-            pointer("nck_diagnostic_t", diagnostics), len(diagnostics), counts + 2,
-        )  # fmt: skip
+        status = lib.nck_host_decode(state, decoding)
+        if status == lib.NCK_E_ARGUMENT:
+            raise _bad_block(text, decoding.text_used)
         check(status)
-        used += counts[0]
-        yield blocks[: counts[1]], diagnostics[: counts[2]], used
+        yield (
+            blocks[: decoding.block_count], diagnostics[: decoding.diagnostic_count],
+            decoding.text_used,
+        )  # fmt: skip
+
+
+def _bad_block(data, used):
+    """Return the error that names the block behind so many bytes: it is outside of its range."""
+    rows = np.frombuffer(data, dtype("nck_block_in_t"))
+    k = used // rows.itemsize
+    return errors.ArgumentError(
+        f"move {k} (counted from 0) has a member outside of its range: {rows[k]}; see "
+        "docs/firmware.md, section 9",
+        id="argument",
+    )
 
 
 class Planner:

@@ -46,29 +46,40 @@ static void begin(int moves)
     write_wave(moves);
 }
 
-// Decode everything with arrays of so many rows. Returns the sum over lines and targets.
+// Decode a program from its begin, with arrays of so many rows.
+static nck_host_decoding_t decoding_of(const void *program, size_t size, size_t block_rows,
+                                       size_t finding_rows)
+{
+    nck_decode_init(&decode, &machine);
+    return (nck_host_decoding_t){.text = program, .text_size = size,
+                                 .blocks = blocks, .block_max = block_rows,
+                                 .diagnostics = findings, .diagnostic_max = finding_rows};
+}
+
+// Go on to the end. Returns the sum over lines and targets.
+static int64_t decoded_rest(check_t *check, nck_host_decoding_t *decoding, size_t *found)
+{
+    int64_t sum = 0;
+    *found = 0;
+    for (nck_status_t status = NCK_OK; status == NCK_OK;) {
+        status = nck_host_decode(&decode, decoding);
+        CHECK(check, status == NCK_OK || status == NCK_DONE);
+        for (size_t k = 0; k < decoding->block_count; k++) {
+            sum += blocks[k].line + blocks[k].target_nm[0];
+        }
+        for (size_t k = 0; k < decoding->diagnostic_count; k++) sum += findings[k].line;
+        *found += decoding->diagnostic_count;
+    }
+    CHECK_INT(check, decoding->text_used, decoding->text_size);
+    return sum;
+}
+
 static int64_t decoded(check_t *check, const char *program, size_t block_rows, size_t finding_rows,
                        size_t *found)
 {
-    const size_t n = strlen(program);
-    size_t at = 0;
-    int64_t sum = 0;
-    nck_decode_init(&decode, &machine);
-    *found = 0;
-    for (nck_status_t status = NCK_OK; status == NCK_OK;) {
-        size_t used = 0;
-        size_t count = 0;
-        size_t some = 0;
-        status = nck_host_decode(&decode, program + at, n - at, 1, &used, blocks, block_rows,
-                                 &count, findings, finding_rows, &some);
-        CHECK(check, status == NCK_OK || status == NCK_DONE);
-        for (size_t k = 0; k < count; k++) sum += blocks[k].line + blocks[k].target_nm[0];
-        for (size_t k = 0; k < some; k++) sum += findings[k].line;
-        at += used;
-        *found += some;
-    }
-    CHECK_INT(check, at, n);
-    return sum;
+    nck_host_decoding_t decoding =
+        decoding_of(program, strlen(program), block_rows, finding_rows);
+    return decoded_rest(check, &decoding, found);
 }
 
 static void decoding_in_small_pieces_finds_the_same(check_t *check)
@@ -86,14 +97,46 @@ static void decoding_in_small_pieces_finds_the_same(check_t *check)
     CHECK(check, found >= 4);
 }
 
+static void pushed_blocks_in_small_pieces_give_the_same(check_t *check)
+{
+    enum { MOVES = 100 };
+    static nck_block_in_t moves[MOVES];
+    int64_t sums[2];
+    size_t found[2];
+    begin(1);
+    memset(moves, 0, sizeof moves);
+    for (uint32_t k = 0; k < MOVES; k++) {
+        const double x = k % 7 == 3 ? 1e7 : k; // some are outside of the travel
+        moves[k] = (nck_block_in_t){.id = k + 1, .kind = NCK_IN_LINE, .axes = 1, .target = {x},
+                                    .sets = NCK_IN_SETS_FEED, .feed = 600.0};
+    }
+    for (size_t k = 0; k < 2; k++) {
+        nck_host_decoding_t decoding = decoding_of(moves, sizeof moves, k ? 1 : 64, k ? 1 : 64);
+        decoding.is_blocks = 1;
+        sums[k] = decoded_rest(check, &decoding, &found[k]);
+    }
+    CHECK_INT(check, sums[1], sums[0]);
+    CHECK_INT(check, found[0], MOVES / 7);
+    CHECK_INT(check, found[1], found[0]);
+}
+
+static void decoding_stops_at_a_block_outside_of_its_range(check_t *check)
+{
+    nck_block_in_t moves[2] = {{.kind = NCK_IN_LINE, .axes = 1, .target = {1.0}},
+                               {.kind = NCK_IN_LINE, .axes = 1, .target = {(double)NAN}}};
+    begin(1);
+    nck_host_decoding_t decoding = decoding_of(moves, sizeof moves, 64, 64);
+    decoding.is_blocks = 1;
+    CHECK_INT(check, nck_host_decode(&decode, &decoding), NCK_E_ARGUMENT);
+    CHECK_INT(check, decoding.text_used, sizeof moves[0]);
+}
+
 static void decoding_without_rows_is_refused(check_t *check)
 {
-    size_t n[3];
     begin(1);
-    nck_decode_init(&decode, &machine);
     for (size_t row = 0; row < 2; row++) {
-        CHECK_INT(check, nck_host_decode(&decode, text, 5, 1, &n[0], blocks, row, &n[1], findings,
-                                         1 - row, &n[2]), NCK_E_ARGUMENT);
+        nck_host_decoding_t decoding = decoding_of(text, 5, row, 1 - row);
+        CHECK_INT(check, nck_host_decode(&decode, &decoding), NCK_E_ARGUMENT);
     }
 }
 
@@ -227,6 +270,8 @@ int main(void)
 {
     check_t check = {0};
     CHECK_RUN(&check, decoding_in_small_pieces_finds_the_same);
+    CHECK_RUN(&check, pushed_blocks_in_small_pieces_give_the_same);
+    CHECK_RUN(&check, decoding_stops_at_a_block_outside_of_its_range);
     CHECK_RUN(&check, decoding_without_rows_is_refused);
     CHECK_RUN(&check, keeping_rows_changes_nothing_of_a_plan);
     CHECK_RUN(&check, plan_takes_as_long_as_its_run);
