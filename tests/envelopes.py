@@ -15,9 +15,9 @@ def by_c(w_cap, h, w_start=0.0, w_end=0.0):
     real = {np.dtype(np.float32): "float", np.dtype(np.float64): "double"}[w_cap.dtype]
     choice = ffi.new("nck_host_choice_t *", {"backend": lib.NCK_HOST_SERIAL})
     report, w = ffi.new("nck_host_envelope_report_t *"), np.empty_like(w_cap)
-    envelope = getattr(lib, f"nck_host_envelope_{real}")
-    check(envelope(choice, pointer(real, w_cap), pointer(real, h), len(w_cap), w_start, w_end,
-                   pointer(real, w), report))  # fmt: skip
+    path = [pointer(real, w_cap), pointer(real, h), len(w_cap), w_start, w_end]
+    problem = ffi.new(f"nck_host_problem_{real}_t *", path)
+    check(getattr(lib, f"nck_host_envelope_{real}")(choice, problem, pointer(real, w), report))
     return w
 
 

@@ -72,32 +72,41 @@ static nck_status_t plan(const envelope_variant_t *const *variants, size_t size,
     return NCK_OK;
 }
 
-nck_status_t nck_host_envelope_double(const nck_host_choice_t *choice, const double *w_cap,
-                                      const double *h, size_t n, double w_start, double w_end,
-                                      double *w_out, nck_host_envelope_report_t *report_out) {
-    const envelope_job_t job = {.w_cap = w_cap, .h = h, .w = w_out, .n = n,
-                                .w_start = w_start, .w_end = w_end, .threads = choice->threads};
+static envelope_job_t job_in_double(const nck_host_problem_double_t *of) {
+    return (envelope_job_t){.w_cap = of->w_cap, .h = of->h, .n = of->n,
+                            .w_start = of->w_start, .w_end = of->w_end};
+}
+
+static envelope_job_t job_in_float(const nck_host_problem_float_t *of) {
+    return (envelope_job_t){.w_cap = of->w_cap, .h = of->h, .n = of->n,
+                            .w_start = (double)(float)of->w_start,
+                            .w_end = (double)(float)of->w_end};
+}
+
+nck_status_t nck_host_envelope_double(const nck_host_choice_t *choice,
+                                      const nck_host_problem_double_t *problem, double *w_out,
+                                      nck_host_envelope_report_t *report_out) {
+    envelope_job_t job = job_in_double(problem);
+    job.w = w_out;
+    job.threads = choice->threads;
     return plan(of_double, sizeof *w_out, choice, &job, report_out);
 }
 
-nck_status_t nck_host_envelope_float(const nck_host_choice_t *choice, const float *w_cap,
-                                     const float *h, size_t n, double w_start, double w_end,
-                                     float *w_out, nck_host_envelope_report_t *report_out) {
-    const envelope_job_t job = {.w_cap = w_cap, .h = h, .w = w_out, .n = n,
-                                .w_start = (double)(float)w_start, .w_end = (double)(float)w_end,
-                                .threads = choice->threads};
+nck_status_t nck_host_envelope_float(const nck_host_choice_t *choice,
+                                     const nck_host_problem_float_t *problem, float *w_out,
+                                     nck_host_envelope_report_t *report_out) {
+    envelope_job_t job = job_in_float(problem);
+    job.w = w_out;
+    job.threads = choice->threads;
     return plan(of_float, sizeof *w_out, choice, &job, report_out);
 }
 
-size_t nck_host_envelope_bad_double(const double *w_cap, const double *h, size_t n, double w_start,
-                                    double w_end) {
-    const envelope_job_t job = {.w_cap = w_cap, .h = h, .n = n, .w_start = w_start, .w_end = w_end};
-    return n == 0 ? 0 : first_bad(of_double[NCK_HOST_CPU_PLAIN], &job);
+size_t nck_host_envelope_bad_double(const nck_host_problem_double_t *problem) {
+    const envelope_job_t job = job_in_double(problem);
+    return job.n == 0 ? 0 : first_bad(of_double[NCK_HOST_CPU_PLAIN], &job);
 }
 
-size_t nck_host_envelope_bad_float(const float *w_cap, const float *h, size_t n, double w_start,
-                                   double w_end) {
-    const envelope_job_t job = {.w_cap = w_cap, .h = h, .n = n,
-                                .w_start = (double)(float)w_start, .w_end = (double)(float)w_end};
-    return n == 0 ? 0 : first_bad(of_float[NCK_HOST_CPU_PLAIN], &job);
+size_t nck_host_envelope_bad_float(const nck_host_problem_float_t *problem) {
+    const envelope_job_t job = job_in_float(problem);
+    return job.n == 0 ? 0 : first_bad(of_float[NCK_HOST_CPU_PLAIN], &job);
 }

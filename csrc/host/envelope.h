@@ -33,6 +33,22 @@ typedef struct nck_host_choice {
     int32_t threads; // NCK_HOST_THREADS: 1 to NCK_HOST_THREADS_MAX
 } nck_host_choice_t;
 
+// What an envelope is found for, in double: all numbers finite and not negative.
+typedef struct nck_host_problem_double {
+    const double *w_cap;   // n nodes: cap of v² [mm²/s²]
+    const double *h;       // n − 1 pieces: 2·a·length [mm²/s²]
+    size_t n;              // nodes, at least 1
+    double w_start, w_end; // v² at the first and at the last node, at most [mm²/s²]
+} nck_host_problem_double_t;
+
+// As nck_host_problem_double_t, in float; w_start and w_end are rounded to float first.
+typedef struct nck_host_problem_float {
+    const float *w_cap;
+    const float *h;
+    size_t n;
+    double w_start, w_end;
+} nck_host_problem_float_t;
+
 // What happened.
 typedef struct nck_host_envelope_report {
     size_t bad;            // first index whose number is NaN, infinite or negative; else n
@@ -47,29 +63,26 @@ typedef struct nck_host_envelope_report {
 nck_host_cpu_t nck_host_cpu(void);
 
 // The exact two-pass envelope of a whole path in double.
-// choice: the road to take. w_cap: n nodes [mm²/s²]; h: n − 1 pieces, 2·a·length [mm²/s²]. w_out:
-// n nodes; it may be w_cap unless the road is NCK_HOST_THREADS. w at the first node is at most
-// w_start, at the last node at most w_end. *report_out is filled in any case.
+// choice: the road to take. w_out: n nodes; it may be the problem's w_cap unless the road is
+// NCK_HOST_THREADS. *report_out is filled in any case.
 // Returns NCK_OK; NCK_E_ARGUMENT if n is 0, the choice is not possible (bad = n), or a number is
 // NaN, infinite or negative (its index in bad; w_start: 0, w_end: n − 1): w_out is all zero then.
 // Cost: linear, two passes. Context: any.
-nck_status_t nck_host_envelope_double(const nck_host_choice_t *choice, const double *w_cap,
-                                      const double *h, size_t n, double w_start, double w_end,
-                                      double *w_out, nck_host_envelope_report_t *report_out);
+nck_status_t nck_host_envelope_double(const nck_host_choice_t *choice,
+                                      const nck_host_problem_double_t *problem, double *w_out,
+                                      nck_host_envelope_report_t *report_out);
 
-// As nck_host_envelope_double, in float. w_start and w_end are rounded to float first.
-nck_status_t nck_host_envelope_float(const nck_host_choice_t *choice, const float *w_cap,
-                                     const float *h, size_t n, double w_start, double w_end,
-                                     float *w_out, nck_host_envelope_report_t *report_out);
+// As nck_host_envelope_double, in float.
+nck_status_t nck_host_envelope_float(const nck_host_choice_t *choice,
+                                     const nck_host_problem_float_t *problem, float *w_out,
+                                     nck_host_envelope_report_t *report_out);
 
 // The first index whose cap or piece is NaN, infinite or negative (w_start: 0, w_end: n − 1); n
 // if all are good. Cost: linear. Context: any.
-size_t nck_host_envelope_bad_double(const double *w_cap, const double *h, size_t n, double w_start,
-                                    double w_end);
+size_t nck_host_envelope_bad_double(const nck_host_problem_double_t *problem);
 
 // As nck_host_envelope_bad_double, in float.
-size_t nck_host_envelope_bad_float(const float *w_cap, const float *h, size_t n, double w_start,
-                                   double w_end);
+size_t nck_host_envelope_bad_float(const nck_host_problem_float_t *problem);
 
 #ifdef __cplusplus
 }

@@ -18,11 +18,9 @@
 
 typedef struct lookahead {
     const nck_host_keinert_settings_t *settings;
-    const double *w_cap, *h, *w_feed;
-    size_t n;
-    double w_start, w_end;
-    nck_host_keinert_row_t *rows;
-    nck_host_keinert_task_t *tasks;
+    const nck_host_problem_double_t *problem;
+    const double *w_feed;
+    const nck_host_keinert_tables_t *tables;
     int64_t begin_ns;
 } lookahead_t;
 
@@ -46,7 +44,7 @@ static uint32_t choose_overlap(const lookahead_t *self, size_t i, int step, size
     while (k < most && (k < self->settings->overlap_min || reached < needed || k == 0)) {
         const size_t piece = step > 0 ? i + k : i - 1 - k;
         if (self->w_feed[piece] > needed) needed = self->w_feed[piece];
-        reached += self->h[piece];
+        reached += self->problem->h[piece];
         k++;
     }
     // At the path's own ends the speed is known, whatever the length.
@@ -59,10 +57,11 @@ static size_t fill_buffer(const lookahead_t *self, const nck_host_keinert_task_t
                           nck_host_keinert_row_t *rows) {
     const size_t begin = (size_t)task->first - task->overlap_before;
     const size_t behind = (size_t)task->first + task->count + task->overlap_behind;
-    const size_t end = behind < self->n ? behind + 1 : self->n;
+    const size_t end = behind < self->problem->n ? behind + 1 : self->problem->n;
     for (size_t i = begin; i < end; i++) {
-        const double h = i + 1 < self->n ? self->h[i] : 0.0;
-        rows[i - begin] = (nck_host_keinert_row_t){.number = i, .w_cap = self->w_cap[i], .h = h};
+        const double h = i + 1 < self->problem->n ? self->problem->h[i] : 0.0;
+        const double w_cap = self->problem->w_cap[i];
+        rows[i - begin] = (nck_host_keinert_row_t){.number = i, .w_cap = w_cap, .h = h};
     }
     return end - begin;
 }
@@ -70,8 +69,8 @@ static size_t fill_buffer(const lookahead_t *self, const nck_host_keinert_task_t
 // The last row comes to rest, unless it is the path's end: that has a speed of its own.
 static void pass_backward(const lookahead_t *self, nck_host_keinert_row_t *rows, size_t count) {
     nck_host_keinert_row_t *last = &rows[count - 1];
-    const int is_end = last->number + 1 == self->n;
-    last->w_most = is_end ? nck_min(last->w_cap, self->w_end) : last->w_cap;
+    const int is_end = last->number + 1 == self->problem->n;
+    last->w_most = is_end ? nck_min(last->w_cap, self->problem->w_end) : last->w_cap;
     last->w = is_end ? last->w_most : nck_envelope_backward(last->w_cap, 0.0, 0.0);
     for (size_t i = count - 1; i-- > 0;) {
         const nck_host_keinert_row_t *next = &rows[i + 1];
@@ -82,8 +81,8 @@ static void pass_backward(const lookahead_t *self, nck_host_keinert_row_t *rows,
 
 static void pass_forward(const lookahead_t *self, nck_host_keinert_row_t *rows, size_t count) {
     const int is_start = rows[0].number == 0;
-    if (is_start) rows[0].w_most = nck_min(rows[0].w_most, self->w_start);
-    rows[0].w = is_start ? nck_min(rows[0].w, self->w_start)
+    if (is_start) rows[0].w_most = nck_min(rows[0].w_most, self->problem->w_start);
+    rows[0].w = is_start ? nck_min(rows[0].w, self->problem->w_start)
                          : nck_envelope_backward(rows[0].w, 0.0, 0.0);
     for (size_t i = 1; i < count; i++) {
         const nck_host_keinert_row_t *before = &rows[i - 1];
@@ -94,17 +93,17 @@ static void pass_forward(const lookahead_t *self, nck_host_keinert_row_t *rows, 
 
 static void run_task(void *context, size_t index, int thread) {
     const lookahead_t *self = context;
-    nck_host_keinert_task_t *task = &self->tasks[index];
-    nck_host_keinert_row_t *rows = self->rows + index * nck_host_keinert_rows(self->settings);
+    nck_host_keinert_task_t *task = &self->tables->tasks[index];
+    nck_host_keinert_row_t *rows = self->tables->rows + index * nck_host_keinert_rows(self->settings);
     const size_t first = index * self->settings->length;
-    const size_t left = self->n - first;
+    const size_t left = self->problem->n - first;
     *task = (nck_host_keinert_task_t){.first = first, .thread = thread};
     task->entry_ns = nck_host_clock_ns() - self->begin_ns;
     task->count = left < self->settings->length ? (uint32_t)left : self->settings->length;
     task->overlap_before = choose_overlap(self, first, -1, first, &task->too_short);
     const size_t end = first + task->count;
-    if (end < self->n) {
-        task->overlap_behind = choose_overlap(self, end, 1, self->n - 1 - end, &task->too_short);
+    if (end < self->problem->n) {
+        task->overlap_behind = choose_overlap(self, end, 1, self->problem->n - 1 - end, &task->too_short);
     }
     const size_t count = fill_buffer(self, task, rows);
     pass_backward(self, rows, count);
@@ -116,11 +115,11 @@ static void run_task(void *context, size_t index, int thread) {
 
 // Put the common profile together: own rows only, each to the place that its number says.
 static void assemble(const lookahead_t *self, double *w_out) {
-    const size_t tasks = nck_host_keinert_tasks(self->settings, self->n);
+    const size_t tasks = nck_host_keinert_tasks(self->settings, self->problem->n);
     for (size_t k = 0; k < tasks; k++) {
-        const nck_host_keinert_row_t *rows = self->rows + k * nck_host_keinert_rows(self->settings);
-        const nck_host_keinert_row_t *own = rows + self->tasks[k].overlap_before;
-        for (size_t i = 0; i < self->tasks[k].count; i++) w_out[own[i].number] = own[i].w;
+        const nck_host_keinert_row_t *rows = self->tables->rows + k * nck_host_keinert_rows(self->settings);
+        const nck_host_keinert_row_t *own = rows + self->tables->tasks[k].overlap_before;
+        for (size_t i = 0; i < self->tables->tasks[k].count; i++) w_out[own[i].number] = own[i].w;
     }
 }
 
@@ -131,26 +130,25 @@ static int is_possible(const nck_host_keinert_settings_t *settings) {
 
 // The first index with a bad number in any of the arrays; n if there is none.
 static size_t first_bad(const lookahead_t *self) {
-    const size_t bad = nck_host_envelope_bad_double(self->w_cap, self->h, self->n, self->w_start,
-                                                    self->w_end);
-    for (size_t i = 0; i + 1 < self->n && i < bad; i++) {
+    const size_t bad = nck_host_envelope_bad_double(self->problem);
+    for (size_t i = 0; i + 1 < self->problem->n && i < bad; i++) {
         const double w_feed = self->w_feed[i];
         if (!(w_feed >= 0.0 && w_feed - w_feed == 0.0)) return i; // infinity − infinity is NaN
     }
     return bad;
 }
 
-nck_status_t nck_host_keinert(const nck_host_keinert_settings_t *settings, const double *w_cap,
-                              const double *h, const double *w_feed, size_t n, double w_start,
-                              double w_end, nck_host_keinert_row_t *rows,
-                              nck_host_keinert_task_t *tasks, double *w_out, size_t *bad_out) {
-    lookahead_t self = {settings, w_cap, h, w_feed, n, w_start, w_end, rows, tasks,
-                        nck_host_clock_ns()};
-    *bad_out = n;
-    if (n == 0 || !is_possible(settings)) return NCK_E_ARGUMENT;
+nck_status_t nck_host_keinert(const nck_host_keinert_settings_t *settings,
+                              const nck_host_problem_double_t *problem, const double *w_feed,
+                              const nck_host_keinert_tables_t *tables, double *w_out,
+                              size_t *bad_out) {
+    lookahead_t self = {settings, problem, w_feed, tables, nck_host_clock_ns()};
+    *bad_out = problem->n;
+    if (problem->n == 0 || !is_possible(settings)) return NCK_E_ARGUMENT;
     *bad_out = first_bad(&self);
-    if (*bad_out < n) return NCK_E_ARGUMENT;
-    nck_host_threads_run(nck_host_keinert_tasks(settings, n), settings->threads, run_task, &self);
+    if (*bad_out < problem->n) return NCK_E_ARGUMENT;
+    nck_host_threads_run(nck_host_keinert_tasks(settings, problem->n), settings->threads, run_task,
+                         &self);
     assemble(&self, w_out);
     return NCK_OK;
 }

@@ -7,8 +7,9 @@
 #define NCK_HOST_KEINERT_H
 
 #include <stddef.h> // size_t
-#include <stdint.h> // int64_t
+#include <stdint.h> // uint32_t int64_t
 
+#include "host/envelope.h"   // nck_host_problem_double_t
 #include "nck/base/status.h" // nck_status_t
 
 #ifdef __cplusplus
@@ -45,6 +46,12 @@ typedef struct nck_host_keinert_task {
     int64_t exit_ns;
 } nck_host_keinert_task_t;
 
+// Where the tasks work and what they tell, the caller's.
+typedef struct nck_host_keinert_tables {
+    nck_host_keinert_row_t *rows;   // nck_host_keinert_tasks × nck_host_keinert_rows: the buffers
+    nck_host_keinert_task_t *tasks; // nck_host_keinert_tasks
+} nck_host_keinert_tables_t;
+
 // Tasks of n nodes: rows of the task table. 0 if n or length is 0. Cost: constant. Context: any.
 size_t nck_host_keinert_tasks(const nck_host_keinert_settings_t *settings, size_t n);
 
@@ -52,18 +59,16 @@ size_t nck_host_keinert_tasks(const nck_host_keinert_settings_t *settings, size_
 size_t nck_host_keinert_rows(const nck_host_keinert_settings_t *settings);
 
 // The look-ahead of a whole interpreter buffer by parallel tasks.
-// w_cap, h, n, w_start, w_end: as nck_host_envelope_double. w_feed: n − 1 blocks, programmed feed
-// squared [mm²/s²]: an overlap ends where the path from its border suffices to brake from there,
-// or to reach it. rows: nck_host_keinert_tasks × nck_host_keinert_rows, the look-ahead buffers.
-// tasks: the table to fill. w_out: n nodes, not w_cap: equal to the exact envelope wherever no
-// task reports a drop, never above it.
-// Returns NCK_OK; NCK_E_ARGUMENT if the settings are out of range (*bad_out = n), or a number is
-// NaN, infinite or negative (*bad_out: its index); nothing is written to w_out then.
+// w_feed: n − 1 blocks, programmed feed squared [mm²/s²]: an overlap ends where the path from its
+// border suffices to brake from there, or to reach it. tables: filled. w_out: n nodes, not the
+// problem's w_cap: equal to the exact envelope wherever no task reports a drop, never above it.
+// Returns NCK_OK; NCK_E_ARGUMENT if n is 0 or the settings are out of range (*bad_out = n), or a
+// number is NaN, infinite or negative (*bad_out: its index); nothing is written to w_out then.
 // Cost: linear. Context: prep.
-nck_status_t nck_host_keinert(const nck_host_keinert_settings_t *settings, const double *w_cap,
-                              const double *h, const double *w_feed, size_t n, double w_start,
-                              double w_end, nck_host_keinert_row_t *rows,
-                              nck_host_keinert_task_t *tasks, double *w_out, size_t *bad_out);
+nck_status_t nck_host_keinert(const nck_host_keinert_settings_t *settings,
+                              const nck_host_problem_double_t *problem, const double *w_feed,
+                              const nck_host_keinert_tables_t *tables, double *w_out,
+                              size_t *bad_out);
 
 #ifdef __cplusplus
 }

@@ -131,13 +131,18 @@ def _choice(name, crew, processor):
     return ffi.new("nck_host_choice_t *", choice), known[cpu], crew
 
 
+def _problem(real, w_cap, h, ends):
+    """Return what an envelope is found for, as C reads it; the arrays must outlive it."""
+    caps, pieces = pointer(real, w_cap), pointer(real, h)
+    return ffi.new(f"nck_host_problem_{real}_t *", [caps, pieces, len(w_cap), *ends])
+
+
 def _in_c(real, road, w_cap, h, ends, w):
     """Compute on a road of C, as `_choice` takes it. Returns what the report tells."""
     choice, cpu, crew = _choice(*road)
     report = ffi.new("nck_host_envelope_report_t *")
     compute = getattr(lib, f"nck_host_envelope_{real}")
-    caps, pieces, result = (pointer(real, each) for each in (w_cap, h, w))
-    status = compute(choice, caps, pieces, len(w_cap), *ends, result, report)
+    status = compute(choice, _problem(real, w_cap, h, ends), pointer(real, w), report)
     if status == lib.NCK_E_ARGUMENT:
         raise _bad_number(report.bad, w_cap, h, ends)
     check(status)
@@ -183,7 +188,7 @@ def _bad_number(index, w_cap, h, ends):
 
 def _refuse_bad_numbers(real, w_cap, h, ends):
     find = getattr(lib, f"nck_host_envelope_bad_{real}")
-    bad = find(pointer(real, w_cap), pointer(real, h), len(w_cap), *ends)
+    bad = find(_problem(real, w_cap, h, ends))
     if bad < len(w_cap):
         raise _bad_number(bad, w_cap, h, ends)
 
@@ -230,8 +235,8 @@ def time_envelope(real, backend, w_cap, h, w, *, seconds, processor=None, thread
     """
     choice, _, _ = _choice(backend, threads, processor)
     compute = getattr(lib, f"nck_host_measure_{real}")
-    caps, pieces, result = (pointer(real, each) for each in (w_cap, h, w))
-    return _least_ns(functools.partial(compute, choice, caps, pieces, len(w_cap), result), seconds)
+    problem, result = _problem(real, w_cap, h, (0.0, 0.0)), pointer(real, w)
+    return _least_ns(functools.partial(compute, choice, problem, result), seconds)
 
 
 def time_triad(n, *, threads, seconds):
@@ -368,13 +373,13 @@ def keinert(
     rows = lib.nck_host_keinert_rows(settings)
     buffers = np.empty((len(tasks), rows), dtype("nck_host_keinert_row_t"))
     buffers.view(np.uint8).fill(0)  # a control has its buffers at hand: no page is new when timed
-    w, bad = np.empty(n), ffi.new("size_t *")
+    tables = ffi.new("nck_host_keinert_tables_t *")
+    tables.rows = pointer("nck_host_keinert_row_t", buffers)
+    tables.tasks = pointer("nck_host_keinert_task_t", tasks)
+    problem = _problem("double", *arrays[:2], (w_start, w_end))
+    feeds, w, bad = pointer("double", arrays[2]), np.empty(n), ffi.new("size_t *")
     begun = lib.nck_host_clock_ns()
-    status = lib.nck_host_keinert(
-        settings, *(pointer("double", each) for each in arrays), n, w_start, w_end,
-        pointer("nck_host_keinert_row_t", buffers), pointer("nck_host_keinert_task_t", tasks),
-        pointer("double", w), bad,
-    )  # fmt: skip
+    status = lib.nck_host_keinert(settings, problem, feeds, tables, pointer("double", w), bad)
     wall_ns = lib.nck_host_clock_ns() - begun
     if status == lib.NCK_E_ARGUMENT:
         raise errors.ArgumentError(

@@ -101,14 +101,19 @@ static void expect(path_t *path, double w_start, double w_end) {
     }
 }
 
+static nck_host_problem_double_t problem_of(const path_t *path, double w_start, double w_end) {
+    return (nck_host_problem_double_t){path->w_cap, path->h, path->n, w_start, w_end};
+}
+
 // Plan by one road and hold both number types against the definition.
 static int is_equal(path_t *path, const nck_host_choice_t *choice, double w_start, double w_end) {
     nck_host_envelope_report_t report;
-    const nck_status_t of_double = nck_host_envelope_double(
-        choice, path->w_cap, path->h, path->n, w_start, w_end, path->w, &report);
-    const nck_status_t of_float =
-        nck_host_envelope_float(choice, path->w_cap_float, path->h_float, path->n, w_start, w_end,
-                                path->w_float, &report);
+    const nck_host_problem_double_t in_double = problem_of(path, w_start, w_end);
+    const nck_host_problem_float_t in_float = {path->w_cap_float, path->h_float, path->n, w_start,
+                                               w_end};
+    const nck_status_t of_double = nck_host_envelope_double(choice, &in_double, path->w, &report);
+    const nck_status_t of_float = nck_host_envelope_float(choice, &in_float, path->w_float,
+                                                          &report);
     return of_double == NCK_OK && of_float == NCK_OK &&
            memcmp(path->w, path->want, path->n * sizeof(double)) == 0 &&
            memcmp(path->w_float, path->want_float, path->n * sizeof(float)) == 0;
@@ -137,11 +142,11 @@ static void every_road_gives_the_bits_of_the_recurrence(check_t *check) {
 static void a_path_that_cannot_be_split_is_planned_serially_and_says_so(check_t *check) {
     path_t path = path_of(&families[1], 100003);
     expect(&path, 77.0, 1e4);
+    const nck_host_problem_double_t problem = problem_of(&path, 77.0, 1e4);
     nck_host_envelope_report_t report;
     for (int32_t road = NCK_HOST_SIMD; road <= NCK_HOST_THREADS; road++) {
         const nck_host_choice_t choice = {.backend = road, .threads = 2};
-        CHECK_INT(check, nck_host_envelope_double(&choice, path.w_cap, path.h, path.n, 77.0, 1e4,
-                                                  path.w, &report), NCK_OK);
+        CHECK_INT(check, nck_host_envelope_double(&choice, &problem, path.w, &report), NCK_OK);
         CHECK(check, report.chunks_refused > 0);
         CHECK(check, report.blocks_refused > 0);
         CHECK(check, memcmp(path.w, path.want, path.n * sizeof(double)) == 0);
@@ -159,8 +164,9 @@ static void a_bad_number_is_named_and_the_result_is_zero(check_t *check) {
         const size_t place = places[k / 3 % 4];
         path.h[place] = bad[k / 12];
         path.w_cap[69999] = (double)NAN;
-        CHECK_INT(check, nck_host_envelope_double(&choice, path.w_cap, path.h, path.n, 0.0, 0.0,
-                                                  path.w, &report), NCK_E_ARGUMENT);
+        const nck_host_problem_double_t problem = problem_of(&path, 0.0, 0.0);
+        CHECK_INT(check, nck_host_envelope_double(&choice, &problem, path.w, &report),
+                  NCK_E_ARGUMENT);
         CHECK_INT(check, report.bad, place);
         double sum = 0.0;
         for (size_t i = 0; i < path.n; i++) sum += fabs(path.w[i]);
@@ -180,25 +186,26 @@ static void a_choice_that_is_not_possible_is_refused(check_t *check) {
     };
     nck_host_envelope_report_t report;
     double w_cap[2] = {1.0, 1.0}, h[1] = {1.0}, w[2] = {7.0, 7.0};
+    nck_host_problem_double_t problem = {w_cap, h, 2, 0.0, 0.0};
     for (size_t i = 0; i < sizeof choices / sizeof choices[0]; i++) {
-        CHECK_INT(check, nck_host_envelope_double(&choices[i], w_cap, h, 2, 0, 0, w, &report),
+        CHECK_INT(check, nck_host_envelope_double(&choices[i], &problem, w, &report),
                   NCK_E_ARGUMENT);
         CHECK_INT(check, report.bad, 2);
     }
     const nck_host_choice_t threads = {.backend = NCK_HOST_THREADS, .threads = 2};
-    CHECK_INT(check, nck_host_envelope_double(&threads, w_cap, h, 2, 0, 0, w_cap, &report),
+    CHECK_INT(check, nck_host_envelope_double(&threads, &problem, w_cap, &report),
               NCK_E_ARGUMENT); // in place: a chunk would read what another one wrote
-    CHECK_INT(check, nck_host_envelope_double(&threads, w_cap, h, 0, 0, 0, w, &report),
-              NCK_E_ARGUMENT);
+    problem.n = 0;
+    CHECK_INT(check, nck_host_envelope_double(&threads, &problem, w, &report), NCK_E_ARGUMENT);
 }
 
 static void caps_may_be_replaced_in_place(check_t *check) {
     path_t path = path_of(&families[2], 70000);
     expect(&path, 77.0, 1e4);
     const nck_host_choice_t choice = {.backend = NCK_HOST_SIMD};
+    const nck_host_problem_double_t problem = problem_of(&path, 77.0, 1e4);
     nck_host_envelope_report_t report;
-    CHECK_INT(check, nck_host_envelope_double(&choice, path.w_cap, path.h, path.n, 77.0, 1e4,
-                                              path.w_cap, &report), NCK_OK);
+    CHECK_INT(check, nck_host_envelope_double(&choice, &problem, path.w_cap, &report), NCK_OK);
     CHECK(check, memcmp(path.w_cap, path.want, path.n * sizeof(double)) == 0);
     path_free(&path);
 }
@@ -216,9 +223,11 @@ static void keinerts_profile_is_never_above_and_equal_where_certain(check_t *che
         nck_host_keinert_row_t *rows = block_of(tasks * width, sizeof *rows);
         double *w_feed = block_of(path.n - 1, sizeof *w_feed);
         for (size_t i = 0; i + 1 < path.n; i++) w_feed[i] = families[k].high;
+        const nck_host_problem_double_t problem = problem_of(&path, 77.0, 1e4);
+        const nck_host_keinert_tables_t tables = {rows, table};
         size_t bad = 0;
-        CHECK_INT(check, nck_host_keinert(&settings, path.w_cap, path.h, w_feed, path.n, 77.0, 1e4,
-                                          rows, table, path.w, &bad), NCK_OK);
+        CHECK_INT(check, nck_host_keinert(&settings, &problem, w_feed, &tables, path.w, &bad),
+                  NCK_OK);
         for (size_t i = 0; i < path.n; i++) CHECK(check, path.w[i] <= path.want[i]);
         for (size_t t = 0; t < tasks; t++) {
             const size_t size = table[t].count * sizeof(double);
