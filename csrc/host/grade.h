@@ -95,17 +95,14 @@ nck_status_t nck_host_grade_divide(nck_host_grades_t *self);
 // Context: any.
 double nck_host_link_angle(const nck_seg_t *in, const nck_seg_t *out);
 
-// Stages of one stretch, count units. Cost: linear in the units and their steps. Context: any.
-// v_out, n_step_out, limit_out: count.
-void nck_host_unit_speeds(const nck_seg_t *segs, const nck_unit_t *units, size_t count,
-                          const nck_grade_rule_t *rule, double *v_out, uint32_t *n_step_out,
-                          uint8_t *limit_out);
+// Speeds inside the units of stretch k: fills its part of v, n_step and unit_limit.
+// Cost: linear in the units and their steps. Context: any.
+void nck_host_unit_speeds(nck_host_grades_t *self, size_t k);
 
-// Caps and grades at the ends of the units: transfer (14), both neighbours' speeds v, rest at both
-// ends of the stretch. v_out, angle_out, grade_out: count + 1.
-void nck_host_transfers(const nck_seg_t *segs, const nck_unit_t *units, const double *v,
-                        size_t count, const nck_grade_rule_t *rule, double *v_out,
-                        double *angle_out, int32_t *grade_out);
+// Caps and grades at the ends of the units of stretch k, from their speeds v: transfer (14), both
+// neighbours' v, rest at both ends of the stretch. Fills its part of v_transfer, angle and
+// preplanned. Cost: linear in the units. Context: any.
+void nck_host_transfers(nck_host_grades_t *self, size_t k);
 
 // The bubble by sweeps, as many as it takes: grades p of n points (not negative) to g_out; both
 // and other (work space) n. *sweeps_out counts the last, which changed nothing.

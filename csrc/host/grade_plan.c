@@ -12,15 +12,15 @@
 // How far a rounded speed may be off, relative.
 #define SPEED_EPSILON 1e-9
 
-void nck_host_unit_speeds(const nck_seg_t *segs, const nck_unit_t *units, size_t count,
-                          const nck_grade_rule_t *rule, double *v_out, uint32_t *n_step_out,
-                          uint8_t *limit_out) {
-    for (size_t i = 0; i < count; i++) {
+void nck_host_unit_speeds(nck_host_grades_t *self, size_t k) {
+    const nck_host_stretch_t *const stretch = &self->stretches[k];
+    for (size_t i = stretch->unit_begin; i < stretch->unit_end; i++) {
+        const nck_unit_t *const unit = &self->units[i];
         int limit = 0;
-        const int n = nck_unit_step_count(segs, &units[i], rule, &limit);
-        v_out[i] = nck_unit_speed(&units[i], rule->period_s, n);
-        n_step_out[i] = (uint32_t)n;
-        limit_out[i] = (uint8_t)limit;
+        const int n = nck_unit_step_count(self->segs, unit, &stretch->rule, &limit);
+        self->v[i] = nck_unit_speed(unit, stretch->rule.period_s, n);
+        self->n_step[i] = (uint32_t)n;
+        self->unit_limit[i] = (uint8_t)limit;
     }
 }
 
@@ -28,18 +28,21 @@ double nck_host_link_angle(const nck_seg_t *in, const nck_seg_t *out) {
     return nck_turn_angle(in, out);
 }
 
-void nck_host_transfers(const nck_seg_t *segs, const nck_unit_t *units, const double *v,
-                        size_t count, const nck_grade_rule_t *rule, double *v_out,
-                        double *angle_out, int32_t *grade_out) {
-    for (size_t i = 0; i <= count; i++) {
-        const int inside = i > 0 && i < count;
-        v_out[i] = 0.0;
-        angle_out[i] = 0.0;
-        grade_out[i] = 0;
-        if (!inside) continue;
-        const double v_free = nck_min(v[i - 1], v[i]);
-        v_out[i] = nck_turn_transfer(segs, &units[i - 1], rule, v_free, &angle_out[i]);
-        grade_out[i] = nck_grade_of(rule, v_out[i] * v_out[i]);
+void nck_host_transfers(nck_host_grades_t *self, size_t k) {
+    const nck_host_stretch_t *const stretch = &self->stretches[k];
+    const nck_grade_rule_t *const rule = &stretch->rule;
+    for (size_t i = stretch->unit_begin; i <= stretch->unit_end; i++) {
+        const int inside = i > stretch->unit_begin && i < stretch->unit_end;
+        const size_t point = i + k;
+        double v = 0.0;
+        self->angle[point] = 0.0;
+        if (inside) {
+            const double v_free = nck_min(self->v[i - 1], self->v[i]);
+            v = nck_turn_transfer(self->segs, &self->units[i - 1], rule, v_free,
+                                  &self->angle[point]);
+        }
+        self->v_transfer[point] = v;
+        self->preplanned[point] = inside ? nck_grade_of(rule, v * v) : 0;
     }
 }
 
@@ -124,11 +127,8 @@ nck_status_t nck_host_grade_plan(nck_host_grades_t *self) {
         const size_t point = begin + k;
         const size_t count = stretch->unit_end - begin;
         const nck_unit_t *const units = self->units + begin;
-        nck_host_unit_speeds(self->segs, units, count, rule, self->v + begin,
-                             self->n_step + begin, self->unit_limit + begin);
-        nck_host_transfers(self->segs, units, self->v + begin, count, rule,
-                           self->v_transfer + point, self->angle + point,
-                           self->preplanned + point);
+        nck_host_unit_speeds(self, k);
+        nck_host_transfers(self, k);
         scan(self->preplanned + point, count + 1, self->grade + point);
         accelerations(units, count, rule, self->grade + point, self->a + begin);
     }
