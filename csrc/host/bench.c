@@ -28,18 +28,18 @@ static void prep(feed_t *self) {
 }
 
 nck_status_t nck_host_bench_ticks(nck_t *nck, const nck_machine_t *machine, const char *text,
-                                  size_t n, uint32_t *ns_out, size_t max, size_t *count_out) {
+                                  size_t n, nck_host_times_t *times) {
     feed_t feed = {nck, text, n, 0, NCK_OK, NCK_OK};
     nck_pose_t pose;
     nck_axes_t axes;
-    *count_out = 0;
+    times->count = 0;
     const nck_status_t status = nck_init(nck, machine, (const nck_hooks_t *)0);
     if (status != NCK_OK) return status;
-    for (prep(&feed); *count_out < max && !nck_is_idle(nck); prep(&feed)) {
+    for (prep(&feed); times->count < times->max && !nck_is_idle(nck); prep(&feed)) {
         const int64_t begun = nck_host_clock_ns();
         const nck_tick_state_t state = nck_tick(nck, &pose, &axes);
-        ns_out[*count_out] = (uint32_t)(nck_host_clock_ns() - begun);
-        ++*count_out;
+        times->ns[times->count] = (uint32_t)(nck_host_clock_ns() - begun);
+        times->count++;
         if (state == NCK_TICK_WAIT) nck_resume(nck);
     }
     return feed.error;

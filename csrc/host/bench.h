@@ -12,12 +12,18 @@
 extern "C" {
 #endif
 
-// Run a whole text with prep always ahead, and time every tick.
-// nck: memory to work in, initialised here. ns_out: max rows, the time of each tick [ns], the
-// clock's own not taken off; *count_out rows are filled, fewer if the program is shorter.
+// Times of ticks, in an array of the caller.
+typedef struct nck_host_times {
+    uint32_t *ns;  // of each [ns], the clock's own not taken off
+    size_t max;    // rows of ns
+    size_t count;  // rows filled
+} nck_host_times_t;
+
+// Run a whole text with prep always ahead, and time every tick, times->max of them at most.
+// nck: memory to work in, initialised here. times: fewer rows are filled if the program is shorter.
 // Returns NCK_OK, or the error of nck_init or of the program. Cost: linear. Context: prep and tick.
 nck_status_t nck_host_bench_ticks(nck_t *nck, const nck_machine_t *machine, const char *text,
-                                  size_t n, uint32_t *ns_out, size_t max, size_t *count_out);
+                                  size_t n, nck_host_times_t *times);
 
 // The time that reading the clock takes: the least of many pairs [ns].
 // Cost: constant. Context: any.

@@ -32,14 +32,13 @@ def ticks(text, machine, most):
     >>> len(ticks(b"G21 G90 G94 G17 G1 X10 F600\\nM2\\n", Machine.load("mill3"), 100))
     100
     """
-    nck, count = ffi.new("nck_t *"), ffi.new("size_t *")
     ns = np.empty(most, np.uint32)
-    status = lib.nck_host_bench_ticks(
-        nck, machine.pointer, ffi.from_buffer("char[]", text), len(text),
-        pointer("uint32_t", ns), most, count,
-    )  # fmt: skip
-    check(status)
-    return np.maximum(ns[: count[0]].astype(np.int64) - lib.nck_host_bench_clock(), 0)
+    times = ffi.new("nck_host_times_t *", [pointer("uint32_t", ns), most, 0])
+    given = ffi.from_buffer("char[]", text)
+    check(
+        lib.nck_host_bench_ticks(ffi.new("nck_t *"), machine.pointer, given, len(text), times)
+    )
+    return np.maximum(ns[: times.count].astype(np.int64) - lib.nck_host_bench_clock(), 0)
 
 
 def window(segs, machine):

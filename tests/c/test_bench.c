@@ -25,26 +25,24 @@ static uint64_t planned_ticks(check_t *check)
 
 static void every_tick_of_a_program_is_timed(check_t *check)
 {
-    size_t count = 0;
+    nck_host_times_t times = {ns, MOST, 0};
     nck_machine_default(&machine);
     const uint64_t ticks = planned_ticks(check);
-    CHECK_INT(check, nck_host_bench_ticks(&nck, &machine, text, strlen(text), ns, MOST, &count),
-              NCK_OK);
-    CHECK_INT(check, count, ticks);
-    CHECK_INT(check, nck_host_bench_ticks(&nck, &machine, text, strlen(text), ns, 10, &count),
-              NCK_OK);
-    CHECK_INT(check, count, 10);
+    CHECK_INT(check, nck_host_bench_ticks(&nck, &machine, text, strlen(text), &times), NCK_OK);
+    CHECK_INT(check, times.count, ticks);
+    times.max = 10;
+    CHECK_INT(check, nck_host_bench_ticks(&nck, &machine, text, strlen(text), &times), NCK_OK);
+    CHECK_INT(check, times.count, 10);
     CHECK(check, nck_host_bench_clock() >= 0);
 }
 
 static void program_error_is_told(check_t *check)
 {
     const char *const bad = "G21 G90 G94 G17\nG1 X1 F3000\nG1 QQ\n";
-    size_t count = 0;
+    nck_host_times_t times = {ns, MOST, 0};
     nck_machine_default(&machine);
-    CHECK_INT(check, nck_host_bench_ticks(&nck, &machine, bad, strlen(bad), ns, MOST, &count),
-              NCK_E_NUMBER);
-    CHECK(check, count > 0);
+    CHECK_INT(check, nck_host_bench_ticks(&nck, &machine, bad, strlen(bad), &times), NCK_E_NUMBER);
+    CHECK(check, times.count > 0);
 }
 
 static void window_gives_every_piece_of_the_path(check_t *check)
