@@ -100,10 +100,9 @@ class Profile:
     @staticmethod
     def _sample(cells, period_s, rows):
         s, v, a = np.empty((3, rows))
-        lib.nck_host_slope_sample(
-            pointer("nck_cell_t", cells), len(cells), period_s, rows,
-            pointer("double", s), pointer("double", v), pointer("double", a),
-        )  # fmt: skip
+        places = [pointer("double", each) for each in (s, v, a)]
+        samples = ffi.new("nck_host_samples_t *", [period_s, rows, *places])
+        lib.nck_host_slope_sample(pointer("nck_cell_t", cells), len(cells), samples)
         return s, v, a
 
 
@@ -146,7 +145,7 @@ class JerkPlanner:
     Attributes
     ----------
     arguments : tuple
-        What ``nck_host_jerk`` takes, up to the cells.
+        What ``nck_host_jerk`` takes: path, settings and area.
     """
 
     def __init__(self, arrays, period_s, step_s, j_scale):
@@ -166,10 +165,11 @@ class JerkPlanner:
             )
         self._work = room("the profile", lib.nck_host_jerk_bytes(nodes), "uint8_t", remedy)
         self._cells = room("the profile", nodes, "nck_cell_t", remedy)
-        self.arguments = (
-            self._path, self._how, nodes, ffi.from_buffer(self._work),
-            pointer("double", self._v_out), pointer("nck_cell_t", self._cells),
-        )  # fmt: skip
+        area = ffi.new("nck_host_jerk_area_t *", {"nodes": nodes})
+        area.work = ffi.from_buffer(self._work)
+        area.v_node = pointer("double", self._v_out)
+        area.cells = pointer("nck_cell_t", self._cells)
+        self.arguments = (self._path, self._how, area)
 
     def profile(self):
         """Plan; return the Profile."""

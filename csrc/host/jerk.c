@@ -227,9 +227,9 @@ static void draw(const ladder_t *self, double *v_out, nck_cell_t *cells) {
     v_out[self->path->n] = 0.0;
 }
 
-nck_status_t nck_host_jerk(const nck_host_path_t *path, const nck_host_jerk_t *how, size_t nodes,
-                           void *work, double *v_out, nck_cell_t *cells_out,
-                           size_t *cell_count_out, size_t *bad_out) {
+nck_status_t nck_host_jerk(const nck_host_path_t *path, const nck_host_jerk_t *how,
+                           const nck_host_jerk_area_t *area, size_t *cell_count_out,
+                           size_t *bad_out) {
     ladder_t self;
     *cell_count_out = 0;
     *bad_out = first_bad(path, how);
@@ -240,9 +240,9 @@ nck_status_t nck_host_jerk(const nck_host_path_t *path, const nck_host_jerk_t *h
     const double q_cap = NCK_LADDER_STRETCH * how->step_s;
     const double excess = nck_ladder_excess(q_cap, how->period_s, (int)how->taps);
     self.j_scale = how->j_scale > 0.0 ? how->j_scale : 1.0 / (1.0 + excess);
-    share_out(&self, work, nodes);
+    share_out(&self, area->work, area->nodes);
     const nck_status_t status = plan_in_rounds(&self, q_cap, bad_out);
     *cell_count_out = status == NCK_FULL ? self.cells + 1 : self.profile.n;
-    if (status == NCK_OK) draw(&self, v_out, cells_out);
+    if (status == NCK_OK) draw(&self, area->v_node, area->cells);
     return status;
 }

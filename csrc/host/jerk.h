@@ -26,22 +26,29 @@ typedef struct nck_host_jerk {
     double j_scale;   // rule R plans with j_scale·J, 0 … 1; 0: with what holds J at every sample
 } nck_host_jerk_t;
 
-// Bytes of work memory for up to `nodes` nodes.
+// Where a profile is made, and left.
+typedef struct nck_host_jerk_area {
+    size_t nodes;      // of the ladder, at most
+    void *work;        // nck_host_jerk_bytes(nodes), aligned as malloc does
+    double *v_node;    // n + 1: speeds at the junctions [mm/s]; filled
+    nck_cell_t *cells; // nodes: of constant acceleration; filled as far as they go
+} nck_host_jerk_area_t;
+
+// Bytes of work memory for up to `nodes` nodes. Cost: constant. Context: any.
 size_t nck_host_jerk_bytes(size_t nodes);
 
 // Plan a path (kind, lookahead and ramp_s are unread) from rest to rest; a cap of 0 at an inner
-// junction is a stop. v_out: n + 1 speeds at the junctions [mm/s]. cells_out: room for `nodes`
-// cells, *cell_count_out of them are filled, of constant acceleration; cell.seg is the segment's
-// index, cell.stop marks the cells that end at rest.
-// work: nck_host_jerk_bytes(nodes), aligned as malloc does. Linear in the nodes.
-// Returns NCK_OK; NCK_FULL if `nodes` is too small: *cell_count_out are needed at least, and more
-// than NCK_HOST_JERK_NODES are too many; NCK_E_ARGUMENT and in *bad_out the index of the first
-// segment (n: the last junction, or the settings) whose number is NaN, infinite or outside of its
-// range; NCK_E_STATE and in *bad_out the first segment that would never be passed: the filter may
-// add more than its cap, or next to the whole path its steps are lost in rounding. Context: any.
-nck_status_t nck_host_jerk(const nck_host_path_t *path, const nck_host_jerk_t *how, size_t nodes,
-                           void *work, double *v_out, nck_cell_t *cells_out,
-                           size_t *cell_count_out, size_t *bad_out);
+// junction is a stop. *cell_count_out of the area's cells are filled; cell.seg is the segment's
+// index, cell.stop marks the cells that end at rest. Linear in the nodes.
+// Returns NCK_OK; NCK_FULL if the area's nodes are too few: *cell_count_out are needed at least,
+// and more than NCK_HOST_JERK_NODES are too many; NCK_E_ARGUMENT and in *bad_out the index of the
+// first segment (n: the last junction, or the settings) whose number is NaN, infinite or outside
+// of its range; NCK_E_STATE and in *bad_out the first segment that would never be passed: the
+// filter may add more than its cap, or next to the whole path its steps are lost in rounding.
+// Context: any.
+nck_status_t nck_host_jerk(const nck_host_path_t *path, const nck_host_jerk_t *how,
+                           const nck_host_jerk_area_t *area, size_t *cell_count_out,
+                           size_t *bad_out);
 
 #ifdef __cplusplus
 }

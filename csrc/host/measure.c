@@ -45,15 +45,14 @@ int64_t nck_host_measure_triad(const float *b, const float *c, size_t n, int thr
     return least;
 }
 
-int64_t nck_host_measure_jerk(const nck_host_path_t *path, const nck_host_jerk_t *how, size_t nodes,
-                              void *work, double *v_out, nck_cell_t *cells_out, int runs) {
+int64_t nck_host_measure_jerk(const nck_host_path_t *path, const nck_host_jerk_t *how,
+                              const nck_host_jerk_area_t *area, int runs) {
     size_t count = 0;
     size_t bad = 0;
     int64_t least = INT64_MAX;
     for (int k = 0; k < runs; k++) {
         const int64_t begin = nck_host_clock_ns();
-        const nck_status_t status =
-            nck_host_jerk(path, how, nodes, work, v_out, cells_out, &count, &bad);
+        const nck_status_t status = nck_host_jerk(path, how, area, &count, &bad);
         least = lesser(least, nck_host_clock_ns() - begin);
         if (status != NCK_OK) return NCK_E_ARGUMENT;
     }

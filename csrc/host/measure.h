@@ -28,11 +28,11 @@ int64_t nck_host_measure_float(const nck_host_choice_t *choice,
 int64_t nck_host_measure_triad(const float *b, const float *c, size_t n, int threads, float *a_out,
                                int runs);
 
-// The least time of some runs of nck_host_jerk. Arrays as there; runs: 1 at least.
-// Returns nanoseconds, or NCK_E_ARGUMENT if a run fails (`nodes` too small among it).
+// The least time of some runs of nck_host_jerk; runs: 1 at least.
+// Returns nanoseconds, or NCK_E_ARGUMENT if a run fails (too few nodes among it).
 // Cost: runs × linear. Context: any.
-int64_t nck_host_measure_jerk(const nck_host_path_t *path, const nck_host_jerk_t *how, size_t nodes,
-                              void *work, double *v_out, nck_cell_t *cells_out, int runs);
+int64_t nck_host_measure_jerk(const nck_host_path_t *path, const nck_host_jerk_t *how,
+                              const nck_host_jerk_area_t *area, int runs);
 
 #ifdef __cplusplus
 }

@@ -196,13 +196,13 @@ nck_status_t nck_host_slope(const nck_host_path_t *path, double *v_out, nck_cell
     return NCK_OK;
 }
 
-void nck_host_slope_sample(const nck_cell_t *cells, size_t count, double period_s, size_t rows,
-                           double *s_out, double *v_out, double *a_out) {
+void nck_host_slope_sample(const nck_cell_t *cells, size_t count,
+                           const nck_host_samples_t *samples) {
     size_t k = 0;
     double t_begin = 0.0;
     double s_begin = 0.0;
-    for (size_t row = 0; row < rows; row++) {
-        const double t = (double)row * period_s;
+    for (size_t row = 0; row < samples->count; row++) {
+        const double t = (double)row * samples->period_s;
         while (k < count && t - t_begin >= cells[k].duration) {
             t_begin += cells[k].duration;
             s_begin += cells[k].length;
@@ -211,8 +211,8 @@ void nck_host_slope_sample(const nck_cell_t *cells, size_t count, double period_
         const nck_cell_t at_end = {0};
         const nck_cell_t *cell = k < count ? &cells[k] : &at_end;
         const double u = k < count ? t - t_begin : 0.0;
-        s_out[row] = s_begin + u * (cell->v + u * (cell->a / 2.0 + u * cell->j / 6.0));
-        v_out[row] = cell->v + u * (cell->a + u * cell->j / 2.0);
-        a_out[row] = cell->a + u * cell->j;
+        samples->s[row] = s_begin + u * (cell->v + u * (cell->a / 2.0 + u * cell->j / 6.0));
+        samples->v[row] = cell->v + u * (cell->a + u * cell->j / 2.0);
+        samples->a[row] = cell->a + u * cell->j;
     }
 }

@@ -46,12 +46,19 @@ typedef struct nck_host_path {
 nck_status_t nck_host_slope(const nck_host_path_t *path, double *v_out, nck_cell_t *cells_out,
                             size_t *cell_count_out, size_t *bad_out);
 
-// Where the profile stands at t = k·period_s, k = 0 … rows − 1: path coordinate [mm], speed [mm/s]
-// and acceleration [mm/s²]; behind the end it stands at the end. At a step of acceleration: the
-// later value.
-// Linear in cells and rows. Context: any.
-void nck_host_slope_sample(const nck_cell_t *cells, size_t count, double period_s, size_t rows,
-                           double *s_out, double *v_out, double *a_out);
+// Samples of a profile at t = k·period_s, k = 0 … count − 1.
+typedef struct nck_host_samples {
+    double period_s; // between two samples [s]
+    size_t count;
+    double *s;       // count: path coordinate [mm]; filled
+    double *v;       // count: speed [mm/s]; filled
+    double *a;       // count: acceleration [mm/s²], the later value where it steps; filled
+} nck_host_samples_t;
+
+// Where a profile of `count` cells stands at the times of the samples; behind the end it stands at
+// the end. Linear in cells and samples. Context: any.
+void nck_host_slope_sample(const nck_cell_t *cells, size_t count,
+                           const nck_host_samples_t *samples);
 
 #ifdef __cplusplus
 }

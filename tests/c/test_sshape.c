@@ -166,7 +166,8 @@ static void a_sample_behind_the_end_stands_there(check_t *check)
     size_t count = 0;
     size_t bad = 0;
     CHECK_INT(check, nck_host_slope(&path, v, cells, &count, &bad), NCK_OK);
-    nck_host_slope_sample(cells, count, 0.5, 5, s, speed, a);
+    const nck_host_samples_t samples = {0.5, 5, s, speed, a};
+    nck_host_slope_sample(cells, count, &samples);
     CHECK_NEAR(check, s[1], 0.5 * 10.0 * 0.25, 1e-12);
     CHECK_NEAR(check, speed[1], 5.0, 1e-12);
     CHECK_NEAR(check, s[4], 4.0, 1e-12);
