@@ -32,6 +32,11 @@ size_t nck_host_keinert_rows(const nck_host_keinert_settings_t *settings) {
     return (size_t)settings->length + 2 * (size_t)settings->overlap_max + 1;
 }
 
+// The buffer of a task.
+static nck_host_keinert_row_t *buffer_of(const lookahead_t *self, size_t task) {
+    return self->tables->rows + task * nck_host_keinert_rows(self->settings);
+}
+
 // Blocks of overlap from node i on, in direction step (+1: behind, −1: before), `room` at most:
 // as many as it takes to brake from, or to reach, the largest feed on the way. *too_short is
 // raised if the largest overlap does not suffice.
@@ -94,16 +99,17 @@ static void pass_forward(const lookahead_t *self, nck_host_keinert_row_t *rows, 
 static void run_task(void *context, size_t index, int thread) {
     const lookahead_t *self = context;
     nck_host_keinert_task_t *task = &self->tables->tasks[index];
-    nck_host_keinert_row_t *rows = self->tables->rows + index * nck_host_keinert_rows(self->settings);
+    nck_host_keinert_row_t *rows = buffer_of(self, index);
     const size_t first = index * self->settings->length;
-    const size_t left = self->problem->n - first;
+    const size_t n = self->problem->n;
+    const size_t left = n - first;
     *task = (nck_host_keinert_task_t){.first = first, .thread = thread};
     task->entry_ns = nck_host_clock_ns() - self->begin_ns;
     task->count = left < self->settings->length ? (uint32_t)left : self->settings->length;
     task->overlap_before = choose_overlap(self, first, -1, first, &task->too_short);
     const size_t end = first + task->count;
-    if (end < self->problem->n) {
-        task->overlap_behind = choose_overlap(self, end, 1, self->problem->n - 1 - end, &task->too_short);
+    if (end < n) {
+        task->overlap_behind = choose_overlap(self, end, 1, n - 1 - end, &task->too_short);
     }
     const size_t count = fill_buffer(self, task, rows);
     pass_backward(self, rows, count);
@@ -117,9 +123,9 @@ static void run_task(void *context, size_t index, int thread) {
 static void assemble(const lookahead_t *self, double *w_out) {
     const size_t tasks = nck_host_keinert_tasks(self->settings, self->problem->n);
     for (size_t k = 0; k < tasks; k++) {
-        const nck_host_keinert_row_t *rows = self->tables->rows + k * nck_host_keinert_rows(self->settings);
-        const nck_host_keinert_row_t *own = rows + self->tables->tasks[k].overlap_before;
-        for (size_t i = 0; i < self->tables->tasks[k].count; i++) w_out[own[i].number] = own[i].w;
+        const nck_host_keinert_task_t *task = &self->tables->tasks[k];
+        const nck_host_keinert_row_t *own = buffer_of(self, k) + task->overlap_before;
+        for (size_t i = 0; i < task->count; i++) w_out[own[i].number] = own[i].w;
     }
 }
 
