@@ -70,13 +70,6 @@ REBUILT = (
     "csrc/nck/nck.", "csrc/nck/prep/5_slope/", "csrc/nck/prep/4_lookahead/corner.c",
     "csrc/nck/prep/4_lookahead/joint.c", "csrc/nck/prep/4_lookahead/lookahead.c",
 )  # fmt: skip
-WIDE_PAGES = ("CHANGELOG.md", "csrc/nck/prep/4_lookahead/README.md")  # to be wrapped, too
-# Bulk calls for Python that still take their arrays one by one: to be given structs.
-BULK = (
-    "nck_host_bench_ticks", "nck_host_decode", "nck_host_envelope_double",
-    "nck_host_envelope_float", "nck_host_transfers", "nck_host_unit_speeds", "nck_host_jerk",
-    "nck_host_keinert", "nck_host_measure_jerk", "nck_host_slope_sample",
-)  # fmt: skip
 CORE = [name for name in C_FILES if name.startswith("csrc/nck/")]
 # Headers for others: not those that are compiled in variants, not those of another kernel.
 PUBLIC_HEADERS = [
@@ -204,7 +197,7 @@ def test_a_file_has_its_licence_and_its_size(name):
     assert "\t" not in read(name) or name == "Makefile"
 
 
-@pytest.mark.parametrize("name", [page for page in held(PAGES) if page not in WIDE_PAGES])
+@pytest.mark.parametrize("name", held(PAGES))
 def test_a_page_has_short_lines(name):
     lines = [line for line in read(name).split("\n") if not line.lstrip().startswith("|")]
     assert [line for line in lines if len(line) > 100] == []
@@ -231,7 +224,7 @@ def test_c_functions_are_short_and_shallow(name):
     for function, first, last, parameters, nesting in c_functions(read(name)):
         assert last - first < 60, f"{function} has {last - first + 1} lines"
         assert nesting <= 3, f"{function} is {nesting} blocks deep"
-        assert parameters <= 6 or function in BULK, f"{function} has {parameters} parameters"
+        assert parameters <= 6, f"{function} has {parameters} parameters"
 
 
 @pytest.mark.parametrize("name", PYTHON_FILES)
