@@ -26,6 +26,7 @@ SUBJECTS = {
     "butterfly": [("linuxcnc", "bench_butterfly_rows")],
     "window": [("linuxcnc", "bench_window_rows")],
     "stops": [("stops", "bench_stops_rows")],
+    "controllers": [("stops_controllers", "bench_stops_controllers_rows")],
     "bubble": [("grades", "bench_bubble_rows")],
     "opencl": [("opencl", "bench_opencl_rows")],
     "cao": [("papers", "cao")],

@@ -12,8 +12,10 @@ enum { POINTS = 32 }; // of the path in one step
 
 // Between two points of a curve this far apart it strays by half of that, which is kept clear [mm].
 #define STEP_LEAST 0.001
-// Periods from the end of the final cells until a brake begins, at most.
+// Periods from the end of the final cells until a brake begins, on a processor that makes a plan in
+// a few of them; a plan of the jerk-limited slope is put off where it takes longer.
 #define HEARD_PERIODS 10.0
+#define HEARD_PERIODS_JERK 30.0
 // A brake keeps off the limits by so much (NCK_BRAKE_SHARE), twice over.
 #define BRAKE_SHARE 0.95
 // Farther than every path.
@@ -161,10 +163,9 @@ static double braking(const weakest_t *limits, double v, double a) {
 
 // Whether the exit is no farther than the way to rest. Until the brake is heard speed may rise.
 static int is_near(const nck_travel_t *self, const front_t *front, const nck_link_t *link,
-                   const weakest_t *limits, double period_s) {
+                   const weakest_t *limits, double heard) {
     const double begin = front->seq == link->seg_head ? self->exit
                          : nck_link_seg(link, front->seq)->s_begin + front->s;
-    const double heard = HEARD_PERIODS * period_s;
     const double v = nck_max(front->v, nck_min(front->v + limits->a * heard, limits->v_cap));
     const double way = v * heard + braking(limits, v, nck_min(front->a, limits->a));
     return self->exit - begin <= way;
@@ -182,7 +183,8 @@ int nck_travel_step(nck_travel_t *self, const nck_machine_t *machine, const nck_
     look_further(self, link);
     if (!self->leaves || self->stops) return (int)self->stops;
     const weakest_t limits = weakest_before(self, pieces, machine);
-    const int near = is_near(self, &front, link, &limits, machine->period_s);
+    const double periods = machine->slope == NCK_SLOPE_JERK ? HEARD_PERIODS_JERK : HEARD_PERIODS;
+    const int near = is_near(self, &front, link, &limits, periods * machine->period_s);
     nck_fence_store(&self->stops, (uint32_t)near);
     return near;
 }
