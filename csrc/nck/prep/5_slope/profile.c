@@ -26,10 +26,15 @@ enum {
 // A speed is at the envelope within this share of it: it was added to another one and taken off.
 #define CAP_EPSILON 1e-14
 
-static double jerk_at(const nck_profile_t *self, uint32_t i) {
+// At a node between two cells.
+static inline double jerk_within(const nck_profile_t *self, uint32_t i) {
+    return nck_min(self->j_max[i - 1], self->j_max[i]);
+}
+
+static inline double jerk_at(const nck_profile_t *self, uint32_t i) {
     if (i == 0) return self->j_max[0];
     if (i >= self->n) return self->j_max[self->n - 1];
-    return nck_min(self->j_max[i - 1], self->j_max[i]);
+    return jerk_within(self, i);
 }
 
 static int is_backward(uint32_t phase) {
@@ -59,227 +64,325 @@ void nck_profile_begin(nck_profile_t *self) {
     begin_pass(self, REACH_BACK);
 }
 
-static void reach_back(nck_profile_t *self) {
-    const uint32_t i = self->i;
-    const double *const w = self->w;
-    const double reach =
-        i < self->n ? w[i + 1] + 2.0 * self->a_max[i] * self->h[i] : self->w_cap[i];
-    self->w[i] = nck_min(self->w_cap[i], reach);
+// Every pass does nodes from self->i on, `budget` units at most, and returns how many it has done.
+// What it carries from node to node stands in self between two calls, and in locals within one.
+
+static uint32_t least(uint32_t a, uint32_t b) { return a < b ? a : b; }
+
+static uint32_t left_back(const nck_profile_t *self, uint32_t budget) {
+    return least(self->i + 1, budget);
+}
+
+static uint32_t left_forth(const nck_profile_t *self, uint32_t budget) {
+    return least(self->n + 1 - self->i, budget);
+}
+
+static uint32_t reach_back(nck_profile_t *self, uint32_t budget) {
+    const uint32_t count = left_back(self, budget);
+    uint32_t i = self->i;
+    double w = i < self->n ? self->w[i + 1] : self->w_cap[i];
+    for (uint32_t n = 0; n < count; n++, i--) {
+        if (i < self->n) w = nck_min(self->w_cap[i], w + 2.0 * self->a_max[i] * self->h[i]);
+        self->w[i] = w;
+    }
+    self->i = i;
+    return count;
+}
+
+static void reach_first(nck_profile_t *self) {
+    self->w[0] = nck_min(self->w[0], self->v * self->v);
+    self->s[0] = 0.0;
+    self->v_last = nck_sqrt(self->w[0]);
 }
 
 // Also: the bound on deceleration falls into a stretch of less no faster than the jerk lets it.
-static void reach_forth(nck_profile_t *self) {
-    const uint32_t i = self->i;
+static uint32_t reach_forth(nck_profile_t *self, uint32_t budget) {
+    const uint32_t count = left_forth(self, budget);
+    const double *const h = self->h;
     double *const w = self->w;
-    if (i == 0) {
-        w[0] = nck_min(w[0], self->v * self->v);
-        self->s[0] = 0.0;
-        self->v_last = nck_sqrt(w[0]);
-        return;
+    const uint32_t end = self->i + count;
+    if (self->i == 0) reach_first(self);
+    double v_last = self->v_last;
+    double share_last = self->share;
+    for (uint32_t i = self->i > 0 ? self->i : 1; i < end; i++) {
+        const uint32_t cell = i - 1;
+        w[i] = nck_min(w[i], w[cell] + 2.0 * self->a_max[cell] * h[cell]);
+        self->s[i] = self->s[cell] + h[cell];
+        const double v = nck_sqrt(w[i]);
+        const double share = nck_hull_share(h[cell], v_last + v, self->q_cap);
+        double bound = self->a_max[cell];
+        if (cell > 0) {
+            const double step = jerk_within(self, cell) * (share_last + share);
+            bound = nck_min(bound, self->down[cell - 1] + step);
+        }
+        self->down[cell] = bound;
+        self->z[cell] = share;
+        share_last = share;
+        v_last = v;
     }
-    const uint32_t cell = i - 1;
-    w[i] = nck_min(w[i], w[cell] + 2.0 * self->a_max[cell] * self->h[cell]);
-    self->s[i] = self->s[cell] + self->h[cell];
-    const double v = nck_sqrt(w[i]);
-    const double share = nck_hull_share(self->h[cell], self->v_last + v, self->q_cap);
-    double bound = self->a_max[cell];
-    if (cell > 0) {
-        const double step = jerk_at(self, cell) * (self->share + share);
-        bound = nck_min(bound, self->down[cell - 1] + step);
-    }
-    self->down[cell] = bound;
-    self->z[cell] = share;
-    self->share = share;
-    self->v_last = v;
+    self->share = share_last;
+    self->v_last = v_last;
+    self->i = end;
+    return count;
 }
 
-static void ramp_back(nck_profile_t *self) {
-    const uint32_t i = self->i;
-    if (i == self->n) {
-        self->w[i] = 0.0;
-        return;
+static uint32_t ramp_back(nck_profile_t *self, uint32_t budget) {
+    const uint32_t count = left_back(self, budget);
+    double *const w = self->w;
+    uint32_t i = self->i;
+    for (uint32_t n = 0; n < count; n++, i--) {
+        if (i == self->n) {
+            w[i] = 0.0;
+            continue;
+        }
+        double bound = self->a_max[i];
+        if (i + 1 < self->n) {
+            const double growth = jerk_within(self, i + 1) * (self->z[i] + self->z[i + 1]);
+            bound = nck_min(bound, self->up[i + 1] + growth);
+        }
+        self->up[i] = bound;
+        w[i] = nck_min(self->w_cap[i], w[i + 1] + 2.0 * self->down[i] * self->h[i]);
     }
-    double bound = self->a_max[i];
-    if (i + 1 < self->n) {
-        const double growth = jerk_at(self, i + 1) * (self->z[i] + self->z[i + 1]);
-        bound = nck_min(bound, self->up[i + 1] + growth);
-    }
-    self->up[i] = bound;
-    self->w[i] = nck_min(self->w_cap[i], self->w[i + 1] + 2.0 * self->down[i] * self->h[i]);
+    self->i = i;
+    return count;
 }
 
-static void ramp_forth(nck_profile_t *self) {
-    const uint32_t i = self->i;
+static uint32_t ramp_forth(nck_profile_t *self, uint32_t budget) {
+    const uint32_t count = left_forth(self, budget);
     double *const w = self->w;
-    if (i == 0) {
-        w[0] = nck_min(w[0], self->v * self->v);
-    } else {
+    const uint32_t end = self->i + count;
+    if (self->i == 0) w[0] = nck_min(w[0], self->v * self->v);
+    for (uint32_t i = self->i > 0 ? self->i : 1; i < end; i++) {
         w[i] = nck_min(w[i], w[i - 1] + 2.0 * self->up[i - 1] * self->h[i - 1]);
     }
+    self->i = end;
+    return count;
 }
 
-// How much the slope may have fallen up to node i, summed over length: C of the README. Called for
-// i = 0 … n in order, with the speeds' squares that the durations come from.
-static double fall_at(nck_profile_t *self, const double *w_of_time) {
-    const uint32_t i = self->i;
-    const double v = nck_sqrt(w_of_time[i]);
+// How much the slope may have fallen up to a node, summed over length: C of the README.
+typedef struct fallen {
+    double v;     // speed at the node
+    double share; // of the cell before
+    double sigma; // what the slope may have fallen
+    double sum;   // the same, summed over length
+} fallen_t;
+
+// To node i, the nodes before it done. v: its speed, for the durations.
+static inline void fall_to(const nck_profile_t *self, uint32_t i, double v, fallen_t *fallen) {
     if (i > 0) {
         const double h = self->h[i - 1];
-        const double share = nck_hull_share(h, self->v_last + v, self->q_cap);
-        if (i > 1) self->sigma += 2.0 * jerk_at(self, i - 1) * (self->share + share);
-        self->fall += self->sigma * h;
-        self->share = share;
+        const double share = nck_hull_share(h, fallen->v + v, self->q_cap);
+        if (i > 1) fallen->sigma += 2.0 * jerk_within(self, i - 1) * (fallen->share + share);
+        fallen->sum += fallen->sigma * h;
+        fallen->share = share;
     }
-    self->v_last = v;
-    return self->fall;
+    fallen->v = v;
 }
 
-// Corners of the lower hull of (s, g + C). Returns 1 when node i is on the stack, 0 after taking
-// one corner off.
-static int hull(nck_profile_t *self, const double *g, const double *w_of_time, int fresh) {
-    const uint32_t i = self->i;
+// 1 if the corner before the newest is above what joins its neighbours.
+static inline int sticks_out(const nck_profile_t *self, uint32_t top, uint32_t i) {
     const double *const s = self->s;
-    double *const z = self->z;
-    if (fresh) z[i] = g[i] + fall_at(self, w_of_time);
-    if (self->top >= 2) {
-        const uint32_t b = self->stack[self->top - 1];
-        const uint32_t a = self->stack[self->top - 2];
-        if (nck_hull_above(s[a], z[a], s[b], z[b], s[i], z[i]) >= 0.0) {
-            self->top--;
-            return 0;
+    const double *const z = self->z;
+    if (top < 2) return 0;
+    const uint32_t b = self->stack[top - 1];
+    const uint32_t a = self->stack[top - 2];
+    return nck_hull_above(s[a], z[a], s[b], z[b], s[i], z[i]) >= 0.0;
+}
+
+// Corners of the lower hull of (s, g + C); w_of_time: the speeds' squares that the durations come
+// from. A node and a corner taken off are a unit each.
+static uint32_t hull(nck_profile_t *self, uint32_t budget, const double *g,
+                     const double *w_of_time) {
+    fallen_t fallen = {self->v_last, self->share, self->sigma, self->fall};
+    uint32_t i = self->i;
+    uint32_t top = self->top;
+    uint32_t fresh = self->fresh;
+    uint32_t n = 0;
+    for (; n < budget && i <= self->n; n++) {
+        if (fresh) {
+            fall_to(self, i, nck_sqrt(w_of_time[i]), &fallen);
+            self->z[i] = g[i] + fallen.sum;
         }
+        fresh = !sticks_out(self, top, i);
+        if (!fresh) {
+            top--;
+            continue;
+        }
+        self->stack[top] = i;
+        top++;
+        i++;
     }
-    self->stack[self->top] = i;
-    self->top++;
-    return 1;
+    self->v_last = fallen.v;
+    self->share = fallen.share;
+    self->sigma = fallen.sigma;
+    self->fall = fallen.sum;
+    self->i = i;
+    self->top = top;
+    self->fresh = fresh;
+    return n;
 }
 
 // Every node down onto the hull. On a corner the value stays to the bit.
-static void level(nck_profile_t *self, const double *g, double *out) {
-    const uint32_t i = self->i;
-    const double value = g[i];
-    const double fall = self->z[i] - value;
-    if (i == 0) self->top = 0;
-    if (self->stack[self->top] == i) {
-        self->top++;
-        out[i] = value;
-        return;
-    }
-    const uint32_t a = self->stack[self->top - 1];
-    const uint32_t b = self->stack[self->top];
+static uint32_t level(nck_profile_t *self, uint32_t budget, const double *g, double *out) {
+    const uint32_t count = left_forth(self, budget);
     const double *const s = self->s;
     const double *const z = self->z;
-    const double on_hull = z[a] + (z[b] - z[a]) * ((s[i] - s[a]) / (s[b] - s[a]));
-    out[i] = nck_max(0.0, nck_min(value, on_hull - fall));
+    const uint32_t *const stack = self->stack;
+    const uint32_t end = self->i + count;
+    uint32_t top = self->i > 0 ? self->top : 0;
+    for (uint32_t i = self->i; i < end; i++) {
+        const double value = g[i];
+        if (stack[top] == i) {
+            top++;
+            out[i] = value;
+            continue;
+        }
+        const double fall = z[i] - value;
+        const uint32_t a = stack[top - 1];
+        const uint32_t b = stack[top];
+        const double on_hull = z[a] + (z[b] - z[a]) * ((s[i] - s[a]) / (s[b] - s[a]));
+        out[i] = nck_max(0.0, nck_min(value, on_hull - fall));
+    }
+    self->top = top;
+    self->i = end;
+    return count;
 }
 
-// One cell onward under the envelope e from speed v; the state of the cell before in a_last, share.
-static double rise(nck_profile_t *self, double v, uint32_t cell, double j, double a_max,
-                   double e_end) {
-    const double h = self->h[cell];
-    const double b = self->a_last + j * self->share;
+// The state of a rise from cell to cell.
+typedef struct rise {
+    double v, a, share;
+    uint32_t slows, broken;
+} rise_t;
+
+static inline rise_t rise_of(const nck_profile_t *self) {
+    const rise_t state = {self->v_last, self->a_last, self->share, self->slows, self->broken};
+    return state;
+}
+
+static inline void keep_rise(nck_profile_t *self, const rise_t *state) {
+    self->v_last = state->v;
+    self->a_last = state->a;
+    self->share = state->share;
+    self->slows = state->slows;
+    self->broken = state->broken;
+}
+
+// Whether a cell after which the jerk still keeps the acceleration negative shows that no plan
+// begins like this.
+static inline int comes_to_nothing(const nck_hull_cell_t *step, const rise_t *state, double a_max) {
+    const double a_least = -(1.0 + JOIN_EPSILON) * a_max;
+    const int creeps = state->v * state->v * state->v < SLOWEST * step->j * step->h * step->h;
+    return creeps || state->a < a_least;
+}
+
+// One cell onward under the envelope e. a_max: of the cell; the step has what of it may be used.
+static inline double rise(rise_t *state, const nck_hull_cell_t *step, double a_max, double e_end) {
+    const double v = state->v;
+    const double b = state->a + step->j * state->share;
     const double v_cap = nck_sqrt(e_end);
-    const nck_hull_cell_t step = {h, a_max, j, self->q_cap};
-    double v1 = nck_hull_rise(&step, v, b, v_cap);
+    double v1 = nck_hull_rise(step, v, b, v_cap);
     if (v1 < 0.0) {
-        self->broken = 1;
+        state->broken = 1;
         v1 = 0.0;
     }
     const int capped = v1 >= v_cap * (1.0 - CAP_EPSILON);
     const double vv1 = capped ? e_end : v1 * v1;
-    if (capped) v1 = v_cap;
-    self->a_last = (vv1 - v * v) / (2.0 * h);
-    self->slows = self->slows && !capped && self->a_last < 0.0;
-    const double a_least = -(1.0 + JOIN_EPSILON) * self->a_max[cell];
-    const int creeps = v1 * v1 * v1 < SLOWEST * j * h * h;
-    if (self->slows && (creeps || self->a_last < a_least)) self->broken = 1;
-    self->share = nck_hull_share(h, v + v1, self->q_cap);
-    if (!(vv1 > 0.0)) {
-        self->a_last = 0.0;
-        self->share = 0.0;
-    } else if (capped && self->a_last + j * self->share < 0.0) {
-        self->a_last = 0.0; // on a falling envelope the next cell may be level
-        self->share = 0.0;
+    state->v = capped ? v_cap : v1;
+    state->a = (vv1 - v * v) / (2.0 * step->h);
+    state->slows = state->slows && !capped && state->a < 0.0;
+    if (state->slows && comes_to_nothing(step, state, a_max)) state->broken = 1;
+    state->share = nck_hull_share(step->h, v + state->v, step->q_cap);
+    // at rest; or on a falling envelope, where the next cell may be level
+    const int free = !(vv1 > 0.0) || (capped && state->a + step->j * state->share < 0.0);
+    if (free) {
+        state->a = 0.0;
+        state->share = 0.0;
     }
-    self->v_last = v1;
     return vv1;
 }
 
-static void rise_one(nck_profile_t *self) {
-    const uint32_t i = self->i;
-    if (i == 0) {
-        self->w[0] = nck_min(self->e[0], self->v * self->v);
-        self->v_last = nck_sqrt(self->w[0]);
-        self->a_last = self->a;
-        self->share = 0.5 * nck_min(self->q, self->q_cap);
-        self->slows = self->a < 0.0;
-        return;
+static void rise_first(nck_profile_t *self) {
+    self->w[0] = nck_min(self->e[0], self->v * self->v);
+    self->v_last = nck_sqrt(self->w[0]);
+    self->a_last = self->a;
+    self->share = 0.5 * nck_min(self->q, self->q_cap);
+    self->slows = self->a < 0.0;
+}
+
+static uint32_t rise_forth(nck_profile_t *self, uint32_t budget) {
+    const uint32_t count = left_forth(self, budget);
+    const uint32_t end = self->i + count;
+    if (self->i == 0) rise_first(self);
+    rise_t state = rise_of(self);
+    for (uint32_t i = self->i > 0 ? self->i : 1; i < end; i++) {
+        const uint32_t cell = i - 1;
+        const nck_hull_cell_t step = {self->h[cell], self->up[cell], jerk_at(self, cell),
+                                      self->q_cap};
+        self->w[i] = rise(&state, &step, self->a_max[cell], self->e[i]);
     }
-    const double j = jerk_at(self, i - 1);
-    self->w[i] = rise(self, self->v_last, i - 1, j, self->up[i - 1], self->e[i]);
+    keep_rise(self, &state);
+    self->i = end;
+    return count;
 }
 
 // The way down comes to nothing above the way up: that one is kept from here on.
-static void follow_rise(nck_profile_t *self) {
-    const uint32_t i = self->i;
+static void follow_rise(const nck_profile_t *self, uint32_t i, rise_t *state) {
     const double h = self->h[i];
-    self->v_last = nck_sqrt(self->w[i]);
-    self->a_last = (self->w[i] - self->w[i + 1]) / (2.0 * h);
-    self->share = nck_hull_share(h, self->v_last + nck_sqrt(self->w[i + 1]), self->q_cap);
+    state->v = nck_sqrt(self->w[i]);
+    state->a = (self->w[i] - self->w[i + 1]) / (2.0 * h);
+    state->share = nck_hull_share(h, state->v + nck_sqrt(self->w[i + 1]), self->q_cap);
 }
 
-static void fall_one(nck_profile_t *self) {
-    const uint32_t i = self->i;
-    if (i == self->n) {
-        self->w[i] = 0.0;
-        return;
-    }
-    const double j = jerk_at(self, i + 1);
-    const double v = self->v_last;
-    const uint32_t broken = self->broken;
-    const double vv = rise(self, v, i, j, self->down[i], self->e[i]);
+static inline void fall_one(nck_profile_t *self, uint32_t i, rise_t *state) {
+    const nck_hull_cell_t step = {self->h[i], self->down[i], jerk_at(self, i + 1), self->q_cap};
+    const double v = state->v;
+    const uint32_t broken = state->broken;
+    const double vv = rise(state, &step, self->a_max[i], self->e[i]);
     if (vv > 0.0 || !(self->e[i] > 0.0) || !(self->w[i + 1] < v * v)) {
         self->w[i] = nck_min(self->w[i], vv);
         return;
     }
-    self->broken = broken;
-    follow_rise(self);
+    state->broken = broken;
+    follow_rise(self, i, state);
 }
 
-// One unit of work; returns 1 when node i of the pass is done.
-static int work(nck_profile_t *self, int fresh) {
+static uint32_t fall_back(nck_profile_t *self, uint32_t budget) {
+    const uint32_t count = left_back(self, budget);
+    rise_t state = rise_of(self);
+    uint32_t i = self->i;
+    for (uint32_t n = 0; n < count; n++, i--) {
+        if (i < self->n) fall_one(self, i, &state);
+        else self->w[i] = 0.0;
+    }
+    keep_rise(self, &state);
+    self->i = i;
+    return count;
+}
+
+static uint32_t work(nck_profile_t *self, uint32_t budget) {
     switch (self->phase) {
-    case REACH_BACK: reach_back(self); return 1;
-    case REACH_FORTH: reach_forth(self); return 1;
-    case RAMP_BACK: ramp_back(self); return 1;
-    case RAMP_FORTH: ramp_forth(self); return 1;
-    case HULL_U: return hull(self, self->w, self->w, fresh);
-    case LEVEL_U: level(self, self->w, self->e); return 1;
-    case HULL_E: return hull(self, self->w, self->e, fresh);
-    case LEVEL_E: level(self, self->w, self->e); return 1;
-    case RISE: rise_one(self); return 1;
-    case FALL: fall_one(self); return 1;
-    case HULL_W: return hull(self, self->w, self->w, fresh);
-    default: level(self, self->w, self->w); return 1;
+    case REACH_BACK: return reach_back(self, budget);
+    case REACH_FORTH: return reach_forth(self, budget);
+    case RAMP_BACK: return ramp_back(self, budget);
+    case RAMP_FORTH: return ramp_forth(self, budget);
+    case HULL_U: return hull(self, budget, self->w, self->w);
+    case HULL_E: return hull(self, budget, self->w, self->e);
+    case RISE: return rise_forth(self, budget);
+    case FALL: return fall_back(self, budget);
+    case HULL_W: return hull(self, budget, self->w, self->w);
+    case LEVEL_W: return level(self, budget, self->w, self->w);
+    default: return level(self, budget, self->w, self->e);
     }
 }
 
-static void advance(nck_profile_t *self) {
-    const uint32_t last = is_backward(self->phase) ? 0 : self->n;
-    if (self->i == last) {
-        begin_pass(self, self->phase + 1);
-    } else if (last == 0) {
-        self->i--;
-    } else {
-        self->i++;
-    }
-}
+// The pass has done its last node: forward n, backward 0, and i has gone beyond.
+static int is_over(const nck_profile_t *self) { return self->i > self->n; }
 
 nck_status_t nck_profile_step(nck_profile_t *self, uint32_t budget) {
-    for (uint32_t n = 0; n < budget; n++) {
-        if (self->phase == PLANNED) return NCK_DONE;
-        self->fresh = (uint32_t)work(self, (int)self->fresh);
-        if (self->fresh) advance(self);
+    uint32_t left = budget;
+    while (left > 0 && self->phase != PLANNED) {
+        left -= work(self, left);
+        if (is_over(self)) begin_pass(self, self->phase + 1);
     }
     return self->phase == PLANNED ? NCK_DONE : NCK_OK;
 }
