@@ -40,7 +40,8 @@ static int fetch(nck_interpolate_t *self) {
     nck_fence_store(&self->has_cell, 1);
     self->from_tail = (uint32_t)from_tail;
     if (!self->rests) {
-        self->filter.ahead += length_between(self, seg_before, self->cell.seg);
+        const int filters = self->filter.taps > 1; // else nobody asks, and segs may be many
+        if (filters) self->filter.ahead += length_between(self, seg_before, self->cell.seg);
         return 1;
     }
     self->rests = 0;
