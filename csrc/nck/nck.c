@@ -211,8 +211,8 @@ static void hand_over_outputs(nck_t *nck) {
 static int is_held(const nck_t *nck, const nck_pose_t *pose) {
     const int waits = nck_interpolate_is_waiting(&nck->interpolate);
     if (nck_fence_load(&nck->command.abort) && waits) return 1;
-    return nck_fence_load(&nck->command.hold)
-           && (pose->state == NCK_TICK_IDLE || pose->state == NCK_TICK_STARVED);
+    const int held = nck_fence_load(&nck->command.hold) || nck_is_at_travel(nck);
+    return held && (pose->state == NCK_TICK_IDLE || pose->state == NCK_TICK_STARVED);
 }
 
 nck_tick_state_t nck_position(const nck_t *nck, nck_pose_t *pose_out, nck_axes_t *axes_out) {
