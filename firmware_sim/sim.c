@@ -44,18 +44,9 @@ void sim_operate(sim_t *sim, const sim_command_t *commands, size_t count) {
 }
 
 static void override(sim_t *sim, const sim_command_t *command) {
-    const nck_status_t status = nck_set_override(sim->nck, command->value[0], command->value[1]);
-    if (status == NCK_OK) {
-        sim->feed_percent = (uint16_t)command->value[0];
-        sim->rapid_percent = (uint16_t)command->value[1];
-    } else if (sim->command_status == NCK_OK) {
-        sim->command_status = status;
-    }
-}
-
-static void set_single_block(sim_t *sim, const sim_command_t *command) {
-    const nck_status_t status = nck_set_single_block(sim->nck, command->value[0]);
-    if (sim->command_status == NCK_OK) sim->command_status = status;
+    nck_set_override(sim->nck, command->value[0], command->value[1]);
+    sim->feed_percent = (uint16_t)command->value[0];
+    sim->rapid_percent = (uint16_t)command->value[1];
 }
 
 static void obey(sim_t *sim, const sim_command_t *command) {
@@ -66,7 +57,7 @@ static void obey(sim_t *sim, const sim_command_t *command) {
         sim->resumed = 1;
         break;
     case SIM_OVERRIDE: override(sim, command); break;
-    case SIM_SINGLE_BLOCK: set_single_block(sim, command); break;
+    case SIM_SINGLE_BLOCK: nck_set_single_block(sim->nck, command->value[0]); break;
     default: nck_abort(sim->nck); break;
     }
     sim->rest_ticks = 0;
@@ -199,6 +190,5 @@ nck_status_t sim_run(sim_t *sim, sim_row_t *rows, size_t row_max, size_t *row_co
     }
     if (sim->end == SIM_END_NOT) return NCK_OK;
     if (sim->end == SIM_END_STALLED) return NCK_E_INTERNAL;
-    if (sim->error < NCK_OK) return (nck_status_t)sim->error;
-    return sim->command_status < NCK_OK ? (nck_status_t)sim->command_status : NCK_DONE;
+    return sim->error < NCK_OK ? (nck_status_t)sim->error : NCK_DONE;
 }

@@ -60,7 +60,6 @@ typedef struct sim {
     uint32_t prep_steps;   // prep steps between two ticks, ≥ 1; few of them starve the tick
     uint32_t prefilled;    // 1: prep has run until it had to wait, ticks have begun
     int32_t prep_status;   // last of nck_prep
-    int32_t command_status;// first that a command was refused with; NCK_OK
     uint32_t end;          // sim_end_t
     uint32_t rest_ticks;   // at rest, with nothing to prepare or to wait for, so far
     uint32_t resumed;      // 1: the operator has gone on since the path last moved
@@ -96,8 +95,7 @@ void sim_operate(sim_t *sim, const sim_command_t *commands, size_t count);
 // M6 are resumed at the next tick, a hold in force stays. A run has the ticks that its plan counts;
 // one at rest more if nothing but outputs is left.
 // Returns NCK_OK (call again), NCK_DONE, or the program error after everything before it has been
-// executed, or NCK_E_STATE at the end of a run in which a command was refused, or NCK_E_INTERNAL if
-// neither prep nor the tick goes on.
+// executed, or NCK_E_INTERNAL if neither prep nor the tick goes on.
 // Cost: linear in the rows and in the text. Context: prep and tick both.
 nck_status_t sim_run(sim_t *sim, sim_row_t *rows, size_t row_max, size_t *row_count_out);
 

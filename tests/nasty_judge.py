@@ -106,17 +106,15 @@ def _finite(name, array):
             _hold(np.isfinite(array[key]).all(), f"a {name} with {key} that is no number")
 
 
-def _answer(case, machine):
+def _answer(case):
     """Return the ticks in which a hold must have come to rest; None: the checker's own."""
-    if case.prep_steps < kernel.PREP_STEPS or machine.settings.path.slope == "sshape":
-        return math.inf
-    return None
+    return math.inf if case.prep_steps < kernel.PREP_STEPS else None
 
 
 def _run(case, program, blocks, plan, found):
     machine = program.machine
     judge = checker.Checker(
-        blocks, machine.record, case.commands, _answer(case, machine), visits=not found,
+        blocks, machine.record, case.commands, _answer(case), visits=not found,
         late=case.prep_steps < kernel.PREP_STEPS,
     )
     controller = kernel.Simulation(program.text, machine, case.prep_steps, case.commands)

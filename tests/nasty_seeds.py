@@ -12,12 +12,8 @@ PERIODS_MS = (0.25, 0.5, 1, 2, 4, 10)
 PERIODS = 4000  # of a program, about
 TINY = 1e-6  # the shortest move [mm]
 LONGEST = 1000.0  # [mm]
-ALL = ("hold", "resume", "resume", "override", "override", "single_block", "abort")
-COMMANDS = {
-    "jerk": ALL,
-    "sshape": ("hold", "resume", "resume", "abort"),
-    "linear": ALL,
-}
+SLOPES = ("jerk", "sshape", "linear")
+COMMANDS = ("hold", "resume", "resume", "override", "override", "single_block", "abort")
 
 
 def case(slope, seed, number):
@@ -286,7 +282,7 @@ class Author:
         commands = []
         last = self._log(10, PERIODS)
         for _ in range(int(self._rng.integers(1, 6))):
-            name = self._one_of(*COMMANDS[self._slope])
+            name = self._one_of(*COMMANDS)
             numbers = ()
             if name == "override":
                 numbers = (int(self._rng.integers(10, 201)), int(self._rng.integers(10, 101)))

@@ -15,7 +15,7 @@ from test_5_physics import CASES, judge, program_text, retimed, rounded
 
 import pycnc
 from pycnc import kernel
-from pycnc.errors import ArgumentError, StateError
+from pycnc.errors import ArgumentError
 from pycnc.machine import Machine
 from pycnc.program import Program
 
@@ -214,11 +214,6 @@ def test_an_abort_rests_and_drops_the_rest():
 def test_a_command_that_is_none_is_refused(command, words):
     with pytest.raises(ArgumentError, match=words):
         traced([command])
-
-
-def test_the_classical_s_shape_refuses_an_override():
-    with pytest.raises(StateError, match="sshape"):
-        pycnc.run(SQUARE, slope="sshape", commands=[(3, "override", 50)])
 
 
 @pytest.mark.parametrize("rest", ["M0", "G4 P0.01"])

@@ -14,7 +14,7 @@ SPARE = 20  # periods beyond v/a + a/j
 
 
 @pytest.mark.parametrize("event", stops.EVENTS)
-@pytest.mark.parametrize("slope", ["linear", "jerk"])
+@pytest.mark.parametrize("slope", stops.SLOPES)
 def test_a_line_of_a_metre_is_left_at_once(slope, event):
     told = stops.row(slope, "a line of 1 m", event, moments=2)
     assert told["heard_ms"] <= HEARD or event == "override 0"
@@ -22,7 +22,7 @@ def test_a_line_of_a_metre_is_left_at_once(slope, event):
 
 
 @pytest.mark.parametrize("event", ["hold", "abort"])
-@pytest.mark.parametrize("slope", ["linear", "jerk"])
+@pytest.mark.parametrize("slope", stops.SLOPES)
 def test_blocks_of_a_micrometre_stop_as_a_line_does(slope, event):
     told = stops.row(slope, "blocks of 1 µm", event, moments=3)
     assert told["rest_worst_ms"] <= told["least_worst_ms"] + SPARE + told["heard_ms"]
@@ -34,6 +34,8 @@ def test_blocks_of_a_micrometre_stop_as_a_line_does(slope, event):
         ("linear", "micro-segments, exact", 200), ("linear", "micro-segments, P0.01", 220),
         ("linear", "zigzag 10 mm, P0.01", 130), ("jerk", "micro-segments, exact", 360),
         ("jerk", "micro-segments, P0.01", 640), ("jerk", "zigzag 10 mm, P0.01", 720),
+        ("sshape", "micro-segments, exact", 165), ("sshape", "micro-segments, P0.01", 480),
+        ("sshape", "zigzag 10 mm, P0.01", 930),
     ],
 )  # fmt: skip
 def test_many_segments_stop_no_later_than_told(slope, name, most_ms):

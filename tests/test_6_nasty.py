@@ -29,7 +29,7 @@ def worker():
 SLOWER_MOST = {"jerk": 2, "linear": 0, "sshape": 3}
 
 
-@pytest.mark.parametrize("slope", nasty_seeds.COMMANDS)
+@pytest.mark.parametrize("slope", nasty_seeds.SLOPES)
 def test_nasty_programs_find_nothing_and_few_are_slower_than_with_stops(slope, worker):
     slower = []
     for number, case, finding in nasty.findings(slope, SEED, range(COUNT), worker):
@@ -66,7 +66,7 @@ def test_an_arc_whose_start_is_left_out_becomes_a_line():
     assert "G1 X2.000000" in left[0]
 
 
-@pytest.mark.parametrize("slope", nasty_seeds.COMMANDS)
+@pytest.mark.parametrize("slope", nasty_seeds.SLOPES)
 def test_a_seed_always_gives_the_same_cases(slope):
     assert nasty_seeds.case(slope, 3, 5) == nasty_seeds.case(slope, 3, 5)
 

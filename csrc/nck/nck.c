@@ -244,19 +244,15 @@ void nck_abort(nck_t *nck) {
     nck_fence_store(&nck->command.hold, 1);
 }
 
-static nck_status_t set_command(const nck_t *nck, uint32_t *word, uint32_t value, uint32_t most) {
-    if (nck->machine.slope == NCK_SLOPE_SSHAPE) return NCK_E_STATE;
-    nck_fence_store(word, value < most ? value : most);
-    return NCK_OK;
+void nck_set_single_block(nck_t *nck, uint32_t on) {
+    nck_fence_store(&nck->command.single_block, on ? 1 : 0);
 }
 
-nck_status_t nck_set_single_block(nck_t *nck, uint32_t on) {
-    return set_command(nck, &nck->command.single_block, on, 1);
-}
-
-nck_status_t nck_set_override(nck_t *nck, uint32_t feed_percent, uint32_t rapid_percent) {
-    (void)set_command(nck, &nck->command.rapid_percent, rapid_percent, PERCENT);
-    return set_command(nck, &nck->command.feed_percent, feed_percent, FEED_MOST);
+void nck_set_override(nck_t *nck, uint32_t feed_percent, uint32_t rapid_percent) {
+    const uint32_t feed = feed_percent < FEED_MOST ? feed_percent : FEED_MOST;
+    const uint32_t rapid = rapid_percent < PERCENT ? rapid_percent : PERCENT;
+    nck_fence_store(&nck->command.feed_percent, feed);
+    nck_fence_store(&nck->command.rapid_percent, rapid);
 }
 
 int nck_is_moving(const nck_t *nck) {

@@ -203,19 +203,16 @@ void nck_resume(nck_t *nck);
 
 // Come to rest on the path, within the limits of the slope, and stay until nck_resume. The state is
 // NCK_TICK_HOLD from the first cell of the brake on. The brake begins within ten periods if prep
-// makes one short plan, a bounded number of steps, in five of them, else that much later; classical
-// S-shape: within 70 periods, a ramp and one of its cells.
+// makes one short plan, a bounded number of steps, in five of them, else that much later.
 // Cost: constant. Context: any.
 void nck_hold(nck_t *nck);
 
-// Hold at the end of every block (1) or no longer (0). Returns NCK_OK, or NCK_E_STATE under the
-// classical S-shape. Cost: constant. Context: any.
-nck_status_t nck_set_single_block(nck_t *nck, uint32_t on);
+// Hold at the end of every block (1) or no longer (0). Cost: constant. Context: any.
+void nck_set_single_block(nck_t *nck, uint32_t on);
 
 // Scale the programmed feeds by 0 … 200 % and the rapids by 0 … 100 %; what is more counts as the
-// most. The other limits stay. 0 rests until it is raised again. Returns NCK_OK, or NCK_E_STATE
-// under the classical S-shape. Cost: constant. Context: any.
-nck_status_t nck_set_override(nck_t *nck, uint32_t feed_percent, uint32_t rapid_percent);
+// most. The other limits stay. 0 rests until it is raised again. Cost: constant. Context: any.
+void nck_set_override(nck_t *nck, uint32_t feed_percent, uint32_t rapid_percent);
 
 // Come to rest as by a hold and drop what has not been executed: nck_prep says NCK_DONE, the tick
 // stays in NCK_TICK_HOLD and is idle there. nck_begin goes on from there with another program.

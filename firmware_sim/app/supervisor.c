@@ -28,8 +28,7 @@ static void end_in(app_t *app, uint32_t goal) {
     nck_abort(&app->nck);
 }
 
-// Returns 1, or 0 if this machine cannot follow: the classical S-shape knows no override and no
-// single block; a travel needs a joint.
+// Returns 1, or 0 if this machine cannot follow: a travel needs a joint.
 static int execute(app_t *app, const app_command_t *command) {
     const app_range_t travel = {command->argument[1], command->argument[2], 1};
     const uint32_t first = (uint32_t)command->argument[0];
@@ -37,8 +36,8 @@ static int execute(app_t *app, const app_command_t *command) {
     switch (command->kind) {
     case APP_HOLD: nck_hold(&app->nck); break;
     case APP_RESUME: nck_resume(&app->nck); break;
-    case APP_OVERRIDE: return nck_set_override(&app->nck, first, second) == NCK_OK;
-    case APP_SINGLE_BLOCK: return nck_set_single_block(&app->nck, first) == NCK_OK;
+    case APP_OVERRIDE: nck_set_override(&app->nck, first, second); break;
+    case APP_SINGLE_BLOCK: nck_set_single_block(&app->nck, first); break;
     case APP_ABORT: end_in(app, APP_ABORTED); break;
     case APP_ESTOP: finish(app, APP_EMERGENCY); break;
     case APP_TRAVEL: return app_guard_set(app, command->argument[0], &travel);

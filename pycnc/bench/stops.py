@@ -14,7 +14,6 @@ from pycnc.bench import programs
 SLOPES = ("linear", "jerk", "sshape")
 EVENTS = {"hold": ("hold",), "abort": ("abort",), "override 0": ("override", 0, 0)}
 A, J = 1000, 10_000  # of the machine of the programs [mm/s², mm/s³]
-REFUSED = {("sshape", "override 0")}  # the S-shape has no overrides
 
 
 def _line():
@@ -78,11 +77,10 @@ def row(slope, name, event, moments=8):
 
 
 def bench_stops_rows():
-    """Return a row for every slope, program and event that the slope knows."""
+    """Return a row for every slope, program and event."""
     return [
         row(slope, name, event)
         for slope in SLOPES
         for name in PROGRAMS
         for event in EVENTS
-        if (slope, event) not in REFUSED
     ]

@@ -73,8 +73,7 @@ class Outcome:
         for, at a stop or on the stop tail, and those on the tail; periods without a setpoint after
         an overrun.
     refused : int
-        Commands that the machine cannot follow: overrides and single blocks need ``slope =
-        "jerk"``.
+        Commands that the machine cannot follow: a travel of a joint that it does not have.
     load : dict
         Share of the processor's time: "tick", and every task by its name.
     tick_most : float

@@ -211,8 +211,6 @@ class Simulation:
         ------
         ProgramError
             After everything before the error has been executed.
-        StateError
-            At the end, if the slope does not know a command that was given.
         InternalError
             If neither preparation nor the tick goes on, with the numbers of where it stands.
         """
@@ -221,11 +219,6 @@ class Simulation:
         while status == lib.NCK_OK:
             status = lib.sim_run(self._sim, pointer("sim_row_t", rows), len(rows), count)
             yield rows[: count[0]], self._sim.text_used
-            if self._sim.command_status != lib.NCK_OK:
-                slope = self._machine.settings.path.slope
-                raise errors.StateError(
-                    f"the slope {slope!r} takes no override and no single block", id="command"
-                )
             if self.end == "stalled":
                 raise errors.InternalError(self._stall(), id="internal", status=status)
             check(status)

@@ -434,8 +434,6 @@ def run(program, machine=None, *, slope=None, prep_steps=kernel.PREP_STEPS, comm
         If the program has an error: nothing is run then.
     ArgumentError
         If there is no such slope, command, backend or kind of planning.
-    StateError
-        If the slope does not know a command: the linear one takes hold, resume and abort.
     InternalError
         If the run stands still although nobody holds it: a defect.
 

@@ -183,8 +183,8 @@ static uint32_t random_percent(uint64_t *seed, double most)
 
 static void let_go_on(nck_t *nck)
 {
-    (void)nck_set_override(nck, 100, 100);
-    (void)nck_set_single_block(nck, 0);
+    nck_set_override(nck, 100, 100);
+    nck_set_single_block(nck, 0);
     nck_resume(nck);
 }
 
@@ -195,7 +195,7 @@ static void command_at_random(void *user, uint64_t tick)
     if (tick == hand->last) let_go_on(nck);
     if (tick >= hand->last || motion_random(&hand->seed) > hand->often) return;
     switch ((int)(10.0 * motion_random(&hand->seed))) {
-    case 0: (void)nck_set_single_block(nck, motion_random(&hand->seed) < 0.3); return;
+    case 0: nck_set_single_block(nck, motion_random(&hand->seed) < 0.3); return;
     case 1:
     case 2: nck_hold(nck); return;
     case 3:
@@ -203,7 +203,7 @@ static void command_at_random(void *user, uint64_t tick)
     case 5: nck_resume(nck); return;
     default: {
         const uint32_t feed = random_percent(&hand->seed, 200.0);
-        (void)nck_set_override(nck, feed, random_percent(&hand->seed, 100.0));
+        nck_set_override(nck, feed, random_percent(&hand->seed, 100.0));
     }
     }
 }
@@ -364,7 +364,7 @@ static void single_block_rests_at_the_end_of_every_block(check_t *check)
     for (int k = 1; k < 8; k++) motion_line(&motion, k % 2 ? "G91 X10" : "G91 X7 Y7");
     motion_line(&motion, "M2");
     motion.status = motion_start(&motion);
-    (void)nck_set_single_block(&motion.nck, 1);
+    nck_set_single_block(&motion.nck, 1);
     for (uint32_t k = 0; k < 8; k++) {
         CHECK(check, ticks_to_rest(4000) < 4000);
         const nck_seg_t *const seg = &motion.seg[k];

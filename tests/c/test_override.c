@@ -29,7 +29,7 @@ static int ticks_to_meet(uint32_t percent, double *peak_out)
     nck_end(&nck);
     for (int tick = 1; tick < 3000; tick++) {
         while (nck_prep(&nck) == NCK_OK) continue;
-        if (tick == 1000) (void)nck_set_override(&nck, percent, 100);
+        if (tick == 1000) nck_set_override(&nck, percent, 100);
         (void)nck_tick(&nck, &pose, &axes);
         memmove(s, s + 1, 3 * sizeof *s);
         s[3] = pose.s;
@@ -73,11 +73,11 @@ static void an_override_lowered_twice_keeps_the_acceleration_on_an_arc(check_t *
         motion_line(&motion, "G1 Y5");
         motion_line(&motion, "M2");
         motion.status = motion_start(&motion);
-        (void)nck_set_override(&motion.nck, 200, 100);
+        nck_set_override(&motion.nck, 200, 100);
         while (motion.ticks < tick) (void)motion_tick(&motion, NULL);
-        (void)nck_set_override(&motion.nck, 95, 100);
+        nck_set_override(&motion.nck, 95, 100);
         while (motion.ticks < tick + 12) (void)motion_tick(&motion, NULL);
-        (void)nck_set_override(&motion.nck, 30, 100);
+        nck_set_override(&motion.nck, 30, 100);
         while (motion_tick(&motion, NULL)) continue;
         CHECK(check, motion.is_over);
         motion_holds(check, &motion, "an override lowered twice");

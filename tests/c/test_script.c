@@ -103,8 +103,8 @@ static void tick(void)
 
 static void free_path(void)
 {
-    (void)nck_set_override(&motion.nck, 100, 100);
-    (void)nck_set_single_block(&motion.nck, 0);
+    nck_set_override(&motion.nck, 100, 100);
+    nck_set_single_block(&motion.nck, 0);
     for (uint32_t x = 0; x < 2; x++) (void)nck_set_travel(&motion.nck, x, INT64_MIN, INT64_MAX);
     nck_resume(&motion.nck);
 }
@@ -322,9 +322,9 @@ static void ask(void)
     switch (pick(7)) {
     case 0: nck_hold(&motion.nck); break;
     case 1: nck_resume(&motion.nck); break;
-    case 2: (void)nck_set_override(&motion.nck, (uint32_t)pick(201), 100); break;
-    case 3: (void)nck_set_override(&motion.nck, 100, (uint32_t)pick(101)); break;
-    case 4: (void)nck_set_single_block(&motion.nck, (uint32_t)pick(2)); break;
+    case 2: nck_set_override(&motion.nck, (uint32_t)pick(201), 100); break;
+    case 3: nck_set_override(&motion.nck, 100, (uint32_t)pick(101)); break;
+    case 4: nck_set_single_block(&motion.nck, (uint32_t)pick(2)); break;
     case 5: set_travel(); break;
     default: free_path(); break;
     }

@@ -18,7 +18,7 @@ static void begin(uint32_t tick)
     motion_line(&motion, "M2");
     motion.status = motion_start(&motion);
     while (motion.ticks < tick && motion_tick(&motion, NULL)) {
-        if (motion.ticks == SWITCHED_ON) (void)nck_set_single_block(&motion.nck, 1);
+        if (motion.ticks == SWITCHED_ON) nck_set_single_block(&motion.nck, 1);
     }
 }
 
@@ -94,7 +94,7 @@ static void an_override_is_met_and_the_block_end_kept(check_t *check)
         double v_least = 1e9;
         double v_most = 0.0;
         begin(400);
-        (void)nck_set_override(&motion.nck, percent[k], 100);
+        nck_set_override(&motion.nck, percent[k], 100);
         while (motion.pose.s < 18.0 && motion.ticks < LONG_RUN) {
             (void)motion_tick(&motion, NULL);
             if (motion.pose.s > 17.0) continue;
@@ -115,10 +115,10 @@ static void an_override_is_met_and_the_block_end_kept(check_t *check)
 static void an_override_of_zero_rests_on_the_way_and_goes_on_with_it(check_t *check)
 {
     begin(400);
-    (void)nck_set_override(&motion.nck, 0, 100);
+    nck_set_override(&motion.nck, 0, 100);
     CHECK(check, ticks_to_rest() <= 300);
     CHECK(check, motion.pose.s < 20.0);
-    (void)nck_set_override(&motion.nck, 100, 100);
+    nck_set_override(&motion.nck, 100, 100);
     for (int k = 0; k < 10; k++) (void)motion_tick(&motion, NULL);
     (void)ticks_to_rest();
     CHECK_NEAR(check, motion.pose.s, 20.0, 1e-9);
@@ -132,7 +132,7 @@ static void single_block_switched_off_on_the_way_needs_no_resume(check_t *check)
     for (uint32_t tick = SWITCHED_ON + 4; tick < 960; tick += 8) {
         begin(tick);
         if (rests()) break;
-        (void)nck_set_single_block(&motion.nck, 0);
+        nck_set_single_block(&motion.nck, 0);
         const int late = 20.0 - motion.pose.s < 1e-3;
         while (motion.ticks < 4000 && motion_tick(&motion, NULL)) continue;
         if (!late && !CHECK(check, motion.is_over && motion.pose.s > 30.0 - 1e-9)) {
@@ -163,7 +163,7 @@ static void single_block_switched_off_at_rest_waits_for_a_resume(check_t *check)
 {
     begin(SWITCHED_ON + 1);
     (void)ticks_to_rest();
-    (void)nck_set_single_block(&motion.nck, 0);
+    nck_set_single_block(&motion.nck, 0);
     for (int k = 0; k < 100; k++) (void)motion_tick(&motion, NULL);
     CHECK_NEAR(check, motion.pose.s, 20.0, 1e-9);
     CHECK_NEAR(check, next_rest(), 30.0, 1e-9);
@@ -194,7 +194,7 @@ static void block_ends_too_near_to_rest_at_are_passed(check_t *check)
         motion.status = motion_start(&motion);
         do (void)motion_tick(&motion, NULL);
         while (motion.pose.s < 9.7);
-        (void)nck_set_single_block(&motion.nck, 1);
+        nck_set_single_block(&motion.nck, 1);
         CHECK(check, most_steps_to_rest() < MOTION_STEPS / 2);
         CHECK_INT(check, motion.starved, 0);
         CHECK_INT(check, motion.pose.state, NCK_TICK_HOLD);
@@ -216,12 +216,12 @@ static void an_override_of_zero_rests_behind_a_block_end_too_near(check_t *check
         motion.status = motion_start(&motion);
         do (void)motion_tick(&motion, NULL);
         while (motion.pose.s < 13.0);
-        (void)nck_set_single_block(&motion.nck, single);
-        (void)nck_set_override(&motion.nck, 0, 100);
+        nck_set_single_block(&motion.nck, single);
+        nck_set_override(&motion.nck, 0, 100);
         CHECK(check, most_steps_to_rest() < MOTION_STEPS / 2);
         CHECK_INT(check, motion.starved, 0);
         CHECK(check, motion.pose.s < 40.0);
-        (void)nck_set_override(&motion.nck, 100, 100);
+        nck_set_override(&motion.nck, 100, 100);
         for (int k = 0; k < 10; k++) (void)motion_tick(&motion, NULL);
         (void)ticks_to_rest();
         const int in_front = NCK_PROFILE < 256 && single;

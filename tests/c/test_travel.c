@@ -3,7 +3,7 @@
 // than a brake needs, and goes on when they are wide enough.
 #include "front_check.h"
 
-enum { SLOPES = 2 };
+enum { SLOPES = 3 };
 
 static front_t front;
 static double a_most; // of any axis at any tick [mm/s²]

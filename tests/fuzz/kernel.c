@@ -329,10 +329,10 @@ static void command(run_t *self) {
     switch (what % 8) {
     case 0: nck_hold(nck); break;
     case 1: nck_resume(nck); break;
-    case 2: (void)nck_set_single_block(nck, what >> 3 & 1u); break;
-    case 3: (void)nck_set_override(nck, byte_of(&self->source), what); break;
-    case 4: (void)nck_set_override(nck, 10u + what, 100); break;
-    case 5: (void)nck_set_override(nck, 100, 100); break;
+    case 2: nck_set_single_block(nck, what >> 3 & 1u); break;
+    case 3: nck_set_override(nck, byte_of(&self->source), what); break;
+    case 4: nck_set_override(nck, 10u + what, 100); break;
+    case 5: nck_set_override(nck, 100, 100); break;
     case 6:
         self->complete |= what > 200;
         (void)nck_set_travel(nck, what >> 3 & 1u, -1000000 * (int64_t)byte_of(&self->source),
@@ -372,8 +372,8 @@ static void operate(run_t *self) {
 // The operator lets it go on, to the end.
 static void release(run_t *self) {
     nck_t *const nck = &self->nck;
-    (void)nck_set_single_block(nck, 0);
-    (void)nck_set_override(nck, 100, 100);
+    nck_set_single_block(nck, 0);
+    nck_set_override(nck, 100, 100);
     for (uint32_t x = 0; x < 2; x++) (void)nck_set_travel(nck, x, INT64_MIN, INT64_MAX);
     nck_resume(nck);
 }

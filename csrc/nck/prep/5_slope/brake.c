@@ -110,18 +110,27 @@ void nck_brake_relax(const nck_jerk_t *self, const nck_pieces_t *pieces, uint32_
 
 // ---- reach
 
-// One cell of the plan of now under the brake. Returns 1 when the rest is found.
+// A cell of the plan of now under the brake; a long one in parts. Returns 1 when the rest is found.
 static int reach_cell(nck_jerk_t *self, const nck_pieces_t *pieces, const nck_cell_t *cell) {
     nck_profile_t *const state = &self->profile;
-    self->work.piece = nck_plan_find(pieces, self->work.piece, cell);
+    const uint32_t parts = (uint32_t)nck_window_parts(self, cell, 1);
+    const double h = cell->length / (double)parts;
+    nck_cell_t part = *cell;
+    part.s += h * (double)self->work.part;
+    self->work.piece = nck_plan_find(pieces, self->work.piece, &part);
     const nck_node_t *const piece = nck_plan_piece(pieces, self->work.piece);
     const double v = nck_min(cell->v, NCK_BRAKE_ABOVE * state->v_last);
     nck_brake_limits_t limits = {self->work.over ? piece->a_over : piece->a,
                                  self->j_scale * (self->work.over ? piece->j_over : piece->j)};
     if (!self->work.as_capped) nck_brake_relax(self, pieces, self->work.piece, v, &limits);
     const double j = NCK_BRAKE_SHARE * limits.j;
-    state->v_last = nck_sqrt(nck_brake_cell(state, cell->length, limits.a, j, self->q_cap));
-    self->work.reach += cell->length;
+    state->v_last = nck_sqrt(nck_brake_cell(state, h, limits.a, j, self->q_cap));
+    self->work.reach += h;
+    self->work.part++;
+    if (self->work.part == parts) {
+        self->work.part = 0;
+        self->work.i++;
+    }
     if (!nck_brake_rests(state, j)) return 0;
     const double ramp = -state->a_last / j;
     self->work.reach += ramp * state->v_last / 3.0 + self->q_cap * self->profile.v;
@@ -129,13 +138,12 @@ static int reach_cell(nck_jerk_t *self, const nck_pieces_t *pieces, const nck_ce
 }
 
 nck_status_t nck_brake_reach(nck_jerk_t *self, const nck_pieces_t *pieces) {
-    if (self->work.i == 0) nck_brake_begin(&self->profile, self->q_cap);
+    if (self->work.i == 0 && self->work.part == 0) nck_brake_begin(&self->profile, self->q_cap);
     for (int n = 0; n < NCK_JERK_STEP; n++) {
         const nck_cell_t *const cell =
             nck_link_tail_cell(self->link, self->work.source + self->work.i);
         if (!cell) return NCK_EMPTY;
         if (reach_cell(self, pieces, cell)) return NCK_DONE;
-        self->work.i++;
     }
     return NCK_OK;
 }

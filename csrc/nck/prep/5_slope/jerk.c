@@ -21,10 +21,15 @@ enum { COMMIT_MOST = 3, COMMIT_LEAST = 10, KEEP_OFF = 4 };
 #define RAMPS_SEEN 3.0
 // Cells last half a period at least: finer ladders gain next to nothing (README).
 #define STEP_LEAST 0.5
+// Cells of constant jerk last longer than a ladder's: a hold divides them so far, before it knows
+// more.
+#define HOLD_STEPS 2.0
 // Room for rounding below every jerk limit.
 #define JERK_MARGIN 1e-5
-// A hold that cannot be met gets so much more length, …
-#define REACH_GROWTH 1.05
+// A hold that cannot be met gets so much more length, twice that if it is met at less than so much
+// of v² only, …
+#define REACH_GROWTH 0.05
+#define REACH_FAR 0.8
 // … and after so many tries pieces are asked for no more than they leave at their caps.
 #define RELAXED_TRIES 4
 
@@ -36,14 +41,17 @@ void nck_jerk_init(nck_jerk_t *self, const nck_machine_t *machine, nck_link_t *l
     self->now = now;
     self->next = next;
     const double period = machine->period_s;
+    const int filters = machine->slope == NCK_SLOPE_JERK;
+    const int taps = filters ? NCK_FILTER_TAPS : 1;
     const double ramp = machine->path.feed_max / machine->path.a_max
                         + machine->path.a_max / machine->path.j_max;
-    const double most = nck_max(1.0, 0.25 * (double)NCK_FILTER_TAPS) * period;
+    const double most = nck_max(1.0, 0.25 * (double)taps) * period;
     self->step_s = nck_max(STEP_LEAST * period,
                            nck_min(most, RAMPS_SEEN * ramp / (double)NCK_PROFILE));
+    self->hold_s = filters ? NCK_JERK_UNKNOWN : HOLD_STEPS * self->step_s;
     self->q_cap = NCK_LADDER_STRETCH * self->step_s;
     self->j_scale = (1.0 - JERK_MARGIN)
-                    / (1.0 + nck_ladder_excess(self->q_cap, period, NCK_FILTER_TAPS));
+                    / (1.0 + nck_ladder_excess(self->q_cap, period, taps));
     nck_profile_t *const p = &self->profile;
     p->h = self->h;
     p->w_cap = self->w_cap;
@@ -141,6 +149,8 @@ static int runs_past(const nck_jerk_t *self, const nck_pieces_t *pieces) {
 // caps may differ. NCK_E_STATE if that does not help either.
 static nck_status_t give_way(nck_jerk_t *self, const nck_pieces_t *pieces) {
     const double reach = self->work.reach;
+    const int is_far = self->w[0] < REACH_FAR * self->profile.v * self->profile.v;
+    const double longer = reach * (1.0 + (is_far ? 2.0 : 1.0) * REACH_GROWTH);
     const uint32_t tries = self->work.tries + 1;
     const uint32_t passes = self->work.passes + 1;
     const int is_past = self->next->complete && runs_past(self, pieces);
@@ -153,7 +163,7 @@ static nck_status_t give_way(nck_jerk_t *self, const nck_pieces_t *pieces) {
         begin_brake(self, self->job.held);
         self->work.tries = tries;
         self->work.as_capped = tries >= RELAXED_TRIES;
-        if (tries != RELAXED_TRIES) begin_hold(self, REACH_GROWTH * reach);
+        if (tries != RELAXED_TRIES) begin_hold(self, longer);
     } else if (is_past && must_rest) {
         begin_brake(self, NCK_HELD_OVERRIDE);
     } else if (single_block && is_past && passes < NCK_JERK_PIECES) {

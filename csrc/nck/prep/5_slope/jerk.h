@@ -22,6 +22,7 @@ typedef struct nck_jerk {
     nck_plan_t *next;     // in work
     nck_job_t job;        // that it is made for
     double step_s;        // D, what a cell lasts about [s]
+    double hold_s;        // what cells of the plan of now last about in a hold's ladder [s]
     double q_cap;         // longest duration that counts in rule R [s]
     double j_scale;       // share of a piece's jerk that rule R plans with
     struct {
@@ -39,6 +40,7 @@ typedef struct nck_jerk {
         uint32_t pending_piece;
         double pending_s;
         double reach;      // rest within this length, for a hold; 0: no hold
+        uint32_t part;     // reach: of the next cell
         uint32_t tries;    // of a hold, in vain
         uint32_t as_capped; // 1: a hold brakes with what pieces leave at their caps only
         double length;     // of the ladder so far
@@ -53,6 +55,7 @@ typedef struct nck_jerk {
         uint32_t to_pass;  // lay: of them, those still ahead
         uint32_t over;     // 1: limits for overrides beyond 100 %
         double w_cell;     // cap of the cell before
+        double seam;       // limit: so much path is left behind the constant jerk before [mm]
         uint32_t anew;     // 1: the whole ladder is laid anew, over the path of the plan of now
         uint32_t planned_cell; // brake: cell of that plan …
         double planned_at; // … so much path behind the ladder's begin [mm]

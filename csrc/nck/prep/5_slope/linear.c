@@ -5,20 +5,14 @@
 #include <string.h> // memset
 
 #include "nck/base/envelope_math.h" // nck_envelope_…
-#include "nck/base/real.h"          // nck_min nck_max nck_floor
+#include "nck/base/real.h"          // nck_max nck_min
+#include "nck/prep/5_slope/trapezoid.h" // nck_trapezoid_legs nck_trapezoid_brake
 
 enum {
     PASS_STEP = 32, // nodes, or cells, in one bounded step
     PHASE_VIEW = 0, PHASE_FLOOR, PHASE_BACKWARD, PHASE_FORWARD, PHASE_PART, PHASE_BRAKE
 };
 
-// Cells are divided so that none lasts longer: a hold begins behind those that are final.
-#define SLICE_PERIODS 1.5
-// Of a leg, at most: after days its slices are longer.
-#define SLICES_MOST 1e9
-// Slices last a whole number of such parts of a second, so that their sum is the leg to the bit but
-// for the carry of an exponent.
-#define GRAINS 16777216.0
 // An envelope joins the speed that it is entered with within this share.
 #define JOIN_EPSILON 1e-9
 // Where braking leaves less than this share of v², it ends at rest but for rounding.
@@ -35,23 +29,12 @@ void nck_linear_init(nck_linear_t *self, const nck_machine_t *machine, nck_link_
 
 // ---- what a piece allows under the wishes
 
-static int is_plain(const nck_linear_t *self) {
-    const nck_wish_t *const wish = &self->job.wish;
-    return wish->feed == 1.0 && wish->rapid == 1.0 && !self->next->over;
-}
-
 static double cap_inside(const nck_linear_t *self, const nck_node_t *piece) {
-    if (is_plain(self)) return piece->vv_piece;
-    return nck_plan_cap(piece, &self->job.wish, self->next->over);
+    return nck_plan_inside(piece, &self->job.wish, self->next->over);
 }
 
 static double cap_at(const nck_linear_t *self, const nck_pieces_t *pieces, uint32_t number) {
-    const nck_node_t *const piece = nck_plan_piece(pieces, number);
-    if (is_plain(self)) return piece->vv_cap;
-    const double junction = self->next->over ? piece->vv_node : piece->vv_cap;
-    const nck_node_t *const before = nck_plan_piece(pieces, number - 1);
-    const double cap = nck_min(junction, cap_inside(self, piece));
-    return before ? nck_min(cap, cap_inside(self, before)) : cap;
+    return nck_plan_at(pieces, number, &self->job.wish, self->next->over);
 }
 
 static double accel_of(const nck_linear_t *self, const nck_node_t *piece) {
@@ -103,7 +86,7 @@ static void set_place(nck_linear_t *self) {
     self->at.s = self->next->s;
     self->at.vv = self->job.v * self->job.v;
     self->final = self->at.piece;
-    self->leg.count = 0;
+    self->legs.count = 0;
 }
 
 void nck_linear_begin(nck_linear_t *self, const nck_job_t *job) {
@@ -269,14 +252,6 @@ static nck_span_t span_of(const nck_linear_t *self, const nck_node_t *piece,
     return span;
 }
 
-static void begin_leg(nck_linear_t *self) {
-    const nck_cell_t *const leg = &self->leg.cell[self->leg.k];
-    const double most = SLICE_PERIODS * self->machine->period_s;
-    const int moves = leg->length > 0.0 && leg->duration > most;
-    self->leg.slices = moves ? 1 + (uint32_t)nck_min(SLICES_MOST, leg->duration / most) : 1;
-    self->leg.m = 0;
-}
-
 static void begin_piece(nck_linear_t *self, const nck_pieces_t *pieces) {
     const nck_node_t *const piece = nck_plan_piece(pieces, self->at.piece);
     nck_span_t span = span_of(self, piece, &self->at);
@@ -284,9 +259,8 @@ static void begin_piece(nck_linear_t *self, const nck_pieces_t *pieces) {
     const int rests = behind == self->end || (behind == self->final && self->held);
     span.vv_out = rests ? 0.0 : nck_plan_piece(pieces, behind)->vv;
     const double period = self->machine->period_s;
-    self->leg.count = (uint32_t)nck_trapezoid_legs(piece, &span, period, self->leg.cell);
-    self->leg.k = 0;
-    begin_leg(self);
+    self->legs.count = (uint32_t)nck_trapezoid_legs(piece, &span, period, self->legs.cell);
+    nck_legs_begin(&self->legs, period);
 }
 
 // How the path rests behind the piece in work, but for a stop of its own.
@@ -296,42 +270,26 @@ static uint8_t stop_behind(const nck_linear_t *self) {
     return behind == self->end ? NCK_STOP_REST : 0;
 }
 
-// Slice m of a leg, of equal times; the last one is what is left.
-static void draw_slice(nck_linear_t *self) {
-    const nck_cell_t *const leg = &self->leg.cell[self->leg.k];
-    nck_cell_t cell = *leg;
-    self->leg.m++;
-    const int is_last = self->leg.m == self->leg.slices;
-    if (self->leg.slices > 1) {
-        const double q =
-            nck_floor(GRAINS * leg->duration / (double)self->leg.slices) / GRAINS;
-        const double t0 = q * (double)(self->leg.m - 1);
-        const double t1 = is_last ? leg->duration : q * (double)self->leg.m;
-        const double s0 = (leg->v + 0.5 * leg->a * t0) * t0;
-        const double s1 = is_last ? leg->length : (leg->v + 0.5 * leg->a * t1) * t1;
-        cell.s = leg->s + s0;
-        cell.length = s1 - s0;
-        cell.v = leg->v + leg->a * t0;
-        cell.duration = t1 - t0;
-    }
-    if (!is_last) {
-        cell.last = 0;
-        cell.stop = 0;
-    }
+// Returns 1 if the piece is drawn.
+static int draw_slice(nck_linear_t *self) {
+    nck_cell_t cell;
+    const int ends = nck_legs_next(&self->legs, self->machine->period_s, &cell);
+    const double v_end = cell.v + cell.a * cell.duration;
+    const int begins = !ends && self->legs.m == 0; // where a leg ends, the next one knows better
+    const double v = begins ? self->legs.cell[self->legs.k].v : v_end;
     self->at.fresh = 0;
     self->at.s = cell.s + cell.length;
-    const double v_end = cell.v + leg->a * cell.duration;
-    self->at.vv = v_end * v_end; // where the leg ends, the next one or the next piece knows better
-    if (is_last && self->leg.k + 1 == self->leg.count) cell.stop |= stop_behind(self);
+    self->at.vv = v * v;
+    if (ends) cell.stop |= stop_behind(self);
     nck_link_tail_push(self->link, &cell);
     self->part++;
+    return ends;
 }
 
 // The piece is drawn: go on at the next one, at its envelope to the bit.
 static void leave_piece(nck_linear_t *self, const nck_pieces_t *pieces) {
     const nck_node_t *const next = nck_plan_piece(pieces, self->at.piece + 1);
     const int within = self->at.piece + 1 != self->end;
-    self->leg.count = 0;
     self->at.piece++;
     self->at.fresh = 1;
     self->at.vv = within ? next->vv : 0.0;
@@ -364,18 +322,11 @@ static nck_status_t end_part(nck_linear_t *self) {
 
 static nck_status_t draw_one(nck_linear_t *self, const nck_pieces_t *pieces) {
     if (self->part == NCK_LINEAR_PART) return end_part(self);
-    if (self->leg.count == 0) {
+    if (self->legs.count == 0) {
         if (self->at.piece == self->final) return end_part(self);
         begin_piece(self, pieces);
     }
-    draw_slice(self);
-    if (self->leg.m < self->leg.slices) return NCK_EMPTY;
-    self->leg.k++;
-    if (self->leg.k < self->leg.count) {
-        begin_leg(self);
-        self->at.vv = self->leg.cell[self->leg.k].v * self->leg.cell[self->leg.k].v;
-        return NCK_EMPTY;
-    }
+    if (!draw_slice(self)) return NCK_EMPTY;
     const nck_node_t *const piece = nck_plan_piece(pieces, self->at.piece);
     const int rests = piece->stop || !(piece->length > 0.0);
     leave_piece(self, pieces);

@@ -14,8 +14,8 @@
 #include "nck/base/machine.h"        // nck_machine_t
 #include "nck/base/records.h"        // nck_cell_t
 #include "nck/base/status.h"         // nck_status_t
+#include "nck/prep/5_slope/legs.h"   // nck_legs_t
 #include "nck/prep/5_slope/plan.h"   // nck_plan_t nck_job_t nck_pieces_t
-#include "nck/prep/5_slope/trapezoid.h" // NCK_TRAPEZOID_LEGS
 
 enum {
     NCK_LINEAR_VIEW = 4 * (NCK_WINDOW - 8) / 5, // pieces that an envelope is computed for at most
@@ -52,13 +52,7 @@ typedef struct nck_linear {
         double vv;         // v² at the node last done
     } pass;
 
-    struct {
-        uint32_t count;    // legs of the piece in work; 0: none in work
-        uint32_t k;        // the leg in work
-        uint32_t slices;   // that it is divided into
-        uint32_t m;        // of them, drawn
-        nck_cell_t cell[NCK_TRAPEZOID_LEGS];
-    } leg;
+    nck_legs_t legs;       // of the piece in work
 } nck_linear_t;
 
 // next: the slope's plan in work; its begin, piece, s and over are set before a plan is begun.

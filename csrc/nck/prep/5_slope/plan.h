@@ -65,8 +65,8 @@ typedef struct nck_job {
     uint32_t starved;  // 1: the tick has run out of cells: begin with what is there
     nck_wish_t wish;
     double v;          // speed where it begins [path mm/s]
-    double a;          // acceleration of the cell before [path mm/s²]
-    double q;          // duration of that cell [s]; 0: from rest
+    double a;          // acceleration at the end of the cell before [path mm/s²]
+    double q;          // duration of that cell [s]; 0: from rest, or out of constant jerk
 } nck_job_t;
 
 // Room 4's piece of a running number; NULL if it is not there (yet). Cost: constant.
@@ -79,6 +79,13 @@ uint32_t nck_plan_find(const nck_pieces_t *pieces, uint32_t number, const nck_ce
 // Cap of a piece under overrides, v². over: by the limits for overrides beyond 100 %.
 // Cost: constant.
 double nck_plan_cap(const nck_node_t *piece, const nck_wish_t *wish, uint32_t over);
+
+// The same, and at 100 % what room 4 has found, to the bit. Cost: constant.
+double nck_plan_inside(const nck_node_t *piece, const nck_wish_t *wish, uint32_t over);
+
+// Cap of the node at the start of a piece that is there, v². Cost: constant.
+double nck_plan_at(const nck_pieces_t *pieces, uint32_t number, const nck_wish_t *wish,
+                   uint32_t over);
 
 // 1 if the piece of this number, which has one behind it, ends its block. Cost: constant.
 int nck_plan_ends_block(const nck_link_t *link, const nck_pieces_t *pieces, uint32_t number);

@@ -34,7 +34,9 @@ void nck_slope_init(nck_slope_t *self, const nck_machine_t *machine, nck_link_t 
     case NCK_SLOPE_JERK:
         nck_jerk_init(&self->planner.jerk, machine, link, &self->now, &self->next);
         break;
-    case NCK_SLOPE_SSHAPE: nck_sshape_init(&self->planner.sshape, machine, link); break;
+    case NCK_SLOPE_SSHAPE:
+        nck_sshape_init(&self->planner.sshape, machine, link, &self->now, &self->next);
+        break;
     default:
         nck_linear_init(&self->planner.linear, machine, link, &self->next);
         break;
@@ -42,13 +44,19 @@ void nck_slope_init(nck_slope_t *self, const nck_machine_t *machine, nck_link_t 
 }
 
 static void begin_plan(nck_slope_t *self, const nck_job_t *job) {
-    if (self->machine->slope == NCK_SLOPE_JERK) nck_jerk_begin(&self->planner.jerk, job);
-    else nck_linear_begin(&self->planner.linear, job);
+    switch (self->machine->slope) {
+    case NCK_SLOPE_JERK: nck_jerk_begin(&self->planner.jerk, job); break;
+    case NCK_SLOPE_SSHAPE: nck_sshape_begin(&self->planner.sshape, job); break;
+    default: nck_linear_begin(&self->planner.linear, job); break;
+    }
 }
 
 static nck_status_t step_plan(nck_slope_t *self, const nck_pieces_t *pieces) {
-    if (self->machine->slope == NCK_SLOPE_JERK) return nck_jerk_step(&self->planner.jerk, pieces);
-    return nck_linear_step(&self->planner.linear, pieces);
+    switch (self->machine->slope) {
+    case NCK_SLOPE_JERK: return nck_jerk_step(&self->planner.jerk, pieces);
+    case NCK_SLOPE_SSHAPE: return nck_sshape_step(&self->planner.sshape, pieces);
+    default: return nck_linear_step(&self->planner.linear, pieces);
+    }
 }
 
 // A plan from rest or from a moving state, under the wishes of now. over: 1: that state may be one
@@ -102,8 +110,8 @@ static void go_on(nck_slope_t *self, const nck_pieces_t *pieces, uint32_t first)
     nck_job_t job;
     begin(self, &job, count, self->now.over);
     job.v = cell->v;
-    if (cell->v > 0.0) job.a = before->a;
-    if (cell->v > 0.0) job.q = before->duration;
+    if (cell->v > 0.0) job.a = before->a + before->j * before->duration;
+    if (cell->v > 0.0 && before->j == 0.0) job.q = before->duration;
     job.slower = self->answer.slower;
     self->next.piece = nck_plan_find(pieces, self->now.piece, cell);
     self->next.s = cell->s;
@@ -299,9 +307,6 @@ static void hear(nck_slope_t *self, const nck_pieces_t *pieces, const nck_wish_t
 
 nck_status_t nck_slope_step(nck_slope_t *self, const nck_pieces_t *pieces, const nck_wish_t *wish) {
     int entered = 0;
-    if (self->machine->slope == NCK_SLOPE_SSHAPE) {
-        return nck_sshape_step(&self->planner.sshape, pieces, wish->hold);
-    }
     (void)nck_link_end(self->link, &entered);
     if (entered && !self->in_tail) fall_into_tail(self);
     hear(self, pieces, wish);
@@ -320,12 +325,8 @@ nck_status_t nck_slope_step(nck_slope_t *self, const nck_pieces_t *pieces, const
     return status == NCK_EMPTY && final_count(self) < final_limit(self) ? NCK_FULL : status;
 }
 
-uint32_t nck_slope_needs(const nck_slope_t *self) {
-    if (self->machine->slope == NCK_SLOPE_SSHAPE) return nck_sshape_needs(&self->planner.sshape);
-    return self->now.piece;
-}
+uint32_t nck_slope_needs(const nck_slope_t *self) { return self->now.piece; }
 
 int nck_slope_is_held(const nck_slope_t *self) {
-    if (self->machine->slope == NCK_SLOPE_SSHAPE) return 1;
     return self->now.held && final_count(self) >= self->now.n;
 }

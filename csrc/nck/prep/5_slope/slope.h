@@ -6,9 +6,9 @@
 //                                                  ▼
 //                         hold, resume ─▶ now: published; its first cells are final
 //
-// Two planners of one shape (begin, step): linear and jerk. The S-shape steps by itself and hears a
-// hold only. A plan goes on from the moving state where the last one is left, and ends at rest.
-// Hold, override, single block and abort are plans like any other.
+// Three planners of one shape (begin, step): linear, jerk and sshape. A plan goes on from the
+// moving state where the last one is left, and ends at rest. Hold, override, single block and abort
+// are plans like any other.
 #ifndef NCK_PREP_SLOPE_H
 #define NCK_PREP_SLOPE_H
 
@@ -56,7 +56,7 @@ void nck_slope_init(nck_slope_t *self, const nck_machine_t *machine, nck_link_t 
 
 // One bounded piece of work. Returns NCK_OK (call again), NCK_EMPTY (needs pieces), NCK_FULL (waits
 // for the tick, or is held), NCK_E_INTERNAL (a broken plan, see nck_link_publish).
-// Cost: 32 nodes of a pass, or 32 cells; S-shape: see nck_sshape_step. Context: prep.
+// Cost: a step of the planner in force. Context: prep.
 nck_status_t nck_slope_step(nck_slope_t *self, const nck_pieces_t *pieces, const nck_wish_t *wish);
 
 // The number of the oldest piece that is still needed. Cost: constant. Context: prep.

@@ -103,7 +103,7 @@ typedef struct front {
     uint32_t seq;
     double s;  // in the seg [path mm]
     double v;  // [path mm/s]
-    double a;  // of the cell before [path mm/s²]
+    double a;  // at the end of the cell before [path mm/s²]
 } front_t;
 
 // At rest: in the oldest piece that is needed, at the end of the last cell if that ends within.
@@ -124,7 +124,8 @@ static front_t front_of(const nck_link_t *link, const nck_pieces_t *pieces) {
     const nck_cell_t *const cell = nck_link_tail_cell(link, end);
     const nck_cell_t *const before = nck_link_tail_cell(link, (end - 1) & NCK_LINK_COUNT_MASK);
     if (!cell) return rest_of(link, pieces, before);
-    const front_t front = {cell->seg, cell->s, cell->v, before ? before->a : 0.0};
+    const double a = before ? before->a + before->j * before->duration : 0.0;
+    const front_t front = {cell->seg, cell->s, cell->v, a};
     return front;
 }
 

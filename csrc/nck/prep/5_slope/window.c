@@ -13,6 +13,10 @@ enum { BLOCK_END = 1, MUST_REST = 2 };
 
 // While the ladder is coarse no cell's duration is capped in rule R [s].
 #define UNCAPPED_S 1e6
+// Samples at the seam hold both the constant jerk before a ladder and its jumps of acceleration. So
+// a ladder's acceleration all but stays for so many periods (README, section "S-shape").
+#define SEAM_PERIODS 0.25
+#define SEAM_SHARE 0.02
 // A cap beyond every speed's square.
 #define UNCAPPED 1e18
 // A part of a piece is rounding if it is shorter than this share of a cell, or of the coordinate
@@ -74,11 +78,16 @@ static const nck_cell_t *source(const nck_jerk_t *self, uint32_t i) {
     return nck_link_tail_cell(self->link, self->work.source + i);
 }
 
-// A cell in parts of equal time; as it is for a hold, whose ladder is divided later. Returns 0 if
+int nck_window_parts(const nck_jerk_t *self, const nck_cell_t *cell, int is_hold) {
+    const double step = is_hold ? self->hold_s : self->work.step;
+    return nck_ladder_parts(cell->duration, step, PARTS_MOST);
+}
+
+// A cell in parts of equal time; coarser for a hold, whose ladder is divided later. Returns 0 if
 // the window is full, or the rest asked for is reached.
 static int load_cell(nck_jerk_t *self, const nck_pieces_t *pieces, const nck_cell_t *cell) {
     const int is_hold = self->work.reach > 0.0 && !self->work.from_built;
-    const int parts = is_hold ? 1 : nck_ladder_parts(cell->duration, self->work.step, PARTS_MOST);
+    const int parts = nck_window_parts(self, cell, is_hold);
     uint32_t piece = nck_plan_find(pieces, self->work.piece, cell);
     double s = cell->s;
     double begin = 0.0;
@@ -86,8 +95,11 @@ static int load_cell(nck_jerk_t *self, const nck_pieces_t *pieces, const nck_cel
     for (int k = 1; k <= parts; k++) {
         if (self->work.n == NCK_JERK_CELLS) return 0;
         const double t = cell->duration * (double)k / (double)parts;
-        const double end = k < parts ? t * (cell->v + 0.5 * cell->a * t) : cell->length;
-        const double v = cell->v + cell->a * cell->duration * (double)(k - 1) / (double)parts;
+        const double t0 = cell->duration * (double)(k - 1) / (double)parts;
+        const double bend = cell->j / 6.0 * t * t;
+        const double end = k < parts ? t * (cell->v + 0.5 * cell->a * t + bend) : cell->length;
+        const double rise = cell->a * cell->duration * (double)(k - 1) / (double)parts;
+        const double v = cell->v + rise + 0.5 * cell->j * t0 * t0;
         double h = end - begin;
         const double room = self->work.reach - self->work.length;
         const int rests = is_hold && room <= h + LENGTH_EPSILON * self->work.reach;
@@ -311,6 +323,11 @@ static void brake_along(nck_jerk_t *self, const nck_pieces_t *pieces, uint32_t i
     state->v_last = nck_sqrt(nck_brake_cell(state, self->h[i], limits.a, limits.j, q_cap));
 }
 
+// Path behind constant jerk.
+static double seam_of(const nck_jerk_t *self) {
+    return self->profile.q > 0.0 ? 0.0 : SEAM_PERIODS * self->machine->period_s * self->profile.v;
+}
+
 // A cell keeps to the limits of every piece that it touches, and its nodes to the caps of the nodes
 // that it passes over.
 static void limit_cell(nck_jerk_t *self, const nck_pieces_t *pieces, uint32_t i) {
@@ -334,6 +351,9 @@ static void limit_cell(nck_jerk_t *self, const nck_pieces_t *pieces, uint32_t i)
     self->w_cap[i] = nck_min(w_node, w_cell);
     self->a_max[i] = a;
     self->j_max[i] = j * self->j_scale;
+    if (i == 0) self->work.seam = seam_of(self);
+    if (self->work.seam > 0.0) self->j_max[i] *= SEAM_SHARE;
+    self->work.seam -= self->h[i];
     self->work.w_cell = w_cell;
     if (self->work.reach > 0.0 && !self->work.as_capped) brake_along(self, pieces, i);
 }

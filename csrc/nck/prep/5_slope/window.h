@@ -21,6 +21,10 @@ double nck_window_q_cap(const nck_jerk_t *self);
 // Cap of a piece under the overrides that the plan is made for, v². Cost: constant.
 double nck_window_cap(const nck_jerk_t *self, const nck_node_t *piece);
 
+// In how many parts a cell of an earlier plan is taken over; a hold's ladder is divided later.
+// Cost: constant.
+int nck_window_parts(const nck_jerk_t *self, const nck_cell_t *cell, int is_hold);
+
 // Take over cells of an earlier plan, the long ones divided. NCK_OK: call again; NCK_DONE.
 // Cost: bounded.
 nck_status_t nck_window_load(nck_jerk_t *self, const nck_pieces_t *pieces);

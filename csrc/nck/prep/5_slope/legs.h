@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+// Inside room 5: legs of constant jerk come as cells that are short enough to be left soon.
+#ifndef NCK_PREP_LEGS_H
+#define NCK_PREP_LEGS_H
+
+#include "nck/base/records.h" // nck_cell_t
+
+enum { NCK_LEGS = 3 }; // of a stretch at most
+
+// A stretch of path. Set cell and count, then begin.
+typedef struct nck_legs {
+    uint32_t count;  // legs of the stretch in work; 0: none in work
+    uint32_t k;      // the leg in work
+    uint32_t slices; // that it is divided into
+    uint32_t m;      // of them, drawn
+    nck_cell_t cell[NCK_LEGS];
+} nck_legs_t;
+
+// Begin with the first leg. Cost: constant.
+void nck_legs_begin(nck_legs_t *self, double period);
+
+// The next cell of the stretch. Returns 1 if it is the last one: none is in work any more.
+// Cost: constant.
+int nck_legs_next(nck_legs_t *self, double period, nck_cell_t *cell_out);
+
+// What is left of the leg in work, undivided. Cost: constant.
+void nck_legs_rest(const nck_legs_t *self, nck_cell_t *cell_out);
+
+#endif
