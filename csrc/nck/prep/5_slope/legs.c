@@ -25,30 +25,28 @@ void nck_legs_begin(nck_legs_t *self, double period) {
     begin_leg(self, period);
 }
 
-// The leg between its slices m0 and m1.
-static nck_cell_t between(const nck_legs_t *self, uint32_t m0, uint32_t m1) {
+void nck_legs_slices(const nck_legs_t *self, uint32_t count, nck_cell_t *cell_out) {
     const nck_cell_t *const leg = &self->cell[self->k];
-    nck_cell_t cell = *leg;
-    if (self->slices == 1) return cell;
+    *cell_out = *leg;
+    if (self->slices == 1) return;
     const double q = nck_floor(GRAINS * leg->duration / (double)self->slices) / GRAINS;
-    const int is_last = m1 == self->slices;
-    const double t0 = q * (double)m0;
-    const double t1 = is_last ? leg->duration : q * (double)m1;
+    const int is_last = self->m + count == self->slices;
+    const double t0 = q * (double)self->m;
+    const double t1 = is_last ? leg->duration : q * (double)(self->m + count);
     const double s0 = (leg->v + (0.5 * leg->a + leg->j / 6.0 * t0) * t0) * t0;
     const double s1 = (leg->v + (0.5 * leg->a + leg->j / 6.0 * t1) * t1) * t1;
-    cell.s = leg->s + s0;
-    cell.length = (is_last ? leg->length : s1) - s0;
-    cell.v = leg->v + (leg->a + 0.5 * leg->j * t0) * t0;
-    cell.a = leg->a + leg->j * t0;
-    cell.duration = t1 - t0;
-    if (is_last) return cell;
-    cell.last = 0;
-    cell.stop = 0;
-    return cell;
+    cell_out->s = leg->s + s0;
+    cell_out->length = (is_last ? leg->length : s1) - s0;
+    cell_out->v = leg->v + (leg->a + 0.5 * leg->j * t0) * t0;
+    cell_out->a = leg->a + leg->j * t0;
+    cell_out->duration = t1 - t0;
+    if (is_last) return;
+    cell_out->last = 0;
+    cell_out->stop = 0;
 }
 
 int nck_legs_next(nck_legs_t *self, double period, nck_cell_t *cell_out) {
-    *cell_out = between(self, self->m, self->m + 1);
+    nck_legs_slices(self, 1, cell_out);
     self->m++;
     if (self->m < self->slices) return 0;
     self->k++;
@@ -58,8 +56,4 @@ int nck_legs_next(nck_legs_t *self, double period, nck_cell_t *cell_out) {
     }
     self->count = 0;
     return 1;
-}
-
-void nck_legs_rest(const nck_legs_t *self, nck_cell_t *cell_out) {
-    *cell_out = between(self, self->m, self->slices);
 }

@@ -23,7 +23,8 @@ void nck_legs_begin(nck_legs_t *self, double period);
 // Cost: constant.
 int nck_legs_next(nck_legs_t *self, double period, nck_cell_t *cell_out);
 
-// What is left of the leg in work, undivided. Cost: constant.
-void nck_legs_rest(const nck_legs_t *self, nck_cell_t *cell_out);
+// The next slices of the leg in work as one cell; slices − m of them are what is left of it.
+// Cost: constant.
+void nck_legs_slices(const nck_legs_t *self, uint32_t count, nck_cell_t *cell_out);
 
 #endif

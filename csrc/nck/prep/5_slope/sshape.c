@@ -166,7 +166,7 @@ static void leave_ramp(nck_sshape_t *self) {
     const nck_legs_t *const legs = &self->legs;
     nck_sshape_place_t *const place = &self->brake;
     nck_cell_t cell;
-    nck_legs_rest(legs, &cell);
+    nck_legs_slices(legs, legs->slices - legs->m, &cell);
     place->fresh = 0;
     place->s = cell.s;
     place->v = cell.v;

@@ -21,66 +21,56 @@ static double ramp_length(const nck_sshape_piece_t *piece, double v0, double v1)
     return v0 == v1 ? 0.0 : nck_sshape_length(v0, v1, piece->a, piece->j);
 }
 
+// From v_in over a peak to v_out.
+static double ramps_by(const nck_sshape_piece_t *piece, double v_in, double peak, double v_out) {
+    return ramp_length(piece, v_in, peak) + ramp_length(piece, peak, v_out);
+}
+
 double nck_sshape_brakeable(const nck_sshape_piece_t *piece, double v_out) {
     return nck_max(reach(piece, v_out), reach(piece, 0.0));
 }
 
 // Rounding has missed one of the two speeds that v was brakeable for: this one.
 static double nearer_end(const nck_sshape_piece_t *piece, double v, double v_most) {
-    return ramp_length(piece, v, v_most) <= ramp_length(piece, v, 0.0) ? v_most : 0.0;
+    return ramps_by(piece, v, v_most, v_most) <= ramps_by(piece, v, 0.0, 0.0) ? v_most : 0.0;
+}
+
+// The speed nearest to one that does not fit, from one that does on: reached from v_in within the
+// piece and, if v_out is not negative, left for v_out there.
+static double last_fit(const nck_sshape_piece_t *piece, double v_in, double v_out, double fits,
+                       double fails) {
+    for (int k = 0; k < HALVINGS; k++) {
+        const double middle = 0.5 * (fits + fails);
+        const double end = v_out < 0.0 ? middle : v_out;
+        if (ramps_by(piece, v_in, middle, end) <= piece->length) {
+            fits = middle;
+        } else {
+            fails = middle;
+        }
+    }
+    return fits;
 }
 
 // Some speed below v_most is reached, because v is brakeable; from 0 on up to a limit all are.
 double nck_sshape_fastest_end(const nck_sshape_piece_t *piece, double v, double v_most) {
     if (v_most >= v) return nck_min(v_most, reach(piece, v));
     if (v <= reach(piece, v_most)) return v_most;
-    double low = 0.0;
-    double high = v_most;
-    for (int k = 0; k < HALVINGS; k++) {
-        const double middle = 0.5 * (low + high);
-        if (ramp_length(piece, v, middle) <= piece->length) {
-            low = middle;
-        } else {
-            high = middle;
-        }
-    }
-    return low > 0.0 ? low : nearer_end(piece, v, v_most);
+    const double v_end = last_fit(piece, v, -1.0, 0.0, v_most);
+    return v_end > 0.0 ? v_end : nearer_end(piece, v, v_most);
 }
 
 // Too short to come to rest: then, from v down to a limit, all speeds are reached.
 double nck_sshape_slowest_end(const nck_sshape_piece_t *piece, double v, double v_most) {
-    if (ramp_length(piece, v, 0.0) <= piece->length) return 0.0;
-    double low = 0.0;
-    double high = v;
-    for (int k = 0; k < HALVINGS; k++) {
-        const double middle = 0.5 * (low + high);
-        if (ramp_length(piece, v, middle) <= piece->length) {
-            high = middle;
-        } else {
-            low = middle;
-        }
-    }
-    return high <= v_most ? high : nearer_end(piece, v, v_most);
-}
-
-static double ramps_by(const nck_sshape_piece_t *piece, double v_in, double peak, double v_out) {
-    return ramp_length(piece, v_in, peak) + ramp_length(piece, peak, v_out);
+    if (ramps_by(piece, v, 0.0, 0.0) <= piece->length) return 0.0;
+    const double v_end = last_fit(piece, v, -1.0, v, 0.0);
+    return v_end <= v_most ? v_end : nearer_end(piece, v, v_most);
 }
 
 // At least the larger of both ends.
 static double peak_speed(const nck_sshape_piece_t *piece, double v_in, double v_out) {
-    double low = nck_max(v_in, v_out);
-    double high = piece->v_cap;
-    if (ramps_by(piece, v_in, high, v_out) <= piece->length) return high;
-    for (int k = 0; k < HALVINGS; k++) {
-        const double middle = 0.5 * (low + high);
-        if (ramps_by(piece, v_in, middle, v_out) <= piece->length) {
-            low = middle;
-        } else {
-            high = middle;
-        }
-    }
-    return low;
+    const double cap = piece->v_cap;
+    if (ramps_by(piece, v_in, cap, v_out) <= piece->length) return cap;
+    return last_fit(piece, v_in, v_out, nck_max(v_in, v_out), cap);
 }
 
 void nck_sshape_plan(const nck_sshape_piece_t *piece, double v_in, double v_out,
