@@ -166,7 +166,7 @@ nck_status_t nck_set_limits(nck_t *nck, const nck_machine_t *machine);
 // Soft limits of an axis from now on, besides the travel that the program is held against: before
 // the path leaves them it comes to rest, as by a hold, as far in front as a brake may take that has
 // no more than what its bends leave at their caps. nck_resume goes on once they are wide enough.
-// What is within ten periods (jerk-limited: 30) and a brake of the limit by now is left as soon as
+// What is within 30 periods (linear slope: ten) and a brake of the limit by now is left as soon as
 // it can be, no sooner: the last look at a setpoint is the drive's. They stay until nck_init.
 // least_nm ≤ most_nm [nm, ndeg]; INT64_MIN, INT64_MAX: free. Returns NCK_OK, or NCK_E_ARGUMENT.
 // Cost: constant. Context: prep.

@@ -13,7 +13,7 @@ enum { POINTS = 32 }; // of the path in one step
 // Between two points of a curve this far apart it strays by half of that, which is kept clear [mm].
 #define STEP_LEAST 0.001
 // Periods from the end of the final cells until a brake begins, on a processor that makes a plan in
-// a few of them; a plan of the jerk-limited slope is put off where it takes longer.
+// a few of them; a plan of the slopes that limit jerk is put off where it takes longer.
 #define HEARD_PERIODS 10.0
 #define HEARD_PERIODS_JERK 30.0
 // A brake keeps off the limits by so much (NCK_BRAKE_SHARE), twice over.
@@ -184,7 +184,7 @@ int nck_travel_step(nck_travel_t *self, const nck_machine_t *machine, const nck_
     look_further(self, link);
     if (!self->leaves || self->stops) return (int)self->stops;
     const weakest_t limits = weakest_before(self, pieces, machine);
-    const double periods = machine->slope == NCK_SLOPE_JERK ? HEARD_PERIODS_JERK : HEARD_PERIODS;
+    const double periods = machine->slope == NCK_SLOPE_LINEAR ? HEARD_PERIODS : HEARD_PERIODS_JERK;
     const int near = is_near(self, &front, link, &limits, periods * machine->period_s);
     nck_fence_store(&self->stops, (uint32_t)near);
     return near;
