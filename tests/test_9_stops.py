@@ -11,7 +11,7 @@ from pycnc import controller
 from pycnc.bench import programs, stops
 from pycnc.bench import stops_controllers as bench
 
-WORD = r"(?:at rest|\d+)(?: \w+)?"
+TOLD = r"(?:at rest|[\d.]+(?: \w+)?)"
 
 
 def told(board, slope, name, events, tool):
@@ -53,7 +53,7 @@ def test_an_override_on_micro_segments_never_starves_a_cortex_m7(percent, tick, 
 
 def test_the_page_has_a_row_for_every_slope_and_program(root):
     page = (root / "docs" / "controller.md").read_text(encoding="utf-8")
-    cell = rf" +{WORD} / {WORD} / {WORD} / [\d.]+(?: \w+)? \|"
+    cell = rf" +{TOLD} / {TOLD} / {TOLD} / {TOLD} \|"
     rows = re.findall(rf"^\| `(\w+)`, (.+?) \|(?:{cell}){{3}}$", page, re.M)
     assert rows == [(slope, name) for slope in stops.SLOPES for name in stops.PROGRAMS]
     assert controller.CONTROLLERS == ("host", "m4f", "m7")

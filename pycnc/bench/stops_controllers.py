@@ -33,7 +33,7 @@ def _rows(board, slope, name, commands):
 
 
 def _limit(joints):
-    """Return the joint that moves most on the way ahead, where it gets to there, and the command."""
+    """Return the joint that moves most from here on, where it gets to, and the command."""
     begin = joints[TICK - 1]
     gone = np.linalg.norm(joints[TICK:] - begin, axis=1)
     end = joints[TICK + int(np.argmax(gone >= min(AHEAD_NM, 0.6 * gone.max())))]
@@ -52,6 +52,8 @@ def _told(board, slope, name, event, limit):
     k, end, travel = limit
     command = travel if event == "travel" else (TICK, *EVENTS[event])
     outcome, joints = _rows(board, slope, name, [command])
+    if len(joints) <= TICK:
+        return "at rest"
     if event == "travel":
         number = f"{abs(int(joints[-1][k]) - end) / 1e6:.2f}"
         number += " jumped" if _kept_back(joints) else ""
