@@ -24,7 +24,7 @@ nck_status_t motion_plan(void);
 int motion_tick(void);
 void panel_hold(void);
 void panel_start(void);
-nck_status_t panel_override(uint32_t feed, uint32_t rapid);
+void panel_override(uint32_t feed, uint32_t rapid);
 void panel_abort(void);
 
 static FILE *line;
@@ -43,8 +43,8 @@ static void operate(const char *word) {
     if (strcmp(word, "hold") == 0) panel_hold();
     if (strcmp(word, "start") == 0) panel_start();
     if (strcmp(word, "abort") == 0) panel_abort();
-    if (strcmp(word, "half") == 0 && panel_override(50, 100) != NCK_OK) exit(3);
-    if (strcmp(word, "full") == 0 && panel_override(100, 100) != NCK_OK) exit(3);
+    if (strcmp(word, "half") == 0) panel_override(50, 100);
+    if (strcmp(word, "full") == 0) panel_override(100, 100);
 }
 
 // Plan until the tick must go first, so many steps at most. Returns how many it were, and whether
