@@ -37,7 +37,7 @@ static void make_seg(nck_seg_t *seg, uint32_t seq) {
     seg->seq = seq;
     seg->line = ~seq;
     seg->s_begin = seq;
-    seg->dwell_s = seq;
+    seg->shape.dwell_s = seq;
 }
 
 // Outputs are due soon, so that the tick mostly waits for the next one to be pushed.
@@ -195,7 +195,8 @@ static void look_at(const nck_link_t *link, traffic_tick_t *tick, const nck_cell
     blame(&tick->fault, cell->v == cell->s && cell->length == 1.0, "a cell is whole");
     blame(&tick->fault, cell->seg == tick->place / SEG_PLACES, "a cell names its seg");
     blame(&tick->fault, seg->seq == cell->seg && seg->line == ~cell->seg, "a seg is whole");
-    blame(&tick->fault, seg->dwell_s == seg->seq && seg->s_begin == seg->seq, "a seg is whole");
+    blame(&tick->fault, seg->s_begin == seg->seq, "a seg is whole");
+    blame(&tick->fault, seg->shape.dwell_s == seg->seq, "a seg is whole");
 }
 
 static void take_cell(nck_link_t *link, traffic_tick_t *tick) {
