@@ -211,7 +211,8 @@ static void hand_over_outputs(nck_t *nck) {
 static int is_held(const nck_t *nck, const nck_pose_t *pose) {
     const int waits = nck_interpolate_is_waiting(&nck->interpolate);
     if (nck_fence_load(&nck->command.abort) && waits) return 1;
-    const int held = nck_fence_load(&nck->command.hold) || nck_is_at_travel(nck);
+    const int held = nck_fence_load(&nck->command.hold) || nck_is_at_travel(nck)
+                     || nck_slope_waits(&nck->slope);
     return held && (pose->state == NCK_TICK_IDLE || pose->state == NCK_TICK_STARVED);
 }
 

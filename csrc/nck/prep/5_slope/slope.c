@@ -4,7 +4,8 @@
 
 #include <string.h> // memset
 
-#include "nck/base/real.h" // nck_min nck_max
+#include "nck/base/fence.h" // nck_fence_load nck_fence_store
+#include "nck/base/real.h"  // nck_min nck_max
 
 enum { PHASE_IDLE = 0, PHASE_MAKE, PHASE_INSTALL };
 
@@ -133,8 +134,26 @@ static uint32_t final_limit(const nck_slope_t *self) {
     return self->now.complete ? self->now.n : self->now.commit;
 }
 
+// Nothing keeps the path yet where the plan of now comes to rest, but single block does: it is a
+// block's end.
+static int waits_behind(const nck_slope_t *self, const nck_pieces_t *pieces) {
+    const uint32_t end = self->now.end_piece;
+    const int moves = final_count(self) < self->now.n;
+    const int known = nck_plan_piece(pieces, end) && nck_plan_piece(pieces, end - 1);
+    const int asks = self->wish.single_block && !self->now.held && moves;
+    if (!asks || !known || !(self->now.end_s < 0.0)) return 0;
+    return nck_plan_ends_block(self->link, pieces, end - 1);
+}
+
+// Cells that were not made for a rest at a block's end do not tell it.
+static void tell(nck_slope_t *self) {
+    nck_fence_store(&self->waits, self->now.held == NCK_HELD_BLOCK);
+}
+
 // The plan of now stays, to its end.
-static void keep_plan(nck_slope_t *self, uint32_t held) {
+static void keep_plan(nck_slope_t *self, const nck_pieces_t *pieces, uint32_t wanted) {
+    const int waits = !wanted && waits_behind(self, pieces);
+    const uint32_t held = waits ? (uint32_t)NCK_HELD_BLOCK : wanted;
     self->now.complete = 1;
     memset(&self->answer, 0, sizeof self->answer);
     self->anew = 1;
@@ -142,6 +161,7 @@ static void keep_plan(nck_slope_t *self, uint32_t held) {
         self->now.held = held;
         self->resumes = self->wish.resumes;
     }
+    tell(self);
     self->phase = PHASE_IDLE;
 }
 
@@ -185,7 +205,8 @@ static void replan(nck_slope_t *self, const nck_pieces_t *pieces) {
     if (cell && !(cell->v > 0.0)) first++; // a corner passed at no speed is no state to brake from
     self->anew = 1;
     if (first >= self->now.n) {
-        if (self->wish.hold) keep_plan(self, NCK_HELD_RESUME);
+        if (self->wish.hold) keep_plan(self, pieces, NCK_HELD_RESUME);
+        else if (self->now.complete) keep_plan(self, pieces, NCK_HELD_NOT);
         return;
     }
     self->now.complete = 0;
@@ -199,7 +220,7 @@ static void replan(nck_slope_t *self, const nck_pieces_t *pieces) {
 static void put_off(nck_slope_t *self, const nck_pieces_t *pieces) {
     self->answer.reserve = PATIENCE * (1 + passed_meanwhile(self));
     replan(self, pieces);
-    if (self->phase == PHASE_IDLE) keep_plan(self, NCK_HELD_NOT);
+    if (self->phase == PHASE_IDLE) keep_plan(self, pieces, NCK_HELD_NOT);
 }
 
 static int is_late(nck_slope_t *self) {
@@ -208,14 +229,14 @@ static int is_late(nck_slope_t *self) {
 }
 
 // The tick has run into the tail: the path comes to rest where the plan of now does.
-static void fall_into_tail(nck_slope_t *self) {
+static void fall_into_tail(nck_slope_t *self, const nck_pieces_t *pieces) {
     int entered = 0;
     self->now.begin = nck_link_end(self->link, &entered);
     self->now.n = 0;
     self->now.piece = self->now.end_piece;
     self->now.first_piece = self->now.end_piece;
     self->in_tail = 1;
-    keep_plan(self, self->wish.hold ? (uint32_t)NCK_HELD_RESUME : (uint32_t)NCK_HELD_NOT);
+    keep_plan(self, pieces, self->wish.hold ? (uint32_t)NCK_HELD_RESUME : (uint32_t)NCK_HELD_NOT);
 }
 
 // The plan is drawn.
@@ -227,11 +248,11 @@ static void finish(nck_slope_t *self) {
 }
 
 // No plan joins: the plan of now goes on, and the next one begins later.
-static void give_up(nck_slope_t *self) {
+static void give_up(nck_slope_t *self, const nck_pieces_t *pieces) {
     self->phase = PHASE_IDLE;
     self->anew = 1;
     self->now.commit += NO_WAY;
-    if (self->now.commit >= self->now.n) keep_plan(self, NCK_HELD_NOT);
+    if (self->now.commit >= self->now.n) keep_plan(self, pieces, NCK_HELD_NOT);
 }
 
 static nck_status_t install(nck_slope_t *self) {
@@ -245,6 +266,7 @@ static nck_status_t install(nck_slope_t *self) {
     if (!on_the_way) self->resumes = self->wish.resumes;
     self->now = self->next;
     self->now.first_piece = self->next.piece;
+    tell(self);
     self->in_tail = 0;
     self->anew = self->kind == NCK_JOB_BRAKE;
     memset(&self->answer, 0, sizeof self->answer);
@@ -265,8 +287,8 @@ static nck_status_t work(nck_slope_t *self, const nck_pieces_t *pieces) {
     const nck_status_t status = step_plan(self, pieces);
     switch (status) {
     case NCK_DONE: finish(self); return NCK_OK;
-    case NCK_FULL: keep_plan(self, self->next.held); return NCK_OK;
-    case NCK_E_STATE: give_up(self); return NCK_OK;
+    case NCK_FULL: keep_plan(self, pieces, self->next.held); return NCK_OK;
+    case NCK_E_STATE: give_up(self, pieces); return NCK_OK;
     default: return status;
     }
 }
@@ -308,7 +330,7 @@ static void hear(nck_slope_t *self, const nck_pieces_t *pieces, const nck_wish_t
 nck_status_t nck_slope_step(nck_slope_t *self, const nck_pieces_t *pieces, const nck_wish_t *wish) {
     int entered = 0;
     (void)nck_link_end(self->link, &entered);
-    if (entered && !self->in_tail) fall_into_tail(self);
+    if (entered && !self->in_tail) fall_into_tail(self, pieces);
     hear(self, pieces, wish);
     const uint32_t done = final_count(self);
     const uint32_t limit = final_limit(self);
@@ -330,3 +352,5 @@ uint32_t nck_slope_needs(const nck_slope_t *self) { return self->now.piece; }
 int nck_slope_is_held(const nck_slope_t *self) {
     return self->now.held && final_count(self) >= self->now.n;
 }
+
+int nck_slope_waits(const nck_slope_t *self) { return nck_fence_load(&self->waits) != 0; }

@@ -39,6 +39,7 @@ typedef struct nck_slope {
     uint32_t resumes;      // as counted when the plan of now was installed
     uint32_t taken;        // cells that the tick had taken when the plan in work was begun
     uint32_t spent;        // cells that it took while the last plan was made
+    uint32_t waits;        // 1: single block keeps the path behind now; any context reads
     uint32_t in_tail;      // 1: the tick has been seen in the stop tail
     union {                // by machine->slope
         nck_linear_t linear;
@@ -64,5 +65,8 @@ uint32_t nck_slope_needs(const nck_slope_t *self);
 
 // 1 if every plan is final and has come to rest by a hold. Cost: constant. Context: prep.
 int nck_slope_is_held(const nck_slope_t *self);
+
+// 1 if single block keeps the path where the plan of now rests. Cost: constant. Context: any.
+int nck_slope_waits(const nck_slope_t *self);
 
 #endif

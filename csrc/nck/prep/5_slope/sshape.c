@@ -57,7 +57,7 @@ void nck_sshape_begin(nck_sshape_t *self, const nck_job_t *job) {
     const int is_brake = job->kind == NCK_JOB_BRAKE;
     nck_link_tail_begin(self->link);
     self->job = *job;
-    self->skip = self->next->piece;
+    if (job->anew || (int32_t)(self->next->piece - self->skip) > 0) self->skip = self->next->piece;
     self->cells = 0;
     self->time = 0.0;
     self->checks = job->kind == NCK_JOB_GO_ON && job->anew;
@@ -327,7 +327,7 @@ static void begin_stage(nck_sshape_t *self, const nck_pieces_t *pieces) {
     end->last = hop->last;
     if (pen.v > 0.0) return;
     const int holds = nck_sshape_ends_block(self, pieces, hop->first + hop->count - 1);
-    self->next->held = holds ? (uint32_t)NCK_HELD_BLOCK : (uint32_t)NCK_HELD_NOT;
+    self->course.held = holds ? (uint32_t)NCK_HELD_BLOCK : (uint32_t)NCK_HELD_NOT;
     end->stop = (uint8_t)(NCK_STOP_REST | (holds ? NCK_STOP_HOLD : 0));
 }
 
@@ -361,6 +361,7 @@ static nck_status_t build_part(nck_sshape_t *self, const nck_pieces_t *pieces) {
         if (ends && !(self->at.v > 0.0)) {
             self->next->commit = self->cells;
             self->next->complete = 1;
+            self->next->held = self->course.held;
             set_end(self, &self->at);
             return NCK_DONE;
         }
@@ -379,8 +380,8 @@ static void enter_part(nck_sshape_t *self) {
     else self->phase = PHASE_PART;
 }
 
-// Whether the path can brake for what lies ahead. A block's end that comes too early to rest at is
-// passed; else a ramp that has been left is gone through.
+// Whether the path can brake for what lies ahead. Else a ramp that has been left is gone through;
+// then a block's end that comes too early to rest at is passed.
 static nck_status_t join(nck_sshape_t *self, const nck_pieces_t *pieces) {
     const nck_sshape_hop_t hop = nck_sshape_hop_at(self, pieces, &self->at);
     const uint32_t horizon = self->memory.ahead.horizon;
@@ -388,13 +389,13 @@ static nck_status_t join(nck_sshape_t *self, const nck_pieces_t *pieces) {
     if (self->at.v <= most * (1.0 + JOIN_EPSILON)) {
         self->checks = 0;
         enter_part(self);
+    } else if (!self->follows) {
+        begin_follow(self, 1);
     } else if (nck_sshape_ends_block(self, pieces, horizon - 1)) {
         self->skip = horizon;
         self->memory.ahead.looks = 1;
-    } else if (self->follows) {
-        return NCK_E_STATE;
     } else {
-        begin_follow(self, 1);
+        return NCK_E_STATE;
     }
     return NCK_OK;
 }

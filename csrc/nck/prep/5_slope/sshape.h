@@ -60,6 +60,7 @@ typedef struct nck_sshape {
     struct {
         uint32_t set;       // 1: known for the hop at `at`
         uint32_t stage;     // what comes next: rise, cruise or fall
+        uint32_t held;      // nck_held_t of the rest at its end
         nck_sshape_hop_t hop;
         nck_sshape_course_t way;
         double s;           // where the stage in work ends …
