@@ -81,6 +81,13 @@ static void feed_block(sim_t *sim) {
     sim->text_used += sizeof block;
 }
 
+// The kernel reads the text itself, if its capacities let it jump.
+static void begin(sim_t *sim) {
+    const nck_source_t source = {sim->text, sim->text_size, NULL, NULL};
+    sim->begun = 1;
+    sim->reads = !sim->is_blocks && nck_read(sim->nck, &source) == NCK_OK;
+}
+
 static void feed(sim_t *sim) {
     if (sim->text_used == sim->text_size) {
         nck_end(sim->nck);
@@ -111,8 +118,10 @@ static void count_step(sim_t *sim) {
 // One step of the prep task. Returns 1 if another one has something to do.
 static int prep(sim_t *sim) {
     if (sim->prep_status == NCK_DONE || sim->end != SIM_END_NOT) return 0;
+    if (!sim->begun) begin(sim);
     sim->prep_status = sim->prep(sim->prep_user);
     if (sim->prep_status < NCK_OK) sim->error = sim->prep_status;
+    if (sim->reads) sim->text_used = nck_read_offset(sim->nck);
     if (sim->prep_status == NCK_EMPTY) feed(sim);
     if (sim->prep_status == NCK_FULL || sim->prep_status == NCK_DONE) return 0;
     count_step(sim);

@@ -54,6 +54,8 @@ typedef struct sim {
     void *prep_user;       // handed to it; the nck unless sim_prepare_by says otherwise
     const char *text;      // the whole program, fed as fast as the kernel takes it
     size_t text_size, text_used;
+    uint32_t begun;           // 1: the kernel has its text, or will be given it piece by piece
+    uint32_t reads;           // 1: the kernel reads the text itself
     uint32_t is_blocks;    // 1: the text is rows of nck_block_in_t
     const sim_command_t *commands; // of the operator, in the order of their ticks
     size_t command_count, command_next;

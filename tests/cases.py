@@ -208,6 +208,10 @@ class CorpusFile:
 
 
 _TURNTABLE = ("axis.a.min_deg=free", "axis.a.max_deg=free", "axis.x.max_mm=1000")
+_HAAS = (
+    "m.88.action=output", "m.89.action=output", "axis.x.min_mm=free", "axis.y.min_mm=free",
+    "axis.z.min_mm=free",
+)  # fmt: skip
 _BOAT = ("m.428.action=output", "m.429.action=output")
 
 CORPUS_FILES = (
@@ -220,19 +224,22 @@ CORPUS_FILES = (
     CorpusFile("bad_longmill_invalid.nc", ends=("word-unknown", 124)),
     CorpusFile("laser_tball_engrave.gcode"),
     CorpusFile("lathe_fanuc0t_css.nc", machine="cak6150n", ends=("unsupported", 4)),
-    CorpusFile("lathe_g71_g70_pawn.ngc", machine="cak6150n", ends=("unsupported", 4)),
-    CorpusFile("lathe_g76_thread_part.ngc", machine="cak6150n", ends=("unsupported", 23)),
+    CorpusFile("lathe_g71_g70_pawn.ngc", machine="cak6150n", ends=("unsupported", 27)),
+    CorpusFile("lathe_g76_thread_part.ngc", machine="cak6150n", ends=("unsupported", 25)),
     CorpusFile("mill_camotics_locket.ngc"),
     CorpusFile("mill_cutcomp_semicolon.ngc", ends=("unsupported", 37)),
     CorpusFile("mill_fanuc_3dparallel_g19.nc"),
     CorpusFile("mill_fanuc_g17_18_19.nc"),
     CorpusFile("mill_fanuc_g81_g91.nc", ends=("unsupported", 11)),
-    CorpusFile("mill_fanuc_m98_vars.ngc", ends=("unsupported", 5)),
+    CorpusFile("mill_fanuc_m98_vars.ngc"),
     CorpusFile("mill_fusion_grbl_helix.nc", ends=("feed-missing", 14)),
     CorpusFile("mill_fusion_grbl_helix.nc", set=("dialect.feed_default_mm_min=1000",)),
     CorpusFile("mill_haas_threadmill.nc", ends=("unsupported", 7)),
+    CorpusFile(
+        "mill_haas_threadmill.nc", set=("dialect.base=fanuc", *_HAAS), ends=("unsupported", 12)
+    ),
     CorpusFile("mill_nist_circle_diamond_square.ngc"),
-    CorpusFile("mill_sub_cycles_mmount.ngc", ends=("unsupported", 24)),
+    CorpusFile("mill_sub_cycles_mmount.ngc", ends=("unsupported", 67)),
     CorpusFile("nurbs_g5_butterfly.ngc", ends=("unsupported", 12)),
     CorpusFile("odd_no_spaces.gcode"),
     CorpusFile("print_cura_bp_case_56k.gcode", machine="printer", ends=("m-unknown", 1)),

@@ -113,12 +113,14 @@ def from_blocks(blocks, counts_per_degree):
         before, at = at, (block["target_nm"][:3] + block["tool_nm"]).tolist()
         move.only_rotary = move.kind != "arc" and at == before
         if move.kind == "arc":
-            joins = moves and moves[-1].kind == "arc" and moves[-1].line == move.line
+            move.centre = tuple(block["centre_mm"])
+            last = moves[-1] if moves else move
+            same = last.line == move.line and _near(last.centre, move.centre, 0.1)
+            joins = moves and last.kind == "arc" and same  # a loop's next one is elsewhere
             sweep = float(block["sweep_rad"]) + (sweep if joins else 0.0)
             turns = math.ceil(abs(sweep) / (2 * math.pi) - 1e-6)
             move.turns = int(math.copysign(max(turns, 1), sweep))
             move.plane = BLOCK_PLANES[int(block["plane"])]
-            move.centre = tuple(block["centre_mm"])
             if joins:
                 moves.pop()
         moves.append(move)

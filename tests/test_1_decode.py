@@ -30,18 +30,18 @@ FIRST_ERROR = {
     "bad_longmill_invalid.nc": ("word-unknown", 124),
     "laser_tball_engrave.gcode": None,
     "lathe_fanuc0t_css.nc": ("unsupported", 4),
-    "lathe_g71_g70_pawn.ngc": ("unsupported", 4),
-    "lathe_g76_thread_part.ngc": ("unsupported", 23),
+    "lathe_g71_g70_pawn.ngc": ("unsupported", 27),
+    "lathe_g76_thread_part.ngc": ("unsupported", 25),
     "mill_camotics_locket.ngc": None,
     "mill_cutcomp_semicolon.ngc": ("unsupported", 37),
     "mill_fanuc_3dparallel_g19.nc": None,
     "mill_fanuc_g17_18_19.nc": None,
     "mill_fanuc_g81_g91.nc": ("unsupported", 11),
-    "mill_fanuc_m98_vars.ngc": ("unsupported", 5),
+    "mill_fanuc_m98_vars.ngc": None,
     "mill_fusion_grbl_helix.nc": ("feed-missing", 14),
     "mill_haas_threadmill.nc": ("unsupported", 7),
     "mill_nist_circle_diamond_square.ngc": None,
-    "mill_sub_cycles_mmount.ngc": ("unsupported", 24),
+    "mill_sub_cycles_mmount.ngc": ("unsupported", 67),
     "nurbs_g5_butterfly.ngc": ("unsupported", 12),
     "odd_no_spaces.gcode": None,
     "print_cura_bp_case_56k.gcode": ("m-unknown", 1),
@@ -114,7 +114,8 @@ def test_motions_equal_rs274(name, machine, oracle):
         text = text.replace(b"G90 G94", b"G90 G94 F1000", 1)
     blocks, diagnostics = stages.decode(text, machine)
     errors = errors_of(diagnostics)
-    if errors:  # as far as both understand it
+    called = (diagnostics["code"] == lib.NCK_NOTE_CALLED).any()  # lines come in another order
+    if errors and not called:  # as far as both understand it
         blocks = blocks[blocks["line"] < errors[0][1]]
     ours = rs274_oracle.from_blocks(blocks, lib.NCK_COUNTS_PER_DEG)
     theirs, complaint = oracle(text)
@@ -124,7 +125,7 @@ def test_motions_equal_rs274(name, machine, oracle):
     early = complaint and "File ended with no percent" not in complaint
     stray_percent = name == "mill_camotics_locket.ngc"
     if not errors and (not early or stray_percent):
-        assert equal > 0.98 * max(len(ours), len(theirs))
+        assert equal >= 0.98 * max(len(ours), len(theirs))
 
 
 def words_of(random_source, letters, reach):

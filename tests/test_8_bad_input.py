@@ -34,8 +34,10 @@ BAD = {
     "limit of the spindle's speed": (START + b"G92 S500\nS900\nX1\n", "unsupported", 2, 1),
     "one P for two codes": (START + b"G64 P2 G2 I3 J4 F9\n", "word-shared", 2, 5),
     "G53 in incremental": (START + b"G91 G53 G0 X1\n", "incremental", 2, 5),
-    "expression": (START + b"G1 X[1+2] F100\n", "unsupported", 2, 4),
-    "subprogram": (START + b"O100 sub\n", "unsupported", 2, 1),
+    "expression": (START + b"G1 X[1+] F100\n", "expression", 2, 8),
+    "subprogram": (START + b"O100 sub\n", "flow", 2, 0),
+    "call of nothing": (START + b"O100 call\n", "label-missing", 2, 0),
+    "division by zero": (START + b"G1 X[1/0] F100\n", "value", 2, 9),
     "missing feed": (START + b"G1 X10\n", "feed-missing", 2, 0),
     "missing dwell time": (START + b"G4\n", "word-missing", 2, 1),
     "arc off its circle": (START + b"G2 X10 I4 J0 F100\n", "arc-radius", 2, 1),
@@ -120,7 +122,7 @@ def test_a_word_can_have_wording_of_its_own(wording, letter):
 
 
 def test_what_is_not_built_is_told_as_not_supported_yet():
-    for line in (b"G41 D1", b"G33 Z-1 K1", b"G76 P1 Z1", b"G81 Z-1 R1", b"G71 U1", b"M98 P1"):
+    for line in (b"G41 D1", b"G33 Z-1 K1", b"G76 P1 Z1", b"G81 Z-1 R1", b"G71 U1", b"M99"):
         (error,) = findings(START + line + b"\n")[1]
         assert error["id"] == "unsupported"
         assert error["message"] == f"{line.split()[0].decode()} is not supported yet"
@@ -218,4 +220,4 @@ def test_any_bytes_are_decoded_or_refused(data):
 
 
 MILL = Machine.load("mill3")
-CODES = set(range(-24, 0)) | set(range(1, 7))
+CODES = set(range(-37, 0)) | set(range(1, 10))

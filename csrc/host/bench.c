@@ -29,12 +29,14 @@ static void prep(feed_t *self) {
 
 nck_status_t nck_host_bench_ticks(nck_t *nck, const nck_machine_t *machine, const char *text,
                                   size_t n, nck_host_times_t *times) {
+    const nck_source_t source = {text, n, (void *)0, (void *)0};
     feed_t feed = {nck, text, n, 0, NCK_OK, NCK_OK};
     nck_pose_t pose;
     nck_axes_t axes;
     times->count = 0;
     const nck_status_t status = nck_init(nck, machine, (const nck_hooks_t *)0);
     if (status != NCK_OK) return status;
+    (void)nck_read(nck, &source);
     for (prep(&feed); times->count < times->max && !nck_is_idle(nck); prep(&feed)) {
         const int64_t begun = nck_host_clock_ns();
         const nck_tick_state_t state = nck_tick(nck, &pose, &axes);

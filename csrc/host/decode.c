@@ -41,19 +41,34 @@ static nck_status_t feed(nck_decode_t *decode, nck_host_decoding_t *self, int is
     return self->is_blocks ? feed_block(decode, self) : feed_text(decode, self);
 }
 
+// The decoder reads the text itself, if its capacities let it jump.
+static void begin(nck_decode_t *decode, const nck_host_decoding_t *self) {
+    const nck_source_t source = {self->text, self->text_size, NULL, NULL};
+    if (!self->is_blocks && self->text_used == 0) (void)nck_decode_source(decode, &source);
+}
+
+// What pull has left to do.
+static nck_status_t go_on(nck_decode_t *decode, nck_host_decoding_t *self, nck_status_t pulled) {
+    if (!decode->macro.reads) {
+        const int needs = pulled == NCK_EMPTY || pulled == NCK_DONE;
+        return needs ? feed(decode, self, pulled == NCK_DONE) : NCK_OK;
+    }
+    self->text_used = pulled == NCK_DONE ? self->text_size : nck_decode_used(decode);
+    return pulled == NCK_DONE ? NCK_DONE : NCK_OK;
+}
+
 nck_status_t nck_host_decode(nck_decode_t *decode, nck_host_decoding_t *self) {
     nck_status_t status = NCK_OK;
     self->block_count = 0;
     self->diagnostic_count = 0;
     if (self->block_max == 0 || self->diagnostic_max == 0) return NCK_E_ARGUMENT;
+    begin(decode, self);
     take_findings(decode, self);
     while (status == NCK_OK && self->block_count < self->block_max
            && self->diagnostic_count < self->diagnostic_max) {
         const nck_status_t pulled = nck_decode_pull(decode, &self->blocks[self->block_count]);
         self->block_count += pulled == NCK_OK;
-        if (pulled == NCK_EMPTY || pulled == NCK_DONE) {
-            status = feed(decode, self, pulled == NCK_DONE);
-        }
+        status = go_on(decode, self, pulled);
         take_findings(decode, self);
     }
     return status;

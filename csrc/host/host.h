@@ -54,6 +54,8 @@ typedef struct nck_host_plan {
     const char *text;
     size_t text_size, text_used;
     uint32_t is_blocks;         // 1: the text is rows of nck_block_in_t
+    uint32_t begun;             // 1: the kernel has its text, or will be given it piece by piece
+    uint32_t reads;             // 1: the kernel reads the text itself
     nck_seg_t *segs;   size_t seg_max, seg_count;     // rows of this call
     nck_node_t *nodes; size_t node_max, node_count;
     nck_cell_t *cells; size_t cell_max, cell_count;

@@ -91,6 +91,13 @@ static void feed_block(nck_host_plan_t *plan) {
     plan->text_used += sizeof block;
 }
 
+// The kernel reads the text itself, if its capacities let it jump.
+static void begin(nck_host_plan_t *plan) {
+    const nck_source_t source = {plan->text, plan->text_size, NULL, NULL};
+    plan->begun = 1;
+    plan->reads = !plan->is_blocks && nck_read(plan->nck, &source) == NCK_OK;
+}
+
 static void feed(nck_host_plan_t *plan) {
     if (plan->text_used == plan->text_size) {
         nck_end(plan->nck);
@@ -124,7 +131,9 @@ static int arrays_are_large(const nck_host_plan_t *plan) {
 // A kernel that is full although nothing waits for the tick would never go on.
 static nck_status_t step(nck_host_plan_t *plan) {
     const int was_full = plan->status == NCK_FULL;
+    if (!plan->begun) begin(plan);
     plan->status = nck_prep(plan->nck);
+    if (plan->reads) plan->text_used = nck_read_offset(plan->nck);
     if (plan->status < NCK_OK) plan->error = plan->status;
     if (plan->status == NCK_EMPTY) feed(plan);
     if (plan->status == NCK_DONE) take_cells(plan);

@@ -14,6 +14,12 @@ nck_status_t nck_push(nck_t *nck, const char *text, size_t n, size_t *used_out) 
     return flushes(nck) ? NCK_FULL : nck_decode_push(&nck->decode, text, n, used_out);
 }
 
+nck_status_t nck_read(nck_t *nck, const nck_source_t *source) {
+    return nck_decode_source(&nck->decode, source);
+}
+
+size_t nck_read_offset(const nck_t *nck) { return nck_decode_used(&nck->decode); }
+
 nck_status_t nck_push_block(nck_t *nck, const nck_block_in_t *block) {
     return flushes(nck) ? NCK_FULL : nck_decode_push_block(&nck->decode, block);
 }

@@ -94,6 +94,7 @@ static nck_status_t pull_block(nck_t *nck) {
     if (carried != NCK_EMPTY) return carried == NCK_DONE ? NCK_OK : carried;
     nck_block_t *const block = &nck->wire.block;
     const nck_status_t status = nck_decode_pull(&nck->decode, block);
+    if (status == NCK_EMPTY && nck_decode_reads(&nck->decode)) return NCK_OK;
     const int flushes = status == NCK_EMPTY && nck->wire.flush == NCK_FLUSH_ASKED;
     if (flushes) nck->wire.flush = NCK_FLUSH_SMOOTH;
     if (flushes || status == NCK_DONE || status < NCK_OK) nck_smooth_end(&nck->smooth);

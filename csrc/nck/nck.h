@@ -130,6 +130,19 @@ nck_status_t nck_init(nck_t *nck, const nck_machine_t *machine, const nck_hooks_
 // In pose, outputs and diagnostics `line` is the number of the source line.
 nck_status_t nck_push(nck_t *nck, const char *text, size_t n, size_t *used_out);
 
+// Have the kernel read the program itself instead of pushing it: from text in place, or through a
+// hook that gives bytes from any offset on. What jumps backward needs it: subprograms, loops, GOTO.
+// Call it behind nck_init or nck_begin, before anything is pushed; what the source points to must
+// stay until the program has ended. nck_prep never says NCK_EMPTY then, and nck_flush is done at
+// the program's end.
+// Returns NCK_OK; NCK_E_ARGUMENT if the source has neither text nor read; NCK_E_STATE if the
+// program has begun, and with capacities that leave jumps out. Cost: constant. Context: prep.
+nck_status_t nck_read(nck_t *nck, const nck_source_t *source);
+
+// How many bytes of the source are read; behind a jump backward it is less than before.
+// Cost: constant. Context: prep.
+size_t nck_read_offset(const nck_t *nck);
+
 // Hand over a block without text, in the place of a line: its units are mm, degrees and seconds.
 // Text and blocks may alternate; position and modes are one for both. What is wrong with it in the
 // program's terms (travel, feed, arc) nck_prep tells, as for a line; `line` is the block's id.

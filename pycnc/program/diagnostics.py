@@ -174,6 +174,44 @@ WORDING = {
         "the text holds no block",
         "give a program with one word at least",
     ),
+    "expression": (
+        "{found} cannot be read here",
+        "an expression is made of numbers, #parameters, [ ] and functions such as SIN[30]; an O "
+        "word needs sub, call, if, while, repeat, do or their ends behind it",
+    ),
+    "value": (
+        "an expression without a value: it divides by zero, or a function has none for {value:g}",
+        "check the parameters that it is made of",
+    ),
+    "parameter-unset": (
+        "the named parameter was never set",
+        "set it before, or ask for it by EXISTS[#<name>]",
+    ),
+    "parameters-full": (
+        "more than {limit:.0f} parameters are set at once",
+        "build the kernel with a larger NCK_VARIABLES",
+    ),
+    "call-depth": (
+        "more than {limit:.0f} calls and loops in one another",
+        "end the recursion, or build the kernel with a larger NCK_CALL_DEPTH",
+    ),
+    "label-missing": (
+        "what is called or jumped to is not in the text",
+        "add the subprogram (O…) or the line (N…) to the same file",
+    ),
+    "flow": (
+        "a control word without its other end",
+        "every sub, if, while, repeat, do and DO needs its end, with the same number",
+    ),
+    "no-seek": (
+        "a jump backward in text that is only pushed",
+        "give the kernel the text to read (nck_read)",
+    ),
+    "alarm": ("the program stops with alarm {value:.0f} (#3000)", "see the remark on its line"),
+    "endless": (
+        "{limit:.0f} lines were read and no block came",
+        "a loop without a move never ends: check its condition",
+    ),
     "argument": ("a call to the kernel had a number outside of its range", "please report this"),
     "machine": ("the kernel refuses a number of the machine", "pycnc machine validate tells which"),
     "state": ("a call to the kernel came at the wrong time", "please report this"),
@@ -188,6 +226,7 @@ WORDING = {
     ),
     "no-end": ("the text ends without M2, M30 or a closing %", ""),
     "after-end": ("what follows the program's end is not read", "remove the text or the M2 / M30"),
+    "called-from": ("called from here", ""),
     "feed-units": (
         "F beside a change of units is read in the units that its own line begins",
         "put G20 or G21 on a line before: LinuxCNC reads such an F in the units before the line",

@@ -10,6 +10,8 @@
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
 
+enum { STEPS_MOST = 3000 }; // pulls of a text that jumps
+
 // One decoder and the text that it still has to read.
 typedef struct reader {
     nck_decode_t decode;
@@ -84,6 +86,25 @@ static void init(reader_t *reader, const nck_machine_t *machine, const char *tex
     reader->size = size;
 }
 
+// The same text, read by the room itself: whatever it jumps to, it ends, or gives blocks for ever.
+static void read_in_place(const nck_machine_t *machine, const char *text, size_t size) {
+    static reader_t reader;
+    const nck_source_t source = {text, size, NULL, NULL};
+    nck_block_t block;
+    nck_diagnostic_t finding;
+    init(&reader, machine, NULL, 0);
+    require(nck_decode_source(&reader.decode, &source) == NCK_OK);
+    for (int k = 0; k < STEPS_MOST; k++) {
+        const nck_status_t status = nck_decode_pull(&reader.decode, &block);
+        require(nck_decode_invariants(&reader.decode));
+        while (nck_decode_diagnostic(&reader.decode, &finding) == NCK_OK) {
+            require(isfinite(finding.value) && isfinite(finding.limit));
+            require(finding.column <= NCK_LINE_MAX + 1);
+        }
+        if (status == NCK_DONE) return;
+    }
+}
+
 // The first byte chooses the machine and the second the size of the pieces.
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     static nck_machine_t machine;
@@ -124,5 +145,6 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
         }
     }
     require(nck_decode_pull(&whole.decode, &block) == NCK_DONE);
+    read_in_place(&machine, (const char *)data + 2, size - 2);
     return 0;
 }

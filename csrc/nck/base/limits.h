@@ -24,6 +24,17 @@
 #define NCK_OWN_M_MAX 16
 #endif
 
+// Parameters of programs (#1, #<depth>) that are set at once, in all calls. Range 0..65536.
+// 0 leaves out expressions, parameters and what needs them: calls, jumps and loops.
+#ifndef NCK_VARIABLES
+#define NCK_VARIABLES 128
+#endif
+
+// Calls and loops in force at once. Range 0..1000. 0 leaves out calls, jumps and loops.
+#ifndef NCK_CALL_DEPTH
+#define NCK_CALL_DEPTH 16
+#endif
+
 // Nodes of the look-ahead window (three a seg at most). Power of two, 32..65536.
 // Too short for the braking distance costs time, never safety; it is reported as limit "lookahead".
 #ifndef NCK_WINDOW
@@ -75,8 +86,30 @@
 // Outputs (S, M, T words) alive at once beside the segs. Power of two.
 #define NCK_OUTPUT_MAX (2 * NCK_WINDOW)
 
+// Whether the language has expressions and parameters, and whether it has calls, jumps and loops.
+#define NCK_HAS_VARIABLES (NCK_VARIABLES > 0)
+#define NCK_HAS_CALLS (NCK_VARIABLES > 0 && NCK_CALL_DEPTH > 0)
+
+// Rows of arrays that may be left out.
+#if NCK_VARIABLES > 0
+#define NCK_VARIABLE_ROWS NCK_VARIABLES
+#else
+#define NCK_VARIABLE_ROWS 1
+#endif
+#if NCK_CALL_DEPTH > 0
+#define NCK_FRAME_ROWS NCK_CALL_DEPTH
+#else
+#define NCK_FRAME_ROWS 1
+#endif
+
 #if NCK_AXIS_MAX < 3 || NCK_AXIS_MAX > 9
 #error "NCK_AXIS_MAX must be 3..9"
+#endif
+#if NCK_VARIABLES < 0 || NCK_VARIABLES > 65536
+#error "NCK_VARIABLES must be 0..65536"
+#endif
+#if NCK_CALL_DEPTH < 0 || NCK_CALL_DEPTH > 1000
+#error "NCK_CALL_DEPTH must be 0..1000"
 #endif
 #if NCK_FILTER_TAPS < 1 || NCK_FILTER_TAPS > 16
 #error "NCK_FILTER_TAPS must be 1..16"

@@ -39,6 +39,16 @@
     x(NCK_E_WORD_SHARED, "word-shared")   \
     x(NCK_E_INCREMENTAL, "incremental")   \
     x(NCK_E_ARC_MODE, "arc-mode")         \
+    x(NCK_E_EXPRESSION, "expression") \
+    x(NCK_E_VALUE, "value")           \
+    x(NCK_E_UNSET, "parameter-unset") \
+    x(NCK_E_VARIABLES, "parameters-full")\
+    x(NCK_E_DEPTH, "call-depth")      \
+    x(NCK_E_LABEL, "label-missing")   \
+    x(NCK_E_FLOW, "flow")             \
+    x(NCK_E_NO_SEEK, "no-seek")       \
+    x(NCK_E_ALARM, "alarm")           \
+    x(NCK_E_ENDLESS, "endless")       \
     x(NCK_E_ARGUMENT, "argument")         \
     x(NCK_E_MACHINE, "machine")           \
     x(NCK_E_STATE, "state")               \
@@ -52,7 +62,8 @@
     x(NCK_NOTE_NO_END, "no-end")             \
     x(NCK_NOTE_AFTER_END, "after-end")       \
     x(NCK_NOTE_FEED_UNITS, "feed-units")     \
-    x(NCK_NOTE_TOLERANCE, "no-tolerance")
+    x(NCK_NOTE_TOLERANCE, "no-tolerance")    \
+    x(NCK_NOTE_CALLED, "called-from")
 
 #define CODE(code, id) code,
 #define ID(code, id) id "\0"

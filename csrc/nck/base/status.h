@@ -31,7 +31,7 @@ typedef enum nck_status {
     NCK_E_G_UNKNOWN = -10,    // "g-unknown": a G code that the kernel does not know; value
     NCK_E_M_UNKNOWN = -11,    // "m-unknown": an M code that the kernel does not know; value
     NCK_E_MODAL_GROUP = -12,  // "modal-group": two codes of one modal group in a block
-    NCK_E_UNSUPPORTED = -13,  // "unsupported": of the language, but not built (O words, G41, #…)
+    NCK_E_UNSUPPORTED = -13,  // "unsupported": of the language, but not built (G41, G81, …)
     NCK_E_FEED_MISSING = -14, // "feed-missing": a cut before any F, or G93 without its F; again
                               // only behind another word about feed or spindle
     NCK_E_ARC_RADIUS = -15,   // "arc-radius": value = end radius, limit = start radius [mm]
@@ -48,6 +48,17 @@ typedef enum nck_status {
     NCK_E_INCREMENTAL = -26,  // "incremental": G53 while G91 is in force
     NCK_E_ARC_MODE = -27,     // "arc-mode": as arc-radius, but on its circle if I J K counted the
                               // other way; letter 'A': from the zero (G90.1), 'I': from the start
+    NCK_E_EXPRESSION = -28,   // "expression": an expression or control word that cannot be read
+    NCK_E_VALUE = -29,        // "value": no such value: a division by 0, a root of −1; value
+    NCK_E_UNSET = -30,        // "parameter-unset": a named parameter that was never set
+    NCK_E_VARIABLES = -31,    // "parameters-full": more of them than NCK_VARIABLES = limit
+    NCK_E_DEPTH = -32,        // "call-depth": more calls and loops than NCK_CALL_DEPTH = limit
+    NCK_E_LABEL = -33,        // "label-missing": nothing in the text where a jump or call is to go
+                              // to; value = its number (0: a name)
+    NCK_E_FLOW = -34,         // "flow": the end of what has no beginning here, or no end of it
+    NCK_E_NO_SEEK = -35,      // "no-seek": a jump backward in text that can only be pushed
+    NCK_E_ALARM = -36,        // "alarm": the program says so (#3000); value = number
+    NCK_E_ENDLESS = -37,      // "endless": limit lines read, and no block came
 
     // the front door
     NCK_E_ARGUMENT = -40, // "argument": an argument outside of its range
@@ -58,7 +69,8 @@ typedef enum nck_status {
     NCK_E_INTERNAL = -60   // "internal": an invariant is broken
 } nck_status_t;
 
-// Notes: assumed defaults and the like. Not errors; at most one of each in a program.
+// Notes: assumed defaults and the like. Not errors; at most one of each in a program, but for
+// NCK_NOTE_CALLED.
 typedef enum nck_note {
     NCK_NOTE_UNITS = 1,      // "assumed-units": motion before G20 or G21
     NCK_NOTE_PLANE = 2,      // "assumed-plane": an arc before G17, G18 or G19
@@ -67,7 +79,8 @@ typedef enum nck_note {
     NCK_NOTE_NO_END = 5,     // "no-end": the text ends without M2, M30 or a closing %
     NCK_NOTE_AFTER_END = 6,  // "after-end": text after M2 or M30 is not read
     NCK_NOTE_FEED_UNITS = 7, // "feed-units": F beside a G20 or G21 that changes the units
-    NCK_NOTE_TOLERANCE = 8   // "no-tolerance": G64 without P on a machine whose tolerance is 0
+    NCK_NOTE_TOLERANCE = 8,  // "no-tolerance": G64 without P on a machine whose tolerance is 0
+    NCK_NOTE_CALLED = 9      // "called-from": behind an error, once for every call in force: where
 } nck_note_t;
 
 // One finding in a program. Wording is the caller's; ids and numbers are the kernel's.

@@ -5,7 +5,7 @@
 #include <stddef.h> // size_t
 
 // The sets of letters that codes use.
-enum { NONE, AXES, ARC, DWELL, PATH, LENGTH, REFERENCE, SET, SETS };
+enum { NONE, AXES, ARC, DWELL, PATH, LENGTH, REFERENCE, SET, CALL, MACRO, SETS };
 
 static const uint32_t letters_of[SETS] = {
     [NONE] = 0,
@@ -15,7 +15,9 @@ static const uint32_t letters_of[SETS] = {
     [PATH] = NCK_LETTER('P') | NCK_LETTER('Q'),
     [LENGTH] = NCK_LETTER('H'),
     [REFERENCE] = NCK_LETTERS_AXES | NCK_LETTER('P'),
-    [SET] = NCK_LETTERS_AXES | NCK_LETTER('L') | NCK_LETTER('P') | NCK_LETTER('R')
+    [SET] = NCK_LETTERS_AXES | NCK_LETTER('L') | NCK_LETTER('P') | NCK_LETTER('R'),
+    [CALL] = NCK_LETTER('L') | NCK_LETTER('P'),
+    [MACRO] = (1 << NCK_LETTERS) - 1
 };
 
 typedef struct code {
@@ -47,7 +49,8 @@ static const code_t g_codes[] = {
     {921, NCK_STEP_OFFSET, NONE}, {922, NCK_STEP_OFFSET, NONE}, {923, NCK_STEP_OFFSET, NONE},
     {100, NCK_STEP_OFFSET, SET},
     {70, NCK_STEP_DIAMETER, NONE}, {80, NCK_STEP_DIAMETER, NONE},
-    {90, NCK_STEP_EXACT, NONE}, {970, NCK_STEP_SPEED_MODE, NONE}
+    {90, NCK_STEP_EXACT, NONE}, {970, NCK_STEP_SPEED_MODE, NONE},
+    {650, NCK_STEP_CALL, MACRO}, {660, NCK_STEP_CALL, MACRO}, {670, NCK_STEP_CALL, NONE}
 };
 
 static const code_t m_codes[] = {
@@ -56,7 +59,8 @@ static const code_t m_codes[] = {
     {30, NCK_STEP_SPINDLE, NONE}, {40, NCK_STEP_SPINDLE, NONE}, {50, NCK_STEP_SPINDLE, NONE},
     {60, NCK_STEP_CHANGE, NONE},
     {70, NCK_STEP_MIST, NONE}, {80, NCK_STEP_FLOOD, NONE}, {90, NCK_STEP_FLOOD, NONE},
-    {480, NCK_STEP_OVERRIDE, NONE}, {490, NCK_STEP_OVERRIDE, NONE}
+    {480, NCK_STEP_OVERRIDE, NONE}, {490, NCK_STEP_OVERRIDE, NONE},
+    {980, NCK_STEP_CALL, CALL}, {990, NCK_STEP_CALL, CALL}
 };
 
 // Known to RS274NGC or to Fanuc's controls, not built. A number tells how far its code lies behind
@@ -129,6 +133,11 @@ nck_status_t nck_decode_code(const nck_decode_t *self, int letter, int64_t tenth
     *step_out = code->step;
     *takes_out = letters_of[code->takes];
     return NCK_OK;
+}
+
+int nck_words_are_arguments(const nck_words_t *words) {
+    return (words->codes & NCK_STEP(NCK_STEP_CALL)) != 0
+           && (words->code[NCK_STEP_CALL] == 650 || words->code[NCK_STEP_CALL] == 660);
 }
 
 uint32_t nck_decode_motion_takes(int32_t motion) {

@@ -73,6 +73,14 @@ static nck_status_t read_line(nck_decode_t *self) {
     return self->machine->dialect.block_skip ? NCK_OK : read_words(self, behind_skip(at));
 }
 
+// A line that jumps leave out is not read.
+static nck_status_t take_line(nck_decode_t *self) {
+    nck_macro_t *const macro = &self->macro;
+    if (macro->seek.kind == NCK_SEEK_NOT) return read_line(self);
+    const nck_status_t status = nck_seek_pass(self);
+    return status == NCK_OK ? read_line(self) : status;
+}
+
 static void release_line(nck_decode_t *self) {
     self->line.state = NCK_LINE_OPEN;
     self->line.size = 0;
@@ -96,7 +104,8 @@ static nck_status_t run_steps(nck_decode_t *self, nck_block_t *out) {
         nck_decode_flood, nck_decode_override, nck_decode_own, nck_decode_dwell, nck_decode_plane,
         nck_decode_diameter, nothing, nck_decode_length, nck_decode_work, nck_decode_path,
         nck_decode_distance, nck_decode_centre, nothing, nck_decode_offset, nothing, nothing,
-        nck_decode_motion, nck_decode_give_pushed, nck_decode_second, nck_decode_stop
+        nck_decode_motion, nck_decode_give_pushed, nck_decode_second, nck_decode_call,
+        nck_decode_stop
     };
     nck_status_t status = NCK_EMPTY;
     unsigned step = 0;
@@ -111,6 +120,8 @@ static nck_status_t run_steps(nck_decode_t *self, nck_block_t *out) {
 
 static nck_status_t fail_line(nck_decode_t *self, nck_status_t status) {
     nck_decode_find(self, &self->finding.error);
+    nck_decode_tell_calls(self);
+    if (self->macro.jumped) self->text.over = 1; // the same mistake would come again and again
     nck_decode_excuse(self);
     release_line(self);
     return status;
@@ -138,7 +149,15 @@ static nck_status_t close_program(nck_decode_t *self, nck_block_t *out) {
     release_line(self);
     if (!self->text.words) return fail_line(self, fail_last(self, NCK_E_NO_PROGRAM, 0.0));
     self->text.watch = 1;
-    return give_end(self, out);
+    const nck_status_t status = give_end(self, out);
+    nck_decode_watch(self);
+    return status;
+}
+
+static nck_status_t fail_endless(nck_decode_t *self) {
+    const double most = NCK_DECODE_IDLE_MOST;
+    self->text.over = 1;
+    return fail_line(self, nck_decode_fail(self, NCK_E_ENDLESS, 0, 0, most, most));
 }
 
 // The line that waits, or the block in its place, is taken into work.
@@ -149,24 +168,49 @@ static nck_status_t begin_line(nck_decode_t *self) {
     self->words.steps = 0;
     if (state == NCK_LINE_WAITING) {
         self->line.tag = self->line.number;
-        return read_line(self);
+        return take_line(self);
     }
     self->text.begun = 1;
     self->text.words = 1;
     return nck_decode_pushed(self);
 }
 
+// No line waits: the next one of the source, or the end. NCK_OK: a line waits.
+static nck_status_t next_line(nck_decode_t *self, nck_block_t *out) {
+    nck_macro_t *const macro = &self->macro;
+    if (macro->reads && !self->text.complete) {
+        nck_decode_fetch(self);
+        macro->idle += macro->seek.kind == NCK_SEEK_NOT;
+        if (self->line.state != NCK_LINE_OPEN) return NCK_OK;
+    }
+    if (macro->seek.kind == NCK_SEEK_NOT) return finish(self, out);
+    const nck_status_t status = nck_seek_wrap(self);
+    return status == NCK_OK ? NCK_EMPTY : fail_line(self, status);
+}
+
+// What a line has given, or that it gave nothing.
+static nck_status_t end_steps(nck_decode_t *self, nck_status_t status, nck_block_t *out) {
+    if (status < 0) return fail_line(self, status);
+    if (self->words.steps == 0) release_line(self);
+    if (status == NCK_OK) {
+        self->macro.idle = 0;
+        return NCK_OK;
+    }
+    if (self->macro.idle > NCK_DECODE_IDLE_MOST) return fail_endless(self);
+    return self->text.complete && !self->text.over ? next_line(self, out) : status;
+}
+
 nck_status_t nck_decode_pull(nck_decode_t *self, nck_block_t *block_out) {
     if (self->text.over) return NCK_DONE;
     if (self->line.state == NCK_LINE_OPEN) {
-        return self->text.complete ? finish(self, block_out) : NCK_EMPTY;
+        if (!self->text.complete && !self->macro.reads) return NCK_EMPTY;
+        const nck_status_t next = next_line(self, block_out);
+        if (self->line.state == NCK_LINE_OPEN) return next;
     }
     nck_status_t status = begin_line(self);
     if (status == NCK_OK && self->text.closed) return close_program(self, block_out);
     if (status == NCK_OK) status = run_steps(self, block_out);
-    if (status < 0) return fail_line(self, status);
-    if (self->words.steps == 0) release_line(self);
-    return status == NCK_EMPTY && self->text.complete ? finish(self, block_out) : status;
+    return end_steps(self, status, block_out);
 }
 
 nck_status_t nck_decode_diagnostic(nck_decode_t *self, nck_diagnostic_t *diagnostic_out) {
@@ -178,84 +222,15 @@ nck_status_t nck_decode_diagnostic(nck_decode_t *self, nck_diagnostic_t *diagnos
     return NCK_OK;
 }
 
-// Behind the program's end: does anything stand there that somebody may have meant to be read?
-static void watch_rest(nck_decode_t *self, const char *text, size_t n) {
-    for (size_t k = 0; k < n && self->text.watch; k++) {
-        const char c = text[k];
-        if (c == '\r' || (c == '\n' && !self->line.after_cr)) self->line.number++;
-        self->line.after_cr = c == '\r';
-        if ((unsigned char)c <= ' ' || c == '%') continue;
-        self->text.watch = 0;
-        self->line.tag = self->line.number + 1;
-        nck_decode_assume(self, NCK_NOTE_AFTER_END);
-    }
-}
-
-// Add n bytes to the line; what does not fit is dropped, and the line is known to be too long.
-static void collect(nck_decode_t *self, const char *text, size_t n) {
-    const size_t room = NCK_LINE_MAX - self->line.size;
-    const size_t fits = n < room ? n : room;
-    if (memchr(text, '\0', n) != NULL) self->line.binary = 1;
-    memcpy(self->line.text + self->line.size, text, fits);
-    self->line.size += (uint32_t)fits;
-    self->line.overflow |= n > room;
-}
-
-static void close_line(nck_decode_t *self) {
-    self->line.text[self->line.size] = '\n';
-    self->line.number++;
-    self->line.state = NCK_LINE_WAITING;
-}
-
-// A part of a line is there.
-static int is_begun(const nck_decode_t *self) { return self->line.size > 0 || self->line.binary; }
-
-nck_status_t nck_decode_push(nck_decode_t *self, const char *text, size_t n, size_t *used_out) {
-    *used_out = 0;
-    if (self->text.complete) return NCK_E_STATE;
-    if (self->text.over) {
-        watch_rest(self, text, n);
-        *used_out = n;
-        return NCK_OK;
-    }
-    if (self->line.state != NCK_LINE_OPEN) return NCK_FULL;
-    if (n == 0) return NCK_OK;
-    const size_t begin = self->line.after_cr && text[0] == '\n';
-    size_t span = n - begin < NCK_LINE_MAX ? n - begin : NCK_LINE_MAX;
-    const char *const first = text + begin;
-    const char *const feed = memchr(first, '\n', span);
-    if (feed != NULL) span = (size_t)(feed - first);
-    const char *const back = memchr(first, '\r', span);
-    if (back != NULL) span = (size_t)(back - first);
-    collect(self, first, span);
-    self->line.after_cr = back != NULL;
-    *used_out = begin + span + (feed != NULL || back != NULL);
-    if (feed != NULL || back != NULL) close_line(self);
-    return NCK_OK;
-}
-
 nck_status_t nck_decode_push_block(nck_decode_t *self, const nck_block_in_t *block) {
     if (!nck_decode_block_good(block)) return NCK_E_ARGUMENT;
-    if (self->text.complete || self->text.over) return NCK_E_STATE;
+    if (self->text.complete || self->text.over || self->macro.reads) return NCK_E_STATE;
     if (self->line.state != NCK_LINE_OPEN) return NCK_FULL;
-    if (is_begun(self)) return NCK_E_STATE;
+    if (!nck_decode_is_empty(self)) return NCK_E_STATE; // in the middle of a line
     self->pushed = *block;
     self->line.tag = block->id;
     self->line.state = NCK_LINE_PUSHED;
     return NCK_OK;
-}
-
-void nck_decode_flush(nck_decode_t *self) {
-    if (!self->text.over && self->line.state == NCK_LINE_OPEN && is_begun(self)) close_line(self);
-}
-
-int nck_decode_is_empty(const nck_decode_t *self) {
-    return self->line.state == NCK_LINE_OPEN && !is_begun(self);
-}
-
-void nck_decode_end(nck_decode_t *self) {
-    nck_decode_flush(self);
-    self->text.complete = 1;
 }
 
 static void begin_modes(nck_decode_t *self) {
@@ -281,6 +256,7 @@ void nck_decode_begin(nck_decode_t *self) {
     memset(&self->line, 0, sizeof self->line);
     memset(&self->finding, 0, sizeof self->finding);
     memset(&self->text, 0, sizeof self->text);
+    memset(&self->macro, 0, sizeof self->macro);
     self->words.steps = 0;
     begin_modes(self);
     self->modal.tool_next = tool_next;
@@ -306,19 +282,22 @@ void nck_decode_init(nck_decode_t *self, const nck_machine_t *machine) {
     nck_decode_origin(self);
 }
 
-int nck_decode_invariants(const nck_decode_t *self) {
+static int axis_good(const nck_decode_t *self, unsigned axis) {
     const int64_t *const work = self->place.work_nm[self->place.work_system];
+    const int64_t tool = axis < 3 ? self->place.tool_nm[axis] : 0;
+    const int64_t limit = (self->place.rotary >> axis & 1u) ? self->place.scale[2].limit
+                                                            : self->place.scale[0].limit;
+    const int64_t at = self->place.position_nm[axis];
+    return self->place.origin_nm[axis] == work[axis] + self->place.g92_nm[axis] + tool
+           && at >= -limit && at <= limit;
+}
+
+int nck_decode_invariants(const nck_decode_t *self) {
     int good = self->line.size <= NCK_LINE_MAX && self->line.state <= NCK_LINE_PUSHED
                && self->finding.count <= NCK_DECODE_FINDINGS
                && self->place.work_system < NCK_WORK_SYSTEMS
-               && (self->line.state == NCK_LINE_RUNNING || self->words.steps == 0);
-    for (unsigned axis = 0; axis < NCK_AXIS_MAX; axis++) {
-        const int64_t tool = axis < 3 ? self->place.tool_nm[axis] : 0;
-        const int64_t limit = (self->place.rotary >> axis & 1u) ? self->place.scale[2].limit
-                                                                : self->place.scale[0].limit;
-        const int64_t at = self->place.position_nm[axis];
-        good = good && self->place.origin_nm[axis] == work[axis] + self->place.g92_nm[axis] + tool
-               && at >= -limit && at <= limit;
-    }
+               && (self->line.state == NCK_LINE_RUNNING || self->words.steps == 0)
+               && nck_variable_invariants(self);
+    for (unsigned axis = 0; axis < NCK_AXIS_MAX; axis++) good = good && axis_good(self, axis);
     return good;
 }

@@ -18,6 +18,7 @@
 #include "nck/base/records.h"        // nck_block_t
 #include "nck/base/status.h"         // nck_status_t nck_diagnostic_t
 #include "nck/prep/1_decode/block_in.h" // nck_block_in_t
+#include "nck/prep/1_decode/macro.h" // nck_macro_t nck_source_t
 #include "nck/prep/1_decode/words.h" // nck_words_t
 
 // Bounds of words, and of what is kept.
@@ -25,7 +26,7 @@ enum {
     NCK_DECODE_VALUE_MAX = 1000000000,    // largest F [mm/min, 1/min, mm/rev] and S [rpm]
     NCK_DECODE_DWELL_MAX_S = 1000000,     // longest G4
     NCK_DECODE_TURNS_MAX = 100000,        // largest P of an arc
-    NCK_DECODE_FINDINGS = 9               // one error and every kind of note
+    NCK_DECODE_FINDINGS = 9 + NCK_CALL_DEPTH // one error, every kind of note, every call in force
 };
 
 // The value of the diagnostic NCK_E_DIALECT: whose language the text is.
@@ -103,6 +104,8 @@ typedef struct nck_decode {
         nck_scale_t scale[3];              // of linear words, of X (diameter), of rotary words
     } place;
 
+    nck_macro_t macro; // parameters, calls, jumps
+
     nck_block_in_t pushed; // the block in place of a line
     nck_block_t second;    // the block of NCK_STEP_SECOND
 
@@ -137,6 +140,19 @@ void nck_decode_init(nck_decode_t *self, const nck_machine_t *machine);
 // taken, at most NCK_LINE_MAX + 2 before the end. Context: prep.
 nck_status_t nck_decode_push(nck_decode_t *self, const char *text, size_t n, size_t *used_out);
 
+// Have the room read its text itself, instead of pushing it: calls, loops and jumps backward need
+// that. Call it before anything is pushed; what the source points to must outlive the program.
+// Returns NCK_OK; NCK_E_ARGUMENT if it has neither text nor read; NCK_E_STATE if the program has
+// begun. Cost: constant. Context: prep, and so is that of source->read.
+nck_status_t nck_decode_source(nck_decode_t *self, const nck_source_t *source);
+
+// 1 if a source is there and the program has not ended: NCK_EMPTY of pull means that it read a line
+// that gave no block. Cost: constant. Context: prep.
+int nck_decode_reads(const nck_decode_t *self);
+
+// How far the source is read: where the next line begins. Cost: constant. Context: prep.
+size_t nck_decode_used(const nck_decode_t *self);
+
 // Take a block in place of a line: its units are mm, degrees and seconds whatever the modes say,
 // its coordinates are absolute, and what it sets is modal for what follows. What is wrong with it
 // in the program's terms (travel, feed, arc) is told by nck_decode_pull, as for a line.
@@ -165,10 +181,11 @@ void nck_decode_end(nck_decode_t *self);
 
 // Take the next block. The last block is of kind NCK_BLOCK_END; where the text or a closing % ends
 // the program its output says M2.
-// Returns NCK_OK (block_out is filled), NCK_EMPTY (push text first), NCK_DONE (the program has
-// ended), or the error of the line in work: NCK_E_CHARACTER … NCK_E_NO_PROGRAM. After an error the
-// next pull goes on with the next line, as if the move had been made; after NCK_E_BINARY,
-// NCK_E_DIALECT and NCK_E_NO_PROGRAM it says NCK_DONE. Cost: linear in the line. Context: prep.
+// Returns NCK_OK (block_out is filled), NCK_EMPTY (push text first; with a source: pull again),
+// NCK_DONE (the program has ended), or the error of the line in work: NCK_E_CHARACTER …
+// NCK_E_ENDLESS. After an error the next pull goes on with the next line, as if the move had been
+// made; after NCK_E_BINARY, NCK_E_DIALECT, NCK_E_NO_PROGRAM, errors of jumps, and any error behind
+// a call, loop or jump it says NCK_DONE. Cost: linear in the line. Context: prep.
 nck_status_t nck_decode_pull(nck_decode_t *self, nck_block_t *block_out);
 
 // Take the oldest finding: an error that pull has returned, or a note. Returns NCK_OK or NCK_EMPTY.

@@ -101,6 +101,7 @@ nck_status_t nck_decode_go(nck_decode_t *self, const nck_block_in_t *pushed,
 }
 
 nck_status_t nck_decode_motion(nck_decode_t *self, nck_block_t *out) {
+    const uint32_t assumed = 1u << NCK_NOTE_UNITS | 1u << NCK_NOTE_DISTANCE;
     const int32_t code = self->words.code[NCK_STEP_MOTION];
     const int taken = (self->words.codes & NCK_STEP(NCK_STEP_OFFSET))
                       && self->words.code[NCK_STEP_OFFSET] <= 920;
@@ -108,12 +109,15 @@ nck_status_t nck_decode_motion(nck_decode_t *self, nck_block_t *out) {
 
     self->modal.motion = code == 800 ? NCK_MOTION_NONE : code;
     if (code == 800 || taken || (self->words.axes == 0 && code < 20)) return NCK_EMPTY;
-    nck_decode_assume(self, NCK_NOTE_UNITS);
-    nck_decode_assume(self, NCK_NOTE_DISTANCE);
+    if (~(self->finding.given | self->finding.notes) & assumed) {
+        nck_decode_assume(self, NCK_NOTE_UNITS);
+        nck_decode_assume(self, NCK_NOTE_DISTANCE);
+    }
     const int absolute = (self->words.codes & NCK_STEP(NCK_STEP_MACHINE)) != 0;
     const nck_status_t status = nck_decode_target(self, absolute, target_nm);
     if (status != NCK_OK) return status;
     if (code >= 20) nck_decode_assume(self, NCK_NOTE_PLANE);
+    if (self->macro.modal != 0) nck_decode_moved(self);
     return nck_decode_go(self, NULL, target_nm, out);
 }
 

@@ -13,6 +13,8 @@
 #define NCK_LETTER(c) ((uint32_t)1 << ((c) - 'A'))
 #define NCK_STEP(k) ((uint32_t)1 << (k))
 
+enum { NCK_LABEL_MOST = 99999999 }; // of O and N
+
 // Sets of letters.
 enum {
     NCK_LETTERS_LINEAR = (1 << ('X' - 'A')) | (1 << ('Y' - 'A')) | (1 << ('Z' - 'A'))
@@ -20,6 +22,9 @@ enum {
     NCK_LETTERS_AXES = NCK_LETTERS_LINEAR | 7, // A B C
     NCK_LETTERS_CENTRE = (1 << ('I' - 'A')) | (1 << ('J' - 'A')) | (1 << ('K' - 'A'))
 };
+
+// codes.c: 1 if the words are arguments of G65 or G66. Cost: constant.
+int nck_words_are_arguments(const nck_words_t *words);
 
 // A step.
 typedef nck_status_t (*nck_step_function_t)(nck_decode_t *self, nck_block_t *out);
@@ -58,6 +63,79 @@ nck_status_t nck_decode_words(nck_decode_t *self, const char *at);
 // words.c: the line is refused. If it says a feed, a speed or the first motion, that one is missing
 // behind it is no mistake of its own. Cost: linear in the line.
 void nck_decode_excuse(nck_decode_t *self);
+
+// What a parameter without a value is: no number of a program is as large.
+#define NCK_NO_VALUE 1e301
+
+// variables.c: 1 if it is a value. Cost: constant.
+int nck_value_is(double value);
+
+// sign.c: one past blanks and remarks; one past the word (upper case) if the text spells it, in
+// either case, else NULL; one past a name's >, NULL: none. at: its <. Cost: linear in the text.
+const char *nck_decode_skip(const char *at);
+const char *nck_decode_spells(const char *at, const char *word);
+const char *nck_decode_name_end(const char *at);
+
+// sign.c: one past a number or a name in < >, and its key; NULL: neither.
+const char *nck_decode_name_key(const char *at, uint64_t *key_out);
+
+// control.c: # … =: waits for the end of the line. Cost: linear in the line.
+nck_status_t nck_decode_assign(nck_decode_t *self, const char **at);
+
+// control.c: IF, GOTO, WHILE, DO, END. NCK_EMPTY: it is none of them. Cost: linear in the line.
+nck_status_t nck_decode_control(nck_decode_t *self, const char **at);
+
+// oword.c: an O word. Cost: linear in the line.
+nck_status_t nck_decode_o_word(nck_decode_t *self, const char **at);
+
+// call.c: M98, M99, G65, G66, G67; a move is done while G66 is in force.
+nck_status_t nck_decode_call(nck_decode_t *self, nck_block_t *out);
+void nck_decode_moved(nck_decode_t *self);
+
+// expression.c: a value that begins with #, [, a sign, a function or a digit; bare: operators may
+// stand outside of brackets. May be NCK_NO_VALUE. Cost: linear in the text.
+nck_status_t nck_decode_value(nck_decode_t *self, const char **at, int bare, double *value_out);
+
+// expression.c: a value as a number of the program.
+void nck_decode_number(double value, nck_number_t *out);
+
+// variables.c: the key of a name; a parameter that was set, NULL: it was not.
+uint64_t nck_variable_name(const char *at, const char *end);
+const double *nck_variable_find(const nck_decode_t *self, uint64_t key);
+
+// variables.c: a value that counts from the end of the line on; all of them count now, or none if
+// the line is wrong (its status, handed back); one more of the call in force. NCK_E_VARIABLES.
+// Cost: linear in the parameters.
+nck_status_t nck_variable_wait(nck_decode_t *self, uint64_t key, double value);
+nck_status_t nck_variable_commit(nck_decode_t *self, nck_status_t line);
+nck_status_t nck_variable_add(nck_decode_t *self, uint64_t key, double value);
+
+// variables.c: what must hold between two lines. Cost: constant.
+int nck_variable_invariants(const nck_decode_t *self);
+
+// variables.c: arguments that are kept for the next call (modal: of G66): the key of one; forget
+// those of the call in force; copy those of the caller, whose rows begin at `from`.
+uint64_t nck_variable_kept(uint64_t number, int modal);
+void nck_variable_drop_kept(nck_decode_t *self, int modal);
+nck_status_t nck_variable_copy_kept(nck_decode_t *self, uint32_t from, int modal);
+
+// system.c: the value of a parameter; 1 if the control keeps it itself. NCK_E_UNSUPPORTED,
+// NCK_E_UNSET. Cost: linear in the parameters.
+nck_status_t nck_parameter_number(nck_decode_t *self, uint32_t number, double *value_out);
+nck_status_t nck_parameter_name(nck_decode_t *self, const char *at, const char *end,
+                                double *value_out);
+int nck_parameter_is_own(const nck_decode_t *self, uint32_t number);
+
+// jump.c: the line in work while something is looked for: NCK_OK: it is to be read, NCK_EMPTY: it
+// is passed over. The end of the text while something is looked for. The calls in force, behind an
+// error.
+nck_status_t nck_seek_pass(nck_decode_t *self);
+nck_status_t nck_seek_wrap(nck_decode_t *self);
+void nck_decode_tell_calls(nck_decode_t *self);
+
+// source.c: the next line of the source, or the end of the text; what follows the program's end.
+void nck_decode_fetch(nck_decode_t *self);
+void nck_decode_watch(nck_decode_t *self);
 
 // codes.c: what a code is. Returns NCK_OK, NCK_E_UNSUPPORTED, or NCK_E_G_UNKNOWN / NCK_E_M_UNKNOWN.
 // letter: G or M; tenths: the code; *takes_out: letters that it uses. Cost: linear in the codes.

@@ -147,7 +147,7 @@ static nck_status_t check_machine(nck_decode_t *self) {
     return incremental ? fail_code(self, NCK_E_INCREMENTAL, NCK_STEP_MACHINE) : NCK_OK;
 }
 
-// P is a dwell's, a tolerance, a work system, a reference point or an arc's turns: of one of them.
+// P is a dwell's, a tolerance, a work system, a point, a program or an arc's turns: of one.
 // (rs274 refuses G4 with G2 alone and lets the others share.)
 static nck_status_t check_shared(nck_decode_t *self) {
     const nck_words_t *const words = &self->words;
@@ -156,7 +156,8 @@ static nck_status_t check_shared(nck_decode_t *self) {
     const int work = has(words, NCK_STEP_OFFSET) && (words->code[NCK_STEP_OFFSET] == 100
                                                      || words->code[NCK_STEP_OFFSET] == 300);
     const int path = has(words, NCK_STEP_PATH) && words->code[NCK_STEP_PATH] == 640;
-    if (arc + work + path + has(words, NCK_STEP_DWELL) <= 1) return NCK_OK;
+    const int others = has(words, NCK_STEP_DWELL) + has(words, NCK_STEP_CALL);
+    if (arc + work + path + others <= 1) return NCK_OK;
     return nck_decode_fail_word(self, NCK_E_WORD_SHARED, 'P', 0.0, 0.0);
 }
 
@@ -182,7 +183,15 @@ static nck_status_t check_codes(nck_decode_t *self) {
     return status;
 }
 
-nck_status_t nck_decode_resolve(nck_decode_t *self) {
+// G65 and G66: all words are the called program's.
+static nck_status_t resolve_macro(nck_decode_t *self) {
+    nck_words_t *const words = &self->words;
+    words->steps = NCK_STEP(NCK_STEP_CALL);
+    if (words->codes == words->steps) return NCK_OK;
+    return fail_code(self, NCK_E_MODAL_GROUP, NCK_STEP_CALL);
+}
+
+static nck_status_t resolve_words(nck_decode_t *self) {
     nck_words_t *const words = &self->words;
     const uint32_t always = NCK_LETTER('F') | NCK_LETTER('N') | NCK_LETTER('S') | NCK_LETTER('T');
     const int plain = !(words->codes & ~NCK_STEP(NCK_STEP_MOTION));
@@ -206,4 +215,10 @@ nck_status_t nck_decode_resolve(nck_decode_t *self) {
         return nck_decode_fail_word(self, NCK_E_WORD_UNUSED, letter, 0.0, 0.0);
     }
     return plain ? NCK_OK : check_codes(self);
+}
+
+nck_status_t nck_decode_resolve(nck_decode_t *self) {
+    const int calls = has(&self->words, NCK_STEP_CALL);
+    if (calls && nck_words_are_arguments(&self->words)) return resolve_macro(self);
+    return resolve_words(self);
 }

@@ -31,37 +31,36 @@ static unsigned column_of(const nck_decode_t *self, const char *at) {
     return (unsigned)(at - self->line.text) + 1;
 }
 
-static const char *skip_blanks(const char *at) {
-    while (*at == ' ' || *at == '\t') at++;
-    return at;
+// Does a value begin here that is no plain number? Two letters begin a function.
+static int begins_value(const char *at) {
+    if (*at == '+' || *at == '-') at = nck_decode_skip(at + 1);
+    return *at == '#' || *at == '[' || (is_letter(at[0]) && is_letter(at[1]));
 }
 
-// Does the text spell the word, in either case? word: upper case.
-static int spells(const char *at, const char *word) {
-    while (*word != '\0' && (*at & ~0x20) == *word) {
-        at++;
-        word++;
+// A letter without a number behind it: a control word, a letter with a value, or a mistake.
+// NCK_EMPTY: the letter does not count.
+static nck_status_t read_value(nck_decode_t *self, const char **at, nck_number_t *out) {
+    const char *const letter = *at;
+    const char *const first = nck_decode_skip(letter + 1);
+    double value = 0.0;
+    nck_status_t status = nck_decode_control(self, at);
+    if (status != NCK_EMPTY) return status == NCK_OK ? NCK_EMPTY : status;
+    if (!begins_value(first) || !NCK_HAS_VARIABLES) {
+        return nck_decode_fail(self, begins_value(first) ? NCK_E_UNSUPPORTED : NCK_E_NUMBER,
+                               column_of(self, letter), *letter & ~0x20, 0.0, 0.0);
     }
-    return *word == '\0';
-}
-
-// A letter without a number: an expression or a control word of a macro language, or a mistake.
-static nck_status_t fail_number(nck_decode_t *self, const char *at) {
-    static const char *const control[] = {"IF", "WHILE", "GOTO", "DO", "END", "THEN", "ELSE"};
-    const char next = *skip_blanks(at + 1);
-    int unsupported = next == '#' || next == '[';
-    for (unsigned k = 0; k < sizeof control / sizeof control[0]; k++) {
-        unsupported = unsupported || spells(at, control[k]);
-    }
-    return nck_decode_fail(self, unsupported ? NCK_E_UNSUPPORTED : NCK_E_NUMBER,
-                           column_of(self, at), *at & ~0x20, 0.0, 0.0);
+    *at = first;
+    status = nck_decode_value(self, at, 0, &value);
+    if (status != NCK_OK) return status;
+    nck_decode_number(value, out);
+    return nck_value_is(value) ? NCK_OK : NCK_EMPTY;
 }
 
 // What is neither a letter nor a blank nor a comment.
 static nck_status_t fail_character(nck_decode_t *self, const char *at) {
     const char c = *at;
     nck_status_t code = NCK_E_CHARACTER;
-    if (c == '#' || c == '[' || c == '@' || c == '^') code = NCK_E_UNSUPPORTED;
+    if (c == '[' || c == '@' || c == '^') code = NCK_E_UNSUPPORTED;
     if (c == '.' || c == '+' || c == '-') code = NCK_E_NUMBER;
     return nck_decode_fail(self, code, column_of(self, at), 0, (double)(unsigned char)c, 0.0);
 }
@@ -84,12 +83,13 @@ static nck_status_t read_code(nck_decode_t *self, const char **at) {
     uint32_t takes = 0;
 
     const char *const next = nck_number_read(self->line.text, *at + 1, &number);
-    if (next == NULL) return fail_number(self, *at);
-    nck_status_t status = letter == 'G' ? NCK_E_G_UNKNOWN : NCK_E_M_UNKNOWN;
+    nck_status_t status = next != NULL ? NCK_OK : read_value(self, at, &number);
+    if (status != NCK_OK) return status;
+    if (next != NULL) *at = next;
+    status = letter == 'G' ? NCK_E_G_UNKNOWN : NCK_E_M_UNKNOWN;
     if (nck_number_whole(&number, 1, &tenths)) {
         status = nck_decode_code(self, letter, tenths, &step, &takes);
     }
-    *at = next;
     if (status == NCK_OK && (words->codes & NCK_STEP(step))) status = collide(words, step, tenths);
     if (status == NCK_EMPTY) return NCK_OK;
     if (status != NCK_OK) {
@@ -103,39 +103,35 @@ static nck_status_t read_code(nck_decode_t *self, const char **at) {
     return NCK_OK;
 }
 
-// O or a colon: a program number alone is a name; anything else calls or defines something.
-static nck_status_t read_program_number(nck_decode_t *self, const char **at) {
-    nck_number_t number;
-    const char *const next = nck_number_read(self->line.text, *at + 1, &number);
-    if (next == NULL || (*next != '\n' && *next != '(' && *next != ';')) {
-        return nck_decode_fail(self, NCK_E_UNSUPPORTED, column_of(self, *at), 'O', 0.0, 0.0);
-    }
-    *at = next;
-    return NCK_OK;
-}
-
 static nck_status_t read_word(nck_decode_t *self, const char **at) {
     nck_words_t *const words = &self->words;
     const char letter = (char)(**at & ~0x20);
     const unsigned index = (unsigned)(letter - 'A');
 
-    if (letter == 'G' || letter == 'M') return read_code(self, at);
-    if (letter == 'O') return read_program_number(self, at);
-    const char *const next = nck_number_read(self->line.text, *at + 1, &words->number[index]);
-    if (next == NULL) return fail_number(self, *at);
+    const char *const first = *at;
+    if (letter == 'G' || (letter == 'M' && !nck_words_are_arguments(words))) {
+        return read_code(self, at);
+    }
+    if (letter == 'O') return nck_decode_o_word(self, at);
+    *at = nck_number_read(self->line.text, first + 1, &words->number[index]);
+    if (*at == NULL) {
+        *at = first;
+        const nck_status_t status = read_value(self, at, &words->number[index]);
+        if (status != NCK_OK) return status;
+    }
     if (words->letters & NCK_LETTER(letter)) {
-        return nck_decode_fail(self, NCK_E_WORD_TWICE, column_of(self, *at), letter, 0.0, 0.0);
+        return nck_decode_fail(self, NCK_E_WORD_TWICE, column_of(self, first), letter, 0.0, 0.0);
     }
     words->letters |= NCK_LETTER(letter);
-    words->column[index] = (uint16_t)column_of(self, *at);
-    *at = next;
+    words->column[index] = (uint16_t)column_of(self, first);
     return NCK_OK;
 }
 
-// What begins with no letter: a remark, or the name of a program behind a colon.
+// What begins with no letter: a remark, a parameter, or the name of a program behind a colon.
 static nck_status_t read_other(nck_decode_t *self, const char **at) {
     const char *const first = *at;
-    if (*first == ':') return read_program_number(self, at);
+    if (*first == ':') return nck_decode_o_word(self, at);
+    if (*first == '#') return nck_decode_assign(self, at);
     if (*first != '(') return fail_character(self, first);
     while (**at != ')' && **at != '\n') ++*at;
     if (**at == '\n') {
@@ -153,17 +149,18 @@ nck_status_t nck_decode_words(nck_decode_t *self, const char *at) {
     self->words.codes = 0;
     self->words.takes = 0;
     self->words.tail = 0;
-    while (status == NCK_OK && *at != '\n') {
+    while (status >= NCK_OK && *at != '\n') {
         if (is_letter(*at)) {
             status = read_word(self, &at);
         } else if (*at == ' ' || *at == '\t') {
             at++;
         } else if (*at == ';') {
             self->words.tail = 1;
-            return NCK_OK;
+            break;
         } else {
             status = read_other(self, &at);
         }
     }
-    return status;
+    if (status > NCK_OK) status = NCK_OK;
+    return self->macro.waiting == 0 ? status : nck_variable_commit(self, status);
 }

@@ -38,6 +38,7 @@ typedef enum nck_step {
     NCK_STEP_MOTION,      // G0 G1 G2 G3 G80
     NCK_STEP_PUSHED,      // what a pushed block does, unless it is an M code
     NCK_STEP_SECOND,      // the second move of a G28 or of an arc in two parts
+    NCK_STEP_CALL,        // M98 M99 G65 G66 G67
     NCK_STEP_STOP,        // M0 M1 M2 M30 M60
     NCK_STEP_COUNT
 } nck_step_t;

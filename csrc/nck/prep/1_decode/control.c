@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: MIT
+// Words that control: O words, assignments, Fanuc's IF, GOTO, WHILE, DO and END.
+#include "nck/prep/1_decode/jump.h"
+#include "nck/prep/1_decode/parts.h"
+
+#include <stddef.h> // NULL
+
+enum { NUMBER_MOST = 99999 }; // of a parameter
+
+static const double number_most = NUMBER_MOST;
+static const double label_most = NCK_LABEL_MOST;
+
+static int is_letter(char c) { return (unsigned)((c | 0x20) - 'a') < NCK_LETTERS; }
+
+static const char *end_of_line(const nck_decode_t *self) {
+    return self->line.text + self->line.size;
+}
+
+static nck_status_t fail_at(nck_decode_t *self, const char *at, nck_status_t code) {
+    return nck_decode_fail(self, code, (unsigned)(at - self->line.text) + 1, 0, 0.0, 0.0);
+}
+
+static int is_true(double value) { return nck_value_is(value) && (value > 0.0 || value < 0.0); }
+
+// ---- assignments
+
+// What the control itself does where its own parameters are set.
+static nck_status_t set_own(nck_decode_t *self, const char *at, uint64_t number, double value) {
+    const int fanuc = self->machine->dialect.base == NCK_DIALECT_FANUC;
+    if (fanuc && number == 3000) {
+        return nck_decode_fail_last(self, NCK_E_ALARM, nck_value_is(value) ? value : 0.0, 0.0);
+    }
+    if (!fanuc || number != 3006) return fail_at(self, at, NCK_E_UNSUPPORTED);
+    self->words.steps |= NCK_STEP(NCK_STEP_STOP);
+    self->words.codes |= NCK_STEP(NCK_STEP_STOP);
+    self->words.code[NCK_STEP_STOP] = 0;
+    return NCK_OK;
+}
+
+static nck_status_t read_target(nck_decode_t *self, const char **at, uint64_t *key_out) {
+    double number = 0.0;
+    const char *const name = nck_decode_skip(*at + 1);
+    if (*name == '<') {
+        const char *const end = nck_decode_name_key(name, key_out);
+        if (end == NULL) return fail_at(self, name, NCK_E_EXPRESSION);
+        *at = end;
+        return NCK_OK;
+    }
+    *at = name;
+    const nck_status_t status = nck_decode_value(self, at, 0, &number);
+    if (status != NCK_OK) return status;
+    const int within = number >= 0.5 && number < number_most + 0.5;
+    const double whole = within ? (double)(int32_t)(number + 0.5) : 0.0;
+    if (!within || number - whole > 1e-4 || whole - number > 1e-4) {
+        return nck_decode_fail(self, NCK_E_NUMBER_RANGE, (unsigned)(name - self->line.text) + 1,
+                               '#', nck_value_is(number) ? number : 0.0, number_most);
+    }
+    *key_out = (uint64_t)whole;
+    return NCK_OK;
+}
+
+nck_status_t nck_decode_assign(nck_decode_t *self, const char **at) {
+    const int fanuc = self->machine->dialect.base == NCK_DIALECT_FANUC;
+    const char *const first = *at;
+    uint64_t key = 0;
+    double value = 0.0;
+    if (!NCK_HAS_VARIABLES) return fail_at(self, first, NCK_E_UNSUPPORTED);
+    self->text.words = 1;
+    nck_status_t status = read_target(self, at, &key);
+    if (status != NCK_OK) return status;
+    *at = nck_decode_skip(*at);
+    if (**at != '=') return fail_at(self, *at, NCK_E_EXPRESSION);
+    ++*at;
+    status = nck_decode_value(self, at, fanuc, &value);
+    if (status != NCK_OK) return status;
+    if (key <= NUMBER_MOST && nck_parameter_is_own(self, (uint32_t)key)) {
+        return set_own(self, first, key, value);
+    }
+    return nck_variable_wait(self, key, value);
+}
+
+// ---- Fanuc's control words
+
+static nck_status_t go_to(nck_decode_t *self, const char **at) {
+    double number = 0.0;
+    const char *const first = *at;
+    const nck_status_t status = nck_decode_value(self, at, 0, &number);
+    *at = end_of_line(self);
+    if (status != NCK_OK) return status;
+    if (!(number >= 1.0 && number <= label_most)) return fail_at(self, first, NCK_E_EXPRESSION);
+    return nck_seek_number(self, (uint64_t)(number + 0.5));
+}
+
+// IF […] GOTO n, IF […] THEN …
+static nck_status_t if_then(nck_decode_t *self, const char **at) {
+    double value = 0.0;
+    const nck_status_t status = nck_decode_value(self, at, 0, &value);
+    if (status != NCK_OK) return status;
+    const char *const next = nck_decode_skip(*at);
+    const char *const then = nck_decode_spells(next, "THEN");
+    const char *const jump = nck_decode_spells(next, "GOTO");
+    if (then == NULL && jump == NULL) return fail_at(self, next, NCK_E_EXPRESSION);
+    *at = then != NULL ? then : jump;
+    if (is_true(value)) return then != NULL ? NCK_OK : go_to(self, at);
+    *at = end_of_line(self);
+    return NCK_OK;
+}
+
+// DO m: the loop begins, or goes on; if not, behind END m.
+static nck_status_t do_loop(nck_decode_t *self, const char *at, int holds) {
+    const nck_frame_t *const loop = nck_frame_loop(self);
+    uint64_t key = 0;
+    if (nck_decode_name_key(nck_decode_skip(at), &key) == NULL) {
+        return fail_at(self, at, NCK_E_EXPRESSION);
+    }
+    const int again = loop != NULL && loop->key == key;
+    if (!holds) {
+        if (again) self->macro.depth--;
+        nck_seek(self, NCK_SEEK_END, key);
+        return NCK_OK;
+    }
+    return again ? NCK_OK : nck_frame_push(self, NCK_FRAME_WHILE, key, 0);
+}
+
+static nck_status_t while_loop(nck_decode_t *self, const char **at) {
+    double value = 0.0;
+    const nck_status_t status = nck_decode_value(self, at, 0, &value);
+    const char *const next = nck_decode_skip(*at);
+    const char *const end = nck_decode_spells(next, "DO");
+    *at = end_of_line(self);
+    if (status != NCK_OK) return status;
+    if (end == NULL) return fail_at(self, next, NCK_E_EXPRESSION);
+    return do_loop(self, end, is_true(value));
+}
+
+static nck_status_t end_loop(nck_decode_t *self, const char *at) {
+    const nck_frame_t *const loop = nck_frame_loop(self);
+    uint64_t key = 0;
+    const char *const end = nck_decode_name_key(nck_decode_skip(at), &key);
+    if (end == NULL || loop == NULL || loop->key != key) {
+        return nck_decode_fail_last(self, NCK_E_FLOW, 0.0, 0.0);
+    }
+    return nck_jump(self, &loop->place);
+}
+
+nck_status_t nck_decode_control(nck_decode_t *self, const char **at) {
+    static const char *const words[] = {"IF", "GOTO", "WHILE", "DO", "END"};
+    const char *end = NULL;
+    unsigned word = 0;
+    for (; word < 5; word++) {
+        end = nck_decode_spells(*at, words[word]);
+        if (end != NULL && !is_letter(*nck_decode_skip(end))) break;
+    }
+    if (word == 5 || end == NULL) return NCK_EMPTY;
+    if (!NCK_HAS_CALLS) return fail_at(self, *at, NCK_E_UNSUPPORTED);
+    self->text.words = 1;
+    const char *const line_end = end_of_line(self);
+    *at = nck_decode_skip(end);
+    if (word == 0) return if_then(self, at);
+    if (word == 1) return go_to(self, at);
+    if (word == 2) return while_loop(self, at);
+    const char *const behind = *at;
+    *at = line_end;
+    return word == 3 ? do_loop(self, behind, 1) : end_loop(self, behind);
+}

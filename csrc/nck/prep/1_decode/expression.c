@@ -1,0 +1,464 @@
+// SPDX-License-Identifier: MIT
+// Values that are not plain numbers: parameters, functions, expressions. One pass with two short
+// stacks; nothing calls itself.
+#include "nck/prep/1_decode/parts.h"
+#include "nck/prep/1_decode/power.h" // nck_exp …
+
+#include <stddef.h> // NULL
+
+#include "nck/base/real.h"      // nck_fabs …
+#include "nck/base/trig_math.h" // NCK_PI
+
+enum {
+    DEPTH = 24 // operands, and operators, that wait at once
+};
+
+static const double number_most = 99999.0; // of a parameter
+
+static const double near_most = 1e-4; // RS274NGC: what differs by less is equal
+static const double huge = 1e300;
+
+// What waits on the stack of operators. The order within a kind is that of its table.
+typedef enum operator {
+    OPEN, PARAMETER, MINUS,
+    ABS, ACOS, ASIN, ATAN, COS, EXP, FIX, FUP, LN, ROUND, SIN, SQRT, TAN, RND, SQR, ANGLE,
+    OR, XOR, AND, EQ, NE, LT, LE, GT, GE, ADD, SUBTRACT, TIMES, DIVIDE, MOD, POWER
+} operator_t;
+
+// An expression in work.
+typedef struct work {
+    nck_decode_t *self;
+    const char *at;
+    double value[DEPTH];
+    uint8_t operator[DEPTH];
+    unsigned values, operators;
+    unsigned open; // brackets
+    nck_status_t status;
+} work_t;
+
+static void fail(work_t *work, nck_status_t code, double value) {
+    const unsigned column = (unsigned)(work->at - work->self->line.text) + 1;
+    const double shown = value - value == 0.0 ? value : 0.0;
+    if (work->status == NCK_OK) {
+        work->status = nck_decode_fail(work->self, code, column, 0, shown, 0.0);
+    }
+}
+
+static void skip(work_t *work) { work->at = nck_decode_skip(work->at); }
+
+static void push_value(work_t *work, double value) {
+    if (work->values == DEPTH) {
+        fail(work, NCK_E_EXPRESSION, 0.0);
+        return;
+    }
+    work->value[work->values] = value;
+    work->values++;
+}
+
+static void push_operator(work_t *work, operator_t operator) {
+    if (work->operators == DEPTH) {
+        fail(work, NCK_E_EXPRESSION, 0.0);
+        return;
+    }
+    work->operator[work->operators] = (uint8_t)operator;
+    work->operators++;
+}
+
+static operator_t top(const work_t *work) {
+    return work->operators > 0 ? (operator_t)work->operator[work->operators - 1] : OPEN;
+}
+
+// ---- arithmetic
+
+static double round_half_away(double x) {
+    return x < 0.0 ? -nck_floor(0.5 - x) : nck_floor(x + 0.5);
+}
+
+// Down and up; in Fanuc's language towards zero and away from it.
+static double to_whole(const work_t *work, double x, int up) {
+    const int fanuc = work->self->machine->dialect.base == NCK_DIALECT_FANUC;
+    const int ceils = fanuc && x < 0.0 ? !up : up;
+    return ceils ? -nck_floor(-x) : nck_floor(x);
+}
+
+static double in_degrees(double angle) { return angle * 180.0 / NCK_PI; }
+
+static double trigonometric(work_t *work, operator_t function, double degrees) {
+    double sine, cosine;
+    nck_sincos((degrees - 360.0 * nck_floor(degrees / 360.0)) * NCK_PI / 180.0, &sine, &cosine);
+    if (function == SIN) return sine;
+    if (function == COS) return cosine;
+    if (nck_fabs(cosine) > 0.0) return sine / cosine;
+    fail(work, NCK_E_VALUE, degrees);
+    return 0.0;
+}
+
+static double inverse(work_t *work, operator_t function, double x) {
+    if (!(nck_fabs(x) <= 1.0)) fail(work, NCK_E_VALUE, x);
+    const double other = nck_sqrt(nck_max(0.0, (1.0 - x) * (1.0 + x)));
+    return in_degrees(function == ASIN ? nck_atan2(x, other) : nck_atan2(other, x));
+}
+
+static double root_or_log(work_t *work, operator_t function, double x) {
+    const double least = function == LN ? 1e-300 : 0.0;
+    if (!(x >= least)) {
+        fail(work, NCK_E_VALUE, x);
+        return 0.0;
+    }
+    return function == LN ? nck_log(x) : nck_sqrt(x);
+}
+
+static double rounded(const work_t *work, operator_t function, double x) {
+    const int to_nearest = function == ROUND || function == RND;
+    return to_nearest ? round_half_away(x) : to_whole(work, x, function == FUP);
+}
+
+static int rounds(operator_t function) {
+    return function == FIX || function == FUP || function == ROUND || function == RND;
+}
+
+static double function_of(work_t *work, operator_t function, double x) {
+    if (rounds(function)) return rounded(work, function, x);
+    switch (function) {
+    case MINUS: return -x;
+    case ABS: return nck_fabs(x);
+    case EXP: return nck_exp(x);
+    case SQRT:
+    case SQR:
+    case LN: return root_or_log(work, function, x);
+    case ACOS:
+    case ASIN: return inverse(work, function, x);
+    default: return trigonometric(work, function, x);
+    }
+}
+
+static double divided(work_t *work, operator_t operator, double a, double b) {
+    if (!(nck_fabs(b) > 0.0)) {
+        fail(work, NCK_E_VALUE, b);
+        return 0.0;
+    }
+    if (operator == DIVIDE) return a / b;
+    const double rest = nck_rest(a, b);
+    return rest < 0.0 ? rest + nck_fabs(b) : rest;
+}
+
+static double raised(work_t *work, double a, double b) {
+    const int whole = nck_floor(b) >= b;
+    if ((a < 0.0 && !whole) || (!(nck_fabs(a) > 0.0) && b < 0.0)) {
+        fail(work, NCK_E_VALUE, a);
+        return 0.0;
+    }
+    return nck_power(a, b);
+}
+
+// Equal; without a value is equal to without a value alone (Fanuc's #0).
+static int equal(const work_t *work, double a, double b) {
+    const int a_is = nck_value_is(a), b_is = nck_value_is(b);
+    const int fanuc = work->self->machine->dialect.base == NCK_DIALECT_FANUC;
+    if (!a_is || !b_is) return a_is == b_is;
+    return fanuc ? a >= b && a <= b : nck_fabs(a - b) < near_most;
+}
+
+static double compared(operator_t operator, double a, double b) {
+    switch (operator) {
+    case LT: return a < b;
+    case LE: return a <= b;
+    case GT: return a > b;
+    case GE: return a >= b;
+    default: break;
+    }
+    const int a_holds = nck_fabs(a) > 0.0, b_holds = nck_fabs(b) > 0.0;
+    if (operator == AND) return a_holds && b_holds;
+    return operator == OR ? a_holds || b_holds : a_holds != b_holds;
+}
+
+static double counted(double value) { return nck_value_is(value) ? value : 0.0; }
+
+static double binary(work_t *work, operator_t operator, double left, double right) {
+    const double a = counted(left), b = counted(right);
+    switch (operator) {
+    case EQ: return equal(work, left, right);
+    case NE: return !equal(work, left, right);
+    case ADD: return a + b;
+    case SUBTRACT: return a - b;
+    case TIMES: return a * b;
+    case DIVIDE:
+    case MOD: return divided(work, operator, a, b);
+    case POWER: return raised(work, a, b);
+    default: return compared(operator, a, b);
+    }
+}
+
+// ---- reduction
+
+static double pop(work_t *work) {
+    if (work->values == 0) {
+        fail(work, NCK_E_EXPRESSION, 0.0);
+        return 0.0;
+    }
+    work->values--;
+    return work->value[work->values];
+}
+
+static void give(work_t *work, double value) {
+    if (nck_value_is(value) && !(nck_fabs(value) < huge)) fail(work, NCK_E_VALUE, 0.0);
+    push_value(work, value);
+}
+
+static int level_of(operator_t operator) {
+    if (operator < OR) return 0;
+    if (operator <= AND) return 1;
+    if (operator <= GE) return 2;
+    if (operator <= SUBTRACT) return 3;
+    return operator == POWER ? 5 : 4;
+}
+
+// Do what waits and binds at least as closely as the level.
+static void reduce(work_t *work, int level) {
+    while (work->status == NCK_OK && level_of(top(work)) >= level) {
+        const operator_t operator = top(work);
+        work->operators--;
+        const double right = pop(work), left = pop(work);
+        give(work, binary(work, operator, left, right));
+    }
+}
+
+static double parameter(work_t *work, double number) {
+    const double whole = nck_floor(number + 0.5);
+    double value = 0.0;
+    if (!(whole >= 0.0 && whole <= number_most) || nck_fabs(number - whole) > near_most) {
+        fail(work, NCK_E_NUMBER_RANGE, number);
+        work->self->finding.error.letter = '#';
+        work->self->finding.error.limit = number_most;
+        return 0.0;
+    }
+    const nck_status_t status = nck_parameter_number(work->self, (uint32_t)whole, &value);
+    if (status != NCK_OK) fail(work, status, whole);
+    return value;
+}
+
+// An operand stands complete: what stands before it is done. ATAN waits for its second operand.
+static void complete(work_t *work) {
+    while (work->status == NCK_OK && work->operators > 0) {
+        const operator_t operator = top(work);
+        if (operator == OPEN || operator >= OR) return;
+        skip(work);
+        if (operator == ATAN) {
+            if (*work->at != '/') fail(work, NCK_E_EXPRESSION, 0.0);
+            work->at++;
+            work->operator[work->operators - 1] = (uint8_t)ANGLE;
+            skip(work);
+            if (*work->at != '[') fail(work, NCK_E_EXPRESSION, 0.0);
+            return;
+        }
+        work->operators--;
+        const double x = pop(work);
+        if (operator == PARAMETER) give(work, parameter(work, x));
+        else if (operator == ANGLE) give(work, in_degrees(nck_atan2(pop(work), counted(x))));
+        else give(work, function_of(work, operator, counted(x)));
+    }
+}
+
+// ---- reading
+
+// The word of a list that the text begins with, 0: none. The list ends with an empty word.
+static unsigned word_of(const char *at, const char *const *words, unsigned first) {
+    const char capital = *at >= 'a' && *at <= 'z' ? (char)(*at - 'a' + 'A') : *at;
+    for (unsigned k = 0; words[k] != NULL; k++) {
+        if (words[k][0] == capital && nck_decode_spells(at, words[k]) != NULL) return first + k;
+    }
+    return 0;
+}
+
+static void read_function(work_t *work) {
+    static const char *const names[] = {"ABS", "ACOS", "ASIN", "ATAN", "COS", "EXP", "FIX", "FUP",
+                                        "LN", "ROUND", "SIN", "SQRT", "TAN", "RND", "SQR", NULL};
+    const unsigned function = word_of(work->at, names, ABS);
+    if (function == 0) {
+        fail(work, NCK_E_EXPRESSION, 0.0);
+        return;
+    }
+    const char *const end = nck_decode_skip(nck_decode_spells(work->at, names[function - ABS]));
+    if (*end != '[') fail(work, NCK_E_EXPRESSION, 0.0);
+    work->at = end;
+    push_operator(work, (operator_t)function);
+}
+
+static void read_name(work_t *work) {
+    double value = 0.0;
+    const char *const end = nck_decode_name_end(work->at);
+    if (end == NULL) {
+        fail(work, NCK_E_EXPRESSION, 0.0);
+        return;
+    }
+    const nck_status_t status = nck_parameter_name(work->self, work->at + 1, end - 1, &value);
+    if (status != NCK_OK) fail(work, status, 0.0);
+    work->at = end;
+    give(work, value);
+    complete(work);
+}
+
+// EXISTS[#<name>], EXISTS[#5]: whether the parameter was ever set.
+static void read_exists(work_t *work, const char *end) {
+    uint64_t key = 0;
+    const char *at = nck_decode_skip(end);
+    if (*at == '[') at = nck_decode_skip(at + 1);
+    if (*at == '#') at = nck_decode_name_key(nck_decode_skip(at + 1), &key);
+    else at = NULL;
+    if (at != NULL) at = nck_decode_skip(at);
+    if (at == NULL || *at != ']') {
+        fail(work, NCK_E_EXPRESSION, 0.0);
+        return;
+    }
+    work->at = at + 1;
+    give(work, nck_variable_find(work->self, key) != NULL);
+    complete(work);
+}
+
+static void read_number(work_t *work) {
+    nck_number_t number;
+    const char *const end = nck_number_read(work->self->line.text, work->at, &number);
+    if (end == NULL) {
+        fail(work, NCK_E_EXPRESSION, 0.0);
+        return;
+    }
+    work->at = end;
+    give(work, nck_number_real(&number));
+    complete(work);
+}
+
+static int is_digit(char c) { return (c >= '0' && c <= '9') || c == '.'; }
+
+// A part of an operand. Returns 1 if the operand is complete, 0 if more of it follows.
+static int read_operand(work_t *work) {
+    skip(work);
+    const char c = *work->at;
+    if (c == '[') {
+        push_operator(work, OPEN);
+        work->open++;
+        work->at++;
+        return 0;
+    }
+    if (c == '#') {
+        work->at = nck_decode_skip(work->at + 1);
+        const int named = *work->at == '<';
+        if (named) read_name(work);
+        else push_operator(work, PARAMETER);
+        return named;
+    }
+    if (c == '-' || c == '+') {
+        if (c == '-') push_operator(work, MINUS);
+        work->at++;
+        return 0;
+    }
+    if (is_digit(c)) {
+        read_number(work);
+        return 1;
+    }
+    const char *const exists = nck_decode_spells(work->at, "EXISTS");
+    if (exists != NULL) read_exists(work, exists);
+    else read_function(work);
+    return exists != NULL;
+}
+
+// The operator between two operands, 0: none stands here.
+static operator_t read_binary(work_t *work) {
+    static const char *const names[] = {"OR", "XOR", "AND", "EQ", "NE", "LT", "LE", "GT", "GE", "+",
+                                        "-", "*", "/", "MOD", NULL};
+    const int power = work->at[0] == '*' && work->at[1] == '*';
+    const unsigned found = power ? (unsigned)POWER : word_of(work->at, names, OR);
+    if (power) work->at += 2;
+    else if (found != 0) work->at = nck_decode_spells(work->at, names[found - OR]);
+    return (operator_t)found;
+}
+
+static void close(work_t *work) {
+    reduce(work, 1);
+    if (work->operators == 0) fail(work, NCK_E_EXPRESSION, 0.0);
+    else work->operators--; // the bracket
+    work->open--;
+    work->at++;
+    complete(work);
+}
+
+// ATAN[y, x]: Fanuc's way.
+static void next_argument(work_t *work) {
+    reduce(work, 1);
+    const unsigned n = work->operators;
+    if (n < 2 || work->operator[n - 2] != ATAN) {
+        fail(work, NCK_E_EXPRESSION, 0.0);
+        return;
+    }
+    work->operator[n - 2] = (uint8_t)ANGLE;
+    work->at++;
+}
+
+// Behind an operand. Returns 1 if another one follows.
+static int read_behind(work_t *work, int bare) {
+    while (work->status == NCK_OK) {
+        skip(work);
+        if (top(work) == ANGLE) return 1;
+        if (work->open == 0 && !bare) return 0;
+        if (*work->at == ']' && work->open > 0) {
+            close(work);
+            continue;
+        }
+        if (*work->at == ',' && work->open > 0) {
+            next_argument(work);
+            return 1;
+        }
+        const operator_t operator = read_binary(work);
+        if (operator == OPEN) {
+            if (work->open > 0) fail(work, NCK_E_EXPRESSION, 0.0);
+            return 0;
+        }
+        reduce(work, level_of(operator));
+        push_operator(work, operator);
+        return 1;
+    }
+    return 0;
+}
+
+nck_status_t nck_decode_value(nck_decode_t *self, const char **at, int bare, double *value_out) {
+    work_t work;
+    int more = 1;
+    if (!NCK_HAS_VARIABLES) {
+        const unsigned column = (unsigned)(*at - self->line.text) + 1;
+        return nck_decode_fail(self, NCK_E_UNSUPPORTED, column, 0, 0.0, 0.0);
+    }
+    work.self = self;
+    work.at = *at;
+    work.values = 0;
+    work.operators = 0;
+    work.open = 0;
+    work.status = NCK_OK;
+    while (more && work.status == NCK_OK) {
+        while (work.status == NCK_OK && !read_operand(&work)) continue;
+        more = read_behind(&work, bare);
+    }
+    if (work.status == NCK_OK) reduce(&work, 1);
+    if (work.status == NCK_OK && (work.values != 1 || work.operators != 0)) {
+        fail(&work, NCK_E_EXPRESSION, 0.0);
+    }
+    *value_out = work.status == NCK_OK ? work.value[0] : 0.0;
+    *at = work.at;
+    return work.status;
+}
+
+// 15 digits: what two roundings of a double add to a decimal is gone.
+void nck_decode_number(double value, nck_number_t *out) {
+    if (!NCK_HAS_VARIABLES) return;
+    const double magnitude = nck_min(nck_fabs(value), 1e15);
+    double power = 1.0;
+    int decimals = 0;
+    while (magnitude * power < 1e14 && decimals < 15) {
+        power *= 10.0;
+        decimals++;
+    }
+    out->mantissa = (int64_t)nck_floor(magnitude * power + 0.5);
+    out->decimals = (int16_t)decimals;
+    out->first = 0;
+    out->last = 0;
+    out->negative = value < 0.0;
+    out->longer = 0;
+}

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: MIT
+// Words and names of control lines, and what a line says about itself before it is read.
+#include "nck/prep/1_decode/jump.h"
+#include "nck/prep/1_decode/parts.h"
+
+#include <stddef.h> // NULL
+
+static int is_letter(char c) { return (unsigned)((c | 0x20) - 'a') < NCK_LETTERS; }
+
+static int is_digit(char c) { return c >= '0' && c <= '9'; }
+
+const char *nck_decode_skip(const char *at) {
+    while (*at == ' ' || *at == '\t' || *at == '(') {
+        const char *end = at + 1;
+        while (*at == '(' && *end != ')' && *end != '\n') end++;
+        if (*end == '\n' && *at == '(') return at;
+        at = *at == '(' ? end + 1 : end;
+    }
+    return at;
+}
+
+const char *nck_decode_spells(const char *at, const char *word) {
+    for (; *word != '\0'; at++, word++) {
+        const char c = *at >= 'a' && *at <= 'z' ? (char)(*at - 'a' + 'A') : *at;
+        if (c != *word) return NULL;
+    }
+    return at;
+}
+
+const char *nck_decode_name_end(const char *at) {
+    const char *const first = at;
+    while (*at != '>' && *at != '\n') at++;
+    return *at == '>' && at > first + 1 ? at + 1 : NULL;
+}
+
+const char *nck_decode_name_key(const char *at, uint64_t *key_out) {
+    if (*at == '<') {
+        const char *const end = nck_decode_name_end(at);
+        if (end != NULL) *key_out = nck_variable_name(at + 1, end - 1);
+        return end;
+    }
+    uint64_t number = 0;
+    if (!is_digit(*at)) return NULL;
+    for (; is_digit(*at) && number <= NCK_LABEL_MOST; at++) {
+        number = 10 * number + (uint64_t)(*at - '0');
+    }
+    *key_out = number;
+    return number <= NCK_LABEL_MOST ? at : NULL;
+}
+
+// ---- what a line says about itself
+
+unsigned nck_decode_word(const char *at, const char **behind) {
+    static const char *const words[] = {
+        "SUB", "ENDSUB", "CALL", "RETURN", "IF", "ELSEIF", "ELSE", "ENDIF", "DO", "REPEAT", "WHILE",
+        "ENDWHILE", "ENDREPEAT", "BREAK", "CONTINUE"
+    };
+    *behind = at;
+    if (*at == '\n' || *at == ';') return NCK_O_NAME;
+    for (unsigned k = 0; k < sizeof words / sizeof words[0]; k++) {
+        if ((*at & ~0x20) != words[k][0]) continue;
+        const char *const end = nck_decode_spells(at, words[k]);
+        if (end == NULL || is_letter(*end)) continue;
+        *behind = end;
+        return NCK_O_SUB + k;
+    }
+    return NCK_O_OTHER;
+}
+
+void nck_decode_sign(const nck_decode_t *self, nck_sign_t *sign_out) {
+    if (!NCK_HAS_CALLS) return;
+    const char *at = nck_decode_skip(self->line.text);
+    const char *behind;
+    *sign_out = (nck_sign_t){0, 0, NCK_O_NOT, 0};
+    if (*at == '/') at = nck_decode_skip(at + 1);
+    if (*at == 'N' || *at == 'n') {
+        at = nck_decode_name_key(nck_decode_skip(at + 1), &sign_out->number);
+        if (at == NULL) return;
+        sign_out->numbered = 1;
+        at = nck_decode_skip(at);
+    }
+    const char *const end = nck_decode_spells(at, "END");
+    if (end != NULL && is_digit(*nck_decode_skip(end))) {
+        (void)nck_decode_name_key(nck_decode_skip(end), &sign_out->key);
+        sign_out->word = NCK_O_END;
+    } else if ((*at & ~0x20) == 'O' || *at == ':') {
+        at = nck_decode_name_key(nck_decode_skip(at + 1), &sign_out->key);
+        if (at != NULL) sign_out->word = nck_decode_word(nck_decode_skip(at), &behind);
+    }
+}

@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: MIT
+// Room 1: parameters, calls, jumps and loops, in text that is read and in text that is pushed.
+#include "check.h"
+#include "decode_check.h"
+
+static decode_case_t self;
+
+// A text that gives its bytes from any place, seven at a time at most.
+typedef struct shelf {
+    const char *text;
+    size_t size;
+} shelf_t;
+
+static size_t read_shelf(void *user, size_t offset, char *out, size_t n) {
+    const shelf_t *const shelf = user;
+    const size_t left = shelf->size - offset;
+    const size_t most = n < 7 ? n : 7;
+    const size_t count = left < most ? left : most;
+    memcpy(out, shelf->text + offset, count);
+    return count;
+}
+
+// Decode a text that the room reads itself: in place, or through the hook.
+static void case_read(const char *text, int hooked) {
+    shelf_t shelf = {text, strlen(text)};
+    const nck_source_t in_place = {text, strlen(text), NULL, NULL};
+    const nck_source_t hook = {NULL, 0, read_shelf, &shelf};
+    nck_block_t block;
+    nck_status_t status = NCK_EMPTY;
+    self.blocks = self.findings = self.errors = self.returned = 0;
+    memset(&self.first, 0, sizeof self.first);
+    nck_decode_init(&self.decode, &self.machine);
+    (void)nck_decode_source(&self.decode, hooked ? &hook : &in_place);
+    while (status != NCK_DONE) {
+        status = nck_decode_pull(&self.decode, &block);
+        case_take(&self, status, &block);
+    }
+}
+
+static void check_read(check_t *check, const char *text, nck_status_t code, unsigned line,
+                       unsigned column) {
+    for (int hooked = 0; hooked <= 1; hooked++) {
+        case_read(text, hooked);
+        const int good = self.first.code == (int32_t)code && self.errors == (code < 0)
+                         && self.returned == self.errors
+                         && (code == NCK_OK || self.first.line == line)
+                         && (code == NCK_OK || self.first.column == column);
+        if (check_that(check, good, text, __FILE__, __LINE__)) continue;
+        printf("    %d errors, first %s at %u:%u, want %s at %u:%u\n", self.errors,
+               nck_status_id(self.first.code), (unsigned)self.first.line,
+               (unsigned)self.first.column, nck_status_id(code), line, column);
+    }
+}
+
+// The X of every block but the last one, in mm.
+static void check_x(check_t *check, const char *text, const double *wanted, int count) {
+    check_read(check, text, NCK_OK, 0, 0);
+    CHECK_INT(check, self.blocks, count + 1);
+    for (int k = 0; k < count && k < self.blocks; k++) {
+        CHECK_NEAR(check, (double)self.block[k].target_nm[0] / 1e6, wanted[k], 1e-9);
+    }
+}
+
+static void values_are_what_they_say(check_t *check) {
+    static const double wanted[] = {3.0, 14.0, 8.0, 4.0, 2.0, -2.0, 45.0, 1.0, 512.0, 0.3, 2.0,
+                                    -3.0, 0.125, 1.0, 0.0};
+    case_begin(&self);
+    check_x(check, "G0 X[1+2]\nX[2+3*4]\nX[[1+3]*2]\nX-[-4]\nX[8/2/2]\nX[-7 MOD 3-4]\n"
+                   "XATAN[3]/[3]\nX[1 LT 2 AND 3 GE 3]\nX[2**3**3]\nX[0.1+0.2]\nXROUND[1.5]\n"
+                   "XFIX[-2.5]\nX[2**-3]\nXEXP[LN[1]]\nX[1 EQ 2]\nM2\n", wanted, 15);
+}
+
+static void assignments_count_from_the_end_of_their_line(check_t *check) {
+    static const double wanted[] = {5.0, 5.0, 7.0, 9.0, 0.0, 1.0};
+    case_begin(&self);
+    check_x(check, "#1=5 #<a b>=7\nG0 X#1 #1=9\nX5 #2=#1\n#1=1\nX#<AB>\nX#2\nX#30\n"
+                   "XEXISTS[#<ab>]\nM2\n", wanted, 6);
+    check_read(check, "G0 X#<never>\nM2\n", NCK_E_UNSET, 1, 6);
+    check_read(check, "#0=1\nM2\n", NCK_E_NUMBER_RANGE, 1, 2);
+    check_read(check, "#5420=1\nM2\n", NCK_E_UNSUPPORTED, 1, 1);
+    check_read(check, "#1 5\nM2\n", NCK_E_EXPRESSION, 1, 5);
+}
+
+static void expressions_that_have_no_value_are_errors(check_t *check) {
+    case_begin(&self);
+    check_read(check, "G0 X[1/0]\nM2\n", NCK_E_VALUE, 1, 9);
+    check_read(check, "G0 XSQRT[-1]\nM2\n", NCK_E_VALUE, 1, 13);
+    check_read(check, "G0 X[-8**0.5]\nM2\n", NCK_E_VALUE, 1, 13);
+    check_read(check, "G0 X[1+]\nM2\n", NCK_E_EXPRESSION, 1, 8);
+    check_read(check, "G0 X[1\nM2\n", NCK_E_EXPRESSION, 1, 7);
+    check_read(check, "G0 X[1]]\nM2\n", NCK_E_CHARACTER, 1, 8);
+    check_read(check, "G0 XATAN[1]\nM2\n", NCK_E_EXPRESSION, 1, 12);
+    check_read(check, "G0 X[[[[[[[[[[[[[[[[[[[[[[[[[1]]]]]]]]]]]]]]]]]]]]]]]]]\nM2\n",
+               NCK_E_EXPRESSION, 1, 29);
+}
+
+static void subprograms_have_parameters_of_their_own(check_t *check) {
+    static const double wanted[] = {11.0, 21.0, 3.0, 1.0};
+    case_begin(&self);
+    check_x(check, "#1=1\no<s> sub\nG0 X[#1+1]\no<s> return [#1/10+#2]\nX99\no<s> endsub\n"
+                   "o<s> call [10] [0]\no<s> call [20] [1]\nX#<_value>\nX#1\nM2\n", wanted, 4);
+    check_read(check, "o1 sub\no1 call\no1 endsub\no1 call\nM2\n", NCK_E_DEPTH, 2, 0);
+    CHECK_INT(check, self.findings, 1 + NCK_CALL_DEPTH);
+    CHECK_INT(check, self.finding[1].code, NCK_NOTE_CALLED);
+    CHECK_INT(check, self.finding[NCK_CALL_DEPTH].line, 4);
+    check_read(check, "G0 X1\no1 call\nM2\n", NCK_E_LABEL, 2, 0);
+    check_read(check, "o1 endsub\nM2\n", NCK_E_FLOW, 1, 0);
+    check_read(check, "o1 sub\nM2\n", NCK_E_FLOW, 1, 0);
+}
+
+static void loops_and_conditions_jump(check_t *check) {
+    static const double wanted[] = {0.0, 1.0, 5.0, 5.0, 2.0, 8.0};
+    case_begin(&self);
+    check_x(check, "o1 while [#1 lt 2]\r\nG0 X#1\r\n#1=[#1+1]\r\no1 endwhile\r\no2 repeat [2]\r\n"
+                   "X5\r\no2 endrepeat\r\no3 if [#1 eq 1]\r\nX1\r\no3 elseif [#1 eq 2]\r\nX2\r\n"
+                   "o3 else\r\nX3\r\no3 endif\r\no4 do\r\no4 break\r\nX7\r\no4 while [1]\r\nX8\r\n"
+                   "M2\r\n", wanted, 6);
+    CHECK_INT(check, self.block[1].line, 2);
+    CHECK_INT(check, self.block[5].line, 19);
+    check_read(check, "o1 endwhile\nM2\n", NCK_E_FLOW, 1, 0);
+    check_read(check, "G0 X1\no1 if [0]\nM2\n", NCK_E_FLOW, 2, 0);
+    check_read(check, "o1 while [1]\no1 endwhile\nM2\n", NCK_E_ENDLESS, 1, 0);
+}
+
+static void fanuc_jumps_calls_and_stops(check_t *check) {
+    static const double loop[] = {1.0, 2.0, 3.0, 7.0}, calls[] = {5.0, 6.0, 5.0, 6.0, 9.0, 8.0};
+    static const double modal[] = {1.0, 3.0, 2.0, 3.0, 4.0};
+    case_begin(&self);
+    self.machine.dialect.base = NCK_DIALECT_FANUC;
+    check_x(check, "#1=1\nN10 X#1\n#1=#1+1\nIF[#1LE3]GOTO10\nWHILE[#1LT6]DO1\n#1=#1+1\nEND1\n"
+                   "IF [#1 EQ 6] THEN #2=7\nX#2 Y#5\nM30\n", loop, 4);
+    check_x(check, "M98 P20005\nM98 P9\nX8\nM30\nO0005\nX5\nX6\nM99\nO9\nX9\nM99\n", calls, 6);
+    check_x(check, "G66 P7 A3.\nX1\nX2\nG67\nX4\nM30\nO7\nX#1\nM99\n", modal, 5);
+    check_read(check, "G65 P7 X2. M3\nM30\nO7\nIF [#24 NE 2] GOTO 9\nIF [#13 NE 3] GOTO 9\n"
+                      "IF [#1 NE #0] GOTO 9\nM99\nN9 #3000=5 (BAD)\n", NCK_OK, 0, 0);
+    check_read(check, "G0 X1\n#3000=5 (TOOL)\nM30\n", NCK_E_ALARM, 2, 0);
+    CHECK_NEAR(check, self.first.value, 5.0, 0.0);
+    check_read(check, "GOTO 77\nM30\n", NCK_E_LABEL, 1, 0);
+    check_read(check, "X1\nM99\n", NCK_E_UNSUPPORTED, 2, 1);
+}
+
+static void pushed_text_jumps_forward_only(check_t *check) {
+    case_begin(&self);
+    case_decode(&self, "#1=2\no1 if [#1 eq 1]\nG0 X1\no1 else\nG0 X[#1+3]\no1 endif\nM2\n");
+    CHECK_INT(check, self.errors, 0);
+    CHECK_INT(check, self.block[0].target_nm[0], 5000000);
+    check_error(check, &self, "o1 repeat [2]\nG0 X1\no1 endrepeat\nM2\n", NCK_E_NO_SEEK, 3, 0);
+    check_error(check, &self, "o1 sub\no1 endsub\no1 call\nM2\n", NCK_E_NO_SEEK, 3, 0);
+    check_error(check, &self, "GOTO 5\nX1\nN5 M2\n", NCK_OK, 0, 0);
+    check_error(check, &self, "GOTO 5\nX1\nM2\n", NCK_E_NO_SEEK, 1, 0);
+}
+
+static void a_source_takes_the_place_of_pushing(check_t *check) {
+    const nck_source_t none = {NULL, 0, NULL, NULL}, good = {"M2\n", 3, NULL, NULL};
+    size_t used;
+    case_begin(&self);
+    nck_decode_init(&self.decode, &self.machine);
+    CHECK_INT(check, nck_decode_source(&self.decode, &none), NCK_E_ARGUMENT);
+    CHECK_INT(check, nck_decode_source(&self.decode, &good), NCK_OK);
+    CHECK_INT(check, nck_decode_source(&self.decode, &good), NCK_E_STATE);
+    CHECK_INT(check, nck_decode_push(&self.decode, "M2", 2, &used), NCK_E_STATE);
+    CHECK(check, nck_decode_reads(&self.decode));
+    CHECK(check, !nck_decode_is_empty(&self.decode));
+    case_read("G0 X1\nM2\n\nX5\n", 0);
+    CHECK_INT(check, case_noted(&self, NCK_NOTE_AFTER_END), 1);
+    case_read("G0 X1\nM2\n%\n \n", 1);
+    CHECK_INT(check, case_noted(&self, NCK_NOTE_AFTER_END), 0);
+}
+
+static void too_many_parameters_are_an_error(check_t *check) {
+    case_begin(&self);
+    check_read(check, "#31=1\no1 while [1]\n#[#31+31]=#31\n#31=[#31+1]\no1 endwhile\nM2\n",
+               NCK_E_VARIABLES, 4, 0);
+}
+
+int main(void) {
+    check_t check = {0};
+    if (!NCK_HAS_CALLS) return check_end(&check);
+    CHECK_RUN(&check, values_are_what_they_say);
+    CHECK_RUN(&check, assignments_count_from_the_end_of_their_line);
+    CHECK_RUN(&check, expressions_that_have_no_value_are_errors);
+    CHECK_RUN(&check, subprograms_have_parameters_of_their_own);
+    CHECK_RUN(&check, loops_and_conditions_jump);
+    CHECK_RUN(&check, fanuc_jumps_calls_and_stops);
+    CHECK_RUN(&check, pushed_text_jumps_forward_only);
+    CHECK_RUN(&check, a_source_takes_the_place_of_pushing);
+    CHECK_RUN(&check, too_many_parameters_are_an_error);
+    return check_end(&check);
+}
