@@ -225,7 +225,7 @@ CORPUS_FILES = (
     CorpusFile("laser_tball_engrave.gcode"),
     CorpusFile("lathe_fanuc0t_css.nc", machine="cak6150n", ends=("unsupported", 4)),
     CorpusFile("lathe_g71_g70_pawn.ngc", machine="cak6150n", ends=("unsupported", 27)),
-    CorpusFile("lathe_g76_thread_part.ngc", machine="cak6150n", ends=("unsupported", 25)),
+    CorpusFile("lathe_g76_thread_part.ngc", machine="cak6150n", ends=("unsupported", 40)),
     CorpusFile("mill_camotics_locket.ngc"),
     CorpusFile("mill_cutcomp_semicolon.ngc", ends=("unsupported", 37)),
     CorpusFile("mill_fanuc_3dparallel_g19.nc"),

@@ -173,8 +173,18 @@ static void too_many_parameters_are_an_error(check_t *check) {
                NCK_E_VARIABLES, 4, 0);
 }
 
+// Where the capacities leave jumps out, text is pushed.
+static void what_is_left_out_is_refused(check_t *check) {
+    const nck_source_t source = {"M2\n", 3, NULL, NULL};
+    case_begin(&self);
+    nck_decode_init(&self.decode, &self.machine);
+    CHECK_INT(check, nck_decode_source(&self.decode, &source),
+              NCK_HAS_CALLS ? NCK_OK : NCK_E_STATE);
+}
+
 int main(void) {
     check_t check = {0};
+    CHECK_RUN(&check, what_is_left_out_is_refused);
     if (!NCK_HAS_CALLS) return check_end(&check);
     CHECK_RUN(&check, values_are_what_they_say);
     CHECK_RUN(&check, assignments_count_from_the_end_of_their_line);
