@@ -7,6 +7,8 @@
 #include "nck/base/limits.h" // NCK_HAS_VARIABLES
 #include "nck/base/real.h"   // nck_fabs nck_floor
 
+enum { DIGITS_MOST = 2100 }; // from the smallest number to the largest
+
 static const double ln2_high = 6.93147180369123816490e-01; // 33 bits: n · ln2_high is exact
 static const double ln2_low = 1.90821492927058770002e-10;
 
@@ -71,8 +73,9 @@ double nck_rest(double a, double b) {
     if (!NCK_HAS_VARIABLES) return 0.0;
     const double divisor = nck_fabs(b);
     double rest = nck_fabs(a), part = divisor;
-    while (part <= 0.5 * rest) part *= 2.0;
-    while (part >= divisor) {
+    int digits = 1; // of the quotient
+    for (; digits < DIGITS_MOST && part <= 0.5 * rest; digits++) part *= 2.0;
+    for (; digits > 0; digits--) {
         if (rest >= part) rest -= part;
         part *= 0.5;
     }
