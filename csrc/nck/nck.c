@@ -86,7 +86,7 @@ static nck_status_t carry_block(nck_t *nck, const nck_block_t *block) {
     return status;
 }
 
-// decode ─▶ toolcomp ─▶ smooth ─▶ lookahead, one item or one block.
+// decode ─▶ toolcomp ─▶ smooth ─▶ lookahead, one item, or one block and the first item of it.
 static nck_status_t pull_block(nck_t *nck) {
     if (nck->wire.ended) return NCK_DONE;
     if (finish_flush(nck) != NCK_OK) return NCK_FULL;
@@ -101,7 +101,10 @@ static nck_status_t pull_block(nck_t *nck) {
     if (flushes || status == NCK_DONE) return NCK_OK;
     if (status != NCK_OK) return status;
     nck_toolcomp_push(&nck->toolcomp, block);
-    return carry_block(nck, block);
+    const nck_status_t pushed = carry_block(nck, block);
+    if (pushed != NCK_OK) return pushed;
+    const nck_status_t first = carry_item(nck);
+    return first < NCK_OK ? first : NCK_OK;
 }
 
 static nck_wish_t wish_of(const nck_command_t *command) {
@@ -193,6 +196,7 @@ nck_status_t nck_prep(nck_t *nck) {
     if (ahead == NCK_OK) return NCK_OK;
     const nck_status_t input = pull_block(nck);
     if (input == NCK_E_INTERNAL) return give_up(nck, nck->wire.block.line);
+    if (input == NCK_OK) (void)nck_lookahead_step(&nck->lookahead); // what the block has made known
     if (input <= NCK_OK || input == NCK_EMPTY) return input;
     if (is_stuck(nck, status, ahead, input)) {
         nck_lookahead_end(&nck->lookahead);

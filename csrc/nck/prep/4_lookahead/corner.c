@@ -64,6 +64,11 @@ static int is_slow(const nck_joint_t *in, const nck_joint_t *out, double load,
     return stop < crossing_time(half, v, &ramp, nck_corner_zone_s(terms));
 }
 
+// Whether a seg's half is crossed at v no later than it is left from rest: half/v ≤ √(2·half/a).
+static int is_fast(const nck_joint_t *joint, double v) {
+    return joint->a_most * joint->length <= 4.0 * v * v;
+}
+
 // The same where jerk is not limited: all over segs that are too short to be cut at the zones of
 // the programmed speed, a crossing leaves half of the acceleration. A stop costs a period at most.
 static int is_slow_linear(const nck_joint_t *in, const nck_joint_t *out, double load,
@@ -74,6 +79,7 @@ static int is_slow_linear(const nck_joint_t *in, const nck_joint_t *out, double 
     const double period = machine->period_s;
     const double v_max = nck_min(in->v_max, out->v_max);
     const double v = nck_min(NCK_CORNER_SHARE_MAX * period / load, v_max);
+    if (is_fast(in, v) && is_fast(out, v)) return 0; // a stop costs a period on top
     const double share = v * load / period;
     double stop = period;
     double crossing = 0.0;
@@ -313,9 +319,11 @@ nck_status_t nck_corner_decide(nck_lookahead_t *self) {
     const int newest = count + 1 == self->joint.head;
     if (newest && !self->ended && joint->kind < NCK_SEG_DWELL) return NCK_EMPTY;
     if (count + !newest >= self->joint.settled) return NCK_EMPTY;
+    if (self->joint.known == self->joint.head && !self->ended) return NCK_EMPTY;
     if (newest) joint->end |= NCK_JOINT_STOP;
     if (joint->load > 0.0) {
         const nck_status_t status = decide_corner(self, count);
+        if (status == NCK_EMPTY) self->joint.known = self->joint.head;
         if (status != NCK_OK) return status;
     }
     self->joint.decided++;
@@ -349,7 +357,10 @@ nck_status_t nck_corner_share_after(nck_lookahead_t *self, uint32_t count, int p
     double time = 0.0;
     *share_out = NCK_CORNER_SHARE_MAX;
     for (uint32_t n = 0; n < NCK_CORNER_SPAN; n++) {
-        if (count == self->joint.decided) return NCK_EMPTY;
+        if (count == self->joint.decided) {
+            self->joint.near = count;
+            return NCK_EMPTY;
+        }
         const nck_joint_t *const joint = nck_joint_at(self, count);
         share = nck_max(share, joint->pace[pace].share);
         *share_out = share;

@@ -15,10 +15,6 @@
 // A spline is parted if |p″|v² changes by more than this share of an axis' acceleration.
 #define PART_CHANGE 0.02
 
-nck_joint_t *nck_joint_at(nck_lookahead_t *self, uint32_t count) {
-    return &self->joint.at[count & (NCK_JOINT_MAX - 1)];
-}
-
 static void cap_feed(nck_joint_t *joint, double v, int limit) {
     if (v < joint->v_max) {
         joint->v_max = v;

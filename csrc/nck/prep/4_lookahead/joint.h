@@ -15,7 +15,9 @@ typedef struct nck_piece_limit {
 } nck_piece_limit_t;
 
 // The joint with this count. Cost: constant.
-nck_joint_t *nck_joint_at(nck_lookahead_t *self, uint32_t count);
+static inline nck_joint_t *nck_joint_at(nck_lookahead_t *self, uint32_t count) {
+    return &self->joint.at[count & (NCK_JOINT_MAX - 1)];
+}
 
 // The largest tangential acceleration that any seg can have on this machine: √Σ a_x², path a_max at
 // most.

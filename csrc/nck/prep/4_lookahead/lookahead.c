@@ -11,6 +11,7 @@
 
 enum {
     PIECES_PER_SEG = 3, // head, middle, tail
+    WORKS_PER_SEG = 3, // settle, decide, place
     JOINT_ROOM = NCK_JOINT_MAX - NCK_CORNER_SPAN - NCK_SPLINE_PARTS, // and one seg more goes in
 };
 
@@ -335,12 +336,16 @@ int nck_lookahead_is_settled(const nck_lookahead_t *self) {
     return self->joint.placed == self->joint.head && (self->ended || self->joint.head == 0);
 }
 
+// What a seg needs after the other: its own speeds, its junction, its place in the window.
 nck_status_t nck_lookahead_step(nck_lookahead_t *self) {
+    int worked = 0;
     if (window_full(self)) return NCK_FULL;
-    const int open = self->joint.placed != self->joint.decided;
-    if (open && place(self) == NCK_OK) return NCK_OK;
-    if (nck_corner_decide(self) == NCK_OK) return NCK_OK;
-    if (nck_near_settle(self) == NCK_OK) return NCK_OK;
+    for (int n = 0; n < WORKS_PER_SEG; n++) {
+        if (self->joint.near != self->joint.decided && place(self) == NCK_OK) return NCK_OK;
+        if (nck_corner_decide(self) != NCK_OK && nck_near_settle(self) != NCK_OK) break;
+        worked = 1;
+    }
+    if (worked) return NCK_OK;
     return all_placed(self) ? NCK_DONE : NCK_EMPTY;
 }
 

@@ -93,6 +93,8 @@ typedef struct nck_lookahead {
         uint32_t settled; // segs with speeds and limits
         uint32_t decided; // junctions with v_corner and share
         uint32_t placed;  // segs turned into nodes
+        uint32_t known;   // head when the next junction could not be decided for want of segs
+        uint32_t near;    // decided when the next seg could not be placed for want of junctions
         double tangent[NCK_AXIS_MAX]; // at the end of the last seg
         nck_joint_t at[NCK_JOINT_MAX];
     } joint;
@@ -134,8 +136,8 @@ nck_status_t nck_lookahead_push(nck_lookahead_t *self, const nck_seg_t *seg);
 void nck_lookahead_end(nck_lookahead_t *self);
 
 // One bounded piece of work. Returns NCK_OK, NCK_EMPTY (needs segs), NCK_FULL (pieces must be
-// dropped), NCK_DONE (ended, and every piece is placed). Cost: one junction or one seg's nodes with
-// at most 2·NCK_CORNER_SPAN neighbours at both paces. Context: prep.
+// dropped), NCK_DONE (ended, and every piece is placed). Cost: one junction and one seg's nodes
+// with at most 2·NCK_CORNER_SPAN neighbours at both paces. Context: prep.
 nck_status_t nck_lookahead_step(nck_lookahead_t *self);
 
 // The i-th piece from the window's head; NULL beyond the window. Cost: constant. Context: prep.
