@@ -67,6 +67,7 @@ static nck_status_t push_item(nck_t *nck, const nck_smooth_item_t *item) {
 static nck_status_t carry_item(nck_t *nck) {
     nck_smooth_item_t item;
     if (!nck_link_has_room(&nck->link) || !nck_lookahead_has_room(&nck->lookahead)) return NCK_FULL;
+    if (nck_smooth_is_hungry(&nck->smooth)) return NCK_EMPTY;
     const nck_status_t status = nck_smooth_pull(&nck->smooth, &item);
     if (status == NCK_OK) return push_item(nck, &item);
     if (status == NCK_DONE) end_path(nck);

@@ -185,9 +185,12 @@ nck_status_t nck_smooth_push(nck_smooth_t *self, const nck_block_t *block, uint3
     return NCK_OK;
 }
 
+int nck_smooth_is_hungry(const nck_smooth_t *self) { return (int)self->hungry; }
+
 void nck_smooth_end(nck_smooth_t *self) {
     if (!self->ended) (void)nck_blend_corner(self, 0);
     self->ended = 1;
+    self->hungry = 0;
     extend_run(self);
 }
 

@@ -95,6 +95,9 @@ void nck_smooth_init(nck_smooth_t *self, const nck_terms_t *terms);
 // Cost: constant. Context: prep.
 nck_status_t nck_smooth_push(nck_smooth_t *self, const nck_block_t *block, uint32_t block_seq);
 
+// 1 if the last pull has asked for a block and none has come since. Cost: constant. Context: prep.
+int nck_smooth_is_hungry(const nck_smooth_t *self);
+
 // There are no more blocks: end of the program, or an error. Cost: constant. Context: prep.
 void nck_smooth_end(nck_smooth_t *self);
 

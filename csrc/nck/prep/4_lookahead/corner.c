@@ -115,7 +115,7 @@ void nck_corner_meet(nck_joint_t *in, const nck_joint_t *out, const double *tang
     if (out->kind >= NCK_SEG_DWELL) in->end |= NCK_JOINT_STOP;
     if ((in->end & NCK_JOINT_STOP) || in->kind >= NCK_SEG_DWELL) return;
     double load = 0.0;
-    for (int x = 0; x < NCK_AXIS_MAX; x++) {
+    for (int x = 0; x < terms->axes; x++) {
         if (tangent_in[x] == tangent_out[x]) continue;
         load = nck_max(load, nck_corner_load(tangent_in[x], tangent_out[x],
                                              machine->axis[x].a_max));
@@ -253,11 +253,11 @@ static double share_most(const nck_lookahead_t *self, const nck_joint_t *in,
                                  nck_min(in->a_most, out->a_most), self->zone_s);
 }
 
-// Speed and share of a junction that shares a period with others; v is its speed alone.
-static nck_status_t decide_crowd(nck_lookahead_t *self, uint32_t count, int pace, double v) {
+// Speed and share of a junction that shares a period with others; alone it takes beta at v.
+static nck_status_t decide_crowd(nck_lookahead_t *self, uint32_t count, int pace, double beta,
+                                 double v) {
     nck_joint_t *const joint = nck_joint_at(self, count);
     const double period = self->terms->machine->period_s;
-    const double beta = share_most(self, joint, nck_joint_at(self, count + 1));
     const double d = joint->load;
     double a_t = 0.0;
     nck_status_t status = largest_gain(self, count, v, &a_t);
@@ -283,27 +283,39 @@ static nck_status_t decide_crowd(nck_lookahead_t *self, uint32_t count, int pace
     return NCK_OK;
 }
 
-// Speed and share at a pace of a junction with a load, between two known segs.
-static nck_status_t decide_pace(nck_lookahead_t *self, uint32_t count, int pace) {
+// Speed and share at a pace of a junction with a load that is crossed alone at v.
+static nck_status_t decide_pace(nck_lookahead_t *self, uint32_t count, int pace, double beta,
+                                double v) {
     nck_joint_t *const joint = nck_joint_at(self, count);
-    const nck_joint_t *const out = nck_joint_at(self, count + 1);
     const double period = self->terms->machine->period_s;
-    const double beta = share_most(self, joint, out);
-    double v = nck_corner_speed(beta, joint->load, 0.0, 0.0, 0.0, period);
-    v = nck_min(v, nck_min(joint->pace[pace].v, out->pace[pace].v));
     const double reach = (v + self->a_any * period) * period;
-    if (joint->length < reach || out->length < reach) return decide_crowd(self, count, pace, v);
+    if (nck_min(joint->length, nck_joint_at(self, count + 1)->length) < reach) {
+        return decide_crowd(self, count, pace, beta, v);
+    }
     const double v_true = nck_max(v, self->terms->v_filter);
     settle(self, joint, pace, v, nck_corner_share(v_true, joint->load, 0.0, 0.0, 0.0, period));
     return NCK_OK;
 }
 
-// A stop takes no share.
+// A junction between two known segs, at both paces, which mean the same where only the junction
+// limits the speed. A stop takes no share.
 static nck_status_t decide_corner(nck_lookahead_t *self, uint32_t count) {
     nck_joint_t *const joint = nck_joint_at(self, count);
+    const nck_joint_t *const out = nck_joint_at(self, count + 1);
+    const double beta = share_most(self, joint, out);
+    const double most =
+        nck_corner_speed(beta, joint->load, 0.0, 0.0, 0.0, self->terms->machine->period_s);
+    double v_before = -1.0;
     for (int k = 0; k < NCK_PACES; k++) {
-        const nck_status_t status = decide_pace(self, count, k);
+        const double v = nck_min(most, nck_min(joint->pace[k].v, out->pace[k].v));
+        if (v == v_before) {
+            joint->pace[k].v_corner = joint->pace[k - 1].v_corner;
+            joint->pace[k].share = joint->pace[k - 1].share;
+            continue;
+        }
+        const nck_status_t status = decide_pace(self, count, k, beta, v);
         if (status != NCK_OK) return status;
+        v_before = v;
     }
     for (int k = 0; k < NCK_PACES && (joint->end & NCK_JOINT_STOP); k++) {
         joint->pace[k].v_corner = 0.0;

@@ -44,10 +44,11 @@ static double largest_cosine(const nck_joint_t *joint, const nck_seg_t *seg, int
 }
 
 static void cap_by_axes(nck_joint_t *joint, const nck_seg_t *seg, const double *t_in,
-                        const double *t_out, const nck_machine_t *machine) {
+                        const double *t_out, const nck_terms_t *terms) {
+    const nck_machine_t *const machine = terms->machine;
     double a_straight = UNLIMITED;
     double j = machine->path.j_max;
-    for (int x = 0; x < NCK_AXIS_MAX; x++) {
+    for (int x = 0; x < terms->axes; x++) {
         const nck_axis_t *const axis = &machine->axis[x];
         const double c = largest_cosine(joint, seg, x, t_in, t_out);
         if (c == 0.0) continue;
@@ -83,7 +84,8 @@ static void make_arc(nck_joint_t *joint, const nck_seg_t *seg, const nck_machine
 
 // The largest of each axis' derivatives on a spline between two places: |p″| at one of them, |p‴|
 // the same everywhere, and |p′|, a parabola, above its chord by no more than |p‴|·h²/8.
-static void bound_spline(nck_joint_t *joint, const nck_seg_t *seg, const double span[2]) {
+static void bound_spline(nck_joint_t *joint, const nck_seg_t *seg, const double span[2],
+                         const nck_terms_t *terms) {
     double at[2][2][NCK_AXIS_MAX];
     for (int k = 0; k < 2; k++) {
         nck_path_tangent(seg, span[k], at[k][0]);
@@ -91,7 +93,7 @@ static void bound_spline(nck_joint_t *joint, const nck_seg_t *seg, const double 
     }
     nck_joint_bend_t *const bend = &joint->shape.bend;
     nck_path_third(seg, 0.0, bend->third);
-    for (int x = 0; x < NCK_AXIS_MAX; x++) {
+    for (int x = 0; x < terms->axes; x++) {
         bend->third[x] = nck_fabs(bend->third[x]);
         const double bulge = bend->third[x] * joint->length * joint->length / 8.0;
         bend->first[x] = nck_max(nck_fabs(at[0][0][x]), nck_fabs(at[1][0][x])) + bulge;
@@ -104,7 +106,7 @@ static void make_spline(nck_joint_t *joint, const nck_terms_t *terms) {
     const nck_machine_t *const machine = terms->machine;
     double bend = 0.0;
     double twist = UNLIMITED;
-    for (int x = 0; x < NCK_AXIS_MAX; x++) {
+    for (int x = 0; x < terms->axes; x++) {
         const nck_axis_t *const axis = &machine->axis[x];
         const double second = joint->shape.bend.second[x];
         const double third = joint->shape.bend.third[x];
@@ -158,7 +160,7 @@ static void make_caps(nck_joint_t *joint, const nck_seg_t *seg, const double *ta
     }
     if (seg->kind == NCK_SEG_ARC) make_arc(joint, seg, machine);
     if (seg->kind == NCK_SEG_SPLINE) make_spline(joint, terms);
-    cap_by_axes(joint, seg, tangent_start, tangent_end, machine);
+    cap_by_axes(joint, seg, tangent_start, tangent_end, terms);
     joint->w_near = joint->v_free * joint->v_free;
     if (is_curved(joint)) {
         const nck_joint_arc_t *const arc = &joint->shape.arc;
@@ -171,7 +173,7 @@ void nck_joint_make(nck_joint_t *joint, const nck_seg_t *seg, const double *tang
     const double span[2] = {0.0, seg->length};
     begin(joint, seg);
     if (seg->kind >= NCK_SEG_DWELL) return;
-    if (seg->kind == NCK_SEG_SPLINE) bound_spline(joint, seg, span);
+    if (seg->kind == NCK_SEG_SPLINE) bound_spline(joint, seg, span, terms);
     make_caps(joint, seg, tangent_start, tangent_end, terms);
 }
 
@@ -181,7 +183,7 @@ void nck_joint_part(nck_joint_t *joint, const nck_seg_t *seg, const double span[
     joint->s = span[0];
     joint->length = span[1] - span[0];
     if (span[1] < seg->length) joint->end = 0;
-    bound_spline(joint, seg, span);
+    bound_spline(joint, seg, span, terms);
     make_caps(joint, seg, joint->shape.bend.first, joint->shape.bend.first, terms);
 }
 
@@ -193,7 +195,7 @@ int nck_joint_parts(const nck_joint_t *joint, const nck_terms_t *terms) {
     double change = 0.0;
     if (joint->kind != NCK_SEG_SPLINE || !(mixed > 0.0)) return 1;
     if (!terms->carries) return 1; // each part ends without acceleration
-    for (int x = 0; x < NCK_AXIS_MAX; x++) {
+    for (int x = 0; x < terms->axes; x++) {
         const double third = joint->shape.bend.third[x];
         const double bend = third * joint->length * joint->v_free * joint->v_free;
         change = nck_max(change, bend / machine->axis[x].a_max);
@@ -238,7 +240,7 @@ static double accel_left(const nck_joint_t *joint, double v, const nck_terms_t *
     const nck_machine_t *const machine = terms->machine;
     const nck_joint_bend_t *const bend = &joint->shape.bend;
     double a = machine->path.a_max;
-    for (int x = 0; x < NCK_AXIS_MAX; x++) {
+    for (int x = 0; x < terms->axes; x++) {
         const nck_axis_t *const axis = &machine->axis[x];
         if (!(bend->first[x] > 0.0)) continue;
         a = nck_min(a, nck_budget_accel(axis->a_max, bend->first[x], bend->second[x], v));
@@ -260,7 +262,7 @@ static void limit_spline(const nck_joint_t *joint, nck_pace_t *at, double v,
     const nck_joint_bend_t *const bend = &joint->shape.bend;
     at->a = accel_left(joint, v, terms);
     at->j = joint->j_straight;
-    for (int x = 0; terms->limits_jerk && x < NCK_AXIS_MAX; x++) {
+    for (int x = 0; terms->limits_jerk && x < terms->axes; x++) {
         if (!(bend->first[x] > 0.0)) continue;
         at->j = nck_min(at->j, nck_budget_jerk(machine->axis[x].j_max, bend->first[x],
                                                bend->second[x], bend->third[x], v, at->a));

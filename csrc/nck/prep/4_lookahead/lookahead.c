@@ -215,16 +215,30 @@ static double speed_between(nck_lookahead_t *self, uint32_t count) {
 // Whether a seg is worth a piece of its own next to the node around which less is allowed.
 static int is_tighter(const nck_lookahead_t *self, const nck_joint_t *joint,
                       const around_t *around) {
+    if (around->share[NCK_PACE_FEED] > SPLIT_SHARE) return 1;
+    if (!self->terms->limits_jerk) return 0; // nothing is mixed: neighbours limit nothing
     const nck_piece_limit_t own = nck_joint_piece(joint, 0.0, NCK_PACE_FEED, self->terms);
     const nck_near_t *const near = &around->near[NCK_PACE_FEED];
-    return around->share[NCK_PACE_FEED] > SPLIT_SHARE || near->a < (1.0 - SPLIT_SHARE) * own.a
-           || near->j < (1.0 - SPLIT_SHARE) * own.j;
+    return near->a < (1.0 - SPLIT_SHARE) * own.a || near->j < (1.0 - SPLIT_SHARE) * own.j;
 }
 
-// Whether a zone is cut off. The linear slope, once it cuts a seg, cuts at every share.
-static int is_cut(const nck_lookahead_t *self, const nck_joint_t *joint, const around_t *around) {
-    if (self->terms->limits_jerk) return is_tighter(self, joint, around);
-    return around->share[NCK_PACE_FEED] > 0.0;
+// The zones of a seg that are cut off, and how long they are; none if the middle would be too
+// short. The linear slope, once it cuts a seg, cuts at every share. Returns 1 if any is.
+static int find_zones(nck_lookahead_t *self, uint32_t count, const around_t ends[2],
+                      int is_cut_off[2], double zone[2]) {
+    const nck_joint_t *const joint = nck_joint_at(self, count);
+    int tighter = 0;
+    for (int n = 0; n < 2; n++) {
+        is_cut_off[n] = is_tighter(self, joint, &ends[n]);
+        tighter = tighter || is_cut_off[n];
+    }
+    if (!tighter) return 0;
+    for (uint32_t n = 0; n < 2; n++) {
+        if (!self->terms->limits_jerk) is_cut_off[n] = ends[n].share[NCK_PACE_FEED] > 0.0;
+        if (!is_cut_off[n]) continue;
+        zone[n] = zone_length(self, joint, speed_between(self, count + n), &ends[n]);
+    }
+    return joint->length > SPLIT_ZONES * (zone[0] + zone[1]);
 }
 
 // What is left of the neighbourhood in a middle whose ends are cut off or not. The linear slope's
@@ -240,23 +254,26 @@ static void keep_in_middle(const nck_lookahead_t *self, const around_t ends[2],
     if (!self->terms->limits_jerk) middle_out->share[NCK_PACE_OVER] = share;
 }
 
+// All of a seg in one piece, under what both of its sides leave.
+static void add_whole(nck_lookahead_t *self, const nck_joint_t *joint, around_t ends[2],
+                      const double v_start[]) {
+    const double whole[2] = {0.0, joint->length};
+    add_around(&ends[0], &ends[1]);
+    add_piece(self, joint, whole, &ends[0], v_start);
+}
+
 // Inside a zone the share of its junction is kept free and its neighbour's limits hold; the middle
 // has all that the seg allows.
-static void add_motion(nck_lookahead_t *self, uint32_t count, const around_t ends[2],
+static void add_motion(nck_lookahead_t *self, uint32_t count, around_t ends[2],
                        const double v_start[]) {
     const nck_joint_t *const joint = nck_joint_at(self, count);
     const double unlimited[NCK_PACES] = {joint->v_max, joint->v_free};
     double zone[2] = {0.0, 0.0};
     int is_cut_off[2];
-    int tighter = 0;
-    for (uint32_t n = 0; n < 2; n++) {
-        is_cut_off[n] = is_cut(self, joint, &ends[n]);
-        tighter = tighter || is_tighter(self, joint, &ends[n]);
-        if (!is_cut_off[n]) continue;
-        zone[n] = zone_length(self, joint, speed_between(self, count + n), &ends[n]);
+    if (!find_zones(self, count, ends, is_cut_off, zone)) {
+        add_whole(self, joint, ends, v_start);
+        return;
     }
-    const int split = tighter && joint->length > SPLIT_ZONES * (zone[0] + zone[1]);
-    for (int n = 0; n < 2; n++) is_cut_off[n] = is_cut_off[n] && split;
     const double a = is_cut_off[0] ? zone[0] : 0.0;
     const double b = is_cut_off[1] ? joint->length - zone[1] : joint->length;
     const double first[2] = {0.0, a};
@@ -291,7 +308,7 @@ static nck_status_t look_around(nck_lookahead_t *self, uint32_t count, around_t 
     return NCK_OK;
 }
 
-static void place_motion(nck_lookahead_t *self, uint32_t count, const around_t ends[2]) {
+static void place_motion(nck_lookahead_t *self, uint32_t count, around_t ends[2]) {
     double v_start[NCK_PACES] = {0.0, 0.0};
     for (int k = 0; k < NCK_PACES && count > 0; k++) {
         v_start[k] = nck_joint_at(self, count - 1)->pace[k].v_corner;

@@ -5,13 +5,20 @@
 #include "nck/base/limits.h"              // NCK_FILTER_TAPS
 #include "nck/prep/5_slope/ladder_math.h" // nck_ladder_raise NCK_LADDER_STRETCH
 
+// Axes from X on up to the last one that the machine has.
+static uint8_t axes_of(const nck_machine_t *machine) {
+    uint8_t axes = NCK_AXIS_MAX;
+    while (axes > 0 && !machine->axis[axes - 1].present) axes--;
+    return axes;
+}
+
 // Only the jerk-limited slope has a filter, and waits at a rest until it has run out. Room 4 gives
 // the classical S-shape the same margins.
 void nck_slope_terms(const nck_machine_t *machine, nck_terms_t *terms_out) {
     const double period = machine->period_s;
     const double filter = (double)NCK_FILTER_TAPS * period;
     const int is_filtered = machine->slope == NCK_SLOPE_JERK;
-    const nck_terms_t linear = {machine, 0, 1, 1, 0, 0.0, 0.0, period};
+    const nck_terms_t linear = {machine, 0, 1, 1, axes_of(machine), 0.0, 0.0, period};
     *terms_out = linear;
     if (machine->slope == NCK_SLOPE_LINEAR) return;
     terms_out->limits_jerk = 1;
