@@ -230,16 +230,18 @@ CORPUS_FILES = (
     CorpusFile("mill_cutcomp_semicolon.ngc", ends=("unsupported", 37)),
     CorpusFile("mill_fanuc_3dparallel_g19.nc"),
     CorpusFile("mill_fanuc_g17_18_19.nc"),
-    CorpusFile("mill_fanuc_g81_g91.nc", ends=("unsupported", 11)),
+    CorpusFile("mill_fanuc_g81_g91.nc", ends=("modal-group", 26)),
+    CorpusFile("mill_fanuc_g81_g91.nc", set=("dialect.base=fanuc",)),
     CorpusFile("mill_fanuc_m98_vars.ngc"),
     CorpusFile("mill_fusion_grbl_helix.nc", ends=("feed-missing", 14)),
     CorpusFile("mill_fusion_grbl_helix.nc", set=("dialect.feed_default_mm_min=1000",)),
     CorpusFile("mill_haas_threadmill.nc", ends=("unsupported", 7)),
     CorpusFile(
-        "mill_haas_threadmill.nc", set=("dialect.base=fanuc", *_HAAS), ends=("unsupported", 12)
+        "mill_haas_threadmill.nc", set=("dialect.base=fanuc", *_HAAS), ends=("tool-unknown", 28)
     ),
     CorpusFile("mill_nist_circle_diamond_square.ngc"),
-    CorpusFile("mill_sub_cycles_mmount.ngc", ends=("unsupported", 67)),
+    CorpusFile("mill_sub_cycles_mmount.ngc", ends=("travel", 85)),
+    CorpusFile("mill_sub_cycles_mmount.ngc", set=("axis.y.min_mm=free",), ends=("unsupported", 86)),
     CorpusFile("nurbs_g5_butterfly.ngc", ends=("unsupported", 12)),
     CorpusFile("odd_no_spaces.gcode"),
     CorpusFile("print_cura_bp_case_56k.gcode", machine="printer", ends=("m-unknown", 1)),

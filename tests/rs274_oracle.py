@@ -7,7 +7,7 @@ rs274 prints positions with four decimals, in the units of the program, without 
 import math
 import re
 import subprocess
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 ROUNDING = 0.51e-4  # half of the last of four decimals, in the units of the program
 PLANES = {"XY": (0, 1, 2), "XZ": (2, 0, 1), "YZ": (1, 2, 0)}
@@ -34,6 +34,8 @@ class Move:
     tolerance: float = 0.0  # how far its numbers may be off by their rounding [mm]
     line: int = 0
     only_rotary: bool = False  # nothing but rotary axes moves: the feed is in deg/min
+    drill: int = 2  # axis that stands on the plane in force
+    cycle: int = 0  # how many remarks that say (cycle) stand before it; 0 behind one of (plain)
 
 
 class Listing:
@@ -43,7 +45,7 @@ class Listing:
         self.unit, self.plane, self.feed = 1.0, PLANES["XY"], (0.0, 1.0)
         self.offsets = {name: ([0.0] * AXES, 0.0) for name in ("G5X", "G92")}
         self.at = [0.0] * AXES
-        self.moves = []
+        self.moves, self.cycles, self.cycle, self.tolerance = [], 0, 0, 0.0
         for line in text.splitlines():
             if match := CALL.match(line):
                 self._read(match[1], match[2])
@@ -58,7 +60,10 @@ class Listing:
         return ROUNDING * self.unit + sum(error for _, error in self.offsets.values())
 
     def _read(self, name, arguments):
-        if name == "USE_LENGTH_UNITS":
+        if name == "COMMENT":
+            self.cycles += arguments == '"cycle"'
+            self.cycle = {'"cycle"': self.cycles, '"plain"': 0}.get(arguments, self.cycle)
+        elif name == "USE_LENGTH_UNITS":
             self.unit = 25.4 if "INCH" in arguments else 1.0
         elif name == "SELECT_PLANE":
             self.plane = PLANES[arguments[-2:]]
@@ -84,7 +89,11 @@ class Listing:
         else:
             end = [numbers[k] * scale[k] + offset[k] for k in range(AXES)]
             move = Move("rapid" if name == "STRAIGHT_TRAVERSE" else "line", end)
-        (move.feed, move.unit), move.tolerance = self.feed, self._tolerance()
+        # The first move behind a change of units begins where the others' rounding has left it.
+        (move.feed, move.unit), before = self.feed, self.tolerance
+        self.tolerance = self._tolerance()
+        move.tolerance = max(before, self.tolerance)
+        move.drill, move.cycle = self.plane[2], self.cycle
         self.moves.append(move)
         self.at = end
 
@@ -100,6 +109,47 @@ def run(program, folder, tools):
     done = subprocess.run(command, stdin=subprocess.DEVNULL, capture_output=True, text=True)
     complaint = "" if done.returncode == 0 else done.stderr.strip()
     return Listing(output.read_text(errors="replace")).moves, complaint
+
+
+def drill_upright(moves):
+    """Return moves with those of canned cycles as LinuxCNC's manual and RS274NGC order them.
+
+    Below R the drill rises to R first, and the way to a hole is parallel to the plane. rs274 goes
+    there and up to the height of G98 in one, and comes down to R before it goes where R is above
+    that height.
+    """
+    told, at, k, line = [], [0.0] * AXES, 0, 0
+    while k < len(moves):
+        move, following = moves[k], moves[min(k + 1, len(moves) - 1)]
+        axis, begins, line = move.drill, move.cycle != line, move.cycle
+        aside, rise = _aside(at, move), move.end[axis] - at[axis]
+        steps = [move]
+        if move.cycle and move.kind == "rapid" and rise > 2 * move.tolerance and aside:
+            down = following.kind == "rapid" and not _aside(move.end, following)
+            height = min(move.end[axis], following.end[axis] if down else math.inf)
+            steps = [_at_height(move, at, height), _at_height(move, move.end, height)]
+            k += height < move.end[axis]
+        elif move.cycle and begins and rise < 0 and not aside:
+            over = following.kind == "rapid" and following.end[axis] == move.end[axis]
+            if over and following.cycle == line:
+                steps = [_at_height(following, following.end, at[axis]), following]
+                k += 1
+        told += steps
+        at = told[-1].end
+        k += 1
+    return told
+
+
+def _aside(at, move):
+    return any(
+        abs(move.end[j] - at[j]) > 2 * move.tolerance for j in range(AXES) if j != move.drill
+    )
+
+
+def _at_height(move, place, height):
+    end = list(place)
+    end[move.drill] = height
+    return replace(move, end=end)
 
 
 def from_blocks(blocks, counts_per_degree):

@@ -13,6 +13,10 @@ SHOWN_PER_ID = 20  # findings of one id that are told in full; the rest is count
 _EXCERPT = 100  # characters of a source line that are shown around the column
 _DIALECTS = {1: "Heidenhain Klartext", 2: "Sinumerik", 3: "Okuma"}
 
+_TAPPING = (
+    "tapping is not supported yet: the spindle is not in step with the axes",
+    "tap on another machine or by hand, or mill the thread; nothing is skipped in silence",
+)
 _CYCLE_HELP = (
     "write a cycle as G0 and G1 moves; where the mode is meant, let a motion stand behind the "
     "code, as in G90 G0 X50; a program made for RS274NGC: --dialect linuxcnc"
@@ -40,6 +44,14 @@ WORDING = {
     "number-range:S": (
         "S{value:g} is out of range (limit {limit:g})",
         "choose another speed, or set the machine's: --set spindle.rpm_max=…",
+    ),
+    "number-range:R": (
+        "R{value:g} is out of range (limit {limit:g})",
+        "check the number and the units in force; in a cycle R lies above the bottom of its hole",
+    ),
+    "number-range:Q": (
+        "Q{value:g} is out of range (limit {limit:g})",
+        "Q is the depth of a peck: more than 0, without a sign",
     ),
     "line-length": (
         "the line is longer than {value:.0f} bytes",
@@ -69,6 +81,10 @@ WORDING = {
         "{found} names no axis",
         "add the axes with their numbers, such as X0, to the block",
     ),
+    "word-missing:M": (
+        "G86 stops the spindle, and the spindle stands",
+        "start it before the cycle, as in S800 M3",
+    ),
     "word-shared": (
         "two codes of this block use {found}",
         "put one of the two codes on a line of its own",
@@ -93,6 +109,20 @@ WORDING = {
     "unsupported": (
         "{found} is not supported yet",
         "have the post-processor write plain moves instead; nothing is skipped in silence",
+    ),
+    "unsupported:G74": _TAPPING,
+    "unsupported:G84": _TAPPING,
+    "unsupported:G87": (
+        "G87 needs a spindle that stops at an angle, which the kernel does not have yet",
+        "bore from above, or write the cycle as moves with M19 of the machine's own",
+    ),
+    "unsupported:G88": (
+        "G88 has the operator draw the tool out by hand, behind which nobody knows where it is",
+        "use G86 or G89, or write M0 and the move out",
+    ),
+    "unsupported:G93": (
+        "a canned cycle has many moves, and inverse time (G93) is the time of one",
+        "put G94 and an F before the cycle",
     ),
     "unsupported:G90": (
         "G90 may be a turning cycle (Fanuc's G-code system A) or absolute distances (system B): "

@@ -139,7 +139,7 @@ static const wrong_t wrongs[] = {
     {"M7 M9\nM2\n", NCK_E_MODAL_GROUP, 1, 4},
     {"G0 G28 X1\nM2\n", NCK_E_MODAL_GROUP, 1, 4},
     {"G41 D1\nM2\n", NCK_E_UNSUPPORTED, 1, 1},
-    {"G0 X1\n G81 Z-1 R1\nM2\n", NCK_E_UNSUPPORTED, 2, 2},
+    {"G0 X1\n G84 Z-1 R1\nM2\n", NCK_E_UNSUPPORTED, 2, 2},
     {"G5.2 X1 Y1 P1\nM2\n", NCK_E_UNSUPPORTED, 1, 1},
     {"G10 L20 P1 X0\nM2\n", NCK_E_UNSUPPORTED, 1, 5},
     {"G0 X1\nY2 U3\nM2\n", NCK_E_AXIS_UNKNOWN, 2, 4},
@@ -188,8 +188,8 @@ static void standard_codes_are_unsupported_not_unknown(check_t *check) {
         "G5", "G5.1", "G7.1", "G12.1", "G15", "G16", "G17.1", "G27", "G28.1", "G29", "G31", "G32",
         "G33", "G34", "G38.2", "G41", "G42", "G41.1", "G43.1", "G43.4", "G44", "G45", "G50", "G51",
         "G52", "G54.1", "G60", "G62", "G63", "G68", "G68.2", "G69", "G70", "G71",
-        "G72", "G73", "G74", "G75", "G76", "G77", "G79", "G81", "G83", "G84.2", "G89", "G96", "G98",
-        "G99", "M19", "M29", "M41", "M62", "M97", "M99", "M198"
+        "G72", "G74", "G75", "G76", "G77", "G79", "G84", "G84.2", "G87", "G88", "G96",
+        "M19", "M29", "M41", "M62", "M97", "M99", "M198"
     };
     char text[32];
     case_begin(&self);

@@ -35,6 +35,11 @@
 #define NCK_CALL_DEPTH 16
 #endif
 
+// Canned cycles: G73 G81 G82 G83 G85 G86 G89, G98 G99. 0 leaves them out.
+#ifndef NCK_CYCLES
+#define NCK_CYCLES 1
+#endif
+
 // Nodes of the look-ahead window (three a seg at most). Power of two, 32..65536.
 // Too short for the braking distance costs time, never safety; it is reported as limit "lookahead".
 #ifndef NCK_WINDOW
@@ -86,9 +91,11 @@
 // Outputs (S, M, T words) alive at once beside the segs. Power of two.
 #define NCK_OUTPUT_MAX (2 * NCK_WINDOW)
 
-// Whether the language has expressions and parameters, and whether it has calls, jumps and loops.
+// Whether the language has expressions and parameters, calls, jumps and loops, canned cycles.
 #define NCK_HAS_VARIABLES (NCK_VARIABLES > 0)
 #define NCK_HAS_CALLS (NCK_VARIABLES > 0 && NCK_CALL_DEPTH > 0)
+#define NCK_HAS_CYCLES (NCK_CYCLES > 0)
+
 
 // Rows of arrays that may be left out.
 #if NCK_VARIABLES > 0

@@ -71,12 +71,8 @@ static nck_status_t read_turns(nck_decode_t *self, course_t *course) {
 }
 
 static nck_status_t read_length(nck_decode_t *self, char letter, int64_t *value_out) {
-    const nck_number_t *const word = &self->words.number[letter - 'A'];
     *value_out = 0;
-    if (!has(self, letter)) return NCK_OK;
-    if (nck_number_fixed(self->line.text, word, &self->place.scale[0], value_out)) return NCK_OK;
-    return nck_decode_fail_word(self, NCK_E_NUMBER_RANGE, letter, nck_number_real(word),
-                                NCK_LINEAR_MAX_MM);
+    return has(self, letter) ? nck_decode_length_word(self, letter, value_out) : NCK_OK;
 }
 
 // The furthest points of a circle within its sweep must be in the travel; its ends are checked

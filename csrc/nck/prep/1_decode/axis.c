@@ -35,6 +35,25 @@ nck_status_t nck_decode_axis_word(nck_decode_t *self, unsigned axis, int64_t *va
                                 shown(self, axis, scale->limit));
 }
 
+nck_status_t nck_decode_length_word(nck_decode_t *self, char letter, int64_t *value_out) {
+    const nck_number_t *const word = &self->words.number[letter - 'A'];
+    if (nck_number_fixed(self->line.text, word, &self->place.scale[0], value_out)) return NCK_OK;
+    return nck_decode_fail_word(self, NCK_E_NUMBER_RANGE, letter, nck_number_real(word),
+                                NCK_LINEAR_MAX_MM);
+}
+
+nck_status_t nck_decode_steps(nck_decode_t *self, unsigned axis, int64_t step_nm, int64_t count,
+                              int64_t *at_nm) {
+    const int64_t limit_nm = scale_of(self, axis)->limit;
+    const double end_nm = (double)*at_nm + (double)step_nm * (double)count;
+    if (end_nm >= -(double)limit_nm && end_nm <= (double)limit_nm) {
+        *at_nm += step_nm * count;
+        return NCK_OK;
+    }
+    return nck_decode_fail(self, NCK_E_NUMBER_RANGE, column_of_axis(self, axis),
+                           nck_decode_letter(axis), end_nm / 1e6, shown(self, axis, limit_nm));
+}
+
 nck_status_t nck_decode_travel(nck_decode_t *self, unsigned axis, int64_t position_nm) {
     const nck_axis_t *const travel = &self->machine->axis[axis];
     if (position_nm >= travel->min_nm && position_nm <= travel->max_nm) return NCK_OK;

@@ -49,9 +49,8 @@ nck_status_t nck_call_return(nck_decode_t *self) {
 
 // ---- words
 
-// A whole number of a word within 0 … most; without the word `otherwise`.
-static nck_status_t whole(nck_decode_t *self, char letter, int64_t most, int64_t otherwise,
-                          int64_t *out) {
+nck_status_t nck_decode_whole(nck_decode_t *self, char letter, int64_t most, int64_t otherwise,
+                              int64_t *out) {
     const nck_number_t *const word = &self->words.number[letter - 'A'];
     *out = otherwise;
     if (!(self->words.letters & NCK_LETTER(letter))) return NCK_OK;
@@ -63,8 +62,8 @@ static nck_status_t whole(nck_decode_t *self, char letter, int64_t most, int64_t
 // P: the program; L: how often. Fanuc writes both into P: 0031000 is three times 1000.
 static nck_status_t read_target(nck_decode_t *self, int64_t *program, int64_t *count) {
     const int fanuc = self->machine->dialect.base == NCK_DIALECT_FANUC;
-    nck_status_t status = whole(self, 'P', PROGRAM_MOST, -1, program);
-    if (status == NCK_OK) status = whole(self, 'L', COUNT_MOST, 1, count);
+    nck_status_t status = nck_decode_whole(self, 'P', PROGRAM_MOST, -1, program);
+    if (status == NCK_OK) status = nck_decode_whole(self, 'L', COUNT_MOST, 1, count);
     if (status != NCK_OK) return status;
     if (*program <= 0) {
         return nck_decode_fail(self, NCK_E_WORD_MISSING, self->words.code_column[NCK_STEP_CALL],
@@ -96,7 +95,7 @@ static nck_status_t keep_arguments(nck_decode_t *self, int modal) {
 static nck_status_t end_program(nck_decode_t *self) {
     const nck_frame_t *const frame = nck_frame_call(self);
     int64_t number = -1;
-    nck_status_t status = whole(self, 'P', PROGRAM_MOST, -1, &number);
+    nck_status_t status = nck_decode_whole(self, 'P', PROGRAM_MOST, -1, &number);
     if (status != NCK_OK) return status;
     if (frame == NULL || frame->kind == NCK_FRAME_SUB) {
         return nck_decode_fail(self, NCK_E_UNSUPPORTED, self->words.code_column[NCK_STEP_CALL],

@@ -2,10 +2,12 @@
 // The codes of the language: which step executes a G or M code, and which letters it uses.
 #include "nck/prep/1_decode/parts.h"
 
-#include <stddef.h> // size_t
+#include <stddef.h> // NULL size_t
 
 // The sets of letters that codes use.
-enum { NONE, AXES, ARC, DWELL, PATH, LENGTH, REFERENCE, SET, CALL, MACRO, SETS };
+enum {
+    NONE, AXES, ARC, DWELL, PATH, LENGTH, REFERENCE, SET, CALL, MACRO, DRILL, DRILL_P, DRILL_Q, SETS
+};
 
 static const uint32_t letters_of[SETS] = {
     [NONE] = 0,
@@ -17,7 +19,10 @@ static const uint32_t letters_of[SETS] = {
     [REFERENCE] = NCK_LETTERS_AXES | NCK_LETTER('P'),
     [SET] = NCK_LETTERS_AXES | NCK_LETTER('L') | NCK_LETTER('P') | NCK_LETTER('R'),
     [CALL] = NCK_LETTER('L') | NCK_LETTER('P'),
-    [MACRO] = (1 << NCK_LETTERS) - 1
+    [MACRO] = (1 << NCK_LETTERS) - 1,
+    [DRILL] = NCK_LETTERS_XYZ | NCK_LETTER('R') | NCK_LETTER('L'),
+    [DRILL_P] = NCK_LETTERS_XYZ | NCK_LETTER('R') | NCK_LETTER('L') | NCK_LETTER('P'),
+    [DRILL_Q] = NCK_LETTERS_XYZ | NCK_LETTER('R') | NCK_LETTER('L') | NCK_LETTER('Q')
 };
 
 typedef struct code {
@@ -51,6 +56,15 @@ static const code_t g_codes[] = {
     {70, NCK_STEP_DIAMETER, NONE}, {80, NCK_STEP_DIAMETER, NONE},
     {90, NCK_STEP_EXACT, NONE}, {970, NCK_STEP_SPEED_MODE, NONE},
     {650, NCK_STEP_CALL, MACRO}, {660, NCK_STEP_CALL, MACRO}, {670, NCK_STEP_CALL, NONE}
+};
+
+// Behind the others: nobody's plain lines pay for them.
+static const code_t cycle_codes[] = {
+    {810, NCK_STEP_MOTION, DRILL}, {830, NCK_STEP_MOTION, DRILL_Q},
+    {980, NCK_STEP_RETRACT, NONE}, {990, NCK_STEP_RETRACT, NONE},
+    {730, NCK_STEP_MOTION, DRILL_Q}, {820, NCK_STEP_MOTION, DRILL_P},
+    {850, NCK_STEP_MOTION, DRILL}, {860, NCK_STEP_MOTION, DRILL_P},
+    {890, NCK_STEP_MOTION, DRILL_P}
 };
 
 static const code_t m_codes[] = {
@@ -108,9 +122,31 @@ const nck_own_m_t *nck_decode_own_m(const nck_decode_t *self, int64_t code) {
     return NULL;
 }
 
-// What is in no table of room 1: the machine may have it.
+// A canned cycle, G98 or G99, on a machine that has them: Fanuc's lathes mean others by them.
+static const code_t *find_cycle(const nck_decode_t *self, int64_t tenths) {
+    const int lathe = self->machine->kinematics == NCK_KINEMATICS_LATHE_XZ;
+    if (!NCK_HAS_CYCLES || (lathe && self->machine->dialect.base == NCK_DIALECT_FANUC)) return NULL;
+    return find(cycle_codes, sizeof cycle_codes / sizeof cycle_codes[0], tenths);
+}
+
+// Fanuc's cycles count by K too, and other axes may move from hole to hole.
+static uint32_t letters_of_cycle(const nck_decode_t *self, const code_t *code) {
+    const uint32_t letters = letters_of[code->takes];
+    const int fanuc = self->machine->dialect.base == NCK_DIALECT_FANUC;
+    if (!fanuc || code->step != NCK_STEP_MOTION) return letters;
+    return letters | NCK_LETTERS_AXES | NCK_LETTER('K');
+}
+
+// What is not in the first tables: the machine may have it.
 static nck_status_t other_code(const nck_decode_t *self, int g, int64_t tenths,
-                               unsigned *step_out) {
+                               unsigned *step_out, uint32_t *takes_out) {
+    const code_t *const cycle = g ? find_cycle(self, tenths) : NULL;
+    *takes_out = 0;
+    if (cycle != NULL) {
+        *step_out = cycle->step;
+        *takes_out = letters_of_cycle(self, cycle);
+        return NCK_OK;
+    }
     if (!g && tenths % 10 == 0 && nck_decode_own_m(self, tenths / 10) != NULL) {
         *step_out = NCK_STEP_OWN;
         return NCK_OK;
@@ -126,10 +162,7 @@ nck_status_t nck_decode_code(const nck_decode_t *self, int letter, int64_t tenth
     const int g = letter == 'G';
     const code_t *const code = g ? find(g_codes, sizeof g_codes / sizeof g_codes[0], tenths)
                                  : find(m_codes, sizeof m_codes / sizeof m_codes[0], tenths);
-    if (code == NULL) {
-        *takes_out = 0;
-        return other_code(self, g, tenths, step_out);
-    }
+    if (code == NULL) return other_code(self, g, tenths, step_out, takes_out);
     *step_out = code->step;
     *takes_out = letters_of[code->takes];
     return NCK_OK;
@@ -140,6 +173,9 @@ int nck_words_are_arguments(const nck_words_t *words) {
            && (words->code[NCK_STEP_CALL] == 650 || words->code[NCK_STEP_CALL] == 660);
 }
 
-uint32_t nck_decode_motion_takes(int32_t motion) {
-    return letters_of[motion >= 20 ? ARC : AXES];
+uint32_t nck_decode_motion_takes(const nck_decode_t *self, int32_t motion) {
+    if (motion < 20) return letters_of[AXES];
+    if (motion <= 30) return letters_of[ARC];
+    const code_t *const cycle = find_cycle(self, motion);
+    return cycle != NULL ? letters_of_cycle(self, cycle) : 0;
 }

@@ -103,9 +103,9 @@ static nck_status_t run_steps(nck_decode_t *self, nck_block_t *out) {
         nck_decode_change, nck_decode_change_wait, nck_decode_spindle, nck_decode_mist,
         nck_decode_flood, nck_decode_override, nck_decode_own, nck_decode_dwell, nck_decode_plane,
         nck_decode_diameter, nothing, nck_decode_length, nck_decode_work, nck_decode_path,
-        nck_decode_distance, nck_decode_centre, nothing, nck_decode_offset, nothing, nothing,
-        nck_decode_motion, nck_decode_give_pushed, nck_decode_second, nck_decode_call,
-        nck_decode_stop
+        nck_decode_distance, nck_decode_centre, nothing, nck_decode_retract, nck_decode_offset,
+        nothing, nothing, nck_decode_motion, nck_decode_give_pushed, nck_decode_cycle,
+        nck_decode_second, nck_decode_call, nck_decode_stop
     };
     nck_status_t status = NCK_EMPTY;
     unsigned step = 0;
@@ -247,6 +247,7 @@ static void begin_modes(nck_decode_t *self) {
     self->modal.feed = machine->dialect.feed_default;
     self->modal.feed_word = machine->dialect.feed_default;
     self->modal.speed = -1.0;
+    self->cycle.to_r = machine->dialect.base != NCK_DIALECT_FANUC;
     nck_decode_scale(self);
 }
 
@@ -257,6 +258,7 @@ void nck_decode_begin(nck_decode_t *self) {
     memset(&self->finding, 0, sizeof self->finding);
     memset(&self->text, 0, sizeof self->text);
     memset(&self->macro, 0, sizeof self->macro);
+    memset(&self->cycle, 0, sizeof self->cycle);
     self->words.steps = 0;
     begin_modes(self);
     self->modal.tool_next = tool_next;
@@ -297,6 +299,7 @@ int nck_decode_invariants(const nck_decode_t *self) {
                && self->finding.count <= NCK_DECODE_FINDINGS
                && self->place.work_system < NCK_WORK_SYSTEMS
                && (self->line.state == NCK_LINE_RUNNING || self->words.steps == 0)
+               && (self->cycle.holes == 0 || (self->words.steps & NCK_STEP(NCK_STEP_CYCLE)))
                && nck_variable_invariants(self);
     for (unsigned axis = 0; axis < NCK_AXIS_MAX; axis++) good = good && axis_good(self, axis);
     return good;

@@ -18,6 +18,7 @@
 #include "nck/base/records.h"        // nck_block_t
 #include "nck/base/status.h"         // nck_status_t nck_diagnostic_t
 #include "nck/prep/1_decode/block_in.h" // nck_block_in_t
+#include "nck/prep/1_decode/cycle.h" // nck_cycle_t
 #include "nck/prep/1_decode/macro.h" // nck_macro_t nck_source_t
 #include "nck/prep/1_decode/words.h" // nck_words_t
 
@@ -71,8 +72,8 @@ typedef struct nck_decode {
     nck_words_t words; // of the line in work
 
     struct {
-        int32_t motion;         // G0 … G3 in tenths; nck_no_motion_t; minus a code in tenths that
-                                // may have begun a cycle
+        int32_t motion;         // G0 … G3 or a canned cycle in tenths; nck_no_motion_t; minus a
+                                // code in tenths that may have begun a cycle
         uint8_t plane;          // 17, 18, 19
         uint8_t inch;           // 1: G20
         uint8_t diameter;       // 1: G7
@@ -81,6 +82,7 @@ typedef struct nck_decode {
         uint8_t feed_mode;      // nck_feed_mode_t
         uint8_t path_mode;      // nck_path_mode_t
         uint8_t spindle_on;     // 1: M3 or M4
+        uint8_t spindle_code;   // 3 or 4: the last of them
         uint8_t excused;        // NCK_EXCUSED_…: what is missing was told, or follows from an error
         double tolerance_mm;    // G64 P
         double merge_mm;        // G64 Q
@@ -105,6 +107,7 @@ typedef struct nck_decode {
     } place;
 
     nck_macro_t macro; // parameters, calls, jumps
+    nck_cycle_t cycle; // drilling
 
     nck_block_in_t pushed; // the block in place of a line
     nck_block_t second;    // the block of NCK_STEP_SECOND

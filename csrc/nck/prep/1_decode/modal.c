@@ -54,8 +54,12 @@ static nck_status_t give_output(const nck_decode_t *self, nck_block_kind_t block
     return NCK_OK;
 }
 
+nck_status_t nck_decode_give_m(const nck_decode_t *self, double code, nck_block_t *out) {
+    return give_output(self, NCK_BLOCK_OUTPUT, NCK_OUTPUT_M, code, out);
+}
+
 static nck_status_t give_m(const nck_decode_t *self, nck_step_t step, nck_block_t *out) {
-    return give_output(self, NCK_BLOCK_OUTPUT, NCK_OUTPUT_M, self->words.code[step] / 10, out);
+    return nck_decode_give_m(self, self->words.code[step] / 10, out);
 }
 
 void nck_decode_scale(nck_decode_t *self) {
@@ -171,6 +175,7 @@ nck_status_t nck_decode_change_wait(nck_decode_t *self, nck_block_t *out) {
 
 nck_status_t nck_decode_spindle(nck_decode_t *self, nck_block_t *out) {
     self->modal.spindle_on = self->words.code[NCK_STEP_SPINDLE] != 50;
+    self->modal.spindle_code = (uint8_t)(self->words.code[NCK_STEP_SPINDLE] / 10);
     self->modal.excused &= (uint8_t)~NCK_EXCUSED_SPEED;
     return give_m(self, NCK_STEP_SPINDLE, out);
 }
@@ -214,20 +219,24 @@ nck_status_t nck_decode_give_dwell(const nck_decode_t *self, double dwell_s, nck
 
 // P is in seconds, in Fanuc's and Marlin's languages in milliseconds; the other words are in
 // seconds.
-nck_status_t nck_decode_dwell(nck_decode_t *self, nck_block_t *out) {
+nck_status_t nck_decode_dwell_word(nck_decode_t *self, char letter, double *dwell_out) {
     const uint32_t base = self->machine->dialect.base;
     const int millisecond = base == NCK_DIALECT_FANUC || base == NCK_DIALECT_MARLIN;
+    const double word = real_word(self, letter);
+    *dwell_out = letter == 'P' && millisecond ? word / 1000.0 : word;
+    if (word >= 0.0 && *dwell_out <= dwell_max_s) return NCK_OK;
+    return nck_decode_fail_word(self, NCK_E_NUMBER_RANGE, letter, word, dwell_max_s);
+}
+
+nck_status_t nck_decode_dwell(nck_decode_t *self, nck_block_t *out) {
     const char letter = dwell_letter(self);
+    double dwell_s = 0.0;
     if (letter == 0) {
         return nck_decode_fail(self, NCK_E_WORD_MISSING, self->words.code_column[NCK_STEP_DWELL],
                                'P', 0.0, 0.0);
     }
-    const double word = real_word(self, letter);
-    const double dwell_s = letter == 'P' && millisecond ? word / 1000.0 : word;
-    if (word < 0.0 || dwell_s > dwell_max_s) {
-        return nck_decode_fail_word(self, NCK_E_NUMBER_RANGE, letter, word, dwell_max_s);
-    }
-    return nck_decode_give_dwell(self, dwell_s, out);
+    const nck_status_t status = nck_decode_dwell_word(self, letter, &dwell_s);
+    return status == NCK_OK ? nck_decode_give_dwell(self, dwell_s, out) : status;
 }
 
 nck_status_t nck_decode_plane(nck_decode_t *self, nck_block_t *out) {
@@ -283,6 +292,12 @@ nck_status_t nck_decode_centre(nck_decode_t *self, nck_block_t *out) {
     (void)out;
     self->modal.centre_absolute = self->words.code[NCK_STEP_CENTRE] == 901;
     self->finding.given |= 1u << NCK_NOTE_ARC_CENTRE;
+    return NCK_EMPTY;
+}
+
+nck_status_t nck_decode_retract(nck_decode_t *self, nck_block_t *out) {
+    (void)out;
+    self->cycle.to_r = self->words.code[NCK_STEP_RETRACT] == 990;
     return NCK_EMPTY;
 }
 

@@ -36,9 +36,7 @@ static nck_status_t fail_feed(nck_decode_t *self, int letter) {
     return nck_decode_fail(self, NCK_E_FEED_MISSING, 0, letter, 0.0, 0.0);
 }
 
-// The feed of a cut. NCK_E_FEED_MISSING: none was ever said, G93 without F here, G95 at a
-// standstill; NCK_EMPTY: the same, and known.
-static nck_status_t cutting_feed(nck_decode_t *self, int rotary_alone, double *feed_out) {
+nck_status_t nck_decode_cutting_feed(nck_decode_t *self, int rotary_alone, double *feed_out) {
     const int said = (self->words.letters & NCK_LETTER('F')) != 0;
     if (self->modal.feed <= 0.0) return fail_feed(self, 'F');
     if (self->modal.feed_mode == NCK_FEED_INVERSE && !said) return fail_feed(self, 'F');
@@ -60,7 +58,7 @@ static nck_status_t straight(nck_decode_t *self, nck_block_kind_t kind, const in
     double feed = 0.0;
     nck_status_t status = check_targets(self, self->words.axes, target_nm);
     if (status == NCK_OK && kind == NCK_BLOCK_LINE) {
-        status = cutting_feed(self, only_rotary_moves(self, target_nm), &feed);
+        status = nck_decode_cutting_feed(self, only_rotary_moves(self, target_nm), &feed);
     }
     // Also after an error the next line counts from here: one mistake, one finding.
     arrive(self, target_nm);
@@ -74,7 +72,7 @@ static nck_status_t arc(nck_decode_t *self, const nck_block_in_t *pushed, const 
                         nck_block_t *out) {
     double feed = 0.0;
     nck_status_t status = check_targets(self, self->words.axes, target_nm);
-    if (status == NCK_OK) status = cutting_feed(self, 0, &feed);
+    if (status == NCK_OK) status = nck_decode_cutting_feed(self, 0, &feed);
     if (status == NCK_OK) status = nck_decode_arc(self, pushed, target_nm, out);
     arrive(self, target_nm);
     out->feed = feed;
@@ -100,6 +98,17 @@ nck_status_t nck_decode_go(nck_decode_t *self, const nck_block_in_t *pushed,
     return status;
 }
 
+// G80, or a cycle; where another code has the axis words it only sets the mode.
+static nck_status_t other_motion(nck_decode_t *self, int taken) {
+    const int32_t code = self->words.code[NCK_STEP_MOTION];
+    if (code != 800 && !taken) {
+        self->words.steps |= NCK_STEP(NCK_STEP_CYCLE);
+        return NCK_EMPTY;
+    }
+    self->modal.motion = code == 800 ? NCK_MOTION_NONE : code;
+    return NCK_EMPTY;
+}
+
 nck_status_t nck_decode_motion(nck_decode_t *self, nck_block_t *out) {
     const uint32_t assumed = 1u << NCK_NOTE_UNITS | 1u << NCK_NOTE_DISTANCE;
     const int32_t code = self->words.code[NCK_STEP_MOTION];
@@ -107,8 +116,9 @@ nck_status_t nck_decode_motion(nck_decode_t *self, nck_block_t *out) {
                       && self->words.code[NCK_STEP_OFFSET] <= 920;
     int64_t target_nm[NCK_AXIS_MAX];
 
-    self->modal.motion = code == 800 ? NCK_MOTION_NONE : code;
-    if (code == 800 || taken || (self->words.axes == 0 && code < 20)) return NCK_EMPTY;
+    if (code > 30) return other_motion(self, taken);
+    self->modal.motion = code;
+    if (taken || (self->words.axes == 0 && code < 20)) return NCK_EMPTY;
     if (~(self->finding.given | self->finding.notes) & assumed) {
         nck_decode_assume(self, NCK_NOTE_UNITS);
         nck_decode_assume(self, NCK_NOTE_DISTANCE);

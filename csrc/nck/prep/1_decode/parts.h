@@ -19,6 +19,7 @@ enum { NCK_LABEL_MOST = 99999999 }; // of O and N
 enum {
     NCK_LETTERS_LINEAR = (1 << ('X' - 'A')) | (1 << ('Y' - 'A')) | (1 << ('Z' - 'A'))
                        | (1 << ('U' - 'A')) | (1 << ('V' - 'A')) | (1 << ('W' - 'A')),
+    NCK_LETTERS_XYZ = 7 << ('X' - 'A'),
     NCK_LETTERS_AXES = NCK_LETTERS_LINEAR | 7, // A B C
     NCK_LETTERS_CENTRE = (1 << ('I' - 'A')) | (1 << ('J' - 'A')) | (1 << ('K' - 'A'))
 };
@@ -54,6 +55,13 @@ nck_status_t nck_decode_axis_word(nck_decode_t *self, unsigned axis, int64_t *va
 // words count from the machine's zero (G53). NCK_E_NUMBER_RANGE. Cost: constant.
 nck_status_t nck_decode_target(nck_decode_t *self, int absolute, int64_t *target_nm);
 
+// axis.c: a length [nm] that stands in the line, whatever its letter. NCK_E_NUMBER_RANGE.
+nck_status_t nck_decode_length_word(nck_decode_t *self, char letter, int64_t *value_out);
+
+// axis.c: count steps on from a machine position of an axis. NCK_E_NUMBER_RANGE. Cost: constant.
+nck_status_t nck_decode_steps(nck_decode_t *self, unsigned axis, int64_t step_nm, int64_t count,
+                              int64_t *at_nm);
+
 // axis.c: is a machine position within the travel of its axis? NCK_E_TRAVEL. Cost: constant.
 nck_status_t nck_decode_travel(nck_decode_t *self, unsigned axis, int64_t position_nm);
 
@@ -87,6 +95,11 @@ nck_status_t nck_decode_control(nck_decode_t *self, const char **at);
 
 // oword.c: an O word. Cost: linear in the line.
 nck_status_t nck_decode_o_word(nck_decode_t *self, const char **at);
+
+// call.c: a whole number of a word within 0 … most; without the word `otherwise`.
+// NCK_E_NUMBER_RANGE.
+nck_status_t nck_decode_whole(nck_decode_t *self, char letter, int64_t most, int64_t otherwise,
+                              int64_t *out);
 
 // call.c: M98, M99, G65, G66, G67; a move is done while G66 is in force.
 nck_status_t nck_decode_call(nck_decode_t *self, nck_block_t *out);
@@ -145,8 +158,8 @@ nck_status_t nck_decode_code(const nck_decode_t *self, int letter, int64_t tenth
 // codes.c: the machine's entry for an M code; NULL: it has none. Cost: linear in the entries.
 const nck_own_m_t *nck_decode_own_m(const nck_decode_t *self, int64_t code);
 
-// codes.c: the letters that a modal motion uses. Cost: constant.
-uint32_t nck_decode_motion_takes(int32_t motion);
+// codes.c: the letters that a motion uses. Cost: constant.
+uint32_t nck_decode_motion_takes(const nck_decode_t *self, int32_t motion);
 
 // resolve.c: do words and codes of the line fit, and who gets the axis words? Cost: constant.
 nck_status_t nck_decode_resolve(nck_decode_t *self);
@@ -174,12 +187,15 @@ nck_status_t nck_decode_path(nck_decode_t *self, nck_block_t *out);
 nck_status_t nck_decode_distance(nck_decode_t *self, nck_block_t *out);
 nck_status_t nck_decode_centre(nck_decode_t *self, nck_block_t *out);
 nck_status_t nck_decode_stop(nck_decode_t *self, nck_block_t *out);
+nck_status_t nck_decode_retract(nck_decode_t *self, nck_block_t *out);
 
 // modal.c: a feed [mm/min, mm/rev or 1/min], and as written; a spindle speed [rpm], a tool number,
-// a dwell. Cost: constant, set_tool linear in the tools.
+// a dwell and its word, an M code as an output. Cost: constant, set_tool linear in the tools.
 void nck_decode_set_feed(nck_decode_t *self, double feed, double word);
 nck_status_t nck_decode_set_speed(nck_decode_t *self, double value, nck_block_t *out);
 nck_status_t nck_decode_set_tool(nck_decode_t *self, double value, nck_block_t *out);
+nck_status_t nck_decode_dwell_word(nck_decode_t *self, char letter, double *dwell_out);
+nck_status_t nck_decode_give_m(const nck_decode_t *self, double code, nck_block_t *out);
 nck_status_t nck_decode_give_dwell(const nck_decode_t *self, double dwell_s, nck_block_t *out);
 
 // modal.c: fill a block with all that is modal; the target is the present position. Cost: constant.
@@ -204,10 +220,17 @@ nck_status_t nck_decode_motion(nck_decode_t *self, nck_block_t *out);
 nck_status_t nck_decode_reference(nck_decode_t *self, nck_block_t *out);
 nck_status_t nck_decode_second(nck_decode_t *self, nck_block_t *out);
 
+// motion.c: the feed of a cut. NCK_E_FEED_MISSING: none was ever said, G93 without F here, G95 at a
+// standstill; NCK_EMPTY: the same, and known. Cost: constant.
+nck_status_t nck_decode_cutting_feed(nck_decode_t *self, int rotary_alone, double *feed_out);
+
 // motion.c: the motion of the line in work to a machine position; pushed: of this block, NULL: of
 // words. Cost: constant.
 nck_status_t nck_decode_go(nck_decode_t *self, const nck_block_in_t *pushed,
                            const int64_t *target_nm, nck_block_t *out);
+
+// cycle.c: the holes of a canned cycle.
+nck_status_t nck_decode_cycle(nck_decode_t *self, nck_block_t *out);
 
 // arc.c: the arc to a machine position; a second part of it goes to self->second. pushed: the block
 // that says centre and turns, NULL: words do. Cost: constant.

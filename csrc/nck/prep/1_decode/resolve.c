@@ -97,9 +97,13 @@ static nck_status_t claim_axes(nck_decode_t *self) {
 }
 
 // No motion that could use the axis words is in force; a cycle that may be is told once.
-static nck_status_t fail_no_motion(nck_decode_t *self) {
-    const int letter = leftmost(&self->words, self->words.letters & NCK_LETTERS_AXES);
+static nck_status_t no_motion(nck_decode_t *self) {
     const int32_t modal = self->modal.motion;
+    if (modal == NCK_MOTION_REFUSED) {
+        self->words.takes |= nck_decode_motion_takes(self, 20);
+        return NCK_OK;
+    }
+    const int letter = leftmost(&self->words, self->words.letters & NCK_LETTERS_AXES);
     if (modal == NCK_MOTION_NONE) {
         return nck_decode_fail_word(self, NCK_E_NO_MOTION, letter, 0.0, 0.0);
     }
@@ -108,12 +112,18 @@ static nck_status_t fail_no_motion(nck_decode_t *self) {
                            -modal / 10.0, 0.0);
 }
 
+// What moves without an axis word: an arc by its centre, in Fanuc's language a cycle by its R.
+static int goes_without_axes(const nck_decode_t *self, int32_t modal) {
+    const int fanuc = self->machine->dialect.base == NCK_DIALECT_FANUC;
+    if (nck_motion_is_cycle(modal)) return fanuc && (self->words.letters & NCK_LETTER('R'));
+    return modal >= 20 && (self->words.letters & NCK_LETTERS_CENTRE);
+}
+
 // Axis words go to G10, G28, G30 or G92 if there is one, else to the motion: the block's or the
 // modal one.
 static nck_status_t claim_motion(nck_decode_t *self) {
     nck_words_t *const words = &self->words;
     const int32_t modal = self->modal.motion;
-    const int centre = modal >= 20 && (words->letters & NCK_LETTERS_CENTRE);
     const int taken = has(words, NCK_STEP_OFFSET) && words->code[NCK_STEP_OFFSET] <= 920;
 
     if (has(words, NCK_STEP_MOTION)) {
@@ -124,15 +134,11 @@ static nck_status_t claim_motion(nck_decode_t *self) {
         }
         return NCK_OK;
     }
-    if (taken || (words->axes == 0 && !centre)) return NCK_OK;
-    if (modal == NCK_MOTION_REFUSED) {
-        words->takes |= nck_decode_motion_takes(20);
-        return NCK_OK;
-    }
-    if (modal < 0) return fail_no_motion(self);
+    if (taken || (words->axes == 0 && !goes_without_axes(self, modal))) return NCK_OK;
+    if (modal < 0) return no_motion(self);
     words->steps |= NCK_STEP(NCK_STEP_MOTION);
     words->code[NCK_STEP_MOTION] = (uint16_t)modal;
-    words->takes |= nck_decode_motion_takes(modal);
+    words->takes |= nck_decode_motion_takes(self, modal);
     return NCK_OK;
 }
 
@@ -147,17 +153,18 @@ static nck_status_t check_machine(nck_decode_t *self) {
     return incremental ? fail_code(self, NCK_E_INCREMENTAL, NCK_STEP_MACHINE) : NCK_OK;
 }
 
-// P is a dwell's, a tolerance, a work system, a point, a program or an arc's turns: of one.
+// P is a dwell's, a tolerance, a work system, a point, a program, an arc's turns or a cycle's: of
+// one.
 // (rs274 refuses G4 with G2 alone and lets the others share.)
 static nck_status_t check_shared(nck_decode_t *self) {
     const nck_words_t *const words = &self->words;
-    const int arc = (words->steps & NCK_STEP(NCK_STEP_MOTION))
-                    && words->code[NCK_STEP_MOTION] >= 20 && words->code[NCK_STEP_MOTION] != 800;
+    const uint32_t of_motion = nck_decode_motion_takes(self, words->code[NCK_STEP_MOTION]);
+    const int moves = (words->steps & NCK_STEP(NCK_STEP_MOTION)) && (of_motion & NCK_LETTER('P'));
     const int work = has(words, NCK_STEP_OFFSET) && (words->code[NCK_STEP_OFFSET] == 100
                                                      || words->code[NCK_STEP_OFFSET] == 300);
     const int path = has(words, NCK_STEP_PATH) && words->code[NCK_STEP_PATH] == 640;
     const int others = has(words, NCK_STEP_DWELL) + has(words, NCK_STEP_CALL);
-    if (arc + work + path + others <= 1) return NCK_OK;
+    if (moves + work + path + others <= 1) return NCK_OK;
     return nck_decode_fail_word(self, NCK_E_WORD_SHARED, 'P', 0.0, 0.0);
 }
 

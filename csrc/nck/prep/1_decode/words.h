@@ -32,11 +32,13 @@ typedef enum nck_step {
     NCK_STEP_DISTANCE,    // G90 G91
     NCK_STEP_CENTRE,      // G90.1 G91.1
     NCK_STEP_SPEED_MODE,  // G97
+    NCK_STEP_RETRACT,     // G98 G99
     NCK_STEP_OFFSET,      // G10 G28 G30 G92 G92.1 G92.2 G92.3: each takes the axis words for itself
     NCK_STEP_EXACT,       // G9
     NCK_STEP_MACHINE,     // G53
-    NCK_STEP_MOTION,      // G0 G1 G2 G3 G80
+    NCK_STEP_MOTION,      // G0 G1 G2 G3 G80, canned cycles
     NCK_STEP_PUSHED,      // what a pushed block does, unless it is an M code
+    NCK_STEP_CYCLE,       // the holes of a canned cycle
     NCK_STEP_SECOND,      // the second move of a G28 or of an arc in two parts
     NCK_STEP_CALL,        // M98 M99 G65 G66 G67
     NCK_STEP_STOP,        // M0 M1 M2 M30 M60

@@ -1,0 +1,345 @@
+// SPDX-License-Identifier: MIT
+// Canned cycles of drilling and boring: G73 G81 G82 G83 G85 G86 G89, a block a pull.
+#include "nck/prep/1_decode/parts.h"
+
+#include <stddef.h> // NULL
+#include <string.h> // memcmp memcpy
+
+enum {
+    COUNT_MOST = 1000000,
+    CLEARANCE_NM = 254000 // between pecks the drill backs off by LinuxCNC's 0.010 inch
+};
+
+// What a cycle does beside its cut to the bottom.
+enum { PECKS = 1, CLEARS = 2, DWELLS = 4, STOPS = 8, FEEDS_OUT = 16 };
+
+// Places in level_nm.
+enum { LEVEL_R, LEVEL_BOTTOM, LEVEL_CLEAR, LEVEL_CUT };
+
+// The parts of a hole in their order.
+enum {
+    PHASE_RISE, PHASE_OVER, PHASE_DOWN, PHASE_CUT, PHASE_BACK, PHASE_RETURN, PHASE_DWELL,
+    PHASE_STOP, PHASE_FEED_OUT, PHASE_CLEAR, PHASE_START, PHASES
+};
+
+static int is_fanuc(const nck_decode_t *self) {
+    return self->machine->dialect.base == NCK_DIALECT_FANUC;
+}
+
+static uint8_t does_of(int32_t code) {
+    static const struct {
+        uint16_t code;
+        uint8_t does;
+    } cycles[] = {
+        {730, PECKS}, {820, DWELLS}, {830, PECKS | CLEARS}, {850, FEEDS_OUT},
+        {860, DWELLS | STOPS}, {890, DWELLS | FEEDS_OUT}
+    };
+    for (unsigned k = 0; k < sizeof cycles / sizeof cycles[0]; k++) {
+        if (cycles[k].code == code) return cycles[k].does;
+    }
+    return 0; // G81
+}
+
+// ---- words
+
+static nck_status_t fail_missing(nck_decode_t *self, int letter) {
+    const int said = (self->words.codes & NCK_STEP(NCK_STEP_MOTION)) != 0;
+    const unsigned column = said ? self->words.code_column[NCK_STEP_MOTION] : 0;
+    return nck_decode_fail(self, NCK_E_WORD_MISSING, column, letter, 0.0, 0.0);
+}
+
+// Words hold while the cycle does: in RS274NGC the same one, in Fanuc's language any. In another
+// plane they would mean another axis.
+static void keep_or_forget(nck_decode_t *self, int32_t before) {
+    nck_cycle_t *const cycle = &self->cycle;
+    const int32_t code = self->words.code[NCK_STEP_MOTION];
+    const int cycled = nck_motion_is_cycle(before) && cycle->plane == self->modal.plane;
+    const unsigned drill = (unsigned)(19 - self->modal.plane + NCK_AXIS_X);
+    if (!cycled || (code != before && !is_fanuc(self))) cycle->said = 0;
+    if (!cycled) {
+        cycle->initial_nm = self->place.position_nm[drill] - self->place.origin_nm[drill];
+    }
+    cycle->plane = self->modal.plane;
+    cycle->drill = drill;
+    cycle->does = does_of(code);
+}
+
+// R and the depth as words. Fanuc's are places once they are said, RS274NGC's stay words: what they
+// mean goes by the distance mode of each line.
+static nck_status_t read_heights(nck_decode_t *self) {
+    nck_cycle_t *const cycle = &self->cycle;
+    const int steps = is_fanuc(self) && self->modal.incremental;
+    nck_status_t status = NCK_OK;
+    if (self->words.letters & NCK_LETTER('R')) {
+        status = nck_decode_length_word(self, 'R', &cycle->r_nm);
+        if (steps) cycle->r_nm += cycle->initial_nm;
+        cycle->said |= NCK_LETTER('R');
+    }
+    if (status == NCK_OK && (self->words.axes >> cycle->drill & 1u)) {
+        status = nck_decode_axis_word(self, cycle->drill, &cycle->depth_nm);
+        if (steps) cycle->depth_nm += cycle->r_nm;
+        cycle->said |= NCK_LETTER('Z');
+    }
+    if (status != NCK_OK) return status;
+    if (!(cycle->said & NCK_LETTER('R'))) return fail_missing(self, 'R');
+    if (cycle->said & NCK_LETTER('Z')) return NCK_OK;
+    return fail_missing(self, nck_decode_letter(cycle->drill));
+}
+
+static nck_status_t set_levels(nck_decode_t *self) {
+    nck_cycle_t *const cycle = &self->cycle;
+    const int64_t origin_nm = self->place.origin_nm[cycle->drill];
+    const int steps = !is_fanuc(self) && self->modal.incremental;
+    const int64_t r_nm = cycle->r_nm + (steps ? cycle->initial_nm : 0);
+    const int64_t bottom_nm = cycle->depth_nm + (steps ? r_nm : 0);
+    const int64_t high_nm = cycle->initial_nm > r_nm ? cycle->initial_nm : r_nm;
+    if (r_nm < bottom_nm) {
+        return nck_decode_fail_word(self, NCK_E_NUMBER_RANGE, 'R', (double)r_nm / 1e6,
+                                    (double)bottom_nm / 1e6);
+    }
+    cycle->level_nm[LEVEL_R] = r_nm + origin_nm;
+    cycle->level_nm[LEVEL_BOTTOM] = bottom_nm + origin_nm;
+    cycle->level_nm[LEVEL_CLEAR] = (cycle->to_r ? r_nm : high_nm) + origin_nm;
+    cycle->level_nm[LEVEL_CUT] = cycle->level_nm[LEVEL_R];
+    nck_status_t status = NCK_OK;
+    for (unsigned k = LEVEL_R; k <= LEVEL_CLEAR && status == NCK_OK; k++) {
+        status = nck_decode_steps(self, cycle->drill, 0, 0, &cycle->level_nm[k]);
+        if (status == NCK_OK) {
+            status = nck_decode_travel(self, cycle->drill, cycle->level_nm[k]);
+        }
+    }
+    return status;
+}
+
+// Q and P, where the cycle has them.
+static nck_status_t read_rest(nck_decode_t *self) {
+    nck_cycle_t *const cycle = &self->cycle;
+    const uint32_t said = self->words.letters & (NCK_LETTER('Q') | NCK_LETTER('P'));
+    nck_status_t status = NCK_OK;
+    if (said & NCK_LETTER('Q')) {
+        status = nck_decode_length_word(self, 'Q', &cycle->peck_nm);
+        if (status == NCK_OK && cycle->peck_nm <= 0) {
+            status = nck_decode_fail_word(self, NCK_E_NUMBER_RANGE, 'Q',
+                                          (double)cycle->peck_nm / 1e6, NCK_LINEAR_MAX_MM);
+        }
+    }
+    if (said & NCK_LETTER('P')) status = nck_decode_dwell_word(self, 'P', &cycle->dwell_s);
+    cycle->said |= said;
+    return status;
+}
+
+// What the cycle cannot do without. Fanuc's dwells are 0 until P is said.
+static nck_status_t check_rest(nck_decode_t *self) {
+    nck_cycle_t *const cycle = &self->cycle;
+    const int timed = (cycle->said & NCK_LETTER('P')) != 0;
+    if (!timed) cycle->dwell_s = 0.0;
+    if ((cycle->does & PECKS) && !(cycle->said & NCK_LETTER('Q'))) return fail_missing(self, 'Q');
+    if ((cycle->does & DWELLS) && !timed && !is_fanuc(self)) return fail_missing(self, 'P');
+    const int stands = (cycle->does & STOPS) && !self->modal.spindle_on;
+    return stands ? fail_missing(self, 'M') : NCK_OK;
+}
+
+// How many holes: L, in Fanuc's language K too; there 0 only keeps the words.
+static nck_status_t read_count(nck_decode_t *self, int64_t *count_out) {
+    const uint32_t both = NCK_LETTER('K') | NCK_LETTER('L');
+    const char letter = self->words.letters & NCK_LETTER('K') ? 'K' : 'L';
+    if ((self->words.letters & both) == both) {
+        return nck_decode_fail_word(self, NCK_E_WORD_SHARED, 'K', 0.0, 0.0);
+    }
+    const nck_status_t status = nck_decode_whole(self, letter, COUNT_MOST, 1, count_out);
+    if (status != NCK_OK || *count_out > 0 || is_fanuc(self)) return status;
+    return nck_decode_fail_word(self, NCK_E_NUMBER_RANGE, letter, 0.0, COUNT_MOST);
+}
+
+// The first hole, and the way from one to the next. last_nm: where the axes stand in the end.
+static nck_status_t place_holes(nck_decode_t *self, int64_t count, int64_t *last_nm) {
+    nck_cycle_t *const cycle = &self->cycle;
+    const uint32_t axes = self->words.axes;
+    self->words.axes = axes & ~((uint32_t)1 << cycle->drill);
+    nck_status_t status = nck_decode_target(self, 0, cycle->hole_nm);
+    memcpy(last_nm, cycle->hole_nm, sizeof cycle->hole_nm);
+    for (unsigned axis = 0; axis < NCK_AXIS_MAX && status == NCK_OK; axis++) {
+        const int64_t way_nm = cycle->hole_nm[axis] - self->place.position_nm[axis];
+        cycle->step_nm[axis] = self->modal.incremental ? way_nm : 0;
+        if (!(self->words.axes >> axis & 1u)) continue;
+        status = nck_decode_steps(self, axis, cycle->step_nm[axis], count - 1, &last_nm[axis]);
+        if (status == NCK_OK) status = nck_decode_travel(self, axis, cycle->hole_nm[axis]);
+        if (status == NCK_OK) status = nck_decode_travel(self, axis, last_nm[axis]);
+    }
+    self->words.axes = axes;
+    last_nm[cycle->drill] = cycle->level_nm[LEVEL_CLEAR];
+    return status;
+}
+
+static nck_status_t read_cycle(nck_decode_t *self, int64_t *count_out) {
+    if (self->modal.feed_mode == NCK_FEED_INVERSE) {
+        return nck_decode_fail(self, NCK_E_UNSUPPORTED, 0, 'G', 93.0, 0.0);
+    }
+    if (!(self->place.axes >> self->cycle.drill & 1u)) {
+        return nck_decode_fail(self, NCK_E_AXIS_UNKNOWN, 0, nck_decode_letter(self->cycle.drill),
+                               0.0, 0.0);
+    }
+    nck_status_t status = read_heights(self);
+    if (status == NCK_OK) status = set_levels(self);
+    if (status == NCK_OK) status = read_rest(self);
+    if (status == NCK_OK) status = check_rest(self);
+    return status == NCK_OK ? read_count(self, count_out) : status;
+}
+
+// Whether the line says where a hole is. In RS274NGC a code without an axis is a mistake; Fanuc's R
+// alone drills, and a code alone says what the next lines do.
+static int says_hole(const nck_decode_t *self) {
+    return self->words.axes != 0 || (is_fanuc(self) && (self->words.letters & NCK_LETTER('R')));
+}
+
+// Everything is known before the first block.
+static nck_status_t begin(nck_decode_t *self) {
+    nck_cycle_t *const cycle = &self->cycle;
+    const int32_t before = self->modal.motion;
+    int64_t last_nm[NCK_AXIS_MAX], count = 0;
+    self->modal.motion = self->words.code[NCK_STEP_MOTION];
+    keep_or_forget(self, before);
+    if (!says_hole(self)) return is_fanuc(self) ? NCK_OK : fail_missing(self, 'X');
+    nck_decode_assume(self, NCK_NOTE_UNITS);
+    nck_decode_assume(self, NCK_NOTE_DISTANCE);
+    nck_decode_assume(self, NCK_NOTE_PLANE);
+    nck_status_t status = read_cycle(self, &count);
+    if (status != NCK_OK || count == 0) return status;
+    status = place_holes(self, count, last_nm);
+    if (status != NCK_OK) return status;
+    status = nck_decode_cutting_feed(self, 0, &cycle->feed);
+    if (status != NCK_OK) {
+        memcpy(self->place.position_nm, last_nm, sizeof last_nm);
+        return status;
+    }
+    if (self->macro.modal != 0) nck_decode_moved(self);
+    cycle->holes = (uint32_t)count;
+    cycle->phase = PHASE_RISE;
+    return NCK_OK;
+}
+
+// ---- holes
+
+// Corners between the moves of a hole are not rounded; G61.1 and G9 stop at them.
+static nck_status_t go(nck_decode_t *self, nck_block_kind_t kind, nck_block_t *out) {
+    nck_decode_block(self, kind, out);
+    out->feed = kind == NCK_BLOCK_LINE ? self->cycle.feed : 0.0;
+    const int stops = (self->words.codes & NCK_STEP(NCK_STEP_EXACT)) != 0;
+    const int stop = stops || out->path_mode == NCK_PATH_STOP;
+    out->path_mode = stop ? NCK_PATH_STOP : NCK_PATH_EXACT;
+    out->tolerance_mm = 0.0;
+    out->merge_mm = 0.0;
+    return NCK_OK;
+}
+
+// The drill alone to a level. Nothing to do where it stands there.
+static nck_status_t drill_to(nck_decode_t *self, nck_block_kind_t kind, int64_t level_nm,
+                             nck_block_t *out) {
+    int64_t *const at_nm = &self->place.position_nm[self->cycle.drill];
+    if (*at_nm == level_nm && kind == NCK_BLOCK_RAPID) return NCK_EMPTY;
+    *at_nm = level_nm;
+    return go(self, kind, out);
+}
+
+static nck_status_t over(nck_decode_t *self, nck_block_t *out) {
+    nck_cycle_t *const cycle = &self->cycle;
+    cycle->hole_nm[cycle->drill] = self->place.position_nm[cycle->drill];
+    if (memcmp(self->place.position_nm, cycle->hole_nm, sizeof cycle->hole_nm) == 0) {
+        return NCK_EMPTY;
+    }
+    memcpy(self->place.position_nm, cycle->hole_nm, sizeof cycle->hole_nm);
+    return go(self, NCK_BLOCK_RAPID, out);
+}
+
+// To the bottom, or by Q.
+static nck_status_t cut(nck_decode_t *self, nck_block_t *out) {
+    nck_cycle_t *const cycle = &self->cycle;
+    int64_t *const level_nm = cycle->level_nm;
+    const int64_t left_nm = level_nm[LEVEL_CUT] - level_nm[LEVEL_BOTTOM];
+    const int pecks = (cycle->does & PECKS) && left_nm > cycle->peck_nm;
+    level_nm[LEVEL_CUT] -= pecks ? cycle->peck_nm : left_nm;
+    if (!pecks) cycle->phase = PHASE_DWELL;
+    return drill_to(self, NCK_BLOCK_LINE, level_nm[LEVEL_CUT], out);
+}
+
+// Above what is cut, never above R.
+static int64_t back_nm(const nck_cycle_t *cycle) {
+    const int64_t level_nm = cycle->level_nm[LEVEL_CUT] + CLEARANCE_NM;
+    return level_nm < cycle->level_nm[LEVEL_R] ? level_nm : cycle->level_nm[LEVEL_R];
+}
+
+static nck_status_t dwell(nck_decode_t *self, nck_block_t *out) {
+    const nck_cycle_t *const cycle = &self->cycle;
+    if (!(cycle->does & DWELLS) || !(cycle->dwell_s > 0.0)) return NCK_EMPTY;
+    return nck_decode_give_dwell(self, cycle->dwell_s, out);
+}
+
+// M5 at the bottom, and what it was behind the way out.
+static nck_status_t spindle(nck_decode_t *self, double code, nck_block_t *out) {
+    if (!(self->cycle.does & STOPS)) return NCK_EMPTY;
+    self->modal.spindle_on = code != 5.0;
+    return nck_decode_give_m(self, code, out);
+}
+
+// At feed up to R. RS274NGC's G89 goes on so, to where it retracts to.
+static nck_status_t feed_out(nck_decode_t *self, nck_block_t *out) {
+    const nck_cycle_t *const cycle = &self->cycle;
+    const int whole = (cycle->does & DWELLS) && !is_fanuc(self);
+    if (!(cycle->does & FEEDS_OUT)) return NCK_EMPTY;
+    return drill_to(self, NCK_BLOCK_LINE, cycle->level_nm[whole ? LEVEL_CLEAR : LEVEL_R], out);
+}
+
+// The hole is done: the next one.
+static void end_hole(nck_cycle_t *cycle) {
+    cycle->holes--;
+    cycle->phase = PHASE_OVER;
+    cycle->level_nm[LEVEL_CUT] = cycle->level_nm[LEVEL_R];
+    for (unsigned axis = 0; axis < NCK_AXIS_MAX; axis++) {
+        cycle->hole_nm[axis] += cycle->step_nm[axis];
+    }
+}
+
+static nck_status_t do_way(nck_decode_t *self, unsigned phase, nck_block_t *out) {
+    nck_cycle_t *const cycle = &self->cycle;
+    const int64_t *const level_nm = cycle->level_nm;
+    switch (phase) {
+    case PHASE_RISE:
+        if (self->place.position_nm[cycle->drill] >= level_nm[LEVEL_R]) return NCK_EMPTY;
+        return drill_to(self, NCK_BLOCK_RAPID, level_nm[LEVEL_R], out);
+    case PHASE_OVER: return over(self, out);
+    case PHASE_DOWN: return drill_to(self, NCK_BLOCK_RAPID, level_nm[LEVEL_R], out);
+    case PHASE_CUT: return cut(self, out);
+    case PHASE_BACK:
+        if (!(cycle->does & CLEARS)) return NCK_EMPTY;
+        return drill_to(self, NCK_BLOCK_RAPID, level_nm[LEVEL_R], out);
+    default: // PHASE_RETURN
+        cycle->phase = PHASE_CUT;
+        return drill_to(self, NCK_BLOCK_RAPID, back_nm(cycle), out);
+    }
+}
+
+static nck_status_t do_bottom(nck_decode_t *self, unsigned phase, nck_block_t *out) {
+    nck_cycle_t *const cycle = &self->cycle;
+    switch (phase) {
+    case PHASE_DWELL: return dwell(self, out);
+    case PHASE_STOP: return spindle(self, 5.0, out);
+    case PHASE_FEED_OUT: return feed_out(self, out);
+    case PHASE_CLEAR: return drill_to(self, NCK_BLOCK_RAPID, cycle->level_nm[LEVEL_CLEAR], out);
+    default: // PHASE_START
+        end_hole(cycle);
+        return spindle(self, self->modal.spindle_code, out);
+    }
+}
+
+nck_status_t nck_decode_cycle(nck_decode_t *self, nck_block_t *out) {
+    if (!NCK_HAS_CYCLES) return NCK_E_UNSUPPORTED;
+    nck_cycle_t *const cycle = &self->cycle;
+    nck_status_t status = cycle->holes == 0 ? begin(self) : NCK_OK;
+    if (status == NCK_OK) status = NCK_EMPTY;
+    while (status == NCK_EMPTY && cycle->holes > 0) { // a hole has a cut: PHASES times at most
+        const unsigned phase = cycle->phase++;
+        status = phase < PHASE_DWELL ? do_way(self, phase, out) : do_bottom(self, phase, out);
+    }
+    if (cycle->holes > 0) self->words.steps |= NCK_STEP(NCK_STEP_CYCLE);
+    return status;
+}
