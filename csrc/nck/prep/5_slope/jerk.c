@@ -10,7 +10,8 @@
 #include "nck/prep/5_slope/window.h"      // nck_window_…
 
 enum {
-    PHASE_REACH = 0, PHASE_LOAD, PHASE_LAY, PHASE_LIMIT, PHASE_BRAKE, PHASE_PLAN, PHASE_DRAW
+    PHASE_REACH = 0, PHASE_LOAD, PHASE_LAY, PHASE_LIMIT, PHASE_BRAKE, PHASE_PLAN,
+    PHASE_CHECK, PHASE_DRAW
 };
 
 // Of a plan's cells at most one in three, at least one in ten become final before the next one
@@ -32,6 +33,8 @@ enum { COMMIT_MOST = 3, COMMIT_LEAST = 10, KEEP_OFF = 4 };
 #define REACH_FAR 0.8
 // … and after so many tries pieces are asked for no more than they leave at their caps.
 #define RELAXED_TRIES 4
+// A hold is made anew so many times on one ladder.
+#define REDONE_MOST 3
 
 void nck_jerk_init(nck_jerk_t *self, const nck_machine_t *machine, nck_link_t *link,
                    const nck_plan_t *now, nck_plan_t *next) {
@@ -230,8 +233,22 @@ static void finish_brake(nck_jerk_t *self) {
 static nck_status_t finish_plan(nck_jerk_t *self, const nck_pieces_t *pieces) {
     const int checks = !self->work.coarse || self->work.reach > 0.0;
     if (checks && !nck_profile_joins(&self->profile)) return give_way(self, pieces);
-    nck_link_tail_begin(self->link);
-    enter(self, PHASE_DRAW);
+    enter(self, PHASE_CHECK);
+    return NCK_OK;
+}
+
+// A hold that does not keep to what is left is made anew with what is left at the speeds that it
+// had, on the same ladder.
+static nck_status_t check(nck_jerk_t *self, const nck_pieces_t *pieces) {
+    const nck_status_t status = nck_window_check(self, pieces);
+    if (status == NCK_DONE) {
+        nck_link_tail_begin(self->link);
+        enter(self, PHASE_DRAW);
+    } else if (status == NCK_E_STATE) {
+        if (self->work.redone == REDONE_MOST) return give_way(self, pieces);
+        self->work.redone++;
+        enter(self, PHASE_LIMIT);
+    }
     return NCK_OK;
 }
 
@@ -294,6 +311,7 @@ nck_status_t nck_jerk_step(nck_jerk_t *self, const nck_pieces_t *pieces) {
             return finish_plan(self, pieces);
         }
         return NCK_OK;
+    case PHASE_CHECK: return check(self, pieces);
     default: return nck_window_draw(self, pieces) == NCK_DONE ? finish_draw(self) : NCK_OK;
     }
 }

@@ -4,6 +4,7 @@
 
 #include "nck/base/real.h"                // nck_min nck_max
 #include "nck/prep/5_slope/brake.h"       // nck_brake_…
+#include "nck/prep/5_slope/hull_math.h"   // nck_hull_share
 #include "nck/prep/5_slope/ladder_math.h" // nck_ladder_…
 
 // From rest to rest a path takes REST_PARTS cells, PARTS_LEAST if there is no room for more.
@@ -19,6 +20,10 @@ enum { BLOCK_END = 1, MUST_REST = 2 };
 #define SEAM_SHARE 0.02
 // A cap beyond every speed's square.
 #define UNCAPPED 1e18
+// A plan made anew with what is left at the speeds tried last: it may be faster by so much.
+#define TRIED_ABOVE 1.02
+// Room for rounding.
+#define CHECK_MARGIN 1e-6
 // A part of a piece is rounding if it is shorter than this share of a cell, or of the coordinate
 // in its seg.
 #define LENGTH_EPSILON 1e-9
@@ -308,6 +313,11 @@ nck_status_t nck_window_lay(nck_jerk_t *self, const nck_pieces_t *pieces) {
 
 // ---- limit
 
+// 1 if this is a hold that takes what bends leave at lower speeds.
+static int relaxes(const nck_jerk_t *self) {
+    return self->work.reach > 0.0 && !self->work.as_capped;
+}
+
 // A hold brakes with what bends leave at the speed that it has by then, and keeps below that speed.
 static void brake_along(nck_jerk_t *self, const nck_pieces_t *pieces, uint32_t i) {
     nck_profile_t *const state = &self->profile;
@@ -323,18 +333,24 @@ static void brake_along(nck_jerk_t *self, const nck_pieces_t *pieces, uint32_t i
     state->v_last = nck_sqrt(nck_brake_cell(state, self->h[i], limits.a, limits.j, q_cap));
 }
 
+// The larger speed at a cell's ends in the plan tried last, which ends at rest.
+static double tried_speed(const nck_jerk_t *self, uint32_t i) {
+    const double end = i + 1 < self->work.n ? self->w[i + 1] : 0.0;
+    return nck_sqrt(nck_max(self->w[i], end));
+}
+
 // Path behind constant jerk.
 static double seam_of(const nck_jerk_t *self) {
     return self->profile.q > 0.0 ? 0.0 : SEAM_PERIODS * self->machine->period_s * self->profile.v;
 }
 
 // A cell keeps to the limits of every piece that it touches, and its nodes to the caps of the nodes
-// that it passes over.
-static void limit_cell(nck_jerk_t *self, const nck_pieces_t *pieces, uint32_t i) {
+// that it passes over. Returns the cap inside of it, v².
+static double limits_of(const nck_jerk_t *self, const nck_pieces_t *pieces, uint32_t i,
+                        nck_brake_limits_t *limits) {
     uint32_t number = self->rung_piece[i];
     const nck_node_t *piece = nck_plan_piece(pieces, number);
     const int over = self->work.over != 0;
-    double w_node = self->rung_s[i] == piece->s ? node_cap(self, piece) : UNCAPPED;
     double w_cell = nck_window_cap(self, piece);
     double a = over ? piece->a_over : piece->a;
     double j = over ? piece->j_over : piece->j;
@@ -347,16 +363,64 @@ static void limit_cell(nck_jerk_t *self, const nck_pieces_t *pieces, uint32_t i)
         j = nck_min(j, over ? piece->j_over : piece->j);
         left -= piece->length;
     }
+    limits->a = a;
+    limits->j = j * self->j_scale;
+    return w_cell;
+}
+
+static void limit_cell(nck_jerk_t *self, const nck_pieces_t *pieces, uint32_t i) {
+    const nck_node_t *const piece = nck_plan_piece(pieces, self->rung_piece[i]);
+    nck_brake_limits_t limits;
+    const double w_cell = limits_of(self, pieces, i, &limits);
+    double w_node = self->rung_s[i] == piece->s ? node_cap(self, piece) : UNCAPPED;
     if (i > 0) w_node = nck_min(w_node, self->work.w_cell);
-    self->w_cap[i] = nck_min(w_node, w_cell);
-    self->a_max[i] = a;
-    self->j_max[i] = j * self->j_scale;
     if (i == 0) self->work.seam = seam_of(self);
-    if (self->work.seam > 0.0) self->j_max[i] *= SEAM_SHARE;
+    if (self->work.seam > 0.0) limits.j *= SEAM_SHARE;
     self->work.seam -= self->h[i];
     self->work.w_cell = w_cell;
-    if (self->work.reach > 0.0 && !self->work.as_capped) brake_along(self, pieces, i);
+    self->w_cap[i] = nck_min(w_node, w_cell);
+    if (relaxes(self) && self->work.redone > 0) {
+        const double v = TRIED_ABOVE * tried_speed(self, i);
+        nck_brake_relax(self, pieces, self->rung_piece[i], v, &limits);
+    }
+    self->a_max[i] = limits.a;
+    self->j_max[i] = limits.j;
+    if (relaxes(self) && self->work.redone == 0) brake_along(self, pieces, i);
 }
+
+// ---- check
+
+// 1 if a cell of the plan keeps to what its bends leave at the speed that it has in the end.
+static int keeps_limits(nck_jerk_t *self, const nck_pieces_t *pieces, uint32_t i) {
+    nck_profile_t *const state = &self->profile;
+    nck_brake_limits_t limits;
+    (void)limits_of(self, pieces, i, &limits);
+    nck_brake_relax(self, pieces, self->rung_piece[i], tried_speed(self, i), &limits);
+    const double end = i + 1 < self->work.n ? self->w[i + 1] : 0.0;
+    const double a = 0.5 * (end - self->w[i]) / self->h[i];
+    const double v_sum = nck_sqrt(self->w[i]) + nck_sqrt(end);
+    const double share = nck_hull_share(self->h[i], v_sum, nck_window_q_cap(self));
+    const double j = i > 0 ? nck_min(limits.j, self->work.j_cell) : limits.j;
+    const double rise = nck_fabs(a - state->a_last);
+    const int keeps = nck_fabs(a) <= (1.0 + CHECK_MARGIN) * limits.a
+                      && (i == 0 || rise <= (1.0 + CHECK_MARGIN) * j * (state->share + share));
+    state->a_last = a;
+    state->share = share;
+    self->work.j_cell = limits.j;
+    return keeps;
+}
+
+nck_status_t nck_window_check(nck_jerk_t *self, const nck_pieces_t *pieces) {
+    if (!relaxes(self) || self->work.coarse) return NCK_DONE;
+    for (int n = 0; n < NCK_JERK_STEP; n++) {
+        if (self->work.i == self->work.n) return NCK_DONE;
+        if (!keeps_limits(self, pieces, self->work.i)) return NCK_E_STATE;
+        self->work.i++;
+    }
+    return NCK_OK;
+}
+
+// ---- limit, the end
 
 // A window or a hold that ends in the cell behind a rest ends at that rest.
 static void end_at_rest(nck_jerk_t *self) {

@@ -42,6 +42,10 @@ nck_status_t nck_window_limit(nck_jerk_t *self, const nck_pieces_t *pieces);
 // them below that. NCK_OK: call again; NCK_DONE. Cost: bounded.
 nck_status_t nck_window_brake(nck_jerk_t *self);
 
+// Whether a hold keeps to what bends leave at the speeds that its plan has in the end. NCK_OK: call
+// again; NCK_DONE; NCK_E_STATE: it does not. Cost: bounded.
+nck_status_t nck_window_check(nck_jerk_t *self, const nck_pieces_t *pieces);
+
 // The plan as cells of a tail. NCK_OK: call again; NCK_DONE. Cost: bounded.
 nck_status_t nck_window_draw(nck_jerk_t *self, const nck_pieces_t *pieces);
 
