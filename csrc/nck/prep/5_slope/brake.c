@@ -124,7 +124,9 @@ static int reach_cell(nck_jerk_t *self, const nck_pieces_t *pieces, const nck_ce
                                  self->j_scale * (self->work.over ? piece->j_over : piece->j)};
     if (!self->work.as_capped) nck_brake_relax(self, pieces, self->work.piece, v, &limits);
     const double j = NCK_BRAKE_SHARE * limits.j;
-    state->v_last = nck_sqrt(nck_brake_cell(state, h, limits.a, j, self->q_cap));
+    const double least = self->work.reach > 0.0 ? nck_min(j, self->work.j_cell) : j;
+    state->v_last = nck_sqrt(nck_brake_cell(state, h, limits.a, least, self->q_cap));
+    self->work.j_cell = j;
     self->work.reach += h;
     self->work.part++;
     if (self->work.part == parts) {

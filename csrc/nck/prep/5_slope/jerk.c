@@ -67,6 +67,9 @@ static void enter(nck_jerk_t *self, uint32_t phase) {
     self->work.phase = phase;
     self->work.i = 0;
     self->work.w_cell = 0.0;
+    self->work.planned_cell = 0;
+    self->work.planned_at = 0.0;
+    self->work.braked = 0.0;
 }
 
 // The job from its start, whatever has been tried.

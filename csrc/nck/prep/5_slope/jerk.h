@@ -44,7 +44,7 @@ typedef struct nck_jerk {
         uint32_t tries;    // of a hold, in vain
         uint32_t as_capped; // 1: a hold brakes with what pieces leave at their caps only
         uint32_t redone;   // of a hold, on one ladder
-        double j_cell;     // check: jerk limit of the cell before
+        double j_cell;     // reach, check: jerk limit of the cell before
         double length;     // of the ladder so far
         double step;       // D of this plan: a hold's ladder has to fit [s]
         double time;       // duration of the cells drawn so far [s]

@@ -313,6 +313,11 @@ nck_status_t nck_window_lay(nck_jerk_t *self, const nck_pieces_t *pieces) {
 
 // ---- limit
 
+// The smaller jerk limit of a cell and of the one before: rule R.
+static double j_of_both(const nck_jerk_t *self, uint32_t i) {
+    return i > 0 ? nck_min(self->j_max[i - 1], self->j_max[i]) : self->j_max[i];
+}
+
 // 1 if this is a hold that takes what bends leave at lower speeds.
 static int relaxes(const nck_jerk_t *self) {
     return self->work.reach > 0.0 && !self->work.as_capped;
@@ -330,7 +335,8 @@ static void brake_along(nck_jerk_t *self, const nck_pieces_t *pieces, uint32_t i
     self->a_max[i] = limits.a;
     self->j_max[i] = limits.j;
     if (nck_brake_rests(state, NCK_BRAKE_SHARE * limits.j)) return; // what is left rounds the end
-    state->v_last = nck_sqrt(nck_brake_cell(state, self->h[i], limits.a, limits.j, q_cap));
+    const double j = j_of_both(self, i);
+    state->v_last = nck_sqrt(nck_brake_cell(state, self->h[i], limits.a, j, q_cap));
 }
 
 // The larger speed at a cell's ends in the plan tried last, which ends at rest.
@@ -461,11 +467,13 @@ static double land_cell(nck_profile_t *state, double h, double j, double w_cap, 
 }
 
 // v² of the plan of now at the ladder's next node, both counted from where the ladder begins. On a
-// ladder taken over it came along. Returns −1 while the cell of the plan is still looked for.
+// ladder taken over from it, it came along. Returns −1 while the cell of the plan is still looked
+// for.
 static double planned(nck_jerk_t *self) {
     const uint32_t i = self->work.i;
-    if (i + 1 < self->work.loaded) return self->w[i + 1];
-    const nck_cell_t *const cell = source(self, self->work.planned_cell);
+    if (!self->work.from_built && i + 1 < self->work.loaded) return self->w[i + 1];
+    const nck_cell_t *const cell =
+        nck_link_tail_cell(self->link, self->work.source + self->work.planned_cell);
     if (!cell) return 0.0;
     const double x = self->work.braked + self->h[i] - self->work.planned_at;
     if (x <= cell->length) return nck_max(0.0, cell->v * cell->v + 2.0 * cell->a * x);
@@ -488,11 +496,15 @@ nck_status_t nck_window_brake(nck_jerk_t *self) {
         const double vv_planned = planned(self);
         if (vv_planned < 0.0) continue;
         const double a_max = self->a_max[i];
-        const double vv = nck_brake_cell(state, self->h[i], a_max, self->j_max[i], q_cap);
-        const double landed = land_cell(state, self->h[i], self->j_max[i], self->w_cap[i + 1], vv);
+        const double j = j_of_both(self, i);
+        const double vv = nck_brake_cell(state, self->h[i], a_max, j, q_cap);
+        const double landed = land_cell(state, self->h[i], j, self->w_cap[i + 1], vv);
         const double floor = nck_min(landed, vv_planned);
+        if (floor < landed) { // the plan of now brakes harder
+            state->a_last = 0.5 * (floor - state->v_last * state->v_last) / self->h[i];
+        }
         self->w_cap[i + 1] = nck_max(self->w_cap[i + 1], floor);
-        state->v_last = nck_sqrt(landed);
+        state->v_last = nck_sqrt(floor);
         self->work.braked += self->h[i];
         self->work.i++;
     }
