@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Room 1: what a plain line costs in instructions, and that macros do not make it dearer."""
+"""Room 1: what a line costs in instructions, and that macros do not make a plain one dearer."""
 
 import re
 import subprocess
@@ -7,7 +7,8 @@ import subprocess
 import pytest
 
 COMPILER = "12.2.0"  # what the numbers below were counted with, -O2 on x86-64
-INSTRUCTIONS = {"line": 1917, "modal": 1416, "arc": 3185}  # a line, before there were macros
+# A line; plain ones as they were before there were macros.
+INSTRUCTIONS = {"line": 1917, "modal": 1416, "arc": 3185, "macro": 7235}
 MOST = 1.02
 
 
@@ -34,7 +35,7 @@ def instructions(valgrind, binary, kind, count):
 
 
 @pytest.mark.parametrize("kind", INSTRUCTIONS)
-def test_a_plain_line_costs_what_it_did_before_macros(kind, plain_lines, tool):
+def test_a_line_costs_what_it_did(kind, plain_lines, tool):
     valgrind = tool("valgrind")
     few, many = (instructions(valgrind, plain_lines, kind, count) for count in (1000, 3000))
     cost = (many - few) / 2000

@@ -1,9 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Room 1: expressions, parameters, O words and subprograms against rs274, and what they cost."""
-
-import resource
-import subprocess
-import time
+"""Room 1: expressions, parameters, O words and subprograms against rs274."""
 
 import macro_programs
 import pytest
@@ -17,16 +13,6 @@ from pycnc.machine import Machine
 
 FREE = [f"axis.{axis}.{end}_mm=free" for axis in "xyz" for end in ("min", "max")]
 READ_BACK = 4e-6  # [mm] positions that a program reads are rounded to nanometres, again and again
-LOOP = """G21 G90 F600
-#1=0
-O1 WHILE [#1 LT {count}]
-#2=[10*COS[#1*0.37]+#3]
-#3=[0.5*SIN[#2+#1]]
-#1=[#1+1]
-O1 ENDWHILE
-G1 X#2 Y#3
-M2
-"""
 
 
 @pytest.fixture(scope="module")
@@ -97,30 +83,3 @@ def test_a_program_with_calls_runs_and_is_planned_alike():
     plan, trace = pycnc.plan(program), pycnc.run(program)
     assert len(program.blocks) == 7
     assert plan.time_s == pytest.approx(trace.summary["time_s"])
-
-
-def cpu_s(call):
-    """Return the CPU time that a call takes, with that of the processes that it starts [s]."""
-    def spent():
-        children = resource.getrusage(resource.RUSAGE_CHILDREN)
-        return time.process_time() + children.ru_utime + children.ru_stime
-
-    begun = spent()
-    call()
-    return spent() - begun
-
-
-def test_a_loop_is_eight_times_as_fast_as_in_rs274(machine, tool, tmp_path):
-    rs274 = tool("rs274")
-    texts = [LOOP.format(count=count).encode() for count in (1000, 21000)]
-
-    def theirs(text):
-        (tmp_path / "loop.ngc").write_bytes(text)
-        command = [rs274, "-g", "-n", "2", tmp_path / "loop.ngc", tmp_path / "out.txt"]
-        subprocess.run(command, stdin=subprocess.DEVNULL, capture_output=True, check=True)
-
-    def slope(call):  # of 20,000 rounds, without what a start costs
-        return min(cpu_s(lambda: call(texts[1])) - cpu_s(lambda: call(texts[0])) for _ in range(3))
-
-    ratio = slope(theirs) / slope(lambda text: stages.decode(text, machine))
-    assert ratio >= 8, f"{ratio:.1f} times"

@@ -119,6 +119,8 @@ def test_every_road_gives_the_same_bits_on_real_programs(name):
     if not FILES[name].path.exists():
         pytest.skip(f"{FILES[name].path} is not here: the corpus lies beside the repository")
     nodes = judged.plan(judged.load_exact(FILES[name]))[2]
+    if len(nodes) == 0:
+        pytest.skip(f"{name} moves nothing")
     h = (2.0 * nodes["a"] * nodes["length"])[:-1]
     for real in REALS.values():
         w_cap, pieces = nodes["vv_cap"].astype(real), h.astype(real)

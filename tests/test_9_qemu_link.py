@@ -151,7 +151,7 @@ def run_threads(program, way):
     """Run the threads; return what they say, empty if all is well."""
     first = {**os.environ, "TSAN_OPTIONS": "halt_on_error=1"}
     command = [program, str(CELLS), str(WAYS[way])]
-    done = subprocess.run(command, capture_output=True, text=True, timeout=120, env=first)
+    done = subprocess.run(command, capture_output=True, text=True, timeout=600, env=first)
     return done.stdout + done.stderr if done.returncode != 0 else ""
 
 
@@ -203,7 +203,7 @@ def run_kernel(program, case, slope, folder):
     (folder / "program").write_text(case.text)
     first = {**os.environ, "TSAN_OPTIONS": "halt_on_error=1"}
     done = subprocess.run(
-        [program, "machine", "program"], capture_output=True, text=True, timeout=120, env=first,
+        [program, "machine", "program"], capture_output=True, text=True, timeout=600, env=first,
         cwd=folder,
     )  # fmt: skip
     if done.returncode != 0:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Decodes plain lines, for who counts the instructions of `decode_all`: plain_lines KIND COUNT.
+// Decodes lines of one kind, for who counts the instructions of `decode_all`: plain_lines KIND COUNT.
 #include <stdio.h>
 #include <stdlib.h> // strtoul
 #include <string.h> // strcmp
@@ -16,6 +16,9 @@ static size_t add_line(char *out, const char *kind, unsigned k) {
     const char *const sign = k % 2 ? "-" : "";
     if (strcmp(kind, "arc") == 0) {
         return (size_t)sprintf(out, "G91 G%u X%s5.0 Y0.5 I%s2.50 J0.25\n", 2 + k % 2, sign, sign);
+    }
+    if (strcmp(kind, "macro") == 0) {
+        return (size_t)sprintf(out, "#1=[#1+1] X[10*COS[#1*0.%u]] Y[#1/2]\n", k % 90 + 10);
     }
     const int full = strcmp(kind, "line") == 0;
     return (size_t)sprintf(out, full ? "G1 X%u.%03u Y-%u.%03u Z0.%u\n" : "X%u.%03u Y%u.%03u\n",

@@ -14,6 +14,8 @@ enum { MIXED_MOST = 64 };
 #define CURVE_SHARE 0.95
 // Share of the jerk that 3|p″|v·a may use (budget of room 4).
 #define RAMP_SHARE 0.5
+// The plan above a brake is at most so many times as fast.
+#define PLAN_ABOVE 1.1
 // A cap beyond every speed's square.
 #define UNCAPPED 1e18
 
@@ -119,7 +121,7 @@ static int reach_cell(nck_jerk_t *self, const nck_pieces_t *pieces, const nck_ce
     part.s += h * (double)self->work.part;
     self->work.piece = nck_plan_find(pieces, self->work.piece, &part);
     const nck_node_t *const piece = nck_plan_piece(pieces, self->work.piece);
-    const double v = nck_min(cell->v, NCK_BRAKE_ABOVE * state->v_last);
+    const double v = nck_min(cell->v, PLAN_ABOVE * state->v_last);
     nck_brake_limits_t limits = {self->work.over ? piece->a_over : piece->a,
                                  self->j_scale * (self->work.over ? piece->j_over : piece->j)};
     if (!self->work.as_capped) nck_brake_relax(self, pieces, self->work.piece, v, &limits);
@@ -146,6 +148,89 @@ nck_status_t nck_brake_reach(nck_jerk_t *self, const nck_pieces_t *pieces) {
             nck_link_tail_cell(self->link, self->work.source + self->work.i);
         if (!cell) return NCK_EMPTY;
         if (reach_cell(self, pieces, cell)) return NCK_DONE;
+    }
+    return NCK_OK;
+}
+
+// ---- along a ladder
+
+// The smaller jerk limit of a cell and of the one before: rule R.
+static double j_of_both(const nck_jerk_t *self, uint32_t i) {
+    const uint32_t before = i > 0 ? i - 1 : i;
+    return nck_min(self->j_max[before], self->j_max[i]);
+}
+
+void nck_brake_along(nck_jerk_t *self, const nck_pieces_t *pieces, uint32_t i) {
+    nck_profile_t *const state = &self->profile;
+    const double q_cap = nck_window_q_cap(self);
+    if (i == 0) nck_brake_begin(state, q_cap);
+    const double v = nck_min(nck_sqrt(self->w_cap[i]), PLAN_ABOVE * state->v_last);
+    if (state->v_last > 0.0) self->w_cap[i] = v * v;
+    nck_brake_limits_t limits = {self->a_max[i], self->j_max[i]};
+    nck_brake_relax(self, pieces, self->rung_piece[i], v, &limits);
+    self->a_max[i] = limits.a;
+    self->j_max[i] = limits.j;
+    if (nck_brake_rests(state, NCK_BRAKE_SHARE * limits.j)) return; // what is left rounds the end
+    const double j = j_of_both(self, i);
+    state->v_last = nck_sqrt(nck_brake_cell(state, self->h[i], limits.a, j, q_cap));
+}
+
+// ---- raise
+
+// The deceleration must be gone when the cap is met: v − v_cap ≥ a²/(2J), which in steps of the
+// duration q becomes |a| ≤ √((Jq/2)² + 2J·(v − v_cap)) − Jq/2. Near the cap the brake gives way,
+// and vv becomes more.
+static double land_cell(nck_profile_t *state, double h, double j, double w_cap, double vv) {
+    const double v = state->v_last;
+    const double above = nck_max(0.0, v - nck_sqrt(w_cap));
+    const double step = NCK_BRAKE_SHARE * j * state->share; // J·q/2
+    const double least = step - nck_sqrt(step * step + 2.0 * NCK_BRAKE_SHARE * j * above);
+    if (state->a_last >= least) return vv;
+    state->a_last = least;
+    return nck_max(0.0, v * v + 2.0 * least * h);
+}
+
+// v² of the plan of now at the ladder's next node, both counted from where the ladder begins. On a
+// ladder taken over from it, it came along. Returns −1 while the cell of the plan is still looked
+// for.
+static double planned(nck_jerk_t *self) {
+    const uint32_t i = self->work.i;
+    if (!self->work.from_built && i + 1 < self->work.loaded) return self->w[i + 1];
+    const nck_cell_t *const cell =
+        nck_link_tail_cell(self->link, self->work.source + self->work.planned_cell);
+    if (!cell) return 0.0;
+    const double x = self->work.braked + self->h[i] - self->work.planned_at;
+    if (x <= cell->length) return nck_max(0.0, cell->v * cell->v + 2.0 * cell->a * x);
+    self->work.planned_at += cell->length;
+    self->work.planned_cell++;
+    return -1.0;
+}
+
+nck_status_t nck_brake_raise(nck_jerk_t *self) {
+    nck_profile_t *const state = &self->profile;
+    const double q_cap = nck_window_q_cap(self);
+    if (self->work.i == 0) {
+        nck_brake_begin(state, q_cap);
+        if (state->v > 0.0) self->w_cap[0] = nck_max(self->w_cap[0], state->v * state->v);
+    }
+    for (int n = 0; n < NCK_JERK_STEP; n++) {
+        const uint32_t i = self->work.i;
+        const uint32_t known = self->work.anew ? self->work.n : self->work.loaded;
+        if (i + 1 >= known || !(state->v_last > 0.0)) return NCK_DONE;
+        const double vv_planned = planned(self);
+        if (vv_planned < 0.0) continue;
+        const double a_max = self->a_max[i];
+        const double j = j_of_both(self, i);
+        const double vv = nck_brake_cell(state, self->h[i], a_max, j, q_cap);
+        const double landed = land_cell(state, self->h[i], j, self->w_cap[i + 1], vv);
+        const double floor = nck_min(landed, vv_planned);
+        if (floor < landed) { // the plan of now brakes harder
+            state->a_last = 0.5 * (floor - state->v_last * state->v_last) / self->h[i];
+        }
+        self->w_cap[i + 1] = nck_max(self->w_cap[i + 1], floor);
+        state->v_last = nck_sqrt(floor);
+        self->work.braked += self->h[i];
+        self->work.i++;
     }
     return NCK_OK;
 }

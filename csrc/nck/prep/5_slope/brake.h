@@ -7,8 +7,6 @@
 
 // The brake keeps off the limits by so much, so that the plan above it finds room.
 #define NCK_BRAKE_SHARE 0.98
-// That plan is at most so many times as fast.
-#define NCK_BRAKE_ABOVE 1.1
 
 // What a piece leaves to the path. j counts in rule R: a share of the piece's own.
 typedef struct nck_brake_limits {
@@ -35,5 +33,13 @@ void nck_brake_relax(const nck_jerk_t *self, const nck_pieces_t *pieces, uint32_
 // How far a hold brakes: work.reach. NCK_OK: call again; NCK_EMPTY: the plan of now rests before;
 // NCK_DONE. Cost: bounded.
 nck_status_t nck_brake_reach(nck_jerk_t *self, const nck_pieces_t *pieces);
+
+// A hold brakes with what bends leave at the speed that it has by then, and keeps below that speed:
+// limits and cap of cell i of the ladder. Cells in their order. Cost: that of nck_brake_relax.
+void nck_brake_along(nck_jerk_t *self, const nck_pieces_t *pieces, uint32_t i);
+
+// Raise the caps to where the path can brake to from its entry speed: an override may have lowered
+// them below that. NCK_OK: call again; NCK_DONE. Cost: bounded.
+nck_status_t nck_brake_raise(nck_jerk_t *self);
 
 #endif

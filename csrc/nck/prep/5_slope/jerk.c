@@ -307,7 +307,7 @@ nck_status_t nck_jerk_step(nck_jerk_t *self, const nck_pieces_t *pieces) {
         if (nck_window_limit(self, pieces) == NCK_DONE) enter(self, PHASE_BRAKE);
         return NCK_OK;
     case PHASE_BRAKE:
-        if (nck_window_brake(self) == NCK_DONE) finish_brake(self);
+        if (nck_brake_raise(self) == NCK_DONE) finish_brake(self);
         return NCK_OK;
     case PHASE_PLAN:
         if (is_rest(self) || nck_profile_step(&self->profile, NCK_JERK_STEP) == NCK_DONE) {

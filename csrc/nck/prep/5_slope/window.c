@@ -313,30 +313,9 @@ nck_status_t nck_window_lay(nck_jerk_t *self, const nck_pieces_t *pieces) {
 
 // ---- limit
 
-// The smaller jerk limit of a cell and of the one before: rule R.
-static double j_of_both(const nck_jerk_t *self, uint32_t i) {
-    return i > 0 ? nck_min(self->j_max[i - 1], self->j_max[i]) : self->j_max[i];
-}
-
 // 1 if this is a hold that takes what bends leave at lower speeds.
 static int relaxes(const nck_jerk_t *self) {
     return self->work.reach > 0.0 && !self->work.as_capped;
-}
-
-// A hold brakes with what bends leave at the speed that it has by then, and keeps below that speed.
-static void brake_along(nck_jerk_t *self, const nck_pieces_t *pieces, uint32_t i) {
-    nck_profile_t *const state = &self->profile;
-    const double q_cap = nck_window_q_cap(self);
-    if (i == 0) nck_brake_begin(state, q_cap);
-    const double v = nck_min(nck_sqrt(self->w_cap[i]), NCK_BRAKE_ABOVE * state->v_last);
-    if (state->v_last > 0.0) self->w_cap[i] = v * v;
-    nck_brake_limits_t limits = {self->a_max[i], self->j_max[i]};
-    nck_brake_relax(self, pieces, self->rung_piece[i], v, &limits);
-    self->a_max[i] = limits.a;
-    self->j_max[i] = limits.j;
-    if (nck_brake_rests(state, NCK_BRAKE_SHARE * limits.j)) return; // what is left rounds the end
-    const double j = j_of_both(self, i);
-    state->v_last = nck_sqrt(nck_brake_cell(state, self->h[i], limits.a, j, q_cap));
 }
 
 // The larger speed at a cell's ends in the plan tried last, which ends at rest.
@@ -391,7 +370,7 @@ static void limit_cell(nck_jerk_t *self, const nck_pieces_t *pieces, uint32_t i)
     }
     self->a_max[i] = limits.a;
     self->j_max[i] = limits.j;
-    if (relaxes(self) && self->work.redone == 0) brake_along(self, pieces, i);
+    if (relaxes(self) && self->work.redone == 0) nck_brake_along(self, pieces, i);
 }
 
 // ---- check
@@ -451,62 +430,3 @@ nck_status_t nck_window_limit(nck_jerk_t *self, const nck_pieces_t *pieces) {
     return NCK_OK;
 }
 
-// ---- brake
-
-// The deceleration must be gone when the cap is met: v − v_cap ≥ a²/(2J), which in steps of the
-// duration q becomes |a| ≤ √((Jq/2)² + 2J·(v − v_cap)) − Jq/2. Near the cap the brake gives way,
-// and vv becomes more.
-static double land_cell(nck_profile_t *state, double h, double j, double w_cap, double vv) {
-    const double v = state->v_last;
-    const double above = nck_max(0.0, v - nck_sqrt(w_cap));
-    const double step = NCK_BRAKE_SHARE * j * state->share; // J·q/2
-    const double least = step - nck_sqrt(step * step + 2.0 * NCK_BRAKE_SHARE * j * above);
-    if (state->a_last >= least) return vv;
-    state->a_last = least;
-    return nck_max(0.0, v * v + 2.0 * least * h);
-}
-
-// v² of the plan of now at the ladder's next node, both counted from where the ladder begins. On a
-// ladder taken over from it, it came along. Returns −1 while the cell of the plan is still looked
-// for.
-static double planned(nck_jerk_t *self) {
-    const uint32_t i = self->work.i;
-    if (!self->work.from_built && i + 1 < self->work.loaded) return self->w[i + 1];
-    const nck_cell_t *const cell =
-        nck_link_tail_cell(self->link, self->work.source + self->work.planned_cell);
-    if (!cell) return 0.0;
-    const double x = self->work.braked + self->h[i] - self->work.planned_at;
-    if (x <= cell->length) return nck_max(0.0, cell->v * cell->v + 2.0 * cell->a * x);
-    self->work.planned_at += cell->length;
-    self->work.planned_cell++;
-    return -1.0;
-}
-
-nck_status_t nck_window_brake(nck_jerk_t *self) {
-    nck_profile_t *const state = &self->profile;
-    const double q_cap = nck_window_q_cap(self);
-    if (self->work.i == 0) {
-        nck_brake_begin(state, q_cap);
-        if (state->v > 0.0) self->w_cap[0] = nck_max(self->w_cap[0], state->v * state->v);
-    }
-    for (int n = 0; n < NCK_JERK_STEP; n++) {
-        const uint32_t i = self->work.i;
-        const uint32_t known = self->work.anew ? self->work.n : self->work.loaded;
-        if (i + 1 >= known || !(state->v_last > 0.0)) return NCK_DONE;
-        const double vv_planned = planned(self);
-        if (vv_planned < 0.0) continue;
-        const double a_max = self->a_max[i];
-        const double j = j_of_both(self, i);
-        const double vv = nck_brake_cell(state, self->h[i], a_max, j, q_cap);
-        const double landed = land_cell(state, self->h[i], j, self->w_cap[i + 1], vv);
-        const double floor = nck_min(landed, vv_planned);
-        if (floor < landed) { // the plan of now brakes harder
-            state->a_last = 0.5 * (floor - state->v_last * state->v_last) / self->h[i];
-        }
-        self->w_cap[i + 1] = nck_max(self->w_cap[i + 1], floor);
-        state->v_last = nck_sqrt(floor);
-        self->work.braked += self->h[i];
-        self->work.i++;
-    }
-    return NCK_OK;
-}

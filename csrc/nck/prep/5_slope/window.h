@@ -38,10 +38,6 @@ nck_status_t nck_window_lay(nck_jerk_t *self, const nck_pieces_t *pieces);
 // Caps and limits of every cell and node. NCK_OK: call again; NCK_DONE. Cost: bounded.
 nck_status_t nck_window_limit(nck_jerk_t *self, const nck_pieces_t *pieces);
 
-// Raise the caps to where the path can brake to from its entry speed: an override may have lowered
-// them below that. NCK_OK: call again; NCK_DONE. Cost: bounded.
-nck_status_t nck_window_brake(nck_jerk_t *self);
-
 // Whether a hold keeps to what bends leave at the speeds that its plan has in the end. NCK_OK: call
 // again; NCK_DONE; NCK_E_STATE: it does not. Cost: bounded.
 nck_status_t nck_window_check(nck_jerk_t *self, const nck_pieces_t *pieces);
