@@ -190,6 +190,34 @@ static double land_cell(nck_profile_t *state, double h, double j, double w_cap, 
     return nck_max(0.0, v * v + 2.0 * least * h);
 }
 
+// Cells of the ladder over the path of the plan of now.
+static uint32_t known_cells(const nck_jerk_t *self) {
+    return self->work.anew ? self->work.n : self->work.loaded;
+}
+
+// Half of a cell's duration, about: at the speeds of the plan of now, or of the coarse one, or at
+// the one that the plan begins with.
+static double share_about(const nck_jerk_t *self, uint32_t i) {
+    const double known = nck_sqrt(self->w[i]) + nck_sqrt(self->w[i + 1]);
+    const double v_sum = self->work.anew ? 2.0 * self->profile.v : known;
+    return nck_hull_share(self->h[i], v_sum, nck_window_q_cap(self));
+}
+
+nck_status_t nck_brake_ease(nck_jerk_t *self) {
+    double *const most = nck_link_spare(self->link)->number[0];
+    const uint32_t known = known_cells(self);
+    for (int n = 0; n < NCK_JERK_STEP; n++) {
+        if (self->work.i + 1 >= known) return NCK_DONE;
+        const uint32_t i = known - 2 - self->work.i;
+        if (self->work.i == 0) most[i + 1] = self->a_max[i + 1];
+        const double shares = share_about(self, i) + share_about(self, i + 1);
+        const double rise = NCK_BRAKE_SHARE * j_of_both(self, i + 1) * shares;
+        most[i] = nck_min(self->a_max[i], most[i + 1] + rise);
+        self->work.i++;
+    }
+    return NCK_OK;
+}
+
 // v² of the plan of now at the ladder's next node, both counted from where the ladder begins. On a
 // ladder taken over from it, it came along. Returns −1 while the cell of the plan is still looked
 // for.
@@ -208,6 +236,7 @@ static double planned(nck_jerk_t *self) {
 
 nck_status_t nck_brake_raise(nck_jerk_t *self) {
     nck_profile_t *const state = &self->profile;
+    const double *const eased = nck_link_spare(self->link)->number[0];
     const double q_cap = nck_window_q_cap(self);
     if (self->work.i == 0) {
         nck_brake_begin(state, q_cap);
@@ -215,11 +244,10 @@ nck_status_t nck_brake_raise(nck_jerk_t *self) {
     }
     for (int n = 0; n < NCK_JERK_STEP; n++) {
         const uint32_t i = self->work.i;
-        const uint32_t known = self->work.anew ? self->work.n : self->work.loaded;
-        if (i + 1 >= known || !(state->v_last > 0.0)) return NCK_DONE;
+        if (i + 1 >= known_cells(self) || !(state->v_last > 0.0)) return NCK_DONE;
         const double vv_planned = planned(self);
         if (vv_planned < 0.0) continue;
-        const double a_max = self->a_max[i];
+        const double a_max = self->work.eases ? eased[i] : self->a_max[i];
         const double j = j_of_both(self, i);
         const double vv = nck_brake_cell(state, self->h[i], a_max, j, q_cap);
         const double landed = land_cell(state, self->h[i], j, self->w_cap[i + 1], vv);

@@ -38,6 +38,11 @@ nck_status_t nck_brake_reach(nck_jerk_t *self, const nck_pieces_t *pieces);
 // limits and cap of cell i of the ladder. Cells in their order. Cost: that of nck_brake_relax.
 void nck_brake_along(nck_jerk_t *self, const nck_pieces_t *pieces, uint32_t i);
 
+// Where limits step down, a brake has to give way in front of the step: what it may take of every
+// cell's acceleration, in the link's spare memory, for nck_brake_raise. NCK_OK: call again;
+// NCK_DONE. Cost: bounded.
+nck_status_t nck_brake_ease(nck_jerk_t *self);
+
 // Raise the caps to where the path can brake to from its entry speed: an override may have lowered
 // them below that. NCK_OK: call again; NCK_DONE. Cost: bounded.
 nck_status_t nck_brake_raise(nck_jerk_t *self);

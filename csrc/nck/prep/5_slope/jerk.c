@@ -10,7 +10,7 @@
 #include "nck/prep/5_slope/window.h"      // nck_window_…
 
 enum {
-    PHASE_REACH = 0, PHASE_LOAD, PHASE_LAY, PHASE_LIMIT, PHASE_BRAKE, PHASE_PLAN,
+    PHASE_REACH = 0, PHASE_LOAD, PHASE_LAY, PHASE_LIMIT, PHASE_EASE, PHASE_BRAKE, PHASE_PLAN,
     PHASE_CHECK, PHASE_DRAW
 };
 
@@ -172,10 +172,10 @@ static nck_status_t give_way(nck_jerk_t *self, const nck_pieces_t *pieces) {
         if (tries != RELAXED_TRIES) begin_hold(self, longer);
     } else if (is_past && must_rest) {
         begin_brake(self, NCK_HELD_OVERRIDE);
-    } else if (single_block && is_past && passes < NCK_JERK_PIECES) {
+    } else if (single_block && passes < NCK_JERK_PIECES) {
         begin_moving(self);
-        self->work.passes = passes;
-        self->work.to_pass = passes;
+        self->work.passes = is_past ? passes : NCK_JERK_PIECES;
+        self->work.to_pass = self->work.passes;
     } else if (!was_all && !single_block) {
         begin_moving(self);
         self->work.all = 1;
@@ -215,6 +215,12 @@ static nck_status_t finish_load(nck_jerk_t *self, const nck_pieces_t *pieces) {
 
 static int is_rest(const nck_jerk_t *self) {
     return self->work.n == 1 && !(self->h[0] > 0.0);
+}
+
+// Caps that fell are raised to a brake.
+static void finish_limit(nck_jerk_t *self) {
+    self->work.eases = self->job.kind == NCK_JOB_GO_ON && self->job.anew;
+    enter(self, self->work.eases ? PHASE_EASE : PHASE_BRAKE);
 }
 
 // The profile is worked out where its cells will be drawn.
@@ -304,7 +310,10 @@ nck_status_t nck_jerk_step(nck_jerk_t *self, const nck_pieces_t *pieces) {
         return nck_window_load(self, pieces) == NCK_DONE ? finish_load(self, pieces) : NCK_OK;
     case PHASE_LAY: return lay(self, pieces);
     case PHASE_LIMIT:
-        if (nck_window_limit(self, pieces) == NCK_DONE) enter(self, PHASE_BRAKE);
+        if (nck_window_limit(self, pieces) == NCK_DONE) finish_limit(self);
+        return NCK_OK;
+    case PHASE_EASE:
+        if (nck_brake_ease(self) == NCK_DONE) enter(self, PHASE_BRAKE);
         return NCK_OK;
     case PHASE_BRAKE:
         if (nck_brake_raise(self) == NCK_DONE) finish_brake(self);

@@ -43,6 +43,7 @@ typedef struct nck_jerk {
         uint32_t part;     // reach: of the next cell
         uint32_t tries;    // of a hold, in vain
         uint32_t as_capped; // 1: a hold brakes with what pieces leave at their caps only
+        uint32_t eases;    // brake: 1: it gives way in front of steps of the limits
         uint32_t redone;   // of a hold, on one ladder
         double j_cell;     // reach, check: jerk limit of the cell before
         double length;     // of the ladder so far
