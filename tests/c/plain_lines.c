@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Decodes lines of one kind, for who counts the instructions of `decode_all`: plain_lines KIND COUNT.
+// Decodes lines of a kind, for who counts the instructions of `decode_all`: plain_lines KIND COUNT.
 #include <stdio.h>
 #include <stdlib.h> // strtoul
 #include <string.h> // strcmp
