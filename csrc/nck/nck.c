@@ -136,7 +136,7 @@ static void drop_before(nck_t *nck, uint32_t number) {
 // lookahead ─▶ slope ─▶ plans and final cells.
 static nck_status_t step_slope(nck_t *nck) {
     const nck_pieces_t pieces = pieces_of(nck);
-    const int beyond = nck_travel_step(&nck->travel, &nck->machine, &nck->link, &pieces);
+    const int beyond = nck_travel_step(&nck->travel, &nck->terms, &nck->link, &pieces);
     nck_wish_t wish = wish_of(&nck->command);
     if (beyond) wish.hold = 1;
     const nck_status_t status = nck_slope_step(&nck->slope, &pieces, &wish);

@@ -9,6 +9,7 @@
 
 #include <string.h> // memcpy
 
+#include "nck/base/budget.h"               // NCK_BUDGET_… NCK_UNLIMITED
 #include "nck/base/path.h"                 // nck_path_tangent
 #include "nck/base/real.h"                 // nck_min nck_max
 #include "nck/base/scurve_math.h"          // nck_scurve_…
@@ -18,14 +19,9 @@
 
 #define HALF 0.495           // of a block, for the corner at one of its ends
 #define TOLERANCE_SHARE 0.98 // of P: rounding of setpoints is the rest
-#define JERK_SHARE 0.85      // of what room 4 lets the bend use of an axis' jerk
-#define ACCEL_SHARE 0.95     // the same of its acceleration
 #define LEAST 1e-9           // [path mm]: a parking shorter than that is none
 #define REVERSAL 1e-6        // |in + out| up to which a corner is an exact reversal
-#define UNLIMITED 1e30       // jerk of the linear slope
 #define ZONES_CUT 1.3        // see SPLIT_ZONES of room 4
-#define RAMP_SHARE 0.5       // of the jerk that is left, for speeding up in a bend (room 4)
-#define STEEP_SHARE 0.8      // of the acceleration that is left: how steep room 4 lets caps be
 // A blend is many pieces, which fill a window sooner: it has to be surely faster.
 #define BLEND_SHORT 1.015
 #define STANDSTILL 1e-3
@@ -62,7 +58,8 @@ static double least_of(double so_far, double limit, double part) {
 static nck_scurve_t limit_along(const nck_terms_t *terms, const double *tangent, double v) {
     const nck_machine_t *const machine = terms->machine;
     const int limits_jerk = terms->limits_jerk;
-    nck_scurve_t ramp = {machine->path.a_max, limits_jerk ? machine->path.j_max : UNLIMITED, v};
+    const double j = limits_jerk ? machine->path.j_max : NCK_UNLIMITED;
+    nck_scurve_t ramp = {machine->path.a_max, j, v};
     for (int x = 0; x < NCK_AXIS_MAX; x++) {
         ramp.a = least_of(ramp.a, machine->axis[x].a_max, tangent[x]);
         if (limits_jerk) ramp.j = least_of(ramp.j, machine->axis[x].j_max, tangent[x]);
@@ -79,11 +76,12 @@ static double sag_of(const nck_machine_t *machine) {
 static shape_limit_t limit_plain(const nck_terms_t *terms, const double *turn) {
     const nck_machine_t *const machine = terms->machine;
     shape_limit_t limit = {
-        UNLIMITED, UNLIMITED, least_of(UNLIMITED, sag_of(machine), nck_spline_norm(turn))};
+        NCK_UNLIMITED, NCK_UNLIMITED,
+        least_of(NCK_UNLIMITED, sag_of(machine), nck_spline_norm(turn))};
     for (int x = 0; x < NCK_AXIS_MAX; x++) {
-        limit.a = least_of(limit.a, ACCEL_SHARE * machine->axis[x].a_max, turn[x]);
+        limit.a = least_of(limit.a, NCK_BUDGET_CURVE_SHARE * machine->axis[x].a_max, turn[x]);
         if (!terms->limits_jerk) continue;
-        limit.j = least_of(limit.j, JERK_SHARE * machine->axis[x].j_max, turn[x]);
+        limit.j = least_of(limit.j, NCK_BUDGET_TWIST_SHARE * machine->axis[x].j_max, turn[x]);
     }
     return limit;
 }
@@ -93,10 +91,10 @@ static shape_limit_t limit_plain(const nck_terms_t *terms, const double *turn) {
 static shape_limit_t limit_blend(const corner_t *corner, double apart) {
     const nck_machine_t *const machine = corner->terms->machine;
     const double overlap = nck_max(0.0, 1.0 - apart);
-    shape_limit_t limit = {UNLIMITED, UNLIMITED, sag_of(machine)};
+    shape_limit_t limit = {NCK_UNLIMITED, NCK_UNLIMITED, sag_of(machine)};
     for (int x = 0; x < NCK_AXIS_MAX; x++) {
-        const double a = ACCEL_SHARE * machine->axis[x].a_max;
-        const double j = JERK_SHARE * machine->axis[x].j_max;
+        const double a = NCK_BUDGET_CURVE_SHARE * machine->axis[x].a_max;
+        const double j = NCK_BUDGET_TWIST_SHARE * machine->axis[x].j_max;
         const double in = corner->in[x];
         const double out = corner->out[x];
         limit.a = least_of(least_of(limit.a, a, in - overlap * out), a, out - overlap * in);
@@ -109,10 +107,10 @@ static shape_limit_t limit_blend(const corner_t *corner, double apart) {
 // What a bend of half-width d, passed at v, leaves of the limits along a block, as room 4 does it.
 static nck_scurve_t left_by(const nck_scurve_t *ramp, const shape_limit_t *limit, double d,
                             double v) {
-    const double bent = ACCEL_SHARE * v * v / (limit->a * d);
-    const double jerk = limit->j * d * d / JERK_SHARE; // that |p‴| = 1/d² may use
+    const double bent = NCK_BUDGET_CURVE_SHARE * v * v / (limit->a * d);
+    const double jerk = limit->j * d * d / NCK_BUDGET_TWIST_SHARE; // that |p‴| = 1/d² may use
     const double untwisted = 1.0 - v * v * v / jerk;
-    const double steepest = RAMP_SHARE * untwisted * jerk / (3.0 * v * d);
+    const double steepest = NCK_BUDGET_RAMP_SHARE * untwisted * jerk / (3.0 * v * d);
     nck_scurve_t left = {nck_min((1.0 - bent) * ramp->a, steepest), ramp->j, v};
     left.j *= untwisted - 3.0 * v * left.a * d / jerk;
     return left;
@@ -144,7 +142,8 @@ static double leveled(const nck_scurve_t *ramp, const shape_limit_t *limit, cons
     for (int k = 0; k < HALVINGS; k++) {
         const double v = 0.5 * (low + high);
         const nck_scurve_t left = left_by(ramp, limit, d, v);
-        const double vv = way->v_free * way->v_free + 2.0 * STEEP_SHARE * left.a * apart;
+        const double a = NCK_BUDGET_STEEP_SHARE * left.a;
+        const double vv = way->v_free * way->v_free + 2.0 * a * apart;
         if (v * v <= vv) low = v;
         else high = v;
     }

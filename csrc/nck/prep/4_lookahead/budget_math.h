@@ -6,17 +6,8 @@
 #ifndef NCK_PREP_BUDGET_MATH_H
 #define NCK_PREP_BUDGET_MATH_H
 
-#include "nck/base/real.h" // nck_real nck_sqrt nck_min
-
-// Shares that the speed alone may use: of acceleration |p″|v² ≤ γ·a_x, of jerk |p‴|v³ ≤ β·j_x.
-#define NCK_BUDGET_CURVE_SHARE 0.95
-#define NCK_BUDGET_TWIST_SHARE 0.85
-// Share of the jerk that |p‴|v³ leaves which 3|p″|v·a may use; the rest is for p′·j.
-#define NCK_BUDGET_RAMP_SHARE 0.5
-// How steep the caps of neighbouring pieces may be: this share of the acceleration that is left.
-#define NCK_BUDGET_STEEP_SHARE 0.8
-// The same under the classical S-shape: its acceleration is zero at both ends of a piece.
-#define NCK_BUDGET_STEEP_HALF 0.4
+#include "nck/base/budget.h" // NCK_BUDGET_…
+#include "nck/base/real.h"   // nck_real nck_sqrt nck_min
 
 // v² that the curvature allows:   v² ≤ γ·a/|p″|,   second > 0
 static inline nck_real nck_budget_curve(nck_real a, nck_real second) {

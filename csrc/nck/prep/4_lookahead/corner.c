@@ -2,10 +2,9 @@
 // Inside room 4: speed and share of junctions, alone and where many share a period.
 #include "nck/prep/4_lookahead/corner.h"
 
+#include "nck/base/budget.h"                 // NCK_UNLIMITED
 #include "nck/base/scurve_math.h"            // nck_scurve_over
 #include "nck/prep/4_lookahead/limit_math.h" // nck_corner_…
-
-#define UNLIMITED 1e30
 
 // Smooth or straight pieces pass into each other without a corner, but for rounding: 1e-13 mm in
 // 1000 mm over a piece of 0.01 mm turns it by 3e-11, which at 100 mm/s, 1 ms and 1000 mm/s² costs
@@ -84,8 +83,8 @@ static int is_slow_linear(const nck_joint_t *in, const nck_joint_t *out, double 
     double stop = period;
     double crossing = 0.0;
     for (int n = 0; n < 2; n++) {
-        const nck_scurve_t all = {joint[n]->a_most, UNLIMITED, joint[n]->v_max};
-        const nck_scurve_t left = {(1.0 - share) * all.a, UNLIMITED, all.v_max};
+        const nck_scurve_t all = {joint[n]->a_most, NCK_UNLIMITED, joint[n]->v_max};
+        const nck_scurve_t left = {(1.0 - share) * all.a, NCK_UNLIMITED, all.v_max};
         const double half = 0.5 * joint[n]->length;
         const double zone = joint[n]->v_max * period;
         stop += nck_scurve_over(&all, 0.0, half);
@@ -192,7 +191,7 @@ static void walk_begin(nck_lookahead_t *self, walk_t *walk, uint32_t count) {
     const side_t here = {count, 0, 0.0, SIDE_KNOWN};
     walk->ahead = here;
     walk->behind = here;
-    walk->cut = UNLIMITED;
+    walk->cut = NCK_UNLIMITED;
     walk_ahead(self, walk);
     walk_behind(self, walk);
 }

@@ -4,13 +4,12 @@
 
 #include <string.h> // memset
 
+#include "nck/base/budget.h"                  // NCK_UNLIMITED
 #include "nck/base/path.h"                    // nck_path_tangent …
 #include "nck/base/path_math.h"               // nck_path_turns
 #include "nck/base/root_math.h"               // nck_root_cube
 #include "nck/prep/4_lookahead/budget_math.h" // nck_budget_…
 #include "nck/prep/4_lookahead/limit_math.h"  // nck_limit_…
-
-#define UNLIMITED 1e30
 
 // A spline is parted if |p″|v² changes by more than this share of an axis' acceleration.
 #define PART_CHANGE 0.02
@@ -46,7 +45,7 @@ static double largest_cosine(const nck_joint_t *joint, const nck_seg_t *seg, int
 static void cap_by_axes(nck_joint_t *joint, const nck_seg_t *seg, const double *t_in,
                         const double *t_out, const nck_terms_t *terms) {
     const nck_machine_t *const machine = terms->machine;
-    double a_straight = UNLIMITED;
+    double a_straight = NCK_UNLIMITED;
     double j = machine->path.j_max;
     for (int x = 0; x < terms->axes; x++) {
         const nck_axis_t *const axis = &machine->axis[x];
@@ -105,7 +104,7 @@ static void bound_spline(nck_joint_t *joint, const nck_seg_t *seg, const double 
 static void make_spline(nck_joint_t *joint, const nck_terms_t *terms) {
     const nck_machine_t *const machine = terms->machine;
     double bend = 0.0;
-    double twist = UNLIMITED;
+    double twist = NCK_UNLIMITED;
     for (int x = 0; x < terms->axes; x++) {
         const nck_axis_t *const axis = &machine->axis[x];
         const double second = joint->shape.bend.second[x];
@@ -120,7 +119,7 @@ static void make_spline(nck_joint_t *joint, const nck_terms_t *terms) {
         const double delta = machine->path.chord_error;
         cap_speed(joint, nck_limit_sag(nck_sqrt(bend), delta, machine->period_s), NCK_LIMIT_CHORD);
     }
-    if (terms->limits_jerk && twist < UNLIMITED) {
+    if (terms->limits_jerk && twist < NCK_UNLIMITED) {
         cap_speed(joint, nck_root_cube(twist), NCK_LIMIT_JERK);
     }
 }
@@ -144,11 +143,11 @@ static void begin(nck_joint_t *joint, const nck_seg_t *seg) {
     joint->end = seg->stop ? NCK_JOINT_STOP | NCK_JOINT_LAST : NCK_JOINT_LAST;
     if (seg->kind >= NCK_SEG_DWELL) joint->shape.dwell_s = seg->shape.dwell_s;
     joint->feed = seg->feed;
-    joint->v_max = UNLIMITED;
-    joint->v_free = UNLIMITED;
-    if (seg->kind == NCK_SEG_ARC) joint->shape.arc.a_plane = UNLIMITED;
-    joint->pace[NCK_PACE_FEED].v_corner = UNLIMITED;
-    joint->pace[NCK_PACE_OVER].v_corner = UNLIMITED;
+    joint->v_max = NCK_UNLIMITED;
+    joint->v_free = NCK_UNLIMITED;
+    if (seg->kind == NCK_SEG_ARC) joint->shape.arc.a_plane = NCK_UNLIMITED;
+    joint->pace[NCK_PACE_FEED].v_corner = NCK_UNLIMITED;
+    joint->pace[NCK_PACE_OVER].v_corner = NCK_UNLIMITED;
 }
 
 static void make_caps(nck_joint_t *joint, const nck_seg_t *seg, const double *tangent_start,

@@ -4,6 +4,7 @@
 
 #include <string.h> // memset
 
+#include "nck/base/budget.h"             // NCK_UNLIMITED
 #include "nck/base/real.h"               // nck_min nck_max nck_sqrt
 #include "nck/prep/4_lookahead/corner.h" // nck_corner_…
 #include "nck/prep/4_lookahead/joint.h"  // nck_joint_…
@@ -19,8 +20,6 @@ enum {
 // acceleration, and if the middle is at least as long as both its ends.
 #define SPLIT_SHARE 0.05
 #define SPLIT_ZONES 1.3
-
-#define UNLIMITED 1e30
 
 void nck_lookahead_init(nck_lookahead_t *self, const nck_terms_t *terms) {
     memset(self, 0, sizeof *self);
@@ -93,7 +92,7 @@ typedef struct around {
 } around_t;
 
 static const around_t NOTHING_AROUND = {
-    {0.0, 0.0}, {{UNLIMITED, UNLIMITED, 1.0}, {UNLIMITED, UNLIMITED, 1.0}}};
+    {0.0, 0.0}, {{NCK_UNLIMITED, NCK_UNLIMITED, 1.0}, {NCK_UNLIMITED, NCK_UNLIMITED, 1.0}}};
 
 // What another side's neighbourhood takes on top.
 static void add_around(around_t *around, const around_t *other) {

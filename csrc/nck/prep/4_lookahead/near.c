@@ -2,10 +2,8 @@
 // Inside room 4: what neighbouring segs have to do with a seg's speed and limits.
 #include "nck/prep/4_lookahead/near.h"
 
-#include "nck/base/scurve_math.h"              // nck_scurve_reach
-#include "nck/prep/4_lookahead/budget_math.h" // NCK_BUDGET_STEEP_SHARE
-
-#define UNLIMITED 1e30
+#include "nck/base/budget.h"                  // NCK_BUDGET_… NCK_UNLIMITED
+#include "nck/base/scurve_math.h"             // nck_scurve_reach
 
 // A cap comes down only if that frees more than this share of the acceleration left.
 #define BENDS_SHARE 0.95
@@ -44,7 +42,7 @@ static neighbour_t beyond_line(const nck_joint_t *joint, const nck_joint_t *line
                                const nck_terms_t *terms) {
     const double v = nck_sqrt(joint->w_near);
     const double zone = nck_min(line->length, v * terms->mix_s);
-    const nck_scurve_t ramp = {line->a_most, terms->limits_jerk ? line->j_straight : UNLIMITED,
+    const nck_scurve_t ramp = {line->a_most, terms->limits_jerk ? line->j_straight : NCK_UNLIMITED,
                                line->v_free};
     const double v_line = nck_scurve_reach(&ramp, 0.0, line->length - zone);
     const neighbour_t side = {v_line * v_line, zone + 0.5 * joint->length, NCK_LIMIT_EXACT_STOP};
@@ -189,7 +187,7 @@ static void include(nck_near_t *near, const nck_piece_limit_t *piece) {
 }
 
 nck_near_t nck_near_before(nck_lookahead_t *self, uint32_t count, int pace, double beta) {
-    nck_near_t near = {UNLIMITED, UNLIMITED, 1.0};
+    nck_near_t near = {NCK_UNLIMITED, NCK_UNLIMITED, 1.0};
     double time = 0.0;
     double least = 0.0;
     for (int n = 0; n < NCK_NEAR_SPAN; n++) {
@@ -209,7 +207,7 @@ nck_near_t nck_near_before(nck_lookahead_t *self, uint32_t count, int pace, doub
 
 nck_status_t nck_near_after(nck_lookahead_t *self, uint32_t count, int pace, double beta,
                             nck_near_t *near_out) {
-    const nck_near_t unlimited = {UNLIMITED, UNLIMITED, 1.0};
+    const nck_near_t unlimited = {NCK_UNLIMITED, NCK_UNLIMITED, 1.0};
     double time = 0.0;
     double least = 0.0;
     *near_out = unlimited;

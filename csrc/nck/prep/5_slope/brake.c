@@ -2,6 +2,7 @@
 // Inside room 5: how a hold brakes.
 #include "nck/prep/5_slope/brake.h"
 
+#include "nck/base/budget.h"              // NCK_BUDGET_…
 #include "nck/base/real.h"                // nck_min nck_max nck_sqrt
 #include "nck/prep/5_slope/hull_math.h"   // nck_hull_share
 #include "nck/prep/5_slope/window.h"      // nck_window_…
@@ -10,14 +11,8 @@
 // nothing.
 enum { MIXED_MOST = 64 };
 
-// Share of an axis' acceleration that |p″|v² uses at a spline's cap, at most (budget of room 4).
-#define CURVE_SHARE 0.95
-// Share of the jerk that 3|p″|v·a may use (budget of room 4).
-#define RAMP_SHARE 0.5
 // The plan above a brake is at most so many times as fast.
 #define PLAN_ABOVE 1.1
-// A cap beyond every speed's square.
-#define UNCAPPED 1e18
 
 void nck_brake_begin(nck_profile_t *state, double q_cap) {
     state->v_last = state->v;
@@ -52,7 +47,7 @@ static double cap_of(const nck_jerk_t *self, const nck_node_t *piece) {
 // The smallest cap within a distance on one side; 0 if it is not known so far.
 static double least_cap(const nck_jerk_t *self, const nck_pieces_t *pieces, uint32_t number,
                         double distance, int step) {
-    double least = UNCAPPED;
+    double least = NCK_WINDOW_UNCAPPED;
     double left = distance;
     for (int n = 0; n < MIXED_MOST; n++) {
         const nck_node_t *const piece = nck_plan_piece(pieces, number);
@@ -79,7 +74,7 @@ static nck_brake_limits_t at_rest(const nck_machine_t *machine) {
 
 // The least quotient of an axis' jerk and acceleration [1/s].
 static double least_quotient(const nck_machine_t *machine) {
-    double least = UNCAPPED;
+    double least = NCK_WINDOW_UNCAPPED;
     for (int x = 0; x < NCK_AXIS_MAX; x++) {
         const nck_axis_t *const axis = &machine->axis[x];
         if (axis->present) least = nck_min(least, axis->j_max / axis->a_max);
@@ -92,6 +87,8 @@ static double least_quotient(const nck_machine_t *machine) {
 //   3|p″|v·a ≤ (J − |p‴|v³)/2  by  q/(6v),  q = (J − |p‴|v³)/|p″| ≥ q₀ + (6v_c·a_c − q₀)·r³,
 //   q₀ = J·v_c²/(0.95 A), since |p″|·v_c² ≤ 0.95 A;
 //   and half of the jerk, linear in r, is left to the path.
+// A piece that leaves more jerk than that at its cap keeps it, and 3|p″|v·a stays what it is there:
+//   a ≤ a_c/r.
 void nck_brake_relax(const nck_jerk_t *self, const nck_pieces_t *pieces, uint32_t number, double v,
                      nck_brake_limits_t *limits) {
     const nck_machine_t *const machine = self->machine;
@@ -101,13 +98,18 @@ void nck_brake_relax(const nck_jerk_t *self, const nck_pieces_t *pieces, uint32_
     const double r = v / nck_sqrt(nck_max(w, 1e-12));
     if (!(r < 1.0) || !(v > 0.0)) return;
     const nck_brake_limits_t rest = at_rest(machine);
-    const double q_cap = 6.0 * nck_sqrt(w) * limits->a;
-    const double q_rest = nck_max(q_cap, least_quotient(machine) * w / CURVE_SHARE);
-    const double ramp = (q_rest + (q_cap - q_rest) * r * r * r) / (6.0 * v);
-    const double a = nck_min(rest.a + (limits->a - rest.a) * r, ramp);
+    const double linear = rest.a + (limits->a - rest.a) * r;
     const double j_rest = rest.j * self->j_scale;
-    limits->a = nck_max(limits->a, a);
-    limits->j = nck_max(limits->j, RAMP_SHARE * (j_rest + (limits->j - j_rest) * r));
+    const double j = NCK_BUDGET_RAMP_SHARE * (j_rest + (limits->j - j_rest) * r);
+    if (!(j > limits->j)) {
+        limits->a = nck_max(limits->a, nck_min(linear, limits->a / r));
+        return;
+    }
+    const double q_cap = 6.0 * nck_sqrt(w) * limits->a;
+    const double q_rest = nck_max(q_cap, least_quotient(machine) * w / NCK_BUDGET_CURVE_SHARE);
+    const double ramp = (q_rest + (q_cap - q_rest) * r * r * r) / (6.0 * v);
+    limits->a = nck_max(limits->a, nck_min(linear, ramp));
+    limits->j = j;
 }
 
 // ---- reach

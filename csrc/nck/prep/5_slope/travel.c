@@ -4,9 +4,11 @@
 
 #include <string.h> // memset
 
-#include "nck/base/fence.h"     // nck_fence_store
-#include "nck/base/path_math.h" // nck_path_point
-#include "nck/base/real.h"      // nck_min nck_max nck_sqrt
+#include "nck/base/budget.h"        // NCK_UNLIMITED
+#include "nck/base/fence.h"         // nck_fence_store
+#include "nck/base/path_math.h"     // nck_path_point
+#include "nck/base/real.h"          // nck_min nck_max nck_sqrt
+#include "nck/prep/5_slope/brake.h" // NCK_BRAKE_SHARE
 
 enum { POINTS = 32 }; // of the path in one step
 
@@ -16,22 +18,21 @@ enum { POINTS = 32 }; // of the path in one step
 // a few of them; a plan of the slopes that limit jerk is put off where it takes longer.
 #define HEARD_PERIODS 10.0
 #define HEARD_PERIODS_JERK 30.0
-// A brake keeps off the limits by so much (NCK_BRAKE_SHARE), twice over.
-#define BRAKE_SHARE 0.95
-// Farther than every path.
-#define FAR 1e18
+// A brake has at least this share of the limits: reach and ladder keep off them one after the other.
+#define BRAKE_LEAST (NCK_BRAKE_SHARE * NCK_BRAKE_SHARE)
 
 void nck_travel_init(nck_travel_t *self) {
     memset(self, 0, sizeof *self);
     for (int x = 0; x < NCK_AXIS_MAX; x++) {
-        self->least[x] = -FAR;
-        self->most[x] = FAR;
+        self->least[x] = -NCK_UNLIMITED;
+        self->most[x] = NCK_UNLIMITED;
     }
 }
 
 void nck_travel_begin(nck_travel_t *self) {
     self->known = 0;
     self->leaves = 0;
+    self->asked = -1.0;
     nck_fence_store(&self->stops, 0);
 }
 
@@ -46,17 +47,17 @@ void nck_travel_set(nck_travel_t *self, int axis, double least, double most) {
 
 // How far the nearest limit is; negative outside.
 static double room_at(const nck_travel_t *self, const double *point) {
-    double room = FAR;
+    double room = NCK_UNLIMITED;
     for (int x = 0; x < NCK_AXIS_MAX; x++) {
         room = nck_min(room, nck_min(self->most[x] - point[x], point[x] - self->least[x]));
     }
     return room;
 }
 
-// Where a straight line leaves behind a point inside; FAR if it does not.
+// Where a straight line leaves behind a point inside; NCK_UNLIMITED if it does not.
 static double leave_line(const nck_travel_t *self, const nck_seg_t *seg, const double *point) {
-    double share = FAR;
-    if (room_at(self, seg->end) >= 0.0) return FAR;
+    double share = NCK_UNLIMITED;
+    if (room_at(self, seg->end) >= 0.0) return NCK_UNLIMITED;
     for (int x = 0; x < NCK_AXIS_MAX; x++) {
         const double way = seg->end[x] - point[x];
         const double left = way > 0.0 ? self->most[x] - point[x] : point[x] - self->least[x];
@@ -81,9 +82,9 @@ static void look_at(nck_travel_t *self, const nck_seg_t *seg) {
     nck_path_point(seg, self->s, point);
     const int straight = seg->kind == NCK_SEG_LINE;
     const double room = room_at(self, point) - (straight ? 0.0 : STEP_LEAST / 2.0);
-    const double leaves = straight ? leave_line(self, seg, point) : FAR;
+    const double leaves = straight ? leave_line(self, seg, point) : NCK_UNLIMITED;
     if (room < 0.0) found(self, seg, self->s);
-    else if (leaves < FAR) found(self, seg, leaves);
+    else if (leaves < NCK_UNLIMITED) found(self, seg, leaves);
     else if (straight || self->s >= seg->length) next_seg(self);
     else self->s = nck_min(seg->length, self->s + nck_max(room, STEP_LEAST));
 }
@@ -137,17 +138,17 @@ typedef struct weakest {
 } weakest_t;
 
 static weakest_t weakest_before(const nck_travel_t *self, const nck_pieces_t *pieces,
-                                const nck_machine_t *machine) {
-    weakest_t limits = {FAR, FAR, 0.0};
+                                const nck_terms_t *terms) {
+    weakest_t limits = {NCK_UNLIMITED, NCK_UNLIMITED, 0.0};
     for (uint32_t i = 0; i < pieces->fill; i++) {
         const nck_node_t *const piece = nck_plan_piece(pieces, pieces->head + i);
         if (piece->seg > self->seq && piece->seg - self->seq < NCK_SEG_MAX) break;
         if (!(piece->length > 0.0)) continue;
-        limits.a = nck_min(limits.a, BRAKE_SHARE * nck_min(piece->a, piece->a_over));
-        limits.j = nck_min(limits.j, BRAKE_SHARE * nck_min(piece->j, piece->j_over));
+        limits.a = nck_min(limits.a, BRAKE_LEAST * nck_min(piece->a, piece->a_over));
+        limits.j = nck_min(limits.j, BRAKE_LEAST * nck_min(piece->j, piece->j_over));
         limits.v_cap = nck_max(limits.v_cap, nck_sqrt(piece->vv_over));
     }
-    if (machine->slope == NCK_SLOPE_LINEAR) limits.j = FAR;
+    if (!terms->limits_jerk) limits.j = NCK_UNLIMITED;
     return limits;
 }
 
@@ -162,17 +163,16 @@ static double braking(const weakest_t *limits, double v, double a) {
            + (full ? 0.5 * most * (most / limits->a + ramp) : most * nck_sqrt(most / limits->j));
 }
 
-// Whether the exit is no farther than the way to rest. Until the brake is heard speed may rise.
-static int is_near(const nck_travel_t *self, const front_t *front, const nck_link_t *link,
+// Whether the exit is no farther than the way to rest from a front at `begin`. Until the brake is
+// heard speed may rise.
+static int is_near(const nck_travel_t *self, const front_t *front, double begin,
                    const weakest_t *limits, double heard) {
-    const double begin = front->seq == link->seg_head ? self->exit
-                         : nck_link_seg(link, front->seq)->s_begin + front->s;
     const double v = nck_max(front->v, nck_min(front->v + limits->a * heard, limits->v_cap));
     const double way = v * heard + braking(limits, v, nck_min(front->a, limits->a));
     return self->exit - begin <= way;
 }
 
-int nck_travel_step(nck_travel_t *self, const nck_machine_t *machine, const nck_link_t *link,
+int nck_travel_step(nck_travel_t *self, const nck_terms_t *terms, const nck_link_t *link,
                     const nck_pieces_t *pieces) {
     if (!self->set) return 0;
     const front_t front = front_of(link, pieces);
@@ -183,9 +183,16 @@ int nck_travel_step(nck_travel_t *self, const nck_machine_t *machine, const nck_
     }
     look_further(self, link);
     if (!self->leaves || self->stops) return (int)self->stops;
-    const weakest_t limits = weakest_before(self, pieces, machine);
-    const double periods = machine->slope == NCK_SLOPE_LINEAR ? HEARD_PERIODS : HEARD_PERIODS_JERK;
-    const int near = is_near(self, &front, link, &limits, periods * machine->period_s);
+    const double begin = front.seq == link->seg_head
+                             ? self->exit
+                             : nck_link_seg(link, front.seq)->s_begin + front.s;
+    const uint32_t end = pieces->head + pieces->fill;
+    if (self->asked == begin && self->asked_end == end) return 0;
+    self->asked = begin;
+    self->asked_end = end;
+    const weakest_t limits = weakest_before(self, pieces, terms);
+    const double periods = terms->limits_jerk ? HEARD_PERIODS_JERK : HEARD_PERIODS;
+    const int near = is_near(self, &front, begin, &limits, periods * terms->machine->period_s);
     nck_fence_store(&self->stops, (uint32_t)near);
     return near;
 }

@@ -4,7 +4,7 @@
 #define NCK_PREP_TRAVEL_H
 
 #include "nck/base/link.h"         // nck_link_t
-#include "nck/base/machine.h"      // nck_machine_t
+#include "nck/base/terms.h"        // nck_terms_t
 #include "nck/prep/5_slope/plan.h" // nck_pieces_t
 
 typedef struct nck_travel {
@@ -15,6 +15,8 @@ typedef struct nck_travel {
     uint32_t stops;    // 1: the path has to rest before it, at once; prep writes, any context reads
     double s;          // up to there in the seg it is inside [path mm]
     double exit;       // where the path leaves, from the program's start [path mm]
+    double asked;      // where the front was when it was last asked how near that is [path mm] …
+    uint32_t asked_end; // … and how far the pieces were known
     double least[NCK_AXIS_MAX]; // [mm, deg]
     double most[NCK_AXIS_MAX];
 } nck_travel_t;
@@ -30,8 +32,9 @@ void nck_travel_set(nck_travel_t *self, int axis, double least, double most);
 void nck_travel_begin(nck_travel_t *self);
 
 // Look further along the path. Returns 1 if it has to rest as soon as it can.
-// Cost: 32 points of the path; once it is known to leave, linear in the window. Context: prep.
-int nck_travel_step(nck_travel_t *self, const nck_machine_t *machine, const nck_link_t *link,
+// Cost: 32 points of the path; once it is known to leave, linear in the window whenever
+// the front or the window has moved. Context: prep.
+int nck_travel_step(nck_travel_t *self, const nck_terms_t *terms, const nck_link_t *link,
                     const nck_pieces_t *pieces);
 
 #endif

@@ -18,8 +18,6 @@ enum { BLOCK_END = 1, MUST_REST = 2 };
 // a ladder's acceleration all but stays for so many periods (README, section "S-shape").
 #define SEAM_PERIODS 0.25
 #define SEAM_SHARE 0.02
-// A cap beyond every speed's square.
-#define UNCAPPED 1e18
 // A plan made anew with what is left at the speeds tried last: it may be faster by so much.
 #define TRIED_ABOVE 1.02
 // Room for rounding.
@@ -180,7 +178,7 @@ static void push_end(nck_jerk_t *self, const nck_pieces_t *pieces, uint32_t numb
     const int has_room = self->work.n + 2 * REST_PARTS <= NCK_JERK_CELLS;
     const int parts = !splits ? 1 : has_room ? REST_PARTS : PARTS_LEAST;
     for (int k = 0; k < parts; k++) {
-        push(self, number, s, h / (double)parts, UNCAPPED);
+        push(self, number, s, h / (double)parts, NCK_WINDOW_UNCAPPED);
         walk(pieces, &number, &s, h / (double)parts);
     }
 }
@@ -259,7 +257,7 @@ static nck_status_t lay_some(nck_jerk_t *self, const nck_pieces_t *pieces,
         push_end(self, pieces, self->work.piece, self->work.s, left);
         return end_piece(self, pieces, piece, rests);
     }
-    push(self, self->work.piece, self->work.s, h, UNCAPPED);
+    push(self, self->work.piece, self->work.s, h, NCK_WINDOW_UNCAPPED);
     self->work.s += h;
     return NCK_OK;
 }
@@ -357,7 +355,7 @@ static void limit_cell(nck_jerk_t *self, const nck_pieces_t *pieces, uint32_t i)
     const nck_node_t *const piece = nck_plan_piece(pieces, self->rung_piece[i]);
     nck_brake_limits_t limits;
     const double w_cell = limits_of(self, pieces, i, &limits);
-    double w_node = self->rung_s[i] == piece->s ? node_cap(self, piece) : UNCAPPED;
+    double w_node = self->rung_s[i] == piece->s ? node_cap(self, piece) : NCK_WINDOW_UNCAPPED;
     if (i > 0) w_node = nck_min(w_node, self->work.w_cell);
     if (i == 0) self->work.seam = seam_of(self);
     if (self->work.seam > 0.0) limits.j *= SEAM_SHARE;

@@ -14,6 +14,8 @@ enum {
 
 // A length beyond every ladder's.
 #define NCK_JERK_UNKNOWN 1e6
+// A cap beyond every speed's square.
+#define NCK_WINDOW_UNCAPPED 1e18
 
 // Longest duration of a cell that counts in rule R; none while the ladder is coarse.
 double nck_window_q_cap(const nck_jerk_t *self);
