@@ -87,22 +87,27 @@ static nck_status_t carry_block(nck_t *nck, const nck_block_t *block) {
     return status;
 }
 
-// decode ─▶ toolcomp ─▶ smooth ─▶ lookahead, one item, or one block and the first item of it.
+// decode ─▶ toolcomp: wire.block. NCK_DONE: no block, call again.
+static nck_status_t next_block(nck_t *nck) {
+    const nck_status_t status = nck_decode_pull(&nck->decode, &nck->wire.block);
+    if (status == NCK_EMPTY && nck_decode_reads(&nck->decode)) return NCK_DONE;
+    const int flushes = status == NCK_EMPTY && nck->wire.flush == NCK_FLUSH_ASKED;
+    if (flushes) nck->wire.flush = NCK_FLUSH_SMOOTH;
+    if (flushes || status == NCK_DONE || status < NCK_OK) nck_smooth_end(&nck->smooth);
+    if (flushes || status == NCK_DONE) return NCK_DONE;
+    if (status == NCK_OK) nck_toolcomp_push(&nck->toolcomp, &nck->wire.block);
+    return status;
+}
+
+// … ─▶ smooth ─▶ lookahead, one item, or one block and the first item of it.
 static nck_status_t pull_block(nck_t *nck) {
     if (nck->wire.ended) return NCK_DONE;
     if (finish_flush(nck) != NCK_OK) return NCK_FULL;
     const nck_status_t carried = carry_item(nck);
     if (carried != NCK_EMPTY) return carried == NCK_DONE ? NCK_OK : carried;
-    nck_block_t *const block = &nck->wire.block;
-    const nck_status_t status = nck_decode_pull(&nck->decode, block);
-    if (status == NCK_EMPTY && nck_decode_reads(&nck->decode)) return NCK_OK;
-    const int flushes = status == NCK_EMPTY && nck->wire.flush == NCK_FLUSH_ASKED;
-    if (flushes) nck->wire.flush = NCK_FLUSH_SMOOTH;
-    if (flushes || status == NCK_DONE || status < NCK_OK) nck_smooth_end(&nck->smooth);
-    if (flushes || status == NCK_DONE) return NCK_OK;
-    if (status != NCK_OK) return status;
-    nck_toolcomp_push(&nck->toolcomp, block);
-    const nck_status_t pushed = carry_block(nck, block);
+    const nck_status_t status = next_block(nck);
+    if (status != NCK_OK) return status == NCK_DONE ? NCK_OK : status;
+    const nck_status_t pushed = carry_block(nck, &nck->wire.block);
     if (pushed != NCK_OK) return pushed;
     const nck_status_t first = carry_item(nck);
     return first < NCK_OK ? first : NCK_OK;
@@ -181,20 +186,14 @@ static int is_begun(nck_t *nck) {
     return owner != NCK_LINK_ASKED;
 }
 
-// Downstream first: cells, then caps, then blocks.
-nck_status_t nck_prep(nck_t *nck) {
-    if (nck->wire.given_up) return NCK_DONE;
-    if (!is_begun(nck)) return NCK_FULL;
-    const nck_status_t status = step_slope(nck);
-    if (status == NCK_OK) return NCK_OK;
-    if (status == NCK_E_INTERNAL) return give_up(nck, nck_link_broken_line(&nck->link));
-    if (nck_fence_load(&nck->command.abort)) {
-        const int rests = nck_slope_is_held(&nck->slope)
-                          || nck_interpolate_is_waiting(&nck->interpolate);
-        return rests ? NCK_DONE : NCK_FULL;
-    }
-    const nck_status_t ahead = nck_lookahead_step(&nck->lookahead);
-    if (ahead == NCK_OK) return NCK_OK;
+// Nothing more is planned; the end is the rest.
+static nck_status_t finish_abort(const nck_t *nck) {
+    const int waits = nck_interpolate_is_waiting(&nck->interpolate);
+    return nck_slope_is_held(&nck->slope) || waits ? NCK_DONE : NCK_FULL;
+}
+
+// More input, where rooms 5 and 4 (status, ahead) have none to work on.
+static nck_status_t take_input(nck_t *nck, nck_status_t status, nck_status_t ahead) {
     const nck_status_t input = pull_block(nck);
     if (input == NCK_E_INTERNAL) return give_up(nck, nck->wire.block.line);
     if (input == NCK_OK) (void)nck_lookahead_step(&nck->lookahead); // what the block has made known
@@ -204,6 +203,18 @@ nck_status_t nck_prep(nck_t *nck) {
         return NCK_OK;
     }
     return status == NCK_EMPTY && ahead == NCK_DONE ? input : NCK_FULL;
+}
+
+// Downstream first: cells, then caps, then blocks.
+nck_status_t nck_prep(nck_t *nck) {
+    if (nck->wire.given_up) return NCK_DONE;
+    if (!is_begun(nck)) return NCK_FULL;
+    const nck_status_t status = step_slope(nck);
+    if (status == NCK_OK) return NCK_OK;
+    if (status == NCK_E_INTERNAL) return give_up(nck, nck_link_broken_line(&nck->link));
+    if (nck_fence_load(&nck->command.abort)) return finish_abort(nck);
+    const nck_status_t ahead = nck_lookahead_step(&nck->lookahead);
+    return ahead == NCK_OK ? NCK_OK : take_input(nck, status, ahead);
 }
 
 static void hand_over_outputs(nck_t *nck) {

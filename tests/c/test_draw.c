@@ -5,7 +5,7 @@
 #include <string.h> // memset
 
 #include "check.h"
-#include "nck/prep/5_slope/window.h" // nck_window_draw
+#include "nck/prep/5_slope/draw.h" // nck_draw_cells
 
 enum { CELLS = 5 };
 
@@ -46,8 +46,8 @@ static void every_cell_ends_and_keeps_the_caps_wherever_nodes_stand_still(check_
     const nck_pieces_t pieces = {ring, 0, 1, 0, 1};
     for (uint32_t standing = 0; standing < 1u << CELLS; standing++) {
         begin(standing);
-        nck_status_t status = nck_window_draw(&jerk, &pieces);
-        while (status == NCK_OK) status = nck_window_draw(&jerk, &pieces);
+        nck_status_t status = nck_draw_cells(&jerk, &pieces);
+        while (status == NCK_OK) status = nck_draw_cells(&jerk, &pieces);
         CHECK_INT(check, status, NCK_DONE);
         if (!CHECK(check, isfinite(jerk.work.time) && jerk.work.time >= (double)CELLS)) {
             printf("    nodes %x: %g s\n", (unsigned)standing, jerk.work.time);

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
 // Room 5, slope: a plan over the ladder as cells of a tail.
-#include "nck/prep/5_slope/window.h"
+#include "nck/prep/5_slope/draw.h"
 
 #include <string.h> // memset
 
 #include "nck/base/real.h"                // nck_min nck_fabs nck_sqrt
 #include "nck/prep/5_slope/ladder_math.h" // nck_ladder_cbrt
+#include "nck/prep/5_slope/window.h"      // nck_window_cap
 
 // A speed is at its cap within this share of v².
 #define CAP_EPSILON 1e-4
@@ -88,7 +89,7 @@ static void draw_rest(nck_jerk_t *self, const nck_pieces_t *pieces) {
     nck_link_tail_push(self->link, &cell);
 }
 
-nck_status_t nck_window_draw(nck_jerk_t *self, const nck_pieces_t *pieces) {
+nck_status_t nck_draw_cells(nck_jerk_t *self, const nck_pieces_t *pieces) {
     if (self->work.n == 1 && !(self->h[0] > 0.0)) {
         draw_rest(self, pieces);
         return NCK_DONE;

@@ -5,7 +5,9 @@
 #include <string.h> // memset
 
 #include "nck/base/real.h"                // nck_min nck_max
-#include "nck/prep/5_slope/brake.h"       // nck_brake_reach
+#include "nck/prep/5_slope/bounds.h"      // nck_bounds_…
+#include "nck/prep/5_slope/brake.h"       // nck_brake_…
+#include "nck/prep/5_slope/draw.h"        // nck_draw_cells
 #include "nck/prep/5_slope/ladder_math.h" // nck_ladder_excess
 #include "nck/prep/5_slope/window.h"      // nck_window_…
 
@@ -249,7 +251,7 @@ static nck_status_t finish_plan(nck_jerk_t *self, const nck_pieces_t *pieces) {
 // A hold that does not keep to what is left is made anew with what is left at the speeds that it
 // had, on the same ladder.
 static nck_status_t check(nck_jerk_t *self, const nck_pieces_t *pieces) {
-    const nck_status_t status = nck_window_check(self, pieces);
+    const nck_status_t status = nck_bounds_check(self, pieces);
     if (status == NCK_DONE) {
         nck_link_tail_begin(self->link);
         enter(self, PHASE_DRAW);
@@ -303,27 +305,45 @@ static nck_status_t find_reach(nck_jerk_t *self, const nck_pieces_t *pieces) {
     return NCK_OK;
 }
 
+static nck_status_t load(nck_jerk_t *self, const nck_pieces_t *pieces) {
+    return nck_window_load(self, pieces) == NCK_DONE ? finish_load(self, pieces) : NCK_OK;
+}
+
+static nck_status_t limit(nck_jerk_t *self, const nck_pieces_t *pieces) {
+    if (nck_bounds_set(self, pieces) == NCK_DONE) finish_limit(self);
+    return NCK_OK;
+}
+
+static nck_status_t ease(nck_jerk_t *self) {
+    if (nck_brake_ease(self) == NCK_DONE) enter(self, PHASE_BRAKE);
+    return NCK_OK;
+}
+
+static nck_status_t brake(nck_jerk_t *self) {
+    if (nck_brake_raise(self) == NCK_DONE) finish_brake(self);
+    return NCK_OK;
+}
+
+static nck_status_t plan(nck_jerk_t *self, const nck_pieces_t *pieces) {
+    if (is_rest(self)) return finish_plan(self, pieces);
+    const nck_status_t status = nck_profile_step(&self->profile, NCK_JERK_STEP);
+    return status == NCK_DONE ? finish_plan(self, pieces) : NCK_OK;
+}
+
+static nck_status_t draw(nck_jerk_t *self, const nck_pieces_t *pieces) {
+    return nck_draw_cells(self, pieces) == NCK_DONE ? finish_draw(self) : NCK_OK;
+}
+
 nck_status_t nck_jerk_step(nck_jerk_t *self, const nck_pieces_t *pieces) {
     switch (self->work.phase) {
     case PHASE_REACH: return find_reach(self, pieces);
-    case PHASE_LOAD:
-        return nck_window_load(self, pieces) == NCK_DONE ? finish_load(self, pieces) : NCK_OK;
+    case PHASE_LOAD: return load(self, pieces);
     case PHASE_LAY: return lay(self, pieces);
-    case PHASE_LIMIT:
-        if (nck_window_limit(self, pieces) == NCK_DONE) finish_limit(self);
-        return NCK_OK;
-    case PHASE_EASE:
-        if (nck_brake_ease(self) == NCK_DONE) enter(self, PHASE_BRAKE);
-        return NCK_OK;
-    case PHASE_BRAKE:
-        if (nck_brake_raise(self) == NCK_DONE) finish_brake(self);
-        return NCK_OK;
-    case PHASE_PLAN:
-        if (is_rest(self) || nck_profile_step(&self->profile, NCK_JERK_STEP) == NCK_DONE) {
-            return finish_plan(self, pieces);
-        }
-        return NCK_OK;
+    case PHASE_LIMIT: return limit(self, pieces);
+    case PHASE_EASE: return ease(self);
+    case PHASE_BRAKE: return brake(self);
+    case PHASE_PLAN: return plan(self, pieces);
     case PHASE_CHECK: return check(self, pieces);
-    default: return nck_window_draw(self, pieces) == NCK_DONE ? finish_draw(self) : NCK_OK;
+    default: return draw(self, pieces);
     }
 }

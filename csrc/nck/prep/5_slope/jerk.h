@@ -15,6 +15,7 @@
 #include "nck/prep/5_slope/plan.h"     // nck_plan_t nck_job_t nck_pieces_t
 #include "nck/prep/5_slope/profile.h"  // nck_profile_t
 
+// The jerk-limited planner: the plan in work, and the ladder that it stands on.
 typedef struct nck_jerk {
     const nck_machine_t *machine;
     nck_link_t *link;     // producer's side

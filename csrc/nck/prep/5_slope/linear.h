@@ -17,6 +17,7 @@
 #include "nck/prep/5_slope/legs.h"   // nck_legs_t
 #include "nck/prep/5_slope/plan.h"   // nck_plan_t nck_job_t nck_pieces_t
 
+// How much one plan takes on.
 enum {
     NCK_LINEAR_VIEW = 4 * (NCK_WINDOW - 8) / 5, // pieces that an envelope is computed for at most
     NCK_LINEAR_FINAL = 4, // of them, one in so many become final; their room is kept till then
@@ -31,6 +32,7 @@ typedef struct nck_linear_place {
     double vv;      // v² there
 } nck_linear_place_t;
 
+// The linear planner: an envelope in work, and the parts of it that are drawn.
 typedef struct nck_linear {
     const nck_machine_t *machine;
     nck_link_t *link;      // producer's side

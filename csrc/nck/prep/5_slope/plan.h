@@ -57,6 +57,7 @@ typedef enum nck_job_kind {
     NCK_JOB_BRAKE = 2  // from there to rest
 } nck_job_kind_t;
 
+// What a planner is asked for.
 typedef struct nck_job {
     uint32_t kind;     // nck_job_kind_t
     uint32_t held;     // brake: nck_held_t of the rest

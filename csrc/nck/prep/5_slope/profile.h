@@ -9,6 +9,7 @@
 
 #include "nck/base/status.h" // nck_status_t
 
+// A profile in work: arrays of the caller, and where its passes stand.
 typedef struct nck_profile {
     // the problem; set before nck_profile_begin
     uint32_t n;    // cells, 1 at least; nodes 0 … n

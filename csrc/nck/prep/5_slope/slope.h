@@ -21,6 +21,7 @@
 #include "nck/prep/5_slope/plan.h"    // nck_plan_t nck_pieces_t nck_wish_t
 #include "nck/prep/5_slope/sshape.h"  // nck_sshape_t
 
+// The room's state: plan after plan, and what the operator wants of them.
 typedef struct nck_slope {
     const nck_machine_t *machine;
     nck_link_t *link;      // producer's side

@@ -42,6 +42,7 @@ typedef struct nck_sshape_ahead {
     uint8_t pieces[NCK_WINDOW]; // of the hop that begins with a piece; 0: within a hop
 } nck_sshape_ahead_t;
 
+// The planner of the classical S-shape.
 typedef struct nck_sshape {
     const nck_machine_t *machine;
     nck_link_t *link;       // producer's side

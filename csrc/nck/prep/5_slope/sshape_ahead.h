@@ -5,6 +5,7 @@
 
 #include "nck/prep/5_slope/sshape.h" // nck_sshape_t nck_sshape_hop_t
 
+// How much one step and one part take on.
 enum {
     NCK_SSHAPE_STEP = 32, // pieces, or cells, in one bounded step
     // A tail holds a part, its last ramp and at most three cells for every piece of the brake.

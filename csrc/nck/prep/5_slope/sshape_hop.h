@@ -16,6 +16,7 @@ typedef struct nck_sshape_view {
     uint32_t over; // 1: limits for overrides beyond 100 %
 } nck_sshape_view_t;
 
+// Pieces that are passed in one course.
 typedef struct nck_sshape_hop {
     nck_sshape_piece_t piece; // what its ramps go by
     double s;       // where it begins, in its seg [path mm]

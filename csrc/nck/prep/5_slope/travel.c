@@ -18,7 +18,7 @@ enum { POINTS = 32 }; // of the path in one step
 // a few of them; a plan of the slopes that limit jerk is put off where it takes longer.
 #define HEARD_PERIODS 10.0
 #define HEARD_PERIODS_JERK 30.0
-// A brake has at least this share of the limits: reach and ladder keep off them one after the other.
+// A brake has at least this share of the limits: reach and ladder keep off them in turn.
 #define BRAKE_LEAST (NCK_BRAKE_SHARE * NCK_BRAKE_SHARE)
 
 void nck_travel_init(nck_travel_t *self) {

@@ -7,6 +7,7 @@
 #include "nck/base/terms.h"        // nck_terms_t
 #include "nck/prep/5_slope/plan.h" // nck_pieces_t
 
+// Soft limits, and how far the path is known to keep within them.
 typedef struct nck_travel {
     uint32_t set;      // 1: an axis has soft limits
     uint32_t known;    // 1: the path from the front on is looked through from `seq` on

@@ -3,8 +3,6 @@
 #include "nck/prep/5_slope/window.h"
 
 #include "nck/base/real.h"                // nck_min nck_max
-#include "nck/prep/5_slope/brake.h"       // nck_brake_…
-#include "nck/prep/5_slope/hull_math.h"   // nck_hull_share
 #include "nck/prep/5_slope/ladder_math.h" // nck_ladder_…
 
 // From rest to rest a path takes REST_PARTS cells, PARTS_LEAST if there is no room for more.
@@ -14,14 +12,6 @@ enum { BLOCK_END = 1, MUST_REST = 2 };
 
 // While the ladder is coarse no cell's duration is capped in rule R [s].
 #define UNCAPPED_S 1e6
-// Samples at the seam hold both the constant jerk before a ladder and its jumps of acceleration. So
-// a ladder's acceleration all but stays for so many periods (README, section "S-shape").
-#define SEAM_PERIODS 0.25
-#define SEAM_SHARE 0.02
-// A plan made anew with what is left at the speeds tried last: it may be faster by so much.
-#define TRIED_ABOVE 1.02
-// Room for rounding.
-#define CHECK_MARGIN 1e-6
 // A part of a piece is rounding if it is shorter than this share of a cell, or of the coordinate
 // in its seg.
 #define LENGTH_EPSILON 1e-9
@@ -35,15 +25,13 @@ double nck_window_cap(const nck_jerk_t *self, const nck_node_t *piece) {
     return nck_plan_cap(piece, &self->job.wish, self->work.over);
 }
 
-// Cap of the node at a piece's start.
-static double node_cap(const nck_jerk_t *self, const nck_node_t *piece) {
+double nck_window_node_cap(const nck_jerk_t *self, const nck_node_t *piece) {
     return self->work.over ? piece->vv_node : piece->vv_cap;
 }
 
 static double end_of(const nck_node_t *piece) { return piece->s + piece->length; }
 
-// What is only rounding beside a length of path that ends in or with a piece.
-static double rounding_of(const nck_node_t *piece, double length) {
+double nck_window_rounding(const nck_node_t *piece, double length) {
     return LENGTH_EPSILON * length + PLACE_EPSILON * end_of(piece);
 }
 
@@ -51,11 +39,11 @@ static double rounding_of(const nck_node_t *piece, double length) {
 static void walk(const nck_pieces_t *pieces, uint32_t *number, double *s, double length) {
     const nck_node_t *piece = nck_plan_piece(pieces, *number);
     double left = length;
-    while (left >= end_of(piece) - *s - rounding_of(piece, left)) {
+    while (left >= end_of(piece) - *s - nck_window_rounding(piece, left)) {
         const nck_node_t *const next = nck_plan_piece(pieces, *number + 1);
         if (!next) break;
         left -= end_of(piece) - *s;
-        if (left <= rounding_of(piece, length)) left = 0.0; // on the next piece's begin to the bit
+        if (left <= nck_window_rounding(piece, length)) left = 0.0; // on the next piece to the bit
         piece = next;
         *s = piece->s;
         ++*number;
@@ -168,7 +156,7 @@ int nck_window_rests(const nck_jerk_t *self, const nck_pieces_t *pieces) {
 // 1 if the path rests where the next cell begins.
 static int begins_at_rest(const nck_jerk_t *self, const nck_node_t *piece, double s) {
     if (self->work.n == 0) return !(self->profile.v > 0.0);
-    return s == piece->s && !(node_cap(self, piece) > 0.0);
+    return s == piece->s && !(nck_window_node_cap(self, piece) > 0.0);
 }
 
 // A cell that ends a piece. From a rest it comes in parts, because it may end at another one.
@@ -210,7 +198,7 @@ static nck_status_t end_piece(nck_jerk_t *self, const nck_pieces_t *pieces,
 // Short pieces share a cell as long as it stays within a step.
 static int joins_pending(const nck_jerk_t *self, const nck_node_t *piece, double step) {
     return self->work.pending > 0.0 && self->work.pending + piece->length <= step
-           && node_cap(self, piece) > 0.0
+           && nck_window_node_cap(self, piece) > 0.0
            && self->work.piece - self->work.pending_piece < SPAN_MOST;
 }
 
@@ -218,20 +206,27 @@ static int joins_pending(const nck_jerk_t *self, const nck_node_t *piece, double
 // corners make pieces of their own, so the corner itself may be one further on.
 static double exit_cap(const nck_jerk_t *self, const nck_pieces_t *pieces, const nck_node_t *next) {
     const nck_node_t *const second = nck_plan_piece(pieces, self->work.piece + 2);
-    const double w_end = next->stop || !second ? 0.0 : node_cap(self, second);
+    const double w_end = next->stop || !second ? 0.0 : nck_window_node_cap(self, second);
     const double gain = nck_ladder_gain(next->length, next->a, next->j * self->j_scale);
-    return nck_min(node_cap(self, next), w_end + gain);
+    return nck_min(nck_window_node_cap(self, next), w_end + gain);
 }
 
-// Lay what is left of a piece, or one cell of it.
-static nck_status_t lay_some(nck_jerk_t *self, const nck_pieces_t *pieces,
-                             const nck_node_t *piece, int rests) {
+// How long the next cell is to be [mm].
+typedef struct rung {
+    double step; // as the ladder has it; short pieces share it
+    double h;    // from rest to rest several cells are wanted
+    int alone;   // 1: the piece goes from rest to rest
+} rung_t;
+
+// At the ladder's end, in this piece. Its first cell notes the speed that it begins with.
+static rung_t next_rung(nck_jerk_t *self, const nck_pieces_t *pieces, const nck_node_t *piece,
+                        int rests) {
     const nck_node_t *const next = nck_plan_piece(pieces, self->work.piece + 1);
     const double j = piece->j * self->j_scale;
     const double w = nck_window_cap(self, piece);
     const double x = self->work.s - piece->s;
     const double left = piece->length - x;
-    const double w_node = nck_min(w, node_cap(self, piece));
+    const double w_node = nck_min(w, nck_window_node_cap(self, piece));
     if (x == 0.0) self->work.w_entry = nck_min(w_node, self->work.w_entry);
     const double w0 = self->work.w_entry;
     const double w1 = rests || !next ? 0.0 : nck_min(w, exit_cap(self, pieces, next));
@@ -240,25 +235,34 @@ static nck_status_t lay_some(nck_jerk_t *self, const nck_pieces_t *pieces,
     const nck_ladder_piece_t rungs = {w0, w1, w, piece->a, j};
     const double step = is_far ? self->step_s * nck_sqrt(w)
                                : nck_ladder_step(&rungs, x, left, self->step_s);
-    const int alone = w0 == 0.0 && w1 == 0.0; // from rest to rest: several cells
-    const double h = alone ? nck_min(step, 0.25 * piece->length) : step;
-    if (joins_pending(self, piece, step) && x == 0.0 && !alone) {
+    const int alone = w0 == 0.0 && w1 == 0.0;
+    const rung_t rung = {step, alone ? nck_min(step, 0.25 * piece->length) : step, alone};
+    return rung;
+}
+
+// Lay what is left of a piece, or one cell of it.
+static nck_status_t lay_some(nck_jerk_t *self, const nck_pieces_t *pieces,
+                             const nck_node_t *piece, int rests) {
+    const rung_t rung = next_rung(self, pieces, piece, rests);
+    const double x = self->work.s - piece->s;
+    const double left = piece->length - x;
+    if (joins_pending(self, piece, rung.step) && x == 0.0 && !rung.alone) {
         self->work.pending += left;
         return end_piece(self, pieces, piece, rests);
     }
     close_pending(self, pieces);
-    if (left < 0.5 * h && x == 0.0 && !rests) {
+    if (left < 0.5 * rung.h && x == 0.0 && !rests) {
         self->work.pending = left;
         self->work.pending_piece = self->work.piece;
         self->work.pending_s = self->work.s;
         return end_piece(self, pieces, piece, rests);
     }
-    if (left < 1.5 * h) {
+    if (left < 1.5 * rung.h) {
         push_end(self, pieces, self->work.piece, self->work.s, left);
         return end_piece(self, pieces, piece, rests);
     }
-    push(self, self->work.piece, self->work.s, h, NCK_WINDOW_UNCAPPED);
-    self->work.s += h;
+    push(self, self->work.piece, self->work.s, rung.h, NCK_WINDOW_UNCAPPED);
+    self->work.s += rung.h;
     return NCK_OK;
 }
 
@@ -290,7 +294,7 @@ static nck_status_t lay_one(nck_jerk_t *self, const nck_pieces_t *pieces) {
     }
     if (!knows_exit(pieces, self->work.piece)) return NCK_EMPTY;
     const int rests = rests_behind(self, pieces, self->work.piece);
-    const int is_over = end_of(piece) - self->work.s <= rounding_of(piece, 0.0);
+    const int is_over = end_of(piece) - self->work.s <= nck_window_rounding(piece, 0.0);
     if (is_over && self->work.n > 0) return end_piece(self, pieces, piece, rests);
     return lay_some(self, pieces, piece, rests);
 }
@@ -308,123 +312,3 @@ nck_status_t nck_window_lay(nck_jerk_t *self, const nck_pieces_t *pieces) {
     }
     return NCK_OK;
 }
-
-// ---- limit
-
-// 1 if this is a hold that takes what bends leave at lower speeds.
-static int relaxes(const nck_jerk_t *self) {
-    return self->work.reach > 0.0 && !self->work.as_capped;
-}
-
-// The larger speed at a cell's ends in the plan tried last, which ends at rest.
-static double tried_speed(const nck_jerk_t *self, uint32_t i) {
-    const double end = i + 1 < self->work.n ? self->w[i + 1] : 0.0;
-    return nck_sqrt(nck_max(self->w[i], end));
-}
-
-// Path behind constant jerk.
-static double seam_of(const nck_jerk_t *self) {
-    return self->profile.q > 0.0 ? 0.0 : SEAM_PERIODS * self->machine->period_s * self->profile.v;
-}
-
-// A cell keeps to the limits of every piece that it touches, and its nodes to the caps of the nodes
-// that it passes over. Returns the cap inside of it, v².
-static double limits_of(const nck_jerk_t *self, const nck_pieces_t *pieces, uint32_t i,
-                        nck_brake_limits_t *limits) {
-    uint32_t number = self->rung_piece[i];
-    const nck_node_t *piece = nck_plan_piece(pieces, number);
-    const int over = self->work.over != 0;
-    double w_cell = nck_window_cap(self, piece);
-    double a = over ? piece->a_over : piece->a;
-    double j = over ? piece->j_over : piece->j;
-    double left = self->h[i] - (end_of(piece) - self->rung_s[i]);
-    while (left > rounding_of(piece, self->h[i])) {
-        piece = nck_plan_piece(pieces, ++number);
-        if (!piece) break;
-        w_cell = nck_min(w_cell, nck_min(node_cap(self, piece), nck_window_cap(self, piece)));
-        a = nck_min(a, over ? piece->a_over : piece->a);
-        j = nck_min(j, over ? piece->j_over : piece->j);
-        left -= piece->length;
-    }
-    limits->a = a;
-    limits->j = j * self->j_scale;
-    return w_cell;
-}
-
-static void limit_cell(nck_jerk_t *self, const nck_pieces_t *pieces, uint32_t i) {
-    const nck_node_t *const piece = nck_plan_piece(pieces, self->rung_piece[i]);
-    nck_brake_limits_t limits;
-    const double w_cell = limits_of(self, pieces, i, &limits);
-    double w_node = self->rung_s[i] == piece->s ? node_cap(self, piece) : NCK_WINDOW_UNCAPPED;
-    if (i > 0) w_node = nck_min(w_node, self->work.w_cell);
-    if (i == 0) self->work.seam = seam_of(self);
-    if (self->work.seam > 0.0) limits.j *= SEAM_SHARE;
-    self->work.seam -= self->h[i];
-    self->work.w_cell = w_cell;
-    self->w_cap[i] = nck_min(w_node, w_cell);
-    if (relaxes(self) && self->work.redone > 0) {
-        const double v = TRIED_ABOVE * tried_speed(self, i);
-        nck_brake_relax(self, pieces, self->rung_piece[i], v, &limits);
-    }
-    self->a_max[i] = limits.a;
-    self->j_max[i] = limits.j;
-    if (relaxes(self) && self->work.redone == 0) nck_brake_along(self, pieces, i);
-}
-
-// ---- check
-
-// 1 if a cell of the plan keeps to what its bends leave at the speed that it has in the end.
-static int keeps_limits(nck_jerk_t *self, const nck_pieces_t *pieces, uint32_t i) {
-    nck_profile_t *const state = &self->profile;
-    nck_brake_limits_t limits;
-    (void)limits_of(self, pieces, i, &limits);
-    nck_brake_relax(self, pieces, self->rung_piece[i], tried_speed(self, i), &limits);
-    const double end = i + 1 < self->work.n ? self->w[i + 1] : 0.0;
-    const double a = 0.5 * (end - self->w[i]) / self->h[i];
-    const double v_sum = nck_sqrt(self->w[i]) + nck_sqrt(end);
-    const double share = nck_hull_share(self->h[i], v_sum, nck_window_q_cap(self));
-    const double j = i > 0 ? nck_min(limits.j, self->work.j_cell) : limits.j;
-    const double rise = nck_fabs(a - state->a_last);
-    const int keeps = nck_fabs(a) <= (1.0 + CHECK_MARGIN) * limits.a
-                      && (i == 0 || rise <= (1.0 + CHECK_MARGIN) * j * (state->share + share));
-    state->a_last = a;
-    state->share = share;
-    self->work.j_cell = limits.j;
-    return keeps;
-}
-
-nck_status_t nck_window_check(nck_jerk_t *self, const nck_pieces_t *pieces) {
-    if (!relaxes(self) || self->work.coarse) return NCK_DONE;
-    for (int n = 0; n < NCK_JERK_STEP; n++) {
-        if (self->work.i == self->work.n) return NCK_DONE;
-        if (!keeps_limits(self, pieces, self->work.i)) return NCK_E_STATE;
-        self->work.i++;
-    }
-    return NCK_OK;
-}
-
-// ---- limit, the end
-
-// A window or a hold that ends in the cell behind a rest ends at that rest.
-static void end_at_rest(nck_jerk_t *self) {
-    const uint32_t last = self->work.n - 1;
-    const int may_end = !self->next->complete || self->work.reach > 0.0;
-    if (!may_end || last == 0 || self->w_cap[last] > 0.0) return;
-    self->work.n = last;
-    self->next->n = last;
-    self->next->end_piece = self->rung_piece[last];
-    self->next->end_s = self->rung_s[last];
-}
-
-nck_status_t nck_window_limit(nck_jerk_t *self, const nck_pieces_t *pieces) {
-    for (int n = 0; n < NCK_JERK_STEP; n++) {
-        if (self->work.i == self->work.n) {
-            end_at_rest(self);
-            return NCK_DONE;
-        }
-        limit_cell(self, pieces, self->work.i);
-        self->work.i++;
-    }
-    return NCK_OK;
-}
-

@@ -6,6 +6,7 @@
 
 #include "nck/prep/5_slope/jerk.h" // nck_jerk_t nck_pieces_t
 
+// How much one step and one plan take on.
 enum {
     NCK_JERK_STEP = 32,                        // units of work in one bounded step
     NCK_JERK_PIECES = NCK_WINDOW - 8,          // pieces of room 4 that plans may use
@@ -23,6 +24,12 @@ double nck_window_q_cap(const nck_jerk_t *self);
 // Cap of a piece under the overrides that the plan is made for, v². Cost: constant.
 double nck_window_cap(const nck_jerk_t *self, const nck_node_t *piece);
 
+// Cap of the node at a piece's start, v². Cost: constant.
+double nck_window_node_cap(const nck_jerk_t *self, const nck_node_t *piece);
+
+// What is only rounding beside a length of path that ends in or with a piece. Cost: constant.
+double nck_window_rounding(const nck_node_t *piece, double length);
+
 // In how many parts a cell of an earlier plan is taken over; a hold's ladder is divided later.
 // Cost: constant.
 int nck_window_parts(const nck_jerk_t *self, const nck_cell_t *cell, int is_hold);
@@ -36,15 +43,5 @@ int nck_window_rests(const nck_jerk_t *self, const nck_pieces_t *pieces);
 
 // Lay more cells behind them. NCK_OK: call again; NCK_EMPTY: needs pieces; NCK_DONE. Cost: bounded.
 nck_status_t nck_window_lay(nck_jerk_t *self, const nck_pieces_t *pieces);
-
-// Caps and limits of every cell and node. NCK_OK: call again; NCK_DONE. Cost: bounded.
-nck_status_t nck_window_limit(nck_jerk_t *self, const nck_pieces_t *pieces);
-
-// Whether a hold keeps to what bends leave at the speeds that its plan has in the end. NCK_OK: call
-// again; NCK_DONE; NCK_E_STATE: it does not. Cost: bounded.
-nck_status_t nck_window_check(nck_jerk_t *self, const nck_pieces_t *pieces);
-
-// The plan as cells of a tail. NCK_OK: call again; NCK_DONE. Cost: bounded.
-nck_status_t nck_window_draw(nck_jerk_t *self, const nck_pieces_t *pieces);
 
 #endif
