@@ -42,6 +42,12 @@ ELSEWHERE = {
     "tool-unknown": ("Requested tool not found in the tool table", "error:38"),
     "word-shared": ("G4 not allowed with G2 or G3 because they both use P", ""),
     "incremental": ("Cannot use g53 incremental", ""),
+    "comp-on": ("Cannot (do that) with cutter radius compensation on", ""),
+    "comp-plane": ("G41 with lathe tool, but plane is not G18", ""),
+    "comp-entry": ("Length of … entry move is not greater than the tool radius", ""),
+    "comp-exit": ("The move just after exiting cutter compensation mode must be straight", ""),
+    "comp-radius": ("Tool radius not less than arc radius with comp", ""),
+    "comp-gouge": ("Straight feed in concave corner cannot be reached without gouging", ""),
     "no-motion": ("Cannot use axis values without a g code that uses them", "error:31"),
 }
 FORMAT = re.compile(r":\.?\d?[gf]\}")  # {value:.3f} is for the formatter, not for the reader

@@ -213,6 +213,10 @@ _HAAS = (
     "axis.z.min_mm=free",
 )  # fmt: skip
 _BOAT = ("m.428.action=output", "m.429.action=output")
+_MMOUNT = (
+    "axis.y.min_mm=free", "tool.4.radius_mm=3.175", "tool.5.radius_mm=6.35",
+    "tool.15.radius_mm=6.985",
+)  # fmt: skip
 
 CORPUS_FILES = (
     CorpusFile("arcs_rword.gcode"),
@@ -227,7 +231,7 @@ CORPUS_FILES = (
     CorpusFile("lathe_g71_g70_pawn.ngc", machine="cak6150n", ends=("unsupported", 27)),
     CorpusFile("lathe_g76_thread_part.ngc", machine="cak6150n", ends=("unsupported", 40)),
     CorpusFile("mill_camotics_locket.ngc"),
-    CorpusFile("mill_cutcomp_semicolon.ngc", ends=("unsupported", 37)),
+    CorpusFile("mill_cutcomp_semicolon.ngc"),
     CorpusFile("mill_fanuc_3dparallel_g19.nc"),
     CorpusFile("mill_fanuc_g17_18_19.nc"),
     CorpusFile("mill_fanuc_g81_g91.nc", ends=("modal-group", 26)),
@@ -241,7 +245,8 @@ CORPUS_FILES = (
     ),
     CorpusFile("mill_nist_circle_diamond_square.ngc"),
     CorpusFile("mill_sub_cycles_mmount.ngc", ends=("travel", 85)),
-    CorpusFile("mill_sub_cycles_mmount.ngc", set=("axis.y.min_mm=free",), ends=("unsupported", 86)),
+    CorpusFile("mill_sub_cycles_mmount.ngc", set=("axis.y.min_mm=free",), ends=("comp-radius", 89)),
+    CorpusFile("mill_sub_cycles_mmount.ngc", set=_MMOUNT, ends=("unsupported", 314)),
     CorpusFile("nurbs_g5_butterfly.ngc", ends=("unsupported", 12)),
     CorpusFile("odd_no_spaces.gcode"),
     CorpusFile("print_cura_bp_case_56k.gcode", machine="printer", ends=("m-unknown", 1)),

@@ -99,8 +99,11 @@ class Listing:
 
 
 def run(program, folder, tools):
-    """Return (moves, complaint) of rs274 on a file; tools: number → length [mm]."""
-    table = "".join(f"T{n} P{n} Z{length / 25.4:.10g}\n" for n, length in tools.items())
+    """Return (moves, complaint) of rs274 on a file; tools: number → length, or (length, radius)."""
+    table = ""
+    for n, size in tools.items():
+        length, radius = size if isinstance(size, tuple) else (size, 0.0)
+        table += f"T{n} P{n} Z{length / 25.4:.10g} D{2 * radius / 25.4:.10g}\n"
     (folder / "tool.tbl").write_text(table)
     (folder / "params.var").write_text("")
     output = folder / "canon.txt"
@@ -166,7 +169,9 @@ def from_blocks(blocks, counts_per_degree):
             move.centre = tuple(block["centre_mm"])
             last = moves[-1] if moves else move
             same = last.line == move.line and _near(last.centre, move.centre, 0.1)
-            joins = moves and last.kind == "arc" and same  # a loop's next one is elsewhere
+            whole = abs(sweep) > 1e-6 and abs(math.remainder(sweep, 2 * math.pi)) < 1e-6
+            # A loop's next one is elsewhere, or follows a whole turn.
+            joins = moves and last.kind == "arc" and same and not whole
             sweep = float(block["sweep_rad"]) + (sweep if joins else 0.0)
             turns = math.ceil(abs(sweep) / (2 * math.pi) - 1e-6)
             move.turns = int(math.copysign(max(turns, 1), sweep))

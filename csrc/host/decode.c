@@ -4,11 +4,13 @@
 
 #include <string.h> // memcpy
 
-// Take what fits; the rest waits in the decoder.
-static void take_findings(nck_decode_t *decode, nck_host_decoding_t *self) {
+// Take what fits; the rest waits in the rooms.
+static void take_findings(nck_decode_t *decode, nck_toolcomp_t *toolcomp,
+                          nck_host_decoding_t *self) {
     while (self->diagnostic_count < self->diagnostic_max) {
         nck_diagnostic_t *const next = &self->diagnostics[self->diagnostic_count];
-        if (nck_decode_diagnostic(decode, next) != NCK_OK) return;
+        if (nck_toolcomp_diagnostic(toolcomp, next) != NCK_OK
+            && nck_decode_diagnostic(decode, next) != NCK_OK) return;
         self->diagnostic_count++;
     }
 }
@@ -57,19 +59,35 @@ static nck_status_t go_on(nck_decode_t *decode, nck_host_decoding_t *self, nck_s
     return pulled == NCK_DONE ? NCK_DONE : NCK_OK;
 }
 
-nck_status_t nck_host_decode(nck_decode_t *decode, nck_host_decoding_t *self) {
+// One block of the path, or a step towards it. NCK_DONE: there is none left.
+static nck_status_t step(nck_decode_t *decode, nck_toolcomp_t *toolcomp,
+                         nck_host_decoding_t *self) {
+    nck_block_t *const block = &self->blocks[self->block_count];
+    nck_status_t status = nck_toolcomp_pull(toolcomp, block);
+    self->block_count += status == NCK_OK;
+    if (status != NCK_EMPTY) return NCK_OK;
+    const nck_status_t pulled = nck_decode_pull(decode, block);
+    if (pulled == NCK_OK) status = nck_toolcomp_push(toolcomp, block);
+    self->block_count += status == NCK_OK;
+    if (pulled == NCK_DONE && nck_toolcomp_is_on(toolcomp)) {
+        nck_toolcomp_end(toolcomp);
+        return NCK_OK;
+    }
+    return go_on(decode, self, pulled);
+}
+
+nck_status_t nck_host_decode(nck_decode_t *decode, nck_toolcomp_t *toolcomp,
+                             nck_host_decoding_t *self) {
     nck_status_t status = NCK_OK;
     self->block_count = 0;
     self->diagnostic_count = 0;
     if (self->block_max == 0 || self->diagnostic_max == 0) return NCK_E_ARGUMENT;
     begin(decode, self);
-    take_findings(decode, self);
+    take_findings(decode, toolcomp, self);
     while (status == NCK_OK && self->block_count < self->block_max
            && self->diagnostic_count < self->diagnostic_max) {
-        const nck_status_t pulled = nck_decode_pull(decode, &self->blocks[self->block_count]);
-        self->block_count += pulled == NCK_OK;
-        status = go_on(decode, self, pulled);
-        take_findings(decode, self);
+        status = step(decode, toolcomp, self);
+        take_findings(decode, toolcomp, self);
     }
     return status;
 }

@@ -24,11 +24,13 @@ typedef struct nck_host_decoding {
 // Decode text, or pushed blocks, until an array is full or the program has ended. Call again with
 // the same cursor: it goes on where it was; the counts start from 0 at every call. All findings go
 // to diagnostics; decoding goes on after an error with the next line or block.
-// decode: begun by nck_decode_init. Returns NCK_OK (more to come), NCK_DONE (the program has ended;
-// text behind its end is used up, too), NCK_E_ARGUMENT (an array without rows, or the block at
-// text_used is outside of its range: nothing goes on from there).
+// decode, toolcomp: begun by nck_decode_init and nck_toolcomp_init; blocks are the path of the
+// tool, where G41 or G42 is in force too. Returns NCK_OK (more to come), NCK_DONE (the program has
+// ended; text behind its end is used up, too), NCK_E_ARGUMENT (an array without rows, or the block
+// at text_used is outside of its range: nothing goes on from there).
 // Cost: linear in the text. Context: prep.
-nck_status_t nck_host_decode(nck_decode_t *decode, nck_host_decoding_t *self);
+nck_status_t nck_host_decode(nck_decode_t *decode, nck_toolcomp_t *toolcomp,
+                             nck_host_decoding_t *self);
 
 // What a plan adds up to. Times in s. cut, rapid and dwell add up to time, and so do the limits;
 // accelerate, cruise and decelerate to cut and rapid.

@@ -33,6 +33,8 @@ void nck_end(nck_t *nck) { nck_decode_end(&nck->decode); }
 
 nck_status_t nck_diagnostic(nck_t *nck, nck_diagnostic_t *diagnostic_out) {
     if (nck->wire.diagnostic.code == NCK_OK) {
+        const nck_status_t status = nck_toolcomp_diagnostic(&nck->toolcomp, diagnostic_out);
+        if (status == NCK_OK) return NCK_OK;
         return nck_decode_diagnostic(&nck->decode, diagnostic_out);
     }
     *diagnostic_out = nck->wire.diagnostic;

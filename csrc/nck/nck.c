@@ -87,15 +87,38 @@ static nck_status_t carry_block(nck_t *nck, const nck_block_t *block) {
     return status;
 }
 
-// decode ─▶ toolcomp: wire.block. NCK_DONE: no block, call again.
-static nck_status_t next_block(nck_t *nck) {
-    const nck_status_t status = nck_decode_pull(&nck->decode, &nck->wire.block);
+// No block follows: what waits in toolcomp comes first.
+static void end_blocks(nck_t *nck) {
+    nck_toolcomp_end(&nck->toolcomp);
+    nck->wire.last = (uint8_t)nck_toolcomp_is_on(&nck->toolcomp);
+    if (!nck->wire.last) nck_smooth_end(&nck->smooth);
+}
+
+// decode ─▶ toolcomp. NCK_OK: the block passes; NCK_DONE: it does not, or there is none.
+static nck_status_t decode_block(nck_t *nck) {
+    nck_status_t status = nck_decode_pull(&nck->decode, &nck->wire.block);
     if (status == NCK_EMPTY && nck_decode_reads(&nck->decode)) return NCK_DONE;
-    const int flushes = status == NCK_EMPTY && nck->wire.flush == NCK_FLUSH_ASKED;
-    if (flushes) nck->wire.flush = NCK_FLUSH_SMOOTH;
-    if (flushes || status == NCK_DONE || status < NCK_OK) nck_smooth_end(&nck->smooth);
-    if (flushes || status == NCK_DONE) return NCK_DONE;
-    if (status == NCK_OK) nck_toolcomp_push(&nck->toolcomp, &nck->wire.block);
+    if (status == NCK_EMPTY && nck->wire.flush == NCK_FLUSH_ASKED) {
+        nck->wire.flush = NCK_FLUSH_SMOOTH;
+        nck_smooth_end(&nck->smooth);
+        return NCK_DONE;
+    }
+    if (status == NCK_DONE) end_blocks(nck);
+    if (status != NCK_OK) return status;
+    status = nck_toolcomp_push(&nck->toolcomp, &nck->wire.block);
+    return status == NCK_EMPTY ? NCK_DONE : status;
+}
+
+// decode ─▶ toolcomp: wire.block, in the machine. NCK_DONE: no block, call again.
+static nck_status_t next_block(nck_t *nck) {
+    nck_status_t status = nck_toolcomp_pull(&nck->toolcomp, &nck->wire.block);
+    if (status == NCK_EMPTY && nck->wire.last) {
+        end_blocks(nck);
+        return NCK_DONE;
+    }
+    if (status == NCK_EMPTY) status = decode_block(nck);
+    if (status < NCK_OK) end_blocks(nck);
+    if (status == NCK_OK) nck_toolcomp_place(&nck->toolcomp, &nck->wire.block);
     return status;
 }
 
@@ -174,6 +197,7 @@ static void begin_anew(nck_t *nck) {
         nck->machine.start_nm[x] = (int64_t)nck_floor(place + 0.5);
     }
     nck_decode_stand(&nck->decode);
+    nck_toolcomp_init(&nck->toolcomp, &nck->machine);
     nck_link_renew(&nck->link);
     begin_rooms(nck);
     nck_link_give_back(&nck->link);

@@ -110,6 +110,7 @@ typedef struct nck {
     nck_transform_t transform;
     struct {
         nck_block_t block;      // on its way from 2_toolcomp to 3_smooth
+        uint8_t last;           // 1: toolcomp has the last blocks
         uint8_t ended;          // 1: no more blocks: END, end of text or a program error
         uint8_t given_up;       // 1: after NCK_E_INTERNAL
         uint8_t flush;          // nck_flush_state_t

@@ -62,7 +62,9 @@ def decode(text, machine):
         Bytes of the text that are read so far.
     """
     state, decoding = ffi.new("nck_decode_t *"), ffi.new("nck_host_decoding_t *")
+    toolcomp = ffi.new("nck_toolcomp_t *")
     lib.nck_decode_init(state, machine.pointer)
+    lib.nck_toolcomp_init(toolcomp, machine.pointer)
     blocks = np.empty(_BLOCK_ROWS, dtype("nck_block_t"))
     diagnostics = np.empty(_DIAGNOSTIC_ROWS, dtype("nck_diagnostic_t"))
     data = ffi.from_buffer("char[]", text)
@@ -73,7 +75,7 @@ def decode(text, machine):
     decoding.diagnostic_max = len(diagnostics)
     status = lib.NCK_OK
     while status == lib.NCK_OK:
-        status = lib.nck_host_decode(state, decoding)
+        status = lib.nck_host_decode(state, toolcomp, decoding)
         if status == lib.NCK_E_ARGUMENT:
             raise _bad_block(text, decoding.text_used)
         check(status)

@@ -110,6 +110,7 @@ def _fill_tools(record, tools):
         offset = {"x": tool.x_mm, "y": tool.y_mm, "z": tool.length_mm}
         row["offset_nm"] = [_counts(value, letter) for letter, value in offset.items()]
         row["radius_mm"] = float(tool.radius_mm)
+        row["wear_mm"] = float(tool.radius_wear_mm)
 
 
 def _fill_own_m(record, codes):

@@ -263,6 +263,9 @@ class Tool(Table):
     x_mm: Coordinate = Field(Decimal(0), description="Offset along X (lathe: radius).")
     y_mm: Coordinate = Field(Decimal(0), description="Offset along Y.")
     radius_mm: Size = Field(Decimal(0), description="Cutter or nose radius.")
+    radius_wear_mm: Coordinate = Field(
+        Decimal(0), description="Added to the radius: what the tool has lost, negative."
+    )
     orientation: Annotated[int, Field(ge=0, le=9)] = Field(
         0, description="Lathe: where the tip points, 0 to 9."
     )

@@ -6,7 +6,7 @@
 
 #include "check.h"
 #include "decode_check.h"
-#include "nck/prep/1_decode/arc_math.h" // nck_arc_passes
+#include "nck/base/arc_math.h" // nck_arc_passes
 
 static decode_case_t self;
 static const double pi = 3.14159265358979323846;

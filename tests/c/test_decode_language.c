@@ -138,7 +138,20 @@ static const wrong_t wrongs[] = {
     {"M3 M4\nM2\n", NCK_E_MODAL_GROUP, 1, 4},
     {"M7 M9\nM2\n", NCK_E_MODAL_GROUP, 1, 4},
     {"G0 G28 X1\nM2\n", NCK_E_MODAL_GROUP, 1, 4},
-    {"G41 D1\nM2\n", NCK_E_UNSUPPORTED, 1, 1},
+    {"G0 G41.1 X1\nM2\n", NCK_E_WORD_MISSING, 1, 4},
+    {"G41.1 D4 L10\nM2\n", NCK_E_NUMBER_RANGE, 1, 10},
+    {"G42 D1.5\nM2\n", NCK_E_NUMBER_RANGE, 1, 5},
+    {"G42 D9\nM2\n", NCK_E_TOOL_UNKNOWN, 1, 5},
+    {"G41 L2\nM2\n", NCK_E_WORD_UNUSED, 1, 5},
+    {"G17 G41.1 D4 L2\nM2\n", NCK_E_COMP_PLANE, 1, 5},
+    {"G41.1 D4\nG42.1 D4\nM2\n", NCK_E_COMP_ON, 2, 1},
+    {"G41.1 D4\nG18\nM2\n", NCK_E_COMP_ON, 2, 1},
+    {"G41.1 D4\nN5 G55\nM2\n", NCK_E_COMP_ON, 2, 4},
+    {"G41.1 D4\nG49\nM2\n", NCK_E_COMP_ON, 2, 1},
+    {"G41.1 D4\nG92 X0\nM2\n", NCK_E_COMP_ON, 2, 1},
+    {"G41.1 D4\nG28\nM2\n", NCK_E_COMP_ON, 2, 1},
+    {"G41.1 D4\nG0 G53 X1\nM2\n", NCK_E_COMP_ON, 2, 4},
+    {"G41.1 D4\nG40 M6\nM2\n", NCK_E_COMP_ON, 2, 5},
     {"G0 X1\n G84 Z-1 R1\nM2\n", NCK_E_UNSUPPORTED, 2, 2},
     {"G5.2 X1 Y1 P1\nM2\n", NCK_E_UNSUPPORTED, 1, 1},
     {"G10 L20 P1 X0\nM2\n", NCK_E_UNSUPPORTED, 1, 5},
@@ -186,7 +199,7 @@ static void every_mistake_is_one_error_with_its_place(check_t *check) {
 static void standard_codes_are_unsupported_not_unknown(check_t *check) {
     static const char *const codes[] = {
         "G5", "G5.1", "G7.1", "G12.1", "G15", "G16", "G17.1", "G27", "G28.1", "G29", "G31", "G32",
-        "G33", "G34", "G38.2", "G41", "G42", "G41.1", "G43.1", "G43.4", "G44", "G45", "G50", "G51",
+        "G33", "G34", "G38.2", "G41.2", "G42.2", "G43.1", "G43.4", "G44", "G45", "G50", "G51",
         "G52", "G54.1", "G60", "G62", "G63", "G68", "G68.2", "G69", "G70", "G71",
         "G72", "G74", "G75", "G76", "G77", "G79", "G84", "G84.2", "G87", "G88", "G96",
         "M19", "M29", "M41", "M62", "M97", "M99", "M198"
@@ -218,7 +231,7 @@ static void a_refused_feed_speed_or_motion_is_one_finding(check_t *check) {
     check_error(check, &self, "F-1\nG1 X1\nX2\nG2 X3 I.5\nM2\n", NCK_E_NUMBER_RANGE, 1, 1);
     CHECK_INT(check, self.blocks, 1);
     check_error(check, &self, "G1 X1 F1 F2\nM3 S5\nX2\nM2\n", NCK_E_WORD_TWICE, 1, 10);
-    check_error(check, &self, "G0 G41 X1 f 200\nG1 X2\nX3\nM2\n", NCK_E_UNSUPPORTED, 1, 4);
+    check_error(check, &self, "G0 G41.2 X1 f 200\nG1 X2\nX3\nM2\n", NCK_E_UNSUPPORTED, 1, 4);
     check_error(check, &self, "G1 X1\nX2\nX3\nM2\n", NCK_E_FEED_MISSING, 1, 0);
     check_error(check, &self, "G53 G0 Q1 X1\nX2\nX3\nM2\n", NCK_E_WORD_UNUSED, 1, 8);
     check_error(check, &self, "G95 F1 G1\nS-1 M3\nX2\nX3\nM2\n", NCK_E_NUMBER_RANGE, 2, 1);

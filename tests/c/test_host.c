@@ -15,6 +15,7 @@ enum { ROWS = 4 * NCK_WINDOW, TEXT = 1 << 18, TICKS = 512 };
 static nck_t nck;
 static nck_machine_t machine;
 static nck_decode_t decode;
+static nck_toolcomp_t toolcomp;
 static nck_host_plan_t plan;
 static sim_t sim;
 static char text[TEXT];
@@ -51,6 +52,7 @@ static nck_host_decoding_t decoding_of(const void *program, size_t size, size_t 
                                        size_t finding_rows)
 {
     nck_decode_init(&decode, &machine);
+    nck_toolcomp_init(&toolcomp, &machine);
     return (nck_host_decoding_t){.text = program, .text_size = size,
                                  .blocks = blocks, .block_max = block_rows,
                                  .diagnostics = findings, .diagnostic_max = finding_rows};
@@ -62,7 +64,7 @@ static int64_t decoded_rest(check_t *check, nck_host_decoding_t *decoding, size_
     int64_t sum = 0;
     *found = 0;
     for (nck_status_t status = NCK_OK; status == NCK_OK;) {
-        status = nck_host_decode(&decode, decoding);
+        status = nck_host_decode(&decode, &toolcomp, decoding);
         CHECK(check, status == NCK_OK || status == NCK_DONE);
         for (size_t k = 0; k < decoding->block_count; k++) {
             sum += blocks[k].line + blocks[k].target_nm[0];
@@ -127,7 +129,7 @@ static void decoding_stops_at_a_block_outside_of_its_range(check_t *check)
     begin(1);
     nck_host_decoding_t decoding = decoding_of(moves, sizeof moves, 64, 64);
     decoding.is_blocks = 1;
-    CHECK_INT(check, nck_host_decode(&decode, &decoding), NCK_E_ARGUMENT);
+    CHECK_INT(check, nck_host_decode(&decode, &toolcomp, &decoding), NCK_E_ARGUMENT);
     CHECK_INT(check, decoding.text_used, sizeof moves[0]);
 }
 
@@ -136,7 +138,7 @@ static void decoding_without_rows_is_refused(check_t *check)
     begin(1);
     for (size_t row = 0; row < 2; row++) {
         nck_host_decoding_t decoding = decoding_of(text, 5, row, 1 - row);
-        CHECK_INT(check, nck_host_decode(&decode, &decoding), NCK_E_ARGUMENT);
+        CHECK_INT(check, nck_host_decode(&decode, &toolcomp, &decoding), NCK_E_ARGUMENT);
     }
 }
 

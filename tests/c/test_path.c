@@ -6,7 +6,7 @@
 
 #include "check.h"
 #include "nck/base/path.h"                // nck_path_point nck_path_tangent
-#include "nck/prep/2_toolcomp/toolcomp.h" // nck_toolcomp_push
+#include "nck/prep/2_toolcomp/toolcomp.h" // nck_toolcomp_place
 #include "nck/prep/3_smooth/smooth.h"     // nck_smooth_push nck_smooth_pull
 #include "terms_check.h" // terms_of
 
@@ -208,13 +208,13 @@ static void feed_per_revolution_of_a_spindle_at_rest_is_refused(check_t *check)
 static void tool_offset_moves_target_and_centre(check_t *check)
 {
     begin();
-    nck_toolcomp_t toolcomp;
+    static nck_toolcomp_t toolcomp;
     nck_toolcomp_init(&toolcomp, &machine);
     nck_block_t block = block_to(NCK_BLOCK_ARC, 10, 20, 30);
     block.plane = 18;
     block.tool_nm[NCK_AXIS_X] = 1000000;
     block.tool_nm[NCK_AXIS_Z] = 2000000;
-    nck_toolcomp_push(&toolcomp, &block);
+    nck_toolcomp_place(&toolcomp, &block);
     CHECK_INT(check, block.target_nm[NCK_AXIS_X], 1000010);
     CHECK_INT(check, block.target_nm[NCK_AXIS_Y], 20);
     CHECK_INT(check, block.target_nm[NCK_AXIS_Z], 2000030);

@@ -40,6 +40,12 @@
 #define NCK_CYCLES 1
 #endif
 
+// Blocks that radius compensation (G41, G42) sees at once. Power of two, 16..4096. 0 leaves it out.
+// What lies closer together than they are long is held against each other.
+#ifndef NCK_COMP_SPAN
+#define NCK_COMP_SPAN 64
+#endif
+
 // Nodes of the look-ahead window (three a seg at most). Power of two, 32..65536.
 // Too short for the braking distance costs time, never safety; it is reported as limit "lookahead".
 #ifndef NCK_WINDOW
@@ -96,8 +102,15 @@
 #define NCK_HAS_CALLS (NCK_VARIABLES > 0 && NCK_CALL_DEPTH > 0)
 #define NCK_HAS_CYCLES (NCK_CYCLES > 0)
 
+// Whether there is radius compensation.
+#define NCK_HAS_COMP (NCK_COMP_SPAN > 0)
 
 // Rows of arrays that may be left out.
+#if NCK_COMP_SPAN > 0
+#define NCK_COMP_ROWS NCK_COMP_SPAN
+#else
+#define NCK_COMP_ROWS 1
+#endif
 #if NCK_VARIABLES > 0
 #define NCK_VARIABLE_ROWS NCK_VARIABLES
 #else
@@ -117,6 +130,12 @@
 #endif
 #if NCK_CALL_DEPTH < 0 || NCK_CALL_DEPTH > 1000
 #error "NCK_CALL_DEPTH must be 0..1000"
+#endif
+#if NCK_COMP_SPAN != 0 && (NCK_COMP_SPAN < 16 || NCK_COMP_SPAN > 4096)
+#error "NCK_COMP_SPAN must be 0 or 16..4096"
+#endif
+#if NCK_COMP_SPAN & (NCK_COMP_SPAN - 1)
+#error "NCK_COMP_SPAN must be a power of two"
 #endif
 #if NCK_FILTER_TAPS < 1 || NCK_FILTER_TAPS > 16
 #error "NCK_FILTER_TAPS must be 1..16"

@@ -130,7 +130,9 @@ static int tools_good(const nck_machine_t *machine) {
     if (machine->tool_count > NCK_TOOL_MAX) return 0;
     for (uint32_t k = 0; k < machine->tool_count; k++) {
         const nck_tool_t *const tool = &machine->tool[k];
+        const double wear = tool->wear_mm < 0.0 ? -tool->wear_mm : tool->wear_mm;
         if (tool->orientation > 9 || !good(NCK_QUANTITY_SIZE, tool->radius_mm)) return 0;
+        if (!good(NCK_QUANTITY_SIZE, wear)) return 0;
         for (unsigned axis = 0; axis < 3; axis++) {
             if (!place_good(&machine->axis[axis], tool->offset_nm[axis])) return 0;
         }

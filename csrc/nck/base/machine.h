@@ -78,6 +78,7 @@ typedef struct nck_tool {
     uint32_t orientation; // lathe: 0..9
     int64_t offset_nm[3]; // X Y Z (mill: Z = length) [nm]
     double radius_mm;     // SIZE
+    double wear_mm;       // of the radius: added to it; its magnitude is a SIZE
 } nck_tool_t;
 
 // An M code that the machine has beside those of the language. It is handed over as an output.

@@ -31,7 +31,10 @@ typedef enum nck_block_kind {
     NCK_BLOCK_DWELL = 3, // G4: stop, wait dwell_s
     NCK_BLOCK_WAIT = 4,  // M0, M1, M6, M60: stop, hand over the output, wait for nck_resume
     NCK_BLOCK_OUTPUT = 5,// S, F-less M, T…: handed over in order, no stop
-    NCK_BLOCK_END = 6    // M2, M30 or end of text: stop
+    NCK_BLOCK_END = 6,   // M2, M30 or end of text: stop
+    NCK_BLOCK_COMP = 7   // G40, G41, G42 for 2_toolcomp, where it ends: output.value is the tool's
+                         // radius [mm], + left of the contour, − right of it, 0: off; centre_mm:
+                         // from the centre of its nose to its point
 } nck_block_kind_t;
 
 // How the path meets the program.

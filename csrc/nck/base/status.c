@@ -49,6 +49,12 @@
     x(NCK_E_NO_SEEK, "no-seek")       \
     x(NCK_E_ALARM, "alarm")           \
     x(NCK_E_ENDLESS, "endless")       \
+    x(NCK_E_COMP_ON, "comp-on")       \
+    x(NCK_E_COMP_PLANE, "comp-plane") \
+    x(NCK_E_COMP_ENTRY, "comp-entry") \
+    x(NCK_E_COMP_EXIT, "comp-exit")   \
+    x(NCK_E_COMP_RADIUS, "comp-radius") \
+    x(NCK_E_COMP_GOUGE, "comp-gouge") \
     x(NCK_E_ARGUMENT, "argument")         \
     x(NCK_E_MACHINE, "machine")           \
     x(NCK_E_STATE, "state")               \
@@ -63,7 +69,8 @@
     x(NCK_NOTE_AFTER_END, "after-end")       \
     x(NCK_NOTE_FEED_UNITS, "feed-units")     \
     x(NCK_NOTE_TOLERANCE, "no-tolerance")    \
-    x(NCK_NOTE_CALLED, "called-from")
+    x(NCK_NOTE_CALLED, "called-from")        \
+    x(NCK_NOTE_COMP_LEFT, "comp-left")
 
 #define CODE(code, id) code,
 #define ID(code, id) id "\0"

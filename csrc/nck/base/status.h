@@ -59,6 +59,16 @@ typedef enum nck_status {
     NCK_E_NO_SEEK = -35,      // "no-seek": a jump backward in text that can only be pushed
     NCK_E_ALARM = -36,        // "alarm": the program says so (#3000); value = number
     NCK_E_ENDLESS = -37,      // "endless": limit lines read, and no block came
+    NCK_E_COMP_ON = -52,      // "comp-on": not while G41 or G42 is in force; value = the code
+    NCK_E_COMP_PLANE = -53,   // "comp-plane": a nose that points somewhere, outside of G18;
+                              // value = orientation
+    NCK_E_COMP_ENTRY = -54,   // "comp-entry": the first move behind G41 or G42 is no longer (an
+                              // arc: no larger) than the tool's radius; value, limit [mm]
+    NCK_E_COMP_EXIT = -55,    // "comp-exit": the first move behind G40 is an arc
+    NCK_E_COMP_RADIUS = -56,  // "comp-radius": the tool does not fit into an arc; value = the
+                              // tool's radius, limit = the arc's [mm]
+    NCK_E_COMP_GOUGE = -57,   // "comp-gouge": the tool would cut into another part of the contour;
+                              // value = how deep [mm], limit = the other line
 
     // the front door
     NCK_E_ARGUMENT = -40, // "argument": an argument outside of its range
@@ -70,7 +80,7 @@ typedef enum nck_status {
 } nck_status_t;
 
 // Notes: assumed defaults and the like. Not errors; at most one of each in a program, but for
-// NCK_NOTE_CALLED.
+// NCK_NOTE_CALLED and NCK_NOTE_COMP_LEFT.
 typedef enum nck_note {
     NCK_NOTE_UNITS = 1,      // "assumed-units": motion before G20 or G21
     NCK_NOTE_PLANE = 2,      // "assumed-plane": an arc before G17, G18 or G19
@@ -80,7 +90,9 @@ typedef enum nck_note {
     NCK_NOTE_AFTER_END = 6,  // "after-end": text after M2 or M30 is not read
     NCK_NOTE_FEED_UNITS = 7, // "feed-units": F beside a G20 or G21 that changes the units
     NCK_NOTE_TOLERANCE = 8,  // "no-tolerance": G64 without P on a machine whose tolerance is 0
-    NCK_NOTE_CALLED = 9      // "called-from": behind an error, once for every call in force: where
+    NCK_NOTE_CALLED = 9,     // "called-from": behind an error, once for every call in force: where
+    NCK_NOTE_COMP_LEFT = 10  // "comp-left": the tool does not come to the contour between the line
+                             // and line `limit`; value = material left there at most [mm]
 } nck_note_t;
 
 // One finding in a program. Wording is the caller's; ids and numbers are the kernel's.

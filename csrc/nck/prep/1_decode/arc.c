@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // G2 and G3: from the words to circles that pass through both ends.
-#include "nck/prep/1_decode/arc_math.h" // nck_arc_sweep …
+#include "nck/base/arc_math.h" // nck_arc_sweep …
 #include "nck/prep/1_decode/parts.h"
 
 #include <stddef.h> // NULL

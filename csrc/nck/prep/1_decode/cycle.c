@@ -175,6 +175,10 @@ static nck_status_t read_cycle(nck_decode_t *self, int64_t *count_out) {
     if (self->modal.feed_mode == NCK_FEED_INVERSE) {
         return nck_decode_fail(self, NCK_E_UNSUPPORTED, 0, 'G', 93.0, 0.0);
     }
+    if (self->modal.comp) {
+        const double code = self->modal.motion / 10.0;
+        return nck_decode_fail(self, NCK_E_COMP_ON, 0, 'G', code, 0.0);
+    }
     if (!(self->place.axes >> self->cycle.drill & 1u)) {
         return nck_decode_fail(self, NCK_E_AXIS_UNKNOWN, 0, nck_decode_letter(self->cycle.drill),
                                0.0, 0.0);

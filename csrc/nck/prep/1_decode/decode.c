@@ -89,7 +89,7 @@ static void release_line(nck_decode_t *self) {
     self->words.steps = 0;
 }
 
-// Settings that give no block and have no function of their own: G40, G97, G9, G53.
+// Settings that give no block and have no function of their own: G97, G9, G53.
 static nck_status_t nothing(nck_decode_t *self, nck_block_t *out) {
     (void)self;
     (void)out;
@@ -102,7 +102,7 @@ static nck_status_t run_steps(nck_decode_t *self, nck_block_t *out) {
         nck_decode_units, nck_decode_feed_mode, nck_decode_feed, nck_decode_speed, nck_decode_tool,
         nck_decode_change, nck_decode_change_wait, nck_decode_spindle, nck_decode_mist,
         nck_decode_flood, nck_decode_override, nck_decode_own, nck_decode_dwell, nck_decode_plane,
-        nck_decode_diameter, nothing, nck_decode_length, nck_decode_work, nck_decode_path,
+        nck_decode_diameter, nck_decode_comp, nck_decode_length, nck_decode_work, nck_decode_path,
         nck_decode_distance, nck_decode_centre, nothing, nck_decode_retract, nck_decode_offset,
         nothing, nothing, nck_decode_motion, nck_decode_give_pushed, nck_decode_cycle,
         nck_decode_second, nck_decode_call, nck_decode_stop

@@ -51,6 +51,13 @@ typedef enum nck_no_motion {
     NCK_MOTION_REFUSED = -2 // a refused line would have set it: what counts on that moves nothing
 } nck_no_motion_t;
 
+// Whether G41 or G42 is in force.
+typedef enum nck_comp_state {
+    NCK_COMPENSATES_NOT = 0,
+    NCK_COMPENSATES_NOTHING = 1, // a tool without radius
+    NCK_COMPENSATES = 2
+} nck_comp_state_t;
+
 // Bits of modal.excused.
 enum { NCK_EXCUSED_FEED = 1, NCK_EXCUSED_SPEED = 2 };
 
@@ -83,7 +90,8 @@ typedef struct nck_decode {
         uint8_t path_mode;      // nck_path_mode_t
         uint8_t spindle_on;     // 1: M3 or M4
         uint8_t spindle_code;   // 3 or 4: the last of them
-        uint8_t excused;        // NCK_EXCUSED_…: what is missing was told, or follows from an error
+        uint8_t comp;           // nck_comp_state_t
+        uint8_t excused;        // NCK_EXCUSED_…: what is missing was told, or is an error's
         double tolerance_mm;    // G64 P
         double merge_mm;        // G64 Q
         double feed;            // F in mm/min, mm/rev or 1/min; 0: none yet
@@ -186,9 +194,9 @@ void nck_decode_end(nck_decode_t *self);
 // the program its output says M2.
 // Returns NCK_OK (block_out is filled), NCK_EMPTY (push text first; with a source: pull again),
 // NCK_DONE (the program has ended), or the error of the line in work: NCK_E_CHARACTER …
-// NCK_E_ENDLESS. After an error the next pull goes on with the next line, as if the move had been
-// made; after NCK_E_BINARY, NCK_E_DIALECT, NCK_E_NO_PROGRAM, errors of jumps, and any error behind
-// a call, loop or jump it says NCK_DONE. Cost: linear in the line. Context: prep.
+// NCK_E_COMP_PLANE. After an error the next pull goes on with the next line, as if the move had
+// been made; after NCK_E_BINARY, NCK_E_DIALECT, NCK_E_NO_PROGRAM, errors of jumps, and any error
+// behind a call, loop or jump it says NCK_DONE. Cost: linear in the line. Context: prep.
 nck_status_t nck_decode_pull(nck_decode_t *self, nck_block_t *block_out);
 
 // Take the oldest finding: an error that pull has returned, or a note. Returns NCK_OK or NCK_EMPTY.

@@ -207,6 +207,10 @@ void nck_decode_scale(nck_decode_t *self);
 // modal.c: a tool of the table, NULL if it has none of that number. Cost: linear in the tools.
 const nck_tool_t *nck_decode_find_tool(const nck_decode_t *self, uint32_t number);
 
+// comp.c: G40, G41, G42; what cannot be done while G41 or G42 is in force.
+nck_status_t nck_decode_comp(nck_decode_t *self, nck_block_t *out);
+nck_status_t nck_decode_comp_refuses(nck_decode_t *self);
+
 // place.c: offsets.
 nck_status_t nck_decode_length(nck_decode_t *self, nck_block_t *out);
 nck_status_t nck_decode_work(nck_decode_t *self, nck_block_t *out);

@@ -187,6 +187,7 @@ static nck_status_t check_codes(nck_decode_t *self) {
     if (words->letters & NCK_LETTER('P')) status = check_shared(self);
     if (status == NCK_OK && has(words, NCK_STEP_OFFSET)) status = check_limit(self);
     if (status == NCK_OK && has(words, NCK_STEP_MACHINE)) status = check_machine(self);
+    if (status == NCK_OK && self->modal.comp) status = nck_decode_comp_refuses(self);
     return status;
 }
 

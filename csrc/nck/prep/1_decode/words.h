@@ -25,7 +25,7 @@ typedef enum nck_step {
     NCK_STEP_DWELL,       // G4
     NCK_STEP_PLANE,       // G17 G18 G19
     NCK_STEP_DIAMETER,    // G7 G8
-    NCK_STEP_RADIUS_COMP, // G40
+    NCK_STEP_RADIUS_COMP, // G40 G41 G41.1 G42 G42.1
     NCK_STEP_LENGTH,      // G43 G49
     NCK_STEP_WORK,        // G54 … G59.3
     NCK_STEP_PATH,        // G61 G61.1 G64

@@ -1,24 +1,193 @@
 // SPDX-License-Identifier: MIT
-// Room 2, toolcomp: tool offsets.
+// Room 2, toolcomp: tool offsets, and the door of radius compensation.
 #include "nck/prep/2_toolcomp/toolcomp.h"
 
+#include <string.h> // memcpy memset
+
+#include "nck/base/real.h"             // nck_fabs
+#include "nck/prep/2_toolcomp/parts.h" // nck_comp_…
+
+// Plane axes in the order of G17 XY, G18 ZX, G19 YZ.
+static void axes_of(unsigned plane, uint8_t *axis_out) {
+    axis_out[0] = plane == 17 ? NCK_AXIS_X : plane == 18 ? NCK_AXIS_Z : NCK_AXIS_Y;
+    axis_out[1] = plane == 17 ? NCK_AXIS_Y : plane == 18 ? NCK_AXIS_X : NCK_AXIS_Z;
+}
+
 void nck_toolcomp_init(nck_toolcomp_t *self, const nck_machine_t *machine) {
+    memset(self, 0, sizeof *self);
     self->machine = machine;
 }
 
-// Plane axes in the order of G17 XY, G18 ZX, G19 YZ.
-static void move_centre(nck_block_t *block) {
-    const int u = block->plane == 17 ? NCK_AXIS_X : block->plane == 18 ? NCK_AXIS_Z : NCK_AXIS_Y;
-    const int v = block->plane == 17 ? NCK_AXIS_Y : block->plane == 18 ? NCK_AXIS_X : NCK_AXIS_Z;
-    block->centre_mm[0] += (double)block->tool_nm[u] * 1e-6;
-    block->centre_mm[1] += (double)block->tool_nm[v] * 1e-6;
-}
-
-void nck_toolcomp_push(const nck_toolcomp_t *self, nck_block_t *block) {
+void nck_toolcomp_place(const nck_toolcomp_t *self, nck_block_t *block) {
     if (block->kind > NCK_BLOCK_ARC) return;
-    if (block->kind == NCK_BLOCK_ARC) move_centre(block);
+    if (block->kind == NCK_BLOCK_ARC) {
+        uint8_t axis[2];
+        axes_of(block->plane, axis);
+        for (unsigned k = 0; k < 2; k++) {
+            block->centre_mm[k] += (double)block->tool_nm[axis[k]] * 1e-6;
+        }
+    }
     for (int x = NCK_AXIS_X; x <= NCK_AXIS_Z; x++) {
         if (self->machine->axis[x].present) block->target_nm[x] += block->tool_nm[x];
         block->tool_nm[x] = 0;
     }
+}
+
+// ---- radius compensation
+
+// While the tool is away, moves outside of the plane leave it there; the first one in the plane
+// takes it to a programmed point, and must be straight.
+static nck_status_t stay_away(nck_toolcomp_t *self, nck_block_t *block) {
+    if (block->kind > NCK_BLOCK_ARC) return NCK_OK;
+    if (block->kind == NCK_BLOCK_ARC) {
+        self->away = 0;
+        self->error = (nck_diagnostic_t){NCK_E_COMP_EXIT, block->line, 0, 0, 0.0, 0.0};
+        return NCK_E_COMP_EXIT;
+    }
+    const uint8_t *const axis = self->axis;
+    for (unsigned k = 0; k < 2; k++) {
+        if (block->target_nm[axis[k]] != self->reached_nm[axis[k]]) self->away = 0;
+    }
+    for (unsigned k = 0; self->away && k < 2; k++) {
+        block->target_nm[axis[k]] = self->given_nm[axis[k]];
+    }
+    return NCK_OK;
+}
+
+static void switch_on(nck_toolcomp_t *self, const nck_block_t *block) {
+    const double radius = block->output.value;
+    axes_of(block->plane, self->axis);
+    for (unsigned k = 0; k < NCK_AXIS_MAX; k++) self->reached_nm[k] = block->target_nm[k];
+    if (!self->away) memcpy(self->given_nm, self->reached_nm, sizeof self->given_nm);
+    self->ring.first = self->ring.head;
+    self->phase = NCK_COMP_ENTERS;
+    self->away = 0;
+    self->plane = block->plane;
+    self->radius = nck_fabs(radius);
+    self->side = radius < 0.0 ? -1.0 : 1.0;
+    self->s = 0.0;
+    for (unsigned k = 0; k < 2; k++) {
+        self->nose[k] = block->centre_mm[k];
+        self->at[k] = (double)self->given_nm[self->axis[k]] * 1e-6 - self->nose[k];
+    }
+}
+
+nck_status_t nck_toolcomp_push(nck_toolcomp_t *self, nck_block_t *block) {
+    if (block->kind == NCK_BLOCK_COMP) {
+        if (block->output.value != 0.0) switch_on(self, block);
+        else self->closed = self->phase != NCK_COMP_OFF;
+        return NCK_EMPTY;
+    }
+    if (self->phase == NCK_COMP_OFF) {
+        return self->away ? stay_away(self, block) : NCK_OK;
+    }
+    if (block->kind == NCK_BLOCK_END) self->closed = 1;
+    return nck_comp_take(self, block);
+}
+
+int nck_toolcomp_is_on(const nck_toolcomp_t *self) { return self->phase != NCK_COMP_OFF; }
+
+void nck_toolcomp_end(nck_toolcomp_t *self) {
+    self->closed = self->phase != NCK_COMP_OFF;
+}
+
+static void open_piece(nck_toolcomp_t *self, const nck_comp_piece_t *piece, double along) {
+    self->walk.piece = *piece;
+    self->walk.along = along;
+    self->walk.open = 1;
+    self->walk.planned = 0;
+    self->walk.corner = 0;
+}
+
+// The contour at the tail begins where the last one ended: about the corner first, then along it.
+static void open_next(nck_toolcomp_t *self) {
+    nck_comp_piece_t piece;
+    const uint32_t count = self->ring.tail;
+    const int rounds = self->walk.corner
+                       && nck_comp_about(self, count, self->walk.tangent, &piece);
+    if (!rounds) nck_comp_beside(self, count, &piece);
+    open_piece(self, &piece, 0.0);
+}
+
+// The path has left the piece: of its contour, and of what is cut off, nothing is left to do.
+static void close_piece(nck_toolcomp_t *self) {
+    const uint32_t of = self->walk.piece.of;
+    const int joined = self->walk.piece.joins;
+    self->walk.open = 0;
+    if (self->walk.jumps) return;
+    if (joined) {
+        nck_comp_piece_t next;
+        nck_comp_beside(self, of, &next);
+        open_piece(self, &next, 0.0);
+        return;
+    }
+    const nck_shape_t *const contour = &nck_comp_at(self, of)->contour;
+    nck_shape_tangent(contour, contour->length, self->walk.tangent);
+    self->walk.corner = 1;
+    self->ring.tail++;
+}
+
+// Where the path leaves the piece in work, and what that leaves out.
+static nck_status_t plan_piece(nck_toolcomp_t *self) {
+    nck_comp_find_cut(self);
+    self->walk.planned = 1;
+    const nck_status_t status = nck_comp_hold(self);
+    return status == NCK_OK && self->walk.jumps ? nck_comp_judge(self) : status;
+}
+
+// The entry at the tail: a block without contour is given, a contour's piece is opened or, before
+// the place to which the path jumps, left out.
+static nck_status_t begin_entry(nck_toolcomp_t *self, nck_block_t *out) {
+    const uint32_t count = self->ring.tail;
+    nck_comp_entry_t *const entry = nck_comp_at(self, count);
+    if (!entry->moves) {
+        self->ring.tail++;
+        nck_comp_give_along(self, &entry->block, out);
+        return NCK_OK;
+    }
+    if (!self->walk.jumps) {
+        open_next(self);
+    } else if (count == self->walk.next.of) {
+        open_piece(self, &self->walk.next, self->walk.on_next);
+        self->walk.jumps = 0;
+    } else {
+        self->ring.tail++;
+    }
+    return NCK_EMPTY;
+}
+
+// The next entry, or a stretch of the piece in work. NCK_EMPTY: nothing to give yet.
+static nck_status_t step(nck_toolcomp_t *self, nck_block_t *out) {
+    if (!self->walk.open) return begin_entry(self, out);
+    nck_status_t status = self->walk.planned ? NCK_OK : plan_piece(self);
+    if (status == NCK_OK) status = nck_comp_give(self, out);
+    if (status >= NCK_OK && !(self->walk.along < self->walk.until)) close_piece(self);
+    return status;
+}
+
+nck_status_t nck_toolcomp_pull(nck_toolcomp_t *self, nck_block_t *block_out) {
+    if (self->phase == NCK_COMP_OFF) return NCK_EMPTY;
+    const uint32_t waiting = self->ring.head - self->ring.tail;
+    if (!self->closed && waiting < NCK_COMP_ROWS - NCK_COMP_KEPT) return NCK_EMPTY;
+    while (self->ring.tail != self->ring.head) {
+        const nck_status_t status = step(self, block_out);
+        if (status != NCK_EMPTY) return status;
+    }
+    if (self->closed) nck_comp_off(self);
+    return NCK_EMPTY;
+}
+
+nck_status_t nck_toolcomp_diagnostic(nck_toolcomp_t *self, nck_diagnostic_t *diagnostic_out) {
+    nck_diagnostic_t *const found = self->note.code != 0 ? &self->note : &self->error;
+    if (found->code == 0) return NCK_EMPTY;
+    *diagnostic_out = *found;
+    found->code = 0;
+    return NCK_OK;
+}
+
+int nck_toolcomp_invariants(const nck_toolcomp_t *self) {
+    const uint32_t waiting = self->ring.head - self->ring.tail;
+    return waiting <= NCK_COMP_ROWS && self->phase <= NCK_COMP_ON
+           && (self->phase != NCK_COMP_OFF || (waiting == 0 && !self->walk.open))
+           && (self->phase == NCK_COMP_OFF || self->radius > 0.0);
 }

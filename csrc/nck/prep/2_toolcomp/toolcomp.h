@@ -1,22 +1,119 @@
 // SPDX-License-Identifier: MIT
-// Room 2, toolcomp: block → block. Tool offsets in; radius compensation has its place here.
+// Room 2, toolcomp: block → block. Tool offsets, and the path of the tool's centre beside the
+// contour (G41, G42).
+//
+//     push a block → it passes, or is taken → pull what is given → push the next one
 #ifndef NCK_PREP_TOOLCOMP_H
 #define NCK_PREP_TOOLCOMP_H
 
+#include "nck/base/limits.h"  // NCK_COMP_SPAN
 #include "nck/base/machine.h" // nck_machine_t
 #include "nck/base/records.h" // nck_block_t
+#include "nck/base/status.h"  // nck_status_t nck_diagnostic_t
+#include "nck/prep/2_toolcomp/shape.h" // nck_shape_t
 
-// The room's state.
+// A block that waits, and what it is in the plane.
+typedef struct nck_comp_entry {
+    nck_block_t block;   // as it came
+    nck_shape_t contour; // the programmed line or arc
+    double s;            // contour before it [mm]
+    double met;          // contour before a place where it meets itself [mm]; < 0: nowhere
+    double met_at;       // contour before the same place, on this one [mm]
+    uint8_t moves;       // 1: it has a contour
+    uint8_t rapid;       // 1: G0: nothing is cut there
+    uint8_t enters;      // 1: the first move
+    uint8_t reserved[5]; // 0
+} nck_comp_entry_t;
+
+// How far compensation is.
+typedef enum nck_comp_phase {
+    NCK_COMP_OFF = 0,
+    NCK_COMP_ENTERS = 1, // the first move in the plane is not there yet
+    NCK_COMP_ON = 2
+} nck_comp_phase_t;
+
+// A piece of the centre's path: parallel to a contour, or an arc about a corner before one.
+typedef struct nck_comp_piece {
+    nck_shape_t shape;
+    uint32_t of;         // count of the contour
+    uint8_t joins;       // 1: about the corner before it
+    uint8_t reserved[3]; // 0
+} nck_comp_piece_t;
+
+// The room's state: filled by nck_toolcomp_init, written by the room alone.
 typedef struct nck_toolcomp {
-    const nck_machine_t *machine; // who has X, Y and Z
+    const nck_machine_t *machine; // who has X, Y and Z, and their travel
+    double radius;       // of the tool, > 0 [mm]
+    double side;         // 1: left of the contour, −1: right
+    double nose[2];      // from the centre to the tool's point, along the plane's axes [mm]
+    double at[2];        // where the centre is by now [mm]
+    double s;            // contour pushed [mm]
+    int64_t given_nm[NCK_AXIS_MAX];   // target of the last move given
+    int64_t reached_nm[NCK_AXIS_MAX]; // target of the last move pushed
+    uint8_t phase;       // nck_comp_phase_t
+    uint8_t closed;      // 1: what waits is all there is
+    uint8_t away;        // 1: off, and the tool still stands where compensation has left it
+    uint8_t plane;       // 17, 18, 19
+    uint8_t axis[2];     // its axes
+    uint8_t reserved[2]; // 0
+
+    // The piece in work, and where the path leaves it.
+    struct {
+        uint8_t open;        // 1: there is one
+        uint8_t planned;     // 1: where it is left is known
+        uint8_t jumps;       // 1: it is left for `next`, else at its end
+        uint8_t corner;      // 1: the last piece ended at a corner, which is not looked at yet
+        uint8_t reserved[4]; // 0
+        double along;        // where on it the path is [mm]
+        double until;        // where the path leaves it [mm]
+        double on_next;      // where on `next` it goes on [mm]
+        double tangent[2];   // direction of the contour before the corner
+        nck_comp_piece_t piece;
+        nck_comp_piece_t next;
+    } walk;
+
+    struct {
+        uint32_t head;  // blocks taken
+        uint32_t tail;  // blocks done with
+        uint32_t first; // of those, the first under this compensation
+        nck_comp_entry_t at[NCK_COMP_ROWS];
+    } ring;
+
+    nck_diagnostic_t error; // code 0: none
+    nck_diagnostic_t note;  // code 0: none
 } nck_toolcomp_t;
 
 // Cost: constant. Context: any, before the tick runs.
 void nck_toolcomp_init(nck_toolcomp_t *self, const nck_machine_t *machine);
 
+// Take a block. Under compensation at most NCK_COMP_SPAN wait: pull before.
+// Returns NCK_OK: it passes, and goes on as it is now; NCK_EMPTY: it is taken, what comes of it is
+// pulled; NCK_E_COMP_ENTRY, NCK_E_COMP_RADIUS, NCK_E_COMP_EXIT: compensation ends there.
+// Cost: linear in NCK_COMP_SPAN. Context: prep.
+nck_status_t nck_toolcomp_push(nck_toolcomp_t *self, nck_block_t *block);
+
+// 1 if blocks are taken and wait. Cost: constant. Context: prep.
+int nck_toolcomp_is_on(const nck_toolcomp_t *self);
+
+// Take the next block of what waits. Returns NCK_OK; NCK_EMPTY: push a block before;
+// NCK_E_COMP_GOUGE, NCK_E_TRAVEL: compensation ends there, and what waits is dropped.
+// Cost: quadratic in NCK_COMP_SPAN where a loop is cut off, else linear. Context: prep.
+nck_status_t nck_toolcomp_pull(nck_toolcomp_t *self, nck_block_t *block_out);
+
+// No block follows what waits. Cost: constant. Context: prep.
+void nck_toolcomp_end(nck_toolcomp_t *self);
+
+// Take what was found: an error that push or pull has returned, or a note. Returns NCK_OK or
+// NCK_EMPTY. Cost: constant. Context: prep.
+nck_status_t nck_toolcomp_diagnostic(nck_toolcomp_t *self, nck_diagnostic_t *diagnostic_out);
+
 // Turn a block of the tool tip into a block of the machine: target and arc centre are moved by the
-// tool offset in force, which is zero afterwards. Blocks without motion pass. Cost: constant.
+// tool offset in force, which is zero afterwards. Blocks without motion stay. Cost: constant.
 // Context: prep.
-void nck_toolcomp_push(const nck_toolcomp_t *self, nck_block_t *block);
+void nck_toolcomp_place(const nck_toolcomp_t *self, nck_block_t *block);
+
+// What must hold between two calls. Returns 1 if it holds. For tests. Cost: constant.
+// Context: prep.
+int nck_toolcomp_invariants(const nck_toolcomp_t *self);
 
 #endif

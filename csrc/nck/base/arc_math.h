@@ -8,8 +8,8 @@
 //           /  |  \              through both ends has g = 0.
 //   start  S---M---E  end        All points relative to the start; u, v: axes of the plane.
 //                                An arc is anticlockwise if it turns from u towards v.
-#ifndef NCK_PREP_DECODE_ARC_MATH_H
-#define NCK_PREP_DECODE_ARC_MATH_H
+#ifndef NCK_BASE_ARC_MATH_H
+#define NCK_BASE_ARC_MATH_H
 
 #include "nck/base/real.h"      // nck_real nck_sqrt
 #include "nck/base/trig_math.h" // NCK_PI, what nck_atan2 stands for

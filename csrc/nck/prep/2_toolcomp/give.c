@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: MIT
+// The path as blocks.
+#include "nck/prep/2_toolcomp/parts.h"
+
+#include <string.h> // memcpy
+
+#include "nck/base/arc_math.h" // nck_arc_…
+#include "nck/base/real.h"     // nck_floor nck_fabs
+
+#define LEAST 1e-7      // [mm] a stretch so short is none
+#define PER_MINUTE 60.0 // seconds
+
+// The place of the tool's point in the plane.
+static void target(nck_toolcomp_t *self, const double *centre, int64_t *target_nm) {
+    for (unsigned k = 0; k < 2; k++) {
+        const double place = (centre[k] + self->nose[k]) * 1e6;
+        target_nm[self->axis[k]] = (int64_t)nck_floor(place + 0.5);
+    }
+}
+
+// ---- travel
+
+static nck_status_t check_place(nck_toolcomp_t *self, const nck_block_t *block, unsigned k,
+                                int64_t place_nm) {
+    const unsigned axis = self->axis[k];
+    const nck_axis_t *const travel = &self->machine->axis[axis];
+    const int64_t at_nm = place_nm + block->tool_nm[axis];
+    if (at_nm >= travel->min_nm && at_nm <= travel->max_nm) return NCK_OK;
+    const int64_t limit_nm = at_nm < travel->min_nm ? travel->min_nm : travel->max_nm;
+    const nck_status_t status = nck_comp_fail(self, NCK_E_TRAVEL, block->line,
+                                              (double)at_nm * 1e-6, (double)limit_nm * 1e-6);
+    self->error.letter = 'X' + (int)axis;
+    return status;
+}
+
+// An arc of half a turn at most reaches its circle's end in the direction of an axis only if it
+// passes there.
+static nck_status_t check_bulge(nck_toolcomp_t *self, const nck_block_t *block, const double *from,
+                                const double *to, double radius) {
+    const int anticlockwise = block->sweep_rad > 0.0;
+    for (unsigned k = 0; k < 4; k++) {
+        const double way = k < 2 ? 1.0 : -1.0;
+        const double arm[2] = {k % 2 == 0 ? way : 0.0, k % 2 == 1 ? way : 0.0};
+        if (!nck_arc_passes(anticlockwise ? from : to, anticlockwise ? to : from, arm)) continue;
+        const double place = (block->centre_mm[k % 2] + way * radius) * 1e6;
+        const nck_status_t status = check_place(self, block, k % 2, (int64_t)nck_floor(place));
+        if (status != NCK_OK) return status;
+    }
+    return NCK_OK;
+}
+
+// ---- lines and arcs
+
+// An arc of half a turn at most, through both ends as they are rounded, about the point nearest to
+// its centre.
+static nck_status_t bend(nck_toolcomp_t *self, const nck_shape_t *shape, nck_block_t *out) {
+    double from[2];
+    double d[2];
+    double c[2];
+    double to[2];
+    const double turn = shape->sweep < 0.0 ? -1.0 : 1.0;
+    for (unsigned k = 0; k < 2; k++) {
+        const int64_t given_nm = self->given_nm[self->axis[k]];
+        from[k] = (double)given_nm * 1e-6;
+        d[k] = (double)(out->target_nm[self->axis[k]] - given_nm) * 1e-6;
+        c[k] = shape->c[k] + self->nose[k] - from[k];
+    }
+    const double length = nck_arc_norm(d[0], d[1]);
+    out->kind = NCK_BLOCK_LINE;
+    if (!(length > 0.0)) return NCK_OK;
+    const double height = nck_arc_height(d[0], d[1], c[0], c[1]);
+    out->kind = NCK_BLOCK_ARC;
+    out->plane = self->plane;
+    out->sweep_rad = nck_arc_sweep(length, height, turn);
+    nck_arc_centre(d[0], d[1], height, c);
+    for (unsigned k = 0; k < 2; k++) {
+        out->centre_mm[k] = from[k] + c[k];
+        to[k] = d[k] - c[k];
+        from[k] = -c[k];
+    }
+    return check_bulge(self, out, from, to, nck_arc_norm(c[0], c[1]));
+}
+
+// An arc about a corner has the feed of the contour behind it: of a rapid, the largest.
+static void feed_corner(const nck_toolcomp_t *self, const nck_comp_entry_t *entry, double length,
+                        nck_block_t *out) {
+    if (entry->rapid) {
+        out->feed_mode = NCK_FEED_PER_MINUTE;
+        out->feed = self->machine->path.feed_max * PER_MINUTE;
+    } else if (out->feed_mode == NCK_FEED_INVERSE) {
+        out->feed *= entry->contour.length / length;
+    }
+}
+
+// Where the stretch ends in the axes outside of the plane: their way is shared evenly among the
+// stretches up to the place where the piece is left.
+static void share_others(const nck_toolcomp_t *self, const nck_block_t *block, double share,
+                         nck_block_t *out) {
+    for (unsigned axis = 0; axis < NCK_AXIS_MAX; axis++) {
+        const int64_t given_nm = self->given_nm[axis];
+        const double way = (double)(block->target_nm[axis] - given_nm) * share;
+        out->target_nm[axis] = given_nm + (int64_t)nck_floor(way + 0.5);
+    }
+}
+
+// An arc is given in stretches of half a turn at most.
+static double stretch(const nck_shape_t *shape, double along, double until) {
+    const double half = NCK_PI * shape->radius;
+    const double rest = until - along;
+    if (!(rest > half)) return 1.0;
+    return 1.0 / (1.0 + nck_floor(rest / half));
+}
+
+// Is the block a move?
+static int has_length(const nck_toolcomp_t *self, const nck_block_t *out) {
+    for (unsigned axis = 0; axis < NCK_AXIS_MAX; axis++) {
+        if (out->target_nm[axis] != self->given_nm[axis]) return 1;
+    }
+    return 0;
+}
+
+nck_status_t nck_comp_give(nck_toolcomp_t *self, nck_block_t *out) {
+    const nck_comp_piece_t *const piece = &self->walk.piece;
+    const nck_comp_entry_t *const entry = nck_comp_at(self, piece->of);
+    const int bends = piece->shape.radius > 0.0;
+    const double rest = self->walk.until - self->walk.along;
+    const double share = bends ? stretch(&piece->shape, self->walk.along, self->walk.until) : 1.0;
+    const double to = share < 1.0 ? self->walk.along + share * rest : self->walk.until;
+    nck_status_t status = NCK_OK;
+    nck_shape_point(&piece->shape, to, self->at);
+    self->walk.along = to;
+    *out = entry->block;
+    share_others(self, &entry->block, piece->joins ? 0.0 : share, out);
+    target(self, self->at, out->target_nm);
+    if (!has_length(self, out)) return NCK_EMPTY;
+    if (bends && rest > LEAST) status = bend(self, &piece->shape, out);
+    else if (out->kind == NCK_BLOCK_ARC) out->kind = NCK_BLOCK_LINE;
+    if (piece->joins) feed_corner(self, entry, piece->shape.length, out);
+    for (unsigned k = 0; k < 2 && status == NCK_OK; k++) {
+        status = check_place(self, out, k, out->target_nm[self->axis[k]]);
+    }
+    memcpy(self->given_nm, out->target_nm, sizeof self->given_nm);
+    return status;
+}
+
+void nck_comp_give_along(nck_toolcomp_t *self, const nck_block_t *block, nck_block_t *out) {
+    *out = *block;
+    for (unsigned k = 0; k < 2; k++) {
+        out->target_nm[self->axis[k]] = self->given_nm[self->axis[k]];
+    }
+    if (block->kind <= NCK_BLOCK_ARC) memcpy(self->given_nm, out->target_nm, sizeof out->target_nm);
+}

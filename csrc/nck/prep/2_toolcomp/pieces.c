@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: MIT
+// The pieces of the centre's path.
+//
+//          _____J_____            the contour goes right of the path (G41); E: parallel to a line
+//         /     |     \           or an arc, at R; J: about a corner that turns away from the tool
+//    E   |      +------|---       At a corner that turns towards the tool two E cross.
+//        |      |         E
+#include "nck/prep/2_toolcomp/parts.h"
+
+#include "nck/base/arc_math.h" // nck_arc_angle
+#include "nck/base/real.h"     // nck_fabs nck_atan2
+
+#define SHORT 1e-4 // [mm] an arc so short is left out: the path misses it by less than it rounds
+#define STRAIGHT 1e-9 // sine of the angle of a corner that turns nowhere, or right back
+
+// The first move: a line has its parallel, which is only where it is left from; an arc goes from
+// where the tool is to where its parallel ends, in the direction in which that ends.
+int nck_comp_enter(const nck_toolcomp_t *self, const nck_shape_t *contour, nck_shape_t *out) {
+    nck_shape_t beside;
+    double tangent[2];
+    const int any = nck_shape_parallel(contour, self->side * self->radius, &beside);
+    if (!(contour->radius > 0.0)) {
+        *out = beside;
+        return any;
+    }
+    nck_shape_tangent(contour, contour->length, tangent);
+    const double turn = contour->sweep < 0.0 ? -1.0 : 1.0;
+    const double to[2] = {self->at[0] - beside.q[0], self->at[1] - beside.q[1]};
+    const double aside = turn * (tangent[0] * to[1] - tangent[1] * to[0]);
+    if (!any || !(aside > 0.0)) return 0;
+    const double radius = 0.5 * (to[0] * to[0] + to[1] * to[1]) / aside;
+    const double arm[2] = {-turn * radius * tangent[1], turn * radius * tangent[0]};
+    const double c[2] = {beside.q[0] + arm[0], beside.q[1] + arm[1]};
+    const double angle = nck_arc_angle(-to[0], -to[1], arm[0] - to[0], arm[1] - to[1], turn);
+    nck_shape_arc(self->at, beside.q, c, angle, out);
+    return 1;
+}
+
+void nck_comp_beside(nck_toolcomp_t *self, uint32_t count, nck_comp_piece_t *out) {
+    const nck_comp_entry_t *const entry = nck_comp_at(self, count);
+    out->of = count;
+    out->joins = 0;
+    if (entry->enters) (void)nck_comp_enter(self, &entry->contour, &out->shape);
+    else (void)nck_shape_parallel(&entry->contour, self->side * self->radius, &out->shape);
+}
+
+int nck_comp_about(nck_toolcomp_t *self, uint32_t count, const double *tangent,
+                   nck_comp_piece_t *out) {
+    const nck_shape_t *const contour = &nck_comp_at(self, count)->contour;
+    double next[2];
+    double end[2][2];
+    nck_shape_tangent(contour, 0.0, next);
+    const double away = self->side * (tangent[1] * next[0] - tangent[0] * next[1]);
+    const double ahead = tangent[0] * next[0] + tangent[1] * next[1];
+    if (away < (ahead < 0.0 ? -STRAIGHT : 0.0)) return 0;
+    const double angle = nck_atan2(nck_fabs(away), ahead);
+    if (!(self->radius * angle > SHORT)) return 0;
+    const double left = self->side * self->radius;
+    const double *const of[2] = {tangent, next};
+    for (unsigned k = 0; k < 2; k++) {
+        end[k][0] = contour->p[0] - left * of[k][1];
+        end[k][1] = contour->p[1] + left * of[k][0];
+    }
+    nck_shape_arc(end[0], end[1], contour->p, -self->side * angle, &out->shape);
+    out->of = count;
+    out->joins = 1;
+    return 1;
+}

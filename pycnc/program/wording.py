@@ -1,0 +1,282 @@
+# SPDX-License-Identifier: MIT
+"""The words of the findings: id → (message, help)."""
+
+_TAPPING = (
+    "tapping is not supported yet: the spindle is not in step with the axes",
+    "tap on another machine or by hand, or mill the thread; nothing is skipped in silence",
+)
+_CYCLE_HELP = (
+    "write a cycle as G0 and G1 moves; where the mode is meant, let a motion stand behind the "
+    "code, as in G90 G0 X50; a program made for RS274NGC: --dialect linuxcnc"
+)
+
+# id, or id:letter or id:code where one word or code needs its own, → (message, help). Fields: see
+# Wording._fields.
+WORDING = {
+    "character": (
+        "{found} starts no word",
+        "a block is made of words such as G1 X10 F200; comments stand in ( ) or after ;",
+    ),
+    "number": (
+        "{letter} has no number that can be read",
+        "write the number right after the letter: {letter}12.5 (a decimal point, no comma)",
+    ),
+    "number:?": (
+        "a number without a letter",
+        "write the letter that the number belongs to, such as X12.5",
+    ),
+    "number-range": (
+        "{letter}{value:g} is out of range (limit {limit:g})",
+        "check the number and the units in force (G20 inch, G21 mm)",
+    ),
+    "number-range:S": (
+        "S{value:g} is out of range (limit {limit:g})",
+        "choose another speed, or set the machine's: --set spindle.rpm_max=…",
+    ),
+    "number-range:R": (
+        "R{value:g} is out of range (limit {limit:g})",
+        "check the number and the units in force; in a cycle R lies above the bottom of its hole",
+    ),
+    "number-range:Q": (
+        "Q{value:g} is out of range (limit {limit:g})",
+        "Q is the depth of a peck: more than 0, without a sign",
+    ),
+    "line-length": (
+        "the line is longer than {value:.0f} bytes",
+        "split the block into several lines or shorten its comment",
+    ),
+    "comment": (
+        "the comment is not closed",
+        "close it with ) on the same line, or begin it with ;",
+    ),
+    "word-unknown": (
+        "the language has no {letter} word",
+        "remove the word, or put it into a comment: ( )",
+    ),
+    "word-twice": (
+        "{letter} stands twice in one block",
+        "keep one of the two, or make two lines of the block",
+    ),
+    "word-unused": (
+        "no code of this block uses {found}",
+        "remove the word, or add the code that it belongs to",
+    ),
+    "word-missing": (
+        "a word is missing in this block: {letter}",
+        "add {letter} with its number to the block",
+    ),
+    "word-missing:X": (
+        "{found} names no axis",
+        "add the axes with their numbers, such as X0, to the block",
+    ),
+    "word-missing:M": (
+        "G86 stops the spindle, and the spindle stands",
+        "start it before the cycle, as in S800 M3",
+    ),
+    "word-shared": (
+        "two codes of this block use {found}",
+        "put one of the two codes on a line of its own",
+    ),
+    "word-missing:G": (
+        "{found} without a straight move",
+        "add G0 or G1 to the block",
+    ),
+    "g-unknown": (
+        "G{value:g} is no G code that the kernel knows",
+        "look up the code in the manual of the control that the program was made for",
+    ),
+    "m-unknown": (
+        "M{value:g} is no M code that the kernel knows",
+        "remove the code, or if the machine has it, tell so in its file: [m.{value:.0f}] "
+        'action = "output"',
+    ),
+    "modal-group": (
+        "{found} excludes another code of its block (both set the same, or both move)",
+        "put one of the two codes on a line of its own",
+    ),
+    "unsupported": (
+        "{found} is not supported yet",
+        "have the post-processor write plain moves instead; nothing is skipped in silence",
+    ),
+    "unsupported:G74": _TAPPING,
+    "unsupported:G84": _TAPPING,
+    "unsupported:G87": (
+        "G87 needs a spindle that stops at an angle, which the kernel does not have yet",
+        "bore from above, or write the cycle as moves with M19 of the machine's own",
+    ),
+    "unsupported:G88": (
+        "G88 has the operator draw the tool out by hand, behind which nobody knows where it is",
+        "use G86 or G89, or write M0 and the move out",
+    ),
+    "unsupported:G93": (
+        "a canned cycle has many moves, and inverse time (G93) is the time of one",
+        "put G94 and an F before the cycle",
+    ),
+    "unsupported:G90": (
+        "G90 may be a turning cycle (Fanuc's G-code system A) or absolute distances (system B): "
+        "on a lathe it is not supported yet before axis words",
+        _CYCLE_HELP,
+    ),
+    "unsupported:G92": (
+        "G92 may limit the spindle's speed (with S), be a threading cycle (Fanuc's G-code system "
+        "A) or shift the zero (system B): here it is not supported yet",
+        "limit the speed by --set spindle.rpm_max=…, write a cycle as moves, shift the zero by "
+        "G10 L2 or G54 … G59; a program made for RS274NGC: --dialect linuxcnc",
+    ),
+    "unsupported:G94": (
+        "G94 may be a facing cycle (Fanuc's G-code system A) or feed per minute (system B): "
+        "on a lathe it is not supported yet before axis words",
+        _CYCLE_HELP,
+    ),
+    "incremental": (
+        "{found} names a machine position while distances are incremental (G91)",
+        "put G90 into the block or before it",
+    ),
+    "feed-missing": (
+        "a cut without feed",
+        "put F on this line or before it, or give a default: --set dialect.feed_default_mm_min=500",
+    ),
+    "feed-missing:S": (
+        "feed per revolution (G95) while the spindle stands",
+        "start the spindle before it, as in S800 M3, or program G94 with F in mm/min",
+    ),
+    "arc-radius": (
+        "arc ends {miss:.3f} mm off its circle "
+        "(start radius {limit:.3f}, end radius {value:.3f}, tolerance {tolerance:.3g})",
+        "check I J K and G90.1/G91.1, write more decimals, or set path.arc_radius_mm",
+    ),
+    "arc-mode": (
+        "arc ends {miss:.3f} mm off its circle as it is read, and on one if I J K counted from "
+        "the start (G91.1)",
+        "--set dialect.arc_centre=incremental, or G91.1 in the program",
+    ),
+    "arc-mode:A": (
+        "arc ends {miss:.3f} mm off its circle as it is read, and on one if I J K counted from "
+        "the program's zero (G90.1)",
+        "--set dialect.arc_centre=absolute, or G90.1 in the program",
+    ),
+    "arc-centre": (
+        "the arc has no centre, or its radius is zero",
+        "give the centre by I J K in the plane in force (G17: I J, G18: I K, G19: J K), or R",
+    ),
+    "arc-chord": (
+        "R{value:g} is shorter than half of the chord, {limit:.4f} mm",
+        "check R, the end point and the units in force",
+    ),
+    "axis-unknown": (
+        "the machine {machine} has no {letter} axis",
+        "choose a machine that has it (--machine), or remove the word",
+    ),
+    "travel": (
+        "{letter} reaches {value:.3f} {unit}, its travel ends at {limit:.3f} {unit}",
+        "move the work zero (--set work.g54.{key}=…), or if the machine has more travel: "
+        "--set axis.{axis}.{end}_{unit}=…",
+    ),
+    "tool-unknown": (
+        "tool {value:.0f} is not in the tool table",
+        "add [tool.{value:.0f}] to the machine file, or give a tool table: --tools tool.tbl",
+    ),
+    "no-motion": (
+        "axis words while no motion is in force",
+        "begin the block with G0, G1, G2 or G3",
+    ),
+    "dialect": (
+        "this is a program in {dialect}, which pycnc does not read",
+        "have the post-processor write G-code as RS274NGC, Fanuc, grbl or Marlin have it",
+    ),
+    "binary": (
+        "this is no NC program: it holds a NUL byte",
+        "give a text file",
+    ),
+    "no-program": (
+        "the text holds no block",
+        "give a program with one word at least",
+    ),
+    "expression": (
+        "{found} cannot be read here",
+        "an expression is made of numbers, #parameters, [ ] and functions such as SIN[30]; an O "
+        "word needs sub, call, if, while, repeat, do or their ends behind it",
+    ),
+    "value": (
+        "an expression without a value: it divides by zero, or a function has none for {value:g}",
+        "check the parameters that it is made of",
+    ),
+    "parameter-unset": (
+        "the named parameter was never set",
+        "set it before, or ask for it by EXISTS[#<name>]",
+    ),
+    "parameters-full": (
+        "more than {limit:.0f} parameters are set at once",
+        "build the kernel with a larger NCK_VARIABLES",
+    ),
+    "call-depth": (
+        "more than {limit:.0f} calls and loops in one another",
+        "end the recursion, or build the kernel with a larger NCK_CALL_DEPTH",
+    ),
+    "label-missing": (
+        "what is called or jumped to is not in the text",
+        "add the subprogram (O…) or the line (N…) to the same file",
+    ),
+    "flow": (
+        "a control word without its other end",
+        "every sub, if, while, repeat, do and DO needs its end, with the same number",
+    ),
+    "no-seek": (
+        "a jump backward in text that is only pushed",
+        "give the kernel the text to read (nck_read)",
+    ),
+    "alarm": ("the program stops with alarm {value:.0f} (#3000)", "see the remark on its line"),
+    "endless": (
+        "{limit:.0f} lines were read and no block came",
+        "a loop without a move never ends: check its condition",
+    ),
+    "comp-on": (
+        "{found} while radius compensation (G41, G42) is in force",
+        "end it by G40 and a move of the plane before, and begin it again behind",
+    ),
+    "comp-plane": (
+        "the tool's nose points somewhere (orientation {value:.0f}), and the plane is not G18",
+        "choose G18, or set tool.….orientation to 0 for a round cutter",
+    ),
+    "comp-entry": (
+        "the first move under radius compensation, {value:.3f} mm, is not larger than the tool's "
+        "radius, {limit:.3f} mm",
+        "begin further away: the tool is beside the contour at this move's end",
+    ),
+    "comp-exit": (
+        "the first move behind G40 is an arc",
+        "leave the contour by a straight move (G0 or G1)",
+    ),
+    "comp-radius": (
+        "the tool's radius, {value:.3f} mm, does not fit into an arc of {limit:.3f} mm",
+        "take a smaller tool, or a larger arc",
+    ),
+    "comp-gouge": (
+        "the tool would cut {value:.3f} mm into the contour of line {limit:.0f}",
+        "take a smaller tool, or widen the contour between the two lines",
+    ),
+    "argument": ("a call to the kernel had a number outside of its range", "please report this"),
+    "machine": ("the kernel refuses a number of the machine", "pycnc machine validate tells which"),
+    "state": ("a call to the kernel came at the wrong time", "please report this"),
+    "internal": ("an invariant of the kernel is broken", "please report this with the program"),
+    "assumed-units": ("no G20 or G21 before the first motion: {units} assumed", ""),
+    "assumed-plane": ("no G17, G18 or G19 before the first arc: G{plane} assumed", ""),
+    "assumed-distance": ("no G90 or G91 before the first motion: absolute (G90) assumed", ""),
+    "assumed-centre": ("no G90.1 or G91.1 before I J K: {arc_centre} centres assumed", ""),
+    "no-tolerance": (
+        "G64 without P means the machine's tolerance, and that is 0: the path is exact",
+        "give P, as in G64 P0.01, or the machine a tolerance: --set path.tolerance_mm=0.01",
+    ),
+    "no-end": ("the text ends without M2, M30 or a closing %", ""),
+    "after-end": ("what follows the program's end is not read", "remove the text or the M2 / M30"),
+    "called-from": ("called from here", ""),
+    "comp-left": (
+        "the tool is too large for the contour from here to line {limit:.0f}: up to {value:.3f} mm "
+        "are left",
+        "take a smaller tool if that is too much",
+    ),
+    "feed-units": (
+        "F beside a change of units is read in the units that its own line begins",
+        "put G20 or G21 on a line before: LinuxCNC reads such an F in the units before the line",
+    ),
+}
