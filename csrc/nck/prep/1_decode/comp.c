@@ -60,7 +60,7 @@ static nck_status_t read_tool(nck_decode_t *self, double *radius_out, int64_t *n
 
 // G41.1, G42.1: D is the diameter, L the orientation.
 static nck_status_t read_diameter(nck_decode_t *self, double *radius_out, int64_t *nose_out) {
-    const double most = 2.0 * NCK_LINEAR_MAX_MM;
+    const double most = 2.0 * (double)NCK_LINEAR_MAX_MM;
     const double word = nck_number_real(&self->words.number['D' - 'A']);
     const double diameter = word * (self->modal.inch ? 25.4 : 1.0);
     if (!(self->words.letters & NCK_LETTER('D'))) {

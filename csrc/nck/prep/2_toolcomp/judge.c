@@ -80,7 +80,7 @@ static int fits(nck_toolcomp_t *self, uint32_t of, double from, depth_t *deepest
     double point[2];
     if (nck_comp_at(self, self->walk.piece.of)->enters) return 0;
     nck_comp_beside(self, of, &piece);
-    const double step = (piece.shape.length - from) / PLACES;
+    const double step = (piece.shape.length - from) / (double)PLACES;
     for (int k = 0; k < PLACES; k++) {
         nck_shape_point(&piece.shape, from + step * ((double)k + 0.5), point);
         if (is_clear(self, of, point, deepest)) return 1;
