@@ -297,3 +297,20 @@ def test_any_bytes_end_with_a_block_or_an_error(machine, data):
     assert all(status_id(int(k)) != "unknown" for k in ids if k < 0)
     assert all(note_id(int(k)) != "unknown" for k in ids if k > 0)
     assert np.isfinite(blocks["feed"]).all()
+
+
+WORDS = ["G0", "G1", "g01", "G1.", "G 0", "G2", "G80", "G90", "G91", "G20", "G53", "G9", "N5", "N"]
+WORDS += ["X1", "x-.5", "X+2.25", "Y1 0", "Y 12.3456789", "Z-999", "Z1X", "Z", "Y1.2.3", "X#1"]
+WORDS += ["X99999999999999999999", "F100", "F0", "A10", "I1J0", "M3", "E1", " ", "\t", "/", "*"]
+WORD_LINES = st.lists(st.lists(st.sampled_from(WORDS), max_size=6).map("".join), max_size=12)
+
+
+@hypothesis.given(WORD_LINES)
+def test_a_line_means_the_same_with_a_remark_behind_it(lines):
+    mill = Machine.load("mill3")
+    begin = ["G21 G90 G94 F600", "G1 X0 Y0 Z0"]
+    plain, remarked = (
+        stages.decode("\n".join([*begin, *(line + end for line in lines), "M2", ""]).encode(), mill)
+        for end in ("", "()")
+    )
+    assert [a.tobytes() for a in plain] == [b.tobytes() for b in remarked]

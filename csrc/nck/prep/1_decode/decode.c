@@ -207,6 +207,9 @@ nck_status_t nck_decode_pull(nck_decode_t *self, nck_block_t *block_out) {
         const nck_status_t next = next_line(self, block_out);
         if (self->line.state == NCK_LINE_OPEN) return next;
     }
+    if (self->line.state == NCK_LINE_WAITING && nck_decode_quick(self, block_out)) {
+        return end_steps(self, NCK_OK, block_out);
+    }
     nck_status_t status = begin_line(self);
     if (status == NCK_OK && self->text.closed) return close_program(self, block_out);
     if (status == NCK_OK) status = run_steps(self, block_out);

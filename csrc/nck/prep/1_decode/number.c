@@ -4,6 +4,8 @@
 
 enum { POWERS = 19, REAL_POWERS = 23 }; // of ten: the first that is no int64_t, no exact double
 
+enum { PLAIN_DIGITS = 17 }; // of a number that is read at once: any of them fits
+
 // Decimals are kept within these: beyond, a number is 0 or out of every range anyway.
 enum { DECIMALS_MIN = -280, DECIMALS_MAX = 32000 };
 
@@ -46,12 +48,38 @@ static int16_t bounded_decimals(int decimals) {
     return decimals > DECIMALS_MAX ? DECIMALS_MAX : (int16_t)decimals;
 }
 
-const char *nck_number_read(const char *text, const char *at, nck_number_t *out) {
+// Digits in a row, behind those of the mantissa; of too many the mantissa is worth nothing.
+static const char *read_digits(const char *at, uint64_t *mantissa) {
+    for (unsigned digit = digit_of(*at); digit <= 9; digit = digit_of(*++at)) {
+        *mantissa = *mantissa * 10 + digit;
+    }
+    return at;
+}
+
+// What nearly all numbers are: few digits in a row, and a point at most. NULL: it is none of them.
+static const char *read_plain(const char *at, nck_number_t *out) {
+    const char *const first = at;
+    uint64_t mantissa = 0;
+    at = read_digits(at, &mantissa);
+    const char *const point = at;
+    const int has_point = *at == '.';
+    if (has_point) at = read_digits(at + 1, &mantissa);
+    const int decimals = has_point ? (int)(at - point) - 1 : 0;
+    const int digits = (int)(point - first) + decimals;
+    at = skip_blanks(at);
+    if (digits < 1 || digits > PLAIN_DIGITS || digit_of(*at) <= 9 || *at == '.') {
+        return (const char *)0;
+    }
+    out->mantissa = (int64_t)mantissa;
+    out->decimals = (int16_t)decimals;
+    out->longer = 0;
+    return at;
+}
+
+// Any number of digits, blanks among them.
+static const char *read_any(const char *at, nck_number_t *out) {
     int64_t mantissa = 0;
     int decimals = 0, point = 0, digits = 0, longer = 0;
-
-    at = read_sign(at, out);
-    out->first = (uint16_t)(at - text);
     for (;; at++) {
         const unsigned digit = digit_of(*at);
         if (digit <= 9 && mantissa < 100000000000000000) {
@@ -67,11 +95,19 @@ const char *nck_number_read(const char *text, const char *at, nck_number_t *out)
             break;
         }
     }
-    out->last = (uint16_t)(at - text);
     out->mantissa = mantissa;
     out->decimals = bounded_decimals(decimals);
     out->longer = (uint8_t)longer;
     return digits ? at : (const char *)0;
+}
+
+const char *nck_number_read(const char *text, const char *at, nck_number_t *out) {
+    const char *const first = read_sign(at, out);
+    const char *next = read_plain(first, out);
+    if (!next) next = read_any(first, out);
+    out->first = (uint16_t)(first - text);
+    out->last = (uint16_t)((next ? next : first) - text);
+    return next;
 }
 
 // Round (quotient + rest / divisor) half to even; 0 ≤ rest < divisor ≤ 1e18.

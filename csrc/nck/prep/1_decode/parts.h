@@ -65,6 +65,10 @@ nck_status_t nck_decode_steps(nck_decode_t *self, unsigned axis, int64_t step_nm
 // axis.c: is a machine position within the travel of its axis? NCK_E_TRAVEL. Cost: constant.
 nck_status_t nck_decode_travel(nck_decode_t *self, unsigned axis, int64_t position_nm);
 
+// quick.c: the block of a line that only moves X Y Z straight, in a program that has begun. Returns
+// 1, or 0 with nothing done: the line says more, or is wrong. Cost: linear in the line.
+int nck_decode_quick(nck_decode_t *self, nck_block_t *out);
+
 // words.c: the line from `at` on as words. Cost: linear in the line.
 nck_status_t nck_decode_words(nck_decode_t *self, const char *at);
 
