@@ -4,11 +4,6 @@
 
 #include "nck/base/real.h" // nck_min
 
-nck_node_t *nck_plan_piece(const nck_pieces_t *pieces, uint32_t number) {
-    if (number - pieces->head >= pieces->fill) return (nck_node_t *)0;
-    return &pieces->at[number & (NCK_WINDOW - 1)];
-}
-
 uint32_t nck_plan_find(const nck_pieces_t *pieces, uint32_t number, const nck_cell_t *cell) {
     for (;;) {
         const nck_node_t *const piece = nck_plan_piece(pieces, number);

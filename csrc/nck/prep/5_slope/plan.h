@@ -71,7 +71,10 @@ typedef struct nck_job {
 } nck_job_t;
 
 // Room 4's piece of a running number; NULL if it is not there (yet). Cost: constant.
-nck_node_t *nck_plan_piece(const nck_pieces_t *pieces, uint32_t number);
+static inline nck_node_t *nck_plan_piece(const nck_pieces_t *pieces, uint32_t number) {
+    if (number - pieces->head >= pieces->fill) return (nck_node_t *)0;
+    return &pieces->at[number & (NCK_WINDOW - 1)];
+}
 
 // The piece in which a cell begins, from a piece at or before it. Cost: linear in the pieces
 // between.
