@@ -20,10 +20,10 @@ static void radius_at(const nck_seg_t *seg, double s, double *radius_out) {
 //  arc     the radius at s, turned by a quarter towards the motion, times |sweep|/L
 //          (Cao et al. 2014, eqs. 3 and 4, for start and end; here for every s)
 // 0 ≤ s ≤ L; L must be positive.
-void nck_path_tangent(const nck_seg_t *seg, double s, double *tangent_out) {
+void nck_path_tangent_part(const nck_seg_t *seg, double s, int axes, double *tangent_out) {
     if (seg->kind == NCK_SEG_SPLINE) {
         const double f = s / seg->length;
-        for (int x = 0; x < NCK_AXIS_MAX; x++) {
+        for (int x = 0; x < axes; x++) {
             const double d0 = seg->shape.inner[0][x] - seg->start[x];
             const double d1 = seg->shape.inner[1][x] - seg->shape.inner[0][x];
             const double d2 = seg->end[x] - seg->shape.inner[1][x];
@@ -33,7 +33,7 @@ void nck_path_tangent(const nck_seg_t *seg, double s, double *tangent_out) {
         }
         return;
     }
-    for (int x = 0; x < NCK_AXIS_MAX; x++) {
+    for (int x = 0; x < axes; x++) {
         tangent_out[x] = (seg->end[x] - seg->start[x]) / seg->length;
     }
     if (seg->kind != NCK_SEG_ARC) return;
@@ -43,6 +43,10 @@ void nck_path_tangent(const nck_seg_t *seg, double s, double *tangent_out) {
     radius_at(seg, s, radius);
     tangent_out[arc->axis_u] = -radius[1] * turn;
     tangent_out[arc->axis_v] = radius[0] * turn;
+}
+
+void nck_path_tangent(const nck_seg_t *seg, double s, double *tangent_out) {
+    nck_path_tangent_part(seg, s, NCK_AXIS_MAX, tangent_out);
 }
 
 // d²p/ds² [1/mm]: 0 on a line.

@@ -14,6 +14,9 @@ extern "C" {
 // 0 ≤ s ≤ L; L must be positive. Cost: constant. Context: any.
 void nck_path_tangent(const nck_seg_t *seg, double s, double *tangent_out);
 
+// Of it so many components, from X on; an arc turns in two of them. The rest as above.
+void nck_path_tangent_part(const nck_seg_t *seg, double s, int axes, double *tangent_out);
+
 // d²p/ds² at s [1/mm]: 0 on a line. Requirements, cost and context as above.
 void nck_path_second(const nck_seg_t *seg, double s, double *second_out);
 

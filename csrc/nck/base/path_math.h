@@ -33,19 +33,21 @@ static inline nck_real nck_path_cubic(const nck_seg_t *seg, int x, nck_real f) {
 //  arc     the start radius, turned:  (u, v) = centre + R(φ)·(start − centre),  φ = sweep·s/L;
 //          every other axis as on a line (helix).
 // Turning the start radius needs no start angle, and s = 0 gives start to the bit. s ≥ L gives end
-// to the bit, s ≤ 0 gives start. L = 0 (dwell): start.
-static inline void nck_path_point(const nck_seg_t *seg, nck_real s, nck_real *point_out) {
+// to the bit, s ≤ 0 gives start. L = 0 (dwell): start. axes: so many coordinates, from X on; an arc
+// turns in two of them.
+static inline void nck_path_part(const nck_seg_t *seg, nck_real s, int axes,
+                                 nck_real *point_out) {
     if (s >= seg->length || s <= 0.0) {
         const nck_real *const p = s > 0.0 ? seg->end : seg->start;
-        for (int x = 0; x < NCK_AXIS_MAX; x++) point_out[x] = p[x];
+        for (int x = 0; x < axes; x++) point_out[x] = p[x];
         return;
     }
     const nck_real f = s / seg->length;
     if (seg->kind == NCK_SEG_SPLINE) {
-        for (int x = 0; x < NCK_AXIS_MAX; x++) point_out[x] = nck_path_cubic(seg, x, f);
+        for (int x = 0; x < axes; x++) point_out[x] = nck_path_cubic(seg, x, f);
         return;
     }
-    for (int x = 0; x < NCK_AXIS_MAX; x++) {
+    for (int x = 0; x < axes; x++) {
         point_out[x] = seg->start[x] + (seg->end[x] - seg->start[x]) * f;
     }
     if (seg->kind != NCK_SEG_ARC) return;
@@ -57,6 +59,11 @@ static inline void nck_path_point(const nck_seg_t *seg, nck_real s, nck_real *po
     nck_sincos(arc->sweep * f, &sin_phi, &cos_phi);
     point_out[arc->axis_u] = arc->centre_u + (ru * cos_phi - rv * sin_phi);
     point_out[arc->axis_v] = arc->centre_v + (ru * sin_phi + rv * cos_phi);
+}
+
+// All coordinates of the point.
+static inline void nck_path_point(const nck_seg_t *seg, nck_real s, nck_real *point_out) {
+    nck_path_part(seg, s, NCK_AXIS_MAX, point_out);
 }
 
 #endif

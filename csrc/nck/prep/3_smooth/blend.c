@@ -143,7 +143,7 @@ static int is_line(const nck_raw_t *raw) {
 static double bent_by(const nck_smooth_t *self, const nck_raw_t *a, const nck_raw_t *b) {
     if (!a->smooth || !b->smooth || a->seg.stop) return 0.0;
     double by[NCK_AXIS_MAX];
-    const double turn = nck_raw_turn(&a->seg, &b->seg, by);
+    const double turn = nck_raw_turn(&a->seg, &b->seg, self->terms->axes, by);
     const double tolerance = nck_min(a->tolerance, b->tolerance);
     const double spacing = turn > 0.0 ? nck_spline_vertex_spacing(tolerance, turn) : 1e9;
     return NCK_BLEND_KEEP_OFF * nck_min(nck_max(a->spacing, spacing), self->spacing_max);

@@ -60,7 +60,7 @@ static nck_scurve_t limit_along(const nck_terms_t *terms, const double *tangent,
     const int limits_jerk = terms->limits_jerk;
     const double j = limits_jerk ? machine->path.j_max : NCK_UNLIMITED;
     nck_scurve_t ramp = {machine->path.a_max, j, v};
-    for (int x = 0; x < NCK_AXIS_MAX; x++) {
+    for (int x = 0; x < terms->axes; x++) {
         ramp.a = least_of(ramp.a, machine->axis[x].a_max, tangent[x]);
         if (limits_jerk) ramp.j = least_of(ramp.j, machine->axis[x].j_max, tangent[x]);
     }
@@ -75,10 +75,10 @@ static double sag_of(const nck_machine_t *machine) {
 // The spline's p″ is the turn over d, its p‴ the turn over d².
 static shape_limit_t limit_plain(const nck_terms_t *terms, const double *turn) {
     const nck_machine_t *const machine = terms->machine;
-    shape_limit_t limit = {
-        NCK_UNLIMITED, NCK_UNLIMITED,
-        least_of(NCK_UNLIMITED, sag_of(machine), nck_spline_norm(turn))};
-    for (int x = 0; x < NCK_AXIS_MAX; x++) {
+    const double size = nck_spline_norm(turn, terms->axes);
+    const double sag = least_of(NCK_UNLIMITED, sag_of(machine), size);
+    shape_limit_t limit = {NCK_UNLIMITED, NCK_UNLIMITED, sag};
+    for (int x = 0; x < terms->axes; x++) {
         limit.a = least_of(limit.a, NCK_BUDGET_CURVE_SHARE * machine->axis[x].a_max, turn[x]);
         if (!terms->limits_jerk) continue;
         limit.j = least_of(limit.j, NCK_BUDGET_TWIST_SHARE * machine->axis[x].j_max, turn[x]);
@@ -92,7 +92,7 @@ static shape_limit_t limit_blend(const corner_t *corner, double apart) {
     const nck_machine_t *const machine = corner->terms->machine;
     const double overlap = nck_max(0.0, 1.0 - apart);
     shape_limit_t limit = {NCK_UNLIMITED, NCK_UNLIMITED, sag_of(machine)};
-    for (int x = 0; x < NCK_AXIS_MAX; x++) {
+    for (int x = 0; x < corner->terms->axes; x++) {
         const double a = NCK_BUDGET_CURVE_SHARE * machine->axis[x].a_max;
         const double j = NCK_BUDGET_TWIST_SHARE * machine->axis[x].j_max;
         const double in = corner->in[x];
@@ -231,22 +231,25 @@ static double blend_time(const corner_t *corner, const nck_blend_t *blend) {
 
 static double speed_of(const nck_smooth_t *self, const nck_seg_t *seg, const double *tangent) {
     double v = nck_min(self->terms->machine->path.feed_max, seg->rapid ? 1e9 : seg->feed);
-    for (int x = 0; x < NCK_AXIS_MAX; x++) {
+    for (int x = 0; x < self->terms->axes; x++) {
         const nck_axis_t *const axis = &self->terms->machine->axis[x];
         v = least_of(v, seg->rapid ? axis->rapid : axis->v_max, tangent[x]);
     }
     return v;
 }
 
-// Length of the sum (sign 1) or the difference (sign −1) of two tangents as unit vectors: a merged
+// Length of the sum (sign 1) or the difference (sign −1) of both tangents as unit vectors: a merged
 // line's path coordinate may be longer than the line.
-static double unit_distance(const double *in, const double *out, double sign) {
-    const double size_in = nck_spline_norm(in);
-    const double size_out = nck_spline_norm(out);
+static double unit_distance(const corner_t *corner, double sign) {
+    const int axes = corner->terms->axes;
+    const double *const in = corner->in;
+    const double *const out = corner->out;
+    const double size_in = nck_spline_norm(in, axes);
+    const double size_out = nck_spline_norm(out, axes);
     double sum[NCK_AXIS_MAX];
     if (!(size_in > 0.0) || !(size_out > 0.0)) return 0.0;
-    for (int x = 0; x < NCK_AXIS_MAX; x++) sum[x] = out[x] / size_out + sign * in[x] / size_in;
-    return nck_spline_norm(sum);
+    for (int x = 0; x < axes; x++) sum[x] = out[x] / size_out + sign * in[x] / size_in;
+    return nck_spline_norm(sum, axes);
 }
 
 static void measure(const nck_smooth_t *self, const nck_meet_t *meet, corner_t *corner) {
@@ -255,13 +258,13 @@ static void measure(const nck_smooth_t *self, const nck_meet_t *meet, corner_t *
     const nck_raw_t *const b = meet->b;
     nck_path_tangent(&a->seg, a->seg.length, corner->in);
     nck_path_tangent(&b->seg, 0.0, corner->out);
-    corner->turn = unit_distance(corner->in, corner->out, -1.0);
+    corner->terms = terms;
+    corner->turn = unit_distance(corner, -1.0);
     corner->tolerance = TOLERANCE_SHARE * nck_min(a->tolerance, b->tolerance);
     memcpy(corner->length, meet->length, sizeof corner->length);
     memcpy(corner->rests, meet->rests, sizeof corner->rests);
     corner->half[0] = nck_min(meet->length[0], HALF * (meet->length[0] + a->cut));
     corner->half[1] = HALF * meet->length[1];
-    corner->terms = terms;
     corner->ramp[0] = limit_along(terms, corner->in, speed_of(self, &a->seg, corner->in));
     corner->ramp[1] = limit_along(terms, corner->out, speed_of(self, &b->seg, corner->out));
     corner->v_max = nck_min(corner->ramp[0].v_max, corner->ramp[1].v_max);
@@ -282,7 +285,7 @@ static double width_of(const corner_t *corner, double room, double *parking) {
 // A lone corner's bend; 0 if it is so blunt that only its neighbours bound the spline.
 static int lone_bend(const corner_t *corner, nck_bend_t *bend) {
     bend->d = nck_spline_vertex_spacing(corner->tolerance, corner->turn);
-    for (int x = 0; x < NCK_AXIS_MAX; x++) bend->turn[x] = corner->out[x] - corner->in[x];
+    for (int x = 0; x < corner->terms->axes; x++) bend->turn[x] = corner->out[x] - corner->in[x];
     return bend->d < nck_min(corner->half[0], corner->half[1]);
 }
 
@@ -292,7 +295,7 @@ int nck_choice_blend(const nck_smooth_t *self, const nck_meet_t *meet, double ro
     nck_bend_t bend;
     measure(self, meet, &corner);
     if (!(corner.turn > 0.0) || !lone_bend(&corner, &bend)) return 0;
-    if (unit_distance(corner.in, corner.out, 1.0) <= REVERSAL) return 0;
+    if (unit_distance(&corner, 1.0) <= REVERSAL) return 0;
     blend->d = width_of(&corner, room, &blend->parking);
     if (!(blend->d > 0.0)) return 0;
     memcpy(blend->in, corner.in, sizeof blend->in);
@@ -304,6 +307,6 @@ int nck_choice_blend(const nck_smooth_t *self, const nck_meet_t *meet, double ro
 int nck_choice_stop(const nck_smooth_t *self, const nck_meet_t *meet, const nck_bend_t *bend) {
     corner_t corner;
     measure(self, meet, &corner);
-    if (corner.turn < OWN * nck_spline_norm(bend->turn)) return 0;
+    if (corner.turn < OWN * nck_spline_norm(bend->turn, corner.terms->axes)) return 0;
     return stop_time(&corner, bend->d) < plain_time(&corner, bend);
 }

@@ -156,7 +156,7 @@ static double sure_knot(nck_smooth_t *self, double here) {
     const double end = raw->s + raw->seg.length;
     double second[NCK_AXIS_MAX];
     nck_path_second(&raw->seg, 0.0, second);
-    const double kappa = nck_spline_norm(second);
+    const double kappa = nck_spline_norm(second, self->terms->axes);
     if (!(kappa > 0.0)) return end;
     const double t = here + SURE * nck_sqrt(raw->tolerance / kappa);
     return t < end - nck_raw_least(end) ? t : end;

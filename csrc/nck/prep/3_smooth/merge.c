@@ -26,12 +26,13 @@ static int is_alike(const nck_smooth_t *self, const nck_raw_t *raw, const nck_bl
 // both are straight, so nothing is further.
 static double leaves_by(const nck_smooth_t *self, const double *start, const double *end,
                         double length) {
+    const int axes = self->terms->axes;
     double worst = 0.0;
     for (uint32_t i = 0; i <= self->merge.count; i++) {
         double p[NCK_AXIS_MAX];
         const double f = self->merge.s[i] / length;
-        for (int x = 0; x < NCK_AXIS_MAX; x++) p[x] = start[x] + (end[x] - start[x]) * f;
-        worst = nck_max(worst, nck_spline_distance(p, self->merge.vertex[i]));
+        for (int x = 0; x < axes; x++) p[x] = start[x] + (end[x] - start[x]) * f;
+        worst = nck_max(worst, nck_spline_distance(p, self->merge.vertex[i], axes));
     }
     return worst;
 }

@@ -14,10 +14,6 @@ enum { PARTS = 8 };               // a knot interval is looked at in so many par
 
 double nck_raw_least(double s) { return LEAST + LEAST_SHARE * s; }
 
-nck_raw_t *nck_raw_at(nck_smooth_t *self, uint32_t count) {
-    return &self->raw.at[count & (NCK_SMOOTH_SPAN - 1)];
-}
-
 int nck_raw_is_full(const nck_smooth_t *self) {
     return self->raw.head - self->raw.tail == NCK_SMOOTH_SPAN;
 }
@@ -59,19 +55,20 @@ void nck_raw_point(nck_smooth_t *self, double s, double *point_out) {
     const double beyond = nck_min(s - raw->s, nck_max(0.0, s - raw_end(raw)));
     // The end is its point to the bit, whatever s − raw->s rounds to.
     const double inside = s >= raw_end(raw) ? raw->seg.length : nck_max(0.0, s - raw->s);
-    nck_path_point(&raw->seg, inside, point_out);
+    const int axes = self->terms->axes;
+    nck_path_part(&raw->seg, inside, axes, point_out);
     if (beyond == 0.0) return;
     double tangent[NCK_AXIS_MAX];
-    nck_path_tangent(&raw->seg, inside, tangent);
-    for (int x = 0; x < NCK_AXIS_MAX; x++) point_out[x] += tangent[x] * beyond;
+    nck_path_tangent_part(&raw->seg, inside, axes, tangent);
+    for (int x = 0; x < axes; x++) point_out[x] += tangent[x] * beyond;
 }
 
-double nck_raw_turn(const nck_seg_t *in, const nck_seg_t *out, double *turn_out) {
+double nck_raw_turn(const nck_seg_t *in, const nck_seg_t *out, int axes, double *turn_out) {
     double tangent[NCK_AXIS_MAX];
-    nck_path_tangent(in, in->length, tangent);
-    nck_path_tangent(out, 0.0, turn_out);
-    for (int x = 0; x < NCK_AXIS_MAX; x++) turn_out[x] -= tangent[x];
-    return nck_spline_norm(turn_out);
+    nck_path_tangent_part(in, in->length, axes, tangent);
+    nck_path_tangent_part(out, 0.0, axes, turn_out);
+    for (int x = 0; x < axes; x++) turn_out[x] -= tangent[x];
+    return nck_spline_norm(turn_out, axes);
 }
 
 // The control points of a straight stretch of path lie on it evenly, and so does the spline.
@@ -94,34 +91,43 @@ void nck_raw_spline(nck_smooth_t *self, int first, nck_seg_t *seg_out) {
 }
 
 // |p″| over a seg: of a spline the larger end's, for it is linear in between.
-static double largest_second(const nck_seg_t *seg) {
+static double largest_second(const nck_seg_t *seg, int axes) {
+    if (seg->kind == NCK_SEG_LINE) return 0.0;
     double start[NCK_AXIS_MAX];
     double end[NCK_AXIS_MAX];
     nck_path_second(seg, 0.0, start);
     nck_path_second(seg, seg->length, end);
-    return nck_max(nck_spline_norm(start), nck_spline_norm(end));
+    return nck_max(nck_spline_norm(start, axes), nck_spline_norm(end, axes));
 }
 
-// |spline − programmed path| at s of the spline's run; the spline begins at s_begin there.
-static double deviation(const nck_seg_t *spline, double s_begin, const nck_raw_t *raw, double s) {
+// A piece of the spline.
+typedef struct piece {
+    nck_seg_t seg;
+    double begin;  // where in its run [path mm]
+    double second; // the largest |p″| [1/mm]
+    int axes;      // that may move
+} piece_t;
+
+// |spline − programmed path| at s of the spline's run.
+static double deviation(const piece_t *piece, const nck_raw_t *raw, double s) {
     double p[NCK_AXIS_MAX];
     double q[NCK_AXIS_MAX];
-    nck_path_point(spline, s - s_begin, p);
-    nck_path_point(&raw->seg, s - raw->s, q);
-    return nck_spline_distance(p, q);
+    nck_path_part(&piece->seg, s - piece->begin, piece->axes, p);
+    nck_path_part(&raw->seg, s - raw->s, piece->axes, q);
+    return nck_spline_distance(p, q, piece->axes);
 }
 
 // As nck_raw_fits, over one block: from range[0] to range[1]. Between two points that are looked at
 // the deviation cannot exceed the larger one by more than the sag of both curves.
-static int block_fits(const nck_seg_t *spline, const nck_raw_t *raw, const double *range,
-                      double s_begin, double allowed) {
+static int block_fits(const piece_t *piece, const nck_raw_t *raw, const double *range,
+                      double allowed) {
     const double length = range[1] - range[0];
-    const int parts = 1 + (int)(length * (double)PARTS / spline->length);
+    const int parts = 1 + (int)(length * (double)PARTS / piece->seg.length);
     const double h = length / (double)parts;
-    const double second = largest_second(spline) + largest_second(&raw->seg);
+    const double second = piece->second + largest_second(&raw->seg, piece->axes);
     const double near = allowed - nck_spline_sag(second, h);
     for (int n = 0; n <= parts; n++) {
-        if (!(deviation(spline, s_begin, raw, range[0] + h * (double)n) <= near)) return 0;
+        if (!(deviation(piece, raw, range[0] + h * (double)n) <= near)) return 0;
     }
     return 1;
 }
@@ -130,15 +136,18 @@ int nck_raw_fits(nck_smooth_t *self, int first, double share) {
     const double from = self->run.t[first + 2];
     const double to = self->run.t[first + 3];
     if (!(to > from)) return 1;
-    nck_seg_t spline;
-    nck_raw_spline(self, first, &spline);
-    if (spline.kind == NCK_SEG_LINE) return 1;
+    piece_t piece;
+    nck_raw_spline(self, first, &piece.seg);
+    if (piece.seg.kind == NCK_SEG_LINE) return 1;
+    piece.begin = from;
+    piece.axes = self->terms->axes;
+    piece.second = largest_second(&piece.seg, piece.axes);
     double range[2] = {from, from};
     uint32_t count = nck_raw_find(self, from);
     while (count != self->run.end && range[1] < to) {
         const nck_raw_t *const raw = nck_raw_at(self, count);
         range[1] = nck_min(to, raw_end(raw));
-        if (!block_fits(&spline, raw, range, from, share * raw->tolerance)) return 0;
+        if (!block_fits(&piece, raw, range, share * raw->tolerance)) return 0;
         range[0] = range[1];
         count = nck_raw_next(self, count);
     }

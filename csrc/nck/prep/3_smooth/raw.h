@@ -9,7 +9,9 @@
 double nck_raw_least(double s);
 
 // The block with this count. Cost: constant.
-nck_raw_t *nck_raw_at(nck_smooth_t *self, uint32_t count);
+static inline nck_raw_t *nck_raw_at(nck_smooth_t *self, uint32_t count) {
+    return &self->raw.at[count & (NCK_SMOOTH_SPAN - 1)];
+}
 
 // 1 if the ring has no room. Cost: constant.
 int nck_raw_is_full(const nck_smooth_t *self);
@@ -27,13 +29,14 @@ uint32_t nck_raw_last(nck_smooth_t *self);
 // Where the known part of the run ends [path mm]. Cost: linear in outputs at its end.
 double nck_raw_known(nck_smooth_t *self);
 
-// The point of the programmed path at s; beyond what is known, straight on along the tangent.
+// The point of the programmed path at s, of it the coordinates that may change; beyond what is
+// known, straight on along the tangent.
 // Cost: as nck_raw_find.
 void nck_raw_point(nck_smooth_t *self, double s, double *point_out);
 
-// How sharply the path turns from one seg to the next: Δu of the unit tangents; returns |Δu|. Cost:
-// constant.
-double nck_raw_turn(const nck_seg_t *in, const nck_seg_t *out, double *turn_out);
+// How sharply the path turns from one seg to the next: Δu of the unit tangents, so many axes of it;
+// returns |Δu|. Cost: constant.
+double nck_raw_turn(const nck_seg_t *in, const nck_seg_t *out, int axes, double *turn_out);
 
 // The run's spline between t[first + 2] and t[first + 3], as a seg without words; a line where the
 // path is straight. Cost: as nck_raw_find.

@@ -39,17 +39,16 @@ typedef struct vertex {
     int lone;       // 1: nothing but itself bounds its spacing
 } vertex_t;
 
-// How far a spline of even spacing h would leave the path at a knot at s.
-static double deviation(nck_smooth_t *self, double s, double h) {
+// How far a spline of even spacing h would leave the path at a knot at s, where it is `here`.
+static double deviation(nck_smooth_t *self, double s, const double *here, double h) {
     double before[NCK_AXIS_MAX];
-    double here[NCK_AXIS_MAX];
     double behind[NCK_AXIS_MAX];
     double middle[NCK_AXIS_MAX];
     nck_raw_point(self, s - h, before);
-    nck_raw_point(self, s, here);
     nck_raw_point(self, s + h, behind);
-    for (int x = 0; x < NCK_AXIS_MAX; x++) middle[x] = 0.5 * (before[x] + behind[x]);
-    return nck_spline_distance(middle, here) / 3.0;
+    const int axes = self->terms->axes;
+    for (int x = 0; x < axes; x++) middle[x] = 0.5 * (before[x] + behind[x]);
+    return nck_spline_distance(middle, here, axes) / 3.0;
 }
 
 // The largest spacing at s, from a good one on, before the deviation first exceeds the aim.
@@ -59,13 +58,15 @@ static nck_status_t grow(nck_smooth_t *self, double s, double aim, double *spaci
     const double known = self->run.closed ? s + self->spacing_max : nck_raw_known(self);
     double good = *spacing;
     double bad = good;
+    double here[NCK_AXIS_MAX];
+    nck_raw_point(self, s, here);
     for (int n = 0; n < GROWTH_STEPS && bad == good && good < self->spacing_max; n++) {
         const double next = nck_min(good * GROWTH, self->spacing_max);
         if (s + next > known) {
             *spacing = good;
             return nck_raw_is_full(self) ? NCK_FULL : NCK_EMPTY;
         }
-        if (deviation(self, s, next) <= aim) {
+        if (deviation(self, s, here, next) <= aim) {
             good = next;
             bad = good;
         } else {
@@ -74,7 +75,7 @@ static nck_status_t grow(nck_smooth_t *self, double s, double aim, double *spaci
     }
     for (int n = 0; n < BISECT_STEPS && bad > good; n++) {
         const double middle = 0.5 * (good + bad);
-        if (deviation(self, s, middle) <= aim) good = middle;
+        if (deviation(self, s, here, middle) <= aim) good = middle;
         else bad = middle;
     }
     *spacing = good;
@@ -96,14 +97,16 @@ static double begin_growing(nck_smooth_t *self, uint32_t count, double aim, doub
     const double s = raw->s + raw->seg.length;
     const double likely = NEIGHBOUR * nck_raw_at(self, raw_before(self, count))->spacing;
     if (likely <= spacing || s + likely > nck_raw_known(self)) return spacing;
-    return deviation(self, s, likely) <= aim ? likely : spacing;
+    double here[NCK_AXIS_MAX];
+    nck_raw_point(self, s, here);
+    return deviation(self, s, here, likely) <= aim ? likely : spacing;
 }
 
 // The spacing that a corner between two blocks allows if it is alone.
 static double lone_spacing(const nck_smooth_t *self, const nck_raw_t *raw, const nck_raw_t *next) {
     const double aim = AIM * nck_min(raw->tolerance, next->tolerance);
     double by[NCK_AXIS_MAX];
-    const double turn = nck_raw_turn(&raw->seg, &next->seg, by);
+    const double turn = nck_raw_turn(&raw->seg, &next->seg, self->terms->axes, by);
     if (!(turn > 0.0)) return self->spacing_max;
     return nck_min(self->spacing_max, nck_spline_vertex_spacing(aim, turn));
 }
@@ -134,15 +137,20 @@ static int ends_in_blend(nck_smooth_t *self, uint32_t count) {
     return self->run.end != self->raw.head && nck_raw_at(self, self->run.end)->seg.blend;
 }
 
+// How sharply the path turns at a corner.
+typedef struct turn {
+    double by[NCK_AXIS_MAX]; // Δu
+    double size;             // |Δu|
+    int axes;                // of Δu
+} turn_t;
+
 // 1 if a corner turns as another one does: about as much, and the same way.
-static int turns_alike(const double *turn, double size, const nck_seg_t *in,
-                       const nck_seg_t *out) {
+static int turns_alike(const turn_t *turn, const nck_seg_t *in, const nck_seg_t *out) {
     double other[NCK_AXIS_MAX];
-    const double other_size = nck_raw_turn(in, out, other);
+    const double size = nck_raw_turn(in, out, turn->axes, other);
     double along = 0.0;
-    for (int x = 0; x < NCK_AXIS_MAX; x++) along += turn[x] * other[x];
-    return other_size < 2.0 * size && size < 2.0 * other_size
-           && along > ALIKE * size * other_size;
+    for (int x = 0; x < turn->axes; x++) along += turn->by[x] * other[x];
+    return size < 2.0 * turn->size && turn->size < 2.0 * size && along > ALIKE * turn->size * size;
 }
 
 // 1 if a corner is one of many that make a bend: the one before or behind it turns alike. Such a
@@ -152,15 +160,16 @@ static int bends_on(nck_smooth_t *self, uint32_t count) {
     const uint32_t third = nck_raw_next(self, after);
     const nck_seg_t *const in = &nck_raw_at(self, count)->seg;
     const nck_seg_t *const out = &nck_raw_at(self, after)->seg;
-    double turn[NCK_AXIS_MAX];
-    const double size = nck_raw_turn(in, out, turn);
+    turn_t turn;
+    turn.axes = self->terms->axes;
+    turn.size = nck_raw_turn(in, out, turn.axes, turn.by);
     uint32_t before = count;
     while (before != self->raw.tail && !nck_raw_at(self, before - 1)->has_seg) before--;
     if (before != self->raw.tail
-        && turns_alike(turn, size, &nck_raw_at(self, before - 1)->seg, in)) {
+        && turns_alike(&turn, &nck_raw_at(self, before - 1)->seg, in)) {
         return 1;
     }
-    return third != self->run.end && turns_alike(turn, size, out, &nck_raw_at(self, third)->seg);
+    return third != self->run.end && turns_alike(&turn, out, &nck_raw_at(self, third)->seg);
 }
 
 // 1 if the corner before this one has a knot of its own, and is next to this one: they are one.
@@ -215,7 +224,9 @@ static void stop_behind(nck_smooth_t *self, uint32_t count) {
 // 1 if the path goes on as good as straight from one block to the next.
 static int goes_on(nck_smooth_t *self, uint32_t in, uint32_t out) {
     double turn[NCK_AXIS_MAX];
-    return nck_raw_turn(&nck_raw_at(self, in)->seg, &nck_raw_at(self, out)->seg, turn) < STRAIGHT;
+    const nck_seg_t *const seg = &nck_raw_at(self, in)->seg;
+    const nck_seg_t *const next = &nck_raw_at(self, out)->seg;
+    return nck_raw_turn(seg, next, self->terms->axes, turn) < STRAIGHT;
 }
 
 // How far the path leads straight to the corner behind a block, and on from it.
@@ -256,7 +267,7 @@ static void stop_or_bend(nck_smooth_t *self, uint32_t count) {
     nck_raw_point(self, s - bend.d, before);
     nck_raw_point(self, s, here);
     nck_raw_point(self, s + bend.d, bend.turn);
-    for (int x = 0; x < NCK_AXIS_MAX; x++) {
+    for (int x = 0; x < self->terms->axes; x++) {
         bend.turn[x] = (before[x] - 2.0 * here[x] + bend.turn[x]) / bend.d;
     }
     measure_ways(self, count, &meet);
@@ -328,8 +339,9 @@ nck_status_t nck_spacing_know(nck_smooth_t *self, uint32_t count) {
 
 double nck_spacing_inside(const nck_smooth_t *self, const nck_seg_t *seg, double tolerance) {
     double second[NCK_AXIS_MAX];
+    if (seg->kind == NCK_SEG_LINE) return self->spacing_max;
     nck_path_second(seg, 0.0, second);
-    const double kappa = nck_spline_norm(second);
+    const double kappa = nck_spline_norm(second, self->terms->axes);
     if (!(kappa > 0.0)) return self->spacing_max;
     return nck_min(self->spacing_max, nck_spline_curve_spacing(AIM * tolerance, kappa));
 }

@@ -100,18 +100,18 @@ static inline nck_real nck_spline_spacing_max(nck_real v, nck_real a, nck_real j
     return nck_max(4.0 * v * v / a, 2.0 * nck_sqrt(v * v * v / j));
 }
 
-// Length of a vector in the path metric.
-static inline nck_real nck_spline_norm(const nck_real *d) {
+// Length of a vector in the path metric; axes: its components that need not be 0.
+static inline nck_real nck_spline_norm(const nck_real *d, int axes) {
     nck_real sum = 0.0;
-    for (int x = 0; x < NCK_AXIS_MAX; x++) sum += d[x] * d[x];
+    for (int x = 0; x < axes; x++) sum += d[x] * d[x];
     return nck_sqrt(sum);
 }
 
-// Distance of two points in the path metric.
-static inline nck_real nck_spline_distance(const nck_real *p, const nck_real *q) {
-    nck_real d[NCK_AXIS_MAX];
-    for (int x = 0; x < NCK_AXIS_MAX; x++) d[x] = p[x] - q[x];
-    return nck_spline_norm(d);
+// Distance of two points in the path metric; axes: the coordinates in which they may differ.
+static inline nck_real nck_spline_distance(const nck_real *p, const nck_real *q, int axes) {
+    nck_real sum = 0.0;
+    for (int x = 0; x < axes; x++) sum += (p[x] - q[x]) * (p[x] - q[x]);
+    return nck_sqrt(sum);
 }
 
 #endif
