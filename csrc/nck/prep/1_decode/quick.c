@@ -74,8 +74,12 @@ static int read_line(const nck_decode_t *self, quick_t *line) {
 }
 
 int nck_decode_quick(nck_decode_t *self, nck_block_t *out) {
-    quick_t line = {self->line.text, {0}, 0, CODE_NONE, 0};
+    quick_t line;
     if (!is_plain(self)) return 0;
+    line.at = self->line.text;
+    line.axes = 0;
+    line.code = CODE_NONE;
+    line.is_named = 0;
     memcpy(line.target_nm, self->place.position_nm, sizeof line.target_nm);
     if (!read_line(self, &line)) return 0;
     const int cuts = line.code == CODE_LINE;
