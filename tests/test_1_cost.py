@@ -1,43 +1,41 @@
 # SPDX-License-Identifier: MIT
-"""Room 1: what a plain line costs in instructions, and that macros have not made it dearer."""
+"""What a line costs in instructions: room by room as the page says, and no dearer for macros."""
 
 import re
 import subprocess
 
 import pytest
 
-COMPILER = "12.2.0"  # what the numbers below were counted with, -O2 on x86-64
-INSTRUCTIONS = {"line": 1262, "modal": 922, "arc": 3228}  # a line
+from pycnc.bench import cost
+
+COMPILER = "12.2.0"  # what the numbers here and on the page were counted with, -O2 on x86-64
+INSTRUCTIONS = {"line": 1262, "modal": 922, "arc": 3228}  # of decoding a line
 BEFORE_MACROS = {"line": 1917, "modal": 1416, "arc": 3185}
 WITHIN, MOST = 0.05, 1.02
 
 
 @pytest.fixture(scope="module")
-def plain_lines(root, tool, tmp_path_factory):
-    """Return the program that decodes plain lines, compiled alike everywhere."""
-    compiler = tool("gcc")
-    version = subprocess.run([compiler, "-dumpfullversion"], capture_output=True, text=True)
+def folder(tool, tmp_path_factory):
+    """Return a folder to build in, where instructions can be counted and compared."""
+    tool("valgrind")
+    version = subprocess.run([tool("gcc"), "-dumpfullversion"], capture_output=True, text=True)
     if version.stdout.strip() != COMPILER:
         pytest.skip(f"instructions were counted with gcc {COMPILER}")
-    binary = tmp_path_factory.mktemp("cost") / "plain_lines"
-    sources = [root / "tests/c/plain_lines.c", *(root / "csrc/nck/base").glob("*.c")]
-    sources += (root / "csrc/nck/prep/1_decode").glob("*.c")
-    options = ["-std=c99", "-O2", "-ffp-contract=off", f"-I{root / 'csrc'}", "-o", binary]
-    subprocess.run([compiler, *options, *sources, "-lm"], check=True)
-    return binary
-
-
-def instructions(valgrind, binary, kind, count):
-    command = [valgrind, "--tool=callgrind", "--toggle-collect=decode_all"]
-    command += ["--callgrind-out-file=/dev/null", binary, kind, str(count)]
-    done = subprocess.run(command, capture_output=True, text=True, check=True)
-    return int(re.search(r"Collected : (\d+)", done.stderr)[1])
+    return tmp_path_factory.mktemp("cost")
 
 
 @pytest.mark.parametrize("kind", INSTRUCTIONS)
-def test_a_plain_line_costs_what_the_table_says(kind, plain_lines, tool):
-    valgrind = tool("valgrind")
-    few, many = (instructions(valgrind, plain_lines, kind, count) for count in (1000, 3000))
-    cost = (many - few) / 2000
-    assert cost == pytest.approx(INSTRUCTIONS[kind], rel=WITHIN)
-    assert cost <= MOST * BEFORE_MACROS[kind]
+def test_a_plain_line_costs_what_the_table_says(kind, folder):
+    now = cost.count_line(folder, kind)
+    assert now == pytest.approx(INSTRUCTIONS[kind], rel=WITHIN)
+    assert now <= MOST * BEFORE_MACROS[kind]
+
+
+def test_a_line_costs_what_the_page_says_from_text_to_cells(folder, root):
+    page = (root / "docs" / "size.md").read_text(encoding="utf-8")
+    rows = re.findall(r"^\| (.+?) \| ([\d.,]+) \| ([\d.,]+) \| ([\d.,]+) \|$", page, re.M)
+    told = {name: tuple(float(x.replace(",", "")) for x in numbers) for name, *numbers in rows}
+    for name, now in cost.figures(folder).items():
+        start, written, target = told[name]
+        assert (start, target) == pytest.approx(cost.GOALS[name])
+        assert now == pytest.approx(written, rel=WITHIN), name

@@ -33,11 +33,11 @@ def small(monkeypatch):
 @pytest.mark.parametrize("made", ["relief", "arcs", "circles", "micrometres"])
 def test_a_program_of_a_bench_runs_and_keeps_every_promise(made):
     text = getattr(bench_kernel, made)(300)
-    judged.run(Program(text, bench_kernel._machine()).check())
+    judged.run(Program(text, bench_kernel.plain_machine()).check())
 
 
 def test_every_tick_is_timed_and_no_more():
-    program = Program(bench_kernel.relief(500), bench_kernel._machine())
+    program = Program(bench_kernel.relief(500), bench_kernel.plain_machine())
     ns = timing.ticks(program.text, program.machine, 10**6)
     assert len(ns) == len(judged.rows_of(program))
     assert (ns >= 0).all()
@@ -50,7 +50,7 @@ def test_a_program_error_is_no_time():
 
 
 def test_the_window_alone_gives_every_node_of_the_plan():
-    program = Program(bench_kernel.arcs(500), bench_kernel._machine())
+    program = Program(bench_kernel.arcs(500), bench_kernel.plain_machine())
     segs = timing.segs_of(program.text, program.machine)
     ns, pieces = timing.window(segs, program.machine)
     assert ns > 0

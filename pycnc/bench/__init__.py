@@ -21,6 +21,7 @@ SUBJECTS = {
     "lookahead": [("parallel", "bench_lookahead_rows"), ("kernel", "bench_window_rows")],
     "tick": [("kernel", "bench_tick_rows")],
     "time": [("kernel", "bench_time_rows")],
+    "cost": [("cost", "bench_cost_rows")],
     "optimum": [("optimum", "bench_optimum_rows")],
     "linuxcnc": [("linuxcnc", "bench_linuxcnc_rows")],
     "butterfly": [("linuxcnc", "bench_butterfly_rows")],

@@ -66,9 +66,9 @@ def micrometres(count=200_000):
     return f"{HEAD}{_joined(f'G1 X{k * 1e-3:.3f}' for k in range(count))}\nM2\n".encode()
 
 
-def _machine():
-    """Return the mill without travel limits, linear slope, exact path: what the pages tell of."""
-    plain = ["path.slope=linear", "path.tolerance_mm=0"]
+def plain_machine(slope="linear"):
+    """Return the mill without travel limits, with an exact path: what the pages tell of."""
+    plain = [f"path.slope={slope}", "path.tolerance_mm=0"]
     free = [f"axis.{axis}.{end}_mm=free" for axis in "xyz" for end in ("min", "max")]
     return Machine.load(DEFAULT, set=[*plain, *free])
 
@@ -109,7 +109,7 @@ def bench_decode_rows():
     rs274 starts a process and prints what it finds, to nowhere; the time of its start, measured
     with an empty program, is taken off.
     """
-    rows, machine = [], _machine()
+    rows, machine = [], plain_machine()
     with tempfile.TemporaryDirectory() as folder:
         for case, text in (("lines", relief()), ("arcs", arcs())):
             rows += _decode_rows(case, text, machine, Path(folder))
@@ -149,7 +149,7 @@ def bench_window_rows():
     The window of a firmware holds hundreds of blocks and stays in the processor's cache; the
     host's holds ten thousand.
     """
-    rows, machine = [], _machine()
+    rows, machine = [], plain_machine()
     for case, text in (("relief", relief()), ("arcs", arcs())):
         segs = timing.segs_of(text, machine)
         for blocks in (100, 0):
@@ -183,7 +183,7 @@ def bench_tick_rows():
     longer than ns_99_99.
     """
     programs = {"relief": relief(), "arcs": arcs(), "circles": circles(), "1 µm": micrometres()}
-    machine = _machine()
+    machine = plain_machine()
     rows = []
     for case, text in programs.items():
         ns = timing.ticks(text, machine, TICKS)
