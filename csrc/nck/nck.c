@@ -74,10 +74,19 @@ static nck_status_t carry_item(nck_t *nck) {
     return status;
 }
 
-// One block into smooth, which asks for it. A program error ends the path where it stands:
+// A block into smooth, which asks for it; on the exact path its seg goes on at once. There is room.
+static nck_status_t smooth_block(nck_t *nck, const nck_block_t *block) {
+    nck_smooth_item_t item;
+    const nck_status_t status = nck_smooth_pass(&nck->smooth, block, nck->wire.blocks, &item);
+    if (status == NCK_FULL) return nck_smooth_push(&nck->smooth, block, nck->wire.blocks);
+    if (status == NCK_EMPTY) return NCK_OK;
+    return status == NCK_OK ? push_item(nck, &item) : status;
+}
+
+// One block into smooth. A program error ends the path where it stands:
 // everything before it is executed.
 static nck_status_t carry_block(nck_t *nck, const nck_block_t *block) {
-    const nck_status_t status = nck_smooth_push(&nck->smooth, block, nck->wire.blocks);
+    const nck_status_t status = smooth_block(nck, block);
     nck->wire.blocks++;
     if (block->kind == NCK_BLOCK_END) nck_smooth_end(&nck->smooth);
     if (status >= NCK_OK) return status;

@@ -166,6 +166,8 @@ nck_status_t nck_link_advance(nck_link_t *self, double lead, uint32_t most) {
     const uint32_t fill = self->tail_fill;
     (void)lead_of(self);
     const int entered = nck_link_batch_begin(self);
+    self->tail_fill = fill;
+    if (self->lead_s >= lead) return entered ? NCK_E_STATE : NCK_FULL;
     const uint32_t parity = parity_of(self->base);
     const uint32_t end = end_of(self->base);
     const uint32_t first = cells_between(self->tail_origin[parity], end);

@@ -170,6 +170,12 @@ static void take_raw(nck_smooth_t *self, const nck_block_t *block) {
     extend_run(self);
 }
 
+// The seg of a block is made: the next one begins where it ends.
+static void arrive(nck_smooth_t *self, const nck_block_t *block, const nck_seg_t *seg) {
+    memcpy(self->position_nm, block->target_nm, sizeof self->position_nm);
+    memcpy(self->position, seg->end, sizeof self->position);
+}
+
 nck_status_t nck_smooth_push(nck_smooth_t *self, const nck_block_t *block, uint32_t block_seq) {
     if (!self->hungry) return NCK_FULL;
     nck_raw_t *const raw = nck_raw_at(self, self->raw.head);
@@ -177,11 +183,37 @@ nck_status_t nck_smooth_push(nck_smooth_t *self, const nck_block_t *block, uint3
     if (raw->has_seg) {
         const nck_status_t status = make_seg(self, block, &raw->seg);
         if (status != NCK_OK) return status == NCK_EMPTY ? NCK_OK : status;
-        memcpy(self->position_nm, block->target_nm, sizeof self->position_nm);
-        memcpy(self->position, raw->seg.end, sizeof self->position);
+        arrive(self, block, &raw->seg);
     }
     self->hungry = 0;
     if (!raw->smooth || !nck_merge_line(self, block, &raw->seg)) take_raw(self, block);
+    return NCK_OK;
+}
+
+// A seg gets its place on the path.
+static void give_seg(nck_smooth_t *self, nck_smooth_item_t *item_out) {
+    nck_seg_t *const seg = &item_out->seg;
+    item_out->is_output = 0;
+    seg->seq = self->seq;
+    seg->s_begin = self->s;
+    seg->s_program = self->s_program;
+    if (!seg->blend) seg->program = seg->length;
+    self->s += seg->length;
+    self->s_program += seg->program;
+    self->seq++;
+}
+
+nck_status_t nck_smooth_pass(nck_smooth_t *self, const nck_block_t *block, uint32_t block_seq,
+                             nck_smooth_item_t *item_out) {
+    const int waits = self->run.open || !nck_smooth_is_empty(self);
+    const int is_plain = block->kind <= NCK_BLOCK_ARC && !is_smooth(block);
+    if (!self->hungry || waits || !is_plain) return NCK_FULL;
+    memset(&item_out->seg, 0, sizeof item_out->seg);
+    item_out->seg.block = block_seq;
+    const nck_status_t status = make_seg(self, block, &item_out->seg);
+    if (status != NCK_OK) return status;
+    arrive(self, block, &item_out->seg);
+    give_seg(self, item_out);
     return NCK_OK;
 }
 
@@ -201,18 +233,6 @@ static nck_status_t give_output(nck_smooth_t *self, nck_raw_t *raw, nck_smooth_i
     item_out->output = raw->output;
     item_out->output.after_segs = self->seq;
     raw->has_output = 0;
-    return NCK_OK;
-}
-
-static nck_status_t give_seg(nck_smooth_t *self, nck_smooth_item_t *item_out) {
-    item_out->is_output = 0;
-    item_out->seg.seq = self->seq;
-    item_out->seg.s_begin = self->s;
-    item_out->seg.s_program = self->s_program;
-    if (!item_out->seg.blend) item_out->seg.program = item_out->seg.length;
-    self->s += item_out->seg.length;
-    self->s_program += item_out->seg.program;
-    self->seq++;
     return NCK_OK;
 }
 
@@ -284,7 +304,8 @@ static nck_status_t give_spline(nck_smooth_t *self, nck_smooth_item_t *item_out)
     self->run.given = end;
     if (end >= t[3]) nck_knot_advance(self);
     drop_passed(self, end);
-    return give_seg(self, item_out);
+    give_seg(self, item_out);
+    return NCK_OK;
 }
 
 static int run_is_over(nck_smooth_t *self) {
@@ -317,7 +338,8 @@ static nck_status_t pull_exact(nck_smooth_t *self, nck_smooth_item_t *item_out) 
     }
     self->raw.tail++;
     item_out->seg = raw->seg;
-    return give_seg(self, item_out);
+    give_seg(self, item_out);
+    return NCK_OK;
 }
 
 static void open_run(nck_smooth_t *self) {

@@ -305,7 +305,7 @@ nck_piece_limit_t nck_joint_piece(const nck_joint_t *joint, double beta, int pac
         piece.a = (1.0 - beta) * at->a;
         return piece;
     }
-    piece.a = nck_min(piece.a, (1.0 - beta) * joint->shape.arc.a_straight);
+    piece.a = nck_joint_straight(joint, beta, terms);
     if (is_curved(joint)) limit_on_arc(joint, beta, terms->v_filter, &piece);
     return piece;
 }

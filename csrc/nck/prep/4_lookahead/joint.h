@@ -3,6 +3,7 @@
 #ifndef NCK_PREP_JOINT_H
 #define NCK_PREP_JOINT_H
 
+#include "nck/base/real.h"                  // nck_min
 #include "nck/prep/4_lookahead/lookahead.h" // nck_lookahead_t nck_joint_t
 
 // What a piece of a seg may do when junctions nearby use the share beta of the acceleration.
@@ -52,5 +53,19 @@ void nck_joint_settle(nck_joint_t *joint, double w_in, const nck_terms_t *terms)
 // Cost: constant.
 nck_piece_limit_t nck_joint_piece(const nck_joint_t *joint, double beta, int pace,
                                   const nck_terms_t *terms);
+
+// What the axes leave to a line's acceleration, or to an arc's outside of its plane, under beta.
+// Cost: constant.
+static inline double nck_joint_straight(const nck_joint_t *joint, double beta,
+                                        const nck_terms_t *terms) {
+    return nck_min(terms->machine->path.a_max, (1.0 - beta) * joint->shape.arc.a_straight);
+}
+
+// The acceleration of nck_joint_piece alone. Cost: constant.
+static inline double nck_joint_accel(const nck_joint_t *joint, double beta, int pace,
+                                     const nck_terms_t *terms) {
+    if (joint->kind == NCK_SEG_LINE) return nck_joint_straight(joint, beta, terms);
+    return nck_joint_piece(joint, beta, pace, terms).a;
+}
 
 #endif

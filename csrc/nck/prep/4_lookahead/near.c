@@ -181,9 +181,9 @@ nck_status_t nck_near_settle(nck_lookahead_t *self) {
     return NCK_OK;
 }
 
-static void include(nck_near_t *near, const nck_piece_limit_t *piece) {
-    near->a = nck_min(near->a, piece->a);
-    near->j = nck_min(near->j, piece->j);
+static void include(nck_near_t *near, const nck_joint_t *joint, double a, int pace) {
+    near->a = nck_min(near->a, a);
+    near->j = nck_min(near->j, joint->pace[pace].j);
 }
 
 nck_near_t nck_near_before(nck_lookahead_t *self, uint32_t count, int pace, double beta) {
@@ -195,8 +195,7 @@ nck_near_t nck_near_before(nck_lookahead_t *self, uint32_t count, int pace, doub
         count--;
         const nck_joint_t *const joint = nck_joint_at(self, count);
         if ((joint->end & NCK_JOINT_STOP) || joint->kind >= NCK_SEG_DWELL) return near;
-        const nck_piece_limit_t piece = nck_joint_piece(joint, beta, pace, self->terms);
-        include(&near, &piece);
+        include(&near, joint, nck_joint_accel(joint, beta, pace, self->terms), pace);
         time += joint->pace[pace].time;
         least += joint->pace[pace].least;
         if (least >= self->terms->mix_s) return near;
@@ -218,8 +217,7 @@ nck_status_t nck_near_after(nck_lookahead_t *self, uint32_t count, int pace, dou
         if (count >= self->joint.settled) return NCK_EMPTY;
         const nck_joint_t *const joint = nck_joint_at(self, count);
         if (joint->kind >= NCK_SEG_DWELL) return NCK_OK;
-        const nck_piece_limit_t piece = nck_joint_piece(joint, beta, pace, self->terms);
-        include(near_out, &piece);
+        include(near_out, joint, nck_joint_accel(joint, beta, pace, self->terms), pace);
         time += joint->pace[pace].time;
         least += joint->pace[pace].least;
         if (least >= self->terms->mix_s) return NCK_OK;
