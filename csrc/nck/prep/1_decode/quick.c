@@ -50,14 +50,16 @@ static int read_code(quick_t *line, const nck_number_t *word) {
 
 static int read_word(const nck_decode_t *self, quick_t *line) {
     const int letter = *line->at & ~0x20;
+    const int is_axis = letter >= 'X' && letter <= 'Z';
     nck_number_t word;
+    if (!is_axis && letter != 'G' && letter != 'N') return 0;
     line->at = nck_number_read(self->line.text, line->at + 1, &word);
     if (!line->at) return 0;
-    if (letter >= 'X' && letter <= 'Z') return read_axis(self, line, (unsigned)letter - 'X', &word);
+    if (is_axis) return read_axis(self, line, (unsigned)letter - 'X', &word);
     if (letter == 'G') return read_code(line, &word);
     const int again = line->is_named;
     line->is_named = 1;
-    return letter == 'N' && !again;
+    return !again;
 }
 
 // 1 if the line is one for here, and no mistake is in it.
