@@ -230,6 +230,9 @@ static nck_status_t take_input(nck_t *nck, nck_status_t status, nck_status_t ahe
     const nck_status_t input = pull_block(nck);
     if (input == NCK_E_INTERNAL) return give_up(nck, nck->wire.block.line);
     if (input == NCK_OK) (void)nck_lookahead_step(&nck->lookahead); // what the block has made known
+    if (input == NCK_EMPTY && nck_fence_load(&nck->interpolate.has_cell)) {
+        nck_slope_hurry(&nck->slope);
+    }
     if (input <= NCK_OK || input == NCK_EMPTY) return input;
     if (is_stuck(nck, status, ahead, input)) {
         nck_lookahead_end(&nck->lookahead);

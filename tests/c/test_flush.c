@@ -5,7 +5,7 @@
 #include "front_check.h"
 #include "host/host.h" // nck_host_plan_…
 
-enum { LINES = 300 };
+enum { LINES = 300, FIRST = 400, AHEAD = 50, LATE_LINES = 800, LATE_TICKS = 7700 };
 #define LATE_S 0.05 // how much longer than its plan a line alone may take
 
 static front_t front;
@@ -71,6 +71,32 @@ static void what_is_known_is_executed(check_t *check)
                 printf("    %s: %s    at %.6f\n", slope_name[slope], modes[k], front_x(&front));
             }
             CHECK_INT(check, front.line[front.lines - 1], lines + 1);
+        }
+    }
+}
+
+// After the first lines input is only AHEAD mm before the tool, more than it takes to brake: it does
+// not rest. Nor does it lose speed, but for the S-shape, and in a window of a few mm.
+static void input_that_comes_late_costs_no_stop(check_t *check)
+{
+    const int sees_far = NCK_WINDOW >= AHEAD;
+    for (uint32_t slope = 0; slope < 3; slope++) {
+        int known = 0, rests = 0;
+        double before = 0.0;
+        begin(slope);
+        front_push(&front, "G61 F6000\n");
+        for (double x = 0.0; x < LATE_LINES - AHEAD && rests < 100; x = front_x(&front)) {
+            for (; known < FIRST || known < (int)x + AHEAD; known++) {
+                snprintf(text, sizeof text, "G1 X%d\n", known + 1);
+                front_push(&front, text);
+            }
+            front_tick(&front);
+            rests += x > 0.0 && x == before;
+            before = x;
+        }
+        const int is_slow = slope != NCK_SLOPE_SSHAPE && sees_far && front.moving > LATE_TICKS;
+        if (!CHECK(check, rests == 0 && !is_slow)) {
+            printf("    %s: %d ticks, %d at rest\n", slope_name[slope], (int)front.moving, rests);
         }
     }
 }
@@ -177,6 +203,7 @@ int main(void)
     check_t check = {0};
     CHECK_RUN(&check, a_console_line_ends_on_its_target_in_time);
     CHECK_RUN(&check, what_is_known_is_executed);
+    CHECK_RUN(&check, input_that_comes_late_costs_no_stop);
     CHECK_RUN(&check, behind_a_flush_the_path_goes_on);
     CHECK_RUN(&check, a_flush_has_a_place_not_a_time);
     CHECK_RUN(&check, a_flush_at_the_end_is_the_end);

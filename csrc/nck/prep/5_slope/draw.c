@@ -37,7 +37,8 @@ static void end_cell(const nck_jerk_t *self, const nck_pieces_t *pieces, uint32_
     const double s = is_end ? self->next->end_s : self->rung_s[i + 1];
     const nck_node_t *const at = nck_plan_piece(pieces, number);
     const nck_node_t *const before = nck_plan_piece(pieces, number - 1);
-    const int behind = s < 0.0 || (at && s == at->s); // at a piece's start: the one before ends
+    // At a piece's start the one before ends.
+    const int behind = s == NCK_PLAN_BEGIN || (at && s == at->s);
     const nck_node_t *const piece = behind ? before : at;
     cell->span = (uint8_t)(piece->seg - cell->seg);
     cell->last = behind && piece->last;

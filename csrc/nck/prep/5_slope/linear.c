@@ -298,7 +298,7 @@ static void leave_piece(nck_linear_t *self, const nck_pieces_t *pieces) {
 
 static void set_end(nck_linear_t *self, const nck_linear_place_t *place) {
     self->next->end_piece = place->piece;
-    self->next->end_s = place->fresh ? -1.0 : place->s;
+    self->next->end_s = place->fresh ? NCK_PLAN_BEGIN : place->s;
 }
 
 // The part ends at rest. Single block holds it there only behind the last final piece.

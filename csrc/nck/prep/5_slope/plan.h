@@ -34,6 +34,9 @@ typedef enum nck_held {
     NCK_HELD_BLOCK = 3    // at a block's end, until the operator wants to go on
 } nck_held_t;
 
+// As a coordinate in a piece: where the piece begins, once it is known.
+#define NCK_PLAN_BEGIN (-1.0)
+
 // A place on the path, and a plan from there on.
 typedef struct nck_plan {
     uint32_t begin;    // its first cell follows so many final cells (as nck_link_end counts)
@@ -42,7 +45,7 @@ typedef struct nck_plan {
     uint32_t piece;    // where the first cell that is not final begins
     double s;          // path coordinate there, in the piece's seg
     uint32_t end_piece; // where it comes to rest
-    double end_s;      // path coordinate there; negative: where that piece begins
+    double end_s;      // path coordinate there; NCK_PLAN_BEGIN or in that piece
     uint32_t complete; // 1: the path rests there, not only the window
     uint32_t held;     // nck_held_t: what must happen before it goes on
     uint32_t commit;   // so many of its cells may become final before the next plan takes over
@@ -63,7 +66,7 @@ typedef struct nck_job {
     uint32_t held;     // brake: nck_held_t of the rest
     uint32_t anew;     // 1: not where the plan of now meant to be followed, or other wishes
     uint32_t slower;   // 1: the plan of now is for higher speeds
-    uint32_t starved;  // 1: the tick has run out of cells: begin with what is there
+    uint32_t starved;  // 1: the tick has run out of cells, or is about to: take what is there
     nck_wish_t wish;
     double v;          // speed where it begins [path mm/s]
     double a;          // acceleration at the end of the cell before [path mm/s²]

@@ -28,7 +28,7 @@ void nck_slope_init(nck_slope_t *self, const nck_machine_t *machine, nck_link_t 
     self->link = link;
     self->lead_s = LEAD_PERIODS * machine->period_s;
     self->now.complete = 1;
-    self->now.end_s = -1.0;
+    self->now.end_s = NCK_PLAN_BEGIN;
     self->wish.feed = 1.0;
     self->wish.rapid = 1.0;
     switch (machine->slope) {
@@ -96,7 +96,7 @@ static nck_status_t start(nck_slope_t *self, const nck_pieces_t *pieces) {
     if (piece->length > 0.0 && !(cap > 0.0)) return NCK_FULL;
     job.kind = NCK_JOB_START;
     self->next.piece = self->now.end_piece;
-    self->next.s = self->now.end_s < 0.0 ? piece->s : self->now.end_s;
+    self->next.s = self->now.end_s == NCK_PLAN_BEGIN ? piece->s : self->now.end_s;
     make(self, &job);
     return NCK_OK;
 }
@@ -141,7 +141,7 @@ static int waits_behind(const nck_slope_t *self, const nck_pieces_t *pieces) {
     const int moves = final_count(self) < self->now.n;
     const int known = nck_plan_piece(pieces, end) && nck_plan_piece(pieces, end - 1);
     const int asks = self->wish.single_block && !self->now.held && moves;
-    if (!asks || !known || !(self->now.end_s < 0.0)) return 0;
+    if (!asks || !known || self->now.end_s != NCK_PLAN_BEGIN) return 0;
     return nck_plan_ends_block(self->link, pieces, end - 1);
 }
 
@@ -225,7 +225,7 @@ static void put_off(nck_slope_t *self, const nck_pieces_t *pieces) {
 
 static int is_late(nck_slope_t *self) {
     const double least = LEAD_LEAST * self->machine->period_s;
-    return self->answer.pending && self->phase == PHASE_MAKE && nck_link_lead(self->link) < least;
+    return self->phase == PHASE_MAKE && nck_link_lead(self->link) < least;
 }
 
 // The tick has run into the tail: the path comes to rest where the plan of now does.
@@ -334,7 +334,7 @@ nck_status_t nck_slope_step(nck_slope_t *self, const nck_pieces_t *pieces, const
     hear(self, pieces, wish);
     const uint32_t done = final_count(self);
     const uint32_t limit = final_limit(self);
-    if (done == limit && is_late(self)) {
+    if (done == limit && self->answer.pending && is_late(self)) {
         put_off(self, pieces);
         return NCK_OK;
     }
@@ -345,6 +345,16 @@ nck_status_t nck_slope_step(nck_slope_t *self, const nck_pieces_t *pieces, const
     follow(self, pieces);
     const nck_status_t status = work(self, pieces);
     return status == NCK_EMPTY && final_count(self) < final_limit(self) ? NCK_FULL : status;
+}
+
+void nck_slope_hurry(nck_slope_t *self) {
+    const int waits = self->kind == NCK_JOB_GO_ON && final_count(self) == final_limit(self);
+    if (!waits || !is_late(self)) return;
+    switch (self->machine->slope) {
+    case NCK_SLOPE_JERK: self->planner.jerk.job.starved = 1; break;
+    case NCK_SLOPE_SSHAPE: self->planner.sshape.job.starved = 1; break;
+    default: self->planner.linear.job.starved = 1; break;
+    }
 }
 
 uint32_t nck_slope_needs(const nck_slope_t *self) { return self->now.piece; }

@@ -152,7 +152,7 @@ static nck_status_t follow(nck_sshape_t *self, const nck_pieces_t *pieces) {
 static void set_end(nck_sshape_t *self, const nck_sshape_place_t *place) {
     self->next->n = self->cells;
     self->next->end_piece = place->piece;
-    self->next->end_s = place->fresh ? -1.0 : place->s;
+    self->next->end_s = place->fresh ? NCK_PLAN_BEGIN : place->s;
 }
 
 static void push_starved(nck_sshape_t *self, nck_cell_t *cell) {

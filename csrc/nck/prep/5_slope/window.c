@@ -182,7 +182,7 @@ static nck_status_t end_piece(nck_jerk_t *self, const nck_pieces_t *pieces,
                               const nck_node_t *piece, int rests) {
     self->work.w_entry += nck_ladder_gain(piece->length, piece->a, piece->j * self->j_scale);
     self->work.piece++;
-    self->work.s = -1.0;
+    self->work.s = NCK_PLAN_BEGIN;
     if (!rests) return NCK_OK;
     self->work.must_rest = rests == MUST_REST;
     if (self->work.to_pass > 0 && rests == BLOCK_END) {
@@ -274,7 +274,15 @@ static nck_status_t lay_rest(nck_jerk_t *self, const nck_pieces_t *pieces,
     if (self->work.n > 0) return NCK_DONE;
     push(self, self->work.piece, piece->s, 0.0, 0.0);
     self->work.piece++;
-    self->work.s = -1.0;
+    self->work.s = NCK_PLAN_BEGIN;
+    return NCK_DONE;
+}
+
+// No more pieces are known. It waits for them, unless the tick waits for it.
+static nck_status_t ends_here(nck_jerk_t *self, const nck_pieces_t *pieces) {
+    const int begun = self->work.n > 0 || self->work.pending > 0.0;
+    if (!self->job.starved || !begun) return NCK_EMPTY;
+    close_pending(self, pieces);
     return NCK_DONE;
 }
 
@@ -282,8 +290,8 @@ static nck_status_t lay_one(nck_jerk_t *self, const nck_pieces_t *pieces) {
     const uint32_t blocks = self->machine->lookahead_blocks;
     const nck_node_t *const first = nck_plan_piece(pieces, self->next->piece);
     const nck_node_t *const piece = nck_plan_piece(pieces, self->work.piece);
-    if (!piece) return NCK_EMPTY;
-    if (self->work.s < 0.0) self->work.s = piece->s;
+    if (!piece) return ends_here(self, pieces);
+    if (self->work.s == NCK_PLAN_BEGIN) self->work.s = piece->s;
     if (!(piece->length > 0.0)) return lay_rest(self, pieces, piece);
     const int full = self->work.n + 2 * PARTS_LEAST > NCK_JERK_CELLS
                      || self->work.piece - self->work.base >= self->work.pieces
@@ -292,7 +300,7 @@ static nck_status_t lay_one(nck_jerk_t *self, const nck_pieces_t *pieces) {
         close_pending(self, pieces);
         return NCK_DONE;
     }
-    if (!knows_exit(pieces, self->work.piece)) return NCK_EMPTY;
+    if (!knows_exit(pieces, self->work.piece) && !self->job.starved) return NCK_EMPTY;
     const int rests = rests_behind(self, pieces, self->work.piece);
     const int is_over = end_of(piece) - self->work.s <= nck_window_rounding(piece, 0.0);
     if (is_over && self->work.n > 0) return end_piece(self, pieces, piece, rests);
