@@ -75,8 +75,8 @@ static void what_is_known_is_executed(check_t *check)
     }
 }
 
-// After the first lines input is only AHEAD mm before the tool, more than it takes to brake: it does
-// not rest. Nor does it lose speed, but for the S-shape, and in a window of a few mm.
+// After the first lines input is only AHEAD mm before the tool, more than it takes to brake: that
+// costs no rest, and no speed but under the S-shape and in a window of a few mm.
 static void input_that_comes_late_costs_no_stop(check_t *check)
 {
     const int sees_far = NCK_WINDOW >= AHEAD;
@@ -94,7 +94,8 @@ static void input_that_comes_late_costs_no_stop(check_t *check)
             rests += x > 0.0 && x == before;
             before = x;
         }
-        const int is_slow = slope != NCK_SLOPE_SSHAPE && sees_far && front.moving > LATE_TICKS;
+        const int may_creep = slope == NCK_SLOPE_SSHAPE || !sees_far;
+        const int is_slow = !may_creep && front.moving > LATE_TICKS;
         if (!CHECK(check, rests == 0 && !is_slow)) {
             printf("    %s: %d ticks, %d at rest\n", slope_name[slope], (int)front.moving, rests);
         }

@@ -87,8 +87,7 @@ static double least_quotient(const nck_machine_t *machine) {
 //   3|p″|v·a ≤ (J − |p‴|v³)/2  by  q/(6v),  q = (J − |p‴|v³)/|p″| ≥ q₀ + (6v_c·a_c − q₀)·r³,
 //   q₀ = J·v_c²/(0.95 A), since |p″|·v_c² ≤ 0.95 A;
 //   and half of the jerk, linear in r, is left to the path.
-// A piece that leaves more jerk than that at its cap keeps it, and 3|p″|v·a stays what it is there:
-//   a ≤ a_c/r.
+// A piece that leaves more jerk than that at its cap keeps it (docs/stops.md, "Known not to hold").
 void nck_brake_relax(const nck_jerk_t *self, const nck_pieces_t *pieces, uint32_t number, double v,
                      nck_brake_limits_t *limits) {
     const nck_machine_t *const machine = self->machine;
@@ -101,15 +100,11 @@ void nck_brake_relax(const nck_jerk_t *self, const nck_pieces_t *pieces, uint32_
     const double linear = rest.a + (limits->a - rest.a) * r;
     const double j_rest = rest.j * self->j_scale;
     const double j = NCK_BUDGET_RAMP_SHARE * (j_rest + (limits->j - j_rest) * r);
-    if (!(j > limits->j)) {
-        limits->a = nck_max(limits->a, nck_min(linear, limits->a / r));
-        return;
-    }
     const double q_cap = 6.0 * nck_sqrt(w) * limits->a;
     const double q_rest = nck_max(q_cap, least_quotient(machine) * w / NCK_BUDGET_CURVE_SHARE);
     const double ramp = (q_rest + (q_cap - q_rest) * r * r * r) / (6.0 * v);
     limits->a = nck_max(limits->a, nck_min(linear, ramp));
-    limits->j = j;
+    limits->j = nck_max(limits->j, j);
 }
 
 // ---- reach
