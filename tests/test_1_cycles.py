@@ -115,3 +115,15 @@ def test_a_row_of_holes_is_planned_and_run_alike():
     assert program.diagnostics.errors == 0
     plan, trace = pycnc.plan(program), pycnc.run(program)
     assert plan.time_s == pytest.approx(trace.summary["time_s"])
+
+
+def test_turning_cycles_stay_within_the_limits_of_the_lathe_and_end_where_they_begin():
+    text = "G21 G18 G98 F300 S500 M3\nG0 X60 Z2\nG90 X50 Z-30\nX46 R-2\nG94 X20 Z-1\nM30\n"
+    program = pycnc.load(text, Machine.load("cak6150n", set=["dialect.system=A"]))
+    assert program.diagnostics.errors == 0
+    targets = program.blocks["target_nm"][program.blocks["kind"] <= lib.NCK_BLOCK_LINE]
+    assert (targets[[4, 8, 12]] == targets[0]).all()
+    plan, trace = pycnc.plan(program), pycnc.run(program)
+    assert plan.time_s == pytest.approx(trace.summary["time_s"])
+    assert all(peak <= 1 + 1e-9 for axis in "xz" for peak in (
+        trace.summary["peaks"][axis]["v"], trace.summary["peaks"][axis]["a"]))  # fmt: skip

@@ -128,25 +128,39 @@ def test_what_is_not_built_is_told_as_not_supported_yet():
         assert error["message"] == f"{line.split()[0].decode()} is not supported yet"
 
 
-# G-code system A and B read these lines of a lathe each in its own way.
-CYCLES = {
-    "G90 X55 Z-30 F0.2\nX50\nX45": "turning cycle",
-    "G94 X20 Z-1": "facing cycle",
-    "G92 X49.2 Z-20 F1.5\nX48.6": "threading cycle",
-    "G90\nX55 Z-30": "turning cycle",
+# What a lathe reads in G-code system A and a program may have meant otherwise: id and words of the
+# finding, and whether system B reads the lines without one.
+LATHE_LINES = {
+    "G90 X55\nX50": ("word-missing", "needs X and Z", True),
+    "G94 F100\nX55": ("word-missing", "needs X and Z", True),
+    "G91 X-1": ("unsupported", "system A", True),
+    "G95 F0.2": ("unsupported", "system A", True),
+    "G92 X49.2 Z-20 F1.5": ("unsupported", "cuts a thread", True),
+    "G50 S2500": ("unsupported", "G50 S", False),
+    "G54 G0 U2": ("incremental", "counts from where the axis stands", False),
 }
 
 
-@pytest.mark.parametrize("lines", CYCLES)
-def test_what_may_be_a_cycle_on_a_lathe_is_refused_with_its_reason(lines):
+@pytest.mark.parametrize("lines", LATHE_LINES)
+def test_what_a_lathe_reads_by_its_system_is_told_with_the_flag_that_settles_it(lines):
     text = f"G21 G18\nG0 X60 Z2\n{lines}\nM2\n".encode()
+    name, words, fits_b = LATHE_LINES[lines]
     code, errors = findings(text, "--machine", "cak6150n")
     assert code == 1
-    assert [each["id"] for each in errors] == ["unsupported"]
-    assert CYCLES[lines] in errors[0]["message"]
-    assert "not supported yet" in errors[0]["message"]
-    assert "--dialect linuxcnc" in errors[0]["help"]
-    assert findings(text, "--machine", "cak6150n", "--dialect", "linuxcnc")[1] == []
+    assert [each["id"] for each in errors] == [name]
+    assert words in errors[0]["message"]
+    assert not fits_b or "dialect.system=B" in errors[0]["help"]
+    in_b = findings(text, "--machine", "cak6150n", "--set", "dialect.system=B")[1]
+    assert (in_b == []) == fits_b
+
+
+@pytest.mark.parametrize("system", ["A", None])
+def test_a_turning_cycle_notes_a_system_that_nobody_said(system):
+    text = b"G21 G18 F100\nG0 X60 Z2\nG90 X55 Z-30\nX50\nM2\n"
+    said = ["--set", f"dialect.system={system}"] if system else []
+    result = pycnc("check", "--json", "--machine", "cak6150n", *said, "-", stdin=text)
+    found = json.loads(result.out)
+    assert [each["id"] for each in found].count("assumed-system") == (system is None)
 
 
 def test_a_feed_beside_its_units_is_read_in_them_with_a_note():

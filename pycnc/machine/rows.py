@@ -22,6 +22,12 @@ _DIALECTS = {
     "grbl": lib.NCK_DIALECT_GRBL,
     "marlin": lib.NCK_DIALECT_MARLIN,
 }
+_SYSTEMS = {
+    None: lib.NCK_SYSTEM_OPEN,
+    "A": lib.NCK_SYSTEM_A,
+    "B": lib.NCK_SYSTEM_B,
+    "C": lib.NCK_SYSTEM_C,
+}
 DIALECTS = frozenset(_DIALECTS)
 
 
@@ -85,6 +91,7 @@ def _fill_path(record, path):
 
 def _fill_dialect(row, dialect):
     row["base"] = _DIALECTS.get(dialect.base, lib.NCK_DIALECT_LINUXCNC)  # auto: until a text tells
+    row["system"] = _SYSTEMS[dialect.system]
     row["diameter"], row["inch"] = dialect.diameter, dialect.units == "inch"
     row["plane"], row["arc_absolute"] = dialect.plane, dialect.arc_centre == "absolute"
     row["block_skip"], row["optional_stop"] = dialect.block_skip, dialect.optional_stop

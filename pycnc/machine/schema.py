@@ -197,6 +197,11 @@ class Dialect(Table):
         description="The family of dialects that the text belongs to; `auto`: as the text looks, "
         "which a note tells.",
     )
+    system: Literal["A", "B", "C"] | None = Field(
+        None,
+        description="Fanuc's G-code system of a lathe: what G90, G92, G94 and G98 mean. Not said: "
+        "A, and a note where it matters.",
+    )
     diameter: bool = Field(False, description="At start, X words are diameters (G7).")
     units: Literal["mm", "inch"] = Field("mm", description="Units at start (G21 or G20).")
     plane: Literal[17, 18, 19] = Field(17, description="Plane at start (G17, G18, G19).")

@@ -1,13 +1,20 @@
 # SPDX-License-Identifier: MIT
 """The words of the findings: id → (message, help)."""
 
-_TAPPING = (
-    "tapping is not supported yet: the spindle is not in step with the axes",
-    "tap on another machine or by hand, or mill the thread; nothing is skipped in silence",
+_STEPS = (
+    "{found} counts from where the axis stands, and another code of its block changes that",
+    "put the other code on a line before",
 )
-_CYCLE_HELP = (
-    "write a cycle as G0 and G1 moves; where the mode is meant, let a motion stand behind the "
-    "code, as in G90 G0 X50; a program made for RS274NGC: --dialect linuxcnc"
+_TAPPING = ("tapping is not supported yet: spindle and axes are not in step", "mill the thread")
+_NOT_IN_A = (
+    "G{value:g} is none of the codes of Fanuc's G-code system A, which a lathe is taken to speak",
+    "--set dialect.system=B (or C); in A, U and W count steps and G99 is feed per revolution; a "
+    "program made for RS274NGC: --dialect linuxcnc",
+)
+_BOTH_ENDS = (
+    "G{value:g} is a turning cycle (Fanuc's G-code system A), needs X and Z, and has no {letter}",
+    "say both; if G90 means absolute distances, or G94 feed per minute: --set dialect.system=B; a "
+    "program made for RS274NGC: --dialect linuxcnc",
 )
 
 # id, or id:letter or id:code where one word or code needs its own, → (message, help). Fields: see
@@ -35,12 +42,9 @@ WORDING = {
     ),
     "number-range:R": (
         "R{value:g} is out of range (limit {limit:g})",
-        "check the number and the units in force; in a cycle R lies above the bottom of its hole",
+        "check number and units; in a cycle R lies above the bottom, a taper beside its end",
     ),
-    "number-range:Q": (
-        "Q{value:g} is out of range (limit {limit:g})",
-        "Q is the depth of a peck: more than 0, without a sign",
-    ),
+    "number-range:Q": ("Q{value:g} is no depth of a peck", "Q has no sign and is more than 0"),
     "line-length": (
         "the line is longer than {value:.0f} bytes",
         "split the block into several lines or shorten its comment",
@@ -69,10 +73,11 @@ WORDING = {
         "{found} names no axis",
         "add the axes with their numbers, such as X0, to the block",
     ),
-    "word-missing:M": (
-        "G86 stops the spindle, and the spindle stands",
-        "start it before the cycle, as in S800 M3",
-    ),
+    "word-missing:X90": _BOTH_ENDS,
+    "word-missing:Z90": _BOTH_ENDS,
+    "word-missing:X94": _BOTH_ENDS,
+    "word-missing:Z94": _BOTH_ENDS,
+    "word-missing:M": ("G86 stops the spindle, which stands", "start it before the cycle"),
     "word-shared": (
         "two codes of this block use {found}",
         "put one of the two codes on a line of its own",
@@ -100,33 +105,21 @@ WORDING = {
     ),
     "unsupported:G74": _TAPPING,
     "unsupported:G84": _TAPPING,
-    "unsupported:G87": (
-        "G87 needs a spindle that stops at an angle, which the kernel does not have yet",
-        "bore from above, or write the cycle as moves with M19 of the machine's own",
+    "unsupported:G87": ("G87 needs a spindle that stops at an angle", "bore from above"),
+    "unsupported:G88": ("behind G88 nobody knows where the tool is", "use G86 or G89"),
+    "unsupported:G93": ("inverse time (G93) is the time of one move", "use G94 in a cycle"),
+    "unsupported:G50": ("G50 S is not supported yet", "--set spindle.rpm_max=…"),
+    "unsupported:G21": (
+        "G21 is a threading cycle in Fanuc's G-code system C: not supported yet",
+        "if it means millimetres: --set dialect.system=A (or B)",
     ),
-    "unsupported:G88": (
-        "G88 has the operator draw the tool out by hand, behind which nobody knows where it is",
-        "use G86 or G89, or write M0 and the move out",
-    ),
-    "unsupported:G93": (
-        "a canned cycle has many moves, and inverse time (G93) is the time of one",
-        "put G94 and an F before the cycle",
-    ),
-    "unsupported:G90": (
-        "G90 may be a turning cycle (Fanuc's G-code system A) or absolute distances (system B): "
-        "on a lathe it is not supported yet before axis words",
-        _CYCLE_HELP,
-    ),
+    "unsupported:G91": _NOT_IN_A,
+    "unsupported:G95": _NOT_IN_A,
     "unsupported:G92": (
-        "G92 may limit the spindle's speed (with S), be a threading cycle (Fanuc's G-code system "
-        "A) or shift the zero (system B): here it is not supported yet",
-        "limit the speed by --set spindle.rpm_max=…, write a cycle as moves, shift the zero by "
-        "G10 L2 or G54 … G59; a program made for RS274NGC: --dialect linuxcnc",
-    ),
-    "unsupported:G94": (
-        "G94 may be a facing cycle (Fanuc's G-code system A) or feed per minute (system B): "
-        "on a lathe it is not supported yet before axis words",
-        _CYCLE_HELP,
+        "G92 limits the spindle's speed (with S) or cuts a thread (Fanuc's G-code system A): "
+        "neither is supported yet",
+        "limit the speed by --set spindle.rpm_max=…; where the zero is to be shifted: "
+        "--set dialect.system=B, or --dialect linuxcnc for a program made for RS274NGC",
     ),
     "incremental": (
         "{found} names a machine position while distances are incremental (G91)",
@@ -259,8 +252,15 @@ WORDING = {
     "machine": ("the kernel refuses a number of the machine", "pycnc machine validate tells which"),
     "state": ("a call to the kernel came at the wrong time", "please report this"),
     "internal": ("an invariant of the kernel is broken", "please report this with the program"),
+    "incremental:U": _STEPS,
+    "incremental:V": _STEPS,
+    "incremental:W": _STEPS,
+    "assumed-system": (
+        "G90 and G94 are read as turning cycles (Fanuc's G-code system A)",
+        "if that is wrong: --set dialect.system=B (or C); if it is right, A says so",
+    ),
     "assumed-units": ("no G20 or G21 before the first motion: {units} assumed", ""),
-    "assumed-plane": ("no G17, G18 or G19 before the first arc: G{plane} assumed", ""),
+    "assumed-plane": ("no G17, G18 or G19 before the first arc or cycle: G{plane} assumed", ""),
     "assumed-distance": ("no G90 or G91 before the first motion: absolute (G90) assumed", ""),
     "assumed-centre": ("no G90.1 or G91.1 before I J K: {arc_centre} centres assumed", ""),
     "no-tolerance": (

@@ -243,45 +243,6 @@ static void a_refused_feed_speed_or_motion_is_one_finding(check_t *check) {
     CHECK_INT(check, self.errors, 2);
 }
 
-// G90, G92 and G94 are cycles in G-code system A: nothing moves by what may be one.
-static void what_may_be_a_cycle_of_a_lathe_is_refused(check_t *check) {
-    case_begin(&self);
-    self.machine.dialect.base = NCK_DIALECT_FANUC;
-    self.machine.kinematics = NCK_KINEMATICS_LATHE_XZ;
-    check_error(check, &self, "G90 X55 Z-30 F0.2\nX50\nX45 R1\nM2\n", NCK_E_UNSUPPORTED, 1, 1);
-    CHECK_NEAR(check, self.first.value, 90.0, 0.0);
-    CHECK_INT(check, self.blocks, 1);
-    check_error(check, &self, "G90 U-5 W-30 F0.2\nM2\n", NCK_E_UNSUPPORTED, 1, 1);
-    check_error(check, &self, "G94 X20 Z-1\nZ-2\nM2\n", NCK_E_UNSUPPORTED, 1, 1);
-    check_error(check, &self, "G92 X49.2 Z-20 F1.5\nX48\nM2\n", NCK_E_UNSUPPORTED, 1, 1);
-    CHECK_INT(check, self.blocks, 1);
-    check_error(check, &self, "G0 G90 X5\nM2\n", NCK_E_UNSUPPORTED, 1, 4);
-    check_error(check, &self, "F9 G1 G94 X5\nM2\n", NCK_E_UNSUPPORTED, 1, 7);
-    check_error(check, &self, "G90 G80 X5\nM2\n", NCK_E_UNSUPPORTED, 1, 1);
-    check_error(check, &self, "F9 G1 X1\nG90\nX5\nX6\nM2\n", NCK_E_UNSUPPORTED, 3, 1);
-    check_error(check, &self, "G0 G94\nM3\nX5\nM2\n", NCK_E_UNSUPPORTED, 3, 1);
-    check_error(check, &self, "G92 S500\nX5\nM2\n", NCK_E_UNSUPPORTED, 1, 1);
-}
-
-static void what_every_system_of_a_lathe_reads_alike_is_read(check_t *check) {
-    case_begin(&self);
-    self.machine.dialect.base = NCK_DIALECT_FANUC;
-    self.machine.kinematics = NCK_KINEMATICS_LATHE_XZ;
-    case_decode(&self, "G21 G18 G90 G94 F60\nG1 X5\nX4\nG90 G0 X6\nG94 F9\nG90 G28 X7\nG91\n"
-                       "G1 X1\nG90 G4 X2.\nG95 F1 S5 M3\nG92.1\nG90 G1 X3\nM2\n");
-    CHECK_INT(check, self.errors, 0);
-    CHECK_INT(check, self.block[2].target_nm[0], 6000000);
-    CHECK_INT(check, self.block[3].target_nm[0], 7000000);
-    CHECK_INT(check, self.block[5].target_nm[0], 1000000);
-    CHECK_INT(check, self.block[6].kind, NCK_BLOCK_DWELL);
-    self.machine.kinematics = NCK_KINEMATICS_IDENTITY; // a mill knows no such cycles
-    check_error(check, &self, "F9 G90 X5 Z-3\nG92 X4\nG0 G94 X2\nG0 G90 X1\nM2\n", NCK_OK, 0, 0);
-    CHECK_INT(check, self.blocks, 4);
-    self.machine.kinematics = NCK_KINEMATICS_LATHE_XZ;
-    self.machine.dialect.base = NCK_DIALECT_LINUXCNC;
-    check_error(check, &self, "G0 G90 X5 Z-3\nG92 X4\nG94 X2\nM2\n", NCK_OK, 0, 0);
-}
-
 static void a_line_with_an_error_moves_nothing(check_t *check) {
     case_begin(&self);
     case_decode(&self, "G0 X1\nX2 Q7\nX3\nM2\n");
@@ -371,8 +332,6 @@ int main(void) {
     CHECK_RUN(&check, standard_codes_are_unsupported_not_unknown);
     CHECK_RUN(&check, g80_beside_a_motion_is_the_motion);
     CHECK_RUN(&check, a_refused_feed_speed_or_motion_is_one_finding);
-    CHECK_RUN(&check, what_may_be_a_cycle_of_a_lathe_is_refused);
-    CHECK_RUN(&check, what_every_system_of_a_lathe_reads_alike_is_read);
     CHECK_RUN(&check, a_line_with_an_error_moves_nothing);
     CHECK_RUN(&check, a_tool_must_be_in_the_table_if_there_is_one);
     CHECK_RUN(&check, speed_beyond_the_spindle_is_an_error);

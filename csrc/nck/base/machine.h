@@ -40,6 +40,12 @@ typedef enum nck_dialect {
     NCK_DIALECT_LINUXCNC = 0, NCK_DIALECT_FANUC = 1, NCK_DIALECT_GRBL = 2, NCK_DIALECT_MARLIN = 3
 } nck_dialect_t;
 
+// Fanuc's G-code system of a lathe: what G90, G92, G94, G98 and the like mean. Others have none.
+typedef enum nck_system {
+    NCK_SYSTEM_OPEN = 0, // A, and a note says so
+    NCK_SYSTEM_A = 1, NCK_SYSTEM_B = 2, NCK_SYSTEM_C = 3
+} nck_system_t;
+
 // What a machine is measured in; each has one range (nck_machine_range).
 typedef enum nck_quantity {
     NCK_QUANTITY_PERIOD = 0,       // [s]
@@ -114,7 +120,8 @@ typedef struct nck_machine {
         uint8_t arc_absolute;// 1: G90.1 at start
         uint8_t block_skip;  // 1: lines that begin with / are skipped
         uint8_t optional_stop; // 1: M1 stops
-        uint8_t reserved[6];
+        uint8_t system;      // nck_system_t
+        uint8_t reserved[5];
         double feed_default; // FEED: in force before the first F
     } dialect;
 

@@ -70,7 +70,8 @@
     x(NCK_NOTE_FEED_UNITS, "feed-units")     \
     x(NCK_NOTE_TOLERANCE, "no-tolerance")    \
     x(NCK_NOTE_CALLED, "called-from")        \
-    x(NCK_NOTE_COMP_LEFT, "comp-left")
+    x(NCK_NOTE_COMP_LEFT, "comp-left")       \
+    x(NCK_NOTE_SYSTEM, "assumed-system")
 
 #define CODE(code, id) code,
 #define ID(code, id) id "\0"

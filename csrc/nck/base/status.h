@@ -91,8 +91,9 @@ typedef enum nck_note {
     NCK_NOTE_FEED_UNITS = 7, // "feed-units": F beside a G20 or G21 that changes the units
     NCK_NOTE_TOLERANCE = 8,  // "no-tolerance": G64 without P on a machine whose tolerance is 0
     NCK_NOTE_CALLED = 9,     // "called-from": behind an error, once for every call in force: where
-    NCK_NOTE_COMP_LEFT = 10  // "comp-left": the tool does not come to the contour between the line
+    NCK_NOTE_COMP_LEFT = 10, // "comp-left": the tool does not come to the contour between the line
                              // and line `limit`; value = material left there at most [mm]
+    NCK_NOTE_SYSTEM = 11     // "assumed-system": a turning cycle of system A, which nobody said
 } nck_note_t;
 
 // One finding in a program. Wording is the caller's; ids and numbers are the kernel's.

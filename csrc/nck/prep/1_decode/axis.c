@@ -35,6 +35,10 @@ nck_status_t nck_decode_axis_word(nck_decode_t *self, unsigned axis, int64_t *va
                                 shown(self, axis, scale->limit));
 }
 
+const nck_scale_t *nck_decode_scale_of(const nck_decode_t *self, unsigned axis) {
+    return scale_of(self, axis);
+}
+
 nck_status_t nck_decode_length_word(nck_decode_t *self, char letter, int64_t *value_out) {
     const nck_number_t *const word = &self->words.number[letter - 'A'];
     if (nck_number_fixed(self->line.text, word, &self->place.scale[0], value_out)) return NCK_OK;

@@ -7,7 +7,7 @@
 // The sets of letters that codes use.
 enum {
     NONE, AXES, ARC, DWELL, PATH, LENGTH, REFERENCE, SET, CALL, MACRO, DRILL, DRILL_P, DRILL_Q,
-    RADIUS, DIAMETER, SETS
+    RADIUS, DIAMETER, TURN, FACE, SETS
 };
 
 static const uint32_t letters_of[SETS] = {
@@ -25,7 +25,9 @@ static const uint32_t letters_of[SETS] = {
     [DRILL_P] = NCK_LETTERS_XYZ | NCK_LETTER('R') | NCK_LETTER('L') | NCK_LETTER('P'),
     [DRILL_Q] = NCK_LETTERS_XYZ | NCK_LETTER('R') | NCK_LETTER('L') | NCK_LETTER('Q'),
     [RADIUS] = NCK_LETTER('D'),
-    [DIAMETER] = NCK_LETTER('D') | NCK_LETTER('L')
+    [DIAMETER] = NCK_LETTER('D') | NCK_LETTER('L'),
+    [TURN] = NCK_LETTERS_LINEAR | NCK_LETTER('R') | NCK_LETTER('I'),
+    [FACE] = NCK_LETTERS_LINEAR | NCK_LETTER('R') | NCK_LETTER('K')
 };
 
 typedef struct code {
@@ -70,6 +72,10 @@ static const code_t cycle_codes[] = {
     {730, NCK_STEP_MOTION, DRILL_Q}, {820, NCK_STEP_MOTION, DRILL_P},
     {850, NCK_STEP_MOTION, DRILL}, {860, NCK_STEP_MOTION, DRILL_P},
     {890, NCK_STEP_MOTION, DRILL_P}
+};
+
+static const code_t turning_codes[] = {
+    {NCK_MOTION_TURN, NCK_STEP_MOTION, TURN}, {NCK_MOTION_FACE, NCK_STEP_MOTION, FACE}
 };
 
 static const code_t m_codes[] = {
@@ -127,29 +133,31 @@ const nck_own_m_t *nck_decode_own_m(const nck_decode_t *self, int64_t code) {
     return NULL;
 }
 
-// A canned cycle, G98 or G99, on a machine that has them: Fanuc's lathes mean others by them.
+// A canned cycle, G98 or G99: Fanuc's lathes have others than mills.
 static const code_t *find_cycle(const nck_decode_t *self, int64_t tenths) {
-    const int lathe = self->machine->kinematics == NCK_KINEMATICS_LATHE_XZ;
-    if (!NCK_HAS_CYCLES || (lathe && self->machine->dialect.base == NCK_DIALECT_FANUC)) return NULL;
+    if (!NCK_HAS_CYCLES) return NULL;
+    if (self->lathe) {
+        return find(turning_codes, sizeof turning_codes / sizeof turning_codes[0], tenths);
+    }
     return find(cycle_codes, sizeof cycle_codes / sizeof cycle_codes[0], tenths);
 }
 
-// Fanuc's cycles count by K too, and other axes may move from hole to hole.
+// Fanuc's mills count holes by K too, and other axes may move from hole to hole.
 static uint32_t letters_of_cycle(const nck_decode_t *self, const code_t *code) {
     const uint32_t letters = letters_of[code->takes];
     const int fanuc = self->machine->dialect.base == NCK_DIALECT_FANUC;
-    if (!fanuc || code->step != NCK_STEP_MOTION) return letters;
-    return letters | NCK_LETTERS_AXES | NCK_LETTER('K');
+    const int drills = code->takes >= DRILL && code->takes <= DRILL_Q;
+    return fanuc && drills ? letters | NCK_LETTERS_AXES | NCK_LETTER('K') : letters;
 }
 
-// What is not in the first tables: the machine may have it.
+// What is not in the first tables: a cycle, or the machine may have it.
 static nck_status_t other_code(const nck_decode_t *self, int g, int64_t tenths,
                                unsigned *step_out, uint32_t *takes_out) {
-    const code_t *const cycle = g ? find_cycle(self, tenths) : NULL;
+    const code_t *const code = g ? find_cycle(self, tenths) : NULL;
     *takes_out = 0;
-    if (cycle != NULL) {
-        *step_out = cycle->step;
-        *takes_out = letters_of_cycle(self, cycle);
+    if (code != NULL) {
+        *step_out = code->step;
+        *takes_out = letters_of_cycle(self, code);
         return NCK_OK;
     }
     if (!g && tenths % 10 == 0 && nck_decode_own_m(self, tenths / 10) != NULL) {

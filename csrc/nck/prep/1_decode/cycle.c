@@ -45,6 +45,7 @@ static uint8_t does_of(int32_t code) {
 static nck_status_t fail_missing(nck_decode_t *self, int letter) {
     const int said = (self->words.codes & NCK_STEP(NCK_STEP_MOTION)) != 0;
     const unsigned column = said ? self->words.code_column[NCK_STEP_MOTION] : 0;
+    self->modal.motion = NCK_MOTION_REFUSED;
     return nck_decode_fail(self, NCK_E_WORD_MISSING, column, letter, 0.0, 0.0);
 }
 
@@ -172,18 +173,12 @@ static nck_status_t place_holes(nck_decode_t *self, int64_t count, int64_t *last
 }
 
 static nck_status_t read_cycle(nck_decode_t *self, int64_t *count_out) {
-    if (self->modal.feed_mode == NCK_FEED_INVERSE) {
-        return nck_decode_fail(self, NCK_E_UNSUPPORTED, 0, 'G', 93.0, 0.0);
-    }
-    if (self->modal.comp) {
-        const double code = self->modal.motion / 10.0;
-        return nck_decode_fail(self, NCK_E_COMP_ON, 0, 'G', code, 0.0);
-    }
     if (!(self->place.axes >> self->cycle.drill & 1u)) {
         return nck_decode_fail(self, NCK_E_AXIS_UNKNOWN, 0, nck_decode_letter(self->cycle.drill),
                                0.0, 0.0);
     }
-    nck_status_t status = read_heights(self);
+    nck_status_t status = nck_decode_cycle_fits(self);
+    if (status == NCK_OK) status = read_heights(self);
     if (status == NCK_OK) status = set_levels(self);
     if (status == NCK_OK) status = read_rest(self);
     if (status == NCK_OK) status = check_rest(self);
@@ -224,15 +219,8 @@ static nck_status_t begin(nck_decode_t *self) {
 
 // ---- holes
 
-// Corners between the moves of a hole are not rounded; G61.1 and G9 stop at them.
 static nck_status_t go(nck_decode_t *self, nck_block_kind_t kind, nck_block_t *out) {
-    nck_decode_block(self, kind, out);
-    out->feed = kind == NCK_BLOCK_LINE ? self->cycle.feed : 0.0;
-    const int stops = (self->words.codes & NCK_STEP(NCK_STEP_EXACT)) != 0;
-    const int stop = stops || out->path_mode == NCK_PATH_STOP;
-    out->path_mode = stop ? NCK_PATH_STOP : NCK_PATH_EXACT;
-    out->tolerance_mm = 0.0;
-    out->merge_mm = 0.0;
+    nck_decode_give_exact(self, kind, self->cycle.feed, out);
     return NCK_OK;
 }
 
@@ -338,6 +326,8 @@ static nck_status_t do_bottom(nck_decode_t *self, unsigned phase, nck_block_t *o
 nck_status_t nck_decode_cycle(nck_decode_t *self, nck_block_t *out) {
     if (!NCK_HAS_CYCLES) return NCK_E_UNSUPPORTED;
     nck_cycle_t *const cycle = &self->cycle;
+    const int32_t code = self->words.code[NCK_STEP_MOTION];
+    if (code == NCK_MOTION_TURN || code == NCK_MOTION_FACE) return nck_decode_turn(self, out);
     nck_status_t status = cycle->holes == 0 ? begin(self) : NCK_OK;
     if (status == NCK_OK) status = NCK_EMPTY;
     while (status == NCK_EMPTY && cycle->holes > 0) { // a hole has a cut: PHASES times at most

@@ -250,6 +250,7 @@ static void begin_modes(nck_decode_t *self) {
     self->modal.feed = machine->dialect.feed_default;
     self->modal.feed_word = machine->dialect.feed_default;
     self->modal.speed = -1.0;
+    if (nck_lathe_is_a(self)) self->finding.given = 1u << NCK_NOTE_DISTANCE; // has no G90 or G91
     self->cycle.to_r = machine->dialect.base != NCK_DIALECT_FANUC;
     nck_decode_scale(self);
 }
@@ -262,6 +263,7 @@ void nck_decode_begin(nck_decode_t *self) {
     memset(&self->text, 0, sizeof self->text);
     memset(&self->macro, 0, sizeof self->macro);
     memset(&self->cycle, 0, sizeof self->cycle);
+    memset(&self->turn, 0, sizeof self->turn);
     self->words.steps = 0;
     begin_modes(self);
     self->modal.tool_next = tool_next;
@@ -275,6 +277,7 @@ void nck_decode_stand(nck_decode_t *self) {
 void nck_decode_init(nck_decode_t *self, const nck_machine_t *machine) {
     memset(self, 0, sizeof *self);
     self->machine = machine;
+    self->lathe = (uint32_t)nck_lathe_speaks_fanuc(self);
     begin_modes(self);
     for (unsigned axis = 0; axis < NCK_AXIS_MAX; axis++) {
         const uint32_t bit = (uint32_t)1 << axis;
@@ -302,7 +305,8 @@ int nck_decode_invariants(const nck_decode_t *self) {
                && self->finding.count <= NCK_DECODE_FINDINGS
                && self->place.work_system < NCK_WORK_SYSTEMS
                && (self->line.state == NCK_LINE_RUNNING || self->words.steps == 0)
-               && (self->cycle.holes == 0 || (self->words.steps & NCK_STEP(NCK_STEP_CYCLE)))
+               && ((self->cycle.holes == 0 && self->turn.left == 0)
+                   || (self->words.steps & NCK_STEP(NCK_STEP_CYCLE)))
                && nck_variable_invariants(self);
     for (unsigned axis = 0; axis < NCK_AXIS_MAX; axis++) good = good && axis_good(self, axis);
     return good;

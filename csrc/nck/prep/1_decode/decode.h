@@ -19,6 +19,7 @@
 #include "nck/base/status.h"         // nck_status_t nck_diagnostic_t
 #include "nck/prep/1_decode/block_in.h" // nck_block_in_t
 #include "nck/prep/1_decode/cycle.h" // nck_cycle_t
+#include "nck/prep/1_decode/lathe.h" // nck_turn_t
 #include "nck/prep/1_decode/macro.h" // nck_macro_t nck_source_t
 #include "nck/prep/1_decode/words.h" // nck_words_t
 
@@ -27,7 +28,7 @@ enum {
     NCK_DECODE_VALUE_MAX = 1000000000,    // largest F [mm/min, 1/min, mm/rev] and S [rpm]
     NCK_DECODE_DWELL_MAX_S = 1000000,     // longest G4
     NCK_DECODE_TURNS_MAX = 100000,        // largest P of an arc
-    NCK_DECODE_FINDINGS = 9 + NCK_CALL_DEPTH // one error, every kind of note, every call in force
+    NCK_DECODE_FINDINGS = 10 + NCK_CALL_DEPTH // one error, every kind of note, every call in force
 };
 
 // The value of the diagnostic NCK_E_DIALECT: whose language the text is.
@@ -77,10 +78,10 @@ typedef struct nck_decode {
         uint8_t binary;              // 1: the line had a NUL byte
     } line;
     nck_words_t words; // of the line in work
+    uint32_t lathe;    // 1: it speaks Fanuc's language: G codes go by its system
 
     struct {
-        int32_t motion;         // G0 … G3 or a canned cycle in tenths; nck_no_motion_t; minus a
-                                // code in tenths that may have begun a cycle
+        int32_t motion;         // G0 … G3 or a canned cycle in tenths; nck_no_motion_t
         uint8_t plane;          // 17, 18, 19
         uint8_t inch;           // 1: G20
         uint8_t diameter;       // 1: G7
@@ -116,6 +117,7 @@ typedef struct nck_decode {
 
     nck_macro_t macro; // parameters, calls, jumps
     nck_cycle_t cycle; // drilling
+    nck_turn_t turn;   // turning
 
     nck_block_in_t pushed; // the block in place of a line
     nck_block_t second;    // the block of NCK_STEP_SECOND

@@ -171,6 +171,24 @@ nck_status_t nck_decode_reference(nck_decode_t *self, nck_block_t *out) {
     return status;
 }
 
+nck_status_t nck_decode_cycle_fits(nck_decode_t *self) {
+    if (self->modal.feed_mode == NCK_FEED_INVERSE) {
+        return nck_decode_fail(self, NCK_E_UNSUPPORTED, 0, 'G', 93.0, 0.0);
+    }
+    if (!self->modal.comp) return NCK_OK;
+    return nck_decode_fail(self, NCK_E_COMP_ON, 0, 'G', self->modal.motion / 10.0, 0.0);
+}
+
+void nck_decode_give_exact(const nck_decode_t *self, nck_block_kind_t kind, double feed,
+                           nck_block_t *out) {
+    nck_decode_block(self, kind, out);
+    out->feed = kind == NCK_BLOCK_LINE ? feed : 0.0;
+    if (out->path_mode != NCK_PATH_STOP) out->path_mode = NCK_PATH_EXACT;
+    out->tolerance_mm = 0.0;
+    out->merge_mm = 0.0;
+    stop_exactly(self, out);
+}
+
 nck_status_t nck_decode_second(nck_decode_t *self, nck_block_t *out) {
     *out = self->second;
     stop_exactly(self, out);

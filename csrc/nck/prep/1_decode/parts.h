@@ -55,6 +55,9 @@ nck_status_t nck_decode_axis_word(nck_decode_t *self, unsigned axis, int64_t *va
 // words count from the machine's zero (G53). NCK_E_NUMBER_RANGE. Cost: constant.
 nck_status_t nck_decode_target(nck_decode_t *self, int absolute, int64_t *target_nm);
 
+// axis.c: the scale of an axis' words. Cost: constant.
+const nck_scale_t *nck_decode_scale_of(const nck_decode_t *self, unsigned axis);
+
 // axis.c: a length [nm] that stands in the line, whatever its letter. NCK_E_NUMBER_RANGE.
 nck_status_t nck_decode_length_word(nck_decode_t *self, char letter, int64_t *value_out);
 
@@ -232,13 +235,33 @@ nck_status_t nck_decode_second(nck_decode_t *self, nck_block_t *out);
 // standstill; NCK_EMPTY: the same, and known. Cost: constant.
 nck_status_t nck_decode_cutting_feed(nck_decode_t *self, int rotary_alone, double *feed_out);
 
+// motion.c: a cycle is not for inverse time, nor for radius compensation. NCK_E_UNSUPPORTED,
+// NCK_E_COMP_ON. Cost: constant.
+nck_status_t nck_decode_cycle_fits(nck_decode_t *self);
+
+// motion.c: a block of a cycle to the present position: its corners are not rounded, G61.1 and G9
+// stop at them. feed: of NCK_BLOCK_LINE. Cost: constant.
+void nck_decode_give_exact(const nck_decode_t *self, nck_block_kind_t kind, double feed,
+                           nck_block_t *out);
+
 // motion.c: the motion of the line in work to a machine position; pushed: of this block, NULL: of
 // words. Cost: constant.
 nck_status_t nck_decode_go(nck_decode_t *self, const nck_block_in_t *pushed,
                            const int64_t *target_nm, nck_block_t *out);
 
-// cycle.c: the holes of a canned cycle.
+// cycle.c: the holes of a canned cycle; turn.c: the moves of one for turning.
 nck_status_t nck_decode_cycle(nck_decode_t *self, nck_block_t *out);
+nck_status_t nck_decode_turn(nck_decode_t *self, nck_block_t *out);
+
+// lathe.c: 1 on a lathe that speaks Fanuc's language; what its G-code system means by a code, in
+// system B's names; 1 if that is system A. Cost: constant.
+int nck_lathe_speaks_fanuc(const nck_decode_t *self);
+int64_t nck_lathe_code(const nck_decode_t *self, int64_t tenths);
+int nck_lathe_is_a(const nck_decode_t *self);
+
+// lathe.c: U V W that no axis has become places of X Y Z. NCK_EMPTY: they are no steps here;
+// NCK_E_AXIS_UNKNOWN, NCK_E_WORD_TWICE, NCK_E_INCREMENTAL, NCK_E_NUMBER_RANGE. Cost: constant.
+nck_status_t nck_lathe_steps(nck_decode_t *self, uint32_t strangers);
 
 // arc.c: the arc to a machine position; a second part of it goes to self->second. pushed: the block
 // that says centre and turns, NULL: words do. Cost: constant.

@@ -42,44 +42,6 @@ static uint32_t axis_letters(const nck_decode_t *self) {
     return letters & ~(NCK_LETTER('X') | NCK_LETTER('U'));
 }
 
-// The step of the G90, G92 or G94 that a lathe in Fanuc's G-code system A takes for a cycle: the
-// one behind which no other code of its group stands. NCK_STEP_COUNT: none.
-static nck_step_t cycle_of(const nck_words_t *words) {
-    static const struct {
-        uint16_t step, code;
-    } cycles[] = {{NCK_STEP_DISTANCE, 900}, {NCK_STEP_OFFSET, 920}, {NCK_STEP_FEED_MODE, 940}};
-    const int moves = has(words, NCK_STEP_MOTION) && words->code[NCK_STEP_MOTION] != 800;
-    unsigned last = moves ? words->code_column[NCK_STEP_MOTION] : 0;
-    nck_step_t found = NCK_STEP_COUNT;
-    for (unsigned k = 0; k < sizeof cycles / sizeof cycles[0]; k++) {
-        const nck_step_t step = (nck_step_t)cycles[k].step;
-        if (!has(words, step) || words->code[step] != cycles[k].code) continue;
-        if (words->code_column[step] < last) continue;
-        last = words->code_column[step];
-        found = step;
-    }
-    return found;
-}
-
-// G90, G92 and G94 are cycles in system A, modes in B and C, and a program does not say which it is
-// written in. With words to move by they are refused; without, the next move must name its motion.
-static nck_status_t check_cycle(nck_decode_t *self) {
-    nck_words_t *const words = &self->words;
-    const int lathe = self->machine->kinematics == NCK_KINEMATICS_LATHE_XZ;
-    if (!lathe || self->machine->dialect.base != NCK_DIALECT_FANUC) return NCK_OK;
-    const nck_step_t step = cycle_of(words);
-    if (step == NCK_STEP_COUNT) return NCK_OK;
-    const int taken = has(words, NCK_STEP_OFFSET) && words->code[NCK_STEP_OFFSET] < 920;
-    if (!taken && (axis_letters(self) | (words->letters & NCK_LETTERS_CENTRE)) != 0) {
-        self->modal.motion = NCK_MOTION_REFUSED;
-        return fail_code(self, NCK_E_UNSUPPORTED, step);
-    }
-    words->steps &= ~NCK_STEP(NCK_STEP_MOTION);
-    const int refused = step == NCK_STEP_OFFSET; // G92 with no axis word is an error of its own
-    self->modal.motion = refused ? NCK_MOTION_REFUSED : -(int32_t)words->code[step];
-    return NCK_OK;
-}
-
 // The axes that have a word to move or to set them. NCK_E_AXIS_UNKNOWN for one that is missing.
 static nck_status_t claim_axes(nck_decode_t *self) {
     nck_words_t *const words = &self->words;
@@ -93,23 +55,19 @@ static nck_status_t claim_axes(nck_decode_t *self) {
         if (letter != 0 && !(self->place.axes & bit)) strangers |= letter;
     }
     if (strangers == 0) return NCK_OK;
+    const nck_status_t status = nck_lathe_steps(self, strangers);
+    if (status != NCK_EMPTY) return status;
     return nck_decode_fail_word(self, NCK_E_AXIS_UNKNOWN, leftmost(words, strangers), 0.0, 0.0);
 }
 
-// No motion that could use the axis words is in force; a cycle that may be is told once.
+// No motion that could use the axis words is in force.
 static nck_status_t no_motion(nck_decode_t *self) {
-    const int32_t modal = self->modal.motion;
-    if (modal == NCK_MOTION_REFUSED) {
-        self->words.takes |= nck_decode_motion_takes(self, 20);
+    if (self->modal.motion == NCK_MOTION_REFUSED) {
+        self->words.takes = ~(uint32_t)0; // whatever it would have been
         return NCK_OK;
     }
     const int letter = leftmost(&self->words, self->words.letters & NCK_LETTERS_AXES);
-    if (modal == NCK_MOTION_NONE) {
-        return nck_decode_fail_word(self, NCK_E_NO_MOTION, letter, 0.0, 0.0);
-    }
-    self->modal.motion = NCK_MOTION_REFUSED;
-    return nck_decode_fail(self, NCK_E_UNSUPPORTED, self->words.column[letter - 'A'], 'G',
-                           -modal / 10.0, 0.0);
+    return nck_decode_fail_word(self, NCK_E_NO_MOTION, letter, 0.0, 0.0);
 }
 
 // What moves without an axis word: an arc by its centre, in Fanuc's language a cycle by its R.
@@ -168,12 +126,13 @@ static nck_status_t check_shared(nck_decode_t *self) {
     return nck_decode_fail_word(self, NCK_E_WORD_SHARED, 'P', 0.0, 0.0);
 }
 
-// G92 with S and nothing else limits the spindle's speed on Fanuc's controls.
+// G92 with S and nothing else limits the spindle's speed on Fanuc's controls, in system A G50.
 static nck_status_t check_limit(nck_decode_t *self) {
     const nck_words_t *const words = &self->words;
     const int alone = words->code[NCK_STEP_OFFSET] == 920 && words->axes == 0;
     if (!alone || !(words->letters & NCK_LETTER('S'))) return NCK_OK;
-    return fail_code(self, NCK_E_UNSUPPORTED, NCK_STEP_OFFSET);
+    return nck_decode_fail(self, NCK_E_UNSUPPORTED, words->code_column[NCK_STEP_OFFSET], 'G',
+                           nck_lathe_is_a(self) ? 50.0 : 92.0, 0.0);
 }
 
 // What else cannot stand in one block.
@@ -203,19 +162,14 @@ static nck_status_t resolve_words(nck_decode_t *self) {
     nck_words_t *const words = &self->words;
     const uint32_t always = NCK_LETTER('F') | NCK_LETTER('N') | NCK_LETTER('S') | NCK_LETTER('T');
     const int plain = !(words->codes & ~NCK_STEP(NCK_STEP_MOTION));
-    nck_status_t status = NCK_OK;
-
     if (words->letters & NCK_LETTER('E')) {
         return nck_decode_fail_word(self, NCK_E_WORD_UNKNOWN, 'E', 0.0, 0.0);
     }
     if (words->letters & NCK_LETTER('F')) words->steps |= NCK_STEP(NCK_STEP_FEED);
     if (words->letters & NCK_LETTER('S')) words->steps |= NCK_STEP(NCK_STEP_SPEED);
     if (words->letters & NCK_LETTER('T')) words->steps |= NCK_STEP(NCK_STEP_TOOL);
-    if (!plain) {
-        claim_dwell(self);
-        status = check_cycle(self);
-    }
-    if (status == NCK_OK) status = claim_axes(self);
+    if (!plain) claim_dwell(self);
+    nck_status_t status = claim_axes(self);
     if (status == NCK_OK) status = claim_motion(self);
     if (status != NCK_OK) return status;
     if (words->letters & ~(words->takes | always)) {

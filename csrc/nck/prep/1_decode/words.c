@@ -65,9 +65,12 @@ static nck_status_t fail_character(nck_decode_t *self, const char *at) {
     return nck_decode_fail(self, code, column_of(self, at), 0, (double)(unsigned char)c, 0.0);
 }
 
-// A code whose step has one already. G80 cancels cycles, and a motion beside it is the motion.
+// A code whose step has one already. G80 cancels cycles, and a motion beside it is the motion;
+// Fanuc's last one of a group counts, so the G90 of a safety line is none.
 static nck_status_t collide(nck_words_t *words, unsigned step, int64_t tenths) {
     const int before = words->code[step] == 800, now = tenths == 800;
+    const int turns = words->code[step] == NCK_MOTION_TURN || words->code[step] == NCK_MOTION_FACE;
+    if (step == NCK_STEP_MOTION && turns && tenths <= NCK_MOTION_FACE) return NCK_OK;
     if (step != NCK_STEP_MOTION || before == now) return NCK_E_MODAL_GROUP;
     return now ? NCK_EMPTY : NCK_OK;
 }
@@ -88,6 +91,7 @@ static nck_status_t read_code(nck_decode_t *self, const char **at) {
     if (next != NULL) *at = next;
     status = letter == 'G' ? NCK_E_G_UNKNOWN : NCK_E_M_UNKNOWN;
     if (nck_number_whole(&number, 1, &tenths)) {
+        if (self->lathe && letter == 'G') tenths = nck_lathe_code(self, tenths);
         status = nck_decode_code(self, letter, tenths, &step, &takes);
     }
     if (status == NCK_OK && (words->codes & NCK_STEP(step))) status = collide(words, step, tenths);

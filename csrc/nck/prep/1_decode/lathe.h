@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+// Lathes that speak Fanuc's language: its three G-code systems, U V W, and the turning cycle in
+// work.
+#ifndef NCK_PREP_DECODE_LATHE_H
+#define NCK_PREP_DECODE_LATHE_H
+
+#include <stdint.h> // int64_t
+
+// Motions in tenths, whatever a system calls them: those are system B's names.
+enum { NCK_MOTION_TURN = 770, NCK_MOTION_FACE = 790 };
+
+// A turning or facing cycle. [0]: X, [1]: Z.
+typedef struct nck_turn {
+    int64_t end_nm[2];     // where the cut ends as last said, program coordinates
+    int64_t taper_nm;      // R: how far from there the cut begins, along its first move
+    int64_t corner_nm[3][2]; // begin and end of the cut, and behind it; machine positions
+    int64_t start_nm[2];   // where the cycle begins and ends; machine position
+    double feed;           // as a block has it
+    uint8_t said;          // letters that hold: bit 0 X, bit 1 Z
+    uint8_t left;          // moves that are left; 0: none in work
+} nck_turn_t;
+
+#endif
