@@ -5,6 +5,7 @@ rs274 prints positions with four decimals, in the units of the program, without 
 """
 
 import math
+import os
 import re
 import subprocess
 from dataclasses import dataclass, replace
@@ -109,7 +110,10 @@ def run(program, folder, tools):
     output = folder / "canon.txt"
     command = ["timeout", "60", "rs274", "-g", "-t", folder / "tool.tbl"]
     command += ["-v", folder / "params.var", "-n", "2", program, output]
-    done = subprocess.run(command, stdin=subprocess.DEVNULL, capture_output=True, text=True)
+    home = {**os.environ, "HOME": str(folder)}  # where it shares its tools with every other one
+    done = subprocess.run(
+        command, stdin=subprocess.DEVNULL, capture_output=True, text=True, env=home
+    )
     complaint = "" if done.returncode == 0 else done.stderr.strip()
     return Listing(output.read_text(errors="replace")).moves, complaint
 
