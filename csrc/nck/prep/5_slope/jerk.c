@@ -38,6 +38,19 @@ enum { COMMIT_MOST = 3, COMMIT_LEAST = 10, KEEP_OFF = 4 };
 // A hold is made anew so many times on one ladder.
 #define REDONE_MOST 3
 
+static int taps_of(const nck_machine_t *machine) {
+    return machine->slope == NCK_SLOPE_JERK ? NCK_FILTER_TAPS : 1;
+}
+
+double nck_jerk_cell_s(const nck_machine_t *machine) {
+    const double period = machine->period_s;
+    const double ramp = machine->path.feed_max / machine->path.a_max
+                        + machine->path.a_max / machine->path.j_max;
+    const double most = nck_max(1.0, 0.25 * (double)taps_of(machine)) * period;
+    return nck_max(STEP_LEAST * period,
+                   nck_min(most, RAMPS_SEEN * ramp / (double)NCK_PROFILE));
+}
+
 void nck_jerk_init(nck_jerk_t *self, const nck_machine_t *machine, nck_link_t *link,
                    const nck_plan_t *now, nck_plan_t *next) {
     memset(self, 0, sizeof *self);
@@ -45,18 +58,12 @@ void nck_jerk_init(nck_jerk_t *self, const nck_machine_t *machine, nck_link_t *l
     self->link = link;
     self->now = now;
     self->next = next;
-    const double period = machine->period_s;
     const int filters = machine->slope == NCK_SLOPE_JERK;
-    const int taps = filters ? NCK_FILTER_TAPS : 1;
-    const double ramp = machine->path.feed_max / machine->path.a_max
-                        + machine->path.a_max / machine->path.j_max;
-    const double most = nck_max(1.0, 0.25 * (double)taps) * period;
-    self->step_s = nck_max(STEP_LEAST * period,
-                           nck_min(most, RAMPS_SEEN * ramp / (double)NCK_PROFILE));
+    self->step_s = nck_jerk_cell_s(machine);
     self->hold_s = filters ? NCK_JERK_UNKNOWN : HOLD_STEPS * self->step_s;
     self->q_cap = NCK_LADDER_STRETCH * self->step_s;
-    self->j_scale = (1.0 - JERK_MARGIN)
-                    / (1.0 + nck_ladder_excess(self->q_cap, period, taps));
+    const double excess = nck_ladder_excess(self->q_cap, machine->period_s, taps_of(machine));
+    self->j_scale = (1.0 - JERK_MARGIN) / (1.0 + excess);
     nck_profile_t *const p = &self->profile;
     p->h = self->h;
     p->w_cap = self->w_cap;

@@ -72,6 +72,9 @@ typedef struct nck_jerk {
     double w[NCK_PROFILE];
 } nck_jerk_t;
 
+// What a cell of the ladder lasts about: D [s]. Cost: constant. Context: any.
+double nck_jerk_cell_s(const nck_machine_t *machine);
+
 // now, next: the slope's plans; next's begin, piece, s and over are set before a plan is begun.
 // Cost: constant. Context: any, before the tick runs.
 void nck_jerk_init(nck_jerk_t *self, const nck_machine_t *machine, nck_link_t *link,

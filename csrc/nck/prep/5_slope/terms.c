@@ -3,6 +3,7 @@
 #include "nck/prep/5_slope/slope.h"
 
 #include "nck/base/limits.h"              // NCK_FILTER_TAPS
+#include "nck/base/real.h"                // nck_max
 #include "nck/prep/5_slope/ladder_math.h" // nck_ladder_raise NCK_LADDER_STRETCH
 
 // Axes from X on up to the last one that the machine has.
@@ -25,7 +26,8 @@ void nck_slope_terms(const nck_machine_t *machine, nck_terms_t *terms_out) {
     terms_out->carries = (uint8_t)is_filtered;
     terms_out->taps = is_filtered ? NCK_FILTER_TAPS : 1;
     terms_out->mix_s = 0.5 * filter;
+    const double cell = nck_max(period, nck_jerk_cell_s(machine));
     terms_out->v_filter =
-        nck_ladder_raise(machine->path.j_max, filter, NCK_LADDER_STRETCH * period);
+        nck_ladder_raise(machine->path.j_max, filter, NCK_LADDER_STRETCH * cell);
     terms_out->rest_s = is_filtered ? period + filter : period;
 }
