@@ -75,31 +75,26 @@ static void what_is_known_is_executed(check_t *check)
     }
 }
 
-// After the first lines input is only AHEAD mm before the tool, more than it takes to brake: that
-// costs no rest, and no speed but under the S-shape and in a window of a few mm.
+// Under the jerk-limited slope. After the first lines input is only AHEAD mm before the tool, more
+// than it takes to brake: that costs no rest, and no speed but in a window of a few mm.
 static void input_that_comes_late_costs_no_stop(check_t *check)
 {
-    const int sees_far = NCK_WINDOW >= AHEAD;
-    for (uint32_t slope = 0; slope < 3; slope++) {
-        int known = 0, rests = 0;
-        double before = 0.0;
-        begin(slope);
-        front_push(&front, "G61 F6000\n");
-        for (double x = 0.0; x < LATE_LINES - AHEAD && rests < 100; x = front_x(&front)) {
-            for (; known < FIRST || known < (int)x + AHEAD; known++) {
-                snprintf(text, sizeof text, "G1 X%d\n", known + 1);
-                front_push(&front, text);
-            }
-            front_tick(&front);
-            rests += x > 0.0 && x == before;
-            before = x;
+    const int may_creep = NCK_WINDOW < AHEAD;
+    int known = 0, rests = 0;
+    double before = 0.0;
+    begin(NCK_SLOPE_JERK);
+    front_push(&front, "G61 F6000\n");
+    for (double x = 0.0; x < LATE_LINES - AHEAD && rests < 100; x = front_x(&front)) {
+        for (; known < FIRST || known < (int)x + AHEAD; known++) {
+            snprintf(text, sizeof text, "G1 X%d\n", known + 1);
+            front_push(&front, text);
         }
-        const int may_creep = slope == NCK_SLOPE_SSHAPE || !sees_far;
-        const int is_slow = !may_creep && front.moving > LATE_TICKS;
-        if (!CHECK(check, rests == 0 && !is_slow)) {
-            printf("    %s: %d ticks, %d at rest\n", slope_name[slope], (int)front.moving, rests);
-        }
+        front_tick(&front);
+        rests += x > 0.0 && x == before;
+        before = x;
     }
+    CHECK_INT(check, rests, 0);
+    CHECK(check, may_creep || front.moving <= LATE_TICKS);
 }
 
 // Flushed anywhere, a path is the same path; behind the flush it goes on to its end.

@@ -349,12 +349,8 @@ nck_status_t nck_slope_step(nck_slope_t *self, const nck_pieces_t *pieces, const
 
 void nck_slope_hurry(nck_slope_t *self) {
     const int waits = self->kind == NCK_JOB_GO_ON && final_count(self) == final_limit(self);
-    if (!waits || !is_late(self)) return;
-    switch (self->machine->slope) {
-    case NCK_SLOPE_JERK: self->planner.jerk.job.starved = 1; break;
-    case NCK_SLOPE_SSHAPE: self->planner.sshape.job.starved = 1; break;
-    default: self->planner.linear.job.starved = 1; break;
-    }
+    if (self->machine->slope != NCK_SLOPE_JERK || !waits || !is_late(self)) return;
+    self->planner.jerk.job.starved = 1;
 }
 
 uint32_t nck_slope_needs(const nck_slope_t *self) { return self->now.piece; }

@@ -62,7 +62,7 @@ void nck_slope_init(nck_slope_t *self, const nck_machine_t *machine, nck_link_t 
 nck_status_t nck_slope_step(nck_slope_t *self, const nck_pieces_t *pieces, const nck_wish_t *wish);
 
 // Nothing more is known of the path, and a tick is under way. If it is about to run out of final
-// cells, the plan in work takes what is there. Cost: constant. Context: prep.
+// cells, a jerk-limited plan in work takes what is there. Cost: constant. Context: prep.
 void nck_slope_hurry(nck_slope_t *self);
 
 // The number of the oldest piece that is still needed. Cost: constant. Context: prep.

@@ -201,25 +201,16 @@ static nck_status_t look_back(nck_sshape_t *self, const nck_pieces_t *pieces) {
     return NCK_OK;
 }
 
-// No more pieces are known. It waits for them, unless the tick waits for it.
-static nck_status_t ends_here(nck_sshape_t *self, const nck_pieces_t *pieces) {
-    const nck_sshape_ahead_t *const ahead = &self->memory.ahead;
-    if (!self->job.starved || ahead->horizon == self->at.piece) return NCK_EMPTY;
-    if (ahead->horizon == ahead->was) return NCK_DONE;
-    begin_speeds(self, pieces);
-    return NCK_OK;
-}
-
 nck_status_t nck_sshape_look(nck_sshape_t *self, const nck_pieces_t *pieces) {
     if (self->memory.ahead.back) return look_back(self, pieces);
     if (is_far_enough(self)) return NCK_DONE;
     for (int n = 0; n < NCK_SSHAPE_STEP; n++) {
-        if (!knows_end(self, pieces)) return ends_here(self, pieces);
+        if (!knows_end(self, pieces)) return NCK_EMPTY;
         if (is_far(self, pieces)) {
             begin_speeds(self, pieces);
             return NCK_OK;
         }
-        if (add_hop(self, pieces) != NCK_OK) return ends_here(self, pieces);
+        if (add_hop(self, pieces) != NCK_OK) return NCK_EMPTY;
     }
     return NCK_OK;
 }
