@@ -31,7 +31,7 @@ typedef enum nck_status {
     NCK_E_G_UNKNOWN = -10,    // "g-unknown": a G code that the kernel does not know; value
     NCK_E_M_UNKNOWN = -11,    // "m-unknown": an M code that the kernel does not know; value
     NCK_E_MODAL_GROUP = -12,  // "modal-group": two codes of one modal group in a block
-    NCK_E_UNSUPPORTED = -13,  // "unsupported": of the language, but not built (G41, G81, …)
+    NCK_E_UNSUPPORTED = -13,  // "unsupported": of the language, but not built (G33, G96, …)
     NCK_E_FEED_MISSING = -14, // "feed-missing": a cut before any F, or G93 without its F; again
                               // only behind another word about feed or spindle
     NCK_E_ARC_RADIUS = -15,   // "arc-radius": value = end radius, limit = start radius [mm]
