@@ -40,6 +40,18 @@
 #define NCK_CYCLES 1
 #endif
 
+// Mirrored, scaled, turned and polar coordinates: G15 G16 G50 G51 G50.1 G51.1 G68 G69. Range 0..1.
+// 0 leaves them out.
+#ifndef NCK_LAYOUTS
+#define NCK_LAYOUTS 1
+#endif
+
+// Lines and arcs of the contour of G70, G71, G72 and G73 (lathes). 0 or 8..10000. 0 leaves these
+// cycles out.
+#ifndef NCK_CONTOUR
+#define NCK_CONTOUR 100
+#endif
+
 // Blocks that radius compensation (G41, G42) sees at once. Power of two, 16..4096. 0 leaves it out.
 // What lies closer together than they are long is held against each other.
 #ifndef NCK_COMP_SPAN
@@ -97,19 +109,45 @@
 // Outputs (S, M, T words) alive at once beside the segs. Power of two.
 #define NCK_OUTPUT_MAX (2 * NCK_WINDOW)
 
-// Whether the language has expressions and parameters, calls, jumps and loops, canned cycles.
+// Whether the language has expressions and parameters, calls, jumps and loops, canned cycles,
+// layouts.
 #define NCK_HAS_VARIABLES (NCK_VARIABLES > 0)
 #define NCK_HAS_CALLS (NCK_VARIABLES > 0 && NCK_CALL_DEPTH > 0)
 #define NCK_HAS_CYCLES (NCK_CYCLES > 0)
+#define NCK_HAS_LAYOUTS (NCK_LAYOUTS > 0)
+#define NCK_HAS_CONTOUR (NCK_CYCLES > 0 && NCK_CONTOUR > 0)
 
 // Whether there is radius compensation.
 #define NCK_HAS_COMP (NCK_COMP_SPAN > 0)
+
+// What holds the state of cycles, of layouts, of parameters and calls. Where they are left out it
+// is only read, as zero: one place serves all members.
+#if NCK_CYCLES > 0
+#define NCK_CYCLE_STATE struct
+#else
+#define NCK_CYCLE_STATE union
+#endif
+#if NCK_LAYOUTS > 0
+#define NCK_LAYOUT_STATE struct
+#else
+#define NCK_LAYOUT_STATE union
+#endif
+#if NCK_VARIABLES > 0
+#define NCK_MACRO_STATE struct
+#else
+#define NCK_MACRO_STATE union
+#endif
 
 // Rows of arrays that may be left out.
 #if NCK_COMP_SPAN > 0
 #define NCK_COMP_ROWS NCK_COMP_SPAN
 #else
 #define NCK_COMP_ROWS 1
+#endif
+#if NCK_CONTOUR > 0
+#define NCK_CONTOUR_ROWS NCK_CONTOUR
+#else
+#define NCK_CONTOUR_ROWS 1
 #endif
 #if NCK_VARIABLES > 0
 #define NCK_VARIABLE_ROWS NCK_VARIABLES
@@ -118,8 +156,12 @@
 #endif
 #if NCK_CALL_DEPTH > 0
 #define NCK_FRAME_ROWS NCK_CALL_DEPTH
+#define NCK_LABEL_ROWS 8
+#define NCK_STATE_ROWS 4
 #else
 #define NCK_FRAME_ROWS 1
+#define NCK_LABEL_ROWS 1
+#define NCK_STATE_ROWS 1
 #endif
 
 #if NCK_AXIS_MAX < 3 || NCK_AXIS_MAX > 9
@@ -130,6 +172,9 @@
 #endif
 #if NCK_CALL_DEPTH < 0 || NCK_CALL_DEPTH > 1000
 #error "NCK_CALL_DEPTH must be 0..1000"
+#endif
+#if NCK_CONTOUR != 0 && (NCK_CONTOUR < 8 || NCK_CONTOUR > 10000)
+#error "NCK_CONTOUR must be 0 or 8..10000"
 #endif
 #if NCK_COMP_SPAN != 0 && (NCK_COMP_SPAN < 16 || NCK_COMP_SPAN > 4096)
 #error "NCK_COMP_SPAN must be 0 or 16..4096"

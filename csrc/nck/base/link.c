@@ -2,12 +2,16 @@
 // The link between the asynchronous and the synchronous rooms.
 #include "nck/base/link.h"
 
+#include <assert.h> // assert
 #include <stddef.h> // offsetof
 #include <string.h> // memset
 
 #include "nck/base/real.h" // nck_max
 
-enum { ENTERED = 1, PARITY = 2, HAS_TAIL = 4, END_SHIFT = 3, END_MASK = NCK_LINK_COUNT_MASK };
+enum {
+    ENTERED = NCK_LINK_ENTERED, PARITY = 2, HAS_TAIL = 4, END_SHIFT = NCK_LINK_END_SHIFT,
+    END_MASK = NCK_LINK_COUNT_MASK
+};
 
 static uint32_t end_of(uint32_t word) { return word >> END_SHIFT; }
 
@@ -79,6 +83,7 @@ static void inspect(nck_link_t *self, const nck_cell_t *cell) {
 }
 
 void nck_link_push_cell(nck_link_t *self, const nck_cell_t *cell) {
+    assert(nck_link_cell_room(self) > 0);
     inspect(self, cell);
     self->cell[(end_of(self->base) + self->batch) & (NCK_CELL_MAX - 1)] = *cell;
     self->batch++;
@@ -94,6 +99,7 @@ void nck_link_tail_begin(nck_link_t *self) {
 }
 
 void nck_link_tail_push(nck_link_t *self, const nck_cell_t *cell) {
+    assert(self->tail_fill < NCK_TAIL_MAX);
     inspect(self, cell);
     self->tail[next_parity(self)].cell[self->tail_fill] = *cell;
     self->tail_fill++;
@@ -183,12 +189,6 @@ nck_status_t nck_link_advance(nck_link_t *self, double lead, uint32_t most) {
     (void)nck_link_batch_begin(self);
     self->tail_fill = fill;
     return status;
-}
-
-uint32_t nck_link_end(const nck_link_t *self, int *entered_out) {
-    const uint32_t word = nck_fence_load(&self->word);
-    *entered_out = (word & ENTERED) != 0;
-    return end_of(word);
 }
 
 uint32_t nck_link_broken_line(const nck_link_t *self) { return self->broken_line; }

@@ -32,6 +32,9 @@ extern "C" {
 // Running numbers of cells count modulo 2²⁹.
 enum { NCK_LINK_COUNT_MASK = 0x1fffffff };
 
+// Parts of the link's word that more than the link's own file reads.
+enum { NCK_LINK_ENTERED = 1, NCK_LINK_END_SHIFT = 3 };
+
 // Whose the link is.
 typedef enum nck_link_owner {
     NCK_LINK_BOTH = 0,  // each his side
@@ -137,7 +140,11 @@ double nck_link_lead(nck_link_t *self);
 
 // The end of the final cells as a running number; 1 in *entered_out if the tick is in the tail.
 // Cost: constant. Context: prep.
-uint32_t nck_link_end(const nck_link_t *self, int *entered_out);
+static inline uint32_t nck_link_end(const nck_link_t *self, int *entered_out) {
+    const uint32_t word = nck_fence_load(&self->word);
+    *entered_out = (word & NCK_LINK_ENTERED) != 0;
+    return word >> NCK_LINK_END_SHIFT;
+}
 
 // The source line of the cell that made nck_link_publish or nck_link_install say NCK_E_INTERNAL.
 // Cost: constant. Context: prep.

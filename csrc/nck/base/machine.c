@@ -30,6 +30,7 @@ void nck_machine_default(nck_machine_t *machine) {
     machine->kinematics = NCK_KINEMATICS_IDENTITY;
     machine->dialect.base = NCK_DIALECT_LINUXCNC;
     machine->dialect.plane = 17;
+    machine->dialect.thread_pull = 1.0;
 }
 
 double nck_machine_counts(const nck_machine_t *machine, int axis) {
@@ -105,12 +106,13 @@ static int numbers_good(const nck_machine_t *machine) {
     static const nck_quantity_t quantity[] = {
         NCK_QUANTITY_PERIOD, NCK_QUANTITY_SPEED, NCK_QUANTITY_ACCELERATION, NCK_QUANTITY_JERK,
         NCK_QUANTITY_ERROR, NCK_QUANTITY_SIZE, NCK_QUANTITY_ERROR, NCK_QUANTITY_FEED,
-        NCK_QUANTITY_ROTATION};
+        NCK_QUANTITY_ROTATION, NCK_QUANTITY_ROTATION};
     const double *const value[] = {
         &machine->period_s, &machine->path.feed_max, &machine->path.a_max, &machine->path.j_max,
         &machine->path.chord_error, &machine->path.tolerance, &machine->path.arc_radius,
-        &machine->dialect.feed_default, &machine->spindle.rpm_max};
-    return all_good(quantity, value, 9);
+        &machine->dialect.feed_default, &machine->spindle.rpm_max,
+        &machine->spindle.a_max_rpm_s};
+    return all_good(quantity, value, 10);
 }
 
 static int path_good(const nck_machine_t *machine) {
@@ -123,8 +125,14 @@ static int dialect_good(const nck_machine_t *machine) {
            && machine->dialect.inch <= 1 && machine->dialect.arc_absolute <= 1
            && machine->dialect.plane >= 17 && machine->dialect.plane <= 19
            && machine->dialect.system <= NCK_SYSTEM_C && machine->dialect.block_skip <= 1
+           && machine->dialect.feed <= NCK_FEED_START_REV
            && machine->dialect.optional_stop <= 1
            && machine->work_system < NCK_WORK_SYSTEMS;
+}
+
+static int dialect_numbers_good(const nck_machine_t *machine) {
+    return within(machine->dialect.thread_pull, 0.0, 10.0)
+           && within(machine->dialect.scale_unit, 0.0, 1.0);
 }
 
 static int tools_good(const nck_machine_t *machine) {
@@ -151,6 +159,7 @@ static int own_good(const nck_machine_t *machine) {
 
 nck_status_t nck_machine_check(const nck_machine_t *machine) {
     const int all = numbers_good(machine) && axes_good(machine) && path_good(machine)
-                    && dialect_good(machine) && tools_good(machine) && own_good(machine);
+                    && dialect_good(machine) && dialect_numbers_good(machine)
+                    && tools_good(machine) && own_good(machine);
     return all ? NCK_OK : NCK_E_MACHINE;
 }

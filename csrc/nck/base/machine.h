@@ -46,6 +46,13 @@ typedef enum nck_system {
     NCK_SYSTEM_A = 1, NCK_SYSTEM_B = 2, NCK_SYSTEM_C = 3
 } nck_system_t;
 
+// What F means before a program says so.
+typedef enum nck_feed_start {
+    NCK_FEED_START_OPEN = 0,   // per minute; a lathe that speaks Fanuc's language gives a note
+    NCK_FEED_START_MINUTE = 1, // G94
+    NCK_FEED_START_REV = 2     // G95
+} nck_feed_start_t;
+
 // What a machine is measured in; each has one range (nck_machine_range).
 typedef enum nck_quantity {
     NCK_QUANTITY_PERIOD = 0,       // [s]
@@ -121,12 +128,16 @@ typedef struct nck_machine {
         uint8_t block_skip;  // 1: lines that begin with / are skipped
         uint8_t optional_stop; // 1: M1 stops
         uint8_t system;      // nck_system_t
-        uint8_t reserved[5];
+        uint8_t feed;        // nck_feed_start_t
+        uint32_t from_line;  // where programs begin: what stands before is not done; 0: all is
         double feed_default; // FEED: in force before the first F
+        double scale_unit;   // what 1 means where a factor of G51 has no point, 0 … 1; 0: open
+        double thread_pull;  // leads that a tool pulls out over where no word says it, 0 … 10
     } dialect;
 
     struct {
         double rpm_max;      // ROTATION; 0: no check
+        double a_max_rpm_s;  // ROTATION, a second: how fast it follows under G96; 0: at once
     } spindle;
 
     int64_t start_nm[NCK_AXIS_MAX];               // position at start, after homing

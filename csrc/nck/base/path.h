@@ -10,7 +10,7 @@
 extern "C" {
 #endif
 
-// dp/ds at s: the unit tangent in the path metric (of a spline: no longer than 1).
+// dp/ds at s: the unit tangent in the path metric (of a spline: about as long).
 // 0 ≤ s ≤ L; L must be positive. Cost: constant. Context: any.
 void nck_path_tangent(const nck_seg_t *seg, double s, double *tangent_out);
 

@@ -32,9 +32,11 @@ typedef enum nck_block_kind {
     NCK_BLOCK_WAIT = 4,  // M0, M1, M6, M60: stop, hand over the output, wait for nck_resume
     NCK_BLOCK_OUTPUT = 5,// S, F-less M, T…: handed over in order, no stop
     NCK_BLOCK_END = 6,   // M2, M30 or end of text: stop
-    NCK_BLOCK_COMP = 7   // G40, G41, G42 for 2_toolcomp, where it ends: output.value is the tool's
+    NCK_BLOCK_COMP = 7,  // G40, G41, G42 for 2_toolcomp, where it ends: output.value is the tool's
                          // radius [mm], + left of the contour, − right of it, 0: off; centre_mm:
                          // from the centre of its nose to its point
+    NCK_BLOCK_THREAD = 8, // G33, G32, a pass of G76 or G92: straight, with the spindle
+    NCK_BLOCK_TAP = 9    // G33.1, a hole of G84 or G74: with the spindle, from the target and back
 } nck_block_kind_t;
 
 // How the path meets the program.
@@ -53,9 +55,15 @@ typedef enum nck_feed_mode {
 
 // What an output hands over.
 typedef enum nck_output_kind {
-    NCK_OUTPUT_SPINDLE_SPEED = 0, // S: value [rpm, or mm/min of surface speed under G96]
+    NCK_OUTPUT_SPINDLE_SPEED = 0, // S: value [rpm]
     NCK_OUTPUT_M = 1,             // value = the M code
-    NCK_OUTPUT_TOOL = 2           // T: value = tool number
+    NCK_OUTPUT_TOOL = 2,          // T: value = tool number
+    NCK_OUTPUT_SURFACE_SPEED = 3, // S under G96: value [mm/min]; the speed follows the position
+    NCK_OUTPUT_SETTING = 4,       // M104 S and its kin: number = the M code, value = S
+    NCK_OUTPUT_DIGITAL = 5,       // M62 … M65: number = port, value = 1 or 0
+    NCK_OUTPUT_ANALOGUE = 6,      // M67, M68: number = port, value
+    NCK_OUTPUT_INPUT = 7          // M66: number = port + 100·L, + 1000: an analogue one; value: how
+                                  // long to wait for it at most [s]
 } nck_output_kind_t;
 
 // What is not motion: travels beside the segs, in order, and reaches the firmware in one callback.
@@ -63,9 +71,29 @@ typedef struct nck_output {
     uint32_t after_segs; // fires when this many segs are finished (set by the wires)
     uint32_t line;       // source line
     uint32_t kind;       // nck_output_kind_t
-    uint32_t reserved;   // 0
+    uint32_t number;     // see nck_output_kind_t
     double value;        // see nck_output_kind_t
 } nck_output_t;
+
+// A pass of a thread. Its leading measure is what the lead is told along: the path, or an axis.
+typedef struct nck_thread {
+    double length;       // of the pass along that measure [mm]
+    double lead;         // along it, a revolution [mm]
+    double enter;        // X still goes in by so much [mm], beside the straight way
+    double leave;        // X goes out by so much [mm]
+    float entry;         // it goes in over this length, or as soon as it can [mm]
+    float exit;          // it goes out from so far before the end on [mm]
+    float turn;          // angle at which a tool at full speed would start [revolutions], 0 … 1
+    float duration;      // of the pass, and half a turn before it [s]
+} nck_thread_t;
+
+// A hole that is tapped: in with the spindle, and out as it turns back.
+typedef struct nck_tap {
+    double way[3];       // from the start to the bottom, X Y Z [mm]
+    double lead;         // along it, a revolution [mm]
+    float dwell;         // how long the spindle stands at the bottom [s]
+    float duration;      // of all of it, and half a turn before it [s]
+} nck_tap_t;
 
 // 1_decode → 2_toolcomp → 3_smooth: one move or one thing to do.
 typedef struct nck_block {
@@ -80,10 +108,14 @@ typedef struct nck_block {
                           // tip coordinates, already moved onto the chord's bisector
     double sweep_rad;     // arc: signed angle, full turns included, + anticlockwise
     double feed;          // in force, unit by feed_mode; 0 for a rapid
-    double spindle_rpm;   // in force (for feed per revolution), 0 if stopped
+    double spindle_rpm;   // in force (for feed per revolution), 0 if stopped; under G96 the most
+    double surface;       // surface speed in force [mm/min]; 0: G97
+    double spindle_x_mm;  // X of the spindle's axis, where the program's X is 0
     double tolerance_mm;  // G64 P in force, 0: none
     double merge_mm;      // G64 Q in force, 0: none
     double dwell_s;       // NCK_BLOCK_DWELL
+    nck_thread_t thread;  // NCK_BLOCK_THREAD
+    nck_tap_t tap;        // NCK_BLOCK_TAP
     nck_output_t output;  // NCK_BLOCK_OUTPUT, NCK_BLOCK_WAIT, NCK_BLOCK_END (kind M)
 } nck_block_t;
 
@@ -93,7 +125,9 @@ typedef enum nck_seg_kind {
     NCK_SEG_ARC = 1,
     NCK_SEG_SPLINE = 2, // cubic of Bernstein points start, inner[0], inner[1], end over s
     NCK_SEG_DWELL = 3,  // at rest for dwell_s
-    NCK_SEG_WAIT = 4    // at rest until nck_resume
+    NCK_SEG_WAIT = 4,   // at rest until nck_resume
+    NCK_SEG_THREAD = 5, // for planning at rest for its duration: the tick runs it with the spindle
+    NCK_SEG_TAP = 6     // the same
 } nck_seg_kind_t;
 
 // An arc in the plane of two axes.
@@ -111,7 +145,17 @@ typedef union nck_seg_shape {
     double inner[2][NCK_AXIS_MAX]; // spline: its inner Bernstein points [mm, deg]
     nck_seg_arc_t arc;
     double dwell_s;      // dwell [s]; wait: 0
+    nck_thread_t thread; // from start to end
+    nck_tap_t tap;       // from start to start
 } nck_seg_shape_t;
+
+// How the spindle turns along a seg.
+typedef struct nck_spin {
+    double speed;        // [rpm]; under G96 surface speed / 2π [mm·rpm]
+    double most;         // under G96 the most [rpm]; 0: the speed is constant
+    double x;            // of the spindle's axis [mm]
+    double per_rev;      // feed per revolution under G96 [path mm/s / rpm]; 0: the feed is constant
+} nck_spin_t;
 
 // 3_smooth → 4_lookahead, and by its own ring → 6_interpolate: a piece of path with its geometry.
 typedef struct nck_seg {
@@ -132,6 +176,8 @@ typedef struct nck_seg {
     double program;      // programmed path that it stands for [path mm]; length but for a blend
     double feed;         // wanted path speed [path mm/s]; rapid: 0
     double feed_scale;   // speed that the program means / path speed (1 unless rotary axes join in)
+    double v_most;       // as fast as the spindle can follow [path mm/s]; 0: no such limit
+    nck_spin_t spin;
     nck_seg_shape_t shape; // by kind; of a line 0
 } nck_seg_t;
 
@@ -139,7 +185,7 @@ typedef struct nck_seg {
 typedef enum nck_limit {
     NCK_LIMIT_FEED = 0, NCK_LIMIT_RAPID, NCK_LIMIT_CORNER, NCK_LIMIT_CURVATURE, NCK_LIMIT_CHORD,
     NCK_LIMIT_ACCEL, NCK_LIMIT_JERK, NCK_LIMIT_EXACT_STOP, NCK_LIMIT_DWELL, NCK_LIMIT_WAIT,
-    NCK_LIMIT_LOOKAHEAD, NCK_LIMIT_STARVED, NCK_LIMIT_FEED_MAX,
+    NCK_LIMIT_LOOKAHEAD, NCK_LIMIT_STARVED, NCK_LIMIT_FEED_MAX, NCK_LIMIT_SPINDLE, NCK_LIMIT_THREAD,
     NCK_LIMIT_AXIS_V = 16 // + axis index
 } nck_limit_t;
 
@@ -152,7 +198,8 @@ typedef struct nck_node {
     uint8_t last;        // 1: the piece ends its seg
     uint8_t kind;        // nck_seg_kind_t of the seg
     uint8_t open;        // 1: vv was held down by the window's end, not by the path
-    uint8_t reserved[6]; // 0
+    uint8_t reserved[2]; // 0
+    float tool;          // speed of the tool / path speed; 0: rotary axes move alone
     double s;            // where in its seg the piece begins [path mm]
     double length;       // of the piece [path mm]
     double a;            // tangential acceleration limit in the piece [mm/s²]
@@ -203,6 +250,8 @@ typedef struct nck_pose {
     double v;            // path speed [path mm/s]
     double feed;         // commanded path speed [path mm/s]
     double feed_scale;   // as in the seg
+    double spindle_rpm;  // commanded speed here; 0: it stands; < 0: on a tap's way back, against
+                         // what M3 or M4 said
     double axis[NCK_AXIS_MAX]; // [mm, deg]
 } nck_pose_t;
 

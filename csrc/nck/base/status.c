@@ -49,12 +49,21 @@
     x(NCK_E_NO_SEEK, "no-seek")       \
     x(NCK_E_ALARM, "alarm")           \
     x(NCK_E_ENDLESS, "endless")       \
+    x(NCK_E_SPEED_LIMIT, "speed-limit") \
+    x(NCK_E_CONTOUR, "contour")       \
+    x(NCK_E_CONTOUR_FULL, "contour-full") \
+    x(NCK_E_THREAD_SPEED, "thread-speed") \
+    x(NCK_E_THREAD_RUN_IN, "thread-run-in") \
     x(NCK_E_COMP_ON, "comp-on")       \
     x(NCK_E_COMP_PLANE, "comp-plane") \
     x(NCK_E_COMP_ENTRY, "comp-entry") \
     x(NCK_E_COMP_EXIT, "comp-exit")   \
     x(NCK_E_COMP_RADIUS, "comp-radius") \
     x(NCK_E_COMP_GOUGE, "comp-gouge") \
+    x(NCK_E_LAYOUT_ON, "layout-on")   \
+    x(NCK_E_SCALE_UNIT, "scale-unit") \
+    x(NCK_E_SPLINE, "spline")         \
+    x(NCK_E_CORNER, "corner")         \
     x(NCK_E_ARGUMENT, "argument")         \
     x(NCK_E_MACHINE, "machine")           \
     x(NCK_E_STATE, "state")               \
@@ -71,7 +80,10 @@
     x(NCK_NOTE_TOLERANCE, "no-tolerance")    \
     x(NCK_NOTE_CALLED, "called-from")        \
     x(NCK_NOTE_COMP_LEFT, "comp-left")       \
-    x(NCK_NOTE_SYSTEM, "assumed-system")
+    x(NCK_NOTE_REPEATS, "repeats")           \
+    x(NCK_NOTE_LIMITS, "limits-stay")        \
+    x(NCK_NOTE_SYSTEM, "assumed-system")     \
+    x(NCK_NOTE_FEED_MODE, "assumed-feed-mode")
 
 #define CODE(code, id) code,
 #define ID(code, id) id "\0"

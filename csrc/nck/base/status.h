@@ -58,7 +58,14 @@ typedef enum nck_status {
     NCK_E_FLOW = -34,         // "flow": the end of what has no beginning here, or no end of it
     NCK_E_NO_SEEK = -35,      // "no-seek": a jump backward in text that can only be pushed
     NCK_E_ALARM = -36,        // "alarm": the program says so (#3000); value = number
-    NCK_E_ENDLESS = -37,      // "endless": limit lines read, and no block came
+    NCK_E_ENDLESS = -37,      // "endless": limit lines read, and no block came; letter J: limit
+                              // jumps backward
+    NCK_E_SPEED_LIMIT = -38,  // "speed-limit": G96 without a most of the spindle's speed; letter:
+                              // of the word that would say it
+    NCK_E_THREAD_SPEED = -39, // "thread-speed": lead times speed is beyond an axis; value, limit
+                              // [mm/s]; letter 'G': under G96, 'S': the spindle stands
+    NCK_E_THREAD_RUN_IN = -51, // "thread-run-in": a pass shorter than its run-in and its run-out;
+                              // value: both, limit: the pass [mm]
     NCK_E_COMP_ON = -52,      // "comp-on": not while G41 or G42 is in force; value = the code
     NCK_E_COMP_PLANE = -53,   // "comp-plane": a nose that points somewhere, outside of G18;
                               // value = orientation
@@ -69,6 +76,21 @@ typedef enum nck_status {
                               // tool's radius, limit = the arc's [mm]
     NCK_E_COMP_GOUGE = -57,   // "comp-gouge": the tool would cut into another part of the contour;
                               // value = how deep [mm], limit = the other line
+    NCK_E_CONTOUR = -58,      // "contour": what cannot be in the contour of G70 to G73, or cannot
+                              // be cut; letter and value: which word; X, Z: turns back along it
+    NCK_E_CONTOUR_FULL = -59, // "contour-full": more lines and arcs than NCK_CONTOUR = limit
+
+    NCK_E_LAYOUT_ON = -61,    // "layout-on": not while G16, G51, G51.1 or G68 is in force; letter
+                              // G: value = the code; none: an arc, value 1: with its centre from
+                              // the zero; else an axis
+    NCK_E_SCALE_UNIT = -62,   // "scale-unit": G51 with a factor that has no point; letter, value
+
+    NCK_E_SPLINE = -63,       // "spline": letter G: value = 5.2: it is not ended, 5.3: it was not
+                              // begun, else the plane; L: value points, limit wanted; else an axis
+                              // that does not move on splines
+
+    NCK_E_CORNER = -64,       // "corner": ,R or ,C does not fit between its two moves, or one of
+                              // them is none; letter, value [mm]
 
     // the front door
     NCK_E_ARGUMENT = -40, // "argument": an argument outside of its range
@@ -93,7 +115,10 @@ typedef enum nck_note {
     NCK_NOTE_CALLED = 9,     // "called-from": behind an error, once for every call in force: where
     NCK_NOTE_COMP_LEFT = 10, // "comp-left": the tool does not come to the contour between the line
                              // and line `limit`; value = material left there at most [mm]
-    NCK_NOTE_SYSTEM = 11     // "assumed-system": a turning cycle of system A, which nobody said
+    NCK_NOTE_REPEATS = 12,   // "repeats": M99 in the main program, which is done once
+    NCK_NOTE_SYSTEM = 11,    // "assumed-system": a turning cycle of system A, which nobody said
+    NCK_NOTE_LIMITS = 14,    // "limits-stay": M201 … M205 of a printer: the machine's limits hold
+    NCK_NOTE_FEED_MODE = 13  // "assumed-feed-mode": F of a lathe before its G98 or G99
 } nck_note_t;
 
 // One finding in a program. Wording is the caller's; ids and numbers are the kernel's.

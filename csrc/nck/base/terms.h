@@ -14,6 +14,7 @@ typedef struct nck_terms {
     uint8_t carries;     // 1: acceleration is carried across junctions
     uint8_t taps;        // the tick hands out the mean of so many periods; 1: no filter
     uint8_t axes;        // the machine's are among the first so many; the others never move
+    double j_max;        // the most jerk along a path that a plan asks for [path mm/s³]
     double mix_s;        // how far in time accelerations are mixed: half the filter's length [s]
     double v_filter;     // by how much the speed at a node may pass the planned one [path mm/s]
     double rest_s;       // what a rest costs besides its ramps [s]

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: MIT
+// What always holds of the link.
+#include "nck/base/link_invariants.h"
+
+#include "nck/base/real.h" // nck_fabs
+
+// Speeds of neighbouring cells are the same but for rounding, of 1 mm/s and more.
+#define SEAM 1e-9
+
+// What the cells so far have come to.
+typedef struct chain {
+    uint32_t cells; // 0: nothing is known of what was before
+    double v;       // at the end of the last one [path mm/s]
+} chain_t;
+
+// Whether a cell goes on from those before it.
+static int follows(chain_t *chain, const nck_cell_t *cell) {
+    const double t = cell->duration;
+    const double scale = 1.0 + cell->v;
+    const int good = chain->cells == 0 || nck_fabs(cell->v - chain->v) <= SEAM * scale;
+    chain->cells++;
+    chain->v = cell->v + (cell->a + cell->j / 2.0 * t) * t;
+    if (cell->stop & NCK_STOP_REST) chain->v = 0.0;
+    return good && chain->v >= -SEAM * scale;
+}
+
+// Whether what is left of the published tail goes on from the final cells and ends at rest.
+static int tail_rests(const nck_link_t *self, uint32_t end, chain_t *chain) {
+    uint32_t count = 0;
+    const nck_cell_t *cell = nck_link_tail_cell(self, end);
+    (void)nck_link_tail_end(self, &count);
+    if (count == 0) return 1;
+    while (cell && follows(chain, cell)) {
+        end = (end + 1) & NCK_LINK_COUNT_MASK;
+        cell = nck_link_tail_cell(self, end);
+    }
+    return !cell && nck_fabs(chain->v) <= SEAM;
+}
+
+static int are_within_capacities(const nck_link_t *self, uint32_t waiting) {
+    return waiting + self->batch <= NCK_CELL_MAX && self->tail_fill <= NCK_TAIL_MAX
+           && self->tail_count[0] <= NCK_TAIL_MAX && self->tail_count[1] <= NCK_TAIL_MAX
+           && self->seg_head - self->seg_done <= NCK_SEG_MAX
+           && self->output_head - self->output_taken <= NCK_OUTPUT_MAX;
+}
+
+int nck_link_invariants(const nck_link_t *self) {
+    int entered = 0;
+    const uint32_t end = nck_link_end(self, &entered);
+    const uint32_t waiting = (end - self->taken) & NCK_LINK_COUNT_MASK;
+    chain_t chain = {0, 0.0};
+    int good = are_within_capacities(self, waiting) && self->owner <= NCK_LINK_PREP
+               && !self->broken;
+    for (uint32_t i = 0; good && i < waiting; i++) {
+        const nck_cell_t *const cell = &self->cell[(self->taken + i) & (NCK_CELL_MAX - 1)];
+        good = follows(&chain, cell) && self->seg_head - cell->seg <= NCK_SEG_MAX;
+    }
+    return good && (entered || tail_rests(self, end, &chain));
+}
