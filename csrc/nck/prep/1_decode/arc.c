@@ -135,7 +135,9 @@ static nck_status_t arc_by_radius(nck_decode_t *self, course_t *course, const in
     }
     const nck_status_t status = read_length(self, 'R', &radius_nm);
     if (status != NCK_OK) return status;
-    const double radius = mm(radius_nm);
+    double unit[2] = {1.0, 0.0};
+    const double scale = self->layout.on != 0 ? nck_fabs(nck_layout_way(self, unit)) : 1.0;
+    const double radius = scale * mm(radius_nm);
     if (radius_nm == 0 || !(length > 0.0)) {
         return nck_decode_fail_word(self, NCK_E_ARC_CENTRE, 'R', radius, 0.0);
     }
@@ -171,6 +173,7 @@ static nck_status_t read_centre(nck_decode_t *self, course_t *course) {
         }
         course->c[k] = mm(centre_nm);
     }
+    if (self->layout.on != 0) (void)nck_layout_way(self, course->c);
     return NCK_OK;
 }
 
@@ -192,7 +195,7 @@ static nck_status_t fail_radius(nck_decode_t *self, const course_t *course, doub
     const nck_status_t status = fail_arc(self, NCK_E_ARC_RADIUS, end, start);
     double c[2];
     for (unsigned k = 0; k < 2; k++) {
-        if (!has(self, (char)('I' + axes[k]))) return status;
+        if (!has(self, (char)('I' + axes[k])) || self->layout.on != 0) return status;
         const int64_t zero_nm = self->place.origin_nm[axes[k]] - self->place.position_nm[axes[k]];
         c[k] = course->c[k] + sign * mm(zero_nm);
     }
@@ -251,7 +254,7 @@ static nck_status_t arc_in_two(nck_decode_t *self, course_t *course, const int64
     nck_status_t status = fill_arc(self, &first, from_nm, middle_nm, height, out);
     if (status != NCK_OK) return status;
     height = nck_arc_height(second.d[0], second.d[1], second.c[0], second.c[1]);
-    self->words.steps |= NCK_STEP(NCK_STEP_SECOND);
+    nck_decode_leave(self, NCK_REST_SECOND);
     return fill_arc(self, &second, middle_nm, target_nm, height, &self->second);
 }
 
@@ -286,6 +289,18 @@ static void take_centre(const nck_decode_t *self, const nck_block_in_t *pushed, 
     course->more = (turns - 1.0) * 2.0 * NCK_PI;
 }
 
+// A mirrored plane has its arcs turn the other way; one that is stretched has none. Centres then
+// count from the start.
+static nck_status_t turn_over(nck_decode_t *self, course_t *course) {
+    double unit[2] = {1.0, 1.0};
+    const double scale = nck_layout_way(self, unit);
+    const int even = nck_fabs(scale) > 0.0;
+    const int absolute = self->modal.centre_absolute && !has(self, 'R');
+    if (!even || absolute) return fail_arc(self, NCK_E_LAYOUT_ON, absolute ? 1.0 : 0.0, 0.0);
+    if (scale < 0.0) course->turn = -course->turn;
+    return NCK_OK;
+}
+
 nck_status_t nck_decode_arc(nck_decode_t *self, const nck_block_in_t *pushed,
                             const int64_t *target_nm, nck_block_t *out) {
     course_t course;
@@ -293,6 +308,10 @@ nck_status_t nck_decode_arc(nck_decode_t *self, const nck_block_in_t *pushed,
     if (status == NCK_OK && !pushed) status = read_turns(self, &course);
     if (status != NCK_OK) return status;
     course.turn = self->words.code[NCK_STEP_MOTION] == 30 ? 1.0 : -1.0;
+    if (self->layout.on != 0 && !pushed) {
+        status = turn_over(self, &course);
+        if (status != NCK_OK) return status;
+    }
     course.d[0] = mm(target_nm[course.u] - self->place.position_nm[course.u]);
     course.d[1] = mm(target_nm[course.v] - self->place.position_nm[course.v]);
     if (!pushed && has(self, 'R')) return arc_by_radius(self, &course, target_nm, out);

@@ -1,16 +1,15 @@
 // SPDX-License-Identifier: MIT
-// The words of the axes: their letters and numbers, the target they name, the travel.
+// The words of the axes: their letters, scales and numbers, where they count from, the travel.
 #include "nck/prep/1_decode/parts.h"
 
-#include <string.h> // memcpy
+enum { DECIMALS = 9, PLACES = 10000 }; // 10^(DECIMALS − 5)
 
 int nck_decode_letter(unsigned axis) {
     static const char letters[] = "XYZABCUVW";
     return letters[axis];
 }
 
-// [mm] or [deg]
-static double shown(const nck_decode_t *self, unsigned axis, int64_t value_nm) {
+double nck_decode_shown(const nck_decode_t *self, unsigned axis, int64_t value_nm) {
     const int rotary = (self->place.rotary >> axis & 1u) != 0;
     return (double)value_nm / (rotary ? NCK_COUNTS_PER_DEG : NCK_COUNTS_PER_MM);
 }
@@ -32,11 +31,21 @@ nck_status_t nck_decode_axis_word(nck_decode_t *self, unsigned axis, int64_t *va
     const nck_scale_t *const scale = scale_of(self, axis);
     if (nck_number_fixed(self->line.text, word, scale, value_out)) return NCK_OK;
     return nck_decode_fail_word(self, NCK_E_NUMBER_RANGE, letter, nck_number_real(word),
-                                shown(self, axis, scale->limit));
+                                nck_decode_shown(self, axis, scale->limit));
 }
 
 const nck_scale_t *nck_decode_scale_of(const nck_decode_t *self, unsigned axis) {
     return scale_of(self, axis);
+}
+
+void nck_decode_write(const nck_decode_t *self, unsigned axis, int64_t value_nm,
+                      nck_number_t *out) {
+    const int64_t size_nm = value_nm < 0 ? -value_nm : value_nm;
+    const int32_t factor = scale_of(self, axis)->factor;
+    *out = (nck_number_t){0};
+    out->mantissa = (size_nm * PLACES + factor / 2) / factor;
+    out->decimals = DECIMALS;
+    out->negative = value_nm < 0;
 }
 
 nck_status_t nck_decode_length_word(nck_decode_t *self, char letter, int64_t *value_out) {
@@ -55,7 +64,8 @@ nck_status_t nck_decode_steps(nck_decode_t *self, unsigned axis, int64_t step_nm
         return NCK_OK;
     }
     return nck_decode_fail(self, NCK_E_NUMBER_RANGE, column_of_axis(self, axis),
-                           nck_decode_letter(axis), end_nm / 1e6, shown(self, axis, limit_nm));
+                           nck_decode_letter(axis), end_nm / 1e6,
+                           nck_decode_shown(self, axis, limit_nm));
 }
 
 nck_status_t nck_decode_travel(nck_decode_t *self, unsigned axis, int64_t position_nm) {
@@ -63,27 +73,25 @@ nck_status_t nck_decode_travel(nck_decode_t *self, unsigned axis, int64_t positi
     if (position_nm >= travel->min_nm && position_nm <= travel->max_nm) return NCK_OK;
     const int64_t limit_nm = position_nm < travel->min_nm ? travel->min_nm : travel->max_nm;
     return nck_decode_fail(self, NCK_E_TRAVEL, column_of_axis(self, axis), nck_decode_letter(axis),
-                           shown(self, axis, position_nm), shown(self, axis, limit_nm));
+                           nck_decode_shown(self, axis, position_nm),
+                           nck_decode_shown(self, axis, limit_nm));
 }
 
-nck_status_t nck_decode_target(nck_decode_t *self, int absolute, int64_t *target_nm) {
-    memcpy(target_nm, self->place.position_nm, sizeof self->place.position_nm);
-    uint32_t axes = self->words.axes;
-    for (unsigned axis = 0; axes != 0; axis++, axes >>= 1) {
-        int64_t value = 0;
-        if (!(axes & 1u)) continue;
-        const nck_status_t status = nck_decode_axis_word(self, axis, &value);
-        if (status != NCK_OK) return status;
-        if (!absolute) {
-            value += self->modal.incremental ? self->place.position_nm[axis]
-                                             : self->place.origin_nm[axis];
-        }
-        const int64_t limit = scale_of(self, axis)->limit;
-        if (value < -limit || value > limit) {
-            return nck_decode_fail_word(self, NCK_E_NUMBER_RANGE, nck_decode_letter(axis),
-                                        shown(self, axis, value), shown(self, axis, limit));
-        }
-        target_nm[axis] = value;
+void nck_decode_scale(nck_decode_t *self) {
+    nck_scale_t *const scale = self->place.scale;
+    const int32_t per_mm = self->modal.inch ? 254 : 10;
+    const int64_t linear_max = (int64_t)NCK_LINEAR_MAX_MM * NCK_COUNTS_PER_MM;
+    const int64_t rotary_max = (int64_t)NCK_ROTARY_MAX_DEG * NCK_COUNTS_PER_DEG;
+
+    scale[0] = (nck_scale_t){per_mm, 5, linear_max};
+    scale[1] = (nck_scale_t){self->modal.diameter ? per_mm / 2 : per_mm, 5, linear_max};
+    scale[2] = (nck_scale_t){NCK_COUNTS_PER_DEG / 1000000, 6, rotary_max};
+}
+
+void nck_decode_origin(nck_decode_t *self) {
+    const int64_t *const work = self->place.work_nm[self->place.work_system];
+    for (unsigned axis = 0; axis < NCK_AXIS_MAX; axis++) {
+        const int64_t tool = axis < 3 ? self->place.tool_nm[axis] : 0;
+        self->place.origin_nm[axis] = work[axis] + self->place.g92_nm[axis] + tool;
     }
-    return NCK_OK;
 }

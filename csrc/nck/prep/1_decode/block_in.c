@@ -87,7 +87,8 @@ nck_status_t nck_decode_pushed(nck_decode_t *self) {
     self->words.axes = 0;
     self->words.codes = 0;
     self->words.takes = 0;
-    self->words.steps = NCK_STEP(NCK_STEP_PUSHED);
+    self->words.steps = 0;
+    nck_decode_leave(self, NCK_REST_PUSHED);
     self->finding.given |= 1u << NCK_NOTE_NO_END; // geometry has no M2
     set_feed(self, block);
     set_path(self, block);

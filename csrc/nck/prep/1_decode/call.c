@@ -32,8 +32,9 @@ nck_status_t nck_call_return(nck_decode_t *self) {
     nck_macro_t *const macro = &self->macro;
     nck_frame_t *const frame = nck_frame_call(self);
     if (frame == NULL) return nck_decode_fail_last(self, NCK_E_FLOW, 0.0, 0.0);
+    nck_state_return(self, nck_call_level(self));
     macro->depth = (uint32_t)(frame - macro->frame);
-    if (frame->kind != NCK_FRAME_PROGRAM) {
+    if (frame->kind == NCK_FRAME_SUB || frame->kind == NCK_FRAME_MACRO) {
         macro->locals = macro->base;
         macro->base = frame->base;
     }
@@ -91,13 +92,23 @@ static nck_status_t keep_arguments(nck_decode_t *self, int modal) {
     return status;
 }
 
-// M99: the call is over; with P it returns to the line of that number.
+// M99 in the main program has it begin again: it is done once, and that is told.
+static nck_status_t repeat_program(nck_decode_t *self) {
+    nck_decode_assume(self, NCK_NOTE_REPEATS);
+    self->words.steps |= NCK_STEP(NCK_STEP_STOP);
+    self->words.code[NCK_STEP_STOP] = 300;
+    return NCK_OK;
+}
+
+// M99: the call is over; with P it returns to the line of that number, in the main program too.
 static nck_status_t end_program(nck_decode_t *self) {
     const nck_frame_t *const frame = nck_frame_call(self);
     int64_t number = -1;
     nck_status_t status = nck_decode_whole(self, 'P', PROGRAM_MOST, -1, &number);
     if (status != NCK_OK) return status;
-    if (frame == NULL || frame->kind == NCK_FRAME_SUB) {
+    if (frame == NULL) return number < 0 ? repeat_program(self)
+                                         : nck_seek_number(self, (uint64_t)number);
+    if (frame->kind == NCK_FRAME_SUB) {
         return nck_decode_fail(self, NCK_E_UNSUPPORTED, self->words.code_column[NCK_STEP_CALL],
                                'M', 99.0, 0.0);
     }
@@ -134,11 +145,11 @@ nck_status_t nck_decode_call(nck_decode_t *self, nck_block_t *out) {
     nck_macro_t *const macro = &self->macro;
     const uint16_t code = self->words.code[NCK_STEP_CALL];
     nck_status_t status = NCK_OK;
-    (void)out;
     if (!NCK_HAS_CALLS) {
         return nck_decode_fail(self, NCK_E_UNSUPPORTED, self->words.code_column[NCK_STEP_CALL], 0,
                                code / 10.0, 0.0);
     }
+    if (code == 1) return nck_state_give(self, NCK_STEP_CALL, out);
     if (code == 990) {
         status = end_program(self);
     } else if (code == 661) {

@@ -16,8 +16,8 @@ static nck_status_t fail_code(nck_decode_t *self, nck_status_t code, nck_step_t 
 }
 
 nck_status_t nck_decode_comp_refuses(nck_decode_t *self) {
-    static const uint8_t after[] = {NCK_STEP_LENGTH, NCK_STEP_WORK, NCK_STEP_OFFSET,
-                                    NCK_STEP_MACHINE};
+    static const uint8_t after[] = {NCK_STEP_LAYOUT, NCK_STEP_LENGTH, NCK_STEP_WORK,
+                                    NCK_STEP_OFFSET, NCK_STEP_MACHINE};
     const nck_words_t *const words = &self->words;
     const uint32_t codes = words->codes;
     const int plane = (codes & NCK_STEP(NCK_STEP_PLANE)) != 0
@@ -46,7 +46,8 @@ static nck_status_t read_whole(nck_decode_t *self, int letter, int64_t most, int
 
 // G41, G42: the tool in the spindle, or the one that D names; D0 and no tool have no radius.
 static nck_status_t read_tool(nck_decode_t *self, double *radius_out, int64_t *nose_out) {
-    int64_t number = self->modal.tool_in;
+    const int32_t offset = self->modal.offset_in;
+    int64_t number = offset >= 0 ? offset : (int64_t)self->modal.tool_in;
     const nck_status_t status = read_whole(self, 'D', NCK_DECODE_VALUE_MAX, &number);
     if (status != NCK_OK || number == 0) return status;
     const nck_tool_t *const tool = nck_decode_find_tool(self, (uint32_t)number);
@@ -87,7 +88,8 @@ static nck_status_t give(nck_decode_t *self, double radius, int64_t nose, nck_bl
 nck_status_t nck_decode_comp(nck_decode_t *self, nck_block_t *out) {
     const unsigned code = self->words.code[NCK_STEP_RADIUS_COMP];
     const uint8_t before = self->modal.comp;
-    const int left = code < 420;
+    double unit[2] = {1.0, 1.0};
+    const int left = (code < 420) != (nck_layout_way(self, unit) < 0.0);
     double radius = 0.0;
     int64_t nose = 0;
     if (code == 400) {

@@ -1,29 +1,36 @@
 // SPDX-License-Identifier: MIT
-// Canned cycles of drilling and boring: G73 G81 G82 G83 G85 G86 G89, a block a pull.
+// Canned cycles of drilling, boring and tapping: G73 G74 G81 … G86 G89.
 #include "nck/prep/1_decode/parts.h"
 
 #include <stddef.h> // NULL
 #include <string.h> // memcmp memcpy
 
 enum {
-    COUNT_MOST = 1000000,
+    COUNT_MOST = 1000000, CIRCLE_MOST = 1000,
     CLEARANCE_NM = 254000 // between pecks the drill backs off by LinuxCNC's 0.010 inch
 };
 
 // What a cycle does beside its cut to the bottom.
-enum { PECKS = 1, CLEARS = 2, DWELLS = 4, STOPS = 8, FEEDS_OUT = 16 };
+enum { PECKS = 1, CLEARS = 2, DWELLS = 4, STOPS = 8, FEEDS_OUT = 16, TAPS = 32 };
 
 // Places in level_nm.
 enum { LEVEL_R, LEVEL_BOTTOM, LEVEL_CLEAR, LEVEL_CUT };
 
 // The parts of a hole in their order.
 enum {
-    PHASE_RISE, PHASE_OVER, PHASE_DOWN, PHASE_CUT, PHASE_BACK, PHASE_RETURN, PHASE_DWELL,
-    PHASE_STOP, PHASE_FEED_OUT, PHASE_CLEAR, PHASE_START, PHASES
+    PHASE_TURN, PHASE_RISE, PHASE_OVER, PHASE_DOWN, PHASE_CUT, PHASE_BACK, PHASE_RETURN,
+    PHASE_DWELL, PHASE_STOP, PHASE_FEED_OUT, PHASE_CLEAR, PHASE_START, PHASES
 };
 
 static int is_fanuc(const nck_decode_t *self) {
     return self->machine->dialect.base == NCK_DIALECT_FANUC;
+}
+
+static int turns(int32_t code) { return code == NCK_MOTION_TURN || code == NCK_MOTION_FACE; }
+
+static int drills(const nck_decode_t *self, int32_t code) {
+    return !nck_decode_follows(self, code) && !turns(code) && !nck_motion_cuts_threads(code)
+           && !nck_motion_is_spline(code);
 }
 
 static uint8_t does_of(int32_t code) {
@@ -31,8 +38,9 @@ static uint8_t does_of(int32_t code) {
         uint16_t code;
         uint8_t does;
     } cycles[] = {
-        {730, PECKS}, {820, DWELLS}, {830, PECKS | CLEARS}, {850, FEEDS_OUT},
-        {860, DWELLS | STOPS}, {890, DWELLS | FEEDS_OUT}
+        {730, PECKS}, {NCK_MOTION_TAP_LEFT, TAPS}, {820, DWELLS}, {830, PECKS | CLEARS},
+        {NCK_MOTION_TAP_RIGHT, TAPS}, {850, FEEDS_OUT}, {860, DWELLS | STOPS},
+        {890, DWELLS | FEEDS_OUT}
     };
     for (unsigned k = 0; k < sizeof cycles / sizeof cycles[0]; k++) {
         if (cycles[k].code == code) return cycles[k].does;
@@ -52,9 +60,10 @@ static nck_status_t fail_missing(nck_decode_t *self, int letter) {
 // Words hold while the cycle does: in RS274NGC the same one, in Fanuc's language any. In another
 // plane they would mean another axis.
 static void keep_or_forget(nck_decode_t *self, int32_t before) {
-    nck_cycle_t *const cycle = &self->cycle;
+    nck_cycle_t *const cycle = &self->held.cycle;
     const int32_t code = self->words.code[NCK_STEP_MOTION];
-    const int cycled = nck_motion_is_cycle(before) && cycle->plane == self->modal.plane;
+    const int cycled = nck_motion_is_cycle(before) && drills(self, before)
+                       && cycle->plane == self->modal.plane;
     const unsigned drill = (unsigned)(19 - self->modal.plane + NCK_AXIS_X);
     if (!cycled || (code != before && !is_fanuc(self))) cycle->said = 0;
     if (!cycled) {
@@ -68,7 +77,7 @@ static void keep_or_forget(nck_decode_t *self, int32_t before) {
 // R and the depth as words. Fanuc's are places once they are said, RS274NGC's stay words: what they
 // mean goes by the distance mode of each line.
 static nck_status_t read_heights(nck_decode_t *self) {
-    nck_cycle_t *const cycle = &self->cycle;
+    nck_cycle_t *const cycle = &self->held.cycle;
     const int steps = is_fanuc(self) && self->modal.incremental;
     nck_status_t status = NCK_OK;
     if (self->words.letters & NCK_LETTER('R')) {
@@ -88,7 +97,7 @@ static nck_status_t read_heights(nck_decode_t *self) {
 }
 
 static nck_status_t set_levels(nck_decode_t *self) {
-    nck_cycle_t *const cycle = &self->cycle;
+    nck_cycle_t *const cycle = &self->held.cycle;
     const int64_t origin_nm = self->place.origin_nm[cycle->drill];
     const int steps = !is_fanuc(self) && self->modal.incremental;
     const int64_t r_nm = cycle->r_nm + (steps ? cycle->initial_nm : 0);
@@ -114,7 +123,7 @@ static nck_status_t set_levels(nck_decode_t *self) {
 
 // Q and P, where the cycle has them.
 static nck_status_t read_rest(nck_decode_t *self) {
-    nck_cycle_t *const cycle = &self->cycle;
+    nck_cycle_t *const cycle = &self->held.cycle;
     const uint32_t said = self->words.letters & (NCK_LETTER('Q') | NCK_LETTER('P'));
     nck_status_t status = NCK_OK;
     if (said & NCK_LETTER('Q')) {
@@ -130,12 +139,31 @@ static nck_status_t read_rest(nck_decode_t *self) {
 }
 
 // What the cycle cannot do without. Fanuc's dwells are 0 until P is said.
+// The spindle of a tap turns as the cycle wants it, or in Fanuc's language it is told to. What it
+// has in a revolution is its lead.
+static nck_status_t read_lead(nck_decode_t *self) {
+    nck_cycle_t *const cycle = &self->held.cycle;
+    const uint8_t code = self->modal.motion == NCK_MOTION_TAP_RIGHT ? 3 : 4;
+    const int is_on = self->modal.spindle_on && self->modal.spindle_code == code;
+    cycle->turns = is_on ? 0 : code;
+    if (!is_on && !is_fanuc(self)) return fail_missing(self, 'M');
+    self->modal.spindle_on = 1;
+    self->modal.spindle_code = code;
+    nck_status_t status = nck_decode_thread_fits(self);
+    if (status == NCK_OK) status = nck_decode_cutting_feed(self, 0, &cycle->feed);
+    if (status != NCK_OK) return status;
+    const int per_rev = self->modal.feed_mode == NCK_FEED_PER_REV;
+    cycle->lead = per_rev ? cycle->feed : cycle->feed / self->modal.speed;
+    return NCK_OK;
+}
+
 static nck_status_t check_rest(nck_decode_t *self) {
-    nck_cycle_t *const cycle = &self->cycle;
+    nck_cycle_t *const cycle = &self->held.cycle;
     const int timed = (cycle->said & NCK_LETTER('P')) != 0;
     if (!timed) cycle->dwell_s = 0.0;
     if ((cycle->does & PECKS) && !(cycle->said & NCK_LETTER('Q'))) return fail_missing(self, 'Q');
     if ((cycle->does & DWELLS) && !timed && !is_fanuc(self)) return fail_missing(self, 'P');
+    if (cycle->does & TAPS) return read_lead(self);
     const int stands = (cycle->does & STOPS) && !self->modal.spindle_on;
     return stands ? fail_missing(self, 'M') : NCK_OK;
 }
@@ -152,10 +180,44 @@ static nck_status_t read_count(nck_decode_t *self, int64_t *count_out) {
     return nck_decode_fail_word(self, NCK_E_NUMBER_RANGE, letter, 0.0, COUNT_MOST);
 }
 
+// The place that the words name, the drill left out.
+static nck_status_t next_hole(nck_decode_t *self) {
+    const uint32_t axes = self->words.axes;
+    self->words.axes = axes & ~((uint32_t)1 << self->held.cycle.drill);
+    const nck_status_t status = nck_decode_target(self, 0, self->held.cycle.hole_nm);
+    self->words.axes = axes;
+    return status;
+}
+
+// Holes on a circle: the angle is said in steps. Each of them is looked at before the first.
+static nck_status_t check_circle(nck_decode_t *self, int64_t count, int64_t *last_nm) {
+    nck_cycle_t *const cycle = &self->held.cycle;
+    const nck_layout_t layout = self->layout;
+    const unsigned drill = cycle->drill;
+    int64_t first_nm[NCK_AXIS_MAX];
+    nck_status_t status = NCK_OK;
+    memcpy(first_nm, cycle->hole_nm, sizeof first_nm);
+    if (count > CIRCLE_MOST || nck_layout_says_radius(self)) {
+        return nck_decode_fail_word(self, NCK_E_NUMBER_RANGE, 'K', (double)count, CIRCLE_MOST);
+    }
+    for (int64_t k = 1; k < count && status == NCK_OK; k++) {
+        status = next_hole(self);
+        for (unsigned axis = 0; axis < 3 && status == NCK_OK; axis++) {
+            if (axis != drill) status = nck_decode_travel(self, axis, cycle->hole_nm[axis]);
+        }
+    }
+    memcpy(last_nm, cycle->hole_nm, sizeof first_nm);
+    memcpy(cycle->hole_nm, first_nm, sizeof first_nm);
+    self->layout = layout;
+    return status;
+}
+
 // The first hole, and the way from one to the next. last_nm: where the axes stand in the end.
 static nck_status_t place_holes(nck_decode_t *self, int64_t count, int64_t *last_nm) {
-    nck_cycle_t *const cycle = &self->cycle;
+    nck_cycle_t *const cycle = &self->held.cycle;
     const uint32_t axes = self->words.axes;
+    cycle->circles = count > 1 && self->modal.incremental
+                     && (self->layout.on & NCK_LAYOUT_POLAR) != 0;
     self->words.axes = axes & ~((uint32_t)1 << cycle->drill);
     nck_status_t status = nck_decode_target(self, 0, cycle->hole_nm);
     memcpy(last_nm, cycle->hole_nm, sizeof cycle->hole_nm);
@@ -163,21 +225,24 @@ static nck_status_t place_holes(nck_decode_t *self, int64_t count, int64_t *last
         const int64_t way_nm = cycle->hole_nm[axis] - self->place.position_nm[axis];
         cycle->step_nm[axis] = self->modal.incremental ? way_nm : 0;
         if (!(self->words.axes >> axis & 1u)) continue;
-        status = nck_decode_steps(self, axis, cycle->step_nm[axis], count - 1, &last_nm[axis]);
+        status = nck_decode_steps(self, axis, cycle->step_nm[axis],
+                                  cycle->circles ? 0 : count - 1, &last_nm[axis]);
         if (status == NCK_OK) status = nck_decode_travel(self, axis, cycle->hole_nm[axis]);
         if (status == NCK_OK) status = nck_decode_travel(self, axis, last_nm[axis]);
     }
     self->words.axes = axes;
+    if (cycle->circles && status == NCK_OK) status = check_circle(self, count, last_nm);
     last_nm[cycle->drill] = cycle->level_nm[LEVEL_CLEAR];
     return status;
 }
 
 static nck_status_t read_cycle(nck_decode_t *self, int64_t *count_out) {
-    if (!(self->place.axes >> self->cycle.drill & 1u)) {
-        return nck_decode_fail(self, NCK_E_AXIS_UNKNOWN, 0, nck_decode_letter(self->cycle.drill),
-                               0.0, 0.0);
+    if (!(self->place.axes >> self->held.cycle.drill & 1u)) {
+        const int letter = nck_decode_letter(self->held.cycle.drill);
+        return nck_decode_fail(self, NCK_E_AXIS_UNKNOWN, 0, letter, 0.0, 0.0);
     }
     nck_status_t status = nck_decode_cycle_fits(self);
+    if (status == NCK_OK) status = nck_layout_spares(self, self->held.cycle.drill);
     if (status == NCK_OK) status = read_heights(self);
     if (status == NCK_OK) status = set_levels(self);
     if (status == NCK_OK) status = read_rest(self);
@@ -193,7 +258,7 @@ static int says_hole(const nck_decode_t *self) {
 
 // Everything is known before the first block.
 static nck_status_t begin(nck_decode_t *self) {
-    nck_cycle_t *const cycle = &self->cycle;
+    nck_cycle_t *const cycle = &self->held.cycle;
     const int32_t before = self->modal.motion;
     int64_t last_nm[NCK_AXIS_MAX], count = 0;
     self->modal.motion = self->words.code[NCK_STEP_MOTION];
@@ -213,28 +278,28 @@ static nck_status_t begin(nck_decode_t *self) {
     }
     if (self->macro.modal != 0) nck_decode_moved(self);
     cycle->holes = (uint32_t)count;
-    cycle->phase = PHASE_RISE;
+    cycle->phase = PHASE_TURN;
     return NCK_OK;
 }
 
 // ---- holes
 
 static nck_status_t go(nck_decode_t *self, nck_block_kind_t kind, nck_block_t *out) {
-    nck_decode_give_exact(self, kind, self->cycle.feed, out);
+    nck_decode_give_exact(self, kind, self->held.cycle.feed, out);
     return NCK_OK;
 }
 
 // The drill alone to a level. Nothing to do where it stands there.
 static nck_status_t drill_to(nck_decode_t *self, nck_block_kind_t kind, int64_t level_nm,
                              nck_block_t *out) {
-    int64_t *const at_nm = &self->place.position_nm[self->cycle.drill];
+    int64_t *const at_nm = &self->place.position_nm[self->held.cycle.drill];
     if (*at_nm == level_nm && kind == NCK_BLOCK_RAPID) return NCK_EMPTY;
     *at_nm = level_nm;
     return go(self, kind, out);
 }
 
 static nck_status_t over(nck_decode_t *self, nck_block_t *out) {
-    nck_cycle_t *const cycle = &self->cycle;
+    nck_cycle_t *const cycle = &self->held.cycle;
     cycle->hole_nm[cycle->drill] = self->place.position_nm[cycle->drill];
     if (memcmp(self->place.position_nm, cycle->hole_nm, sizeof cycle->hole_nm) == 0) {
         return NCK_EMPTY;
@@ -243,9 +308,19 @@ static nck_status_t over(nck_decode_t *self, nck_block_t *out) {
     return go(self, NCK_BLOCK_RAPID, out);
 }
 
+// To the bottom and back with the spindle.
+static nck_status_t tap(nck_decode_t *self, nck_block_t *out) {
+    nck_cycle_t *const cycle = &self->held.cycle;
+    int64_t bottom_nm[NCK_AXIS_MAX];
+    memcpy(bottom_nm, self->place.position_nm, sizeof bottom_nm);
+    bottom_nm[cycle->drill] = cycle->level_nm[LEVEL_BOTTOM];
+    cycle->phase = PHASE_CLEAR;
+    return nck_decode_tap(self, bottom_nm, cycle->lead, cycle->dwell_s, out);
+}
+
 // To the bottom, or by Q.
 static nck_status_t cut(nck_decode_t *self, nck_block_t *out) {
-    nck_cycle_t *const cycle = &self->cycle;
+    nck_cycle_t *const cycle = &self->held.cycle;
     int64_t *const level_nm = cycle->level_nm;
     const int64_t left_nm = level_nm[LEVEL_CUT] - level_nm[LEVEL_BOTTOM];
     const int pecks = (cycle->does & PECKS) && left_nm > cycle->peck_nm;
@@ -261,46 +336,59 @@ static int64_t back_nm(const nck_cycle_t *cycle) {
 }
 
 static nck_status_t dwell(nck_decode_t *self, nck_block_t *out) {
-    const nck_cycle_t *const cycle = &self->cycle;
+    const nck_cycle_t *const cycle = &self->held.cycle;
     if (!(cycle->does & DWELLS) || !(cycle->dwell_s > 0.0)) return NCK_EMPTY;
     return nck_decode_give_dwell(self, cycle->dwell_s, out);
 }
 
 // M5 at the bottom, and what it was behind the way out.
 static nck_status_t spindle(nck_decode_t *self, double code, nck_block_t *out) {
-    if (!(self->cycle.does & STOPS)) return NCK_EMPTY;
+    if (!(self->held.cycle.does & STOPS)) return NCK_EMPTY;
     self->modal.spindle_on = code != 5.0;
     return nck_decode_give_m(self, code, out);
 }
 
 // At feed up to R. RS274NGC's G89 goes on so, to where it retracts to.
 static nck_status_t feed_out(nck_decode_t *self, nck_block_t *out) {
-    const nck_cycle_t *const cycle = &self->cycle;
+    const nck_cycle_t *const cycle = &self->held.cycle;
     const int whole = (cycle->does & DWELLS) && !is_fanuc(self);
     if (!(cycle->does & FEEDS_OUT)) return NCK_EMPTY;
     return drill_to(self, NCK_BLOCK_LINE, cycle->level_nm[whole ? LEVEL_CLEAR : LEVEL_R], out);
 }
 
+static nck_status_t turn(nck_decode_t *self, nck_block_t *out) {
+    nck_cycle_t *const cycle = &self->held.cycle;
+    const uint8_t code = cycle->turns;
+    cycle->turns = 0;
+    return code != 0 ? nck_decode_give_m(self, code, out) : NCK_EMPTY;
+}
+
 // The hole is done: the next one.
-static void end_hole(nck_cycle_t *cycle) {
+static void end_hole(nck_decode_t *self) {
+    nck_cycle_t *const cycle = &self->held.cycle;
     cycle->holes--;
     cycle->phase = PHASE_OVER;
     cycle->level_nm[LEVEL_CUT] = cycle->level_nm[LEVEL_R];
+    if (cycle->circles) {
+        if (cycle->holes > 0) (void)next_hole(self); // it was looked at
+        return;
+    }
     for (unsigned axis = 0; axis < NCK_AXIS_MAX; axis++) {
         cycle->hole_nm[axis] += cycle->step_nm[axis];
     }
 }
 
 static nck_status_t do_way(nck_decode_t *self, unsigned phase, nck_block_t *out) {
-    nck_cycle_t *const cycle = &self->cycle;
+    nck_cycle_t *const cycle = &self->held.cycle;
     const int64_t *const level_nm = cycle->level_nm;
     switch (phase) {
+    case PHASE_TURN: return turn(self, out);
     case PHASE_RISE:
         if (self->place.position_nm[cycle->drill] >= level_nm[LEVEL_R]) return NCK_EMPTY;
         return drill_to(self, NCK_BLOCK_RAPID, level_nm[LEVEL_R], out);
     case PHASE_OVER: return over(self, out);
     case PHASE_DOWN: return drill_to(self, NCK_BLOCK_RAPID, level_nm[LEVEL_R], out);
-    case PHASE_CUT: return cut(self, out);
+    case PHASE_CUT: return cycle->does & TAPS ? tap(self, out) : cut(self, out);
     case PHASE_BACK:
         if (!(cycle->does & CLEARS)) return NCK_EMPTY;
         return drill_to(self, NCK_BLOCK_RAPID, level_nm[LEVEL_R], out);
@@ -311,29 +399,37 @@ static nck_status_t do_way(nck_decode_t *self, unsigned phase, nck_block_t *out)
 }
 
 static nck_status_t do_bottom(nck_decode_t *self, unsigned phase, nck_block_t *out) {
-    nck_cycle_t *const cycle = &self->cycle;
+    nck_cycle_t *const cycle = &self->held.cycle;
     switch (phase) {
     case PHASE_DWELL: return dwell(self, out);
     case PHASE_STOP: return spindle(self, 5.0, out);
     case PHASE_FEED_OUT: return feed_out(self, out);
     case PHASE_CLEAR: return drill_to(self, NCK_BLOCK_RAPID, cycle->level_nm[LEVEL_CLEAR], out);
     default: // PHASE_START
-        end_hole(cycle);
+        end_hole(self);
         return spindle(self, self->modal.spindle_code, out);
     }
 }
 
+static nck_status_t other_cycle(nck_decode_t *self, int32_t code, nck_block_t *out) {
+    if (turns(code)) return nck_decode_turn(self, out);
+    if (nck_motion_is_spline(code)) return nck_decode_spline(self, out);
+    return nck_motion_cuts_threads(code) ? nck_decode_screw(self, out)
+                                         : nck_decode_profile(self, out);
+}
+
 nck_status_t nck_decode_cycle(nck_decode_t *self, nck_block_t *out) {
     if (!NCK_HAS_CYCLES) return NCK_E_UNSUPPORTED;
-    nck_cycle_t *const cycle = &self->cycle;
+    nck_cycle_t *const cycle = &self->held.cycle;
     const int32_t code = self->words.code[NCK_STEP_MOTION];
-    if (code == NCK_MOTION_TURN || code == NCK_MOTION_FACE) return nck_decode_turn(self, out);
+    if (!drills(self, code)) return other_cycle(self, code, out);
     nck_status_t status = cycle->holes == 0 ? begin(self) : NCK_OK;
     if (status == NCK_OK) status = NCK_EMPTY;
     while (status == NCK_EMPTY && cycle->holes > 0) { // a hole has a cut: PHASES times at most
         const unsigned phase = cycle->phase++;
         status = phase < PHASE_DWELL ? do_way(self, phase, out) : do_bottom(self, phase, out);
     }
-    if (cycle->holes > 0) self->words.steps |= NCK_STEP(NCK_STEP_CYCLE);
+    if (status < NCK_OK) cycle->holes = 0;
+    if (cycle->holes > 0) nck_decode_leave(self, NCK_REST_CYCLE);
     return status;
 }

@@ -8,12 +8,15 @@
 #include "nck/base/limits.h" // NCK_AXIS_MAX
 
 // All of it.
-typedef struct nck_cycle {
+typedef NCK_CYCLE_STATE nck_cycle {
     uint32_t said;       // letters of words that hold: R Q P, Z for the depth whatever its axis
     uint8_t plane;       // they are for
     uint8_t to_r;        // 1: G99
     uint8_t does;        // what the cycle has, cycle.c
     uint8_t phase;       // of the hole in work, cycle.c
+    uint8_t circles;     // 1: steps lead from hole to hole on a circle
+    uint8_t turns;       // 3, 4: of M3 or M4 that comes first; 0: the spindle turns
+    double lead;         // of a tap [mm]
     int64_t r_nm;        // R as said; Fanuc: the level, program coordinates
     int64_t depth_nm;    // of the bottom: the same
     int64_t peck_nm;     // Q

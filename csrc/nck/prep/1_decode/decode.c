@@ -41,6 +41,27 @@ static const char *begin_of_line(const nck_decode_t *self) {
     return at;
 }
 
+// The lines are a contour's, or a corner is in work.
+static int is_watched(const nck_decode_t *self) {
+    return self->held.contour.mode != NCK_CONTOUR_NOT;
+}
+
+static int has_contour(const nck_decode_t *self) {
+    return (self->held.contour.mode & NCK_CONTOUR_LINES) != 0;
+}
+
+// A line of a contour.
+static nck_status_t read_contour(nck_decode_t *self) {
+    nck_status_t status = nck_contour_words(self);
+    if (status == NCK_OK) status = nck_decode_resolve(self);
+    return status == NCK_OK ? nck_contour_check(self) : status;
+}
+
+static nck_status_t read_watched(nck_decode_t *self) {
+    const nck_status_t status = has_contour(self) ? read_contour(self) : nck_decode_resolve(self);
+    return status == NCK_OK ? nck_corner_words(self) : status;
+}
+
 // What the line says from its first word on.
 static nck_status_t read_words(nck_decode_t *self, const char *at) {
     const nck_status_t status = nck_decode_words(self, at);
@@ -50,7 +71,7 @@ static nck_status_t read_words(nck_decode_t *self, const char *at) {
     }
     if (self->words.codes == 0 && !(self->words.letters & ~NCK_LETTER('N'))) return NCK_OK;
     self->text.words = 1;
-    return nck_decode_resolve(self);
+    return is_watched(self) ? read_watched(self) : nck_decode_resolve(self);
 }
 
 // Behind the / of a line that may be skipped, and the number of its switch: one setting is for all.
@@ -89,23 +110,32 @@ static void release_line(nck_decode_t *self) {
     self->words.steps = 0;
 }
 
-// Settings that give no block and have no function of their own: G97, G9, G53.
+// Settings that give no block and have no function of their own: G9, G53.
 static nck_status_t nothing(nck_decode_t *self, nck_block_t *out) {
     (void)self;
     (void)out;
     return NCK_EMPTY;
 }
 
+static nck_status_t rest(nck_decode_t *self, nck_block_t *out) {
+    switch (self->words.rest) {
+    case NCK_REST_SECOND: return nck_decode_second(self, out);
+    case NCK_REST_PUSHED: return nck_decode_give_pushed(self, out);
+    case NCK_REST_CORNER: return nck_corner_next(self, out);
+    default: return nck_decode_cycle(self, out);
+    }
+}
+
 // Do the steps of the line until one gives a block.
 static nck_status_t run_steps(nck_decode_t *self, nck_block_t *out) {
     static const nck_step_function_t steps[NCK_STEP_COUNT] = {
-        nck_decode_units, nck_decode_feed_mode, nck_decode_feed, nck_decode_speed, nck_decode_tool,
-        nck_decode_change, nck_decode_change_wait, nck_decode_spindle, nck_decode_mist,
-        nck_decode_flood, nck_decode_override, nck_decode_own, nck_decode_dwell, nck_decode_plane,
-        nck_decode_diameter, nck_decode_comp, nck_decode_length, nck_decode_work, nck_decode_path,
-        nck_decode_distance, nck_decode_centre, nothing, nck_decode_retract, nck_decode_offset,
-        nothing, nothing, nck_decode_motion, nck_decode_give_pushed, nck_decode_cycle,
-        nck_decode_second, nck_decode_call, nck_decode_stop
+        nck_decode_units, nck_decode_feed_mode, nck_decode_feed, nck_decode_speed_mode,
+        nck_decode_speed, nck_decode_tool, nck_decode_port, nck_decode_change, nck_decode_spindle,
+        nck_decode_state, nck_decode_mist, nck_decode_flood, nck_decode_override, nck_decode_own,
+        nck_decode_dwell, nck_decode_plane, nck_decode_diameter, nck_decode_comp, nck_decode_length,
+        nck_decode_work, nck_decode_path, nck_decode_distance, nck_decode_centre,
+        nck_decode_retract, nck_decode_layout, nck_decode_offset, nothing, nothing,
+        nck_decode_motion, rest, nck_decode_call, nck_decode_stop
     };
     nck_status_t status = NCK_EMPTY;
     unsigned step = 0;
@@ -135,8 +165,16 @@ static nck_status_t give_end(nck_decode_t *self, nck_block_t *out) {
     return NCK_OK;
 }
 
+// The text ends while a contour or a corner is not complete.
+static nck_status_t fail_missing(nck_decode_t *self) {
+    const nck_status_t status = has_contour(self) ? nck_contour_missing(self)
+                                                  : nck_corner_missing(self);
+    return fail_line(self, status);
+}
+
 // The text is used up.
 static nck_status_t finish(nck_decode_t *self, nck_block_t *out) {
+    if (is_watched(self)) return fail_missing(self);
     if (!self->text.words) {
         return fail_line(self, fail_last(self, NCK_E_NO_PROGRAM, 0.0));
     }
@@ -147,6 +185,7 @@ static nck_status_t finish(nck_decode_t *self, nck_block_t *out) {
 // The closing % has been read.
 static nck_status_t close_program(nck_decode_t *self, nck_block_t *out) {
     release_line(self);
+    if (is_watched(self)) return fail_missing(self);
     if (!self->text.words) return fail_line(self, fail_last(self, NCK_E_NO_PROGRAM, 0.0));
     self->text.watch = 1;
     const nck_status_t status = give_end(self, out);
@@ -200,20 +239,88 @@ static nck_status_t end_steps(nck_decode_t *self, nck_status_t status, nck_block
     return self->text.complete && !self->text.over ? next_line(self, out) : status;
 }
 
-nck_status_t nck_decode_pull(nck_decode_t *self, nck_block_t *block_out) {
+// What a line gives while a corner is in work. Behind a move that is held its other steps follow.
+static nck_status_t pass_corner(nck_decode_t *self, nck_status_t status, nck_block_t *out) {
+    nck_status_t now = status;
+    if (!(self->held.contour.mode & NCK_CONTOUR_CORNER)) return now;
+    now = nck_corner_take(self, now, out);
+    if (now != NCK_EMPTY || self->words.steps == 0) return now;
+    now = run_steps(self, out);
+    return nck_corner_take(self, now, out);
+}
+
+// What a contour's line gives is recorded, unless it is to be done. Behind the last line the cycle
+// begins.
+static nck_status_t pull_contour(nck_decode_t *self, nck_status_t status, nck_block_t *out) {
+    while (status == NCK_OK && (self->held.contour.mode & NCK_CONTOUR_READS)) {
+        status = nck_contour_take(self, out);
+        if (status == NCK_OK) status = pass_corner(self, run_steps(self, out), out);
+    }
+    status = nck_contour_behind(self, status);
+    const int goes_on = status == NCK_EMPTY && self->words.steps != 0;
+    return goes_on ? run_steps(self, out) : status;
+}
+
+static nck_status_t pull_watched(nck_decode_t *self, nck_status_t status, nck_block_t *out) {
+    const nck_status_t now = pass_corner(self, status, out);
+    return has_contour(self) ? pull_contour(self, now, out) : now;
+}
+
+static nck_status_t fail_entry(nck_decode_t *self, nck_status_t status) {
+    self->text.over = 1;
+    return fail_line(self, status);
+}
+
+// The line in work, or the one that waits.
+static nck_status_t do_line(nck_decode_t *self, nck_block_t *out) {
+    nck_status_t status = begin_line(self);
+    if (status == NCK_OK && self->text.closed) return close_program(self, out);
+    if (status == NCK_OK) status = run_steps(self, out);
+    if (is_watched(self)) status = pull_watched(self, status, out);
+    return end_steps(self, status, out);
+}
+
+// A line that only moves straight, in a mode that does: told at once, so that arcs pay nothing.
+static int is_quick(nck_decode_t *self, nck_block_t *out) {
+    enum { RAPID = 0, LINE = 10 };
+    const int straight = self->modal.motion == RAPID || self->modal.motion == LINE;
+    return straight && self->line.state == NCK_LINE_WAITING && nck_decode_quick(self, out);
+}
+
+static nck_status_t pull_block(nck_decode_t *self, nck_block_t *block_out) {
     if (self->text.over) return NCK_DONE;
     if (self->line.state == NCK_LINE_OPEN) {
         if (!self->text.complete && !self->macro.reads) return NCK_EMPTY;
         const nck_status_t next = next_line(self, block_out);
         if (self->line.state == NCK_LINE_OPEN) return next;
     }
-    if (self->line.state == NCK_LINE_WAITING && nck_decode_quick(self, block_out)) {
+    if (self->entry.waits != 0 && nck_entry_is_here(self)) {
+        const nck_status_t entry = nck_entry_next(self, block_out);
+        if (entry != NCK_EMPTY) return entry < 0 ? fail_entry(self, entry) : entry;
+    }
+    if (is_quick(self, block_out)) {
         return end_steps(self, NCK_OK, block_out);
     }
-    nck_status_t status = begin_line(self);
-    if (status == NCK_OK && self->text.closed) return close_program(self, block_out);
-    if (status == NCK_OK) status = run_steps(self, block_out);
-    return end_steps(self, status, block_out);
+    return do_line(self, block_out);
+}
+
+// The same of a program that begins in the middle: what comes before is passed.
+static nck_status_t pull_entry(nck_decode_t *self, nck_block_t *out) {
+    nck_status_t status = NCK_EMPTY;
+    do {
+        nck_entry_begin(self);
+        status = pull_block(self, out);
+        const int before = self->entry.waits != 0 && self->entry.phase == 0;
+        if (status == NCK_OK && before) {
+            status = nck_entry_pass(self, out);
+            if (status < 0) status = fail_entry(self, status);
+        }
+    } while (status == NCK_EMPTY && self->line.state == NCK_LINE_RUNNING);
+    return status;
+}
+
+nck_status_t nck_decode_pull(nck_decode_t *self, nck_block_t *block_out) {
+    return self->entry.waits != 0 ? pull_entry(self, block_out) : pull_block(self, block_out);
 }
 
 nck_status_t nck_decode_diagnostic(nck_decode_t *self, nck_diagnostic_t *diagnostic_out) {
@@ -228,6 +335,7 @@ nck_status_t nck_decode_diagnostic(nck_decode_t *self, nck_diagnostic_t *diagnos
 nck_status_t nck_decode_push_block(nck_decode_t *self, const nck_block_in_t *block) {
     if (!nck_decode_block_good(block)) return NCK_E_ARGUMENT;
     if (self->text.complete || self->text.over || self->macro.reads) return NCK_E_STATE;
+    if (is_watched(self)) return NCK_E_STATE; // its lines are to come
     if (self->line.state != NCK_LINE_OPEN) return NCK_FULL;
     if (!nck_decode_is_empty(self)) return NCK_E_STATE; // in the middle of a line
     self->pushed = *block;
@@ -245,29 +353,38 @@ static void begin_modes(nck_decode_t *self) {
     self->modal.diameter = machine->dialect.diameter;
     self->modal.centre_absolute = machine->dialect.arc_absolute;
     self->modal.path_mode = NCK_PATH_CONTINUOUS;
+    if (machine->dialect.feed == NCK_FEED_START_REV) self->modal.feed_mode = NCK_FEED_PER_REV;
     self->modal.tolerance_mm = machine->path.tolerance;
     self->modal.merge_mm = machine->path.tolerance;
     self->modal.feed = machine->dialect.feed_default;
     self->modal.feed_word = machine->dialect.feed_default;
     self->modal.speed = -1.0;
+    self->entry.waits = machine->dialect.from_line != 0;
     if (nck_lathe_is_a(self)) self->finding.given = 1u << NCK_NOTE_DISTANCE; // has no G90 or G91
-    self->cycle.to_r = machine->dialect.base != NCK_DIALECT_FANUC;
+    if (NCK_HAS_CYCLES) {
+        self->held.rough.retract_nm = NCK_ROUGH_RETRACT_NM;
+        self->held.cycle.to_r = machine->dialect.base != NCK_DIALECT_FANUC;
+    }
     nck_decode_scale(self);
 }
 
 void nck_decode_begin(nck_decode_t *self) {
     const uint32_t tool_next = self->modal.tool_next;
     const uint32_t tool_in = self->modal.tool_in;
+    const int32_t offset_in = self->modal.offset_in;
     memset(&self->line, 0, sizeof self->line);
     memset(&self->finding, 0, sizeof self->finding);
     memset(&self->text, 0, sizeof self->text);
     memset(&self->macro, 0, sizeof self->macro);
-    memset(&self->cycle, 0, sizeof self->cycle);
-    memset(&self->turn, 0, sizeof self->turn);
+    memset(&self->layout, 0, sizeof self->layout);
+    memset(&self->states, 0, sizeof self->states);
+    memset(&self->held, 0, sizeof self->held);
+    memset(&self->entry, 0, sizeof self->entry);
     self->words.steps = 0;
     begin_modes(self);
     self->modal.tool_next = tool_next;
     self->modal.tool_in = tool_in;
+    self->modal.offset_in = offset_in;
 }
 
 void nck_decode_stand(nck_decode_t *self) {
@@ -279,6 +396,7 @@ void nck_decode_init(nck_decode_t *self, const nck_machine_t *machine) {
     self->machine = machine;
     self->lathe = (uint32_t)nck_lathe_speaks_fanuc(self);
     begin_modes(self);
+    self->modal.offset_in = -1;
     for (unsigned axis = 0; axis < NCK_AXIS_MAX; axis++) {
         const uint32_t bit = (uint32_t)1 << axis;
         if (machine->axis[axis].present) self->place.axes |= bit;
@@ -286,6 +404,7 @@ void nck_decode_init(nck_decode_t *self, const nck_machine_t *machine) {
     }
     nck_decode_stand(self);
     memcpy(self->place.work_nm, machine->work_nm, sizeof self->place.work_nm);
+    memcpy(self->place.home_nm, machine->home_nm, sizeof self->place.home_nm);
     self->place.work_system = machine->work_system;
     nck_decode_origin(self);
 }
@@ -300,13 +419,18 @@ static int axis_good(const nck_decode_t *self, unsigned axis) {
            && at >= -limit && at <= limit;
 }
 
+static int cycle_works(const nck_decode_t *self) {
+    if (!NCK_HAS_CYCLES) return 0;
+    return self->held.cycle.holes != 0 || self->held.turn.left != 0 || self->held.screw.phase != 0
+           || self->held.rough.phase != 0;
+}
+
 int nck_decode_invariants(const nck_decode_t *self) {
     int good = self->line.size <= NCK_LINE_MAX && self->line.state <= NCK_LINE_PUSHED
                && self->finding.count <= NCK_DECODE_FINDINGS
                && self->place.work_system < NCK_WORK_SYSTEMS
                && (self->line.state == NCK_LINE_RUNNING || self->words.steps == 0)
-               && ((self->cycle.holes == 0 && self->turn.left == 0)
-                   || (self->words.steps & NCK_STEP(NCK_STEP_CYCLE)))
+               && (!cycle_works(self) || (self->words.steps & NCK_STEP(NCK_STEP_REST)))
                && nck_variable_invariants(self);
     for (unsigned axis = 0; axis < NCK_AXIS_MAX; axis++) good = good && axis_good(self, axis);
     return good;

@@ -18,9 +18,15 @@
 #include "nck/base/records.h"        // nck_block_t
 #include "nck/base/status.h"         // nck_status_t nck_diagnostic_t
 #include "nck/prep/1_decode/block_in.h" // nck_block_in_t
+#include "nck/prep/1_decode/contour.h" // nck_contour_t nck_rough_t
+#include "nck/prep/1_decode/corner.h" // nck_corner_t
 #include "nck/prep/1_decode/cycle.h" // nck_cycle_t
 #include "nck/prep/1_decode/lathe.h" // nck_turn_t
+#include "nck/prep/1_decode/layout.h" // nck_layout_t
 #include "nck/prep/1_decode/macro.h" // nck_macro_t nck_source_t
+#include "nck/prep/1_decode/screw.h" // nck_screw_t
+#include "nck/prep/1_decode/spline.h" // nck_spline_t
+#include "nck/prep/1_decode/state.h" // nck_modes_t nck_states_t
 #include "nck/prep/1_decode/words.h" // nck_words_t
 
 // Bounds of words, and of what is kept.
@@ -28,7 +34,7 @@ enum {
     NCK_DECODE_VALUE_MAX = 1000000000,    // largest F [mm/min, 1/min, mm/rev] and S [rpm]
     NCK_DECODE_DWELL_MAX_S = 1000000,     // longest G4
     NCK_DECODE_TURNS_MAX = 100000,        // largest P of an arc
-    NCK_DECODE_FINDINGS = 10 + NCK_CALL_DEPTH // one error, every kind of note, every call in force
+    NCK_DECODE_FINDINGS = 12 + NCK_CALL_DEPTH // one error, every kind of note, every call in force
 };
 
 // The value of the diagnostic NCK_E_DIALECT: whose language the text is.
@@ -62,6 +68,17 @@ typedef enum nck_comp_state {
 // Bits of modal.excused.
 enum { NCK_EXCUSED_FEED = 1, NCK_EXCUSED_SPEED = 2 };
 
+// What cycles hold from line to line; a union where they are left out.
+typedef NCK_CYCLE_STATE nck_cycles {
+    nck_cycle_t cycle;     // drilling
+    nck_turn_t turn;       // turning
+    nck_screw_t screw;     // threads
+    nck_contour_t contour; // that G70 … G73 read
+    nck_corner_t corner;   // ,R and ,C
+    nck_rough_t rough;     // and what they do with it
+    nck_spline_t spline;   // its points are in the contour
+} nck_cycles_t;
+
 // The room's state: filled by nck_decode_init, written by the room alone.
 typedef struct nck_decode {
     const nck_machine_t *machine;
@@ -80,27 +97,8 @@ typedef struct nck_decode {
     nck_words_t words; // of the line in work
     uint32_t lathe;    // 1: it speaks Fanuc's language: G codes go by its system
 
-    struct {
-        int32_t motion;         // G0 … G3 or a canned cycle in tenths; nck_no_motion_t
-        uint8_t plane;          // 17, 18, 19
-        uint8_t inch;           // 1: G20
-        uint8_t diameter;       // 1: G7
-        uint8_t incremental;    // 1: G91
-        uint8_t centre_absolute;// 1: G90.1
-        uint8_t feed_mode;      // nck_feed_mode_t
-        uint8_t path_mode;      // nck_path_mode_t
-        uint8_t spindle_on;     // 1: M3 or M4
-        uint8_t spindle_code;   // 3 or 4: the last of them
-        uint8_t comp;           // nck_comp_state_t
-        uint8_t excused;        // NCK_EXCUSED_…: what is missing was told, or is an error's
-        double tolerance_mm;    // G64 P
-        double merge_mm;        // G64 Q
-        double feed;            // F in mm/min, mm/rev or 1/min; 0: none yet
-        double feed_word;       // F as written: what a move of rotary axes alone goes by
-        double speed;           // S [rpm], −1: none yet
-        uint32_t tool_next;     // T
-        uint32_t tool_in;       // T at the last M6
-    } modal;
+    nck_modes_t modal;   // what stays in force until a word changes it
+    nck_states_t states; // and is kept by M70, M73
 
     struct {
         int64_t position_nm[NCK_AXIS_MAX]; // machine position, tool offset included
@@ -108,19 +106,28 @@ typedef struct nck_decode {
         int64_t work_nm[NCK_WORK_SYSTEMS][NCK_AXIS_MAX];
         int64_t g92_nm[NCK_AXIS_MAX];
         int64_t g92_kept_nm[NCK_AXIS_MAX]; // what G92.3 brings back
+        int64_t home_nm[2][NCK_AXIS_MAX];  // G28, G30; set by G28.1, G30.1
         int64_t tool_nm[3];                // G43
         uint32_t work_system;              // 0: G54
         uint32_t axes;                     // bit k: the machine has axis k
+        uint8_t is_local;                  // 1: G52 has set g92_nm
         uint32_t rotary;                   // bit k: axis k turns
         nck_scale_t scale[3];              // of linear words, of X (diameter), of rotary words
     } place;
 
+    struct {
+        int64_t last_nm;  // where the axis stood that goes to the work last
+        uint8_t waits;    // 1: the line where the program begins is to come, 2: and is looked for
+        uint8_t phase;    // of what is given there, entry.c
+        uint8_t coolant;  // in force before it: bit 0 M7, bit 1 M8
+    } entry;
+
+    nck_layout_t layout; // how the program's coordinates lie
     nck_macro_t macro; // parameters, calls, jumps
-    nck_cycle_t cycle; // drilling
-    nck_turn_t turn;   // turning
+    nck_cycles_t held; // cycles
 
     nck_block_in_t pushed; // the block in place of a line
-    nck_block_t second;    // the block of NCK_STEP_SECOND
+    nck_block_t second;    // the block of NCK_REST_SECOND
 
     struct {
         nck_diagnostic_t error;                       // of the line in work
@@ -170,8 +177,9 @@ size_t nck_decode_used(const nck_decode_t *self);
 // its coordinates are absolute, and what it sets is modal for what follows. What is wrong with it
 // in the program's terms (travel, feed, arc) is told by nck_decode_pull, as for a line.
 // Returns NCK_OK; NCK_FULL if a line or block waits to be pulled; NCK_E_STATE in the middle of a
-// line, after the program's end and after nck_decode_end; NCK_E_ARGUMENT if a member is outside of
-// its range (see nck_block_in_t). Cost: constant. Context: prep.
+// line, while a corner (,R) waits for its second move, after the program's end and after
+// nck_decode_end; NCK_E_ARGUMENT if a member is outside of its range (see nck_block_in_t). Cost:
+// constant. Context: prep.
 nck_status_t nck_decode_push_block(nck_decode_t *self, const nck_block_in_t *block);
 
 // Say that text stops here: a line without line feed is complete. Cost: constant. Context: prep.
@@ -179,6 +187,10 @@ void nck_decode_flush(nck_decode_t *self);
 
 // 1 if neither a line, nor a part of one, nor a block waits. Cost: constant. Context: prep.
 int nck_decode_is_empty(const nck_decode_t *self);
+
+// 1 if nck_decode_pull would find no line to work on: text must be pushed first. Cost: constant.
+// Context: prep.
+int nck_decode_needs_text(const nck_decode_t *self);
 
 // Begin another program: modes are the machine's again, the
 // offsets (work systems, G92, tool length) and the tools of T and M6 stay. Cost: constant.

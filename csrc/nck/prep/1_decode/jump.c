@@ -19,6 +19,13 @@ nck_status_t nck_jump(nck_decode_t *self, const nck_text_place_t *place) {
     if (!NCK_HAS_CALLS) return NCK_E_UNSUPPORTED;
     nck_macro_t *const macro = &self->macro;
     if (!macro->reads) return nck_decode_fail_last(self, NCK_E_NO_SEEK, 0.0, 0.0);
+    macro->back += place->offset <= macro->line.offset;
+    if (macro->back > NCK_DECODE_JUMPS_MOST) {
+        const double most = NCK_DECODE_JUMPS_MOST;
+        self->text.over = 1;
+        macro->seek.kind = NCK_SEEK_NOT;
+        return nck_decode_fail(self, NCK_E_ENDLESS, 0, 'J', most, most);
+    }
     macro->place = *place;
     macro->jumped = 1;
     self->text.complete = 0;
@@ -42,6 +49,13 @@ nck_frame_t *nck_frame_call(nck_decode_t *self) {
         if (macro->frame[k - 1].kind < NCK_FRAME_WHILE) return &macro->frame[k - 1];
     }
     return NULL;
+}
+
+uint32_t nck_call_level(const nck_decode_t *self) {
+    const nck_macro_t *const macro = &self->macro;
+    uint32_t k = NCK_HAS_CALLS ? macro->depth : 0;
+    while (k > 0 && macro->frame[k - 1].kind >= NCK_FRAME_WHILE) k--;
+    return k;
 }
 
 nck_status_t nck_frame_push(nck_decode_t *self, nck_frame_kind_t kind, uint64_t key,

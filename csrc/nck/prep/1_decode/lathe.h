@@ -6,11 +6,15 @@
 
 #include <stdint.h> // int64_t
 
+#include "nck/base/limits.h" // NCK_CYCLE_STATE
+
 // Motions in tenths, whatever a system calls them: those are system B's names.
 enum { NCK_MOTION_TURN = 770, NCK_MOTION_FACE = 790 };
 
+enum { NCK_LATHE_TOOLS = 100 }; // T0202: the tool 02 and, in the last two digits, its offset
+
 // A turning or facing cycle. [0]: X, [1]: Z.
-typedef struct nck_turn {
+typedef NCK_CYCLE_STATE nck_turn {
     int64_t end_nm[2];     // where the cut ends as last said, program coordinates
     int64_t taper_nm;      // R: how far from there the cut begins, along its first move
     int64_t corner_nm[3][2]; // begin and end of the cut, and behind it; machine positions

@@ -11,7 +11,8 @@
 
 // Bounds of what is remembered, and of patience.
 enum {
-    NCK_DECODE_LABELS = 8,            // targets of jumps that are remembered
+    NCK_DECODE_LABELS = NCK_LABEL_ROWS, // targets of jumps that are remembered
+    NCK_DECODE_JUMPS_MOST = 1000000,  // jumps backward before it does, whatever it moves
     NCK_DECODE_IDLE_MOST = 1000000    // lines without a block before a program counts as endless
 };
 
@@ -42,9 +43,10 @@ typedef enum nck_frame_kind {
     NCK_FRAME_SUB = 1,     // O word call: ends at endsub or return
     NCK_FRAME_PROGRAM = 2, // M98: ends at M99, parameters are the caller's
     NCK_FRAME_MACRO = 3,   // G65, G66: the same, parameters of its own
-    NCK_FRAME_WHILE = 4,   // place: before the line of the condition
-    NCK_FRAME_DO = 5,      // place: behind the line
-    NCK_FRAME_REPEAT = 6   // the same
+    NCK_FRAME_CONTOUR = 4, // G70 P Q: ends behind line Q, parameters are the caller's
+    NCK_FRAME_WHILE = 5,   // place: before the line of the condition
+    NCK_FRAME_DO = 6,      // place: behind the line
+    NCK_FRAME_REPEAT = 7   // the same
 } nck_frame_kind_t;
 
 // A call or a loop in force.
@@ -80,19 +82,20 @@ typedef struct nck_label {
 } nck_label_t;
 
 // All of it.
-typedef struct nck_macro {
+typedef NCK_MACRO_STATE nck_macro {
     nck_source_t source;
     nck_text_place_t place; // where the next line begins, if there is a source
     nck_text_place_t line;  // where the line in work begins
     uint32_t reads;         // 1: there is a source
     uint32_t idle;          // lines read since the last block
     uint32_t jumped;        // 1: a call, a loop or a jump was met
+    uint32_t back;          // jumps backward so far
 
     // Global parameters stand at the beginning, those of calls at the end, the latest call's last.
     // Between them, behind the global ones, wait the values that the line in work sets.
     nck_variable_t variable[NCK_VARIABLE_ROWS];
     uint32_t globals, waiting;
-    uint32_t base, locals;  // of the call in force: rows base … locals − 1, counted from the end
+    uint32_t base, locals;  // of the call in force: rows base … locals − 1 from the end
     double returned;        // what the last call gave back
     uint32_t has_returned;
 

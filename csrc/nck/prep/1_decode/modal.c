@@ -3,18 +3,12 @@
 #include "nck/prep/1_decode/parts.h"
 
 #include <stddef.h> // NULL
-#include <string.h> // memcpy memset
+
+enum { CHANGE_WAITS = 1 }; // code of M6 whose M5 has been given
 
 static const double value_max = NCK_DECODE_VALUE_MAX;
 static const double dwell_max_s = NCK_DECODE_DWELL_MAX_S;
 static const double linear_max_mm = NCK_LINEAR_MAX_MM;
-
-const nck_tool_t *nck_decode_find_tool(const nck_decode_t *self, uint32_t number) {
-    for (uint32_t k = 0; k < self->machine->tool_count; k++) {
-        if (self->machine->tool[k].number == number) return &self->machine->tool[k];
-    }
-    return NULL;
-}
 
 static double real_word(const nck_decode_t *self, char letter) {
     return nck_number_real(&self->words.number[letter - 'A']);
@@ -28,49 +22,8 @@ static double unit_mm(const nck_decode_t *self) {
     return self->modal.inch ? 25.4 : 1.0;
 }
 
-void nck_decode_block(const nck_decode_t *self, nck_block_kind_t kind, nck_block_t *out) {
-    memset(out, 0, sizeof *out);
-    out->line = self->line.tag;
-    out->kind = (uint8_t)kind;
-    out->path_mode = self->modal.path_mode;
-    out->feed_mode = self->modal.feed_mode;
-    out->plane = self->modal.plane;
-    memcpy(out->target_nm, self->place.position_nm, sizeof out->target_nm);
-    for (unsigned axis = 0; axis < 3; axis++) {
-        out->tool_nm[axis] = self->place.tool_nm[axis];
-        out->target_nm[axis] -= self->place.tool_nm[axis];
-    }
-    out->spindle_rpm = self->modal.spindle_on && self->modal.speed > 0.0 ? self->modal.speed : 0.0;
-    out->tolerance_mm = self->modal.tolerance_mm;
-    out->merge_mm = self->modal.merge_mm;
-    out->output.line = self->line.tag;
-}
-
-static nck_status_t give_output(const nck_decode_t *self, nck_block_kind_t block,
-                                nck_output_kind_t kind, double value, nck_block_t *out) {
-    nck_decode_block(self, block, out);
-    out->output.kind = kind;
-    out->output.value = value;
-    return NCK_OK;
-}
-
-nck_status_t nck_decode_give_m(const nck_decode_t *self, double code, nck_block_t *out) {
-    return give_output(self, NCK_BLOCK_OUTPUT, NCK_OUTPUT_M, code, out);
-}
-
 static nck_status_t give_m(const nck_decode_t *self, nck_step_t step, nck_block_t *out) {
     return nck_decode_give_m(self, self->words.code[step] / 10, out);
-}
-
-void nck_decode_scale(nck_decode_t *self) {
-    nck_scale_t *const scale = self->place.scale;
-    const int32_t per_mm = self->modal.inch ? 254 : 10;
-    const int64_t linear_max = (int64_t)NCK_LINEAR_MAX_MM * NCK_COUNTS_PER_MM;
-    const int64_t rotary_max = (int64_t)NCK_ROTARY_MAX_DEG * NCK_COUNTS_PER_DEG;
-
-    scale[0] = (nck_scale_t){per_mm, 5, linear_max};
-    scale[1] = (nck_scale_t){self->modal.diameter ? per_mm / 2 : per_mm, 5, linear_max};
-    scale[2] = (nck_scale_t){NCK_COUNTS_PER_DEG / 1000000, 6, rotary_max};
 }
 
 nck_status_t nck_decode_units(nck_decode_t *self, nck_block_t *out) {
@@ -101,6 +54,7 @@ nck_status_t nck_decode_feed_mode(nck_decode_t *self, nck_block_t *out) {
         self->modal.feed_word = 0.0;
     }
     self->modal.feed_mode = (uint8_t)mode;
+    self->finding.given |= 1u << NCK_NOTE_FEED_MODE;
     self->modal.excused &= (uint8_t)~NCK_EXCUSED_FEED;
     return NCK_EMPTY;
 }
@@ -115,6 +69,9 @@ nck_status_t nck_decode_feed(nck_decode_t *self, nck_block_t *out) {
     const double value = real_word(self, 'F');
     const double feed = self->modal.feed_mode == NCK_FEED_INVERSE ? value : value * unit_mm(self);
     (void)out;
+    if (self->lathe && self->machine->dialect.feed == NCK_FEED_START_OPEN) {
+        nck_decode_assume(self, NCK_NOTE_FEED_MODE);
+    }
     if (value < 0.0 || feed > value_max) {
         return nck_decode_fail_word(self, NCK_E_NUMBER_RANGE, 'F', value, value_max);
     }
@@ -122,55 +79,18 @@ nck_status_t nck_decode_feed(nck_decode_t *self, nck_block_t *out) {
     return NCK_EMPTY;
 }
 
-nck_status_t nck_decode_set_speed(nck_decode_t *self, double value, nck_block_t *out) {
-    const double rpm_max = self->machine->spindle.rpm_max;
-    const double limit = rpm_max > 0.0 ? rpm_max : value_max;
-    if (value < 0.0 || value > limit) {
-        return nck_decode_fail_word(self, NCK_E_NUMBER_RANGE, 'S', value, limit);
-    }
-    if (self->modal.speed >= value && self->modal.speed <= value) return NCK_EMPTY;
-    self->modal.speed = value;
-    self->modal.excused &= (uint8_t)~NCK_EXCUSED_SPEED;
-    return give_output(self, NCK_BLOCK_OUTPUT, NCK_OUTPUT_SPINDLE_SPEED, value, out);
-}
-
-nck_status_t nck_decode_speed(nck_decode_t *self, nck_block_t *out) {
-    return nck_decode_set_speed(self, real_word(self, 'S'), out);
-}
-
-nck_status_t nck_decode_set_tool(nck_decode_t *self, double value, nck_block_t *out) {
-    const uint32_t number = (uint32_t)value;
-    // A machine without a table does not say which tools it has.
-    if (number > 0 && self->machine->tool_count > 0
-        && nck_decode_find_tool(self, number) == NULL) {
-        return nck_decode_fail_word(self, NCK_E_TOOL_UNKNOWN, 'T', value, 0.0);
-    }
-    self->modal.tool_next = number;
-    return give_output(self, NCK_BLOCK_OUTPUT, NCK_OUTPUT_TOOL, value, out);
-}
-
-nck_status_t nck_decode_tool(nck_decode_t *self, nck_block_t *out) {
-    int64_t number;
-    if (!nck_number_whole(&self->words.number['T' - 'A'], 0, &number) || number < 0
-        || number > NCK_DECODE_VALUE_MAX) {
-        return nck_decode_fail_word(self, NCK_E_NUMBER_RANGE, 'T', real_word(self, 'T'),
-                                    NCK_DECODE_VALUE_MAX);
-    }
-    return nck_decode_set_tool(self, (double)number, out);
-}
-
 // A tool is changed at rest (NISTIR 6556, M6): the spindle's stop goes before the wait, whether or
 // not the program has started it.
 nck_status_t nck_decode_change(nck_decode_t *self, nck_block_t *out) {
+    if (self->words.code[NCK_STEP_CHANGE] == CHANGE_WAITS) {
+        return nck_decode_give_output(self, NCK_BLOCK_WAIT, NCK_OUTPUT_M, 6.0, out);
+    }
     self->modal.tool_in = self->modal.tool_next;
     self->modal.spindle_on = 0;
     self->modal.excused &= (uint8_t)~NCK_EXCUSED_SPEED;
-    self->words.steps |= NCK_STEP(NCK_STEP_CHANGE_WAIT);
-    return give_output(self, NCK_BLOCK_OUTPUT, NCK_OUTPUT_M, 5.0, out);
-}
-
-nck_status_t nck_decode_change_wait(nck_decode_t *self, nck_block_t *out) {
-    return give_output(self, NCK_BLOCK_WAIT, NCK_OUTPUT_M, 6.0, out);
+    self->words.code[NCK_STEP_CHANGE] = CHANGE_WAITS;
+    self->words.steps |= NCK_STEP(NCK_STEP_CHANGE);
+    return nck_decode_give_output(self, NCK_BLOCK_OUTPUT, NCK_OUTPUT_M, 5.0, out);
 }
 
 nck_status_t nck_decode_spindle(nck_decode_t *self, nck_block_t *out) {
@@ -181,10 +101,13 @@ nck_status_t nck_decode_spindle(nck_decode_t *self, nck_block_t *out) {
 }
 
 nck_status_t nck_decode_mist(nck_decode_t *self, nck_block_t *out) {
+    self->modal.coolant |= 1;
     return give_m(self, NCK_STEP_MIST, out);
 }
 
 nck_status_t nck_decode_flood(nck_decode_t *self, nck_block_t *out) {
+    const int off = self->words.code[NCK_STEP_FLOOD] == 90;
+    self->modal.coolant = off ? 0 : (uint8_t)(self->modal.coolant | 2u);
     return give_m(self, NCK_STEP_FLOOD, out);
 }
 
@@ -197,7 +120,9 @@ nck_status_t nck_decode_own(nck_decode_t *self, nck_block_t *out) {
     const int code = self->words.code[NCK_STEP_OWN] / 10;
     const nck_own_m_t *const own = nck_decode_own_m(self, code);
     const int waits = own != NULL && own->waits;
-    return give_output(self, waits ? NCK_BLOCK_WAIT : NCK_BLOCK_OUTPUT, NCK_OUTPUT_M, code, out);
+    if (own == NULL && nck_printer_has(self, code)) return nck_decode_printer(self, out);
+    return nck_decode_give_output(self, waits ? NCK_BLOCK_WAIT : NCK_BLOCK_OUTPUT, NCK_OUTPUT_M,
+                                  code, out);
 }
 
 // The word that times a dwell, 0 if there is none: P; in Fanuc's language also X or U, in Marlin's
@@ -209,12 +134,6 @@ static char dwell_letter(const nck_decode_t *self) {
     if (base == NCK_DIALECT_FANUC && has_word(self, 'X')) return 'X';
     if (base == NCK_DIALECT_FANUC && has_word(self, 'U')) return 'U';
     return 0;
-}
-
-nck_status_t nck_decode_give_dwell(const nck_decode_t *self, double dwell_s, nck_block_t *out) {
-    nck_decode_block(self, NCK_BLOCK_DWELL, out);
-    out->dwell_s = dwell_s;
-    return NCK_OK;
 }
 
 // P is in seconds, in Fanuc's and Marlin's languages in milliseconds; the other words are in
@@ -297,7 +216,7 @@ nck_status_t nck_decode_centre(nck_decode_t *self, nck_block_t *out) {
 
 nck_status_t nck_decode_retract(nck_decode_t *self, nck_block_t *out) {
     (void)out;
-    self->cycle.to_r = self->words.code[NCK_STEP_RETRACT] == 990;
+    self->held.cycle.to_r = self->words.code[NCK_STEP_RETRACT] == 990;
     return NCK_EMPTY;
 }
 
@@ -310,7 +229,7 @@ nck_status_t nck_decode_stop(nck_decode_t *self, nck_block_t *out) {
         self->text.over = 1;
         self->text.watch = 1;
     }
-    const nck_status_t status = give_output(self, kind, NCK_OUTPUT_M, code / 10, out);
+    const nck_status_t status = nck_decode_give_output(self, kind, NCK_OUTPUT_M, code / 10, out);
     if (kind == NCK_BLOCK_END) nck_decode_watch(self);
     return status;
 }

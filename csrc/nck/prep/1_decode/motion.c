@@ -40,10 +40,8 @@ nck_status_t nck_decode_cutting_feed(nck_decode_t *self, int rotary_alone, doubl
     const int said = (self->words.letters & NCK_LETTER('F')) != 0;
     if (self->modal.feed <= 0.0) return fail_feed(self, 'F');
     if (self->modal.feed_mode == NCK_FEED_INVERSE && !said) return fail_feed(self, 'F');
-    if (self->modal.feed_mode == NCK_FEED_PER_REV
-        && (!self->modal.spindle_on || self->modal.speed <= 0.0)) {
-        return fail_feed(self, 'S');
-    }
+    const int per_rev = self->modal.feed_mode == NCK_FEED_PER_REV;
+    if (per_rev && !nck_decode_turns(self)) return fail_feed(self, 'S');
     *feed_out = rotary_alone ? self->modal.feed_word : self->modal.feed;
     return NCK_OK;
 }
@@ -102,7 +100,7 @@ nck_status_t nck_decode_go(nck_decode_t *self, const nck_block_in_t *pushed,
 static nck_status_t other_motion(nck_decode_t *self, int taken) {
     const int32_t code = self->words.code[NCK_STEP_MOTION];
     if (code != 800 && !taken) {
-        self->words.steps |= NCK_STEP(NCK_STEP_CYCLE);
+        nck_decode_leave(self, NCK_REST_CYCLE);
         return NCK_EMPTY;
     }
     self->modal.motion = code == 800 ? NCK_MOTION_NONE : code;
@@ -112,10 +110,13 @@ static nck_status_t other_motion(nck_decode_t *self, int taken) {
 nck_status_t nck_decode_motion(nck_decode_t *self, nck_block_t *out) {
     const uint32_t assumed = 1u << NCK_NOTE_UNITS | 1u << NCK_NOTE_DISTANCE;
     const int32_t code = self->words.code[NCK_STEP_MOTION];
-    const int taken = (self->words.codes & NCK_STEP(NCK_STEP_OFFSET))
-                      && self->words.code[NCK_STEP_OFFSET] <= 920;
+    const int taken = (self->words.codes & NCK_STEPS_AXES) && nck_words_set_axes(&self->words);
     int64_t target_nm[NCK_AXIS_MAX];
 
+    if (nck_motion_is_spline(self->modal.motion)) {
+        const nck_status_t status = nck_spline_refuses(self, code);
+        if (status != NCK_OK) return status;
+    }
     if (code > 30) return other_motion(self, taken);
     self->modal.motion = code;
     if (taken || (self->words.axes == 0 && code < 20)) return NCK_EMPTY;
@@ -147,7 +148,7 @@ static nck_status_t check_point(nck_decode_t *self) {
 // G28, G30: by way of the point that the words name to the reference point, on the axes named, on
 // all if none is. Marlin's G28 has no such point: its words only name axes.
 nck_status_t nck_decode_reference(nck_decode_t *self, nck_block_t *out) {
-    const int64_t *const home = self->machine->home_nm[self->words.code[NCK_STEP_OFFSET] == 300];
+    const int64_t *const home = self->place.home_nm[self->words.code[NCK_STEP_OFFSET] == 300];
     int64_t target_nm[NCK_AXIS_MAX];
     const uint32_t axes = self->words.axes != 0 ? self->words.axes : self->place.axes;
 
@@ -167,7 +168,7 @@ nck_status_t nck_decode_reference(nck_decode_t *self, nck_block_t *out) {
     if (status == NCK_OK) status = check_targets(self, axes, target_nm);
     arrive(self, target_nm);
     nck_decode_block(self, NCK_BLOCK_RAPID, &self->second);
-    self->words.steps |= NCK_STEP(NCK_STEP_SECOND);
+    nck_decode_leave(self, NCK_REST_SECOND);
     return status;
 }
 
@@ -182,7 +183,7 @@ nck_status_t nck_decode_cycle_fits(nck_decode_t *self) {
 void nck_decode_give_exact(const nck_decode_t *self, nck_block_kind_t kind, double feed,
                            nck_block_t *out) {
     nck_decode_block(self, kind, out);
-    out->feed = kind == NCK_BLOCK_LINE ? feed : 0.0;
+    out->feed = kind == NCK_BLOCK_RAPID ? 0.0 : feed;
     if (out->path_mode != NCK_PATH_STOP) out->path_mode = NCK_PATH_EXACT;
     out->tolerance_mm = 0.0;
     out->merge_mm = 0.0;

@@ -27,6 +27,9 @@ enum {
 // codes.c: 1 if the words are arguments of G65 or G66. Cost: constant.
 int nck_words_are_arguments(const nck_words_t *words);
 
+// rest.c: something is left of the line. Cost: constant.
+void nck_decode_leave(nck_decode_t *self, nck_rest_t rest);
+
 // A step.
 typedef nck_status_t (*nck_step_function_t)(nck_decode_t *self, nck_block_t *out);
 
@@ -51,12 +54,20 @@ int nck_decode_letter(unsigned axis);
 // axis.c: the word of an axis, [nm] or [ndeg]; NCK_E_NUMBER_RANGE. Cost: constant.
 nck_status_t nck_decode_axis_word(nck_decode_t *self, unsigned axis, int64_t *value_out);
 
-// axis.c: the machine position that the axis words name; axes without a word stay. absolute: 1:
+// axis.c: a value as it is told [mm] or [deg]. Cost: constant.
+double nck_decode_shown(const nck_decode_t *self, unsigned axis, int64_t value_nm);
+
+// target.c: the machine position that the axis words name; axes without a word stay. absolute: 1:
 // words count from the machine's zero (G53). NCK_E_NUMBER_RANGE. Cost: constant.
 nck_status_t nck_decode_target(nck_decode_t *self, int absolute, int64_t *target_nm);
 
 // axis.c: the scale of an axis' words. Cost: constant.
 const nck_scale_t *nck_decode_scale_of(const nck_decode_t *self, unsigned axis);
+
+// axis.c: a place or a way of a linear axis as a word: nine decimals name every nanometre, in
+// inches too. Cost: constant.
+void nck_decode_write(const nck_decode_t *self, unsigned axis, int64_t value_nm,
+                      nck_number_t *out);
 
 // axis.c: a length [nm] that stands in the line, whatever its letter. NCK_E_NUMBER_RANGE.
 nck_status_t nck_decode_length_word(nck_decode_t *self, char letter, int64_t *value_out);
@@ -165,6 +176,10 @@ nck_status_t nck_decode_code(const nck_decode_t *self, int letter, int64_t tenth
 // codes.c: the machine's entry for an M code; NULL: it has none. Cost: linear in the entries.
 const nck_own_m_t *nck_decode_own_m(const nck_decode_t *self, int64_t code);
 
+// codes.c: whether a motion in tenths works on a contour: Fanuc's G70 to G73 on a lathe, RS274NGC's
+// G70 … G72.2. Cost: constant.
+int nck_decode_follows(const nck_decode_t *self, int32_t motion);
+
 // codes.c: the letters that a motion uses. Cost: constant.
 uint32_t nck_decode_motion_takes(const nck_decode_t *self, int32_t motion);
 
@@ -178,10 +193,7 @@ int nck_decode_foreign(const char *line);
 nck_status_t nck_decode_units(nck_decode_t *self, nck_block_t *out);
 nck_status_t nck_decode_feed_mode(nck_decode_t *self, nck_block_t *out);
 nck_status_t nck_decode_feed(nck_decode_t *self, nck_block_t *out);
-nck_status_t nck_decode_speed(nck_decode_t *self, nck_block_t *out);
-nck_status_t nck_decode_tool(nck_decode_t *self, nck_block_t *out);
 nck_status_t nck_decode_change(nck_decode_t *self, nck_block_t *out);
-nck_status_t nck_decode_change_wait(nck_decode_t *self, nck_block_t *out);
 nck_status_t nck_decode_spindle(nck_decode_t *self, nck_block_t *out);
 nck_status_t nck_decode_mist(nck_decode_t *self, nck_block_t *out);
 nck_status_t nck_decode_flood(nck_decode_t *self, nck_block_t *out);
@@ -196,23 +208,95 @@ nck_status_t nck_decode_centre(nck_decode_t *self, nck_block_t *out);
 nck_status_t nck_decode_stop(nck_decode_t *self, nck_block_t *out);
 nck_status_t nck_decode_retract(nck_decode_t *self, nck_block_t *out);
 
-// modal.c: a feed [mm/min, mm/rev or 1/min], and as written; a spindle speed [rpm], a tool number,
-// a dwell and its word, an M code as an output. Cost: constant, set_tool linear in the tools.
-void nck_decode_set_feed(nck_decode_t *self, double feed, double word);
-nck_status_t nck_decode_set_speed(nck_decode_t *self, double value, nck_block_t *out);
+// tool.c: T; a tool number. On Fanuc's lathes T0202: NCK_E_TOOL_UNKNOWN, NCK_E_COMP_ON.
+// Cost: linear in the tools.
+nck_status_t nck_decode_tool(nck_decode_t *self, nck_block_t *out);
 nck_status_t nck_decode_set_tool(nck_decode_t *self, double value, nck_block_t *out);
+
+// spindle.c: G96, G97; S; the S of Fanuc's G92 (system A: G50).
+nck_status_t nck_decode_speed_mode(nck_decode_t *self, nck_block_t *out);
+nck_status_t nck_decode_speed(nck_decode_t *self, nck_block_t *out);
+nck_status_t nck_decode_speed_limit(nck_decode_t *self);
+
+// spindle.c: a speed [rpm], which ends G96. Cost: constant.
+nck_status_t nck_decode_set_speed(nck_decode_t *self, double value, nck_block_t *out);
+
+// output.c: the most under G96 [rpm], 0: none; 1 if the spindle turns; how a block has it.
+double nck_decode_speed_most(const nck_decode_t *self);
+int nck_decode_turns(const nck_decode_t *self);
+void nck_decode_spin(const nck_decode_t *self, nck_block_t *out);
+
+// output.c: a block that hands something over.
+nck_status_t nck_decode_give_output(const nck_decode_t *self, nck_block_kind_t block,
+                                    nck_output_kind_t kind, double value, nck_block_t *out);
+
+// modal.c: a feed [mm/min, mm/rev or 1/min], and as written; the word of a dwell. output.c: a
+// dwell, an M code as an output. Cost: constant.
+void nck_decode_set_feed(nck_decode_t *self, double feed, double word);
 nck_status_t nck_decode_dwell_word(nck_decode_t *self, char letter, double *dwell_out);
 nck_status_t nck_decode_give_m(const nck_decode_t *self, double code, nck_block_t *out);
 nck_status_t nck_decode_give_dwell(const nck_decode_t *self, double dwell_s, nck_block_t *out);
 
-// modal.c: fill a block with all that is modal; the target is the present position. Cost: constant.
+// output.c: fill a block with all that is modal; the target is the present position.
+// Cost: constant.
 void nck_decode_block(const nck_decode_t *self, nck_block_kind_t kind, nck_block_t *out);
 
-// modal.c: the scales of axis words, after a change of units or of diameter mode. Cost: constant.
+// axis.c: the scales of axis words, after a change of units or of diameter mode. Cost: constant.
 void nck_decode_scale(nck_decode_t *self);
 
-// modal.c: a tool of the table, NULL if it has none of that number. Cost: linear in the tools.
+// output.c: a tool of the table, NULL if it has none of that number. Cost: linear in the tools.
 const nck_tool_t *nck_decode_find_tool(const nck_decode_t *self, uint32_t number);
+
+// printer.c: 1 if an M code is one of Marlin's; if the line is one's; one past its text; who takes
+// its words; what it hands over. NCK_E_MODAL_GROUP. Cost: linear in the codes, and in the text.
+int nck_printer_has(const nck_decode_t *self, int64_t code);
+int nck_printer_speaks(const nck_decode_t *self);
+const char *nck_printer_text(const nck_decode_t *self, const char *at, int64_t tenths);
+nck_status_t nck_printer_resolve(nck_decode_t *self);
+nck_status_t nck_decode_printer(nck_decode_t *self, nck_block_t *out);
+
+// printer.c: E becomes U. NCK_E_AXIS_UNKNOWN, NCK_E_WORD_TWICE, NCK_E_NUMBER_RANGE. Cost: constant.
+nck_status_t nck_printer_extrude(nck_decode_t *self);
+
+// port.c: M62 … M68. Cost: constant.
+nck_status_t nck_decode_port(nck_decode_t *self, nck_block_t *out);
+
+// state.c: M70 … M73; a call of that level is over; an output of a restored state, NCK_EMPTY: it
+// owes none. NCK_E_DEPTH, NCK_E_FLOW, NCK_E_COMP_ON. Cost: constant.
+nck_status_t nck_decode_state(nck_decode_t *self, nck_block_t *out);
+void nck_state_return(nck_decode_t *self, uint32_t level);
+nck_status_t nck_state_give(nck_decode_t *self, nck_step_t step, nck_block_t *out);
+
+// jump.c: how many calls are in force. Cost: linear in the frames.
+uint32_t nck_call_level(const nck_decode_t *self);
+
+// layout.c: G15 G16 G50 G51 G50.1 G51.1 G68 G69, and where the words of X Y Z then lead.
+// NCK_E_LAYOUT_ON, NCK_E_SCALE_UNIT, NCK_E_NUMBER_RANGE. Cost: constant.
+nck_status_t nck_decode_layout(nck_decode_t *self, nck_block_t *out);
+nck_status_t nck_layout_target(nck_decode_t *self, int64_t *target_nm);
+
+// layout.c: a way in the plane as it lies in the work system; returns by how much it is longer, < 0
+// if the plane is mirrored, 0 if its axes have not the same scale. Cost: constant.
+double nck_layout_way(const nck_decode_t *self, double *way);
+
+// layout.c: 1 if the words name the radius of polar coordinates. Cost: constant.
+int nck_layout_says_radius(const nck_decode_t *self);
+
+// layout.c: is an axis neither mirrored nor scaled? NCK_E_LAYOUT_ON. Cost: constant.
+nck_status_t nck_layout_spares(nck_decode_t *self, unsigned axis);
+
+// layout.c: the bit of a code, 0: it is none of them; 1 if it cannot stand beside others; what
+// cannot be done while one is in force: NCK_E_LAYOUT_ON. Cost: constant.
+uint32_t nck_layout_bit(int64_t tenths);
+int nck_layout_collides(uint32_t codes, uint32_t bit);
+nck_status_t nck_layout_refuses(nck_decode_t *self);
+
+// Steps whose codes may have the axis words.
+#define NCK_STEPS_AXES                                                                            \
+    (NCK_STEP(NCK_STEP_OFFSET) | NCK_STEP(NCK_STEP_LAYOUT) | NCK_STEP(NCK_STEP_LENGTH))
+
+// codes.c: 1 if a code that is no motion has the axis words. Cost: constant.
+int nck_words_set_axes(const nck_words_t *words);
 
 // comp.c: G40, G41, G42; what cannot be done while G41 or G42 is in force.
 nck_status_t nck_decode_comp(nck_decode_t *self, nck_block_t *out);
@@ -223,7 +307,7 @@ nck_status_t nck_decode_length(nck_decode_t *self, nck_block_t *out);
 nck_status_t nck_decode_work(nck_decode_t *self, nck_block_t *out);
 nck_status_t nck_decode_offset(nck_decode_t *self, nck_block_t *out);
 
-// place.c: the origin from its parts, after a change of one. Cost: constant.
+// axis.c: the origin from its parts, after a change of one. Cost: constant.
 void nck_decode_origin(nck_decode_t *self);
 
 // motion.c: moves.
@@ -252,6 +336,73 @@ nck_status_t nck_decode_go(nck_decode_t *self, const nck_block_in_t *pushed,
 // cycle.c: the holes of a canned cycle; turn.c: the moves of one for turning.
 nck_status_t nck_decode_cycle(nck_decode_t *self, nck_block_t *out);
 nck_status_t nck_decode_turn(nck_decode_t *self, nck_block_t *out);
+
+// profile.c: G70 … G73.
+nck_status_t nck_decode_profile(nck_decode_t *self, nck_block_t *out);
+
+// contour.c: the lines that follow are a contour's, for the cycle of that code. Cost: constant.
+void nck_contour_begin(nck_decode_t *self, nck_contour_mode_t mode, uint32_t code);
+
+// contour.c: of such a line: its words before they are resolved, the line behind that, a block that
+// it gave, and its end: with the last line the cycle begins. status: the line's own, handed back.
+// NCK_E_CONTOUR, NCK_E_CONTOUR_FULL. Cost: constant.
+nck_status_t nck_contour_words(nck_decode_t *self);
+nck_status_t nck_contour_check(nck_decode_t *self);
+nck_status_t nck_contour_take(nck_decode_t *self, const nck_block_t *block);
+nck_status_t nck_contour_behind(nck_decode_t *self, nck_status_t status);
+
+// contour.c: the text ends in the middle of it. NCK_E_LABEL. Cost: constant.
+nck_status_t nck_contour_missing(nck_decode_t *self);
+
+// corner.c: 1 if the language has ,R and ,C; the word of one; of letters that nobody uses those
+// that are a corner's on lathes. Cost: constant.
+int nck_corner_speaks(const nck_decode_t *self);
+void nck_corner_keep(nck_decode_t *self, char letter, unsigned column,
+                     const nck_number_t *number, int is_old);
+uint32_t nck_corner_letters(nck_decode_t *self, uint32_t letters);
+
+// corner.c: the line behind a corner, resolved; what a line's steps gave while a corner is in work:
+// NCK_EMPTY: the block is held; the corner, and the move behind it; the text ends before it. All:
+// NCK_E_CORNER. Cost: constant.
+nck_status_t nck_corner_words(nck_decode_t *self);
+nck_status_t nck_corner_take(nck_decode_t *self, nck_status_t status, nck_block_t *out);
+nck_status_t nck_corner_next(nck_decode_t *self, nck_block_t *out);
+nck_status_t nck_corner_missing(nck_decode_t *self);
+
+// thread.c: G33, in system A G32. Whether a thread can be cut here: NCK_E_THREAD_SPEED, and as
+// nck_decode_cycle_fits. The lead [mm] of a word; F may hold from the thread before. Fanuc's Q: the
+// angle at the begin [revolutions]. A pass from where the tool stands; its duration is filled in:
+// NCK_E_THREAD_SPEED, NCK_E_THREAD_RUN_IN, NCK_E_TRAVEL. Cost: constant.
+nck_status_t nck_decode_single_pass(nck_decode_t *self, nck_block_t *out);
+double nck_decode_thread_name(const nck_decode_t *self); // the code in work, as its system says it
+nck_status_t nck_decode_thread_fits(nck_decode_t *self);
+nck_status_t nck_decode_lead(nck_decode_t *self, char letter, double *lead_out);
+nck_status_t nck_decode_start_angle(nck_decode_t *self, float *turn_out);
+nck_status_t nck_decode_pass(nck_decode_t *self, const int64_t *end_nm, nck_thread_t *thread,
+                             nck_block_t *out);
+
+// spline.c: G5, G5.1, G5.2, G5.3; rest.c: a motion while a G5.2 is not ended: NCK_E_SPLINE.
+// Cost: constant.
+nck_status_t nck_decode_spline(nck_decode_t *self, nck_block_t *out);
+nck_status_t nck_spline_refuses(nck_decode_t *self, int32_t code);
+
+// tap.c: G33.1; a tapped hole from where the tool stands, with all in force that it needs.
+// NCK_E_THREAD_SPEED, NCK_E_THREAD_RUN_IN. Cost: constant.
+nck_status_t nck_decode_single_tap(nck_decode_t *self, nck_block_t *out);
+nck_status_t nck_decode_tap(nck_decode_t *self, const int64_t *bottom_nm, double lead,
+                            double dwell_s, nck_block_t *out);
+
+// screw.c: the passes of a threading cycle. Cost: constant.
+nck_status_t nck_decode_screw(nck_decode_t *self, nck_block_t *out);
+
+// entry.c: where the axes stand before a program that begins in the middle; 1 if the line that
+// waits is the one where it begins; a block before it; the next block of what is in force there,
+// NCK_EMPTY behind the last one. NCK_E_LABEL: the program ends before it, NCK_E_COMP_ON. Cost:
+// constant.
+void nck_entry_begin(nck_decode_t *self);
+int nck_entry_is_here(const nck_decode_t *self);
+nck_status_t nck_entry_pass(nck_decode_t *self, const nck_block_t *block);
+nck_status_t nck_entry_next(nck_decode_t *self, nck_block_t *out);
 
 // lathe.c: 1 on a lathe that speaks Fanuc's language; what its G-code system means by a code, in
 // system B's names; 1 if that is system A. Cost: constant.

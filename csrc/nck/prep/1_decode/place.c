@@ -5,36 +5,53 @@
 #include <stddef.h> // NULL
 #include <string.h> // memcpy memset
 
-void nck_decode_origin(nck_decode_t *self) {
-    const int64_t *const work = self->place.work_nm[self->place.work_system];
-    for (unsigned axis = 0; axis < NCK_AXIS_MAX; axis++) {
-        const int64_t tool = axis < 3 ? self->place.tool_nm[axis] : 0;
-        self->place.origin_nm[axis] = work[axis] + self->place.g92_nm[axis] + tool;
+// G43.1: the words of X Y Z are the offset.
+static nck_status_t set_length(nck_decode_t *self) {
+    for (unsigned axis = 0; axis < 3; axis++) {
+        int64_t value_nm = 0;
+        if (!(self->words.axes >> axis & 1u)) continue;
+        const nck_status_t status = nck_decode_axis_word(self, axis, &value_nm);
+        if (status != NCK_OK) return status;
+        self->place.tool_nm[axis] = value_nm;
     }
+    nck_decode_origin(self);
+    return NCK_EMPTY;
+}
+
+static nck_status_t fail_length(nck_decode_t *self) {
+    return nck_decode_fail(self, NCK_E_WORD_MISSING, self->words.code_column[NCK_STEP_LENGTH], 'H',
+                           43.2, 0.0);
+}
+
+// The offset of a tool, NULL: none, comes in place of the one in force; G43.2: on top of it.
+static void take_length(nck_decode_t *self, const nck_tool_t *tool) {
+    const int adds = self->words.code[NCK_STEP_LENGTH] == 432;
+    for (unsigned axis = 0; axis < 3; axis++) {
+        if (!adds) self->place.tool_nm[axis] = 0;
+        if (tool != NULL) self->place.tool_nm[axis] += tool->offset_nm[axis];
+    }
+    nck_decode_origin(self);
 }
 
 // G43 with H: the table's offset; without: of the tool in the spindle; H0, no tool and G49: none.
+// G43.2 with H adds one.
 nck_status_t nck_decode_length(nck_decode_t *self, nck_block_t *out) {
     const nck_words_t *const words = &self->words;
-    const nck_number_t *const word = &words->number['H' - 'A'];
     const int has_h = (words->letters & NCK_LETTER('H')) != 0;
-    int64_t number = words->code[NCK_STEP_LENGTH] == 430 ? self->modal.tool_in : 0;
+    const uint16_t code = words->code[NCK_STEP_LENGTH];
+    int64_t number = code == 430 ? self->modal.tool_in : 0;
     (void)out;
-    if (has_h && (!nck_number_whole(word, 0, &number) || number < 0
-                  || number > NCK_DECODE_VALUE_MAX)) {
-        return nck_decode_fail_word(self, NCK_E_NUMBER_RANGE, 'H', nck_number_real(word),
-                                    NCK_DECODE_VALUE_MAX);
-    }
+    if (code == 431) return set_length(self);
+    if (code == 432 && !has_h) return fail_length(self);
+    const nck_status_t status = nck_decode_whole(self, 'H', NCK_DECODE_VALUE_MAX, number, &number);
+    if (status != NCK_OK) return status;
     const nck_tool_t *const tool = nck_decode_find_tool(self, (uint32_t)number);
     if (number != 0 && tool == NULL) {
         const unsigned column = has_h ? words->column['H' - 'A']
                                       : words->code_column[NCK_STEP_LENGTH];
         return nck_decode_fail(self, NCK_E_TOOL_UNKNOWN, column, 'H', (double)number, 0.0);
     }
-    for (unsigned axis = 0; axis < 3; axis++) {
-        self->place.tool_nm[axis] = number != 0 ? tool->offset_nm[axis] : 0;
-    }
-    nck_decode_origin(self);
+    take_length(self, number != 0 ? tool : NULL);
     return NCK_EMPTY;
 }
 
@@ -51,11 +68,25 @@ static nck_status_t fail_missing(nck_decode_t *self, int letter) {
                            letter, 0.0, 0.0);
 }
 
+// Fanuc's G92 while G52 is in force: which of them then counts goes by the control.
+static nck_status_t check_local(nck_decode_t *self) {
+    const int both = self->place.is_local && self->machine->dialect.base == NCK_DIALECT_FANUC;
+    if (!both) return NCK_OK;
+    return nck_decode_fail(self, NCK_E_UNSUPPORTED, self->words.code_column[NCK_STEP_OFFSET], 'G',
+                           92.0, 0.0);
+}
+
 // G92: the present position gets the name that the words say.
 static nck_status_t rename_position(nck_decode_t *self) {
     const int64_t *const work = self->place.work_nm[self->place.work_system];
     int64_t g92_nm[NCK_AXIS_MAX];
+    const int limits = self->lathe && (self->words.letters & NCK_LETTER('S'));
+    const nck_status_t limited = limits ? nck_decode_speed_limit(self) : NCK_EMPTY;
+    if (limited != NCK_EMPTY || (limits && self->words.axes == 0)) return limited;
     if (self->words.axes == 0) return fail_missing(self, 'X');
+    const nck_status_t fits = check_local(self);
+    if (fits != NCK_OK) return fits;
+    self->place.is_local = 0;
     memcpy(g92_nm, self->place.g92_nm, sizeof g92_nm);
     for (unsigned axis = 0; axis < NCK_AXIS_MAX; axis++) {
         int64_t value = 0;
@@ -70,13 +101,39 @@ static nck_status_t rename_position(nck_decode_t *self) {
     return NCK_EMPTY;
 }
 
+// G52: the program's zero lies there in the work system. RS274NGC keeps it where G92 does; on
+// Fanuc's controls both would count, and what then holds goes by the control.
+static nck_status_t set_local(nck_decode_t *self) {
+    const int fanuc = self->machine->dialect.base == NCK_DIALECT_FANUC;
+    int64_t g92_nm[NCK_AXIS_MAX];
+    if (self->words.axes == 0) return fail_missing(self, 'X');
+    if (fanuc && self->modal.incremental) {
+        return nck_decode_fail(self, NCK_E_INCREMENTAL, self->words.code_column[NCK_STEP_OFFSET],
+                               'G', 52.0, 0.0);
+    }
+    memcpy(g92_nm, self->place.g92_nm, sizeof g92_nm);
+    for (unsigned axis = 0; axis < NCK_AXIS_MAX; axis++) {
+        if (fanuc && !self->place.is_local && g92_nm[axis] != 0) {
+            return nck_decode_fail(self, NCK_E_UNSUPPORTED,
+                                   self->words.code_column[NCK_STEP_OFFSET], 'G', 52.0, 0.0);
+        }
+        if (!(self->words.axes & ((uint32_t)1 << axis))) continue;
+        const nck_status_t status = nck_decode_axis_word(self, axis, &g92_nm[axis]);
+        if (status != NCK_OK) return status;
+    }
+    memcpy(self->place.g92_nm, g92_nm, sizeof g92_nm);
+    memcpy(self->place.g92_kept_nm, g92_nm, sizeof g92_nm);
+    self->place.is_local = 1;
+    return NCK_EMPTY;
+}
+
 // G10 L2 Pn: which work system, 0 for the one in force.
-static nck_status_t read_system(nck_decode_t *self, int64_t *number_out) {
+static nck_status_t read_system(nck_decode_t *self, int64_t *list_out, int64_t *number_out) {
     const nck_words_t *const words = &self->words;
-    int64_t list = 0;
     if (!(words->letters & NCK_LETTER('L'))) return fail_missing(self, 'L');
     if (!(words->letters & NCK_LETTER('P'))) return fail_missing(self, 'P');
-    if (!nck_number_whole(&words->number['L' - 'A'], 0, &list) || list != 2) {
+    const int whole = nck_number_whole(&words->number['L' - 'A'], 0, list_out);
+    if (!whole || (*list_out != 2 && *list_out != 20)) {
         return nck_decode_fail_word(self, NCK_E_UNSUPPORTED, 'L',
                                     nck_number_real(&words->number['L' - 'A']), 0.0);
     }
@@ -91,11 +148,12 @@ static nck_status_t read_system(nck_decode_t *self, int64_t *number_out) {
     return NCK_OK;
 }
 
-// G10 L2: the zero of a work system for the axes named.
+// G10 L2: the zero of a work system for the axes named; L20: it is where the axes have the places
+// that the words say.
 static nck_status_t set_work(nck_decode_t *self) {
     const nck_words_t *const words = &self->words;
-    int64_t number = 0;
-    const nck_status_t system = read_system(self, &number);
+    int64_t list = 0, number = 0;
+    const nck_status_t system = read_system(self, &list, &number);
     if (system != NCK_OK) return system;
     int64_t *const work = self->place.work_nm[number > 0 ? number - 1 : self->place.work_system];
     for (unsigned axis = 0; axis < NCK_AXIS_MAX; axis++) {
@@ -103,7 +161,9 @@ static nck_status_t set_work(nck_decode_t *self) {
         if (!(words->axes & ((uint32_t)1 << axis))) continue;
         const nck_status_t status = nck_decode_axis_word(self, axis, &value);
         if (status != NCK_OK) return status;
-        work[axis] = value;
+        const int64_t tool = axis < 3 ? self->place.tool_nm[axis] : 0;
+        const int64_t here = self->place.position_nm[axis] - tool - self->place.g92_nm[axis];
+        work[axis] = list == 2 ? value : here - value;
     }
     return NCK_EMPTY;
 }
@@ -113,7 +173,13 @@ nck_status_t nck_decode_offset(nck_decode_t *self, nck_block_t *out) {
     switch (self->words.code[NCK_STEP_OFFSET]) {
     case 280:
     case 300: return nck_decode_reference(self, out);
+    case 281:
+    case 301: // here
+        memcpy(self->place.home_nm[self->words.code[NCK_STEP_OFFSET] == 301],
+               self->place.position_nm, sizeof self->place.position_nm);
+        break;
     case 100: status = set_work(self); break;
+    case 520: status = set_local(self); break;
     case 920: status = rename_position(self); break;
     case 921: // forget
         memset(self->place.g92_kept_nm, 0, sizeof self->place.g92_kept_nm);

@@ -8,12 +8,16 @@
 
 enum { CODE_NONE = -1, CODE_LINE = 10 }; // in tenths
 
+enum { DIGITS_MOST = 15 }; // of a number in the finest unit, so that its counts fit
+
+static const int64_t power_of_ten[] = {1, 10, 100, 1000, 10000, 100000, 1000000, 10000000,
+                                       100000000, 1000000000};
+
 // A line as far as it is read.
 typedef struct quick {
-    const char *at;
     int64_t target_nm[NCK_AXIS_MAX];
     uint32_t axes; // bit k: axis k is named
-    int64_t code;  // in tenths; CODE_NONE: none yet
+    int code;      // in tenths; CODE_NONE: none yet
     int is_named;  // 1: N was read
 } quick_t;
 
@@ -22,63 +26,106 @@ static int is_plain(const nck_decode_t *self) {
     const uint32_t noted = self->finding.given | self->finding.notes;
     const uint32_t wanted = 1u << NCK_NOTE_UNITS | 1u << NCK_NOTE_DISTANCE;
     const int whole = self->text.words && !(self->line.overflow | self->line.binary);
-    const int by_itself = self->macro.seek.kind == NCK_SEEK_NOT && self->macro.modal == 0;
-    const int moves = self->modal.motion == 0 || self->modal.motion == CODE_LINE;
+    const int by_itself = self->macro.seek.kind == NCK_SEEK_NOT && self->macro.modal == 0
+                          && (self->held.contour.mode | self->entry.waits | self->layout.on) == 0;
     const int linear = !(self->place.rotary & 7u);
-    return whole && by_itself && moves && linear && (noted & wanted) == wanted;
+    return whole && by_itself && linear && (noted & wanted) == wanted;
 }
 
-static int read_axis(const nck_decode_t *self, quick_t *line, unsigned axis,
-                     const nck_number_t *word) {
+static unsigned digit_of(const char *at) { return (unsigned)(unsigned char)*at - (unsigned)'0'; }
+
+// Digits in a row, behind those of the mantissa; of too many the mantissa is worth nothing.
+static const char *read_digits(const char *at, int64_t *mantissa) {
+    uint64_t sum = (uint64_t)*mantissa;
+    unsigned digit = digit_of(at);
+    while (digit <= 9) {
+        sum = sum * 10 + digit;
+        at++;
+        digit = digit_of(at);
+    }
+    *mantissa = (int64_t)sum;
+    return at;
+}
+
+// The blanks behind a number. NULL: neither a letter nor the line's end stands behind them.
+static const char *end_number(const char *at) {
+    while (*at == ' ') at++;
+    return *at > '9' || *at == '\n' ? at : (const char *)0;
+}
+
+// A number of few digits that is whole in counts of the scale, and the blanks after it. NULL if it
+// is none of these, or beyond the scale's limit.
+static const char *read_counts(const char *at, const nck_scale_t *scale, int64_t *out) {
+    const int negative = *at == '-';
+    const char *const first = at + negative;
+    int64_t mantissa = 0;
+    const char *const point = read_digits(first, &mantissa);
+    const int has_point = *point == '.';
+    const char *const end = has_point ? read_digits(point + 1, &mantissa) : point;
+    const int length = (int)(end - first) - has_point;
+    const int shift = scale->power + has_point - (int)(end - point);
+    if (length < 1 || shift < 0 || length + shift > DIGITS_MOST) return (const char *)0;
+    const int64_t counts = mantissa * power_of_ten[shift] * scale->factor;
+    if (counts > scale->limit) return (const char *)0;
+    *out = negative ? -counts : counts;
+    return end_number(end);
+}
+
+static const char *read_axis(const nck_decode_t *self, quick_t *line, unsigned axis,
+                             const char *at) {
     const nck_scale_t *const scale = &self->place.scale[axis == NCK_AXIS_X];
     const nck_axis_t *const travel = &self->machine->axis[axis];
     const uint32_t bit = 1u << axis;
     int64_t value = 0;
-    if ((line->axes & bit) || !nck_number_fixed(self->line.text, word, scale, &value)) return 0;
+    if (line->axes & bit) return (const char *)0;
+    at = read_counts(at, scale, &value);
     value += self->modal.incremental ? self->place.position_nm[axis] : self->place.origin_nm[axis];
-    line->axes |= bit;
+    if (value < -scale->limit || value > scale->limit) return (const char *)0;
+    if (value < travel->min_nm || value > travel->max_nm) return (const char *)0;
     line->target_nm[axis] = value;
-    return value >= -scale->limit && value <= scale->limit && value >= travel->min_nm
-           && value <= travel->max_nm;
+    line->axes |= bit;
+    return at;
 }
 
-static int read_code(quick_t *line, const nck_number_t *word) {
-    const int is_first = line->code == CODE_NONE;
-    return is_first && nck_number_whole(word, 1, &line->code)
-           && (line->code == 0 || line->code == CODE_LINE);
+// G0 or G1.
+static const char *read_code(quick_t *line, const char *at) {
+    const char *const digit = *at == '0' && digit_of(at + 1) <= 9 ? at + 1 : at;
+    if (line->code != CODE_NONE || digit_of(digit) > 1) return (const char *)0;
+    line->code = digit_of(digit) == 0 ? 0 : CODE_LINE;
+    return end_number(digit + 1);
 }
 
-static int read_word(const nck_decode_t *self, quick_t *line) {
-    const int letter = *line->at & ~0x20;
-    const int is_axis = letter >= 'X' && letter <= 'Z';
-    nck_number_t word;
-    if (!is_axis && letter != 'G' && letter != 'N') return 0;
-    line->at = nck_number_read(self->line.text, line->at + 1, &word);
-    if (!line->at) return 0;
-    if (is_axis) return read_axis(self, line, (unsigned)letter - 'X', &word);
-    if (letter == 'G') return read_code(line, &word);
-    const int again = line->is_named;
+static const char *read_name(quick_t *line, const char *at) {
+    int64_t name = 0;
+    const char *const end = read_digits(at, &name);
+    const int is_good = !line->is_named && end > at;
     line->is_named = 1;
-    return !again;
+    return is_good ? end_number(end) : (const char *)0;
+}
+
+// A word and the blanks after it. NULL: it is none for here, or a mistake.
+static const char *read_word(const nck_decode_t *self, quick_t *line, const char *at) {
+    const unsigned letter = (unsigned)(unsigned char)*at & ~0x20u;
+    if (letter >= 'X' && letter <= 'Z') return read_axis(self, line, letter - 'X', at + 1);
+    if (letter == 'G') return read_code(line, at + 1);
+    return letter == 'N' ? read_name(line, at + 1) : (const char *)0;
 }
 
 // 1 if the line is one for here, and no mistake is in it.
 static int read_line(const nck_decode_t *self, quick_t *line) {
-    while (*line->at == ' ') line->at++;
-    while (*line->at != '\n') {
-        if (!read_word(self, line)) return 0;
-    }
+    const char *at = self->line.text;
+    while (*at == ' ') at++;
+    while (at && *at != '\n') at = read_word(self, line, at);
     if (line->code == CODE_NONE) line->code = self->modal.motion;
     const int cuts = line->code == CODE_LINE;
     const int has_feed = self->modal.feed_mode == NCK_FEED_PER_MINUTE && self->modal.feed > 0.0;
-    return line->axes != 0 && !(line->axes & ~self->place.axes) && line->code <= CODE_LINE
+    return at && line->axes != 0 && !(line->axes & ~self->place.axes) && line->code <= CODE_LINE
            && (!cuts || has_feed);
 }
 
 int nck_decode_quick(nck_decode_t *self, nck_block_t *out) {
     quick_t line;
     if (!is_plain(self)) return 0;
-    line.at = self->line.text;
     line.axes = 0;
     line.code = CODE_NONE;
     line.is_named = 0;
@@ -86,7 +133,7 @@ int nck_decode_quick(nck_decode_t *self, nck_block_t *out) {
     if (!read_line(self, &line)) return 0;
     const int cuts = line.code == CODE_LINE;
     self->line.tag = self->line.number;
-    self->modal.motion = (int32_t)line.code;
+    self->modal.motion = line.code;
     memcpy(self->place.position_nm, line.target_nm, sizeof line.target_nm);
     nck_decode_block(self, cuts ? NCK_BLOCK_LINE : NCK_BLOCK_RAPID, out);
     out->feed = cuts ? self->modal.feed : 0.0;

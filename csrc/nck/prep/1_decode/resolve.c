@@ -34,10 +34,20 @@ static void claim_dwell(nck_decode_t *self) {
     }
 }
 
+// G70 … G73.
+static int follows(const nck_decode_t *self) {
+    return has(&self->words, NCK_STEP_MOTION)
+           && nck_decode_follows(self, self->words.code[NCK_STEP_MOTION]);
+}
+
 // The axis words that no dwell has.
 static uint32_t axis_letters(const nck_decode_t *self) {
     const uint32_t letters = self->words.letters & NCK_LETTERS_AXES;
     const int dwells = has(&self->words, NCK_STEP_DWELL);
+    const int screws = self->lathe && has(&self->words, NCK_STEP_MOTION)
+                       && self->words.code[NCK_STEP_MOTION] == NCK_MOTION_SCREW;
+    if (self->lathe && follows(self)) return 0; // U and W are what is left on the contour
+    if (screws) return letters & ~NCK_LETTER('A'); // the thread's angle
     if (!dwells || self->machine->dialect.base != NCK_DIALECT_FANUC) return letters;
     return letters & ~(NCK_LETTER('X') | NCK_LETTER('U'));
 }
@@ -82,7 +92,7 @@ static int goes_without_axes(const nck_decode_t *self, int32_t modal) {
 static nck_status_t claim_motion(nck_decode_t *self) {
     nck_words_t *const words = &self->words;
     const int32_t modal = self->modal.motion;
-    const int taken = has(words, NCK_STEP_OFFSET) && words->code[NCK_STEP_OFFSET] <= 920;
+    const int taken = (words->codes & NCK_STEPS_AXES) && nck_words_set_axes(words);
 
     if (has(words, NCK_STEP_MOTION)) {
         // Fanuc's G0 G28 Z0: the motion code sets the mode, G28 has the words.
@@ -121,18 +131,27 @@ static nck_status_t check_shared(nck_decode_t *self) {
     const int work = has(words, NCK_STEP_OFFSET) && (words->code[NCK_STEP_OFFSET] == 100
                                                      || words->code[NCK_STEP_OFFSET] == 300);
     const int path = has(words, NCK_STEP_PATH) && words->code[NCK_STEP_PATH] == 640;
-    const int others = has(words, NCK_STEP_DWELL) + has(words, NCK_STEP_CALL);
+    const int scale = has(words, NCK_STEP_LAYOUT)
+                      && (words->code[NCK_STEP_LAYOUT] & NCK_LAYOUT_G51);
+    const int others = has(words, NCK_STEP_DWELL) + has(words, NCK_STEP_CALL) + scale
+                       + has(words, NCK_STEP_PORT);
     if (moves + work + path + others <= 1) return NCK_OK;
     return nck_decode_fail_word(self, NCK_E_WORD_SHARED, 'P', 0.0, 0.0);
 }
 
-// G92 with S and nothing else limits the spindle's speed on Fanuc's controls, in system A G50.
+// On Fanuc's controls the S beside G92, in system A G50, is no speed but the most under G96.
 static nck_status_t check_limit(nck_decode_t *self) {
-    const nck_words_t *const words = &self->words;
-    const int alone = words->code[NCK_STEP_OFFSET] == 920 && words->axes == 0;
-    if (!alone || !(words->letters & NCK_LETTER('S'))) return NCK_OK;
-    return nck_decode_fail(self, NCK_E_UNSUPPORTED, words->code_column[NCK_STEP_OFFSET], 'G',
-                           nck_lathe_is_a(self) ? 50.0 : 92.0, 0.0);
+    nck_words_t *const words = &self->words;
+    const int limits = words->code[NCK_STEP_OFFSET] == 920 && (words->letters & NCK_LETTER('S'));
+    if (limits && self->lathe) words->steps &= ~NCK_STEP(NCK_STEP_SPEED);
+    if (!limits || self->lathe || words->axes != 0) return NCK_OK;
+    return fail_code(self, NCK_E_UNSUPPORTED, NCK_STEP_OFFSET);
+}
+
+// What cannot be done while something else is in force.
+static nck_status_t check_in_force(nck_decode_t *self) {
+    const nck_status_t status = self->layout.on ? nck_layout_refuses(self) : NCK_OK;
+    return status == NCK_OK && self->modal.comp ? nck_decode_comp_refuses(self) : status;
 }
 
 // What else cannot stand in one block.
@@ -146,8 +165,7 @@ static nck_status_t check_codes(nck_decode_t *self) {
     if (words->letters & NCK_LETTER('P')) status = check_shared(self);
     if (status == NCK_OK && has(words, NCK_STEP_OFFSET)) status = check_limit(self);
     if (status == NCK_OK && has(words, NCK_STEP_MACHINE)) status = check_machine(self);
-    if (status == NCK_OK && self->modal.comp) status = nck_decode_comp_refuses(self);
-    return status;
+    return status == NCK_OK ? check_in_force(self) : status;
 }
 
 // G65 and G66: all words are the called program's.
@@ -162,7 +180,7 @@ static nck_status_t resolve_words(nck_decode_t *self) {
     nck_words_t *const words = &self->words;
     const uint32_t always = NCK_LETTER('F') | NCK_LETTER('N') | NCK_LETTER('S') | NCK_LETTER('T');
     const int plain = !(words->codes & ~NCK_STEP(NCK_STEP_MOTION));
-    if (words->letters & NCK_LETTER('E')) {
+    if (words->letters & ~words->takes & NCK_LETTER('E')) {
         return nck_decode_fail_word(self, NCK_E_WORD_UNKNOWN, 'E', 0.0, 0.0);
     }
     if (words->letters & NCK_LETTER('F')) words->steps |= NCK_STEP(NCK_STEP_FEED);
@@ -172,15 +190,24 @@ static nck_status_t resolve_words(nck_decode_t *self) {
     nck_status_t status = claim_axes(self);
     if (status == NCK_OK) status = claim_motion(self);
     if (status != NCK_OK) return status;
-    if (words->letters & ~(words->takes | always)) {
-        const int letter = leftmost(words, words->letters & ~(words->takes | always));
+    uint32_t unused = words->letters & ~(words->takes | always);
+    if (unused != 0) unused &= ~nck_corner_letters(self, unused);
+    if (unused != 0) {
+        const int letter = leftmost(words, unused);
         return nck_decode_fail_word(self, NCK_E_WORD_UNUSED, letter, 0.0, 0.0);
     }
     return plain ? NCK_OK : check_codes(self);
 }
 
+static nck_status_t resolve_printer(nck_decode_t *self) {
+    if (nck_printer_speaks(self)) return nck_printer_resolve(self);
+    const nck_status_t status = nck_printer_extrude(self);
+    return status == NCK_OK ? resolve_words(self) : status;
+}
+
 nck_status_t nck_decode_resolve(nck_decode_t *self) {
     const int calls = has(&self->words, NCK_STEP_CALL);
     if (calls && nck_words_are_arguments(&self->words)) return resolve_macro(self);
+    if (self->machine->dialect.base == NCK_DIALECT_MARLIN) return resolve_printer(self);
     return resolve_words(self);
 }

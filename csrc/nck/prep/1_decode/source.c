@@ -2,6 +2,7 @@
 // Text becomes lines: what is pushed, and what the room reads itself, also from another place.
 #include "nck/prep/1_decode/parts.h"
 
+#include <assert.h> // assert
 #include <string.h> // memchr memcpy
 
 enum { PIECE = 64 };
@@ -26,6 +27,7 @@ static void collect(nck_decode_t *self, const char *text, size_t n) {
     if (memchr(text, '\0', n) != NULL) self->line.binary = 1;
     memcpy(self->line.text + self->line.size, text, fits);
     self->line.size += (uint32_t)fits;
+    assert(self->line.size <= NCK_LINE_MAX);
     self->line.overflow |= n > room;
 }
 
@@ -74,6 +76,11 @@ void nck_decode_flush(nck_decode_t *self) {
 
 int nck_decode_is_empty(const nck_decode_t *self) {
     return self->line.state == NCK_LINE_OPEN && !is_begun(self) && !nck_decode_reads(self);
+}
+
+int nck_decode_needs_text(const nck_decode_t *self) {
+    const int ends = self->text.complete || self->text.over || self->entry.waits != 0;
+    return self->line.state == NCK_LINE_OPEN && !ends && !self->macro.reads;
 }
 
 void nck_decode_end(nck_decode_t *self) {

@@ -27,7 +27,7 @@ static nck_status_t fail_missing(nck_decode_t *self, int letter) {
 
 // X and Z: where the cut ends. They hold as places, with G91 too.
 static nck_status_t read_end(nck_decode_t *self) {
-    nck_turn_t *const turn = &self->turn;
+    nck_turn_t *const turn = &self->held.turn;
     for (unsigned k = 0; k < 2; k++) {
         const unsigned axis = axis_of(k);
         const int64_t at_nm = self->place.position_nm[axis] - self->place.origin_nm[axis];
@@ -49,7 +49,7 @@ static nck_status_t read_taper(nck_decode_t *self) {
     if (said == both) return nck_decode_fail_word(self, NCK_E_WORD_SHARED, other, 0.0, 0.0);
     if (said == 0) return NCK_OK;
     const char letter = said == NCK_LETTER('R') ? 'R' : other;
-    return nck_decode_length_word(self, letter, &self->turn.taper_nm);
+    return nck_decode_length_word(self, letter, &self->held.turn.taper_nm);
 }
 
 static nck_status_t check_corner(nck_decode_t *self, int64_t *corner_nm) {
@@ -63,7 +63,7 @@ static nck_status_t check_corner(nck_decode_t *self, int64_t *corner_nm) {
 
 // The corners that are not the start's.
 static nck_status_t place_corners(nck_decode_t *self) {
-    nck_turn_t *const turn = &self->turn;
+    nck_turn_t *const turn = &self->held.turn;
     const unsigned in = is_turning(self) ? 0 : 1;
     for (unsigned k = 0; k < 2; k++) {
         const int64_t end_nm = turn->end_nm[k] + self->place.origin_nm[axis_of(k)];
@@ -79,7 +79,7 @@ static nck_status_t place_corners(nck_decode_t *self) {
 // The infeed, X of turning and Z of facing, must not lead away from the end of the cut, and a taper
 // needs a length.
 static nck_status_t check_taper(nck_decode_t *self) {
-    const nck_turn_t *const turn = &self->turn;
+    const nck_turn_t *const turn = &self->held.turn;
     const unsigned in = is_turning(self) ? 0 : 1;
     const int64_t depth_nm = turn->corner_nm[1][in] - turn->start_nm[in];
     const int64_t begin_nm = turn->corner_nm[0][in] - turn->start_nm[in];
@@ -91,7 +91,7 @@ static nck_status_t check_taper(nck_decode_t *self) {
 }
 
 static nck_status_t begin(nck_decode_t *self) {
-    nck_turn_t *const turn = &self->turn;
+    nck_turn_t *const turn = &self->held.turn;
     const int32_t before = self->modal.motion;
     self->modal.motion = self->words.code[NCK_STEP_MOTION];
     if (self->modal.motion != before) {
@@ -116,7 +116,7 @@ static nck_status_t begin(nck_decode_t *self) {
 
 // The next move. A rapid that goes nowhere is left out.
 static nck_status_t go(nck_decode_t *self, nck_block_t *out) {
-    nck_turn_t *const turn = &self->turn;
+    nck_turn_t *const turn = &self->held.turn;
     const int rapid = turn->left == MOVES || turn->left == 1;
     const int64_t *const to_nm = turn->left == 1 ? turn->start_nm
                                                  : turn->corner_nm[MOVES - turn->left];
@@ -134,9 +134,9 @@ static nck_status_t go(nck_decode_t *self, nck_block_t *out) {
 
 nck_status_t nck_decode_turn(nck_decode_t *self, nck_block_t *out) {
     if (!NCK_HAS_CYCLES) return NCK_E_UNSUPPORTED;
-    nck_status_t status = self->turn.left == 0 ? begin(self) : NCK_OK;
+    nck_status_t status = self->held.turn.left == 0 ? begin(self) : NCK_OK;
     if (status == NCK_OK) status = NCK_EMPTY;
-    while (status == NCK_EMPTY && self->turn.left > 0) status = go(self, out);
-    if (self->turn.left > 0) self->words.steps |= NCK_STEP(NCK_STEP_CYCLE);
+    while (status == NCK_EMPTY && self->held.turn.left > 0) status = go(self, out);
+    if (self->held.turn.left > 0) nck_decode_leave(self, NCK_REST_CYCLE);
     return status;
 }

@@ -68,11 +68,29 @@ static nck_status_t fail_character(nck_decode_t *self, const char *at) {
 // A code whose step has one already. G80 cancels cycles, and a motion beside it is the motion;
 // Fanuc's last one of a group counts, so the G90 of a safety line is none.
 static nck_status_t collide(nck_words_t *words, unsigned step, int64_t tenths) {
+    if (step == NCK_STEP_LAYOUT) {
+        const int both = nck_layout_collides(words->code[step], nck_layout_bit(tenths));
+        return both ? NCK_E_MODAL_GROUP : NCK_OK;
+    }
     const int before = words->code[step] == 800, now = tenths == 800;
     const int turns = words->code[step] == NCK_MOTION_TURN || words->code[step] == NCK_MOTION_FACE;
     if (step == NCK_STEP_MOTION && turns && tenths <= NCK_MOTION_FACE) return NCK_OK;
     if (step != NCK_STEP_MOTION || before == now) return NCK_E_MODAL_GROUP;
     return now ? NCK_EMPTY : NCK_OK;
+}
+
+static void keep_code(nck_words_t *words, unsigned step, int64_t tenths) {
+    const uint32_t bit = NCK_STEP(step);
+    const uint32_t before = (words->codes & bit) != 0 ? words->code[step] : 0u;
+    const int many = step == NCK_STEP_LAYOUT;
+    words->code[step] = (uint16_t)(many ? before | nck_layout_bit(tenths) : (uint64_t)tenths);
+    words->codes |= bit;
+    words->steps |= bit;
+}
+
+// A printer's text is no word.
+static const char *behind_code(const nck_decode_t *self, const char *at, unsigned step) {
+    return step == NCK_STEP_OWN ? nck_printer_text(self, at, self->words.code[step]) : at;
 }
 
 // G and M codes: sorted into the step that executes them.
@@ -99,11 +117,10 @@ static nck_status_t read_code(nck_decode_t *self, const char **at) {
     if (status != NCK_OK) {
         return nck_decode_fail(self, status, column, letter, nck_number_real(&number), 0.0);
     }
-    words->codes |= NCK_STEP(step);
-    words->steps |= NCK_STEP(step);
     words->takes |= takes;
-    words->code[step] = (uint16_t)tenths;
     words->code_column[step] = (uint16_t)column;
+    keep_code(words, step, tenths);
+    *at = behind_code(self, *at, step);
     return NCK_OK;
 }
 
@@ -131,11 +148,34 @@ static nck_status_t read_word(nck_decode_t *self, const char **at) {
     return NCK_OK;
 }
 
+// ,R and ,C of a language that has them.
+static nck_status_t read_corner(nck_decode_t *self, const char **at) {
+    const char *const first = *at;
+    const char *const word = nck_decode_skip(first + 1);
+    const char letter = (char)(*word & ~0x20);
+    nck_number_t number;
+    if (!nck_corner_speaks(self) || (letter != 'R' && letter != 'C')) {
+        return fail_character(self, first);
+    }
+    *at = nck_number_read(self->line.text, word + 1, &number);
+    if (*at == NULL) {
+        *at = word;
+        const nck_status_t status = read_value(self, at, &number);
+        if (status != NCK_OK) return status;
+    }
+    if (self->held.corner.word.letter != 0) {
+        return nck_decode_fail(self, NCK_E_WORD_TWICE, column_of(self, word), letter, 0.0, 0.0);
+    }
+    nck_corner_keep(self, letter, column_of(self, word), &number, 0);
+    return NCK_OK;
+}
+
 // What begins with no letter: a remark, a parameter, or the name of a program behind a colon.
 static nck_status_t read_other(nck_decode_t *self, const char **at) {
     const char *const first = *at;
     if (*first == ':') return nck_decode_o_word(self, at);
     if (*first == '#') return nck_decode_assign(self, at);
+    if (*first == ',') return read_corner(self, at);
     if (*first != '(') return fail_character(self, first);
     while (**at != ')' && **at != '\n') ++*at;
     if (**at == '\n') {

@@ -13,11 +13,13 @@ typedef enum nck_step {
     NCK_STEP_UNITS = 0,   // G20 G21
     NCK_STEP_FEED_MODE,   // G93 G94 G95
     NCK_STEP_FEED,        // F
+    NCK_STEP_SPEED_MODE,  // G96 G97
     NCK_STEP_SPEED,       // S
     NCK_STEP_TOOL,        // T
+    NCK_STEP_PORT,        // M62 … M68
     NCK_STEP_CHANGE,      // M6: the spindle stops first
-    NCK_STEP_CHANGE_WAIT, // the wait of M6
     NCK_STEP_SPINDLE,     // M3 M4 M5
+    NCK_STEP_STATE,       // M70 M71 M72 M73
     NCK_STEP_MIST,        // M7
     NCK_STEP_FLOOD,       // M8 M9
     NCK_STEP_OVERRIDE,    // M48 M49
@@ -31,19 +33,25 @@ typedef enum nck_step {
     NCK_STEP_PATH,        // G61 G61.1 G64
     NCK_STEP_DISTANCE,    // G90 G91
     NCK_STEP_CENTRE,      // G90.1 G91.1
-    NCK_STEP_SPEED_MODE,  // G97
     NCK_STEP_RETRACT,     // G98 G99
+    NCK_STEP_LAYOUT,      // G15 G16 G50 G50.1 G51 G51.1 G68 G69
     NCK_STEP_OFFSET,      // G10 G28 G30 G92 G92.1 G92.2 G92.3: each takes the axis words for itself
     NCK_STEP_EXACT,       // G9
     NCK_STEP_MACHINE,     // G53
     NCK_STEP_MOTION,      // G0 G1 G2 G3 G80, canned cycles
-    NCK_STEP_PUSHED,      // what a pushed block does, unless it is an M code
-    NCK_STEP_CYCLE,       // the holes of a canned cycle
-    NCK_STEP_SECOND,      // the second move of a G28 or of an arc in two parts
+    NCK_STEP_REST,        // what is left of the line: nck_rest_t
     NCK_STEP_CALL,        // M98 M99 G65 G66 G67
     NCK_STEP_STOP,        // M0 M1 M2 M30 M60
     NCK_STEP_COUNT
 } nck_step_t;
+
+// What NCK_STEP_REST does.
+typedef enum nck_rest {
+    NCK_REST_CYCLE = 0,  // the next block of a cycle
+    NCK_REST_SECOND = 1, // the second move of a G28 or of an arc in two parts
+    NCK_REST_PUSHED = 2, // what a pushed block does, unless it is an M code
+    NCK_REST_CORNER = 3  // a corner, and the move behind it
+} nck_rest_t;
 
 // Letters that a word may begin with.
 enum { NCK_LETTERS = 26 };
@@ -59,6 +67,7 @@ typedef struct nck_words {
     uint16_t code_column[NCK_STEP_COUNT]; // 1-based byte column of the code
     uint16_t column[NCK_LETTERS];         // 1-based byte column of the word
     nck_number_t number[NCK_LETTERS];
+    uint8_t rest;                         // nck_rest_t
     uint8_t tail;                         // 1: the line ended in a ; comment
 } nck_words_t;
 

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: MIT
+// Motions of splines, in tenths.
+#ifndef NCK_PREP_DECODE_MOTIONS_H
+#define NCK_PREP_DECODE_MOTIONS_H
+
+#include <stdint.h> // int32_t
+
+// G5, G5.1, G5.2, G5.3.
+enum {
+    NCK_MOTION_CUBIC = 50, NCK_MOTION_QUADRATIC = 51, NCK_MOTION_NURBS = 52,
+    NCK_MOTION_NURBS_END = 53
+};
+
+// Whether a motion in tenths is of a spline.
+static inline int nck_motion_is_spline(int32_t motion) {
+    return motion >= NCK_MOTION_CUBIC && motion <= NCK_MOTION_NURBS_END;
+}
+
+#endif

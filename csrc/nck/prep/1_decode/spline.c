@@ -1,0 +1,294 @@
+// SPDX-License-Identifier: MIT
+// Splines in the plane of X and Y: rational B-splines with knots 0 … 0 1 2 … m … m, cut into chords
+// that keep to the chord tolerance. G5 and G5.1 are those of one span.
+#include "nck/prep/1_decode/parts.h"
+
+#include <string.h> // memcpy memset
+
+#include "nck/base/real.h" // nck_floor nck_min nck_max nck_sqrt nck_fabs
+
+enum { DEFAULT_ORDER = 3, HALVINGS = 24, SAMPLES = 4 };
+
+// A point times its weight [mm], and the weight.
+typedef struct weighted {
+    double x, y, w;
+} weighted_t;
+
+static int says(const nck_decode_t *self, char letter) {
+    return (self->words.letters & NCK_LETTER(letter)) != 0;
+}
+
+static nck_status_t fail(nck_decode_t *self, nck_status_t code, int letter, double value,
+                         double limit) {
+    const int said = (self->words.codes & NCK_STEP(NCK_STEP_MOTION)) != 0;
+    self->held.spline.points = 0;
+    return nck_decode_fail(self, code, said ? self->words.code_column[NCK_STEP_MOTION] : 0, letter,
+                           value, limit);
+}
+
+// ---- the curve
+
+// Knot i of n + 1 points.
+static double knot(const nck_spline_t *spline, uint32_t i) {
+    const uint32_t k = spline->order;
+    const uint32_t n = spline->points - 1;
+    return i < k ? 0.0 : i <= n ? (double)(i - k + 1) : (double)(n - k + 2);
+}
+
+static double parameter_end(const nck_spline_t *spline) {
+    return (double)(spline->points - spline->order + 1);
+}
+
+// De Boor's algorithm on weighted points: from their places in the machine to one.
+static void point_at(const nck_decode_t *self, double u, double *at) {
+    const nck_spline_t *const spline = &self->held.spline;
+    const nck_element_t *const element = self->held.contour.element;
+    const uint32_t k = spline->order;
+    const double last = (double)(spline->points - k);
+    const uint32_t j = (uint32_t)nck_min(nck_floor(u), last) + k - 1;
+    weighted_t d[NCK_SPLINE_ORDER_MOST];
+    memset(d, 0, sizeof d);
+    for (uint32_t r = 0; r < k; r++) {
+        const nck_element_t *const point = &element[j - k + 1 + r];
+        const double w = point->sweep_rad;
+        d[r] = (weighted_t){w * (double)point->to_nm[0], w * (double)point->to_nm[1], w};
+    }
+    for (uint32_t l = 1; l < k; l++) {
+        for (uint32_t r = k - 1; r >= l; r--) {
+            const uint32_t i = j - k + 1 + r;
+            const double low = knot(spline, i);
+            const double a = (u - low) / (knot(spline, i + k - l) - low);
+            d[r].x = (1.0 - a) * d[r - 1].x + a * d[r].x;
+            d[r].y = (1.0 - a) * d[r - 1].y + a * d[r].y;
+            d[r].w = (1.0 - a) * d[r - 1].w + a * d[r].w;
+        }
+    }
+    at[0] = d[k - 1].x / d[k - 1].w;
+    at[1] = d[k - 1].y / d[k - 1].w;
+}
+
+// How far a point is from a chord [nm].
+static double beside(const double *a, const double *b, const double *point) {
+    const double dx = b[0] - a[0], dy = b[1] - a[1];
+    const double x = point[0] - a[0], y = point[1] - a[1];
+    const double dd = dx * dx + dy * dy;
+    const double share = dd > 0.0 ? nck_max(0.0, nck_min(1.0, (x * dx + y * dy) / dd)) : 0.0;
+    const double px = x - share * dx, py = y - share * dy;
+    return nck_sqrt(px * px + py * py);
+}
+
+// Is the curve from u to v no further from its chord than the tolerance?
+static int is_flat(const nck_decode_t *self, double u, double v) {
+    const double tolerance_nm = self->machine->path.chord_error * 1e6;
+    double a[2], b[2], point[2];
+    point_at(self, u, a);
+    point_at(self, v, b);
+    for (int k = 1; k < SAMPLES; k++) {
+        point_at(self, u + (v - u) * (double)k / (double)SAMPLES, point);
+        if (beside(a, b, point) > tolerance_nm) return 0;
+    }
+    return 1;
+}
+
+static int64_t rounded(double x) { return (int64_t)nck_floor(x + 0.5); }
+
+// The next chord, which does not pass a knot.
+static nck_status_t chord(nck_decode_t *self, nck_block_t *out) {
+    nck_spline_t *const spline = &self->held.spline;
+    const double behind = parameter_end(spline);
+    const double span = nck_min(nck_floor(spline->at) + 1.0, behind) - spline->at;
+    double step = nck_min(spline->step, span);
+    double at[2];
+    for (int k = 0; k < HALVINGS && !is_flat(self, spline->at, spline->at + step); k++) step *= 0.5;
+    spline->step = 2.0 * step;
+    spline->at = step < span ? spline->at + step : nck_floor(spline->at) + 1.0;
+    spline->works = spline->at < behind;
+    const nck_element_t *const last = &self->held.contour.element[spline->points - 1];
+    point_at(self, nck_min(spline->at, behind), at);
+    nck_status_t status = NCK_OK;
+    for (unsigned axis = 0; axis < 2 && status == NCK_OK; axis++) {
+        const int64_t place_nm = spline->works ? rounded(at[axis]) : last->to_nm[axis];
+        self->place.position_nm[axis] = place_nm;
+        status = nck_decode_travel(self, axis, place_nm);
+    }
+    if (status != NCK_OK || !spline->works) spline->points = 0;
+    if (status != NCK_OK) {
+        spline->works = 0;
+        memcpy(self->place.position_nm, last->to_nm, sizeof last->to_nm);
+        return status;
+    }
+    nck_decode_block(self, NCK_BLOCK_LINE, out);
+    out->feed = spline->feed;
+    return NCK_OK;
+}
+
+// ---- words
+
+static void add_point(nck_decode_t *self, const int64_t *place_nm, double weight) {
+    nck_spline_t *const spline = &self->held.spline;
+    nck_element_t *const point = &self->held.contour.element[spline->points];
+    point->to_nm[0] = place_nm[0];
+    point->to_nm[1] = place_nm[1];
+    point->sweep_rad = weight;
+    spline->points++;
+}
+
+// A point beside another by two words. Missing ones are 0.
+static nck_status_t add_beside(nck_decode_t *self, const int64_t *from_nm, char x, char y) {
+    int64_t place_nm[2] = {0, 0};
+    nck_status_t status = NCK_OK;
+    if (says(self, x)) status = nck_decode_length_word(self, x, &place_nm[0]);
+    if (status == NCK_OK && says(self, y)) status = nck_decode_length_word(self, y, &place_nm[1]);
+    place_nm[0] += from_nm[0];
+    place_nm[1] += from_nm[1];
+    add_point(self, place_nm, 1.0);
+    return status;
+}
+
+// In X and Y, and nothing else moves.
+static nck_status_t read_target(nck_decode_t *self, int64_t *target_nm) {
+    const uint32_t others = self->words.axes & ~3u;
+    if (self->modal.plane != 17) return fail(self, NCK_E_SPLINE, 'G', self->modal.plane, 17.0);
+    if (others != 0) {
+        unsigned axis = 2;
+        while (!(others >> axis & 1u)) axis++;
+        return fail(self, NCK_E_SPLINE, nck_decode_letter(axis), 0.0, 0.0);
+    }
+    nck_decode_assume(self, NCK_NOTE_UNITS);
+    nck_decode_assume(self, NCK_NOTE_DISTANCE);
+    return nck_decode_target(self, 0, target_nm);
+}
+
+static nck_status_t need(nck_decode_t *self, char a, char b) {
+    const char missing = !says(self, a) ? a : b;
+    if (says(self, a) && says(self, b)) return NCK_OK;
+    return fail(self, NCK_E_WORD_MISSING, missing, self->words.code[NCK_STEP_MOTION] / 10.0, 0.0);
+}
+
+static nck_status_t begin(nck_decode_t *self, uint32_t order) {
+    nck_spline_t *const spline = &self->held.spline;
+    nck_status_t status = nck_decode_cycle_fits(self);
+    if (status == NCK_OK) status = nck_decode_cutting_feed(self, 0, &spline->feed);
+    if (status != NCK_OK) {
+        memcpy(self->place.position_nm, self->held.contour.element[spline->points - 1].to_nm,
+               2 * sizeof self->place.position_nm[0]);
+        spline->points = 0;
+        return status;
+    }
+    spline->order = order;
+    spline->at = 0.0;
+    spline->step = 1.0;
+    spline->works = 1;
+    return NCK_OK;
+}
+
+// G5: I J from the start, P Q from the end; without I and J it goes on as the G5 before.
+static nck_status_t cubic(nck_decode_t *self) {
+    nck_spline_t *const spline = &self->held.spline;
+    const int goes_on = !says(self, 'I') && !says(self, 'J');
+    const int64_t *const from_nm = self->place.position_nm;
+    int64_t target_nm[NCK_AXIS_MAX];
+    spline->points = 0;
+    nck_status_t status = need(self, 'P', 'Q');
+    if (status == NCK_OK) status = read_target(self, target_nm);
+    if (status != NCK_OK) return status;
+    add_point(self, from_nm, 1.0);
+    if (goes_on && spline->follows) {
+        const int64_t place_nm[2] = {from_nm[0] + spline->tangent_nm[0],
+                                     from_nm[1] + spline->tangent_nm[1]};
+        add_point(self, place_nm, 1.0);
+    } else {
+        status = add_beside(self, from_nm, 'I', 'J');
+    }
+    if (status == NCK_OK) status = add_beside(self, target_nm, 'P', 'Q');
+    if (status != NCK_OK) return status;
+    const nck_element_t *const control = &self->held.contour.element[spline->points - 1];
+    spline->tangent_nm[0] = target_nm[0] - control->to_nm[0];
+    spline->tangent_nm[1] = target_nm[1] - control->to_nm[1];
+    add_point(self, target_nm, 1.0);
+    return begin(self, 4);
+}
+
+// G5.1: I J from the start.
+static nck_status_t quadratic(nck_decode_t *self) {
+    int64_t target_nm[NCK_AXIS_MAX];
+    self->held.spline.points = 0;
+    nck_status_t status = need(self, 'I', 'J');
+    if (status == NCK_OK) status = read_target(self, target_nm);
+    if (status != NCK_OK) return status;
+    add_point(self, self->place.position_nm, 1.0);
+    status = add_beside(self, self->place.position_nm, 'I', 'J');
+    if (status != NCK_OK) return status;
+    add_point(self, target_nm, 1.0);
+    return begin(self, 3);
+}
+
+static nck_status_t read_order(nck_decode_t *self, int first) {
+    int64_t order = first ? DEFAULT_ORDER : (int64_t)self->held.spline.order;
+    const nck_status_t status = nck_decode_whole(self, 'L', NCK_SPLINE_ORDER_MOST, order, &order);
+    self->held.spline.order = (uint32_t)order;
+    if (status != NCK_OK || order >= 2) return status;
+    return nck_decode_fail_word(self, NCK_E_NUMBER_RANGE, 'L', (double)order,
+                                NCK_SPLINE_ORDER_MOST);
+}
+
+static nck_status_t check_weight(nck_decode_t *self, double weight) {
+    const nck_status_t status = need(self, 'P', 'P');
+    if (status != NCK_OK || (weight > 0.0 && weight <= (double)NCK_LINEAR_MAX_MM)) return status;
+    return nck_decode_fail_word(self, NCK_E_NUMBER_RANGE, 'P', weight, NCK_LINEAR_MAX_MM);
+}
+
+// G5.2, and the lines behind it: a control point of the weight P. The first one is where the tool
+// stands; P alone is its weight. L: the order.
+static nck_status_t control_point(nck_decode_t *self) {
+    nck_spline_t *const spline = &self->held.spline;
+    const double weight = nck_number_real(&self->words.number['P' - 'A']);
+    const int first = spline->points == 0;
+    int64_t target_nm[NCK_AXIS_MAX];
+    const int moves = (self->words.axes & 3u) != 0;
+    nck_status_t status = read_order(self, first);
+    if (status == NCK_OK) status = check_weight(self, weight);
+    if (status == NCK_OK && moves) status = need(self, 'X', 'Y');
+    if (status == NCK_OK) status = read_target(self, target_nm);
+    if (status != NCK_OK) return status;
+    if (spline->points + 2 > NCK_CONTOUR) {
+        return fail(self, NCK_E_CONTOUR_FULL, 0, NCK_CONTOUR, NCK_CONTOUR);
+    }
+    if (first) add_point(self, self->place.position_nm, moves ? 1.0 : weight);
+    if (moves) add_point(self, target_nm, weight);
+    return NCK_OK;
+}
+
+static nck_status_t end(nck_decode_t *self) {
+    const nck_spline_t *const spline = &self->held.spline;
+    if (spline->points == 0) return fail(self, NCK_E_SPLINE, 'G', 5.3, 0.0);
+    if (spline->points < spline->order) {
+        return fail(self, NCK_E_SPLINE, 'L', spline->points, spline->order);
+    }
+    return begin(self, spline->order);
+}
+
+static nck_status_t read_spline(nck_decode_t *self) {
+    const int32_t code = self->words.code[NCK_STEP_MOTION];
+    self->modal.motion = code == NCK_MOTION_NURBS_END ? NCK_MOTION_NONE : code;
+    if (code == NCK_MOTION_NURBS) return control_point(self);
+    if (code == NCK_MOTION_NURBS_END) return end(self);
+    if (self->words.axes == 0) return fail(self, NCK_E_WORD_MISSING, 'X', code / 10.0, 0.0);
+    return code == NCK_MOTION_CUBIC ? cubic(self) : quadratic(self);
+}
+
+nck_status_t nck_decode_spline(nck_decode_t *self, nck_block_t *out) {
+    if (!NCK_HAS_CONTOUR) return NCK_E_UNSUPPORTED;
+    nck_spline_t *const spline = &self->held.spline;
+    const int cubic_now = self->words.code[NCK_STEP_MOTION] == NCK_MOTION_CUBIC;
+    nck_status_t status = spline->works ? NCK_OK : read_spline(self);
+    spline->follows = 0u;
+    if (cubic_now && status == NCK_OK) spline->follows = 1u;
+    if (status == NCK_OK) status = spline->works ? chord(self, out) : NCK_EMPTY;
+    if (status < NCK_OK) {
+        memset(spline, 0, sizeof *spline);
+        if (self->modal.motion != NCK_MOTION_NONE) self->modal.motion = NCK_MOTION_REFUSED;
+    }
+    if (spline->works) nck_decode_leave(self, NCK_REST_CYCLE);
+    return status;
+}
