@@ -2,6 +2,7 @@
 // The contour: blocks as lines and arcs of the plane, in a ring, and where they meet themselves.
 #include "nck/prep/2_toolcomp/parts.h"
 
+#include <assert.h> // assert
 #include <stddef.h> // NULL
 #include <string.h> // memcpy
 
@@ -107,5 +108,6 @@ nck_status_t nck_comp_take(nck_toolcomp_t *self, const nck_block_t *block) {
         find_meeting(self, entry);
     }
     self->ring.head++;
+    assert(self->ring.head - self->ring.tail <= NCK_COMP_ROWS);
     return status;
 }

@@ -19,7 +19,7 @@ void nck_toolcomp_init(nck_toolcomp_t *self, const nck_machine_t *machine) {
 }
 
 void nck_toolcomp_place(const nck_toolcomp_t *self, nck_block_t *block) {
-    if (block->kind > NCK_BLOCK_ARC) return;
+    if (block->kind > NCK_BLOCK_ARC && block->kind < NCK_BLOCK_THREAD) return;
     if (block->kind == NCK_BLOCK_ARC) {
         uint8_t axis[2];
         axes_of(block->plane, axis);
