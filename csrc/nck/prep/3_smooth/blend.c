@@ -2,6 +2,7 @@
 // Inside room 3: where a corner is in the ring, how much room it has, and the pieces of its blend.
 #include "nck/prep/3_smooth/blend.h"
 
+#include <assert.h> // assert
 #include <string.h> // memcpy memset
 
 #include "nck/base/real.h"                 // nck_min nck_max
@@ -67,15 +68,6 @@ static int knots_of(const shape_t *shape, double *knot) {
     return count;
 }
 
-// Each half has the words of its own block.
-static void take_words(const nck_raw_t *named, nck_seg_t *seg) {
-    seg->line = named->seg.line;
-    seg->block = named->seg.block;
-    seg->rapid = named->seg.rapid;
-    seg->feed = named->seg.feed;
-    seg->feed_scale = named->seg.feed_scale;
-}
-
 // Where the corner of a blend is in the ring, by counts.
 typedef struct place {
     uint32_t first; // the block before the corner; outputs follow
@@ -117,17 +109,21 @@ static uint32_t insert(nck_smooth_t *self, const shape_t *shape, const place_t *
         memset(raw, 0, sizeof *raw);
         raw->has_seg = 1;
         set_piece(shape, knot[k], knot[k + 1], &raw->seg);
-        take_words(k < before ? a : b, &raw->seg);
+        // Each half has the words of its own block.
+        nck_raw_take_words(k < before ? &a->seg : &b->seg, &raw->seg);
         if (k > 0) memcpy(raw->seg.start, start, sizeof raw->seg.start);
         start = raw->seg.end;
     }
     memcpy(a->seg.end, nck_raw_at(self, place->first + 1)->seg.start, sizeof a->seg.end);
     a->seg.length -= shape->d;
+    a->onward = NCK_ONWARD_UNKNOWN;
     memcpy(b->seg.start, start, sizeof b->seg.start);
     b->seg.length -= shape->d;
     b->cut = shape->d;
+    b->onward = NCK_ONWARD_UNKNOWN;
     b->s = 0.0; // a run of its own: outputs behind it are at its end
     self->raw.head += count;
+    assert(self->raw.head - self->raw.tail <= NCK_SMOOTH_SPAN);
     for (uint32_t k = place->last + 1; k != place->end; k++) {
         nck_raw_at(self, k + count)->s = b->seg.length;
     }

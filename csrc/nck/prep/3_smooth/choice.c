@@ -58,7 +58,7 @@ static double least_of(double so_far, double limit, double part) {
 static nck_scurve_t limit_along(const nck_terms_t *terms, const double *tangent, double v) {
     const nck_machine_t *const machine = terms->machine;
     const int limits_jerk = terms->limits_jerk;
-    const double j = limits_jerk ? machine->path.j_max : NCK_UNLIMITED;
+    const double j = limits_jerk ? terms->j_max : NCK_UNLIMITED;
     nck_scurve_t ramp = {machine->path.a_max, j, v};
     for (int x = 0; x < terms->axes; x++) {
         ramp.a = least_of(ramp.a, machine->axis[x].a_max, tangent[x]);

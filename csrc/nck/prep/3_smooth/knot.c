@@ -3,10 +3,11 @@
 // corner, with even spacing on either side of it.
 #include "nck/prep/3_smooth/knot.h"
 
-#include <string.h> // memmove memset
+#include <string.h> // memcpy
 
 #include "nck/base/path.h"                 // nck_path_second
 #include "nck/base/real.h"                 // nck_min nck_max
+#include "nck/prep/3_smooth/control.h"     // nck_control_…
 #include "nck/prep/3_smooth/raw.h"         // nck_raw_…
 #include "nck/prep/3_smooth/spacing.h"     // nck_spacing_know
 #include "nck/prep/3_smooth/spline_math.h" // nck_spline_…
@@ -20,7 +21,8 @@
 enum {
     TRIES = 11,          // spacings that are checked before the path has to rest
     TRIES_WANTED = 5,    // of them as parts of the step wanted
-    TRIES_CAREFUL = 9    // of them with AIM_END
+    TRIES_CAREFUL = 9,   // of them with AIM_END
+    PIECES = 3           // of the spline that a knot makes
 };
 
 // What the way ahead of t[4] asks for.
@@ -30,13 +32,16 @@ typedef struct way {
     double half;  // spacing wanted on either side of the goal; 0: any
     uint8_t is_key;   // 1: the goal is a corner
     uint8_t straight; // 1: one line leads to the goal
+    uint8_t halves;   // 1: in two steps, so that the spline is straight again at its end
 } way_t;
 
 // 1 if the spline begins at t[4], at rest.
 static int is_fresh(const nck_smooth_t *self) { return !(self->run.t[0] < self->run.t[4]); }
 
 // The end of the known path, in place of a corner.
-static nck_status_t look_at_end(nck_smooth_t *self, double end, way_t *way) {
+static nck_status_t look_at_end(nck_smooth_t *self, const nck_raw_t *raw, way_t *way) {
+    const double end = raw->s + raw->seg.length;
+    way->halves = self->run.t[3] < raw->s && nck_raw_leads_into_blend(self);
     if (self->run.closed) {
         way->goal = end;
         way->half = 0.0;
@@ -57,17 +62,29 @@ static double largest_step(nck_smooth_t *self, const nck_raw_t *raw) {
     return most > 0.0 && !is_line ? most : self->spacing_max;
 }
 
+// What the end of a block allows: known, or found now. NCK_FULL: one has been found in this call.
+static nck_status_t find_spacing(nck_smooth_t *self, uint32_t count, int *found) {
+    const nck_raw_t *const raw = nck_raw_at(self, count);
+    if (nck_spacing_is_known(raw)) return NCK_OK;
+    if (*found) return NCK_FULL;
+    const nck_status_t status = nck_spacing_know(self, count);
+    *found = nck_spacing_is_known(raw);
+    return status;
+}
+
 // Look ahead from t[4]. A spacing at distance d may be half of d smaller: steps may halve.
 static nck_status_t look_ahead(nck_smooth_t *self, way_t *way) {
     const double here = self->run.t[4];
     const double growth = is_fresh(self) ? 0.0 : 0.5; // from rest on: even spacings
     uint32_t count = nck_raw_find(self, here);
     uint32_t next = count;
+    int found = 0;
     way->step = largest_step(self, nck_raw_at(self, count));
     way->goal = here + 4.0 * self->spacing_max;
     way->half = 0.0;
     way->is_key = 0;
     way->straight = 0;
+    way->halves = 0;
     for (;; count = next) {
         const nck_raw_t *const raw = nck_raw_at(self, count);
         const double far = nck_max(0.0, raw->s - here);
@@ -77,12 +94,12 @@ static nck_status_t look_ahead(nck_smooth_t *self, way_t *way) {
         next = nck_raw_next(self, count);
         if (next == self->run.end) {
             way->straight = far == 0.0 && raw->seg.kind == NCK_SEG_LINE;
-            return look_at_end(self, end, way);
+            return look_at_end(self, raw, way);
         }
         if (!(end > here)) continue;
-        const nck_status_t status = nck_spacing_know(self, count);
+        const nck_status_t status = find_spacing(self, count, &found);
         if (status != NCK_OK) return status;
-        if (raw->seg.stop) return look_at_end(self, end, way);
+        if (raw->seg.stop) return look_at_end(self, raw, way);
         if (raw->key) {
             way->goal = end;
             way->half = raw->spacing;
@@ -114,30 +131,20 @@ static double wanted_step(const nck_smooth_t *self, const way_t *way) {
     if (self->run.on_key) return step_from_key(self, way, ahead);
     const double gap = ahead - way->half;
     if (gap <= 0.01 * way->half) return ahead;
-    if (way->straight) return gap;
+    if (way->straight) return way->halves ? 0.5 * gap : gap;
     if (gap < 0.5 * way->half) return 0.5 * ahead;
     if (gap <= way->step) return gap;
     return nck_min(way->step, nck_max(0.5 * gap, 0.5 * way->step));
 }
 
 // Behind a blend the path is on the move: there the first three control points must lie on its
-// line, so that the spline begins without curvature.
-static double straight_step(const nck_smooth_t *self) {
+// line, and look no further, so that the spline begins without curvature.
+static double straight_step(nck_smooth_t *self) {
     const double *const t = self->run.t;
-    if (!(self->run.straight > 0.0) || t[3] > 0.0) return 2.0 * self->spacing_max;
-    return t[4] > 0.0 ? nck_max(0.0, 3.0 * self->run.straight - 2.0 * t[4]) : self->run.straight;
-}
-
-// Try the knot t[5]: the next seg, and the two behind it if the run had to end there.
-static int try_knot(nck_smooth_t *self, double t, double share) {
-    double *const knot = self->run.t;
-    self->run.tries++;
-    for (int i = 5; i < 8; i++) {
-        knot[i] = t;
-        nck_raw_point(self, nck_spline_greville(knot + i - 2), self->run.c[i - 2]);
-    }
-    return nck_raw_fits(self, 0, 1.0) && nck_raw_fits(self, 1, share)
-           && nck_raw_fits(self, 2, share);
+    const double straight = self->run.straight;
+    if (!(straight > 0.0) || t[3] > 0.0) return 2.0 * self->spacing_max;
+    if (t[4] > 0.0) return nck_max(0.0, straight - t[4]);
+    return self->run.closed && nck_raw_known(self) <= straight ? straight : 0.5 * straight;
 }
 
 // No knot beside the end of a block, nearer than rounding can tell.
@@ -165,7 +172,7 @@ static double sure_knot(nck_smooth_t *self, double here) {
 // The n-th step to try: parts of the one wanted, then of the one before, which fitted.
 static double shorter_step(const nck_smooth_t *self, double step, int n) {
     static const double of_wanted[TRIES_WANTED] = {1.0, 0.9, 0.8, 0.65, 0.45};
-    static const double of_last[TRIES - TRIES_WANTED] = {1.0, 0.6, 0.3, 0.1, 0.03, 0.01};
+    static const double of_last[TRIES - TRIES_WANTED] = {1.0, 0.6, 0.3, 0.1, 0.02, 0.002};
     const double last = self->run.t[4] - self->run.t[3];
     if (n < TRIES_WANTED) return of_wanted[n] * step;
     return of_last[n - TRIES_WANTED] * (last > 0.0 ? nck_min(last, 0.3 * step) : 0.3 * step);
@@ -175,49 +182,114 @@ static double shorter_step(const nck_smooth_t *self, double step, int n) {
 static void take_what_fits(nck_smooth_t *self) {
     const double here = self->run.t[4];
     self->run.on_key = 0;
+    self->run.rough = self->run.trial.was_rough;
     if (is_fresh(self)) {
-        (void)try_knot(self, sure_knot(self, here), 1.0);
+        nck_control_place(self, sure_knot(self, here));
         return;
     }
-    (void)try_knot(self, here, 1.0); // fits since the knot before was chosen
+    nck_control_place(self, here); // fits since the knot before was chosen
     self->run.rest = here;
     self->run.kinks++;
 }
 
-// Try the steps on a way, from the one wanted down. 1 if the knot at one of them fits.
-static int take_step(nck_smooth_t *self, const way_t *way) {
-    const double here = self->run.t[4];
-    const double step = nck_min(wanted_step(self, way), straight_step(self));
-    const int reaches = here + step >= way->goal || step == way->goal - here;
-    for (int n = 0; n < TRIES; n++) {
-        const int at_goal = n == 0 && reaches;
-        const double t = at_goal ? way->goal : snap(self, here + shorter_step(self, step, n));
-        if (t - here < nck_raw_least(t)) return 0;
-        if (!try_knot(self, t, n < TRIES_CAREFUL ? AIM_END : 1.0)) continue;
-        self->run.on_key = at_goal && way->is_key;
-        return 1;
-    }
-    return 0;
+// The knot at the step of the trial.
+static double next_try(nck_smooth_t *self) {
+    const nck_trial_t *const trial = &self->run.trial;
+    return snap(self, self->run.t[4] + shorter_step(self, trial->step, trial->n));
 }
 
-nck_status_t nck_knot_choose(nck_smooth_t *self) {
+// Place the knot. 0: it would be no step.
+static int begin_try(nck_smooth_t *self, double t) {
+    nck_trial_t *const trial = &self->run.trial;
+    if (t - self->run.t[4] < nck_raw_least(t)) return 0;
+    self->run.tries++;
+    trial->first = 0;
+    self->run.rough = trial->n < TRIES_WANTED ? trial->rough : trial->was_rough;
+    self->run.corner = self->run.on_key && trial->n < TRIES_WANTED;
+    nck_control_place(self, t);
+    nck_raw_begin_fit(self, 0);
+    return 1;
+}
+
+// Begin to try the steps on a way, from the one wanted down. 0: there is none.
+static int begin_trial(nck_smooth_t *self, const way_t *way) {
+    nck_trial_t *const trial = &self->run.trial;
     const double here = self->run.t[4];
-    way_t way = {0.0, 0.0, 0.0, 0, 0};
+    trial->step = nck_min(wanted_step(self, way), straight_step(self));
+    trial->n = 0;
+    trial->was_rough = self->run.rough;
+    trial->rough = nck_raw_at(self, nck_raw_find(self, here))->rough;
+    const int reaches = here + trial->step >= way->goal || trial->step == way->goal - here;
+    trial->to_key = reaches && way->is_key;
+    return begin_try(self, reaches ? way->goal : next_try(self));
+}
+
+// Compare a stretch of one of the pieces that the knot makes. NCK_DONE: all fit, NCK_E_STATE: this
+// one does not.
+static nck_status_t compare(nck_smooth_t *self) {
+    nck_trial_t *const trial = &self->run.trial;
+    const int careful = trial->first > 0 && trial->n < TRIES_CAREFUL;
+    const nck_status_t status = nck_raw_fit(self, trial->first, careful ? AIM_END : 1.0);
+    if (status != NCK_DONE) return status;
+    trial->first++;
+    if (trial->first == PIECES) return NCK_DONE;
+    nck_raw_begin_fit(self, trial->first);
+    return NCK_OK;
+}
+
+// The knot does not fit: on to a shorter step. 0: there is none.
+static int try_shorter(nck_smooth_t *self) {
+    nck_trial_t *const trial = &self->run.trial;
+    trial->n++;
+    return trial->n < TRIES && begin_try(self, next_try(self));
+}
+
+// Look for the way ahead. NCK_DONE: the knot needs no trial.
+static nck_status_t begin_choice(nck_smooth_t *self) {
+    const double here = self->run.t[4];
+    way_t way = {0.0, 0.0, 0.0, 0, 0, 0};
     // Outputs fill the ring behind its only seg: no more path comes before they are given.
     self->run.closed |= nck_raw_is_full(self) && self->raw.tail == nck_raw_last(self);
     if (here >= self->run.rest || (self->run.closed && here >= nck_raw_known(self))) {
-        (void)try_knot(self, here, 1.0); // the end: fits since the knot before was chosen
-        return NCK_OK;
+        nck_control_place(self, here); // the end: fits since the knot before was chosen
+        return NCK_DONE;
     }
     const nck_status_t status = look_ahead(self, &way);
     if (status != NCK_OK) return status;
-    if (!take_step(self, &way)) take_what_fits(self);
+    self->run.trial.on = (uint8_t)begin_trial(self, &way);
+    if (self->run.trial.on) return NCK_OK;
+    take_what_fits(self);
+    return NCK_DONE;
+}
+
+// Compare the knot with the path, or go on to a shorter step: NCK_DONE if one is chosen.
+static nck_status_t go_on(nck_smooth_t *self) {
+    nck_trial_t *const trial = &self->run.trial;
+    if (trial->fails) {
+        trial->fails = 0;
+        if (try_shorter(self)) return NCK_OK;
+        take_what_fits(self);
+        return NCK_DONE;
+    }
+    const nck_status_t status = compare(self);
+    trial->fails = status == NCK_E_STATE;
+    if (status == NCK_DONE) self->run.on_key = trial->n == 0 && trial->to_key;
+    return trial->fails ? NCK_OK : status;
+}
+
+nck_status_t nck_knot_choose(nck_smooth_t *self) {
+    if (!self->run.trial.on) {
+        const nck_status_t status = begin_choice(self);
+        if (status == NCK_DONE) return NCK_OK;
+        return status == NCK_OK ? NCK_FULL : status;
+    }
+    if (go_on(self) != NCK_DONE) return NCK_FULL;
+    self->run.trial.on = 0;
     return NCK_OK;
 }
 
 static void begin_at(nck_smooth_t *self, double s, const double *point) {
-    for (int i = 0; i < 8; i++) self->run.t[i] = s;
-    for (int i = 0; i < 6; i++) memcpy(self->run.c[i], point, sizeof self->run.c[i]);
+    nck_control_begin(self, s, point);
     memcpy(self->run.position, point, sizeof self->run.position);
     self->run.given = s;
     self->run.rest = NEVER;
@@ -233,8 +305,7 @@ void nck_knot_begin(nck_smooth_t *self) {
 
 void nck_knot_advance(nck_smooth_t *self) {
     double here[NCK_AXIS_MAX];
-    memmove(self->run.t, self->run.t + 1, 7 * sizeof *self->run.t);
-    memmove(self->run.c, self->run.c + 1, 5 * sizeof *self->run.c);
+    nck_control_advance(self);
     self->run.given = self->run.t[2];
     self->run.chosen = 0;
     if (self->run.t[2] < self->run.rest) return;

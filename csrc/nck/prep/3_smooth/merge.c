@@ -19,7 +19,7 @@ static int is_alike(const nck_smooth_t *self, const nck_raw_t *raw, const nck_bl
     return is_line && raw->smooth && !raw->seg.rapid && unused
            && self->merge.count < NCK_SMOOTH_MERGE
            && self->merge.tolerance == block->tolerance_mm && raw->seg.feed == seg->feed
-           && raw->seg.feed_scale == seg->feed_scale;
+           && raw->seg.feed_scale == seg->feed_scale && !nck_raw_spins_differ(&raw->seg, seg);
 }
 
 // How far the vertices between are from one line over the same path coordinate. Between vertices
@@ -58,6 +58,7 @@ int nck_merge_line(nck_smooth_t *self, const nck_block_t *block, const nck_seg_t
     if (error > nck_min(block->merge_mm, SHARE * block->tolerance_mm)) return 0;
     memcpy(raw->seg.end, seg->end, sizeof raw->seg.end);
     raw->seg.length = length;
+    raw->onward = NCK_ONWARD_UNKNOWN;
     raw->tolerance = self->merge.within - error;
     self->merge.count++;
     return 1;

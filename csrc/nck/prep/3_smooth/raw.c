@@ -8,7 +8,10 @@
 #include "nck/base/real.h"                 // nck_sqrt nck_min nck_max
 #include "nck/prep/3_smooth/spline_math.h" // nck_spline_…
 
-enum { PARTS = 8 };               // a knot interval is looked at in so many parts at least
+enum {
+    PARTS = 8,                    // a knot interval is looked at in so many parts at least
+    FIT_BLOCKS = 8                // that it is compared with in one call
+};
 #define LEAST 1e-9                // [path mm] a thousandth of what a setpoint can tell
 #define LEAST_SHARE 1e-15         // of the place, whose own rounding this is
 
@@ -34,9 +37,13 @@ uint32_t nck_raw_last(nck_smooth_t *self) {
 
 double nck_raw_known(nck_smooth_t *self) { return raw_end(nck_raw_at(self, nck_raw_last(self))); }
 
-uint32_t nck_raw_find(nck_smooth_t *self, double s) {
-    uint32_t low = self->raw.tail;
-    uint32_t count = self->run.end - low;
+int nck_raw_leads_into_blend(nck_smooth_t *self) {
+    return self->run.closed && self->run.end != self->raw.head
+           && nck_raw_at(self, self->run.end)->seg.blend;
+}
+
+// The first of so many blocks from `low` on that ends at s or behind it, or the one behind them.
+static uint32_t search(nck_smooth_t *self, uint32_t low, uint32_t count, double s) {
     while (count > 0) {
         const uint32_t half = count / 2;
         if (raw_end(nck_raw_at(self, low + half)) < s) {
@@ -46,12 +53,31 @@ uint32_t nck_raw_find(nck_smooth_t *self, double s) {
             count = half;
         }
     }
+    return low;
+}
+
+// The block with length of the run from `low` on.
+static uint32_t with_length(nck_smooth_t *self, uint32_t low) {
     if (low != self->run.end && !nck_raw_at(self, low)->has_seg) low = nck_raw_next(self, low);
     return low == self->run.end ? nck_raw_last(self) : low;
 }
 
-void nck_raw_point(nck_smooth_t *self, double s, double *point_out) {
-    const nck_raw_t *const raw = nck_raw_at(self, nck_raw_find(self, s));
+uint32_t nck_raw_find(nck_smooth_t *self, double s) {
+    const uint32_t low = self->raw.tail;
+    return with_length(self, search(self, low, self->run.end - low, s));
+}
+
+// The same for a place behind the end of the block at `from`: mostly near to it.
+static uint32_t find_from(nck_smooth_t *self, uint32_t from, double s) {
+    const uint32_t most = self->run.end - from;
+    uint32_t reach = 2;
+    while (reach < most && raw_end(nck_raw_at(self, from + reach)) < s) reach *= 2;
+    const uint32_t low = from + reach / 2;
+    return with_length(self, search(self, low, (reach < most ? reach + 1 : most) - reach / 2, s));
+}
+
+// The point at s, of a block that it is in, or nearest to.
+static void point_by(const nck_smooth_t *self, const nck_raw_t *raw, double s, double *point_out) {
     const double beyond = nck_min(s - raw->s, nck_max(0.0, s - raw_end(raw)));
     // The end is its point to the bit, whatever s − raw->s rounds to.
     const double inside = s >= raw_end(raw) ? raw->seg.length : nck_max(0.0, s - raw->s);
@@ -61,6 +87,20 @@ void nck_raw_point(nck_smooth_t *self, double s, double *point_out) {
     double tangent[NCK_AXIS_MAX];
     nck_path_tangent_part(&raw->seg, inside, axes, tangent);
     for (int x = 0; x < axes; x++) point_out[x] += tangent[x] * beyond;
+}
+
+void nck_raw_point(nck_smooth_t *self, double s, double *point_out) {
+    point_by(self, nck_raw_at(self, nck_raw_find(self, s)), s, point_out);
+}
+
+void nck_raw_points(nck_smooth_t *self, double s, double step, int count,
+                    double (*points_out)[NCK_AXIS_MAX]) {
+    uint32_t at = nck_raw_find(self, s);
+    for (int k = 0; k < count; k++) {
+        const double place = s + step * (double)k;
+        if (raw_end(nck_raw_at(self, at)) < place) at = find_from(self, at, place);
+        point_by(self, nck_raw_at(self, at), place, points_out[k]);
+    }
 }
 
 double nck_raw_turn(const nck_seg_t *in, const nck_seg_t *out, int axes, double *turn_out) {
@@ -85,7 +125,13 @@ void nck_raw_spline(nck_smooth_t *self, int first, nck_seg_t *seg_out) {
                          self->run.c[first + 3], seg_out);
     seg_out->length = t[3] - t[2];
     seg_out->kind = NCK_SEG_SPLINE;
-    if (!is_straight(self, nck_spline_greville(t), nck_spline_greville(t + 3))) return;
+    double from = t[3];
+    double to = t[2];
+    for (int i = first; i < first + 4; i++) {
+        from = nck_min(from, self->run.reach[i][0]);
+        to = nck_max(to, self->run.reach[i][1]);
+    }
+    if (!is_straight(self, from, to)) return;
     seg_out->kind = NCK_SEG_LINE;
     memset(&seg_out->shape, 0, sizeof seg_out->shape);
 }
@@ -117,39 +163,48 @@ static double deviation(const piece_t *piece, const nck_raw_t *raw, double s) {
     return nck_spline_distance(p, q, piece->axes);
 }
 
-// As nck_raw_fits, over one block: from range[0] to range[1]. Between two points that are looked at
+// As nck_raw_fit, over one block: from range[0] to range[1]. Between two points that are looked at
 // the deviation cannot exceed the larger one by more than the sag of both curves.
+// off: the deviation at range[0]; negative if it is not known. Takes that at range[1].
 static int block_fits(const piece_t *piece, const nck_raw_t *raw, const double *range,
-                      double allowed) {
+                      double allowed, double *off) {
     const double length = range[1] - range[0];
     const int parts = 1 + (int)(length * (double)PARTS / piece->seg.length);
     const double h = length / (double)parts;
     const double second = piece->second + largest_second(&raw->seg, piece->axes);
     const double near = allowed - nck_spline_sag(second, h);
-    for (int n = 0; n <= parts; n++) {
-        if (!(deviation(piece, raw, range[0] + h * (double)n) <= near)) return 0;
+    if (*off < 0.0) *off = deviation(piece, raw, range[0]);
+    for (int n = 1; n <= parts && *off <= near; n++) {
+        *off = deviation(piece, raw, range[0] + h * (double)n);
     }
-    return 1;
+    return *off <= near;
 }
 
-int nck_raw_fits(nck_smooth_t *self, int first, double share) {
+void nck_raw_begin_fit(nck_smooth_t *self, int first) {
+    self->run.trial.count = nck_raw_find(self, self->run.t[first + 2]);
+    self->run.trial.off = -1.0;
+}
+
+nck_status_t nck_raw_fit(nck_smooth_t *self, int first, double share) {
+    nck_trial_t *const trial = &self->run.trial;
     const double from = self->run.t[first + 2];
     const double to = self->run.t[first + 3];
-    if (!(to > from)) return 1;
     piece_t piece;
+    if (!(to > from)) return NCK_DONE;
     nck_raw_spline(self, first, &piece.seg);
-    if (piece.seg.kind == NCK_SEG_LINE) return 1;
+    if (piece.seg.kind == NCK_SEG_LINE) return NCK_DONE;
     piece.begin = from;
     piece.axes = self->terms->axes;
     piece.second = largest_second(&piece.seg, piece.axes);
-    double range[2] = {from, from};
-    uint32_t count = nck_raw_find(self, from);
-    while (count != self->run.end && range[1] < to) {
-        const nck_raw_t *const raw = nck_raw_at(self, count);
-        range[1] = nck_min(to, raw_end(raw));
-        if (!block_fits(&piece, raw, range, share * raw->tolerance)) return 0;
-        range[0] = range[1];
-        count = nck_raw_next(self, count);
+    for (int n = 0; n < FIT_BLOCKS; n++) {
+        if (trial->count == self->run.end) return NCK_DONE;
+        const nck_raw_t *const raw = nck_raw_at(self, trial->count);
+        const double range[2] = {nck_max(from, raw->s), nck_min(to, raw_end(raw))};
+        if (!(range[0] < to)) return NCK_DONE;
+        if (!block_fits(&piece, raw, range, share * raw->tolerance, &trial->off)) {
+            return NCK_E_STATE;
+        }
+        trial->count = nck_raw_next(self, trial->count);
     }
-    return 1;
+    return NCK_OK;
 }

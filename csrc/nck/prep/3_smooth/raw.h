@@ -29,21 +29,48 @@ uint32_t nck_raw_last(nck_smooth_t *self);
 // Where the known part of the run ends [path mm]. Cost: linear in outputs at its end.
 double nck_raw_known(nck_smooth_t *self);
 
+// 1 if the run is known to its end, and a blend follows. Cost: constant.
+int nck_raw_leads_into_blend(nck_smooth_t *self);
+
 // The point of the programmed path at s, of it the coordinates that may change; beyond what is
 // known, straight on along the tangent.
 // Cost: as nck_raw_find.
 void nck_raw_point(nck_smooth_t *self, double s, double *point_out);
 
+// So many points of it, a step apart from s on. Cost: as so many of nck_raw_find at most.
+void nck_raw_points(nck_smooth_t *self, double s, double step, int count,
+                    double (*points_out)[NCK_AXIS_MAX]);
+
 // How sharply the path turns from one seg to the next: Δu of the unit tangents, so many axes of it;
 // returns |Δu|. Cost: constant.
 double nck_raw_turn(const nck_seg_t *in, const nck_seg_t *out, int axes, double *turn_out);
+
+// What the program says of a motion, from one seg to another. Cost: constant.
+static inline void nck_raw_take_words(const nck_seg_t *from, nck_seg_t *seg) {
+    seg->line = from->line;
+    seg->block = from->block;
+    seg->rapid = from->rapid;
+    seg->feed = from->feed;
+    seg->feed_scale = from->feed_scale;
+    seg->spin = from->spin;
+}
+
+// 1 if the spindle means different things to two segs.
+static inline int nck_raw_spins_differ(const nck_seg_t *a, const nck_seg_t *b) {
+    return a->spin.speed != b->spin.speed || a->spin.most != b->spin.most
+           || a->spin.per_rev != b->spin.per_rev || a->spin.x != b->spin.x;
+}
 
 // The run's spline between t[first + 2] and t[first + 3], as a seg without words; a line where the
 // path is straight. Cost: as nck_raw_find.
 void nck_raw_spline(nck_smooth_t *self, int first, nck_seg_t *seg_out);
 
-// 1 if that spline keeps to a share of the tolerance, or has no length.
-// Cost: a point for each block there, and 16.
-int nck_raw_fits(nck_smooth_t *self, int first, double share);
+// Begin to compare that spline with the path. Cost: as nck_raw_find.
+void nck_raw_begin_fit(nck_smooth_t *self, int first);
+
+// Whether it keeps to a share of the tolerance, or has no length. Returns NCK_OK (call again),
+// NCK_DONE (it does), NCK_E_STATE (it does not).
+// Cost: two points for each of 8 blocks, and 9.
+nck_status_t nck_raw_fit(nck_smooth_t *self, int first, double share);
 
 #endif

@@ -2,10 +2,13 @@
 // Room 3, smooth: blocks in, segs and outputs out.
 #include "nck/prep/3_smooth/smooth.h"
 
+#include <assert.h> // assert
 #include <string.h> // memcpy memset
 
+#include "nck/base/path.h"                 // nck_path_…
 #include "nck/base/real.h"                 // nck_min nck_max
 #include "nck/prep/3_smooth/blend.h"       // nck_blend_corner
+#include "nck/prep/3_smooth/divide.h"      // nck_divide_…
 #include "nck/prep/3_smooth/knot.h"        // nck_knot_…
 #include "nck/prep/3_smooth/merge.h"       // nck_merge_…
 #include "nck/prep/3_smooth/metric_math.h" // nck_metric_length nck_metric_feed_length
@@ -16,6 +19,7 @@
 #define TOLERANCE_MIN 1e-4 // [mm] a smaller one means the exact path
 #define MUCH 0.5           // of a knot interval, for a block's end to be a seg's end
 #define ROUNDING 2e-6      // [mm] kept of the tolerance: setpoints are whole nanometres
+enum { STRETCH_PARTS = 8 }; // of a spline, to find where it is fastest
 
 // The widest spacing that any speed, acceleration and jerk of the machine can ask for.
 static double widest_spacing(const nck_machine_t *machine) {
@@ -44,10 +48,18 @@ void nck_smooth_init(nck_smooth_t *self, const nck_terms_t *terms) {
 }
 
 void nck_smooth_adapt(nck_smooth_t *self) {
-    self->spacing_max = widest_spacing(self->terms->machine);
+    const nck_machine_t *const machine = self->terms->machine;
+    self->spacing_max = widest_spacing(machine);
+    for (int x = 0; x < NCK_AXIS_MAX; x++) {
+        const double counts = nck_machine_counts(machine, x);
+        self->travel[0][x] = (double)machine->axis[x].min_nm / counts;
+        self->travel[1][x] = (double)machine->axis[x].max_nm / counts;
+    }
 }
 
-int nck_smooth_is_empty(const nck_smooth_t *self) { return self->raw.head == self->raw.tail; }
+int nck_smooth_is_empty(const nck_smooth_t *self) {
+    return self->raw.head == self->raw.tail && !(self->divide.from < self->divide.seg.length);
+}
 
 // Where the block ends. Most blocks move few axes: the others need no division.
 static void set_end(const nck_smooth_t *self, const nck_block_t *block, double *end) {
@@ -77,6 +89,13 @@ static double path_feed(const nck_block_t *block, const nck_seg_t *seg) {
     return per_minute / 60.0 / seg->feed_scale;
 }
 
+static void set_spin(nck_seg_t *seg, const nck_block_t *block) {
+    const int follows = block->surface > 0.0;
+    seg->spin.speed = follows ? block->surface / (2.0 * NCK_PI) : block->spindle_rpm;
+    seg->spin.most = follows ? block->spindle_rpm : 0.0;
+    seg->spin.x = block->spindle_x_mm;
+}
+
 // NCK_EMPTY if the move has no length.
 static nck_status_t make_motion(const nck_smooth_t *self, const nck_block_t *block,
                                 nck_seg_t *seg) {
@@ -89,6 +108,9 @@ static nck_status_t make_motion(const nck_smooth_t *self, const nck_block_t *blo
     seg->feed_scale = nck_metric_feed_length(seg) / seg->length;
     if (seg->rapid) return NCK_OK;
     seg->feed = path_feed(block, seg);
+    if (seg->spin.most > 0.0 && block->feed_mode == NCK_FEED_PER_REV) {
+        seg->spin.per_rev = block->feed / 60.0 / seg->feed_scale;
+    }
     return seg->feed > 0.0 ? NCK_OK : NCK_E_FEED_MISSING;
 }
 
@@ -96,11 +118,23 @@ static nck_status_t make_motion(const nck_smooth_t *self, const nck_block_t *blo
 static nck_status_t make_seg(const nck_smooth_t *self, const nck_block_t *block, nck_seg_t *seg) {
     seg->line = block->line;
     seg->feed_scale = 1.0;
+    set_spin(seg, block);
     memcpy(seg->start, self->position, sizeof seg->start);
     memcpy(seg->end, self->position, sizeof seg->end);
     if (block->kind <= NCK_BLOCK_ARC) return make_motion(self, block, seg);
-    seg->kind = block->kind == NCK_BLOCK_DWELL ? NCK_SEG_DWELL : NCK_SEG_WAIT;
     seg->stop = 1;
+    if (block->kind == NCK_BLOCK_THREAD) {
+        seg->kind = NCK_SEG_THREAD;
+        seg->shape.thread = block->thread;
+        set_end(self, block, seg->end);
+        return NCK_OK;
+    }
+    if (block->kind == NCK_BLOCK_TAP) {
+        seg->kind = NCK_SEG_TAP;
+        seg->shape.tap = block->tap;
+        return NCK_OK;
+    }
+    seg->kind = block->kind == NCK_BLOCK_DWELL ? NCK_SEG_DWELL : NCK_SEG_WAIT;
     seg->shape.dwell_s = block->kind == NCK_BLOCK_DWELL ? block->dwell_s : 0.0;
     return NCK_OK;
 }
@@ -145,8 +179,9 @@ static int is_smooth(const nck_block_t *block) {
 
 static void begin_raw(nck_raw_t *raw, const nck_block_t *block, uint32_t block_seq) {
     memset(raw, 0, sizeof *raw);
-    raw->has_output = block->kind >= NCK_BLOCK_WAIT;
-    raw->has_seg = block->kind <= NCK_BLOCK_WAIT;
+    const int threads = block->kind >= NCK_BLOCK_THREAD;
+    raw->has_output = block->kind >= NCK_BLOCK_WAIT && !threads;
+    raw->has_seg = block->kind <= NCK_BLOCK_WAIT || threads;
     raw->ends = block->kind == NCK_BLOCK_END;
     raw->smooth = (uint8_t)is_smooth(block);
     raw->tolerance = raw->smooth ? block->tolerance_mm - ROUNDING : 0.0;
@@ -166,6 +201,7 @@ static void take_raw(nck_smooth_t *self, const nck_block_t *block) {
         self->tolerance = raw->tolerance;
     }
     self->raw.head++;
+    assert(self->raw.head - self->raw.tail <= NCK_SMOOTH_SPAN);
     nck_merge_begin(self, block);
     extend_run(self);
 }
@@ -207,7 +243,7 @@ nck_status_t nck_smooth_pass(nck_smooth_t *self, const nck_block_t *block, uint3
                              nck_smooth_item_t *item_out) {
     const int waits = self->run.open || !nck_smooth_is_empty(self);
     const int is_plain = block->kind <= NCK_BLOCK_ARC && !is_smooth(block);
-    if (!self->hungry || waits || !is_plain) return NCK_FULL;
+    if (!self->hungry || waits || !is_plain || block->surface > 0.0) return NCK_FULL;
     memset(&item_out->seg, 0, sizeof item_out->seg);
     item_out->seg.block = block_seq;
     const nck_status_t status = make_seg(self, block, &item_out->seg);
@@ -258,7 +294,8 @@ static void drop_passed(nck_smooth_t *self, double s) {
 
 // 1 if two blocks mean different motions on the same path.
 static int words_differ(const nck_seg_t *a, const nck_seg_t *b) {
-    return a->rapid != b->rapid || a->feed != b->feed || a->feed_scale != b->feed_scale;
+    return a->rapid != b->rapid || a->feed != b->feed || a->feed_scale != b->feed_scale
+           || nck_raw_spins_differ(a, b);
 }
 
 // Where the next part of the interval at t[2] … t[3] ends: where the words of the program change,
@@ -283,12 +320,32 @@ static double part_end(nck_smooth_t *self) {
 // The words of a part are those of the block that it ends in, or with.
 static void take_words(nck_smooth_t *self, double end, nck_seg_t *seg) {
     const uint32_t count = nck_raw_find(self, end - nck_raw_least(end));
-    const nck_seg_t *const raw = &nck_raw_at(self, count)->seg;
-    seg->line = raw->line;
-    seg->block = raw->block;
-    seg->rapid = raw->rapid;
-    seg->feed = raw->feed;
-    seg->feed_scale = raw->feed_scale;
+    nck_raw_take_words(&nck_raw_at(self, count)->seg, seg);
+}
+
+// The largest |dp/ds| of a spline. dp/ds is a parabola: between places h apart it is larger than at
+// them by |p‴|·h²/8 at most.
+static double stretch_of(const nck_seg_t *seg, int axes) {
+    const double h = seg->length / (double)STRETCH_PARTS;
+    double third[NCK_AXIS_MAX];
+    double most = 0.0;
+    for (int k = 0; k <= STRETCH_PARTS; k++) {
+        double tangent[NCK_AXIS_MAX];
+        nck_path_tangent_part(seg, h * (double)k, axes, tangent);
+        most = nck_max(most, nck_spline_norm(tangent, axes));
+    }
+    nck_path_third(seg, 0.0, third);
+    return most + nck_spline_sag(nck_spline_norm(third, axes), h);
+}
+
+// Where the spline is longer than the program's path, |dp/ds| > 1, the tool keeps to the feed.
+static void keep_feed(nck_seg_t *seg, int axes) {
+    if (seg->kind != NCK_SEG_SPLINE) return;
+    const double stretch = stretch_of(seg, axes);
+    if (stretch <= 1.0) return;
+    seg->feed /= stretch;
+    seg->feed_scale *= stretch;
+    seg->spin.per_rev /= stretch;
 }
 
 static nck_status_t give_spline(nck_smooth_t *self, nck_smooth_item_t *item_out) {
@@ -300,11 +357,12 @@ static nck_status_t give_spline(nck_smooth_t *self, nck_smooth_item_t *item_out)
     memcpy(seg->start, self->run.position, sizeof seg->start);
     memcpy(self->run.position, seg->end, sizeof seg->end);
     take_words(self, end, seg);
+    keep_feed(seg, self->terms->axes);
     seg->stop = (uint8_t)nck_knot_rests(self, end);
     self->run.given = end;
     if (end >= t[3]) nck_knot_advance(self);
     drop_passed(self, end);
-    give_seg(self, item_out);
+    item_out->is_output = 0;
     return NCK_OK;
 }
 
@@ -338,7 +396,7 @@ static nck_status_t pull_exact(nck_smooth_t *self, nck_smooth_item_t *item_out) 
     }
     self->raw.tail++;
     item_out->seg = raw->seg;
-    give_seg(self, item_out);
+    item_out->is_output = 0;
     return NCK_OK;
 }
 
@@ -350,7 +408,8 @@ static void open_run(nck_smooth_t *self) {
     nck_knot_begin(self);
 }
 
-nck_status_t nck_smooth_pull(nck_smooth_t *self, nck_smooth_item_t *item_out) {
+// The next seg or output, whatever the spindle does along it.
+static nck_status_t pull_whole(nck_smooth_t *self, nck_smooth_item_t *item_out) {
     self->hungry = 0;
     self->run.tries = 0;
     if (self->run.open) {
@@ -369,6 +428,19 @@ nck_status_t nck_smooth_pull(nck_smooth_t *self, nck_smooth_item_t *item_out) {
     const nck_status_t status = pull_run(self, item_out);
     self->hungry = status == NCK_EMPTY;
     return status;
+}
+
+nck_status_t nck_smooth_pull(nck_smooth_t *self, nck_smooth_item_t *item_out) {
+    if (!(self->divide.from < self->divide.seg.length)) {
+        const nck_status_t status = pull_whole(self, item_out);
+        if (status != NCK_OK || item_out->is_output) return status;
+        if (nck_divide_begin(self, &item_out->seg)) nck_divide_next(self, &item_out->seg);
+    } else {
+        item_out->is_output = 0;
+        nck_divide_next(self, &item_out->seg);
+    }
+    give_seg(self, item_out);
+    return NCK_OK;
 }
 
 int nck_smooth_invariants(const nck_smooth_t *self) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Room 3, smooth: block → seg. Exact lines, arcs and helices; within a tolerance a spline of them.
+// Room 3, smooth: block → seg. Exact lines, arcs, helices; within a tolerance a spline of them.
 #ifndef NCK_PREP_SMOOTH_H
 #define NCK_PREP_SMOOTH_H
 
@@ -10,6 +10,21 @@
 
 // Blocks that G64 Q may join to one, the first not counted.
 enum { NCK_SMOOTH_MERGE = 8 };
+
+// How the path goes on from one block with length into the next: as good as straight, or not. What
+// changes the direction of either takes the answer back.
+typedef enum nck_onward {
+    NCK_ONWARD_UNKNOWN = 0,
+    NCK_ONWARD_STRAIGHT,
+    NCK_ONWARD_BENT
+} nck_onward_t;
+
+// What is still to be found of the spacing at a block's end.
+typedef enum nck_lack {
+    NCK_LACKS_NOTHING = 0,
+    NCK_LACKS_BLOCKS, // it is what the full ring lets us see; perhaps there is more
+    NCK_LACKS_TIME    // whether a stop is faster
+} nck_lack_t;
 
 // A block on its way through the room.
 typedef struct nck_raw {
@@ -24,9 +39,10 @@ typedef struct nck_raw {
     uint8_t has_output;  // 1: it hands over something, and has not yet
     uint8_t smooth;      // 1: part of a run
     uint8_t key;         // 1: its end is a corner that wants a knot of its own
+    uint8_t rough;       // 1: the path is noise near its end, no curve
     uint8_t ends;        // 1: end of the program
-    uint8_t partial;     // 1: spacing is what the full ring lets us see; perhaps there is more
-    uint8_t reserved[2]; // 0
+    uint8_t lacks;       // of its spacing: nck_lack_t
+    uint8_t onward;      // how the path goes on into it: nck_onward_t
 } nck_raw_t;
 
 // What the room gives: a seg, or an output between segs.
@@ -37,6 +53,20 @@ typedef struct nck_smooth_item {
     nck_output_t output; // after_segs is set
 } nck_smooth_item_t;
 
+// The next knot while it is sought: step after step, in stretches.
+typedef struct nck_trial {
+    double step;    // that is wanted [path mm]
+    double off;     // deviation at the end of the block compared last [mm]
+    uint32_t count; // block that the piece in work is compared with next
+    uint8_t on;     // 1: a knot is sought
+    uint8_t fails;  // 1: it does not fit
+    uint8_t n;      // step that is tried
+    uint8_t first;  // piece in work of the three that the knot makes
+    uint8_t to_key; // 1: the step wanted leads to a corner
+    uint8_t rough;  // 1: the path is noise ahead; the last of the steps are tried as before
+    uint8_t was_rough; // run.rough of the knot before
+} nck_trial_t;
+
 // The room's state: filled by nck_smooth_init, written by the room alone.
 typedef struct nck_smooth {
     const nck_terms_t *terms;
@@ -45,6 +75,7 @@ typedef struct nck_smooth {
     double s;            // length of all segs pulled [path mm]
     double s_program;    // programmed path that they stand for [path mm]
     double spacing_max;  // of knots [path mm]
+    double travel[2][NCK_AXIS_MAX]; // of every axis, from … to [mm, deg]
     double tolerance;    // of the newest smoothed block [mm]; 0: none yet
     uint32_t seq;        // of the next seg pulled
     uint8_t hungry;      // 1: pull needs a block
@@ -57,6 +88,12 @@ typedef struct nck_smooth {
         uint32_t tail; // blocks done with
         nck_raw_t at[NCK_SMOOTH_SPAN];
     } raw;
+
+    // The seg that is given in pieces, since the spindle's speed changes along it.
+    struct {
+        double from;   // given up to here [path mm]; its length: nothing is left
+        nck_seg_t seg;
+    } divide;
 
     // The newest block, as lines are joined to it.
     struct {
@@ -73,14 +110,18 @@ typedef struct nck_smooth {
         uint8_t closed;  // 1: it gets no more blocks
         uint8_t chosen;  // 1: t[5] and c[3] are chosen
         uint8_t on_key;  // 1: t[4] is the knot of a corner
+        uint8_t rough;   // 1: c[3] … c[5] are those of noise
+        uint8_t corner;  // 1: c[3] is that of a corner
         uint32_t end;    // count of the block behind its last one
         double straight; // of the line that it begins on behind a blend [path mm]; 0: at rest
         uint32_t kinks;  // places where it must rest to stay within the tolerance, in all runs
-        uint32_t tries;  // knots that the last pull has tried
+        uint32_t tries;  // knots that the last pull has begun to try
+        nck_trial_t trial;
         double rest;     // the place of the next of them; beyond the run: none is known
         double given;    // t[2] … t[3] is given up to here
-        double t[8];     // the next seg lies over t[2] … t[3]; t[6], t[7]: if it had to end at t[5]
+        double t[8];     // next seg: t[2] … t[3]; t[6], t[7]: if it had to end at t[5]
         double c[6][NCK_AXIS_MAX]; // c[i] belongs to t[i] t[i+1] t[i+2]
+        double reach[6][2];        // and is made of the path from … to [path mm]
         double position[NCK_AXIS_MAX]; // end of its last seg
     } run;
 } nck_smooth_t;
@@ -119,9 +160,9 @@ void nck_smooth_adapt(nck_smooth_t *self);
 int nck_smooth_is_empty(const nck_smooth_t *self);
 
 // Give the next seg or output, in order.
-// Returns NCK_OK and the item; NCK_EMPTY if it needs another block or nck_smooth_end; NCK_DONE if
-// all is given.
-// Cost: 580 · NCK_SMOOTH_SPAN + 5000 points of the path at most; some 30 on average (README).
+// Returns NCK_OK and the item; NCK_FULL if it has to be called again; NCK_EMPTY if it needs another
+// block or nck_smooth_end; NCK_DONE if all is given.
+// Cost: 30 points of the path, 200 where the end of a block is looked at first (README).
 // Context: prep.
 nck_status_t nck_smooth_pull(nck_smooth_t *self, nck_smooth_item_t *item_out);
 

@@ -14,18 +14,26 @@
 // lone corner, where nothing is left to chance.
 #define AIM 0.7
 #define AIM_KEY 0.96
-#define GROWTH 1.25      // between two spacings that are looked at for a block's end
+#define GROWTH 1.5       // between two spacings that are looked at for a block's end
 #define NEIGHBOUR 0.7    // of a spacing: where to begin to look for the next one
-#define KEY_LEAST 0.5    // a corner is a key if the spacing that it allows alone is right within …
+#define KEY_LEAST 0.5    // a corner is a key if the spacing that it allows alone is right by …
 #define KEY_MOST 1.5     // … these shares, and it is none of a bend
 #define ALIKE 0.9        // cosine between the turns of two corners of one bend
 #define STRAIGHT 0.1     // |Δu| up to which a path goes on straight, for the time of a stop
 #define CROWDED 0.25     // of a spacing: keys that are nearer than that are one
+#define OTHERS 0.25      // of a key's turn that other corners within its spacing may make
+// Growth of a path's squared bends with twice the spacing: 16 on a curve, 4 at a corner, 2 on a
+// random walk, 1 in noise. Below the first it gets noise, below the second it stays noise.
+#define GETS_ROUGH 1.25
+#define STAYS_ROUGH 2.0
 #define AT_REST 0.02     // of a way: a rest so near to its end is there, for the time of a stop
 #define SAME 0.9         // tolerances of blocks that differ by no more count as one
+#define SMALL 0.125      // of a spacing: such a block has the one before it
+#define BLUNT 1.25       // of the spacing before it: so much its corner allows alone
 enum {
+    LOOKED_AT = 4,       // of so many small blocks one
     WAYS = 16,           // blocks on either side that go on straight, at most
-    GROWTH_STEPS = 64,   // from 1 µm to beyond any spacing
+    GROWTH_STEPS = 40,   // from 1 µm to beyond any spacing
     BISECT_STEPS = 3     // the last 25 % to 3 %
 };
 
@@ -39,22 +47,45 @@ typedef struct vertex {
     int lone;       // 1: nothing but itself bounds its spacing
 } vertex_t;
 
-// How far a spline of even spacing h would leave the path at a knot at s, where it is `here`.
-static double deviation(nck_smooth_t *self, double s, const double *here, double h) {
-    double before[NCK_AXIS_MAX];
-    double behind[NCK_AXIS_MAX];
-    double middle[NCK_AXIS_MAX];
-    nck_raw_point(self, s - h, before);
-    nck_raw_point(self, s + h, behind);
+// How far a spline of even spacing h would leave the path at a knot at s, if its control points
+// were made of second differences over h alone.
+// On a curve they are p − δ²p/6, p̃ − p = −δ⁴p/36;
+// in noise p + 5δ²p/24, p̃ − p = (11 δ²p + 5/4·(δ²p before + δ²p behind))/36.
+static double deviation(nck_smooth_t *self, double s, const double *here, double h, int rough) {
+    double p[4][NCK_AXIS_MAX];
+    double off[NCK_AXIS_MAX];
     const int axes = self->terms->axes;
-    for (int x = 0; x < axes; x++) middle[x] = 0.5 * (before[x] + behind[x]);
-    return nck_spline_distance(middle, here, axes) / 3.0;
+    const double at_side = rough ? 1.25 : -1.0;
+    const double at_middle = rough ? 11.0 : 2.0;
+    nck_raw_points(self, s - 2.0 * h, h, 2, p);
+    nck_raw_points(self, s + h, h, 2, p + 2);
+    for (int x = 0; x < axes; x++) {
+        const double before = nck_spline_bend(p[0][x], p[1][x], here[x]);
+        const double middle = nck_spline_bend(p[1][x], here[x], p[2][x]);
+        const double behind = nck_spline_bend(here[x], p[2][x], p[3][x]);
+        off[x] = at_middle * middle + at_side * (before + behind);
+    }
+    return nck_spline_norm(off, axes) / 36.0;
+}
+
+// Σ |δ²p|² of five places around s, h apart.
+static double unevenness(nck_smooth_t *self, double s, double h) {
+    double p[7][NCK_AXIS_MAX];
+    double sum = 0.0;
+    nck_raw_points(self, s - 3.0 * h, h, 7, p);
+    for (int k = 1; k < 6; k++) {
+        for (int x = 0; x < self->terms->axes; x++) {
+            const double bend = nck_spline_bend(p[k - 1][x], p[k][x], p[k + 1][x]);
+            sum += bend * bend;
+        }
+    }
+    return sum;
 }
 
 // The largest spacing at s, from a good one on, before the deviation first exceeds the aim.
 // NCK_EMPTY if that depends on what is not known yet; NCK_FULL if it does and the ring is full:
 // then what is known must do for now.
-static nck_status_t grow(nck_smooth_t *self, double s, double aim, double *spacing) {
+static nck_status_t grow(nck_smooth_t *self, double s, double aim, int rough, double *spacing) {
     const double known = self->run.closed ? s + self->spacing_max : nck_raw_known(self);
     double good = *spacing;
     double bad = good;
@@ -66,7 +97,7 @@ static nck_status_t grow(nck_smooth_t *self, double s, double aim, double *spaci
             *spacing = good;
             return nck_raw_is_full(self) ? NCK_FULL : NCK_EMPTY;
         }
-        if (deviation(self, s, here, next) <= aim) {
+        if (deviation(self, s, here, next, rough) <= aim) {
             good = next;
             bad = good;
         } else {
@@ -75,7 +106,7 @@ static nck_status_t grow(nck_smooth_t *self, double s, double aim, double *spaci
     }
     for (int n = 0; n < BISECT_STEPS && bad > good; n++) {
         const double middle = 0.5 * (good + bad);
-        if (deviation(self, s, here, middle) <= aim) good = middle;
+        if (deviation(self, s, here, middle, rough) <= aim) good = middle;
         else bad = middle;
     }
     *spacing = good;
@@ -99,7 +130,7 @@ static double begin_growing(nck_smooth_t *self, uint32_t count, double aim, doub
     if (likely <= spacing || s + likely > nck_raw_known(self)) return spacing;
     double here[NCK_AXIS_MAX];
     nck_raw_point(self, s, here);
-    return deviation(self, s, here, likely) <= aim ? likely : spacing;
+    return deviation(self, s, here, likely, 0) <= aim ? likely : spacing;
 }
 
 // The spacing that a corner between two blocks allows if it is alone.
@@ -133,8 +164,7 @@ static nck_status_t room_beside(nck_smooth_t *self, uint32_t count, double *room
 // straight again there.
 static int ends_in_blend(nck_smooth_t *self, uint32_t count) {
     const uint32_t last = nck_raw_next(self, count);
-    if (!self->run.closed || nck_raw_next(self, last) != self->run.end) return 0;
-    return self->run.end != self->raw.head && nck_raw_at(self, self->run.end)->seg.blend;
+    return nck_raw_next(self, last) == self->run.end && nck_raw_leads_into_blend(self);
 }
 
 // How sharply the path turns at a corner.
@@ -221,12 +251,16 @@ static void stop_behind(nck_smooth_t *self, uint32_t count) {
     self->run.closed = 1;
 }
 
-// 1 if the path goes on as good as straight from one block to the next.
+// 1 if the path goes on as good as straight from one block to the next. Every corner in reach asks.
 static int goes_on(nck_smooth_t *self, uint32_t in, uint32_t out) {
-    double turn[NCK_AXIS_MAX];
-    const nck_seg_t *const seg = &nck_raw_at(self, in)->seg;
-    const nck_seg_t *const next = &nck_raw_at(self, out)->seg;
-    return nck_raw_turn(seg, next, self->terms->axes, turn) < STRAIGHT;
+    nck_raw_t *const next = nck_raw_at(self, out);
+    if (next->onward == NCK_ONWARD_UNKNOWN) {
+        double turn[NCK_AXIS_MAX];
+        const nck_seg_t *const seg = &nck_raw_at(self, in)->seg;
+        const int goes = nck_raw_turn(seg, &next->seg, self->terms->axes, turn) < STRAIGHT;
+        next->onward = (uint8_t)(goes ? NCK_ONWARD_STRAIGHT : NCK_ONWARD_BENT);
+    }
+    return next->onward == NCK_ONWARD_STRAIGHT;
 }
 
 // How far the path leads straight to the corner behind a block, and on from it.
@@ -288,6 +322,30 @@ static vertex_t look_at(nck_smooth_t *self, uint32_t count) {
     return corner;
 }
 
+// Bends of a curve grow with the square of the spacing at which it is looked at, those of noise
+// stay as they are.
+static nck_status_t grow_as_curve_or_noise(nck_smooth_t *self, uint32_t count, double aim,
+                                           double *spacing) {
+    nck_raw_t *const raw = nck_raw_at(self, count);
+    const double s = raw->s + raw->seg.length;
+    const nck_status_t status = grow(self, s, aim, 0, spacing);
+    if (status == NCK_EMPTY) return status;
+    const int was_rough = nck_raw_at(self, raw_before(self, count))->rough;
+    const double fine = unevenness(self, s, 0.5 * *spacing);
+    raw->rough = unevenness(self, s, *spacing) < (was_rough ? STAYS_ROUGH : GETS_ROUGH) * fine;
+    return raw->rough ? grow(self, s, aim, 1, spacing) : status;
+}
+
+// 1 if a block is a small part of what the spacing before it spans, and as blunt: then its spacing
+// is the same. One block of four is looked at all the same.
+static int is_like_before(nck_smooth_t *self, uint32_t count, const vertex_t *corner) {
+    const uint32_t before = raw_before(self, count);
+    const nck_raw_t *const last = nck_raw_at(self, before);
+    if (before == count || count % LOOKED_AT == 0 || last->lacks || last->key) return 0;
+    return nck_raw_at(self, count)->seg.length < SMALL * last->spacing
+           && corner->alone > BLUNT * last->spacing;
+}
+
 // The spacing at a corner, before other corners and tolerances have their say; and whether the
 // corner is alone. NCK_EMPTY if more blocks must be known, NCK_FULL if the full ring ends the view.
 static nck_status_t choose(nck_smooth_t *self, uint32_t count, vertex_t *corner,
@@ -295,45 +353,82 @@ static nck_status_t choose(nck_smooth_t *self, uint32_t count, vertex_t *corner,
     const nck_raw_t *const raw = nck_raw_at(self, count);
     const int bounded = corner->alone < self->spacing_max;
     nck_status_t status = NCK_OK;
-    *spacing_out = raw->partial ? raw->spacing : nck_min(corner->alone, corner->nearest);
+    *spacing_out = raw->lacks ? raw->spacing : nck_min(corner->alone, corner->nearest);
     corner->lone = corner->lines && *spacing_out == corner->alone && bounded;
     if (corner->lone) status = room_beside(self, count, &corner->room);
     if (status == NCK_EMPTY) return status;
     corner->lone = corner->lone && !bends_on(self, count);
-    if (corner->lines && !bounded) {
+    if (is_like_before(self, count, corner)) {
+        const nck_raw_t *const last = nck_raw_at(self, raw_before(self, count));
+        *spacing_out = last->spacing;
+        nck_raw_at(self, count)->rough = last->rough;
+    } else if (corner->lines && !bounded) {
         *spacing_out = corner->alone; // other corners bound the way
     } else if (!corner->lone) {
         *spacing_out = begin_growing(self, count, corner->aim, *spacing_out);
-        status = grow(self, raw->s + raw->seg.length, corner->aim, spacing_out);
+        status = grow_as_curve_or_noise(self, count, corner->aim, spacing_out);
     }
     return status;
+}
+
+// 1 if next to nothing but the corner turns the path within a spacing of it.
+static int is_alone(nck_smooth_t *self, uint32_t count, double spacing) {
+    const nck_raw_t *const raw = nck_raw_at(self, count);
+    const nck_raw_t *const next = nck_raw_at(self, nck_raw_next(self, count));
+    const int axes = self->terms->axes;
+    double p[3][NCK_AXIS_MAX];
+    double others[NCK_AXIS_MAX];
+    const double turn = nck_raw_turn(&raw->seg, &next->seg, axes, others);
+    nck_raw_points(self, raw->s + raw->seg.length - spacing, spacing, 3, p);
+    for (int x = 0; x < axes; x++) {
+        others[x] -= nck_spline_bend(p[0][x], p[1][x], p[2][x]) / spacing;
+    }
+    return nck_spline_norm(others, axes) <= OTHERS * turn;
 }
 
 // 1 if the corner gets a knot of its own.
 static int is_key(nck_smooth_t *self, uint32_t count, const vertex_t *corner, double spacing) {
     const int likely = spacing >= KEY_LEAST * corner->alone && spacing <= KEY_MOST * corner->alone
                        && corner->alone < self->spacing_max;
-    return (corner->lone || (likely && !bends_on(self, count)))
+    return (corner->lone || (likely && !bends_on(self, count) && is_alone(self, count, spacing)))
            && !is_crowded(self, count, spacing);
 }
 
-nck_status_t nck_spacing_know(nck_smooth_t *self, uint32_t count) {
+// As nck_spacing_know, but for the stop.
+static nck_status_t find(nck_smooth_t *self, uint32_t count, vertex_t *corner_out) {
     nck_raw_t *const raw = nck_raw_at(self, count);
     const nck_raw_t *const next = nck_raw_at(self, nck_raw_next(self, count));
     double spacing = 0.0;
-    if (raw->spacing > 0.0 && !raw->partial) return NCK_OK;
-    vertex_t corner = look_at(self, count);
-    const nck_status_t status = choose(self, count, &corner, &spacing);
+    *corner_out = look_at(self, count);
+    const nck_status_t status = choose(self, count, corner_out, &spacing);
     if (status == NCK_EMPTY) return status;
-    raw->partial = status == NCK_FULL;
-    if (corner.lone) spacing = nck_min(spacing * (AIM_KEY / AIM), corner.nearest);
-    if (corner.lone && spacing < corner.nearest) spacing = nck_min(spacing, corner.room);
-    raw->key = (uint8_t)is_key(self, count, &corner, spacing);
+    raw->lacks = status == NCK_FULL ? NCK_LACKS_BLOCKS : NCK_LACKS_NOTHING;
+    if (corner_out->lone) {
+        spacing = nck_min(spacing * (AIM_KEY / AIM), corner_out->nearest);
+        if (spacing < corner_out->nearest) spacing = nck_min(spacing, corner_out->room);
+    }
+    raw->key = (uint8_t)is_key(self, count, corner_out, spacing);
     if (ends_in_blend(self, count)) {
         spacing = nck_min(spacing, next->seg.length / NCK_BLEND_KEEP_OFF);
     }
     raw->spacing = self->mixed ? keep_off(self, count, spacing) : spacing;
-    if (!raw->partial && corner.alone < self->spacing_max) stop_or_bend(self, count);
+    return NCK_OK;
+}
+
+// Every point of an arc takes a sine and a cosine: then the stop is timed in the next call.
+nck_status_t nck_spacing_know(nck_smooth_t *self, uint32_t count) {
+    nck_raw_t *const raw = nck_raw_at(self, count);
+    if (raw->lacks != NCK_LACKS_TIME) {
+        vertex_t corner;
+        const nck_status_t status = find(self, count, &corner);
+        if (status != NCK_OK || raw->lacks || !(corner.alone < self->spacing_max)) return status;
+        if (!corner.lines) {
+            raw->lacks = NCK_LACKS_TIME;
+            return NCK_FULL;
+        }
+    }
+    raw->lacks = NCK_LACKS_NOTHING;
+    stop_or_bend(self, count);
     return NCK_OK;
 }
 

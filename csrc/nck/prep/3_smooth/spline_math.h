@@ -78,6 +78,37 @@ static inline void nck_spline_part(nck_seg_t *seg, nck_real x0, nck_real x1) {
     seg->length = x1 - x0;
 }
 
+// Second moment of three knots about their Greville abscissa: with control points on the path the
+// spline of a parabola leaves it by   p̃ − p = g·p″/2,
+//   g = ((t_1 − t_0)² + (t_2 − t_1)² + (t_2 − t_0)²)/18,   Δ²/3 between even knots.
+static inline nck_real nck_spline_moment(const nck_real *t) {
+    const nck_real first = t[1] - t[0];
+    const nck_real second = t[2] - t[1];
+    const nck_real both = t[2] - t[0];
+    return (first * first + second * second + both * both) / 18.0;
+}
+
+// Second difference of three points evenly apart, of one axis:   δ²p = p_− − 2p + p_+
+static inline nck_real nck_spline_bend(nck_real before, nck_real here, nck_real behind) {
+    return (before - here) + (behind - here);
+}
+
+// Points of the path on either side of its place that a control point is made of.
+enum { NCK_SPLINE_SIDE = 4 };
+
+// A control point on a curve is p + Σ w_k·(p(ξ − kh/4) − 2p(ξ) + p(ξ + kh/4)), k = 1 … 4. Of all
+// weights of the nine points with Σ w = 1 and Σ w·(kh/4)² = −h²/3, for which the spline of a
+// parabola is the parabola, those with the least Σ w²:
+//   w_k = (257 − 27k²)/693
+// (Quasi-interpolation: C. de Boor, G. J. Fix, Spline Approximation by Quasiinterpolants, 1973.
+// Least squares of noise: A. Savitzky, M. J. E. Golay, 1964.)
+static inline nck_real nck_spline_weight(int k) {
+    return (257.0 - 27.0 * (nck_real)(k * k)) / 693.0;
+}
+
+// The same where the path is noise: their mean,   w_k = 1/9
+#define NCK_SPLINE_MEAN (1.0 / 9.0)
+
 // How far a cubic can leave its chord between two points of it that are h apart:   |p″|·h²/8
 // where second is the largest |p″| (the error of linear interpolation).
 static inline nck_real nck_spline_sag(nck_real second, nck_real h) { return second * h * h / 8.0; }

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: MIT
+// Inside room 3: pieces of a seg over which the spindle's speed changes little.
+//
+//     r ─▶  0 ──── flat ──────────────────────── surface speed        n = min(V / 2πr, most)
+//           │ one piece │ each 1 % of its r long                      F a revolution, times n
+#include "nck/prep/3_smooth/divide.h"
+
+#include <string.h> // memcpy
+
+#include "nck/base/path.h"                 // nck_path_part
+#include "nck/base/real.h"                 // nck_min nck_max nck_fabs
+#include "nck/base/spin_math.h"            // nck_spin_rpm
+#include "nck/prep/3_smooth/spline_math.h" // nck_spline_part
+
+#define SHARE 0.01 // of r from one end of a piece to the other: its feed is off by half of it
+
+// How much of a step along the seg the radius can change by: of a line its direction cosine, of a
+// spline no more than its steepest leg.
+static double slant(const nck_seg_t *seg) {
+    const int x = NCK_AXIS_X;
+    if (seg->kind == NCK_SEG_LINE) return nck_fabs(seg->end[x] - seg->start[x]) / seg->length;
+    if (seg->kind != NCK_SEG_SPLINE) return 1.0;
+    const double first = nck_fabs(seg->shape.inner[0][x] - seg->start[x]);
+    const double middle = nck_fabs(seg->shape.inner[1][x] - seg->shape.inner[0][x]);
+    const double last = nck_fabs(seg->end[x] - seg->shape.inner[1][x]);
+    return nck_max(first, nck_max(middle, last)) * 3.0 / seg->length;
+}
+
+// Distance from the spindle's axis at s.
+static double radius(const nck_seg_t *seg, double s) {
+    double point[NCK_AXIS_MAX];
+    nck_path_part(seg, s, NCK_AXIS_X + 1, point);
+    return nck_fabs(point[NCK_AXIS_X] - seg->spin.x);
+}
+
+// Up to this radius the spindle turns as fast as it may.
+static double flat(const nck_seg_t *seg) { return seg->spin.speed / seg->spin.most; }
+
+int nck_divide_begin(nck_smooth_t *self, const nck_seg_t *seg) {
+    const double a = self->terms->machine->spindle.a_max_rpm_s;
+    const int moves = seg->kind < NCK_SEG_DWELL && seg->spin.most > 0.0;
+    if (!moves || !(seg->spin.per_rev > 0.0 || a > 0.0)) return 0;
+    self->divide.seg = *seg;
+    self->divide.from = 0.0;
+    return 1;
+}
+
+// Where the next piece ends. Two that are left of about a piece share it evenly.
+static double piece_end(const nck_seg_t *seg, double from) {
+    const double c = slant(seg);
+    const double r = radius(seg, from);
+    const double r_flat = flat(seg);
+    const double step = r > r_flat ? SHARE * r : nck_max(r_flat - r, SHARE * r_flat);
+    const double rest = seg->length - from;
+    if (rest * c <= step) return seg->length;
+    return rest * c < 2.0 * step ? from + 0.5 * rest : from + step / c;
+}
+
+// The part of a line or an arc; of a spline nck_spline_part knows it.
+static void take_part(nck_seg_t *seg, double from, double to, int axes) {
+    const nck_seg_t whole = *seg;
+    if (seg->kind == NCK_SEG_SPLINE) {
+        nck_spline_part(seg, from, to);
+        return;
+    }
+    if (from > 0.0) nck_path_part(&whole, from, axes, seg->start);
+    if (to < whole.length) nck_path_part(&whole, to, axes, seg->end);
+    if (seg->kind == NCK_SEG_ARC) seg->shape.arc.sweep *= (to - from) / whole.length;
+    seg->length = to - from;
+}
+
+// The spindle follows as fast as a_max_rpm_s lets it:
+//   |dn/dt| = V / (2πr²)·|dr/ds|·v ≤ a      where n is below its most
+static double follows_at(const nck_seg_t *seg, double from, double to, double a) {
+    const double c = slant(seg);
+    const double r0 = radius(seg, from);
+    const double r1 = radius(seg, to);
+    const double r_flat = flat(seg);
+    if (!(a > 0.0) || c == 0.0 || nck_max(r0, r1) <= r_flat) return 0.0;
+    const double r = nck_max(r_flat, nck_min(r0, r1));
+    return a * r * r / (seg->spin.speed * c);
+}
+
+void nck_divide_next(nck_smooth_t *self, nck_seg_t *seg_out) {
+    const nck_seg_t *const seg = &self->divide.seg;
+    const double from = self->divide.from;
+    const double to = piece_end(seg, from);
+    double middle[NCK_AXIS_MAX];
+    *seg_out = *seg;
+    take_part(seg_out, from, to, self->terms->axes);
+    if (to < seg->length) seg_out->stop = 0;
+    if (seg->blend) seg_out->program = seg->program * (to - from) / seg->length;
+    nck_path_part(seg, 0.5 * (from + to), NCK_AXIS_X + 1, middle);
+    if (seg->spin.per_rev > 0.0) {
+        seg_out->feed = seg->spin.per_rev * nck_spin_rpm(&seg->spin, middle[NCK_AXIS_X]);
+    }
+    seg_out->v_most = follows_at(seg, from, to, self->terms->machine->spindle.a_max_rpm_s);
+    self->divide.from = to;
+}
