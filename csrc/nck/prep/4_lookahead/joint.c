@@ -2,6 +2,7 @@
 // Inside room 4: caps of segs.
 #include "nck/prep/4_lookahead/joint.h"
 
+#include <stddef.h> // offsetof
 #include <string.h> // memset
 
 #include "nck/base/budget.h"                  // NCK_UNLIMITED
@@ -45,16 +46,17 @@ static double largest_cosine(const nck_joint_t *joint, const nck_seg_t *seg, int
 static void cap_by_axes(nck_joint_t *joint, const nck_seg_t *seg, const double *t_in,
                         const double *t_out, const nck_terms_t *terms) {
     const nck_machine_t *const machine = terms->machine;
+    const int is_line = seg->kind == NCK_SEG_LINE;
     double a_straight = NCK_UNLIMITED;
-    double j = machine->path.j_max;
+    double j = terms->j_max;
     for (int x = 0; x < terms->axes; x++) {
         const nck_axis_t *const axis = &machine->axis[x];
-        const double c = largest_cosine(joint, seg, x, t_in, t_out);
+        const double c = is_line ? nck_fabs(t_in[x]) : largest_cosine(joint, seg, x, t_in, t_out);
         if (c == 0.0) continue;
         cap_speed(joint, nck_limit_along(seg->rapid ? axis->rapid : axis->v_max, c),
                   seg->rapid ? NCK_LIMIT_RAPID : NCK_LIMIT_AXIS_V + x);
         j = nck_min(j, nck_limit_along(axis->j_max, c));
-        if (nck_path_turns(seg, x)) {
+        if (!is_line && nck_path_turns(seg, x)) {
             joint->shape.arc.a_plane = nck_min(joint->shape.arc.a_plane, axis->a_max);
         } else {
             a_straight = nck_min(a_straight, nck_limit_along(axis->a_max, c));
@@ -124,28 +126,45 @@ static void make_spline(nck_joint_t *joint, const nck_terms_t *terms) {
     }
 }
 
-void nck_joint_tangents(const nck_seg_t *seg, double *start_out, double *end_out) {
-    memset(start_out, 0, NCK_AXIS_MAX * sizeof *start_out);
-    if (seg->length > 0.0) nck_path_tangent(seg, 0.0, start_out);
+void nck_joint_tangents(const nck_seg_t *seg, int axes, double *start_out, double *end_out) {
+    for (int x = 0; x < axes; x++) start_out[x] = 0.0;
+    if (seg->length > 0.0) nck_path_tangent_part(seg, 0.0, axes, start_out);
     if (seg->kind == NCK_SEG_ARC || seg->kind == NCK_SEG_SPLINE) {
-        nck_path_tangent(seg, seg->length, end_out);
-    } else {
-        memcpy(end_out, start_out, NCK_AXIS_MAX * sizeof *end_out);
+        nck_path_tangent_part(seg, seg->length, axes, end_out);
+        return;
     }
+    for (int x = 0; x < axes; x++) end_out[x] = start_out[x];
+}
+
+static const nck_joint_arc_t no_arc = {NCK_UNLIMITED, NCK_UNLIMITED, 0.0, 0.0};
+
+// 1 if X Y Z U V or W moves.
+static int moves_linear(const nck_seg_t *seg) {
+    int moves = seg->kind == NCK_SEG_ARC;
+    for (int x = 0; x < NCK_AXIS_MAX && !moves; x++) {
+        const int rotary = x >= NCK_AXIS_A && x <= NCK_AXIS_C;
+        moves = !rotary && seg->start[x] != seg->end[x];
+    }
+    return moves;
 }
 
 // What a joint has of its seg, before any cap.
 static void begin(nck_joint_t *joint, const nck_seg_t *seg) {
-    memset(joint, 0, sizeof *joint);
+    memset(joint, 0, offsetof(nck_joint_t, shape));
     joint->seq = seg->seq;
     joint->kind = seg->kind;
     joint->length = seg->length;
     joint->end = seg->stop ? NCK_JOINT_STOP | NCK_JOINT_LAST : NCK_JOINT_LAST;
     if (seg->kind >= NCK_SEG_DWELL) joint->shape.dwell_s = seg->shape.dwell_s;
+    if (seg->kind == NCK_SEG_THREAD) {
+        joint->shape.dwell_s = (double)seg->shape.thread.duration;
+    }
+    if (seg->kind == NCK_SEG_TAP) joint->shape.dwell_s = (double)seg->shape.tap.duration;
     joint->feed = seg->feed;
+    joint->tool = moves_linear(seg) ? seg->feed_scale : 0.0;
     joint->v_max = NCK_UNLIMITED;
     joint->v_free = NCK_UNLIMITED;
-    if (seg->kind == NCK_SEG_ARC) joint->shape.arc.a_plane = NCK_UNLIMITED;
+    if (seg->kind <= NCK_SEG_ARC) joint->shape.arc = no_arc;
     joint->pace[NCK_PACE_FEED].v_corner = NCK_UNLIMITED;
     joint->pace[NCK_PACE_OVER].v_corner = NCK_UNLIMITED;
 }
@@ -157,6 +176,7 @@ static void make_caps(nck_joint_t *joint, const nck_seg_t *seg, const double *ta
         cap_feed(joint, seg->feed, NCK_LIMIT_FEED);
         cap_speed(joint, machine->path.feed_max / seg->feed_scale, NCK_LIMIT_FEED_MAX);
     }
+    if (seg->v_most > 0.0) cap_speed(joint, seg->v_most, NCK_LIMIT_SPINDLE);
     if (seg->kind == NCK_SEG_ARC) make_arc(joint, seg, machine);
     if (seg->kind == NCK_SEG_SPLINE) make_spline(joint, terms);
     cap_by_axes(joint, seg, tangent_start, tangent_end, terms);
@@ -290,22 +310,19 @@ void nck_joint_settle(nck_joint_t *joint, double w_in, const nck_terms_t *terms)
             limit_spline(joint, at, nck_min(at->v + terms->v_filter, v_free), terms);
         }
         at->time = joint->length / at->v;
-        at->least = least_time(joint, w_in, at);
+        if (terms->limits_jerk) at->least = least_time(joint, w_in, at);
     }
 }
 
-nck_piece_limit_t nck_joint_piece(const nck_joint_t *joint, double beta, int pace,
-                                  const nck_terms_t *terms) {
+void nck_joint_curved(const nck_joint_t *joint, double beta, int pace, const nck_terms_t *terms,
+                      nck_piece_limit_t *piece) {
     const nck_pace_t *const at = &joint->pace[pace];
-    nck_piece_limit_t piece = {at->v * at->v, joint->v_free * joint->v_free,
-                               terms->machine->path.a_max, at->j, joint->limit};
     if (joint->kind == NCK_SEG_SPLINE) {
-        piece.vv *= 1.0 - beta;
-        piece.vv_free = (1.0 - beta) * joint->w_near;
-        piece.a = (1.0 - beta) * at->a;
-        return piece;
+        piece->vv *= 1.0 - beta;
+        piece->vv_free = (1.0 - beta) * joint->w_near;
+        piece->a = (1.0 - beta) * at->a;
+        return;
     }
-    piece.a = nck_joint_straight(joint, beta, terms);
-    if (is_curved(joint)) limit_on_arc(joint, beta, terms->v_filter, &piece);
-    return piece;
+    piece->a = nck_joint_straight(joint, beta, terms);
+    if (is_curved(joint)) limit_on_arc(joint, beta, terms->v_filter, piece);
 }

@@ -25,9 +25,9 @@ static inline nck_joint_t *nck_joint_at(nck_lookahead_t *self, uint32_t count) {
 // Cost: constant.
 double nck_joint_a_any(const nck_machine_t *machine);
 
-// The unit tangents at both ends of a seg, NCK_AXIS_MAX components each; of a rest: zero.
+// The unit tangents at both ends of a seg, so many components of each, from X on; of a rest: zero.
 // Cost: constant.
-void nck_joint_tangents(const nck_seg_t *seg, double *start_out, double *end_out);
+void nck_joint_tangents(const nck_seg_t *seg, int axes, double *start_out, double *end_out);
 
 // Into how many joints a spline is worth to be parted; of other segs: 1. joint: the whole seg's.
 // Cost: constant.
@@ -49,16 +49,28 @@ void nck_joint_make(nck_joint_t *joint, const nck_seg_t *seg, const double *tang
 // Cost: constant.
 void nck_joint_settle(nck_joint_t *joint, double w_in, const nck_terms_t *terms);
 
-// Limits in a piece of the settled seg at a pace (NCK_PACE_…), under the share beta.
-// Cost: constant.
-nck_piece_limit_t nck_joint_piece(const nck_joint_t *joint, double beta, int pace,
-                                  const nck_terms_t *terms);
-
 // What the axes leave to a line's acceleration, or to an arc's outside of its plane, under beta.
 // Cost: constant.
 static inline double nck_joint_straight(const nck_joint_t *joint, double beta,
                                         const nck_terms_t *terms) {
     return nck_min(terms->machine->path.a_max, (1.0 - beta) * joint->shape.arc.a_straight);
+}
+
+// The rest of nck_joint_piece for arcs and splines: acceleration, and what bends cost of the speed.
+// Cost: constant.
+void nck_joint_curved(const nck_joint_t *joint, double beta, int pace, const nck_terms_t *terms,
+                      nck_piece_limit_t *piece);
+
+// Limits in a piece of the settled seg at a pace (NCK_PACE_…), under the share beta.
+// Cost: constant.
+static inline nck_piece_limit_t nck_joint_piece(const nck_joint_t *joint, double beta, int pace,
+                                                const nck_terms_t *terms) {
+    const nck_pace_t *const at = &joint->pace[pace];
+    nck_piece_limit_t piece = {at->v * at->v, joint->v_free * joint->v_free,
+                               terms->machine->path.a_max, at->j, joint->limit};
+    if (joint->kind != NCK_SEG_LINE) nck_joint_curved(joint, beta, pace, terms, &piece);
+    else piece.a = nck_joint_straight(joint, beta, terms);
+    return piece;
 }
 
 // The acceleration of nck_joint_piece alone. Cost: constant.

@@ -23,7 +23,7 @@ enum { NCK_PACE_FEED = 0, NCK_PACE_OVER = 1, NCK_PACES = 2 };
 typedef struct nck_pace {
     double v;             // speed cap of the whole seg [path mm/s]
     double time;          // that the seg takes at v [s]
-    double least;         // the time that the seg takes is no less [s]
+    double least;         // the time that the seg takes is no less, under a jerk limit [s]
     double a;             // tangential acceleration, of a spline what is left at v [path mm/s²]
     double j;             // tangential jerk left at v [path mm/s³]
     double v_corner;      // cap at the end [path mm/s]
@@ -68,6 +68,7 @@ typedef struct nck_joint {
     double s;             // where in its seg it begins [path mm]
     double length;        // [path mm]
     double feed;          // programmed speed [path mm/s]; 0: a rapid
+    double tool;          // speed of the tool / path speed; 0: rotary axes move alone
     double v_max;         // speed cap of the whole seg at 100 % [path mm/s]
     double v_free;        // the same by everything but the feed; ≥ v_max
     double w_near;        // spline: v_free², lowered to what its neighbours let it use
@@ -75,8 +76,8 @@ typedef struct nck_joint {
     double j_straight;    // tangential jerk limit by all axes' directions [path mm/s³]
     double a_most;        // largest tangential acceleration anywhere on the seg [path mm/s²]
     double load;          // d of the junction at the end [s²/mm]; 0 at a stop
-    nck_joint_shape_t shape; // by kind
     nck_pace_t pace[NCK_PACES];
+    nck_joint_shape_t shape; // by kind
 } nck_joint_t;
 
 // The room's state.
@@ -94,7 +95,7 @@ typedef struct nck_lookahead {
         uint32_t decided; // junctions with v_corner and share
         uint32_t placed;  // segs turned into nodes
         uint32_t known;   // head when the next junction could not be decided for want of segs
-        uint32_t near;    // decided when the next seg could not be placed for want of junctions
+        uint32_t tried;   // settled + decided when the next seg was to be placed in vain
         double tangent[NCK_AXIS_MAX]; // at the end of the last seg
         nck_joint_t at[NCK_JOINT_MAX];
     } joint;
@@ -136,9 +137,12 @@ nck_status_t nck_lookahead_push(nck_lookahead_t *self, const nck_seg_t *seg);
 void nck_lookahead_end(nck_lookahead_t *self);
 
 // One bounded piece of work. Returns NCK_OK, NCK_EMPTY (needs segs), NCK_FULL (pieces must be
-// dropped), NCK_DONE (ended, and every piece is placed). Cost: one junction and one seg's nodes
+// dropped), NCK_DONE (ended, and every piece is placed). Cost: one junction and two segs' nodes
 // with at most 2·NCK_CORNER_SPAN neighbours at both paces. Context: prep.
 nck_status_t nck_lookahead_step(nck_lookahead_t *self);
+
+// 1 if no step does anything before another seg comes. Cost: constant. Context: prep.
+int nck_lookahead_is_idle(const nck_lookahead_t *self);
 
 // The i-th piece from the window's head; NULL beyond the window. Cost: constant. Context: prep.
 const nck_node_t *nck_lookahead_ahead(const nck_lookahead_t *self, uint32_t i);
@@ -152,7 +156,11 @@ uint32_t nck_lookahead_fill(const nck_lookahead_t *self);
 
 // 1 if no more pieces come before the path is at rest: the path has ended, or the newest piece is a
 // WAIT. Cost: constant. Context: prep.
-int nck_lookahead_is_complete(const nck_lookahead_t *self);
+static inline int nck_lookahead_is_complete(const nck_lookahead_t *self) {
+    const uint32_t fill = self->window.fill;
+    const int all_placed = self->ended && self->joint.placed == self->joint.head;
+    return all_placed || (fill > 0 && self->window.barrier == fill);
+}
 
 // Forget the first n pieces. Cost: constant. Context: prep.
 void nck_lookahead_drop(nck_lookahead_t *self, uint32_t n);

@@ -149,9 +149,12 @@ static int side_before(nck_lookahead_t *self, uint32_t at, neighbour_t *side_out
     return 1;
 }
 
-void nck_near_level(nck_lookahead_t *self) {
-    const uint32_t at = self->joint.head - 1;
-    nck_joint_t *const joint = nck_joint_at(self, at);
+static void set_w_out(nck_lookahead_t *self, uint32_t at, nck_joint_t *joint) {
+    joint->w_out =
+        nck_min(joint->w_near, entered_at(self, at) + 2.0 * joint->a_most * joint->length);
+}
+
+static void level_newest(nck_lookahead_t *self, uint32_t at, nck_joint_t *joint) {
     neighbour_t side;
     close_chains(self, at);
     // Whether the joint before stops is known by now.
@@ -160,9 +163,22 @@ void nck_near_level(nck_lookahead_t *self) {
         (void)level(joint, &side, self->terms);
         if (at > 0 && is_chain(nck_joint_at(self, at - 1))) level_before(self, at);
     }
-    joint->w_out =
-        nck_min(joint->w_near, entered_at(self, at) + 2.0 * joint->a_most * joint->length);
+    set_w_out(self, at, joint);
     if (joint->end & NCK_JOINT_STOP) level_to_rest(self, at);
+}
+
+// Behind a line or an arc that ends no chain nothing is levelled with another one.
+void nck_near_level(nck_lookahead_t *self) {
+    const uint32_t at = self->joint.head - 1;
+    nck_joint_t *const joint = nck_joint_at(self, at);
+    const int is_bare = self->joint.broken == at && joint->kind != NCK_SEG_SPLINE
+                        && nck_joint_at(self, at - 1)->kind != NCK_SEG_SPLINE;
+    if (is_bare) {
+        self->joint.broken = at + 1;
+        set_w_out(self, at, joint);
+    } else {
+        level_newest(self, at, joint);
+    }
 }
 
 void nck_near_end(nck_lookahead_t *self) {

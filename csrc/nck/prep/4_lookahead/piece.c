@@ -1,0 +1,285 @@
+// SPDX-License-Identifier: MIT
+// Inside room 4: a joint becomes the nodes of its pieces, each with its caps.
+#include "nck/prep/4_lookahead/piece.h"
+
+#include <assert.h> // assert
+#include <string.h> // memset memcpy
+
+#include "nck/base/budget.h"            // NCK_UNLIMITED
+#include "nck/prep/4_lookahead/joint.h" // nck_joint_…
+#include "nck/prep/4_lookahead/near.h"  // nck_near_…
+#include "nck/prep/4_lookahead/zone.h"  // nck_zone_… NCK_ZONES_CUT
+
+// A seg is cut where its junctions' share ends only if that frees more than this share of its
+// acceleration.
+#define SPLIT_SHARE 0.05
+
+static nck_node_t *node_at(nck_lookahead_t *self, uint32_t i) {
+    assert(i < NCK_WINDOW);
+    return &self->window.at[(self->window.head + i) & (NCK_WINDOW - 1)];
+}
+
+// What the neighbourhood leaves to a piece, by pace.
+typedef struct around {
+    double share[NCK_PACES];
+    nck_near_t near[NCK_PACES];
+} around_t;
+
+static const nck_near_t NOTHING_NEAR = {NCK_UNLIMITED, NCK_UNLIMITED, 1.0};
+
+// Nothing around. Without a jerk limit `near` is never asked for.
+static void begin_around(const nck_lookahead_t *self, around_t *around) {
+    for (int k = 0; k < NCK_PACES; k++) around->share[k] = 0.0;
+    if (!self->terms->limits_jerk) return;
+    for (int k = 0; k < NCK_PACES; k++) around->near[k] = NOTHING_NEAR;
+}
+
+// What another side's neighbourhood takes on top.
+static void add_around(const nck_lookahead_t *self, around_t *around, const around_t *other) {
+    for (int k = 0; k < NCK_PACES; k++) {
+        around->share[k] = nck_max(around->share[k], other->share[k]);
+    }
+    for (int k = 0; self->terms->limits_jerk && k < NCK_PACES; k++) {
+        nck_near_t *const near = &around->near[k];
+        near->a = nck_min(near->a, other->near[k].a);
+        near->j = nck_min(near->j, other->near[k].j);
+        near->slow = nck_min(near->slow, other->near[k].slow);
+    }
+}
+
+// The cap at a node by everything but the feeds: its junction and the pieces at both sides. Where
+// the speed has to fall there, what the slope's filter adds comes off.
+static double node_cap(const nck_lookahead_t *self, double vv_over, const double v_corner[]) {
+    const double vv_before = self->before.vv_over;
+    const double vv_corner = v_corner[NCK_PACE_OVER] * v_corner[NCK_PACE_OVER];
+    const double vv = nck_min(nck_min(vv_before, vv_over), vv_corner);
+    if (!self->terms->limits_jerk || (vv_before == vv_over && vv == vv_over)) return vv;
+    const double v = nck_max(0.0, nck_sqrt(vv) - self->terms->v_filter);
+    return v * v;
+}
+
+// The caps of the node at a piece's start.
+static void cap_node(nck_lookahead_t *self, nck_node_t *node, const double v_corner[]) {
+    const double vv_corner = v_corner[NCK_PACE_FEED] * v_corner[NCK_PACE_FEED];
+    node->vv_node = node_cap(self, node->vv_over, v_corner);
+    node->vv_cap = node->vv_piece;
+    node->limit = node->limit_piece;
+    if (self->before.vv < node->vv_cap) {
+        node->vv_cap = self->before.vv;
+        node->limit = (uint8_t)self->before.limit;
+    }
+    if (vv_corner < node->vv_cap) {
+        node->vv_cap = vv_corner;
+        node->limit = NCK_LIMIT_CORNER;
+    }
+    if (self->terms->limits_jerk) node->vv_cap = nck_min(node->vv_cap, node->vv_node);
+    self->before.vv = node->vv_piece;
+    self->before.vv_over = node->vv_over;
+    self->before.limit = node->limit_piece;
+}
+
+static inline nck_piece_limit_t limits_of(const nck_lookahead_t *self, const nck_joint_t *joint,
+                                          const around_t *around, int pace) {
+    const nck_near_t *const near = &around->near[pace];
+    nck_piece_limit_t piece =
+        nck_joint_piece(joint, around->share[pace], pace, self->terms);
+    if (!self->terms->limits_jerk) return piece;
+    piece.a = nck_min(piece.a, near->a);
+    piece.j = nck_min(piece.j, near->j);
+    piece.vv *= near->slow * near->slow;
+    piece.vv_free *= near->slow * near->slow;
+    return piece;
+}
+
+// Append the piece from s[0] to s[1]; v_corner caps the node at its start.
+static void add_piece(nck_lookahead_t *self, const nck_joint_t *joint, const double s[2],
+                      const around_t *around, const double v_corner[]) {
+    const nck_piece_limit_t piece = limits_of(self, joint, around, NCK_PACE_FEED);
+    const nck_piece_limit_t over = limits_of(self, joint, around, NCK_PACE_OVER);
+    nck_node_t *const node = node_at(self, self->window.fill);
+    memset(node, 0, sizeof *node);
+    node->seg = joint->seq;
+    node->kind = joint->kind;
+    node->s = joint->s + s[0];
+    node->length = s[1] - s[0];
+    node->a = piece.a;
+    node->a_over = nck_min(piece.a, over.a);
+    node->j = piece.j;
+    node->j_over = nck_min(piece.j, over.j);
+    node->feed = joint->feed;
+    node->tool = (float)joint->tool;
+    node->vv_piece = piece.vv;
+    node->vv_over = over.vv_free;
+    node->limit_piece = piece.limit;
+    if (self->terms->limits_jerk) node->vv_piece = nck_min(piece.vv, over.vv_free);
+    cap_node(self, node, v_corner);
+    self->window.fill++;
+}
+
+static void add_rest(nck_lookahead_t *self, const nck_joint_t *joint) {
+    nck_node_t *const node = node_at(self, self->window.fill);
+    memset(node, 0, sizeof *node);
+    node->seg = joint->seq;
+    node->kind = joint->kind;
+    node->a = self->terms->machine->path.a_max;
+    node->a_over = node->a;
+    node->j = self->terms->j_max;
+    node->j_over = node->j;
+    node->dwell_s = joint->shape.dwell_s;
+    node->limit = NCK_LIMIT_EXACT_STOP;
+    node->limit_piece = joint->kind == NCK_SEG_DWELL    ? NCK_LIMIT_DWELL
+                        : joint->kind >= NCK_SEG_THREAD ? NCK_LIMIT_THREAD
+                                                        : NCK_LIMIT_WAIT;
+    self->window.fill++;
+}
+
+// How fast the path may be between the segs count − 1 and count, both known if they exist, by the
+// junction and the segs.
+static double speed_between(nck_lookahead_t *self, uint32_t count) {
+    if (count == 0 || count == self->joint.head) return 0.0;
+    const nck_joint_t *const before = nck_joint_at(self, count - 1);
+    const nck_joint_t *const behind = nck_joint_at(self, count);
+    if ((before->end & NCK_JOINT_STOP) || behind->kind >= NCK_SEG_DWELL) return 0.0;
+    const nck_pace_t *const pace = &before->pace[NCK_PACE_OVER];
+    return nck_min(pace->v_corner, nck_min(pace->v, behind->pace[NCK_PACE_OVER].v));
+}
+
+// How far a zone reaches into a seg from its node, between the segs node − 1 and node: at the seg's
+// own speed, or at what it can have gained by then with the acceleration that the zone leaves.
+// Where no junction takes a share, as far as the filter mixes.
+static double zone_length(nck_lookahead_t *self, const nck_joint_t *joint, uint32_t node,
+                          const around_t *around) {
+    if (!self->terms->limits_jerk) return joint->v_max * self->zone_s;
+    const double time = around->share[NCK_PACE_OVER] > 0.0 ? self->zone_s : self->terms->mix_s;
+    const double near = nck_max(around->near[NCK_PACE_FEED].a, around->near[NCK_PACE_OVER].a);
+    const double gained = 0.5 * nck_min(joint->a_most, near) * time * time;
+    const double raised = speed_between(self, node) + self->terms->v_filter;
+    return nck_min(joint->pace[NCK_PACE_OVER].v * time, raised * time + gained);
+}
+
+// Whether a seg is worth a piece of its own next to the node around which less is allowed.
+static int is_tighter(const nck_lookahead_t *self, const nck_joint_t *joint,
+                      const around_t *around) {
+    if (around->share[NCK_PACE_FEED] > SPLIT_SHARE) return 1;
+    if (!self->terms->limits_jerk) return 0; // nothing is mixed: neighbours limit nothing
+    const nck_piece_limit_t own = nck_joint_piece(joint, 0.0, NCK_PACE_FEED, self->terms);
+    const nck_near_t *const near = &around->near[NCK_PACE_FEED];
+    return near->a < (1.0 - SPLIT_SHARE) * own.a || near->j < (1.0 - SPLIT_SHARE) * own.j;
+}
+
+// The zones of a seg that are cut off, and how long they are; none if the middle would be too
+// short. The linear slope, once it cuts a seg, cuts at every share. Returns 1 if any is.
+static int find_zones(nck_lookahead_t *self, uint32_t count, const around_t ends[2],
+                      int is_cut_off[2], double zone[2]) {
+    const nck_joint_t *const joint = nck_joint_at(self, count);
+    int tighter = 0;
+    for (int n = 0; n < 2; n++) {
+        is_cut_off[n] = is_tighter(self, joint, &ends[n]);
+        tighter = tighter || is_cut_off[n];
+    }
+    if (!tighter) return 0;
+    for (uint32_t n = 0; n < 2; n++) {
+        if (!self->terms->limits_jerk) is_cut_off[n] = ends[n].share[NCK_PACE_FEED] > 0.0;
+        if (!is_cut_off[n]) continue;
+        zone[n] = zone_length(self, joint, count + n, &ends[n]);
+    }
+    return joint->length > NCK_ZONES_CUT * (zone[0] + zone[1]);
+}
+
+// What is left of the neighbourhood in a middle whose ends are cut off or not. The linear slope's
+// zones are those of the programmed speed, so beyond it the middle keeps the shares free too.
+static void keep_in_middle(const nck_lookahead_t *self, const around_t ends[2],
+                           const int is_cut_off[2], around_t *middle_out) {
+    double share = 0.0;
+    begin_around(self, middle_out);
+    for (int n = 0; n < 2; n++) {
+        share = nck_max(share, ends[n].share[NCK_PACE_OVER]);
+        if (!is_cut_off[n]) add_around(self, middle_out, &ends[n]);
+    }
+    if (!self->terms->limits_jerk) middle_out->share[NCK_PACE_OVER] = share;
+}
+
+// All of a seg in one piece, under what both of its sides leave.
+static void add_whole(nck_lookahead_t *self, const nck_joint_t *joint, around_t ends[2],
+                      const double v_start[]) {
+    const double whole[2] = {0.0, joint->length};
+    add_around(self, &ends[0], &ends[1]);
+    add_piece(self, joint, whole, &ends[0], v_start);
+}
+
+// Inside a zone the share of its junction is kept free and its neighbour's limits hold; the middle
+// has all that the seg allows.
+static void add_motion(nck_lookahead_t *self, uint32_t count, around_t ends[2],
+                       const double v_start[]) {
+    const nck_joint_t *const joint = nck_joint_at(self, count);
+    const double unlimited[NCK_PACES] = {joint->v_max, joint->v_free};
+    double zone[2] = {0.0, 0.0};
+    int is_cut_off[2];
+    if (!find_zones(self, count, ends, is_cut_off, zone)) {
+        add_whole(self, joint, ends, v_start);
+        return;
+    }
+    const double a = is_cut_off[0] ? zone[0] : 0.0;
+    const double b = is_cut_off[1] ? joint->length - zone[1] : joint->length;
+    const double first[2] = {0.0, a};
+    const double middle[2] = {a, b};
+    const double last[2] = {b, joint->length};
+    around_t inside;
+    around_t beside[2];
+    memcpy(beside, ends, sizeof beside);
+    keep_in_middle(self, ends, is_cut_off, &inside);
+    for (int n = 0; n < 2 && self->terms->limits_jerk; n++) {
+        const int may_reach = !is_cut_off[1 - n]; // all the way
+        if (may_reach) add_around(self, &beside[n], &ends[1 - n]);
+    }
+    if (is_cut_off[0]) add_piece(self, joint, first, &beside[0], v_start);
+    add_piece(self, joint, middle, &inside, is_cut_off[0] ? unlimited : v_start);
+    if (is_cut_off[1]) add_piece(self, joint, last, &beside[1], unlimited);
+}
+
+// What reaches into the oldest joint from before and from behind. NCK_EMPTY if it is not known yet.
+static nck_status_t look_around(nck_lookahead_t *self, uint32_t count, around_t ends[2]) {
+    for (int n = 0; n < 2; n++) begin_around(self, &ends[n]);
+    nck_status_t status = nck_zone_shares_after(self, count, ends[1].share);
+    if (status != NCK_OK) return status;
+    nck_zone_shares_before(self, count, ends[0].share);
+    for (int k = 0; self->terms->limits_jerk && k < NCK_PACES; k++) {
+        const double beta = nck_max(ends[0].share[k], ends[1].share[k]);
+        status = nck_near_after(self, count, k, beta, &ends[1].near[k]);
+        if (status != NCK_OK) return status;
+        ends[0].near[k] = nck_near_before(self, count, k, beta);
+    }
+    return NCK_OK;
+}
+
+static void place_motion(nck_lookahead_t *self, uint32_t count, around_t ends[2]) {
+    double v_start[NCK_PACES] = {0.0, 0.0};
+    for (int k = 0; k < NCK_PACES && count > 0; k++) {
+        v_start[k] = nck_joint_at(self, count - 1)->pace[k].v_corner;
+    }
+    add_motion(self, count, ends, v_start);
+}
+
+nck_status_t nck_piece_place(nck_lookahead_t *self) {
+    const uint32_t count = self->joint.placed;
+    const nck_joint_t *const joint = nck_joint_at(self, count);
+    around_t ends[2];
+    const nck_status_t status = look_around(self, count, ends);
+    if (status != NCK_OK) return status;
+    if (joint->kind >= NCK_SEG_DWELL) {
+        add_rest(self, joint);
+    } else {
+        place_motion(self, count, ends);
+    }
+    nck_node_t *const end = node_at(self, self->window.fill - 1);
+    end->last = (joint->end & NCK_JOINT_LAST) != 0;
+    end->stop = (joint->end & NCK_JOINT_STOP) != 0;
+    if (end->stop) {
+        self->before.vv = 0.0;
+        self->before.vv_over = 0.0;
+        self->before.limit = NCK_LIMIT_EXACT_STOP;
+    }
+    if (joint->kind == NCK_SEG_WAIT) self->window.barrier = self->window.fill;
+    self->joint.placed++;
+    return NCK_OK;
+}
