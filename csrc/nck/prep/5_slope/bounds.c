@@ -3,6 +3,7 @@
 #include "nck/prep/5_slope/bounds.h"
 
 #include "nck/base/real.h"              // nck_min nck_max
+#include "nck/base/scurve_math.h"       // nck_scurve_time
 #include "nck/prep/5_slope/brake.h"     // nck_brake_along nck_brake_relax
 #include "nck/prep/5_slope/hull_math.h" // nck_hull_share
 #include "nck/prep/5_slope/window.h"    // nck_window_…
@@ -65,6 +66,7 @@ static void limit_cell(nck_jerk_t *self, const nck_pieces_t *pieces, uint32_t i)
     double w_node = begins ? nck_window_node_cap(self, piece) : NCK_WINDOW_UNCAPPED;
     if (i > 0) w_node = nck_min(w_node, self->work.w_cell);
     if (i == 0) self->work.seam = seam_of(self);
+    self->work.bends = (i > 0 && self->work.bends) || piece->kind == NCK_SEG_SPLINE;
     if (self->work.seam > 0.0) limits.j *= SEAM_SHARE;
     self->work.seam -= self->h[i];
     self->work.w_cell = w_cell;
@@ -76,6 +78,11 @@ static void limit_cell(nck_jerk_t *self, const nck_pieces_t *pieces, uint32_t i)
     self->a_max[i] = limits.a;
     self->j_max[i] = limits.j;
     if (relaxes(self) && self->work.redone == 0) nck_brake_along(self, pieces, i);
+}
+
+// The path has been faster there.
+static int is_lowered(const nck_jerk_t *self, uint32_t i) {
+    return i < self->work.loaded && self->w[i] > self->w_cap[i];
 }
 
 // A window or a hold that ends in the cell behind a rest ends at that rest.
@@ -96,11 +103,106 @@ nck_status_t nck_bounds_set(nck_jerk_t *self, const nck_pieces_t *pieces) {
             return NCK_DONE;
         }
         limit_cell(self, pieces, self->work.i);
+        if (is_lowered(self, self->work.i)) self->work.lowered = 1;
         self->work.i++;
     }
     return NCK_OK;
 }
 
+// ---- low speeds
+
+// A cell is looked at only where this share of its cap, v², is not reached …
+#define LOW_SHARE 0.8
+// … and where it leaves less than this share of the path's acceleration.
+#define FULL_SHARE 0.95
+// The plan of now takes limits at a speed that is TRIED_ABOVE more. So the next one has room to
+// join where it takes over; over so many cells it comes to do the same.
+#define ENTRY_CELLS 16.0
+// So much more work than another is a cell that is looked at.
+enum { LOOK_WORK = 8 };
+
+// Whether cell i may leave more at v² than at its cap: it bends. On lines and arcs it would cost a
+// quarter of planning more, and gains next to nothing.
+static int may_leave(const nck_jerk_t *self, const nck_pieces_t *pieces, uint32_t i, double w) {
+    const int slow = w < LOW_SHARE * self->w_cap[i];
+    if (!slow || self->a_max[i] >= FULL_SHARE * self->machine->path.a_max) return 0;
+    return nck_plan_piece(pieces, self->rung_piece[i])->kind == NCK_SEG_SPLINE;
+}
+
+// How long it takes to a stop from speed v.
+static double stop_time(const nck_brake_limits_t *limits, double v) {
+    const nck_scurve_t ramp = {limits->a, limits->j, v};
+    return nck_scurve_time(&ramp, v);
+}
+
+// What cell i leaves at speed v: of both ways the one that stops sooner.
+static nck_brake_limits_t left_at(const nck_jerk_t *self, const nck_pieces_t *pieces, uint32_t i,
+                                  double v) {
+    const nck_brake_limits_t capped = {self->a_max[i], self->j_max[i]};
+    nck_brake_left_t left = {capped, capped};
+    nck_brake_left(self, pieces, self->rung_piece[i], v, &left);
+    return stop_time(&left.with_a, v) < stop_time(&left.with_j, v) ? left.with_a : left.with_j;
+}
+
+// What v² gains over cell i from w on. looks: what may_leave says.
+static double gain_over(const nck_jerk_t *self, const nck_pieces_t *pieces, uint32_t i, double w,
+                        int looks) {
+    const double a = looks ? left_at(self, pieces, i, nck_sqrt(w)).a : self->a_max[i];
+    return 2.0 * a * self->h[i];
+}
+
+// From the rest at the ladder's end backward: v² that no plan is above.
+static nck_status_t look_back(nck_jerk_t *self, const nck_pieces_t *pieces) {
+    double *const most = nck_link_spare(self->link)->number[1];
+    int done = 0;
+    while (done < LOOK_WORK * NCK_JERK_STEP) {
+        if (self->work.i == self->work.n) {
+            self->work.forth = 1;
+            self->work.i = 0;
+            self->work.w_cell = self->profile.v * self->profile.v;
+            return NCK_OK;
+        }
+        const uint32_t i = self->work.n - 1 - self->work.i;
+        if (self->work.i == 0) most[i + 1] = 0.0;
+        const double w = most[i + 1];
+        const int looks = may_leave(self, pieces, i, w);
+        most[i] = nck_min(self->w_cap[i], w + gain_over(self, pieces, i, w, looks));
+        done += looks ? LOOK_WORK : 1;
+        self->work.i++;
+    }
+    return NCK_OK;
+}
+
+// Limits of a cell at the highest speed that it may be passed with.
+static void relax_cell(nck_jerk_t *self, const nck_pieces_t *pieces, uint32_t i, double w) {
+    if (!may_leave(self, pieces, i, w)) return;
+    const double above = 1.0 + (TRIED_ABOVE - 1.0) * nck_min(1.0, (double)i / ENTRY_CELLS);
+    const nck_brake_limits_t left = left_at(self, pieces, i, above * nck_sqrt(w));
+    if (!(left.a > self->a_max[i])) return;
+    self->a_max[i] = left.a;
+    self->j_max[i] = left.j;
+    self->work.relaxed = 1;
+}
+
+nck_status_t nck_bounds_relax(nck_jerk_t *self, const nck_pieces_t *pieces) {
+    const double *const most = nck_link_spare(self->link)->number[1];
+    if (!self->work.forth) return look_back(self, pieces);
+    int done = 0;
+    while (done < LOOK_WORK * NCK_JERK_STEP) {
+        const uint32_t i = self->work.i;
+        if (i == self->work.n) return NCK_DONE;
+        const double w = self->work.w_cell;
+        const double cap = i + 1 < self->work.n ? self->w_cap[i + 1] : 0.0;
+        const int looks = may_leave(self, pieces, i, w);
+        self->work.w_cell = nck_min(cap, w + gain_over(self, pieces, i, w, looks));
+        done += looks ? 2 * LOOK_WORK : 1;
+        const double begin = nck_min(w, most[i]);
+        const double end = nck_min(self->work.w_cell, most[i + 1]);
+        relax_cell(self, pieces, i, nck_max(begin, end));
+        self->work.i++;
+    }
+    return NCK_OK;
+}
 
 // ---- check
 
@@ -124,11 +226,29 @@ static int keeps_limits(nck_jerk_t *self, const nck_pieces_t *pieces, uint32_t i
     return keeps;
 }
 
+static int fits(const nck_brake_limits_t *limits, double a, double j) {
+    return a <= (1.0 + CHECK_MARGIN) * limits->a && j <= (1.0 + CHECK_MARGIN) * limits->j;
+}
+
+// 1 if what the plan was made with is left at the speed that it has in the end.
+static int is_left(const nck_jerk_t *self, const nck_pieces_t *pieces, uint32_t i) {
+    nck_brake_limits_t capped;
+    (void)limits_of(self, pieces, i, &capped);
+    if (fits(&capped, self->a_max[i], self->j_max[i])) return 1;
+    nck_brake_left_t left = {capped, capped};
+    nck_brake_left(self, pieces, self->rung_piece[i], tried_speed(self, i), &left);
+    return fits(&left.with_j, self->a_max[i], self->j_max[i])
+           || fits(&left.with_a, self->a_max[i], self->j_max[i]);
+}
+
 nck_status_t nck_bounds_check(nck_jerk_t *self, const nck_pieces_t *pieces) {
-    if (!relaxes(self) || self->work.coarse) return NCK_DONE;
+    const int holds = relaxes(self);
+    if ((!holds && !self->work.relaxed) || self->work.coarse) return NCK_DONE;
     for (int n = 0; n < NCK_JERK_STEP; n++) {
-        if (self->work.i == self->work.n) return NCK_DONE;
-        if (!keeps_limits(self, pieces, self->work.i)) return NCK_E_STATE;
+        const uint32_t i = self->work.i;
+        if (i == self->work.n) return NCK_DONE;
+        const int keeps = holds ? keeps_limits(self, pieces, i) : is_left(self, pieces, i);
+        if (!keeps) return NCK_E_STATE;
         self->work.i++;
     }
     return NCK_OK;

@@ -44,6 +44,21 @@ static double cap_of(const nck_jerk_t *self, const nck_node_t *piece) {
     return node > 0.0 ? nck_min(inside, node) : inside;
 }
 
+// Whether nothing is mixed beyond a piece: the path, or the plan, rests there.
+static int ends_at(const nck_jerk_t *self, const nck_node_t *piece, uint32_t number, int step) {
+    const uint32_t end = self->next->end_piece;
+    const int begins = self->job.kind == NCK_JOB_START && number == self->next->piece;
+    if (step < 0) return begins;
+    return piece->stop || number == end
+           || (number + 1 == end && self->next->end_s == NCK_PLAN_BEGIN);
+}
+
+// Whether the tick has passed a piece of the plan of now makes no difference, and older ones count
+// as unknown, whether or not they are still there. But a hold comes at a time, so it may ask.
+static int is_first_known(const nck_jerk_t *self, uint32_t number) {
+    return self->job.kind != NCK_JOB_BRAKE && number == self->now->first_piece;
+}
+
 // The smallest cap within a distance on one side; 0 if it is not known so far.
 static double least_cap(const nck_jerk_t *self, const nck_pieces_t *pieces, uint32_t number,
                         double distance, int step) {
@@ -52,58 +67,80 @@ static double least_cap(const nck_jerk_t *self, const nck_pieces_t *pieces, uint
     for (int n = 0; n < MIXED_MOST; n++) {
         const nck_node_t *const piece = nck_plan_piece(pieces, number);
         if (!piece) return 0.0;
-        if (!(piece->length > 0.0)) return least; // at a rest nothing is mixed
+        const int is_rest = !(piece->length > 0.0) || (step < 0 && n > 0 && piece->stop);
+        if (is_rest) return least;
         least = nck_min(least, cap_of(self, piece));
         if (n > 0) left -= piece->length;
-        if (!(left > 0.0)) return least;
+        if (!(left > 0.0) || ends_at(self, piece, number, step)) return least;
+        if (step < 0 && is_first_known(self, number)) return 0.0;
         number += (uint32_t)step;
     }
     return 0.0;
 }
 
-// An axis' limits at standstill, the smallest of all.
-static nck_brake_limits_t at_rest(const nck_machine_t *machine) {
-    nck_brake_limits_t limits = {machine->path.a_max, machine->path.j_max};
-    for (int x = 0; x < NCK_AXIS_MAX; x++) {
-        if (!machine->axis[x].present) continue;
-        limits.a = nck_min(limits.a, machine->axis[x].a_max);
-        limits.j = nck_min(limits.j, machine->axis[x].j_max);
-    }
-    return limits;
-}
-
-// The least quotient of an axis' jerk and acceleration [1/s].
-static double least_quotient(const nck_machine_t *machine) {
-    double least = NCK_WINDOW_UNCAPPED;
+void nck_brake_rest(nck_jerk_t *self) {
+    const nck_machine_t *const machine = self->machine;
+    self->work.a_rest = machine->path.a_max;
+    self->work.j_rest = machine->path.j_max;
+    self->work.jerk_over_a = NCK_WINDOW_UNCAPPED;
     for (int x = 0; x < NCK_AXIS_MAX; x++) {
         const nck_axis_t *const axis = &machine->axis[x];
-        if (axis->present) least = nck_min(least, axis->j_max / axis->a_max);
+        if (!axis->present) continue;
+        self->work.a_rest = nck_min(self->work.a_rest, axis->a_max);
+        self->work.j_rest = nck_min(self->work.j_rest, axis->j_max);
+        self->work.jerk_over_a = nck_min(self->work.jerk_over_a, axis->j_max / axis->a_max);
     }
-    return least;
+}
+
+// r = v/v_c: 1 and more where nothing is known. w_out: v_c², the smallest cap that is mixed.
+static double share_of_cap(const nck_jerk_t *self, const nck_pieces_t *pieces, uint32_t number,
+                           double v, double *w_out) {
+    const double mixed = v * (double)NCK_FILTER_TAPS * self->machine->period_s;
+    const double w = nck_min(least_cap(self, pieces, number, mixed, 1),
+                             least_cap(self, pieces, number, mixed, -1));
+    *w_out = w;
+    return v / nck_sqrt(nck_max(w, 1e-12));
+}
+
+// What lies between standstill and the cap, linear in r.
+static double linear_of(const nck_jerk_t *self, double a, double r) {
+    return self->work.a_rest + (a - self->work.a_rest) * r;
 }
 
 // With r = v/v_c, a_c and j_c what is left at the cap, and no more known of the bends than the cap:
 //   A − |p″|v²  and  a corner's share  ≥  what lies between standstill and the cap, linear in r;
 //   3|p″|v·a ≤ (J − |p‴|v³)/2  by  q/(6v),  q = (J − |p‴|v³)/|p″| ≥ q₀ + (6v_c·a_c − q₀)·r³,
-//   q₀ = J·v_c²/(0.95 A), since |p″|·v_c² ≤ 0.95 A;
-//   and half of the jerk, linear in r, is left to the path.
-// A piece that leaves more jerk than that at its cap keeps it (docs/stops.md, "Known not to hold").
+//   q₀ = J·v_c²/(0.95 A), since |p″|·v_c² ≤ 0.95 A.
+// a: a_c [path mm/s²]; w: v_c².
+static double accel_left(const nck_jerk_t *self, double a, double w, double r, double v) {
+    const double q_cap = 6.0 * nck_sqrt(w) * a;
+    const double q_rest = nck_max(q_cap, self->work.jerk_over_a * w / NCK_BUDGET_CURVE_SHARE);
+    const double ramp = (q_rest + (q_cap - q_rest) * r * r * r) / (6.0 * v);
+    return nck_max(a, nck_min(linear_of(self, a, r), ramp));
+}
+
+void nck_brake_left(const nck_jerk_t *self, const nck_pieces_t *pieces, uint32_t number, double v,
+                    nck_brake_left_t *left) {
+    double w = 0.0;
+    const double r = share_of_cap(self, pieces, number, v, &w);
+    if (!(r < 1.0) || !(v > 0.0)) return;
+    const double a = left->with_j.a;
+    const double j_rest = nck_max(left->with_j.j, self->work.j_rest * self->j_scale);
+    left->with_a.a = accel_left(self, a, w, r, v);
+    left->with_a.j = NCK_BUDGET_RAMP_SHARE * (j_rest + (left->with_j.j - j_rest) * (r * r * r));
+    left->with_j.a = nck_max(a, nck_min(linear_of(self, a, r), a / r));
+}
+
+// Half of the jerk, linear in r, is left to the path. A piece that leaves more jerk than that at
+// its cap keeps it (docs/stops.md, "Known not to hold").
 void nck_brake_relax(const nck_jerk_t *self, const nck_pieces_t *pieces, uint32_t number, double v,
                      nck_brake_limits_t *limits) {
-    const nck_machine_t *const machine = self->machine;
-    const double mixed = v * (double)NCK_FILTER_TAPS * machine->period_s;
-    const double w = nck_min(least_cap(self, pieces, number, mixed, 1),
-                             least_cap(self, pieces, number, mixed, -1));
-    const double r = v / nck_sqrt(nck_max(w, 1e-12));
+    double w = 0.0;
+    const double r = share_of_cap(self, pieces, number, v, &w);
     if (!(r < 1.0) || !(v > 0.0)) return;
-    const nck_brake_limits_t rest = at_rest(machine);
-    const double linear = rest.a + (limits->a - rest.a) * r;
-    const double j_rest = rest.j * self->j_scale;
+    const double j_rest = self->work.j_rest * self->j_scale;
     const double j = NCK_BUDGET_RAMP_SHARE * (j_rest + (limits->j - j_rest) * r);
-    const double q_cap = 6.0 * nck_sqrt(w) * limits->a;
-    const double q_rest = nck_max(q_cap, least_quotient(machine) * w / NCK_BUDGET_CURVE_SHARE);
-    const double ramp = (q_rest + (q_cap - q_rest) * r * r * r) / (6.0 * v);
-    limits->a = nck_max(limits->a, nck_min(linear, ramp));
+    limits->a = accel_left(self, limits->a, w, r, v);
     limits->j = nck_max(limits->j, j);
 }
 
@@ -231,6 +268,12 @@ static double planned(nck_jerk_t *self) {
     return -1.0;
 }
 
+// Whether a brake may raise a cap: it stays below the speeds of the plan of now, so it does not
+// where these came along and no cap is below one of them.
+static int may_raise(const nck_jerk_t *self) {
+    return self->work.anew || self->work.from_built || self->work.lowered;
+}
+
 nck_status_t nck_brake_raise(nck_jerk_t *self) {
     nck_profile_t *const state = &self->profile;
     const double *const eased = nck_link_spare(self->link)->number[0];
@@ -238,6 +281,7 @@ nck_status_t nck_brake_raise(nck_jerk_t *self) {
     if (self->work.i == 0) {
         nck_brake_begin(state, q_cap);
         if (state->v > 0.0) self->w_cap[0] = nck_max(self->w_cap[0], state->v * state->v);
+        if (!may_raise(self)) return NCK_DONE;
     }
     for (int n = 0; n < NCK_JERK_STEP; n++) {
         const uint32_t i = self->work.i;

@@ -14,6 +14,12 @@ typedef struct nck_brake_limits {
     double j; // [path mm/s³]
 } nck_brake_limits_t;
 
+// The same at a lower speed, in two ways: bends share their jerk between a and j.
+typedef struct nck_brake_left {
+    nck_brake_limits_t with_j; // j as at the cap
+    nck_brake_limits_t with_a; // more of a, less of j
+} nck_brake_left_t;
+
 // Brake from the profile's entry state; v_last, a_last and share of the profile are the brake's.
 // Cost: constant.
 void nck_brake_begin(nck_profile_t *state, double q_cap);
@@ -29,6 +35,15 @@ int nck_brake_rests(const nck_profile_t *state, double j);
 // section "Hold". Cost: linear in the pieces that the output filter mixes at v.
 void nck_brake_relax(const nck_jerk_t *self, const nck_pieces_t *pieces, uint32_t number, double v,
                      nck_brake_limits_t *limits);
+
+// What the axes have at standstill, for the job that begins: work.a_rest, j_rest, jerk_over_a.
+// Cost: constant.
+void nck_brake_rest(nck_jerk_t *self);
+
+// What a piece leaves at speed v at least. left: both ways as at its cap; where nothing is known
+// they stay. Cost: linear in the pieces that the output filter mixes at v.
+void nck_brake_left(const nck_jerk_t *self, const nck_pieces_t *pieces, uint32_t number, double v,
+                    nck_brake_left_t *left);
 
 // How far a hold brakes: work.reach. NCK_OK: call again; NCK_EMPTY: the plan of now rests before;
 // NCK_DONE. Cost: bounded.

@@ -29,19 +29,20 @@ static uint8_t limit_of(const nck_jerk_t *self, const nck_node_t *piece, uint32_
     return NCK_LIMIT_JERK;
 }
 
-// How many segs further on a place lies, and whether it is a seg's end.
-static void end_cell(const nck_jerk_t *self, const nck_pieces_t *pieces, uint32_t i,
-                     nck_cell_t *cell) {
+// How many segs further on a cell's end lies, and whether it is a seg's end. Returns the piece that
+// begins there, or goes on; NULL if it is not known.
+static const nck_node_t *end_cell(const nck_jerk_t *self, const nck_pieces_t *pieces, uint32_t i,
+                                  nck_cell_t *cell) {
     const int is_end = i + 1 == self->work.n;
     const uint32_t number = is_end ? self->next->end_piece : self->rung_piece[i + 1];
     const double s = is_end ? self->next->end_s : self->rung_s[i + 1];
     const nck_node_t *const at = nck_plan_piece(pieces, number);
-    const nck_node_t *const before = nck_plan_piece(pieces, number - 1);
     // At a piece's start the one before ends.
     const int behind = s == NCK_PLAN_BEGIN || (at && s == at->s);
-    const nck_node_t *const piece = behind ? before : at;
+    const nck_node_t *const piece = behind ? nck_plan_piece(pieces, number - 1) : at;
     cell->span = (uint8_t)(piece->seg - cell->seg);
     cell->last = behind && piece->last;
+    return at;
 }
 
 // Between two nodes at no speed a cell would last for ever. Where a plan is broken there may be
@@ -55,8 +56,25 @@ static void keep_moving(nck_jerk_t *self, uint32_t i) {
     self->w[node] = nck_min(self->w_cap[node], v * v);
 }
 
-static void draw_cell(nck_jerk_t *self, const nck_pieces_t *pieces, uint32_t i) {
-    const nck_node_t *const piece = nck_plan_piece(pieces, self->rung_piece[i]);
+// A cell is drawn: how far the plan is sure. Two steps a cell catch up with any stretch of braking
+// in the middle of the path.
+static void note_sure(nck_jerk_t *self, const nck_cell_t *drawn) {
+    self->work.time += drawn->duration;
+    if (drawn->a >= 0.0) self->next->keep = self->work.i + 1;
+    if (drawn->a >= 0.0) self->work.keep_time = self->work.time;
+    for (int n = 0; n < 2; n++) {
+        const nck_cell_t *const cell = nck_link_built_cell(self->link, self->work.sure);
+        if (!cell) return;
+        const double end = self->work.sure_time + cell->duration;
+        if (end > self->work.keep_time - self->margin_s) return;
+        self->work.sure_time = end;
+        self->work.sure++;
+    }
+}
+
+// Cell i, which begins in this piece. Returns the next cell's.
+static const nck_node_t *draw_cell(nck_jerk_t *self, const nck_pieces_t *pieces, uint32_t i,
+                                   const nck_node_t *piece) {
     keep_moving(self, i);
     const double v = nck_sqrt(self->w[i]);
     const double v_end = nck_sqrt(self->w[i + 1]);
@@ -68,13 +86,13 @@ static void draw_cell(nck_jerk_t *self, const nck_pieces_t *pieces, uint32_t i) 
     cell.v = v;
     cell.a = (self->w[i + 1] - self->w[i]) / (2.0 * self->h[i]);
     cell.duration = 2.0 * self->h[i] / (v + v_end);
-    self->work.time += cell.duration;
     cell.limit = limit_of(self, piece, i, cell.a);
-    end_cell(self, pieces, i, &cell);
+    const nck_node_t *const next = end_cell(self, pieces, i, &cell);
     if (i + 1 == self->work.n) cell.stop = NCK_STOP_REST;
     if (self->next->held) cell.stop |= NCK_STOP_HOLD;
-    if (cell.a >= 0.0) self->next->keep = i + 1;
     nck_link_tail_push(self->link, &cell);
+    note_sure(self, &cell);
+    return next;
 }
 
 static void draw_rest(nck_jerk_t *self, const nck_pieces_t *pieces) {
@@ -95,9 +113,12 @@ nck_status_t nck_draw_cells(nck_jerk_t *self, const nck_pieces_t *pieces) {
         draw_rest(self, pieces);
         return NCK_DONE;
     }
+    const int is_over = self->work.i == self->work.n;
+    const uint32_t first = self->rung_piece[is_over ? 0 : self->work.i];
+    const nck_node_t *piece = nck_plan_piece(pieces, first);
     for (int n = 0; n < NCK_JERK_STEP; n++) {
         if (self->work.i == self->work.n) return NCK_DONE;
-        draw_cell(self, pieces, self->work.i);
+        piece = draw_cell(self, pieces, self->work.i, piece);
         self->work.i++;
     }
     return NCK_OK;

@@ -12,13 +12,16 @@
 #include "nck/prep/5_slope/window.h"      // nck_window_…
 
 enum {
-    PHASE_REACH = 0, PHASE_LOAD, PHASE_LAY, PHASE_LIMIT, PHASE_EASE, PHASE_BRAKE, PHASE_PLAN,
-    PHASE_CHECK, PHASE_DRAW
+    PHASE_REACH = 0, PHASE_LOAD, PHASE_LAY, PHASE_LIMIT, PHASE_EASE, PHASE_BRAKE, PHASE_RELAX,
+    PHASE_PLAN, PHASE_CHECK, PHASE_DRAW
 };
 
-// Of a plan's cells at most one in three, at least one in ten become final before the next one
-// takes over; and so many cells less than where it begins to brake for the window's end.
-enum { COMMIT_MOST = 3, COMMIT_LEAST = 10, KEEP_OFF = 4 };
+// Of a plan's cells one in three becomes final before the next one takes over, and one in ten at
+// least; and so many cells less than where it begins to brake for the window's end.
+enum { COMMIT_SURE = 3, COMMIT_LEAST = 10, KEEP_OFF = 4 };
+// More of them become final up to so many ramps before that braking: what is further away from the
+// window's end than a ramp from full speed to rest is what it would be if more were known.
+#define COMMIT_RAMPS 1.5
 
 // The window is to see this many times the time that a ramp from full speed to rest takes.
 #define RAMPS_SEEN 3.0
@@ -33,8 +36,9 @@ enum { COMMIT_MOST = 3, COMMIT_LEAST = 10, KEEP_OFF = 4 };
 // of v² only, …
 #define REACH_GROWTH 0.05
 #define REACH_FAR 0.8
-// … and after so many tries pieces are asked for no more than they leave at their caps.
-#define RELAXED_TRIES 4
+// … and after so many tries pieces are asked for no more than they leave at their caps. The
+// S-shape brakes for seconds then, so it tries more.
+enum { RELAXED_TRIES = 4, RELAXED_TRIES_SSHAPE = 8 };
 // A hold is made anew so many times on one ladder.
 #define REDONE_MOST 3
 
@@ -42,10 +46,19 @@ static int taps_of(const nck_machine_t *machine) {
     return machine->slope == NCK_SLOPE_JERK ? NCK_FILTER_TAPS : 1;
 }
 
+static uint32_t tries_of(const nck_machine_t *machine) {
+    return machine->slope == NCK_SLOPE_JERK ? RELAXED_TRIES : RELAXED_TRIES_SSHAPE;
+}
+
+// What a ramp from full speed to rest takes [s].
+static double ramp_s(const nck_machine_t *machine) {
+    return machine->path.feed_max / machine->path.a_max
+           + machine->path.a_max / machine->path.j_max;
+}
+
 double nck_jerk_cell_s(const nck_machine_t *machine) {
     const double period = machine->period_s;
-    const double ramp = machine->path.feed_max / machine->path.a_max
-                        + machine->path.a_max / machine->path.j_max;
+    const double ramp = ramp_s(machine);
     const double most = nck_max(1.0, 0.25 * (double)taps_of(machine)) * period;
     return nck_max(STEP_LEAST * period,
                    nck_min(most, RAMPS_SEEN * ramp / (double)NCK_PROFILE));
@@ -61,6 +74,7 @@ void nck_jerk_init(nck_jerk_t *self, const nck_machine_t *machine, nck_link_t *l
     const int filters = machine->slope == NCK_SLOPE_JERK;
     self->step_s = nck_jerk_cell_s(machine);
     self->hold_s = filters ? NCK_JERK_UNKNOWN : HOLD_STEPS * self->step_s;
+    self->margin_s = COMMIT_RAMPS * ramp_s(machine);
     self->q_cap = NCK_LADDER_STRETCH * self->step_s;
     const double excess = nck_ladder_excess(self->q_cap, machine->period_s, taps_of(machine));
     self->j_scale = (1.0 - JERK_MARGIN) / (1.0 + excess);
@@ -79,6 +93,7 @@ static void enter(nck_jerk_t *self, uint32_t phase) {
     self->work.planned_cell = 0;
     self->work.planned_at = 0.0;
     self->work.braked = 0.0;
+    if (phase == PHASE_LIMIT) self->work.lowered = 0;
 }
 
 // The job from its start, whatever has been tried.
@@ -98,6 +113,7 @@ static void restart(nck_jerk_t *self) {
     self->profile.v = self->job.v;
     self->profile.a = self->job.a;
     self->profile.q = self->job.q;
+    nck_brake_rest(self);
 }
 
 static void begin_at_rest(nck_jerk_t *self) {
@@ -110,7 +126,8 @@ static void begin_at_rest(nck_jerk_t *self) {
 // A stop at a block's end is laid anew, because the cells of now may run past it.
 static void begin_moving(nck_jerk_t *self) {
     const nck_wish_t *const wish = &self->job.wish;
-    const int anew = wish->single_block || !(wish->feed > 0.0 && wish->rapid > 0.0);
+    const int moves = wish->feed > 0.0 && wish->rapid > 0.0 && wish->tool > 0.0;
+    const int anew = wish->single_block || !moves;
     self->work.base = self->now->first_piece;
     self->work.pieces = NCK_JERK_PIECES;
     self->work.w_entry = self->job.v * self->job.v;
@@ -143,6 +160,7 @@ void nck_jerk_begin(nck_jerk_t *self, const nck_job_t *job) {
 static void begin_hold(nck_jerk_t *self, double reach) {
     if (!(self->job.wish.feed > 0.0)) self->job.wish.feed = 1.0;
     if (!(self->job.wish.rapid > 0.0)) self->job.wish.rapid = 1.0;
+    if (!(self->job.wish.tool > 0.0)) self->job.wish.tool = NCK_WISH_FREE;
     self->work.reach = reach;
     self->work.piece = self->next->piece;
     self->work.coarse = 1;
@@ -177,8 +195,8 @@ static nck_status_t give_way(nck_jerk_t *self, const nck_pieces_t *pieces) {
     if (reach > 0.0) {
         begin_brake(self, self->job.held);
         self->work.tries = tries;
-        self->work.as_capped = tries >= RELAXED_TRIES;
-        if (tries != RELAXED_TRIES) begin_hold(self, longer);
+        self->work.as_capped = tries >= tries_of(self->machine);
+        if (tries != tries_of(self->machine)) begin_hold(self, longer);
     } else if (is_past && must_rest) {
         begin_brake(self, NCK_HELD_OVERRIDE);
     } else if (single_block && passes < NCK_JERK_PIECES) {
@@ -233,7 +251,7 @@ static void finish_limit(nck_jerk_t *self) {
 }
 
 // The profile is worked out where its cells will be drawn.
-static void finish_brake(nck_jerk_t *self) {
+static void finish_relax(nck_jerk_t *self) {
     nck_profile_t *const p = &self->profile;
     nck_link_spare_t *const spare = nck_link_spare(self->link);
     p->s = spare->number[0];
@@ -246,6 +264,15 @@ static void finish_brake(nck_jerk_t *self) {
     p->q_cap = nck_window_q_cap(self);
     nck_profile_begin(p);
     enter(self, PHASE_PLAN);
+}
+
+// A hold has been given what is left at its speeds.
+static void finish_brake(nck_jerk_t *self) {
+    const int relaxes = self->work.bends && !(self->work.reach > 0.0) && !self->work.as_capped;
+    self->work.forth = 0;
+    self->work.relaxed = 0;
+    enter(self, PHASE_RELAX);
+    if (!relaxes) finish_relax(self);
 }
 
 static nck_status_t finish_plan(nck_jerk_t *self, const nck_pieces_t *pieces) {
@@ -261,21 +288,31 @@ static nck_status_t check(nck_jerk_t *self, const nck_pieces_t *pieces) {
     const nck_status_t status = nck_bounds_check(self, pieces);
     if (status == NCK_DONE) {
         nck_link_tail_begin(self->link);
+        self->work.time = 0.0;
+        self->work.keep_time = 0.0;
+        self->work.sure = 0;
+        self->work.sure_time = 0.0;
         enter(self, PHASE_DRAW);
     } else if (status == NCK_E_STATE) {
         if (self->work.redone == REDONE_MOST) return give_way(self, pieces);
-        self->work.redone++;
+        if (self->work.reach > 0.0) self->work.redone++;
+        else self->work.as_capped = 1;
         enter(self, PHASE_LIMIT);
     }
     return NCK_OK;
 }
 
-// Where the next plan takes over: a third on, but not where this one already brakes for the
-// window's end, if that leaves something.
-static uint32_t commit_of(const nck_plan_t *plan) {
-    const uint32_t most = plan->n / COMMIT_MOST + 1;
-    const uint32_t least = plan->n / COMMIT_LEAST + 1;
-    const uint32_t keep = plan->keep > KEEP_OFF ? plan->keep - KEEP_OFF : 0;
+// Where the next plan takes over: a third on, or further where the window's end does not matter,
+// but not where this one already brakes for that end, if that leaves something. The window keeps
+// the pieces of the plan of now, so a plan over many of them stays with a third: else the next one
+// would see less.
+static uint32_t commit_of(const nck_jerk_t *self) {
+    const nck_plan_t *const next = self->next;
+    const uint32_t third = next->n / COMMIT_SURE + 1;
+    const int is_short = next->end_piece - next->piece <= NCK_JERK_PIECES / COMMIT_SURE;
+    const uint32_t most = is_short && self->work.sure > third ? self->work.sure : third;
+    const uint32_t least = next->n / COMMIT_LEAST + 1;
+    const uint32_t keep = next->keep > KEEP_OFF ? next->keep - KEEP_OFF : 0;
     return keep > most ? most : keep < least ? least : keep;
 }
 
@@ -294,7 +331,7 @@ static nck_status_t finish_draw(nck_jerk_t *self) {
         enter(self, PHASE_LOAD);
         return NCK_OK;
     }
-    self->next->commit = commit_of(self->next);
+    self->next->commit = commit_of(self);
     return NCK_DONE;
 }
 
@@ -331,6 +368,11 @@ static nck_status_t brake(nck_jerk_t *self) {
     return NCK_OK;
 }
 
+static nck_status_t relax(nck_jerk_t *self, const nck_pieces_t *pieces) {
+    if (nck_bounds_relax(self, pieces) == NCK_DONE) finish_relax(self);
+    return NCK_OK;
+}
+
 static nck_status_t plan(nck_jerk_t *self, const nck_pieces_t *pieces) {
     if (is_rest(self)) return finish_plan(self, pieces);
     const nck_status_t status = nck_profile_step(&self->profile, NCK_JERK_STEP);
@@ -349,8 +391,11 @@ nck_status_t nck_jerk_step(nck_jerk_t *self, const nck_pieces_t *pieces) {
     case PHASE_LIMIT: return limit(self, pieces);
     case PHASE_EASE: return ease(self);
     case PHASE_BRAKE: return brake(self);
+    case PHASE_RELAX: return relax(self, pieces);
     case PHASE_PLAN: return plan(self, pieces);
     case PHASE_CHECK: return check(self, pieces);
     default: return draw(self, pieces);
     }
 }
+
+void nck_jerk_hurry(nck_jerk_t *self) { self->job.starved = 1; }

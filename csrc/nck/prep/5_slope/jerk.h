@@ -3,8 +3,8 @@
 // README, section "Jerk".
 //
 //     pieces ─▶ lay ─▶ cap ─▶ brake ─▶ profile ─▶ cells of a tail
-//                ▲                                       │
-//                └──────────────── load ◀────────────────┘ (the ladder of the plan of now)
+//                ▲
+//     load ──────┘  the ladder of the plan of now
 #ifndef NCK_PREP_JERK_H
 #define NCK_PREP_JERK_H
 
@@ -24,6 +24,7 @@ typedef struct nck_jerk {
     nck_job_t job;        // that it is made for
     double step_s;        // D, what a cell lasts about [s]
     double hold_s;        // what cells of the plan of now last about in a hold's ladder [s]
+    double margin_s;      // so near to the braking for the window's end a plan may still change [s]
     double q_cap;         // longest duration that counts in rule R [s]
     double j_scale;       // share of a piece's jerk that rule R plans with
     struct {
@@ -44,12 +45,21 @@ typedef struct nck_jerk {
         uint32_t part;     // reach: of the next cell
         uint32_t tries;    // of a hold, in vain
         uint32_t as_capped; // 1: a hold brakes with what pieces leave at their caps only
+        double a_rest;     // limits of the weakest axis at standstill [mm/s²] …
+        double j_rest;     // … [mm/s³]
+        double jerk_over_a; // least quotient of an axis' jerk and acceleration [1/s]
+        uint32_t bends;    // 1: a cell of the ladder lies on a spline
+        uint32_t forth;    // relax: 1: from the ladder's begin on
+        uint32_t relaxed;  // 1: cells have more than their pieces leave at their caps
         uint32_t eases;    // brake: 1: it gives way in front of steps of the limits
         uint32_t redone;   // of a hold, on one ladder
         double j_cell;     // reach, check: jerk limit of the cell before
         double length;     // of the ladder so far
         double step;       // D of this plan: a hold's ladder has to fit [s]
         double time;       // duration of the cells drawn so far [s]
+        double keep_time;  // the same up to where it brakes for the window's end [s]
+        uint32_t sure;     // cells drawn that end further before that than margin_s …
+        double sure_time;  // … and their duration [s]
         uint32_t base;     // lay: pieces from this one on …
         uint32_t pieces;   // … so many: what room 4 can hold whatever the tick has done
         double w_entry;    // lay: about the largest v² at the piece's start
@@ -60,6 +70,7 @@ typedef struct nck_jerk {
         uint32_t over;     // 1: limits for overrides beyond 100 %
         double w_cell;     // cap of the cell before
         double seam;       // limit: so much path is left behind the constant jerk before [mm]
+        uint32_t lowered;  // limit: 1: a cap is below the speed that was taken over with its node
         uint32_t anew;     // 1: the whole ladder is laid anew, over the path of the plan of now
         uint32_t planned_cell; // brake: cell of that plan …
         double planned_at; // … so much path behind the ladder's begin [mm]
@@ -87,5 +98,9 @@ void nck_jerk_begin(nck_jerk_t *self, const nck_job_t *job);
 // plan stands in the link's built tail), NCK_FULL (the plan of now rests as well as this one
 // would), NCK_E_STATE (no plan joins here). Cost: 32 nodes of a pass, or 32 cells. Context: prep.
 nck_status_t nck_jerk_step(nck_jerk_t *self, const nck_pieces_t *pieces);
+
+// The plan in work takes what is known: nothing more comes before the tick needs it.
+// Cost: constant. Context: prep.
+void nck_jerk_hurry(nck_jerk_t *self);
 
 #endif

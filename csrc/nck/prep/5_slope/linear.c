@@ -30,10 +30,14 @@ void nck_linear_init(nck_linear_t *self, const nck_machine_t *machine, nck_link_
 // ---- what a piece allows under the wishes
 
 static double cap_inside(const nck_linear_t *self, const nck_node_t *piece) {
+    if (self->is_plain) return piece->vv_piece;
     return nck_plan_inside(piece, &self->job.wish, self->next->over);
 }
 
-static double cap_at(const nck_linear_t *self, const nck_pieces_t *pieces, uint32_t number) {
+// At the start of a piece that is there.
+static double cap_at(const nck_linear_t *self, const nck_pieces_t *pieces, uint32_t number,
+                     const nck_node_t *piece) {
+    if (self->is_plain) return piece->vv_cap;
     return nck_plan_at(pieces, number, &self->job.wish, self->next->over);
 }
 
@@ -52,9 +56,9 @@ static double length_left(const nck_node_t *piece, const nck_linear_place_t *pla
     return place->fresh ? piece->length : end_of(piece) - place->s;
 }
 
-// What the acceleration changes v² by over a piece; over the first one, from where the plan begins.
-static double gain_over(const nck_linear_t *self, const nck_pieces_t *pieces, uint32_t number) {
-    const nck_node_t *const piece = nck_plan_piece(pieces, number);
+// What the acceleration changes v² by over a piece that is there; over the first one, from where
+// the plan begins.
+static double gain_over(const nck_linear_t *self, uint32_t number, const nck_node_t *piece) {
     const int is_first = number == self->at.piece;
     const double length = is_first ? length_left(piece, &self->at) : piece->length;
     return nck_envelope_h(accel_of(self, piece), length);
@@ -91,6 +95,7 @@ static void set_place(nck_linear_t *self) {
 
 void nck_linear_begin(nck_linear_t *self, const nck_job_t *job) {
     self->job = *job;
+    self->is_plain = (uint32_t)nck_plan_is_plain(&job->wish, self->next->over);
     self->part = 0;
     self->skip = self->next->piece;
     if (!goes_on(self)) set_place(self);
@@ -125,6 +130,9 @@ static int find_end(nck_linear_t *self, const nck_pieces_t *pieces) {
     return self->end - first == NCK_LINEAR_VIEW;
 }
 
+// Pieces that stay in the stop tail, so that a path that has starved says so. From rest: none.
+static uint32_t keeps(const nck_linear_t *self) { return self->job.kind == NCK_JOB_GO_ON; }
+
 // How many pieces become final by this envelope. Depends on counts alone, never on time, so that
 // equal capacities give equal setpoints; but for what comes too late. 0: more must come first.
 static uint32_t find_final(const nck_linear_t *self, const nck_pieces_t *pieces, int is_far) {
@@ -132,7 +140,8 @@ static uint32_t find_final(const nck_linear_t *self, const nck_pieces_t *pieces,
     const uint32_t barrier = pieces->head + pieces->barrier - self->at.piece;
     const int has_barrier = pieces->barrier > 0 && (int32_t)barrier > 0 && barrier <= seen;
     if (pieces->complete && self->end == pieces->head + pieces->fill) return seen;
-    const uint32_t some = is_far || self->job.starved ? 1 + (seen - 1) / NCK_LINEAR_FINAL : 0;
+    const int takes = is_far || (self->job.starved && seen > keeps(self));
+    const uint32_t some = takes ? 1 + (seen - 1) / NCK_LINEAR_FINAL : 0;
     return has_barrier && barrier > some ? barrier : some;
 }
 
@@ -140,7 +149,11 @@ static nck_status_t begin_pass(nck_linear_t *self, const nck_pieces_t *pieces) {
     if (!nck_plan_piece(pieces, self->at.piece)) return NCK_EMPTY;
     const int is_far = find_end(self, pieces);
     const uint32_t final = find_final(self, pieces, is_far);
-    if (final == 0) return NCK_EMPTY;
+    if (final == 0) {
+        const int takes_any = self->machine->lookahead_blocks > 0 || self->job.starved;
+        if (!takes_any) self->next->wants = self->at.piece + NCK_LINEAR_VIEW;
+        return NCK_EMPTY;
+    }
     self->final = self->at.piece + final;
     self->held = NCK_HELD_NOT;
     self->pass.i = self->at.piece + 1;
@@ -186,8 +199,8 @@ static int rests_at(const nck_linear_t *self, const nck_pieces_t *pieces, uint32
 // w_i = min(w_cap,i, w_{i+1} + h_i) from the view's end, where the path must be able to rest.
 static void backward_node(nck_linear_t *self, const nck_pieces_t *pieces, uint32_t number) {
     nck_node_t *const node = nck_plan_piece(pieces, number);
-    const double h = gain_over(self, pieces, number);
-    double cap = cap_at(self, pieces, number);
+    const double h = gain_over(self, number, node);
+    double cap = cap_at(self, pieces, number, node);
     if ((int32_t)(self->pass.floor - number) > 0) cap = nck_max(cap, node->vv);
     if (!(self->pass.vv + h < cap)) self->pass.open = 0;
     node->open = (uint8_t)self->pass.open;
@@ -205,8 +218,8 @@ static void backward_node(nck_linear_t *self, const nck_pieces_t *pieces, uint32
 // end that comes too early to rest at is passed.
 static nck_status_t join(nck_linear_t *self, const nck_pieces_t *pieces) {
     nck_node_t *const node = nck_plan_piece(pieces, self->at.piece);
-    const double reach = self->pass.vv + gain_over(self, pieces, self->at.piece);
-    const int open = self->pass.open && reach < cap_at(self, pieces, self->at.piece);
+    const double reach = self->pass.vv + gain_over(self, self->at.piece, node);
+    const int open = self->pass.open && reach < cap_at(self, pieces, self->at.piece, node);
     node->open = (uint8_t)open;
     self->pass.i = self->at.piece;
     self->pass.vv = self->at.vv;
@@ -229,14 +242,15 @@ static nck_status_t pass_backward(nck_linear_t *self, const nck_pieces_t *pieces
 
 // w_{i+1} = min(w_{i+1}, w_i + h_i) over the pieces that become final.
 static void pass_forward(nck_linear_t *self, const nck_pieces_t *pieces) {
+    nck_node_t *next = nck_plan_piece(pieces, self->pass.i);
     for (int n = 0; n < PASS_STEP; n++) {
         const uint32_t number = self->pass.i;
         if (number == self->final || number + 1 == self->end) {
             enter_part(self);
             return;
         }
-        nck_node_t *const next = nck_plan_piece(pieces, number + 1);
-        const double gain = gain_over(self, pieces, number);
+        const double gain = gain_over(self, number, next);
+        next = nck_plan_piece(pieces, number + 1);
         next->vv = nck_envelope_forward(next->vv, self->pass.vv, gain);
         self->pass.vv = next->vv;
         self->pass.i++;
@@ -389,3 +403,5 @@ nck_status_t nck_linear_step(nck_linear_t *self, const nck_pieces_t *pieces) {
     default: return draw_brake(self, pieces);
     }
 }
+
+void nck_linear_hurry(nck_linear_t *self) { self->job.starved = 1; }

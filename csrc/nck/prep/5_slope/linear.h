@@ -39,6 +39,7 @@ typedef struct nck_linear {
     nck_plan_t *next;      // in work
     nck_job_t job;         // that it is made for
     uint32_t phase;
+    uint32_t is_plain;     // 1: under its wishes all caps are as room 4 has found them
     uint32_t final;        // the envelope holds for the pieces before this number …
     uint32_t end;          // … and comes to rest before this one
     uint32_t held;         // nck_held_t of the rest behind the final pieces
@@ -69,5 +70,9 @@ void nck_linear_begin(nck_linear_t *self, const nck_job_t *job);
 // plan stands in the link's built tail), NCK_E_STATE (no plan joins here). Cost: 32 nodes of a
 // pass, or 32 cells; with lookahead_blocks, the pieces of so many blocks. Context: prep.
 nck_status_t nck_linear_step(nck_linear_t *self, const nck_pieces_t *pieces);
+
+// The plan in work takes what is known: nothing more comes before the tick needs it.
+// Cost: constant. Context: prep.
+void nck_linear_hurry(nck_linear_t *self);
 
 #endif

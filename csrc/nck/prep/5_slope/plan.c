@@ -5,34 +5,28 @@
 #include "nck/base/real.h" // nck_min
 
 uint32_t nck_plan_find(const nck_pieces_t *pieces, uint32_t number, const nck_cell_t *cell) {
+    const nck_node_t *piece = nck_plan_piece(pieces, number);
     for (;;) {
-        const nck_node_t *const piece = nck_plan_piece(pieces, number);
         const nck_node_t *const next = nck_plan_piece(pieces, number + 1);
         const int beyond = next && next->seg == cell->seg && cell->s >= next->s;
         if (!next || (piece->seg == cell->seg && !beyond)) return number;
+        piece = next;
         number++;
     }
 }
 
-double nck_plan_cap(const nck_node_t *piece, const nck_wish_t *wish, uint32_t over) {
-    const double cap = over ? piece->vv_over : piece->vv_piece;
-    if (!(piece->feed > 0.0)) return cap * wish->rapid * wish->rapid;
-    const double v = piece->feed * wish->feed;
-    return nck_min(cap, v * v);
-}
-
-static int is_plain(const nck_wish_t *wish, uint32_t over) {
-    return wish->feed == 1.0 && wish->rapid == 1.0 && !over;
+int nck_plan_is_plain(const nck_wish_t *wish, uint32_t over) {
+    return wish->feed == 1.0 && wish->rapid == 1.0 && wish->tool == NCK_WISH_FREE && !over;
 }
 
 double nck_plan_inside(const nck_node_t *piece, const nck_wish_t *wish, uint32_t over) {
-    return is_plain(wish, over) ? piece->vv_piece : nck_plan_cap(piece, wish, over);
+    return nck_plan_is_plain(wish, over) ? piece->vv_piece : nck_plan_cap(piece, wish, over);
 }
 
 double nck_plan_at(const nck_pieces_t *pieces, uint32_t number, const nck_wish_t *wish,
                    uint32_t over) {
     const nck_node_t *const piece = nck_plan_piece(pieces, number);
-    if (is_plain(wish, over)) return piece->vv_cap;
+    if (nck_plan_is_plain(wish, over)) return piece->vv_cap;
     const double junction = over ? piece->vv_node : piece->vv_cap;
     const nck_node_t *const before = nck_plan_piece(pieces, number - 1);
     const double cap = nck_min(junction, nck_plan_inside(piece, wish, over));

@@ -5,6 +5,7 @@
 
 #include "nck/base/machine.h" // nck_machine_t
 #include "nck/base/link.h"    // nck_link_t
+#include "nck/base/real.h"    // nck_min
 #include "nck/base/records.h" // nck_node_t nck_cell_t
 #include "nck/base/status.h"  // nck_status_t
 
@@ -17,10 +18,14 @@ typedef struct nck_pieces {
     uint32_t complete;    // 1: no more come before the path is at rest
 } nck_pieces_t;
 
+// Faster than any tool: no limit that the operator sets [mm/s].
+#define NCK_WISH_FREE 1e9
+
 // What the operator wants, as of now.
 typedef struct nck_wish {
     double feed;           // override, 0 … 2
     double rapid;          // override, 0 … 1
+    double tool;           // as fast as the tool may be [mm/s]; NCK_WISH_FREE: no such limit
     uint32_t hold;         // 1: rest, and stay
     uint32_t single_block; // 1: rest at the end of every block, and stay
     uint32_t resumes;      // counts up when the operator wants to go on
@@ -51,6 +56,7 @@ typedef struct nck_plan {
     uint32_t commit;   // so many of its cells may become final before the next plan takes over
     uint32_t keep;     // behind this cell it brakes for the window's end only
     uint32_t over;     // 1: an override beyond 100 % has been in force since it was last at rest
+    uint32_t wants;    // in work: pieces before this number must be known before it can go on
 } nck_plan_t;
 
 // What a plan is made for.
@@ -85,7 +91,18 @@ uint32_t nck_plan_find(const nck_pieces_t *pieces, uint32_t number, const nck_ce
 
 // Cap of a piece under overrides, v². over: by the limits for overrides beyond 100 %.
 // Cost: constant.
-double nck_plan_cap(const nck_node_t *piece, const nck_wish_t *wish, uint32_t over);
+static inline double nck_plan_cap(const nck_node_t *piece, const nck_wish_t *wish, uint32_t over) {
+    const double cap = over ? piece->vv_over : piece->vv_piece;
+    const double v = piece->feed * wish->feed;
+    const double scaled =
+        piece->feed > 0.0 ? nck_min(cap, v * v) : cap * wish->rapid * wish->rapid;
+    if (wish->tool == NCK_WISH_FREE || !(piece->tool > 0.0f)) return scaled;
+    const double most = wish->tool / (double)piece->tool;
+    return nck_min(scaled, most * most);
+}
+
+// 1 if under these wishes every cap is what room 4 has found, to the bit. Cost: constant.
+int nck_plan_is_plain(const nck_wish_t *wish, uint32_t over);
 
 // The same, and at 100 % what room 4 has found, to the bit. Cost: constant.
 double nck_plan_inside(const nck_node_t *piece, const nck_wish_t *wish, uint32_t over);

@@ -9,6 +9,8 @@
 //   hull                      takes off the edge where the two meet
 #include "nck/prep/5_slope/profile.h"
 
+#include <assert.h> // assert
+
 #include "nck/prep/5_slope/hull_math.h" // nck_hull_…
 
 enum {
@@ -58,6 +60,7 @@ static void begin_pass(nck_profile_t *self, uint32_t phase) {
 }
 
 void nck_profile_begin(nck_profile_t *self) {
+    assert(self->n >= 1);
     self->w_cap[self->n] = 0.0;
     self->fresh = 1;
     self->broken = 0;
@@ -179,14 +182,29 @@ static inline void fall_to(const nck_profile_t *self, uint32_t i, double v, fall
     fallen->v = v;
 }
 
-// 1 if the corner before the newest is above what joins its neighbours.
-static inline int sticks_out(const nck_profile_t *self, uint32_t top, uint32_t i) {
-    const double *const s = self->s;
-    const double *const z = self->z;
-    if (top < 2) return 0;
-    const uint32_t b = self->stack[top - 1];
-    const uint32_t a = self->stack[top - 2];
-    return nck_hull_above(s[a], z[a], s[b], z[b], s[i], z[i]) >= 0.0;
+// The two newest corners of a hull.
+typedef struct corners {
+    double s0, z0; // the older one
+    double s1, z1;
+} corners_t;
+
+// So many corners are on the stack.
+static inline corners_t corners_of(const nck_profile_t *self, uint32_t top) {
+    corners_t corners = {0.0, 0.0, 0.0, 0.0};
+    if (top > 0) {
+        corners.s1 = self->s[self->stack[top - 1]];
+        corners.z1 = self->z[self->stack[top - 1]];
+    }
+    if (top > 1) {
+        corners.s0 = self->s[self->stack[top - 2]];
+        corners.z0 = self->z[self->stack[top - 2]];
+    }
+    return corners;
+}
+
+// 1 if the newest corner is above what joins the one before it and the next node.
+static inline int sticks_out(const corners_t *corners, double s, double z) {
+    return nck_hull_above(corners->s0, corners->z0, corners->s1, corners->z1, s, z) >= 0.0;
 }
 
 // Corners of the lower hull of (s, g + C); w_of_time: the speeds' squares that the durations come
@@ -198,17 +216,23 @@ static uint32_t hull(nck_profile_t *self, uint32_t budget, const double *g,
     uint32_t top = self->top;
     uint32_t fresh = self->fresh;
     uint32_t n = 0;
+    corners_t corners = corners_of(self, top);
+    double z = fresh ? 0.0 : self->z[i];
     for (; n < budget && i <= self->n; n++) {
         if (fresh) {
             fall_to(self, i, nck_sqrt(w_of_time[i]), &fallen);
-            self->z[i] = g[i] + fallen.sum;
+            z = g[i] + fallen.sum;
+            self->z[i] = z;
         }
-        fresh = !sticks_out(self, top, i);
+        const double s = self->s[i];
+        fresh = top < 2 || !sticks_out(&corners, s, z);
         if (!fresh) {
             top--;
+            corners = corners_of(self, top);
             continue;
         }
         self->stack[top] = i;
+        corners = (corners_t){corners.s1, corners.z1, s, z};
         top++;
         i++;
     }

@@ -2,6 +2,7 @@
 // Room 5, slope: plan after plan, and what the operator wants of them.
 #include "nck/prep/5_slope/slope.h"
 
+#include <assert.h> // assert
 #include <string.h> // memset
 
 #include "nck/base/fence.h" // nck_fence_load nck_fence_store
@@ -19,8 +20,8 @@ enum { PHASE_IDLE = 0, PHASE_MAKE, PHASE_INSTALL };
 #define LEAD_LEAST 2.0
 // It gets so many times the cells that have passed in vain.
 #define PATIENCE 4
-// Cells that pass until another plan is tried where none joined.
-#define NO_WAY (1 + NCK_PROFILE / 8)
+// Cells that pass until another plan is tried where none joined: time enough to make it.
+#define NO_WAY (1 + (NCK_PROFILE > 128 ? NCK_PROFILE / 16 : 8))
 
 void nck_slope_init(nck_slope_t *self, const nck_machine_t *machine, nck_link_t *link) {
     memset(self, 0, sizeof *self);
@@ -31,6 +32,7 @@ void nck_slope_init(nck_slope_t *self, const nck_machine_t *machine, nck_link_t 
     self->now.end_s = NCK_PLAN_BEGIN;
     self->wish.feed = 1.0;
     self->wish.rapid = 1.0;
+    self->wish.tool = NCK_WISH_FREE;
     switch (machine->slope) {
     case NCK_SLOPE_JERK:
         nck_jerk_init(&self->planner.jerk, machine, link, &self->now, &self->next);
@@ -66,8 +68,11 @@ static void begin(nck_slope_t *self, nck_job_t *job, uint32_t count, uint32_t ov
     memset(&self->next, 0, sizeof self->next);
     memset(job, 0, sizeof *job);
     self->next.begin = count & NCK_LINK_COUNT_MASK;
+    self->next.wants = self->now.end_piece;
     self->next.over = over || self->wish.feed > 1.0;
     self->taken = nck_link_taken(self->link);
+    self->hurried = 0;
+    self->awaits_tail = 0;
     job->wish = self->wish;
     job->anew = self->anew;
     job->starved = self->in_tail;
@@ -109,6 +114,7 @@ static void go_on(nck_slope_t *self, const nck_pieces_t *pieces, uint32_t first)
     const nck_cell_t *const before =
         nck_link_tail_cell(self->link, (count - 1) & NCK_LINK_COUNT_MASK);
     nck_job_t job;
+    assert(cell && before); // within the plan of now
     begin(self, &job, count, self->now.over);
     job.v = cell->v;
     if (cell->v > 0.0) job.a = before->a + before->j * before->duration;
@@ -117,6 +123,7 @@ static void go_on(nck_slope_t *self, const nck_pieces_t *pieces, uint32_t first)
     self->next.piece = nck_plan_find(pieces, self->now.piece, cell);
     self->next.s = cell->s;
     const nck_node_t *const piece = nck_plan_piece(pieces, self->next.piece);
+    assert(piece); // nck_slope_needs keeps it
     const int moves = nck_plan_cap(piece, &self->wish, self->next.over) > 0.0;
     job.kind = self->wish.hold || !moves ? NCK_JOB_BRAKE : NCK_JOB_GO_ON;
     job.held = self->wish.hold ? NCK_HELD_RESUME : NCK_HELD_OVERRIDE;
@@ -250,6 +257,8 @@ static void finish(nck_slope_t *self) {
 // No plan joins: the plan of now goes on, and the next one begins later.
 static void give_up(nck_slope_t *self, const nck_pieces_t *pieces) {
     self->phase = PHASE_IDLE;
+    self->awaits_tail = self->hurried; // a rest that nobody asked for is told as starvation
+    if (self->hurried) return;
     self->anew = 1;
     self->now.commit += NO_WAY;
     if (self->now.commit >= self->now.n) keep_plan(self, pieces, NCK_HELD_NOT);
@@ -276,6 +285,7 @@ static nck_status_t install(nck_slope_t *self) {
 
 static nck_status_t begin_next(nck_slope_t *self, const nck_pieces_t *pieces) {
     if (self->now.complete) return start(self, pieces);
+    if (self->awaits_tail) return NCK_FULL;
     go_on(self, pieces, self->now.commit);
     return NCK_OK;
 }
@@ -294,8 +304,8 @@ static nck_status_t work(nck_slope_t *self, const nck_pieces_t *pieces) {
 }
 
 static int is_other(const nck_wish_t *a, const nck_wish_t *b) {
-    return a->hold != b->hold || a->feed != b->feed || a->rapid != b->rapid
-           || a->single_block != b->single_block;
+    const uint32_t words = (a->hold ^ b->hold) | (a->single_block ^ b->single_block);
+    return words != 0 || a->feed != b->feed || a->rapid != b->rapid || a->tool != b->tool;
 }
 
 // Single block switched off on the way to a block's end is a resume in advance, in case it is too
@@ -316,20 +326,44 @@ static void follow(nck_slope_t *self, const nck_pieces_t *pieces) {
     if (!within && self->now.complete) self->now.piece = self->now.end_piece;
 }
 
-static void hear(nck_slope_t *self, const nck_pieces_t *pieces, const nck_wish_t *wish) {
-    const int other = is_other(&self->wish, wish);
-    const int slower = wish->feed < self->wish.feed || wish->rapid < self->wish.rapid;
+static void hear_other(nck_slope_t *self, const nck_pieces_t *pieces, const nck_wish_t *wish) {
+    const int slower = wish->feed < self->wish.feed || wish->rapid < self->wish.rapid
+                       || wish->tool < self->wish.tool;
     const int switched = wish->single_block != self->wish.single_block;
     self->wish = *wish;
     if (switched) hear_single_block(self);
-    if (!other) return;
     self->answer.slower |= (uint32_t)slower;
     replan(self, pieces);
 }
 
+static void hear(nck_slope_t *self, const nck_pieces_t *pieces, const nck_wish_t *wish) {
+    self->wish.resumes = wish->resumes;
+    if (is_other(&self->wish, wish)) hear_other(self, pieces, wish);
+}
+
+// Pieces are lacking. An answer to the operator waits for time, too: it is asked about every time.
+static void note_idle(nck_slope_t *self, const nck_pieces_t *pieces, uint32_t link_end) {
+    const uint32_t end = pieces->head + pieces->fill;
+    const int32_t lacks = (int32_t)(self->next.wants - end);
+    self->idle.is = !self->answer.pending;
+    self->idle.link_end = link_end;
+    self->idle.head = pieces->head;
+    self->idle.barrier = pieces->barrier;
+    self->idle.complete = pieces->complete;
+    self->idle.wants = self->phase == PHASE_MAKE && lacks > 0 ? self->next.wants : end + 1;
+}
+
+int nck_slope_is_idle(const nck_slope_t *self, const nck_wish_t *wish) {
+    int entered = 0;
+    return nck_link_end(self->link, &entered) == self->idle.link_end
+           && (!entered || self->in_tail) && wish->resumes == self->wish.resumes
+           && !is_other(&self->wish, wish);
+}
+
 nck_status_t nck_slope_step(nck_slope_t *self, const nck_pieces_t *pieces, const nck_wish_t *wish) {
     int entered = 0;
-    (void)nck_link_end(self->link, &entered);
+    const uint32_t link_end = nck_link_end(self->link, &entered);
+    self->idle.is = 0;
     if (entered && !self->in_tail) fall_into_tail(self, pieces);
     hear(self, pieces, wish);
     const uint32_t done = final_count(self);
@@ -344,19 +378,56 @@ nck_status_t nck_slope_step(nck_slope_t *self, const nck_pieces_t *pieces, const
     }
     follow(self, pieces);
     const nck_status_t status = work(self, pieces);
-    return status == NCK_EMPTY && final_count(self) < final_limit(self) ? NCK_FULL : status;
+    if (status != NCK_EMPTY) return status;
+    if (final_count(self) < final_limit(self)) return NCK_FULL;
+    note_idle(self, pieces, link_end);
+    return NCK_EMPTY;
 }
 
-void nck_slope_hurry(nck_slope_t *self) {
-    const int waits = self->kind == NCK_JOB_GO_ON && final_count(self) == final_limit(self);
-    if (self->machine->slope != NCK_SLOPE_JERK || !waits || !is_late(self)) return;
-    self->planner.jerk.job.starved = 1;
+// The plan in work takes over within so many periods from the tick.
+static int takes_over_within(nck_slope_t *self, uint32_t periods) {
+    const double time = (double)periods * self->machine->period_s - nck_link_lead(self->link);
+    return time > 0.0 && cell_after(self, final_count(self), time) >= final_limit(self);
 }
 
-uint32_t nck_slope_needs(const nck_slope_t *self) { return self->now.piece; }
+void nck_slope_hurry(nck_slope_t *self, uint32_t periods) {
+    const int goes_on = self->kind == NCK_JOB_GO_ON;
+    const int waits = goes_on && final_count(self) == final_limit(self) && is_late(self);
+    const int begins = self->kind == NCK_JOB_START && periods > 0;
+    const int early = begins || (goes_on && takes_over_within(self, periods));
+    if (self->phase != PHASE_MAKE || !(waits || early)) return;
+    self->idle.is = 0;
+    self->hurried = (uint32_t)waits; // what does not join early is tried again
+    switch (self->machine->slope) {
+    case NCK_SLOPE_JERK: nck_jerk_hurry(&self->planner.jerk); break;
+    case NCK_SLOPE_SSHAPE: nck_sshape_hurry(&self->planner.sshape); break;
+    default: nck_linear_hurry(&self->planner.linear); break;
+    }
+}
+
+// A jerk-limited plan looks at pieces of the plan of now that the tick has passed, whether or not
+// it has: setpoints must not hang on time.
+uint32_t nck_slope_needs(const nck_slope_t *self) {
+    const int looks_back = self->machine->slope == NCK_SLOPE_JERK;
+    return looks_back && final_count(self) < self->now.n ? self->now.first_piece : self->now.piece;
+}
 
 int nck_slope_is_held(const nck_slope_t *self) {
     return self->now.held && final_count(self) >= self->now.n;
 }
 
 int nck_slope_waits(const nck_slope_t *self) { return nck_fence_load(&self->waits) != 0; }
+
+static int is_good_wish(const nck_wish_t *wish) {
+    return wish->feed >= 0.0 && wish->feed <= 2.0 && wish->rapid >= 0.0 && wish->rapid <= 1.0
+           && wish->tool >= 0.0;
+}
+
+int nck_slope_invariants(const nck_slope_t *self) {
+    const nck_plan_t *const now = &self->now;
+    return self->phase <= PHASE_INSTALL && self->kind <= NCK_JOB_BRAKE
+           && now->held <= NCK_HELD_BLOCK && (int32_t)(now->end_piece - now->piece) >= 0
+           && (now->end_s == NCK_PLAN_BEGIN || now->end_s >= 0.0)
+           && (now->complete || now->commit < now->n) && final_count(self) <= now->n
+           && is_good_wish(&self->wish);
+}

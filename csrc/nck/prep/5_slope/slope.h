@@ -42,6 +42,16 @@ typedef struct nck_slope {
     uint32_t spent;        // cells that it took while the last plan was made
     uint32_t waits;        // 1: single block keeps the path behind now; any context reads
     uint32_t in_tail;      // 1: the tick has been seen in the stop tail
+    struct {
+        uint32_t is;       // 1: the last step lacked pieces and nothing else, as things were then:
+        uint32_t link_end; // the link's end …
+        uint32_t head;     // … and the window's, …
+        uint32_t barrier;  // … its barrier …
+        uint32_t complete; // … and whether it was complete; it can do nothing …
+        uint32_t wants;    // … before all pieces up to this number are known
+    } idle;
+    uint32_t hurried;      // 1: the plan in work takes what is known …
+    uint32_t awaits_tail;  // … 1: and did not join: the path starves
     union {                // by machine->slope
         nck_linear_t linear;
         nck_jerk_t jerk;
@@ -61,9 +71,22 @@ void nck_slope_init(nck_slope_t *self, const nck_machine_t *machine, nck_link_t 
 // Cost: a step of the planner in force. Context: prep.
 nck_status_t nck_slope_step(nck_slope_t *self, const nck_pieces_t *pieces, const nck_wish_t *wish);
 
-// Nothing more is known of the path, and a tick is under way. If it is about to run out of final
-// cells, a jerk-limited plan in work takes what is there. Cost: constant. Context: prep.
-void nck_slope_hurry(nck_slope_t *self);
+// 1 if the last step needed pieces, and these bring nothing that it lacked. Cost: constant.
+// Context: prep.
+static inline int nck_slope_lacks(const nck_slope_t *self, const nck_pieces_t *pieces) {
+    return self->idle.is && (int32_t)(self->idle.wants - pieces->head - pieces->fill) > 0
+           && pieces->head == self->idle.head && pieces->barrier == self->idle.barrier
+           && pieces->complete == self->idle.complete;
+}
+
+// 1 if nothing else has changed either: a step would find just what the last one has found.
+// Cost: constant. Context: prep.
+int nck_slope_is_idle(const nck_slope_t *self, const nck_wish_t *wish);
+
+// Nothing more is known of the path. If the tick is about to run out of final cells, the plan in
+// work takes what is there; so it does where it takes over within so many periods, or begins at
+// rest and periods is not 0. Cost: linear in periods. Context: prep.
+void nck_slope_hurry(nck_slope_t *self, uint32_t periods);
 
 // The number of the oldest piece that is still needed. Cost: constant. Context: prep.
 uint32_t nck_slope_needs(const nck_slope_t *self);
@@ -73,5 +96,8 @@ int nck_slope_is_held(const nck_slope_t *self);
 
 // 1 if single block keeps the path where the plan of now rests. Cost: constant. Context: any.
 int nck_slope_waits(const nck_slope_t *self);
+
+// Every invariant of the room, for tests: 1 if all hold. Cost: constant. Context: prep.
+int nck_slope_invariants(const nck_slope_t *self);
 
 #endif

@@ -429,3 +429,5 @@ nck_status_t nck_sshape_step(nck_sshape_t *self, const nck_pieces_t *pieces) {
     default: return carry(self, pieces);
     }
 }
+
+void nck_sshape_hurry(nck_sshape_t *self) { self->job.starved = 1; }

@@ -89,4 +89,8 @@ void nck_sshape_begin(nck_sshape_t *self, const nck_job_t *job);
 // junctions as nck_jerk_step. Context: prep.
 nck_status_t nck_sshape_step(nck_sshape_t *self, const nck_pieces_t *pieces);
 
+// The plan in work takes what is known: nothing more comes before the tick needs it.
+// Cost: constant. Context: prep.
+void nck_sshape_hurry(nck_sshape_t *self);
+
 #endif

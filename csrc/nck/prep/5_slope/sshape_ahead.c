@@ -116,7 +116,7 @@ static void begin_speeds(nck_sshape_t *self, const nck_pieces_t *pieces) {
 
 // What may have been in force since the path was last at rest.
 static nck_wish_t free_wish(const nck_sshape_t *self) {
-    const nck_wish_t wish = {self->next->over ? OVER_MOST : 1.0, 1.0, 0, 0, 0};
+    const nck_wish_t wish = {self->next->over ? OVER_MOST : 1.0, 1.0, NCK_WISH_FREE, 0, 0, 0};
     return wish;
 }
 
@@ -201,6 +201,13 @@ static nck_status_t look_back(nck_sshape_t *self, const nck_pieces_t *pieces) {
     return NCK_OK;
 }
 
+// Whether more than the next hop is known. The last one stays in the stop tail, so that a path that
+// has starved says so.
+static int knows_way_on(nck_sshape_t *self) {
+    const uint32_t count = self->memory.ahead.horizon - self->at.piece;
+    return count > *pieces_at(self, self->at.piece);
+}
+
 nck_status_t nck_sshape_look(nck_sshape_t *self, const nck_pieces_t *pieces) {
     if (self->memory.ahead.back) return look_back(self, pieces);
     if (is_far_enough(self)) return NCK_DONE;
@@ -210,7 +217,10 @@ nck_status_t nck_sshape_look(nck_sshape_t *self, const nck_pieces_t *pieces) {
             begin_speeds(self, pieces);
             return NCK_OK;
         }
-        if (add_hop(self, pieces) != NCK_OK) return NCK_EMPTY;
+        if (add_hop(self, pieces) == NCK_OK) continue;
+        if (!self->job.starved || !knows_way_on(self)) return NCK_EMPTY;
+        begin_speeds(self, pieces);
+        return NCK_OK;
     }
     return NCK_OK;
 }

@@ -13,21 +13,40 @@ static uint8_t axes_of(const nck_machine_t *machine) {
     return axes;
 }
 
+// Jerk along a path, at most: along no tangent do the axes allow more than the root of their
+// squares' sum. Where a filter follows, no ramp A/J is shorter than it: what it takes from low caps
+// (v_filter) grows with the jerk, and soon costs more time than the ramps win.
+static double jerk_along(const nck_machine_t *machine, uint8_t axes, double filter) {
+    double aa = 0.0;
+    double jj = 0.0;
+    for (int x = 0; x < axes; x++) {
+        const nck_axis_t *const axis = &machine->axis[x];
+        if (!axis->present) continue;
+        aa += axis->a_max * axis->a_max;
+        jj += axis->j_max * axis->j_max;
+    }
+    const double a = nck_min(machine->path.a_max, nck_sqrt(aa));
+    const double j = nck_min(machine->path.j_max, nck_sqrt(jj));
+    return filter > 0.0 ? nck_min(j, a / filter) : j;
+}
+
 // Only the jerk-limited slope has a filter, and waits at a rest until it has run out. Room 4 gives
 // the classical S-shape the same margins.
 void nck_slope_terms(const nck_machine_t *machine, nck_terms_t *terms_out) {
     const double period = machine->period_s;
     const double filter = (double)NCK_FILTER_TAPS * period;
     const int is_filtered = machine->slope == NCK_SLOPE_JERK;
-    const nck_terms_t linear = {machine, 0, 1, 1, axes_of(machine), 0.0, 0.0, period};
+    const uint8_t axes = axes_of(machine);
+    const nck_terms_t linear = {machine, 0, 1, 1, axes, machine->path.j_max, 0.0, 0.0, period};
     *terms_out = linear;
     if (machine->slope == NCK_SLOPE_LINEAR) return;
     terms_out->limits_jerk = 1;
     terms_out->carries = (uint8_t)is_filtered;
     terms_out->taps = is_filtered ? NCK_FILTER_TAPS : 1;
+    terms_out->j_max = jerk_along(machine, axes, is_filtered ? filter : 0.0);
     terms_out->mix_s = 0.5 * filter;
     const double cell = nck_max(period, nck_jerk_cell_s(machine));
     terms_out->v_filter =
-        nck_ladder_raise(machine->path.j_max, filter, NCK_LADDER_STRETCH * cell);
+        nck_ladder_raise(terms_out->j_max, filter, NCK_LADDER_STRETCH * cell);
     terms_out->rest_s = is_filtered ? period + filter : period;
 }

@@ -11,6 +11,10 @@
 #include "nck/prep/5_slope/brake.h" // NCK_BRAKE_SHARE
 
 enum { POINTS = 32 }; // of the path in one step
+// Bends that leave less than this share of a take some of a brake's, too: its way gets a margin.
+#define BENT 0.25
+#define BENT_MARGIN 1.3
+#define SLOWER 0.4    // of ds/dp: no coordinate of a spline changes 2.5 times as fast as s
 
 // Between two points of a curve this far apart it strays by half of that, which is kept clear [mm].
 #define STEP_LEAST 0.001
@@ -76,17 +80,29 @@ static void next_seg(nck_travel_t *self) {
     self->s = 0.0;
 }
 
-// No coordinate changes faster than s: as far as the nearest limit is, the path stays inside.
+// 1 if a spline's hull is inside, and so all of it.
+static int hull_is_inside(const nck_travel_t *self, const nck_seg_t *seg) {
+    const double ends = nck_min(room_at(self, seg->start), room_at(self, seg->end));
+    const double first = room_at(self, seg->shape.inner[0]);
+    const double last = room_at(self, seg->shape.inner[1]);
+    return nck_min(ends, nck_min(first, last)) > STEP_LEAST;
+}
+
+// As far as the nearest limit is, a share of it where coordinates change faster than s, the path
+// stays inside.
 static void look_at(nck_travel_t *self, const nck_seg_t *seg) {
     double point[NCK_AXIS_MAX];
     nck_path_point(seg, self->s, point);
     const int straight = seg->kind == NCK_SEG_LINE;
+    const int spline = seg->kind == NCK_SEG_SPLINE;
     const double room = room_at(self, point) - (straight ? 0.0 : STEP_LEAST / 2.0);
     const double leaves = straight ? leave_line(self, seg, point) : NCK_UNLIMITED;
+    const double step = nck_max(spline ? SLOWER * room : room, STEP_LEAST);
     if (room < 0.0) found(self, seg, self->s);
     else if (leaves < NCK_UNLIMITED) found(self, seg, leaves);
     else if (straight || self->s >= seg->length) next_seg(self);
-    else self->s = nck_min(seg->length, self->s + nck_max(room, STEP_LEAST));
+    else if (spline && hull_is_inside(self, seg)) next_seg(self);
+    else self->s = nck_min(seg->length, self->s + step);
 }
 
 static void look_further(nck_travel_t *self, const nck_link_t *link) {
@@ -132,14 +148,16 @@ static front_t front_of(const nck_link_t *link, const nck_pieces_t *pieces) {
 
 // ---- how long before
 
-// The weakest limits of what lies before the exit.
+// The weakest limits of what lies before the exit, and the jerk at the front.
 typedef struct weakest {
     double a, j, v_cap;
+    double j_here;
+    double margin; // of the way: where bends take most of a, they take some of the brake's too
 } weakest_t;
 
 static weakest_t weakest_before(const nck_travel_t *self, const nck_pieces_t *pieces,
                                 const nck_terms_t *terms) {
-    weakest_t limits = {NCK_UNLIMITED, NCK_UNLIMITED, 0.0};
+    weakest_t limits = {NCK_UNLIMITED, NCK_UNLIMITED, 0.0, 0.0, 1.0};
     for (uint32_t i = 0; i < pieces->fill; i++) {
         const nck_node_t *const piece = nck_plan_piece(pieces, pieces->head + i);
         if (piece->seg > self->seq && piece->seg - self->seq < NCK_SEG_MAX) break;
@@ -147,16 +165,19 @@ static weakest_t weakest_before(const nck_travel_t *self, const nck_pieces_t *pi
         limits.a = nck_min(limits.a, BRAKE_LEAST * nck_min(piece->a, piece->a_over));
         limits.j = nck_min(limits.j, BRAKE_LEAST * nck_min(piece->j, piece->j_over));
         limits.v_cap = nck_max(limits.v_cap, nck_sqrt(piece->vv_over));
+        if (!(limits.j_here > 0.0)) limits.j_here = limits.j;
     }
     if (!terms->limits_jerk) limits.j = NCK_UNLIMITED;
+    if (!terms->limits_jerk || !(limits.j_here > 0.0)) limits.j_here = NCK_UNLIMITED;
+    if (limits.a < BENT * terms->machine->path.a_max) limits.margin = BENT_MARGIN;
     return limits;
 }
 
-// Braking from v and a: the acceleration goes first, then comes and goes the deceleration.
-//   v/a ≥ a/j:  v/2·(v/a + a/j),  else  v·√(v/j)
+// Braking from v and a: the acceleration goes first, as fast as the jerk at the front lets it; then
+// comes and goes the deceleration.   v/a ≥ a/j:  v/2·(v/a + a/j),  else  v·√(v/j)
 static double braking(const weakest_t *limits, double v, double a) {
-    const double rising = nck_max(a, 0.0) / limits->j;
-    const double most = v + 0.5 * nck_max(a, 0.0) * rising;
+    const double rising = nck_max(a, 0.0) / limits->j_here;
+    const double most = nck_min(v + 0.5 * nck_max(a, 0.0) * rising, nck_max(v, limits->v_cap));
     const double ramp = limits->a / limits->j;
     const int full = most >= limits->a * ramp;
     return most * rising
@@ -168,13 +189,12 @@ static double braking(const weakest_t *limits, double v, double a) {
 static int is_near(const nck_travel_t *self, const front_t *front, double begin,
                    const weakest_t *limits, double heard) {
     const double v = nck_max(front->v, nck_min(front->v + limits->a * heard, limits->v_cap));
-    const double way = v * heard + braking(limits, v, nck_min(front->a, limits->a));
-    return self->exit - begin <= way;
+    const double way = v * heard + braking(limits, v, front->a);
+    return self->exit - begin <= limits->margin * way;
 }
 
 int nck_travel_step(nck_travel_t *self, const nck_terms_t *terms, const nck_link_t *link,
                     const nck_pieces_t *pieces) {
-    if (!self->set) return 0;
     const front_t front = front_of(link, pieces);
     if (!self->known || (int32_t)(front.seq - self->seq) > 0) {
         self->known = 1;

@@ -32,7 +32,11 @@ void nck_travel_set(nck_travel_t *self, int axis, double least, double most);
 // The path begins anew. Cost: constant. Context: prep.
 void nck_travel_begin(nck_travel_t *self);
 
-// Look further along the path. Returns 1 if it has to rest as soon as it can.
+// 1 if an axis has soft limits. Cost: constant. Context: prep.
+static inline int nck_travel_is_set(const nck_travel_t *self) { return self->set != 0; }
+
+// Look further along the path, if soft limits are set. Returns 1 if it has to rest as soon as it
+// can.
 // Cost: 32 points of the path; once it is known to leave, linear in the window whenever
 // the front or the window has moved. Context: prep.
 int nck_travel_step(nck_travel_t *self, const nck_terms_t *terms, const nck_link_t *link,

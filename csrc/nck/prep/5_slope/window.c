@@ -2,6 +2,8 @@
 // Room 5, slope: the ladder of the jerk-limited slope.
 #include "nck/prep/5_slope/window.h"
 
+#include <assert.h> // assert
+
 #include "nck/base/real.h"                // nck_min nck_max
 #include "nck/prep/5_slope/ladder_math.h" // nck_ladder_…
 
@@ -12,28 +14,12 @@ enum { BLOCK_END = 1, MUST_REST = 2 };
 
 // While the ladder is coarse no cell's duration is capped in rule R [s].
 #define UNCAPPED_S 1e6
-// A part of a piece is rounding if it is shorter than this share of a cell, or of the coordinate
-// in its seg.
-#define LENGTH_EPSILON 1e-9
-#define PLACE_EPSILON 1e-14
 
 double nck_window_q_cap(const nck_jerk_t *self) {
     return self->work.coarse ? UNCAPPED_S : self->q_cap;
 }
 
-double nck_window_cap(const nck_jerk_t *self, const nck_node_t *piece) {
-    return nck_plan_cap(piece, &self->job.wish, self->work.over);
-}
-
-double nck_window_node_cap(const nck_jerk_t *self, const nck_node_t *piece) {
-    return self->work.over ? piece->vv_node : piece->vv_cap;
-}
-
 static double end_of(const nck_node_t *piece) { return piece->s + piece->length; }
-
-double nck_window_rounding(const nck_node_t *piece, double length) {
-    return LENGTH_EPSILON * length + PLACE_EPSILON * end_of(piece);
-}
 
 // From the place (piece, s) on by a length; a dwell or a wait on the way is not passed.
 static void walk(const nck_pieces_t *pieces, uint32_t *number, double *s, double length) {
@@ -54,6 +40,7 @@ static void walk(const nck_pieces_t *pieces, uint32_t *number, double *s, double
 
 static void push(nck_jerk_t *self, uint32_t piece, double s, double h, double vv) {
     const uint32_t n = self->work.n;
+    assert(n < NCK_PROFILE && h >= 0.0 && vv >= 0.0);
     self->rung_piece[n] = piece;
     self->rung_s[n] = s;
     self->h[n] = h;
@@ -93,7 +80,7 @@ static int load_cell(nck_jerk_t *self, const nck_pieces_t *pieces, const nck_cel
         const double v = cell->v + rise + 0.5 * cell->j * t0 * t0;
         double h = end - begin;
         const double room = self->work.reach - self->work.length;
-        const int rests = is_hold && room <= h + LENGTH_EPSILON * self->work.reach;
+        const int rests = is_hold && room <= h + NCK_WINDOW_LENGTH_EPSILON * self->work.reach;
         if (rests) h = room;
         push(self, piece, s, h, v * v);
         walk(pieces, &piece, &s, h);

@@ -17,18 +17,29 @@ enum {
 #define NCK_JERK_UNKNOWN 1e6
 // A cap beyond every speed's square.
 #define NCK_WINDOW_UNCAPPED 1e18
+// A part of a piece is rounding if it is shorter than this share of a cell, or of the coordinate
+// in its seg.
+#define NCK_WINDOW_LENGTH_EPSILON 1e-9
+#define NCK_WINDOW_PLACE_EPSILON 1e-14
 
 // Longest duration of a cell that counts in rule R; none while the ladder is coarse.
 double nck_window_q_cap(const nck_jerk_t *self);
 
 // Cap of a piece under the overrides that the plan is made for, v². Cost: constant.
-double nck_window_cap(const nck_jerk_t *self, const nck_node_t *piece);
+static inline double nck_window_cap(const nck_jerk_t *self, const nck_node_t *piece) {
+    return nck_plan_cap(piece, &self->job.wish, self->work.over);
+}
 
 // Cap of the node at a piece's start, v². Cost: constant.
-double nck_window_node_cap(const nck_jerk_t *self, const nck_node_t *piece);
+static inline double nck_window_node_cap(const nck_jerk_t *self, const nck_node_t *piece) {
+    return self->work.over ? piece->vv_node : piece->vv_cap;
+}
 
 // What is only rounding beside a length of path that ends in or with a piece. Cost: constant.
-double nck_window_rounding(const nck_node_t *piece, double length);
+static inline double nck_window_rounding(const nck_node_t *piece, double length) {
+    const double end = piece->s + piece->length;
+    return NCK_WINDOW_LENGTH_EPSILON * length + NCK_WINDOW_PLACE_EPSILON * end;
+}
 
 // In how many parts a cell of an earlier plan is taken over; a hold's ladder is divided later.
 // Cost: constant.
