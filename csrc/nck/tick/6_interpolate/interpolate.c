@@ -2,11 +2,13 @@
 // Room 6, interpolate: the tick.
 #include "nck/tick/6_interpolate/interpolate.h"
 
+#include <assert.h> // assert
 #include <string.h> // memset
 
 #include "nck/base/fence.h"     // nck_fence_load nck_fence_store
 #include "nck/base/path_math.h" // nck_path_point
 #include "nck/base/real.h"      // nck_floor
+#include "nck/base/spin_math.h" // nck_spin_rpm
 
 void nck_interpolate_init(nck_interpolate_t *self, const nck_terms_t *terms, nck_link_t *link) {
     const nck_machine_t *const machine = terms->machine;
@@ -33,17 +35,8 @@ static double length_between(const nck_interpolate_t *self, uint32_t from, uint3
     return length;
 }
 
-static int fetch(nck_interpolate_t *self) {
-    const uint32_t seg_before = self->cell.seg;
-    int from_tail = 0;
-    if (nck_link_take(self->link, &self->cell, &from_tail) != NCK_OK) return 0;
-    nck_fence_store(&self->has_cell, 1);
-    self->from_tail = (uint32_t)from_tail;
-    if (!self->rests) {
-        const int filters = self->filter.taps > 1; // else nobody asks, and segs may be many
-        if (filters) self->filter.ahead += length_between(self, seg_before, self->cell.seg);
-        return 1;
-    }
+// The first cell behind a rest.
+static void set_off(nck_interpolate_t *self) {
     self->rests = 0;
     self->filter.seg = self->cell.seg;
     self->filter.ahead = 0.0;
@@ -52,6 +45,25 @@ static int fetch(nck_interpolate_t *self) {
         self->filter.v[n] = 0.0;
     }
     nck_link_seg_finish(self->link, self->filter.seg);
+}
+
+// The next cell; if there is none the one before stays.
+static inline int next_cell(nck_interpolate_t *self) {
+    const uint32_t seg_before = self->cell.seg;
+    int from_tail = 0;
+    if (nck_link_take(self->link, &self->cell, &from_tail) != NCK_OK) return 0;
+    self->from_tail = (uint32_t)from_tail;
+    if (self->rests) {
+        set_off(self);
+    } else if (self->filter.taps > 1) { // else nobody asks, and segs may be many
+        self->filter.ahead += length_between(self, seg_before, self->cell.seg);
+    }
+    return 1;
+}
+
+static int fetch(nck_interpolate_t *self) {
+    if (!next_cell(self)) return 0;
+    nck_fence_store(&self->has_cell, 1);
     return 1;
 }
 
@@ -74,6 +86,7 @@ static void place(nck_interpolate_t *self, const nck_seg_t *seg, double s, doubl
                   : seg->kind == NCK_SEG_DWELL ? NCK_TICK_DWELL
                   : seg->kind == NCK_SEG_WAIT ? NCK_TICK_WAIT : NCK_TICK_MOVE;
     if (seg->kind < NCK_SEG_DWELL) nck_path_point(seg, s, pose->axis);
+    pose->spindle_rpm = nck_spin_rpm(&seg->spin, pose->axis[NCK_AXIS_X]);
 }
 
 // The segs from the filter's on that lie behind s; none beyond the seg where the cell ends.
@@ -137,6 +150,25 @@ static void land(nck_interpolate_t *self) {
     self->t_cell = 0.0;
 }
 
+static int cuts_thread(const nck_interpolate_t *self) {
+    return self->cell.length == 0.0 && seg_at(self, self->cell.seg)->kind >= NCK_SEG_THREAD;
+}
+
+// Behind a pass that was stopped nothing can follow: the tick waits, for another program.
+static const nck_pose_t *follow_spindle(nck_interpolate_t *self, const nck_seg_t *seg) {
+    place(self, seg, 0.0, 0.0);
+    const uint32_t state = nck_sync_tick(&self->sync, self->machine, seg, &self->pose);
+    const uint8_t found = self->pose.state;
+    const int taps = seg->kind == NCK_SEG_TAP;
+    if (state != NCK_SYNC_ENDS) return &self->pose;
+    land(self);
+    if (found != NCK_TICK_HOLD) return &self->pose;
+    self->pose.state = found;
+    if (taps) self->pose.spindle_rpm = 0.0; // the tool is in the hole
+    nck_fence_store(&self->waits, 1);
+    return &self->pose;
+}
+
 // The cell has come to rest at its end. Its mean does so when every tap is there.
 static void settle(nck_interpolate_t *self) {
     nck_filter_t *const filter = &self->filter;
@@ -153,6 +185,7 @@ static void settle(nck_interpolate_t *self) {
 // s(t) = s0 + v·t + a·t²/2 + j·t³/6, never beyond the cell; t from the begin of the cell.
 static void evaluate(nck_interpolate_t *self, double t) {
     const nck_cell_t *const cell = &self->cell;
+    assert(t >= 0.0);
     const double ds = (cell->v + (cell->a / 2.0 + cell->j / 6.0 * t) * t) * t;
     const double v = cell->v + (cell->a + cell->j / 2.0 * t) * t;
     pass(self, cell->s + nck_max(0.0, nck_min(ds, cell->length)), nck_max(0.0, v));
@@ -195,11 +228,14 @@ static int stands_aside(nck_interpolate_t *self) {
     self->from_tail = 0;
     self->rests = 1;
     nck_fence_store(&self->waits, 0);
+    nck_fence_store(&self->sync.asked, 0);
+    nck_fence_store(&self->sync.lost, 0);
     nck_link_yield(self->link);
     return 1;
 }
 
 const nck_pose_t *nck_interpolate_tick(nck_interpolate_t *self) {
+    nck_sync_turn(&self->sync, self->machine, self->pose.spindle_rpm);
     if (stands_aside(self)) return rest(self);
     if (self->waits) {
         if (!nck_fence_load(&self->resume)) return &self->pose;
@@ -211,6 +247,7 @@ const nck_pose_t *nck_interpolate_tick(nck_interpolate_t *self) {
         return &self->pose;
     }
     if (!self->has_cell && !fetch(self)) return rest(self);
+    if (cuts_thread(self)) return follow_spindle(self, seg_at(self, self->cell.seg));
     const double period = self->machine->period_s;
     self->k++;
     while ((double)self->k * period >= self->t_cell + self->cell.duration) {
@@ -218,13 +255,12 @@ const nck_pose_t *nck_interpolate_tick(nck_interpolate_t *self) {
             settle(self);
             return &self->pose;
         }
-        leave_cell(self);
+        self->t_cell += self->cell.duration;
         self->k -= nck_interpolate_rebase(&self->t_cell, period);
-        const double end = self->cell.s + self->cell.length;
-        const uint32_t from_tail = self->from_tail;
-        if (!fetch(self)) {
-            pass(self, end, 0.0);
-            if (from_tail) nck_link_tail_rest(self->link); // a tail ends at rest
+        if (!next_cell(self)) {
+            nck_fence_store(&self->has_cell, 0);
+            pass(self, self->cell.s + self->cell.length, 0.0);
+            if (self->from_tail) nck_link_tail_rest(self->link); // a tail ends at rest
             return rest(self);
         }
     }
@@ -239,6 +275,8 @@ nck_status_t nck_interpolate_take(nck_interpolate_t *self, nck_cell_t *cell_out)
     nck_link_seg_finish(self->link, self->cell.last ? seg + 1 : self->cell.seg);
     leave_cell(self);
     self->rests = 1;
+    self->k = 0; // a tick that follows begins to count here
+    self->t_cell = 0.0;
     *cell_out = self->cell;
     return NCK_OK;
 }
@@ -250,6 +288,14 @@ int nck_interpolate_is_waiting(const nck_interpolate_t *self) {
 int nck_interpolate_is_at_rest(const nck_interpolate_t *self) {
     if (nck_fence_load(&self->waits)) return 1;
     return nck_link_is_spent(self->link) && !nck_fence_load(&self->has_cell);
+}
+
+void nck_interpolate_measure(nck_interpolate_t *self, double turns) {
+    nck_sync_measure(&self->sync, turns);
+}
+
+void nck_interpolate_stop_thread(nck_interpolate_t *self) {
+    nck_fence_store(&self->sync.asked, 1);
 }
 
 void nck_interpolate_resume(nck_interpolate_t *self) { nck_fence_store(&self->resume, 1); }
@@ -267,4 +313,16 @@ uint64_t nck_interpolate_rebase(double *t, double period) {
     const double spans = nck_floor(*t / span);
     *t -= spans * span;
     return (uint64_t)spans * NCK_INTERPOLATE_SPAN;
+}
+
+int nck_interpolate_invariants(const nck_interpolate_t *self) {
+    const nck_filter_t *const filter = &self->filter;
+    const nck_pose_t *const pose = &self->pose;
+    double sum = pose->s + pose->s_program + pose->feed;
+    for (int x = 0; x < NCK_AXIS_MAX; x++) sum += pose->axis[x];
+    return sum - sum == 0.0 && pose->v >= 0.0 && pose->state <= NCK_TICK_HOLD
+           && filter->taps >= 1 && filter->taps <= NCK_FILTER_TAPS && filter->at < filter->taps
+           && filter->settle <= filter->taps && self->t_cell >= 0.0
+           && self->t_cell < (double)NCK_INTERPOLATE_SPAN * self->machine->period_s
+           && (!self->has_cell || self->cell.duration >= 0.0);
 }

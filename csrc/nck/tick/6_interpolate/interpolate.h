@@ -8,6 +8,7 @@
 #include "nck/base/records.h" // nck_cell_t nck_pose_t
 #include "nck/base/status.h"  // nck_status_t
 #include "nck/base/terms.h"   // nck_terms_t
+#include "nck/tick/6_interpolate/sync.h" // nck_sync_t
 
 // Periods of a span. Time counts from the last rest or, if that is longer ago, from a whole number
 // of spans after it.
@@ -37,6 +38,7 @@ typedef struct nck_interpolate {
     uint32_t waits;         // 1: until resume; any reads it
     uint32_t resume;        // any context asks to go on
     nck_filter_t filter;
+    nck_sync_t sync;      // the spindle, and the pass of a thread in work
     uint64_t k;             // periods since time began to count
     double t_cell;          // when the cell begins [s]
     nck_pose_t pose;        // of the last tick
@@ -52,6 +54,15 @@ const nck_pose_t *nck_interpolate_tick(nck_interpolate_t *self);
 // Take a cell as the tick would, without executing it: its segs count as finished.
 // Returns NCK_OK or NCK_EMPTY; never a cell of the tail. Cost: constant. Context: tick.
 nck_status_t nck_interpolate_take(nck_interpolate_t *self, nck_cell_t *cell_out);
+
+// The spindle's angle at the tick that comes, in revolutions from any begin on, counting up however
+// it turns. Until it is told for the first time, the spindle is taken to turn as commanded.
+// Cost: constant. Context: tick.
+void nck_interpolate_measure(nck_interpolate_t *self, double turns);
+
+// Stop a pass of a thread in work by itself, and begin none; the tick waits then. Cost: constant.
+// Context: any.
+void nck_interpolate_stop_thread(nck_interpolate_t *self);
 
 // 1 at a WAIT that nobody has ended. Cost: constant. Context: any.
 int nck_interpolate_is_waiting(const nck_interpolate_t *self);
@@ -72,5 +83,8 @@ uint64_t nck_interpolate_periods(double t, double period);
 // within a cell much better if it need not hold the hours before. Returns the periods of the spans
 // taken off *t. Cost: constant. Context: any.
 uint64_t nck_interpolate_rebase(double *t, double period);
+
+// Every invariant of the room, for tests: 1 if all hold. Cost: constant. Context: as the tick's.
+int nck_interpolate_invariants(const nck_interpolate_t *self);
 
 #endif

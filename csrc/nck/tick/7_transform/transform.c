@@ -2,6 +2,7 @@
 // Room 7, transform: kinematics whose joints are axes.
 #include "nck/tick/7_transform/transform.h"
 
+#include <assert.h> // assert
 #include <string.h> // memset
 
 #include "nck/base/real.h" // nck_floor
@@ -30,6 +31,7 @@ static int64_t round_even(double x) {
 }
 
 void nck_transform_tick(const nck_transform_t *self, const nck_pose_t *pose, nck_axes_t *axes_out) {
+    assert(self->joints <= NCK_AXIS_MAX);
     memset(axes_out, 0, sizeof *axes_out);
     for (uint32_t k = 0; k < self->joints; k++) {
         axes_out->joint_nm[k] = round_even(pose->axis[self->axis[k]] * self->counts[k]);

@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: MIT
+// Inside room 6: a tap.
+#include "nck/tick/6_interpolate/tap.h"
+
+#include <string.h> // memcpy
+
+#include "nck/base/fence.h" // nck_fence_load nck_fence_store
+#include "nck/base/real.h"  // nck_fabs nck_max nck_min
+
+#define STANDS 1e-3   // of a period: a spindle that turns less has stopped
+#define UNLIMITED 1e30
+
+// How far the tool may go along the pass: to the bottom and beyond, if the spindle is late, but not
+// out of the travel [mm].
+static double way_most(const nck_pass_t *pass, const nck_machine_t *machine, const double *start) {
+    double most = UNLIMITED;
+    for (int x = 0; x < 3; x++) {
+        const nck_axis_t *const axis = &machine->axis[x];
+        const double way = pass->way[x];
+        const double counts = nck_machine_counts(machine, x);
+        const double limit = (double)(way < 0.0 ? axis->min_nm : axis->max_nm) / counts;
+        if (way != 0.0) most = nck_min(most, (limit - start[x]) / way);
+    }
+    return nck_max(most, pass->length);
+}
+
+void nck_tap_begin(nck_sync_t *self, const nck_machine_t *machine, const nck_seg_t *seg) {
+    nck_pass_t *const pass = &self->pass;
+    nck_tap_plan(machine, &seg->shape.tap, seg->spin.speed, pass, &self->stop.ramp);
+    self->stop.rate = 0.0;
+    self->stop.s = pass->leave_at;
+    const double most = way_most(pass, machine, seg->start);
+    pass->enter_s = pass->ramp.time + (most - pass->ramp.length) / pass->ramp.v;
+}
+
+// Where the tool is when the spindle has turned for t at its full speed.
+static void stand(const nck_sync_t *self, const nck_seg_t *seg, nck_moment_t *at,
+                  nck_pose_t *pose) {
+    const nck_ramp_t *const ramp = &self->pass.ramp;
+    if (self->t < ramp->time) {
+        nck_thread_on_ramp(ramp, self->t, at);
+    } else {
+        *at = (nck_moment_t){ramp->length + ramp->v * (self->t - ramp->time), ramp->v, 0.0};
+    }
+    for (int x = 0; x < NCK_AXIS_MAX; x++) {
+        pose->axis[x] = seg->start[x] + self->pass.way[x] * at->s;
+    }
+    pose->feed = ramp->v;
+}
+
+// What the command has led to since the spindle began to brake [mm]: to the bottom, a rest, and out
+// again. Of a stop: from its speed to rest, whichever way it turned.
+static double commanded(const nck_sync_t *self, double dwell, double t) {
+    const nck_ramp_t *const ramp = &self->stop.ramp;
+    const double behind = t - ramp->time;
+    const double out = behind - dwell;
+    nck_moment_t at;
+    if (t < 0.0) return ramp->v * t;
+    if (behind < 0.0) {
+        nck_thread_on_ramp(ramp, -behind, &at);
+        return ramp->length - at.s;
+    }
+    if (out <= 0.0 || self->state == NCK_SYNC_STOPS) return ramp->length;
+    nck_thread_on_ramp(ramp, nck_min(out, ramp->time), &at);
+    return ramp->length - at.s - ramp->v * nck_max(0.0, out - ramp->time);
+}
+
+// The mean speed until the next tick becomes the spindle's [rpm].
+static void command(nck_sync_t *self, double period, const nck_tap_t *tap, double s,
+                    nck_pose_t *pose) {
+    const double v = self->pass.ramp.v;
+    const double dwell = (double)tap->dwell;
+    if (self->stop.rate == 0.0 && s + v * period > self->stop.s) {
+        self->stop.rate = 1.0;
+        self->stop.t = (s - self->stop.s) / v;
+    }
+    if (self->stop.rate == 0.0) return;
+    const double way = commanded(self, dwell, self->stop.t + period)
+                       - commanded(self, dwell, self->stop.t);
+    pose->spindle_rpm = self->stop.rate * way / period / tap->lead * 60.0;
+    self->stop.t += period;
+}
+
+// The spindle brakes from the speed that it was told last; the tool stays in step until it stands.
+static void begin_stop(nck_sync_t *self, const nck_tap_t *tap) {
+    const nck_ramp_t back = self->stop.ramp;
+    const double v = self->rpm * tap->lead / 60.0;
+    nck_thread_ramp(nck_fabs(v), back.a, back.j, &self->stop.ramp);
+    self->stop.rate = v < 0.0 ? -1.0 : 1.0;
+    self->stop.t = 0.0;
+    self->state = NCK_SYNC_STOPS;
+    nck_fence_store(&self->lost, 1);
+}
+
+static uint32_t end(nck_sync_t *self, nck_pose_t *pose) {
+    pose->v = 0.0;
+    self->state = NCK_SYNC_NOT;
+    return NCK_SYNC_ENDS;
+}
+
+// The turns since the begin as time; no further than the axes can follow, nor than they may go.
+// Returns by how much the spindle is beside that [s].
+static double take_turns(nck_sync_t *self, double rpm, double period) {
+    const double wanted = (self->turns - self->begin) * 60.0 / rpm;
+    const double step = NCK_SYNC_FASTER * period;
+    const double most = nck_min(self->t + step, self->pass.enter_s);
+    self->before = self->t;
+    self->t = nck_max(nck_max(0.0, self->t - step), nck_min(most, wanted));
+    return wanted - self->t;
+}
+
+uint32_t nck_tap_tick(nck_sync_t *self, const nck_machine_t *machine, const nck_seg_t *seg,
+                      nck_pose_t *pose) {
+    const nck_tap_t *const tap = &seg->shape.tap;
+    const double period = machine->period_s;
+    nck_moment_t at;
+    const double beside = take_turns(self, seg->spin.speed, period);
+    const int returns = self->stop.rate != 0.0 && self->state == NCK_SYNC_RUNS;
+    if (returns && self->t <= 0.0) {
+        memcpy(pose->axis, seg->end, sizeof pose->axis);
+        return end(self, pose);
+    }
+    const int asked = (int)nck_fence_load(&self->asked);
+    const int lost = nck_fabs(beside) > NCK_SYNC_SLACK && self->t > 0.0;
+    if (self->state == NCK_SYNC_RUNS && (asked || lost)) begin_stop(self, tap);
+    stand(self, seg, &at, pose);
+    command(self, period, tap, at.s, pose);
+    const double rate = nck_fabs(self->t - self->before) / period;
+    pose->v = at.v * rate;
+    if (self->state == NCK_SYNC_RUNS) return NCK_SYNC_RUNS;
+    pose->state = NCK_TICK_HOLD;
+    return self->stop.t > self->stop.ramp.time && rate < STANDS ? end(self, pose) : NCK_SYNC_STOPS;
+}
