@@ -5,6 +5,8 @@
 
 #include <string.h> // memcpy memset
 
+#include "nck/base/link_invariants.h" // nck_link_invariants
+
 // ---- in
 
 static int flushes(const nck_t *nck) { return nck->wire.flush != NCK_FLUSH_NOT; }
@@ -28,6 +30,8 @@ void nck_flush(nck_t *nck) {
     nck_decode_flush(&nck->decode);
     if (!flushes(nck) && !nck->wire.ended) nck->wire.flush = NCK_FLUSH_ASKED;
 }
+
+void nck_hurry(nck_t *nck, uint32_t periods) { nck_slope_hurry(&nck->slope, periods); }
 
 void nck_end(nck_t *nck) { nck_decode_end(&nck->decode); }
 
@@ -111,6 +115,14 @@ nck_status_t nck_begin(nck_t *nck) {
 
 // ---- what it tells
 
+void nck_set_spindle(nck_t *nck, double turns) {
+    nck_interpolate_measure(&nck->interpolate, turns);
+}
+
+int nck_is_thread_lost(const nck_t *nck) {
+    return (int)nck_fence_load(&nck->interpolate.sync.lost);
+}
+
 uint32_t nck_joint_count(const nck_t *nck) { return nck->transform.joints; }
 
 uint32_t nck_joint_axis(const nck_t *nck, uint32_t joint) { return nck->transform.axis[joint]; }
@@ -142,6 +154,7 @@ void nck_modal(const nck_t *nck, nck_modal_t *modal_out) {
     modal_out->tolerance_mm = decode->modal.tolerance_mm;
     modal_out->feed = decode->modal.feed;
     modal_out->spindle_rpm = decode->modal.speed > 0.0 ? decode->modal.speed : 0.0;
+    modal_out->surface = decode->modal.surface_on ? decode->modal.surface : 0.0;
     modal_out->tool_next = decode->modal.tool_next;
     modal_out->tool_in = decode->modal.tool_in;
     memcpy(modal_out->position_nm, decode->place.position_nm, sizeof modal_out->position_nm);
@@ -155,14 +168,32 @@ int nck_is_at_travel(const nck_t *nck) { return (int)nck_fence_load(&nck->travel
 
 const nck_machine_t *nck_machine_of(const nck_t *nck) { return &nck->machine; }
 
+const nck_node_t *nck_piece(const nck_t *nck, uint32_t i) {
+    return nck_lookahead_ahead(&nck->lookahead, i);
+}
+
 void nck_asked(const nck_t *nck, nck_command_t *command_out) {
     const nck_command_t *const command = &nck->command;
-    command_out->feed_percent = nck_fence_load(&command->feed_percent);
-    command_out->rapid_percent = nck_fence_load(&command->rapid_percent);
+    command_out->feed_permille = nck_fence_load(&command->feed_permille);
+    command_out->rapid_permille = nck_fence_load(&command->rapid_permille);
+    command_out->speed_um_s = nck_fence_load(&command->speed_um_s);
     command_out->hold = nck_fence_load(&command->hold);
     command_out->single_block = nck_fence_load(&command->single_block);
     command_out->resumes = nck_fence_load(&command->resumes);
     command_out->abort = nck_fence_load(&command->abort);
+}
+
+uint32_t nck_invariants(const nck_t *nck) {
+    const int holds[] = {nck_link_invariants(&nck->link),
+                         nck_decode_invariants(&nck->decode),
+                         nck_toolcomp_invariants(&nck->toolcomp),
+                         nck_smooth_invariants(&nck->smooth),
+                         nck_lookahead_invariants(&nck->lookahead),
+                         nck_slope_invariants(&nck->slope),
+                         nck_interpolate_invariants(&nck->interpolate)};
+    uint32_t broken = 0;
+    for (uint32_t k = 0; k < sizeof holds / sizeof *holds; k++) broken |= holds[k] ? 0u : 1u << k;
+    return broken;
 }
 
 nck_link_t *nck_link_of(nck_t *nck) { return &nck->link; }

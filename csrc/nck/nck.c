@@ -7,7 +7,8 @@
 #include "nck/base/real.h" // nck_floor
 
 enum {
-    PERCENT = 100, FEED_MOST = 200 // overrides
+    PERMILLE = 1000, FEED_MOST = 2000, // overrides
+    PERMILLE_PER_PERCENT = 10
 };
 
 // Rooms 3 to 5 at rest at the machine's start position, and where the link ends.
@@ -22,8 +23,9 @@ nck_status_t nck_init(nck_t *nck, const nck_machine_t *machine, const nck_hooks_
     if (status != NCK_OK) return status;
     memset(nck, 0, sizeof *nck);
     nck->machine = *machine;
-    nck->command.feed_percent = PERCENT;
-    nck->command.rapid_percent = PERCENT;
+    nck->command.feed_permille = PERMILLE;
+    nck->command.rapid_permille = PERMILLE;
+    nck->command.speed_um_s = UINT32_MAX;
     if (hooks) nck->hooks = *hooks;
     nck_slope_terms(&nck->machine, &nck->terms);
     nck_decode_init(&nck->decode, &nck->machine);
@@ -63,7 +65,7 @@ static nck_status_t push_item(nck_t *nck, const nck_smooth_item_t *item) {
     return NCK_OK;
 }
 
-// One item out of smooth. NCK_EMPTY: it needs a block.
+// One item out of smooth, or a step towards it. NCK_EMPTY: it needs a block.
 static nck_status_t carry_item(nck_t *nck) {
     nck_smooth_item_t item;
     if (!nck_link_has_room(&nck->link) || !nck_lookahead_has_room(&nck->lookahead)) return NCK_FULL;
@@ -71,7 +73,7 @@ static nck_status_t carry_item(nck_t *nck) {
     const nck_status_t status = nck_smooth_pull(&nck->smooth, &item);
     if (status == NCK_OK) return push_item(nck, &item);
     if (status == NCK_DONE) end_path(nck);
-    return status;
+    return status == NCK_FULL ? NCK_OK : status;
 }
 
 // A block into smooth, which asks for it; on the exact path its seg goes on at once. There is room.
@@ -140,14 +142,16 @@ static nck_status_t pull_block(nck_t *nck) {
     const nck_status_t status = next_block(nck);
     if (status != NCK_OK) return status == NCK_DONE ? NCK_OK : status;
     const nck_status_t pushed = carry_block(nck, &nck->wire.block);
-    if (pushed != NCK_OK) return pushed;
+    if (pushed != NCK_OK || nck_smooth_is_hungry(&nck->smooth)) return pushed;
     const nck_status_t first = carry_item(nck);
     return first < NCK_OK ? first : NCK_OK;
 }
 
 static nck_wish_t wish_of(const nck_command_t *command) {
-    const nck_wish_t wish = {(double)nck_fence_load(&command->feed_percent) / 100.0,
-                             (double)nck_fence_load(&command->rapid_percent) / 100.0,
+    const uint32_t speed_um_s = nck_fence_load(&command->speed_um_s);
+    const nck_wish_t wish = {(double)nck_fence_load(&command->feed_permille) / (double)PERMILLE,
+                             (double)nck_fence_load(&command->rapid_permille) / (double)PERMILLE,
+                             speed_um_s < UINT32_MAX ? (double)speed_um_s * 1e-3 : NCK_WISH_FREE,
                              nck_fence_load(&command->hold),
                              nck_fence_load(&command->single_block),
                              nck_fence_load(&command->resumes)};
@@ -173,9 +177,14 @@ static void drop_before(nck_t *nck, uint32_t number) {
 // lookahead ─▶ slope ─▶ plans and final cells.
 static nck_status_t step_slope(nck_t *nck) {
     const nck_pieces_t pieces = pieces_of(nck);
-    const int beyond = nck_travel_step(&nck->travel, &nck->terms, &nck->link, &pieces);
     nck_wish_t wish = wish_of(&nck->command);
-    if (beyond) wish.hold = 1;
+    if (nck_travel_is_set(&nck->travel)
+        && nck_travel_step(&nck->travel, &nck->terms, &nck->link, &pieces)) {
+        wish.hold = 1;
+    }
+    if (nck_slope_lacks(&nck->slope, &pieces) && nck_slope_is_idle(&nck->slope, &wish)) {
+        return NCK_EMPTY;
+    }
     const nck_status_t status = nck_slope_step(&nck->slope, &pieces, &wish);
     drop_before(nck, nck_slope_needs(&nck->slope));
     return status;
@@ -225,13 +234,25 @@ static nck_status_t finish_abort(const nck_t *nck) {
     return nck_slope_is_held(&nck->slope) || waits ? NCK_DONE : NCK_FULL;
 }
 
+// A block has been taken, and what it has made known is worked out. 1 if nothing is left to do
+// before more text comes.
+static int needs_text(nck_t *nck) {
+    const nck_pieces_t pieces = pieces_of(nck);
+    return nck->wire.flush == NCK_FLUSH_NOT && nck_decode_needs_text(&nck->decode)
+           && !nck_toolcomp_is_on(&nck->toolcomp) && nck_smooth_is_hungry(&nck->smooth)
+           && nck_lookahead_is_idle(&nck->lookahead) && nck_slope_lacks(&nck->slope, &pieces);
+}
+
 // More input, where rooms 5 and 4 (status, ahead) have none to work on.
 static nck_status_t take_input(nck_t *nck, nck_status_t status, nck_status_t ahead) {
-    const nck_status_t input = pull_block(nck);
+    nck_status_t input = pull_block(nck);
     if (input == NCK_E_INTERNAL) return give_up(nck, nck->wire.block.line);
-    if (input == NCK_OK) (void)nck_lookahead_step(&nck->lookahead); // what the block has made known
+    if (input == NCK_OK) {
+        (void)nck_lookahead_step(&nck->lookahead);
+        if (needs_text(nck)) input = NCK_EMPTY;
+    }
     if (input == NCK_EMPTY && nck_fence_load(&nck->interpolate.has_cell)) {
-        nck_slope_hurry(&nck->slope);
+        nck_slope_hurry(&nck->slope, 0);
     }
     if (input <= NCK_OK || input == NCK_EMPTY) return input;
     if (is_stuck(nck, status, ahead, input)) {
@@ -279,6 +300,7 @@ nck_tick_state_t nck_position(const nck_t *nck, nck_pose_t *pose_out, nck_axes_t
 
 nck_tick_state_t nck_tick(nck_t *nck, nck_pose_t *pose_out, nck_axes_t *axes_out) {
     (void)nck_interpolate_tick(&nck->interpolate);
+    if (nck_fence_load(&nck->interpolate.sync.lost)) nck_abort(nck); // nothing can follow it
     const nck_tick_state_t state = nck_position(nck, pose_out, axes_out);
     hand_over_outputs(nck);
     return state;
@@ -296,17 +318,28 @@ void nck_hold(nck_t *nck) { nck_fence_store(&nck->command.hold, 1); }
 void nck_abort(nck_t *nck) {
     nck_fence_store(&nck->command.abort, 1);
     nck_fence_store(&nck->command.hold, 1);
+    nck_interpolate_stop_thread(&nck->interpolate);
 }
 
 void nck_set_single_block(nck_t *nck, uint32_t on) {
     nck_fence_store(&nck->command.single_block, on ? 1 : 0);
 }
 
+void nck_set_override_permille(nck_t *nck, uint32_t feed_permille, uint32_t rapid_permille) {
+    const uint32_t feed = feed_permille < FEED_MOST ? feed_permille : FEED_MOST;
+    const uint32_t rapid = rapid_permille < PERMILLE ? rapid_permille : PERMILLE;
+    nck_fence_store(&nck->command.feed_permille, feed);
+    nck_fence_store(&nck->command.rapid_permille, rapid);
+}
+
 void nck_set_override(nck_t *nck, uint32_t feed_percent, uint32_t rapid_percent) {
     const uint32_t feed = feed_percent < FEED_MOST ? feed_percent : FEED_MOST;
-    const uint32_t rapid = rapid_percent < PERCENT ? rapid_percent : PERCENT;
-    nck_fence_store(&nck->command.feed_percent, feed);
-    nck_fence_store(&nck->command.rapid_percent, rapid);
+    const uint32_t rapid = rapid_percent < PERMILLE ? rapid_percent : PERMILLE;
+    nck_set_override_permille(nck, PERMILLE_PER_PERCENT * feed, PERMILLE_PER_PERCENT * rapid);
+}
+
+void nck_set_speed(nck_t *nck, uint32_t most_um_s) {
+    nck_fence_store(&nck->command.speed_um_s, most_um_s);
 }
 
 int nck_is_moving(const nck_t *nck) {

@@ -44,12 +44,13 @@ typedef struct nck_hooks {
 
 // What the operator asks for: single words, so that any context may write them.
 typedef struct nck_command {
-    uint32_t feed_percent;  // override of programmed feeds, 0 … 200
-    uint32_t rapid_percent; // override of rapids, 0 … 100
-    uint32_t hold;          // 1: come to rest on the path and stay
-    uint32_t single_block;  // 1: the same at the end of every block
-    uint32_t resumes;       // how often to go on was asked for
-    uint32_t abort;         // 1: come to rest and drop the rest of the program
+    uint32_t feed_permille;  // override of programmed feeds, 0 … 2000
+    uint32_t rapid_permille; // override of rapids, 0 … 1000
+    uint32_t speed_um_s;     // as fast as the tool may be [µm/s]; UINT32_MAX: no such limit
+    uint32_t hold;           // 1: come to rest on the path and stay
+    uint32_t single_block;   // 1: the same at the end of every block
+    uint32_t resumes;        // how often to go on was asked for
+    uint32_t abort;          // 1: come to rest and drop the rest of the program
 } nck_command_t;
 
 // How far a flush has come.
@@ -83,6 +84,7 @@ typedef struct nck_modal {
     double tolerance_mm;  // G64 P
     double feed;          // by feed_mode [mm/min, 1/min, mm/rev]; 0: none yet
     double spindle_rpm;   // S; 0: none yet
+    double surface;       // S under G96 [mm/min]; 0: G97
     uint32_t tool_next;   // T
     uint32_t tool_in;     // T at the last M6
     int64_t position_nm[NCK_AXIS_MAX]; // programmed, of the machine [nm, ndeg]
@@ -158,6 +160,13 @@ nck_status_t nck_push_block(nck_t *nck, const nck_block_in_t *block);
 // Cost: constant. Context: prep.
 void nck_flush(nck_t *nck);
 
+// Nothing more is there to push for now, and more may come: a plan that begins at rest, or takes
+// over within so many periods, takes what is known of the path. By itself nck_prep does so two
+// periods ahead, which is soon enough where it is called as long as it says NCK_OK; a caller with a
+// budget names the periods that a plan takes to be made, 1 at least. Behind NCK_EMPTY.
+// Cost: linear in periods. Context: prep.
+void nck_hurry(nck_t *nck, uint32_t periods);
+
 // Begin another program where the axes are at rest now. Offsets stay as the last block decoded has
 // left them (work systems, G92, tool length, and the tools of T and M6); modes are those of the
 // machine again, as behind nck_init; overrides and single block stay; a hold or an abort is over.
@@ -228,6 +237,14 @@ void nck_set_single_block(nck_t *nck, uint32_t on);
 // most. The other limits stay. 0 rests until it is raised again. Cost: constant. Context: any.
 void nck_set_override(nck_t *nck, uint32_t feed_percent, uint32_t rapid_percent);
 
+// The same in per mille: feeds 0 … 2000, rapids 0 … 1000. Cost: constant. Context: any.
+void nck_set_override_permille(nck_t *nck, uint32_t feed_permille, uint32_t rapid_permille);
+
+// As fast as the tool may be from now on, in feeds and rapids and whatever the overrides say
+// [µm/s]. UINT32_MAX: no such limit, as behind nck_init; 0 rests until it is raised. Moves of
+// rotary axes alone do not heed it. Cost: constant. Context: any.
+void nck_set_speed(nck_t *nck, uint32_t most_um_s);
+
 // Come to rest as by a hold and drop what has not been executed: nck_prep says NCK_DONE, the tick
 // stays in NCK_TICK_HOLD and is idle there. nck_begin goes on from there with another program.
 // Cost: constant. Context: any.
@@ -244,6 +261,18 @@ int nck_is_moving(const nck_t *nck);
 // pictures). Outputs are handed over as in the tick. Returns NCK_OK or NCK_EMPTY. Cost: constant.
 // Context: tick.
 nck_status_t nck_take(nck_t *nck, nck_cell_t *cell_out);
+
+// The spindle's angle as measured, for the next tick: in revolutions from any begin on, counting up
+// whichever way M3 or M4 has it turn, and down while a tap turns it back. Call it before every
+// nck_tick; before the first call the kernel takes the spindle to turn as commanded. Passes of
+// threads and taps follow it. Cost: constant. Context: tick.
+void nck_set_spindle(nck_t *nck, double turns);
+
+// 1 if a pass of a thread was stopped before its end, by nck_abort or since the spindle turned more
+// than 5 % faster than commanded, 2 ms ahead of the tool: then the tick rests in NCK_TICK_HOLD.
+// nck_begin forgets it.
+// Cost: constant. Context: any.
+int nck_is_thread_lost(const nck_t *nck);
 
 // Where the axes are: what the last tick has handed out, before the first one the start. Returns
 // the tick's state. Cost: constant. Context: tick; prep while the tick is at rest.
@@ -267,8 +296,17 @@ void nck_modal(const nck_t *nck, nck_modal_t *modal_out);
 // The machine, with the limits in force. Cost: constant. Context: any.
 const nck_machine_t *nck_machine_of(const nck_t *nck);
 
+// The i-th of the pieces of path that are placed and that on_node has not told yet; its caps are
+// final, its envelope may not be. NULL: not known yet. Cost: constant. Context: prep.
+const nck_node_t *nck_piece(const nck_t *nck, uint32_t i);
+
 // What the operator asks for, as of now. Cost: constant. Context: any.
 void nck_asked(const nck_t *nck, nck_command_t *command_out);
+
+// Every invariant of the kernel, for tests: 0 if all hold, else a bit (1 << k) for each room k that
+// one of them is broken in; bit 0 is the link's. Cost: linear in the capacities. Context: prep,
+// while the tick is not within a call.
+uint32_t nck_invariants(const nck_t *nck);
 
 // The link, for a planner that fills it in nck_prep's place. Cost: constant. Context: any.
 nck_link_t *nck_link_of(nck_t *nck);
