@@ -112,7 +112,9 @@ static void make_rest(const nck_seg_t *seg, nck_cell_t *cell) {
     memset(cell, 0, sizeof *cell);
     cell->seg = seg->seq;
     cell->duration = seg->shape.dwell_s;
-    cell->limit = seg->kind == NCK_SEG_DWELL ? NCK_LIMIT_DWELL : NCK_LIMIT_WAIT;
+    cell->limit = seg->kind == NCK_SEG_DWELL    ? NCK_LIMIT_DWELL
+                  : seg->kind >= NCK_SEG_THREAD ? NCK_LIMIT_THREAD
+                                                : NCK_LIMIT_WAIT;
     cell->last = 1;
     cell->stop = 1;
 }
@@ -169,8 +171,9 @@ void nck_host_grade_totals(const nck_host_grades_t *self, nck_host_totals_t *tot
     totals_out->nodes = self->unit_count;
     while (next_cell(self, &cursor, &cell)) {
         const nck_seg_t *const seg = &self->segs[cell.seg - first];
-        nck_host_totals_add(totals_out, &since_stop_s, &cell, seg->rapid,
-                            self->machine->period_s, 0);
+        const double extra_s = nck_host_totals_add(totals_out, &since_stop_s, &cell, seg->rapid,
+                                                   self->machine->period_s, 0);
+        totals_out->limit_s[cell.limit] += cell.duration + extra_s;
         totals_out->length_mm = seg->s_program + seg->program;
     }
 }

@@ -6,7 +6,8 @@
 
 #include <stddef.h> // size_t
 
-#include "nck/nck.h" // nck_t and all records
+#include "host/why.h" // nck_host_why_t
+#include "nck/nck.h"  // nck_t and all records
 
 #ifdef __cplusplus
 extern "C" {
@@ -32,8 +33,9 @@ typedef struct nck_host_decoding {
 nck_status_t nck_host_decode(nck_decode_t *decode, nck_toolcomp_t *toolcomp,
                              nck_host_decoding_t *self);
 
-// What a plan adds up to. Times in s. cut, rapid and dwell add up to time, and so do the limits;
-// accelerate, cruise and decelerate to cut and rapid.
+// What a plan adds up to. Times in s. cut, rapid and dwell add up to time, and so do the limits, a
+// ramp to the limit of the low point that it serves (host/why.h); accelerate, cruise and decelerate
+// to cut and rapid.
 typedef struct nck_host_totals {
     double time_s;              // whole periods, as the tick counts them
     double cut_s, rapid_s, dwell_s;
@@ -41,13 +43,15 @@ typedef struct nck_host_totals {
     double limit_s[NCK_LIMIT_AXIS_V + NCK_AXIS_MAX]; // by nck_limit_t
     double length_mm;           // path metric
     uint64_t ticks, blocks, segs, nodes, cells;
+    uint64_t tool_changes, spindle_starts; // their time is not in any of the sums
 } nck_host_totals_t;
 
-// Add a cell, rapid or not, to the sums. since_stop_s: time since the last rest, 0 before the
-// first cell; at a stop the tick waits for its next period, and `settle` more until its filter
-// (taps less one) has settled, and that time belongs to the cell too. Cost: constant. Context: any.
-void nck_host_totals_add(nck_host_totals_t *totals, double *since_stop_s, const nck_cell_t *cell,
-                         int rapid, double period_s, uint32_t settle);
+// Add a cell, rapid or not, to all sums but the limits'. since_stop_s: time since the last rest, 0
+// before the first cell; at a stop the tick waits for its next period, and `settle` more until its
+// filter (taps less one) has settled, and that time belongs to the cell too.
+// Returns that time [s]. Cost: constant. Context: any.
+double nck_host_totals_add(nck_host_totals_t *totals, double *since_stop_s, const nck_cell_t *cell,
+                           int rapid, double period_s, uint32_t settle);
 
 // A plan under way: kernel, input cursor, sums, and where single records go (any array may be
 // NULL).
@@ -66,6 +70,7 @@ typedef struct nck_host_plan {
     double since_stop_s;        // time since the last rest, not yet counted in whole periods
     int32_t error;              // of the program: returned when all before it is planned; NCK_OK
     int32_t status;             // last of nck_prep
+    nck_host_why_t why;         // what the time goes to; shares and a trail may be asked for
 } nck_host_plan_t;
 
 // Begin to plan a whole text (which must outlive the plan). Installs its own hooks in nck.
@@ -81,7 +86,8 @@ void nck_host_plan_blocks(nck_host_plan_t *plan);
 // An array that is given must hold at least 4 × NCK_WINDOW rows. Without arrays it goes on for
 // NCK_WINDOW cells, so that the caller can show progress.
 // Returns NCK_OK (call again), NCK_DONE, or the program error, as nck_prep; NCK_E_ARGUMENT if an
-// array is too small. Cost: linear in the text. Context: prep and tick both.
+// array is too small (those of a trail: no more than NCK_HOST_TRAIL_ROOM).
+// Cost: linear in the text. Context: prep and tick both.
 nck_status_t nck_host_plan_run(nck_host_plan_t *plan);
 
 #ifdef __cplusplus

@@ -2,30 +2,35 @@
 // Planning a whole text without executing it: cells are taken in place of the tick.
 #include "host/host.h"
 
+#include <stddef.h> // offsetof
 #include <string.h> // memcpy memset
 
 static void keep_seg(void *user, const nck_seg_t *seg) {
     nck_host_plan_t *const plan = user;
     plan->totals.segs++;
     plan->totals.length_mm = seg->s_program + seg->program;
+    nck_host_why_seg(&plan->why, seg, nck_machine_of(plan->nck)->axis);
     if (plan->segs) plan->segs[plan->seg_count++] = *seg;
 }
 
 static void keep_node(void *user, const nck_node_t *node) {
     nck_host_plan_t *const plan = user;
     plan->totals.nodes++;
+    nck_host_why_node(&plan->why, node);
     if (plan->nodes) plan->nodes[plan->node_count++] = *node;
 }
 
 static void keep_output(void *user, const nck_output_t *output) {
     nck_host_plan_t *const plan = user;
+    nck_host_share_output(&plan->why.shares, output);
     if (plan->outputs) plan->outputs[plan->output_count++] = *output;
 }
 
 nck_status_t nck_host_plan_init(nck_host_plan_t *plan, nck_t *nck, const nck_machine_t *machine,
                                 const char *text, size_t n) {
     const nck_hooks_t hooks = {plan, keep_output, keep_node, keep_seg};
-    memset(plan, 0, sizeof *plan);
+    memset(plan, 0, offsetof(nck_host_plan_t, why));
+    nck_host_why_init(&plan->why, nck);
     plan->nck = nck;
     plan->text = text;
     plan->text_size = n;
@@ -34,7 +39,6 @@ nck_status_t nck_host_plan_init(nck_host_plan_t *plan, nck_t *nck, const nck_mac
 
 // Time of a part of the plan, to every sum it belongs to.
 static void add_time(nck_host_totals_t *totals, const nck_cell_t *cell, int rapid, double time) {
-    totals->limit_s[cell->limit] += time;
     if (!(cell->length > 0.0)) {
         totals->dwell_s += time;
         return;
@@ -47,24 +51,26 @@ static void add_time(nck_host_totals_t *totals, const nck_cell_t *cell, int rapi
     *phase += time;
 }
 
-void nck_host_totals_add(nck_host_totals_t *totals, double *since_stop_s, const nck_cell_t *cell,
-                         int rapid, double period_s, uint32_t settle) {
+double nck_host_totals_add(nck_host_totals_t *totals, double *since_stop_s, const nck_cell_t *cell,
+                           int rapid, double period_s, uint32_t settle) {
     totals->cells++;
     add_time(totals, cell, rapid, cell->duration);
     *since_stop_s += cell->duration;
     if (!(cell->stop & NCK_STOP_REST)) {
         totals->ticks += nck_interpolate_rebase(since_stop_s, period_s);
-        return;
+        return 0.0;
     }
     const uint64_t periods = nck_interpolate_periods(*since_stop_s, period_s)
                              + (cell->length > 0.0 ? settle : 0);
-    add_time(totals, cell, rapid, (double)periods * period_s - *since_stop_s);
+    const double extra_s = (double)periods * period_s - *since_stop_s;
+    add_time(totals, cell, rapid, extra_s);
     totals->ticks += periods;
     totals->time_s = (double)totals->ticks * period_s;
     *since_stop_s = 0.0;
+    return extra_s;
 }
 
-// Take all final cells. Returns how many.
+// Take all final cells, as long as there is room for their points. Returns how many.
 static uint32_t take_cells(nck_host_plan_t *plan) {
     const nck_machine_t *const machine = nck_machine_of(plan->nck);
     nck_terms_t terms;
@@ -72,10 +78,11 @@ static uint32_t take_cells(nck_host_plan_t *plan) {
     const uint32_t settle = terms.taps - 1u;
     nck_cell_t cell;
     uint32_t count = 0;
-    while (nck_take(plan->nck, &cell) == NCK_OK) {
+    while (nck_host_trail_has_room(&plan->why.trail) && nck_take(plan->nck, &cell) == NCK_OK) {
         const int rapid = nck_link_seg(nck_link_of(plan->nck), cell.seg)->rapid;
-        nck_host_totals_add(&plan->totals, &plan->since_stop_s, &cell, rapid,
-                            machine->period_s, settle);
+        const double extra_s = nck_host_totals_add(&plan->totals, &plan->since_stop_s, &cell,
+                                                   rapid, machine->period_s, settle);
+        nck_host_why_cell(&plan->why, &cell, extra_s);
         if (plan->cells) plan->cells[plan->cell_count++] = cell;
         count++;
     }
@@ -118,7 +125,8 @@ static int has_room(const nck_host_plan_t *plan) {
     return (!plan->segs || plan->seg_max - plan->seg_count > 1)
            && (!plan->nodes || plan->node_max - plan->node_count > NCK_CELL_MAX)
            && (!plan->cells || plan->cell_max - plan->cell_count > NCK_CELL_MAX)
-           && (!plan->outputs || plan->output_max - plan->output_count > NCK_OUTPUT_MAX);
+           && (!plan->outputs || plan->output_max - plan->output_count > NCK_OUTPUT_MAX)
+           && nck_host_trail_has_room(&plan->why.trail);
 }
 
 static int arrays_are_large(const nck_host_plan_t *plan) {
@@ -138,7 +146,21 @@ static nck_status_t step(nck_host_plan_t *plan) {
     if (plan->status == NCK_EMPTY) feed(plan);
     if (plan->status == NCK_DONE) take_cells(plan);
     if (plan->status == NCK_FULL && take_cells(plan) == 0 && was_full) return NCK_E_INTERNAL;
-    return plan->status == NCK_DONE ? NCK_DONE : NCK_OK;
+    const int is_done = plan->status == NCK_DONE && nck_host_trail_has_room(&plan->why.trail);
+    return is_done ? NCK_DONE : NCK_OK;
+}
+
+// What others than cells know of the sums.
+static void complete_totals(nck_host_plan_t *plan) {
+    const nck_host_why_t *const why = &plan->why;
+    nck_queue_t queue;
+    nck_queue(plan->nck, &queue);
+    plan->totals.blocks = queue.blocks;
+    plan->totals.tool_changes = why->shares.tool_changes;
+    plan->totals.spindle_starts = why->shares.spindle_starts;
+    for (uint32_t k = 0; k < NCK_LIMIT_AXIS_V + NCK_AXIS_MAX; k++) {
+        plan->totals.limit_s[k] = why->limit_s[k].sum + why->limit_s[k].rest;
+    }
 }
 
 nck_status_t nck_host_plan_run(nck_host_plan_t *plan) {
@@ -149,11 +171,13 @@ nck_status_t nck_host_plan_run(nck_host_plan_t *plan) {
     plan->node_count = 0;
     plan->cell_count = 0;
     plan->output_count = 0;
+    nck_host_trail_again(&plan->why.trail, nck_machine_of(plan->nck));
+    if (!nck_host_trail_has_room(&plan->why.trail)) return NCK_E_ARGUMENT;
     while (status == NCK_OK && has_room(plan) && plan->totals.cells - cells_before < NCK_WINDOW) {
         status = step(plan);
     }
-    nck_queue_t queue;
-    nck_queue(plan->nck, &queue);
-    plan->totals.blocks = queue.blocks;
+    if (status == NCK_DONE) nck_host_why_end(&plan->why);
+    if (plan->why.broken || plan->why.trail.broken) return NCK_E_INTERNAL;
+    complete_totals(plan);
     return status == NCK_DONE && plan->error < NCK_OK ? (nck_status_t)plan->error : status;
 }

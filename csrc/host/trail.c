@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: MIT
+// Stretches of a plan joined, and the points where they end.
+#include "host/trail.h"
+
+#include <string.h> // memset
+
+#include "nck/base/path.h" // nck_path_part nck_path_second
+#include "nck/base/real.h" // nck_sqrt nck_fabs nck_min
+
+// A chord of a bend is so far from it at most [mm], and turns so far at most [rad].
+#define CHORD 0.005
+#define TURN 0.18
+// Accelerations within this share of the machine's, speeds within this share of the feed go on
+// alike.
+#define LIKE_A (1.0 / 64.0)
+#define LIKE_V (1.0 / 512.0)
+#define CHORDS_MOST 256.0
+
+void nck_host_trail_again(nck_host_trail_t *self, const nck_machine_t *machine) {
+    self->before += self->point_count;
+    self->point_count = 0;
+    self->foot_count = 0;
+    self->a_like = LIKE_A * machine->path.a_max;
+}
+
+int nck_host_trail_has_room(const nck_host_trail_t *self) {
+    return !self->points
+           || (self->point_max - self->point_count > NCK_HOST_TRAIL_ROOM
+               && self->foot_max - self->foot_count > NCK_HOST_TRAIL_ROOM);
+}
+
+static uint64_t told(const nck_host_trail_t *self) { return self->before + self->point_count; }
+
+static void give(nck_host_trail_t *self, const nck_host_point_t *point) {
+    if (self->point_count == self->point_max) {
+        self->broken = 1;
+        return;
+    }
+    self->points[self->point_count] = *point;
+    self->point_count++;
+}
+
+static void close_stretch(nck_host_trail_t *self) {
+    if (self->is_open) give(self, &self->open);
+    self->is_open = 0;
+}
+
+static void pass_time(nck_host_trail_t *self, double time) {
+    nck_host_cause_sum(&self->t, time);
+    self->open.t = self->t.sum + self->t.rest;
+    self->duration += time;
+}
+
+static void begin(nck_host_trail_t *self, const nck_host_stride_t *stretch, double v) {
+    nck_host_point_t *const open = &self->open;
+    open->feed = stretch->feed;
+    open->line = stretch->seg->line;
+    open->tool = stretch->tool;
+    open->limit = stretch->cell->limit;
+    open->rapid = stretch->seg->rapid;
+    open->rests = 0;
+    self->seg = stretch->seg->seq;
+    self->falls = stretch->falls;
+    self->v_begin = v;
+    self->length = 0.0;
+    self->duration = 0.0;
+}
+
+// The first point: where the path begins.
+static void give_start(nck_host_trail_t *self, const nck_host_stride_t *stretch) {
+    if (told(self) > 0) return;
+    memset(&self->open, 0, sizeof self->open);
+    begin(self, stretch, 0.0);
+    nck_path_part(stretch->seg, 0.0, 3, self->open.xyz);
+    give(self, &self->open);
+}
+
+// How long a chord of the path may be at a place [path mm]; 0: there is no bend.
+static double chord_at(const nck_seg_t *seg, double s) {
+    double second[NCK_AXIS_MAX];
+    double square = 0.0;
+    if (seg->kind != NCK_SEG_ARC && seg->kind != NCK_SEG_SPLINE) return 0.0;
+    nck_path_second(seg, nck_min(seg->length, nck_max(0.0, s)), second);
+    for (int x = 0; x < NCK_AXIS_MAX; x++) square += second[x] * second[x];
+    const double bend = nck_sqrt(square);
+    return bend > 0.0 ? nck_min(nck_sqrt(8.0 * CHORD / bend), TURN / bend) : 0.0;
+}
+
+// 1 if a stretch with such an acceleration, so long and so fast at its end, goes on as the open one
+// does.
+static int goes_on(const nck_host_trail_t *self, const nck_host_stride_t *stretch, double a,
+                   double v, double time) {
+    const nck_host_point_t *const open = &self->open;
+    const double v_straight = self->v_begin + self->a_begin * (self->duration + time);
+    return self->is_open && self->seg == stretch->seg->seq && self->falls == stretch->falls
+           && open->limit == stretch->cell->limit && !(open->feed < stretch->feed)
+           && !(open->feed > stretch->feed) && nck_fabs(a - self->a_begin) <= self->a_like
+           && nck_fabs(v - v_straight) <= LIKE_V * stretch->feed;
+}
+
+static double speed_at(const nck_cell_t *cell, double t) {
+    return nck_max(0.0, cell->v + t * (cell->a + 0.5 * cell->j * t));
+}
+
+static double way_at(const nck_cell_t *cell, double t) {
+    return t * (cell->v + t * (0.5 * cell->a + cell->j * t / 6.0));
+}
+
+// A part of a stretch, no longer than a chord may be.
+static void step(nck_host_trail_t *self, const nck_host_stride_t *stretch, double from,
+                 double to, double chord) {
+    const nck_cell_t *const cell = stretch->cell;
+    const double time = to - from;
+    const double v = speed_at(cell, to);
+    const double a = time > 0.0 ? (v - speed_at(cell, from)) / time : 0.0;
+    const double s = way_at(cell, to);
+    const double length = s - way_at(cell, from);
+    const int is_bent = chord > 0.0 && self->length + length > chord;
+    if (is_bent || !goes_on(self, stretch, a, v, time)) {
+        close_stretch(self);
+        begin(self, stretch, speed_at(cell, from));
+        self->a_begin = a;
+        self->is_open = 1;
+    }
+    self->length += length;
+    self->open.v = v;
+    nck_path_part(stretch->seg, stretch->s + s, 3, self->open.xyz);
+    pass_time(self, time);
+}
+
+void nck_host_trail_move(nck_host_trail_t *self, const nck_host_stride_t *stretch) {
+    give_start(self, stretch);
+    const double time = stretch->to - stretch->from;
+    const double s = way_at(stretch->cell, stretch->from);
+    const double length = way_at(stretch->cell, stretch->to) - s;
+    const double chord = chord_at(stretch->seg, stretch->s + s);
+    const size_t room = self->point_max - self->point_count;
+    const int is_bent = chord > 0.0 && room > NCK_HOST_TRAIL_ROOM / 2;
+    const double parts = is_bent ? nck_min(CHORDS_MOST, length / chord) : 0.0;
+    double from = stretch->from;
+    for (int k = 1; (double)k < parts; k++) {
+        const double to = stretch->from + time * (double)k / parts;
+        step(self, stretch, from, to, chord);
+        from = to;
+    }
+    step(self, stretch, from, stretch->to, chord);
+}
+
+void nck_host_trail_rest(nck_host_trail_t *self, const nck_host_stride_t *stretch, double time) {
+    if (!(time > 0.0)) return;
+    give_start(self, stretch);
+    close_stretch(self);
+    begin(self, stretch, 0.0);
+    self->open.v = 0.0;
+    self->open.rests = 1;
+    pass_time(self, time);
+    give(self, &self->open);
+}
+
+void nck_host_trail_fastest(nck_host_trail_t *self) { self->fastest = told(self) + self->is_open; }
+
+void nck_host_trail_low(nck_host_trail_t *self) {
+    if (!self->points) return;
+    close_stretch(self);
+    self->foot.first = self->fastest;
+    self->foot.at = told(self) > 0 ? told(self) - 1 : 0;
+    self->fastest = told(self);
+}
+
+void nck_host_trail_settle(nck_host_trail_t *self, const nck_host_low_t *low) {
+    if (!self->points) return;
+    if (self->foot_count == self->foot_max) {
+        self->broken = 1;
+        return;
+    }
+    self->foot.low = *low;
+    self->feet[self->foot_count] = self->foot;
+    self->foot_count++;
+}
