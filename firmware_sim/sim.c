@@ -2,7 +2,10 @@
 // The simulation: one loop in place of a low-priority task and a timer interrupt.
 #include "sim.h"
 
+#include <math.h>   // sin
 #include <string.h> // memcpy memset
+
+#include "nck/base/trig_math.h" // NCK_PI
 
 enum {
     PERCENT = 100,
@@ -12,7 +15,10 @@ enum {
 
 static void keep_output(void *user, const nck_output_t *output) {
     sim_t *const sim = user;
+    const int follows = output->kind == NCK_OUTPUT_SURFACE_SPEED;
     if (output->kind == NCK_OUTPUT_SPINDLE_SPEED) sim->spindle_rpm = output->value;
+    const int speaks = follows || output->kind == NCK_OUTPUT_SPINDLE_SPEED;
+    if (speaks) sim->spindle_follows = (uint32_t)follows;
     sim->outputs++;
 }
 
@@ -139,7 +145,7 @@ static sim_end_t cause_of_rest(const sim_t *sim) {
     const nck_command_t command = asked_of(sim->nck);
     if (command.abort) return SIM_END_STALLED; // prep has to say that it is done
     if (command.hold) return SIM_END_HOLD;
-    if (command.feed_percent == 0 || command.rapid_percent == 0) return SIM_END_OVERRIDE;
+    if (command.feed_permille == 0 || command.rapid_permille == 0) return SIM_END_OVERRIDE;
     nck_pose_t pose;
     nck_axes_t axes;
     const int held = nck_position(sim->nck, &pose, &axes) == NCK_TICK_HOLD;
@@ -169,14 +175,33 @@ static int moves(const sim_t *sim) {
     return nck_is_moving(sim->nck);
 }
 
+// The spindle turns on for a period, at the speed that the last tick has commanded.
+static void turn_spindle(sim_t *sim) {
+    sim_spindle_t *const spindle = &sim->spindle;
+    nck_pose_t pose;
+    nck_axes_t axes;
+    if (!spindle->on) return;
+    const double period = nck_machine_of(sim->nck)->period_s;
+    const double share = spindle->late_s > period ? period / spindle->late_s : 1.0;
+    (void)nck_position(sim->nck, &pose, &axes);
+    spindle->rpm += share * (pose.spindle_rpm - spindle->rpm);
+    const double angle = 2.0 * NCK_PI * spindle->turns / spindle->ripple_turns;
+    const double uneven = spindle->ripple > 0.0 ? spindle->ripple * sin(angle) : 0.0;
+    spindle->turns += spindle->rpm / 60.0 * (1.0 + uneven) * period;
+    nck_set_spindle(sim->nck, spindle->turns);
+}
+
 static void tick(sim_t *sim, sim_row_t *row) {
     memset(row, 0, sizeof *row);
     if (moves(sim)) sim->resumed = 0;
+    turn_spindle(sim);
+    row->spindle_turns = sim->spindle.turns;
     const nck_tick_state_t state = nck_tick(sim->nck, &row->pose, &row->axes);
     if (state == NCK_TICK_WAIT) end_wait(sim->nck);
     sim->starved_ticks += state == NCK_TICK_STARVED;
     sim->ticks++;
     row->t_s = (double)sim->ticks * nck_machine_of(sim->nck)->period_s;
+    if (sim->spindle_follows) sim->spindle_rpm = row->pose.spindle_rpm;
     row->spindle_rpm = sim->spindle_rpm;
     row->queue_cells = nck_queue_cells(sim->nck);
     row->feed_percent = sim->feed_percent;

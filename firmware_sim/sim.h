@@ -13,11 +13,22 @@ typedef struct sim_row {
     double t_s;            // tick number × period, the first tick being number 1
     nck_pose_t pose;
     nck_axes_t axes;
-    double spindle_rpm;    // last S word handed over
+    double spindle_rpm;    // last S word handed over; under G96 what it means at this tick
+    double spindle_turns;  // angle of a measured spindle [revolutions]
     uint32_t queue_cells;  // final cells waiting
     uint16_t feed_percent; // override in force
     uint16_t rapid_percent;
 } sim_row_t;
+
+// A spindle that is measured: it follows its command late, and turns unevenly.
+typedef struct sim_spindle {
+    double late_s;         // time constant of its speed [s]; 0: it follows at once
+    double ripple;         // share by which its speed swells and falls
+    double ripple_turns;   // over so many revolutions
+    double rpm;            // without the ripple
+    double turns;          // angle [revolutions]
+    uint32_t on;           // 1: there is one
+} sim_spindle_t;
 
 // What the operator can do.
 typedef enum sim_command_kind {
@@ -72,7 +83,9 @@ typedef struct sim {
     uint64_t ticks;        // so far
     uint64_t starved_ticks;
     uint64_t outputs;      // handed over so far
-    double spindle_rpm;    // last S word handed over
+    double spindle_rpm;    // last S word handed over; under G96 what it means now
+    uint32_t spindle_follows; // 1: G96
+    sim_spindle_t spindle; // set it behind sim_init
 } sim_t;
 
 // Set up a run. The kernel is initialised here (hooks are the simulation's); the text must outlive

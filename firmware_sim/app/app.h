@@ -136,6 +136,8 @@ typedef struct app {
     struct {                      // written by the tick: what the program wants of the spindle
         int32_t rpm;              // S
         int32_t turns;            // M3: 1, M4: -1, M5: 0
+        uint32_t follows;         // 1: G96, rpm follows the position
+        uint32_t taps;            // 1: the tick before was one of a tap
     } spindle;
 
     volatile uint32_t fault_stack; // priority + 1 of a task that left its stack; the kernel's hook

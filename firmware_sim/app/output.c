@@ -26,10 +26,23 @@ static void execute(app_t *app, int code) {
     }
 }
 
+static void set_speed(app_t *app, double rpm) {
+    app->spindle.rpm = rpm < (double)INT32_MAX ? (int32_t)rpm : INT32_MAX;
+    set_spindle(app);
+}
+
 void app_output(void *user, const nck_output_t *output) {
     app_t *const app = user;
     if (output->kind == NCK_OUTPUT_M) execute(app, (int)output->value);
+    if (output->kind == NCK_OUTPUT_SURFACE_SPEED) app->spindle.follows = 1;
     if (output->kind != NCK_OUTPUT_SPINDLE_SPEED) return;
-    app->spindle.rpm = output->value < (double)INT32_MAX ? (int32_t)output->value : INT32_MAX;
-    set_spindle(app);
+    app->spindle.follows = 0;
+    set_speed(app, output->value);
+}
+
+void app_output_follow(void *user, double rpm, int taps) {
+    app_t *const app = user;
+    const int follows = app->spindle.follows || app->spindle.taps || taps;
+    app->spindle.taps = (uint32_t)taps;
+    if (follows && (int32_t)rpm != app->spindle.rpm) set_speed(app, rpm);
 }

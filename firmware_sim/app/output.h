@@ -8,4 +8,8 @@
 // Switch what an output says; user is the app_t. Cost: constant. Context: tick.
 void app_output(void *user, const nck_output_t *output);
 
+// The spindle's speed at this tick [rpm]: under G96 it follows the position, while taps is 1 it
+// brakes and turns back (< 0). user is the app_t. Cost: constant. Context: tick.
+void app_output_follow(void *user, double rpm, int taps);
+
 #endif

@@ -5,7 +5,7 @@
 #include <stddef.h> // offsetof
 #include <string.h> // memcpy
 
-typedef enum kind { REAL, INTEGER, WORD, BYTE } kind_t;
+typedef enum kind { REAL, INTEGER, WORD, HALF, BYTE } kind_t;
 
 typedef struct setting {
     const char *name;
@@ -55,8 +55,14 @@ static const setting_t settings[] = {
     ONE(dialect.arc_absolute, BYTE),
     ONE(dialect.block_skip, BYTE),
     ONE(dialect.optional_stop, BYTE),
+    ONE(dialect.system, BYTE),
+    ONE(dialect.feed, BYTE),
+    ONE(dialect.from_line, WORD),
     ONE(dialect.feed_default, REAL),
+    ONE(dialect.scale_unit, REAL),
+    ONE(dialect.thread_pull, REAL),
     ONE(spindle.rpm_max, REAL),
+    ONE(spindle.a_max_rpm_s, REAL),
     LIST(start_nm, INTEGER),
     TABLE(home_nm, INTEGER),
     TABLE(work_nm, INTEGER),
@@ -67,6 +73,10 @@ static const setting_t settings[] = {
     {"tool.offset_nm", INTEGER, offsetof(nck_machine_t, tool[0].offset_nm),
      (int64_t)(sizeof MACHINE->tool / sizeof MACHINE->tool[0]), 3, sizeof MACHINE->tool[0]},
     RECORDS(tool, radius_mm, REAL),
+    RECORDS(tool, wear_mm, REAL),
+    ONE(own_m_count, WORD),
+    RECORDS(own_m, code, HALF),
+    RECORDS(own_m, waits, BYTE),
 };
 
 static const setting_t *find(const app_word_t *name) {
@@ -77,7 +87,8 @@ static const setting_t *find(const app_word_t *name) {
 }
 
 static size_t size_of(kind_t kind) {
-    static const size_t sizes[] = {sizeof(double), sizeof(int64_t), sizeof(uint32_t), 1};
+    static const size_t sizes[] = {sizeof(double), sizeof(int64_t), sizeof(uint32_t),
+                                   sizeof(uint16_t), 1};
     return sizes[kind];
 }
 
@@ -90,12 +101,15 @@ static int store(void *place, kind_t kind, const app_word_t *word) {
         return 1;
     }
     if (!app_integer(word, &integer)) return 0;
-    const uint32_t narrow = (uint32_t)integer;
+    const uint32_t word_of = (uint32_t)integer;
+    const uint16_t half = (uint16_t)integer;
     const uint8_t byte = (uint8_t)integer;
-    if (kind == INTEGER) memcpy(place, &integer, sizeof integer);
-    else if (kind == WORD) memcpy(place, &narrow, sizeof narrow);
-    else memcpy(place, &byte, sizeof byte);
-    return kind == INTEGER || integer == (kind == WORD ? (int64_t)narrow : (int64_t)byte);
+    switch (kind) {
+    case WORD: memcpy(place, &word_of, sizeof word_of); return integer == (int64_t)word_of;
+    case HALF: memcpy(place, &half, sizeof half); return integer == (int64_t)half;
+    case BYTE: memcpy(place, &byte, sizeof byte); return integer == (int64_t)byte;
+    default: memcpy(place, &integer, sizeof integer); return 1;
+    }
 }
 
 app_setting_status_t app_setting(nck_machine_t *machine, const app_word_t *name, int64_t row,

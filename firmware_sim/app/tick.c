@@ -4,8 +4,9 @@
 
 #include <string.h> // memcmp
 
-#include "app/guard.h" // app_guard_lets
-#include "hal/hal.h"   // hal_write hal_make_safe hal_watchdog_feed
+#include "app/guard.h"  // app_guard_lets
+#include "app/output.h" // app_output_follow
+#include "hal/hal.h"    // hal_write hal_make_safe hal_watchdog_feed
 
 enum { SUPERVISOR_LATE = 50 }; // ticks without a cycle of the supervisor that are a fault
 
@@ -53,7 +54,7 @@ static void write_row(const app_t *app) {
 static uint32_t state_of(const app_t *app, nck_tick_state_t state) {
     nck_command_t asked;
     nck_asked(&app->nck, &asked);
-    const int nothing = asked.feed_percent == 0 || asked.rapid_percent == 0;
+    const int nothing = asked.feed_permille == 0 || asked.rapid_permille == 0;
     const int rests = state == NCK_TICK_STARVED || (state == NCK_TICK_IDLE && !app->prep.done);
     return nothing && rests ? NCK_TICK_HOLD : state;
 }
@@ -78,6 +79,7 @@ static void take_setpoint(app_t *app) {
     }
     const int still = pose.v == 0.0 && memcmp(&axes, &app->tick.axes, sizeof axes) == 0;
     app->tick.resting = still ? app->tick.resting + 1 : 0;
+    app_output_follow(app, pose.spindle_rpm, pose.kind == NCK_SEG_TAP);
     app->tick.pose = pose;
     app->tick.axes = axes;
     count_lateness(app);

@@ -22,5 +22,5 @@ else()
     message(FATAL_ERROR "NCK_CORE is m4f, m7 or m55, not ${NCK_CORE}")
 endif()
 string(APPEND core_options " -mthumb -mfloat-abi=hard")
-set(CMAKE_C_FLAGS_INIT "${core_options} -ffunction-sections -fdata-sections")
+set(CMAKE_C_FLAGS_INIT "${core_options} -DNDEBUG -ffunction-sections -fdata-sections")
 set(CMAKE_ASM_FLAGS_INIT "${core_options}") # without it the assembler takes another core

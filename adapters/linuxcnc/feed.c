@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: MIT
+// From the ring of moves into the kernel.
+#include "feed.h"
+
+#include <math.h>  // fabs fmax fmin
+#include <stdio.h> // snprintf
+
+enum {
+    PATIENCE_AT_REST = 10, // cycles without a move until what is there counts as all
+    WAIT_AT_REST = 30,     // cycles that the kernel may wait there for a whole window
+    PATIENCE = 40,         // the same while the tool moves, and is near the end of what is known
+    PATIENCE_FAR = 100,    // the same wherever it is: chords may be known and not be a path yet
+    WAY_UNDER_WAY = 60     // periods at full speed that a plan takes to be made, at most
+};
+
+// Limits further out than the kernel takes are none.
+static double within(uint32_t quantity, double value) {
+    nck_range_t range;
+    nck_machine_range(quantity, &range);
+    return fmin(fmax(value, range.low), range.high);
+}
+
+void feed_machine(const planner_t *self, nck_machine_t *machine_out) {
+    nck_machine_t *const machine = machine_out;
+    double j_most = 1.0;
+    double v_most = 1.0;
+    double a_most = 1.0;
+    nck_machine_default(machine);
+    machine->period_s = self->cycle_s;
+    machine->slope = self->settings.slope;
+    machine->path.tolerance = self->settings.tolerance;
+    for (int k = 0; k < MOVES_AXES; k++) {
+        nck_axis_t *const axis = &machine->axis[k];
+        const double scale = settings_scale(&self->settings, k);
+        const double v = self->hooks.v_max(k) * scale;
+        const double a = self->hooks.a_max(k) * scale;
+        axis->present = (uint8_t)(self->settings.axes >> k & 1u);
+        if (!axis->present) continue;
+        axis->v_max = within(NCK_QUANTITY_SPEED, v > 0.0 ? v : self->settings.v_max[k]);
+        axis->a_max = within(NCK_QUANTITY_ACCELERATION, a > 0.0 ? a : self->settings.a_max[k]);
+        axis->rapid = axis->v_max;
+        axis->j_max = within(NCK_QUANTITY_JERK, fmax(self->settings.jerk[k], 1e-3));
+        v_most += axis->v_max;
+        a_most += axis->a_max;
+        j_most += axis->j_max;
+    }
+    machine->path.feed_max = within(NCK_QUANTITY_SPEED, v_most); // the host's own limit is a wish
+    machine->path.a_max =
+        within(NCK_QUANTITY_ACCELERATION, self->a_path > 0.0 ? self->a_path : a_most);
+    machine->path.j_max = within(NCK_QUANTITY_JERK, j_most);
+    machine->own_m_count = 2;
+    machine->own_m[0].code = MOVES_M_PASS;
+    machine->own_m[1].code = MOVES_M_WAIT;
+    machine->own_m[1].waits = 1;
+}
+
+int feed_limits_changed(const planner_t *self) {
+    const double a_path = within(NCK_QUANTITY_ACCELERATION, self->a_path);
+    if (self->a_path > 0.0 && self->machine.path.a_max != a_path) return 1;
+    for (int k = 0; k < MOVES_AXES; k++) {
+        const nck_axis_t *const axis = &self->machine.axis[k];
+        const double scale = settings_scale(&self->settings, k);
+        const double v = self->hooks.v_max(k) * scale;
+        const double a = self->hooks.a_max(k) * scale;
+        if (!axis->present) continue;
+        if (!(v > 0.0) || !(a > 0.0)) continue;
+        if (axis->v_max != within(NCK_QUANTITY_SPEED, v)) return 1;
+        if (axis->a_max != within(NCK_QUANTITY_ACCELERATION, a)) return 1;
+    }
+    return 0;
+}
+
+// What follows has the limits of now. 0: not yet, what is before it has to be planned.
+static int set_limits(planner_t *self) {
+    feed_machine(self, &self->machine);
+    return nck_set_limits(&self->nck, &self->machine) != NCK_FULL;
+}
+
+// What the kernel has is executed to its end: the spindle leads then. Returns 1 for a flush.
+static int finish(planner_t *self) {
+    if (self->flushed == self->moves.next) return 0;
+    nck_flush(&self->nck);
+    self->flushed = self->moves.next;
+    return 1;
+}
+
+// Returns 1 if there is work for prep.
+static int push(planner_t *self) {
+    moves_t *const moves = &self->moves;
+    nck_block_in_t block;
+    if (moves_at(moves, moves->next)->kind >= MOVE_THREAD) return finish(self);
+    if (moves_at(moves, moves->next)->kind == MOVE_LIMITS) {
+        moves->next += (uint32_t)set_limits(self);
+        return 1;
+    }
+    const int last = moves_block(moves, self->offset, &block);
+    const nck_status_t status = nck_push_block(&self->nck, &block);
+    if (status == NCK_FULL) return 1;
+    if (status != NCK_OK) self->failed = 1;
+    moves->part = last ? 0 : moves->part + 1;
+    moves->next += (uint32_t)last;
+    self->flushed = moves->next - 1;
+    self->empty = 0;
+    return 1;
+}
+
+// More way is known than a brake takes and a plan to make: more may still come in time.
+static int is_far(const planner_t *self) {
+    nck_queue_t queue;
+    double v = 0.0, a = 1e12, j = 1e12;
+    if (!(self->told.v > 0.0)) return 0;
+    for (int k = 0; k < MOVES_AXES; k++) {
+        const nck_axis_t *const axis = &self->machine.axis[k];
+        if (!axis->present) continue;
+        v = fmax(v, axis->v_max);
+        a = fmin(a, axis->a_max);
+        j = fmin(j, axis->j_max);
+    }
+    nck_queue(&self->nck, &queue);
+    const uint32_t held = queue.smooth + 1; // their ends are not planned
+    const move_t *const known = moves_at((moves_t *)&self->moves, self->moves.next - held);
+    const double brake = 0.5 * v * (v / a + a / j);
+    return known->way - self->at > brake + WAY_UNDER_WAY * self->cycle_s * v;
+}
+
+// Nothing more has come for a while: what is there is all, as far as anybody knows.
+static int flush(planner_t *self) {
+    const uint32_t patience = self->told.v > 0.0 ? PATIENCE : PATIENCE_AT_REST;
+    if (self->flushed == self->moves.next || self->quiet < patience) return 0;
+    if (self->quiet < PATIENCE_FAR && is_far(self)) return 0;
+    nck_flush(&self->nck);
+    self->flushed = self->moves.next;
+    return 1;
+}
+
+static void fail(planner_t *self) {
+    char text[128];
+    nck_diagnostic_t found;
+    while (nck_diagnostic(&self->nck, &found) == NCK_OK) {
+        if (found.code >= NCK_OK) continue;
+        (void)snprintf(text, sizeof text, "move %d: %s",
+                       (int)moves_at(&self->moves, found.line)->id, nck_status_id(found.code));
+        self->hooks.message(text);
+    }
+    self->failed = 1;
+}
+
+// Nothing more is there, and the path is not to end here: plan with what is known, in time.
+static void hurry(planner_t *self) {
+    const int moves = self->told.v > 0.0;
+    self->idle = moves ? 0 : self->idle + 1;
+    if (moves || self->idle > WAIT_AT_REST) nck_hurry(&self->nck, WAY_UNDER_WAY);
+}
+
+// The kernel needs input.
+static int give(planner_t *self) {
+    if (self->moves.next == self->moves.head) return flush(self);
+    return push(self);
+}
+
+int feed_is_done(const planner_t *self) {
+    nck_queue_t queue;
+    if (!self->empty) return 0;
+    nck_queue(&self->nck, &queue);
+    return queue.segs == 0 && queue.outputs == 0 && nck_is_idle(&self->nck);
+}
+
+void feed_prepare(planner_t *self) {
+    uint32_t n = 0;
+    for (; n < self->settings.budget; n++) {
+        const nck_status_t status = nck_prep(&self->nck);
+        if (status == NCK_OK) continue;
+        self->empty = status == NCK_EMPTY && self->flushed == self->moves.next;
+        if (status == NCK_EMPTY && !self->failed && give(self)) continue;
+        if (status == NCK_EMPTY) hurry(self);
+        if (status < NCK_OK) fail(self);
+        break;
+    }
+    self->told.steps = n;
+}

@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: MIT
+// The ring of moves, and what of them the kernel takes.
+#include "moves.h"
+
+#include <math.h>   // fabs sqrt
+#include <string.h> // memcpy memset
+
+static const double chord_error = 1e-4;    // [mm] of arcs about other axes
+static const double chord_tolerance = 2e-3;// [mm] of them where the path is to be exact
+static const double arc_error = 5e-3;      // [mm] by which an arc's radii may differ
+static const double upright = 1.0 - 1e-9;  // of an axis that is X, Y or Z
+
+int moves_full(const moves_t *self) { return self->head - self->tail >= MOVES_MAX - MOVES_MARGIN; }
+
+void moves_clear(moves_t *self) {
+    self->next = self->head;
+    self->tail = self->head;
+    self->part = 0;
+}
+
+void moves_pass(moves_t *self, uint32_t count) {
+    if ((int32_t)(count - MOVES_KEPT - self->tail) > 0) self->tail = count - MOVES_KEPT;
+}
+
+double moves_straight(move_t *move, const double *start, const double *end) {
+    double sum = 0.0;
+    memcpy(move->start, start, sizeof move->start);
+    memcpy(move->end, end, sizeof move->end);
+    for (int k = 0; k < MOVES_AXES; k++) sum += (end[k] - start[k]) * (end[k] - start[k]);
+    return sqrt(sum);
+}
+
+// Of the axis that the arc's is, + or −: its number; −1: it is none.
+static int main_axis(const arc_t *arc) {
+    int k = 2;
+    while (k >= 0 && fabs(arc->n[k]) < upright) k--;
+    return k;
+}
+
+double moves_round(move_t *move, const double *centre, const double *normal, int32_t turn) {
+    static const uint8_t planes[3] = {19, 18, 17};
+    double sum = 0.0;
+    if (!arc_make(move->start, move->end, centre, normal, turn, &move->arc)) return -1.0;
+    const int along = main_axis(&move->arc);
+    const int spirals = fabs(move->arc.radius[1] - move->arc.radius[0]) > arc_error;
+    move->kind = along < 0 || spirals ? MOVE_CHORDS : MOVE_ARC;
+    if (move->kind == MOVE_CHORDS) {
+        move->chords = arc_chords(&move->arc, chord_error);
+        if (move->path_mode != NCK_PATH_CONTINUOUS) move->tolerance = chord_tolerance;
+        move->path_mode = NCK_PATH_CONTINUOUS;
+    } else {
+        const int32_t passes = turn < 0 ? turn : turn + 1;
+        move->plane = planes[along];
+        move->turns = move->arc.n[along] > 0.0 ? passes : -passes;
+    }
+    for (int k = 3; k < MOVES_AXES; k++) {
+        sum += (move->end[k] - move->start[k]) * (move->end[k] - move->start[k]);
+    }
+    const double length = arc_length(&move->arc);
+    return sqrt(sum + length * length);
+}
+
+// End of the chord `part`, from 0.
+static void chord_end(const move_t *move, uint32_t part, double *end_out) {
+    const double share = (double)(part + 1) / (double)move->chords;
+    if (part + 1 == move->chords) {
+        memcpy(end_out, move->end, MOVES_AXES * sizeof *end_out);
+        return;
+    }
+    arc_point(&move->arc, share, end_out);
+    for (int k = 3; k < MOVES_AXES; k++) {
+        end_out[k] = move->start[k] + share * (move->end[k] - move->start[k]);
+    }
+}
+
+// What a block has whose entry has a way.
+static void fill_way(const moves_t *self, const double *offset, nck_block_in_t *block) {
+    const move_t *const move = moves_at((moves_t *)self, self->next);
+    static const uint8_t kinds[] = {NCK_IN_RAPID, NCK_IN_LINE, NCK_IN_ARC, NCK_IN_LINE};
+    static const uint8_t first[3] = {NCK_AXIS_X, NCK_AXIS_Z, NCK_AXIS_Y};
+    double end[MOVES_AXES];
+    memcpy(end, move->end, sizeof end);
+    if (move->kind == MOVE_CHORDS) chord_end(move, self->part, end);
+    block->kind = kinds[move->kind];
+    block->sets = NCK_IN_SETS_PATH;
+    block->path_mode = move->path_mode;
+    block->tolerance = move->tolerance;
+    if (move->feed > 0.0) block->sets |= NCK_IN_SETS_FEED;
+    block->feed = move->feed;
+    for (int k = 0; k < MOVES_AXES; k++) {
+        const int round = move->kind == MOVE_CHORDS && k < 3
+                          && (move->arc.u[k] != 0.0 || move->arc.v[k] != 0.0);
+        if (end[k] == move->start[k] && !round) continue;
+        block->axes |= 1u << k;
+        block->target[k] = end[k] - offset[k];
+    }
+    if (move->kind != MOVE_ARC) return;
+    const int u = first[move->plane - 17];
+    const int v = (u + 1) % 3;
+    block->axes |= 1u << u | 1u << v;
+    block->target[u] = end[u] - offset[u];
+    block->target[v] = end[v] - offset[v];
+    block->plane = move->plane;
+    block->turns = move->turns;
+    block->centre[0] = move->arc.centre[u] - offset[u];
+    block->centre[1] = move->arc.centre[v] - offset[v];
+}
+
+int moves_block(const moves_t *self, const double *offset, nck_block_in_t *block_out) {
+    const move_t *const move = moves_at((moves_t *)self, self->next);
+    const int waits = move->kind >= MOVE_AT_SPEED;
+    memset(block_out, 0, sizeof *block_out);
+    block_out->id = self->next;
+    if (move->kind <= MOVE_CHORDS) {
+        fill_way(self, offset, block_out);
+        return move->kind != MOVE_CHORDS || self->part + 1 == move->chords;
+    }
+    block_out->kind = NCK_IN_M;
+    block_out->value = waits ? MOVES_M_WAIT : MOVES_M_PASS;
+    return 1;
+}

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: MIT
+// The moves that the host has handed over and that are not behind the tool yet: a ring in the order
+// of the program. The kernel takes them one by one; until the tool has passed, the ring tells what
+// the host wants to hear of them.
+#ifndef MOVES_H
+#define MOVES_H
+
+#include <stdint.h> // uint32_t
+
+#include "arc.h"     // arc_t
+#include "nck/nck.h" // nck_block_in_t
+
+enum {
+    MOVES_AXES = 9,    // X Y Z A B C U V W
+    MOVES_MAX = 2048,  // power of two
+    MOVES_KEPT = 64,   // behind the tool: their outputs may still be on the way
+    MOVES_MARGIN = 160 // the host hears `full` so many before: what it has begun still fits
+};
+
+// What an entry of the ring is.
+typedef enum move_kind {
+    MOVE_RAPID = 0,
+    MOVE_LINE = 1,
+    MOVE_ARC = 2,     // about X, Y or Z
+    MOVE_CHORDS = 3,  // about any axis, and spirals: chords, which the kernel makes smooth
+    MOVE_DIGITAL = 4, // output `index` becomes `value`
+    MOVE_ANALOG = 5,
+    MOVE_AT_SPEED = 6,// rest until the spindles have their speed
+    MOVE_UNLOCK = 7,  // rest until the locking indexer of joint `index` is free
+    MOVE_LOCK = 8,    // rest until it is locked
+    MOVE_LIMITS = 9,  // what follows has the machine's limits of then
+    MOVE_THREAD = 10, // a line in step with the spindle; the kernel rests meanwhile
+    MOVE_TAP = 11     // the same, and back
+} move_kind_t;
+
+// One entry. Places are the host's, in mm and degrees.
+typedef struct move {
+    uint8_t kind;      // move_kind_t
+    uint8_t path_mode; // nck_path_mode_t
+    uint8_t plane;     // of an arc: 17, 18, 19
+    uint8_t enables;   // the host's, told back
+    int32_t motion;    // the host's kind of motion, told back
+    int32_t id;        // the host's number of the move
+    int32_t index;     // of an output, or a joint
+    int32_t turns;     // of an arc
+    uint32_t count;    // moves that the host has handed over up to this one
+    uint32_t chords;
+    double value;      // of an output; of a thread the lead [mm]; of a tap the lead too
+    double back;       // of a tap: how much faster the spindle is to turn on the way back
+    double rps;        // that its feed is told for [1/s]; 0: its feed hangs on no spindle
+    double vel;        // the host's speed of the move [units/s], told back
+    double feed;       // [mm/min, deg/min]; 0: a rapid
+    double tolerance;  // [mm]
+    double way;        // programmed path up to its end [mm]
+    double start[MOVES_AXES];
+    double end[MOVES_AXES];
+    arc_t arc;
+} move_t;
+
+// The ring. Counts go on for ever; an entry's count is its name.
+typedef struct moves {
+    move_t at[MOVES_MAX];
+    uint32_t head; // the next one that comes
+    uint32_t next; // the next one that the kernel takes
+    uint32_t tail; // the oldest that is kept
+    uint32_t part; // chords of `next` that it has taken
+} moves_t;
+
+// The entry of a count. Cost: constant. Context: servo thread, as all of them.
+static inline move_t *moves_at(moves_t *self, uint32_t count) {
+    return &self->at[count & (MOVES_MAX - 1)];
+}
+
+// 1 if the host is to wait. Cost: constant.
+int moves_full(const moves_t *self);
+
+// Forget all. Counts go on. Cost: constant.
+void moves_clear(moves_t *self);
+
+// The tool is in the entry of this count: those well before it are forgotten. Cost: constant.
+void moves_pass(moves_t *self, uint32_t count);
+
+// Straight from start to end. Returns its programmed length [mm]. Cost: constant.
+double moves_straight(move_t *move, const double *start, const double *end);
+
+// About an axis. Returns the length, −1 if there is no such arc. Cost: constant.
+double moves_round(move_t *move, const double *centre, const double *normal, int32_t turn);
+
+// The next block of the entry `next`; offset: what the kernel's places lack of the host's.
+// Returns 1 if it is the entry's last. Cost: constant.
+int moves_block(const moves_t *self, const double *offset, nck_block_in_t *block_out);
+
+// M codes that entries without way are to the kernel: one that passes, one that waits.
+enum { MOVES_M_PASS = 900, MOVES_M_WAIT = 901 };
+
+#endif

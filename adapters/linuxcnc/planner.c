@@ -1,0 +1,441 @@
+// SPDX-License-Identifier: MIT
+// Moves in, one place a cycle out: what a host's trajectory planner is asked for.
+#include "planner.h"
+
+#include <math.h>   // fabs fmax fmin sqrt
+#include <string.h> // memcpy memset
+
+#include "feed.h"   // feed_prepare
+#include "thread.h" // thread_begins thread_cycle
+
+enum {
+    PERMILLE = 1000,
+    CALM = 20 // cycles between two overrides: each is a plan of its own
+};
+
+// ---- to and from the kernel
+
+static void on_output(void *user, const nck_output_t *output) {
+    planner_t *const self = user;
+    const move_t *const move = moves_at(&self->moves, output->line);
+    if (self->state != PLANNER_READY) return;
+    if (move->kind == MOVE_DIGITAL) self->hooks.digital(move->index, (char)(move->value > 0.0));
+    if (move->kind == MOVE_ANALOG) self->hooks.analog(move->index, move->value);
+}
+
+// The host's place stays what it is, whatever the kernel's is.
+static void keep_place(planner_t *self) {
+    nck_pose_t pose;
+    nck_axes_t axes;
+    (void)nck_position(&self->nck, &pose, &axes);
+    for (int k = 0; k < MOVES_AXES; k++) self->offset[k] = self->told.place[k] - pose.axis[k];
+}
+
+// What is in the ring now is all behind the tool.
+static void forget(planner_t *self) {
+    moves_clear(&self->moves);
+    self->flushed = self->moves.next;
+    self->first = self->moves.head;
+    self->passed = self->count;
+    self->empty = 1;
+    self->told.between = 0;
+    memcpy(self->goal, self->told.place, sizeof self->goal);
+}
+
+int planner_init(planner_t *self, const settings_t *settings, const planner_hooks_t *hooks,
+                 double cycle_s) {
+    const nck_hooks_t listens = {self, on_output, NULL, NULL};
+    const double a_path = self->a_path;
+    const planner_modal_t modal = self->modal;
+    memset(self, 0, sizeof *self);
+    self->settings = *settings;
+    self->hooks = *hooks;
+    self->cycle_s = cycle_s;
+    self->a_path = a_path;
+    self->modal = modal;
+    self->moves.head = 1; // 0 is no move to the kernel
+    self->done = 1;
+    feed_machine(self, &self->machine);
+    if (nck_init(&self->nck, &self->machine, &listens) != NCK_OK) return 0;
+    forget(self);
+    return 1;
+}
+
+// An abort has come to rest: the kernel begins anew there.
+static void begin_anew(planner_t *self) {
+    nck_pose_t pose;
+    nck_axes_t axes;
+    if (nck_begin(&self->nck) != NCK_OK) return;
+    (void)nck_tick(&self->nck, &pose, &axes); // it lets go of what was planned
+    keep_place(self);
+    self->state = PLANNER_READY;
+    self->holds = 0;
+    self->waits = 0;
+    self->at = 0.0;
+    self->skipped = 0.0;
+    self->done = self->moves.next == self->moves.head;
+}
+
+static void stop(planner_t *self, planner_state_t state) {
+    nck_abort(&self->nck);
+    self->state = state;
+}
+
+// ---- moves in
+
+static int can_add(const planner_t *self, uint32_t entries) {
+    const moves_t *const moves = &self->moves;
+    return !self->failed && self->state != PLANNER_STOPS
+           && moves->head - moves->tail + entries <= MOVES_MAX;
+}
+
+// The next free entry, with what the host has told of the move.
+static move_t *entry(planner_t *self, const planner_order_t *order) {
+    move_t *const move = moves_at(&self->moves, self->moves.head);
+    memset(move, 0, sizeof *move);
+    move->id = self->modal.id;
+    move->path_mode = (uint8_t)self->modal.path_mode;
+    move->tolerance = self->modal.tolerance > 0.0 ? self->modal.tolerance
+                                                  : self->settings.tolerance;
+    move->count = self->count + 1;
+    move->way = self->way;
+    memcpy(move->end, self->goal, sizeof move->end);
+    move->motion = order->motion;
+    move->enables = order->enables;
+    move->vel = order->vel;
+    if (self->modal.speed) move->rps = self->rps;
+    return move;
+}
+
+static void put_word(planner_t *self, const planner_order_t *order, move_kind_t kind, int index) {
+    move_t *const move = entry(self, order);
+    move->kind = (uint8_t)kind;
+    move->index = index;
+    self->moves.head++;
+}
+
+int planner_output(planner_t *self, int analog, int index, double value) {
+    uint32_t n = 0;
+    const planner_output_t output = {index, (uint32_t)analog, value};
+    while (n < self->outputs
+           && (self->output[n].index != index || self->output[n].analog != (uint32_t)analog)) {
+        n++;
+    }
+    if (n == PLANNER_OUTPUTS) return -1;
+    self->output[n] = output;
+    if (n == self->outputs) self->outputs++;
+    return 1;
+}
+
+static void put_outputs(planner_t *self, const planner_order_t *order) {
+    for (uint32_t n = 0; n < self->outputs; n++) {
+        const planner_output_t *const output = &self->output[n];
+        put_word(self, order, output->analog ? MOVE_ANALOG : MOVE_DIGITAL, output->index);
+        moves_at(&self->moves, self->moves.head - 1)->value = output->value;
+    }
+    self->outputs = 0;
+}
+
+// Millimetres or degrees a minute that the move's speed is meant for.
+static double feed_of(const planner_t *self, const planner_order_t *order, const double *end) {
+    int linear = 0;
+    for (int k = 0; k < MOVES_AXES; k++) {
+        const int rotary = k >= NCK_AXIS_A && k <= NCK_AXIS_C;
+        linear |= !rotary && end[k] != self->goal[k];
+    }
+    const double scale = settings_scale(&self->settings, linear ? NCK_AXIS_X : NCK_AXIS_A);
+    const double most = order->vel * scale * 60.0;
+    if (order->rapid) return 0.0;
+    if (!self->modal.speed || !(self->modal.lead > 0.0)) return most;
+    return self->modal.lead * self->rps * 60.0; // the host's speed means nothing here
+}
+
+// Axes that the machine lacks stay where they are. Returns 0 for a place beyond all machines.
+static int read_end(const planner_t *self, const double *end, double *end_out) {
+    memcpy(end_out, self->goal, MOVES_AXES * sizeof *end_out);
+    for (int k = 0; k < MOVES_AXES; k++) {
+        if (!self->machine.axis[k].present) continue;
+        if (!(fabs(end[k] - self->offset[k]) < (double)NCK_LINEAR_MAX_MM)) return 0;
+        end_out[k] = end[k];
+    }
+    return 1;
+}
+
+// Geometry of a move, as the host tells it.
+typedef struct shape {
+    const double *end;
+    const double *centre, *normal; // NULL: straight
+    int turn;
+    double back;                   // of a tap; 0: none
+} shape_t;
+
+// What comes before a move; its end is the goal then.
+static int add(planner_t *self, const planner_order_t *order, const shape_t *shape) {
+    const double *const centre = shape->centre;
+    double place[MOVES_AXES];
+    if (!can_add(self, 5 + PLANNER_OUTPUTS)) return -1;
+    if (!read_end(self, shape->end, place) || !(order->vel > 0.0)) return -2;
+    if (!centre && memcmp(place, self->goal, sizeof place) == 0) return 0;
+    const double feed = feed_of(self, order, centre ? place : shape->end);
+    if (feed_limits_changed(self)) put_word(self, order, MOVE_LIMITS, 0);
+    put_outputs(self, order);
+    if (order->at_speed) put_word(self, order, MOVE_AT_SPEED, 0);
+    if (order->indexer >= 0) put_word(self, order, MOVE_UNLOCK, order->indexer);
+    move_t *const move = entry(self, order);
+    double length = moves_straight(move, self->goal, place);
+    move->kind = order->rapid ? MOVE_RAPID : MOVE_LINE;
+    if (shape->back > 0.0) move->kind = MOVE_TAP;
+    else if (self->modal.lead > 0.0 && !self->modal.speed && !centre) move->kind = MOVE_THREAD;
+    move->value = self->modal.lead;
+    move->back = shape->back;
+    if (centre) length = moves_round(move, centre, shape->normal, shape->turn);
+    if (length < 0.0) return -2;
+    move->feed = order->rapid ? 0.0 : feed;
+    self->way += length;
+    move->way = self->way;
+    self->moves.head++;
+    if (!(shape->back > 0.0)) memcpy(self->goal, place, sizeof self->goal);
+    if (order->indexer >= 0) put_word(self, order, MOVE_LOCK, order->indexer);
+    self->count++;
+    self->quiet = 0;
+    self->done = 0;
+    return 1;
+}
+
+int planner_line(planner_t *self, const planner_order_t *order, const double *end) {
+    const shape_t shape = {end, NULL, NULL, 0, 0.0};
+    return add(self, order, &shape);
+}
+
+int planner_tap(planner_t *self, const planner_order_t *order, const double *end, double back) {
+    if (!(self->modal.lead > 0.0) || !(back > 0.0)) return -2;
+    const shape_t shape = {end, NULL, NULL, 0, back};
+    return add(self, order, &shape);
+}
+
+int planner_arc(planner_t *self, const planner_order_t *order, const double *end,
+                const double *centre, const double *normal, int turn) {
+    const shape_t shape = {end, centre, normal, turn, 0.0};
+    return add(self, order, &shape);
+}
+
+// ---- the operator
+
+void planner_pause(planner_t *self, int pause) { self->paused = (uint32_t)pause; }
+
+void planner_abort(planner_t *self) {
+    self->failed = 0;
+    self->outputs = 0;
+    if (self->state == PLANNER_FOLLOWS) thread_stop(self);
+    if (self->done || self->state != PLANNER_READY) return;
+    stop(self, PLANNER_STOPS);
+}
+
+void planner_put(planner_t *self, const double *place) {
+    const int follows = self->state == PLANNER_FOLLOWS;
+    const int rests = follows || (self->done && self->state == PLANNER_READY);
+    if (follows) self->state = PLANNER_READY;
+    memcpy(self->told.place, place, sizeof self->told.place);
+    forget(self);
+    self->failed = 0;
+    self->outputs = 0;
+    self->paused = 0;
+    self->done = 1;
+    if (rests) {
+        keep_place(self);
+    } else {
+        self->way = 0.0;
+        stop(self, PLANNER_HIDES);
+    }
+}
+
+int planner_depth(const planner_t *self) {
+    return self->done ? 0 : (int)(self->count - self->passed);
+}
+
+static uint32_t permille(double share, uint32_t most) {
+    const double value = floor(fmax(share, 0.0) * PERMILLE + 0.5);
+    return value < (double)most ? (uint32_t)value : most;
+}
+
+// Faster than this no tool can be: no limit then, which is cheaper to plan.
+static uint32_t speed_um_s(const planner_t *self, double v_most) {
+    double sum = 0.0;
+    for (int k = 0; k < MOVES_AXES; k++) {
+        const nck_axis_t *const axis = &self->machine.axis[k];
+        if (axis->present) sum += axis->v_max * axis->v_max;
+    }
+    if (v_most * v_most >= sum || v_most > 4e6) return UINT32_MAX;
+    return (uint32_t)(fmax(v_most, 0.0) * 1e3);
+}
+
+// A feed a revolution was told for one speed of the spindle; it turns at another by now.
+static double spindle_share(planner_t *self, const planner_wish_t *wish) {
+    const double rps = moves_at(&self->moves, self->told.move)->rps;
+    return rps > 0.0 ? wish->rps / rps : 1.0;
+}
+
+// A change of overrides is heard at once if it comes to rest or leaves it.
+static void hear_rates(planner_t *self, const planner_wish_t *wish) {
+    nck_command_t asked;
+    const double spindle = spindle_share(self, wish);
+    const uint32_t feed = permille(wish->feed * spindle, 2 * PERMILLE);
+    const uint32_t rapid = permille(wish->rapid, PERMILLE);
+    const uint32_t speed = speed_um_s(self, wish->v_most);
+    nck_asked(&self->nck, &asked);
+    const int same = asked.feed_permille == feed && asked.rapid_permille == rapid
+                     && asked.speed_um_s == speed;
+    const int rests = (asked.feed_permille == 0) != (feed == 0)
+                      || (asked.rapid_permille == 0) != (rapid == 0);
+    self->calm++;
+    if (same || (!rests && self->calm < CALM)) return;
+    self->calm = 0;
+    nck_set_override_permille(&self->nck, feed, rapid);
+    nck_set_speed(&self->nck, speed);
+}
+
+// What the tool rests for is there.
+static int wait_is_over(planner_t *self, const move_t *move) {
+    const int unlock = move->kind == MOVE_UNLOCK;
+    if (move->kind == MOVE_AT_SPEED) return self->hooks.at_speed();
+    if (!self->waits) self->hooks.set_unlock(move->index, unlock);
+    self->waits = 1;
+    return !self->hooks.is_unlocked(move->index) == !unlock;
+}
+
+// Going on ends a wait too, so it is asked for where both are over.
+static void hear_holds(planner_t *self, const planner_wish_t *wish) {
+    nck_pose_t pose;
+    nck_axes_t axes;
+    const nck_tick_state_t state = nck_position(&self->nck, &pose, &axes);
+    const int waits = state == NCK_TICK_WAIT;
+    const uint32_t single = wish->single != 0;
+    nck_set_single_block(&self->nck, single);
+    if (self->single && !single) self->owed = 1;
+    self->single = single;
+    if (self->paused && !self->holds) {
+        nck_hold(&self->nck);
+        self->holds = 1;
+    }
+    if (self->paused) return;
+    if (waits && !wait_is_over(self, moves_at(&self->moves, pose.line))) return;
+    if (waits || self->holds || self->owed) {
+        nck_resume(&self->nck);
+        self->moved = 0;
+    }
+    self->owed = 0;
+    if (waits) self->waits = 0;
+    self->holds = 0;
+}
+
+// ---- a cycle
+
+// Of X Y Z if any moves, else of U V W, else of A B C.
+static double speed(const double *from, const double *to, double cycle_s) {
+    static const int first[] = {NCK_AXIS_X, NCK_AXIS_U, NCK_AXIS_A};
+    double sum = 0.0;
+    for (int group = 0; group < 3 && sum == 0.0; group++) {
+        for (int k = first[group]; k < first[group] + 3; k++) {
+            sum += (to[k] - from[k]) * (to[k] - from[k]);
+        }
+    }
+    return sqrt(sum) / cycle_s;
+}
+
+static void tell_place(planner_t *self, const double *place) {
+    planner_told_t *const told = &self->told;
+    const double v = speed(told->place, place, self->cycle_s);
+    const double a = (v - told->v) / self->cycle_s;
+    told->j = (a - told->a) / self->cycle_s;
+    told->a = a;
+    told->v = v;
+    memcpy(told->place, place, sizeof told->place);
+}
+
+static void tell_motion(planner_t *self, const nck_pose_t *pose) {
+    double place[MOVES_AXES];
+    for (int k = 0; k < MOVES_AXES; k++) place[k] = pose->axis[k] + self->offset[k];
+    tell_place(self, place);
+    self->told.limit = pose->limit;
+}
+
+static void tell_move(planner_t *self, const nck_pose_t *pose, int single) {
+    planner_told_t *const told = &self->told;
+    const int known = (int32_t)(pose->line - self->first) >= 0;
+    told->move = known ? pose->line : self->first;
+    const move_t *const move = moves_at(&self->moves, told->move);
+    if (told->v > 0.0) self->moved = 1;
+    if (told->v > 0.0) told->between = 0;
+    else if (single && self->moved && !self->paused && pose->state == NCK_TICK_HOLD) {
+        told->between = 1; // until it moves again
+    }
+    self->at = pose->s_program + self->skipped;
+    told->to_go = fmax(0.0, move->way - self->at);
+    for (int k = 0; k < MOVES_AXES; k++) told->dtg[k] = move->end[k] - told->place[k];
+    if (self->state == PLANNER_READY) self->passed = move->count - 1;
+    if (known && self->state == PLANNER_READY) moves_pass(&self->moves, pose->line);
+}
+
+static void tell_rest(planner_t *self) {
+    forget(self);
+    self->way = self->at;
+    self->done = 1;
+    self->paused = 0;
+    self->told.to_go = 0.0;
+    memset(self->told.dtg, 0, sizeof self->told.dtg);
+}
+
+// All that was handed over is executed.
+static int is_over(const planner_t *self) {
+    return self->moves.next == self->moves.head && feed_is_done(self);
+}
+
+// A cycle in which the spindle leads.
+static void follow(planner_t *self, const planner_wish_t *wish) {
+    double place[MOVES_AXES];
+    const int goes_on = thread_cycle(self, wish, place);
+    tell_place(self, place);
+    thread_tell(self);
+    if (goes_on) return;
+    self->state = PLANNER_READY;
+    thread_end(self);
+    keep_place(self);
+    if (self->dropped || self->moves.next == self->moves.head) tell_rest(self);
+}
+
+static void end_stop(planner_t *self) {
+    const int seen = self->state == PLANNER_STOPS;
+    if (!nck_is_idle(&self->nck)) return;
+    begin_anew(self);
+    if (seen && self->state == PLANNER_READY) tell_rest(self);
+}
+
+void planner_cycle(planner_t *self, const planner_wish_t *wish) {
+    nck_pose_t pose;
+    nck_axes_t axes;
+    self->rps = wish->rps > 0.0 ? wish->rps : fmax(wish->rps_asked, 1.0);
+    if (self->done && self->state == PLANNER_READY) {
+        self->told.v = self->told.a = self->told.j = 0.0;
+        self->told.steps = 0;
+        return;
+    }
+    self->quiet++;
+    if (self->state == PLANNER_FOLLOWS) {
+        follow(self, wish);
+        return;
+    }
+    if (self->state == PLANNER_READY) {
+        hear_rates(self, wish);
+        hear_holds(self, wish);
+    }
+    feed_prepare(self);
+    (void)nck_tick(&self->nck, &pose, &axes);
+    if (self->state != PLANNER_HIDES) {
+        tell_motion(self, &pose);
+        tell_move(self, &pose, wish->single);
+    }
+    if (self->state != PLANNER_READY) end_stop(self);
+    else if (thread_begins(self)) thread_begin(self);
+    else if (is_over(self)) tell_rest(self);
+    else if (self->failed && nck_is_idle(&self->nck)) stop(self, PLANNER_STOPS);
+}

@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: MIT
+// What a host's trajectory planner is asked for, on libnck: moves in, one place a cycle out.
+//
+//     planner_line, planner_arc, … ─▶ ring of moves ─▶ nck_push_block, nck_prep ─▶ nck_tick ─▶ pose
+//
+// It knows no host: nck_tp.c is LinuxCNC's side. All runs in one thread, the servo thread. Nothing
+// is allocated, nobody waited for. Lengths are mm, angles degrees.
+#ifndef PLANNER_H
+#define PLANNER_H
+
+#include <stdint.h> // uint32_t
+
+#include "follow.h"   // follow_t
+#include "moves.h"    // moves_t
+#include "nck/nck.h"  // nck_t
+#include "settings.h" // settings_t
+
+// What the planner asks of the host. Every pointer is needed.
+typedef struct planner_hooks {
+    void (*digital)(int index, char value);
+    void (*analog)(int index, double value);
+    void (*set_unlock)(int joint, int unlock); // a locking indexer
+    int (*is_unlocked)(int joint);
+    double (*v_max)(int axis);                 // limits of now [units/s, units/s²]
+    double (*a_max)(int axis);
+    int (*at_speed)(void);                     // 1: all spindles are
+    int (*index)(int ask);  // 1: ask the spindle for its index; 0: has it passed since?
+    void (*turn)(double share); // the spindle is to have that share of its speed, − backward
+    void (*message)(const char *text);         // for the owner
+} planner_hooks_t;
+
+// An output that changes where the next move begins.
+typedef struct planner_output {
+    int index;
+    uint32_t analog;
+    double value;
+} planner_output_t;
+
+enum {
+    PLANNER_OUTPUTS = 16, // of them, for one move
+    PLANNER_STEPS = 8     // cycles over which the spindle's speed is measured
+};
+
+// What is in force for the moves that come.
+typedef struct planner_modal {
+    int id;            // the host's number
+    uint32_t path_mode;// nck_path_mode_t
+    double tolerance;  // [mm]; 0: the owner's
+    double lead;       // in step with the spindle: [mm] a revolution; 0: not
+    uint32_t speed;    // 1: by its speed, as feed a revolution; 0: by its angle
+} planner_modal_t;
+
+// What a move has beside its geometry.
+typedef struct planner_order {
+    double vel;        // [units/s] of the tool; of rotary axes where they move alone
+    int motion;        // the host's kind, told back
+    uint8_t enables;   // the host's, told back
+    uint8_t rapid;     // 1: as fast as the axes can
+    uint8_t at_speed;  // 1: not before the spindles have their speed
+    int indexer;       // joint to unlock for it; −1: none
+} planner_order_t;
+
+// What the operator wants, for the cycle that comes.
+typedef struct planner_wish {
+    double feed, rapid;// overrides, 1: as programmed
+    double v_most;     // of the tool [mm/s]
+    int single;        // 1: rest at the end of the move in work
+    double turns;      // of the spindle as measured, forward as it was commanded [revolutions]
+    double rps;        // how fast it turns, ≥ 0 [1/s]
+    double rps_asked;  // as commanded, ≥ 0
+} planner_wish_t;
+
+// What is told of a cycle.
+typedef struct planner_told {
+    uint32_t move;     // count of the move in work; valid if not done
+    int between;       // 1: single block rests at the end of that move
+    double place[MOVES_AXES];
+    double dtg[MOVES_AXES]; // to the move's end
+    double to_go;      // the same along the path [mm]
+    double v;          // of the tool, [mm/s]; of rotary axes where they move alone
+    double a, j;       // along the path [mm/s², mm/s³]
+    uint32_t limit;    // nck_limit_t in force
+    uint32_t steps;    // of preparation in this cycle
+} planner_told_t;
+
+// How far the kernel is from taking moves.
+typedef enum planner_state {
+    PLANNER_READY = 0,
+    PLANNER_STOPS = 1, // an abort: the axes brake
+    PLANNER_HIDES = 2, // it has been put elsewhere while it moved: it brakes unseen
+    PLANNER_FOLLOWS = 3 // the spindle leads, the kernel rests
+} planner_state_t;
+
+// The planner. Its owner has one, and never moves it.
+typedef struct planner {
+    nck_t nck;
+    nck_machine_t machine;  // the limits that were set last
+    moves_t moves;
+    settings_t settings;
+    planner_hooks_t hooks;
+    planner_modal_t modal;  // the owner writes
+    planner_told_t told;    // the owner reads
+    follow_t follow;        // the pass in step with the spindle
+    uint32_t dropped;       // 1: it was aborted
+    double steps[PLANNER_STEPS]; // of the spindle's angle in the last cycles [revolutions]
+    double turns;           // its angle in the last cycle
+    uint32_t step;          // of steps, the oldest
+    double rps;             // of the spindle in the last cycle
+    double skipped;         // way that the kernel has not gone [mm]
+    planner_output_t output[PLANNER_OUTPUTS];
+    uint32_t outputs;       // of them, for the next move
+    uint32_t state;         // planner_state_t
+    uint32_t begun;         // 1: the kernel has been initialised
+    uint32_t paused;        // 1: the operator holds
+    uint32_t holds;         // 1: the kernel has been told so
+    uint32_t failed;        // 1: the kernel refused a move; no more until an abort
+    uint32_t done;          // 1: nothing left to do
+    uint32_t count;         // moves handed over so far
+    uint32_t passed;        // of them, those behind the tool
+    uint32_t idle;          // cycles that the kernel has waited for more, at rest
+    uint32_t quiet;         // cycles since the last one came
+    uint32_t flushed;       // moves.next as of the last flush
+    uint32_t empty;         // 1: the kernel has used up all that it was given
+    uint32_t single;        // 1: the kernel rests at the end of every move
+    uint32_t owed;          // 1: it is to be let go on, having rested there
+    uint32_t moved;         // 1: the tool has moved since it was last let go on
+    uint32_t waits;         // 1: the unlocking or locking that is waited for has been asked for
+    uint32_t first;         // entries before this one are behind the tool
+    uint32_t calm;          // cycles since the overrides have changed
+    double cycle_s;
+    double a_path;          // tangential acceleration at most [mm/s²]
+    double goal[MOVES_AXES];// where the last move ends
+    double offset[MOVES_AXES]; // the host's place less the kernel's
+    double at;              // programmed path up to the tool, as the kernel counts [mm]
+    double way;             // programmed path up to the goal, as the kernel counts [mm]
+} planner_t;
+
+// Make it ready, at rest at zero; cycle_s: a period of the servo thread. modal and a_path stay.
+// Returns 1, or 0 if the kernel refuses the machine. Cost: linear in the memory. Context: before
+// the first cycle.
+int planner_init(planner_t *self, const settings_t *settings, const planner_hooks_t *hooks,
+                 double cycle_s);
+
+// A move to `end`: straight, or about an axis. Returns 1; 0 without length; −1 where nothing can be
+// added: no room, after an error, while an abort brakes; −2 for a number that no machine has.
+// Cost: constant. Context: servo thread, as all below.
+int planner_line(planner_t *self, const planner_order_t *order, const double *end);
+int planner_arc(planner_t *self, const planner_order_t *order, const double *end,
+                const double *centre, const double *normal, int turn);
+
+// The same in step with the spindle, there and back; the spindle is to turn back at `back` times
+// its speed. modal.lead tells the lead.
+int planner_tap(planner_t *self, const planner_order_t *order, const double *end, double back);
+
+// An output that is to change where the next move begins; without one it does not. Returns 1, or −1
+// if there are PLANNER_OUTPUTS of them.
+int planner_output(planner_t *self, int analog, int index, double value);
+
+// Brake to rest on the path, or rest there; go on.
+void planner_pause(planner_t *self, int pause);
+
+// Brake to rest and drop what has not been done.
+void planner_abort(planner_t *self);
+
+// The axes are elsewhere, at rest; what has not been done is dropped.
+void planner_put(planner_t *self, const double *place);
+
+// Moves that are not behind the tool.
+int planner_depth(const planner_t *self);
+
+// One cycle: bounded work of preparation, one tick.
+void planner_cycle(planner_t *self, const planner_wish_t *wish);
+
+#endif

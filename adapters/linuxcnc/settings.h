@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+// What the owner of a machine writes into its INI for this planner: jerk, profile, budget.
+#ifndef SETTINGS_H
+#define SETTINGS_H
+
+#include <stddef.h> // size_t
+#include <stdint.h> // uint32_t
+
+enum {
+    SETTINGS_AXES = 9,    // X Y Z A B C U V W
+    SETTINGS_BUDGET = 24, // steps of preparation a cycle, where the INI says nothing
+    SETTINGS_WHY = 256    // longest message
+};
+
+// As the owner wants it, in mm, degrees and seconds.
+typedef struct settings {
+    double mm_per_unit;      // of X Y Z U V W: 25.4 on a machine that counts in inches
+    double deg_per_unit;     // of A B C
+    uint32_t axes;           // bit k: the machine has axis k
+    uint32_t slope;          // nck_slope_kind_t
+    uint32_t budget;         // steps of preparation a cycle, 1 at least
+    double tolerance;        // of a G64 without P [mm]
+    double jerk[SETTINGS_AXES]; // [mm/s³, deg/s³]
+    double v_max[SETTINGS_AXES]; // [mm/s, deg/s] until the host tells its own
+    double a_max[SETTINGS_AXES]; // [mm/s², deg/s²]
+} settings_t;
+
+// What the command that loads the module says; it comes before the INI.
+typedef struct settings_given {
+    int jerk;            // of every axis [units/s³]; 0: as the INI says
+    int budget;          // steps a cycle; 0: as the INI says
+    const char *planner; // "jerk" or "linear"; NULL: as the INI says
+} settings_given_t;
+
+// Read the INI of a path; NULL: there is none, then `given` has to say the jerk.
+// Returns 1; 0 if something is missing or wrong, why tells what and what to do, SETTINGS_WHY bytes.
+// Cost: reads the file once for every word. Context: while the module loads.
+int settings_read(settings_t *settings, const char *path, const settings_given_t *given, char *why);
+
+// Millimetres or degrees in one unit of the axis. Cost: constant. Context: any.
+double settings_scale(const settings_t *settings, int axis);
+
+#endif
