@@ -30,6 +30,11 @@ _ROOMS = {
     "load": "program",
     "Plan": "planning.plan",
     "plan": "planning.plan",
+    "Why": "planning.why",
+    "why": "planning.plan",
+    "Rows": "report.rows",
+    "Sweep": "planning.sweep",
+    "sweep": "planning.sweep",
     "Trace": "report.trace",
     "run": "report.trace",
 }
@@ -42,6 +47,7 @@ __all__ = [
     "NckError",
     "ProgramError",
     "StateError",
+    "__version__",
     "stages",
     *_ROOMS,
 ]
@@ -49,6 +55,8 @@ __all__ = [
 
 def __getattr__(name):
     """Open a room when its name is first used."""
+    if name == "__version__":
+        return importlib.import_module("pycnc.kernel").version()
     if name == "stages":
         return importlib.import_module("pycnc.stages")
     if name in _ROOMS:

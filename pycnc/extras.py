@@ -6,8 +6,11 @@ import importlib
 from pycnc import errors
 
 _JOBS = {  # package → (what needs it, the extra that brings it)
+    "distributed": ("a cluster needs", "cluster"),
     "matplotlib": ("pictures need", "plot"),
-    "pyarrow": ("Parquet files need", "trace"),
+    "pandas": ("tables need", "table"),
+    "polars": ("tables of polars need", "polars"),
+    "pyarrow": ("Parquet files and tables of Arrow need", "trace"),
 }
 
 

@@ -71,6 +71,24 @@ class Profile:
         self.segment_s = np.bincount(cells["seg"], cells["duration"], minlength=segments)
         self.time_s = float(self.segment_s.sum())
 
+    def __repr__(self):
+        fastest = max(self.cells["v"].max(initial=0.0), self.v_node.max(initial=0.0))
+        return (
+            f"<Profile of {len(self.segment_s):,} segments: {self.time_s:.3f} s, up to "
+            f"{fastest:.6g} mm/s, {len(self.cells):,} cells>"
+        )
+
+    def _repr_html_(self):
+        from pycnc.program import shown
+
+        facts = {
+            "time [s]": f"{self.time_s:.6g}", "segments": f"{len(self.segment_s):,}",
+            "cells": f"{len(self.cells):,}",
+            "slowest segment": f"{int(self.segment_s.argmax())} "
+            f"({self.segment_s.max():.6g} s)" if len(self.segment_s) else "",
+        }  # fmt: skip
+        return shown.facts_table(facts.items())
+
     def sample(self, period_s):
         """Return (s, v, a) at t = 0, period_s, 2 period_s … and once at or behind the end.
 

@@ -15,6 +15,8 @@ import numpy as np
 from pycnc import errors
 from pycnc.kernel import version
 
+LIVE = "linuxcnc --live"
+
 # Subject → (module, functions whose rows make the table). A module opens when it is asked for.
 SUBJECTS = {
     "decode": [("kernel", "bench_decode_rows")],
@@ -24,6 +26,7 @@ SUBJECTS = {
     "cost": [("cost", "bench_cost_rows")],
     "optimum": [("optimum", "bench_optimum_rows")],
     "linuxcnc": [("linuxcnc", "bench_linuxcnc_rows")],
+    LIVE: [("linuxcnc_live", "bench_live_rows")],
     "butterfly": [("linuxcnc", "bench_butterfly_rows")],
     "window": [("linuxcnc", "bench_window_rows")],
     "stops": [("stops", "bench_stops_rows")],

@@ -46,7 +46,7 @@ def build(name, folder):
         raise errors.AbsentError("counting instructions needs the source tree", id="absent")
     binary = Path(folder) / name
     sources = [path for pattern in SOURCES[name] for path in sorted(ROOT.glob(pattern))]
-    options = ["-std=c99", "-O2", "-g", "-DNDEBUG", "-ffp-contract=off", "-fno-math-errno"]
+    options = ["-std=c99", "-O2", "-g", "-ffp-contract=off", "-fno-math-errno"]
     if name == "text_to_cells":
         options += _capacities()
     command = [_tool("gcc"), *options, f"-I{ROOT / 'csrc'}", "-o", binary, *sources, "-lm"]

@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: MIT
 """The command line: ``pycnc VERB``. Results on stdout, everything else on stderr."""
 
-import functools
 import json
 import os
 import sys
@@ -9,7 +8,9 @@ from typing import Annotated
 
 import typer
 
-from pycnc import errors
+# They register their verbs.
+from pycnc.cli import adapting, comparing, configuring, sweeping, timing  # noqa: F401
+from pycnc.cli.door import app, close_list, machine_of, machines, verb
 from pycnc.cli.options import (
     Backend,
     Commands,
@@ -18,6 +19,7 @@ from pycnc.cli.options import (
     Figures,
     File,
     Files,
+    FromLine,
     Json,
     MachineName,
     Output,
@@ -27,6 +29,7 @@ from pycnc.cli.options import (
     PrepSteps,
     Quiet,
     Set,
+    SlopeName,
     Subject,
     Tools,
     Units,
@@ -40,9 +43,7 @@ from pycnc.cli.words import (
     colour,
     decoded,
     draw,
-    drop_stdout,
     explain,
-    facts_of_failure,
     fail,
     give_up,
     look_at,
@@ -56,52 +57,15 @@ from pycnc.machine import DEFAULT, Machine, MachineFileError, shipped
 
 PEAK_TOLERANCE = 1e-6  # of a limit, on the double setpoints
 
-app = typer.Typer(
-    name="pycnc",
-    help="An NC kernel: from NC text to axis setpoints, tick by tick.",
-    no_args_is_help=True,
-    add_completion=False,
-    pretty_exceptions_enable=False,
-    rich_markup_mode=None,
-)
-machines = typer.Typer(no_args_is_help=True, help="Machine files: list, show, validate.")
-app.add_typer(machines, name="machine")
 
-
-def verb(group):
-    """Register a function as a verb: whatever goes wrong in it becomes words and an exit code."""
-
-    def register(function):
-        @functools.wraps(function)
-        def guarded(*arguments, **options):
-            try:
-                code = function(*arguments, **options)
-                sys.stdout.flush()
-            except BrokenPipeError:  # the reader has seen enough: pycnc canon … | head
-                drop_stdout()
-                code = GOOD
-            except (Exception, KeyboardInterrupt) as cause:
-                code = explain(cause)
-            raise typer.Exit(code or GOOD)
-
-        group.command(name=function.__name__.rstrip("_"))(guarded)
-        return function
-
-    return register
-
-
-def machine_of(name, set, tools, dialect):
-    """Return the machine that the options describe."""
-    return Machine.load(name, set=set or (), tools=tools, dialect=dialect and dialect.value)
-
-
-@verb(app)
+@verb(app, "check part.ngc --machine mill3")
 def check(
     *, files: Files, machine: MachineName = DEFAULT, dialect: DialectName = None, set: Set = None,
-    tools: Tools = None, json_: Json = False, quiet: Quiet = False, verbose: Verbose = False,
+    tools: Tools = None, from_line: FromLine = None, json_: Json = False, quiet: Quiet = False,
 ):  # fmt: skip
     """Tell all diagnostics of programs, without planning."""
-    mill, found, code = machine_of(machine, set, tools, dialect), [], GOOD
+    mill = machine_of(machine, set, tools, dialect, from_line=from_line, quiet=quiet)
+    found, code = [], GOOD
     for file in files:
         try:
             program = decoded(file, mill, quiet, keep=False)
@@ -121,74 +85,26 @@ def check(
     return code
 
 
-@verb(app)
+@verb(app, "canon part.ngc --units inch")
 def canon(
     *, file: File, machine: MachineName = DEFAULT, dialect: DialectName = None, set: Set = None,
     tools: Tools = None, units: Annotated[Units, typer.Option(help="Units of the listing.")] = "mm",
-    json_: Json = False, quiet: Quiet = False, verbose: Verbose = False,
+    json_: Json = False, quiet: Quiet = False,
 ):  # fmt: skip
     """List the decoded motions: one a line, machine coordinates of the tool tip."""
     from pycnc.report import listing
 
-    program = decoded(file, machine_of(machine, set, tools, dialect), quiet)
+    program = decoded(file, machine_of(machine, set, tools, dialect, quiet=quiet), quiet)
     make = listing.json_lines if json_ else listing.lines
     sys.stdout.writelines(f"{line}\n" for line in make(program, Units(units).value))
     tell(program, quiet, sys.stderr)
     return WRONG if program.diagnostics.errors else GOOD
 
 
-@verb(app)
-def time(
-    *, files: Files, machine: MachineName = DEFAULT, dialect: DialectName = None, set: Set = None,
-    tools: Tools = None, plan: PlanName = "exact", backend: Backend = "auto",
-    json_: Json = False, quiet: Quiet = False, verbose: Verbose = False,
-):  # fmt: skip
-    """Tell the machining time of programs, from the plan."""
-    from pycnc.planning.plan import check_backend
-
-    check_backend(backend, plan)
-    mill, told, code = machine_of(machine, set, tools, dialect), [], GOOD
-    for file in files:
-        program, facts, this = look_at(file, mill, quiet, json_, keep=False)
-        if program is not None:
-            facts, this = _timed(program, facts, plan, backend, json_, quiet)
-        told.append(facts)
-        code = max(code, this)
-    if json_:
-        print(json.dumps(told[0] if len(files) == 1 else told))
-    return code
-
-
-def _timed(program, facts, plan, backend, as_json, quiet):
-    """Plan a program and tell its time. Returns (what --json tells of it, exit code)."""
-    from pycnc.planning.plan import Plan
-
-    try:
-        with progress(f"planning {program.file}", quiet) as bar:
-            planned = Plan(program, plan=plan, backend=backend, keep=False, progress=bar)
-    except Exception as cause:
-        return facts_of_failure(facts, cause), explain(cause)
-    if not as_json:
-        tell(program, quiet, sys.stderr)
-        print(_time_line(planned.as_dict()))
-    return planned.as_dict(), GOOD
-
-
-def _time_line(facts):
-    from pycnc.report.plot import duration
-
-    parts = {name: duration(facts[f"{name}_s"]) for name in ("cut", "rapid", "dwell")}
-    motion = {name: duration(facts[f"{name}_s"]) for name in ("accelerate", "cruise", "decelerate")}
-    words = "; ".join(", ".join(f"{k} {v}" for k, v in group.items()) for group in (parts, motion))
-    head = f"{facts['file']} on {facts['machine']}, slope {facts['slope']}"
-    by = ", planned by grades" if facts["plan"] == "grades" else ""
-    return f"{head}{by}: {duration(facts['time_s'])} ({words})"
-
-
-@verb(app)
+@verb(app, "run part.ngc --plot part.png -o trace.csv")
 def run(
-    *, file: File, machine: MachineName = DEFAULT, dialect: DialectName = None, set: Set = None,
-    tools: Tools = None,
+    *, file: File, machine: MachineName = DEFAULT, dialect: DialectName = None,
+    slope: SlopeName = None, set: Set = None, tools: Tools = None, from_line: FromLine = None,
     output: Output = None, picture: Picture = None, prep_steps: PrepSteps = None,
     plan: PlanName = "exact", backend: Backend = "auto",
     json_: Json = False, quiet: Quiet = False, verbose: Verbose = False,
@@ -199,8 +115,10 @@ def run(
 
     if picture is not None:
         need("matplotlib.figure")
-    mill = machine_of(machine, set, tools, dialect)
-    program, facts, code = look_at(file, mill, quiet, json_)
+    mill = machine_of(
+        machine, set, tools, dialect, slope=slope, plan=plan, from_line=from_line, quiet=quiet
+    )
+    program, facts, code = look_at(file, mill, quiet, json_, keep=False)
     if program is None:
         return give_up(facts, code, json_)
     if verbose:
@@ -244,17 +162,17 @@ def _judge(done):
     return WRONG if broken else GOOD
 
 
-@verb(app)
+@verb(app, 'controller part.ngc --at "250 hold" --at "900 resume"')
 def controller(
     *, file: File, on: ControllerName = "host", at: Commands = None,
-    machine: MachineName = DEFAULT, dialect: DialectName = None, set: Set = None,
-    tools: Tools = None, prep_steps: PrepSteps = None,
-    json_: Json = False, quiet: Quiet = False, verbose: Verbose = False,
+    machine: MachineName = DEFAULT, dialect: DialectName = None, slope: SlopeName = None,
+    set: Set = None, tools: Tools = None, prep_steps: PrepSteps = None,
+    json_: Json = False, quiet: Quiet = False,
 ):  # fmt: skip
     """Run a program on a controller: the firmware, with its tasks and interrupts."""
     from pycnc import controller, kernel
 
-    mill = machine_of(machine, set, tools, dialect)
+    mill = machine_of(machine, set, tools, dialect, slope=slope, quiet=quiet)
     name, text = read(file)
     done = controller.open(on).run(
         text, mill, controller.read_commands(at or ()), file=name, prep_steps=prep_steps or 0
@@ -273,20 +191,20 @@ def controller(
     return GOOD if done.state in controller.WANTED else WRONG
 
 
-@verb(app)
+@verb(app, "plot part.ngc -o part.png")
 def plot(
     *, file: File,
     output: Annotated[str, typer.Option(
         "--output", "-o", metavar="PICTURE", help="Where to: .png, .svg or .pdf.")],
-    machine: MachineName = DEFAULT, dialect: DialectName = None, set: Set = None,
-    tools: Tools = None, backend: Backend = "auto", json_: Json = False, quiet: Quiet = False,
-    verbose: Verbose = False,
+    machine: MachineName = DEFAULT, dialect: DialectName = None, slope: SlopeName = None,
+    set: Set = None, tools: Tools = None, backend: Backend = "auto", json_: Json = False,
+    quiet: Quiet = False,
 ):  # fmt: skip
     """Draw the path coloured by the speed really reached, and speed and acceleration over time."""
     from pycnc.report import trace
 
     need("matplotlib.figure")
-    mill = machine_of(machine, set, tools, dialect)
+    mill = machine_of(machine, set, tools, dialect, slope=slope, quiet=quiet)
     program, facts, code = look_at(file, mill, quiet, json_)
     if program is None:
         return give_up(facts, code, json_)
@@ -299,10 +217,12 @@ def plot(
     return _judge(done)
 
 
-@verb(app)
+@verb(app, "bench lookahead")
 def bench(
     *, name: Subject = None, output: Figures = None, paths: Paths = None,
-    json_: Json = False, quiet: Quiet = False, verbose: Verbose = False,
+    live: Annotated[bool, typer.Option(
+        "--live", help="Subject linuxcnc: in the LinuxCNC that is installed here.")] = False,
+    json_: Json = False, quiet: Quiet = False,
 ):  # fmt: skip
     """Print one table of a benchmark; some subjects draw figures too."""
     from pycnc import bench
@@ -313,12 +233,12 @@ def bench(
     if output is not None:
         need("matplotlib.figure")
     with writing(output):
-        bench.run(name, json=json_, folder=output, paths=paths)
+        bench.run(f"{name} --live" if live else name, json=json_, folder=output, paths=paths)
     return GOOD
 
 
-@verb(machines)
-def list_(*, json_: Json = False, quiet: Quiet = False, verbose: Verbose = False):
+@verb(machines, "machine list")
+def list_(*, json_: Json = False, quiet: Quiet = False):
     """List the machines that come with pycnc."""
     loaded = [Machine.load(name) for name in shipped()]
     if json_:
@@ -332,18 +252,18 @@ def list_(*, json_: Json = False, quiet: Quiet = False, verbose: Verbose = False
         print(f"{each.name:14}{each.axes.upper():7}{each.settings.description}")
 
 
-@verb(machines)
+@verb(machines, "machine show mill3 --effective")
 def show(
     *, name: Annotated[str, typer.Argument(metavar="NAME|FILE", help="Which machine.")] = DEFAULT,
     effective: Annotated[bool, typer.Option(
         "--effective", help="Every setting in force, and where its value comes from.")] = False,
     set: Set = None, tools: Tools = None, dialect: DialectName = None, json_: Json = False,
-    quiet: Quiet = False, verbose: Verbose = False,
+    quiet: Quiet = False,
 ):  # fmt: skip
     """Print a machine file."""
     from pycnc.report import listing
 
-    machine = machine_of(name, set, tools, dialect)
+    machine = machine_of(name, set, tools, dialect, quiet=quiet)
     changed = effective or set or tools or dialect
     if json_:
         print(json.dumps(listing.settings_dict(machine)))
@@ -353,17 +273,17 @@ def show(
         print(machine.text, end="")
 
 
-@verb(machines)
+@verb(machines, "machine validate mill3 cak6150n")
 def validate(
     *, names: Annotated[list[str], typer.Argument(metavar="NAME|FILE…", help="Which machines.")],
     set: Set = None, tools: Tools = None, dialect: DialectName = None, json_: Json = False,
-    quiet: Quiet = False, verbose: Verbose = False,
+    quiet: Quiet = False,
 ):  # fmt: skip
     """Check machine files: all errors at once."""
     problems = []
     for name in names:
         try:
-            machine = machine_of(name, set, tools, dialect)
+            machine = machine_of(name, set, tools, dialect, quiet=quiet)
         except MachineFileError as cause:
             problems += [
                 {"file": place, "key": key, "message": words}
@@ -377,6 +297,9 @@ def validate(
     if json_:
         print(json.dumps(problems))
     return USAGE if problems else GOOD
+
+
+close_list()
 
 
 def main():

@@ -17,6 +17,45 @@ class Dialect(StrEnum):
     auto = "auto"
 
 
+class Slope(StrEnum):
+    """What ``--slope`` takes."""
+
+    jerk = "jerk"
+    sshape = "sshape"
+    linear = "linear"
+
+
+class PlanKind(StrEnum):
+    """What ``--plan`` takes."""
+
+    exact = "exact"
+    grades = "grades"
+
+
+class BackendName(StrEnum):
+    """What ``--backend`` takes."""
+
+    auto = "auto"
+    c = "c"
+    opencl = "opencl"
+
+
+class Controller(StrEnum):
+    """What ``--on`` takes."""
+
+    host = "host"
+    m4f = "m4f"
+    m7 = "m7"
+
+
+class Part(StrEnum):
+    """What ``--by`` takes."""
+
+    tool = "tool"
+    section = "section"
+    line = "line"
+
+
 class Units(StrEnum):
     """What ``--units`` takes."""
 
@@ -24,14 +63,42 @@ class Units(StrEnum):
     inch = "inch"
 
 
+def settings_of():
+    """Return what may be typed behind ``--set``, for a shell that completes it."""
+    from pycnc.machine import DEFAULT, Machine
+
+    return [f"{key}=" for key, _, _ in Machine.load(DEFAULT).effective()]
+
+
+def machine_names():
+    """Return the shipped machines, for a shell that completes them."""
+    from pycnc.machine import shipped
+
+    return shipped()
+
+
+FromLine = Annotated[
+    int | None,
+    typer.Option(
+        "--from-line", min=1, metavar="N",
+        help="Begin at line N, with tool, spindle, coolant and modes as they are there.",
+    ),
+]
 File = Annotated[str, typer.Argument(metavar="FILE", help="NC program; - is stdin.")]
 Files = Annotated[list[str], typer.Argument(metavar="FILE…", help="NC programs; - is stdin.")]
 MachineName = Annotated[
-    str, typer.Option("--machine", "-m", help="Name of a shipped machine, or a machine file.")
+    str,
+    typer.Option(
+        "--machine", "-m", help="Name of a shipped machine, or a machine file.",
+        autocompletion=machine_names,
+    ),
 ]
 Set = Annotated[
     list[str] | None,
-    typer.Option("--set", metavar="KEY=VALUE", help="Change a setting: axis.x.max_mm=500."),
+    typer.Option(
+        "--set", metavar="KEY=VALUE", autocompletion=settings_of,
+        help="Change a setting: axis.x.max_mm=500.",
+    ),
 ]
 Tools = Annotated[
     str | None, typer.Option("--tools", metavar="FILE", help="Tool table (LinuxCNC tool.tbl).")
@@ -42,10 +109,43 @@ DialectName = Annotated[
 ]
 Json = Annotated[bool, typer.Option("--json", help="Results as JSON.")]
 Quiet = Annotated[bool, typer.Option("--quiet", "-q", help="Errors and results only.")]
-Verbose = Annotated[bool, typer.Option("--verbose", "-v", help="Tell more.")]
-Backend = Annotated[str, typer.Option("--backend", help="Where planning runs: auto, c, opencl.")]
-PlanName = Annotated[str, typer.Option("--plan", help="How speed is planned: exact or grades.")]
+Verbose = Annotated[bool, typer.Option("--verbose", "-v", help="Tell the program's notes, too.")]
+SlopeName = Annotated[
+    Slope | None,
+    typer.Option("--slope", help="Velocity profile: the same as --set path.slope=…"),
+]
+Backend = Annotated[
+    BackendName,
+    typer.Option("--backend", help="Where planning runs; exact plans run in C."),
+]
+PlanName = Annotated[
+    PlanKind,
+    typer.Option("--plan", help="How speed is planned: the exact envelope, or velocity grades."),
+]
 
+By = Annotated[
+    Part | None,
+    typer.Option(
+        "--by", help="Where the time goes: a section begins at a comment on a line of its own."
+    ),
+]
+WhatIf = Annotated[
+    bool,
+    typer.Option(
+        "--what-if",
+        help="Plan it again with each cure: twice the limits of the axes, a tolerance, no stops.",
+    ),
+]
+Table = Annotated[
+    str | None,
+    typer.Option("--output", "-o", metavar="TABLE", help="Write the places as a table: .csv."),
+]
+Page = Annotated[
+    str, typer.Option("--output", "-o", metavar="PAGE", help="Where to: .html.")
+]
+Jobs = Annotated[
+    int, typer.Option("--jobs", min=1, max=256, help="Programs that are planned side by side.")
+]
 Output = Annotated[
     str | None,
     typer.Option(
@@ -63,7 +163,7 @@ PrepSteps = Annotated[
     ),
 ]
 ControllerName = Annotated[
-    str, typer.Option("--on", help="Which controller: host, or m4f or m7 under QEMU.")
+    Controller, typer.Option("--on", help="Which controller: this computer, or one under QEMU.")
 ]
 Commands = Annotated[
     list[str] | None,

@@ -14,7 +14,7 @@ from pycnc.controller import FirmwareError
 from pycnc.machine import MachineFileError
 from pycnc.planning.plan import BackendError
 
-GOOD, WRONG, USAGE, INTERNAL, INTERRUPTED = 0, 1, 2, 4, 130
+GOOD, WRONG, USAGE, OUTSIDE, INTERNAL, INTERRUPTED = 0, 1, 2, 3, 4, 130
 
 
 class Refused(Exception):

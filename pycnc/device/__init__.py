@@ -200,6 +200,12 @@ def _stamp(device):
     return cache_folder() / f"proved-{digest[:32]}"
 
 
+def _last_word(words):
+    """Return what a process said of its end: its last line that tells an error."""
+    lines = words.splitlines() or ["its process ended without a word"]
+    return next((line for line in reversed(lines) if "error" in line.lower()), lines[-1])
+
+
 def probe(name=None):
     """Prove a device in a process of its own, once: a broken OpenCL may abort its process.
 
@@ -229,9 +235,12 @@ def probe(name=None):
     except subprocess.TimeoutExpired:
         words, good = f"no answer within {_PROBE_SECONDS} s", False
     if not good:
-        linker = "" if shutil.which("ld") else "; PoCL needs ld: install binutils"
-        last = words.splitlines()[-1] if words else "its process ended without a word"
-        raise errors.DeviceError(f"{device} does not work: {last}{linker}", id="device-build")
+        remedy = "" if shutil.which("ld") else "; PoCL needs ld: install binutils"
+        if "unknown target CPU" in words:
+            remedy = "; its LLVM is older than this processor: install a newer PoCL"
+        raise errors.DeviceError(
+            f"{device} does not work: {_last_word(words)}{remedy}", id="device-build"
+        )
     stamp.touch()
     return device
 

@@ -17,6 +17,8 @@ from pycnc.kernel.records import dtype, enum
 _BLOCK_ROWS = 16384
 _DIAGNOSTIC_ROWS = 4096
 _PLAN_ROWS = 4 * lib.NCK_WINDOW  # the least that nck_host_plan_run takes
+_TRAIL_ROWS = 16 * lib.NCK_HOST_TRAIL_ROOM
+_TRAIL = {"host_point": ("points", "point"), "host_foot": ("feet", "foot")}
 _TICK_ROWS = 16384
 _COMMANDS = {  # name → (kind, how many numbers it needs, the most that each may be)
     "hold": (lib.SIM_HOLD, 0, ()),
@@ -25,7 +27,9 @@ _COMMANDS = {  # name → (kind, how many numbers it needs, the most that each m
     "single_block": (lib.SIM_SINGLE_BLOCK, 1, (1,)),
     "abort": (lib.SIM_ABORT, 0, ()),
 }
-PREP_STEPS = 256  # prep steps between two ticks: more than any program of 1 µm moves needs
+# Prep steps between two ticks: more than any program of 1 µm moves needs, and enough that the first
+# plan behind a wait, which begins with the resume, is made before the next tick.
+PREP_STEPS = 4096
 
 
 def version():
@@ -104,27 +108,58 @@ class Planner:
     text : bytes
     machine : Machine
     records : sequence of str
-        Which records `pieces` yields: of seg, node, cell, output.
+        Which records `pieces` yields: of seg, node, cell, output; of the trail host_point and
+        host_foot, both together.
+    shares : int or numpy.ndarray, optional
+        Parts of the time that are asked for: so many tools at most; or for every source line the
+        number of its row (uint32).
 
     Attributes
     ----------
     totals : numpy.void
         Of dtype ``nck_host_totals_t``: sums so far, complete when `pieces` has ended.
+    shares : numpy.ndarray
+        Of dtype ``nck_host_share_t``: the rows that were asked for, as above.
+    why : dict
+        "causes": of dtype ``nck_host_cause_t``, those that lose time; "cut_s", "rapid_s",
+        "dwell_s": the time without them. Complete when `pieces` has ended.
     """
 
-    def __init__(self, text, machine, records=("seg", "node", "cell")):
+    def __init__(self, text, machine, records=("seg", "node", "cell"), shares=None):
         self._text, self._machine = text, machine
         self._nck, self._plan = ffi.new("nck_t *"), ffi.new("nck_host_plan_t *")
         self._data = ffi.from_buffer("char[]", text)
         check(lib.nck_host_plan_init(self._plan, self._nck, machine.pointer, self._data, len(text)))
         if isinstance(text, Blocks):
             lib.nck_host_plan_blocks(self._plan)
+        self._ask_shares(shares, machine.settings)
         self._arrays = {
-            name: np.empty(_PLAN_ROWS, dtype(f"nck_{name}_t")) for name in records
+            name: np.empty(_TRAIL_ROWS if name in _TRAIL else _PLAN_ROWS, dtype(f"nck_{name}_t"))
+            for name in records
         }
         for name, array in self._arrays.items():
-            setattr(self._plan, f"{name}s", pointer(f"nck_{name}_t", array))
-            setattr(self._plan, f"{name}_max", len(array))
+            owner, rows, short = self._rows_of(name)
+            setattr(owner, rows, pointer(f"nck_{name}_t", array))
+            setattr(owner, f"{short}_max", len(array))
+
+    def _rows_of(self, name):
+        """Return who has the rows of a record, under which name, and the name of their counts."""
+        if name in _TRAIL:
+            return self._plan.why.trail, *_TRAIL[name]
+        return self._plan, f"{name}s", name
+
+    def _ask_shares(self, asked, settings):
+        shares, by_line = self._plan.why.shares, isinstance(asked, np.ndarray)
+        turret = settings.dialect.base == "fanuc" and settings.kinematics.type == "lathe_xz"
+        shares.turret = turret
+        rows = 0 if asked is None else int(asked.max()) + 1 if by_line else asked
+        self._rows = np.zeros(rows, dtype("nck_host_share_t"))
+        if rows:
+            shares.rows, shares.max = pointer("nck_host_share_t", self._rows), rows
+        if by_line:
+            self._row_of_line = np.ascontiguousarray(asked, np.uint32)
+            shares.row_of_line = pointer("uint32_t", self._row_of_line)
+            shares.line_max = len(asked) - 1
 
     def pieces(self):
         """Yield (segs, nodes, cells, bytes used) or what was asked for, until the plan is done.
@@ -138,9 +173,10 @@ class Planner:
         while status == lib.NCK_OK:
             status = lib.nck_host_plan_run(self._plan)
             check(status)
+            owners = {name: self._rows_of(name) for name in self._arrays}
             pieces = (
-                array[: getattr(self._plan, f"{name}_count")]
-                for name, array in self._arrays.items()
+                self._arrays[name][: getattr(owner, f"{short}_count")]
+                for name, (owner, _, short) in owners.items()
             )
             yield *pieces, self._plan.text_used
 
@@ -149,6 +185,26 @@ class Planner:
         """What the plan adds up to, as a record of ``nck_host_totals_t``."""
         data = ffi.buffer(ffi.addressof(self._plan, "totals"))
         return np.frombuffer(bytes(data), dtype("nck_host_totals_t"))[0]
+
+    @property
+    def shares(self):
+        """The parts of the time, as they were asked for."""
+        by_line = self._plan.why.shares.row_of_line != ffi.NULL
+        return self._rows if by_line else self._rows[: self._plan.why.shares.count]
+
+    @property
+    def why(self):
+        """What the time goes to."""
+        why = self._plan.why
+        data = bytes(ffi.buffer(why.causes))
+        causes = np.frombuffer(data, dtype("nck_host_cause_t"))
+        ideal = {name: _sum(getattr(why, name)) for name in ("cut_s", "rapid_s", "dwell_s")}
+        return {"causes": causes[causes["lost_s"]["sum"] != 0], **ideal}
+
+
+def _sum(number):
+    """Return what a ``nck_host_sum_t`` adds up to."""
+    return number.sum + number.rest
 
 
 def _command_rows(commands):
@@ -190,9 +246,12 @@ class Simulation:
         Prep steps between two ticks, 1 at least. Few of them starve the tick.
     commands : iterable of tuple
         What the operator does, as `pycnc.run` takes it.
+    spindle : tuple of float, optional
+        A measured spindle: by how much it is late [s], by which share its speed swells and falls,
+        over so many revolutions. Without it the spindle turns as commanded.
     """
 
-    def __init__(self, text, machine, prep_steps=PREP_STEPS, commands=()):
+    def __init__(self, text, machine, prep_steps=PREP_STEPS, commands=(), spindle=None):
         self._text, self._machine = text, machine
         self._nck, self._sim = ffi.new("nck_t *"), ffi.new("sim_t *")
         self._data = ffi.from_buffer("char[]", text)
@@ -201,6 +260,10 @@ class Simulation:
         )
         if isinstance(text, Blocks):
             lib.sim_feed_blocks(self._sim)
+        if spindle is not None:
+            own = self._sim.spindle
+            own.late_s, own.ripple, own.ripple_turns = spindle
+            own.on = 1
         self._commands = _command_rows(commands)
         lib.sim_operate(
             self._sim, pointer("sim_command_t", self._commands), len(self._commands)
@@ -236,6 +299,11 @@ class Simulation:
             f"({sim.text_used:,} of {len(self._text):,} bytes read, prep status "
             f"{sim.prep_status}, {queue.segs} segs unfinished)"
         )
+
+    @property
+    def thread_lost(self):
+        """Whether a thread was stopped before its end."""
+        return bool(lib.nck_is_thread_lost(self._nck))
 
     @property
     def end(self):

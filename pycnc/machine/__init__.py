@@ -14,7 +14,7 @@ import numpy as np
 import pydantic
 
 from pycnc import errors
-from pycnc.machine import schema, tool_table
+from pycnc.machine import foreign, schema, tool_table
 from pycnc.kernel.bind import ffi, lib, pointer
 from pycnc.machine.rows import rows_of
 from pycnc.machine.schema import AXES, MachineFile, position_key, unit_of
@@ -85,6 +85,8 @@ class Machine:
     sources : dict
         Path to key → "file", "--set", "--dialect" or the tool table's name. What is not in it is
         a default.
+    changes : tuple of (str, value, str)
+        What was changed behind the file: path to key, value, source.
 
     Examples
     --------
@@ -95,6 +97,7 @@ class Machine:
 
     def __init__(self, data, *, name="machine", file="<machine>", text="", changes=()):
         self.name, self.file, self.text = name, str(file), text
+        self.changes = tuple(changes)
         self.sources = dict.fromkeys(_leaves(data), "file")
         self.sources |= {key: source for key, _, source in changes}
         self.settings, problems = _validate(data)
@@ -223,7 +226,8 @@ def _parse(text, file):
     try:
         return tomllib.loads(text, parse_float=Decimal)
     except (tomllib.TOMLDecodeError, ArithmeticError, RecursionError) as cause:
-        raise MachineFileError(file, [("", f"is not valid TOML: {cause}")]) from None
+        words = foreign.remedy(text, file) or f"is not valid TOML: {cause}"
+        raise MachineFileError(file, [("", words)]) from None
 
 
 def _leaves(data, prefix=""):

@@ -28,6 +28,11 @@ _SYSTEMS = {
     "B": lib.NCK_SYSTEM_B,
     "C": lib.NCK_SYSTEM_C,
 }
+_FEEDS = {
+    None: lib.NCK_FEED_START_OPEN,
+    "per_minute": lib.NCK_FEED_START_MINUTE,
+    "per_rev": lib.NCK_FEED_START_REV,
+}
 DIALECTS = frozenset(_DIALECTS)
 
 
@@ -47,6 +52,7 @@ def rows_of(settings):
     _fill_path(record, settings.path)
     record["kinematics"] = _KINEMATICS[settings.kinematics.type]
     record["spindle"]["rpm_max"] = float(settings.spindle.rpm_max)
+    record["spindle"]["a_max_rpm_s"] = float(settings.spindle.a_max_rpm_s)
     _fill_dialect(record["dialect"], settings.dialect)
     _fill_positions(record, settings)
     _fill_tools(record, settings.tool)
@@ -92,9 +98,13 @@ def _fill_path(record, path):
 def _fill_dialect(row, dialect):
     row["base"] = _DIALECTS.get(dialect.base, lib.NCK_DIALECT_LINUXCNC)  # auto: until a text tells
     row["system"] = _SYSTEMS[dialect.system]
+    row["feed"] = _FEEDS[dialect.feed]
+    row["scale_unit"] = float(dialect.scale_unit)
+    row["thread_pull"] = float(dialect.thread_pull_leads)
     row["diameter"], row["inch"] = dialect.diameter, dialect.units == "inch"
     row["plane"], row["arc_absolute"] = dialect.plane, dialect.arc_centre == "absolute"
     row["block_skip"], row["optional_stop"] = dialect.block_skip, dialect.optional_stop
+    row["from_line"] = dialect.from_line
     row["feed_default"] = float(dialect.feed_default_mm_min)
 
 

@@ -47,6 +47,9 @@ Error = _within("error")
 Size = _within("size")
 Feed = _within("feed")
 Rotation = _within("rotation")
+Leads = Annotated[Number, Field(ge=0, le=10), BeforeValidator(_number)]
+Unit = Annotated[Number, Field(ge=0, le=1), BeforeValidator(_number)]
+Seconds = Annotated[Number, Field(ge=0, le=3600), BeforeValidator(_number)]
 Coordinate = Annotated[Number, Field(ge=-TRAVEL_LIMIT, le=TRAVEL_LIMIT), BeforeValidator(_number)]
 Travel = Annotated[
     Annotated[Number, Field(ge=-TRAVEL_LIMIT, le=TRAVEL_LIMIT)] | None, BeforeValidator(_travel)
@@ -187,6 +190,22 @@ class Spindle(Table):
     """The main spindle."""
 
     rpm_max: Rotation = Field(Decimal(0), description="Highest speed; 0: not checked.")
+    a_max_rpm_s: Rotation = Field(
+        Decimal(0),
+        description="How fast the speed can change, in rpm a second: under G96 no move is faster "
+        "than the spindle can follow; 0: at once.",
+    )
+
+
+class Times(Table):
+    """What takes time that no axis makes; it is added to the machining time where it is told."""
+
+    tool_change_s: Seconds = Field(
+        Decimal(0), description="A change of tool: M6, or T where a lathe's turret turns at once."
+    )
+    spindle_start_s: Seconds = Field(
+        Decimal(0), description="Until the spindle has its speed: M3 or M4 from rest, a reversal."
+    )
 
 
 class Dialect(Table):
@@ -202,6 +221,21 @@ class Dialect(Table):
         description="Fanuc's G-code system of a lathe: what G90, G92, G94 and G98 mean. Not said: "
         "A, and a note where it matters.",
     )
+    feed: Literal["per_minute", "per_rev"] | None = Field(
+        None,
+        description="What F means at start (G94 or G95, in system A G98 or G99). Not said: per "
+        "minute, and on a lathe that speaks Fanuc's language a note.",
+    )
+    scale_unit: Unit = Field(
+        Decimal(0),
+        description="What 1 means where a factor of Fanuc's G51 has no point: 1 (Haas), 0.001 or "
+        "0.00001; 0: such a factor is an error.",
+    )
+    thread_pull_leads: Leads = Field(
+        Decimal(1),
+        description="Leads over which a tool pulls out at a thread's end, in Fanuc's G92 and its "
+        "G76 of one line; 0: it stops there.",
+    )
     diameter: bool = Field(False, description="At start, X words are diameters (G7).")
     units: Literal["mm", "inch"] = Field("mm", description="Units at start (G21 or G20).")
     plane: Literal[17, 18, 19] = Field(17, description="Plane at start (G17, G18, G19).")
@@ -210,6 +244,10 @@ class Dialect(Table):
     )
     block_skip: bool = Field(False, description="Lines that begin with / are skipped.")
     optional_stop: bool = Field(False, description="M1 stops.")
+    from_line: int = Field(
+        0, ge=0, le=4_294_967_295,
+        description="Line where programs begin, in the state they have there; 0: with the first.",
+    )
     feed_default_mm_min: Feed = Field(
         Decimal(0),
         description="Feed in force before the first F; 0: none, a cut without F is an error.",
@@ -294,6 +332,7 @@ class MachineFile(Table):
     axis: Axis = Field(description="The axes.")
     kinematics: Kinematics = Field(Kinematics(), description="How axes become joints.")
     spindle: Spindle = Field(Spindle(), description="The main spindle.")
+    times: Times = Field(Times(), description="What takes time that no axis makes.")
     dialect: Dialect = Field(Dialect(), description="How program text is read.")
     start: Start = Field(Start(), description="Where the machine stands when a program starts.")
     home: Home = Field(Home(), description="Reference points.")

@@ -5,6 +5,8 @@ Nothing here asks the planner: speed, acceleration and jerk are finite differenc
 positions.
 """
 
+from collections import Counter
+
 import numpy as np
 
 from pycnc.machine.schema import AXES
@@ -12,7 +14,7 @@ from pycnc.kernel.records import counts_per_unit, enum
 
 LIMITS = enum("nck_limit_t")
 # Codes of a trace's column `kind`.
-KINDS = ("idle", "rapid", "line", "arc", "dwell", "wait", "spline")
+KINDS = ("idle", "rapid", "line", "arc", "dwell", "wait", "spline", "thread", "tap")
 _TICK_STATES = enum("nck_tick_state_t")
 
 
@@ -86,12 +88,15 @@ class Ticks:
             self.length_mm = float(pose["s_program"][-1])
         idle = pose["state"] == _TICK_STATES.IDLE
         for code in np.unique(pose["limit"][~idle]):
-            lines = np.bincount(pose["line"][~idle & (pose["limit"] == code)])
-            known = self._lines.get(int(code), np.zeros(0, np.int64))
-            longer, shorter = (lines, known) if len(lines) > len(known) else (known, lines)
-            longer = longer.astype(np.int64)
-            longer[: len(shorter)] += shorter
-            self._lines[int(code)] = longer
+            lines = pose["line"][~idle & (pose["limit"] == code)]
+            first = int(lines.min())
+            ticks = np.bincount(lines - first)
+            known = self._lines.get(int(code), np.zeros(0, np.uint32))
+            lacks = first + len(ticks) - len(known)
+            if lacks > 0:
+                known = np.append(known, np.zeros(max(lacks, len(known)), np.uint32))
+            known[first : first + len(ticks)] += ticks.astype(np.uint32)
+            self._lines[int(code)] = known
 
     @property
     def time_s(self):
@@ -109,11 +114,50 @@ class Ticks:
         """Return limit name → [(source line, time in s)], the lines that it held longest."""
         worst = {}
         for code, ticks in self._lines.items():
-            order = np.argsort(-ticks, kind="stable")[:count]
+            order = _largest(ticks, count)
             worst[self._names[code]] = [
                 (int(line), float(ticks[line] * self._period)) for line in order if ticks[line]
             ]
         return worst
+
+
+def _largest(ticks, count):
+    """Return the indices of the largest numbers, of equal ones the first; without a sort of all."""
+    if len(ticks) > count:
+        least = np.partition(ticks, -count)[-count]
+        some = np.flatnonzero(ticks >= least)
+    else:
+        some = np.arange(len(ticks))
+    return some[np.argsort(-ticks[some].astype(np.int64), kind="stable")[:count]]
+
+
+def worst_lines(causes, machine, count=3):
+    """Return limit name → [(source line, time lost there in s)], the worst low points' lines.
+
+    Feeds and rapids are left out: what they hold most is not where they change.
+
+    Parameters
+    ----------
+    causes : numpy.ndarray
+        Of dtype ``nck_host_cause_t``.
+    machine : Machine
+    """
+    names, found = limit_names(machine), {}
+    for cause in causes:
+        lines = found.setdefault(names[int(cause["limit"])], Counter())
+        for place in cause["places"][: cause["place_count"]]:
+            lines[int(place["line_worst"])] += float(place["lost_s"])
+    held = found.keys() - {"feed", "rapid"}
+    return {name: found[name].most_common(count) for name in held if found[name]}
+
+
+def extra_times(tool_changes, spindle_starts, machine):
+    """Return what takes time that no axis makes [s]."""
+    times = machine.settings.times
+    return {
+        "tool_change_s": int(tool_changes) * float(times.tool_change_s),
+        "spindle_s": int(spindle_starts) * float(times.spindle_start_s),
+    }
 
 
 def plan_times(totals, machine):
@@ -128,13 +172,19 @@ def plan_times(totals, machine):
     Returns
     -------
     dict
-        Times in s, lengths in mm.
+        Times in s, lengths in mm. ``time_s`` is that of the axes and of dwells, to the tick;
+        ``total_s`` is it with the changes of tool and the starts of the spindle.
     """
     names = ("time_s", "cut_s", "rapid_s", "dwell_s", "accelerate_s", "cruise_s", "decelerate_s")
     times = {name: float(totals[name]) for name in names}
     limits = {name: float(totals["limit_s"][code]) for code, name in limit_names(machine).items()}
+    own = extra_times(totals["tool_changes"], totals["spindle_starts"], machine)
     return {
         **times,
+        **own,
+        "total_s": times["time_s"] + sum(own.values()),
+        "tool_changes": int(totals["tool_changes"]),
+        "spindle_starts": int(totals["spindle_starts"]),
         "blocks": int(totals["blocks"]),
         "segments": int(totals["segs"]),
         "length_mm": float(totals["length_mm"]),

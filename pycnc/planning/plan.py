@@ -7,13 +7,15 @@ import typing
 import numpy as np
 
 from pycnc import errors, kernel
-from pycnc.planning import grades, measure
+from pycnc.planning import grades, measure, shares
+from pycnc.planning.why import Why
 from pycnc.machine import Machine
 from pycnc.machine.schema import Slope
-from pycnc.program import Program, load
+from pycnc.program import Program, load, shown
 from pycnc.kernel.records import dtype, join
 
 SLOPES = typing.get_args(Slope)
+RECORDS = ("segs", "nodes", "cells")
 BACKENDS = {"exact": ("auto", "c"), "grades": grades.BACKENDS}  # of every kind of planning
 
 
@@ -94,20 +96,30 @@ class Plan:
     segs, nodes, cells : numpy.ndarray
         Of dtypes ``nck_seg_t``, ``nck_node_t``, ``nck_cell_t``; empty if they were not kept.
 
-    `look` is called with the segs as they come, kept or not.
+    parts : list of dict or None
+        Where the time goes, if it was asked for, the longest first: see `shares.table`.
+    lost : dict or None
+        What it is lost to, as `kernel.Planner.why` has it; None of a plan by grades.
+
+    `look` is called with the segs as they come, kept or not; `trail` with the points and the low
+    points of the path (``nck_host_point_t``, ``nck_host_foot_t``), of an exact plan; `by` is
+    "tool", "section" or "line".
     """
 
     def __init__(self, program, *, plan="exact", backend="auto", keep=True, progress=None,
-                 look=None):  # fmt: skip
+                 look=None, trail=None, by=None):  # fmt: skip
         check_backend(backend, plan)
+        if by is not None and plan == "grades":
+            raise errors.ArgumentError("a plan by grades is not told by parts", id="by")
         self.program, self.kind, self.grades = for_plan(program.check(), plan), plan, None
+        self.parts = self.lost = None
         begun = time.perf_counter()
         if plan == "grades":
             totals, exact = self._by_grades(backend, keep, progress)
             if look:
                 look(self.segs)
         else:
-            totals, exact = self._exactly(keep, progress, look)
+            totals, exact = self._exactly(keep, progress, look, trail, by)
         self.totals = measure.plan_times(totals, program.machine)
         self.time_s, self.exact_time_s = self.totals["time_s"], float(exact["time_s"])
         self.plan_s = time.perf_counter() - begun
@@ -119,22 +131,29 @@ class Plan:
         self.nodes = np.empty(0, dtype("nck_node_t"))
         self.cells = self.grades.cells() if keep else np.empty(0, dtype("nck_cell_t"))
         totals = self.grades.totals
-        totals["blocks"] = exact["blocks"]
+        for name in ("blocks", "tool_changes", "spindle_starts"):
+            totals[name] = exact[name]
         return totals, exact
 
-    def _exactly(self, keep, progress, look):
+    def _exactly(self, keep, progress, look, trail, by):
         program = self.program
-        planner = kernel.Planner(program.text, program.machine)
+        asked, names = shares.ask(program, by) if by else (None, [])
+        records = ("seg", "node", "cell", *(("host_point", "host_foot") if trail else ()))
+        planner = kernel.Planner(program.text, program.machine, records, shares=asked)
         kept = {"nck_seg_t": [], "nck_node_t": [], "nck_cell_t": []}
         for *pieces, used in planner.pieces():
             if keep:
-                for arrays, piece in zip(kept.values(), pieces, strict=True):
+                for arrays, piece in zip(kept.values(), pieces, strict=False):
                     arrays.append(piece.copy())
+            if trail:
+                trail(*pieces[-2:])
             if look:
                 look(pieces[0])
             if progress:
                 progress(used, len(program.text))
         self.segs, self.nodes, self.cells = (join(*record) for record in kept.items())
+        self.parts = shares.table(program, by, planner.shares, names) if by else None
+        self.lost = planner.why
         return planner.totals, planner.totals
 
     def as_dict(self):
@@ -150,11 +169,58 @@ class Plan:
             "plan": self.kind,
             "backend": self.grades.backend if self.grades else "c",
             "plan_s": self.plan_s,
+            **({} if self.parts is None else {"parts": self.parts}),
             "diagnostics": self.program.diagnostics.as_list(),
         }
 
+    def why(self):
+        """Return what the time goes to, a `Why`."""
+        return Why(self)
+
+    def to_pandas(self, records="nodes"):
+        """Return records as a pandas.DataFrame (needs pandas), codes by their names.
+
+        Parameters
+        ----------
+        records : {"segs", "nodes", "cells"}
+            What has a value for each axis is a column for each of the machine's.
+        """
+        return self._table("pandas", records)
+
+    def to_polars(self, records="nodes"):
+        """Return records as a polars.DataFrame (needs polars), as `to_pandas` does."""
+        return self._table("polars", records)
+
+    def to_arrow(self, records="nodes"):
+        """Return records as a pyarrow.Table (needs pyarrow), as `to_pandas` does."""
+        return self._table("arrow", records)
+
+    def _table(self, kind, records):
+        if records not in RECORDS:
+            raise errors.ArgumentError(
+                f"no records {records!r}; there are: {', '.join(RECORDS)}", id="records"
+            )
+        machine = self.program.machine
+        rows = getattr(self, records)
+        columns, names = shown.columns_of(rows, machine, measure.limit_names(machine))
+        return shown.frame(columns, names, kind)
+
+    def _facts(self):
+        totals, settings = self.totals, self.program.machine.settings
+        yield "file", self.program.file
+        yield "machine", f"{self.program.machine.name}, slope {settings.path.slope}"
+        for name in ("total", "time", "cut", "rapid", "dwell", "tool_change", "spindle"):
+            yield f"{name.replace('_', ' ')} [s]", f"{totals[f'{name}_s']:.3f}"
+        held = sorted(totals["limit_time_s"].items(), key=lambda item: -item[1])
+        yield "held by", ", ".join(f"{name} {time:.3f} s" for name, time in held[:3] if time > 0)
+        for name in RECORDS:
+            yield name, f"{len(getattr(self, name)):,}"
+
     def __repr__(self):
         return f"<Plan of {self.program.file}: {self.time_s:.3f} s, {len(self.cells):,} cells>"
+
+    def _repr_html_(self):
+        return shown.facts_table(self._facts())
 
 
 def plan(program, machine=None, slope=None, backend="auto", plan="exact"):
@@ -191,3 +257,38 @@ def plan(program, machine=None, slope=None, backend="auto", plan="exact"):
     True
     """
     return Plan(for_machine(program, machine, slope), plan=plan, backend=backend)
+
+
+def why(program, machine=None, slope=None, *, what_if=False):
+    """Tell what the time of a whole program goes to.
+
+    Parameters
+    ----------
+    program : Program, path, str or bytes
+        What `load` takes, or a loaded program.
+    machine : str, path or Machine, optional
+        Another machine than the program's.
+    slope : {"linear", "jerk", "sshape"}, optional
+        Another velocity profile than the machine's.
+    what_if : bool
+        Plan it again with each cure.
+
+    Returns
+    -------
+    Why
+
+    Raises
+    ------
+    ProgramError
+        If the program has an error.
+
+    Examples
+    --------
+    >>> found = why("G21 G90 G61 G1 X10 F6000\\nY10\\nM2\\n")
+    >>> found.time_s > found.ideal_s
+    True
+    """
+    found = Plan(for_machine(program, machine, slope), keep=False).why()
+    if what_if:
+        found.what_if()
+    return found

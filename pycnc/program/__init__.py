@@ -2,17 +2,19 @@
 """A program: NC text, decoded whole for one machine."""
 
 import hashlib
-import html
 from pathlib import Path
 
 from pycnc import errors, kernel
 from pycnc.program import guess, moves
 from pycnc.program.diagnostics import Diagnostic, Diagnostics, Wording
 from pycnc.program.geometry import Moves
+from pycnc.program.shown import facts_table
 from pycnc.machine import DEFAULT, Machine
 from pycnc.machine.rows import DIALECTS
 from pycnc.machine.schema import AXES, unit_of
 from pycnc.kernel.records import join
+
+_PIECE = 16384  # blocks that are looked at at a time
 
 
 class Program:
@@ -30,16 +32,21 @@ class Program:
     diagnostics : Diagnostics
         Everything that was found, errors and notes.
     block_count : int
+    tolerance_most_mm : float
+        The largest tolerance in force anywhere.
     """
 
     def __init__(self, text, machine, *, file="<text>", keep=True, progress=None):
         self.text = text if isinstance(text, bytes) else bytes(text)
         self.file, self.diagnostics, kept, self.block_count = file, Diagnostics(), [], 0
         self.machine = machine = self._choose_dialect(machine)
+        self.tolerance_most_mm = 0.0
         wording = Wording(file, self.text, machine)
         for blocks, findings, used in kernel.decode(self.text, machine):
             wording.add(self.diagnostics, findings)
             self.block_count += len(blocks)
+            most = blocks["tolerance_mm"].max(initial=0.0)
+            self.tolerance_most_mm = max(self.tolerance_most_mm, float(most))
             if keep:
                 kept.append(blocks.copy())
             if progress:
@@ -126,6 +133,15 @@ class Program:
         """Hash of the text."""
         return hashlib.sha256(self.text).hexdigest()
 
+    def pieces(self):
+        """Yield the blocks in pieces, again from the text if they were not kept."""
+        if self.blocks is not None:
+            for begin in range(0, len(self.blocks), _PIECE):
+                yield self.blocks[begin : begin + _PIECE]
+            return
+        for blocks, _, _ in kernel.decode(self.text, self.machine):
+            yield blocks.copy()
+
     @property
     def moves(self):
         """Where the moves run, as `geometry.Moves`."""
@@ -174,11 +190,7 @@ class Program:
         return "<Program " + ", ".join(f"{name} {value}" for name, value in self._facts()) + ">"
 
     def _repr_html_(self):
-        rows = (
-            f"<tr><th>{html.escape(name)}</th><td>{html.escape(value)}</td></tr>"
-            for name, value in self._facts()
-        )
-        return f"<table>{''.join(rows)}</table>"
+        return facts_table(self._facts())
 
 
 def read_text(path_or_text):

@@ -8,6 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from pycnc.kernel.bind import lib, note_id, status_id
+from pycnc.program.shown import Tables, frame, rows_table
 from pycnc.program.wording import WORDING
 
 SHOWN_PER_ID = 20  # findings of one id that are told in full; the rest is counted
@@ -15,6 +16,7 @@ _EXCERPT = 100  # characters of a source line that are shown around the column
 _DIALECTS = {1: "Heidenhain Klartext", 2: "Sinumerik", 3: "Okuma"}
 
 _WARNINGS = frozenset({"after-end", "comp-left"})
+KEYS = ("file", "line", "col", "id", "severity", "message", "help")  # of Diagnostic.as_dict
 
 
 @dataclass(frozen=True)
@@ -46,8 +48,7 @@ class Diagnostic:
 
     def as_dict(self):
         """Return what ``--json`` tells."""
-        keys = ("file", "line", "col", "id", "severity", "message", "help")
-        return {key: getattr(self, key) for key in keys}
+        return {key: getattr(self, key) for key in KEYS}
 
     def text(self, colour=False):
         """Return the finding as lines of text: head, source line, caret, help."""
@@ -74,7 +75,7 @@ class Diagnostic:
         return [f"  {shown}", f"  {_paint(caret, 'green', colour)}"]
 
 
-class Diagnostics:
+class Diagnostics(Tables):
     """All findings of a program, in the order of the source; the many of one kind are counted.
 
     Attributes
@@ -117,6 +118,19 @@ class Diagnostics:
     def as_list(self):
         """Return what ``--json`` tells."""
         return [finding.as_dict() for finding in self.shown]
+
+    def _table(self, kind):
+        return frame({name: [each[name] for each in self.as_list()] for name in KEYS}, kind=kind)
+
+    def __repr__(self):
+        told = ", ".join(f"{name} ({n})" if n > 1 else name for name, n in self.counts.items())
+        return f"<Diagnostics: {self.errors} errors{', ' if told else ''}{told}>"
+
+    def _repr_html_(self):
+        rows = [[each[name] for name in KEYS] for each in self.as_list()]
+        rows += [["", "", "", name, severity, f"{count} more like this are not shown", ""]
+                 for name, severity, count in self.hidden()]  # fmt: skip
+        return rows_table(KEYS, rows)
 
     def __len__(self):
         return sum(self.counts.values())

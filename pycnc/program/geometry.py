@@ -14,32 +14,51 @@ _PLANE_AXES = {17: (0, 1), 18: (2, 0), 19: (1, 2)}
 _MOVES = (lib.NCK_BLOCK_RAPID, lib.NCK_BLOCK_LINE, lib.NCK_BLOCK_ARC)
 _NEWTON_STEPS = 3  # from a start within 1e-3 of the helix: the third step is below rounding
 ON_PATH_MM = 1e-9  # nearer needs no better
+_BY_BLOCK = (
+    "start", "end", "is_arc", "_is_thread", "_axes", "_centre", "_sweep", "_angle", "_radius",
+)  # fmt: skip
 REACH = 3.0  # of a distance: how much longer the way along the path to the nearest point may be
 
 
 class Moves:
     """The moves of decoded blocks.
 
+    Parameters
+    ----------
+    blocks : numpy.ndarray
+        Of dtype ``nck_block_t``.
+    machine : Machine
+    start_nm : numpy.ndarray, optional
+        (axes,) int64: where the first block begins; without it the machine's start.
+    begin_s : float
+        Path coordinate there [mm].
+
     Attributes
     ----------
     start, end : numpy.ndarray
         (blocks, axes) where every block begins and ends [mm, deg].
+    end_nm : numpy.ndarray
+        (axes,) int64: where the last block ends.
     is_arc : numpy.ndarray
         (blocks,) bool.
     """
 
-    def __init__(self, blocks, machine):
+    def __init__(self, blocks, machine, start_nm=None, begin_s=0.0):
+        start_nm = machine.record["start_nm"] if start_nm is None else start_nm
         position = blocks["target_nm"].astype(np.int64)
         position[:, :3] += blocks["tool_nm"]
-        is_move = np.isin(blocks["kind"], _MOVES)
+        # A thread's pass is no path: it is in step with the spindle.
+        self._is_thread = blocks["kind"] == lib.NCK_BLOCK_THREAD
+        is_move = np.isin(blocks["kind"], _MOVES) | self._is_thread
         last = np.maximum.accumulate(np.where(is_move, np.arange(len(blocks)), -1))
-        end_nm = np.where((last >= 0)[:, None], position[last], machine.record["start_nm"])
+        end_nm = np.where((last >= 0)[:, None], position[last], start_nm)
         counts = counts_per_unit(machine.record["axis"]["rotary"])
-        self.end = end_nm / counts
-        self.start = np.concatenate([[machine.record["start_nm"] / counts], self.end[:-1]])
+        self.end, self.end_nm = end_nm / counts, end_nm[-1] if len(end_nm) else start_nm
+        self.start = np.concatenate([[start_nm / counts], self.end])[:-1]
         self.is_arc = blocks["kind"] == lib.NCK_BLOCK_ARC
         self._arcs(blocks)
-        self._begin = np.concatenate([[0.0], np.cumsum(self._lengths())])
+        length = np.where(self._is_thread, 0.0, self._lengths())
+        self._begin = np.cumsum(np.append(begin_s, length))
 
     def _arcs(self, blocks):
         """Prepare the arcs: centre in the machine, start angle, radius."""
@@ -51,6 +70,23 @@ class Moves:
         radius = np.take_along_axis(self.start, self._axes, axis=1) - self._centre
         self._angle = np.arctan2(radius[:, 1], radius[:, 0])
         self._radius = np.hypot(radius[:, 0], radius[:, 1])
+
+    @classmethod
+    def join(cls, pieces):
+        """Return the moves of pieces that follow each other as one.
+
+        Parameters
+        ----------
+        pieces : sequence of Moves
+            One at least.
+        """
+        whole = object.__new__(cls)
+        for name in _BY_BLOCK:
+            setattr(whole, name, np.concatenate([getattr(piece, name) for piece in pieces]))
+        begins = [piece._begin[1:] for piece in pieces]
+        whole._begin = np.concatenate([pieces[0]._begin[:1], *begins])
+        whole.end_nm = pieces[-1].end_nm
+        return whole
 
     def point(self, block, q):
         """Return points of moves.
@@ -222,6 +258,11 @@ class Moves:
 
     def length(self):
         """Return the length of all moves [mm of the path metric]."""
+        return float(self._begin[-1] - self._begin[0])
+
+    @property
+    def end_s(self):
+        """Path coordinate behind the last block [mm]."""
         return float(self._begin[-1])
 
     def _lengths(self):
@@ -230,3 +271,41 @@ class Moves:
         straight[arc[:, None], self._axes[arc]] = 0
         turned = np.where(self.is_arc, self._radius * self._sweep, 0)
         return np.sqrt(np.einsum("ij,ij->i", straight, straight) + turned**2)
+
+
+class Along:
+    """The moves of a program about a place that goes along its path.
+
+    Of a long program only those are in memory: the place's piece of blocks, the one before it and
+    the one behind it.
+
+    Parameters
+    ----------
+    program : Program
+
+    Attributes
+    ----------
+    moves : Moves
+        Those about the place.
+    until : float
+        As long as the place is before this path coordinate they stay [mm].
+    """
+
+    def __init__(self, program):
+        self._machine, self._pieces = program.machine, program.pieces()
+        self._window, self._end = [], (None, 0.0)
+        self.moves, self.until = None, -np.inf
+
+    def go_to(self, s):
+        """Move the place on to a path coordinate [mm]."""
+        while s >= self.until:
+            blocks = next(self._pieces, None)
+            if blocks is None:
+                self.until = np.inf
+                break
+            self.until = self._end[1] if self._window else -np.inf
+            self._window = [*self._window[-2:], Moves(blocks, self._machine, *self._end)]
+            self._end = self._window[-1].end_nm, self._window[-1].end_s
+            self.moves = None
+        if self.moves is None:
+            self.moves = Moves.join(self._window)

@@ -5,7 +5,27 @@ _STEPS = (
     "{found} counts from where the axis stands, and another code of its block changes that",
     "put the other code on a line before",
 )
-_TAPPING = ("tapping is not supported yet: spindle and axes are not in step", "mill the thread")
+_TAPPING = (
+    "tapping cycles are not supported on lathes that speak Fanuc's language",
+    "tap with G32 in and out, the spindle turned back between them, or --dialect linuxcnc: G33.1",
+)
+_BITES = (
+    "{letter}{value:g} would have the cycle cut into the contour",
+    "what is left on the contour leads away from the work: turn its sign; W leaves nothing on the "
+    "far side of a pocket and is 0 there",
+)
+_TURNS_BACK = (
+    "the contour turns back along {letter} here",
+    "G71 cuts along Z, G72 along X: the contour goes one way; pockets: name X and Z in line P",
+)
+_CORNER = (
+    "a corner of {value:g} mm does not fit between this line and the one before",
+    "make it smaller; it stands between two straight lines",
+)
+_STRANGE = (
+    "{letter}{value:g} cannot stand in or beside the contour of a cycle",
+    "a contour has G0 G1 G2 G3 in the plane of Z and X (G18); put other codes before the cycle",
+)
 _NOT_IN_A = (
     "G{value:g} is none of the codes of Fanuc's G-code system A, which a lathe is taken to speak",
     "--set dialect.system=B (or C); in A, U and W count steps and G99 is feed per revolution; a "
@@ -15,6 +35,16 @@ _BOTH_ENDS = (
     "G{value:g} is a turning cycle (Fanuc's G-code system A), needs X and Z, and has no {letter}",
     "say both; if G90 means absolute distances, or G94 feed per minute: --set dialect.system=B; a "
     "program made for RS274NGC: --dialect linuxcnc",
+)
+
+_THREAD = (
+    "G92 is a thread cycle (Fanuc's G-code system A), needs X, Z and F, and has no {letter}",
+    "say them; if it shifts the zero: --set dialect.system=B; a program made for RS274NGC: "
+    "--dialect linuxcnc",
+)
+_THREAD_C = (
+    "G21 is a thread cycle (Fanuc's G-code system C), needs X, Z and F, and has no {letter}",
+    "say them; if it means millimetres: --set dialect.system=A (or B)",
 )
 
 # id, or id:letter or id:code where one word or code needs its own, → (message, help). Fields: see
@@ -77,6 +107,17 @@ WORDING = {
     "word-missing:Z90": _BOTH_ENDS,
     "word-missing:X94": _BOTH_ENDS,
     "word-missing:Z94": _BOTH_ENDS,
+    "word-missing:X92": _THREAD,
+    "word-missing:Z92": _THREAD,
+    "word-missing:F92": _THREAD,
+    "word-missing:X21": _THREAD_C,
+    "word-missing:Z21": _THREAD_C,
+    "word-missing:F21": _THREAD_C,
+    "word-missing:P76": (
+        "G76 needs P: in two lines each has one, the first for passes, pull-out and angle",
+        "write G76 P010060 Q100 R0.05 before G76 X… Z… P… Q… F…; "
+        "or both in one line, with K and D",
+    ),
     "word-missing:M": ("G86 stops the spindle, which stands", "start it before the cycle"),
     "word-shared": (
         "two codes of this block use {found}",
@@ -108,16 +149,10 @@ WORDING = {
     "unsupported:G87": ("G87 needs a spindle that stops at an angle", "bore from above"),
     "unsupported:G88": ("behind G88 nobody knows where the tool is", "use G86 or G89"),
     "unsupported:G93": ("inverse time (G93) is the time of one move", "use G94 in a cycle"),
-    "unsupported:G50": ("G50 S is not supported yet", "--set spindle.rpm_max=…"),
-    "unsupported:G21": (
-        "G21 is a threading cycle in Fanuc's G-code system C: not supported yet",
-        "if it means millimetres: --set dialect.system=A (or B)",
-    ),
     "unsupported:G91": _NOT_IN_A,
     "unsupported:G95": _NOT_IN_A,
     "unsupported:G92": (
-        "G92 limits the spindle's speed (with S) or cuts a thread (Fanuc's G-code system A): "
-        "neither is supported yet",
+        "G92 limits the spindle's speed (with S) on Fanuc's lathes alone",
         "limit the speed by --set spindle.rpm_max=…; where the zero is to be shifted: "
         "--set dialect.system=B, or --dialect linuxcnc for a program made for RS274NGC",
     ),
@@ -219,9 +254,21 @@ WORDING = {
         "give the kernel the text to read (nck_read)",
     ),
     "alarm": ("the program stops with alarm {value:.0f} (#3000)", "see the remark on its line"),
+    "endless:J": (
+        "the program has gone back {limit:.0f} times",
+        "check the condition of its loop: it seems never to end",
+    ),
     "endless": (
         "{limit:.0f} lines were read and no block came",
         "a loop without a move never ends: check its condition",
+    ),
+    "label-missing:N": (
+        "the program ends before line {value:.0f}, where it is to begin",
+        "choose a line that is reached",
+    ),
+    "comp-on:N": (
+        "line {value:.0f} stands in radius compensation: where its tool is, depends on before",
+        "begin before its G41 or G42",
     ),
     "comp-on": (
         "{found} while radius compensation (G41, G42) is in force",
@@ -244,9 +291,104 @@ WORDING = {
         "the tool's radius, {value:.3f} mm, does not fit into an arc of {limit:.3f} mm",
         "take a smaller tool, or a larger arc",
     ),
+    "contour": (
+        "the contour of the cycle cannot be cut: it has no length, or reaches beyond the start",
+        "begin the cycle further outside, and give the contour more than one point",
+    ),
+    "contour:P": (
+        "the line behind the cycle is not N{value:g}, where its contour begins",
+        "write the lines P … Q right behind the cycle",
+    ),
+    "contour:D": (
+        "D{value:g} has no decimal point: a length, or least increments?",
+        "write D{value:g}. for a length",
+    ),
+    "contour:U": _BITES,
+    "contour:W": _BITES,
+    "contour:X": _TURNS_BACK,
+    "contour:Z": _TURNS_BACK,
+    "contour:A": _CORNER,
+    "contour:C": _CORNER,
+    "contour:G": _STRANGE,
+    "contour:M": _STRANGE,
+    "contour-full": (
+        "the contour has more than {limit:.0f} lines and arcs",
+        "make it shorter, or build with a larger NCK_CONTOUR",
+    ),
     "comp-gouge": (
         "the tool would cut {value:.3f} mm into the contour of line {limit:.0f}",
         "take a smaller tool, or widen the contour between the two lines",
+    ),
+    "speed-limit": (
+        "G96 while nothing limits the spindle's speed, which grows towards the axis",
+        "say the most beside it, as in G96 S200 D2500, or --set spindle.rpm_max=…",
+    ),
+    "speed-limit:S": (
+        "G96 while nothing limits the spindle's speed, which grows towards the axis",
+        "say the most before it, as in G50 S2500 (systems B and C: G92), or "
+        "--set spindle.rpm_max=…",
+    ),
+    "thread-speed": (
+        "the lead times the speed of the spindle is {value:.3g} mm/s: an axis can follow "
+        "{limit:.3g} mm/s",
+        "turn slower, or raise the axis' limit if the machine has more: "
+        "--set axis.z.v_max_mm_s=…",
+    ),
+    "thread-speed:G": (
+        "a thread under G96: the spindle's speed would change with X",
+        "say G97 with S in rpm before it",
+    ),
+    "thread-speed:S": (
+        "a thread while the spindle stands",
+        "start it before, as in G97 S800 M3",
+    ),
+    "thread-run-in": (
+        "the pass is {limit:.3f} mm long; to reach its speed and to leave it takes {value:.3f} mm",
+        "begin further from the thread, end further behind it, or turn slower",
+    ),
+    "layout-on": (
+        "{letter}{value:g} cannot be done while coordinates are mirrored, scaled, turned or polar",
+        "end it before, in this order: G15, G69, G50, G50.1; they begin in the other one",
+    ),
+    "layout-on:?": (
+        "an arc while its plane is scaled unevenly would be none, and I J K count from its start",
+        "give both axes of the plane the same factor; G91.1 (dialect.arc_centre)",
+    ),
+    "scale-unit": (
+        "a control may read the factor {letter}{value:g} as {value:g}, as thousandths, or less",
+        "write a point ({letter}{value:g}.) or say what 1 means: --set dialect.scale_unit=0.001",
+    ),
+    "flow:M72": (
+        "M72, and neither M70 nor M73 has kept a state in this call",
+        "say M70 (or M73 in a subprogram) before it",
+    ),
+    "call-depth:M": (
+        "states are kept in more calls than {limit:.0f}",
+        "restore or forget them (M72, M71) before",
+    ),
+    "comp-on:M72": (
+        "M72 would switch radius compensation, which needs a move of its own",
+        "say G40 before it, or keep the state in the same compensation",
+    ),
+    "corner": (
+        "a corner {letter}{value:g} does not fit between this move and the next one",
+        "make it smaller; both are G1 G2 G3 in the plane, one line behind the other, and meet at "
+        "an angle; a sign without a comma says which way the next one goes",
+    ),
+    "spline": ("{letter} does not move along a spline", "splines lie in X and Y: move it before"),
+    "spline:G5.2": (
+        "another motion before G5.3: the spline of G5.2 is not ended",
+        "say G5.3 behind its last point",
+    ),
+    "spline:G5.3": ("G5.3 without a G5.2 before it", "begin the spline with G5.2 and its points"),
+    "spline:G": ("splines lie in the plane of X and Y (G17)", "say G17 before"),
+    "spline:L": (
+        "a spline of order {limit:.0f} needs {limit:.0f} points and has {value:.0f}",
+        "say more points between G5.2 and G5.3, or a lower order with L",
+    ),
+    "limits-stay": (
+        "M201 to M205 change limits of a printer's firmware: here the machine's hold",
+        "set them in the machine file, as in --set axis.x.a_max_mm_s2=1000",
     ),
     "argument": ("a call to the kernel had a number outside of its range", "please report this"),
     "machine": ("the kernel refuses a number of the machine", "pycnc machine validate tells which"),
@@ -255,9 +397,17 @@ WORDING = {
     "incremental:U": _STEPS,
     "incremental:V": _STEPS,
     "incremental:W": _STEPS,
+    "repeats": (
+        "M99 has the main program begin again: it is read once",
+        "",
+    ),
     "assumed-system": (
         "G90 and G94 are read as turning cycles (Fanuc's G-code system A)",
         "if that is wrong: --set dialect.system=B (or C); if it is right, A says so",
+    ),
+    "assumed-feed-mode": (
+        "F is read per minute: no G98 or G99 (systems B and C: G94 or G95) stands before it",
+        "if that is wrong: --set dialect.feed=per_rev; if it is right, per_minute says so",
     ),
     "assumed-units": ("no G20 or G21 before the first motion: {units} assumed", ""),
     "assumed-plane": ("no G17, G18 or G19 before the first arc or cycle: G{plane} assumed", ""),

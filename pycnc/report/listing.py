@@ -39,7 +39,7 @@ def motions(program, units="mm"):
 def _motion(block, letters, units):
     kind = _KINDS[int(block["kind"])]
     motion = {"line": int(block["line"]), "kind": kind}
-    if kind in ("rapid", "line", "arc"):
+    if kind in ("rapid", "line", "arc", "thread", "tap"):
         target = block["target_nm"]
         motion["axes"] = {a.upper(): _decimal(target[AXES.index(a)], a, units) for a in letters}
     if kind == "arc":
@@ -52,6 +52,12 @@ def _motion(block, letters, units):
         per_inch = 25.4 if units == "inch" and mode != 1 else 1.0
         motion["feed"] = float(block["feed"]) / per_inch
         motion["feed_unit"] = _FEED_UNITS[units][mode]
+    if kind == "thread":
+        thread = block["thread"]
+        motion["lead_mm"], motion["turn"] = float(thread["lead"]), float(thread["turn"])
+    if kind == "tap":
+        tap = block["tap"]
+        motion["lead_mm"], motion["way_mm"] = float(tap["lead"]), [float(x) for x in tap["way"]]
     if kind == "dwell":
         motion["seconds"] = float(block["dwell_s"])
     if kind in ("output", "wait", "end"):
@@ -71,8 +77,13 @@ def _decimal(nm, letter, units):
 
 def _output(output):
     kind, value = int(output["kind"]), float(output["value"])
-    letter = {_OUTPUTS.SPINDLE_SPEED: "S", _OUTPUTS.M: "M", _OUTPUTS.TOOL: "T"}[kind]
-    return f"{letter}{value:g}"
+    letter = {_OUTPUTS.SPINDLE_SPEED: "S", _OUTPUTS.M: "M", _OUTPUTS.TOOL: "T",
+              _OUTPUTS.SURFACE_SPEED: "G96 S"}.get(kind)
+    if letter:
+        return f"{letter}{value:g}"
+    name = {_OUTPUTS.SETTING: "M{} S", _OUTPUTS.DIGITAL: "port {} = ",
+            _OUTPUTS.ANALOGUE: "analogue port {} = ", _OUTPUTS.INPUT: "input {} within "}[kind]
+    return f"{name.format(int(output['number']))}{value:g}"
 
 
 def lines(program, units="mm"):
@@ -86,6 +97,11 @@ def lines(program, units="mm"):
             words += [f"G{motion['plane']}", f"centre {centre} sweep {motion['sweep_deg']!r} deg"]
         if "feed" in motion:
             words.append(f"F{motion['feed']:g} {motion['feed_unit']}")
+        if "lead_mm" in motion:
+            lead = f"lead {motion['lead_mm']:g} mm"
+            way = " ".join(f"{way:g}" for way in motion.get("way_mm", ()))
+            turn = f"{360 * motion.get('turn', 0):g} deg"
+            words.append(f"{lead} along {way}" if way else f"{lead} at {turn}")
         if "seconds" in motion:
             words.append(f"{motion['seconds']:g} s")
         if "output" in motion:

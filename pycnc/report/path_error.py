@@ -13,12 +13,16 @@ the program as a whole: where the tool all but parks, the program's coordinate r
 import numpy as np
 
 from pycnc.kernel.records import dtype, enum, join
+from pycnc.machine.schema import AXES
+from pycnc.program.geometry import Along, Moves
 
 _SEG_KINDS = enum("nck_seg_kind_t")
 _PATH_MODES = enum("nck_path_mode_t")
 _ARC_STEP = np.pi / 12  # from one point of an arc to the next, at most
 _GRID = np.linspace(0, 1, 33)  # a seg is searched so, and once more between two points of it
 _BATCH = 256  # points of the program that are searched for at a time
+_SEGS = 8192  # segs that are looked at at a time
+_OF_MARKS = {"s": (), "point": (len(AXES),), "tolerance": ()}
 ON_PATH_MM = 1e-9  # nearer needs no better
 
 
@@ -39,32 +43,41 @@ class PathError:
     """
 
     def __init__(self, program):
-        self._moves, self._marks = program.moves, _Marks(program)
-        self._next, self._segs = 0, join("nck_seg_t", [])
+        self._along, self._marks = Along(program), _Marks(program)
+        self._segs = join("nck_seg_t", [])
         self.largest_mm = self.missed = 0.0
 
     def add(self, rows):
         """Measure the next rows of a run (dtype ``sim_row_t``) against the program."""
         pose = rows["pose"]
-        begun = pose["line"] > 0
+        begun = (pose["line"] > 0) & (pose["kind"] < _SEG_KINDS.THREAD)
         if not begun.any():
             return
-        block = self._moves.block_at(pose["s_program"][begun])
-        apart = self._moves.nearest(block, pose["axis"][begun])
-        self.largest_mm = max(self.largest_mm, float(apart.max()))
+        s, points, k = pose["s_program"][begun], pose["axis"][begun], 0
+        while k < len(s):
+            self._along.go_to(s[k])
+            some = slice(k, k + max(1, int(np.searchsorted(s[k:], self._along.until))))
+            block = self._along.moves.block_at(s[some])
+            apart = self._along.moves.nearest(block, points[some])
+            self.largest_mm = max(self.largest_mm, float(apart.max()))
+            k = some.stop
 
     def add_segs(self, segs):
         """Measure the program against the next segs of its path (dtype ``nck_seg_t``)."""
+        for k in range(0, len(segs), _SEGS):
+            self._add_some(segs[k : k + _SEGS])
+
+    def _add_some(self, segs):
         moving = segs[segs["length"] > 0]
         if not len(moving):
             return
         marks, ahead = self._marks, moving["s_program"][-1]
         self._segs = join("nck_seg_t", [self._segs, moving])
         is_whole = not moving["blend"][-1]  # the last blend is there to its end
+        marks.reach(ahead)
         if is_whole:
-            self._measure(np.arange(self._next, np.searchsorted(marks.judged, ahead)))
-        left = marks.needed[self._next : self._next + 1]
-        needed = left[0] if len(left) else np.inf
+            self._measure(int(np.searchsorted(marks.judged, ahead)))
+        needed = marks.needed()
         keep = np.searchsorted(self._segs["s_program"] + self._segs["program"], needed)
         keep = np.array([min(keep, len(self._segs) - 1)])
         self._segs = self._segs[self._whole_blends(keep, keep)[0][0] :]
@@ -73,12 +86,17 @@ class PathError:
         """There are no more segs: measure what is left of the program."""
         if len(self._segs):
             reached = self._segs["s_program"][-1] + self._segs["program"][-1] + ON_PATH_MM
-            self._measure(np.arange(self._next, np.searchsorted(self._marks.s, reached)))
+            self._marks.reach(reached)
+            self._measure(int(np.searchsorted(self._marks.s, reached)))
 
-    def _measure(self, here):
-        if not len(here):
+    def _measure(self, count):
+        """Measure the first marks, and drop them."""
+        if count == 0:
             return
-        self._next = here[-1] + 1
+        self._compare(np.arange(count))
+        self._marks.drop(count)
+
+    def _compare(self, here):
         marks, segs = self._marks, self._segs
         at = np.searchsorted(segs["s_program"], marks.s[here], "right") - 1
         at = np.clip(at, 0, len(segs) - 1)
@@ -126,20 +144,69 @@ class PathError:
 
 
 class _Marks:
-    """The points of a program that its path is to come near to, in order."""
+    """The points of a program that its path is to come near to, in order, as far as it is read.
+
+    Attributes
+    ----------
+    s, point, tolerance, low, high, judged : numpy.ndarray
+        Path coordinate, place, tolerance there; from where to where the path is to be near; and how
+        far it must be known to judge this point and all before it. The first one is the next to be
+        judged.
+    """
 
     def __init__(self, program):
-        moves, blocks = program.moves, program.blocks
-        block, share, self.s = moves.marks(_ARC_STEP)
-        self.point = moves.point(block, share)
+        self._machine, self._pieces = program.machine, program.pieces()
+        self._most = program.tolerance_most_mm
+        self._end, self._before, self._all_read = (None, 0.0), 0.0, False
+        self._held = {name: np.empty((0, *shape)) for name, shape in _OF_MARKS.items()}
+        self.s, self.tolerance, self.low, self.high, self.judged = (np.empty(0) for _ in range(5))
+        self.point = np.empty((0, *_OF_MARKS["point"]))
+
+    def reach(self, s):
+        """Read on until a point lies behind a path coordinate [mm]."""
+        while not self._all_read and not (len(self.s) and self.s[-1] > s):
+            blocks = next(self._pieces, None)
+            self._all_read = blocks is None
+            if blocks is None:
+                self._add(self._held, tolerance_next=self._held["tolerance"], way_next=np.zeros(1))
+            else:
+                self._read(blocks)
+
+    def _read(self, blocks):
+        moves = Moves(blocks, self._machine, *self._end)
+        self._end = moves.end_nm, moves.end_s
+        block, share, s = moves.marks(_ARC_STEP)
         smoothed = blocks["path_mode"] == _PATH_MODES.CONTINUOUS
         tolerance = np.where(smoothed, blocks["tolerance_mm"], 0.0)[block]
-        self.tolerance = np.minimum(tolerance, np.append(tolerance[1:], tolerance[-1:]))
-        way = np.diff(self.s, prepend=0.0)
-        self.low = self.s - np.maximum(self.tolerance, 0.5 * way)
-        self.high = self.s + np.maximum(self.tolerance, 0.5 * np.append(way[1:], 0.0))
-        self.judged = np.maximum.accumulate(self.high)
-        self.needed = np.minimum.accumulate(self.low[::-1])[::-1]
+        read = {"s": s, "point": moves.point(block, share), "tolerance": tolerance}
+        marks = {name: np.concatenate([self._held[name], read[name]]) for name in read}
+        self._held = {name: marks[name][-1:] for name in marks}  # what follows it is not known
+        known = {name: marks[name][:-1] for name in marks}
+        self._add(known, marks["tolerance"][1:], np.diff(marks["s"]))
+
+    def _add(self, marks, tolerance_next, way_next):
+        s, count = marks["s"], len(marks["s"])
+        if count == 0:
+            return
+        tolerance = np.minimum(marks["tolerance"], tolerance_next)
+        low = s - np.maximum(tolerance, 0.5 * np.diff(s, prepend=self._before))
+        high = s + np.maximum(tolerance, 0.5 * way_next[:count])
+        self._before = s[-1]
+        judged = np.maximum.accumulate(np.append(self.judged[-1:], high))[-count:]
+        new = {"s": s, "point": marks["point"], "tolerance": tolerance, "low": low, "high": high,
+               "judged": judged}  # fmt: skip
+        for name, array in new.items():
+            setattr(self, name, np.concatenate([getattr(self, name), array]))
+
+    def needed(self):
+        """Return from where on the path is needed for the points that are left [mm]."""
+        least = self.low.min(initial=np.inf)
+        return least if self._all_read else min(least, self._before - self._most)
+
+    def drop(self, count):
+        """Forget the first points."""
+        for name in ("s", "point", "tolerance", "low", "high", "judged"):
+            setattr(self, name, getattr(self, name)[count:])
 
 
 def _points(segs, share):

@@ -130,7 +130,8 @@ def _path_height(trace, shape):
 
 def _cutting(trace):
     """Return which rows cut; all rows if none does."""
-    cutting = np.isin(trace["kind"], [KINDS.index(kind) for kind in ("line", "arc", "spline")])
+    cuts = [KINDS.index(kind) for kind in ("line", "arc", "spline", "thread", "tap")]
+    cutting = np.isin(trace["kind"], cuts)
     return cutting if cutting.any() else np.ones(len(trace), bool)
 
 

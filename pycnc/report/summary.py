@@ -19,12 +19,14 @@ LIMIT_WORDS = {
     "chord": "the chord error on an arc",
     "accel": "acceleration and braking",
     "jerk": "jerk",
-    "exact_stop": "an exact stop",
+    "exact_stop": "a stop",
     "dwell": "a dwell",
-    "wait": "waiting for the operator",
+    "wait": "a wait for tool or operator",
     "lookahead": "the length of the look-ahead",
     "starved": "starvation: preparation was late",
     "feed_max": "the machine's highest feed",
+    "spindle": "the spindle, which follows the surface speed",
+    "thread": "threads, in step with the spindle",
 }
 
 
@@ -102,7 +104,16 @@ def _times(facts):
             ("accelerate", "speeding up"), ("cruise", "steady"), ("decelerate", "braking"),
         )
     )  # fmt: skip
-    return Group(table, Padding(Text(moving, "dim"), (0, 0, 0, 2)))
+    words = [moving, *_extra_words(facts)]
+    return Group(table, *(Padding(Text(each, "dim"), (0, 0, 0, 2)) for each in words))
+
+
+def _extra_words(facts):
+    """Yield what takes time that no axis makes."""
+    extra = facts["total_s"] - facts["time_s"]
+    if extra > 0:
+        whole = duration(facts["total_s"])
+        yield f"and {duration(extra)} for tool changes and spindle starts: {whole} in all"
 
 
 def _bar(share):

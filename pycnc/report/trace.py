@@ -1,250 +1,20 @@
 # SPDX-License-Identifier: MIT
-"""A trace: one row per tick of a run, and its files (npz, csv, parquet), written in pieces."""
+"""A trace: a run of a program in the simulation, one row a tick."""
 
-import errno
-import json
-import os
-import shutil
-import tempfile
 import time
-import zipfile
-from pathlib import Path
 
 import numpy as np
 
 from pycnc import errors, kernel
 from pycnc.planning import grades, measure
-from pycnc.extras import need
-from pycnc.machine.schema import AXES, position_key, unit_of
-from pycnc.planning.measure import KINDS
 from pycnc.report.path_error import PathError
 from pycnc.planning.plan import Plan, check_backend, for_machine, for_plan
-from pycnc.kernel.records import enum
-
-FORMATS = (".npz", ".csv", ".parquet")
-_JOINT_UNITS = {"mm": "nm", "deg": "ndeg"}
-_SEG_KINDS = enum("nck_seg_kind_t")
-_STATES = enum("nck_tick_state_t")
+from pycnc.report.rows import Rows
+from pycnc.report.trace_file import Columns, writer
+from pycnc.program import shown
 
 
-class Columns:
-    """The columns of a machine's trace.
-
-    Attributes
-    ----------
-    units : dict
-        Column → unit, in column order.
-    names : dict
-        Column of codes → {code: name}.
-    """
-
-    def __init__(self, machine):
-        self._axes = machine.axes
-        self._period = machine.period_s
-        self.units = {"t_s": "s", "line": "", "block": "", "kind": "", "s_mm": "mm"}
-        self.units |= {f"pos_{position_key(letter)}": unit_of(letter) for letter in self._axes}
-        self.units |= {f"joint_{k}_nm": _JOINT_UNITS[unit_of(a)] for k, a in enumerate(self._axes)}
-        self.units |= {"vel_mm_s": "mm/s", "feed_cmd_mm_min": "mm/min", "override": ""}
-        self.units |= {"limit": "", "queue_cells": "", "spindle_rpm": "1/min"}
-        self.names = {
-            "kind": dict(enumerate(KINDS)),
-            "limit": measure.limit_names(machine),
-        }
-
-    def of(self, rows):
-        """Return column → array for rows of dtype ``sim_row_t``."""
-        pose = rows["pose"]
-        columns = {
-            "t_s": rows["t_s"].copy(),
-            "line": pose["line"].copy(),
-            "block": pose["block"].copy(),
-            "kind": _kinds(pose),
-            "s_mm": pose["s"].copy(),
-        }
-        for letter in self._axes:
-            columns[f"pos_{position_key(letter)}"] = pose["axis"][:, AXES.index(letter)].copy()
-        for k in range(len(self._axes)):
-            columns[f"joint_{k}_nm"] = rows["axes"]["joint_nm"][:, k].copy()
-        columns["vel_mm_s"] = pose["v"] * pose["feed_scale"]
-        columns["feed_cmd_mm_min"] = pose["feed"] * pose["feed_scale"] * 60
-        percent = np.where(pose["rapid"] == 1, rows["rapid_percent"], rows["feed_percent"])
-        columns["override"] = percent / 100
-        columns["limit"] = pose["limit"].copy()
-        columns["queue_cells"] = rows["queue_cells"].copy()
-        columns["spindle_rpm"] = rows["spindle_rpm"].copy()
-        return columns
-
-
-def _kinds(pose):
-    """Return the codes of KINDS."""
-    moves = np.where(pose["kind"] == _SEG_KINDS.SPLINE, KINDS.index("spline"), KINDS.index("line"))
-    moves = np.where(pose["rapid"] == 1, KINDS.index("rapid"), moves)
-    moves = np.where(pose["kind"] == _SEG_KINDS.ARC, KINDS.index("arc"), moves)
-    moves = np.where(pose["kind"] == _SEG_KINDS.DWELL, KINDS.index("dwell"), moves)
-    moves = np.where(pose["kind"] == _SEG_KINDS.WAIT, KINDS.index("wait"), moves)
-    return np.where(pose["state"] == _STATES.IDLE, KINDS.index("idle"), moves).astype(np.uint8)
-
-
-class _Part:
-    """A file that appears under its name once it is complete."""
-
-    def __init__(self, path):
-        self._path, self.part = Path(path), Path(f"{path}.part")
-        if self._path.is_dir():
-            raise IsADirectoryError(errno.EISDIR, os.strerror(errno.EISDIR), str(path))
-        self.file = open(self.part, "wb")  # noqa: SIM115
-
-    def close(self):
-        self.file.close()
-        os.replace(self.part, self._path)
-
-    def discard(self):
-        self.file.close()
-        self.part.unlink(missing_ok=True)
-
-
-class _Npz:
-    """Columns as they come go to a file each; the archive is put together at the end."""
-
-    def __init__(self, path, columns, metadata):
-        self._part = _Part(path)
-        self._facts = {**metadata, "units": columns.units, "names": columns.names}
-        self._folder = tempfile.TemporaryDirectory()
-        self._files, self._dtypes, self._rows = {}, {}, 0
-
-    def write(self, columns):
-        for name, array in columns.items():
-            if name not in self._files:
-                self._files[name] = open(Path(self._folder.name) / name, "w+b")  # noqa: SIM115
-                self._dtypes[name] = array.dtype
-            array.tofile(self._files[name])
-        self._rows += len(columns["t_s"])
-
-    def close(self):
-        with zipfile.ZipFile(
-            self._part.file, "w", zipfile.ZIP_DEFLATED, compresslevel=1
-        ) as archive:
-            with archive.open("metadata.npy", "w") as member:
-                np.lib.format.write_array(member, np.array(json.dumps(self._facts)))
-            for name, file in self._files.items():
-                with archive.open(f"{name}.npy", "w", force_zip64=True) as member:
-                    self._member(member, name, file)
-        self._part.close()
-        self._drop()
-
-    def _member(self, member, name, file):
-        header = {
-            "descr": np.lib.format.dtype_to_descr(self._dtypes[name]),
-            "fortran_order": False,
-            "shape": (self._rows,),
-        }
-        np.lib.format.write_array_header_1_0(member, header)
-        file.flush()
-        file.seek(0)
-        shutil.copyfileobj(file, member, 1 << 20)
-
-    def _drop(self):
-        for file in self._files.values():
-            file.close()
-        self._folder.cleanup()
-
-    def discard(self):
-        self._part.discard()
-        self._drop()
-
-
-class _Csv:
-    """Comment lines with the metadata, one line of names, one line a tick."""
-
-    def __init__(self, path, columns, metadata):
-        self._part, self._names = _Part(path), columns.names
-        facts = {**metadata, "units": json.dumps(columns.units)}
-        head = [f"# {key}: {value}\n" for key, value in facts.items()]
-        self._text("".join(head) + ",".join(columns.units) + "\n")
-        self.close, self.discard = self._part.close, self._part.discard
-
-    def _text(self, text):
-        self._part.file.write(text.encode("utf-8", errors="surrogateescape"))
-
-    def write(self, columns):
-        texts = [self._cells(name, array) for name, array in columns.items()]
-        self._text("".join(f"{','.join(row)}\n" for row in zip(*texts, strict=True)))
-
-    def _cells(self, name, array):
-        if name in self._names:
-            return [self._names[name][code] for code in array.tolist()]
-        return map(repr, array.tolist())
-
-
-class _Parquet:
-    """Row groups by pyarrow; units in the fields' metadata, the rest in the schema's."""
-
-    def __init__(self, path, columns, metadata):
-        self._arrow, self._parquet = need("pyarrow"), need("pyarrow.parquet")
-        self._columns, self._metadata, self._part = columns, metadata, _Part(path)
-        self._writer = None
-
-    def write(self, columns):
-        arrays = [self._array(name, values) for name, values in columns.items()]
-        if self._writer is None:
-            fields = [
-                self._arrow.field(name, array.type, metadata={"unit": self._columns.units[name]})
-                for name, array in zip(columns, arrays, strict=True)
-            ]
-            texts = {key: str(value) for key, value in self._metadata.items()}
-            self._schema = self._arrow.schema(fields, metadata=texts)
-            self._writer = self._parquet.ParquetWriter(self._part.file, self._schema)
-        self._writer.write_table(self._arrow.table(arrays, schema=self._schema))
-
-    def _array(self, name, values):
-        if name not in self._columns.names:
-            return self._arrow.array(values)
-        names = self._columns.names[name]
-        codes = np.full(max(names) + 1, 0, np.int32)
-        codes[list(names)] = np.arange(len(names))
-        return self._arrow.DictionaryArray.from_arrays(codes[values], list(names.values()))
-
-    def close(self):
-        if self._writer:
-            self._writer.close()
-        self._part.close()
-
-    def discard(self):
-        self._part.discard()
-
-
-_WRITERS = {".npz": _Npz, ".csv": _Csv, ".parquet": _Parquet}
-
-
-def writer(path, columns, metadata):
-    """Return a writer of a trace file: an object with ``write(columns)``, ``close``, ``discard``.
-
-    Parameters
-    ----------
-    path : path
-        Its ending chooses the format: .npz, .csv or .parquet.
-    columns : Columns
-    metadata : dict
-        Goes into the file.
-
-    Raises
-    ------
-    ArgumentError
-        If the ending is none of these.
-    AbsentError
-        If the format needs a package that is not installed.
-    OSError
-        If the file cannot be written.
-    """
-    ending = Path(path).suffix.lower()
-    if ending not in _WRITERS:
-        raise errors.ArgumentError(
-            f"cannot tell the format of {str(path)!r}; endings: {', '.join(FORMATS)}", id="format"
-        )
-    return _WRITERS[ending](path, columns, metadata)
-
-
-class Trace:
+class Trace(Rows):
     """A run of a program in the simulation.
 
     Attributes
@@ -298,12 +68,26 @@ class Trace:
             if progress:
                 progress(used, len(program.text))
         self._starved_ticks, self._end = controller.starved_ticks, controller.end
-        self.worst_lines = self._ticks.worst_lines()
+        self._tell_limits(commands)
         self.columns = {
             name: np.concatenate([columns[name] for columns in kept])
             for name in self._layout.units
             if kept
         }
+
+    def _tell_limits(self, commands):
+        """Say what held the path: as the plan does, if the run was as planned.
+
+        A tick knows no low point that its ramp serves. Where an operator or late preparation made
+        other ramps than the plan's, they stay what the ticks call them: ``accel`` and ``jerk``.
+        """
+        self.worst_lines, self._limit_time_s = self._ticks.worst_lines(), self._ticks.limit_time_s()
+        if commands or self._starved_ticks or self.plan.lost is None:
+            return
+        self._limit_time_s = dict(self.plan.totals["limit_time_s"])
+        at_rest = self._ticks.time_s - self.plan.time_s  # few prep steps: no plan behind a WAIT
+        self._limit_time_s["wait" if self._limit_time_s["wait"] else "starved"] += at_rest
+        self.worst_lines |= measure.worst_lines(self.plan.lost["causes"], self.program.machine)
 
     def _controller(self, prep_steps, commands):
         if self.plan.grades is not None:
@@ -318,6 +102,7 @@ class Trace:
         return {
             **plan,
             "time_s": self._ticks.time_s,
+            "total_s": self._ticks.time_s + plan["tool_change_s"] + plan["spindle_s"],
             "ticks": self._ticks.count,
             "length_mm": self._ticks.length_mm,
             "run_s": run_s,
@@ -325,7 +110,7 @@ class Trace:
             "path_error_mm": self._path_error.largest_mm,
             "starved_ticks": int(self._starved_ticks),
             "end": self._end,
-            "limit_time_s": self._ticks.limit_time_s(),
+            "limit_time_s": self._limit_time_s,
             "diagnostics": diagnostics,
         }
 
@@ -342,34 +127,15 @@ class Trace:
             "period_s": machine.period_s,
         }
 
-    def __getitem__(self, name):
-        return self.columns[name]
-
     def __len__(self):
         return self._ticks.count
 
-    def limit_names(self):
-        """Return the names of the codes in the column ``limit``, code → name."""
-        return self._layout.names["limit"]
+    def names(self):
+        """Return column of codes → {code: name}."""
+        return self._layout.names
 
-    def to_npz(self, path):
-        """Write the rows as a NumPy archive: an array a column, and ``metadata`` as JSON text."""
-        self._write(path, _Npz)
-
-    def to_csv(self, path):
-        """Write the rows as text: metadata in # lines, then names, then a line a tick."""
-        self._write(path, _Csv)
-
-    def to_parquet(self, path):
-        """Write the rows as a Parquet file (needs pyarrow)."""
-        self._write(path, _Parquet)
-
-    def _write(self, path, kind):
-        if not self.columns:
-            raise errors.StateError("the run kept no rows", id="state")
-        sink = kind(path, self._layout, self.metadata())
-        sink.write(self.columns)
-        sink.close()
+    def _shape(self):
+        return self._layout
 
     def plot(self, path=None):
         """Draw the path coloured by speed, and speed and acceleration over time.
@@ -394,6 +160,19 @@ class Trace:
         time_s, ticks, end = (self.summary[name] for name in ("time_s", "ticks", "end"))
         early = "" if end == "done" else f", ended by {end}"
         return f"<Trace of {self.program.file}: {time_s:.3f} s, {ticks:,} ticks{early}>"
+
+    def _facts(self):
+        yield "file", self.program.file
+        yield "machine", f"{self.program.machine.name}, slope {self.summary['slope']}"
+        for name in ("time_s", "ticks", "starved_ticks", "end", "path_error_mm"):
+            value = self.summary[name]
+            yield name, f"{value:.6g}" if isinstance(value, float) else str(value)
+        for axis, peak in self.summary["peaks"].items():
+            told = ", ".join(f"{kind} {ratio:.1%}" for kind, ratio in peak.items())
+            yield f"peaks of {axis.upper() if axis != 'path' else axis}, of the limit", told
+
+    def _repr_html_(self):
+        return shown.facts_table(self._facts())
 
 
 def run(program, machine=None, *, slope=None, prep_steps=kernel.PREP_STEPS, commands=(),

@@ -1,0 +1,270 @@
+// SPDX-License-Identifier: MIT
+// Speed, acceleration and jerk over time or path. However long the program: of each pixel the least
+// and the largest value are drawn, so no low point is lost.
+import uPlot from "uplot";
+import { limitColour } from "./colours.js";
+import { momentOf, place, stretchAt, wayShare } from "./data.js";
+import { clock, element, grouped } from "./words.js";
+
+const INK = "#55606e";
+const GRID = { stroke: "#e6e9ee", width: 1 };
+const BAND = 9; // height of the band that tells the limits [px]
+const HEIGHTS = { v: 128, a: 84, j: 84 };
+const SYNC = "pycnc";
+
+// Places, and rows of values there, of the stretches first … last: as they are, or of each pixel
+// the least and the largest. Behind them their mean over time, and the programmed feed.
+function sample(model, xs, [first, last], width, { value, feed }) {
+  const out = [[], [], [], [], []];
+  const put = (x, least, most, mean, wanted) => {
+    [x, least, most, mean, wanted].forEach((one, k) => out[k].push(one));
+  };
+  if (last - first <= 2 * width) {
+    for (let i = first; i <= last; i++) {
+      for (const end of [0, 1]) {
+        const now = value(i, end);
+        put(xs[i - 1 + end], now, now, now, feed(i));
+      }
+    }
+    return out;
+  }
+  const step = (last - first + 1) / width;
+  for (let bin = 0; bin < width; bin++) {
+    const from = Math.floor(first + bin * step);
+    const to = Math.min(last, Math.floor(first + (bin + 1) * step) - 1);
+    let [least, most, sum] = [Infinity, -Infinity, 0];
+    for (let i = from; i <= to; i++) {
+      const [begin, now] = [value(i, 0), value(i, 1)];
+      least = Math.min(least, begin, now);
+      most = Math.max(most, begin, now);
+      sum += 0.5 * (begin + now) * (model.t[i] - model.t[i - 1]);
+    }
+    const time = model.t[to] - model.t[from - 1];
+    const mean = time > 0 ? sum / time : most;
+    put(xs[from - 1], least, most, mean, feed(from));
+    put(xs[to], least, most, mean, feed(to));
+  }
+  return out;
+}
+
+export function makeCurves(holder, facts, model, ask) {
+  const last = model.n - 1;
+  const state = {
+    xs: model.t, range: [0, model.t[last]], isTime: true, now: { i: 1, f: 0 }, rapids: true,
+  };
+  const none = () => null;
+  const curves = [
+    { key: "v", unit: "speed mm/min", colour: "28,100,216",
+      value: (i, end) => 60 * model.v[i - 1 + end], feed: (i) => 60 * model.feed[i] },
+    { key: "a", unit: "accel. mm/s²", colour: "13,155,108", value: (i) => model.a[i], feed: none },
+    ...(facts.j_max === null ? [] : [{ key: "j", unit: "jerk mm/s³", colour: "145,70,214",
+      value: (i, end) => model.j[i - 1 + end], feed: none }]),
+  ];
+
+  // The room belongs to the cuts: what is much faster is not in the picture.
+  function top(first, end) {
+    let cut = 0;
+    let all = 0;
+    for (let i = first; i <= end; i++) {
+      const v = Math.max(model.v[i], model.v[i - 1]);
+      all = Math.max(all, v);
+      if (!model.isRapid(i)) cut = Math.max(cut, v);
+    }
+    return 60 * 1.12 * Math.max((cut > 0 && all > 2 * cut) || !state.rapids ? cut : all, 1e-6);
+  }
+
+  function visible() {
+    const { xs, range } = state;
+    return [Math.max(1, place(xs, range[0])), Math.min(last, stretchAt(xs, range[1]))];
+  }
+
+  // What holds the path: of each pixel the limit that holds it longest.
+  function band(u) {
+    const { left, width, top: above } = u.bbox;
+    const pen = u.ctx;
+    const ratio = devicePixelRatio;
+    const names = facts.limits;
+    const time = new Float64Array(32);
+    let [i] = visible();
+    for (let px = 0; px < width; px++) {
+      const x = u.posToVal((px + 1) / ratio, "x");
+      time.fill(0);
+      let best = model.limit[i];
+      for (;;) {
+        const code = model.limit[i];
+        time[code] += model.t[i] - model.t[i - 1];
+        if (time[code] > time[best]) best = code;
+        if (i >= last || state.xs[i] > x) break;
+        i++;
+      }
+      pen.fillStyle = limitColour(names[best].name);
+      pen.fillRect(left + px, above - (BAND + 3) * ratio, 1, BAND * ratio);
+    }
+  }
+
+  const axis = (label) => ({
+    stroke: INK, grid: GRID, ticks: { show: false }, size: 74, gap: 4,
+    label, labelSize: 0, font: "11px system-ui, sans-serif",
+    values: (u, splits) => splits.map((value) => grouped(value)), space: 20,
+  });
+
+  function across(isLast) {
+    return {
+      stroke: INK, grid: GRID, ticks: { show: false }, size: isLast ? 26 : 0, show: isLast,
+      font: "11px system-ui, sans-serif",
+      values: (u, splits) => splits.map((value) => (state.isTime
+        ? (state.range[1] - state.range[0] > 90 ? clock(value, 0) : `${+value.toFixed(3)} s`)
+        : `${grouped(value)} mm`)),
+    };
+  }
+
+  function make(curve, k) {
+    const { key, unit, colour } = curve;
+    const isLast = k === curves.length - 1;
+    const box = element("div", "curve");
+    box.append(element("span", "unit", unit));
+    holder.append(box);
+    const line = (width, alpha) => ({
+      stroke: `rgba(${colour},${alpha})`, width, points: { show: false },
+    });
+    const options = {
+      width: holder.clientWidth, height: HEIGHTS[key] + (isLast ? 26 : 0),
+      padding: [key === "v" ? BAND + 8 : 6, 14, isLast ? 0 : 4, 0],
+      legend: { show: false },
+      cursor: {
+        sync: { key: SYNC }, y: false, points: { show: false },
+        drag: { x: true, y: false, setScale: false },
+        bind: { dblclick: () => () => zoom(null) },
+      },
+      scales: {
+        x: { time: false, range: () => state.range },
+        y: { range: (u, least, most) => range(key, least, most) },
+      },
+      axes: [across(isLast), axis(null)],
+      series: [{}, line(0.6, 0.5), line(0.6, 0.5), line(1.5, key === "v" ? 1 : 0.6),
+        { stroke: "#8a97a8", width: 1.2, points: { show: false } }],
+      bands: [{ series: [2, 1], fill: `rgba(${colour},0.22)` }],
+      hooks: {
+        drawClear: key === "v" ? [band] : [],
+        setSelect: [(u) => select(u)],
+        setCursor: [(u) => hover(u)],
+      },
+    };
+    const plot = new uPlot(options, [[], [], [], [], []], box);
+    bind(plot);
+    return { curve, plot };
+  }
+
+  function range(key, least, most) {
+    if (key === "v") return [0, top(...visible())];
+    const far = Math.max(Math.abs(least ?? 0), Math.abs(most ?? 0), 1e-6) * 1.12;
+    return [-far, far];
+  }
+
+  function select(u) {
+    if (u.select.width < 4) return;
+    const ends = [u.select.left, u.select.left + u.select.width].map((px) => u.posToVal(px, "x"));
+    u.setSelect({ left: 0, width: 0, top: 0, height: 0 }, false);
+    zoom(ends);
+  }
+
+  function hover(u) {
+    if (!u.over.matches(":hover")) return;
+    const { left } = u.cursor;
+    ask.hover(left >= 0 ? at(u.posToVal(left, "x")) : null);
+  }
+
+  // The stretch at a place of the axis, and how far along.
+  function at(x) {
+    const { xs } = state;
+    const i = stretchAt(xs, x);
+    const length = xs[i] - xs[i - 1];
+    const share = length > 0 ? Math.max(0, Math.min(1, (x - xs[i - 1]) / length)) : 0;
+    return state.isTime ? { i, f: share } : momentOf(model, i, share);
+  }
+
+  function bind(u) {
+    const line = element("div", "now");
+    u.over.append(line);
+    let down = 0;
+    u.over.addEventListener("mousedown", (event) => { down = event.clientX; });
+    u.over.addEventListener("mouseup", (event) => {
+      if (Math.abs(event.clientX - down) < 4) ask.now(at(u.posToVal(u.cursor.left, "x")));
+    });
+    u.over.addEventListener("mouseleave", () => ask.hover(null));
+    u.over.addEventListener("wheel", (event) => {
+      event.preventDefault();
+      const middle = u.posToVal(u.cursor.left, "x");
+      const factor = event.deltaY > 0 ? 1.3 : 1 / 1.3;
+      zoom(state.range.map((end) => middle + (end - middle) * factor));
+    }, { passive: false });
+  }
+
+  function fill() {
+    const ends = visible();
+    for (const { plot, curve } of plots) {
+      const width = Math.max(50, Math.round(plot.bbox.width / devicePixelRatio));
+      plot.setData(sample(model, state.xs, ends, width, curve), true);
+    }
+    mark();
+  }
+
+  function mark() {
+    const { i, f } = state.now;
+    const share = state.isTime ? f : wayShare(model, state.now);
+    const x = state.xs[i - 1] + share * (state.xs[i] - state.xs[i - 1]);
+    for (const { plot } of plots) {
+      const px = plot.valToPos(x, "x");
+      const line = plot.over.querySelector(".now");
+      line.hidden = !(px >= 0 && px <= plot.over.clientWidth);
+      line.style.left = `${px}px`;
+    }
+  }
+
+  function zoom(ends) {
+    const [least, most] = [0, state.xs[last]];
+    let [low, high] = ends ?? [least, most];
+    const shortest = (most - least) * 1e-6 + 1e-6;
+    if (high - low < shortest) high = low + shortest;
+    state.range = [Math.max(least, low), Math.min(most, high)];
+    fill();
+  }
+
+  const plots = curves.map(make);
+  new ResizeObserver(() => {
+    for (const { plot } of plots) {
+      plot.setSize({ width: holder.clientWidth, height: plot.height });
+    }
+    fill();
+  }).observe(holder);
+  fill();
+
+  return {
+    plots,
+    now(moment) {
+      state.now = moment;
+      const x = state.xs[moment.i];
+      const [low, high] = state.range;
+      if (x < low || x > high) zoom([x - (high - low) / 2, x + (high - low) / 2]);
+      else mark();
+    },
+    // Show the stretches first … last with some room.
+    show(first, end) {
+      const [low, high] = [state.xs[Math.max(0, first - 1)], state.xs[end]];
+      const room = Math.max(0.6 * (high - low), state.xs[last] / 400);
+      zoom([low - room, high + room]);
+    },
+    over(isTime) {
+      const ends = state.range.map((x) => at(x).i);
+      const whole = state.range[0] <= 0 && state.range[1] >= state.xs[last];
+      state.isTime = isTime;
+      state.xs = isTime ? model.t : model.s;
+      zoom(whole ? null : ends.map((i) => state.xs[i]));
+    },
+    rapids(isShown) {
+      state.rapids = isShown;
+      fill();
+    },
+    whole: () => zoom(null),
+  };
+}

@@ -1,0 +1,6 @@
+# SPDX-License-Identifier: MIT
+"""``python -m pycnc``: the command line."""
+
+from pycnc.cli import main
+
+main()

@@ -1,0 +1,104 @@
+# SPDX-License-Identifier: MIT
+"""The verbs that make machine files: ``machine new`` and ``machine import``."""
+
+import sys
+from decimal import Decimal
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from pycnc import errors
+from pycnc.cli.door import machines, verb
+from pycnc.cli.options import Dialect, Quiet
+from pycnc.cli.words import GOOD, fail, read, writing
+
+Output = Annotated[
+    str | None,
+    typer.Option("--output", "-o", metavar="FILE.toml", help="Where to; without it to stdout."),
+]
+
+
+@verb(machines, "machine new mymill --travel x=-300:300,y=-250:250,z=-200:0 --a-max 1500")
+def new(
+    *, name: Annotated[str, typer.Argument(metavar="NAME", help="What it is called.")],
+    axes: Annotated[str, typer.Option(help="Its axes; xz is a lathe.")] = "xyz",
+    travel: Annotated[str | None, typer.Option(
+        metavar="x=MIN:MAX,…", help="Ends of travel [mm, deg]; free where none is told.")] = None,
+    v_max: Annotated[float, typer.Option(help="Highest speed of each axis [mm/s].")] = 200,
+    a_max: Annotated[float, typer.Option(help="Highest acceleration [mm/s²].")] = 2000,
+    j_max: Annotated[float, typer.Option(help="Highest jerk [mm/s³].")] = 40000,
+    dialect: Annotated[Dialect, typer.Option(help="How its programs are read.")] = "linuxcnc",
+    output: Output = None, quiet: Quiet = False,
+):  # fmt: skip
+    """Write a machine file to begin with, every key with its meaning."""
+    from pycnc.machine import AXES, Machine, draft
+
+    letters = [letter for letter in AXES if letter in axes.lower()]
+    if not letters or len(letters) != len(axes):
+        raise errors.ArgumentError(f"--axes {axes!r}: must be some of {''.join(AXES)}", id="axes")
+    limits = {key: Decimal(str(value))
+              for key, value in (("v_max", v_max), ("a_max", a_max), ("j_max", j_max))}  # fmt: skip
+    limits["travel"] = _travel(travel or "", letters)
+    plain = _plain(name)
+    text = draft.commented(letters, limits, Dialect(dialect).value, plain)
+    Machine.from_text(text, name=plain)
+    return _write(text, output, quiet)
+
+
+def _plain(name):
+    return "".join(c for c in name if c.isprintable() and c not in '"\\')
+
+
+def _travel(words, letters):
+    """Return letter → (min, max) of x=-300:300,y=0:200."""
+    found = {}
+    for pair in filter(None, words.split(",")):
+        letter, _, span = pair.partition("=")
+        try:
+            ends = tuple(Decimal(end) for end in span.split(":"))
+        except ArithmeticError:
+            ends = ()
+        if letter not in letters or len(ends) != 2:
+            raise errors.ArgumentError(
+                f"--travel {pair!r}: must look like x=-300:300, of an axis of it", id="travel"
+            )
+        found[letter] = ends
+    return found
+
+
+@verb(machines, "machine import printer.cfg -o printer.toml")
+def import_(
+    *, file: Annotated[str, typer.Argument(
+        metavar="FILE", help="LinuxCNC INI, grbl $$, Klipper cfg or FluidNC yaml; - is stdin.")],
+    output: Output = None, quiet: Quiet = False,
+):  # fmt: skip
+    """Make a machine file of another control's configuration.
+
+    Units are converted; each value has the line that it comes from as its comment, and what has no
+    equal here is told at the end.
+    """
+    from pycnc.machine import Machine, MachineFileError, importer
+
+    name, data = read(file)
+    found = importer.read(data.decode("utf-8", errors="replace"), Path(name).name)
+    if found.problems:
+        raise MachineFileError(name, found.problems)
+    head = [f"Imported from {Path(name).name}. Check every line: a file cannot tell all of it."]
+    text = found.text(head)
+    Machine.from_text(text, name=name)
+    if not quiet:
+        for words in found.left:
+            fail(f"{name}: note[not-imported]: {words}")
+    return _write(text, output, quiet)
+
+
+def _write(text, output, quiet):
+    if output is None:
+        sys.stdout.write(text)
+        return GOOD
+    with writing(output), open(output, "x", encoding="utf-8") as file:
+        file.write(text)
+    if not quiet:
+        print(output)
+    return GOOD

@@ -1,0 +1,90 @@
+# SPDX-License-Identifier: MIT
+"""The door of the command line: where verbs register, and what all of them need."""
+
+import functools
+import sys
+
+import typer
+
+from pycnc.cli.words import GOOD, drop_stdout, explain, fail
+from pycnc.machine import Machine, effect
+
+# In the order of help.
+VERBS = (
+    "check", "canon", "time", "why", "report", "run", "controller", "plot", "compare", "sweep",
+    "bench",
+)  # fmt: skip
+
+app = typer.Typer(
+    name="pycnc",
+    help="An NC kernel: from NC text to axis setpoints, tick by tick.",
+    epilog="Begin with: pycnc run part.ngc. Every verb's --help ends with an example.",
+    no_args_is_help=True,
+    pretty_exceptions_enable=False,
+    rich_markup_mode=None,
+)
+machines = typer.Typer(no_args_is_help=True, help="Machine files.")
+app.add_typer(machines, name="machine")
+linuxcnc = typer.Typer(no_args_is_help=True, help="The kernel as LinuxCNC's trajectory planner.")
+app.add_typer(linuxcnc, name="linuxcnc")
+
+
+def _tell_version(asked):
+    if asked:
+        from pycnc import kernel
+
+        print(f"pycnc {kernel.version()}")
+        raise typer.Exit
+
+
+@app.callback()
+def _options(
+    version: bool = typer.Option(
+        False, "--version", callback=_tell_version, is_eager=True, help="Tell the version."
+    ),
+):
+    pass
+
+
+def verb(group, example):
+    """Register a function as a verb: whatever goes wrong in it becomes words and an exit code.
+
+    Its name is the verb's. The example ends the verb's help.
+    """
+
+    def register(function):
+        @functools.wraps(function)
+        def guarded(*arguments, **options):
+            try:
+                code = function(*arguments, **options)
+                sys.stdout.flush()
+            except BrokenPipeError:  # the reader has seen enough: pycnc canon … | head
+                drop_stdout()
+                code = GOOD
+            except (Exception, KeyboardInterrupt) as cause:
+                code = explain(cause)
+            raise typer.Exit(code or GOOD)
+
+        name = function.__name__.rstrip("_")
+        group.command(name=name, epilog=f"Example: pycnc {example}")(guarded)
+        return function
+
+    return register
+
+
+def machine_of(
+    name, set, tools, dialect, *, slope=None, plan="exact", from_line=None, quiet=False
+):
+    """Return the machine that the options describe, after telling the changes without effect."""
+    changes = [*(set or ()), *([f"path.slope={slope.value}"] if slope else ())]
+    changes += [f"dialect.from_line={from_line}"] if from_line else []
+    machine = Machine.load(name, set=changes, tools=tools, dialect=dialect and dialect.value)
+    if not quiet:
+        for change, reason in effect.idle_changes(machine, plan):
+            fail(f"--set {change}: warning[no-effect]: {reason}")
+    return machine
+
+
+def close_list():
+    """Put the verbs in the order of help, once all of them are registered."""
+    app.registered_commands.sort(key=lambda each: VERBS.index(each.name))

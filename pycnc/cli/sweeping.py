@@ -1,0 +1,118 @@
+# SPDX-License-Identifier: MIT
+"""The verb that plans a grid: ``sweep``."""
+
+import io
+import json
+from typing import Annotated
+
+import typer
+
+from pycnc.cli.door import app, machine_of, verb
+from pycnc.cli.options import (
+    DialectName,
+    Files,
+    Jobs,
+    Json,
+    MachineName,
+    Quiet,
+    SlopeName,
+    Table,
+    Tools,
+)
+from pycnc.cli.words import GOOD, WRONG, Refused, fail, progress, read, writing
+from pycnc.machine import DEFAULT
+
+_ROWS_SHOWN = 40
+_Grid = Annotated[
+    list[str],
+    typer.Option(
+        "--set", metavar="KEY=VALUES",
+        help="Values of a setting: a,b,c or FIRST..LAST/COUNT. Several: every combination.",
+    ),
+]
+_Cluster = Annotated[
+    str | None,
+    typer.Option("--cluster", metavar="ADDRESS",
+                 help="Plan on a cluster of dask.distributed: tcp://host:8786."),
+]  # fmt: skip
+
+
+@verb(app, "sweep part.ngc --set path.j_max_mm_s3=1e4..1e6/9")
+def sweep(
+    *, files: Files, set: _Grid, output: Table = None, machine: MachineName = DEFAULT,
+    dialect: DialectName = None, slope: SlopeName = None, tools: Tools = None, jobs: Jobs = 1,
+    cluster: _Cluster = None, json_: Json = False, quiet: Quiet = False,
+):  # fmt: skip
+    """Plan programs on a grid of settings: how long they take with each.
+
+    From a tenfold range on, values go up by equal ratios, else in equal steps.
+    """
+    from pycnc.planning import sweep as planning
+
+    if output is not None and not output.lower().endswith(".csv"):
+        raise Refused(f"{output}: error[format]: a table is written as .csv")
+    axes = planning.grid(set)
+    planning.tasks_of(files, axes)  # counted before anything is read
+    mill = machine_of(machine, None, tools, dialect, slope=slope, quiet=quiet)
+    texts = dict(read(file) for file in files)
+    with progress(f"planning {len(planning.tasks_of(files, axes)):,} times", quiet) as bar:
+        found = planning.Sweep(texts, axes, mill, jobs, cluster, bar)
+    if output is not None:
+        _write(found, output)
+    if json_:
+        facts = {"machine": mill.name, "settings": axes, "rows": found.rows}
+        print(json.dumps(facts))
+    else:
+        print("\n".join(_lines(found)))
+    wrong = [row for row in found.rows if row["error"]]
+    for row in wrong[:5]:
+        fail(f"{_point(row, axes)}: {row['error']}")
+    if len(wrong) > 5:
+        fail(f"… and {len(wrong) - 5} more")
+    return WRONG if wrong else GOOD
+
+
+def _write(found, output):
+    from pycnc.report.part import Part
+
+    text = io.StringIO(newline="")
+    found.write_csv(text)
+    with writing(output):
+        part = Part(output)
+        try:
+            part.file.write(text.getvalue().encode("utf-8", errors="surrogateescape"))
+        except BaseException:
+            part.discard()
+            raise
+        part.close()
+
+
+def _point(row, axes):
+    return " ".join([row["file"], *(f"{key}={row[key]}" for key in axes)])
+
+
+def _lines(found):
+    """Yield the table: the total time of each plan, over the fastest of its program."""
+    from pycnc.report.plot import duration
+
+    best = {}
+    for row in found.rows:
+        if not row["error"]:
+            name = row["file"]
+            best[name] = min(best.get(name, row["total_s"]), row["total_s"])
+    heads = ["time", "more", *found.axes, *(["file"] if len(best) > 1 else [])]
+    rows = [heads]
+    for row in found.rows[:_ROWS_SHOWN]:
+        told = [row[key] for key in found.axes] + ([row["file"]] if len(best) > 1 else [])
+        if row["error"]:
+            rows.append(["no time", "", *told])
+            continue
+        fastest = best[row["file"]]
+        more = row["total_s"] / fastest - 1 if fastest > 0 else 0.0
+        over = f"+{more:.1%}" if row["total_s"] > fastest else "fastest"
+        rows.append([duration(row["total_s"]), over, *told])
+    widths = [max(map(len, column)) for column in zip(*rows, strict=True)]
+    for row in rows:
+        yield "  ".join(cell.rjust(width) for cell, width in zip(row, widths, strict=True)).rstrip()
+    if len(found.rows) > _ROWS_SHOWN:
+        yield f"… and {len(found.rows) - _ROWS_SHOWN:,} more (all: --json, or -o table.csv)"

@@ -1,0 +1,237 @@
+# SPDX-License-Identifier: MIT
+"""The verbs that tell times: ``time`` and ``why``."""
+
+import contextlib
+import functools
+import io
+import json
+import sys
+
+from pycnc.cli.door import app, machine_of, verb
+from pycnc.cli.options import (
+    Backend,
+    By,
+    DialectName,
+    File,
+    Files,
+    FromLine,
+    Jobs,
+    Json,
+    MachineName,
+    Page,
+    PlanName,
+    Quiet,
+    Set,
+    SlopeName,
+    Table,
+    Tools,
+    WhatIf,
+)
+from pycnc.cli.words import (
+    GOOD,
+    Refused,
+    explain,
+    facts_of_failure,
+    give_up,
+    look_at,
+    progress,
+    tell,
+    writing,
+)
+from pycnc.machine import DEFAULT
+
+_PARTS_SHOWN = 20
+_TIMES = ("cut", "rapid", "dwell", "tool_change", "spindle")
+_MOTION = ("accelerate", "cruise", "decelerate")
+
+
+@verb(app, "time part.ngc other.ngc --by section")
+def time(
+    *, files: Files, by: By = None, machine: MachineName = DEFAULT, dialect: DialectName = None,
+    slope: SlopeName = None, set: Set = None, tools: Tools = None, from_line: FromLine = None,
+    plan: PlanName = "exact", backend: Backend = "auto", jobs: Jobs = 1, json_: Json = False,
+    quiet: Quiet = False,
+):  # fmt: skip
+    """Tell the machining time of programs, from the plan.
+
+    With changes of tool and starts of the spindle, as the machine file has them in [times].
+    """
+    from pycnc.planning.plan import check_backend
+
+    check_backend(backend, plan)
+    mill = machine_of(
+        machine, set, tools, dialect, slope=slope, plan=plan, from_line=from_line, quiet=quiet
+    )
+    how = {"plan": plan, "backend": backend, "by": by and by.value, "as_json": json_,
+           "quiet": quiet}  # fmt: skip
+    told, code = [], GOOD
+    for facts, this, out, err in _each(functools.partial(_timed, mill, **how), files, jobs):
+        sys.stderr.write(err)
+        sys.stdout.write(out)
+        told.append(facts)
+        code = max(code, this)
+    if json_:
+        print(json.dumps(told[0] if len(files) == 1 else told))
+    elif len(files) > 1:
+        print(_total_line([facts for facts in told if "time_s" in facts], len(files)))
+    return code
+
+
+def _each(work, files, jobs):
+    """Yield (facts, exit code, what goes to stdout, to stderr) of the files, in their order."""
+    if jobs == 1 or len(files) == 1 or "-" in files:
+        for file in files:
+            yield *work(file), "", ""
+        return
+    from concurrent.futures import ProcessPoolExecutor
+    from multiprocessing import get_context
+
+    with ProcessPoolExecutor(min(jobs, len(files)), get_context("spawn")) as pool:
+        yield from pool.map(functools.partial(_aside, work), files)
+
+
+def _aside(work, file):
+    """Do a file's work in a process of its own: what it says is handed back."""
+    out, err = io.StringIO(), io.StringIO()
+    with contextlib.redirect_stdout(out), contextlib.redirect_stderr(err):
+        facts, code = work(file)
+    return facts, code, out.getvalue(), err.getvalue()
+
+
+def _timed(machine, file, *, plan, backend, by, as_json, quiet):
+    """Plan a program and tell its time. Returns (what --json tells of it, exit code)."""
+    from pycnc.planning.plan import Plan
+
+    program, facts, code = look_at(file, machine, quiet, as_json, keep=False)
+    if program is None:
+        return facts, code
+    try:
+        with progress(f"planning {program.file}", quiet) as bar:
+            planned = Plan(program, plan=plan, backend=backend, keep=False, progress=bar, by=by)
+    except Exception as cause:
+        return facts_of_failure(facts, cause), explain(cause)
+    facts = planned.as_dict()
+    if not as_json:
+        tell(program, quiet, sys.stderr)
+        print(_time_line(facts))
+        if by:
+            print("\n".join(_part_lines(facts, by)))
+    return facts, GOOD
+
+
+@verb(app, "why part.ngc --what-if")
+def why(
+    *, file: File, what_if: WhatIf = False, output: Table = None, machine: MachineName = DEFAULT,
+    dialect: DialectName = None, slope: SlopeName = None, set: Set = None, tools: Tools = None,
+    json_: Json = False, quiet: Quiet = False,
+):  # fmt: skip
+    """Tell which limit costs how much time, on which lines, and what a cure would gain.
+
+    Lost is what the plan takes longer than the programmed feed, the speed of rapids and dwells
+    would; a ramp belongs to the corner, arc or stop that it serves. Like places are one row.
+    """
+    from pycnc.planning.plan import Plan
+    from pycnc.report import reasons
+
+    if output is not None and not output.lower().endswith(".csv"):
+        raise Refused(f"{output}: error[format]: a table is written as .csv")
+    mill = machine_of(machine, set, tools, dialect, slope=slope, quiet=quiet)
+    program, facts, code = look_at(file, mill, quiet, json_, keep=False)
+    if program is None:
+        return give_up(facts, code, json_)
+    with progress(f"planning {program.file}", quiet) as bar:
+        found = Plan(program, keep=False, progress=bar).why()
+    if what_if:
+        with progress(f"planning {program.file} with each cure", quiet) as bar:
+            found.what_if(bar)
+    if output is not None:
+        with writing(output):
+            found.to_csv(output)
+    if json_:
+        print(json.dumps(found.as_dict()))
+        return GOOD
+    tell(program, quiet, sys.stderr)
+    print("\n".join(reasons.lines(found)))
+    return GOOD
+
+
+@verb(app, "report part.ngc -o part.html")
+def report(
+    *, file: File, output: Page, machine: MachineName = DEFAULT, dialect: DialectName = None,
+    slope: SlopeName = None, set: Set = None, tools: Tools = None, json_: Json = False,
+    quiet: Quiet = False,
+):  # fmt: skip
+    """Write one page for a browser: path, curves, program, and what holds it back where.
+
+    The page needs no network, and nothing beside it.
+    """
+    from pycnc.report import page
+
+    if not output.lower().endswith((".html", ".htm")):
+        raise Refused(f"{output}: error[format]: a report is written as .html")
+    mill = machine_of(machine, set, tools, dialect, slope=slope, quiet=quiet)
+    program, facts, code = look_at(file, mill, quiet, json_, keep=False)
+    if program is None:
+        return give_up(facts, code, json_)
+    with progress(f"planning {program.file}", quiet) as bar, writing(output):
+        found = page.write(program, output, bar)
+    if not json_:
+        tell(program, quiet, sys.stderr)
+    print(json.dumps({**found.as_dict(), "report": output}) if json_ else output)
+    return GOOD
+
+
+def _time_line(facts):
+    head = f"{facts['file']} on {facts['machine']}, slope {facts['slope']}"
+    by = ", planned by grades" if facts["plan"] == "grades" else ""
+    return f"{head}{by}: {_duration(facts['total_s'])} ({_split(facts)})"
+
+
+def _total_line(told, count):
+    """Return the sums over several files."""
+    names = ("total_s", *(f"{name}_s" for name in (*_TIMES, *_MOTION)))
+    sums = {name: sum(facts[name] for facts in told) for name in names}
+    without = f" ({count - len(told)} without a time)" if len(told) < count else ""
+    return f"total of {len(told)} files{without}: {_duration(sums['total_s'])} ({_split(sums)})"
+
+
+def _split(facts):
+    """Return what a time is made of; what most programs do not have, only where it is."""
+    made = [name for name in _TIMES if name in _TIMES[:3] or facts[f"{name}_s"] > 0]
+    groups = ([f"{name.replace('_', ' ')} {_duration(facts[f'{name}_s'])}" for name in names]
+              for names in (made, _MOTION))  # fmt: skip
+    return "; ".join(", ".join(group) for group in groups)
+
+
+def _part_lines(facts, by):
+    """Yield the table of the parts of a program's time."""
+    parts = facts["parts"]
+    shown, rest = parts[:_PARTS_SHOWN], parts[_PARTS_SHOWN:]
+    if not shown:
+        return
+    columns = [name for name in _TIMES if any(part[f"{name}_s"] > 0 for part in shown)]
+    heads = ["time", "share", *(name.replace("_", " ") for name in columns), "line"]
+    rows = [
+        [_duration(part["time_s"]), f"{part['time_s'] / max(facts['total_s'], 1e-9):.1%}",
+         *(_duration(part[f"{name}_s"]) if part[f"{name}_s"] > 0 else "" for name in columns),
+         f"{part['line']:,}"]
+        for part in shown
+    ]  # fmt: skip
+    widths = [max(map(len, column)) for column in zip(heads, *rows, strict=True)]
+    names = [by, *(part["name"] for part in shown)]
+    for cells, name in zip([heads, *rows], names, strict=True):
+        fields = (cell.rjust(width) for cell, width in zip(cells, widths, strict=True))
+        yield f"  {'  '.join(fields)}  {_short(name)}".rstrip()
+    if rest:
+        time_s = sum(part["time_s"] for part in rest)
+        yield f"  {_duration(time_s).rjust(widths[0])}  in {len(rest):,} more (all: --json)"
+
+
+def _short(name, width=60):
+    return name if len(name) <= width else f"{name[: width - 1]}…"
+
+
+def _duration(seconds):
+    from pycnc.report.plot import duration
+
+    return duration(seconds)

@@ -1,0 +1,108 @@
+# SPDX-License-Identifier: MIT
+"""The kernel as LinuxCNC's trajectory planner: its module, and what an INI file lacks for it.
+
+docs/linuxcnc.md tells a machine's owner what to do with it.
+"""
+
+import os
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+from pycnc import errors
+
+PARTS = Path("/usr/share/linuxcnc/Makefile.modinc")  # of the package linuxcnc-uspace-dev
+MODULES = Path("/usr/lib/linuxcnc/modules")
+MODULE = "nck_tp.so"
+
+
+def _adapter():
+    """Return the folder of the adapter's sources: of the source tree, or of the package."""
+    here = Path(__file__).resolve()
+    tree, package = here.parents[2] / "adapters/linuxcnc", here.parents[1] / "adapters/linuxcnc"
+    return package if package.is_dir() else tree
+
+
+def _lay_out(folder):
+    """Put the sources into a folder, the kernel as a pair of files among them."""
+    adapter = _adapter()
+    folder.mkdir(parents=True, exist_ok=True)
+    for path in [*adapter.glob("*.[ch]"), adapter / "Makefile"]:
+        shutil.copyfile(path, folder / path.name)
+    pair = adapter / "nck"
+    if pair.is_dir():
+        shutil.copytree(pair, folder / "nck", dirs_exist_ok=True)
+        return
+    generator = adapter.parents[1] / "cmake" / "amalgamate.py"
+    subprocess.run([sys.executable, generator, "--out", folder / "nck"], check=True)
+
+
+def build(folder):
+    """Compile the planner module for the LinuxCNC of this computer.
+
+    Parameters
+    ----------
+    folder : path
+        Where to; it is made if it is not there. The sources stay in it.
+
+    Returns
+    -------
+    pathlib.Path
+        The module, nck_tp.so.
+
+    Raises
+    ------
+    AbsentError
+        If LinuxCNC's headers or a C compiler are not installed.
+    InternalError
+        If the compiler refuses the sources.
+    """
+    folder = Path(folder).resolve()
+    if not PARTS.is_file():
+        raise errors.AbsentError(
+            f"{PARTS} is not there: apt-get install linuxcnc-uspace-dev", id="linuxcnc-absent"
+        )
+    for tool in ("make", "gcc"):
+        if not shutil.which(tool):
+            raise errors.AbsentError(
+                f"{tool} is not there: apt-get install build-essential", id="linuxcnc-absent"
+            )
+    _lay_out(folder)
+    done = subprocess.run(["make", "-s", "-C", folder], capture_output=True, text=True)
+    if done.returncode or not (folder / MODULE).is_file():
+        raise errors.InternalError(f"{done.stderr.strip()}\nthe module does not compile")
+    return folder / MODULE
+
+
+def install(module, modules=MODULES):
+    """Copy a module to where LinuxCNC looks for it.
+
+    Parameters
+    ----------
+    module : path
+    modules : path
+        LinuxCNC's folder of modules.
+
+    Returns
+    -------
+    pathlib.Path
+        The file that LinuxCNC will load.
+
+    Raises
+    ------
+    StateError
+        If there is no such folder, or it may not be written.
+    """
+    place = Path(modules) / MODULE
+    beside = place.with_suffix(".new")
+    if not place.parent.is_dir():
+        raise errors.StateError(f"{place.parent} is not there: apt-get install linuxcnc-uspace")
+    try:
+        shutil.copyfile(module, beside)  # a running LinuxCNC keeps the file that it has loaded
+        os.replace(beside, place)
+    except PermissionError:
+        raise errors.StateError(
+            f"{place.parent} may not be written: run it with sudo, or copy {module} there as root"
+        ) from None
+    return place

@@ -1,0 +1,41 @@
+# SPDX-License-Identifier: MIT
+"""Which changes of a machine change nothing: `--set` of what this machine does not use."""
+
+from pycnc.machine.schema import AXES
+
+_JERK = {"path.j_max_mm_s3"} | {f"axis.{letter}.j_max_{unit}_s3" for letter in AXES
+                                for unit in ("mm", "deg")}  # fmt: skip
+
+
+def idle_changes(machine, plan="exact"):
+    """Yield (change as it was asked for, why it has no effect).
+
+    Parameters
+    ----------
+    machine : Machine
+        With its changes.
+    plan : {"exact", "grades"}
+        How it is going to be planned.
+
+    A change to what is in force already is none of these: it is as it was asked for.
+    """
+    asked = [(key, value) for key, value, source in machine.changes if source == "--set"]
+    for place, (key, value) in enumerate(asked):
+        later = [number for name, number in asked[place + 1 :] if name == key]
+        reason = f"{key}={later[-1]} comes behind it" if later else _idle(machine, key, plan)
+        if reason:
+            yield f"{key}={str(value).replace('E+', 'e')}", reason
+
+
+def _idle(machine, key, plan):
+    """Return why a change of a key has no effect; empty if it has one."""
+    settings = machine.settings
+    if plan == "grades" and key in ("path.slope", "path.tolerance_mm"):
+        return "grades are planned under the linear slope on the exact path"
+    if key in _JERK and settings.path.slope == "linear":
+        return "the linear slope tells jerk and does not limit it; path.slope=jerk does"
+    if key == "dialect.system" and settings.dialect.base not in ("fanuc", "auto"):
+        return f"only dialect.base=fanuc has it (is {settings.dialect.base})"
+    if key == "description":
+        return "only lists of machines show it"
+    return ""

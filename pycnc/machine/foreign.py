@@ -1,0 +1,31 @@
+# SPDX-License-Identifier: MIT
+"""Configurations of other controls: which one a text is."""
+
+import re
+
+_SIGNS = {  # of each a line that its files have and the others' do not
+    "grbl or grblHAL ($$)": r"^\s*\$1[0-3][0-9]\s*=",
+    "Klipper (printer.cfg)": r"^\[(stepper_\w+|printer|mcu)\]",
+    "LinuxCNC (INI)": r"^\[(EMC|TRAJ|KINS|AXIS_\w|JOINT_\d+)\]",
+    "FluidNC (YAML)": r"^axes:\s*$",
+}
+
+
+def kind_of(text):
+    """Return the control that a configuration is of; None if it is none of those that we know.
+
+    Examples
+    --------
+    >>> kind_of("[stepper_x]\\nstep_pin: PF0\\n")
+    'Klipper (printer.cfg)'
+    """
+    return next((name for name, sign in _SIGNS.items() if re.search(sign, text, re.M)), None)
+
+
+def remedy(text, file):
+    """Return what to say of a foreign configuration in a machine file's place; None: it is none."""
+    kind = kind_of(text)
+    return kind and (
+        f"is a configuration of {kind}, not a machine file (TOML); make one of it: "
+        f"pycnc machine import {file} -o my.toml"
+    )

@@ -1,0 +1,261 @@
+# SPDX-License-Identifier: MIT
+"""Why a program takes its time: what it loses to which cause, and what a cure would gain."""
+
+import csv
+import math
+import re
+from decimal import Decimal
+from pathlib import Path
+
+import numpy as np
+
+from pycnc import errors, kernel
+from pycnc.machine import Machine
+from pycnc.machine.schema import AXES, unit_of
+from pycnc.planning import measure
+from pycnc.program import Program, shown
+
+TOLERANCE_MM = Decimal("0.01")  # of the cure "within 0.01 mm"
+LEAST_S = 1e-6  # lost: less is no row of its own
+COLUMNS = (  # of `Why.rows`
+    "cause", "words", "lost_s", "count", "line_first", "line_last", "line_worst", "worst_s", "axis",
+    "angle_deg", "text",
+)  # fmt: skip
+WORDS = {
+    "feed": "changes of feed",
+    "rapid": "rapids that meet a slower move",
+    "curvature": "arcs and bends, acceleration",
+    "chord": "arcs and bends, chord error",
+    "jerk": "bends, jerk",
+    "exact_stop": "stops at sharp corners",
+    "dwell": "around dwells",
+    "wait": "around waits for tool or operator",
+    "lookahead": "the length of the look-ahead",
+    "feed_max": "the machine's highest feed",
+    "spindle": "the spindle's speed",
+    "thread": "threads in step with the spindle",
+}
+_ENDS = "start and end of the program"
+_ASKED = "stops that G61.1 and G9 ask for"
+_STOPS = re.compile(rb"\([^()]*\)|;[^\n]*|G\s*61\s*\.\s*1(?!\d)|G\s*0*9(?![\d.])", re.I)
+
+
+class Why(shown.Tables):
+    """What the time of a plan goes to.
+
+    `ideal_s` and the `lost_s` of all causes add up to ``time_s``: the ideal is the time at the
+    programmed feeds, at the speed of rapids, and of dwells.
+
+    Attributes
+    ----------
+    plan : Plan
+    time_s, ideal_s : float
+        [s].
+    causes : list of dict
+        What time is lost to, the worst first: ``cause`` (a name of ``limit_time_s``, or "ends"),
+        ``words``, ``lost_s``, ``share`` of the time, ``count`` of low points, ``axis`` that holds
+        most of them (None: no single one), ``axis_s``, ``angle_deg`` (least and most of corners,
+        else None), ``places``: the worst ones, as line ranges.
+    cures : list of dict
+        From `what_if`, the best first; empty before.
+    """
+
+    def __init__(self, plan):
+        if plan.lost is None:
+            raise errors.ArgumentError("a plan by grades is not explained", id="plan")
+        self.plan, self.program, found = plan, plan.program, plan.lost
+        self.time_s = self.plan.time_s
+        self.ideal_s = math.fsum(found[name] for name in ("cut_s", "rapid_s", "dwell_s"))
+        self._ideal = {name: found[name] for name in ("cut_s", "rapid_s", "dwell_s")}
+        self.cures = []
+        self._free = self._without_stops()
+        names = measure.limit_names(self.program.machine)
+        self._ends = np.flatnonzero(np.frombuffer(self._text(), np.uint8) == ord("\n"))
+        rows = [self._cause(row, names) for row in found["causes"]]
+        self.causes = sorted(rows, key=lambda cause: -cause["lost_s"])
+
+    def _cause(self, row, names):
+        name = "ends" if row["ends"] else names[int(row["limit"])]
+        lost_s = float(row["lost_s"]["sum"] + row["lost_s"]["rest"])
+        axis_s = {
+            letter: float(row["axis_s"][AXES.index(letter)])
+            for letter in self.program.machine.axes
+            if row["axis_s"][AXES.index(letter)] > 0
+        }
+        corner, asked = name == "corner", name == "exact_stop" and self._free != self.program.text
+        angles = [math.degrees(row[end]) for end in ("angle_least", "angle_most")]
+        return {
+            "cause": name,
+            "words": _ASKED if asked else _words(name, angles),
+            "lost_s": lost_s,
+            "share": lost_s / max(self.time_s, 1e-9),
+            "count": int(row["count"]),
+            "axis": max(axis_s, key=axis_s.get) if axis_s else None,
+            "axis_s": axis_s,
+            "angle_deg": angles if corner else None,
+            "places": [self._place(each, corner) for each in row["places"][: row["place_count"]]],
+        }
+
+    def _place(self, row, corner):
+        line = int(row["line_worst"])
+        text = self._line(line)
+        axis = int(row["axis"])
+        return {
+            "line_first": int(row["line_first"]),
+            "line_last": int(row["line_last"]),
+            "line_worst": line,
+            "count": int(row["count"]),
+            "lost_s": float(row["lost_s"]),
+            "worst_s": float(row["worst_s"]),
+            "axis": AXES[axis] if axis < len(AXES) else None,
+            "angle_deg": math.degrees(row["angle"]) if corner else None,
+            "text": " ".join(text.decode("utf-8", errors="replace").split()),
+        }
+
+    def _text(self):
+        text = self.program.text
+        return b"" if isinstance(text, kernel.Blocks) else text
+
+    def _line(self, number):
+        """Return a source line; nothing where there is none."""
+        if not 0 < number <= len(self._ends) + 1:
+            return b""
+        begin = int(self._ends[number - 2]) + 1 if number > 1 else 0
+        end = int(self._ends[number - 1]) if number <= len(self._ends) else None
+        return self._text()[begin:end]
+
+    def what_if(self, progress=None):
+        """Plan the program again with each cure, and return what it gains.
+
+        Twice the acceleration, jerk and speed, of all axes and of each; a tolerance of 0.01 mm,
+        or twice the machine's where it has that; without the stops of G61.1 and G9.
+
+        Returns
+        -------
+        list of dict
+            ``cure``, ``time_s``, ``gain_s`` (negative: it is slower), the best first; `cures`.
+        """
+        wanted = list(self._cures())
+        self.cures = []
+        for done, (cure, program) in enumerate(wanted):
+            if progress:
+                progress(done, len(wanted))
+            time_s = type(self.plan)(program, keep=False).time_s
+            self.cures.append({"cure": cure, "time_s": time_s, "gain_s": self.time_s - time_s})
+        self.cures.sort(key=lambda cure: -cure["gain_s"])
+        return self.cures
+
+    def _cures(self):
+        """Yield (cure in words, program that has it)."""
+        machine = self.program.machine
+        for words, kinds, path in (
+            ("acceleration", ("a_max",), "a_max_mm_s2"), ("jerk", ("j_max",), "j_max_mm_s3"),
+            ("speed", ("v_max", "rapid"), "feed_max_mm_min"),
+        ):  # fmt: skip
+            twice = {letter: _twice(machine, letter, kinds) for letter in machine.axes}
+            whole = {key: value for one in twice.values() for key, value in one.items()}
+            most = getattr(machine.settings.path, path)
+            if most is not None:
+                whole[f"path.{path}"] = 2 * most
+            yield f"{words} x 2", self._on(whole)
+            if len(twice) > 1:
+                for letter, one in twice.items():
+                    yield f"{words} of {letter.upper()} x 2", self._on(one)
+        has = machine.settings.path.tolerance_mm
+        tolerance = TOLERANCE_MM if has < TOLERANCE_MM else 2 * has
+        yield f"within {tolerance:g} mm", self._on({"path.tolerance_mm": tolerance})
+        if self._free != self.program.text:
+            free = Program(self._free, machine, file=self.program.file, keep=False)
+            yield "without G61.1 and G9", free
+
+    def _without_stops(self):
+        text = self.program.text
+        return text if isinstance(text, kernel.Blocks) else _STOPS.sub(_unless_comment, text)
+
+    def _on(self, changes):
+        changed = Machine.load(self.program.machine, set=changes)
+        return Program(self.program.text, changed, file=self.program.file, keep=False)
+
+    def as_dict(self):
+        """Return what ``pycnc why --json`` tells."""
+        facts = self.plan.as_dict()
+        names = ("file", "machine", "version", "period_s", "slope", "time_s", "total_s",
+                 "tool_change_s", "spindle_s", "limit_time_s", "diagnostics")  # fmt: skip
+        return {
+            **{name: facts[name] for name in names},
+            "ideal_s": self.ideal_s,
+            "ideal": self._ideal,
+            "causes": self.causes,
+            "what_if": self.cures,
+        }
+
+    def rows(self):
+        """Return one flat dict a place, the causes' worst first: for tables and CSV.
+
+        What a cause loses outside of the places that it keeps is a row without lines.
+        """
+        return [row for cause in self.causes for row in _rows_of(cause)]
+
+    def to_csv(self, path):
+        """Write `rows` as CSV, a line of names first."""
+        with Path(path).open("w", encoding="utf-8", newline="") as file:
+            table = csv.DictWriter(file, COLUMNS)
+            table.writeheader()
+            table.writerows(self.rows())
+
+    def _table(self, kind):
+        rows = self.rows()
+        return shown.frame({name: [row[name] for row in rows] for name in COLUMNS}, kind=kind)
+
+    def _repr_html_(self):
+        names = ("lost [s]", "to", "places", "lines", "worst at line", "text")
+        rows = [
+            (f"{cause['lost_s']:.3f}", cause["words"], cause["count"],
+             f"{place['line_first']}-{place['line_last']}", place["line_worst"], place["text"])
+            for cause in self.causes for place in cause["places"][:1]
+        ]  # fmt: skip
+        return shown.rows_table(names, rows)
+
+    def __repr__(self):
+        lost = self.time_s - self.ideal_s
+        worst = f", most to {self.causes[0]['words']}" if self.causes else ""
+        return f"<Why of {self.program.file}: {self.time_s:.3f} s, {lost:.3f} s lost{worst}>"
+
+
+def _words(name, angles):
+    if name == "ends":
+        return _ENDS
+    if name == "corner":
+        return f"corners of {_angle_words(*angles)}, acceleration"
+    kind, _, axis = name.partition(":")
+    return f"the top speed of {axis.upper()}" if axis else WORDS.get(kind, kind)
+
+
+def _angle_words(least, most):
+    if most - least <= max(0.5, 0.15 * most):
+        return f"{(least + most) / 2:.2g}°" if most < 10 else f"{(least + most) / 2:.0f}°"
+    return f"{least:.2g}° to {most:.3g}°"
+
+
+def _twice(machine, letter, kinds):
+    """Return the changes that double limits of an axis."""
+    unit = unit_of(letter)
+    ends = {"v_max": "_s", "rapid": "_s", "a_max": "_s2", "j_max": "_s3"}
+    axis = machine.settings.axis.present()[letter]
+    keys = {kind: f"{kind}_{unit}{ends[kind]}" for kind in kinds}
+    values = {key: getattr(axis, key) for key in keys.values()}
+    return {f"axis.{letter}.{key}": 2 * value for key, value in values.items() if value is not None}
+
+
+def _unless_comment(match):
+    """Blank out a stop, so that columns stay; leave comments."""
+    return match[0] if match[0][:1] in b"(;" else b" " * len(match[0])
+
+
+def _rows_of(cause):
+    blank = dict.fromkeys(COLUMNS) | {name: cause[name] for name in ("cause", "words")}
+    yield from (blank | place for place in cause["places"])
+    rest = cause["lost_s"] - math.fsum(place["lost_s"] for place in cause["places"])
+    count = cause["count"] - sum(place["count"] for place in cause["places"])
+    if count > 0 or abs(rest) > LEAST_S:
+        yield blank | {"count": count, "lost_s": rest, "text": ""}

@@ -1,0 +1,83 @@
+# SPDX-License-Identifier: MIT
+"""What ``pycnc why`` tells a person: causes with their worst places, and what cures gain."""
+
+from pycnc.report.plot import duration
+
+_CAUSES_SHOWN = 12
+_PLACES_SHOWN = 3
+_PLACE_SHARE = 0.1  # of a cause's loss: what another place must have to be shown
+_TEXT = 40  # characters of a source line
+GAIN_S = 5e-4  # what is less is no gain
+
+
+def lines(found):
+    """Yield the lines about a program.
+
+    Parameters
+    ----------
+    found : Why
+    """
+    facts = found.as_dict()
+    yield (
+        f"{facts['file']}: {duration(found.time_s)} on {facts['machine']}, slope "
+        f"{facts['slope']}; {duration(found.ideal_s)} if only feeds, rapids and dwells held it back"
+    )
+    extra = facts["total_s"] - facts["time_s"]
+    if extra > 0:
+        yield f"  and {duration(extra)} for changes of tool and starts of the spindle"
+    rows = [row for cause in found.causes[:_CAUSES_SHOWN] for row in _rows(cause)]
+    if rows:
+        heads = ("lost", "share", "to", "places", "lines", "worst at line")
+        yield from _table(heads, rows, ">><><<")
+    rest = found.causes[_CAUSES_SHOWN:]
+    if rest:
+        lost_s = sum(cause["lost_s"] for cause in rest)
+        yield f"  {duration(lost_s)} to {len(rest)} more causes (all: --json)"
+    if found.cures:
+        yield from _cures(found.cures)
+
+
+def _rows(cause):
+    """Yield a row of a cause with its worst place, and rows of others that matter."""
+    if cause["count"] == 0:
+        return
+    places = cause["places"]
+    worst = _place(places[0]) if places else ["", ""]
+    yield [duration(cause["lost_s"]), f"{cause['share']:.1%}", cause["words"],
+           f"{cause['count']:,}", *worst]  # fmt: skip
+    for place in places[1:_PLACES_SHOWN]:
+        if place["lost_s"] > _PLACE_SHARE * cause["lost_s"]:
+            words = f"  of it {duration(place['lost_s'])}"
+            yield ["", "", words, f"{place['count']:,}", *_place(place)]
+
+
+def _place(place):
+    first, last = place["line_first"], place["line_last"]
+    axis = f" ({place['axis'].upper()})" if place["axis"] else ""
+    text = place["text"]
+    text = text if len(text) <= _TEXT else f"{text[: _TEXT - 1]}…"
+    span = f"{first}" if first == last else f"{first}-{last}"
+    return [span, f"{place['line_worst']}{axis}{': ' if text else ''}{text}"]
+
+
+def _cures(cures):
+    yield ""
+    told = [cure for cure in cures if abs(cure["gain_s"]) >= GAIN_S]
+    rows = [[duration(cure["time_s"]), _signed(cure["gain_s"]), cure["cure"]] for cure in told]
+    yield from _table(("time", "gain", "what if"), rows, ">><")
+    if len(told) < len(cures):
+        idle = ", ".join(cure["cure"] for cure in cures if cure not in told)
+        yield f"  no gain: {idle}"
+
+
+def _signed(seconds):
+    return duration(seconds) if seconds > 0 else f"-{duration(-seconds)}"
+
+
+def _table(heads, rows, sides):
+    """Yield the lines of a table; sides: > or < for each column."""
+    widths = [max(map(len, column)) for column in zip(heads, *rows, strict=True)]
+    for cells in (heads, *rows):
+        fields = (f"{cell:{side}{width}}" for cell, side, width in
+                  zip(cells, sides, widths, strict=True))  # fmt: skip
+        yield f"  {'  '.join(fields)}".rstrip()
