@@ -1,21 +1,23 @@
 # SPDX-License-Identifier: MIT
 # The two commands. Both set up what they need, say so, and are quick the second time.
 #
-#   make run     plan a program and run it in the simulation; summary and picture
-#                FILE=part.ngc MACHINE=cak6150n PICTURE=part.png to choose
+#   make run     run a program in the simulation; summary, what costs time, picture and report
+#                FILE=part.ngc MACHINE=cak6150n PICTURE=part.png REPORT=part.html to choose
 #   make test    all tests
 
 PYTHON ?= python3
 FILE ?= pycnc/examples/first_part.ngc
 PICTURE ?= build/$(basename $(notdir $(FILE))).png
+REPORT ?= build/$(basename $(notdir $(FILE))).html
 MACHINE_OPTION = $(if $(MACHINE), --machine "$(MACHINE)")
 
 BIN = .venv/bin
 STAMP = build/stamp
-SOURCES := $(shell find csrc opencl firmware_sim cmake CMakeLists.txt -type f)
+SOURCES := $(shell find csrc opencl firmware_sim adapters cmake CMakeLists.txt -type f)
 NAMES := $(shell find pycnc -name '*.py' | sort | cksum | cut -d' ' -f1)
 PACKAGES_TEST = clang-19 libclang-rt-19-dev llvm-19 cppcheck gcc-arm-none-eabi \
-                libnewlib-arm-none-eabi qemu-system-arm pkgconf linuxcnc-uspace
+                libnewlib-arm-none-eabi qemu-system-arm pkgconf linuxcnc-uspace \
+                linuxcnc-uspace-dev chromium doxygen
 
 # $(call install,PACKAGES): install the Debian packages of the list that are missing.
 install = missing=$$(for package in $(1); do \
@@ -34,8 +36,13 @@ install = missing=$$(for package in $(1); do \
 
 run: $(STAMP)/module
 	$(BIN)/pycnc run "$(FILE)"$(MACHINE_OPTION)
+	@echo "What holds it back, worst first:"
+	$(BIN)/pycnc why -q "$(FILE)"$(MACHINE_OPTION)
 	$(BIN)/pycnc plot "$(FILE)"$(MACHINE_OPTION) -o "$(PICTURE)"
 	@echo "The picture of the path, coloured by speed: $(PICTURE)"
+	$(BIN)/pycnc report -q "$(FILE)"$(MACHINE_OPTION) -o "$(REPORT)"
+	@echo "All of it in one page for your browser, which needs no network: $(REPORT)"
+	@echo "More: $(BIN)/pycnc --help, and docs/why.md"
 
 test: $(STAMP)/packages-test $(STAMP)/venv-test $(STAMP)/module
 	$(BIN)/python -m pytest

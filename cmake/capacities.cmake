@@ -6,18 +6,27 @@
 set(NCK_CAPACITY_SMALL
     NCK_AXIS_MAX=3 NCK_WINDOW=32 NCK_CELL_MAX=16 NCK_TOOL_MAX=8 NCK_CORNER_SPAN=8 NCK_LINE_MAX=128
     NCK_PROFILE=64 NCK_SMOOTH_SPAN=16 NCK_VARIABLES=0 NCK_CALL_DEPTH=0
-    NCK_CYCLES=0 NCK_COMP_SPAN=32)
+    NCK_CYCLES=0 NCK_LAYOUTS=0 NCK_CONTOUR=0 NCK_COMP_SPAN=16)
 
 # The Python module: look-ahead over more than 10 000 blocks.
 set(NCK_CAPACITY_HOST
     NCK_WINDOW=16384 NCK_CELL_MAX=4096 NCK_TOOL_MAX=1000 NCK_LINE_MAX=4096 NCK_PROFILE=4096
     NCK_SMOOTH_SPAN=1024 NCK_VARIABLES=1024 NCK_CALL_DEPTH=64
-    NCK_COMP_SPAN=256)
+    NCK_CONTOUR=1000 NCK_COMP_SPAN=256)
 
-# Sources that macro programs and cycles alone need: on a microcontroller small before fast.
-set(NCK_MACRO_SOURCES call control cycle expression jump oword power sign system variables)
-list(TRANSFORM NCK_MACRO_SOURCES
-    REPLACE "(.+)" "${CMAKE_CURRENT_LIST_DIR}/../csrc/nck/prep/1_decode/\\1.c")
+# Sources that no ordinary line needs, or a rare one: on a microcontroller small before fast.
+set(NCK_RARE_SOURCES
+    base/link_invariants base/machine base/thread front prep/3_smooth/divide prep/5_slope/terms)
+foreach(name IN ITEMS block_in call comp contour control corner cycle entry expression fillet
+        finding follow foreign jump lathe layout level oword place port power printer profile
+        rough sign source spindle spline state system tap thread tool turn variables)
+    list(APPEND NCK_RARE_SOURCES prep/1_decode/${name})
+endforeach()
+foreach(name IN ITEMS contour cut give judge pieces ring shape toolcomp)
+    list(APPEND NCK_RARE_SOURCES prep/2_toolcomp/${name})
+endforeach()
+list(TRANSFORM NCK_RARE_SOURCES
+    REPLACE "(.+)" "${CMAKE_CURRENT_LIST_DIR}/../csrc/nck/\\1.c")
 if(CMAKE_CROSSCOMPILING)
-    set_source_files_properties(${NCK_MACRO_SOURCES} PROPERTIES COMPILE_OPTIONS -Os)
+    set_source_files_properties(${NCK_RARE_SOURCES} PROPERTIES COMPILE_OPTIONS -Os)
 endif()

@@ -14,7 +14,7 @@ from pathlib import Path
 import cffi
 
 LINE_MARKER = re.compile(r'^# \d+ "(?P<file>[^"]*)"')
-CAPACITY = re.compile(r"^#define (?P<name>NCK_\w+) \S")
+CAPACITY = re.compile(r"^#define (?P<name>NCK_\w+) (?!struct|union)\S")
 
 
 def include_lines(headers):

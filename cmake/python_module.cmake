@@ -23,6 +23,17 @@ target_link_libraries(_nck PRIVATE sim nck_host)
 set_target_properties(_nck PROPERTIES SUFFIX ".abi3.so")
 install(TARGETS _nck DESTINATION pycnc)
 
+# The planner module for LinuxCNC is compiled on the machine that it is for.
+add_custom_command(
+    OUTPUT adapter/nck/nck.c
+    COMMAND Python::Interpreter "${PROJECT_SOURCE_DIR}/cmake/amalgamate.py" --out adapter/nck
+    DEPENDS cmake/amalgamate.py ${all_headers} ${nck_sources}
+    VERBATIM)
+add_custom_target(adapter ALL DEPENDS adapter/nck/nck.c)
+install(DIRECTORY "${PROJECT_SOURCE_DIR}/adapters/linuxcnc" DESTINATION pycnc/adapters
+        PATTERN "README.md" EXCLUDE)
+install(DIRECTORY "${CMAKE_CURRENT_BINARY_DIR}/adapter/nck" DESTINATION pycnc/adapters/linuxcnc)
+
 # The kernels and the headers that they include stand beside the Python files.
 install(DIRECTORY "${PROJECT_SOURCE_DIR}/opencl" DESTINATION pycnc)
 install(DIRECTORY "${PROJECT_SOURCE_DIR}/csrc/nck" DESTINATION pycnc/csrc
