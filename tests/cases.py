@@ -14,6 +14,7 @@ import numpy as np
 ROOT = Path(__file__).resolve().parents[1]
 PROGRAMS = ROOT / "tests" / "programs"
 CORPUS = ROOT.parent / "shared" / "corpus"
+SHARED_PROGRAMS = ROOT.parent / "shared" / "programs"
 HEAD = "G17 G21 G90 G94 G61\n"  # mm, absolute, exact path: nothing is assumed
 
 
@@ -184,12 +185,12 @@ RANDOM_CASES = tuple(
 CASES = PROGRAM_CASES + RANDOM_CASES
 
 
-# The corpus
+# What others share
 
 
 @dataclass(frozen=True)
 class CorpusFile:
-    """A file of the corpus, the machine it is for, and how it ends there.
+    """A file that others share, the machine it is for, and how it ends there.
 
     `ends` is None if it runs, else (id, line) of its first error.
     """
@@ -198,13 +199,15 @@ class CorpusFile:
     machine: str = "mill3"
     set: tuple = ()
     ends: tuple | None = None
+    folder: Path = CORPUS
+    threads: bool = False  # passes are in step with the spindle, and on no path
 
     def __str__(self):
         return self.file + ("" if not self.set else " with " + ", ".join(self.set))
 
     @property
     def path(self):
-        return CORPUS / self.file
+        return self.folder / self.file
 
 
 _TURNTABLE = ("axis.a.min_deg=free", "axis.a.max_deg=free", "axis.x.max_mm=1000")
@@ -212,10 +215,15 @@ _HAAS = (
     "m.88.action=output", "m.89.action=output", "axis.x.min_mm=free", "axis.y.min_mm=free",
     "axis.z.min_mm=free",
 )  # fmt: skip
+_PAWN = ("dialect.base=linuxcnc", "dialect.diameter=false")
 _BOAT = ("m.428.action=output", "m.429.action=output")
 _MMOUNT = (
     "axis.y.min_mm=free", "tool.4.radius_mm=3.175", "tool.5.radius_mm=6.35",
     "tool.15.radius_mm=6.985",
+)  # fmt: skip
+# What the file leaves to its machine: G-code system, what F means, a gear, a fifth tool.
+_FANUC0T = (
+    "dialect.system=A", "dialect.feed=per_rev", "m.41.action=output", "tool.5.radius_mm=0.2",
 )  # fmt: skip
 
 CORPUS_FILES = (
@@ -227,9 +235,17 @@ CORPUS_FILES = (
     CorpusFile("ax5_boat_xyzac_g93.ngc", machine="mill5_xyzac", set=_BOAT),
     CorpusFile("bad_longmill_invalid.nc", ends=("word-unknown", 124)),
     CorpusFile("laser_tball_engrave.gcode"),
-    CorpusFile("lathe_fanuc0t_css.nc", machine="cak6150n", ends=("unsupported", 4)),
+    CorpusFile("lathe_fanuc0t_css.nc", machine="cak6150n", ends=("unsupported", 6)),
+    CorpusFile("lathe_fanuc0t_css.nc", machine="cak6150n", set=_FANUC0T),
     CorpusFile("lathe_g71_g70_pawn.ngc", machine="cak6150n", ends=("unsupported", 27)),
-    CorpusFile("lathe_g76_thread_part.ngc", machine="cak6150n", ends=("unsupported", 40)),
+    CorpusFile("lathe_g71_g70_pawn.ngc", machine="cak6150n", set=_PAWN),
+    CorpusFile("lathe_g76_thread_part.ngc", machine="cak6150n", ends=("word-missing", 40)),
+    CorpusFile(
+        "lathe_g76_thread_part.ngc",
+        machine="cak6150n",
+        set=("dialect.base=linuxcnc", "dialect.diameter=false"),  # and with T9: test_6_threads.py
+        ends=("tool-unknown", 108),
+    ),
     CorpusFile("mill_camotics_locket.ngc"),
     CorpusFile("mill_cutcomp_semicolon.ngc"),
     CorpusFile("mill_fanuc_3dparallel_g19.nc"),
@@ -246,10 +262,10 @@ CORPUS_FILES = (
     CorpusFile("mill_nist_circle_diamond_square.ngc"),
     CorpusFile("mill_sub_cycles_mmount.ngc", ends=("travel", 85)),
     CorpusFile("mill_sub_cycles_mmount.ngc", set=("axis.y.min_mm=free",), ends=("comp-radius", 89)),
-    CorpusFile("mill_sub_cycles_mmount.ngc", set=_MMOUNT, ends=("unsupported", 314)),
-    CorpusFile("nurbs_g5_butterfly.ngc", ends=("unsupported", 12)),
+    CorpusFile("mill_sub_cycles_mmount.ngc", set=_MMOUNT, threads=True),
+    CorpusFile("nurbs_g5_butterfly.ngc"),
     CorpusFile("odd_no_spaces.gcode"),
-    CorpusFile("print_cura_bp_case_56k.gcode", machine="printer", ends=("m-unknown", 1)),
+    CorpusFile("print_cura_bp_case_56k.gcode", machine="printer"),
     CorpusFile("surf_la_peinture_180k.gc"),
     CorpusFile("surf_webgcode_46k.ngc"),
     CorpusFile("tp_random_lines_0.001in.ngc"),
@@ -257,4 +273,30 @@ CORPUS_FILES = (
     CorpusFile("tp_zigzag.ngc"),
     CorpusFile("unsupported_sinumerik840d.nc", ends=("dialect", 1)),
 )
-RUNNING_FILES = tuple(file for file in CORPUS_FILES if file.ends is None)
+# Programs of our own: a tool that the machine has not, a bigger travel, what nobody builds here.
+PROGRAM_FILES = (
+    CorpusFile(
+        "lathe_fanuc_two_line_cycles.nc", "cak6150n", ends=("tool-unknown", 30),
+        folder=SHARED_PROGRAMS,
+    ),
+    CorpusFile(
+        "lathe_fanuc_two_line_cycles.nc", "cak6150n", set=("tool.5.radius_mm=0.2",),
+        folder=SHARED_PROGRAMS, threads=True,
+    ),
+    CorpusFile("lathe_g96_g76.ngc", "cak6150n", ends=("word-unused", 11), folder=SHARED_PROGRAMS),
+    CorpusFile(
+        "lathe_g96_g76.ngc", "cak6150n", set=("dialect.base=linuxcnc",), folder=SHARED_PROGRAMS,
+        threads=True,
+    ),
+    CorpusFile(
+        "lathe_haas_one_line_g71.nc", "cak6150n", folder=SHARED_PROGRAMS, threads=True
+    ),
+    CorpusFile(
+        "mill5_fanuc_g43_4_tcp.nc", "mill5_xyzac",
+        set=("dialect.base=fanuc", "tool.5.length_mm=60"), ends=("unsupported", 7),
+        folder=SHARED_PROGRAMS,
+    ),
+)  # fmt: skip
+CORPUS_FILES += PROGRAM_FILES
+RUNNING_FILES = tuple(file for file in CORPUS_FILES if file.ends is None and not file.threads)
+THREAD_FILES = tuple(file for file in CORPUS_FILES if file.ends is None and file.threads)

@@ -26,6 +26,7 @@ from programmed_path import COUNTS, Limits, Path
 from visits import Visits
 
 SHARE = 1e-6  # how far a limit may be passed
+STRETCH = 2.5  # a smoothed path may be as much longer than its coordinate somewhere
 ROUNDING = 8 * 2.0**-52  # of a coordinate, 8 ulp at most; felt in accelerations by 1/T²
 PATH_ERROR_MM = 1e-6
 COORDINATE_MM = 1e-7  # between a path coordinate and the pose it belongs to
@@ -173,8 +174,9 @@ class Checker:
         self._hold(np.diff(block, prepend=self._block[-1]) >= 0, "back to an earlier block")
         self._axis_limits(poses, joints, block)
         programmed = rows["pose"]["s_program"]
-        self._progress(rows["pose"]["s"], poses)
-        self._feed(programmed)
+        way = np.linalg.norm(np.diff(np.concatenate([self._poses[-1:], poses]), axis=0), axis=1)
+        self._progress(rows["pose"]["s"], poses, way)
+        self._feed(programmed, way)
         self._on_path(block, programmed, poses)
         if self._visits:
             self._visits.add(rows["pose"]["s"], programmed, poses)
@@ -262,16 +264,16 @@ class Checker:
         straight = ~self.path.is_arc[block] & (self.path.length[block] > 0)
         return smoothed | (straight & (age >= SETTLED))
 
-    def _progress(self, s, poses):
-        """Forward, not faster than the program says, within acceleration and jerk of the path; and
-        no pose goes further than its coordinate."""
+    def _progress(self, s, poses, way):
+        """Forward, within acceleration and jerk of the path; and no pose goes further than its
+        coordinate, by as much as a smoothed path may be longer."""
         limits, period = self._limits, self._limits.period_s
         track, noise = np.concatenate([self._s, s]), ROUNDING * np.abs(s).max()
         step = np.diff(track[2:])
         self._hold(step >= -BACKWARD_MM, "the run goes backward on the path")
-        way = np.linalg.norm(np.diff(np.concatenate([self._poses[-1:], poses]), axis=0), axis=1)
         rounding = 4 * ROUNDING * np.abs(poses).max() + 2 * noise
-        self._hold(way <= step * (1 + SHARE) + rounding, "further than its path coordinate")
+        longer = STRETCH if (self.path.tolerance > 0).any() else 1 + SHARE
+        self._hold(way <= step * longer + rounding, "further than its path coordinate")
         bounds = (limits.path_a_max, limits.path_j_max)
         for order, most in enumerate(bounds, 1):
             unit = period ** (order + 1)
@@ -282,22 +284,25 @@ class Checker:
             name = ("path_a", "path_j")[order - 1]
             setattr(self, name, max(getattr(self, name), float(values.max() / most)))
 
-    def _feed(self, s):
-        """Not faster than the program says; at rest when the operator holds."""
+    def _feed(self, s, way):
+        """Neither the path nor the tool on it faster than the program says; at rest when the
+        operator holds."""
         step = np.diff(s, prepend=self._programmed)
         ticks = np.arange(self.ticks + 1, self.ticks + len(s) + 1)
         feed, rapid = self._operator.overrides(ticks)
         for pair in set(zip(feed.tolist(), rapid.tolist(), strict=True)):
+            here = (feed == pair[0]) & (rapid == pair[1])
             if pair not in self._times:
                 self._times[pair] = self.path.least_times(*pair)
             times, begin = self._times[pair], self.path.begin
             from_s = np.append(self._programmed, s[:-1])
             at = np.interp(from_s, begin, times) + self._limits.period_s
             most = np.interp(at, times, begin) - from_s
-            good = step <= most * (1 + SHARE) + self._raise + BACKWARD_MM
-            here = (feed == pair[0]) & (rapid == pair[1])
-            over = np.max((step - most)[here]) / self._limits.period_s
-            self._hold(good | ~here, f"faster than its feed, by {over} mm/s")
+            tool = self.path.tool_speeds(from_s, s, pair[0]) * self._limits.period_s
+            for what, gone, bound in (("path", step, most), ("tool", way, tool)):
+                good = gone <= bound * (1 + SHARE) + self._raise + BACKWARD_MM
+                over = np.max((gone - bound)[here]) / self._limits.period_s
+                self._hold(good | ~here, f"{what} faster than its feed, by {over} mm/s")
         rests = ~self._operator.at_rest(ticks) | (np.abs(step) <= BACKWARD_MM)
         self._hold(rests, "a hold or an abort does not come to rest")
 
@@ -357,4 +362,4 @@ class Checker:
         self._lines = np.zeros(3, np.int64)
         still = np.repeat(self._poses[-1:], 3, axis=0)
         self._axis_limits(still, np.repeat(self._joints[-1:], 3, axis=0), self._block[[-1] * 3])
-        self._progress(np.repeat(self._s[-1:], 3), still)
+        self._progress(np.repeat(self._s[-1:], 3), still, np.zeros(3))

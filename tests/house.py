@@ -18,10 +18,11 @@ def tracked(*patterns):
     return sorted(name for name in set(done.stdout.splitlines()) if (ROOT / name).is_file())
 
 
-C_FILES = tracked("csrc/*.[ch]", "firmware_sim/*.[ch]", "tests/*.[ch]")
+C_FILES = tracked("csrc/*.[ch]", "firmware_sim/*.[ch]", "adapters/*.[ch]", "tests/*.[ch]")
 CL_FILES = tracked("opencl/*.cl", "opencl/*.h")
 PYTHON_FILES = tracked("*.py")
-OTHER_FILES = tracked("*.cmake", "CMakeLists.txt", "Makefile", ".ci/run", "*.toml")
+OTHER_FILES = tracked("*.pyi", "*.cmake", "CMakeLists.txt", "Makefile", ".ci/run", "*.toml",
+                      "page/*.mjs", "page/src/*", "pycnc/report/page.html")
 PAGES = tracked("*.md")
 SOURCES = C_FILES + CL_FILES + PYTHON_FILES + OTHER_FILES
 

@@ -120,6 +120,16 @@ class Path:
             wanted = np.where(blocks["kind"] == RAPID, rapid, feed)
             return wanted, np.where(blocks["kind"] == RAPID, rapid, limits.feed_max * scale)
 
+    def tool_speeds(self, from_s, to_s, feed=1.0):
+        """Return how fast the tool may be from places to places [mm/s]: the largest feed of the
+        blocks between them; without limit where one of them is a rapid."""
+        speed = np.where(self._is_rapid, np.inf, np.where(self.length > 0, self._feed * feed, 0.0))
+        first, last = (self._blocks_at(s) for s in (from_s, to_s))
+        return np.array([speed[a : b + 1].max() for a, b in zip(first, last, strict=True)])
+
+    def _blocks_at(self, s):
+        return np.clip(np.searchsorted(self.begin, s, "right") - 1, 0, len(self.length) - 1)
+
     def least_times(self, feed=1.0, rapid=1.0):
         """Return the time at which every block can begin at the earliest, and the end's [s].
 

@@ -31,7 +31,7 @@ FIRST_ERROR = {
     "laser_tball_engrave.gcode": None,
     "lathe_fanuc0t_css.nc": ("unsupported", 4),
     "lathe_g71_g70_pawn.ngc": ("unsupported", 27),
-    "lathe_g76_thread_part.ngc": ("unsupported", 102),
+    "lathe_g76_thread_part.ngc": None,
     "mill_camotics_locket.ngc": None,
     "mill_cutcomp_semicolon.ngc": None,
     "mill_fanuc_3dparallel_g19.nc": None,
@@ -42,7 +42,7 @@ FIRST_ERROR = {
     "mill_haas_threadmill.nc": ("unsupported", 7),
     "mill_nist_circle_diamond_square.ngc": None,
     "mill_sub_cycles_mmount.ngc": ("tool-unknown", 250),
-    "nurbs_g5_butterfly.ngc": ("unsupported", 12),
+    "nurbs_g5_butterfly.ngc": None,
     "odd_no_spaces.gcode": None,
     "print_cura_bp_case_56k.gcode": ("m-unknown", 1),
     "surf_la_peinture_180k.gc": None,
@@ -113,6 +113,10 @@ def test_motions_equal_rs274(name, machine, oracle):
     if name == "mill_fusion_grbl_helix.nc":  # rs274 has no default feed either
         text = text.replace(b"G90 G94", b"G90 G94 F1000", 1)
     text = text.replace(b"T2 M6 G43", b"T7 M6 G43")  # rs274's M6 loses the offset of a position
+    if name == "lathe_g76_thread_part.ngc":  # its passes: test_6_threads.py
+        text = text[: text.index(b"(p = thread pitch")] + b"\nm2\n"
+    if name == "nurbs_g5_butterfly.ngc":  # rs274 names no place on splines: test_1_splines.py
+        text = text[: text.index(b"G5.2")] + b"\nm2\n"
     blocks, diagnostics = stages.decode(text, machine)
     errors = errors_of(diagnostics)
     called = (diagnostics["code"] == lib.NCK_NOTE_CALLED).any()  # lines come in another order

@@ -294,7 +294,7 @@ def test_an_unknown_plan_is_a_wrong_call(tmp_path):
     file.write_text("G21 G90 F600 G1 X1\nM2\n")
     for verb in ("run", "time"):
         result = command(verb, "--plan", "bubbles", file)
-        assert result.code == 2 and "error[plan]" in result.err
+        assert result.code == 2 and "'exact', 'grades'" in result.err
 
 
 def test_accelerations_are_reported_and_not_judged():

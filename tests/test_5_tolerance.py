@@ -3,6 +3,8 @@
 every point that the program names. Judged by runs that were spoilt on purpose: each is made of a
 run with exact stops, which is sound within any tolerance."""
 
+from itertools import pairwise
+
 import checker
 import judged
 import numpy as np
@@ -10,9 +12,11 @@ import pytest
 from test_5_physics import judge, rounded
 
 import pycnc
+from pycnc.bench import programs
 from pycnc.machine import Machine
 from pycnc.report.path_error import PathError
 from pycnc.program import Program
+from pycnc.program.geometry import Along
 
 P = 0.1
 HEAD = "G17 G21 G90 G94 "
@@ -80,7 +84,7 @@ def missed(moves, spoil):
     [
         (a_cut_corner, "off the path"),
         (a_tip_missed_by_a_little, "programmed point is missed by 0.139"),
-        (a_corner_left_outward, "further than its path coordinate"),
+        (a_corner_left_outward, "tool faster than its feed"),
     ],
 )
 def test_the_checker_finds_a_spoilt_corner(spoil, words):
@@ -88,8 +92,8 @@ def test_the_checker_finds_a_spoilt_corner(spoil, words):
 
 
 def test_the_checker_finds_a_path_that_leaves_a_corner_outward():
-    program, rows = stopping_run(CORNER)
-    rows["pose"]["s"] *= 1.1  # a way long enough
+    program, _ = stopping_run(CORNER.replace("F1200", "F1300"))
+    _, rows = stopping_run(CORNER)  # slow enough for a longer way
     with pytest.raises(checker.PhysicsError, match="off the path"):
         judge(program, a_corner_left_outward(rows))
 
@@ -171,3 +175,48 @@ def test_what_comes_by_later_is_not_near():
     _, segs = segs_of("G61\nG1 X5 F1200\nX0\nX10\nX0\nM2\n")
     segs["program"], segs["s_program"] = 10, [0, 10, 20, 30]
     assert error_of(program, segs).largest_mm == pytest.approx(5)
+
+
+@pytest.mark.parametrize("keep", [True, False])
+def test_a_program_read_in_pieces_is_as_far_from_its_run(monkeypatch, keep):
+    """Of a long program only what is near is in memory: that is enough."""
+    machine = Machine.load("mill3", set=["path.slope=jerk"])
+    moves = [f"X{k * 0.7:.2f} Y{k % 3 * 0.6:.2f}" for k in range(120)]
+    text = f"{HEAD}G64 P{P}\nG1 F3000\n{chr(10).join(moves)}\nG2 X0 Y0 R60\nM2\n".encode()
+    whole = pycnc.run(Program(text, machine))
+    monkeypatch.setattr("pycnc.program._PIECE", 16)
+    monkeypatch.setattr("pycnc.kernel._BLOCK_ROWS", 16)
+    monkeypatch.setattr("pycnc.report.path_error._SEGS", 32)
+    parts = pycnc.run(Program(text, machine, keep=keep))
+    assert whole.summary["path_error_mm"] > 0.1 * P
+    assert parts.summary["path_error_mm"] == whole.summary["path_error_mm"]
+
+
+def test_of_a_long_program_three_pieces_are_in_memory(monkeypatch):
+    monkeypatch.setattr("pycnc.kernel._BLOCK_ROWS", 16)
+    text = f"{HEAD}G1 F3000\n{chr(10).join(f'X{k}' for k in range(200))}\nM2\n".encode()
+    along = Along(Program(text, Machine.load("mill3"), keep=False))
+    for s in range(0, 200, 5):
+        along.go_to(float(s))
+        assert along.moves.start[0, 0] <= s <= along.moves.end[-1, 0]
+        assert len(along.moves.end) <= 3 * 16
+
+
+@pytest.mark.parametrize("step", [0.1, 1.0])
+@pytest.mark.parametrize("mode", ["G61", "G64 P0.01"])
+def test_more_jerk_is_never_slower(mode, step):
+    program = programs.zigzag(mode, 60, step)
+    jerks = (10_000, 50_000, 200_000, 1_000_000, 10_000_000, 100_000_000)
+    times = [pycnc.plan(program, programs.machine("jerk", j=j)).time_s for j in jerks]
+    for less, more in pairwise(times):
+        assert more <= 1.005 * less
+    assert times[-1] < 0.8 * times[0]
+
+
+def test_a_path_jerk_that_no_axis_allows_changes_nothing():
+    program = programs.zigzag("G64 P0.01", 60, 1.0)
+    times = [
+        pycnc.plan(program, Machine.load("mill3", set=[f"path.j_max_mm_s3={j}"])).time_s
+        for j in (2e5, 1e9)
+    ]
+    assert times[0] == times[1]

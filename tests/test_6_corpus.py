@@ -6,17 +6,22 @@ import functools
 
 import cases
 import judged
+import numpy as np
 import pytest
 
+from pycnc import kernel
 from pycnc.errors import ProgramError
+from pycnc.kernel import Simulation
+from pycnc.kernel.bind import lib
 from pycnc.machine import Machine
-from pycnc.planning.plan import plan
+from pycnc.planning.plan import Plan, plan
 from pycnc.program import Program
 from pycnc.report.trace import Trace
 
 FILES = {str(file): file for file in cases.CORPUS_FILES}
 RUNNING = {str(file): file for file in cases.RUNNING_FILES}
-SLOW = {"ax4_rotation_51k.nc"}  # 17 million ticks: run once, and not measured a second time
+# 17 and 4 million ticks: run once, and not measured a second time
+SLOW = {"ax4_rotation_51k.nc", "print_cura_bp_case_56k.gcode"}
 STARVED = 1  # prep step a tick: too few for moves of less than a period
 
 
@@ -47,8 +52,10 @@ def quick(names):
 def test_the_table_names_every_file_of_the_corpus():
     if not cases.CORPUS.exists():
         pytest.skip(f"{cases.CORPUS} is not here")
-    there = {path.name for path in cases.CORPUS.iterdir() if path.suffix != ".tsv"}
-    assert {file.file for file in cases.CORPUS_FILES} == there
+    folders = cases.CORPUS, cases.SHARED_PROGRAMS
+    there = {path for folder in folders for path in folder.iterdir()}
+    programs = {path for path in there if path.suffix not in (".tsv", ".py")}
+    assert {file.path for file in cases.CORPUS_FILES} == programs
 
 
 @pytest.mark.parametrize("name", FILES)
@@ -101,7 +108,28 @@ def test_a_starved_run_keeps_limits_path_and_stops(name):
     assert starved.ticks >= run_of(name).ticks
 
 
+@pytest.mark.parametrize("name", [str(file) for file in cases.THREAD_FILES])
+def test_a_file_with_threads_runs_to_its_end(name):
+    file = present(FILES[name])
+    program = judged.load(file)
+    simulation = kernel.Simulation(program.text, program.machine, 4)
+    pose = np.concatenate([rows["pose"].copy() for rows, _ in simulation.pieces()])
+    assert (simulation.end, simulation.thread_lost) == ("done", False)
+    assert (pose["kind"] >= lib.NCK_SEG_THREAD).any()
+
+
 # The machines as they are shipped: jerk-limited, within their tolerance
+
+LONG = SLOW | {"surf_la_peinture_180k.gc", "mill_fusion_grbl_helix.nc"}  # minutes of ticks
+
+
+@pytest.mark.parametrize("name", [name for name in RUNNING if FILES[name].file not in LONG])
+def test_a_plan_of_a_shipped_machine_takes_as_long_as_the_run(name):
+    program = judged.load(present(FILES[name]))
+    ticks = sum(len(rows) for rows, _ in Simulation(program.text, program.machine).pieces())
+    ticks = 0 if ticks == 1 else ticks
+    assert Plan(program, keep=False).time_s == ticks * program.machine.period_s
+
 
 SHORT = ("arcs_rword.gcode", "mill_fanuc_g17_18_19.nc", "tp_trochoidal.ngc", "tp_zigzag.ngc")
 

@@ -302,7 +302,8 @@ def test_the_summary_has_the_promised_keys(trace):
     assert set(trace.summary["peaks"]) == {"x", "y", "z", "path"}
     limits = {
         "feed", "rapid", "corner", "curvature", "chord", "accel", "jerk", "exact_stop", "dwell",
-        "wait", "lookahead", "starved", "feed_max", "axis_v:x", "axis_v:y", "axis_v:z",
+        "wait", "lookahead", "starved", "feed_max", "spindle", "thread", "axis_v:x",
+            "axis_v:y", "axis_v:z",
     }  # fmt: skip
     assert set(trace.summary["limit_time_s"]) == limits
     assert sum(trace.summary["limit_time_s"].values()) == pytest.approx(trace.summary["time_s"])
@@ -390,3 +391,12 @@ def test_a_run_can_be_drawn(text, machine, three, tmp_path):
     figure = pycnc.run(text, machine=machine).plot(tmp_path / "run.png")
     assert (figure.axes[0].name == "3d") == three
     assert (tmp_path / "run.png").read_bytes().startswith(b"\x89PNG")
+
+
+@pytest.mark.parametrize("slope", ["jerk", "sshape", "linear"])
+def test_a_run_goes_on_at_once_behind_a_wait_on_the_way(slope):
+    moves = [f"G1 X{k * 0.02:.3f} Y{math.sin(k * 0.02):.5f}" for k in range(6000)]
+    moves[3000:3000], moves[1500:1500] = ["M0"], ["T1 M6"]
+    program = pycnc.load("\n".join(["G21 G90 G17 F3000", *moves, "M2", ""]), "mill3")
+    planned = pycnc.plan(program, slope=slope)
+    assert pycnc.run(program, slope=slope).summary["time_s"] == planned.time_s

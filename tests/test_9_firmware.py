@@ -167,6 +167,15 @@ def test_what_the_controller_does_not_take_is_a_usage_error(controllers, tmp_pat
         controllers("host").run(PROGRAM, prep_step=3)
 
 
+def test_a_controller_takes_every_number_of_a_machine(root):
+    known = (root / "firmware_sim" / "app" / "setting.c").read_text(encoding="utf-8")
+    names = {name for name, *_ in controller._items("", mill().record)}
+    missing = {name for name in names if f"({name}," not in known and f'"{name}"' not in known}
+    pairs = {tuple(name.split(".", 1)) for name in missing if "." in name}
+    assert [pair for pair in sorted(pairs) if f"RECORDS({', '.join(pair)}," not in known] == []
+    assert sorted(name for name in missing if "." not in name) == []
+
+
 def test_a_controller_that_does_not_end_is_given_up(controllers):
     silent = [(0, "feeder_pause", 4_000_000_000)]
     for name in EVERYWHERE:

@@ -148,6 +148,10 @@ def test_a_setpoint_that_differs_by_a_nanometre_is_seen(tmp_path):
     assert hash_of(rows) != result.hash
 
 
+def test_quotients_and_roots_of_an_m4f_have_the_bits_of_its_library():
+    targets.emulate("m4f", targets.build("m4f") / "soft_doubles.elf")
+
+
 # How a board ends a run that its program does not end
 
 EXITS = {

@@ -122,7 +122,7 @@ def compile_c(compiler, options, sources, program):
 def build_sweep(core, tool, folder, fault=None):
     """Build the sweep's image for a core."""
     sim, board = targets.ROOT / "firmware_sim", targets.ROOT / "firmware_sim" / "board"
-    options = [*CORES[core], "-O2", *ground(folder, fault), f"-I{sim}", "-nostartfiles"]
+    options = [*CORES[core], "-O2", "-DNDEBUG", *ground(folder, fault), f"-I{sim}", "-nostartfiles"]
     options += [board / "startup.c", board / "board.c", f"-L{board}", f"-T{core}.ld"]
     image = folder / f"sweep_{core}.elf"
     compile_c(tool("arm-none-eabi-gcc"), options, ["link_sweep.c", "traffic.c"], image)

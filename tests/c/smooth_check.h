@@ -10,7 +10,6 @@
 
 #include "check.h"
 #include "nck/base/path.h"            // nck_path_…
-#include "nck/prep/3_smooth/knot.h"   // NCK_KNOT_TRIES
 #include "nck/prep/3_smooth/smooth.h" // nck_smooth_…
 #include "terms_check.h"                 // terms_of
 
@@ -34,7 +33,6 @@ static path_t exact;
 static path_t path;
 
 static uint32_t random_state;
-static uint32_t most_tries; // knots in one pull
 
 static inline double random_between(double low, double high)
 {
@@ -97,11 +95,10 @@ static inline void arc_about(double u, double v, double sweep, double z, double 
     next->sweep_rad = turn;
 }
 
-// A pull tries no more knots than a run from rest to rest of one interval needs.
+// A pull tries one knot, or goes on with one.
 static inline int is_bounded(void)
 {
-    if (smooth.run.tries > most_tries) most_tries = smooth.run.tries;
-    return smooth.run.tries <= 4 * NCK_KNOT_TRIES;
+    return smooth.run.tries <= 1;
 }
 
 // A seg that moves has a length that setpoints can tell, and no number that is none. What an arc or
@@ -120,8 +117,12 @@ static inline int drain(path_t *out)
 {
     nck_smooth_item_t item;
     nck_status_t status = nck_smooth_pull(&smooth, &item);
-    while (status == NCK_OK) {
+    while (status == NCK_OK || status == NCK_FULL) {
         if (!nck_smooth_invariants(&smooth) || !is_bounded()) return 0;
+        if (status == NCK_FULL) {
+            status = nck_smooth_pull(&smooth, &item);
+            continue;
+        }
         if (!item.is_output && !is_sound(&item.seg)) return 0;
         if (item.is_output) {
             if (out->outputs == OUTPUT_MAX) return 0;

@@ -136,7 +136,11 @@ static void fanuc_jumps_calls_and_stops(check_t *check) {
     check_read(check, "G0 X1\n#3000=5 (TOOL)\nM30\n", NCK_E_ALARM, 2, 0);
     CHECK_NEAR(check, self.first.value, 5.0, 0.0);
     check_read(check, "GOTO 77\nM30\n", NCK_E_LABEL, 1, 0);
-    check_read(check, "X1\nM99\n", NCK_E_UNSUPPORTED, 2, 1);
+    check_read(check, "X1\nM99\n", NCK_OK, 0, 0);
+    CHECK_INT(check, self.blocks, 2);
+    CHECK_INT(check, case_noted(&self, NCK_NOTE_REPEATS), 1);
+    check_read(check, "N1 G91 X1\nX-1\nM99 P1\n", NCK_E_ENDLESS, 3, 0);
+    check_read(check, "WHILE [1 EQ 1] DO 1\nG91 X1\nX-1\nEND 1\n", NCK_E_ENDLESS, 4, 0);
 }
 
 static void pushed_text_jumps_forward_only(check_t *check) {
@@ -182,9 +186,16 @@ static void what_is_left_out_is_refused(check_t *check) {
               NCK_HAS_CALLS ? NCK_OK : NCK_E_STATE);
 }
 
+// M99 in the main program ends its pass.
+static void m99_in_the_main_program_is_its_end(check_t *check) {
+    check_error(check, &self, "M99\n", NCK_HAS_CALLS ? NCK_OK : NCK_E_UNSUPPORTED,
+                NCK_HAS_CALLS ? 0 : 1, NCK_HAS_CALLS ? 0 : 1);
+}
+
 int main(void) {
     check_t check = {0};
     CHECK_RUN(&check, what_is_left_out_is_refused);
+    CHECK_RUN(&check, m99_in_the_main_program_is_its_end);
     if (!NCK_HAS_CALLS) return check_end(&check);
     CHECK_RUN(&check, values_are_what_they_say);
     CHECK_RUN(&check, assignments_count_from_the_end_of_their_line);

@@ -299,6 +299,34 @@ static void outputs_come_in_order_and_do_not_slow_the_path(check_t *check)
     CHECK(check, sim.outputs >= 300 && sim.spindle_rpm == 399.0);
 }
 
+// Steps of prep until it needs text, after so much of it.
+static unsigned steps_over(check_t *check, const char *words)
+{
+    size_t used = 0;
+    unsigned steps = 0;
+    nck_status_t status = nck_push(&nck, words, strlen(words), &used);
+    CHECK(check, status == NCK_OK && used == strlen(words));
+    for (; status == NCK_OK; steps++) status = nck_prep(&nck);
+    CHECK_INT(check, status, NCK_EMPTY);
+    return steps;
+}
+
+// Where a line's work is done prep says at once that it needs the next one; a small window takes
+// steps of its own in between.
+static void a_plain_line_takes_less_than_two_steps_of_prep(check_t *check)
+{
+    char words[40];
+    unsigned steps = 0;
+    begin(1);
+    CHECK_INT(check, nck_init(&nck, &machine, NULL), NCK_OK);
+    (void)steps_over(check, "G61 G90 G21 G1 F3000 X0\n");
+    for (int k = 0; k < 20; k++) {
+        snprintf(words, sizeof words, "X%d Y%d\n", k + 1, 2 * k + 2);
+        steps += steps_over(check, words);
+    }
+    CHECK(check, steps >= 20 && steps < 40);
+}
+
 int main(void)
 {
     check_t check = {0};
@@ -311,5 +339,6 @@ int main(void)
     CHECK_RUN(&check, many_incremental_moves_do_not_drift);
     CHECK_RUN(&check, everything_before_an_error_is_executed);
     CHECK_RUN(&check, outputs_come_in_order_and_do_not_slow_the_path);
+    CHECK_RUN(&check, a_plain_line_takes_less_than_two_steps_of_prep);
     return check_end(&check);
 }

@@ -159,10 +159,24 @@ static void cap_arc(allowed_t *allowed)
     cap(allowed, sqrt(0.8 * plane_a() * r) / cosine, NCK_LIMIT_CURVATURE);
 }
 
+// A plan asks for no more jerk along the path than the axes have together, and for no ramp of less
+// than the filter (5_slope/README, section "output filter").
+static double most_jerk(void)
+{
+    const nck_axis_t *const axis = machine.axis;
+    const double a = hypot(axis[0].a_max, hypot(axis[1].a_max, axis[2].a_max));
+    const double j = hypot(axis[0].j_max, hypot(axis[1].j_max, axis[2].j_max));
+    const double tau = NCK_FILTER_TAPS * machine.period_s;
+    const double along = fmin(machine.path.j_max, j);
+    if (machine.slope == NCK_SLOPE_LINEAR) return machine.path.j_max;
+    if (machine.slope == NCK_SLOPE_SSHAPE) return along;
+    return fmin(along, fmin(machine.path.a_max, a) / tau);
+}
+
 static allowed_t find_allowed(void)
 {
     double cosine[3];
-    allowed_t allowed = {1e30, 1e30, machine.path.a_max, machine.path.j_max, -1};
+    allowed_t allowed = {1e30, 1e30, machine.path.a_max, most_jerk(), -1};
     if (!seg.rapid) {
         cap(&allowed, machine.path.feed_max / seg.feed_scale, NCK_LIMIT_FEED_MAX);
     }
@@ -253,7 +267,7 @@ static void arcs_pay_for_what_the_filter_adds(check_t *check)
         const allowed_t allowed = find_allowed();
         const double tau = NCK_FILTER_TAPS * machine.period_s;
         const double q = 1.35 * machine.period_s; // 5_slope/README, section "output"
-        const double v_filter = machine.path.j_max * (tau * tau / 24.0 + q * q / 8.0);
+        const double v_filter = most_jerk() * (tau * tau / 24.0 + q * q / 8.0);
         double r = 0.0;
         const double cosine = arc_cosine(&r);
         const double v_bend = sqrt(0.8 * plane_a() * r) / cosine;

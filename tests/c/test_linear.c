@@ -65,7 +65,7 @@ static nck_status_t step_slope(void)
     const nck_pieces_t pieces = {lookahead.window.at, lookahead.window.head, lookahead.window.fill,
                                  lookahead.window.barrier,
                                  (uint32_t)nck_lookahead_is_complete(&lookahead)};
-    const nck_wish_t wish = {1.0, 1.0, 0, 0, 0};
+    const nck_wish_t wish = {1.0, 1.0, NCK_WISH_FREE, 0, 0, 0};
     const nck_status_t status = nck_slope_step(&slope, &pieces, &wish);
     drop_pieces();
     return status;

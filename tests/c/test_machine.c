@@ -249,7 +249,7 @@ static void every_code_has_an_id_of_its_own(check_t *check) {
                              || strcmp(nck_status_id(before), "unknown") == 0);
         }
     }
-    CHECK_INT(check, known, 5 + 37 + 6 + 3 + 1);
+    CHECK_INT(check, known, 5 + 39 + 9 + 3 + 1);
     CHECK(check, strcmp(nck_status_id(NCK_E_ARC_RADIUS), "arc-radius") == 0);
     CHECK(check, strcmp(nck_status_id(12345), "unknown") == 0);
     for (int note = NCK_NOTE_UNITS; note <= NCK_NOTE_COMP_LEFT; note++) {

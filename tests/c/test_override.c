@@ -128,6 +128,72 @@ static void a_lowered_override_is_kept_in_every_block_under_the_linear_slope(che
     CHECK_NEAR(check, v_most, 20e-3, 1e-9);
 }
 
+// A speed of the tool that the operator allows holds in feeds and rapids, from 2 s on, and at any
+// override; under a mixed move the tool has it, and the path is faster.
+static void the_tool_is_no_faster_than_the_operator_allows(check_t *check)
+{
+    for (uint32_t slope = 0; slope < 3; slope++) {
+        double v_most = 0.0, rapid_most = 0.0;
+        motion_begin(&motion, 1);
+        motion.machine.slope = slope;
+        if (slope == NCK_SLOPE_LINEAR) motion_scale(&motion, 1e-3, 1.0, 1e6);
+        motion_line(&motion, "G21 G90 G61 G1 X100 F3000");
+        motion_line(&motion, "G0 X0");
+        motion_line(&motion, "M2");
+        motion.status = motion_start(&motion);
+        nck_set_override_permille(&motion.nck, 1999, 995);
+        while (motion.ticks < 500) (void)motion_tick(&motion, NULL);
+        nck_set_speed(&motion.nck, 30500);
+        while (motion.ticks < 1000) (void)motion_tick(&motion, NULL);
+        while (motion_tick(&motion, NULL)) {
+            double *const most = motion.pose.rapid ? &rapid_most : &v_most;
+            *most = fmax(*most, motion.pose.v);
+        }
+        CHECK(check, motion.is_over);
+        motion_holds(check, &motion, "a speed that the operator allows");
+        CHECK(check, v_most <= 30.5 + 1e-6 && rapid_most <= 30.5 + 1e-6);
+        if (NCK_PROFILE < 256) continue; // a short window never gets to that speed
+        CHECK_NEAR(check, v_most, 30.5, 0.01);
+        CHECK_NEAR(check, rapid_most, 30.5, 0.01);
+    }
+}
+
+// The same under per mille, which a percent could not tell.
+static void an_override_counts_in_per_mille(check_t *check)
+{
+    double v_most = 0.0;
+    motion_begin(&motion, 1);
+    motion.machine.slope = NCK_SLOPE_LINEAR;
+    motion_line(&motion, "G21 G90 G61 G1 X100 F3000");
+    motion_line(&motion, "M2");
+    motion.status = motion_start(&motion);
+    nck_set_override_permille(&motion.nck, 777, 1000);
+    while (motion_tick(&motion, NULL)) v_most = fmax(v_most, motion.pose.v);
+    CHECK_NEAR(check, v_most, 0.777 * 50.0, 1e-6);
+}
+
+#if NCK_AXIS_MAX > 3
+// Degrees are no millimetres: a table that turns alone does not heed the tool's speed.
+static void a_rotary_axis_alone_does_not_heed_the_speed_of_the_tool(check_t *check)
+{
+    double v_most[2] = {0.0, 0.0};
+    motion_begin(&motion, 1);
+    motion.machine.axis[NCK_AXIS_A].present = 1;
+    motion_line(&motion, "G21 G90 G61 G1 A60 F3000");
+    motion_line(&motion, "X40 A120 F1200");
+    motion_line(&motion, "M2");
+    motion.status = motion_start(&motion);
+    nck_set_speed(&motion.nck, 10000);
+    while (motion_tick(&motion, NULL)) {
+        double *const most = &v_most[motion.pose.line == 2];
+        *most = fmax(*most, motion.pose.v * motion.pose.feed_scale);
+    }
+    CHECK(check, motion.is_over);
+    CHECK_NEAR(check, v_most[0], 50.0, 1e-6);
+    CHECK_NEAR(check, v_most[1], 10.0, 1e-4);
+}
+#endif
+
 int main(void)
 {
     check_t check = {0};
@@ -135,5 +201,10 @@ int main(void)
     CHECK_RUN(&check, an_override_lowered_twice_keeps_the_acceleration_on_an_arc);
     CHECK_RUN(&check, an_override_on_the_way_to_a_corner_rests_at_it_under_the_linear_slope);
     CHECK_RUN(&check, a_lowered_override_is_kept_in_every_block_under_the_linear_slope);
+    CHECK_RUN(&check, the_tool_is_no_faster_than_the_operator_allows);
+    CHECK_RUN(&check, an_override_counts_in_per_mille);
+#if NCK_AXIS_MAX > 3
+    CHECK_RUN(&check, a_rotary_axis_alone_does_not_heed_the_speed_of_the_tool);
+#endif
     return check_end(&check);
 }

@@ -8,7 +8,7 @@
 
 #include "motion_check.h"
 
-enum { COUNT = 1000, EVENTS = 24, MOVES = 512, PATIENCE = 40, TICKS = 60000 };
+enum { COUNT = 1000, EVENTS = 24, MOVES = 512, PATIENCE = 40, TICKS = 60000, LOOK = 16 };
 
 // A move that has been pushed, as the segs are to name it.
 typedef struct move {
@@ -91,6 +91,8 @@ static void tick(void)
     const uint32_t steps = script.slow ? (uint32_t)pick(12) : MOTION_STEPS;
     nck_status_t status = NCK_OK;
     for (uint32_t n = 0; n < steps && status == NCK_OK; n++) status = nck_prep(&motion.nck);
+    const int looks = motion.ticks % LOOK == 0;
+    if (looks && nck_invariants(&motion.nck)) fail("a room's invariant is broken");
     if (status < NCK_OK) fail("a program error");
     motion.status = status;
     const nck_tick_state_t state = nck_tick(&motion.nck, &motion.pose, &motion.axes);

@@ -1,0 +1,93 @@
+# SPDX-License-Identifier: MIT
+"""Room 1: words of printers: E, heaters and fans."""
+
+import pytest
+
+import pycnc
+from pycnc import stages
+from pycnc.kernel.bind import lib, status_id
+from pycnc.machine import Machine
+
+HEAD = "M82\nG21 G90 F600\nG92 E0\n"
+
+
+@pytest.fixture(scope="module")
+def machine():
+    return Machine.load("printer")
+
+
+def decode(text, machine):
+    blocks, diagnostics = stages.decode(text.encode(), machine)
+    errors = diagnostics[diagnostics["code"] < 0]
+    return blocks, [(status_id(int(each["code"])), int(each["line"])) for each in errors]
+
+
+@pytest.mark.parametrize(
+    ("lines", "ends"),
+    [
+        ("G1 X5 E1\nG1 X6 E1.5", [1, 1.5]),
+        ("M83\nG1 X5 E1\nG1 X6 E1.5", [1, 2.5]),
+        ("M83\nG1 E1\nM82\nG1 E1.5", [1, 1.5]),
+        ("G91\nG1 X5 E1\nG1 X1 E1.5", [1, 2.5]),
+        ("G91\nM82\nG1 X5 E1\nG1 X1 E1.5", [1, 1.5]),
+        ("G91\nM82\nG1 X5 E1\nG92 E0\nG1 X1 E0.5", [1, 1.5]),
+        ("M83\nG90\nG1 E1\nG1 E1.5", [1, 1.5]),
+        ("G20\nM83\nG1 E1\nG1 E.5", [25.4, 38.1]),
+    ],
+)
+def test_e_counts_as_m82_and_m83_say(lines, ends, machine):
+    blocks, errors = decode(f"{HEAD}{lines}\nM2\n", machine)
+    moves = blocks[blocks["kind"] == lib.NCK_BLOCK_LINE]["target_nm"]
+    assert errors == []
+    assert (moves[:, 6] / 1e6).tolist() == ends
+
+
+def test_heaters_wait_or_do_not_and_say_how_hot(machine):
+    text = f"{HEAD}M104 S200\nM140 S60\nM106\nM107\nM109 T0 R210\nM190 S60\nM400\nM84\nM2\n"
+    blocks, errors = decode(text, machine)
+    kinds = {lib.NCK_BLOCK_OUTPUT: "output", lib.NCK_BLOCK_WAIT: "wait"}
+    said = [
+        (kinds[block["kind"]], block["output"]["number"], block["output"]["value"])
+        for block in blocks if block["output"]["kind"] == lib.NCK_OUTPUT_SETTING
+    ]  # fmt: skip
+    assert errors == []
+    assert said == [
+        ("output", 104, 200), ("output", 140, 60), ("output", 106, 255), ("wait", 109, 210),
+        ("wait", 190, 60),
+    ]  # fmt: skip
+    codes = blocks["output"]["value"][blocks["output"]["kind"] == lib.NCK_OUTPUT_M]
+    assert {107, 84, 2} <= set(codes.tolist())
+
+
+def test_a_text_is_no_word_and_limits_are_told(machine):
+    program = pycnc.load(f"{HEAD}M117 Printing 50% [layer] X\nM204 P500 T900\nG1 X1\nM2\n", machine)
+    assert [each.id for each in program.diagnostics if each.severity == "error"] == []
+    assert "limits-stay" in [each.id for each in program.diagnostics]
+
+
+@pytest.mark.parametrize(
+    ("line", "found"),
+    [
+        ("M104", ("word-missing", 4)), ("M109 S-1", ("number-range", 4)),
+        ("M104 S200 G1 X1", ("modal-group", 4)), ("G1 E1 U1", ("word-twice", 4)),
+        ("M567", ("m-unknown", 4)),
+    ],
+)  # fmt: skip
+def test_mistakes_are_told(line, found, machine):
+    assert decode(f"{HEAD}{line}\nM2\n", machine)[1] == [found]
+
+
+def test_a_machine_without_an_extruder_and_another_dialect_have_no_e():
+    assert decode(f"{HEAD}G1 E1\nM2\n", Machine.load("mill3", set=["dialect.base=marlin"]))[1] == [
+        ("axis-unknown", 3), ("axis-unknown", 4)
+    ]  # fmt: skip
+    linuxcnc = Machine.load("mill3")
+    assert decode("G21 G90 F600\nG1 X1 E1\nM2\n", linuxcnc)[1] == [("word-unknown", 2)]
+    assert decode("M104 S200\nM2\n", linuxcnc)[1] == [("m-unknown", 1)]
+
+
+def test_f_is_the_speed_of_the_nozzle_and_e_alone_has_it_too(machine):
+    program = pycnc.load(f"{HEAD}G1 X100 E500 F3000\nG1 E490\nG1 X0 E700\nM2\n", machine)
+    peaks = pycnc.run(program).summary["peaks"]
+    assert peaks["x"]["v"] == pytest.approx(100 / 2.1 / 300, rel=1e-3)  # held down by E
+    assert all(peaks[axis]["v"] <= 1 + 1e-9 for axis in ("x", "u"))

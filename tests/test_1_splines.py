@@ -1,0 +1,161 @@
+# SPDX-License-Identifier: MIT
+"""Room 1: splines against their own definition (B-spline basis functions), and against what rs274
+takes and refuses."""
+
+import random
+
+import numpy as np
+import pytest
+import rs274_oracle
+
+import pycnc
+from pycnc import stages
+from pycnc.kernel.bind import lib, status_id
+from pycnc.machine import Machine
+
+FREE = [f"axis.{axis}.{end}_mm=free" for axis in "xyz" for end in ("min", "max")]
+HEAD = "G21 G90 G17 F600\nG0 X0 Y0\n"
+CHORD = 1e-3  # [mm] path.chord_error_mm of mill3
+
+
+@pytest.fixture(scope="module")
+def machine():
+    return Machine.load("mill3", set=FREE)
+
+
+def decode(text, machine):
+    blocks, diagnostics = stages.decode(text.encode(), machine)
+    errors = diagnostics[diagnostics["code"] < 0]
+    found = [(status_id(int(each["code"])), int(each["line"])) for each in errors]
+    return blocks[blocks["kind"] <= lib.NCK_BLOCK_ARC], found
+
+
+def curve(points, weights, order):
+    """Return points of a rational B-spline by Cox and de Boor's recursion."""
+    n = len(points) - 1
+    knots = [max(0, min(i - order + 1, n - order + 2)) for i in range(n + order + 1)]
+    u = np.linspace(0, n - order + 2, 700 * (n - order + 2), endpoint=False)  # and every knot
+    basis = [((knots[i] <= u) & (u < knots[i + 1])).astype(float) for i in range(n + order)]
+    for k in range(2, order + 1):
+        for i in range(n + 1 + order - k):
+            left, right = knots[i + k - 1] - knots[i], knots[i + k] - knots[i + 1]
+            a = (u - knots[i]) / left * basis[i] if left else 0.0
+            b = (knots[i + k] - u) / right * basis[i + 1] if right else 0.0
+            basis[i] = a + b
+    weighed = np.array(weights)[:, None] * np.array(basis[: n + 1])
+    return (weighed.T @ np.array(points)) / weighed.sum(axis=0)[:, None]
+
+
+def distance(points, path):
+    """Return the largest distance of points from a polyline."""
+    a, b = path[:-1], path[1:]
+    d = b - a
+    length = np.maximum((d**2).sum(axis=1), 1e-30)
+    far = 0.0
+    for point in points:
+        share = np.clip(((point - a) * d).sum(axis=1) / length, 0, 1)
+        far = max(far, np.hypot(*(a + share[:, None] * d - point).T).min())
+    return far
+
+
+def check(blocks, points, weights, order):
+    path = np.vstack([points[0], blocks["target_nm"][1:, :2] / 1e6])
+    want = curve(points, weights, order)
+    assert (path[-1] == np.round(points[-1], 6)).all()
+    assert distance(want[::7], path) <= 1.05 * CHORD
+    assert distance(path, np.vstack([want, points[-1]])) <= 1e-3
+    assert (blocks["kind"][1:] == lib.NCK_BLOCK_LINE).all()
+    assert (blocks["feed"][1:] == 600).all()
+
+
+@pytest.mark.parametrize("seed", range(20))
+def test_a_nurbs_is_the_one_of_its_definition(seed, machine):
+    source = random.Random(seed)
+    order, count = source.choice([2, 3, 3, 4, 5]), source.randint(5, 12)
+    number = lambda: round(source.uniform(-20, 20), 3)  # noqa: E731
+    points = [(0.0, 0.0)] + [(number(), number()) for _ in range(count)]
+    weights = [round(source.uniform(0.5, 3), 2) for _ in points]
+    lines = [f"G5.2 P{weights[0]} L{order}"]
+    lines += [f"X{x} Y{y} P{w}" for (x, y), w in zip(points[1:], weights[1:], strict=True)]
+    blocks, errors = decode(HEAD + "\n".join([*lines, "G5.3", "M2", ""]), machine)
+    assert errors == []
+    check(blocks, points, weights, order)
+
+
+@pytest.mark.parametrize("seed", range(10))
+def test_g5_and_g5_1_are_bezier_curves(seed, machine):
+    source = random.Random(seed)
+    i, j, p, q, x, y = (round(source.uniform(-20, 20), 3) for _ in range(6))
+    blocks, errors = decode(f"{HEAD}G5 I{i} J{j} P{p} Q{q} X{x} Y{y}\nM2\n", machine)
+    assert errors == []
+    check(blocks, [(0, 0), (i, j), (x + p, y + q), (x, y)], [1] * 4, 4)
+    blocks, errors = decode(f"{HEAD}G91 G5.1 I{i} J{j} X{x} Y{y}\nM2\n", machine)
+    assert errors == []
+    check(blocks, [(0, 0), (i, j), (x, y)], [1] * 3, 3)
+
+
+def test_a_g5_without_i_and_j_goes_on_as_the_one_before(machine):
+    text = f"{HEAD}G5 I0 J3 P-2 Q-3 X1 Y1\nG5 P0 Q-3 X4 Y1\nM2\n"
+    blocks, _ = decode(text, machine)
+    path = np.vstack([[0.0, 0.0], blocks["target_nm"][1:, :2] / 1e6])
+    second = curve([(1, 1), (3, 4), (4, -2), (4, 1)], [1] * 4, 4)
+    assert distance(second[::9], path) <= 1.05 * CHORD
+
+
+def test_a_spline_in_inches_and_the_time_of_plan_and_run(machine):
+    text = "G20 G90 G17 F20\nG0 X0 Y0\nG5 I0 J1 P0 Q-1 X1 Y1\nM2\n"
+    blocks, errors = decode(text, machine)
+    assert errors == []
+    assert blocks["target_nm"][-1][:2].tolist() == [25_400_000, 25_400_000]
+    program = pycnc.load(text, machine)
+    assert pycnc.plan(program).time_s == pytest.approx(pycnc.run(program).summary["time_s"])
+
+
+SAID = (
+    ("G5 I0 J3 P0 X1 Y1", "word-missing"),
+    ("G5 I0 J3 P0 Q1 X1 Y1 Z2", "spline"),
+    ("G18\nG5 I0 J3 P0 Q1 X1 Y1", "spline"),
+    ("G5.1 X3", "word-missing"),
+    ("G5.1 I1 J2", "word-missing"),
+    ("G5.2 X0 Y1 P1\nG5.3", "spline"),
+    ("G5.3", "spline"),
+    ("G5.2 X0 P1\nG5.3", "word-missing"),
+    ("G5.2 X0 Y1 P1\nX1 Y1\nG5.3", "word-missing"),
+    ("G5.2 X0 Y1 P1 L6\nX1 Y1 P1\nG5.3", "spline"),
+    ("G5.2 X0 Y1 P1\nG1 X5\nG5.3", "spline"),
+    ("G5 I0 J3 P0 Q-3 X1", ""),
+    ("G5.2 X0 Y1 P1\nX1 Y1 P1\nG5.3\nG1 X4", ""),
+    ("G5.2 X0 Y1 P1\nX1 Y1 P1\nG5.3\nX4", "no-motion"),
+    ("G5 P0 Q-3 X1 Y1", ""),
+)
+
+
+@pytest.mark.parametrize(("lines", "found"), SAID)
+def test_rs274_takes_and_refuses_the_same(lines, found, machine, tool, tmp_path):
+    tool("rs274")
+    text = f"{HEAD}{lines}\nM2\n"
+    errors = decode(text, machine)[1]
+    assert [each[0] for each in errors][:1] == ([found] if found else [])
+    (tmp_path / "program.ngc").write_text(text)
+    _, complaint = rs274_oracle.run(tmp_path / "program.ngc", tmp_path, {1: 0.0})
+    assert (complaint == "") == (found == "")
+
+
+@pytest.mark.parametrize(
+    ("lines", "found"),
+    [
+        ("G5.2 X0 Y1 P0\nX1 Y1 P1\nG5.3", ("number-range", 3)),
+        ("G5.2 X0 Y1 P1 L9\nX1 Y1 P1\nG5.3", ("number-range", 3)),
+        ("G93\nG5 I0 J3 P0 Q1 X1 Y1 F9", ("unsupported", 4)),
+        ("G41 D1\nG5 I0 J3 P0 Q1 X1 Y1", ("comp-on", 4)),
+    ],
+)
+def test_what_cannot_be_a_spline_is_told(lines, found):
+    machine = Machine.load("mill3", set=[*FREE, "tool.1.radius_mm=1"])
+    assert decode(f"{HEAD}{lines}\nM2\n", machine)[1][:1] == [found]
+
+
+def test_travel_is_looked_at_chord_by_chord():
+    errors = decode(f"{HEAD}G5 I0 J999 P0 Q999 X1 Y1\nM2\n", Machine.load("mill3"))[1]
+    assert errors == [("travel", 3)]
+    assert decode(f"{HEAD}G5 I0 J300 P0 Q300 X1 Y1\nM2\n", Machine.load("mill3"))[1] == []

@@ -1,0 +1,133 @@
+# SPDX-License-Identifier: MIT
+"""``pycnc compare``: two runs by time, path and line; measured logs; what is wrong with a log."""
+
+import json
+
+import numpy as np
+import pytest
+from command_line import pycnc
+
+from pycnc import run
+from pycnc.report import compare
+
+TEXT = "G21 G90 G17\nG1 F3000 X20\nY15\nG4 P0.2\nG1 X0 F1500\nG3 X0 Y5 J-5\nG1 Y0\nM2\n"
+
+
+@pytest.fixture(scope="module")
+def trace():
+    return run(TEXT)
+
+
+@pytest.fixture(scope="module")
+def part(tmp_path_factory):
+    file = tmp_path_factory.mktemp("compare") / "part.ngc"
+    file.write_text(TEXT)
+    return file
+
+
+HEAD = "Time,PosX,PosY"
+
+
+def write_log(file, trace, *, shift_s=0.0, rate=1.0, off_mm=0.0, noise_mm=0.0, head=HEAD):
+    """Write a log as a controller might: its own clock, its own names, a path that is a bit off."""
+    rng = np.random.default_rng(1)
+    t = trace["t_s"] * rate + shift_s
+    x, y = (trace[f"pos_{k}_mm"] + rng.normal(scale=noise_mm, size=len(t)) for k in "xy")
+    y = y + off_mm * (np.abs(x - 10) < 2)
+    mark = ";" if ";" in head else ","
+    rows = (mark.join(f"{value:.6f}" for value in row) for row in zip(t, x, y, strict=True))
+    file.write_text("\n".join([head, *rows, ""]))
+    return file
+
+
+def test_a_log_that_is_shifted_and_slowed_is_found_out(trace, tmp_path):
+    log = write_log(tmp_path / "log.csv", trace, shift_s=0.003, rate=1.02, noise_mm=2e-4)
+    columns = compare.columns_of("t=Time,x=PosX,y=PosY")
+    found = compare.Comparison(compare.of_trace(trace, "A"), compare.read(log, columns))
+    assert found.shift_s == pytest.approx(0.003, abs=3e-4)
+    assert found.rate == pytest.approx(1.02, abs=1e-4)
+    assert found.time_s == pytest.approx(0.02 * trace["t_s"][-1], rel=0.01)
+    assert found.distance_mm < 0.002
+    rest = next(row for row in found.lines if row[0] == 3)
+    assert rest[2] == pytest.approx(1.02 * rest[1], abs=0.1), "with the dwell behind it"
+
+
+def test_a_path_that_is_left_is_told_with_its_line(trace, tmp_path):
+    log = write_log(tmp_path / "log.csv", trace, off_mm=-0.05)
+    columns = compare.columns_of("t=Time,x=PosX,y=PosY")
+    found = compare.Comparison(compare.of_trace(trace, "A"), compare.read(log, columns))
+    assert found.distance_mm == pytest.approx(0.05, abs=1e-6)
+    assert found.distance_line in (2, 5)
+
+
+@pytest.mark.parametrize("ending", ["npz", "csv"])
+def test_a_trace_is_equal_to_itself(trace, tmp_path, ending):
+    file = tmp_path / f"trace.{ending}"
+    getattr(trace, f"to_{ending}")(file)
+    found = compare.Comparison(compare.of_trace(trace, "A"), compare.read(file))
+    assert found.time_s == 0
+    assert found.distance_mm < compare.STILL_MM
+    assert {row[2] - row[1] for row in found.lines} == {0}
+    assert abs(found.shift_s) + abs(found.rate - 1) + found.residual_s < 1e-3
+
+
+def test_settings_are_compared_by_line_and_tolerances_exit_3(part):
+    options = ["compare", part, part, "--set-b", "axis.x.a_max_mm_s2=500"]
+    told = json.loads(pycnc(*options, "--json").out)
+    worst = told["lines"][0]
+    assert worst["difference_s"] > 0.05
+    assert worst["line"] in (2, 3, 5)
+    assert told["time_difference_s"] == pytest.approx(
+        sum(each["difference_s"] for each in told["lines"]), abs=0.01
+    )
+    assert pycnc(*options).code == 0
+    beyond = pycnc(*options, "--tolerance-s", "0.01")
+    assert beyond.code == 3
+    assert "error[tolerance]: time: " in beyond.err
+    assert pycnc(*options, "--tolerance-s", "10", "--tolerance", "1").code == 0
+    path = ["compare", part, part, "--set-b", "path.tolerance_mm=0.5", "--tolerance", "0.1"]
+    assert pycnc(*path).code == 3
+
+
+def test_the_command_reads_a_log_with_units_and_other_marks(trace, part, tmp_path):
+    log = write_log(tmp_path / "log.csv", trace, rate=1000, head="Time;PosX;PosY")
+    result = pycnc("compare", part, log, "--map", "t=Time:ms,x=PosX,y=PosY", "--tolerance", "0.01")
+    assert result.code == 0
+    lines = result.out.splitlines()
+    assert [line.split()[0] for line in lines[:5]] == ["A", "B", "time", "clock", "path"]
+    assert "0.000% " in lines[3] or "0.001% " in lines[3]
+    assert lines[4] == "path   B is on A's path; axes XY"
+
+
+@pytest.mark.parametrize(
+    ("text", "map_", "words"),
+    [
+        ("Time,PosX\n0,1\n0.1,nan\n", "t=Time,x=PosX", "sample 2: x is no number"),
+        ("Time,PosX\n0,1\n0.1,abc\n", "t=Time,x=PosX", ":3: PosX is 'abc', no number"),
+        ("Time,PosX\n0,1\n0.1\n", "t=Time,x=PosX", ":3: PosX is 'nothing', no number"),
+        ("Time,PosX\n0,1\n0,2\n", "t=Time,x=PosX", "time does not go on"),
+        ("Time,PosX\n0,1\n", "t=Time,x=PosX", "has less than two samples"),
+        ("", "t=Time,x=PosX", "is empty"),
+        ("Time,PosX\n0,1\n1,2\n", "t=Zeit,x=PosX", "no column 'Zeit'; it has: Time, PosX"),
+        ("Time,PosX\n0,1\n1,2\n", "t=Time,x=PosX:parsec", "no unit of it"),
+        ("Time,PosX\n0,1\n1,2\n", "x=PosX", "must look like"),
+        ("Time,PosX\n0,1\n1,2\n", None, "--map t=Time,x=PosX"),
+    ],
+)
+def test_what_is_wrong_with_a_log_is_told_with_its_place(part, tmp_path, text, map_, words):
+    log = tmp_path / "log.csv"
+    log.write_text(text)
+    result = pycnc("compare", part, log, *(["--map", map_] if map_ else []))
+    assert result.code == 2
+    assert words in result.err
+    assert "Traceback" not in result.err
+
+
+def test_other_bad_operands_are_told(part, tmp_path):
+    archive = tmp_path / "trace.npz"
+    archive.write_bytes(b"no archive")
+    assert "is no NumPy archive" in pycnc("compare", part, archive).err
+    np.savez(archive, t_s=np.arange(3.0))
+    assert "is no trace of pycnc" in pycnc("compare", part, archive).err
+    assert pycnc("compare", part, tmp_path / "missing.npz").code == 2
+    assert pycnc("compare", part, "-", stdin=b"G1 Q5\n").code == 1

@@ -1,0 +1,184 @@
+# SPDX-License-Identifier: MIT
+"""``pycnc sweep``: a grid of plans, the same bits with one worker, many, or a cluster."""
+
+import csv
+import json
+import os
+import signal
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+import pytest
+from cases import spiral, star
+from command_line import pycnc
+
+from pycnc import errors, plan
+from pycnc import sweep as make_sweep
+from pycnc.machine import Machine
+from pycnc.planning import sweep
+
+AXES = ["--set", "path.j_max_mm_s3=1e4..1e6/3", "--set", "path.slope=jerk,sshape"]
+
+
+@pytest.fixture
+def files(tmp_path):
+    for name, text in (("star.ngc", star(chord=1.0)), ("spiral.ngc", spiral(chord=0.5))):
+        (tmp_path / name).write_text(text)
+    return [str(tmp_path / "star.ngc"), str(tmp_path / "spiral.ngc")]
+
+
+@pytest.mark.parametrize(
+    ("text", "values"),
+    [
+        ("1..5/3", ["1", "3", "5"]),
+        ("1e4..1e6/3", ["10000", "100000", "1000000"]),
+        ("1e6..1e4/3", ["1000000", "100000", "10000"]),
+        ("0..100/5", ["0", "25", "50", "75", "100"]),
+        ("0.01..0.05/2", ["0.01", "0.05"]),
+        ("jerk, linear", ["jerk", "linear"]),
+        ("0.01", ["0.01"]),
+    ],
+)
+def test_values_of_a_setting(text, values):
+    assert sweep.values_of(text) == values
+
+
+@pytest.mark.parametrize("text", ["1..", "..5/3", "1..5", "1..5/1", "1..x/3", "1..5/0.5", "a..b/3",
+                                  "1..inf/3", "nan..2/3"])  # fmt: skip
+def test_a_range_that_is_none_is_told(text, files):
+    with pytest.raises(errors.ArgumentError, match="no range"):
+        sweep.values_of(text)
+    result = pycnc("sweep", files[0], "--set", f"path.tolerance_mm={text}")
+    assert (result.code, result.err.count("error[grid]")) == (2, 1)
+
+
+def test_a_grid_that_is_too_large_is_counted_and_not_begun(tmp_path):
+    many = ["--set", "path.j_max_mm_s3=1..2/1000", "--set", "path.a_max_mm_s2=1..2/1000"]
+    result = pycnc("sweep", tmp_path / "absent.ngc", *many)
+    assert result.code == 2
+    assert "1,000,000 plans (1 programs x 1000 x 1000)" in result.err
+    assert pycnc("sweep", "x", "--set", "path.j_max_mm_s3=1..2/99999999999").code == 2
+
+
+def test_rows_are_plans_in_the_order_of_the_grid(files):
+    told = json.loads(pycnc("sweep", *files, *AXES, "--json").out)
+    assert told["settings"]["path.slope"] == ["jerk", "sshape"]
+    points = [(row["file"], row["path.j_max_mm_s3"], row["path.slope"]) for row in told["rows"]]
+    assert points == [(file, j, slope) for file in files for j in ("10000", "100000", "1000000")
+                      for slope in ("jerk", "sshape")]  # fmt: skip
+    for row in told["rows"]:
+        settings = [f"path.j_max_mm_s3={row['path.j_max_mm_s3']}"]
+        machine = Machine.load("mill3", set=[*settings, f"path.slope={row['path.slope']}"])
+        assert row["time_s"] == plan(Path(row["file"]).read_text(), machine).time_s
+
+
+def test_one_two_and_eight_workers_give_the_same_bytes(files, tmp_path):
+    told, tables = set(), set()
+    for jobs in ("1", "2", "8"):
+        table = tmp_path / f"{jobs}.csv"
+        result = pycnc("sweep", *files, *AXES, "--json", "--jobs", jobs, "-o", table)
+        assert (result.code, result.err) == (0, "")
+        told.add(result.out)
+        tables.add(table.read_bytes())
+    assert (len(told), len(tables)) == (1, 1)
+    rows = list(csv.DictReader(tables.pop().decode().splitlines()))
+    assert len(rows) == 12
+    assert float(rows[0]["time_s"]) == json.loads(told.pop())["rows"][0]["time_s"]
+
+
+def test_a_cluster_gives_the_same_rows(files):
+    distributed = pytest.importorskip("distributed")
+    axes = {"path.slope": ["jerk", "linear"]}
+    own = make_sweep(files, axes)
+    with distributed.LocalCluster(
+        n_workers=1, threads_per_worker=1, processes=False, dashboard_address=None,
+        protocol="inproc://",
+    ) as cluster:  # fmt: skip
+        there = make_sweep(files, axes, cluster=cluster.scheduler_address)
+    assert there.rows == own.rows
+    assert list(own.to_pandas()["time_s"]) == [row["time_s"] for row in own.rows]
+    assert list(own.to_polars().columns) == own.columns
+
+
+def test_a_cluster_that_is_not_there_is_told(files):
+    result = pycnc("sweep", *files, *AXES, "--cluster", "nonsense://nowhere")
+    assert (result.code, result.err.count("error[cluster]")) == (2, 1)
+
+
+def dying(task, machine, texts):
+    """Die at one task, always or once."""
+    if dict(task.changes)["path.slope"] == "sshape" and not os.path.exists(texts["once"]):
+        if texts["kind"] == "once":
+            open(texts["once"], "w").close()
+        os.kill(os.getpid(), signal.SIGKILL)
+    return {"file": task.file, "pid": os.getpid()}
+
+
+def serve_dying(pipe, machine, texts):
+    while (task := pipe.recv()) is not None:
+        pipe.send(dying(task, machine, texts))
+
+
+@pytest.mark.parametrize("kind", ["once", "always"])
+def test_a_dead_worker_is_replaced_and_its_task_tried_again_then_named(kind, monkeypatch, tmp_path):
+    monkeypatch.setattr(sweep, "_serve", serve_dying)
+    tasks = sweep.tasks_of(["a", "b"], {"path.slope": ["jerk", "sshape", "linear"]})
+    texts = {"kind": kind, "once": str(tmp_path / "once")}
+    rows = dict(sweep._in_processes(tasks, None, texts, 2))
+    assert sorted(rows) == list(range(6))
+    named = {k: row["error"] for k, row in rows.items() if row.get("error")}
+    assert set(named) == ({1, 4} if kind == "always" else set())
+    assert all("3 workers died at it" in words and "-9" in words for words in named.values())
+
+
+def test_a_program_with_an_error_is_named_and_the_others_go_on(files, tmp_path):
+    bad = tmp_path / "bad.ngc"
+    bad.write_text("G21 G90\nG1 X10 F100 Q\nM2\n")
+    result = pycnc("sweep", files[0], bad, "--set", "path.slope=jerk,linear", "--jobs", "2")
+    assert result.code == 1
+    assert result.err.count("bad.ngc path.slope=") == 2
+    assert ":2:13: error[" in result.err
+    assert result.out.count("no time") == 2
+    assert "fastest" in result.out
+
+
+@pytest.mark.parametrize(
+    ("arguments", "words"),
+    [
+        (["--set", "path.slop=jerk"], "did you mean slope"),
+        (["--set", "path.slope=jerk,straight"], "error[machine]"),
+        (["--set", "path.slope"], "error[grid]"),
+        (["--set", "path.slope=jerk", "-o", "x.txt"], "error[format]"),
+        (["--set", "path.slope=jerk", "-o", "no/such/folder.csv"], "error[file]"),
+    ],
+)
+def test_what_is_no_sweep_is_told(arguments, words, files, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    result = pycnc("sweep", files[0], *arguments)
+    assert result.code == 2
+    assert words in result.err
+    assert not list(tmp_path.glob("*.part"))
+
+
+def test_an_interrupt_ends_it_with_130_and_no_half_file(files, tmp_path):
+    table = tmp_path / "table.csv"
+    command = [sys.executable, "-m", "pycnc", "sweep", *files, "-o", table, "--jobs", "2",
+               "--set", "path.j_max_mm_s3=1e4..1e6/4000"]  # fmt: skip
+    process = subprocess.Popen(
+        list(map(str, command)), stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
+        start_new_session=True,
+    )  # fmt: skip
+    time.sleep(4)
+    os.killpg(process.pid, signal.SIGINT)
+    out, err = process.communicate(timeout=60)
+    assert (process.returncode, out) == (130, "")
+    assert "Traceback" not in err
+    assert not table.exists() and not list(tmp_path.glob("*.part"))
+
+
+def test_a_sweep_shows_itself(files):
+    found = make_sweep(files[:1], ["path.slope=jerk,linear"])
+    assert repr(found) == "<Sweep on mill3: 2 plans over 1>"
+    assert found._repr_html_().count("<tr>") == 3

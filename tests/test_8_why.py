@@ -1,0 +1,224 @@
+# SPDX-License-Identifier: MIT
+"""``pycnc why``: what time is lost to, on which lines, and what a cure gains."""
+
+import csv
+import json
+import math
+
+import numpy as np
+import pytest
+from cases import CORPUS, FAMILIES
+from command_line import pycnc
+
+import pycnc as package
+from pycnc import load, run, why
+from pycnc.machine import Machine
+from pycnc.planning import measure
+from pycnc.planning import why as planning_why
+from pycnc.planning.plan import Plan
+from pycnc.report import summary
+
+EXACT = {"path.tolerance_mm": 0}
+
+
+def circle(turns=12, radius=5.0, points=100):
+    """Return a program of chords with equal small angles between them."""
+    lines = ["G21 G90 G17", "G1 F3000"]
+    for k in range(turns * points + 1):
+        angle = 2 * math.pi * k / points
+        lines.append(f"X{radius * math.cos(angle) - radius:.6f} Y{radius * math.sin(angle):.6f}")
+    return "\n".join([*lines, "M2", ""])
+
+
+def cause_of(found, name):
+    return next(cause for cause in found.causes if cause["cause"] == name)
+
+
+@pytest.mark.parametrize("slope", ["jerk", "linear", "sshape"])
+@pytest.mark.parametrize("tolerance", [0, 0.01])
+@pytest.mark.parametrize("family", FAMILIES)
+def test_ideal_and_causes_add_up_to_the_time(slope, tolerance, family):
+    make, count = FAMILIES[family]
+    text = make(np.random.default_rng(7), count // 2)
+    machine = Machine.load("mill3", set={"path.slope": slope, "path.tolerance_mm": tolerance})
+    found = why(text, machine)
+    total = found.ideal_s + math.fsum(cause["lost_s"] for cause in found.causes)
+    assert total == pytest.approx(found.time_s, abs=1e-9)
+    assert math.fsum(found.plan.totals["limit_time_s"].values()) == pytest.approx(
+        found.time_s, abs=1e-9
+    )
+    assert min(cause["lost_s"] for cause in found.causes) > -1e-6
+    assert found.time_s == Plan(found.program, keep=False).time_s
+
+
+def test_many_small_corners_are_one_row_and_come_first():
+    found = why(circle(), Machine.load("mill3", set=EXACT))
+    worst = found.causes[0]
+    assert worst["words"] == "corners of 3.6°, acceleration"
+    assert worst["share"] > 0.2
+    assert worst["count"] > 1100
+    assert [len(worst["places"]), worst["places"][0]["line_first"] <= 10] == [1, True]
+    assert worst["places"][0]["count"] == worst["count"]
+    limits = found.plan.totals["limit_time_s"]
+    assert max(limits, key=limits.get) == "corner"
+    assert limits["jerk"] == limits["accel"] == 0
+
+
+def test_the_gain_of_a_cure_is_that_of_a_plan_with_it():
+    machine = Machine.load("mill3", set=EXACT)
+    found = why(circle(turns=2), machine, what_if=True)
+    gains = {cure["cure"]: cure["gain_s"] for cure in found.cures}
+    changed = Machine.load("mill3", set={**EXACT, "path.tolerance_mm": "0.01"} | EXACT)
+    assert changed.settings == machine.settings
+    within = Plan(load(circle(turns=2), Machine.load("mill3")), keep=False).time_s
+    assert gains["within 0.01 mm"] == pytest.approx(found.time_s - within, abs=1e-12)
+    assert gains["acceleration x 2"] > 0.5 * found.causes[0]["lost_s"]
+    assert {"jerk of X x 2", "speed of Z x 2", "acceleration of Y x 2"} <= set(gains)
+    assert [cure["gain_s"] for cure in found.cures] == sorted(gains.values(), reverse=True)
+
+
+def test_a_ramp_belongs_to_the_low_point_that_it_serves():
+    text = "G21 G90 G17\nG1 X50 F6000\nX100 F600\nX150 F6000\nG4 P0.5\nX200\nM2\n"
+    found = why(text, Machine.load("mill3", set=EXACT), "linear")
+    machine = Machine.load("mill3")
+    fast, slow, a = 100.0, 10.0, float(machine.settings.axis.x.a_max_mm_s2)
+    ramp = (fast - slow) ** 2 / (2 * a * fast)  # lost on a ramp between the two feeds
+    feed = cause_of(found, "feed")
+    assert feed["lost_s"] == pytest.approx(2 * ramp, rel=0.02)
+    assert {place["line_worst"] for place in feed["places"]} == {3}, "the slower feed's line"
+    stop = fast / (2 * a)
+    assert cause_of(found, "dwell")["lost_s"] == pytest.approx(2 * stop, rel=0.03)
+    assert cause_of(found, "ends")["lost_s"] == pytest.approx(2 * stop, rel=0.03)
+    assert found.as_dict()["ideal"]["dwell_s"] == pytest.approx(0.5, abs=1e-3)
+
+
+def test_an_arc_loses_what_its_own_cap_costs():
+    text = "G21 G90 G17 G61\nG1 X50 F6000\nG3 X50 Y4 J2\nG1 X0\nM2\n"
+    found = why(text, "mill3", "linear")
+    arc = cause_of(found, "curvature")
+    assert arc["places"][0]["line_worst"] == 3
+    radius, a = 2, float(Machine.load("mill3").settings.axis.x.a_max_mm_s2)
+    at_cap = math.pi * radius / math.sqrt(0.8 * a * radius) - math.pi * radius / 100
+    assert arc["lost_s"] > at_cap
+
+
+def test_stops_that_the_program_asks_for_are_told_and_their_cure_too():
+    text = "G21 G90 G17 G61.1 (G61.1 here is a comment)\nG1 F3000 X20\nX40\nG9 X60\nX80\nM2\n"
+    found = why(text, what_if=True)
+    gains = {cure["cure"]: cure["gain_s"] for cure in found.cures}
+    stops = cause_of(found, "exact_stop")
+    assert stops["count"] == 3
+    assert gains["without G61.1 and G9"] == pytest.approx(stops["lost_s"], rel=0.05)
+
+
+def test_the_axis_that_holds_is_told():
+    text = "G21 G90 G17\nG1 F3000 X30\nZ20\nX60\nM2\n"
+    found = why(text, Machine.load("mill3", set={**EXACT, "axis.z.a_max_mm_s2": 100}))
+    corner = cause_of(found, "corner")
+    assert (corner["axis"], corner["angle_deg"]) == ("z", pytest.approx([90, 90]))
+    assert corner["places"][0]["axis"] == "z"
+
+
+def test_far_places_are_apart_and_the_worst_comes_first():
+    straight = "\n".join(f"G1 X{k}" for k in range(100, 160))
+    text = f"G21 G90 G17\nG1 F3000\nX50\nY10\n{straight}\nY60\nX0\nY0\nM2\n"
+    places = cause_of(why(text, Machine.load("mill3", set=EXACT)), "corner")["places"]
+    assert [place["lost_s"] for place in places] == sorted(
+        (place["lost_s"] for place in places), reverse=True
+    )
+    spans = sorted((place["line_first"], place["line_last"]) for place in places)
+    assert spans == [(4, 5), (65, 67)]
+
+
+def test_a_run_tells_the_limits_as_the_plan_does_if_nobody_interferes():
+    machine, text = Machine.load("mill3", set=EXACT), circle(turns=2)
+    planned = Plan(load(text, machine), keep=False).totals["limit_time_s"]
+    done = run(text, machine)
+    assert done.summary["limit_time_s"] == pytest.approx(planned, abs=1e-9)
+    assert done.worst_lines["corner"]
+    held = run(text, machine, commands=[(200, "hold"), (900, "resume")]).summary
+    assert sum(held["limit_time_s"].values()) == pytest.approx(held["time_s"])
+
+
+def test_memory_does_not_grow_with_the_program():
+    found = why(circle(turns=30), Machine.load("mill3", set=EXACT))
+    assert max(len(cause["places"]) for cause in found.causes) <= 8
+    rows = found.rows()
+    assert math.fsum(row["lost_s"] for row in rows) == pytest.approx(
+        found.time_s - found.ideal_s, abs=1e-5
+    )
+
+
+def test_pushed_blocks_are_explained_too():
+    program = package.Program.from_points([[0, 0], [40, 0], [40, 40]], 3000, tolerance=0)
+    corner = cause_of(why(program), "corner")
+    assert (corner["count"], corner["places"][0]["line_worst"]) == (1, 3)
+
+
+def test_the_trochoidal_path_loses_its_time_at_its_vertices():
+    if not (CORPUS / "tp_trochoidal.ngc").exists():
+        pytest.skip("the corpus is not here")
+    found = why(CORPUS / "tp_trochoidal.ngc", Machine.load("mill3", set=EXACT), "jerk")
+    worst = found.causes[0]
+    assert worst["words"] == "corners of 3.5°, acceleration"
+    assert worst["lost_s"] / (found.time_s - found.ideal_s) > 0.9
+    assert worst["count"] > 10_000
+    total = found.ideal_s + math.fsum(cause["lost_s"] for cause in found.causes)
+    assert total == pytest.approx(found.time_s, abs=1e-9)
+
+
+def test_every_limit_has_its_words():
+    names = set(measure.limit_names(Machine.load("mill3")).values())
+    assert all(summary.limit_words(name) for name in names)
+    told = {"accel", "starved", "corner"} | {name for name in names if ":" in name}
+    assert names - told == set(planning_why.WORDS), "what a low point may be held by"
+
+
+def test_a_plan_explains_itself_and_one_by_grades_does_not():
+    program = load(circle(turns=1), Machine.load("mill3", set=EXACT))
+    assert package.plan(program).why().causes == why(program).causes
+    with pytest.raises(package.ArgumentError, match="by grades is not explained"):
+        package.plan(program, plan="grades").why()
+
+
+# The command
+
+
+def test_the_table_has_units_and_the_worst_first(tmp_path):
+    file, table = tmp_path / "part.ngc", tmp_path / "why.csv"
+    file.write_text(circle(turns=2))
+    options = ["why", file, "--set", "path.tolerance_mm=0", "-q"]
+    result = pycnc(*options, "--what-if", "-o", table)
+    head, names, first, *_ = result.out.splitlines()
+    assert "s if only feeds, rapids and dwells held it back" in head
+    assert names.split() == ["lost", "share", "to", "places", "lines", "worst", "at", "line"]
+    assert " s  " in first and "corners of 3.6°, acceleration" in first and "(" in first
+    assert "what if" in result.out and "within 0.01 mm" in result.out
+    told = json.loads(pycnc(*options, "--json").out)
+    assert told["what_if"] == []
+    assert told["causes"][0]["cause"] == "corner"
+    total = told["ideal_s"] + math.fsum(cause["lost_s"] for cause in told["causes"])
+    assert total == pytest.approx(told["time_s"], abs=1e-9)
+    with table.open(newline="") as lines:
+        rows = list(csv.DictReader(lines))
+    assert float(rows[0]["lost_s"]) == pytest.approx(told["causes"][0]["lost_s"])
+
+
+def test_a_data_frame_has_a_row_a_place():
+    frame = why(circle(turns=2), Machine.load("mill3", set=EXACT)).to_pandas()
+    assert list(frame.columns)[:3] == ["cause", "words", "lost_s"]
+    assert frame["cause"][0] == "corner"
+
+
+@pytest.mark.parametrize(
+    ("arguments", "code", "words"),
+    [
+        (["missing.ngc"], 2, "error[file]"),
+        (["-", "-o", "table.xlsx"], 2, "error[format]"),
+        (["-", "-o", "/nowhere/table.csv"], 2, "cannot write it"),
+    ],
+)
+def test_bad_calls_have_one_clear_error(arguments, code, words):
+    result = pycnc("why", *arguments, stdin=b"G21 G90\nG1 X10 F600\nM2\n")
+    assert (result.code, words in result.err) == (code, True)
+    assert pycnc("why", "-", stdin=b"G21 G90\nG1 Q1 F600\nM2\n").code == 1
