@@ -1,9 +1,11 @@
 # SPDX-License-Identifier: MIT
-"""Write machine.md, diagnostics.md and the output in README.md from the code that they describe.
+"""Write the pages that tell what code tells, and the output in README.md.
 
 python docs/make_pages.py
 """
 
+import json
+import os
 import re
 import subprocess
 import sys
@@ -59,6 +61,7 @@ TABLES = (
     ("[axis.a], b, c", schema.RotaryAxis),
     ("[kinematics]", schema.Kinematics),
     ("[spindle]", schema.Spindle),
+    ("[times]", schema.Times),
     ("[dialect]", schema.Dialect),
     ("[start]", schema.Start),
     ("[home.g28], [home.g30], [work.g54] … [work.g59_3]", schema.Position),
@@ -74,6 +77,11 @@ stands in every key. An unknown key, a wrong unit, a number out of range or NaN 
 errors are told at once: `pycnc machine validate FILE`. `pycnc machine show NAME --effective` tells
 every value in force and where it comes from. `--set axis.x.max_mm=500` changes one for one call,
 `--tools FILE` adds the tools of a LinuxCNC tool table (mm; D is a diameter).
+
+`pycnc machine new NAME` writes one to begin with, each key with its meaning. `pycnc machine import
+FILE` makes one of LinuxCNC's INI, grbl's `$$`, Klipper's cfg or FluidNC's yaml: units are
+converted, each value has the line that it comes from as its comment, and what has no equal here is
+told.
 
 Positions are machine coordinates. A key without a default must be there, if its table is.
 This page is written by `docs/make_pages.py` from `pycnc/machine/schema.py`; a test compares.
@@ -200,7 +208,180 @@ def write_readme():
     readme.write_text(before + example_output() + after, encoding="utf-8")
 
 
-PAGES = {"machine.md": machine_page, "diagnostics.md": diagnostics_page}
+JSON_HEAD = """\
+# JSON
+
+With `--json` a verb tells its results as JSON on stdout, in one line; `check` tells a list of
+findings, `canon` an object a line. Keys that stand here stay; more may come. A program that is not
+planned, because it has errors or cannot be read, is told by the first four keys of `time` alone.
+`docs/schema.json` has all of it as JSON schema.
+
+This page is written by `docs/make_pages.py` from `docs/json_models.py`; tests hold what the verbs
+tell against it.
+"""
+COMMANDS_HEAD = """\
+# The command line
+
+`pycnc VERB …`. Results go to stdout, everything else to stderr. A file `-` is stdin. `NO_COLOR` is
+honoured. Where a setting has a default, `pycnc machine show --effective` tells it.
+
+| exit code | means |
+|---|---|
+| 0 | good |
+| 1 | the program has errors, or a limit was broken |
+| 2 | the command, a file or the machine file is wrong |
+| 3 | a comparison is outside of its tolerance |
+| 4 | an internal error, or a backend that fails |
+| 130 | interrupted: no half file is left |
+
+This page is written by `docs/make_pages.py` from the verbs' own help; a test compares.
+"""
+TRACE_HEAD = """\
+# The columns of a trace
+
+`pycnc run part.ngc -o trace.npz` (or `.csv`, `.parquet`) writes a row a tick;
+`pycnc.run(program).columns` has the same, and `pycnc.Trace.load(file)` reads it back. A rotary axis
+has degrees in place of millimetres. This page is written by `docs/make_pages.py` from
+`pycnc/report/trace_file.py`; a test compares. The columns on a machine with X, Y and A:
+"""
+_COLUMNS = {
+    "t_s": "end of the tick, from the start of the program",
+    "line": "source line that the path is at; 0 before the first",
+    "block": "running number of the block",
+    "kind": "what it does: `idle`, `rapid`, `line`, `arc`, `dwell`, `wait`, `spline`, `thread`",
+    "s_mm": "path so far; behind blends a little more than the programmed path",
+    "pos": "place of the axis in machine coordinates, as planned",
+    "joint": "setpoint of the drive: whole nanometres, or nanodegrees",
+    "vel_mm_s": "speed along the path, as the program means it",
+    "feed_cmd_mm_min": "programmed feed; 0: a rapid",
+    "override": "feed override, or that of rapids in a rapid; 1 is 100 %",
+    "limit": "what holds the path: a name of `limit_time_s`; a ramp is `accel` or `jerk`",
+    "queue_cells": "pieces of the plan that wait for the tick",
+    "spindle_rpm": "commanded speed",
+}
+
+
+def json_page():
+    """Return the page about JSON."""
+    models = _models()
+    lines = [JSON_HEAD]
+    for verb, model in models.MODELS.items():
+        lines += [f"## {verb}", "", *_table(model)]
+    lines += ["## What is in them", ""]
+    for model in models.SHARED:
+        lines += [f"### {model.__name__}", "", *_table(model)]
+    return "\n".join(lines)
+
+
+def _models():
+    sys.path.insert(0, str(ROOT / "docs"))
+    import json_models
+
+    return json_models
+
+
+def _table(model):
+    """Return the lines about a model: what is its own, behind what it adds to."""
+    base = model.__bases__[0]
+    known = getattr(base, "model_fields", {})
+    yield model.__doc__.strip()
+    if known:
+        yield f"It has all keys of {base.__name__}, and:"
+    yield from ("", "| key | has | meaning |", "|---|---|---|")
+    for name, field in model.model_fields.items():
+        if name not in known:
+            yield f"| `{name}` | {_has(field.annotation)} | {field.description} |"
+    yield ""
+
+
+def _has(kind):
+    if typing.get_origin(kind) is typing.Literal:
+        return ", ".join(f"`{choice}`" for choice in typing.get_args(kind))
+    inner = [each for each in typing.get_args(kind) if each is not type(None)]
+    if typing.get_origin(kind) is list:
+        return f"list of {_has(inner[0])}"
+    if typing.get_origin(kind) is dict:
+        return f"name → {_has(inner[1])}"
+    if len(inner) != len(typing.get_args(kind)):
+        return " or ".join([*map(_has, inner), "null"])
+    if inner:
+        return " or ".join(map(_has, inner))
+    words = {str: "text", int: "whole number", float: "number"}
+    return words.get(kind) or kind.__name__
+
+
+def schema_text():
+    """Return the JSON schema of all verbs."""
+    from pydantic.json_schema import models_json_schema
+
+    models = [(model, "serialization") for model in _models().MODELS.values()]
+    _, whole = models_json_schema(models, title="what pycnc tells with --json")
+    return json.dumps(whole, indent=1, ensure_ascii=False) + "\n"
+
+
+def commands_page():
+    """Return the page about the command line: the help of every verb."""
+    from pycnc.cli import app
+
+    lines = [COMMANDS_HEAD]
+    groups = [(app, "")]
+    groups += [(each.typer_instance, f"{each.name} ") for each in app.registered_groups]
+    for group, before in groups:
+        for command in group.registered_commands:
+            name = before + command.name
+            lines += [f"## {name}", "", "```text", _help_of(name.split()), "```", ""]
+    return "\n".join(lines)
+
+
+def _help_of(words):
+    """Return what ``--help`` prints, in lines that fit a page."""
+    code = "from pycnc.cli import main; main()"
+    done = subprocess.run(
+        [sys.executable, "-c", code, *words, "--help"], capture_output=True, text=True, check=True,
+        env={**os.environ, "COLUMNS": "96", "TERMINAL_WIDTH": "96", "NO_COLOR": "1"},
+    )  # fmt: skip
+    text = done.stdout.replace("Usage: -c ", "Usage: pycnc ")
+    return "\n".join(line.rstrip() for line in text.strip().splitlines())
+
+
+def trace_page():
+    """Return the page about the columns of a trace."""
+    from pycnc.machine import Machine
+    from pycnc.report.trace_file import Columns
+
+    axis = "v_max_deg_s = 60\na_max_deg_s2 = 500\nj_max_deg_s3 = 5000\n"
+    text = Machine.load("cao2014").text + f"\n[axis.a]\n{axis}"
+    columns = Columns(Machine.from_text(text))
+    lines = [TRACE_HEAD, "| column | unit | meaning |", "|---|---|---|"]
+    for name, unit in columns.units.items():
+        lines.append(f"| `{name}` | {unit} | {_COLUMNS.get(name) or _of_axis(name)} |")
+    lines += ["", "These are not in files; they are made when they are asked for (`trace[…]`,",
+              "`derived`, and in every table):", "", "| column | unit | meaning |", "|---|---|---|"]
+    for before, words, power in (("vel", "speed", ""), ("acc", "acceleration", "2"),
+                                 ("jerk", "jerk", "3")):
+        for key, unit in (("x_mm", "mm"), ("a_deg", "deg")):
+            behind = f"_s{power}"
+            lines.append(f"| `{before}_{key}{behind}` | {unit}/s{_RAISED.get(power, '')} | {words} "
+                         f"of the axis: difference of neighbouring ticks |")
+    lines += [
+        "", "A table (`to_pandas`, `to_polars`, `to_arrow`) has names in place of the codes of",
+        "`kind` and `limit`; arrays have codes, and `limit_names()` tells what they mean. The file",
+        "also has version, machine and its hash, program and its hash, dialect and period.", "",
+    ]
+    return "\n".join(lines)
+
+
+_RAISED = {"2": "²", "3": "³"}
+
+
+def _of_axis(name):
+    return _COLUMNS[name.split("_")[0]]
+
+
+PAGES = {
+    "machine.md": machine_page, "diagnostics.md": diagnostics_page, "json.md": json_page,
+    "commands.md": commands_page, "trace.md": trace_page, "schema.json": schema_text,
+}  # fmt: skip
 
 
 def main():
