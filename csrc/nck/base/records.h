@@ -189,6 +189,9 @@ typedef enum nck_limit {
     NCK_LIMIT_AXIS_V = 16 // + axis index
 } nck_limit_t;
 
+// Parts of one that nck_node_t.stretch counts.
+#define NCK_STRETCH_UNIT 4096.0
+
 // 4_lookahead → 5_slope: a point of the path and the piece that follows it.
 typedef struct nck_node {
     uint32_t seg;        // seq of the piece's seg
@@ -198,7 +201,7 @@ typedef struct nck_node {
     uint8_t last;        // 1: the piece ends its seg
     uint8_t kind;        // nck_seg_kind_t of the seg
     uint8_t open;        // 1: vv was held down by the window's end, not by the path
-    uint8_t reserved[2]; // 0
+    uint16_t stretch;    // |dx/ds| of an axis in the piece is at most 1 + stretch/NCK_STRETCH_UNIT
     float tool;          // speed of the tool / path speed; 0: rotary axes move alone
     double s;            // where in its seg the piece begins [path mm]
     double length;       // of the piece [path mm]

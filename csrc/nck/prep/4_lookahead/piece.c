@@ -108,6 +108,7 @@ static void add_piece(nck_lookahead_t *self, const nck_joint_t *joint, const dou
     node->j_over = nck_min(piece.j, over.j);
     node->feed = joint->feed;
     node->tool = (float)joint->tool;
+    node->stretch = nck_joint_stretch(joint, self->terms);
     node->vv_piece = piece.vv;
     node->vv_over = over.vv_free;
     node->limit_piece = piece.limit;

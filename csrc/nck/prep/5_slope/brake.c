@@ -59,9 +59,16 @@ static int is_first_known(const nck_jerk_t *self, uint32_t number) {
     return self->job.kind != NCK_JOB_BRAKE && number == self->now->first_piece;
 }
 
+// What is mixed at a place: r = v/v_c, 1 and more where nothing is known; v_c², the smallest cap;
+// the largest stretch of a piece.
+typedef struct mixed {
+    double r, w;
+    uint16_t stretch;
+} mixed_t;
+
 // The smallest cap within a distance on one side; 0 if it is not known so far.
 static double least_cap(const nck_jerk_t *self, const nck_pieces_t *pieces, uint32_t number,
-                        double distance, int step) {
+                        double distance, int step, uint16_t *stretch) {
     double least = NCK_WINDOW_UNCAPPED;
     double left = distance;
     for (int n = 0; n < MIXED_MOST; n++) {
@@ -70,6 +77,7 @@ static double least_cap(const nck_jerk_t *self, const nck_pieces_t *pieces, uint
         const int is_rest = !(piece->length > 0.0) || (step < 0 && n > 0 && piece->stop);
         if (is_rest) return least;
         least = nck_min(least, cap_of(self, piece));
+        if (piece->stretch > *stretch) *stretch = piece->stretch;
         if (n > 0) left -= piece->length;
         if (!(left > 0.0) || ends_at(self, piece, number, step)) return least;
         if (step < 0 && is_first_known(self, number)) return 0.0;
@@ -92,55 +100,65 @@ void nck_brake_rest(nck_jerk_t *self) {
     }
 }
 
-// r = v/v_c: 1 and more where nothing is known. w_out: v_c², the smallest cap that is mixed.
-static double share_of_cap(const nck_jerk_t *self, const nck_pieces_t *pieces, uint32_t number,
-                           double v, double *w_out) {
-    const double mixed = v * (double)NCK_FILTER_TAPS * self->machine->period_s;
-    const double w = nck_min(least_cap(self, pieces, number, mixed, 1),
-                             least_cap(self, pieces, number, mixed, -1));
-    *w_out = w;
-    return v / nck_sqrt(nck_max(w, 1e-12));
+static mixed_t mixed_at(const nck_jerk_t *self, const nck_pieces_t *pieces, uint32_t number,
+                        double v) {
+    const double length = v * (double)NCK_FILTER_TAPS * self->machine->period_s;
+    mixed_t mixed = {0.0, 0.0, 0};
+    const double ahead = least_cap(self, pieces, number, length, 1, &mixed.stretch);
+    const double behind = least_cap(self, pieces, number, length, -1, &mixed.stretch);
+    mixed.w = nck_min(ahead, behind);
+    mixed.r = v / nck_sqrt(nck_max(mixed.w, 1e-12));
+    return mixed;
+}
+
+// A limit of the axes at standstill, along a path on which one may move faster than the path does.
+static double along(double limit, const mixed_t *mixed) {
+    return limit * NCK_STRETCH_UNIT / (NCK_STRETCH_UNIT + (double)mixed->stretch);
 }
 
 // What lies between standstill and the cap, linear in r.
-static double linear_of(const nck_jerk_t *self, double a, double r) {
-    return self->work.a_rest + (a - self->work.a_rest) * r;
+static double linear_of(const nck_jerk_t *self, double a, const mixed_t *mixed) {
+    const double a_rest = along(self->work.a_rest, mixed);
+    return a_rest + (a - a_rest) * mixed->r;
 }
 
 // With r = v/v_c, a_c and j_c what is left at the cap, and no more known of the bends than the cap:
-//   A − |p″|v²  and  a corner's share  ≥  what lies between standstill and the cap, linear in r;
+//   (A − |p″|v²)/|p′|  and  a corner's share  ≥  what lies between standstill and the cap, linear
+//   in r;
 //   3|p″|v·a ≤ (J − |p‴|v³)/2  by  q/(6v),  q = (J − |p‴|v³)/|p″| ≥ q₀ + (6v_c·a_c − q₀)·r³,
 //   q₀ = J·v_c²/(0.95 A), since |p″|·v_c² ≤ 0.95 A.
-// a: a_c [path mm/s²]; w: v_c².
-static double accel_left(const nck_jerk_t *self, double a, double w, double r, double v) {
-    const double q_cap = 6.0 * nck_sqrt(w) * a;
-    const double q_rest = nck_max(q_cap, self->work.jerk_over_a * w / NCK_BUDGET_CURVE_SHARE);
+// a: a_c [path mm/s²].
+static double accel_left(const nck_jerk_t *self, double a, const mixed_t *mixed, double v) {
+    const double r = mixed->r;
+    const double q_cap = 6.0 * nck_sqrt(mixed->w) * a;
+    const double q_rest =
+        nck_max(q_cap, self->work.jerk_over_a * mixed->w / NCK_BUDGET_CURVE_SHARE);
     const double ramp = (q_rest + (q_cap - q_rest) * r * r * r) / (6.0 * v);
-    return nck_max(a, nck_min(linear_of(self, a, r), ramp));
+    return nck_max(a, nck_min(linear_of(self, a, mixed), ramp));
 }
 
 void nck_brake_left(const nck_jerk_t *self, const nck_pieces_t *pieces, uint32_t number, double v,
                     nck_brake_left_t *left) {
-    double w = 0.0;
-    const double r = share_of_cap(self, pieces, number, v, &w);
+    const mixed_t mixed = mixed_at(self, pieces, number, v);
+    const double r = mixed.r;
     if (!(r < 1.0) || !(v > 0.0)) return;
     const double a = left->with_j.a;
-    const double j_rest = nck_max(left->with_j.j, self->work.j_rest * self->j_scale);
-    left->with_a.a = accel_left(self, a, w, r, v);
+    const double j_standing = along(self->work.j_rest * self->j_scale, &mixed);
+    const double j_rest = nck_max(left->with_j.j, j_standing);
+    left->with_a.a = accel_left(self, a, &mixed, v);
     left->with_a.j = NCK_BUDGET_RAMP_SHARE * (j_rest + (left->with_j.j - j_rest) * (r * r * r));
-    left->with_j.a = nck_max(a, nck_min(linear_of(self, a, r), a / r));
+    left->with_j.a = nck_max(a, nck_min(linear_of(self, a, &mixed), a / r));
 }
 
 // Half of the jerk, linear in r, is left to the path. A piece that leaves more jerk than that at
 // its cap keeps it (docs/stops.md, "Known not to hold").
 void nck_brake_relax(const nck_jerk_t *self, const nck_pieces_t *pieces, uint32_t number, double v,
                      nck_brake_limits_t *limits) {
-    double w = 0.0;
-    const double r = share_of_cap(self, pieces, number, v, &w);
-    if (!(r < 1.0) || !(v > 0.0)) return;
-    const double j_rest = self->work.j_rest * self->j_scale;
-    const double j = NCK_BUDGET_RAMP_SHARE * (j_rest + (limits->j - j_rest) * r);
-    limits->a = accel_left(self, limits->a, w, r, v);
+    const mixed_t mixed = mixed_at(self, pieces, number, v);
+    if (!(mixed.r < 1.0) || !(v > 0.0)) return;
+    const double j_rest = along(self->work.j_rest * self->j_scale, &mixed);
+    const double j = NCK_BUDGET_RAMP_SHARE * (j_rest + (limits->j - j_rest) * mixed.r);
+    limits->a = accel_left(self, limits->a, &mixed, v);
     limits->j = nck_max(limits->j, j);
 }
 
