@@ -66,6 +66,8 @@ typedef struct mixed {
     uint16_t stretch;
 } mixed_t;
 
+static uint16_t larger(uint16_t a, uint16_t b) { return a > b ? a : b; }
+
 // The smallest cap within a distance on one side; 0 if it is not known so far.
 static double least_cap(const nck_jerk_t *self, const nck_pieces_t *pieces, uint32_t number,
                         double distance, int step, uint16_t *stretch) {
@@ -77,7 +79,7 @@ static double least_cap(const nck_jerk_t *self, const nck_pieces_t *pieces, uint
         const int is_rest = !(piece->length > 0.0) || (step < 0 && n > 0 && piece->stop);
         if (is_rest) return least;
         least = nck_min(least, cap_of(self, piece));
-        if (piece->stretch > *stretch) *stretch = piece->stretch;
+        *stretch = larger(*stretch, piece->stretch);
         if (n > 0) left -= piece->length;
         if (!(left > 0.0) || ends_at(self, piece, number, step)) return least;
         if (step < 0 && is_first_known(self, number)) return 0.0;
