@@ -13,6 +13,7 @@
 #else
 // OpenCL C has these types by other names.
 typedef uchar uint8_t;
+typedef ushort uint16_t;
 typedef uint uint32_t;
 typedef long int64_t;
 #endif
