@@ -4,7 +4,7 @@
 
 #include <string.h> // memset
 
-#include "nck/base/real.h"                // nck_min nck_fabs nck_sqrt
+#include "nck/base/real.h"                // nck_min nck_max nck_fabs nck_sqrt
 #include "nck/prep/5_slope/ladder_math.h" // nck_ladder_cbrt
 #include "nck/prep/5_slope/window.h"      // nck_window_cap
 
@@ -12,6 +12,8 @@
 #define CAP_EPSILON 1e-4
 // Of the speed that a cell reaches from rest, v³ = J·h².
 #define CREEP 0.1
+// At its cap a long cell lasts longer than so many of the others may.
+#define LONG_SHARE 1.2
 // An acceleration is at its limit above this share of it.
 #define ACCEL_SHARE 0.999
 
@@ -56,6 +58,21 @@ static void keep_moving(nck_jerk_t *self, uint32_t i) {
     self->w[node] = nck_min(self->w_cap[node], v * v);
 }
 
+// Whether cell i is a long one, however slowly the path passes it.
+static int is_long(const nck_jerk_t *self, uint32_t i, const nck_cell_t *drawn) {
+    const double longer = LONG_SHARE * NCK_LADDER_STRETCH * self->work.step;
+    if (!(drawn->duration > longer)) return 0;
+    const double end = i + 1 < self->work.n ? self->w_cap[i + 1] : 0.0;
+    return drawn->length > longer * nck_sqrt(nck_max(self->w_cap[i], end));
+}
+
+// A long cell is drawn in which the speed changes. What brakes for the window's end does not count:
+// it does not become final.
+static void note_uneven(nck_jerk_t *self, uint32_t i, const nck_cell_t *drawn) {
+    if (is_long(self, i, drawn) && !nck_window_is_even(drawn)) self->work.brakes_long = 1;
+    if (drawn->a >= 0.0) self->work.uneven |= self->work.brakes_long;
+}
+
 // A cell is drawn: how far the plan is sure. Two steps a cell catch up with any stretch of braking
 // in the middle of the path.
 static void note_sure(nck_jerk_t *self, const nck_cell_t *drawn) {
@@ -91,6 +108,7 @@ static const nck_node_t *draw_cell(nck_jerk_t *self, const nck_pieces_t *pieces,
     if (i + 1 == self->work.n) cell.stop = NCK_STOP_REST;
     if (self->next->held) cell.stop |= NCK_STOP_HOLD;
     nck_link_tail_push(self->link, &cell);
+    note_uneven(self, i, &cell);
     note_sure(self, &cell);
     return next;
 }

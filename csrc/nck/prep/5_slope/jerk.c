@@ -30,6 +30,8 @@ enum { COMMIT_SURE = 3, COMMIT_LEAST = 10, KEEP_OFF = 4 };
 // Cells of constant jerk last longer than a ladder's: a hold divides them so far, before it knows
 // more.
 #define HOLD_STEPS 2.0
+// At constant speed a cell lasts up to so many periods: a plan takes over at a cell's end only.
+#define LONG_PERIODS 2.0
 // Room for rounding below every jerk limit.
 #define JERK_MARGIN 1e-5
 // A hold that cannot be met gets so much more length, twice that if it is met at less than so much
@@ -73,7 +75,8 @@ void nck_jerk_init(nck_jerk_t *self, const nck_machine_t *machine, nck_link_t *l
     self->next = next;
     const int filters = machine->slope == NCK_SLOPE_JERK;
     self->step_s = nck_jerk_cell_s(machine);
-    self->hold_s = filters ? NCK_JERK_UNKNOWN : HOLD_STEPS * self->step_s;
+    self->hold_s = filters ? self->step_s : HOLD_STEPS * self->step_s;
+    self->long_steps = nck_max(1.0, LONG_PERIODS * machine->period_s / self->step_s);
     self->margin_s = COMMIT_RAMPS * ramp_s(machine);
     self->q_cap = NCK_LADDER_STRETCH * self->step_s;
     const double excess = nck_ladder_excess(self->q_cap, machine->period_s, taps_of(machine));
@@ -292,6 +295,8 @@ static nck_status_t check(nck_jerk_t *self, const nck_pieces_t *pieces) {
         self->work.keep_time = 0.0;
         self->work.sure = 0;
         self->work.sure_time = 0.0;
+        self->work.brakes_long = 0;
+        self->work.uneven = 0;
         enter(self, PHASE_DRAW);
     } else if (status == NCK_E_STATE) {
         if (self->work.redone == REDONE_MOST) return give_way(self, pieces);
@@ -316,12 +321,16 @@ static uint32_t commit_of(const nck_jerk_t *self) {
     return keep > most ? most : keep < least ? least : keep;
 }
 
-// A coarse plan only tells how to divide the ladder.
+// A coarse plan only tells how to divide the ladder, and so does one that changes its speed in a
+// long cell. It is slower than the next: where it keeps to its caps, that one does, too.
 static nck_status_t finish_draw(nck_jerk_t *self) {
-    if (self->work.coarse && !is_rest(self)) {
+    const uint32_t brakes = self->next->complete ? self->work.brakes_long : 0;
+    const int is_uneven = (self->work.uneven | brakes) && !self->work.divided;
+    if ((self->work.coarse || is_uneven) && !is_rest(self)) {
         const double spare = (double)(NCK_JERK_CELLS - self->work.n);
         const double fits = self->work.time / nck_max(1.0, spare);
         if (self->work.reach > 0.0) self->work.step = nck_max(self->step_s, fits);
+        self->work.divided = !self->work.coarse;
         self->work.coarse = 0;
         self->work.anew = 0;
         self->work.from_built = 1;

@@ -25,6 +25,7 @@ typedef struct nck_jerk {
     double step_s;        // D, what a cell lasts about [s]
     double hold_s;        // what cells of the plan of now last about in a hold's ladder [s]
     double margin_s;      // so near to the braking for the window's end a plan may still change [s]
+    double long_steps;    // a cell at constant speed lasts so many D at most
     double q_cap;         // longest duration that counts in rule R [s]
     double j_scale;       // share of a piece's jerk that rule R plans with
     struct {
@@ -63,7 +64,12 @@ typedef struct nck_jerk {
         uint32_t base;     // lay: pieces from this one on …
         uint32_t pieces;   // … so many: what room 4 can hold whatever the tick has done
         double w_entry;    // lay: about the largest v² at the piece's start
-        double far;        // lay: how near its ends the ladder is finer [mm]
+        double far;        // lay: how near its ends the ladder is finer [mm] …
+        double far_s;      // … the first of which is so far behind its start
+        double even;       // lay: the speed changes so near its ends at most [mm]
+        uint32_t brakes_long; // draw: 1: in a long cell, for the ladder's end so far
+        uint32_t uneven;   // 1: in a long cell that may become final the speed changes
+        uint32_t divided;  // 1: such cells have been divided
         uint32_t must_rest; // 1: at the ladder's end it cannot go on: a stop, an override of zero
         uint32_t passes;   // block ends that came too early to rest at
         uint32_t to_pass;  // lay: of them, those still ahead

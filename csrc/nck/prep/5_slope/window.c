@@ -5,12 +5,18 @@
 #include <assert.h> // assert
 
 #include "nck/base/real.h"                // nck_min nck_max
+#include "nck/base/scurve_math.h"         // nck_scurve_length
 #include "nck/prep/5_slope/ladder_math.h" // nck_ladder_…
 
 // From rest to rest a path takes REST_PARTS cells, PARTS_LEAST if there is no room for more.
 enum { PARTS_MOST = 256, SPAN_MOST = 200, REST_PARTS = 4, PARTS_LEAST = 2 };
 // Why the path rests at a piece's end: single block does, or it cannot go on.
 enum { BLOCK_END = 1, MUST_REST = 2 };
+
+// A hull rounds a ramp's end over so many steps of the ladder.
+#define HULL_STEPS 2.0
+// A piece has so many long cells, or none.
+#define LONG_LEAST 3.0
 
 // While the ladder is coarse no cell's duration is capped in rule R [s].
 #define UNCAPPED_S 1e6
@@ -56,6 +62,18 @@ static const nck_cell_t *source(const nck_jerk_t *self, uint32_t i) {
     return nck_link_tail_cell(self->link, self->work.source + i);
 }
 
+static int is_cruise(const nck_cell_t *cell) { return cell && nck_window_is_even(cell); }
+
+// A long cell of constant speed stays one where nothing near it changes its speed. (A plan that has
+// other wishes may, and so may a hold.)
+static int stays_long(const nck_jerk_t *self, const nck_cell_t *cell, int is_hold) {
+    if (is_hold || !is_cruise(cell)) return 0;
+    if (!self->work.from_built) return !self->job.anew;
+    const uint32_t i = self->work.i;
+    const nck_cell_t *const before = i > 0 ? source(self, i - 1) : cell;
+    return is_cruise(before) && is_cruise(source(self, i + 1));
+}
+
 int nck_window_parts(const nck_jerk_t *self, const nck_cell_t *cell, int is_hold) {
     const double step = is_hold ? self->hold_s : self->work.step;
     return nck_ladder_parts(cell->duration, step, PARTS_MOST);
@@ -65,7 +83,7 @@ int nck_window_parts(const nck_jerk_t *self, const nck_cell_t *cell, int is_hold
 // the window is full, or the rest asked for is reached.
 static int load_cell(nck_jerk_t *self, const nck_pieces_t *pieces, const nck_cell_t *cell) {
     const int is_hold = self->work.reach > 0.0 && !self->work.from_built;
-    const int parts = nck_window_parts(self, cell, is_hold);
+    const int parts = stays_long(self, cell, is_hold) ? 1 : nck_window_parts(self, cell, is_hold);
     uint32_t piece = nck_plan_find(pieces, self->work.piece, cell);
     double s = cell->s;
     double begin = 0.0;
@@ -205,6 +223,30 @@ typedef struct rung {
     int alone;   // 1: the piece goes from rest to rest
 } rung_t;
 
+// How near the ends of a piece, or what is left of it, the ladder is finer than far from them; and
+// how near the speed may change at all: a ramp, and what hulls round. Where no more is left between
+// than a few long cells, they are not worth it.
+static void find_far(nck_jerk_t *self, const nck_ladder_piece_t *rungs, double x, double left) {
+    const double v = nck_sqrt(rungs->w);
+    const double w_low = nck_min(rungs->w0, rungs->w1);
+    const nck_scurve_t ramp = {rungs->a, rungs->j, v};
+    const double step = self->step_s * v;
+    const double even = nck_scurve_length(&ramp, nck_sqrt(w_low), v) + HULL_STEPS * step;
+    const double least = LONG_LEAST * self->long_steps * step;
+    self->work.far = nck_ladder_far(rungs->w - w_low, rungs->a, rungs->j);
+    self->work.far_s = x;
+    self->work.even = left - 2.0 * even > least ? even : NCK_JERK_UNKNOWN;
+}
+
+// Far from both ends of a piece, x behind the nearer end and y before the last one, nothing speeds
+// up or slows down: a cell is as long as the next plan may wait for its end, but does not reach
+// what is near the piece's end.
+static double far_step(const nck_jerk_t *self, double step, double x, double y) {
+    if (!(x >= self->work.even)) return step;
+    const double fit = nck_floor((y - self->work.even) / step);
+    return step * nck_max(1.0, nck_min(self->long_steps, fit));
+}
+
 // At the ladder's end, in this piece. Its first cell notes the speed that it begins with.
 static rung_t next_rung(nck_jerk_t *self, const nck_pieces_t *pieces, const nck_node_t *piece,
                         int rests) {
@@ -217,11 +259,13 @@ static rung_t next_rung(nck_jerk_t *self, const nck_pieces_t *pieces, const nck_
     if (x == 0.0) self->work.w_entry = nck_min(w_node, self->work.w_entry);
     const double w0 = self->work.w_entry;
     const double w1 = rests || !next ? 0.0 : nck_min(w, exit_cap(self, pieces, next));
-    if (x == 0.0) self->work.far = nck_ladder_far(w - nck_min(w0, w1), piece->a, j);
-    const int is_far = nck_min(x, left) > self->work.far;
     const nck_ladder_piece_t rungs = {w0, w1, w, piece->a, j};
-    const double step = is_far ? self->step_s * nck_sqrt(w)
-                               : nck_ladder_step(&rungs, x, left, self->step_s);
+    if (x == 0.0 || self->work.far == NCK_JERK_UNKNOWN) {
+        find_far(self, &rungs, x, left);
+    }
+    const double off = nck_min(x - self->work.far_s, left);
+    const double step = off > self->work.far ? far_step(self, self->step_s * nck_sqrt(w), off, left)
+                                             : nck_ladder_step(&rungs, x, left, self->step_s);
     const int alone = w0 == 0.0 && w1 == 0.0;
     const rung_t rung = {step, alone ? nck_min(step, 0.25 * piece->length) : step, alone};
     return rung;
