@@ -376,6 +376,20 @@ static void single_block_rests_at_the_end_of_every_block(check_t *check)
     motion_holds(check, &motion, "single block");
 }
 
+// Most of the way nothing changes: a cell lasts two periods there, and is planned as one.
+static void at_one_speed_cells_are_long(check_t *check)
+{
+    motion_begin(&motion, 1);
+    motion_line(&motion, "G61 G1 F6000 X500");
+    motion_line(&motion, "G3 X500 Y100 J50");
+    motion_line(&motion, "M2");
+    CHECK(check, motion_run(&motion, NULL));
+    motion_holds(check, &motion, "one speed");
+    const double ticks = (double)motion.ticks;
+    const double share = NCK_PROFILE < 1024 ? 1.1 : 0.6; // a short window has none
+    CHECK(check, (double)motion.nck.link.taken < share * ticks + 400.0);
+}
+
 int main(void)
 {
     check_t check = {0};
@@ -387,6 +401,7 @@ int main(void)
     CHECK_RUN(&check, hold_rests_within_the_braking_distance);
     CHECK_RUN(&check, held_path_goes_on_to_the_same_end);
     CHECK_RUN(&check, abort_keeps_the_position_and_drops_the_rest);
+    CHECK_RUN(&check, at_one_speed_cells_are_long);
     CHECK_RUN(&check, single_block_rests_at_the_end_of_every_block);
     return check_end(&check);
 }

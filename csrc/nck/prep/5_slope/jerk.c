@@ -28,10 +28,13 @@ enum { COMMIT_SURE = 3, COMMIT_LEAST = 10, KEEP_OFF = 4 };
 // Cells last half a period at least: finer ladders gain next to nothing (README).
 #define STEP_LEAST 0.5
 // Cells of constant jerk last longer than a ladder's: a hold divides them so far, before it knows
-// more.
+// more. Long cells it divides into steps.
 #define HOLD_STEPS 2.0
-// At constant speed a cell lasts up to so many periods: a plan takes over at a cell's end only.
+// At constant speed a cell lasts up to so many periods: a plan takes over at a cell's end only. But
+// not where that is less than so many steps of the ladder: then the window is short, and sees
+// further than what is done in time.
 #define LONG_PERIODS 2.0
+#define LONG_STEPS 3.0
 // Room for rounding below every jerk limit.
 #define JERK_MARGIN 1e-5
 // A hold that cannot be met gets so much more length, twice that if it is met at less than so much
@@ -73,10 +76,11 @@ void nck_jerk_init(nck_jerk_t *self, const nck_machine_t *machine, nck_link_t *l
     self->link = link;
     self->now = now;
     self->next = next;
-    const int filters = machine->slope == NCK_SLOPE_JERK;
     self->step_s = nck_jerk_cell_s(machine);
-    self->hold_s = filters ? self->step_s : HOLD_STEPS * self->step_s;
-    self->long_steps = nck_max(1.0, LONG_PERIODS * machine->period_s / self->step_s);
+    const double long_steps = LONG_PERIODS * machine->period_s / self->step_s;
+    self->long_steps = long_steps < LONG_STEPS ? 1.0 : long_steps;
+    self->hold_s = self->long_steps > 1.0 ? self->step_s : NCK_JERK_UNKNOWN;
+    if (machine->slope == NCK_SLOPE_SSHAPE) self->hold_s = HOLD_STEPS * self->step_s;
     self->margin_s = COMMIT_RAMPS * ramp_s(machine);
     self->q_cap = NCK_LADDER_STRETCH * self->step_s;
     const double excess = nck_ladder_excess(self->q_cap, machine->period_s, taps_of(machine));
