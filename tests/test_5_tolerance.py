@@ -213,6 +213,16 @@ def test_more_jerk_is_never_slower(mode, step):
     assert times[-1] < 0.8 * times[0]
 
 
+def test_a_slow_feed_is_kept_on_all_of_a_wide_bend():
+    machine = Machine.load("mill3")
+    moves = "G1 X-0.8 Y-0.67 F150\nG1 X0.2\nM2\n"
+    exact, wide = (
+        pycnc.plan(Program(f"{HEAD}{mode}\n{moves}".encode(), machine)).time_s
+        for mode in ("G61.1", "G64 P0.86")
+    )
+    assert wide <= 1.2 * exact
+
+
 def test_a_path_jerk_that_no_axis_allows_changes_nothing():
     program = programs.zigzag("G64 P0.01", 60, 1.0)
     times = [

@@ -20,6 +20,11 @@
 #define MUCH 0.5           // of a knot interval, for a block's end to be a seg's end
 #define ROUNDING 2e-6      // [mm] kept of the tolerance: setpoints are whole nanometres
 enum { STRETCH_PARTS = 8 }; // of a spline, to find where it is fastest
+// A part of a spline whose fastest place exceeds its mean by more is halved, so often at most, and
+// into parts that last so many periods at least.
+#define UNEVEN 1.05
+#define UNEVEN_PERIODS 4.0
+enum { HALVINGS = 3 };
 
 // The widest spacing that any speed, acceleration and jerk of the machine can ask for.
 static double widest_spacing(const nck_machine_t *machine) {
@@ -323,25 +328,51 @@ static void take_words(nck_smooth_t *self, double end, nck_seg_t *seg) {
     nck_raw_take_words(&nck_raw_at(self, count)->seg, seg);
 }
 
-// The largest |dp/ds| of a spline. dp/ds is a parabola: between places h apart it is larger than at
-// them by |p‴|·h²/8 at most.
-static double stretch_of(const nck_seg_t *seg, int axes) {
-    const double h = seg->length / (double)STRETCH_PARTS;
+// |dp/ds| of a spline between two places: the largest, and the mean of what divides the feed.
+// dp/ds is a parabola: between places h apart it is larger than at them by |p‴|·h²/8 at most.
+typedef struct stretch {
+    double most, mean;
+} stretch_t;
+
+static stretch_t stretch_of(const nck_seg_t *seg, double from, double to, int axes) {
+    const double h = (to - from) / (double)STRETCH_PARTS;
+    stretch_t stretch = {0.0, 0.0};
     double third[NCK_AXIS_MAX];
-    double most = 0.0;
     for (int k = 0; k <= STRETCH_PARTS; k++) {
         double tangent[NCK_AXIS_MAX];
-        nck_path_tangent_part(seg, h * (double)k, axes, tangent);
-        most = nck_max(most, nck_spline_norm(tangent, axes));
+        nck_path_tangent_part(seg, from + h * (double)k, axes, tangent);
+        const double speed = nck_spline_norm(tangent, axes);
+        stretch.most = nck_max(stretch.most, speed);
+        stretch.mean += nck_max(1.0, speed) / (double)(STRETCH_PARTS + 1);
     }
     nck_path_third(seg, 0.0, third);
-    return most + nck_spline_sag(nck_spline_norm(third, axes), h);
+    stretch.most += nck_spline_sag(nck_spline_norm(third, axes), h);
+    return stretch;
+}
+
+// Where a part of the spline ends: it is halved as long as the tool, which keeps to the feed where
+// it is fastest, would be slower on average by more than UNEVEN, and for some periods.
+static double even_end(nck_smooth_t *self, const nck_seg_t *spline, double end,
+                       double *stretch_out) {
+    const double begin = self->run.t[2];
+    const double given = self->run.given;
+    const uint32_t count = nck_raw_find(self, end - nck_raw_least(end));
+    const nck_seg_t *const words = &nck_raw_at(self, count)->seg;
+    const double least = UNEVEN_PERIODS * words->feed * self->terms->machine->period_s;
+    double to = end;
+    for (int n = 0;; n++) {
+        const stretch_t stretch =
+            stretch_of(spline, given - begin, to - begin, self->terms->axes);
+        const double half = 0.5 * (to - given);
+        const int is_even = stretch.most <= UNEVEN * stretch.mean || stretch.most <= 1.0;
+        *stretch_out = stretch.most;
+        if (is_even || words->rapid || n == HALVINGS || half < least) return to;
+        to = given + half;
+    }
 }
 
 // Where the spline is longer than the program's path, |dp/ds| > 1, the tool keeps to the feed.
-static void keep_feed(nck_seg_t *seg, int axes) {
-    if (seg->kind != NCK_SEG_SPLINE) return;
-    const double stretch = stretch_of(seg, axes);
+static void keep_feed(nck_seg_t *seg, double stretch) {
     if (stretch <= 1.0) return;
     seg->feed /= stretch;
     seg->feed_scale *= stretch;
@@ -351,13 +382,15 @@ static void keep_feed(nck_seg_t *seg, int axes) {
 static nck_status_t give_spline(nck_smooth_t *self, nck_smooth_item_t *item_out) {
     const double *const t = self->run.t;
     nck_seg_t *const seg = &item_out->seg;
-    const double end = part_end(self);
+    double stretch = 1.0;
+    double end = part_end(self);
     nck_raw_spline(self, 0, seg);
+    if (seg->kind == NCK_SEG_SPLINE) end = even_end(self, seg, end, &stretch);
     nck_spline_part(seg, self->run.given - t[2], end - t[2]);
     memcpy(seg->start, self->run.position, sizeof seg->start);
     memcpy(self->run.position, seg->end, sizeof seg->end);
     take_words(self, end, seg);
-    keep_feed(seg, self->terms->axes);
+    keep_feed(seg, stretch);
     seg->stop = (uint8_t)nck_knot_rests(self, end);
     self->run.given = end;
     if (end >= t[3]) nck_knot_advance(self);
