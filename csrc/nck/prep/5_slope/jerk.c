@@ -61,7 +61,7 @@ double nck_jerk_cell_s(const nck_machine_t *machine) {
     const double ramp = ramp_s(machine);
     const double most = nck_max(1.0, 0.25 * (double)taps_of(machine)) * period;
     return nck_max(STEP_LEAST * period,
-                   nck_min(most, RAMPS_SEEN * ramp / (double)NCK_PROFILE));
+                   nck_min(most, RAMPS_SEEN * ramp / (double)NCK_PROFILE_ROWS));
 }
 
 void nck_jerk_init(nck_jerk_t *self, const nck_machine_t *machine, nck_link_t *link,
