@@ -145,6 +145,29 @@ static void every_program_keeps_its_limits_to_its_end(check_t *check)
     }
 }
 
+// More outputs than their ring holds, between moves that fill the window.
+static void outputs_that_fill_their_ring_stop_nothing(check_t *check)
+{
+    char words[80];
+    for (uint32_t slope = 0; slope < SLOPES; slope++) {
+        if (!built[slope]) continue;
+        begin(slope, 1);
+        motion_line(&motion, "G21 G90 G17 G61 G1 F3000");
+        for (int k = 1; k <= 2 * NCK_WINDOW; k++) {
+            snprintf(words, sizeof words, "X%d Y%d", k, k & 1);
+            motion_line(&motion, words);
+            for (int n = 0; n < (k == NCK_WINDOW ? 2 * NCK_OUTPUT_MAX : 3); n++) {
+                motion_line(&motion, "M8");
+            }
+        }
+        motion_line(&motion, "M2");
+        CHECK(check, motion_run(&motion, NULL));
+        CHECK_INT(check, motion.outputs, 3 * (2 * NCK_WINDOW - 1) + 2 * NCK_OUTPUT_MAX + 1);
+        CHECK_INT(check, motion.early, 0);
+        judge(check, slope_name[slope]);
+    }
+}
+
 // Few steps of prep between ticks, as many as do not starve it.
 static uint32_t few_steps(void *user, uint64_t tick)
 {
@@ -233,6 +256,7 @@ int main(void)
     CHECK_RUN(&check, without_smoothing_a_block_with_a_tolerance_is_noted);
     CHECK_RUN(&check, what_the_language_lacks_is_an_error_of_its_line);
     CHECK_RUN(&check, every_program_keeps_its_limits_to_its_end);
+    CHECK_RUN(&check, outputs_that_fill_their_ring_stop_nothing);
     CHECK_RUN(&check, setpoints_do_not_hang_on_the_pace_of_prep);
     CHECK_RUN(&check, an_operator_breaks_no_limit);
     CHECK_RUN(&check, an_abort_rests_soon_and_another_program_begins_there);
