@@ -66,6 +66,7 @@ double nck_jerk_cell_s(const nck_machine_t *machine) {
 
 void nck_jerk_init(nck_jerk_t *self, const nck_machine_t *machine, nck_link_t *link,
                    const nck_plan_t *now, nck_plan_t *next) {
+    if (!NCK_HAS_JERK) return;
     memset(self, 0, sizeof *self);
     self->machine = machine;
     self->link = link;
@@ -146,6 +147,7 @@ static void begin_brake(nck_jerk_t *self, uint32_t held) {
 }
 
 void nck_jerk_begin(nck_jerk_t *self, const nck_job_t *job) {
+    if (!NCK_HAS_JERK) return;
     self->job = *job;
     restart(self);
     switch (job->kind) {
@@ -384,6 +386,7 @@ static nck_status_t draw(nck_jerk_t *self, const nck_pieces_t *pieces) {
 }
 
 nck_status_t nck_jerk_step(nck_jerk_t *self, const nck_pieces_t *pieces) {
+    if (!NCK_HAS_JERK) return NCK_E_INTERNAL;
     switch (self->work.phase) {
     case PHASE_REACH: return find_reach(self, pieces);
     case PHASE_LOAD: return load(self, pieces);
