@@ -14,6 +14,12 @@ FUZZ_TARGETS = sorted(path.stem for path in (ROOT / "tests" / "fuzz").glob("*.c"
 FUZZ_RUNS = {"decode": 200_000, "kernel": 5_000}
 FUZZ_FLAGS = {"kernel": ["-len_control=0", "-max_len=600"]}  # long inputs at once
 CAPACITIES = ("", "_small")
+# Builds that leave out rooms and planners, and the tests that they are built with.
+LEAN = [
+    f"{name}_{lean}"
+    for lean in ("linear", "jerk")
+    for name in ("test_decode_motion", "test_interpolate", "test_left_out", "test_link")
+]
 
 
 def run_c_test(folder, name):
@@ -46,6 +52,16 @@ def test_c_tests_pass_under_the_sanitizers(clang_build, name, capacities):
 @pytest.mark.parametrize("name", C_TESTS)
 def test_c_tests_pass_in_the_release_build(gcc_build, name, capacities):
     run_c_test(gcc_build[0], f"{name}{capacities}")
+
+
+@pytest.mark.parametrize("name", LEAN)
+def test_what_lean_builds_have_left_runs_under_the_sanitizers(clang_build, name):
+    run_c_test(clang_build[0], name)
+
+
+@pytest.mark.parametrize("name", LEAN)
+def test_what_lean_builds_have_left_runs_in_the_release_build(gcc_build, name):
+    run_c_test(gcc_build[0], name)
 
 
 @pytest.mark.parametrize("name", FUZZ_TARGETS)

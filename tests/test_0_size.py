@@ -65,6 +65,21 @@ def test_the_core_has_no_data_on_a_target(measured):
     assert rows == [[0, 0, 0, 0]]
 
 
+# Builds that leave out rooms and planners: nck_t and flash that their users count on [bytes]
+
+MOST = {"linear": (20_480, 92_000, 75_000), "jerk": (32_768, 114_000, 91_000)}
+
+
+@pytest.mark.parametrize("name", MOST)
+def test_lean_builds_fit_into_their_memory(size_table, measured, name):
+    titles = [title.partition(" (")[0] for title in size_table.SETS.values()]
+    sizes = measured["RAM: members of `nck_t` [bytes]", "**`sizeof(nck_t)`**"]
+    most, *flash_most = MOST[name]
+    assert sizes[titles.index(name)] <= most
+    linked = measured["flash that a firmware links, -Os [bytes]", name]
+    assert all(flash <= limit for flash, limit in zip(linked, flash_most))
+
+
 # The stack
 
 

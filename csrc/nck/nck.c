@@ -199,12 +199,19 @@ static nck_status_t give_up(nck_t *nck, uint32_t line) {
     return NCK_E_INTERNAL;
 }
 
-// The rings are full of what waits for the tick, and the tick has executed all that the slope has:
-// nothing else will make room. So the path is planned to rest where it is known to.
-static int is_stuck(const nck_t *nck, nck_status_t slope, nck_status_t ahead, nck_status_t input) {
+// No more segs are finished by what the slope has given: the tick is in the seg that it ends in, or
+// has executed it, be it to the end of a seg that only the next cell leaves.
+static int is_executed_so_far(const nck_t *nck) {
     const uint32_t finished = nck_link_finished(&nck->link);
+    if (nck_lookahead_oldest(&nck->lookahead, finished + 1) == finished) return 1;
+    return nck_link_is_spent(&nck->link) && !nck_fence_load(&nck->interpolate.has_cell);
+}
+
+// The rings are full of what waits for the tick, and nothing else will make room. So the path is
+// planned to rest where it is known to.
+static int is_stuck(const nck_t *nck, nck_status_t slope, nck_status_t ahead, nck_status_t input) {
     return slope == NCK_EMPTY && ahead == NCK_EMPTY && input == NCK_FULL
-           && nck_lookahead_oldest(&nck->lookahead, finished + 1) == finished;
+           && is_executed_so_far(nck);
 }
 
 // All rooms begin anew where the axes rest.

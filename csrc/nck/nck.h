@@ -122,7 +122,7 @@ typedef struct nck {
 } nck_t;
 
 // Make a kernel for a machine (copied). hooks may be NULL.
-// Returns NCK_OK, or NCK_E_MACHINE if nck_machine_check refuses the machine.
+// Returns NCK_OK; NCK_E_MACHINE or NCK_E_UNSUPPORTED if nck_machine_check refuses the machine.
 // Cost: constant. Context: any, before the tick runs.
 nck_status_t nck_init(nck_t *nck, const nck_machine_t *machine, const nck_hooks_t *hooks);
 
@@ -182,7 +182,7 @@ nck_status_t nck_begin(nck_t *nck);
 // `machine` must be valid and counts for nothing. They hold for what is pushed afterwards; the path
 // comes to rest between. What waits is flushed first: NCK_FULL until it is planned (call nck_prep,
 // then again). A change of feed or of tolerance alone needs no rest: see nck_block_in_t.
-// Returns NCK_OK, NCK_FULL, or NCK_E_MACHINE if nck_machine_check refuses the machine.
+// Returns NCK_OK, NCK_FULL; NCK_E_MACHINE or NCK_E_UNSUPPORTED as nck_init.
 // Cost: constant. Context: prep.
 nck_status_t nck_set_limits(nck_t *nck, const nck_machine_t *machine);
 

@@ -39,7 +39,11 @@ DIALECT = "-std=c99 -ffp-contract=off -fno-math-errno -ffunction-sections -DNDEB
 RUNTIME = "C runtime"
 SMOOTHED = "_smoothed"
 WIRES = "nck.c (wires)"
-SETS = {"small": "small", "default": "medium, the default", "host": "host"}
+SETS = {
+    "linear": "linear", "jerk": "jerk", "small": "small", "default": "medium, the default",
+    "host": "host",
+}  # fmt: skip
+LEAN_SETS = ("linear", "jerk", "small")
 # Micro-segments, the same smoothed, arcs in three planes, one dense straight line, five axes.
 BUDGETS = (
     ("star", "linear"), ("star", "jerk"), ("star_smoothed", "linear"), ("star_smoothed", "jerk"),
@@ -107,8 +111,7 @@ def measure_flash(built, image):
 
 def measure_structs(set_name):
     """Return {member of nck_t: bytes}, and {capacity: value}, as they are on a 32-bit Arm."""
-    given = {} if set_name == "default" else targets.capacities(set_name)
-    definitions = [f"-D{macro}={value}" for macro, value in given.items()]
+    definitions = [f"-D{definition}" for definition in definitions_of(set_name)]
     text = (CSRC / "nck" / "nck.h").read_text(encoding="utf-8")
     body = re.search(r"typedef struct nck \{\n(.*?)\n\} nck_t;", text, re.S)[1]
     members = re.findall(r"^    (?:nck_\w+_t|\}) (\w+);", body, re.M)
@@ -167,6 +170,35 @@ def flash_lines(images, folder):
     return list(lines_of("flash [bytes]", list(flash), flash_rows(list(flash.values()))))
 
 
+def definitions_of(set_name):
+    """Return a set's capacities as NAME=VALUE."""
+    given = {} if set_name == "default" else targets.capacities(set_name)
+    return [f"{macro}={value}" for macro, value in given.items()]
+
+
+def measure_share(core, set_name, folder):
+    """Return what a firmware links of the pair of files, if it calls all of nck.h [bytes]."""
+    place = Path(folder) / f"{core}_{set_name}"
+    pair = [f"--define={definition}" for definition in definitions_of(set_name)]
+    command = [sys.executable, ROOT / "cmake" / "amalgamate.py", "--out", place, *pair]
+    subprocess.run(command, check=True)
+    image = place / "share.elf"
+    kept = [f"-Wl,-u,{name}" for name in stack.entry_points(CSRC / "nck" / "nck.h")]
+    warn = ["-Wall", "-Wextra", "-Werror"]
+    link = ["-nostartfiles", "-Wl,--gc-sections", "-Wl,-e,nck_tick", *kept]
+    source = place / "nck.c"
+    run("gcc", *OPTIONS[core], *DIALECT, "-Os", *warn, *link, source, "-lm", "-o", image)
+    return sizes(image)[0]
+
+
+def share_rows():
+    jobs = [(core, set_name) for set_name in LEAN_SETS for core in CORES]
+    with tempfile.TemporaryDirectory() as folder, ThreadPoolExecutor(2) as pool:
+        found = list(pool.map(lambda job: measure_share(*job, folder), jobs))
+    for k in range(0, len(jobs), len(CORES)):
+        yield SETS[jobs[k][1]], found[k : k + len(CORES)]
+
+
 def flash_rows(flash):
     rooms = in_order_of_flow(flash[0][0])
     for room in rooms[:-1]:
@@ -210,8 +242,9 @@ def table():
         images = {core: link_whole(core, objects(core), Path(folder)) for core in CORES}
         with tempfile.TemporaryDirectory() as small:
             lines = flash_lines(images, small)
-        lines += ram_lines()
         names = list(CORES.values())
+        lines += lines_of("flash that a firmware links, -Os [bytes]", names, share_rows())
+        lines += ram_lines()
         lines += lines_of("deepest stack of a call [bytes]", names, stack_rows(images))
     spans = ("tick, most", "tick, mean", "prep step, most")
     columns = [f"{name}: {span}" for name in ("M4F", "M7") for span in spans]

@@ -58,13 +58,14 @@
 #define NCK_COMP_SPAN 64
 #endif
 
-// Nodes of the look-ahead window (three a seg at most). Power of two, 32..65536.
+// Nodes of the look-ahead window (three a seg at most). Power of two, 16..65536. 16 leaves out the
+// S-shaped slope, which has to see more.
 // Too short for the braking distance costs time, never safety; it is reported as limit "lookahead".
 #ifndef NCK_WINDOW
 #define NCK_WINDOW 256
 #endif
 
-// Junctions on either side that share one interpolation period at most. Power of two, 8..256.
+// Junctions on either side that share one interpolation period at most. Power of two, 2..256.
 // Denser paths are slowed down until the span covers a period.
 #ifndef NCK_CORNER_SPAN
 #define NCK_CORNER_SPAN 64
@@ -79,13 +80,14 @@
 
 // Nodes of the jerk-limited slope's window. Power of two, 32..65536. A node lasts half a period
 // (two to four periods if the window would else be shorter than braking takes): fewer nodes cost
-// time, never safety.
+// time, never safety. 0 leaves out both slopes that limit jerk: jerk-limited and S-shaped.
 #ifndef NCK_PROFILE
 #define NCK_PROFILE 1024
 #endif
 
 // Blocks that smoothing sees at once. Power of two, 16..65536. A spline's piece is at most about a
 // quarter as long as these blocks together: fewer make dense paths less smooth, never less exact.
+// 0 leaves smoothing out: the path is exact under G64, too.
 #ifndef NCK_SMOOTH_SPAN
 #define NCK_SMOOTH_SPAN 128
 #endif
@@ -117,11 +119,15 @@
 #define NCK_HAS_LAYOUTS (NCK_LAYOUTS > 0)
 #define NCK_HAS_CONTOUR (NCK_CYCLES > 0 && NCK_CONTOUR > 0)
 
-// Whether there is radius compensation.
+// Whether there is radius compensation; smoothing; the jerk-limited slope, and the S-shaped one.
 #define NCK_HAS_COMP (NCK_COMP_SPAN > 0)
+#define NCK_HAS_SMOOTH (NCK_SMOOTH_SPAN > 0)
+#define NCK_HAS_JERK (NCK_PROFILE > 0)
+#define NCK_HAS_SSHAPE (NCK_PROFILE > 0 && NCK_WINDOW >= 32)
 
-// What holds the state of cycles, of layouts, of parameters and calls. Where they are left out it
-// is only read, as zero: one place serves all members.
+// What holds the state of cycles, of layouts, of parameters and calls, of compensation, of
+// smoothing, of the jerk-limited and the S-shaped slope. Where they are left out it is only read,
+// as zero: one place serves all members.
 #if NCK_CYCLES > 0
 #define NCK_CYCLE_STATE struct
 #else
@@ -137,12 +143,46 @@
 #else
 #define NCK_MACRO_STATE union
 #endif
+#if NCK_COMP_SPAN > 0
+#define NCK_COMP_STATE struct
+#else
+#define NCK_COMP_STATE union
+#endif
+#if NCK_SMOOTH_SPAN > 0
+#define NCK_SMOOTH_STATE struct
+#else
+#define NCK_SMOOTH_STATE union
+#endif
+#if NCK_PROFILE > 0
+#define NCK_JERK_STATE struct
+#else
+#define NCK_JERK_STATE union
+#endif
+#if NCK_PROFILE > 0 && NCK_WINDOW >= 32
+#define NCK_SSHAPE_STATE struct
+#else
+#define NCK_SSHAPE_STATE union
+#endif
 
 // Rows of arrays that may be left out.
 #if NCK_COMP_SPAN > 0
 #define NCK_COMP_ROWS NCK_COMP_SPAN
 #else
 #define NCK_COMP_ROWS 1
+#endif
+#if NCK_SMOOTH_SPAN > 0
+#define NCK_SMOOTH_ROWS NCK_SMOOTH_SPAN
+#define NCK_MERGE_ROWS 8
+#define NCK_SPLINE_ROWS 4
+#else
+#define NCK_SMOOTH_ROWS 1
+#define NCK_MERGE_ROWS 0
+#define NCK_SPLINE_ROWS 1
+#endif
+#if NCK_PROFILE > 0
+#define NCK_PROFILE_ROWS NCK_PROFILE
+#else
+#define NCK_PROFILE_ROWS 1
 #endif
 #if NCK_CONTOUR > 0
 #define NCK_CONTOUR_ROWS NCK_CONTOUR
@@ -185,24 +225,31 @@
 #if NCK_FILTER_TAPS < 1 || NCK_FILTER_TAPS > 16
 #error "NCK_FILTER_TAPS must be 1..16"
 #endif
-#if (NCK_WINDOW & (NCK_WINDOW - 1)) || NCK_WINDOW < 32
-#error "NCK_WINDOW must be a power of two, 32 at least"
+#if (NCK_WINDOW & (NCK_WINDOW - 1)) || NCK_WINDOW < 16
+#error "NCK_WINDOW must be a power of two, 16 at least"
 #endif
-#if (NCK_PROFILE & (NCK_PROFILE - 1)) || NCK_PROFILE < 32 || NCK_PROFILE > 65536
-#error "NCK_PROFILE must be a power of two, 32..65536"
+#if NCK_PROFILE != 0 && (NCK_PROFILE < 32 || NCK_PROFILE > 65536)
+#error "NCK_PROFILE must be 0 or 32..65536"
+#endif
+#if NCK_PROFILE & (NCK_PROFILE - 1)
+#error "NCK_PROFILE must be a power of two"
 #endif
 #if (NCK_CELL_MAX & (NCK_CELL_MAX - 1)) || NCK_CELL_MAX < 16
 #error "NCK_CELL_MAX must be a power of two, 16 at least"
 #endif
-#if (NCK_SMOOTH_SPAN & (NCK_SMOOTH_SPAN - 1)) || NCK_SMOOTH_SPAN < 16
-#error "NCK_SMOOTH_SPAN must be a power of two, 16 at least"
+#if NCK_SMOOTH_SPAN != 0 && (NCK_SMOOTH_SPAN < 16 || NCK_SMOOTH_SPAN > 65536)
+#error "NCK_SMOOTH_SPAN must be 0 or 16..65536"
 #endif
-#if NCK_CORNER_SPAN & (NCK_CORNER_SPAN - 1)
-#error "NCK_CORNER_SPAN must be a power of two"
+#if NCK_SMOOTH_SPAN & (NCK_SMOOTH_SPAN - 1)
+#error "NCK_SMOOTH_SPAN must be a power of two"
 #endif
-// Otherwise the seg ring could fill up before the window does, and neither side could go on.
-#if 2 * NCK_CORNER_SPAN + NCK_CELL_MAX > NCK_WINDOW
-#error "2 * NCK_CORNER_SPAN + NCK_CELL_MAX must not exceed NCK_WINDOW"
+#if (NCK_CORNER_SPAN & (NCK_CORNER_SPAN - 1)) || NCK_CORNER_SPAN < 2
+#error "NCK_CORNER_SPAN must be a power of two, 2 at least"
+#endif
+// Otherwise the seg ring could fill up before a plan has its pieces (5_slope: 8 less than the
+// window holds), and neither side could go on.
+#if 2 * NCK_CORNER_SPAN + NCK_CELL_MAX > NCK_WINDOW + 8
+#error "2 * NCK_CORNER_SPAN + NCK_CELL_MAX must not exceed NCK_WINDOW + 8"
 #endif
 
 #endif

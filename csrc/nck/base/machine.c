@@ -26,7 +26,7 @@ void nck_machine_default(nck_machine_t *machine) {
     machine->path.chord_error = 1e-3;
     machine->path.tolerance = 0.01;
     machine->path.arc_radius = 5e-3;
-    machine->slope = NCK_SLOPE_JERK;
+    machine->slope = NCK_HAS_JERK ? NCK_SLOPE_JERK : NCK_SLOPE_LINEAR;
     machine->kinematics = NCK_KINEMATICS_IDENTITY;
     machine->dialect.base = NCK_DIALECT_LINUXCNC;
     machine->dialect.plane = 17;
@@ -120,6 +120,11 @@ static int path_good(const nck_machine_t *machine) {
            && (machine->lookahead_blocks != 1 || machine->slope == NCK_SLOPE_SSHAPE);
 }
 
+static int is_slope_built(const nck_machine_t *machine) {
+    return machine->slope == NCK_SLOPE_LINEAR || (machine->slope == NCK_SLOPE_JERK && NCK_HAS_JERK)
+           || (machine->slope == NCK_SLOPE_SSHAPE && NCK_HAS_SSHAPE);
+}
+
 static int dialect_good(const nck_machine_t *machine) {
     return machine->dialect.base <= NCK_DIALECT_MARLIN && machine->dialect.diameter <= 1
            && machine->dialect.inch <= 1 && machine->dialect.arc_absolute <= 1
@@ -161,5 +166,6 @@ nck_status_t nck_machine_check(const nck_machine_t *machine) {
     const int all = numbers_good(machine) && axes_good(machine) && path_good(machine)
                     && dialect_good(machine) && dialect_numbers_good(machine)
                     && tools_good(machine) && own_good(machine);
-    return all ? NCK_OK : NCK_E_MACHINE;
+    if (!all) return NCK_E_MACHINE;
+    return is_slope_built(machine) ? NCK_OK : NCK_E_UNSUPPORTED;
 }

@@ -151,8 +151,8 @@ typedef struct nck_machine {
 } nck_machine_t;
 
 // Fill in a machine that is safe and complete: three axes X Y Z of 100 mm/s, 1000 mm/s², 10 000
-// mm/s³ and free travel, T = 1 ms, jerk-limited slope, tolerance 0.01 mm. The caller changes what
-// differs.
+// mm/s³ and free travel, T = 1 ms, jerk-limited slope (linear in a build without it), tolerance
+// 0.01 mm. The caller changes what differs.
 // Cost: constant. Context: any, before nck_init.
 void nck_machine_default(nck_machine_t *machine);
 
@@ -166,8 +166,9 @@ double nck_machine_counts(const nck_machine_t *machine, int axis);
 // Cost: constant. Context: any.
 void nck_machine_range(uint32_t quantity, nck_range_t *range_out);
 
-// Check every number. Returns NCK_OK, or NCK_E_MACHINE at the first that is outside of its range
-// (NaN and infinity included; travel may be free). Cost: constant. Context: any.
+// Check every number. Returns NCK_OK; NCK_E_MACHINE at the first that is outside of its range (NaN
+// and infinity included; travel may be free); NCK_E_UNSUPPORTED if all are good and the slope is
+// left out of the build (limits.h). Cost: constant. Context: any.
 nck_status_t nck_machine_check(const nck_machine_t *machine);
 
 #ifdef __cplusplus

@@ -31,7 +31,8 @@ typedef enum nck_status {
     NCK_E_G_UNKNOWN = -10,    // "g-unknown": a G code that the kernel does not know; value
     NCK_E_M_UNKNOWN = -11,    // "m-unknown": an M code that the kernel does not know; value
     NCK_E_MODAL_GROUP = -12,  // "modal-group": two codes of one modal group in a block
-    NCK_E_UNSUPPORTED = -13,  // "unsupported": of the language, but not built (G33, G96, …)
+    NCK_E_UNSUPPORTED = -13,  // "unsupported": of the language, but not built, or left out of this
+                              // build; of a machine: a slope that is left out
     NCK_E_FEED_MISSING = -14, // "feed-missing": a cut before any F, or G93 without its F; again
                               // only behind another word about feed or spindle
     NCK_E_ARC_RADIUS = -15,   // "arc-radius": value = end radius, limit = start radius [mm]
@@ -111,7 +112,8 @@ typedef enum nck_note {
     NCK_NOTE_NO_END = 5,     // "no-end": the text ends without M2, M30 or a closing %
     NCK_NOTE_AFTER_END = 6,  // "after-end": text after M2 or M30 is not read
     NCK_NOTE_FEED_UNITS = 7, // "feed-units": F beside a G20 or G21 that changes the units
-    NCK_NOTE_TOLERANCE = 8,  // "no-tolerance": G64 without P on a machine whose tolerance is 0
+    NCK_NOTE_TOLERANCE = 8,  // "no-tolerance": the path is exact under G64: without P on a machine
+                             // whose tolerance is 0, or in a build without smoothing
     NCK_NOTE_CALLED = 9,     // "called-from": behind an error, once for every call in force: where
     NCK_NOTE_COMP_LEFT = 10, // "comp-left": the tool does not come to the contour between the line
                              // and line `limit`; value = material left there at most [mm]

@@ -65,6 +65,7 @@ static void set_feed(nck_decode_t *self, const nck_block_in_t *block) {
 static void set_path(nck_decode_t *self, const nck_block_in_t *block) {
     if (!(block->sets & NCK_IN_SETS_PATH)) return;
     const int within_p = block->path_mode == NCK_PATH_CONTINUOUS;
+    if (!NCK_HAS_SMOOTH && within_p) nck_decode_assume(self, NCK_NOTE_TOLERANCE);
     self->modal.path_mode = block->path_mode;
     self->modal.tolerance_mm = within_p ? block->tolerance : 0.0;
     self->modal.merge_mm = self->modal.tolerance_mm;

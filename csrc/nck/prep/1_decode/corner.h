@@ -3,6 +3,7 @@
 #ifndef NCK_PREP_DECODE_CORNER_H
 #define NCK_PREP_DECODE_CORNER_H
 
+#include "nck/base/limits.h"          // NCK_CYCLE_STATE
 #include "nck/base/records.h"         // nck_block_t
 #include "nck/prep/1_decode/number.h" // nck_number_t
 
@@ -23,7 +24,7 @@ typedef struct nck_corner_word {
 } nck_corner_word_t;
 
 // All of it.
-typedef struct nck_corner {
+typedef NCK_CYCLE_STATE nck_corner {
     nck_corner_word_t word;  // of the line in work
     nck_block_t held, next;
     int64_t from_nm[NCK_AXIS_MAX]; // where the latest move begins, machine position

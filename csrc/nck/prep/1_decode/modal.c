@@ -172,10 +172,19 @@ nck_status_t nck_decode_diameter(nck_decode_t *self, nck_block_t *out) {
     return NCK_EMPTY;
 }
 
-// G64 without P means the machine's tolerance; without Q, Q is the tolerance in force.
+// G64 without P means the machine's tolerance. That the path stays exact is noted.
+static double read_tolerance(nck_decode_t *self) {
+    const int says = has_word(self, 'P');
+    const double tolerance =
+        says ? real_word(self, 'P') * unit_mm(self) : self->machine->path.tolerance;
+    const int is_none = !NCK_HAS_SMOOTH || (!says && tolerance <= 0.0);
+    if (is_none) nck_decode_assume(self, NCK_NOTE_TOLERANCE);
+    return tolerance;
+}
+
+// G64 without Q: Q is the tolerance in force.
 nck_status_t nck_decode_path(nck_decode_t *self, nck_block_t *out) {
     const uint16_t code = self->words.code[NCK_STEP_PATH];
-    double tolerance = self->machine->path.tolerance, merge;
     (void)out;
     if (code != 640) {
         // Fanuc's G61 is exact stop, RS274NGC's is exact path.
@@ -185,9 +194,8 @@ nck_status_t nck_decode_path(nck_decode_t *self, nck_block_t *out) {
         self->modal.merge_mm = 0.0;
         return NCK_EMPTY;
     }
-    if (has_word(self, 'P')) tolerance = real_word(self, 'P') * unit_mm(self);
-    else if (tolerance <= 0.0) nck_decode_assume(self, NCK_NOTE_TOLERANCE);
-    merge = has_word(self, 'Q') ? real_word(self, 'Q') * unit_mm(self) : tolerance;
+    const double tolerance = read_tolerance(self);
+    const double merge = has_word(self, 'Q') ? real_word(self, 'Q') * unit_mm(self) : tolerance;
     const int p_good = tolerance >= 0.0 && tolerance <= linear_max_mm;
     if (!p_good || merge < 0.0 || merge > linear_max_mm) {
         const char letter = p_good ? 'Q' : 'P';

@@ -73,6 +73,7 @@ static void switch_on(nck_toolcomp_t *self, const nck_block_t *block) {
 }
 
 nck_status_t nck_toolcomp_push(nck_toolcomp_t *self, nck_block_t *block) {
+    if (!NCK_HAS_COMP) return NCK_OK;
     if (block->kind == NCK_BLOCK_COMP) {
         if (block->output.value != 0.0) switch_on(self, block);
         else self->closed = self->phase != NCK_COMP_OFF;
@@ -166,7 +167,7 @@ static nck_status_t step(nck_toolcomp_t *self, nck_block_t *out) {
 }
 
 nck_status_t nck_toolcomp_pull(nck_toolcomp_t *self, nck_block_t *block_out) {
-    if (self->phase == NCK_COMP_OFF) return NCK_EMPTY;
+    if (!NCK_HAS_COMP || self->phase == NCK_COMP_OFF) return NCK_EMPTY;
     const uint32_t waiting = self->ring.head - self->ring.tail;
     if (!self->closed && waiting < NCK_COMP_ROWS - NCK_COMP_KEPT) return NCK_EMPTY;
     while (self->ring.tail != self->ring.head) {

@@ -6,14 +6,14 @@
 #ifndef NCK_PREP_TOOLCOMP_H
 #define NCK_PREP_TOOLCOMP_H
 
-#include "nck/base/limits.h"  // NCK_COMP_SPAN
+#include "nck/base/limits.h"  // NCK_COMP_ROWS NCK_COMP_STATE
 #include "nck/base/machine.h" // nck_machine_t
 #include "nck/base/records.h" // nck_block_t
 #include "nck/base/status.h"  // nck_status_t nck_diagnostic_t
 #include "nck/prep/2_toolcomp/shape.h" // nck_shape_t
 
 // A block that waits, and what it is in the plane.
-typedef struct nck_comp_entry {
+typedef NCK_COMP_STATE nck_comp_entry {
     nck_block_t block;   // as it came
     nck_shape_t contour; // the programmed line or arc
     double s;            // contour before it [mm]
@@ -58,7 +58,7 @@ typedef struct nck_toolcomp {
     uint8_t reserved[2]; // 0
 
     // The piece in work, and where the path leaves it.
-    struct {
+    NCK_COMP_STATE {
         uint8_t open;        // 1: there is one
         uint8_t planned;     // 1: where it is left is known
         uint8_t jumps;       // 1: it is left for `next`, else at its end

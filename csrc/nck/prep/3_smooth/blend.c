@@ -123,7 +123,7 @@ static uint32_t insert(nck_smooth_t *self, const shape_t *shape, const place_t *
     b->onward = NCK_ONWARD_UNKNOWN;
     b->s = 0.0; // a run of its own: outputs behind it are at its end
     self->raw.head += count;
-    assert(self->raw.head - self->raw.tail <= NCK_SMOOTH_SPAN);
+    assert(self->raw.head - self->raw.tail <= NCK_SMOOTH_ROWS);
     for (uint32_t k = place->last + 1; k != place->end; k++) {
         nck_raw_at(self, k + count)->s = b->seg.length;
     }
@@ -181,7 +181,7 @@ static int find_place(nck_smooth_t *self, uint32_t more, place_t *place) {
     do {
         if (place->first == self->raw.tail) return 0;
     } while (!nck_raw_at(self, --place->first)->has_seg);
-    return place->end - self->raw.tail + NCK_BLEND_SEGS <= NCK_SMOOTH_SPAN;
+    return place->end - self->raw.tail + NCK_BLEND_SEGS <= NCK_SMOOTH_ROWS;
 }
 
 // The run at the front ends at the corner.

@@ -18,7 +18,7 @@ enum {
 double nck_raw_least(double s) { return LEAST + LEAST_SHARE * s; }
 
 int nck_raw_is_full(const nck_smooth_t *self) {
-    return self->raw.head - self->raw.tail == NCK_SMOOTH_SPAN;
+    return self->raw.head - self->raw.tail == NCK_SMOOTH_ROWS;
 }
 
 static double raw_end(const nck_raw_t *raw) { return raw->s + raw->seg.length; }

@@ -10,7 +10,7 @@ double nck_raw_least(double s);
 
 // The block with this count. Cost: constant.
 static inline nck_raw_t *nck_raw_at(nck_smooth_t *self, uint32_t count) {
-    return &self->raw.at[count & (NCK_SMOOTH_SPAN - 1)];
+    return &self->raw.at[count & (NCK_SMOOTH_ROWS - 1)];
 }
 
 // 1 if the ring has no room. Cost: constant.

@@ -54,7 +54,7 @@ void nck_smooth_init(nck_smooth_t *self, const nck_terms_t *terms) {
 
 void nck_smooth_adapt(nck_smooth_t *self) {
     const nck_machine_t *const machine = self->terms->machine;
-    self->spacing_max = widest_spacing(machine);
+    if (NCK_HAS_SMOOTH) self->spacing_max = widest_spacing(machine);
     for (int x = 0; x < NCK_AXIS_MAX; x++) {
         const double counts = nck_machine_counts(machine, x);
         self->travel[0][x] = (double)machine->axis[x].min_nm / counts;
@@ -157,6 +157,7 @@ static int joins(nck_smooth_t *self, uint32_t count) {
 
 // Let blocks join the run at the front, up to a stop.
 static void extend_run(nck_smooth_t *self) {
+    if (!NCK_HAS_SMOOTH) return;
     while (self->run.open && !self->run.closed && self->run.end != self->raw.head) {
         const int begins = self->run.end == self->raw.tail;
         const int rests = !begins && nck_raw_at(self, self->run.end - 1)->seg.stop;
@@ -178,8 +179,8 @@ static double place_in_run(nck_smooth_t *self) {
 }
 
 static int is_smooth(const nck_block_t *block) {
-    return block->kind <= NCK_BLOCK_ARC && block->path_mode == NCK_PATH_CONTINUOUS
-           && block->tolerance_mm >= TOLERANCE_MIN;
+    return NCK_HAS_SMOOTH && block->kind <= NCK_BLOCK_ARC
+           && block->path_mode == NCK_PATH_CONTINUOUS && block->tolerance_mm >= TOLERANCE_MIN;
 }
 
 static void begin_raw(nck_raw_t *raw, const nck_block_t *block, uint32_t block_seq) {
@@ -197,6 +198,10 @@ static void begin_raw(nck_raw_t *raw, const nck_block_t *block, uint32_t block_s
 
 // The block at the head of the ring becomes part of it.
 static void take_raw(nck_smooth_t *self, const nck_block_t *block) {
+    if (!NCK_HAS_SMOOTH) {
+        self->raw.head++;
+        return;
+    }
     if (!is_between(nck_raw_at(self, self->raw.head))) (void)nck_blend_corner(self, 1);
     nck_raw_t *const raw = nck_raw_at(self, self->raw.head);
     raw->s = place_in_run(self);
@@ -206,7 +211,7 @@ static void take_raw(nck_smooth_t *self, const nck_block_t *block) {
         self->tolerance = raw->tolerance;
     }
     self->raw.head++;
-    assert(self->raw.head - self->raw.tail <= NCK_SMOOTH_SPAN);
+    assert(self->raw.head - self->raw.tail <= NCK_SMOOTH_ROWS);
     nck_merge_begin(self, block);
     extend_run(self);
 }
@@ -227,7 +232,9 @@ nck_status_t nck_smooth_push(nck_smooth_t *self, const nck_block_t *block, uint3
         arrive(self, block, &raw->seg);
     }
     self->hungry = 0;
-    if (!raw->smooth || !nck_merge_line(self, block, &raw->seg)) take_raw(self, block);
+    if (!NCK_HAS_SMOOTH || !raw->smooth || !nck_merge_line(self, block, &raw->seg)) {
+        take_raw(self, block);
+    }
     return NCK_OK;
 }
 
@@ -261,7 +268,7 @@ nck_status_t nck_smooth_pass(nck_smooth_t *self, const nck_block_t *block, uint3
 int nck_smooth_is_hungry(const nck_smooth_t *self) { return (int)self->hungry; }
 
 void nck_smooth_end(nck_smooth_t *self) {
-    if (!self->ended) (void)nck_blend_corner(self, 0);
+    if (NCK_HAS_SMOOTH && !self->ended) (void)nck_blend_corner(self, 0);
     self->ended = 1;
     self->hungry = 0;
     extend_run(self);
@@ -445,7 +452,7 @@ static void open_run(nck_smooth_t *self) {
 static nck_status_t pull_whole(nck_smooth_t *self, nck_smooth_item_t *item_out) {
     self->hungry = 0;
     self->run.tries = 0;
-    if (self->run.open) {
+    if (NCK_HAS_SMOOTH && self->run.open) {
         const nck_status_t status = pull_run(self, item_out);
         self->hungry = status == NCK_EMPTY;
         if (status != NCK_DONE) return status;
@@ -456,7 +463,8 @@ static nck_status_t pull_whole(nck_smooth_t *self, nck_smooth_item_t *item_out) 
         self->hungry = !self->ended;
         return self->ended ? NCK_DONE : NCK_EMPTY;
     }
-    if (!nck_raw_at(self, self->raw.tail)->smooth) return pull_exact(self, item_out);
+    const int is_exact = !NCK_HAS_SMOOTH || !nck_raw_at(self, self->raw.tail)->smooth;
+    if (is_exact) return pull_exact(self, item_out);
     open_run(self);
     const nck_status_t status = pull_run(self, item_out);
     self->hungry = status == NCK_EMPTY;
@@ -477,12 +485,12 @@ nck_status_t nck_smooth_pull(nck_smooth_t *self, nck_smooth_item_t *item_out) {
 }
 
 int nck_smooth_invariants(const nck_smooth_t *self) {
-    int good = self->raw.head - self->raw.tail <= NCK_SMOOTH_SPAN;
+    int good = self->raw.head - self->raw.tail <= NCK_SMOOTH_ROWS;
     for (uint32_t k = self->raw.tail; good && k != self->raw.head; k++) {
-        const nck_raw_t *const raw = &self->raw.at[k & (NCK_SMOOTH_SPAN - 1)];
+        const nck_raw_t *const raw = &self->raw.at[k & (NCK_SMOOTH_ROWS - 1)];
         good = raw->has_seg || !(raw->seg.length > 0.0);
     }
-    if (!self->run.open) return good;
+    if (!NCK_HAS_SMOOTH || !self->run.open) return good;
     good = good && self->run.end - self->raw.tail <= self->raw.head - self->raw.tail;
     for (int i = 0; i < 5; i++) good = good && self->run.t[i] <= self->run.t[i + 1];
     return good;

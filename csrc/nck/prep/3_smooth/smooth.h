@@ -3,13 +3,13 @@
 #ifndef NCK_PREP_SMOOTH_H
 #define NCK_PREP_SMOOTH_H
 
-#include "nck/base/limits.h"  // NCK_SMOOTH_SPAN
+#include "nck/base/limits.h"  // NCK_SMOOTH_… NCK_MERGE_ROWS
 #include "nck/base/records.h" // nck_block_t nck_seg_t nck_output_t
 #include "nck/base/status.h"  // nck_status_t
 #include "nck/base/terms.h"   // nck_terms_t
 
 // Blocks that G64 Q may join to one, the first not counted.
-enum { NCK_SMOOTH_MERGE = 8 };
+enum { NCK_SMOOTH_MERGE = NCK_MERGE_ROWS };
 
 // How the path goes on from one block with length into the next: as good as straight, or not. What
 // changes the direction of either takes the answer back.
@@ -86,7 +86,7 @@ typedef struct nck_smooth {
     struct {
         uint32_t head; // blocks pushed
         uint32_t tail; // blocks done with
-        nck_raw_t at[NCK_SMOOTH_SPAN];
+        nck_raw_t at[NCK_SMOOTH_ROWS];
     } raw;
 
     // The seg that is given in pieces, since the spindle's speed changes along it.
@@ -96,7 +96,7 @@ typedef struct nck_smooth {
     } divide;
 
     // The newest block, as lines are joined to it.
-    struct {
+    NCK_SMOOTH_STATE {
         uint32_t count;    // vertices that have vanished in it
         double tolerance;  // P of its blocks [mm]
         double within;     // its tolerance before anything was joined [mm]
@@ -105,7 +105,7 @@ typedef struct nck_smooth {
     } merge;
 
     // The smoothed stretch at the front, from rest or exact path to the next: knots t, controls c.
-    struct {
+    NCK_SMOOTH_STATE {
         uint8_t open;    // 1: there is one
         uint8_t closed;  // 1: it gets no more blocks
         uint8_t chosen;  // 1: t[5] and c[3] are chosen

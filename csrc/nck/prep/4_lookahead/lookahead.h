@@ -5,7 +5,7 @@
 #ifndef NCK_PREP_LOOKAHEAD_H
 #define NCK_PREP_LOOKAHEAD_H
 
-#include "nck/base/limits.h"  // NCK_WINDOW NCK_CORNER_SPAN
+#include "nck/base/limits.h"  // NCK_WINDOW NCK_CORNER_SPAN …
 #include "nck/base/records.h" // nck_seg_t nck_node_t
 #include "nck/base/status.h"  // nck_status_t
 #include "nck/base/terms.h"   // nck_terms_t
@@ -13,7 +13,7 @@
 // Joints that are kept, and joints of one seg.
 enum {
     NCK_JOINT_MAX = 4 * NCK_CORNER_SPAN,
-    NCK_SPLINE_PARTS = 4 // joints of a spline at most
+    NCK_SPLINE_PARTS = NCK_SPLINE_ROWS // joints of a spline at most
 };
 
 // The two paces that a path is planned for: as programmed, and at a feed override beyond 100 %.
@@ -45,7 +45,7 @@ typedef struct nck_joint_arc {
 } nck_joint_arc_t;
 
 // Bounds on a spline's derivatives, by axis.
-typedef struct nck_joint_bend {
+typedef NCK_SMOOTH_STATE nck_joint_bend {
     double first[NCK_AXIS_MAX];  // |p′|
     double second[NCK_AXIS_MAX]; // |p″| [1/mm]
     double third[NCK_AXIS_MAX];  // |p‴| [1/mm²]

@@ -66,11 +66,12 @@ double nck_jerk_cell_s(const nck_machine_t *machine) {
     const double ramp = ramp_s(machine);
     const double most = nck_max(1.0, 0.25 * (double)taps_of(machine)) * period;
     return nck_max(STEP_LEAST * period,
-                   nck_min(most, RAMPS_SEEN * ramp / (double)NCK_PROFILE));
+                   nck_min(most, RAMPS_SEEN * ramp / (double)NCK_PROFILE_ROWS));
 }
 
 void nck_jerk_init(nck_jerk_t *self, const nck_machine_t *machine, nck_link_t *link,
                    const nck_plan_t *now, nck_plan_t *next) {
+    if (!NCK_HAS_JERK) return;
     memset(self, 0, sizeof *self);
     self->machine = machine;
     self->link = link;
@@ -153,6 +154,7 @@ static void begin_brake(nck_jerk_t *self, uint32_t held) {
 }
 
 void nck_jerk_begin(nck_jerk_t *self, const nck_job_t *job) {
+    if (!NCK_HAS_JERK) return;
     self->job = *job;
     restart(self);
     switch (job->kind) {
@@ -397,6 +399,7 @@ static nck_status_t draw(nck_jerk_t *self, const nck_pieces_t *pieces) {
 }
 
 nck_status_t nck_jerk_step(nck_jerk_t *self, const nck_pieces_t *pieces) {
+    if (!NCK_HAS_JERK) return NCK_E_INTERNAL;
     switch (self->work.phase) {
     case PHASE_REACH: return find_reach(self, pieces);
     case PHASE_LOAD: return load(self, pieces);

@@ -8,7 +8,7 @@
 #ifndef NCK_PREP_JERK_H
 #define NCK_PREP_JERK_H
 
-#include "nck/base/limits.h"           // NCK_PROFILE
+#include "nck/base/limits.h"           // NCK_PROFILE_ROWS NCK_JERK_STATE
 #include "nck/base/link.h"             // nck_link_t
 #include "nck/base/machine.h"          // nck_machine_t
 #include "nck/base/status.h"           // nck_status_t
@@ -16,7 +16,7 @@
 #include "nck/prep/5_slope/profile.h"  // nck_profile_t
 
 // The jerk-limited planner: the plan in work, and the ladder that it stands on.
-typedef struct nck_jerk {
+typedef NCK_JERK_STATE nck_jerk {
     const nck_machine_t *machine;
     nck_link_t *link;     // producer's side
     const nck_plan_t *now; // published
@@ -83,10 +83,11 @@ typedef struct nck_jerk {
         double braked;     // path that the brake has gone through [mm]
     } work;
     nck_profile_t profile;
-    uint32_t rung_piece[NCK_PROFILE]; // where every cell begins
-    double rung_s[NCK_PROFILE];
-    double h[NCK_PROFILE], w_cap[NCK_PROFILE], a_max[NCK_PROFILE], j_max[NCK_PROFILE];
-    double w[NCK_PROFILE];
+    uint32_t rung_piece[NCK_PROFILE_ROWS]; // where every cell begins
+    double rung_s[NCK_PROFILE_ROWS];
+    double h[NCK_PROFILE_ROWS], w_cap[NCK_PROFILE_ROWS];
+    double a_max[NCK_PROFILE_ROWS], j_max[NCK_PROFILE_ROWS];
+    double w[NCK_PROFILE_ROWS];
 } nck_jerk_t;
 
 // What a cell of the ladder lasts about: D [s]. Cost: constant. Context: any.

@@ -23,6 +23,14 @@ enum { PHASE_IDLE = 0, PHASE_MAKE, PHASE_INSTALL };
 // Cells that pass until another plan is tried where none joined: time enough to make it.
 #define NO_WAY (1 + (NCK_PROFILE > 128 ? NCK_PROFILE / 16 : 8))
 
+// The machine's slope, one of those that the build has (nck_machine_check): the others are not
+// called.
+static uint32_t planner_of(const nck_machine_t *machine) {
+    if (!NCK_HAS_JERK) return NCK_SLOPE_LINEAR;
+    if (NCK_HAS_SSHAPE) return machine->slope;
+    return machine->slope == NCK_SLOPE_JERK ? NCK_SLOPE_JERK : NCK_SLOPE_LINEAR;
+}
+
 void nck_slope_init(nck_slope_t *self, const nck_machine_t *machine, nck_link_t *link) {
     memset(self, 0, sizeof *self);
     self->machine = machine;
@@ -33,7 +41,7 @@ void nck_slope_init(nck_slope_t *self, const nck_machine_t *machine, nck_link_t 
     self->wish.feed = 1.0;
     self->wish.rapid = 1.0;
     self->wish.tool = NCK_WISH_FREE;
-    switch (machine->slope) {
+    switch (planner_of(machine)) {
     case NCK_SLOPE_JERK:
         nck_jerk_init(&self->planner.jerk, machine, link, &self->now, &self->next);
         break;
@@ -47,7 +55,7 @@ void nck_slope_init(nck_slope_t *self, const nck_machine_t *machine, nck_link_t 
 }
 
 static void begin_plan(nck_slope_t *self, const nck_job_t *job) {
-    switch (self->machine->slope) {
+    switch (planner_of(self->machine)) {
     case NCK_SLOPE_JERK: nck_jerk_begin(&self->planner.jerk, job); break;
     case NCK_SLOPE_SSHAPE: nck_sshape_begin(&self->planner.sshape, job); break;
     default: nck_linear_begin(&self->planner.linear, job); break;
@@ -55,7 +63,7 @@ static void begin_plan(nck_slope_t *self, const nck_job_t *job) {
 }
 
 static nck_status_t step_plan(nck_slope_t *self, const nck_pieces_t *pieces) {
-    switch (self->machine->slope) {
+    switch (planner_of(self->machine)) {
     case NCK_SLOPE_JERK: return nck_jerk_step(&self->planner.jerk, pieces);
     case NCK_SLOPE_SSHAPE: return nck_sshape_step(&self->planner.sshape, pieces);
     default: return nck_linear_step(&self->planner.linear, pieces);
@@ -398,7 +406,7 @@ void nck_slope_hurry(nck_slope_t *self, uint32_t periods) {
     if (self->phase != PHASE_MAKE || !(waits || early)) return;
     self->idle.is = 0;
     self->hurried = (uint32_t)waits; // what does not join early is tried again
-    switch (self->machine->slope) {
+    switch (planner_of(self->machine)) {
     case NCK_SLOPE_JERK: nck_jerk_hurry(&self->planner.jerk); break;
     case NCK_SLOPE_SSHAPE: nck_sshape_hurry(&self->planner.sshape); break;
     default: nck_linear_hurry(&self->planner.linear); break;
@@ -408,7 +416,7 @@ void nck_slope_hurry(nck_slope_t *self, uint32_t periods) {
 // A jerk-limited plan looks at pieces of the plan of now that the tick has passed, whether or not
 // it has: setpoints must not hang on time.
 uint32_t nck_slope_needs(const nck_slope_t *self) {
-    const int looks_back = self->machine->slope == NCK_SLOPE_JERK;
+    const int looks_back = planner_of(self->machine) == NCK_SLOPE_JERK;
     return looks_back && final_count(self) < self->now.n ? self->now.first_piece : self->now.piece;
 }
 

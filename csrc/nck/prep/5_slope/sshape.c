@@ -22,6 +22,7 @@ enum { STAGE_RISE = 0, STAGE_CRUISE, STAGE_FALL, STAGE_END };
 
 void nck_sshape_init(nck_sshape_t *self, const nck_machine_t *machine, nck_link_t *link,
                      const nck_plan_t *now, nck_plan_t *next) {
+    if (!NCK_HAS_SSHAPE) return;
     memset(self, 0, sizeof *self);
     self->machine = machine;
     self->link = link;
@@ -54,6 +55,7 @@ static void begin_follow(nck_sshape_t *self, uint32_t follows) {
 }
 
 void nck_sshape_begin(nck_sshape_t *self, const nck_job_t *job) {
+    if (!NCK_HAS_SSHAPE) return;
     const int is_brake = job->kind == NCK_JOB_BRAKE;
     nck_link_tail_begin(self->link);
     self->job = *job;
@@ -421,6 +423,7 @@ static nck_status_t carry(nck_sshape_t *self, const nck_pieces_t *pieces) {
 }
 
 nck_status_t nck_sshape_step(nck_sshape_t *self, const nck_pieces_t *pieces) {
+    if (!NCK_HAS_SSHAPE) return NCK_E_INTERNAL;
     switch (self->phase) {
     case PHASE_FOLLOW: return follow(self, pieces);
     case PHASE_LOOK: return look(self, pieces);

@@ -8,7 +8,7 @@
 #ifndef NCK_PREP_SSHAPE_H
 #define NCK_PREP_SSHAPE_H
 
-#include "nck/base/limits.h"               // NCK_WINDOW
+#include "nck/base/limits.h"               // NCK_WINDOW NCK_SSHAPE_STATE
 #include "nck/base/link.h"                 // nck_link_t
 #include "nck/base/machine.h"              // nck_machine_t
 #include "nck/base/status.h"               // nck_status_t
@@ -27,7 +27,7 @@ typedef struct nck_sshape_place {
 } nck_sshape_place_t;
 
 // The look-ahead, in pieces.
-typedef struct nck_sshape_ahead {
+typedef NCK_SSHAPE_STATE nck_sshape_ahead {
     uint32_t horizon;    // it sees the pieces before this one, and assumes rest there
     uint32_t looks;      // 1: it is being moved on
     uint32_t back;       // 1: the speeds up to it are being found
@@ -43,7 +43,7 @@ typedef struct nck_sshape_ahead {
 } nck_sshape_ahead_t;
 
 // The planner of the classical S-shape.
-typedef struct nck_sshape {
+typedef NCK_SSHAPE_STATE nck_sshape {
     const nck_machine_t *machine;
     nck_link_t *link;       // producer's side
     const nck_plan_t *now;  // published

@@ -46,7 +46,7 @@ static void walk(const nck_pieces_t *pieces, uint32_t *number, double *s, double
 
 static void push(nck_jerk_t *self, uint32_t piece, double s, double h, double vv) {
     const uint32_t n = self->work.n;
-    assert(n < NCK_PROFILE && h >= 0.0 && vv >= 0.0);
+    assert(n < NCK_PROFILE_ROWS && h >= 0.0 && vv >= 0.0);
     self->rung_piece[n] = piece;
     self->rung_s[n] = s;
     self->h[n] = h;

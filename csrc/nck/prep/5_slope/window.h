@@ -10,7 +10,7 @@
 enum {
     NCK_JERK_STEP = 32,                        // units of work in one bounded step
     NCK_JERK_PIECES = NCK_WINDOW - 8,          // pieces of room 4 that plans may use
-    NCK_JERK_CELLS = NCK_PROFILE - 1
+    NCK_JERK_CELLS = NCK_PROFILE_ROWS - 1
 };
 
 // A length beyond every ladder's.
