@@ -41,7 +41,7 @@ PYTHON_ROOMS = (
 # Who calls the kernel; everybody else may read its constants.
 WRAPPERS = (
     "kernel/__init__", "kernel/bind", "kernel/records", "machine/__init__", "planning/grades",
-    "planning/parallel", "stages", "bench/timing",
+    "planning/parallel", "stages", "report/path_error", "bench/timing",
 )  # fmt: skip
 
 # The files under another licence: they include LinuxCNC's headers and have its signatures.

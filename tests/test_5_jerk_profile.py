@@ -10,7 +10,6 @@ import pytest
 
 from pycnc import bench, stages
 from pycnc.kernel import records
-from pycnc.program import geometry
 from pycnc.bench import butterfly, linuxcnc, numeric, optimum, programs, timing
 from pycnc.errors import ArgumentError
 from pycnc.machine import Machine
@@ -264,22 +263,6 @@ def test_the_examples_in_the_docstrings_run(module):
     found = doctest.testmod(module, extraglobs={"Machine": Machine})
     assert found.attempted > 0
     assert found.failed == 0
-
-
-# The distance from the path
-
-
-def test_a_point_is_measured_from_the_nearest_of_the_moves_around():
-    text = b"G17 G21 G90 G94 F600\nG1 X10\nG3 X20 Y10 J10\nG1 Y20\nM2\n"
-    program = Program(text, Machine.load("mill3"))
-    moves = geometry.Moves(program.blocks, program.machine)
-    points = np.zeros((4, 9))
-    points[:, :2] = [(5, 0.25), (10.5, 0.0), (19, 5), (20.5, 15)]
-    block = np.array([0, 0, 1, 1])
-    on_arc = np.hypot(points[:, 0] - 10, points[:, 1] - 10) - 10
-    expected = [0.25, abs(on_arc[1]), abs(on_arc[2]), 0.5]
-    assert moves.nearest(block, points) == pytest.approx(expected, abs=1e-12)
-    assert moves.distance(block, points)[1] == pytest.approx(0.5)
 
 
 def test_rows_of_the_comparison_have_the_columns_that_they_promise(monkeypatch):

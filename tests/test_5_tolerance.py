@@ -16,7 +16,6 @@ from pycnc.bench import programs
 from pycnc.machine import Machine
 from pycnc.report.path_error import PathError
 from pycnc.program import Program
-from pycnc.program.geometry import Along
 
 P = 0.1
 HEAD = "G17 G21 G90 G94 "
@@ -187,19 +186,10 @@ def test_a_program_read_in_pieces_is_as_far_from_its_run(monkeypatch, keep):
     monkeypatch.setattr("pycnc.program._PIECE", 16)
     monkeypatch.setattr("pycnc.kernel._BLOCK_ROWS", 16)
     monkeypatch.setattr("pycnc.report.path_error._SEGS", 32)
+    monkeypatch.setattr("pycnc.report.path_error._MOVES", 16)
     parts = pycnc.run(Program(text, machine, keep=keep))
     assert whole.summary["path_error_mm"] > 0.1 * P
     assert parts.summary["path_error_mm"] == whole.summary["path_error_mm"]
-
-
-def test_of_a_long_program_three_pieces_are_in_memory(monkeypatch):
-    monkeypatch.setattr("pycnc.kernel._BLOCK_ROWS", 16)
-    text = f"{HEAD}G1 F3000\n{chr(10).join(f'X{k}' for k in range(200))}\nM2\n".encode()
-    along = Along(Program(text, Machine.load("mill3"), keep=False))
-    for s in range(0, 200, 5):
-        along.go_to(float(s))
-        assert along.moves.start[0, 0] <= s <= along.moves.end[-1, 0]
-        assert len(along.moves.end) <= 3 * 16
 
 
 @pytest.mark.parametrize("step", [0.1, 1.0])

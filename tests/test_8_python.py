@@ -15,6 +15,7 @@ from pycnc import kernel, stages
 from pycnc.planning import measure
 from pycnc.kernel.bind import lib
 from pycnc.machine import Machine
+from pycnc.program.lines import Lines
 from pycnc.report.path_error import PathError
 from pycnc.kernel.records import dtype
 
@@ -48,8 +49,8 @@ def test_the_front_door_has_the_promised_names():
 
 @pytest.mark.parametrize(
     "name",
-    ["program", "planning.plan", "report.trace", "stages", "planning.measure", "report.plot",
-     "machine", "kernel.records"],
+    ["program", "program.lines", "planning.plan", "report.trace", "stages", "planning.measure",
+     "report.plot", "machine", "kernel.records"],
 )  # fmt: skip
 def test_the_examples_in_the_docstrings_run(name):
     module = importlib.import_module(f"pycnc.{name}")
@@ -59,6 +60,24 @@ def test_the_examples_in_the_docstrings_run(name):
 
 
 # Programs
+
+
+@pytest.mark.parametrize("piece", [1, 3, 7, 1 << 20])
+@pytest.mark.parametrize(
+    "text",
+    [b"", b"\n", b"G1", b"G1\n", b"a\rbb\r\n\r\nccc\n\rdddd\n\n", b"a\r\nbb\r\nccc", b"a\rb\r",
+     b"".join(b"X%d\n" % k for k in range(50))],
+)  # fmt: skip
+def test_lines_are_those_that_a_split_finds(monkeypatch, text, piece):
+    monkeypatch.setattr("pycnc.program.lines._PIECE", piece)
+    expected = text.splitlines()
+    assert list(Lines(text)) == expected
+    assert len(Lines(text)) == len(expected)
+    for order in (1, -1):
+        found = Lines(text)
+        numbers = range(-1, len(expected) + 3)[::order]
+        wanted = [expected[n - 1] if 0 < n <= len(expected) else b"" for n in numbers]
+        assert [found[number] for number in numbers] == wanted
 
 
 def test_text_and_file_give_the_same_program(tmp_path):

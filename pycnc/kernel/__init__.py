@@ -43,10 +43,6 @@ def version():
 class Blocks(bytes):
     """A program without text: the bytes of rows of dtype ``nck_block_in_t``."""
 
-    def splitlines(self, keepends=False):
-        """Return no line: there is no text."""
-        return []
-
 
 def decode(text, machine):
     """Decode a whole text, or `Blocks`.

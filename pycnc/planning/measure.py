@@ -16,6 +16,7 @@ LIMITS = enum("nck_limit_t")
 # Codes of a trace's column `kind`.
 KINDS = ("idle", "rapid", "line", "arc", "dwell", "wait", "spline", "thread", "tap")
 _TICK_STATES = enum("nck_tick_state_t")
+_PAGE = 4096  # lines whose ticks are counted in one array
 
 
 def limit_names(machine):
@@ -76,7 +77,7 @@ class Ticks:
 
     def __init__(self, machine):
         self._names, self._period = limit_names(machine), machine.period_s
-        self._lines = {}  # limit code → ticks of every line
+        self._pages = {}  # limit code → number of a page of lines → ticks of each of them
         self.count = 0
         self.length_mm = 0.0
 
@@ -86,17 +87,17 @@ class Ticks:
         self.count += len(rows)
         if len(rows):
             self.length_mm = float(pose["s_program"][-1])
-        idle = pose["state"] == _TICK_STATES.IDLE
-        for code in np.unique(pose["limit"][~idle]):
-            lines = pose["line"][~idle & (pose["limit"] == code)]
-            first = int(lines.min())
-            ticks = np.bincount(lines - first)
-            known = self._lines.get(int(code), np.zeros(0, np.uint32))
-            lacks = first + len(ticks) - len(known)
-            if lacks > 0:
-                known = np.append(known, np.zeros(max(lacks, len(known)), np.uint32))
-            known[first : first + len(ticks)] += ticks.astype(np.uint32)
-            self._lines[int(code)] = known
+        moves = pose["state"] != _TICK_STATES.IDLE
+        codes, lines = pose["limit"][moves], pose["line"][moves].astype(np.int64)
+        for code in np.unique(codes):
+            self._count(self._pages.setdefault(int(code), {}), lines[codes == code])
+
+    def _count(self, pages, lines):
+        of_line = lines // _PAGE
+        for page in np.unique(of_line):
+            ticks = np.bincount(lines[of_line == page] - page * _PAGE, minlength=_PAGE)
+            known = pages.setdefault(int(page), np.zeros(_PAGE, np.uint32))
+            known += ticks.astype(np.uint32)
 
     @property
     def time_s(self):
@@ -105,30 +106,24 @@ class Ticks:
 
     def limit_time_s(self):
         """Return the time that each limit held the path [s], all names."""
-        return {
-            name: float(self._lines[code].sum() * self._period) if code in self._lines else 0.0
-            for code, name in self._names.items()
+        ticks = {
+            code: sum(int(page.sum()) for page in pages.values())
+            for code, pages in self._pages.items()
         }
+        return {name: ticks.get(code, 0) * self._period for code, name in self._names.items()}
 
     def worst_lines(self, count=3):
         """Return limit name → [(source line, time in s)], the lines that it held longest."""
         worst = {}
-        for code, ticks in self._lines.items():
-            order = _largest(ticks, count)
+        for code, pages in self._pages.items():
+            found = []
+            for page, ticks in pages.items():
+                some = np.argsort(-ticks.astype(np.int64), kind="stable")[:count]
+                found += [(-int(ticks[k]), page * _PAGE + int(k)) for k in some if ticks[k]]
             worst[self._names[code]] = [
-                (int(line), float(ticks[line] * self._period)) for line in order if ticks[line]
+                (line, -ticks * self._period) for ticks, line in sorted(found)[:count]
             ]
         return worst
-
-
-def _largest(ticks, count):
-    """Return the indices of the largest numbers, of equal ones the first; without a sort of all."""
-    if len(ticks) > count:
-        least = np.partition(ticks, -count)[-count]
-        some = np.flatnonzero(ticks >= least)
-    else:
-        some = np.arange(len(ticks))
-    return some[np.argsort(-ticks[some].astype(np.int64), kind="stable")[:count]]
 
 
 def worst_lines(causes, machine, count=3):

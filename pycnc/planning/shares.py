@@ -34,7 +34,7 @@ def ask(program, by):
         raise errors.ArgumentError(f"no parts by {by!r}; there are: {', '.join(KINDS)}", id="by")
     if by == "tool":
         return TOOLS_MAX, []
-    lines = program.text.splitlines()
+    lines = program.lines
     count = len(lines) if lines else program.block_count
     if by == "line":
         texts = [b"", *lines] if lines else [b""] * (count + 1)

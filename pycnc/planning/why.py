@@ -70,7 +70,6 @@ class Why(shown.Tables):
         self.cures = []
         self._free = self._without_stops()
         names = measure.limit_names(self.program.machine)
-        self._ends = np.flatnonzero(np.frombuffer(self._text(), np.uint8) == ord("\n"))
         rows = [self._cause(row, names) for row in found["causes"]]
         self.causes = sorted(rows, key=lambda cause: -cause["lost_s"])
 
@@ -98,7 +97,7 @@ class Why(shown.Tables):
 
     def _place(self, row, corner):
         line = int(row["line_worst"])
-        text = self._line(line)
+        text = self.program.lines[line]
         axis = int(row["axis"])
         return {
             "line_first": int(row["line_first"]),
@@ -111,18 +110,6 @@ class Why(shown.Tables):
             "angle_deg": math.degrees(row["angle"]) if corner else None,
             "text": " ".join(text.decode("utf-8", errors="replace").split()),
         }
-
-    def _text(self):
-        text = self.program.text
-        return b"" if isinstance(text, kernel.Blocks) else text
-
-    def _line(self, number):
-        """Return a source line; nothing where there is none."""
-        if not 0 < number <= len(self._ends) + 1:
-            return b""
-        begin = int(self._ends[number - 2]) + 1 if number > 1 else 0
-        end = int(self._ends[number - 1]) if number <= len(self._ends) else None
-        return self._text()[begin:end]
 
     def what_if(self, progress=None):
         """Plan the program again with each cure, and return what it gains.

@@ -8,6 +8,7 @@ from pycnc import errors, kernel
 from pycnc.program import guess, moves
 from pycnc.program.diagnostics import Diagnostic, Diagnostics, Wording
 from pycnc.program.geometry import Moves
+from pycnc.program.lines import Lines
 from pycnc.program.shown import facts_table
 from pycnc.machine import DEFAULT, Machine
 from pycnc.machine.rows import DIALECTS
@@ -26,6 +27,8 @@ class Program:
         Where the text came from.
     text : bytes
         Of a program without text: the bytes of its moves (`kernel.Blocks`).
+    lines : Lines
+        Of the text; none of a program without text.
     machine : Machine
     blocks : numpy.ndarray
         Of dtype ``nck_block_t``; None if the program was only checked.
@@ -38,10 +41,11 @@ class Program:
 
     def __init__(self, text, machine, *, file="<text>", keep=True, progress=None):
         self.text = text if isinstance(text, bytes) else bytes(text)
+        self.lines = Lines(b"" if isinstance(self.text, kernel.Blocks) else self.text)
         self.file, self.diagnostics, kept, self.block_count = file, Diagnostics(), [], 0
         self.machine = machine = self._choose_dialect(machine)
         self.tolerance_most_mm = 0.0
-        wording = Wording(file, self.text, machine)
+        wording = Wording(file, self.lines, machine)
         for blocks, findings, used in kernel.decode(self.text, machine):
             wording.add(self.diagnostics, findings)
             self.block_count += len(blocks)
@@ -59,7 +63,7 @@ class Program:
         if machine.settings.dialect.base != "auto":
             return machine
         dialect, line, reason = guess.dialect_of(self.text)
-        source = self.text.splitlines()[line - 1] if line else b""
+        source = self.lines[line]
         self.diagnostics.add(
             Diagnostic(
                 self.file, line, 0, "dialect-auto", "note", f"read as {dialect}: {reason}",
@@ -134,13 +138,16 @@ class Program:
         return hashlib.sha256(self.text).hexdigest()
 
     def pieces(self):
-        """Yield the blocks in pieces, again from the text if they were not kept."""
+        """Yield the blocks in pieces, again from the text if they were not kept.
+
+        A piece stands until the next one is asked for.
+        """
         if self.blocks is not None:
             for begin in range(0, len(self.blocks), _PIECE):
                 yield self.blocks[begin : begin + _PIECE]
             return
         for blocks, _, _ in kernel.decode(self.text, self.machine):
-            yield blocks.copy()
+            yield blocks
 
     @property
     def moves(self):

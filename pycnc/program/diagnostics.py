@@ -142,9 +142,8 @@ class Diagnostics(Tables):
 class Wording:
     """Puts the kernel's findings about one program into words."""
 
-    def __init__(self, file, text, machine):
-        self._file, self._text, self._machine = file, text, machine
-        self._lines = None
+    def __init__(self, file, lines, machine):
+        self._file, self._lines, self._machine = file, lines, machine
 
     def add(self, diagnostics, rows):
         """Add findings of the kernel to a collection.
@@ -170,16 +169,11 @@ class Wording:
     def _finding(self, row):
         name = _id(int(row["code"]))
         line, column = int(row["line"]), int(row["column"])
-        source = self._source(line)
+        source = self._lines[line]
         fields = self._fields(row, source)
         message, remedy = (words.format_map(fields) for words in _wording(name, fields))
         severity = severity_of(name)
         return Diagnostic(self._file, line, column, name, severity, message, remedy, source)
-
-    def _source(self, line):
-        if self._lines is None:
-            self._lines = self._text.splitlines()  # of bytes: at LF, CR LF and CR, as the kernel
-        return self._lines[line - 1] if 0 < line <= len(self._lines) else b""
 
     def _fields(self, row, source):
         value, limit = float(row["value"]), float(row["limit"])

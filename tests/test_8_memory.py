@@ -1,0 +1,57 @@
+# SPDX-License-Identifier: MIT
+"""A verb's memory grows by its program's text, and by little more: programs have millions of
+lines."""
+
+import math
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+LINES = (60_000, 240_000)
+NOISE = 5 << 20  # bytes: what two runs differ by, and what is filled by the longer one only
+# Bytes that a line costs besides its text.
+OF_A_LINE = {"check": 0, "time": 0, "run": 20}  # a run counts the ticks of each line
+PEAK = """
+import atexit, re, runpy, sys
+def tell():
+    with open("/proc/self/status") as status:
+        print(re.search(r"VmHWM:\\s*(\\d+) kB", status.read())[1], file=sys.stderr)
+atexit.register(tell)
+runpy.run_module("pycnc", run_name="__main__")
+"""
+
+pytestmark = pytest.mark.skipif(
+    not Path("/proc/self/status").exists(), reason="no /proc that tells a process's peak"
+)
+
+
+@pytest.fixture(scope="module")
+def programs(tmp_path_factory):
+    """Return the paths of two programs of short moves; the last line of each is worth a note."""
+    folder, paths = tmp_path_factory.mktemp("long"), []
+    for count in LINES:
+        moves = (
+            f"G1 X{50 * math.cos(k * 1e-3):.4f} Y{50 * math.sin(k * 1e-3):.4f} "
+            f"Z{2 * math.sin(k * 5e-3):.4f}\n"
+            for k in range(count)
+        )
+        paths.append(folder / f"{count}.ngc")
+        paths[-1].write_text(f"G21 G90 G64 P0.01 F6000\n{''.join(moves)}M2\nG1 X0\n")
+    return paths
+
+
+def peak(verb, path):
+    """Return the largest memory of a verb [bytes]."""
+    command = [sys.executable, "-c", PEAK, verb, str(path)]
+    done = subprocess.run(command, capture_output=True, text=True, check=True)
+    return int(done.stderr.split()[-1]) << 10
+
+
+@pytest.mark.parametrize("verb", OF_A_LINE)
+def test_memory_grows_by_the_text_and_little_more(verb, programs):
+    less, more = (peak(verb, path) for path in programs)
+    text = programs[1].stat().st_size - programs[0].stat().st_size
+    allowed = text + OF_A_LINE[verb] * (LINES[1] - LINES[0]) + NOISE
+    assert more - less <= allowed, f"{(more - less) / 2**20:.1f} MB for {text / 2**20:.1f} of text"
