@@ -9,6 +9,10 @@ _TAPPING = (
     "tapping cycles are not supported on lathes that speak Fanuc's language",
     "tap with G32 in and out, the spindle turned back between them, or --dialect linuxcnc: G33.1",
 )
+_SETS = (
+    "a control may take this {letter} for one of another set of I J K, and so another parameter",
+    "say I J K in this order, in every set what a later one has; or letters: D is #7, E is #8",
+)
 _BITES = (
     "{letter}{value:g} would have the cycle cut into the contour",
     "what is left on the contour leads away from the work: turn its sign; W leaves nothing on the "
@@ -144,6 +148,9 @@ WORDING = {
         "{found} is not supported yet",
         "have the post-processor write plain moves instead; nothing is skipped in silence",
     ),
+    "unsupported:I": _SETS,
+    "unsupported:J": _SETS,
+    "unsupported:K": _SETS,
     "unsupported:G74": _TAPPING,
     "unsupported:G84": _TAPPING,
     "unsupported:G87": ("G87 needs a spindle that stops at an angle", "bore from above"),

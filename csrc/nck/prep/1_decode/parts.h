@@ -119,6 +119,14 @@ nck_status_t nck_decode_o_word(nck_decode_t *self, const char **at);
 nck_status_t nck_decode_whole(nck_decode_t *self, char letter, int64_t most, int64_t otherwise,
                               int64_t *out);
 
+// argument.c: of an I, J or K of G65 or G66: which one in the row of them it is, from 1, and its
+// number. All arguments of the line in work are kept for the call. NCK_E_WORD_TWICE,
+// NCK_E_UNSUPPORTED: in an order that leaves open which; NCK_E_VARIABLES. Cost: linear in these.
+nck_status_t nck_argument_place(nck_decode_t *self, const char *at, unsigned *place_out);
+nck_status_t nck_argument_keep(nck_decode_t *self, const char *at, unsigned place,
+                               const nck_number_t *number);
+nck_status_t nck_argument_all(nck_decode_t *self);
+
 // call.c: M98, M99, G65, G66, G67; a move is done while G66 is in force.
 nck_status_t nck_decode_call(nck_decode_t *self, nck_block_t *out);
 void nck_decode_moved(nck_decode_t *self);
