@@ -6,7 +6,7 @@
 set(NCK_CAPACITY_SMALL
     NCK_AXIS_MAX=3 NCK_WINDOW=32 NCK_CELL_MAX=16 NCK_TOOL_MAX=8 NCK_CORNER_SPAN=8 NCK_LINE_MAX=128
     NCK_PROFILE=64 NCK_SMOOTH_SPAN=16 NCK_VARIABLES=0 NCK_CALL_DEPTH=0
-    NCK_CYCLES=0 NCK_LAYOUTS=0 NCK_CONTOUR=0 NCK_COMP_SPAN=16)
+    NCK_CYCLES=0 NCK_LAYOUTS=0 NCK_CONTOUR=0 NCK_COMP_SPAN=16 NCK_HOMES=2)
 
 # The Python module: look-ahead over more than 10 000 blocks.
 set(NCK_CAPACITY_HOST
@@ -19,7 +19,7 @@ set(NCK_RARE_SOURCES
     base/link_invariants base/machine base/thread front prep/3_smooth/divide prep/5_slope/terms)
 foreach(name IN ITEMS argument bits block_in call comp contour control corner cycle entry expression
         fillet finding follow foreign jump lathe layout level oword place port power printer profile
-        rough sign source spindle spline state system tap thread tool turn variables)
+        rough sign source spindle spline state system table tap thread tool turn variables)
     list(APPEND NCK_RARE_SOURCES prep/1_decode/${name})
 endforeach()
 foreach(name IN ITEMS contour cut give judge pieces ring shape toolcomp)

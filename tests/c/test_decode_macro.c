@@ -185,6 +185,30 @@ static void fanuc_counts_in_bits_and_digits(check_t *check) {
     check_read(check, "G0 X[[1.5 AND 1] + [0 OR 0]]\nM30\n", NCK_OK, 0, 0);
 }
 
+static void fanuc_sets_its_work_offsets(check_t *check) {
+    static const double wanted[] = {6.0, 31.4, 7.0, 7.0};
+    case_begin(&self);
+    self.machine.dialect.base = NCK_DIALECT_FANUC;
+    check_x(check, "G21 G90 G54\n#5221=5. #5223=1\nX1.\nG20\nN5 #5221=1 (inch)\nG21 X6.\n"
+                   "IF [#5221 GT 25] THEN #5241=6.\nG55 X1\n#100=#5241\n"
+                   "#5241=#100 #101=2\nX1.\nM30\n", wanted, 4);
+    CHECK_INT(check, self.block[0].target_nm[2], 0);
+    check_read(check, "#5220=1\nM30\n", NCK_E_UNSUPPORTED, 1, 1);
+    CHECK_INT(check, self.first.letter, '#');
+    check_read(check, "#5341=1\nM30\n", NCK_E_UNSUPPORTED, 1, 1);
+    check_read(check, "#5235=1\nM30\n", NCK_E_UNSUPPORTED, 1, 1);
+    check_read(check, "#2001=1\nM30\n", NCK_E_UNSUPPORTED, 1, 1);
+    check_read(check, "G0 X#2001\nM30\n", NCK_E_UNSUPPORTED, 1, 10);
+    check_read(check, "X1 #5221=1\nM30\n", NCK_E_WORD_SHARED, 1, 4);
+    check_read(check, "#5221=1 X1\nM30\n", NCK_E_WORD_SHARED, 1, 9);
+    check_read(check, "#5221=1000001\nM30\n", NCK_E_VALUE, 1, 1);
+    check_read(check, "#5221=#0\nM30\n", NCK_E_VALUE, 1, 1);
+    if (NCK_HAS_COMP) check_read(check, "G41.1 D2\n#5221=1\nM30\n", NCK_E_COMP_ON, 2, 1);
+    if (NCK_HAS_LAYOUTS) check_read(check, "G51.1 X0\n#5221=1\nM30\n", NCK_E_LAYOUT_ON, 2, 1);
+    self.machine.dialect.base = NCK_DIALECT_LINUXCNC;
+    check_read(check, "#5221=1\nM30\n", NCK_E_UNSUPPORTED, 1, 1);
+}
+
 static void pushed_text_jumps_forward_only(check_t *check) {
     case_begin(&self);
     case_decode(&self, "#1=2\no1 if [#1 eq 1]\nG0 X1\no1 else\nG0 X[#1+3]\no1 endif\nM2\n");
@@ -247,6 +271,7 @@ int main(void) {
     CHECK_RUN(&check, fanuc_jumps_calls_and_stops);
     CHECK_RUN(&check, fanuc_says_i_j_k_in_sets);
     CHECK_RUN(&check, fanuc_counts_in_bits_and_digits);
+    CHECK_RUN(&check, fanuc_sets_its_work_offsets);
     CHECK_RUN(&check, pushed_text_jumps_forward_only);
     CHECK_RUN(&check, a_source_takes_the_place_of_pushing);
     CHECK_RUN(&check, too_many_parameters_are_an_error);

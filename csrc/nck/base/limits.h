@@ -24,6 +24,11 @@
 #define NCK_OWN_M_MAX 16
 #endif
 
+// Reference points: G28, G30 (P2), G30 P3, G30 P4. Range 2..4.
+#ifndef NCK_HOMES
+#define NCK_HOMES 4
+#endif
+
 // Parameters of programs (#1, #<depth>) that are set at once, in all calls. Range 0..65536.
 // 0 leaves out expressions, parameters and what needs them: calls, jumps and loops.
 #ifndef NCK_VARIABLES
@@ -166,6 +171,9 @@
 
 #if NCK_AXIS_MAX < 3 || NCK_AXIS_MAX > 9
 #error "NCK_AXIS_MAX must be 3..9"
+#endif
+#if NCK_HOMES < 2 || NCK_HOMES > 4
+#error "NCK_HOMES must be 2..4"
 #endif
 #if NCK_VARIABLES < 0 || NCK_VARIABLES > 65536
 #error "NCK_VARIABLES must be 0..65536"

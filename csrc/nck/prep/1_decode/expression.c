@@ -256,7 +256,10 @@ static double parameter(work_t *work, double number) {
         return 0.0;
     }
     const nck_status_t status = nck_parameter_number(work->self, (uint32_t)whole, &value);
-    if (status != NCK_OK) fail(work, status, whole);
+    if (status != NCK_OK) {
+        fail(work, status, whole);
+        work->self->finding.error.letter = '#';
+    }
     return value;
 }
 
