@@ -24,11 +24,6 @@
 #define NCK_OWN_M_MAX 16
 #endif
 
-// Reference points: G28, G30 (P2), G30 P3, G30 P4. Range 2..4.
-#ifndef NCK_HOMES
-#define NCK_HOMES 4
-#endif
-
 // Parameters of programs (#1, #<depth>) that are set at once, in all calls. Range 0..65536.
 // 0 leaves out expressions, parameters and what needs them: calls, jumps and loops.
 #ifndef NCK_VARIABLES
@@ -40,7 +35,7 @@
 #define NCK_CALL_DEPTH 16
 #endif
 
-// Canned cycles: G73 G81 G82 G83 G85 G86 G89, G98 G99. 0 leaves them out.
+// Canned cycles: G73 G81 G82 G83 G85 G86 G89, G98 G99. 0 leaves them out, and G30 P3 P4.
 #ifndef NCK_CYCLES
 #define NCK_CYCLES 1
 #endif
@@ -143,6 +138,13 @@
 #define NCK_MACRO_STATE union
 #endif
 
+// Reference points: G28, G30 (P2), G30 P3, G30 P4.
+#if NCK_CYCLES > 0
+#define NCK_HOMES 4
+#else
+#define NCK_HOMES 2
+#endif
+
 // Rows of arrays that may be left out.
 #if NCK_COMP_SPAN > 0
 #define NCK_COMP_ROWS NCK_COMP_SPAN
@@ -171,9 +173,6 @@
 
 #if NCK_AXIS_MAX < 3 || NCK_AXIS_MAX > 9
 #error "NCK_AXIS_MAX must be 3..9"
-#endif
-#if NCK_HOMES < 2 || NCK_HOMES > 4
-#error "NCK_HOMES must be 2..4"
 #endif
 #if NCK_VARIABLES < 0 || NCK_VARIABLES > 65536
 #error "NCK_VARIABLES must be 0..65536"
