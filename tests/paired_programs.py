@@ -164,11 +164,12 @@ class Macro:
         return f"{self.source.uniform(-9, 9):.3f}" if kind else f"#{self.source.randint(101, 105)}"
 
     def value(self, local=0):
+        """Return a value in brackets; no error of an operand grows in it, not in a loop either."""
         a, b = self.operand(local), self.operand(local)
         form = self.source.randint(0, 5)
         inside = (
-            f"{a}{self.source.choice('+-*')}{b}", f"{a}/[ABS[{b}]+2.5]", f"SIN[{a}]*{b}",
-            f"SQRT[ABS[{a}]+1.]-{b}", f"[{a}+{b}]*COS[{b}]", f"ATAN[{a}]/[ABS[{b}]+1.]",
+            f"{a}*0.7{self.source.choice('+-')}{b}*0.3", f"{a}/[ABS[{b}]+9.]", f"SIN[{a}]*{b}",
+            f"SQRT[ABS[{a}]+1.]-{b}", f"[{a}+{b}]*COS[{b}]*0.5", f"ATAN[{a}]/[ABS[{b}]+60.]*9.",
         )[form]  # fmt: skip
         return f"[[{inside}+0.0123] MOD 61. - 30.]"
 

@@ -168,6 +168,9 @@ def drill_upright(moves):
             if over and following.cycle == line:
                 steps = [_at_height(following, following.end, at[axis]), following]
                 k += 1
+        if steps != [move]:  # heights of the move before have its rounding
+            before = told[-1].tolerance if told else 0.0
+            steps = [replace(each, tolerance=max(each.tolerance, before)) for each in steps]
         told += steps
         at = told[-1].end
         k += 1
