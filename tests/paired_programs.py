@@ -328,7 +328,7 @@ def told_layouts(moves):
             centre[u], centre[v] = move.centre
             at = _laid(laid, centre)
             move.centre = at[u], at[v]
-            move.turns *= -1 if test_1_layouts.flips(laid, u, v) else 1
+            move.turns *= -1 if test_1_layouts.mirrors(laid, u, v) else 1
         move.end = [*_laid(laid, move.end[:3]), *move.end[3:]]
         move.tolerance *= 4.0  # scaled by 3 at most
     return moves
