@@ -138,8 +138,9 @@ nck_status_t nck_decode_motion(nck_decode_t *self, nck_block_t *out) {
 static nck_status_t find_home(nck_decode_t *self, const int64_t **home_out) {
     const nck_number_t *const word = &self->words.number['P' - 'A'];
     const int first = self->words.code[NCK_STEP_OFFSET] == 280;
-    int64_t point = first ? 1 : 2;
+    int64_t point = 2;
     const int said = !first && (self->words.letters & NCK_LETTER('P')) != 0;
+    if (first) point = 1;
     if (said && (!nck_number_whole(word, 0, &point) || point < 2 || point > POINT_MOST)) {
         return nck_decode_fail_word(self, NCK_E_NUMBER_RANGE, 'P', nck_number_real(word),
                                     POINT_MOST);
