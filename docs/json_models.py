@@ -94,7 +94,7 @@ class Run(Time):
     ticks: int = _is("interpolation periods")
     run_s: float = _is("wall time of all")
     peaks: dict[str, Peak] = _is("axis, or `path` → largest values over their limits")
-    path_error_mm: float = _is("largest distance of a tick from the programmed path")
+    path_error_mm: float = _is("largest distance of run and program, both ways")
     starved_ticks: int = _is("ticks in which preparation was late")
     end: str = _is("`done`, `hold`, `single_block`, `override` or `aborted`")
 

@@ -64,7 +64,7 @@ TABLES = (
     ("[times]", schema.Times),
     ("[dialect]", schema.Dialect),
     ("[start]", schema.Start),
-    ("[home.g28], [home.g30], [work.g54] … [work.g59_3]", schema.Position),
+    ("[home.g28], [home.g30], [home.g30_p3], [home.g30_p4], [work.g54] …", schema.Position),
     ("[tool.N]", schema.Tool),
     ("[m.N]", schema.OwnM),
 )

@@ -10,10 +10,16 @@ import re
 import subprocess
 from dataclasses import dataclass, replace
 
+import numpy as np
+
+from pycnc.kernel.bind import lib
+
 ROUNDING = 0.51e-4  # half of the last of four decimals, in the units of the program
 PLANES = {"XY": (0, 1, 2), "XZ": (2, 0, 1), "YZ": (1, 2, 0)}
 BLOCK_PLANES = {17: (0, 1), 18: (2, 0), 19: (1, 2)}
 CALL = re.compile(r"^\s*\d+ N\S+\s+(\w+)\((.*)\)$")
+SYNCHRONOUS = ("START_SPEED_FEED_SYNC", "STOP_SPEED_FEED_SYNCH")
+THREADS = (lib.NCK_BLOCK_THREAD, lib.NCK_BLOCK_TAP)
 AXES = 6  # X Y Z A B C: what rs274 prints
 
 
@@ -37,6 +43,9 @@ class Move:
     only_rotary: bool = False  # nothing but rotary axes moves: the feed is in deg/min
     drill: int = 2  # axis that stands on the plane in force
     cycle: int = 0  # how many remarks that say (cycle) stand before it; 0 behind one of (plain)
+    remark: str = ""  # the last one before it
+    lead: float = 0.0  # of a thread: along the path, a revolution [mm]
+    rpm: float = 0.0  # of the spindle, as last said
 
 
 class Listing:
@@ -47,6 +56,7 @@ class Listing:
         self.offsets = {name: ([0.0] * AXES, 0.0) for name in ("G5X", "G92")}
         self.at = [0.0] * AXES
         self.moves, self.cycles, self.cycle, self.tolerance = [], 0, 0, 0.0
+        self.remark, self.lead, self.rpm = "", 0.0, 0.0
         for line in text.splitlines():
             if match := CALL.match(line):
                 self._read(match[1], match[2])
@@ -64,6 +74,8 @@ class Listing:
         if name == "COMMENT":
             self.cycles += arguments == '"cycle"'
             self.cycle = {'"cycle"': self.cycles, '"plain"': 0}.get(arguments, self.cycle)
+            own = arguments.startswith('"interpreter:')
+            self.remark = self.remark if own else arguments.strip('"')
         elif name == "USE_LENGTH_UNITS":
             self.unit = 25.4 if "INCH" in arguments else 1.0
         elif name == "SELECT_PLANE":
@@ -75,8 +87,22 @@ class Listing:
             error = ROUNDING * self.unit if any(numbers) else 0.0
             values = [a * b for a, b in zip(numbers, self._scale())]
             self.offsets[name[4:7]] = values, error
+        elif name == "SET_SPINDLE_SPEED":
+            self.rpm = float(arguments.split(",")[1])
+        elif name in SYNCHRONOUS:
+            self.lead = float(arguments.split(",")[0] or 0.0) * self.unit
+        elif name == "RIGID_TAP":
+            self._tap([float(word) for word in arguments.split(",")])
         elif name in ("STRAIGHT_TRAVERSE", "STRAIGHT_FEED", "ARC_FEED"):
             self._move(name, [float(word) for word in arguments.split(",")])
+
+    def _tap(self, numbers):
+        """In and out again."""
+        back = [a - b for a, b in zip(self.at, self._offset())]
+        back = [number / unit for number, unit in zip(back, self._scale())]
+        self._move("STRAIGHT_FEED", numbers + back[3:])
+        self._move("STRAIGHT_FEED", back)
+        self.moves[-1].tolerance = self.moves[-2].tolerance
 
     def _move(self, name, numbers):
         offset, scale = self._offset(), self._scale()
@@ -94,7 +120,8 @@ class Listing:
         (move.feed, move.unit), before = self.feed, self.tolerance
         self.tolerance = self._tolerance()
         move.tolerance = max(before, self.tolerance)
-        move.drill, move.cycle = self.plane[2], self.cycle
+        move.drill, move.cycle, move.remark = self.plane[2], self.cycle, self.remark
+        move.lead, move.rpm = self.lead, self.rpm
         self.moves.append(move)
         self.at = end
 
@@ -141,6 +168,9 @@ def drill_upright(moves):
             if over and following.cycle == line:
                 steps = [_at_height(following, following.end, at[axis]), following]
                 k += 1
+        if steps != [move]:  # heights of the move before have its rounding
+            before = told[-1].tolerance if told else 0.0
+            steps = [replace(each, tolerance=max(each.tolerance, before)) for each in steps]
         told += steps
         at = told[-1].end
         k += 1
@@ -159,11 +189,31 @@ def _at_height(move, place, height):
     return replace(move, end=end)
 
 
+def _threads(block, at, end):
+    """Return a pass as a line and the way out, a tap as the ways in and out."""
+    tap = block["kind"] == lib.NCK_BLOCK_TAP
+    word = block["tap" if tap else "thread"]
+    inner = [a + b for a, b in zip(at, word["way"])] + end[3:] if tap else list(end)
+    inner[0] -= 0.0 if tap else float(word["leave"])
+    lead = float(word["lead"])  # of a thread along an axis, maybe
+    along = math.dist(inner[:3], at[:3])
+    lead *= 1.0 if tap else along / float(word["length"])
+    into = Move("line", inner, line=int(block["line"]), feed=-1.0, lead=lead)
+    if not tap and not word["leave"]:
+        return [into]
+    return [into, replace(into, kind="line" if tap else "rapid", end=end, lead=tap * into.lead)]
+
+
 def from_blocks(blocks, counts_per_degree):
     """Return the moves of decoded blocks from a start at zero; an arc in two parts is one."""
     counts = [1e6] * 3 + [float(counts_per_degree)] * 3
     moves, sweep, at = [], 0.0, [0, 0, 0]
-    for block in blocks[blocks["kind"] <= 2]:
+    for block in blocks[(blocks["kind"] <= 2) | np.isin(blocks["kind"], THREADS)]:
+        if block["kind"] > 2:
+            end = [float(a) / b for a, b in zip(block["target_nm"][:AXES], counts)]
+            moves += _threads(block, moves[-1].end, end)
+            at = (block["target_nm"][:3] + block["tool_nm"]).tolist()
+            continue
         end = [float(a) / b for a, b in zip(block["target_nm"][:AXES], counts)]
         move = Move(("rapid", "line", "arc")[block["kind"]], end, line=int(block["line"]))
         move.feed = float(block["feed"]) if block["feed_mode"] == 0 else -1.0
@@ -224,6 +274,8 @@ def difference(ours, theirs):
             cut = a.kind != "rapid" and a.feed >= 0.0
             if cut and abs(a.feed - feed) > 2 * b.tolerance + 1e-9 * feed:
                 return equal, f"line {a.line}: feed {a.feed}, not {feed}"
+            if abs(a.lead - b.lead) > 2e-4 * max(1.0, b.unit):
+                return equal, f"line {a.line}: lead {a.lead}, not {b.lead}"
             at, i, j, equal = b.end, i + 1, j + 1, equal + 1
         elif a.kind != "arc" and _near(a.end, at, 2 * b.tolerance):
             i += 1

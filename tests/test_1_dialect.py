@@ -53,3 +53,36 @@ def test_a_program_says_what_was_chosen_and_reads_it_so():
     assert program.machine.settings.dialect.base == "fanuc"
     assert program.blocks["dwell_s"].max() == 1.5
     assert pycnc.load(text).machine.settings.dialect.base == "linuxcnc"
+
+
+REMEDIES = (
+    ("cak6150n", "A", "G84 Z-20 R5 F1.5", "unsupported", "G33.1"),
+    ("cak6150n", "A", "G88 X-20 R5 F1.5", "unsupported", "tap with G32"),
+    ("cak6150n", "B", "G74 R1.", "unsupported", "peck with G1"),
+    ("cak6150n", "A", "G83 Z-20. Q5. F.1", "unsupported", "drill on the axis"),
+    ("mill3", "A", "G88 X1 Z-20 R5 F99", "unsupported", "use G86"),
+    ("mill3", "A", "G30 P3 Z0", "unsupported", "home.g30_p3.z_mm"),
+    ("mill3", "A", "G10 L12 P1 R3.", "unsupported", "tool.N.length_mm"),
+    ("mill3", "A", "G10 L2 P1 R30.", "unsupported", "G68"),
+    ("mill3", "A", "#2001=3.", "unsupported", "G10"),
+    ("mill3", "A", "G0 X1. #5221=3.", "word-shared", "a line of its own"),
+    ("mill3", "A", "G65 P9 J1. I2.", "unsupported", "in this order"),
+)
+
+
+@pytest.mark.parametrize(("machine", "system", "line", "name", "remedy"), REMEDIES)
+def test_what_is_refused_says_what_to_do(machine, system, line, name, remedy):
+    change = ["dialect.base=fanuc", f"dialect.system={system}"]
+    program = pycnc.load(f"G21\n{line}\nM30\n", pycnc.Machine.load(machine, set=change))
+    (found,) = [each for each in program.diagnostics if each.severity == "error"]
+    assert (found.id, found.line) == (name, 2)
+    assert remedy in found.help
+
+
+def test_further_reference_points_are_the_machines():
+    change = ["home.g30_p3.z_mm=-5", "home.g30_p4.x_mm=7"]
+    machine = pycnc.Machine.load("mill3", set=change)
+    blocks = pycnc.load("G21 G90 G0 X1 Y1 Z0\nG30 P3 Z0\nG30 P4 X2\nM2\n", machine).blocks
+    assert blocks["target_nm"][[2, 4], :3].tolist() == [
+        [1_000_000, 1_000_000, -5_000_000], [7_000_000, 1_000_000, -5_000_000]
+    ]  # fmt: skip

@@ -132,13 +132,13 @@ def test_a_program_lies_where_its_layout_puts_it(first, machine):
             centre[u], centre[v] = theirs["centre_mm"] - zero[[u, v]]
             want = (layout.place(centre) + zero)[[u, v]]
             assert np.abs(ours["centre_mm"] - want).max() < 1e-3, f"seed {seed}"
-            flips = _flips(layout, u, v)
+            flips = mirrors(layout, u, v)
             assert ours["sweep_rad"] == pytest.approx(
                 theirs["sweep_rad"] * (-1 if flips else 1), abs=1e-4
             ), f"seed {seed}"
 
 
-def _flips(layout, u, v):
+def mirrors(layout, u, v):
     a, b = np.zeros(3), np.zeros(3)
     a[u], b[v] = 1.0, 1.0
     a, b = layout.way(a), layout.way(b)

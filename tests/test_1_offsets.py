@@ -34,6 +34,26 @@ def program(seed):
     return "\n".join([*lines, "G90 G0 X1 Y2 Z3", "M2", ""]).encode()
 
 
+def tool_program(seed):
+    """Return a text that changes its tools: G10 L1 L10 L11 between G43, shifts and moves."""
+    source = random.Random(seed)
+    lines = ["G21 G17 G90 G94 F500", "T2 M6", "G0 X1 Y2 Z3"]
+
+    def places():
+        letters = source.sample("XYZ", source.randint(1, 3))
+        return " ".join(f"{letter}{source.uniform(-90, 90):.4f}" for letter in letters)
+
+    for _ in range(40):
+        change = f"G10 L{source.choice([1, 10, 11])} P{source.randint(1, 2)} {places()}"
+        lines.append(source.choice((
+            change, change, f"{change} R{source.uniform(0, 9):.3f}", f"G1 {places()}",
+            f"G0 {places()}", "G43", "G43 H1", "G43 H2", "G49", "G43.2 H1", f"G92 {places()}",
+            "G92.1", f"G10 L2 P{source.choice([0, 1, 9])} {places()}", source.choice(SYSTEMS),
+            source.choice(("G90", "G91")), f"G1 {places()}",
+        )))  # fmt: skip
+    return "\n".join([*lines, "G90 G0 X1 Y2 Z3", "M2", ""]).encode()
+
+
 @pytest.mark.parametrize("first", range(0, 100, 25))
 def test_shifted_zeros_are_those_of_rs274(first, tool, tmp_path):
     tool("rs274")

@@ -65,6 +65,7 @@ static const setting_t settings[] = {
     ONE(spindle.a_max_rpm_s, REAL),
     LIST(start_nm, INTEGER),
     TABLE(home_nm, INTEGER),
+    ONE(home_more, WORD),
     TABLE(work_nm, INTEGER),
     ONE(work_system, WORD),
     ONE(tool_count, WORD),

@@ -7,7 +7,7 @@ import numpy as np
 
 from pycnc.kernel.bind import lib
 from pycnc.kernel.records import counts_per_unit, dtype, quantity_range
-from pycnc.machine.schema import AXES, ROTARY_AXES, WORK_SYSTEMS, unit_of
+from pycnc.machine.schema import AXES, ROTARY_AXES, WORK_SYSTEMS, Position, unit_of
 
 _FREE = (np.iinfo(np.int64).min, np.iinfo(np.int64).max)
 _KINEMATICS = {"identity": lib.NCK_KINEMATICS_IDENTITY, "lathe_xz": lib.NCK_KINEMATICS_LATHE_XZ}
@@ -109,7 +109,9 @@ def _fill_dialect(row, dialect):
 
 
 def _fill_positions(record, settings):
-    homes = (settings.home.g28, settings.home.g30)
+    more = settings.home.g30_p3, settings.home.g30_p4
+    homes = (settings.home.g28, settings.home.g30, *[each or Position() for each in more])
+    record["home_more"] = sum(1 << k for k, home in enumerate(more) if home is not None)
     for index, letter in enumerate(AXES):
         record["start_nm"][index] = _counts(settings.start.along(letter), letter)
         for row, home in enumerate(homes):

@@ -283,6 +283,8 @@ class Home(Table):
 
     g28: Position = Field(Position(), description="Where G28 goes.")
     g30: Position = Field(Position(), description="Where G30 goes.")
+    g30_p3: Position | None = Field(None, description="Where G30 P3 goes; without it: nowhere.")
+    g30_p4: Position | None = Field(None, description="Where G30 P4 goes; without it: nowhere.")
 
 
 class Work(Table):
@@ -399,6 +401,9 @@ def _positions(machine):
     yield "start", machine.start
     yield "home.g28", machine.home.g28
     yield "home.g30", machine.home.g30
+    for name in ("g30_p3", "g30_p4"):
+        if (place := getattr(machine.home, name)) is not None:
+            yield f"home.{name}", place
     for name in WORK_SYSTEMS:
         yield f"work.{name}", getattr(machine.work, name)
 

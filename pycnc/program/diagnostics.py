@@ -195,13 +195,15 @@ class Wording:
             "dialect": _DIALECTS.get(int(value), "a language of its own"),
             "units": "inches (G20)" if settings.dialect.units == "inch" else "mm (G21)",
             "plane": settings.dialect.plane,
+            "lathe": settings.kinematics.type == "lathe_xz",
             "arc_centre": settings.dialect.arc_centre,
         }
 
 
 def _wording(name, fields):
     letter = fields["letter"]
-    for key in (f"{name}:{letter}{fields['value']:g}", f"{name}:{letter}"):
+    word = f"{name}:{letter}{fields['value']:g}"
+    for key in (f"{word}:lathe" * fields["lathe"], word, f"{name}:{letter}"):
         if key in WORDING:
             return WORDING[key]
     return WORDING[name]

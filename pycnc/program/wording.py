@@ -6,8 +6,20 @@ _STEPS = (
     "put the other code on a line before",
 )
 _TAPPING = (
-    "tapping cycles are not supported on lathes that speak Fanuc's language",
+    "G{value:g}: tapping cycles are not supported on lathes that speak Fanuc's language",
     "tap with G32 in and out, the spindle turned back between them, or --dialect linuxcnc: G33.1",
+)
+_SETS = (
+    "a control may take this {letter} for one of another set of I J K, and so another parameter",
+    "say I J K in this order, in every set what a later one has; or letters: D is #7, E is #8",
+)
+_PECKING = (
+    "pecking in and out (G{value:g}) is not supported on lathes that speak Fanuc's language",
+    "peck with G1 and G0 in a loop: WHILE [#1 LT 5] DO1; --dialect linuxcnc: G73, G83",
+)
+_DRIVEN = (
+    "G{value:g} drills with a driven tool on Fanuc's lathes, which is not supported",
+    "drill on the axis with G1; --dialect linuxcnc for a program made for RS274NGC",
 )
 _BITES = (
     "{letter}{value:g} would have the cycle cut into the contour",
@@ -47,7 +59,7 @@ _THREAD_C = (
     "say them; if it means millimetres: --set dialect.system=A (or B)",
 )
 
-# id, or id:letter or id:code where one word or code needs its own, → (message, help). Fields: see
+# id, or id:letter or id:code (:lathe) where one needs its own, → (message, help). Fields: see
 # Wording._fields.
 WORDING = {
     "character": (
@@ -119,6 +131,10 @@ WORDING = {
         "or both in one line, with K and D",
     ),
     "word-missing:M": ("G86 stops the spindle, which stands", "start it before the cycle"),
+    "word-shared:#": (
+        "#{value:g} is an offset that counts at once, and other words stand in its line",
+        "set it on a line of its own",
+    ),
     "word-shared": (
         "two codes of this block use {found}",
         "put one of the two codes on a line of its own",
@@ -144,8 +160,33 @@ WORDING = {
         "{found} is not supported yet",
         "have the post-processor write plain moves instead; nothing is skipped in silence",
     ),
-    "unsupported:G74": _TAPPING,
-    "unsupported:G84": _TAPPING,
+    "unsupported:I": _SETS,
+    "unsupported:J": _SETS,
+    "unsupported:K": _SETS,
+    "unsupported:P": (
+        "the machine has no reference point {value:g}, where G30 P{value:g} goes",
+        "say where it is in the machine: --set home.g30_p{value:g}.z_mm=…, or go there by G53",
+    ),
+    "unsupported:#": (
+        "the program cannot reach the control's own parameter #{value:g} in this way",
+        "keep values in #100 … #199; set offsets by G10: L2 P (work), L1 L10 L11 P (tools); Fanuc: "
+        "#5221 … can be set, too",
+    ),
+    "unsupported:L": (
+        "G10 L{value:g} is not supported here",
+        "say it in the machine file: --set tool.N.length_mm=…, radius_mm, x_mm; work systems: L2",
+    ),
+    "unsupported:H": (
+        "controls differ in when G10 counts that changes a tool while a length (G43) is in force",
+        "put G49 before G10, and G43 H behind it",
+    ),
+    "unsupported:R": (
+        "G10 L2 R turns the work system, which is not supported",
+        "turn the part in the post-processor, or G68 X0 Y0 R… where the program is Fanuc's",
+    ),
+    **{f"unsupported:G{code}:lathe": _TAPPING for code in (84, 88)},
+    **{f"unsupported:G{code}:lathe": _PECKING for code in (74, 75)},
+    **{f"unsupported:G{code}:lathe": _DRIVEN for code in (83, 85, 87, 89)},
     "unsupported:G87": ("G87 needs a spindle that stops at an angle", "bore from above"),
     "unsupported:G88": ("behind G88 nobody knows where the tool is", "use G86 or G89"),
     "unsupported:G93": ("inverse time (G93) is the time of one move", "use G94 in a cycle"),

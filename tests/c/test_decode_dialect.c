@@ -39,10 +39,26 @@ static void g30_p_names_the_reference_point(check_t *check) {
     CHECK_INT(check, self.block[2].target_nm[0], 7000000);
     CHECK_INT(check, self.block[4].target_nm[0], 7000000);
     check_error(check, &self, "G30 P3 X0\nM2\n", NCK_E_UNSUPPORTED, 1, 5);
+    check_error(check, &self, "G30 P5 X0\nM2\n", NCK_E_NUMBER_RANGE, 1, 5);
     check_error(check, &self, "G30 P1 X0\nM2\n", NCK_E_NUMBER_RANGE, 1, 5);
     check_error(check, &self, "G30 P2.5 X0\nM2\n", NCK_E_NUMBER_RANGE, 1, 5);
     check_error(check, &self, "G28 P2 X0\nM2\n", NCK_E_WORD_UNUSED, 1, 5);
     check_error(check, &self, "G30 P2 G4 X0\nM2\n", NCK_E_WORD_SHARED, 1, 5);
+}
+
+static void further_reference_points_are_the_machines(check_t *check) {
+    case_begin(&self);
+    self.machine.home_more = 1u << (NCK_HOMES - 2);
+    CHECK_INT(check, nck_machine_check(&self.machine), NCK_E_MACHINE);
+    if (NCK_HOMES < 4) return;
+    self.machine.home_nm[NCK_HOMES - 1][0] = 9000000;
+    self.machine.home_more = 2;
+    CHECK_INT(check, nck_machine_check(&self.machine), NCK_OK);
+    check_error(check, &self, "G30 P3 X0\nM2\n", NCK_E_UNSUPPORTED, 1, 5);
+    case_decode(&self, "G21 G90 G30 P4 X3\nM2\n");
+    CHECK_INT(check, self.errors, 0);
+    CHECK_INT(check, self.block[0].target_nm[0], 3000000);
+    CHECK_INT(check, self.block[1].target_nm[0], 9000000);
 }
 
 static void the_machine_has_codes_of_its_own(check_t *check) {
@@ -94,6 +110,7 @@ int main(void) {
     CHECK_RUN(&check, a_program_is_named_by_a_letter_or_a_colon);
     CHECK_RUN(&check, a_skipped_line_may_say_its_switch);
     CHECK_RUN(&check, g30_p_names_the_reference_point);
+    CHECK_RUN(&check, further_reference_points_are_the_machines);
     CHECK_RUN(&check, the_machine_has_codes_of_its_own);
     CHECK_RUN(&check, an_arc_off_its_circle_tells_the_mode_that_fits);
     return check_end(&check);

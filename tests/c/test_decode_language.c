@@ -153,7 +153,7 @@ static const wrong_t wrongs[] = {
     {"G41.1 D4\nG40 M6\nM2\n", NCK_E_COMP_ON, 2, 5},
     {"G0 X1\n G87 Z-1 R1\nM2\n", NCK_E_UNSUPPORTED, 2, 2},
     {"G6.2 X1 Y1 P1\nM2\n", NCK_E_UNSUPPORTED, 1, 1},
-    {"G10 L11 P1 X0\nM2\n", NCK_E_UNSUPPORTED, 1, 5},
+    {"G10 L3 P1 X0\nM2\n", NCK_E_UNSUPPORTED, 1, 5},
     {"G0 X1\nY2 U3\nM2\n", NCK_E_AXIS_UNKNOWN, 2, 4},
     {"G43 H9\nM2\n", NCK_E_TOOL_UNKNOWN, 1, 5},
     {"X1\nM2\n", NCK_E_NO_MOTION, 1, 1},

@@ -143,6 +143,72 @@ static void fanuc_jumps_calls_and_stops(check_t *check) {
     check_read(check, "WHILE [1 EQ 1] DO 1\nG91 X1\nX-1\nEND 1\n", NCK_E_ENDLESS, 4, 0);
 }
 
+static void fanuc_says_i_j_k_in_sets(check_t *check) {
+    static const double wanted[] = {1.0, 2.0, 4.0, 5.0, 6.0, 7.0, 8.0, 9.0, 10.0, 0.0};
+    static const double short_sets[] = {4.0, 7.0, 10.0, 5.0, 0.0};
+    static const double modal[] = {1.0, 7.0, 2.0, 7.0};
+    case_begin(&self);
+    self.machine.dialect.base = NCK_DIALECT_FANUC;
+    check_x(check, "G65 P7 A1. B2. I4. J5. K6. I7. J8. K9. I[4+6]\nM30\nO7\nX#1\nX#2\nX#4\n"
+                   "X#5\nX#6\nX#7\nX#8\nX#9\nX#10\nX[#11+0]\nM99\n", wanted, 10);
+    check_x(check, "G65 P7 I4. I7. I10.\nG65 P8 I#0 J5. I#0\nM30\n"
+                   "O7\nX#4\nX#7\nX#10\nM99\nO8\nX#5\nX[#7+#4]\nM99\n", short_sets, 5);
+    check_x(check, "G66 P7 I4. I7.\nX1\nX2\nG67\nM30\nO7\nX#7\nM99\n", modal, 4);
+    check_read(check, "G65 P7 J5. I4.\nM30\nO7\nM99\n", NCK_E_UNSUPPORTED, 1, 12);
+    check_read(check, "G65 P7 I4. I7. J5.\nM30\nO7\nM99\n", NCK_E_UNSUPPORTED, 1, 16);
+    check_read(check, "G65 P7 I4. J5. I7. D3.\nM30\nO7\nM99\n", NCK_E_WORD_TWICE, 1, 20);
+    check_read(check, "G65 P7 I1.I1.I1.I1.I1.I1.I1.I1.I1.I1.\nM30\nO7\nM99\n", NCK_OK, 0, 0);
+    check_read(check, "G65 P7 I1.I1.I1.I1.I1.I1.I1.I1.I1.I1.I1.\nM30\nO7\nM99\n",
+               NCK_E_WORD_TWICE, 1, 38);
+    check_read(check, "G2 X1. I1. I1. F9\nM30\n", NCK_E_WORD_TWICE, 1, 12);
+}
+
+static void fanuc_counts_in_bits_and_digits(check_t *check) {
+    static const double wanted[] = {8.0, 9.0, 0.5, 21.0, 15.0, 2.0, 7.0, 5.0, 1.0, 0.0};
+    case_begin(&self);
+    self.machine.dialect.base = NCK_DIALECT_FANUC;
+    check_x(check, "X POW[2,3]\nX[POW[1+2,4/2]]\nXPOW[4,-POW[4,-0.5]]\nXBCD[15]\nXBIN[21]\n"
+                   "X[6 AND 3]\nX[6 OR 3]\nX[6 XOR 3]\nX[[2 GT 1] AND [1 LT 2]]\n"
+                   "X[[2 GT 1] XOR [0.1*30 GE 2]]\nM30\n", wanted, 10);
+    check_read(check, "X[1.5 AND 1]\nM30\n", NCK_E_VALUE, 1, 12);
+    check_read(check, "X[-1 OR 1]\nM30\n", NCK_E_VALUE, 1, 10);
+    check_read(check, "XBIN[10]\nM30\n", NCK_E_VALUE, 1, 9);
+    check_read(check, "XBCD[100000000]\nM30\n", NCK_E_VALUE, 1, 16);
+    check_read(check, "XPOW[2]\nM30\n", NCK_E_EXPRESSION, 1, 8);
+    check_read(check, "XBIN[2,3]\nM30\n", NCK_E_EXPRESSION, 1, 7);
+    check_read(check, "XPOW[-8,0.5]\nM30\n", NCK_E_VALUE, 1, 13);
+    check_read(check, "XADP[#1]\nM30\n", NCK_E_UNSUPPORTED, 1, 2);
+    check_read(check, "XPRM[12]\nM30\n", NCK_E_UNSUPPORTED, 1, 2);
+    check_read(check, "XMAX[1,2]\nM30\n", NCK_E_EXPRESSION, 1, 2);
+    self.machine.dialect.base = NCK_DIALECT_LINUXCNC;
+    check_read(check, "G0 XPOW[2,3]\nM30\n", NCK_E_EXPRESSION, 1, 5);
+    check_read(check, "G0 X[[1.5 AND 1] + [0 OR 0]]\nM30\n", NCK_OK, 0, 0);
+}
+
+static void fanuc_sets_its_work_offsets(check_t *check) {
+    static const double wanted[] = {6.0, 31.4, 7.0, 7.0};
+    case_begin(&self);
+    self.machine.dialect.base = NCK_DIALECT_FANUC;
+    check_x(check, "G21 G90 G54\n#5221=5. #5223=1\nX1.\nG20\nN5 #5221=1 (inch)\nG21 X6.\n"
+                   "IF [#5221 GT 25] THEN #5241=6.\nG55 X1\n#100=#5241\n"
+                   "#5241=#100 #101=2\nX1.\nM30\n", wanted, 4);
+    CHECK_INT(check, self.block[0].target_nm[2], 0);
+    check_read(check, "#5220=1\nM30\n", NCK_E_UNSUPPORTED, 1, 1);
+    CHECK_INT(check, self.first.letter, '#');
+    check_read(check, "#5341=1\nM30\n", NCK_E_UNSUPPORTED, 1, 1);
+    check_read(check, "#5235=1\nM30\n", NCK_E_UNSUPPORTED, 1, 1);
+    check_read(check, "#2001=1\nM30\n", NCK_E_UNSUPPORTED, 1, 1);
+    check_read(check, "G0 X#2001\nM30\n", NCK_E_UNSUPPORTED, 1, 10);
+    check_read(check, "X1 #5221=1\nM30\n", NCK_E_WORD_SHARED, 1, 4);
+    check_read(check, "#5221=1 X1\nM30\n", NCK_E_WORD_SHARED, 1, 9);
+    check_read(check, "#5221=1000001\nM30\n", NCK_E_VALUE, 1, 1);
+    check_read(check, "#5221=#0\nM30\n", NCK_E_VALUE, 1, 1);
+    if (NCK_HAS_COMP) check_read(check, "G41.1 D2\n#5221=1\nM30\n", NCK_E_COMP_ON, 2, 1);
+    if (NCK_HAS_LAYOUTS) check_read(check, "G51.1 X0\n#5221=1\nM30\n", NCK_E_LAYOUT_ON, 2, 1);
+    self.machine.dialect.base = NCK_DIALECT_LINUXCNC;
+    check_read(check, "#5221=1\nM30\n", NCK_E_UNSUPPORTED, 1, 1);
+}
+
 static void pushed_text_jumps_forward_only(check_t *check) {
     case_begin(&self);
     case_decode(&self, "#1=2\no1 if [#1 eq 1]\nG0 X1\no1 else\nG0 X[#1+3]\no1 endif\nM2\n");
@@ -203,6 +269,9 @@ int main(void) {
     CHECK_RUN(&check, subprograms_have_parameters_of_their_own);
     CHECK_RUN(&check, loops_and_conditions_jump);
     CHECK_RUN(&check, fanuc_jumps_calls_and_stops);
+    CHECK_RUN(&check, fanuc_says_i_j_k_in_sets);
+    CHECK_RUN(&check, fanuc_counts_in_bits_and_digits);
+    CHECK_RUN(&check, fanuc_sets_its_work_offsets);
     CHECK_RUN(&check, pushed_text_jumps_forward_only);
     CHECK_RUN(&check, a_source_takes_the_place_of_pushing);
     CHECK_RUN(&check, too_many_parameters_are_an_error);

@@ -186,7 +186,7 @@ static void every_place_may_be_as_far_as_the_kernels_range(check_t *check) {
                                      ? (int64_t)NCK_ROTARY_MAX_DEG * NCK_COUNTS_PER_DEG
                                      : (int64_t)NCK_LINEAR_MAX_MM * NCK_COUNTS_PER_MM;
         check_place(check, &machine.start_nm[x], furthest);
-        for (int n = 0; n < 2; n++) check_place(check, &machine.home_nm[n][x], furthest);
+        for (int n = 0; n < NCK_HOMES; n++) check_place(check, &machine.home_nm[n][x], furthest);
         for (int n = 0; n < NCK_WORK_SYSTEMS; n++) {
             check_place(check, &machine.work_nm[n][x], furthest);
         }

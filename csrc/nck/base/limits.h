@@ -35,7 +35,7 @@
 #define NCK_CALL_DEPTH 16
 #endif
 
-// Canned cycles: G73 G81 G82 G83 G85 G86 G89, G98 G99. 0 leaves them out.
+// Canned cycles: G73 G81 G82 G83 G85 G86 G89, G98 G99. 0 leaves them out, and G30 P3 P4.
 #ifndef NCK_CYCLES
 #define NCK_CYCLES 1
 #endif
@@ -162,6 +162,13 @@
 #define NCK_SSHAPE_STATE struct
 #else
 #define NCK_SSHAPE_STATE union
+#endif
+
+// Reference points: G28, G30 (P2), G30 P3, G30 P4.
+#if NCK_CYCLES > 0
+#define NCK_HOMES 4
+#else
+#define NCK_HOMES 2
 #endif
 
 // Rows of arrays that may be left out.

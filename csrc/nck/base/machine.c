@@ -89,7 +89,7 @@ static int axes_good(const nck_machine_t *machine) {
         if (axis->present && !axis_good(axis)) return 0;
         present += axis->present;
         if (!place_good(axis, machine->start_nm[k])) return 0;
-        for (unsigned n = 0; n < 2; n++) {
+        for (unsigned n = 0; n < NCK_HOMES; n++) {
             if (!place_good(axis, machine->home_nm[n][k])) return 0;
         }
         for (unsigned n = 0; n < NCK_WORK_SYSTEMS; n++) {
@@ -165,7 +165,8 @@ static int own_good(const nck_machine_t *machine) {
 nck_status_t nck_machine_check(const nck_machine_t *machine) {
     const int all = numbers_good(machine) && axes_good(machine) && path_good(machine)
                     && dialect_good(machine) && dialect_numbers_good(machine)
-                    && tools_good(machine) && own_good(machine);
+                    && tools_good(machine) && own_good(machine)
+                    && machine->home_more >> (NCK_HOMES - 2) == 0;
     if (!all) return NCK_E_MACHINE;
     return is_slope_built(machine) ? NCK_OK : NCK_E_UNSUPPORTED;
 }

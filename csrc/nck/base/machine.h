@@ -141,11 +141,12 @@ typedef struct nck_machine {
     } spindle;
 
     int64_t start_nm[NCK_AXIS_MAX];               // position at start, after homing
-    int64_t home_nm[2][NCK_AXIS_MAX];             // G28, G30
+    int64_t home_nm[NCK_HOMES][NCK_AXIS_MAX];     // G28, G30 (P2), G30 P3, G30 P4
     int64_t work_nm[NCK_WORK_SYSTEMS][NCK_AXIS_MAX]; // G54 … G59.3
     uint32_t work_system;                         // in force at start, 0 = G54
     uint32_t tool_count;
     nck_tool_t tool[NCK_TOOL_MAX];
+    uint32_t home_more;                           // bit 0: home_nm has one of P3, bit 1: of P4
     uint32_t own_m_count;
     nck_own_m_t own_m[NCK_OWN_M_MAX];
 } nck_machine_t;

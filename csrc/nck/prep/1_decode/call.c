@@ -77,21 +77,6 @@ static nck_status_t read_target(nck_decode_t *self, int64_t *program, int64_t *c
     return NCK_OK;
 }
 
-// The arguments of G65 and G66 by their letters (Fanuc, argument assignment I).
-static nck_status_t keep_arguments(nck_decode_t *self, int modal) {
-    static const uint8_t parameter_of[NCK_LETTERS] = {
-        1, 2, 3, 7, 8, 9, 0, 11, 4, 5, 6, 0, 13, 0, 0, 0, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26
-    };
-    nck_status_t status = NCK_OK;
-    nck_variable_drop_kept(self, modal);
-    for (unsigned k = 0; k < NCK_LETTERS && status == NCK_OK; k++) {
-        if (parameter_of[k] == 0 || !(self->words.letters >> k & 1u)) continue;
-        const double value = nck_number_real(&self->words.number[k]);
-        status = nck_variable_add(self, nck_variable_kept(parameter_of[k], modal), value);
-    }
-    return status;
-}
-
 // M99 in the main program has it begin again: it is done once, and that is told.
 static nck_status_t repeat_program(nck_decode_t *self) {
     nck_decode_assume(self, NCK_NOTE_REPEATS);
@@ -130,7 +115,7 @@ static nck_status_t call_program(nck_decode_t *self, uint16_t code) {
     nck_macro_t *const macro = &self->macro;
     int64_t program = 0, count = 0;
     nck_status_t status = read_target(self, &program, &count);
-    if (status == NCK_OK && code != 980) status = keep_arguments(self, code == 660);
+    if (status == NCK_OK && code != 980) status = nck_argument_all(self);
     if (status != NCK_OK) return status;
     if (code == 660) {
         macro->modal = (uint64_t)program;

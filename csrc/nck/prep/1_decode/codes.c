@@ -21,7 +21,8 @@ static const uint32_t letters_of[SETS] = {
     [PATH] = NCK_LETTER('P') | NCK_LETTER('Q'),
     [LENGTH] = NCK_LETTER('H'),
     [REFERENCE] = NCK_LETTERS_AXES | NCK_LETTER('P'),
-    [SET] = NCK_LETTERS_AXES | NCK_LETTER('L') | NCK_LETTER('P') | NCK_LETTER('R'),
+    [SET] = NCK_LETTERS_AXES | NCK_LETTER('L') | NCK_LETTER('P') | NCK_LETTER('R')
+            | NCK_LETTER('Q'),
     [CALL] = NCK_LETTER('L') | NCK_LETTER('P'),
     [MACRO] = (1 << NCK_LETTERS) - 1,
     [DRILL] = NCK_LETTERS_XYZ | NCK_LETTER('R') | NCK_LETTER('L'),

@@ -50,12 +50,12 @@ static nck_status_t read_tool(nck_decode_t *self, double *radius_out, int64_t *n
     int64_t number = offset >= 0 ? offset : (int64_t)self->modal.tool_in;
     const nck_status_t status = read_whole(self, 'D', NCK_DECODE_VALUE_MAX, &number);
     if (status != NCK_OK || number == 0) return status;
-    const nck_tool_t *const tool = nck_decode_find_tool(self, (uint32_t)number);
-    if (tool == NULL) {
+    nck_tool_t tool;
+    if (!nck_table_find(self, (uint32_t)number, &tool)) {
         return nck_decode_fail_word(self, NCK_E_TOOL_UNKNOWN, 'D', (double)number, 0.0);
     }
-    *radius_out = tool->radius_mm + tool->wear_mm;
-    *nose_out = tool->orientation;
+    *radius_out = tool.radius_mm + tool.wear_mm;
+    *nose_out = tool.orientation;
     return NCK_OK;
 }
 

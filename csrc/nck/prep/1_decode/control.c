@@ -5,7 +5,7 @@
 
 #include <stddef.h> // NULL
 
-enum { NUMBER_MOST = 99999 }; // of a parameter
+enum { NUMBER_MOST = 99999, ALARMS = 3000, STOPS = 3006 }; // numbers of parameters
 
 static const double number_most = NUMBER_MOST;
 static const double label_most = NCK_LABEL_MOST;
@@ -24,17 +24,36 @@ static int is_true(double value) { return nck_value_is(value) && (value > 0.0 ||
 
 // ---- assignments
 
+// A work offset counts at once, so nothing but assignments may stand beside it.
+static nck_status_t set_work(nck_decode_t *self, const char *at, uint64_t number, double value) {
+    const nck_words_t *const words = &self->words;
+    const unsigned column = (unsigned)(at - self->line.text) + 1;
+    const int words_before = words->codes != 0 || (words->letters & ~NCK_LETTER('N')) != 0;
+    nck_status_t status = NCK_E_WORD_SHARED;
+    if (!words_before) status = nck_parameter_set_work(self, (uint32_t)number, value);
+    if (status == NCK_OK) return NCK_OK;
+    return nck_decode_fail(self, status, column, '#', (double)number, 0.0);
+}
+
 // What the control itself does where its own parameters are set.
 static nck_status_t set_own(nck_decode_t *self, const char *at, uint64_t number, double value) {
     const int fanuc = self->machine->dialect.base == NCK_DIALECT_FANUC;
-    if (fanuc && number == 3000) {
+    if (fanuc && number == ALARMS) {
         return nck_decode_fail_last(self, NCK_E_ALARM, nck_value_is(value) ? value : 0.0, 0.0);
     }
-    if (!fanuc || number != 3006) return fail_at(self, at, NCK_E_UNSUPPORTED);
+    if (!fanuc || number != STOPS) return set_work(self, at, number, value);
     self->words.steps |= NCK_STEP(NCK_STEP_STOP);
     self->words.codes |= NCK_STEP(NCK_STEP_STOP);
     self->words.code[NCK_STEP_STOP] = 0;
     return NCK_OK;
+}
+
+// What may follow the assignment of a work offset.
+static nck_status_t check_behind(nck_decode_t *self, const char *at, uint64_t number) {
+    const char *const next = nck_decode_skip(at);
+    if (*next == '\n' || *next == '#' || *next == ';') return NCK_OK;
+    return nck_decode_fail(self, NCK_E_WORD_SHARED, (unsigned)(next - self->line.text) + 1, '#',
+                           (double)number, 0.0);
 }
 
 static nck_status_t read_target(nck_decode_t *self, const char **at, uint64_t *key_out) {
@@ -74,7 +93,8 @@ nck_status_t nck_decode_assign(nck_decode_t *self, const char **at) {
     status = nck_decode_value(self, at, fanuc, &value);
     if (status != NCK_OK) return status;
     if (key <= NUMBER_MOST && nck_parameter_is_own(self, (uint32_t)key)) {
-        return set_own(self, first, key, value);
+        status = set_own(self, first, key, value);
+        return status == NCK_OK && key != STOPS ? check_behind(self, *at, key) : status;
     }
     return nck_variable_wait(self, key, value);
 }

@@ -375,7 +375,7 @@ void nck_decode_begin(nck_decode_t *self) {
     memset(&self->line, 0, sizeof self->line);
     memset(&self->finding, 0, sizeof self->finding);
     memset(&self->text, 0, sizeof self->text);
-    memset(&self->macro, 0, sizeof self->macro);
+    nck_variable_restart(self);
     memset(&self->layout, 0, sizeof self->layout);
     memset(&self->states, 0, sizeof self->states);
     memset(&self->held, 0, sizeof self->held);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Values that are not plain numbers: parameters, functions, expressions. One pass with two short
 // stacks; nothing calls itself.
+#include "nck/prep/1_decode/bits.h" // nck_bits …
 #include "nck/prep/1_decode/parts.h"
 #include "nck/prep/1_decode/power.h" // nck_exp …
 
@@ -21,7 +22,9 @@ static const double huge = 1e300;
 // What waits on the stack of operators. The order within a kind is that of its table.
 typedef enum operator {
     OPEN, PARAMETER, MINUS,
-    ABS, ACOS, ASIN, ATAN, COS, EXP, FIX, FUP, LN, ROUND, SIN, SQRT, TAN, RND, SQR, ANGLE,
+    ABS, ACOS, ASIN, ATAN, COS, EXP, FIX, FUP, LN, ROUND, SIN, SQRT, TAN, RND, SQR,
+    POW, BIN, BCD, ADP, PRM, // Fanuc's alone
+    ANGLE, RAISED, // ATAN and POW that wait for their second operand
     OR, XOR, AND, EQ, NE, LT, LE, GT, GE, ADD, SUBTRACT, TIMES, DIVIDE, MOD, POWER
 } operator_t;
 
@@ -42,6 +45,10 @@ static void fail(work_t *work, nck_status_t code, double value) {
     if (work->status == NCK_OK) {
         work->status = nck_decode_fail(work->self, code, column, 0, shown, 0.0);
     }
+}
+
+static int is_fanuc(const work_t *work) {
+    return work->self->machine->dialect.base == NCK_DIALECT_FANUC;
 }
 
 static void skip(work_t *work) { work->at = nck_decode_skip(work->at); }
@@ -76,8 +83,7 @@ static double round_half_away(double x) {
 
 // Down and up; in Fanuc's language towards zero and away from it.
 static double to_whole(const work_t *work, double x, int up) {
-    const int fanuc = work->self->machine->dialect.base == NCK_DIALECT_FANUC;
-    const int ceils = fanuc && x < 0.0 ? !up : up;
+    const int ceils = is_fanuc(work) && x < 0.0 ? !up : up;
     return ceils ? -nck_floor(-x) : nck_floor(x);
 }
 
@@ -117,8 +123,17 @@ static int rounds(operator_t function) {
     return function == FIX || function == FUP || function == ROUND || function == RND;
 }
 
+// Fanuc's numbers as bits, and as two digits a byte.
+static double coded(work_t *work, operator_t function, double x) {
+    if (function == POW) fail(work, NCK_E_EXPRESSION, 0.0); // it has no second operand
+    const double value = function == BIN ? nck_from_bcd(x) : nck_to_bcd(x);
+    if (value < 0.0) fail(work, NCK_E_VALUE, x);
+    return value;
+}
+
 static double function_of(work_t *work, operator_t function, double x) {
     if (rounds(function)) return rounded(work, function, x);
+    if (function >= POW) return coded(work, function, x);
     switch (function) {
     case MINUS: return -x;
     case ABS: return nck_fabs(x);
@@ -154,9 +169,8 @@ static double raised(work_t *work, double a, double b) {
 // Equal; without a value is equal to without a value alone (Fanuc's #0).
 static int equal(const work_t *work, double a, double b) {
     const int a_is = nck_value_is(a), b_is = nck_value_is(b);
-    const int fanuc = work->self->machine->dialect.base == NCK_DIALECT_FANUC;
     if (!a_is || !b_is) return a_is == b_is;
-    return fanuc ? a >= b && a <= b : nck_fabs(a - b) < near_most;
+    return is_fanuc(work) ? a >= b && a <= b : nck_fabs(a - b) < near_most;
 }
 
 static double compared(operator_t operator, double a, double b) {
@@ -164,12 +178,18 @@ static double compared(operator_t operator, double a, double b) {
     case LT: return a < b;
     case LE: return a <= b;
     case GT: return a > b;
-    case GE: return a >= b;
-    default: break;
+    default: return a >= b;
     }
-    const int a_holds = nck_fabs(a) > 0.0, b_holds = nck_fabs(b) > 0.0;
-    if (operator == AND) return a_holds && b_holds;
-    return operator == OR ? a_holds || b_holds : a_holds != b_holds;
+}
+
+// AND, OR, XOR: of Fanuc's controls bit by bit, so that 6 AND 3 is 2; else 0 does not hold, and all
+// other values do.
+static double logical(work_t *work, operator_t operator, double a, double b) {
+    const int fanuc = is_fanuc(work);
+    uint32_t left = nck_fabs(a) > 0.0, right = nck_fabs(b) > 0.0;
+    if (fanuc && (!nck_bits(a, &left) || !nck_bits(b, &right))) fail(work, NCK_E_VALUE, a);
+    if (operator == AND) return left & right;
+    return operator == OR ? left | right : left ^ right;
 }
 
 static double counted(double value) { return nck_value_is(value) ? value : 0.0; }
@@ -185,6 +205,9 @@ static double binary(work_t *work, operator_t operator, double left, double righ
     case DIVIDE:
     case MOD: return divided(work, operator, a, b);
     case POWER: return raised(work, a, b);
+    case AND:
+    case OR:
+    case XOR: return logical(work, operator, a, b);
     default: return compared(operator, a, b);
     }
 }
@@ -233,7 +256,10 @@ static double parameter(work_t *work, double number) {
         return 0.0;
     }
     const nck_status_t status = nck_parameter_number(work->self, (uint32_t)whole, &value);
-    if (status != NCK_OK) fail(work, status, whole);
+    if (status != NCK_OK) {
+        fail(work, status, whole);
+        work->self->finding.error.letter = '#';
+    }
     return value;
 }
 
@@ -255,6 +281,7 @@ static void complete(work_t *work) {
         const double x = pop(work);
         if (operator == PARAMETER) give(work, parameter(work, x));
         else if (operator == ANGLE) give(work, in_degrees(nck_atan2(pop(work), counted(x))));
+        else if (operator == RAISED) give(work, raised(work, counted(pop(work)), counted(x)));
         else give(work, function_of(work, operator, counted(x)));
     }
 }
@@ -272,12 +299,14 @@ static unsigned word_of(const char *at, const char *const *words, unsigned first
 
 static void read_function(work_t *work) {
     static const char *const names[] = {"ABS", "ACOS", "ASIN", "ATAN", "COS", "EXP", "FIX", "FUP",
-                                        "LN", "ROUND", "SIN", "SQRT", "TAN", "RND", "SQR", NULL};
+                                        "LN", "ROUND", "SIN", "SQRT", "TAN", "RND", "SQR", "POW",
+                                        "BIN", "BCD", "ADP", "PRM", NULL};
     const unsigned function = word_of(work->at, names, ABS);
-    if (function == 0) {
+    if (function == 0 || (function >= POW && !is_fanuc(work))) {
         fail(work, NCK_E_EXPRESSION, 0.0);
         return;
     }
+    if (function >= ADP) fail(work, NCK_E_UNSUPPORTED, 0.0);
     const char *const end = nck_decode_skip(nck_decode_spells(work->at, names[function - ABS]));
     if (*end != '[') fail(work, NCK_E_EXPRESSION, 0.0);
     work->at = end;
@@ -381,15 +410,16 @@ static void close(work_t *work) {
     complete(work);
 }
 
-// ATAN[y, x]: Fanuc's way.
+// ATAN[y, x]: Fanuc's way; POW[x, y].
 static void next_argument(work_t *work) {
     reduce(work, 1);
     const unsigned n = work->operators;
-    if (n < 2 || work->operator[n - 2] != ATAN) {
+    const operator_t function = n < 2 ? OPEN : (operator_t)work->operator[n - 2];
+    if (function != ATAN && function != POW) {
         fail(work, NCK_E_EXPRESSION, 0.0);
         return;
     }
-    work->operator[n - 2] = (uint8_t)ANGLE;
+    work->operator[n - 2] = (uint8_t)(function == ATAN ? ANGLE : RAISED);
     work->at++;
 }
 

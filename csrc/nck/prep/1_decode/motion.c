@@ -5,6 +5,8 @@
 #include <stddef.h> // NULL
 #include <string.h> // memcpy
 
+enum { POINT_MOST = 4 }; // of G30 P
+
 static int axis_bit(uint32_t axes, unsigned axis) {
     return (int)((axes >> axis) & 1u);
 }
@@ -132,27 +134,32 @@ nck_status_t nck_decode_motion(nck_decode_t *self, nck_block_t *out) {
     return nck_decode_go(self, NULL, target_nm, out);
 }
 
-// G30 P: which reference point. The kernel has the second, which is G30 without P.
-static nck_status_t check_point(nck_decode_t *self) {
+// G28: the first reference point, G30: the second, or the one that P names, if the machine has it.
+static nck_status_t find_home(nck_decode_t *self, const int64_t **home_out) {
     const nck_number_t *const word = &self->words.number['P' - 'A'];
+    const int first = self->words.code[NCK_STEP_OFFSET] == 280;
     int64_t point = 2;
-    const int said = (self->words.letters & NCK_LETTER('P')) != 0
-                     && self->words.code[NCK_STEP_OFFSET] == 300;
-    if (said && (!nck_number_whole(word, 0, &point) || point < 2 || point > 4)) {
-        return nck_decode_fail_word(self, NCK_E_NUMBER_RANGE, 'P', nck_number_real(word), 4.0);
+    const int said = !first && (self->words.letters & NCK_LETTER('P')) != 0;
+    if (first) point = 1;
+    if (said && (!nck_number_whole(word, 0, &point) || point < 2 || point > POINT_MOST)) {
+        return nck_decode_fail_word(self, NCK_E_NUMBER_RANGE, 'P', nck_number_real(word),
+                                    POINT_MOST);
     }
-    if (point == 2) return NCK_OK;
-    return nck_decode_fail_word(self, NCK_E_UNSUPPORTED, 'P', (double)point, 0.0);
+    if (point > 2 && !(self->machine->home_more >> (point - 3) & 1u)) {
+        return nck_decode_fail_word(self, NCK_E_UNSUPPORTED, 'P', (double)point, 0.0);
+    }
+    *home_out = point <= 2 ? self->place.home_nm[point - 1] : self->machine->home_nm[point - 1];
+    return NCK_OK;
 }
 
 // G28, G30: by way of the point that the words name to the reference point, on the axes named, on
 // all if none is. Marlin's G28 has no such point: its words only name axes.
 nck_status_t nck_decode_reference(nck_decode_t *self, nck_block_t *out) {
-    const int64_t *const home = self->place.home_nm[self->words.code[NCK_STEP_OFFSET] == 300];
+    const int64_t *home = NULL;
     int64_t target_nm[NCK_AXIS_MAX];
     const uint32_t axes = self->words.axes != 0 ? self->words.axes : self->place.axes;
 
-    nck_status_t status = check_point(self);
+    nck_status_t status = find_home(self, &home);
     if (status != NCK_OK) return status;
     memcpy(target_nm, self->place.position_nm, sizeof target_nm);
     if (self->machine->dialect.base != NCK_DIALECT_MARLIN && self->words.axes != 0) {

@@ -119,6 +119,14 @@ nck_status_t nck_decode_o_word(nck_decode_t *self, const char **at);
 nck_status_t nck_decode_whole(nck_decode_t *self, char letter, int64_t most, int64_t otherwise,
                               int64_t *out);
 
+// argument.c: of an I, J or K of G65 or G66: which one in the row of them it is, from 1, and its
+// number. All arguments of the line in work are kept for the call. NCK_E_WORD_TWICE,
+// NCK_E_UNSUPPORTED: in an order that leaves open which; NCK_E_VARIABLES. Cost: linear in these.
+nck_status_t nck_argument_place(nck_decode_t *self, const char *at, unsigned *place_out);
+nck_status_t nck_argument_keep(nck_decode_t *self, const char *at, unsigned place,
+                               const nck_number_t *number);
+nck_status_t nck_argument_all(nck_decode_t *self);
+
 // call.c: M98, M99, G65, G66, G67; a move is done while G66 is in force.
 nck_status_t nck_decode_call(nck_decode_t *self, nck_block_t *out);
 void nck_decode_moved(nck_decode_t *self);
@@ -141,6 +149,12 @@ nck_status_t nck_variable_wait(nck_decode_t *self, uint64_t key, double value);
 nck_status_t nck_variable_commit(nck_decode_t *self, nck_status_t line);
 nck_status_t nck_variable_add(nck_decode_t *self, uint64_t key, double value);
 
+// variables.c: the key of what G10 has changed in a tool; a parameter is set at once; a program
+// begins: only what was changed in tools stays. NCK_E_VARIABLES. Cost: linear in the parameters.
+uint64_t nck_variable_tool(uint32_t number, unsigned field);
+nck_status_t nck_variable_set(nck_decode_t *self, uint64_t key, double value);
+void nck_variable_restart(nck_decode_t *self);
+
 // variables.c: what must hold between two lines. Cost: constant.
 int nck_variable_invariants(const nck_decode_t *self);
 
@@ -156,6 +170,10 @@ nck_status_t nck_parameter_number(nck_decode_t *self, uint32_t number, double *v
 nck_status_t nck_parameter_name(nck_decode_t *self, const char *at, const char *end,
                                 double *value_out);
 int nck_parameter_is_own(const nck_decode_t *self, uint32_t number);
+
+// system.c: set one of Fanuc's work offsets, #5221 …, in the units in force. NCK_E_UNSUPPORTED: it
+// is none; NCK_E_COMP_ON, NCK_E_LAYOUT_ON, NCK_E_VALUE. Cost: constant.
+nck_status_t nck_parameter_set_work(nck_decode_t *self, uint32_t number, double value);
 
 // jump.c: the line in work while something is looked for: NCK_OK: it is to be read, NCK_EMPTY: it
 // is passed over. The end of the text while something is looked for. The calls in force, behind an
@@ -246,6 +264,12 @@ void nck_decode_scale(nck_decode_t *self);
 
 // output.c: a tool of the table, NULL if it has none of that number. Cost: linear in the tools.
 const nck_tool_t *nck_decode_find_tool(const nck_decode_t *self, uint32_t number);
+
+// table.c: a tool with what G10 has changed; returns 0 if the table has none of that number. G10
+// with another list than L2 and L20: NCK_E_UNSUPPORTED, NCK_E_TOOL_UNKNOWN, NCK_E_NUMBER_RANGE,
+// NCK_E_WORD_UNUSED, NCK_E_WORD_MISSING, NCK_E_VARIABLES. Cost: linear in tools and parameters.
+int nck_table_find(const nck_decode_t *self, uint32_t number, nck_tool_t *tool_out);
+nck_status_t nck_table_set(nck_decode_t *self, int64_t list);
 
 // printer.c: 1 if an M code is one of Marlin's; if the line is one's; one past its text; who takes
 // its words; what it hands over. NCK_E_MODAL_GROUP. Cost: linear in the codes, and in the text.

@@ -45,13 +45,14 @@ nck_status_t nck_decode_length(nck_decode_t *self, nck_block_t *out) {
     if (code == 432 && !has_h) return fail_length(self);
     const nck_status_t status = nck_decode_whole(self, 'H', NCK_DECODE_VALUE_MAX, number, &number);
     if (status != NCK_OK) return status;
-    const nck_tool_t *const tool = nck_decode_find_tool(self, (uint32_t)number);
-    if (number != 0 && tool == NULL) {
+    nck_tool_t tool;
+    const int is_there = nck_table_find(self, (uint32_t)number, &tool);
+    if (number != 0 && !is_there) {
         const unsigned column = has_h ? words->column['H' - 'A']
                                       : words->code_column[NCK_STEP_LENGTH];
         return nck_decode_fail(self, NCK_E_TOOL_UNKNOWN, column, 'H', (double)number, 0.0);
     }
-    take_length(self, number != 0 ? tool : NULL);
+    take_length(self, number != 0 ? &tool : NULL);
     return NCK_EMPTY;
 }
 
@@ -127,33 +128,26 @@ static nck_status_t set_local(nck_decode_t *self) {
     return NCK_EMPTY;
 }
 
-// G10 L2 Pn: which work system, 0 for the one in force.
-static nck_status_t read_system(nck_decode_t *self, int64_t *list_out, int64_t *number_out) {
+// G10 L2 L20 Pn: which work system, 0 for the one in force. A work system that is turned (R) is not
+// built, and Q is nothing to it.
+static nck_status_t read_system(nck_decode_t *self, int64_t *number_out) {
     const nck_words_t *const words = &self->words;
-    if (!(words->letters & NCK_LETTER('L'))) return fail_missing(self, 'L');
-    if (!(words->letters & NCK_LETTER('P'))) return fail_missing(self, 'P');
-    const int whole = nck_number_whole(&words->number['L' - 'A'], 0, list_out);
-    if (!whole || (*list_out != 2 && *list_out != 20)) {
-        return nck_decode_fail_word(self, NCK_E_UNSUPPORTED, 'L',
-                                    nck_number_real(&words->number['L' - 'A']), 0.0);
+    const double turn = nck_number_real(&words->number['R' - 'A']);
+    if ((words->letters & NCK_LETTER('R')) && (turn > 0.0 || turn < 0.0)) {
+        return nck_decode_fail_word(self, NCK_E_UNSUPPORTED, 'R', turn, 0.0);
     }
-    if (words->letters & NCK_LETTER('R')) {
-        return nck_decode_fail_word(self, NCK_E_UNSUPPORTED, 'R', 0.0, 0.0);
+    if (words->letters & NCK_LETTER('Q')) {
+        return nck_decode_fail_word(self, NCK_E_WORD_UNUSED, 'Q', 0.0, 0.0);
     }
-    if (!nck_number_whole(&words->number['P' - 'A'], 0, number_out) || *number_out < 0
-        || *number_out > NCK_WORK_SYSTEMS) {
-        return nck_decode_fail_word(self, NCK_E_NUMBER_RANGE, 'P',
-                                    nck_number_real(&words->number['P' - 'A']), NCK_WORK_SYSTEMS);
-    }
-    return NCK_OK;
+    return nck_decode_whole(self, 'P', NCK_WORK_SYSTEMS, 0, number_out);
 }
 
 // G10 L2: the zero of a work system for the axes named; L20: it is where the axes have the places
 // that the words say.
-static nck_status_t set_work(nck_decode_t *self) {
+static nck_status_t set_work(nck_decode_t *self, int64_t list) {
     const nck_words_t *const words = &self->words;
-    int64_t list = 0, number = 0;
-    const nck_status_t system = read_system(self, &list, &number);
+    int64_t number = 0;
+    const nck_status_t system = read_system(self, &number);
     if (system != NCK_OK) return system;
     int64_t *const work = self->place.work_nm[number > 0 ? number - 1 : self->place.work_system];
     for (unsigned axis = 0; axis < NCK_AXIS_MAX; axis++) {
@@ -168,6 +162,18 @@ static nck_status_t set_work(nck_decode_t *self) {
     return NCK_EMPTY;
 }
 
+// G10: L says of what.
+static nck_status_t set_data(nck_decode_t *self) {
+    const nck_words_t *const words = &self->words;
+    int64_t list = 0;
+    if (!(words->letters & NCK_LETTER('L'))) return fail_missing(self, 'L');
+    if (!(words->letters & NCK_LETTER('P'))) return fail_missing(self, 'P');
+    if (!nck_number_whole(&words->number['L' - 'A'], 0, &list)) list = -1;
+    if (list == 2 || list == 20) return set_work(self, list);
+    const nck_status_t status = nck_table_set(self, list);
+    return status == NCK_OK ? NCK_EMPTY : status;
+}
+
 nck_status_t nck_decode_offset(nck_decode_t *self, nck_block_t *out) {
     nck_status_t status = NCK_EMPTY;
     switch (self->words.code[NCK_STEP_OFFSET]) {
@@ -178,7 +184,7 @@ nck_status_t nck_decode_offset(nck_decode_t *self, nck_block_t *out) {
         memcpy(self->place.home_nm[self->words.code[NCK_STEP_OFFSET] == 301],
                self->place.position_nm, sizeof self->place.position_nm);
         break;
-    case 100: status = set_work(self); break;
+    case 100: status = set_data(self); break;
     case 520: status = set_local(self); break;
     case 920: status = rename_position(self); break;
     case 921: // forget

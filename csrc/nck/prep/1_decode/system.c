@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: MIT
-// Parameters that the kernel keeps itself: positions, offsets, modes. Read only.
+// Parameters that the kernel keeps itself: positions, offsets, modes. Fanuc's work offsets can be
+// set, the others are read only.
 #include "nck/prep/1_decode/parts.h"
 
 #include <stddef.h> // NULL
 
+#include "nck/base/real.h" // nck_floor nck_fabs
+
 enum {
     SYSTEM_ROW = 20,           // numbers from one work system to the next
     FANUC_OWN = 1000,          // Fanuc: the first number that the control keeps
+    FANUC_WORK = 5221, FANUC_SYSTEMS = 6,
     LINUXCNC_OWN = 5061, LINUXCNC_LAST = 5602
 };
 
@@ -25,6 +29,14 @@ static double shown(const nck_decode_t *self, unsigned axis, int64_t counts) {
     const int fanuc = self->machine->dialect.base == NCK_DIALECT_FANUC;
     const double factor = fanuc && axis == NCK_AXIS_X && self->modal.diameter ? 2.0 : 1.0;
     return factor * (self->modal.inch ? mm / 25.4 : mm);
+}
+
+// One unit of what `shown` tells, in counts.
+static double counts_of(const nck_decode_t *self, unsigned axis) {
+    if (self->place.rotary >> axis & 1u) return (double)NCK_COUNTS_PER_DEG;
+    const double mm = self->modal.inch ? 25.4 : 1.0;
+    const double halves = axis == NCK_AXIS_X && self->modal.diameter ? 0.5 : 1.0;
+    return halves * mm * (double)NCK_COUNTS_PER_MM;
 }
 
 // index: of the axis; of ASK_WORK: work system × SYSTEM_ROW + axis.
@@ -97,7 +109,8 @@ static const row_t linuxcnc_rows[] = {
 // #5401 … #5500 are Haas's: how long each tool has cut. Here all are new.
 static const row_t fanuc_rows[] = {
     {5001, 9, ASK_PROGRAM, 1}, {5021, 9, ASK_MACHINE, 1}, {5041, 9, ASK_PROGRAM, 1},
-    {5221, 6 * SYSTEM_ROW, ASK_WORK, 1}, {5401, 100, ASK_ZERO, 0}, {4001, 1, ASK_MOTION, 0},
+    {FANUC_WORK, FANUC_SYSTEMS * SYSTEM_ROW, ASK_WORK, 1}, {5401, 100, ASK_ZERO, 0},
+    {4001, 1, ASK_MOTION, 0},
     {4002, 1, ASK_PLANE, 0}, {4003, 1, ASK_DISTANCE, 0}, {4005, 1, ASK_FEED_MODE, 0},
     {4006, 1, ASK_UNITS, 0}, {4109, 1, ASK_FEED, 0}, {4119, 1, ASK_SPEED, 0},
     {4120, 1, ASK_NEXT_TOOL, 0}, {0, 0, 0, 0}
@@ -136,6 +149,23 @@ nck_status_t nck_parameter_number(nck_decode_t *self, uint32_t number, double *v
         return NCK_OK;
     }
     return NCK_E_UNSUPPORTED;
+}
+
+nck_status_t nck_parameter_set_work(nck_decode_t *self, uint32_t number, double value) {
+    if (!NCK_HAS_VARIABLES) return NCK_E_UNSUPPORTED;
+    const uint32_t index = number - FANUC_WORK;
+    const unsigned axis = present_axis(self, index % SYSTEM_ROW);
+    const int fanuc = self->machine->dialect.base == NCK_DIALECT_FANUC;
+    if (!fanuc || index >= FANUC_SYSTEMS * SYSTEM_ROW || axis >= NCK_AXIS_MAX) {
+        return NCK_E_UNSUPPORTED;
+    }
+    if (self->modal.comp) return NCK_E_COMP_ON;
+    if (self->layout.on) return NCK_E_LAYOUT_ON;
+    const double counts = nck_floor(value * counts_of(self, axis) + 0.5);
+    if (!(nck_fabs(counts) <= (double)nck_decode_scale_of(self, axis)->limit)) return NCK_E_VALUE;
+    self->place.work_nm[index / SYSTEM_ROW][axis] = (int64_t)counts;
+    nck_decode_origin(self);
+    return NCK_OK;
 }
 
 // ---- names

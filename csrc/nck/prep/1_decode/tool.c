@@ -29,13 +29,14 @@ static nck_status_t turn_turret(nck_decode_t *self, int64_t number, nck_block_t 
         return nck_decode_fail_word(self, NCK_E_TOOL_UNKNOWN, 'T', (double)unknown, 0.0);
     }
     if (self->modal.comp) return nck_decode_fail_word(self, NCK_E_COMP_ON, 'T', 0.0, 0.0);
-    const nck_tool_t *const entry = offset != 0 ? nck_decode_find_tool(self, offset) : NULL;
+    nck_tool_t entry;
+    const int has_entry = offset != 0 && nck_table_find(self, offset, &entry);
     const int turns = tool != self->modal.tool_in;
     self->modal.tool_in = tool;
     self->modal.tool_next = tool;
     self->modal.offset_in = (int32_t)offset;
     for (unsigned axis = 0; axis < 3; axis++) {
-        self->place.tool_nm[axis] = entry != NULL ? entry->offset_nm[axis] : 0;
+        self->place.tool_nm[axis] = has_entry ? entry.offset_nm[axis] : 0;
     }
     nck_decode_origin(self);
     if (!turns) return NCK_EMPTY;

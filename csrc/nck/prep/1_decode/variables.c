@@ -2,7 +2,8 @@
 // Parameters: where their values are kept, and which of them belong to the call in force.
 #include "nck/prep/1_decode/parts.h"
 
-#include <stddef.h> // NULL
+#include <stddef.h> // NULL offsetof
+#include <string.h> // memset
 
 enum {
     LOCALS = 30, FANUC_LOCALS = 33, // #1 … are a call's own
@@ -13,6 +14,7 @@ enum {
 #define SHARED ((uint64_t)1 << 62) // of one that begins with _
 #define KEPT ((uint64_t)1 << 61)   // an argument of a call, kept for the next one
 #define KEPT_ALL ((uint64_t)3 << 60)
+#define TOOL ((uint64_t)1 << 59)   // of a tool
 
 int nck_value_is(double value) { return value < 0.5 * NCK_NO_VALUE; }
 
@@ -73,7 +75,12 @@ nck_status_t nck_variable_add(nck_decode_t *self, uint64_t key, double value) {
     return NCK_OK;
 }
 
-static nck_status_t set(nck_decode_t *self, uint64_t key, double value) {
+uint64_t nck_variable_tool(uint32_t number, unsigned field) {
+    return TOOL | (uint64_t)number << 3 | field;
+}
+
+nck_status_t nck_variable_set(nck_decode_t *self, uint64_t key, double value) {
+    if (!NCK_HAS_VARIABLES) return NCK_E_UNSUPPORTED;
     nck_macro_t *const macro = &self->macro;
     const uint32_t row = row_of(self, key);
     if (row < NCK_VARIABLE_ROWS) {
@@ -104,10 +111,30 @@ nck_status_t nck_variable_commit(nck_decode_t *self, nck_status_t line) {
     for (uint32_t k = 0; k < count && status == NCK_OK; k++) {
         const nck_variable_t row = macro->variable[first + k];
         macro->waiting = first + count - macro->globals - (macro->globals == first + k);
-        status = set(self, row.key, row.value);
+        status = nck_variable_set(self, row.key, row.value);
     }
     macro->waiting = 0;
     return status;
+}
+
+void nck_variable_restart(nck_decode_t *self) {
+    nck_macro_t *const macro = &self->macro;
+    uint32_t kept = 0;
+    for (uint32_t k = 0; NCK_HAS_VARIABLES && k < macro->globals; k++) {
+        const nck_variable_t row = macro->variable[k];
+        if ((row.key & (NAMED | TOOL)) != TOOL) continue;
+        macro->variable[kept] = row;
+        kept++;
+    }
+    if (kept == 0) {
+        memset(macro, 0, sizeof *macro);
+        return;
+    }
+    char *const begin = (char *)macro;
+    char *const behind = (char *)&macro->variable[kept];
+    memset(begin, 0, offsetof(nck_macro_t, variable));
+    memset(behind, 0, sizeof *macro - (size_t)(behind - begin));
+    macro->globals = kept;
 }
 
 int nck_variable_invariants(const nck_decode_t *self) {

@@ -124,6 +124,26 @@ static nck_status_t read_code(nck_decode_t *self, const char **at) {
     return NCK_OK;
 }
 
+// I, J or K of G65 or G66.
+static nck_status_t read_argument(nck_decode_t *self, const char **at) {
+    const char *const first = *at;
+    nck_number_t number;
+    unsigned place = 0;
+    nck_status_t status = nck_argument_place(self, first, &place);
+    if (status != NCK_OK) return status;
+    *at = nck_number_read(self->line.text, first + 1, &number);
+    if (*at == NULL) {
+        *at = first;
+        status = read_value(self, at, &number);
+    }
+    return status == NCK_OK ? nck_argument_keep(self, first, place, &number) : status;
+}
+
+static int is_argument(const nck_words_t *words, char letter) {
+    const int calls = (words->codes & NCK_STEP(NCK_STEP_CALL)) != 0; // plain lines ask no more
+    return calls && letter >= 'I' && letter <= 'K' && nck_words_are_arguments(words);
+}
+
 static nck_status_t read_word(nck_decode_t *self, const char **at) {
     nck_words_t *const words = &self->words;
     const char letter = (char)(**at & ~0x20);
@@ -134,6 +154,7 @@ static nck_status_t read_word(nck_decode_t *self, const char **at) {
         return read_code(self, at);
     }
     if (letter == 'O') return nck_decode_o_word(self, at);
+    if (is_argument(words, letter)) return read_argument(self, at);
     *at = nck_number_read(self->line.text, first + 1, &words->number[index]);
     if (*at == NULL) {
         *at = first;
@@ -193,6 +214,7 @@ nck_status_t nck_decode_words(nck_decode_t *self, const char *at) {
     self->words.codes = 0;
     self->words.takes = 0;
     self->words.tail = 0;
+    self->words.place = 0;
     while (status >= NCK_OK && *at != '\n') {
         if (is_letter(*at)) {
             status = read_word(self, &at);

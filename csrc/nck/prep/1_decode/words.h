@@ -69,6 +69,8 @@ typedef struct nck_words {
     nck_number_t number[NCK_LETTERS];
     uint8_t rest;                         // nck_rest_t
     uint8_t tail;                         // 1: the line ended in a ; comment
+    uint8_t place;                        // of the last I, J or K behind G65 or G66, from 1
+    uint8_t set, sets;                    // which of them its set has, and every set before it
 } nck_words_t;
 
 #endif
