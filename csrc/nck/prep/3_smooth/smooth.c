@@ -350,8 +350,9 @@ static stretch_t stretch_of(const nck_seg_t *seg, double from, double to, int ax
         nck_path_tangent_part(seg, from + h * (double)k, axes, tangent);
         const double speed = nck_spline_norm(tangent, axes);
         stretch.most = nck_max(stretch.most, speed);
-        stretch.mean += nck_max(1.0, speed) / (double)(STRETCH_PARTS + 1);
+        stretch.mean += nck_max(1.0, speed);
     }
+    stretch.mean *= 1.0 / (double)(STRETCH_PARTS + 1);
     nck_path_third(seg, 0.0, third);
     stretch.most += nck_spline_sag(nck_spline_norm(third, axes), h);
     return stretch;

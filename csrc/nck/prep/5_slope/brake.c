@@ -60,10 +60,9 @@ static int is_first_known(const nck_jerk_t *self, uint32_t number) {
 }
 
 // What is mixed at a place: r = v/v_c, 1 and more where nothing is known; v_c², the smallest cap;
-// the largest stretch of a piece.
+// 1 over |p′| of an axis that moves faster than the path does, at most.
 typedef struct mixed {
-    double r, w;
-    uint16_t stretch;
+    double r, w, rest;
 } mixed_t;
 
 static uint16_t larger(uint16_t a, uint16_t b) { return a > b ? a : b; }
@@ -105,22 +104,19 @@ void nck_brake_rest(nck_jerk_t *self) {
 static mixed_t mixed_at(const nck_jerk_t *self, const nck_pieces_t *pieces, uint32_t number,
                         double v) {
     const double length = v * (double)NCK_FILTER_TAPS * self->machine->period_s;
-    mixed_t mixed = {0.0, 0.0, 0};
-    const double ahead = least_cap(self, pieces, number, length, 1, &mixed.stretch);
-    const double behind = least_cap(self, pieces, number, length, -1, &mixed.stretch);
+    uint16_t stretch = 0;
+    mixed_t mixed = {0.0, 0.0, 1.0};
+    const double ahead = least_cap(self, pieces, number, length, 1, &stretch);
+    const double behind = least_cap(self, pieces, number, length, -1, &stretch);
     mixed.w = nck_min(ahead, behind);
     mixed.r = v / nck_sqrt(nck_max(mixed.w, 1e-12));
+    if (stretch > 0) mixed.rest = NCK_STRETCH_UNIT / (NCK_STRETCH_UNIT + (double)stretch);
     return mixed;
-}
-
-// A limit of the axes at standstill, along a path on which one may move faster than the path does.
-static double along(double limit, const mixed_t *mixed) {
-    return limit * NCK_STRETCH_UNIT / (NCK_STRETCH_UNIT + (double)mixed->stretch);
 }
 
 // What lies between standstill and the cap, linear in r.
 static double linear_of(const nck_jerk_t *self, double a, const mixed_t *mixed) {
-    const double a_rest = along(self->work.a_rest, mixed);
+    const double a_rest = self->work.a_rest * mixed->rest;
     return a_rest + (a - a_rest) * mixed->r;
 }
 
@@ -145,7 +141,7 @@ void nck_brake_left(const nck_jerk_t *self, const nck_pieces_t *pieces, uint32_t
     const double r = mixed.r;
     if (!(r < 1.0) || !(v > 0.0)) return;
     const double a = left->with_j.a;
-    const double j_standing = along(self->work.j_rest * self->j_scale, &mixed);
+    const double j_standing = self->work.j_rest * self->j_scale * mixed.rest;
     const double j_rest = nck_max(left->with_j.j, j_standing);
     left->with_a.a = accel_left(self, a, &mixed, v);
     left->with_a.j = NCK_BUDGET_RAMP_SHARE * (j_rest + (left->with_j.j - j_rest) * (r * r * r));
@@ -158,7 +154,7 @@ void nck_brake_relax(const nck_jerk_t *self, const nck_pieces_t *pieces, uint32_
                      nck_brake_limits_t *limits) {
     const mixed_t mixed = mixed_at(self, pieces, number, v);
     if (!(mixed.r < 1.0) || !(v > 0.0)) return;
-    const double j_rest = along(self->work.j_rest * self->j_scale, &mixed);
+    const double j_rest = self->work.j_rest * self->j_scale * mixed.rest;
     const double j = NCK_BUDGET_RAMP_SHARE * (j_rest + (limits->j - j_rest) * mixed.r);
     limits->a = accel_left(self, limits->a, &mixed, v);
     limits->j = nck_max(limits->j, j);

@@ -83,7 +83,8 @@ int nck_window_parts(const nck_jerk_t *self, const nck_cell_t *cell, int is_hold
 // the window is full, or the rest asked for is reached.
 static int load_cell(nck_jerk_t *self, const nck_pieces_t *pieces, const nck_cell_t *cell) {
     const int is_hold = self->work.reach > 0.0 && !self->work.from_built;
-    const int parts = stays_long(self, cell, is_hold) ? 1 : nck_window_parts(self, cell, is_hold);
+    int parts = nck_window_parts(self, cell, is_hold);
+    if (parts > 1 && stays_long(self, cell, is_hold)) parts = 1;
     uint32_t piece = nck_plan_find(pieces, self->work.piece, cell);
     double s = cell->s;
     double begin = 0.0;
@@ -223,19 +224,26 @@ typedef struct rung {
     int alone;   // 1: the piece goes from rest to rest
 } rung_t;
 
-// How near the ends of a piece, or what is left of it, the ladder is finer than far from them; and
-// how near the speed may change at all: a ramp, and what hulls round. Where no more is left between
-// than a few long cells, they are not worth it.
-static void find_far(nck_jerk_t *self, const nck_ladder_piece_t *rungs, double x, double left) {
+// How near the ends of a piece the speed may change at all: a ramp, and what hulls round. Where no
+// more is left between than a few long cells, they are not worth it.
+static double find_even(const nck_jerk_t *self, const nck_ladder_piece_t *rungs, double left) {
+    const double least_s = LONG_LEAST * self->long_steps * self->step_s;
+    if (!(self->long_steps > 1.0) || left * left < least_s * least_s * rungs->w) {
+        return NCK_JERK_UNKNOWN;
+    }
     const double v = nck_sqrt(rungs->w);
-    const double w_low = nck_min(rungs->w0, rungs->w1);
     const nck_scurve_t ramp = {rungs->a, rungs->j, v};
-    const double step = self->step_s * v;
-    const double even = nck_scurve_length(&ramp, nck_sqrt(w_low), v) + HULL_STEPS * step;
-    const double least = LONG_LEAST * self->long_steps * step;
+    const double length = nck_scurve_length(&ramp, nck_sqrt(nck_min(rungs->w0, rungs->w1)), v);
+    const double even = length + HULL_STEPS * self->step_s * v;
+    return left - 2.0 * even > least_s * v ? even : NCK_JERK_UNKNOWN;
+}
+
+// How near the ends of a piece, or of what is left of it, the ladder is finer than far from them.
+static void find_far(nck_jerk_t *self, const nck_ladder_piece_t *rungs, double x, double left) {
+    const double w_low = nck_min(rungs->w0, rungs->w1);
     self->work.far = nck_ladder_far(rungs->w - w_low, rungs->a, rungs->j);
     self->work.far_s = x;
-    self->work.even = left - 2.0 * even > least ? even : NCK_JERK_UNKNOWN;
+    self->work.even = find_even(self, rungs, left);
 }
 
 // Far from both ends of a piece, x behind the nearer end and y before the last one, nothing speeds
