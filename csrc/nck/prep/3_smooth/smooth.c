@@ -367,14 +367,16 @@ static double even_end(nck_smooth_t *self, const nck_seg_t *spline, double end,
     const uint32_t count = nck_raw_find(self, end - nck_raw_least(end));
     const nck_seg_t *const words = &nck_raw_at(self, count)->seg;
     const double least = UNEVEN_PERIODS * words->feed * self->terms->machine->period_s;
+    int halvings = HALVINGS;
     double to = end;
-    for (int n = 0;; n++) {
+    for (;;) {
         const stretch_t stretch =
             stretch_of(spline, given - begin, to - begin, self->terms->axes);
         const double half = 0.5 * (to - given);
         const int is_even = stretch.most <= UNEVEN * stretch.mean || stretch.most <= 1.0;
         *stretch_out = stretch.most;
-        if (is_even || words->rapid || n == HALVINGS || half < least) return to;
+        if (is_even || words->rapid || halvings == 0 || half < least) return to;
+        halvings--;
         to = given + half;
     }
 }
