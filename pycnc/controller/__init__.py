@@ -18,6 +18,7 @@ import numpy as np
 
 from pycnc import errors
 from pycnc.program.diagnostics import Diagnostics, Wording
+from pycnc.program.lines import Lines
 from pycnc.machine import DEFAULT, Machine
 from pycnc.kernel.records import dtype, enum
 
@@ -191,7 +192,7 @@ class Controller:
             report = _read_report(place / "report")
             rows = _read_rows(place / "trace", report) if trace else None
         found = Diagnostics()
-        Wording(file, text, mill).add(found, _findings(report))
+        Wording(file, Lines(text), mill).add(found, _findings(report))
         return Outcome(report, found, rows, mill.period_s, wall_s)
 
     def _execute(self, place, timeout_s, instruction_ns):
