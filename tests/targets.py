@@ -90,20 +90,26 @@ def machine_image(machine, set_name):
     given = {"default": {"NCK_TOOL_MAX": 32}, "host": {}}.get(set_name) or capacities(set_name)
     axes, tools = given.get("NCK_AXIS_MAX", lib.NCK_AXIS_MAX), given.get("NCK_TOOL_MAX")
     lengths = {lib.NCK_AXIS_MAX: axes, lib.NCK_TOOL_MAX: tools or lib.NCK_TOOL_MAX}
-    image = np.zeros(1, _smaller(dtype("nck_machine_t"), lengths))
+    homes = 4 if given.get("NCK_CYCLES", 1) else 2  # NCK_HOMES
+    image = np.zeros(1, _smaller(dtype("nck_machine_t"), lengths, homes))
     _copy(machine.record, image[0])
     return image.tobytes()
 
 
-def _smaller(record, lengths):
-    """Return a record whose arrays of axes and tools are shorter: their last dimension."""
+def _smaller(record, lengths, homes):
+    """Return a record with fewer homes, whose arrays of axes and tools are shorter: their last
+    dimension."""
     if record.subdtype:
         base, shape = record.subdtype
         last = shape[-1] if base.subdtype else lengths.get(shape[-1], shape[-1])
-        return np.dtype((_smaller(base, lengths), (*shape[:-1], last)))
+        return np.dtype((_smaller(base, lengths, homes), (*shape[:-1], last)))
     if not record.names:
         return record
-    fields = [(name, _smaller(record[name], lengths)) for name in record.names]
+    fields = [(name, _smaller(record[name], lengths, homes)) for name in record.names]
+    for k, (name, field) in enumerate(fields):
+        if name == "home_nm":
+            base, shape = field.subdtype
+            fields[k] = (name, np.dtype((base, (homes, *shape[1:]))))
     return np.dtype(fields, align=True)
 
 
@@ -112,10 +118,9 @@ def _copy(source, target):
         if target[name].dtype.names and not target[name].shape:
             _copy(source[name], target[name])
             continue
-        keep = target[name].shape[-1:]
-        whole = source[name][..., : keep[0]] if keep else source[name]
+        whole = source[name][tuple(slice(n) for n in target[name].shape)]
         if target[name].dtype.names:
-            for k in range(keep[0]):
+            for k in range(len(whole)):
                 _copy(whole[k], target[name][k])
         else:
             target[name] = whole
