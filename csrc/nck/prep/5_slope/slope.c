@@ -5,8 +5,9 @@
 #include <assert.h> // assert
 #include <string.h> // memset
 
-#include "nck/base/fence.h" // nck_fence_load nck_fence_store
-#include "nck/base/real.h"  // nck_min nck_max
+#include "nck/base/budget.h"              // NCK_UNLIMITED
+#include "nck/base/fence.h"               // nck_fence_load nck_fence_store
+#include "nck/prep/5_slope/ladder_math.h" // NCK_LADDER_STRETCH
 
 enum { PHASE_IDLE = 0, PHASE_MAKE, PHASE_INSTALL };
 
@@ -36,6 +37,7 @@ void nck_slope_init(nck_slope_t *self, const nck_machine_t *machine, nck_link_t 
     self->machine = machine;
     self->link = link;
     self->lead_s = LEAD_PERIODS * machine->period_s;
+    self->cell_s = NCK_UNLIMITED;
     self->now.complete = 1;
     self->now.end_s = NCK_PLAN_BEGIN;
     self->wish.feed = 1.0;
@@ -43,6 +45,7 @@ void nck_slope_init(nck_slope_t *self, const nck_machine_t *machine, nck_link_t 
     self->wish.tool = NCK_WISH_FREE;
     switch (planner_of(machine)) {
     case NCK_SLOPE_JERK:
+        self->cell_s = NCK_LADDER_STRETCH * nck_jerk_cell_s(machine);
         nck_jerk_init(&self->planner.jerk, machine, link, &self->now, &self->next);
         break;
     case NCK_SLOPE_SSHAPE:
@@ -180,11 +183,12 @@ static void keep_plan(nck_slope_t *self, const nck_pieces_t *pieces, uint32_t wa
     self->phase = PHASE_IDLE;
 }
 
-// The first cell of now, from `first` on, that begins so many seconds behind that one.
-static uint32_t cell_after(const nck_slope_t *self, uint32_t first, double time) {
+// The first cell of now, from `first` on, that begins so many seconds behind that one, or `most`
+// cells.
+static uint32_t cell_after(const nck_slope_t *self, uint32_t first, double time, uint32_t most) {
     double left = time;
     uint32_t i = first;
-    while (left > 0.0) {
+    while (left > 0.0 && i - first < most) {
         const nck_cell_t *const cell =
             nck_link_tail_cell(self->link, (self->now.begin + i) & NCK_LINK_COUNT_MASK);
         if (!cell) break;
@@ -195,14 +199,17 @@ static uint32_t cell_after(const nck_slope_t *self, uint32_t first, double time)
 }
 
 // Where a plan begun now takes over. As many cells pass as for the last one, twice, because it is
-// made twice. A hold's is short. What was put off gets more.
+// made twice; where they are long, as much time as others last. A hold's is short. What was put off
+// gets more.
 static uint32_t takeover(const nck_slope_t *self) {
     const double periods = self->wish.hold ? HOLD_PERIODS : PLAN_PERIODS;
     const uint32_t done = final_count(self);
-    const uint32_t least = cell_after(self, done, periods * self->machine->period_s);
+    const double least_s = periods * self->machine->period_s;
+    const uint32_t least = cell_after(self, done, least_s, self->now.n);
     const uint32_t spent = self->wish.hold ? 0 : 2 * self->spent;
     const uint32_t cells = spent > self->answer.reserve ? spent : self->answer.reserve;
-    return least > done + cells ? least : done + cells;
+    const uint32_t first = cell_after(self, done, (double)cells * self->cell_s, cells);
+    return least > first ? least : first;
 }
 
 // Cells that the tick has taken since the plan in work was begun.
@@ -395,7 +402,8 @@ nck_status_t nck_slope_step(nck_slope_t *self, const nck_pieces_t *pieces, const
 // The plan in work takes over within so many periods from the tick.
 static int takes_over_within(nck_slope_t *self, uint32_t periods) {
     const double time = (double)periods * self->machine->period_s - nck_link_lead(self->link);
-    return time > 0.0 && cell_after(self, final_count(self), time) >= final_limit(self);
+    return time > 0.0
+           && cell_after(self, final_count(self), time, self->now.n) >= final_limit(self);
 }
 
 void nck_slope_hurry(nck_slope_t *self, uint32_t periods) {

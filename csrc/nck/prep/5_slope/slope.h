@@ -27,6 +27,7 @@ typedef struct nck_slope {
     nck_link_t *link;      // producer's side
     nck_wish_t wish;
     double lead_s;         // duration of the cells that are final ahead of the tick [s]
+    double cell_s;         // what cells last that are not long [s]
     uint32_t phase;        // of the plan in work
     uint32_t kind;         // nck_job_kind_t of it
     nck_plan_t now;        // published
