@@ -7,13 +7,14 @@
 
 // G43.1: the words of X Y Z are the offset.
 static nck_status_t set_length(nck_decode_t *self) {
+    int64_t value_nm[3];
+    memcpy(value_nm, self->place.tool_nm, sizeof value_nm);
     for (unsigned axis = 0; axis < 3; axis++) {
-        int64_t value_nm = 0;
         if (!(self->words.axes >> axis & 1u)) continue;
-        const nck_status_t status = nck_decode_axis_word(self, axis, &value_nm);
+        const nck_status_t status = nck_decode_axis_word(self, axis, &value_nm[axis]);
         if (status != NCK_OK) return status;
-        self->place.tool_nm[axis] = value_nm;
     }
+    memcpy(self->place.tool_nm, value_nm, sizeof value_nm);
     nck_decode_origin(self);
     return NCK_EMPTY;
 }
