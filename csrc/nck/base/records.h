@@ -13,7 +13,6 @@
 #else
 // OpenCL C has these types by other names.
 typedef uchar uint8_t;
-typedef ushort uint16_t;
 typedef uint uint32_t;
 typedef long int64_t;
 #endif
@@ -190,9 +189,6 @@ typedef enum nck_limit {
     NCK_LIMIT_AXIS_V = 16 // + axis index
 } nck_limit_t;
 
-// Parts of one that nck_node_t.stretch counts.
-#define NCK_STRETCH_UNIT 4096.0
-
 // 4_lookahead → 5_slope: a point of the path and the piece that follows it.
 typedef struct nck_node {
     uint32_t seg;        // seq of the piece's seg
@@ -202,8 +198,11 @@ typedef struct nck_node {
     uint8_t last;        // 1: the piece ends its seg
     uint8_t kind;        // nck_seg_kind_t of the seg
     uint8_t open;        // 1: vv was held down by the window's end, not by the path
-    uint16_t stretch;    // |dx/ds| of an axis in the piece is at most 1 + stretch/NCK_STRETCH_UNIT
+    uint8_t reserved[2]; // 0
     float tool;          // speed of the tool / path speed; 0: rotary axes move alone
+    float a_rest;        // what the axes leave at standstill: tangential acceleration [mm/s²] …
+    float j_rest;        // … and jerk [mm/s³]
+    float q_rest;        // least quotient of an axis' jerk and |p″| [mm²/s³]
     double s;            // where in its seg the piece begins [path mm]
     double length;       // of the piece [path mm]
     double a;            // tangential acceleration limit in the piece [mm/s²]

@@ -270,11 +270,14 @@ static double accel_left(const nck_joint_t *joint, double v, const nck_terms_t *
     return a;
 }
 
-uint16_t nck_joint_stretch(const nck_joint_t *joint, const nck_terms_t *terms) {
-    if (joint->kind != NCK_SEG_SPLINE) return 0;
-    double first = 1.0;
-    for (int x = 0; x < terms->axes; x++) first = nck_max(first, joint->shape.bend.first[x]);
-    return (uint16_t)nck_min(65535.0, (first - 1.0) * NCK_STRETCH_UNIT + 1.0);
+double nck_joint_bends(const nck_joint_t *joint, const nck_terms_t *terms) {
+    double least = NCK_UNLIMITED;
+    if (joint->kind != NCK_SEG_SPLINE) return least;
+    for (int x = 0; x < terms->axes; x++) {
+        const double second = joint->shape.bend.second[x];
+        if (second > 0.0) least = nck_min(least, terms->machine->axis[x].j_max / second);
+    }
+    return least;
 }
 
 double nck_joint_left(const nck_joint_t *joint, double w, const nck_terms_t *terms) {

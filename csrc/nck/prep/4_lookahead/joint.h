@@ -38,9 +38,8 @@ int nck_joint_parts(const nck_joint_t *joint, const nck_terms_t *terms);
 void nck_joint_part(nck_joint_t *joint, const nck_seg_t *seg, const double span[2],
                     const nck_terms_t *terms);
 
-// By how much an axis may move faster than the path does, |p′| − 1 at most [1/NCK_STRETCH_UNIT]; 0
-// but on a spline. Cost: constant.
-uint16_t nck_joint_stretch(const nck_joint_t *joint, const nck_terms_t *terms);
+// The least j_x/|p″| of a spline [mm²/s³]; NCK_UNLIMITED of other segs. Cost: constant.
+double nck_joint_bends(const nck_joint_t *joint, const nck_terms_t *terms);
 
 // What a spline's bends leave of the path's acceleration at v². Cost: constant.
 double nck_joint_left(const nck_joint_t *joint, double w, const nck_terms_t *terms);

@@ -13,6 +13,8 @@
 // A seg is cut where its junctions' share ends only if that frees more than this share of its
 // acceleration.
 #define SPLIT_SHARE 0.05
+// More than a float's rounding.
+#define FLOAT_ROUNDING 1e-6
 
 static nck_node_t *node_at(nck_lookahead_t *self, uint32_t i) {
     assert(i < NCK_WINDOW);
@@ -91,6 +93,9 @@ static inline nck_piece_limit_t limits_of(const nck_lookahead_t *self, const nck
     return piece;
 }
 
+// As a float, which is no larger.
+static float no_more(double x) { return (float)(x * (1.0 - FLOAT_ROUNDING)); }
+
 // Append the piece from s[0] to s[1]; v_corner caps the node at its start.
 static void add_piece(nck_lookahead_t *self, const nck_joint_t *joint, const double s[2],
                       const around_t *around, const double v_corner[]) {
@@ -108,7 +113,9 @@ static void add_piece(nck_lookahead_t *self, const nck_joint_t *joint, const dou
     node->j_over = nck_min(piece.j, over.j);
     node->feed = joint->feed;
     node->tool = (float)joint->tool;
-    node->stretch = nck_joint_stretch(joint, self->terms);
+    node->a_rest = no_more(joint->a_most);
+    node->j_rest = no_more(joint->j_straight);
+    node->q_rest = no_more(nck_joint_bends(joint, self->terms));
     node->vv_piece = piece.vv;
     node->vv_over = over.vv_free;
     node->limit_piece = piece.limit;

@@ -60,16 +60,21 @@ static int is_first_known(const nck_jerk_t *self, uint32_t number) {
 }
 
 // What is mixed at a place: r = v/v_c, 1 and more where nothing is known; v_c², the smallest cap;
-// 1 over |p′| of an axis that moves faster than the path does, at most.
+// what the pieces leave at standstill (nck_node_t), at least.
 typedef struct mixed {
-    double r, w, rest;
+    double r, w;
+    double a_rest, j_rest, q_rest;
 } mixed_t;
 
-static uint16_t larger(uint16_t a, uint16_t b) { return a > b ? a : b; }
+static void mix(mixed_t *mixed, const nck_node_t *piece) {
+    mixed->a_rest = nck_min(mixed->a_rest, (double)piece->a_rest);
+    mixed->j_rest = nck_min(mixed->j_rest, (double)piece->j_rest);
+    mixed->q_rest = nck_min(mixed->q_rest, (double)piece->q_rest);
+}
 
 // The smallest cap within a distance on one side; 0 if it is not known so far.
 static double least_cap(const nck_jerk_t *self, const nck_pieces_t *pieces, uint32_t number,
-                        double distance, int step, uint16_t *stretch) {
+                        double distance, int step, mixed_t *mixed) {
     double least = NCK_WINDOW_UNCAPPED;
     double left = distance;
     for (int n = 0; n < MIXED_MOST; n++) {
@@ -78,7 +83,7 @@ static double least_cap(const nck_jerk_t *self, const nck_pieces_t *pieces, uint
         const int is_rest = !(piece->length > 0.0) || (step < 0 && n > 0 && piece->stop);
         if (is_rest) return least;
         least = nck_min(least, cap_of(self, piece));
-        *stretch = larger(*stretch, piece->stretch);
+        mix(mixed, piece);
         if (n > 0) left -= piece->length;
         if (!(left > 0.0) || ends_at(self, piece, number, step)) return least;
         if (step < 0 && is_first_known(self, number)) return 0.0;
@@ -87,77 +92,62 @@ static double least_cap(const nck_jerk_t *self, const nck_pieces_t *pieces, uint
     return 0.0;
 }
 
-void nck_brake_rest(nck_jerk_t *self) {
-    const nck_machine_t *const machine = self->machine;
-    self->work.a_rest = machine->path.a_max;
-    self->work.j_rest = machine->path.j_max;
-    self->work.jerk_over_a = NCK_WINDOW_UNCAPPED;
-    for (int x = 0; x < NCK_AXIS_MAX; x++) {
-        const nck_axis_t *const axis = &machine->axis[x];
-        if (!axis->present) continue;
-        self->work.a_rest = nck_min(self->work.a_rest, axis->a_max);
-        self->work.j_rest = nck_min(self->work.j_rest, axis->j_max);
-        self->work.jerk_over_a = nck_min(self->work.jerk_over_a, axis->j_max / axis->a_max);
-    }
-}
-
 static mixed_t mixed_at(const nck_jerk_t *self, const nck_pieces_t *pieces, uint32_t number,
                         double v) {
     const double length = v * (double)NCK_FILTER_TAPS * self->machine->period_s;
-    uint16_t stretch = 0;
-    mixed_t mixed = {0.0, 0.0, 1.0};
-    const double ahead = least_cap(self, pieces, number, length, 1, &stretch);
-    const double behind = least_cap(self, pieces, number, length, -1, &stretch);
+    mixed_t mixed = {0.0, 0.0, NCK_UNLIMITED, NCK_UNLIMITED, NCK_UNLIMITED};
+    const double ahead = least_cap(self, pieces, number, length, 1, &mixed);
+    const double behind = least_cap(self, pieces, number, length, -1, &mixed);
     mixed.w = nck_min(ahead, behind);
     mixed.r = v / nck_sqrt(nck_max(mixed.w, 1e-12));
-    if (stretch > 0) mixed.rest = NCK_STRETCH_UNIT / (NCK_STRETCH_UNIT + (double)stretch);
     return mixed;
 }
 
 // What lies between standstill and the cap, linear in r.
-static double linear_of(const nck_jerk_t *self, double a, const mixed_t *mixed) {
-    const double a_rest = self->work.a_rest * mixed->rest;
-    return a_rest + (a - a_rest) * mixed->r;
+static double linear_of(double a, const mixed_t *mixed) {
+    return mixed->a_rest + (a - mixed->a_rest) * mixed->r;
 }
 
-// With r = v/v_c, a_c and j_c what is left at the cap, and no more known of the bends than the cap:
+// With r = v/v_c, a_c and j_c what is left at the cap:
 //   (A − |p″|v²)/|p′|  and  a corner's share  ≥  what lies between standstill and the cap, linear
 //   in r;
 //   3|p″|v·a ≤ (J − |p‴|v³)/2  by  q/(6v),  q = (J − |p‴|v³)/|p″| ≥ q₀ + (6v_c·a_c − q₀)·r³,
-//   q₀ = J·v_c²/(0.95 A), since |p″|·v_c² ≤ 0.95 A.
+//   q₀ = J/|p″|.
 // a: a_c [path mm/s²].
-static double accel_left(const nck_jerk_t *self, double a, const mixed_t *mixed, double v) {
+static double accel_left(double a, const mixed_t *mixed, double v) {
     const double r = mixed->r;
     const double q_cap = 6.0 * nck_sqrt(mixed->w) * a;
-    const double q_rest =
-        nck_max(q_cap, self->work.jerk_over_a * mixed->w / NCK_BUDGET_CURVE_SHARE);
+    const double q_rest = nck_max(q_cap, mixed->q_rest);
     const double ramp = (q_rest + (q_cap - q_rest) * r * r * r) / (6.0 * v);
-    return nck_max(a, nck_min(linear_of(self, a, mixed), ramp));
+    return nck_max(a, nck_min(linear_of(a, mixed), ramp));
+}
+
+// The jerk that goes with it. What an axis asks for is linear in v³, va and j: so half of what is
+// left at the cap by r³, and half of what is left at standstill by the rest, hold together with it.
+// It does not grow with the speed.
+static double jerk_left(const nck_jerk_t *self, double j, const mixed_t *mixed) {
+    const double j_rest = nck_max(j, mixed->j_rest * self->j_scale);
+    return NCK_BUDGET_RAMP_SHARE
+           * (j_rest + (j - j_rest) * (mixed->r * mixed->r * mixed->r));
 }
 
 void nck_brake_left(const nck_jerk_t *self, const nck_pieces_t *pieces, uint32_t number, double v,
                     nck_brake_left_t *left) {
     const mixed_t mixed = mixed_at(self, pieces, number, v);
-    const double r = mixed.r;
-    if (!(r < 1.0) || !(v > 0.0)) return;
+    if (!(mixed.r < 1.0) || !(v > 0.0)) return;
     const double a = left->with_j.a;
-    const double j_standing = self->work.j_rest * self->j_scale * mixed.rest;
-    const double j_rest = nck_max(left->with_j.j, j_standing);
-    left->with_a.a = accel_left(self, a, &mixed, v);
-    left->with_a.j = NCK_BUDGET_RAMP_SHARE * (j_rest + (left->with_j.j - j_rest) * (r * r * r));
-    left->with_j.a = nck_max(a, nck_min(linear_of(self, a, &mixed), a / r));
+    left->with_a.a = accel_left(a, &mixed, v);
+    left->with_a.j = jerk_left(self, left->with_j.j, &mixed);
+    left->with_j.a = nck_max(a, nck_min(linear_of(a, &mixed), a / mixed.r));
 }
 
-// Half of the jerk, linear in r, is left to the path. A piece that leaves more jerk than that at
-// its cap keeps it (docs/stops.md, "Known not to hold").
+// A piece that leaves more jerk at its cap keeps that (docs/stops.md, "Known not to hold").
 void nck_brake_relax(const nck_jerk_t *self, const nck_pieces_t *pieces, uint32_t number, double v,
                      nck_brake_limits_t *limits) {
     const mixed_t mixed = mixed_at(self, pieces, number, v);
     if (!(mixed.r < 1.0) || !(v > 0.0)) return;
-    const double j_rest = self->work.j_rest * self->j_scale * mixed.rest;
-    const double j = NCK_BUDGET_RAMP_SHARE * (j_rest + (limits->j - j_rest) * mixed.r);
-    limits->a = accel_left(self, limits->a, &mixed, v);
-    limits->j = nck_max(limits->j, j);
+    limits->a = accel_left(limits->a, &mixed, v);
+    limits->j = nck_max(limits->j, jerk_left(self, limits->j, &mixed));
 }
 
 // ---- reach

@@ -36,10 +36,6 @@ int nck_brake_rests(const nck_profile_t *state, double j);
 void nck_brake_relax(const nck_jerk_t *self, const nck_pieces_t *pieces, uint32_t number, double v,
                      nck_brake_limits_t *limits);
 
-// What the axes have at standstill, for the job that begins: work.a_rest, j_rest, jerk_over_a.
-// Cost: constant.
-void nck_brake_rest(nck_jerk_t *self);
-
 // What a piece leaves at speed v at least. left: both ways as at its cap; where nothing is known
 // they stay. Cost: linear in the pieces that the output filter mixes at v.
 void nck_brake_left(const nck_jerk_t *self, const nck_pieces_t *pieces, uint32_t number, double v,

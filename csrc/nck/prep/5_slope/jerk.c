@@ -121,7 +121,6 @@ static void restart(nck_jerk_t *self) {
     self->profile.v = self->job.v;
     self->profile.a = self->job.a;
     self->profile.q = self->job.q;
-    nck_brake_rest(self);
 }
 
 static void begin_at_rest(nck_jerk_t *self) {

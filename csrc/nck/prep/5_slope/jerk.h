@@ -46,9 +46,6 @@ typedef NCK_JERK_STATE nck_jerk {
         uint32_t part;     // reach: of the next cell
         uint32_t tries;    // of a hold, in vain
         uint32_t as_capped; // 1: a hold brakes with what pieces leave at their caps only
-        double a_rest;     // limits of the weakest axis at standstill [mm/s²] …
-        double j_rest;     // … [mm/s³]
-        double jerk_over_a; // least quotient of an axis' jerk and acceleration [1/s]
         uint32_t bends;    // 1: a cell of the ladder lies on a spline
         uint32_t forth;    // relax: 1: from the ladder's begin on
         uint32_t relaxed;  // 1: cells have more than their pieces leave at their caps
