@@ -25,6 +25,7 @@ SUBJECTS = {
     "time": [("kernel", "bench_time_rows")],
     "cost": [("cost", "bench_cost_rows")],
     "optimum": [("optimum", "bench_optimum_rows")],
+    "bounds": [("bounds", "bench_bounds_rows")],
     "linuxcnc": [("linuxcnc", "bench_linuxcnc_rows")],
     LIVE: [("linuxcnc_live", "bench_live_rows")],
     "butterfly": [("linuxcnc", "bench_butterfly_rows")],
