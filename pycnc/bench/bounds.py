@@ -6,27 +6,23 @@ at F6000, from rest to rest. ours_s: the tick's motion. scalar_s: the best along
 under the planner's own caps of v, a and j (it may be above ours: below a bend's cap the planner
 takes more than the cap leaves). axis_s: the best along our smoothed path under the true limits of
 the axes. tube_s: the best anywhere within P of the program, both ways, the tool's speed held to F.
-IPOPT finds them from our motion on: optima, but local ones. Each is checked on samples 0.1 ms apart
+IPOPT finds them from our motion on: optima, but local ones. Each is checked on samples 1 ms apart
 and slowed down until it keeps every limit, so such a motion exists. step: by how much half the
 step makes axis or tube faster, what is left of it is the error of the pieces. tube_miss: how far
 the tube's motion is from the program at most, both ways, over P. These numbers are the same on
 every computer but for the last digits.
 """
 
-from pathlib import Path
-
 import numpy as np
 
-from pycnc import errors
-from pycnc.bench import bounds_axis, bounds_tube, butterfly, programs
+from pycnc.bench import bounds_axis, bounds_tube, butterfly, corpus, programs
 from pycnc.bench.bounds_solve import Limits, Seen, stretched
 from pycnc.planning.plan import Plan
 from pycnc.program import Program
 from pycnc.report.trace import Trace
 
-CORPUS = Path(__file__).resolve().parents[3] / "shared" / "corpus"
 FEED = 6000  # of every move [mm/min]
-STEP_S = 0.008  # of the pieces; each bound is found with half of it, too
+STEP_S = 0.008  # of the tube's pieces, half of it along our path; then half of each
 SEARCH_S = 2e-4  # between the places of a motion that are compared with the program
 
 
@@ -43,7 +39,7 @@ def _xy(text):
 
 def _corpus(name, first, moves):
     """Return the points of moves of a file of the corpus, None if it is not there."""
-    file = CORPUS / name
+    file = corpus.FOLDER / name
     return _xy(file.read_bytes())[first : first + moves + 1] if file.exists() else None
 
 
@@ -112,7 +108,7 @@ def _row(name, points, tolerance, step_s):
         return bounds_axis.fastest(path, limits, seen, step, caps)
 
     scalar, ours_s = axis(step_s / 2, planned_caps(plan)), float(seen.t[-1])
-    coarse, fine = (axis(step_s), tube(step_s)), (axis(step_s / 2), tube(step_s / 2))
+    coarse, fine = (axis(step_s / 2), tube(step_s)), (axis(step_s / 4), tube(step_s / 2))
     axis_s, tube_s = (stretched(motion, limits) for motion in fine)
     step = max(1 - y.time_s / x.time_s for x, y in zip(coarse, fine, strict=True))
     return row | {

@@ -13,7 +13,7 @@ import numpy as np
 
 from pycnc import extras
 
-SAMPLE_S = 2.5e-4  # between the places that a found motion is checked at
+SAMPLE_S = 1e-3  # between the places that a found motion is checked at: what a drive sees
 OPTIONS = {
     "print_time": False,
     "ipopt.print_level": 0,
