@@ -69,6 +69,7 @@ class Motion:
 
     @property
     def is_solved(self):
+        """Whether IPOPT found an optimum."""
         return self.status in ("Solve_Succeeded", "Solved_To_Acceptable_Level")
 
 

@@ -64,7 +64,7 @@ def fastest(points, tolerance, limits, seen, step_s):
     ca, at, n = problem.ca, pieces.move, len(pieces.move)
     unit_s = float(np.median(pieces.each_s))
     each = problem.unknown(pieces.each_s[:, None] / unit_s, 1e-6, np.inf) * unit_s
-    h = each[at.tolist()]
+    h = ca.vec(each[at.tolist()])
     free = np.ones((n + 1, 1))
     free[[0, -1]] = 0
     ends = np.zeros((n + 1, points.shape[1]))

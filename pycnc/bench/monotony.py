@@ -77,7 +77,7 @@ class Tried:
         return Trace(program, keep=False, commands=commands).summary["time_s"]
 
 
-def changed(machine, a, j, v, P, window, slope):
+def changed(machine, *, a, j, v, P, window, slope):
     """Return a machine with limits of every axis times factors, and settings of its path."""
     keys = [f"path.slope={slope}", f"path.tolerance_mm={P}", f"path.lookahead_blocks={window}"]
     units = {"v": "s", "a": "s2", "j": "s3"}
