@@ -10,7 +10,7 @@ axis. Where the tangent jumps the motion rests.
 
 import numpy as np
 
-from pycnc.bench.bounds_solve import Motion, Problem, states
+from pycnc.bench.bounds_solve import EXACT, Motion, Problem, states
 
 JUMP = 1e-5  # of the tangent: less is smooth
 NEAR = 0.3  # of a step: a place nearer to a seg's end is left out
@@ -123,8 +123,8 @@ def _unknowns(problem, places, seen, free, unit):
     v = problem.unknown(v0 / unit[0], 0, FREE * free) * unit[0]
     a = problem.unknown(a0 / unit[1], -FREE * free, FREE * free) * unit[1]
     j = problem.unknown(j0 / unit[2], -FREE, FREE) * unit[2]
-    problem.hold(10 * (a[1:] - a[:-1] - j * h) / unit[1], 0, 0)
-    problem.hold(100 * (v[1:] - v[:-1] - (a[1:] + a[:-1]) / 2 * h) / unit[0], 0, 0)
+    problem.hold(EXACT * (a[1:] - a[:-1] - j * h) / unit[1], 0, 0)
+    problem.hold(EXACT * (v[1:] - v[:-1] - (a[1:] + a[:-1]) / 2 * h) / unit[0], 0, 0)
     way = v[:-1] * h + a[:-1] * h**2 / 2 + j * h**3 / 6
     problem.hold(way / problem.ca.DM(np.diff(s)) - 1, 0, 0)
     return h, v, a, j

@@ -14,6 +14,7 @@ import numpy as np
 from pycnc import extras
 
 SAMPLE_S = 1e-3  # between the places that a found motion is checked at: what a drive sees
+EXACT = 1e3  # what joins pieces weighs more than limits: its errors add up along the motion
 OPTIONS = {
     "print_time": False,
     "ipopt.print_level": 0,

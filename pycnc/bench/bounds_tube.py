@@ -12,7 +12,7 @@ optimum is never above it; how far it is below, a finer step shows.
 
 import numpy as np
 
-from pycnc.bench.bounds_solve import Motion, Problem, states
+from pycnc.bench.bounds_solve import EXACT, Motion, Problem, states
 
 LEAST_S = 1e-5  # of a piece, at the start
 
@@ -102,8 +102,8 @@ def _motion(problem, unknowns, pieces, tolerance, limits):
         here, there = e[:-1, d], e[1:, d] + step
         before, behind = speed[:-1], speed[1:]
         at, to = acceleration[:-1], acceleration[1:]
-        problem.hold((to - at - jerk * h) / limits.a[d], 0, 0)
-        problem.hold(10 * (behind - before - (at + to) / 2 * h) / limits.v[d], 0, 0)
+        problem.hold(EXACT * (to - at - jerk * h) / limits.a[d], 0, 0)
+        problem.hold(EXACT * (behind - before - (at + to) / 2 * h) / limits.v[d], 0, 0)
         way = before * h + at * h**2 / 2 + jerk * h**3 / 6
         problem.hold(there - here - way / tolerance, 0, 0)
         problem.hold((before + at * h / 2) / limits.v[d], -1, 1)  # the control point of v
