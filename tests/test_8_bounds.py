@@ -60,9 +60,11 @@ def test_a_long_line_takes_all_seven_phases_and_keeps_the_feed():
 
 
 def test_a_corner_lies_between_a_stop_and_one_move_of_both_axes():
-    times = [tube(CORNER, tolerance).time_s for tolerance in (1e-5, 0.01, 0.1, EDGE)]
+    found = [tube(CORNER, tolerance) for tolerance in (1e-4, 0.01, 0.1, EDGE)]
+    times = [motion.time_s for motion in found]
+    assert all(motion.is_solved for motion in found)
     assert times == sorted(times, reverse=True)
-    assert times[0] == pytest.approx(2 * REST_TO_REST_S, rel=0.01)
+    assert times[0] == pytest.approx(2 * REST_TO_REST_S, rel=0.02)
     assert times[0] < 2 * REST_TO_REST_S
     assert times[-1] == pytest.approx(REST_TO_REST_S, rel=3e-3)  # both axes at once
 
