@@ -113,7 +113,7 @@ def test_caps_of_the_path_take_the_place_of_the_axes_limits():
 
 
 def test_the_derivatives_of_a_path_are_those_of_its_differences():
-    plan, _ = bounds.ours(np.array(CORNER, float), 0.1)
+    plan, _, _ = bounds.ours(np.array(CORNER, float), 0.1)
     path = bounds_axis.Path(plan.segs, 2)
     assert (plan.segs["kind"] == 2).any()
     for seg in range(len(path.lengths)):
@@ -155,6 +155,8 @@ def test_a_row_of_bounds_is_in_order():
     assert row["ours_over_tube"] == pytest.approx(row["ours_s"] / row["tube_s"])
     assert 0 < row["step"] < 0.02
     assert row["tube_miss"] < 1.002
+    assert 0.9 < row["ours_peak"] <= 1
+    assert 0.5 < row["ours_miss"] <= 1
 
 
 def test_a_row_whose_file_is_absent_says_so(monkeypatch, tmp_path):

@@ -2,15 +2,16 @@
 """Rows of `pycnc bench bounds`: how near our motion is to the fastest that there can be.
 
 Machine of the comparison (v 100 mm/s, a 1000 mm/s², j 10 000 mm/s³ an axis, T = 1 ms), every move
-at F6000, from rest to rest. ours_s: the tick's motion. scalar_s: the best along our smoothed path
-under the planner's own caps of v, a and j (it may be above ours: below a bend's cap the planner
-takes more than the cap leaves). axis_s: the best along our smoothed path under the true limits of
-the axes. tube_s: the best anywhere within P of the program, both ways, the tool's speed held to F.
-IPOPT finds them from our motion on: optima, but local ones. Each is checked on samples 1 ms apart
-and slowed down until it keeps every limit, so such a motion exists. step: by how much half the
-step makes axis or tube faster, what is left of it is the error of the pieces. tube_miss: how far
-the tube's motion is from the program at most, both ways, over P. These numbers are the same on
-every computer but for the last digits.
+at F6000, from rest to rest. ours_s: the tick's motion; ours_peak: the largest share of v, a and j
+that it takes of any axis; ours_miss: how far it is from the program at most, over P. scalar_s: the
+best along our smoothed path under the planner's own caps of v, a and j (it may be above ours: below
+a bend's cap the planner takes more than the cap leaves). axis_s: the best along our smoothed path
+under the true limits of the axes. tube_s: the best anywhere within P of the program, both ways, the
+tool's speed held to F. IPOPT finds them from our motion on: optima, but local ones. Each is checked
+on samples 1 ms apart and slowed down until it keeps every limit, so such a motion exists. step: by
+how much half the step makes axis or tube faster, what is left of it is the error of the pieces.
+tube_miss: how far the tube's motion is from the program at most, both ways, over P. These numbers
+are the same on every computer but for the last digits.
 """
 
 import numpy as np
@@ -80,8 +81,8 @@ CASES = (
 
 
 def bench_bounds_rows(cases=CASES, step_s=STEP_S):
-    """Return rows {program, P, moves, ours_s, scalar_s, axis_s, tube_s, ours_over_axis,
-    ours_over_tube, step, tube_miss, note}.
+    """Return rows {program, P, moves, ours_s, ours_peak, ours_miss, scalar_s, axis_s, tube_s,
+    ours_over_axis, ours_over_tube, step, tube_miss, note}.
 
     Raises
     ------
@@ -92,13 +93,13 @@ def bench_bounds_rows(cases=CASES, step_s=STEP_S):
 
 
 def _row(name, points, tolerance, step_s):
-    row = {"program": name, "P": tolerance, "moves": None, "ours_s": None, "note": None}
+    row = {"program": name, "P": tolerance}
     if points is None:
         return row | {"note": "skipped: its file is not in ../shared/corpus"}
     points = points - points[0]
     points = points[:, points.any(axis=0)]
     limits = _limits(points.shape[1])
-    plan, seen = ours(points, tolerance)
+    plan, seen, facts = ours(points, tolerance)
     path = bounds_axis.Path(plan.segs[plan.segs["length"] > 0], points.shape[1])
 
     def tube(step):
@@ -114,6 +115,8 @@ def _row(name, points, tolerance, step_s):
     return row | {
         "moves": len(points) - 1,
         "ours_s": ours_s,
+        "ours_peak": _peak(facts),
+        "ours_miss": facts["path_error_mm"] / tolerance,
         "scalar_s": scalar.time_s,
         "axis_s": axis_s,
         "tube_s": tube_s,
@@ -154,6 +157,8 @@ def ours(points, tolerance):
     -------
     plan : pycnc.planning.plan.Plan
     seen : Seen
+    facts : dict
+        What ``pycnc run --json`` tells of the motion.
     """
     axes = points.shape[1]
     program = Program.from_points(points, FEED, programs.machine(), tolerance=tolerance)
@@ -162,7 +167,14 @@ def ours(points, tolerance):
     places = np.concatenate([np.zeros((1, axes)), places])
     s = np.append(0.0, trace["s_mm"])
     t = np.arange(len(s)) * programs.machine().period_s
-    return plan, Seen(t, s, places, _corners_s(points, plan.segs, s, t))
+    seen = Seen(t, s, places, _corners_s(points, plan.segs, s, t))
+    return plan, seen, trace.summary
+
+
+def _peak(facts):
+    """Return the largest share that an axis takes of a limit."""
+    axes = {name: peaks for name, peaks in facts["peaks"].items() if name != "path"}
+    return max(peaks[kind] for peaks in axes.values() for kind in "vaj")
 
 
 def _corners_s(points, segs, s, t):
