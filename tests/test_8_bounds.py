@@ -81,6 +81,19 @@ def test_a_finer_step_is_never_slower():
     assert fine < coarse < 1.05 * fine
 
 
+def test_another_begin_of_the_search_leads_to_the_same_time():
+    points = bounds._stairs(6, 1.0)[:, :2]
+    points = points - points[0]
+    _, seen, _ = bounds.ours(points, 0.01)
+    rests = slow_motion(points, 3 * seen.t[-1])
+    ours, slow = (
+        bounds_tube.fastest(points, 0.01, limits(feed=100.0), begin, step_s)
+        for begin, step_s in ((seen, 0.008), (rests, 0.024))
+    )
+    assert ours.is_solved and slow.is_solved
+    assert ours.time_s == pytest.approx(slow.time_s, rel=2e-3)
+
+
 def line_path(end):
     """Return the path of one straight move."""
     seg = np.zeros(1, np.dtype([
