@@ -6,6 +6,7 @@ import importlib
 from pycnc import errors
 
 _JOBS = {  # package → (what needs it, the extra that brings it)
+    "casadi": ("bounds need", "bounds"),
     "distributed": ("a cluster needs", "cluster"),
     "matplotlib": ("pictures need", "plot"),
     "pandas": ("tables need", "table"),

@@ -11,9 +11,11 @@ from pathlib import Path
 
 import numpy as np
 
+from pycnc.bench import corpus
+
 ROOT = Path(__file__).resolve().parents[1]
 PROGRAMS = ROOT / "tests" / "programs"
-CORPUS = ROOT.parent / "shared" / "corpus"
+CORPUS = corpus.FOLDER
 SHARED_PROGRAMS = ROOT.parent / "shared" / "programs"
 HEAD = "G17 G21 G90 G94 G61\n"  # mm, absolute, exact path: nothing is assumed
 
@@ -210,35 +212,22 @@ class CorpusFile:
         return self.folder / self.file
 
 
-_TURNTABLE = ("axis.a.min_deg=free", "axis.a.max_deg=free", "axis.x.max_mm=1000")
 _HAAS = (
     "m.88.action=output", "m.89.action=output", "axis.x.min_mm=free", "axis.y.min_mm=free",
     "axis.z.min_mm=free",
 )  # fmt: skip
-_PAWN = ("dialect.base=linuxcnc", "dialect.diameter=false")
-_BOAT = ("m.428.action=output", "m.429.action=output")
 _MMOUNT = (
     "axis.y.min_mm=free", "tool.4.radius_mm=3.175", "tool.5.radius_mm=6.35",
     "tool.15.radius_mm=6.985",
 )  # fmt: skip
-# What the file leaves to its machine: G-code system, what F means, a gear, a fifth tool.
-_FANUC0T = (
-    "dialect.system=A", "dialect.feed=per_rev", "m.41.action=output", "tool.5.radius_mm=0.2",
-)  # fmt: skip
 
 CORPUS_FILES = (
-    CorpusFile("arcs_rword.gcode"),
+    *(CorpusFile(*each) for each in corpus.RUNNING),
     CorpusFile("arcs_rword.gcode", set=("spindle.rpm_max=12000",), ends=("number-range", 14)),
-    CorpusFile("ax4_rotation_51k.nc", machine="mill5_xyzac", set=_TURNTABLE),
-    CorpusFile("ax4_spiral_flutes.nc", machine="mill5_xyzac", set=_TURNTABLE),
     CorpusFile("ax5_boat_xyzac_g93.ngc", machine="mill5_xyzac", ends=("m-unknown", 2)),
-    CorpusFile("ax5_boat_xyzac_g93.ngc", machine="mill5_xyzac", set=_BOAT),
     CorpusFile("bad_longmill_invalid.nc", ends=("word-unknown", 124)),
-    CorpusFile("laser_tball_engrave.gcode"),
     CorpusFile("lathe_fanuc0t_css.nc", machine="cak6150n", ends=("unsupported", 6)),
-    CorpusFile("lathe_fanuc0t_css.nc", machine="cak6150n", set=_FANUC0T),
     CorpusFile("lathe_g71_g70_pawn.ngc", machine="cak6150n", ends=("unsupported", 27)),
-    CorpusFile("lathe_g71_g70_pawn.ngc", machine="cak6150n", set=_PAWN),
     CorpusFile("lathe_g76_thread_part.ngc", machine="cak6150n", ends=("word-missing", 40)),
     CorpusFile(
         "lathe_g76_thread_part.ngc",
@@ -246,31 +235,15 @@ CORPUS_FILES = (
         set=("dialect.base=linuxcnc", "dialect.diameter=false"),  # and with T9: test_6_threads.py
         ends=("tool-unknown", 108),
     ),
-    CorpusFile("mill_camotics_locket.ngc"),
-    CorpusFile("mill_cutcomp_semicolon.ngc"),
-    CorpusFile("mill_fanuc_3dparallel_g19.nc"),
-    CorpusFile("mill_fanuc_g17_18_19.nc"),
     CorpusFile("mill_fanuc_g81_g91.nc", ends=("modal-group", 26)),
-    CorpusFile("mill_fanuc_g81_g91.nc", set=("dialect.base=fanuc",)),
-    CorpusFile("mill_fanuc_m98_vars.ngc"),
     CorpusFile("mill_fusion_grbl_helix.nc", ends=("feed-missing", 14)),
-    CorpusFile("mill_fusion_grbl_helix.nc", set=("dialect.feed_default_mm_min=1000",)),
     CorpusFile("mill_haas_threadmill.nc", ends=("unsupported", 7)),
     CorpusFile(
         "mill_haas_threadmill.nc", set=("dialect.base=fanuc", *_HAAS), ends=("tool-unknown", 28)
     ),
-    CorpusFile("mill_nist_circle_diamond_square.ngc"),
     CorpusFile("mill_sub_cycles_mmount.ngc", ends=("travel", 85)),
     CorpusFile("mill_sub_cycles_mmount.ngc", set=("axis.y.min_mm=free",), ends=("comp-radius", 89)),
     CorpusFile("mill_sub_cycles_mmount.ngc", set=_MMOUNT, threads=True),
-    CorpusFile("nurbs_g5_butterfly.ngc"),
-    CorpusFile("odd_no_spaces.gcode"),
-    CorpusFile("print_cura_bp_case_56k.gcode", machine="printer"),
-    CorpusFile("surf_la_peinture_180k.gc"),
-    CorpusFile("surf_webgcode_46k.ngc"),
-    CorpusFile("tp_random_lines_0.001in.ngc"),
-    CorpusFile("tp_trochoidal.ngc"),
-    CorpusFile("tp_zigzag.ngc"),
     CorpusFile("unsupported_sinumerik840d.nc", ends=("dialect", 1)),
 )
 # Programs of our own: a tool that the machine has not, a bigger travel, what nobody builds here.
@@ -297,6 +270,7 @@ PROGRAM_FILES = (
         folder=SHARED_PROGRAMS,
     ),
 )  # fmt: skip
+
 CORPUS_FILES += PROGRAM_FILES
 RUNNING_FILES = tuple(file for file in CORPUS_FILES if file.ends is None and not file.threads)
 THREAD_FILES = tuple(file for file in CORPUS_FILES if file.ends is None and file.threads)

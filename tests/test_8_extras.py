@@ -84,6 +84,7 @@ print(json.dumps([pycnc.plan(program).time_s, pycnc.run(program).summary["time_s
         (["run", "-", "--plot", "x.png"], 2, 'pip install "pycnc-nck[plot]"'),
         (["run", "-", "-o", "x.parquet"], 2, 'pip install "pycnc-nck[trace]"'),
         (["bench", "cao", "-o", "figures"], 2, 'pip install "pycnc-nck[plot]"'),
+        (["bench", "bounds"], 2, 'pip install "pycnc-nck[bounds]"'),
         (["time", "-", "--plan", "grades", "--backend", "opencl"], 4, "pycnc-nck[opencl]"),
     ],
 )

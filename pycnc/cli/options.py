@@ -180,5 +180,5 @@ Figures = Annotated[
     typer.Option("--output", "-o", metavar="FOLDER", help="Write the figures of a subject there."),
 ]
 Paths = Annotated[
-    str | None, typer.Option(metavar="FOLDER", help="Problems for the subject optimum.")
+    str | None, typer.Option(metavar="FOLDER", help="Problems for optimum, files for corpus.")
 ]

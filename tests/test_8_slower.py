@@ -1,0 +1,56 @@
+# SPDX-License-Identifier: MIT
+"""The benches of steps that are slower, of the corpus and of what each part buys, on small
+programs."""
+
+import pytest
+
+from pycnc.bench import corpus, gains, monotony, programs
+
+
+def test_a_step_that_is_slower_is_a_row_and_all_are_counted():
+    times = {0.5: 2.0, 1.0: 1.0, 2.0: 1.004, 4.0: 1.1}
+
+    class Case(monotony.Tried):
+        def _time_of(self, a, **others):
+            return times[a]
+
+    walks = (("a", tuple(times), {"P": (0.0, 0.01)}),)
+    *slower, total = monotony.bench_monotony_rows([Case("made up", b"", None)], walks)
+    assert [(row["from"], row["to"], row["at"]) for row in slower] == [
+        ("2.0", "4.0", "P 0.0"), ("2.0", "4.0", "P 0.01"),
+    ]  # fmt: skip
+    assert slower[0]["slower"] == pytest.approx(1.1 / 1.004 - 1)
+    assert total["program"] == "6 steps, 2 slower"
+
+
+def test_the_values_of_a_step_reach_the_plan():
+    case = monotony.Tried("line", b"G21 G90\nG1 X10 F6000\nM2\n", programs.machine())
+    base = case.time_of(monotony.BASE)
+    assert case.time_of(monotony.BASE | {"j": 0.125}) == pytest.approx(2 * base, rel=0.02)
+    assert case.time_of(monotony.BASE | {"override": 50}) > base
+    assert case.time_of(monotony.BASE | {"slope": "linear"}) < base
+    machine = monotony.changed(
+        programs.machine(), a=2, j=3, v=0.5, P=0.1, window=16, slope="jerk"
+    )
+    assert machine.limits("a_max").tolist() == [2000] * 3
+    assert machine.limits("j_max").tolist() == [30_000] * 3
+    assert machine.limits("v_max").tolist() == [50] * 3
+    assert machine.settings.path.lookahead_blocks == 16
+
+
+def test_the_corpus_is_told_file_by_file_and_in_sum(tmp_path):
+    (tmp_path / "line.ngc").write_bytes(b"G21 G90\nG1 X10 F6000\nM2\n")
+    (tmp_path / "turn.ngc").write_bytes(b"G21 G90\nG1 X10 F6000\nY10\nM2\n")
+    files = [(name, "mill3", ()) for name in ("line.ngc", "turn.ngc", "none.ngc")]
+    line, turn, absent, total = corpus.bench_corpus_rows(tmp_path, files=files)
+    assert 1 < line["ratio"] < turn["jerk_s"] / line["linear_s"]
+    assert absent["jerk_s"] is None
+    assert total["ratio"] == pytest.approx(
+        (line["jerk_s"] + turn["jerk_s"]) / (line["linear_s"] + turn["linear_s"])
+    )
+
+
+def test_gains_tell_every_step_of_a_program():
+    row, = gains.bench_gains_rows([("zigzag", lambda: programs.zigzag("", 8, 2.0))])
+    assert list(row) == ["program", *gains.STEPS]
+    assert row["keinert_s"] < row["p_0_1_s"] < row["p_0_01_s"] < row["jerk_s"] <= row["sshape_s"]
