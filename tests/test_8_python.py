@@ -6,6 +6,7 @@ import doctest
 import importlib
 import json
 import math
+import threading
 
 import numpy as np
 import pytest
@@ -288,6 +289,29 @@ def test_a_hold_during_a_wait_is_kept_when_the_wait_ends():
     waits = int(np.flatnonzero(free["kind"] == measure.KINDS.index("wait"))[-1]) + 1
     done = pycnc.run(HELD, slope="jerk", commands=[(waits - 1, "hold")])
     assert (done.summary["end"], done["pos_x_mm"][-1]) == ("hold", 50)
+
+
+def test_a_run_that_is_broken_off_leaves_no_planning_behind(exact, monkeypatch):
+    def plans_for_ever(planner):
+        while True:
+            yield np.empty(0, dtype("nck_seg_t")), 0
+
+    def interrupted(simulation):
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr("pycnc.kernel.Planner.pieces", plans_for_ever)
+    monkeypatch.setattr("pycnc.kernel.Simulation.pieces", interrupted)
+    before = threading.active_count()
+    with pytest.raises(KeyboardInterrupt):
+        pycnc.run(SQUARE, machine=exact)
+    assert threading.active_count() == before
+
+
+def test_what_planning_finds_wrong_is_told_before_what_the_run_does(exact, monkeypatch):
+    monkeypatch.setattr("pycnc.kernel.Planner.pieces", lambda planner: 1 / 0)
+    monkeypatch.setattr("pycnc.kernel.Simulation.pieces", lambda simulation: [][0])
+    with pytest.raises(ZeroDivisionError):
+        pycnc.run(SQUARE, machine=exact)
 
 
 def test_a_kernel_that_stands_still_is_told_with_numbers():

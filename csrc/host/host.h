@@ -68,6 +68,7 @@ typedef struct nck_host_plan {
     nck_output_t *outputs; size_t output_max, output_count;
     nck_host_totals_t totals;   // of the whole plan so far
     double since_stop_s;        // time since the last rest, not yet counted in whole periods
+    nck_terms_t terms;          // of the machine's slope
     int32_t error;              // of the program: returned when all before it is planned; NCK_OK
     int32_t status;             // last of nck_prep
     nck_host_why_t why;         // what the time goes to; shares and a trail may be asked for

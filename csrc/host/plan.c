@@ -9,7 +9,7 @@ static void keep_seg(void *user, const nck_seg_t *seg) {
     nck_host_plan_t *const plan = user;
     plan->totals.segs++;
     plan->totals.length_mm = seg->s_program + seg->program;
-    nck_host_why_seg(&plan->why, seg, nck_machine_of(plan->nck)->axis);
+    nck_host_why_seg(&plan->why, seg, &plan->terms);
     if (plan->segs) plan->segs[plan->seg_count++] = *seg;
 }
 
@@ -34,7 +34,9 @@ nck_status_t nck_host_plan_init(nck_host_plan_t *plan, nck_t *nck, const nck_mac
     plan->nck = nck;
     plan->text = text;
     plan->text_size = n;
-    return nck_init(nck, machine, &hooks);
+    const nck_status_t status = nck_init(nck, machine, &hooks);
+    if (status == NCK_OK) nck_slope_terms(nck_machine_of(nck), &plan->terms);
+    return status;
 }
 
 // Time of a part of the plan, to every sum it belongs to.
@@ -73,9 +75,7 @@ double nck_host_totals_add(nck_host_totals_t *totals, double *since_stop_s, cons
 // Take all final cells, as long as there is room for their points. Returns how many.
 static uint32_t take_cells(nck_host_plan_t *plan) {
     const nck_machine_t *const machine = nck_machine_of(plan->nck);
-    nck_terms_t terms;
-    nck_slope_terms(machine, &terms);
-    const uint32_t settle = terms.taps - 1u;
+    const uint32_t settle = plan->terms.taps - 1u;
     nck_cell_t cell;
     uint32_t count = 0;
     while (nck_host_trail_has_room(&plan->why.trail) && nck_take(plan->nck, &cell) == NCK_OK) {

@@ -5,7 +5,7 @@
 #include <stddef.h> // offsetof
 #include <string.h> // memcpy memset
 
-#include "nck/base/path.h" // nck_path_tangent
+#include "nck/base/path.h" // nck_path_tangent_part
 #include "nck/base/real.h" // nck_sqrt nck_fabs nck_min nck_max
 #include "nck/base/trig.h" // nck_atan2
 
@@ -20,29 +20,25 @@
 // Newton's method doubles the digits of a start that is good to one.
 #define NEWTON_ROUNDS 12
 
-// The angle between two unit vectors a and b: 2·atan2(|a − b|, |a + b|).
-static double angle_of(const double *a, const double *b) {
-    double less = 0.0;
-    double more = 0.0;
-    for (int x = 0; x < NCK_AXIS_MAX; x++) {
-        less += (a[x] - b[x]) * (a[x] - b[x]);
-        more += (a[x] + b[x]) * (a[x] + b[x]);
-    }
-    return 2.0 * nck_atan2(nck_sqrt(less), nck_sqrt(more));
-}
-
-// The axis whose acceleration a jump of the direction takes most of.
-static uint32_t axis_of(const double *a, const double *b, const nck_axis_t *axis) {
-    uint32_t most = NCK_AXIS_MAX;
-    double load = 0.0;
-    for (uint32_t x = 0; x < NCK_AXIS_MAX; x++) {
+// The corner between the tangents a and b at a seg's start.
+static void meet(nck_host_why_seg_t *row, const double *a, const double *b,
+                 const nck_terms_t *terms) {
+    const nck_axis_t *const axis = terms->machine->axis;
+    double load = 0.0; // of the axis whose acceleration the jump takes most of
+    for (int x = 0; x < terms->axes; x++) {
         const double of_axis = axis[x].present ? nck_fabs(a[x] - b[x]) / axis[x].a_max : 0.0;
+        row->less += (a[x] - b[x]) * (a[x] - b[x]);
+        row->more += (a[x] + b[x]) * (a[x] + b[x]);
         if (of_axis > load) {
             load = of_axis;
-            most = x;
+            row->axis = (uint16_t)x;
         }
     }
-    return most;
+}
+
+// The angle between the unit vectors a and b at a seg's start: 2·atan2(|a − b|, |a + b|).
+static double angle_of(const nck_host_why_seg_t *seg) {
+    return 2.0 * nck_atan2(nck_sqrt(seg->less), nck_sqrt(seg->more));
 }
 
 static nck_host_why_seg_t *seg_at(nck_host_why_t *self, uint32_t seq) {
@@ -55,24 +51,21 @@ void nck_host_why_init(nck_host_why_t *self, nck_t *nck) {
     self->link = nck_link_of(nck);
 }
 
-void nck_host_why_seg(nck_host_why_t *self, const nck_seg_t *seg, const nck_axis_t *axis) {
+void nck_host_why_seg(nck_host_why_t *self, const nck_seg_t *seg, const nck_terms_t *terms) {
     nck_host_why_seg_t *const row = seg_at(self, seg->seq);
+    const int moves = seg->length > 0.0;
     double tangent[NCK_AXIS_MAX] = {0.0};
-    double end[NCK_AXIS_MAX] = {0.0};
-    if (seg->length > 0.0) {
-        nck_path_tangent(seg, 0.0, tangent);
-        nck_path_tangent(seg, seg->length, end);
-    }
     memset(row, 0, sizeof *row);
     row->line = seg->line;
     row->s_begin = seg->s_begin;
     row->stop = seg->stop;
     row->axis = NCK_AXIS_MAX;
-    if (seg->length > 0.0 && seg->seq > 0) {
-        row->angle = angle_of(self->tangent, tangent);
-        row->axis = (uint16_t)axis_of(self->tangent, tangent, axis);
+    if (moves) nck_path_tangent_part(seg, 0.0, terms->axes, tangent);
+    if (moves && seg->seq > 0) meet(row, self->tangent, tangent, terms);
+    if (moves && seg->kind != NCK_SEG_LINE) {
+        nck_path_tangent_part(seg, seg->length, terms->axes, tangent);
     }
-    memcpy(self->tangent, end, sizeof end);
+    memcpy(self->tangent, tangent, sizeof tangent);
 }
 
 // What a node says of itself and the piece behind it.
@@ -140,7 +133,7 @@ static int is_stopped_at(nck_host_why_t *self, const nck_host_why_piece_t *befor
     const nck_host_why_piece_t *const piece = &self->piece;
     return piece->limit == NCK_LIMIT_EXACT_STOP && !(piece->v_node > 0.0)
            && piece->seg != before->seg && !seg_at(self, before->seg)->stop
-           && seg_at(self, piece->seg)->angle > LEAST_ANGLE;
+           && angle_of(seg_at(self, piece->seg)) > LEAST_ANGLE;
 }
 
 // What holds the path at the start of the piece in work, behind the one before.
@@ -161,7 +154,7 @@ static nck_host_low_t low_of(nck_host_why_t *self, const nck_host_why_piece_t *b
     } else if (low.limit == NCK_LIMIT_CORNER || is_stopped_at(self, before)) {
         low.limit = NCK_LIMIT_CORNER;
         low.axis = own->axis;
-        low.angle = own->angle;
+        low.angle = angle_of(own);
     } else if (low.limit >= NCK_LIMIT_AXIS_V) {
         low.axis = low.limit - NCK_LIMIT_AXIS_V;
     }

@@ -15,6 +15,7 @@
 #include "host/share.h"      // nck_host_shares_t
 #include "host/trail.h"      // nck_host_trail_t
 #include "nck/base/limits.h" // NCK_WINDOW
+#include "nck/base/terms.h"  // nck_terms_t
 #include "nck/nck.h"         // nck_t
 
 #ifdef __cplusplus
@@ -33,7 +34,7 @@ typedef struct nck_host_why_seg {
     uint16_t axis;              // that has the most of the corner at its start
     uint16_t stop;              // 1: exact stop at its end
     double s_begin;             // path before it [path mm]
-    double angle;               // of the corner at its start [rad]
+    double less, more;          // |a − b|² and |a + b|² of the tangents a, b at its start
 } nck_host_why_seg_t;
 
 // A node and the piece behind it.
@@ -85,7 +86,7 @@ typedef struct nck_host_why {
 void nck_host_why_init(nck_host_why_t *self, nck_t *nck);
 
 // The next seg, in order. Cost: constant. Context: any.
-void nck_host_why_seg(nck_host_why_t *self, const nck_seg_t *seg, const nck_axis_t *axis);
+void nck_host_why_seg(nck_host_why_t *self, const nck_seg_t *seg, const nck_terms_t *terms);
 
 // The next node that the kernel drops, in order. Cost: constant. Context: prep.
 void nck_host_why_node(nck_host_why_t *self, const nck_node_t *node);

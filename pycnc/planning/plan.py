@@ -16,6 +16,7 @@ from pycnc.kernel.records import dtype, join
 
 SLOPES = typing.get_args(Slope)
 RECORDS = ("segs", "nodes", "cells")
+_KEPT = ("seg", "node", "cell")
 BACKENDS = {"exact": ("auto", "c"), "grades": grades.BACKENDS}  # of every kind of planning
 
 
@@ -138,7 +139,8 @@ class Plan:
     def _exactly(self, keep, progress, look, trail, by):
         program = self.program
         asked, names = shares.ask(program, by) if by else (None, [])
-        records = ("seg", "node", "cell", *(("host_point", "host_foot") if trail else ()))
+        records = _KEPT if keep else _KEPT[:1] if look else ()
+        records += ("host_point", "host_foot") if trail else ()
         planner = kernel.Planner(program.text, program.machine, records, shares=asked)
         kept = {"nck_seg_t": [], "nck_node_t": [], "nck_cell_t": []}
         for *pieces, used in planner.pieces():

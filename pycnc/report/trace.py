@@ -1,7 +1,9 @@
 # SPDX-License-Identifier: MIT
 """A trace: a run of a program in the simulation, one row a tick."""
 
+import threading
 import time
+from concurrent.futures import ThreadPoolExecutor
 
 import numpy as np
 
@@ -12,6 +14,10 @@ from pycnc.planning.plan import Plan, check_backend, for_machine, for_plan
 from pycnc.report.rows import Rows
 from pycnc.report.trace_file import Columns, writer
 from pycnc.program import shown
+
+
+class _Stopped(BaseException):
+    """The run has been broken off, and so is its plan."""
 
 
 class Trace(Rows):
@@ -39,10 +45,14 @@ class Trace(Rows):
         sink = writer(output, self._layout, self.metadata()) if output is not None else None
         try:
             self._path_error = PathError(program)
-            look = self._path_error.add_segs
-            self.plan = Plan(program, plan=plan, backend=backend, keep=False, look=look)
-            self._path_error.finish_segs()
-            self._run(prep_steps, commands, keep, sink, progress)
+            if plan == "grades":
+                self._make_plan(plan, backend)
+                self._run(self._by_grades(prep_steps, commands), keep, sink, progress)
+            else:
+                text, machine = program.text, program.machine
+                simulation = kernel.Simulation(text, machine, prep_steps, commands)
+                self._run_beside_plan(simulation, keep, sink, progress)
+            self._tell_limits(commands)
         except BaseException:
             if sink:
                 sink.discard()
@@ -51,9 +61,35 @@ class Trace(Rows):
             sink.close()
         self.summary = self._summary(time.perf_counter() - begun)
 
-    def _run(self, prep_steps, commands, keep, sink, progress):
+    def _make_plan(self, plan="exact", backend="auto", progress=None):
+        look = self._path_error.add_segs
+        self.plan = Plan(
+            self.program, plan=plan, backend=backend, keep=False, look=look, progress=progress
+        )
+        self._path_error.finish_segs()
+
+    def _run_beside_plan(self, *run):
+        """Plan on a second thread while the simulation runs: neither needs the other."""
+        stop = threading.Event()
+
+        def heed(used, size):
+            if stop.is_set():
+                raise _Stopped
+
+        with ThreadPoolExecutor(1) as beside:
+            planned = beside.submit(self._make_plan, progress=heed)
+            try:
+                self._run(*run)
+                planned.result()
+            except Exception:
+                planned.result()  # what planning finds wrong is told first
+                raise
+            except BaseException:
+                stop.set()
+                raise
+
+    def _run(self, controller, keep, sink, progress):
         program, machine = self.program, self.program.machine
-        controller = self._controller(prep_steps, commands)
         self._peaks, self._ticks = measure.Peaks(machine), measure.Ticks(machine)
         kept = []
         for rows, used in controller.pieces():
@@ -68,7 +104,6 @@ class Trace(Rows):
             if progress:
                 progress(used, len(program.text))
         self._starved_ticks, self._end = controller.starved_ticks, controller.end
-        self._tell_limits(commands)
         self.columns = {
             name: np.concatenate([columns[name] for columns in kept])
             for name in self._layout.units
@@ -89,12 +124,10 @@ class Trace(Rows):
         self._limit_time_s["wait" if self._limit_time_s["wait"] else "starved"] += at_rest
         self.worst_lines |= measure.worst_lines(self.plan.lost["causes"], self.program.machine)
 
-    def _controller(self, prep_steps, commands):
-        if self.plan.grades is not None:
-            if commands:
-                raise errors.ArgumentError("a plan by grades takes no commands", id="command")
-            return grades.Simulation(self.plan.grades, prep_steps)
-        return kernel.Simulation(self.program.text, self.program.machine, prep_steps, commands)
+    def _by_grades(self, prep_steps, commands):
+        if commands:
+            raise errors.ArgumentError("a plan by grades takes no commands", id="command")
+        return grades.Simulation(self.plan.grades, prep_steps)
 
     def _summary(self, run_s):
         plan = self.plan.as_dict()

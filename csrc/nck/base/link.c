@@ -82,11 +82,16 @@ static void inspect(nck_link_t *self, const nck_cell_t *cell) {
     self->broken_line = nck_link_seg(self, cell->seg)->line;
 }
 
+// There is room, and the cell has been inspected.
+static void append(nck_link_t *self, const nck_cell_t *cell) {
+    self->cell[(end_of(self->base) + self->batch) & (NCK_CELL_MAX - 1)] = *cell;
+    self->batch++;
+}
+
 void nck_link_push_cell(nck_link_t *self, const nck_cell_t *cell) {
     assert(nck_link_cell_room(self) > 0);
     inspect(self, cell);
-    self->cell[(end_of(self->base) + self->batch) & (NCK_CELL_MAX - 1)] = *cell;
-    self->batch++;
+    append(self, cell);
 }
 
 // The tail in use belongs to the other parity, so this one is prep's alone.
@@ -136,11 +141,14 @@ static double lead_of(nck_link_t *self) {
 // allow.
 static void copy_ahead(nck_link_t *self, uint32_t parity, uint32_t first, double lead,
                        uint32_t most) {
-    while (self->batch < most && first + self->batch < self->tail_count[parity]
-           && nck_link_cell_room(self) > 0 && self->lead_s < lead) {
+    const uint32_t room = nck_link_cell_room(self);
+    const uint32_t left = self->tail_count[parity] - first;
+    const uint32_t fits = room < left ? room : left;
+    const uint32_t limit = fits < most ? fits : most;
+    while (self->batch < limit && self->lead_s < lead) {
         const nck_cell_t *const cell = &self->tail[parity].cell[first + self->batch];
         self->lead_s += cell->duration;
-        nck_link_push_cell(self, cell);
+        append(self, cell);
     }
 }
 

@@ -54,18 +54,19 @@ void nck_path_tangent(const nck_seg_t *seg, double s, double *tangent_out) {
 //          two ends bounds each axis
 //  arc     −radius·(sweep/L)²
 // 0 ≤ s ≤ L; L must be positive.
-void nck_path_second(const nck_seg_t *seg, double s, double *second_out) {
-    for (int x = 0; x < NCK_AXIS_MAX; x++) second_out[x] = 0.0;
+void nck_path_second_part(const nck_seg_t *seg, double s, int axes, double *second_out) {
     if (seg->kind == NCK_SEG_SPLINE) {
         const double f = s / seg->length;
         const double scale = 6.0 / (seg->length * seg->length);
-        for (int x = 0; x < NCK_AXIS_MAX; x++) {
+        for (int x = 0; x < axes; x++) {
             const double d1 = seg->shape.inner[1][x] - seg->shape.inner[0][x];
             const double dd0 = d1 - (seg->shape.inner[0][x] - seg->start[x]);
             const double dd1 = (seg->end[x] - seg->shape.inner[1][x]) - d1;
             second_out[x] = scale * (dd0 + (dd1 - dd0) * f);
         }
+        return;
     }
+    for (int x = 0; x < axes; x++) second_out[x] = 0.0;
     if (seg->kind != NCK_SEG_ARC) return;
     const nck_seg_arc_t *const arc = &seg->shape.arc;
     const double turn = arc->sweep / seg->length;
@@ -75,21 +76,26 @@ void nck_path_second(const nck_seg_t *seg, double s, double *second_out) {
     second_out[arc->axis_v] = -radius[1] * turn * turn;
 }
 
+void nck_path_second(const nck_seg_t *seg, double s, double *second_out) {
+    nck_path_second_part(seg, s, NCK_AXIS_MAX, second_out);
+}
+
 // d³p/ds³ [1/mm²]: 0 on a line.
 //  spline  (6/L³) (b3 − 3b2 + 3b1 − b0), the same everywhere in the seg
 //  arc     −(dp/ds)·(sweep/L)²
 // 0 ≤ s ≤ L; L must be positive.
-void nck_path_third(const nck_seg_t *seg, double s, double *third_out) {
-    for (int x = 0; x < NCK_AXIS_MAX; x++) third_out[x] = 0.0;
+void nck_path_third_part(const nck_seg_t *seg, double s, int axes, double *third_out) {
     if (seg->kind == NCK_SEG_SPLINE) {
         const double scale = 6.0 / (seg->length * seg->length * seg->length);
-        for (int x = 0; x < NCK_AXIS_MAX; x++) {
+        for (int x = 0; x < axes; x++) {
             const double d1 = seg->shape.inner[1][x] - seg->shape.inner[0][x];
             const double dd0 = d1 - (seg->shape.inner[0][x] - seg->start[x]);
             const double dd1 = (seg->end[x] - seg->shape.inner[1][x]) - d1;
             third_out[x] = scale * (dd1 - dd0);
         }
+        return;
     }
+    for (int x = 0; x < axes; x++) third_out[x] = 0.0;
     if (seg->kind != NCK_SEG_ARC) return;
     const nck_seg_arc_t *const arc = &seg->shape.arc;
     const double turn = arc->sweep / seg->length;
@@ -97,4 +103,8 @@ void nck_path_third(const nck_seg_t *seg, double s, double *third_out) {
     radius_at(seg, s, radius);
     third_out[arc->axis_u] = radius[1] * turn * turn * turn;
     third_out[arc->axis_v] = -radius[0] * turn * turn * turn;
+}
+
+void nck_path_third(const nck_seg_t *seg, double s, double *third_out) {
+    nck_path_third_part(seg, s, NCK_AXIS_MAX, third_out);
 }

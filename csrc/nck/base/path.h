@@ -14,14 +14,16 @@ extern "C" {
 // 0 ≤ s ≤ L; L must be positive. Cost: constant. Context: any.
 void nck_path_tangent(const nck_seg_t *seg, double s, double *tangent_out);
 
-// Of it so many components, from X on; an arc turns in two of them. The rest as above.
-void nck_path_tangent_part(const nck_seg_t *seg, double s, int axes, double *tangent_out);
-
 // d²p/ds² at s [1/mm]: 0 on a line. Requirements, cost and context as above.
 void nck_path_second(const nck_seg_t *seg, double s, double *second_out);
 
 // d³p/ds³ at s [1/mm²]: 0 on a line. Requirements, cost and context as above.
 void nck_path_third(const nck_seg_t *seg, double s, double *third_out);
+
+// The same: so many components, from X on; an arc turns in two of them.
+void nck_path_tangent_part(const nck_seg_t *seg, double s, int axes, double *tangent_out);
+void nck_path_second_part(const nck_seg_t *seg, double s, int axes, double *second_out);
+void nck_path_third_part(const nck_seg_t *seg, double s, int axes, double *third_out);
 
 #ifdef __cplusplus
 }

@@ -125,6 +125,13 @@ static nck_status_t decide_crowd(nck_lookahead_t *self, const junction_t *juncti
     return NCK_OK;
 }
 
+// Whether a neighbour that hangs on a seg still to come may be nearer than reach: then no walk so
+// far comes to an end, and none is begun.
+static int is_open(const nck_lookahead_t *self, const junction_t *junction, double reach) {
+    const int is_last = junction->count + 2 == self->joint.head;
+    return is_last && !self->ended && junction->out->length < reach;
+}
+
 // Speed and share at a pace of a junction with a load that is crossed alone at v.
 static nck_status_t decide_pace(nck_lookahead_t *self, const junction_t *junction, int pace,
                                 double v) {
@@ -135,6 +142,7 @@ static nck_status_t decide_pace(nck_lookahead_t *self, const junction_t *junctio
         settle_alone(self, junction, pace, v);
         return NCK_OK;
     }
+    if (is_open(self, junction, reach)) return NCK_EMPTY;
     const nck_status_t status = largest_gain(self, junction, reach, &a_t);
     return status == NCK_OK ? decide_crowd(self, junction, pace, v, a_t) : status;
 }

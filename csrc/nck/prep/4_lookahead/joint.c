@@ -6,7 +6,7 @@
 #include <string.h> // memset
 
 #include "nck/base/budget.h"                  // NCK_UNLIMITED
-#include "nck/base/path.h"                    // nck_path_tangent …
+#include "nck/base/path.h"                    // nck_path_…_part
 #include "nck/base/path_math.h"               // nck_path_turns
 #include "nck/base/root_math.h"               // nck_root_cube
 #include "nck/prep/4_lookahead/budget_math.h" // nck_budget_…
@@ -89,11 +89,11 @@ static void bound_spline(nck_joint_t *joint, const nck_seg_t *seg, const double 
                          const nck_terms_t *terms) {
     double at[2][2][NCK_AXIS_MAX];
     for (int k = 0; k < 2; k++) {
-        nck_path_tangent(seg, span[k], at[k][0]);
-        nck_path_second(seg, span[k], at[k][1]);
+        nck_path_tangent_part(seg, span[k], terms->axes, at[k][0]);
+        nck_path_second_part(seg, span[k], terms->axes, at[k][1]);
     }
     nck_joint_bend_t *const bend = &joint->shape.bend;
-    nck_path_third(seg, 0.0, bend->third);
+    nck_path_third_part(seg, 0.0, terms->axes, bend->third);
     for (int x = 0; x < terms->axes; x++) {
         bend->third[x] = nck_fabs(bend->third[x]);
         const double bulge = bend->third[x] * joint->length * joint->length / 8.0;

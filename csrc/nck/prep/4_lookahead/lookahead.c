@@ -91,7 +91,8 @@ static int place(nck_lookahead_t *self) {
     int placed = 0;
     if (self->joint.tried == known && !self->ended) return 0;
     while (placed < PLACES_PER_STEP && !window_full(self)) {
-        if (nck_piece_place(self) != NCK_OK) {
+        const int is_decided = self->joint.placed != self->joint.decided;
+        if (!is_decided || nck_piece_place(self) != NCK_OK) {
             self->joint.tried = known;
             break;
         }

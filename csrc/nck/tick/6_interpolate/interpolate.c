@@ -268,14 +268,17 @@ const nck_pose_t *nck_interpolate_tick(nck_interpolate_t *self) {
     return &self->pose;
 }
 
+// As if it were executed: a tick that follows sets off from rest, and begins to count here.
 nck_status_t nck_interpolate_take(nck_interpolate_t *self, nck_cell_t *cell_out) {
-    if (stands_aside(self)) return NCK_EMPTY;
-    if (nck_link_waiting(self->link) == 0 || !fetch(self)) return NCK_EMPTY;
+    int from_tail = 0;
+    if (stands_aside(self) || nck_link_waiting(self->link) == 0) return NCK_EMPTY;
+    if (nck_link_take(self->link, &self->cell, &from_tail) != NCK_OK) return NCK_EMPTY;
     const uint32_t seg = self->cell.seg + self->cell.span;
     nck_link_seg_finish(self->link, self->cell.last ? seg + 1 : self->cell.seg);
-    leave_cell(self);
+    nck_fence_store(&self->has_cell, 0);
+    self->from_tail = (uint32_t)from_tail;
     self->rests = 1;
-    self->k = 0; // a tick that follows begins to count here
+    self->k = 0;
     self->t_cell = 0.0;
     *cell_out = self->cell;
     return NCK_OK;
