@@ -174,14 +174,20 @@ class Macro:
         return f"[[{inside}+0.0123] MOD 61. - 30.]"
 
     def condition(self, local):
+        """Return it in both languages."""
         one, other = self._compared(local), self._compared(local)
         if self.source.random() < 0.7:
             return one
-        return f"[{one} {self.source.choice(['AND', 'OR', 'XOR'])} {other}]"
+        joint = self.source.choice(["AND", "OR", "XOR"])
+        return tuple(f"[{a} {joint} {b}]" for a, b in zip(one, other, strict=True))
 
     def _compared(self, local):
+        """EQ and NE are exact in Fanuc's language; to rs274 what differs by 1e-4 is equal."""
         code = self.source.choice(["EQ", "NE", "LT", "LE", "GT", "GE"])
-        return f"[{self.value(local)} {code} {self.value(local)}]"
+        one, other = self.value(local), self.value(local)
+        ours = f"[{one} {code} {other}]"
+        exact = {"EQ": "LE", "NE": "GT"}.get(code)
+        return ours, f"[ABS[{one}-{other}] {exact} 0]" if exact else ours
 
     def statement(self, depth, local, do=1):
         kind = self.source.randint(0, 8)
@@ -211,7 +217,7 @@ class Macro:
     def choice(self, depth, local, do):
         yes, behind, name = self.names(3)
         condition = self.condition(local)
-        self.both(f"IF{condition}GOTO{yes}", f"O{name} if {condition}")
+        self.both(f"IF{condition[0]}GOTO{yes}", f"O{name} if {condition[1]}")
         mark = len(self.ours), len(self.theirs)
         self.block(depth, local, do)  # the other way: it stands first in Fanuc's language
         other = self.theirs[mark[1] :]
@@ -225,8 +231,8 @@ class Macro:
         (name,) = self.names(1)
         condition, set_it = self.condition(local), f"#{self.source.randint(101, 105)}="
         set_it += self.value(local)
-        self.ours.append(f"IF{condition}THEN{set_it}")
-        self.theirs += [f"O{name} if {condition}", set_it, f"O{name} endif"]
+        self.ours.append(f"IF{condition[0]}THEN{set_it}")
+        self.theirs += [f"O{name} if {condition[1]}", set_it, f"O{name} endif"]
 
     def loop(self, depth, local, do):
         (name,) = self.names(1)
