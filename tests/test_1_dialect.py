@@ -79,6 +79,14 @@ def test_what_is_refused_says_what_to_do(machine, system, line, name, remedy):
     assert remedy in found.help
 
 
+@pytest.mark.parametrize(("code", "remedy"), [("G88", "use G86"), ("G87", "bore from above")])
+def test_a_lathe_of_rs274ngc_has_the_remedies_of_its_language(code, remedy):
+    machine = pycnc.Machine.load("cak6150n", set=["dialect.base=linuxcnc"])
+    program = pycnc.load(f"G21 G18\n{code} X1 Z1 Y-20 R5 F99\nM2\n", machine)
+    (found,) = [each for each in program.diagnostics if each.severity == "error"]
+    assert remedy in found.help
+
+
 def test_further_reference_points_are_the_machines():
     change = ["home.g30_p3.z_mm=-5", "home.g30_p4.x_mm=7"]
     machine = pycnc.Machine.load("mill3", set=change)

@@ -149,10 +149,9 @@ nck_status_t nck_variable_wait(nck_decode_t *self, uint64_t key, double value);
 nck_status_t nck_variable_commit(nck_decode_t *self, nck_status_t line);
 nck_status_t nck_variable_add(nck_decode_t *self, uint64_t key, double value);
 
-// variables.c: the key of what G10 has changed in a tool; a parameter is set at once; a program
-// begins: only what was changed in tools stays. NCK_E_VARIABLES. Cost: linear in the parameters.
+// variables.c: the key of what G10 has changed in a tool; a program begins: only what was changed
+// in tools stays. Cost: linear in the parameters.
 uint64_t nck_variable_tool(uint32_t number, unsigned field);
-nck_status_t nck_variable_set(nck_decode_t *self, uint64_t key, double value);
 void nck_variable_restart(nck_decode_t *self);
 
 // variables.c: what must hold between two lines. Cost: constant.

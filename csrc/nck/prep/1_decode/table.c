@@ -39,8 +39,9 @@ int nck_table_find(const nck_decode_t *self, uint32_t number, nck_tool_t *tool_o
     return 1;
 }
 
+// What a line changes counts once all of it is good.
 static nck_status_t keep(nck_decode_t *self, uint32_t number, unsigned field, double value) {
-    return nck_variable_set(self, nck_variable_tool(number, field), value);
+    return nck_variable_wait(self, nck_variable_tool(number, field), value);
 }
 
 // L1: the words are the offsets; L10: offsets by which the axes stand at the places that the words
@@ -128,10 +129,14 @@ nck_status_t nck_table_set(nck_decode_t *self, int64_t list) {
         return nck_decode_fail_word(self, NCK_E_TOOL_UNKNOWN, 'P', (double)number, 0.0);
     }
     if (is_fanuc(self)) {
-        if (self->words.letters & NCK_LETTER('R')) return set_length(self, (uint32_t)number, list);
+        if (self->words.letters & NCK_LETTER('R')) {
+            status = set_length(self, (uint32_t)number, list);
+            return nck_variable_commit(self, status);
+        }
         return nck_decode_fail(self, NCK_E_WORD_MISSING, self->words.code_column[NCK_STEP_OFFSET],
                                'R', 0.0, 0.0);
     }
     status = set_offsets(self, (uint32_t)number, list);
-    return status == NCK_OK ? set_shape(self, (uint32_t)number) : status;
+    if (status == NCK_OK) status = set_shape(self, (uint32_t)number);
+    return nck_variable_commit(self, status);
 }
