@@ -10,6 +10,11 @@ import random
 import test_1_layouts
 
 
+def steps(begin, end, size):
+    """Return places from begin to end, both included."""
+    way = 1 if end > begin else -1
+    return [*range(begin, end, way * size), end]
+
 
 class Turning:
     """Lathe, system A: U and W, turning, facing and thread cycles, G32, shifts of the zero."""
@@ -99,6 +104,33 @@ class Turning:
         self.plain("G0" if code == "G92" else "G1", X=begin["X"])
         self.plain("G0", Z=begin["Z"])
 
+    def peck(self):
+        """G74 or G75, whose every move is said in the other language."""
+        code, along, across = self.source.choice([("G74", "Z", "X"), ("G75", "X", "Z")])
+        back = self.pick(0, 900)
+        to = {"X": self.pick(10000, 30000, 2), "Z": self.pick(-40000, -30000)}
+        begin = {"X": 50000, "Z": self.pick(2000, 9000)}
+        self.ours += [f"G0 X50. Z{begin['Z'] / 1000:.3f}", f"{code} R{back / 1000:.3f}"]
+        self.plain("G0", **begin)
+        self.at = begin
+        step = {"X": self.pick(2000, 9000), "Z": self.pick(3000, 9000)}  # X as radius
+        words = [self.word(letter, to[letter]) for letter in self.source.sample("XZ", 2)]
+        for letter, plain, other in (("X", "P", "I"), ("Z", "Q", "K")):
+            kind, size = self.source.randint(0, 2), step[letter]
+            words.append((f"{plain}{size}", f"{plain}{size / 1000:.3f}",
+                          f"{other}{size / 1000:.3f}")[kind])  # fmt: skip
+        self.ours.append(" ".join([code, *words]))
+        double = {"X": 2, "Z": 1}  # diameters
+        for row in steps(begin[across], to[across], double[across] * step[across]):
+            self.plain("G0", **{across: row})
+            for cut in steps(begin[along], to[along], double[along] * step[along])[1:]:
+                self.plain("G1", **{along: cut})
+                away = 1 if begin[along] > cut else -1
+                if cut != to[along]:
+                    self.plain("G0", **{along: cut + away * double[along] * back})
+            self.plain("G0", **{along: begin[along]})
+        self.plain("G0", **{across: begin[across]})
+
     def thread(self):
         """G32 along Z, or along a cone."""
         to = {"Z": self.at["Z"] - self.pick(30000, 60000)}
@@ -132,7 +164,7 @@ class Turning:
     def program(self):
         for _ in range(40):
             steps = (self.move, self.move, self.move, self.arc, self.rectangle, self.thread,
-                     self.mode)  # fmt: skip
+                     self.peck, self.mode)  # fmt: skip
             self.source.choice(steps)()
         return tuple("\n".join([*lines, "M30", ""]).encode() for lines in (self.ours, self.theirs))
 
