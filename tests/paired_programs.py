@@ -201,7 +201,7 @@ class Macro:
         form = self.source.randint(0, 5)
         inside = (
             f"{a}*0.7{self.source.choice('+-')}{b}*0.3", f"{a}/[ABS[{b}]+9.]", f"SIN[{a}]*{b}",
-            f"SQRT[ABS[{a}]+1.]-{b}", f"[{a}+{b}]*COS[{b}]*0.5", f"ATAN[{a}]/[ABS[{b}]+60.]*9.",
+            f"SQRT[ABS[{a}]+1.]-{b}", f"[{a}+{b}]*COS[{b}]*0.5", f"ATAN[{a}]/[ABS[{b}]+60.]",
         )[form]  # fmt: skip
         return f"[[{inside}+0.0123] MOD 61. - 30.]"
 

@@ -13,6 +13,10 @@ _SETS = (
     "a control may take this {letter} for one of another set of I J K, and so another parameter",
     "say I J K in this order, in every set what a later one has; or letters: D is #7, E is #8",
 )
+_D_OFFSET = (
+    "G10 L{value:g} sets an offset for D: Fanuc's mills do, by radius or by diameter",
+    "where the control is one, say which it takes: --set dialect.d_offset=radius (or diameter)",
+)
 _RELIEF = (
     "R beside the end of G{value:g} moves the tool aside at the end of every cut, of the first one "
     "into the wall, which is not supported",
@@ -177,6 +181,7 @@ WORDING = {
         "G10 L{value:g} is not supported here",
         "say it in the machine file: --set tool.N.length_mm=…, radius_mm, x_mm; work systems: L2",
     ),
+    **{f"unsupported:L{each}": _D_OFFSET for each in (12, 13)},
     "unsupported:H": (
         "controls differ in when G10 counts that changes a tool while a length (G43) is in force",
         "put G49 before G10, and G43 H behind it",
