@@ -19,27 +19,32 @@ static nck_status_t fail_missing(nck_decode_t *self, int letter) {
                            letter, self->words.code[NCK_STEP_MOTION] / 10.0, 0.0);
 }
 
-// A step along X (P, in one line I) or Z (Q, K), without a sign. P and Q without a point count
-// least increments.
+// P and Q without a point count least increments; 0: that is no whole number of them.
+static nck_status_t read_increments(nck_decode_t *self, char letter, int64_t *step_out) {
+    int64_t count = 0;
+    if (nck_decode_says_point(self, letter)) {
+        return nck_decode_length_word(self, letter, step_out);
+    }
+    const int good = nck_number_whole(&self->words.number[letter - 'A'], 0, &count)
+                     && count <= NCK_DECODE_VALUE_MAX;
+    *step_out = good ? count * (self->modal.inch ? INCREMENT_INCH_NM : INCREMENT_NM) : 0;
+    return NCK_OK;
+}
+
+// A step along X (P, in one line I) or Z (Q, K), without a sign.
 static nck_status_t read_step(nck_decode_t *self, unsigned k, int64_t *step_out) {
     const char letter = k == 0 ? 'P' : 'Q';
     const char other = k == 0 ? 'I' : 'K';
     const char said = has(self, other) ? other : letter;
-    const nck_number_t *const word = &self->words.number[said - 'A'];
-    nck_status_t status = NCK_OK;
     if (has(self, letter) && has(self, other)) {
         return nck_decode_fail_word(self, NCK_E_WORD_SHARED, other, 0.0, 0.0);
     }
     if (!has(self, said)) return fail_missing(self, letter);
-    if (said == other || nck_decode_says_point(self, said)) {
-        status = nck_decode_length_word(self, said, step_out);
-    } else if (nck_number_whole(word, 0, step_out) && *step_out <= NCK_DECODE_VALUE_MAX) {
-        *step_out *= self->modal.inch ? INCREMENT_INCH_NM : INCREMENT_NM;
-    } else {
-        *step_out = 0;
-    }
+    const nck_status_t status = said == other ? nck_decode_length_word(self, said, step_out)
+                                              : read_increments(self, said, step_out);
     if (status != NCK_OK || *step_out > 0) return status;
-    return nck_decode_fail_word(self, NCK_E_NUMBER_RANGE, said, nck_number_real(word), 0.0);
+    return nck_decode_fail_word(self, NCK_E_NUMBER_RANGE, said,
+                                nck_number_real(&self->words.number[said - 'A']), 0.0);
 }
 
 // X and Z; what is not said stays: one row, or in it nothing to cut.
@@ -70,18 +75,23 @@ static nck_status_t read_steps(nck_decode_t *self) {
     return read_step(self, rows, &peck->step_nm[rows]);
 }
 
+// The first of two lines: how far a peck goes back.
+static nck_status_t keep_back(nck_decode_t *self) {
+    int64_t back_nm = 0;
+    if (!has(self, 'R')) return fail_missing(self, 'R');
+    const nck_status_t status = nck_decode_length_word(self, 'R', &back_nm);
+    if (status == NCK_OK && back_nm < 0) {
+        return nck_decode_fail_word(self, NCK_E_NUMBER_RANGE, 'R', (double)back_nm / 1e6, 0.0);
+    }
+    if (status == NCK_OK) self->held.peck.back_nm = back_nm;
+    return status;
+}
+
 static nck_status_t begin(nck_decode_t *self) {
     nck_peck_t *const peck = &self->held.peck;
     const uint32_t cuts = NCK_LETTER('P') | NCK_LETTER('Q') | NCK_LETTER('I') | NCK_LETTER('K');
     peck->along = self->words.code[NCK_STEP_MOTION] == NCK_MOTION_PECK_Z;
-    if (self->words.axes == 0 && !(self->words.letters & cuts)) { // the first of two lines
-        if (!has(self, 'R')) return fail_missing(self, 'R');
-        const nck_status_t kept = nck_decode_length_word(self, 'R', &peck->back_nm);
-        if (kept != NCK_OK || peck->back_nm >= 0) return kept;
-        peck->back_nm = 0;
-        return nck_decode_fail_word(self, NCK_E_NUMBER_RANGE, 'R',
-                                    nck_number_real(&self->words.number['R' - 'A']), 0.0);
-    }
+    if (self->words.axes == 0 && !(self->words.letters & cuts)) return keep_back(self);
     if (!(self->words.axes >> axis_of(peck->along) & 1u)) {
         return fail_missing(self, nck_decode_letter(axis_of(peck->along)));
     }
