@@ -10,6 +10,11 @@ import random
 import test_1_layouts
 
 
+def steps(begin, end, size):
+    """Return places from begin to end, both included."""
+    way = 1 if end > begin else -1
+    return [*range(begin, end, way * size), end]
+
 
 class Turning:
     """Lathe, system A: U and W, turning, facing and thread cycles, G32, shifts of the zero."""
@@ -99,6 +104,33 @@ class Turning:
         self.plain("G0" if code == "G92" else "G1", X=begin["X"])
         self.plain("G0", Z=begin["Z"])
 
+    def peck(self):
+        """G74 or G75, whose every move is said in the other language."""
+        code, along, across = self.source.choice([("G74", "Z", "X"), ("G75", "X", "Z")])
+        back = self.pick(0, 900)
+        to = {"X": self.pick(10000, 30000, 2), "Z": self.pick(-40000, -30000)}
+        begin = {"X": 50000, "Z": self.pick(2000, 9000)}
+        self.ours += [f"G0 X50. Z{begin['Z'] / 1000:.3f}", f"{code} R{back / 1000:.3f}"]
+        self.plain("G0", **begin)
+        self.at = begin
+        step = {"X": self.pick(2000, 9000), "Z": self.pick(3000, 9000)}  # X as radius
+        words = [self.word(letter, to[letter]) for letter in self.source.sample("XZ", 2)]
+        for letter, plain, other in (("X", "P", "I"), ("Z", "Q", "K")):
+            kind, size = self.source.randint(0, 2), step[letter]
+            words.append((f"{plain}{size}", f"{plain}{size / 1000:.3f}",
+                          f"{other}{size / 1000:.3f}")[kind])  # fmt: skip
+        self.ours.append(" ".join([code, *words]))
+        double = {"X": 2, "Z": 1}  # diameters
+        for row in steps(begin[across], to[across], double[across] * step[across]):
+            self.plain("G0", **{across: row})
+            for cut in steps(begin[along], to[along], double[along] * step[along])[1:]:
+                self.plain("G1", **{along: cut})
+                away = 1 if begin[along] > cut else -1
+                if cut != to[along]:
+                    self.plain("G0", **{along: cut + away * double[along] * back})
+            self.plain("G0", **{along: begin[along]})
+        self.plain("G0", **{across: begin[across]})
+
     def thread(self):
         """G32 along Z, or along a cone."""
         to = {"Z": self.at["Z"] - self.pick(30000, 60000)}
@@ -132,7 +164,7 @@ class Turning:
     def program(self):
         for _ in range(40):
             steps = (self.move, self.move, self.move, self.arc, self.rectangle, self.thread,
-                     self.mode)  # fmt: skip
+                     self.peck, self.mode)  # fmt: skip
             self.source.choice(steps)()
         return tuple("\n".join([*lines, "M30", ""]).encode() for lines in (self.ours, self.theirs))
 
@@ -169,19 +201,25 @@ class Macro:
         form = self.source.randint(0, 5)
         inside = (
             f"{a}*0.7{self.source.choice('+-')}{b}*0.3", f"{a}/[ABS[{b}]+9.]", f"SIN[{a}]*{b}",
-            f"SQRT[ABS[{a}]+1.]-{b}", f"[{a}+{b}]*COS[{b}]*0.5", f"ATAN[{a}]/[ABS[{b}]+60.]*9.",
+            f"SQRT[ABS[{a}]+1.]-{b}", f"[{a}+{b}]*COS[{b}]*0.5", f"ATAN[{a}]/[ABS[{b}]+60.]",
         )[form]  # fmt: skip
         return f"[[{inside}+0.0123] MOD 61. - 30.]"
 
     def condition(self, local):
+        """Return it in both languages."""
         one, other = self._compared(local), self._compared(local)
         if self.source.random() < 0.7:
             return one
-        return f"[{one} {self.source.choice(['AND', 'OR', 'XOR'])} {other}]"
+        joint = self.source.choice(["AND", "OR", "XOR"])
+        return tuple(f"[{a} {joint} {b}]" for a, b in zip(one, other, strict=True))
 
     def _compared(self, local):
+        """EQ and NE are exact in Fanuc's language; to rs274 what differs by 1e-4 is equal."""
         code = self.source.choice(["EQ", "NE", "LT", "LE", "GT", "GE"])
-        return f"[{self.value(local)} {code} {self.value(local)}]"
+        one, other = self.value(local), self.value(local)
+        ours = f"[{one} {code} {other}]"
+        exact = {"EQ": "LE", "NE": "GT"}.get(code)
+        return ours, f"[ABS[{one}-{other}] {exact} 0]" if exact else ours
 
     def statement(self, depth, local, do=1):
         kind = self.source.randint(0, 8)
@@ -211,7 +249,7 @@ class Macro:
     def choice(self, depth, local, do):
         yes, behind, name = self.names(3)
         condition = self.condition(local)
-        self.both(f"IF{condition}GOTO{yes}", f"O{name} if {condition}")
+        self.both(f"IF{condition[0]}GOTO{yes}", f"O{name} if {condition[1]}")
         mark = len(self.ours), len(self.theirs)
         self.block(depth, local, do)  # the other way: it stands first in Fanuc's language
         other = self.theirs[mark[1] :]
@@ -225,8 +263,8 @@ class Macro:
         (name,) = self.names(1)
         condition, set_it = self.condition(local), f"#{self.source.randint(101, 105)}="
         set_it += self.value(local)
-        self.ours.append(f"IF{condition}THEN{set_it}")
-        self.theirs += [f"O{name} if {condition}", set_it, f"O{name} endif"]
+        self.ours.append(f"IF{condition[0]}THEN{set_it}")
+        self.theirs += [f"O{name} if {condition[1]}", set_it, f"O{name} endif"]
 
     def loop(self, depth, local, do):
         (name,) = self.names(1)

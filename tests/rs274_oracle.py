@@ -97,12 +97,12 @@ class Listing:
             self._move(name, [float(word) for word in arguments.split(",")])
 
     def _tap(self, numbers):
-        """In and out again."""
+        """In, and out again to where it stands, which has the rounding of the move to there."""
         back = [a - b for a, b in zip(self.at, self._offset())]
         back = [number / unit for number, unit in zip(back, self._scale())]
         self._move("STRAIGHT_FEED", numbers + back[3:])
         self._move("STRAIGHT_FEED", back)
-        self.moves[-1].tolerance = self.moves[-2].tolerance
+        self.tolerance = self.moves[-1].tolerance = self.moves[-2].tolerance
 
     def _move(self, name, numbers):
         offset, scale = self._offset(), self._scale()

@@ -58,11 +58,12 @@ def test_a_program_says_what_was_chosen_and_reads_it_so():
 REMEDIES = (
     ("cak6150n", "A", "G84 Z-20 R5 F1.5", "unsupported", "G33.1"),
     ("cak6150n", "A", "G88 X-20 R5 F1.5", "unsupported", "tap with G32"),
-    ("cak6150n", "B", "G74 R1.", "unsupported", "peck with G1"),
+    ("cak6150n", "B", "F99 G75 X-9. P5000 R1.", "unsupported", "a line of its own"),
     ("cak6150n", "A", "G83 Z-20. Q5. F.1", "unsupported", "drill on the axis"),
     ("mill3", "A", "G88 X1 Z-20 R5 F99", "unsupported", "use G86"),
     ("mill3", "A", "G30 P3 Z0", "unsupported", "home.g30_p3.z_mm"),
-    ("mill3", "A", "G10 L12 P1 R3.", "unsupported", "tool.N.length_mm"),
+    ("mill3", "A", "G10 L12 P1 R3.", "unsupported", "dialect.d_offset"),
+    ("mill3", "A", "G10 L3 P1 R3.", "unsupported", "tool.N.length_mm"),
     ("mill3", "A", "G10 L2 P1 R30.", "unsupported", "G68"),
     ("mill3", "A", "#2001=3.", "unsupported", "G10"),
     ("mill3", "A", "G0 X1. #5221=3.", "word-shared", "a line of its own"),
@@ -76,6 +77,14 @@ def test_what_is_refused_says_what_to_do(machine, system, line, name, remedy):
     program = pycnc.load(f"G21\n{line}\nM30\n", pycnc.Machine.load(machine, set=change))
     (found,) = [each for each in program.diagnostics if each.severity == "error"]
     assert (found.id, found.line) == (name, 2)
+    assert remedy in found.help
+
+
+@pytest.mark.parametrize(("code", "remedy"), [("G88", "use G86"), ("G87", "bore from above")])
+def test_a_lathe_of_rs274ngc_has_the_remedies_of_its_language(code, remedy):
+    machine = pycnc.Machine.load("cak6150n", set=["dialect.base=linuxcnc"])
+    program = pycnc.load(f"G21 G18\n{code} X1 Z1 Y-20 R5 F99\nM2\n", machine)
+    (found,) = [each for each in program.diagnostics if each.severity == "error"]
     assert remedy in found.help
 
 

@@ -36,6 +36,29 @@ M2
 """
 
 
+TURNED = """G21 G18 G99
+G50 S2000
+T0202
+G96 S120 M3
+G0 X60 Z2 M8
+G1 Z-10 F0.2
+G50 X0 Z5
+U4 W-2
+G90 X50 Z-20
+X46
+G97 S600
+G92 X44 Z-15 F1.5
+X43
+G74 R0.5
+G74 Z-20. X40. P1000 Q4000 F0.1
+G98 F200
+G0 X70 Z9
+G28 U0 W0
+M30
+"""
+LATHE = ("dialect.base=fanuc", "dialect.system=A", "tool.2.x_mm=3", "tool.2.length_mm=-7")
+
+
 def whole(machine, text):
     blocks, diagnostics = stages.decode(text, machine)
     assert not (diagnostics["code"] < 0).any()
@@ -70,8 +93,19 @@ def test_from_every_line_on_the_blocks_are_those_of_the_whole_program(line):
         assert (entry[-1]["target_nm"] == moves[-1]["target_nm"]).all()
 
 
+@pytest.mark.parametrize("line", range(2, TURNED.count("\n") + 1))
+def test_a_lathe_enters_with_its_zero_tool_and_modes(line):
+    text = TURNED.encode()
+    full = whole(Machine.load("cak6150n", set=LATHE), text)
+    first = int(np.argmax(full["line"] >= line))
+    blocks, errors = entered("cak6150n", text, line, LATHE)
+    assert errors == []
+    assert (blocks[-len(full[first:]) :] == full[first:]).all()
+    assert in_force(blocks[: len(blocks) - len(full[first:])]) == in_force(full[:first])
+
+
 def in_force(blocks):
-    """Return the last speed, spindle word and coolant words, and the tool, of outputs."""
+    """Return the last speed (G96, G97), spindle and coolant words, and the tool, of outputs."""
     state = {}
     for block in blocks[(blocks["kind"] == lib.NCK_BLOCK_OUTPUT)
                         | (blocks["kind"] == lib.NCK_BLOCK_WAIT)]:  # fmt: skip
@@ -80,7 +114,8 @@ def in_force(blocks):
             state.pop(7, None), state.pop(8, None)
         group = {3: 5, 4: 5}.get(value, value) if kind == lib.NCK_OUTPUT_M else -1 - kind
         if not (kind == lib.NCK_OUTPUT_M and value in (6, 9)):
-            state[group] = value
+            speeds = (lib.NCK_OUTPUT_SPINDLE_SPEED, lib.NCK_OUTPUT_SURFACE_SPEED)
+            state["speed" if kind in speeds else group] = (kind, value) if kind in speeds else value
     if state.get(5) == 5:
         del state[5]
     return state

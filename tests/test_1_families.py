@@ -22,7 +22,7 @@ def test_random_programs_equal_rs274(name, tool, tmp_path):
 
 
 WORDS = {
-    "turning": r"G90\b|G94\b|G92\b|G32\b|G50\b|G99\b|U-?\d|W-?\d|R-?\d",
+    "turning": r"G74|G75|G90\b|G94\b|G92\b|G32\b|G50\b|G99\b|U-?\d|W-?\d|R-?\d",
     "fanuc": r"GOTO|THEN|WHILE|END|G65|M98|M99|AND|XOR",
     "layouts": r"G51\.1|G51\b|G68\b|G16\b|G15\b",
     "lathe": r"G33\b|G33\.1|G76|G96|G95|G7\b|G20",

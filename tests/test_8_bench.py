@@ -15,6 +15,7 @@ from pycnc.bench import kernel as bench_kernel
 from pycnc.bench import parallel as bench_parallel
 from pycnc.bench import timing
 from pycnc.errors import ArgumentError, ProgramError
+from pycnc.kernel.bind import lib
 from pycnc.machine import Machine
 from pycnc.program import Program
 
@@ -25,6 +26,7 @@ def small(monkeypatch):
     for name, size in (("relief", 1500), ("arcs", 400), ("circles", 3), ("micrometres", 500)):
         made = functools.partial(getattr(bench_kernel, name), size)
         monkeypatch.setattr(bench_kernel, name, made)
+    monkeypatch.setattr(bench_kernel, "LOOPS", 100)
     monkeypatch.setattr(bench_kernel, "ROUNDS", 1)
     rows = functools.partial(bench_parallel.bench_lookahead_rows, sizes=(1000,), seconds=0)
     monkeypatch.setattr(bench_parallel, "bench_lookahead_rows", rows)
@@ -34,6 +36,11 @@ def small(monkeypatch):
 def test_a_program_of_a_bench_runs_and_keeps_every_promise(made):
     text = getattr(bench_kernel, made)(300)
     judged.run(Program(text, bench_kernel.plain_machine()).check())
+
+
+def test_a_loop_is_read_as_often_as_the_bench_says(small):
+    program = Program(bench_kernel.loop(), bench_kernel.plain_machine()).check()
+    assert (program.blocks["kind"] == lib.NCK_BLOCK_LINE).sum() == 100
 
 
 def test_every_tick_is_timed_and_no_more():

@@ -288,6 +288,21 @@ def test_a_rigid_tap_goes_in_and_out_with_the_spindle(stand_in):
     assert np.abs(z[run.places[:, 0] > 0.01]).max() < 1e-6
 
 
+@pytest.mark.parametrize("rps_s", [1e9, 2000, 200])
+@pytest.mark.parametrize(("rps", "lead"), [(10, 1), (25, 2)])
+def test_a_spindle_that_turns_back_at_once_leads_no_axis_over_its_limits(
+    stand_in, rps, lead, rps_s
+):
+    run = stand_in.run([f"spindle {rps} {rps_s}", "run 900", f"sync {lead} 0",
+                        "tap 100 0 0 -60 0 0 0 0 0 0 1", "sync 0 0", f"rest {EVER}"])  # fmt: skip
+    assert_within_limits(run)
+    z, turns = run.places[:, 2], run.column("turns")
+    first, back = (np.flatnonzero(z < -10)[k] for k in (0, -1))
+    off = z[[first, back]] + lead * turns[[first, back]]
+    assert np.ptp(off) < 1e-3  # in step again on its way out
+    assert run.places[-1] == pytest.approx([0, 0, 0], abs=1e-6)
+
+
 def test_an_abort_in_a_thread_rests_and_goes_on_from_there(stand_in):
     run = stand_in.run([*PASS[:4], "run 900", "abort", "rest 2000", "tell", "line 50 0 0 0",
                         f"rest {EVER}"])  # fmt: skip

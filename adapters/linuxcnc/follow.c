@@ -2,7 +2,7 @@
 // Motion whose time is the spindle's angle.
 #include "follow.h"
 
-#include <math.h>   // ceil fabs floor fmax fmin sqrt
+#include <math.h>   // ceil copysign fabs floor fmax fmin INFINITY sqrt
 #include <string.h> // memcpy memset
 
 static const double spare = 1.3; // a spindle may turn so much faster than when the pass began
@@ -73,12 +73,33 @@ static double mean_time(const follow_t *self, const nck_machine_t *machine, doub
     return longest;
 }
 
+// How the speed along the way may change, and how high it may be. Under the two means an
+// acceleration a that turns round at once is a jerk of 2a/τ.
+static void limit(follow_t *self, const nck_machine_t *machine) {
+    const double tau = (double)self->n * self->cycle_s;
+    self->v_most = INFINITY;
+    self->a_most = INFINITY;
+    for (uint32_t line = 1; line <= self->lines; line++) {
+        for (int k = 0; k < FOLLOW_AXES; k++) {
+            const nck_axis_t *const axis = &machine->axis[k];
+            const double share = axis->present ? fabs(direction(self, line, k)) : 0.0;
+            if (share == 0.0) continue;
+            self->v_most = fmin(self->v_most, axis->v_max / share);
+            self->a_most = fmin(self->a_most, axis->a_max / share);
+            if (machine->slope == NCK_SLOPE_LINEAR) continue;
+            self->a_most = fmin(self->a_most, 0.5 * axis->j_max * tau / share);
+        }
+    }
+}
+
 void follow_prepare(follow_t *self, const nck_machine_t *machine, double rps) {
     const double v = self->lead * fabs(rps) * spare;
     double tau = 0.0;
     for (int more = 0; more < 4; more++) tau = mean_time(self, machine, v, tau);
     const double n = ceil(tau / self->cycle_s) + 1.0;
     self->n = n < (double)FOLLOW_HALF ? (uint32_t)n : FOLLOW_HALF;
+    limit(self, machine);
+    self->v_back = fmin(v, self->v_most);
     self->phase = FOLLOW_INDEX;
 }
 
@@ -87,6 +108,7 @@ void follow_prepare(follow_t *self, const nck_machine_t *machine, double rps) {
 void follow_index(follow_t *self, double rps) {
     const double ahead = fabs(rps) * (double)self->n * self->cycle_s;
     self->begin = 1.0 + floor(ahead);
+    self->asked = -self->lead * self->begin;
     self->phase = FOLLOW_CUTS;
     for (uint32_t n = 0; n < self->n; n++) {
         memcpy(self->first[n], self->point[0], sizeof self->first[n]);
@@ -105,11 +127,30 @@ static void mean(const follow_t *self, double (*ring)[FOLLOW_AXES], const double
     }
 }
 
+// A spindle may change its speed, and turn back, faster than the axes can follow: then the way is
+// what they can do until it is in step again. Whoever is off by x, and closes in by √(2ax), gets
+// there with the speed of what he follows; here in steps of one cycle. A tap comes out no faster
+// than the means can stop.
+static double chase(const follow_t *self, double asked) {
+    const double step = self->a_most * self->cycle_s * self->cycle_s;
+    const double out = sqrt(self->v_back * self->v_back + 2.0 * self->a_most * fmax(self->s, 0.0));
+    const double v = self->phase == FOLLOW_RETURNS ? fmin(out, self->v_most) : self->v_most;
+    const double most = v * self->cycle_s;
+    const double off = self->asked - self->s;
+    const double closing = step * (sqrt(0.25 + 2.0 * fabs(off) / step) - 0.5);
+    const double wish = asked - self->asked + copysign(fmin(fabs(off), closing), off);
+    const double can = fmin(fmax(wish, self->step - step), self->step + step);
+    return self->s + fmin(fmax(can, -most), most);
+}
+
 // Both means together come n − 1 cycles late: that far ahead the angle is asked for.
 static void advance(follow_t *self, double turns, double rps) {
     const double length = self->end[self->lines];
     const double ahead = turns + rps * (double)(self->n - 1) * self->cycle_s;
-    const double s = self->lead * (ahead - self->begin);
+    const double asked = self->lead * (ahead - self->begin);
+    const double before = self->s;
+    const int moves = before > 0.0; // its begin is a kink, which the means know
+    const double s = moves ? chase(self, asked) : asked;
     if (self->phase == FOLLOW_CUTS) {
         self->s = self->taps ? fmax(s, self->s) : fmin(fmax(s, self->s), length);
         if (self->s >= length) self->phase = self->taps ? FOLLOW_RETURNS : FOLLOW_SETTLES;
@@ -121,6 +162,8 @@ static void advance(follow_t *self, double turns, double rps) {
         self->s = self->taps == 1 ? fmax(self->s, 0.0) : self->s;
         self->settled++;
     }
+    self->step = moves ? self->s - before : asked - self->asked;
+    self->asked = asked;
     self->reached = fmax(self->reached, self->s);
 }
 

@@ -39,6 +39,11 @@ typedef struct follow {
     double cycle_s;
     double begin;      // angle at which it begins [revolutions]
     double s;          // of the way [mm]
+    double step;       // of s in the last cycle
+    double asked;      // s as the angle has it
+    double v_most;     // of s [mm/s]
+    double v_back;     // where a tap comes out
+    double a_most;     // of s [mm/s²]
     double reached;    // furthest s
     double end[FOLLOW_LINES + 1]; // s at the lines' ends; [0]: 0
     double point[FOLLOW_LINES + 1][FOLLOW_AXES];

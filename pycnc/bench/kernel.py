@@ -9,6 +9,7 @@ whatever else interrupts a process.
 """
 
 import functools
+import resource
 import shutil
 import statistics
 import subprocess
@@ -26,6 +27,7 @@ from pycnc.machine import DEFAULT, Machine
 ROUNDS = 5  # of every variant, in turn; the medians count
 LINES = 180_000  # of the relief: as many as the corpus' largest surface
 ARCS = 50_000
+LOOPS = 30_000
 TICKS = 1_000_000  # at most, for each program
 HEAD = "G17 G21 G90 G91.1 G94 G61\nG0 X0 Y0 Z5\nF6000\n"
 
@@ -66,6 +68,12 @@ def micrometres(count=200_000):
     return f"{HEAD}{_joined(f'G1 X{k * 1e-3:.3f}' for k in range(count))}\nM2\n".encode()
 
 
+def loop():
+    """Return a program that goes along a helix by WHILE, sine and cosine."""
+    body = "G1 X[50*COS[#1]] Y[50*SIN[#1]] Z[#1/1000]\n#1=[#1+1]"
+    return f"{HEAD}#1=0\nO1 WHILE [#1 LT {LOOPS}]\n{body}\nO1 ENDWHILE\nM2\n".encode()
+
+
 def plain_machine(slope="linear"):
     """Return the mill without travel limits, with an exact path: what the pages tell of."""
     plain = [f"path.slope={slope}", "path.tolerance_mm=0"]
@@ -83,6 +91,14 @@ def _rs274(file):
     return time.perf_counter() - begun
 
 
+def _rs274_cpu(file):
+    """Return what rs274 has of the processor over a file [s]."""
+    before = resource.getrusage(resource.RUSAGE_CHILDREN)
+    _rs274(file)
+    after = resource.getrusage(resource.RUSAGE_CHILDREN)
+    return after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime
+
+
 def _has_rs274():
     return shutil.which("rs274") is not None
 
@@ -97,32 +113,36 @@ def _medians(variants):
 
 
 def _decode(text, machine):
-    begun = time.perf_counter()
+    begun = time.process_time()
     for _ in kernel.decode(text, machine):
         pass
-    return time.perf_counter() - begun
+    return time.process_time() - begun
 
 
 def bench_decode_rows():
     """Return rows {case, lines, variant, ns_per_line, lines_per_s, ratio_to_rs274}.
 
-    rs274 starts a process and prints what it finds, to nowhere; the time of its start, measured
-    with an empty program, is taken off.
+    Times are of the processor; lines of a loop count as often as they are read. rs274 starts a
+    process and prints what it finds, to nowhere; the time of its start, measured with an empty
+    program, is taken off.
     """
     rows, machine = [], plain_machine()
+    programs = ("lines", relief(), 1), ("arcs", arcs(), 1), ("loop", loop(), LOOPS)
     with tempfile.TemporaryDirectory() as folder:
-        for case, text in (("lines", relief()), ("arcs", arcs())):
-            rows += _decode_rows(case, text, machine, Path(folder))
+        for case, text, times in programs:
+            rows += _decode_rows(case, (text, times), machine, Path(folder))
     return rows
 
 
-def _decode_rows(case, text, machine, folder):
-    file, empty, lines = folder / f"{case}.ngc", folder / "empty.ngc", text.count(b"\n")
+def _decode_rows(case, program, machine, folder):
+    (text, times), empty = program, folder / "empty.ngc"
+    lines = text.count(b"\n") if times == 1 else 4 * times  # WHILE, G1, #1=, ENDWHILE
+    file = folder / f"{case}.ngc"
     file.write_bytes(text)
     empty.write_bytes(b"M2\n")
     variants = {"pycnc": functools.partial(_decode, text, machine)}
     if _has_rs274():
-        variants |= {name: functools.partial(_rs274, each)
+        variants |= {name: functools.partial(_rs274_cpu, each)
                      for name, each in (("rs274", file), ("start", empty))}
     seconds = _medians(variants)
     if _has_rs274():

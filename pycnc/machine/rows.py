@@ -28,6 +28,11 @@ _SYSTEMS = {
     "B": lib.NCK_SYSTEM_B,
     "C": lib.NCK_SYSTEM_C,
 }
+_D_OFFSETS = {
+    None: lib.NCK_D_OPEN,
+    "radius": lib.NCK_D_RADIUS,
+    "diameter": lib.NCK_D_DIAMETER,
+}
 _FEEDS = {
     None: lib.NCK_FEED_START_OPEN,
     "per_minute": lib.NCK_FEED_START_MINUTE,
@@ -99,6 +104,7 @@ def _fill_dialect(row, dialect):
     row["base"] = _DIALECTS.get(dialect.base, lib.NCK_DIALECT_LINUXCNC)  # auto: until a text tells
     row["system"] = _SYSTEMS[dialect.system]
     row["feed"] = _FEEDS[dialect.feed]
+    row["d_offset"] = _D_OFFSETS[dialect.d_offset]
     row["scale_unit"] = float(dialect.scale_unit)
     row["thread_pull"] = float(dialect.thread_pull_leads)
     row["diameter"], row["inch"] = dialect.diameter, dialect.units == "inch"

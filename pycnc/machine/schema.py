@@ -231,6 +231,11 @@ class Dialect(Table):
         description="What 1 means where a factor of Fanuc's G51 has no point: 1 (Haas), 0.001 or "
         "0.00001; 0: such a factor is an error.",
     )
+    d_offset: Literal["radius", "diameter"] | None = Field(
+        None,
+        description="What Fanuc's G10 L12 and L13 say of an offset for D. Not said: they are "
+        "refused, since controls differ.",
+    )
     thread_pull_leads: Leads = Field(
         Decimal(1),
         description="Leads over which a tool pulls out at a thread's end, in Fanuc's G92 and its "

@@ -195,7 +195,7 @@ class Wording:
             "dialect": _DIALECTS.get(int(value), "a language of its own"),
             "units": "inches (G20)" if settings.dialect.units == "inch" else "mm (G21)",
             "plane": settings.dialect.plane,
-            "lathe": settings.kinematics.type == "lathe_xz",
+            "lathe": settings.kinematics.type == "lathe_xz" and settings.dialect.base == "fanuc",
             "arc_centre": settings.dialect.arc_centre,
         }
 

@@ -13,9 +13,14 @@ _SETS = (
     "a control may take this {letter} for one of another set of I J K, and so another parameter",
     "say I J K in this order, in every set what a later one has; or letters: D is #7, E is #8",
 )
-_PECKING = (
-    "pecking in and out (G{value:g}) is not supported on lathes that speak Fanuc's language",
-    "peck with G1 and G0 in a loop: WHILE [#1 LT 5] DO1; --dialect linuxcnc: G73, G83",
+_D_OFFSET = (
+    "G10 L{value:g} sets an offset for D: Fanuc's mills do, by radius or by diameter",
+    "where the control is one, say which it takes: --set dialect.d_offset=radius (or diameter)",
+)
+_RELIEF = (
+    "R beside the end of G{value:g} moves the tool aside at the end of every cut, of the first one "
+    "into the wall, which is not supported",
+    "leave R out there, or R0; how far a peck goes back is the R of a line of its own before it",
 )
 _DRIVEN = (
     "G{value:g} drills with a driven tool on Fanuc's lathes, which is not supported",
@@ -176,6 +181,7 @@ WORDING = {
         "G10 L{value:g} is not supported here",
         "say it in the machine file: --set tool.N.length_mm=…, radius_mm, x_mm; work systems: L2",
     ),
+    **{f"unsupported:L{each}": _D_OFFSET for each in (12, 13)},
     "unsupported:H": (
         "controls differ in when G10 counts that changes a tool while a length (G43) is in force",
         "put G49 before G10, and G43 H behind it",
@@ -185,7 +191,7 @@ WORDING = {
         "turn the part in the post-processor, or G68 X0 Y0 R… where the program is Fanuc's",
     ),
     **{f"unsupported:G{code}:lathe": _TAPPING for code in (84, 88)},
-    **{f"unsupported:G{code}:lathe": _PECKING for code in (74, 75)},
+    **{f"unsupported:G{code}:lathe": _RELIEF for code in (74, 75)},
     **{f"unsupported:G{code}:lathe": _DRIVEN for code in (83, 85, 87, 89)},
     "unsupported:G87": ("G87 needs a spindle that stops at an angle", "bore from above"),
     "unsupported:G88": ("behind G88 nobody knows where the tool is", "use G86 or G89"),

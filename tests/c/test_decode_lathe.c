@@ -136,7 +136,7 @@ static void what_another_system_may_mean_is_refused(check_t *check) {
     check_error(check, &self, "G0 U5\nM2\n", NCK_E_AXIS_UNKNOWN, 1, 4);
     begin(NCK_SYSTEM_C);
     check_error(check, &self, "G21\nM2\n", NCK_E_WORD_MISSING, 1, 1);
-    check_error(check, &self, "G77 X1 Z1\nM2\n", NCK_E_UNSUPPORTED, 1, 1);
+    check_error(check, &self, "G79 X1 Z1\nM2\n", NCK_E_UNSUPPORTED, 1, 1);
 }
 
 // The first line of many a program: nothing moves, and the motion behind it is named.
@@ -249,12 +249,56 @@ static void contours_are_read_from_pushed_text(check_t *check) {
     check_error(check, &self, "N1 G0 X10 F9\nN2 Z-5\nG70 P1 Q2\nM2\n", NCK_E_NO_SEEK, 3, 0);
 }
 
+static void pecks_go_back_by_r_and_rows_lie_side_by_side(check_t *check) {
+    static const move_t drilled[] = {{'l', 0, -2}, {'r', 0, -1}, {'l', 0, -4}, {'r', 0, -3},
+                                     {'l', 0, -5}, {'r', 0, 0}, {0, 0, 0}};
+    static const move_t grooves[] = {{'l', 7, -9}, {'r', 7.5, -9}, {'l', 5, -9}, {'r', 10, -9},
+                                     {'r', 10, -11}, {'l', 7, -11}, {'r', 7.5, -11},
+                                     {'l', 5, -11}, {'r', 10, -11}, {'r', 10, -12},
+                                     {'l', 7, -12}, {'r', 7.5, -12}, {'l', 5, -12},
+                                     {'r', 10, -12}, {'r', 10, -9}, {0, 0, 0}};
+    begin(NCK_SYSTEM_A);
+    case_decode(&self, "G21 G98 F60 G0 X0 Z0\nG74 R1.\nG74 Z-5. Q2000\nM2\n");
+    check_moves(check, 1, drilled);
+    case_decode(&self, "G21 G98 F60 G0 X0 Z0\nG74 R9.\nG74 Z-5. Q2500\nM2\n");
+    CHECK_INT(check, self.block[2].target_nm[2], 0); // no further than where it began
+    case_decode(&self, "G20 G98 F6 G0 X0 Z0\nG21 G74 R1\nG74 W-5. K2.\nX2\nM2\n");
+    check_moves(check, 1, drilled);
+    CHECK_INT(check, self.block[7].kind, NCK_BLOCK_RAPID); // G0 holds
+    case_decode(&self, "G21 G98 F60 G0 X20 Z-9\nG75 X10. Z-12. P3000 Q2. R0\nM2\n");
+    check_moves(check, 1, grooves);
+    begin(NCK_SYSTEM_C);
+    case_decode(&self, "G71 G94 F60 G90 G0 X20 Z-9\nG77 R.5\nG77 X10. Z-12. I3. K2.\nM2\n");
+    check_moves(check, 1, grooves);
+    case_decode(&self, "G71 G94 F60 G90 G0 X0 Z0\nG76 R1.\nG76 Z-5. Q2000\nM2\n");
+    check_moves(check, 1, drilled);
+}
+
+static void a_peck_without_its_words_is_told(check_t *check) {
+    begin(NCK_SYSTEM_A);
+    check_error(check, &self, "F9 G0 X6 Z2\nG74\nM2\n", NCK_E_WORD_MISSING, 2, 1);
+    check_error(check, &self, "F9 G0 X6 Z2\nG74 R-1.\nM2\n", NCK_E_NUMBER_RANGE, 2, 5);
+    check_error(check, &self, "F9 G0 X6 Z2\nG74 X3.\nM2\n", NCK_E_WORD_MISSING, 2, 1);
+    check_error(check, &self, "F9 G0 X6 Z2\nG74 Z0\nM2\n", NCK_E_WORD_MISSING, 2, 1);
+    check_error(check, &self, "F9 G0 X6 Z2\nG74 Q5.\nM2\n", NCK_E_WORD_MISSING, 2, 1);
+    check_error(check, &self, "F9 G0 X6 Z2\nG74 X3. Z0 Q9\nM2\n", NCK_E_WORD_MISSING, 2, 1);
+    check_error(check, &self, "F9 G0 X6 Z2\nG74 Z0 Q0\nM2\n", NCK_E_NUMBER_RANGE, 2, 8);
+    check_error(check, &self, "F9 G0 X6 Z2\nG74 Z0 Q[1/3]\nM2\n", NCK_E_NUMBER_RANGE, 2, 8);
+    check_error(check, &self, "F9 G0 X6 Z2\nG74 Z0 Q5 K5\nM2\n", NCK_E_WORD_SHARED, 2, 11);
+    check_error(check, &self, "F9 G0 X6 Z2\nG74 Z0 Q5 R1\nM2\n", NCK_E_UNSUPPORTED, 2, 11);
+    check_error(check, &self, "G0 X6 Z2\nG74 Z0 Q5\nM2\n", NCK_E_FEED_MISSING, 2, 0);
+    self.machine.axis[NCK_AXIS_Z].min_nm = -1000000;
+    check_error(check, &self, "F9 G0 X6 Z2\nG74 Z-2. Q5\nM2\n", NCK_E_TRAVEL, 2, 5);
+}
+
 int main(void) {
     check_t check = {0};
     if (NCK_HAS_CYCLES) {
         CHECK_RUN(&check, a_turning_cycle_is_a_rectangle_by_every_name);
         CHECK_RUN(&check, a_facing_cycle_goes_the_other_way_round);
         CHECK_RUN(&check, a_taper_begins_by_r_beside_the_end);
+        CHECK_RUN(&check, pecks_go_back_by_r_and_rows_lie_side_by_side);
+        CHECK_RUN(&check, a_peck_without_its_words_is_told);
         if (NCK_HAS_CONTOUR) CHECK_RUN(&check, contours_are_read_from_pushed_text);
         CHECK_RUN(&check, a_cycle_holds_until_another_motion);
         CHECK_RUN(&check, what_another_system_may_mean_is_refused);

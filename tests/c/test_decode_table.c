@@ -60,6 +60,33 @@ static void fanucs_lengths_and_their_wear_add_up(check_t *check) {
     check_error(check, &self, "G10 L10 P7 R1.\nM30\n", NCK_E_TOOL_UNKNOWN, 1, 9);
 }
 
+static void fanucs_radii_are_what_the_machine_says(check_t *check) {
+    if (!NCK_HAS_COMP) return;
+    begin(NCK_DIALECT_FANUC);
+    self.machine.dialect.d_offset = NCK_D_RADIUS;
+    case_decode(&self, "G21 G90 G94 F9\nG10 L12 P1 R2.\nG10 L13 P1 R-.25\nG41 D1\nG40\n"
+                       "G91 G10 L12 P1 R1.\nG10 L13 P1 R.5\nG90 G41 D1\nM30\n");
+    CHECK_INT(check, self.errors, 0);
+    CHECK_NEAR(check, self.block[0].output.value, 1.75, 0.0);
+    CHECK_NEAR(check, self.block[2].output.value, 3.25, 0.0);
+    self.machine.dialect.d_offset = NCK_D_DIAMETER;
+    case_decode(&self, "G21 G90 G94 F9\nG10 L12 P1 R5.\nG41 D1\nM30\n");
+    CHECK_NEAR(check, self.block[0].output.value, 3.0, 0.0); // and its wear
+    check_error(check, &self, "G10 L12 P1\nM30\n", NCK_E_WORD_MISSING, 1, 1);
+    self.machine.dialect.base = NCK_DIALECT_LINUXCNC;
+    check_error(check, &self, "G10 L12 P1 R5\nM2\n", NCK_E_UNSUPPORTED, 1, 5);
+}
+
+static void a_line_that_is_refused_changes_nothing(check_t *check) {
+    begin(NCK_DIALECT_LINUXCNC);
+    case_decode(&self, "G21 G90 G10 L1 P1 X1 Y2 Z9999999\nG10 L1 P1 Z5 R1 Q12\n"
+                       "G10 L2 P1 X4 Z9999999\nG10 L20 P1 X4 Z9999999\nG43 H1 G0 X1 Z1\nM2\n");
+    CHECK_INT(check, self.errors, 4);
+    CHECK_NEAR(check, offset_of(0, 0), 0.0, 0.0);
+    CHECK_NEAR(check, offset_of(0, 2), 10.0, 0.0);
+    CHECK_INT(check, self.block[0].target_nm[0], 1000000);
+}
+
 static void what_a_table_cannot_take_is_told(check_t *check) {
     begin(NCK_DIALECT_LINUXCNC);
     check_error(check, &self, "G10 L1 P3 Z1\nM2\n", NCK_E_TOOL_UNKNOWN, 1, 8);
@@ -126,6 +153,8 @@ int main(void) {
     CHECK_RUN(&check, an_entry_makes_the_axes_stand_where_the_words_say);
     CHECK_RUN(&check, a_radius_and_an_orientation_count_from_the_next_g41_on);
     CHECK_RUN(&check, fanucs_lengths_and_their_wear_add_up);
+    CHECK_RUN(&check, fanucs_radii_are_what_the_machine_says);
+    CHECK_RUN(&check, a_line_that_is_refused_changes_nothing);
     CHECK_RUN(&check, what_a_table_cannot_take_is_told);
     CHECK_RUN(&check, a_changed_tool_outlives_its_program_and_a_parameter_does_not);
     return check_end(&check);

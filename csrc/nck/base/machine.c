@@ -131,7 +131,7 @@ static int dialect_good(const nck_machine_t *machine) {
            && machine->dialect.plane >= 17 && machine->dialect.plane <= 19
            && machine->dialect.system <= NCK_SYSTEM_C && machine->dialect.block_skip <= 1
            && machine->dialect.feed <= NCK_FEED_START_REV
-           && machine->dialect.optional_stop <= 1
+           && machine->dialect.optional_stop <= 1 && machine->dialect.d_offset <= NCK_D_DIAMETER
            && machine->work_system < NCK_WORK_SYSTEMS;
 }
 

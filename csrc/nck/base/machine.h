@@ -53,6 +53,13 @@ typedef enum nck_feed_start {
     NCK_FEED_START_REV = 2     // G95
 } nck_feed_start_t;
 
+// What R of Fanuc's G10 L12 and L13, an offset for D, is.
+typedef enum nck_d_offset {
+    NCK_D_OPEN = 0, // they are refused
+    NCK_D_RADIUS = 1,
+    NCK_D_DIAMETER = 2
+} nck_d_offset_t;
+
 // What a machine is measured in; each has one range (nck_machine_range).
 typedef enum nck_quantity {
     NCK_QUANTITY_PERIOD = 0,       // [s]
@@ -129,6 +136,7 @@ typedef struct nck_machine {
         uint8_t optional_stop; // 1: M1 stops
         uint8_t system;      // nck_system_t
         uint8_t feed;        // nck_feed_start_t
+        uint8_t d_offset;    // nck_d_offset_t
         uint32_t from_line;  // where programs begin: what stands before is not done; 0: all is
         double feed_default; // FEED: in force before the first F
         double scale_unit;   // what 1 means where a factor of G51 has no point, 0 … 1; 0: open

@@ -48,6 +48,14 @@ void nck_decode_write(const nck_decode_t *self, unsigned axis, int64_t value_nm,
     out->negative = value_nm < 0;
 }
 
+int nck_decode_says_point(const nck_decode_t *self, int letter) {
+    const nck_number_t *const word = &self->words.number[letter - 'A'];
+    for (unsigned k = word->first; k < word->last; k++) {
+        if (self->line.text[k] == '.') return 1;
+    }
+    return 0;
+}
+
 nck_status_t nck_decode_length_word(nck_decode_t *self, char letter, int64_t *value_out) {
     const nck_number_t *const word = &self->words.number[letter - 'A'];
     if (nck_number_fixed(self->line.text, word, &self->place.scale[0], value_out)) return NCK_OK;

@@ -26,11 +26,15 @@ static int is_fanuc(const nck_decode_t *self) {
     return self->machine->dialect.base == NCK_DIALECT_FANUC;
 }
 
+static int pecks(const nck_decode_t *self, int32_t code) {
+    return self->lathe && (code == NCK_MOTION_PECK_Z || code == NCK_MOTION_PECK_X);
+}
+
 static int turns(int32_t code) { return code == NCK_MOTION_TURN || code == NCK_MOTION_FACE; }
 
 static int drills(const nck_decode_t *self, int32_t code) {
-    return !nck_decode_follows(self, code) && !turns(code) && !nck_motion_cuts_threads(code)
-           && !nck_motion_is_spline(code);
+    return !nck_decode_follows(self, code) && !turns(code) && !pecks(self, code)
+           && !nck_motion_cuts_threads(code) && !nck_motion_is_spline(code);
 }
 
 static uint8_t does_of(int32_t code) {
@@ -413,6 +417,7 @@ static nck_status_t do_bottom(nck_decode_t *self, unsigned phase, nck_block_t *o
 
 static nck_status_t other_cycle(nck_decode_t *self, int32_t code, nck_block_t *out) {
     if (turns(code)) return nck_decode_turn(self, out);
+    if (pecks(self, code)) return nck_decode_peck(self, out);
     if (nck_motion_is_spline(code)) return nck_decode_spline(self, out);
     return nck_motion_cuts_threads(code) ? nck_decode_screw(self, out)
                                          : nck_decode_profile(self, out);

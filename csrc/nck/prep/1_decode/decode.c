@@ -363,6 +363,7 @@ static void begin_modes(nck_decode_t *self) {
     if (nck_lathe_is_a(self)) self->finding.given = 1u << NCK_NOTE_DISTANCE; // has no G90 or G91
     if (NCK_HAS_CYCLES) {
         self->held.rough.retract_nm = NCK_ROUGH_RETRACT_NM;
+        self->held.peck.back_nm = NCK_ROUGH_RETRACT_NM;
         self->held.cycle.to_r = machine->dialect.base != NCK_DIALECT_FANUC;
     }
     nck_decode_scale(self);
@@ -421,8 +422,8 @@ static int axis_good(const nck_decode_t *self, unsigned axis) {
 
 static int cycle_works(const nck_decode_t *self) {
     if (!NCK_HAS_CYCLES) return 0;
-    return self->held.cycle.holes != 0 || self->held.turn.left != 0 || self->held.screw.phase != 0
-           || self->held.rough.phase != 0;
+    return self->held.cycle.holes != 0 || self->held.turn.left != 0 || self->held.peck.phase != 0
+           || self->held.screw.phase != 0 || self->held.rough.phase != 0;
 }
 
 int nck_decode_invariants(const nck_decode_t *self) {

@@ -72,6 +72,7 @@ enum { NCK_EXCUSED_FEED = 1, NCK_EXCUSED_SPEED = 2 };
 typedef NCK_CYCLE_STATE nck_cycles {
     nck_cycle_t cycle;     // drilling
     nck_turn_t turn;       // turning
+    nck_peck_t peck;       // G74, G75 of lathes
     nck_screw_t screw;     // threads
     nck_contour_t contour; // that G70 … G73 read
     nck_corner_t corner;   // ,R and ,C

@@ -31,7 +31,8 @@ int64_t nck_lathe_code(const nck_decode_t *self, int64_t tenths) {
         {NCK_SYSTEM_C, 240, NCK_MOTION_FACE}, {NCK_SYSTEM_C, 700, 200}, {NCK_SYSTEM_C, 710, 210},
         {NCK_SYSTEM_C, 720, NCK_MOTION_FINISH}, {NCK_SYSTEM_C, 730, NCK_MOTION_ROUGH},
         {NCK_SYSTEM_C, 740, NCK_MOTION_FACE_ROUGH}, {NCK_SYSTEM_C, 750, NCK_MOTION_PATTERN},
-        {NCK_SYSTEM_C, 770, 340}, {NCK_SYSTEM_C, 790, 340}, {NCK_SYSTEM_C, 760, 340},
+        {NCK_SYSTEM_C, 760, NCK_MOTION_PECK_Z}, {NCK_SYSTEM_C, 770, NCK_MOTION_PECK_X},
+        {NCK_SYSTEM_C, 790, 340},
         {NCK_SYSTEM_C, 780, NCK_MOTION_SCREW}
     };
     for (size_t k = 0; k < sizeof codes / sizeof codes[0]; k++) {

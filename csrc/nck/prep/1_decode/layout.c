@@ -257,10 +257,8 @@ static nck_status_t read_centre(nck_decode_t *self, int64_t *centre_nm) {
 // A factor. Without a point its unit goes by the control.
 static nck_status_t read_factor(nck_decode_t *self, int letter, double *factor_out) {
     const nck_number_t *const word = &self->words.number[letter - 'A'];
-    const char *const text = self->line.text;
     const double unit = self->machine->dialect.scale_unit;
-    const size_t size = (size_t)(word->last - word->first);
-    const int whole = size > 0 && memchr(text + word->first, '.', size) == NULL;
+    const int whole = word->last > word->first && !nck_decode_says_point(self, letter);
     if (whole && !(unit > 0.0)) {
         return nck_decode_fail_word(self, NCK_E_SCALE_UNIT, letter, nck_number_real(word), 0.0);
     }

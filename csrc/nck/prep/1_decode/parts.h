@@ -72,6 +72,9 @@ void nck_decode_write(const nck_decode_t *self, unsigned axis, int64_t value_nm,
 // axis.c: a length [nm] that stands in the line, whatever its letter. NCK_E_NUMBER_RANGE.
 nck_status_t nck_decode_length_word(nck_decode_t *self, char letter, int64_t *value_out);
 
+// axis.c: 1 if the number of a word stands in the line, with a point. Cost: linear in its digits.
+int nck_decode_says_point(const nck_decode_t *self, int letter);
+
 // axis.c: count steps on from a machine position of an axis. NCK_E_NUMBER_RANGE. Cost: constant.
 nck_status_t nck_decode_steps(nck_decode_t *self, unsigned axis, int64_t step_nm, int64_t count,
                               int64_t *at_nm);
@@ -149,10 +152,9 @@ nck_status_t nck_variable_wait(nck_decode_t *self, uint64_t key, double value);
 nck_status_t nck_variable_commit(nck_decode_t *self, nck_status_t line);
 nck_status_t nck_variable_add(nck_decode_t *self, uint64_t key, double value);
 
-// variables.c: the key of what G10 has changed in a tool; a parameter is set at once; a program
-// begins: only what was changed in tools stays. NCK_E_VARIABLES. Cost: linear in the parameters.
+// variables.c: the key of what G10 has changed in a tool; a program begins: only what was changed
+// in tools stays. Cost: linear in the parameters.
 uint64_t nck_variable_tool(uint32_t number, unsigned field);
-nck_status_t nck_variable_set(nck_decode_t *self, uint64_t key, double value);
 void nck_variable_restart(nck_decode_t *self);
 
 // variables.c: what must hold between two lines. Cost: constant.
@@ -357,9 +359,10 @@ void nck_decode_give_exact(const nck_decode_t *self, nck_block_kind_t kind, doub
 nck_status_t nck_decode_go(nck_decode_t *self, const nck_block_in_t *pushed,
                            const int64_t *target_nm, nck_block_t *out);
 
-// cycle.c: the holes of a canned cycle; turn.c: the moves of one for turning.
+// cycle.c: the holes of a canned cycle; turn.c, peck.c: the moves of one for turning, of G74, G75.
 nck_status_t nck_decode_cycle(nck_decode_t *self, nck_block_t *out);
 nck_status_t nck_decode_turn(nck_decode_t *self, nck_block_t *out);
+nck_status_t nck_decode_peck(nck_decode_t *self, nck_block_t *out);
 
 // profile.c: G70 … G73.
 nck_status_t nck_decode_profile(nck_decode_t *self, nck_block_t *out);

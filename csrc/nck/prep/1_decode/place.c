@@ -150,7 +150,9 @@ static nck_status_t set_work(nck_decode_t *self, int64_t list) {
     int64_t number = 0;
     const nck_status_t system = read_system(self, &number);
     if (system != NCK_OK) return system;
-    int64_t *const work = self->place.work_nm[number > 0 ? number - 1 : self->place.work_system];
+    int64_t *const kept = self->place.work_nm[number > 0 ? number - 1 : self->place.work_system];
+    int64_t work[NCK_AXIS_MAX];
+    memcpy(work, kept, sizeof work);
     for (unsigned axis = 0; axis < NCK_AXIS_MAX; axis++) {
         int64_t value = 0;
         if (!(words->axes & ((uint32_t)1 << axis))) continue;
@@ -160,6 +162,7 @@ static nck_status_t set_work(nck_decode_t *self, int64_t list) {
         const int64_t here = self->place.position_nm[axis] - tool - self->place.g92_nm[axis];
         work[axis] = list == 2 ? value : here - value;
     }
+    memcpy(kept, work, sizeof work);
     return NCK_EMPTY;
 }
 

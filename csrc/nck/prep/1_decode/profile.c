@@ -40,9 +40,7 @@ static nck_status_t read_length(nck_decode_t *self, char letter, int64_t least_n
 static nck_status_t read_depth(nck_decode_t *self, int64_t *out) {
     const nck_number_t *const word = &self->words.number['D' - 'A'];
     if (!has(self, 'D')) return NCK_OK;
-    for (unsigned k = word->first; k < word->last; k++) {
-        if (self->line.text[k] == '.') return read_length(self, 'D', 1, out);
-    }
+    if (nck_decode_says_point(self, 'D')) return read_length(self, 'D', 1, out);
     return nck_decode_fail_word(self, NCK_E_CONTOUR, 'D', nck_number_real(word), 0.0);
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The tool table: the machine's, and what G10 L1 L10 L11 has changed in it. The changes stand among
-// the parameters.
+// The tool table: the machine's, and what G10 L1 L10 … L13 has changed in it. The changes stand
+// among the parameters.
 #include "nck/prep/1_decode/parts.h"
 
 #include <stddef.h> // NULL
@@ -8,9 +8,9 @@
 #include "nck/base/real.h" // nck_floor
 
 // What may be changed.
-enum { FIELD_X, FIELD_Y, FIELD_Z, FIELD_RADIUS, FIELD_NOSE, FIELD_WEAR };
+enum { FIELD_X, FIELD_Y, FIELD_Z, FIELD_RADIUS, FIELD_NOSE, FIELD_WEAR, FIELD_RADIUS_WEAR };
 
-enum { L_ENTRY = 1, L_HERE = 10, L_FIXTURE = 11 };
+enum { L_ENTRY = 1, L_HERE = 10, L_FIXTURE = 11, L_RADIUS = 12, L_RADIUS_WEAR = 13 };
 
 static int is_fanuc(const nck_decode_t *self) {
     return self->machine->dialect.base == NCK_DIALECT_FANUC;
@@ -35,12 +35,14 @@ int nck_table_find(const nck_decode_t *self, uint32_t number, nck_tool_t *tool_o
     }
     tool_out->offset_nm[NCK_AXIS_Z] += whole(changed(self, number, FIELD_WEAR, 0.0));
     tool_out->radius_mm = changed(self, number, FIELD_RADIUS, entry->radius_mm);
+    tool_out->wear_mm = changed(self, number, FIELD_RADIUS_WEAR, entry->wear_mm);
     tool_out->orientation = (uint32_t)changed(self, number, FIELD_NOSE, entry->orientation);
     return 1;
 }
 
+// What a line changes counts once all of it is good.
 static nck_status_t keep(nck_decode_t *self, uint32_t number, unsigned field, double value) {
-    return nck_variable_set(self, nck_variable_tool(number, field), value);
+    return nck_variable_wait(self, nck_variable_tool(number, field), value);
 }
 
 // L1: the words are the offsets; L10: offsets by which the axes stand at the places that the words
@@ -96,11 +98,26 @@ static nck_status_t set_length(nck_decode_t *self, uint32_t number, int64_t list
     return status == NCK_OK ? keep(self, number, field, (double)value_nm) : status;
 }
 
-// What a language has not, or leaves open: Fanuc's D by radius or diameter, and lathes.
+// The same of the radius for D (L12) and its wear (L13), as the machine says that the words are.
+static nck_status_t set_radius(nck_decode_t *self, uint32_t number, int64_t list) {
+    nck_tool_t tool;
+    int64_t value_nm = 0;
+    const double share = self->machine->dialect.d_offset == NCK_D_DIAMETER ? 0.5 : 1.0;
+    const unsigned field = list == L_RADIUS ? FIELD_RADIUS : FIELD_RADIUS_WEAR;
+    (void)nck_table_find(self, number, &tool); // it is there
+    const nck_status_t status = nck_decode_length_word(self, 'R', &value_nm);
+    double value = (double)value_nm * 1e-6 * share;
+    if (self->modal.incremental) value += list == L_RADIUS ? tool.radius_mm : tool.wear_mm;
+    return status == NCK_OK ? keep(self, number, field, value) : status;
+}
+
+// What a language has not, or leaves open: D by radius or diameter, and lathes.
 static int speaks(const nck_decode_t *self, int64_t list) {
     const uint32_t base = self->machine->dialect.base;
     const int fanuc = base == NCK_DIALECT_FANUC && !self->lathe;
+    const int radius = list == L_RADIUS || list == L_RADIUS_WEAR;
     const int listed = list == L_ENTRY || list == L_HERE || list == L_FIXTURE;
+    if (radius) return NCK_HAS_VARIABLES && fanuc && self->machine->dialect.d_offset != NCK_D_OPEN;
     return NCK_HAS_VARIABLES && listed && (fanuc || base == NCK_DIALECT_LINUXCNC);
 }
 
@@ -128,10 +145,15 @@ nck_status_t nck_table_set(nck_decode_t *self, int64_t list) {
         return nck_decode_fail_word(self, NCK_E_TOOL_UNKNOWN, 'P', (double)number, 0.0);
     }
     if (is_fanuc(self)) {
-        if (self->words.letters & NCK_LETTER('R')) return set_length(self, (uint32_t)number, list);
+        if (self->words.letters & NCK_LETTER('R')) {
+            status = list >= L_RADIUS ? set_radius(self, (uint32_t)number, list)
+                                      : set_length(self, (uint32_t)number, list);
+            return nck_variable_commit(self, status);
+        }
         return nck_decode_fail(self, NCK_E_WORD_MISSING, self->words.code_column[NCK_STEP_OFFSET],
                                'R', 0.0, 0.0);
     }
     status = set_offsets(self, (uint32_t)number, list);
-    return status == NCK_OK ? set_shape(self, (uint32_t)number) : status;
+    if (status == NCK_OK) status = set_shape(self, (uint32_t)number);
+    return nck_variable_commit(self, status);
 }
