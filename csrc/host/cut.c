@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+// Looking for the rests of a program, without planning it.
+#include "host/cut.h"
+
+#include <string.h> // memset
+
+nck_status_t nck_host_cut_init(nck_host_cut_t *cut, const nck_machine_t *machine, const char *text,
+                               size_t n) {
+    const nck_source_t source = {text, n, NULL, NULL};
+    memset(cut, 0, sizeof *cut);
+    nck_decode_init(&cut->decode, machine);
+    nck_toolcomp_init(&cut->toolcomp, machine);
+    nck_host_share_init(&cut->outputs, machine);
+    return nck_decode_source(&cut->decode, &source) == NCK_OK ? NCK_OK : NCK_E_STATE;
+}
+
+// One block of the path, as the kernel takes it. NCK_EMPTY: a step towards it.
+static nck_status_t next_block(nck_host_cut_t *cut, nck_block_t *block) {
+    nck_status_t status = nck_toolcomp_pull(&cut->toolcomp, block);
+    if (status != NCK_EMPTY) return status;
+    status = nck_decode_pull(&cut->decode, block);
+    return status == NCK_OK ? nck_toolcomp_push(&cut->toolcomp, block) : status;
+}
+
+// The path rests behind the block, and nothing of what is before it waits in room 2.
+static int is_rest(const nck_host_cut_t *cut, const nck_block_t *block) {
+    return (block->kind == NCK_BLOCK_DWELL || block->kind == NCK_BLOCK_WAIT)
+           && !nck_toolcomp_is_on(&cut->toolcomp) && !cut->toolcomp.away;
+}
+
+nck_status_t nck_host_cut_next(nck_host_cut_t *cut, uint64_t least) {
+    const uint64_t wanted = cut->blocks + least;
+    nck_status_t status = NCK_OK;
+    nck_block_t block;
+    while (status == NCK_OK || status == NCK_EMPTY) {
+        status = next_block(cut, &block);
+        if (status != NCK_OK) continue;
+        cut->blocks++;
+        if (block.kind == NCK_BLOCK_OUTPUT || block.kind == NCK_BLOCK_WAIT) {
+            nck_host_share_output(&cut->outputs, &block.output);
+        }
+        if (cut->blocks >= wanted && is_rest(cut, &block)) return NCK_OK;
+    }
+    return NCK_DONE;
+}
+
+void nck_host_cut_enter(const nck_host_cut_t *cut, const nck_machine_t *machine, const char *text,
+                        nck_decode_t *decode, nck_toolcomp_t *toolcomp) {
+    *decode = cut->decode;
+    *toolcomp = cut->toolcomp;
+    decode->machine = machine;
+    decode->macro.source.text = text;
+    toolcomp->machine = machine;
+}
