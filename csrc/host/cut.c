@@ -4,13 +4,19 @@
 
 #include <string.h> // memset
 
+#include "nck/prep/4_lookahead/zone.h" // nck_zone_s nck_zone_rests
+#include "nck/prep/5_slope/slope.h"    // nck_slope_terms
+
 nck_status_t nck_host_cut_init(nck_host_cut_t *cut, const nck_machine_t *machine, const char *text,
                                size_t n) {
     const nck_source_t source = {text, n, NULL, NULL};
+    nck_terms_t terms;
     memset(cut, 0, sizeof *cut);
     nck_decode_init(&cut->decode, machine);
     nck_toolcomp_init(&cut->toolcomp, machine);
     nck_host_share_init(&cut->outputs, machine);
+    nck_slope_terms(machine, &terms);
+    cut->zone_s = nck_zone_s(&terms);
     return nck_decode_source(&cut->decode, &source) == NCK_OK ? NCK_OK : NCK_E_STATE;
 }
 
@@ -24,8 +30,10 @@ static nck_status_t next_block(nck_host_cut_t *cut, nck_block_t *block) {
 
 // The path rests behind the block, and nothing of what is before it waits in room 2.
 static int is_rest(const nck_host_cut_t *cut, const nck_block_t *block) {
-    return (block->kind == NCK_BLOCK_DWELL || block->kind == NCK_BLOCK_WAIT)
-           && !nck_toolcomp_is_on(&cut->toolcomp) && !cut->toolcomp.away;
+    const int rests = block->kind == NCK_BLOCK_WAIT
+                      || (block->kind == NCK_BLOCK_DWELL
+                          && nck_zone_rests(block->dwell_s, cut->zone_s));
+    return rests && !nck_toolcomp_is_on(&cut->toolcomp) && !cut->toolcomp.away;
 }
 
 nck_status_t nck_host_cut_next(nck_host_cut_t *cut, uint64_t least) {

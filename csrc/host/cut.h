@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Where a huge program may be cut: at its dwells and waits, where the path rests because the
-// program says so. A cut knows what rooms 1 and 2 know there, so a part can be planned without what
-// is before it. The text is read once, whoever plans the parts.
+// Where a huge program may be cut: at its waits, and at dwells of some periods, where the path
+// rests because the program says so. A cut knows what rooms 1 and 2 know there, so a part can be
+// planned without what is before it. The text is read once, whoever plans the parts.
 #ifndef NCK_HOST_CUT_H
 #define NCK_HOST_CUT_H
 
@@ -22,6 +22,7 @@ typedef struct nck_host_cut {
     nck_toolcomp_t toolcomp;
     nck_host_shares_t outputs; // tool, spindle; no rows
     uint64_t blocks;           // before it
+    double zone_s;             // a dwell is cut at if it is long against this [s]
 } nck_host_cut_t;
 
 // Begin before the first block. machine, text (n bytes): must outlive the search.

@@ -17,6 +17,9 @@
 #define LIKE_V (1.0 / 512.0)
 #define CHORDS_MOST 256.0
 
+// Behind the last rotary axis that the build has.
+enum { ROTARY_END = NCK_AXIS_MAX <= NCK_AXIS_C ? NCK_AXIS_MAX : NCK_AXIS_C + 1 };
+
 void nck_host_trail_again(nck_host_trail_t *self, const nck_machine_t *machine) {
     self->before += self->point_count;
     self->point_count = 0;
@@ -68,11 +71,10 @@ static void begin(nck_host_trail_t *self, const nck_host_stride_t *stretch, doub
 }
 
 static void put_place(nck_host_point_t *point, const nck_seg_t *seg, double s) {
-    enum { LINEAR = 3, AXES = 6 };
-    double place[AXES];
-    nck_path_part(seg, s, AXES, place);
+    double place[NCK_AXIS_C + 1] = {0.0};
+    nck_path_part(seg, s, ROTARY_END, place);
     memcpy(point->xyz, place, sizeof point->xyz);
-    memcpy(point->abc, place + LINEAR, sizeof point->abc);
+    memcpy(point->abc, &place[NCK_AXIS_A], sizeof point->abc);
 }
 
 // The first point: where the path begins.
@@ -87,7 +89,7 @@ static void give_start(nck_host_trail_t *self, const nck_host_stride_t *stretch)
 // How far the path may run while the rotary axes turn by so much [path mm]; 0: they do not turn.
 static double turned_chord(const nck_seg_t *seg, double s) {
     double square = 0.0;
-    for (int x = NCK_AXIS_A; x <= NCK_AXIS_C; x++) {
+    for (int x = NCK_AXIS_A; x < ROTARY_END; x++) {
         const double change = seg->end[x] - seg->start[x];
         square += change * change;
     }
@@ -95,7 +97,7 @@ static double turned_chord(const nck_seg_t *seg, double s) {
     double tangent[NCK_AXIS_MAX];
     nck_path_tangent(seg, s, tangent);
     square = 0.0;
-    for (int x = NCK_AXIS_A; x <= NCK_AXIS_C; x++) square += tangent[x] * tangent[x];
+    for (int x = NCK_AXIS_A; x < ROTARY_END; x++) square += tangent[x] * tangent[x];
     return square > 0.0 ? TURN_DEG / nck_sqrt(square) : 0.0;
 }
 
