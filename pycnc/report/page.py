@@ -17,13 +17,13 @@ from importlib import resources
 import numpy as np
 
 from pycnc import errors
+from pycnc.files import Part
 from pycnc.kernel import Blocks
 from pycnc.kernel.bind import lib
 from pycnc.kernel.records import enum, join
 from pycnc.machine.schema import ROTARY_AXES
 from pycnc.planning import measure
 from pycnc.planning.plan import Plan
-from pycnc.report.part import Part
 from pycnc.report.summary import limit_words
 from pycnc.report.turning import Turning, turns
 
@@ -253,11 +253,6 @@ def write(program, path, progress=None, what_if=False):
     file cannot be written.
     """
     text, found = make(program, progress, what_if)
-    part = Part(path)
-    try:
+    with Part(path) as part:
         part.file.write(text.encode("utf-8", errors="replace"))
-    except BaseException:
-        part.discard()
-        raise
-    part.close()
     return found

@@ -43,12 +43,12 @@ class Trace(Rows):
             self.plan = Plan(program, plan=plan, backend=backend, keep=False, look=look)
             self._path_error.finish_segs()
             self._run(prep_steps, commands, keep, sink, progress)
+            if sink:
+                sink.close()
         except BaseException:
             if sink:
                 sink.discard()
             raise
-        if sink:
-            sink.close()
         self.summary = self._summary(time.perf_counter() - begun)
 
     def _run(self, prep_steps, commands, keep, sink, progress):
