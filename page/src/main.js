@@ -2,7 +2,9 @@
 // The page: what is asked for in one part is shown in all the others.
 import "uplot/dist/uPlot.min.css";
 import "./page.css";
-import { drawCauses, drawCures, drawHead, lowsOf, causeColour, marksOf, pointOf } from "./causes.js";
+import {
+  drawCauses, drawCures, drawHead, lowsOf, causeColour, marksOf, pointOf,
+} from "./causes.js";
 import { modes } from "./colours.js";
 import { makeCurves } from "./curves.js";
 import { load, stretchAt } from "./data.js";
