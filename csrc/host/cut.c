@@ -51,12 +51,3 @@ nck_status_t nck_host_cut_next(nck_host_cut_t *cut, uint64_t least) {
     }
     return NCK_DONE;
 }
-
-void nck_host_cut_enter(const nck_host_cut_t *cut, const nck_machine_t *machine, const char *text,
-                        nck_decode_t *decode, nck_toolcomp_t *toolcomp) {
-    *decode = cut->decode;
-    *toolcomp = cut->toolcomp;
-    decode->machine = machine;
-    decode->macro.source.text = text;
-    toolcomp->machine = machine;
-}

@@ -36,11 +36,6 @@ nck_status_t nck_host_cut_init(nck_host_cut_t *cut, const nck_machine_t *machine
 // its first error, and the cut is of no more use. Cost: linear in the text. Context: prep.
 nck_status_t nck_host_cut_next(nck_host_cut_t *cut, uint64_t least);
 
-// Go on from the cut in another place: rooms of a kernel, whose machine and text these are.
-// Cost: constant. Context: prep.
-void nck_host_cut_enter(const nck_host_cut_t *cut, const nck_machine_t *machine, const char *text,
-                        nck_decode_t *decode, nck_toolcomp_t *toolcomp);
-
 #ifdef __cplusplus
 }
 #endif

@@ -100,11 +100,10 @@ nck_status_t nck_host_plan_part(nck_host_plan_t *plan, const nck_host_cut_t *fro
     const nck_status_t status = nck_host_plan_init(plan, nck, &machine, plan->text,
                                                    plan->text_size);
     if (status != NCK_OK) return status;
-    nck_host_cut_enter(from, &nck->machine, plan->text, &nck->decode, &nck->toolcomp);
+    nck_enter(nck, &from->decode, &from->toolcomp, (uint32_t)from->blocks, plan->text);
     plan->why.shares.tool = from->outputs.tool;
     plan->why.shares.tool_next = from->outputs.tool_next;
     plan->why.shares.turns = from->outputs.turns;
-    nck->wire.blocks = (uint32_t)from->blocks;
     plan->blocks_before = from->blocks;
     plan->block_last = blocks > 0 ? from->blocks + blocks : 0;
     plan->begun = 1;
@@ -162,9 +161,7 @@ static nck_status_t step(nck_host_plan_t *plan) {
     const int was_full = plan->status == NCK_FULL;
     if (!plan->begun) begin(plan);
     plan->status = nck_prep(plan->nck);
-    if (plan->block_last > 0 && plan->nck->wire.blocks >= plan->block_last) {
-        plan->nck->decode.text.over = 1; // what follows is the next part's
-    }
+    if (plan->block_last > 0) nck_leave_at(plan->nck, (uint32_t)plan->block_last);
     if (plan->reads) plan->text_used = nck_read_offset(plan->nck);
     if (plan->status < NCK_OK) plan->error = plan->status;
     if (plan->status == NCK_EMPTY) feed(plan);
