@@ -201,6 +201,7 @@ class Compare(Model):
     clock_shift_s: float = _is("by how much B is later than A")
     clock_rate: float = _is("B's time over A's")
     clock_residual_s: float = _is("what these two do not explain")
+    notes: list[str] = _is("what makes one doubt the rest: a gap in a log, other units")
     lines: list[LineDifference] = _is("if both have lines; those that differ most first")
 
 

@@ -71,6 +71,22 @@ def test_a_trace_is_equal_to_itself(trace, tmp_path, ending):
     assert abs(found.shift_s) + abs(found.rate - 1) + found.residual_s < 1e-3
 
 
+def test_a_gap_and_other_units_are_told(trace, part, tmp_path):
+    whole = write_log(tmp_path / "log.csv", trace).read_text().splitlines()
+    (tmp_path / "gap.csv").write_text("\n".join([*whole[:100], *whole[200:]]))
+    told = pycnc("compare", part, tmp_path / "gap.csv", "--map", "t=Time,x=PosX,y=PosY")
+    assert told.code == 0
+    (note,) = [line for line in told.out.splitlines() if line.startswith("note")]
+    assert "no sample for 0.101 s behind sample 99" in note
+    columns = compare.columns_of("t=Time,x=PosX,y=PosY")
+    inches = compare.read(tmp_path / "log.csv", columns)
+    inches.places = {letter: place / 25.4 for letter, place in inches.places.items()}
+    (note,) = compare.Comparison(compare.of_trace(trace, "A"), inches).notes
+    assert "is it in inch? (--map x=…:inch)" in note
+    whole = compare.read(tmp_path / "log.csv", columns)
+    assert compare.Comparison(compare.of_trace(trace, "A"), whole).notes == []
+
+
 def test_settings_are_compared_by_line_and_tolerances_exit_3(part):
     options = ["compare", part, part, "--set-b", "axis.x.a_max_mm_s2=500"]
     told = json.loads(pycnc(*options, "--json").out)

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 from browser import NO_GL, SOFTWARE_GL, opened
 from PIL import Image
-from test_8_report import HOSTILE, PART
+from test_8_report import BAR, HOSTILE, PART, TURNTABLE
 
 from pycnc import load, why
 from pycnc.machine import Machine
@@ -250,6 +250,30 @@ def test_every_level_of_detail_has_every_low_point(visit):
     sizes, lost = zip(*missing, strict=True)
     assert set(lost) == {0}
     assert sizes[-1] < sizes[0]
+
+
+def test_what_cures_gain_is_told_and_turned_paths_tell_their_angles(browse, tmp_path):
+    program = load(BAR, Machine.load("mill5_xyzac", set=TURNTABLE))
+    found = report_page.write(program, tmp_path / "page.html", what_if=True)
+    with browse(tmp_path / "page.html", *SOFTWARE_GL) as visit:
+        shown = visit.page.locator(".cure").all_inner_texts()
+        told = [cure for cure in found.cures if abs(cure["gain_s"]) >= 5e-4]
+        assert len(shown) == len(told)
+        for text, cure in zip(shown, told, strict=True):
+            verb = "gains" if cure["gain_s"] > 0 else "loses"
+            assert text.split("\n")[:2] == [
+                cure["cure"], f"{verb} {duration(abs(cure['gain_s']))}"
+            ]  # fmt: skip
+        assert visit.text("#size").endswith("on the part")
+        x, y, _ = middle(visit, 4)
+        visit.page.mouse.move(x, y)
+        visit.settle()
+        assert " A " in visit.text("#tip")
+        assert visit.complaints == []
+
+
+def test_a_page_without_cures_says_nothing_of_them(visit):
+    assert visit.page.locator(".cure, h3").count() == 0
 
 
 def test_marks_in_comments_and_names_do_nothing(browse, tmp_path):

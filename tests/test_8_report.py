@@ -124,6 +124,64 @@ def places(made, letter, times):
     return x[k - 1] + way * (x[k] - x[k - 1])
 
 
+BAR = """G21 G90 G94 G17 G61
+G0 X0 Y0 Z30 A0
+G1 Z20 F1200
+X60 A1080 F4000
+G0 Z30
+M2
+"""
+TURNTABLE = ["axis.a.min_deg=free", "axis.a.max_deg=free"]
+
+
+def turned_page(text, *changes):
+    html, _ = page.make(load(text, Machine.load("mill5_xyzac", set=[*TURNTABLE, *changes])))
+    return Unpacked(html)
+
+
+def test_a_fourth_axis_is_drawn_as_the_part_sees_it():
+    made = turned_page(BAR)
+    y, z, line = (made.column(name) for name in ("y", "z", "line"))
+    helix = line == 4
+    assert made.facts["turned"] == ["a"]
+    assert np.hypot(y, z)[helix] == pytest.approx(20, abs=2e-3)
+    angle = np.unwrap(np.arctan2(z[helix], y[helix]))
+    assert abs(angle[-1] - angle[0]) == pytest.approx(6 * np.pi, abs=0.1)
+    assert np.abs(np.diff(angle)).max() < np.radians(5.01)  # no chord cuts the bar
+    assert made.column("axis_z")[helix] == pytest.approx(20, abs=1e-3)
+    assert made.column("axis_a")[helix].max() == pytest.approx(1080, abs=1e-3)
+
+
+def test_places_on_the_part_go_by_offsets_and_by_the_order_of_the_axes():
+    text = BAR.replace("X60 A1080", "X10 Y5 A30 C90").replace("G0 X0", "G43 H1\nG0 X0")
+    made = turned_page(text, "tool.1.length_mm=7", "work.g54.x_mm=3", "work.g54.a_deg=10")
+    k = int(np.flatnonzero(made.column("line") == 5)[-1])
+    place = {name: made.column(f"axis_{name}")[k] for name in "xyzac"}
+    assert place == pytest.approx({"x": 13, "y": 5, "z": 27, "a": 40, "c": 90}, abs=2e-3)
+    x, y, z = 10, 5, 20  # from the program's zero
+    cos, sin = np.cos(np.radians(30)), np.sin(np.radians(30))
+    y, z = cos * y - sin * z, sin * y + cos * z
+    x, y = -y, x  # then C turns by 90
+    found = [made.column(name)[k] for name in "xyz"]
+    assert found == pytest.approx([x + 3, y, z], abs=3e-3)
+
+
+def test_what_does_not_turn_is_drawn_where_the_axes_are(part):
+    assert part.facts["turned"] == [] and "axis_x" not in part.facts["columns"]
+    still = turned_page(BAR.replace("A1080", ""))
+    assert still.facts["turned"] == [] and "axis_x" not in still.facts["columns"]
+
+
+def test_the_page_has_the_gains_of_cures_if_they_are_asked_for(tmp_path):
+    (tmp_path / "part.ngc").write_text(PART)
+    out = tmp_path / "part.html"
+    asked = pycnc("report", tmp_path / "part.ngc", "-o", out, "--what-if", "--json")
+    facts = Unpacked(out.read_text()).facts
+    assert asked.code == 0
+    assert facts["what_if"] == json.loads(asked.out)["what_if"] == why(PART, what_if=True).cures
+    assert len(facts["what_if"]) > 8
+
+
 def test_every_low_point_stands_in_the_page():
     text = star(chord=0.5)
     made = page_of(text, **{"path.tolerance_mm": 0})

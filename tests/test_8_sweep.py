@@ -3,6 +3,7 @@
 
 import csv
 import json
+import math
 import os
 import signal
 import subprocess
@@ -14,10 +15,10 @@ import pytest
 from cases import spiral, star
 from command_line import pycnc
 
-from pycnc import errors, plan
+from pycnc import errors, kernel, plan
 from pycnc import sweep as make_sweep
 from pycnc.machine import Machine
-from pycnc.planning import sweep
+from pycnc.planning import parts, sweep, workers
 
 AXES = ["--set", "path.j_max_mm_s3=1e4..1e6/3", "--set", "path.slope=jerk,sshape"]
 
@@ -107,30 +108,114 @@ def test_a_cluster_that_is_not_there_is_told(files):
     assert (result.code, result.err.count("error[cluster]")) == (2, 1)
 
 
-def dying(task, machine, texts):
+def dying(unit, machine, texts):
     """Die at one task, always or once."""
-    if dict(task.changes)["path.slope"] == "sshape" and not os.path.exists(texts["once"]):
+    if dict(unit.task.changes)["path.slope"] == "sshape" and not os.path.exists(texts["once"]):
         if texts["kind"] == "once":
             open(texts["once"], "w").close()
         os.kill(os.getpid(), signal.SIGKILL)
-    return {"file": task.file, "pid": os.getpid()}
-
-
-def serve_dying(pipe, machine, texts):
-    while (task := pipe.recv()) is not None:
-        pipe.send(dying(task, machine, texts))
+    return sweep._row(unit.task)
 
 
 @pytest.mark.parametrize("kind", ["once", "always"])
-def test_a_dead_worker_is_replaced_and_its_task_tried_again_then_named(kind, monkeypatch, tmp_path):
-    monkeypatch.setattr(sweep, "_serve", serve_dying)
+def test_a_dead_worker_is_replaced_and_its_task_tried_again_then_named(kind, tmp_path):
     tasks = sweep.tasks_of(["a", "b"], {"path.slope": ["jerk", "sshape", "linear"]})
     texts = {"kind": kind, "once": str(tmp_path / "once")}
-    rows = dict(sweep._in_processes(tasks, None, texts, 2))
+    board = sweep._Board(tasks, Machine.load("mill3"))
+    found = workers.each(board.take, dying, (None, texts), 2)
+    rows = {unit.number: board.put(unit, result) for unit, result in found}
     assert sorted(rows) == list(range(6))
     named = {k: row["error"] for k, row in rows.items() if row.get("error")}
     assert set(named) == ({1, 4} if kind == "always" else set())
     assert all("3 workers died at it" in words and "-9" in words for words in named.values())
+
+
+# Huge programs
+
+
+def with_rests(lines, every):
+    """Return a program of short moves, in mm and within a tolerance, with rests and offsets that
+    change on the way: what is in force at a cut is much."""
+    text = ["G21 G90 G94 G17 G64 P0.02 F3000", "S9000 M3"]
+    for k in range(lines):
+        angle = 0.07 * k
+        x, y = 30 * math.cos(angle) + 3 * math.sin(7 * angle), 30 * math.sin(angle)
+        text.append(f"X{x:.4f} Y{y:.4f} Z{-2 - math.sin(angle):.4f}" if k else "G1 X33 Y0 Z-2")
+        if k % every == every - 1:
+            text.append(RESTS[k // every % len(RESTS)])
+    return "\n".join([*text, "G0 Z0", "M2", ""])
+
+
+RESTS = (
+    "G4 P0.02", "M0", "T2 M6\nS8000 M4\nF2500", "G10 L2 P1 X1 Y-2", "G61", "G4 P0.01\nG64 P0.05",
+    "G92 X30", "M5\nM1\nM3",
+)  # fmt: skip
+
+
+def sums_of(text, machine, part=None):
+    planner = kernel.Planner(text.encode(), machine, (), part=part)
+    for _ in planner.pieces():
+        pass
+    return planner.totals
+
+
+@pytest.mark.parametrize("slope", ["linear", "jerk", "sshape"])
+def test_parts_add_up_to_the_plan_of_the_whole_program_to_the_tick(slope):
+    machine = Machine.load("mill3", set=[f"path.slope={slope}"])
+    text = with_rests(6000, 97)
+    cuts = list(kernel.cuts(text.encode(), machine, 90))
+    found = parts.add([sums_of(text, machine, part) for part in cuts], machine)
+    whole = sums_of(text, machine)
+    assert len(cuts) > 30
+    for name in ("ticks", "blocks", "segs", "nodes", "cells", "tool_changes", "spindle_starts"):
+        assert found[name] == whole[name], name
+    assert found["time_s"] == whole["time_s"]
+    for name in ("cut_s", "rapid_s", "dwell_s", "length_mm"):
+        assert found[name] == pytest.approx(whole[name], rel=1e-9), name
+
+
+def test_a_program_is_cut_within_calls_and_loops():
+    machine = Machine.load("mill3")
+    text = ("G21 G90 G61 F2000\no1 sub\nG1 X[#1] Y[#2]\nG4 P0.01\nG1 X0\no1 endsub\n#5=0\n"
+            "o2 while [#5 LT 40]\no1 call [#5] [3]\n#5=[#5+1]\no2 endwhile\nM2\n")  # fmt: skip
+    cuts = list(kernel.cuts(text.encode(), machine, 1))
+    found = parts.add([sums_of(text, machine, part) for part in cuts], machine)
+    assert len(cuts) == 41
+    assert found["ticks"] == sums_of(text, machine)["ticks"]
+
+
+def test_no_cut_is_where_the_tool_stands_beside_its_contour():
+    machine = Machine.load("mill3", set=["tool.1.radius_mm=3"])
+    text = ("G21 G90 G17 G61 F1000\nT1 M6\nG1 X-20 Y0\nG41 D1 X0\nX20\nG4 P0.1\nY20\nG40 Y40\n"
+            "G4 P0.1\nX0\nM2\n")  # fmt: skip
+    blocks = [blocks for _, blocks in kernel.cuts(text.encode(), machine, 1)]
+    cuts = list(kernel.cuts(text.encode(), machine, 1))
+    found = parts.add([sums_of(text, machine, part) for part in cuts], machine)
+    assert 2 <= len(blocks) <= 3
+    assert found["ticks"] == sums_of(text, machine)["ticks"]
+
+
+def test_a_huge_program_has_the_same_bits_with_1_2_and_8_workers(tmp_path):
+    file = tmp_path / "huge.ngc"
+    file.write_text(with_rests(2 * parts.PART_BLOCKS + 5000, 997))
+    settings = {"path.slope": ["linear", "jerk"]}
+    rows = [make_sweep([file], settings, jobs=jobs).rows for jobs in (1, 2, 8)]
+    assert rows[0] == rows[1] == rows[2]
+    uncut = plan(file, "mill3", "jerk").totals
+    assert (rows[0][1]["time_s"], rows[0][1]["total_s"]) == (uncut["time_s"], uncut["total_s"])
+
+
+def test_an_error_in_a_part_is_told_once():
+    board = sweep._Board(sweep.tasks_of(["a"], {"path.slope": ["jerk"]}), Machine.load("mill3"))
+    unit = board.take()
+    assert board.put(unit, [(b"", 10), (b"", 10), (b"", 0)]) is None
+    units = [board.take() for _ in range(3)]
+    assert [one.place for one in units] == [0, 1, 2] and board.take() is None
+    assert board.put(units[2], sweep._row(unit.task, error="third")) is None
+    assert board.put(units[0], workers.Lost("with exit code -9")) is None
+    assert board.put(units[1], sweep._row(unit.task, error="second"))["error"] == (
+        "3 workers died at it, the last one with exit code -9"
+    )
 
 
 def test_a_program_with_an_error_is_named_and_the_others_go_on(files, tmp_path):

@@ -6,6 +6,7 @@
 
 #include <stddef.h> // size_t
 
+#include "host/cut.h" // nck_host_cut_t
 #include "host/why.h" // nck_host_why_t
 #include "nck/nck.h"  // nck_t and all records
 
@@ -67,6 +68,8 @@ typedef struct nck_host_plan {
     nck_cell_t *cells; size_t cell_max, cell_count;
     nck_output_t *outputs; size_t output_max, output_count;
     nck_host_totals_t totals;   // of the whole plan so far
+    uint64_t block_last;        // of a part: blocks before its end; 0: it ends with the program
+    uint64_t blocks_before;     // of a part: those of the program before it
     double since_stop_s;        // time since the last rest, not yet counted in whole periods
     nck_terms_t terms;          // of the machine's slope
     int32_t error;              // of the program: returned when all before it is planned; NCK_OK
@@ -82,6 +85,13 @@ nck_status_t nck_host_plan_init(nck_host_plan_t *plan, nck_t *nck, const nck_mac
 // What was given as text is rows of nck_block_in_t, each valid. Call it right after
 // nck_host_plan_init. Cost: constant. Context: prep.
 void nck_host_plan_blocks(nck_host_plan_t *plan);
+
+// Plan only a part: from a cut of the same text on, so many blocks to the next one (0: to the end).
+// The path rests at cuts, so each part is a plan of its own; its sums are those of the part alone,
+// and parts that are cut alike add up to the same, whoever plans them. Call it right after
+// nck_host_plan_init. Returns as nck_init. Cost: constant. Context: prep.
+nck_status_t nck_host_plan_part(nck_host_plan_t *plan, const nck_host_cut_t *from,
+                                uint64_t blocks);
 
 // Go on until an array is nearly full or the plan is done; the counts start from 0 at every call.
 // An array that is given must hold at least 4 × NCK_WINDOW rows. Without arrays it goes on for

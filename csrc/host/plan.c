@@ -31,6 +31,7 @@ nck_status_t nck_host_plan_init(nck_host_plan_t *plan, nck_t *nck, const nck_mac
     const nck_hooks_t hooks = {plan, keep_output, keep_node, keep_seg};
     memset(plan, 0, offsetof(nck_host_plan_t, why));
     nck_host_why_init(&plan->why, nck);
+    nck_host_share_init(&plan->why.shares, machine);
     plan->nck = nck;
     plan->text = text;
     plan->text_size = n;
@@ -91,6 +92,25 @@ static uint32_t take_cells(nck_host_plan_t *plan) {
 
 void nck_host_plan_blocks(nck_host_plan_t *plan) { plan->is_blocks = 1; }
 
+nck_status_t nck_host_plan_part(nck_host_plan_t *plan, const nck_host_cut_t *from,
+                                uint64_t blocks) {
+    nck_t *const nck = plan->nck;
+    nck_machine_t machine = *nck_machine_of(nck);
+    memcpy(machine.start_nm, from->decode.place.position_nm, sizeof machine.start_nm);
+    const nck_status_t status = nck_host_plan_init(plan, nck, &machine, plan->text,
+                                                   plan->text_size);
+    if (status != NCK_OK) return status;
+    nck_enter(nck, &from->decode, &from->toolcomp, (uint32_t)from->blocks, plan->text);
+    plan->why.shares.tool = from->outputs.tool;
+    plan->why.shares.tool_next = from->outputs.tool_next;
+    plan->why.shares.turns = from->outputs.turns;
+    plan->blocks_before = from->blocks;
+    plan->block_last = blocks > 0 ? from->blocks + blocks : 0;
+    plan->begun = 1;
+    plan->reads = 1;
+    return NCK_OK;
+}
+
 static void feed_block(nck_host_plan_t *plan) {
     nck_block_in_t block;
     memcpy(&block, plan->text + plan->text_used, sizeof block);
@@ -141,6 +161,7 @@ static nck_status_t step(nck_host_plan_t *plan) {
     const int was_full = plan->status == NCK_FULL;
     if (!plan->begun) begin(plan);
     plan->status = nck_prep(plan->nck);
+    if (plan->block_last > 0) nck_leave_at(plan->nck, (uint32_t)plan->block_last);
     if (plan->reads) plan->text_used = nck_read_offset(plan->nck);
     if (plan->status < NCK_OK) plan->error = plan->status;
     if (plan->status == NCK_EMPTY) feed(plan);
@@ -155,7 +176,7 @@ static void complete_totals(nck_host_plan_t *plan) {
     const nck_host_why_t *const why = &plan->why;
     nck_queue_t queue;
     nck_queue(plan->nck, &queue);
-    plan->totals.blocks = queue.blocks;
+    plan->totals.blocks = queue.blocks - plan->blocks_before;
     plan->totals.tool_changes = why->shares.tool_changes;
     plan->totals.spindle_starts = why->shares.spindle_starts;
     for (uint32_t k = 0; k < NCK_LIMIT_AXIS_V + NCK_AXIS_MAX; k++) {

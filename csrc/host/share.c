@@ -2,7 +2,15 @@
 // Shares of a plan's time by line, section or tool.
 #include "host/share.h"
 
+#include <string.h> // memset
+
 enum { M_CLOCKWISE = 3, M_ANTICLOCKWISE = 4, M_STOP = 5, M_TOOL = 6, M_END = 2, M_END_TAPE = 30 };
+
+void nck_host_share_init(nck_host_shares_t *self, const nck_machine_t *machine) {
+    memset(self, 0, sizeof *self);
+    self->turret = machine->dialect.base == NCK_DIALECT_FANUC
+                   && machine->kinematics == NCK_KINEMATICS_LATHE_XZ;
+}
 
 // The row of a tool: its own, or another one as long as there is room.
 static nck_host_share_t *row_of_tool(nck_host_shares_t *self, uint32_t tool) {

@@ -6,6 +6,7 @@
 
 #include <stddef.h> // size_t
 
+#include "nck/base/machine.h" // nck_machine_t
 #include "nck/base/records.h" // nck_output_t
 
 #ifdef __cplusplus
@@ -37,6 +38,9 @@ typedef struct nck_host_shares {
 typedef enum nck_host_share_kind {
     NCK_HOST_SHARE_CUT = 0, NCK_HOST_SHARE_RAPID = 1, NCK_HOST_SHARE_DWELL = 2
 } nck_host_share_kind_t;
+
+// Begin with no tool, the spindle at rest, and nothing asked for. Cost: constant. Context: any.
+void nck_host_share_init(nck_host_shares_t *self, const nck_machine_t *machine);
 
 // Take what the path hands over, in order. Cost: linear in the tools. Context: any.
 void nck_host_share_output(nck_host_shares_t *self, const nck_output_t *output);

@@ -10,11 +10,15 @@
 // A chord of a bend is so far from it at most [mm], and turns so far at most [rad].
 #define CHORD 0.005
 #define TURN 0.18
+#define TURN_DEG 5.0 // of rotary axes, which bend the path as the part sees it
 // Accelerations within this share of the machine's, speeds within this share of the feed go on
 // alike.
 #define LIKE_A (1.0 / 64.0)
 #define LIKE_V (1.0 / 512.0)
 #define CHORDS_MOST 256.0
+
+// Behind the last rotary axis that the build has.
+enum { ROTARY_END = NCK_AXIS_MAX <= NCK_AXIS_C ? NCK_AXIS_MAX : NCK_AXIS_C + 1 };
 
 void nck_host_trail_again(nck_host_trail_t *self, const nck_machine_t *machine) {
     self->before += self->point_count;
@@ -66,24 +70,50 @@ static void begin(nck_host_trail_t *self, const nck_host_stride_t *stretch, doub
     self->duration = 0.0;
 }
 
+static void put_place(nck_host_point_t *point, const nck_seg_t *seg, double s) {
+    double place[NCK_AXIS_C + 1] = {0.0};
+    nck_path_part(seg, s, ROTARY_END, place);
+    memcpy(point->xyz, place, sizeof point->xyz);
+    memcpy(point->abc, &place[NCK_AXIS_A], sizeof point->abc);
+}
+
 // The first point: where the path begins.
 static void give_start(nck_host_trail_t *self, const nck_host_stride_t *stretch) {
     if (told(self) > 0) return;
     memset(&self->open, 0, sizeof self->open);
     begin(self, stretch, 0.0);
-    nck_path_part(stretch->seg, 0.0, 3, self->open.xyz);
+    put_place(&self->open, stretch->seg, 0.0);
     give(self, &self->open);
+}
+
+// How far the path may run while the rotary axes turn by so much [path mm]; 0: they do not turn.
+static double turned_chord(const nck_seg_t *seg, double s) {
+    double square = 0.0;
+    for (int x = NCK_AXIS_A; x < ROTARY_END; x++) {
+        const double change = seg->end[x] - seg->start[x];
+        square += change * change;
+    }
+    if (!(square > 0.0) || !(seg->length > 0.0)) return 0.0;
+    double tangent[NCK_AXIS_MAX];
+    nck_path_tangent(seg, s, tangent);
+    square = 0.0;
+    for (int x = NCK_AXIS_A; x < ROTARY_END; x++) square += tangent[x] * tangent[x];
+    return square > 0.0 ? TURN_DEG / nck_sqrt(square) : 0.0;
 }
 
 // How long a chord of the path may be at a place [path mm]; 0: there is no bend.
 static double chord_at(const nck_seg_t *seg, double s) {
+    const double at = nck_min(seg->length, nck_max(0.0, s));
+    const double turned = turned_chord(seg, at);
     double second[NCK_AXIS_MAX];
     double square = 0.0;
-    if (seg->kind != NCK_SEG_ARC && seg->kind != NCK_SEG_SPLINE) return 0.0;
-    nck_path_second(seg, nck_min(seg->length, nck_max(0.0, s)), second);
+    if (seg->kind != NCK_SEG_ARC && seg->kind != NCK_SEG_SPLINE) return turned;
+    nck_path_second(seg, at, second);
     for (int x = 0; x < NCK_AXIS_MAX; x++) square += second[x] * second[x];
     const double bend = nck_sqrt(square);
-    return bend > 0.0 ? nck_min(nck_sqrt(8.0 * CHORD / bend), TURN / bend) : 0.0;
+    if (!(bend > 0.0)) return turned;
+    const double chord = nck_min(nck_sqrt(8.0 * CHORD / bend), TURN / bend);
+    return turned > 0.0 ? nck_min(chord, turned) : chord;
 }
 
 // 1 if a stretch with such an acceleration, so long and so fast at its end, goes on as the open one
@@ -124,7 +154,7 @@ static void step(nck_host_trail_t *self, const nck_host_stride_t *stretch, doubl
     }
     self->length += length;
     self->open.v = v;
-    nck_path_part(stretch->seg, stretch->s + s, 3, self->open.xyz);
+    put_place(&self->open, stretch->seg, stretch->s + s);
     pass_time(self, time);
 }
 

@@ -26,6 +26,7 @@ typedef struct nck_host_point {
     double v;                   // speed there [path mm/s]
     double feed;                // programmed in the stretch [path mm/s]; of a rapid its cap
     double xyz[3];              // of the linear axes [mm]
+    double abc[3];              // of the rotary axes [deg]
     uint32_t line;              // source line
     uint32_t tool;              // in the spindle
     uint8_t limit;              // of the stretch, as the ticks call it: nck_limit_t

@@ -31,6 +31,20 @@ void nck_flush(nck_t *nck) {
     if (!flushes(nck) && !nck->wire.ended) nck->wire.flush = NCK_FLUSH_ASKED;
 }
 
+void nck_enter(nck_t *nck, const nck_decode_t *decode, const nck_toolcomp_t *toolcomp,
+               uint32_t blocks, const char *text) {
+    nck->decode = *decode;
+    nck->toolcomp = *toolcomp;
+    nck->decode.machine = &nck->machine;
+    nck->decode.macro.source.text = text;
+    nck->toolcomp.machine = &nck->machine;
+    nck->wire.blocks = blocks;
+}
+
+void nck_leave_at(nck_t *nck, uint32_t blocks) {
+    if (nck->wire.blocks >= blocks) nck->decode.text.over = 1;
+}
+
 void nck_hurry(nck_t *nck, uint32_t periods) { nck_slope_hurry(&nck->slope, periods); }
 
 void nck_end(nck_t *nck) { nck_decode_end(&nck->decode); }

@@ -160,6 +160,16 @@ nck_status_t nck_push_block(nck_t *nck, const nck_block_in_t *block);
 // Cost: constant. Context: prep.
 void nck_flush(nck_t *nck);
 
+// Read a text from its middle on, right after nck_init with the machine standing there: rooms 1 and
+// 2 as they were elsewhere behind so many blocks of the same text, which is at `text` here.
+// Cost: constant. Context: prep, before the tick runs.
+void nck_enter(nck_t *nck, const nck_decode_t *decode, const nck_toolcomp_t *toolcomp,
+               uint32_t blocks, const char *text);
+
+// The program ends once so many blocks have been taken, the ones before nck_enter counted: call it
+// behind every prep step. Cost: constant. Context: prep.
+void nck_leave_at(nck_t *nck, uint32_t blocks);
+
 // Nothing more is there to push for now, and more may come: a plan that begins at rest, or takes
 // over within so many periods, takes what is known of the path. By itself nck_prep does so two
 // periods ahead, which is soon enough where it is called as long as it says NCK_OK; a caller with a

@@ -104,6 +104,28 @@ function placeRow({ cause, place, number }, lineText, ask) {
   return row;
 }
 
+// What a plan with each cure gains over this one; nothing if nobody asked.
+export function drawCures(box, facts) {
+  if (!facts.what_if.length) return;
+  box.append(element("h3", "", "What if – planned again with each cure"));
+  const most = Math.max(...facts.what_if.map((cure) => Math.abs(cure.gain_s)), 1e-9);
+  const tells = (cure) => Math.abs(cure.gain_s) >= LEAST_S;
+  for (const cure of facts.what_if.filter(tells)) {
+    const loses = cure.gain_s < 0;
+    const row = element("div", loses ? "cure loses" : "cure");
+    const bar = element("i", "lost-bar");
+    bar.style.width = `${(100 * Math.abs(cure.gain_s)) / most}%`;
+    const track = element("span", "track");
+    track.append(bar);
+    const gain = `${loses ? "loses" : "gains"} ${duration(Math.abs(cure.gain_s))}`;
+    row.append(element("span", "words", cure.cure), element("span", "lost", gain), track,
+      element("span", "many", duration(cure.time_s)));
+    box.append(row);
+  }
+  const vain = facts.what_if.filter((cure) => !tells(cure)).map(({ cure }) => cure);
+  if (vain.length) box.append(element("p", "none", `Nothing from: ${vain.join(", ")}`));
+}
+
 export function drawCauses(box, facts, marks, lineText, ask) {
   const numbers = new Map(marks.map(({ place }, k) => [place, String(k + 1)]));
   const most = Math.max(...facts.causes.map((cause) => cause.lost_s), 1e-9);

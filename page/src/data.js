@@ -142,6 +142,11 @@ export async function load() {
       lost: columns.plain("foot_lost", Float32Array),
     },
   };
+  // Where the axes are: what is drawn, but where rotary axes turn the part.
+  model.axis = { x: model.x, y: model.y, z: model.z };
+  for (const axis of facts.turned.length ? ["x", "y", "z", ...facts.turned] : []) {
+    model.axis[axis] = columns.steps(`axis_${axis}`, Float32Array);
+  }
   model.owner = owners(model.n, model.feet.first);
   model.limit = limits(model, facts.ramps);
   Object.assign(model, derive(model, facts));

@@ -2,7 +2,9 @@
 // The page: what is asked for in one part is shown in all the others.
 import "uplot/dist/uPlot.min.css";
 import "./page.css";
-import { drawCauses, drawHead, lowsOf, causeColour, marksOf, pointOf } from "./causes.js";
+import {
+  drawCauses, drawCures, drawHead, lowsOf, causeColour, marksOf, pointOf,
+} from "./causes.js";
 import { modes } from "./colours.js";
 import { makeCurves } from "./curves.js";
 import { load, stretchAt } from "./data.js";
@@ -75,8 +77,8 @@ function start({ facts, model, text, starts }) {
       line: model.line[i],
       speed: model.rests(i) ? "at rest" : `${grouped(v)}${share} mm/min`,
       held: `${is_ramp ? "ramp for" : "held by"} ${ramp}${costs}`,
-      place: `${clock(timeOf(moment))} · ${linear
-        .map((axis) => `${axis.toUpperCase()} ${model[axis][i].toFixed(3)}`).join("  ")}`,
+      place: `${clock(timeOf(moment))} · ${[...linear, ...facts.turned]
+        .map((axis) => `${axis.toUpperCase()} ${model.axis[axis][i].toFixed(3)}`).join("  ")}`,
     };
   }
 
@@ -167,6 +169,7 @@ function start({ facts, model, text, starts }) {
   const curves = makeCurves(by("curves"), facts, model, ask);
   const marks = marksOf(facts);
   drawCauses(by("causes"), facts, marks, listing.lineText, ask);
+  drawCures(by("causes"), facts);
   over({
     marks: marks.map(({ cause, place }, k) => ({
       i: pointOf(facts, model, cause, place), label: String(k + 1), colour: causeColour(cause),
@@ -189,7 +192,11 @@ function start({ facts, model, text, starts }) {
   by("whole").addEventListener("click", () => curves.whole());
   const sides = linear.map((axis) => [axis.toUpperCase(), scene.size["xyz".indexOf(axis)]]);
   by("size").textContent = `${sides.map(([axis, side]) => `${axis} ${side.toFixed(1)}`)
-    .join(" × ")} mm`;
+    .join(" × ")} mm${facts.turned.length ? " on the part" : ""}`;
+  if (facts.turned.length) {
+    by("size").title = `The path as the part sees it: ${facts.turned.join(" and ").toUpperCase()} `
+      + "turned about the zero of the work system.";
+  }
   pointer(by("over"), scene, (moment, px, py, isClick) => {
     if (isClick && moment) {
       setNow(moment);

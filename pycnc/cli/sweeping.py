@@ -73,18 +73,12 @@ def sweep(
 
 
 def _write(found, output):
-    from pycnc.report.part import Part
+    from pycnc.files import Part
 
     text = io.StringIO(newline="")
     found.write_csv(text)
-    with writing(output):
-        part = Part(output)
-        try:
-            part.file.write(text.getvalue().encode("utf-8", errors="surrogateescape"))
-        except BaseException:
-            part.discard()
-            raise
-        part.close()
+    with writing(output), Part(output) as part:
+        part.write(text.getvalue())
 
 
 def _point(row, axes):

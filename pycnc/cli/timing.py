@@ -157,9 +157,9 @@ def why(
 
 @verb(app, "report part.ngc -o part.html")
 def report(
-    *, file: File, output: Page, machine: MachineName = DEFAULT, dialect: DialectName = None,
-    slope: SlopeName = None, set: Set = None, tools: Tools = None, json_: Json = False,
-    quiet: Quiet = False,
+    *, file: File, output: Page, what_if: WhatIf = False, machine: MachineName = DEFAULT,
+    dialect: DialectName = None, slope: SlopeName = None, set: Set = None, tools: Tools = None,
+    json_: Json = False, quiet: Quiet = False,
 ):  # fmt: skip
     """Write one page for a browser: path, curves, program, and what holds it back where.
 
@@ -174,7 +174,7 @@ def report(
     if program is None:
         return give_up(facts, code, json_)
     with progress(f"planning {program.file}", quiet) as bar, writing(output):
-        found = page.write(program, output, bar)
+        found = page.write(program, output, bar, what_if)
     if not json_:
         tell(program, quiet, sys.stderr)
     print(json.dumps({**found.as_dict(), "report": output}) if json_ else output)

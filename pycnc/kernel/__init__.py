@@ -96,6 +96,33 @@ def _bad_block(data, used):
     )
 
 
+def cuts(text, machine, least):
+    """Yield (cut, blocks) of each part that a text is cut into at its rests.
+
+    Parameters
+    ----------
+    text : bytes
+    machine : Machine
+    least : int
+        Blocks of a part, the last one's left out: it is cut at the next dwell or wait behind them.
+
+    Yields
+    ------
+    cut : bytes
+        Where the part begins, and what is in force there, for `Planner`.
+    blocks : int
+        How many the part has; of the last one 0.
+    """
+    cut, data = ffi.new("nck_host_cut_t *"), ffi.from_buffer("char[]", text)
+    check(lib.nck_host_cut_init(cut, machine.pointer, data, len(text)))
+    blocks = -1
+    while blocks:
+        begun, here = int(cut.blocks), bytes(ffi.buffer(cut))
+        found = lib.nck_host_cut_next(cut, least) == lib.NCK_OK
+        blocks = int(cut.blocks) - begun if found else 0
+        yield here, blocks
+
+
 class Planner:
     """Plans a whole text without executing it.
 
@@ -106,6 +133,8 @@ class Planner:
     records : sequence of str
         Which records `pieces` yields: of seg, node, cell, output; of the trail host_point and
         host_foot, both together.
+    part : tuple, optional
+        One of those that `cuts` gives, to plan it alone.
     shares : int or numpy.ndarray, optional
         Parts of the time that are asked for: so many tools at most; or for every source line the
         number of its row (uint32).
@@ -121,14 +150,18 @@ class Planner:
         "dwell_s": the time without them. Complete when `pieces` has ended.
     """
 
-    def __init__(self, text, machine, records=("seg", "node", "cell"), shares=None):
+    def __init__(self, text, machine, records=("seg", "node", "cell"), shares=None,
+                 part=None):  # fmt: skip
         self._text, self._machine = text, machine
         self._nck, self._plan = ffi.new("nck_t *"), ffi.new("nck_host_plan_t *")
         self._data = ffi.from_buffer("char[]", text)
         check(lib.nck_host_plan_init(self._plan, self._nck, machine.pointer, self._data, len(text)))
         if isinstance(text, Blocks):
             lib.nck_host_plan_blocks(self._plan)
-        self._ask_shares(shares, machine.settings)
+        if part is not None:
+            cut = ffi.from_buffer("nck_host_cut_t *", part[0])
+            check(lib.nck_host_plan_part(self._plan, cut, part[1]))
+        self._ask_shares(shares)
         self._arrays = {
             name: np.empty(_TRAIL_ROWS if name in _TRAIL else _PLAN_ROWS, dtype(f"nck_{name}_t"))
             for name in records
@@ -144,10 +177,8 @@ class Planner:
             return self._plan.why.trail, *_TRAIL[name]
         return self._plan, f"{name}s", name
 
-    def _ask_shares(self, asked, settings):
+    def _ask_shares(self, asked):
         shares, by_line = self._plan.why.shares, isinstance(asked, np.ndarray)
-        turret = settings.dialect.base == "fanuc" and settings.kinematics.type == "lathe_xz"
-        shares.turret = turret
         rows = 0 if asked is None else int(asked.max()) + 1 if by_line else asked
         self._rows = np.zeros(rows, dtype("nck_host_share_t"))
         if rows:

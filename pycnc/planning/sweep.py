@@ -2,28 +2,26 @@
 """Many plans: a grid over settings and programs, side by side in processes or on a cluster.
 
     grid ─▶ tasks (program, changes) ─▶ workers ─▶ rows, in the order of the tasks
+                                     └▶ parts of huge programs ─▶ workers ─▶ sums ┘
 
-A row depends on its task alone, so however many workers there are, the bits are the same.
+A row depends on its task alone, and where a program is cut on that program, so however many workers
+there are, the bits are the same.
 """
 
 import csv
 import itertools
 import math
-import multiprocessing
-import signal
 from collections import deque
 from decimal import Decimal, InvalidOperation
-from multiprocessing.connection import wait
 from typing import NamedTuple
 
 from pycnc import errors
-from pycnc.extras import need
 from pycnc.machine import Machine
+from pycnc.planning import measure, parts, workers
 from pycnc.planning.plan import Plan
 from pycnc.program import Program, shown
 
 GRID_MOST = 10_000  # plans of a sweep
-TRIES = 3  # of a task whose workers die
 _RATIO = 10  # from such a range on, values go up by equal ratios
 _DIGITS = 6  # of a value between two ends
 _TIMES = ("total_s", "time_s", "cut_s", "rapid_s", "dwell_s")
@@ -129,103 +127,74 @@ def _changed(machine, changes):
     return Machine.load(machine, set=[f"{key}={value}" for key, value in changes])
 
 
-def evaluate(task, machine, texts):
-    """Return the row of a task: times in s, or what is wrong."""
-    row = {"file": task.file, **dict(task.changes)}
+class Unit(NamedTuple):
+    """What a worker does at once: look at a task, or plan a part of its program."""
+
+    number: int  # of the task
+    task: Task
+    place: int = 0  # of the part in the program
+    part: tuple | None = None
+
+
+def evaluate(unit, machine, texts):
+    """Return the row of a task: times in s, or what is wrong.
+
+    Of a huge program its parts, a list; of a part its sums.
+    """
+    task = unit.task
     try:
         changed = _changed(machine, task.changes)
-        plan = Plan(Program(texts[task.file], changed, file=task.file, keep=False), keep=False)
+        if unit.part is not None:
+            return parts.totals_of(unit.part, texts[task.file], changed)
+        program = Program(texts[task.file], changed, file=task.file, keep=False).check()
+        found = list(parts.of(program) or ())
+        if len(found) > 1:
+            return found
+        return _row(task, Plan(program, keep=False).totals)
     except errors.NckError as cause:
-        return row | dict.fromkeys(_TIMES) | {"error": str(cause).splitlines()[0]}
-    return row | {name: plan.totals[name] for name in _TIMES} | {"error": None}
+        return _row(task, error=str(cause).splitlines()[0])
 
 
-def _lost(task, tries, how):
-    row = {"file": task.file, **dict(task.changes)} | dict.fromkeys(_TIMES)
-    return row | {"error": f"{tries} workers died at it, the last one {how}"}
+def _row(task, totals=None, error=None):
+    times = {name: totals[name] for name in _TIMES} if totals else dict.fromkeys(_TIMES)
+    return {"file": task.file, **dict(task.changes)} | times | {"error": error}
 
 
-# Workers on this computer
+class _Board:
+    """Which units are to be done, and what is known of huge programs."""
 
+    def __init__(self, tasks, machine):
+        self._machine = machine
+        self._units = deque(Unit(number, task) for number, task in enumerate(tasks))
+        self._sums = {}  # number of a task → results of its parts, None: not there yet
 
-def _serve(pipe, machine, texts):
-    """Be a worker: an interrupt is for who has asked, who then ends this."""
-    signal.signal(signal.SIGINT, signal.SIG_IGN)
-    while (task := pipe.recv()) is not None:
-        pipe.send(evaluate(task, machine, texts))
+    def take(self):
+        """Return the next unit, None if there is none."""
+        return self._units.popleft() if self._units else None
 
+    def put(self, unit, result):
+        """Take a result. Returns the row of its task if that is complete, else None."""
+        task = unit.task
+        if isinstance(result, workers.Lost):
+            result = _row(task, error=str(result))
+        if isinstance(result, list):
+            self._sums[unit.number] = [None] * len(result)
+            made = [Unit(unit.number, task, place, part) for place, part in enumerate(result)]
+            self._units.extendleft(reversed(made))
+            return None
+        if unit.part is None:
+            return result
+        sums = self._sums[unit.number]
+        sums[unit.place] = result
+        if any(one is None for one in sums):
+            return None
+        del self._sums[unit.number]
+        wrong = [one for one in sums if isinstance(one, dict)]
+        return wrong[0] if wrong else _row(task, self._totals(task, sums))
 
-class _Worker:
-    def __init__(self, machine, texts):
-        context = multiprocessing.get_context("spawn")
-        self.pipe, there = context.Pipe()
-        self.process = context.Process(target=_serve, args=(there, machine, texts), daemon=True)
-        self.process.start()
-        there.close()
-        self.number = None  # of the task in work
-
-    def give(self, number, task):
-        self.number = number
-        self.pipe.send(task)
-
-    def end(self):
-        self.process.terminate()
-        self.process.join()
-        self.pipe.close()
-
-
-def _in_processes(tasks, machine, texts, jobs):
-    """Yield (number, row) as they come; a task whose worker dies is given to another."""
-    left, tries = deque(range(len(tasks))), [0] * len(tasks)
-    workers = [_Worker(machine, texts) for _ in range(min(jobs, len(tasks)))]
-    try:
-        for worker in workers:
-            worker.give(left[0], tasks[left.popleft()])
-        while busy := [worker for worker in workers if worker.number is not None]:
-            ready = wait([worker.pipe for worker in busy])
-            for worker in [worker for worker in busy if worker.pipe in ready]:
-                number, worker.number = worker.number, None
-                try:
-                    yield number, worker.pipe.recv()
-                except (EOFError, ConnectionResetError):
-                    worker.process.join()
-                    tries[number] += 1
-                    if tries[number] < TRIES:
-                        left.appendleft(number)
-                    else:
-                        how = f"with exit code {worker.process.exitcode}"
-                        yield number, _lost(tasks[number], TRIES, how)
-                    worker.pipe.close()
-                    workers[workers.index(worker)] = worker = _Worker(machine, texts)
-                if left:
-                    worker.give(left[0], tasks[left.popleft()])
-    finally:
-        for worker in workers:
-            worker.end()
-
-
-# Workers of a cluster
-
-
-def _on_cluster(tasks, machine, texts, address):
-    """Yield (number, row) as they come from a cluster of dask.distributed."""
-    distributed = need("distributed")
-    try:
-        client = distributed.Client(address, timeout=10)
-    except (OSError, ValueError) as cause:
-        raise errors.ArgumentError(f"no cluster at {address!r}: {cause}", id="cluster") from None
-    with client:
-        shared = client.scatter(texts, broadcast=True)
-        numbers = {}
-        for number, task in enumerate(tasks):
-            future = client.submit(evaluate, task, machine, shared, retries=TRIES - 1, pure=False)
-            numbers[future] = number
-        for future in distributed.as_completed(numbers):
-            try:
-                yield numbers[future], future.result()
-            except distributed.KilledWorker as cause:
-                how = f"was {cause.last_worker}"
-                yield numbers[future], _lost(tasks[numbers[future]], TRIES, how)
+    def _totals(self, task, sums):
+        changed = _changed(self._machine, task.changes)
+        return measure.plan_times(parts.add(sums, changed), changed)
 
 
 class Sweep(shown.Tables):
@@ -247,15 +216,15 @@ class Sweep(shown.Tables):
         for key, values in axes.items():
             for value in values:
                 _changed(machine, [(key, value)])
-        if cluster is not None:
-            found = _on_cluster(tasks, machine, texts, cluster)
-        elif jobs == 1:
-            found = ((k, evaluate(task, machine, texts)) for k, task in enumerate(tasks))
-        else:
-            found = _in_processes(tasks, machine, texts, jobs)
+        board, done = _Board(tasks, machine), 0
         self.rows = [None] * len(tasks)
-        for done, (number, row) in enumerate(found, 1):
-            self.rows[number] = row
+        found = workers.each(board.take, evaluate, (machine, texts), jobs, cluster)
+        for unit, result in found:
+            row = board.put(unit, result)
+            if row is None:
+                continue
+            self.rows[unit.number] = row
+            done += 1
             if progress:
                 progress(done, len(tasks))
 

@@ -2,14 +2,15 @@
 """Why a program takes its time: what it loses to which cause, and what a cure would gain."""
 
 import csv
+import io
 import math
 import re
 from decimal import Decimal
-from pathlib import Path
 
 import numpy as np
 
 from pycnc import errors, kernel
+from pycnc.files import Part
 from pycnc.machine import Machine
 from pycnc.machine.schema import AXES, unit_of
 from pycnc.planning import measure
@@ -185,10 +186,12 @@ class Why(shown.Tables):
 
     def to_csv(self, path):
         """Write `rows` as CSV, a line of names first."""
-        with Path(path).open("w", encoding="utf-8", newline="") as file:
-            table = csv.DictWriter(file, COLUMNS)
-            table.writeheader()
-            table.writerows(self.rows())
+        text = io.StringIO(newline="")
+        table = csv.DictWriter(text, COLUMNS)
+        table.writeheader()
+        table.writerows(self.rows())
+        with Part(path) as part:
+            part.write(text.getvalue())
 
     def _table(self, kind):
         rows = self.rows()

@@ -9,7 +9,7 @@ import numpy as np
 
 from pycnc import errors
 from pycnc.extras import need
-from pycnc.machine.schema import AXES, position_key
+from pycnc.machine.schema import AXES, ROTARY_AXES, position_key
 
 MOVES = 0.05  # places of A a sample: less is at rest
 STILL_MM = 1e-6  # nearer together two samples are one place
@@ -17,6 +17,8 @@ FORWARD, BACK = 400, 20  # places of A among which the next sample of B is looke
 SAMPLES_MAX = 40_000  # of B that are looked for: of more every second, third …
 _UNITS = {"s": 1.0, "ms": 1e-3, "us": 1e-6, "mm": 1.0, "um": 1e-3, "m": 1e3, "inch": 25.4,
           "deg": 1.0, "rad": 180 / math.pi}  # fmt: skip
+GAP = 20  # times the usual step: so long without a sample while it moves is a gap
+ALIKE = 0.02  # extents whose ratio is that of two units to this share are of other units
 _TIME_UNITS = frozenset({"s", "ms", "us"})
 
 
@@ -188,6 +190,8 @@ class Comparison:
         What is left of the differences of time behind that, in the mean [s].
     lines : list of (int, float, float)
         Source line, time in A and in B [s], the largest differences first.
+    notes : list of str
+        What makes one doubt the rest: gaps, other units.
     """
 
     def __init__(self, a, b):
@@ -209,6 +213,7 @@ class Comparison:
         self.distance_line = self._line_at(place[worst])
         self._fit_clock(place, path_a[self._kept])
         self.lines = self._by_line(place)
+        self.notes = [*_gaps(a, shared), *_gaps(b, shared), *_units(a, b, shared)]
 
     def _line_at(self, place):
         index = self._kept[min(round(float(place)), len(self._kept) - 1)]
@@ -259,6 +264,7 @@ class Comparison:
             "clock_shift_s": self.shift_s,
             "clock_rate": self.rate,
             "clock_residual_s": self.residual_s,
+            "notes": self.notes,
             "lines": [
                 {"line": line, "time_a_s": a, "time_b_s": b, "difference_s": b - a}
                 for line, a, b in self.lines[:lines]
@@ -270,6 +276,32 @@ class Comparison:
             f"<Comparison of {self.a.name} and {self.b.name}: {self.time_s:+.3f} s, "
             f"{self.distance_mm:.4f} mm>"
         )
+
+
+def _gaps(side, axes):
+    """Yield what is told of the longest time without a sample, if it is a gap."""
+    steps = np.diff(side.t)
+    moved = np.max([np.abs(np.diff(side.places[letter])) for letter in axes], axis=0)
+    steps = np.where(moved > STILL_MM, steps, 0.0)
+    worst, usual = int(np.argmax(steps)), float(np.median(np.diff(side.t)))
+    if steps[worst] > GAP * usual:
+        yield (
+            f"{side.name}: no sample for {steps[worst]:.3f} s behind sample {worst + 1} "
+            f"({side.t[worst]:g} s), while it moves: what is told behind it may be wrong"
+        )
+
+
+def _units(a, b, axes):
+    """Yield what is told if all linear axes of B have the extents of A in another unit."""
+    extents = [(np.ptp(a.places[letter]), np.ptp(b.places[letter]))
+               for letter in axes if letter not in ROTARY_AXES]  # fmt: skip
+    ratios = np.array([of_a / of_b for of_a, of_b in extents if min(of_a, of_b) > STILL_MM])
+    for unit in ("inch", "um", "m"):
+        if len(ratios) and np.all(np.abs(ratios / _UNITS[unit] - 1) < ALIKE):
+            yield (
+                f"{b.name}: its axes go {1 / ratios[0]:.4g} times as far as those of A: is it in "
+                f"{unit}? (--map {axes[0]}=…:{unit})"
+            )
 
 
 def _line_times(line, t):
@@ -333,6 +365,7 @@ def lines_of(found, shown=8):
             f"path   B is {found.distance_mm:.4f} mm from A at most{line}, {found.distance_t_s:.3f}"
             f" s behind its start; {found.mean_mm:.4f} mm in the mean; axes {found.axes.upper()}"
         )
+    yield from (f"note   {note}" for note in found.notes)
     told = [row for row in found.lines if abs(row[2] - row[1]) >= 5e-4][:shown]
     if told:
         yield "most by line    A [s]     B [s]  difference [s]"

@@ -17,13 +17,15 @@ from importlib import resources
 import numpy as np
 
 from pycnc import errors
+from pycnc.files import Part
 from pycnc.kernel import Blocks
 from pycnc.kernel.bind import lib
 from pycnc.kernel.records import enum, join
+from pycnc.machine.schema import ROTARY_AXES
 from pycnc.planning import measure
 from pycnc.planning.plan import Plan
-from pycnc.report.part import Part
 from pycnc.report.summary import limit_words
+from pycnc.report.turning import Turning, turns
 
 PLACE_MM = 1e-3  # positions are told in steps of so much
 TIME_S = 1e-6  # and times
@@ -35,10 +37,13 @@ _PARTS = ("page.html", "page.css", "page.js")
 
 
 class Trail:
-    """The points of a plan as they come, in as little memory as the page needs."""
+    """The points of a plan as they come, in as little memory as the page needs.
 
-    def __init__(self):
-        self._points, self._feet = [], []
+    `turned`: with the angles of rotary axes.
+    """
+
+    def __init__(self, turned=False):
+        self._points, self._feet, self._turned = [], [], turned
 
     def add(self, points, feet):
         """Take the next rows of dtypes ``nck_host_point_t`` and ``nck_host_foot_t``."""
@@ -50,6 +55,7 @@ class Trail:
             "line": points["line"].copy(),
             "tool": points["tool"].astype(np.uint16),
             "code": points["limit"] + _RAPID * points["rapid"] + _RESTS * points["rests"],
+            **({"abc": points["abc"].astype(np.float32)} if self._turned else {}),
         })  # fmt: skip
         self._feet.append(feet.copy())
 
@@ -109,11 +115,13 @@ def _planes(array):
     return np.stack([array & 255, array >> 8]).astype(np.uint8)
 
 
-def _pack(trail, text):
-    """Return the columns of the page."""
+def _pack(trail, program):
+    """Return the columns of the page, its points and its low points, and which axes turn."""
     points, feet, columns = trail.points(), trail.feet(), Columns()
+    turned = [k for k in range(3) if "abc" in points and np.ptp(points["abc"][:, k]) > 0]
+    places = _turned(columns, points, turned, program) if turned else points["xyz"]
     for k, letter in enumerate("xyz"):
-        columns.steps(letter, points["xyz"][:, k], PLACE_MM)
+        columns.steps(letter, places[:, k], PLACE_MM)
     columns.steps("t", np.rint(points["t"] / TIME_S).astype(np.int64), TIME_S)
     most = float(max(points["v"].max(), points["feed"].max(), 1e-9))
     columns.levels("v", points["v"], most)
@@ -130,11 +138,22 @@ def _pack(trail, text):
     columns.numbers("foot_axis", low["axis"].astype(np.uint8))
     columns.numbers("foot_angle", np.degrees(low["angle"]).astype(np.float32))
     columns.numbers("foot_lost", low["lost_s"].astype(np.float32))
-    columns.bytes("text", text)
-    return columns, len(points["t"]), len(feet)
+    columns.bytes("text", b"" if isinstance(program.text, Blocks) else bytes(program.text))
+    return columns, len(points["t"]), len(feet), [ROTARY_AXES[k] for k in turned]
 
 
-def _facts(found, points, feet):
+def _turned(columns, points, turned, program):
+    """Add the places of the axes, and return those on the part, in steps."""
+    for k, letter in enumerate("xyz"):
+        columns.steps(f"axis_{letter}", points["xyz"][:, k], PLACE_MM)
+    for k in turned:
+        steps = np.rint(points["abc"][:, k] / PLACE_MM)
+        columns.steps(f"axis_{ROTARY_AXES[k]}", steps, PLACE_MM)
+    places = Turning(program).on_part(points["xyz"] * PLACE_MM, points["abc"], points["line"])
+    return np.rint(places / PLACE_MM).astype(np.int64)
+
+
+def _facts(found, points, feet, turned):
     """Return what the page knows beside its columns: what ``pycnc why --json`` tells, and names."""
     plan, machine = found.plan, found.program.machine
     names, path = measure.limit_names(machine), machine.record["path"]
@@ -145,6 +164,7 @@ def _facts(found, points, feet):
         "length_mm": plan.totals["length_mm"],
         "blocks": plan.totals["blocks"],
         "axes": machine.axes,
+        "turned": turned,
         "lathe": machine.settings.kinematics.type == "lathe_xz",
         "a_max": float(path["a_max"]),
         "j_max": float(path["j_max"]) if slope != "linear" else None,
@@ -178,7 +198,7 @@ def inert(value):
     return json.dumps(value).replace("<", "\\u003c")
 
 
-def make(program, progress=None):
+def make(program, progress=None, what_if=False):
     """Return the page of a program as HTML text, and what it tells, a `Why`.
 
     Parameters
@@ -186,6 +206,8 @@ def make(program, progress=None):
     program : Program
     progress : callable, optional
         Called with (bytes of the program that are planned, all of them).
+    what_if : bool
+        Plan it again with each cure; the page tells what they gain.
 
     Raises
     ------
@@ -194,15 +216,16 @@ def make(program, progress=None):
     ArgumentError
         If nothing moves in it.
     """
-    trail = Trail()
+    trail = Trail(turns(program.machine))
     found = Plan(program, keep=False, trail=trail.add, progress=progress).why()
     if not found.time_s > 0:
         raise errors.ArgumentError(f"{program.file}: nothing moves: there is no path", id="empty")
-    text = b"" if isinstance(program.text, Blocks) else bytes(program.text)
-    columns, points, feet = _pack(trail, text)
+    if what_if:
+        found.what_if()
+    columns, points, feet, turned = _pack(trail, program)
     data = base64.b64encode(gzip.compress(columns.data(), _GZIP, mtime=0)).decode()
     parts = _assets()
-    facts = _facts(found, points, feet) | {"columns": columns.told}
+    facts = _facts(found, points, feet, turned) | {"columns": columns.told}
     fields = {
         "TITLE": html.escape(f"{program.file}: why it takes its time"),
         "POLICY": (
@@ -223,18 +246,13 @@ def make(program, progress=None):
     return "".join(pieces), found
 
 
-def write(program, path, progress=None):
+def write(program, path, progress=None, what_if=False):
     """Write the page of a program into a file, which appears once it is complete.
 
     Returns what it tells, a `Why`. The parameters and errors are those of `make`; OSError if the
     file cannot be written.
     """
-    text, found = make(program, progress)
-    part = Part(path)
-    try:
+    text, found = make(program, progress, what_if)
+    with Part(path) as part:
         part.file.write(text.encode("utf-8", errors="replace"))
-    except BaseException:
-        part.discard()
-        raise
-    part.close()
     return found

@@ -9,6 +9,7 @@ from pathlib import Path
 import numpy as np
 
 from pycnc.extras import need
+from pycnc.files import Part
 from pycnc.planning.measure import KINDS
 
 _POINTS = 200_000  # points of the path that are drawn at most
@@ -84,7 +85,9 @@ def write(trace, path):
     if os.path.isdir(name or os.curdir):
         raise IsADirectoryError(errno.EISDIR, os.strerror(errno.EISDIR), name)
     name = name if Path(name).suffix else f"{name}.png"
-    draw(trace).savefig(name)
+    figure = draw(trace)
+    with Part(name) as part:
+        figure.savefig(part.file, format=Path(name).suffix[1:])
     return name
 
 

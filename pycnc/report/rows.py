@@ -129,10 +129,10 @@ class Rows(shown.Tables):
         sink = trace_file.WRITERS[ending](path, self._shape(), self.metadata())
         try:
             sink.write(self.columns)
+            sink.close()
         except BaseException:
             sink.discard()
             raise
-        sink.close()
 
     def _shape(self):
         return trace_file.Shape(self._units, self.names())

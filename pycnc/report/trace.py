@@ -53,12 +53,12 @@ class Trace(Rows):
                 simulation = kernel.Simulation(text, machine, prep_steps, commands)
                 self._run_beside_plan(simulation, keep, sink, progress)
             self._tell_limits(commands)
+            if sink:
+                sink.close()
         except BaseException:
             if sink:
                 sink.discard()
             raise
-        if sink:
-            sink.close()
         self.summary = self._summary(time.perf_counter() - begun)
 
     def _make_plan(self, plan="exact", backend="auto", progress=None):

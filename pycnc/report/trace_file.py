@@ -13,11 +13,11 @@ import numpy as np
 
 from pycnc import errors
 from pycnc.extras import need
+from pycnc.files import Part
 from pycnc.kernel.records import enum
 from pycnc.machine.schema import AXES, position_key, unit_of
 from pycnc.planning import measure
 from pycnc.planning.measure import KINDS
-from pycnc.report.part import Part
 
 FORMATS = (".npz", ".csv", ".parquet")
 _JOINT_UNITS = {"mm": "nm", "deg": "ndeg"}
@@ -108,7 +108,7 @@ class _Npz:
             if name not in self._files:
                 self._files[name] = open(Path(self._folder.name) / name, "w+b")  # noqa: SIM115
                 self._dtypes[name] = array.dtype
-            array.tofile(self._files[name])
+            self._files[name].write(np.ascontiguousarray(array).data)
         self._rows += len(columns["t_s"])
 
     def close(self):

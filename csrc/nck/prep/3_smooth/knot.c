@@ -300,6 +300,7 @@ static void begin_at(nck_smooth_t *self, double s, const double *point) {
 void nck_knot_begin(nck_smooth_t *self) {
     const nck_raw_t *const front = nck_raw_at(self, self->raw.tail);
     self->run.straight = front->cut > 0.0 ? front->seg.length : 0.0;
+    self->run.rough = 0;
     begin_at(self, 0.0, front->seg.start);
 }
 

@@ -341,8 +341,9 @@ static nck_status_t grow_as_curve_or_noise(nck_smooth_t *self, uint32_t count, d
 static int is_like_before(nck_smooth_t *self, uint32_t count, const vertex_t *corner) {
     const uint32_t before = raw_before(self, count);
     const nck_raw_t *const last = nck_raw_at(self, before);
-    if (before == count || count % LOOKED_AT == 0 || last->lacks || last->key) return 0;
-    return nck_raw_at(self, count)->seg.length < SMALL * last->spacing
+    const nck_seg_t *const seg = &nck_raw_at(self, count)->seg;
+    if (before == count || seg->block % LOOKED_AT == 0 || last->lacks || last->key) return 0;
+    return seg->length < SMALL * last->spacing
            && corner->alone > BLUNT * last->spacing;
 }
 

@@ -2,14 +2,15 @@
 // Inside room 4: a junction's neighbours on both sides, nearest first.
 #include "nck/prep/4_lookahead/walk.h"
 
-#include "nck/base/budget.h" // NCK_UNLIMITED
+#include "nck/base/budget.h"           // NCK_UNLIMITED
+#include "nck/prep/4_lookahead/zone.h" // nck_zone_parts
 
 static void cut_off(nck_walk_t *walk, nck_side_t *side) {
     side->state = NCK_SIDE_OVER;
     walk->cut = nck_min(walk->cut, side->x);
 }
 
-// A junction's load is known once the seg behind it is; nothing is shared across a WAIT.
+// A junction's load is known once the seg behind it is; nothing is shared across a rest.
 static void walk_ahead(nck_lookahead_t *self, nck_walk_t *walk) {
     nck_side_t *const side = &walk->ahead;
     if (side->steps >= NCK_CORNER_SPAN) {
@@ -26,7 +27,7 @@ static void walk_ahead(nck_lookahead_t *self, nck_walk_t *walk) {
     const int newest = side->at + 1 == self->joint.head;
     side->x += joint->length;
     side->state = newest && !self->ended ? NCK_SIDE_UNKNOWN : NCK_SIDE_KNOWN;
-    if (joint->kind == NCK_SEG_WAIT) side->state = NCK_SIDE_OVER;
+    if (nck_zone_parts(joint, self->zone_s)) side->state = NCK_SIDE_OVER;
 }
 
 static void walk_behind(nck_lookahead_t *self, nck_walk_t *walk) {
@@ -35,7 +36,7 @@ static void walk_behind(nck_lookahead_t *self, nck_walk_t *walk) {
         cut_off(walk, side);
         return;
     }
-    if (side->at == 0 || nck_joint_at(self, side->at - 1)->kind == NCK_SEG_WAIT) {
+    if (side->at == 0 || nck_zone_parts(nck_joint_at(self, side->at - 1), self->zone_s)) {
         side->state = NCK_SIDE_OVER;
         return;
     }

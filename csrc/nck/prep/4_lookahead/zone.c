@@ -9,6 +9,13 @@
 #define ZONES_APART 16.0
 double nck_zone_s(const nck_terms_t *terms) { return terms->machine->period_s + terms->mix_s; }
 
+int nck_zone_parts(const nck_joint_t *joint, double zone_s) {
+    return joint->kind == NCK_SEG_WAIT
+           || (joint->kind == NCK_SEG_DWELL && nck_zone_rests(joint->shape.dwell_s, zone_s));
+}
+
+int nck_zone_rests(double dwell_s, double zone_s) { return dwell_s >= 2.0 * zone_s; }
+
 int nck_zone_is_alone(const nck_joint_t *in, const nck_joint_t *out, double load,
                       const nck_terms_t *terms) {
     const double time = nck_zone_s(terms);
@@ -61,7 +68,7 @@ void nck_zone_shares_before(nck_lookahead_t *self, uint32_t count, double share_
         if (count == 0) return;
         count--;
         const nck_joint_t *const joint = nck_joint_at(self, count);
-        if (joint->kind == NCK_SEG_WAIT) return;
+        if (nck_zone_parts(joint, self->zone_s)) return;
         meet(self, &reach, joint);
         if (pass(self, &reach, joint)) return;
     }
@@ -77,7 +84,7 @@ nck_status_t nck_zone_shares_after(nck_lookahead_t *self, uint32_t count,
     for (uint32_t n = 0; n < NCK_CORNER_SPAN; n++) {
         if (count == self->joint.decided) return NCK_EMPTY;
         meet(self, &reach, joint);
-        if (joint->kind == NCK_SEG_WAIT) return NCK_OK;
+        if (nck_zone_parts(joint, self->zone_s)) return NCK_OK;
         count++;
         if (count == self->joint.head) return self->ended ? NCK_OK : NCK_EMPTY;
         joint = nck_joint_at(self, count);

@@ -13,6 +13,13 @@
 // slope's filter mixes [s]. Cost: constant.
 double nck_zone_s(const nck_terms_t *terms);
 
+// 1 if a rest lasts longer than the zones of both its ends: what is before it has nothing to do
+// with what is behind it. Cost: constant.
+int nck_zone_rests(double dwell_s, double zone_s);
+
+// 1 if a joint is such a rest, or a WAIT. Cost: constant.
+int nck_zone_parts(const nck_joint_t *joint, double zone_s);
+
 // 1 if no other junction is near one of this load [s²/mm] between two segs. Cost: constant.
 int nck_zone_is_alone(const nck_joint_t *in, const nck_joint_t *out, double load,
                       const nck_terms_t *terms);
