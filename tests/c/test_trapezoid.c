@@ -141,7 +141,7 @@ static void dwell_is_a_rest_of_its_length(check_t *check)
     nck_node_t node = piece(0.0, 0.0, 0.0);
     node.kind = NCK_SEG_DWELL;
     node.stop = 1;
-    node.dwell_s = 0.25;
+    node.standstill.dwell_s = 0.25;
     nck_cell_t cells[NCK_TRAPEZOID_LEGS];
     const nck_span_t all = span(&node, 0.0);
     CHECK_INT(check, nck_trapezoid_legs(&node, &all, PERIOD, cells), 1);

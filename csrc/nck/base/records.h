@@ -13,6 +13,7 @@
 #else
 // OpenCL C has these types by other names.
 typedef uchar uint8_t;
+typedef ushort uint16_t;
 typedef uint uint32_t;
 typedef long int64_t;
 #endif
@@ -189,6 +190,17 @@ typedef enum nck_limit {
     NCK_LIMIT_AXIS_V = 16 // + axis index
 } nck_limit_t;
 
+// What the axes leave a moving piece at standstill: tangential acceleration [mm/s²], jerk [mm/s³].
+typedef struct nck_left {
+    float a, j;
+} nck_left_t;
+
+// That, or how long a rest lasts (length 0) [s].
+typedef union nck_standstill {
+    double dwell_s;
+    nck_left_t left;
+} nck_standstill_t;
+
 // 4_lookahead → 5_slope: a point of the path and the piece that follows it.
 typedef struct nck_node {
     uint32_t seg;        // seq of the piece's seg
@@ -198,11 +210,9 @@ typedef struct nck_node {
     uint8_t last;        // 1: the piece ends its seg
     uint8_t kind;        // nck_seg_kind_t of the seg
     uint8_t open;        // 1: vv was held down by the window's end, not by the path
-    uint8_t reserved[2]; // 0
+    uint16_t q_rest;     // least quotient of an axis' jerk and |p″| [mm²/s³]: the
+                         // upper half of a float's bits
     float tool;          // speed of the tool / path speed; 0: rotary axes move alone
-    float a_rest;        // what the axes leave at standstill: tangential acceleration [mm/s²] …
-    float j_rest;        // … and jerk [mm/s³]
-    float q_rest;        // least quotient of an axis' jerk and |p″| [mm²/s³]
     double s;            // where in its seg the piece begins [path mm]
     double length;       // of the piece [path mm]
     double a;            // tangential acceleration limit in the piece [mm/s²]
@@ -212,7 +222,7 @@ typedef struct nck_node {
     double feed;         // programmed speed in the piece [path mm/s]; 0: a rapid
     double vv_piece;     // cap inside the piece at an override of 100 % [mm²/s²]
     double vv_over;      // cap inside the piece by everything but the feed; ≥ vv_piece
-    double dwell_s;      // at rest for so long (length 0)
+    nck_standstill_t standstill;
     double vv_cap;       // cap at the node at an override of 100 %, v²
     double vv_node;      // cap at the node by its junction alone, v²; feeds come on top
     double vv;           // envelope at the node, v² (exact two-pass)

@@ -327,9 +327,9 @@ static nck_status_t cut(nck_decode_t *self, nck_block_t *out) {
     nck_cycle_t *const cycle = &self->held.cycle;
     int64_t *const level_nm = cycle->level_nm;
     const int64_t left_nm = level_nm[LEVEL_CUT] - level_nm[LEVEL_BOTTOM];
-    const int pecks = (cycle->does & PECKS) && left_nm > cycle->peck_nm;
-    level_nm[LEVEL_CUT] -= pecks ? cycle->peck_nm : left_nm;
-    if (!pecks) cycle->phase = PHASE_DWELL;
+    const int goes_on = (cycle->does & PECKS) && left_nm > cycle->peck_nm;
+    level_nm[LEVEL_CUT] -= goes_on ? cycle->peck_nm : left_nm;
+    if (!goes_on) cycle->phase = PHASE_DWELL;
     return drill_to(self, NCK_BLOCK_LINE, level_nm[LEVEL_CUT], out);
 }
 

@@ -96,6 +96,13 @@ static inline nck_piece_limit_t limits_of(const nck_lookahead_t *self, const nck
 // As a float, which is no larger.
 static float no_more(double x) { return (float)(x * (1.0 - FLOAT_ROUNDING)); }
 
+// The upper half of a positive float, which is no larger.
+static uint16_t half_of(float x) {
+    uint32_t bits;
+    memcpy(&bits, &x, sizeof bits);
+    return (uint16_t)(bits >> 16);
+}
+
 // Append the piece from s[0] to s[1]; v_corner caps the node at its start.
 static void add_piece(nck_lookahead_t *self, const nck_joint_t *joint, const double s[2],
                       const around_t *around, const double v_corner[]) {
@@ -113,9 +120,9 @@ static void add_piece(nck_lookahead_t *self, const nck_joint_t *joint, const dou
     node->j_over = nck_min(piece.j, over.j);
     node->feed = joint->feed;
     node->tool = (float)joint->tool;
-    node->a_rest = no_more(joint->a_most);
-    node->j_rest = no_more(joint->j_straight);
-    node->q_rest = no_more(nck_joint_bends(joint, self->terms));
+    node->standstill.left.a = no_more(joint->a_most);
+    node->standstill.left.j = no_more(joint->j_straight);
+    node->q_rest = half_of(no_more(nck_joint_bends(joint, self->terms)));
     node->vv_piece = piece.vv;
     node->vv_over = over.vv_free;
     node->limit_piece = piece.limit;
@@ -133,7 +140,7 @@ static void add_rest(nck_lookahead_t *self, const nck_joint_t *joint) {
     node->a_over = node->a;
     node->j = self->terms->j_max;
     node->j_over = node->j;
-    node->dwell_s = joint->shape.dwell_s;
+    node->standstill.dwell_s = joint->shape.dwell_s;
     node->limit = NCK_LIMIT_EXACT_STOP;
     node->limit_piece = joint->kind == NCK_SEG_DWELL    ? NCK_LIMIT_DWELL
                         : joint->kind >= NCK_SEG_THREAD ? NCK_LIMIT_THREAD

@@ -2,6 +2,8 @@
 // Inside room 5: how a hold brakes.
 #include "nck/prep/5_slope/brake.h"
 
+#include <string.h> // memcpy
+
 #include "nck/base/budget.h"              // NCK_BUDGET_…
 #include "nck/base/real.h"                // nck_min nck_max nck_sqrt
 #include "nck/prep/5_slope/hull_math.h"   // nck_hull_share
@@ -66,10 +68,18 @@ typedef struct mixed {
     double a_rest, j_rest, q_rest;
 } mixed_t;
 
+// nck_node_t.q_rest: the upper half of a float's bits.
+static double quotient_of(const nck_node_t *piece) {
+    const uint32_t bits = (uint32_t)piece->q_rest << 16;
+    float quotient;
+    memcpy(&quotient, &bits, sizeof quotient);
+    return (double)quotient;
+}
+
 static void mix(mixed_t *mixed, const nck_node_t *piece) {
-    mixed->a_rest = nck_min(mixed->a_rest, (double)piece->a_rest);
-    mixed->j_rest = nck_min(mixed->j_rest, (double)piece->j_rest);
-    mixed->q_rest = nck_min(mixed->q_rest, (double)piece->q_rest);
+    mixed->a_rest = nck_min(mixed->a_rest, (double)piece->standstill.left.a);
+    mixed->j_rest = nck_min(mixed->j_rest, (double)piece->standstill.left.j);
+    mixed->q_rest = nck_min(mixed->q_rest, quotient_of(piece));
 }
 
 // The smallest cap within a distance on one side; 0 if it is not known so far.

@@ -119,7 +119,7 @@ static void draw_rest(nck_jerk_t *self, const nck_pieces_t *pieces) {
     memset(&cell, 0, sizeof cell);
     cell.seg = piece->seg;
     cell.s = piece->s;
-    cell.duration = piece->dwell_s;
+    cell.duration = piece->standstill.dwell_s;
     cell.limit = piece->limit_piece;
     cell.stop = NCK_STOP_REST;
     cell.last = 1;

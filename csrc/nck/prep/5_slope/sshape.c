@@ -306,7 +306,7 @@ static void draw_rest(nck_sshape_t *self, const nck_pieces_t *pieces, nck_sshape
     memset(pen->cells, 0, sizeof *pen->cells);
     pen->cells->seg = node->seg;
     pen->cells->s = node->s;
-    pen->cells->duration = node->dwell_s;
+    pen->cells->duration = node->standstill.dwell_s;
     pen->cells->limit = node->limit_piece;
     pen->count = 1;
     pen->v = 0.0;

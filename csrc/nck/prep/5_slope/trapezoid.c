@@ -44,7 +44,7 @@ static int set_rest(const nck_node_t *piece, nck_cell_t *cell) {
     memset(cell, 0, sizeof *cell);
     cell->seg = piece->seg;
     cell->s = piece->s;
-    cell->duration = piece->dwell_s;
+    cell->duration = piece->standstill.dwell_s;
     cell->limit = piece->limit_piece;
     return 1;
 }
