@@ -103,6 +103,13 @@ static uint16_t half_of(float x) {
     return (uint16_t)(bits >> 16);
 }
 
+// What the axes leave at standstill.
+static void leave_at_rest(nck_node_t *node, const nck_joint_t *joint, const nck_terms_t *terms) {
+    node->standstill.left.a = no_more(joint->a_most);
+    node->standstill.left.j = no_more(joint->j_straight);
+    node->q_rest = half_of(no_more(nck_joint_bends(joint, terms)));
+}
+
 // Append the piece from s[0] to s[1]; v_corner caps the node at its start.
 static void add_piece(nck_lookahead_t *self, const nck_joint_t *joint, const double s[2],
                       const around_t *around, const double v_corner[]) {
@@ -120,13 +127,13 @@ static void add_piece(nck_lookahead_t *self, const nck_joint_t *joint, const dou
     node->j_over = nck_min(piece.j, over.j);
     node->feed = joint->feed;
     node->tool = (float)joint->tool;
-    node->standstill.left.a = no_more(joint->a_most);
-    node->standstill.left.j = no_more(joint->j_straight);
-    node->q_rest = half_of(no_more(nck_joint_bends(joint, self->terms)));
     node->vv_piece = piece.vv;
     node->vv_over = over.vv_free;
     node->limit_piece = piece.limit;
-    if (self->terms->limits_jerk) node->vv_piece = nck_min(piece.vv, over.vv_free);
+    if (self->terms->limits_jerk) {
+        node->vv_piece = nck_min(piece.vv, over.vv_free);
+        leave_at_rest(node, joint, self->terms);
+    }
     cap_node(self, node, v_corner);
     self->window.fill++;
 }

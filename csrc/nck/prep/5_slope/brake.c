@@ -132,13 +132,13 @@ static double accel_left(double a, const mixed_t *mixed, double v) {
     return nck_max(a, nck_min(linear_of(a, mixed), ramp));
 }
 
-// The jerk that goes with it. What an axis asks for is linear in v³, va and j: so half of what is
-// left at the cap by r³, and half of what is left at standstill by the rest, hold together with it.
-// It does not grow with the speed.
-static double jerk_left(const nck_jerk_t *self, double j, const mixed_t *mixed) {
+// The jerk that goes with it. What an axis asks for is linear in v³, va and j: so what is left at
+// the cap by r³, and half of what is left at standstill by the rest, hold together with it.
+// at_cap: the former.
+static double jerk_left(const nck_jerk_t *self, double j, double at_cap, const mixed_t *mixed) {
+    const double rrr = mixed->r * mixed->r * mixed->r;
     const double j_rest = nck_max(j, mixed->j_rest * self->j_scale);
-    return NCK_BUDGET_RAMP_SHARE
-           * (j_rest + (j - j_rest) * (mixed->r * mixed->r * mixed->r));
+    return NCK_BUDGET_RAMP_SHARE * j_rest * (1.0 - rrr) + at_cap * rrr;
 }
 
 void nck_brake_left(const nck_jerk_t *self, const nck_pieces_t *pieces, uint32_t number, double v,
@@ -146,8 +146,10 @@ void nck_brake_left(const nck_jerk_t *self, const nck_pieces_t *pieces, uint32_t
     const mixed_t mixed = mixed_at(self, pieces, number, v);
     if (!(mixed.r < 1.0) || !(v > 0.0)) return;
     const double a = left->with_j.a;
+    const double j = left->with_j.j;
     left->with_a.a = accel_left(a, &mixed, v);
-    left->with_a.j = jerk_left(self, left->with_j.j, &mixed);
+    // Half of it: so it does not grow with the speed.
+    left->with_a.j = jerk_left(self, j, NCK_BUDGET_RAMP_SHARE * j, &mixed);
     left->with_j.a = nck_max(a, nck_min(linear_of(a, &mixed), a / mixed.r));
 }
 
@@ -157,7 +159,7 @@ void nck_brake_relax(const nck_jerk_t *self, const nck_pieces_t *pieces, uint32_
     const mixed_t mixed = mixed_at(self, pieces, number, v);
     if (!(mixed.r < 1.0) || !(v > 0.0)) return;
     limits->a = accel_left(limits->a, &mixed, v);
-    limits->j = nck_max(limits->j, jerk_left(self, limits->j, &mixed));
+    limits->j = nck_max(limits->j, jerk_left(self, limits->j, limits->j, &mixed));
 }
 
 // ---- reach
