@@ -72,16 +72,21 @@ static double sag_of(const nck_machine_t *machine) {
     return 8.0 * machine->path.chord_error / (machine->period_s * machine->period_s);
 }
 
-// The spline's p″ is the turn over d, its p‴ the turn over d².
-static shape_limit_t limit_plain(const nck_terms_t *terms, const double *turn) {
+// The spline's p″ is the turn over d, its p‴ the turn over d², and more with a lift.
+static shape_limit_t limit_plain(const nck_terms_t *terms, const nck_bend_t *bend) {
+    const double *const turn = bend->turn;
+    const double second = nck_spline_lifted_second(bend->lift);
+    const double third = nck_spline_lifted_third(bend->lift);
     const nck_machine_t *const machine = terms->machine;
     const double size = nck_spline_norm(turn, terms->axes);
-    const double sag = least_of(NCK_UNLIMITED, sag_of(machine), size);
+    const double sag = least_of(NCK_UNLIMITED, sag_of(machine), second * size);
     shape_limit_t limit = {NCK_UNLIMITED, NCK_UNLIMITED, sag};
     for (int x = 0; x < terms->axes; x++) {
-        limit.a = least_of(limit.a, NCK_BUDGET_CURVE_SHARE * machine->axis[x].a_max, turn[x]);
+        limit.a = least_of(limit.a, NCK_BUDGET_CURVE_SHARE * machine->axis[x].a_max,
+                           second * turn[x]);
         if (!terms->limits_jerk) continue;
-        limit.j = least_of(limit.j, NCK_BUDGET_TWIST_SHARE * machine->axis[x].j_max, turn[x]);
+        limit.j = least_of(limit.j, NCK_BUDGET_TWIST_SHARE * machine->axis[x].j_max,
+                           third * turn[x]);
     }
     return limit;
 }
@@ -217,7 +222,7 @@ static double bend_speed(const corner_t *corner, const shape_limit_t *limit, dou
 }
 
 static double plain_time(const corner_t *corner, const nck_bend_t *bend) {
-    const shape_limit_t limit = limit_plain(corner->terms, bend->turn);
+    const shape_limit_t limit = limit_plain(corner->terms, bend);
     const double v = reachable(corner, &limit, bend_speed(corner, &limit, bend->d), bend->d);
     return side_time(corner, &limit, 0, v, bend->d) + side_time(corner, &limit, 1, v, bend->d);
 }
@@ -285,6 +290,7 @@ static double width_of(const corner_t *corner, double room, double *parking) {
 // A lone corner's bend; 0 if it is so blunt that only its neighbours bound the spline.
 static int lone_bend(const corner_t *corner, nck_bend_t *bend) {
     bend->d = nck_spline_vertex_spacing(corner->tolerance, corner->turn);
+    bend->lift = 0.0;
     for (int x = 0; x < corner->terms->axes; x++) bend->turn[x] = corner->out[x] - corner->in[x];
     return bend->d < nck_min(corner->half[0], corner->half[1]);
 }
@@ -302,6 +308,13 @@ int nck_choice_blend(const nck_smooth_t *self, const nck_meet_t *meet, double ro
     memcpy(blend->out, corner.out, sizeof blend->out);
     const double time = blend_time(&corner, blend);
     return time < plain_time(&corner, &bend) && time < stop_time(&corner, 0.0);
+}
+
+int nck_choice_wide(const nck_smooth_t *self, const nck_meet_t *meet, const nck_bend_t *wide,
+                    const nck_bend_t *narrow) {
+    corner_t corner;
+    measure(self, meet, &corner);
+    return plain_time(&corner, wide) < plain_time(&corner, narrow);
 }
 
 int nck_choice_stop(const nck_smooth_t *self, const nck_meet_t *meet, const nck_bend_t *bend) {

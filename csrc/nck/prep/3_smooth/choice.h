@@ -16,6 +16,7 @@ typedef struct nck_blend {
 // The bend of the spline at a corner.
 typedef struct nck_bend {
     double d;                 // spacing of the knots beside it [path mm]
+    double lift;              // of its control point, as a share of turn·d
     double turn[NCK_AXIS_MAX]; // by how much the spline's tangent turns over it
 } nck_bend_t;
 
@@ -32,6 +33,11 @@ typedef struct nck_meet {
 // Cost: some 100 square roots at a sharp corner, constant elsewhere.
 int nck_choice_blend(const nck_smooth_t *self, const nck_meet_t *meet, double room,
                      nck_blend_t *blend);
+
+// Returns 1 if one of two bends at the corner is faster than the other.
+// Cost: as above.
+int nck_choice_wide(const nck_smooth_t *self, const nck_meet_t *meet, const nck_bend_t *wide,
+                    const nck_bend_t *narrow);
 
 // Returns 1 if a stop at the corner is faster than the spline's bend.
 // Cost: as above.

@@ -6,6 +6,7 @@
 #include <string.h> // memcpy memmove
 
 #include "nck/base/real.h"                 // nck_min nck_max nck_sqrt
+#include "nck/prep/3_smooth/meet.h"        // nck_meet_lift
 #include "nck/prep/3_smooth/raw.h"         // nck_raw_…
 #include "nck/prep/3_smooth/spline_math.h" // nck_spline_…
 
@@ -39,6 +40,23 @@ static double inside(const nck_smooth_t *self, int x, double on_path, double lif
     return nck_max(least, nck_min(most, lifted));
 }
 
+// A corner's, lifted to its outside as its spacing needs.
+static void set_corner(nck_smooth_t *self, const double *t, double *c) {
+    const double h = nck_min(t[1] - t[0], t[2] - t[1]);
+    double p[3][NCK_AXIS_MAX];
+    double turn[NCK_AXIS_MAX];
+    nck_raw_points(self, t[1] - h, h, 3, p);
+    for (int x = 0; x < self->terms->axes; x++) {
+        turn[x] = nck_spline_bend(p[0][x], p[1][x], p[2][x]);
+    }
+    const double lift = nck_meet_lift(self, nck_raw_find(self, t[1]), h,
+                                         nck_spline_vertex_weight(t - 1));
+    nck_raw_point(self, nck_spline_greville(t), c);
+    for (int x = 0; x < self->terms->axes; x++) {
+        c[x] = inside(self, x, c[x], c[x] - lift * turn[x]);
+    }
+}
+
 // On the path, or off it by its bends.
 static void set_point(nck_smooth_t *self, const span_t *span, double *c) {
     double p[POINTS][NCK_AXIS_MAX];
@@ -69,14 +87,16 @@ void nck_control_begin(nck_smooth_t *self, double s, const double *point) {
 
 void nck_control_place(nck_smooth_t *self, double t) {
     double *const knot = self->run.t;
-    const int on_corner = self->run.corner && t > knot[4];
+    const int corner = t > knot[4] ? self->run.corner : NCK_KEY_NONE;
     for (int i = 5; i < 8; i++) knot[i] = t;
     for (int i = 3; i < 6; i++) {
-        const int stays = i == 3 && on_corner;
-        const span_t span = span_of(knot + i, stays);
-        self->run.reach[i][0] = span.xi - span.h;
-        self->run.reach[i][1] = span.xi + span.h;
-        set_point(self, &span, self->run.c[i]);
+        const int key = i == 3 ? corner : NCK_KEY_NONE;
+        const int lifted = key == NCK_KEY_LIFTED;
+        const span_t span = span_of(knot + i, key != NCK_KEY_NONE);
+        self->run.reach[i][0] = lifted ? knot[3] : span.xi - span.h;
+        self->run.reach[i][1] = lifted ? knot[5] : span.xi + span.h;
+        if (lifted) set_corner(self, knot + i, self->run.c[i]);
+        else set_point(self, &span, self->run.c[i]);
     }
 }
 

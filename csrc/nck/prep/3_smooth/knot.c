@@ -15,6 +15,11 @@
 // A knot is taken only if the spline could also end there. The first tries allow that end this
 // share of the tolerance. The rest is left to the knot that will follow instead.
 #define AIM_END 0.98
+// The knots next to a corner's stand so many of its spacings further off, at least and at most; and
+// where there is room, so many.
+#define GAP_LEAST 0.4
+#define GAP_MOST 2.0
+#define GAP 1.5
 #define STEP_GROWTH 1.1  // from one knot interval to the next, where the path is not straight
 #define SURE 0.5         // of √(P/κ): from rest a step on one block that certainly fits
 #define NEVER 1e300      // [path mm] no place of a run
@@ -30,7 +35,7 @@ typedef struct way {
     double step;  // spacing, as all that is not a goal allows
     double goal;  // place of the next corner, of an output or of the run's end, within two steps
     double half;  // spacing wanted on either side of the goal; 0: any
-    uint8_t is_key;   // 1: the goal is a corner
+    uint8_t key;      // whether the goal is a corner: nck_key_t
     uint8_t straight; // 1: one line leads to the goal
     uint8_t halves;   // 1: in two steps, so that the spline is straight again at its end
 } way_t;
@@ -82,7 +87,7 @@ static nck_status_t look_ahead(nck_smooth_t *self, way_t *way) {
     way->step = largest_step(self, nck_raw_at(self, count));
     way->goal = here + 4.0 * self->spacing_max;
     way->half = 0.0;
-    way->is_key = 0;
+    way->key = NCK_KEY_NONE;
     way->straight = 0;
     way->halves = 0;
     for (;; count = next) {
@@ -103,7 +108,7 @@ static nck_status_t look_ahead(nck_smooth_t *self, way_t *way) {
         if (raw->key) {
             way->goal = end;
             way->half = raw->spacing;
-            way->is_key = 1;
+            way->key = raw->key;
             way->straight = far == 0.0 && raw->seg.kind == NCK_SEG_LINE;
             return NCK_OK;
         }
@@ -121,8 +126,22 @@ static double step_from_key(const nck_smooth_t *self, const way_t *way, double a
     const double even = self->run.t[4] - self->run.t[3];
     const double step = even > 0.0 ? nck_min(even, way->step) : way->step;
     if (ahead >= step + way->half) return step;
-    if (ahead <= step && (ahead <= way->half || !way->is_key)) return ahead;
+    if (ahead <= step && (ahead <= way->half || !way->key)) return ahead;
     return nck_min(step, nck_max(0.5 * ahead, ahead - way->half));
+}
+
+// Along a line up to the knot before the goal: in one step, or with knots that bound what the lift
+// of a corner's control point bends.
+static double straight_gap(const nck_smooth_t *self, const way_t *way, double gap) {
+    const double past = self->run.past_key ? self->run.t[4] - self->run.t[3] : 0.0;
+    if (way->halves) return 0.5 * gap;
+    if (past > 0.0 && gap > GAP_MOST * past) {
+        const double rest = gap - GAP * past;
+        return rest < GAP_LEAST * nck_max(past, way->half) ? 0.5 * gap : GAP * past;
+    }
+    if (way->key != NCK_KEY_LIFTED || gap <= GAP_MOST * way->half) return gap;
+    const double middle = gap - GAP * way->half;
+    return middle < 0.5 * way->half ? 0.5 * gap : middle;
 }
 
 // The step from t[4] on that is wanted.
@@ -131,7 +150,8 @@ static double wanted_step(const nck_smooth_t *self, const way_t *way) {
     if (self->run.on_key) return step_from_key(self, way, ahead);
     const double gap = ahead - way->half;
     if (gap <= 0.01 * way->half) return ahead;
-    if (way->straight) return way->halves ? 0.5 * gap : gap;
+    if (way->key == NCK_KEY_LIFTED && gap < GAP_LEAST * way->half) return 0.5 * ahead;
+    if (way->straight) return straight_gap(self, way, gap);
     if (gap < 0.5 * way->half) return 0.5 * ahead;
     if (gap <= way->step) return gap;
     return nck_min(way->step, nck_max(0.5 * gap, 0.5 * way->step));
@@ -182,6 +202,7 @@ static double shorter_step(const nck_smooth_t *self, double step, int n) {
 static void take_what_fits(nck_smooth_t *self) {
     const double here = self->run.t[4];
     self->run.on_key = 0;
+    self->run.past_key = 0;
     self->run.rough = self->run.trial.was_rough;
     if (is_fresh(self)) {
         nck_control_place(self, sure_knot(self, here));
@@ -205,7 +226,7 @@ static int begin_try(nck_smooth_t *self, double t) {
     self->run.tries++;
     trial->first = 0;
     self->run.rough = trial->n < TRIES_WANTED ? trial->rough : trial->was_rough;
-    self->run.corner = self->run.on_key && trial->n < TRIES_WANTED;
+    self->run.corner = trial->n < TRIES_WANTED ? self->run.on_key : NCK_KEY_NONE;
     nck_control_place(self, t);
     nck_raw_begin_fit(self, 0);
     return 1;
@@ -220,7 +241,7 @@ static int begin_trial(nck_smooth_t *self, const way_t *way) {
     trial->was_rough = self->run.rough;
     trial->rough = nck_raw_at(self, nck_raw_find(self, here))->rough;
     const int reaches = here + trial->step >= way->goal || trial->step == way->goal - here;
-    trial->to_key = reaches && way->is_key;
+    trial->to_key = reaches ? way->key : NCK_KEY_NONE;
     return begin_try(self, reaches ? way->goal : next_try(self));
 }
 
@@ -273,7 +294,10 @@ static nck_status_t go_on(nck_smooth_t *self) {
     }
     const nck_status_t status = compare(self);
     trial->fails = status == NCK_E_STATE;
-    if (status == NCK_DONE) self->run.on_key = trial->n == 0 && trial->to_key;
+    if (status == NCK_DONE) {
+        self->run.past_key = self->run.on_key == NCK_KEY_LIFTED;
+        self->run.on_key = trial->n == 0 ? trial->to_key : NCK_KEY_NONE;
+    }
     return trial->fails ? NCK_OK : status;
 }
 
@@ -294,6 +318,7 @@ static void begin_at(nck_smooth_t *self, double s, const double *point) {
     self->run.given = s;
     self->run.rest = NEVER;
     self->run.on_key = 0;
+    self->run.past_key = 0;
     self->run.chosen = 0;
 }
 

@@ -29,6 +29,14 @@ uint32_t nck_raw_next(nck_smooth_t *self, uint32_t count) {
     return count;
 }
 
+uint32_t nck_raw_before(nck_smooth_t *self, uint32_t count) {
+    uint32_t before = count;
+    do {
+        if (before == self->raw.tail) return count;
+    } while (!nck_raw_at(self, --before)->has_seg);
+    return before;
+}
+
 uint32_t nck_raw_last(nck_smooth_t *self) {
     uint32_t count = self->run.end - 1;
     while (!nck_raw_at(self, count)->has_seg) count--;

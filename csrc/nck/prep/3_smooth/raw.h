@@ -23,6 +23,10 @@ uint32_t nck_raw_find(nck_smooth_t *self, double s);
 // The next block with length behind this one; run.end if there is none. Cost: linear in outputs.
 uint32_t nck_raw_next(nck_smooth_t *self, uint32_t count);
 
+// The block with length before this one; this one if it is not known any more. Cost: linear in
+// outputs between them.
+uint32_t nck_raw_before(nck_smooth_t *self, uint32_t count);
+
 // The last seg of the run. Cost: linear in the outputs behind it.
 uint32_t nck_raw_last(nck_smooth_t *self);
 

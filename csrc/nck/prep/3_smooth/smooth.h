@@ -19,6 +19,13 @@ typedef enum nck_onward {
     NCK_ONWARD_BENT
 } nck_onward_t;
 
+// A block's end that wants a knot of its own: a corner, its control point on the path or off it.
+typedef enum nck_key {
+    NCK_KEY_NONE = 0,
+    NCK_KEY_ON_PATH,
+    NCK_KEY_LIFTED
+} nck_key_t;
+
 // What is still to be found of the spacing at a block's end.
 typedef enum nck_lack {
     NCK_LACKS_NOTHING = 0,
@@ -38,7 +45,7 @@ typedef struct nck_raw {
     uint8_t has_seg;     // 1: it moves or rests
     uint8_t has_output;  // 1: it hands over something, and has not yet
     uint8_t smooth;      // 1: part of a run
-    uint8_t key;         // 1: its end is a corner that wants a knot of its own
+    uint8_t key;         // whether its end is a corner that wants a knot of its own: nck_key_t
     uint8_t rough;       // 1: the path is noise near its end, no curve
     uint8_t ends;        // 1: end of the program
     uint8_t lacks;       // of its spacing: nck_lack_t
@@ -62,7 +69,7 @@ typedef struct nck_trial {
     uint8_t fails;  // 1: it does not fit
     uint8_t n;      // step that is tried
     uint8_t first;  // piece in work of the three that the knot makes
-    uint8_t to_key; // 1: the step wanted leads to a corner
+    uint8_t to_key; // whether the step wanted leads to a corner: nck_key_t
     uint8_t rough;  // 1: the path is noise ahead; the last of the steps are tried as before
     uint8_t was_rough; // run.rough of the knot before
 } nck_trial_t;
@@ -109,9 +116,10 @@ typedef struct nck_smooth {
         uint8_t open;    // 1: there is one
         uint8_t closed;  // 1: it gets no more blocks
         uint8_t chosen;  // 1: t[5] and c[3] are chosen
-        uint8_t on_key;  // 1: t[4] is the knot of a corner
+        uint8_t on_key;  // whether t[4] is the knot of a corner: nck_key_t
+        uint8_t past_key; // 1: t[3] is that of a lifted one
         uint8_t rough;   // 1: c[3] … c[5] are those of noise
-        uint8_t corner;  // 1: c[3] is that of a corner
+        uint8_t corner;  // whether c[3] is that of a corner: nck_key_t
         uint32_t end;    // count of the block behind its last one
         double straight; // of the line that it begins on behind a blend [path mm]; 0: at rest
         uint32_t kinks;  // places where it must rest to stay within the tolerance, in all runs

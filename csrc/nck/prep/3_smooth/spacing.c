@@ -6,7 +6,7 @@
 #include "nck/base/path.h"                 // nck_path_second
 #include "nck/base/real.h"                 // nck_min nck_max
 #include "nck/prep/3_smooth/blend.h"       // NCK_BLEND_KEEP_OFF
-#include "nck/prep/3_smooth/choice.h"      // nck_choice_stop
+#include "nck/prep/3_smooth/meet.h"        // nck_meet_choose
 #include "nck/prep/3_smooth/raw.h"         // nck_raw_…
 #include "nck/prep/3_smooth/spline_math.h" // nck_spline_…
 
@@ -18,21 +18,21 @@
 #define NEIGHBOUR 0.7    // of a spacing: where to begin to look for the next one
 #define KEY_LEAST 0.5    // a corner is a key if the spacing that it allows alone is right by …
 #define KEY_MOST 1.5     // … these shares, and it is none of a bend
+#define CHORD 5.0        // … whose chords are shorter than so many of its corners' spacings
+#define FEW_GAPS 0.408   // of a line, for the corner at one of its ends: so much is left between
 #define ALIKE 0.9        // cosine between the turns of two corners of one bend
-#define STRAIGHT 0.1     // |Δu| up to which a path goes on straight, for the time of a stop
 #define CROWDED 0.25     // of a spacing: keys that are nearer than that are one
 #define OTHERS 0.25      // of a key's turn that other corners within its spacing may make
 // Growth of a path's squared bends with twice the spacing: 16 on a curve, 4 at a corner, 2 on a
 // random walk, 1 in noise. Below the first it gets noise, below the second it stays noise.
 #define GETS_ROUGH 1.25
 #define STAYS_ROUGH 2.0
-#define AT_REST 0.02     // of a way: a rest so near to its end is there, for the time of a stop
 #define SAME 0.9         // tolerances of blocks that differ by no more count as one
 #define SMALL 0.125      // of a spacing: such a block has the one before it
 #define BLUNT 1.25       // of the spacing before it: so much its corner allows alone
 enum {
     LOOKED_AT = 4,       // of so many small blocks one
-    WAYS = 16,           // blocks on either side that go on straight, at most
+    WINDOW_LEAST = 128,  // pieces that a window holds, for corners of more pieces
     GROWTH_STEPS = 40,   // from 1 µm to beyond any spacing
     BISECT_STEPS = 3     // the last 25 % to 3 %
 };
@@ -113,20 +113,11 @@ static nck_status_t grow(nck_smooth_t *self, double s, double aim, int rough, do
     return NCK_OK;
 }
 
-// The block with length before this one; this one if it is not known any more.
-static uint32_t raw_before(nck_smooth_t *self, uint32_t count) {
-    uint32_t before = count;
-    do {
-        if (before == self->raw.tail) return count;
-    } while (!nck_raw_at(self, --before)->has_seg);
-    return before;
-}
-
 // Neighbours on a dense path are much alike: begin to grow not far below the one before.
 static double begin_growing(nck_smooth_t *self, uint32_t count, double aim, double spacing) {
     const nck_raw_t *const raw = nck_raw_at(self, count);
     const double s = raw->s + raw->seg.length;
-    const double likely = NEIGHBOUR * nck_raw_at(self, raw_before(self, count))->spacing;
+    const double likely = NEIGHBOUR * nck_raw_at(self, nck_raw_before(self, count))->spacing;
     if (likely <= spacing || s + likely > nck_raw_known(self)) return spacing;
     double here[NCK_AXIS_MAX];
     nck_raw_point(self, s, here);
@@ -151,7 +142,7 @@ static nck_status_t room_beside(nck_smooth_t *self, uint32_t count, double *room
     double behind = raw->seg.length;
     double before = next->seg.length;
     if (third == self->run.end && !self->run.closed && !nck_raw_is_full(self)) return NCK_EMPTY;
-    const uint32_t first = raw_before(self, count);
+    const uint32_t first = nck_raw_before(self, count);
     if (first != count && nck_raw_at(self, first)->key) behind *= 0.5;
     if (third != self->run.end && lone_spacing(self, next, nck_raw_at(self, third)) < before) {
         before *= 0.5;
@@ -193,18 +184,21 @@ static int bends_on(nck_smooth_t *self, uint32_t count) {
     turn_t turn;
     turn.axes = self->terms->axes;
     turn.size = nck_raw_turn(in, out, turn.axes, turn.by);
+    const double chord = CHORD * lone_spacing(self, nck_raw_at(self, count),
+                                              nck_raw_at(self, after));
     uint32_t before = count;
     while (before != self->raw.tail && !nck_raw_at(self, before - 1)->has_seg) before--;
-    if (before != self->raw.tail
+    if (before != self->raw.tail && in->length < chord
         && turns_alike(&turn, &nck_raw_at(self, before - 1)->seg, in)) {
         return 1;
     }
-    return third != self->run.end && turns_alike(&turn, out, &nck_raw_at(self, third)->seg);
+    return third != self->run.end && out->length < chord
+           && turns_alike(&turn, out, &nck_raw_at(self, third)->seg);
 }
 
 // 1 if the corner before this one has a knot of its own, and is next to this one: they are one.
 static int is_crowded(nck_smooth_t *self, uint32_t count, double spacing) {
-    const uint32_t before = raw_before(self, count);
+    const uint32_t before = nck_raw_before(self, count);
     return before != count && nck_raw_at(self, before)->key
            && nck_raw_at(self, count)->seg.length < CROWDED * spacing;
 }
@@ -222,8 +216,8 @@ static double keep_off(nck_smooth_t *self, uint32_t count, double spacing) {
     double least = spacing;
     double far = nck_raw_at(self, count)->seg.length;
     uint32_t at = count;
-    while (raw_before(self, at) != at && far < 2.0 * least) {
-        at = raw_before(self, at);
+    while (nck_raw_before(self, at) != at && far < 2.0 * least) {
+        at = nck_raw_before(self, at);
         const nck_raw_t *const raw = nck_raw_at(self, at);
         if (!raw->smooth) break;
         least = stay_within(least, far, raw->tolerance / own);
@@ -236,76 +230,6 @@ static double keep_off(nck_smooth_t *self, uint32_t count, double spacing) {
         far += nck_raw_at(self, at)->seg.length;
     }
     return least;
-}
-
-// The run at the front ends at rest behind the block at count, and a run of its own begins there.
-static void stop_behind(nck_smooth_t *self, uint32_t count) {
-    double s = 0.0;
-    nck_raw_at(self, count)->seg.stop = 1;
-    for (uint32_t k = count + 1; k != self->run.end; k++) {
-        nck_raw_t *const raw = nck_raw_at(self, k);
-        raw->s = s; // added up as in smooth.c, so that an output is at its block's end to the bit
-        if (raw->has_seg) s = raw->s + raw->seg.length;
-    }
-    self->run.end = count + 1;
-    self->run.closed = 1;
-}
-
-// 1 if the path goes on as good as straight from one block to the next. Every corner in reach asks.
-static int goes_on(nck_smooth_t *self, uint32_t in, uint32_t out) {
-    nck_raw_t *const next = nck_raw_at(self, out);
-    if (next->onward == NCK_ONWARD_UNKNOWN) {
-        double turn[NCK_AXIS_MAX];
-        const nck_seg_t *const seg = &nck_raw_at(self, in)->seg;
-        const int goes = nck_raw_turn(seg, &next->seg, self->terms->axes, turn) < STRAIGHT;
-        next->onward = (uint8_t)(goes ? NCK_ONWARD_STRAIGHT : NCK_ONWARD_BENT);
-    }
-    return next->onward == NCK_ONWARD_STRAIGHT;
-}
-
-// How far the path leads straight to the corner behind a block, and on from it.
-static void measure_ways(nck_smooth_t *self, uint32_t count, nck_meet_t *meet) {
-    uint32_t at = count;
-    uint32_t other = raw_before(self, at);
-    for (int n = 0; n < WAYS && other != at && nck_raw_at(self, other)->smooth; n++) {
-        if (nck_raw_at(self, other)->seg.stop || !goes_on(self, other, at)) break;
-        at = other;
-        other = raw_before(self, at);
-    }
-    const nck_raw_t *const first = nck_raw_at(self, at);
-    meet->length[0] = meet->a->s + meet->a->seg.length - first->s;
-    meet->rests[0] = first->s <= AT_REST * meet->length[0] && !(first->cut > 0.0);
-    at = nck_raw_next(self, count);
-    other = nck_raw_next(self, at);
-    for (int n = 0; n < WAYS && other != self->run.end && goes_on(self, at, other); n++) {
-        at = other;
-        other = nck_raw_next(self, at);
-    }
-    const nck_raw_t *const last = nck_raw_at(self, at);
-    meet->length[1] = last->s + last->seg.length - meet->b->s;
-    const double behind = nck_raw_known(self) - (last->s + last->seg.length);
-    meet->rests[1] = self->run.closed && behind <= AT_REST * meet->length[1];
-}
-
-// Stop at a corner if that is faster than what the spline makes of it: a bend as wide as its
-// spacing, or as the run's ends leave it.
-static void stop_or_bend(nck_smooth_t *self, uint32_t count) {
-    const nck_raw_t *const raw = nck_raw_at(self, count);
-    const double s = raw->s + raw->seg.length;
-    nck_bend_t bend;
-    nck_meet_t meet = {raw, nck_raw_at(self, nck_raw_next(self, count)), {0.0, 0.0}, {0, 0}};
-    double before[NCK_AXIS_MAX];
-    double here[NCK_AXIS_MAX];
-    bend.d = nck_min(raw->spacing, s);
-    if (self->run.closed) bend.d = nck_min(bend.d, nck_raw_known(self) - s);
-    nck_raw_point(self, s - bend.d, before);
-    nck_raw_point(self, s, here);
-    nck_raw_point(self, s + bend.d, bend.turn);
-    for (int x = 0; x < self->terms->axes; x++) {
-        bend.turn[x] = (before[x] - 2.0 * here[x] + bend.turn[x]) / bend.d;
-    }
-    measure_ways(self, count, &meet);
-    if (nck_choice_stop(self, &meet, &bend)) stop_behind(self, count);
 }
 
 static vertex_t look_at(nck_smooth_t *self, uint32_t count) {
@@ -330,7 +254,7 @@ static nck_status_t grow_as_curve_or_noise(nck_smooth_t *self, uint32_t count, d
     const double s = raw->s + raw->seg.length;
     const nck_status_t status = grow(self, s, aim, 0, spacing);
     if (status == NCK_EMPTY) return status;
-    const int was_rough = nck_raw_at(self, raw_before(self, count))->rough;
+    const int was_rough = nck_raw_at(self, nck_raw_before(self, count))->rough;
     const double fine = unevenness(self, s, 0.5 * *spacing);
     raw->rough = unevenness(self, s, *spacing) < (was_rough ? STAYS_ROUGH : GETS_ROUGH) * fine;
     return raw->rough ? grow(self, s, aim, 1, spacing) : status;
@@ -339,7 +263,7 @@ static nck_status_t grow_as_curve_or_noise(nck_smooth_t *self, uint32_t count, d
 // 1 if a block is a small part of what the spacing before it spans, and as blunt: then its spacing
 // is the same. One block of four is looked at all the same.
 static int is_like_before(nck_smooth_t *self, uint32_t count, const vertex_t *corner) {
-    const uint32_t before = raw_before(self, count);
+    const uint32_t before = nck_raw_before(self, count);
     const nck_raw_t *const last = nck_raw_at(self, before);
     const nck_seg_t *const seg = &nck_raw_at(self, count)->seg;
     if (before == count || seg->block % LOOKED_AT == 0 || last->lacks || last->key) return 0;
@@ -360,7 +284,7 @@ static nck_status_t choose(nck_smooth_t *self, uint32_t count, vertex_t *corner,
     if (status == NCK_EMPTY) return status;
     corner->lone = corner->lone && !bends_on(self, count);
     if (is_like_before(self, count, corner)) {
-        const nck_raw_t *const last = nck_raw_at(self, raw_before(self, count));
+        const nck_raw_t *const last = nck_raw_at(self, nck_raw_before(self, count));
         *spacing_out = last->spacing;
         nck_raw_at(self, count)->rough = last->rough;
     } else if (corner->lines && !bounded) {
@@ -395,6 +319,30 @@ static int is_key(nck_smooth_t *self, uint32_t count, const vertex_t *corner, do
            && !is_crowded(self, count, spacing);
 }
 
+// A lone corner's spacing on a line: with a lift it bends two of them on either side. Two corners
+// that are alike share a knot in the line's middle, or leave a gap that is no steep one.
+static double fit_line(double wide, double length) {
+    if (wide >= 0.5 * length) return 0.5 * length;
+    return nck_min(wide, FEW_GAPS * length);
+}
+
+// The spacing of a lone corner without a lift, which allows so much.
+static double plain_spacing(const vertex_t *corner, double narrow) {
+    const double spacing = nck_min(narrow, corner->nearest);
+    return spacing < corner->nearest ? nck_min(spacing, corner->room) : spacing;
+}
+
+// With a lift, if that is more. It makes six pieces of a corner for four: a short window sees less
+// then, and under the S-shape each is a stop of acceleration.
+static double widen(nck_smooth_t *self, uint32_t count, double narrow, double plain) {
+    if (NCK_WINDOW < WINDOW_LEAST || !self->terms->carries) return plain;
+    const double in = nck_raw_at(self, count)->seg.length;
+    const double out = nck_raw_at(self, nck_raw_next(self, count))->seg.length;
+    const double wide = nck_min(self->spacing_max,
+                                NCK_SPLINE_WIDE * (NCK_SPLINE_WIDE_SHARE / AIM_KEY) * narrow);
+    return nck_max(plain, fit_line(fit_line(wide, nck_min(in, out)), nck_max(in, out)));
+}
+
 // As nck_spacing_know, but for the stop.
 static nck_status_t find(nck_smooth_t *self, uint32_t count, vertex_t *corner_out) {
     nck_raw_t *const raw = nck_raw_at(self, count);
@@ -404,11 +352,15 @@ static nck_status_t find(nck_smooth_t *self, uint32_t count, vertex_t *corner_ou
     const nck_status_t status = choose(self, count, corner_out, &spacing);
     if (status == NCK_EMPTY) return status;
     raw->lacks = status == NCK_FULL ? NCK_LACKS_BLOCKS : NCK_LACKS_NOTHING;
+    double plain = spacing;
     if (corner_out->lone) {
-        spacing = nck_min(spacing * (AIM_KEY / AIM), corner_out->nearest);
-        if (spacing < corner_out->nearest) spacing = nck_min(spacing, corner_out->room);
+        plain = plain_spacing(corner_out, spacing * (AIM_KEY / AIM));
+        spacing = widen(self, count, spacing * (AIM_KEY / AIM), plain);
     }
-    raw->key = (uint8_t)is_key(self, count, corner_out, spacing);
+    raw->key = NCK_KEY_NONE;
+    if (is_key(self, count, corner_out, spacing)) {
+        raw->key = corner_out->lone && spacing > plain ? NCK_KEY_LIFTED : NCK_KEY_ON_PATH;
+    }
     if (ends_in_blend(self, count)) {
         spacing = nck_min(spacing, next->seg.length / NCK_BLEND_KEEP_OFF);
     }
@@ -429,7 +381,7 @@ nck_status_t nck_spacing_know(nck_smooth_t *self, uint32_t count) {
         }
     }
     raw->lacks = NCK_LACKS_NOTHING;
-    stop_or_bend(self, count);
+    nck_meet_choose(self, count);
     return NCK_OK;
 }
 

@@ -3,7 +3,7 @@
 #ifndef NCK_PREP_SPLINE_MATH_H
 #define NCK_PREP_SPLINE_MATH_H
 
-#include "nck/base/real.h"    // nck_real nck_sqrt
+#include "nck/base/real.h"    // nck_real nck_sqrt nck_min nck_max
 #include "nck/base/records.h" // nck_seg_t NCK_AXIS_MAX
 
 // Greville abscissa of the control point that the knots at t[0] t[1] t[2] enclose:
@@ -118,6 +118,39 @@ static inline nck_real nck_spline_sag(nck_real second, nck_real h) { return seco
 static inline nck_real nck_spline_vertex_spacing(nck_real tolerance, nck_real turn) {
     return 6.0 * tolerance / turn;
 }
+
+// A corner's control point may lie off it, ℓ·|Δu|·Δ to its outside. Then the spline leaves the
+// vertex by ε = |Δu|·Δ·(1/6 − w·ℓ) to the inside, w the weight of the control point there, and
+// beside it the lines to the outside, by less up to this lift, whatever knots follow.
+#define NCK_SPLINE_LIFT 0.165
+// About the weight of its control point there.
+#define NCK_SPLINE_WEIGHT 0.6
+// So a corner's spacing may be wider, by so much.
+#define NCK_SPLINE_WIDE 2.1
+// Then it is chosen for this share of the tolerance: what lies between the points that are looked
+// at sags more.
+#define NCK_SPLINE_WIDE_SHARE 0.94
+
+// Weight at t[2] of the control point with the knots t[1] t[2] t[3] if the spline ends at t[3]:
+//   w = 1 − (t_3 − t_2)²/((t_3 − t_1)(t_3 − t_0)) − (t_2 − t_1)²/(t_3 − t_1)²
+// It is larger with any other knots behind t[3].
+static inline nck_real nck_spline_vertex_weight(const nck_real *t) {
+    const nck_real both = t[3] - t[1];
+    const nck_real before = t[2] - t[1];
+    const nck_real behind = t[3] - t[2];
+    return 1.0 - behind * behind / (both * (t[3] - t[0])) - before * before / (both * both);
+}
+
+// The least lift with which a spacing leaves a vertex by no more than a tolerance.
+static inline nck_real nck_spline_lift(nck_real tolerance, nck_real turn, nck_real spacing,
+                                       nck_real weight) {
+    const nck_real lift = (1.0 / 6.0 - tolerance / (turn * spacing)) / weight;
+    return nck_max(0.0, nck_min(NCK_SPLINE_LIFT, lift));
+}
+
+// What such a lift makes of the largest |p″|, else |Δu|/Δ, and of the largest |p‴|, else |Δu|/Δ².
+static inline nck_real nck_spline_lifted_second(nck_real lift) { return 1.0 + 2.0 * lift; }
+static inline nck_real nck_spline_lifted_third(nck_real lift) { return 1.0 + 3.0 * lift; }
 
 // The same on a curve:   ε = κ·Δ²/6,  κ > 0
 static inline nck_real nck_spline_curve_spacing(nck_real tolerance, nck_real kappa) {
