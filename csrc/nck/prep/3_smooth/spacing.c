@@ -18,7 +18,7 @@
 #define NEIGHBOUR 0.7    // of a spacing: where to begin to look for the next one
 #define KEY_LEAST 0.5    // a corner is a key if the spacing that it allows alone is right by …
 #define KEY_MOST 1.5     // … these shares, and it is none of a bend
-#define CHORD 5.0        // … whose chords are shorter than so many of its corners' spacings
+#define CHORD 3.4        // … whose chords are shorter than so many of its corners' spacings
 #define FEW_GAPS 0.408   // of a line, for the corner at one of its ends: so much is left between
 #define ALIKE 0.9        // cosine between the turns of two corners of one bend
 #define CROWDED 0.25     // of a spacing: keys that are nearer than that are one
