@@ -310,6 +310,7 @@ static nck_status_t take_block(nck_decode_t *self, nck_block_t *out) {
 static void drop_cycle(nck_decode_t *self) {
     self->held.cycle.holes = 0;
     self->held.turn.left = 0;
+    self->held.peck.phase = 0;
     self->held.screw.phase = 0;
     self->held.rough.phase = 0;
 }
