@@ -317,6 +317,7 @@ class Checker:
         off = f"{apart.max()} mm off the path"
         self._hold(apart <= np.maximum(tolerance * (1 + SHARE), PATH_ERROR_MM), off)
         self.path_error_mm = max(self.path_error_mm, float(apart.max()))
+        smoothed = smoothed[tolerance[smoothed] > 0]  # where pieces end within none is left
         used = apart[smoothed] / tolerance[smoothed]
         self.tolerance_used = max(self.tolerance_used, float(used.max(initial=0.0)))
         q = np.clip(path.along(block[exact], s[exact], poses[exact]), 0, 1)

@@ -90,6 +90,18 @@ def test_polars_and_arrow_tell_what_pandas_tells(results, name):
         assert "dictionary" in str(arrow["limit"].type)
 
 
+def test_what_a_node_packs_is_told_as_columns_of_their_own(results):
+    plan = results["plan"]
+    nodes = plan.to_pandas("nodes")
+    rests = nodes["length"] == 0
+    assert nodes["dwell_s"].sum() == pytest.approx(plan.totals["dwell_s"], rel=1e-12)
+    assert (nodes["dwell_s"][~rests] == 0).all()
+    assert (nodes["a_rest"][~rests] > 0).all() and (nodes["a_rest"][rests] == 0).all()
+    lines = ~rests & (nodes["kind"] == "line")
+    assert (nodes["j_rest"][lines] >= nodes["j"][lines] * (1 - 1e-5)).all()
+    assert (nodes["q_rest"][lines] > 1e29).all()  # no bend
+
+
 def test_axes_have_speed_acceleration_and_jerk(results):
     trace, peaks = results["trace"], results["trace"].summary["peaks"]
     limits = {kind: trace.program.machine.limits(f"{kind}_max") for kind in "vaj"}

@@ -405,7 +405,7 @@ def logged(file, axes=9):
     return "".join(f"{x} {y} {z}\n" for x, y, z in rows)
 
 
-@pytest.mark.parametrize("of", itertools.product(MACHINES, ("bare_metal", "os_kernel")), ids=str)
+@pytest.mark.parametrize("of", [*itertools.product(MACHINES, ("bare_metal", "os_kernel"))], ids=str)
 def test_an_example_drives_as_the_library_on_the_host(
     examples, programs, expected, tool, tmp_path, of
 ):

@@ -6,13 +6,33 @@ import html
 import numpy as np
 
 from pycnc.extras import need
-from pycnc.kernel.records import enum
+from pycnc.kernel.records import dtype, enum
 from pycnc.machine.schema import AXES, unit_of
 
 _CODES = {  # member of a record → enumeration that names its codes
     "kind": "nck_seg_kind_t",
 }
 _HIDDEN = {"reserved", "shape"}
+
+
+def _standstill(nodes):
+    """Return how long a rest lasts; what a moving piece has of a and j at standstill."""
+    rests = nodes["length"] == 0
+    dwell = np.ascontiguousarray(nodes["standstill"]["dwell_s"])
+    left = dwell.view(dtype("nck_left_t"))  # the same bytes: a union
+    return {
+        "dwell_s": np.where(rests, dwell, 0),
+        "a_rest": np.where(rests, 0, left["a"]),
+        "j_rest": np.where(rests, 0, left["j"]),
+    }
+
+
+def _q_rest(nodes):
+    """Return the quotient that a node has as the upper half of a float's bits."""
+    return {"q_rest": (nodes["q_rest"].astype(np.uint32) << 16).view(np.float32)}
+
+
+_PACKED = {"standstill": _standstill, "q_rest": _q_rest}  # member → its columns, from the records
 
 
 def facts_table(facts):
@@ -127,6 +147,9 @@ def columns_of(records, machine, limits):
     columns, names = {}, {}
     for member in records.dtype.names:
         if member in _HIDDEN:
+            continue
+        if member in _PACKED:
+            columns.update(_PACKED[member](records))
             continue
         array = np.ascontiguousarray(records[member])
         if array.ndim == 2:
