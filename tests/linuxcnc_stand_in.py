@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: MIT
 """The planner module in a stand-in for LinuxCNC's motion controller: scripts in, setpoints out."""
 
+import re
+import shutil
 import subprocess
 from pathlib import Path
 from typing import NamedTuple
@@ -11,6 +13,7 @@ from pycnc import linuxcnc
 
 ROOT = Path(__file__).resolve().parents[1]
 HEADERS = Path("/usr/include/linuxcnc")
+OWN = Path("/usr/lib/linuxcnc/modules/tpmod.so")  # LinuxCNC's own planner
 FLAGS = ["-D_GNU_SOURCE", "-DRTAPI", "-DSIM", "-Drealtime", "-D__MODULE__", "-rdynamic", "-O2"]
 AXES = "XYZABCUVW"
 COLUMNS = (*AXES.lower(), "turns", "speed", "to_go", "id", "depth", "done", "v_asked")
@@ -94,12 +97,15 @@ class StandIn:
         command = ["gcc", *FLAGS, f"-I{HEADERS}", source, "-o", self.program, "-ldl", "-lm"]
         subprocess.run(command, check=True)
 
-    def start(self, script, machine, ini=None):
-        """Run a script; return the process, whether or not it went well."""
+    def start(self, script, machine, ini=None, module=None, under=()):
+        """Run a script, `under` another program; return the process, whether or not it went well.
+
+        module: another planner than the one that was built.
+        """
         path = self.folder / "machine.ini"
         path.write_text(machine.ini if ini is None else ini, encoding="utf-8")
         return subprocess.run(
-            [self.program, self.module, self.folder / "trace"],
+            [*under, self.program, module or self.module, self.folder / "trace"],
             input="\n".join([*machine.limits, *script]) + "\n",
             env={"INI_FILE_NAME": str(path)}, capture_output=True, text=True, timeout=300,
         )  # fmt: skip
@@ -111,3 +117,15 @@ class StandIn:
         assert done.returncode == 0, done.stderr
         rows = np.fromfile(self.folder / "trace").reshape(-1, len(COLUMNS))
         return Run(machine, [line.split() for line in done.stdout.splitlines()], done.stderr, rows)
+
+    def count(self, script, module=None):
+        """Run a script on the machine; return the instructions of each servo cycle."""
+        out = self.folder / "callgrind"
+        out.unlink(missing_ok=True)
+        under = [shutil.which("valgrind"), "--tool=callgrind", "--combine-dumps=yes",
+                 f"--callgrind-out-file={out}", "--toggle-collect=tpRunCycle",
+                 "--dump-after=tpRunCycle"]  # fmt: skip
+        done = self.start(script, Machine(), module=module, under=under)
+        assert done.returncode == 0, done.stderr
+        found = re.findall(r"^totals: (\d+)", out.read_text(encoding="utf-8"), re.M)
+        return np.array(found[:-1], int)  # the last one is of what comes behind the last cycle

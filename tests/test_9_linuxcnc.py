@@ -6,13 +6,23 @@ import random
 
 import numpy as np
 import pytest
-from linuxcnc_stand_in import CYCLE_S, EVER, HEADERS, Machine, StandIn
+from linuxcnc_stand_in import CYCLE_S, EVER, HEADERS, OWN, ROOT, Machine, StandIn
 
 ROUNDING = 1e-6  # of a limit, on doubles
 WITHIN = "term 2 0.01"
 EXACT, STOPS = "term 1 0", "term 0 0"
 ZIGZAG = [f"line 100 {5 * n} {10 * (n % 2)} 0" for n in range(1, 13)]
 SCRIPTS = 200
+CHORDS = 1500  # of a waved ring of 0.055 mm, as many as pass in 0.8 s at 100 mm/s
+
+
+def ring(count=CHORDS):
+    """Return the script of a ring of chords, one a servo cycle."""
+    t = np.arange(count + 1) * 1e-3
+    r = 50 + 3 * np.sin(9 * t)
+    x, y, z = r * np.cos(t) - 50, r * np.sin(t), 2 * np.sin(5 * t)
+    moves = [f"line 100 {a:.4f} {b:.4f} {c:.4f}\nrun 1" for a, b, c in zip(x, y, z, strict=True)]
+    return [WITHIN, *moves[1:]]
 
 
 @pytest.fixture(scope="module")
@@ -387,3 +397,34 @@ def test_a_random_operator_breaks_no_limit_and_loses_no_place(stand_in, seed):
     assert_within_limits(run)
     assert ["-1"] not in run.told("rest") + run.told("still")
     assert run.places[-1] == pytest.approx([1, 2, 3], abs=1e-6)
+
+
+# What a cycle costs
+
+
+def test_chords_that_come_one_a_cycle_begin_soon_and_end_soon(stand_in):
+    run = stand_in.run([*ring(), f"rest {EVER}"])
+    assert_within_limits(run)
+    moves = np.abs(np.diff(run.places, axis=0)).max(axis=1) > 0
+    assert np.argmax(moves) < 250
+    assert len(moves) < CHORDS + 650
+
+
+def told(row):
+    """Return what the page says of our planner in a row: instructions."""
+    page = (ROOT / "docs/linuxcnc.md").read_text(encoding="utf-8")
+    line = next(line for line in page.splitlines() if line.startswith(f"| {row} |"))
+    return int(line.split("|")[3].replace(" ", ""))
+
+
+def test_a_cycle_takes_as_many_instructions_as_the_page_says(stand_in):
+    if not OWN.is_file():
+        pytest.skip("linuxcnc-uspace is not installed")
+    script = [*ring(), f"rest {EVER}"]
+    ours, own = stand_in.count(script), stand_in.count(script, OWN)
+    found = {"mean": ours.mean(), "most": ours.max()}
+    stopped = [*ring(CHORDS // 2), "abort", "rest 20000", "run 1"]
+    found["an abort has come to rest"] = stand_in.count(stopped)[-2:].max()
+    print(f"own: mean {own.mean():.0f}, most {own.max()}; ours: {found}")
+    for row, value in found.items():
+        assert value == pytest.approx(told(row), rel=0.05), row

@@ -45,7 +45,9 @@ void nck_leave_at(nck_t *nck, uint32_t blocks) {
     if (nck->wire.blocks >= blocks) nck->decode.text.over = 1;
 }
 
-void nck_hurry(nck_t *nck, uint32_t periods) { nck_slope_hurry(&nck->slope, periods); }
+void nck_hurry(nck_t *nck, uint32_t periods) {
+    if (nck_slope_hurry(&nck->slope, periods)) nck_lookahead_hurry(&nck->lookahead);
+}
 
 void nck_end(nck_t *nck) { nck_decode_end(&nck->decode); }
 

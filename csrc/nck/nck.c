@@ -259,7 +259,7 @@ static nck_status_t take_input(nck_t *nck, nck_status_t status, nck_status_t ahe
         if (needs_text(nck)) input = NCK_EMPTY;
     }
     if (input == NCK_EMPTY && nck_fence_load(&nck->interpolate.has_cell)) {
-        nck_slope_hurry(&nck->slope, 0);
+        (void)nck_slope_hurry(&nck->slope, 0);
     }
     if (input <= NCK_OK || input == NCK_EMPTY) return input;
     if (is_stuck(nck, status, ahead, input)) {

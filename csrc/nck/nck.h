@@ -173,7 +173,8 @@ void nck_leave_at(nck_t *nck, uint32_t blocks);
 // Nothing more is there to push for now, and more may come: a plan that begins at rest, or takes
 // over within so many periods, takes what is known of the path. By itself nck_prep does so two
 // periods ahead, which is soon enough where it is called as long as it says NCK_OK; a caller with a
-// budget names the periods that a plan takes to be made, 1 at least. Behind NCK_EMPTY.
+// budget names the periods that a plan takes to be made, 1 at least. Speeds that hang on pieces not
+// known yet are settled without them. Behind NCK_EMPTY.
 // Cost: linear in periods. Context: prep.
 void nck_hurry(nck_t *nck, uint32_t periods);
 

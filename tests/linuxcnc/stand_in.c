@@ -326,6 +326,7 @@ static void set_up(void) {
     config.arcBlendRampFreq = 100.0;
     config.arcBlendTangentKinkRatio = 0.1;
     config.trajCycleTime = 0.001;
+    config.maxFeedScale = 2.0;
     p_tpMotFunctions(dio_write, aio_write, set_unlock, is_unlocked, v_of, a_of);
     p_tpMotData(&status, &config);
     if (p_tpCreate(&tp, 2000, 0) || p_tpSetCycleTime(&tp, 0.001)) puts("create refused");

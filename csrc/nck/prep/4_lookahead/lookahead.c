@@ -77,6 +77,8 @@ void nck_lookahead_end(nck_lookahead_t *self) {
     self->ended = 1;
 }
 
+void nck_lookahead_hurry(nck_lookahead_t *self) { nck_near_hurry(self); }
+
 static int window_full(const nck_lookahead_t *self) {
     return self->window.fill > NCK_WINDOW - PIECES_PER_SEG;
 }

@@ -91,6 +91,7 @@ typedef struct nck_lookahead {
     struct {
         uint32_t head;    // pushed
         uint32_t broken;  // up to here the caps of splines hang on no seg that is still to come
+        uint32_t hurried; // up to here they are taken as they are
         uint32_t settled; // segs with speeds and limits
         uint32_t decided; // junctions with v_corner and share
         uint32_t placed;  // segs turned into nodes
@@ -135,6 +136,10 @@ nck_status_t nck_lookahead_push(nck_lookahead_t *self, const nck_seg_t *seg);
 
 // Say that no more segs will come before the path has come to rest. Cost: constant. Context: prep.
 void nck_lookahead_end(nck_lookahead_t *self);
+
+// Nobody knows when more segs come: make known what can be known without them. The path may go on
+// without a rest. Cost: constant. Context: prep.
+void nck_lookahead_hurry(nck_lookahead_t *self);
 
 // One bounded piece of work. Returns NCK_OK, NCK_EMPTY (needs segs), NCK_FULL (pieces must be
 // dropped), NCK_DONE (ended, and every piece is placed). Cost: one junction and two segs' nodes

@@ -86,9 +86,9 @@ static int level(nck_joint_t *joint, const neighbour_t *side, const nck_terms_t 
 }
 
 // Level what lies before a joint whose cap came down, NCK_NEAR_SPAN joints before the newest at
-// most.
+// most. What is settled stays.
 static void level_before(nck_lookahead_t *self, uint32_t at) {
-    while (at > 0 && self->joint.head - at <= NCK_NEAR_SPAN) {
+    while (at > self->joint.settled && self->joint.head - at <= NCK_NEAR_SPAN) {
         nck_joint_t *const before = nck_joint_at(self, at - 1);
         const neighbour_t side = beside(before, nck_joint_at(self, at));
         if (!is_chain(before) || !level(before, &side, self->terms)) return;
@@ -124,7 +124,7 @@ static void level_to_rest(nck_lookahead_t *self, uint32_t at) {
     const int by_line = ends_chain(self, at);
     const uint32_t last = by_line ? at - 1 : at;
     nck_joint_t *const joint = nck_joint_at(self, last);
-    if (joint->kind != NCK_SEG_SPLINE) return;
+    if (joint->kind != NCK_SEG_SPLINE || last < self->joint.settled) return;
     const neighbour_t side =
         by_line ? beyond_line(joint, nck_joint_at(self, at), self->terms) : at_rest(joint);
     if (level(joint, &side, self->terms)) level_before(self, last);
@@ -185,13 +185,18 @@ void nck_near_end(nck_lookahead_t *self) {
     if (!self->ended && self->joint.head > 0) level_to_rest(self, self->joint.head - 1);
 }
 
-// Depends on counts of segs only: no push lowers a cap more than NCK_NEAR_SPAN segs before it.
+// Its caps stay as if the path went on as it is: levelled to a rest at the newest joint's end they
+// would be slow for good: 1500 chords, one a period, took 2.93 s in place of 2.05.
+void nck_near_hurry(nck_lookahead_t *self) { self->joint.hurried = self->joint.head; }
+
+// Depends on counts of segs only, unless it is hurried: a push lowers caps up to NCK_NEAR_SPAN segs
+// before it.
 nck_status_t nck_near_settle(nck_lookahead_t *self) {
     const uint32_t count = self->joint.settled;
     if (count == self->joint.head) return NCK_EMPTY;
     const uint32_t known = self->joint.head - count;
     const int open = self->joint.broken <= count && known <= NCK_NEAR_SPAN && !self->ended;
-    if (open) return NCK_EMPTY;
+    if (open && self->joint.hurried <= count) return NCK_EMPTY;
     nck_joint_settle(nck_joint_at(self, count), entered_at(self, count), self->terms);
     self->joint.settled++;
     return NCK_OK;

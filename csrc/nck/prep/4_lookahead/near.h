@@ -23,6 +23,10 @@ void nck_near_level(nck_lookahead_t *self);
 // Cost: as above.
 void nck_near_end(nck_lookahead_t *self);
 
+// Nobody knows when more comes: what is known may be settled as it is, and what is still to come is
+// levelled with it. Cost: constant.
+void nck_near_hurry(nck_lookahead_t *self);
+
 // Settle the next joint's speeds and limits. NCK_OK, or NCK_EMPTY: more segs must be known.
 // Cost: constant.
 nck_status_t nck_near_settle(nck_lookahead_t *self);

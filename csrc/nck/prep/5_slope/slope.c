@@ -406,12 +406,14 @@ static int takes_over_within(nck_slope_t *self, uint32_t periods) {
            && cell_after(self, final_count(self), time, self->now.n) >= final_limit(self);
 }
 
-void nck_slope_hurry(nck_slope_t *self, uint32_t periods) {
+int nck_slope_hurry(nck_slope_t *self, uint32_t periods) {
     const int goes_on = self->kind == NCK_JOB_GO_ON;
     const int waits = goes_on && final_count(self) == final_limit(self) && is_late(self);
     const int begins = self->kind == NCK_JOB_START && periods > 0;
     const int early = begins || (goes_on && takes_over_within(self, periods));
-    if (self->phase != PHASE_MAKE || !(waits || early)) return;
+    const int rests = self->phase == PHASE_IDLE && final_count(self) == self->now.n;
+    if (rests) return periods > 0;
+    if (self->phase != PHASE_MAKE || !(waits || early)) return 0;
     self->idle.is = 0;
     self->hurried = (uint32_t)waits; // what does not join early is tried again
     switch (planner_of(self->machine)) {
@@ -419,6 +421,7 @@ void nck_slope_hurry(nck_slope_t *self, uint32_t periods) {
     case NCK_SLOPE_SSHAPE: nck_sshape_hurry(&self->planner.sshape); break;
     default: nck_linear_hurry(&self->planner.linear); break;
     }
+    return 1;
 }
 
 // A jerk-limited plan looks at pieces of the plan of now that the tick has passed, whether or not

@@ -86,8 +86,9 @@ int nck_slope_is_idle(const nck_slope_t *self, const nck_wish_t *wish);
 
 // Nothing more is known of the path. If the tick is about to run out of final cells, the plan in
 // work takes what is there; so it does where it takes over within so many periods, or begins at
-// rest and periods is not 0. Cost: linear in periods. Context: prep.
-void nck_slope_hurry(nck_slope_t *self, uint32_t periods);
+// rest and periods is not 0. Returns 1 if it would take more of the path than is known.
+// Cost: linear in periods. Context: prep.
+int nck_slope_hurry(nck_slope_t *self, uint32_t periods);
 
 // The number of the oldest piece that is still needed. Cost: constant. Context: prep.
 uint32_t nck_slope_needs(const nck_slope_t *self);
