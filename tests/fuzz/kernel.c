@@ -43,6 +43,7 @@ typedef struct run {
     size_t used;   // of it, pushed
     size_t piece;  // bytes in a push
     size_t line;   // where the last line begins
+    uint32_t hurry;// periods that a caller with a budget names; 0: it has none
     int complete;  // 1: no more text will come
     int aborted;
     int failed;    // 1: a program error has ended the path
@@ -301,6 +302,7 @@ static int prep(run_t *self) {
     const size_t left = self->size - self->used;
     if (left == 0) {
         if (self->complete) nck_end(nck);
+        else if (self->hurry > 0) nck_hurry(nck, self->hurry);
         return self->complete;
     }
     require(nck_push(nck, self->text + self->used, left < self->piece ? left : self->piece, &used)
@@ -339,7 +341,10 @@ static void command(run_t *self) {
                              1000000 * (int64_t)byte_of(&self->source));
         break;
     default:
-        if (what <= 220) break;
+        if (what <= 220) {
+            self->hurry = what >> 3;
+            break;
+        }
         self->aborted = 1;
         nck_abort(nck);
         break;
