@@ -48,6 +48,11 @@ static inside_t inside_of(const nck_jerk_t *self, const nck_node_t *piece) {
     return inside;
 }
 
+// So much of a cell, which begins in this piece, lies behind it [mm].
+static inline double length_behind(const nck_jerk_t *self, const nck_node_t *piece, uint32_t i) {
+    return self->h[i] - (piece->s + piece->length - self->rung_s[i]);
+}
+
 // A cell keeps to the limits of every piece that it touches, and its nodes to the caps of the nodes
 // that it passes over. inside: of the piece that it begins in. Returns the cap inside of it, v².
 static double limits_of(const nck_jerk_t *self, const nck_pieces_t *pieces, uint32_t i,
@@ -56,7 +61,7 @@ static double limits_of(const nck_jerk_t *self, const nck_pieces_t *pieces, uint
     const nck_node_t *piece = inside->piece;
     uint32_t number = self->rung_piece[i];
     inside_t least = *inside;
-    double left = h - (piece->s + piece->length - self->rung_s[i]);
+    double left = length_behind(self, piece, i);
     while (left > nck_window_rounding(piece, h)) {
         piece = nck_plan_piece(pieces, ++number);
         if (!piece) break;
@@ -85,9 +90,12 @@ static nck_brake_limits_t limits_at(const nck_jerk_t *self, const nck_pieces_t *
 static void limit_cell(nck_jerk_t *self, const nck_pieces_t *pieces, uint32_t i, int may_relax,
                        inside_t *inside) {
     const nck_node_t *const piece = nck_plan_piece(pieces, self->rung_piece[i]);
-    nck_brake_limits_t limits;
     if (piece != inside->piece) *inside = inside_of(self, piece);
-    const double w_cell = limits_of(self, pieces, i, inside, &limits);
+    nck_brake_limits_t limits = {inside->a, inside->j * self->j_scale};
+    double w_cell = inside->w;
+    if (length_behind(self, piece, i) > nck_window_rounding(piece, self->h[i])) {
+        w_cell = limits_of(self, pieces, i, inside, &limits);
+    }
     const int begins = self->rung_s[i] == piece->s;
     double w_node = begins ? nck_window_node_cap(self, piece) : NCK_WINDOW_UNCAPPED;
     if (i > 0) w_node = nck_min(w_node, self->work.w_cell);

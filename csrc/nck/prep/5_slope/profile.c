@@ -356,42 +356,48 @@ static void follow_rise(const nck_profile_t *self, uint32_t i, rise_t *state) {
     state->share = nck_hull_share(h, state->v + nck_sqrt(self->w[i + 1]), self->q_cap);
 }
 
-// On the way back: node i, where the rise from behind comes to vv. before: its state and what had
-// broken, before it went over the cell.
-static inline void meet(nck_profile_t *self, uint32_t i, double vv, const rise_t *before,
+// On the way back: node i, where the rise from behind comes to vv. v: its speed before it went over
+// the cell; broken: what it had told by then.
+static inline void meet(nck_profile_t *self, uint32_t i, double vv, double v, uint32_t broken,
                         rise_t *state) {
-    const double v = before->v;
     if (vv > 0.0 || !(self->e[i] > 0.0) || !(self->w[i + 1] < v * v)) {
         self->w[i] = nck_min(self->w[i], vv);
         return;
     }
-    state->broken = before->broken;
+    state->broken = broken;
     follow_rise(self, i, state);
+}
+
+// Where a pass of rises begins: the first node, and the next one to be done.
+static uint32_t begin_climb(nck_profile_t *self, int back) {
+    if (back) self->w[self->n] = 0.0;
+    else rise_first(self);
+    return back ? self->n - 1 : 1;
 }
 
 // Rise and fall: the cells of one pass, forth or back, each within its bound.
 static uint32_t climb(nck_profile_t *self, uint32_t budget, const double *bound, int back) {
     const uint32_t count = back ? left_back(self, budget) : left_forth(self, budget);
-    const uint32_t last = self->n - 1;
-    uint32_t i = self->i;
-    uint32_t n = 0;
-    if (i == (back ? self->n : 0)) {
-        if (back) self->w[i] = 0.0;
-        else rise_first(self);
-        i = back ? i - 1 : 1;
-        n = 1;
-    }
+    const int begins = self->i == (back ? self->n : 0);
+    uint32_t i = begins ? begin_climb(self, back) : self->i;
+    uint32_t cell = back ? i : i - 1;
     rise_t state = rise_of(self);
-    for (; n < count; n++) {
-        const uint32_t cell = back ? i : i - 1;
-        const uint32_t behind = back ? least(cell + 1, last) : cell - (cell > 0);
-        const double j = nck_min(self->j_max[behind], self->j_max[cell]);
-        const nck_hull_cell_t step = {self->h[cell], bound[cell], j, self->q_cap};
-        const rise_t before = state;
+    const uint32_t onward = back ? UINT32_MAX : 1; // one back, or forth
+    const uint32_t end = count - (begins ? 1 : 0);
+    const int alone = back ? cell + 1 >= self->n : cell == 0;
+    double j_last = end > 0 ? self->j_max[alone ? cell : cell - onward] : 0.0;
+    for (uint32_t n = 0; n < end; n++) {
+        const double j_cell = self->j_max[cell];
+        const nck_hull_cell_t step = {self->h[cell], bound[cell], nck_min(j_last, j_cell),
+                                      self->q_cap};
+        const double v = state.v;
+        const uint32_t broken = state.broken;
         const double vv = rise(&state, &step, self->a_max[cell], self->e[i]);
-        if (back) meet(self, i, vv, &before, &state);
+        if (back) meet(self, i, vv, v, broken, &state);
         else self->w[i] = vv;
-        i = back ? i - 1 : i + 1;
+        j_last = j_cell;
+        i += onward;
+        cell += onward;
     }
     keep_rise(self, &state);
     self->i = i;

@@ -263,6 +263,7 @@ static void find_far(nck_jerk_t *self, const nck_ladder_piece_t *rungs, double x
 // what is near the piece's end.
 static double far_step(const nck_jerk_t *self, double step, double x, double y) {
     if (!(x >= self->work.even)) return step;
+    if (y - self->work.even > (self->long_steps + 2.0) * step) return step * self->long_steps;
     const double fit = nck_floor((y - self->work.even) / step);
     return step * nck_max(1.0, nck_min(self->long_steps, fit));
 }
