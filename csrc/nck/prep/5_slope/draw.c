@@ -24,6 +24,12 @@ typedef struct draw {
     const nck_node_t *capped; // the piece …
     double cap;              // … whose cap this is, v²
     double v;                // where the next cell begins [mm/s]
+    uint32_t n;              // cells of the plan
+    uint32_t keep;           // as the plan's
+    uint8_t held;            // NCK_STOP_HOLD, or none
+    double time, keep_time;  // nck_jerk_t.work
+    double sure_time;
+    uint32_t sure;
 } draw_t;
 
 static uint8_t limit_of(const nck_jerk_t *self, draw_t *draw, uint32_t i, double a) {
@@ -87,52 +93,80 @@ static void note_uneven(nck_jerk_t *self, uint32_t i, const nck_cell_t *drawn) {
 
 // How far the plan is sure once cell i is drawn. Two steps a cell catch up with any stretch of
 // braking in the middle of the path.
-static void note_sure(nck_jerk_t *self, const nck_cell_t *cells, uint32_t i) {
-    self->work.time += cells[i].duration;
-    if (cells[i].a >= 0.0) self->work.keep_time = self->work.time;
-    const double sure = self->work.keep_time - self->margin_s;
-    for (int n = 0; n < 2 && self->work.sure <= i; n++) {
-        const double end = self->work.sure_time + cells[self->work.sure].duration;
-        if (end > sure) return;
-        self->work.sure_time = end;
-        self->work.sure++;
+static inline void note_sure(const nck_jerk_t *self, draw_t *draw, uint32_t i) {
+    const double until = draw->keep_time - self->margin_s;
+    for (int n = 0; n < 2 && draw->sure <= i; n++) {
+        const double end = draw->sure_time + draw->cells[draw->sure].duration;
+        if (end > until) return;
+        draw->sure_time = end;
+        draw->sure++;
     }
 }
 
 // What of a cell the ladder of the next plan is divided by.
-static void draw_motion(nck_jerk_t *self, draw_t *draw, uint32_t i) {
+static inline void draw_motion(nck_jerk_t *self, draw_t *draw, uint32_t i) {
     nck_cell_t *const cell = &draw->cells[i];
     keep_moving(self, i);
     const double v = draw->v;
     const double h = self->h[i];
+    const double a = (self->w[i + 1] - self->w[i]) / (2.0 * h);
     draw->v = nck_sqrt(self->w[i + 1]);
+    const double duration = 2.0 * h / (v + draw->v);
+    draw->time += duration;
     cell->seg = draw->piece->seg;
     cell->s = self->rung_s[i];
     cell->length = h;
     cell->v = v;
-    cell->a = (self->w[i + 1] - self->w[i]) / (2.0 * h);
+    cell->a = a;
     cell->j = 0.0;
-    cell->duration = 2.0 * h / (v + draw->v);
-    if (cell->a >= 0.0) self->next->keep = i + 1;
+    cell->duration = duration;
+    if (!(a >= 0.0)) return;
+    draw->keep = i + 1;
+    draw->keep_time = draw->time;
 }
 
 // Cell i of a plan that only tells how to divide the ladder.
 static void draw_coarse(nck_jerk_t *self, const nck_pieces_t *pieces, draw_t *draw, uint32_t i) {
-    const int is_end = i + 1 == self->work.n;
     draw_motion(self, draw, i);
-    self->work.time += draw->cells[i].duration;
-    draw->piece = is_end ? draw->piece : nck_plan_piece(pieces, self->rung_piece[i + 1]);
+    if (i + 1 < draw->n) draw->piece = nck_plan_piece(pieces, self->rung_piece[i + 1]);
 }
 
 static void draw_cell(nck_jerk_t *self, const nck_pieces_t *pieces, draw_t *draw, uint32_t i) {
     nck_cell_t *const cell = &draw->cells[i];
     draw_motion(self, draw, i);
     cell->limit = limit_of(self, draw, i, cell->a);
-    cell->stop = i + 1 == self->work.n ? NCK_STOP_REST : 0;
-    if (self->next->held) cell->stop |= NCK_STOP_HOLD;
+    cell->stop = draw->held | (uint8_t)(i + 1 == draw->n ? NCK_STOP_REST : 0);
     draw->piece = end_cell(self, pieces, i, cell);
     note_uneven(self, i, cell);
-    note_sure(self, draw->cells, i);
+    note_sure(self, draw, i);
+}
+
+static draw_t begin_step(const nck_jerk_t *self, const nck_pieces_t *pieces) {
+    const uint32_t i = self->work.i;
+    draw_t draw;
+    draw.cells = nck_link_tail_room(self->link) - i;
+    draw.piece = nck_plan_piece(pieces, self->rung_piece[i]);
+    draw.capped = (const nck_node_t *)0;
+    draw.cap = 0.0;
+    draw.v = nck_sqrt(self->w[i]);
+    draw.n = self->work.n;
+    draw.keep = self->next->keep;
+    draw.held = self->next->held ? NCK_STOP_HOLD : 0;
+    draw.time = self->work.time;
+    draw.keep_time = self->work.keep_time;
+    draw.sure_time = self->work.sure_time;
+    draw.sure = self->work.sure;
+    return draw;
+}
+
+static void end_step(nck_jerk_t *self, const draw_t *draw, uint32_t end) {
+    nck_link_tail_grow(self->link, end - self->work.i);
+    self->work.i = end;
+    self->next->keep = draw->keep;
+    self->work.time = draw->time;
+    self->work.keep_time = draw->keep_time;
+    self->work.sure_time = draw->sure_time;
+    self->work.sure = draw->sure;
 }
 
 static void draw_rest(nck_jerk_t *self, const nck_pieces_t *pieces) {
@@ -156,14 +190,12 @@ nck_status_t nck_draw_cells(nck_jerk_t *self, const nck_pieces_t *pieces) {
     const uint32_t begin = self->work.i;
     const uint32_t left = self->work.n - begin;
     const uint32_t end = begin + (left < NCK_JERK_STEP ? left : NCK_JERK_STEP);
-    draw_t draw = {nck_link_tail_room(self->link) - begin,
-                   nck_plan_piece(pieces, self->rung_piece[begin]), (const nck_node_t *)0, 0.0,
-                   nck_sqrt(self->w[begin])};
-    for (uint32_t i = begin; i < end; i++) {
-        if (self->work.coarse) draw_coarse(self, pieces, &draw, i);
-        else draw_cell(self, pieces, &draw, i);
+    draw_t draw = begin_step(self, pieces);
+    if (self->work.coarse) {
+        for (uint32_t i = begin; i < end; i++) draw_coarse(self, pieces, &draw, i);
+    } else {
+        for (uint32_t i = begin; i < end; i++) draw_cell(self, pieces, &draw, i);
     }
-    nck_link_tail_grow(self->link, end - begin);
-    self->work.i = end;
+    end_step(self, &draw, end);
     return left < NCK_JERK_STEP ? NCK_DONE : NCK_OK;
 }
