@@ -116,8 +116,9 @@ void nck_link_tail_grow(nck_link_t *self, uint32_t count) {
 
 void nck_link_tail_push(nck_link_t *self, const nck_cell_t *cell) {
     assert(self->tail_fill < NCK_TAIL_MAX);
-    *nck_link_tail_room(self) = *cell;
-    nck_link_tail_grow(self, 1);
+    inspect(self, cell);
+    self->tail[next_parity(self)].cell[self->tail_fill] = *cell;
+    self->tail_fill++;
 }
 
 nck_link_spare_t *nck_link_spare(nck_link_t *self) { return &self->tail[next_parity(self)].spare; }
