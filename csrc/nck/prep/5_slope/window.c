@@ -392,8 +392,7 @@ static nck_status_t lay_one(nck_jerk_t *self, const nck_pieces_t *pieces, ground
 }
 
 nck_status_t nck_window_lay(nck_jerk_t *self, const nck_pieces_t *pieces) {
-    ground_t ground;
-    ground.piece = (const nck_node_t *)0;
+    ground_t ground = {(const nck_node_t *)0, 0, 0, {0.0, 0.0, 0.0, 0.0, 0.0}};
     for (int n = 0; n < NCK_JERK_STEP; n++) {
         const nck_status_t status = lay_one(self, pieces, &ground);
         if (status == NCK_OK) continue;
