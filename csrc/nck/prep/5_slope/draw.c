@@ -141,7 +141,7 @@ static void draw_cell(nck_jerk_t *self, const nck_pieces_t *pieces, draw_t *draw
     note_sure(self, draw, i);
 }
 
-static draw_t begin_step(const nck_jerk_t *self, const nck_pieces_t *pieces) {
+static draw_t begin_step(nck_jerk_t *self, const nck_pieces_t *pieces) {
     const uint32_t i = self->work.i;
     draw_t draw;
     draw.cells = nck_link_tail_room(self->link) - i;
