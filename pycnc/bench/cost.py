@@ -40,13 +40,13 @@ def _capacities():
     return [f"-D{each}" for each in told.split()]
 
 
-def build(name, folder):
-    """Compile a program of `SOURCES` into a folder and return its path."""
+def build(name, folder, level="-O2"):
+    """Compile a program of `SOURCES` into a folder, at a level, and return its path."""
     if not (ROOT / "tests" / "c").is_dir():
         raise errors.AbsentError("counting instructions needs the source tree", id="absent")
-    binary = Path(folder) / name
+    binary = Path(folder) / f"{name}{level}"
     sources = [path for pattern in SOURCES[name] for path in sorted(ROOT.glob(pattern))]
-    options = ["-std=c99", "-O2", "-g", "-ffp-contract=off", "-fno-math-errno"]
+    options = ["-std=c99", level, "-g", "-ffp-contract=off", "-fno-math-errno"]
     if name == "text_to_cells":
         options += _capacities()
     command = [_tool("gcc"), *options, f"-I{ROOT / 'csrc'}", "-o", binary, *sources, "-lm"]
@@ -157,12 +157,22 @@ def count_line(folder, kind="line"):
     return (many - few) / 2000
 
 
+def count_planned(folder):
+    """Return the nodes that the relief's jerk-limited plans have; where `count_runs` has written.
+
+    Every node is drawn once a plan. The build leaves the call where it is.
+    """
+    program, slope = RUNS["relief, jerk, G61"]
+    arguments = [Path(folder) / slope, Path(folder) / program]
+    return count(build("text_to_cells", folder, "-O0"), arguments).calls["draw_motion"]
+
+
 def figures(folder):
     """Return {row of `GOALS`: what is counted now}."""
     runs = count_runs(folder)
     linear, jerk = runs["relief, linear"], runs["relief, jerk, G61"]
     tick, short = runs["relief, linear, tick"], runs["1 µm, linear, tick"]
-    planned = jerk.calls["nck_link_tail_push"]
+    planned = count_planned(folder)
     return dict(zip(GOALS, (
         linear.total / LINES,
         linear.room("/4_lookahead/") / LINES,

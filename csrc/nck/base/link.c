@@ -103,6 +103,17 @@ void nck_link_tail_begin(nck_link_t *self) {
     self->tail_origin[next_parity(self)] = (end_of(self->base) + self->batch) & END_MASK;
 }
 
+nck_cell_t *nck_link_tail_room(nck_link_t *self) {
+    return &self->tail[next_parity(self)].cell[self->tail_fill];
+}
+
+void nck_link_tail_grow(nck_link_t *self, uint32_t count) {
+    const nck_cell_t *const cell = nck_link_tail_room(self);
+    assert(count <= NCK_TAIL_MAX - self->tail_fill);
+    for (uint32_t i = 0; i < count; i++) inspect(self, &cell[i]);
+    self->tail_fill += count;
+}
+
 void nck_link_tail_push(nck_link_t *self, const nck_cell_t *cell) {
     assert(self->tail_fill < NCK_TAIL_MAX);
     inspect(self, cell);

@@ -110,6 +110,11 @@ void nck_link_push_cell(nck_link_t *self, const nck_cell_t *cell);
 void nck_link_tail_begin(nck_link_t *self);
 void nck_link_tail_push(nck_link_t *self, const nck_cell_t *cell);
 
+// The same in place: where the tail's next cells go, and that so many more stand there.
+// Cost: constant; linear in the cells. Context: prep.
+nck_cell_t *nck_link_tail_room(nck_link_t *self);
+void nck_link_tail_grow(nck_link_t *self, uint32_t count);
+
 // The memory of the tail that is built next, for prep to work in until nck_link_tail_begin; a tail
 // that was being built is lost. It stays where it is until something is published.
 // Cost: constant. Context: prep.

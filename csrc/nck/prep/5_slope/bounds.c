@@ -33,51 +33,84 @@ static double seam_of(const nck_jerk_t *self) {
     return self->profile.q > 0.0 ? 0.0 : SEAM_PERIODS * self->machine->period_s * self->profile.v;
 }
 
-// A cell keeps to the limits of every piece that it touches, and its nodes to the caps of the nodes
-// that it passes over. Returns the cap inside of it, v².
-static double limits_of(const nck_jerk_t *self, const nck_pieces_t *pieces, uint32_t i,
-                        nck_brake_limits_t *limits) {
-    uint32_t number = self->rung_piece[i];
-    const nck_node_t *piece = nck_plan_piece(pieces, number);
+// What a piece leaves to the cells inside of it.
+typedef struct inside {
+    const nck_node_t *piece;
+    double w; // cap, v²
+    double a; // [path mm/s²]
+    double j; // [path mm/s³]
+} inside_t;
+
+static inside_t inside_of(const nck_jerk_t *self, const nck_node_t *piece) {
     const int over = self->work.over != 0;
-    double w_cell = nck_window_cap(self, piece);
-    double a = over ? piece->a_over : piece->a;
-    double j = over ? piece->j_over : piece->j;
-    double left = self->h[i] - (piece->s + piece->length - self->rung_s[i]);
-    while (left > nck_window_rounding(piece, self->h[i])) {
-        piece = nck_plan_piece(pieces, ++number);
-        if (!piece) break;
-        w_cell = nck_min(w_cell, nck_window_node_cap(self, piece));
-        w_cell = nck_min(w_cell, nck_window_cap(self, piece));
-        a = nck_min(a, over ? piece->a_over : piece->a);
-        j = nck_min(j, over ? piece->j_over : piece->j);
-        left -= piece->length;
-    }
-    limits->a = a;
-    limits->j = j * self->j_scale;
-    return w_cell;
+    const inside_t inside = {piece, nck_window_cap(self, piece), over ? piece->a_over : piece->a,
+                             over ? piece->j_over : piece->j};
+    return inside;
 }
 
-static void limit_cell(nck_jerk_t *self, const nck_pieces_t *pieces, uint32_t i) {
+// So much of a cell, which begins in this piece, lies behind it [mm].
+static inline double length_behind(const nck_jerk_t *self, const nck_node_t *piece, uint32_t i) {
+    return self->h[i] - (piece->s + piece->length - self->rung_s[i]);
+}
+
+// A cell keeps to the limits of every piece that it touches, and its nodes to the caps of the nodes
+// that it passes over. inside: of the piece that it begins in. Returns the cap inside of it, v².
+static double limits_of(const nck_jerk_t *self, const nck_pieces_t *pieces, uint32_t i,
+                        const inside_t *inside, nck_brake_limits_t *limits) {
+    const double h = self->h[i];
+    const nck_node_t *piece = inside->piece;
+    uint32_t number = self->rung_piece[i];
+    inside_t least = *inside;
+    double left = length_behind(self, piece, i);
+    while (left > nck_window_rounding(piece, h)) {
+        piece = nck_plan_piece(pieces, ++number);
+        if (!piece) break;
+        const inside_t next = inside_of(self, piece);
+        least.w = nck_min(least.w, nck_window_node_cap(self, piece));
+        least.w = nck_min(least.w, next.w);
+        least.a = nck_min(least.a, next.a);
+        least.j = nck_min(least.j, next.j);
+        left -= piece->length;
+    }
+    limits->a = least.a;
+    limits->j = least.j * self->j_scale;
+    return least.w;
+}
+
+static nck_brake_limits_t limits_at(const nck_jerk_t *self, const nck_pieces_t *pieces,
+                                    uint32_t i) {
     const nck_node_t *const piece = nck_plan_piece(pieces, self->rung_piece[i]);
+    const inside_t inside = inside_of(self, piece);
     nck_brake_limits_t limits;
-    const double w_cell = limits_of(self, pieces, i, &limits);
+    (void)limits_of(self, pieces, i, &inside, &limits);
+    return limits;
+}
+
+// inside: of the piece that the cell before began in; this one's when it is done.
+static void limit_cell(nck_jerk_t *self, const nck_pieces_t *pieces, uint32_t i, int may_relax,
+                       inside_t *inside) {
+    const nck_node_t *const piece = nck_plan_piece(pieces, self->rung_piece[i]);
+    if (piece != inside->piece) *inside = inside_of(self, piece);
+    nck_brake_limits_t limits = {inside->a, inside->j * self->j_scale};
+    double w_cell = inside->w;
+    if (length_behind(self, piece, i) > nck_window_rounding(piece, self->h[i])) {
+        w_cell = limits_of(self, pieces, i, inside, &limits);
+    }
     const int begins = self->rung_s[i] == piece->s;
     double w_node = begins ? nck_window_node_cap(self, piece) : NCK_WINDOW_UNCAPPED;
     if (i > 0) w_node = nck_min(w_node, self->work.w_cell);
-    if (i == 0) self->work.seam = seam_of(self);
-    self->work.bends = (i > 0 && self->work.bends) || piece->kind == NCK_SEG_SPLINE;
+    if (piece->kind == NCK_SEG_SPLINE) self->work.bends = 1;
     if (self->work.seam > 0.0) limits.j *= SEAM_SHARE;
     self->work.seam -= self->h[i];
     self->work.w_cell = w_cell;
     self->w_cap[i] = nck_min(w_node, w_cell);
-    if (relaxes(self) && self->work.redone > 0) {
+    if (may_relax && self->work.redone > 0) {
         const double v = TRIED_ABOVE * tried_speed(self, i);
         nck_brake_relax(self, pieces, self->rung_piece[i], v, &limits);
     }
     self->a_max[i] = limits.a;
     self->j_max[i] = limits.j;
-    if (relaxes(self) && self->work.redone == 0) nck_brake_along(self, pieces, i);
+    if (may_relax && self->work.redone == 0) nck_brake_along(self, pieces, i);
 }
 
 // The path has been faster there.
@@ -97,16 +130,23 @@ static void end_at_rest(nck_jerk_t *self) {
 }
 
 nck_status_t nck_bounds_set(nck_jerk_t *self, const nck_pieces_t *pieces) {
-    for (int n = 0; n < NCK_JERK_STEP; n++) {
-        if (self->work.i == self->work.n) {
-            end_at_rest(self);
-            return NCK_DONE;
-        }
-        limit_cell(self, pieces, self->work.i);
-        if (is_lowered(self, self->work.i)) self->work.lowered = 1;
-        self->work.i++;
+    const uint32_t begin = self->work.i;
+    const uint32_t left = self->work.n - begin;
+    const uint32_t end = begin + (left < NCK_JERK_STEP ? left : NCK_JERK_STEP);
+    const int may_relax = relaxes(self);
+    inside_t inside = {(const nck_node_t *)0, 0.0, 0.0, 0.0};
+    if (begin == 0) {
+        self->work.seam = seam_of(self);
+        self->work.bends = 0;
     }
-    return NCK_OK;
+    for (uint32_t i = begin; i < end; i++) {
+        limit_cell(self, pieces, i, may_relax, &inside);
+        if (is_lowered(self, i)) self->work.lowered = 1;
+    }
+    self->work.i = end;
+    if (left >= NCK_JERK_STEP) return NCK_OK;
+    end_at_rest(self);
+    return NCK_DONE;
 }
 
 // ---- low speeds
@@ -209,8 +249,7 @@ nck_status_t nck_bounds_relax(nck_jerk_t *self, const nck_pieces_t *pieces) {
 // 1 if a cell of the plan keeps to what its bends leave at the speed that it has in the end.
 static int keeps_limits(nck_jerk_t *self, const nck_pieces_t *pieces, uint32_t i) {
     nck_profile_t *const state = &self->profile;
-    nck_brake_limits_t limits;
-    (void)limits_of(self, pieces, i, &limits);
+    nck_brake_limits_t limits = limits_at(self, pieces, i);
     nck_brake_relax(self, pieces, self->rung_piece[i], tried_speed(self, i), &limits);
     const double end = i + 1 < self->work.n ? self->w[i + 1] : 0.0;
     const double a = 0.5 * (end - self->w[i]) / self->h[i];
@@ -232,8 +271,7 @@ static int fits(const nck_brake_limits_t *limits, double a, double j) {
 
 // 1 if what the plan was made with is left at the speed that it has in the end.
 static int is_left(const nck_jerk_t *self, const nck_pieces_t *pieces, uint32_t i) {
-    nck_brake_limits_t capped;
-    (void)limits_of(self, pieces, i, &capped);
+    const nck_brake_limits_t capped = limits_at(self, pieces, i);
     if (fits(&capped, self->a_max[i], self->j_max[i])) return 1;
     nck_brake_left_t left = {capped, capped};
     nck_brake_left(self, pieces, self->rung_piece[i], tried_speed(self, i), &left);

@@ -17,12 +17,30 @@
 // An acceleration is at its limit above this share of it.
 #define ACCEL_SHARE 0.999
 
-static uint8_t limit_of(const nck_jerk_t *self, const nck_node_t *piece, uint32_t i, double a) {
+// What drawing keeps from cell to cell of a step.
+typedef struct draw {
+    nck_cell_t *cells;       // of the whole plan
+    const nck_node_t *piece; // in which the next cell begins
+    const nck_node_t *capped; // the piece …
+    double cap;              // … whose cap this is, v²
+    double v;                // where the next cell begins [mm/s]
+    uint32_t n;              // cells of the plan
+    uint32_t keep;           // as the plan's
+    uint8_t held;            // NCK_STOP_HOLD, or none
+    double time, keep_time;  // nck_jerk_t.work
+    double sure_time;
+    uint32_t sure;
+} draw_t;
+
+static uint8_t limit_of(const nck_jerk_t *self, draw_t *draw, uint32_t i, double a) {
+    const nck_node_t *const piece = draw->piece;
     const double w0 = self->w[i];
     const double w1 = self->w[i + 1];
-    const double cap = nck_window_cap(self, piece);
     const double near = 1.0 - CAP_EPSILON;
     if (nck_fabs(a) >= ACCEL_SHARE * self->a_max[i]) return NCK_LIMIT_ACCEL;
+    if (draw->capped != piece) draw->cap = nck_window_cap(self, piece);
+    draw->capped = piece;
+    const double cap = draw->cap;
     if (nck_min(w0, w1) >= near * cap) {
         return cap < near * piece->vv_piece ? (uint8_t)NCK_LIMIT_FEED : piece->limit_piece;
     }
@@ -73,44 +91,82 @@ static void note_uneven(nck_jerk_t *self, uint32_t i, const nck_cell_t *drawn) {
     if (drawn->a >= 0.0) self->work.uneven |= self->work.brakes_long;
 }
 
-// A cell is drawn: how far the plan is sure. Two steps a cell catch up with any stretch of braking
-// in the middle of the path.
-static void note_sure(nck_jerk_t *self, const nck_cell_t *drawn) {
-    self->work.time += drawn->duration;
-    if (drawn->a >= 0.0) self->next->keep = self->work.i + 1;
-    if (drawn->a >= 0.0) self->work.keep_time = self->work.time;
-    for (int n = 0; n < 2; n++) {
-        const nck_cell_t *const cell = nck_link_built_cell(self->link, self->work.sure);
-        if (!cell) return;
-        const double end = self->work.sure_time + cell->duration;
-        if (end > self->work.keep_time - self->margin_s) return;
-        self->work.sure_time = end;
-        self->work.sure++;
+// How far the plan is sure once cell i is drawn. Two steps a cell catch up with any stretch of
+// braking in the middle of the path.
+static inline void note_sure(const nck_jerk_t *self, draw_t *draw, uint32_t i) {
+    const double until = draw->keep_time - self->margin_s;
+    for (int n = 0; n < 2 && draw->sure <= i; n++) {
+        const double end = draw->sure_time + draw->cells[draw->sure].duration;
+        if (end > until) return;
+        draw->sure_time = end;
+        draw->sure++;
     }
 }
 
-// Cell i, which begins in this piece. Returns the next cell's.
-static const nck_node_t *draw_cell(nck_jerk_t *self, const nck_pieces_t *pieces, uint32_t i,
-                                   const nck_node_t *piece) {
+// What of a cell the ladder of the next plan is divided by.
+static inline void draw_motion(nck_jerk_t *self, draw_t *draw, uint32_t i) {
+    nck_cell_t *const cell = &draw->cells[i];
     keep_moving(self, i);
-    const double v = nck_sqrt(self->w[i]);
-    const double v_end = nck_sqrt(self->w[i + 1]);
-    nck_cell_t cell;
-    memset(&cell, 0, sizeof cell);
-    cell.seg = piece->seg;
-    cell.s = self->rung_s[i];
-    cell.length = self->h[i];
-    cell.v = v;
-    cell.a = (self->w[i + 1] - self->w[i]) / (2.0 * self->h[i]);
-    cell.duration = 2.0 * self->h[i] / (v + v_end);
-    cell.limit = limit_of(self, piece, i, cell.a);
-    const nck_node_t *const next = end_cell(self, pieces, i, &cell);
-    if (i + 1 == self->work.n) cell.stop = NCK_STOP_REST;
-    if (self->next->held) cell.stop |= NCK_STOP_HOLD;
-    nck_link_tail_push(self->link, &cell);
-    note_uneven(self, i, &cell);
-    note_sure(self, &cell);
-    return next;
+    const double v = draw->v;
+    const double h = self->h[i];
+    const double a = (self->w[i + 1] - self->w[i]) / (2.0 * h);
+    draw->v = nck_sqrt(self->w[i + 1]);
+    const double duration = 2.0 * h / (v + draw->v);
+    draw->time += duration;
+    cell->seg = draw->piece->seg;
+    cell->s = self->rung_s[i];
+    cell->length = h;
+    cell->v = v;
+    cell->a = a;
+    cell->j = 0.0;
+    cell->duration = duration;
+    if (!(a >= 0.0)) return;
+    draw->keep = i + 1;
+    draw->keep_time = draw->time;
+}
+
+// Cell i of a plan that only tells how to divide the ladder.
+static void draw_coarse(nck_jerk_t *self, const nck_pieces_t *pieces, draw_t *draw, uint32_t i) {
+    draw_motion(self, draw, i);
+    if (i + 1 < draw->n) draw->piece = nck_plan_piece(pieces, self->rung_piece[i + 1]);
+}
+
+static void draw_cell(nck_jerk_t *self, const nck_pieces_t *pieces, draw_t *draw, uint32_t i) {
+    nck_cell_t *const cell = &draw->cells[i];
+    draw_motion(self, draw, i);
+    cell->limit = limit_of(self, draw, i, cell->a);
+    cell->stop = draw->held | (uint8_t)(i + 1 == draw->n ? NCK_STOP_REST : 0);
+    draw->piece = end_cell(self, pieces, i, cell);
+    note_uneven(self, i, cell);
+    note_sure(self, draw, i);
+}
+
+static draw_t begin_step(nck_jerk_t *self, const nck_pieces_t *pieces) {
+    const uint32_t i = self->work.i;
+    draw_t draw;
+    draw.cells = nck_link_tail_room(self->link) - i;
+    draw.piece = nck_plan_piece(pieces, self->rung_piece[i]);
+    draw.capped = (const nck_node_t *)0;
+    draw.cap = 0.0;
+    draw.v = nck_sqrt(self->w[i]);
+    draw.n = self->work.n;
+    draw.keep = self->next->keep;
+    draw.held = self->next->held ? NCK_STOP_HOLD : 0;
+    draw.time = self->work.time;
+    draw.keep_time = self->work.keep_time;
+    draw.sure_time = self->work.sure_time;
+    draw.sure = self->work.sure;
+    return draw;
+}
+
+static void end_step(nck_jerk_t *self, const draw_t *draw, uint32_t end) {
+    nck_link_tail_grow(self->link, end - self->work.i);
+    self->work.i = end;
+    self->next->keep = draw->keep;
+    self->work.time = draw->time;
+    self->work.keep_time = draw->keep_time;
+    self->work.sure_time = draw->sure_time;
+    self->work.sure = draw->sure;
 }
 
 static void draw_rest(nck_jerk_t *self, const nck_pieces_t *pieces) {
@@ -131,13 +187,15 @@ nck_status_t nck_draw_cells(nck_jerk_t *self, const nck_pieces_t *pieces) {
         draw_rest(self, pieces);
         return NCK_DONE;
     }
-    const int is_over = self->work.i == self->work.n;
-    const uint32_t first = self->rung_piece[is_over ? 0 : self->work.i];
-    const nck_node_t *piece = nck_plan_piece(pieces, first);
-    for (int n = 0; n < NCK_JERK_STEP; n++) {
-        if (self->work.i == self->work.n) return NCK_DONE;
-        piece = draw_cell(self, pieces, self->work.i, piece);
-        self->work.i++;
+    const uint32_t begin = self->work.i;
+    const uint32_t left = self->work.n - begin;
+    const uint32_t end = begin + (left < NCK_JERK_STEP ? left : NCK_JERK_STEP);
+    draw_t draw = begin_step(self, pieces);
+    if (self->work.coarse) {
+        for (uint32_t i = begin; i < end; i++) draw_coarse(self, pieces, &draw, i);
+    } else {
+        for (uint32_t i = begin; i < end; i++) draw_cell(self, pieces, &draw, i);
     }
-    return NCK_OK;
+    end_step(self, &draw, end);
+    return left < NCK_JERK_STEP ? NCK_DONE : NCK_OK;
 }

@@ -100,7 +100,8 @@ void nck_jerk_begin(nck_jerk_t *self, const nck_job_t *job);
 
 // One bounded piece of work. Returns NCK_OK (call again), NCK_EMPTY (needs pieces), NCK_DONE (the
 // plan stands in the link's built tail), NCK_FULL (the plan of now rests as well as this one
-// would), NCK_E_STATE (no plan joins here). Cost: 32 nodes of a pass, or 32 cells. Context: prep.
+// would), NCK_E_STATE (no plan joins here). Cost: NCK_JERK_STEP nodes of a pass, or cells.
+// Context: prep.
 nck_status_t nck_jerk_step(nck_jerk_t *self, const nck_pieces_t *pieces);
 
 // The plan in work takes what is known: nothing more comes before the tick needs it.

@@ -33,12 +33,6 @@ static inline double jerk_within(const nck_profile_t *self, uint32_t i) {
     return nck_min(self->j_max[i - 1], self->j_max[i]);
 }
 
-static inline double jerk_at(const nck_profile_t *self, uint32_t i) {
-    if (i == 0) return self->j_max[0];
-    if (i >= self->n) return self->j_max[self->n - 1];
-    return jerk_within(self, i);
-}
-
 static int is_backward(uint32_t phase) {
     return phase == REACH_BACK || phase == RAMP_BACK || phase == FALL;
 }
@@ -170,15 +164,13 @@ typedef struct fallen {
     double sum;   // the same, summed over length
 } fallen_t;
 
-// To node i, the nodes before it done. v: its speed, for the durations.
-static inline void fall_to(const nck_profile_t *self, uint32_t i, double v, fallen_t *fallen) {
-    if (i > 0) {
-        const double h = self->h[i - 1];
-        const double share = nck_hull_share(h, fallen->v + v, self->q_cap);
-        if (i > 1) fallen->sigma += 2.0 * jerk_within(self, i - 1) * (fallen->share + share);
-        fallen->sum += fallen->sigma * h;
-        fallen->share = share;
-    }
+// Over a cell of the length h to its end, where the speed is v. j: at the node where it begins; 0
+// where nothing falls.
+static inline void fall_over(fallen_t *fallen, double h, double v, double j, double q_cap) {
+    const double share = nck_hull_share(h, fallen->v + v, q_cap);
+    fallen->sigma += 2.0 * j * (fallen->share + share);
+    fallen->sum += fallen->sigma * h;
+    fallen->share = share;
     fallen->v = v;
 }
 
@@ -207,32 +199,55 @@ static inline int sticks_out(const corners_t *corners, double s, double z) {
     return nck_hull_above(corners->s0, corners->z0, corners->s1, corners->z1, s, z) >= 0.0;
 }
 
+// The hull's first corner; the speeds as below.
+static void begin_hull(nck_profile_t *self, const double *g, const double *w_of_time) {
+    self->v_last = nck_sqrt(w_of_time[0]);
+    self->z[0] = g[0];
+    self->stack[0] = 0;
+    self->top = 1;
+    self->i = 1;
+}
+
 // Corners of the lower hull of (s, g + C); w_of_time: the speeds' squares that the durations come
 // from. A node and a corner taken off are a unit each.
 static uint32_t hull(nck_profile_t *self, uint32_t budget, const double *g,
                      const double *w_of_time) {
+    const uint32_t last = self->n;
+    const double q_cap = self->q_cap;
+    const double *const h = self->h;
+    const double *const j_max = self->j_max;
+    const double *const s = self->s;
+    double *const z = self->z;
+    uint32_t *const stack = self->stack;
+    uint32_t n = 0;
+    if (self->i == 0) {
+        begin_hull(self, g, w_of_time);
+        n++;
+    }
     fallen_t fallen = {self->v_last, self->share, self->sigma, self->fall};
     uint32_t i = self->i;
     uint32_t top = self->top;
     uint32_t fresh = self->fresh;
-    uint32_t n = 0;
     corners_t corners = corners_of(self, top);
-    double z = fresh ? 0.0 : self->z[i];
-    for (; n < budget && i <= self->n; n++) {
+    const uint32_t summed = i - fresh; // the last node that C is known at
+    double j_before = summed > 0 ? j_max[summed - 1] : 0.0;
+    double at = fresh ? 0.0 : z[i];
+    for (; n < budget && i <= last; n++) {
         if (fresh) {
-            fall_to(self, i, nck_sqrt(w_of_time[i]), &fallen);
-            z = g[i] + fallen.sum;
-            self->z[i] = z;
+            const double j = j_max[i - 1];
+            fall_over(&fallen, h[i - 1], nck_sqrt(w_of_time[i]), nck_min(j_before, j), q_cap);
+            j_before = j;
+            at = g[i] + fallen.sum;
+            z[i] = at;
         }
-        const double s = self->s[i];
-        fresh = top < 2 || !sticks_out(&corners, s, z);
+        fresh = top < 2 || !sticks_out(&corners, s[i], at);
         if (!fresh) {
             top--;
             corners = corners_of(self, top);
             continue;
         }
-        self->stack[top] = i;
-        corners = (corners_t){corners.s1, corners.z1, s, z};
+        stack[top] = i;
+        corners = (corners_t){corners.s1, corners.z1, s[i], at};
         top++;
         i++;
     }
@@ -333,22 +348,6 @@ static void rise_first(nck_profile_t *self) {
     self->slows = self->a < 0.0;
 }
 
-static uint32_t rise_forth(nck_profile_t *self, uint32_t budget) {
-    const uint32_t count = left_forth(self, budget);
-    const uint32_t end = self->i + count;
-    if (self->i == 0) rise_first(self);
-    rise_t state = rise_of(self);
-    for (uint32_t i = self->i > 0 ? self->i : 1; i < end; i++) {
-        const uint32_t cell = i - 1;
-        const nck_hull_cell_t step = {self->h[cell], self->up[cell], jerk_at(self, cell),
-                                      self->q_cap};
-        self->w[i] = rise(&state, &step, self->a_max[cell], self->e[i]);
-    }
-    keep_rise(self, &state);
-    self->i = end;
-    return count;
-}
-
 // The way down comes to nothing above the way up: that one is kept from here on.
 static void follow_rise(const nck_profile_t *self, uint32_t i, rise_t *state) {
     const double h = self->h[i];
@@ -357,11 +356,10 @@ static void follow_rise(const nck_profile_t *self, uint32_t i, rise_t *state) {
     state->share = nck_hull_share(h, state->v + nck_sqrt(self->w[i + 1]), self->q_cap);
 }
 
-static inline void fall_one(nck_profile_t *self, uint32_t i, rise_t *state) {
-    const nck_hull_cell_t step = {self->h[i], self->down[i], jerk_at(self, i + 1), self->q_cap};
-    const double v = state->v;
-    const uint32_t broken = state->broken;
-    const double vv = rise(state, &step, self->a_max[i], self->e[i]);
+// On the way back: node i, where the rise from behind comes to vv. v: its speed before it went over
+// the cell; broken: what it had told by then.
+static inline void meet(nck_profile_t *self, uint32_t i, double vv, double v, uint32_t broken,
+                        rise_t *state) {
     if (vv > 0.0 || !(self->e[i] > 0.0) || !(self->w[i + 1] < v * v)) {
         self->w[i] = nck_min(self->w[i], vv);
         return;
@@ -370,13 +368,36 @@ static inline void fall_one(nck_profile_t *self, uint32_t i, rise_t *state) {
     follow_rise(self, i, state);
 }
 
-static uint32_t fall_back(nck_profile_t *self, uint32_t budget) {
-    const uint32_t count = left_back(self, budget);
+// Where a pass of rises begins: the first node, and the next one to be done.
+static uint32_t begin_climb(nck_profile_t *self, int back) {
+    if (back) self->w[self->n] = 0.0;
+    else rise_first(self);
+    return back ? self->n - 1 : 1;
+}
+
+// Rise and fall: the cells of one pass, forth or back, each within its bound.
+static uint32_t climb(nck_profile_t *self, uint32_t budget, const double *bound, int back) {
+    const uint32_t count = back ? left_back(self, budget) : left_forth(self, budget);
+    const int begins = self->i == (back ? self->n : 0);
+    uint32_t i = begins ? begin_climb(self, back) : self->i;
+    uint32_t cell = back ? i : i - 1;
     rise_t state = rise_of(self);
-    uint32_t i = self->i;
-    for (uint32_t n = 0; n < count; n++, i--) {
-        if (i < self->n) fall_one(self, i, &state);
-        else self->w[i] = 0.0;
+    const uint32_t onward = back ? UINT32_MAX : 1; // one back, or forth
+    const uint32_t end = count - (begins ? 1 : 0);
+    const int alone = back ? cell + 1 >= self->n : cell == 0;
+    double j_last = end > 0 ? self->j_max[alone ? cell : cell - onward] : 0.0;
+    for (uint32_t n = 0; n < end; n++) {
+        const double j_cell = self->j_max[cell];
+        const nck_hull_cell_t step = {self->h[cell], bound[cell], nck_min(j_last, j_cell),
+                                      self->q_cap};
+        const double v = state.v;
+        const uint32_t broken = state.broken;
+        const double vv = rise(&state, &step, self->a_max[cell], self->e[i]);
+        if (back) meet(self, i, vv, v, broken, &state);
+        else self->w[i] = vv;
+        j_last = j_cell;
+        i += onward;
+        cell += onward;
     }
     keep_rise(self, &state);
     self->i = i;
@@ -391,8 +412,8 @@ static uint32_t work(nck_profile_t *self, uint32_t budget) {
     case RAMP_FORTH: return ramp_forth(self, budget);
     case HULL_U: return hull(self, budget, self->w, self->w);
     case HULL_E: return hull(self, budget, self->w, self->e);
-    case RISE: return rise_forth(self, budget);
-    case FALL: return fall_back(self, budget);
+    case RISE: return climb(self, budget, self->up, 0);
+    case FALL: return climb(self, budget, self->down, 1);
     case HULL_W: return hull(self, budget, self->w, self->w);
     case LEVEL_W: return level(self, budget, self->w, self->w);
     default: return level(self, budget, self->w, self->e);

@@ -33,18 +33,18 @@ typedef struct nck_profile {
     double *z;     // n + 1: envelope plus what its slope may fall
     uint32_t *stack; // n + 1: corners of the hull
 
-    // the pass in work
+    // the pass in work; what one pass carries does not stand side by side: a compiler would pack it
+    double v_last; // speed at the node done last
     uint32_t phase;
     uint32_t i;    // next node or cell of the pass
+    double sigma;  // sum of what the slope may fall so far
+    double a_last; // acceleration of the cell done last
     uint32_t top;  // corners on the stack, or the edge in use
     uint32_t fresh;  // 1: node i has not been looked at yet
+    double share;  // of the cell done last
     uint32_t broken; // 1: the entry speed comes to nothing within the jerk: no plan from here
     uint32_t slows;  // 1: the jerk has kept the acceleration negative from the entry on
-    double v_last; // speed at the node done last
-    double a_last; // acceleration of the cell done last
-    double share;  // of the cell done last
-    double sigma;  // sum of what the slope may fall so far
-    double fall;   // the same, summed over length
+    double fall;   // what the slope may fall so far, summed over length
 } nck_profile_t;
 
 // Begin to plan. Cost: constant. Context: any one context.

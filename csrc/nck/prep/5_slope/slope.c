@@ -331,14 +331,17 @@ static void hear_single_block(nck_slope_t *self) {
     self->resumes = self->wish.resumes - (self->wish.single_block ? 0u : 1u);
 }
 
-// The oldest piece in use moves on with the final cells.
+// The oldest piece in use moves on with the final cells, which end here.
 static void follow(nck_slope_t *self, const nck_pieces_t *pieces) {
     int entered = 0;
-    const nck_cell_t *const cell =
-        nck_link_tail_cell(self->link, nck_link_end(self->link, &entered));
-    const int within = final_count(self) < self->now.n;
-    if (within && cell) self->now.piece = nck_plan_find(pieces, self->now.piece, cell);
-    if (!within && self->now.complete) self->now.piece = self->now.end_piece;
+    const uint32_t end = nck_link_end(self->link, &entered);
+    const int within = ((end - self->now.begin) & NCK_LINK_COUNT_MASK) < self->now.n;
+    if (!within) {
+        if (self->now.complete) self->now.piece = self->now.end_piece;
+        return;
+    }
+    const nck_cell_t *const cell = nck_link_tail_cell(self->link, end);
+    if (cell) self->now.piece = nck_plan_find(pieces, self->now.piece, cell);
 }
 
 static void hear_other(nck_slope_t *self, const nck_pieces_t *pieces, const nck_wish_t *wish) {
@@ -378,6 +381,7 @@ int nck_slope_is_idle(const nck_slope_t *self, const nck_wish_t *wish) {
 nck_status_t nck_slope_step(nck_slope_t *self, const nck_pieces_t *pieces, const nck_wish_t *wish) {
     int entered = 0;
     const uint32_t link_end = nck_link_end(self->link, &entered);
+    const int was_idle = self->phase == PHASE_IDLE;
     self->idle.is = 0;
     if (entered && !self->in_tail) fall_into_tail(self, pieces);
     hear(self, pieces, wish);
@@ -391,7 +395,8 @@ nck_status_t nck_slope_step(nck_slope_t *self, const nck_pieces_t *pieces, const
         follow(self, pieces);
         return NCK_OK;
     }
-    follow(self, pieces);
+    // While a plan is made, only what becomes final moves on.
+    if (was_idle || self->phase == PHASE_IDLE) follow(self, pieces);
     const nck_status_t status = work(self, pieces);
     if (status != NCK_EMPTY) return status;
     if (final_count(self) < final_limit(self)) return NCK_FULL;

@@ -79,6 +79,17 @@ int nck_window_parts(const nck_jerk_t *self, const nck_cell_t *cell, int is_hold
     return nck_ladder_parts(cell->duration, step, PARTS_MOST);
 }
 
+// A cell as it is, which begins in this piece. Returns 0 if the window is full.
+static int load_whole(nck_jerk_t *self, const nck_pieces_t *pieces, const nck_cell_t *cell,
+                      uint32_t piece) {
+    if (self->work.n == NCK_JERK_CELLS) return 0;
+    self->work.piece = piece;
+    self->work.s = cell->s;
+    push(self, piece, cell->s, cell->length, cell->v * cell->v);
+    walk(pieces, &self->work.piece, &self->work.s, cell->length);
+    return 1;
+}
+
 // A cell in parts of equal time; coarser for a hold, whose ladder is divided later. Returns 0 if
 // the window is full, or the rest asked for is reached.
 static int load_cell(nck_jerk_t *self, const nck_pieces_t *pieces, const nck_cell_t *cell) {
@@ -89,6 +100,7 @@ static int load_cell(nck_jerk_t *self, const nck_pieces_t *pieces, const nck_cel
     double s = cell->s;
     double begin = 0.0;
     self->work.w_entry = cell->v * cell->v;
+    if (parts == 1 && !is_hold) return load_whole(self, pieces, cell, piece);
     for (int k = 1; k <= parts; k++) {
         if (self->work.n == NCK_JERK_CELLS) return 0;
         const double t = cell->duration * (double)k / (double)parts;
@@ -172,8 +184,8 @@ static void push_end(nck_jerk_t *self, const nck_pieces_t *pieces, uint32_t numb
     const int has_room = self->work.n + 2 * REST_PARTS <= NCK_JERK_CELLS;
     const int parts = !splits ? 1 : has_room ? REST_PARTS : PARTS_LEAST;
     for (int k = 0; k < parts; k++) {
+        if (k > 0) walk(pieces, &number, &s, h / (double)parts);
         push(self, number, s, h / (double)parts, NCK_WINDOW_UNCAPPED);
-        walk(pieces, &number, &s, h / (double)parts);
     }
 }
 
@@ -251,40 +263,58 @@ static void find_far(nck_jerk_t *self, const nck_ladder_piece_t *rungs, double x
 // what is near the piece's end.
 static double far_step(const nck_jerk_t *self, double step, double x, double y) {
     if (!(x >= self->work.even)) return step;
+    if (y - self->work.even > (self->long_steps + 2.0) * step) return step * self->long_steps;
     const double fit = nck_floor((y - self->work.even) / step);
     return step * nck_max(1.0, nck_min(self->long_steps, fit));
 }
 
-// At the ladder's end, in this piece. Its first cell notes the speed that it begins with.
-static rung_t next_rung(nck_jerk_t *self, const nck_pieces_t *pieces, const nck_node_t *piece,
-                        int rests) {
+// The piece at the ladder's end, as long as nothing else is known of the path.
+typedef struct ground {
+    const nck_node_t *piece; // NULL: it has not been looked at
+    uint32_t number;
+    int rests;               // what rests_behind says
+    nck_ladder_piece_t rungs;
+} ground_t;
+
+static void look(const nck_jerk_t *self, const nck_pieces_t *pieces, const nck_node_t *piece,
+                 ground_t *ground) {
     const nck_node_t *const next = nck_plan_piece(pieces, self->work.piece + 1);
-    const double j = piece->j * self->j_scale;
+    const int rests = rests_behind(self, pieces, self->work.piece);
     const double w = nck_window_cap(self, piece);
-    const double x = self->work.s - piece->s;
-    const double left = piece->length - x;
-    const double w_node = nck_min(w, nck_window_node_cap(self, piece));
-    if (x == 0.0) self->work.w_entry = nck_min(w_node, self->work.w_entry);
-    const double w0 = self->work.w_entry;
     const double w1 = rests || !next ? 0.0 : nck_min(w, exit_cap(self, pieces, next));
-    const nck_ladder_piece_t rungs = {w0, w1, w, piece->a, j};
-    if (x == 0.0 || self->work.far == NCK_JERK_UNKNOWN) {
-        find_far(self, &rungs, x, left);
+    const nck_ladder_piece_t rungs = {0.0, w1, w, piece->a, piece->j * self->j_scale};
+    ground->piece = piece;
+    ground->number = self->work.piece;
+    ground->rests = rests;
+    ground->rungs = rungs;
+}
+
+// At the ladder's end, in this piece. Its first cell notes the speed that it begins with.
+static rung_t next_rung(nck_jerk_t *self, ground_t *ground, double x, double left) {
+    const nck_node_t *const piece = ground->piece;
+    nck_ladder_piece_t *const rungs = &ground->rungs;
+    if (x == 0.0) {
+        const double w_node = nck_min(rungs->w, nck_window_node_cap(self, piece));
+        self->work.w_entry = nck_min(w_node, self->work.w_entry);
     }
+    rungs->w0 = self->work.w_entry;
+    if (x == 0.0 || self->work.far == NCK_JERK_UNKNOWN) find_far(self, rungs, x, left);
     const double off = nck_min(x - self->work.far_s, left);
-    const double step = off > self->work.far ? far_step(self, self->step_s * nck_sqrt(w), off, left)
-                                             : nck_ladder_step(&rungs, x, left, self->step_s);
-    const int alone = w0 == 0.0 && w1 == 0.0;
+    const double step = off > self->work.far
+                            ? far_step(self, self->step_s * nck_sqrt(rungs->w), off, left)
+                            : nck_ladder_step(rungs, x, left, self->step_s);
+    const int alone = rungs->w0 == 0.0 && rungs->w1 == 0.0;
     const rung_t rung = {step, alone ? nck_min(step, 0.25 * piece->length) : step, alone};
     return rung;
 }
 
 // Lay what is left of a piece, or one cell of it.
-static nck_status_t lay_some(nck_jerk_t *self, const nck_pieces_t *pieces,
-                             const nck_node_t *piece, int rests) {
-    const rung_t rung = next_rung(self, pieces, piece, rests);
+static nck_status_t lay_some(nck_jerk_t *self, const nck_pieces_t *pieces, ground_t *ground) {
+    const nck_node_t *const piece = ground->piece;
+    const int rests = ground->rests;
     const double x = self->work.s - piece->s;
     const double left = piece->length - x;
+    const rung_t rung = next_rung(self, ground, x, left);
     if (joins_pending(self, piece, rung.step) && x == 0.0 && !rung.alone) {
         self->work.pending += left;
         return end_piece(self, pieces, piece, rests);
@@ -325,30 +355,46 @@ static nck_status_t ends_here(nck_jerk_t *self, const nck_pieces_t *pieces) {
     return NCK_DONE;
 }
 
-static nck_status_t lay_one(nck_jerk_t *self, const nck_pieces_t *pieces) {
+// 1 if no more of the path fits into the ladder.
+static int is_full(const nck_jerk_t *self, const nck_pieces_t *pieces, const nck_node_t *piece) {
     const uint32_t blocks = self->machine->lookahead_blocks;
-    const nck_node_t *const first = nck_plan_piece(pieces, self->next->piece);
+    if (self->work.n + 2 * PARTS_LEAST > NCK_JERK_CELLS) return 1;
+    if (self->work.piece - self->work.base >= self->work.pieces) return 1;
+    return blocks > 0 && piece->seg - nck_plan_piece(pieces, self->next->piece)->seg >= blocks;
+}
+
+// The ladder comes to a piece: NCK_OK if it may be laid over it.
+static nck_status_t enter_piece(nck_jerk_t *self, const nck_pieces_t *pieces, ground_t *ground) {
     const nck_node_t *const piece = nck_plan_piece(pieces, self->work.piece);
     if (!piece) return ends_here(self, pieces);
     if (self->work.s == NCK_PLAN_BEGIN) self->work.s = piece->s;
     if (!(piece->length > 0.0)) return lay_rest(self, pieces, piece);
-    const int full = self->work.n + 2 * PARTS_LEAST > NCK_JERK_CELLS
-                     || self->work.piece - self->work.base >= self->work.pieces
-                     || (blocks > 0 && piece->seg - first->seg >= blocks);
-    if (full) {
+    if (is_full(self, pieces, piece)) {
         close_pending(self, pieces);
         return NCK_DONE;
     }
     if (!knows_exit(pieces, self->work.piece) && !self->job.starved) return NCK_EMPTY;
-    const int rests = rests_behind(self, pieces, self->work.piece);
+    look(self, pieces, piece, ground);
+    return NCK_OK;
+}
+
+static nck_status_t lay_one(nck_jerk_t *self, const nck_pieces_t *pieces, ground_t *ground) {
+    const int is_new = !ground->piece || self->work.piece != ground->number;
+    const int has_room = self->work.n + 2 * PARTS_LEAST <= NCK_JERK_CELLS;
+    if (is_new || !has_room) {
+        const nck_status_t status = enter_piece(self, pieces, ground);
+        if (status != NCK_OK) return status;
+    }
+    const nck_node_t *const piece = ground->piece;
     const int is_over = end_of(piece) - self->work.s <= nck_window_rounding(piece, 0.0);
-    if (is_over && self->work.n > 0) return end_piece(self, pieces, piece, rests);
-    return lay_some(self, pieces, piece, rests);
+    if (is_over && self->work.n > 0) return end_piece(self, pieces, piece, ground->rests);
+    return lay_some(self, pieces, ground);
 }
 
 nck_status_t nck_window_lay(nck_jerk_t *self, const nck_pieces_t *pieces) {
+    ground_t ground = {(const nck_node_t *)0, 0, 0, {0.0, 0.0, 0.0, 0.0, 0.0}};
     for (int n = 0; n < NCK_JERK_STEP; n++) {
-        const nck_status_t status = lay_one(self, pieces);
+        const nck_status_t status = lay_one(self, pieces, &ground);
         if (status == NCK_OK) continue;
         if (status == NCK_DONE) {
             self->next->n = self->work.n;

@@ -8,8 +8,8 @@
 
 // How much one step and one plan take on.
 enum {
-    NCK_JERK_STEP = 32,                        // units of work in one bounded step
-    NCK_JERK_PIECES = NCK_WINDOW - 8,          // pieces of room 4 that plans may use
+    NCK_JERK_STEP = NCK_PROFILE > 1024 ? 128 : 32, // units of work in one bounded step
+    NCK_JERK_PIECES = NCK_WINDOW - 8,              // pieces of room 4 that plans may use
     NCK_JERK_CELLS = NCK_PROFILE_ROWS - 1
 };
 
