@@ -52,10 +52,18 @@ int nck_link_has_room(const nck_link_t *self) {
            && self->output_head - nck_fence_load(&self->output_taken) < NCK_OUTPUT_MAX;
 }
 
+nck_seg_t *nck_link_seg_place(nck_link_t *self) {
+    return &self->seg[self->seg_head & (NCK_SEG_MAX - 1)];
+}
+
+void nck_link_seg_placed(nck_link_t *self) {
+    nck_fence_store(&self->seg_head, self->seg_head + 1);
+}
+
 nck_status_t nck_link_push_seg(nck_link_t *self, const nck_seg_t *seg) {
     if (self->seg_head - nck_fence_load(&self->seg_done) >= NCK_SEG_MAX) return NCK_FULL;
-    self->seg[self->seg_head & (NCK_SEG_MAX - 1)] = *seg;
-    nck_fence_store(&self->seg_head, self->seg_head + 1);
+    *nck_link_seg_place(self) = *seg;
+    nck_link_seg_placed(self);
     return NCK_OK;
 }
 

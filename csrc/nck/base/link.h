@@ -95,6 +95,11 @@ int nck_link_has_room(const nck_link_t *self);
 // Put a seg in; its place is its seq. NCK_OK or NCK_FULL. Cost: constant. Context: prep.
 nck_status_t nck_link_push_seg(nck_link_t *self, const nck_seg_t *seg);
 
+// The place of the next seg, to be filled where it is, and that it is filled. There must be room.
+// Cost: constant. Context: prep.
+nck_seg_t *nck_link_seg_place(nck_link_t *self);
+void nck_link_seg_placed(nck_link_t *self);
+
 // Put an output in. NCK_OK or NCK_FULL. Cost: constant. Context: prep.
 nck_status_t nck_link_push_output(nck_link_t *self, const nck_output_t *output);
 

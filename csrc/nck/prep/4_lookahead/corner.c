@@ -148,7 +148,8 @@ static nck_status_t decide_pace(nck_lookahead_t *self, const junction_t *junctio
 }
 
 // A junction between two known segs, at both paces, which mean the same where only the junction
-// limits the speed. A stop takes no share.
+// limits the speed. The faster one reaches further: it tells first whether enough is known. A stop
+// takes no share.
 static nck_status_t decide_corner(nck_lookahead_t *self, uint32_t count, nck_joint_t *joint) {
     const nck_joint_t *const out = nck_joint_at(self, count + 1);
     const double period = self->terms->machine->period_s;
@@ -156,18 +157,16 @@ static nck_status_t decide_corner(nck_lookahead_t *self, uint32_t count, nck_joi
                                  share_most(self, joint, out), period};
     const double most = nck_corner_speed(junction.beta, joint->load, 0.0, 0.0, 0.0, period);
     nck_pace_t *const pace = joint->pace;
-    double v_before = -1.0;
-    for (int k = 0; k < NCK_PACES; k++) {
-        const double v = nck_min(most, nck_min(pace[k].v, out->pace[k].v));
-        if (v == v_before) {
-            pace[k].v_corner = pace[k - 1].v_corner;
-            pace[k].share = pace[k - 1].share;
-            continue;
-        }
-        const nck_status_t status = decide_pace(self, &junction, k, v);
-        if (status != NCK_OK) return status;
-        v_before = v;
+    double v[NCK_PACES];
+    for (int k = 0; k < NCK_PACES; k++) v[k] = nck_min(most, nck_min(pace[k].v, out->pace[k].v));
+    nck_status_t status = decide_pace(self, &junction, NCK_PACE_OVER, v[NCK_PACE_OVER]);
+    if (status == NCK_OK && v[NCK_PACE_FEED] == v[NCK_PACE_OVER]) {
+        pace[NCK_PACE_FEED].v_corner = pace[NCK_PACE_OVER].v_corner;
+        pace[NCK_PACE_FEED].share = pace[NCK_PACE_OVER].share;
+    } else if (status == NCK_OK) {
+        status = decide_pace(self, &junction, NCK_PACE_FEED, v[NCK_PACE_FEED]);
     }
+    if (status != NCK_OK) return status;
     for (int k = 0; k < NCK_PACES && (joint->end & NCK_JOINT_STOP); k++) {
         pace[k].v_corner = 0.0;
         pace[k].share = 0.0;

@@ -9,7 +9,7 @@
 #include "nck/prep/4_lookahead/joint.h"  // nck_joint_…
 #include "nck/prep/4_lookahead/near.h"   // nck_near_…
 #include "nck/prep/4_lookahead/piece.h"  // nck_piece_place
-#include "nck/prep/4_lookahead/zone.h"   // nck_zone_s
+#include "nck/prep/4_lookahead/zone.h"   // nck_zone_…
 
 enum {
     PIECES_PER_SEG = 3, // head, middle, tail
@@ -91,8 +91,9 @@ static int place(nck_lookahead_t *self) {
     int placed = 0;
     if (self->joint.tried == known && !self->ended) return 0;
     while (placed < PLACES_PER_STEP && !window_full(self)) {
-        const int is_decided = self->joint.placed != self->joint.decided;
-        if (!is_decided || nck_piece_place(self) != NCK_OK) {
+        double share[NCK_PACES];
+        const int is_known = nck_zone_shares_after(self, self->joint.placed, share) == NCK_OK;
+        if (!is_known || nck_piece_place(self, share) != NCK_OK) {
             self->joint.tried = known;
             break;
         }
@@ -110,8 +111,7 @@ static int may_decide(const nck_lookahead_t *self) {
 }
 
 // What a seg needs one after the other: its own speeds, its junction, its place in the window.
-nck_status_t nck_lookahead_step(nck_lookahead_t *self) {
-    if (window_full(self)) return NCK_FULL;
+static nck_status_t work(nck_lookahead_t *self) {
     const int is_settled = self->joint.settled != self->joint.head
                            && nck_near_settle(self) == NCK_OK;
     const int is_decided = may_decide(self) && nck_corner_decide(self) == NCK_OK;
@@ -119,13 +119,9 @@ nck_status_t nck_lookahead_step(nck_lookahead_t *self) {
     return self->ended && self->joint.placed == self->joint.head ? NCK_DONE : NCK_EMPTY;
 }
 
-// Splines that are not settled yet may be told to wait though they need not.
-int nck_lookahead_is_idle(const nck_lookahead_t *self) {
-    const uint32_t settled = self->joint.settled;
-    const uint32_t decided = self->joint.decided;
-    const int is_placed = self->joint.placed == decided || self->joint.tried == settled + decided;
-    const int is_decided = decided + 1 == settled || self->joint.known == self->joint.head;
-    return settled == self->joint.head && is_decided && is_placed && !self->ended;
+nck_status_t nck_lookahead_step(nck_lookahead_t *self) {
+    if (window_full(self)) return NCK_FULL;
+    return nck_lookahead_is_idle(self) ? NCK_EMPTY : work(self);
 }
 
 const nck_node_t *nck_lookahead_ahead(const nck_lookahead_t *self, uint32_t i) {

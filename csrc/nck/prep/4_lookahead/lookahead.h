@@ -141,8 +141,15 @@ void nck_lookahead_end(nck_lookahead_t *self);
 // with at most 2·NCK_CORNER_SPAN neighbours at both paces. Context: prep.
 nck_status_t nck_lookahead_step(nck_lookahead_t *self);
 
-// 1 if no step does anything before another seg comes. Cost: constant. Context: prep.
-int nck_lookahead_is_idle(const nck_lookahead_t *self);
+// 1 if no step does anything before another seg comes. Splines that are not settled yet may be told
+// to wait though they need not. Cost: constant. Context: prep.
+static inline int nck_lookahead_is_idle(const nck_lookahead_t *self) {
+    const uint32_t settled = self->joint.settled;
+    const uint32_t decided = self->joint.decided;
+    const int is_placed = self->joint.placed == decided || self->joint.tried == settled + decided;
+    const int is_decided = decided + 1 == settled || self->joint.known == self->joint.head;
+    return settled == self->joint.head && is_decided && is_placed && !self->ended;
+}
 
 // The i-th piece from the window's head; NULL beyond the window. Cost: constant. Context: prep.
 const nck_node_t *nck_lookahead_ahead(const nck_lookahead_t *self, uint32_t i);

@@ -259,11 +259,10 @@ static void add_motion(nck_lookahead_t *self, uint32_t count, around_t ends[2],
     if (is_cut_off[1]) add_piece(self, joint, last, &beside[1], unlimited);
 }
 
-// What reaches into the oldest joint from before and from behind. NCK_EMPTY if it is not known yet.
+// What reaches into the oldest joint from before and, beside the shares, from behind. NCK_EMPTY if
+// it is not known yet.
 static nck_status_t look_around(nck_lookahead_t *self, uint32_t count, around_t ends[2]) {
-    for (int n = 0; n < 2; n++) begin_around(self, &ends[n]);
-    nck_status_t status = nck_zone_shares_after(self, count, ends[1].share);
-    if (status != NCK_OK) return status;
+    nck_status_t status = NCK_OK;
     nck_zone_shares_before(self, count, ends[0].share);
     for (int k = 0; self->terms->limits_jerk && k < NCK_PACES; k++) {
         const double beta = nck_max(ends[0].share[k], ends[1].share[k]);
@@ -282,10 +281,11 @@ static void place_motion(nck_lookahead_t *self, uint32_t count, around_t ends[2]
     add_motion(self, count, ends, v_start);
 }
 
-nck_status_t nck_piece_place(nck_lookahead_t *self) {
+nck_status_t nck_piece_place(nck_lookahead_t *self, const double share_after[NCK_PACES]) {
     const uint32_t count = self->joint.placed;
     const nck_joint_t *const joint = nck_joint_at(self, count);
     around_t ends[2];
+    memcpy(ends[1].share, share_after, sizeof ends[1].share);
     const nck_status_t status = look_around(self, count, ends);
     if (status != NCK_OK) return status;
     if (joint->kind >= NCK_SEG_DWELL) {
