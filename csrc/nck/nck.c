@@ -131,7 +131,10 @@ static nck_status_t decode_block(nck_t *nck) {
 
 // decode ─▶ toolcomp: wire.block, in the machine. NCK_DONE: no block, call again.
 static nck_status_t next_block(nck_t *nck) {
-    nck_status_t status = nck_toolcomp_pull(&nck->toolcomp, &nck->wire.block);
+    nck_status_t status = NCK_EMPTY;
+    if (nck_toolcomp_is_on(&nck->toolcomp)) {
+        status = nck_toolcomp_pull(&nck->toolcomp, &nck->wire.block);
+    }
     if (status == NCK_EMPTY && nck->wire.last) {
         end_blocks(nck);
         return NCK_DONE;

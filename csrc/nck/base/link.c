@@ -23,8 +23,6 @@ void nck_link_init(nck_link_t *self) { memset(self, 0, sizeof *self); }
 
 void nck_link_ask(nck_link_t *self) { nck_fence_store(&self->owner, NCK_LINK_ASKED); }
 
-uint32_t nck_link_owner(const nck_link_t *self) { return nck_fence_load(&self->owner); }
-
 // What lies in the rings counts for nothing.
 void nck_link_renew(nck_link_t *self) {
     memset(self, 0, offsetof(nck_link_t, cell));
@@ -45,19 +43,6 @@ uint32_t nck_link_cell_room(const nck_link_t *self) {
     const uint32_t end = end_of(nck_fence_load(&self->word));
     const uint32_t used = cells_between(nck_fence_load(&self->taken), end) + self->batch;
     return NCK_CELL_MAX - used;
-}
-
-int nck_link_has_room(const nck_link_t *self) {
-    return self->seg_head - nck_fence_load(&self->seg_done) < NCK_SEG_MAX
-           && self->output_head - nck_fence_load(&self->output_taken) < NCK_OUTPUT_MAX;
-}
-
-nck_seg_t *nck_link_seg_place(nck_link_t *self) {
-    return &self->seg[self->seg_head & (NCK_SEG_MAX - 1)];
-}
-
-void nck_link_seg_placed(nck_link_t *self) {
-    nck_fence_store(&self->seg_head, self->seg_head + 1);
 }
 
 nck_status_t nck_link_push_seg(nck_link_t *self, const nck_seg_t *seg) {
@@ -111,11 +96,19 @@ void nck_link_tail_begin(nck_link_t *self) {
     self->tail_origin[next_parity(self)] = (end_of(self->base) + self->batch) & END_MASK;
 }
 
-void nck_link_tail_push(nck_link_t *self, const nck_cell_t *cell) {
+nck_cell_t *nck_link_tail_place(nck_link_t *self) {
     assert(self->tail_fill < NCK_TAIL_MAX);
-    inspect(self, cell);
-    self->tail[next_parity(self)].cell[self->tail_fill] = *cell;
+    return &self->tail[next_parity(self)].cell[self->tail_fill];
+}
+
+void nck_link_tail_placed(nck_link_t *self) {
+    inspect(self, nck_link_tail_place(self));
     self->tail_fill++;
+}
+
+void nck_link_tail_push(nck_link_t *self, const nck_cell_t *cell) {
+    *nck_link_tail_place(self) = *cell;
+    nck_link_tail_placed(self);
 }
 
 nck_link_spare_t *nck_link_spare(nck_link_t *self) { return &self->tail[next_parity(self)].spare; }
@@ -285,10 +278,6 @@ nck_status_t nck_link_take_output(nck_link_t *self, nck_output_t *output_out) {
     *output_out = *output;
     nck_fence_store(&self->output_taken, self->output_taken + 1);
     return NCK_OK;
-}
-
-uint32_t nck_link_waiting(const nck_link_t *self) {
-    return cells_between(self->taken, end_of(nck_fence_load(&self->word)));
 }
 
 int nck_link_is_empty(const nck_link_t *self) {

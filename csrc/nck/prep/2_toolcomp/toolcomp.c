@@ -88,8 +88,6 @@ nck_status_t nck_toolcomp_push(nck_toolcomp_t *self, nck_block_t *block) {
     return nck_comp_take(self, block);
 }
 
-int nck_toolcomp_is_on(const nck_toolcomp_t *self) { return self->phase != NCK_COMP_OFF; }
-
 void nck_toolcomp_end(nck_toolcomp_t *self) {
     self->closed = self->phase != NCK_COMP_OFF;
 }

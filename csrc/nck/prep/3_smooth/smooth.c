@@ -3,6 +3,7 @@
 #include "nck/prep/3_smooth/smooth.h"
 
 #include <assert.h> // assert
+#include <stddef.h> // offsetof
 #include <string.h> // memcpy memset
 
 #include "nck/base/path.h"                 // nck_path_…
@@ -255,7 +256,8 @@ nck_status_t nck_smooth_pass(nck_smooth_t *self, const nck_block_t *block, uint3
     const int waits = self->run.open || !nck_smooth_is_empty(self);
     const int is_plain = block->kind <= NCK_BLOCK_ARC && !is_smooth(block);
     if (!self->hungry || waits || !is_plain || block->surface > 0.0) return NCK_FULL;
-    memset(seg_out, 0, sizeof *seg_out);
+    memset(seg_out, 0, offsetof(nck_seg_t, start)); // start and end are set
+    memset(&seg_out->length, 0, sizeof *seg_out - offsetof(nck_seg_t, length));
     seg_out->block = block_seq;
     const nck_status_t status = make_seg(self, block, seg_out);
     if (status != NCK_OK) return status;
@@ -263,8 +265,6 @@ nck_status_t nck_smooth_pass(nck_smooth_t *self, const nck_block_t *block, uint3
     give_seg(self, seg_out);
     return NCK_OK;
 }
-
-int nck_smooth_is_hungry(const nck_smooth_t *self) { return (int)self->hungry; }
 
 void nck_smooth_end(nck_smooth_t *self) {
     if (NCK_HAS_SMOOTH && !self->ended) (void)nck_blend_corner(self, 0);

@@ -151,7 +151,7 @@ nck_status_t nck_smooth_pass(nck_smooth_t *self, const nck_block_t *block, uint3
                              nck_seg_t *seg_out);
 
 // 1 if the last pull has asked for a block and none has come since. Cost: constant. Context: prep.
-int nck_smooth_is_hungry(const nck_smooth_t *self);
+static inline int nck_smooth_is_hungry(const nck_smooth_t *self) { return (int)self->hungry; }
 
 // There are no more blocks: end of the program, or an error. Cost: constant. Context: prep.
 void nck_smooth_end(nck_smooth_t *self);

@@ -13,8 +13,7 @@
 
 enum {
     PIECES_PER_SEG = 3, // head, middle, tail
-    PLACES_PER_STEP = 2, // segs: mostly one, and the next one is seen to be too early
-    JOINT_ROOM = NCK_JOINT_MAX - NCK_CORNER_SPAN - NCK_SPLINE_PARTS, // and one seg more goes in
+    PLACES_PER_STEP = 2 // segs: mostly one, and the next one is seen to be too early
 };
 
 void nck_lookahead_init(nck_lookahead_t *self, const nck_terms_t *terms) {
@@ -27,10 +26,6 @@ void nck_lookahead_init(nck_lookahead_t *self, const nck_terms_t *terms) {
 void nck_lookahead_adapt(nck_lookahead_t *self) {
     self->a_any = nck_joint_a_any(self->terms->machine);
     self->zone_s = nck_zone_s(self->terms);
-}
-
-int nck_lookahead_has_room(const nck_lookahead_t *self) {
-    return self->joint.head - self->joint.placed <= JOINT_ROOM;
 }
 
 // Put the newest joint into the chain.

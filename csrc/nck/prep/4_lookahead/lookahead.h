@@ -13,7 +13,8 @@
 // Joints that are kept, and joints of one seg.
 enum {
     NCK_JOINT_MAX = 4 * NCK_CORNER_SPAN,
-    NCK_SPLINE_PARTS = NCK_SPLINE_ROWS // joints of a spline at most
+    NCK_SPLINE_PARTS = NCK_SPLINE_ROWS, // joints of a spline at most
+    NCK_JOINT_ROOM = NCK_JOINT_MAX - NCK_CORNER_SPAN - NCK_SPLINE_PARTS // and one seg more goes in
 };
 
 // The two paces that a path is planned for: as programmed, and at a feed override beyond 100 %.
@@ -127,7 +128,9 @@ void nck_lookahead_adapt(nck_lookahead_t *self);
 int nck_lookahead_is_settled(const nck_lookahead_t *self);
 
 // 1 if nck_lookahead_push would take a seg. Cost: constant. Context: prep.
-int nck_lookahead_has_room(const nck_lookahead_t *self);
+static inline int nck_lookahead_has_room(const nck_lookahead_t *self) {
+    return self->joint.head - self->joint.placed <= NCK_JOINT_ROOM;
+}
 
 // Take a seg; behind an end it is where the path goes on from its rest. Returns NCK_OK or NCK_FULL.
 // Cost: constant. Context: prep.

@@ -46,7 +46,8 @@ void nck_legs_slices(const nck_legs_t *self, uint32_t count, nck_cell_t *cell_ou
 }
 
 int nck_legs_next(nck_legs_t *self, double period, nck_cell_t *cell_out) {
-    nck_legs_slices(self, 1, cell_out);
+    if (self->slices > 1) nck_legs_slices(self, 1, cell_out);
+    else *cell_out = self->cell[self->k];
     self->m++;
     if (self->m < self->slices) return 0;
     self->k++;
