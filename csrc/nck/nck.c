@@ -253,6 +253,10 @@ static nck_status_t finish_abort(const nck_t *nck) {
     return nck_slope_is_held(&nck->slope) || waits ? NCK_DONE : NCK_FULL;
 }
 
+static nck_status_t step_ahead(nck_lookahead_t *lookahead) {
+    return nck_lookahead_is_idle(lookahead) ? NCK_EMPTY : nck_lookahead_step(lookahead);
+}
+
 // What a block has made known to the look-ahead is worked out: mostly a seg, now and then the one
 // that has waited for it, too. 1 if nothing is left of it.
 static int look_ahead(nck_t *nck) {
@@ -295,7 +299,7 @@ nck_status_t nck_prep(nck_t *nck) {
     if (status == NCK_OK) return NCK_OK;
     if (status == NCK_E_INTERNAL) return give_up(nck, nck_link_broken_line(&nck->link));
     if (nck_fence_load(&nck->command.abort)) return finish_abort(nck);
-    const nck_status_t ahead = nck_lookahead_step(&nck->lookahead);
+    const nck_status_t ahead = step_ahead(&nck->lookahead);
     return ahead == NCK_OK ? NCK_OK : take_input(nck, status, ahead);
 }
 

@@ -12,7 +12,6 @@
 #include "nck/prep/4_lookahead/zone.h"   // nck_zone_…
 
 enum {
-    PIECES_PER_SEG = 3, // head, middle, tail
     PLACES_PER_STEP = 2 // segs: mostly one, and the next one is seen to be too early
 };
 
@@ -73,7 +72,7 @@ void nck_lookahead_end(nck_lookahead_t *self) {
 }
 
 static int window_full(const nck_lookahead_t *self) {
-    return self->window.fill > NCK_WINDOW - PIECES_PER_SEG;
+    return self->window.fill > NCK_WINDOW - NCK_PIECES_PER_SEG;
 }
 
 int nck_lookahead_is_settled(const nck_lookahead_t *self) {
@@ -106,17 +105,13 @@ static int may_decide(const nck_lookahead_t *self) {
 }
 
 // What a seg needs one after the other: its own speeds, its junction, its place in the window.
-static nck_status_t work(nck_lookahead_t *self) {
+nck_status_t nck_lookahead_step(nck_lookahead_t *self) {
+    if (window_full(self)) return NCK_FULL;
     const int is_settled = self->joint.settled != self->joint.head
                            && nck_near_settle(self) == NCK_OK;
     const int is_decided = may_decide(self) && nck_corner_decide(self) == NCK_OK;
     if (place(self) || is_decided || is_settled) return NCK_OK;
     return self->ended && self->joint.placed == self->joint.head ? NCK_DONE : NCK_EMPTY;
-}
-
-nck_status_t nck_lookahead_step(nck_lookahead_t *self) {
-    if (window_full(self)) return NCK_FULL;
-    return nck_lookahead_is_idle(self) ? NCK_EMPTY : work(self);
 }
 
 const nck_node_t *nck_lookahead_ahead(const nck_lookahead_t *self, uint32_t i) {
