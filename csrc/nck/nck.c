@@ -331,7 +331,7 @@ nck_tick_state_t nck_tick(nck_t *nck, nck_pose_t *pose_out, nck_axes_t *axes_out
     (void)nck_interpolate_tick(&nck->interpolate);
     if (nck_fence_load(&nck->interpolate.sync.lost)) nck_abort(nck); // nothing can follow it
     const nck_tick_state_t state = nck_position(nck, pose_out, axes_out);
-    hand_over_outputs(nck);
+    if (nck_link_has_output(&nck->link)) hand_over_outputs(nck);
     return state;
 }
 
@@ -385,6 +385,6 @@ int nck_is_idle(const nck_t *nck) {
 
 nck_status_t nck_take(nck_t *nck, nck_cell_t *cell_out) {
     const nck_status_t status = nck_interpolate_take(&nck->interpolate, cell_out);
-    hand_over_outputs(nck);
+    if (nck_link_has_output(&nck->link)) hand_over_outputs(nck);
     return status;
 }

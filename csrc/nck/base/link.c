@@ -270,12 +270,8 @@ const nck_seg_t *nck_link_seg(const nck_link_t *self, uint32_t seq) {
 }
 
 nck_status_t nck_link_take_output(nck_link_t *self, nck_output_t *output_out) {
-    if (nck_link_owner(self) == NCK_LINK_PREP) return NCK_EMPTY;
-    const uint32_t head = nck_fence_load(&self->output_head);
-    if (self->output_taken == head) return NCK_EMPTY;
-    const nck_output_t *const output = &self->output[self->output_taken & (NCK_OUTPUT_MAX - 1)];
-    if ((int32_t)(self->seg_done - output->after_segs) < 0) return NCK_EMPTY;
-    *output_out = *output;
+    if (!nck_link_has_output(self)) return NCK_EMPTY;
+    *output_out = self->output[self->output_taken & (NCK_OUTPUT_MAX - 1)];
     nck_fence_store(&self->output_taken, self->output_taken + 1);
     return NCK_OK;
 }

@@ -217,6 +217,14 @@ void nck_link_seg_finish(nck_link_t *self, uint32_t seq);
 // The geometry of a seg that is not finished. Cost: constant. Context: tick.
 const nck_seg_t *nck_link_seg(const nck_link_t *self, uint32_t seq);
 
+// 1 if an output waits whose segs are all finished. Cost: constant. Context: tick.
+static inline int nck_link_has_output(const nck_link_t *self) {
+    if (nck_link_owner(self) == NCK_LINK_PREP) return 0;
+    if (self->output_taken == nck_fence_load(&self->output_head)) return 0;
+    const uint32_t after = self->output[self->output_taken & (NCK_OUTPUT_MAX - 1)].after_segs;
+    return (int32_t)(self->seg_done - after) >= 0;
+}
+
 // Take the next output whose segs are all finished; NCK_EMPTY if there is none, or the link
 // yielded.
 // Cost: constant. Context: tick.

@@ -79,7 +79,7 @@ static void settle(nck_lookahead_t *self, const junction_t *junction, int pace, 
     if (share > most && v < self->terms->v_filter) joint->end |= NCK_JOINT_STOP;
 }
 
-static void settle_alone(nck_lookahead_t *self, const junction_t *junction, int pace,
+static inline void settle_alone(nck_lookahead_t *self, const junction_t *junction, int pace,
                          double v) {
     const double v_true = nck_max(v, self->terms->v_filter);
     settle(self, junction, pace, v,
@@ -132,19 +132,25 @@ static int is_open(const nck_lookahead_t *self, const junction_t *junction, doub
     return is_last && !self->ended && junction->out->length < reach;
 }
 
+// Speed and share at a pace of a junction that may share a period with others.
+static nck_status_t decide_near(nck_lookahead_t *self, const junction_t *junction, int pace,
+                                double v, double reach) {
+    double a_t = 0.0;
+    const nck_status_t status = largest_gain(self, junction, reach, &a_t);
+    return status == NCK_OK ? decide_crowd(self, junction, pace, v, a_t) : status;
+}
+
 // Speed and share at a pace of a junction with a load that is crossed alone at v.
-static nck_status_t decide_pace(nck_lookahead_t *self, const junction_t *junction, int pace,
-                                double v) {
+static inline nck_status_t decide_pace(nck_lookahead_t *self, const junction_t *junction, int pace,
+                                       double v) {
     const double period = junction->period;
     const double reach = (v + self->a_any * period) * period;
-    double a_t = 0.0;
     if (!(junction->shorter < reach)) {
         settle_alone(self, junction, pace, v);
         return NCK_OK;
     }
     if (is_open(self, junction, reach)) return NCK_EMPTY;
-    const nck_status_t status = largest_gain(self, junction, reach, &a_t);
-    return status == NCK_OK ? decide_crowd(self, junction, pace, v, a_t) : status;
+    return decide_near(self, junction, pace, v, reach);
 }
 
 // A junction between two known segs, at both paces, which mean the same where only the junction

@@ -149,7 +149,7 @@ static int moves_linear(const nck_seg_t *seg) {
 }
 
 // What a joint has of its seg, before any cap.
-static void begin(nck_joint_t *joint, const nck_seg_t *seg) {
+static inline void begin(nck_joint_t *joint, const nck_seg_t *seg) {
     memset(joint, 0, offsetof(nck_joint_t, shape));
     joint->seq = seg->seq;
     joint->kind = seg->kind;

@@ -86,7 +86,9 @@ static int place(nck_lookahead_t *self) {
     if (self->joint.tried == known && !self->ended) return 0;
     while (placed < PLACES_PER_STEP && !window_full(self)) {
         double share[NCK_PACES];
-        const int is_known = nck_zone_shares_after(self, self->joint.placed, share) == NCK_OK;
+        const uint32_t count = self->joint.placed;
+        const int is_known = count != self->joint.decided
+                             && nck_zone_shares_after(self, count, share) == NCK_OK;
         if (!is_known || nck_piece_place(self, share) != NCK_OK) {
             self->joint.tried = known;
             break;

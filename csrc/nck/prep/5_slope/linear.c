@@ -259,7 +259,7 @@ static void pass_forward(nck_linear_t *self, const nck_pieces_t *pieces) {
 
 // ---- the part that may become final
 
-static nck_span_t span_of(const nck_linear_t *self, const nck_node_t *piece,
+static inline nck_span_t span_of(const nck_linear_t *self, const nck_node_t *piece,
                           const nck_linear_place_t *place) {
     const nck_span_t span = {s_of(piece, place), length_left(piece, place), place->vv, 0.0,
                              cap_inside(self, piece), accel_of(self, piece)};
