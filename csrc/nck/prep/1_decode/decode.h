@@ -169,9 +169,7 @@ nck_status_t nck_decode_source(nck_decode_t *self, const nck_source_t *source);
 
 // 1 if a source is there and the program has not ended: NCK_EMPTY of pull means that it read a line
 // that gave no block. Cost: constant. Context: prep.
-static inline int nck_decode_reads(const nck_decode_t *self) {
-    return self->macro.reads && !self->text.over;
-}
+int nck_decode_reads(const nck_decode_t *self);
 
 // How far the source is read: where the next line begins. Cost: constant. Context: prep.
 size_t nck_decode_used(const nck_decode_t *self);

@@ -97,6 +97,10 @@ nck_status_t nck_decode_source(nck_decode_t *self, const nck_source_t *source) {
     return NCK_OK;
 }
 
+int nck_decode_reads(const nck_decode_t *self) {
+    return self->macro.reads && !self->text.over;
+}
+
 size_t nck_decode_used(const nck_decode_t *self) { return self->macro.place.offset; }
 
 // The text from an offset on: in place, or as many bytes as the buffer holds.
