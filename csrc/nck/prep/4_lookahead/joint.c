@@ -127,8 +127,9 @@ static void make_spline(nck_joint_t *joint, const nck_terms_t *terms) {
 }
 
 void nck_joint_tangents(const nck_seg_t *seg, int axes, double *start_out, double *end_out) {
-    if (seg->length > 0.0) nck_path_tangent_part(seg, 0.0, axes, start_out);
-    else for (int x = 0; x < axes; x++) start_out[x] = 0.0;
+    const int moves = seg->length > 0.0;
+    for (int x = 0; !moves && x < axes; x++) start_out[x] = 0.0;
+    if (moves) nck_path_tangent_part(seg, 0.0, axes, start_out);
     if (seg->kind == NCK_SEG_ARC || seg->kind == NCK_SEG_SPLINE) {
         nck_path_tangent_part(seg, seg->length, axes, end_out);
         return;

@@ -270,11 +270,10 @@ static void add_motion(nck_lookahead_t *self, uint32_t count, around_t ends[2],
 // What reaches into the oldest joint from before and, beside the shares, from behind. NCK_EMPTY if
 // it is not known yet.
 static nck_status_t look_around(nck_lookahead_t *self, uint32_t count, around_t ends[2]) {
-    nck_status_t status = NCK_OK;
     nck_zone_shares_before(self, count, ends[0].share);
     for (int k = 0; self->terms->limits_jerk && k < NCK_PACES; k++) {
         const double beta = nck_max(ends[0].share[k], ends[1].share[k]);
-        status = nck_near_after(self, count, k, beta, &ends[1].near[k]);
+        const nck_status_t status = nck_near_after(self, count, k, beta, &ends[1].near[k]);
         if (status != NCK_OK) return status;
         ends[0].near[k] = nck_near_before(self, count, k, beta);
     }
