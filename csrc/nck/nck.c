@@ -8,7 +8,8 @@
 
 enum {
     PERMILLE = 1000, FEED_MOST = 2000, // overrides
-    PERMILLE_PER_PERCENT = 10
+    PERMILLE_PER_PERCENT = 10,
+    STEPS_PER_BLOCK = 2 // of the look-ahead
 };
 
 // Rooms 3 to 5 at rest at the machine's start position, and where the link ends.
@@ -56,13 +57,20 @@ static nck_status_t finish_flush(nck_t *nck) {
     return NCK_OK;
 }
 
+// seg ring ─▶ lookahead: a seg that is in its place.
+static nck_status_t push_seg(nck_t *nck, const nck_seg_t *seg) {
+    nck_link_seg_placed(&nck->link);
+    if (nck_lookahead_push(&nck->lookahead, seg) != NCK_OK) return NCK_E_INTERNAL;
+    if (nck->hooks.on_seg) nck->hooks.on_seg(nck->hooks.user, seg);
+    return NCK_OK;
+}
+
 // smooth ─▶ seg ring and lookahead, or output ring. All have room (see carry_item).
 static nck_status_t push_item(nck_t *nck, const nck_smooth_item_t *item) {
     if (item->is_output) return nck_link_push_output(&nck->link, &item->output);
-    if (nck_link_push_seg(&nck->link, &item->seg) != NCK_OK) return NCK_E_INTERNAL;
-    if (nck_lookahead_push(&nck->lookahead, &item->seg) != NCK_OK) return NCK_E_INTERNAL;
-    if (nck->hooks.on_seg) nck->hooks.on_seg(nck->hooks.user, &item->seg);
-    return NCK_OK;
+    nck_seg_t *const seg = nck_link_seg_place(&nck->link);
+    *seg = item->seg;
+    return push_seg(nck, seg);
 }
 
 // One item out of smooth, or a step towards it. NCK_EMPTY: it needs a block.
@@ -76,13 +84,14 @@ static nck_status_t carry_item(nck_t *nck) {
     return status == NCK_FULL ? NCK_OK : status;
 }
 
-// A block into smooth, which asks for it; on the exact path its seg goes on at once. There is room.
+// A block into smooth, which asks for it; on the exact path its seg is made in its place and goes
+// on at once. There is room.
 static nck_status_t smooth_block(nck_t *nck, const nck_block_t *block) {
-    nck_smooth_item_t item;
-    const nck_status_t status = nck_smooth_pass(&nck->smooth, block, nck->wire.blocks, &item);
+    nck_seg_t *const seg = nck_link_seg_place(&nck->link);
+    const nck_status_t status = nck_smooth_pass(&nck->smooth, block, nck->wire.blocks, seg);
     if (status == NCK_FULL) return nck_smooth_push(&nck->smooth, block, nck->wire.blocks);
     if (status == NCK_EMPTY) return NCK_OK;
-    return status == NCK_OK ? push_item(nck, &item) : status;
+    return status == NCK_OK ? push_seg(nck, seg) : status;
 }
 
 // One block into smooth. A program error ends the path where it stands:
@@ -122,7 +131,10 @@ static nck_status_t decode_block(nck_t *nck) {
 
 // decode ─▶ toolcomp: wire.block, in the machine. NCK_DONE: no block, call again.
 static nck_status_t next_block(nck_t *nck) {
-    nck_status_t status = nck_toolcomp_pull(&nck->toolcomp, &nck->wire.block);
+    nck_status_t status = NCK_EMPTY;
+    if (nck_toolcomp_is_on(&nck->toolcomp)) {
+        status = nck_toolcomp_pull(&nck->toolcomp, &nck->wire.block);
+    }
     if (status == NCK_EMPTY && nck->wire.last) {
         end_blocks(nck);
         return NCK_DONE;
@@ -241,23 +253,33 @@ static nck_status_t finish_abort(const nck_t *nck) {
     return nck_slope_is_held(&nck->slope) || waits ? NCK_DONE : NCK_FULL;
 }
 
-// A block has been taken, and what it has made known is worked out. 1 if nothing is left to do
-// before more text comes.
+static nck_status_t step_ahead(nck_lookahead_t *lookahead) {
+    return nck_lookahead_is_idle(lookahead) ? NCK_EMPTY : nck_lookahead_step(lookahead);
+}
+
+// What a block has made known to the look-ahead is worked out: mostly a seg, now and then the one
+// that has waited for it, too. 1 if nothing is left of it.
+static int look_ahead(nck_t *nck) {
+    for (int n = 0; n < STEPS_PER_BLOCK; n++) {
+        (void)nck_lookahead_step(&nck->lookahead);
+        if (nck_lookahead_is_idle(&nck->lookahead)) return 1;
+    }
+    return 0;
+}
+
+// A block has been taken. 1 if nothing is left to do before more text comes.
 static int needs_text(nck_t *nck) {
+    if (!look_ahead(nck) || nck->wire.flush != NCK_FLUSH_NOT) return 0;
     const nck_pieces_t pieces = pieces_of(nck);
-    return nck->wire.flush == NCK_FLUSH_NOT && nck_decode_needs_text(&nck->decode)
-           && !nck_toolcomp_is_on(&nck->toolcomp) && nck_smooth_is_hungry(&nck->smooth)
-           && nck_lookahead_is_idle(&nck->lookahead) && nck_slope_lacks(&nck->slope, &pieces);
+    return nck_decode_needs_text(&nck->decode) && !nck_toolcomp_is_on(&nck->toolcomp)
+           && nck_smooth_is_hungry(&nck->smooth) && nck_slope_lacks(&nck->slope, &pieces);
 }
 
 // More input, where rooms 5 and 4 (status, ahead) have none to work on.
 static nck_status_t take_input(nck_t *nck, nck_status_t status, nck_status_t ahead) {
     nck_status_t input = pull_block(nck);
     if (input == NCK_E_INTERNAL) return give_up(nck, nck->wire.block.line);
-    if (input == NCK_OK) {
-        (void)nck_lookahead_step(&nck->lookahead);
-        if (needs_text(nck)) input = NCK_EMPTY;
-    }
+    if (input == NCK_OK && needs_text(nck)) input = NCK_EMPTY;
     if (input == NCK_EMPTY && nck_fence_load(&nck->interpolate.has_cell)) {
         (void)nck_slope_hurry(&nck->slope, 0);
     }
@@ -277,7 +299,7 @@ nck_status_t nck_prep(nck_t *nck) {
     if (status == NCK_OK) return NCK_OK;
     if (status == NCK_E_INTERNAL) return give_up(nck, nck_link_broken_line(&nck->link));
     if (nck_fence_load(&nck->command.abort)) return finish_abort(nck);
-    const nck_status_t ahead = nck_lookahead_step(&nck->lookahead);
+    const nck_status_t ahead = step_ahead(&nck->lookahead);
     return ahead == NCK_OK ? NCK_OK : take_input(nck, status, ahead);
 }
 
@@ -309,7 +331,7 @@ nck_tick_state_t nck_tick(nck_t *nck, nck_pose_t *pose_out, nck_axes_t *axes_out
     (void)nck_interpolate_tick(&nck->interpolate);
     if (nck_fence_load(&nck->interpolate.sync.lost)) nck_abort(nck); // nothing can follow it
     const nck_tick_state_t state = nck_position(nck, pose_out, axes_out);
-    hand_over_outputs(nck);
+    if (nck_link_has_output(&nck->link)) hand_over_outputs(nck);
     return state;
 }
 
@@ -363,6 +385,6 @@ int nck_is_idle(const nck_t *nck) {
 
 nck_status_t nck_take(nck_t *nck, nck_cell_t *cell_out) {
     const nck_status_t status = nck_interpolate_take(&nck->interpolate, cell_out);
-    hand_over_outputs(nck);
+    if (nck_link_has_output(&nck->link)) hand_over_outputs(nck);
     return status;
 }

@@ -176,7 +176,11 @@ static void spline_ends_to_the_bit_and_its_tangent_is_its_derivative(check_t *ch
 
 static void feed_counts_linear_axes_when_rotary_ones_join_in(check_t *check)
 {
-    begin();
+    nck_machine_default(&machine);
+    machine.slope = NCK_SLOPE_LINEAR;
+    machine.axis[NCK_AXIS_A % NCK_AXIS_MAX].present = 1;
+    machine.axis[NCK_AXIS_A % NCK_AXIS_MAX].rotary = NCK_AXIS_MAX > NCK_AXIS_A;
+    nck_smooth_init(&smooth, terms_of(&machine));
     nck_block_t block = block_to(NCK_BLOCK_LINE, 3000000, 0, 0);
     block.target_nm[NCK_AXIS_A % NCK_AXIS_MAX] = NCK_AXIS_MAX > NCK_AXIS_A ? 4000000000 : 3000000;
     nck_seg_t seg;

@@ -23,8 +23,6 @@ void nck_link_init(nck_link_t *self) { memset(self, 0, sizeof *self); }
 
 void nck_link_ask(nck_link_t *self) { nck_fence_store(&self->owner, NCK_LINK_ASKED); }
 
-uint32_t nck_link_owner(const nck_link_t *self) { return nck_fence_load(&self->owner); }
-
 // What lies in the rings counts for nothing.
 void nck_link_renew(nck_link_t *self) {
     memset(self, 0, offsetof(nck_link_t, cell));
@@ -47,15 +45,10 @@ uint32_t nck_link_cell_room(const nck_link_t *self) {
     return NCK_CELL_MAX - used;
 }
 
-int nck_link_has_room(const nck_link_t *self) {
-    return self->seg_head - nck_fence_load(&self->seg_done) < NCK_SEG_MAX
-           && self->output_head - nck_fence_load(&self->output_taken) < NCK_OUTPUT_MAX;
-}
-
 nck_status_t nck_link_push_seg(nck_link_t *self, const nck_seg_t *seg) {
     if (self->seg_head - nck_fence_load(&self->seg_done) >= NCK_SEG_MAX) return NCK_FULL;
-    self->seg[self->seg_head & (NCK_SEG_MAX - 1)] = *seg;
-    nck_fence_store(&self->seg_head, self->seg_head + 1);
+    *nck_link_seg_place(self) = *seg;
+    nck_link_seg_placed(self);
     return NCK_OK;
 }
 
@@ -116,9 +109,8 @@ void nck_link_tail_grow(nck_link_t *self, uint32_t count) {
 
 void nck_link_tail_push(nck_link_t *self, const nck_cell_t *cell) {
     assert(self->tail_fill < NCK_TAIL_MAX);
-    inspect(self, cell);
-    self->tail[next_parity(self)].cell[self->tail_fill] = *cell;
-    self->tail_fill++;
+    *nck_link_tail_room(self) = *cell;
+    nck_link_tail_grow(self, 1);
 }
 
 nck_link_spare_t *nck_link_spare(nck_link_t *self) { return &self->tail[next_parity(self)].spare; }
@@ -280,18 +272,10 @@ const nck_seg_t *nck_link_seg(const nck_link_t *self, uint32_t seq) {
 }
 
 nck_status_t nck_link_take_output(nck_link_t *self, nck_output_t *output_out) {
-    if (nck_link_owner(self) == NCK_LINK_PREP) return NCK_EMPTY;
-    const uint32_t head = nck_fence_load(&self->output_head);
-    if (self->output_taken == head) return NCK_EMPTY;
-    const nck_output_t *const output = &self->output[self->output_taken & (NCK_OUTPUT_MAX - 1)];
-    if ((int32_t)(self->seg_done - output->after_segs) < 0) return NCK_EMPTY;
-    *output_out = *output;
+    if (!nck_link_has_output(self)) return NCK_EMPTY;
+    *output_out = self->output[self->output_taken & (NCK_OUTPUT_MAX - 1)];
     nck_fence_store(&self->output_taken, self->output_taken + 1);
     return NCK_OK;
-}
-
-uint32_t nck_link_waiting(const nck_link_t *self) {
-    return cells_between(self->taken, end_of(nck_fence_load(&self->word)));
 }
 
 int nck_link_is_empty(const nck_link_t *self) {

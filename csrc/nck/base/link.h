@@ -90,10 +90,22 @@ void nck_link_init(nck_link_t *self);
 uint32_t nck_link_cell_room(const nck_link_t *self);
 
 // 1 if a seg and an output find room. Cost: constant. Context: prep.
-int nck_link_has_room(const nck_link_t *self);
+static inline int nck_link_has_room(const nck_link_t *self) {
+    return self->seg_head - nck_fence_load(&self->seg_done) < NCK_SEG_MAX
+           && self->output_head - nck_fence_load(&self->output_taken) < NCK_OUTPUT_MAX;
+}
 
 // Put a seg in; its place is its seq. NCK_OK or NCK_FULL. Cost: constant. Context: prep.
 nck_status_t nck_link_push_seg(nck_link_t *self, const nck_seg_t *seg);
+
+// The place of the next seg, to be filled where it is, and that it is filled. There must be room.
+// Cost: constant. Context: prep.
+static inline nck_seg_t *nck_link_seg_place(nck_link_t *self) {
+    return &self->seg[self->seg_head & (NCK_SEG_MAX - 1)];
+}
+static inline void nck_link_seg_placed(nck_link_t *self) {
+    nck_fence_store(&self->seg_head, self->seg_head + 1);
+}
 
 // Put an output in. NCK_OK or NCK_FULL. Cost: constant. Context: prep.
 nck_status_t nck_link_push_output(nck_link_t *self, const nck_output_t *output);
@@ -176,7 +188,9 @@ const nck_cell_t *nck_link_tail_end(const nck_link_t *self, uint32_t *count_out)
 void nck_link_ask(nck_link_t *self);
 
 // Whose the link is, an nck_link_owner_t. Cost: constant. Context: any.
-uint32_t nck_link_owner(const nck_link_t *self);
+static inline uint32_t nck_link_owner(const nck_link_t *self) {
+    return nck_fence_load(&self->owner);
+}
 
 // Empty the link that the tick has yielded: its numbers count from 0 again. Then give it back.
 // Cost: constant. Context: prep.
@@ -203,13 +217,24 @@ void nck_link_seg_finish(nck_link_t *self, uint32_t seq);
 // The geometry of a seg that is not finished. Cost: constant. Context: tick.
 const nck_seg_t *nck_link_seg(const nck_link_t *self, uint32_t seq);
 
+// 1 if an output waits whose segs are all finished. Cost: constant. Context: tick.
+static inline int nck_link_has_output(const nck_link_t *self) {
+    if (nck_link_owner(self) == NCK_LINK_PREP) return 0;
+    if (self->output_taken == nck_fence_load(&self->output_head)) return 0;
+    const uint32_t after = self->output[self->output_taken & (NCK_OUTPUT_MAX - 1)].after_segs;
+    return (int32_t)(self->seg_done - after) >= 0;
+}
+
 // Take the next output whose segs are all finished; NCK_EMPTY if there is none, or the link
 // yielded.
 // Cost: constant. Context: tick.
 nck_status_t nck_link_take_output(nck_link_t *self, nck_output_t *output_out);
 
 // Final cells that wait. Cost: constant. Context: tick.
-uint32_t nck_link_waiting(const nck_link_t *self);
+static inline uint32_t nck_link_waiting(const nck_link_t *self) {
+    const uint32_t end = nck_fence_load(&self->word) >> NCK_LINK_END_SHIFT;
+    return (end - self->taken) & NCK_LINK_COUNT_MASK;
+}
 
 // 1 if no final cell and no output waits. Cost: constant. Context: tick.
 int nck_link_is_empty(const nck_link_t *self);

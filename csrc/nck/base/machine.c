@@ -33,10 +33,6 @@ void nck_machine_default(nck_machine_t *machine) {
     machine->dialect.thread_pull = 1.0;
 }
 
-double nck_machine_counts(const nck_machine_t *machine, int axis) {
-    return machine->axis[axis].rotary ? NCK_COUNTS_PER_DEG : NCK_COUNTS_PER_MM;
-}
-
 // NaN fails every comparison, infinity the upper one.
 static int within(double value, double low, double high) {
     return value >= low && value <= high;

@@ -168,7 +168,9 @@ void nck_machine_default(nck_machine_t *machine);
 // Counts of fixed point in one unit of the axis: NCK_COUNTS_PER_MM, NCK_COUNTS_PER_DEG if rotary.
 // Up to the furthest position, a count divided by it, times it and rounded is the count again.
 // Cost: constant. Context: any.
-double nck_machine_counts(const nck_machine_t *machine, int axis);
+static inline double nck_machine_counts(const nck_machine_t *machine, int axis) {
+    return machine->axis[axis].rotary ? NCK_COUNTS_PER_DEG : NCK_COUNTS_PER_MM;
+}
 
 // The range of a quantity, an nck_quantity_t below NCK_QUANTITIES. Limits stay six decades and more
 // from where a formula of the rooms would lose its digits (machine.c).

@@ -80,8 +80,12 @@ static const char *behind_skip(const char *at) {
     return *at >= '1' && *at <= '9' ? at + 1 : at;
 }
 
+static int is_binary(const nck_decode_t *self) {
+    return self->line.binary || memchr(self->line.text, '\0', self->line.size) != NULL;
+}
+
 static nck_status_t read_line(nck_decode_t *self) {
-    if (self->line.binary) return fail_last(self, NCK_E_BINARY, 0.0);
+    if (is_binary(self)) return fail_last(self, NCK_E_BINARY, 0.0);
     const char *const at = begin_of_line(self);
     if (*at == '\n') return NCK_OK;
     if (*at == '%') {

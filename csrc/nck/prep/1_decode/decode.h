@@ -93,7 +93,7 @@ typedef struct nck_decode {
         uint8_t state;               // nck_decode_line_state_t
         uint8_t overflow;            // 1: the line had more bytes than text holds
         uint8_t after_cr;            // 1: a line feed that comes next belongs to the line before
-        uint8_t binary;              // 1: the line had a NUL byte
+        uint8_t binary;              // 1: the line had a NUL byte behind those in text
     } line;
     nck_words_t words; // of the line in work
     uint32_t lathe;    // 1: it speaks Fanuc's language: G codes go by its system
@@ -191,7 +191,10 @@ int nck_decode_is_empty(const nck_decode_t *self);
 
 // 1 if nck_decode_pull would find no line to work on: text must be pushed first. Cost: constant.
 // Context: prep.
-int nck_decode_needs_text(const nck_decode_t *self);
+static inline int nck_decode_needs_text(const nck_decode_t *self) {
+    const int ends = self->text.complete || self->text.over || self->entry.waits != 0;
+    return self->line.state == NCK_LINE_OPEN && !ends && !self->macro.reads;
+}
 
 // Begin another program: modes are the machine's again, the
 // offsets (work systems, G92, tool length) and the tools of T and M6 stay. Cost: constant.

@@ -2,7 +2,7 @@
 // Blocks with all that is modal: what every one of them has, and those that hand something over.
 #include "nck/prep/1_decode/parts.h"
 
-#include <stddef.h> // NULL
+#include <stddef.h> // NULL offsetof
 #include <string.h> // memcpy memset
 
 const nck_tool_t *nck_decode_find_tool(const nck_decode_t *self, uint32_t number) {
@@ -32,7 +32,7 @@ void nck_decode_spin(const nck_decode_t *self, nck_block_t *out) {
 }
 
 void nck_decode_block(const nck_decode_t *self, nck_block_kind_t kind, nck_block_t *out) {
-    memset(out, 0, sizeof *out);
+    memset(out->centre_mm, 0, sizeof *out - offsetof(nck_block_t, centre_mm));
     out->line = self->line.tag;
     out->kind = (uint8_t)kind;
     out->path_mode = self->modal.path_mode;

@@ -4,8 +4,6 @@
 // nothing here needs a column, a step or a diagnostic.
 #include "nck/prep/1_decode/parts.h"
 
-#include <string.h> // memcpy
-
 enum { CODE_NONE = -1, CODE_LINE = 10 }; // in tenths
 
 enum { DIGITS_MOST = 15 }; // of a number in the finest unit, so that its counts fit
@@ -15,7 +13,7 @@ static const int64_t power_of_ten[] = {1, 10, 100, 1000, 10000, 100000, 1000000,
 
 // A line as far as it is read.
 typedef struct quick {
-    int64_t target_nm[NCK_AXIS_MAX];
+    int64_t target_nm[3]; // X Y Z, of those that are named
     uint32_t axes; // bit k: axis k is named
     int code;      // in tenths; CODE_NONE: none yet
     int is_named;  // 1: N was read
@@ -25,7 +23,7 @@ typedef struct quick {
 static int is_plain(const nck_decode_t *self) {
     const uint32_t noted = self->finding.given | self->finding.notes;
     const uint32_t wanted = 1u << NCK_NOTE_UNITS | 1u << NCK_NOTE_DISTANCE;
-    const int whole = self->text.words && !(self->line.overflow | self->line.binary);
+    const int whole = self->text.words && !self->line.overflow;
     const int by_itself = self->macro.seek.kind == NCK_SEEK_NOT && self->macro.modal == 0
                           && (self->held.contour.mode | self->entry.waits | self->layout.on) == 0;
     const int linear = !(self->place.rotary & 7u);
@@ -129,12 +127,13 @@ int nck_decode_quick(nck_decode_t *self, nck_block_t *out) {
     line.axes = 0;
     line.code = CODE_NONE;
     line.is_named = 0;
-    memcpy(line.target_nm, self->place.position_nm, sizeof line.target_nm);
     if (!read_line(self, &line)) return 0;
     const int cuts = line.code == CODE_LINE;
     self->line.tag = self->line.number;
     self->modal.motion = line.code;
-    memcpy(self->place.position_nm, line.target_nm, sizeof line.target_nm);
+    for (unsigned axis = 0; axis < 3; axis++) {
+        if (line.axes & 1u << axis) self->place.position_nm[axis] = line.target_nm[axis];
+    }
     nck_decode_block(self, cuts ? NCK_BLOCK_LINE : NCK_BLOCK_RAPID, out);
     out->feed = cuts ? self->modal.feed : 0.0;
     return 1;

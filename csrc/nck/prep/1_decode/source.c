@@ -20,15 +20,17 @@ static void watch_rest(nck_decode_t *self, const char *text, size_t n) {
     }
 }
 
-// Add n bytes to the line; what does not fit is dropped, and the line is known to be too long.
+// Add n bytes to the line; what does not fit is dropped, and the line is known to be too long. Who
+// reads the line sees a NUL byte in it, but for one that is dropped.
 static void collect(nck_decode_t *self, const char *text, size_t n) {
     const size_t room = NCK_LINE_MAX - self->line.size;
     const size_t fits = n < room ? n : room;
-    if (memchr(text, '\0', n) != NULL) self->line.binary = 1;
     memcpy(self->line.text + self->line.size, text, fits);
     self->line.size += (uint32_t)fits;
     assert(self->line.size <= NCK_LINE_MAX);
-    self->line.overflow |= n > room;
+    if (n <= room) return;
+    self->line.overflow = 1;
+    if (memchr(text, '\0', n) != NULL) self->line.binary = 1;
 }
 
 static void close_line(nck_decode_t *self) {
@@ -38,7 +40,7 @@ static void close_line(nck_decode_t *self) {
 }
 
 // A part of a line is there.
-static int is_begun(const nck_decode_t *self) { return self->line.size > 0 || self->line.binary; }
+static int is_begun(const nck_decode_t *self) { return self->line.size > 0; }
 
 // A piece of text for the line, up to its end. Returns how much of it was taken.
 static size_t take(nck_decode_t *self, const char *text, size_t n) {
@@ -76,11 +78,6 @@ void nck_decode_flush(nck_decode_t *self) {
 
 int nck_decode_is_empty(const nck_decode_t *self) {
     return self->line.state == NCK_LINE_OPEN && !is_begun(self) && !nck_decode_reads(self);
-}
-
-int nck_decode_needs_text(const nck_decode_t *self) {
-    const int ends = self->text.complete || self->text.over || self->entry.waits != 0;
-    return self->line.state == NCK_LINE_OPEN && !ends && !self->macro.reads;
 }
 
 void nck_decode_end(nck_decode_t *self) {

@@ -19,7 +19,9 @@ void nck_toolcomp_init(nck_toolcomp_t *self, const nck_machine_t *machine) {
 }
 
 void nck_toolcomp_place(const nck_toolcomp_t *self, nck_block_t *block) {
+    const int64_t *const tool = block->tool_nm;
     if (block->kind > NCK_BLOCK_ARC && block->kind < NCK_BLOCK_THREAD) return;
+    if (tool[0] == 0 && tool[1] == 0 && tool[2] == 0) return;
     if (block->kind == NCK_BLOCK_ARC) {
         uint8_t axis[2];
         axes_of(block->plane, axis);
@@ -85,8 +87,6 @@ nck_status_t nck_toolcomp_push(nck_toolcomp_t *self, nck_block_t *block) {
     if (block->kind == NCK_BLOCK_END) self->closed = 1;
     return nck_comp_take(self, block);
 }
-
-int nck_toolcomp_is_on(const nck_toolcomp_t *self) { return self->phase != NCK_COMP_OFF; }
 
 void nck_toolcomp_end(nck_toolcomp_t *self) {
     self->closed = self->phase != NCK_COMP_OFF;

@@ -93,7 +93,9 @@ void nck_toolcomp_init(nck_toolcomp_t *self, const nck_machine_t *machine);
 nck_status_t nck_toolcomp_push(nck_toolcomp_t *self, nck_block_t *block);
 
 // 1 if blocks are taken and wait. Cost: constant. Context: prep.
-int nck_toolcomp_is_on(const nck_toolcomp_t *self);
+static inline int nck_toolcomp_is_on(const nck_toolcomp_t *self) {
+    return self->phase != NCK_COMP_OFF;
+}
 
 // Take the next block of what waits. Returns NCK_OK; NCK_EMPTY: push a block before;
 // NCK_E_COMP_GOUGE, NCK_E_TRAVEL: compensation ends there, and what waits is dropped.

@@ -26,19 +26,28 @@ static inline nck_real nck_metric_round(const nck_seg_t *seg) {
     return (ru * ru + rv * rv) * arc->sweep * arc->sweep;
 }
 
-// Path length: √(Σ all axes), one degree counted as one millimetre (README, "the path metric").
-static inline nck_real nck_metric_length(const nck_seg_t *seg) {
-    return nck_sqrt(nck_metric_round(seg) + nck_metric_straight(seg, 0, NCK_AXIS_MAX - 1));
-}
+// A seg's lengths.
+typedef struct nck_metric {
+    nck_real length;      // of the path: √(Σ all axes), one degree counted as one millimetre
+                          // (README, "the path metric")
+    nck_real feed_length; // that a feed in units per minute is meant for: X Y Z if any of them
+                          // moves; else U V W; else the rotary axes, in degrees (NISTIR 6556,
+                          // section 2.1.2.5)
+} nck_metric_t;
 
-// The length that a feed in units per minute is meant for: X Y Z if any of them moves; else U V W;
-// else the rotary axes, in degrees (NISTIR 6556, section 2.1.2.5).
-static inline nck_real nck_metric_feed_length(const nck_seg_t *seg) {
-    const nck_real xyz = nck_metric_round(seg) + nck_metric_straight(seg, NCK_AXIS_X, NCK_AXIS_Z);
-    if (xyz > 0.0) return nck_sqrt(xyz);
-    const nck_real uvw = nck_metric_straight(seg, NCK_AXIS_U, NCK_AXIS_W);
-    if (uvw > 0.0) return nck_sqrt(uvw);
-    return nck_sqrt(nck_metric_straight(seg, NCK_AXIS_A, NCK_AXIS_C));
+// Of a seg on a machine whose axes are among the first so many. Where nothing but X Y Z moves both
+// lengths are one.
+static inline nck_metric_t nck_metric_of(const nck_seg_t *seg, int axes) {
+    const nck_real round = nck_metric_round(seg);
+    const nck_real all = nck_metric_straight(seg, 0, axes - 1);
+    const nck_real length = nck_sqrt(round + all);
+    nck_metric_t metric = {length, length};
+    if (!(nck_metric_straight(seg, NCK_AXIS_A, axes - 1) > 0.0)) return metric;
+    const nck_real xyz = round + nck_metric_straight(seg, NCK_AXIS_X, NCK_AXIS_Z);
+    const nck_real uvw = nck_metric_straight(seg, NCK_AXIS_U, axes - 1);
+    const nck_real abc = nck_metric_straight(seg, NCK_AXIS_A, NCK_AXIS_C);
+    metric.feed_length = nck_sqrt(xyz > 0.0 ? xyz : uvw > 0.0 ? uvw : abc);
+    return metric;
 }
 
 #endif

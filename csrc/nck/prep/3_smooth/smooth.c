@@ -3,6 +3,7 @@
 #include "nck/prep/3_smooth/smooth.h"
 
 #include <assert.h> // assert
+#include <stddef.h> // offsetof
 #include <string.h> // memcpy memset
 
 #include "nck/base/path.h"                 // nck_path_…
@@ -11,7 +12,7 @@
 #include "nck/prep/3_smooth/divide.h"      // nck_divide_…
 #include "nck/prep/3_smooth/knot.h"        // nck_knot_…
 #include "nck/prep/3_smooth/merge.h"       // nck_merge_…
-#include "nck/prep/3_smooth/metric_math.h" // nck_metric_length nck_metric_feed_length
+#include "nck/prep/3_smooth/metric_math.h" // nck_metric_of
 #include "nck/prep/3_smooth/raw.h"         // nck_raw_…
 #include "nck/prep/3_smooth/spacing.h"     // nck_spacing_inside
 #include "nck/prep/3_smooth/spline_math.h" // nck_spline_…
@@ -66,10 +67,10 @@ int nck_smooth_is_empty(const nck_smooth_t *self) {
     return self->raw.head == self->raw.tail && !(self->divide.from < self->divide.seg.length);
 }
 
-// Where the block ends. Most blocks move few axes: the others need no division.
+// Where the block ends, in what is where it begins. Most blocks move few axes: the others need no
+// division.
 static void set_end(const nck_smooth_t *self, const nck_block_t *block, double *end) {
-    memcpy(end, self->position, sizeof self->position);
-    for (int x = 0; x < NCK_AXIS_MAX; x++) {
+    for (int x = 0; x < self->terms->axes; x++) {
         if (block->target_nm[x] == self->position_nm[x]) continue;
         end[x] = (double)block->target_nm[x] / nck_machine_counts(self->terms->machine, x);
     }
@@ -106,11 +107,12 @@ static nck_status_t make_motion(const nck_smooth_t *self, const nck_block_t *blo
                                 nck_seg_t *seg) {
     set_end(self, block, seg->end);
     if (block->kind == NCK_BLOCK_ARC) set_arc(seg, block);
-    seg->length = nck_metric_length(seg);
+    const nck_metric_t metric = nck_metric_of(seg, self->terms->axes);
+    seg->length = metric.length;
     if (!(seg->length > 0.0)) return NCK_EMPTY;
     seg->stop = block->path_mode == NCK_PATH_STOP;
     seg->rapid = block->kind == NCK_BLOCK_RAPID;
-    seg->feed_scale = nck_metric_feed_length(seg) / seg->length;
+    seg->feed_scale = metric.feed_length / metric.length;
     if (seg->rapid) return NCK_OK;
     seg->feed = path_feed(block, seg);
     if (seg->spin.most > 0.0 && block->feed_mode == NCK_FEED_PER_REV) {
@@ -239,9 +241,7 @@ nck_status_t nck_smooth_push(nck_smooth_t *self, const nck_block_t *block, uint3
 }
 
 // A seg gets its place on the path.
-static void give_seg(nck_smooth_t *self, nck_smooth_item_t *item_out) {
-    nck_seg_t *const seg = &item_out->seg;
-    item_out->is_output = 0;
+static void give_seg(nck_smooth_t *self, nck_seg_t *seg) {
     seg->seq = self->seq;
     seg->s_begin = self->s;
     seg->s_program = self->s_program;
@@ -252,20 +252,19 @@ static void give_seg(nck_smooth_t *self, nck_smooth_item_t *item_out) {
 }
 
 nck_status_t nck_smooth_pass(nck_smooth_t *self, const nck_block_t *block, uint32_t block_seq,
-                             nck_smooth_item_t *item_out) {
+                             nck_seg_t *seg_out) {
     const int waits = self->run.open || !nck_smooth_is_empty(self);
     const int is_plain = block->kind <= NCK_BLOCK_ARC && !is_smooth(block);
     if (!self->hungry || waits || !is_plain || block->surface > 0.0) return NCK_FULL;
-    memset(&item_out->seg, 0, sizeof item_out->seg);
-    item_out->seg.block = block_seq;
-    const nck_status_t status = make_seg(self, block, &item_out->seg);
+    memset(seg_out, 0, offsetof(nck_seg_t, start)); // start and end are set
+    memset(&seg_out->length, 0, sizeof *seg_out - offsetof(nck_seg_t, length));
+    seg_out->block = block_seq;
+    const nck_status_t status = make_seg(self, block, seg_out);
     if (status != NCK_OK) return status;
-    arrive(self, block, &item_out->seg);
-    give_seg(self, item_out);
+    arrive(self, block, seg_out);
+    give_seg(self, seg_out);
     return NCK_OK;
 }
-
-int nck_smooth_is_hungry(const nck_smooth_t *self) { return (int)self->hungry; }
 
 void nck_smooth_end(nck_smooth_t *self) {
     if (NCK_HAS_SMOOTH && !self->ended) (void)nck_blend_corner(self, 0);
@@ -483,7 +482,7 @@ nck_status_t nck_smooth_pull(nck_smooth_t *self, nck_smooth_item_t *item_out) {
         item_out->is_output = 0;
         nck_divide_next(self, &item_out->seg);
     }
-    give_seg(self, item_out);
+    give_seg(self, &item_out->seg);
     return NCK_OK;
 }
 

@@ -148,10 +148,10 @@ nck_status_t nck_smooth_push(nck_smooth_t *self, const nck_block_t *block, uint3
 // Returns NCK_OK; NCK_EMPTY: it has no length and vanishes; NCK_E_FEED_MISSING; NCK_FULL: it has to
 // be pushed. Cost: constant. Context: prep.
 nck_status_t nck_smooth_pass(nck_smooth_t *self, const nck_block_t *block, uint32_t block_seq,
-                             nck_smooth_item_t *item_out);
+                             nck_seg_t *seg_out);
 
 // 1 if the last pull has asked for a block and none has come since. Cost: constant. Context: prep.
-int nck_smooth_is_hungry(const nck_smooth_t *self);
+static inline int nck_smooth_is_hungry(const nck_smooth_t *self) { return (int)self->hungry; }
 
 // There are no more blocks: end of the program, or an error. Cost: constant. Context: prep.
 void nck_smooth_end(nck_smooth_t *self);

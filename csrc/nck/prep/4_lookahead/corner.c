@@ -79,7 +79,7 @@ static void settle(nck_lookahead_t *self, const junction_t *junction, int pace, 
     if (share > most && v < self->terms->v_filter) joint->end |= NCK_JOINT_STOP;
 }
 
-static void settle_alone(nck_lookahead_t *self, const junction_t *junction, int pace,
+static inline void settle_alone(nck_lookahead_t *self, const junction_t *junction, int pace,
                          double v) {
     const double v_true = nck_max(v, self->terms->v_filter);
     settle(self, junction, pace, v,
@@ -132,23 +132,30 @@ static int is_open(const nck_lookahead_t *self, const junction_t *junction, doub
     return is_last && !self->ended && junction->out->length < reach;
 }
 
+// Speed and share at a pace of a junction that may share a period with others.
+static nck_status_t decide_near(nck_lookahead_t *self, const junction_t *junction, int pace,
+                                double v, double reach) {
+    double a_t = 0.0;
+    const nck_status_t status = largest_gain(self, junction, reach, &a_t);
+    return status == NCK_OK ? decide_crowd(self, junction, pace, v, a_t) : status;
+}
+
 // Speed and share at a pace of a junction with a load that is crossed alone at v.
-static nck_status_t decide_pace(nck_lookahead_t *self, const junction_t *junction, int pace,
-                                double v) {
+static inline nck_status_t decide_pace(nck_lookahead_t *self, const junction_t *junction, int pace,
+                                       double v) {
     const double period = junction->period;
     const double reach = (v + self->a_any * period) * period;
-    double a_t = 0.0;
     if (!(junction->shorter < reach)) {
         settle_alone(self, junction, pace, v);
         return NCK_OK;
     }
     if (is_open(self, junction, reach)) return NCK_EMPTY;
-    const nck_status_t status = largest_gain(self, junction, reach, &a_t);
-    return status == NCK_OK ? decide_crowd(self, junction, pace, v, a_t) : status;
+    return decide_near(self, junction, pace, v, reach);
 }
 
 // A junction between two known segs, at both paces, which mean the same where only the junction
-// limits the speed. A stop takes no share.
+// limits the speed. The faster one reaches further: it tells first whether enough is known. A stop
+// takes no share.
 static nck_status_t decide_corner(nck_lookahead_t *self, uint32_t count, nck_joint_t *joint) {
     const nck_joint_t *const out = nck_joint_at(self, count + 1);
     const double period = self->terms->machine->period_s;
@@ -156,18 +163,16 @@ static nck_status_t decide_corner(nck_lookahead_t *self, uint32_t count, nck_joi
                                  share_most(self, joint, out), period};
     const double most = nck_corner_speed(junction.beta, joint->load, 0.0, 0.0, 0.0, period);
     nck_pace_t *const pace = joint->pace;
-    double v_before = -1.0;
-    for (int k = 0; k < NCK_PACES; k++) {
-        const double v = nck_min(most, nck_min(pace[k].v, out->pace[k].v));
-        if (v == v_before) {
-            pace[k].v_corner = pace[k - 1].v_corner;
-            pace[k].share = pace[k - 1].share;
-            continue;
-        }
-        const nck_status_t status = decide_pace(self, &junction, k, v);
-        if (status != NCK_OK) return status;
-        v_before = v;
+    double v[NCK_PACES];
+    for (int k = 0; k < NCK_PACES; k++) v[k] = nck_min(most, nck_min(pace[k].v, out->pace[k].v));
+    nck_status_t status = decide_pace(self, &junction, NCK_PACE_OVER, v[NCK_PACE_OVER]);
+    if (status == NCK_OK && v[NCK_PACE_FEED] == v[NCK_PACE_OVER]) {
+        pace[NCK_PACE_FEED].v_corner = pace[NCK_PACE_OVER].v_corner;
+        pace[NCK_PACE_FEED].share = pace[NCK_PACE_OVER].share;
+    } else if (status == NCK_OK) {
+        status = decide_pace(self, &junction, NCK_PACE_FEED, v[NCK_PACE_FEED]);
     }
+    if (status != NCK_OK) return status;
     for (int k = 0; k < NCK_PACES && (joint->end & NCK_JOINT_STOP); k++) {
         pace[k].v_corner = 0.0;
         pace[k].share = 0.0;

@@ -127,8 +127,9 @@ static void make_spline(nck_joint_t *joint, const nck_terms_t *terms) {
 }
 
 void nck_joint_tangents(const nck_seg_t *seg, int axes, double *start_out, double *end_out) {
-    for (int x = 0; x < axes; x++) start_out[x] = 0.0;
-    if (seg->length > 0.0) nck_path_tangent_part(seg, 0.0, axes, start_out);
+    const int moves = seg->length > 0.0;
+    for (int x = 0; !moves && x < axes; x++) start_out[x] = 0.0;
+    if (moves) nck_path_tangent_part(seg, 0.0, axes, start_out);
     if (seg->kind == NCK_SEG_ARC || seg->kind == NCK_SEG_SPLINE) {
         nck_path_tangent_part(seg, seg->length, axes, end_out);
         return;
@@ -149,7 +150,7 @@ static int moves_linear(const nck_seg_t *seg) {
 }
 
 // What a joint has of its seg, before any cap.
-static void begin(nck_joint_t *joint, const nck_seg_t *seg) {
+static inline void begin(nck_joint_t *joint, const nck_seg_t *seg) {
     memset(joint, 0, offsetof(nck_joint_t, shape));
     joint->seq = seg->seq;
     joint->kind = seg->kind;

@@ -9,12 +9,10 @@
 #include "nck/prep/4_lookahead/joint.h"  // nck_joint_…
 #include "nck/prep/4_lookahead/near.h"   // nck_near_…
 #include "nck/prep/4_lookahead/piece.h"  // nck_piece_place
-#include "nck/prep/4_lookahead/zone.h"   // nck_zone_s
+#include "nck/prep/4_lookahead/zone.h"   // nck_zone_…
 
 enum {
-    PIECES_PER_SEG = 3, // head, middle, tail
-    PLACES_PER_STEP = 2, // segs: mostly one, and the next one is seen to be too early
-    JOINT_ROOM = NCK_JOINT_MAX - NCK_CORNER_SPAN - NCK_SPLINE_PARTS, // and one seg more goes in
+    PLACES_PER_STEP = 2 // segs: mostly one, and the next one is seen to be too early
 };
 
 void nck_lookahead_init(nck_lookahead_t *self, const nck_terms_t *terms) {
@@ -27,10 +25,6 @@ void nck_lookahead_init(nck_lookahead_t *self, const nck_terms_t *terms) {
 void nck_lookahead_adapt(nck_lookahead_t *self) {
     self->a_any = nck_joint_a_any(self->terms->machine);
     self->zone_s = nck_zone_s(self->terms);
-}
-
-int nck_lookahead_has_room(const nck_lookahead_t *self) {
-    return self->joint.head - self->joint.placed <= JOINT_ROOM;
 }
 
 // Put the newest joint into the chain.
@@ -80,7 +74,7 @@ void nck_lookahead_end(nck_lookahead_t *self) {
 void nck_lookahead_hurry(nck_lookahead_t *self) { nck_near_hurry(self); }
 
 static int window_full(const nck_lookahead_t *self) {
-    return self->window.fill > NCK_WINDOW - PIECES_PER_SEG;
+    return self->window.fill > NCK_WINDOW - NCK_PIECES_PER_SEG;
 }
 
 int nck_lookahead_is_settled(const nck_lookahead_t *self) {
@@ -93,8 +87,11 @@ static int place(nck_lookahead_t *self) {
     int placed = 0;
     if (self->joint.tried == known && !self->ended) return 0;
     while (placed < PLACES_PER_STEP && !window_full(self)) {
-        const int is_decided = self->joint.placed != self->joint.decided;
-        if (!is_decided || nck_piece_place(self) != NCK_OK) {
+        double share[NCK_PACES];
+        const uint32_t count = self->joint.placed;
+        const int is_known = count != self->joint.decided
+                             && nck_zone_shares_after(self, count, share) == NCK_OK;
+        if (!is_known || nck_piece_place(self, share) != NCK_OK) {
             self->joint.tried = known;
             break;
         }
@@ -119,15 +116,6 @@ nck_status_t nck_lookahead_step(nck_lookahead_t *self) {
     const int is_decided = may_decide(self) && nck_corner_decide(self) == NCK_OK;
     if (place(self) || is_decided || is_settled) return NCK_OK;
     return self->ended && self->joint.placed == self->joint.head ? NCK_DONE : NCK_EMPTY;
-}
-
-// Splines that are not settled yet may be told to wait though they need not.
-int nck_lookahead_is_idle(const nck_lookahead_t *self) {
-    const uint32_t settled = self->joint.settled;
-    const uint32_t decided = self->joint.decided;
-    const int is_placed = self->joint.placed == decided || self->joint.tried == settled + decided;
-    const int is_decided = decided + 1 == settled || self->joint.known == self->joint.head;
-    return settled == self->joint.head && is_decided && is_placed && !self->ended;
 }
 
 const nck_node_t *nck_lookahead_ahead(const nck_lookahead_t *self, uint32_t i) {

@@ -10,10 +10,12 @@
 #include "nck/base/status.h"  // nck_status_t
 #include "nck/base/terms.h"   // nck_terms_t
 
-// Joints that are kept, and joints of one seg.
+// Pieces and joints of one seg, and joints that are kept.
 enum {
+    NCK_PIECES_PER_SEG = 3, // head, middle, tail
     NCK_JOINT_MAX = 4 * NCK_CORNER_SPAN,
-    NCK_SPLINE_PARTS = NCK_SPLINE_ROWS // joints of a spline at most
+    NCK_SPLINE_PARTS = NCK_SPLINE_ROWS, // joints of a spline at most
+    NCK_JOINT_ROOM = NCK_JOINT_MAX - NCK_CORNER_SPAN - NCK_SPLINE_PARTS // and one seg more goes in
 };
 
 // The two paces that a path is planned for: as programmed, and at a feed override beyond 100 %.
@@ -128,7 +130,9 @@ void nck_lookahead_adapt(nck_lookahead_t *self);
 int nck_lookahead_is_settled(const nck_lookahead_t *self);
 
 // 1 if nck_lookahead_push would take a seg. Cost: constant. Context: prep.
-int nck_lookahead_has_room(const nck_lookahead_t *self);
+static inline int nck_lookahead_has_room(const nck_lookahead_t *self) {
+    return self->joint.head - self->joint.placed <= NCK_JOINT_ROOM;
+}
 
 // Take a seg; behind an end it is where the path goes on from its rest. Returns NCK_OK or NCK_FULL.
 // Cost: constant. Context: prep.
@@ -146,8 +150,16 @@ void nck_lookahead_hurry(nck_lookahead_t *self);
 // with at most 2·NCK_CORNER_SPAN neighbours at both paces. Context: prep.
 nck_status_t nck_lookahead_step(nck_lookahead_t *self);
 
-// 1 if no step does anything before another seg comes. Cost: constant. Context: prep.
-int nck_lookahead_is_idle(const nck_lookahead_t *self);
+// 1 if a step would do nothing but say NCK_EMPTY, till another seg comes. Splines that are not
+// settled yet may be told to wait though they need not. Cost: constant. Context: prep.
+static inline int nck_lookahead_is_idle(const nck_lookahead_t *self) {
+    const uint32_t settled = self->joint.settled;
+    const uint32_t decided = self->joint.decided;
+    const int is_placed = self->joint.placed == decided || self->joint.tried == settled + decided;
+    const int is_decided = decided + 1 == settled || self->joint.known == self->joint.head;
+    return settled == self->joint.head && is_decided && is_placed && !self->ended
+           && self->window.fill <= NCK_WINDOW - NCK_PIECES_PER_SEG;
+}
 
 // The i-th piece from the window's head; NULL beyond the window. Cost: constant. Context: prep.
 const nck_node_t *nck_lookahead_ahead(const nck_lookahead_t *self, uint32_t i);

@@ -197,7 +197,8 @@ nck_status_t nck_near_settle(nck_lookahead_t *self) {
     const uint32_t known = self->joint.head - count;
     const int open = self->joint.broken <= count && known <= NCK_NEAR_SPAN && !self->ended;
     if (open && self->joint.hurried <= count) return NCK_EMPTY;
-    nck_joint_settle(nck_joint_at(self, count), entered_at(self, count), self->terms);
+    const double w_in = self->terms->limits_jerk ? entered_at(self, count) : 0.0;
+    nck_joint_settle(nck_joint_at(self, count), w_in, self->terms);
     self->joint.settled++;
     return NCK_OK;
 }

@@ -166,12 +166,12 @@ static double speed_between(nck_lookahead_t *self, uint32_t count) {
     return nck_min(pace->v_corner, nck_min(pace->v, behind->pace[NCK_PACE_OVER].v));
 }
 
-// How far a zone reaches into a seg from its node, between the segs node − 1 and node: at the seg's
+// Under a jerk limit: how far a zone reaches into a seg from its node, between the segs node − 1
+// and node: at the seg's
 // own speed, or at what it can have gained by then with the acceleration that the zone leaves.
 // Where no junction takes a share, as far as the filter mixes.
 static double zone_length(nck_lookahead_t *self, const nck_joint_t *joint, uint32_t node,
                           const around_t *around) {
-    if (!self->terms->limits_jerk) return joint->v_max * self->zone_s;
     const double time = around->share[NCK_PACE_OVER] > 0.0 ? self->zone_s : self->terms->mix_s;
     const double near = nck_max(around->near[NCK_PACE_FEED].a, around->near[NCK_PACE_OVER].a);
     const double gained = 0.5 * nck_min(joint->a_most, near) * time * time;
@@ -179,33 +179,41 @@ static double zone_length(nck_lookahead_t *self, const nck_joint_t *joint, uint3
     return nck_min(joint->pace[NCK_PACE_OVER].v * time, raised * time + gained);
 }
 
-// Whether a seg is worth a piece of its own next to the node around which less is allowed.
+// Under a jerk limit: whether a seg is worth a piece of its own next to the node around which less
+// is allowed.
 static int is_tighter(const nck_lookahead_t *self, const nck_joint_t *joint,
                       const around_t *around) {
     if (around->share[NCK_PACE_FEED] > SPLIT_SHARE) return 1;
-    if (!self->terms->limits_jerk) return 0; // nothing is mixed: neighbours limit nothing
     const nck_piece_limit_t own = nck_joint_piece(joint, 0.0, NCK_PACE_FEED, self->terms);
     const nck_near_t *const near = &around->near[NCK_PACE_FEED];
     return near->a < (1.0 - SPLIT_SHARE) * own.a || near->j < (1.0 - SPLIT_SHARE) * own.j;
 }
 
+// The linear slope, once it cuts a seg, cuts at every share, and all zones are of one length.
+static int find_shares(const nck_lookahead_t *self, const nck_joint_t *joint,
+                       const around_t ends[2], int is_cut_off[2], double zone[2]) {
+    const double share[2] = {ends[0].share[NCK_PACE_FEED], ends[1].share[NCK_PACE_FEED]};
+    const double length = joint->v_max * self->zone_s;
+    if (!(nck_max(share[0], share[1]) > SPLIT_SHARE)) return 0;
+    is_cut_off[0] = share[0] > 0.0;
+    is_cut_off[1] = share[1] > 0.0;
+    zone[0] = is_cut_off[0] ? length : 0.0;
+    zone[1] = is_cut_off[1] ? length : 0.0;
+    return joint->length > NCK_ZONES_CUT * (zone[0] + zone[1]);
+}
+
 // The zones of a seg that are cut off, and how long they are; none if the middle would be too
-// short. The linear slope, once it cuts a seg, cuts at every share. Returns 1 if any is.
+// short. Returns 1 if any is.
 static int find_zones(nck_lookahead_t *self, uint32_t count, const around_t ends[2],
                       int is_cut_off[2], double zone[2]) {
     const nck_joint_t *const joint = nck_joint_at(self, count);
-    int tighter = 0;
-    for (int n = 0; n < 2; n++) {
-        is_cut_off[n] = is_tighter(self, joint, &ends[n]);
-        tighter = tighter || is_cut_off[n];
-    }
-    if (!tighter) return 0;
+    if (!self->terms->limits_jerk) return find_shares(self, joint, ends, is_cut_off, zone);
     for (uint32_t n = 0; n < 2; n++) {
-        if (!self->terms->limits_jerk) is_cut_off[n] = ends[n].share[NCK_PACE_FEED] > 0.0;
-        if (!is_cut_off[n]) continue;
-        zone[n] = zone_length(self, joint, count + n, &ends[n]);
+        is_cut_off[n] = is_tighter(self, joint, &ends[n]);
+        zone[n] = is_cut_off[n] ? zone_length(self, joint, count + n, &ends[n]) : 0.0;
     }
-    return joint->length > NCK_ZONES_CUT * (zone[0] + zone[1]);
+    return (is_cut_off[0] || is_cut_off[1])
+           && joint->length > NCK_ZONES_CUT * (zone[0] + zone[1]);
 }
 
 // What is left of the neighbourhood in a middle whose ends are cut off or not. The linear slope's
@@ -235,7 +243,7 @@ static void add_motion(nck_lookahead_t *self, uint32_t count, around_t ends[2],
                        const double v_start[]) {
     const nck_joint_t *const joint = nck_joint_at(self, count);
     const double unlimited[NCK_PACES] = {joint->v_max, joint->v_free};
-    double zone[2] = {0.0, 0.0};
+    double zone[2];
     int is_cut_off[2];
     if (!find_zones(self, count, ends, is_cut_off, zone)) {
         add_whole(self, joint, ends, v_start);
@@ -259,15 +267,13 @@ static void add_motion(nck_lookahead_t *self, uint32_t count, around_t ends[2],
     if (is_cut_off[1]) add_piece(self, joint, last, &beside[1], unlimited);
 }
 
-// What reaches into the oldest joint from before and from behind. NCK_EMPTY if it is not known yet.
+// What reaches into the oldest joint from before and, beside the shares, from behind. NCK_EMPTY if
+// it is not known yet.
 static nck_status_t look_around(nck_lookahead_t *self, uint32_t count, around_t ends[2]) {
-    for (int n = 0; n < 2; n++) begin_around(self, &ends[n]);
-    nck_status_t status = nck_zone_shares_after(self, count, ends[1].share);
-    if (status != NCK_OK) return status;
     nck_zone_shares_before(self, count, ends[0].share);
     for (int k = 0; self->terms->limits_jerk && k < NCK_PACES; k++) {
         const double beta = nck_max(ends[0].share[k], ends[1].share[k]);
-        status = nck_near_after(self, count, k, beta, &ends[1].near[k]);
+        const nck_status_t status = nck_near_after(self, count, k, beta, &ends[1].near[k]);
         if (status != NCK_OK) return status;
         ends[0].near[k] = nck_near_before(self, count, k, beta);
     }
@@ -282,10 +288,11 @@ static void place_motion(nck_lookahead_t *self, uint32_t count, around_t ends[2]
     add_motion(self, count, ends, v_start);
 }
 
-nck_status_t nck_piece_place(nck_lookahead_t *self) {
+nck_status_t nck_piece_place(nck_lookahead_t *self, const double share_after[NCK_PACES]) {
     const uint32_t count = self->joint.placed;
     const nck_joint_t *const joint = nck_joint_at(self, count);
     around_t ends[2];
+    memcpy(ends[1].share, share_after, sizeof ends[1].share);
     const nck_status_t status = look_around(self, count, ends);
     if (status != NCK_OK) return status;
     if (joint->kind >= NCK_SEG_DWELL) {

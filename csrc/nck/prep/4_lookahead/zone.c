@@ -9,13 +9,6 @@
 #define ZONES_APART 16.0
 double nck_zone_s(const nck_terms_t *terms) { return terms->machine->period_s + terms->mix_s; }
 
-int nck_zone_parts(const nck_joint_t *joint, double zone_s) {
-    return joint->kind == NCK_SEG_WAIT
-           || (joint->kind == NCK_SEG_DWELL && nck_zone_rests(joint->shape.dwell_s, zone_s));
-}
-
-int nck_zone_rests(double dwell_s, double zone_s) { return dwell_s >= 2.0 * zone_s; }
-
 int nck_zone_is_alone(const nck_joint_t *in, const nck_joint_t *out, double load,
                       const nck_terms_t *terms) {
     const double time = nck_zone_s(terms);

@@ -15,10 +15,16 @@ double nck_zone_s(const nck_terms_t *terms);
 
 // 1 if a rest lasts longer than the zones of both its ends: what is before it has nothing to do
 // with what is behind it. Cost: constant.
-int nck_zone_rests(double dwell_s, double zone_s);
+static inline int nck_zone_rests(double dwell_s, double zone_s) {
+    return dwell_s >= 2.0 * zone_s;
+}
 
 // 1 if a joint is such a rest, or a WAIT. Cost: constant.
-int nck_zone_parts(const nck_joint_t *joint, double zone_s);
+static inline int nck_zone_parts(const nck_joint_t *joint, double zone_s) {
+    if (joint->kind < NCK_SEG_DWELL) return 0;
+    return joint->kind == NCK_SEG_WAIT
+           || (joint->kind == NCK_SEG_DWELL && nck_zone_rests(joint->shape.dwell_s, zone_s));
+}
 
 // 1 if no other junction is near one of this load [s²/mm] between two segs. Cost: constant.
 int nck_zone_is_alone(const nck_joint_t *in, const nck_joint_t *out, double load,

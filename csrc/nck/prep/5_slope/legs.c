@@ -18,6 +18,8 @@ static void begin_leg(nck_legs_t *self, double period) {
     const int moves = leg->length > 0.0 && leg->duration > most;
     self->slices = moves ? 1 + (uint32_t)nck_min(SLICES_MOST, leg->duration / most) : 1;
     self->m = 0;
+    if (self->slices == 1) return;
+    self->slice_s = nck_floor(GRAINS * leg->duration / (double)self->slices) / GRAINS;
 }
 
 void nck_legs_begin(nck_legs_t *self, double period) {
@@ -29,10 +31,9 @@ void nck_legs_slices(const nck_legs_t *self, uint32_t count, nck_cell_t *cell_ou
     const nck_cell_t *const leg = &self->cell[self->k];
     *cell_out = *leg;
     if (self->slices == 1) return;
-    const double q = nck_floor(GRAINS * leg->duration / (double)self->slices) / GRAINS;
     const int is_last = self->m + count == self->slices;
-    const double t0 = q * (double)self->m;
-    const double t1 = is_last ? leg->duration : q * (double)(self->m + count);
+    const double t0 = self->slice_s * (double)self->m;
+    const double t1 = is_last ? leg->duration : self->slice_s * (double)(self->m + count);
     const double s0 = (leg->v + (0.5 * leg->a + leg->j / 6.0 * t0) * t0) * t0;
     const double s1 = (leg->v + (0.5 * leg->a + leg->j / 6.0 * t1) * t1) * t1;
     cell_out->s = leg->s + s0;
@@ -46,7 +47,8 @@ void nck_legs_slices(const nck_legs_t *self, uint32_t count, nck_cell_t *cell_ou
 }
 
 int nck_legs_next(nck_legs_t *self, double period, nck_cell_t *cell_out) {
-    nck_legs_slices(self, 1, cell_out);
+    if (self->slices > 1) nck_legs_slices(self, 1, cell_out);
+    else *cell_out = self->cell[self->k];
     self->m++;
     if (self->m < self->slices) return 0;
     self->k++;

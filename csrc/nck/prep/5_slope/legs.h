@@ -13,6 +13,7 @@ typedef struct nck_legs {
     uint32_t k;      // the leg in work
     uint32_t slices; // that it is divided into
     uint32_t m;      // of them, drawn
+    double slice_s;  // how long one lasts; the last of them lasts till the leg's end [s]
     nck_cell_t cell[NCK_LEGS];
 } nck_legs_t;
 

@@ -259,7 +259,7 @@ static void pass_forward(nck_linear_t *self, const nck_pieces_t *pieces) {
 
 // ---- the part that may become final
 
-static nck_span_t span_of(const nck_linear_t *self, const nck_node_t *piece,
+static inline nck_span_t span_of(const nck_linear_t *self, const nck_node_t *piece,
                           const nck_linear_place_t *place) {
     const nck_span_t span = {s_of(piece, place), length_left(piece, place), place->vv, 0.0,
                              cap_inside(self, piece), accel_of(self, piece)};
@@ -286,16 +286,16 @@ static uint8_t stop_behind(const nck_linear_t *self) {
 
 // Returns 1 if the piece is drawn.
 static int draw_slice(nck_linear_t *self) {
-    nck_cell_t cell;
-    const int ends = nck_legs_next(&self->legs, self->machine->period_s, &cell);
-    const double v_end = cell.v + cell.a * cell.duration;
+    nck_cell_t *const cell = nck_link_tail_room(self->link);
+    const int ends = nck_legs_next(&self->legs, self->machine->period_s, cell);
+    const double v_end = cell->v + cell->a * cell->duration;
     const int begins = !ends && self->legs.m == 0; // where a leg ends, the next one knows better
     const double v = begins ? self->legs.cell[self->legs.k].v : v_end;
     self->at.fresh = 0;
-    self->at.s = cell.s + cell.length;
+    self->at.s = cell->s + cell->length;
     self->at.vv = v * v;
-    if (ends) cell.stop |= stop_behind(self);
-    nck_link_tail_push(self->link, &cell);
+    if (ends) cell->stop |= stop_behind(self);
+    nck_link_tail_grow(self->link, 1);
     self->part++;
     return ends;
 }
