@@ -39,6 +39,10 @@ int nck_choice_blend(const nck_smooth_t *self, const nck_meet_t *meet, double ro
 int nck_choice_wide(const nck_smooth_t *self, const nck_meet_t *meet, const nck_bend_t *wide,
                     const nck_bend_t *narrow);
 
+// Returns 0 if a stop is out of the question: the spline's bend turns by more than the corner. The
+// lengths of the ways do not matter. Cost: four square roots.
+int nck_choice_may_stop(const nck_smooth_t *self, const nck_meet_t *meet, const nck_bend_t *bend);
+
 // Returns 1 if a stop at the corner is faster than the spline's bend.
 // Cost: as above.
 int nck_choice_stop(const nck_smooth_t *self, const nck_meet_t *meet, const nck_bend_t *bend);
