@@ -294,12 +294,22 @@ static double width_of(const corner_t *corner, double room, double *parking) {
     return *parking > LEAST ? d : 0.0;
 }
 
-// A lone corner's bend; 0 if it is so blunt that only its neighbours bound the spline.
-static int lone_bend(const corner_t *corner, nck_bend_t *bend) {
-    bend->d = nck_spline_vertex_spacing(corner->tolerance, corner->turn);
+// A lone corner's bend.
+static double lone_spacing(const corner_t *corner) {
+    return nck_spline_vertex_spacing(corner->tolerance, corner->turn);
+}
+
+static void lone_bend(const corner_t *corner, nck_bend_t *bend) {
+    bend->d = lone_spacing(corner);
     bend->lift = 0.0;
     for (int x = 0; x < corner->terms->axes; x++) bend->turn[x] = corner->out[x] - corner->in[x];
-    return bend->d < nck_min(corner->half[0], corner->half[1]);
+}
+
+int nck_choice_may_blend(const nck_smooth_t *self, const nck_meet_t *meet) {
+    corner_t corner;
+    measure_turn(self, meet, &corner);
+    return corner.turn > 0.0 && lone_spacing(&corner) < nck_min(corner.half[0], corner.half[1])
+           && unit_distance(&corner, 1.0) > REVERSAL;
 }
 
 int nck_choice_blend(const nck_smooth_t *self, const nck_meet_t *meet, double room,
@@ -307,9 +317,8 @@ int nck_choice_blend(const nck_smooth_t *self, const nck_meet_t *meet, double ro
     corner_t corner;
     nck_bend_t bend;
     measure_turn(self, meet, &corner);
-    if (!(corner.turn > 0.0) || !lone_bend(&corner, &bend)) return 0;
-    if (unit_distance(&corner, 1.0) <= REVERSAL) return 0;
     measure_ramps(self, meet, &corner);
+    lone_bend(&corner, &bend);
     blend->d = width_of(&corner, room, &blend->parking);
     if (!(blend->d > 0.0)) return 0;
     nck_path_tangent(&meet->a->seg, meet->a->seg.length, blend->in);

@@ -156,15 +156,21 @@ static uint32_t find_from(nck_smooth_t *self, uint32_t from, double s) {
     return with_length(self, search_near(self, from + 1, from + (uint32_t)blocks, s));
 }
 
-void nck_raw_points(nck_smooth_t *self, double s, double step, int count,
+void nck_raw_points(nck_smooth_t *self, const double *places, int count,
                     double (*points_out)[NCK_AXIS_MAX]) {
     const int axes = self->terms->axes;
-    uint32_t at = nck_raw_find(self, s);
+    uint32_t at = nck_raw_find(self, places[0]);
     for (int k = 0; k < count; k++) {
-        const double place = s + step * (double)k;
-        if (raw_end(nck_raw_at(self, at)) < place) at = find_from(self, at, place);
-        point_by(nck_raw_at(self, at), place, axes, points_out[k]);
+        if (raw_end(nck_raw_at(self, at)) < places[k]) at = find_from(self, at, places[k]);
+        point_by(nck_raw_at(self, at), places[k], axes, points_out[k]);
     }
+}
+
+void nck_raw_spread(nck_smooth_t *self, double s, double step, int count,
+                    double (*points_out)[NCK_AXIS_MAX]) {
+    double places[NCK_RAW_SPREAD];
+    for (int k = 0; k < count; k++) places[k] = s + step * (double)k;
+    nck_raw_points(self, places, count, points_out);
 }
 
 double nck_raw_turn(const nck_seg_t *in, const nck_seg_t *out, int axes, double *turn_out) {

@@ -60,18 +60,20 @@ typedef struct vertex {
 // On a curve they are p − δ²p/6, p̃ − p = −δ⁴p/36;
 // in noise p + 5δ²p/24, p̃ − p = (11 δ²p + 5/4·(δ²p before + δ²p behind))/36.
 static double deviation(nck_smooth_t *self, double s, const double *here, double h, int rough) {
+    const double before = s - 2.0 * h;
+    const double behind = s + h;
+    const double places[4] = {before, before + h, behind, behind + h};
     double p[4][NCK_AXIS_MAX];
     double off[NCK_AXIS_MAX];
     const int axes = self->terms->axes;
     const double at_side = rough ? 1.25 : -1.0;
     const double at_middle = rough ? 11.0 : 2.0;
-    nck_raw_points(self, s - 2.0 * h, h, 2, p);
-    nck_raw_points(self, s + h, h, 2, p + 2);
+    nck_raw_points(self, places, 4, p);
     for (int x = 0; x < axes; x++) {
-        const double before = nck_spline_bend(p[0][x], p[1][x], here[x]);
         const double middle = nck_spline_bend(p[1][x], here[x], p[2][x]);
-        const double behind = nck_spline_bend(here[x], p[2][x], p[3][x]);
-        off[x] = at_middle * middle + at_side * (before + behind);
+        const double sides = nck_spline_bend(p[0][x], p[1][x], here[x])
+                             + nck_spline_bend(here[x], p[2][x], p[3][x]);
+        off[x] = at_middle * middle + at_side * sides;
     }
     return nck_spline_norm(off, axes) / 36.0;
 }
@@ -80,7 +82,7 @@ static double deviation(nck_smooth_t *self, double s, const double *here, double
 static double unevenness(nck_smooth_t *self, double s, double h) {
     double p[7][NCK_AXIS_MAX];
     double sum = 0.0;
-    nck_raw_points(self, s - 3.0 * h, h, 7, p);
+    nck_raw_spread(self, s - 3.0 * h, h, 7, p);
     for (int k = 1; k < 6; k++) {
         for (int x = 0; x < self->terms->axes; x++) {
             const double bend = nck_spline_bend(p[k - 1][x], p[k][x], p[k + 1][x]);
@@ -300,7 +302,7 @@ static int is_alone(nck_smooth_t *self, uint32_t count, const turn_t *turn, doub
     const nck_raw_t *const raw = nck_raw_at(self, count);
     double p[3][NCK_AXIS_MAX];
     double others[NCK_AXIS_MAX];
-    nck_raw_points(self, raw->s + raw->seg.length - spacing, spacing, 3, p);
+    nck_raw_spread(self, raw->s + raw->seg.length - spacing, spacing, 3, p);
     for (int x = 0; x < turn->axes; x++) {
         others[x] = turn->by[x] - nck_spline_bend(p[0][x], p[1][x], p[2][x]) / spacing;
     }
