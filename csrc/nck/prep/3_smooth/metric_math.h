@@ -27,9 +27,8 @@ static inline nck_real nck_metric_round(const nck_seg_t *seg) {
 }
 
 // Path length: √(Σ all axes), one degree counted as one millimetre (README, "the path metric").
-// axes: so many may move, from X on.
-static inline nck_real nck_metric_length(const nck_seg_t *seg, int axes) {
-    return nck_sqrt(nck_metric_round(seg) + nck_metric_straight(seg, 0, axes - 1));
+static inline nck_real nck_metric_length(const nck_seg_t *seg) {
+    return nck_sqrt(nck_metric_round(seg) + nck_metric_straight(seg, 0, NCK_AXIS_MAX - 1));
 }
 
 // The length that a feed in units per minute is meant for: X Y Z if any of them moves; else U V W;
@@ -40,11 +39,6 @@ static inline nck_real nck_metric_feed_length(const nck_seg_t *seg) {
     const nck_real uvw = nck_metric_straight(seg, NCK_AXIS_U, NCK_AXIS_W);
     if (uvw > 0.0) return nck_sqrt(uvw);
     return nck_sqrt(nck_metric_straight(seg, NCK_AXIS_A, NCK_AXIS_C));
-}
-
-// Its share of the length, which must be known: all of it where no more than X Y Z may move.
-static inline nck_real nck_metric_feed_scale(const nck_seg_t *seg, int axes) {
-    return axes > NCK_AXIS_Z + 1 ? nck_metric_feed_length(seg) / seg->length : 1.0;
 }
 
 #endif

@@ -11,7 +11,7 @@
 #include "nck/prep/3_smooth/divide.h"      // nck_divide_…
 #include "nck/prep/3_smooth/knot.h"        // nck_knot_…
 #include "nck/prep/3_smooth/merge.h"       // nck_merge_…
-#include "nck/prep/3_smooth/metric_math.h" // nck_metric_length nck_metric_feed_scale
+#include "nck/prep/3_smooth/metric_math.h" // nck_metric_length nck_metric_feed_length
 #include "nck/prep/3_smooth/raw.h"         // nck_raw_…
 #include "nck/prep/3_smooth/spacing.h"     // nck_spacing_inside
 #include "nck/prep/3_smooth/spline_math.h" // nck_spline_…
@@ -69,7 +69,7 @@ int nck_smooth_is_empty(const nck_smooth_t *self) {
 // Where the block ends. Most blocks move few axes: the others need no division.
 static void set_end(const nck_smooth_t *self, const nck_block_t *block, double *end) {
     memcpy(end, self->position, sizeof self->position);
-    for (int x = 0; x < self->terms->axes; x++) {
+    for (int x = 0; x < NCK_AXIS_MAX; x++) {
         if (block->target_nm[x] == self->position_nm[x]) continue;
         end[x] = (double)block->target_nm[x] / nck_machine_counts(self->terms->machine, x);
     }
@@ -106,11 +106,11 @@ static nck_status_t make_motion(const nck_smooth_t *self, const nck_block_t *blo
                                 nck_seg_t *seg) {
     set_end(self, block, seg->end);
     if (block->kind == NCK_BLOCK_ARC) set_arc(seg, block);
-    seg->length = nck_metric_length(seg, self->terms->axes);
+    seg->length = nck_metric_length(seg);
     if (!(seg->length > 0.0)) return NCK_EMPTY;
     seg->stop = block->path_mode == NCK_PATH_STOP;
     seg->rapid = block->kind == NCK_BLOCK_RAPID;
-    seg->feed_scale = nck_metric_feed_scale(seg, self->terms->axes);
+    seg->feed_scale = nck_metric_feed_length(seg) / seg->length;
     if (seg->rapid) return NCK_OK;
     seg->feed = path_feed(block, seg);
     if (seg->spin.most > 0.0 && block->feed_mode == NCK_FEED_PER_REV) {
