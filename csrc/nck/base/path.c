@@ -15,7 +15,7 @@ static void radius_at(const nck_seg_t *seg, double s, double *radius_out) {
 }
 
 // dp/ds: the unit tangent in the path metric (of a spline: no longer than 1).
-//  line    (end − start)/L
+//  line    nck_path_slope
 //  spline  (3/L) Σ C(2,k) (1 − f)^(2−k) f^k (b_{k+1} − b_k)
 //  arc     the radius at s, turned by a quarter towards the motion, times |sweep|/L
 //          (Cao et al. 2014, eqs. 3 and 4, for start and end; here for every s)
@@ -33,9 +33,7 @@ void nck_path_tangent_part(const nck_seg_t *seg, double s, int axes, double *tan
         }
         return;
     }
-    for (int x = 0; x < axes; x++) {
-        tangent_out[x] = (seg->end[x] - seg->start[x]) / seg->length;
-    }
+    for (int x = 0; x < axes; x++) tangent_out[x] = nck_path_slope(seg, x);
     if (seg->kind != NCK_SEG_ARC) return;
     const nck_seg_arc_t *const arc = &seg->shape.arc;
     const double turn = arc->sweep / seg->length;

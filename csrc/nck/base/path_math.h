@@ -28,7 +28,17 @@ static inline nck_real nck_path_cubic(const nck_seg_t *seg, int x, nck_real f) {
     return b012 + (b123 - b012) * f;
 }
 
-//  line    p(s) = start + (end − start)·s/L
+// A line over f = s/L in 0…1:   p = start + (end − start)·f
+static inline nck_real nck_path_straight(const nck_seg_t *seg, int x, nck_real f) {
+    return seg->start[x] + (seg->end[x] - seg->start[x]) * f;
+}
+
+// Its tangent:   dp/ds = (end − start)/L
+static inline nck_real nck_path_slope(const nck_seg_t *seg, int x) {
+    return (seg->end[x] - seg->start[x]) / seg->length;
+}
+
+//  line    nck_path_straight
 //  spline  nck_path_cubic
 //  arc     the start radius, turned:  (u, v) = centre + R(φ)·(start − centre),  φ = sweep·s/L;
 //          every other axis as on a line (helix).
@@ -47,9 +57,7 @@ static inline void nck_path_part(const nck_seg_t *seg, nck_real s, int axes,
         for (int x = 0; x < axes; x++) point_out[x] = nck_path_cubic(seg, x, f);
         return;
     }
-    for (int x = 0; x < axes; x++) {
-        point_out[x] = seg->start[x] + (seg->end[x] - seg->start[x]) * f;
-    }
+    for (int x = 0; x < axes; x++) point_out[x] = nck_path_straight(seg, x, f);
     if (seg->kind != NCK_SEG_ARC) return;
     const nck_seg_arc_t *const arc = &seg->shape.arc;
     const nck_real ru = seg->start[arc->axis_u] - arc->centre_u;

@@ -211,6 +211,7 @@ uint32_t nck_blend_corner(nck_smooth_t *self, uint32_t more) {
     const int rests_behind = !more || !nck_raw_at(self, self->raw.head)->smooth;
     const nck_meet_t meet = {a, b, {a->seg.length, b->seg.length},
                              {!(a->s > 0.0) && !(a->cut > 0.0), (uint8_t)rests_behind}};
+    if (!nck_choice_may_blend(self, &meet)) return 0;
     if (!nck_choice_blend(self, &meet, room_of(self, &place), &blend)) return 0;
     return is_free(self, place.first, blend.d) ? insert_blend(self, &blend, &place) : 0;
 }

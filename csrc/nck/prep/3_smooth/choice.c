@@ -257,22 +257,29 @@ static double unit_distance(const corner_t *corner, double sign) {
     return nck_spline_norm(sum, axes);
 }
 
-static void measure(const nck_smooth_t *self, const nck_meet_t *meet, corner_t *corner) {
-    const nck_terms_t *const terms = self->terms;
+// Where the corner is and how sharp.
+static void measure_turn(const nck_smooth_t *self, const nck_meet_t *meet, corner_t *corner) {
     const nck_raw_t *const a = meet->a;
     const nck_raw_t *const b = meet->b;
-    nck_path_tangent(&a->seg, a->seg.length, corner->in);
-    nck_path_tangent(&b->seg, 0.0, corner->out);
-    corner->terms = terms;
+    const int axes = self->terms->axes;
+    nck_path_tangent_part(&a->seg, a->seg.length, axes, corner->in);
+    nck_path_tangent_part(&b->seg, 0.0, axes, corner->out);
+    corner->terms = self->terms;
     corner->turn = unit_distance(corner, -1.0);
     corner->tolerance = TOLERANCE_SHARE * nck_min(a->tolerance, b->tolerance);
     memcpy(corner->length, meet->length, sizeof corner->length);
     memcpy(corner->rests, meet->rests, sizeof corner->rests);
     corner->half[0] = nck_min(meet->length[0], HALF * (meet->length[0] + a->cut));
     corner->half[1] = HALF * meet->length[1];
-    corner->ramp[0] = limit_along(terms, corner->in, speed_of(self, &a->seg, corner->in));
-    corner->ramp[1] = limit_along(terms, corner->out, speed_of(self, &b->seg, corner->out));
-    corner->v_max = nck_min(corner->ramp[0].v_max, corner->ramp[1].v_max);
+}
+
+// And what the machine allows beside it.
+static void measure_ramps(const nck_smooth_t *self, const nck_meet_t *meet, corner_t *corner) {
+    const double v_in = speed_of(self, &meet->a->seg, corner->in);
+    const double v_out = speed_of(self, &meet->b->seg, corner->out);
+    corner->ramp[0] = limit_along(self->terms, corner->in, v_in);
+    corner->ramp[1] = limit_along(self->terms, corner->out, v_out);
+    corner->v_max = nck_min(v_in, v_out);
 }
 
 // The half-width of a blend as full speed needs it, and its parking. 0: none.
@@ -287,25 +294,35 @@ static double width_of(const corner_t *corner, double room, double *parking) {
     return *parking > LEAST ? d : 0.0;
 }
 
-// A lone corner's bend; 0 if it is so blunt that only its neighbours bound the spline.
-static int lone_bend(const corner_t *corner, nck_bend_t *bend) {
-    bend->d = nck_spline_vertex_spacing(corner->tolerance, corner->turn);
+// A lone corner's bend.
+static double lone_spacing(const corner_t *corner) {
+    return nck_spline_vertex_spacing(corner->tolerance, corner->turn);
+}
+
+static void lone_bend(const corner_t *corner, nck_bend_t *bend) {
+    bend->d = lone_spacing(corner);
     bend->lift = 0.0;
     for (int x = 0; x < corner->terms->axes; x++) bend->turn[x] = corner->out[x] - corner->in[x];
-    return bend->d < nck_min(corner->half[0], corner->half[1]);
+}
+
+int nck_choice_may_blend(const nck_smooth_t *self, const nck_meet_t *meet) {
+    corner_t corner;
+    measure_turn(self, meet, &corner);
+    return corner.turn > 0.0 && lone_spacing(&corner) < nck_min(corner.half[0], corner.half[1])
+           && unit_distance(&corner, 1.0) > REVERSAL;
 }
 
 int nck_choice_blend(const nck_smooth_t *self, const nck_meet_t *meet, double room,
                      nck_blend_t *blend) {
     corner_t corner;
     nck_bend_t bend;
-    measure(self, meet, &corner);
-    if (!(corner.turn > 0.0) || !lone_bend(&corner, &bend)) return 0;
-    if (unit_distance(&corner, 1.0) <= REVERSAL) return 0;
+    measure_turn(self, meet, &corner);
+    measure_ramps(self, meet, &corner);
+    lone_bend(&corner, &bend);
     blend->d = width_of(&corner, room, &blend->parking);
     if (!(blend->d > 0.0)) return 0;
-    memcpy(blend->in, corner.in, sizeof blend->in);
-    memcpy(blend->out, corner.out, sizeof blend->out);
+    nck_path_tangent(&meet->a->seg, meet->a->seg.length, blend->in);
+    nck_path_tangent(&meet->b->seg, 0.0, blend->out);
     const double time = blend_time(&corner, blend);
     return time < plain_time(&corner, &bend) && time < stop_time(&corner, 0.0);
 }
@@ -313,13 +330,26 @@ int nck_choice_blend(const nck_smooth_t *self, const nck_meet_t *meet, double ro
 int nck_choice_wide(const nck_smooth_t *self, const nck_meet_t *meet, const nck_bend_t *wide,
                     const nck_bend_t *narrow) {
     corner_t corner;
-    measure(self, meet, &corner);
+    measure_turn(self, meet, &corner);
+    measure_ramps(self, meet, &corner);
     return plain_time(&corner, wide) < plain_time(&corner, narrow);
+}
+
+// 1 if the bend is the corner's own, not that of a curve which it is a part of.
+static int is_own(const corner_t *corner, const nck_bend_t *bend) {
+    return !(corner->turn < OWN * nck_spline_norm(bend->turn, corner->terms->axes));
+}
+
+int nck_choice_may_stop(const nck_smooth_t *self, const nck_meet_t *meet, const nck_bend_t *bend) {
+    corner_t corner;
+    measure_turn(self, meet, &corner);
+    return is_own(&corner, bend);
 }
 
 int nck_choice_stop(const nck_smooth_t *self, const nck_meet_t *meet, const nck_bend_t *bend) {
     corner_t corner;
-    measure(self, meet, &corner);
-    if (corner.turn < OWN * nck_spline_norm(bend->turn, corner.terms->axes)) return 0;
+    measure_turn(self, meet, &corner);
+    if (!is_own(&corner, bend)) return 0;
+    measure_ramps(self, meet, &corner);
     return stop_time(&corner, bend->d) < plain_time(&corner, bend);
 }

@@ -28,9 +28,13 @@ typedef struct nck_meet {
     uint8_t rests[2];   // 1: it rests at the other ends of these
 } nck_meet_t;
 
-// Choose for a corner between two lines. A blend may reach `room` into either.
+// Returns 0 if a blend is out of the question at a corner between two lines: it is none, an exact
+// reversal, or so blunt that only its neighbours bound the spline. Cost: four square roots.
+int nck_choice_may_blend(const nck_smooth_t *self, const nck_meet_t *meet);
+
+// Choose for a corner where one may be. A blend may reach `room` into either line.
 // Returns 1 and the blend if it is faster than the spline and than a stop.
-// Cost: some 100 square roots at a sharp corner, constant elsewhere.
+// Cost: some 100 square roots.
 int nck_choice_blend(const nck_smooth_t *self, const nck_meet_t *meet, double room,
                      nck_blend_t *blend);
 
@@ -38,6 +42,10 @@ int nck_choice_blend(const nck_smooth_t *self, const nck_meet_t *meet, double ro
 // Cost: as above.
 int nck_choice_wide(const nck_smooth_t *self, const nck_meet_t *meet, const nck_bend_t *wide,
                     const nck_bend_t *narrow);
+
+// Returns 0 if a stop is out of the question: the spline's bend turns by more than the corner. The
+// lengths of the ways do not matter. Cost: four square roots.
+int nck_choice_may_stop(const nck_smooth_t *self, const nck_meet_t *meet, const nck_bend_t *bend);
 
 // Returns 1 if a stop at the corner is faster than the spline's bend.
 // Cost: as above.

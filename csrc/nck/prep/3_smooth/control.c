@@ -44,7 +44,7 @@ static double inside(const nck_smooth_t *self, int x, double on_path, double lif
 static void set_corner(nck_smooth_t *self, const double *t, double *c) {
     const double h = nck_min(t[1] - t[0], t[2] - t[1]);
     double p[3][NCK_AXIS_MAX];
-    nck_raw_points(self, t[1] - h, h, 3, p);
+    nck_raw_spread(self, t[1] - h, h, 3, p);
     const double lift = nck_meet_lift(self, nck_raw_find(self, t[1]), h,
                                          nck_spline_vertex_weight(t - 1));
     nck_raw_point(self, nck_spline_greville(t), c);
@@ -61,7 +61,7 @@ static void set_point(nck_smooth_t *self, const span_t *span, double *c) {
         nck_raw_point(self, span->xi, c);
         return;
     }
-    nck_raw_points(self, span->xi - span->h, span->h / (double)SIDE, POINTS, p);
+    nck_raw_spread(self, span->xi - span->h, span->h / (double)SIDE, POINTS, p);
     for (int x = 0; x < self->terms->axes; x++) {
         const double here = p[SIDE][x];
         double sum = 0.0;

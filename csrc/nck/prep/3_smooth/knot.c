@@ -35,6 +35,8 @@ typedef struct way {
     double step;  // spacing, as all that is not a goal allows
     double goal;  // place of the next corner, of an output or of the run's end, within two steps
     double half;  // spacing wanted on either side of the goal; 0: any
+    double growth;    // of a step with the distance, for what lies ahead: from rest on none
+    uint8_t sure;     // 1: no spacing so far may still grow
     uint8_t key;      // whether the goal is a corner: nck_key_t
     uint8_t straight; // 1: one line leads to the goal
     uint8_t halves;   // 1: in two steps, so that the spline is straight again at its end
@@ -77,46 +79,68 @@ static nck_status_t find_spacing(nck_smooth_t *self, uint32_t count, int *found)
     return status;
 }
 
+// Where to look ahead from: t[4], or the block where the last call had to leave off.
+static uint32_t begin_look(nck_smooth_t *self, way_t *way) {
+    const nck_trial_t *const trial = &self->run.trial;
+    const uint32_t count = trial->looks ? trial->count : nck_raw_find(self, self->run.t[4]);
+    way->step = trial->looks ? trial->step : largest_step(self, nck_raw_at(self, count));
+    way->goal = self->run.t[4] + 4.0 * self->spacing_max;
+    way->growth = is_fresh(self) ? 0.0 : 0.5;
+    way->sure = 1;
+    return count;
+}
+
+// If what comes next must be known first, the next call looks on from the block at count. The first
+// one may still become longer.
+static void keep_place(nck_smooth_t *self, uint32_t count, double step) {
+    nck_trial_t *const trial = &self->run.trial;
+    trial->looks = nck_raw_at(self, count)->s > self->run.t[4];
+    trial->count = count;
+    trial->step = step;
+}
+
+// What a block's end with a known spacing asks for. 1: it is the goal.
+static int look_at_corner(nck_smooth_t *self, uint32_t count, uint32_t next, way_t *way) {
+    const nck_raw_t *const raw = nck_raw_at(self, count);
+    const double here = self->run.t[4];
+    const double end = raw->s + raw->seg.length;
+    if (raw->key) {
+        way->goal = end;
+        way->half = raw->spacing;
+        way->key = raw->key;
+        way->straight = raw->s <= here && raw->seg.kind == NCK_SEG_LINE;
+        return 1;
+    }
+    way->sure &= (uint8_t)nck_spacing_is_known(raw);
+    way->step = nck_min(way->step, raw->spacing + way->growth * (end - here));
+    if (!nck_raw_at(self, next - 1)->has_output) return 0;
+    way->goal = end;
+    return 1;
+}
+
 // Look ahead from t[4]. A spacing at distance d may be half of d smaller: steps may halve.
 static nck_status_t look_ahead(nck_smooth_t *self, way_t *way) {
     const double here = self->run.t[4];
-    const double growth = is_fresh(self) ? 0.0 : 0.5; // from rest on: even spacings
-    uint32_t count = nck_raw_find(self, here);
-    uint32_t next = count;
+    uint32_t count = begin_look(self, way);
     int found = 0;
-    way->step = largest_step(self, nck_raw_at(self, count));
-    way->goal = here + 4.0 * self->spacing_max;
-    way->half = 0.0;
-    way->key = NCK_KEY_NONE;
-    way->straight = 0;
-    way->halves = 0;
-    for (;; count = next) {
+    for (;;) {
         const nck_raw_t *const raw = nck_raw_at(self, count);
         const double far = nck_max(0.0, raw->s - here);
         if (far > 2.0 * way->step) return NCK_OK;
+        if (way->sure) keep_place(self, count, way->step);
         way->step = nck_min(way->step, raw->inside + 0.5 * far);
-        const double end = raw->s + raw->seg.length;
-        next = nck_raw_next(self, count);
+        const uint32_t next = nck_raw_next(self, count);
         if (next == self->run.end) {
             way->straight = far == 0.0 && raw->seg.kind == NCK_SEG_LINE;
             return look_at_end(self, raw, way);
         }
-        if (!(end > here)) continue;
-        const nck_status_t status = find_spacing(self, count, &found);
-        if (status != NCK_OK) return status;
-        if (raw->seg.stop) return look_at_end(self, raw, way);
-        if (raw->key) {
-            way->goal = end;
-            way->half = raw->spacing;
-            way->key = raw->key;
-            way->straight = far == 0.0 && raw->seg.kind == NCK_SEG_LINE;
-            return NCK_OK;
+        if (raw->s + raw->seg.length > here) {
+            const nck_status_t status = find_spacing(self, count, &found);
+            if (status != NCK_OK) return status;
+            if (raw->seg.stop) return look_at_end(self, raw, way);
+            if (look_at_corner(self, count, next, way)) return NCK_OK;
         }
-        way->step = nck_min(way->step, raw->spacing + growth * (end - here));
-        if (nck_raw_at(self, next - 1)->has_output) {
-            way->goal = end;
-            return NCK_OK;
-        }
+        count = next;
     }
 }
 
@@ -268,15 +292,17 @@ static int try_shorter(nck_smooth_t *self) {
 // Look for the way ahead. NCK_DONE: the knot needs no trial.
 static nck_status_t begin_choice(nck_smooth_t *self) {
     const double here = self->run.t[4];
-    way_t way = {0.0, 0.0, 0.0, 0, 0, 0};
+    way_t way = {0.0, 0.0, 0.0, 0.0, 0, NCK_KEY_NONE, 0, 0};
     // Outputs fill the ring behind its only seg: no more path comes before they are given.
     self->run.closed |= nck_raw_is_full(self) && self->raw.tail == nck_raw_last(self);
     if (here >= self->run.rest || (self->run.closed && here >= nck_raw_known(self))) {
         nck_control_place(self, here); // the end: fits since the knot before was chosen
+        self->run.trial.looks = 0;
         return NCK_DONE;
     }
     const nck_status_t status = look_ahead(self, &way);
     if (status != NCK_OK) return status;
+    self->run.trial.looks = 0;
     self->run.trial.on = (uint8_t)begin_trial(self, &way);
     if (self->run.trial.on) return NCK_OK;
     take_what_fits(self);
@@ -320,6 +346,7 @@ static void begin_at(nck_smooth_t *self, double s, const double *point) {
     self->run.on_key = 0;
     self->run.past_key = 0;
     self->run.chosen = 0;
+    self->run.trial.looks = 0;
 }
 
 void nck_knot_begin(nck_smooth_t *self) {

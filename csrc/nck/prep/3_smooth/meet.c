@@ -78,14 +78,12 @@ static void bend_of(nck_smooth_t *self, uint32_t count, double spacing, nck_bend
     const nck_raw_t *const raw = nck_raw_at(self, count);
     const double s = raw->s + raw->seg.length;
     double before[NCK_AXIS_MAX];
-    double here[NCK_AXIS_MAX];
     bend->d = nck_min(spacing, s);
     if (self->run.closed) bend->d = nck_min(bend->d, nck_raw_known(self) - s);
     nck_raw_point(self, s - bend->d, before);
-    nck_raw_point(self, s, here);
     nck_raw_point(self, s + bend->d, bend->turn);
     for (int x = 0; x < self->terms->axes; x++) {
-        bend->turn[x] = nck_spline_bend(before[x], here[x], bend->turn[x]) / bend->d;
+        bend->turn[x] = nck_spline_bend(before[x], raw->seg.end[x], bend->turn[x]) / bend->d;
     }
     const int lifted = raw->key == NCK_KEY_LIFTED;
     bend->lift = lifted ? nck_meet_lift(self, count, bend->d, NCK_SPLINE_WEIGHT) : 0.0;
@@ -98,6 +96,7 @@ void nck_meet_choose(nck_smooth_t *self, uint32_t count) {
     nck_meet_t meet = {raw, next, {0.0, 0.0}, {0, 0}};
     nck_bend_t bend;
     bend_of(self, count, raw->spacing, &bend);
+    if (raw->key != NCK_KEY_LIFTED && !nck_choice_may_stop(self, &meet, &bend)) return;
     measure_ways(self, count, &meet);
     if (raw->key == NCK_KEY_LIFTED) {
         const double tolerance = NCK_SPLINE_WIDE_SHARE * nck_min(raw->tolerance, next->tolerance);

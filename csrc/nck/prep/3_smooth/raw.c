@@ -10,7 +10,8 @@
 
 enum {
     PARTS = 8,                    // a knot interval is looked at in so many parts at least
-    FIT_BLOCKS = 8                // that it is compared with in one call
+    FIT_BLOCKS = 8,               // that it is compared with in one call
+    NEAR = 6                      // blocks around a guess that are looked at, before all are
 };
 #define LEAST 1e-9                // [path mm] a thousandth of what a setpoint can tell
 #define LEAST_SHARE 1e-15         // of the place, whose own rounding this is
@@ -64,57 +65,118 @@ static uint32_t search(nck_smooth_t *self, uint32_t low, uint32_t count, double 
     return low;
 }
 
-// The block with length of the run from `low` on.
-static uint32_t with_length(nck_smooth_t *self, uint32_t low) {
-    if (low != self->run.end && !nck_raw_at(self, low)->has_seg) low = nck_raw_next(self, low);
-    return low == self->run.end ? nck_raw_last(self) : low;
+// The first block from `low` on that ends at s or behind it, or run.end. Blocks on one side of a
+// guess are looked at one by one, then all that are left there.
+static uint32_t search_near(nck_smooth_t *self, uint32_t low, uint32_t guess, double s) {
+    const uint32_t end = self->run.end;
+    uint32_t at = guess;
+    if (raw_end(nck_raw_at(self, at)) < s) {
+        for (int n = 0; n < NEAR; n++) {
+            at++;
+            if (at == end || !(raw_end(nck_raw_at(self, at)) < s)) return at;
+        }
+        return search(self, at + 1, end - at - 1, s);
+    }
+    for (int n = 0; n < NEAR; n++) {
+        if (at == low || raw_end(nck_raw_at(self, at - 1)) < s) return at;
+        at--;
+    }
+    return search(self, low, at - low, s);
 }
 
+static uint32_t skip_outputs(nck_smooth_t *self, uint32_t low) {
+    const uint32_t count = low == self->run.end ? low : nck_raw_next(self, low);
+    return count == self->run.end ? nck_raw_last(self) : count;
+}
+
+// The block with length of the run from `low` on.
+static inline uint32_t with_length(nck_smooth_t *self, uint32_t low) {
+    return low != self->run.end && nck_raw_at(self, low)->has_seg ? low : skip_outputs(self, low);
+}
+
+// Blocks are much of a length: the guess is where s would be if they all were.
 uint32_t nck_raw_find(nck_smooth_t *self, double s) {
     const uint32_t low = self->raw.tail;
-    return with_length(self, search(self, low, self->run.end - low, s));
+    const uint32_t most = self->run.end - low - 1;
+    const double first = raw_end(nck_raw_at(self, low));
+    const double last = raw_end(nck_raw_at(self, low + most));
+    if (!(s > first)) return with_length(self, low);
+    if (s > last) return nck_raw_last(self);
+    const double blocks = (double)most * ((s - first) / (last - first));
+    return with_length(self, search_near(self, low, low + (uint32_t)blocks, s));
 }
 
-// The same for a place behind the end of the block at `from`: mostly near to it.
-static uint32_t find_from(nck_smooth_t *self, uint32_t from, double s) {
-    const uint32_t most = self->run.end - from;
-    uint32_t reach = 2;
-    while (reach < most && raw_end(nck_raw_at(self, from + reach)) < s) reach *= 2;
-    const uint32_t low = from + reach / 2;
-    return with_length(self, search(self, low, (reach < most ? reach + 1 : most) - reach / 2, s));
+// nck_path_part; most places are inside a line.
+static inline void part_of(const nck_seg_t *seg, double s, int axes, double *point_out) {
+    if (seg->kind != NCK_SEG_LINE || !(s > 0.0 && s < seg->length)) {
+        nck_path_part(seg, s, axes, point_out);
+        return;
+    }
+    const double f = s / seg->length;
+    for (int x = 0; x < axes; x++) point_out[x] = nck_path_straight(seg, x, f);
 }
 
-// The point at s, of a block that it is in, or nearest to.
-static void point_by(const nck_smooth_t *self, const nck_raw_t *raw, double s, double *point_out) {
-    const double beyond = nck_min(s - raw->s, nck_max(0.0, s - raw_end(raw)));
-    // The end is its point to the bit, whatever s − raw->s rounds to.
-    const double inside = s >= raw_end(raw) ? raw->seg.length : nck_max(0.0, s - raw->s);
-    const int axes = self->terms->axes;
-    nck_path_part(&raw->seg, inside, axes, point_out);
+// nck_path_tangent_part; most blocks are lines.
+static inline void tangent_of(const nck_seg_t *seg, double s, int axes, double *tangent_out) {
+    if (seg->kind != NCK_SEG_LINE) {
+        nck_path_tangent_part(seg, s, axes, tangent_out);
+        return;
+    }
+    for (int x = 0; x < axes; x++) tangent_out[x] = nck_path_slope(seg, x);
+}
+
+// The point at s, beside a block or at one of its ends, which is its point to the bit.
+static void point_beside(const nck_raw_t *raw, double s, int axes, double *point_out) {
+    const int before = s < raw->s;
+    const double *const end = before ? raw->seg.start : raw->seg.end;
+    const double beyond = s - (before ? raw->s : raw_end(raw));
+    for (int x = 0; x < axes; x++) point_out[x] = end[x];
     if (beyond == 0.0) return;
     double tangent[NCK_AXIS_MAX];
-    nck_path_tangent_part(&raw->seg, inside, axes, tangent);
+    tangent_of(&raw->seg, before ? 0.0 : raw->seg.length, axes, tangent);
     for (int x = 0; x < axes; x++) point_out[x] += tangent[x] * beyond;
 }
 
-void nck_raw_point(nck_smooth_t *self, double s, double *point_out) {
-    point_by(self, nck_raw_at(self, nck_raw_find(self, s)), s, point_out);
+// The point at s, of a block that it is in, or nearest to.
+static inline void point_by(const nck_raw_t *raw, double s, int axes, double *point_out) {
+    if (s >= raw->s && s < raw_end(raw)) part_of(&raw->seg, s - raw->s, axes, point_out);
+    else point_beside(raw, s, axes, point_out);
 }
 
-void nck_raw_points(nck_smooth_t *self, double s, double step, int count,
+void nck_raw_point(nck_smooth_t *self, double s, double *point_out) {
+    point_by(nck_raw_at(self, nck_raw_find(self, s)), s, self->terms->axes, point_out);
+}
+
+// As nck_raw_find, for a place behind the end of the block at `from`.
+static uint32_t find_from(nck_smooth_t *self, uint32_t from, double s) {
+    const nck_raw_t *const raw = nck_raw_at(self, from);
+    const uint32_t most = self->run.end - from - 1;
+    if (most == 0) return from;
+    const double blocks = nck_min((s - raw->s) / raw->seg.length, (double)most);
+    return with_length(self, search_near(self, from + 1, from + (uint32_t)blocks, s));
+}
+
+void nck_raw_points(nck_smooth_t *self, const double *places, int count,
                     double (*points_out)[NCK_AXIS_MAX]) {
-    uint32_t at = nck_raw_find(self, s);
+    const int axes = self->terms->axes;
+    uint32_t at = nck_raw_find(self, places[0]);
     for (int k = 0; k < count; k++) {
-        const double place = s + step * (double)k;
-        if (raw_end(nck_raw_at(self, at)) < place) at = find_from(self, at, place);
-        point_by(self, nck_raw_at(self, at), place, points_out[k]);
+        if (raw_end(nck_raw_at(self, at)) < places[k]) at = find_from(self, at, places[k]);
+        point_by(nck_raw_at(self, at), places[k], axes, points_out[k]);
     }
+}
+
+void nck_raw_spread(nck_smooth_t *self, double s, double step, int count,
+                    double (*points_out)[NCK_AXIS_MAX]) {
+    double places[NCK_RAW_SPREAD];
+    for (int k = 0; k < count; k++) places[k] = s + step * (double)k;
+    nck_raw_points(self, places, count, points_out);
 }
 
 double nck_raw_turn(const nck_seg_t *in, const nck_seg_t *out, int axes, double *turn_out) {
     double tangent[NCK_AXIS_MAX];
-    nck_path_tangent_part(in, in->length, axes, tangent);
-    nck_path_tangent_part(out, 0.0, axes, turn_out);
+    tangent_of(in, in->length, axes, tangent);
+    tangent_of(out, 0.0, axes, turn_out);
     for (int x = 0; x < axes; x++) turn_out[x] -= tangent[x];
     return nck_spline_norm(turn_out, axes);
 }
@@ -149,8 +211,8 @@ static double largest_second(const nck_seg_t *seg, int axes) {
     if (seg->kind == NCK_SEG_LINE) return 0.0;
     double start[NCK_AXIS_MAX];
     double end[NCK_AXIS_MAX];
-    nck_path_second(seg, 0.0, start);
-    nck_path_second(seg, seg->length, end);
+    nck_path_second_part(seg, 0.0, axes, start);
+    nck_path_second_part(seg, seg->length, axes, end);
     return nck_max(nck_spline_norm(start, axes), nck_spline_norm(end, axes));
 }
 
@@ -167,7 +229,7 @@ static double deviation(const piece_t *piece, const nck_raw_t *raw, double s) {
     double p[NCK_AXIS_MAX];
     double q[NCK_AXIS_MAX];
     nck_path_part(&piece->seg, s - piece->begin, piece->axes, p);
-    nck_path_part(&raw->seg, s - raw->s, piece->axes, q);
+    part_of(&raw->seg, s - raw->s, piece->axes, q);
     return nck_spline_distance(p, q, piece->axes);
 }
 

@@ -41,8 +41,13 @@ int nck_raw_leads_into_blend(nck_smooth_t *self);
 // Cost: as nck_raw_find.
 void nck_raw_point(nck_smooth_t *self, double s, double *point_out);
 
-// So many points of it, a step apart from s on. Cost: as so many of nck_raw_find at most.
-void nck_raw_points(nck_smooth_t *self, double s, double step, int count,
+// So many points of it, at places that go up. Cost: as so many of nck_raw_find at most.
+void nck_raw_points(nck_smooth_t *self, const double *places, int count,
+                    double (*points_out)[NCK_AXIS_MAX]);
+
+// The same, a step apart from s on: NCK_RAW_SPREAD points at most.
+enum { NCK_RAW_SPREAD = 9 };
+void nck_raw_spread(nck_smooth_t *self, double s, double step, int count,
                     double (*points_out)[NCK_AXIS_MAX]);
 
 // How sharply the path turns from one seg to the next: Δu of the unit tangents, so many axes of it;

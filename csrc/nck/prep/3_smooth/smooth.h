@@ -72,6 +72,7 @@ typedef struct nck_trial {
     uint8_t to_key; // whether the step wanted leads to a corner: nck_key_t
     uint8_t rough;  // 1: the path is noise ahead; the last of the steps are tried as before
     uint8_t was_rough; // run.rough of the knot before
+    uint8_t looks;  // 1: before it, the way ahead is looked at from `count` on, `step` so far
 } nck_trial_t;
 
 // The room's state: filled by nck_smooth_init, written by the room alone.

@@ -37,8 +37,16 @@ enum {
     BISECT_STEPS = 3     // the last 25 % to 3 %
 };
 
+// How sharply the path turns at a corner.
+typedef struct turn {
+    double by[NCK_AXIS_MAX]; // Δu
+    double size;             // |Δu|
+    int axes;                // of Δu
+} turn_t;
+
 // The corner at a block's end, while its spacing is chosen.
 typedef struct vertex {
+    turn_t turn;    // of the path there
     double aim;     // how far the spline may leave it [mm]
     double alone;   // spacing that it allows if nothing else bounds it [path mm]
     double nearest; // spacing that the blocks beside it allow [path mm]
@@ -52,18 +60,20 @@ typedef struct vertex {
 // On a curve they are p − δ²p/6, p̃ − p = −δ⁴p/36;
 // in noise p + 5δ²p/24, p̃ − p = (11 δ²p + 5/4·(δ²p before + δ²p behind))/36.
 static double deviation(nck_smooth_t *self, double s, const double *here, double h, int rough) {
+    const double before = s - 2.0 * h;
+    const double behind = s + h;
+    const double places[4] = {before, before + h, behind, behind + h};
     double p[4][NCK_AXIS_MAX];
     double off[NCK_AXIS_MAX];
     const int axes = self->terms->axes;
     const double at_side = rough ? 1.25 : -1.0;
     const double at_middle = rough ? 11.0 : 2.0;
-    nck_raw_points(self, s - 2.0 * h, h, 2, p);
-    nck_raw_points(self, s + h, h, 2, p + 2);
+    nck_raw_points(self, places, 4, p);
     for (int x = 0; x < axes; x++) {
-        const double before = nck_spline_bend(p[0][x], p[1][x], here[x]);
         const double middle = nck_spline_bend(p[1][x], here[x], p[2][x]);
-        const double behind = nck_spline_bend(here[x], p[2][x], p[3][x]);
-        off[x] = at_middle * middle + at_side * (before + behind);
+        const double sides = nck_spline_bend(p[0][x], p[1][x], here[x])
+                             + nck_spline_bend(here[x], p[2][x], p[3][x]);
+        off[x] = at_middle * middle + at_side * sides;
     }
     return nck_spline_norm(off, axes) / 36.0;
 }
@@ -72,7 +82,7 @@ static double deviation(nck_smooth_t *self, double s, const double *here, double
 static double unevenness(nck_smooth_t *self, double s, double h) {
     double p[7][NCK_AXIS_MAX];
     double sum = 0.0;
-    nck_raw_points(self, s - 3.0 * h, h, 7, p);
+    nck_raw_spread(self, s - 3.0 * h, h, 7, p);
     for (int k = 1; k < 6; k++) {
         for (int x = 0; x < self->terms->axes; x++) {
             const double bend = nck_spline_bend(p[k - 1][x], p[k][x], p[k + 1][x]);
@@ -82,15 +92,17 @@ static double unevenness(nck_smooth_t *self, double s, double h) {
     return sum;
 }
 
-// The largest spacing at s, from a good one on, before the deviation first exceeds the aim.
+// The largest spacing at a block's end, from a good one on, before the deviation first exceeds the
+// aim.
 // NCK_EMPTY if that depends on what is not known yet; NCK_FULL if it does and the ring is full:
 // then what is known must do for now.
-static nck_status_t grow(nck_smooth_t *self, double s, double aim, int rough, double *spacing) {
+static nck_status_t grow(nck_smooth_t *self, const nck_raw_t *raw, double aim, int rough,
+                         double *spacing) {
+    const double s = raw->s + raw->seg.length;
+    const double *const here = raw->seg.end;
     const double known = self->run.closed ? s + self->spacing_max : nck_raw_known(self);
     double good = *spacing;
     double bad = good;
-    double here[NCK_AXIS_MAX];
-    nck_raw_point(self, s, here);
     for (int n = 0; n < GROWTH_STEPS && bad == good && good < self->spacing_max; n++) {
         const double next = nck_min(good * GROWTH, self->spacing_max);
         if (s + next > known) {
@@ -119,18 +131,17 @@ static double begin_growing(nck_smooth_t *self, uint32_t count, double aim, doub
     const double s = raw->s + raw->seg.length;
     const double likely = NEIGHBOUR * nck_raw_at(self, nck_raw_before(self, count))->spacing;
     if (likely <= spacing || s + likely > nck_raw_known(self)) return spacing;
-    double here[NCK_AXIS_MAX];
-    nck_raw_point(self, s, here);
-    return deviation(self, s, here, likely, 0) <= aim ? likely : spacing;
+    return deviation(self, s, raw->seg.end, likely, 0) <= aim ? likely : spacing;
 }
 
-// The spacing that a corner between two blocks allows if it is alone.
-static double lone_spacing(const nck_smooth_t *self, const nck_raw_t *raw, const nck_raw_t *next) {
+// The spacing that a corner between two blocks allows if it is alone; and how it turns.
+static double lone_spacing(const nck_smooth_t *self, const nck_raw_t *raw, const nck_raw_t *next,
+                           turn_t *turn) {
     const double aim = AIM * nck_min(raw->tolerance, next->tolerance);
-    double by[NCK_AXIS_MAX];
-    const double turn = nck_raw_turn(&raw->seg, &next->seg, self->terms->axes, by);
-    if (!(turn > 0.0)) return self->spacing_max;
-    return nck_min(self->spacing_max, nck_spline_vertex_spacing(aim, turn));
+    turn->axes = self->terms->axes;
+    turn->size = nck_raw_turn(&raw->seg, &next->seg, turn->axes, turn->by);
+    if (!(turn->size > 0.0)) return self->spacing_max;
+    return nck_min(self->spacing_max, nck_spline_vertex_spacing(aim, turn->size));
 }
 
 // How much of the blocks on either side a lone corner may use: half where another one follows.
@@ -144,7 +155,9 @@ static nck_status_t room_beside(nck_smooth_t *self, uint32_t count, double *room
     if (third == self->run.end && !self->run.closed && !nck_raw_is_full(self)) return NCK_EMPTY;
     const uint32_t first = nck_raw_before(self, count);
     if (first != count && nck_raw_at(self, first)->key) behind *= 0.5;
-    if (third != self->run.end && lone_spacing(self, next, nck_raw_at(self, third)) < before) {
+    turn_t turn;
+    if (third != self->run.end
+        && lone_spacing(self, next, nck_raw_at(self, third), &turn) < before) {
         before *= 0.5;
     }
     *room_out = nck_min(behind, before);
@@ -158,13 +171,6 @@ static int ends_in_blend(nck_smooth_t *self, uint32_t count) {
     return nck_raw_next(self, last) == self->run.end && nck_raw_leads_into_blend(self);
 }
 
-// How sharply the path turns at a corner.
-typedef struct turn {
-    double by[NCK_AXIS_MAX]; // Δu
-    double size;             // |Δu|
-    int axes;                // of Δu
-} turn_t;
-
 // 1 if a corner turns as another one does: about as much, and the same way.
 static int turns_alike(const turn_t *turn, const nck_seg_t *in, const nck_seg_t *out) {
     double other[NCK_AXIS_MAX];
@@ -176,24 +182,21 @@ static int turns_alike(const turn_t *turn, const nck_seg_t *in, const nck_seg_t 
 
 // 1 if a corner is one of many that make a bend: the one before or behind it turns alike. Such a
 // corner stands for the curve that was cut into chords, and the curve's own bend is what counts.
-static int bends_on(nck_smooth_t *self, uint32_t count) {
+static int bends_on(nck_smooth_t *self, uint32_t count, const vertex_t *corner) {
     const uint32_t after = nck_raw_next(self, count);
     const uint32_t third = nck_raw_next(self, after);
     const nck_seg_t *const in = &nck_raw_at(self, count)->seg;
     const nck_seg_t *const out = &nck_raw_at(self, after)->seg;
-    turn_t turn;
-    turn.axes = self->terms->axes;
-    turn.size = nck_raw_turn(in, out, turn.axes, turn.by);
-    const double chord = CHORD * lone_spacing(self, nck_raw_at(self, count),
-                                              nck_raw_at(self, after));
+    const turn_t *const turn = &corner->turn;
+    const double chord = CHORD * corner->alone;
     uint32_t before = count;
     while (before != self->raw.tail && !nck_raw_at(self, before - 1)->has_seg) before--;
     if (before != self->raw.tail && in->length < chord
-        && turns_alike(&turn, &nck_raw_at(self, before - 1)->seg, in)) {
+        && turns_alike(turn, &nck_raw_at(self, before - 1)->seg, in)) {
         return 1;
     }
     return third != self->run.end && out->length < chord
-           && turns_alike(&turn, out, &nck_raw_at(self, third)->seg);
+           && turns_alike(turn, out, &nck_raw_at(self, third)->seg);
 }
 
 // 1 if the corner before this one has a knot of its own, and is next to this one: they are one.
@@ -232,18 +235,16 @@ static double keep_off(nck_smooth_t *self, uint32_t count, double spacing) {
     return least;
 }
 
-static vertex_t look_at(nck_smooth_t *self, uint32_t count) {
+static void look_at(nck_smooth_t *self, uint32_t count, vertex_t *corner) {
     const nck_raw_t *const raw = nck_raw_at(self, count);
     const nck_raw_t *const next = nck_raw_at(self, nck_raw_next(self, count));
-    vertex_t corner;
-    corner.aim = AIM * nck_min(raw->tolerance, next->tolerance);
-    corner.alone = lone_spacing(self, raw, next);
-    corner.nearest = nck_min(nck_min(raw->seg.length, next->seg.length),
+    corner->aim = AIM * nck_min(raw->tolerance, next->tolerance);
+    corner->alone = lone_spacing(self, raw, next, &corner->turn);
+    corner->nearest = nck_min(nck_min(raw->seg.length, next->seg.length),
                              nck_min(raw->inside, next->inside));
-    corner.room = corner.nearest;
-    corner.lines = raw->seg.kind == NCK_SEG_LINE && next->seg.kind == NCK_SEG_LINE;
-    corner.lone = 0;
-    return corner;
+    corner->room = corner->nearest;
+    corner->lines = raw->seg.kind == NCK_SEG_LINE && next->seg.kind == NCK_SEG_LINE;
+    corner->lone = 0;
 }
 
 // Bends of a curve grow with the square of the spacing at which it is looked at, those of noise
@@ -252,12 +253,12 @@ static nck_status_t grow_as_curve_or_noise(nck_smooth_t *self, uint32_t count, d
                                            double *spacing) {
     nck_raw_t *const raw = nck_raw_at(self, count);
     const double s = raw->s + raw->seg.length;
-    const nck_status_t status = grow(self, s, aim, 0, spacing);
+    const nck_status_t status = grow(self, raw, aim, 0, spacing);
     if (status == NCK_EMPTY) return status;
     const int was_rough = nck_raw_at(self, nck_raw_before(self, count))->rough;
     const double fine = unevenness(self, s, 0.5 * *spacing);
     raw->rough = unevenness(self, s, *spacing) < (was_rough ? STAYS_ROUGH : GETS_ROUGH) * fine;
-    return raw->rough ? grow(self, s, aim, 1, spacing) : status;
+    return raw->rough ? grow(self, raw, aim, 1, spacing) : status;
 }
 
 // 1 if a block is a small part of what the spacing before it spans, and as blunt: then its spacing
@@ -282,7 +283,7 @@ static nck_status_t choose(nck_smooth_t *self, uint32_t count, vertex_t *corner,
     corner->lone = corner->lines && *spacing_out == corner->alone && bounded;
     if (corner->lone) status = room_beside(self, count, &corner->room);
     if (status == NCK_EMPTY) return status;
-    corner->lone = corner->lone && !bends_on(self, count);
+    corner->lone = corner->lone && !bends_on(self, count, corner);
     if (is_like_before(self, count, corner)) {
         const nck_raw_t *const last = nck_raw_at(self, nck_raw_before(self, count));
         *spacing_out = last->spacing;
@@ -297,25 +298,23 @@ static nck_status_t choose(nck_smooth_t *self, uint32_t count, vertex_t *corner,
 }
 
 // 1 if next to nothing but the corner turns the path within a spacing of it.
-static int is_alone(nck_smooth_t *self, uint32_t count, double spacing) {
+static int is_alone(nck_smooth_t *self, uint32_t count, const turn_t *turn, double spacing) {
     const nck_raw_t *const raw = nck_raw_at(self, count);
-    const nck_raw_t *const next = nck_raw_at(self, nck_raw_next(self, count));
-    const int axes = self->terms->axes;
     double p[3][NCK_AXIS_MAX];
     double others[NCK_AXIS_MAX];
-    const double turn = nck_raw_turn(&raw->seg, &next->seg, axes, others);
-    nck_raw_points(self, raw->s + raw->seg.length - spacing, spacing, 3, p);
-    for (int x = 0; x < axes; x++) {
-        others[x] -= nck_spline_bend(p[0][x], p[1][x], p[2][x]) / spacing;
+    nck_raw_spread(self, raw->s + raw->seg.length - spacing, spacing, 3, p);
+    for (int x = 0; x < turn->axes; x++) {
+        others[x] = turn->by[x] - nck_spline_bend(p[0][x], p[1][x], p[2][x]) / spacing;
     }
-    return nck_spline_norm(others, axes) <= OTHERS * turn;
+    return nck_spline_norm(others, turn->axes) <= OTHERS * turn->size;
 }
 
 // 1 if the corner gets a knot of its own.
 static int is_key(nck_smooth_t *self, uint32_t count, const vertex_t *corner, double spacing) {
     const int likely = spacing >= KEY_LEAST * corner->alone && spacing <= KEY_MOST * corner->alone
                        && corner->alone < self->spacing_max;
-    return (corner->lone || (likely && !bends_on(self, count) && is_alone(self, count, spacing)))
+    return (corner->lone || (likely && !bends_on(self, count, corner)
+                             && is_alone(self, count, &corner->turn, spacing)))
            && !is_crowded(self, count, spacing);
 }
 
@@ -348,7 +347,7 @@ static nck_status_t find(nck_smooth_t *self, uint32_t count, vertex_t *corner_ou
     nck_raw_t *const raw = nck_raw_at(self, count);
     const nck_raw_t *const next = nck_raw_at(self, nck_raw_next(self, count));
     double spacing = 0.0;
-    *corner_out = look_at(self, count);
+    look_at(self, count, corner_out);
     const nck_status_t status = choose(self, count, corner_out, &spacing);
     if (status == NCK_EMPTY) return status;
     raw->lacks = status == NCK_FULL ? NCK_LACKS_BLOCKS : NCK_LACKS_NOTHING;
