@@ -46,7 +46,7 @@ typedef struct turn {
 
 // The corner at a block's end, while its spacing is chosen.
 typedef struct vertex {
-    turn_t turn;    // of the path there
+    turn_t bend;    // of the path there
     double aim;     // how far the spline may leave it [mm]
     double alone;   // spacing that it allows if nothing else bounds it [path mm]
     double nearest; // spacing that the blocks beside it allow [path mm]
@@ -187,7 +187,7 @@ static int bends_on(nck_smooth_t *self, uint32_t count, const vertex_t *corner) 
     const uint32_t third = nck_raw_next(self, after);
     const nck_seg_t *const in = &nck_raw_at(self, count)->seg;
     const nck_seg_t *const out = &nck_raw_at(self, after)->seg;
-    const turn_t *const turn = &corner->turn;
+    const turn_t *const turn = &corner->bend;
     const double chord = CHORD * corner->alone;
     uint32_t before = count;
     while (before != self->raw.tail && !nck_raw_at(self, before - 1)->has_seg) before--;
@@ -239,7 +239,7 @@ static void look_at(nck_smooth_t *self, uint32_t count, vertex_t *corner) {
     const nck_raw_t *const raw = nck_raw_at(self, count);
     const nck_raw_t *const next = nck_raw_at(self, nck_raw_next(self, count));
     corner->aim = AIM * nck_min(raw->tolerance, next->tolerance);
-    corner->alone = lone_spacing(self, raw, next, &corner->turn);
+    corner->alone = lone_spacing(self, raw, next, &corner->bend);
     corner->nearest = nck_min(nck_min(raw->seg.length, next->seg.length),
                              nck_min(raw->inside, next->inside));
     corner->room = corner->nearest;
@@ -314,7 +314,7 @@ static int is_key(nck_smooth_t *self, uint32_t count, const vertex_t *corner, do
     const int likely = spacing >= KEY_LEAST * corner->alone && spacing <= KEY_MOST * corner->alone
                        && corner->alone < self->spacing_max;
     return (corner->lone || (likely && !bends_on(self, count, corner)
-                             && is_alone(self, count, &corner->turn, spacing)))
+                             && is_alone(self, count, &corner->bend, spacing)))
            && !is_crowded(self, count, spacing);
 }
 
