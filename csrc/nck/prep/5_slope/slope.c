@@ -411,16 +411,19 @@ static int takes_over_within(nck_slope_t *self, uint32_t periods) {
            && cell_after(self, final_count(self), time, self->now.n) >= final_limit(self);
 }
 
+// The plan in work would take what is there now. late: the tick waits for it.
+static int takes_what_is_there(nck_slope_t *self, uint32_t periods, int late) {
+    if (self->kind == NCK_JOB_START) return periods > 0;
+    return self->kind == NCK_JOB_GO_ON && (late || takes_over_within(self, periods));
+}
+
 int nck_slope_hurry(nck_slope_t *self, uint32_t periods) {
     const int goes_on = self->kind == NCK_JOB_GO_ON;
-    const int waits = goes_on && final_count(self) == final_limit(self) && is_late(self);
-    const int begins = self->kind == NCK_JOB_START && periods > 0;
-    const int early = begins || (goes_on && takes_over_within(self, periods));
-    const int rests = self->phase == PHASE_IDLE && final_count(self) == self->now.n;
-    if (rests) return periods > 0;
-    if (self->phase != PHASE_MAKE || !(waits || early)) return 0;
+    const int late = goes_on && final_count(self) == final_limit(self) && is_late(self);
+    if (self->phase == PHASE_IDLE) return periods > 0 && final_count(self) == self->now.n;
+    if (self->phase != PHASE_MAKE || !takes_what_is_there(self, periods, late)) return 0;
     self->idle.is = 0;
-    self->hurried = (uint32_t)waits; // what does not join early is tried again
+    self->hurried = (uint32_t)late; // what does not join early is tried again
     switch (planner_of(self->machine)) {
     case NCK_SLOPE_JERK: nck_jerk_hurry(&self->planner.jerk); break;
     case NCK_SLOPE_SSHAPE: nck_sshape_hurry(&self->planner.sshape); break;
