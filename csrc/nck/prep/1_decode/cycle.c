@@ -130,14 +130,18 @@ static nck_status_t read_rest(nck_decode_t *self) {
     nck_cycle_t *const cycle = &self->held.cycle;
     const uint32_t said = self->words.letters & (NCK_LETTER('Q') | NCK_LETTER('P'));
     nck_status_t status = NCK_OK;
+    int64_t peck_nm = cycle->peck_nm;
     if (said & NCK_LETTER('Q')) {
-        status = nck_decode_length_word(self, 'Q', &cycle->peck_nm);
-        if (status == NCK_OK && cycle->peck_nm <= 0) {
-            status = nck_decode_fail_word(self, NCK_E_NUMBER_RANGE, 'Q',
-                                          (double)cycle->peck_nm / 1e6, NCK_LINEAR_MAX_MM);
+        status = nck_decode_length_word(self, 'Q', &peck_nm);
+        if (status == NCK_OK && peck_nm <= 0) {
+            status = nck_decode_fail_word(self, NCK_E_NUMBER_RANGE, 'Q', (double)peck_nm / 1e6,
+                                          NCK_LINEAR_MAX_MM);
         }
+        if (status == NCK_OK) cycle->peck_nm = peck_nm;
     }
-    if (said & NCK_LETTER('P')) status = nck_decode_dwell_word(self, 'P', &cycle->dwell_s);
+    if (status == NCK_OK && (said & NCK_LETTER('P'))) {
+        status = nck_decode_dwell_word(self, 'P', &cycle->dwell_s);
+    }
     cycle->said |= said;
     return status;
 }

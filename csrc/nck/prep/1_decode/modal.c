@@ -142,9 +142,12 @@ nck_status_t nck_decode_dwell_word(nck_decode_t *self, char letter, double *dwel
     const uint32_t base = self->machine->dialect.base;
     const int millisecond = base == NCK_DIALECT_FANUC || base == NCK_DIALECT_MARLIN;
     const double word = real_word(self, letter);
-    *dwell_out = letter == 'P' && millisecond ? word / 1000.0 : word;
-    if (word >= 0.0 && *dwell_out <= dwell_max_s) return NCK_OK;
-    return nck_decode_fail_word(self, NCK_E_NUMBER_RANGE, letter, word, dwell_max_s);
+    const double dwell_s = letter == 'P' && millisecond ? word / 1000.0 : word;
+    if (!(word >= 0.0 && dwell_s <= dwell_max_s)) {
+        return nck_decode_fail_word(self, NCK_E_NUMBER_RANGE, letter, word, dwell_max_s);
+    }
+    *dwell_out = dwell_s;
+    return NCK_OK;
 }
 
 nck_status_t nck_decode_dwell(nck_decode_t *self, nck_block_t *out) {
