@@ -135,3 +135,12 @@ def test_a_contour_cannot_end_in_a_corner():
     lathe = Machine.load("cak6150n", set=["dialect.base=fanuc"])
     text = "G21 G98 G0 X60 Z2 F100\nG71 U2 R1\nG71 P10 Q20 U0 W0\nN10 G0 X20\nN20 G1 Z-20 ,R3\n"
     assert decode(text + "G0 X70\nM30\n", lathe)[1] == ["corner"]
+
+
+@pytest.mark.parametrize("cycle", ["G75 X10 Z-12 P3000 Q2", "G74 X10 Z-12 P3000 Q2000"])
+def test_no_cycle_follows_a_corner(cycle):
+    lathe = Machine.load("cak6150n", set=["dialect.base=fanuc"])
+    text = f"G21 G98 G0 X40 Z5 F100\n{cycle[:3]} R0.5\nG1 Z0 ,R1\n{cycle}\nG0 Z9\nM30\n"
+    blocks, errors = decode(text, lathe)
+    assert errors == ["corner"]
+    assert set(blocks["line"]) <= {1, 5, 6}

@@ -62,12 +62,19 @@ static void drop_rest(reader_t *reader) {
     }
 }
 
+// A block has the number of its line; at a corner the line before it is only given now.
+static int has_its_line(const nck_decode_t *decode, const nck_block_t *block) {
+    const nck_corner_t *const corner = &decode->held.corner;
+    const int at_corner = corner->phase != NCK_CORNER_NOT && block->line == corner->line;
+    return at_corner || block->line == decode->line.tag;
+}
+
 static void check_block(const nck_decode_t *decode, const nck_block_t *block) {
     const double numbers[] = {block->centre_mm[0], block->centre_mm[1], block->sweep_rad,
                               block->feed, block->spindle_rpm, block->tolerance_mm,
                               block->merge_mm, block->dwell_s, block->output.value};
     for (size_t k = 0; k < sizeof numbers / sizeof numbers[0]; k++) require(isfinite(numbers[k]));
-    require(block->kind <= NCK_BLOCK_TAP && block->line == decode->line.tag);
+    require(block->kind <= NCK_BLOCK_TAP && has_its_line(decode, block));
     for (int k = 0; k < 3; k++) require(isfinite(block->tap.way[k]));
     require(isfinite(block->tap.lead) && isfinite(block->tap.duration));
     require(block->feed >= 0.0 && block->dwell_s >= 0.0);

@@ -27,6 +27,12 @@ static int is_move(const nck_block_t *block) {
     return block->kind == NCK_BLOCK_LINE || block->kind == NCK_BLOCK_ARC;
 }
 
+// G1 G2 G3 move, and no cycle does.
+static int is_plain(const nck_decode_t *self, const nck_block_t *block) {
+    const int32_t code = self->words.code[NCK_STEP_MOTION];
+    return code >= 10 && code <= 30 && is_move(block);
+}
+
 // ---- words
 
 void nck_corner_keep(nck_decode_t *self, char letter, unsigned column,
@@ -254,7 +260,7 @@ static nck_status_t take_next(nck_decode_t *self, nck_block_t *out) {
     nck_corner_t *const corner = &self->held.corner;
     const int second = (self->words.steps & NCK_STEP(NCK_STEP_REST)) != 0;
     corner->next = *out;
-    const nck_status_t status = is_move(out) ? join(self, out) : fail(self, corner->size);
+    const nck_status_t status = is_plain(self, out) ? join(self, out) : fail(self, corner->size);
     if (status != NCK_OK) return status;
     corner->later |= second ? NCK_STEP(NCK_STEP_REST) : 0u;
     nck_decode_leave(self, NCK_REST_CORNER);
@@ -264,11 +270,10 @@ static nck_status_t take_next(nck_decode_t *self, nck_block_t *out) {
 // A move of a line with a word: the last one of its line is held.
 static nck_status_t hold(nck_decode_t *self, const nck_block_t *block) {
     nck_corner_t *const corner = &self->held.corner;
-    const int32_t code = self->words.code[NCK_STEP_MOTION];
     int64_t size_nm = 0;
     double unit[2] = {1.0, 0.0};
     name_word(self);
-    const int plain = code >= 10 && code <= 30 && is_move(block) && self->macro.modal == 0
+    const int plain = is_plain(self, block) && self->macro.modal == 0
                       && block->feed_mode != NCK_FEED_INVERSE;
     if (!plain) return fail(self, corner->size);
     const double scale = self->layout.on != 0 ? nck_fabs(nck_layout_way(self, unit)) : 1.0;
