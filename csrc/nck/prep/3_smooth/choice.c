@@ -294,7 +294,7 @@ static double width_of(const corner_t *corner, double room, double *parking) {
     return *parking > LEAST ? d : 0.0;
 }
 
-// A lone corner's bend.
+// A lone corner's spacing, and its bend.
 static double lone_spacing(const corner_t *corner) {
     return nck_spline_vertex_spacing(corner->tolerance, corner->turn);
 }

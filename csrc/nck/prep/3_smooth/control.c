@@ -45,8 +45,8 @@ static void set_corner(nck_smooth_t *self, const double *t, double *c) {
     const double h = nck_min(t[1] - t[0], t[2] - t[1]);
     double p[3][NCK_AXIS_MAX];
     nck_raw_spread(self, t[1] - h, h, 3, p);
-    const double lift = nck_meet_lift(self, nck_raw_find(self, t[1]), h,
-                                         nck_spline_vertex_weight(t - 1));
+    const double weight = nck_spline_vertex_weight(t - 1);
+    const double lift = nck_meet_lift(self, nck_raw_find(self, t[1]), h, weight);
     nck_raw_point(self, nck_spline_greville(t), c);
     for (int x = 0; x < self->terms->axes; x++) {
         const double turn = nck_spline_bend(p[0][x], p[1][x], p[2][x]);

@@ -189,10 +189,9 @@ static int bends_on(nck_smooth_t *self, uint32_t count, const vertex_t *corner) 
     const nck_seg_t *const out = &nck_raw_at(self, after)->seg;
     const turn_t *const turn = &corner->bend;
     const double chord = CHORD * corner->alone;
-    uint32_t before = count;
-    while (before != self->raw.tail && !nck_raw_at(self, before - 1)->has_seg) before--;
-    if (before != self->raw.tail && in->length < chord
-        && turns_alike(turn, &nck_raw_at(self, before - 1)->seg, in)) {
+    const uint32_t before = nck_raw_before(self, count);
+    if (before != count && in->length < chord
+        && turns_alike(turn, &nck_raw_at(self, before)->seg, in)) {
         return 1;
     }
     return third != self->run.end && out->length < chord

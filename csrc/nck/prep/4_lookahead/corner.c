@@ -80,7 +80,7 @@ static void settle(nck_lookahead_t *self, const junction_t *junction, int pace, 
 }
 
 static inline void settle_alone(nck_lookahead_t *self, const junction_t *junction, int pace,
-                         double v) {
+                                double v) {
     const double v_true = nck_max(v, self->terms->v_filter);
     settle(self, junction, pace, v,
            nck_corner_share(v_true, junction->in->load, 0.0, 0.0, 0.0, junction->period));

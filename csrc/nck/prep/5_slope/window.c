@@ -355,10 +355,15 @@ static nck_status_t ends_here(nck_jerk_t *self, const nck_pieces_t *pieces) {
     return NCK_DONE;
 }
 
+// 1 if the ladder has room for what is laid at a piece's end.
+static int takes_cells(const nck_jerk_t *self) {
+    return self->work.n + 2 * PARTS_LEAST <= NCK_JERK_CELLS;
+}
+
 // 1 if no more of the path fits into the ladder.
 static int is_full(const nck_jerk_t *self, const nck_pieces_t *pieces, const nck_node_t *piece) {
     const uint32_t blocks = self->machine->lookahead_blocks;
-    if (self->work.n + 2 * PARTS_LEAST > NCK_JERK_CELLS) return 1;
+    if (!takes_cells(self)) return 1;
     if (self->work.piece - self->work.base >= self->work.pieces) return 1;
     return blocks > 0 && piece->seg - nck_plan_piece(pieces, self->next->piece)->seg >= blocks;
 }
@@ -380,8 +385,7 @@ static nck_status_t enter_piece(nck_jerk_t *self, const nck_pieces_t *pieces, gr
 
 static nck_status_t lay_one(nck_jerk_t *self, const nck_pieces_t *pieces, ground_t *ground) {
     const int is_new = !ground->piece || self->work.piece != ground->number;
-    const int has_room = self->work.n + 2 * PARTS_LEAST <= NCK_JERK_CELLS;
-    if (is_new || !has_room) {
+    if (is_new || !takes_cells(self)) {
         const nck_status_t status = enter_piece(self, pieces, ground);
         if (status != NCK_OK) return status;
     }
