@@ -137,6 +137,10 @@ def test_a_contour_cannot_end_in_a_corner():
     assert decode(text + "G0 X70\nM30\n", lathe)[1] == ["corner"]
 
 
+def test_a_corner_alone_is_the_one_mistake(mill):
+    assert decode(",R2", mill)[1] == ["corner"]
+
+
 @pytest.mark.parametrize("cycle", ["G75 X10 Z-12 P3000 Q2", "G74 X10 Z-12 P3000 Q2000"])
 def test_no_cycle_follows_a_corner(cycle):
     lathe = Machine.load("cak6150n", set=["dialect.base=fanuc"])

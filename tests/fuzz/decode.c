@@ -85,8 +85,10 @@ static void check_block(const nck_decode_t *decode, const nck_block_t *block) {
 static void check_finding(reader_t *reader, const nck_diagnostic_t *finding) {
     require(isfinite(finding->value) && isfinite(finding->limit));
     require(finding->column <= NCK_LINE_MAX + 1);
-    // A cycle's own mistake is told behind those of its contour.
-    const int follows = reader->decode.machine->kinematics == NCK_KINEMATICS_LATHE_XZ;
+    // A cycle's own mistake is told behind those of its contour, and a corner's own once the move
+    // behind it is missed: refused lines may stand between.
+    const int follows = reader->decode.machine->kinematics == NCK_KINEMATICS_LATHE_XZ
+                        || finding->code == NCK_E_CORNER;
     require(finding->code > 0 || follows || reader->error_line < finding->line
             || finding->line == 0);
     if (finding->code < 0) reader->error_line = finding->line;

@@ -43,6 +43,7 @@ void nck_corner_keep(nck_decode_t *self, char letter, unsigned column,
     word->letter = letter;
     word->is_old = (uint8_t)is_old;
     self->held.contour.mode |= NCK_CONTOUR_CORNER;
+    self->text.words = 1; // the line is no empty one
     if (self->held.corner.phase != NCK_CORNER_NOT) return;
     memcpy(self->held.corner.from_nm, self->place.position_nm, sizeof self->place.position_nm);
 }
