@@ -130,6 +130,8 @@ def test_fanucs_cycle_starts_the_spindle_as_the_tap_is_and_says_its_lead():
         ("M3\nG33.1 Z-999 K1", ("travel", 4)),
         ("M3 G96 D600 S100\nG33.1 Z-5 K1", ("thread-speed", 4)),
         ("G33.1 Z-5 K1", ("thread-speed", 3)),
+        ("M3 S0.0001\nG33.1 Z-5 K1", ("thread-speed", 4)),  # one turn in a week
+        ("M3 S0.0001\nG84 X1 Z-20 R5", ("thread-speed", 4)),
         ("M3\nG84 X1 Z-20 R5 Q1", ("word-unused", 4)),
     ],
 )

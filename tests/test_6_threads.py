@@ -221,6 +221,7 @@ def test_too_short_a_run_in_is_told_with_what_it_needs():
         ("G32 Z-20 F20", "thread-speed"),
         ("G96 S100\nG32 Z-20 F1", "thread-speed"),
         ("M5\nG32 Z-20 F1", "thread-speed"),
+        ("S0.0001\nG32 Z-20 F1", "thread-speed"),
         ("G32 Z-20", "word-missing"),
         ("G32 Z-20 F0", "number-range"),
         ("G32 Z-20 F1 Q400000", "number-range"),

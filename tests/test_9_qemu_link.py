@@ -196,15 +196,15 @@ def build_kernel(tool, folder, fault=None):
     return program
 
 
-def run_kernel(program, case, slope, folder):
+def run_kernel(program, case, slope, folder, timeout=600):
     """Run a case; return the ticks, the last setpoints and what the sanitizer says."""
     machine = Machine.load(case.machine, set=(*case.set, f"path.slope={slope}"))
     (folder / "machine").write_bytes(targets.machine_image(machine, "small"))
     (folder / "program").write_text(case.text)
     first = {**os.environ, "TSAN_OPTIONS": "halt_on_error=1"}
     done = subprocess.run(
-        [program, "machine", "program"], capture_output=True, text=True, timeout=600, env=first,
-        cwd=folder,
+        [program, "machine", "program"], capture_output=True, text=True, timeout=timeout,
+        env=first, cwd=folder,
     )  # fmt: skip
     if done.returncode != 0:
         return 0, [], done.stdout + done.stderr
@@ -225,4 +225,11 @@ def test_prep_tick_and_operator_do_not_race(tool, tmp_path):
 
 def test_the_three_threads_catch_a_broken_fence(tool, tmp_path):
     program = build_kernel(tool, tmp_path, PLAIN_LOAD)
-    assert "data race" in run_kernel(program, THREADED[0], "linear", tmp_path)[2]
+
+    def is_caught():
+        try:
+            return "data race" in run_kernel(program, THREADED[0], "linear", tmp_path, 120)[2]
+        except subprocess.TimeoutExpired:  # a load that is made once may wait for ever
+            return False
+
+    assert any(is_caught() for _ in range(3))

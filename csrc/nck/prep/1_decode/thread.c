@@ -9,6 +9,7 @@
 
 #define SECONDS 60.0
 #define Q_TURN 360000.0 // Fanuc: Q in thousandths of a degree
+#define RPM_LEAST 0.001 // a spindle as good as stands if it turns slower [1/min]
 
 static nck_status_t fail(nck_decode_t *self, nck_status_t code, int letter, double value,
                          double limit) {
@@ -36,7 +37,7 @@ nck_status_t nck_decode_thread_fits(nck_decode_t *self) {
     const nck_status_t status = nck_decode_cycle_fits(self);
     if (status != NCK_OK) return status;
     if (self->modal.surface_on) return fail(self, NCK_E_THREAD_SPEED, 'G', 96.0, 0.0);
-    if (nck_decode_turns(self)) return NCK_OK;
+    if (nck_decode_turns(self) && self->modal.speed >= RPM_LEAST) return NCK_OK;
     return fail(self, NCK_E_THREAD_SPEED, 'S', 0.0, 0.0);
 }
 
