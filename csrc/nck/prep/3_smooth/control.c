@@ -10,6 +10,11 @@
 #include "nck/prep/3_smooth/raw.h"         // nck_raw_…
 #include "nck/prep/3_smooth/spline_math.h" // nck_spline_…
 
+// Chords of a curve: of what a control point looks at they span this share at least; the curve
+// bulges by this share of the tolerance out of them at least; and so much of that bulge counts.
+#define CHORD (1.0 / 3.0)
+#define FLAT 0.1
+#define BULGE 0.4
 enum {
     SIDE = NCK_SPLINE_SIDE,
     POINTS = 2 * SIDE + 1
@@ -54,14 +59,75 @@ static void set_corner(nck_smooth_t *self, const double *t, double *c) {
     }
 }
 
+// How the curve bends that a chord was cut from: κ, towards its inside [1/mm]. It bulges by κL²/8
+// out of the chord, κL = |Δu|. 0: it is no such chord, for the path does not turn alike at its two
+// ends, or ends or has a knot of its own there; or the bulge is next to nothing.
+static int curve_of(nck_smooth_t *self, uint32_t at, double *kappa_out) {
+    const nck_raw_t *const raw = nck_raw_at(self, at);
+    const uint32_t before = nck_raw_before(self, at);
+    const uint32_t after = nck_raw_next(self, at);
+    const int axes = self->terms->axes;
+    double turn[2][NCK_AXIS_MAX];
+    if (before == at || after == self->run.end) return 0;
+    if (raw->key || nck_raw_at(self, before)->key) return 0;
+    const nck_seg_t *const in = &nck_raw_at(self, before)->seg;
+    const nck_seg_t *const out = &nck_raw_at(self, after)->seg;
+    const double first = nck_raw_turn(in, &raw->seg, axes, turn[0]);
+    if (0.125 * first * raw->seg.length < FLAT * raw->tolerance) return 0;
+    const double last = nck_raw_turn(&raw->seg, out, axes, turn[1]);
+    if (!nck_spline_is_alike(turn[0], first, turn[1], last, axes)) return 0;
+    for (int x = 0; x < axes; x++) {
+        kappa_out[x] = turn[0][x] / (in->length + raw->seg.length)
+                       + turn[1][x] / (raw->seg.length + out->length);
+    }
+    return 1;
+}
+
+// 1 if all that a control point looks at is one block: a straight piece stays one.
+static int is_within(const nck_raw_t *raw, const span_t *span) {
+    const double least = nck_raw_least(span->xi + span->h);
+    return raw->s <= span->xi - span->h + least
+           && raw->s + raw->seg.length >= span->xi + span->h - least;
+}
+
+// Points of the path, and off its chords towards the curve that they were cut from: a spline of
+// points on chords would pass their ends far on the curve's inside. Returns the path's own point in
+// the middle.
+static void spread(nck_smooth_t *self, const span_t *span, double (*p)[NCK_AXIS_MAX],
+                   double *middle_out) {
+    const double step = span->h / (double)SIDE;
+    double places[POINTS];
+    double kappa[NCK_AXIS_MAX];
+    uint32_t blocks[POINTS];
+    uint32_t last = self->run.end;
+    int bends = 0;
+    for (int k = 0; k < POINTS; k++) places[k] = span->xi - span->h + step * (double)k;
+    nck_raw_points(self, places, POINTS, p, blocks);
+    memcpy(middle_out, p[SIDE], sizeof p[SIDE]);
+    if (is_within(nck_raw_at(self, blocks[SIDE]), span)) return;
+    for (int k = 0; k < POINTS; k++) {
+        const nck_raw_t *const raw = nck_raw_at(self, blocks[k]);
+        const double done = places[k] - raw->s;
+        const double left = raw->seg.length - done;
+        const int is_chord = raw->seg.kind == NCK_SEG_LINE && raw->seg.length >= CHORD * span->h;
+        if (!is_chord || !(done > 0.0 && left > 0.0)) continue;
+        if (blocks[k] != last) bends = curve_of(self, blocks[k], kappa);
+        last = blocks[k];
+        for (int x = 0; bends && x < self->terms->axes; x++) {
+            p[k][x] -= 0.5 * BULGE * done * left * kappa[x];
+        }
+    }
+}
+
 // On the path, or off it by its bends.
 static void set_point(nck_smooth_t *self, const span_t *span, double *c) {
     double p[POINTS][NCK_AXIS_MAX];
+    double on_path[NCK_AXIS_MAX];
     if (!(span->h > 0.0)) {
         nck_raw_point(self, span->xi, c);
         return;
     }
-    nck_raw_spread(self, span->xi - span->h, span->h / (double)SIDE, POINTS, p);
+    spread(self, span, p, on_path);
     for (int x = 0; x < self->terms->axes; x++) {
         const double here = p[SIDE][x];
         double sum = 0.0;
@@ -69,7 +135,7 @@ static void set_point(nck_smooth_t *self, const span_t *span, double *c) {
             const double bend = nck_spline_bend(p[SIDE - k][x], here, p[SIDE + k][x]);
             sum += (self->run.rough ? NCK_SPLINE_MEAN : span->excess * nck_spline_weight(k)) * bend;
         }
-        c[x] = inside(self, x, here, here + sum);
+        c[x] = inside(self, x, on_path[x], here + sum);
     }
 }
 

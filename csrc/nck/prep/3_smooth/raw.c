@@ -157,12 +157,13 @@ static uint32_t find_from(nck_smooth_t *self, uint32_t from, double s) {
 }
 
 void nck_raw_points(nck_smooth_t *self, const double *places, int count,
-                    double (*points_out)[NCK_AXIS_MAX]) {
+                    double (*points_out)[NCK_AXIS_MAX], uint32_t *blocks_out) {
     const int axes = self->terms->axes;
     uint32_t at = nck_raw_find(self, places[0]);
     for (int k = 0; k < count; k++) {
         if (raw_end(nck_raw_at(self, at)) < places[k]) at = find_from(self, at, places[k]);
         point_by(nck_raw_at(self, at), places[k], axes, points_out[k]);
+        if (blocks_out) blocks_out[k] = at;
     }
 }
 
@@ -170,7 +171,7 @@ void nck_raw_spread(nck_smooth_t *self, double s, double step, int count,
                     double (*points_out)[NCK_AXIS_MAX]) {
     double places[NCK_RAW_SPREAD];
     for (int k = 0; k < count; k++) places[k] = s + step * (double)k;
-    nck_raw_points(self, places, count, points_out);
+    nck_raw_points(self, places, count, points_out, NULL);
 }
 
 double nck_raw_turn(const nck_seg_t *in, const nck_seg_t *out, int axes, double *turn_out) {

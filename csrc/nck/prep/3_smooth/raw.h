@@ -41,9 +41,10 @@ int nck_raw_leads_into_blend(nck_smooth_t *self);
 // Cost: as nck_raw_find.
 void nck_raw_point(nck_smooth_t *self, double s, double *point_out);
 
-// So many points of it, at places that go up. Cost: as so many of nck_raw_find at most.
+// So many points of it, at places that go up, and the blocks that they are of (NULL: nobody asks).
+// Cost: as so many of nck_raw_find at most.
 void nck_raw_points(nck_smooth_t *self, const double *places, int count,
-                    double (*points_out)[NCK_AXIS_MAX]);
+                    double (*points_out)[NCK_AXIS_MAX], uint32_t *blocks_out);
 
 // The same, a step apart from s on: NCK_RAW_SPREAD points at most.
 enum { NCK_RAW_SPREAD = 9 };

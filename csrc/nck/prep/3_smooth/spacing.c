@@ -3,6 +3,8 @@
 // to rest there.
 #include "nck/prep/3_smooth/spacing.h"
 
+#include <stddef.h> // NULL
+
 #include "nck/base/path.h"                 // nck_path_second
 #include "nck/base/real.h"                 // nck_min nck_max
 #include "nck/prep/3_smooth/blend.h"       // NCK_BLEND_KEEP_OFF
@@ -20,7 +22,6 @@
 #define KEY_MOST 1.5     // … these shares, and it is none of a bend
 #define CHORD 3.4        // … whose chords are shorter than so many of its corners' spacings
 #define FEW_GAPS 0.408   // of a line, for the corner at one of its ends: so much is left between
-#define ALIKE 0.9        // cosine between the turns of two corners of one bend
 #define CROWDED 0.25     // of a spacing: keys that are nearer than that are one
 #define OTHERS 0.25      // of a key's turn that other corners within its spacing may make
 // Growth of a path's squared bends with twice the spacing: 16 on a curve, 4 at a corner, 2 on a
@@ -68,7 +69,7 @@ static double deviation(nck_smooth_t *self, double s, const double *here, double
     const int axes = self->terms->axes;
     const double at_side = rough ? 1.25 : -1.0;
     const double at_middle = rough ? 11.0 : 2.0;
-    nck_raw_points(self, places, 4, p);
+    nck_raw_points(self, places, 4, p, NULL);
     for (int x = 0; x < axes; x++) {
         const double middle = nck_spline_bend(p[1][x], here[x], p[2][x]);
         const double sides = nck_spline_bend(p[0][x], p[1][x], here[x])
@@ -175,9 +176,7 @@ static int ends_in_blend(nck_smooth_t *self, uint32_t count) {
 static int turns_alike(const turn_t *turn, const nck_seg_t *in, const nck_seg_t *out) {
     double other[NCK_AXIS_MAX];
     const double size = nck_raw_turn(in, out, turn->axes, other);
-    double along = 0.0;
-    for (int x = 0; x < turn->axes; x++) along += turn->by[x] * other[x];
-    return size < 2.0 * turn->size && turn->size < 2.0 * size && along > ALIKE * turn->size * size;
+    return nck_spline_is_alike(turn->by, turn->size, other, size, turn->axes);
 }
 
 // 1 if a corner is one of many that make a bend: the one before or behind it turns alike. Such a

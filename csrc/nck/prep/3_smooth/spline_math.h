@@ -152,6 +152,19 @@ static inline nck_real nck_spline_lift(nck_real tolerance, nck_real turn, nck_re
 static inline nck_real nck_spline_lifted_second(nck_real lift) { return 1.0 + 2.0 * lift; }
 static inline nck_real nck_spline_lifted_third(nck_real lift) { return 1.0 + 3.0 * lift; }
 
+// Cosine between two turns of one bend, at least.
+#define NCK_SPLINE_ALIKE 0.9
+
+// 1 if a path turns twice about as much, and the same way, as a curve's chords do: Δu and |Δu| of
+// both, so many axes of them.
+static inline int nck_spline_is_alike(const nck_real *a, nck_real size_a, const nck_real *b,
+                                      nck_real size_b, int axes) {
+    nck_real along = 0.0;
+    for (int x = 0; x < axes; x++) along += a[x] * b[x];
+    return size_b < 2.0 * size_a && size_a < 2.0 * size_b
+           && along > NCK_SPLINE_ALIKE * size_a * size_b;
+}
+
 // The same on a curve:   ε = κ·Δ²/6,  κ > 0
 static inline nck_real nck_spline_curve_spacing(nck_real tolerance, nck_real kappa) {
     return nck_sqrt(6.0 * tolerance / kappa);
