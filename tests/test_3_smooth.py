@@ -6,6 +6,7 @@ import math
 import re
 
 import judged
+import numpy as np
 import pytest
 from cases import Case
 
@@ -135,3 +136,29 @@ def test_a_looser_tolerance_is_not_slower(make):
     ]
     # 0.5 % is wanted; where P grows beyond a bend's chords it is 1.7 % (docs/jerk.md).
     assert all(late <= 1.02 * early for early, late in zip(times, times[1:], strict=False)), times
+
+
+def merged(points, within):
+    """Return the points that a CAM system keeps whose chords may be so far from what they leave."""
+    kept, open_ = [points[0]], []
+    for point in points[1:]:
+        way = np.subtract(point, kept[-1])
+        far = [each - kept[-1] - way * ((each - kept[-1]) @ way) / (way @ way) for each in open_]
+        if far and max(np.linalg.norm(far, axis=1)) > within:
+            kept.append(open_[-1])
+            open_ = []
+        open_.append(point)
+    return [*kept, open_[-1]]
+
+
+@pytest.mark.parametrize(("within", "most"), [(0.003, 1.02), (0.005, 1.04), (0.01, 1.12)])
+def test_coarse_chords_are_as_fast_as_the_curve_that_they_came_from(within, most):
+    k = np.arange(2001) * 0.003
+    r = 50 + 3 * np.sin(9 * k)
+    points = np.stack([r * np.cos(k), r * np.sin(k), 2 * np.sin(5 * k)], axis=1) - [50, 0, 0]
+    machine = programs.machine()
+    fine, coarse = (
+        judged.plan(Program.from_points(each, 6000, machine, tolerance=0.01))[0]["time_s"]
+        for each in (points, np.array(merged(points, within)))
+    )
+    assert coarse <= most * fine
