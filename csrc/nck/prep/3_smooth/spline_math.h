@@ -153,7 +153,7 @@ static inline nck_real nck_spline_lifted_second(nck_real lift) { return 1.0 + 2.
 static inline nck_real nck_spline_lifted_third(nck_real lift) { return 1.0 + 3.0 * lift; }
 
 // Cosine between two turns of one bend, at least.
-#define NCK_SPLINE_ALIKE 0.8
+#define NCK_SPLINE_ALIKE 0.9
 
 // 1 if a path turns twice about as much, and the same way, as a curve's chords do: Δu and |Δu| of
 // both, so many axes of them.
