@@ -33,7 +33,9 @@ def decode(text, machine):
     return join("nck_block_t", blocks), join("nck_diagnostic_t", diagnostics)
 
 
-STEP = 0.5  # periods that a cell of a jerk-limited profile lasts about
+# Periods that a cell of a jerk-limited profile lasts about, and for how many more it is tried where
+# so short a step is lost in rounding on a long path.
+STEPS = (0.125, 0.25, 0.5, 1, 2, 4)
 LADDER_ROUNDS = 2  # times that long cells are divided
 RAMPS = {
     "linear": lib.NCK_HOST_RAMP_LINEAR,
@@ -41,9 +43,6 @@ RAMPS = {
     "whole": lib.NCK_HOST_RAMP_WHOLE,
     "fixed": lib.NCK_HOST_RAMP_FIXED,
 }
-
-
-FILTER_TAPS = lib.NCK_FILTER_TAPS  # samples of the path coordinate that the tick takes the mean of
 
 
 class Profile:
@@ -59,14 +58,10 @@ class Profile:
         (n,) time of every segment [s].
     time_s : float
         Time of all [s].
-    taps : int
-        A sample is the mean over so many delayed by `delay_s` each: the tick's filter.
-    delay_s : float
-        [s].
     """
 
-    def __init__(self, v_node, cells, taps=1, delay_s=0.0):
-        self.v_node, self.cells, self.taps, self.delay_s = v_node, cells, taps, delay_s
+    def __init__(self, v_node, cells):
+        self.v_node, self.cells = v_node, cells
         segments = len(v_node) - 1
         self.segment_s = np.bincount(cells["seg"], cells["duration"], minlength=segments)
         self.time_s = float(self.segment_s.sum())
@@ -106,21 +101,10 @@ class Profile:
         if not (np.isfinite(period_s) and period_s > 0):
             raise errors.ArgumentError(f"period_s is {period_s}, must be positive", id="argument")
         rows = int(np.ceil(self.time_s / period_s)) + 1
-        mean = room("the samples", 3 * rows, "double", "give a longer period_s").reshape(3, rows)
-        if self.taps == 1:
-            return self._sample(self.cells, period_s, rows)
-        rest = np.zeros(1, self.cells.dtype)
-        for tap in range(self.taps):
-            rest["duration"] = tap * self.delay_s
-            mean += self._sample(join("nck_cell_t", [rest, self.cells]), period_s, rows)
-        return tuple(mean / self.taps)
-
-    @staticmethod
-    def _sample(cells, period_s, rows):
-        s, v, a = np.empty((3, rows))
+        s, v, a = room("the samples", 3 * rows, "double", "give a longer period_s").reshape(3, rows)
         places = [pointer("double", each) for each in (s, v, a)]
         samples = ffi.new("nck_host_samples_t *", [period_s, rows, *places])
-        lib.nck_host_slope_sample(pointer("nck_cell_t", cells), len(cells), samples)
+        lib.nck_host_slope_sample(pointer("nck_cell_t", self.cells), len(self.cells), samples)
         return s, v, a
 
 
@@ -157,7 +141,7 @@ class JerkPlanner:
     ----------
     arrays : dict
         length, v_cap, a_max, j_max, v_node as :func:`slope` takes them, float64.
-    period_s, step_s, j_scale : float
+    period_s, step_s, j_scale : float, float or None, float
         As there.
 
     Attributes
@@ -168,19 +152,14 @@ class JerkPlanner:
 
     def __init__(self, arrays, period_s, step_s, j_scale):
         self._path, self._how = _path(arrays), ffi.new("nck_host_jerk_t *")
-        self._how.period_s, self._how.step_s, self._how.j_scale = period_s, step_s, j_scale
-        self._how.taps, self._how.rounds = FILTER_TAPS, LADDER_ROUNDS
+        self._steps = [step_s] if step_s is not None else [share * period_s for share in STEPS]
+        self._how.period_s, self._how.step_s, self._how.j_scale = period_s, self._steps[0], j_scale
+        self._how.rounds = LADDER_ROUNDS
         self._v_out = np.empty(len(arrays["v_node"]))
-        self._rest_s = (FILTER_TAPS - 1) * period_s
         self._make_room(4 * len(arrays["length"]) + 2048)
 
     def _make_room(self, nodes):
         remedy = "give a longer period_s or step_s, or plan the path in parts, between its stops"
-        if nodes > lib.NCK_HOST_JERK_NODES:
-            raise errors.ArgumentError(
-                f"the profile has more than {lib.NCK_HOST_JERK_NODES:,} nodes: {remedy}",
-                id="memory",
-            )
         self._work = room("the profile", lib.nck_host_jerk_bytes(nodes), "uint8_t", remedy)
         self._cells = room("the profile", nodes, "nck_cell_t", remedy)
         area = ffi.new("nck_host_jerk_area_t *", {"nodes": nodes})
@@ -191,39 +170,44 @@ class JerkPlanner:
 
     def profile(self):
         """Plan; return the Profile."""
+        for self._how.step_s in self._steps:
+            status, count, bad = self._plan()
+            if status not in (lib.NCK_E_STATE, lib.NCK_FULL):
+                break
+        if status == lib.NCK_FULL:
+            raise errors.ArgumentError(
+                f"the profile has more than {lib.NCK_HOST_JERK_NODES:,} nodes: give a longer "
+                "period_s or step_s, or plan the path in parts, between its stops",
+                id="memory",
+            )
+        if status == lib.NCK_E_STATE:
+            raise errors.ArgumentError(
+                f"segment {bad} would never be passed at a period of {self._how.period_s:g} s: "
+                "a step is lost in rounding on so long a path; give a longer step_s, or plan the "
+                "path in parts",
+                id="period", status=status,
+            )  # fmt: skip
+        _raise_argument(status, bad)
+        return Profile(self._v_out.copy(), self._cells[:count].copy())
+
+    def _plan(self):
+        """Return what ``nck_host_jerk`` returns, the cells and the index of a bad segment."""
         count, bad = ffi.new("size_t *"), ffi.new("size_t *")
         status = lib.nck_host_jerk(*self.arguments, count, bad)
-        while status == lib.NCK_FULL:
+        while status == lib.NCK_FULL and count[0] <= lib.NCK_HOST_JERK_NODES:
             more = count[0] + count[0] // 4  # the next round divides some
             self._make_room(max(count[0], min(more, lib.NCK_HOST_JERK_NODES)))
             status = lib.nck_host_jerk(*self.arguments, count, bad)
-        if status == lib.NCK_E_STATE:
-            raise errors.ArgumentError(
-                f"segment {bad[0]} would never be passed at a period of {self._how.period_s:g} s: "
-                "its v_cap is below what the tick's filter may add, or a step is lost in rounding "
-                "on so long a path; change period_s or step_s, or plan the path in parts",
-                id="period", status=status,
-            )  # fmt: skip
-        _raise_argument(status, bad[0])
-        cells = _resting(self._cells[: count[0]], self._rest_s)
-        return Profile(self._v_out.copy(), cells, FILTER_TAPS, self._how.period_s)
-
-
-def _resting(cells, rest_s):
-    """Return cells with a rest behind every stop, as long as the tick's filter needs to land."""
-    stops = np.flatnonzero(cells["stop"])
-    rests = np.zeros(len(stops), cells.dtype)
-    rests["seg"], rests["duration"] = cells["seg"][stops], rest_s
-    where = np.concatenate([np.arange(len(cells)), stops])
-    return join("nck_cell_t", [cells, rests])[np.argsort(where, kind="stable")]
+        return status, count[0], bad[0]
 
 
 def slope(length_mm, v_cap, a_max, j_max, v_node, *, kind="linear", lookahead=None, ramp_s=1.0,
           period_s=1e-3, step_s=None, j_scale=0.0):  # fmt: skip
     """Room 5 over a whole path: the kernel's jerk-limited profile, or one of Cao et al. 2014.
 
-    Those plan `lookahead` segments beyond the one in work and assume rest at the end of them; they
-    are for comparison with the paper.
+    The first is the kernel's planner over all of the path, without the tick's filter, so that each
+    segment keeps its own limits. The others plan `lookahead` segments beyond the one in work and
+    assume rest at the end of them; they are for comparison with the paper.
 
     Parameters
     ----------
@@ -245,9 +229,11 @@ def slope(length_mm, v_cap, a_max, j_max, v_node, *, kind="linear", lookahead=No
     ramp_s : float
         Duration of every ramp of the kind "fixed" [s], positive.
     period_s : float
-        Kind "jerk": the tick's period [s]; at every sample of that period j_max holds.
+        Kind "jerk": at samples of that period [s] j_max holds.
     step_s : float, optional
-        Kind "jerk": how long a cell lasts about [s]. None: `STEP` periods.
+        Kind "jerk": how long a cell lasts about [s], at most four periods. Shorter is nearer to
+        the fastest, and costs more. None: an eighth of the period, or as often twice that as so
+        long a path asks for.
     j_scale : float
         Kind "jerk": share of j_max to plan with, 0 … 1. 0: as much as holds at every sample.
 
@@ -270,7 +256,6 @@ def slope(length_mm, v_cap, a_max, j_max, v_node, *, kind="linear", lookahead=No
     if kind == "jerk":
         if lookahead is not None:
             raise errors.ArgumentError('kind "jerk" sees the whole path', id="lookahead")
-        step_s = STEP * period_s if step_s is None else step_s
         return JerkPlanner(arrays, period_s, step_s, j_scale).profile()
     if kind not in RAMPS:
         kinds = ", ".join([*RAMPS, "jerk"])

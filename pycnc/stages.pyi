@@ -12,8 +12,6 @@ class Profile:
     cells: NDArray[np.void]
     segment_s: NDArray[np.float64]
     time_s: float
-    taps: int
-    delay_s: float
     def sample(
         self, period_s: float
     ) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64]]: ...

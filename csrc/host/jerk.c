@@ -8,7 +8,7 @@
 #include "nck/prep/5_slope/ladder_math.h" // nck_ladder_…
 #include "nck/prep/5_slope/profile.h"     // nck_profile_t
 
-enum { ARRAYS = 10, TAPS_MOST = 16, PARTS_MOST = 1000 };
+enum { ARRAYS = 10, PARTS_MOST = 1000 };
 
 // No cell is capped in rule R while the ladder is still coarse.
 #define UNCAPPED_PERIODS 1e9
@@ -32,7 +32,7 @@ static int is_positive(double x) { return x > 0.0 && x <= DBL_MAX; }
 
 static size_t first_bad(const nck_host_path_t *path, const nck_host_jerk_t *how) {
     if (!is_positive(how->period_s) || !is_positive(how->step_s)) return path->n;
-    if (how->step_s > 4.0 * how->period_s || how->taps < 1 || how->taps > TAPS_MOST) return path->n;
+    if (how->step_s > 4.0 * how->period_s) return path->n;
     if (!(how->j_scale >= 0.0 && how->j_scale <= 1.0)) return path->n;
     for (size_t i = 0; i < path->n; i++) {
         const int good = is_positive(path->length[i]) && is_positive(path->v_cap[i])
@@ -57,19 +57,12 @@ static void share_out(ladder_t *self, void *work, size_t nodes) {
 
 static double square(double x) { return x * x; }
 
-// Cap of a speed, lowered by what the filter may add.
-static double lowered(const ladder_t *self, double v, double j) {
-    const double tau = (double)self->how->taps * self->how->period_s;
-    const double q = NCK_LADDER_STRETCH * self->how->step_s;
-    return square(nck_max(0.0, v - nck_ladder_raise(j * self->j_scale, tau, q)));
-}
-
 static double junction_cap(const ladder_t *self, size_t node) {
     const nck_host_path_t *const path = self->path;
     const size_t n = path->n;
     if (node == 0 || node == n) return 0.0;
     const double v = nck_min(path->v_node[node], nck_min(path->v_cap[node - 1], path->v_cap[node]));
-    return lowered(self, v, nck_max(path->j_max[node - 1], path->j_max[node]));
+    return square(v);
 }
 
 static void push(ladder_t *self, uint32_t seg, double h) {
@@ -183,8 +176,7 @@ static size_t plan(ladder_t *self, double q_cap) {
         const int junction = i == 0 || self->seg[i - 1] != seg;
         p->a_max[i] = path->a_max[seg];
         p->j_max[i] = path->j_max[seg] * self->j_scale;
-        p->w_cap[i] = junction ? junction_cap(self, seg)
-                               : lowered(self, path->v_cap[seg], path->j_max[seg]);
+        p->w_cap[i] = junction ? junction_cap(self, seg) : square(path->v_cap[seg]);
     }
     p->q_cap = q_cap;
     p->v = p->a = p->q = 0.0;
@@ -238,7 +230,7 @@ nck_status_t nck_host_jerk(const nck_host_path_t *path, const nck_host_jerk_t *h
     self.path = path;
     self.how = how;
     const double q_cap = NCK_LADDER_STRETCH * how->step_s;
-    const double excess = nck_ladder_excess(q_cap, how->period_s, (int)how->taps);
+    const double excess = nck_ladder_excess(q_cap, how->period_s, 1);
     self.j_scale = how->j_scale > 0.0 ? how->j_scale : 1.0 / (1.0 + excess);
     share_out(&self, area->work, area->nodes);
     const nck_status_t status = plan_in_rounds(&self, q_cap, bad_out);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 // The jerk-limited profile of a whole path at once: the kernel's planner (5_slope/profile.h)
-// without its window. Caller owns every array.
+// without its window and without the tick's filter, which would mix the limits of neighbours: the
+// third differences of s itself, sampled every period, keep the jerk (ladder_math.h, one tap).
+// Caller owns every array.
 #ifndef NCK_HOST_JERK_H
 #define NCK_HOST_JERK_H
 
@@ -19,9 +21,8 @@ enum { NCK_HOST_JERK_NODES = 1 << 25 };
 
 // How the profile is made and played.
 typedef struct nck_host_jerk {
-    double period_s;  // T, the period of the output [s], positive
+    double period_s;  // T, between two samples of s [s], positive
     double step_s;    // D, what a cell lasts about [s], positive, at most 4 T
-    uint32_t taps;    // n, of the filter at the output: s is the mean over n samples, 1 … 16
     uint32_t rounds;  // how often the ladder is made again from the plan, 2 suffice
     double j_scale;   // rule R plans with j_scale·J, 0 … 1; 0: with what holds J at every sample
 } nck_host_jerk_t;
@@ -43,8 +44,8 @@ size_t nck_host_jerk_bytes(size_t nodes);
 // Returns NCK_OK; NCK_FULL if the area's nodes are too few: *cell_count_out are needed at least,
 // and more than NCK_HOST_JERK_NODES are too many; NCK_E_ARGUMENT and in *bad_out the index of the
 // first segment (n: the last junction, or the settings) whose number is NaN, infinite or outside
-// of its range; NCK_E_STATE and in *bad_out the first segment that would never be passed: the
-// filter may add more than its cap, or next to the whole path its steps are lost in rounding.
+// of its range; NCK_E_STATE and in *bad_out the first segment that would never be passed: next to
+// the whole path its steps are lost in rounding.
 // Context: any.
 nck_status_t nck_host_jerk(const nck_host_path_t *path, const nck_host_jerk_t *how,
                            const nck_host_jerk_area_t *area, size_t *cell_count_out,

@@ -86,7 +86,7 @@ def jerk(problem, runs, period_s=1e-3):
         The least time of a run [ns].
     """
     arrays = stages.checked_path(**problem)
-    planner = stages.JerkPlanner(arrays, period_s, stages.STEP * period_s, 0.0)
+    planner = stages.JerkPlanner(arrays, period_s, None, 0.0)
     planner.profile()  # makes room
     ns = lib.nck_host_measure_jerk(*planner.arguments, runs)
     check(min(ns, 0))
