@@ -205,9 +205,8 @@ def slope(length_mm, v_cap, a_max, j_max, v_node, *, kind="linear", lookahead=No
           period_s=1e-3, step_s=None, j_scale=0.0):  # fmt: skip
     """Room 5 over a whole path: the kernel's jerk-limited profile, or one of Cao et al. 2014.
 
-    The first is the kernel's planner over all of the path, without the tick's filter, so that each
-    segment keeps its own limits. The others plan `lookahead` segments beyond the one in work and
-    assume rest at the end of them; they are for comparison with the paper.
+    The first has no filter, so each segment keeps its limits. The others plan `lookahead` segments
+    beyond the one in work and assume rest at their end; they are for comparison with the paper.
 
     Parameters
     ----------
@@ -231,9 +230,8 @@ def slope(length_mm, v_cap, a_max, j_max, v_node, *, kind="linear", lookahead=No
     period_s : float
         Kind "jerk": at samples of that period [s] j_max holds.
     step_s : float, optional
-        Kind "jerk": how long a cell lasts about [s], at most four periods. Shorter is nearer to
-        the fastest, and costs more. None: an eighth of the period, or as often twice that as so
-        long a path asks for.
+        Kind "jerk": how long a cell lasts about [s], at most four periods. None: an eighth of one,
+        or as often twice that as so long a path asks for.
     j_scale : float
         Kind "jerk": share of j_max to plan with, 0 … 1. 0: as much as holds at every sample.
 
