@@ -159,15 +159,28 @@ static nck_status_t pull_block(nck_t *nck) {
     return first < NCK_OK ? first : NCK_OK;
 }
 
-static nck_wish_t wish_of(const nck_command_t *command) {
-    const uint32_t speed_um_s = nck_fence_load(&command->speed_um_s);
-    const nck_wish_t wish = {(double)nck_fence_load(&command->feed_permille) / (double)PERMILLE,
-                             (double)nck_fence_load(&command->rapid_permille) / (double)PERMILLE,
+static nck_wish_t wish_of(const nck_command_t *asked) {
+    const uint32_t speed_um_s = asked->speed_um_s;
+    const nck_wish_t wish = {(double)asked->feed_permille / (double)PERMILLE,
+                             (double)asked->rapid_permille / (double)PERMILLE,
                              speed_um_s < UINT32_MAX ? (double)speed_um_s * 1e-3 : NCK_WISH_FREE,
-                             nck_fence_load(&command->hold),
-                             nck_fence_load(&command->single_block),
-                             nck_fence_load(&command->resumes)};
+                             asked->hold, asked->single_block, asked->resumes};
     return wish;
+}
+
+// 1 if the operator asks for what the slope has heard: the words are compared, for wishes are
+// divisions. hold: whether a hold is asked for, or soft limits ask for one.
+static int is_heard(const nck_t *nck, uint32_t hold) {
+    const nck_command_t *const command = &nck->command;
+    const nck_command_t *const heard = &nck->wire.heard;
+    const uint32_t overrides =
+        (nck_fence_load(&command->feed_permille) ^ heard->feed_permille)
+        | (nck_fence_load(&command->rapid_permille) ^ heard->rapid_permille)
+        | (nck_fence_load(&command->speed_um_s) ^ heard->speed_um_s);
+    const uint32_t words = (nck_fence_load(&command->single_block) ^ heard->single_block)
+                           | (nck_fence_load(&command->resumes) ^ heard->resumes)
+                           | (hold ^ heard->hold);
+    return (overrides | words) == 0;
 }
 
 static nck_pieces_t pieces_of(nck_t *nck) {
@@ -186,17 +199,24 @@ static void drop_before(nck_t *nck, uint32_t number) {
     if (count > 0) nck_lookahead_drop(&nck->lookahead, count);
 }
 
+// 1 if the path would leave the soft limits, and brakes.
+static uint32_t is_stopped(nck_t *nck, const nck_pieces_t *pieces) {
+    return nck_travel_is_set(&nck->travel)
+           && nck_travel_step(&nck->travel, &nck->terms, &nck->link, pieces);
+}
+
 // lookahead ─▶ slope ─▶ plans and final cells.
 static nck_status_t step_slope(nck_t *nck) {
     const nck_pieces_t pieces = pieces_of(nck);
-    nck_wish_t wish = wish_of(&nck->command);
-    if (nck_travel_is_set(&nck->travel)
-        && nck_travel_step(&nck->travel, &nck->terms, &nck->link, &pieces)) {
-        wish.hold = 1;
+    const uint32_t stopped = is_stopped(nck, &pieces);
+    const uint32_t hold = nck_fence_load(&nck->command.hold) | stopped;
+    if (nck_slope_lacks(&nck->slope, &pieces) && is_heard(nck, hold)) {
+        return (nck_status_t)nck->slope.idle.status;
     }
-    if (nck_slope_lacks(&nck->slope, &pieces) && nck_slope_is_idle(&nck->slope, &wish)) {
-        return NCK_EMPTY;
-    }
+    nck_command_t *const heard = &nck->wire.heard;
+    nck_asked(nck, heard);
+    heard->hold |= stopped;
+    const nck_wish_t wish = wish_of(heard);
     const nck_status_t status = nck_slope_step(&nck->slope, &pieces, &wish);
     drop_before(nck, nck_slope_needs(&nck->slope));
     return status;

@@ -107,10 +107,16 @@ void nck_link_tail_grow(nck_link_t *self, uint32_t count) {
     self->tail_fill += count;
 }
 
-void nck_link_tail_push(nck_link_t *self, const nck_cell_t *cell) {
+void nck_link_tail_placed(nck_link_t *self, const nck_cell_t *cell) {
     assert(self->tail_fill < NCK_TAIL_MAX);
-    *nck_link_tail_room(self) = *cell;
-    nck_link_tail_grow(self, 1);
+    inspect(self, cell);
+    self->tail_fill++;
+}
+
+void nck_link_tail_push(nck_link_t *self, const nck_cell_t *cell) {
+    nck_cell_t *const room = nck_link_tail_room(self);
+    *room = *cell;
+    nck_link_tail_placed(self, room);
 }
 
 nck_link_spare_t *nck_link_spare(nck_link_t *self) { return &self->tail[next_parity(self)].spare; }
@@ -205,8 +211,6 @@ nck_status_t nck_link_advance(nck_link_t *self, double lead, uint32_t most) {
 uint32_t nck_link_broken_line(const nck_link_t *self) { return self->broken_line; }
 
 uint32_t nck_link_finished(const nck_link_t *self) { return nck_fence_load(&self->seg_done); }
-
-uint32_t nck_link_taken(const nck_link_t *self) { return nck_fence_load(&self->taken); }
 
 const nck_cell_t *nck_link_tail_cell(const nck_link_t *self, uint32_t count) {
     const uint32_t parity = parity_of(nck_fence_load(&self->word));

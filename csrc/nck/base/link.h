@@ -127,6 +127,10 @@ void nck_link_tail_push(nck_link_t *self, const nck_cell_t *cell);
 nck_cell_t *nck_link_tail_room(nck_link_t *self);
 void nck_link_tail_grow(nck_link_t *self, uint32_t count);
 
+// The same of one cell, that stands where nck_link_tail_room has said. Cost: constant.
+// Context: prep.
+void nck_link_tail_placed(nck_link_t *self, const nck_cell_t *cell);
+
 // The memory of the tail that is built next, for prep to work in until nck_link_tail_begin; a tail
 // that was being built is lost. It stays where it is until something is published.
 // Cost: constant. Context: prep.
@@ -171,7 +175,9 @@ uint32_t nck_link_broken_line(const nck_link_t *self);
 uint32_t nck_link_finished(const nck_link_t *self);
 
 // Cells that the tick has taken, as a running number. Cost: constant. Context: prep.
-uint32_t nck_link_taken(const nck_link_t *self);
+static inline uint32_t nck_link_taken(const nck_link_t *self) {
+    return nck_fence_load(&self->taken);
+}
 
 // The cell number `count` (as nck_link_end counts) of the published tail or plan, whether final or
 // not; NULL outside of it. Cost: constant. Context: prep.

@@ -55,13 +55,13 @@ typedef struct junction {
 static nck_status_t largest_gain(nck_lookahead_t *self, const junction_t *junction, double reach,
                                  double *a_t_out) {
     const nck_joint_t *neighbour = junction->out;
-    double a = nck_max(junction->in->a_most, neighbour->a_most);
+    double a = junction->in->a_most;
     double x = 0.0;
+    nck_status_t status = NCK_OK;
     nck_walk_t walk;
     nck_walk_begin(self, &walk, junction->count);
-    nck_status_t status = nck_walk_next(self, &walk, reach, &neighbour, &x);
     while (status == NCK_OK) {
-        a = nck_max(a, neighbour->a_most);
+        a = nck_max(a, neighbour->a_most); // the first time, of the seg behind
         status = nck_walk_next(self, &walk, reach, &neighbour, &x);
     }
     *a_t_out = a * junction->period;
@@ -83,7 +83,7 @@ static inline void settle_alone(nck_lookahead_t *self, const junction_t *junctio
                                 double v) {
     const double v_true = nck_max(v, self->terms->v_filter);
     settle(self, junction, pace, v,
-           nck_corner_share(v_true, junction->in->load, 0.0, 0.0, 0.0, junction->period));
+           nck_corner_share_alone(v_true, junction->in->load, junction->period));
 }
 
 // The largest share of a junction. Under a jerk limit the speed is least where the acceleration is
@@ -161,7 +161,7 @@ static nck_status_t decide_corner(nck_lookahead_t *self, uint32_t count, nck_joi
     const double period = self->terms->machine->period_s;
     const junction_t junction = {count, joint, out, nck_min(joint->length, out->length),
                                  share_most(self, joint, out), period};
-    const double most = nck_corner_speed(junction.beta, joint->load, 0.0, 0.0, 0.0, period);
+    const double most = nck_corner_speed_alone(junction.beta, joint->load, period);
     nck_pace_t *const pace = joint->pace;
     double v[NCK_PACES];
     for (int k = 0; k < NCK_PACES; k++) v[k] = nck_min(most, nck_min(pace[k].v, out->pace[k].v));

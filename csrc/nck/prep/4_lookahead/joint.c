@@ -2,9 +2,6 @@
 // Inside room 4: caps of segs.
 #include "nck/prep/4_lookahead/joint.h"
 
-#include <stddef.h> // offsetof
-#include <string.h> // memset
-
 #include "nck/base/budget.h"                  // NCK_UNLIMITED
 #include "nck/base/path.h"                    // nck_path_…_part
 #include "nck/base/path_math.h"               // nck_path_turns
@@ -47,14 +44,17 @@ static void cap_by_axes(nck_joint_t *joint, const nck_seg_t *seg, const double *
                         const double *t_out, const nck_terms_t *terms) {
     const nck_machine_t *const machine = terms->machine;
     const int is_line = seg->kind == NCK_SEG_LINE;
+    double v = NCK_UNLIMITED;
     double a_straight = NCK_UNLIMITED;
     double j = terms->j_max;
+    int slowest = NCK_AXIS_X;
     for (int x = 0; x < terms->axes; x++) {
         const nck_axis_t *const axis = &machine->axis[x];
         const double c = is_line ? nck_fabs(t_in[x]) : largest_cosine(joint, seg, x, t_in, t_out);
         if (c == 0.0) continue;
-        cap_speed(joint, nck_limit_along(seg->rapid ? axis->rapid : axis->v_max, c),
-                  seg->rapid ? NCK_LIMIT_RAPID : NCK_LIMIT_AXIS_V + x);
+        const double v_axis = nck_limit_along(seg->rapid ? axis->rapid : axis->v_max, c);
+        if (v_axis < v) slowest = x;
+        v = nck_min(v, v_axis);
         j = nck_min(j, nck_limit_along(axis->j_max, c));
         if (!is_line && nck_path_turns(seg, x)) {
             joint->shape.arc.a_plane = nck_min(joint->shape.arc.a_plane, axis->a_max);
@@ -62,6 +62,7 @@ static void cap_by_axes(nck_joint_t *joint, const nck_seg_t *seg, const double *
             a_straight = nck_min(a_straight, nck_limit_along(axis->a_max, c));
         }
     }
+    cap_speed(joint, v, seg->rapid ? NCK_LIMIT_RAPID : NCK_LIMIT_AXIS_V + slowest);
     joint->a_most = nck_min(machine->path.a_max, a_straight);
     if (seg->kind != NCK_SEG_SPLINE) joint->shape.arc.a_straight = a_straight;
     joint->j_straight = j;
@@ -126,15 +127,19 @@ static void make_spline(nck_joint_t *joint, const nck_terms_t *terms) {
     }
 }
 
-void nck_joint_tangents(const nck_seg_t *seg, int axes, double *start_out, double *end_out) {
-    const int moves = seg->length > 0.0;
-    for (int x = 0; !moves && x < axes; x++) start_out[x] = 0.0;
-    if (moves) nck_path_tangent_part(seg, 0.0, axes, start_out);
-    if (seg->kind == NCK_SEG_ARC || seg->kind == NCK_SEG_SPLINE) {
-        nck_path_tangent_part(seg, seg->length, axes, end_out);
-        return;
+const double *nck_joint_tangents(const nck_seg_t *seg, int axes, double *start_out,
+                                 double *end_out) {
+    if (!(seg->length > 0.0)) {
+        for (int x = 0; x < axes; x++) start_out[x] = 0.0;
+        return start_out;
     }
-    for (int x = 0; x < axes; x++) end_out[x] = start_out[x];
+    if (seg->kind != NCK_SEG_ARC && seg->kind != NCK_SEG_SPLINE) {
+        for (int x = 0; x < axes; x++) start_out[x] = nck_path_slope(seg, x);
+        return start_out;
+    }
+    nck_path_tangent_part(seg, 0.0, axes, start_out);
+    nck_path_tangent_part(seg, seg->length, axes, end_out);
+    return end_out;
 }
 
 static const nck_joint_arc_t no_arc = {NCK_UNLIMITED, NCK_UNLIMITED, 0.0, 0.0};
@@ -149,25 +154,35 @@ static int moves_linear(const nck_seg_t *seg) {
     return moves;
 }
 
-// What a joint has of its seg, before any cap.
+// What a joint has of its seg, before any cap. What else a moving joint has of before it is settled
+// make_caps sets; its shape, if it is no rest, is another's.
 static inline void begin(nck_joint_t *joint, const nck_seg_t *seg) {
-    memset(joint, 0, offsetof(nck_joint_t, shape));
     joint->seq = seg->seq;
     joint->kind = seg->kind;
-    joint->length = seg->length;
+    joint->limit = NCK_LIMIT_FEED;
+    joint->limit_free = NCK_LIMIT_FEED;
     joint->end = seg->stop ? NCK_JOINT_STOP | NCK_JOINT_LAST : NCK_JOINT_LAST;
-    if (seg->kind >= NCK_SEG_DWELL) joint->shape.dwell_s = seg->shape.dwell_s;
-    if (seg->kind == NCK_SEG_THREAD) {
-        joint->shape.dwell_s = (double)seg->shape.thread.duration;
-    }
-    if (seg->kind == NCK_SEG_TAP) joint->shape.dwell_s = (double)seg->shape.tap.duration;
+    joint->length = seg->length;
     joint->feed = seg->feed;
     joint->tool = moves_linear(seg) ? seg->feed_scale : 0.0;
     joint->v_max = NCK_UNLIMITED;
     joint->v_free = NCK_UNLIMITED;
+    joint->load = 0.0;
+    for (int k = 0; k < NCK_PACES; k++) {
+        joint->pace[k].v_corner = NCK_UNLIMITED;
+        joint->pace[k].share = 0.0;
+    }
     if (seg->kind <= NCK_SEG_ARC) joint->shape.arc = no_arc;
-    joint->pace[NCK_PACE_FEED].v_corner = NCK_UNLIMITED;
-    joint->pace[NCK_PACE_OVER].v_corner = NCK_UNLIMITED;
+}
+
+// A rest has no cap of its own.
+static void make_rest(nck_joint_t *joint, const nck_seg_t *seg) {
+    joint->w_near = 0.0;
+    joint->j_straight = 0.0;
+    joint->a_most = 0.0;
+    joint->shape.dwell_s = seg->shape.dwell_s;
+    if (seg->kind == NCK_SEG_THREAD) joint->shape.dwell_s = (double)seg->shape.thread.duration;
+    if (seg->kind == NCK_SEG_TAP) joint->shape.dwell_s = (double)seg->shape.tap.duration;
 }
 
 static void make_caps(nck_joint_t *joint, const nck_seg_t *seg, const double *tangent_start,
@@ -192,15 +207,21 @@ void nck_joint_make(nck_joint_t *joint, const nck_seg_t *seg, const double *tang
                     const double *tangent_end, const nck_terms_t *terms) {
     const double span[2] = {0.0, seg->length};
     begin(joint, seg);
-    if (seg->kind >= NCK_SEG_DWELL) return;
-    if (seg->kind == NCK_SEG_SPLINE) bound_spline(joint, seg, span, terms);
+    if (seg->kind >= NCK_SEG_DWELL) {
+        make_rest(joint, seg);
+        return;
+    }
+    if (seg->kind == NCK_SEG_SPLINE) {
+        joint->shape.bend.s = 0.0;
+        bound_spline(joint, seg, span, terms);
+    }
     make_caps(joint, seg, tangent_start, tangent_end, terms);
 }
 
 void nck_joint_part(nck_joint_t *joint, const nck_seg_t *seg, const double span[2],
                     const nck_terms_t *terms) {
     begin(joint, seg);
-    joint->s = span[0];
+    joint->shape.bend.s = span[0];
     joint->length = span[1] - span[0];
     if (span[1] < seg->length) joint->end = 0;
     bound_spline(joint, seg, span, terms);

@@ -26,8 +26,9 @@ static inline nck_joint_t *nck_joint_at(nck_lookahead_t *self, uint32_t count) {
 double nck_joint_a_any(const nck_machine_t *machine);
 
 // The unit tangents at both ends of a seg, so many components of each, from X on; of a rest: zero.
-// Cost: constant.
-void nck_joint_tangents(const nck_seg_t *seg, int axes, double *start_out, double *end_out);
+// Returns the one at its end: end_out, or start_out where they are the same. Cost: constant.
+const double *nck_joint_tangents(const nck_seg_t *seg, int axes, double *start_out,
+                                 double *end_out);
 
 // Into how many joints a spline is worth to be parted; of other segs: 1. joint: the whole seg's.
 // Cost: constant.

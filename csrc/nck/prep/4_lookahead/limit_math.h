@@ -86,7 +86,17 @@ static inline nck_real nck_corner_speed(nck_real beta, nck_real sum_d, nck_real 
     return (beta * period + others_dx / period - a_t * others_d) / sum_d;
 }
 
-// The same equation solved for the share β that the speed v costs.
+// The same of a junction that is alone (Cao et al. 2014, eq. 14, with βa for a):   v = β·T/d
+static inline nck_real nck_corner_speed_alone(nck_real beta, nck_real d, nck_real period) {
+    return beta * period / d;
+}
+
+// The share β that the speed v costs at a junction that is alone.
+static inline nck_real nck_corner_share_alone(nck_real v, nck_real d, nck_real period) {
+    return v * d / period;
+}
+
+// The same equation solved for the share β that the speed v costs, with its neighbours.
 static inline nck_real nck_corner_share(nck_real v, nck_real sum_d, nck_real others_d,
                                         nck_real others_dx, nck_real a_t, nck_real period) {
     return (v * sum_d + a_t * others_d - others_dx / period) / period;

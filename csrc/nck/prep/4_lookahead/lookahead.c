@@ -48,15 +48,16 @@ nck_status_t nck_lookahead_push(nck_lookahead_t *self, const nck_seg_t *seg) {
     if (!nck_lookahead_has_room(self)) return NCK_FULL;
     self->ended = 0;
     nck_joint_t *const joint = nck_joint_at(self, self->joint.head);
+    const int axes = self->terms->axes;
     double start[NCK_AXIS_MAX];
-    double end[NCK_AXIS_MAX];
-    nck_joint_tangents(seg, self->terms->axes, start, end);
+    double bent[NCK_AXIS_MAX];
+    const double *const end = nck_joint_tangents(seg, axes, start, bent);
     nck_joint_make(joint, seg, start, end, self->terms);
     if (self->joint.head > 0) {
         nck_corner_meet(nck_joint_at(self, self->joint.head - 1), joint, self->joint.tangent, start,
                         self->terms);
     }
-    memcpy(self->joint.tangent, end, sizeof end);
+    for (int x = 0; x < axes; x++) self->joint.tangent[x] = end[x];
     const int parts = nck_joint_parts(joint, self->terms);
     if (parts > 1) {
         push_parts(self, seg, parts);
@@ -81,21 +82,33 @@ int nck_lookahead_is_settled(const nck_lookahead_t *self) {
     return self->joint.placed == self->joint.head && (self->ended || self->joint.head == 0);
 }
 
+// The next seg cannot be placed yet, as is seen without a walk: what comes behind the last junction
+// that is decided reaches into it.
+static int is_early(const nck_lookahead_t *self) {
+    const uint32_t count = self->joint.placed;
+    if (count == self->joint.decided) return 1;
+    if (count + 1 != self->joint.decided || count + 1 == self->joint.head) return 0;
+    const nck_joint_t *const joint = &self->joint.at[count & (NCK_JOINT_MAX - 1)];
+    const nck_joint_t *const next = &self->joint.at[(count + 1) & (NCK_JOINT_MAX - 1)];
+    return !nck_zone_parts(joint, self->zone_s) && next->pace[NCK_PACE_OVER].time < self->zone_s;
+}
+
+// Place the next seg. Returns 1 if it is placed.
+static int place_one(nck_lookahead_t *self) {
+    double share[NCK_PACES];
+    return !is_early(self)
+           && nck_zone_shares_after(self, self->joint.placed, share) == NCK_OK
+           && nck_piece_place(self, share) == NCK_OK;
+}
+
 // Place the next segs, unless it was tried in vain and nothing has become known since.
 static int place(nck_lookahead_t *self) {
     const uint32_t known = self->joint.settled + self->joint.decided;
     int placed = 0;
     if (self->joint.tried == known && !self->ended) return 0;
-    while (placed < PLACES_PER_STEP && !window_full(self)) {
-        double share[NCK_PACES];
-        const uint32_t count = self->joint.placed;
-        const int is_known = count != self->joint.decided
-                             && nck_zone_shares_after(self, count, share) == NCK_OK;
-        if (!is_known || nck_piece_place(self, share) != NCK_OK) {
-            self->joint.tried = known;
-            break;
-        }
-        placed++;
+    while (placed < PLACES_PER_STEP && !window_full(self) && place_one(self)) placed++;
+    if (!window_full(self) && (placed < PLACES_PER_STEP || is_early(self))) {
+        self->joint.tried = known;
     }
     return placed > 0;
 }

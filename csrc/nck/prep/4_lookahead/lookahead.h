@@ -46,8 +46,9 @@ typedef struct nck_joint_arc {
     double kappa;         // in-plane acceleration = v²·kappa [1/mm]
 } nck_joint_arc_t;
 
-// Bounds on a spline's derivatives, by axis.
+// Where a part of a spline begins, and bounds on its derivatives, by axis.
 typedef NCK_SMOOTH_STATE nck_joint_bend {
+    double s;                    // in its seg [path mm]
     double first[NCK_AXIS_MAX];  // |p′|
     double second[NCK_AXIS_MAX]; // |p″| [1/mm]
     double third[NCK_AXIS_MAX];  // |p‴| [1/mm²]
@@ -67,7 +68,6 @@ typedef struct nck_joint {
     uint8_t limit;        // nck_limit_t that set v_max
     uint8_t limit_free;   // nck_limit_t that set v_free
     uint8_t end;          // bits of nck_joint_end_t
-    double s;             // where in its seg it begins [path mm]
     double length;        // [path mm]
     double feed;          // programmed speed [path mm/s]; 0: a rapid
     double tool;          // speed of the tool / path speed; 0: rotary axes move alone
@@ -155,10 +155,10 @@ nck_status_t nck_lookahead_step(nck_lookahead_t *self);
 static inline int nck_lookahead_is_idle(const nck_lookahead_t *self) {
     const uint32_t settled = self->joint.settled;
     const uint32_t decided = self->joint.decided;
-    const int is_placed = self->joint.placed == decided || self->joint.tried == settled + decided;
-    const int is_decided = decided + 1 == settled || self->joint.known == self->joint.head;
-    return settled == self->joint.head && is_decided && is_placed && !self->ended
-           && self->window.fill <= NCK_WINDOW - NCK_PIECES_PER_SEG;
+    if (settled != self->joint.head || self->ended) return 0;
+    if (decided + 1 != settled && self->joint.known != self->joint.head) return 0;
+    if (self->joint.placed != decided && self->joint.tried != settled + decided) return 0;
+    return self->window.fill <= NCK_WINDOW - NCK_PIECES_PER_SEG;
 }
 
 // The i-th piece from the window's head; NULL beyond the window. Cost: constant. Context: prep.

@@ -41,7 +41,8 @@ static void add_around(const nck_lookahead_t *self, around_t *around, const arou
     for (int k = 0; k < NCK_PACES; k++) {
         around->share[k] = nck_max(around->share[k], other->share[k]);
     }
-    for (int k = 0; self->terms->limits_jerk && k < NCK_PACES; k++) {
+    if (!self->terms->limits_jerk) return;
+    for (int k = 0; k < NCK_PACES; k++) {
         nck_near_t *const near = &around->near[k];
         near->a = nck_min(near->a, other->near[k].a);
         near->j = nck_min(near->j, other->near[k].j);
@@ -63,18 +64,19 @@ static double node_cap(const nck_lookahead_t *self, double vv_over, const double
 // The caps of the node at a piece's start.
 static void cap_node(nck_lookahead_t *self, nck_node_t *node, const double v_corner[]) {
     const double vv_corner = v_corner[NCK_PACE_FEED] * v_corner[NCK_PACE_FEED];
+    double vv_cap = node->vv_piece;
+    uint32_t limit = node->limit_piece;
+    if (self->before.vv < vv_cap) {
+        vv_cap = self->before.vv;
+        limit = self->before.limit;
+    }
+    if (vv_corner < vv_cap) {
+        vv_cap = vv_corner;
+        limit = NCK_LIMIT_CORNER;
+    }
     node->vv_node = node_cap(self, node->vv_over, v_corner);
-    node->vv_cap = node->vv_piece;
-    node->limit = node->limit_piece;
-    if (self->before.vv < node->vv_cap) {
-        node->vv_cap = self->before.vv;
-        node->limit = (uint8_t)self->before.limit;
-    }
-    if (vv_corner < node->vv_cap) {
-        node->vv_cap = vv_corner;
-        node->limit = NCK_LIMIT_CORNER;
-    }
-    if (self->terms->limits_jerk) node->vv_cap = nck_min(node->vv_cap, node->vv_node);
+    node->vv_cap = self->terms->limits_jerk ? nck_min(vv_cap, node->vv_node) : vv_cap;
+    node->limit = (uint8_t)limit;
     self->before.vv = node->vv_piece;
     self->before.vv_over = node->vv_over;
     self->before.limit = node->limit_piece;
@@ -110,23 +112,33 @@ static void leave_at_rest(nck_node_t *node, const nck_joint_t *joint, const nck_
     node->q_rest = half_of(no_more(nck_joint_bends(joint, terms)));
 }
 
+// What a node has of its joint, and what nobody has found yet.
+static void begin_node(nck_node_t *node, const nck_joint_t *joint) {
+    node->seg = joint->seq;
+    node->stop = 0;
+    node->last = 0;
+    node->kind = joint->kind;
+    node->open = 0;
+    node->q_rest = 0;
+    node->tool = (float)joint->tool;
+    node->feed = joint->feed;
+    node->standstill.dwell_s = 0.0;
+    node->vv = 0.0;
+}
+
 // Append the piece from s[0] to s[1]; v_corner caps the node at its start.
 static void add_piece(nck_lookahead_t *self, const nck_joint_t *joint, const double s[2],
                       const around_t *around, const double v_corner[]) {
     const nck_piece_limit_t piece = limits_of(self, joint, around, NCK_PACE_FEED);
     const nck_piece_limit_t over = limits_of(self, joint, around, NCK_PACE_OVER);
     nck_node_t *const node = node_at(self, self->window.fill);
-    memset(node, 0, sizeof *node);
-    node->seg = joint->seq;
-    node->kind = joint->kind;
-    node->s = joint->s + s[0];
+    begin_node(node, joint);
+    node->s = joint->kind == NCK_SEG_SPLINE ? joint->shape.bend.s + s[0] : s[0];
     node->length = s[1] - s[0];
     node->a = piece.a;
     node->a_over = nck_min(piece.a, over.a);
     node->j = piece.j;
     node->j_over = nck_min(piece.j, over.j);
-    node->feed = joint->feed;
-    node->tool = (float)joint->tool;
     node->vv_piece = piece.vv;
     node->vv_over = over.vv_free;
     node->limit_piece = piece.limit;
@@ -207,7 +219,6 @@ static int find_shares(const nck_lookahead_t *self, const nck_joint_t *joint,
 static int find_zones(nck_lookahead_t *self, uint32_t count, const around_t ends[2],
                       int is_cut_off[2], double zone[2]) {
     const nck_joint_t *const joint = nck_joint_at(self, count);
-    if (!self->terms->limits_jerk) return find_shares(self, joint, ends, is_cut_off, zone);
     for (uint32_t n = 0; n < 2; n++) {
         is_cut_off[n] = is_tighter(self, joint, &ends[n]);
         zone[n] = is_cut_off[n] ? zone_length(self, joint, count + n, &ends[n]) : 0.0;
@@ -245,7 +256,10 @@ static void add_motion(nck_lookahead_t *self, uint32_t count, around_t ends[2],
     const double unlimited[NCK_PACES] = {joint->v_max, joint->v_free};
     double zone[2];
     int is_cut_off[2];
-    if (!find_zones(self, count, ends, is_cut_off, zone)) {
+    const int is_cut = self->terms->limits_jerk
+                           ? find_zones(self, count, ends, is_cut_off, zone)
+                           : find_shares(self, joint, ends, is_cut_off, zone);
+    if (!is_cut) {
         add_whole(self, joint, ends, v_start);
         return;
     }
@@ -271,7 +285,8 @@ static void add_motion(nck_lookahead_t *self, uint32_t count, around_t ends[2],
 // it is not known yet.
 static nck_status_t look_around(nck_lookahead_t *self, uint32_t count, around_t ends[2]) {
     nck_zone_shares_before(self, count, ends[0].share);
-    for (int k = 0; self->terms->limits_jerk && k < NCK_PACES; k++) {
+    if (!self->terms->limits_jerk) return NCK_OK;
+    for (int k = 0; k < NCK_PACES; k++) {
         const double beta = nck_max(ends[0].share[k], ends[1].share[k]);
         const nck_status_t status = nck_near_after(self, count, k, beta, &ends[1].near[k]);
         if (status != NCK_OK) return status;
@@ -282,8 +297,10 @@ static nck_status_t look_around(nck_lookahead_t *self, uint32_t count, around_t 
 
 static void place_motion(nck_lookahead_t *self, uint32_t count, around_t ends[2]) {
     double v_start[NCK_PACES] = {0.0, 0.0};
-    for (int k = 0; k < NCK_PACES && count > 0; k++) {
-        v_start[k] = nck_joint_at(self, count - 1)->pace[k].v_corner;
+    if (count > 0) {
+        const nck_pace_t *const pace = nck_joint_at(self, count - 1)->pace;
+        v_start[NCK_PACE_FEED] = pace[NCK_PACE_FEED].v_corner;
+        v_start[NCK_PACE_OVER] = pace[NCK_PACE_OVER].v_corner;
     }
     add_motion(self, count, ends, v_start);
 }

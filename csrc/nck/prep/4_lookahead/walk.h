@@ -3,21 +3,16 @@
 #ifndef NCK_PREP_WALK_H
 #define NCK_PREP_WALK_H
 
+#include "nck/base/budget.h"            // NCK_UNLIMITED
 #include "nck/prep/4_lookahead/joint.h" // nck_lookahead_t nck_joint_t nck_joint_at
-
-// What is known of the next neighbour on one side.
-typedef enum nck_side_state {
-    NCK_SIDE_KNOWN,
-    NCK_SIDE_UNKNOWN, // the next neighbour's load hangs on a seg that is still to come
-    NCK_SIDE_OVER     // no more neighbours
-} nck_side_state_t;
+#include "nck/prep/4_lookahead/zone.h"  // nck_zone_parts
 
 // One direction of a walk along the junctions, away from the one in the middle.
 typedef struct nck_side {
     uint32_t at;        // the next neighbour: the junction at the end of this joint
     uint32_t steps;     // neighbours so far
-    double x;           // its distance [mm]; of an unknown one, the least that it can be
-    nck_side_state_t state;
+    double x;           // its distance [mm]; of an unknown one, the least that it can be;
+                        // NCK_UNLIMITED: there are no more
 } nck_side_t;
 
 // A walk in both directions.
@@ -25,14 +20,78 @@ typedef struct nck_walk {
     nck_side_t ahead;
     nck_side_t behind;
     double cut;         // where a side was cut off at NCK_CORNER_SPAN neighbours [mm]
+    int is_unknown;     // 1: the load of the next one ahead hangs on a seg that is still to come
 } nck_walk_t;
 
+// No more neighbours are looked at on a side. Cost: constant.
+static inline void nck_walk_cut(nck_walk_t *walk, nck_side_t *side) {
+    walk->cut = nck_min(walk->cut, side->x);
+    side->x = NCK_UNLIMITED;
+}
+
+// One neighbour further ahead. A junction's load is known once the seg behind it is; nothing is
+// shared across a rest. Cost: constant.
+static inline void nck_walk_ahead(nck_lookahead_t *self, nck_walk_t *walk) {
+    nck_side_t *const side = &walk->ahead;
+    if (side->steps >= NCK_CORNER_SPAN) {
+        nck_walk_cut(walk, side);
+        return;
+    }
+    side->steps++;
+    side->at++;
+    if (side->at == self->joint.head) {
+        walk->is_unknown = !self->ended;
+        if (self->ended) side->x = NCK_UNLIMITED;
+        return;
+    }
+    const nck_joint_t *const joint = nck_joint_at(self, side->at);
+    side->x += joint->length;
+    walk->is_unknown = side->at + 1 == self->joint.head && !self->ended;
+    if (nck_zone_parts(joint, self->zone_s)) side->x = NCK_UNLIMITED;
+}
+
+// One neighbour further behind. Cost: constant.
+static inline void nck_walk_behind(nck_lookahead_t *self, nck_walk_t *walk) {
+    nck_side_t *const side = &walk->behind;
+    if (side->steps >= NCK_CORNER_SPAN) {
+        nck_walk_cut(walk, side);
+        return;
+    }
+    if (side->at == 0 || nck_zone_parts(nck_joint_at(self, side->at - 1), self->zone_s)) {
+        side->x = NCK_UNLIMITED;
+        return;
+    }
+    side->x += nck_joint_at(self, side->at)->length;
+    side->steps++;
+    side->at--;
+}
+
 // Stand at the junction at the end of joint `count`. Cost: constant.
-void nck_walk_begin(nck_lookahead_t *self, nck_walk_t *walk, uint32_t count);
+static inline void nck_walk_begin(nck_lookahead_t *self, nck_walk_t *walk, uint32_t count) {
+    const nck_side_t here = {count, 0, 0.0};
+    walk->ahead = here;
+    walk->behind = here;
+    walk->cut = NCK_UNLIMITED;
+    nck_walk_ahead(self, walk);
+    nck_walk_behind(self, walk);
+}
 
 // The next neighbour nearer than reach [mm], and its distance [mm]. NCK_OK; NCK_DONE: no more;
 // NCK_EMPTY: not known yet. Cost: constant.
-nck_status_t nck_walk_next(nck_lookahead_t *self, nck_walk_t *walk, double reach,
-                           const nck_joint_t **joint_out, double *x_out);
+static inline nck_status_t nck_walk_next(nck_lookahead_t *self, nck_walk_t *walk, double reach,
+                                         const nck_joint_t **joint_out, double *x_out) {
+    const int forth = walk->ahead.x <= walk->behind.x;
+    const nck_side_t *const side = forth ? &walk->ahead : &walk->behind;
+    if (side->x >= reach) return NCK_DONE;
+    if (forth && walk->is_unknown) return NCK_EMPTY;
+    *joint_out = nck_joint_at(self, side->at);
+    *x_out = side->x;
+    if (forth) {
+        nck_walk_ahead(self, walk);
+    } else {
+        nck_walk_behind(self, walk);
+    }
+    return NCK_OK;
+}
 
 #endif

@@ -46,7 +46,7 @@ void nck_legs_slices(const nck_legs_t *self, uint32_t count, nck_cell_t *cell_ou
     cell_out->stop = 0;
 }
 
-int nck_legs_next(nck_legs_t *self, double period, nck_cell_t *cell_out) {
+int nck_legs_part(nck_legs_t *self, double period, nck_cell_t *cell_out) {
     if (self->slices > 1) nck_legs_slices(self, 1, cell_out);
     else *cell_out = self->cell[self->k];
     self->m++;

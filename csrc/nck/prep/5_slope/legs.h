@@ -20,9 +20,17 @@ typedef struct nck_legs {
 // Begin with the first leg. Cost: constant.
 void nck_legs_begin(nck_legs_t *self, double period);
 
+// The next cell of a stretch that has more than one.
+int nck_legs_part(nck_legs_t *self, double period, nck_cell_t *cell_out);
+
 // The next cell of the stretch. Returns 1 if it is the last one: none is in work any more.
 // Cost: constant.
-int nck_legs_next(nck_legs_t *self, double period, nck_cell_t *cell_out);
+static inline int nck_legs_next(nck_legs_t *self, double period, nck_cell_t *cell_out) {
+    if (self->count > 1 || self->slices > 1) return nck_legs_part(self, period, cell_out);
+    *cell_out = self->cell[0];
+    self->count = 0;
+    return 1;
+}
 
 // The next slices of the leg in work as one cell; slices − m of them are what is left of it.
 // Cost: constant.

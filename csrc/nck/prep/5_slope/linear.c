@@ -95,7 +95,7 @@ static void set_place(nck_linear_t *self) {
 
 void nck_linear_begin(nck_linear_t *self, const nck_job_t *job) {
     self->job = *job;
-    self->is_plain = (uint32_t)nck_plan_is_plain(&job->wish, self->next->over);
+    self->is_plain = (uint8_t)nck_plan_is_plain(&job->wish, self->next->over);
     self->part = 0;
     self->skip = self->next->piece;
     if (!goes_on(self)) set_place(self);
@@ -145,6 +145,14 @@ static uint32_t find_final(const nck_linear_t *self, const nck_pieces_t *pieces,
     return has_barrier && barrier > some ? barrier : some;
 }
 
+// Up to which node the last envelope still holds from the next one on: what it has found there, all
+// of it by the caps of room 4 alone, this one would find again.
+static uint32_t known_end(const nck_linear_t *self) {
+    const int is_known = self->is_plain && !self->job.anew && !self->job.wish.single_block
+                         && (int32_t)(self->at.piece + 1 - self->known.begin) >= 0;
+    return is_known ? self->known.end : self->at.piece;
+}
+
 static nck_status_t begin_pass(nck_linear_t *self, const nck_pieces_t *pieces) {
     if (!nck_plan_piece(pieces, self->at.piece)) return NCK_EMPTY;
     const int is_far = find_end(self, pieces);
@@ -159,6 +167,8 @@ static nck_status_t begin_pass(nck_linear_t *self, const nck_pieces_t *pieces) {
     self->pass.i = self->at.piece + 1;
     self->pass.floor = self->pass.i;
     self->pass.vv = self->at.vv;
+    self->pass.known = known_end(self);
+    self->known.end = self->known.begin;
     self->phase = PHASE_FLOOR;
     return NCK_OK;
 }
@@ -197,21 +207,26 @@ static int rests_at(const nck_linear_t *self, const nck_pieces_t *pieces, uint32
 }
 
 // w_i = min(w_cap,i, w_{i+1} + h_i) from the view's end, where the path must be able to rest.
-static void backward_node(nck_linear_t *self, const nck_pieces_t *pieces, uint32_t number) {
+// Returns 1 where the last envelope, which comes to rest sooner, is met at a cap: what is before it
+// is as it was.
+static int backward_node(nck_linear_t *self, const nck_pieces_t *pieces, uint32_t number) {
     nck_node_t *const node = nck_plan_piece(pieces, number);
-    const double h = gain_over(self, number, node);
+    const int is_known = (int32_t)(self->pass.known - number) > 0 && !node->open;
+    const double h = nck_envelope_h(accel_of(self, node), node->length);
     double cap = cap_at(self, pieces, number, node);
     if ((int32_t)(self->pass.floor - number) > 0) cap = nck_max(cap, node->vv);
     if (!(self->pass.vv + h < cap)) self->pass.open = 0;
+    self->pass.vv = nck_envelope_backward(cap, self->pass.vv, h);
+    if (is_known && !self->pass.open && self->pass.vv == node->vv) return 1;
     node->open = (uint8_t)self->pass.open;
-    node->vv = nck_envelope_backward(cap, self->pass.vv, h);
     if (rests_at(self, pieces, number)) {
-        node->vv = 0.0;
+        self->pass.vv = 0.0;
         self->final = number;
         self->held = NCK_HELD_BLOCK;
         self->pass.open = 0;
     }
-    self->pass.vv = node->vv;
+    node->vv = self->pass.vv;
+    return 0;
 }
 
 // The envelope has come to where the plan begins: it must be as high as the path is fast. A block's
@@ -232,12 +247,22 @@ static nck_status_t join(nck_linear_t *self, const nck_pieces_t *pieces) {
 }
 
 static nck_status_t pass_backward(nck_linear_t *self, const nck_pieces_t *pieces) {
+    const uint32_t first = self->at.piece + 1;
     for (int n = 0; n < PASS_STEP; n++) {
-        if (self->pass.i == self->at.piece + 1) return join(self, pieces);
+        if (self->pass.i == first) return join(self, pieces);
         self->pass.i--;
-        backward_node(self, pieces, self->pass.i);
+        if (!backward_node(self, pieces, self->pass.i)) continue;
+        self->pass.i = first;
+        self->pass.vv = nck_plan_piece(pieces, first)->vv;
     }
     return NCK_OK;
+}
+
+// What is behind the final pieces holds for the next envelope, too, if it is room 4's caps' alone.
+static void end_envelope(nck_linear_t *self) {
+    const int is_plain = self->is_plain && !self->job.wish.single_block;
+    self->known.begin = self->final + 1;
+    self->known.end = is_plain && self->pass.floor == self->at.piece + 1 ? self->end : self->final;
 }
 
 // w_{i+1} = min(w_{i+1}, w_i + h_i) over the pieces that become final.
@@ -246,6 +271,7 @@ static void pass_forward(nck_linear_t *self, const nck_pieces_t *pieces) {
     for (int n = 0; n < PASS_STEP; n++) {
         const uint32_t number = self->pass.i;
         if (number == self->final || number + 1 == self->end) {
+            end_envelope(self);
             enter_part(self);
             return;
         }
@@ -284,18 +310,21 @@ static uint8_t stop_behind(const nck_linear_t *self) {
     return behind == self->end ? NCK_STOP_REST : 0;
 }
 
-// Returns 1 if the piece is drawn.
+// Returns 1 if the piece is drawn, and left at once.
 static int draw_slice(nck_linear_t *self) {
     nck_cell_t *const cell = nck_link_tail_room(self->link);
     const int ends = nck_legs_next(&self->legs, self->machine->period_s, cell);
-    const double v_end = cell->v + cell->a * cell->duration;
-    const int begins = !ends && self->legs.m == 0; // where a leg ends, the next one knows better
-    const double v = begins ? self->legs.cell[self->legs.k].v : v_end;
-    self->at.fresh = 0;
-    self->at.s = cell->s + cell->length;
-    self->at.vv = v * v;
-    if (ends) cell->stop |= stop_behind(self);
-    nck_link_tail_grow(self->link, 1);
+    if (ends) {
+        cell->stop |= stop_behind(self);
+    } else {
+        const int begins = self->legs.m == 0; // where a leg ends, the next one knows better
+        const double v_end = cell->v + cell->a * cell->duration;
+        const double v = begins ? self->legs.cell[self->legs.k].v : v_end;
+        self->at.fresh = 0;
+        self->at.s = cell->s + cell->length;
+        self->at.vv = v * v;
+    }
+    nck_link_tail_placed(self->link, cell);
     self->part++;
     return ends;
 }

@@ -38,19 +38,26 @@ typedef struct nck_linear {
     nck_link_t *link;      // producer's side
     nck_plan_t *next;      // in work
     nck_job_t job;         // that it is made for
-    uint32_t phase;
-    uint32_t is_plain;     // 1: under its wishes all caps are as room 4 has found them
+    uint8_t phase;
+    uint8_t is_plain;      // 1: under its wishes all caps are as room 4 has found them
+    uint8_t held;          // nck_held_t of the rest behind the final pieces
+    uint8_t reserved;      // 0
     uint32_t final;        // the envelope holds for the pieces before this number …
     uint32_t end;          // … and comes to rest before this one
-    uint32_t held;         // nck_held_t of the rest behind the final pieces
     uint32_t skip;         // block ends up to this piece come too early to rest at
     uint32_t part;         // cells of the part so far
     nck_linear_place_t at;    // how far the part is drawn
     nck_linear_place_t brake; // how far the brake behind it is drawn
 
     struct {
+        uint32_t begin;    // from this node on the last backward pass …
+        uint32_t end;      // … holds up to this one
+    } known;
+
+    struct {
         uint32_t i;        // next node
         uint32_t floor;    // nodes before this one are raised to what the path can brake to
+        uint32_t known;    // nodes before this one have what the last backward pass has found
         uint32_t open;     // 1: no cap met yet on the way from the view's end
         double vv;         // v² at the node last done
     } pass;

@@ -354,37 +354,52 @@ static void hear_other(nck_slope_t *self, const nck_pieces_t *pieces, const nck_
     replan(self, pieces);
 }
 
-static void hear(nck_slope_t *self, const nck_pieces_t *pieces, const nck_wish_t *wish) {
+// Returns 1 if the operator wants something else.
+static int hear(nck_slope_t *self, const nck_pieces_t *pieces, const nck_wish_t *wish) {
+    const int resumes = self->wish.resumes != wish->resumes;
     self->wish.resumes = wish->resumes;
-    if (is_other(&self->wish, wish)) hear_other(self, pieces, wish);
+    if (!is_other(&self->wish, wish)) return resumes;
+    hear_other(self, pieces, wish);
+    return 1;
 }
 
-// Pieces are lacking. An answer to the operator waits for time, too: it is asked about every time.
-static void note_idle(nck_slope_t *self, const nck_pieces_t *pieces, uint32_t link_end) {
+// Pieces are lacking, or what the tick takes beyond self->idle.taken. A plan that is drawn lacks no
+// pieces. An answer to the operator waits for time, too: it is asked about every time.
+static void note_idle(nck_slope_t *self, const nck_pieces_t *pieces, nck_status_t status) {
     const uint32_t end = pieces->head + pieces->fill;
     const int32_t lacks = (int32_t)(self->next.wants - end);
-    self->idle.is = !self->answer.pending;
-    self->idle.link_end = link_end;
-    self->idle.head = pieces->head;
-    self->idle.barrier = pieces->barrier;
+    self->idle.status = self->answer.pending ? (uint32_t)NCK_OK : (uint32_t)status;
+    self->idle.barrier = nck_slope_barrier(pieces);
     self->idle.complete = pieces->complete;
     self->idle.wants = self->phase == PHASE_MAKE && lacks > 0 ? self->next.wants : end + 1;
+    if (self->phase == PHASE_INSTALL) self->idle.wants = pieces->head + NCK_WINDOW + 1;
 }
 
-int nck_slope_is_idle(const nck_slope_t *self, const nck_wish_t *wish) {
-    int entered = 0;
-    return nck_link_end(self->link, &entered) == self->idle.link_end
-           && (!entered || self->in_tail) && wish->resumes == self->wish.resumes
-           && !is_other(&self->wish, wish);
+// What the plan in work says, and what it lacks if it cannot go on.
+static nck_status_t note_work(nck_slope_t *self, const nck_pieces_t *pieces, nck_status_t status) {
+    if (status != NCK_EMPTY && status != NCK_FULL) return status;
+    const int waits = final_count(self) < final_limit(self);
+    const nck_status_t told = waits ? NCK_FULL : status;
+    if (waits || told == NCK_EMPTY) note_idle(self, pieces, told);
+    return told;
+}
+
+// What became final was all that could be done, if nothing else has been asked for.
+static nck_status_t note_final(nck_slope_t *self, const nck_pieces_t *pieces, int lacks) {
+    follow(self, pieces);
+    if (lacks && final_count(self) < final_limit(self)) self->idle.status = NCK_FULL;
+    return NCK_OK;
 }
 
 nck_status_t nck_slope_step(nck_slope_t *self, const nck_pieces_t *pieces, const nck_wish_t *wish) {
     int entered = 0;
-    const uint32_t link_end = nck_link_end(self->link, &entered);
+    (void)nck_link_end(self->link, &entered);
+    const int lacks = nck_slope_lacks_pieces(self, pieces);
     const int was_idle = self->phase == PHASE_IDLE;
-    self->idle.is = 0;
+    self->idle.status = NCK_OK;
+    self->idle.taken = nck_link_taken(self->link); // before it is looked at
     if (entered && !self->in_tail) fall_into_tail(self, pieces);
-    hear(self, pieces, wish);
+    const int same = !hear(self, pieces, wish);
     const uint32_t done = final_count(self);
     const uint32_t limit = final_limit(self);
     if (done == limit && self->answer.pending && is_late(self)) {
@@ -392,16 +407,11 @@ nck_status_t nck_slope_step(nck_slope_t *self, const nck_pieces_t *pieces, const
         return NCK_OK;
     }
     if (done < limit && nck_link_advance(self->link, self->lead_s, limit - done) == NCK_OK) {
-        follow(self, pieces);
-        return NCK_OK;
+        return note_final(self, pieces, lacks && same && !entered);
     }
     // While a plan is made, only what becomes final moves on.
     if (was_idle || self->phase == PHASE_IDLE) follow(self, pieces);
-    const nck_status_t status = work(self, pieces);
-    if (status != NCK_EMPTY) return status;
-    if (final_count(self) < final_limit(self)) return NCK_FULL;
-    note_idle(self, pieces, link_end);
-    return NCK_EMPTY;
+    return note_work(self, pieces, work(self, pieces));
 }
 
 // The plan in work takes over within so many periods from the tick.
@@ -422,7 +432,7 @@ int nck_slope_hurry(nck_slope_t *self, uint32_t periods) {
     const int late = goes_on && final_count(self) == final_limit(self) && is_late(self);
     if (self->phase == PHASE_IDLE) return periods > 0 && final_count(self) == self->now.n;
     if (self->phase != PHASE_MAKE || !takes_what_is_there(self, periods, late)) return 0;
-    self->idle.is = 0;
+    self->idle.status = NCK_OK;
     self->hurried = (uint32_t)late; // what does not join early is tried again
     switch (planner_of(self->machine)) {
     case NCK_SLOPE_JERK: nck_jerk_hurry(&self->planner.jerk); break;

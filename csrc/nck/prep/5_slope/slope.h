@@ -44,10 +44,10 @@ typedef struct nck_slope {
     uint32_t waits;        // 1: single block keeps the path behind now; any context reads
     uint32_t in_tail;      // 1: the tick has been seen in the stop tail
     struct {
-        uint32_t is;       // 1: the last step lacked pieces and nothing else, as things were then:
-        uint32_t link_end; // the link's end …
-        uint32_t head;     // … and the window's, …
-        uint32_t barrier;  // … its barrier …
+        uint32_t status;   // what the last step said, which lacked pieces; NCK_FULL: or what the
+                           // tick takes; NCK_OK: none such. As things were then:
+        uint32_t taken;    // the cells that the tick had taken, …
+        uint32_t barrier;  // … the piece behind the window's barrier; 0: it had none …
         uint32_t complete; // … and whether it was complete; it can do nothing …
         uint32_t wants;    // … before all pieces up to this number are known
     } idle;
@@ -72,17 +72,28 @@ void nck_slope_init(nck_slope_t *self, const nck_machine_t *machine, nck_link_t 
 // Cost: a step of the planner in force. Context: prep.
 nck_status_t nck_slope_step(nck_slope_t *self, const nck_pieces_t *pieces, const nck_wish_t *wish);
 
-// 1 if the last step needed pieces, and these bring nothing that it lacked. Cost: constant.
-// Context: prep.
-static inline int nck_slope_lacks(const nck_slope_t *self, const nck_pieces_t *pieces) {
-    return self->idle.is && (int32_t)(self->idle.wants - pieces->head - pieces->fill) > 0
-           && pieces->head == self->idle.head && pieces->barrier == self->idle.barrier
-           && pieces->complete == self->idle.complete;
+// The piece behind the newest WAIT; 0: there is none. Cost: constant.
+static inline uint32_t nck_slope_barrier(const nck_pieces_t *pieces) {
+    return pieces->barrier > 0 ? pieces->head + pieces->barrier : 0;
 }
 
-// 1 if nothing else has changed either: a step would find just what the last one has found.
-// Cost: constant. Context: prep.
-int nck_slope_is_idle(const nck_slope_t *self, const nck_wish_t *wish);
+// 1 if the last step needed pieces, and these bring nothing that it lacked. Cost: constant.
+// Context: prep.
+static inline int nck_slope_lacks_pieces(const nck_slope_t *self, const nck_pieces_t *pieces) {
+    return self->idle.status != NCK_OK
+           && (int32_t)(self->idle.wants - pieces->head - pieces->fill) > 0
+           && pieces->complete == self->idle.complete
+           && nck_slope_barrier(pieces) == self->idle.barrier;
+}
+
+// The same, and the tick brings nothing either: under the same wish a step would say `idle.status`
+// again. Cost: constant. Context: prep.
+static inline int nck_slope_lacks(const nck_slope_t *self, const nck_pieces_t *pieces) {
+    int entered = 0;
+    (void)nck_link_end(self->link, &entered);
+    return nck_slope_lacks_pieces(self, pieces) && (!entered || self->in_tail)
+           && (self->idle.status == NCK_EMPTY || nck_link_taken(self->link) == self->idle.taken);
+}
 
 // Nothing more is known of the path. If the tick is about to run out of final cells, the plan in
 // work takes what is there; so it does where it takes over within so many periods, or begins at
