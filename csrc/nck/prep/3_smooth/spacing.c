@@ -20,7 +20,9 @@
 #define NEIGHBOUR 0.7    // of a spacing: where to begin to look for the next one
 #define KEY_LEAST 0.5    // a corner is a key if the spacing that it allows alone is right by …
 #define KEY_MOST 1.5     // … these shares, and it is none of a bend
-#define CHORD 3.4        // … whose chords are shorter than so many of its corners' spacings
+// … whose chords are shorter than so many of its corners' spacings: half of the bulge, L·|Δu|/16,
+// is within AIM·P then; a spacing is 6·AIM·P/|Δu|
+#define CHORD (8.0 / 3.0)
 #define NO_GAP 1e-6      // of a spacing: what two corners leave of a line, by rounding
 #define FEW_GAPS 0.408   // of a line, for the corner at one of its ends: so much is left between
 #define CROWDED 0.25     // of a spacing: keys that are nearer than that are one
