@@ -199,8 +199,8 @@ static double side_time(const corner_t *corner, const shape_limit_t *limit, int 
 }
 
 // Time of a stop, over d of either block at least: where a block is shorter the path goes on as
-// fast as it has become. Under a jerk limit that is next to nothing, and the next corner's stop is
-// the bound.
+// fast as it has become. That is less than stops at all the corners there would take. The S-shape
+// brakes for each junction; for it the next corner's stop is the bound.
 static double stop_time(const corner_t *corner, double d) {
     double time = corner->terms->rest_s;
     for (int n = 0; n < 2; n++) {
@@ -209,7 +209,7 @@ static double stop_time(const corner_t *corner, double d) {
         const double beyond = nck_max(0.0, d - corner->half[n]);
         const double on = beyond / nck_scurve_reach(ramp, 0.0, corner->half[n]);
         if (corner->rests[n]) time += 2.0 * half;
-        else time += half + (corner->terms->limits_jerk ? nck_min(half, on) : on);
+        else time += half + (corner->terms->carries ? on : nck_min(half, on));
     }
     return time;
 }

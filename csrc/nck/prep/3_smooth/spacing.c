@@ -20,7 +20,10 @@
 #define NEIGHBOUR 0.7    // of a spacing: where to begin to look for the next one
 #define KEY_LEAST 0.5    // a corner is a key if the spacing that it allows alone is right by …
 #define KEY_MOST 1.5     // … these shares, and it is none of a bend
-#define CHORD 3.4        // … whose chords are shorter than so many of its corners' spacings
+// … whose chords are shorter than so many of its corners' spacings: half of the bulge, L·|Δu|/16,
+// is within AIM·P then; a spacing is 6·AIM·P/|Δu|
+#define CHORD (8.0 / 3.0)
+#define NO_GAP 1e-6      // of a spacing: what two corners leave of a line, by rounding
 #define FEW_GAPS 0.408   // of a line, for the corner at one of its ends: so much is left between
 #define CROWDED 0.25     // of a spacing: keys that are nearer than that are one
 #define OTHERS 0.25      // of a key's turn that other corners within its spacing may make
@@ -319,7 +322,7 @@ static int is_key(nck_smooth_t *self, uint32_t count, const vertex_t *corner, do
 // A lone corner's spacing on a line: with a lift it bends two of them on either side. Two corners
 // that are alike share a knot in the line's middle, or leave a gap that is no steep one.
 static double fit_line(double wide, double length) {
-    if (wide >= 0.5 * length) return 0.5 * length;
+    if (wide * (2.0 + NO_GAP) >= length) return nck_min(wide, 0.5 * length);
     return nck_min(wide, FEW_GAPS * length);
 }
 

@@ -17,8 +17,24 @@
 // the share 3e-9.
 // A share as small as this one is left out; the nanometre of a setpoint costs more.
 #define SHARE_OF_ROUNDING 1e-7
+// So much of the axes' acceleration times the load a corner has at least that is no curve's: alone
+// it is crossed at 40 times what a period gains, or less.
+#define TAME_LOAD 0.02
 
-void nck_corner_meet(nck_joint_t *in, const nck_joint_t *out, const double *tangent_in,
+// Where a period gains as much speed as short lines have room for, a crowd of corners would have to
+// be passed at next to none: less acceleration on the lines lets it be passed at more. What the
+// filter adds to a speed is not worth less. The S-shape, at rest in acceleration at each corner, is
+// slower by it.
+static void tame(nck_joint_t *in, nck_joint_t *out, const nck_terms_t *terms) {
+    const double period = terms->machine->period_s;
+    const double longer = nck_max(in->length, out->length);
+    const double gain = nck_max(longer / period, terms->v_filter);
+    if (in->kind != NCK_SEG_LINE || out->kind != NCK_SEG_LINE) return;
+    in->shape.arc.a_straight = nck_min(in->shape.arc.a_straight, gain / period);
+    out->shape.arc.a_straight = nck_min(out->shape.arc.a_straight, gain / period);
+}
+
+void nck_corner_meet(nck_joint_t *in, nck_joint_t *out, const double *tangent_in,
                     const double *tangent_out, const nck_terms_t *terms) {
     const nck_machine_t *const machine = terms->machine;
     if (out->kind >= NCK_SEG_DWELL) in->end |= NCK_JOINT_STOP;
@@ -38,6 +54,8 @@ void nck_corner_meet(nck_joint_t *in, const nck_joint_t *out, const double *tang
         return;
     }
     in->load = load;
+    const int is_sharp = load * nck_max(in->a_most, out->a_most) >= TAME_LOAD;
+    if (terms->limits_jerk && terms->carries && is_sharp) tame(in, out, terms);
 }
 
 // A junction that is decided, between two known segs.
@@ -55,13 +73,13 @@ typedef struct junction {
 static nck_status_t largest_gain(nck_lookahead_t *self, const junction_t *junction, double reach,
                                  double *a_t_out) {
     const nck_joint_t *neighbour = junction->out;
-    double a = junction->in->a_most;
+    double a = nck_joint_most(junction->in, self->terms);
     double x = 0.0;
     nck_status_t status = NCK_OK;
     nck_walk_t walk;
     nck_walk_begin(self, &walk, junction->count);
     while (status == NCK_OK) {
-        a = nck_max(a, neighbour->a_most); // the first time, of the seg behind
+        a = nck_max(a, nck_joint_most(neighbour, self->terms)); // the first time, of the seg behind
         status = nck_walk_next(self, &walk, reach, &neighbour, &x);
     }
     *a_t_out = a * junction->period;

@@ -5,9 +5,9 @@
 
 #include "nck/prep/4_lookahead/joint.h" // nck_lookahead_t nck_joint_t nck_joint_at
 
-// Settle what the junction between two segs costs, once the second one is known. The tangents are
-// those at the junction. Cost: constant.
-void nck_corner_meet(nck_joint_t *in, const nck_joint_t *out, const double *tangent_in,
+// Settle what the junction between two segs costs, once the second one is known; short lines may
+// lose acceleration. The tangents are those at the junction. Cost: constant.
+void nck_corner_meet(nck_joint_t *in, nck_joint_t *out, const double *tangent_in,
                      const double *tangent_out, const nck_terms_t *terms);
 
 // Decide the next junction's speed and share at both paces. NCK_OK, or NCK_EMPTY: more segs must be

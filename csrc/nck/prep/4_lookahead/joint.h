@@ -60,6 +60,12 @@ static inline double nck_joint_straight(const nck_joint_t *joint, double beta,
     return nck_min(terms->machine->path.a_max, (1.0 - beta) * joint->shape.arc.a_straight);
 }
 
+// The largest tangential acceleration anywhere on a seg, when its junctions are known: a line's may
+// have come down. Cost: constant.
+static inline double nck_joint_most(const nck_joint_t *joint, const nck_terms_t *terms) {
+    return joint->kind == NCK_SEG_LINE ? nck_joint_straight(joint, 0.0, terms) : joint->a_most;
+}
+
 // The rest of nck_joint_piece for arcs and splines: acceleration, and what bends cost of the speed.
 // Cost: constant.
 void nck_joint_curved(const nck_joint_t *joint, double beta, int pace, const nck_terms_t *terms,
