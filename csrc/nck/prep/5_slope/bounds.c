@@ -254,7 +254,7 @@ static int keeps_limits(nck_jerk_t *self, const nck_pieces_t *pieces, uint32_t i
     const double end = i + 1 < self->work.n ? self->w[i + 1] : 0.0;
     const double a = 0.5 * (end - self->w[i]) / self->h[i];
     const double v_sum = nck_sqrt(self->w[i]) + nck_sqrt(end);
-    const double share = nck_hull_share(self->h[i], v_sum, nck_window_q_cap(self));
+    const double share = nck_hull_share(self->h[i], v_sum, 0.5 * nck_window_q_cap(self));
     const double j = i > 0 ? nck_min(limits.j, self->work.j_cell) : limits.j;
     const double rise = nck_fabs(a - state->a_last);
     const int keeps = nck_fabs(a) <= (1.0 + CHECK_MARGIN) * limits.a
