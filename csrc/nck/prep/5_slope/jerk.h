@@ -36,6 +36,7 @@ typedef NCK_JERK_STATE nck_jerk {
         uint32_t all;      // load: 1: every cell of the plan of now, not only up to its `keep`
         uint32_t coarse;   // 1: the plan in work only tells how to divide the ladder
         uint32_t n;        // cells of the ladder
+        uint32_t room;     // lay: it may have so many
         uint32_t loaded;   // of them, those that an earlier plan had
         uint32_t piece;    // ladder's end
         double s;

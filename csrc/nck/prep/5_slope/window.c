@@ -357,7 +357,7 @@ static nck_status_t ends_here(nck_jerk_t *self, const nck_pieces_t *pieces) {
 
 // 1 if the ladder has room for what is laid at a piece's end.
 static int takes_cells(const nck_jerk_t *self) {
-    return self->work.n + 2 * PARTS_LEAST <= NCK_JERK_CELLS;
+    return self->work.n + 2 * PARTS_LEAST <= self->work.room;
 }
 
 // 1 if no more of the path fits into the ladder.
