@@ -291,7 +291,8 @@ static void finish_relax(nck_jerk_t *self) {
 static void finish_brake(nck_jerk_t *self) {
     const int relaxes = self->work.bends && !(self->work.reach > 0.0) && !self->work.as_capped;
     self->work.forth = 0;
-    self->work.relaxed = 0;
+    self->work.relaxed_from = 0;
+    self->work.relaxed_to = 0;
     enter(self, PHASE_RELAX);
     if (!relaxes) finish_relax(self);
 }
