@@ -309,7 +309,8 @@ static inline int comes_to_nothing(const nck_hull_cell_t *step, const rise_t *st
 }
 
 // One cell onward under the envelope e. a_max: of the cell; the step has what of it may be used.
-static inline double rise(rise_t *state, const nck_hull_cell_t *step, double a_max, double e_end) {
+static inline double rise(rise_t *state, const nck_hull_cell_t *step, const double *a_max,
+                          double e_end) {
     const double v = state->v;
     const double b = state->a + step->j * state->share;
     const double v_cap = nck_sqrt(e_end);
@@ -323,7 +324,7 @@ static inline double rise(rise_t *state, const nck_hull_cell_t *step, double a_m
     state->v = capped ? v_cap : v1;
     state->a = (vv1 - v * v) / (2.0 * step->h);
     state->slows = state->slows && !capped && state->a < 0.0;
-    if (state->slows && comes_to_nothing(step, state, a_max)) state->broken = 1;
+    if (state->slows && comes_to_nothing(step, state, *a_max)) state->broken = 1;
     state->share = nck_hull_share(step->h, v + state->v, step->most);
     // at rest; or on a falling envelope, where the next cell may be level
     const int free = !(vv1 > 0.0) || (capped && state->a + step->j * state->share < 0.0);
@@ -387,7 +388,7 @@ static uint32_t climb(nck_profile_t *self, uint32_t budget, const double *bound,
                                       most};
         const double v = state.v;
         const uint32_t broken = state.broken;
-        const double vv = rise(&state, &step, self->a_max[cell], self->e[i]);
+        const double vv = rise(&state, &step, &self->a_max[cell], self->e[i]);
         if (back) meet(self, i, vv, v, broken, &state);
         else self->w[i] = vv;
         j_last = j_cell;
