@@ -38,9 +38,9 @@ static double leaves_by(const nck_smooth_t *self, const double *start, const dou
 }
 
 // 1 if the line leads back along the newest block: its tip is a corner, however near it is.
-static int turns_back(const nck_seg_t *in, const nck_seg_t *out) {
+static int turns_back(const nck_seg_t *in, const nck_seg_t *out, int axes) {
     double along = 0.0;
-    for (int x = 0; x < NCK_AXIS_MAX; x++) {
+    for (int x = 0; x < axes; x++) {
         along += (in->end[x] - in->start[x]) * (out->end[x] - out->start[x]);
     }
     return along <= 0.0;
@@ -49,7 +49,9 @@ static int turns_back(const nck_seg_t *in, const nck_seg_t *out) {
 int nck_merge_line(nck_smooth_t *self, const nck_block_t *block, const nck_seg_t *seg) {
     if (self->raw.head == self->raw.tail || !(block->merge_mm > 0.0)) return 0;
     nck_raw_t *const raw = nck_raw_at(self, self->raw.head - 1);
-    if (!is_alike(self, raw, block, seg) || turns_back(&raw->seg, seg)) return 0;
+    if (!is_alike(self, raw, block, seg) || turns_back(&raw->seg, seg, self->terms->axes)) {
+        return 0;
+    }
     const uint32_t count = self->merge.count;
     const double length = raw->seg.length + seg->length;
     memcpy(self->merge.vertex[count], raw->seg.end, sizeof self->merge.vertex[count]);

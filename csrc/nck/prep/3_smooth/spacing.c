@@ -5,6 +5,7 @@
 
 #include <stddef.h> // NULL
 
+#include "nck/base/budget.h"               // NCK_UNLIMITED
 #include "nck/base/path.h"                 // nck_path_second
 #include "nck/base/real.h"                 // nck_min nck_max
 #include "nck/prep/3_smooth/blend.h"       // NCK_BLEND_KEEP_OFF
@@ -37,6 +38,7 @@
 enum {
     LOOKED_AT = 4,       // of so many small blocks one
     WINDOW_LEAST = 128,  // pieces that a window holds, for corners of more pieces
+    POINTS = 7,          // of the path that tell a curve from noise
     GROWTH_STEPS = 40,   // from 1 µm to beyond any spacing
     BISECT_STEPS = 3     // the last 25 % to 3 %
 };
@@ -82,18 +84,28 @@ static double deviation(nck_smooth_t *self, double s, const double *here, double
     return nck_spline_norm(off, axes) / 36.0;
 }
 
-// Σ |δ²p|² of five places around s, h apart.
-static double unevenness(nck_smooth_t *self, double s, double h) {
-    double p[7][NCK_AXIS_MAX];
+// Σ |δ²p|² of so many places, h apart: of their points, and one more on either side.
+static double bends_of(const nck_smooth_t *self, double (*p)[NCK_AXIS_MAX], int count) {
+    const int axes = self->terms->axes;
     double sum = 0.0;
-    nck_raw_spread(self, s - 3.0 * h, h, 7, p);
-    for (int k = 1; k < 6; k++) {
-        for (int x = 0; x < self->terms->axes; x++) {
+    for (int k = 1; k <= count; k++) {
+        for (int x = 0; x < axes; x++) {
             const double bend = nck_spline_bend(p[k - 1][x], p[k][x], p[k + 1][x]);
             sum += bend * bend;
         }
     }
     return sum;
+}
+
+// The same of five places around s; NCK_UNLIMITED if the first of them alone exceeds `most`.
+static double unevenness(nck_smooth_t *self, double s, double h, double most) {
+    double p[POINTS][NCK_AXIS_MAX];
+    double places[POINTS];
+    for (int k = 0; k < POINTS; k++) places[k] = s - 3.0 * h + h * (double)k;
+    nck_raw_points(self, places, 3, p, NULL);
+    if (bends_of(self, p, 1) > most) return NCK_UNLIMITED;
+    nck_raw_points(self, places + 3, POINTS - 3, p + 3, NULL);
+    return bends_of(self, p, POINTS - 2);
 }
 
 // The largest spacing at a block's end, from a good one on, before the deviation first exceeds the
@@ -257,8 +269,9 @@ static nck_status_t grow_as_curve_or_noise(nck_smooth_t *self, uint32_t count, d
     const nck_status_t status = grow(self, raw, aim, 0, spacing);
     if (status == NCK_EMPTY) return status;
     const int was_rough = nck_raw_at(self, nck_raw_before(self, count))->rough;
-    const double fine = unevenness(self, s, 0.5 * *spacing);
-    raw->rough = unevenness(self, s, *spacing) < (was_rough ? STAYS_ROUGH : GETS_ROUGH) * fine;
+    const double fine = unevenness(self, s, 0.5 * *spacing, NCK_UNLIMITED);
+    const double most = (was_rough ? STAYS_ROUGH : GETS_ROUGH) * fine;
+    raw->rough = unevenness(self, s, *spacing, most) < most;
     return raw->rough ? grow(self, raw, aim, 1, spacing) : status;
 }
 

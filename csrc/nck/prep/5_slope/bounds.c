@@ -163,7 +163,8 @@ enum { LOOK_WORK = 8 };
 
 // Whether cell i may leave more at v² than at its cap: it bends. On lines and arcs it would cost a
 // quarter of planning more, and gains next to nothing.
-static int may_leave(const nck_jerk_t *self, const nck_pieces_t *pieces, uint32_t i, double w) {
+static inline int may_leave(const nck_jerk_t *self, const nck_pieces_t *pieces, uint32_t i,
+                            double w) {
     const int slow = w < LOW_SHARE * self->w_cap[i];
     if (!slow || self->a_max[i] >= FULL_SHARE * self->machine->path.a_max) return 0;
     return nck_plan_piece(pieces, self->rung_piece[i])->kind == NCK_SEG_SPLINE;
@@ -192,25 +193,24 @@ static double gain_over(const nck_jerk_t *self, const nck_pieces_t *pieces, uint
 }
 
 // From the rest at the ladder's end backward: v² that no plan is above.
-static nck_status_t look_back(nck_jerk_t *self, const nck_pieces_t *pieces) {
+static void look_back(nck_jerk_t *self, const nck_pieces_t *pieces) {
     double *const most = nck_link_spare(self->link)->number[1];
-    int done = 0;
-    while (done < LOOK_WORK * NCK_JERK_STEP) {
-        if (self->work.i == self->work.n) {
-            self->work.forth = 1;
-            self->work.i = 0;
-            self->work.w_cell = self->profile.v * self->profile.v;
-            return NCK_OK;
-        }
-        const uint32_t i = self->work.n - 1 - self->work.i;
-        if (self->work.i == 0) most[i + 1] = 0.0;
-        const double w = most[i + 1];
+    const uint32_t n = self->work.n;
+    uint32_t left = n - self->work.i;
+    double w = self->work.i > 0 ? most[left] : 0.0;
+    most[left] = w;
+    for (int done = 0; left > 0 && done < LOOK_WORK * NCK_JERK_STEP;) {
+        const uint32_t i = --left;
         const int looks = may_leave(self, pieces, i, w);
-        most[i] = nck_min(self->w_cap[i], w + gain_over(self, pieces, i, w, looks));
+        w = nck_min(self->w_cap[i], w + gain_over(self, pieces, i, w, looks));
+        most[i] = w;
         done += looks ? LOOK_WORK : 1;
-        self->work.i++;
     }
-    return NCK_OK;
+    self->work.i = n - left;
+    if (left > 0) return;
+    self->work.forth = 1;
+    self->work.i = 0;
+    self->work.w_cell = self->profile.v * self->profile.v;
 }
 
 // Limits of a cell at the highest speed that it may be passed with.
@@ -221,26 +221,32 @@ static void relax_cell(nck_jerk_t *self, const nck_pieces_t *pieces, uint32_t i,
     if (!(left.a > self->a_max[i])) return;
     self->a_max[i] = left.a;
     self->j_max[i] = left.j;
-    self->work.relaxed = 1;
+    if (self->work.relaxed_to == 0) self->work.relaxed_from = i;
+    self->work.relaxed_to = i + 1;
+}
+
+// From the ladder's begin on, where it looks only.
+static nck_status_t look_forth(nck_jerk_t *self, const nck_pieces_t *pieces) {
+    const double *const most = nck_link_spare(self->link)->number[1];
+    const uint32_t n = self->work.n;
+    uint32_t i = self->work.i;
+    double w = self->work.w_cell;
+    for (int done = 0; i < n && done < LOOK_WORK * NCK_JERK_STEP; i++) {
+        const double cap = i + 1 < n ? self->w_cap[i + 1] : 0.0;
+        const int looks = may_leave(self, pieces, i, w);
+        const double begin = nck_min(w, most[i]);
+        w = nck_min(cap, w + gain_over(self, pieces, i, w, looks));
+        done += looks ? 2 * LOOK_WORK : 1;
+        relax_cell(self, pieces, i, nck_max(begin, nck_min(w, most[i + 1])));
+    }
+    self->work.i = i;
+    self->work.w_cell = w;
+    return i == n ? NCK_DONE : NCK_OK;
 }
 
 nck_status_t nck_bounds_relax(nck_jerk_t *self, const nck_pieces_t *pieces) {
-    const double *const most = nck_link_spare(self->link)->number[1];
-    if (!self->work.forth) return look_back(self, pieces);
-    int done = 0;
-    while (done < LOOK_WORK * NCK_JERK_STEP) {
-        const uint32_t i = self->work.i;
-        if (i == self->work.n) return NCK_DONE;
-        const double w = self->work.w_cell;
-        const double cap = i + 1 < self->work.n ? self->w_cap[i + 1] : 0.0;
-        const int looks = may_leave(self, pieces, i, w);
-        self->work.w_cell = nck_min(cap, w + gain_over(self, pieces, i, w, looks));
-        done += looks ? 2 * LOOK_WORK : 1;
-        const double begin = nck_min(w, most[i]);
-        const double end = nck_min(self->work.w_cell, most[i + 1]);
-        relax_cell(self, pieces, i, nck_max(begin, end));
-        self->work.i++;
-    }
+    if (self->work.forth) return look_forth(self, pieces);
+    look_back(self, pieces);
     return NCK_OK;
 }
 
@@ -254,7 +260,7 @@ static int keeps_limits(nck_jerk_t *self, const nck_pieces_t *pieces, uint32_t i
     const double end = i + 1 < self->work.n ? self->w[i + 1] : 0.0;
     const double a = 0.5 * (end - self->w[i]) / self->h[i];
     const double v_sum = nck_sqrt(self->w[i]) + nck_sqrt(end);
-    const double share = nck_hull_share(self->h[i], v_sum, nck_window_q_cap(self));
+    const double share = nck_hull_share(self->h[i], v_sum, 0.5 * nck_window_q_cap(self));
     const double j = i > 0 ? nck_min(limits.j, self->work.j_cell) : limits.j;
     const double rise = nck_fabs(a - state->a_last);
     const int keeps = nck_fabs(a) <= (1.0 + CHECK_MARGIN) * limits.a
@@ -281,10 +287,12 @@ static int is_left(const nck_jerk_t *self, const nck_pieces_t *pieces, uint32_t 
 
 nck_status_t nck_bounds_check(nck_jerk_t *self, const nck_pieces_t *pieces) {
     const int holds = relaxes(self);
-    if ((!holds && !self->work.relaxed) || self->work.coarse) return NCK_DONE;
+    const uint32_t end = holds ? self->work.n : self->work.relaxed_to;
+    if (self->work.coarse) return NCK_DONE;
+    if (!holds && self->work.i == 0) self->work.i = self->work.relaxed_from;
     for (int n = 0; n < NCK_JERK_STEP; n++) {
         const uint32_t i = self->work.i;
-        if (i == self->work.n) return NCK_DONE;
+        if (i >= end) return NCK_DONE;
         const int keeps = holds ? keeps_limits(self, pieces, i) : is_left(self, pieces, i);
         if (!keeps) return NCK_E_STATE;
         self->work.i++;

@@ -24,7 +24,7 @@ void nck_brake_begin(nck_profile_t *state, double q_cap) {
 
 double nck_brake_cell(nck_profile_t *state, double h, double a_max, double j, double q_cap) {
     const double v = state->v_last;
-    const double share = nck_hull_share(h, 2.0 * v, q_cap);
+    const double share = nck_hull_share(h, 2.0 * v, 0.5 * q_cap);
     const double fall = NCK_BRAKE_SHARE * j * (state->share + share);
     const double a = nck_max(-NCK_BRAKE_SHARE * a_max, state->a_last - fall);
     state->a_last = a;
@@ -252,7 +252,7 @@ static uint32_t known_cells(const nck_jerk_t *self) {
 static double share_about(const nck_jerk_t *self, uint32_t i) {
     const double known = nck_sqrt(self->w[i]) + nck_sqrt(self->w[i + 1]);
     const double v_sum = self->work.anew ? 2.0 * self->profile.v : known;
-    return nck_hull_share(self->h[i], v_sum, nck_window_q_cap(self));
+    return nck_hull_share(self->h[i], v_sum, 0.5 * nck_window_q_cap(self));
 }
 
 nck_status_t nck_brake_ease(nck_jerk_t *self) {

@@ -125,15 +125,14 @@ static inline void draw_motion(nck_jerk_t *self, draw_t *draw, uint32_t i) {
     draw->keep_time = draw->time;
 }
 
-// Cell i of a plan that only tells how to divide the ladder.
-static void draw_coarse(nck_jerk_t *self, const nck_pieces_t *pieces, draw_t *draw, uint32_t i) {
-    draw_motion(self, draw, i);
-    if (i + 1 < draw->n) draw->piece = nck_plan_piece(pieces, self->rung_piece[i + 1]);
-}
-
+// A plan that only tells how to divide the ladder needs no more.
 static void draw_cell(nck_jerk_t *self, const nck_pieces_t *pieces, draw_t *draw, uint32_t i) {
     nck_cell_t *const cell = &draw->cells[i];
     draw_motion(self, draw, i);
+    if (self->work.coarse) {
+        if (i + 1 < draw->n) draw->piece = nck_plan_piece(pieces, self->rung_piece[i + 1]);
+        return;
+    }
     cell->limit = limit_of(self, draw, i, cell->a);
     cell->stop = draw->held | (uint8_t)(i + 1 == draw->n ? NCK_STOP_REST : 0);
     draw->piece = end_cell(self, pieces, i, cell);
@@ -191,11 +190,7 @@ nck_status_t nck_draw_cells(nck_jerk_t *self, const nck_pieces_t *pieces) {
     const uint32_t left = self->work.n - begin;
     const uint32_t end = begin + (left < NCK_JERK_STEP ? left : NCK_JERK_STEP);
     draw_t draw = begin_step(self, pieces);
-    if (self->work.coarse) {
-        for (uint32_t i = begin; i < end; i++) draw_coarse(self, pieces, &draw, i);
-    } else {
-        for (uint32_t i = begin; i < end; i++) draw_cell(self, pieces, &draw, i);
-    }
+    for (uint32_t i = begin; i < end; i++) draw_cell(self, pieces, &draw, i);
     end_step(self, &draw, end);
     return left < NCK_JERK_STEP ? NCK_DONE : NCK_OK;
 }

@@ -13,16 +13,15 @@ typedef struct nck_hull_cell {
     nck_real h;     // length [mm]
     nck_real a_max; // [mm/s²]
     nck_real j;     // [mm/s³]
-    nck_real q_cap; // the longest duration that counts [s]
+    nck_real most;  // half of the longest duration that counts [s]
 } nck_hull_cell_t;
 
 // What one cell adds to the change of acceleration that rule R allows at either of its ends: half
 // of its duration, or of the longest duration that counts.
-//        q = 2h/(v0 + v1)        share = min(q, q_cap)/2
+//        q = 2h/(v0 + v1)        share = min(q, q_cap)/2        most = q_cap/2
 // v0 + v1 = 0 (a cell between two rests) counts as the longest.
-static inline nck_real nck_hull_share(nck_real h, nck_real v_sum, nck_real q_cap) {
-    if (!(v_sum > 0.0) || 2.0 * h > v_sum * q_cap) return 0.5 * q_cap;
-    return h / v_sum;
+static inline nck_real nck_hull_share(nck_real h, nck_real v_sum, nck_real most) {
+    return h < v_sum * most ? h / v_sum : most;
 }
 
 // The largest speed at the end of a cell that is entered at v, under rule R and a ≤ a_max, and no
@@ -39,7 +38,7 @@ static inline nck_real nck_hull_rise(NCK_IN nck_hull_cell_t *cell, nck_real v, n
                                      nck_real v_cap) {
     const nck_real h = cell->h;
     const nck_real j = cell->j;
-    const nck_real a_long = nck_min(cell->a_max, b + 0.5 * j * cell->q_cap);
+    const nck_real a_long = nck_min(cell->a_max, b + j * cell->most);
     const nck_real vv = v * v + 2.0 * a_long * h;
     if (vv < 0.0) return -1.0;
     const nck_real hb = 2.0 * h * b;

@@ -25,6 +25,9 @@ enum { COMMIT_SURE = 3, COMMIT_LEAST = 10, KEEP_OFF = 4 };
 
 // The window is to see this many times the time that a ramp from full speed to rest takes.
 #define RAMPS_SEEN 3.0
+// From rest a ladder has this share of the cells, unless so many ramps take more.
+enum { SHARE_AT_REST = 4 };
+#define RAMPS_AT_REST 8.0
 // Cells last half a period at least: finer ladders gain next to nothing (README).
 #define STEP_LEAST 0.5
 // Cells of constant jerk last longer than a ladder's: a hold divides them so far, before it knows
@@ -114,6 +117,7 @@ static void restart(nck_jerk_t *self) {
     next->commit = 0;
     memset(&self->work, 0, sizeof self->work);
     self->work.step = self->step_s;
+    self->work.room = NCK_JERK_CELLS;
     self->work.over = next->over;
     self->work.piece = next->piece;
     self->work.s = next->s;
@@ -123,8 +127,17 @@ static void restart(nck_jerk_t *self) {
     self->profile.q = self->job.q;
 }
 
+// From rest every cell is planned twice, so that ladder is short, but long enough to be sure of
+// most of it.
+static uint32_t room_at_rest(const nck_jerk_t *self) {
+    const double seen = RAMPS_AT_REST * ramp_s(self->machine) / self->step_s;
+    const double least = (double)NCK_JERK_CELLS / (double)SHARE_AT_REST;
+    return (uint32_t)nck_min((double)NCK_JERK_CELLS, nck_max(least, seen));
+}
+
 static void begin_at_rest(nck_jerk_t *self) {
     self->work.coarse = 1;
+    self->work.room = room_at_rest(self);
     self->work.base = self->next->piece;
     self->work.pieces = NCK_JERK_PIECES / 2;
     enter(self, PHASE_LAY);
@@ -278,7 +291,8 @@ static void finish_relax(nck_jerk_t *self) {
 static void finish_brake(nck_jerk_t *self) {
     const int relaxes = self->work.bends && !(self->work.reach > 0.0) && !self->work.as_capped;
     self->work.forth = 0;
-    self->work.relaxed = 0;
+    self->work.relaxed_from = 0;
+    self->work.relaxed_to = 0;
     enter(self, PHASE_RELAX);
     if (!relaxes) finish_relax(self);
 }

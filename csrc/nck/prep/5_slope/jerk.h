@@ -36,6 +36,7 @@ typedef NCK_JERK_STATE nck_jerk {
         uint32_t all;      // load: 1: every cell of the plan of now, not only up to its `keep`
         uint32_t coarse;   // 1: the plan in work only tells how to divide the ladder
         uint32_t n;        // cells of the ladder
+        uint32_t room;     // lay: it may have so many
         uint32_t loaded;   // of them, those that an earlier plan had
         uint32_t piece;    // ladder's end
         double s;
@@ -48,7 +49,8 @@ typedef NCK_JERK_STATE nck_jerk {
         uint32_t as_capped; // 1: a hold brakes with what pieces leave at their caps only
         uint32_t bends;    // 1: a cell of the ladder lies on a spline
         uint32_t forth;    // relax: 1: from the ladder's begin on
-        uint32_t relaxed;  // 1: cells have more than their pieces leave at their caps
+        uint32_t relaxed_from; // between these two cells some …
+        uint32_t relaxed_to;   // … have more than their pieces leave at their caps; 0: none has
         uint32_t eases;    // brake: 1: it gives way in front of steps of the limits
         uint32_t redone;   // of a hold, on one ladder
         double j_cell;     // reach, check: jerk limit of the cell before

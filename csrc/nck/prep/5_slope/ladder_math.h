@@ -52,9 +52,10 @@ static inline nck_real nck_ladder_step(NCK_IN nck_ladder_piece_t *piece, nck_rea
     const nck_real a = piece->a;
     const nck_real j = piece->j;
     const nck_real first = j * step * step * step / 6.0;
-    const nck_real behind = piece->w0 + nck_ladder_gain(x + first, a, j);
-    const nck_real before = piece->w1 + nck_ladder_gain(y + first, a, j);
-    return step * nck_sqrt(nck_min(piece->w, nck_min(behind, before)));
+    nck_real w = piece->w;
+    if (piece->w0 < w) w = nck_min(w, piece->w0 + nck_ladder_gain(x + first, a, j));
+    if (piece->w1 < w) w = nck_min(w, piece->w1 + nck_ladder_gain(y + first, a, j));
+    return step * nck_sqrt(w);
 }
 
 // The distance over which the gain reaches dw: beyond it a node's cap no longer matters.

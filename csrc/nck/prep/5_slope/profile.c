@@ -99,6 +99,7 @@ static uint32_t reach_forth(nck_profile_t *self, uint32_t budget) {
     double *const w = self->w;
     const uint32_t end = self->i + count;
     if (self->i == 0) reach_first(self);
+    const double most = 0.5 * self->q_cap;
     double v_last = self->v_last;
     double share_last = self->share;
     for (uint32_t i = self->i > 0 ? self->i : 1; i < end; i++) {
@@ -106,7 +107,7 @@ static uint32_t reach_forth(nck_profile_t *self, uint32_t budget) {
         w[i] = nck_min(w[i], w[cell] + 2.0 * self->a_max[cell] * h[cell]);
         self->s[i] = self->s[cell] + h[cell];
         const double v = nck_sqrt(w[i]);
-        const double share = nck_hull_share(h[cell], v_last + v, self->q_cap);
+        const double share = nck_hull_share(h[cell], v_last + v, most);
         double bound = self->a_max[cell];
         if (cell > 0) {
             const double step = jerk_within(self, cell) * (share_last + share);
@@ -165,32 +166,26 @@ typedef struct fallen {
 } fallen_t;
 
 // Over a cell of the length h to its end, where the speed is v. j: at the node where it begins; 0
-// where nothing falls.
-static inline void fall_over(fallen_t *fallen, double h, double v, double j, double q_cap) {
-    const double share = nck_hull_share(h, fallen->v + v, q_cap);
+// where nothing falls. most: the largest share.
+static inline void fall_over(fallen_t *fallen, double h, double v, double j, double most) {
+    const double share = nck_hull_share(h, fallen->v + v, most);
     fallen->sigma += 2.0 * j * (fallen->share + share);
     fallen->sum += fallen->sigma * h;
     fallen->share = share;
     fallen->v = v;
 }
 
-// The two newest corners of a hull.
+// The two newest corners of a hull; while it has but one, both are that one.
 typedef struct corners {
     double s0, z0; // the older one
     double s1, z1;
 } corners_t;
 
-// So many corners are on the stack.
+// So many corners are on the stack, one at least.
 static inline corners_t corners_of(const nck_profile_t *self, uint32_t top) {
-    corners_t corners = {0.0, 0.0, 0.0, 0.0};
-    if (top > 0) {
-        corners.s1 = self->s[self->stack[top - 1]];
-        corners.z1 = self->z[self->stack[top - 1]];
-    }
-    if (top > 1) {
-        corners.s0 = self->s[self->stack[top - 2]];
-        corners.z0 = self->z[self->stack[top - 2]];
-    }
+    const uint32_t older = self->stack[top > 1 ? top - 2 : 0];
+    const uint32_t newest = self->stack[top - 1];
+    const corners_t corners = {self->s[older], self->z[older], self->s[newest], self->z[newest]};
     return corners;
 }
 
@@ -212,18 +207,17 @@ static void begin_hull(nck_profile_t *self, const double *g, const double *w_of_
 // from. A node and a corner taken off are a unit each.
 static uint32_t hull(nck_profile_t *self, uint32_t budget, const double *g,
                      const double *w_of_time) {
-    const uint32_t last = self->n;
-    const double q_cap = self->q_cap;
+    if (self->i == 0) {
+        begin_hull(self, g, w_of_time);
+        return 1;
+    }
+    const uint32_t count = left_forth(self, budget);
+    const double most = 0.5 * self->q_cap;
     const double *const h = self->h;
     const double *const j_max = self->j_max;
     const double *const s = self->s;
     double *const z = self->z;
     uint32_t *const stack = self->stack;
-    uint32_t n = 0;
-    if (self->i == 0) {
-        begin_hull(self, g, w_of_time);
-        n++;
-    }
     fallen_t fallen = {self->v_last, self->share, self->sigma, self->fall};
     uint32_t i = self->i;
     uint32_t top = self->top;
@@ -232,24 +226,24 @@ static uint32_t hull(nck_profile_t *self, uint32_t budget, const double *g,
     const uint32_t summed = i - fresh; // the last node that C is known at
     double j_before = summed > 0 ? j_max[summed - 1] : 0.0;
     double at = fresh ? 0.0 : z[i];
-    for (; n < budget && i <= last; n++) {
+    for (uint32_t n = 0; n < count; n++) {
         if (fresh) {
             const double j = j_max[i - 1];
-            fall_over(&fallen, h[i - 1], nck_sqrt(w_of_time[i]), nck_min(j_before, j), q_cap);
+            fall_over(&fallen, h[i - 1], nck_sqrt(w_of_time[i]), nck_min(j_before, j), most);
             j_before = j;
             at = g[i] + fallen.sum;
             z[i] = at;
         }
-        fresh = top < 2 || !sticks_out(&corners, s[i], at);
-        if (!fresh) {
+        fresh = !sticks_out(&corners, s[i], at) || top == 1;
+        if (fresh) {
+            stack[top] = i;
+            corners = (corners_t){corners.s1, corners.z1, s[i], at};
+            top++;
+            i++;
+        } else {
             top--;
             corners = corners_of(self, top);
-            continue;
         }
-        stack[top] = i;
-        corners = (corners_t){corners.s1, corners.z1, s[i], at};
-        top++;
-        i++;
     }
     self->v_last = fallen.v;
     self->share = fallen.share;
@@ -258,7 +252,7 @@ static uint32_t hull(nck_profile_t *self, uint32_t budget, const double *g,
     self->i = i;
     self->top = top;
     self->fresh = fresh;
-    return n;
+    return count;
 }
 
 // Every node down onto the hull. On a corner the value stays to the bit.
@@ -315,7 +309,8 @@ static inline int comes_to_nothing(const nck_hull_cell_t *step, const rise_t *st
 }
 
 // One cell onward under the envelope e. a_max: of the cell; the step has what of it may be used.
-static inline double rise(rise_t *state, const nck_hull_cell_t *step, double a_max, double e_end) {
+static inline double rise(rise_t *state, const nck_hull_cell_t *step, const double *a_max,
+                          double e_end) {
     const double v = state->v;
     const double b = state->a + step->j * state->share;
     const double v_cap = nck_sqrt(e_end);
@@ -329,8 +324,8 @@ static inline double rise(rise_t *state, const nck_hull_cell_t *step, double a_m
     state->v = capped ? v_cap : v1;
     state->a = (vv1 - v * v) / (2.0 * step->h);
     state->slows = state->slows && !capped && state->a < 0.0;
-    if (state->slows && comes_to_nothing(step, state, a_max)) state->broken = 1;
-    state->share = nck_hull_share(step->h, v + state->v, step->q_cap);
+    if (state->slows && comes_to_nothing(step, state, *a_max)) state->broken = 1;
+    state->share = nck_hull_share(step->h, v + state->v, step->most);
     // at rest; or on a falling envelope, where the next cell may be level
     const int free = !(vv1 > 0.0) || (capped && state->a + step->j * state->share < 0.0);
     if (free) {
@@ -353,7 +348,7 @@ static void follow_rise(const nck_profile_t *self, uint32_t i, rise_t *state) {
     const double h = self->h[i];
     state->v = nck_sqrt(self->w[i]);
     state->a = (self->w[i] - self->w[i + 1]) / (2.0 * h);
-    state->share = nck_hull_share(h, state->v + nck_sqrt(self->w[i + 1]), self->q_cap);
+    state->share = nck_hull_share(h, state->v + nck_sqrt(self->w[i + 1]), 0.5 * self->q_cap);
 }
 
 // On the way back: node i, where the rise from behind comes to vv. v: its speed before it went over
@@ -382,6 +377,7 @@ static uint32_t climb(nck_profile_t *self, uint32_t budget, const double *bound,
     uint32_t i = begins ? begin_climb(self, back) : self->i;
     uint32_t cell = back ? i : i - 1;
     rise_t state = rise_of(self);
+    const double most = 0.5 * self->q_cap;
     const uint32_t onward = back ? UINT32_MAX : 1; // one back, or forth
     const uint32_t end = count - (begins ? 1 : 0);
     const int alone = back ? cell + 1 >= self->n : cell == 0;
@@ -389,10 +385,10 @@ static uint32_t climb(nck_profile_t *self, uint32_t budget, const double *bound,
     for (uint32_t n = 0; n < end; n++) {
         const double j_cell = self->j_max[cell];
         const nck_hull_cell_t step = {self->h[cell], bound[cell], nck_min(j_last, j_cell),
-                                      self->q_cap};
+                                      most};
         const double v = state.v;
         const uint32_t broken = state.broken;
-        const double vv = rise(&state, &step, self->a_max[cell], self->e[i]);
+        const double vv = rise(&state, &step, &self->a_max[cell], self->e[i]);
         if (back) meet(self, i, vv, v, broken, &state);
         else self->w[i] = vv;
         j_last = j_cell;
@@ -437,7 +433,7 @@ int nck_profile_joins(const nck_profile_t *self) {
     if (!(vv > 0.0)) return 1;
     if (self->broken || nck_fabs(self->w[0] - vv) > SPEED_EPSILON * vv) return 0;
     const double share =
-        nck_hull_share(self->h[0], self->v + nck_sqrt(self->w[1]), self->q_cap);
+        nck_hull_share(self->h[0], self->v + nck_sqrt(self->w[1]), 0.5 * self->q_cap);
     const double a = (self->w[1] - self->w[0]) / (2.0 * self->h[0]);
     const double fall = self->j_max[0] * (share + 0.5 * nck_min(self->q, self->q_cap));
     return a >= self->a - fall - JOIN_EPSILON * self->a_max[0];

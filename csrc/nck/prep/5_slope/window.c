@@ -195,10 +195,17 @@ static void close_pending(nck_jerk_t *self, const nck_pieces_t *pieces) {
     self->work.pending = 0.0;
 }
 
+// At a piece's end the path may be faster than at its start, if the next one's lets it.
+static void gain_entry(nck_jerk_t *self, const nck_pieces_t *pieces, const nck_node_t *piece) {
+    const nck_node_t *const next = nck_plan_piece(pieces, self->work.piece + 1);
+    if (next && self->work.w_entry >= nck_window_node_cap(self, next)) return;
+    self->work.w_entry += nck_ladder_gain(piece->length, piece->a, piece->j * self->j_scale);
+}
+
 // The ladder has come to the end of a piece.
 static nck_status_t end_piece(nck_jerk_t *self, const nck_pieces_t *pieces,
                               const nck_node_t *piece, int rests) {
-    self->work.w_entry += nck_ladder_gain(piece->length, piece->a, piece->j * self->j_scale);
+    gain_entry(self, pieces, piece);
     self->work.piece++;
     self->work.s = NCK_PLAN_BEGIN;
     if (!rests) return NCK_OK;
@@ -225,8 +232,10 @@ static int joins_pending(const nck_jerk_t *self, const nck_node_t *piece, double
 static double exit_cap(const nck_jerk_t *self, const nck_pieces_t *pieces, const nck_node_t *next) {
     const nck_node_t *const second = nck_plan_piece(pieces, self->work.piece + 2);
     const double w_end = next->stop || !second ? 0.0 : nck_window_node_cap(self, second);
+    const double cap = nck_window_node_cap(self, next);
+    if (w_end >= cap) return cap;
     const double gain = nck_ladder_gain(next->length, next->a, next->j * self->j_scale);
-    return nck_min(nck_window_node_cap(self, next), w_end + gain);
+    return nck_min(cap, w_end + gain);
 }
 
 // How long the next cell is to be [mm].
@@ -357,7 +366,7 @@ static nck_status_t ends_here(nck_jerk_t *self, const nck_pieces_t *pieces) {
 
 // 1 if the ladder has room for what is laid at a piece's end.
 static int takes_cells(const nck_jerk_t *self) {
-    return self->work.n + 2 * PARTS_LEAST <= NCK_JERK_CELLS;
+    return self->work.n + 2 * PARTS_LEAST <= self->work.room;
 }
 
 // 1 if no more of the path fits into the ladder.
