@@ -26,6 +26,10 @@ _DRIVEN = (
     "G{value:g} drills with a driven tool on Fanuc's lathes, which is not supported",
     "drill on the axis with G1; --dialect linuxcnc for a program made for RS274NGC",
 )
+_PROBES = (
+    "G{value:g}: this machine refuses probes",
+    "--set dialect.probe=misses (or touches) simulates them, in LinuxCNC's language and in grbl's",
+)
 _BITES = (
     "{letter}{value:g} would have the cycle cut into the contour",
     "what is left on the contour leads away from the work: turn its sign; W leaves nothing on the "
@@ -203,6 +207,7 @@ WORDING = {
         "limit the speed by --set spindle.rpm_max=…; where the zero is to be shifted: "
         "--set dialect.system=B, or --dialect linuxcnc for a program made for RS274NGC",
     ),
+    **{f"unsupported:G38.{k}": _PROBES for k in range(2, 6)},
     "incremental": (
         "{found} names a machine position while distances are incremental (G91)",
         "put G90 into the block or before it",
@@ -422,6 +427,16 @@ WORDING = {
         "make it smaller; both are G1 G2 G3 in the plane, one line behind the other, and meet at "
         "an angle; a sign without a comma says which way the next one goes",
     ),
+    "probe:G38.2": (
+        "the probe touches nothing on its way, and G38.2 must",
+        "--set dialect.probe=touches simulates a contact where it ends; G38.3 may miss: #5070 is 0",
+    ),
+    "probe:G38.4": (
+        "the probe never leaves what it touches, and G38.4 must",
+        "--set dialect.probe=touches simulates it where the move ends; G38.5 may miss: #5070 is 0",
+    ),
+    "probe:G95": ("a probe has no feed per revolution (G95)", "say G94 and F before it"),
+    "probe": ("the probe has no way to go", "probe towards a place where the axes do not stand"),
     "spline": ("{letter} does not move along a spline", "splines lie in X and Y: move it before"),
     "spline:G5.2": (
         "another motion before G5.3: the spline of G5.2 is not ended",

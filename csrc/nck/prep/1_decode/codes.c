@@ -246,6 +246,15 @@ static const code_t *find_spline(const nck_decode_t *self, int64_t tenths) {
     return find(spline_codes, sizeof spline_codes / sizeof spline_codes[0], tenths);
 }
 
+// Straight probes, where the machine says what they meet.
+static const code_t *find_probe(const nck_decode_t *self) {
+    static const code_t probe = {NCK_MOTION_PROBE, NCK_STEP_MOTION, AXES};
+    const uint32_t base = self->machine->dialect.base;
+    const int speaks = base == NCK_DIALECT_LINUXCNC || base == NCK_DIALECT_GRBL;
+    const int built = NCK_HAS_CYCLES && self->machine->dialect.probe != NCK_PROBE_REFUSED;
+    return speaks && built ? &probe : NULL;
+}
+
 // What other languages mean otherwise, or leave to the machine.
 static const code_t *find_rs274(const nck_decode_t *self, int g, int64_t tenths) {
     if (self->machine->dialect.base != NCK_DIALECT_LINUXCNC) return NULL;
@@ -258,6 +267,7 @@ static const code_t *find_other(const nck_decode_t *self, int64_t tenths) {
     const int mills = self->machine->dialect.base == NCK_DIALECT_FANUC && !self->lathe;
     const int lays_out = NCK_HAS_LAYOUTS && mills && nck_layout_bit(tenths) != 0;
     if (nck_motion_is_spline((int32_t)tenths)) return find_spline(self, tenths);
+    if (nck_motion_probes((int32_t)tenths)) return find_probe(self);
     const code_t *const code = find_rs274(self, 1, tenths);
     if (code != NULL) return code;
     if (!lays_out) return find_cycle(self, tenths);
