@@ -427,13 +427,9 @@ WORDING = {
         "make it smaller; both are G1 G2 G3 in the plane, one line behind the other, and meet at "
         "an angle; a sign without a comma says which way the next one goes",
     ),
-    "probe:G38.2": (
-        "the probe touches nothing on its way, and G38.2 must",
-        "--set dialect.probe=touches simulates a contact where it ends; G38.3 may miss: #5070 is 0",
-    ),
-    "probe:G38.4": (
-        "the probe never leaves what it touches, and G38.4 must",
-        "--set dialect.probe=touches simulates it where the move ends; G38.5 may miss: #5070 is 0",
+    "probe:G": (
+        "G{value:g} must touch something (G38.4: leave it) on its way, and nothing is there",
+        "--set dialect.probe=touches simulates it where it ends; G38.3 and G38.5 may miss (#5070)",
     ),
     "probe:G95": ("a probe has no feed per revolution (G95)", "say G94 and F before it"),
     "probe": ("the probe has no way to go", "probe towards a place where the axes do not stand"),
@@ -444,6 +440,16 @@ WORDING = {
     ),
     "spline:G5.3": ("G5.3 without a G5.2 before it", "begin the spline with G5.2 and its points"),
     "spline:G": ("splines lie in the plane of X and Y (G17)", "say G17 before"),
+    "spline:G6.2": (
+        "another motion before the last knots of G6.2: its spline is not ended",
+        "behind the last point say as many lines with K alone as its order P",
+    ),
+    "spline:G91": ("points of G6.2 are places, and distances are steps (G91)", "say G90 before"),
+    "spline:P": ("G6.2 begins elsewhere than where the tool stands", "move there before"),
+    "spline:K": (
+        "the knots of G6.2 fit no curve from its first point to its last one",
+        "never say less than before; P equal ones first and last (4 without P), fewer between",
+    ),
     "spline:L": (
         "a spline of order {limit:.0f} needs {limit:.0f} points and has {value:.0f}",
         "say more points between G5.2 and G5.3, or a lower order with L",
