@@ -30,11 +30,10 @@ def decode(text, machine):
     return blocks[blocks["kind"] <= lib.NCK_BLOCK_ARC], found
 
 
-def curve(points, weights, order):
-    """Return points of a rational B-spline by Cox and de Boor's recursion."""
+def curve_of(points, weights, knots, order, samples):
+    """Return points of a rational B-spline by Cox and de Boor's recursion, those of knots too."""
     n = len(points) - 1
-    knots = [max(0, min(i - order + 1, n - order + 2)) for i in range(n + order + 1)]
-    u = np.linspace(0, n - order + 2, 700 * (n - order + 2), endpoint=False)  # and every knot
+    u = np.union1d(np.linspace(knots[0], knots[-1], samples, endpoint=False), knots[:-order])
     basis = [((knots[i] <= u) & (u < knots[i + 1])).astype(float) for i in range(n + order)]
     for k in range(2, order + 1):
         for i in range(n + 1 + order - k):
@@ -46,15 +45,21 @@ def curve(points, weights, order):
     return (weighed.T @ np.array(points)) / weighed.sum(axis=0)[:, None]
 
 
+def curve(points, weights, order):
+    """Return points of the one with knots 0 … 0 1 2 … m … m."""
+    n = len(points) - 1
+    knots = [max(0, min(i - order + 1, n - order + 2)) for i in range(n + order + 1)]
+    return curve_of(points, weights, knots, order, 700 * (n - order + 2))
+
+
 def distance(points, path):
-    """Return the largest distance of points from a polyline."""
-    a, b = path[:-1], path[1:]
-    d = b - a
+    """Return the largest distance of points from a polyline, in the plane or in space."""
+    a, d = path[:-1], np.diff(path, axis=0)
     length = np.maximum((d**2).sum(axis=1), 1e-30)
     far = 0.0
     for point in points:
         share = np.clip(((point - a) * d).sum(axis=1) / length, 0, 1)
-        far = max(far, np.hypot(*(a + share[:, None] * d - point).T).min())
+        far = max(far, np.linalg.norm(a + share[:, None] * d - point, axis=1).min())
     return far
 
 
@@ -159,3 +164,71 @@ def test_travel_is_looked_at_chord_by_chord():
     errors = decode(f"{HEAD}G5 I0 J999 P0 Q999 X1 Y1\nM2\n", Machine.load("mill3"))[1]
     assert errors == [("travel", 3)]
     assert decode(f"{HEAD}G5 I0 J300 P0 Q300 X1 Y1\nM2\n", Machine.load("mill3"))[1] == []
+
+
+# Fanuc's G6.2: knots that are said, in space.
+
+
+def said_knots(points, weights, knots, order):
+    places = [f"X{x} Y{y} Z{z} R{w}" for (x, y, z), w in zip(points, weights, strict=True)]
+    places += [""] * order
+    lines = [f"K{knot} {place}" for knot, place in zip(knots, places, strict=True)]
+    return f"G6.2 P{order} " + "\n".join(lines)
+
+
+@pytest.mark.parametrize("seed", range(20))
+def test_g6_2_is_the_curve_of_its_definition(seed):
+    source = random.Random(seed)
+    order, count = source.choice([2, 3, 4, 4]), source.randint(4, 12)
+    number = lambda: round(source.uniform(-20, 20), 3)  # noqa: E731
+    points = [(0.0, 0.0, 0.0)] + [(number(), number(), number()) for _ in range(count)]
+    weights = [round(source.uniform(0.5, 3), 2) for _ in points]
+    inner = sorted(round(source.uniform(1, 5), 3) for _ in range(len(points) - order))
+    if order == 4 and len(inner) > 3:
+        inner[1] = inner[2]  # twice
+    knots = [float(source.choice([0, 0.5]))] * order + inner + [6.0] * order
+    text = f"{HEAD}{said_knots(points, weights, knots, order)}\nG1 X0.\nM30\n"
+    blocks, errors = decode(text, Machine.load("mill3", set=[*FREE, "dialect.base=fanuc"]))
+    assert errors == []
+    path = np.vstack([points[0], blocks["target_nm"][1:-1, :3] / 1e6])
+    want = curve_of(points, weights, knots, order, 25_000)
+    assert (path[-1] == np.round(points[-1], 6)).all()
+    assert distance(want[::47], path) <= 1.05 * CHORD
+    assert distance(path[::5], np.vstack([want, points[-1]])) <= 2e-3
+    assert (blocks["feed"][1:] == 600).all()
+
+
+ARC = "G6.2 P3 K0. X0. Y0. R1.\nK0. X5. Y0. R0.70710678\nK0. X5. Y5. R1.\nK1.\nK1.\nK1.\n"
+
+
+def test_a_quarter_of_a_circle_is_one():
+    machine = Machine.load("mill3", set=[*FREE, "dialect.base=fanuc"])
+    blocks, errors = decode(f"{HEAD}{ARC}G1 X9.\nM30\n", machine)
+    assert errors == []
+    curve_nm = blocks["target_nm"][1:-1, :2]
+    radius = np.hypot(curve_nm[:, 0], curve_nm[:, 1] - 5_000_000)
+    assert abs(radius - 5_000_000).max() <= 2
+
+
+@pytest.mark.parametrize(
+    ("lines", "found"),
+    [
+        (ARC.replace("X0. Y0.", "X1. Y0."), ("spline", 3)),  # the tool is elsewhere
+        (ARC.replace("K1.\nK1.\nK1.", "K1.\nK1.\nK2."), ("spline", 8)),
+        (ARC.replace("K1.\nK1.\nK1.", "K1.\nG1 X9."), ("spline", 7)),
+        (ARC.replace("K0. X5. Y5.", "K-1. X5. Y5."), ("spline", 5)),
+        (ARC.replace("K0. X5. Y5.", "X5. Y5."), ("word-missing", 5)),
+        (ARC.replace("X5. Y5.", "X5."), ("word-missing", 5)),
+        (ARC.replace("X5. Y5.", "X5. Y5. Z1."), ("spline", 5)),
+        (ARC.replace("K1.\nK1.\nK1.", "K1\nK1.\nK1."), ("scale-unit", 6)),
+        (ARC.replace("P3", "P5"), ("number-range", 3)),
+        (ARC.replace("R0.7", "R-0.7"), ("number-range", 4)),
+        (ARC.replace("G6.2", "G91 G6.2"), ("spline", 3)),
+        (ARC.replace("G6.2", "G93 G6.2"), ("unsupported", 3)),
+        (ARC + "K1.\n", ("spline", 9)),
+        (ARC + "X3. Y3. K2.\n", ("spline", 9)),
+    ],
+)
+def test_what_cannot_be_a_g6_2_is_one_finding(lines, found):
+    machine = Machine.load("mill3", set=[*FREE, "dialect.base=fanuc"])
+    assert decode(f"{HEAD}{lines}G0 X1.\nM30\n", machine)[1] == [found]

@@ -116,6 +116,8 @@ def test_a_file_that_says_nothing_has_the_defaults_of_the_kernel():
         assert record[name] == kernel[0][name], name
     for name in ("chord_error", "tolerance", "arc_radius"):
         assert record["path"][name] == kernel[0]["path"][name], name
+    assert kernel[0]["dialect"]["probe"] == lib.NCK_PROBE_REFUSED  # a machine that moves
+    kernel[0]["dialect"]["probe"] = lib.NCK_PROBE_MISSES  # a simulation
     assert record["dialect"] == kernel[0]["dialect"]
 
 

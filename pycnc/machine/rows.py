@@ -33,6 +33,11 @@ _D_OFFSETS = {
     "radius": lib.NCK_D_RADIUS,
     "diameter": lib.NCK_D_DIAMETER,
 }
+_PROBES = {
+    "refused": lib.NCK_PROBE_REFUSED,
+    "misses": lib.NCK_PROBE_MISSES,
+    "touches": lib.NCK_PROBE_TOUCHES,
+}
 _FEEDS = {
     None: lib.NCK_FEED_START_OPEN,
     "per_minute": lib.NCK_FEED_START_MINUTE,
@@ -105,6 +110,7 @@ def _fill_dialect(row, dialect):
     row["system"] = _SYSTEMS[dialect.system]
     row["feed"] = _FEEDS[dialect.feed]
     row["d_offset"] = _D_OFFSETS[dialect.d_offset]
+    row["probe"] = _PROBES[dialect.probe]
     row["scale_unit"] = float(dialect.scale_unit)
     row["thread_pull"] = float(dialect.thread_pull_leads)
     row["diameter"], row["inch"] = dialect.diameter, dialect.units == "inch"

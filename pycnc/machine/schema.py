@@ -236,6 +236,11 @@ class Dialect(Table):
         description="What Fanuc's G10 L12 and L13 say of an offset for D. Not said: they are "
         "refused, since controls differ.",
     )
+    probe: Literal["refused", "misses", "touches"] = Field(
+        "misses",
+        description="What probes (G38.2 to G38.5) meet in the simulation: nothing, or something "
+        "where they end. No probe is asked on the way: a machine that moves says `refused`.",
+    )
     thread_pull_leads: Leads = Field(
         Decimal(1),
         description="Leads over which a tool pulls out at a thread's end, in Fanuc's G92 and its "

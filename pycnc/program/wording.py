@@ -26,6 +26,10 @@ _DRIVEN = (
     "G{value:g} drills with a driven tool on Fanuc's lathes, which is not supported",
     "drill on the axis with G1; --dialect linuxcnc for a program made for RS274NGC",
 )
+_PROBES = (
+    "G{value:g}: this machine refuses probes",
+    "--set dialect.probe=misses (or touches) simulates them, in LinuxCNC's language and in grbl's",
+)
 _BITES = (
     "{letter}{value:g} would have the cycle cut into the contour",
     "what is left on the contour leads away from the work: turn its sign; W leaves nothing on the "
@@ -203,6 +207,7 @@ WORDING = {
         "limit the speed by --set spindle.rpm_max=…; where the zero is to be shifted: "
         "--set dialect.system=B, or --dialect linuxcnc for a program made for RS274NGC",
     ),
+    **{f"unsupported:G38.{k}": _PROBES for k in range(2, 6)},
     "incremental": (
         "{found} names a machine position while distances are incremental (G91)",
         "put G90 into the block or before it",
@@ -422,6 +427,12 @@ WORDING = {
         "make it smaller; both are G1 G2 G3 in the plane, one line behind the other, and meet at "
         "an angle; a sign without a comma says which way the next one goes",
     ),
+    "probe:G": (
+        "G{value:g} must touch something (G38.4: leave it) on its way, and nothing is there",
+        "--set dialect.probe=touches simulates it where it ends; G38.3 and G38.5 may miss (#5070)",
+    ),
+    "probe:G95": ("a probe has no feed per revolution (G95)", "say G94 and F before it"),
+    "probe": ("the probe has no way to go", "probe towards a place where the axes do not stand"),
     "spline": ("{letter} does not move along a spline", "splines lie in X and Y: move it before"),
     "spline:G5.2": (
         "another motion before G5.3: the spline of G5.2 is not ended",
@@ -429,6 +440,16 @@ WORDING = {
     ),
     "spline:G5.3": ("G5.3 without a G5.2 before it", "begin the spline with G5.2 and its points"),
     "spline:G": ("splines lie in the plane of X and Y (G17)", "say G17 before"),
+    "spline:G6.2": (
+        "another motion before the last knots of G6.2: its spline is not ended",
+        "behind the last point say as many lines with K alone as its order P",
+    ),
+    "spline:G91": ("points of G6.2 are places, and distances are steps (G91)", "say G90 before"),
+    "spline:P": ("G6.2 begins elsewhere than where the tool stands", "move there before"),
+    "spline:K": (
+        "the knots of G6.2 fit no curve from its first point to its last one",
+        "never say less than before; P equal ones first and last (4 without P), fewer between",
+    ),
     "spline:L": (
         "a spline of order {limit:.0f} needs {limit:.0f} points and has {value:.0f}",
         "say more points between G5.2 and G5.3, or a lower order with L",

@@ -138,6 +138,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     machine.axis[NCK_AXIS_MAX - 3] = machine.axis[NCK_AXIS_X];
     machine.axis[NCK_AXIS_MAX - 3].present = (data[0] & 64u) != 0;
     machine.dialect.d_offset = (data[0] & 16u) ? NCK_D_DIAMETER : NCK_D_OPEN;
+    machine.dialect.probe = (data[0] & 16u) ? NCK_PROBE_TOUCHES : NCK_PROBE_MISSES;
     machine.dialect.scale_unit = (data[0] & 16u) ? 0.001 : 0.0;
     if (data[0] & 128u) machine.kinematics = NCK_KINEMATICS_LATHE_XZ;
     machine.tool_count = 2;

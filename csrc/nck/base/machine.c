@@ -125,10 +125,15 @@ static int dialect_good(const nck_machine_t *machine) {
     return machine->dialect.base <= NCK_DIALECT_MARLIN && machine->dialect.diameter <= 1
            && machine->dialect.inch <= 1 && machine->dialect.arc_absolute <= 1
            && machine->dialect.plane >= 17 && machine->dialect.plane <= 19
-           && machine->dialect.system <= NCK_SYSTEM_C && machine->dialect.block_skip <= 1
-           && machine->dialect.feed <= NCK_FEED_START_REV
-           && machine->dialect.optional_stop <= 1 && machine->dialect.d_offset <= NCK_D_DIAMETER
+           && machine->dialect.block_skip <= 1 && machine->dialect.optional_stop <= 1
            && machine->work_system < NCK_WORK_SYSTEMS;
+}
+
+// What a language leaves open.
+static int choices_good(const nck_machine_t *machine) {
+    return machine->dialect.system <= NCK_SYSTEM_C && machine->dialect.feed <= NCK_FEED_START_REV
+           && machine->dialect.d_offset <= NCK_D_DIAMETER
+           && machine->dialect.probe <= NCK_PROBE_TOUCHES;
 }
 
 static int dialect_numbers_good(const nck_machine_t *machine) {
@@ -160,8 +165,8 @@ static int own_good(const nck_machine_t *machine) {
 
 nck_status_t nck_machine_check(const nck_machine_t *machine) {
     const int all = numbers_good(machine) && axes_good(machine) && path_good(machine)
-                    && dialect_good(machine) && dialect_numbers_good(machine)
-                    && tools_good(machine) && own_good(machine)
+                    && dialect_good(machine) && choices_good(machine)
+                    && dialect_numbers_good(machine) && tools_good(machine) && own_good(machine)
                     && machine->home_more >> (NCK_HOMES - 2) == 0;
     if (!all) return NCK_E_MACHINE;
     return is_slope_built(machine) ? NCK_OK : NCK_E_UNSUPPORTED;

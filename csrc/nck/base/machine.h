@@ -73,6 +73,13 @@ typedef enum nck_quantity {
     NCK_QUANTITIES = 8
 } nck_quantity_t;
 
+// What a straight probe (G38.2 … G38.5) meets. The kernel asks no probe: it is simulated.
+typedef enum nck_probe {
+    NCK_PROBE_REFUSED = 0, // probing is refused
+    NCK_PROBE_MISSES = 1,  // nothing, on all of its way
+    NCK_PROBE_TOUCHES = 2  // something where it ends
+} nck_probe_t;
+
 // What a quantity may be.
 typedef struct nck_range {
     double low;  // the least that is good
@@ -137,6 +144,7 @@ typedef struct nck_machine {
         uint8_t system;      // nck_system_t
         uint8_t feed;        // nck_feed_start_t
         uint8_t d_offset;    // nck_d_offset_t
+        uint8_t probe;       // nck_probe_t
         uint32_t from_line;  // where programs begin: what stands before is not done; 0: all is
         double feed_default; // FEED: in force before the first F
         double scale_unit;   // what 1 means where a factor of G51 has no point, 0 … 1; 0: open

@@ -93,6 +93,9 @@ typedef enum nck_status {
     NCK_E_CORNER = -64,       // "corner": ,R or ,C does not fit between its two moves, or one of
                               // them is none; letter, value [mm]
 
+    NCK_E_PROBE = -65,        // "probe": G38.2 or G38.4, and nothing is touched; value = the code,
+                              // 95: under G95; letter X: it has no way to go
+
     // the front door
     NCK_E_ARGUMENT = -40, // "argument": an argument outside of its range
     NCK_E_MACHINE = -41,  // "machine": a machine number outside of its range

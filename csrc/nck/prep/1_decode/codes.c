@@ -10,7 +10,7 @@ enum { RIGID = 290 }; // M29
 enum {
     NONE, AXES, ARC, DWELL, PATH, LENGTH, REFERENCE, SET, CALL, MACRO, DRILL, DRILL_P, DRILL_Q,
     RADIUS, DIAMETER, TAP, TURN_PLANE, SCALE, MIRROR, INPUT, ANALOGUE, BEZIER, PARABOLA, NURBS,
-    TURN, FACE, PECK, PASS, PASS_Q, THREAD, SCREW, SCREW_FANUC, LINES, SUB, SETS
+    KNOTS, TURN, FACE, PECK, PASS, PASS_Q, THREAD, SCREW, SCREW_FANUC, LINES, SUB, SETS
 };
 
 static const uint32_t letters_of[SETS] = {
@@ -40,6 +40,7 @@ static const uint32_t letters_of[SETS] = {
                | NCK_LETTER('Q'),
     [PARABOLA] = NCK_LETTERS_AXES | NCK_LETTER('I') | NCK_LETTER('J'),
     [NURBS] = NCK_LETTERS_AXES | NCK_LETTER('P') | NCK_LETTER('L'),
+    [KNOTS] = NCK_LETTERS_AXES | NCK_LETTER('K') | NCK_LETTER('P') | NCK_LETTER('R'),
     [TURN] = NCK_LETTERS_LINEAR | NCK_LETTER('R') | NCK_LETTER('I'),
     [FACE] = NCK_LETTERS_LINEAR | NCK_LETTER('R') | NCK_LETTER('K'),
     [PECK] = NCK_LETTERS_LINEAR | NCK_LETTER('P') | NCK_LETTER('Q') | NCK_LETTER('R')
@@ -240,10 +241,23 @@ static const code_t *find_cycle(const nck_decode_t *self, int64_t tenths) {
     return find_drilling(self, tenths);
 }
 
-// Fanuc's G5 and G5.1 mean other things.
+// Fanuc's G5 and G5.1 mean other things, and G6.2 is its mills' own.
 static const code_t *find_spline(const nck_decode_t *self, int64_t tenths) {
-    if (!NCK_HAS_CONTOUR || self->machine->dialect.base == NCK_DIALECT_FANUC) return NULL;
+    static const code_t knots = {NCK_MOTION_KNOTS, NCK_STEP_MOTION, KNOTS};
+    const int mills = self->machine->dialect.base == NCK_DIALECT_FANUC && !self->lathe;
+    if (!NCK_HAS_CONTOUR) return NULL;
+    if (tenths == NCK_MOTION_KNOTS) return mills ? &knots : NULL;
+    if (self->machine->dialect.base == NCK_DIALECT_FANUC) return NULL;
     return find(spline_codes, sizeof spline_codes / sizeof spline_codes[0], tenths);
+}
+
+// Straight probes, where the machine says what they meet.
+static const code_t *find_probe(const nck_decode_t *self) {
+    static const code_t probe = {NCK_MOTION_PROBE, NCK_STEP_MOTION, AXES};
+    const uint32_t base = self->machine->dialect.base;
+    const int speaks = base == NCK_DIALECT_LINUXCNC || base == NCK_DIALECT_GRBL;
+    const int built = NCK_HAS_CYCLES && self->machine->dialect.probe != NCK_PROBE_REFUSED;
+    return speaks && built ? &probe : NULL;
 }
 
 // What other languages mean otherwise, or leave to the machine.
@@ -258,6 +272,7 @@ static const code_t *find_other(const nck_decode_t *self, int64_t tenths) {
     const int mills = self->machine->dialect.base == NCK_DIALECT_FANUC && !self->lathe;
     const int lays_out = NCK_HAS_LAYOUTS && mills && nck_layout_bit(tenths) != 0;
     if (nck_motion_is_spline((int32_t)tenths)) return find_spline(self, tenths);
+    if (nck_motion_probes((int32_t)tenths)) return find_probe(self);
     const code_t *const code = find_rs274(self, 1, tenths);
     if (code != NULL) return code;
     if (!lays_out) return find_cycle(self, tenths);

@@ -34,7 +34,8 @@ static int turns(int32_t code) { return code == NCK_MOTION_TURN || code == NCK_M
 
 static int drills(const nck_decode_t *self, int32_t code) {
     return !nck_decode_follows(self, code) && !turns(code) && !pecks(self, code)
-           && !nck_motion_cuts_threads(code) && !nck_motion_is_spline(code);
+           && !nck_motion_cuts_threads(code) && !nck_motion_is_spline(code)
+           && !nck_motion_probes(code);
 }
 
 static uint8_t does_of(int32_t code) {
@@ -423,6 +424,7 @@ static nck_status_t other_cycle(nck_decode_t *self, int32_t code, nck_block_t *o
     if (turns(code)) return nck_decode_turn(self, out);
     if (pecks(self, code)) return nck_decode_peck(self, out);
     if (nck_motion_is_spline(code)) return nck_decode_spline(self, out);
+    if (nck_motion_probes(code)) return nck_decode_probe(self, out);
     return nck_motion_cuts_threads(code) ? nck_decode_screw(self, out)
                                          : nck_decode_profile(self, out);
 }

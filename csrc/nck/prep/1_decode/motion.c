@@ -52,9 +52,8 @@ static void arrive(nck_decode_t *self, const int64_t *target_nm) {
     memcpy(self->place.position_nm, target_nm, sizeof self->place.position_nm);
 }
 
-// G0, G1: target_nm in machine coordinates.
-static nck_status_t straight(nck_decode_t *self, nck_block_kind_t kind, const int64_t *target_nm,
-                             nck_block_t *out) {
+nck_status_t nck_decode_straight(nck_decode_t *self, nck_block_kind_t kind,
+                                 const int64_t *target_nm, nck_block_t *out) {
     double feed = 0.0;
     nck_status_t status = check_targets(self, self->words.axes, target_nm);
     if (status == NCK_OK && kind == NCK_BLOCK_LINE) {
@@ -92,7 +91,8 @@ nck_status_t nck_decode_go(nck_decode_t *self, const nck_block_in_t *pushed,
     if (code >= 20) {
         status = arc(self, pushed, target_nm, out);
     } else {
-        status = straight(self, code == 0 ? NCK_BLOCK_RAPID : NCK_BLOCK_LINE, target_nm, out);
+        status = nck_decode_straight(self, code == 0 ? NCK_BLOCK_RAPID : NCK_BLOCK_LINE, target_nm,
+                                     out);
     }
     stop_exactly(self, out);
     return status;
@@ -168,7 +168,7 @@ nck_status_t nck_decode_reference(nck_decode_t *self, nck_block_t *out) {
         status = nck_decode_target(self, 0, target_nm);
         if (status != NCK_OK) return status;
     }
-    status = straight(self, NCK_BLOCK_RAPID, target_nm, out);
+    status = nck_decode_straight(self, NCK_BLOCK_RAPID, target_nm, out);
     for (unsigned axis = 0; axis < NCK_AXIS_MAX; axis++) {
         if (axis_bit(axes, axis)) target_nm[axis] = home[axis];
     }

@@ -152,6 +152,9 @@ nck_status_t nck_variable_wait(nck_decode_t *self, uint64_t key, double value);
 nck_status_t nck_variable_commit(nck_decode_t *self, nck_status_t line);
 nck_status_t nck_variable_add(nck_decode_t *self, uint64_t key, double value);
 
+// variables.c: a parameter that counts at once. NCK_E_VARIABLES. Cost: linear in the parameters.
+nck_status_t nck_variable_set(nck_decode_t *self, uint64_t key, double value);
+
 // variables.c: the key of what G10 has changed in a tool; a program begins: only what was changed
 // in tools stays. Cost: linear in the parameters.
 uint64_t nck_variable_tool(uint32_t number, unsigned field);
@@ -176,6 +179,10 @@ int nck_parameter_is_own(const nck_decode_t *self, uint32_t number);
 // system.c: set one of Fanuc's work offsets, #5221 …, in the units in force. NCK_E_UNSUPPORTED: it
 // is none; NCK_E_COMP_ON, NCK_E_LAYOUT_ON, NCK_E_VALUE. Cost: constant.
 nck_status_t nck_parameter_set_work(nck_decode_t *self, uint32_t number, double value);
+
+// system.c: a probe has ended where the axes stand: #5061 … #5070. NCK_E_VARIABLES. Cost: linear in
+// the parameters.
+nck_status_t nck_parameter_set_probe(nck_decode_t *self, int touched);
 
 // jump.c: the line in work while something is looked for: NCK_OK: it is to be read, NCK_EMPTY: it
 // is passed over. The end of the text while something is looked for. The calls in force, behind an
@@ -345,6 +352,14 @@ nck_status_t nck_decode_second(nck_decode_t *self, nck_block_t *out);
 // standstill; NCK_EMPTY: the same, and known. Cost: constant.
 nck_status_t nck_decode_cutting_feed(nck_decode_t *self, int rotary_alone, double *feed_out);
 
+// motion.c: straight on to a machine position, as G0 or G1 (of G1 all that one needs); it is taken
+// as reached. NCK_E_TRAVEL, and as above. Cost: constant.
+nck_status_t nck_decode_straight(nck_decode_t *self, nck_block_kind_t kind,
+                                 const int64_t *target_nm, nck_block_t *out);
+
+// probe.c: G38.2 … G38.5. NCK_E_PROBE, and as above. Cost: linear in the parameters.
+nck_status_t nck_decode_probe(nck_decode_t *self, nck_block_t *out);
+
 // motion.c: a cycle is not for inverse time, nor for radius compensation. NCK_E_UNSUPPORTED,
 // NCK_E_COMP_ON. Cost: constant.
 nck_status_t nck_decode_cycle_fits(nck_decode_t *self);
@@ -408,10 +423,16 @@ nck_status_t nck_decode_start_angle(nck_decode_t *self, float *turn_out);
 nck_status_t nck_decode_pass(nck_decode_t *self, const int64_t *end_nm, nck_thread_t *thread,
                              nck_block_t *out);
 
-// spline.c: G5, G5.1, G5.2, G5.3; rest.c: a motion while a G5.2 is not ended: NCK_E_SPLINE.
-// Cost: constant.
+// spline.c: G5, G5.1, G5.2, G5.3, G6.2; rest.c: a motion while one of the latter is not ended:
+// NCK_E_SPLINE. Cost: constant, of G6.2 linear in its points.
 nck_status_t nck_decode_spline(nck_decode_t *self, nck_block_t *out);
 nck_status_t nck_spline_refuses(nck_decode_t *self, int32_t code);
+
+// knots.c: a line of G6.2: a knot, and a point or not. NCK_E_SPLINE, NCK_E_CONTOUR_FULL,
+// NCK_E_SCALE_UNIT, and as nck_spline_begin. spline.c: its points are said. NCK_E_FEED_MISSING, and
+// as nck_decode_cycle_fits. Cost: linear in the points.
+nck_status_t nck_decode_knots(nck_decode_t *self);
+nck_status_t nck_spline_begin(nck_decode_t *self, uint32_t order);
 
 // tap.c: G33.1; a tapped hole from where the tool stands, with all in force that it needs.
 // NCK_E_THREAD_SPEED, NCK_E_THREAD_RUN_IN. Cost: constant.

@@ -80,9 +80,12 @@ static nck_status_t no_motion(nck_decode_t *self) {
     return nck_decode_fail_word(self, NCK_E_NO_MOTION, letter, 0.0, 0.0);
 }
 
-// What moves without an axis word: an arc by its centre, in Fanuc's language a cycle by its R.
+// What moves without an axis word: an arc by its centre, in Fanuc's language a cycle by its R; the
+// last knots of a spline.
 static int goes_without_axes(const nck_decode_t *self, int32_t modal) {
     const int fanuc = self->machine->dialect.base == NCK_DIALECT_FANUC;
+    const int knots = modal == NCK_MOTION_KNOTS || modal == NCK_MOTION_REFUSED;
+    if (fanuc && knots && (self->words.letters & NCK_LETTER('K'))) return 1;
     if (nck_motion_is_cycle(modal)) return fanuc && (self->words.letters & NCK_LETTER('R'));
     return modal >= 20 && (self->words.letters & NCK_LETTERS_CENTRE);
 }

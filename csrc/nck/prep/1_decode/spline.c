@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Splines in the plane of X and Y: rational B-splines with knots 0 … 0 1 2 … m … m, cut into chords
-// that keep to the chord tolerance. G5 and G5.1 are those of one span.
+// Splines in the plane of X and Y: rational B-splines with knots 0 … 0 1 2 … m … m, cut into
+// chords that keep to the chord tolerance. G5 and G5.1 are those of one span; those of G6.2 have
+// knots of their own, and Z.
 #include "nck/prep/1_decode/parts.h"
 
 #include <string.h> // memcpy memset
@@ -11,7 +12,7 @@ enum { DEFAULT_ORDER = 3, HALVINGS = 24, SAMPLES = 4 };
 
 // A point times its weight [mm], and the weight.
 typedef struct weighted {
-    double x, y, w;
+    double x, y, z, w;
 } weighted_t;
 
 static int says(const nck_decode_t *self, char letter) {
@@ -29,14 +30,26 @@ static nck_status_t fail(nck_decode_t *self, nck_status_t code, int letter, doub
 // ---- the curve
 
 // Knot i of n + 1 points.
-static double knot(const nck_spline_t *spline, uint32_t i) {
+static double knot(const nck_decode_t *self, uint32_t i) {
+    const nck_spline_t *const spline = &self->held.spline;
     const uint32_t k = spline->order;
     const uint32_t n = spline->points - 1;
+    if (spline->knots != 0) return self->held.contour.element[i].centre_mm[NCK_SPLINE_KNOT];
     return i < k ? 0.0 : i <= n ? (double)(i - k + 1) : (double)(n - k + 2);
 }
 
-static double parameter_end(const nck_spline_t *spline) {
-    return (double)(spline->points - spline->order + 1);
+static double parameter_end(const nck_decode_t *self) {
+    return knot(self, self->held.spline.points);
+}
+
+// The span of a parameter: from knot j, which is less than the one behind it.
+static uint32_t span_of(const nck_decode_t *self, double u) {
+    const nck_spline_t *const spline = &self->held.spline;
+    const double last = (double)(spline->points - spline->order);
+    uint32_t j = spline->order - 1;
+    if (spline->knots == 0) return (uint32_t)nck_min(nck_floor(u), last) + j;
+    while (j + 1 < spline->points && knot(self, j + 1) <= u) j++;
+    return j;
 }
 
 // De Boor's algorithm on weighted points: from their places in the machine to one.
@@ -44,43 +57,46 @@ static void point_at(const nck_decode_t *self, double u, double *at) {
     const nck_spline_t *const spline = &self->held.spline;
     const nck_element_t *const element = self->held.contour.element;
     const uint32_t k = spline->order;
-    const double last = (double)(spline->points - k);
-    const uint32_t j = (uint32_t)nck_min(nck_floor(u), last) + k - 1;
+    const uint32_t j = span_of(self, u);
     weighted_t d[NCK_SPLINE_ORDER_MOST];
     memset(d, 0, sizeof d);
     for (uint32_t r = 0; r < k; r++) {
         const nck_element_t *const point = &element[j - k + 1 + r];
         const double w = point->sweep_rad;
-        d[r] = (weighted_t){w * (double)point->to_nm[0], w * (double)point->to_nm[1], w};
+        d[r] = (weighted_t){w * (double)point->to_nm[0], w * (double)point->to_nm[1],
+                            w * point->centre_mm[NCK_SPLINE_Z], w};
     }
     for (uint32_t l = 1; l < k; l++) {
         for (uint32_t r = k - 1; r >= l; r--) {
             const uint32_t i = j - k + 1 + r;
-            const double low = knot(spline, i);
-            const double a = (u - low) / (knot(spline, i + k - l) - low);
+            const double low = knot(self, i);
+            const double a = (u - low) / (knot(self, i + k - l) - low);
             d[r].x = (1.0 - a) * d[r - 1].x + a * d[r].x;
             d[r].y = (1.0 - a) * d[r - 1].y + a * d[r].y;
+            d[r].z = (1.0 - a) * d[r - 1].z + a * d[r].z;
             d[r].w = (1.0 - a) * d[r - 1].w + a * d[r].w;
         }
     }
     at[0] = d[k - 1].x / d[k - 1].w;
     at[1] = d[k - 1].y / d[k - 1].w;
+    at[2] = d[k - 1].z / d[k - 1].w;
 }
 
 // How far a point is from a chord [nm].
 static double beside(const double *a, const double *b, const double *point) {
-    const double dx = b[0] - a[0], dy = b[1] - a[1];
-    const double x = point[0] - a[0], y = point[1] - a[1];
-    const double dd = dx * dx + dy * dy;
-    const double share = dd > 0.0 ? nck_max(0.0, nck_min(1.0, (x * dx + y * dy) / dd)) : 0.0;
-    const double px = x - share * dx, py = y - share * dy;
-    return nck_sqrt(px * px + py * py);
+    const double dx = b[0] - a[0], dy = b[1] - a[1], dz = b[2] - a[2];
+    const double x = point[0] - a[0], y = point[1] - a[1], z = point[2] - a[2];
+    const double dd = dx * dx + dy * dy + dz * dz;
+    const double way = x * dx + y * dy + z * dz;
+    const double share = dd > 0.0 ? nck_max(0.0, nck_min(1.0, way / dd)) : 0.0;
+    const double px = x - share * dx, py = y - share * dy, pz = z - share * dz;
+    return nck_sqrt(px * px + py * py + pz * pz);
 }
 
 // Is the curve from u to v no further from its chord than the tolerance?
 static int is_flat(const nck_decode_t *self, double u, double v) {
     const double tolerance_nm = self->machine->path.chord_error * 1e6;
-    double a[2], b[2], point[2];
+    double a[3], b[3], point[3];
     point_at(self, u, a);
     point_at(self, v, b);
     for (int k = 1; k < SAMPLES; k++) {
@@ -92,31 +108,48 @@ static int is_flat(const nck_decode_t *self, double u, double v) {
 
 static int64_t rounded(double x) { return (int64_t)nck_floor(x + 0.5); }
 
-// The next chord, which does not pass a knot.
+// The end of the next chord: it does not pass a knot.
+static double step_on(nck_decode_t *self) {
+    nck_spline_t *const spline = &self->held.spline;
+    const double at = spline->at;
+    const double next = knot(self, span_of(self, at) + 1);
+    const double span = next - at;
+    double step = nck_min(spline->step, span);
+    for (int k = 0; k < HALVINGS && !is_flat(self, at, at + step); k++) step *= 0.5;
+    spline->step = 2.0 * step;
+    return step < span && at + step > at ? at + step : next;
+}
+
+// How many axes move: Z stays where only knots of G6.2 lead it.
+static unsigned axes_of(const nck_spline_t *spline) { return spline->knots != 0 ? 3 : 2; }
+
+static void place_of_last(const nck_decode_t *self, int64_t *place_nm) {
+    const nck_element_t *const last = &self->held.contour.element[self->held.spline.points - 1];
+    memcpy(place_nm, last->to_nm, sizeof last->to_nm);
+    if (self->held.spline.knots != 0) place_nm[2] = (int64_t)last->centre_mm[NCK_SPLINE_Z];
+}
+
+// The next chord.
 static nck_status_t chord(nck_decode_t *self, nck_block_t *out) {
     nck_spline_t *const spline = &self->held.spline;
-    const double behind = parameter_end(spline);
-    const double span = nck_min(nck_floor(spline->at) + 1.0, behind) - spline->at;
-    double step = nck_min(spline->step, span);
-    double at[2];
-    for (int k = 0; k < HALVINGS && !is_flat(self, spline->at, spline->at + step); k++) step *= 0.5;
-    spline->step = 2.0 * step;
-    spline->at = step < span ? spline->at + step : nck_floor(spline->at) + 1.0;
-    spline->works = spline->at < behind;
-    const nck_element_t *const last = &self->held.contour.element[spline->points - 1];
-    point_at(self, nck_min(spline->at, behind), at);
+    int64_t last_nm[3];
+    double at[3];
+    place_of_last(self, last_nm);
+    spline->at = step_on(self);
+    spline->works = spline->at < parameter_end(self);
+    point_at(self, spline->at, at);
     nck_status_t status = NCK_OK;
-    for (unsigned axis = 0; axis < 2 && status == NCK_OK; axis++) {
-        const int64_t place_nm = spline->works ? rounded(at[axis]) : last->to_nm[axis];
+    for (unsigned axis = 0; axis < axes_of(spline) && status == NCK_OK; axis++) {
+        const int64_t place_nm = spline->works ? rounded(at[axis]) : last_nm[axis];
         self->place.position_nm[axis] = place_nm;
         status = nck_decode_travel(self, axis, place_nm);
     }
-    if (status != NCK_OK || !spline->works) spline->points = 0;
     if (status != NCK_OK) {
         spline->works = 0;
-        memcpy(self->place.position_nm, last->to_nm, sizeof last->to_nm);
-        return status;
+        place_of_last(self, self->place.position_nm);
     }
+    if (!spline->works) spline->points = 0;
+    if (status != NCK_OK) return status;
     nck_decode_block(self, NCK_BLOCK_LINE, out);
     out->feed = spline->feed;
     return NCK_OK;
@@ -129,6 +162,7 @@ static void add_point(nck_decode_t *self, const int64_t *place_nm, double weight
     nck_element_t *const point = &self->held.contour.element[spline->points];
     point->to_nm[0] = place_nm[0];
     point->to_nm[1] = place_nm[1];
+    point->centre_mm[NCK_SPLINE_Z] = 0.0;
     point->sweep_rad = weight;
     spline->points++;
 }
@@ -165,19 +199,19 @@ static nck_status_t need(nck_decode_t *self, char a, char b) {
     return fail(self, NCK_E_WORD_MISSING, missing, self->words.code[NCK_STEP_MOTION] / 10.0, 0.0);
 }
 
-static nck_status_t begin(nck_decode_t *self, uint32_t order) {
+nck_status_t nck_spline_begin(nck_decode_t *self, uint32_t order) {
+    if (!NCK_HAS_CONTOUR) return NCK_E_UNSUPPORTED;
     nck_spline_t *const spline = &self->held.spline;
     nck_status_t status = nck_decode_cycle_fits(self);
     if (status == NCK_OK) status = nck_decode_cutting_feed(self, 0, &spline->feed);
     if (status != NCK_OK) {
-        memcpy(self->place.position_nm, self->held.contour.element[spline->points - 1].to_nm,
-               2 * sizeof self->place.position_nm[0]);
+        place_of_last(self, self->place.position_nm);
         spline->points = 0;
         return status;
     }
     spline->order = order;
-    spline->at = 0.0;
-    spline->step = 1.0;
+    spline->at = knot(self, order - 1);
+    spline->step = parameter_end(self) - spline->at;
     spline->works = 1;
     return NCK_OK;
 }
@@ -206,7 +240,7 @@ static nck_status_t cubic(nck_decode_t *self) {
     spline->tangent_nm[0] = target_nm[0] - control->to_nm[0];
     spline->tangent_nm[1] = target_nm[1] - control->to_nm[1];
     add_point(self, target_nm, 1.0);
-    return begin(self, 4);
+    return nck_spline_begin(self, 4);
 }
 
 // G5.1: I J from the start.
@@ -220,7 +254,7 @@ static nck_status_t quadratic(nck_decode_t *self) {
     status = add_beside(self, self->place.position_nm, 'I', 'J');
     if (status != NCK_OK) return status;
     add_point(self, target_nm, 1.0);
-    return begin(self, 3);
+    return nck_spline_begin(self, 3);
 }
 
 static nck_status_t read_order(nck_decode_t *self, int first) {
@@ -265,12 +299,15 @@ static nck_status_t end(nck_decode_t *self) {
     if (spline->points < spline->order) {
         return fail(self, NCK_E_SPLINE, 'L', spline->points, spline->order);
     }
-    return begin(self, spline->order);
+    return nck_spline_begin(self, spline->order);
 }
 
 static nck_status_t read_spline(nck_decode_t *self) {
+    nck_spline_t *const spline = &self->held.spline;
     const int32_t code = self->words.code[NCK_STEP_MOTION];
     self->modal.motion = code == NCK_MOTION_NURBS_END ? NCK_MOTION_NONE : code;
+    if (code == NCK_MOTION_KNOTS) return nck_decode_knots(self);
+    spline->knots = 0;
     if (code == NCK_MOTION_NURBS) return control_point(self);
     if (code == NCK_MOTION_NURBS_END) return end(self);
     if (self->words.axes == 0) return fail(self, NCK_E_WORD_MISSING, 'X', code / 10.0, 0.0);

@@ -11,7 +11,8 @@ enum {
     SYSTEM_ROW = 20,           // numbers from one work system to the next
     FANUC_OWN = 1000,          // Fanuc: the first number that the control keeps
     FANUC_WORK = 5221, FANUC_SYSTEMS = 6,
-    LINUXCNC_OWN = 5061, LINUXCNC_LAST = 5602
+    LINUXCNC_OWN = 5061, LINUXCNC_LAST = 5602,
+    PROBED = 5061, PROBE_TOUCHED = 5070 // where a probe has ended; did it meet anything?
 };
 
 // What may be asked for.
@@ -102,6 +103,7 @@ typedef struct row {
 } row_t;
 
 static const row_t linuxcnc_rows[] = {
+    {PROBED, 10, ASK_ZERO, 0},
     {5220, 1, ASK_SYSTEM, 0}, {5221, 9 * SYSTEM_ROW, ASK_WORK, 0}, {5400, 1, ASK_TOOL, 0},
     {5420, 9, ASK_PROGRAM, 0}, {0, 0, 0, 0}
 };
@@ -149,6 +151,16 @@ nck_status_t nck_parameter_number(nck_decode_t *self, uint32_t number, double *v
         return NCK_OK;
     }
     return NCK_E_UNSUPPORTED;
+}
+
+nck_status_t nck_parameter_set_probe(nck_decode_t *self, int touched) {
+    if (!NCK_HAS_VARIABLES) return NCK_OK;
+    nck_status_t status = NCK_OK;
+    for (unsigned axis = 0; axis < NCK_AXIS_MAX && status == NCK_OK; axis++) {
+        if (!(self->place.axes >> axis & 1u)) continue;
+        status = nck_variable_set(self, PROBED + axis, place(self, ASK_PROGRAM, axis));
+    }
+    return status == NCK_OK ? nck_variable_set(self, PROBE_TOUCHED, touched) : status;
 }
 
 nck_status_t nck_parameter_set_work(nck_decode_t *self, uint32_t number, double value) {

@@ -79,7 +79,8 @@ uint64_t nck_variable_tool(uint32_t number, unsigned field) {
     return TOOL | (uint64_t)number << 3 | field;
 }
 
-static nck_status_t set(nck_decode_t *self, uint64_t key, double value) {
+nck_status_t nck_variable_set(nck_decode_t *self, uint64_t key, double value) {
+    if (!NCK_HAS_VARIABLES) return NCK_E_UNSUPPORTED;
     nck_macro_t *const macro = &self->macro;
     const uint32_t row = row_of(self, key);
     if (row < NCK_VARIABLE_ROWS) {
@@ -110,7 +111,7 @@ nck_status_t nck_variable_commit(nck_decode_t *self, nck_status_t line) {
     for (uint32_t k = 0; k < count && status == NCK_OK; k++) {
         const nck_variable_t row = macro->variable[first + k];
         macro->waiting = first + count - macro->globals - (macro->globals == first + k);
-        status = set(self, row.key, row.value);
+        status = nck_variable_set(self, row.key, row.value);
     }
     macro->waiting = 0;
     return status;
