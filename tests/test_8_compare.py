@@ -143,6 +143,15 @@ def test_other_bad_operands_are_told(part, tmp_path):
     archive = tmp_path / "trace.npz"
     archive.write_bytes(b"no archive")
     assert "is no NumPy archive" in pycnc("compare", part, archive).err
+    np.savez_compressed(archive, t_s=np.arange(9999.0))
+    whole = archive.read_bytes()
+    for bad in (whole[:-9], whole[:900] + bytes(99) + whole[999:]):
+        archive.write_bytes(bad)
+        assert "is no NumPy archive" in pycnc("compare", part, archive).err
+    np.save(archive.open("wb"), np.arange(3.0))
+    assert "is no NumPy archive" in pycnc("compare", part, archive).err
+    (tmp_path / "trace.parquet").write_bytes(b"no table")
+    assert "is no Parquet file" in pycnc("compare", part, tmp_path / "trace.parquet").err
     np.savez(archive, t_s=np.arange(3.0))
     assert "is no trace of pycnc" in pycnc("compare", part, archive).err
     assert pycnc("compare", part, tmp_path / "missing.npz").code == 2

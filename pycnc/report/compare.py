@@ -8,8 +8,8 @@ from pathlib import Path
 import numpy as np
 
 from pycnc import errors
-from pycnc.extras import need
 from pycnc.machine.schema import AXES, ROTARY_AXES, position_key
+from pycnc.report import trace_file
 
 MOVES = 0.05  # places of A a sample: less is at rest
 STILL_MM = 1e-6  # nearer together two samples are one place
@@ -92,13 +92,8 @@ def read(file, columns=None):
     """
     path, name = Path(file), str(file)
     ending = path.suffix.lower()
-    if ending == ".npz":
-        with path.open("rb") as data:
-            return _of_columns(name, _archive(name, data))
-    if ending == ".parquet":
-        table = need("pyarrow.parquet").read_table(path)
-        return _of_columns(name, {c: table[c].to_numpy() for c in table.column_names
-                                  if c in ("t_s", "line") or c.startswith("pos_")})  # fmt: skip
+    if ending in (".npz", ".parquet"):
+        return _of_columns(name, trace_file.read(path, _is_compared)[0])
     names, rows, begin = _table(path, name)
     if columns is None:
         columns = {"t": "t_s", **_own_positions(names)}
@@ -115,13 +110,8 @@ def read(file, columns=None):
     return Side(name, taken.pop("t"), taken, line)
 
 
-def _archive(name, data):
-    try:
-        with np.load(data) as archive:
-            return {key: archive[key] for key in archive.files
-                    if key in ("t_s", "line") or key.startswith("pos_")}  # fmt: skip
-    except (ValueError, OSError, EOFError) as cause:
-        raise errors.ArgumentError(f"{name}: is no NumPy archive: {cause}", id="log") from None
+def _is_compared(column):
+    return column in ("t_s", "line") or column.startswith("pos_")
 
 
 def _own_positions(names):
