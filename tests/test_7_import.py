@@ -162,6 +162,8 @@ def test_what_is_imported_is_a_machine_and_moves(text, tmp_path):
         (GRBL.replace("$130=300", "$130=-300"), "axis.x.min_mm"),
         ("axes:\n  x:\n    max_rate_mm_per_min: 5", "axis.x: no a_max"),
         ("axes:\n", "no axis found"),
+        (LINUXCNC.replace("LINEAR_UNITS = inch", "LINEAR_UNITS = ell"), "'ell' is none of mm, "),
+        (LINUXCNC.replace("= 30\n", "= -30\n"), "is -762); line "),
         ("[printer]\nmax_velocity: -1\nmax_accel: 1\n[stepper_x]\n", "axis.x.v_max_mm_s"),
     ],
 )
@@ -170,6 +172,19 @@ def test_what_is_wrong_with_a_configuration_is_told(text, words):
     assert (result.code, result.out) == (2, "")
     assert words in result.err
     assert "Traceback" not in result.err
+
+
+@pytest.mark.parametrize(
+    ("text", "words"),
+    [
+        ("[include z.cfg]\n" + KLIPPER, "line 1: [include z.cfg] (what stands there is not read)"),
+        (LINUXCNC + "#INCLUDE z.inc\n", "#INCLUDE z.inc (what stands there is not read)"),
+    ],
+)
+def test_what_stands_in_another_file_is_told(text, words):
+    _, result = imported(text)
+    assert words in result.err
+    assert words in result.out
 
 
 def test_a_name_cannot_leave_its_string():
@@ -195,6 +210,7 @@ def test_a_new_machine_has_every_key_with_its_meaning(tmp_path):
 def test_a_new_lathe_and_wrong_flags():
     assert 'type = "lathe_xz"' in pycnc("machine", "new", "l", "--axes", "xz").out
     for flags in (["--axes", "xq"], ["--travel", "x=1"], ["--travel", "q=0:1"], ["--a-max", "-1"],
-                  ["--travel", "x=5:1"], ["--v-max", "nan"]):  # fmt: skip
+                  ["--travel", "x=5:1"], ["--travel", "x=nan:1"], ["--travel", "x=0:inf"],
+                  ["--v-max", "nan"], ["--j-max", "inf"]):  # fmt: skip
         result = pycnc("machine", "new", "m", *flags)
         assert (result.code, result.out) == (2, ""), flags

@@ -52,6 +52,38 @@ def test_a_log_that_is_shifted_and_slowed_is_found_out(trace, tmp_path):
     assert rest[2] == pytest.approx(1.02 * rest[1], abs=0.1), "with the dwell behind it"
 
 
+@pytest.mark.parametrize("every", [500, 1500])
+def test_a_log_of_few_samples_stays_in_order(tmp_path, every):
+    slow = run(TEXT.replace("F3000", "F200").replace("F1500", "F300"))
+    log = write_log(tmp_path / "log.csv", slow, shift_s=0.003, rate=1.02)
+    head, *rows = log.read_text().splitlines()
+    log.write_text("\n".join([head, *rows[::every]]))
+    columns = compare.columns_of("t=Time,x=PosX,y=PosY")
+    found = compare.Comparison(compare.of_trace(slow, "A"), compare.read(log, columns))
+    assert len(found.b.t) == -(-len(rows) // every) > 12
+    assert found.keeps_time
+    assert found.distance_mm < 1e-4
+    assert found.rate == pytest.approx(1.02, abs=1e-3)
+    assert found.shift_s == pytest.approx(0.003, abs=0.01)
+
+
+def test_a_path_that_goes_back_on_itself_stays_in_order(tmp_path):
+    """The way back is as near as the way out: a log of some noise must not change over."""
+    there = run("G21 G90\nG1 F3000 X9\nX0\nX9\nX0\nM2\n")
+    log = write_log(tmp_path / "log.csv", there, rate=1.02, noise_mm=1e-3)
+    columns = compare.columns_of("t=Time,x=PosX,y=PosY")
+    found = compare.Comparison(compare.of_trace(there, "A"), compare.read(log, columns))
+    assert found.distance_mm < 0.01
+    assert found.rate == pytest.approx(1.02, abs=1e-3)
+
+
+def test_no_clock_is_told_of_a_log_that_goes_elsewhere(trace, part, tmp_path):
+    log = write_log(tmp_path / "log.csv", trace)
+    result = pycnc("compare", part, log, "--map", "t=Time,x=PosX:inch,y=PosY:inch")
+    assert "clock  no clock fits: " in result.out
+    assert "most by line" not in result.out
+
+
 def test_a_path_that_is_left_is_told_with_its_line(trace, tmp_path):
     log = write_log(tmp_path / "log.csv", trace, off_mm=-0.05)
     columns = compare.columns_of("t=Time,x=PosX,y=PosY")
@@ -143,6 +175,15 @@ def test_other_bad_operands_are_told(part, tmp_path):
     archive = tmp_path / "trace.npz"
     archive.write_bytes(b"no archive")
     assert "is no NumPy archive" in pycnc("compare", part, archive).err
+    np.savez_compressed(archive, t_s=np.arange(9999.0))
+    whole = archive.read_bytes()
+    for bad in (whole[:-9], whole[:900] + bytes(99) + whole[999:]):
+        archive.write_bytes(bad)
+        assert "is no NumPy archive" in pycnc("compare", part, archive).err
+    np.save(archive.open("wb"), np.arange(3.0))
+    assert "is no NumPy archive" in pycnc("compare", part, archive).err
+    (tmp_path / "trace.parquet").write_bytes(b"no table")
+    assert "is no Parquet file" in pycnc("compare", part, tmp_path / "trace.parquet").err
     np.savez(archive, t_s=np.arange(3.0))
     assert "is no trace of pycnc" in pycnc("compare", part, archive).err
     assert pycnc("compare", part, tmp_path / "missing.npz").code == 2

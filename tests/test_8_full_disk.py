@@ -22,6 +22,7 @@ MOST = 200  # bytes that a file may have: the system refuses the next one, as a 
         ("plot", (), "picture.png"),
         ("plot", (), "picture.svg"),
         ("sweep", ("--set", "path.slope=jerk,linear,sshape"), "sweep.csv"),
+        ("machine new", (), "my.toml"),
     ],
 )
 def test_what_a_full_disk_cannot_take_leaves_no_half_file(verb, words, name, tmp_path):
@@ -29,7 +30,8 @@ def test_what_a_full_disk_cannot_take_leaves_no_half_file(verb, words, name, tmp
     place = tmp_path / "out"
     place.mkdir()
     done = subprocess.run(
-        [sys.executable, "-m", "pycnc", verb, tmp_path / "part.ngc", "-o", place / name, *words],
+        [sys.executable, "-m", "pycnc", *verb.split(), tmp_path / "part.ngc", "-o", place / name,
+         *words],
         capture_output=True, text=True, check=False,
         preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (MOST, MOST)),
     )  # fmt: skip

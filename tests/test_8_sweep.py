@@ -59,7 +59,7 @@ def test_a_grid_that_is_too_large_is_counted_and_not_begun(tmp_path):
     many = ["--set", "path.j_max_mm_s3=1..2/1000", "--set", "path.a_max_mm_s2=1..2/1000"]
     result = pycnc("sweep", tmp_path / "absent.ngc", *many)
     assert result.code == 2
-    assert "1,000,000 plans (1 programs x 1000 x 1000)" in result.err
+    assert "1,000,000 plans (1 program x 1000 x 1000)" in result.err
     assert pycnc("sweep", "x", "--set", "path.j_max_mm_s3=1..2/99999999999").code == 2
 
 
@@ -245,6 +245,26 @@ def test_what_is_no_sweep_is_told(arguments, words, files, tmp_path, monkeypatch
     assert result.code == 2
     assert words in result.err
     assert not list(tmp_path.glob("*.part"))
+
+
+@pytest.mark.parametrize(
+    ("settings", "idle"),
+    [
+        (["path.j_max_mm_s3=1e5,2e5", "path.slope=linear"], ["path.j_max_mm_s3"]),
+        (["path.j_max_mm_s3=1e5,2e5", "path.slope=linear,jerk"], []),
+        (["path.slope=jerk,linear", "dialect.system=A,B"], ["dialect.system"]),
+    ],
+)
+def test_a_setting_without_effect_on_the_whole_grid_is_a_warning(settings, idle, files):
+    result = pycnc("sweep", files[0], *(word for each in settings for word in ("--set", each)))
+    told = [line for line in result.err.splitlines() if "warning[no-effect]" in line]
+    assert [line.partition("=")[0] for line in told] == [f"--set {key}" for key in idle]
+
+
+def test_a_place_that_cannot_be_written_is_told_before_anything_is_planned(files, monkeypatch):
+    monkeypatch.setattr(sweep, "Sweep", lambda *_: pytest.fail("planned"))
+    result = pycnc("sweep", files[0], "--set", "path.slope=jerk", "-o", "no/such/folder.csv")
+    assert (result.code, result.out) == (2, "")
 
 
 def test_an_interrupt_ends_it_with_130_and_no_half_file(files, tmp_path):

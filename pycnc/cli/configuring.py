@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: MIT
 """The verbs that make machine files: ``machine new`` and ``machine import``."""
 
+import errno
+import os
 import sys
 from decimal import Decimal
 from pathlib import Path
@@ -12,6 +14,7 @@ from pycnc import errors
 from pycnc.cli.door import machines, verb
 from pycnc.cli.options import Dialect, Quiet
 from pycnc.cli.words import GOOD, fail, read, writing
+from pycnc.files import Part
 
 Output = Annotated[
     str | None,
@@ -39,6 +42,10 @@ def new(
         raise errors.ArgumentError(f"--axes {axes!r}: must be some of {''.join(AXES)}", id="axes")
     limits = {key: Decimal(str(value))
               for key, value in (("v_max", v_max), ("a_max", a_max), ("j_max", j_max))}  # fmt: skip
+    for key, value in limits.items():
+        if not value.is_finite():
+            option = key.replace("_", "-")
+            raise errors.ArgumentError(f"--{option} {value}: must be a number", id="limits")
     limits["travel"] = _travel(travel or "", letters)
     plain = _plain(name)
     text = draft.commented(letters, limits, Dialect(dialect).value, plain)
@@ -59,7 +66,7 @@ def _travel(words, letters):
             ends = tuple(Decimal(end) for end in span.split(":"))
         except ArithmeticError:
             ends = ()
-        if letter not in letters or len(ends) != 2:
+        if letter not in letters or len(ends) != 2 or not all(end.is_finite() for end in ends):
             raise errors.ArgumentError(
                 f"--travel {pair!r}: must look like x=-300:300, of an axis of it", id="travel"
             )
@@ -80,13 +87,16 @@ def import_(
     """
     from pycnc.machine import Machine, MachineFileError, importer
 
-    name, data = read(file)
+    name, data = read(file, "give a file with the configuration of a control")
     found = importer.read(data.decode("utf-8", errors="replace"), Path(name).name)
     if found.problems:
         raise MachineFileError(name, found.problems)
     head = [f"Imported from {Path(name).name}. Check every line: a file cannot tell all of it."]
     text = found.text(head)
-    Machine.from_text(text, name=name)
+    try:
+        Machine.from_text(text, name=name)
+    except MachineFileError as cause:
+        raise MachineFileError(name, found.sourced(cause.problems)) from None
     if not quiet:
         for words in found.left:
             fail(f"{name}: note[not-imported]: {words}")
@@ -97,8 +107,11 @@ def _write(text, output, quiet):
     if output is None:
         sys.stdout.write(text)
         return GOOD
-    with writing(output), open(output, "x", encoding="utf-8") as file:
-        file.write(text)
+    with writing(output):
+        if os.path.lexists(output):  # what somebody has edited is not written over
+            raise FileExistsError(errno.EEXIST, os.strerror(errno.EEXIST), output)
+        with Part(output) as part:
+            part.write(text)
     if not quiet:
         print(output)
     return GOOD

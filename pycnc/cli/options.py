@@ -138,7 +138,7 @@ WhatIf = Annotated[
 ]
 Table = Annotated[
     str | None,
-    typer.Option("--output", "-o", metavar="TABLE", help="Write the places as a table: .csv."),
+    typer.Option("--output", "-o", metavar="TABLE", help="Write all rows as a table: .csv."),
 ]
 Page = Annotated[
     str, typer.Option("--output", "-o", metavar="PAGE", help="Where to: .html.")

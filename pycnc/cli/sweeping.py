@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 """The verb that plans a grid: ``sweep``."""
 
+import contextlib
 import io
 import json
 from typing import Annotated
@@ -20,7 +21,7 @@ from pycnc.cli.options import (
     Tools,
 )
 from pycnc.cli.words import GOOD, WRONG, Refused, fail, progress, read, writing
-from pycnc.machine import DEFAULT
+from pycnc.machine import DEFAULT, effect
 
 _ROWS_SHOWN = 40
 _Grid = Annotated[
@@ -54,11 +55,14 @@ def sweep(
     axes = planning.grid(set)
     planning.tasks_of(files, axes)  # counted before anything is read
     mill = machine_of(machine, None, tools, dialect, slope=slope, quiet=quiet)
+    if not quiet:
+        for key, reason in effect.idle_keys(mill, axes):
+            fail(f"--set {key}=…: warning[no-effect]: {reason}")
     texts = dict(read(file) for file in files)
-    with progress(f"planning {len(planning.tasks_of(files, axes)):,} times", quiet) as bar:
-        found = planning.Sweep(texts, axes, mill, jobs, cluster, bar)
-    if output is not None:
-        _write(found, output)
+    with _table(output) as table:
+        with progress(f"planning {len(planning.tasks_of(files, axes)):,} times", quiet) as bar:
+            found = planning.Sweep(texts, axes, mill, jobs, cluster, bar)
+        table(found)
     if json_:
         facts = {"machine": mill.name, "settings": axes, "rows": found.rows}
         print(json.dumps(facts))
@@ -72,13 +76,30 @@ def sweep(
     return WRONG if wrong else GOOD
 
 
-def _write(found, output):
+@contextlib.contextmanager
+def _table(output):
+    """Give a function that writes a sweep; whether it can is known before hours of planning."""
     from pycnc.files import Part
 
-    text = io.StringIO(newline="")
-    found.write_csv(text)
-    with writing(output), Part(output) as part:
-        part.write(text.getvalue())
+    if output is None:
+        yield lambda found: None
+        return
+
+    with writing(output):
+        part = Part(output)
+
+    def write(found):
+        text = io.StringIO(newline="")
+        found.write_csv(text)
+        with writing(output):
+            part.write(text.getvalue())
+            part.close()
+
+    try:
+        yield write
+    except BaseException:
+        part.discard()
+        raise
 
 
 def _point(row, axes):

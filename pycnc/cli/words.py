@@ -73,8 +73,8 @@ def explain(cause):
     return INTERNAL
 
 
-def read(file):
-    """Return (name, bytes) of a program on the command line."""
+def read(file, remedy="give a file with an NC program"):
+    """Return (name, bytes) of a file on the command line; remedy: if it cannot be read."""
     try:
         if file == "-" and sys.stdin is not None:
             return "<stdin>", sys.stdin.buffer.read()
@@ -88,7 +88,7 @@ def read(file):
             "file",
             "error",
             f"cannot read it: {reason}",
-            "give a file with an NC program",
+            remedy,
         )
         raise Refused(words.text(colour(sys.stderr)), words) from None
 

@@ -67,6 +67,11 @@ class Draft:
             for table in ("start", "home.g28", "home.g30"):
                 self.put(f"{table}.{position_key(letter)}", place, "0 is outside of the travel")
 
+    def sourced(self, problems):
+        """Return problems of keys, with what the values were made of."""
+        told = ((key, words, self.values.get(key, ("", ""))[1]) for key, words in problems)
+        return [(key, f"{words}; {comment}" if comment else words) for key, words, comment in told]
+
     def text(self, head=()):
         """Return the machine file; head: comment lines at its top."""
         lines = [f"# {line}".rstrip() for line in head]

@@ -1,7 +1,12 @@
 # SPDX-License-Identifier: MIT
 """Which changes of a machine change nothing: `--set` of what this machine does not use."""
 
+import itertools
+
+from pycnc.machine import Machine
 from pycnc.machine.schema import AXES
+
+_DECIDING = ("path.slope", "dialect.base")  # by these it goes whether others have an effect
 
 _JERK = {"path.j_max_mm_s3"} | {f"axis.{letter}.j_max_{unit}_s3" for letter in AXES
                                 for unit in ("mm", "deg")}  # fmt: skip
@@ -25,6 +30,26 @@ def idle_changes(machine, plan="exact"):
         reason = f"{key}={later[-1]} comes behind it" if later else _idle(machine, key, plan)
         if reason:
             yield f"{key}={str(value).replace('E+', 'e')}", reason
+
+
+def idle_keys(machine, axes):
+    """Yield (key, why) of the settings of a grid that change nothing at any of its points.
+
+    Parameters
+    ----------
+    machine : Machine
+    axes : dict
+        Key → values.
+    """
+    deciding = [key for key in _DECIDING if key in axes]
+    for key, values in axes.items():
+        reasons = set()
+        for point in itertools.product(*(axes[each] for each in deciding)):
+            settings = {key: values[0]} | dict(zip(deciding, point, strict=True))
+            changed = Machine.load(machine, set=[f"{k}={v}" for k, v in settings.items()])
+            reasons.add(_idle(changed, key, "exact"))
+        if all(reasons):
+            yield key, reasons.pop()
 
 
 def _idle(machine, key, plan):

@@ -14,7 +14,11 @@ from pycnc.machine import foreign
 from pycnc.machine.draft import Draft
 from pycnc.machine.schema import AXES, ROTARY_AXES
 
-INCH_MM = Decimal("25.4")
+_MM = {  # LINEAR_UNITS of LinuxCNC → millimetres
+    **dict.fromkeys(("mm", "metric"), Decimal(1)), "cm": Decimal(10), "um": Decimal("1e-3"),
+    **dict.fromkeys(("inch", "in", "imperial"), Decimal("25.4")),
+}  # fmt: skip
+_ELSEWHERE = re.compile(r"^\s*(#INCLUDE\s+\S+|\[include\s+.+\])", re.M)
 _MOTION = re.compile(  # what has to do with motion, and no equal here
     r"junction_deviation|square_corner|backlash|instant_corner|accel_to_decel|minimum_cruise|ferror"
     r"|stepgen_maxvel|stepgen_maxaccel|max_joint|input_shap|pressure_advance|shaper_freq", re.I,
@@ -112,6 +116,9 @@ def read(text, file):
     parse, fill = _READERS[kind]
     source = Source(file, parse(text), kind)
     letters = fill(source)
+    for found in _ELSEWHERE.finditer(text):
+        number = text.count("\n", 0, found.start(1)) + 1
+        source.draft.left.append(f"line {number}: {found[1]} (what stands there is not read)")
     if not letters:
         source.draft.problems.append(("", "no axis found"))
     source.draft.complete(letters)
@@ -171,7 +178,11 @@ def _indented(text):
 
 
 def _fill_linuxcnc(source):
-    inch = (source.word(("traj", "linear_units")) or "mm").lower() in ("inch", "in", "imperial")
+    units = (source.word(("traj", "linear_units")) or "mm").lower()
+    if units not in _MM:
+        known = ", ".join(_MM)
+        source.draft.problems.append(("LINEAR_UNITS", f"{units!r} is none of {known}"))
+    unit = _MM.get(units, Decimal(1))
     letters = re.sub("[^a-z]", "", (source.word(("traj", "coordinates")) or "xyz").lower())
     letters = [letter for letter in AXES if letter in letters]
     kinematics = source.word(("kins", "kinematics")) or "trivkins"
@@ -179,7 +190,7 @@ def _fill_linuxcnc(source):
         source.draft.left.append(f"kinematics {kinematics}: the axes are taken as joints")
     for joint, letter in enumerate(letters):
         rotary = letter in ROTARY_AXES
-        scale = INCH_MM if inch and not rotary else Decimal(1)
+        scale = Decimal(1) if rotary else unit
         own = (f"axis_{letter}", f"axis_{joint}", f"joint_{joint}")
         most = "max_angular" if rotary else "max_linear"
         for quantity, name in (("v_max", "velocity"), ("a_max", "acceleration"),
@@ -189,11 +200,10 @@ def _fill_linuxcnc(source):
             source.axis(letter, quantity, keys, scale)
         source.axis(letter, "min", [(section, "min_limit") for section in own], scale)
         source.axis(letter, "max", [(section, "max_limit") for section in own], scale)
-    scale = INCH_MM if inch else Decimal(1)
-    source.path("path.feed_max_mm_min", [("traj", "max_linear_velocity")], 60 * scale)
+    source.path("path.feed_max_mm_min", [("traj", "max_linear_velocity")], 60 * unit)
     source.path("kernel.period_ms", [("emcmot", "servo_period")], Decimal("1e-6"))
     source.path("spindle.rpm_max", [("spindle_0", "max_forward_velocity")])
-    if inch:
+    if unit == _MM["inch"]:
         source.draft.put("dialect.units", "inch", "LINEAR_UNITS")
     if source.word(("display", "lathe")) == "1" and letters == ["x", "z"]:
         source.draft.put("kinematics.type", "lathe_xz", "LATHE = 1")

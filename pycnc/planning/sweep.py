@@ -115,8 +115,9 @@ def tasks_of(files, axes):
     count = len(files) * math.prod(map(len, axes.values()))
     if count > GRID_MOST:
         sizes = " x ".join(str(len(values)) for values in axes.values())
+        programs = "1 program" if len(files) == 1 else f"{len(files)} programs"
         raise errors.ArgumentError(
-            f"the grid has {count:,} plans ({len(files)} programs x {sizes}); at most "
+            f"the grid has {count:,} plans ({programs} x {sizes}); at most "
             f"{GRID_MOST:,}: ask for fewer values", id="grid",
         )  # fmt: skip
     points = [tuple(zip(axes, point, strict=True)) for point in itertools.product(*axes.values())]

@@ -155,9 +155,9 @@ class Wording:
             Of dtype ``nck_diagnostic_t``.
         """
         kept, extra = [], []
-        for code in np.unique(rows["code"]):
+        for code in sorted(set(rows["code"].tolist())):  # np.unique imports numpy.ma for it
             of_code = np.flatnonzero(rows["code"] == code)
-            room = max(SHOWN_PER_ID - diagnostics.counts[_id(int(code))], 0)
+            room = max(SHOWN_PER_ID - diagnostics.counts[_id(code)], 0)
             kept.extend(of_code[:room])
             if len(of_code) > room:
                 extra.append((of_code[room], len(of_code) - room))

@@ -8,8 +8,8 @@ from pathlib import Path
 import numpy as np
 
 from pycnc import errors
-from pycnc.extras import need
 from pycnc.machine.schema import AXES, ROTARY_AXES, position_key
+from pycnc.report import trace_file
 
 MOVES = 0.05  # places of A a sample: less is at rest
 STILL_MM = 1e-6  # nearer together two samples are one place
@@ -17,6 +17,7 @@ FORWARD, BACK = 400, 20  # places of A among which the next sample of B is looke
 SAMPLES_MAX = 40_000  # of B that are looked for: of more every second, third …
 _UNITS = {"s": 1.0, "ms": 1e-3, "us": 1e-6, "mm": 1.0, "um": 1e-3, "m": 1e3, "inch": 25.4,
           "deg": 1.0, "rad": 180 / math.pi}  # fmt: skip
+MISFIT = 0.05  # of A's time: what a clock that fits leaves at most
 GAP = 20  # times the usual step: so long without a sample while it moves is a gap
 ALIKE = 0.02  # extents whose ratio is that of two units to this share are of other units
 _TIME_UNITS = frozenset({"s", "ms", "us"})
@@ -92,13 +93,8 @@ def read(file, columns=None):
     """
     path, name = Path(file), str(file)
     ending = path.suffix.lower()
-    if ending == ".npz":
-        with path.open("rb") as data:
-            return _of_columns(name, _archive(name, data))
-    if ending == ".parquet":
-        table = need("pyarrow.parquet").read_table(path)
-        return _of_columns(name, {c: table[c].to_numpy() for c in table.column_names
-                                  if c in ("t_s", "line") or c.startswith("pos_")})  # fmt: skip
+    if ending in (".npz", ".parquet"):
+        return _of_columns(name, trace_file.read(path, _is_compared)[0])
     names, rows, begin = _table(path, name)
     if columns is None:
         columns = {"t": "t_s", **_own_positions(names)}
@@ -115,13 +111,8 @@ def read(file, columns=None):
     return Side(name, taken.pop("t"), taken, line)
 
 
-def _archive(name, data):
-    try:
-        with np.load(data) as archive:
-            return {key: archive[key] for key in archive.files
-                    if key in ("t_s", "line") or key.startswith("pos_")}  # fmt: skip
-    except (ValueError, OSError, EOFError) as cause:
-        raise errors.ArgumentError(f"{name}: is no NumPy archive: {cause}", id="log") from None
+def _is_compared(column):
+    return column in ("t_s", "line") or column.startswith("pos_")
 
 
 def _own_positions(names):
@@ -205,7 +196,7 @@ class Comparison:
         self._t_b, path_b = b.t[::step], path_b[::step]
         moved = np.linalg.norm(np.diff(path_a, axis=0), axis=1) > STILL_MM
         self._kept = np.flatnonzero(np.append(True, moved))
-        place, distance = _follow(path_a[self._kept], path_b)
+        place, distance = _follow(path_a[self._kept], a.t[self._kept], path_b, self._t_b)
         worst = int(np.argmax(distance))
         self.distance_mm, self.mean_mm = float(distance[worst]), float(distance.mean())
         self.distance_t_s = float(self._t_b[worst] - b.t[0])
@@ -214,6 +205,11 @@ class Comparison:
         self._fit_clock(place, path_a[self._kept])
         self.lines = self._by_line(place)
         self.notes = [*_gaps(a, shared), *_gaps(b, shared), *_units(a, b, shared)]
+
+    @property
+    def keeps_time(self):
+        """Whether B passes A's places by some clock: else nothing is told of clock and lines."""
+        return self.b.line is not None or self.residual_s <= MISFIT * self.a.time_s
 
     def _line_at(self, place):
         index = self._kept[min(round(float(place)), len(self._kept) - 1)]
@@ -311,20 +307,33 @@ def _line_times(line, t):
     return dict(zip(lines.tolist(), np.bincount(where, spans).tolist(), strict=True))
 
 
-def _follow(path_a, path_b):
+def _follow(path_a, t_a, path_b, t_b):
     """Return for every point of B (where A's path is nearest, as index and share; the distance).
 
-    It is looked for from where the last one was found: a path that meets itself stays in order.
+    It is looked for from where the last one was found, as far ahead as A may have gone meanwhile;
+    of the places that are near, the one most in time: a path that meets itself stays in order.
     """
     place, distance, at = np.empty(len(path_b)), np.empty(len(path_b)), 0
+    passed, chords = np.diff(t_b, prepend=t_b[0]), np.linalg.norm(np.diff(path_a, axis=0), axis=1)
     for k, point in enumerate(path_b):
-        begin = max(at - BACK, 0)
-        window = path_a[begin : at + FORWARD]
-        away = window - point
-        near = begin + int(np.argmin(np.einsum("ij,ij->i", away, away)))
-        place[k], distance[k] = _on_polyline(path_a, near, point)
-        at = near
+        due = int(np.searchsorted(t_a, t_a[at] + passed[k]))
+        looked = slice(max(at - BACK, 0), max(at + FORWARD, 2 * due - at))
+        away = np.linalg.norm(path_a[looked] - point, axis=1)
+        near = np.flatnonzero(away <= away.min() + chords[looked].max(initial=0.0)) + looked.start
+        at = _settle(path_a, int(near[np.argmin(np.abs(near - due))]), point)
+        place[k], distance[k] = _on_polyline(path_a, at, point)
     return place, distance
+
+
+def _settle(path, at, point):
+    """Return the vertex that is nearest to a point, without a way over one that is farther."""
+    while True:
+        begin = max(at - BACK, 0)
+        away = path[begin : at + BACK] - point
+        nearest = begin + int(np.argmin(np.einsum("ij,ij->i", away, away)))
+        if nearest == at:
+            return at
+        at = nearest
 
 
 def _on_polyline(path, near, point):
@@ -349,14 +358,8 @@ def lines_of(found, shown=8):
     yield f"B  {b.time_s:.3f} s  {b.name}"
     yield f"time   B takes {abs(found.time_s):.3f} s {'more' if found.time_s >= 0 else 'less'}" \
           f" ({share:+.2%})"  # fmt: skip
-    slow = found.rate - 1
     if b.line is None:
-        yield (
-            f"clock  B is {abs(found.shift_s) * 1e3:.2f} ms "
-            f"{'late' if found.shift_s >= 0 else 'early'} at A's places and {abs(slow):.3%} "
-            f"{'slower' if slow >= 0 else 'faster'}; "
-            f"{found.residual_s * 1e3:.2f} ms are left in the mean"
-        )
+        yield _clock_line(found)
     if found.distance_mm < STILL_MM:
         yield f"path   B is on A's path; axes {found.axes.upper()}"
     else:
@@ -367,7 +370,20 @@ def lines_of(found, shown=8):
         )
     yield from (f"note   {note}" for note in found.notes)
     told = [row for row in found.lines if abs(row[2] - row[1]) >= 5e-4][:shown]
+    told = told if found.keeps_time else []
     if told:
         yield "most by line    A [s]     B [s]  difference [s]"
         for number, in_a, in_b in told:
             yield f"  line {number:6} {in_a:8.3f}  {in_b:8.3f}  {in_b - in_a:+14.3f}"
+
+
+def _clock_line(found):
+    if not found.keeps_time:
+        return "clock  no clock fits: B does not pass A's places in their order"
+    slow = found.rate - 1
+    return (
+        f"clock  B is {abs(found.shift_s) * 1e3:.2f} ms "
+        f"{'late' if found.shift_s >= 0 else 'early'} at A's places and {abs(slow):.3%} "
+        f"{'slower' if slow >= 0 else 'faster'}; "
+        f"{found.residual_s * 1e3:.2f} ms are left in the mean"
+    )

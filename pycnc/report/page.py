@@ -252,7 +252,7 @@ def write(program, path, progress=None, what_if=False):
     Returns what it tells, a `Why`. The parameters and errors are those of `make`; OSError if the
     file cannot be written.
     """
-    text, found = make(program, progress, what_if)
-    with Part(path) as part:
+    with Part(path) as part:  # first: whether it can be written is known before it is made
+        text, found = make(program, progress, what_if)
         part.file.write(text.encode("utf-8", errors="replace"))
     return found

@@ -6,6 +6,7 @@ import json
 import shutil
 import tempfile
 import zipfile
+import zlib
 from pathlib import Path
 from typing import NamedTuple
 
@@ -235,13 +236,15 @@ def writer(path, columns, metadata):
     return WRITERS[ending](path, columns, metadata)
 
 
-def read(path):
+def read(path, wanted=None):
     """Read the file of a trace.
 
     Parameters
     ----------
     path : path
         Its ending tells the format.
+    wanted : callable, optional
+        Tells of a column's name whether it is read; without it all are.
 
     Returns
     -------
@@ -267,7 +270,7 @@ def read(path):
         raise errors.ArgumentError(
             f"cannot tell the format of {str(path)!r}; endings: {', '.join(FORMATS)}", id="format"
         )
-    columns, units, names, facts = readers[ending](Path(path))
+    columns, units, names, facts = readers[ending](Path(path), wanted or (lambda _: True))
     if "t_s" not in columns or not any(name.startswith("pos_") for name in columns):
         raise errors.ArgumentError(f"{path}: is no trace of pycnc (no t_s, no pos_…)", id="log")
     if facts.get("period_s") is not None:
@@ -275,19 +278,20 @@ def read(path):
     return columns, units, names, facts
 
 
-def _read_npz(path):
+def _read_npz(path, wanted):
     try:
-        with path.open("rb") as data, np.load(data) as archive:
-            columns = {name: archive[name] for name in archive.files if name != "metadata"}
+        with path.open("rb") as data, np.lib.npyio.NpzFile(data) as archive:
+            columns = {name: archive[name] for name in archive.files
+                       if name != "metadata" and wanted(name)}  # fmt: skip
             facts = json.loads(str(archive["metadata"])) if "metadata" in archive.files else {}
-    except (ValueError, EOFError, zipfile.BadZipFile) as cause:
+    except (ValueError, EOFError, zipfile.BadZipFile, zlib.error) as cause:
         raise errors.ArgumentError(f"{path}: is no NumPy archive: {cause}", id="log") from None
     names = {column: {int(code): name for code, name in told.items()}
              for column, told in facts.pop("names", {}).items()}  # fmt: skip
     return columns, facts.pop("units", {}), names, facts
 
 
-def _read_csv(path):
+def _read_csv(path, wanted):
     """Read text: its words become codes by their order of appearance."""
     facts, names, columns = {}, {}, {}
     with path.open(encoding="utf-8", errors="surrogateescape", newline="") as file:
@@ -306,6 +310,8 @@ def _read_csv(path):
             id="log",
         )
     for name, cells in zip(heads, zip(*rows, strict=True), strict=False):
+        if not wanted(name):
+            continue
         if name in _TEXTS:
             known = {word: code for code, word in enumerate(dict.fromkeys(cells))}
             names[name] = {code: word for word, code in known.items()}
@@ -324,10 +330,11 @@ def _numbers(path, name, cells):
         raise errors.ArgumentError(f"{path}: column {name}: {cause}", id="log") from None
 
 
-def _read_parquet(path):
+def _read_parquet(path, wanted):
     arrow, parquet = need("pyarrow"), need("pyarrow.parquet")
     try:
-        table = parquet.read_table(path)
+        with parquet.ParquetFile(path) as file:
+            table = file.read(list(filter(wanted, file.schema_arrow.names)))
     except arrow.ArrowInvalid as cause:
         raise errors.ArgumentError(f"{path}: is no Parquet file: {cause}", id="log") from None
     names, columns = {}, {}
