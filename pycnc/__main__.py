@@ -1,6 +1,22 @@
 # SPDX-License-Identifier: MIT
-"""``python -m pycnc``: the command line."""
+"""``pycnc`` and ``python -m pycnc``: the command line.
 
-from pycnc.cli import main
+An interrupt from the keyboard ends it without a word, also while its modules are still loaded.
+"""
 
-main()
+import signal
+import sys
+
+
+def main():
+    """Enter from the console script."""
+    try:
+        from pycnc.cli import main as enter
+
+        enter()
+    except KeyboardInterrupt:
+        sys.exit(128 + signal.SIGINT)
+
+
+if __name__ == "__main__":
+    main()

@@ -395,6 +395,53 @@ def test_an_interrupt_from_the_keyboard_exits_130(tmp_path):
     assert b"Traceback" not in err
 
 
+LOADING = """
+import sys
+
+class Interrupted:
+    def find_spec(self, name, path=None, target=None):
+        if name == "pycnc.cli.door":
+            raise KeyboardInterrupt
+
+sys.meta_path.insert(0, Interrupted())
+from pycnc.__main__ import main
+main()
+"""
+
+
+def test_an_interrupt_while_modules_are_loaded_exits_130():
+    done = subprocess.run([sys.executable, "-c", LOADING, "--version"], capture_output=True)
+    assert (done.returncode, done.stdout, done.stderr) == (130, b"", b"")
+
+
+def test_an_interrupt_ends_workers_without_a_word(tmp_path):
+    files = [tmp_path / name for name in ("one.nc", "two.nc")]
+    for file in files:
+        file.write_bytes(b"G21 G90 F600\n" + b"G1 X1\nG1 X2\n" * 400_000 + b"M2\n")
+    command = [sys.executable, "-m", "pycnc", "time", "--jobs", "2", *map(str, files)]
+    process = subprocess.Popen(
+        command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, start_new_session=True,
+        preexec_fn=lambda: signal.signal(signal.SIGINT, signal.default_int_handler),
+    )  # fmt: skip
+    while len(_session(process.pid)) < 3:  # both workers are there
+        assert process.poll() is None
+    os.killpg(process.pid, signal.SIGINT)
+    _, err = process.communicate(timeout=60)
+    assert process.returncode == 130
+    assert b"Traceback" not in err
+
+
+def _session(leader):
+    """Return the processes of a session, but for the one that tracks what they share."""
+    found = []
+    for folder in Path("/proc").glob("[0-9]*"):
+        with contextlib.suppress(OSError):
+            session = (folder / "stat").read_text().rpartition(")")[2].split()[3]
+            helps = b"resource_tracker" in (folder / "cmdline").read_bytes()
+            found += [folder.name] if session == str(leader) and not helps else []
+    return found
+
+
 def test_a_reader_that_leaves_early_is_no_error(tmp_path):
     file = tmp_path / "many.nc"
     file.write_bytes(b"G21 G90 F600\n" + b"G1 X1\nG1 X2\n" * 20_000 + b"M2\n")

@@ -7,6 +7,7 @@ import io
 import json
 import sys
 
+from pycnc import errors
 from pycnc.cli.door import app, machine_of, verb
 from pycnc.cli.options import (
     Backend,
@@ -83,15 +84,22 @@ def _each(work, files, jobs):
         for file in files:
             yield *work(file), "", ""
         return
-    from concurrent.futures import ProcessPoolExecutor
-    from multiprocessing import get_context
+    from pycnc.planning import workers
 
-    with ProcessPoolExecutor(min(jobs, len(files)), get_context("spawn")) as pool:
-        yield from pool.map(functools.partial(_aside, work), files)
+    units, done, due = enumerate(files), {}, 0
+    jobs = min(jobs, len(files))
+    for (place, file), result in workers.each(lambda: next(units, None), _aside, (work,), jobs):
+        if isinstance(result, workers.Lost):
+            raise errors.InternalError(f"{file}: {result}")
+        done[place] = result
+        while due in done:
+            yield done.pop(due)
+            due += 1
 
 
-def _aside(work, file):
+def _aside(unit, work):
     """Do a file's work in a process of its own: what it says is handed back."""
+    _, file = unit
     out, err = io.StringIO(), io.StringIO()
     with contextlib.redirect_stdout(out), contextlib.redirect_stderr(err):
         facts, code = work(file)

@@ -7,6 +7,7 @@ What is done with a result may make new units: `take` is asked again behind each
 whose worker dies is given to another one, `TRIES` times in all; then its result is a `Lost`.
 """
 
+import contextlib
 import multiprocessing
 import signal
 from collections import Counter
@@ -58,9 +59,17 @@ def each(take, work, shared, jobs=1, cluster=None):
             yield unit, work(unit, *shared)
 
 
+@contextlib.contextmanager
+def _deaf():
+    """Processes that are started here hear no interrupt: it is for who has asked, who ends them."""
+    before = signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})
+    try:
+        yield
+    finally:
+        signal.pthread_sigmask(signal.SIG_SETMASK, before)
+
+
 def _serve(pipe, work, shared):
-    """Be a worker: an interrupt is for who has asked, who then ends this."""
-    signal.signal(signal.SIGINT, signal.SIG_IGN)
     while (unit := pipe.recv()) is not None:
         pipe.send(work(unit, *shared))
 
@@ -70,7 +79,8 @@ class _Worker:
         context = multiprocessing.get_context("spawn")
         self.pipe, there = context.Pipe()
         self.process = context.Process(target=_serve, args=(there, work, shared), daemon=True)
-        self.process.start()
+        with _deaf():
+            self.process.start()
         there.close()
         self.unit = None  # in work
 
