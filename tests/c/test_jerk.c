@@ -61,8 +61,9 @@ static void check_family(check_t *check, int family, int setting, int mixed)
              settings[setting].name, mixed);
     begin(family, setting, mixed);
     check_run_of(check, motion_run(&motion, NULL), name);
-    // In a ring of 16 cells the shortest ones, before a rest, may not last until prep comes again.
-    CHECK(check, motion.starved <= (NCK_CELL_MAX < 64 ? motion.ticks / 50 : 0));
+    // In a ring of 16 cells the shortest ones, before a rest, may not last until prep comes again:
+    // one stop of 40 periods, and a fiftieth of the time.
+    CHECK(check, motion.starved <= (NCK_CELL_MAX < 64 ? 40 + motion.ticks / 50 : 0));
     const nck_seg_t *const last = &motion.seg[motion.segs - 1];
     CHECK(check, motion.peak.s == last->s_begin + last->length);
     for (int x = 0; x < 3; x++) CHECK(check, motion.pose.axis[x] == last->end[x]);
