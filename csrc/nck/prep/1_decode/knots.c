@@ -142,6 +142,5 @@ nck_status_t nck_decode_knots(nck_decode_t *self) {
     if (status == NCK_OK && adds) status = add_point(self);
     if (status == NCK_OK) status = add_knot(self);
     if (status != NCK_OK || spline->knots < spline->points + spline->order) return status;
-    return are_knots_good(self) ? nck_spline_begin(self, spline->order)
-                                : fail(self, NCK_E_SPLINE, 'K', 0.0, 0.0);
+    return are_knots_good(self) ? NCK_DONE : fail(self, NCK_E_SPLINE, 'K', 0.0, 0.0);
 }

@@ -428,11 +428,10 @@ nck_status_t nck_decode_pass(nck_decode_t *self, const int64_t *end_nm, nck_thre
 nck_status_t nck_decode_spline(nck_decode_t *self, nck_block_t *out);
 nck_status_t nck_spline_refuses(nck_decode_t *self, int32_t code);
 
-// knots.c: a line of G6.2: a knot, and a point or not. NCK_E_SPLINE, NCK_E_CONTOUR_FULL,
-// NCK_E_SCALE_UNIT, and as nck_spline_begin. spline.c: its points are said. NCK_E_FEED_MISSING, and
-// as nck_decode_cycle_fits. Cost: linear in the points.
+// knots.c: a line of G6.2: a knot, and a point or not. NCK_OK; NCK_DONE: it was the last one;
+// NCK_E_SPLINE, NCK_E_CONTOUR_FULL, NCK_E_SCALE_UNIT, and as nck_decode_cycle_fits. Cost: linear in
+// the points.
 nck_status_t nck_decode_knots(nck_decode_t *self);
-nck_status_t nck_spline_begin(nck_decode_t *self, uint32_t order);
 
 // tap.c: G33.1; a tapped hole from where the tool stands, with all in force that it needs.
 // NCK_E_THREAD_SPEED, NCK_E_THREAD_RUN_IN. Cost: constant.

@@ -199,8 +199,8 @@ static nck_status_t need(nck_decode_t *self, char a, char b) {
     return fail(self, NCK_E_WORD_MISSING, missing, self->words.code[NCK_STEP_MOTION] / 10.0, 0.0);
 }
 
-nck_status_t nck_spline_begin(nck_decode_t *self, uint32_t order) {
-    if (!NCK_HAS_CONTOUR) return NCK_E_UNSUPPORTED;
+// All points are said: the first chord can be made.
+static nck_status_t begin(nck_decode_t *self, uint32_t order) {
     nck_spline_t *const spline = &self->held.spline;
     nck_status_t status = nck_decode_cycle_fits(self);
     if (status == NCK_OK) status = nck_decode_cutting_feed(self, 0, &spline->feed);
@@ -240,7 +240,7 @@ static nck_status_t cubic(nck_decode_t *self) {
     spline->tangent_nm[0] = target_nm[0] - control->to_nm[0];
     spline->tangent_nm[1] = target_nm[1] - control->to_nm[1];
     add_point(self, target_nm, 1.0);
-    return nck_spline_begin(self, 4);
+    return begin(self, 4);
 }
 
 // G5.1: I J from the start.
@@ -254,7 +254,7 @@ static nck_status_t quadratic(nck_decode_t *self) {
     status = add_beside(self, self->place.position_nm, 'I', 'J');
     if (status != NCK_OK) return status;
     add_point(self, target_nm, 1.0);
-    return nck_spline_begin(self, 3);
+    return begin(self, 3);
 }
 
 static nck_status_t read_order(nck_decode_t *self, int first) {
@@ -299,14 +299,19 @@ static nck_status_t end(nck_decode_t *self) {
     if (spline->points < spline->order) {
         return fail(self, NCK_E_SPLINE, 'L', spline->points, spline->order);
     }
-    return nck_spline_begin(self, spline->order);
+    return begin(self, spline->order);
+}
+
+static nck_status_t knots(nck_decode_t *self) {
+    const nck_status_t status = nck_decode_knots(self);
+    return status == NCK_DONE ? begin(self, self->held.spline.order) : status;
 }
 
 static nck_status_t read_spline(nck_decode_t *self) {
     nck_spline_t *const spline = &self->held.spline;
     const int32_t code = self->words.code[NCK_STEP_MOTION];
     self->modal.motion = code == NCK_MOTION_NURBS_END ? NCK_MOTION_NONE : code;
-    if (code == NCK_MOTION_KNOTS) return nck_decode_knots(self);
+    if (code == NCK_MOTION_KNOTS) return knots(self);
     spline->knots = 0;
     if (code == NCK_MOTION_NURBS) return control_point(self);
     if (code == NCK_MOTION_NURBS_END) return end(self);

@@ -27,35 +27,41 @@
 // slower by it.
 static void tame(nck_joint_t *in, nck_joint_t *out, const nck_terms_t *terms) {
     const double period = terms->machine->period_s;
+    const int is_sharp = in->load * nck_max(in->a_most, out->a_most) >= TAME_LOAD;
+    if (!is_sharp || in->kind != NCK_SEG_LINE || out->kind != NCK_SEG_LINE) return;
     const double longer = nck_max(in->length, out->length);
     const double gain = nck_max(longer / period, terms->v_filter);
-    if (in->kind != NCK_SEG_LINE || out->kind != NCK_SEG_LINE) return;
     in->shape.arc.a_straight = nck_min(in->shape.arc.a_straight, gain / period);
     out->shape.arc.a_straight = nck_min(out->shape.arc.a_straight, gain / period);
 }
 
-void nck_corner_meet(nck_joint_t *in, nck_joint_t *out, const double *tangent_in,
-                    const double *tangent_out, const nck_terms_t *terms) {
-    const nck_machine_t *const machine = terms->machine;
-    if (out->kind >= NCK_SEG_DWELL) in->end |= NCK_JOINT_STOP;
-    if ((in->end & NCK_JOINT_STOP) || in->kind >= NCK_SEG_DWELL) return;
+// The load of the junction between two segs: of the axis that it takes most of.
+static double load_of(const double *tangent_in, const double *tangent_out,
+                      const nck_terms_t *terms) {
     double load = 0.0;
     for (int x = 0; x < terms->axes; x++) {
         if (tangent_in[x] == tangent_out[x]) continue;
         load = nck_max(load, nck_corner_load(tangent_in[x], tangent_out[x],
-                                             machine->axis[x].a_max));
+                                             terms->machine->axis[x].a_max));
     }
+    return load;
+}
+
+void nck_corner_meet(nck_joint_t *in, nck_joint_t *out, const double *tangent_in,
+                     const double *tangent_out, const nck_terms_t *terms) {
+    if (out->kind >= NCK_SEG_DWELL) in->end |= NCK_JOINT_STOP;
+    if ((in->end & NCK_JOINT_STOP) || in->kind >= NCK_SEG_DWELL) return;
+    const double load = load_of(tangent_in, tangent_out, terms);
     const double v = nck_min(in->v_free, out->v_free);
     if (!(load > 0.0)) return;
-    if (load * v <= SHARE_OF_ROUNDING * machine->period_s) return;
+    if (load * v <= SHARE_OF_ROUNDING * terms->machine->period_s) return;
     if (nck_stop_pays(in, out, load, terms)) {
         for (int k = 0; k < NCK_PACES; k++) in->pace[k].v_corner = 0.0;
         if (terms->limits_jerk) in->end |= NCK_JOINT_STOP;
         return;
     }
     in->load = load;
-    const int is_sharp = load * nck_max(in->a_most, out->a_most) >= TAME_LOAD;
-    if (terms->limits_jerk && terms->carries && is_sharp) tame(in, out, terms);
+    if (terms->limits_jerk && terms->carries) tame(in, out, terms);
 }
 
 // A junction that is decided, between two known segs.
