@@ -245,6 +245,7 @@ static nck_status_t look_forth(nck_jerk_t *self, const nck_pieces_t *pieces) {
 }
 
 nck_status_t nck_bounds_relax(nck_jerk_t *self, const nck_pieces_t *pieces) {
+    if (!NCK_HAS_SMOOTH) return NCK_DONE; // nothing bends
     if (self->work.forth) return look_forth(self, pieces);
     look_back(self, pieces);
     return NCK_OK;
