@@ -25,25 +25,25 @@ static uint8_t ramp_limit(const nck_node_t *piece, double a) {
 }
 
 // A stretch of constant acceleration.
-typedef struct stretch {
+typedef struct leg {
     double s;      // where it begins [path mm]
     double length; // [path mm]
     double w[2];   // v² at its begin and end
     double v[2];   // their roots
-} stretch_t;
+} leg_t;
 
-static void set_stretch(nck_cell_t *cell, const nck_node_t *piece, const stretch_t *stretch) {
-    const double *const w = stretch->w;
+static void set_leg(nck_cell_t *cell, const nck_node_t *piece, const leg_t *leg) {
+    const double *const w = leg->w;
     cell->seg = piece->seg;
     cell->stop = 0;
     cell->last = 0;
     cell->span = 0;
-    cell->s = stretch->s;
-    cell->length = stretch->length;
-    cell->v = stretch->v[0];
-    cell->a = nck_ramp_accel(stretch->length, w[0], w[1]);
+    cell->s = leg->s;
+    cell->length = leg->length;
+    cell->v = leg->v[0];
+    cell->a = nck_ramp_accel(leg->length, w[0], w[1]);
     cell->j = 0.0;
-    cell->duration = nck_ramp_duration(stretch->length, stretch->v[0], stretch->v[1]);
+    cell->duration = nck_ramp_duration(leg->length, leg->v[0], leg->v[1]);
     cell->limit = w[0] == w[1] && w[0] == piece->vv_piece ? piece->limit_piece
                                                           : ramp_limit(piece, cell->a);
 }
@@ -51,9 +51,9 @@ static void set_stretch(nck_cell_t *cell, const nck_node_t *piece, const stretch
 // From path coordinate s on, between w[0] and w[1].
 static void set_cell(nck_cell_t *cell, const nck_node_t *piece, double s, double length,
                      const double w[2]) {
-    const stretch_t stretch = {
+    const leg_t leg = {
         s, length, {w[0], w[1]}, {nck_sqrt(w[0]), nck_sqrt(w[1])}};
-    set_stretch(cell, piece, &stretch);
+    set_leg(cell, piece, &leg);
 }
 
 static int set_rest(const nck_node_t *piece, nck_cell_t *cell) {
@@ -89,12 +89,12 @@ static int set_legs(const nck_node_t *piece, const nck_span_t *span, nck_cell_t 
 int nck_trapezoid_legs(const nck_node_t *piece, const nck_span_t *span, double period,
                        nck_cell_t *legs_out) {
     int count = 1;
-    const stretch_t whole = {span->s, span->length, {span->vv_in, span->vv_out},
+    const leg_t whole = {span->s, span->length, {span->vv_in, span->vv_out},
                              {nck_sqrt(span->vv_in), nck_sqrt(span->vv_out)}};
     if (!(piece->length > 0.0)) {
         count = set_rest(piece, legs_out);
     } else if (2.0 * whole.length <= (whole.v[0] + whole.v[1]) * SHORT_PERIODS * period) {
-        set_stretch(legs_out, piece, &whole);
+        set_leg(legs_out, piece, &whole);
     } else {
         count = set_legs(piece, span, legs_out);
     }
