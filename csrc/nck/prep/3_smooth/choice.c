@@ -25,6 +25,7 @@
 // A blend is many pieces, which fill a window sooner: it has to be surely faster.
 #define BLEND_SHORT 1.015
 #define STANDSTILL 1e-3
+#define ALIKE 0.1            // of a bend's half-width: a shorter block is a part of the corner
 #define OWN 0.7              // of the spline's turn that a corner has to make for a stop to help
 enum { HALVINGS = 12 };      // of a speed that is sought: to 1e-3 of it
 
@@ -199,8 +200,9 @@ static double side_time(const corner_t *corner, const shape_limit_t *limit, int 
 }
 
 // Time of a stop, over d of either block at least: where a block is shorter the path goes on as
-// fast as it has become. That is less than stops at all the corners there would take. The S-shape
-// brakes for each junction; for it the next corner's stop is the bound.
+// fast as it has become. That is less than stops at all the corners there would take, if they are
+// alike. A block that is much shorter is a part of this corner: then the next corner's stop is the
+// bound. So it is for the S-shape, which brakes for each junction.
 static double stop_time(const corner_t *corner, double d) {
     double time = corner->terms->rest_s;
     for (int n = 0; n < 2; n++) {
@@ -208,8 +210,9 @@ static double stop_time(const corner_t *corner, double d) {
         const double half = nck_scurve_over(ramp, 0.0, corner->half[n]);
         const double beyond = nck_max(0.0, d - corner->half[n]);
         const double on = beyond / nck_scurve_reach(ramp, 0.0, corner->half[n]);
+        const int goes_on = corner->terms->carries && corner->half[n] >= ALIKE * d;
         if (corner->rests[n]) time += 2.0 * half;
-        else time += half + (corner->terms->carries ? on : nck_min(half, on));
+        else time += half + (goes_on ? on : nck_min(half, on));
     }
     return time;
 }
