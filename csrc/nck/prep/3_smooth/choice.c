@@ -25,7 +25,7 @@
 // A blend is many pieces, which fill a window sooner: it has to be surely faster.
 #define BLEND_SHORT 1.015
 #define STANDSTILL 1e-3
-#define ALIKE 0.1            // of a bend's half-width: a shorter block is a part of the corner
+#define ALIKE 0.01           // of a bend's half-width: a shorter block is a part of the corner
 #define OWN 0.7              // of the spline's turn that a corner has to make for a stop to help
 enum { HALVINGS = 12 };      // of a speed that is sought: to 1e-3 of it
 
