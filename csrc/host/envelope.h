@@ -54,8 +54,8 @@ typedef struct nck_host_envelope_report {
     size_t bad;            // first index whose number is NaN, infinite or negative; else n
     size_t blocks;         // planned in lanes
     size_t blocks_refused; // planned serially, because no overlap within a lane was certain
-    size_t chunks_refused; // 1 or more: no overlap of a chunk was certain; the path, or the rest of
-                           // it, was planned on one thread in two passes
+    size_t chunks_refused; // so often no overlap beyond a block was certain: it grew, and was
+                           // planned serially; with threads, of a chunk: one thread planned all
     size_t overlap;        // longest overlap of a lane [nodes]
 } nck_host_envelope_report_t;
 

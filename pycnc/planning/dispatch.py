@@ -50,7 +50,8 @@ class Report:
     blocks, blocks_refused : int
         Blocks planned in lanes, and those planned serially because no overlap was certain.
     chunks_refused : int
-        More than 0: no overlap of a chunk was certain, and the rest was planned on one thread.
+        How often no overlap beyond a block was certain (it grew, and was planned serially); with
+        threads, of a chunk: more than 0, and one thread planned all.
     overlap : int
         Longest overlap of a lane [nodes].
     """

@@ -19,7 +19,7 @@ typedef struct envelope_job {
 typedef struct envelope_count {
     size_t blocks; // blocks planned in lanes
     size_t refused; // blocks whose overlaps did not meet: planned serially
-    size_t chunks_refused; // chunks whose overlaps did not meet: the path is planned on one thread
+    size_t chunks_refused; // blocks and chunks beyond whose ends overlaps did not meet
     size_t overlap; // longest overlap of a block [nodes]
     int bad;        // 1: a number is NaN, infinite or negative
 } envelope_count_t;

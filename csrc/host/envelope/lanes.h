@@ -1,17 +1,23 @@
 // SPDX-License-Identifier: MIT
-// The two passes in lanes: a block of the path is cut into LANES equal stretches that advance
-// together, so that no addition waits for the one before in its own stretch alone.
+// Both passes of a block in lanes: it is cut into LANES equal stretches that advance together, so
+// that no addition waits for the one before in its own stretch alone.
 //
 //      lane 0       lane 1       lane 2       lane 3
 //   ├────────────┼────────────┼────────────┼────────────┤
 //            ◀──~~~       ◀──~~~       ◀──~~~       ◀───  w behind the block, known
+//   ───▶      ~~~───▶      ~~~───▶      ~~~───▶           w before the block, known
 //
-// What a lane begins with is found by an overlap (~~~): m nodes of the lane behind it, passed
+// What a lane begins with is found by an overlap (~~~): m nodes of the lane beside it, passed
 // once from the least value that is possible there and once from the largest. Rounded addition
 // and min are monotone, so the true value lies between the two; where they meet it is known to
 // the bit (Keinert et al. 2014, section 4, for the overlap; the certificate is derived in
 // docs/parallel.md). A block whose overlaps do not meet within a lane is refused, and planned
 // serially.
+//
+//   w_cap h ─▶ turned ─▶ backward ─▶ desk: lanes of w and h ─▶ forward ─▶ turned back ─▶ w
+//
+// Numbers are turned once on their way in and once on their way out; in between they stay in the
+// nearest caches. Numbers are looked at on their way in, before anything is written to w.
 #ifndef NCK_HOST_ENVELOPE_LANES_H
 #define NCK_HOST_ENVELOPE_LANES_H
 
@@ -24,23 +30,41 @@ enum {
     LANES = GROUPS * WIDTH,
     // Bytes of a full lane: an odd multiple of a cache line, so that the lanes do not share its
     // sets.
-    LANE_BYTES = 65 * 64,
+    LANE_BYTES = 33 * 64,
     LANE_FULL = LANE_BYTES / (int)sizeof(nck_real),
-    LANE_LEAST = 4 * TILE,   // shorter lanes do not pay
+    LANE_LEAST = 4 * TILE,                   // shorter lanes do not pay
+    LINE = 64 / (int)sizeof(nck_real),       // numbers of a cache line
     TRY_SHORTER = 16,        // blocks between two attempts with half of the overlap
     PATIENCE_MOST = 64       // blocks planned serially between two attempts, at most
 };
 
-// The experience of a pass: where the next block begins to try.
+// A stretch of a path, each node with the piece behind it, and what is known beside it.
+typedef struct stretch {
+    const nck_real *w_cap, *h;
+    nck_real *w;
+    size_t n;             // nodes
+    nck_real w_behind;    // the backward pass' value at the node behind it
+    nck_real w_before;    // the final value at the node before it
+    nck_real h_before;    // piece between that and the first node
+    int more;             // 1: as many nodes follow; they are brought near meanwhile
+} stretch_t;
+
+// What lies between the two passes of a block: number i of WIDTH lanes side by side.
+typedef struct desk {
+    vector_t w[GROUPS][LANE_FULL]; // the backward pass' values
+    vector_t h[GROUPS][LANE_FULL];
+} desk_t;
+
+// The experience of a path's blocks: where the next one begins to try.
 typedef struct overlap {
-    size_t m;        // nodes, a multiple of TILE
+    size_t back, fore; // nodes, multiples of TILE
     size_t patience; // blocks to plan serially after a refusal; doubled by the next one
     size_t wait;     // of them still to come
     envelope_count_t *count;
 } overlap_t;
 
 static overlap_t overlap_begin(envelope_count_t *count) {
-    return (overlap_t){.m = TILE, .patience = 1, .wait = 0, .count = count};
+    return (overlap_t){.back = TILE, .fore = TILE, .patience = 1, .wait = 0, .count = count};
 }
 
 // Nodes of a lane if a block is taken out of n nodes; 0 if they are too few.
@@ -80,22 +104,21 @@ static void overlap_backward(const nck_real *w_cap, const nck_real *h, size_t la
     vector_store(high, high_out);
 }
 
-// Pass the last m pieces of WIDTH lanes forwards. w_back: from the backward pass.
-static void overlap_forward(const nck_real *h, const nck_real *w_back, size_t lane, size_t m,
-                            nck_real *low_out, nck_real *high_out) {
-    vector_t high = gather(w_back + lane - m, lane);
-    vector_t low = vector_step(high, zeros(), zeros());
-    vector_t cap[TILE], piece[TILE];
-    for (size_t i = lane - m; i < lane; i += TILE) {
-        tile_load(w_back + i + 1, lane, cap);
-        tile_load(h + i, lane, piece);
-        for (size_t t = 0; t < TILE; t++) {
-            high = vector_step(cap[t], high, piece[t]);
-            low = vector_step(cap[t], low, piece[t]);
+// Pass the last m nodes of every lane forwards, over what the backward pass has left.
+static void overlap_forward(const desk_t *desk, size_t lane, size_t m, nck_real *low_out,
+                            nck_real *high_out) {
+    for (size_t g = 0; g < GROUPS; g++) {
+        const vector_t *const w = desk->w[g];
+        const vector_t *const h = desk->h[g];
+        vector_t high = w[lane - m];
+        vector_t low = vector_step(high, zeros(), zeros());
+        for (size_t i = lane - m + 1; i < lane; i++) {
+            high = vector_step(w[i], high, h[i - 1]);
+            low = vector_step(w[i], low, h[i - 1]);
         }
+        vector_store(low, low_out + g * WIDTH);
+        vector_store(high, high_out + g * WIDTH);
     }
-    vector_store(low, low_out);
-    vector_store(high, high_out);
 }
 
 // How long an overlap to try after one of m nodes failed; 0: give up.
@@ -104,151 +127,155 @@ static size_t overlap_next(size_t m, size_t lane) {
     return 2 * m < lane ? 2 * m : lane;
 }
 
-// Learn from a block: it was certain with m nodes, or (m = 0) refused.
-static void overlap_learn(overlap_t *overlap, size_t m) {
-    if (m == 0) {
-        overlap->count->refused++;
-        overlap->wait = overlap->patience;
-        if (overlap->patience < PATIENCE_MOST) overlap->patience *= 2;
-        return;
-    }
+// A block was refused.
+static void overlap_refuse(overlap_t *overlap) {
+    overlap->count->refused++;
+    overlap->wait = overlap->patience;
+    if (overlap->patience < PATIENCE_MOST) overlap->patience *= 2;
+}
+
+// A block was certain in both directions. Now and then a shorter overlap is tried again; if it
+// fails, that costs half as much once more.
+static void overlap_learn(overlap_t *overlap) {
+    const size_t longer = overlap->back > overlap->fore ? overlap->back : overlap->fore;
     overlap->count->blocks++;
     overlap->patience = 1;
-    if (m > overlap->count->overlap) overlap->count->overlap = m;
-    overlap->m = m;
-    // Now and then a shorter one is tried again; if it fails, that costs half as much once more.
-    if (overlap->count->blocks % TRY_SHORTER == 0 && m >= 2 * TILE) {
-        overlap->m = m / 2 / TILE * TILE;
-    }
+    if (longer > overlap->count->overlap) overlap->count->overlap = longer;
+    if (overlap->count->blocks % TRY_SHORTER != 0) return;
+    if (overlap->back >= 2 * TILE) overlap->back = overlap->back / 2 / TILE * TILE;
+    if (overlap->fore >= 2 * TILE) overlap->fore = overlap->fore / 2 / TILE * TILE;
 }
 
 // 1 and in w_next[k] what lane k begins with, or 0 if the block is to be planned serially.
-// w_next[LANES - 1] is given: what stands behind the block.
-static int backward_entry(const nck_real *w_cap, const nck_real *h, size_t lane,
-                          overlap_t *overlap, nck_real *w_next) {
+static int backward_entry(const stretch_t *block, size_t lane, overlap_t *overlap,
+                          nck_real *w_next) {
+    const nck_real *const w_cap = block->w_cap;
+    const nck_real *const h = block->h;
     nck_real low[LANES], high[LANES];
-    for (size_t m = overlap->m < lane ? overlap->m : lane; m > 0; m = overlap_next(m, lane)) {
+    w_next[LANES - 1] = block->w_behind;
+    for (size_t m = overlap->back < lane ? overlap->back : lane; m > 0;
+         m = overlap_next(m, lane)) {
         for (size_t k = 0; k < LANES; k += WIDTH) {
             overlap_backward(w_cap + k * lane, h + k * lane, lane, m, low + k, high + k);
         }
         // What lane k begins with is the value at the first node of lane k + 1.
         if (memcmp(low + 1, high + 1, sizeof low - sizeof low[0]) != 0) continue;
         memcpy(w_next, low + 1, sizeof low - sizeof low[0]);
-        overlap_learn(overlap, m);
+        overlap->back = m;
         return 1;
     }
-    overlap_learn(overlap, 0);
     return 0;
 }
 
-// As backward_entry. w_before[0] is given: what stands at the block's first node.
-static int forward_entry(const nck_real *h, const nck_real *w_back, size_t lane,
+// As backward_entry, of the nodes before the lanes.
+static int forward_entry(const stretch_t *block, const desk_t *desk, size_t lane,
                          overlap_t *overlap, nck_real *w_before) {
     nck_real low[LANES], high[LANES];
-    for (size_t m = overlap->m < lane ? overlap->m : lane; m > 0; m = overlap_next(m, lane)) {
-        for (size_t k = 0; k < LANES; k += WIDTH) {
-            overlap_forward(h + k * lane, w_back + k * lane, lane, m, low + k, high + k);
-        }
+    w_before[0] = block->w_before;
+    for (size_t m = overlap->fore < lane ? overlap->fore : lane; m > 0;
+         m = overlap_next(m, lane)) {
+        overlap_forward(desk, lane, m, low, high);
         if (memcmp(low, high, sizeof low - sizeof low[0]) != 0) continue;
         memcpy(w_before + 1, low, sizeof low - sizeof low[0]);
-        overlap_learn(overlap, m);
+        overlap->fore = m;
         return 1;
     }
-    overlap_learn(overlap, 0);
     return 0;
 }
 
-static inline void backward_lanes(const nck_real *w_cap, const nck_real *h, size_t lane,
-                                  const nck_real *w_next, nck_real *w) {
+// Ask for as much of the next block as one turn of the lanes takes of this one.
+static inline void bring_near(const stretch_t *block, size_t lane, size_t done) {
+    const size_t at = LANES * (lane + done);
+    for (size_t k = 0; k < LANES * TILE; k += LINE) {
+        __builtin_prefetch(block->w_cap + at + k);
+        __builtin_prefetch(block->h + at + k);
+    }
+}
+
+// Backward into the desk. Returns 1 if a number may be bad.
+static inline int backward_lanes(const stretch_t *block, size_t lane, const nck_real *w_next,
+                                 desk_t *desk) {
     vector_t cap[TILE], piece[TILE], before[GROUPS];
+    doubt_t doubt = doubt_none();
     for (size_t g = 0; g < GROUPS; g++) before[g] = vector_load(w_next + g * WIDTH);
     for (size_t i = lane; i > 0; i -= TILE) {
+        if (block->more) bring_near(block, lane, lane - i);
         for (size_t g = 0; g < GROUPS; g++) {
             const size_t first = g * WIDTH * lane + i - TILE;
-            tile_load(w_cap + first, lane, cap);
-            tile_load(h + first, lane, piece);
+            tile_load(block->w_cap + first, lane, cap);
+            tile_load(block->h + first, lane, piece);
             for (size_t t = TILE; t-- > 0;) {
+                doubt = doubt_add(doubt_add(doubt, cap[t]), piece[t]);
                 before[g] = vector_step(cap[t], before[g], piece[t]);
-                cap[t] = before[g];
+                desk->w[g][i - TILE + t] = before[g];
+                desk->h[g][i - TILE + t] = piece[t];
             }
-            tile_store(cap, lane, w + first);
         }
     }
+    return doubt_any(doubt);
 }
 
-static inline void forward_lanes(const nck_real *h, size_t lane, const nck_real *w_before,
-                                 nck_real *w) {
-    vector_t cap[TILE], piece[TILE], before[GROUPS];
-    for (size_t g = 0; g < GROUPS; g++) before[g] = vector_load(w_before + g * WIDTH);
+// Forward from the desk to the path.
+static inline void forward_lanes(const desk_t *desk, size_t lane, const nck_real *w_before,
+                                 const nck_real *h_before, nck_real *w) {
+    vector_t out[TILE], before[GROUPS], piece[GROUPS];
+    for (size_t g = 0; g < GROUPS; g++) {
+        before[g] = vector_load(w_before + g * WIDTH);
+        piece[g] = vector_load(h_before + g * WIDTH);
+    }
     for (size_t i = 0; i < lane; i += TILE) {
         for (size_t g = 0; g < GROUPS; g++) {
-            const size_t first = g * WIDTH * lane + i;
-            tile_load(w + first + 1, lane, cap);
-            tile_load(h + first, lane, piece);
             for (size_t t = 0; t < TILE; t++) {
-                before[g] = vector_step(cap[t], before[g], piece[t]);
-                cap[t] = before[g];
+                before[g] = vector_step(desk->w[g][i + t], before[g], piece[g]);
+                piece[g] = desk->h[g][i + t];
+                out[t] = before[g];
             }
-            tile_store(cap, lane, w + first + 1);
+            tile_store(out, lane, w + g * WIDTH * lane + i);
         }
     }
 }
 
-// Backward over a block; as backward_serial.
-static void backward_block(const nck_real *w_cap, const nck_real *h, size_t lane, nck_real w_behind,
-                           overlap_t *overlap, nck_real *w) {
-    nck_real w_next[LANES];
-    w_next[LANES - 1] = w_behind;
+// Both passes one node after the other. 0: a number is bad, and nothing is written.
+static int plan_serial(const stretch_t *block) {
+    if (!all_good(block->w_cap, block->n) || !all_good(block->h, block->n)) return 0;
+    backward_serial(block->w_cap, block->h, block->n, block->w_behind, block->w);
+    block->w[0] = nck_envelope_forward(block->w[0], block->w_before, block->h_before);
+    forward_serial(block->h, block->n - 1, block->w);
+    return 1;
+}
+
+// Both passes of a block of LANES lanes. 0: a number is bad, and nothing is written.
+static inline int plan_lanes(const stretch_t *block, size_t lane, overlap_t *overlap) {
+    desk_t desk;
+    nck_real w_next[LANES], w_before[LANES], h_before[LANES];
+    if (!backward_entry(block, lane, overlap, w_next)) {
+        overlap_refuse(overlap);
+        return plan_serial(block);
+    }
+    if (backward_lanes(block, lane, w_next, &desk)
+        && (!all_good(block->w_cap, block->n) || !all_good(block->h, block->n))) {
+        return 0;
+    }
+    if (!forward_entry(block, &desk, lane, overlap, w_before)) {
+        overlap_refuse(overlap);
+        return plan_serial(block);
+    }
+    h_before[0] = block->h_before;
+    for (size_t k = 1; k < LANES; k++) h_before[k] = block->h[k * lane - 1];
+    forward_lanes(&desk, lane, w_before, h_before, block->w);
+    overlap_learn(overlap);
+    return 1;
+}
+
+// Both passes of a block: in lanes, if it has any. 0: a number is bad, and nothing is written.
+static int plan_block(const stretch_t *block, size_t lane, overlap_t *overlap) {
+    if (lane == 0) return plan_serial(block);
     if (overlap->wait > 0) {
         overlap->wait--;
-    } else if (backward_entry(w_cap, h, lane, overlap, w_next)) {
-        if (lane == LANE_FULL) { // distances that the compiler knows
-            backward_lanes(w_cap, h, LANE_FULL, w_next, w);
-        } else {
-            backward_lanes(w_cap, h, lane, w_next, w);
-        }
-        return;
+        return plan_serial(block);
     }
-    backward_serial(w_cap, h, LANES * lane, w_behind, w);
-}
-
-// Forward over a block; as forward_serial.
-static void forward_block(const nck_real *h, size_t lane, overlap_t *overlap, nck_real *w) {
-    nck_real w_before[LANES];
-    w_before[0] = w[0];
-    if (overlap->wait > 0) {
-        overlap->wait--;
-    } else if (forward_entry(h, w, lane, overlap, w_before)) {
-        if (lane == LANE_FULL) {
-            forward_lanes(h, LANE_FULL, w_before, w);
-        } else {
-            forward_lanes(h, lane, w_before, w);
-        }
-        return;
-    }
-    forward_serial(h, LANES * lane, w);
-}
-
-// Backward over n nodes in blocks, from the last one; as backward_serial.
-static void backward_pass(const nck_real *w_cap, const nck_real *h, size_t n, nck_real w_behind,
-                          overlap_t *overlap, nck_real *w) {
-    size_t end = n;
-    for (size_t lane = lane_length(end); lane > 0; lane = lane_length(end)) {
-        end -= LANES * lane;
-        backward_block(w_cap + end, h + end, lane, w_behind, overlap, w + end);
-        w_behind = w[end];
-    }
-    backward_serial(w_cap, h, end, w_behind, w);
-}
-
-// Forward over n pieces in blocks; as forward_serial.
-static void forward_pass(const nck_real *h, size_t n, overlap_t *overlap, nck_real *w) {
-    size_t begin = 0;
-    for (size_t lane = lane_length(n); lane > 0; lane = lane_length(n - begin)) {
-        forward_block(h + begin, lane, overlap, w + begin);
-        begin += LANES * lane;
-    }
-    forward_serial(h + begin, n - begin, w + begin);
+    if (lane == LANE_FULL) return plan_lanes(block, LANE_FULL, overlap); // the compiler knows it
+    return plan_lanes(block, lane, overlap);
 }
 
 #endif

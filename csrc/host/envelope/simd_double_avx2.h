@@ -6,22 +6,37 @@
 //   tile      TILE consecutive numbers of every stretch: vector_t t[TILE], t[i] the i-th of each
 //   stride    distance of the stretches' first numbers in memory, in numbers
 //   GROUPS    vectors that advance together: with two, one works while the other waits
+//   doubt_t   set by numbers that may be NaN, infinite or negative, as doubt_double in serial.h
 #ifndef NCK_HOST_SIMD_H
 #define NCK_HOST_SIMD_H
 
 #include <immintrin.h> // __m256d
 #include <stddef.h>    // size_t
+#include <stdint.h>    // int64_t
 
 #include "nck/base/real.h" // nck_real
 
 enum { WIDTH = 4, TILE = 4, GROUPS = 2 };
 typedef __m256d vector_t;
+typedef __m256i doubt_t;
 
 static inline vector_t vector_load(const nck_real *x) { return _mm256_loadu_pd(x); }
 static inline void vector_store(vector_t a, nck_real *x) { _mm256_storeu_pd(x, a); }
 
 static inline vector_t vector_step(vector_t w_cap, vector_t w, vector_t h) {
     return _mm256_min_pd(_mm256_add_pd(w, h), w_cap);
+}
+
+static inline doubt_t doubt_none(void) { return _mm256_setzero_si256(); }
+
+static inline doubt_t doubt_add(doubt_t doubt, vector_t a) {
+    const __m256i bits = _mm256_castpd_si256(a);
+    const __m256i more = _mm256_add_epi64(bits, _mm256_set1_epi64x((int64_t)1 << 52));
+    return _mm256_or_si256(doubt, _mm256_or_si256(bits, more));
+}
+
+static inline int doubt_any(doubt_t doubt) {
+    return _mm256_movemask_pd(_mm256_castsi256_pd(doubt)) != 0;
 }
 
 static inline vector_t half_load(const nck_real *x, size_t stride) {

@@ -6,6 +6,7 @@
 //   tile      TILE consecutive numbers of every stretch: vector_t t[TILE], t[i] the i-th of each
 //   stride    distance of the stretches' first numbers in memory, in numbers
 //   GROUPS    vectors that advance together: with two, one works while the other waits
+//   doubt_t   set by numbers that may be NaN, infinite or negative, as doubt_float in serial.h
 #ifndef NCK_HOST_SIMD_H
 #define NCK_HOST_SIMD_H
 
@@ -16,6 +17,7 @@
 
 enum { WIDTH = 8, TILE = 8, GROUPS = 2 };
 typedef __m256 vector_t;
+typedef __m256i doubt_t;
 
 static inline vector_t vector_load(const nck_real *x) { return _mm256_loadu_ps(x); }
 static inline void vector_store(vector_t a, nck_real *x) { _mm256_storeu_ps(x, a); }
@@ -23,6 +25,18 @@ static inline void vector_store(vector_t a, nck_real *x) { _mm256_storeu_ps(x, a
 // min(w_cap, w + h): the instruction takes its first operand where that is smaller, as the formula.
 static inline vector_t vector_step(vector_t w_cap, vector_t w, vector_t h) {
     return _mm256_min_ps(_mm256_add_ps(w, h), w_cap);
+}
+
+static inline doubt_t doubt_none(void) { return _mm256_setzero_si256(); }
+
+static inline doubt_t doubt_add(doubt_t doubt, vector_t a) {
+    const __m256i bits = _mm256_castps_si256(a);
+    const __m256i more = _mm256_add_epi32(bits, _mm256_set1_epi32(1 << 23));
+    return _mm256_or_si256(doubt, _mm256_or_si256(bits, more));
+}
+
+static inline int doubt_any(doubt_t doubt) {
+    return _mm256_movemask_ps(_mm256_castsi256_ps(doubt)) != 0;
 }
 
 // Four quarters of the tile: in each half of the registers a matrix of 4 × 4 is turned.

@@ -6,6 +6,7 @@
 //   tile      TILE consecutive numbers of every stretch: vector_t t[TILE], t[i] the i-th of each
 //   stride    distance of the stretches' first numbers in memory, in numbers
 //   GROUPS    vectors that advance together: with two, one works while the other waits
+//   doubt_t   set by numbers that may be NaN, infinite or negative, as in serial.h
 #ifndef NCK_HOST_SIMD_H
 #define NCK_HOST_SIMD_H
 
@@ -19,6 +20,9 @@ enum { WIDTH = 4, TILE = 4, GROUPS = 1 };
 typedef struct vector {
     nck_real x[WIDTH];
 } vector_t;
+
+// A look at each number here would cost more than all_good, which becomes vectors: always doubt.
+typedef int doubt_t;
 
 static inline vector_t vector_load(const nck_real *x) {
     vector_t a;
@@ -37,6 +41,15 @@ static inline vector_t vector_step(vector_t w_cap, vector_t w, vector_t h) {
     }
     return a;
 }
+
+static inline doubt_t doubt_none(void) { return 1; }
+
+static inline doubt_t doubt_add(doubt_t doubt, vector_t a) {
+    (void)a;
+    return doubt;
+}
+
+static inline int doubt_any(doubt_t doubt) { return doubt; }
 
 static inline void tile_load(const nck_real *x, size_t stride, vector_t *t) {
     for (size_t i = 0; i < TILE; i++) {
