@@ -184,28 +184,31 @@ static int forward_entry(const stretch_t *block, const desk_t *desk, size_t lane
 }
 
 // Ask for as much of the next block as one turn of the lanes takes of this one.
-static inline void bring_near(const stretch_t *block, size_t lane, size_t done) {
-    const size_t at = LANES * (lane + done);
+static inline void bring_near(const nck_real *w_cap, const nck_real *h) {
     for (size_t k = 0; k < LANES * TILE; k += LINE) {
-        __builtin_prefetch(block->w_cap + at + k);
-        __builtin_prefetch(block->h + at + k);
+        __builtin_prefetch(w_cap + k);
+        __builtin_prefetch(h + k);
     }
 }
 
 // Backward into the desk. Returns 1 if a number may be bad.
 static inline int backward_lanes(const stretch_t *block, size_t lane, const nck_real *w_next,
                                  desk_t *desk) {
+    const nck_real *const w_cap = block->w_cap;
+    const nck_real *const h = block->h;
+    const int more = block->more;
     vector_t cap[TILE], piece[TILE], before[GROUPS];
     doubt_t doubt = doubt_none();
     for (size_t g = 0; g < GROUPS; g++) before[g] = vector_load(w_next + g * WIDTH);
     for (size_t i = lane; i > 0; i -= TILE) {
-        if (block->more) bring_near(block, lane, lane - i);
+        const size_t next = LANES * (2 * lane - i);
+        if (more) bring_near(w_cap + next, h + next);
         for (size_t g = 0; g < GROUPS; g++) {
             const size_t first = g * WIDTH * lane + i - TILE;
-            tile_load(block->w_cap + first, lane, cap);
-            tile_load(block->h + first, lane, piece);
+            tile_load(w_cap + first, lane, cap);
+            tile_load(h + first, lane, piece);
             for (size_t t = TILE; t-- > 0;) {
-                doubt = doubt_add(doubt_add(doubt, cap[t]), piece[t]);
+                doubt = doubt_add(doubt, cap[t], piece[t]);
                 before[g] = vector_step(cap[t], before[g], piece[t]);
                 desk->w[g][i - TILE + t] = before[g];
                 desk->h[g][i - TILE + t] = piece[t];

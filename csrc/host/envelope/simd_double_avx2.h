@@ -29,14 +29,15 @@ static inline vector_t vector_step(vector_t w_cap, vector_t w, vector_t h) {
 
 static inline doubt_t doubt_none(void) { return _mm256_setzero_si256(); }
 
-static inline doubt_t doubt_add(doubt_t doubt, vector_t a) {
-    const __m256i bits = _mm256_castpd_si256(a);
-    const __m256i more = _mm256_add_epi64(bits, _mm256_set1_epi64x((int64_t)1 << 52));
-    return _mm256_or_si256(doubt, _mm256_or_si256(bits, more));
+// The largest halves of the bits as numbers without a sign: a sign or a full exponent makes them large. Only the upper halves tell.
+static inline doubt_t doubt_add(doubt_t doubt, vector_t a, vector_t b) {
+    const __m256i more = _mm256_max_epu32(_mm256_castpd_si256(a), _mm256_castpd_si256(b));
+    return _mm256_max_epu32(doubt, more);
 }
 
 static inline int doubt_any(doubt_t doubt) {
-    return _mm256_movemask_pd(_mm256_castsi256_pd(doubt)) != 0;
+    const __m256i full = _mm256_add_epi64(doubt, _mm256_set1_epi64x((int64_t)1 << 52));
+    return _mm256_movemask_pd(_mm256_castsi256_pd(_mm256_or_si256(doubt, full))) != 0;
 }
 
 static inline vector_t half_load(const nck_real *x, size_t stride) {

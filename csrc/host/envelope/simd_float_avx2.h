@@ -29,14 +29,15 @@ static inline vector_t vector_step(vector_t w_cap, vector_t w, vector_t h) {
 
 static inline doubt_t doubt_none(void) { return _mm256_setzero_si256(); }
 
-static inline doubt_t doubt_add(doubt_t doubt, vector_t a) {
-    const __m256i bits = _mm256_castps_si256(a);
-    const __m256i more = _mm256_add_epi32(bits, _mm256_set1_epi32(1 << 23));
-    return _mm256_or_si256(doubt, _mm256_or_si256(bits, more));
+// The largest bits as numbers without a sign: a sign or a full exponent makes them large.
+static inline doubt_t doubt_add(doubt_t doubt, vector_t a, vector_t b) {
+    const __m256i more = _mm256_max_epu32(_mm256_castps_si256(a), _mm256_castps_si256(b));
+    return _mm256_max_epu32(doubt, more);
 }
 
 static inline int doubt_any(doubt_t doubt) {
-    return _mm256_movemask_ps(_mm256_castsi256_ps(doubt)) != 0;
+    const __m256i full = _mm256_add_epi32(doubt, _mm256_set1_epi32(1 << 23));
+    return _mm256_movemask_ps(_mm256_castsi256_ps(_mm256_or_si256(doubt, full))) != 0;
 }
 
 // Four quarters of the tile: in each half of the registers a matrix of 4 × 4 is turned.

@@ -44,8 +44,9 @@ static inline vector_t vector_step(vector_t w_cap, vector_t w, vector_t h) {
 
 static inline doubt_t doubt_none(void) { return 1; }
 
-static inline doubt_t doubt_add(doubt_t doubt, vector_t a) {
+static inline doubt_t doubt_add(doubt_t doubt, vector_t a, vector_t b) {
     (void)a;
+    (void)b;
     return doubt;
 }
 
