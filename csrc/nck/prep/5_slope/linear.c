@@ -145,10 +145,15 @@ static uint32_t find_final(const nck_linear_t *self, const nck_pieces_t *pieces,
     return has_barrier && barrier > some ? barrier : some;
 }
 
-// Up to which node the last envelope still holds from the next one on: what it has found there, all
-// of it by the caps of room 4 alone, this one would find again.
+// 1 if an envelope is all by the caps of room 4.
+static int is_by_caps(const nck_linear_t *self) {
+    return self->is_plain && !self->job.wish.single_block;
+}
+
+// Up to which node the last envelope still holds from the next one on: what it has found there by the
+// caps alone, this one would find again.
 static uint32_t known_end(const nck_linear_t *self) {
-    const int is_known = self->is_plain && !self->job.anew && !self->job.wish.single_block
+    const int is_known = is_by_caps(self) && !self->job.anew
                          && (int32_t)(self->at.piece + 1 - self->known.begin) >= 0;
     return is_known ? self->known.end : self->at.piece;
 }
@@ -258,11 +263,11 @@ static nck_status_t pass_backward(nck_linear_t *self, const nck_pieces_t *pieces
     return NCK_OK;
 }
 
-// What is behind the final pieces holds for the next envelope, too, if it is room 4's caps' alone.
+// What is behind the final pieces holds for the next envelope, too, if it is by the caps.
 static void end_envelope(nck_linear_t *self) {
-    const int is_plain = self->is_plain && !self->job.wish.single_block;
+    const int is_known = is_by_caps(self);
     self->known.begin = self->final + 1;
-    self->known.end = is_plain && self->pass.floor == self->at.piece + 1 ? self->end : self->final;
+    self->known.end = is_known && self->pass.floor == self->at.piece + 1 ? self->end : self->final;
 }
 
 // w_{i+1} = min(w_{i+1}, w_i + h_i) over the pieces that become final.
