@@ -13,7 +13,7 @@ import typing
 from decimal import Decimal
 from pathlib import Path
 
-from pycnc.machine import schema
+from pycnc.machine import schema, table
 from pycnc.program import diagnostics
 
 ROOT = Path(__file__).resolve().parents[1]
@@ -112,31 +112,18 @@ This page is written by `docs/make_pages.py` from `pycnc/program/diagnostics.py`
 def machine_page():
     """Return the page about machine files."""
     lines = [MACHINE_HEAD]
-    for title, table in TABLES:
+    for title, each in TABLES:
         lines += [f"## {title or 'Top of the file'}", "", "| key | takes | default | meaning |"]
         lines += ["|---|---|---|---|"]
-        for name, field in table.model_fields.items():
-            lines.append(f"| `{name}` | {takes(field)} | {default(field)} | {field.description} |")
+        for name, key in each.KEYS.items():
+            lines.append(f"| `{name}` | {takes(key)} | {default(key)} | {key.description} |")
         lines.append("")
     return "\n".join(lines)
 
 
-def takes(field):
+def takes(key):
     """Return what a key takes, in words."""
-    kind, bounds = field.annotation, list(field.metadata)
-    if typing.get_origin(kind) is typing.Literal:
-        return ", ".join(f"`{choice}`" for choice in typing.get_args(kind))
-    members = [each for each in typing.get_args(kind) if each is not type(None)]
-    while typing.get_origin(kind) is typing.Annotated or members:
-        for member in members:
-            bounds += getattr(member, "__metadata__", ())
-            kind = typing.get_args(member)[0] if hasattr(member, "__metadata__") else member
-        members = [m for m in typing.get_args(kind) if m is not type(None)]
-    if isinstance(kind, type) and issubclass(kind, schema.Table):
-        return "table"
-    words = {bool: "true, false", str: "text", dict: "tables", int: "whole number"}
-    number = words.get(typing.get_origin(kind) or kind, "number")
-    return " ".join([number, *limits(bounds)])
+    return " ".join([key.kind.words(), *limits(key.kind)])
 
 
 def bound_in_words(bound):
@@ -148,21 +135,19 @@ def bound_in_words(bound):
     return f"{'−' * sign}{factor}10{str(exponent).translate(RAISED)}"
 
 
-def limits(bounds):
+def limits(kind):
     """Yield the range of a number, in words."""
-    signs = {"gt": ">", "ge": "≥", "le": "≤"}
-    for bound in bounds:
-        for part in [bound, *getattr(bound, "metadata", ())]:
-            for name, sign in signs.items():
-                if hasattr(part, name):
-                    yield f"{sign} {bound_in_words(getattr(part, name))}"
+    for end, sign in (("low", "≥"), ("high", "≤")):
+        bound = getattr(kind, end, None)
+        if bound is not None:
+            yield f"{sign} {bound_in_words(bound)}"
 
 
-def default(field):
+def default(key):
     """Return a default as the file would write it; nothing if the key must be there."""
-    value = field.default
-    if field.is_required() or isinstance(value, schema.Table | dict) or value is None:
-        return "required" if field.is_required() else ""
+    value = key.default
+    if key.is_required or isinstance(value, table.Table | dict) or value is None:
+        return "required" if key.is_required else ""
     if isinstance(value, Decimal):
         return f"{value}"
     text = str(value).lower() if isinstance(value, bool) else str(value)

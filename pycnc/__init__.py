@@ -6,9 +6,9 @@
     trace = pycnc.run(program)
     trace.plot("part.png")
 
-The front door opens rooms on use: `pycnc.stages` and the records need NumPy and cffi alone, machine
-files pydantic. Pictures need matplotlib, Parquet files pyarrow, OpenCL pyopencl: extras, each with
-one sentence that names it where it is absent.
+The front door opens rooms on use: NumPy and cffi are all that it needs.
+Pictures need matplotlib, Parquet files pyarrow, OpenCL pyopencl: extras, each with one sentence
+that names it where it is absent.
 """
 
 import importlib
@@ -56,7 +56,7 @@ __all__ = [
 def __getattr__(name):
     """Open a room when its name is first used."""
     if name == "__version__":
-        return importlib.import_module("pycnc.kernel").version()
+        return importlib.import_module("pycnc.names").version()
     if name == "stages":
         return importlib.import_module("pycnc.stages")
     if name in _ROOMS:

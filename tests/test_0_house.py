@@ -32,11 +32,11 @@ ROOMS = (
     "prep/1_decode", "prep/2_toolcomp", "prep/3_smooth", "prep/4_lookahead", "prep/5_slope",
     "tick/6_interpolate", "tick/7_transform",
 )  # fmt: skip
-EXTRAS = ("typer", "rich", "pydantic", "matplotlib", "pyarrow", "pyopencl")
+EXTRAS = ("typer", "rich", "matplotlib", "pyarrow", "pyopencl")
 # The rooms of pycnc: each may import those before it.
 PYTHON_ROOMS = (
-    "errors", "extras", "files", "kernel", "machine", "program", "device", "planning", "stages",
-    "report", "controller", "linuxcnc", "papers", "bench", "cli",
+    "errors", "names", "extras", "files", "kernel", "machine", "program", "device", "planning",
+    "stages", "report", "controller", "linuxcnc", "papers", "bench", "cli",
 )  # fmt: skip
 # Who calls the kernel; everybody else may read its constants.
 WRAPPERS = (

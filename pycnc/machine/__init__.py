@@ -1,25 +1,22 @@
 # SPDX-License-Identifier: MIT
 """The machine: read from a machine file, checked whole, and the same as the kernel has it."""
 
-import difflib
 import hashlib
 import json
-import re
 import tomllib
 from decimal import Decimal
 from importlib import resources
 from pathlib import Path
 
 import numpy as np
-import pydantic
 
 from pycnc import errors
 from pycnc.machine import foreign, schema, tool_table
 from pycnc.kernel.bind import ffi, lib, pointer
 from pycnc.machine.rows import rows_of
 from pycnc.machine.schema import AXES, MachineFile, position_key, unit_of
-
-DEFAULT = "mill3"
+from pycnc.machine.table import Table
+from pycnc.names import DEFAULT  # noqa: F401
 
 
 class MachineFileError(errors.MachineError):
@@ -172,7 +169,8 @@ class Machine:
     @property
     def sha256(self):
         """Hash of all settings: equal machines have equal ones, however their files are written."""
-        settings = self.settings.model_dump(exclude={"description"})
+        settings = self.settings.as_dict()
+        del settings["description"]
         text = json.dumps(settings, sort_keys=True, default=lambda number: f"{number.normalize()}")
         return hashlib.sha256(text.encode()).hexdigest()
 
@@ -294,11 +292,11 @@ def _tools_of(file):
 
 def _validate(data):
     """Return (settings, problems) of a machine file."""
-    try:
-        settings = MachineFile.model_validate(data)
-    except pydantic.ValidationError as cause:
-        return None, [_problem(error, data) for error in cause.errors()]
-    problems = list(schema.contradictions(settings))
+    problems = []
+    settings = MachineFile.take(data, "", problems)
+    if problems:
+        return None, problems
+    problems += schema.contradictions(settings)
     window, tools = lib.NCK_WINDOW, lib.NCK_TOOL_MAX
     if settings.path.lookahead_blocks > window:
         problems.append(
@@ -330,76 +328,15 @@ def _is_free(code):
     return code <= lib.NCK_M_MAX and status in (lib.NCK_E_M_UNKNOWN, lib.NCK_E_UNSUPPORTED)
 
 
-def _plain(number):
-    """Return a number without an exponent."""
-    return f"{Decimal(number):f}"
-
-
-def _problem(error, data):
-    """Return (path to key, wording) of one finding of pydantic."""
-    path = [str(step) for step in error["loc"]]
-    context, given = error.get("ctx", {}), error["input"]
-    wording = {
-        "missing": lambda: "is missing",
-        "extra_forbidden": lambda: _unknown(path),
-        "greater_than_equal": lambda: f"must be {_plain(context['ge'])} at least (is {given})",
-        "less_than_equal": lambda: f"must be {_plain(context['le'])} at most (is {given})",
-        "finite_number": lambda: f"must be a finite number (is {given})",
-        "literal_error": lambda: f"must be {context['expected']} (is {given!r})",
-        "bool_type": lambda: f"must be true or false (is {given!r})",
-        "int_type": lambda: f"must be a whole number (is {given})",
-        "value_error": lambda: (
-            f"{context['error']}{'' if isinstance(given, dict) else f' (is {given!r})'}"
-        ),
-        "model_type": lambda: "must be a table",
-        "dict_type": lambda: "must be a table",
-    }
-    words = wording.get(
-        error["type"], lambda: error["msg"].removeprefix("Input ").replace("should", "must")
-    )
-    return ".".join(path), words()
-
-
-def _unknown(path):
-    """Say which keys a table has, the nearest first if one is near."""
-    table = MachineFile
-    for step in path[:-1]:
-        table = _table_of(table, step)
-    allowed = {_bare(key): key for key in table.model_fields}
-    near = difflib.get_close_matches(_bare(path[-1]), allowed, n=1, cutoff=0.7)
-    if near:
-        return f"unknown key; did you mean {allowed[near[0]]}?"
-    return f"unknown key; allowed: {', '.join(allowed.values())}"
-
-
-def _bare(key):
-    """Return a key without its unit and its underscores: amax is a_max_mm_s2."""
-    return re.sub(r"_(mm|deg|ms)(_.*)?$", "", key).replace("_", "").lower()
-
-
-def _table_of(table, step):
-    """Return the class of a table inside a table, or inside a table of numbered tables."""
-    if step not in table.model_fields:  # a number
-        return table
-    kind = table.model_fields[step].annotation
-    options = getattr(kind, "__args__", (kind,))
-    tables = (
-        option
-        for option in options
-        if isinstance(option, type) and issubclass(option, schema.Table)
-    )
-    return next(tables, table)
-
-
 def _walk(table, prefix=""):
     """Yield (path to key, value) of every setting."""
     items = (
         table.items()
         if isinstance(table, dict)
-        else ((name, getattr(table, name)) for name in type(table).model_fields)
+        else ((name, getattr(table, name)) for name in table.KEYS)
     )
     for name, value in items:
-        if isinstance(value, schema.Table | dict):
+        if isinstance(value, Table | dict):
             yield from _walk(value, f"{prefix}{name}.")
         elif not prefix.startswith("axis.") or prefix.count(".") > 1:
             yield f"{prefix}{name}", value

@@ -90,7 +90,7 @@ class Draft:
 def _tables(values):
     """Return the tables that values are in, in the order of the description."""
     found = list(dict.fromkeys(key.rpartition(".")[0] for key in values if "." in key))
-    order = list(MachineFile.model_fields)
+    order = list(MachineFile.KEYS)
     axes = list(AXES)
 
     def place(table):
@@ -102,7 +102,7 @@ def _tables(values):
 
 def _rank(key):
     """Return where a key of an axis stands; the others stay in their order."""
-    names = list(schema.LinearAxis.model_fields)
+    names = list(schema.LinearAxis.KEYS)
     leaf = key.rpartition(".")[2].replace("deg", "mm")
     return names.index(leaf) if leaf in names else 0
 
@@ -162,7 +162,7 @@ def _pages(draft, letters):
                ("times", schema.Times), ("dialect", schema.Dialect)]  # fmt: skip
     for name, table in tables:
         yield from ("", f"[{name}]")
-        for key, field in table.model_fields.items():
+        for key, field in table.KEYS.items():
             yield from _explained(draft, f"{name}.{key}", field)
     for table in _tables(draft.values):
         if table.startswith(("start", "home")):
@@ -184,7 +184,7 @@ def _explained(draft, path, field):
     yield line
     if path in draft.values:
         yield _line(key, *draft.values[path])
-    elif field.default is None or field.is_required():
+    elif field.default is None or field.is_required:
         yield f"# {key} ="
     else:
         yield f"# {_line(key, field.default, '')}"

@@ -5,11 +5,9 @@ This is the one description of the format. ``docs/machine.md`` is generated from
 """
 
 from decimal import Decimal
-from typing import Annotated, Literal
-
-from pydantic import BaseModel, BeforeValidator, ConfigDict, Field, Strict, model_validator
 
 from pycnc.kernel.records import quantity_range
+from pycnc.machine.table import FLAG, TEXT, Choice, Key, Number, Numbered, Table, Whole
 
 LINEAR_AXES = ("x", "y", "z", "u", "v", "w")
 ROTARY_AXES = ("a", "b", "c")
@@ -18,58 +16,34 @@ WORK_SYSTEMS = ("g54", "g55", "g56", "g57", "g58", "g59", "g59_1", "g59_2", "g59
 TRAVEL_LIMIT = 1_000_000  # mm or degrees: a position beyond a kilometre is a mistake
 
 
-def _number(value):
-    """Let numbers pass and nothing that only looks like one."""
-    if isinstance(value, bool) or not isinstance(value, int | float | Decimal):
-        raise ValueError("must be a number")
-    return value
-
-
-def _travel(value):
-    return None if value is None or value == "free" else _number(value)
-
-
-Number = Annotated[Decimal, Strict(False)]
-
-
 def _within(quantity, units=1):
-    """Return the type of a number with the kernel's range; units: the file's in one of its."""
+    """Return the kind of a number with the kernel's range; units: the file's in one of its."""
     low, high = ((end * units).normalize() for end in quantity_range(quantity))
-    return Annotated[Number, Field(ge=low, le=high), BeforeValidator(_number)]
+    return Number(low, high)
 
 
-Period = _within("period", 1000)
-Speed = _within("speed")
-SpeedPerMinute = _within("speed", 60)
-Acceleration = _within("acceleration")
-Jerk = _within("jerk")
-Error = _within("error")
-Size = _within("size")
-Feed = _within("feed")
-Rotation = _within("rotation")
-Leads = Annotated[Number, Field(ge=0, le=10), BeforeValidator(_number)]
-Unit = Annotated[Number, Field(ge=0, le=1), BeforeValidator(_number)]
-Seconds = Annotated[Number, Field(ge=0, le=3600), BeforeValidator(_number)]
-Coordinate = Annotated[Number, Field(ge=-TRAVEL_LIMIT, le=TRAVEL_LIMIT), BeforeValidator(_number)]
-Travel = Annotated[
-    Annotated[Number, Field(ge=-TRAVEL_LIMIT, le=TRAVEL_LIMIT)] | None, BeforeValidator(_travel)
-]
-
-
-Slope = Literal["linear", "jerk", "sshape"]
-
-
-class Table(BaseModel):
-    """A table of the file: keys it does not know are errors, numbers are finite."""
-
-    model_config = ConfigDict(extra="forbid", strict=True, frozen=True, allow_inf_nan=False)
+PERIOD = _within("period", 1000)
+SPEED = _within("speed")
+SPEED_PER_MINUTE = _within("speed", 60)
+ACCELERATION = _within("acceleration")
+JERK = _within("jerk")
+ERROR = _within("error")
+SIZE = _within("size")
+FEED = _within("feed")
+ROTATION = _within("rotation")
+LEADS = Number(0, 10)
+UNIT = Number(0, 1)
+SECONDS = Number(0, 3600)
+COORDINATE = Number(-TRAVEL_LIMIT, TRAVEL_LIMIT)
+TRAVEL = Number(-TRAVEL_LIMIT, TRAVEL_LIMIT, free=True)
+SLOPES = ("linear", "jerk", "sshape")
 
 
 class Kernel(Table):
     """How often setpoints are made."""
 
-    period_ms: Period = Field(
-        Decimal(1),
+    period_ms = Key(
+        PERIOD, Decimal(1),
         description="Interpolation period: one setpoint per axis every so many milliseconds.",
     )
 
@@ -77,35 +51,35 @@ class Kernel(Table):
 class Path(Table):
     """Limits along the path and tolerances."""
 
-    feed_max_mm_min: SpeedPerMinute | None = Field(
-        None,
+    feed_max_mm_min = Key(
+        SPEED_PER_MINUTE, None,
         description="Highest feed along the path. Default: all that the axes give.",
     )
-    a_max_mm_s2: Acceleration | None = Field(
-        None,
+    a_max_mm_s2 = Key(
+        ACCELERATION, None,
         description="Highest acceleration along the path. Default: all that the axes give.",
     )
-    j_max_mm_s3: Jerk | None = Field(
-        None, description="Highest jerk along the path. Default: all that the axes give."
+    j_max_mm_s3 = Key(
+        JERK, None, description="Highest jerk along the path. Default: all that the axes give."
     )
-    chord_error_mm: Error = Field(
+    chord_error_mm = Key(
+        ERROR,
         Decimal("0.001"), description="How far the chord between two setpoints may leave an arc."
     )
-    tolerance_mm: Size = Field(
-        Decimal("0.01"),
+    tolerance_mm = Key(
+        SIZE, Decimal("0.01"),
         description="What G64 without P means, and a program without G61 and G64; 0 is exact path.",
     )
-    arc_radius_mm: Error = Field(
-        Decimal("0.005"), description="How far the end point of an arc may miss its circle."
+    arc_radius_mm = Key(
+        ERROR, Decimal("0.005"), description="How far the end point of an arc may miss its circle."
     )
-    lookahead_blocks: int = Field(
-        0,
-        ge=0,
+    lookahead_blocks = Key(
+        Whole(0), 0,
         description="Blocks that the look-ahead may see, the one in work among them, 2 at least "
         "(`sshape`: 1, which stops at every block); 0: all that the kernel holds.",
     )
-    slope: Slope = Field(
-        "jerk",
+    slope = Key(
+        Choice(*SLOPES), "jerk",
         description="Velocity profile. `linear`: acceleration-limited. `jerk`: jerk-limited, "
         "acceleration is carried across junctions. `sshape`: jerk-limited, acceleration is zero "
         "at every junction.",
@@ -115,20 +89,20 @@ class Path(Table):
 class LinearAxis(Table):
     """One linear axis."""
 
-    v_max_mm_s: Speed = Field(description="Highest speed.")
-    rapid_mm_s: Speed | None = Field(
-        None, description="Speed of G0, v_max at most. Default: v_max."
+    v_max_mm_s = Key(SPEED, description="Highest speed.")
+    rapid_mm_s = Key(
+        SPEED, None, description="Speed of G0, v_max at most. Default: v_max."
     )
-    a_max_mm_s2: Acceleration = Field(description="Highest acceleration.")
-    j_max_mm_s3: Jerk = Field(
-        description="Highest jerk (the linear slope reports it and does not limit it)."
+    a_max_mm_s2 = Key(ACCELERATION, description="Highest acceleration.")
+    j_max_mm_s3 = Key(
+        JERK, description="Highest jerk (the linear slope reports it and does not limit it)."
     )
-    min_mm: Travel = Field(
-        None,
+    min_mm = Key(
+        TRAVEL, None,
         description='Lower end of travel (machine coordinates; lathe: radius). Default: `"free"`.',
     )
-    max_mm: Travel = Field(
-        None,
+    max_mm = Key(
+        TRAVEL, None,
         description='Upper end of travel (machine coordinates; lathe: radius). Default: `"free"`.',
     )
 
@@ -136,40 +110,38 @@ class LinearAxis(Table):
 class RotaryAxis(Table):
     """One rotary axis."""
 
-    v_max_deg_s: Speed = Field(description="Highest speed.")
-    rapid_deg_s: Speed | None = Field(
-        None, description="Speed of G0, v_max at most. Default: v_max."
+    v_max_deg_s = Key(SPEED, description="Highest speed.")
+    rapid_deg_s = Key(
+        SPEED, None, description="Speed of G0, v_max at most. Default: v_max."
     )
-    a_max_deg_s2: Acceleration = Field(description="Highest acceleration.")
-    j_max_deg_s3: Jerk = Field(
-        description="Highest jerk (the linear slope reports it and does not limit it)."
+    a_max_deg_s2 = Key(ACCELERATION, description="Highest acceleration.")
+    j_max_deg_s3 = Key(
+        JERK, description="Highest jerk (the linear slope reports it and does not limit it)."
     )
-    min_deg: Travel = Field(
-        None, description='Lower end of travel, machine coordinates. Default: `"free"`.'
+    min_deg = Key(
+        TRAVEL, None, description='Lower end of travel, machine coordinates. Default: `"free"`.'
     )
-    max_deg: Travel = Field(
-        None, description='Upper end of travel, machine coordinates. Default: `"free"`.'
+    max_deg = Key(
+        TRAVEL, None, description='Upper end of travel, machine coordinates. Default: `"free"`.'
     )
 
 
 class Axis(Table):
     """The axes that the machine has; a word of any other axis is an error in the program."""
 
-    x: LinearAxis | None = Field(None, description="The X axis.")
-    y: LinearAxis | None = Field(None, description="The Y axis.")
-    z: LinearAxis | None = Field(None, description="The Z axis.")
-    a: RotaryAxis | None = Field(None, description="The A axis, about X.")
-    b: RotaryAxis | None = Field(None, description="The B axis, about Y.")
-    c: RotaryAxis | None = Field(None, description="The C axis, about Z.")
-    u: LinearAxis | None = Field(None, description="The U axis, along X.")
-    v: LinearAxis | None = Field(None, description="The V axis, along Y.")
-    w: LinearAxis | None = Field(None, description="The W axis, along Z.")
+    x = Key(LinearAxis, None, description="The X axis.")
+    y = Key(LinearAxis, None, description="The Y axis.")
+    z = Key(LinearAxis, None, description="The Z axis.")
+    a = Key(RotaryAxis, None, description="The A axis, about X.")
+    b = Key(RotaryAxis, None, description="The B axis, about Y.")
+    c = Key(RotaryAxis, None, description="The C axis, about Z.")
+    u = Key(LinearAxis, None, description="The U axis, along X.")
+    v = Key(LinearAxis, None, description="The V axis, along Y.")
+    w = Key(LinearAxis, None, description="The W axis, along Z.")
 
-    @model_validator(mode="after")
-    def _some(self):
-        if not self.present():
-            raise ValueError("a machine needs one axis at least")
-        return self
+    def wrong(self):
+        """Return what is wrong with the axes as a whole."""
+        return "" if self.present() else "a machine needs one axis at least"
 
     def present(self):
         """Return the axes that are there, letter → table, in the kernel's order."""
@@ -181,7 +153,8 @@ class Axis(Table):
 class Kinematics(Table):
     """How axes become joints."""
 
-    type: Literal["identity", "lathe_xz"] = Field(
+    type = Key(
+        Choice("identity", "lathe_xz"),
         "identity", description="`identity`: a joint for each axis. `lathe_xz`: X (radius) and Z."
     )
 
@@ -189,9 +162,9 @@ class Kinematics(Table):
 class Spindle(Table):
     """The main spindle."""
 
-    rpm_max: Rotation = Field(Decimal(0), description="Highest speed; 0: not checked.")
-    a_max_rpm_s: Rotation = Field(
-        Decimal(0),
+    rpm_max = Key(ROTATION, Decimal(0), description="Highest speed; 0: not checked.")
+    a_max_rpm_s = Key(
+        ROTATION, Decimal(0),
         description="How fast the speed can change, in rpm a second: under G96 no move is faster "
         "than the spindle can follow; 0: at once.",
     )
@@ -200,10 +173,12 @@ class Spindle(Table):
 class Times(Table):
     """What takes time that no axis makes; it is added to the machining time where it is told."""
 
-    tool_change_s: Seconds = Field(
+    tool_change_s = Key(
+        SECONDS,
         Decimal(0), description="A change of tool: M6, or T where a lathe's turret turns at once."
     )
-    spindle_start_s: Seconds = Field(
+    spindle_start_s = Key(
+        SECONDS,
         Decimal(0), description="Until the spindle has its speed: M3 or M4 from rest, a reversal."
     )
 
@@ -211,55 +186,56 @@ class Times(Table):
 class Dialect(Table):
     """How program text is read."""
 
-    base: Literal["linuxcnc", "fanuc", "grbl", "marlin", "auto"] = Field(
-        "linuxcnc",
+    base = Key(
+        Choice("linuxcnc", "fanuc", "grbl", "marlin", "auto"), "linuxcnc",
         description="The family of dialects that the text belongs to; `auto`: as the text looks, "
         "which a note tells.",
     )
-    system: Literal["A", "B", "C"] | None = Field(
-        None,
+    system = Key(
+        Choice("A", "B", "C"), None,
         description="Fanuc's G-code system of a lathe: what G90, G92, G94 and G98 mean. Not said: "
         "A, and a note where it matters.",
     )
-    feed: Literal["per_minute", "per_rev"] | None = Field(
-        None,
+    feed = Key(
+        Choice("per_minute", "per_rev"), None,
         description="What F means at start (G94 or G95, in system A G98 or G99). Not said: per "
         "minute, and on a lathe that speaks Fanuc's language a note.",
     )
-    scale_unit: Unit = Field(
-        Decimal(0),
+    scale_unit = Key(
+        UNIT, Decimal(0),
         description="What 1 means where a factor of Fanuc's G51 has no point: 1 (Haas), 0.001 or "
         "0.00001; 0: such a factor is an error.",
     )
-    d_offset: Literal["radius", "diameter"] | None = Field(
-        None,
+    d_offset = Key(
+        Choice("radius", "diameter"), None,
         description="What Fanuc's G10 L12 and L13 say of an offset for D. Not said: they are "
         "refused, since controls differ.",
     )
-    probe: Literal["refused", "misses", "touches"] = Field(
-        "misses",
+    probe = Key(
+        Choice("refused", "misses", "touches"), "misses",
         description="What probes (G38.2 to G38.5) meet in the simulation: nothing, or something "
         "where they end. No probe is asked on the way: a machine that moves says `refused`.",
     )
-    thread_pull_leads: Leads = Field(
-        Decimal(1),
+    thread_pull_leads = Key(
+        LEADS, Decimal(1),
         description="Leads over which a tool pulls out at a thread's end, in Fanuc's G92 and its "
         "G76 of one line; 0: it stops there.",
     )
-    diameter: bool = Field(False, description="At start, X words are diameters (G7).")
-    units: Literal["mm", "inch"] = Field("mm", description="Units at start (G21 or G20).")
-    plane: Literal[17, 18, 19] = Field(17, description="Plane at start (G17, G18, G19).")
-    arc_centre: Literal["incremental", "absolute"] = Field(
+    diameter = Key(FLAG, False, description="At start, X words are diameters (G7).")
+    units = Key(Choice("mm", "inch"), "mm", description="Units at start (G21 or G20).")
+    plane = Key(Choice(17, 18, 19), 17, description="Plane at start (G17, G18, G19).")
+    arc_centre = Key(
+        Choice("incremental", "absolute"),
         "incremental", description="How I J K are meant at start (G91.1 or G90.1)."
     )
-    block_skip: bool = Field(False, description="Lines that begin with / are skipped.")
-    optional_stop: bool = Field(False, description="M1 stops.")
-    from_line: int = Field(
-        0, ge=0, le=4_294_967_295,
+    block_skip = Key(FLAG, False, description="Lines that begin with / are skipped.")
+    optional_stop = Key(FLAG, False, description="M1 stops.")
+    from_line = Key(
+        Whole(0, 4_294_967_295), 0,
         description="Line where programs begin, in the state they have there; 0: with the first.",
     )
-    feed_default_mm_min: Feed = Field(
-        Decimal(0),
+    feed_default_mm_min = Key(
+        FEED, Decimal(0),
         description="Feed in force before the first F; 0: none, a cut without F is an error.",
     )
 
@@ -267,15 +243,15 @@ class Dialect(Table):
 class Position(Table):
     """A position: every axis that is not named is 0."""
 
-    x_mm: Coordinate = Field(Decimal(0), description="X (lathe: radius).")
-    y_mm: Coordinate = Field(Decimal(0), description="Y.")
-    z_mm: Coordinate = Field(Decimal(0), description="Z.")
-    a_deg: Coordinate = Field(Decimal(0), description="A.")
-    b_deg: Coordinate = Field(Decimal(0), description="B.")
-    c_deg: Coordinate = Field(Decimal(0), description="C.")
-    u_mm: Coordinate = Field(Decimal(0), description="U.")
-    v_mm: Coordinate = Field(Decimal(0), description="V.")
-    w_mm: Coordinate = Field(Decimal(0), description="W.")
+    x_mm = Key(COORDINATE, Decimal(0), description="X (lathe: radius).")
+    y_mm = Key(COORDINATE, Decimal(0), description="Y.")
+    z_mm = Key(COORDINATE, Decimal(0), description="Z.")
+    a_deg = Key(COORDINATE, Decimal(0), description="A.")
+    b_deg = Key(COORDINATE, Decimal(0), description="B.")
+    c_deg = Key(COORDINATE, Decimal(0), description="C.")
+    u_mm = Key(COORDINATE, Decimal(0), description="U.")
+    v_mm = Key(COORDINATE, Decimal(0), description="V.")
+    w_mm = Key(COORDINATE, Decimal(0), description="W.")
 
     def along(self, letter):
         """Return the coordinate of an axis [mm, deg]."""
@@ -285,51 +261,52 @@ class Position(Table):
 class Start(Position):
     """Where the machine stands when a program starts, machine coordinates."""
 
-    work_system: Literal[WORK_SYSTEMS] = Field("g54", description="Work offset in force at start.")
+    work_system = Key(Choice(*WORK_SYSTEMS), "g54", description="Work offset in force at start.")
 
 
 class Home(Table):
     """Reference points, machine coordinates."""
 
-    g28: Position = Field(Position(), description="Where G28 goes.")
-    g30: Position = Field(Position(), description="Where G30 goes.")
-    g30_p3: Position | None = Field(None, description="Where G30 P3 goes; without it: nowhere.")
-    g30_p4: Position | None = Field(None, description="Where G30 P4 goes; without it: nowhere.")
+    g28 = Key(Position, Position(), description="Where G28 goes.")
+    g30 = Key(Position, Position(), description="Where G30 goes.")
+    g30_p3 = Key(Position, None, description="Where G30 P3 goes; without it: nowhere.")
+    g30_p4 = Key(Position, None, description="Where G30 P4 goes; without it: nowhere.")
 
 
 class Work(Table):
     """Work offsets: the machine coordinates of each system's zero point."""
 
-    g54: Position = Field(Position(), description="Zero point of G54.")
-    g55: Position = Field(Position(), description="Zero point of G55.")
-    g56: Position = Field(Position(), description="Zero point of G56.")
-    g57: Position = Field(Position(), description="Zero point of G57.")
-    g58: Position = Field(Position(), description="Zero point of G58.")
-    g59: Position = Field(Position(), description="Zero point of G59.")
-    g59_1: Position = Field(Position(), description="Zero point of G59.1.")
-    g59_2: Position = Field(Position(), description="Zero point of G59.2.")
-    g59_3: Position = Field(Position(), description="Zero point of G59.3.")
+    g54 = Key(Position, Position(), description="Zero point of G54.")
+    g55 = Key(Position, Position(), description="Zero point of G55.")
+    g56 = Key(Position, Position(), description="Zero point of G56.")
+    g57 = Key(Position, Position(), description="Zero point of G57.")
+    g58 = Key(Position, Position(), description="Zero point of G58.")
+    g59 = Key(Position, Position(), description="Zero point of G59.")
+    g59_1 = Key(Position, Position(), description="Zero point of G59.1.")
+    g59_2 = Key(Position, Position(), description="Zero point of G59.2.")
+    g59_3 = Key(Position, Position(), description="Zero point of G59.3.")
 
 
 class Tool(Table):
     """One tool: T names it, and H names its length."""
 
-    length_mm: Coordinate = Field(Decimal(0), description="Length, along Z.")
-    x_mm: Coordinate = Field(Decimal(0), description="Offset along X (lathe: radius).")
-    y_mm: Coordinate = Field(Decimal(0), description="Offset along Y.")
-    radius_mm: Size = Field(Decimal(0), description="Cutter or nose radius.")
-    radius_wear_mm: Coordinate = Field(
-        Decimal(0), description="Added to the radius: what the tool has lost, negative."
+    length_mm = Key(COORDINATE, Decimal(0), description="Length, along Z.")
+    x_mm = Key(COORDINATE, Decimal(0), description="Offset along X (lathe: radius).")
+    y_mm = Key(COORDINATE, Decimal(0), description="Offset along Y.")
+    radius_mm = Key(SIZE, Decimal(0), description="Cutter or nose radius.")
+    radius_wear_mm = Key(
+        COORDINATE, Decimal(0), description="Added to the radius: what the tool has lost, negative."
     )
-    orientation: Annotated[int, Field(ge=0, le=9)] = Field(
-        0, description="Lathe: where the tip points, 0 to 9."
+    orientation = Key(
+        Whole(0, 9), 0, description="Lathe: where the tip points, 0 to 9."
     )
 
 
 class OwnM(Table):
     """An M code of the machine's own."""
 
-    action: Literal["output", "wait"] = Field(
+    action = Key(
+        Choice("output", "wait"),
         description="`output`: the code is handed over and the path goes on. `wait`: the path "
         "rests, the code is handed over, and the program waits to be resumed."
     )
@@ -338,19 +315,20 @@ class OwnM(Table):
 class MachineFile(Table):
     """A whole machine file."""
 
-    description: str = Field("", description="One line for people: shown in lists.")
-    kernel: Kernel = Field(Kernel(), description="How often setpoints are made.")
-    path: Path = Field(Path(), description="Limits along the path and tolerances.")
-    axis: Axis = Field(description="The axes.")
-    kinematics: Kinematics = Field(Kinematics(), description="How axes become joints.")
-    spindle: Spindle = Field(Spindle(), description="The main spindle.")
-    times: Times = Field(Times(), description="What takes time that no axis makes.")
-    dialect: Dialect = Field(Dialect(), description="How program text is read.")
-    start: Start = Field(Start(), description="Where the machine stands when a program starts.")
-    home: Home = Field(Home(), description="Reference points.")
-    work: Work = Field(Work(), description="Work offsets.")
-    tool: dict[str, Tool] = Field({}, description="The tool table, one table for each number.")
-    m: dict[str, OwnM] = Field(
+    description = Key(TEXT, "", description="One line for people: shown in lists.")
+    kernel = Key(Kernel, Kernel(), description="How often setpoints are made.")
+    path = Key(Path, Path(), description="Limits along the path and tolerances.")
+    axis = Key(Axis, description="The axes.")
+    kinematics = Key(Kinematics, Kinematics(), description="How axes become joints.")
+    spindle = Key(Spindle, Spindle(), description="The main spindle.")
+    times = Key(Times, Times(), description="What takes time that no axis makes.")
+    dialect = Key(Dialect, Dialect(), description="How program text is read.")
+    start = Key(Start, Start(), description="Where the machine stands when a program starts.")
+    home = Key(Home, Home(), description="Reference points.")
+    work = Key(Work, Work(), description="Work offsets.")
+    tool = Key(Numbered(Tool), {}, description="The tool table, one table for each number.")
+    m = Key(
+        Numbered(OwnM),
         {}, description="M codes of the machine's own, one table for each: `[m.428]`."
     )
 
