@@ -127,6 +127,8 @@ def takes(field):
     if typing.get_origin(kind) is typing.Literal:
         return ", ".join(f"`{choice}`" for choice in typing.get_args(kind))
     members = [each for each in typing.get_args(kind) if each is not type(None)]
+    if len(members) == 1 and typing.get_origin(members[0]) is typing.Literal:
+        return ", ".join(f"`{choice}`" for choice in typing.get_args(members[0]))
     while typing.get_origin(kind) is typing.Annotated or members:
         for member in members:
             bounds += getattr(member, "__metadata__", ())

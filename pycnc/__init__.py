@@ -56,7 +56,7 @@ __all__ = [
 def __getattr__(name):
     """Open a room when its name is first used."""
     if name == "__version__":
-        return importlib.import_module("pycnc.kernel").version()
+        return importlib.import_module("pycnc.names").version()
     if name == "stages":
         return importlib.import_module("pycnc.stages")
     if name in _ROOMS:

@@ -4,12 +4,15 @@
 An interrupt from the keyboard ends it without a word, also while its modules are still loaded.
 """
 
+import os
 import signal
 import sys
 
 
 def main():
     """Enter from the console script."""
+    # No verb multiplies large matrices: threads for that would only take their time to start.
+    os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
     try:
         from pycnc.cli import main as enter
 

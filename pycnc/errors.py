@@ -44,6 +44,14 @@ class StateError(NckError):
     """The call is not possible in the present state."""
 
 
+class BackendError(ArgumentError):
+    """A backend that is not there."""
+
+
+class FirmwareError(NckError):
+    """A controller cannot be built, does not start or does not end; the message has the remedy."""
+
+
 class InternalError(NckError):
     """An invariant of the kernel is broken: a defect of pycnc."""
 

@@ -35,8 +35,8 @@ ROOMS = (
 EXTRAS = ("typer", "rich", "pydantic", "matplotlib", "pyarrow", "pyopencl")
 # The rooms of pycnc: each may import those before it.
 PYTHON_ROOMS = (
-    "errors", "extras", "files", "kernel", "machine", "program", "device", "planning", "stages",
-    "report", "controller", "linuxcnc", "papers", "bench", "cli",
+    "errors", "names", "extras", "files", "kernel", "machine", "program", "device", "planning",
+    "stages", "report", "controller", "linuxcnc", "papers", "bench", "cli",
 )  # fmt: skip
 # Who calls the kernel; everybody else may read its constants.
 WRAPPERS = (

@@ -22,6 +22,9 @@ from pycnc.planning.plan import BACKENDS, SLOPES
 ROOT = Path(__file__).resolve().parents[1]
 PART = b"G21 G90 G17\nG1 X10 F600\nY5\nM2\n"
 KLIPPER = "[printer]\nmax_velocity: 300\nmax_accel: 3000\n[stepper_x]\nposition_max: 200\n"
+# What takes longer to load than a small program to plan, and what only some verbs use.
+HEAVY = ("matplotlib", "pandas", "pycnc.device", "pycnc.planning.grades", "pycnc.controller",
+         "multiprocessing")
 COMMANDS = {
     tuple(name.split()): command
     for group, before in ((app, ""), (app.registered_groups[0].typer_instance, "machine "))
@@ -42,6 +45,24 @@ def test_the_version_is_told_everywhere_and_is_the_same():
     assert pycnc("--version").out == f"pycnc {kernel.version()}\n"
     done = interpreter("-m", "pycnc", "--version")
     assert (done.returncode, done.stdout) == (0, f"pycnc {kernel.version()}\n")
+
+
+@pytest.mark.parametrize(
+    ("arguments", "unused"),
+    [
+        (("--version",), {*HEAVY, "numpy", "pycnc.kernel", "pycnc.machine"}),
+        (("check", "part.ngc"), {*HEAVY, "pycnc.planning.plan"}),
+        (("time", "part.ngc"), {*HEAVY, "pycnc.planning.why"}),
+    ],
+    ids=lambda value: value[0] if isinstance(value, tuple) else "",
+)
+def test_a_small_verb_loads_nothing_that_it_does_not_use(arguments, unused, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    Path("part.ngc").write_bytes(PART)
+    done = interpreter("-X", "importtime", "-m", "pycnc", *arguments)
+    loaded = {line.rpartition("|")[2].strip() for line in done.stderr.splitlines()}
+    assert (done.returncode, "pycnc.cli" in loaded) == (0, True)
+    assert loaded & unused == set()
 
 
 @pytest.mark.parametrize("verb", COMMANDS, ids=" ".join)

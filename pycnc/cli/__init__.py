@@ -53,7 +53,7 @@ from pycnc.cli.words import (
     writing,
 )
 from pycnc.extras import need
-from pycnc.machine import DEFAULT, Machine, MachineFileError, shipped
+from pycnc.names import DEFAULT
 
 PEAK_TOLERANCE = 1e-6  # of a limit, on the double setpoints
 
@@ -240,6 +240,8 @@ def bench(
 @verb(machines, "machine list")
 def list_(*, json_: Json = False, quiet: Quiet = False):
     """List the machines that come with pycnc."""
+    from pycnc.machine import Machine, shipped
+
     loaded = [Machine.load(name) for name in shipped()]
     if json_:
         rows = [
@@ -280,6 +282,8 @@ def validate(
     quiet: Quiet = False,
 ):  # fmt: skip
     """Check machine files: all errors at once."""
+    from pycnc.machine import MachineFileError
+
     problems = []
     for name in names:
         try:

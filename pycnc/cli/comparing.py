@@ -10,7 +10,7 @@ import typer
 from pycnc.cli.door import app, machine_of, verb
 from pycnc.cli.options import DialectName, Json, MachineName, Quiet, Set, SlopeName, Tools
 from pycnc.cli.words import GOOD, OUTSIDE, WRONG, fail, look_at, progress
-from pycnc.machine import DEFAULT
+from pycnc.names import DEFAULT
 
 _LOGS = (".npz", ".csv", ".parquet")
 Operand = Annotated[

@@ -6,8 +6,8 @@ import sys
 
 import typer
 
+from pycnc import names
 from pycnc.cli.words import GOOD, drop_stdout, explain, fail
-from pycnc.machine import Machine, effect
 
 # In the order of help.
 VERBS = (
@@ -31,9 +31,7 @@ app.add_typer(linuxcnc, name="linuxcnc")
 
 def _tell_version(asked):
     if asked:
-        from pycnc import kernel
-
-        print(f"pycnc {kernel.version()}")
+        print(f"pycnc {names.version()}")
         raise typer.Exit
 
 
@@ -76,6 +74,8 @@ def machine_of(
     name, set, tools, dialect, *, slope=None, plan="exact", from_line=None, quiet=False
 ):
     """Return the machine that the options describe, after telling the changes without effect."""
+    from pycnc.machine import Machine, effect
+
     changes = [*(set or ()), *([f"path.slope={slope.value}"] if slope else ())]
     changes += [f"dialect.from_line={from_line}"] if from_line else []
     machine = Machine.load(name, set=changes, tools=tools, dialect=dialect and dialect.value)

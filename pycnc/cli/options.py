@@ -65,7 +65,8 @@ class Units(StrEnum):
 
 def settings_of():
     """Return what may be typed behind ``--set``, for a shell that completes it."""
-    from pycnc.machine import DEFAULT, Machine
+    from pycnc.machine import Machine
+    from pycnc.names import DEFAULT
 
     return [f"{key}=" for key, _, _ in Machine.load(DEFAULT).effective()]
 

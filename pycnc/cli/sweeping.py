@@ -21,7 +21,7 @@ from pycnc.cli.options import (
     Tools,
 )
 from pycnc.cli.words import GOOD, WRONG, Refused, fail, progress, read, writing
-from pycnc.machine import DEFAULT, effect
+from pycnc.names import DEFAULT
 
 _ROWS_SHOWN = 40
 _Grid = Annotated[
@@ -56,6 +56,8 @@ def sweep(
     planning.tasks_of(files, axes)  # counted before anything is read
     mill = machine_of(machine, None, tools, dialect, slope=slope, quiet=quiet)
     if not quiet:
+        from pycnc.machine import effect
+
         for key, reason in effect.idle_keys(mill, axes):
             fail(f"--set {key}=…: warning[no-effect]: {reason}")
     texts = dict(read(file) for file in files)

@@ -39,7 +39,7 @@ from pycnc.cli.words import (
     tell,
     writing,
 )
-from pycnc.machine import DEFAULT
+from pycnc.names import DEFAULT
 
 _PARTS_SHOWN = 20
 _TIMES = ("cut", "rapid", "dwell", "tool_change", "spindle")
@@ -117,14 +117,14 @@ def _timed(machine, file, *, plan, backend, by, as_json, quiet):
         with progress(f"planning {program.file}", quiet) as bar:
             planned = Plan(program, plan=plan, backend=backend, keep=False, progress=bar, by=by)
     except Exception as cause:
-        return facts_of_failure(facts, cause), explain(cause)
-    facts = planned.as_dict()
-    if not as_json:
-        tell(program, quiet, sys.stderr)
-        print(_time_line(facts))
-        if by:
-            print("\n".join(_part_lines(facts, by)))
-    return facts, GOOD
+        return facts_of_failure(facts, cause) if as_json else {}, explain(cause)
+    if as_json:
+        return planned.as_dict(), GOOD
+    tell(program, quiet, sys.stderr)
+    print(_time_line(planned))
+    if by:
+        print("\n".join(_part_lines(planned, by)))
+    return planned.totals, GOOD
 
 
 @verb(app, "why part.ngc --what-if")
@@ -189,10 +189,11 @@ def report(
     return GOOD
 
 
-def _time_line(facts):
-    head = f"{facts['file']} on {facts['machine']}, slope {facts['slope']}"
-    by = ", planned by grades" if facts["plan"] == "grades" else ""
-    return f"{head}{by}: {_duration(facts['total_s'])} ({_split(facts)})"
+def _time_line(plan):
+    machine = plan.program.machine
+    head = f"{plan.program.file} on {machine.name}, slope {machine.settings.path.slope}"
+    by = ", planned by grades" if plan.kind == "grades" else ""
+    return f"{head}{by}: {_duration(plan.totals['total_s'])} ({_split(plan.totals)})"
 
 
 def _total_line(told, count):
@@ -211,16 +212,16 @@ def _split(facts):
     return "; ".join(", ".join(group) for group in groups)
 
 
-def _part_lines(facts, by):
+def _part_lines(plan, by):
     """Yield the table of the parts of a program's time."""
-    parts = facts["parts"]
+    parts, total_s = plan.parts, plan.totals["total_s"]
     shown, rest = parts[:_PARTS_SHOWN], parts[_PARTS_SHOWN:]
     if not shown:
         return
     columns = [name for name in _TIMES if any(part[f"{name}_s"] > 0 for part in shown)]
     heads = ["time", "share", *(name.replace("_", " ") for name in columns), "line"]
     rows = [
-        [_duration(part["time_s"]), f"{part['time_s'] / max(facts['total_s'], 1e-9):.1%}",
+        [_duration(part["time_s"]), f"{part['time_s'] / max(total_s, 1e-9):.1%}",
          *(_duration(part[f"{name}_s"]) if part[f"{name}_s"] > 0 else "" for name in columns),
          f"{part['line']:,}"]
         for part in shown

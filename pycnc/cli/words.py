@@ -8,11 +8,7 @@ import sys
 import traceback
 from pathlib import Path
 
-from pycnc import errors
-from pycnc.program.diagnostics import Diagnostic
-from pycnc.controller import FirmwareError
-from pycnc.machine import MachineFileError
-from pycnc.planning.plan import BackendError
+from pycnc import errors, names
 
 GOOD, WRONG, USAGE, OUTSIDE, INTERNAL, INTERRUPTED = 0, 1, 2, 3, 4, 130
 
@@ -45,13 +41,13 @@ def explain(cause):
     """Return the exit code of an exception after telling it."""
     if isinstance(cause, KeyboardInterrupt):
         return INTERRUPTED
-    if isinstance(cause, BackendError | errors.DeviceError):
+    if isinstance(cause, errors.BackendError | errors.DeviceError):
         fail(f"pycnc: error[backend]: {cause}")
         return INTERNAL
-    if isinstance(cause, FirmwareError):
+    if isinstance(cause, errors.FirmwareError):
         fail(f"pycnc: error[controller]: {cause}")
         return INTERNAL
-    if isinstance(cause, MachineFileError | Refused):
+    if isinstance(cause, errors.MachineError | Refused):
         fail(str(cause))
         return USAGE
     if isinstance(cause, errors.ProgramError):
@@ -80,16 +76,10 @@ def read(file, remedy="give a file with an NC program"):
             return "<stdin>", sys.stdin.buffer.read()
         return file, Path(file).read_bytes()
     except (OSError, ValueError) as cause:
+        from pycnc.program.diagnostics import Diagnostic
+
         reason = getattr(cause, "strerror", None) or str(cause)
-        words = Diagnostic(
-            file,
-            0,
-            0,
-            "file",
-            "error",
-            f"cannot read it: {reason}",
-            remedy,
-        )
+        words = Diagnostic(file, 0, 0, "file", "error", f"cannot read it: {reason}", remedy)
         raise Refused(words.text(colour(sys.stderr)), words) from None
 
 
@@ -138,33 +128,34 @@ def look_at(file, machine, quiet, as_json, keep=True):
     """Return (program, facts, exit code) of a program on the command line.
 
     The program is None unless it can be planned; what is wrong has been told then, and facts are
-    what ``--json`` tells of it.
+    what ``--json`` tells of it: nothing without it.
     """
     try:
         program = decoded(file, machine, quiet, keep)
     except Refused as cause:
-        return None, facts_of(file, machine, [cause.finding.as_dict()]), explain(cause)
+        facts = facts_of(file, machine, [cause.finding.as_dict()]) if as_json else {}
+        return None, facts, explain(cause)
     found = program.diagnostics
     if found.errors and not as_json:
         tell(program, quiet, sys.stderr)
-    facts = facts_of(program.file, machine, found.as_list())
+    facts = facts_of(program.file, machine, found.as_list()) if as_json else {}
     return (None, facts, WRONG) if found.errors else (program, facts, GOOD)
 
 
 def facts_of(name, machine, findings):
     """Return what ``--json`` tells of a program that is not planned."""
-    from pycnc import kernel
-
     return {
         "file": name,
         "machine": machine.name,
-        "version": kernel.version(),
+        "version": names.version(),
         "diagnostics": findings,
     }
 
 
 def facts_of_failure(facts, cause):
     """Add what went wrong while a program was planned to what ``--json`` tells of it."""
+    from pycnc.program.diagnostics import Diagnostic
+
     identity, line = getattr(cause, "id", "") or "internal", getattr(cause, "line", None) or 0
     column = getattr(cause, "column", None) or 0
     failure = Diagnostic(facts["file"], line, column, identity, "error", str(cause))

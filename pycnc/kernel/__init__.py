@@ -6,13 +6,12 @@ progress, stop, or keep nothing. Arrays that it yields are its own and are fille
 piece: copy what is to stay.
 """
 
-from importlib import metadata
-
 import numpy as np
 
 from pycnc import errors
 from pycnc.kernel.bind import check, ffi, lib, pointer
 from pycnc.kernel.records import dtype, enum
+from pycnc.names import version  # noqa: F401
 
 _BLOCK_ROWS = 16384
 _DIAGNOSTIC_ROWS = 4096
@@ -30,14 +29,6 @@ _COMMANDS = {  # name → (kind, how many numbers it needs, the most that each m
 # Prep steps between two ticks: more than any program of 1 µm moves needs, and enough that the first
 # plan behind a wait, which begins with the resume, is made before the next tick.
 PREP_STEPS = 4096
-
-
-def version():
-    """Return the version of pycnc."""
-    try:
-        return metadata.version("pycnc-nck")
-    except metadata.PackageNotFoundError:
-        return "0 (not installed)"
 
 
 class Blocks(bytes):

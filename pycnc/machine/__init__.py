@@ -18,8 +18,7 @@ from pycnc.machine import foreign, schema, tool_table
 from pycnc.kernel.bind import ffi, lib, pointer
 from pycnc.machine.rows import rows_of
 from pycnc.machine.schema import AXES, MachineFile, position_key, unit_of
-
-DEFAULT = "mill3"
+from pycnc.names import DEFAULT  # noqa: F401
 
 
 class MachineFileError(errors.MachineError):

@@ -5,7 +5,7 @@ This is the one description of the format. ``docs/machine.md`` is generated from
 """
 
 from decimal import Decimal
-from typing import Annotated, Literal
+from typing import Annotated, Literal, get_args
 
 from pydantic import BaseModel, BeforeValidator, ConfigDict, Field, Strict, model_validator
 
@@ -57,6 +57,7 @@ Travel = Annotated[
 
 
 Slope = Literal["linear", "jerk", "sshape"]
+SLOPES = get_args(Slope)
 
 
 class Table(BaseModel):

@@ -11,7 +11,6 @@ from pycnc.device import grades as device_grades
 from pycnc.kernel.bind import check, ffi, lib, pointer
 from pycnc.kernel.records import dtype, join, room
 
-BACKENDS = ("auto", "c", "opencl")
 STEPS = lib.NCK_HOST_GRADE_STEPS  # n: steps of a planning unit at command velocity
 _INT32_MAX = 2**31 - 1
 

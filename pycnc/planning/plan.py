@@ -2,26 +2,20 @@
 """A plan: speeds along the whole path, as the kernel's look-ahead and slope give them."""
 
 import time
-import typing
 
 import numpy as np
 
 from pycnc import errors, kernel
-from pycnc.planning import grades, measure, shares
-from pycnc.planning.why import Why
+from pycnc.planning import measure, shares
 from pycnc.machine import Machine
-from pycnc.machine.schema import Slope
+from pycnc.machine.schema import SLOPES
 from pycnc.program import Program, load, shown
 from pycnc.kernel.records import dtype, join
 
-SLOPES = typing.get_args(Slope)
 RECORDS = ("segs", "nodes", "cells")
 _KEPT = ("seg", "node", "cell")
-BACKENDS = {"exact": ("auto", "c"), "grades": grades.BACKENDS}  # of every kind of planning
-
-
-class BackendError(errors.ArgumentError):
-    """A backend that is not there."""
+# Of every kind of planning.
+BACKENDS = {"exact": ("auto", "c"), "grades": ("auto", "c", "opencl")}
 
 
 def check_backend(backend, plan="exact"):
@@ -39,7 +33,7 @@ def check_backend(backend, plan="exact"):
             f"no plan {plan!r}; there are: {', '.join(BACKENDS)}", id="plan"
         )
     if backend not in BACKENDS[plan]:
-        raise BackendError(
+        raise errors.BackendError(
             f"backend {backend!r} is not available; available: {', '.join(BACKENDS[plan])}",
             id="backend",
         )
@@ -126,6 +120,8 @@ class Plan:
         self.plan_s = time.perf_counter() - begun
 
     def _by_grades(self, backend, keep, progress):
+        from pycnc.planning import grades
+
         text, machine = self.program.text, self.program.machine
         self.grades, exact = grades.of_text(text, machine, backend=backend, progress=progress)
         self.segs = self.grades.segs
@@ -177,6 +173,8 @@ class Plan:
 
     def why(self):
         """Return what the time goes to, a `Why`."""
+        from pycnc.planning.why import Why
+
         return Why(self)
 
     def to_pandas(self, records="nodes"):
