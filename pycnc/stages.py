@@ -6,7 +6,7 @@ import numpy as np
 from pycnc import errors, kernel
 from pycnc.kernel.bind import check, ffi, lib, pointer
 from pycnc.planning.parallel import Keinert, envelope, keinert
-from pycnc.kernel.records import dtype, join, room
+from pycnc.kernel.records import copied, dtype, join, room
 
 __all__ = ["JerkPlanner", "Keinert", "Profile", "decode", "envelope", "keinert", "slope"]
 
@@ -28,8 +28,8 @@ def decode(text, machine):
     """
     blocks, diagnostics = [], []
     for some_blocks, some_diagnostics, _ in kernel.decode(text, machine):
-        blocks.append(some_blocks.copy())
-        diagnostics.append(some_diagnostics.copy())
+        blocks.append(copied(some_blocks))
+        diagnostics.append(copied(some_diagnostics))
     return join("nck_block_t", blocks), join("nck_diagnostic_t", diagnostics)
 
 

@@ -118,7 +118,18 @@ def join(name, pieces):
     >>> join("nck_cell_t", []).dtype == dtype("nck_cell_t")
     True
     """
-    return np.concatenate([np.empty(0, dtype(name)), *pieces], dtype=dtype(name))
+    rows = [np.empty(0, dtype(name)), *pieces]
+    return np.concatenate([_as_bytes(each) for each in rows]).view(dtype(name))
+
+
+def copied(rows):
+    """Return a copy of rows of one record, padding kept."""
+    return _as_bytes(rows).copy().view(rows.dtype)
+
+
+def _as_bytes(rows):
+    """Return rows, one behind the other, as bytes: NumPy would copy them member by member."""
+    return rows.view(np.dtype((np.void, rows.itemsize)))
 
 
 def free_memory():

@@ -9,7 +9,7 @@ import numpy as np
 from pycnc import errors, kernel
 from pycnc.device import grades as device_grades
 from pycnc.kernel.bind import check, ffi, lib, pointer
-from pycnc.kernel.records import dtype, join, room
+from pycnc.kernel.records import copied, dtype, join, room
 
 STEPS = lib.NCK_HOST_GRADE_STEPS  # n: steps of a planning unit at command velocity
 _INT32_MAX = 2**31 - 1
@@ -295,7 +295,7 @@ class Grades:
             lib.nck_host_grade_cells(
                 self._plan, cursor, pointer("nck_cell_t", rows), len(rows), count
             )
-            kept.append(rows[: count[0]].copy())
+            kept.append(copied(rows[: count[0]]))
         return join("nck_cell_t", kept)
 
     def holds(self):
@@ -338,7 +338,7 @@ def of_text(text, machine, *, steps=STEPS, backend="auto", progress=None):
     kept = [], []
     for *pieces, used in planner.pieces():
         for arrays, piece in zip(kept, pieces, strict=True):
-            arrays.append(piece.copy())
+            arrays.append(copied(piece))
         if progress:
             progress(used, len(text))
     segs, outputs = join("nck_seg_t", kept[0]), join("nck_output_t", kept[1])

@@ -10,7 +10,7 @@ from pycnc.planning import measure, shares
 from pycnc.machine import Machine
 from pycnc.machine.schema import SLOPES
 from pycnc.program import Program, load, shown
-from pycnc.kernel.records import dtype, join
+from pycnc.kernel.records import copied, dtype, join
 
 RECORDS = ("segs", "nodes", "cells")
 _KEPT = ("seg", "node", "cell")
@@ -142,7 +142,7 @@ class Plan:
         for *pieces, used in planner.pieces():
             if keep:
                 for arrays, piece in zip(kept.values(), pieces, strict=False):
-                    arrays.append(piece.copy())
+                    arrays.append(copied(piece))
             if trail:
                 trail(*pieces[-2:])
             if look:

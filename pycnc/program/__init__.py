@@ -13,7 +13,7 @@ from pycnc.program.shown import facts_table
 from pycnc.machine import DEFAULT, Machine
 from pycnc.machine.rows import DIALECTS
 from pycnc.machine.schema import AXES, unit_of
-from pycnc.kernel.records import join
+from pycnc.kernel.records import copied, join
 
 _PIECE = 16384  # blocks that are looked at at a time
 
@@ -52,7 +52,7 @@ class Program:
             most = blocks["tolerance_mm"].max(initial=0.0)
             self.tolerance_most_mm = max(self.tolerance_most_mm, float(most))
             if keep:
-                kept.append(blocks.copy())
+                kept.append(copied(blocks))
             if progress:
                 progress(used, len(self.text))
         self.blocks = join("nck_block_t", kept) if keep else None
