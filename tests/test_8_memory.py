@@ -12,8 +12,9 @@ import pytest
 LINES = (240_000, 420_000)  # a run plans beside: both go on when they hold the most
 NOISE = 5 << 20  # bytes: what two runs differ by, and what is filled by the longer one only
 # Bytes that a line costs besides its text.
-OF_A_LINE = {"check": 0, "time": 0, "run": 20}  # a run counts the ticks of each line
-REPEATS = {"check": 1, "time": 1, "run": 4}
+# A run counts the ticks of each line; a report keeps what its page has, packed.
+OF_A_LINE = {"check": 0, "time": 0, "why": 0, "run": 20, "report": 40}
+REPEATS = {"check": 1, "time": 1, "why": 1, "run": 4, "report": 1}
 PEAK = """
 import atexit, re, runpy, sys
 def tell():
@@ -30,12 +31,13 @@ pytestmark = pytest.mark.skipif(
 
 @pytest.fixture(scope="module")
 def programs(tmp_path_factory):
-    """Return the paths of two programs of short moves; the last line of each is worth a note."""
+    """Return the paths of two programs of short moves, each at a speed of its own; the last line
+    is worth a note."""
     folder, paths = tmp_path_factory.mktemp("long"), []
     for count in LINES:
         moves = (
             f"G1 X{50 * math.cos(k * 1e-3):.4f} Y{50 * math.sin(k * 1e-3):.4f} "
-            f"Z{2 * math.sin(k * 5e-3):.4f}\n"
+            f"Z{2 * math.sin(k * 5e-3):.4f} F{3000 + k * 7919 % 3000}\n"
             for k in range(count)
         )
         paths.append(folder / f"{count}.ngc")
@@ -46,6 +48,7 @@ def programs(tmp_path_factory):
 def peak(verb, path):
     """Return the largest memory of a verb [bytes]."""
     command = [sys.executable, "-c", PEAK, verb, str(path)]
+    command += ["-o", str(path.with_suffix(".html"))] if verb == "report" else []
     done = subprocess.run(command, capture_output=True, text=True, check=True)
     return int(done.stderr.split()[-1]) << 10
 

@@ -15,7 +15,7 @@ from command_line import pycnc
 from pycnc import ArgumentError, load, run, why
 from pycnc.machine import Machine
 from pycnc.planning import measure
-from pycnc.report import page
+from pycnc.report import packed, page
 
 PART = """G21 G90 G17 G64 P0.01
 T1 M6
@@ -207,15 +207,14 @@ def test_tools_lines_and_text_are_those_of_the_program(part):
 
 
 def test_a_step_that_16_bits_do_not_hold_is_kept():
-    columns = page.Columns()
+    columns = packed.Columns()
     values = np.array([0, 32767, 65535, 65535 - 32768, 10**9, -5, 7])
     columns.steps("s", values)
     kept = Unpacked.__new__(Unpacked)
-    kept.facts, kept.bytes = {"columns": columns.told}, columns.data()
+    columns.levels("l", np.array([0.0, 3.0, 1.0, 3.0]), 3.0)
+    kept.facts, kept.bytes = {"columns": columns.told()}, gzip.decompress(b"".join(columns.gzip()))
     assert kept.column("s").tolist() == values.tolist()
     assert len(kept.raw("s+")) == 8 * 4
-    columns.levels("l", np.array([0.0, 3.0, 1.0, 3.0]), 3.0)
-    kept.bytes = columns.data()
     assert kept.column("l") == pytest.approx([0, 3, 1, 3], abs=3 / 65535)
 
 
@@ -293,10 +292,10 @@ def test_a_program_with_errors_has_no_page(tmp_path):
 
 
 def test_an_interrupt_leaves_no_half_page(tmp_path, monkeypatch):
-    def stop(*_):
+    def stop(*_, **__):
         raise KeyboardInterrupt
 
-    monkeypatch.setattr(page, "make", stop)
+    monkeypatch.setattr(page, "Plan", stop)
     result = pycnc("report", "-", "-o", tmp_path / "x.html", stdin=PART.encode())
     assert (result.code, list(tmp_path.iterdir())) == (130, [])
 

@@ -30,21 +30,30 @@ class Turning:
     ----------
     program : Program
         Its tool offsets are taken from its blocks, by their source lines.
+
+    Attributes
+    ----------
+    axes : list of int
+        Which of A, B and C turn anywhere in it.
     """
 
     def __init__(self, program):
         record = program.machine.record
+        rotary = [AXES.index(letter) for letter in ROTARY_AXES]
         zero = record["work_nm"][int(record["work_system"])] / counts_per_unit(
             record["axis"]["rotary"]
         )
-        self._zero, self._angles = zero[:3], zero[[AXES.index(letter) for letter in ROTARY_AXES]]
+        self._zero, self._angles = zero[:3], zero[rotary]
+        start, moved = record["start_nm"][rotary], np.zeros(3, bool)
         lines, offsets = [0], [np.zeros(3)]
         for blocks in program.pieces():
+            moved |= (blocks["target_nm"][:, rotary] != start).any(axis=0)
             tool = blocks["tool_nm"] * _NM
             known = np.vstack([offsets[-1], tool])
             for k in np.flatnonzero((np.diff(known, axis=0) != 0).any(axis=1)):
                 lines.append(int(blocks["line"][k]))
                 offsets.append(tool[k].copy())
+        self.axes = [int(k) for k in np.flatnonzero(moved)]
         self._lines, self._offsets = np.array(lines), np.array(offsets)
 
     def on_part(self, xyz, abc, line):
