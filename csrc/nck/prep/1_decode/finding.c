@@ -15,6 +15,23 @@ nck_status_t nck_decode_fail_word(nck_decode_t *self, nck_status_t code, int let
     return nck_decode_fail(self, code, column, letter, value, limit);
 }
 
+nck_status_t nck_decode_fail_step(nck_decode_t *self, nck_status_t code, nck_step_t step,
+                                  int letter, double value, double limit) {
+    const int said = (self->words.codes & NCK_STEP(step)) != 0;
+    return nck_decode_fail(self, code, said ? self->words.code_column[step] : 0, letter, value,
+                           limit);
+}
+
+nck_status_t nck_decode_fail_code(nck_decode_t *self, nck_status_t code, nck_step_t step) {
+    const uint32_t m = NCK_STEP(NCK_STEP_PORT) | NCK_STEP(NCK_STEP_CHANGE)
+                       | NCK_STEP(NCK_STEP_SPINDLE) | NCK_STEP(NCK_STEP_STATE)
+                       | NCK_STEP(NCK_STEP_MIST) | NCK_STEP(NCK_STEP_FLOOD)
+                       | NCK_STEP(NCK_STEP_OVERRIDE) | NCK_STEP(NCK_STEP_OWN)
+                       | NCK_STEP(NCK_STEP_CALL) | NCK_STEP(NCK_STEP_STOP);
+    return nck_decode_fail_step(self, code, step, m & NCK_STEP(step) ? 'M' : 'G',
+                                self->words.code[step] / 10.0, 0.0);
+}
+
 void nck_decode_find(nck_decode_t *self, const nck_diagnostic_t *finding) {
     if (self->finding.count >= NCK_DECODE_FINDINGS) {
         self->finding.lost++;

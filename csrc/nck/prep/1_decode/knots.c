@@ -14,9 +14,7 @@ static nck_status_t fail(nck_decode_t *self, nck_status_t code, int letter, doub
                          double limit) {
     const int at = letter >= 'A' && (self->words.letters & NCK_LETTER(letter)) != 0;
     if (at) return nck_decode_fail_word(self, code, letter, value, limit);
-    const int said = (self->words.codes & NCK_STEP(NCK_STEP_MOTION)) != 0;
-    return nck_decode_fail(self, code, said ? self->words.code_column[NCK_STEP_MOTION] : 0, letter,
-                           value, limit);
+    return nck_decode_fail_step(self, code, NCK_STEP_MOTION, letter, value, limit);
 }
 
 static double *knot(nck_decode_t *self, uint32_t i) {

@@ -154,8 +154,7 @@ nck_status_t nck_decode_dwell(nck_decode_t *self, nck_block_t *out) {
     const char letter = dwell_letter(self);
     double dwell_s = 0.0;
     if (letter == 0) {
-        return nck_decode_fail(self, NCK_E_WORD_MISSING, self->words.code_column[NCK_STEP_DWELL],
-                               'P', 0.0, 0.0);
+        return nck_decode_fail_step(self, NCK_E_WORD_MISSING, NCK_STEP_DWELL, 'P', 0.0, 0.0);
     }
     const nck_status_t status = nck_decode_dwell_word(self, letter, &dwell_s);
     return status == NCK_OK ? nck_decode_give_dwell(self, dwell_s, out) : status;

@@ -42,6 +42,11 @@ nck_status_t nck_decode_fail(nck_decode_t *self, nck_status_t code, unsigned col
 nck_status_t nck_decode_fail_word(nck_decode_t *self, nck_status_t code, int letter, double value,
                                   double limit);
 
+// finding.c: the same at the code of a step, if the line has one; for that code itself.
+nck_status_t nck_decode_fail_step(nck_decode_t *self, nck_status_t code, nck_step_t step,
+                                  int letter, double value, double limit);
+nck_status_t nck_decode_fail_code(nck_decode_t *self, nck_status_t code, nck_step_t step);
+
 // finding.c: queue a finding. Cost: constant.
 void nck_decode_find(nck_decode_t *self, const nck_diagnostic_t *finding);
 

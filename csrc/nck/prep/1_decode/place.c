@@ -20,8 +20,7 @@ static nck_status_t set_length(nck_decode_t *self) {
 }
 
 static nck_status_t fail_length(nck_decode_t *self) {
-    return nck_decode_fail(self, NCK_E_WORD_MISSING, self->words.code_column[NCK_STEP_LENGTH], 'H',
-                           43.2, 0.0);
+    return nck_decode_fail_step(self, NCK_E_WORD_MISSING, NCK_STEP_LENGTH, 'H', 43.2, 0.0);
 }
 
 // The offset of a tool, NULL: none, comes in place of the one in force; G43.2: on top of it.
@@ -66,8 +65,7 @@ nck_status_t nck_decode_work(nck_decode_t *self, nck_block_t *out) {
 }
 
 static nck_status_t fail_missing(nck_decode_t *self, int letter) {
-    return nck_decode_fail(self, NCK_E_WORD_MISSING, self->words.code_column[NCK_STEP_OFFSET],
-                           letter, 0.0, 0.0);
+    return nck_decode_fail_step(self, NCK_E_WORD_MISSING, NCK_STEP_OFFSET, letter, 0.0, 0.0);
 }
 
 // Fanuc's G92 while G52 is in force: which of them then counts goes by the control.
