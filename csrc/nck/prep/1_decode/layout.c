@@ -253,13 +253,8 @@ static nck_status_t read_centre(nck_decode_t *self, int64_t *centre_nm) {
 
 // A factor. Without a point its unit goes by the control.
 static nck_status_t read_factor(nck_decode_t *self, int letter, double *factor_out) {
-    const nck_number_t *const word = &self->words.number[letter - 'A'];
-    const double unit = self->machine->dialect.scale_unit;
-    const int whole = word->last > word->first && !nck_decode_says_point(self, letter);
-    if (whole && !(unit > 0.0)) {
-        return nck_decode_fail_word(self, NCK_E_SCALE_UNIT, letter, nck_number_real(word), 0.0);
-    }
-    *factor_out = nck_number_real(word) * (whole ? unit : 1.0);
+    const nck_status_t status = nck_decode_plain_word(self, letter, factor_out);
+    if (status != NCK_OK) return status;
     const double size_of = nck_fabs(*factor_out);
     if (size_of >= 1.0 / factor_most && size_of <= factor_most) return NCK_OK;
     return nck_decode_fail_word(self, NCK_E_NUMBER_RANGE, letter, *factor_out, factor_most);

@@ -235,6 +235,7 @@ nck_status_t nck_decode_stop(nck_decode_t *self, nck_block_t *out) {
     nck_block_kind_t kind = NCK_BLOCK_WAIT;
     if (code == 10 && !self->machine->dialect.optional_stop) kind = NCK_BLOCK_OUTPUT;
     if (code == 20 || code == 300) {
+        if (nck_spline_waits(self)) return nck_spline_missing(self);
         kind = NCK_BLOCK_END;
         self->text.over = 1;
         self->text.watch = 1;
