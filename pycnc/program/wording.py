@@ -15,6 +15,10 @@ _D_OFFSET = (
     "G10 L{value:g} sets an offset for D: Fanuc's mills do, by radius or by diameter",
     "where the control is one, say which it takes: --set dialect.d_offset=radius (or diameter)",
 )
+_OWN_M = (
+    "M{value:g} is a function of the machine's own, and its file does not name it",
+    "if the machine has it: --set m.{value:.0f}.action=output (or wait, until it is done)",
+)
 _NOT_IN_A = (
     "G{value:g} is none of the codes of Fanuc's G-code system A, which a lathe is taken to speak",
     "--set dialect.system=B (or C); in A, U and W count steps and G99 is feed per revolution; a "
@@ -105,6 +109,11 @@ WORDING = {
     "unsupported": (
         "{found} is not supported yet",
         "have the post-processor write plain moves instead; nothing is skipped in silence",
+    ),
+    **{f"unsupported:M{code}": _OWN_M for code in (10, 11, 13, 14, 19, *range(40, 46))},
+    "unsupported:M99": (
+        "M99 ends what M98 calls, and this subprogram was called by an O word",
+        "end it by endsub, or by return before its end",
     ),
     "unsupported:I": _SETS,
     "unsupported:J": _SETS,
@@ -272,7 +281,7 @@ WORDING = {
         "",
     ),
     "assumed-system": (
-        "G90 and G94 are read as turning cycles (Fanuc's G-code system A)",
+        "G90, G92 and G94 are read as cycles (Fanuc's G-code system A)",
         "if that is wrong: --set dialect.system=B (or C); if it is right, A says so",
     ),
     "assumed-feed-mode": (
