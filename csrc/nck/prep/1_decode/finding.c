@@ -8,6 +8,12 @@ nck_status_t nck_decode_fail(nck_decode_t *self, nck_status_t code, unsigned col
     return code;
 }
 
+nck_status_t nck_decode_fail_at(nck_decode_t *self, nck_status_t code, const char *at, int letter,
+                                double value, double limit) {
+    const unsigned column = (unsigned)(at - self->line.text) + 1;
+    return nck_decode_fail(self, code, column, letter, value, limit);
+}
+
 nck_status_t nck_decode_fail_word(nck_decode_t *self, nck_status_t code, int letter, double value,
                                   double limit) {
     const int said = (self->words.letters & NCK_LETTER(letter)) != 0; // not by a pushed block

@@ -38,6 +38,10 @@ typedef nck_status_t (*nck_step_function_t)(nck_decode_t *self, nck_block_t *out
 nck_status_t nck_decode_fail(nck_decode_t *self, nck_status_t code, unsigned column, int letter,
                              double value, double limit);
 
+// finding.c: the same at a place of the line's text.
+nck_status_t nck_decode_fail_at(nck_decode_t *self, nck_status_t code, const char *at, int letter,
+                                double value, double limit);
+
 // finding.c: the same for a word of the line: its column and letter.
 nck_status_t nck_decode_fail_word(nck_decode_t *self, nck_status_t code, int letter, double value,
                                   double limit);
@@ -105,8 +109,10 @@ void nck_decode_excuse(nck_decode_t *self);
 // What a parameter without a value is: no number of a program is as large.
 #define NCK_NO_VALUE 1e301
 
-// variables.c: 1 if it is a value. Cost: constant.
+// variables.c: 1 if it is a value; 1 if it is one and not 0, so that a condition holds. Cost:
+// constant.
 int nck_value_is(double value);
+int nck_value_holds(double value);
 
 // sign.c: one past blanks and remarks; one past the word (upper case) if the text spells it, in
 // either case, else NULL; one past a name's >, NULL: none. at: its <. Cost: linear in the text.
