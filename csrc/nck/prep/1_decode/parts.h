@@ -38,15 +38,12 @@ typedef nck_status_t (*nck_step_function_t)(nck_decode_t *self, nck_block_t *out
 nck_status_t nck_decode_fail(nck_decode_t *self, nck_status_t code, unsigned column, int letter,
                              double value, double limit);
 
-// finding.c: the same at a place of the line's text.
+// finding.c: the same at a place of the line's text; for a word of the line: its column and letter.
 nck_status_t nck_decode_fail_at(nck_decode_t *self, nck_status_t code, const char *at, int letter,
                                 double value, double limit);
-
-// finding.c: the same for a word of the line: its column and letter.
 nck_status_t nck_decode_fail_word(nck_decode_t *self, nck_status_t code, int letter, double value,
                                   double limit);
-
-// finding.c: the same at the code of a step, if the line has one; for that code itself.
+// The same at the code of a step, if the line has one; for that code itself.
 nck_status_t nck_decode_fail_step(nck_decode_t *self, nck_status_t code, nck_step_t step,
                                   int letter, double value, double limit);
 nck_status_t nck_decode_fail_code(nck_decode_t *self, nck_status_t code, nck_step_t step);
