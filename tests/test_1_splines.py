@@ -160,6 +160,43 @@ def test_what_cannot_be_a_spline_is_told(lines, found):
     assert decode(f"{HEAD}{lines}\nM2\n", machine)[1][:1] == [found]
 
 
+OPEN = "G5.2 X0 Y1 P1\nX1 Y1 P1\nX2 Y3 P1\n"
+
+
+@pytest.mark.parametrize(
+    ("lines", "found"),
+    [
+        (f"{OPEN}M2\n", ("spline", 3)),
+        (f"{OPEN}M30\n", ("spline", 3)),
+        (OPEN, ("spline", 3)),
+        ("G5.2 X0 Y1 P1 M2\n", ("spline", 3)),
+        (f"{OPEN}G1 X5\nX6\nX7 Y7\nG5.3\nM2\n", ("spline", 6)),
+        (f"{OPEN}G80\nG5.3\nM2\n", ("spline", 6)),
+        (f"{OPEN}G28 Z0\nG5.3\nM2\n", ("spline", 6)),
+        (f"{OPEN}G30\nG5.3\nM2\n", ("spline", 6)),
+        (f"{OPEN}G5.3 X4\nM2\n", ("word-unused", 6)),
+        (f"{OPEN}X4 Y4\nX5 Y5\nG5.3\nM2\n", ("word-missing", 6)),
+        (f"{OPEN}?\nX5 Y5 P1\nG5.3\nM2\n", ("character", 6)),
+    ],
+)
+def test_a_spline_that_is_not_ended_is_one_finding(lines, found, machine):
+    blocks, errors = decode(HEAD + lines, machine)
+    assert errors == [found]
+    assert (blocks["kind"] == lib.NCK_BLOCK_RAPID).all()
+
+
+def test_a_spline_that_the_end_mark_cuts_off_is_told(machine):
+    assert decode(f"%\n{HEAD}{OPEN}%\n", machine)[1] == [("spline", 4)]
+
+
+def test_what_sets_no_place_may_stand_in_a_spline(machine):
+    between = "G55\nM3 S100\nG4 P0.1\nG92 X9\nG4 P0.1\n"
+    plain = decode(f"{HEAD}{OPEN}G5.3\nM2\n", machine)[0]
+    blocks, errors = decode(f"{HEAD}{OPEN}{between}G5.3\nM2\n", machine)
+    assert errors == []
+    assert (blocks["target_nm"] == plain["target_nm"]).all()
+
+
 def test_travel_is_looked_at_chord_by_chord():
     errors = decode(f"{HEAD}G5 I0 J999 P0 Q999 X1 Y1\nM2\n", Machine.load("mill3"))[1]
     assert errors == [("travel", 3)]
@@ -227,6 +264,7 @@ def test_a_quarter_of_a_circle_is_one():
         (ARC.replace("G6.2", "G93 G6.2"), ("unsupported", 3)),
         (ARC + "K1.\n", ("spline", 9)),
         (ARC + "X3. Y3. K2.\n", ("spline", 9)),
+        (ARC.replace("K1.\nK1.\nK1.", "K1.\nM30"), ("spline", 3)),
     ],
 )
 def test_what_cannot_be_a_g6_2_is_one_finding(lines, found):

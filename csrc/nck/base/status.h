@@ -86,9 +86,10 @@ typedef enum nck_status {
                               // the zero; else an axis
     NCK_E_SCALE_UNIT = -62,   // "scale-unit": G51 with a factor that has no point; letter, value
 
-    NCK_E_SPLINE = -63,       // "spline": letter G: value = 5.2: it is not ended, 5.3: it was not
-                              // begun, else the plane; L: value points, limit wanted; else an axis
-                              // that does not move on splines
+    NCK_E_SPLINE = -63,       // "spline": letter G: value = 5.2, 6.2: it is not ended, 5.3: it was
+                              // not begun, else the plane; M: value = 5.2, 6.2: the program ends
+                              // before it; L: value points, limit wanted; else an axis that does
+                              // not move on splines
 
     NCK_E_CORNER = -64,       // "corner": ,R or ,C does not fit between its two moves, or one of
                               // them is none; letter, value [mm]

@@ -31,9 +31,7 @@ static int first_of(uint32_t letters) {
 
 // An error of the arc as a whole: the column of its G code if the line has one.
 static nck_status_t fail_arc(nck_decode_t *self, nck_status_t code, double value, double limit) {
-    const int said = (self->words.codes & NCK_STEP(NCK_STEP_MOTION)) != 0;
-    const unsigned column = said ? self->words.code_column[NCK_STEP_MOTION] : 0;
-    return nck_decode_fail(self, code, column, 0, value, limit);
+    return nck_decode_fail_step(self, code, NCK_STEP_MOTION, 0, value, limit);
 }
 
 static nck_status_t choose_plane(nck_decode_t *self, course_t *course) {
@@ -47,10 +45,8 @@ static nck_status_t choose_plane(nck_decode_t *self, course_t *course) {
     const unsigned axes[2] = {course->u, course->v};
     for (unsigned k = 0; k < 2; k++) {
         if (!(self->place.axes & ((uint32_t)1 << axes[k]))) {
-            const int said = (self->words.codes & NCK_STEP(NCK_STEP_MOTION)) != 0;
-            const unsigned column = said ? self->words.code_column[NCK_STEP_MOTION] : 0;
-            return nck_decode_fail(self, NCK_E_AXIS_UNKNOWN, column, nck_decode_letter(axes[k]),
-                                   0.0, 0.0);
+            return nck_decode_fail_step(self, NCK_E_AXIS_UNKNOWN, NCK_STEP_MOTION,
+                                        nck_decode_letter(axes[k]), 0.0, 0.0);
         }
     }
     return NCK_OK;

@@ -19,8 +19,7 @@ static int is_modal(const nck_decode_t *self) {
 }
 
 static nck_status_t fail(nck_decode_t *self, nck_status_t code, const char *at) {
-    const unsigned column = (unsigned)(at - self->line.text) + 1;
-    return nck_decode_fail(self, code, column, *at & ~0x20, 0.0, 0.0);
+    return nck_decode_fail_at(self, code, at, *at & ~0x20, 0.0, 0.0);
 }
 
 // Controls count sets, or each letter: what would not be the same by both is refused.

@@ -63,6 +63,16 @@ nck_status_t nck_decode_length_word(nck_decode_t *self, char letter, int64_t *va
                                 NCK_LINEAR_MAX_MM);
 }
 
+nck_status_t nck_decode_plain_word(nck_decode_t *self, int letter, double *value_out) {
+    const nck_number_t *const word = &self->words.number[letter - 'A'];
+    const double value = nck_number_real(word), unit = self->machine->dialect.scale_unit;
+    const int whole = word->last > word->first && !nck_decode_says_point(self, letter)
+                      && (value > 0.0 || value < 0.0);
+    *value_out = whole ? value * unit : value;
+    if (!whole || unit > 0.0) return NCK_OK;
+    return nck_decode_fail_word(self, NCK_E_SCALE_UNIT, letter, value, 0.0);
+}
+
 nck_status_t nck_decode_steps(nck_decode_t *self, unsigned axis, int64_t step_nm, int64_t count,
                               int64_t *at_nm) {
     const int64_t limit_nm = scale_of(self, axis)->limit;

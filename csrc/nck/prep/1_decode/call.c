@@ -67,8 +67,7 @@ static nck_status_t read_target(nck_decode_t *self, int64_t *program, int64_t *c
     if (status == NCK_OK) status = nck_decode_whole(self, 'L', COUNT_MOST, 1, count);
     if (status != NCK_OK) return status;
     if (*program <= 0) {
-        return nck_decode_fail(self, NCK_E_WORD_MISSING, self->words.code_column[NCK_STEP_CALL],
-                               'P', 0.0, 0.0);
+        return nck_decode_fail_step(self, NCK_E_WORD_MISSING, NCK_STEP_CALL, 'P', 0.0, 0.0);
     }
     if (fanuc && *program > FANUC_PROGRAM_MOST) {
         *count *= *program / (FANUC_PROGRAM_MOST + 1);
@@ -94,8 +93,7 @@ static nck_status_t end_program(nck_decode_t *self) {
     if (frame == NULL) return number < 0 ? repeat_program(self)
                                          : nck_seek_number(self, (uint64_t)number);
     if (frame->kind == NCK_FRAME_SUB) {
-        return nck_decode_fail(self, NCK_E_UNSUPPORTED, self->words.code_column[NCK_STEP_CALL],
-                               'M', 99.0, 0.0);
+        return nck_decode_fail_code(self, NCK_E_UNSUPPORTED, NCK_STEP_CALL);
     }
     status = nck_call_return(self);
     if (status != NCK_OK || number < 0) return status;
@@ -131,8 +129,7 @@ nck_status_t nck_decode_call(nck_decode_t *self, nck_block_t *out) {
     const uint16_t code = self->words.code[NCK_STEP_CALL];
     nck_status_t status = NCK_OK;
     if (!NCK_HAS_CALLS) {
-        return nck_decode_fail(self, NCK_E_UNSUPPORTED, self->words.code_column[NCK_STEP_CALL], 0,
-                               code / 10.0, 0.0);
+        return nck_decode_fail_step(self, NCK_E_UNSUPPORTED, NCK_STEP_CALL, 0, code / 10.0, 0.0);
     }
     if (code == 1) return nck_state_give(self, NCK_STEP_CALL, out);
     if (code == 990) {

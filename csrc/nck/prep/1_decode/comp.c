@@ -8,13 +8,6 @@
 static const int8_t nose_x[10] = {0, -1, -1, 1, 1, 0, -1, 0, 1, 0};
 static const int8_t nose_z[10] = {0, 1, -1, -1, 1, 1, 0, -1, 0, 0};
 
-static nck_status_t fail_code(nck_decode_t *self, nck_status_t code, nck_step_t step) {
-    const nck_words_t *const words = &self->words;
-    const int letter = step == NCK_STEP_CHANGE ? 'M' : 'G';
-    return nck_decode_fail(self, code, words->code_column[step], letter, words->code[step] / 10.0,
-                           0.0);
-}
-
 nck_status_t nck_decode_comp_refuses(nck_decode_t *self) {
     static const uint8_t after[] = {NCK_STEP_LAYOUT, NCK_STEP_LENGTH, NCK_STEP_WORK,
                                     NCK_STEP_OFFSET, NCK_STEP_MACHINE};
@@ -22,13 +15,15 @@ nck_status_t nck_decode_comp_refuses(nck_decode_t *self) {
     const uint32_t codes = words->codes;
     const int plane = (codes & NCK_STEP(NCK_STEP_PLANE)) != 0
                       && words->code[NCK_STEP_PLANE] != 10 * self->modal.plane;
-    if (plane) return fail_code(self, NCK_E_COMP_ON, NCK_STEP_PLANE);
-    if (codes & NCK_STEP(NCK_STEP_CHANGE)) return fail_code(self, NCK_E_COMP_ON, NCK_STEP_CHANGE);
+    if (plane) return nck_decode_fail_code(self, NCK_E_COMP_ON, NCK_STEP_PLANE);
+    if (codes & NCK_STEP(NCK_STEP_CHANGE)) {
+        return nck_decode_fail_code(self, NCK_E_COMP_ON, NCK_STEP_CHANGE);
+    }
     const int ends = (codes & NCK_STEP(NCK_STEP_RADIUS_COMP)) != 0
                      && words->code[NCK_STEP_RADIUS_COMP] == 400;
     for (unsigned k = 0; !ends && k < sizeof after; k++) {
         const nck_step_t step = (nck_step_t)after[k];
-        if (codes & NCK_STEP(step)) return fail_code(self, NCK_E_COMP_ON, step);
+        if (codes & NCK_STEP(step)) return nck_decode_fail_code(self, NCK_E_COMP_ON, step);
     }
     return NCK_OK;
 }
@@ -65,8 +60,7 @@ static nck_status_t read_diameter(nck_decode_t *self, double *radius_out, int64_
     const double word = nck_number_real(&self->words.number['D' - 'A']);
     const double diameter = word * (self->modal.inch ? 25.4 : 1.0);
     if (!(self->words.letters & NCK_LETTER('D'))) {
-        return nck_decode_fail(self, NCK_E_WORD_MISSING,
-                               self->words.code_column[NCK_STEP_RADIUS_COMP], 'D', 0.0, 0.0);
+        return nck_decode_fail_step(self, NCK_E_WORD_MISSING, NCK_STEP_RADIUS_COMP, 'D', 0.0, 0.0);
     }
     if (!(diameter >= -most && diameter <= most)) {
         return nck_decode_fail_word(self, NCK_E_NUMBER_RANGE, 'D', word, most);
@@ -96,15 +90,14 @@ nck_status_t nck_decode_comp(nck_decode_t *self, nck_block_t *out) {
         self->modal.comp = NCK_COMPENSATES_NOT;
         return before == NCK_COMPENSATES ? give(self, 0.0, 0, out) : NCK_EMPTY;
     }
-    if (!NCK_HAS_COMP) return fail_code(self, NCK_E_UNSUPPORTED, NCK_STEP_RADIUS_COMP);
-    if (before) return fail_code(self, NCK_E_COMP_ON, NCK_STEP_RADIUS_COMP);
+    if (!NCK_HAS_COMP) return nck_decode_fail_code(self, NCK_E_UNSUPPORTED, NCK_STEP_RADIUS_COMP);
+    if (before) return nck_decode_fail_code(self, NCK_E_COMP_ON, NCK_STEP_RADIUS_COMP);
     const nck_status_t status = code % 10 == 0 ? read_tool(self, &radius, &nose)
                                                : read_diameter(self, &radius, &nose);
     if (status != NCK_OK) return status;
     if (nose % 9 != 0 && self->modal.plane != 18) {
-        return nck_decode_fail(self, NCK_E_COMP_PLANE,
-                               self->words.code_column[NCK_STEP_RADIUS_COMP], 'G', (double)nose,
-                               0.0);
+        return nck_decode_fail_step(self, NCK_E_COMP_PLANE, NCK_STEP_RADIUS_COMP, 'G', (double)nose,
+                                    0.0);
     }
     self->modal.comp = radius != 0.0 ? NCK_COMPENSATES : NCK_COMPENSATES_NOTHING;
     return radius != 0.0 ? give(self, left ? radius : -radius, nose, out) : NCK_EMPTY;

@@ -132,9 +132,7 @@ nck_status_t nck_contour_check(nck_decode_t *self) {
     if (words->code[NCK_STEP_MOTION] > 30) strange |= words->codes & NCK_STEP(NCK_STEP_MOTION);
     for (unsigned step = 0; step < NCK_STEP_COUNT; step++) {
         if (!(strange & NCK_STEP(step))) continue;
-        const int g = step != NCK_STEP_CHANGE && step != NCK_STEP_STOP && step != NCK_STEP_CALL;
-        return nck_decode_fail(self, NCK_E_CONTOUR, words->code_column[step], g ? 'G' : 'M',
-                               words->code[step] / 10.0, 0.0);
+        return nck_decode_fail_code(self, NCK_E_CONTOUR, (nck_step_t)step);
     }
     if (self->held.contour.mode & NCK_CONTOUR_READS) words->steps &= moves;
     return NCK_OK;

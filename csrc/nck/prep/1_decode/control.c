@@ -17,22 +17,19 @@ static const char *end_of_line(const nck_decode_t *self) {
 }
 
 static nck_status_t fail_at(nck_decode_t *self, const char *at, nck_status_t code) {
-    return nck_decode_fail(self, code, (unsigned)(at - self->line.text) + 1, 0, 0.0, 0.0);
+    return nck_decode_fail_at(self, code, at, 0, 0.0, 0.0);
 }
-
-static int is_true(double value) { return nck_value_is(value) && (value > 0.0 || value < 0.0); }
 
 // ---- assignments
 
 // A work offset counts at once, so nothing but assignments may stand beside it.
 static nck_status_t set_work(nck_decode_t *self, const char *at, uint64_t number, double value) {
     const nck_words_t *const words = &self->words;
-    const unsigned column = (unsigned)(at - self->line.text) + 1;
     const int words_before = words->codes != 0 || (words->letters & ~NCK_LETTER('N')) != 0;
     nck_status_t status = NCK_E_WORD_SHARED;
     if (!words_before) status = nck_parameter_set_work(self, (uint32_t)number, value);
     if (status == NCK_OK) return NCK_OK;
-    return nck_decode_fail(self, status, column, '#', (double)number, 0.0);
+    return nck_decode_fail_at(self, status, at, '#', (double)number, 0.0);
 }
 
 // What the control itself does where its own parameters are set.
@@ -52,8 +49,7 @@ static nck_status_t set_own(nck_decode_t *self, const char *at, uint64_t number,
 static nck_status_t check_behind(nck_decode_t *self, const char *at, uint64_t number) {
     const char *const next = nck_decode_skip(at);
     if (*next == '\n' || *next == '#' || *next == ';') return NCK_OK;
-    return nck_decode_fail(self, NCK_E_WORD_SHARED, (unsigned)(next - self->line.text) + 1, '#',
-                           (double)number, 0.0);
+    return nck_decode_fail_at(self, NCK_E_WORD_SHARED, next, '#', (double)number, 0.0);
 }
 
 static nck_status_t read_target(nck_decode_t *self, const char **at, uint64_t *key_out) {
@@ -71,8 +67,8 @@ static nck_status_t read_target(nck_decode_t *self, const char **at, uint64_t *k
     const int within = number >= 0.5 && number < number_most + 0.5;
     const double whole = within ? (double)(int32_t)(number + 0.5) : 0.0;
     if (!within || number - whole > 1e-4 || whole - number > 1e-4) {
-        return nck_decode_fail(self, NCK_E_NUMBER_RANGE, (unsigned)(name - self->line.text) + 1,
-                               '#', nck_value_is(number) ? number : 0.0, number_most);
+        return nck_decode_fail_at(self, NCK_E_NUMBER_RANGE, name, '#',
+                                  nck_value_is(number) ? number : 0.0, number_most);
     }
     *key_out = (uint64_t)whole;
     return NCK_OK;
@@ -121,7 +117,7 @@ static nck_status_t if_then(nck_decode_t *self, const char **at) {
     const char *const jump = nck_decode_spells(next, "GOTO");
     if (then == NULL && jump == NULL) return fail_at(self, next, NCK_E_EXPRESSION);
     *at = then != NULL ? then : jump;
-    if (is_true(value)) return then != NULL ? NCK_OK : go_to(self, at);
+    if (nck_value_holds(value)) return then != NULL ? NCK_OK : go_to(self, at);
     *at = end_of_line(self);
     return NCK_OK;
 }
@@ -150,7 +146,7 @@ static nck_status_t while_loop(nck_decode_t *self, const char **at) {
     *at = end_of_line(self);
     if (status != NCK_OK) return status;
     if (end == NULL) return fail_at(self, next, NCK_E_EXPRESSION);
-    return do_loop(self, end, is_true(value));
+    return do_loop(self, end, nck_value_holds(value));
 }
 
 static nck_status_t end_loop(nck_decode_t *self, const char *at) {

@@ -56,10 +56,8 @@ static uint8_t does_of(int32_t code) {
 // ---- words
 
 static nck_status_t fail_missing(nck_decode_t *self, int letter) {
-    const int said = (self->words.codes & NCK_STEP(NCK_STEP_MOTION)) != 0;
-    const unsigned column = said ? self->words.code_column[NCK_STEP_MOTION] : 0;
     self->modal.motion = NCK_MOTION_REFUSED;
-    return nck_decode_fail(self, NCK_E_WORD_MISSING, column, letter, 0.0, 0.0);
+    return nck_decode_fail_step(self, NCK_E_WORD_MISSING, NCK_STEP_MOTION, letter, 0.0, 0.0);
 }
 
 // Words hold while the cycle does: in RS274NGC the same one, in Fanuc's language any. In another

@@ -157,6 +157,7 @@ static nck_status_t fail_line(nck_decode_t *self, nck_status_t status) {
     nck_decode_tell_calls(self);
     if (self->macro.jumped) self->text.over = 1; // the same mistake would come again and again
     nck_decode_excuse(self);
+    nck_spline_break(self);
     release_line(self);
     return status;
 }
@@ -169,16 +170,23 @@ static nck_status_t give_end(nck_decode_t *self, nck_block_t *out) {
     return NCK_OK;
 }
 
-// The text ends while a contour or a corner is not complete.
+// Lines are to come: of a contour, a corner or a spline.
+static int waits_for_lines(const nck_decode_t *self) {
+    return is_watched(self) || nck_spline_waits(self);
+}
+
+// The text ends while they do.
 static nck_status_t fail_missing(nck_decode_t *self) {
-    const nck_status_t status = has_contour(self) ? nck_contour_missing(self)
-                                                  : nck_corner_missing(self);
+    nck_status_t status = NCK_OK;
+    if (!is_watched(self)) status = nck_spline_missing(self);
+    else if (has_contour(self)) status = nck_contour_missing(self);
+    else status = nck_corner_missing(self);
     return fail_line(self, status);
 }
 
 // The text is used up.
 static nck_status_t finish(nck_decode_t *self, nck_block_t *out) {
-    if (is_watched(self)) return fail_missing(self);
+    if (waits_for_lines(self)) return fail_missing(self);
     if (!self->text.words) {
         return fail_line(self, fail_last(self, NCK_E_NO_PROGRAM, 0.0));
     }
@@ -189,7 +197,7 @@ static nck_status_t finish(nck_decode_t *self, nck_block_t *out) {
 // The closing % has been read.
 static nck_status_t close_program(nck_decode_t *self, nck_block_t *out) {
     release_line(self);
-    if (is_watched(self)) return fail_missing(self);
+    if (waits_for_lines(self)) return fail_missing(self);
     if (!self->text.words) return fail_line(self, fail_last(self, NCK_E_NO_PROGRAM, 0.0));
     self->text.watch = 1;
     const nck_status_t status = give_end(self, out);
@@ -339,7 +347,7 @@ nck_status_t nck_decode_diagnostic(nck_decode_t *self, nck_diagnostic_t *diagnos
 nck_status_t nck_decode_push_block(nck_decode_t *self, const nck_block_in_t *block) {
     if (!nck_decode_block_good(block)) return NCK_E_ARGUMENT;
     if (self->text.complete || self->text.over || self->macro.reads) return NCK_E_STATE;
-    if (is_watched(self)) return NCK_E_STATE; // its lines are to come
+    if (waits_for_lines(self)) return NCK_E_STATE;
     if (self->line.state != NCK_LINE_OPEN) return NCK_FULL;
     if (!nck_decode_is_empty(self)) return NCK_E_STATE; // in the middle of a line
     self->pushed = *block;
@@ -427,7 +435,8 @@ static int axis_good(const nck_decode_t *self, unsigned axis) {
 static int cycle_works(const nck_decode_t *self) {
     if (!NCK_HAS_CYCLES) return 0;
     return self->held.cycle.holes != 0 || self->held.turn.left != 0 || self->held.peck.phase != 0
-           || self->held.screw.phase != 0 || self->held.rough.phase != 0;
+           || self->held.screw.phase != 0 || self->held.rough.phase != 0
+           || self->held.spline.works;
 }
 
 int nck_decode_invariants(const nck_decode_t *self) {

@@ -40,12 +40,13 @@ typedef struct work {
 } work_t;
 
 static void fail(work_t *work, nck_status_t code, double value) {
-    const unsigned column = (unsigned)(work->at - work->self->line.text) + 1;
     const double shown = value - value == 0.0 ? value : 0.0;
     if (work->status == NCK_OK) {
-        work->status = nck_decode_fail(work->self, code, column, 0, shown, 0.0);
+        work->status = nck_decode_fail_at(work->self, code, work->at, 0, shown, 0.0);
     }
 }
+
+static void refuse(work_t *work) { fail(work, NCK_E_EXPRESSION, 0.0); }
 
 static int is_fanuc(const work_t *work) {
     return work->self->machine->dialect.base == NCK_DIALECT_FANUC;
@@ -55,7 +56,7 @@ static void skip(work_t *work) { work->at = nck_decode_skip(work->at); }
 
 static void push_value(work_t *work, double value) {
     if (work->values == DEPTH) {
-        fail(work, NCK_E_EXPRESSION, 0.0);
+        refuse(work);
         return;
     }
     work->value[work->values] = value;
@@ -64,7 +65,7 @@ static void push_value(work_t *work, double value) {
 
 static void push_operator(work_t *work, operator_t operator) {
     if (work->operators == DEPTH) {
-        fail(work, NCK_E_EXPRESSION, 0.0);
+        refuse(work);
         return;
     }
     work->operator[work->operators] = (uint8_t)operator;
@@ -125,7 +126,7 @@ static int rounds(operator_t function) {
 
 // Fanuc's numbers as bits, and as two digits a byte.
 static double coded(work_t *work, operator_t function, double x) {
-    if (function == POW) fail(work, NCK_E_EXPRESSION, 0.0); // it has no second operand
+    if (function == POW) refuse(work); // it has no second operand
     const double value = function == BIN ? nck_from_bcd(x) : nck_to_bcd(x);
     if (value < 0.0) fail(work, NCK_E_VALUE, x);
     return value;
@@ -216,7 +217,7 @@ static double binary(work_t *work, operator_t operator, double left, double righ
 
 static double pop(work_t *work) {
     if (work->values == 0) {
-        fail(work, NCK_E_EXPRESSION, 0.0);
+        refuse(work);
         return 0.0;
     }
     work->values--;
@@ -270,11 +271,11 @@ static void complete(work_t *work) {
         if (operator == OPEN || operator >= OR) return;
         skip(work);
         if (operator == ATAN) {
-            if (*work->at != '/') fail(work, NCK_E_EXPRESSION, 0.0);
+            if (*work->at != '/') refuse(work);
             work->at++;
             work->operator[work->operators - 1] = (uint8_t)ANGLE;
             skip(work);
-            if (*work->at != '[') fail(work, NCK_E_EXPRESSION, 0.0);
+            if (*work->at != '[') refuse(work);
             return;
         }
         work->operators--;
@@ -303,12 +304,12 @@ static void read_function(work_t *work) {
                                         "BIN", "BCD", "ADP", "PRM", NULL};
     const unsigned function = word_of(work->at, names, ABS);
     if (function == 0 || (function >= POW && !is_fanuc(work))) {
-        fail(work, NCK_E_EXPRESSION, 0.0);
+        refuse(work);
         return;
     }
     if (function >= ADP) fail(work, NCK_E_UNSUPPORTED, 0.0);
     const char *const end = nck_decode_skip(nck_decode_spells(work->at, names[function - ABS]));
-    if (*end != '[') fail(work, NCK_E_EXPRESSION, 0.0);
+    if (*end != '[') refuse(work);
     work->at = end;
     push_operator(work, (operator_t)function);
 }
@@ -317,7 +318,7 @@ static void read_name(work_t *work) {
     double value = 0.0;
     const char *const end = nck_decode_name_end(work->at);
     if (end == NULL) {
-        fail(work, NCK_E_EXPRESSION, 0.0);
+        refuse(work);
         return;
     }
     const nck_status_t status = nck_parameter_name(work->self, work->at + 1, end - 1, &value);
@@ -336,7 +337,7 @@ static void read_exists(work_t *work, const char *end) {
     else at = NULL;
     if (at != NULL) at = nck_decode_skip(at);
     if (at == NULL || *at != ']') {
-        fail(work, NCK_E_EXPRESSION, 0.0);
+        refuse(work);
         return;
     }
     work->at = at + 1;
@@ -348,7 +349,7 @@ static void read_number(work_t *work) {
     nck_number_t number;
     const char *const end = nck_number_read(work->self->line.text, work->at, &number);
     if (end == NULL) {
-        fail(work, NCK_E_EXPRESSION, 0.0);
+        refuse(work);
         return;
     }
     work->at = end;
@@ -403,7 +404,7 @@ static operator_t read_binary(work_t *work) {
 
 static void close(work_t *work) {
     reduce(work, 1);
-    if (work->operators == 0) fail(work, NCK_E_EXPRESSION, 0.0);
+    if (work->operators == 0) refuse(work);
     else work->operators--; // the bracket
     work->open--;
     work->at++;
@@ -416,7 +417,7 @@ static void next_argument(work_t *work) {
     const unsigned n = work->operators;
     const operator_t function = n < 2 ? OPEN : (operator_t)work->operator[n - 2];
     if (function != ATAN && function != POW) {
-        fail(work, NCK_E_EXPRESSION, 0.0);
+        refuse(work);
         return;
     }
     work->operator[n - 2] = (uint8_t)(function == ATAN ? ANGLE : RAISED);
@@ -439,7 +440,7 @@ static int read_behind(work_t *work, int bare) {
         }
         const operator_t operator = read_binary(work);
         if (operator == OPEN) {
-            if (work->open > 0) fail(work, NCK_E_EXPRESSION, 0.0);
+            if (work->open > 0) refuse(work);
             return 0;
         }
         reduce(work, level_of(operator));
@@ -453,8 +454,7 @@ nck_status_t nck_decode_value(nck_decode_t *self, const char **at, int bare, dou
     work_t work;
     int more = 1;
     if (!NCK_HAS_VARIABLES) {
-        const unsigned column = (unsigned)(*at - self->line.text) + 1;
-        return nck_decode_fail(self, NCK_E_UNSUPPORTED, column, 0, 0.0, 0.0);
+        return nck_decode_fail_at(self, NCK_E_UNSUPPORTED, *at, 0, 0.0, 0.0);
     }
     work.self = self;
     work.at = *at;
@@ -468,7 +468,7 @@ nck_status_t nck_decode_value(nck_decode_t *self, const char **at, int bare, dou
     }
     if (work.status == NCK_OK) reduce(&work, 1);
     if (work.status == NCK_OK && (work.values != 1 || work.operators != 0)) {
-        fail(&work, NCK_E_EXPRESSION, 0.0);
+        refuse(&work);
     }
     *value_out = work.status == NCK_OK ? work.value[0] : 0.0;
     *at = work.at;

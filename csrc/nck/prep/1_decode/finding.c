@@ -8,11 +8,34 @@ nck_status_t nck_decode_fail(nck_decode_t *self, nck_status_t code, unsigned col
     return code;
 }
 
+nck_status_t nck_decode_fail_at(nck_decode_t *self, nck_status_t code, const char *at, int letter,
+                                double value, double limit) {
+    const unsigned column = (unsigned)(at - self->line.text) + 1;
+    return nck_decode_fail(self, code, column, letter, value, limit);
+}
+
 nck_status_t nck_decode_fail_word(nck_decode_t *self, nck_status_t code, int letter, double value,
                                   double limit) {
     const int said = (self->words.letters & NCK_LETTER(letter)) != 0; // not by a pushed block
     const unsigned column = said ? self->words.column[letter - 'A'] : 0;
     return nck_decode_fail(self, code, column, letter, value, limit);
+}
+
+nck_status_t nck_decode_fail_step(nck_decode_t *self, nck_status_t code, nck_step_t step,
+                                  int letter, double value, double limit) {
+    const int said = (self->words.codes & NCK_STEP(step)) != 0;
+    return nck_decode_fail(self, code, said ? self->words.code_column[step] : 0, letter, value,
+                           limit);
+}
+
+nck_status_t nck_decode_fail_code(nck_decode_t *self, nck_status_t code, nck_step_t step) {
+    const uint32_t m = NCK_STEP(NCK_STEP_PORT) | NCK_STEP(NCK_STEP_CHANGE)
+                       | NCK_STEP(NCK_STEP_SPINDLE) | NCK_STEP(NCK_STEP_STATE)
+                       | NCK_STEP(NCK_STEP_MIST) | NCK_STEP(NCK_STEP_FLOOD)
+                       | NCK_STEP(NCK_STEP_OVERRIDE) | NCK_STEP(NCK_STEP_OWN)
+                       | NCK_STEP(NCK_STEP_CALL) | NCK_STEP(NCK_STEP_STOP);
+    return nck_decode_fail_step(self, code, step, m & NCK_STEP(step) ? 'M' : 'G',
+                                self->words.code[step] / 10.0, 0.0);
 }
 
 void nck_decode_find(nck_decode_t *self, const nck_diagnostic_t *finding) {

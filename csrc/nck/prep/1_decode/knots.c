@@ -6,7 +6,9 @@
 //     K                  as many as the order: behind the last one the curve is cut
 #include "nck/prep/1_decode/parts.h"
 
-#include <string.h> // memset
+#include <string.h> // memcmp memset
+
+#include "nck/base/real.h" // nck_fabs
 
 enum { FANUC_ORDER = 4, ORDER_LEAST = 2 };
 
@@ -14,25 +16,18 @@ static nck_status_t fail(nck_decode_t *self, nck_status_t code, int letter, doub
                          double limit) {
     const int at = letter >= 'A' && (self->words.letters & NCK_LETTER(letter)) != 0;
     if (at) return nck_decode_fail_word(self, code, letter, value, limit);
-    const int said = (self->words.codes & NCK_STEP(NCK_STEP_MOTION)) != 0;
-    return nck_decode_fail(self, code, said ? self->words.code_column[NCK_STEP_MOTION] : 0, letter,
-                           value, limit);
+    return nck_decode_fail_step(self, code, NCK_STEP_MOTION, letter, value, limit);
 }
 
 static double *knot(nck_decode_t *self, uint32_t i) {
     return &self->held.contour.element[i].centre_mm[NCK_SPLINE_KNOT];
 }
 
-// A word that is no length. Without a point its unit goes by the control.
+// A knot or a weight.
 static nck_status_t read_plain(nck_decode_t *self, char letter, double *value_out) {
-    const nck_number_t *const word = &self->words.number[letter - 'A'];
-    const double value = nck_number_real(word), unit = self->machine->dialect.scale_unit;
-    const int whole = word->last > word->first && !nck_decode_says_point(self, letter)
-                      && (value > 0.0 || value < 0.0);
-    *value_out = whole ? value * unit : value;
-    if (whole && !(unit > 0.0)) return fail(self, NCK_E_SCALE_UNIT, letter, value, 0.0);
-    if (value <= (double)NCK_LINEAR_MAX_MM && value >= -(double)NCK_LINEAR_MAX_MM) return NCK_OK;
-    return fail(self, NCK_E_NUMBER_RANGE, letter, value, NCK_LINEAR_MAX_MM);
+    const nck_status_t status = nck_decode_plain_word(self, letter, value_out);
+    if (status != NCK_OK || nck_fabs(*value_out) <= (double)NCK_LINEAR_MAX_MM) return status;
+    return nck_decode_fail_word(self, NCK_E_NUMBER_RANGE, letter, *value_out, NCK_LINEAR_MAX_MM);
 }
 
 // The line of G6.2 itself.
@@ -40,6 +35,7 @@ static nck_status_t start(nck_decode_t *self) {
     nck_spline_t *const spline = &self->held.spline;
     int64_t order = FANUC_ORDER;
     memset(spline, 0, sizeof *spline);
+    nck_spline_begins(self);
     if (self->modal.incremental) return fail(self, NCK_E_SPLINE, 'G', 91.0, 0.0);
     nck_status_t status = nck_decode_cycle_fits(self);
     if (status == NCK_OK) status = nck_decode_whole(self, 'P', FANUC_ORDER, order, &order);

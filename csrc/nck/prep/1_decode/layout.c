@@ -23,8 +23,7 @@ static int has_word(const nck_decode_t *self, int letter) {
 }
 
 static nck_status_t fail(nck_decode_t *self, nck_status_t code, int letter, double value) {
-    return nck_decode_fail(self, code, self->words.code_column[NCK_STEP_LAYOUT], letter, value,
-                           0.0);
+    return nck_decode_fail_step(self, code, NCK_STEP_LAYOUT, letter, value, 0.0);
 }
 
 // ---- places
@@ -230,12 +229,10 @@ nck_status_t nck_layout_refuses(nck_decode_t *self) {
     if (on == 0) return NCK_OK;
     for (unsigned k = 0; k < sizeof steps; k++) {
         if (!(words->codes & NCK_STEP(steps[k]))) continue;
-        return nck_decode_fail(self, NCK_E_LAYOUT_ON, words->code_column[steps[k]], 'G',
-                               words->code[steps[k]] / 10.0, 0.0);
+        return nck_decode_fail_code(self, NCK_E_LAYOUT_ON, (nck_step_t)steps[k]);
     }
     if (!plane || !(on & (NCK_LAYOUT_TURN | NCK_LAYOUT_POLAR))) return NCK_OK;
-    return nck_decode_fail(self, NCK_E_LAYOUT_ON, words->code_column[NCK_STEP_PLANE], 'G',
-                           words->code[NCK_STEP_PLANE] / 10.0, 0.0);
+    return nck_decode_fail_code(self, NCK_E_LAYOUT_ON, NCK_STEP_PLANE);
 }
 
 // What changes must come in this order: mirror, scale, turn; and go in the other one.
@@ -256,13 +253,8 @@ static nck_status_t read_centre(nck_decode_t *self, int64_t *centre_nm) {
 
 // A factor. Without a point its unit goes by the control.
 static nck_status_t read_factor(nck_decode_t *self, int letter, double *factor_out) {
-    const nck_number_t *const word = &self->words.number[letter - 'A'];
-    const double unit = self->machine->dialect.scale_unit;
-    const int whole = word->last > word->first && !nck_decode_says_point(self, letter);
-    if (whole && !(unit > 0.0)) {
-        return nck_decode_fail_word(self, NCK_E_SCALE_UNIT, letter, nck_number_real(word), 0.0);
-    }
-    *factor_out = nck_number_real(word) * (whole ? unit : 1.0);
+    const nck_status_t status = nck_decode_plain_word(self, letter, factor_out);
+    if (status != NCK_OK) return status;
     const double size_of = nck_fabs(*factor_out);
     if (size_of >= 1.0 / factor_most && size_of <= factor_most) return NCK_OK;
     return nck_decode_fail_word(self, NCK_E_NUMBER_RANGE, letter, *factor_out, factor_most);

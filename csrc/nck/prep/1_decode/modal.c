@@ -154,8 +154,7 @@ nck_status_t nck_decode_dwell(nck_decode_t *self, nck_block_t *out) {
     const char letter = dwell_letter(self);
     double dwell_s = 0.0;
     if (letter == 0) {
-        return nck_decode_fail(self, NCK_E_WORD_MISSING, self->words.code_column[NCK_STEP_DWELL],
-                               'P', 0.0, 0.0);
+        return nck_decode_fail_step(self, NCK_E_WORD_MISSING, NCK_STEP_DWELL, 'P', 0.0, 0.0);
     }
     const nck_status_t status = nck_decode_dwell_word(self, letter, &dwell_s);
     return status == NCK_OK ? nck_decode_give_dwell(self, dwell_s, out) : status;
@@ -236,6 +235,7 @@ nck_status_t nck_decode_stop(nck_decode_t *self, nck_block_t *out) {
     nck_block_kind_t kind = NCK_BLOCK_WAIT;
     if (code == 10 && !self->machine->dialect.optional_stop) kind = NCK_BLOCK_OUTPUT;
     if (code == 20 || code == 300) {
+        if (nck_spline_waits(self)) return nck_spline_missing(self);
         kind = NCK_BLOCK_END;
         self->text.over = 1;
         self->text.watch = 1;

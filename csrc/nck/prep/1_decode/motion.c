@@ -116,7 +116,7 @@ nck_status_t nck_decode_motion(nck_decode_t *self, nck_block_t *out) {
     int64_t target_nm[NCK_AXIS_MAX];
 
     if (nck_motion_is_spline(self->modal.motion)) {
-        const nck_status_t status = nck_spline_refuses(self, code);
+        const nck_status_t status = nck_spline_refuses(self, NCK_STEP_MOTION);
         if (status != NCK_OK) return status;
     }
     if (code > 30) return other_motion(self, taken);
@@ -159,7 +159,8 @@ nck_status_t nck_decode_reference(nck_decode_t *self, nck_block_t *out) {
     int64_t target_nm[NCK_AXIS_MAX];
     const uint32_t axes = self->words.axes != 0 ? self->words.axes : self->place.axes;
 
-    nck_status_t status = find_home(self, &home);
+    nck_status_t status = nck_spline_refuses(self, NCK_STEP_OFFSET);
+    if (status == NCK_OK) status = find_home(self, &home);
     if (status != NCK_OK) return status;
     memcpy(target_nm, self->place.position_nm, sizeof target_nm);
     if (self->machine->dialect.base != NCK_DIALECT_MARLIN && self->words.axes != 0) {

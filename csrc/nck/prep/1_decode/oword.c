@@ -12,10 +12,8 @@ static const double repeat_most = 1e9;
 static const double label_most = NCK_LABEL_MOST;
 
 static nck_status_t fail_at(nck_decode_t *self, const char *at, nck_status_t code) {
-    return nck_decode_fail(self, code, (unsigned)(at - self->line.text) + 1, 'O', 0.0, 0.0);
+    return nck_decode_fail_at(self, code, at, 'O', 0.0, 0.0);
 }
-
-static int is_true(double value) { return nck_value_is(value) && (value > 0.0 || value < 0.0); }
 
 // A condition or a count in brackets.
 static nck_status_t read_bracket(nck_decode_t *self, const char **at, double *value_out) {
@@ -78,7 +76,7 @@ static nck_status_t give_back(nck_decode_t *self, const char **at, uint64_t key)
 static nck_status_t condition(nck_decode_t *self, const char **at, uint64_t key) {
     double value = 0.0;
     const nck_status_t status = read_bracket(self, at, &value);
-    if (status == NCK_OK && !is_true(value)) nck_seek(self, NCK_SEEK_ELSE, key);
+    if (status == NCK_OK && !nck_value_holds(value)) nck_seek(self, NCK_SEEK_ELSE, key);
     return status;
 }
 
@@ -106,7 +104,7 @@ static nck_status_t while_loop(nck_decode_t *self, const char **at, uint64_t key
     double value = 0.0;
     const nck_status_t status = read_bracket(self, at, &value);
     if (status != NCK_OK) return status;
-    if (is_true(value)) {
+    if (nck_value_holds(value)) {
         if (tail) return nck_jump(self, &loop->place);
         return again ? NCK_OK : nck_frame_push(self, NCK_FRAME_WHILE, key, 0);
     }

@@ -38,9 +38,15 @@ typedef nck_status_t (*nck_step_function_t)(nck_decode_t *self, nck_block_t *out
 nck_status_t nck_decode_fail(nck_decode_t *self, nck_status_t code, unsigned column, int letter,
                              double value, double limit);
 
-// finding.c: the same for a word of the line: its column and letter.
+// finding.c: the same at a place of the line's text; for a word of the line: its column and letter.
+nck_status_t nck_decode_fail_at(nck_decode_t *self, nck_status_t code, const char *at, int letter,
+                                double value, double limit);
 nck_status_t nck_decode_fail_word(nck_decode_t *self, nck_status_t code, int letter, double value,
                                   double limit);
+// The same at the code of a step, if the line has one; for that code itself.
+nck_status_t nck_decode_fail_step(nck_decode_t *self, nck_status_t code, nck_step_t step,
+                                  int letter, double value, double limit);
+nck_status_t nck_decode_fail_code(nck_decode_t *self, nck_status_t code, nck_step_t step);
 
 // finding.c: queue a finding. Cost: constant.
 void nck_decode_find(nck_decode_t *self, const nck_diagnostic_t *finding);
@@ -75,6 +81,10 @@ nck_status_t nck_decode_length_word(nck_decode_t *self, char letter, int64_t *va
 // axis.c: 1 if the number of a word stands in the line, with a point. Cost: linear in its digits.
 int nck_decode_says_point(const nck_decode_t *self, int letter);
 
+// axis.c: a word that is no length, as a factor. Without a point what 1 means goes by the control:
+// NCK_E_SCALE_UNIT. Cost: linear in its digits.
+nck_status_t nck_decode_plain_word(nck_decode_t *self, int letter, double *value_out);
+
 // axis.c: count steps on from a machine position of an axis. NCK_E_NUMBER_RANGE. Cost: constant.
 nck_status_t nck_decode_steps(nck_decode_t *self, unsigned axis, int64_t step_nm, int64_t count,
                               int64_t *at_nm);
@@ -96,8 +106,10 @@ void nck_decode_excuse(nck_decode_t *self);
 // What a parameter without a value is: no number of a program is as large.
 #define NCK_NO_VALUE 1e301
 
-// variables.c: 1 if it is a value. Cost: constant.
+// variables.c: 1 if it is a value; 1 if it is one and not 0, so that a condition holds. Cost:
+// constant.
 int nck_value_is(double value);
+int nck_value_holds(double value);
 
 // sign.c: one past blanks and remarks; one past the word (upper case) if the text spells it, in
 // either case, else NULL; one past a name's >, NULL: none. at: its <. Cost: linear in the text.
@@ -423,10 +435,17 @@ nck_status_t nck_decode_start_angle(nck_decode_t *self, float *turn_out);
 nck_status_t nck_decode_pass(nck_decode_t *self, const int64_t *end_nm, nck_thread_t *thread,
                              nck_block_t *out);
 
-// spline.c: G5, G5.1, G5.2, G5.3, G6.2; rest.c: a motion while one of the latter is not ended:
-// NCK_E_SPLINE. Cost: constant, of G6.2 linear in its points.
+// spline.c: G5, G5.1, G5.2, G5.3, G6.2. Cost: constant, of G6.2 linear in its points.
 nck_status_t nck_decode_spline(nck_decode_t *self, nck_block_t *out);
-nck_status_t nck_spline_refuses(nck_decode_t *self, int32_t code);
+
+// rest.c: the line begins a spline whose end is another line; 1 if one is not ended; what a step
+// that moves does meanwhile; a line of it was refused, and its others are no mistakes; the program
+// ends: NCK_E_SPLINE. Cost: constant.
+void nck_spline_begins(nck_decode_t *self);
+int nck_spline_waits(const nck_decode_t *self);
+nck_status_t nck_spline_refuses(nck_decode_t *self, nck_step_t step);
+void nck_spline_break(nck_decode_t *self);
+nck_status_t nck_spline_missing(nck_decode_t *self);
 
 // knots.c: a line of G6.2: a knot, and a point or not. NCK_OK; NCK_DONE: it was the last one;
 // NCK_E_SPLINE, NCK_E_CONTOUR_FULL, NCK_E_SCALE_UNIT, and as nck_decode_cycle_fits. Cost: linear in

@@ -15,8 +15,8 @@ static int has(const nck_decode_t *self, char letter) {
 static unsigned axis_of(unsigned k) { return k == 0 ? NCK_AXIS_X : NCK_AXIS_Z; }
 
 static nck_status_t fail_missing(nck_decode_t *self, int letter) {
-    return nck_decode_fail(self, NCK_E_WORD_MISSING, self->words.code_column[NCK_STEP_MOTION],
-                           letter, self->words.code[NCK_STEP_MOTION] / 10.0, 0.0);
+    return nck_decode_fail_step(self, NCK_E_WORD_MISSING, NCK_STEP_MOTION, letter,
+                                self->words.code[NCK_STEP_MOTION] / 10.0, 0.0);
 }
 
 // P and Q without a point count least increments; 0: that is no whole number of them.

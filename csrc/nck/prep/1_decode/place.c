@@ -20,8 +20,7 @@ static nck_status_t set_length(nck_decode_t *self) {
 }
 
 static nck_status_t fail_length(nck_decode_t *self) {
-    return nck_decode_fail(self, NCK_E_WORD_MISSING, self->words.code_column[NCK_STEP_LENGTH], 'H',
-                           43.2, 0.0);
+    return nck_decode_fail_step(self, NCK_E_WORD_MISSING, NCK_STEP_LENGTH, 'H', 43.2, 0.0);
 }
 
 // The offset of a tool, NULL: none, comes in place of the one in force; G43.2: on top of it.
@@ -49,9 +48,9 @@ nck_status_t nck_decode_length(nck_decode_t *self, nck_block_t *out) {
     nck_tool_t tool;
     const int is_there = nck_table_find(self, (uint32_t)number, &tool);
     if (number != 0 && !is_there) {
-        const unsigned column = has_h ? words->column['H' - 'A']
-                                      : words->code_column[NCK_STEP_LENGTH];
-        return nck_decode_fail(self, NCK_E_TOOL_UNKNOWN, column, 'H', (double)number, 0.0);
+        if (has_h) return nck_decode_fail_word(self, NCK_E_TOOL_UNKNOWN, 'H', (double)number, 0.0);
+        return nck_decode_fail_step(self, NCK_E_TOOL_UNKNOWN, NCK_STEP_LENGTH, 'H', (double)number,
+                                    0.0);
     }
     take_length(self, number != 0 ? &tool : NULL);
     return NCK_EMPTY;
@@ -66,16 +65,14 @@ nck_status_t nck_decode_work(nck_decode_t *self, nck_block_t *out) {
 }
 
 static nck_status_t fail_missing(nck_decode_t *self, int letter) {
-    return nck_decode_fail(self, NCK_E_WORD_MISSING, self->words.code_column[NCK_STEP_OFFSET],
-                           letter, 0.0, 0.0);
+    return nck_decode_fail_step(self, NCK_E_WORD_MISSING, NCK_STEP_OFFSET, letter, 0.0, 0.0);
 }
 
 // Fanuc's G92 while G52 is in force: which of them then counts goes by the control.
 static nck_status_t check_local(nck_decode_t *self) {
     const int both = self->place.is_local && self->machine->dialect.base == NCK_DIALECT_FANUC;
     if (!both) return NCK_OK;
-    return nck_decode_fail(self, NCK_E_UNSUPPORTED, self->words.code_column[NCK_STEP_OFFSET], 'G',
-                           92.0, 0.0);
+    return nck_decode_fail_code(self, NCK_E_UNSUPPORTED, NCK_STEP_OFFSET);
 }
 
 // G92: the present position gets the name that the words say.
@@ -110,14 +107,12 @@ static nck_status_t set_local(nck_decode_t *self) {
     int64_t g92_nm[NCK_AXIS_MAX];
     if (self->words.axes == 0) return fail_missing(self, 'X');
     if (fanuc && self->modal.incremental) {
-        return nck_decode_fail(self, NCK_E_INCREMENTAL, self->words.code_column[NCK_STEP_OFFSET],
-                               'G', 52.0, 0.0);
+        return nck_decode_fail_code(self, NCK_E_INCREMENTAL, NCK_STEP_OFFSET);
     }
     memcpy(g92_nm, self->place.g92_nm, sizeof g92_nm);
     for (unsigned axis = 0; axis < NCK_AXIS_MAX; axis++) {
         if (fanuc && !self->place.is_local && g92_nm[axis] != 0) {
-            return nck_decode_fail(self, NCK_E_UNSUPPORTED,
-                                   self->words.code_column[NCK_STEP_OFFSET], 'G', 52.0, 0.0);
+            return nck_decode_fail_code(self, NCK_E_UNSUPPORTED, NCK_STEP_OFFSET);
         }
         if (!(self->words.axes & ((uint32_t)1 << axis))) continue;
         const nck_status_t status = nck_decode_axis_word(self, axis, &g92_nm[axis]);

@@ -52,8 +52,7 @@ nck_status_t nck_printer_resolve(nck_decode_t *self) {
     nck_words_t *const words = &self->words;
     words->steps = NCK_STEP(NCK_STEP_OWN);
     if (words->codes == words->steps) return NCK_OK;
-    return nck_decode_fail(self, NCK_E_MODAL_GROUP, words->code_column[NCK_STEP_OWN], 'M',
-                           words->code[NCK_STEP_OWN] / 10.0, 0.0);
+    return nck_decode_fail_code(self, NCK_E_MODAL_GROUP, NCK_STEP_OWN);
 }
 
 // S, or R of a wait; a fan without S turns fully.
@@ -64,8 +63,7 @@ static nck_status_t read_value(nck_decode_t *self, const printer_code_t *code, d
     *value_out = full;
     if (!s && !(self->words.letters & NCK_LETTER('R'))) {
         if (code->does & FULL) return NCK_OK;
-        return nck_decode_fail(self, NCK_E_WORD_MISSING, self->words.code_column[NCK_STEP_OWN],
-                               'S', code->code, 0.0);
+        return nck_decode_fail_step(self, NCK_E_WORD_MISSING, NCK_STEP_OWN, 'S', code->code, 0.0);
     }
     *value_out = nck_number_real(&self->words.number[letter - 'A']);
     if (*value_out >= 0.0 && *value_out <= most) return NCK_OK;

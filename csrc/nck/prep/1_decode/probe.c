@@ -6,9 +6,7 @@
 #include <string.h> // memcmp
 
 static nck_status_t fail(nck_decode_t *self, nck_status_t code, int letter, double value) {
-    const int said = (self->words.codes & NCK_STEP(NCK_STEP_MOTION)) != 0;
-    return nck_decode_fail(self, code, said ? self->words.code_column[NCK_STEP_MOTION] : 0, letter,
-                           value, 0.0);
+    return nck_decode_fail_step(self, code, NCK_STEP_MOTION, letter, value, 0.0);
 }
 
 // G38.2 and G38.4 must meet what they are sent for, and so must have a way to go.

@@ -19,8 +19,7 @@ static int has(const nck_decode_t *self, char letter) {
 static uint32_t code_of(const nck_decode_t *self) { return self->words.code[NCK_STEP_MOTION]; }
 
 static nck_status_t fail_missing(nck_decode_t *self, int letter) {
-    return nck_decode_fail(self, NCK_E_WORD_MISSING, self->words.code_column[NCK_STEP_MOTION],
-                           letter, 0.0, 0.0);
+    return nck_decode_fail_step(self, NCK_E_WORD_MISSING, NCK_STEP_MOTION, letter, 0.0, 0.0);
 }
 
 static nck_status_t fail_range(nck_decode_t *self, int letter, double limit) {
@@ -264,8 +263,7 @@ static nck_status_t check_modes(nck_decode_t *self) {
     }
     for (unsigned step = NCK_STEP_CALL; step < NCK_STEP_COUNT; step++) {
         if (!(self->words.codes & behind & NCK_STEP(step))) continue;
-        return nck_decode_fail(self, NCK_E_MODAL_GROUP, self->words.code_column[step], 'M',
-                               self->words.code[step] / 10.0, 0.0);
+        return nck_decode_fail_code(self, NCK_E_MODAL_GROUP, (nck_step_t)step);
     }
     return nck_decode_cycle_fits(self);
 }

@@ -16,12 +16,6 @@ static int leftmost(const nck_words_t *words, uint32_t letters) {
     return found;
 }
 
-static nck_status_t fail_code(nck_decode_t *self, nck_status_t code, nck_step_t step) {
-    const int letter = step == NCK_STEP_MIST || step == NCK_STEP_FLOOD ? 'M' : 'G';
-    return nck_decode_fail(self, code, self->words.code_column[step], letter,
-                           self->words.code[step] / 10.0, 0.0);
-}
-
 // Words that time a dwell are the dwell's: P, in some dialects X, U or S.
 static void claim_dwell(nck_decode_t *self) {
     nck_words_t *const words = &self->words;
@@ -101,7 +95,7 @@ static nck_status_t claim_motion(nck_decode_t *self) {
         // Fanuc's G0 G28 Z0: the motion code sets the mode, G28 has the words.
         const int second = taken && words->code[NCK_STEP_MOTION] != 800;
         if (second && self->machine->dialect.base != NCK_DIALECT_FANUC) {
-            return fail_code(self, NCK_E_MODAL_GROUP, NCK_STEP_OFFSET);
+            return nck_decode_fail_code(self, NCK_E_MODAL_GROUP, NCK_STEP_OFFSET);
         }
         return NCK_OK;
     }
@@ -118,10 +112,10 @@ static nck_status_t check_machine(nck_decode_t *self) {
     const nck_words_t *const words = &self->words;
     const int straight = (words->steps & NCK_STEP(NCK_STEP_MOTION))
                          && words->code[NCK_STEP_MOTION] <= 10;
-    if (!straight) return fail_code(self, NCK_E_WORD_MISSING, NCK_STEP_MACHINE);
+    if (!straight) return nck_decode_fail_code(self, NCK_E_WORD_MISSING, NCK_STEP_MACHINE);
     const int incremental = has(words, NCK_STEP_DISTANCE) ? words->code[NCK_STEP_DISTANCE] == 910
                                                           : self->modal.incremental;
-    return incremental ? fail_code(self, NCK_E_INCREMENTAL, NCK_STEP_MACHINE) : NCK_OK;
+    return incremental ? nck_decode_fail_code(self, NCK_E_INCREMENTAL, NCK_STEP_MACHINE) : NCK_OK;
 }
 
 // P is a dwell's, a tolerance, a work system, a point, a program, an arc's turns or a cycle's: of
@@ -148,7 +142,7 @@ static nck_status_t check_limit(nck_decode_t *self) {
     const int limits = words->code[NCK_STEP_OFFSET] == 920 && (words->letters & NCK_LETTER('S'));
     if (limits && self->lathe) words->steps &= ~NCK_STEP(NCK_STEP_SPEED);
     if (!limits || self->lathe || words->axes != 0) return NCK_OK;
-    return fail_code(self, NCK_E_UNSUPPORTED, NCK_STEP_OFFSET);
+    return nck_decode_fail_code(self, NCK_E_UNSUPPORTED, NCK_STEP_OFFSET);
 }
 
 // What cannot be done while something else is in force.
@@ -162,7 +156,7 @@ static nck_status_t check_codes(nck_decode_t *self) {
     const nck_words_t *const words = &self->words;
     if (has(words, NCK_STEP_MIST) && has(words, NCK_STEP_FLOOD)
         && words->code[NCK_STEP_FLOOD] == 90) {
-        return fail_code(self, NCK_E_MODAL_GROUP, NCK_STEP_FLOOD);
+        return nck_decode_fail_code(self, NCK_E_MODAL_GROUP, NCK_STEP_FLOOD);
     }
     nck_status_t status = NCK_OK;
     if (words->letters & NCK_LETTER('P')) status = check_shared(self);
@@ -176,7 +170,7 @@ static nck_status_t resolve_macro(nck_decode_t *self) {
     nck_words_t *const words = &self->words;
     words->steps = NCK_STEP(NCK_STEP_CALL);
     if (words->codes == words->steps) return NCK_OK;
-    return fail_code(self, NCK_E_MODAL_GROUP, NCK_STEP_CALL);
+    return nck_decode_fail_code(self, NCK_E_MODAL_GROUP, NCK_STEP_CALL);
 }
 
 static nck_status_t resolve_words(nck_decode_t *self) {

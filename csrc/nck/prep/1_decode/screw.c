@@ -34,10 +34,8 @@ static nck_status_t fail_range(nck_decode_t *self, char letter, double limit) {
 }
 
 static nck_status_t fail_missing(nck_decode_t *self, char letter) {
-    const int said = (self->words.codes & NCK_STEP(NCK_STEP_MOTION)) != 0;
-    const unsigned column = said ? self->words.code_column[NCK_STEP_MOTION] : 0;
-    return nck_decode_fail(self, NCK_E_WORD_MISSING, column, letter, nck_decode_thread_name(self),
-                           0.0);
+    return nck_decode_fail_step(self, NCK_E_WORD_MISSING, NCK_STEP_MOTION, letter,
+                                nck_decode_thread_name(self), 0.0);
 }
 
 // A word that must be there and more than 0.

@@ -66,8 +66,7 @@ static nck_status_t read_most(nck_decode_t *self, char letter) {
 nck_status_t nck_decode_speed_limit(nck_decode_t *self) { return read_most(self, 'S'); }
 
 static nck_status_t fail_mode(nck_decode_t *self, nck_status_t code, int letter) {
-    return nck_decode_fail(self, code, self->words.code_column[NCK_STEP_SPEED_MODE], letter, 96.0,
-                           0.0);
+    return nck_decode_fail_step(self, code, NCK_STEP_SPEED_MODE, letter, 96.0, 0.0);
 }
 
 // D, which is RS274NGC's: of G96 alone. Without it there is no most but the machine's.

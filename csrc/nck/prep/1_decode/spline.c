@@ -21,10 +21,7 @@ static int says(const nck_decode_t *self, char letter) {
 
 static nck_status_t fail(nck_decode_t *self, nck_status_t code, int letter, double value,
                          double limit) {
-    const int said = (self->words.codes & NCK_STEP(NCK_STEP_MOTION)) != 0;
-    self->held.spline.points = 0;
-    return nck_decode_fail(self, code, said ? self->words.code_column[NCK_STEP_MOTION] : 0, letter,
-                           value, limit);
+    return nck_decode_fail_step(self, code, NCK_STEP_MOTION, letter, value, limit);
 }
 
 // ---- the curve
@@ -288,7 +285,10 @@ static nck_status_t control_point(nck_decode_t *self) {
     if (spline->points + 2 > NCK_CONTOUR) {
         return fail(self, NCK_E_CONTOUR_FULL, 0, NCK_CONTOUR, NCK_CONTOUR);
     }
-    if (first) add_point(self, self->place.position_nm, moves ? 1.0 : weight);
+    if (first) {
+        nck_spline_begins(self);
+        add_point(self, self->place.position_nm, moves ? 1.0 : weight);
+    }
     if (moves) add_point(self, target_nm, weight);
     return NCK_OK;
 }
@@ -310,11 +310,12 @@ static nck_status_t knots(nck_decode_t *self) {
 static nck_status_t read_spline(nck_decode_t *self) {
     nck_spline_t *const spline = &self->held.spline;
     const int32_t code = self->words.code[NCK_STEP_MOTION];
+    const int refused = self->modal.motion == NCK_MOTION_REFUSED;
     self->modal.motion = code == NCK_MOTION_NURBS_END ? NCK_MOTION_NONE : code;
     if (code == NCK_MOTION_KNOTS) return knots(self);
     spline->knots = 0;
     if (code == NCK_MOTION_NURBS) return control_point(self);
-    if (code == NCK_MOTION_NURBS_END) return end(self);
+    if (code == NCK_MOTION_NURBS_END) return refused && spline->points == 0 ? NCK_OK : end(self);
     if (self->words.axes == 0) return fail(self, NCK_E_WORD_MISSING, 'X', code / 10.0, 0.0);
     return code == NCK_MOTION_CUBIC ? cubic(self) : quadratic(self);
 }

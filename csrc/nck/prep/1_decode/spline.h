@@ -16,6 +16,7 @@ enum { NCK_SPLINE_Z = 0, NCK_SPLINE_KNOT = 1 }; // Z [nm], exact; a knot, also b
 // Its control points are in the contour's elements: to_nm is their place, sweep_rad their weight.
 typedef NCK_CYCLE_STATE nck_spline {
     uint32_t points;  // 0: none
+    uint32_t line, column; // where it begins, of G5.2 and G6.2
     uint32_t order;   // of the spline
     uint32_t knots;   // of G6.2, said so far; 0: they are 0 … 0 1 2 … m … m, and Z stays
     uint32_t axes;    // of G6.2: those of its points

@@ -20,7 +20,7 @@ static nck_state_t *find(nck_decode_t *self, uint32_t level) {
 }
 
 static nck_status_t fail(nck_decode_t *self, nck_status_t code, double value, double limit) {
-    return nck_decode_fail(self, code, self->words.code_column[NCK_STEP_STATE], 'M', value, limit);
+    return nck_decode_fail_step(self, code, NCK_STEP_STATE, 'M', value, limit);
 }
 
 static nck_status_t keep(nck_decode_t *self, int returns) {

@@ -13,9 +13,7 @@
 
 static nck_status_t fail(nck_decode_t *self, nck_status_t code, int letter, double value,
                          double limit) {
-    const int said = (self->words.codes & NCK_STEP(NCK_STEP_MOTION)) != 0;
-    return nck_decode_fail(self, code, said ? self->words.code_column[NCK_STEP_MOTION] : 0, letter,
-                           value, limit);
+    return nck_decode_fail_step(self, code, NCK_STEP_MOTION, letter, value, limit);
 }
 
 double nck_decode_thread_name(const nck_decode_t *self) {

@@ -17,12 +17,10 @@ static int is_turning(const nck_decode_t *self) {
 static unsigned axis_of(unsigned k) { return k == 0 ? NCK_AXIS_X : NCK_AXIS_Z; }
 
 static nck_status_t fail_missing(nck_decode_t *self, int letter) {
-    const int said = (self->words.codes & NCK_STEP(NCK_STEP_MOTION)) != 0;
-    const unsigned column = said ? self->words.code_column[NCK_STEP_MOTION] : 0;
     const double code = is_turning(self) ? 90.0 : 94.0;
     self->modal.motion = NCK_MOTION_REFUSED;
-    return nck_decode_fail(self, NCK_E_WORD_MISSING, column, letter,
-                           nck_lathe_is_a(self) ? code : 0.0, 0.0);
+    return nck_decode_fail_step(self, NCK_E_WORD_MISSING, NCK_STEP_MOTION, letter,
+                                nck_lathe_is_a(self) ? code : 0.0, 0.0);
 }
 
 // X and Z: where the cut ends. They hold as places, with G91 too.

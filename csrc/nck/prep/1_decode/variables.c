@@ -18,6 +18,8 @@ enum {
 
 int nck_value_is(double value) { return value < 0.5 * NCK_NO_VALUE; }
 
+int nck_value_holds(double value) { return nck_value_is(value) && (value > 0.0 || value < 0.0); }
+
 // FNV-1a over the letters in lower case, without blanks.
 uint64_t nck_variable_name(const char *at, const char *end) {
     if (!NCK_HAS_VARIABLES) return 0;
