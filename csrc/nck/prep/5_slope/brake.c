@@ -97,10 +97,9 @@ static double least_cap(const nck_jerk_t *self, const nck_pieces_t *pieces, doub
     double least = NCK_WINDOW_UNCAPPED;
     double left = distance;
     uint32_t number = mixed->number;
-    for (int n = 0; n < MIXED_MOST; n++) {
-        const nck_node_t *const piece = nck_plan_piece(pieces, number);
+    const nck_node_t *piece = nck_plan_piece(pieces, number);
+    for (int n = 0; piece && n < MIXED_MOST; n++) {
         const double before = left;
-        if (!piece) break;
         const int is_rest = rests_before(piece, step, n == 0);
         if (!is_rest) {
             least = nck_min(least, cap_of(self, piece));
@@ -117,6 +116,7 @@ static double least_cap(const nck_jerk_t *self, const nck_pieces_t *pieces, doub
         }
         if (step < 0 && is_first_known(self, number)) break;
         number += (uint32_t)step;
+        piece = nck_plan_piece(pieces, number);
     }
     narrow(mixed, distance - left, NCK_UNLIMITED);
     return 0.0;
