@@ -410,6 +410,13 @@ def test_chords_that_come_one_a_cycle_begin_soon_and_end_soon(stand_in):
     assert len(moves) < CHORDS + 650
 
 
+def test_plans_of_a_zigzag_are_made_in_time(stand_in):
+    edges = [f"line 100 {5 * (n + n % 2)} {5 * (n - n % 2)} 0\nrun 1" for n in range(1, 101)]
+    run = stand_in.run([WITHIN, *edges, f"rest {EVER}"])
+    assert_within_limits(run)
+    assert len(run.places) < 31_500  # 39 900 where every fourth plan came late
+
+
 def told(row):
     """Return what the page says of our planner in a row: instructions."""
     page = (ROOT / "docs/linuxcnc.md").read_text(encoding="utf-8")

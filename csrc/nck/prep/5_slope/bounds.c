@@ -2,9 +2,11 @@
 // Inside room 5: caps and limits of the cells of a ladder, and whether a hold keeps to them.
 #include "nck/prep/5_slope/bounds.h"
 
+#include <stddef.h> // NULL
+
 #include "nck/base/real.h"              // nck_min nck_max
 #include "nck/base/scurve_math.h"       // nck_scurve_time
-#include "nck/prep/5_slope/brake.h"     // nck_brake_along nck_brake_relax
+#include "nck/prep/5_slope/brake.h"     // nck_brake_along nck_brake_left nck_brake_relax
 #include "nck/prep/5_slope/hull_math.h" // nck_hull_share
 #include "nck/prep/5_slope/window.h"    // nck_window_…
 
@@ -88,7 +90,7 @@ static nck_brake_limits_t limits_at(const nck_jerk_t *self, const nck_pieces_t *
 
 // inside: of the piece that the cell before began in; this one's when it is done.
 static void limit_cell(nck_jerk_t *self, const nck_pieces_t *pieces, uint32_t i, int may_relax,
-                       inside_t *inside) {
+                       inside_t *inside, nck_brake_mixed_t *mixed) {
     const nck_node_t *const piece = nck_plan_piece(pieces, self->rung_piece[i]);
     if (piece != inside->piece) *inside = inside_of(self, piece);
     nck_brake_limits_t limits = {inside->a, inside->j * self->j_scale};
@@ -106,11 +108,11 @@ static void limit_cell(nck_jerk_t *self, const nck_pieces_t *pieces, uint32_t i,
     self->w_cap[i] = nck_min(w_node, w_cell);
     if (may_relax && self->work.redone > 0) {
         const double v = TRIED_ABOVE * tried_speed(self, i);
-        nck_brake_relax(self, pieces, self->rung_piece[i], v, &limits);
+        nck_brake_relax(self, pieces, self->rung_piece[i], v, mixed, &limits);
     }
     self->a_max[i] = limits.a;
     self->j_max[i] = limits.j;
-    if (may_relax && self->work.redone == 0) nck_brake_along(self, pieces, i);
+    if (may_relax && self->work.redone == 0) nck_brake_along(self, pieces, i, mixed);
 }
 
 // The path has been faster there.
@@ -135,12 +137,13 @@ nck_status_t nck_bounds_set(nck_jerk_t *self, const nck_pieces_t *pieces) {
     const uint32_t end = begin + (left < NCK_JERK_STEP ? left : NCK_JERK_STEP);
     const int may_relax = relaxes(self);
     inside_t inside = {(const nck_node_t *)0, 0.0, 0.0, 0.0};
+    nck_brake_mixed_t mixed = {0};
     if (begin == 0) {
         self->work.seam = seam_of(self);
         self->work.bends = 0;
     }
     for (uint32_t i = begin; i < end; i++) {
-        limit_cell(self, pieces, i, may_relax, &inside);
+        limit_cell(self, pieces, i, may_relax, &inside, &mixed);
         if (is_lowered(self, i)) self->work.lowered = 1;
     }
     self->work.i = end;
@@ -158,8 +161,8 @@ nck_status_t nck_bounds_set(nck_jerk_t *self, const nck_pieces_t *pieces) {
 // The plan of now takes limits at a speed that is TRIED_ABOVE more. So the next one has room to
 // join where it takes over; over so many cells it comes to do the same.
 #define ENTRY_CELLS 16.0
-// So much more work than another is a cell that is looked at.
-enum { LOOK_WORK = 8 };
+// Cells and what is asked about them (nck_brake_mixed_t) in a step.
+enum { LOOK_MOST = 8 * NCK_JERK_STEP };
 
 // Whether cell i may leave more at v² than at its cap: it bends. On lines and arcs it would cost a
 // quarter of planning more, and gains next to nothing.
@@ -178,18 +181,17 @@ static double stop_time(const nck_brake_limits_t *limits, double v) {
 
 // What cell i leaves at speed v: of both ways the one that stops sooner.
 static nck_brake_limits_t left_at(const nck_jerk_t *self, const nck_pieces_t *pieces, uint32_t i,
-                                  double v) {
+                                  double v, nck_brake_mixed_t *mixed) {
     const nck_brake_limits_t capped = {self->a_max[i], self->j_max[i]};
     nck_brake_left_t left = {capped, capped};
-    nck_brake_left(self, pieces, self->rung_piece[i], v, &left);
+    nck_brake_left(self, pieces, self->rung_piece[i], v, mixed, &left);
     return stop_time(&left.with_a, v) < stop_time(&left.with_j, v) ? left.with_a : left.with_j;
 }
 
-// What v² gains over cell i from w on. looks: what may_leave says.
-static double gain_over(const nck_jerk_t *self, const nck_pieces_t *pieces, uint32_t i, double w,
-                        int looks) {
-    const double a = looks ? left_at(self, pieces, i, nck_sqrt(w)).a : self->a_max[i];
-    return 2.0 * a * self->h[i];
+// The acceleration of cell i at v² = w. mixed: NULL if it has no more than at its cap.
+static double accel_at(const nck_jerk_t *self, const nck_pieces_t *pieces, uint32_t i, double w,
+                       nck_brake_mixed_t *mixed) {
+    return mixed ? left_at(self, pieces, i, nck_sqrt(w), mixed).a : self->a_max[i];
 }
 
 // From the rest at the ladder's end backward: v² that no plan is above.
@@ -198,13 +200,14 @@ static void look_back(nck_jerk_t *self, const nck_pieces_t *pieces) {
     const uint32_t n = self->work.n;
     uint32_t left = n - self->work.i;
     double w = self->work.i > 0 ? most[left] : 0.0;
+    nck_brake_mixed_t mixed = {0};
     most[left] = w;
-    for (int done = 0; left > 0 && done < LOOK_WORK * NCK_JERK_STEP;) {
+    for (uint32_t done = 0; left > 0 && done + mixed.work < LOOK_MOST; done++) {
         const uint32_t i = --left;
         const int looks = may_leave(self, pieces, i, w);
-        w = nck_min(self->w_cap[i], w + gain_over(self, pieces, i, w, looks));
+        const double a = accel_at(self, pieces, i, w, looks ? &mixed : NULL);
+        w = nck_min(self->w_cap[i], w + 2.0 * a * self->h[i]);
         most[i] = w;
-        done += looks ? LOOK_WORK : 1;
     }
     self->work.i = n - left;
     if (left > 0) return;
@@ -214,10 +217,11 @@ static void look_back(nck_jerk_t *self, const nck_pieces_t *pieces) {
 }
 
 // Limits of a cell at the highest speed that it may be passed with.
-static void relax_cell(nck_jerk_t *self, const nck_pieces_t *pieces, uint32_t i, double w) {
+static void relax_cell(nck_jerk_t *self, const nck_pieces_t *pieces, uint32_t i, double w,
+                       nck_brake_mixed_t *mixed) {
     if (!may_leave(self, pieces, i, w)) return;
     const double above = 1.0 + (TRIED_ABOVE - 1.0) * nck_min(1.0, (double)i / ENTRY_CELLS);
-    const nck_brake_limits_t left = left_at(self, pieces, i, above * nck_sqrt(w));
+    const nck_brake_limits_t left = left_at(self, pieces, i, above * nck_sqrt(w), mixed);
     if (!(left.a > self->a_max[i])) return;
     self->a_max[i] = left.a;
     self->j_max[i] = left.j;
@@ -231,13 +235,15 @@ static nck_status_t look_forth(nck_jerk_t *self, const nck_pieces_t *pieces) {
     const uint32_t n = self->work.n;
     uint32_t i = self->work.i;
     double w = self->work.w_cell;
-    for (int done = 0; i < n && done < LOOK_WORK * NCK_JERK_STEP; i++) {
+    nck_brake_mixed_t mixed = {0};
+    for (uint32_t done = 0; i < n && done + mixed.work < LOOK_MOST; done++) {
         const double cap = i + 1 < n ? self->w_cap[i + 1] : 0.0;
         const int looks = may_leave(self, pieces, i, w);
         const double begin = nck_min(w, most[i]);
-        w = nck_min(cap, w + gain_over(self, pieces, i, w, looks));
-        done += looks ? 2 * LOOK_WORK : 1;
-        relax_cell(self, pieces, i, nck_max(begin, nck_min(w, most[i + 1])));
+        const double a = accel_at(self, pieces, i, w, looks ? &mixed : NULL);
+        w = nck_min(cap, w + 2.0 * a * self->h[i]);
+        relax_cell(self, pieces, i, nck_max(begin, nck_min(w, most[i + 1])), &mixed);
+        i++;
     }
     self->work.i = i;
     self->work.w_cell = w;
@@ -254,10 +260,11 @@ nck_status_t nck_bounds_relax(nck_jerk_t *self, const nck_pieces_t *pieces) {
 // ---- check
 
 // 1 if a cell of the plan keeps to what its bends leave at the speed that it has in the end.
-static int keeps_limits(nck_jerk_t *self, const nck_pieces_t *pieces, uint32_t i) {
+static int keeps_limits(nck_jerk_t *self, const nck_pieces_t *pieces, uint32_t i,
+                        nck_brake_mixed_t *mixed) {
     nck_profile_t *const state = &self->profile;
     nck_brake_limits_t limits = limits_at(self, pieces, i);
-    nck_brake_relax(self, pieces, self->rung_piece[i], tried_speed(self, i), &limits);
+    nck_brake_relax(self, pieces, self->rung_piece[i], tried_speed(self, i), mixed, &limits);
     const double end = i + 1 < self->work.n ? self->w[i + 1] : 0.0;
     const double a = 0.5 * (end - self->w[i]) / self->h[i];
     const double v_sum = nck_sqrt(self->w[i]) + nck_sqrt(end);
@@ -277,11 +284,12 @@ static int fits(const nck_brake_limits_t *limits, double a, double j) {
 }
 
 // 1 if what the plan was made with is left at the speed that it has in the end.
-static int is_left(const nck_jerk_t *self, const nck_pieces_t *pieces, uint32_t i) {
+static int is_left(const nck_jerk_t *self, const nck_pieces_t *pieces, uint32_t i,
+                   nck_brake_mixed_t *mixed) {
     const nck_brake_limits_t capped = limits_at(self, pieces, i);
     if (fits(&capped, self->a_max[i], self->j_max[i])) return 1;
     nck_brake_left_t left = {capped, capped};
-    nck_brake_left(self, pieces, self->rung_piece[i], tried_speed(self, i), &left);
+    nck_brake_left(self, pieces, self->rung_piece[i], tried_speed(self, i), mixed, &left);
     return fits(&left.with_j, self->a_max[i], self->j_max[i])
            || fits(&left.with_a, self->a_max[i], self->j_max[i]);
 }
@@ -291,10 +299,12 @@ nck_status_t nck_bounds_check(nck_jerk_t *self, const nck_pieces_t *pieces) {
     const uint32_t end = holds ? self->work.n : self->work.relaxed_to;
     if (self->work.coarse) return NCK_DONE;
     if (!holds && self->work.i == 0) self->work.i = self->work.relaxed_from;
-    for (int n = 0; n < NCK_JERK_STEP; n++) {
+    nck_brake_mixed_t mixed = {0};
+    for (int n = 0; n < NCK_JERK_STEP && mixed.work < LOOK_MOST; n++) {
         const uint32_t i = self->work.i;
         if (i >= end) return NCK_DONE;
-        const int keeps = holds ? keeps_limits(self, pieces, i) : is_left(self, pieces, i);
+        const int keeps = holds ? keeps_limits(self, pieces, i, &mixed)
+                                : is_left(self, pieces, i, &mixed);
         if (!keeps) return NCK_E_STATE;
         self->work.i++;
     }

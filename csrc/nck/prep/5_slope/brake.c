@@ -4,7 +4,7 @@
 
 #include <string.h> // memcpy
 
-#include "nck/base/budget.h"              // NCK_BUDGET_…
+#include "nck/base/budget.h"              // NCK_BUDGET_… NCK_UNLIMITED
 #include "nck/base/real.h"                // nck_min nck_max nck_sqrt
 #include "nck/prep/5_slope/hull_math.h"   // nck_hull_share
 #include "nck/prep/5_slope/window.h"      // nck_window_…
@@ -12,6 +12,10 @@
 // Pieces on either side that are looked at, at most; what the filter mixes beyond them relaxes
 // nothing.
 enum { MIXED_MOST = 64 };
+// To ask for a place is so much more work than a piece.
+enum { ASK_WORK = 8 };
+// Room for rounding in the sum of their lengths [mm].
+#define ROUNDING 1e-9
 
 // The plan above a brake is at most so many times as fast.
 #define PLAN_ABOVE 1.1
@@ -61,13 +65,6 @@ static int is_first_known(const nck_jerk_t *self, uint32_t number) {
     return self->job.kind != NCK_JOB_BRAKE && number == self->now->first_piece;
 }
 
-// What is mixed at a place: r = v/v_c, 1 and more where nothing is known; v_c², the smallest cap;
-// what the pieces leave at standstill (nck_node_t), at least.
-typedef struct mixed {
-    double r, w;
-    double a_rest, j_rest, q_rest;
-} mixed_t;
-
 // nck_node_t.q_rest: the upper half of a float's bits.
 static double quotient_of(const nck_node_t *piece) {
     const uint32_t bits = (uint32_t)piece->q_rest << 16;
@@ -76,46 +73,75 @@ static double quotient_of(const nck_node_t *piece) {
     return (double)quotient;
 }
 
-static void mix(mixed_t *mixed, const nck_node_t *piece) {
+static void mix(nck_brake_mixed_t *mixed, const nck_node_t *piece) {
+    mixed->work++;
     mixed->a_rest = nck_min(mixed->a_rest, (double)piece->standstill.left.a);
     mixed->j_rest = nck_min(mixed->j_rest, (double)piece->standstill.left.j);
     mixed->q_rest = nck_min(mixed->q_rest, quotient_of(piece));
 }
 
+// What is found holds for distances between these two.
+static void narrow(nck_brake_mixed_t *mixed, double least, double most) {
+    mixed->least = nck_max(mixed->least, least + ROUNDING);
+    mixed->most = nck_min(mixed->most, most - ROUNDING);
+}
+
+// Whether the path rests before a piece; first: it is the one that is asked for.
+static int rests_before(const nck_node_t *piece, int step, int first) {
+    return !(piece->length > 0.0) || (step < 0 && !first && piece->stop);
+}
+
 // The smallest cap within a distance on one side; 0 if it is not known so far.
-static double least_cap(const nck_jerk_t *self, const nck_pieces_t *pieces, uint32_t number,
-                        double distance, int step, mixed_t *mixed) {
+static double least_cap(const nck_jerk_t *self, const nck_pieces_t *pieces, double distance,
+                        int step, nck_brake_mixed_t *mixed) {
     double least = NCK_WINDOW_UNCAPPED;
     double left = distance;
-    for (int n = 0; n < MIXED_MOST; n++) {
-        const nck_node_t *const piece = nck_plan_piece(pieces, number);
-        if (!piece) return 0.0;
-        const int is_rest = !(piece->length > 0.0) || (step < 0 && n > 0 && piece->stop);
-        if (is_rest) return least;
-        least = nck_min(least, cap_of(self, piece));
-        mix(mixed, piece);
-        if (n > 0) left -= piece->length;
-        if (!(left > 0.0) || ends_at(self, piece, number, step)) return least;
-        if (step < 0 && is_first_known(self, number)) return 0.0;
+    uint32_t number = mixed->number;
+    const nck_node_t *piece = nck_plan_piece(pieces, number);
+    for (int n = 0; piece && n < MIXED_MOST; n++) {
+        const double before = left;
+        const int is_rest = rests_before(piece, step, n == 0);
+        if (!is_rest) {
+            least = nck_min(least, cap_of(self, piece));
+            mix(mixed, piece);
+            if (n > 0) left -= piece->length;
+        }
+        if (!(left > 0.0)) {
+            narrow(mixed, distance - before, distance - left);
+            return least;
+        }
+        if (is_rest || ends_at(self, piece, number, step)) {
+            narrow(mixed, distance - left, NCK_UNLIMITED);
+            return least;
+        }
+        if (step < 0 && is_first_known(self, number)) break;
         number += (uint32_t)step;
+        piece = nck_plan_piece(pieces, number);
     }
+    narrow(mixed, distance - left, NCK_UNLIMITED);
     return 0.0;
 }
 
-static mixed_t mixed_at(const nck_jerk_t *self, const nck_pieces_t *pieces, uint32_t number,
-                        double v) {
+// What is mixed around a piece at speed v. Returns r = v/v_c, 1 and more where nothing is known;
+// v_c², the smallest cap, is mixed->w.
+static double mix_around(const nck_jerk_t *self, const nck_pieces_t *pieces, uint32_t number,
+                         double v, nck_brake_mixed_t *mixed) {
     const double length = v * (double)NCK_FILTER_TAPS * self->machine->period_s;
-    mixed_t mixed = {0.0, 0.0, NCK_UNLIMITED, NCK_UNLIMITED, NCK_UNLIMITED};
-    const double ahead = least_cap(self, pieces, number, length, 1, &mixed);
-    const double behind = least_cap(self, pieces, number, length, -1, &mixed);
-    mixed.w = nck_min(ahead, behind);
-    mixed.r = v / nck_sqrt(nck_max(mixed.w, 1e-12));
-    return mixed;
+    const int same = mixed->number == number && length > mixed->least && length < mixed->most;
+    mixed->work += ASK_WORK;
+    if (!same) {
+        const nck_brake_mixed_t anew = {number, mixed->work, 0.0, NCK_UNLIMITED, 0.0,
+                                        NCK_UNLIMITED, NCK_UNLIMITED, NCK_UNLIMITED};
+        *mixed = anew;
+        const double ahead = least_cap(self, pieces, length, 1, mixed);
+        mixed->w = nck_min(ahead, least_cap(self, pieces, length, -1, mixed));
+    }
+    return v / nck_sqrt(nck_max(mixed->w, 1e-12));
 }
 
 // What lies between standstill and the cap, linear in r.
-static double linear_of(double a, const mixed_t *mixed) {
-    return mixed->a_rest + (a - mixed->a_rest) * mixed->r;
+static double linear_of(double a, const nck_brake_mixed_t *mixed, double r) {
+    return mixed->a_rest + (a - mixed->a_rest) * r;
 }
 
 // With r = v/v_c, a_c and j_c what is left at the cap:
@@ -124,48 +150,49 @@ static double linear_of(double a, const mixed_t *mixed) {
 //   3|p″|v·a ≤ (J − |p‴|v³)/2  by  q/(6v),  q = (J − |p‴|v³)/|p″| ≥ q₀ + (6v_c·a_c − q₀)·r³,
 //   q₀ = J/|p″|.
 // a: a_c [path mm/s²].
-static double accel_left(double a, const mixed_t *mixed, double v) {
-    const double r = mixed->r;
+static double accel_left(double a, const nck_brake_mixed_t *mixed, double v, double r) {
     const double q_cap = 6.0 * nck_sqrt(mixed->w) * a;
     const double q_rest = nck_max(q_cap, mixed->q_rest);
     const double ramp = (q_rest + (q_cap - q_rest) * r * r * r) / (6.0 * v);
-    return nck_max(a, nck_min(linear_of(a, mixed), ramp));
+    return nck_max(a, nck_min(linear_of(a, mixed, r), ramp));
 }
 
 // The jerk that goes with it. What an axis asks for is linear in v³, va and j: so what is left at
 // the cap by r³, and half of what is left at standstill by the rest, hold together with it.
 // at_cap: the former.
-static double jerk_left(const nck_jerk_t *self, double j, double at_cap, const mixed_t *mixed) {
-    const double rrr = mixed->r * mixed->r * mixed->r;
+static double jerk_left(const nck_jerk_t *self, double j, double at_cap,
+                        const nck_brake_mixed_t *mixed, double r) {
+    const double rrr = r * r * r;
     const double j_rest = nck_max(j, mixed->j_rest * self->j_scale);
     return NCK_BUDGET_RAMP_SHARE * j_rest * (1.0 - rrr) + at_cap * rrr;
 }
 
 void nck_brake_left(const nck_jerk_t *self, const nck_pieces_t *pieces, uint32_t number, double v,
-                    nck_brake_left_t *left) {
-    const mixed_t mixed = mixed_at(self, pieces, number, v);
-    if (!(mixed.r < 1.0) || !(v > 0.0)) return;
+                    nck_brake_mixed_t *mixed, nck_brake_left_t *left) {
+    const double r = mix_around(self, pieces, number, v, mixed);
+    if (!(r < 1.0) || !(v > 0.0)) return;
     const double a = left->with_j.a;
     const double j = left->with_j.j;
-    left->with_a.a = accel_left(a, &mixed, v);
+    left->with_a.a = accel_left(a, mixed, v, r);
     // Half of it: so it does not grow with the speed.
-    left->with_a.j = jerk_left(self, j, NCK_BUDGET_RAMP_SHARE * j, &mixed);
-    left->with_j.a = nck_max(a, nck_min(linear_of(a, &mixed), a / mixed.r));
+    left->with_a.j = jerk_left(self, j, NCK_BUDGET_RAMP_SHARE * j, mixed, r);
+    left->with_j.a = nck_max(a, nck_min(linear_of(a, mixed, r), a / r));
 }
 
 // A piece that leaves more jerk at its cap keeps that (docs/stops.md, "Known not to hold").
 void nck_brake_relax(const nck_jerk_t *self, const nck_pieces_t *pieces, uint32_t number, double v,
-                     nck_brake_limits_t *limits) {
-    const mixed_t mixed = mixed_at(self, pieces, number, v);
-    if (!(mixed.r < 1.0) || !(v > 0.0)) return;
-    limits->a = accel_left(limits->a, &mixed, v);
-    limits->j = nck_max(limits->j, jerk_left(self, limits->j, limits->j, &mixed));
+                     nck_brake_mixed_t *mixed, nck_brake_limits_t *limits) {
+    const double r = mix_around(self, pieces, number, v, mixed);
+    if (!(r < 1.0) || !(v > 0.0)) return;
+    limits->a = accel_left(limits->a, mixed, v, r);
+    limits->j = nck_max(limits->j, jerk_left(self, limits->j, limits->j, mixed, r));
 }
 
 // ---- reach
 
 // A cell of the plan of now under the brake; a long one in parts. Returns 1 when the rest is found.
-static int reach_cell(nck_jerk_t *self, const nck_pieces_t *pieces, const nck_cell_t *cell) {
+static int reach_cell(nck_jerk_t *self, const nck_pieces_t *pieces, const nck_cell_t *cell,
+                      nck_brake_mixed_t *mixed) {
     nck_profile_t *const state = &self->profile;
     const uint32_t parts = (uint32_t)nck_window_parts(self, cell, 1);
     const double h = cell->length / (double)parts;
@@ -176,7 +203,9 @@ static int reach_cell(nck_jerk_t *self, const nck_pieces_t *pieces, const nck_ce
     const double v = nck_min(cell->v, PLAN_ABOVE * state->v_last);
     nck_brake_limits_t limits = {self->work.over ? piece->a_over : piece->a,
                                  self->j_scale * (self->work.over ? piece->j_over : piece->j)};
-    if (!self->work.as_capped) nck_brake_relax(self, pieces, self->work.piece, v, &limits);
+    if (!self->work.as_capped) {
+        nck_brake_relax(self, pieces, self->work.piece, v, mixed, &limits);
+    }
     const double j = NCK_BRAKE_SHARE * limits.j;
     const double least = self->work.reach > 0.0 ? nck_min(j, self->work.j_cell) : j;
     state->v_last = nck_sqrt(nck_brake_cell(state, h, limits.a, least, self->q_cap));
@@ -194,12 +223,13 @@ static int reach_cell(nck_jerk_t *self, const nck_pieces_t *pieces, const nck_ce
 }
 
 nck_status_t nck_brake_reach(nck_jerk_t *self, const nck_pieces_t *pieces) {
+    nck_brake_mixed_t mixed = {0};
     if (self->work.i == 0 && self->work.part == 0) nck_brake_begin(&self->profile, self->q_cap);
     for (int n = 0; n < NCK_JERK_STEP; n++) {
         const nck_cell_t *const cell =
             nck_link_tail_cell(self->link, self->work.source + self->work.i);
         if (!cell) return NCK_EMPTY;
-        if (reach_cell(self, pieces, cell)) return NCK_DONE;
+        if (reach_cell(self, pieces, cell, &mixed)) return NCK_DONE;
     }
     return NCK_OK;
 }
@@ -212,14 +242,15 @@ static double j_of_both(const nck_jerk_t *self, uint32_t i) {
     return nck_min(self->j_max[before], self->j_max[i]);
 }
 
-void nck_brake_along(nck_jerk_t *self, const nck_pieces_t *pieces, uint32_t i) {
+void nck_brake_along(nck_jerk_t *self, const nck_pieces_t *pieces, uint32_t i,
+                     nck_brake_mixed_t *mixed) {
     nck_profile_t *const state = &self->profile;
     const double q_cap = nck_window_q_cap(self);
     if (i == 0) nck_brake_begin(state, q_cap);
     const double v = nck_min(nck_sqrt(self->w_cap[i]), PLAN_ABOVE * state->v_last);
     if (state->v_last > 0.0) self->w_cap[i] = v * v;
     nck_brake_limits_t limits = {self->a_max[i], self->j_max[i]};
-    nck_brake_relax(self, pieces, self->rung_piece[i], v, &limits);
+    nck_brake_relax(self, pieces, self->rung_piece[i], v, mixed, &limits);
     self->a_max[i] = limits.a;
     self->j_max[i] = limits.j;
     if (nck_brake_rests(state, NCK_BRAKE_SHARE * limits.j)) return; // what is left rounds the end

@@ -20,6 +20,16 @@ typedef struct nck_brake_left {
     nck_brake_limits_t with_a; // more of a, less of j
 } nck_brake_left_t;
 
+// What the output filter mixes around a place, kept for the cells that follow, where mostly it is
+// the same. All zero: nothing yet. It holds within one step.
+typedef struct nck_brake_mixed {
+    uint32_t number;               // of the piece
+    uint32_t work;                 // done so far: pieces that were looked at, and so on
+    double least, most;            // it holds for distances between them [mm]
+    double w;                      // the smallest cap, v²; 0: not known so far
+    double a_rest, j_rest, q_rest; // what the pieces leave at standstill (nck_node_t), at least
+} nck_brake_mixed_t;
+
 // Brake from the profile's entry state; v_last, a_last and share of the profile are the brake's.
 // Cost: constant.
 void nck_brake_begin(nck_profile_t *state, double q_cap);
@@ -34,12 +44,12 @@ int nck_brake_rests(const nck_profile_t *state, double j);
 // A piece's limits hold at its cap; raise them to what they are at speed v at least. README,
 // section "Hold". Cost: linear in the pieces that the output filter mixes at v.
 void nck_brake_relax(const nck_jerk_t *self, const nck_pieces_t *pieces, uint32_t number, double v,
-                     nck_brake_limits_t *limits);
+                     nck_brake_mixed_t *mixed, nck_brake_limits_t *limits);
 
 // What a piece leaves at speed v at least. left: both ways as at its cap; where nothing is known
 // they stay. Cost: linear in the pieces that the output filter mixes at v.
 void nck_brake_left(const nck_jerk_t *self, const nck_pieces_t *pieces, uint32_t number, double v,
-                    nck_brake_left_t *left);
+                    nck_brake_mixed_t *mixed, nck_brake_left_t *left);
 
 // How far a hold brakes: work.reach. NCK_OK: call again; NCK_EMPTY: the plan of now rests before;
 // NCK_DONE. Cost: bounded.
@@ -47,7 +57,8 @@ nck_status_t nck_brake_reach(nck_jerk_t *self, const nck_pieces_t *pieces);
 
 // A hold brakes with what bends leave at the speed that it has by then, and keeps below that speed:
 // limits and cap of cell i of the ladder. Cells in their order. Cost: that of nck_brake_relax.
-void nck_brake_along(nck_jerk_t *self, const nck_pieces_t *pieces, uint32_t i);
+void nck_brake_along(nck_jerk_t *self, const nck_pieces_t *pieces, uint32_t i,
+                     nck_brake_mixed_t *mixed);
 
 // Where limits step down, a brake has to give way in front of the step: what it may take of every
 // cell's acceleration, in the link's spare memory, for nck_brake_raise. NCK_OK: call again;

@@ -40,10 +40,10 @@ enum { SHARE_AT_REST = 4 };
 #define LONG_STEPS 3.0
 // Room for rounding below every jerk limit.
 #define JERK_MARGIN 1e-5
-// A hold that cannot be met gets so much more length, twice that if it is met at less than so much
-// of v² only, …
+// A hold that cannot be met gets more length: so much of the share by which its speed is missed,
+// and so much at least, …
+#define REACH_SHARE 0.5
 #define REACH_GROWTH 0.05
-#define REACH_FAR 0.8
 // … and after so many tries pieces are asked for no more than they leave at their caps. The
 // S-shape brakes for seconds then, so it tries more.
 enum { RELAXED_TRIES = 4, RELAXED_TRIES_SSHAPE = 8 };
@@ -195,6 +195,12 @@ static int runs_past(const nck_jerk_t *self, const nck_pieces_t *pieces) {
     return further > 0 || (further == 0 && behind && self->now->end_s > behind->s);
 }
 
+// The way of a brake grows a little less than the speed that it is made from.
+static double growth_of(const nck_jerk_t *self) {
+    const double met = nck_sqrt(nck_max(self->w[0], 1e-12));
+    return nck_max(REACH_GROWTH, nck_min(1.0, REACH_SHARE * (self->profile.v / met - 1.0)));
+}
+
 // The plan does not join. A hold gets more length; in the end it is content with what pieces leave
 // at their caps. Is the plan of now on its way past the place, it
 // is too late to rest there: a stop at a block's end waits for a later block, an override of zero
@@ -203,8 +209,7 @@ static int runs_past(const nck_jerk_t *self, const nck_pieces_t *pieces) {
 // caps may differ. NCK_E_STATE if that does not help either.
 static nck_status_t give_way(nck_jerk_t *self, const nck_pieces_t *pieces) {
     const double reach = self->work.reach;
-    const int is_far = self->w[0] < REACH_FAR * self->profile.v * self->profile.v;
-    const double longer = reach * (1.0 + (is_far ? 2.0 : 1.0) * REACH_GROWTH);
+    const double longer = reach * (1.0 + growth_of(self));
     const uint32_t tries = self->work.tries + 1;
     const uint32_t passes = self->work.passes + 1;
     const int is_past = self->next->complete && runs_past(self, pieces);
