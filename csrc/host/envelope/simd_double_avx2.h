@@ -29,7 +29,8 @@ static inline vector_t vector_step(vector_t w_cap, vector_t w, vector_t h) {
 
 static inline doubt_t doubt_none(void) { return _mm256_setzero_si256(); }
 
-// The largest halves of the bits as numbers without a sign: a sign or a full exponent makes them large. Only the upper halves tell.
+// The largest halves of the bits as numbers without a sign: a sign or a full exponent makes the
+// upper one large.
 static inline doubt_t doubt_add(doubt_t doubt, vector_t a, vector_t b) {
     const __m256i more = _mm256_max_epu32(_mm256_castpd_si256(a), _mm256_castpd_si256(b));
     return _mm256_max_epu32(doubt, more);
