@@ -150,8 +150,8 @@ static int is_by_caps(const nck_linear_t *self) {
     return self->is_plain && !self->job.wish.single_block;
 }
 
-// Up to which node the last envelope still holds from the next one on: what it has found there by the
-// caps alone, this one would find again.
+// Up to which node the last envelope still holds from the next one on: what it has found there by
+// the caps alone, this one would find again.
 static uint32_t known_end(const nck_linear_t *self) {
     const int is_known = is_by_caps(self) && !self->job.anew
                          && (int32_t)(self->at.piece + 1 - self->known.begin) >= 0;
