@@ -30,7 +30,7 @@ enum {
     LANES = GROUPS * WIDTH,
     // Bytes of a full lane: an odd multiple of a cache line, so that the lanes do not share its
     // sets.
-    LANE_BYTES = 33 * 64,
+    LANE_BYTES = 65 * 64,
     LANE_FULL = LANE_BYTES / (int)sizeof(nck_real),
     LANE_LEAST = 4 * TILE,                   // shorter lanes do not pay
     LINE = 64 / (int)sizeof(nck_real),       // numbers of a cache line

@@ -13,7 +13,7 @@
 #include "host/threads.h"        // nck_host_threads_run
 
 enum {
-    CHUNK = 256 * LANE_FULL, // nodes that a thread takes at once
+    CHUNK = 128 * LANE_FULL, // nodes that a thread takes at once
     REACH_MOST = 4096,      // nodes beyond a block's ends, at most
     REACH_FIRST = 64
 };
