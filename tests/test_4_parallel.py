@@ -158,7 +158,7 @@ def test_a_path_beyond_the_last_cache_gives_the_same_bits(real, road):
 def test_lanes_are_used_where_overlaps_are_certain(real):
     stages.envelope(*family("surface", 100_000, real), backend="simd")
     report = dispatch.last_report()
-    assert report.blocks > 10
+    assert report.blocks >= 6  # of 16,640 nodes, or of half as many
     assert report.blocks_refused == report.chunks_refused == 0
     assert 0 < report.overlap <= 128
 
