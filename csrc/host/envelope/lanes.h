@@ -200,7 +200,8 @@ static inline int backward_lanes(const stretch_t *block, size_t lane, const nck_
     vector_t cap[TILE], piece[TILE], before[GROUPS];
     doubt_t doubt = doubt_none();
     for (size_t g = 0; g < GROUPS; g++) before[g] = vector_load(w_next + g * WIDTH);
-    for (size_t i = lane; i > 0; i -= TILE) {
+    size_t i = lane;
+    do { // every lane has nodes
         const size_t next = LANES * (2 * lane - i);
         if (more) bring_near(w_cap + next, h + next);
         for (size_t g = 0; g < GROUPS; g++) {
@@ -214,7 +215,8 @@ static inline int backward_lanes(const stretch_t *block, size_t lane, const nck_
                 desk->h[g][i - TILE + t] = piece[t];
             }
         }
-    }
+        i -= TILE;
+    } while (i > 0);
     return doubt_any(doubt);
 }
 
