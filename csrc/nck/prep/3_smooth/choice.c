@@ -201,8 +201,8 @@ static double side_time(const corner_t *corner, const shape_limit_t *limit, int 
 
 // Time of a stop, over d of either block at least: where a block is shorter the path goes on as
 // fast as it has become. That is less than stops at all the corners there would take, if they are
-// alike. A block that is much shorter is a part of this corner: then the next corner's stop is the
-// bound. So it is for the S-shape, which brakes for each junction.
+// alike. Under a jerk limit a block that is much shorter is a part of this corner: then the next
+// corner's stop is the bound. So it is for the S-shape, which brakes for each junction.
 static double stop_time(const corner_t *corner, double d) {
     double time = corner->terms->rest_s;
     for (int n = 0; n < 2; n++) {
@@ -210,7 +210,8 @@ static double stop_time(const corner_t *corner, double d) {
         const double half = nck_scurve_over(ramp, 0.0, corner->half[n]);
         const double beyond = nck_max(0.0, d - corner->half[n]);
         const double on = beyond / nck_scurve_reach(ramp, 0.0, corner->half[n]);
-        const int goes_on = corner->terms->carries && corner->half[n] >= ALIKE * d;
+        const int is_apart = !corner->terms->limits_jerk || corner->half[n] >= ALIKE * d;
+        const int goes_on = corner->terms->carries && is_apart;
         if (corner->rests[n]) time += 2.0 * half;
         else time += half + (goes_on ? on : nck_min(half, on));
     }
