@@ -95,3 +95,40 @@ def test_further_reference_points_are_the_machines():
     assert blocks["target_nm"][[2, 4], :3].tolist() == [
         [1_000_000, 1_000_000, -5_000_000], [7_000_000, 1_000_000, -5_000_000]
     ]  # fmt: skip
+
+
+# Lengths without a point
+
+def targets(text, **settings):
+    changes = {"dialect.base": "fanuc", **{f"dialect.{key}": each for key, each in settings.items()}}
+    machine = pycnc.Machine.load("mill3", set=changes)
+    program = pycnc.Program(text.encode(), machine)
+    places = program.blocks["target_nm"][program.blocks["kind"] <= 1, :3] / 1e6
+    return places.tolist(), [each.id for each in program.diagnostics]
+
+
+@pytest.mark.parametrize(
+    ("integers", "lines", "found", "notes"),
+    [
+        ({}, "G0 X100 Z-2.\nG1 Y-50 F100", [[100, 0, -2], [100, -50, -2]], ["assumed-integers"]),
+        ({"integers": "units"}, "G0 X100 Z-2.\nG1 Y-50 F100", [[100, 0, -2], [100, -50, -2]], []),
+        ({"integers": "increments"}, "G0 X100 Z-2.\nG1 Y-50 F100",
+         [[0.1, 0, -2], [0.1, -0.05, -2]], []),
+        ({"integers": "increments"}, "G20 G0 X100\nY1.", [[0.254, 0, 0], [0.254, 25.4, 0]], []),
+        ({"integers": "increments"}, "#1=100\nG0 X#1\nY[2*3]", [[100, 0, 0], [100, 6, 0]], []),
+        ({}, "G0 X0 Y0\nX1.5 Y2.", [[0, 0, 0], [1.5, 2, 0]], []),
+    ],
+)  # fmt: skip
+def test_what_a_length_without_a_point_counts_is_told_and_may_be_said(
+    integers, lines, found, notes
+):
+    start = "G17 G90" if "G20" in lines else "G17 G21 G90"
+    places, said = targets(f"{start}\n{lines}\nM30\n", **integers)
+    assert places == [pytest.approx(each) for each in found]
+    assert said == notes
+
+
+def test_centres_count_as_ends_do():
+    text = "G17 G21 G90\nG1 Y1000 F100\nG2 X1000 Y0 I0 J-1000\nG1 X-5000\nM30\n"
+    arcs = text.replace("1000", "1.").replace("5000", "5.")
+    assert targets(text, integers="increments") == targets(arcs)
