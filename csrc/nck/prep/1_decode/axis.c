@@ -25,44 +25,11 @@ static unsigned column_of_axis(const nck_decode_t *self, unsigned axis) {
     return said ? self->words.column[letter - 'A'] : 0;
 }
 
-int nck_decode_says_point(const nck_decode_t *self, int letter) {
-    const nck_number_t *const word = &self->words.number[letter - 'A'];
-    for (unsigned k = word->first; k < word->last; k++) {
-        if (self->line.text[k] == '.') return 1;
-    }
-    return 0;
-}
-
-// 1 if a word is written as a whole number, but 0.
-static int is_integer(const nck_decode_t *self, int letter) {
-    const nck_number_t *const word = &self->words.number[letter - 'A'];
-    return word->last > word->first && word->mantissa != 0 && !nck_decode_says_point(self, letter);
-}
-
-// How many decimals a least increment of a scale has.
-static int decimals_of(const nck_decode_t *self, const nck_scale_t *scale) {
-    return self->modal.inch && scale != &self->place.scale[2] ? 4 : 3;
-}
-
-// A word in fixed point. 0: it is beyond the scale's limit.
-static int read_fixed(nck_decode_t *self, int letter, const nck_scale_t *scale, int64_t *out) {
-    const uint32_t integers = self->machine->dialect.integers;
-    nck_number_t word = self->words.number[letter - 'A'];
-    const int is_open = self->machine->dialect.base == NCK_DIALECT_FANUC
-                        && integers != NCK_INTEGERS_UNITS && is_integer(self, letter);
-    if (is_open && integers == NCK_INTEGERS_INCREMENTS) {
-        word.decimals = (int16_t)(word.decimals + decimals_of(self, scale));
-    } else if (is_open) {
-        nck_decode_assume(self, NCK_NOTE_INTEGERS);
-    }
-    return nck_number_fixed(self->line.text, &word, scale, out);
-}
-
 nck_status_t nck_decode_axis_word(nck_decode_t *self, unsigned axis, int64_t *value_out) {
     const int letter = nck_decode_letter(axis);
     const nck_number_t *const word = &self->words.number[letter - 'A'];
     const nck_scale_t *const scale = scale_of(self, axis);
-    if (read_fixed(self, letter, scale, value_out)) return NCK_OK;
+    if (nck_number_fixed(self->line.text, word, scale, value_out)) return NCK_OK;
     return nck_decode_fail_word(self, NCK_E_NUMBER_RANGE, letter, nck_number_real(word),
                                 nck_decode_shown(self, axis, scale->limit));
 }
@@ -81,9 +48,17 @@ void nck_decode_write(const nck_decode_t *self, unsigned axis, int64_t value_nm,
     out->negative = value_nm < 0;
 }
 
+int nck_decode_says_point(const nck_decode_t *self, int letter) {
+    const nck_number_t *const word = &self->words.number[letter - 'A'];
+    for (unsigned k = word->first; k < word->last; k++) {
+        if (self->line.text[k] == '.') return 1;
+    }
+    return 0;
+}
+
 nck_status_t nck_decode_length_word(nck_decode_t *self, char letter, int64_t *value_out) {
     const nck_number_t *const word = &self->words.number[letter - 'A'];
-    if (read_fixed(self, letter, &self->place.scale[0], value_out)) return NCK_OK;
+    if (nck_number_fixed(self->line.text, word, &self->place.scale[0], value_out)) return NCK_OK;
     return nck_decode_fail_word(self, NCK_E_NUMBER_RANGE, letter, nck_number_real(word),
                                 NCK_LINEAR_MAX_MM);
 }
@@ -91,7 +66,8 @@ nck_status_t nck_decode_length_word(nck_decode_t *self, char letter, int64_t *va
 nck_status_t nck_decode_plain_word(nck_decode_t *self, int letter, double *value_out) {
     const nck_number_t *const word = &self->words.number[letter - 'A'];
     const double value = nck_number_real(word), unit = self->machine->dialect.scale_unit;
-    const int whole = is_integer(self, letter);
+    const int whole = word->last > word->first && !nck_decode_says_point(self, letter)
+                      && (value > 0.0 || value < 0.0);
     *value_out = whole ? value * unit : value;
     if (!whole || unit > 0.0) return NCK_OK;
     return nck_decode_fail_word(self, NCK_E_SCALE_UNIT, letter, value, 0.0);

@@ -15,7 +15,6 @@ static const int64_t power_of_ten[] = {1, 10, 100, 1000, 10000, 100000, 1000000,
 typedef struct quick {
     int64_t target_nm[3]; // X Y Z, of those that are named
     uint32_t axes; // bit k: axis k is named
-    int integers;  // 1: what a whole number counts is asked elsewhere
     int code;      // in tenths; CODE_NONE: none yet
     int is_named;  // 1: N was read
 } quick_t;
@@ -29,16 +28,6 @@ static int is_plain(const nck_decode_t *self) {
                           && (self->held.contour.mode | self->entry.waits | self->layout.on) == 0;
     const int linear = !(self->place.rotary & 7u);
     return whole && by_itself && linear && (noted & wanted) == wanted;
-}
-
-// 1 if Fanuc leaves open what a whole number counts, and the program's first is not read yet, or it
-// counts increments.
-static int asks_integers(const nck_decode_t *self) {
-    const uint32_t integers = self->machine->dialect.integers;
-    if (self->machine->dialect.base != NCK_DIALECT_FANUC) return 0;
-    return integers == NCK_INTEGERS_INCREMENTS
-           || (integers == NCK_INTEGERS_OPEN
-               && !(self->finding.notes & 1u << NCK_NOTE_INTEGERS));
 }
 
 static unsigned digit_of(const char *at) { return (unsigned)(unsigned char)*at - (unsigned)'0'; }
@@ -64,8 +53,7 @@ static const char *end_number(const char *at) {
 
 // A number of few digits that is whole in counts of the scale, and the blanks after it. NULL if it
 // is none of these, or beyond the scale's limit.
-static const char *read_counts(const char *at, const nck_scale_t *scale, int integers,
-                               int64_t *out) {
+static const char *read_counts(const char *at, const nck_scale_t *scale, int64_t *out) {
     const int negative = *at == '-';
     const char *const first = at + negative;
     int64_t mantissa = 0;
@@ -74,7 +62,6 @@ static const char *read_counts(const char *at, const nck_scale_t *scale, int int
     const char *const end = has_point ? read_digits(point + 1, &mantissa) : point;
     const int length = (int)(end - first) - has_point;
     const int shift = scale->power + has_point - (int)(end - point);
-    if (integers && !has_point && mantissa != 0) return (const char *)0;
     if (length < 1 || shift < 0 || length + shift > DIGITS_MOST) return (const char *)0;
     const int64_t counts = mantissa * power_of_ten[shift] * scale->factor;
     if (counts > scale->limit) return (const char *)0;
@@ -89,7 +76,7 @@ static const char *read_axis(const nck_decode_t *self, quick_t *line, unsigned a
     const uint32_t bit = 1u << axis;
     int64_t value = 0;
     if (line->axes & bit) return (const char *)0;
-    at = read_counts(at, scale, line->integers, &value);
+    at = read_counts(at, scale, &value);
     value += self->modal.incremental ? self->place.position_nm[axis] : self->place.origin_nm[axis];
     if (value < -scale->limit || value > scale->limit) return (const char *)0;
     if (value < travel->min_nm || value > travel->max_nm) return (const char *)0;
@@ -140,7 +127,6 @@ int nck_decode_quick(nck_decode_t *self, nck_block_t *out) {
     line.axes = 0;
     line.code = CODE_NONE;
     line.is_named = 0;
-    line.integers = asks_integers(self);
     if (!read_line(self, &line)) return 0;
     const int cuts = line.code == CODE_LINE;
     self->line.tag = self->line.number;
