@@ -111,7 +111,7 @@ static int find_end(const path_t *path, const cut_t *left, envelope_count_t *cou
     block->n = *lane_out > 0 ? LANES * *lane_out : most;
     while (block->n < most && !certain_backward(path, left->begin + block->n, &block->w_behind)) {
         count->chunks_refused++;
-        count->refused++;
+        if (*lane_out > 0) count->refused++; // once, however far it grows
         *lane_out = 0;
         block->n = block->n < most / 2 ? 2 * block->n : most;
     }
