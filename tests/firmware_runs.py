@@ -7,7 +7,7 @@ from typing import NamedTuple
 import cases
 import numpy as np
 
-from pycnc import controller, errors
+from pycnc import controller
 from pycnc.machine import Machine
 
 SLOPES = ("linear", "sshape", "jerk")
@@ -52,7 +52,7 @@ def run_in(folder, chosen, program, commands=(), **conditions):
     cause = ""
     try:
         chosen._execute(folder, 60, None)
-    except errors.FirmwareError as error:
+    except controller.FirmwareError as error:
         cause = str(error).partition(" stopped: ")[2]
     kind = [("output", "<u4"), ("value", "<i4"), ("unfed", "<u4")]
     rows = np.fromfile(folder / "outputs", kind).tolist()

@@ -17,6 +17,7 @@ from pathlib import Path
 import numpy as np
 
 from pycnc import errors
+from pycnc.errors import FirmwareError
 from pycnc.program.diagnostics import Diagnostics, Wording
 from pycnc.program.lines import Lines
 from pycnc.machine import DEFAULT, Machine
@@ -204,7 +205,7 @@ class Controller:
         try:
             done = subprocess.run(command, cwd=place, capture_output=True, timeout=timeout_s)
         except subprocess.TimeoutExpired:
-            raise errors.FirmwareError(
+            raise FirmwareError(
                 f"the {self.name} controller did not end within {timeout_s:g} s: allow more time, "
                 "or give max_ticks", id="controller-timeout",
             ) from None  # fmt: skip
@@ -221,7 +222,7 @@ class Controller:
             raise errors.ArgumentError(f"the controller does not take {line!r}", id="job")
         cause = _CAUSES.get(done.returncode, f"exit status {done.returncode}")
         said = done.stderr.decode(errors="replace").strip()
-        raise errors.FirmwareError(
+        raise FirmwareError(
             f"the {self.name} controller stopped: {cause}{': ' if said else ''}{said}",
             id="controller-fault",
         )
@@ -255,7 +256,7 @@ def _tool(name):
     beside = Path(sys.executable).with_name(name)
     path = str(beside) if beside.exists() else shutil.which(name)
     if path is None:
-        raise errors.FirmwareError(f"{name} is not installed: on Debian, apt-get install "
+        raise FirmwareError(f"{name} is not installed: on Debian, apt-get install "
                             f"{_PACKAGES[name]}", id="controller-absent")  # fmt: skip
     return path
 
@@ -266,10 +267,8 @@ def _build(controller):
     import fcntl  # not everywhere where the rest of pycnc runs
 
     if not (ROOT / "firmware_sim" / "app").is_dir():
-        raise errors.FirmwareError(
-            "controllers are built from the sources of pycnc: work in a checkout, with an editable "
-            "install", id="controller-absent",
-        )  # fmt: skip
+        raise FirmwareError("controllers are built from the sources of pycnc: work in a checkout, "
+                            "with an editable install", id="controller-absent")  # fmt: skip
     folder = ROOT / "build" / "firmware" / controller
     configure = [_tool("cmake"), "-S", ROOT, "-B", folder, "-DNCK_FIRMWARE=ON"]
     if controller in CORES:
@@ -283,10 +282,8 @@ def _build(controller):
         for command in (configure, make):
             done = subprocess.run(command, capture_output=True, text=True)
             if done.returncode != 0:
-                raise errors.FirmwareError(
-                    f"the firmware of {controller} does not build:\n{done.stdout}{done.stderr}",
-                    id="controller-build",
-                )
+                raise FirmwareError(f"the firmware of {controller} does not build:\n{done.stdout}"
+                                    f"{done.stderr}", id="controller-build")  # fmt: skip
     suffix = ".elf" if controller in CORES else ""
     return folder / "firmware_sim" / "app" / f"firmware{suffix}"
 
