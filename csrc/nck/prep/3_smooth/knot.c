@@ -3,6 +3,7 @@
 // corner, with even spacing on either side of it.
 #include "nck/prep/3_smooth/knot.h"
 
+#include <stddef.h> // NULL
 #include <string.h> // memcpy
 
 #include "nck/base/path.h"                 // nck_path_second
@@ -15,11 +16,8 @@
 // A knot is taken only if the spline could also end there. The first tries allow that end this
 // share of the tolerance. The rest is left to the knot that will follow instead.
 #define AIM_END 0.98
-// The knots next to a corner's stand so many of its spacings further off, at least and at most; and
-// where there is room, so many.
+// The knots next to a key's stand so many of its spacings further off at least.
 #define GAP_LEAST 0.4
-#define GAP_MOST 2.0
-#define GAP 1.5
 #define STEP_GROWTH 1.1  // from one knot interval to the next, where the path is not straight
 #define SURE 0.5         // of √(P/κ): from rest a step on one block that certainly fits
 #define NEVER 1e300      // [path mm] no place of a run
@@ -37,7 +35,7 @@ typedef struct way {
     double half;  // spacing wanted on either side of the goal; 0: any
     double growth;    // of a step with the distance, for what lies ahead: from rest on none
     uint8_t sure;     // 1: no spacing so far may still grow
-    uint8_t key;      // whether the goal is a corner: nck_key_t
+    uint8_t key;      // whose own knot the goal is: nck_key_t
     uint8_t straight; // 1: one line leads to the goal
     uint8_t halves;   // 1: in two steps, so that the spline is straight again at its end
 } way_t;
@@ -154,18 +152,39 @@ static double step_from_key(const nck_smooth_t *self, const way_t *way, double a
     return nck_min(step, nck_max(0.5 * ahead, ahead - way->half));
 }
 
-// Along a line up to the knot before the goal: in one step, or with knots that bound what the lift
-// of a corner's control point bends.
-static double straight_gap(const nck_smooth_t *self, const way_t *way, double gap) {
-    const double past = self->run.past_key ? self->run.t[4] - self->run.t[3] : 0.0;
-    if (way->halves) return 0.5 * gap;
-    if (past > 0.0 && gap > GAP_MOST * past) {
-        const double rest = gap - GAP * past;
-        return rest < GAP_LEAST * nck_max(past, way->half) ? 0.5 * gap : GAP * past;
-    }
-    if (way->key != NCK_KEY_LIFTED || gap <= GAP_MOST * way->half) return gap;
-    const double middle = gap - GAP * way->half;
+// The knots next to those of a key bound what is bent beside it: they stand so many of its spacings
+// further off at most, and where there is room, so many.
+typedef struct gap {
+    double most;
+    double wide;
+} gap_t;
+
+// Even knots leave a step of the curvature least.
+static const gap_t *gap_of(uint8_t key) {
+    static const gap_t lifted = {2.0, 1.5};
+    static const gap_t step = {1.25, 1.0};
+    return key == NCK_KEY_LIFTED ? &lifted : key == NCK_KEY_STEP ? &step : NULL;
+}
+
+// Up to the knot before the goal, or one more before that.
+static double gap_before(const way_t *way, double gap) {
+    const gap_t *const ahead = gap_of(way->key);
+    if (!ahead || gap <= ahead->most * way->half) return gap;
+    const double middle = gap - ahead->wide * way->half;
     return middle < 0.5 * way->half ? 0.5 * gap : middle;
+}
+
+// Along a line up to the knot before the goal: in one step, or with knots that bound what a key
+// bends.
+static double straight_gap(const nck_smooth_t *self, const way_t *way, double gap) {
+    const gap_t *const behind = gap_of(self->run.past_key);
+    const double past = behind ? self->run.t[4] - self->run.t[3] : 0.0;
+    if (way->halves) return 0.5 * gap;
+    if (past > 0.0 && gap > behind->most * past) {
+        const double rest = gap - behind->wide * past;
+        return rest < GAP_LEAST * nck_max(past, way->half) ? 0.5 * gap : behind->wide * past;
+    }
+    return gap_before(way, gap);
 }
 
 // The step from t[4] on that is wanted.
@@ -177,8 +196,9 @@ static double wanted_step(const nck_smooth_t *self, const way_t *way) {
     if (way->key == NCK_KEY_LIFTED && gap < GAP_LEAST * way->half) return 0.5 * ahead;
     if (way->straight) return straight_gap(self, way, gap);
     if (gap < 0.5 * way->half) return 0.5 * ahead;
-    if (gap <= way->step) return gap;
-    return nck_min(way->step, nck_max(0.5 * gap, 0.5 * way->step));
+    const double next = way->key == NCK_KEY_STEP ? gap_before(way, gap) : gap;
+    if (next <= way->step) return next;
+    return nck_min(way->step, nck_max(0.5 * next, 0.5 * way->step));
 }
 
 // Behind a blend the path is on the move: there the first three control points must lie on its
@@ -250,7 +270,8 @@ static int begin_try(nck_smooth_t *self, double t) {
     self->run.tries++;
     trial->first = 0;
     self->run.rough = trial->n < TRIES_WANTED ? trial->rough : trial->was_rough;
-    self->run.corner = trial->n < TRIES_WANTED ? self->run.on_key : NCK_KEY_NONE;
+    const int on_corner = trial->n < TRIES_WANTED && self->run.on_key != NCK_KEY_STEP;
+    self->run.corner = on_corner ? self->run.on_key : NCK_KEY_NONE;
     nck_control_place(self, t);
     nck_raw_begin_fit(self, 0);
     return 1;
@@ -321,7 +342,7 @@ static nck_status_t go_on(nck_smooth_t *self) {
     const nck_status_t status = compare(self);
     trial->fails = status == NCK_E_STATE;
     if (status == NCK_DONE) {
-        self->run.past_key = self->run.on_key == NCK_KEY_LIFTED;
+        self->run.past_key = gap_of(self->run.on_key) ? self->run.on_key : NCK_KEY_NONE;
         self->run.on_key = trial->n == 0 ? trial->to_key : NCK_KEY_NONE;
     }
     return trial->fails ? NCK_OK : status;

@@ -207,9 +207,8 @@ void nck_raw_spline(nck_smooth_t *self, int first, nck_seg_t *seg_out) {
     memset(&seg_out->shape, 0, sizeof seg_out->shape);
 }
 
-// |p″| over a seg: of a spline the larger end's, for it is linear in between.
+// |p″| over a spline: the larger end's, for it is linear in between.
 static double largest_second(const nck_seg_t *seg, int axes) {
-    if (seg->kind == NCK_SEG_LINE) return 0.0;
     double start[NCK_AXIS_MAX];
     double end[NCK_AXIS_MAX];
     nck_path_second_part(seg, 0.0, axes, start);
@@ -234,16 +233,34 @@ static double deviation(const piece_t *piece, const nck_raw_t *raw, double s) {
     return nck_spline_distance(p, q, piece->axes);
 }
 
+// The largest |p̃″ − p″| of a piece and a block, from range[0] to range[1]: p̃″ is linear there, and
+// an arc's p″, which turns by ω over a unit of path, leaves its chord by no more than |p″|ω²h²/8.
+static double second_apart(const piece_t *piece, const nck_raw_t *raw, const double *range) {
+    if (raw->seg.kind == NCK_SEG_LINE) return piece->second;
+    const double turned =
+        raw->seg.shape.arc.sweep / raw->seg.length * (range[1] - range[0]);
+    double apart = 0.0;
+    double kappa = 0.0;
+    for (int n = 0; n < 2; n++) {
+        double p[NCK_AXIS_MAX];
+        double q[NCK_AXIS_MAX];
+        nck_path_second_part(&piece->seg, range[n] - piece->begin, piece->axes, p);
+        nck_path_second_part(&raw->seg, range[n] - raw->s, piece->axes, q);
+        apart = nck_max(apart, nck_spline_distance(p, q, piece->axes));
+        kappa = nck_spline_norm(q, piece->axes);
+    }
+    return apart + kappa * turned * turned / 8.0;
+}
+
 // As nck_raw_fit, over one block: from range[0] to range[1]. Between two points that are looked at
-// the deviation cannot exceed the larger one by more than the sag of both curves.
+// the deviation cannot exceed the larger one by more than what their difference can sag.
 // off: the deviation at range[0]; negative if it is not known. Takes that at range[1].
 static int block_fits(const piece_t *piece, const nck_raw_t *raw, const double *range,
                       double allowed, double *off) {
     const double length = range[1] - range[0];
     const int parts = 1 + (int)(length * (double)PARTS / piece->seg.length);
     const double h = length / (double)parts;
-    const double second = piece->second + largest_second(&raw->seg, piece->axes);
-    const double near = allowed - nck_spline_sag(second, h);
+    const double near = allowed - nck_spline_sag(second_apart(piece, raw, range), h);
     if (*off < 0.0) *off = deviation(piece, raw, range[0]);
     for (int n = 1; n <= parts && *off <= near; n++) {
         *off = deviation(piece, raw, range[0] + h * (double)n);

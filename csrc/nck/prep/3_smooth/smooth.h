@@ -19,11 +19,13 @@ typedef enum nck_onward {
     NCK_ONWARD_BENT
 } nck_onward_t;
 
-// A block's end that wants a knot of its own: a corner, its control point on the path or off it.
+// A block's end that wants a knot of its own: a corner, its control point on the path or off it, or
+// a step of the path's curvature.
 typedef enum nck_key {
     NCK_KEY_NONE = 0,
     NCK_KEY_ON_PATH,
-    NCK_KEY_LIFTED
+    NCK_KEY_LIFTED,
+    NCK_KEY_STEP
 } nck_key_t;
 
 // What is still to be found of the spacing at a block's end.
@@ -45,7 +47,7 @@ typedef struct nck_raw {
     uint8_t has_seg;     // 1: it moves or rests
     uint8_t has_output;  // 1: it hands over something, and has not yet
     uint8_t smooth;      // 1: part of a run
-    uint8_t key;         // whether its end is a corner that wants a knot of its own: nck_key_t
+    uint8_t key;         // whether its end wants a knot of its own: nck_key_t
     uint8_t rough;       // 1: the path is noise near its end, no curve
     uint8_t ends;        // 1: end of the program
     uint8_t lacks;       // of its spacing: nck_lack_t
@@ -69,7 +71,7 @@ typedef struct nck_trial {
     uint8_t fails;  // 1: it does not fit
     uint8_t n;      // step that is tried
     uint8_t first;  // piece in work of the three that the knot makes
-    uint8_t to_key; // whether the step wanted leads to a corner: nck_key_t
+    uint8_t to_key; // whose own knot the step wanted leads to: nck_key_t
     uint8_t rough;  // 1: the path is noise ahead; the last of the steps are tried as before
     uint8_t was_rough; // run.rough of the knot before
     uint8_t looks;  // 1: before it, the way ahead is looked at from `count` on, `step` so far
@@ -117,8 +119,8 @@ typedef struct nck_smooth {
         uint8_t open;    // 1: there is one
         uint8_t closed;  // 1: it gets no more blocks
         uint8_t chosen;  // 1: t[5] and c[3] are chosen
-        uint8_t on_key;  // whether t[4] is the knot of a corner: nck_key_t
-        uint8_t past_key; // 1: t[3] is that of a lifted one
+        uint8_t on_key;  // whose own knot t[4] is: nck_key_t
+        uint8_t past_key; // the same of t[3], if it wants more knots beside it
         uint8_t rough;   // 1: c[3] … c[5] are those of noise
         uint8_t corner;  // whether c[3] is that of a corner: nck_key_t
         uint32_t end;    // count of the block behind its last one

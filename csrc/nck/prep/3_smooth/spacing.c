@@ -17,6 +17,7 @@
 // lone corner, where nothing is left to chance.
 #define AIM 0.7
 #define AIM_KEY 0.96
+#define AIM_STEP 0.9
 #define GROWTH 1.5       // between two spacings that are looked at for a block's end
 #define NEIGHBOUR 0.7    // of a spacing: where to begin to look for the next one
 #define KEY_LEAST 0.5    // a corner is a key if the spacing that it allows alone is right by …
@@ -35,6 +36,12 @@
 #define SAME 0.9         // tolerances of blocks that differ by no more count as one
 #define SMALL 0.125      // of a spacing: such a block has the one before it
 #define BLUNT 1.25       // of the spacing before it: so much its corner allows alone
+// A step of the curvature is a key if the corner there allows alone so many of its spacings, and the
+// blocks beside it have room for this share of it.
+#define STEP_CORNER 4.0
+#define STEP_ROOM 0.5
+// Inside of an arc its spacing must fit by this share.
+#define STEP_FITS 0.8
 enum {
     LOOKED_AT = 4,       // of so many small blocks one
     WINDOW_LEAST = 128,  // pieces that a window holds, for corners of more pieces
@@ -356,23 +363,64 @@ static double widen(nck_smooth_t *self, uint32_t count, double narrow, double pl
     return nck_max(plain, fit_line(fit_line(wide, nck_min(in, out)), nck_max(in, out)));
 }
 
+// How much the curvature steps from one seg to the next: |Δp″|.
+static double step_of(const nck_seg_t *in, const nck_seg_t *out, int axes) {
+    double before[NCK_AXIS_MAX];
+    double behind[NCK_AXIS_MAX];
+    if (in->kind == NCK_SEG_LINE && out->kind == NCK_SEG_LINE) return 0.0;
+    nck_path_second_part(in, in->length, axes, before);
+    nck_path_second_part(out, 0.0, axes, behind);
+    return nck_spline_distance(before, behind, axes);
+}
+
+// The spacing at a step of the curvature that gets a knot of its own; 0: it is none, or does not.
+// What the corner there uses of the tolerance comes off.
+static double step_spacing(nck_smooth_t *self, uint32_t count, const vertex_t *corner) {
+    const nck_raw_t *const raw = nck_raw_at(self, count);
+    const nck_raw_t *const next = nck_raw_at(self, nck_raw_next(self, count));
+    const double step = step_of(&raw->seg, &next->seg, self->terms->axes);
+    if (!(step > 0.0)) return 0.0;
+    const double tolerance = corner->aim / AIM;
+    const double most = nck_spline_step_spacing(AIM_STEP * tolerance, step);
+    const double room = 0.5 * nck_min(raw->seg.length, next->seg.length);
+    const double inside = nck_min(raw->inside, next->inside);
+    if (corner->alone < STEP_CORNER * most || room < STEP_ROOM * most) return 0.0;
+    if (inside < STEP_FITS * most) return 0.0;
+    const double share = AIM_STEP - AIM * most / corner->alone;
+    return nck_min(nck_min(room, inside), nck_spline_step_spacing(share * tolerance, step));
+}
+
+// The spacing at a corner, and whether it is a key. NCK_EMPTY if more blocks must be known.
+static nck_status_t find_at_corner(nck_smooth_t *self, uint32_t count, vertex_t *corner,
+                                   double *spacing_out) {
+    nck_raw_t *const raw = nck_raw_at(self, count);
+    const nck_status_t status = choose(self, count, corner, spacing_out);
+    if (status == NCK_EMPTY) return status;
+    raw->lacks = status == NCK_FULL ? NCK_LACKS_BLOCKS : NCK_LACKS_NOTHING;
+    double plain = *spacing_out;
+    if (corner->lone) {
+        const double narrow = plain * (AIM_KEY / AIM);
+        plain = plain_spacing(corner, narrow);
+        *spacing_out = widen(self, count, narrow, plain);
+    }
+    raw->key = NCK_KEY_NONE;
+    if (is_key(self, count, corner, *spacing_out)) {
+        raw->key = corner->lone && *spacing_out > plain ? NCK_KEY_LIFTED : NCK_KEY_ON_PATH;
+    }
+    return NCK_OK;
+}
+
 // As nck_spacing_know, but for the stop.
 static nck_status_t find(nck_smooth_t *self, uint32_t count, vertex_t *corner_out) {
     nck_raw_t *const raw = nck_raw_at(self, count);
     const nck_raw_t *const next = nck_raw_at(self, nck_raw_next(self, count));
-    double spacing = 0.0;
     look_at(self, count, corner_out);
-    const nck_status_t status = choose(self, count, corner_out, &spacing);
-    if (status == NCK_EMPTY) return status;
-    raw->lacks = status == NCK_FULL ? NCK_LACKS_BLOCKS : NCK_LACKS_NOTHING;
-    double plain = spacing;
-    if (corner_out->lone) {
-        plain = plain_spacing(corner_out, spacing * (AIM_KEY / AIM));
-        spacing = widen(self, count, spacing * (AIM_KEY / AIM), plain);
-    }
-    raw->key = NCK_KEY_NONE;
-    if (is_key(self, count, corner_out, spacing)) {
-        raw->key = corner_out->lone && spacing > plain ? NCK_KEY_LIFTED : NCK_KEY_ON_PATH;
+    double spacing = step_spacing(self, count, corner_out);
+    if (spacing > 0.0) {
+        raw->lacks = NCK_LACKS_NOTHING;
+        raw->key = NCK_KEY_STEP;
+    } else if (find_at_corner(self, count, corner_out, &spacing) == NCK_EMPTY) {
+        return NCK_EMPTY;
     }
     if (ends_in_blend(self, count)) {
         spacing = nck_min(spacing, next->seg.length / NCK_BLEND_KEEP_OFF);
@@ -388,6 +436,7 @@ nck_status_t nck_spacing_know(nck_smooth_t *self, uint32_t count) {
         vertex_t corner;
         const nck_status_t status = find(self, count, &corner);
         if (status != NCK_OK || raw->lacks || !(corner.alone < self->spacing_max)) return status;
+        if (raw->key == NCK_KEY_STEP) return NCK_OK; // next to no corner
         if (!corner.lines) {
             raw->lacks = NCK_LACKS_TIME;
             return NCK_FULL;
@@ -404,5 +453,6 @@ double nck_spacing_inside(const nck_smooth_t *self, const nck_seg_t *seg, double
     nck_path_second(seg, 0.0, second);
     const double kappa = nck_spline_norm(second, self->terms->axes);
     if (!(kappa > 0.0)) return self->spacing_max;
-    return nck_min(self->spacing_max, nck_spline_curve_spacing(AIM * tolerance, kappa));
+    const double omega = nck_fabs(seg->shape.arc.sweep) / seg->length;
+    return nck_min(self->spacing_max, nck_spline_arc_spacing(AIM * tolerance, kappa, omega));
 }
