@@ -11,7 +11,9 @@ import pytest
 from cases import Case
 
 from pycnc.bench import programs
+from pycnc.planning.plan import Plan
 from pycnc.program import Program
+from pycnc.report.trace import Trace
 
 WAVES = [
     (50 * math.cos(t / 100) + 3 * math.sin(t / 9), 50 * math.sin(t / 100), 2 * math.sin(t / 20))
@@ -52,6 +54,26 @@ def load(text, machine="mill3", slope="jerk", **settings):
     settings["path__slope"] = slope
     pairs = tuple(f"{key.replace('__', '.')}={value}" for key, value in settings.items())
     return judged.load(Case("smooth", text, machine=machine, set=pairs))
+
+
+def half_circle(mode, radius, line=20):
+    """Return two lines and the half circle between them, which they touch."""
+    return f"G21 G17 G90 {mode}\nG1 F6000 X{line}\nG3 Y{2 * radius} J{radius}\nG1 X0\nM2\n"
+
+
+@pytest.mark.parametrize("tolerance", [0.001, 0.01, 0.03])
+@pytest.mark.parametrize("radius", [2, 20])
+def test_an_arc_is_entered_and_left_by_all_of_the_tolerance(radius, tolerance):
+    program = Program(half_circle(f"G64 P{tolerance}", radius).encode(), programs.machine())
+    segs = Plan(program).segs
+    segs = segs[segs["kind"] == 2]
+    points = np.stack([segs["start"], *segs["shape"]["inner"].swapaxes(0, 1), segs["end"]])
+    third = 6 * np.diff(points, 3, axis=0)[0] / segs["length"][:, None] ** 3
+    spacing = math.sqrt(0.9 * tolerance * radius / 0.0332)  # 3_smooth/README.md, "Arcs"
+    most = max(7 / 12 / radius / spacing, 1 / radius**2)  # of the step, of the arc itself
+    assert np.linalg.norm(third, axis=1).max() <= 1.5 * most
+    error = Trace(program).summary["path_error_mm"]
+    assert 0.8 * tolerance < error <= tolerance
 
 
 @pytest.mark.parametrize("tolerance", ["0.002", "0.01", "0.1", "1"])

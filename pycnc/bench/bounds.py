@@ -60,6 +60,20 @@ def _spiral(count=60, chord=5.0, radius=100.0, pitch=4.0):
     return np.array(found)
 
 
+def _arcs(radius, line=20.0):
+    """Return points on, and the moves of, three lines that two half circles join."""
+    angle = np.linspace(0, np.pi, int(np.pi * np.sqrt(radius / 0.004)) + 1)
+    across, up = radius * np.sin(angle), radius * (1 - np.cos(angle))
+    right = np.column_stack([line + across, up])
+    left = np.column_stack([-across, 2 * radius + up])
+    ends = (0, 0), (line, 4 * radius)
+    moves = (
+        f"G1 X{line}\nG3 Y{2 * radius} I0 J{radius}\nG1 X0\n"
+        f"G2 Y{4 * radius} I0 J{radius}\nG1 X{line}\n"
+    )
+    return np.concatenate([ends[:1], right, left, ends[1:]]), moves
+
+
 def _stairs(count, step):
     return _xy(programs.zigzag("", count, step))
 
@@ -75,6 +89,8 @@ CASES = (
     ("butterfly 28 %, chords of 10 µm", lambda: _butterfly(0.01), 0.01),
     ("micro-segments, 1400", lambda: _xy(programs.micro("", 1400)), 0.01),
     ("spiral, 60 chords of 5 mm", _spiral, 0.01),
+    ("lines and arcs of 2 mm", lambda: _arcs(2.0), 0.01),
+    ("lines and arcs of 20 mm", lambda: _arcs(20.0), 0.01),
     ("relief, 160 moves", lambda: _corpus("surf_la_peinture_180k.gc", 0, 160), 0.01),
     ("pocketing, 130 moves", lambda: _corpus("surf_webgcode_46k.ngc", 2, 130), 0.01),
 )
@@ -92,14 +108,15 @@ def bench_bounds_rows(cases=CASES, step_s=STEP_S):
     return [_row(name, make(), tolerance, step_s) for name, make, tolerance in cases]
 
 
-def _row(name, points, tolerance, step_s):
+def _row(name, made, tolerance, step_s):
     row = {"program": name, "P": tolerance}
-    if points is None:
+    if made is None:
         return row | {"note": "skipped: its file is not in ../shared/corpus"}
+    points, moves = made if isinstance(made, tuple) else (made, None)
     points = points - points[0]
     points = points[:, points.any(axis=0)]
     limits = _limits(points.shape[1])
-    plan, seen, facts = ours(points, tolerance)
+    plan, seen, facts = ours(points, tolerance, moves)
     path = bounds_axis.Path(plan.segs[plan.segs["length"] > 0], points.shape[1])
 
     def tube(step):
@@ -143,7 +160,7 @@ def _limits(axes):
     return Limits(v, a, j, FEED / 60)
 
 
-def ours(points, tolerance):
+def ours(points, tolerance, moves=None):
     """Return our plan of a polygon that begins where the machine is, and our motion.
 
     Parameters
@@ -152,6 +169,8 @@ def ours(points, tolerance):
         (K + 1, D) [mm], the first is zero.
     tolerance : float
         P [mm].
+    moves : str, optional
+        What is run in place of the polygon: the moves that its points lie on.
 
     Returns
     -------
@@ -161,7 +180,11 @@ def ours(points, tolerance):
         What ``pycnc run --json`` tells of the motion.
     """
     axes = points.shape[1]
-    program = Program.from_points(points, FEED, programs.machine(), tolerance=tolerance)
+    if moves:
+        text = programs.head(f"G64 P{tolerance}") + f"F{FEED}\n{moves}M2\n"
+        program = Program(text.encode(), programs.machine())
+    else:
+        program = Program.from_points(points, FEED, programs.machine(), tolerance=tolerance)
     plan, trace = Plan(program), Trace(program)
     places = np.column_stack([trace[f"pos_{axis}_mm"] for axis in "xyz"[:axes]])
     places = np.concatenate([np.zeros((1, axes)), places])
