@@ -233,8 +233,9 @@ static double deviation(const piece_t *piece, const nck_raw_t *raw, double s) {
     return nck_spline_distance(p, q, piece->axes);
 }
 
-// The largest |p̃″ − p″| of a piece and a block, from range[0] to range[1]: p̃″ is linear there, and
-// an arc's p″, which turns by ω over a unit of path, leaves its chord by no more than |p″|ω²h²/8.
+// The largest |p̃″ − p″| of a piece and a block, from range[0] to range[1]: p̃″ is linear
+// there, and an arc's p″, which turns by ω over a unit of path, leaves its chord by no more than
+// |p″|ω²h²/8.
 static double second_apart(const piece_t *piece, const nck_raw_t *raw, const double *range) {
     if (raw->seg.kind == NCK_SEG_LINE) return piece->second;
     const double turned =

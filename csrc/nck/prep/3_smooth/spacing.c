@@ -36,8 +36,8 @@
 #define SAME 0.9         // tolerances of blocks that differ by no more count as one
 #define SMALL 0.125      // of a spacing: such a block has the one before it
 #define BLUNT 1.25       // of the spacing before it: so much its corner allows alone
-// A step of the curvature is a key if the corner there allows alone so many of its spacings, and the
-// blocks beside it have room for this share of it.
+// A step of the curvature is a key if the corner there allows alone so many of its spacings, and
+// the blocks beside it have room for this share of it.
 #define STEP_CORNER 4.0
 #define STEP_ROOM 0.5
 // Inside of an arc its spacing must fit by this share.
