@@ -67,9 +67,6 @@ double nck_decode_shown(const nck_decode_t *self, unsigned axis, int64_t value_n
 // words count from the machine's zero (G53). NCK_E_NUMBER_RANGE. Cost: constant.
 nck_status_t nck_decode_target(nck_decode_t *self, int absolute, int64_t *target_nm);
 
-// axis.c: the scale of an axis' words. Cost: constant.
-const nck_scale_t *nck_decode_scale_of(const nck_decode_t *self, unsigned axis);
-
 // axis.c: a place or a way of a linear axis as a word: nine decimals name every nanometre, in
 // inches too. Cost: constant.
 void nck_decode_write(const nck_decode_t *self, unsigned axis, int64_t value_nm,
@@ -77,13 +74,6 @@ void nck_decode_write(const nck_decode_t *self, unsigned axis, int64_t value_nm,
 
 // axis.c: a length [nm] that stands in the line, whatever its letter. NCK_E_NUMBER_RANGE.
 nck_status_t nck_decode_length_word(nck_decode_t *self, char letter, int64_t *value_out);
-
-// axis.c: 1 if the number of a word stands in the line, with a point. Cost: linear in its digits.
-int nck_decode_says_point(const nck_decode_t *self, int letter);
-
-// axis.c: a word that is no length, as a factor. Without a point what 1 means goes by the control:
-// NCK_E_SCALE_UNIT. Cost: linear in its digits.
-nck_status_t nck_decode_plain_word(nck_decode_t *self, int letter, double *value_out);
 
 // axis.c: count steps on from a machine position of an axis. NCK_E_NUMBER_RANGE. Cost: constant.
 nck_status_t nck_decode_steps(nck_decode_t *self, unsigned axis, int64_t step_nm, int64_t count,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Parameters that the kernel keeps itself: positions, offsets, modes. Fanuc's work offsets can be
 // set, the others are read only.
+#include "nck/prep/1_decode/axis.h" // nck_decode_scale_of
 #include "nck/prep/1_decode/parts.h"
 
 #include <stddef.h> // NULL
