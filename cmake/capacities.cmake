@@ -30,9 +30,9 @@ set(NCK_CAPACITY_HOST
 set(NCK_RARE_SOURCES
     base/link_invariants base/machine base/thread front prep/3_smooth/divide prep/5_slope/terms)
 foreach(name IN ITEMS argument bits block_in call comp contour control corner cycle entry expression
-        fillet finding follow foreign jump knots lathe layout level oword place port power printer
-        probe profile rough sign source spindle spline state system table tap thread tool turn
-        variables)
+        fillet finding follow foreign integer jump knots lathe layout level oword place port power
+        printer probe profile rough sign source spindle spline state system table tap thread tool
+        turn variables)
     list(APPEND NCK_RARE_SOURCES prep/1_decode/${name})
 endforeach()
 foreach(name IN ITEMS contour cut give judge pieces ring shape toolcomp)

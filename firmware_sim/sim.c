@@ -191,13 +191,21 @@ static void turn_spindle(sim_t *sim) {
     nck_set_spindle(sim->nck, spindle->turns);
 }
 
-static void tick(sim_t *sim, sim_row_t *row) {
+// Nothing but outputs is left: to hand them over takes a tick, and no time.
+static int only_gives(const sim_t *sim) {
+    return sim->prep_status == NCK_DONE && !moves(sim);
+}
+
+// Returns 1 if the row is one of the run.
+static int tick(sim_t *sim, sim_row_t *row) {
+    const int gives = only_gives(sim);
     memset(row, 0, sizeof *row);
     if (moves(sim)) sim->resumed = 0;
     turn_spindle(sim);
     row->spindle_turns = sim->spindle.turns;
     const nck_tick_state_t state = nck_tick(sim->nck, &row->pose, &row->axes);
     if (state == NCK_TICK_WAIT) end_wait(sim->nck);
+    if (gives && state == NCK_TICK_IDLE) return 0;
     sim->starved_ticks += state == NCK_TICK_STARVED;
     sim->ticks++;
     row->t_s = (double)sim->ticks * nck_machine_of(sim->nck)->period_s;
@@ -208,6 +216,7 @@ static void tick(sim_t *sim, sim_row_t *row) {
     row->rapid_percent = sim->rapid_percent;
     const int rests = !moves(sim) && state != NCK_TICK_WAIT && sim->prep_status == NCK_FULL;
     sim->rest_ticks = rests ? sim->rest_ticks + 1 : 0;
+    return 1;
 }
 
 nck_status_t sim_run(sim_t *sim, sim_row_t *rows, size_t row_max, size_t *row_count_out) {
@@ -216,8 +225,7 @@ nck_status_t sim_run(sim_t *sim, sim_row_t *rows, size_t row_max, size_t *row_co
     while (!sim->prefilled) sim->prefilled = !prep(sim);
     sim->end = find_end(sim);
     while (*row_count_out < row_max && sim->end == SIM_END_NOT) {
-        tick(sim, &rows[*row_count_out]);
-        ++*row_count_out;
+        *row_count_out += (size_t)tick(sim, &rows[*row_count_out]);
         operate(sim);
         for (uint32_t n = 0; n < sim->prep_steps && prep(sim); n++) continue;
         sim->end = find_end(sim);

@@ -107,8 +107,8 @@ void sim_feed_blocks(sim_t *sim);
 void sim_operate(sim_t *sim, const sim_command_t *commands, size_t count);
 
 // Run until row_max rows are filled (*row_count_out) or the run is over; sim->end says how. M0, M1,
-// M6 are resumed at the next tick, a hold in force stays. A run has the ticks that its plan counts;
-// one at rest more if nothing but outputs is left.
+// M6 are resumed at the next tick, a hold in force stays. A run has the ticks that its plan counts:
+// one in which nothing but outputs is left is none of them. (A controller has that period too.)
 // Returns NCK_OK (call again), NCK_DONE, or the program error after everything before it has been
 // executed, or NCK_E_INTERNAL if neither prep nor the tick goes on.
 // Cost: linear in the rows and in the text. Context: prep and tick both.

@@ -95,3 +95,81 @@ def test_further_reference_points_are_the_machines():
     assert blocks["target_nm"][[2, 4], :3].tolist() == [
         [1_000_000, 1_000_000, -5_000_000], [7_000_000, 1_000_000, -5_000_000]
     ]  # fmt: skip
+
+
+# Lengths without a point
+
+def targets(text, **settings):
+    said = {f"dialect.{key}": each for key, each in settings.items()}
+    changes = {"dialect.base": "fanuc", **said}
+    machine = pycnc.Machine.load("mill3", set=changes)
+    program = pycnc.Program(text.encode(), machine)
+    places = program.blocks["target_nm"][program.blocks["kind"] <= 1, :3] / 1e6
+    return places.tolist(), [each.id for each in program.diagnostics]
+
+
+@pytest.mark.parametrize(
+    ("integers", "lines", "found", "notes"),
+    [
+        ({}, "G0 X100 Z-2.\nG1 Y-50 F100", [[100, 0, -2], [100, -50, -2]], ["assumed-integers"]),
+        ({"integers": "units"}, "G0 X100 Z-2.\nG1 Y-50 F100", [[100, 0, -2], [100, -50, -2]], []),
+        ({"integers": "increments"}, "G0 X100 Z-2.\nG1 Y-50 F100",
+         [[0.1, 0, -2], [0.1, -0.05, -2]], []),
+        ({"integers": "increments"}, "G20 G0 X100\nY1.", [[0.254, 0, 0], [0.254, 25.4, 0]], []),
+        ({"integers": "increments"}, "#1=100\nG0 X#1\nY[2*3]", [[100, 0, 0], [100, 6, 0]], []),
+        ({}, "G0 X0 Y0\nX1.5 Y2.", [[0, 0, 0], [1.5, 2, 0]], []),
+    ],
+)  # fmt: skip
+def test_what_a_length_without_a_point_counts_is_told_and_may_be_said(
+    integers, lines, found, notes
+):
+    start = "G17 G90" if "G20" in lines else "G17 G21 G90"
+    places, said = targets(f"{start}\n{lines}\nM30\n", **integers)
+    assert places == [pytest.approx(each) for each in found]
+    assert said == notes
+
+
+@pytest.mark.parametrize(
+    ("line", "same"),
+    [
+        ("G68 X0 Y0 R30000\nG1 X1000 Y2000 F99", "G68 X0 Y0 R30.\nG1 X1. Y2. F99"),
+        ("G16\nG1 X9000 Y30000 F99", "G16\nG1 X9. Y30. F99"),
+        ("G1 F99 X9000,R2000\nY9000", "G1 F99 X9.,R2.\nY9."),
+        ("G83 Z-9000 R1000 Q2000 F99", "G83 Z-9. R1. Q2. F99"),
+        ("G4 X1500", "G4 X1.5"),
+        ("G4 P1500", "G4 X1.5"),
+    ],
+)
+def test_increments_are_what_all_lengths_angles_and_dwells_count(line, same):
+    machine = pycnc.Machine.load(
+        "mill3", set={"dialect.base": "fanuc", "dialect.integers": "increments"}
+    )
+    programs = [
+        pycnc.load(f"G21 G17 G90\n{text}\nM30\n", machine).blocks for text in (line, same)
+    ]
+    assert programs[0].tobytes() == programs[1].tobytes()
+
+
+@pytest.mark.parametrize(
+    ("line", "same"),
+    [
+        ("G92 X18000 Z-20000 R500 F2.", "G92 X18. Z-20. R.5 F2."),
+        ("G76 X18000 Z-20000 I500 K1000 D.3 F2. A60", "G76 X18. Z-20. I.5 K1. D.3 F2. A60"),
+        ("G76 P010060 Q50 R100\nG76 X18000 Z-20000 R500 P1000 Q300 F2.",
+         "G76 P010060 Q50 R.1\nG76 X18. Z-20. R.5 P1000 Q300 F2."),
+        ("G75 R500\nG75 X10000 Z-20000 P2000 Q3000 F.1", "G75 R.5\nG75 X10. Z-20. P2000 Q3000 F.1"),
+    ],
+)  # fmt: skip
+def test_increments_are_what_cycles_of_lathes_count(line, same):
+    change = ["dialect.base=fanuc", "dialect.system=A", "dialect.integers=increments"]
+    machine = pycnc.Machine.load("cak6150n", set=change)
+    start = "G21 G99\nM3 S300\nG0 X30. Z9."
+    loads = [pycnc.load(f"{start}\n{text}\nM30\n", machine) for text in (line, same)]
+    assert [each.id for each in loads[0].diagnostics if each.severity == "error"] == []
+    assert loads[0].blocks.tobytes() == loads[1].blocks.tobytes()
+
+
+def test_centres_count_as_ends_do():
+    text = "G17 G21 G90\nG1 Y1000 F100\nG2 X1000 Y0 I0 J-1000\nG1 X-5000\nM30\n"
+    arcs = text.replace("1000", "1.").replace("5000", "5.")
+    assert targets(text, integers="increments") == targets(arcs)

@@ -79,7 +79,6 @@ def test_a_run_keeps_limits_path_and_stops(name):
 @pytest.mark.parametrize("name", RUNNING)
 def test_the_plan_takes_as_long_as_the_run(name):
     ticks = run_of(name).ticks
-    ticks = 0 if ticks == 1 else ticks  # one tick sees that nothing moves
     assert plan(program_of(name)).time_s == ticks * program_of(name).machine.period_s
 
 
@@ -127,7 +126,6 @@ LONG = SLOW | {"surf_la_peinture_180k.gc", "mill_fusion_grbl_helix.nc"}  # minut
 def test_a_plan_of_a_shipped_machine_takes_as_long_as_the_run(name):
     program = judged.load(present(FILES[name]))
     ticks = sum(len(rows) for rows, _ in Simulation(program.text, program.machine).pieces())
-    ticks = 0 if ticks == 1 else ticks
     assert Plan(program, keep=False).time_s == ticks * program.machine.period_s
 
 

@@ -26,7 +26,7 @@ def load(text, *change):
 
 
 def fanuc(lines, *change):
-    head = "G21 G18 G99 G97 S800 M3\nG0 X24 Z5\n"
+    head = "G21 G18 G99 G97 S800 M3\nG0 X24. Z5.\n"
     return load(f"{head}{lines}\nM30\n", "dialect.system=A", *change)
 
 

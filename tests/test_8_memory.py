@@ -2,17 +2,19 @@
 """A verb's memory grows by its program's text, and by little more: programs have millions of
 lines."""
 
-import math
+import functools
 import subprocess
 import sys
 from pathlib import Path
 
 import pytest
+from test_8_report import busy
 
 LINES = (240_000, 420_000)  # a run plans beside: both go on when they hold the most
+OF_A_PAGE = (700_000, 1_000_000)  # both have more points than a page holds
 NOISE = 5 << 20  # bytes: what two runs differ by, and what is filled by the longer one only
 # Bytes that a line costs besides its text.
-# A run counts the ticks of each line; a report keeps what its page has, packed.
+# A run counts the ticks of each line; a report knows where each line ends.
 OF_A_LINE = {"check": 0, "time": 0, "why": 0, "run": 20, "report": 40}
 REPEATS = {"check": 1, "time": 1, "why": 1, "run": 4, "report": 1}
 PEAK = """
@@ -30,19 +32,18 @@ pytestmark = pytest.mark.skipif(
 
 
 @pytest.fixture(scope="module")
-def programs(tmp_path_factory):
-    """Return the paths of two programs of short moves, each at a speed of its own; the last line
-    is worth a note."""
-    folder, paths = tmp_path_factory.mktemp("long"), []
-    for count in LINES:
-        moves = (
-            f"G1 X{50 * math.cos(k * 1e-3):.4f} Y{50 * math.sin(k * 1e-3):.4f} "
-            f"Z{2 * math.sin(k * 5e-3):.4f} F{3000 + k * 7919 % 3000}\n"
-            for k in range(count)
-        )
-        paths.append(folder / f"{count}.ngc")
-        paths[-1].write_text(f"G21 G90 G64 P0.01 F6000\n{''.join(moves)}M2\nG1 X0\n")
-    return paths
+def program(tmp_path_factory):
+    """Return the function that gives the path of a program of so many short moves, each at a speed
+    of its own; the last line is worth a note."""
+    folder = tmp_path_factory.mktemp("long")
+
+    @functools.cache
+    def program(count):
+        path = folder / f"{count}.ngc"
+        path.write_text(f"{busy(count)}G1 X0\n")
+        return path
+
+    return program
 
 
 def peak(verb, path):
@@ -54,10 +55,12 @@ def peak(verb, path):
 
 
 @pytest.mark.parametrize("verb", OF_A_LINE)
-def test_memory_grows_by_the_text_and_little_more(verb, programs):
+def test_memory_grows_by_the_text_and_little_more(verb, program):
+    lines = OF_A_PAGE if verb == "report" else LINES
+    paths = [program(count) for count in lines]
     # A peak depends on what a run's two threads hold at once: what grows does so in every repeat.
-    repeats = [[peak(verb, path) for path in programs] for _ in range(REPEATS[verb])]
+    repeats = [[peak(verb, path) for path in paths] for _ in range(REPEATS[verb])]
     less, more = max(first for first, _ in repeats), min(second for _, second in repeats)
-    text = programs[1].stat().st_size - programs[0].stat().st_size
-    allowed = text + OF_A_LINE[verb] * (LINES[1] - LINES[0]) + NOISE
+    text = paths[1].stat().st_size - paths[0].stat().st_size
+    allowed = text + OF_A_LINE[verb] * (lines[1] - lines[0]) + NOISE
     assert more - less <= allowed, f"{(more - less) / 2**20:.1f} MB for {text / 2**20:.1f} of text"

@@ -9,11 +9,12 @@ import numpy as np
 import pytest
 from browser import NO_GL, SOFTWARE_GL, opened
 from PIL import Image
-from test_8_report import BAR, HOSTILE, PART, TURNTABLE
+from test_8_report import BAR, HOSTILE, PART, TURNTABLE, busy
 
 from pycnc import load, why
 from pycnc.machine import Machine
 from pycnc.report import page as report_page
+from pycnc.report import trail
 from pycnc.report.plot import duration
 
 BACKGROUND = (16, 22, 31)
@@ -289,7 +290,47 @@ def test_marks_in_comments_and_names_do_nothing(browse, tmp_path):
         assert visit.complaints == []
 
 
-# It is large enough
+# It is large enough, and tells what it leaves out
+
+
+def test_a_page_that_leaves_out_lines_and_points_tells_so_and_finds_them(
+    browse, tmp_path, monkeypatch
+):
+    for name, most in (("PATH_MOST", 10_000), ("TEXT_MOST", 4_000), ("_POINTS", 1 << 9)):
+        monkeypatch.setattr(trail, name, most)
+    with browse(write(tmp_path, busy(4000)), *SOFTWARE_GL) as visit:
+        facts = visit.ask("report.facts")
+        shown = sum(count for _, count in facts["spans"])
+        told = visit.text("#machine")
+        assert f"{shown:,} of 4,002 lines" in told
+        assert f"{facts['points']:,} of {facts['all']['points']:,} points" in told
+        assert f"{facts['feet']:,} of {facts['all']['feet']:,} low points" in told
+        first, count = facts["spans"][0]
+        assert visit.text(".row[data-line='2'] code").startswith("G1 X50.0000")
+        line = first + count + 5  # left out
+        visit.ask(f"report.ask.line({line})")
+        visit.settle()
+        assert now(visit)[0] == line
+        assert visit.text(".row.here code") == "(not in this page)"
+        i = visit.ask("report.state.moment.i")
+        before, own = visit.ask(f"[report.model.line[{i - 1}], report.model.line[{i}]]")
+        assert before < line <= own
+        assert f"{before + 1:,}–{own:,}" in visit.text("#here") or own == before + 1
+        visit.page.locator(".row.here").click()
+        visit.page.keyboard.press("ArrowDown")
+        visit.settle()
+        assert now(visit)[0] == line + 1
+        visit.page.locator(".cause summary").first.click()
+        visit.page.locator(".cause .place").first.click()
+        visit.settle()
+        assert now(visit)[0] == facts["causes"][0]["places"][0]["line_worst"]
+        assert visit.complaints == []
+
+
+def test_a_page_that_has_all_says_nothing_of_what_is_left_out(visit):
+    assert "shown" not in visit.text("#machine")
+    assert visit.page.locator(".row .absent").count() == 0
+
 
 
 def test_a_million_points_load_and_are_found(browse, tmp_path):

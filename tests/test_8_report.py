@@ -5,6 +5,7 @@ import base64
 import gzip
 import hashlib
 import json
+import math
 import re
 
 import numpy as np
@@ -15,7 +16,7 @@ from command_line import pycnc
 from pycnc import ArgumentError, load, run, why
 from pycnc.machine import Machine
 from pycnc.planning import measure
-from pycnc.report import packed, page
+from pycnc.report import packed, page, trail
 
 PART = """G21 G90 G17 G64 P0.01
 T1 M6
@@ -315,6 +316,76 @@ def test_a_program_of_blocks_has_a_page_without_text():
     made = Unpacked(page.make(Program.from_points(points, 1200))[0])
     assert made.raw("text") == b""
     assert made.column("x").max() == 10
+
+
+def busy(count):
+    """Return a program of short moves, each at a speed of its own."""
+    moves = (
+        f"G1 X{50 * math.cos(k * 1e-3):.4f} Y{50 * math.sin(k * 1e-3):.4f} "
+        f"Z{2 * math.sin(k * 5e-3):.4f} F{3000 + k * 7919 % 3000}\n"
+        for k in range(count)
+    )
+    return f"G21 G90 G64 P0.01 F6000\n{''.join(moves)}M2\n"
+
+
+def thinned(text, monkeypatch, path=10_000, lines=4_000, points=1 << 10):
+    """Return a page that holds less than its program has."""
+    monkeypatch.setattr(trail, "PATH_MOST", path)
+    monkeypatch.setattr(trail, "TEXT_MOST", lines)
+    monkeypatch.setattr(trail, "_POINTS", points)
+    return page_of(text)
+
+
+def test_a_thinned_path_is_where_the_whole_one_is_at_every_moment(monkeypatch):
+    text = star(chord=0.02)
+    whole, less = page_of(text), thinned(text, monkeypatch, path=4_000, points=1 << 11)
+    n, feet = less.facts["points"], less.facts["feet"]
+    assert n == len(less.column("t")) < whole.facts["points"] / 2
+    assert less.facts["all"] == {"points": whole.facts["points"], "feet": whole.facts["feet"]}
+    assert feet == whole.facts["feet"]
+    t = whole.column("t")
+    for letter in "xyz":
+        place = np.interp(t, less.column("t"), less.column(letter))
+        assert np.abs(place - whole.column(letter)).max() < 0.05
+    for name in ("t", "v", "x"):
+        at = [made.column(name)[made.column("foot_at").astype(int)] for made in (whole, less)]
+        assert at[1] == pytest.approx(at[0], abs=1e-3)
+    names = ("foot_line", "foot_lost", "foot_limit", "foot_angle")
+    assert all(np.array_equal(whole.column(name), less.column(name)) for name in names)
+    first = less.column("foot_first").astype(int)
+    assert np.all(np.diff(first) >= 0) and np.all(less.column("foot_at") < n)
+    assert less.facts["causes"] == whole.facts["causes"]
+
+
+def test_of_too_many_low_points_the_dearest_stay(monkeypatch):
+    text = busy(4000)
+    whole, less = page_of(text), thinned(text, monkeypatch, path=10_000, points=1 << 9)
+    kept, every = less.column("foot_lost"), np.sort(whole.column("foot_lost"))[::-1]
+    assert len(kept) == less.facts["feet"] < whole.facts["feet"] == less.facts["all"]["feet"]
+    assert kept.sum() >= 0.5 * every[: len(kept)].sum()
+    assert every[0] == kept.max()
+
+
+def test_of_too_long_a_text_the_worst_places_and_the_begin_stay(monkeypatch):
+    text = busy(4000)
+    less = thinned(text, monkeypatch)
+    lines, told = text.split("\n"), []
+    for first, count in less.facts["spans"]:
+        told += lines[first - 1 : first - 1 + count]
+    assert less.raw("text").decode() == "".join(f"{line}\n" for line in told)
+    assert less.facts["lines"] == 4002 and less.facts["spans"][0][0] == 1
+    places = [each for cause in less.facts["causes"] for each in cause["places"]]
+    worst = max(places, key=lambda place: place["lost_s"])["line_worst"]
+    assert any(first <= worst < first + count for first, count in less.facts["spans"])
+
+
+def test_a_page_of_whatever_length_stays_below_8_mb():
+    html, found = page.make(load(busy(700_000)))
+    assert len(html.encode()) <= 8e6
+    made = Unpacked(html)
+    assert made.facts["all"]["points"] > made.facts["points"] > 2e5
+    assert made.column("t")[-1] == pytest.approx(found.time_s, abs=1e-6)
+    assert made.facts["lines"] == 700_002 > sum(count for _, count in made.facts["spans"])
 
 
 def test_a_large_surface_fits_in_4_mb():

@@ -10,6 +10,7 @@ from command_line import pycnc
 from pycnc import errors, load, run
 from pycnc.machine import Machine
 from pycnc.planning.plan import Plan
+from pycnc.report.trace import Trace
 
 PROGRAM = b"""%
 (side one)
@@ -52,6 +53,26 @@ def test_a_run_tells_the_same_total_as_the_plan():
     planned = Plan(load(text, machine=MACHINE), keep=False).totals
     assert planned["total_s"] > planned["time_s"] + 11
     assert (told["time_s"], told["total_s"]) == (planned["time_s"], planned["total_s"])
+
+
+@pytest.mark.parametrize(
+    "text",
+    ["M2\n", "M3 S100\nM30\n", "M3 S9\nM0\nM8\nM30\n", "G1 X1 F600\nM5\nM9\nM30\n", "T1 M6\nM2\n"],
+)
+def test_what_only_hands_over_takes_no_tick_in_a_run_either(text):
+    made = run(text)
+    assert made.summary["time_s"] == Plan(load(text), keep=False).time_s
+    assert made.summary["ticks"] == len(made) == round(made.summary["time_s"] * 1000)
+    assert made.summary["end"] == "done"
+
+
+@pytest.mark.parametrize("ending", ["npz", "csv", "parquet"])
+def test_a_run_without_a_tick_is_a_trace_without_a_row(ending, tmp_path):
+    made, file = run("M3 S9\nM2\n"), tmp_path / f"run.{ending}"
+    getattr(made, f"to_{ending}")(file)
+    read = Trace.load(file)
+    assert list(read.columns) == list(made.columns)
+    assert len(read) == len(made) == 0
 
 
 def test_a_turret_changes_its_tool_by_t_alone():

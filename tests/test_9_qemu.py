@@ -131,6 +131,8 @@ def test_python_gives_the_same_setpoints(case, slope, tmp_path):
     rows = rows_of(runs[0], tmp_path)
     names = [name for name in trace.columns if name.startswith("joint_")]
     given = np.stack([trace[name] for name in names], axis=1)
+    if not len(given):  # a controller hands over outputs in a period, in which it rests
+        given = np.zeros((1, len(names)), np.int64)
     np.testing.assert_array_equal(rows[:, : len(names)], given)
     assert not rows[:, len(names) :].any()
     assert results[0].hash == hash_of(rows)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What time is lost to: the head of the page, and the table of causes with their worst places.
 import { limitColour } from "./colours.js";
+import { nearestLine } from "./data.js";
 import { duration, element, grouped } from "./words.js";
 
 const SHOWN = 10; // causes
@@ -38,7 +39,8 @@ export function pointOf(facts, model, cause, place) {
     if (is_here && (worst < 0 || feet.lost[k] > feet.lost[worst])) worst = k;
   }
   if (worst >= 0) return feet.at[worst];
-  return Math.max(0, model.line.lastIndexOf(place.line_worst));
+  const at = model.line.lastIndexOf(place.line_worst);
+  return at >= 0 ? at : Math.max(0, nearestLine(model, place.line_worst));
 }
 
 // The worst places of all causes, numbered.
@@ -57,12 +59,24 @@ function piece(share, colour, words, time) {
   return made;
 }
 
-export function drawHead(facts) {
+// What is left out where a program is too large for a page.
+function partWords(facts, text) {
+  const part = (shown, all, words) => (shown < all
+    ? [`${grouped(shown)} of ${grouped(all)} ${words}`] : []);
+  const parts = [
+    ...part(text.shown, text.count, "lines"),
+    ...part(facts.points, facts.all?.points ?? facts.points, "points"),
+    ...part(facts.feet, facts.all?.feet ?? facts.feet, "low points of speed"),
+  ];
+  return parts.length ? ` · shown: ${parts.join(", ")}` : "";
+}
+
+export function drawHead(facts, text) {
   const set = (id, text) => { document.getElementById(id).textContent = text; };
   const name = facts.file.split(/[\\/]/).at(-1);
   set("name", name);
   set("machine", `${facts.machine} · slope ${facts.slope} · ${grouped(facts.blocks)} blocks`
-    + ` · ${grouped(facts.length_mm / 1000, 2)} m of path`);
+    + ` · ${grouped(facts.length_mm / 1000, 2)} m of path${partWords(facts, text)}`);
   set("total", duration(facts.total_s));
   const extra = facts.total_s - facts.time_s;
   set("total-words", extra > 0

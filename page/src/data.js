@@ -122,6 +122,26 @@ function linesOf(text) {
   return starts;
 }
 
+// The text of lines by their number. Where the page has not all of them, `spans` tells which: pairs
+// of the first one and how many stand in a row. null: the line is left out.
+export function makeText(text, { spans, lines }) {
+  const starts = linesOf(text);
+  const runs = spans ?? [[1, starts.length]];
+  const before = [0];
+  for (const [, count] of runs) before.push(before.at(-1) + count);
+  return {
+    count: lines ?? starts.length,
+    shown: before.at(-1),
+    of(line) {
+      const k = runs.findLastIndex(([first]) => first <= line);
+      if (k < 0 || line >= runs[k][0] + runs[k][1]) return spans ? null : "";
+      const place = before[k] + line - runs[k][0];
+      const end = place + 1 < starts.length ? starts[place + 1] - 1 : text.length;
+      return text.slice(starts[place], end).replace(/\r$/, "");
+    },
+  };
+}
+
 export async function load() {
   const facts = JSON.parse(document.getElementById("facts").textContent);
   const bytes = await unpack(bytesOf(document.getElementById("data").textContent));
@@ -154,8 +174,27 @@ export async function load() {
   model.rests = (i) => (model.code[i] & RESTS) > 0;
   model.isLow = new Uint8Array(model.n);
   for (let k = 0; k < facts.feet; k++) model.isLow[model.feet.at[k]] = 1;
-  const text = new TextDecoder().decode(columns.bytes("text"));
-  return { facts, model, text, starts: linesOf(text) };
+  const text = makeText(new TextDecoder().decode(columns.bytes("text")), facts);
+  return { facts, model, text };
+}
+
+// The first stretch of a line, else of the nearest one behind it (step < 0: before it).
+export function nearestLine(model, line, step = 1) {
+  let best = -1;
+  for (let i = 1; i < model.n; i++) {
+    const own = model.line[i];
+    if (own === line) return i;
+    const isThere = step > 0 ? own > line : own < line && own > 0;
+    const far = best < 0 ? Infinity : Math.abs(model.line[best] - line);
+    if (isThere && Math.abs(own - line) < far) best = i;
+  }
+  return best;
+}
+
+// The lines of a stretch: of a path that is thinned it may stand for several.
+export function linesAt(model, { all }, i) {
+  const [before, own] = [model.line[i - 1], model.line[i]];
+  return all && own > before + 1 ? [before + 1, own] : [own, own];
 }
 
 // The last place of a rising array that is not behind a value.

@@ -5,9 +5,10 @@ import { element } from "./words.js";
 const ROW = 19; // [px]
 const TALLEST = 8e6; // what every browser can scroll [px]
 const TOLD_S = 5e-4; // a loss that is told
+const ABSENT = "(not in this page)";
 
-export function makeListing(box, rows, { text, starts, model, facts }, ask) {
-  const count = starts.length;
+export function makeListing(box, rows, { text, model, facts }, ask) {
+  const { count } = text;
   const lost = new Float64Array(count + 1);
   const { feet } = model;
   for (let k = 0; k < feet.count; k++) {
@@ -26,10 +27,7 @@ export function makeListing(box, rows, { text, starts, model, facts }, ask) {
   const state = { line: 0, drawn: [] };
   rows.style.height = `${tall}px`;
 
-  const lineText = (line) => {
-    const end = line < count ? starts[line] - 1 : text.length;
-    return text.slice(starts[line - 1], end).replace(/\r$/, "");
-  };
+  const lineText = (line) => text.of(line) ?? ABSENT;
 
   // A program that is taller than a browser can scroll is scrolled in larger steps.
   function firstRow() {
@@ -47,7 +45,9 @@ export function makeListing(box, rows, { text, starts, model, facts }, ask) {
     const heat = element("i", "heat");
     const share = lost[line] / most;
     if (lost[line] >= TOLD_S) heat.style.width = `${3 + 25 * Math.sqrt(share)}px`;
-    made.append(heat, element("b", "", String(line)), element("code", "", lineText(line)));
+    const words = text.of(line);
+    made.append(heat, element("b", "", String(line)),
+      element("code", words === null ? "absent" : "", words ?? ABSENT));
     if (lost[line] >= TOLD_S) made.append(element("em", "", `${lost[line].toFixed(3)} s lost`));
     return made;
   }

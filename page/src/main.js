@@ -7,7 +7,7 @@ import {
 } from "./causes.js";
 import { modes } from "./colours.js";
 import { makeCurves } from "./curves.js";
-import { load, stretchAt } from "./data.js";
+import { linesAt, load, nearestLine, stretchAt } from "./data.js";
 import { makeListing } from "./listing.js";
 import { makeOver } from "./over.js";
 import { makeScene } from "./scene.js";
@@ -52,11 +52,11 @@ function drawLegend(box, mode) {
   }
 }
 
-function start({ facts, model, text, starts }) {
+function start({ facts, model, text }) {
   const state = { moment: { i: 1, f: 0 }, play: 0, last: 0 };
   const found = modes(facts, model);
   const linear = ["x", "y", "z"].filter((axis) => facts.axes.includes(axis));
-  drawHead(facts);
+  drawHead(facts, text);
   const scene = makeScene(by("view"), facts, model);
   const over = makeOver(by("over"), scene, model);
   const timeOf = ({ i, f }) => model.t[i - 1] + f * (model.t[i] - model.t[i - 1]);
@@ -73,8 +73,10 @@ function start({ facts, model, text, starts }) {
     const ramp = is_ramp && facts.feet ? lowWords(facts, model.feet, owner) : limit.words;
     const costs = is_ramp && model.feet.lost[owner] >= 5e-4
       ? ` – costs ${duration(model.feet.lost[owner])}` : "";
+    const [first, last] = linesAt(model, facts, i);
     return {
       line: model.line[i],
+      lines: first < last ? `lines ${grouped(first)}–${grouped(last)}` : `line ${grouped(last)}`,
       speed: model.rests(i) ? "at rest" : `${grouped(v)}${share} mm/min`,
       held: `${is_ramp ? "ramp for" : "held by"} ${ramp}${costs}`,
       place: `${clock(timeOf(moment))} · ${[...linear, ...facts.turned]
@@ -88,7 +90,7 @@ function start({ facts, model, text, starts }) {
     if (!moment) return;
     const words = wordsOf(moment);
     box.replaceChildren(element("strong", "", words.speed), element("span", "", words.held),
-      element("code", "", `${words.line}  ${listing.lineText(words.line) ?? ""}`.slice(0, 70)),
+      element("code", "", `${words.line}  ${listing.lineText(words.line)}`.slice(0, 70)),
       element("span", "dim", words.place));
     const view = by("view");
     box.style.left = `${Math.min(px + 16, view.clientWidth - box.offsetWidth - 8)}px`;
@@ -103,20 +105,7 @@ function start({ facts, model, text, starts }) {
     by("scrub").value = Math.round((10000 * timeOf(moment)) / model.t[model.n - 1]);
     const words = wordsOf(moment);
     by("moment").textContent = `${clock(timeOf(moment))} of ${clock(model.t[model.n - 1])}`;
-    by("here").textContent = `line ${grouped(words.line)} · ${words.speed} · ${words.held}`;
-  }
-
-  // The first stretch of a line, or of the next one that has any.
-  function ofLine(line, step = 1) {
-    let best = -1;
-    for (let i = 1; i < model.n; i++) {
-      const own = model.line[i];
-      if (own === line) return i;
-      const is_there = step > 0 ? own > line : own < line && own > 0;
-      const far = best < 0 ? Infinity : Math.abs(model.line[best] - line);
-      if (is_there && Math.abs(own - line) < far) best = i;
-    }
-    return best;
+    by("here").textContent = `${words.lines} · ${words.speed} · ${words.held}`;
   }
 
   const ask = {
@@ -127,8 +116,12 @@ function start({ facts, model, text, starts }) {
       else by("tip").hidden = true;
     },
     line(line, step) {
-      const i = ofLine(line, step);
-      if (i >= 0) setNow({ i, f: 0 });
+      const i = nearestLine(model, line, step);
+      if (i < 0) return;
+      const [first, last] = linesAt(model, facts, i);
+      const isOwn = line >= first && line <= last;
+      setNow({ i, f: isOwn ? (line - first) / (last - first + 1) : 0 });
+      if (isOwn) listing.now(line);
     },
     cause(cause) {
       if (!cause) {
@@ -165,7 +158,7 @@ function start({ facts, model, text, starts }) {
     return [Math.max(0, feet.first[k] - 1), Math.min(model.n - 1, Math.max(end, at))];
   }
 
-  const listing = makeListing(by("listing"), by("rows"), { text, starts, model, facts }, ask);
+  const listing = makeListing(by("listing"), by("rows"), { text, model, facts }, ask);
   const curves = makeCurves(by("curves"), facts, model, ask);
   const marks = marksOf(facts);
   drawCauses(by("causes"), facts, marks, listing.lineText, ask);

@@ -33,6 +33,11 @@ _D_OFFSETS = {
     "radius": lib.NCK_D_RADIUS,
     "diameter": lib.NCK_D_DIAMETER,
 }
+_INTEGERS = {
+    None: lib.NCK_INTEGERS_OPEN,
+    "units": lib.NCK_INTEGERS_UNITS,
+    "increments": lib.NCK_INTEGERS_INCREMENTS,
+}
 _PROBES = {
     "refused": lib.NCK_PROBE_REFUSED,
     "misses": lib.NCK_PROBE_MISSES,
@@ -110,6 +115,7 @@ def _fill_dialect(row, dialect):
     row["system"] = _SYSTEMS[dialect.system]
     row["feed"] = _FEEDS[dialect.feed]
     row["d_offset"] = _D_OFFSETS[dialect.d_offset]
+    row["integers"] = _INTEGERS[dialect.integers]
     row["probe"] = _PROBES[dialect.probe]
     row["scale_unit"] = float(dialect.scale_unit)
     row["thread_pull"] = float(dialect.thread_pull_leads)

@@ -237,6 +237,12 @@ class Dialect(Table):
         description="What Fanuc's G10 L12 and L13 say of an offset for D. Not said: they are "
         "refused, since controls differ.",
     )
+    integers: Literal["units", "increments"] | None = Field(
+        None,
+        description="What Fanuc's lengths, angles and dwells (X, U) without a point count: X100 is "
+        "100 mm, or 100 least increments (0.001 mm, 0.0001 inch, 0.001 degrees, 0.001 s). Not "
+        "said: units, and a note.",
+    )
     probe: Literal["refused", "misses", "touches"] = Field(
         "misses",
         description="What probes (G38.2 to G38.5) meet in the simulation: nothing, or something "

@@ -288,6 +288,10 @@ WORDING = {
         "F is read per minute: no G98 or G99 (systems B and C: G94 or G95) stands before it",
         "if that is wrong: --set dialect.feed=per_rev; if it is right, per_minute says so",
     ),
+    "assumed-integers": (
+        "numbers without a point are read in mm, inches, degrees or seconds: X100 is 100.0",
+        "if that is wrong: --set dialect.integers=increments; if it is right, units says so",
+    ),
     "assumed-units": ("no G20 or G21 before the first motion: {units} assumed", ""),
     "assumed-plane": ("no G17, G18 or G19 before the first arc or cycle: G{plane} assumed", ""),
     "assumed-distance": ("no G90 or G91 before the first motion: absolute (G90) assumed", ""),

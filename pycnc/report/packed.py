@@ -24,22 +24,27 @@ class Stream:
 
     Attributes
     ----------
-    size : int
-        How many have come.
+    size, kept : int
+        How many have come, and how many are kept for them up to now.
     """
 
     def __init__(self, level=_LEVEL):
-        self._packer, self._kept, self.size = zlib.compressobj(level, wbits=_RAW), [], 0
+        self._packer, self._pieces = zlib.compressobj(level, wbits=_RAW), []
+        self.size = self.kept = 0
 
     def add(self, data):
         """Take the next bytes."""
         self.size += len(data)
-        self._kept.append(self._packer.compress(data))
+        self._pieces.append(self._packer.compress(data))
+        self.kept += len(self._pieces[-1])
 
     def packed(self):
-        """Return pieces of deflate, without a last block: called once, when all has come."""
-        self._kept.append(self._packer.flush(zlib.Z_FULL_FLUSH))
-        return self._kept
+        """Return pieces of deflate, without a last block: called when all has come."""
+        if self._packer:
+            self._pieces.append(self._packer.flush(zlib.Z_FULL_FLUSH))
+            self.kept += len(self._pieces[-1])
+            self._packer = None
+        return self._pieces
 
     @staticmethod
     def unpacked(packed):
@@ -61,17 +66,39 @@ class Columns:
     def __init__(self):
         self._columns, self._last = {}, {}
 
+    @property
+    def packed(self):
+        """How many bytes are kept up to now."""
+        return sum(stream.kept for streams, _ in self._columns.values() for stream in streams)
+
+    def close(self):
+        """Pack what still waits, of the columns that are there: all of their numbers have come."""
+        for streams, _ in self._columns.values():
+            for stream in streams:
+                stream.packed()
+
+    def drop(self, name):
+        """Forget a column."""
+        del self._columns[name]
+
     def _streams(self, name, kind, count, **facts):
         """Return the streams of a column, which stand behind one another."""
         if name not in self._columns:
             self._columns[name] = ([Stream() for _ in range(count)], {"kind": kind, **facts})
         return self._columns[name][0]
 
-    def bytes(self, name, data):
-        """Add bytes as they are."""
+    def bytes(self, name, data, most):
+        """Add bytes as they are, all of them or till more than `most` are kept.
+
+        Returns how many were added, and how many are kept for them.
+        """
         (stream,) = self._streams(name, "u1", 1)
         for begin in range(0, len(data), _PIECE):
             stream.add(data[begin : begin + _PIECE])
+            if stream.kept > most:
+                break
+        stream.packed()
+        return stream.size, stream.kept
 
     def numbers(self, name, array):
         """Add numbers of 1, 2 or 4 bytes as they are."""
@@ -134,6 +161,11 @@ class Waiting:
 
     def __init__(self):
         self._stream, self.most = Stream(level=1), 0.0
+
+    @property
+    def packed(self):
+        """How many bytes are kept up to now."""
+        return self._stream.kept
 
     def add(self, array):
         """Take the next numbers."""

@@ -13,89 +13,19 @@ import html
 import json
 from importlib import resources
 
-import numpy as np
-
 from pycnc import errors
 from pycnc.files import Part
-from pycnc.kernel import Blocks
 from pycnc.kernel.bind import lib
 from pycnc.kernel.records import enum
-from pycnc.machine.schema import ROTARY_AXES
 from pycnc.planning import measure
 from pycnc.planning.plan import Plan
-from pycnc.report.packed import Columns, Waiting
 from pycnc.report.summary import limit_words
-from pycnc.report.turning import Turning, turns
+from pycnc.report.trail import Trail
 
-PLACE_MM = 1e-3  # positions are told in steps of so much
-TIME_S = 1e-6  # and times
-_RAPID, _RESTS = 32, 64  # bits beside the limit in the column "code"
 _PARTS = ("page.html", "page.css", "page.js")
 
 
-class Trail:
-    """The points and low points of a plan become columns as they come.
-
-    Attributes
-    ----------
-    points, feet : int
-        How many have come.
-    turned : list of str
-        The rotary axes that turn.
-    """
-
-    def __init__(self, program):
-        self.points = self.feet = 0
-        self._columns, self._v, self._feed = Columns(), Waiting(), Waiting()
-        self._turning = Turning(program) if turns(program.machine) else None
-        self._turned = self._turning.axes if self._turning else []
-        self.turned = [ROTARY_AXES[k] for k in self._turned]
-
-    def add(self, points, feet):
-        """Take the next rows of dtypes ``nck_host_point_t`` and ``nck_host_foot_t``."""
-        columns, low = self._columns, feet["low"]
-        self._add_places(points)
-        columns.steps("t", np.rint(points["t"] / TIME_S), TIME_S)
-        self._v.add(points["v"])
-        self._feed.add(points["feed"])
-        columns.steps("line", points["line"])
-        columns.steps("tool", points["tool"])
-        columns.numbers("code", points["limit"] + _RAPID * points["rapid"]
-                        + _RESTS * points["rests"])  # fmt: skip
-        columns.steps("foot_first", feet["first"])
-        columns.steps("foot_at", feet["at"])
-        columns.steps("foot_line", low["line"])
-        for name in ("limit", "ends", "axis"):
-            columns.numbers(f"foot_{name}", low[name].astype(np.uint8))
-        columns.numbers("foot_angle", np.degrees(low["angle"]).astype(np.float32))
-        columns.numbers("foot_lost", low["lost_s"].astype(np.float32))
-        self.points, self.feet = self.points + len(points), self.feet + len(feet)
-
-    def _add_places(self, points):
-        """Add the places on the part; of a program that turns, those of the axes too."""
-        columns, steps = self._columns, np.rint(points["xyz"] / PLACE_MM)
-        if self._turned:
-            for k, letter in enumerate("xyz"):
-                columns.steps(f"axis_{letter}", steps[:, k], PLACE_MM)
-            angles = points["abc"].astype(np.float32)
-            for k in self._turned:
-                columns.steps(f"axis_{ROTARY_AXES[k]}", np.rint(angles[:, k] / PLACE_MM), PLACE_MM)
-            places = self._turning.on_part(steps * PLACE_MM, angles, points["line"])
-            steps = np.rint(places / PLACE_MM)
-        for k, letter in enumerate("xyz"):
-            columns.steps(letter, steps[:, k], PLACE_MM)
-
-    def columns(self, text):
-        """Return all columns, with the program's text: called once."""
-        most = max(self._v.most, self._feed.most, 1e-9)
-        for name, waiting in (("v", self._v), ("feed", self._feed)):
-            for piece in waiting.pieces():
-                self._columns.levels(name, piece, most)
-        self._columns.bytes("text", b"" if isinstance(text, Blocks) else text)
-        return self._columns
-
-
-def _facts(found, trail):
+def _facts(found, trail, told):
     """Return what the page knows beside its columns: what ``pycnc why --json`` tells, and names."""
     plan, machine = found.plan, found.program.machine
     names, path = measure.limit_names(machine), machine.record["path"]
@@ -111,12 +41,20 @@ def _facts(found, trail):
         "a_max": float(path["a_max"]),
         "j_max": float(path["j_max"]) if slope != "linear" else None,
         "filter_s": lib.NCK_FILTER_TAPS * machine.period_s if slope == "jerk" else 0.0,
-        "points": trail.points,
-        "feet": trail.feet,
+        "points": told["points"],
+        "feet": told["feet"],
         "limits": {code: {"name": name, "words": limit_words(name)}
                    for code, name in names.items()},
         "ramps": [int(limits.ACCEL), int(limits.JERK)],
+        **{name: told[name] for name in ("all", "spans", "lines") if name in told},
     }  # fmt: skip
+
+
+def _worst(found):
+    """Return the lines of the places that lose most, these first."""
+    places = [place for cause in found.causes for place in cause["places"]]
+    places.sort(key=lambda place: -place["lost_s"])
+    return [place["line_worst"] for place in places]
 
 
 def _script_hash(text):
@@ -159,8 +97,8 @@ def _page(program, progress, what_if):
         raise errors.ArgumentError(f"{program.file}: nothing moves: there is no path", id="empty")
     if what_if:
         found.what_if()
-    columns, parts = trail.columns(program.text), _assets()
-    facts = _facts(found, trail) | {"columns": columns.told()}
+    columns, told = trail.columns(program.text, _worst(found))
+    facts, parts = _facts(found, trail, told) | {"columns": columns.told()}, _assets()
     fields = {
         "TITLE": [html.escape(f"{program.file}: why it takes its time")],
         "POLICY": [

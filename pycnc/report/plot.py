@@ -47,8 +47,10 @@ def draw(trace):
     Returns
     -------
     matplotlib.figure.Figure
-        Path above, speed and acceleration over time below.
+        Path above, speed and acceleration over time below; of a run without a tick its name alone.
     """
+    if not len(trace):
+        return _draw_nothing(trace)
     shape = _projection(trace)
     height = _path_height(trace, shape)
     figure = need("matplotlib.figure").Figure(
@@ -62,6 +64,15 @@ def draw(trace):
     _draw_speed(speed_axes, trace)
     _draw_acceleration(figure.add_subplot(grid[2], sharex=speed_axes), trace)
     speed_axes.tick_params(labelbottom=False)
+    figure.suptitle(_title(trace), fontsize=13, color=_INK)
+    return figure
+
+
+def _draw_nothing(trace):
+    figure = need("matplotlib.figure").Figure(figsize=(11, 3.2), dpi=110, facecolor="white")
+    axes = figure.add_subplot()
+    axes.set_axis_off()
+    axes.text(0.5, 0.5, "nothing moves", ha="center", color=_INK)
     figure.suptitle(_title(trace), fontsize=13, color=_INK)
     return figure
 

@@ -309,7 +309,8 @@ def _read_csv(path, wanted):
             f"{path}:{line}: has {len(rows[short])} cells, not {len(heads)}: the file is not whole",
             id="log",
         )
-    for name, cells in zip(heads, zip(*rows, strict=True), strict=False):
+    cells_of = zip(*rows, strict=True) if rows else [()] * len(heads)
+    for name, cells in zip(heads, cells_of, strict=True):
         if not wanted(name):
             continue
         if name in _TEXTS:

@@ -137,6 +137,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     machine.axis[NCK_AXIS_X].max_nm = (data[0] & 32u) ? 100000000 : INT64_MAX;
     machine.axis[NCK_AXIS_MAX - 3] = machine.axis[NCK_AXIS_X];
     machine.axis[NCK_AXIS_MAX - 3].present = (data[0] & 64u) != 0;
+    machine.dialect.integers = (data[0] & 8u) ? NCK_INTEGERS_INCREMENTS : NCK_INTEGERS_OPEN;
     machine.dialect.d_offset = (data[0] & 16u) ? NCK_D_DIAMETER : NCK_D_OPEN;
     machine.dialect.probe = (data[0] & 16u) ? NCK_PROBE_TOUCHES : NCK_PROBE_MISSES;
     machine.dialect.scale_unit = (data[0] & 16u) ? 0.001 : 0.0;

@@ -133,7 +133,8 @@ static int dialect_good(const nck_machine_t *machine) {
 static int choices_good(const nck_machine_t *machine) {
     return machine->dialect.system <= NCK_SYSTEM_C && machine->dialect.feed <= NCK_FEED_START_REV
            && machine->dialect.d_offset <= NCK_D_DIAMETER
-           && machine->dialect.probe <= NCK_PROBE_TOUCHES;
+           && machine->dialect.probe <= NCK_PROBE_TOUCHES
+           && machine->dialect.integers <= NCK_INTEGERS_INCREMENTS;
 }
 
 static int dialect_numbers_good(const nck_machine_t *machine) {

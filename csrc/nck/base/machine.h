@@ -60,6 +60,13 @@ typedef enum nck_d_offset {
     NCK_D_DIAMETER = 2
 } nck_d_offset_t;
 
+// What Fanuc's lengths, angles and dwells without a point count.
+typedef enum nck_integers {
+    NCK_INTEGERS_OPEN = 0,      // units, and a note says so
+    NCK_INTEGERS_UNITS = 1,     // mm, inches, degrees, seconds, as with a point
+    NCK_INTEGERS_INCREMENTS = 2 // least increments (IS-B): 0.001 mm, ° or s, 0.0001 inch
+} nck_integers_t;
+
 // What a machine is measured in; each has one range (nck_machine_range).
 typedef enum nck_quantity {
     NCK_QUANTITY_PERIOD = 0,       // [s]
@@ -145,6 +152,7 @@ typedef struct nck_machine {
         uint8_t feed;        // nck_feed_start_t
         uint8_t d_offset;    // nck_d_offset_t
         uint8_t probe;       // nck_probe_t
+        uint8_t integers;    // nck_integers_t
         uint32_t from_line;  // where programs begin: what stands before is not done; 0: all is
         double feed_default; // FEED: in force before the first F
         double scale_unit;   // what 1 means where a factor of G51 has no point, 0 … 1; 0: open

@@ -84,7 +84,8 @@
     x(NCK_NOTE_REPEATS, "repeats")           \
     x(NCK_NOTE_LIMITS, "limits-stay")        \
     x(NCK_NOTE_SYSTEM, "assumed-system")     \
-    x(NCK_NOTE_FEED_MODE, "assumed-feed-mode")
+    x(NCK_NOTE_FEED_MODE, "assumed-feed-mode") \
+    x(NCK_NOTE_INTEGERS, "assumed-integers")
 
 #define CODE(code, id) code,
 #define ID(code, id) id "\0"

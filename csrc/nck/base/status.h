@@ -124,7 +124,8 @@ typedef enum nck_note {
     NCK_NOTE_REPEATS = 12,   // "repeats": M99 in the main program, which is done once
     NCK_NOTE_SYSTEM = 11,    // "assumed-system": a turning cycle of system A, which nobody said
     NCK_NOTE_LIMITS = 14,    // "limits-stay": M201 … M205 of a printer: the machine's limits hold
-    NCK_NOTE_FEED_MODE = 13  // "assumed-feed-mode": F of a lathe before its G98 or G99
+    NCK_NOTE_FEED_MODE = 13, // "assumed-feed-mode": F of a lathe before its G98 or G99
+    NCK_NOTE_INTEGERS = 15   // "assumed-integers": a length, angle or dwell of Fanuc's has no point
 } nck_note_t;
 
 // One finding in a program. Wording is the caller's; ids and numbers are the kernel's.

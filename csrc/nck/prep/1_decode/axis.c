@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The words of the axes: their letters, scales and numbers, where they count from, the travel.
+#include "nck/prep/1_decode/axis.h" // nck_decode_scale_of
+#include "nck/prep/1_decode/integer.h" // nck_decode_fixed
 #include "nck/prep/1_decode/parts.h"
 
 enum { DECIMALS = 9, PLACES = 10000 }; // 10^(DECIMALS − 5)
@@ -14,68 +16,48 @@ double nck_decode_shown(const nck_decode_t *self, unsigned axis, int64_t value_n
     return (double)value_nm / (rotary ? NCK_COUNTS_PER_DEG : NCK_COUNTS_PER_MM);
 }
 
-static const nck_scale_t *scale_of(const nck_decode_t *self, unsigned axis) {
-    if (axis == NCK_AXIS_X) return &self->place.scale[1];
-    return &self->place.scale[self->place.rotary >> axis & 1u ? 2 : 0];
-}
-
 static unsigned column_of_axis(const nck_decode_t *self, unsigned axis) {
     const int letter = nck_decode_letter(axis);
     const int said = (self->words.letters & NCK_LETTER(letter)) != 0;
     return said ? self->words.column[letter - 'A'] : 0;
 }
 
-nck_status_t nck_decode_axis_word(nck_decode_t *self, unsigned axis, int64_t *value_out) {
-    const int letter = nck_decode_letter(axis);
-    const nck_number_t *const word = &self->words.number[letter - 'A'];
-    const nck_scale_t *const scale = scale_of(self, axis);
-    if (nck_number_fixed(self->line.text, word, scale, value_out)) return NCK_OK;
-    return nck_decode_fail_word(self, NCK_E_NUMBER_RANGE, letter, nck_number_real(word),
-                                nck_decode_shown(self, axis, scale->limit));
+static nck_status_t fail_range(nck_decode_t *self, int letter, const nck_scale_t *scale) {
+    const int rotary = scale == &self->place.scale[2];
+    const double counts = rotary ? NCK_COUNTS_PER_DEG : NCK_COUNTS_PER_MM;
+    return nck_decode_fail_word(self, NCK_E_NUMBER_RANGE, letter,
+                                nck_number_real(&self->words.number[letter - 'A']),
+                                (double)scale->limit / counts);
 }
 
-const nck_scale_t *nck_decode_scale_of(const nck_decode_t *self, unsigned axis) {
-    return scale_of(self, axis);
+static nck_status_t read_word(nck_decode_t *self, int letter, const nck_scale_t *scale,
+                              int64_t *value_out) {
+    const nck_number_t *const word = &self->words.number[letter - 'A'];
+    if (nck_decode_fixed(self, word, scale, value_out)) return NCK_OK;
+    return fail_range(self, letter, scale);
+}
+
+nck_status_t nck_decode_axis_word(nck_decode_t *self, unsigned axis, int64_t *value_out) {
+    return read_word(self, nck_decode_letter(axis), nck_decode_scale_of(self, axis), value_out);
 }
 
 void nck_decode_write(const nck_decode_t *self, unsigned axis, int64_t value_nm,
                       nck_number_t *out) {
     const int64_t size_nm = value_nm < 0 ? -value_nm : value_nm;
-    const int32_t factor = scale_of(self, axis)->factor;
+    const int32_t factor = nck_decode_scale_of(self, axis)->factor;
     *out = (nck_number_t){0};
     out->mantissa = (size_nm * PLACES + factor / 2) / factor;
     out->decimals = DECIMALS;
     out->negative = value_nm < 0;
 }
 
-int nck_decode_says_point(const nck_decode_t *self, int letter) {
-    const nck_number_t *const word = &self->words.number[letter - 'A'];
-    for (unsigned k = word->first; k < word->last; k++) {
-        if (self->line.text[k] == '.') return 1;
-    }
-    return 0;
-}
-
 nck_status_t nck_decode_length_word(nck_decode_t *self, char letter, int64_t *value_out) {
-    const nck_number_t *const word = &self->words.number[letter - 'A'];
-    if (nck_number_fixed(self->line.text, word, &self->place.scale[0], value_out)) return NCK_OK;
-    return nck_decode_fail_word(self, NCK_E_NUMBER_RANGE, letter, nck_number_real(word),
-                                NCK_LINEAR_MAX_MM);
-}
-
-nck_status_t nck_decode_plain_word(nck_decode_t *self, int letter, double *value_out) {
-    const nck_number_t *const word = &self->words.number[letter - 'A'];
-    const double value = nck_number_real(word), unit = self->machine->dialect.scale_unit;
-    const int whole = word->last > word->first && !nck_decode_says_point(self, letter)
-                      && (value > 0.0 || value < 0.0);
-    *value_out = whole ? value * unit : value;
-    if (!whole || unit > 0.0) return NCK_OK;
-    return nck_decode_fail_word(self, NCK_E_SCALE_UNIT, letter, value, 0.0);
+    return read_word(self, letter, &self->place.scale[0], value_out);
 }
 
 nck_status_t nck_decode_steps(nck_decode_t *self, unsigned axis, int64_t step_nm, int64_t count,
                               int64_t *at_nm) {
-    const int64_t limit_nm = scale_of(self, axis)->limit;
+    const int64_t limit_nm = nck_decode_scale_of(self, axis)->limit;
     const double end_nm = (double)*at_nm + (double)step_nm * (double)count;
     if (end_nm >= -(double)limit_nm && end_nm <= (double)limit_nm) {
         *at_nm += step_nm * count;

@@ -5,9 +5,8 @@
 
 #include <stddef.h> // NULL
 
-enum { NUMBER_MOST = 99999, ALARMS = 3000, STOPS = 3006 }; // numbers of parameters
+enum { ALARMS = 3000, STOPS = 3006 }; // numbers of parameters
 
-static const double number_most = NUMBER_MOST;
 static const double label_most = NCK_LABEL_MOST;
 
 static int is_letter(char c) { return (unsigned)((c | 0x20) - 'a') < NCK_LETTERS; }
@@ -64,13 +63,12 @@ static nck_status_t read_target(nck_decode_t *self, const char **at, uint64_t *k
     *at = name;
     const nck_status_t status = nck_decode_value(self, at, 0, &number);
     if (status != NCK_OK) return status;
-    const int within = number >= 0.5 && number < number_most + 0.5;
-    const double whole = within ? (double)(int32_t)(number + 0.5) : 0.0;
-    if (!within || number - whole > 1e-4 || whole - number > 1e-4) {
+    uint32_t index = 0;
+    if (!nck_value_index(number, &index) || index == 0) {
         return nck_decode_fail_at(self, NCK_E_NUMBER_RANGE, name, '#',
-                                  nck_value_is(number) ? number : 0.0, number_most);
+                                  nck_value_is(number) ? number : 0.0, NCK_VARIABLE_LAST);
     }
-    *key_out = (uint64_t)whole;
+    *key_out = index;
     return NCK_OK;
 }
 
@@ -88,7 +86,7 @@ nck_status_t nck_decode_assign(nck_decode_t *self, const char **at) {
     ++*at;
     status = nck_decode_value(self, at, fanuc, &value);
     if (status != NCK_OK) return status;
-    if (key <= NUMBER_MOST && nck_parameter_is_own(self, (uint32_t)key)) {
+    if (key <= NCK_VARIABLE_LAST && nck_parameter_is_own(self, (uint32_t)key)) {
         status = set_own(self, first, key, value);
         return status == NCK_OK && key != STOPS ? check_behind(self, *at, key) : status;
     }
@@ -160,22 +158,17 @@ static nck_status_t end_loop(nck_decode_t *self, const char *at) {
 }
 
 nck_status_t nck_decode_control(nck_decode_t *self, const char **at) {
-    static const char *const words[] = {"IF", "GOTO", "WHILE", "DO", "END"};
+    enum { NONE, IF, GOTO, WHILE, DO };
     const char *end = NULL;
-    unsigned word = 0;
-    for (; word < 5; word++) {
-        end = nck_decode_spells(*at, words[word]);
-        if (end != NULL && !is_letter(*nck_decode_skip(end))) break;
-    }
-    if (word == 5 || end == NULL) return NCK_EMPTY;
+    const unsigned word = nck_decode_listed(*at, "IF GOTO WHILE DO END ", &end);
+    if (word == NONE || is_letter(*nck_decode_skip(end))) return NCK_EMPTY;
     if (!NCK_HAS_CALLS) return fail_at(self, *at, NCK_E_UNSUPPORTED);
     self->text.words = 1;
-    const char *const line_end = end_of_line(self);
     *at = nck_decode_skip(end);
-    if (word == 0) return if_then(self, at);
-    if (word == 1) return go_to(self, at);
-    if (word == 2) return while_loop(self, at);
+    if (word == IF) return if_then(self, at);
+    if (word == GOTO) return go_to(self, at);
+    if (word == WHILE) return while_loop(self, at);
     const char *const behind = *at;
-    *at = line_end;
-    return word == 3 ? do_loop(self, behind, 1) : end_loop(self, behind);
+    *at = end_of_line(self);
+    return word == DO ? do_loop(self, behind, 1) : end_loop(self, behind);
 }

@@ -5,6 +5,7 @@
 #include "nck/base/arc_math.h" // nck_arc_norm
 #include "nck/base/real.h"     // nck_fabs nck_floor
 #include "nck/prep/1_decode/fillet.h"
+#include "nck/prep/1_decode/integer.h" // nck_decode_fixed
 #include "nck/prep/1_decode/parts.h"
 
 #include <string.h> // memcpy
@@ -282,8 +283,8 @@ static nck_status_t hold(nck_decode_t *self, const nck_block_t *block) {
         return nck_decode_fail(self, NCK_E_LAYOUT_ON, corner->column, corner->letter,
                                corner->size, 0.0);
     }
-    const int whole = nck_number_fixed(self->line.text, &corner->word.number,
-                                       &self->place.scale[0], &size_nm);
+    const int whole = nck_decode_fixed(self, &corner->word.number, &self->place.scale[0],
+                                       &size_nm);
     if (!whole || nck_fabs(mm(size_nm)) < size_least || nck_fabs(mm(size_nm)) > size_most) {
         return nck_decode_fail(self, NCK_E_NUMBER_RANGE, corner->column, corner->letter,
                                corner->size, size_most);

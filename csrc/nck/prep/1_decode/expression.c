@@ -14,9 +14,6 @@ enum {
     DEPTH = 24 // operands, and operators, that wait at once
 };
 
-static const double number_most = 99999.0; // of a parameter
-
-static const double near_most = 1e-4; // RS274NGC: what differs by less is equal
 static const double huge = 1e300;
 
 // What waits on the stack of operators. The order within a kind is that of its table.
@@ -25,7 +22,7 @@ typedef enum operator {
     ABS, ACOS, ASIN, ATAN, COS, EXP, FIX, FUP, LN, ROUND, SIN, SQRT, TAN, RND, SQR,
     POW, BIN, BCD, ADP, PRM, // Fanuc's alone
     ANGLE, RAISED, // ATAN and POW that wait for their second operand
-    OR, XOR, AND, EQ, NE, LT, LE, GT, GE, ADD, SUBTRACT, TIMES, DIVIDE, MOD, POWER
+    OR, XOR, AND, EQ, NE, LT, LE, GT, GE, MOD, ADD, SUBTRACT, TIMES, DIVIDE, POWER
 } operator_t;
 
 // An expression in work.
@@ -171,7 +168,7 @@ static double raised(work_t *work, double a, double b) {
 static int equal(const work_t *work, double a, double b) {
     const int a_is = nck_value_is(a), b_is = nck_value_is(b);
     if (!a_is || !b_is) return a_is == b_is;
-    return is_fanuc(work) ? a >= b && a <= b : nck_fabs(a - b) < near_most;
+    return is_fanuc(work) ? a >= b && a <= b : nck_fabs(a - b) < NCK_VALUE_NEAR;
 }
 
 static double compared(operator_t operator, double a, double b) {
@@ -233,7 +230,7 @@ static int level_of(operator_t operator) {
     if (operator < OR) return 0;
     if (operator <= AND) return 1;
     if (operator <= GE) return 2;
-    if (operator <= SUBTRACT) return 3;
+    if (operator == ADD || operator == SUBTRACT) return 3;
     return operator == POWER ? 5 : 4;
 }
 
@@ -248,17 +245,17 @@ static void reduce(work_t *work, int level) {
 }
 
 static double parameter(work_t *work, double number) {
-    const double whole = nck_floor(number + 0.5);
+    uint32_t index = 0;
     double value = 0.0;
-    if (!(whole >= 0.0 && whole <= number_most) || nck_fabs(number - whole) > near_most) {
+    if (!nck_value_index(number, &index)) {
         fail(work, NCK_E_NUMBER_RANGE, number);
         work->self->finding.error.letter = '#';
-        work->self->finding.error.limit = number_most;
+        work->self->finding.error.limit = NCK_VARIABLE_LAST;
         return 0.0;
     }
-    const nck_status_t status = nck_parameter_number(work->self, (uint32_t)whole, &value);
+    const nck_status_t status = nck_parameter_number(work->self, index, &value);
     if (status != NCK_OK) {
-        fail(work, status, whole);
+        fail(work, status, index);
         work->self->finding.error.letter = '#';
     }
     return value;
@@ -289,28 +286,21 @@ static void complete(work_t *work) {
 
 // ---- reading
 
-// The word of a list that the text begins with, 0: none. The list ends with an empty word.
-static unsigned word_of(const char *at, const char *const *words, unsigned first) {
-    const char capital = *at >= 'a' && *at <= 'z' ? (char)(*at - 'a' + 'A') : *at;
-    for (unsigned k = 0; words[k] != NULL; k++) {
-        if (words[k][0] == capital && nck_decode_spells(at, words[k]) != NULL) return first + k;
-    }
-    return 0;
-}
-
 static void read_function(work_t *work) {
-    static const char *const names[] = {"ABS", "ACOS", "ASIN", "ATAN", "COS", "EXP", "FIX", "FUP",
-                                        "LN", "ROUND", "SIN", "SQRT", "TAN", "RND", "SQR", "POW",
-                                        "BIN", "BCD", "ADP", "PRM", NULL};
-    const unsigned function = word_of(work->at, names, ABS);
-    if (function == 0 || (function >= POW && !is_fanuc(work))) {
+    static const char names[] =
+        "ABS ACOS ASIN ATAN COS EXP FIX FUP LN ROUND SIN SQRT TAN RND SQR POW BIN "
+        "BCD ADP PRM ";
+    const char *end = NULL;
+    const unsigned place = nck_decode_listed(work->at, names, &end);
+    const unsigned function = ABS + place - 1;
+    if (place == 0 || (function >= POW && !is_fanuc(work))) {
         refuse(work);
         return;
     }
     if (function >= ADP) fail(work, NCK_E_UNSUPPORTED, 0.0);
-    const char *const end = nck_decode_skip(nck_decode_spells(work->at, names[function - ABS]));
-    if (*end != '[') refuse(work);
-    work->at = end;
+    const char *const behind = nck_decode_skip(end);
+    if (*behind != '[') refuse(work);
+    work->at = behind;
     push_operator(work, (operator_t)function);
 }
 
@@ -393,13 +383,18 @@ static int read_operand(work_t *work) {
 
 // The operator between two operands, 0: none stands here.
 static operator_t read_binary(work_t *work) {
-    static const char *const names[] = {"OR", "XOR", "AND", "EQ", "NE", "LT", "LE", "GT", "GE", "+",
-                                        "-", "*", "/", "MOD", NULL};
-    const int power = work->at[0] == '*' && work->at[1] == '*';
-    const unsigned found = power ? (unsigned)POWER : word_of(work->at, names, OR);
-    if (power) work->at += 2;
-    else if (found != 0) work->at = nck_decode_spells(work->at, names[found - OR]);
-    return (operator_t)found;
+    static const char signs[] = {'+', '-', '*', '/'};
+    const char *end = work->at + 1;
+    for (unsigned k = 0; k < sizeof signs; k++) {
+        if (*work->at != signs[k]) continue;
+        const int power = ADD + k == TIMES && *end == '*';
+        work->at = power ? end + 1 : end;
+        return power ? POWER : (operator_t)(ADD + k);
+    }
+    const unsigned place = nck_decode_listed(work->at, "OR XOR AND EQ NE LT LE GT GE MOD ", &end);
+    if (place == 0) return OPEN;
+    work->at = end;
+    return (operator_t)(OR + place - 1);
 }
 
 static void close(work_t *work) {

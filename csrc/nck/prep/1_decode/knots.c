@@ -4,6 +4,7 @@
 //     G6.2 P K X Y Z R   P: the order (4); the first control point: where the tool stands
 //     K X Y Z R          its knot, the point, its weight (1)
 //     K                  as many as the order: behind the last one the curve is cut
+#include "nck/prep/1_decode/integer.h" // nck_decode_plain_word
 #include "nck/prep/1_decode/parts.h"
 
 #include <string.h> // memcmp memset

@@ -2,6 +2,8 @@
 // G15 G16, G50 G51, G50.1 G51.1, G68 G69 of Fanuc's mills.
 //
 //     words ─polar─▶ place of the program ─mirror─▶ ─scale─▶ ─turn─▶ + origin = machine position
+#include "nck/prep/1_decode/axis.h" // nck_decode_scale_of
+#include "nck/prep/1_decode/integer.h" // nck_decode_real_word nck_decode_plain_word
 #include "nck/prep/1_decode/parts.h"
 
 #include <string.h> // memcmp memcpy memset
@@ -94,7 +96,7 @@ static nck_status_t read_polar(nck_decode_t *self, int64_t *at_nm) {
     }
     if (self->words.axes >> v & 1u) {
         const int letter = nck_decode_letter(v);
-        const double word = nck_number_real(&self->words.number[letter - 'A']);
+        const double word = nck_decode_real_word(self, letter);
         layout->angle = steps ? layout->angle + word : word;
         if (!(nck_fabs(layout->angle) <= degrees_most)) {
             layout->angle = 0.0;
@@ -319,7 +321,7 @@ static nck_status_t mirror(nck_decode_t *self, int on) {
 // G68: R about a place in the plane.
 static nck_status_t rotate(nck_decode_t *self) {
     nck_layout_t *const layout = &self->layout;
-    const double degrees = nck_number_real(&self->words.number['R' - 'A']);
+    const double degrees = nck_decode_real_word(self, 'R');
     int64_t centre_nm[3];
     unsigned u, v;
     nck_status_t status = check_order(self, NCK_LAYOUT_TURN, 68.0);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Settings that stay in force, and what is not motion: outputs, dwell, stops.
+#include "nck/prep/1_decode/integer.h" // nck_decode_real_word
 #include "nck/prep/1_decode/parts.h"
 
 #include <stddef.h> // NULL
@@ -141,8 +142,9 @@ static char dwell_letter(const nck_decode_t *self) {
 nck_status_t nck_decode_dwell_word(nck_decode_t *self, char letter, double *dwell_out) {
     const uint32_t base = self->machine->dialect.base;
     const int millisecond = base == NCK_DIALECT_FANUC || base == NCK_DIALECT_MARLIN;
-    const double word = real_word(self, letter);
-    const double dwell_s = letter == 'P' && millisecond ? word / 1000.0 : word;
+    const int counts = letter == 'P';
+    const double word = counts ? real_word(self, letter) : nck_decode_real_word(self, letter);
+    const double dwell_s = counts && millisecond ? word / 1000.0 : word;
     if (!(word >= 0.0 && dwell_s <= dwell_max_s)) {
         return nck_decode_fail_word(self, NCK_E_NUMBER_RANGE, letter, word, dwell_max_s);
     }

@@ -110,8 +110,9 @@ static nck_status_t other_motion(nck_decode_t *self, int taken) {
 }
 
 nck_status_t nck_decode_motion(nck_decode_t *self, nck_block_t *out) {
-    const uint32_t assumed = 1u << NCK_NOTE_UNITS | 1u << NCK_NOTE_DISTANCE;
     const int32_t code = self->words.code[NCK_STEP_MOTION];
+    const uint32_t plane = (uint32_t)(code >= 20) << NCK_NOTE_PLANE;
+    const uint32_t assumed = 1u << NCK_NOTE_UNITS | 1u << NCK_NOTE_DISTANCE | plane;
     const int taken = (self->words.codes & NCK_STEPS_AXES) && nck_words_set_axes(&self->words);
     int64_t target_nm[NCK_AXIS_MAX];
 
@@ -125,11 +126,11 @@ nck_status_t nck_decode_motion(nck_decode_t *self, nck_block_t *out) {
     if (~(self->finding.given | self->finding.notes) & assumed) {
         nck_decode_assume(self, NCK_NOTE_UNITS);
         nck_decode_assume(self, NCK_NOTE_DISTANCE);
+        if (plane != 0) nck_decode_assume(self, NCK_NOTE_PLANE);
     }
     const int absolute = (self->words.codes & NCK_STEP(NCK_STEP_MACHINE)) != 0;
     const nck_status_t status = nck_decode_target(self, absolute, target_nm);
     if (status != NCK_OK) return status;
-    if (code >= 20) nck_decode_assume(self, NCK_NOTE_PLANE);
     if (self->macro.modal != 0) nck_decode_moved(self);
     return nck_decode_go(self, NULL, target_nm, out);
 }

@@ -13,7 +13,7 @@
 #define NCK_LETTER(c) ((uint32_t)1 << ((c) - 'A'))
 #define NCK_STEP(k) ((uint32_t)1 << (k))
 
-enum { NCK_LABEL_MOST = 99999999 }; // of O and N
+enum { NCK_LABEL_MOST = 99999999, NCK_VARIABLE_LAST = 99999 }; // of O and N; of #
 
 // Sets of letters.
 enum {
@@ -67,9 +67,6 @@ double nck_decode_shown(const nck_decode_t *self, unsigned axis, int64_t value_n
 // words count from the machine's zero (G53). NCK_E_NUMBER_RANGE. Cost: constant.
 nck_status_t nck_decode_target(nck_decode_t *self, int absolute, int64_t *target_nm);
 
-// axis.c: the scale of an axis' words. Cost: constant.
-const nck_scale_t *nck_decode_scale_of(const nck_decode_t *self, unsigned axis);
-
 // axis.c: a place or a way of a linear axis as a word: nine decimals name every nanometre, in
 // inches too. Cost: constant.
 void nck_decode_write(const nck_decode_t *self, unsigned axis, int64_t value_nm,
@@ -77,13 +74,6 @@ void nck_decode_write(const nck_decode_t *self, unsigned axis, int64_t value_nm,
 
 // axis.c: a length [nm] that stands in the line, whatever its letter. NCK_E_NUMBER_RANGE.
 nck_status_t nck_decode_length_word(nck_decode_t *self, char letter, int64_t *value_out);
-
-// axis.c: 1 if the number of a word stands in the line, with a point. Cost: linear in its digits.
-int nck_decode_says_point(const nck_decode_t *self, int letter);
-
-// axis.c: a word that is no length, as a factor. Without a point what 1 means goes by the control:
-// NCK_E_SCALE_UNIT. Cost: linear in its digits.
-nck_status_t nck_decode_plain_word(nck_decode_t *self, int letter, double *value_out);
 
 // axis.c: count steps on from a machine position of an axis. NCK_E_NUMBER_RANGE. Cost: constant.
 nck_status_t nck_decode_steps(nck_decode_t *self, unsigned axis, int64_t step_nm, int64_t count,
@@ -106,15 +96,21 @@ void nck_decode_excuse(nck_decode_t *self);
 // What a parameter without a value is: no number of a program is as large.
 #define NCK_NO_VALUE 1e301
 
-// variables.c: 1 if it is a value; 1 if it is one and not 0, so that a condition holds. Cost:
-// constant.
+#define NCK_VALUE_NEAR 1e-4 // RS274NGC: what differs by less is equal
+
+// variables.c: 1 if it is a value; 1 if it is one and not 0, so that a condition holds; 1 if it is
+// nearly the number of a parameter. Cost: constant.
 int nck_value_is(double value);
 int nck_value_holds(double value);
+int nck_value_index(double value, uint32_t *index_out);
 
 // sign.c: one past blanks and remarks; one past the word (upper case) if the text spells it, in
-// either case, else NULL; one past a name's >, NULL: none. at: its <. Cost: linear in the text.
+// either case, else NULL; the first of a list that it spells, from 1, and one past it, 0: none;
+// one past a name's >, NULL: none. at: its <. Each word of a list ends with a
+// blank. Cost: linear in the text.
 const char *nck_decode_skip(const char *at);
 const char *nck_decode_spells(const char *at, const char *word);
+unsigned nck_decode_listed(const char *at, const char *words, const char **behind);
 const char *nck_decode_name_end(const char *at);
 
 // sign.c: one past a number or a name in < >, and its key; NULL: neither.

@@ -2,11 +2,10 @@
 // G74 and G75 of Fanuc's lathes (system C: G76, G77): pecks along Z or along X, row beside row.
 //
 //     start ─1▶ cut ─2▶ back ─1▶ … end of the row ─3▶ out ─4▶ next row … last row ─3▶ out ─5▶ start
+#include "nck/prep/1_decode/integer.h" // nck_decode_increments nck_decode_says_point
 #include "nck/prep/1_decode/parts.h"
 
 enum { PHASE_CUT = 1, PHASE_BACK, PHASE_OUT, PHASE_NEXT };
-
-enum { INCREMENT_NM = 1000, INCREMENT_INCH_NM = 2540 }; // Fanuc's least increment
 
 static int has(const nck_decode_t *self, char letter) {
     return (self->words.letters & NCK_LETTER(letter)) != 0;
@@ -21,13 +20,10 @@ static nck_status_t fail_missing(nck_decode_t *self, int letter) {
 
 // P and Q without a point count least increments; 0: that is no whole number of them.
 static nck_status_t read_increments(nck_decode_t *self, char letter, int64_t *step_out) {
-    int64_t count = 0;
     if (nck_decode_says_point(self, letter)) {
         return nck_decode_length_word(self, letter, step_out);
     }
-    const int good = nck_number_whole(&self->words.number[letter - 'A'], 0, &count)
-                     && count <= NCK_DECODE_VALUE_MAX;
-    *step_out = good ? count * (self->modal.inch ? INCREMENT_INCH_NM : INCREMENT_NM) : 0;
+    if (!nck_decode_increments(self, letter, step_out)) *step_out = 0;
     return NCK_OK;
 }
 

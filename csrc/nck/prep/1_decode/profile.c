@@ -2,6 +2,7 @@
 // G70 … G73: their words, in Fanuc's two lines or in one, and in RS274NGC's way.
 #include "nck/prep/1_decode/call.h"
 #include "nck/prep/1_decode/jump.h"
+#include "nck/prep/1_decode/integer.h" // nck_decode_says_point
 #include "nck/prep/1_decode/parts.h"
 #include "nck/prep/1_decode/rough.h"
 

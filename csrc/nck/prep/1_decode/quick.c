@@ -2,6 +2,7 @@
 // The line that nearly all lines of large programs are: G0 or G1, or neither, and words of X Y Z.
 // Whatever else a line says, and every mistake, is left to the reader that knows all words: so
 // nothing here needs a column, a step or a diagnostic.
+#include "nck/prep/1_decode/integer.h" // nck_decode_asks_integers
 #include "nck/prep/1_decode/parts.h"
 
 enum { CODE_NONE = -1, CODE_LINE = 10 }; // in tenths
@@ -53,7 +54,8 @@ static const char *end_number(const char *at) {
 
 // A number of few digits that is whole in counts of the scale, and the blanks after it. NULL if it
 // is none of these, or beyond the scale's limit.
-static const char *read_counts(const char *at, const nck_scale_t *scale, int64_t *out) {
+static const char *read_counts(const nck_decode_t *self, const char *at, const nck_scale_t *scale,
+                               int64_t *out) {
     const int negative = *at == '-';
     const char *const first = at + negative;
     int64_t mantissa = 0;
@@ -62,6 +64,7 @@ static const char *read_counts(const char *at, const nck_scale_t *scale, int64_t
     const char *const end = has_point ? read_digits(point + 1, &mantissa) : point;
     const int length = (int)(end - first) - has_point;
     const int shift = scale->power + has_point - (int)(end - point);
+    if (!has_point && mantissa != 0 && nck_decode_asks_integers(self)) return (const char *)0;
     if (length < 1 || shift < 0 || length + shift > DIGITS_MOST) return (const char *)0;
     const int64_t counts = mantissa * power_of_ten[shift] * scale->factor;
     if (counts > scale->limit) return (const char *)0;
@@ -76,7 +79,7 @@ static const char *read_axis(const nck_decode_t *self, quick_t *line, unsigned a
     const uint32_t bit = 1u << axis;
     int64_t value = 0;
     if (line->axes & bit) return (const char *)0;
-    at = read_counts(at, scale, &value);
+    at = read_counts(self, at, scale, &value);
     value += self->modal.incremental ? self->place.position_nm[axis] : self->place.origin_nm[axis];
     if (value < -scale->limit || value > scale->limit) return (const char *)0;
     if (value < travel->min_nm || value > travel->max_nm) return (const char *)0;

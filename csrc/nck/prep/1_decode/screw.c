@@ -5,6 +5,7 @@
 //     start ◀──── 4 ──── ┐            1 rapid along Z to where the pass begins
 //     1 │                │ 3          2 rapid in X, then the pass with the spindle
 //       └───── 2 ─────── ┘ or ╱       3 rapid out, or pulled out while the pass ends
+#include "nck/prep/1_decode/integer.h" // nck_decode_increments
 #include "nck/prep/1_decode/parts.h"
 
 #include "nck/base/real.h"                 // nck_fabs nck_min nck_max nck_floor
@@ -16,8 +17,6 @@ enum { PHASE_ALONG = 1, PHASE_IN, PHASE_CUT, PHASE_OUT, PHASE_BACK, PASSES_MOST 
 
 #define NM 1e6
 #define HUNDRED 100
-#define INCREMENT 1e-3      // [mm] Fanuc's least increment, of numbers without a point
-#define INCREMENT_INCH 1e-4 // [inch]
 
 static int has(const nck_decode_t *self, char letter) {
     return (self->words.letters & NCK_LETTER(letter)) != 0;
@@ -45,15 +44,21 @@ static nck_status_t read_positive(nck_decode_t *self, char letter, double scale,
     return *out > 0.0 && *out <= (double)NCK_LINEAR_MAX_MM ? NCK_OK : fail_range(self, letter, 0.0);
 }
 
+// A length of Fanuc's.
+static nck_status_t read_length(nck_decode_t *self, char letter, double *out) {
+    int64_t size_nm = 0;
+    const nck_status_t status = nck_decode_length_word(self, letter, &size_nm);
+    *out = (double)size_nm / NM;
+    return status;
+}
+
 // A whole number of least increments: with a point it would mean something else.
 static nck_status_t read_increments(nck_decode_t *self, char letter, double *out) {
-    const double step = self->modal.inch ? INCREMENT_INCH * 25.4 : INCREMENT;
-    int64_t count = 0;
-    if (!nck_number_whole(&self->words.number[letter - 'A'], 0, &count) || count < 0
-        || count > NCK_DECODE_VALUE_MAX) {
+    int64_t size_nm = 0;
+    if (!nck_decode_increments(self, letter, &size_nm) || size_nm < 0) {
         return fail_range(self, letter, NCK_DECODE_VALUE_MAX);
     }
-    *out = (double)count * step;
+    *out = (double)size_nm / NM;
     return NCK_OK;
 }
 
@@ -82,7 +87,7 @@ static nck_status_t set_screw(nck_decode_t *self) {
     nck_screw_t *const screw = &self->held.screw;
     nck_status_t status = read_pairs(self);
     if (status == NCK_OK && has(self, 'Q')) status = read_increments(self, 'Q', &screw->least);
-    if (status == NCK_OK && has(self, 'R')) screw->allowance = real(self, 'R') * unit(self);
+    if (status == NCK_OK && has(self, 'R')) status = read_length(self, 'R', &screw->allowance);
     if (status == NCK_OK && screw->allowance < 0.0) status = fail_range(self, 'R', 0.0);
     return status == NCK_OK ? NCK_EMPTY : status;
 }
@@ -161,8 +166,9 @@ static nck_status_t read_second_line(nck_decode_t *self) {
     if (!has(self, 'Q')) return fail_missing(self, 'Q');
     nck_status_t status = read_increments(self, 'P', &screw->full);
     if (status == NCK_OK) status = read_increments(self, 'Q', &screw->first);
+    screw->taper = 0.0;
+    if (status == NCK_OK && has(self, 'R')) status = read_length(self, 'R', &screw->taper);
     if (status != NCK_OK) return status;
-    screw->taper = has(self, 'R') ? real(self, 'R') * unit(self) : 0.0;
     screw->rough = screw->full - screw->allowance;
     screw->left = screw->springs;
     screw->step_least = screw->least;
@@ -175,13 +181,15 @@ static nck_status_t read_second_line(nck_decode_t *self) {
 // some controls and increments on others.
 static nck_status_t read_one_line(nck_decode_t *self) {
     nck_screw_t *const screw = &self->held.screw;
-    nck_status_t status = read_positive(self, 'K', unit(self), &screw->full);
+    nck_status_t status = read_length(self, 'K', &screw->full);
+    if (status == NCK_OK && screw->full <= 0.0) status = fail_range(self, 'K', 0.0);
     if (status == NCK_OK) status = read_positive(self, 'D', unit(self), &screw->first);
+    screw->taper = 0.0;
+    if (status == NCK_OK && has(self, 'I')) status = read_length(self, 'I', &screw->taper);
     if (status != NCK_OK) return status;
     if (self->words.number['D' - 'A'].decimals <= 0) return fail_range(self, 'D', 0.0);
     const double angle = has(self, 'A') ? real(self, 'A') : 0.0;
     if (angle < 0.0 || angle > 120.0) return fail_range(self, 'A', 120.0);
-    screw->taper = has(self, 'I') ? real(self, 'I') * unit(self) : 0.0;
     screw->rough = screw->full;
     screw->left = 0;
     screw->step_least = 0.0;

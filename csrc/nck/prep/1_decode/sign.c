@@ -19,12 +19,27 @@ const char *nck_decode_skip(const char *at) {
     return at;
 }
 
+static char capital(char c) { return c >= 'a' && c <= 'z' ? (char)(c - 'a' + 'A') : c; }
+
 const char *nck_decode_spells(const char *at, const char *word) {
     for (; *word != '\0'; at++, word++) {
-        const char c = *at >= 'a' && *at <= 'z' ? (char)(*at - 'a' + 'A') : *at;
-        if (c != *word) return NULL;
+        if (capital(*at) != *word) return NULL;
     }
     return at;
+}
+
+unsigned nck_decode_listed(const char *at, const char *words, const char **behind) {
+    unsigned place = 1;
+    while (*words != '\0') {
+        const char *end = at;
+        for (; *words != ' ' && capital(*end) == *words; words++) end++;
+        *behind = end;
+        if (*words == ' ') return place;
+        while (*words != ' ') words++;
+        words++;
+        place++;
+    }
+    return 0;
 }
 
 const char *nck_decode_name_end(const char *at) {
@@ -51,20 +66,15 @@ const char *nck_decode_name_key(const char *at, uint64_t *key_out) {
 // ---- what a line says about itself
 
 unsigned nck_decode_word(const char *at, const char **behind) {
-    static const char *const words[] = {
-        "SUB", "ENDSUB", "CALL", "RETURN", "IF", "ELSEIF", "ELSE", "ENDIF", "DO", "REPEAT", "WHILE",
-        "ENDWHILE", "ENDREPEAT", "BREAK", "CONTINUE"
-    };
+    static const char words[] = "SUB ENDSUB CALL RETURN IF ELSEIF ELSE ENDIF DO REPEAT "
+                                "WHILE ENDWHILE ENDREPEAT BREAK CONTINUE ";
+    const char *end = at;
     *behind = at;
     if (*at == '\n' || *at == ';') return NCK_O_NAME;
-    for (unsigned k = 0; k < sizeof words / sizeof words[0]; k++) {
-        if ((*at & ~0x20) != words[k][0]) continue;
-        const char *const end = nck_decode_spells(at, words[k]);
-        if (end == NULL || is_letter(*end)) continue;
-        *behind = end;
-        return NCK_O_SUB + k;
-    }
-    return NCK_O_OTHER;
+    const unsigned k = nck_decode_listed(at, words, &end);
+    if (k == 0 || is_letter(*end)) return NCK_O_OTHER;
+    *behind = end;
+    return NCK_O_SUB + k - 1;
 }
 
 void nck_decode_sign(const nck_decode_t *self, nck_sign_t *sign_out) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Parameters that the kernel keeps itself: positions, offsets, modes. Fanuc's work offsets can be
 // set, the others are read only.
+#include "nck/prep/1_decode/axis.h" // nck_decode_scale_of
 #include "nck/prep/1_decode/parts.h"
 
 #include <stddef.h> // NULL
@@ -182,18 +183,16 @@ nck_status_t nck_parameter_set_work(nck_decode_t *self, uint32_t number, double 
 
 // ---- names
 
-typedef struct named {
-    char name[22];
-    uint8_t ask;
-} named_t;
+// Where one begins as another one does, the longer one is the first.
+static const char names[] =
+    "_FEED _RPM _METRIC _IMPERIAL _ABSOLUTE _INCREMENTAL _PLANE _MOTION_MODE "
+    "_COORD_SYSTEM _CURRENT_TOOL _SELECTED_TOOL _LATHE_DIAMETER_MODE _IJK_ABSOLUTE_MODE "
+    "_SPINDLE_ON _VALUE_RETURNED _VALUE _TASK ";
 
-static const named_t names[] = {
-    {"_FEED", ASK_FEED}, {"_RPM", ASK_SPEED}, {"_METRIC", ASK_METRIC}, {"_IMPERIAL", ASK_INCH},
-    {"_ABSOLUTE", ASK_DISTANCE}, {"_INCREMENTAL", ASK_INCREMENTAL}, {"_PLANE", ASK_PLANE},
-    {"_MOTION_MODE", ASK_MOTION}, {"_COORD_SYSTEM", ASK_SYSTEM}, {"_CURRENT_TOOL", ASK_TOOL},
-    {"_SELECTED_TOOL", ASK_NEXT_TOOL}, {"_LATHE_DIAMETER_MODE", ASK_DIAMETER},
-    {"_IJK_ABSOLUTE_MODE", ASK_CENTRE}, {"_SPINDLE_ON", ASK_SPINDLE}, {"_VALUE", ASK_RETURNED},
-    {"_VALUE_RETURNED", ASK_HAS_RETURNED}, {"_TASK", ASK_ZERO}
+static const uint8_t asks[] = {
+    ASK_FEED, ASK_SPEED, ASK_METRIC, ASK_INCH, ASK_DISTANCE, ASK_INCREMENTAL, ASK_PLANE, ASK_MOTION,
+    ASK_SYSTEM, ASK_TOOL, ASK_NEXT_TOOL, ASK_DIAMETER, ASK_CENTRE, ASK_SPINDLE, ASK_HAS_RETURNED,
+    ASK_RETURNED, ASK_ZERO
 };
 
 // As LinuxCNC says it: codes in tenths, G54 as 540.
@@ -217,9 +216,10 @@ nck_status_t nck_parameter_name(nck_decode_t *self, const char *at, const char *
     *value_out = known != NULL ? *known : 0.0;
     if (known != NULL) return NCK_OK;
     if (*at != '_') return NCK_E_UNSET;
-    for (unsigned k = 0; k < sizeof names / sizeof names[0]; k++) {
-        if (nck_decode_spells(at, names[k].name) != end) continue;
-        *value_out = named_answer(self, (ask_t)names[k].ask);
+    const char *behind = NULL;
+    const unsigned number = nck_decode_listed(at, names, &behind);
+    if (number != 0 && behind == end) {
+        *value_out = named_answer(self, (ask_t)asks[number - 1]);
         return NCK_OK;
     }
     for (unsigned axis = 0; axis < NCK_AXIS_MAX && end == at + 2; axis++) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Where the axis words of a line lead.
+#include "nck/prep/1_decode/axis.h" // nck_decode_scale_of
 #include "nck/prep/1_decode/parts.h"
 
 #include <string.h> // memcpy

@@ -20,6 +20,14 @@ int nck_value_is(double value) { return value < 0.5 * NCK_NO_VALUE; }
 
 int nck_value_holds(double value) { return nck_value_is(value) && (value > 0.0 || value < 0.0); }
 
+int nck_value_index(double value, uint32_t *index_out) {
+    if (!NCK_HAS_VARIABLES || !(value > -0.5 && value < (double)NCK_VARIABLE_LAST + 0.5)) return 0;
+    const int32_t whole = (int32_t)(value + 0.5);
+    const double rest = value - whole;
+    *index_out = (uint32_t)whole;
+    return rest <= NCK_VALUE_NEAR && rest >= -NCK_VALUE_NEAR;
+}
+
 // FNV-1a over the letters in lower case, without blanks.
 uint64_t nck_variable_name(const char *at, const char *end) {
     if (!NCK_HAS_VARIABLES) return 0;
