@@ -107,7 +107,7 @@ void nck_host_plan_take(nck_host_plan_t *plan, const nck_host_batch_t *batch);
 // NCK_WINDOW cells, so that the caller can show progress.
 // Returns NCK_OK (call again), NCK_DONE, or the program error, as nck_prep; NCK_E_ARGUMENT if an
 // array is too small (those of a trail: no more than NCK_HOST_TRAIL_ROOM). From batches besides:
-// NCK_EMPTY (it needs the next one), NCK_E_STATE (where the kernel rests hangs on how full its rings
+// NCK_EMPTY (it needs the next one), NCK_E_STATE (where the path rests hangs on how full the rings
 // are: nothing of the plan counts, plan the text).
 // Cost: linear in the text. Context: prep and tick both.
 nck_status_t nck_host_plan_run(nck_host_plan_t *plan);

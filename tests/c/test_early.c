@@ -84,8 +84,9 @@ static void add(size_t *used, const char *words)
 static void write_program(int moves, const char *mode)
 {
     static const char *const things[] = {
-        "G4 P0.01\n", "M0\n", "T1 M6\nG43 H1\n", "M8\n", "G61.1\nX0 Y0\n", "G91 G2 X1 Y1 I1 J0\nG90\n",
-        "M3 S500\n", "G0 Z1\nG1 Z0\n", "G64 P0.05\n", "G91\nX0.5\nG90\n", "F300\n", "G61\n", "M9\n"};
+        "G4 P0.01\n", "M0\n", "T1 M6\nG43 H1\n", "M8\n", "G61.1\nX0 Y0\n", "M3 S500\n",
+        "G91 G2 X1 Y1 I1 J0\nG90\n", "G0 Z1\nG1 Z0\n", "G64 P0.05\n", "G91\nX0.5\nG90\n",
+        "F300\n", "G61\n", "M9\n"};
     const int count = (int)(sizeof things / sizeof *things);
     size_t used = 0;
     add(&used, "G21 G90 G94 G17 F3000\n");
