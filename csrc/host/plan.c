@@ -194,6 +194,17 @@ static nck_status_t feed_step(nck_host_plan_t *plan) {
     return NCK_EMPTY;
 }
 
+// The same again, as long as room 5 only waits for more. Behind the last step, which may be that of
+// the end, it is asked.
+static nck_status_t feed_steps(nck_host_plan_t *plan) {
+    nck_status_t status = feed_step(plan);
+    while (status == NCK_OK && plan->used.order < plan->batch->order_count
+           && nck_lacks_pieces(plan->nck)) {
+        status = feed_step(plan);
+    }
+    return status;
+}
+
 // One prep step gives one seg, or the nodes of one batch: no more of them than cells.
 static int has_room(const nck_host_plan_t *plan) {
     return (!plan->segs || plan->seg_max - plan->seg_count > 1)
@@ -219,7 +230,7 @@ static nck_status_t step(nck_host_plan_t *plan) {
     if (plan->reads) plan->text_used = nck_read_offset(plan->nck);
     if (plan->status < NCK_OK) plan->error = plan->status;
     if (plan->status == NCK_EMPTY && plan->batch) {
-        const nck_status_t fed = feed_step(plan);
+        const nck_status_t fed = feed_steps(plan);
         if (fed != NCK_FULL) return fed;
         plan->status = NCK_FULL;
     }

@@ -67,7 +67,7 @@ class Pipeline:
 
     def __init__(self):
         self.begun = time.perf_counter()
-        self._first, self._threads, self._late = None, [], None
+        self._first, self._threads, self._early, self._late = None, [], None, None
         self._is_broken, self._cause = threading.Event(), None
         self._arrays, self._free_arrays = 0, queue.SimpleQueue()
         self._blocks, self._batches = queue.SimpleQueue(), queue.SimpleQueue()
@@ -102,10 +102,10 @@ class Pipeline:
     def _begin(self, machine):
         for _ in range(_BATCHES):
             self._free_batches.put(Batch())
-        early, self._late = Early(machine, self._another_batch), Late(machine)
-        for work in (self._serve_late, lambda: self._serve_early(early)):
-            self._threads.append(threading.Thread(target=work, daemon=True))
-            self._threads[-1].start()
+        for work in (self._serve_late, self._serve_early):
+            thread = threading.Thread(target=work, args=(machine,), daemon=True)
+            thread.start()
+            self._threads.append(thread)
 
     def _another_batch(self):
         batch = self._free_batches.get()
@@ -113,21 +113,32 @@ class Pipeline:
             raise errors.StateError("broken off")
         return batch
 
-    def _serve_early(self, early):
+    def _serve_early(self, machine):
+        self._try(self._make_early, machine)
         while (blocks := self._blocks.get()) is not None:
-            self._try(self._fill, early, blocks)
+            self._try(self._fill, blocks)
             self._free_arrays.put(blocks if blocks.base is None else blocks.base)
-        self._try(self._fill, early, np.empty(0, dtype("nck_block_t")))
+        self._try(self._fill, np.empty(0, dtype("nck_block_t")))
         self._batches.put(None)
 
-    def _fill(self, early, blocks):
-        for batch in early.batches(blocks):
+    def _make_early(self, machine):
+        self._early = Early(machine, self._another_batch)
+
+    def _fill(self, blocks):
+        for batch in self._early.batches(blocks):
             self._batches.put(batch)
 
-    def _serve_late(self):
+    def _make_late(self, machine):
+        self._late = Late(machine)
+
+    def _serve_late(self, machine):
+        self._try(self._make_late, machine)
         while (batch := self._batches.get()) is not None:
-            self._try(self._late.take, batch)
+            self._try(self._take, batch)
             self._free_batches.put(batch)
+
+    def _take(self, batch):
+        self._late.take(batch)
 
     def _try(self, work, *what):
         """Do something, unless the plan is broken off; what goes wrong breaks it off."""

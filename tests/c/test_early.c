@@ -184,10 +184,12 @@ static void an_error_of_a_later_room_ends_the_path(check_t *check)
     CHECK_NEAR(check, late.totals.length_mm, 2.0, 0.0);
 }
 
-static void a_program_without_an_end_is_planned_whole(check_t *check)
+static void a_program_is_planned_to_its_end(check_t *check)
 {
     take_machine(NCK_SLOPE_LINEAR);
     snprintf(text, TEXT, "G21 G90 G61 F600\nG1 X1\nX2");
+    both_are_equal(check, NCK_DONE);
+    snprintf(text, TEXT, "G21 G90 G61 F600\nG1 X1\nM0\nG1 X2\nM2\n");
     both_are_equal(check, NCK_DONE);
 }
 
@@ -210,7 +212,7 @@ int main(void)
     CHECK_RUN(&check, rooms_apart_give_the_bits_of_the_kernel);
     CHECK_RUN(&check, random_programs_have_the_bits_of_the_kernel);
     CHECK_RUN(&check, an_error_of_a_later_room_ends_the_path);
-    CHECK_RUN(&check, a_program_without_an_end_is_planned_whole);
+    CHECK_RUN(&check, a_program_is_planned_to_its_end);
     CHECK_RUN(&check, rings_full_of_outputs_are_left_to_the_kernel);
     return check_end(&check);
 }
