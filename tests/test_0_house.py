@@ -40,8 +40,8 @@ PYTHON_ROOMS = (
 )  # fmt: skip
 # Who calls the kernel; everybody else may read its constants.
 WRAPPERS = (
-    "kernel/__init__", "kernel/bind", "kernel/records", "machine/__init__", "planning/grades",
-    "planning/parallel", "stages", "report/path_error", "bench/timing",
+    "kernel/__init__", "kernel/batches", "kernel/bind", "kernel/records", "machine/__init__",
+    "planning/grades", "planning/parallel", "stages", "report/path_error", "bench/timing",
 )  # fmt: skip
 
 # The files under another licence: they include LinuxCNC's headers and have its signatures.

@@ -11,6 +11,7 @@ import numpy as np
 import pytest
 
 from pycnc import bench
+from pycnc.bench import cores as bench_cores
 from pycnc.bench import kernel as bench_kernel
 from pycnc.bench import parallel as bench_parallel
 from pycnc.bench import timing
@@ -28,6 +29,8 @@ def small(monkeypatch):
         monkeypatch.setattr(bench_kernel, name, made)
     monkeypatch.setattr(bench_kernel, "LOOPS", 100)
     monkeypatch.setattr(bench_kernel, "ROUNDS", 1)
+    monkeypatch.setattr(bench_cores, "ROUNDS", 1)
+    monkeypatch.setattr(bench_cores, "CASES", {"linear": 40_000, "jerk": 20_000})
     rows = functools.partial(bench_parallel.bench_lookahead_rows, sizes=(1000,), seconds=0)
     monkeypatch.setattr(bench_parallel, "bench_lookahead_rows", rows)
 
@@ -64,7 +67,7 @@ def test_the_window_alone_gives_every_node_of_the_plan():
     assert pieces == judged.plan(program)[0]["nodes"]
 
 
-@pytest.mark.parametrize("name", ["decode", "lookahead", "tick", "time"])
+@pytest.mark.parametrize("name", ["decode", "lookahead", "tick", "time", "cores"])
 def test_a_bench_prints_json_of_the_contract(small, capsys, name):
     rows = bench.run(name, json=True)
     told = json.loads(capsys.readouterr().out)
@@ -82,6 +85,13 @@ def test_lookahead_tells_equality_and_ratio_to_serial(small, capsys):
     assert {"n", "variant", "ns_per_point", "ratio_to_serial", "equal"} <= set(rows[0])
     assert all(row["equal"] in (True, None) for row in rows)
     assert all(row["ns_per_point"] > 0 for row in rows)
+
+
+def test_several_cores_have_the_bits_of_one(small, capsys):
+    rows = bench.run("cores", json=True)
+    capsys.readouterr()
+    assert all(row["equal"] for row in rows)
+    assert rows[0]["variant"] == "one core" and rows[0]["ratio_to_one_core"] == 1
 
 
 def test_decode_stands_beside_rs274_where_it_is_installed(small, capsys):

@@ -10,8 +10,11 @@ from pathlib import Path
 import pytest
 from test_8_report import busy
 
+from pycnc.bench.kernel import relief
+
 LINES = (240_000, 420_000)  # a run plans beside: both go on when they hold the most
 OF_A_PAGE = (700_000, 1_000_000)  # both have more points than a page holds
+MANY, MOST = 2_000_000, 300 << 20  # lines; bytes of their plan, all cores at work
 NOISE = 5 << 20  # bytes: what two runs differ by, and what is filled by the longer one only
 # Bytes that a line costs besides its text.
 # A run counts the ticks of each line; a report knows where each line ends.
@@ -46,12 +49,19 @@ def program(tmp_path_factory):
     return program
 
 
-def peak(verb, path):
+def peak(verb, path, *options):
     """Return the largest memory of a verb [bytes]."""
-    command = [sys.executable, "-c", PEAK, verb, str(path)]
+    command = [sys.executable, "-c", PEAK, verb, str(path), *options]
     command += ["-o", str(path.with_suffix(".html"))] if verb == "report" else []
     done = subprocess.run(command, capture_output=True, text=True, check=True)
     return int(done.stderr.split()[-1]) << 10
+
+
+def test_two_million_lines_are_planned_in_300_mb(tmp_path):
+    path = tmp_path / "long.ngc"
+    path.write_bytes(relief(MANY))
+    machine = [f"--set=axis.{axis}.{end}_mm=free" for axis in "xyz" for end in ("min", "max")]
+    assert peak("time", path, *machine) <= MOST
 
 
 @pytest.mark.parametrize("verb", OF_A_LINE)

@@ -7,6 +7,7 @@
 #include <stddef.h> // size_t
 
 #include "host/cut.h" // nck_host_cut_t
+#include "host/early.h" // nck_host_batch_t
 #include "host/why.h" // nck_host_why_t
 #include "nck/nck.h"  // nck_t and all records
 
@@ -63,6 +64,8 @@ typedef struct nck_host_plan {
     uint32_t is_blocks;         // 1: the text is rows of nck_block_in_t
     uint32_t begun;             // 1: the kernel has its text, or will be given it piece by piece
     uint32_t reads;             // 1: the kernel reads the text itself
+    const nck_host_batch_t *batch; // in work, in the place of text; NULL: the text is planned
+    struct { size_t seg, node, output, order; } used; // rows of it
     nck_seg_t *segs;   size_t seg_max, seg_count;     // rows of this call
     nck_node_t *nodes; size_t node_max, node_count;
     nck_cell_t *cells; size_t cell_max, cell_count;
@@ -74,6 +77,7 @@ typedef struct nck_host_plan {
     nck_terms_t terms;          // of the machine's slope
     int32_t error;              // of the program: returned when all before it is planned; NCK_OK
     int32_t status;             // last of nck_prep
+    double tangent[NCK_AXIS_MAX]; // at the end of the newest seg
     nck_host_why_t why;         // what the time goes to; shares and a trail may be asked for
 } nck_host_plan_t;
 
@@ -93,11 +97,18 @@ void nck_host_plan_blocks(nck_host_plan_t *plan);
 nck_status_t nck_host_plan_part(nck_host_plan_t *plan, const nck_host_cut_t *from,
                                 uint64_t blocks);
 
+// Plan from batches of path in the place of text: the first one, or the next one behind
+// NCK_EMPTY. It must stay until the plan asks for the next one. Call it first right after
+// nck_host_plan_init, which was given no text. Cost: constant. Context: prep.
+void nck_host_plan_take(nck_host_plan_t *plan, const nck_host_batch_t *batch);
+
 // Go on until an array is nearly full or the plan is done; the counts start from 0 at every call.
 // An array that is given must hold at least 4 × NCK_WINDOW rows. Without arrays it goes on for
 // NCK_WINDOW cells, so that the caller can show progress.
 // Returns NCK_OK (call again), NCK_DONE, or the program error, as nck_prep; NCK_E_ARGUMENT if an
-// array is too small (those of a trail: no more than NCK_HOST_TRAIL_ROOM).
+// array is too small (those of a trail: no more than NCK_HOST_TRAIL_ROOM). From batches besides:
+// NCK_EMPTY (it needs the next one), NCK_E_STATE (where the path rests hangs on how full the rings
+// are: nothing of the plan counts, plan the text).
 // Cost: linear in the text. Context: prep and tick both.
 nck_status_t nck_host_plan_run(nck_host_plan_t *plan);
 

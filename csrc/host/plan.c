@@ -9,7 +9,7 @@ static void keep_seg(void *user, const nck_seg_t *seg) {
     nck_host_plan_t *const plan = user;
     plan->totals.segs++;
     plan->totals.length_mm = seg->s_program + seg->program;
-    nck_host_why_seg(&plan->why, seg, &plan->terms);
+    nck_host_why_row(nck_host_why_at(&plan->why, seg->seq), plan->tangent, seg, &plan->terms);
     if (plan->segs) plan->segs[plan->seg_count++] = *seg;
 }
 
@@ -140,6 +140,71 @@ static void feed(nck_host_plan_t *plan) {
     plan->text_used += used;
 }
 
+void nck_host_plan_take(nck_host_plan_t *plan, const nck_host_batch_t *batch) {
+    plan->batch = batch;
+    plan->begun = 1;
+    memset(&plan->used, 0, sizeof plan->used);
+}
+
+// Of a seg the link gets what room 5 and the sums ask for.
+static void take_seg(nck_host_plan_t *plan, const nck_host_batch_seg_t *row) {
+    nck_link_t *const link = nck_link_of(plan->nck);
+    nck_seg_t *const seg = nck_link_seg_place(link);
+    seg->line = row->why.line;
+    seg->block = row->block;
+    seg->rapid = row->rapid;
+    nck_link_seg_placed(link);
+    *nck_host_why_at(&plan->why, row->seq) = row->why;
+    plan->totals.segs++;
+    plan->totals.length_mm = row->length_mm;
+}
+
+// What is next in the batch goes to the kernel. NCK_FULL: not before the tick has taken cells.
+static nck_status_t feed_item(nck_host_plan_t *plan, uint8_t what) {
+    const nck_host_batch_t *const batch = plan->batch;
+    nck_link_t *const link = nck_link_of(plan->nck);
+    if (what == NCK_HOST_BATCH_STEP) return NCK_OK;
+    if (what == NCK_HOST_BATCH_END) {
+        if (batch->error < NCK_OK) plan->error = batch->error;
+        return nck_end_pieces(plan->nck, batch->blocks);
+    }
+    if (what == NCK_HOST_BATCH_NODE) {
+        const nck_status_t status = nck_push_piece(plan->nck, &batch->nodes[plan->used.node]);
+        plan->used.node += status == NCK_OK;
+        return status;
+    }
+    if (!nck_link_has_room(link)) return NCK_FULL;
+    if (what == NCK_HOST_BATCH_OUTPUT) {
+        return nck_link_push_output(link, &batch->outputs[plan->used.output++]);
+    }
+    take_seg(plan, &batch->segs[plan->used.seg++]);
+    return NCK_OK;
+}
+
+// All of the batch up to where the kernel goes on with room 5. NCK_EMPTY: nothing is left of it.
+static nck_status_t feed_step(nck_host_plan_t *plan) {
+    const nck_host_batch_t *const batch = plan->batch;
+    while (plan->used.order < batch->order_count) {
+        const uint8_t what = batch->orders[plan->used.order];
+        const nck_status_t status = feed_item(plan, what);
+        if (status != NCK_OK) return status;
+        plan->used.order++;
+        if (what == NCK_HOST_BATCH_STEP) return NCK_OK;
+    }
+    return NCK_EMPTY;
+}
+
+// The same again, as long as room 5 only waits for more. Behind the last step, which may be that of
+// the end, it is asked.
+static nck_status_t feed_steps(nck_host_plan_t *plan) {
+    nck_status_t status = feed_step(plan);
+    while (status == NCK_OK && plan->used.order < plan->batch->order_count
+           && nck_lacks_pieces(plan->nck)) {
+        status = feed_step(plan);
+    }
+    return status;
+}
+
 // One prep step gives one seg, or the nodes of one batch: no more of them than cells.
 static int has_room(const nck_host_plan_t *plan) {
     return (!plan->segs || plan->seg_max - plan->seg_count > 1)
@@ -164,9 +229,16 @@ static nck_status_t step(nck_host_plan_t *plan) {
     if (plan->block_last > 0) nck_leave_at(plan->nck, (uint32_t)plan->block_last);
     if (plan->reads) plan->text_used = nck_read_offset(plan->nck);
     if (plan->status < NCK_OK) plan->error = plan->status;
+    if (plan->status == NCK_EMPTY && plan->batch) {
+        const nck_status_t fed = feed_steps(plan);
+        if (fed != NCK_FULL) return fed;
+        plan->status = NCK_FULL;
+    }
     if (plan->status == NCK_EMPTY) feed(plan);
     if (plan->status == NCK_DONE) take_cells(plan);
-    if (plan->status == NCK_FULL && take_cells(plan) == 0 && was_full) return NCK_E_INTERNAL;
+    if (plan->status == NCK_FULL && take_cells(plan) == 0 && was_full) {
+        return plan->batch ? NCK_E_STATE : NCK_E_INTERNAL;
+    }
     const int is_done = plan->status == NCK_DONE && nck_host_trail_has_room(&plan->why.trail);
     return is_done ? NCK_DONE : NCK_OK;
 }

@@ -45,27 +45,31 @@ static nck_host_why_seg_t *seg_at(nck_host_why_t *self, uint32_t seq) {
     return &self->segs[seq & (NCK_HOST_WHY_SEGS - 1)];
 }
 
+nck_host_why_seg_t *nck_host_why_at(nck_host_why_t *self, uint32_t seq) {
+    return seg_at(self, seq);
+}
+
 void nck_host_why_init(nck_host_why_t *self, nck_t *nck) {
     memset(self, 0, offsetof(nck_host_why_t, segs));
     self->nck = nck;
     self->link = nck_link_of(nck);
 }
 
-void nck_host_why_seg(nck_host_why_t *self, const nck_seg_t *seg, const nck_terms_t *terms) {
-    nck_host_why_seg_t *const row = seg_at(self, seg->seq);
+void nck_host_why_row(nck_host_why_seg_t *row, double tangent[NCK_AXIS_MAX], const nck_seg_t *seg,
+                      const nck_terms_t *terms) {
     const int moves = seg->length > 0.0;
-    double tangent[NCK_AXIS_MAX] = {0.0};
+    double here[NCK_AXIS_MAX] = {0.0};
     memset(row, 0, sizeof *row);
     row->line = seg->line;
     row->s_begin = seg->s_begin;
     row->stop = seg->stop;
     row->axis = NCK_AXIS_MAX;
-    if (moves) nck_path_tangent_part(seg, 0.0, terms->axes, tangent);
-    if (moves && seg->seq > 0) meet(row, self->tangent, tangent, terms);
+    if (moves) nck_path_tangent_part(seg, 0.0, terms->axes, here);
+    if (moves && seg->seq > 0) meet(row, tangent, here, terms);
     if (moves && seg->kind != NCK_SEG_LINE) {
-        nck_path_tangent_part(seg, seg->length, terms->axes, tangent);
+        nck_path_tangent_part(seg, seg->length, terms->axes, here);
     }
-    memcpy(self->tangent, tangent, sizeof tangent);
+    memcpy(tangent, here, sizeof here);
 }
 
 // What a node says of itself and the piece behind it.

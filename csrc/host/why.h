@@ -73,7 +73,6 @@ typedef struct nck_host_why {
     const nck_link_t *link;     // has the segs
     double v;                   // speed so far [path mm/s]
     double v_most;              // the largest one behind low
-    double tangent[NCK_AXIS_MAX]; // at the end of the newest seg
     nck_host_why_ramp_t up, down; // behind low: ramps to the fastest point, and behind that
     nck_host_why_piece_t piece; // in work
     nck_host_low_t low;         // the last low point
@@ -85,8 +84,13 @@ typedef struct nck_host_why {
 // Begin; nck: planned beside it. Cost: constant. Context: any.
 void nck_host_why_init(nck_host_why_t *self, nck_t *nck);
 
-// The next seg, in order. Cost: constant. Context: any.
-void nck_host_why_seg(nck_host_why_t *self, const nck_seg_t *seg, const nck_terms_t *terms);
+// What is kept of the next seg, in order. tangent: at the end of the seg before it, then of this
+// one; 0 before the first. Cost: constant. Context: any.
+void nck_host_why_row(nck_host_why_seg_t *row, double tangent[NCK_AXIS_MAX], const nck_seg_t *seg,
+                      const nck_terms_t *terms);
+
+// Where the row of a seg is kept, by its seq. Cost: constant. Context: any.
+nck_host_why_seg_t *nck_host_why_at(nck_host_why_t *self, uint32_t seq);
 
 // The next node that the kernel drops, in order. Cost: constant. Context: prep.
 void nck_host_why_node(nck_host_why_t *self, const nck_node_t *node);

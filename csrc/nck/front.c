@@ -45,6 +45,18 @@ void nck_leave_at(nck_t *nck, uint32_t blocks) {
     if (nck->wire.blocks >= blocks) nck->decode.text.over = 1;
 }
 
+nck_status_t nck_push_piece(nck_t *nck, const nck_node_t *piece) {
+    return nck_lookahead_take(&nck->lookahead, piece);
+}
+
+nck_status_t nck_end_pieces(nck_t *nck, uint32_t blocks) {
+    if (nck->lookahead.ended) return NCK_E_STATE;
+    nck_lookahead_end(&nck->lookahead);
+    nck->wire.ended = 1;
+    nck->wire.blocks = blocks;
+    return NCK_OK;
+}
+
 void nck_hurry(nck_t *nck, uint32_t periods) {
     if (nck_slope_hurry(&nck->slope, periods)) nck_lookahead_hurry(&nck->lookahead);
 }

@@ -171,6 +171,23 @@ void nck_enter(nck_t *nck, const nck_decode_t *decode, const nck_toolcomp_t *too
 // behind every prep step. Cost: constant. Context: prep.
 void nck_leave_at(nck_t *nck, uint32_t blocks);
 
+// Hand over a piece of path in the place of text, with its caps as room 4 of another kernel for the
+// same machine has found them: rooms 1 to 4 of this one stay empty. Its seg is in the link by then,
+// the outputs before that too. Behind each piece, or the few that became known together, nck_prep
+// goes on until it says NCK_EMPTY, unless nck_lacks_pieces.
+// Returns NCK_OK; NCK_FULL if nothing more fits before the tick has taken cells; NCK_E_STATE once
+// the path has ended, be it because rings full of outputs had it rest where it was known to.
+// Cost: constant. Context: prep.
+nck_status_t nck_push_piece(nck_t *nck, const nck_node_t *piece);
+
+// 1 if nck_prep would do nothing, since the path needs more pieces than are known. While the
+// operator asks for nothing else, more may be handed over at once. Cost: constant. Context: prep.
+int nck_lacks_pieces(nck_t *nck);
+
+// The path that was handed over in pieces ends here; blocks: that it was made of.
+// Returns NCK_OK, or NCK_E_STATE as nck_push_piece. Cost: constant. Context: prep.
+nck_status_t nck_end_pieces(nck_t *nck, uint32_t blocks);
+
 // Nothing more is there to push for now, and more may come: a plan that begins at rest, or takes
 // over within so many periods, takes what is known of the path. By itself nck_prep does so two
 // periods ahead, which is soon enough where it is called as long as it says NCK_OK; a caller with a

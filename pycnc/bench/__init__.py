@@ -23,6 +23,7 @@ SUBJECTS = {
     "lookahead": [("parallel", "bench_lookahead_rows"), ("kernel", "bench_window_rows")],
     "tick": [("kernel", "bench_tick_rows")],
     "time": [("kernel", "bench_time_rows")],
+    "cores": [("cores", "bench_cores_rows")],
     "cost": [("cost", "bench_cost_rows")],
     "optimum": [("optimum", "bench_optimum_rows")],
     "bounds": [("bounds", "bench_bounds_rows")],

@@ -108,16 +108,19 @@ def _aside(unit, work):
 
 def _timed(machine, file, *, plan, backend, by, as_json, quiet):
     """Plan a program and tell its time. Returns (what --json tells of it, exit code)."""
+    from pycnc.planning import pipeline
     from pycnc.planning.plan import Plan
 
-    program, facts, code = look_at(file, machine, quiet, as_json, keep=False)
-    if program is None:
-        return facts, code
-    try:
-        with progress(f"planning {program.file}", quiet) as bar:
-            planned = Plan(program, plan=plan, backend=backend, keep=False, progress=bar, by=by)
-    except Exception as cause:
-        return facts_of_failure(facts, cause) if as_json else {}, explain(cause)
+    with pipeline.beside(plan == "exact" and not by) as beside:
+        program, facts, code = look_at(file, machine, quiet, as_json, keep=False, beside=beside)
+        if program is None:
+            return facts, code
+        how = {"plan": plan, "backend": backend, "by": by, "beside": beside}
+        try:
+            with progress(f"planning {program.file}", quiet) as bar:
+                planned = Plan(program, keep=False, progress=bar, **how)
+        except Exception as cause:
+            return facts_of_failure(facts, cause) if as_json else {}, explain(cause)
     if as_json:
         return planned.as_dict(), GOOD
     tell(program, quiet, sys.stderr)
@@ -138,17 +141,19 @@ def why(
     Lost is what the plan takes longer than the programmed feed, the speed of rapids and dwells
     would; a ramp belongs to the corner, arc or stop that it serves. Like places are one row.
     """
+    from pycnc.planning import pipeline
     from pycnc.planning.plan import Plan
     from pycnc.report import reasons
 
     if output is not None and not output.lower().endswith(".csv"):
         raise Refused(f"{output}: error[format]: a table is written as .csv")
     mill = machine_of(machine, set, tools, dialect, slope=slope, quiet=quiet)
-    program, facts, code = look_at(file, mill, quiet, json_, keep=False)
-    if program is None:
-        return give_up(facts, code, json_)
-    with progress(f"planning {program.file}", quiet) as bar:
-        found = Plan(program, keep=False, progress=bar).why()
+    with pipeline.beside() as beside:
+        program, facts, code = look_at(file, mill, quiet, json_, keep=False, beside=beside)
+        if program is None:
+            return give_up(facts, code, json_)
+        with progress(f"planning {program.file}", quiet) as bar:
+            found = Plan(program, keep=False, progress=bar, beside=beside).why()
     if what_if:
         with progress(f"planning {program.file} with each cure", quiet) as bar:
             found.what_if(bar)

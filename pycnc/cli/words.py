@@ -103,13 +103,13 @@ def progress(what, quiet):
         yield lambda done, total: bar.update(task, completed=done, total=total)
 
 
-def decoded(file, machine, quiet, keep=True):
-    """Return a program on the command line, decoded whole."""
+def decoded(file, machine, quiet, keep=True, beside=None):
+    """Return a program on the command line, decoded whole; beside: a pipeline that plans it."""
     from pycnc.program import Program
 
     name, text = read(file)
     with progress(f"reading {name}", quiet) as bar:
-        return Program(text, machine, file=name, keep=keep, progress=bar)
+        return Program(text, machine, file=name, keep=keep, progress=bar, beside=beside)
 
 
 def tell(program, quiet, stream):
@@ -124,14 +124,14 @@ def tell(program, quiet, stream):
         print(text, file=stream)
 
 
-def look_at(file, machine, quiet, as_json, keep=True):
+def look_at(file, machine, quiet, as_json, keep=True, beside=None):
     """Return (program, facts, exit code) of a program on the command line.
 
     The program is None unless it can be planned; what is wrong has been told then, and facts are
-    what ``--json`` tells of it: nothing without it.
+    what ``--json`` tells of it: nothing without it. beside: a pipeline that plans it meanwhile.
     """
     try:
-        program = decoded(file, machine, quiet, keep)
+        program = decoded(file, machine, quiet, keep, beside)
     except Refused as cause:
         facts = facts_of(file, machine, [cause.finding.as_dict()]) if as_json else {}
         return None, facts, explain(cause)

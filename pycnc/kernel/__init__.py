@@ -6,6 +6,8 @@ progress, stop, or keep nothing. Arrays that it yields are its own and are fille
 piece: copy what is to stay.
 """
 
+import itertools
+
 import numpy as np
 
 from pycnc import errors
@@ -13,7 +15,7 @@ from pycnc.kernel.bind import check, ffi, lib, pointer
 from pycnc.kernel.records import dtype, enum
 from pycnc.names import version  # noqa: F401
 
-_BLOCK_ROWS = 16384
+BLOCK_ROWS = 16384  # that are decoded at a time
 _DIAGNOSTIC_ROWS = 4096
 _PLAN_ROWS = 4 * lib.NCK_WINDOW  # the least that nck_host_plan_run takes
 _TRAIL_ROWS = 16 * lib.NCK_HOST_TRAIL_ROOM
@@ -35,13 +37,21 @@ class Blocks(bytes):
     """A program without text: the bytes of rows of dtype ``nck_block_in_t``."""
 
 
-def decode(text, machine):
+def rows_of_blocks():
+    """Return an array for the blocks that are decoded at a time."""
+    return np.empty(BLOCK_ROWS, dtype("nck_block_t"))
+
+
+def decode(text, machine, another=None):
     """Decode a whole text, or `Blocks`.
 
     Parameters
     ----------
     text : bytes
     machine : Machine
+    another : callable, optional
+        Returns the array that the next blocks are for, of dtype ``nck_block_t``; without it they
+        are all for the same one.
 
     Yields
     ------
@@ -56,16 +66,18 @@ def decode(text, machine):
     toolcomp = ffi.new("nck_toolcomp_t *")
     lib.nck_decode_init(state, machine.pointer)
     lib.nck_toolcomp_init(toolcomp, machine.pointer)
-    blocks = np.empty(_BLOCK_ROWS, dtype("nck_block_t"))
+    if another is None:
+        another = itertools.repeat(rows_of_blocks()).__next__
     diagnostics = np.empty(_DIAGNOSTIC_ROWS, dtype("nck_diagnostic_t"))
     data = ffi.from_buffer("char[]", text)
     decoding.text, decoding.text_size = data, len(text)
     decoding.is_blocks = isinstance(text, Blocks)
-    decoding.blocks, decoding.block_max = pointer("nck_block_t", blocks), len(blocks)
     decoding.diagnostics = pointer("nck_diagnostic_t", diagnostics)
     decoding.diagnostic_max = len(diagnostics)
     status = lib.NCK_OK
     while status == lib.NCK_OK:
+        blocks = another()
+        decoding.blocks, decoding.block_max = pointer("nck_block_t", blocks), len(blocks)
         status = lib.nck_host_decode(state, toolcomp, decoding)
         if status == lib.NCK_E_ARGUMENT:
             raise _bad_block(text, decoding.text_used)

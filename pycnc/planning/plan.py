@@ -6,7 +6,7 @@ import time
 import numpy as np
 
 from pycnc import errors, kernel
-from pycnc.planning import measure, shares
+from pycnc.planning import measure, pipeline, shares
 from pycnc.machine import Machine
 from pycnc.machine.schema import SLOPES
 from pycnc.program import Program, load, shown
@@ -98,23 +98,24 @@ class Plan:
 
     `look` is called with the segs as they come, kept or not; `trail` with the points and the low
     points of the path (``nck_host_point_t``, ``nck_host_foot_t``), of an exact plan; `by` is
-    "tool", "section" or "line".
+    "tool", "section" or "line"; `beside` is the `Pipeline` that has planned the program while it
+    was read. Without all of these, and `keep`, the rooms of a big program work side by side.
     """
 
     def __init__(self, program, *, plan="exact", backend="auto", keep=True, progress=None,
-                 look=None, trail=None, by=None):  # fmt: skip
+                 look=None, trail=None, by=None, beside=None):  # fmt: skip
         check_backend(backend, plan)
         if by is not None and plan == "grades":
             raise errors.ArgumentError("a plan by grades is not told by parts", id="by")
         self.program, self.kind, self.grades = for_plan(program.check(), plan), plan, None
         self.parts = self.lost = None
-        begun = time.perf_counter()
+        begun = beside.begun if beside else time.perf_counter()
         if plan == "grades":
             totals, exact = self._by_grades(backend, keep, progress)
             if look:
                 look(self.segs)
         else:
-            totals, exact = self._exactly(keep, progress, look, trail, by)
+            totals = exact = self._exactly(keep, progress, look, trail, by, beside)
         self.totals = measure.plan_times(totals, program.machine)
         self.time_s, self.exact_time_s = self.totals["time_s"], float(exact["time_s"])
         self.plan_s = time.perf_counter() - begun
@@ -132,7 +133,31 @@ class Plan:
             totals[name] = exact[name]
         return totals, exact
 
-    def _exactly(self, keep, progress, look, trail, by):
+    def _exactly(self, keep, progress, look, trail, by, beside):
+        planner = None
+        if not (keep or look or trail or by):
+            planner = beside.end() if beside else self._side_by_side(progress)
+        if planner is None:
+            planner = self._on_one_core(keep, progress, look, trail, by)
+        else:
+            self.segs, self.nodes, self.cells = (join(f"nck_{name}_t", []) for name in _KEPT)
+        self.lost = planner.why
+        return planner.totals
+
+    def _side_by_side(self, progress):
+        """Return the planner of all of it, if it is big and there is more than one core."""
+        program, done = self.program, 0
+        if not pipeline.is_worth(program):
+            return None
+        with pipeline.Pipeline() as beside:
+            for blocks in program.pieces(beside.another):
+                beside.take(program.machine, blocks)
+                done += len(blocks)
+                if progress:
+                    progress(done, program.block_count)
+            return beside.end()
+
+    def _on_one_core(self, keep, progress, look, trail, by):
         program = self.program
         asked, names = shares.ask(program, by) if by else (None, [])
         records = _KEPT if keep else _KEPT[:1] if look else ()
@@ -151,8 +176,7 @@ class Plan:
                 progress(used, len(program.text))
         self.segs, self.nodes, self.cells = (join(*record) for record in kept.items())
         self.parts = shares.table(program, by, planner.shares, names) if by else None
-        self.lost = planner.why
-        return planner.totals, planner.totals
+        return planner
 
     def as_dict(self):
         """Return what ``pycnc time --json`` tells."""

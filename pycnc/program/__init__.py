@@ -37,22 +37,27 @@ class Program:
     block_count : int
     tolerance_most_mm : float
         The largest tolerance in force anywhere.
+
+    `beside` is a `planning.pipeline.Pipeline`, which plans what has been read so far meanwhile.
     """
 
-    def __init__(self, text, machine, *, file="<text>", keep=True, progress=None):
+    def __init__(self, text, machine, *, file="<text>", keep=True, progress=None, beside=None):
         self.text = text if isinstance(text, bytes) else bytes(text)
         self.lines = Lines(b"" if isinstance(self.text, kernel.Blocks) else self.text)
         self.file, self.diagnostics, kept, self.block_count = file, Diagnostics(), [], 0
         self.machine = machine = self._choose_dialect(machine)
         self.tolerance_most_mm = 0.0
         wording = Wording(file, self.lines, machine)
-        for blocks, findings, used in kernel.decode(self.text, machine):
+        another = beside.another if beside else None
+        for blocks, findings, used in kernel.decode(self.text, machine, another):
             wording.add(self.diagnostics, findings)
             self.block_count += len(blocks)
             most = blocks["tolerance_mm"].max(initial=0.0)
             self.tolerance_most_mm = max(self.tolerance_most_mm, float(most))
             if keep:
                 kept.append(copied(blocks))
+            if beside:
+                beside.take(machine, blocks)
             if progress:
                 progress(used, len(self.text))
         self.blocks = join("nck_block_t", kept) if keep else None
@@ -137,16 +142,17 @@ class Program:
         """Hash of the text."""
         return hashlib.sha256(self.text).hexdigest()
 
-    def pieces(self):
+    def pieces(self, another=None):
         """Yield the blocks in pieces, again from the text if they were not kept.
 
-        A piece stands until the next one is asked for.
+        A piece stands until the next one is asked for. another: as `kernel.decode` takes it, for
+        blocks that were not kept.
         """
         if self.blocks is not None:
             for begin in range(0, len(self.blocks), _PIECE):
                 yield self.blocks[begin : begin + _PIECE]
             return
-        for blocks, _, _ in kernel.decode(self.text, self.machine):
+        for blocks, _, _ in kernel.decode(self.text, self.machine, another):
             yield blocks
 
     @property

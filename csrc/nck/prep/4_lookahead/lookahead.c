@@ -72,6 +72,15 @@ void nck_lookahead_end(nck_lookahead_t *self) {
     self->ended = 1;
 }
 
+nck_status_t nck_lookahead_take(nck_lookahead_t *self, const nck_node_t *piece) {
+    if (self->ended) return NCK_E_STATE;
+    if (self->window.fill == NCK_WINDOW) return NCK_FULL;
+    self->window.at[(self->window.head + self->window.fill) & (NCK_WINDOW - 1)] = *piece;
+    self->window.fill++;
+    if (piece->kind == NCK_SEG_WAIT) self->window.barrier = self->window.fill;
+    return NCK_OK;
+}
+
 void nck_lookahead_hurry(nck_lookahead_t *self) { nck_near_hurry(self); }
 
 static int window_full(const nck_lookahead_t *self) {

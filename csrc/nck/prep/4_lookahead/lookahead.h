@@ -141,6 +141,10 @@ nck_status_t nck_lookahead_push(nck_lookahead_t *self, const nck_seg_t *seg);
 // Say that no more segs will come before the path has come to rest. Cost: constant. Context: prep.
 void nck_lookahead_end(nck_lookahead_t *self);
 
+// Take a piece that another look-ahead has placed, in the place of a seg. Returns NCK_OK; NCK_FULL
+// (pieces must be dropped); NCK_E_STATE after nck_lookahead_end. Cost: constant. Context: prep.
+nck_status_t nck_lookahead_take(nck_lookahead_t *self, const nck_node_t *piece);
+
 // Nobody knows when more segs come: make known what can be known without them. The path may go on
 // without a rest. Cost: constant. Context: prep.
 void nck_lookahead_hurry(nck_lookahead_t *self);

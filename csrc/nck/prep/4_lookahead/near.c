@@ -85,10 +85,10 @@ static int level(nck_joint_t *joint, const neighbour_t *side, const nck_terms_t 
     return 1;
 }
 
-// Level what lies before a joint whose cap came down, NCK_NEAR_SPAN joints before the newest at
-// most. What is settled stays.
-static void level_before(nck_lookahead_t *self, uint32_t at) {
-    while (at > self->joint.settled && self->joint.head - at <= NCK_NEAR_SPAN) {
+// Level what lies before a joint whose cap came down, `most` joints before the newest at most. What
+// is settled stays.
+static void level_before(nck_lookahead_t *self, uint32_t at, uint32_t most) {
+    while (at > self->joint.settled && self->joint.head - at <= most) {
         nck_joint_t *const before = nck_joint_at(self, at - 1);
         const neighbour_t side = beside(before, nck_joint_at(self, at));
         if (!is_chain(before) || !level(before, &side, self->terms)) return;
@@ -120,14 +120,14 @@ static void close_chains(nck_lookahead_t *self, uint32_t at) {
 }
 
 // The path rests behind a joint: it comes down to that, and so does what lies before it.
-static void level_to_rest(nck_lookahead_t *self, uint32_t at) {
+static void level_to_rest(nck_lookahead_t *self, uint32_t at, uint32_t most) {
     const int by_line = ends_chain(self, at);
     const uint32_t last = by_line ? at - 1 : at;
     nck_joint_t *const joint = nck_joint_at(self, last);
     if (joint->kind != NCK_SEG_SPLINE || last < self->joint.settled) return;
     const neighbour_t side =
         by_line ? beyond_line(joint, nck_joint_at(self, at), self->terms) : at_rest(joint);
-    if (level(joint, &side, self->terms)) level_before(self, last);
+    if (level(joint, &side, self->terms)) level_before(self, last, most);
 }
 
 // What a spline is levelled with before it: 0 if with nothing.
@@ -158,13 +158,17 @@ static void level_newest(nck_lookahead_t *self, uint32_t at, nck_joint_t *joint)
     neighbour_t side;
     close_chains(self, at);
     // Whether the joint before stops is known by now.
-    if (at > 0 && (nck_joint_at(self, at - 1)->end & NCK_JOINT_STOP)) level_to_rest(self, at - 1);
+    if (at > 0 && (nck_joint_at(self, at - 1)->end & NCK_JOINT_STOP)) {
+        level_to_rest(self, at - 1, NCK_NEAR_SPAN);
+    }
     if (joint->kind == NCK_SEG_SPLINE && side_before(self, at, &side)) {
         (void)level(joint, &side, self->terms);
-        if (at > 0 && is_chain(nck_joint_at(self, at - 1))) level_before(self, at);
+        if (at > 0 && is_chain(nck_joint_at(self, at - 1))) {
+            level_before(self, at, NCK_NEAR_SPAN);
+        }
     }
     set_w_out(self, at, joint);
-    if (joint->end & NCK_JOINT_STOP) level_to_rest(self, at);
+    if (joint->end & NCK_JOINT_STOP) level_to_rest(self, at, NCK_NEAR_SPAN);
 }
 
 // Behind a line or an arc that ends no chain nothing is levelled with another one.
@@ -181,8 +185,11 @@ void nck_near_level(nck_lookahead_t *self) {
     }
 }
 
+// No joint is pushed: what the newest one had left to be settled may be, or not, as time would have
+// it. It stays.
 void nck_near_end(nck_lookahead_t *self) {
-    if (!self->ended && self->joint.head > 0) level_to_rest(self, self->joint.head - 1);
+    const uint32_t head = self->joint.head;
+    if (!self->ended && head > 0) level_to_rest(self, head - 1, NCK_NEAR_SPAN - 1);
 }
 
 // Its caps stay as if the path went on as it is: levelled to a rest at the newest joint's end they
