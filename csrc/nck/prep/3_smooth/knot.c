@@ -50,6 +50,8 @@ static nck_status_t look_at_end(nck_smooth_t *self, const nck_raw_t *raw, way_t 
     if (self->run.closed) {
         way->goal = end;
         way->half = 0.0;
+        const double inside = nck_spacing_inside(self, &raw->seg, raw->tolerance);
+        way->step = nck_min(way->step, inside + 0.5 * (end - self->run.t[4]));
         return NCK_OK;
     }
     if (!nck_raw_is_full(self)) return NCK_EMPTY;

@@ -373,6 +373,17 @@ static double step_of(const nck_seg_t *in, const nck_seg_t *out, int axes) {
     return nck_spline_distance(before, behind, axes);
 }
 
+// The spacing of knots that the inside of a block allows where it goes on straight at its ends.
+static double spacing_along(const nck_smooth_t *self, const nck_raw_t *raw) {
+    double second[NCK_AXIS_MAX];
+    if (raw->seg.kind == NCK_SEG_LINE) return self->spacing_max;
+    nck_path_second(&raw->seg, 0.0, second);
+    const double kappa = nck_spline_norm(second, self->terms->axes);
+    const double omega = nck_fabs(raw->seg.shape.arc.sweep) / raw->seg.length;
+    return nck_min(self->spacing_max,
+                   nck_spline_arc_spacing(AIM * raw->tolerance, kappa, omega));
+}
+
 // The spacing at a step of the curvature that gets a knot of its own; 0: it is none, or does not.
 // What the corner there uses of the tolerance comes off.
 static double step_spacing(nck_smooth_t *self, uint32_t count, const vertex_t *corner) {
@@ -383,7 +394,7 @@ static double step_spacing(nck_smooth_t *self, uint32_t count, const vertex_t *c
     const double tolerance = corner->aim / AIM;
     const double most = nck_spline_step_spacing(AIM_STEP * tolerance, step);
     const double room = 0.5 * nck_min(raw->seg.length, next->seg.length);
-    const double inside = nck_min(raw->inside, next->inside);
+    const double inside = nck_min(spacing_along(self, raw), spacing_along(self, next));
     if (corner->alone < STEP_CORNER * most || room < STEP_ROOM * most) return 0.0;
     if (inside < STEP_FITS * most) return 0.0;
     const double share = AIM_STEP - AIM * most / corner->alone;
@@ -413,14 +424,18 @@ static nck_status_t find_at_corner(nck_smooth_t *self, uint32_t count, vertex_t 
 // As nck_spacing_know, but for the stop.
 static nck_status_t find(nck_smooth_t *self, uint32_t count, vertex_t *corner_out) {
     nck_raw_t *const raw = nck_raw_at(self, count);
-    const nck_raw_t *const next = nck_raw_at(self, nck_raw_next(self, count));
+    nck_raw_t *const next = nck_raw_at(self, nck_raw_next(self, count));
     look_at(self, count, corner_out);
     double spacing = step_spacing(self, count, corner_out);
     if (spacing > 0.0) {
         raw->lacks = NCK_LACKS_NOTHING;
         raw->key = NCK_KEY_STEP;
-    } else if (find_at_corner(self, count, corner_out, &spacing) == NCK_EMPTY) {
-        return NCK_EMPTY;
+        raw->inside = spacing_along(self, raw);
+        next->inside = spacing_along(self, next);
+    } else {
+        raw->inside = nck_spacing_inside(self, &raw->seg, raw->tolerance);
+        const nck_status_t status = find_at_corner(self, count, corner_out, &spacing);
+        if (status == NCK_EMPTY) return status;
     }
     if (ends_in_blend(self, count)) {
         spacing = nck_min(spacing, next->seg.length / NCK_BLEND_KEEP_OFF);
@@ -453,6 +468,5 @@ double nck_spacing_inside(const nck_smooth_t *self, const nck_seg_t *seg, double
     nck_path_second(seg, 0.0, second);
     const double kappa = nck_spline_norm(second, self->terms->axes);
     if (!(kappa > 0.0)) return self->spacing_max;
-    const double omega = nck_fabs(seg->shape.arc.sweep) / seg->length;
-    return nck_min(self->spacing_max, nck_spline_arc_spacing(AIM * tolerance, kappa, omega));
+    return nck_min(self->spacing_max, nck_spline_curve_spacing(AIM * tolerance, kappa));
 }

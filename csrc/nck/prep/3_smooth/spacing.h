@@ -5,7 +5,8 @@
 
 #include "nck/prep/3_smooth/smooth.h" // nck_smooth_t
 
-// The spacing of knots that the inside of an exact seg allows. Cost: constant.
+// The spacing of knots that the inside of an exact seg allows where its ends are corners or rests:
+// what is slow there needs short pieces, each of which has one speed at most. Cost: constant.
 double nck_spacing_inside(const nck_smooth_t *self, const nck_seg_t *seg, double tolerance);
 
 // 1 if the spacing that a block's end allows is found. Cost: constant.

@@ -173,11 +173,18 @@ static inline nck_real nck_spline_step_spacing(nck_real tolerance, nck_real step
     return nck_sqrt(tolerance / (0.0332 * step));
 }
 
+// With control points on the path a curve is left by   ε = κ·Δ²/6,  κ > 0
+static inline nck_real nck_spline_curve_spacing(nck_real tolerance, nck_real kappa) {
+    return nck_sqrt(6.0 * tolerance / kappa);
+}
+
 // Inside of an arc they leave it by   ε = |p⁗|·Δ⁴/36,  |p⁗| = κ·ω²,
-// ω the angle that a unit of path turns by; a step turns by no more than 0.8.
+// ω the angle that a unit of path turns by, as long as a step turns by no more than 0.8. A small
+// arc, which the tolerance spans, is any curve.
 static inline nck_real nck_spline_arc_spacing(nck_real tolerance, nck_real kappa, nck_real omega) {
     const nck_real square = nck_sqrt(36.0 * tolerance / (kappa * omega * omega));
-    return nck_min(0.8 / omega, nck_sqrt(square));
+    const nck_real along = nck_min(0.8 / omega, nck_sqrt(square));
+    return nck_max(along, nck_spline_curve_spacing(tolerance, kappa));
 }
 
 // Spacing that crosses a reversal, |Δu| = 2, at speed v within half of acceleration and jerk:
