@@ -380,6 +380,7 @@ static double spacing_along(const nck_smooth_t *self, const nck_raw_t *raw) {
     nck_path_second(&raw->seg, 0.0, second);
     const double kappa = nck_spline_norm(second, self->terms->axes);
     const double omega = nck_fabs(raw->seg.shape.arc.sweep) / raw->seg.length;
+    if (!(kappa * omega * omega > 0.0)) return self->spacing_max; // it hardly bends
     return nck_min(self->spacing_max,
                    nck_spline_arc_spacing(AIM * raw->tolerance, kappa, omega));
 }
