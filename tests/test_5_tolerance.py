@@ -184,7 +184,7 @@ def test_a_program_read_in_pieces_is_as_far_from_its_run(monkeypatch, keep):
     text = f"{HEAD}G64 P{P}\nG1 F3000\n{chr(10).join(moves)}\nG2 X0 Y0 R60\nM2\n".encode()
     whole = pycnc.run(Program(text, machine))
     monkeypatch.setattr("pycnc.program._PIECE", 16)
-    monkeypatch.setattr("pycnc.kernel._BLOCK_ROWS", 16)
+    monkeypatch.setattr("pycnc.kernel.BLOCK_ROWS", 16)
     monkeypatch.setattr("pycnc.report.path_error._SEGS", 32)
     monkeypatch.setattr("pycnc.report.path_error._MOVES", 16)
     parts = pycnc.run(Program(text, machine, keep=keep))
