@@ -373,12 +373,18 @@ static double step_of(const nck_seg_t *in, const nck_seg_t *out, int axes) {
     return nck_spline_distance(before, behind, axes);
 }
 
+// The curvature |p″| of an exact seg, the same all along [1/mm].
+static double bend_of(const nck_smooth_t *self, const nck_seg_t *seg) {
+    double second[NCK_AXIS_MAX];
+    if (seg->kind == NCK_SEG_LINE) return 0.0;
+    nck_path_second(seg, 0.0, second);
+    return nck_spline_norm(second, self->terms->axes);
+}
+
 // The spacing of knots that the inside of a block allows where it goes on straight at its ends.
 static double spacing_along(const nck_smooth_t *self, const nck_raw_t *raw) {
-    double second[NCK_AXIS_MAX];
     if (raw->seg.kind == NCK_SEG_LINE) return self->spacing_max;
-    nck_path_second(&raw->seg, 0.0, second);
-    const double kappa = nck_spline_norm(second, self->terms->axes);
+    const double kappa = bend_of(self, &raw->seg);
     const double omega = nck_fabs(raw->seg.shape.arc.sweep) / raw->seg.length;
     if (!(kappa * omega * omega > 0.0)) return self->spacing_max; // it hardly bends
     return nck_min(self->spacing_max,
@@ -395,8 +401,8 @@ static double step_spacing(nck_smooth_t *self, uint32_t count, const vertex_t *c
     const double tolerance = corner->aim / AIM;
     const double most = nck_spline_step_spacing(AIM_STEP * tolerance, step);
     const double room = 0.5 * nck_min(raw->seg.length, next->seg.length);
-    const double inside = nck_min(spacing_along(self, raw), spacing_along(self, next));
     if (corner->alone < STEP_CORNER * most || room < STEP_ROOM * most) return 0.0;
+    const double inside = nck_min(spacing_along(self, raw), spacing_along(self, next));
     if (inside < STEP_FITS * most) return 0.0;
     const double share = AIM_STEP - AIM * most / corner->alone;
     return nck_min(nck_min(room, inside), nck_spline_step_spacing(share * tolerance, step));
@@ -464,10 +470,7 @@ nck_status_t nck_spacing_know(nck_smooth_t *self, uint32_t count) {
 }
 
 double nck_spacing_inside(const nck_smooth_t *self, const nck_seg_t *seg, double tolerance) {
-    double second[NCK_AXIS_MAX];
-    if (seg->kind == NCK_SEG_LINE) return self->spacing_max;
-    nck_path_second(seg, 0.0, second);
-    const double kappa = nck_spline_norm(second, self->terms->axes);
+    const double kappa = bend_of(self, seg);
     if (!(kappa > 0.0)) return self->spacing_max;
     return nck_min(self->spacing_max, nck_spline_curve_spacing(AIM * tolerance, kappa));
 }
