@@ -6,12 +6,10 @@
 #include <stddef.h> // NULL
 #include <string.h> // memcpy
 
-#include "nck/base/path.h"                 // nck_path_second
 #include "nck/base/real.h"                 // nck_min nck_max
 #include "nck/prep/3_smooth/control.h"     // nck_control_…
 #include "nck/prep/3_smooth/raw.h"         // nck_raw_…
 #include "nck/prep/3_smooth/spacing.h"     // nck_spacing_know
-#include "nck/prep/3_smooth/spline_math.h" // nck_spline_…
 
 // A knot is taken only if the spline could also end there. The first tries allow that end this
 // share of the tolerance. The rest is left to the knot that will follow instead.
@@ -227,9 +225,7 @@ static double sure_knot(nck_smooth_t *self, double here) {
     const uint32_t count = nck_raw_find(self, here + nck_raw_least(here));
     const nck_raw_t *const raw = nck_raw_at(self, count);
     const double end = raw->s + raw->seg.length;
-    double second[NCK_AXIS_MAX];
-    nck_path_second(&raw->seg, 0.0, second);
-    const double kappa = nck_spline_norm(second, self->terms->axes);
+    const double kappa = nck_raw_curvature(&raw->seg, self->terms->axes);
     if (!(kappa > 0.0)) return end;
     const double t = here + SURE * nck_sqrt(raw->tolerance / kappa);
     return t < end - nck_raw_least(end) ? t : end;

@@ -182,6 +182,13 @@ double nck_raw_turn(const nck_seg_t *in, const nck_seg_t *out, int axes, double 
     return nck_spline_norm(turn_out, axes);
 }
 
+double nck_raw_curvature(const nck_seg_t *seg, int axes) {
+    double second[NCK_AXIS_MAX];
+    if (seg->kind == NCK_SEG_LINE) return 0.0;
+    nck_path_second(seg, 0.0, second);
+    return nck_spline_norm(second, axes);
+}
+
 // The control points of a straight stretch of path lie on it evenly, and so does the spline.
 static int is_straight(nck_smooth_t *self, double from, double to) {
     const double least = nck_raw_least(to);

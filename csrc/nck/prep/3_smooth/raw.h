@@ -55,6 +55,10 @@ void nck_raw_spread(nck_smooth_t *self, double s, double step, int count,
 // returns |Δu|. Cost: constant.
 double nck_raw_turn(const nck_seg_t *in, const nck_seg_t *out, int axes, double *turn_out);
 
+// The curvature |p″| of an exact seg, the same all along it [1/mm], over so many axes; 0 of a line.
+// Cost: constant.
+double nck_raw_curvature(const nck_seg_t *seg, int axes);
+
 // What the program says of a motion, from one seg to another. Cost: constant.
 static inline void nck_raw_take_words(const nck_seg_t *from, nck_seg_t *seg) {
     seg->line = from->line;

@@ -6,7 +6,7 @@
 #include <stddef.h> // NULL
 
 #include "nck/base/budget.h"               // NCK_UNLIMITED
-#include "nck/base/path.h"                 // nck_path_second
+#include "nck/base/path.h"                 // nck_path_second_part
 #include "nck/base/real.h"                 // nck_min nck_max
 #include "nck/prep/3_smooth/blend.h"       // NCK_BLEND_KEEP_OFF
 #include "nck/prep/3_smooth/meet.h"        // nck_meet_choose
@@ -373,18 +373,10 @@ static double step_of(const nck_seg_t *in, const nck_seg_t *out, int axes) {
     return nck_spline_distance(before, behind, axes);
 }
 
-// The curvature |p″| of an exact seg, the same all along [1/mm].
-static double bend_of(const nck_smooth_t *self, const nck_seg_t *seg) {
-    double second[NCK_AXIS_MAX];
-    if (seg->kind == NCK_SEG_LINE) return 0.0;
-    nck_path_second(seg, 0.0, second);
-    return nck_spline_norm(second, self->terms->axes);
-}
-
 // The spacing of knots that the inside of a block allows where it goes on straight at its ends.
 static double spacing_along(const nck_smooth_t *self, const nck_raw_t *raw) {
     if (raw->seg.kind == NCK_SEG_LINE) return self->spacing_max;
-    const double kappa = bend_of(self, &raw->seg);
+    const double kappa = nck_raw_curvature(&raw->seg, self->terms->axes);
     const double omega = nck_fabs(raw->seg.shape.arc.sweep) / raw->seg.length;
     if (!(kappa * omega * omega > 0.0)) return self->spacing_max; // it hardly bends
     return nck_min(self->spacing_max,
@@ -470,7 +462,7 @@ nck_status_t nck_spacing_know(nck_smooth_t *self, uint32_t count) {
 }
 
 double nck_spacing_inside(const nck_smooth_t *self, const nck_seg_t *seg, double tolerance) {
-    const double kappa = bend_of(self, seg);
+    const double kappa = nck_raw_curvature(seg, self->terms->axes);
     if (!(kappa > 0.0)) return self->spacing_max;
     return nck_min(self->spacing_max, nck_spline_curve_spacing(AIM * tolerance, kappa));
 }
