@@ -133,10 +133,10 @@ static int may_decide(const nck_lookahead_t *self) {
 // What a seg needs one after the other: its own speeds, its junction, its place in the window.
 nck_status_t nck_lookahead_step(nck_lookahead_t *self) {
     if (window_full(self)) return NCK_FULL;
-    const int is_settled = self->joint.settled != self->joint.head
-                           && nck_near_settle(self) == NCK_OK;
+    const int settles = nck_lookahead_may_settle(self);
+    if (settles) nck_near_settle(self);
     const int is_decided = may_decide(self) && nck_corner_decide(self) == NCK_OK;
-    if (place(self) || is_decided || is_settled) return NCK_OK;
+    if (place(self) || is_decided || settles) return NCK_OK;
     return self->ended && self->joint.placed == self->joint.head ? NCK_DONE : NCK_EMPTY;
 }
 

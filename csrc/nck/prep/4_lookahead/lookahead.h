@@ -18,6 +18,9 @@ enum {
     NCK_JOINT_ROOM = NCK_JOINT_MAX - NCK_CORNER_SPAN - NCK_SPLINE_PARTS // and one seg more goes in
 };
 
+// Splines on either side that a seg's limits hang on at most.
+enum { NCK_NEAR_SPAN = NCK_CORNER_SPAN / 2 };
+
 // The two paces that a path is planned for: as programmed, and at a feed override beyond 100 %.
 enum { NCK_PACE_FEED = 0, NCK_PACE_OVER = 1, NCK_PACES = 2 };
 
@@ -154,12 +157,22 @@ void nck_lookahead_hurry(nck_lookahead_t *self);
 // with at most 2·NCK_CORNER_SPAN neighbours at both paces. Context: prep.
 nck_status_t nck_lookahead_step(nck_lookahead_t *self);
 
-// 1 if a step would do nothing but say NCK_EMPTY, till another seg comes. Splines that are not
-// settled yet may be told to wait though they need not. Cost: constant. Context: prep.
+// 1 if the next joint can be settled: there is one, and no cap of it will come down any more. That
+// depends on counts of segs only, unless it is hurried: a push lowers caps up to NCK_NEAR_SPAN segs
+// before it. Cost: constant. Context: prep.
+static inline int nck_lookahead_may_settle(const nck_lookahead_t *self) {
+    const uint32_t count = self->joint.settled;
+    if (count == self->joint.head) return 0;
+    return self->joint.broken > count || self->joint.head - count > NCK_NEAR_SPAN
+           || self->joint.hurried > count || self->ended;
+}
+
+// 1 if a step would do nothing but say NCK_EMPTY, till another seg comes. Cost: constant.
+// Context: prep.
 static inline int nck_lookahead_is_idle(const nck_lookahead_t *self) {
     const uint32_t settled = self->joint.settled;
     const uint32_t decided = self->joint.decided;
-    if (settled != self->joint.head || self->ended) return 0;
+    if (self->ended || nck_lookahead_may_settle(self)) return 0;
     if (decided + 1 != settled && self->joint.known != self->joint.head) return 0;
     if (self->joint.placed != decided && self->joint.tried != settled + decided) return 0;
     return self->window.fill <= NCK_WINDOW - NCK_PIECES_PER_SEG;

@@ -196,18 +196,11 @@ void nck_near_end(nck_lookahead_t *self) {
 // would be slow for good: 1500 chords, one a period, took 2.93 s in place of 2.05.
 void nck_near_hurry(nck_lookahead_t *self) { self->joint.hurried = self->joint.head; }
 
-// Depends on counts of segs only, unless it is hurried: a push lowers caps up to NCK_NEAR_SPAN segs
-// before it.
-nck_status_t nck_near_settle(nck_lookahead_t *self) {
+void nck_near_settle(nck_lookahead_t *self) {
     const uint32_t count = self->joint.settled;
-    if (count == self->joint.head) return NCK_EMPTY;
-    const uint32_t known = self->joint.head - count;
-    const int open = self->joint.broken <= count && known <= NCK_NEAR_SPAN && !self->ended;
-    if (open && self->joint.hurried <= count) return NCK_EMPTY;
     const double w_in = self->terms->limits_jerk ? entered_at(self, count) : 0.0;
     nck_joint_settle(nck_joint_at(self, count), w_in, self->terms);
     self->joint.settled++;
-    return NCK_OK;
 }
 
 static void include(nck_near_t *near, const nck_joint_t *joint, double a, int pace) {

@@ -5,9 +5,6 @@
 
 #include "nck/prep/4_lookahead/joint.h" // nck_lookahead_t nck_joint_t nck_joint_at
 
-// Splines on either side that a seg's limits hang on at most.
-enum { NCK_NEAR_SPAN = NCK_CORNER_SPAN / 2 };
-
 // The least limits so near to a seg's start or end that the slope's filter mixes them with its own.
 typedef struct nck_near {
     double a;    // tangential acceleration [path mm/s²]
@@ -27,9 +24,8 @@ void nck_near_end(nck_lookahead_t *self);
 // levelled with it. Cost: constant.
 void nck_near_hurry(nck_lookahead_t *self);
 
-// Settle the next joint's speeds and limits. NCK_OK, or NCK_EMPTY: more segs must be known.
-// Cost: constant.
-nck_status_t nck_near_settle(nck_lookahead_t *self);
+// Settle the next joint's speeds and limits, as nck_lookahead_may_settle allows. Cost: constant.
+void nck_near_settle(nck_lookahead_t *self);
 
 // The least limits, under the share beta, near a seg's start (end), its own apart.
 // after: NCK_EMPTY if segs are not settled that far. Cost: NCK_NEAR_SPAN neighbours at most.
