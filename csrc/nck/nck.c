@@ -281,10 +281,9 @@ static nck_status_t step_ahead(nck_lookahead_t *lookahead) {
 // that has waited for it, too. 1 if nothing is left of it.
 static int look_ahead(nck_t *nck) {
     for (int n = 0; n < STEPS_PER_BLOCK; n++) {
-        (void)nck_lookahead_step(&nck->lookahead);
-        if (nck_lookahead_is_idle(&nck->lookahead)) return 1;
+        if (step_ahead(&nck->lookahead) == NCK_EMPTY) return 1;
     }
-    return 0;
+    return nck_lookahead_is_idle(&nck->lookahead);
 }
 
 int nck_lacks_pieces(nck_t *nck) {
