@@ -130,11 +130,12 @@ static void point_beside(const nck_raw_t *raw, double s, int axes, double *point
     const int before = s < raw->s;
     const double *const end = before ? raw->seg.start : raw->seg.end;
     const double beyond = s - (before ? raw->s : raw_end(raw));
-    for (int x = 0; x < axes; x++) point_out[x] = end[x];
-    if (beyond == 0.0) return;
-    double tangent[NCK_AXIS_MAX];
-    tangent_of(&raw->seg, before ? 0.0 : raw->seg.length, axes, tangent);
-    for (int x = 0; x < axes; x++) point_out[x] += tangent[x] * beyond;
+    if (beyond == 0.0) {
+        for (int x = 0; x < axes; x++) point_out[x] = end[x];
+        return;
+    }
+    tangent_of(&raw->seg, before ? 0.0 : raw->seg.length, axes, point_out);
+    for (int x = 0; x < axes; x++) point_out[x] = end[x] + point_out[x] * beyond;
 }
 
 // The point at s, of a block that it is in, or nearest to.
