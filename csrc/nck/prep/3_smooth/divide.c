@@ -60,7 +60,7 @@ static double piece_end(const nck_seg_t *seg, double from) {
 static void take_part(nck_seg_t *seg, double from, double to, int axes) {
     const nck_seg_t whole = *seg;
     if (seg->kind == NCK_SEG_SPLINE) {
-        nck_spline_part(seg, from, to);
+        nck_spline_part(seg, from, to, axes);
         return;
     }
     if (from > 0.0) nck_path_part(&whole, from, axes, seg->start);

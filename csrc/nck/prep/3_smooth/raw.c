@@ -200,8 +200,7 @@ static int is_straight(nck_smooth_t *self, double from, double to) {
 void nck_raw_spline(nck_smooth_t *self, int first, nck_seg_t *seg_out) {
     const double *const t = self->run.t + first;
     memset(seg_out, 0, sizeof *seg_out);
-    nck_spline_bernstein(t, self->run.c[first], self->run.c[first + 1], self->run.c[first + 2],
-                         self->run.c[first + 3], seg_out);
+    nck_spline_bernstein(t, self->run.c + first, self->terms->axes, seg_out);
     seg_out->length = t[3] - t[2];
     seg_out->kind = NCK_SEG_SPLINE;
     double from = t[3];

@@ -352,7 +352,7 @@ static stretch_t stretch_of(const nck_seg_t *seg, double from, double to, int ax
         stretch.mean += nck_max(1.0, speed);
     }
     stretch.mean *= 1.0 / (double)(STRETCH_PARTS + 1);
-    nck_path_third(seg, 0.0, third);
+    nck_path_third_part(seg, 0.0, axes, third);
     stretch.most += nck_spline_sag(nck_spline_norm(third, axes), h);
     return stretch;
 }
@@ -395,7 +395,7 @@ static nck_status_t give_spline(nck_smooth_t *self, nck_smooth_item_t *item_out)
     double end = part_end(self);
     nck_raw_spline(self, 0, seg);
     if (seg->kind == NCK_SEG_SPLINE) end = even_end(self, seg, end, &stretch);
-    nck_spline_part(seg, self->run.given - t[2], end - t[2]);
+    nck_spline_part(seg, self->run.given - t[2], end - t[2], self->terms->axes);
     memcpy(seg->start, self->run.position, sizeof seg->start);
     memcpy(self->run.position, seg->end, sizeof seg->end);
     take_words(self, end, seg);

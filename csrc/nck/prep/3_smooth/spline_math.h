@@ -22,9 +22,8 @@ static inline nck_real nck_spline_greville(const nck_real *t) {
 //
 // (W. Boehm, Inserting New Knots into B-spline Curves, 1980: each knot inserted three times.)
 // Fills start, inner and end of the seg. A triple knot at t_3 gives end = c3, at t_2 start = c0, to
-// the bit.
-static inline void nck_spline_bernstein(const nck_real *t, const nck_real *c0, const nck_real *c1,
-                                        const nck_real *c2, const nck_real *c3,
+// the bit. axes: coordinates that may change, from X on; the others stay.
+static inline void nck_spline_bernstein(const nck_real *t, nck_real (*c)[NCK_AXIS_MAX], int axes,
                                         nck_seg_t *seg_out) {
     const nck_real before = (t[2] - t[0]) / (t[3] - t[0]);
     const nck_real first = (t[2] - t[1]) / (t[4] - t[1]);
@@ -32,15 +31,21 @@ static inline void nck_spline_bernstein(const nck_real *t, const nck_real *c0, c
     const nck_real behind = (t[3] - t[2]) / (t[5] - t[2]);
     const nck_real at_start = (t[2] - t[1]) / (t[3] - t[1]);
     const nck_real at_end = (t[3] - t[2]) / (t[4] - t[2]);
-    for (int x = 0; x < NCK_AXIS_MAX; x++) {
-        const nck_real last = c0[x] + (c1[x] - c0[x]) * before;
-        const nck_real b1 = c1[x] + (c2[x] - c1[x]) * first;
-        const nck_real b2 = c1[x] + (c2[x] - c1[x]) * second;
-        const nck_real next = c2[x] + (c3[x] - c2[x]) * behind;
+    for (int x = 0; x < axes; x++) {
+        const nck_real last = c[0][x] + (c[1][x] - c[0][x]) * before;
+        const nck_real b1 = c[1][x] + (c[2][x] - c[1][x]) * first;
+        const nck_real b2 = c[1][x] + (c[2][x] - c[1][x]) * second;
+        const nck_real next = c[2][x] + (c[3][x] - c[2][x]) * behind;
         seg_out->shape.inner[0][x] = b1;
         seg_out->shape.inner[1][x] = b2;
-        seg_out->start[x] = t[0] < t[2] ? last + (b1 - last) * at_start : c0[x];
-        seg_out->end[x] = t[3] < t[5] ? b2 + (next - b2) * at_end : c3[x];
+        seg_out->start[x] = t[0] < t[2] ? last + (b1 - last) * at_start : c[0][x];
+        seg_out->end[x] = t[3] < t[5] ? b2 + (next - b2) * at_end : c[3][x];
+    }
+    for (int x = axes; x < NCK_AXIS_MAX; x++) {
+        seg_out->shape.inner[0][x] = c[0][x];
+        seg_out->shape.inner[1][x] = c[0][x];
+        seg_out->start[x] = c[0][x];
+        seg_out->end[x] = c[0][x];
     }
 }
 
@@ -57,13 +62,14 @@ static inline nck_real nck_spline_blossom(const nck_real *b, nck_real u, nck_rea
 
 // The part of a spline or a line from x0 to x1 of its length: its Bernstein points are the blossom
 // at x0 x0 x0, x0 x0 x1, x0 x1 x1, x1 x1 x1. An end of the whole that is kept stays to the bit.
-static inline void nck_spline_part(nck_seg_t *seg, nck_real x0, nck_real x1) {
+// axes: as above.
+static inline void nck_spline_part(nck_seg_t *seg, nck_real x0, nck_real x1, int axes) {
     const nck_real u = x0 / seg->length;
     const nck_real v = x1 / seg->length;
     const int begins = !(x0 > 0.0);
     const int ends = !(x1 < seg->length);
     if (begins && ends) return;
-    for (int x = 0; x < NCK_AXIS_MAX; x++) {
+    for (int x = 0; x < axes; x++) {
         const nck_real start = seg->start[x];
         const nck_real way = seg->end[x] - start;
         const nck_real b[4] = {start, seg->shape.inner[0][x], seg->shape.inner[1][x], seg->end[x]};
