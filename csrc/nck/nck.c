@@ -293,9 +293,9 @@ int nck_lacks_pieces(nck_t *nck) {
 
 // A block has been taken. 1 if nothing is left to do before more text comes.
 static int needs_text(nck_t *nck) {
-    if (!look_ahead(nck) || nck->wire.flush != NCK_FLUSH_NOT) return 0;
-    return nck_decode_needs_text(&nck->decode) && !nck_toolcomp_is_on(&nck->toolcomp)
-           && nck_smooth_is_hungry(&nck->smooth) && nck_lacks_pieces(nck);
+    if (!nck_smooth_is_hungry(&nck->smooth) || nck->wire.flush != NCK_FLUSH_NOT) return 0;
+    return look_ahead(nck) && nck_decode_needs_text(&nck->decode)
+           && !nck_toolcomp_is_on(&nck->toolcomp) && nck_lacks_pieces(nck);
 }
 
 // More input, where rooms 5 and 4 (status, ahead) have none to work on.
