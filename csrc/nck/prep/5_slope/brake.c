@@ -19,8 +19,6 @@ enum { ASK_WORK = 8 };
 
 // The plan above a brake is at most so many times as fast.
 #define PLAN_ABOVE 1.1
-// What is left is counted at a speed that is more than its cap by so much: the cap may be raised.
-#define CAP_ABOVE 1.001
 
 void nck_brake_begin(nck_profile_t *state, double q_cap) {
     state->v_last = state->v;
@@ -251,7 +249,7 @@ void nck_brake_along(nck_jerk_t *self, const nck_pieces_t *pieces, uint32_t i, d
     const double v = nck_max(above, tried);
     if (state->v_last > 0.0) self->w_cap[i] = v * v;
     nck_brake_limits_t limits = {self->a_max[i], self->j_max[i]};
-    nck_brake_relax(self, pieces, self->rung_piece[i], CAP_ABOVE * v, mixed, &limits);
+    nck_brake_relax(self, pieces, self->rung_piece[i], v, mixed, &limits);
     self->a_max[i] = limits.a;
     self->j_max[i] = limits.j;
     if (nck_brake_rests(state, NCK_BRAKE_SHARE * limits.j)) return; // what is left rounds the end
