@@ -121,6 +121,10 @@ def test_what_is_missing_in_the_ini_is_in_linuxcncs_log(planner, folder, monkeyp
         live.run(folder, PROGRAM, planner=planner)
 
 
-def test_an_unknown_parameter_does_not_load(planner, folder):
-    with pytest.raises(live.errors.StateError, match="swing"):
-        live.run(folder, PROGRAM, planner="nck_tp swing=1")
+@pytest.mark.parametrize(("parameter", "told"), [
+    ("swing=1", "swing"), ("jerk=-1", "above zero"), ("budget=-1", "above zero"),
+    ("planner=fast", "write jerk or linear"),
+])  # fmt: skip
+def test_a_parameter_that_is_none_does_not_load(planner, folder, parameter, told):
+    with pytest.raises(live.errors.StateError, match=told):
+        live.run(folder, PROGRAM, planner=f"{planner} {parameter}")
