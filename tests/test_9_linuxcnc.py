@@ -272,14 +272,28 @@ def test_a_thread_follows_the_spindles_angle(stand_in):
     assert run.places[-1] == pytest.approx([0, 0, 0], abs=1e-6)
 
 
+def angles_at(run, place):
+    """Return the spindle's angles where Z passes a place downward [revolutions]."""
+    z, turns = run.places[:, 2], run.column("turns")
+    crossings = np.flatnonzero((z[:-1] > place) & (z[1:] <= place))
+    share = (z[crossings] - place) / (z[crossings] - z[crossings + 1])
+    return turns[crossings] + share * (turns[crossings + 1] - turns[crossings])
+
+
 def test_passes_of_one_thread_cut_one_groove(stand_in):
     again = [line for line in PASS if line not in ("spindle 10", "run 100")]
     run = stand_in.run([*PASS, "run 37", *again, "spindle 7", "run 77", *again])
-    z, turns = run.places[:, 2], run.column("turns")
-    crossings = np.flatnonzero((z[:-1] > -10) & (z[1:] <= -10))
-    share = (z[crossings] + 10) / (z[crossings] - z[crossings + 1])
-    angles = turns[crossings] + share * (turns[crossings + 1] - turns[crossings])
-    assert angles % 1 == pytest.approx(np.full(3, angles[0] % 1), abs=1e-6)
+    assert angles_at(run, -9) % 1 == pytest.approx(np.full(3, 0.5), abs=1e-6)
+
+
+@pytest.mark.parametrize("rps", [5, 10])
+def test_linuxcncs_own_groove_lies_behind_by_its_way_to_speed(stand_in, rps):
+    if not OWN.is_file():
+        pytest.skip("linuxcnc-uspace is not installed")
+    script = [f"spindle {rps}", *PASS[1:]]
+    own, ours = (angles_at(stand_in.run(script, module=each), -9)[0] for each in (OWN, None))
+    v = LEAD * rps
+    assert LEAD * ((own - ours) % 1) == pytest.approx(v**2 / 2 / 1000, abs=0.001)
 
 
 def test_a_spindle_that_slows_down_takes_the_tool_along(stand_in):
