@@ -57,6 +57,10 @@ static void push(nck_jerk_t *self, uint32_t piece, double s, double h, double vv
 
 // ---- load
 
+// A cell of the plan of now that lasts less than this share of a period is rounding: no speed that
+// changes within it means anything.
+#define GONE_EPSILON 1e-6
+
 static const nck_cell_t *source(const nck_jerk_t *self, uint32_t i) {
     if (self->work.from_built) return nck_link_built_cell(self->link, i);
     return nck_link_tail_cell(self->link, self->work.source + i);
@@ -94,6 +98,7 @@ static int load_whole(nck_jerk_t *self, const nck_pieces_t *pieces, const nck_ce
 // the window is full, or the rest asked for is reached.
 static int load_cell(nck_jerk_t *self, const nck_pieces_t *pieces, const nck_cell_t *cell) {
     const int is_hold = self->work.reach > 0.0 && !self->work.from_built;
+    if (cell->duration < GONE_EPSILON * self->machine->period_s) return 1;
     int parts = nck_window_parts(self, cell, is_hold);
     if (parts > 1 && stays_long(self, cell, is_hold)) parts = 1;
     uint32_t piece = nck_plan_find(pieces, self->work.piece, cell);
