@@ -98,7 +98,6 @@ static int load_whole(nck_jerk_t *self, const nck_pieces_t *pieces, const nck_ce
 // the window is full, or the rest asked for is reached.
 static int load_cell(nck_jerk_t *self, const nck_pieces_t *pieces, const nck_cell_t *cell) {
     const int is_hold = self->work.reach > 0.0 && !self->work.from_built;
-    if (cell->duration < GONE_EPSILON * self->machine->period_s) return 1;
     int parts = nck_window_parts(self, cell, is_hold);
     if (parts > 1 && stays_long(self, cell, is_hold)) parts = 1;
     uint32_t piece = nck_plan_find(pieces, self->work.piece, cell);
@@ -130,12 +129,19 @@ static int load_cell(nck_jerk_t *self, const nck_pieces_t *pieces, const nck_cel
     return 1;
 }
 
+// Returns 0 if the ladder ends before that cell, or in it.
+static int load(nck_jerk_t *self, const nck_pieces_t *pieces, const nck_cell_t *cell) {
+    if (!cell) return 0;
+    if (cell->duration < GONE_EPSILON * self->machine->period_s) return 1;
+    return load_cell(self, pieces, cell);
+}
+
 nck_status_t nck_window_load(nck_jerk_t *self, const nck_pieces_t *pieces) {
     for (int n = 0; n < NCK_JERK_STEP; n++) {
         const nck_cell_t *const cell = source(self, self->work.i);
         const int wanted = self->work.from_built || self->work.all || self->work.reach > 0.0
                            || self->work.source + self->work.i - self->now->begin < self->now->keep;
-        if (!cell || !wanted || !load_cell(self, pieces, cell)) {
+        if (!wanted || !load(self, pieces, cell)) {
             self->work.loaded = self->work.n;
             return NCK_DONE;
         }
