@@ -110,10 +110,10 @@ class StandIn:
             env={"INI_FILE_NAME": str(path)}, capture_output=True, text=True, timeout=300,
         )  # fmt: skip
 
-    def run(self, script, machine=None):
+    def run(self, script, machine=None, module=None):
         """Run a script on a machine; return what it has brought about."""
         machine = machine or Machine()
-        done = self.start(script, machine)
+        done = self.start(script, machine, module=module)
         assert done.returncode == 0, done.stderr
         rows = np.fromfile(self.folder / "trace").reshape(-1, len(COLUMNS))
         return Run(machine, [line.split() for line in done.stdout.splitlines()], done.stderr, rows)

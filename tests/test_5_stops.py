@@ -5,9 +5,11 @@ docs/controller.md."""
 
 import re
 
+import numpy as np
 import pytest
 
-from pycnc.bench import stops
+import pycnc
+from pycnc.bench import programs, stops
 
 HEARD = 10
 SPARE = 20  # periods beyond v/a + a/j
@@ -33,13 +35,28 @@ def test_blocks_of_a_micrometre_stop_as_a_line_does(slope, event):
     [
         ("linear", "micro-segments, exact", 200), ("linear", "micro-segments, P0.01", 220),
         ("linear", "zigzag 10 mm, P0.01", 130), ("jerk", "micro-segments, exact", 360),
-        ("jerk", "micro-segments, P0.01", 640), ("jerk", "zigzag 10 mm, P0.01", 720),
-        ("sshape", "micro-segments, exact", 165), ("sshape", "micro-segments, P0.01", 640),
-        ("sshape", "zigzag 10 mm, P0.01", 2750),  # at one moment in nine; the mean is 970
+        ("jerk", "micro-segments, P0.01", 560), ("jerk", "zigzag 10 mm, P0.01", 580),
+        ("sshape", "micro-segments, exact", 165), ("sshape", "micro-segments, P0.01", 560),
+        ("sshape", "zigzag 10 mm, P0.01", 720),
     ],
 )  # fmt: skip
 def test_many_segments_stop_no_later_than_told(slope, name, most_ms):
     assert stops.row(slope, name, "hold", moments=3)["rest_worst_ms"] <= most_ms
+
+
+@pytest.mark.parametrize("name", ["micro-segments, P0.01", "zigzag 10 mm, P0.01"])
+@pytest.mark.parametrize("slope", stops.SLOPES)
+def test_every_axis_keeps_its_limits_while_it_stops(slope, name):
+    text, machine = stops.PROGRAMS[name](), programs.machine(slope, stops.A, stops.J)
+    moments = zip(np.linspace(300, 8300, 24).astype(int), 8 * list(stops.EVENTS), strict=True)
+    # The first two under the S-shape: the brake goes over a cell whose length is rounding.
+    for tick, event in [(1611, "hold"), (7670, "override 0"), *moments]:
+        command = (int(tick), *stops.EVENTS[event])
+        run = pycnc.run(text, machine=machine, commands=[command])
+        peaks = run.summary["peaks"]
+        del peaks["path"]
+        kinds = "va" if slope == "linear" else "vaj"
+        assert max(peaks[axis][kind] for axis in peaks for kind in kinds) <= 1 + 1e-6, tick
 
 
 def test_the_page_has_a_row_for_every_slope_and_program(root):

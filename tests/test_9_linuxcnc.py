@@ -216,8 +216,11 @@ def test_adaptive_feed_and_feed_hold_scale_as_they_do_in_linuxcnc(stand_in):
     assert run.places[-1] == pytest.approx([100, 0, 0], abs=1e-6)
 
 
-def test_limits_change_between_moves(stand_in):
-    run = stand_in.run(["line 100 50 0 0", "axis 0 20 200", "line 100 100 0 0", f"rest {EVER}"])
+@pytest.mark.parametrize("cycles", [0, 300])
+def test_limits_change_between_moves_at_rest_and_on_the_way(stand_in, cycles):
+    run = stand_in.run(["line 100 50 0 0", f"run {cycles}", "axis 0 20 200", "line 100 100 0 0",
+                        f"rest {EVER}"])  # fmt: skip
+    assert_within_limits(run)
     there = np.argmax(run.places[:, 0] > 50.01)
     assert run.column("speed")[there:].max() == pytest.approx(20, abs=1e-3)
 
@@ -269,14 +272,28 @@ def test_a_thread_follows_the_spindles_angle(stand_in):
     assert run.places[-1] == pytest.approx([0, 0, 0], abs=1e-6)
 
 
+def angles_at(run, place):
+    """Return the spindle's angles where Z passes a place downward [revolutions]."""
+    z, turns = run.places[:, 2], run.column("turns")
+    crossings = np.flatnonzero((z[:-1] > place) & (z[1:] <= place))
+    share = (z[crossings] - place) / (z[crossings] - z[crossings + 1])
+    return turns[crossings] + share * (turns[crossings + 1] - turns[crossings])
+
+
 def test_passes_of_one_thread_cut_one_groove(stand_in):
     again = [line for line in PASS if line not in ("spindle 10", "run 100")]
     run = stand_in.run([*PASS, "run 37", *again, "spindle 7", "run 77", *again])
-    z, turns = run.places[:, 2], run.column("turns")
-    crossings = np.flatnonzero((z[:-1] > -10) & (z[1:] <= -10))
-    share = (z[crossings] + 10) / (z[crossings] - z[crossings + 1])
-    angles = turns[crossings] + share * (turns[crossings + 1] - turns[crossings])
-    assert angles % 1 == pytest.approx(np.full(3, angles[0] % 1), abs=1e-6)
+    assert angles_at(run, -9) % 1 == pytest.approx(np.full(3, 0.5), abs=1e-6)
+
+
+@pytest.mark.parametrize("rps", [5, 10])
+def test_linuxcncs_own_groove_lies_behind_by_its_way_to_speed(stand_in, rps):
+    if not OWN.is_file():
+        pytest.skip("linuxcnc-uspace is not installed")
+    script = [f"spindle {rps}", *PASS[1:]]
+    own, ours = (angles_at(stand_in.run(script, module=each), -9)[0] for each in (OWN, None))
+    v = LEAD * rps
+    assert LEAD * ((own - ours) % 1) == pytest.approx(v**2 / 2 / 1000, abs=0.001)
 
 
 def test_a_spindle_that_slows_down_takes_the_tool_along(stand_in):
@@ -348,6 +365,30 @@ def test_what_is_missing_in_the_ini_is_told_and_nothing_loads(stand_in, line, fo
     done = stand_in.start([], machine, ini=machine.ini.replace(line, ""))
     assert (done.returncode == 0) == (found == "")
     assert found in done.stderr
+
+
+@pytest.mark.parametrize(("line", "wrong", "found"), [
+    ("[KINS]", "NCK_PLANNER = fast\n[KINS]", "write jerk or linear"),
+    ("[KINS]", "NCK_BUDGET = much\n[KINS]", "NCK_BUDGET"),
+    ("[KINS]", "NCK_TOLERANCE = -1\n[KINS]", "NCK_TOLERANCE"),
+    ("LINEAR_UNITS = mm", "LINEAR_UNITS = yard", "write mm or inch"),
+    ("MAX_JERK = 10000.0", "MAX_JERK = -1", "MAX_JERK is no number above zero"),
+    ("MAX_ACCELERATION = 1000.0", "MAX_ACCELERATION = 0", "MAX_ACCELERATION"),
+])  # fmt: skip
+def test_what_is_wrong_in_the_ini_is_told_in_one_line_and_nothing_loads(
+    stand_in, line, wrong, found
+):
+    machine = Machine()
+    done = stand_in.start([], machine, ini=machine.ini.replace(line, wrong))
+    assert done.returncode != 0
+    (message,) = done.stderr.splitlines()
+    assert found in message
+
+
+def test_kinematics_of_any_kind_are_served_by_their_axes(stand_in):
+    machine = Machine()
+    ini = machine.ini.replace("trivkins coordinates=xyz", "genserkins")
+    assert stand_in.start([], machine, ini=ini).returncode == 0
 
 
 @pytest.mark.parametrize("move", ["line 50 nan 0 0", "line 50 2e6 0 0", "line 0 1 0 0",

@@ -2,11 +2,13 @@
 """The kernel as the planner of the LinuxCNC that is installed here: a smoke run, no screen."""
 
 import os
+import re
 
 import numpy as np
 import pytest
 
 from pycnc import linuxcnc
+from pycnc.bench import linuxcnc_live as bench
 from pycnc.linuxcnc import live
 
 PROGRAM = """G21 G90 G64 P0.01
@@ -19,6 +21,24 @@ M63 P0
 G0 X0 Y0 Z0
 M2
 """
+
+SIGNALS = """G21 G90 G61
+G0 X1
+M68 E0 Q0.25
+G4 P0.6
+M3 S600
+G1 F600 X10
+M67 E0 Q0.75
+G1 X15
+M66 P0 L3 Q20
+M64 P0
+G1 F3000 X30
+M5
+M2
+"""
+AT_SPEED, INPUT = "spindle.0.at-speed", "motion.digital-in-00"
+OPERATOR = [(0, "set", AT_SPEED, "0"), (1.6, "set", AT_SPEED, "1"), (0.4, "show", "nck-tp"),
+            (1.6, "set", INPUT, "1")]  # fmt: skip
 
 
 @pytest.fixture(scope="module")
@@ -37,12 +57,21 @@ def planner(tmp_path_factory):
         place.unlink()
 
 
-@pytest.fixture
-def folder(tmp_path_factory):
+def opened(tmp_path_factory):
     folder = tmp_path_factory.mktemp("live")
     for each in (folder, *folder.parents[:2]):
         each.chmod(0o755)  # LinuxCNC runs as another user
     return folder
+
+
+@pytest.fixture
+def folder(tmp_path_factory):
+    return opened(tmp_path_factory)
+
+
+@pytest.fixture(scope="module")
+def signals(planner, tmp_path_factory):
+    return live.run(opened(tmp_path_factory), SIGNALS, planner=planner, script=OPERATOR)
 
 
 def test_a_program_runs_to_its_end_within_all_limits(planner, folder):
@@ -56,12 +85,46 @@ def test_a_program_runs_to_its_end_within_all_limits(planner, folder):
     assert on[-1] == pytest.approx([40, 10, -2], abs=0.1)
 
 
+def test_signals_and_waits_come_in_step_with_the_motion(signals):
+    x = signals.places[:, 0]
+    assert (np.abs(x - 1) < 1e-5).sum() > 1000  # M3 waits for the spindle
+    assert (np.abs(x - 15) < 1e-5).sum() > 200  # M66 for its input
+    assert x[-1] == pytest.approx(30, abs=1e-5)
+    assert (signals.analog[(x > 1.001) & (x < 9.9)] == 0.25).all()
+    assert x[np.argmax(signals.analog == 0.75)] == pytest.approx(10, abs=0.02)
+    assert x[np.argmax(signals.output)] == pytest.approx(15, abs=1e-5)
+
+
+def test_the_pins_tell_what_the_page_says(signals, root):
+    found = re.findall(r"^ *\d+ +\w+ +\S+ +(\S+) +(nck-tp\.\S+)", signals.text, re.M)
+    pins = {name: float(value) for value, name in found}
+    page = (root / "docs/linuxcnc.md").read_text(encoding="utf-8")
+    told = re.search(r"^## Pins.*?^## ", page, re.M | re.S)[0]
+    names = {f"nck-tp{end}" for end in re.findall(r"`(?:nck-tp)?(\.[\w-]+)`", told)}
+    assert set(pins) == names
+    assert pins["nck-tp.speed"] == pytest.approx(10, abs=1e-3)
+    assert abs(pins["nck-tp.acceleration"]) < 0.1 and abs(pins["nck-tp.jerk"]) < 10
+    assert pins["nck-tp.limit"] == 0  # the feed that is programmed
+    assert pins["nck-tp.queue"] >= 1 and pins["nck-tp.steps"] >= 0
+    assert 0 < pins["nck-tp.time"] <= pins["nck-tp.time-max"] < 1e9
+
+
+def test_a_thread_follows_the_spindle(planner, folder):
+    log = live.run(folder, bench.thread(dict(bench.THREADS)["G33"]), planner=planner)
+    assert max(log.peaks(live.Limits())) <= 1 + 1e-3
+    assert bench.phase_um(log) < 5
+
+
 def test_what_is_missing_in_the_ini_is_in_linuxcncs_log(planner, folder, monkeypatch):
     monkeypatch.setattr(live, "AXIS", live.AXIS.replace("MAX_JERK = {j}\n", ""))
     with pytest.raises(live.errors.StateError, match="MAX_JERK is missing"):
         live.run(folder, PROGRAM, planner=planner)
 
 
-def test_an_unknown_parameter_does_not_load(planner, folder):
-    with pytest.raises(live.errors.StateError, match="swing"):
-        live.run(folder, PROGRAM, planner="nck_tp swing=1")
+@pytest.mark.parametrize(("parameter", "told"), [
+    ("swing=1", "swing"), ("jerk=-1", "above zero"), ("budget=-1", "above zero"),
+    ("planner=fast", "write jerk or linear"),
+])  # fmt: skip
+def test_a_parameter_that_is_none_does_not_load(planner, folder, parameter, told):
+    with pytest.raises(live.errors.StateError, match=told):
+        live.run(folder, PROGRAM, planner=f"{planner} {parameter}")

@@ -104,9 +104,9 @@ void follow_prepare(follow_t *self, const nck_machine_t *machine, double rps) {
 }
 
 // A thread is the same a whole revolution later. So the pass begins at the first whole revolution
-// that is not there yet when the first sample is taken, n cycles ahead.
+// that is not there yet when the first sample is taken, in the next cycle and n ahead.
 void follow_index(follow_t *self, double rps) {
-    const double ahead = fabs(rps) * (double)self->n * self->cycle_s;
+    const double ahead = fabs(rps) * (double)(self->n + 1) * self->cycle_s;
     self->begin = 1.0 + floor(ahead);
     self->asked = -self->lead * self->begin;
     self->phase = FOLLOW_CUTS;
@@ -143,10 +143,11 @@ static double chase(const follow_t *self, double asked) {
     return self->s + fmin(fmax(can, -most), most);
 }
 
-// Both means together come n − 1 cycles late: that far ahead the angle is asked for.
+// Both means together come n − 1 cycles late, and the axes get to a place by the end of the cycle:
+// that far ahead the angle is asked for.
 static void advance(follow_t *self, double turns, double rps) {
     const double length = self->end[self->lines];
-    const double ahead = turns + rps * (double)(self->n - 1) * self->cycle_s;
+    const double ahead = turns + rps * (double)self->n * self->cycle_s;
     const double asked = self->lead * (ahead - self->begin);
     const double before = self->s;
     const int moves = before > 0.0; // its begin is a kink, which the means know

@@ -119,7 +119,7 @@ def _stop_row(name, mode, text, asked):
             "jerk_s": jerk.rest_s()}  # fmt: skip
 
 
-def _phase_um(log):
+def phase_um(log):
     """Return by how much the tool leaves its thread; passes begin a whole revolution apart."""
     z, step = log.places[:, 2], LEAD * np.gradient(log.turns)
     rows = (z < CUTS[0]) & (z > CUTS[1]) & (np.abs(np.gradient(z) + step) < 0.02 * np.abs(step))
@@ -128,13 +128,18 @@ def _phase_um(log):
     return float(np.ptp(away)) * LEAD * 1000
 
 
-def _thread_row(name, text):
-    text = f"G21 G18 G90 G64 P0.01\nM3 S600\nG4 P1\nG1 F1200 X0 Z2\n{text}\nG0 X0\nM5\nM2\n"
+def thread(lines):
+    """Return the program of a thread: its lines, the spindle before and behind."""
+    return f"G21 G18 G90 G64 P0.01\nM3 S600\nG4 P1\nG1 F1200 X0 Z2\n{lines}\nG0 X0\nM5\nM2\n"
+
+
+def _thread_row(name, lines):
+    text = thread(lines)
     stock, jerk = (_run(text, planner) for planner in (STOCK, JERK))
     v, a, j = jerk.peaks(live.Limits())
     return {"program": name, "mode": "S600, 2 mm", "stock_s": stock.time_s,
             "jerk_s": jerk.time_s, "v_peak": v, "a_peak": a, "j_peak": j,
-            "stock_phase_um": _phase_um(stock), "phase_um": _phase_um(jerk)}  # fmt: skip
+            "stock_phase_um": phase_um(stock), "phase_um": phase_um(jerk)}  # fmt: skip
 
 
 def each_live_row():

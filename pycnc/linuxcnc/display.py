@@ -109,6 +109,8 @@ WORDS = {
     "hold": lambda: hal("sets", "hold", "1"),
     "go on": lambda: hal("sets", "hold", "0"),
     "mark": lambda: hal("sets", "mark", "1"),
+    "set": lambda pin, value: hal("setp", pin, value),
+    "show": lambda pins: hal("show", "pin", pins),
     "pause": lambda: command.auto(linuxcnc.AUTO_PAUSE),
     "resume": lambda: command.auto(linuxcnc.AUTO_RESUME),
     "step": lambda: command.auto(linuxcnc.AUTO_STEP),

@@ -115,8 +115,9 @@ net time motion-controller.time => sampler.0.pin.4
 net spindle-turns => sampler.0.pin.5
 net coordinated motion.coord-mode => sampler.0.pin.6
 net mark sampler.0.pin.7
+net analog motion.analog-out-00 => sampler.0.pin.8
 """
-COLUMNS = "sfbbsfbb"  # of the sampler, before the joints
+COLUMNS = "sfbbsfbbf"  # of the sampler, before the joints
 
 JOINT = """net position{n} joint.{n}.pos-cmd => micrometres{n}.in
 net motor{n} joint.{n}.motor-pos-cmd => joint.{n}.motor-pos-fb
@@ -147,6 +148,7 @@ class Log(NamedTuple):
     turns: np.ndarray  # of the spindle
     coordinated: np.ndarray  # 1: the planner leads, 0: a jog
     mark: np.ndarray  # 1: from when the operator has asked for rest
+    analog: np.ndarray  # M67 E0, M68 E0
     places: np.ndarray  # of the axes, a row a cycle [mm, deg]
     text: str  # what LinuxCNC has said
 

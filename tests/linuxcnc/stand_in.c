@@ -133,6 +133,20 @@ static void scale(void) {
     status.motionType = p_tpGetMotionType(&tp);
 }
 
+// The spindle, until the end of the cycle: the place is for then.
+static void turn(void) {
+    const double wanted = status.spindle_status[0].speed / 60.0;
+    rps += fmax(-rps_s * 1e-3, fmin(rps_s * 1e-3, wanted - rps));
+    turns += rps * 1e-3;
+    // the encoder counts from its index once that was asked for
+    if (status.spindle_status[0].spindle_index_enable
+        && floor(turns) != floor(turns - rps * 1e-3)) {
+        turns -= rps > 0.0 ? floor(turns) : ceil(turns);
+        status.spindle_status[0].spindle_index_enable = 0;
+    }
+    status.spindle_status[0].spindleSpeedIn = rps;
+}
+
 static void cycle(void) {
     EmcPose pos;
     const long long begin = rtapi_get_time();
@@ -150,18 +164,9 @@ static void cycle(void) {
     p_tpGetPos(&tp, &pos);
     status.carte_pos_cmd = pos;
     status.id = p_tpGetExecId(&tp);
+    turn();
     put_down(&pos);
     cycles++;
-    const double wanted = status.spindle_status[0].speed / 60.0;
-    rps += fmax(-rps_s * 1e-3, fmin(rps_s * 1e-3, wanted - rps));
-    turns += rps * 1e-3;
-    // the encoder counts from its index once that was asked for
-    if (status.spindle_status[0].spindle_index_enable
-        && floor(turns) != floor(turns - rps * 1e-3)) {
-        turns -= rps > 0.0 ? floor(turns) : ceil(turns);
-        status.spindle_status[0].spindle_index_enable = 0;
-    }
-    status.spindle_status[0].spindleSpeedIn = rps;
 }
 
 static void until(const char *what, int most) {

@@ -14,15 +14,11 @@
 // a ladder's acceleration all but stays for so many periods (README, section "S-shape").
 #define SEAM_PERIODS 0.25
 #define SEAM_SHARE 0.02
-// A plan made anew with what is left at the speeds tried last: it may be faster by so much.
-#define TRIED_ABOVE 1.02
 // Room for rounding.
 #define CHECK_MARGIN 1e-6
 
-// 1 if this is a hold that takes what bends leave at lower speeds.
-static int relaxes(const nck_jerk_t *self) {
-    return self->work.reach > 0.0 && !self->work.as_capped;
-}
+// A hold takes what bends leave at lower speeds.
+static int is_hold(const nck_jerk_t *self) { return self->work.reach > 0.0; }
 
 // The larger speed at a cell's ends in the plan tried last, which ends at rest.
 static double tried_speed(const nck_jerk_t *self, uint32_t i) {
@@ -89,7 +85,7 @@ static nck_brake_limits_t limits_at(const nck_jerk_t *self, const nck_pieces_t *
 }
 
 // inside: of the piece that the cell before began in; this one's when it is done.
-static void limit_cell(nck_jerk_t *self, const nck_pieces_t *pieces, uint32_t i, int may_relax,
+static void limit_cell(nck_jerk_t *self, const nck_pieces_t *pieces, uint32_t i, int holds,
                        inside_t *inside, nck_brake_mixed_t *mixed) {
     const nck_node_t *const piece = nck_plan_piece(pieces, self->rung_piece[i]);
     if (piece != inside->piece) *inside = inside_of(self, piece);
@@ -106,13 +102,10 @@ static void limit_cell(nck_jerk_t *self, const nck_pieces_t *pieces, uint32_t i,
     self->work.seam -= self->h[i];
     self->work.w_cell = w_cell;
     self->w_cap[i] = nck_min(w_node, w_cell);
-    if (may_relax && self->work.redone > 0) {
-        const double v = TRIED_ABOVE * tried_speed(self, i);
-        nck_brake_relax(self, pieces, self->rung_piece[i], v, mixed, &limits);
-    }
     self->a_max[i] = limits.a;
     self->j_max[i] = limits.j;
-    if (may_relax && self->work.redone == 0) nck_brake_along(self, pieces, i, mixed);
+    const double tried = self->work.redone > 0 ? tried_speed(self, i) : 0.0;
+    if (holds) nck_brake_along(self, pieces, i, tried, mixed);
 }
 
 // The path has been faster there.
@@ -123,7 +116,7 @@ static int is_lowered(const nck_jerk_t *self, uint32_t i) {
 // A window or a hold that ends in the cell behind a rest ends at that rest.
 static void end_at_rest(nck_jerk_t *self) {
     const uint32_t last = self->work.n - 1;
-    const int may_end = !self->next->complete || self->work.reach > 0.0;
+    const int may_end = !self->next->complete || is_hold(self);
     if (!may_end || last == 0 || self->w_cap[last] > 0.0) return;
     self->work.n = last;
     self->next->n = last;
@@ -135,7 +128,7 @@ nck_status_t nck_bounds_set(nck_jerk_t *self, const nck_pieces_t *pieces) {
     const uint32_t begin = self->work.i;
     const uint32_t left = self->work.n - begin;
     const uint32_t end = begin + (left < NCK_JERK_STEP ? left : NCK_JERK_STEP);
-    const int may_relax = relaxes(self);
+    const int holds = is_hold(self);
     inside_t inside = {(const nck_node_t *)0, 0.0, 0.0, 0.0};
     nck_brake_mixed_t mixed = {0};
     if (begin == 0) {
@@ -143,7 +136,7 @@ nck_status_t nck_bounds_set(nck_jerk_t *self, const nck_pieces_t *pieces) {
         self->work.bends = 0;
     }
     for (uint32_t i = begin; i < end; i++) {
-        limit_cell(self, pieces, i, may_relax, &inside, &mixed);
+        limit_cell(self, pieces, i, holds, &inside, &mixed);
         if (is_lowered(self, i)) self->work.lowered = 1;
     }
     self->work.i = end;
@@ -158,8 +151,9 @@ nck_status_t nck_bounds_set(nck_jerk_t *self, const nck_pieces_t *pieces) {
 #define LOW_SHARE 0.8
 // … and where it leaves less than this share of the path's acceleration.
 #define FULL_SHARE 0.95
-// The plan of now takes limits at a speed that is TRIED_ABOVE more. So the next one has room to
-// join where it takes over; over so many cells it comes to do the same.
+// The plan of now takes limits at a speed that is by so much more. So the next one has room to join
+// where it takes over; over so many cells it comes to do the same.
+#define LOW_ABOVE 1.02
 #define ENTRY_CELLS 16.0
 // Cells and what is asked about them (nck_brake_mixed_t) in a step.
 enum { LOOK_MOST = 8 * NCK_JERK_STEP };
@@ -220,7 +214,7 @@ static void look_back(nck_jerk_t *self, const nck_pieces_t *pieces) {
 static void relax_cell(nck_jerk_t *self, const nck_pieces_t *pieces, uint32_t i, double w,
                        nck_brake_mixed_t *mixed) {
     if (!may_leave(self, pieces, i, w)) return;
-    const double above = 1.0 + (TRIED_ABOVE - 1.0) * nck_min(1.0, (double)i / ENTRY_CELLS);
+    const double above = 1.0 + (LOW_ABOVE - 1.0) * nck_min(1.0, (double)i / ENTRY_CELLS);
     const nck_brake_limits_t left = left_at(self, pieces, i, above * nck_sqrt(w), mixed);
     if (!(left.a > self->a_max[i])) return;
     self->a_max[i] = left.a;
@@ -295,7 +289,7 @@ static int is_left(const nck_jerk_t *self, const nck_pieces_t *pieces, uint32_t 
 }
 
 nck_status_t nck_bounds_check(nck_jerk_t *self, const nck_pieces_t *pieces) {
-    const int holds = relaxes(self);
+    const int holds = is_hold(self);
     const uint32_t end = holds ? self->work.n : self->work.relaxed_to;
     if (self->work.coarse) return NCK_DONE;
     if (!holds && self->work.i == 0) self->work.i = self->work.relaxed_from;

@@ -203,9 +203,7 @@ static int reach_cell(nck_jerk_t *self, const nck_pieces_t *pieces, const nck_ce
     const double v = nck_min(cell->v, PLAN_ABOVE * state->v_last);
     nck_brake_limits_t limits = {self->work.over ? piece->a_over : piece->a,
                                  self->j_scale * (self->work.over ? piece->j_over : piece->j)};
-    if (!self->work.as_capped) {
-        nck_brake_relax(self, pieces, self->work.piece, v, mixed, &limits);
-    }
+    nck_brake_relax(self, pieces, self->work.piece, v, mixed, &limits);
     const double j = NCK_BRAKE_SHARE * limits.j;
     const double least = self->work.reach > 0.0 ? nck_min(j, self->work.j_cell) : j;
     state->v_last = nck_sqrt(nck_brake_cell(state, h, limits.a, least, self->q_cap));
@@ -242,12 +240,13 @@ static double j_of_both(const nck_jerk_t *self, uint32_t i) {
     return nck_min(self->j_max[before], self->j_max[i]);
 }
 
-void nck_brake_along(nck_jerk_t *self, const nck_pieces_t *pieces, uint32_t i,
+void nck_brake_along(nck_jerk_t *self, const nck_pieces_t *pieces, uint32_t i, double tried,
                      nck_brake_mixed_t *mixed) {
     nck_profile_t *const state = &self->profile;
     const double q_cap = nck_window_q_cap(self);
     if (i == 0) nck_brake_begin(state, q_cap);
-    const double v = nck_min(nck_sqrt(self->w_cap[i]), PLAN_ABOVE * state->v_last);
+    const double above = nck_min(nck_sqrt(self->w_cap[i]), PLAN_ABOVE * state->v_last);
+    const double v = nck_max(above, tried);
     if (state->v_last > 0.0) self->w_cap[i] = v * v;
     nck_brake_limits_t limits = {self->a_max[i], self->j_max[i]};
     nck_brake_relax(self, pieces, self->rung_piece[i], v, mixed, &limits);

@@ -56,8 +56,9 @@ void nck_brake_left(const nck_jerk_t *self, const nck_pieces_t *pieces, uint32_t
 nck_status_t nck_brake_reach(nck_jerk_t *self, const nck_pieces_t *pieces);
 
 // A hold brakes with what bends leave at the speed that it has by then, and keeps below that speed:
-// limits and cap of cell i of the ladder. Cells in their order. Cost: that of nck_brake_relax.
-void nck_brake_along(nck_jerk_t *self, const nck_pieces_t *pieces, uint32_t i,
+// limits and cap of cell i of the ladder. Cells in their order. tried: the speed that the plan made
+// before it has there, which may be more; 0: there was none. Cost: that of nck_brake_relax.
+void nck_brake_along(nck_jerk_t *self, const nck_pieces_t *pieces, uint32_t i, double tried,
                      nck_brake_mixed_t *mixed);
 
 // Where limits step down, a brake has to give way in front of the step: what it may take of every

@@ -44,18 +44,13 @@ enum { SHARE_AT_REST = 4 };
 // and so much at least, …
 #define REACH_SHARE 0.5
 #define REACH_GROWTH 0.05
-// … and after so many tries pieces are asked for no more than they leave at their caps. The
-// S-shape brakes for seconds then, so it tries more.
-enum { RELAXED_TRIES = 4, RELAXED_TRIES_SSHAPE = 8 };
+// … and after so many tries in vain it is to begin further on.
+enum { TRIES_MOST = 4 };
 // A hold is made anew so many times on one ladder.
 #define REDONE_MOST 3
 
 static int taps_of(const nck_machine_t *machine) {
     return machine->slope == NCK_SLOPE_JERK ? NCK_FILTER_TAPS : 1;
-}
-
-static uint32_t tries_of(const nck_machine_t *machine) {
-    return machine->slope == NCK_SLOPE_JERK ? RELAXED_TRIES : RELAXED_TRIES_SSHAPE;
 }
 
 // What a ramp from full speed to rest takes [s].
@@ -201,8 +196,7 @@ static double growth_of(const nck_jerk_t *self) {
     return nck_max(REACH_GROWTH, nck_min(1.0, REACH_SHARE * (self->profile.v / met - 1.0)));
 }
 
-// The plan does not join. A hold gets more length; in the end it is content with what pieces leave
-// at their caps. Is the plan of now on its way past the place, it
+// The plan does not join. A hold gets more length. Is the plan of now on its way past the place, it
 // is too late to rest there: a stop at a block's end waits for a later block, an override of zero
 // rests further on. If it rests there or before, it is as good.
 // Else the ladder of now is taken over as it is: where short pieces share cells in another way,
@@ -220,9 +214,9 @@ static nck_status_t give_way(nck_jerk_t *self, const nck_pieces_t *pieces) {
     restart(self);
     if (reach > 0.0) {
         begin_brake(self, self->job.held);
+        if (tries == TRIES_MOST) return NCK_E_STATE;
         self->work.tries = tries;
-        self->work.as_capped = tries >= tries_of(self->machine);
-        if (tries != tries_of(self->machine)) begin_hold(self, longer);
+        begin_hold(self, longer);
     } else if (is_past && must_rest) {
         begin_brake(self, NCK_HELD_OVERRIDE);
     } else if (single_block && passes < NCK_JERK_PIECES) {

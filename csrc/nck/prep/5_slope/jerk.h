@@ -46,7 +46,7 @@ typedef NCK_JERK_STATE nck_jerk {
         double reach;      // rest within this length, for a hold; 0: no hold
         uint32_t part;     // reach: of the next cell
         uint32_t tries;    // of a hold, in vain
-        uint32_t as_capped; // 1: a hold brakes with what pieces leave at their caps only
+        uint32_t as_capped; // 1: with what pieces leave at their caps only; a hold takes more
         uint32_t bends;    // 1: a cell of the ladder lies on a spline
         uint32_t forth;    // relax: 1: from the ladder's begin on
         uint32_t relaxed_from; // between these two cells some …

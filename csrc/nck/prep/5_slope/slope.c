@@ -23,6 +23,8 @@ enum { PHASE_IDLE = 0, PHASE_MAKE, PHASE_INSTALL };
 #define PATIENCE 4
 // Cells that pass until another plan is tried where none joined: time enough to make it.
 #define NO_WAY (1 + (NCK_PROFILE > 128 ? NCK_PROFILE / 16 : 8))
+// The same for a brake, which is sought from cell to cell; and the cells that the last try took.
+enum { NO_BRAKE = 4 };
 
 // The machine's slope, one of those that the build has (nck_machine_check): the others are not
 // called.
@@ -271,12 +273,14 @@ static void finish(nck_slope_t *self) {
 
 // No plan joins: the plan of now goes on, and the next one begins later.
 static void give_up(nck_slope_t *self, const nck_pieces_t *pieces) {
+    const int brakes = self->kind == NCK_JOB_BRAKE;
+    const uint32_t held = brakes ? self->next.held : (uint32_t)NCK_HELD_NOT;
     self->phase = PHASE_IDLE;
     self->awaits_tail = self->hurried; // a rest that nobody asked for is told as starvation
     if (self->hurried) return;
     self->anew = 1;
-    self->now.commit += NO_WAY;
-    if (self->now.commit >= self->now.n) keep_plan(self, pieces, NCK_HELD_NOT);
+    self->now.commit += brakes ? NO_BRAKE + passed_meanwhile(self) : (uint32_t)NO_WAY;
+    if (self->now.commit >= self->now.n) keep_plan(self, pieces, held);
 }
 
 static nck_status_t install(nck_slope_t *self) {

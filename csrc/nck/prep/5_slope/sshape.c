@@ -416,12 +416,6 @@ static nck_status_t look(nck_sshape_t *self, const nck_pieces_t *pieces) {
 
 // ---- step
 
-// Where none of its brakes joins, the plan of now rests.
-static nck_status_t carry(nck_sshape_t *self, const nck_pieces_t *pieces) {
-    const nck_status_t status = nck_jerk_step(&self->memory.carry, pieces);
-    return status == NCK_E_STATE ? NCK_FULL : status;
-}
-
 nck_status_t nck_sshape_step(nck_sshape_t *self, const nck_pieces_t *pieces) {
     if (!NCK_HAS_SSHAPE) return NCK_E_INTERNAL;
     switch (self->phase) {
@@ -429,7 +423,7 @@ nck_status_t nck_sshape_step(nck_sshape_t *self, const nck_pieces_t *pieces) {
     case PHASE_LOOK: return look(self, pieces);
     case PHASE_PART: return build_part(self, pieces);
     case PHASE_BRAKE: return build_brake(self, pieces);
-    default: return carry(self, pieces);
+    default: return nck_jerk_step(&self->memory.carry, pieces);
     }
 }
 

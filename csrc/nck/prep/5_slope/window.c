@@ -57,6 +57,10 @@ static void push(nck_jerk_t *self, uint32_t piece, double s, double h, double vv
 
 // ---- load
 
+// A cell of the plan of now that lasts less than this share of a period is rounding: no speed that
+// changes within it means anything.
+#define GONE_EPSILON 1e-6
+
 static const nck_cell_t *source(const nck_jerk_t *self, uint32_t i) {
     if (self->work.from_built) return nck_link_built_cell(self->link, i);
     return nck_link_tail_cell(self->link, self->work.source + i);
@@ -125,12 +129,19 @@ static int load_cell(nck_jerk_t *self, const nck_pieces_t *pieces, const nck_cel
     return 1;
 }
 
+// Returns 0 if the ladder ends before that cell, or in it.
+static int load(nck_jerk_t *self, const nck_pieces_t *pieces, const nck_cell_t *cell) {
+    if (!cell) return 0;
+    if (cell->duration < GONE_EPSILON * self->machine->period_s) return 1;
+    return load_cell(self, pieces, cell);
+}
+
 nck_status_t nck_window_load(nck_jerk_t *self, const nck_pieces_t *pieces) {
     for (int n = 0; n < NCK_JERK_STEP; n++) {
         const nck_cell_t *const cell = source(self, self->work.i);
         const int wanted = self->work.from_built || self->work.all || self->work.reach > 0.0
                            || self->work.source + self->work.i - self->now->begin < self->now->keep;
-        if (!cell || !wanted || !load_cell(self, pieces, cell)) {
+        if (!wanted || !load(self, pieces, cell)) {
             self->work.loaded = self->work.n;
             return NCK_DONE;
         }
