@@ -8,7 +8,7 @@
 
 enum {
     SETTINGS_AXES = 9,    // X Y Z A B C U V W
-    SETTINGS_BUDGET = 28, // steps of preparation a cycle, where the INI says nothing
+    SETTINGS_BUDGET = 48, // steps of preparation a cycle, where the INI says nothing
     SETTINGS_WHY = 256    // longest message
 };
 

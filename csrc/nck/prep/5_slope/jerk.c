@@ -24,7 +24,7 @@ enum { COMMIT_SURE = 3, COMMIT_LEAST = 10, KEEP_OFF = 4 };
 #define COMMIT_RAMPS 1.5
 
 // The window is to see this many times the time that a ramp from full speed to rest takes.
-#define RAMPS_SEEN 3.8
+#define RAMPS_SEEN 3.4
 // From rest a ladder has this share of the cells, unless so many ramps take more.
 enum { SHARE_AT_REST = 4 };
 #define RAMPS_AT_REST 8.0
