@@ -283,6 +283,19 @@ def test_an_interrupt_ends_it_with_130_and_no_half_file(files, tmp_path):
     assert not table.exists() and not list(tmp_path.glob("*.part"))
 
 
+def test_workers_are_deaf_to_an_interrupt_from_their_first_instruction_on():
+    code = """if True:
+        import pathlib
+        from pycnc.planning import workers
+        for each in [workers._Worker(print, ()) for _ in range(2)]:
+            print(pathlib.Path(f"/proc/{each.process.pid}/status").read_text())
+            each.end()
+    """
+    out = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    blocked = [int(line.split()[1], 16) for line in out.stdout.splitlines() if "SigBlk" in line]
+    assert [mask >> signal.SIGINT - 1 & 1 for mask in blocked] == [1, 1]
+
+
 def test_a_sweep_shows_itself(files):
     found = make_sweep(files[:1], ["path.slope=jerk,linear"])
     assert repr(found) == "<Sweep on mill3: 2 plans over 1>"

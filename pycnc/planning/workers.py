@@ -11,6 +11,7 @@ import contextlib
 import multiprocessing
 import signal
 from collections import Counter
+from multiprocessing import resource_tracker
 from multiprocessing.connection import wait
 from typing import NamedTuple
 
@@ -62,6 +63,7 @@ def each(take, work, shared, jobs=1, cluster=None):
 @contextlib.contextmanager
 def _deaf():
     """Processes that are started here hear no interrupt: it is for who has asked, who ends them."""
+    resource_tracker.ensure_running()  # its start, in here, would unblock the signal
     before = signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})
     try:
         yield
