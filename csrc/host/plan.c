@@ -57,6 +57,7 @@ static void add_time(nck_host_totals_t *totals, const nck_cell_t *cell, int rapi
 double nck_host_totals_add(nck_host_totals_t *totals, double *since_stop_s, const nck_cell_t *cell,
                            int rapid, double period_s, uint32_t settle) {
     totals->cells++;
+    if (cell->stop & NCK_STOP_RIDES) return 0.0; // in the time of what it rides beside
     add_time(totals, cell, rapid, cell->duration);
     *since_stop_s += cell->duration;
     if (!(cell->stop & NCK_STOP_REST)) {

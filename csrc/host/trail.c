@@ -49,8 +49,9 @@ static void close_stretch(nck_host_trail_t *self) {
     self->is_open = 0;
 }
 
-static void pass_time(nck_host_trail_t *self, double time) {
-    nck_host_cause_sum(&self->t, time);
+// What rides takes no time of its own.
+static void pass_time(nck_host_trail_t *self, const nck_cell_t *cell, double time) {
+    nck_host_cause_sum(&self->t, cell->stop & NCK_STOP_RIDES ? 0.0 : time);
     self->open.t = self->t.sum + self->t.rest;
     self->duration += time;
 }
@@ -155,7 +156,7 @@ static void step(nck_host_trail_t *self, const nck_host_stride_t *stretch, doubl
     self->length += length;
     self->open.v = v;
     put_place(&self->open, stretch->seg, stretch->s + s);
-    pass_time(self, time);
+    pass_time(self, cell, time);
 }
 
 void nck_host_trail_move(nck_host_trail_t *self, const nck_host_stride_t *stretch) {
@@ -183,7 +184,7 @@ void nck_host_trail_rest(nck_host_trail_t *self, const nck_host_stride_t *stretc
     begin(self, stretch, 0.0);
     self->open.v = 0.0;
     self->open.rests = 1;
-    pass_time(self, time);
+    pass_time(self, stretch->cell, time);
     give(self, &self->open);
 }
 

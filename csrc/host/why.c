@@ -271,8 +271,9 @@ static void follow(nck_host_why_t *self, const nck_cell_t *cell, double s_cell, 
 }
 
 // A stretch of the piece in work: its length, its time, and the speed that it ends with.
-static void pass(nck_host_why_t *self, const nck_cell_t *cell, double s, double time, double v) {
+static void pass(nck_host_why_t *self, const nck_cell_t *cell, double s, double lasts, double v) {
     const nck_host_why_piece_t *const piece = &self->piece;
+    const double time = cell->stop & NCK_STOP_RIDES ? 0.0 : lasts; // in that of what is beside it
     const int may_pace = piece->v_feed > 0.0 && piece->v_cap > 0.0;
     const double ideal = may_pace ? s / piece->v_feed : time;
     nck_host_cause_sum(piece->rapid ? &self->rapid_s : &self->cut_s, ideal);
@@ -299,6 +300,10 @@ static void follow_rest(nck_host_why_t *self, const nck_cell_t *cell, double tim
 // Behind a cell: the time until the next begins.
 static void end_cell(nck_host_why_t *self, const nck_cell_t *cell, double extra_s) {
     if (!(cell->stop & NCK_STOP_REST)) return;
+    if (cell->stop & NCK_STOP_RIDES) {
+        self->v = 0.0;
+        return;
+    }
     share(self, cell, extra_s);
     add_limit(self, cell->limit, extra_s);
     follow_rest(self, cell, extra_s);

@@ -69,10 +69,12 @@ typedef struct nck_link {
     uint32_t broken_line; // its source line; prep alone
 
     uint32_t taken;        // cells taken by the tick; tick writes
+    uint32_t kept;         // the oldest cell in use, taken or riding; tick writes
     uint32_t seg_done;     // segs finished; tick writes
     uint32_t output_taken; // outputs handed over; tick writes
     uint32_t tail_rested;  // word's end whose tail has come to rest, plus one; tick writes
     uint32_t tail_taken;   // cells taken from the tail; tick alone
+    uint32_t riders;       // cells from kept on that ride; tick alone
 
     uint32_t tail_count[2];
     uint32_t tail_origin[2]; // end of the final cells that the tail's first cell follows
@@ -155,6 +157,14 @@ nck_status_t nck_link_install(nck_link_t *self, double lead, uint32_t most);
 // the tail. Cost: linear in the cells made final. Context: prep.
 nck_status_t nck_link_advance(nck_link_t *self, double lead, uint32_t most);
 
+// Let what is left of the published plan overlap the one built since nck_link_tail_begin, which
+// begins so many seconds before the rest: both become final, this one up to `lead` seconds and
+// `most` cells of it (one at least). The cell is parted where the other one begins; from there on
+// cells ride (NCK_STOP_RIDES). The number of the new plan's first cell goes to *begin_out.
+// Returns as nck_link_install. Cost: linear in the cells made final. Context: prep.
+nck_status_t nck_link_join(nck_link_t *self, double overlap, double lead, uint32_t most,
+                           uint32_t *begin_out);
+
 // How long the final cells last that the tick has not taken [s].
 // Cost: linear in the cells taken since it was last asked. Context: prep.
 double nck_link_lead(nck_link_t *self);
@@ -213,6 +223,11 @@ int nck_link_is_spent(const nck_link_t *self);
 // Take the next cell: a final one, else one of the tail (*from_tail_out = 1), else NCK_EMPTY.
 // Cost: constant, no spinning. Context: tick.
 nck_status_t nck_link_take(nck_link_t *self, nck_cell_t *cell_out, int *from_tail_out);
+
+// The cell taken last rides: go on behind the rest that the riding ones lead to. The next of them;
+// NCK_EMPTY behind the last one. Cost: linear in the riding cells; constant. Context: tick.
+void nck_link_ride(nck_link_t *self);
+nck_status_t nck_link_take_rider(nck_link_t *self, nck_cell_t *cell_out);
 
 // The tail has come to rest: prep may publish again. Cost: constant. Context: tick.
 void nck_link_tail_rest(nck_link_t *self);

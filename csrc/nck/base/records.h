@@ -175,6 +175,8 @@ typedef struct nck_seg {
     double s_begin;      // length of all segs before [path mm], for reports
     double s_program;    // programmed path before [path mm], for reports
     double program;      // programmed path that it stands for [path mm]; length but for a blend
+    double overlap;      // where it stops: the next motion may begin when so much is left to go, and
+                         // be as far by then, within the tolerance [path mm]; 0: behind the rest
     double feed;         // wanted path speed [path mm/s]; rapid: 0
     double feed_scale;   // speed that the program means / path speed (1 unless rotary axes join in)
     double v_most;       // as fast as the spindle can follow [path mm/s]; 0: no such limit
@@ -231,7 +233,9 @@ typedef struct nck_node {
 // How a cell ends, bit by bit.
 typedef enum nck_stop {
     NCK_STOP_REST = 1, // comes to rest at its end, the tick lands there
-    NCK_STOP_HOLD = 2  // of a hold: braking for a rest from which only nck_resume goes on
+    NCK_STOP_HOLD = 2, // of a hold: braking for a rest from which only nck_resume goes on
+    NCK_STOP_RIDES = 4 // overlaps: what follows behind its rest begins with the first such cell, so
+                       // it takes no time of its own
 } nck_stop_t;
 
 // 5_slope ══ring══▶ 6_interpolate: a stretch of constant jerk (0 for the linear slope).

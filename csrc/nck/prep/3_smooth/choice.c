@@ -10,6 +10,7 @@
 #include <string.h> // memcpy
 
 #include "nck/base/budget.h"               // NCK_BUDGET_… NCK_UNLIMITED
+#include "nck/base/overlap_math.h"         // nck_overlap_…
 #include "nck/base/path.h"                 // nck_path_tangent
 #include "nck/base/real.h"                 // nck_min nck_max
 #include "nck/base/scurve_math.h"          // nck_scurve_…
@@ -26,6 +27,8 @@
 #define BLEND_SHORT 1.015
 #define STANDSTILL 1e-3
 #define ALIKE 0.01           // of a bend's half-width: a shorter block is a part of the corner
+#define JERK_EPSILON 1e-9     // rounding
+#define SPREAD 5.0           // of δ: so near to the corner at least a block is its own
 #define OWN 0.7              // of the spline's turn that a corner has to make for a stop to help
 enum { HALVINGS = 12 };      // of a speed that is sought: to 1e-3 of it
 
@@ -38,6 +41,7 @@ typedef struct corner {
     double length[2];         // of either block [path mm]
     double half[2];           // how much of it is this corner's [path mm]
     uint8_t rests[2];         // 1: the path rests at the block's other end
+    uint8_t are_lines;        // 1: both blocks are
     nck_scurve_t ramp[2];     // along either block
     double v_max;             // of both [path mm/s]
     const nck_terms_t *terms; // of the slope
@@ -199,12 +203,31 @@ static double side_time(const corner_t *corner, const shape_limit_t *limit, int 
            + nck_scurve_over(&way.left, way.v_free, way.bound);
 }
 
+// By how much the motions of a stop overlap [s]; *distance_out: δ [path mm]. 0: not at all, where one
+// of the blocks is no line, or too short, or an axis has no jerk for both.
+static double overlap_of(const corner_t *corner, double *distance_out) {
+    const nck_terms_t *const terms = corner->terms;
+    const double j[2] = {corner->ramp[0].j, corner->ramp[1].j};
+    *distance_out = 0.0;
+    if (!terms->overlaps || !corner->are_lines || !(corner->turn > 0.0)) return 0.0;
+    const nck_machine_t *const machine = terms->machine;
+    const int axes = terms->axes;
+    if (nck_overlap_jerk(machine, axes, corner->in, corner->out, j) > 1.0 + JERK_EPSILON) return 0.0;
+    const double d = nck_overlap_distance(corner->tolerance, corner->turn);
+    if (SPREAD * d > nck_min(corner->half[0], corner->half[1])) return 0.0;
+    const double time = nck_overlap_time(d, j[0]) + nck_overlap_time(d, j[1]);
+    *distance_out = d;
+    return nck_min(time, nck_overlap_most(machine, axes, corner->in, corner->out, j));
+}
+
 // Time of a stop, over d of either block at least: where a block is shorter the path goes on as
 // fast as it has become. That is less than stops at all the corners there would take, if they are
 // alike. Under a jerk limit a block that is much shorter is a part of this corner: then the next
 // corner's stop is the bound. So it is for the S-shape, which brakes for each junction.
 static double stop_time(const corner_t *corner, double d) {
-    double time = corner->terms->rest_s;
+    double distance = 0.0;
+    const double overlap = overlap_of(corner, &distance);
+    double time = overlap > 0.0 ? -overlap : corner->terms->rest_s;
     for (int n = 0; n < 2; n++) {
         const nck_scurve_t *const ramp = &corner->ramp[n];
         const double half = nck_scurve_over(ramp, 0.0, corner->half[n]);
@@ -273,6 +296,7 @@ static void measure_turn(const nck_smooth_t *self, const nck_meet_t *meet, corne
     corner->tolerance = TOLERANCE_SHARE * nck_min(a->tolerance, b->tolerance);
     memcpy(corner->length, meet->length, sizeof corner->length);
     memcpy(corner->rests, meet->rests, sizeof corner->rests);
+    corner->are_lines = a->seg.kind == NCK_SEG_LINE && b->seg.kind == NCK_SEG_LINE;
     corner->half[0] = nck_min(meet->length[0], HALF * (meet->length[0] + a->cut));
     corner->half[1] = HALF * meet->length[1];
 }
@@ -350,10 +374,13 @@ int nck_choice_may_stop(const nck_smooth_t *self, const nck_meet_t *meet, const 
     return is_own(&corner, bend);
 }
 
-int nck_choice_stop(const nck_smooth_t *self, const nck_meet_t *meet, const nck_bend_t *bend) {
+int nck_choice_stop(const nck_smooth_t *self, const nck_meet_t *meet, const nck_bend_t *bend,
+                    double *overlap_out) {
     corner_t corner;
     measure_turn(self, meet, &corner);
+    *overlap_out = 0.0;
     if (!is_own(&corner, bend)) return 0;
     measure_ramps(self, meet, &corner);
+    (void)overlap_of(&corner, overlap_out);
     return stop_time(&corner, bend->d) < plain_time(&corner, bend);
 }

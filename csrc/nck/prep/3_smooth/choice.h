@@ -47,8 +47,9 @@ int nck_choice_wide(const nck_smooth_t *self, const nck_meet_t *meet, const nck_
 // lengths of the ways do not matter. Cost: four square roots.
 int nck_choice_may_stop(const nck_smooth_t *self, const nck_meet_t *meet, const nck_bend_t *bend);
 
-// Returns 1 if a stop at the corner is faster than the spline's bend.
-// Cost: as above.
-int nck_choice_stop(const nck_smooth_t *self, const nck_meet_t *meet, const nck_bend_t *bend);
+// Returns 1 if a stop at the corner is faster than the spline's bend. *overlap_out: the distance at
+// which the motions beside it may overlap (nck_seg_t.overlap). Cost: as above.
+int nck_choice_stop(const nck_smooth_t *self, const nck_meet_t *meet, const nck_bend_t *bend,
+                    double *overlap_out);
 
 #endif

@@ -25,9 +25,10 @@ double nck_meet_lift(nck_smooth_t *self, uint32_t count, double h, double weight
 }
 
 // The run at the front ends at rest behind the block at count, and a run of its own begins there.
-static void stop_behind(nck_smooth_t *self, uint32_t count) {
+static void stop_behind(nck_smooth_t *self, uint32_t count, double overlap) {
     double s = 0.0;
     nck_raw_at(self, count)->seg.stop = 1;
+    nck_raw_at(self, count)->seg.overlap = overlap;
     for (uint32_t k = count + 1; k != self->run.end; k++) {
         nck_raw_t *const raw = nck_raw_at(self, k);
         raw->s = s; // added up as in smooth.c, so that an output is at its block's end to the bit
@@ -109,5 +110,6 @@ void nck_meet_choose(nck_smooth_t *self, uint32_t count) {
             bend = plain;
         }
     }
-    if (nck_choice_stop(self, &meet, &bend)) stop_behind(self, count);
+    double overlap = 0.0;
+    if (nck_choice_stop(self, &meet, &bend, &overlap)) stop_behind(self, count, overlap);
 }

@@ -2,7 +2,8 @@
 // Room 5, slope: legs of constant jerk as cells.
 #include "nck/prep/5_slope/legs.h"
 
-#include "nck/base/real.h" // nck_min nck_floor
+#include "nck/base/cell_math.h" // nck_cell_part
+#include "nck/base/real.h"      // nck_min nck_floor
 
 // Cells are divided so that none lasts longer: a hold begins behind those that are final.
 #define SLICE_PERIODS 1.5
@@ -34,16 +35,7 @@ void nck_legs_slices(const nck_legs_t *self, uint32_t count, nck_cell_t *cell_ou
     const int is_last = self->m + count == self->slices;
     const double t0 = self->slice_s * (double)self->m;
     const double t1 = is_last ? leg->duration : self->slice_s * (double)(self->m + count);
-    const double s0 = (leg->v + (0.5 * leg->a + leg->j / 6.0 * t0) * t0) * t0;
-    const double s1 = (leg->v + (0.5 * leg->a + leg->j / 6.0 * t1) * t1) * t1;
-    cell_out->s = leg->s + s0;
-    cell_out->length = (is_last ? leg->length : s1) - s0;
-    cell_out->v = leg->v + (leg->a + 0.5 * leg->j * t0) * t0;
-    cell_out->a = leg->a + leg->j * t0;
-    cell_out->duration = t1 - t0;
-    if (is_last) return;
-    cell_out->last = 0;
-    cell_out->stop = 0;
+    nck_cell_part(leg, t0, t1, cell_out);
 }
 
 int nck_legs_part(nck_legs_t *self, double period, nck_cell_t *cell_out) {

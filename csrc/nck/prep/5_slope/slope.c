@@ -8,6 +8,7 @@
 #include "nck/base/budget.h"              // NCK_UNLIMITED
 #include "nck/base/fence.h"               // nck_fence_load nck_fence_store
 #include "nck/prep/5_slope/ladder_math.h" // NCK_LADDER_STRETCH
+#include "nck/prep/5_slope/overlap.h"     // nck_overlap_…
 
 enum { PHASE_IDLE = 0, PHASE_MAKE, PHASE_INSTALL };
 
@@ -151,7 +152,7 @@ static uint32_t final_count(const nck_slope_t *self) {
 
 // Cells of it that may become final.
 static uint32_t final_limit(const nck_slope_t *self) {
-    return self->now.complete ? self->now.n : self->now.commit;
+    return self->now.complete ? self->now.n - self->now.withheld : self->now.commit;
 }
 
 // Nothing keeps the path yet where the plan of now comes to rest, but single block does: it is a
@@ -174,6 +175,8 @@ static void tell(nck_slope_t *self) {
 static void keep_plan(nck_slope_t *self, const nck_pieces_t *pieces, uint32_t wanted) {
     const int waits = !wanted && waits_behind(self, pieces);
     const uint32_t held = waits ? (uint32_t)NCK_HELD_BLOCK : wanted;
+    const uint32_t left = self->now.n - final_count(self);
+    if (self->now.withheld > left) self->now.withheld = left;
     self->now.complete = 1;
     memset(&self->answer, 0, sizeof self->answer);
     self->anew = 1;
@@ -211,7 +214,8 @@ static uint32_t takeover(const nck_slope_t *self) {
     const uint32_t spent = self->wish.hold ? 0 : 2 * self->spent;
     const uint32_t cells = spent > self->answer.reserve ? spent : self->answer.reserve;
     const uint32_t first = cell_after(self, done, (double)cells * self->cell_s, cells);
-    return least > first ? least : first;
+    const uint32_t later = least > first ? least : first;
+    return later > self->now.beside ? later : self->now.beside;
 }
 
 // Cells that the tick has taken since the plan in work was begun.
@@ -252,6 +256,12 @@ static int is_late(nck_slope_t *self) {
     return self->phase == PHASE_MAKE && nck_link_lead(self->link) < least;
 }
 
+// The tick is about to run out of cells, and the plan behind the rest is not drawn: no overlap.
+static int is_awaited(nck_slope_t *self) {
+    const double least = LEAD_LEAST * self->machine->period_s;
+    return self->phase != PHASE_INSTALL && nck_link_lead(self->link) < least;
+}
+
 // The tick has run into the tail: the path comes to rest where the plan of now does.
 static void fall_into_tail(nck_slope_t *self, const nck_pieces_t *pieces) {
     int entered = 0;
@@ -259,6 +269,8 @@ static void fall_into_tail(nck_slope_t *self, const nck_pieces_t *pieces) {
     self->now.n = 0;
     self->now.piece = self->now.end_piece;
     self->now.first_piece = self->now.end_piece;
+    self->now.withheld = 0;
+    self->now.beside = 0;
     self->in_tail = 1;
     keep_plan(self, pieces, self->wish.hold ? (uint32_t)NCK_HELD_RESUME : (uint32_t)NCK_HELD_NOT);
 }
@@ -283,17 +295,41 @@ static void give_up(nck_slope_t *self, const nck_pieces_t *pieces) {
     if (self->now.commit >= self->now.n) keep_plan(self, pieces, held);
 }
 
-static nck_status_t install(nck_slope_t *self) {
+// Its cells beside the one before are no more among those.
+static void withhold(nck_slope_t *self, const nck_pieces_t *pieces) {
+    nck_plan_t *const now = &self->now;
+    const uint32_t withheld = nck_overlap_withheld(self->link, pieces, now);
+    const uint32_t most = now->n - now->beside;
+    now->withheld = withheld < most ? withheld : most;
+}
+
+// Where the plan of now withholds cells for the next one: these, too. Where both do not overlap they
+// are not withheld any longer.
+static nck_status_t join(nck_slope_t *self, const nck_pieces_t *pieces, uint32_t most) {
+    if (final_count(self) != final_limit(self)) return NCK_FULL;
+    const double overlap =
+        nck_overlap_join(self->machine, self->link, pieces, &self->now, &self->next);
+    if (overlap > 0.0) {
+        return nck_link_join(self->link, overlap, self->lead_s, most, &self->next.begin);
+    }
+    self->now.withheld = 0;
+    return NCK_E_STATE;
+}
+
+static nck_status_t install(nck_slope_t *self, const nck_pieces_t *pieces) {
     int entered = 0;
+    const int joins = self->kind == NCK_JOB_START && self->now.withheld > 0;
     const uint32_t most = self->next.complete ? self->next.n : self->next.commit;
-    if (nck_link_end(self->link, &entered) != self->next.begin) return NCK_FULL;
-    const nck_status_t status = nck_link_install(self->link, self->lead_s, most);
+    if (!joins && nck_link_end(self->link, &entered) != self->next.begin) return NCK_FULL;
+    const nck_status_t status = joins ? join(self, pieces, most)
+                                      : nck_link_install(self->link, self->lead_s, most);
     if (status != NCK_OK) return status == NCK_E_STATE ? NCK_OK : status;
     const int same_block = self->now.held == NCK_HELD_BLOCK && self->next.held == NCK_HELD_BLOCK;
     const int on_the_way = same_block && self->now.end_piece == self->next.end_piece;
     if (!on_the_way) self->resumes = self->wish.resumes;
     self->now = self->next;
     self->now.first_piece = self->next.piece;
+    if (planner_of(self->machine) == NCK_SLOPE_JERK) withhold(self, pieces);
     tell(self);
     self->in_tail = 0;
     self->anew = self->kind == NCK_JOB_BRAKE;
@@ -312,7 +348,7 @@ static nck_status_t begin_next(nck_slope_t *self, const nck_pieces_t *pieces) {
 // One step of the plan in work.
 static nck_status_t work(nck_slope_t *self, const nck_pieces_t *pieces) {
     if (self->phase == PHASE_IDLE) return begin_next(self, pieces);
-    if (self->phase == PHASE_INSTALL) return install(self);
+    if (self->phase == PHASE_INSTALL) return install(self, pieces);
     const nck_status_t status = step_plan(self, pieces);
     switch (status) {
     case NCK_DONE: finish(self); return NCK_OK;
@@ -382,7 +418,7 @@ static void note_idle(nck_slope_t *self, const nck_pieces_t *pieces, nck_status_
 // What the plan in work says, and what it lacks if it cannot go on.
 static nck_status_t note_work(nck_slope_t *self, const nck_pieces_t *pieces, nck_status_t status) {
     if (status != NCK_EMPTY && status != NCK_FULL) return status;
-    const int waits = final_count(self) < final_limit(self);
+    const int waits = final_count(self) < final_limit(self) || self->now.withheld > 0;
     const nck_status_t told = waits ? NCK_FULL : status;
     if (waits || told == NCK_EMPTY) note_idle(self, pieces, told);
     return told;
@@ -408,6 +444,10 @@ nck_status_t nck_slope_step(nck_slope_t *self, const nck_pieces_t *pieces, const
     const uint32_t limit = final_limit(self);
     if (done == limit && self->answer.pending && is_late(self)) {
         put_off(self, pieces);
+        return NCK_OK;
+    }
+    if (done == limit && self->now.withheld > 0 && is_awaited(self)) {
+        self->now.withheld = 0;
         return NCK_OK;
     }
     if (done < limit && nck_link_advance(self->link, self->lead_s, limit - done) == NCK_OK) {

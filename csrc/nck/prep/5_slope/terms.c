@@ -37,11 +37,12 @@ void nck_slope_terms(const nck_machine_t *machine, nck_terms_t *terms_out) {
     const double filter = (double)NCK_FILTER_TAPS * period;
     const int is_filtered = machine->slope == NCK_SLOPE_JERK;
     const uint8_t axes = axes_of(machine);
-    const nck_terms_t linear = {machine, 0, 1, 1, axes, machine->path.j_max, 0.0, 0.0, period};
+    const nck_terms_t linear = {machine, 0, 1, 0, 1, axes, machine->path.j_max, 0.0, 0.0, period};
     *terms_out = linear;
     if (!NCK_HAS_JERK || machine->slope == NCK_SLOPE_LINEAR) return;
     terms_out->limits_jerk = 1;
     terms_out->carries = (uint8_t)is_filtered;
+    terms_out->overlaps = (uint8_t)is_filtered;
     terms_out->taps = is_filtered ? NCK_FILTER_TAPS : 1;
     terms_out->j_max = jerk_along(machine, axes, is_filtered ? filter : 0.0);
     terms_out->mix_s = 0.5 * filter;

@@ -5,6 +5,7 @@
 #include <assert.h> // assert
 #include <string.h> // memset
 
+#include "nck/base/cell_math.h" // nck_cell_way
 #include "nck/base/fence.h"     // nck_fence_load nck_fence_store
 #include "nck/base/path_math.h" // nck_path_point
 #include "nck/base/real.h"      // nck_floor
@@ -22,6 +23,7 @@ void nck_interpolate_init(nck_interpolate_t *self, const nck_terms_t *terms, nck
     self->cell.stop = NCK_STOP_REST;
     self->rests = 1;
     self->filter.taps = terms->taps;
+    self->rider.filter.taps = terms->taps;
 }
 
 static const nck_seg_t *seg_at(const nck_interpolate_t *self, uint32_t seq) {
@@ -35,6 +37,11 @@ static double length_between(const nck_interpolate_t *self, uint32_t from, uint3
     return length;
 }
 
+// Segs before this one are done with, unless what rides is in one of them.
+static void finish_before(nck_interpolate_t *self, uint32_t seq) {
+    if (!self->rider.on) nck_link_seg_finish(self->link, seq);
+}
+
 // The first cell behind a rest.
 static void set_off(nck_interpolate_t *self) {
     self->rests = 0;
@@ -44,7 +51,19 @@ static void set_off(nck_interpolate_t *self) {
         self->filter.s[n] = self->cell.s;
         self->filter.v[n] = 0.0;
     }
-    nck_link_seg_finish(self->link, self->filter.seg);
+    finish_before(self, self->filter.seg);
+}
+
+// The cell rides from here on: the motion behind its rest begins beside it.
+static void part_ways(nck_interpolate_t *self) {
+    int from_tail = 0;
+    self->rider.on = 1;
+    self->rider.cell = self->cell;
+    self->rider.t_cell = self->t_cell;
+    self->rider.filter = self->filter;
+    nck_link_ride(self->link);
+    (void)nck_link_take(self->link, &self->cell, &from_tail);
+    set_off(self);
 }
 
 // The next cell; if there is none the one before stays.
@@ -53,7 +72,9 @@ static inline int next_cell(nck_interpolate_t *self) {
     int from_tail = 0;
     if (nck_link_take(self->link, &self->cell, &from_tail) != NCK_OK) return 0;
     self->from_tail = (uint32_t)from_tail;
-    if (self->rests) {
+    if (self->cell.stop & NCK_STOP_RIDES) {
+        part_ways(self);
+    } else if (self->rests) {
         set_off(self);
     } else if (self->filter.taps > 1) { // else nobody asks, and segs may be many
         self->filter.ahead += length_between(self, seg_before, self->cell.seg);
@@ -90,9 +111,9 @@ static void place(nck_interpolate_t *self, const nck_seg_t *seg, double s, doubl
 }
 
 // The segs from the filter's on that lie behind s; none beyond the seg where the cell ends.
-static double walk(nck_interpolate_t *self, double s) {
-    nck_filter_t *const filter = &self->filter;
-    const uint32_t last = self->cell.seg + self->cell.span;
+static double walk(const nck_interpolate_t *self, nck_filter_t *filter, const nck_cell_t *cell,
+                   double s) {
+    const uint32_t last = cell->seg + cell->span;
     while (filter->seg != last && s >= seg_at(self, filter->seg)->length) {
         const double length = seg_at(self, filter->seg)->length;
         s -= length;
@@ -100,21 +121,12 @@ static double walk(nck_interpolate_t *self, double s) {
         for (uint32_t n = 0; n < filter->taps; n++) filter->s[n] -= length;
         filter->seg++;
     }
-    nck_link_seg_finish(self->link, filter->seg);
     return s;
 }
 
-// The cells stand at s of the cell's seg: hand out the mean over the taps. Summed anew each time: a
-// running sum would drift.
-static void pass(nck_interpolate_t *self, double s, double v) {
-    nck_filter_t *const filter = &self->filter;
-    if (filter->taps == 1) {
-        filter->seg = self->cell.seg;
-        nck_link_seg_finish(self->link, filter->seg);
-        place(self, seg_at(self, filter->seg), s, v);
-        return;
-    }
-    filter->s[filter->at] = s + filter->ahead;
+// One more sample; returns the mean over the taps. Summed anew each time: a running sum would drift.
+static double take_tap(nck_filter_t *filter, double s, double v, double *v_out) {
+    filter->s[filter->at] = s;
     filter->v[filter->at] = v;
     filter->at = filter->at + 1 < filter->taps ? filter->at + 1 : 0;
     double s_sum = 0.0;
@@ -124,8 +136,24 @@ static void pass(nck_interpolate_t *self, double s, double v) {
         v_sum += filter->v[n];
     }
     const double taps = (double)filter->taps;
-    const double s_mean = walk(self, s_sum / taps);
-    place(self, seg_at(self, filter->seg), s_mean, v_sum / taps);
+    *v_out = v_sum / taps;
+    return s_sum / taps;
+}
+
+// The cells stand at s of the cell's seg: hand out the mean over the taps.
+static void pass(nck_interpolate_t *self, double s, double v) {
+    nck_filter_t *const filter = &self->filter;
+    if (filter->taps == 1) {
+        filter->seg = self->cell.seg;
+        finish_before(self, filter->seg);
+        place(self, seg_at(self, filter->seg), s, v);
+        return;
+    }
+    double v_mean = 0.0;
+    const double s_ahead = take_tap(filter, s + filter->ahead, v, &v_mean);
+    const double s_mean = walk(self, filter, &self->cell, s_ahead);
+    finish_before(self, filter->seg);
+    place(self, seg_at(self, filter->seg), s_mean, v_mean);
 }
 
 static void leave_cell(nck_interpolate_t *self) {
@@ -183,12 +211,60 @@ static void settle(nck_interpolate_t *self) {
 }
 
 // s(t) = s0 + v·t + a·t²/2 + j·t³/6, never beyond the cell; t from the begin of the cell.
-static void evaluate(nck_interpolate_t *self, double t) {
-    const nck_cell_t *const cell = &self->cell;
+static inline double place_at(const nck_cell_t *cell, double t, double *v_out) {
     assert(t >= 0.0);
-    const double ds = (cell->v + (cell->a / 2.0 + cell->j / 6.0 * t) * t) * t;
-    const double v = cell->v + (cell->a + cell->j / 2.0 * t) * t;
-    pass(self, cell->s + nck_max(0.0, nck_min(ds, cell->length)), nck_max(0.0, v));
+    *v_out = nck_max(0.0, cell->v + (cell->a + cell->j / 2.0 * t) * t);
+    return cell->s + nck_max(0.0, nck_min(nck_cell_way(cell, t), cell->length));
+}
+
+static void evaluate(nck_interpolate_t *self, double t) {
+    double v = 0.0;
+    const double s = place_at(&self->cell, t, &v);
+    pass(self, s, v);
+}
+
+// Add what is left of the motion that rides: the mean is at s of the filter's seg.
+static void add_left(nck_interpolate_t *self, double s, double v) {
+    nck_pose_t *const pose = &self->pose;
+    const nck_cell_t *const cell = &self->rider.cell;
+    const nck_seg_t *const seg = seg_at(self, self->rider.filter.seg);
+    const nck_seg_t *const last = seg_at(self, cell->seg + cell->span);
+    const double left = (last->s_begin + last->length) - (seg->s_begin + s);
+    double at[NCK_AXIS_MAX];
+    nck_path_point(seg, s, at);
+    for (int x = 0; x < NCK_AXIS_MAX; x++) pose->axis[x] += at[x] - last->end[x];
+    pose->s -= left;
+    pose->s_program -= left;
+    pose->v += v;
+}
+
+// What rides is one tick further on. Its mean rests when every tap is there.
+static void ride(nck_interpolate_t *self) {
+    nck_rider_t *const rider = &self->rider;
+    nck_filter_t *const filter = &rider->filter;
+    const double t = (double)self->k * self->machine->period_s;
+    while (t >= rider->t_cell + rider->cell.duration && filter->settle == 0) {
+        if (rider->cell.stop & NCK_STOP_REST) {
+            filter->settle = filter->taps;
+            break;
+        }
+        const uint32_t seg_before = rider->cell.seg;
+        rider->t_cell += rider->cell.duration;
+        if (nck_link_take_rider(self->link, &rider->cell) != NCK_OK) break;
+        filter->ahead += length_between(self, seg_before, rider->cell.seg);
+    }
+    double v = 0.0;
+    double s = rider->cell.s + rider->cell.length;
+    if (filter->settle == 0) s = place_at(&rider->cell, t - rider->t_cell, &v);
+    const double s_ahead = take_tap(filter, s + filter->ahead, v, &v);
+    const double s_mean = walk(self, filter, &rider->cell, s_ahead);
+    if (filter->settle == 1) {
+        rider->on = 0;
+        finish_before(self, self->filter.seg);
+        return;
+    }
+    if (filter->settle > 0) filter->settle--;
+    add_left(self, s_mean, v);
 }
 
 // Nothing to execute: stay. In the middle of the path that is starvation, unless it is held there.
@@ -234,7 +310,15 @@ static int stands_aside(nck_interpolate_t *self) {
     return 1;
 }
 
-const nck_pose_t *nck_interpolate_tick(nck_interpolate_t *self) {
+// Time begins to count later.
+static void rebase(nck_interpolate_t *self) {
+    const uint64_t periods = nck_interpolate_rebase(&self->t_cell, self->machine->period_s);
+    self->k -= periods;
+    self->rider.t_cell -= (double)periods * self->machine->period_s;
+}
+
+// One period on, what rides apart.
+static const nck_pose_t *tick(nck_interpolate_t *self) {
     nck_sync_turn(&self->sync, self->machine, self->pose.spindle_rpm);
     if (stands_aside(self)) return rest(self);
     if (self->waits) {
@@ -256,7 +340,7 @@ const nck_pose_t *nck_interpolate_tick(nck_interpolate_t *self) {
             return &self->pose;
         }
         self->t_cell += self->cell.duration;
-        self->k -= nck_interpolate_rebase(&self->t_cell, period);
+        rebase(self);
         if (!next_cell(self)) {
             nck_fence_store(&self->has_cell, 0);
             pass(self, self->cell.s + self->cell.length, 0.0);
@@ -266,6 +350,12 @@ const nck_pose_t *nck_interpolate_tick(nck_interpolate_t *self) {
     }
     evaluate(self, (double)self->k * period - self->t_cell);
     return &self->pose;
+}
+
+const nck_pose_t *nck_interpolate_tick(nck_interpolate_t *self) {
+    const nck_pose_t *const pose = tick(self);
+    if (self->rider.on) ride(self);
+    return pose;
 }
 
 // As if it were executed: a tick that follows sets off from rest, and begins to count here.

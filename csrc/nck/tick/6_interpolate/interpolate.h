@@ -27,6 +27,15 @@ typedef struct nck_filter {
     double v[NCK_FILTER_TAPS]; // [path mm/s]
 } nck_filter_t;
 
+// The end of a motion beside the next one, which has begun before the first is at rest: what is left
+// of it is added to the place.
+typedef struct nck_rider {
+    uint32_t on;            // 1: it goes on
+    nck_cell_t cell;        // being executed
+    double t_cell;          // when the cell begins [s]
+    nck_filter_t filter;
+} nck_rider_t;
+
 // The room's state.
 typedef struct nck_interpolate {
     const nck_machine_t *machine;
@@ -38,6 +47,7 @@ typedef struct nck_interpolate {
     uint32_t waits;         // 1: until resume; any reads it
     uint32_t resume;        // any context asks to go on
     nck_filter_t filter;
+    nck_rider_t rider;
     nck_sync_t sync;      // the spindle, and the pass of a thread in work
     uint64_t k;             // periods since time began to count
     double t_cell;          // when the cell begins [s]

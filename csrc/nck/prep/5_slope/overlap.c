@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: MIT
+// Inside room 5: stops that overlap with the starts behind them.
+#include "nck/prep/5_slope/overlap.h"
+
+#include "nck/base/overlap_math.h" // nck_overlap_…
+#include "nck/base/path.h"         // nck_path_tangent
+
+// Cells of a plan that are withheld, at most: the ring has room for others, too.
+enum { WITHHELD_MOST = NCK_CELL_MAX / 2 };
+// They last so many times what the end takes that is left at the distance in question.
+#define WITHHELD_TIMES 2.5
+// Shorter overlaps are none, in periods.
+#define LEAST_PERIODS 1.0
+// Sums of jerk may pass an axis' limit by rounding.
+#define JERK_EPSILON 1e-9
+// A change of acceleration to the other side is rounding below this share of the jerk in a period.
+#define TURN_EPSILON 1e-9
+
+static const nck_cell_t *cell_at(const nck_link_t *link, const nck_plan_t *plan, uint32_t i) {
+    return nck_link_tail_cell(link, (plan->begin + i) & NCK_LINK_COUNT_MASK);
+}
+
+// The piece that a plan comes to rest behind; NULL if that is no end of a piece.
+static const nck_node_t *piece_before_rest(const nck_pieces_t *pieces, const nck_plan_t *plan) {
+    const nck_node_t *const behind = nck_plan_piece(pieces, plan->end_piece);
+    const int ends = plan->end_s == NCK_PLAN_BEGIN || (behind && plan->end_s == behind->s);
+    return ends ? nck_plan_piece(pieces, plan->end_piece - 1) : (const nck_node_t *)0;
+}
+
+// How far the path may still have to go when the next motion has come as far; 0: to its rest.
+static double distance_of(const nck_link_t *link, const nck_pieces_t *pieces,
+                          const nck_plan_t *plan) {
+    const nck_node_t *const piece = piece_before_rest(pieces, plan);
+    if (!plan->complete || plan->held || !piece || !piece->stop || !piece->last) return 0.0;
+    if (piece->kind != NCK_SEG_LINE) return 0.0;
+    return nck_link_seg(link, piece->seg)->overlap;
+}
+
+// A distance next to a rest as time: over cells of constant acceleration, one by one away from it.
+typedef struct stretch {
+    double left;  // of the distance [path mm]
+    double time;  // [s]
+    double a;     // acceleration where it ends, without its sign [path mm/s²]
+} stretch_t;
+
+// One cell further away from the rest: v at its end next to it, gain: by how much v² grows a length,
+// halved. r = v·t + gain·t²/2
+static void extend(stretch_t *stretch, const nck_cell_t *cell, double v, double gain) {
+    if (!(stretch->left > 0.0)) return;
+    if (cell->length < stretch->left) {
+        stretch->left -= cell->length;
+        stretch->time += cell->duration;
+        return;
+    }
+    const double r = stretch->left;
+    const double end = nck_sqrt(nck_max(0.0, v * v + 2.0 * gain * r));
+    stretch->time += v + end > 0.0 ? 2.0 * r / (v + end) : cell->duration;
+    stretch->a = nck_fabs(gain);
+    stretch->left = 0.0;
+}
+
+static double speed_behind(const nck_cell_t *cell) {
+    return nck_max(0.0, cell->v + cell->a * cell->duration);
+}
+
+uint32_t nck_overlap_withheld(const nck_link_t *link, const nck_pieces_t *pieces,
+                              const nck_plan_t *now) {
+    stretch_t stretch = {distance_of(link, pieces, now), 0.0, 0.0};
+    double time = 0.0;
+    uint32_t count = 0;
+    if (!(stretch.left > 0.0)) return 0;
+    const uint32_t seg = cell_at(link, now, now->n - 1)->seg;
+    while (count < WITHHELD_MOST && count + 1 < now->n) {
+        const nck_cell_t *const cell = cell_at(link, now, now->n - 1 - count);
+        const int is_far = !(stretch.left > 0.0) && time > WITHHELD_TIMES * stretch.time;
+        if (is_far || cell->seg != seg) break;
+        extend(&stretch, cell, speed_behind(cell), -cell->a);
+        time += cell->duration;
+        count++;
+    }
+    return count;
+}
+
+// What two plans have next to a corner.
+typedef struct corner {
+    double distance; // that either may have to it at the same time [path mm]
+    double time[2];  // how long they may overlap, by their cells [s]
+    double j[2];     // limits of jerk [path mm/s³]
+    int shares;      // 1: an axis moves in both
+} corner_t;
+
+// The end of the plan of now: as far from its rest as its acceleration only grows in time, if that
+// adds to another one.
+static stretch_t look_back(const nck_link_t *link, const nck_plan_t *now, double period,
+                           corner_t *corner) {
+    stretch_t stretch = {corner->distance, 0.0, 0.0};
+    const double least = -TURN_EPSILON * corner->j[0] * period;
+    double behind = 0.0; // acceleration
+    corner->time[0] = 0.0;
+    for (uint32_t i = 0; i < now->withheld; i++) {
+        const nck_cell_t *const cell = cell_at(link, now, now->n - 1 - i);
+        if (cell->span != 0 || (corner->shares && behind - cell->a < least)) break;
+        extend(&stretch, cell, speed_behind(cell), -cell->a);
+        corner->time[0] += cell->duration;
+        behind = cell->a;
+    }
+    return stretch;
+}
+
+// The begin of the next one, the same way, as long as it is straight. It goes on for some time until
+// another plan may take over.
+static stretch_t look_ahead(const nck_link_t *link, const nck_plan_t *next, double period,
+                            corner_t *corner) {
+    stretch_t stretch = {corner->distance, 0.0, 0.0};
+    const double least = -TURN_EPSILON * corner->j[1] * period;
+    const uint32_t most = next->complete ? next->n : next->commit;
+    const uint32_t seg = nck_link_built_cell(link, 0)->seg;
+    const double filter = (double)NCK_FILTER_TAPS * period;
+    double before = 0.0;
+    double time = 0.0;
+    int goes_on = 1;
+    for (uint32_t i = 0; i < most; i++) {
+        const nck_cell_t *const cell = nck_link_built_cell(link, i);
+        const int falls = corner->shares && cell->a - before < least;
+        goes_on = goes_on && !falls && cell->seg == seg && cell->span == 0;
+        time += cell->duration;
+        if (goes_on) {
+            extend(&stretch, cell, cell->v, cell->a);
+            corner->time[1] = time;
+        }
+        if (time > nck_min(corner->time[0], corner->time[1]) + filter) break;
+        before = cell->a;
+    }
+    corner->time[1] = nck_min(corner->time[1], time - filter);
+    return stretch;
+}
+
+// The output filter puts a sample behind the mean place, by half of its variance in time for an
+// acceleration:    a·T²(n² − 1)/24
+static double filter_sag(double a, double period) {
+    const double n = (double)NCK_FILTER_TAPS;
+    return a * period * period * (n * n - 1.0) / 24.0;
+}
+
+// So many cells of the next plan begin within that time, and the filter's behind it.
+static uint32_t cells_beside(const nck_link_t *link, const nck_plan_t *next, double time) {
+    uint32_t count = 0;
+    for (double left = time; left > 0.0 && count < next->n; count++) {
+        left -= nck_link_built_cell(link, count)->duration;
+    }
+    return count;
+}
+
+// How long both may overlap.
+static double time_of(const nck_link_t *link, const nck_machine_t *machine, const nck_plan_t *now,
+                      const nck_plan_t *next, corner_t *corner) {
+    const double period = machine->period_s;
+    const double distance = corner->distance;
+    stretch_t end = look_back(link, now, period, corner);
+    stretch_t begin = look_ahead(link, next, period, corner);
+    const double most = nck_min(corner->time[0], corner->time[1]);
+    corner->distance = distance - filter_sag(nck_max(end.a, begin.a), period);
+    if (!(corner->distance > 0.0)) return 0.0;
+    end = look_back(link, now, period, corner);
+    begin = look_ahead(link, next, period, corner);
+    return nck_min(most, end.time + begin.time);
+}
+
+double nck_overlap_join(const nck_machine_t *machine, const nck_link_t *link,
+                        const nck_pieces_t *pieces, const nck_plan_t *now, nck_plan_t *next) {
+    const nck_node_t *const before = piece_before_rest(pieces, now);
+    const nck_node_t *const behind = nck_plan_piece(pieces, next->piece);
+    if (!before || !behind || behind->kind != NCK_SEG_LINE || next->held) return 0.0;
+    double in[NCK_AXIS_MAX];
+    double out[NCK_AXIS_MAX];
+    const nck_seg_t *const seg = nck_link_seg(link, before->seg);
+    nck_path_tangent(seg, seg->length, in);
+    nck_path_tangent(nck_link_seg(link, behind->seg), 0.0, out);
+    corner_t corner = {seg->overlap, {0.0, 0.0}, {before->j, behind->j},
+                       nck_overlap_shares(NCK_AXIS_MAX, in, out)};
+    const double *const j = corner.j;
+    if (nck_overlap_jerk(machine, NCK_AXIS_MAX, in, out, j) > 1.0 + JERK_EPSILON) return 0.0;
+    const double most = nck_overlap_most(machine, NCK_AXIS_MAX, in, out, j);
+    const double time = nck_min(most, time_of(link, machine, now, next, &corner));
+    if (!(time >= LEAST_PERIODS * machine->period_s)) return 0.0;
+    next->beside = cells_beside(link, next, time + (double)NCK_FILTER_TAPS * machine->period_s);
+    return time;
+}
