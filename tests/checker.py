@@ -175,7 +175,7 @@ class Checker:
         self._axis_limits(poses, joints, block)
         programmed = rows["pose"]["s_program"]
         way = np.linalg.norm(np.diff(np.concatenate([self._poses[-1:], poses]), axis=0), axis=1)
-        self._progress(rows["pose"]["s"], poses, way)
+        self._progress(rows["pose"]["s"], programmed, poses, way)
         self._feed(programmed, way)
         self._on_path(block, programmed, poses)
         if self._visits:
@@ -264,9 +264,10 @@ class Checker:
         straight = ~self.path.is_arc[block] & (self.path.length[block] > 0)
         return smoothed | (straight & (age >= SETTLED))
 
-    def _progress(self, s, poses, way):
-        """Forward, within acceleration and jerk of the path; and no pose goes further than its
-        coordinate, by as much as a smoothed path may be longer."""
+    def _progress(self, s, programmed, poses, way):
+        """Forward, within acceleration and jerk of the path, twice the jerk where two motions may
+        overlap; and no pose goes further than its coordinate, by as much as a smoothed path may be
+        longer."""
         limits, period = self._limits, self._limits.period_s
         track, noise = np.concatenate([self._s, s]), ROUNDING * np.abs(s).max()
         step = np.diff(track[2:])
@@ -274,15 +275,16 @@ class Checker:
         rounding = 4 * ROUNDING * np.abs(poses).max() + 2 * noise
         longer = STRETCH if (self.path.tolerance > 0).any() else 1 + SHARE
         self._hold(way <= step * longer + rounding, "further than its path coordinate")
-        bounds = (limits.path_a_max, limits.path_j_max)
+        motions = 1 + self.path.overlaps(programmed, FILTER_PERIODS * step)
+        bounds = (limits.path_a_max, limits.path_j_max * motions)
         for order, most in enumerate(bounds, 1):
             unit = period ** (order + 1)
             values = np.abs(np.diff(track[2 - order :], n=order + 1)) / unit
             more = SUMS[order] * noise / unit
-            what = f"path {ORDERS[order]} {values.max():.9g}, limit {most:g}"
+            what = f"path {ORDERS[order]} {values.max():.9g}, limit {np.min(most):g}"
             self._hold(values <= most * (1 + SHARE) + more, what)
             name = ("path_a", "path_j")[order - 1]
-            setattr(self, name, max(getattr(self, name), float(values.max() / most)))
+            setattr(self, name, max(getattr(self, name), float((values / most).max())))
 
     def _feed(self, s, way):
         """Neither the path nor the tool on it faster than the program says; at rest when the
@@ -363,4 +365,5 @@ class Checker:
         self._lines = np.zeros(3, np.int64)
         still = np.repeat(self._poses[-1:], 3, axis=0)
         self._axis_limits(still, np.repeat(self._joints[-1:], 3, axis=0), self._block[[-1] * 3])
-        self._progress(np.repeat(self._s[-1:], 3), still, np.zeros(3))
+        programmed = np.full(3, self._programmed)
+        self._progress(np.repeat(self._s[-1:], 3), programmed, still, np.zeros(3))

@@ -14,6 +14,8 @@ LINEAR = 0  # slope kind
 NEARER_MM = 1e-7  # a point this far from an arc may be nearer to another place of a helix
 NEWTON_STEPS = 3
 SHORT = 1e-4  # share of an arc over which derivatives are differences
+SHARP = 0.5  # |Δu| from which on a corner may be a stop
+OVERLAP = 9.0  # how many δ two motions overlap over: 8, and some for the steps of a plan
 PLANES = {17: (0, 1), 18: (2, 0), 19: (1, 2)}
 
 
@@ -77,6 +79,7 @@ class Path:
         self.dwell_s = np.where(blocks["kind"] == DWELL, blocks["dwell_s"], 0.0)
         self.is_dwell = blocks["kind"] == DWELL
         self.line = blocks["line"]
+        self._overlap = self._overlaps()
 
     def _bend(self, blocks):
         rows = np.arange(len(blocks))
@@ -150,6 +153,34 @@ class Path:
         if len(moves):
             stop[moves[-1]] = True
         return stop
+
+    def overlaps(self, s, more):
+        """Return where two motions may overlap: beside the corner of two lines within a tolerance.
+
+        With δ·|Δu| ≤ P either motion has δ to the corner when the other has, so under one jerk
+        8 δ when the other is at rest. more: as far as anything else mixes [path mm].
+        """
+        corners = np.flatnonzero(self._overlap > 0)
+        if not len(corners):
+            return np.zeros(len(s), bool)
+        places = self.begin[corners + 1]
+        near = np.searchsorted(places, s)
+        apart = np.full(len(s), np.inf)
+        for k in (np.maximum(near - 1, 0), np.minimum(near, len(places) - 1)):
+            apart = np.minimum(apart, np.abs(s - places[k]) - OVERLAP * self._overlap[corners[k]])
+        return apart <= more
+
+    def _overlaps(self):
+        """Return δ by the block that a corner ends; 0: two motions do not overlap there."""
+        distance = np.zeros(len(self.length))
+        moves = np.flatnonzero(self.length > 0)
+        unit = (self.end - self.start)[moves] / self.length[moves, None]
+        turn = np.linalg.norm(np.diff(unit, axis=0), axis=1)
+        tolerance = np.minimum(self.tolerance[moves[:-1]], self.tolerance[moves[1:]])
+        lines = ~(self.is_arc[moves[:-1]] | self.is_arc[moves[1:]])
+        sharp = lines & (turn > SHARP)
+        distance[moves[:-1][sharp]] = tolerance[sharp] / turn[sharp]
+        return distance
 
     def point(self, block, q):
         """Return the points of blocks where the share q of each is done."""

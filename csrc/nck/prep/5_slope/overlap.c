@@ -5,12 +5,14 @@
 #include "nck/base/overlap_math.h" // nck_overlap_…
 #include "nck/base/path.h"         // nck_path_tangent
 
+
 // Cells of a plan that are withheld, at most: the ring has room for others, too.
 enum { WITHHELD_MOST = NCK_CELL_MAX / 2 };
 // They last so many times what the end takes that is left at the distance in question.
 #define WITHHELD_TIMES 2.5
 // Shorter overlaps are none, in periods.
 #define LEAST_PERIODS 1.0
+
 // Sums of jerk may pass an axis' limit by rounding.
 #define JERK_EPSILON 1e-9
 // A change of acceleration to the other side is rounding below this share of the jerk in a period.
@@ -47,6 +49,7 @@ typedef struct stretch {
 // halved. r = v·t + gain·t²/2
 static void extend(stretch_t *stretch, const nck_cell_t *cell, double v, double gain) {
     if (!(stretch->left > 0.0)) return;
+    stretch->a = nck_fabs(gain);
     if (cell->length < stretch->left) {
         stretch->left -= cell->length;
         stretch->time += cell->duration;
@@ -55,7 +58,6 @@ static void extend(stretch_t *stretch, const nck_cell_t *cell, double v, double 
     const double r = stretch->left;
     const double end = nck_sqrt(nck_max(0.0, v * v + 2.0 * gain * r));
     stretch->time += v + end > 0.0 ? 2.0 * r / (v + end) : cell->duration;
-    stretch->a = nck_fabs(gain);
     stretch->left = 0.0;
 }
 
@@ -89,8 +91,8 @@ typedef struct corner {
     int shares;      // 1: an axis moves in both
 } corner_t;
 
-// The end of the plan of now: as far from its rest as its acceleration only grows in time, if that
-// adds to another one.
+// The end of the plan of now: as far from its rest as it slows down, and as its acceleration only
+// grows in time, if that adds to another one.
 static stretch_t look_back(const nck_link_t *link, const nck_plan_t *now, double period,
                            corner_t *corner) {
     stretch_t stretch = {corner->distance, 0.0, 0.0};
@@ -99,7 +101,8 @@ static stretch_t look_back(const nck_link_t *link, const nck_plan_t *now, double
     corner->time[0] = 0.0;
     for (uint32_t i = 0; i < now->withheld; i++) {
         const nck_cell_t *const cell = cell_at(link, now, now->n - 1 - i);
-        if (cell->span != 0 || (corner->shares && behind - cell->a < least)) break;
+        if (!(cell->a < 0.0) || cell->span != 0) break;
+        if (corner->shares && behind - cell->a < least) break;
         extend(&stretch, cell, speed_behind(cell), -cell->a);
         corner->time[0] += cell->duration;
         behind = cell->a;
@@ -122,7 +125,7 @@ static stretch_t look_ahead(const nck_link_t *link, const nck_plan_t *next, doub
     for (uint32_t i = 0; i < most; i++) {
         const nck_cell_t *const cell = nck_link_built_cell(link, i);
         const int falls = corner->shares && cell->a - before < least;
-        goes_on = goes_on && !falls && cell->seg == seg && cell->span == 0;
+        goes_on = goes_on && !falls && cell->a > 0.0 && cell->seg == seg && cell->span == 0;
         time += cell->duration;
         if (goes_on) {
             extend(&stretch, cell, cell->v, cell->a);
@@ -159,14 +162,15 @@ static double time_of(const nck_link_t *link, const nck_machine_t *machine, cons
     stretch_t end = look_back(link, now, period, corner);
     stretch_t begin = look_ahead(link, next, period, corner);
     const double most = nck_min(corner->time[0], corner->time[1]);
-    corner->distance = distance - filter_sag(nck_max(end.a, begin.a), period);
+    const double a = nck_max(end.a, begin.a) + period * nck_max(corner->j[0], corner->j[1]);
+    corner->distance = distance - filter_sag(a, period);
     if (!(corner->distance > 0.0)) return 0.0;
     end = look_back(link, now, period, corner);
     begin = look_ahead(link, next, period, corner);
     return nck_min(most, end.time + begin.time);
 }
 
-double nck_overlap_join(const nck_machine_t *machine, const nck_link_t *link,
+double nck_overlap_join(const nck_machine_t *machine, const nck_link_t *link, double step_s,
                         const nck_pieces_t *pieces, const nck_plan_t *now, nck_plan_t *next) {
     const nck_node_t *const before = piece_before_rest(pieces, now);
     const nck_node_t *const behind = nck_plan_piece(pieces, next->piece);
@@ -180,7 +184,7 @@ double nck_overlap_join(const nck_machine_t *machine, const nck_link_t *link,
                        nck_overlap_shares(NCK_AXIS_MAX, in, out)};
     const double *const j = corner.j;
     if (nck_overlap_jerk(machine, NCK_AXIS_MAX, in, out, j) > 1.0 + JERK_EPSILON) return 0.0;
-    const double most = nck_overlap_most(machine, NCK_AXIS_MAX, in, out, j);
+    const double most = nck_overlap_most(machine, NCK_AXIS_MAX, in, out, j) - step_s;
     const double time = nck_min(most, time_of(link, machine, now, next, &corner));
     if (!(time >= LEAST_PERIODS * machine->period_s)) return 0.0;
     next->beside = cells_beside(link, next, time + (double)NCK_FILTER_TAPS * machine->period_s);

@@ -307,8 +307,8 @@ static void withhold(nck_slope_t *self, const nck_pieces_t *pieces) {
 // are not withheld any longer.
 static nck_status_t join(nck_slope_t *self, const nck_pieces_t *pieces, uint32_t most) {
     if (final_count(self) != final_limit(self)) return NCK_FULL;
-    const double overlap =
-        nck_overlap_join(self->machine, self->link, pieces, &self->now, &self->next);
+    const double overlap = nck_overlap_join(self->machine, self->link, self->cell_s, pieces,
+                                            &self->now, &self->next);
     if (overlap > 0.0) {
         return nck_link_join(self->link, overlap, self->lead_s, most, &self->next.begin);
     }
