@@ -27,7 +27,7 @@
 #define BLEND_SHORT 1.015
 #define STANDSTILL 1e-3
 #define ALIKE 0.01           // of a bend's half-width: a shorter block is a part of the corner
-#define JERK_EPSILON 1e-9     // rounding
+#define SHARE_LEAST 0.55      // of the jerk that motions keep to which overlap: half gains nothing
 #define SPREAD 5.0           // of δ: so near to the corner at least a block is its own
 #define OWN 0.7              // of the spline's turn that a corner has to make for a stop to help
 enum { HALVINGS = 12 };      // of a speed that is sought: to 1e-3 of it
@@ -203,8 +203,9 @@ static double side_time(const corner_t *corner, const shape_limit_t *limit, int 
            + nck_scurve_over(&way.left, way.v_free, way.bound);
 }
 
-// By how much the motions of a stop overlap [s]; *distance_out: δ [path mm]. 0: not at all, where one
-// of the blocks is no line, or too short, or an axis has no jerk for both.
+// What a stop gains by overlapping motions [s]; *distance_out: δ [path mm]. 0: nothing, where one of
+// the blocks is no line, or too short, or an axis has no jerk for both. Near to the corner either
+// keeps to a share κ of its jerk then, which costs it (1 − κ) of the time that both overlap.
 static double overlap_of(const corner_t *corner, double *distance_out) {
     const nck_terms_t *const terms = corner->terms;
     const double j[2] = {corner->ramp[0].j, corner->ramp[1].j};
@@ -212,12 +213,15 @@ static double overlap_of(const corner_t *corner, double *distance_out) {
     if (!terms->overlaps || !corner->are_lines || !(corner->turn > 0.0)) return 0.0;
     const nck_machine_t *const machine = terms->machine;
     const int axes = terms->axes;
-    if (nck_overlap_jerk(machine, axes, corner->in, corner->out, j) > 1.0 + JERK_EPSILON) return 0.0;
+    const double share = nck_min(
+        1.0, 1.0 / nck_overlap_jerk(machine, axes, corner->in, corner->out, j));
+    if (share < SHARE_LEAST) return 0.0;
     const double d = nck_overlap_distance(corner->tolerance, corner->turn);
     if (SPREAD * d > nck_min(corner->half[0], corner->half[1])) return 0.0;
-    const double time = nck_overlap_time(d, j[0]) + nck_overlap_time(d, j[1]);
+    const double time = nck_overlap_time(d, share * j[0]) + nck_overlap_time(d, share * j[1]);
+    const double most = nck_overlap_most(machine, axes, corner->in, corner->out, j);
     *distance_out = d;
-    return nck_min(time, nck_overlap_most(machine, axes, corner->in, corner->out, j));
+    return nck_min(time, most) * (1.0 - 2.0 * (1.0 - share));
 }
 
 // Time of a stop, over d of either block at least: where a block is shorter the path goes on as

@@ -7,6 +7,7 @@
 // What the pieces on both sides allow comes on top when the node is placed (piece.c).
 #include "nck/prep/4_lookahead/corner.h"
 
+#include "nck/base/overlap_math.h"           // nck_overlap_…
 #include "nck/prep/4_lookahead/limit_math.h" // nck_corner_…
 #include "nck/prep/4_lookahead/stop.h"       // nck_stop_pays
 #include "nck/prep/4_lookahead/walk.h"       // nck_walk_…
@@ -20,6 +21,10 @@
 // So much of the axes' acceleration times the load a corner has at least that is no curve's: alone
 // it is crossed at 40 times what a period gains, or less.
 #define TAME_LOAD 0.02
+
+// Room for a float's rounding, and for the steps of a plan.
+#define OVERLAP_SHARE (1.0 - 1e-6)
+#define OVERLAP_REACH 1.1
 
 // Where a period gains as much speed as short lines have room for, a crowd of corners would have to
 // be passed at next to none: less acceleration on the lines lets it be passed at more. What the
@@ -47,9 +52,31 @@ static double load_of(const double *tangent_in, const double *tangent_out,
     return load;
 }
 
+// Two motions that overlap at a stop: what either keeps to of its jerk, and how near to it. The other
+// one is at rest when it has κ·j·t³/6 to go, where t is how long both overlap.
+static void overlap(nck_joint_t *in, const nck_joint_t *out, const double *tangent_in,
+                    const double *tangent_out, const nck_terms_t *terms) {
+    nck_joint_overlap_t *const overlap = &in->shape.arc.overlap;
+    if (out->kind != NCK_SEG_LINE) return;
+    const double j[2] = {in->j_straight, out->j_straight};
+    const double most =
+        nck_overlap_jerk(terms->machine, terms->axes, tangent_in, tangent_out, j);
+    if (!(most > 1.0)) return;
+    const double d = (double)overlap->distance;
+    const double share = OVERLAP_SHARE / most;
+    const double time = nck_overlap_time(d, share * j[0]) + nck_overlap_time(d, share * j[1]);
+    overlap->share = (float)share;
+    for (int n = 0; n < 2; n++) {
+        overlap->reach[n] = (float)(OVERLAP_REACH * share * j[n] * time * time * time / 6.0);
+    }
+}
+
 void nck_corner_meet(nck_joint_t *in, nck_joint_t *out, const double *tangent_in,
                      const double *tangent_out, const nck_terms_t *terms) {
     if (out->kind >= NCK_SEG_DWELL) in->end |= NCK_JOINT_STOP;
+    if (in->kind == NCK_SEG_LINE && in->shape.arc.overlap.distance > 0.0f) {
+        overlap(in, out, tangent_in, tangent_out, terms);
+    }
     if ((in->end & NCK_JOINT_STOP) || in->kind >= NCK_SEG_DWELL) return;
     const double load = load_of(tangent_in, tangent_out, terms);
     const double v = nck_min(in->v_free, out->v_free);

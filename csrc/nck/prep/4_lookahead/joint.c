@@ -142,7 +142,8 @@ const double *nck_joint_tangents(const nck_seg_t *seg, int axes, double *start_o
     return end_out;
 }
 
-static const nck_joint_arc_t no_arc = {NCK_UNLIMITED, NCK_UNLIMITED, 0.0, 0.0};
+static const nck_joint_arc_t no_arc = {NCK_UNLIMITED, NCK_UNLIMITED, 0.0, 0.0,
+                                       {0.0f, 1.0f, {0.0f, 0.0f}}};
 
 // 1 if X Y Z U V or W moves.
 static int moves_linear(const nck_seg_t *seg) {
@@ -173,6 +174,7 @@ static inline void begin(nck_joint_t *joint, const nck_seg_t *seg) {
         joint->pace[k].share = 0.0;
     }
     if (seg->kind <= NCK_SEG_ARC) joint->shape.arc = no_arc;
+    if (seg->kind == NCK_SEG_LINE) joint->shape.arc.overlap.distance = (float)seg->overlap;
 }
 
 // A rest has no cap of its own.

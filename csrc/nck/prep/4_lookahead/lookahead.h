@@ -41,12 +41,21 @@ typedef enum nck_joint_end {
     NCK_JOINT_LAST = 2  // its seg ends there
 } nck_joint_end_t;
 
+// Where the path stops behind a line, within a tolerance, and the next motion, along a line too, may
+// begin before: near to the corner both leave the axes that they share some jerk for the other one.
+typedef struct nck_joint_overlap {
+    float distance;       // nck_seg_t.overlap; 0: none
+    float share;          // of the jerk, that either motion keeps to
+    float reach[2];       // so near to the corner: before and behind it [path mm]
+} nck_joint_overlap_t;
+
 // What the axes allow a line or an arc; the rest of it: what an arc costs of its plane's two axes.
 typedef struct nck_joint_arc {
     double a_straight;    // tangential limit by the axes that are on no arc [path mm/s²]
     double a_plane;       // their smaller limit [mm/s²]
     double cos_lambda;    // in-plane share of the path speed
     double kappa;         // in-plane acceleration = v²·kappa [1/mm]
+    nck_joint_overlap_t overlap; // line: at its end
 } nck_joint_arc_t;
 
 // Where a part of a spline begins, and bounds on its derivatives, by axis.

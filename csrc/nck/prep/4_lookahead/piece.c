@@ -178,6 +178,15 @@ static double speed_between(nck_lookahead_t *self, uint32_t count) {
     return nck_min(pace->v_corner, nck_min(pace->v, behind->pace[NCK_PACE_OVER].v));
 }
 
+// What overlaps between the segs node − 1 and node; NULL if nothing leaves jerk for another motion.
+static const nck_joint_overlap_t *overlap_at(nck_lookahead_t *self, uint32_t node) {
+    if (node == 0) return (const nck_joint_overlap_t *)0;
+    const nck_joint_t *const joint = nck_joint_at(self, node - 1);
+    const nck_joint_overlap_t *const overlap = &joint->shape.arc.overlap;
+    const int is_one = joint->kind == NCK_SEG_LINE && overlap->share < 1.0f;
+    return is_one ? overlap : (const nck_joint_overlap_t *)0;
+}
+
 // Under a jerk limit: how far a zone reaches into a seg from its node, between the segs node − 1
 // and node: at the seg's
 // own speed, or at what it can have gained by then with the acceleration that the zone leaves.
@@ -220,8 +229,10 @@ static int find_zones(nck_lookahead_t *self, uint32_t count, const around_t ends
                       int is_cut_off[2], double zone[2]) {
     const nck_joint_t *const joint = nck_joint_at(self, count);
     for (uint32_t n = 0; n < 2; n++) {
+        const nck_joint_overlap_t *const overlap = overlap_at(self, count + n);
         is_cut_off[n] = is_tighter(self, joint, &ends[n]);
         zone[n] = is_cut_off[n] ? zone_length(self, joint, count + n, &ends[n]) : 0.0;
+        if (is_cut_off[n] && overlap) zone[n] = nck_max(zone[n], (double)overlap->reach[1 - n]);
     }
     return (is_cut_off[0] || is_cut_off[1])
            && joint->length > NCK_ZONES_CUT * (zone[0] + zone[1]);
@@ -281,6 +292,19 @@ static void add_motion(nck_lookahead_t *self, uint32_t count, around_t ends[2],
     if (is_cut_off[1]) add_piece(self, joint, last, &beside[1], unlimited);
 }
 
+// Beside a stop where motions overlap each keeps to its share of the jerk.
+static void share_jerk(nck_lookahead_t *self, uint32_t count, around_t ends[2]) {
+    const nck_joint_t *const joint = nck_joint_at(self, count);
+    for (uint32_t n = 0; n < 2; n++) {
+        const nck_joint_overlap_t *const overlap = overlap_at(self, count + n);
+        if (!overlap) continue;
+        const double j = (double)overlap->share * joint->j_straight;
+        for (int k = 0; k < NCK_PACES; k++) {
+            ends[n].near[k].j = nck_min(ends[n].near[k].j, j);
+        }
+    }
+}
+
 // What reaches into the oldest joint from before and, beside the shares, from behind. NCK_EMPTY if
 // it is not known yet.
 static nck_status_t look_around(nck_lookahead_t *self, uint32_t count, around_t ends[2]) {
@@ -292,6 +316,7 @@ static nck_status_t look_around(nck_lookahead_t *self, uint32_t count, around_t 
         if (status != NCK_OK) return status;
         ends[0].near[k] = nck_near_before(self, count, k, beta);
     }
+    share_jerk(self, count, ends);
     return NCK_OK;
 }
 

@@ -87,12 +87,13 @@ uint32_t nck_overlap_withheld(const nck_link_t *link, const nck_pieces_t *pieces
 typedef struct corner {
     double distance; // that either may have to it at the same time [path mm]
     double time[2];  // how long they may overlap, by their cells [s]
-    double j[2];     // limits of jerk [path mm/s³]
+    const nck_node_t *piece[2]; // beside it
+    double j[2];     // limits of jerk there [path mm/s³]
     int shares;      // 1: an axis moves in both
 } corner_t;
 
-// The end of the plan of now: as far from its rest as it slows down, and as its acceleration only
-// grows in time, if that adds to another one.
+// The end of the plan of now: as far from its rest as it slows down. Where an axis moves in both, as
+// its acceleration only grows in time, and in the piece beside the corner, which leaves some jerk.
 static stretch_t look_back(const nck_link_t *link, const nck_plan_t *now, double period,
                            corner_t *corner) {
     stretch_t stretch = {corner->distance, 0.0, 0.0};
@@ -102,7 +103,7 @@ static stretch_t look_back(const nck_link_t *link, const nck_plan_t *now, double
     for (uint32_t i = 0; i < now->withheld; i++) {
         const nck_cell_t *const cell = cell_at(link, now, now->n - 1 - i);
         if (!(cell->a < 0.0) || cell->span != 0) break;
-        if (corner->shares && behind - cell->a < least) break;
+        if (corner->shares && (behind - cell->a < least || cell->s < corner->piece[0]->s)) break;
         extend(&stretch, cell, speed_behind(cell), -cell->a);
         corner->time[0] += cell->duration;
         behind = cell->a;
@@ -119,13 +120,15 @@ static stretch_t look_ahead(const nck_link_t *link, const nck_plan_t *next, doub
     const uint32_t most = next->complete ? next->n : next->commit;
     const uint32_t seg = nck_link_built_cell(link, 0)->seg;
     const double filter = (double)NCK_FILTER_TAPS * period;
+    const double end = corner->piece[1]->s + corner->piece[1]->length;
     double before = 0.0;
     double time = 0.0;
     int goes_on = 1;
     for (uint32_t i = 0; i < most; i++) {
         const nck_cell_t *const cell = nck_link_built_cell(link, i);
-        const int falls = corner->shares && cell->a - before < least;
-        goes_on = goes_on && !falls && cell->a > 0.0 && cell->seg == seg && cell->span == 0;
+        const int is_other = cell->a - before < least || cell->s + cell->length > end;
+        goes_on = goes_on && cell->a > 0.0 && cell->seg == seg && cell->span == 0
+                  && !(corner->shares && is_other);
         time += cell->duration;
         if (goes_on) {
             extend(&stretch, cell, cell->v, cell->a);
@@ -180,7 +183,7 @@ double nck_overlap_join(const nck_machine_t *machine, const nck_link_t *link, do
     const nck_seg_t *const seg = nck_link_seg(link, before->seg);
     nck_path_tangent(seg, seg->length, in);
     nck_path_tangent(nck_link_seg(link, behind->seg), 0.0, out);
-    corner_t corner = {seg->overlap, {0.0, 0.0}, {before->j, behind->j},
+    corner_t corner = {seg->overlap, {0.0, 0.0}, {before, behind}, {before->j, behind->j},
                        nck_overlap_shares(NCK_AXIS_MAX, in, out)};
     const double *const j = corner.j;
     if (nck_overlap_jerk(machine, NCK_AXIS_MAX, in, out, j) > 1.0 + JERK_EPSILON) return 0.0;
