@@ -1,12 +1,28 @@
 // SPDX-License-Identifier: MIT
 // Two motions that overlap at a corner: the end of one, from rest backward, and the begin of the
-// next. Both are straight there, and the place is their sum.
+// next. Both are all but straight there, and the place is their sum.
 #ifndef NCK_BASE_OVERLAP_MATH_H
 #define NCK_BASE_OVERLAP_MATH_H
 
 #include "nck/base/machine.h"   // nck_machine_t
 #include "nck/base/real.h"      // nck_fabs nck_min
+#include "nck/base/records.h"   // NCK_SEG_LINE
 #include "nck/base/root_math.h" // nck_root_cube
+
+// Where they overlap a spline's tangent differs from that at the corner by so much at most.
+#define NCK_OVERLAP_TURN 0.015
+
+// The two motions.
+typedef struct nck_overlap {
+    const double *in, *out; // dp/ds at the corner, before and behind it
+    double j[2];            // along either path [path mm/s³]
+    double turn[2];         // by how much either dp/ds may differ near to it
+} nck_overlap_t;
+
+// By how much a motion along a seg of this kind may turn there. Cost: constant.
+static inline double nck_overlap_turn(uint8_t kind) {
+    return kind == NCK_SEG_LINE ? 0.0 : NCK_OVERLAP_TURN;
+}
 
 // While the first motion has the distance δ left to go and the second has come as far, the path is
 //        δ·|out − in|
@@ -19,43 +35,55 @@ static inline double nck_overlap_distance(double tolerance, double turn) {
 // How long either motion takes for the distance d next to the corner: d = j·t³/6.
 static inline double nck_overlap_time(double d, double j) { return nck_root_cube(6.0 * d / j); }
 
+// What both do on an axis: its share of their jerk, as large as it may be near to the corner.
+// Returns > 0 if they move it the same way, or may, < 0 if opposite ways, 0 if one does not move it.
+static inline double nck_overlap_axis(const nck_overlap_t *self, int x, double part_out[2]) {
+    const double sign = self->in[x] * self->out[x];
+    const int turns = (self->turn[0] > 0.0 && nck_fabs(self->in[x]) <= self->turn[0])
+                      || (self->turn[1] > 0.0 && nck_fabs(self->out[x]) <= self->turn[1]);
+    part_out[0] = (nck_fabs(self->in[x]) + self->turn[0]) * self->j[0];
+    part_out[1] = (nck_fabs(self->out[x]) + self->turn[1]) * self->j[1];
+    return turns ? 1.0 : sign;
+}
+
 // Both motions have their jerk to the same side in time: the deceleration of the one goes, the
 // acceleration of the other comes. On an axis that both move along the same way it adds up; where
 // they move opposite ways only the larger counts. Returns the sum's largest share of an axis' jerk.
-// j: along either path [path mm/s³]. Cost: linear in the axes.
-static inline double nck_overlap_jerk(const nck_machine_t *machine, int axes, const double *in,
-                                      const double *out, const double j[2]) {
+// Cost: linear in the axes.
+static inline double nck_overlap_jerk(const nck_machine_t *machine, int axes,
+                                      const nck_overlap_t *self) {
     double most = 0.0;
     for (int x = 0; x < axes; x++) {
-        const double first = in[x] * j[0];
-        const double second = out[x] * j[1];
-        const double sum = first * second > 0.0
-                               ? nck_fabs(first) + nck_fabs(second)
-                               : nck_max(nck_fabs(first), nck_fabs(second));
-        if (sum > 0.0) most = nck_max(most, sum / machine->axis[x].j_max);
+        double part[2];
+        if (!machine->axis[x].present) continue;
+        const int adds = nck_overlap_axis(self, x, part) > 0.0;
+        const double sum = adds ? part[0] + part[1] : nck_max(part[0], part[1]);
+        most = nck_max(most, sum / machine->axis[x].j_max);
     }
     return most;
 }
 
 // 1 if an axis moves in both. Cost: linear in the axes.
-static inline int nck_overlap_shares(int axes, const double *in, const double *out) {
+static inline int nck_overlap_shares(const nck_machine_t *machine, int axes,
+                                     const nck_overlap_t *self) {
     for (int x = 0; x < axes; x++) {
-        if (in[x] * out[x] != 0.0) return 1;
+        double part[2];
+        if (machine->axis[x].present && nck_overlap_axis(self, x, part) != 0.0) return 1;
     }
     return 0;
 }
 
 // Where they move opposite ways their accelerations add up, to no more than t·j at any time. Returns
 // how long the motions may overlap by that [s]. Cost: linear in the axes.
-static inline double nck_overlap_most(const nck_machine_t *machine, int axes, const double *in,
-                                      const double *out, const double j[2]) {
+static inline double nck_overlap_most(const nck_machine_t *machine, int axes,
+                                      const nck_overlap_t *self) {
     double most = 1e9;
     for (int x = 0; x < axes; x++) {
-        const double first = in[x] * j[0];
-        const double second = out[x] * j[1];
-        if (!(first * second < 0.0)) continue;
-        const double larger = nck_max(nck_fabs(first), nck_fabs(second));
-        most = nck_min(most, machine->axis[x].a_max / larger);
+        double part[2];
+        if (!machine->axis[x].present) continue;
+        const double sign = nck_overlap_axis(self, x, part);
+        if (sign == 0.0 || (sign > 0.0 && !(self->turn[0] + self->turn[1] > 0.0))) continue;
+        most = nck_min(most, machine->axis[x].a_max / nck_max(part[0], part[1]));
     }
     return most;
 }

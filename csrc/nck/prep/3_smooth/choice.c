@@ -208,18 +208,19 @@ static double side_time(const corner_t *corner, const shape_limit_t *limit, int 
 // keeps to a share κ of its jerk then, which costs it (1 − κ) of the time that both overlap.
 static double overlap_of(const corner_t *corner, double *distance_out) {
     const nck_terms_t *const terms = corner->terms;
-    const double j[2] = {corner->ramp[0].j, corner->ramp[1].j};
+    const nck_overlap_t motions = {corner->in, corner->out,
+                                   {corner->ramp[0].j, corner->ramp[1].j}, {0.0, 0.0}};
+    const double *const j = motions.j;
     *distance_out = 0.0;
     if (!terms->overlaps || !corner->are_lines || !(corner->turn > 0.0)) return 0.0;
     const nck_machine_t *const machine = terms->machine;
     const int axes = terms->axes;
-    const double share = nck_min(
-        1.0, 1.0 / nck_overlap_jerk(machine, axes, corner->in, corner->out, j));
+    const double share = nck_min(1.0, 1.0 / nck_overlap_jerk(machine, axes, &motions));
     if (share < SHARE_LEAST) return 0.0;
     const double d = nck_overlap_distance(corner->tolerance, corner->turn);
     if (SPREAD * d > nck_min(corner->half[0], corner->half[1])) return 0.0;
     const double time = nck_overlap_time(d, share * j[0]) + nck_overlap_time(d, share * j[1]);
-    const double most = nck_overlap_most(machine, axes, corner->in, corner->out, j);
+    const double most = nck_overlap_most(machine, axes, &motions);
     *distance_out = d;
     return nck_min(time, most) * (1.0 - 2.0 * (1.0 - share));
 }

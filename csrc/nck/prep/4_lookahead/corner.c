@@ -56,11 +56,12 @@ static double load_of(const double *tangent_in, const double *tangent_out,
 // one is at rest when it has κ·j·t³/6 to go, where t is how long both overlap.
 static void overlap(nck_joint_t *in, const nck_joint_t *out, const double *tangent_in,
                     const double *tangent_out, const nck_terms_t *terms) {
-    nck_joint_overlap_t *const overlap = &in->shape.arc.overlap;
-    if (out->kind != NCK_SEG_LINE) return;
-    const double j[2] = {in->j_straight, out->j_straight};
-    const double most =
-        nck_overlap_jerk(terms->machine, terms->axes, tangent_in, tangent_out, j);
+    nck_joint_overlap_t *const overlap = &in->overlap;
+    const nck_overlap_t motions = {tangent_in, tangent_out,
+                                   {in->j_straight, out->j_straight},
+                                   {nck_overlap_turn(in->kind), nck_overlap_turn(out->kind)}};
+    const double *const j = motions.j;
+    const double most = nck_overlap_jerk(terms->machine, terms->axes, &motions);
     if (!(most > 1.0)) return;
     const double d = (double)overlap->distance;
     const double share = OVERLAP_SHARE / most;
@@ -74,9 +75,7 @@ static void overlap(nck_joint_t *in, const nck_joint_t *out, const double *tange
 void nck_corner_meet(nck_joint_t *in, nck_joint_t *out, const double *tangent_in,
                      const double *tangent_out, const nck_terms_t *terms) {
     if (out->kind >= NCK_SEG_DWELL) in->end |= NCK_JOINT_STOP;
-    if (in->kind == NCK_SEG_LINE && in->shape.arc.overlap.distance > 0.0f) {
-        overlap(in, out, tangent_in, tangent_out, terms);
-    }
+    if (in->overlap.distance > 0.0f) overlap(in, out, tangent_in, tangent_out, terms);
     if ((in->end & NCK_JOINT_STOP) || in->kind >= NCK_SEG_DWELL) return;
     const double load = load_of(tangent_in, tangent_out, terms);
     const double v = nck_min(in->v_free, out->v_free);

@@ -142,8 +142,7 @@ const double *nck_joint_tangents(const nck_seg_t *seg, int axes, double *start_o
     return end_out;
 }
 
-static const nck_joint_arc_t no_arc = {NCK_UNLIMITED, NCK_UNLIMITED, 0.0, 0.0,
-                                       {0.0f, 1.0f, {0.0f, 0.0f}}};
+static const nck_joint_arc_t no_arc = {NCK_UNLIMITED, NCK_UNLIMITED, 0.0, 0.0};
 
 // 1 if X Y Z U V or W moves.
 static int moves_linear(const nck_seg_t *seg) {
@@ -169,12 +168,13 @@ static inline void begin(nck_joint_t *joint, const nck_seg_t *seg) {
     joint->v_max = NCK_UNLIMITED;
     joint->v_free = NCK_UNLIMITED;
     joint->load = 0.0;
+    joint->overlap.distance = (float)seg->overlap;
+    joint->overlap.share = 1.0f;
     for (int k = 0; k < NCK_PACES; k++) {
         joint->pace[k].v_corner = NCK_UNLIMITED;
         joint->pace[k].share = 0.0;
     }
     if (seg->kind <= NCK_SEG_ARC) joint->shape.arc = no_arc;
-    if (seg->kind == NCK_SEG_LINE) joint->shape.arc.overlap.distance = (float)seg->overlap;
 }
 
 // A rest has no cap of its own.

@@ -41,8 +41,8 @@ typedef enum nck_joint_end {
     NCK_JOINT_LAST = 2  // its seg ends there
 } nck_joint_end_t;
 
-// Where the path stops behind a line, within a tolerance, and the next motion, along a line too, may
-// begin before: near to the corner both leave the axes that they share some jerk for the other one.
+// Where the path stops within a tolerance, and the next motion may begin before: near to the corner
+// both leave some jerk of the axes that they share for the other one.
 typedef struct nck_joint_overlap {
     float distance;       // nck_seg_t.overlap; 0: none
     float share;          // of the jerk, that either motion keeps to
@@ -55,7 +55,6 @@ typedef struct nck_joint_arc {
     double a_plane;       // their smaller limit [mm/s²]
     double cos_lambda;    // in-plane share of the path speed
     double kappa;         // in-plane acceleration = v²·kappa [1/mm]
-    nck_joint_overlap_t overlap; // line: at its end
 } nck_joint_arc_t;
 
 // Where a part of a spline begins, and bounds on its derivatives, by axis.
@@ -91,6 +90,7 @@ typedef struct nck_joint {
     double a_most;        // largest tangential acceleration anywhere on the seg [path mm/s²]
     double load;          // d of the junction at the end [s²/mm]; 0 at a stop
     nck_pace_t pace[NCK_PACES];
+    nck_joint_overlap_t overlap; // at the end
     nck_joint_shape_t shape; // by kind
 } nck_joint_t;
 

@@ -182,9 +182,8 @@ static double speed_between(nck_lookahead_t *self, uint32_t count) {
 static const nck_joint_overlap_t *overlap_at(nck_lookahead_t *self, uint32_t node) {
     if (node == 0) return (const nck_joint_overlap_t *)0;
     const nck_joint_t *const joint = nck_joint_at(self, node - 1);
-    const nck_joint_overlap_t *const overlap = &joint->shape.arc.overlap;
-    const int is_one = joint->kind == NCK_SEG_LINE && overlap->share < 1.0f;
-    return is_one ? overlap : (const nck_joint_overlap_t *)0;
+    const int shares = (joint->end & NCK_JOINT_STOP) && joint->overlap.share < 1.0f;
+    return shares ? &joint->overlap : (const nck_joint_overlap_t *)0;
 }
 
 // Under a jerk limit: how far a zone reaches into a seg from its node, between the segs node − 1

@@ -10,6 +10,9 @@
 enum { WITHHELD_MOST = NCK_CELL_MAX / 2 };
 // They last so many times what the end takes that is left at the distance in question.
 #define WITHHELD_TIMES 2.5
+// Under one jerk the other motion is at rest when one has so many times the distance to go, or has
+// come so far; and some for the steps of a plan.
+#define REACH 9.0
 // Shorter overlaps are none, in periods.
 #define LEAST_PERIODS 1.0
 
@@ -34,7 +37,6 @@ static double distance_of(const nck_link_t *link, const nck_pieces_t *pieces,
                           const nck_plan_t *plan) {
     const nck_node_t *const piece = piece_before_rest(pieces, plan);
     if (!plan->complete || plan->held || !piece || !piece->stop || !piece->last) return 0.0;
-    if (piece->kind != NCK_SEG_LINE) return 0.0;
     return nck_link_seg(link, piece->seg)->overlap;
 }
 
@@ -173,21 +175,47 @@ static double time_of(const nck_link_t *link, const nck_machine_t *machine, cons
     return nck_min(most, end.time + begin.time);
 }
 
+// How much a spline's tangent turns within the distance at one of its ends: no more than p″, which is
+// linear, at either end of that.
+static double turn_near(const nck_seg_t *seg, double end, double other) {
+    double second[2][NCK_AXIS_MAX];
+    double square[2] = {0.0, 0.0};
+    if (seg->kind == NCK_SEG_LINE) return 0.0;
+    nck_path_second(seg, end, second[0]);
+    nck_path_second(seg, other, second[1]);
+    for (int x = 0; x < NCK_AXIS_MAX; x++) {
+        square[0] += second[0][x] * second[0][x];
+        square[1] += second[1][x] * second[1][x];
+    }
+    return nck_sqrt(nck_max(square[0], square[1])) * nck_fabs(end - other);
+}
+
+// Both motions are straight enough, as far as they may reach: eight times the distance.
+static int are_straight(const nck_seg_t *in, const nck_seg_t *out) {
+    const double reach = REACH * in->overlap;
+    return in->kind != NCK_SEG_ARC && out->kind != NCK_SEG_ARC && out->kind < NCK_SEG_DWELL
+           && turn_near(in, in->length, nck_max(0.0, in->length - reach)) <= NCK_OVERLAP_TURN
+           && turn_near(out, 0.0, nck_min(out->length, reach)) <= NCK_OVERLAP_TURN;
+}
+
 double nck_overlap_join(const nck_machine_t *machine, const nck_link_t *link, double step_s,
                         const nck_pieces_t *pieces, const nck_plan_t *now, nck_plan_t *next) {
     const nck_node_t *const before = piece_before_rest(pieces, now);
     const nck_node_t *const behind = nck_plan_piece(pieces, next->piece);
-    if (!before || !behind || behind->kind != NCK_SEG_LINE || next->held) return 0.0;
+    if (!before || !behind || next->held) return 0.0;
     double in[NCK_AXIS_MAX];
     double out[NCK_AXIS_MAX];
     const nck_seg_t *const seg = nck_link_seg(link, before->seg);
+    const nck_seg_t *const following = nck_link_seg(link, behind->seg);
+    if (!are_straight(seg, following)) return 0.0;
     nck_path_tangent(seg, seg->length, in);
-    nck_path_tangent(nck_link_seg(link, behind->seg), 0.0, out);
+    nck_path_tangent(following, 0.0, out);
+    const nck_overlap_t motions = {in, out, {before->j, behind->j},
+                                   {nck_overlap_turn(seg->kind), nck_overlap_turn(following->kind)}};
+    if (nck_overlap_jerk(machine, NCK_AXIS_MAX, &motions) > 1.0 + JERK_EPSILON) return 0.0;
     corner_t corner = {seg->overlap, {0.0, 0.0}, {before, behind}, {before->j, behind->j},
-                       nck_overlap_shares(NCK_AXIS_MAX, in, out)};
-    const double *const j = corner.j;
-    if (nck_overlap_jerk(machine, NCK_AXIS_MAX, in, out, j) > 1.0 + JERK_EPSILON) return 0.0;
-    const double most = nck_overlap_most(machine, NCK_AXIS_MAX, in, out, j) - step_s;
+                       nck_overlap_shares(machine, NCK_AXIS_MAX, &motions)};
+    const double most = nck_overlap_most(machine, NCK_AXIS_MAX, &motions) - step_s;
     const double time = nck_min(most, time_of(link, machine, now, next, &corner));
     if (!(time >= LEAST_PERIODS * machine->period_s)) return 0.0;
     next->beside = cells_beside(link, next, time + (double)NCK_FILTER_TAPS * machine->period_s);
