@@ -369,7 +369,7 @@ static void tell_move(planner_t *self, const nck_pose_t *pose, int single) {
     else if (single && self->moved && !self->paused && pose->state == NCK_TICK_HOLD) {
         told->between = 1; // until it moves again
     }
-    self->at = pose->s_program + self->skipped;
+    self->at = pose->s + self->skipped;
     told->to_go = fmax(0.0, move->way - self->at);
     for (int k = 0; k < MOVES_AXES; k++) told->dtg[k] = move->end[k] - told->place[k];
     if (self->state == PLANNER_READY) self->passed = move->count - 1;

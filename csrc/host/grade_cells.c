@@ -174,7 +174,7 @@ void nck_host_grade_totals(const nck_host_grades_t *self, nck_host_totals_t *tot
         const double extra_s = nck_host_totals_add(totals_out, &since_stop_s, &cell, seg->rapid,
                                                    self->machine->period_s, 0);
         totals_out->limit_s[cell.limit] += cell.duration + extra_s;
-        totals_out->length_mm = seg->s_program + seg->program;
+        totals_out->length_mm = seg->s_begin + seg->length;
     }
 }
 

@@ -73,7 +73,7 @@ nck_status_t nck_host_path_error_add(nck_host_path_error_t *self, const nck_pose
     while (k < count && status == NCK_OK) {
         const nck_pose_t *const pose = &poses[k];
         const int counts = pose->line > 0 && pose->kind < NCK_SEG_THREAD;
-        if (counts) status = go_to(self, pose->s_program);
+        if (counts) status = go_to(self, pose->s);
         if (counts && status == NCK_OK && self->end > self->first) {
             self->largest = nck_max(self->largest, nearest(self, pose->axis));
         }

@@ -43,7 +43,7 @@ static uint64_t seg_at(const nck_host_path_miss_t *self, double s, int before) {
     uint64_t high = self->seg_end;
     while (high - low > 1u) {
         const uint64_t middle = low + (high - low) / 2u;
-        const double begin = seg_of(self, middle)->s_program;
+        const double begin = seg_of(self, middle)->s_begin;
         if (begin < s || (!before && begin <= s)) {
             low = middle;
         } else {
@@ -51,12 +51,6 @@ static uint64_t seg_at(const nck_host_path_miss_t *self, double s, int before) {
         }
     }
     return low;
-}
-
-// 1 if a seg goes on with the blend that the one before it has begun.
-static int goes_on(const nck_host_path_miss_t *self, uint64_t number) {
-    return number > self->seg_first && number < self->seg_end && seg_of(self, number)->blend
-           && seg_of(self, number - 1u)->blend;
 }
 
 // 1 if a mark that far from the path is the worst so far.
@@ -72,9 +66,7 @@ static double nearest(const nck_host_path_miss_t *self, const nck_host_mark_t *m
     uint64_t last = seg_at(self, mark->high, 1);
     double best = nck_host_seg_distance(seg_of(self, own), mark->point, most);
     best = nck_min(best, most);
-    while (goes_on(self, first)) first--;
     if (last < first) last = first;
-    while (goes_on(self, last + 1u)) last++;
     for (uint64_t k = first; k <= last && is_worse(self, mark, best); k++) {
         best = nck_min(best, nck_host_seg_distance(seg_of(self, k), mark->point, best));
     }
@@ -89,8 +81,8 @@ static void judge(nck_host_path_miss_t *self) {
     if (self->seg_end == self->seg_first) return;
     const uint64_t own = seg_at(self, mark->s, 0);
     const nck_seg_t *const seg = seg_of(self, own);
-    const double done = mark->s - seg->s_program;
-    const double share = seg->program > 0.0 ? done / seg->program : 0.0;
+    const double done = mark->s - seg->s_begin;
+    const double share = seg->length > 0.0 ? done / seg->length : 0.0;
     nck_host_seg_point(seg, nck_min(1.0, nck_max(0.0, share)), point);
     const double most = nck_host_course_apart(point, mark->point);
     if (most <= ON_PATH_MM || !is_worse(self, mark, most)) return;
@@ -166,17 +158,14 @@ static double needed_from(const nck_host_path_miss_t *self) {
     return least;
 }
 
-// Drop the segs that no mark needs any more, but no part of a blend.
+// Drop the segs that no mark needs any more.
 static void drop_segs(nck_host_path_miss_t *self) {
-    const double needed = needed_from(self);
-    uint64_t first = seg_at(self, needed, 0);
-    while (goes_on(self, first)) first--;
-    self->seg_first = first;
+    self->seg_first = seg_at(self, needed_from(self), 0);
 }
 
 // A ring full of segs that are needed: judge what has half of it ahead, drop its oldest quarter.
 static void judge_early(nck_host_path_miss_t *self) {
-    const double middle = seg_of(self, self->seg_first + self->seg_max / 2u)->s_program;
+    const double middle = seg_of(self, self->seg_first + self->seg_max / 2u)->s_begin;
     while (self->mark_end > self->mark_first && mark_of(self, self->mark_first)->s <= middle) {
         judge(self);
     }
@@ -201,13 +190,12 @@ nck_status_t nck_host_path_miss_add(nck_host_path_miss_t *self, const nck_seg_t 
     while (k < count && status == NCK_OK) {
         const nck_seg_t *const seg = &segs[k];
         const int moves = seg->length > 0.0;
-        if (moves) status = reach(self, seg->s_program);
+        if (moves) status = reach(self, seg->s_begin);
         if (status == NCK_OK) k++;
         if (!moves || status != NCK_OK) continue;
         keep_seg(self, seg);
-        // The last blend is judged when it is there to its end.
-        while (!seg->blend && self->mark_end > self->mark_first
-               && mark_of(self, self->mark_first)->judged < seg->s_program) {
+        while (self->mark_end > self->mark_first
+               && mark_of(self, self->mark_first)->judged < seg->s_begin) {
             judge(self);
         }
     }
@@ -218,7 +206,7 @@ nck_status_t nck_host_path_miss_add(nck_host_path_miss_t *self, const nck_seg_t 
 nck_status_t nck_host_path_miss_end(nck_host_path_miss_t *self) {
     if (self->seg_end == self->seg_first) return NCK_OK;
     const nck_seg_t *const last = seg_of(self, self->seg_end - 1u);
-    const double reached = last->s_program + last->program + ON_PATH_MM;
+    const double reached = last->s_begin + last->length + ON_PATH_MM;
     const nck_status_t status = reach(self, reached);
     while (status == NCK_OK && self->mark_end > self->mark_first
            && mark_of(self, self->mark_first)->s < reached) {

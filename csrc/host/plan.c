@@ -8,7 +8,7 @@
 static void keep_seg(void *user, const nck_seg_t *seg) {
     nck_host_plan_t *const plan = user;
     plan->totals.segs++;
-    plan->totals.length_mm = seg->s_program + seg->program;
+    plan->totals.length_mm = seg->s_begin + seg->length;
     nck_host_why_row(nck_host_why_at(&plan->why, seg->seq), plan->tangent, seg, &plan->terms);
     if (plan->segs) plan->segs[plan->seg_count++] = *seg;
 }

@@ -204,7 +204,7 @@ def _corners_s(points, segs, s, t):
     """Return when the path stands for each of the program's points."""
     programmed = np.append(0.0, np.cumsum(np.linalg.norm(np.diff(points, axis=0), axis=1)))
     ends = np.append(0.0, segs["s_begin"] + segs["length"])
-    told = np.append(0.0, segs["s_program"] + segs["program"])
+    told = np.append(0.0, segs["s_begin"] + segs["length"])
     there = np.interp(programmed * told[-1] / programmed[-1], told, ends)
     found = np.interp(there, s + 1e-12 * np.arange(len(s)), t)
     found[[0, -1]] = t[[0, -1]]

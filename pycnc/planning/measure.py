@@ -86,7 +86,7 @@ class Ticks:
         pose = rows["pose"]
         self.count += len(rows)
         if len(rows):
-            self.length_mm = float(pose["s_program"][-1])
+            self.length_mm = float(pose["s"][-1])
         moves = pose["state"] != _TICK_STATES.IDLE
         codes, lines = pose["limit"][moves], pose["line"][moves].astype(np.int64)
         for code in np.unique(codes):

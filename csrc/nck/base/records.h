@@ -166,15 +166,12 @@ typedef struct nck_seg {
     uint8_t kind;        // nck_seg_kind_t
     uint8_t rapid;       // 1: G0
     uint8_t stop;        // 1: exact stop at the end
-    uint8_t blend;       // 1: of a sharp corner's own blend: its s runs on while the path turns
+    uint8_t reserved;    // 0
     double start[NCK_AXIS_MAX]; // pose at s = 0 [mm, deg]
     double end[NCK_AXIS_MAX];   // pose at s = length [mm, deg]
     double length;       // range of s [path mm]: path length (spline: that of the programmed path
-                         // it stands for, never less than its own; blend: what makes its
-                         // speed even); 0 for dwell and wait
+                         // it stands for, never less than its own); 0 for dwell and wait
     double s_begin;      // length of all segs before [path mm], for reports
-    double s_program;    // programmed path before [path mm], for reports
-    double program;      // programmed path that it stands for [path mm]; length but for a blend
     double overlap;      // where it stops: the next motion may begin when so much is left to go, and
                          // be as far by then, within the tolerance [path mm]; 0: behind the rest
     double feed;         // wanted path speed [path mm/s]; rapid: 0
@@ -263,7 +260,8 @@ typedef struct nck_pose {
     uint8_t limit;       // nck_limit_t
     uint8_t state;       // nck_tick_state_t
     double s;            // path coordinate from the program's start [path mm]
-    double s_program;    // programmed path so far [path mm]: less than s behind blends
+    double left;         // of the motion before, beside which this one has begun [path mm]: s tells
+                         // what is done of both; 0: none
     double v;            // path speed [path mm/s]
     double feed;         // commanded path speed [path mm/s]
     double feed_scale;   // as in the seg

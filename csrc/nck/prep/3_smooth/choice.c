@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
-// Inside room 3: is a corner faster as a bend of the spline, as a blend of its own, or as a stop?
+// Inside room 3: is a corner faster as a bend of the spline, or as a stop?
 //
 // Within the tolerance a spline takes a sharp corner at a speed that falls with the tolerance, and
-// the path slows down to it and speeds up again. A blend is passed at one speed, as wide as the
-// lines allow: slowing down is part of its shape. A stop spends no time in a bend, but some periods
-// at rest. Each is judged by its time over half of either block, the next corners being alike.
+// the path slows down to it and speeds up again. A stop spends no time in a bend; the motion behind
+// it begins before the one that leads to it has ended, as the tolerance lets them, or it costs some
+// periods at rest. Each is judged by its time over half of either block, the next corners being
+// alike.
 #include "nck/prep/3_smooth/choice.h"
 
 #include <string.h> // memcpy
@@ -15,16 +16,11 @@
 #include "nck/base/real.h"                 // nck_min nck_max
 #include "nck/base/scurve_math.h"          // nck_scurve_…
 #include "nck/base/root_math.h"            // nck_root_cube
-#include "nck/prep/3_smooth/blend_math.h"  // nck_blend_parking
 #include "nck/prep/3_smooth/spline_math.h" // nck_spline_…
 
 #define HALF 0.495           // of a block, for the corner at one of its ends
 #define TOLERANCE_SHARE 0.98 // of P: rounding of setpoints is the rest
-#define LEAST 1e-9           // [path mm]: a parking shorter than that is none
-#define REVERSAL 1e-6        // |in + out| up to which a corner is an exact reversal
 #define ZONES_CUT 1.3        // see SPLIT_ZONES of room 4
-// A blend is many pieces, which fill a window sooner: it has to be surely faster.
-#define BLEND_SHORT 1.015
 #define STANDSTILL 1e-3
 #define ALIKE 0.01           // of a bend's half-width: a shorter block is a part of the corner
 #define SHARE_LEAST 0.55      // of the jerk that motions keep to which overlap: half gains nothing
@@ -92,24 +88,6 @@ static shape_limit_t limit_plain(const nck_terms_t *terms, const nck_bend_t *ben
         if (!terms->limits_jerk) continue;
         limit.j = least_of(limit.j, NCK_BUDGET_TWIST_SHARE * machine->axis[x].j_max,
                            third * turn[x]);
-    }
-    return limit;
-}
-
-// A blend's d·p″ = hat(D − s)·u2 − hat(s)·u1 is largest where one of the hats is; d²p‴ is a sum of
-// ±u1 and ±u2, their difference only where they overlap by more than d. apart = D/d.
-static shape_limit_t limit_blend(const corner_t *corner, double apart) {
-    const nck_machine_t *const machine = corner->terms->machine;
-    const double overlap = nck_max(0.0, 1.0 - apart);
-    shape_limit_t limit = {NCK_UNLIMITED, NCK_UNLIMITED, sag_of(machine)};
-    for (int x = 0; x < corner->terms->axes; x++) {
-        const double a = NCK_BUDGET_CURVE_SHARE * machine->axis[x].a_max;
-        const double j = NCK_BUDGET_TWIST_SHARE * machine->axis[x].j_max;
-        const double in = corner->in[x];
-        const double out = corner->out[x];
-        limit.a = least_of(least_of(limit.a, a, in - overlap * out), a, out - overlap * in);
-        limit.j = least_of(least_of(least_of(limit.j, j, in), j, out), j, in + out);
-        if (overlap > 0.0) limit.j = least_of(limit.j, j, in - out);
     }
     return limit;
 }
@@ -259,13 +237,6 @@ static double plain_time(const corner_t *corner, const nck_bend_t *bend) {
     return side_time(corner, &limit, 0, v, bend->d) + side_time(corner, &limit, 1, v, bend->d);
 }
 
-static double blend_time(const corner_t *corner, const nck_blend_t *blend) {
-    const shape_limit_t limit = limit_blend(corner, blend->parking / blend->d);
-    const double v = reachable(corner, &limit, bend_speed(corner, &limit, blend->d), blend->d);
-    return BLEND_SHORT * (blend->parking / v + side_time(corner, &limit, 0, v, blend->d)
-                          + side_time(corner, &limit, 1, v, blend->d));
-}
-
 static double speed_of(const nck_smooth_t *self, const nck_seg_t *seg, const double *tangent) {
     double v = nck_min(self->terms->machine->path.feed_max, seg->rapid ? 1e9 : seg->feed);
     for (int x = 0; x < self->terms->axes; x++) {
@@ -275,18 +246,18 @@ static double speed_of(const nck_smooth_t *self, const nck_seg_t *seg, const dou
     return v;
 }
 
-// Length of the sum (sign 1) or the difference (sign −1) of both tangents as unit vectors: a merged
-// line's path coordinate may be longer than the line.
-static double unit_distance(const corner_t *corner, double sign) {
+// Length of the difference of both tangents as unit vectors: a merged line's path coordinate may be
+// longer than the line.
+static double turn_of(const corner_t *corner) {
     const int axes = corner->terms->axes;
     const double *const in = corner->in;
     const double *const out = corner->out;
     const double size_in = nck_spline_norm(in, axes);
     const double size_out = nck_spline_norm(out, axes);
-    double sum[NCK_AXIS_MAX];
+    double apart[NCK_AXIS_MAX];
     if (!(size_in > 0.0) || !(size_out > 0.0)) return 0.0;
-    for (int x = 0; x < axes; x++) sum[x] = out[x] / size_out + sign * in[x] / size_in;
-    return nck_spline_norm(sum, axes);
+    for (int x = 0; x < axes; x++) apart[x] = out[x] / size_out - in[x] / size_in;
+    return nck_spline_norm(apart, axes);
 }
 
 // Where the corner is and how sharp.
@@ -297,12 +268,12 @@ static void measure_turn(const nck_smooth_t *self, const nck_meet_t *meet, corne
     nck_path_tangent_part(&a->seg, a->seg.length, axes, corner->in);
     nck_path_tangent_part(&b->seg, 0.0, axes, corner->out);
     corner->terms = self->terms;
-    corner->turn = unit_distance(corner, -1.0);
+    corner->turn = turn_of(corner);
     corner->tolerance = TOLERANCE_SHARE * nck_min(a->tolerance, b->tolerance);
     memcpy(corner->length, meet->length, sizeof corner->length);
     memcpy(corner->rests, meet->rests, sizeof corner->rests);
     corner->are_lines = a->seg.kind == NCK_SEG_LINE && b->seg.kind == NCK_SEG_LINE;
-    corner->half[0] = nck_min(meet->length[0], HALF * (meet->length[0] + a->cut));
+    corner->half[0] = HALF * meet->length[0];
     corner->half[1] = HALF * meet->length[1];
 }
 
@@ -313,51 +284,6 @@ static void measure_ramps(const nck_smooth_t *self, const nck_meet_t *meet, corn
     corner->ramp[0] = limit_along(self->terms, corner->in, v_in);
     corner->ramp[1] = limit_along(self->terms, corner->out, v_out);
     corner->v_max = nck_min(v_in, v_out);
-}
-
-// The half-width of a blend as full speed needs it, and its parking. 0: none.
-static double width_of(const corner_t *corner, double room, double *parking) {
-    const double v = corner->v_max;
-    const shape_limit_t limit = limit_blend(corner, 1.0);
-    const double enough = nck_max(v * v / limit.a, nck_sqrt(v * v * v / limit.j));
-    const double half = nck_min(room, nck_min(corner->half[0], corner->half[1]));
-    const double d = nck_min(half, enough);
-    if (!(d > 0.0)) return 0.0;
-    *parking = nck_blend_parking(d, corner->tolerance, corner->turn);
-    return *parking > LEAST ? d : 0.0;
-}
-
-// A lone corner's spacing, and its bend.
-static double lone_spacing(const corner_t *corner) {
-    return nck_spline_vertex_spacing(corner->tolerance, corner->turn);
-}
-
-static void lone_bend(const corner_t *corner, nck_bend_t *bend) {
-    bend->d = lone_spacing(corner);
-    bend->lift = 0.0;
-    for (int x = 0; x < corner->terms->axes; x++) bend->turn[x] = corner->out[x] - corner->in[x];
-}
-
-int nck_choice_may_blend(const nck_smooth_t *self, const nck_meet_t *meet) {
-    corner_t corner;
-    measure_turn(self, meet, &corner);
-    return corner.turn > 0.0 && lone_spacing(&corner) < nck_min(corner.half[0], corner.half[1])
-           && unit_distance(&corner, 1.0) > REVERSAL;
-}
-
-int nck_choice_blend(const nck_smooth_t *self, const nck_meet_t *meet, double room,
-                     nck_blend_t *blend) {
-    corner_t corner;
-    nck_bend_t bend;
-    measure_turn(self, meet, &corner);
-    measure_ramps(self, meet, &corner);
-    lone_bend(&corner, &bend);
-    blend->d = width_of(&corner, room, &blend->parking);
-    if (!(blend->d > 0.0)) return 0;
-    nck_path_tangent(&meet->a->seg, meet->a->seg.length, blend->in);
-    nck_path_tangent(&meet->b->seg, 0.0, blend->out);
-    const double time = blend_time(&corner, blend);
-    return time < plain_time(&corner, &bend) && time < stop_time(&corner, 0.0);
 }
 
 int nck_choice_wide(const nck_smooth_t *self, const nck_meet_t *meet, const nck_bend_t *wide,

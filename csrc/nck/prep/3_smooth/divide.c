@@ -90,7 +90,6 @@ void nck_divide_next(nck_smooth_t *self, nck_seg_t *seg_out) {
     take_part(seg_out, from, to, self->terms->axes);
     if (to < seg->length) seg_out->stop = 0;
     if (to < seg->length) seg_out->overlap = 0.0;
-    if (seg->blend) seg_out->program = seg->program * (to - from) / seg->length;
     nck_path_part(seg, 0.5 * (from + to), NCK_AXIS_X + 1, middle);
     if (seg->spin.per_rev > 0.0) {
         seg_out->feed = seg->spin.per_rev * nck_spin_rpm(&seg->spin, middle[NCK_AXIS_X]);

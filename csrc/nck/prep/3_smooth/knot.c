@@ -35,7 +35,6 @@ typedef struct way {
     uint8_t sure;     // 1: no spacing so far may still grow
     uint8_t key;      // whose own knot the goal is: nck_key_t
     uint8_t straight; // 1: one line leads to the goal
-    uint8_t halves;   // 1: in two steps, so that the spline is straight again at its end
 } way_t;
 
 // 1 if the spline begins at t[4], at rest.
@@ -44,7 +43,6 @@ static int is_fresh(const nck_smooth_t *self) { return !(self->run.t[0] < self->
 // The end of the known path, in place of a corner.
 static nck_status_t look_at_end(nck_smooth_t *self, const nck_raw_t *raw, way_t *way) {
     const double end = raw->s + raw->seg.length;
-    way->halves = self->run.t[3] < raw->s && nck_raw_leads_into_blend(self);
     if (self->run.closed) {
         way->goal = end;
         way->half = 0.0;
@@ -179,7 +177,6 @@ static double gap_before(const way_t *way, double gap) {
 static double straight_gap(const nck_smooth_t *self, const way_t *way, double gap) {
     const gap_t *const behind = gap_of(self->run.past_key);
     const double past = behind ? self->run.t[4] - self->run.t[3] : 0.0;
-    if (way->halves) return 0.5 * gap;
     if (past > 0.0 && gap > behind->most * past) {
         const double rest = gap - behind->wide * past;
         return rest < GAP_LEAST * nck_max(past, way->half) ? 0.5 * gap : behind->wide * past;
@@ -199,16 +196,6 @@ static double wanted_step(const nck_smooth_t *self, const way_t *way) {
     const double next = way->key == NCK_KEY_STEP ? gap_before(way, gap) : gap;
     if (next <= way->step) return next;
     return nck_min(way->step, nck_max(0.5 * next, 0.5 * way->step));
-}
-
-// Behind a blend the path is on the move: there the first three control points must lie on its
-// line, and look no further, so that the spline begins without curvature.
-static double straight_step(nck_smooth_t *self) {
-    const double *const t = self->run.t;
-    const double straight = self->run.straight;
-    if (!(straight > 0.0) || t[3] > 0.0) return 2.0 * self->spacing_max;
-    if (t[4] > 0.0) return nck_max(0.0, straight - t[4]);
-    return self->run.closed && nck_raw_known(self) <= straight ? straight : 0.5 * straight;
 }
 
 // No knot beside the end of a block, nearer than rounding can tell.
@@ -279,7 +266,7 @@ static int begin_try(nck_smooth_t *self, double t) {
 static int begin_trial(nck_smooth_t *self, const way_t *way) {
     nck_trial_t *const trial = &self->run.trial;
     const double here = self->run.t[4];
-    trial->step = nck_min(wanted_step(self, way), straight_step(self));
+    trial->step = wanted_step(self, way);
     trial->n = 0;
     trial->was_rough = self->run.rough;
     trial->rough = nck_raw_at(self, nck_raw_find(self, here))->rough;
@@ -311,7 +298,7 @@ static int try_shorter(nck_smooth_t *self) {
 // Look for the way ahead. NCK_DONE: the knot needs no trial.
 static nck_status_t begin_choice(nck_smooth_t *self) {
     const double here = self->run.t[4];
-    way_t way = {0.0, 0.0, 0.0, 0.0, 0, NCK_KEY_NONE, 0, 0};
+    way_t way = {0.0, 0.0, 0.0, 0.0, 0, NCK_KEY_NONE, 0};
     // Outputs fill the ring behind its only seg: no more path comes before they are given.
     self->run.closed |= nck_raw_is_full(self) && self->raw.tail == nck_raw_last(self);
     if (here >= self->run.rest || (self->run.closed && here >= nck_raw_known(self))) {
@@ -370,7 +357,6 @@ static void begin_at(nck_smooth_t *self, double s, const double *point) {
 
 void nck_knot_begin(nck_smooth_t *self) {
     const nck_raw_t *const front = nck_raw_at(self, self->raw.tail);
-    self->run.straight = front->cut > 0.0 ? front->seg.length : 0.0;
     self->run.rough = 0;
     begin_at(self, 0.0, front->seg.start);
 }
@@ -382,7 +368,6 @@ void nck_knot_advance(nck_smooth_t *self) {
     self->run.chosen = 0;
     if (self->run.t[2] < self->run.rest) return;
     memcpy(here, self->run.position, sizeof here);
-    self->run.straight = 0.0;
     begin_at(self, self->run.rest, here);
 }
 

@@ -61,7 +61,7 @@ static void measure_ways(nck_smooth_t *self, uint32_t count, nck_meet_t *meet) {
     }
     const nck_raw_t *const first = nck_raw_at(self, at);
     meet->length[0] = meet->a->s + meet->a->seg.length - first->s;
-    meet->rests[0] = first->s <= AT_REST * meet->length[0] && !(first->cut > 0.0);
+    meet->rests[0] = first->s <= AT_REST * meet->length[0];
     at = nck_raw_next(self, count);
     other = nck_raw_next(self, at);
     for (int n = 0; n < WAYS && other != self->run.end && goes_on(self, at, other); n++) {

@@ -46,11 +46,6 @@ uint32_t nck_raw_last(nck_smooth_t *self) {
 
 double nck_raw_known(nck_smooth_t *self) { return raw_end(nck_raw_at(self, nck_raw_last(self))); }
 
-int nck_raw_leads_into_blend(nck_smooth_t *self) {
-    return self->run.closed && self->run.end != self->raw.head
-           && nck_raw_at(self, self->run.end)->seg.blend;
-}
-
 // The first of so many blocks from `low` on that ends at s or behind it, or the one behind them.
 static uint32_t search(nck_smooth_t *self, uint32_t low, uint32_t count, double s) {
     while (count > 0) {

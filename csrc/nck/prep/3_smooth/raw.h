@@ -33,9 +33,6 @@ uint32_t nck_raw_last(nck_smooth_t *self);
 // Where the known part of the run ends [path mm]. Cost: linear in outputs at its end.
 double nck_raw_known(nck_smooth_t *self);
 
-// 1 if the run is known to its end, and a blend follows. Cost: constant.
-int nck_raw_leads_into_blend(nck_smooth_t *self);
-
 // The point of the programmed path at s, of it the coordinates that may change; beyond what is
 // known, straight on along the tangent.
 // Cost: as nck_raw_find.

@@ -8,7 +8,6 @@
 
 #include "nck/base/path.h"                 // nck_path_…
 #include "nck/base/real.h"                 // nck_min nck_max
-#include "nck/prep/3_smooth/blend.h"       // nck_blend_corner
 #include "nck/prep/3_smooth/divide.h"      // nck_divide_…
 #include "nck/prep/3_smooth/knot.h"        // nck_knot_…
 #include "nck/prep/3_smooth/merge.h"       // nck_merge_…
@@ -204,7 +203,6 @@ static void take_raw(nck_smooth_t *self, const nck_block_t *block) {
         self->raw.head++;
         return;
     }
-    if (!is_between(nck_raw_at(self, self->raw.head))) (void)nck_blend_corner(self, 1);
     nck_raw_t *const raw = nck_raw_at(self, self->raw.head);
     raw->s = place_in_run(self);
     if (raw->smooth) {
@@ -244,10 +242,7 @@ nck_status_t nck_smooth_push(nck_smooth_t *self, const nck_block_t *block, uint3
 static void give_seg(nck_smooth_t *self, nck_seg_t *seg) {
     seg->seq = self->seq;
     seg->s_begin = self->s;
-    seg->s_program = self->s_program;
-    if (!seg->blend) seg->program = seg->length;
     self->s += seg->length;
-    self->s_program += seg->program;
     self->seq++;
 }
 
@@ -267,7 +262,6 @@ nck_status_t nck_smooth_pass(nck_smooth_t *self, const nck_block_t *block, uint3
 }
 
 void nck_smooth_end(nck_smooth_t *self) {
-    if (NCK_HAS_SMOOTH && !self->ended) (void)nck_blend_corner(self, 0);
     self->ended = 1;
     self->hungry = 0;
     extend_run(self);

@@ -43,7 +43,6 @@ typedef struct nck_raw {
     double tolerance;    // [mm] of the smoothed path; 0: exact
     double spacing;      // of knots, as its end allows [path mm]; 0: not known yet
     double inside;       // of knots, as its inside allows [path mm]
-    double cut;          // what the blend of the corner before it has taken of it [path mm]
     uint8_t has_seg;     // 1: it moves or rests
     uint8_t has_output;  // 1: it hands over something, and has not yet
     uint8_t smooth;      // 1: part of a run
@@ -83,7 +82,6 @@ typedef struct nck_smooth {
     int64_t position_nm[NCK_AXIS_MAX]; // end of the last block pushed [nm, ndeg]
     double position[NCK_AXIS_MAX];     // the same [mm, deg]
     double s;            // length of all segs pulled [path mm]
-    double s_program;    // programmed path that they stand for [path mm]
     double spacing_max;  // of knots [path mm]
     double travel[2][NCK_AXIS_MAX]; // of every axis, from … to [mm, deg]
     double tolerance;    // of the newest smoothed block [mm]; 0: none yet
@@ -124,7 +122,6 @@ typedef struct nck_smooth {
         uint8_t rough;   // 1: c[3] … c[5] are those of noise
         uint8_t corner;  // whether c[3] is that of a corner: nck_key_t
         uint32_t end;    // count of the block behind its last one
-        double straight; // of the line that it begins on behind a blend [path mm]; 0: at rest
         uint32_t kinks;  // places where it must rest to stay within the tolerance, in all runs
         uint32_t tries;  // knots that the last pull has begun to try
         nck_trial_t trial;

@@ -8,7 +8,6 @@
 #include "nck/base/budget.h"               // NCK_UNLIMITED
 #include "nck/base/path.h"                 // nck_path_second_part
 #include "nck/base/real.h"                 // nck_min nck_max
-#include "nck/prep/3_smooth/blend.h"       // NCK_BLEND_KEEP_OFF
 #include "nck/prep/3_smooth/meet.h"        // nck_meet_choose
 #include "nck/prep/3_smooth/raw.h"         // nck_raw_…
 #include "nck/prep/3_smooth/spline_math.h" // nck_spline_…
@@ -185,13 +184,6 @@ static nck_status_t room_beside(nck_smooth_t *self, uint32_t count, double *room
     }
     *room_out = nck_min(behind, before);
     return NCK_OK;
-}
-
-// 1 if the block behind this one is the run's last and leads into a blend: the spline must be
-// straight again there.
-static int ends_in_blend(nck_smooth_t *self, uint32_t count) {
-    const uint32_t last = nck_raw_next(self, count);
-    return nck_raw_next(self, last) == self->run.end && nck_raw_leads_into_blend(self);
 }
 
 // 1 if a corner turns as another one does: about as much, and the same way.
@@ -435,9 +427,6 @@ static nck_status_t find(nck_smooth_t *self, uint32_t count, vertex_t *corner_ou
         raw->inside = nck_spacing_inside(self, &raw->seg, raw->tolerance);
         const nck_status_t status = find_at_corner(self, count, corner_out, &spacing);
         if (status == NCK_EMPTY) return status;
-    }
-    if (ends_in_blend(self, count)) {
-        spacing = nck_min(spacing, next->seg.length / NCK_BLEND_KEEP_OFF);
     }
     raw->spacing = self->mixed ? keep_off(self, count, spacing) : spacing;
     return NCK_OK;

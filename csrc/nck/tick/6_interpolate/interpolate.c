@@ -98,7 +98,7 @@ static void place(nck_interpolate_t *self, const nck_seg_t *seg, double s, doubl
     pose->rapid = seg->rapid;
     pose->limit = self->cell.limit;
     pose->s = seg->s_begin + s;
-    pose->s_program = seg->s_program + (seg->blend ? s * (seg->program / seg->length) : s);
+    pose->left = 0.0;
     pose->v = v;
     pose->feed = seg->feed;
     pose->feed_scale = seg->feed_scale;
@@ -234,8 +234,8 @@ static void add_left(nck_interpolate_t *self, double s, double v) {
     nck_path_point(seg, s, at);
     for (int x = 0; x < NCK_AXIS_MAX; x++) pose->axis[x] += at[x] - last->end[x];
     pose->s -= left;
-    pose->s_program -= left;
     pose->v += v;
+    pose->left = left;
 }
 
 // What rides is one tick further on. Its mean rests when every tap is there.
@@ -299,7 +299,6 @@ static int stands_aside(nck_interpolate_t *self) {
     self->pose.line = 0;
     self->pose.block = 0;
     self->pose.s = 0.0;
-    self->pose.s_program = 0.0;
     settle_on_counts(self);
     self->from_tail = 0;
     self->rests = 1;
@@ -411,7 +410,7 @@ uint64_t nck_interpolate_rebase(double *t, double period) {
 int nck_interpolate_invariants(const nck_interpolate_t *self) {
     const nck_filter_t *const filter = &self->filter;
     const nck_pose_t *const pose = &self->pose;
-    double sum = pose->s + pose->s_program + pose->feed;
+    double sum = pose->s + pose->left + pose->feed;
     for (int x = 0; x < NCK_AXIS_MAX; x++) sum += pose->axis[x];
     return sum - sum == 0.0 && pose->v >= 0.0 && pose->state <= NCK_TICK_HOLD
            && filter->taps >= 1 && filter->taps <= NCK_FILTER_TAPS && filter->at < filter->taps
