@@ -149,7 +149,6 @@ class Checker:
         self._joints = np.repeat(start[self._limits.joint_axes][None], 3, axis=0)
         self._s, self._block, self._settled = np.zeros(3), np.zeros(3, np.intp), 0
         self._visits = Visits(self.path, self._poses[0]) if visits else None
-        self._programmed = 0.0
         self._exact = np.concatenate(
             [[0], np.cumsum((self.path.length > 0) & (self.path.tolerance == 0))]
         )
@@ -173,18 +172,17 @@ class Checker:
         self._hold(block < len(self.path.length), "a block that the program has not")
         self._hold(np.diff(block, prepend=self._block[-1]) >= 0, "back to an earlier block")
         self._axis_limits(poses, joints, block)
-        programmed = rows["pose"]["s_program"]
+        s = rows["pose"]["s"]
         way = np.linalg.norm(np.diff(np.concatenate([self._poses[-1:], poses]), axis=0), axis=1)
-        self._progress(rows["pose"]["s"], programmed, poses, way)
-        self._feed(programmed, way)
-        self._on_path(block, programmed, poses)
+        self._progress(s, poses, way)
+        self._feed(s, way)
+        self._on_path(block, s, poses)
         if self._visits:
-            self._visits.add(rows["pose"]["s"], programmed, poses)
+            self._visits.add(s, poses)
         self._stops(block, joints)
         self._poses = np.concatenate([self._poses, poses])[-3:]
         self._joints = np.concatenate([self._joints, joints])[-3:]
-        self._s = np.concatenate([self._s, rows["pose"]["s"]])[-3:]
-        self._programmed = programmed[-1]
+        self._s = np.concatenate([self._s, s])[-3:]
         self._block = np.concatenate([self._block, block])[-3:]
         self.ticks += len(rows)
 
@@ -197,7 +195,7 @@ class Checker:
             return
         end = self.path.end_nm[-1, self._limits.joint_axes]
         self._hold(np.array([(self._joints[-1] == end).all()]), f"end {end} is not reached")
-        left = self.path.begin[-1] - self._programmed
+        left = self.path.begin[-1] - self._s[-1]
         self._hold(np.array([abs(left) <= COORDINATE_MM]), f"{left} mm of path are left out")
         self._dwells()
 
@@ -264,7 +262,7 @@ class Checker:
         straight = ~self.path.is_arc[block] & (self.path.length[block] > 0)
         return smoothed | (straight & (age >= SETTLED))
 
-    def _progress(self, s, programmed, poses, way):
+    def _progress(self, s, poses, way):
         """Forward, within acceleration and jerk of the path, twice the jerk where two motions may
         overlap; and no pose goes further than its coordinate, by as much as a smoothed path may be
         longer."""
@@ -275,7 +273,7 @@ class Checker:
         rounding = 4 * ROUNDING * np.abs(poses).max() + 2 * noise
         longer = STRETCH if (self.path.tolerance > 0).any() else 1 + SHARE
         self._hold(way <= step * longer + rounding, "further than its path coordinate")
-        motions = 1 + self.path.overlaps(programmed, FILTER_PERIODS * step)
+        motions = 1 + self.path.overlaps(s, FILTER_PERIODS * step)
         bounds = (limits.path_a_max, limits.path_j_max * motions)
         for order, most in enumerate(bounds, 1):
             unit = period ** (order + 1)
@@ -289,7 +287,7 @@ class Checker:
     def _feed(self, s, way):
         """Neither the path nor the tool on it faster than the program says; at rest when the
         operator holds."""
-        step = np.diff(s, prepend=self._programmed)
+        step = np.diff(s, prepend=self._s[-1])
         ticks = np.arange(self.ticks + 1, self.ticks + len(s) + 1)
         feed, rapid = self._operator.overrides(ticks)
         for pair in set(zip(feed.tolist(), rapid.tolist(), strict=True)):
@@ -297,7 +295,7 @@ class Checker:
             if pair not in self._times:
                 self._times[pair] = self.path.least_times(*pair)
             times, begin = self._times[pair], self.path.begin
-            from_s = np.append(self._programmed, s[:-1])
+            from_s = np.append(self._s[-1], s[:-1])
             at = np.interp(from_s, begin, times) + self._limits.period_s
             most = np.interp(at, times, begin) - from_s
             tool = self.path.tool_speeds(from_s, s, pair[0]) * self._limits.period_s
@@ -365,5 +363,4 @@ class Checker:
         self._lines = np.zeros(3, np.int64)
         still = np.repeat(self._poses[-1:], 3, axis=0)
         self._axis_limits(still, np.repeat(self._joints[-1:], 3, axis=0), self._block[[-1] * 3])
-        programmed = np.full(3, self._programmed)
-        self._progress(np.repeat(self._s[-1:], 3), programmed, still, np.zeros(3))
+        self._progress(np.repeat(self._s[-1:], 3), still, np.zeros(3))

@@ -152,7 +152,7 @@ class SingleBlock:
         pose = rows["pose"]
         if not self._judged or not len(rows):
             return
-        s = pose["s_program"]
+        s = pose["s"]
         still = np.diff(s, prepend=-1.0 if self._before is None else self._before) == 0
         self._before = s[-1]
         at = np.unique(s[still & (pose["state"] == HOLD)], return_index=True)

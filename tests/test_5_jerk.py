@@ -292,7 +292,7 @@ def a_jolt_on_the_path(rows):
 
 
 def a_shorter_way_than_told(rows):
-    rows["pose"]["s_program"] *= 0.9999
+    rows["pose"]["s"] *= 0.9999
     return rows
 
 

@@ -38,7 +38,7 @@ def bump(s, middle, reach=15.0):
 
 def moved(rows, middle, away):
     """Move the run by away [mm] where its coordinate is the middle, and less about it."""
-    size = bump(rows["pose"]["s_program"], middle)
+    size = bump(rows["pose"]["s"], middle)
     rows["pose"]["axis"][:, :2] += np.outer(size, away)
     return rounded(rows)
 
@@ -57,7 +57,7 @@ def a_corner_left_outward(rows):
 
 def a_cut_tip(rows):
     """From one line of the spike to the other 7.5 mm before its tip: within P of both."""
-    ahead = rows["pose"]["s_program"] - 80
+    ahead = rows["pose"]["s"] - 80
     over = np.clip(ahead / 20, -1, 1)
     share = 0.5 + over * (15 - 10 * over**2 + 3 * over**4) / 16  # from line to line
     near = np.clip(ahead / 24, -1, 1) ** 2
@@ -149,8 +149,8 @@ def test_a_line_in_place_of_a_circle_misses_it():
     _, segs = segs_of("G61\nG1 X40 F1200\nX41\nX80\nM2\n")
     segs["end"][1], segs["start"][2] = segs["start"][1], segs["start"][1]
     lengths = program.moves.length() - 80
-    segs["program"][1] = lengths
-    segs["s_program"][2] += lengths - 1
+    segs["length"][1] = lengths
+    segs["s_begin"][2] += lengths - 1
     assert error_of(program, segs).largest_mm == pytest.approx(10, abs=1e-9)
 
 
@@ -161,8 +161,8 @@ def test_a_spline_that_cuts_a_corner_misses_its_vertex(pieces):
     segs["kind"][1] = 2
     segs["start"][2] = segs["end"][1] = [40, 3, 0, 0, 0, 0, 0, 0, 0]
     segs["shape"]["inner"][1] = [segs["start"][1], segs["end"][1]]  # a straight cut
-    segs["length"][1:] = segs["program"][1:] = [6, 37]
-    segs["s_program"][2] = 43
+    segs["length"][1:] = [6, 37]
+    segs["s_begin"][2] = 43
     error = error_of(program, *np.array_split(segs, pieces))
     assert error.largest_mm == pytest.approx(3 / np.sqrt(2), rel=1e-6)
     assert error.missed == pytest.approx(3 / np.sqrt(2), rel=1e-6)
@@ -172,7 +172,7 @@ def test_what_comes_by_later_is_not_near():
     """To and fro twice, the first time a part of the way only."""
     program, _ = segs_of("G64 P0.1\nG1 X10 F1200\nX0\nX10\nX0\nM2\n")
     _, segs = segs_of("G61\nG1 X5 F1200\nX0\nX10\nX0\nM2\n")
-    segs["program"], segs["s_program"] = 10, [0, 10, 20, 30]
+    segs["length"], segs["s_begin"] = 10, [0, 10, 20, 30]
     assert error_of(program, segs).largest_mm == pytest.approx(5)
 
 

@@ -219,7 +219,7 @@ def test_rows_stay_on_the_path_and_a_step_aside_is_found(trace):
 def _rows(trace):
     """Return the rows of a trace on the exact path as the controller gave them."""
     rows = np.zeros(len(trace), dtype("sim_row_t"))
-    for field, name in (("line", "line"), ("block", "block"), ("s", "s_mm"), ("s_program", "s_mm")):
+    for field, name in (("line", "line"), ("block", "block"), ("s", "s_mm")):
         rows["pose"][field] = trace[name]
     for k, letter in enumerate("xyz"):
         rows["pose"]["axis"][:, k] = trace[f"pos_{letter}_mm"]

@@ -4,9 +4,7 @@
 The other way round, how far the run is from the program, cannot see a tip that is cut off: the two
 lines of a spike are nearly one. So the corners of the program, and points on its arcs, are looked
 for on the run: where the run's coordinate of the program says, or half the way to the next such
-point before and behind it, so that the order of the points is kept. Where the path's coordinate
-runs on while the program's falls behind, in the blend of a corner, the latter is told evenly over
-the whole blend; there all of it is looked at.
+point before and behind it, so that the order of the points is kept.
 
 Between ticks the run is the cubic through the four setpoints about it. What that may miss, a bend
 shorter than a period, is a part of the second differences of the setpoints about, and is granted
@@ -17,7 +15,7 @@ pass more than one such point they tell nothing of either; none is judged then.
 import numpy as np
 
 ARC_STEP = np.pi / 12  # from one point of an arc to the next, at most
-BEHIND, ROUNDING_MM = 1e-3, 1e-9  # of two coordinates that go on alike
+ROUNDING_MM = 1e-9  # of two coordinates that go on alike
 PARTS = 16  # of a period, when the nearest place in it is looked for
 # Of the second difference: how far the cubic may be off. A corner at the share q of a period where
 # the speed turns by w is q (1 − q) |w| T off its chord, and the larger second difference about it
@@ -82,24 +80,19 @@ class Visits:
 
     def __init__(self, path, start):
         self._marks = Marks(path)
-        self._pieces = [(np.zeros(1), np.zeros(1, bool), start[None])]
-        self._before = 0.0, 0.0  # coordinates of the path and of the program
+        self._pieces = [(np.zeros(1), start[None])]
         self.largest = 0.0  # share of the tolerance
 
-    def add(self, path_s, s, poses):
-        """Take the next rows: coordinates of the path, of the program, and poses.
+    def add(self, s, poses):
+        """Take the next rows: path coordinates and poses.
 
         Copies: the rows of a run are filled again by its next piece.
         """
-        told = np.diff(path_s, prepend=self._before[0]), np.diff(s, prepend=self._before[1])
-        self._before = path_s[-1], s[-1]
-        is_behind = told[0] - told[1] > BEHIND * told[0] + ROUNDING_MM
-        self._pieces.append((s.copy(), is_behind, poses.copy()))
+        self._pieces.append((s.copy(), poses.copy()))
 
     def finish(self):
         """Return None, or (tick, line, words) of the first mark missed by the run so far."""
-        self._s, is_behind, self._poses = map(np.concatenate, zip(*self._pieces, strict=True))
-        self._blends(is_behind)
+        self._s, self._poses = map(np.concatenate, zip(*self._pieces, strict=True))
         marks = self._marks
         here = np.flatnonzero((marks.tolerance > 0) & (marks.high <= self._s[-1] + ROUNDING_MM))
         here = here[self._is_alone(here)]
@@ -111,13 +104,6 @@ class Visits:
         share = (apart - granted) / marks.tolerance[here]
         self.largest = float(share.max())
         return self._first_missed(here, share)
-
-    def _blends(self, is_behind):
-        """Find for every setpoint the first and the last of the blend that it is in, or itself."""
-        n = np.arange(len(is_behind))
-        self._first = np.maximum.accumulate(np.where(is_behind, 0, n))
-        behind = np.append(is_behind[1:], False)
-        self._last = np.minimum.accumulate(np.where(behind, n[-1], n)[::-1])[::-1]
 
     def _first_missed(self, marks, share):
         over = np.flatnonzero(share > 1 + 1e-6)
@@ -160,7 +146,7 @@ class Visits:
         """Return the same of the place that is nearest to one mark."""
         low = max(np.searchsorted(self._s, self._marks.low[mark], "left") - 1, 0)
         high = min(np.searchsorted(self._s, self._marks.high[mark], "right"), len(self._s) - 1)
-        k = np.arange(self._first[low], max(self._last[high], low + 1))
+        k = np.arange(low, max(high, low + 1))
         u = np.linspace(0, 1, PARTS + 1)
         six = self._around(k)
         weights = np.stack([u**0, u, u**2, u**3], axis=1) @ CUBIC

@@ -34,7 +34,8 @@ def limit_names(machine):
 
 
 class Peaks:
-    """Largest speed, acceleration and jerk of every axis and of the path, over their limits."""
+    """Largest speed, acceleration and jerk of every axis and of the path, over their limits; where
+    two motions overlap, of the path the mean of both."""
 
     def __init__(self, machine):
         self._machine, self._period = machine, machine.period_s
@@ -42,18 +43,23 @@ class Peaks:
         counts = counts_per_unit(machine.record["axis"]["rotary"])
         start = (machine.record["start_nm"] / counts)[self._axes]
         self._tail = np.tile(np.append(start, 0.0), (3, 1))  # at rest before the first tick
+        self._beside = np.zeros(3, bool)  # two motions overlap
         self._peaks = np.zeros((3, len(self._axes) + 1))  # v, a, j of the axes and of s
 
     def add(self, rows):
         """Measure the next rows of a run (dtype ``sim_row_t``)."""
         now = np.column_stack([rows["pose"]["axis"][:, self._axes], rows["pose"]["s"]])
         track = np.concatenate([self._tail, now])
+        beside = np.concatenate([self._beside, rows["pose"]["left"] > 0])
         step = track
         for order in range(3):
-            step = np.diff(step, axis=0)
+            step, beside = np.diff(step, axis=0), beside[1:] | beside[:-1]
             if len(step):
-                np.maximum(self._peaks[order], np.abs(step).max(axis=0), out=self._peaks[order])
+                size = np.abs(step)
+                size[beside, -1] /= 2  # s is the sum of two motions there
+                np.maximum(self._peaks[order], size.max(axis=0), out=self._peaks[order])
         self._tail = track[-3:]
+        self._beside = np.concatenate([self._beside, rows["pose"]["left"] > 0])[-3:]
 
     def result(self):
         """Return {"x": {"v", "a", "j"}, …, "path": {"a", "j"}}: 1 means at the limit."""
