@@ -86,7 +86,6 @@ static void begin_corner(nck_host_path_error_t *self, double s) {
     memcpy(corner->point, move->end, sizeof corner->point);
     corner->tolerance = nck_min(move->tolerance, next->tolerance);
     corner->apart = nck_host_course_apart(self->before, corner->point);
-    corner->on = 1;
 }
 
 // How far a point is from the chord between two others.
@@ -103,21 +102,34 @@ static double distance_of_chord(const double *a, const double *b, const double *
     return nck_host_course_apart(on, point);
 }
 
-// The next setpoint, and the corner that the run overlaps at.
+// The run comes to a setpoint.
+static void come_near(nck_host_path_error_t *self, const double *point) {
+    nck_host_corner_t *const corner = &self->corner;
+    const double apart = distance_of_chord(self->before, point, corner->point);
+    corner->apart = nck_min(corner->apart, apart);
+}
+
+static void end_corner(nck_host_path_error_t *self) {
+    const nck_host_corner_t *const corner = &self->corner;
+    self->largest = nck_max(self->largest, corner->apart);
+    if (!(corner->tolerance > 0.0)) return;
+    self->missed = nck_max(self->missed, corner->apart / corner->tolerance);
+}
+
+// The next setpoint, and the corner that the run overlaps at. Less and less is left of the first
+// motion; when it is more, it is another one.
 static void pass_corner(nck_host_path_error_t *self, const nck_pose_t *pose) {
     nck_host_corner_t *const corner = &self->corner;
-    if (pose->left > 0.0 && !corner->on) begin_corner(self, pose->s + pose->left);
-    if (corner->on) {
-        const double apart = distance_of_chord(self->before, pose->axis, corner->point);
-        corner->apart = nck_min(corner->apart, apart);
+    const int was_on = corner->left > 0.0;
+    const int begins = pose->left > corner->left;
+    if (was_on) come_near(self, pose->axis);
+    if (was_on && (begins || !(pose->left > 0.0))) end_corner(self);
+    if (begins) {
+        begin_corner(self, pose->s + pose->left);
+        come_near(self, pose->axis);
     }
+    corner->left = pose->left;
     memcpy(self->before, pose->axis, sizeof self->before);
-    if (!corner->on || pose->left > 0.0) return;
-    corner->on = 0;
-    self->largest = nck_max(self->largest, corner->apart);
-    if (corner->tolerance > 0.0) {
-        self->missed = nck_max(self->missed, corner->apart / corner->tolerance);
-    }
 }
 
 nck_status_t nck_host_path_error_add(nck_host_path_error_t *self, const nck_pose_t *poses,

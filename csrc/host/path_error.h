@@ -21,8 +21,7 @@ typedef struct nck_host_corner {
     double point[NCK_AXIS_MAX]; // [mm, deg]
     double tolerance;           // in force there [mm]
     double apart;               // the run's distance from it so far [path mm]
-    uint32_t on;                // 1: they overlap now
-    uint32_t reserved;
+    double left;                // of the first motion; 0: they do not overlap now [path mm]
 } nck_host_corner_t;
 
 // All of it. Rows belong to the caller.
