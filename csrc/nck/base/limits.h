@@ -124,6 +124,8 @@
 #define NCK_HAS_SMOOTH (NCK_SMOOTH_SPAN > 0)
 #define NCK_HAS_JERK (NCK_PROFILE > 0)
 #define NCK_HAS_SSHAPE (NCK_PROFILE > 0 && NCK_WINDOW >= 32)
+// Whether the stop at a sharp corner and the start behind it may overlap.
+#define NCK_HAS_OVERLAP (NCK_SMOOTH_SPAN > 0 && NCK_PROFILE > 0)
 
 // What holds the state of cycles, of layouts, of parameters and calls, of compensation, of
 // smoothing, of the jerk-limited and the S-shaped slope. Where they are left out it is only read,

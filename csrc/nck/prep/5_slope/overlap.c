@@ -3,8 +3,7 @@
 #include "nck/prep/5_slope/overlap.h"
 
 #include "nck/base/overlap_math.h" // nck_overlap_…
-#include "nck/base/path.h"         // nck_path_tangent
-
+#include "nck/base/path.h"         // nck_path_tangent nck_path_second
 
 // Cells of a plan that are withheld, at most: the ring has room for others, too.
 enum { WITHHELD_MOST = NCK_CELL_MAX / 2 };
@@ -15,7 +14,6 @@ enum { WITHHELD_MOST = NCK_CELL_MAX / 2 };
 #define REACH 9.0
 // Shorter overlaps are none, in periods.
 #define LEAST_PERIODS 1.0
-
 // Sums of jerk may pass an axis' limit by rounding.
 #define JERK_EPSILON 1e-9
 // A change of acceleration to the other side is rounding below this share of the jerk in a period.
@@ -74,7 +72,8 @@ uint32_t nck_overlap_withheld(const nck_link_t *link, const nck_pieces_t *pieces
     uint32_t count = 0;
     if (!(stretch.left > 0.0)) return 0;
     const uint32_t seg = cell_at(link, now, now->n - 1)->seg;
-    while (count < WITHHELD_MOST && count + 1 < now->n) {
+    const uint32_t least = now->beside > 0 ? now->beside : 1;
+    while (count < WITHHELD_MOST && count + least < now->n) {
         const nck_cell_t *const cell = cell_at(link, now, now->n - 1 - count);
         const int is_far = !(stretch.left > 0.0) && time > WITHHELD_TIMES * stretch.time;
         if (is_far || cell->seg != seg) break;

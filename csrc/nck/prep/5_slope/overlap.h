@@ -8,7 +8,8 @@
 #include "nck/prep/5_slope/plan.h" // nck_plan_t nck_pieces_t
 
 // How many of a plan's last cells wait for the plan behind its rest (nck_plan_t.withheld): all that
-// it may overlap; 0: it may not. The plan stands in the link's published tail.
+// it may overlap, none of those that are beside the plan before; 0: it may not. The plan stands in
+// the link's published tail.
 // Cost: linear in those cells. Context: prep.
 uint32_t nck_overlap_withheld(const nck_link_t *link, const nck_pieces_t *pieces,
                               const nck_plan_t *now);

@@ -49,6 +49,7 @@ void nck_slope_init(nck_slope_t *self, const nck_machine_t *machine, nck_link_t 
     switch (planner_of(machine)) {
     case NCK_SLOPE_JERK:
         self->cell_s = NCK_LADDER_STRETCH * nck_jerk_cell_s(machine);
+        self->overlaps = NCK_HAS_OVERLAP;
         nck_jerk_init(&self->planner.jerk, machine, link, &self->now, &self->next);
         break;
     case NCK_SLOPE_SSHAPE:
@@ -251,15 +252,10 @@ static void put_off(nck_slope_t *self, const nck_pieces_t *pieces) {
     if (self->phase == PHASE_IDLE) keep_plan(self, pieces, NCK_HELD_NOT);
 }
 
+// Nothing is drawn that would come in time: the plan behind a rest does not overlap then.
 static int is_late(nck_slope_t *self) {
-    const double least = LEAD_LEAST * self->machine->period_s;
-    return self->phase == PHASE_MAKE && nck_link_lead(self->link) < least;
-}
-
-// The tick is about to run out of cells, and the plan behind the rest is not drawn: no overlap.
-static int is_awaited(nck_slope_t *self) {
-    const double least = LEAD_LEAST * self->machine->period_s;
-    return self->phase != PHASE_INSTALL && nck_link_lead(self->link) < least;
+    return self->phase != PHASE_INSTALL
+           && nck_link_lead(self->link) < LEAD_LEAST * self->machine->period_s;
 }
 
 // The tick has run into the tail: the path comes to rest where the plan of now does.
@@ -295,14 +291,6 @@ static void give_up(nck_slope_t *self, const nck_pieces_t *pieces) {
     if (self->now.commit >= self->now.n) keep_plan(self, pieces, held);
 }
 
-// Its cells beside the one before are no more among those.
-static void withhold(nck_slope_t *self, const nck_pieces_t *pieces) {
-    nck_plan_t *const now = &self->now;
-    const uint32_t withheld = nck_overlap_withheld(self->link, pieces, now);
-    const uint32_t most = now->n - now->beside;
-    now->withheld = withheld < most ? withheld : most;
-}
-
 // Where the plan of now withholds cells for the next one: these, too. Where both do not overlap they
 // are not withheld any longer.
 static nck_status_t join(nck_slope_t *self, const nck_pieces_t *pieces, uint32_t most) {
@@ -318,7 +306,7 @@ static nck_status_t join(nck_slope_t *self, const nck_pieces_t *pieces, uint32_t
 
 static nck_status_t install(nck_slope_t *self, const nck_pieces_t *pieces) {
     int entered = 0;
-    const int joins = self->kind == NCK_JOB_START && self->now.withheld > 0;
+    const int joins = NCK_HAS_OVERLAP && self->kind == NCK_JOB_START && self->now.withheld > 0;
     const uint32_t most = self->next.complete ? self->next.n : self->next.commit;
     if (!joins && nck_link_end(self->link, &entered) != self->next.begin) return NCK_FULL;
     const nck_status_t status = joins ? join(self, pieces, most)
@@ -329,7 +317,7 @@ static nck_status_t install(nck_slope_t *self, const nck_pieces_t *pieces) {
     if (!on_the_way) self->resumes = self->wish.resumes;
     self->now = self->next;
     self->now.first_piece = self->next.piece;
-    if (planner_of(self->machine) == NCK_SLOPE_JERK) withhold(self, pieces);
+    if (self->overlaps) self->now.withheld = nck_overlap_withheld(self->link, pieces, &self->now);
     tell(self);
     self->in_tail = 0;
     self->anew = self->kind == NCK_JOB_BRAKE;
@@ -442,12 +430,10 @@ nck_status_t nck_slope_step(nck_slope_t *self, const nck_pieces_t *pieces, const
     const int same = !hear(self, pieces, wish);
     const uint32_t done = final_count(self);
     const uint32_t limit = final_limit(self);
-    if (done == limit && self->answer.pending && is_late(self)) {
-        put_off(self, pieces);
-        return NCK_OK;
-    }
-    if (done == limit && self->now.withheld > 0 && is_awaited(self)) {
+    const int answers = self->answer.pending && self->phase == PHASE_MAKE;
+    if (done == limit && (answers || self->now.withheld > 0) && is_late(self)) {
         self->now.withheld = 0;
+        if (answers) put_off(self, pieces);
         return NCK_OK;
     }
     if (done < limit && nck_link_advance(self->link, self->lead_s, limit - done) == NCK_OK) {

@@ -38,6 +38,7 @@ typedef struct nck_slope {
         uint32_t reserve;  // cells that are to pass until it takes over, at least
     } answer;
     uint32_t anew;         // 1: the next plan does not begin where the plan of now meant it to
+    uint32_t overlaps;     // 1: a plan may overlap the end of the one before
     uint32_t resumes;      // as counted when the plan of now was installed
     uint32_t taken;        // cells that the tick had taken when the plan in work was begun
     uint32_t spent;        // cells that it took while the last plan was made

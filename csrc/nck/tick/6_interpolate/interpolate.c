@@ -72,7 +72,7 @@ static inline int next_cell(nck_interpolate_t *self) {
     int from_tail = 0;
     if (nck_link_take(self->link, &self->cell, &from_tail) != NCK_OK) return 0;
     self->from_tail = (uint32_t)from_tail;
-    if (self->cell.stop & NCK_STOP_RIDES) {
+    if (NCK_HAS_OVERLAP && (self->cell.stop & NCK_STOP_RIDES)) {
         part_ways(self);
     } else if (self->rests) {
         set_off(self);
@@ -353,7 +353,7 @@ static const nck_pose_t *tick(nck_interpolate_t *self) {
 
 const nck_pose_t *nck_interpolate_tick(nck_interpolate_t *self) {
     const nck_pose_t *const pose = tick(self);
-    if (self->rider.on) ride(self);
+    if (NCK_HAS_OVERLAP && self->rider.on) ride(self);
     return pose;
 }
 
