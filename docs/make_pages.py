@@ -251,7 +251,7 @@ _COLUMNS = {
     "line": "source line that the path is at; 0 before the first",
     "block": "running number of the block",
     "kind": "what it does: `idle`, `rapid`, `line`, `arc`, `dwell`, `wait`, `spline`, `thread`",
-    "s_mm": "path so far; behind blends a little more than the programmed path",
+    "s_mm": "path so far; where two motions overlap at a corner, of both",
     "pos": "place of the axis in machine coordinates, as planned",
     "joint": "setpoint of the drive: whole nanometres, or nanodegrees",
     "vel_mm_s": "speed along the path, as the program means it",
