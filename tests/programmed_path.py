@@ -14,7 +14,7 @@ LINEAR = 0  # slope kind
 NEARER_MM = 1e-7  # a point this far from an arc may be nearer to another place of a helix
 NEWTON_STEPS = 3
 SHORT = 1e-4  # share of an arc over which derivatives are differences
-SHARP = 0.5  # |Δu| from which on a corner may be a stop
+SHARP = 1e-6  # |Δu| from which on there is a corner
 OVERLAP = 9.0  # how many δ two motions overlap over: 8, and some for the steps of a plan
 PLANES = {17: (0, 1), 18: (2, 0), 19: (1, 2)}
 

@@ -66,15 +66,15 @@ static double speed_behind(const nck_cell_t *cell) {
 }
 
 uint32_t nck_overlap_withheld(const nck_link_t *link, const nck_pieces_t *pieces,
-                              const nck_plan_t *now) {
-    stretch_t stretch = {distance_of(link, pieces, now), 0.0, 0.0};
+                              const nck_plan_t *next) {
+    stretch_t stretch = {distance_of(link, pieces, next), 0.0, 0.0};
     double time = 0.0;
     uint32_t count = 0;
     if (!(stretch.left > 0.0)) return 0;
-    const uint32_t seg = cell_at(link, now, now->n - 1)->seg;
-    const uint32_t least = now->beside > 0 ? now->beside : 1;
-    while (count < WITHHELD_MOST && count + least < now->n) {
-        const nck_cell_t *const cell = cell_at(link, now, now->n - 1 - count);
+    const uint32_t seg = nck_link_built_cell(link, next->n - 1)->seg;
+    const uint32_t least = next->beside > 0 ? next->beside : 1;
+    while (count < WITHHELD_MOST && count + least < next->n) {
+        const nck_cell_t *const cell = nck_link_built_cell(link, next->n - 1 - count);
         const int is_far = !(stretch.left > 0.0) && time > WITHHELD_TIMES * stretch.time;
         if (is_far || cell->seg != seg) break;
         extend(&stretch, cell, speed_behind(cell), -cell->a);
@@ -90,6 +90,7 @@ typedef struct corner {
     double time[2];  // how long they may overlap, by their cells [s]
     const nck_node_t *piece[2]; // beside it
     double j[2];     // limits of jerk there [path mm/s³]
+    double v_most;   // neither is faster beside the other: no feed is exceeded
     int shares;      // 1: an axis moves in both
 } corner_t;
 
@@ -103,7 +104,7 @@ static stretch_t look_back(const nck_link_t *link, const nck_plan_t *now, double
     corner->time[0] = 0.0;
     for (uint32_t i = 0; i < now->withheld; i++) {
         const nck_cell_t *const cell = cell_at(link, now, now->n - 1 - i);
-        if (!(cell->a < 0.0) || cell->span != 0) break;
+        if (!(cell->a < 0.0) || cell->span != 0 || cell->v > corner->v_most) break;
         if (corner->shares && (behind - cell->a < least || cell->s < corner->piece[0]->s)) break;
         extend(&stretch, cell, speed_behind(cell), -cell->a);
         corner->time[0] += cell->duration;
@@ -129,7 +130,7 @@ static stretch_t look_ahead(const nck_link_t *link, const nck_plan_t *next, doub
         const nck_cell_t *const cell = nck_link_built_cell(link, i);
         const int is_other = cell->a - before < least || cell->s + cell->length > end;
         goes_on = goes_on && cell->a > 0.0 && cell->seg == seg && cell->span == 0
-                  && !(corner->shares && is_other);
+                  && speed_behind(cell) <= corner->v_most && !(corner->shares && is_other);
         time += cell->duration;
         if (goes_on) {
             extend(&stretch, cell, cell->v, cell->a);
@@ -198,7 +199,8 @@ static int are_straight(const nck_seg_t *in, const nck_seg_t *out) {
 }
 
 double nck_overlap_join(const nck_machine_t *machine, const nck_link_t *link, double step_s,
-                        const nck_pieces_t *pieces, const nck_plan_t *now, nck_plan_t *next) {
+                        const nck_pieces_t *pieces, const nck_wish_t *wish, const nck_plan_t *now,
+                        nck_plan_t *next) {
     const nck_node_t *const before = piece_before_rest(pieces, now);
     const nck_node_t *const behind = nck_plan_piece(pieces, next->piece);
     if (!before || !behind || next->held) return 0.0;
@@ -212,8 +214,10 @@ double nck_overlap_join(const nck_machine_t *machine, const nck_link_t *link, do
     const nck_overlap_t motions = {in, out, {before->j, behind->j},
                                    {nck_overlap_turn(seg->kind), nck_overlap_turn(following->kind)}};
     if (nck_overlap_jerk(machine, NCK_AXIS_MAX, &motions) > 1.0 + JERK_EPSILON) return 0.0;
+    const double vv = nck_min(nck_plan_cap(before, wish, next->over),
+                              nck_plan_cap(behind, wish, next->over));
     corner_t corner = {seg->overlap, {0.0, 0.0}, {before, behind}, {before->j, behind->j},
-                       nck_overlap_shares(machine, NCK_AXIS_MAX, &motions)};
+                       nck_sqrt(vv), nck_overlap_shares(machine, NCK_AXIS_MAX, &motions)};
     const double most = nck_overlap_most(machine, NCK_AXIS_MAX, &motions) - step_s;
     const double time = nck_min(most, time_of(link, machine, now, next, &corner));
     if (!(time >= LEAST_PERIODS * machine->period_s)) return 0.0;

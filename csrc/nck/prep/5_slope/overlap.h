@@ -8,17 +8,16 @@
 #include "nck/prep/5_slope/plan.h" // nck_plan_t nck_pieces_t
 
 // How many of a plan's last cells wait for the plan behind its rest (nck_plan_t.withheld): all that
-// it may overlap, none of those that are beside the plan before; 0: it may not. The plan stands in
-// the link's published tail.
+// it may overlap, none of those that are beside the plan before; 0: it may not. The plan is built.
 // Cost: linear in those cells. Context: prep.
 uint32_t nck_overlap_withheld(const nck_link_t *link, const nck_pieces_t *pieces,
-                              const nck_plan_t *now);
+                              const nck_plan_t *next);
 
 // How long before the rest of `now` the plan `next`, which is built, begins [s], and in
-// next->beside how many of its cells are beside it; 0: behind the rest.
-// Cost: linear in the cells that overlap. Context: prep.
-// step_s: what cells last about [s].
+// next->beside how many of its cells are beside it; 0: behind the rest. step_s: what cells last
+// about [s]. Cost: linear in the cells that overlap. Context: prep.
 double nck_overlap_join(const nck_machine_t *machine, const nck_link_t *link, double step_s,
-                        const nck_pieces_t *pieces, const nck_plan_t *now, nck_plan_t *next);
+                        const nck_pieces_t *pieces, const nck_wish_t *wish, const nck_plan_t *now,
+                        nck_plan_t *next);
 
 #endif

@@ -258,7 +258,7 @@ static int is_late(nck_slope_t *self) {
            && nck_link_lead(self->link) < LEAD_LEAST * self->machine->period_s;
 }
 
-// The tick has run into the tail: the path comes to rest where the plan of now does.
+// The tick has run into the tail: the path rests where the plan of now does.
 static void fall_into_tail(nck_slope_t *self, const nck_pieces_t *pieces) {
     int entered = 0;
     self->now.begin = nck_link_end(self->link, &entered);
@@ -291,33 +291,34 @@ static void give_up(nck_slope_t *self, const nck_pieces_t *pieces) {
     if (self->now.commit >= self->now.n) keep_plan(self, pieces, held);
 }
 
-// Where the plan of now withholds cells for the next one: these, too. Where both do not overlap they
-// are not withheld any longer.
-static nck_status_t join(nck_slope_t *self, const nck_pieces_t *pieces, uint32_t most) {
-    if (final_count(self) != final_limit(self)) return NCK_FULL;
+// How long before the rest of the plan of now the next one begins, where cells are withheld for it
+// [s]. 0: behind that rest, so they are withheld no longer.
+static double find_overlap(nck_slope_t *self, const nck_pieces_t *pieces) {
     const double overlap = nck_overlap_join(self->machine, self->link, self->cell_s, pieces,
-                                            &self->now, &self->next);
-    if (overlap > 0.0) {
-        return nck_link_join(self->link, overlap, self->lead_s, most, &self->next.begin);
-    }
-    self->now.withheld = 0;
-    return NCK_E_STATE;
+                                            &self->wish, &self->now, &self->next);
+    if (!(overlap > 0.0)) self->now.withheld = 0;
+    return overlap;
 }
 
 static nck_status_t install(nck_slope_t *self, const nck_pieces_t *pieces) {
     int entered = 0;
+    nck_plan_t *const next = &self->next;
     const int joins = NCK_HAS_OVERLAP && self->kind == NCK_JOB_START && self->now.withheld > 0;
-    const uint32_t most = self->next.complete ? self->next.n : self->next.commit;
-    if (!joins && nck_link_end(self->link, &entered) != self->next.begin) return NCK_FULL;
-    const nck_status_t status = joins ? join(self, pieces, most)
-                                      : nck_link_install(self->link, self->lead_s, most);
+    if (joins && final_count(self) != final_limit(self)) return NCK_FULL;
+    if (!joins && nck_link_end(self->link, &entered) != next->begin) return NCK_FULL;
+    const double overlap = joins ? find_overlap(self, pieces) : 0.0;
+    if (joins && !(overlap > 0.0)) return NCK_OK;
+    if (self->overlaps) next->withheld = nck_overlap_withheld(self->link, pieces, next);
+    const uint32_t most = next->complete ? next->n - next->withheld : next->commit;
+    const nck_status_t status =
+        joins ? nck_link_join(self->link, overlap, self->lead_s, most, &next->begin)
+              : nck_link_install(self->link, self->lead_s, most);
     if (status != NCK_OK) return status == NCK_E_STATE ? NCK_OK : status;
     const int same_block = self->now.held == NCK_HELD_BLOCK && self->next.held == NCK_HELD_BLOCK;
     const int on_the_way = same_block && self->now.end_piece == self->next.end_piece;
     if (!on_the_way) self->resumes = self->wish.resumes;
     self->now = self->next;
     self->now.first_piece = self->next.piece;
-    if (self->overlaps) self->now.withheld = nck_overlap_withheld(self->link, pieces, &self->now);
     tell(self);
     self->in_tail = 0;
     self->anew = self->kind == NCK_JOB_BRAKE;
