@@ -95,12 +95,14 @@ typedef struct corner {
 } corner_t;
 
 // The end of the plan of now: as far from its rest as it slows down. Where an axis moves in both, as
-// its acceleration only grows in time, and in the piece beside the corner, which leaves some jerk.
+// its acceleration only grows in time, and in the piece beside the corner, which leaves some jerk;
+// less half of the last cell, whose jump at its other end may go the other way (rule R).
 static stretch_t look_back(const nck_link_t *link, const nck_plan_t *now, double period,
                            corner_t *corner) {
     stretch_t stretch = {corner->distance, 0.0, 0.0};
     const double least = -TURN_EPSILON * corner->j[0] * period;
     double behind = 0.0; // acceleration
+    double last = 0.0;   // of the cells' durations
     corner->time[0] = 0.0;
     for (uint32_t i = 0; i < now->withheld; i++) {
         const nck_cell_t *const cell = cell_at(link, now, now->n - 1 - i);
@@ -108,8 +110,10 @@ static stretch_t look_back(const nck_link_t *link, const nck_plan_t *now, double
         if (corner->shares && (behind - cell->a < least || cell->s < corner->piece[0]->s)) break;
         extend(&stretch, cell, speed_behind(cell), -cell->a);
         corner->time[0] += cell->duration;
+        last = cell->duration;
         behind = cell->a;
     }
+    if (corner->shares) corner->time[0] -= 0.5 * last;
     return stretch;
 }
 
@@ -134,7 +138,7 @@ static stretch_t look_ahead(const nck_link_t *link, const nck_plan_t *next, doub
         time += cell->duration;
         if (goes_on) {
             extend(&stretch, cell, cell->v, cell->a);
-            corner->time[1] = time;
+            corner->time[1] = time - (corner->shares ? 0.5 * cell->duration : 0.0);
         }
         if (time > nck_min(corner->time[0], corner->time[1]) + filter) break;
         before = cell->a;
