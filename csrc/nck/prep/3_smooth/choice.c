@@ -23,8 +23,9 @@
 #define ZONES_CUT 1.3        // see SPLIT_ZONES of room 4
 #define STANDSTILL 1e-3
 #define ALIKE 0.01           // of a bend's half-width: a shorter block is a part of the corner
+#define PERIODS_LEAST 2.0     // that two motions overlap
 #define SHARE_LEAST 0.55      // of the jerk that motions keep to which overlap: half gains nothing
-#define SPREAD 5.0           // of δ: so near to the corner at least a block is its own
+#define SPREAD 8.0           // of δ: so near to the corner at least a block is its own
 #define OWN 0.7              // of the spline's turn that a corner has to make for a stop to help
 enum { HALVINGS = 12 };      // of a speed that is sought: to 1e-3 of it
 
@@ -195,12 +196,13 @@ static double overlap_of(const corner_t *corner, double *distance_out) {
     const int axes = terms->axes;
     const double share = nck_min(1.0, 1.0 / nck_overlap_jerk(machine, axes, &motions));
     if (share < SHARE_LEAST) return 0.0;
-    const double d = nck_overlap_distance(corner->tolerance, corner->turn);
-    if (SPREAD * d > nck_min(corner->half[0], corner->half[1])) return 0.0;
+    const double near = nck_min(corner->half[0], corner->half[1]) / SPREAD;
+    const double d = nck_min(near, nck_overlap_distance(corner->tolerance, corner->turn));
     const double time = nck_overlap_time(d, share * j[0]) + nck_overlap_time(d, share * j[1]);
-    const double most = nck_overlap_most(machine, axes, &motions);
+    const double overlap = nck_min(time, nck_overlap_most(machine, axes, &motions));
+    if (overlap < PERIODS_LEAST * machine->period_s) return 0.0;
     *distance_out = d;
-    return nck_min(time, most) * (1.0 - 2.0 * (1.0 - share));
+    return overlap * (1.0 - 2.0 * (1.0 - share));
 }
 
 // Time of a stop, over d of either block at least: where a block is shorter the path goes on as
