@@ -126,7 +126,7 @@ def test_caps_of_the_path_take_the_place_of_the_axes_limits():
 
 
 def test_the_derivatives_of_a_path_are_those_of_its_differences():
-    plan, _, _ = bounds.ours(np.array(CORNER, float), 0.1)
+    plan, _, _ = bounds.ours(np.array([(0, 0), (EDGE, 0), (2 * EDGE, EDGE / 2)]), 0.1)
     path = bounds_axis.Path(plan.segs, 2)
     assert (plan.segs["kind"] == 2).any()
     for seg in range(len(path.lengths)):
@@ -162,8 +162,11 @@ def test_pieces_of_jerk_go_where_their_integral_does():
 
 
 def test_a_row_of_bounds_is_in_order():
-    row, = bounds.bench_bounds_rows(bounds.CASES[:1], step_s=0.016)
-    assert row["note"] is None
+    bent = np.array([(0, 0), (EDGE, 0), (2 * EDGE, EDGE / 8)])
+    cases = [("corner", lambda: bent, 0.01), bounds.CASES[0]]
+    row, stops = bounds.bench_bounds_rows(cases, step_s=0.016)
+    assert row["note"] is stops["note"] is stops["axis_s"] is None
+    assert 1 < stops["ours_over_tube"] < 1.1
     assert row["tube_s"] < row["axis_s"] < row["scalar_s"] < row["ours_s"]
     assert row["ours_over_tube"] == pytest.approx(row["ours_s"] / row["tube_s"])
     assert 0 < row["step"] < 0.02
