@@ -2,11 +2,15 @@
 // Inside room 5: stops that overlap with the starts behind them.
 #include "nck/prep/5_slope/overlap.h"
 
+#include "nck/base/cell_math.h"    // nck_cell_way
 #include "nck/base/overlap_math.h" // nck_overlap_…
 #include "nck/base/path.h"         // nck_path_tangent nck_path_second
+#include "nck/prep/5_slope/jerk.h" // nck_jerk_cell_s
+#include "nck/prep/5_slope/ladder_math.h" // NCK_LADDER_STRETCH
 
 // Cells of a plan that are withheld, at most: the ring has room for others, too.
 enum { WITHHELD_MOST = NCK_CELL_MAX / 2 };
+enum { HALVINGS = 32 }; // of a cell's duration, for a time in it
 // They last so many times what the end takes that is left at the distance in question.
 #define WITHHELD_TIMES 2.5
 // Under one jerk the other motion is at rest when one has so many times the distance to go, or has
@@ -38,31 +42,40 @@ static double distance_of(const nck_link_t *link, const nck_pieces_t *pieces,
     return nck_link_seg(link, piece->seg)->overlap;
 }
 
-// A distance next to a rest as time: over cells of constant acceleration, one by one away from it.
+// A distance next to a rest as time: over cells, one by one away from it.
 typedef struct stretch {
     double left;  // of the distance [path mm]
     double time;  // [s]
-    double a;     // acceleration where it ends, without its sign [path mm/s²]
+    double a;     // the largest acceleration so far, without its sign [path mm/s²]
 } stretch_t;
 
-// One cell further away from the rest: v at its end next to it, gain: by how much v² grows a length,
-// halved. r = v·t + gain·t²/2
-static void extend(stretch_t *stretch, const nck_cell_t *cell, double v, double gain) {
-    if (!(stretch->left > 0.0)) return;
-    stretch->a = nck_fabs(gain);
-    if (cell->length < stretch->left) {
-        stretch->left -= cell->length;
-        stretch->time += cell->duration;
-        return;
-    }
-    const double r = stretch->left;
-    const double end = nck_sqrt(nck_max(0.0, v * v + 2.0 * gain * r));
-    stretch->time += v + end > 0.0 ? 2.0 * r / (v + end) : cell->duration;
-    stretch->left = 0.0;
-}
+static double accel_behind(const nck_cell_t *cell) { return cell->a + cell->j * cell->duration; }
 
 static double speed_behind(const nck_cell_t *cell) {
-    return nck_max(0.0, cell->v + cell->a * cell->duration);
+    return cell->v + (cell->a + 0.5 * cell->j * cell->duration) * cell->duration;
+}
+
+// When a cell has come so far from its begin: halved and halved, for it never turns back.
+static double time_at(const nck_cell_t *cell, double way) {
+    double low = 0.0;
+    double high = cell->duration;
+    for (int k = 0; k < HALVINGS; k++) {
+        const double middle = 0.5 * (low + high);
+        if (nck_cell_way(cell, middle) < way) low = middle;
+        else high = middle;
+    }
+    return high;
+}
+
+// One cell further away from the rest, which lies behind it or before it.
+static void extend(stretch_t *stretch, const nck_cell_t *cell, int rests_behind) {
+    const double left = stretch->left;
+    if (!(left > 0.0)) return;
+    stretch->left = nck_max(0.0, left - cell->length);
+    stretch->a = nck_max(nck_fabs(cell->a), nck_fabs(accel_behind(cell)));
+    if (stretch->left > 0.0) stretch->time += cell->duration;
+    else if (rests_behind) stretch->time += cell->duration - time_at(cell, cell->length - left);
+    else stretch->time += time_at(cell, left);
 }
 
 uint32_t nck_overlap_withheld(const nck_link_t *link, const nck_pieces_t *pieces,
@@ -77,7 +90,7 @@ uint32_t nck_overlap_withheld(const nck_link_t *link, const nck_pieces_t *pieces
         const nck_cell_t *const cell = nck_link_built_cell(link, next->n - 1 - count);
         const int is_far = !(stretch.left > 0.0) && time > WITHHELD_TIMES * stretch.time;
         if (is_far || cell->seg != seg) break;
-        extend(&stretch, cell, speed_behind(cell), -cell->a);
+        extend(&stretch, cell, 1);
         time += cell->duration;
         count++;
     }
@@ -91,24 +104,28 @@ typedef struct corner {
     const nck_node_t *piece[2]; // beside it
     double j[2];     // limits of jerk there [path mm/s³]
     double v_most;   // neither is faster beside the other: no feed is exceeded
+    double period;   // [s]
+    double taps;     // of the output filter; 1: there is none
     int shares;      // 1: an axis moves in both
 } corner_t;
 
 // The end of the plan of now: as far from its rest as it slows down. Where an axis moves in both, as
 // its acceleration only grows in time, and in the piece beside the corner, which leaves some jerk;
 // less half of the last cell, whose jump at its other end may go the other way (rule R).
-static stretch_t look_back(const nck_link_t *link, const nck_plan_t *now, double period,
-                           corner_t *corner) {
+static stretch_t look_back(const nck_link_t *link, const nck_plan_t *now, corner_t *corner) {
     stretch_t stretch = {corner->distance, 0.0, 0.0};
-    const double least = -TURN_EPSILON * corner->j[0] * period;
+    const double least = -TURN_EPSILON * corner->j[0] * corner->period;
     double behind = 0.0; // acceleration
     double last = 0.0;   // of the cells' durations
     corner->time[0] = 0.0;
     for (uint32_t i = 0; i < now->withheld; i++) {
         const nck_cell_t *const cell = cell_at(link, now, now->n - 1 - i);
+        const double a = accel_behind(cell);
+        const int is_other = behind - a < least || a - cell->a < least
+                             || cell->s < corner->piece[0]->s;
         if (!(cell->a < 0.0) || cell->span != 0 || cell->v > corner->v_most) break;
-        if (corner->shares && (behind - cell->a < least || cell->s < corner->piece[0]->s)) break;
-        extend(&stretch, cell, speed_behind(cell), -cell->a);
+        if (corner->shares && is_other) break;
+        extend(&stretch, cell, 1);
         corner->time[0] += cell->duration;
         last = cell->duration;
         behind = cell->a;
@@ -119,29 +136,30 @@ static stretch_t look_back(const nck_link_t *link, const nck_plan_t *now, double
 
 // The begin of the next one, the same way, as long as it is straight. It goes on for some time until
 // another plan may take over.
-static stretch_t look_ahead(const nck_link_t *link, const nck_plan_t *next, double period,
-                            corner_t *corner) {
+static stretch_t look_ahead(const nck_link_t *link, const nck_plan_t *next, corner_t *corner) {
     stretch_t stretch = {corner->distance, 0.0, 0.0};
-    const double least = -TURN_EPSILON * corner->j[1] * period;
+    const double least = -TURN_EPSILON * corner->j[1] * corner->period;
     const uint32_t most = next->complete ? next->n : next->commit;
     const uint32_t seg = nck_link_built_cell(link, 0)->seg;
-    const double filter = (double)NCK_FILTER_TAPS * period;
+    const double filter = corner->taps * corner->period;
     const double end = corner->piece[1]->s + corner->piece[1]->length;
     double before = 0.0;
     double time = 0.0;
     int goes_on = 1;
     for (uint32_t i = 0; i < most; i++) {
         const nck_cell_t *const cell = nck_link_built_cell(link, i);
-        const int is_other = cell->a - before < least || cell->s + cell->length > end;
-        goes_on = goes_on && cell->a > 0.0 && cell->seg == seg && cell->span == 0
+        const double a = accel_behind(cell);
+        const int is_other = cell->a - before < least || a - cell->a < least
+                             || cell->s + cell->length > end;
+        goes_on = goes_on && a > 0.0 && cell->seg == seg && cell->span == 0
                   && speed_behind(cell) <= corner->v_most && !(corner->shares && is_other);
         time += cell->duration;
         if (goes_on) {
-            extend(&stretch, cell, cell->v, cell->a);
+            extend(&stretch, cell, 0);
             corner->time[1] = time - (corner->shares ? 0.5 * cell->duration : 0.0);
         }
         if (time > nck_min(corner->time[0], corner->time[1]) + filter) break;
-        before = cell->a;
+        before = a;
     }
     corner->time[1] = nck_min(corner->time[1], time - filter);
     return stretch;
@@ -149,8 +167,7 @@ static stretch_t look_ahead(const nck_link_t *link, const nck_plan_t *next, doub
 
 // The output filter puts a sample behind the mean place, by half of its variance in time for an
 // acceleration:    a·T²(n² − 1)/24
-static double filter_sag(double a, double period) {
-    const double n = (double)NCK_FILTER_TAPS;
+static double filter_sag(double a, double n, double period) {
     return a * period * period * (n * n - 1.0) / 24.0;
 }
 
@@ -164,18 +181,17 @@ static uint32_t cells_beside(const nck_link_t *link, const nck_plan_t *next, dou
 }
 
 // How long both may overlap.
-static double time_of(const nck_link_t *link, const nck_machine_t *machine, const nck_plan_t *now,
-                      const nck_plan_t *next, corner_t *corner) {
-    const double period = machine->period_s;
-    const double distance = corner->distance;
-    stretch_t end = look_back(link, now, period, corner);
-    stretch_t begin = look_ahead(link, next, period, corner);
+static double time_of(const nck_link_t *link, const nck_plan_t *now, const nck_plan_t *next,
+                      corner_t *corner) {
+    stretch_t end = look_back(link, now, corner);
+    stretch_t begin = look_ahead(link, next, corner);
     const double most = nck_min(corner->time[0], corner->time[1]);
-    const double a = nck_max(end.a, begin.a) + period * nck_max(corner->j[0], corner->j[1]);
-    corner->distance = distance - filter_sag(a, period);
+    const double j = nck_max(corner->j[0], corner->j[1]);
+    const double a = nck_max(end.a, begin.a) + corner->period * j;
+    corner->distance -= filter_sag(a, corner->taps, corner->period);
     if (!(corner->distance > 0.0)) return 0.0;
-    end = look_back(link, now, period, corner);
-    begin = look_ahead(link, next, period, corner);
+    end = look_back(link, now, corner);
+    begin = look_ahead(link, next, corner);
     return nck_min(most, end.time + begin.time);
 }
 
@@ -202,7 +218,13 @@ static int are_straight(const nck_seg_t *in, const nck_seg_t *out) {
            && turn_near(out, 0.0, nck_min(out->length, reach)) <= NCK_OVERLAP_TURN;
 }
 
-double nck_overlap_join(const nck_machine_t *machine, const nck_link_t *link, double step_s,
+// By how much cells of constant acceleration, which stays for their time, may pass t·j sooner [s].
+static double slack_of(const nck_machine_t *machine) {
+    if (machine->slope != NCK_SLOPE_JERK) return 0.0;
+    return NCK_LADDER_STRETCH * nck_jerk_cell_s(machine);
+}
+
+double nck_overlap_join(const nck_machine_t *machine, const nck_link_t *link,
                         const nck_pieces_t *pieces, const nck_wish_t *wish, const nck_plan_t *now,
                         nck_plan_t *next) {
     const nck_node_t *const before = piece_before_rest(pieces, now);
@@ -220,11 +242,13 @@ double nck_overlap_join(const nck_machine_t *machine, const nck_link_t *link, do
     if (nck_overlap_jerk(machine, NCK_AXIS_MAX, &motions) > 1.0 + JERK_EPSILON) return 0.0;
     const double vv = nck_min(nck_plan_cap(before, wish, next->over),
                               nck_plan_cap(behind, wish, next->over));
+    const double taps = machine->slope == NCK_SLOPE_JERK ? (double)NCK_FILTER_TAPS : 1.0;
     corner_t corner = {seg->overlap, {0.0, 0.0}, {before, behind}, {before->j, behind->j},
-                       nck_sqrt(vv), nck_overlap_shares(machine, NCK_AXIS_MAX, &motions)};
-    const double most = nck_overlap_most(machine, NCK_AXIS_MAX, &motions) - step_s;
-    const double time = nck_min(most, time_of(link, machine, now, next, &corner));
+                       nck_sqrt(vv), machine->period_s, taps,
+                       nck_overlap_shares(machine, NCK_AXIS_MAX, &motions)};
+    const double most = nck_overlap_most(machine, NCK_AXIS_MAX, &motions) - slack_of(machine);
+    const double time = nck_min(most, time_of(link, now, next, &corner));
     if (!(time >= LEAST_PERIODS * machine->period_s)) return 0.0;
-    next->beside = cells_beside(link, next, time + (double)NCK_FILTER_TAPS * machine->period_s);
+    next->beside = cells_beside(link, next, time + taps * machine->period_s);
     return time;
 }

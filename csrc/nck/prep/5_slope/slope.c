@@ -46,10 +46,10 @@ void nck_slope_init(nck_slope_t *self, const nck_machine_t *machine, nck_link_t 
     self->wish.feed = 1.0;
     self->wish.rapid = 1.0;
     self->wish.tool = NCK_WISH_FREE;
+    self->overlaps = NCK_HAS_OVERLAP && planner_of(machine) != NCK_SLOPE_LINEAR;
     switch (planner_of(machine)) {
     case NCK_SLOPE_JERK:
         self->cell_s = NCK_LADDER_STRETCH * nck_jerk_cell_s(machine);
-        self->overlaps = NCK_HAS_OVERLAP;
         nck_jerk_init(&self->planner.jerk, machine, link, &self->now, &self->next);
         break;
     case NCK_SLOPE_SSHAPE:
@@ -294,8 +294,8 @@ static void give_up(nck_slope_t *self, const nck_pieces_t *pieces) {
 // How long before the rest of the plan of now the next one begins, where cells are withheld for it
 // [s]. 0: behind that rest, so they are withheld no longer.
 static double find_overlap(nck_slope_t *self, const nck_pieces_t *pieces) {
-    const double overlap = nck_overlap_join(self->machine, self->link, self->cell_s, pieces,
-                                            &self->wish, &self->now, &self->next);
+    const double overlap = nck_overlap_join(self->machine, self->link, pieces, &self->wish,
+                                            &self->now, &self->next);
     if (!(overlap > 0.0)) self->now.withheld = 0;
     return overlap;
 }

@@ -42,7 +42,7 @@ void nck_slope_terms(const nck_machine_t *machine, nck_terms_t *terms_out) {
     if (!NCK_HAS_JERK || machine->slope == NCK_SLOPE_LINEAR) return;
     terms_out->limits_jerk = 1;
     terms_out->carries = (uint8_t)is_filtered;
-    terms_out->overlaps = (uint8_t)is_filtered;
+    terms_out->overlaps = NCK_HAS_OVERLAP;
     terms_out->taps = is_filtered ? NCK_FILTER_TAPS : 1;
     terms_out->j_max = jerk_along(machine, axes, is_filtered ? filter : 0.0);
     terms_out->mix_s = 0.5 * filter;
