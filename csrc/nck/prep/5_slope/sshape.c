@@ -17,6 +17,11 @@ enum { STAGE_RISE = 0, STAGE_CRUISE, STAGE_FALL, STAGE_END };
 
 // A part ends when it lasts so long: then the brake behind it has been worth its work.
 #define PART_PERIODS 20.0
+// The same where it may overlap the end of the plan before.
+#define OVERLAP_PERIODS 100.0
+// So many times as far from a rest as motions may be that overlap there, all that a plan withholds
+// is still ahead.
+#define OVERLAP_NEAR 16.0
 // A plan joins the speed that it begins with within this share.
 #define JOIN_EPSILON 1e-9
 
@@ -348,10 +353,22 @@ static void draw_slice(nck_sshape_t *self) {
     self->course.set = 0;
 }
 
-static int part_is_full(const nck_sshape_t *self) {
-    const uint32_t pieces = self->at.piece + NCK_SSHAPE_HOP - self->next->piece;
-    return self->time >= PART_PERIODS * self->machine->period_s || self->cells >= PART_DRAWN
-           || (int32_t)pieces > NCK_SSHAPE_PIECES;
+// 1 if the course is about to come to a rest that the next plan may overlap: its end is in one part.
+static int nears_overlap(const nck_sshape_t *self, const nck_pieces_t *pieces) {
+    const nck_sshape_hop_t *const hop = &self->course.hop;
+    const nck_cell_t *const cell = nck_link_built_cell(self->link, self->cells - 1);
+    const nck_node_t *const end = nck_plan_piece(pieces, hop->first + hop->count - 1);
+    if (!cell || !end || cell->seg != end->seg || self->course.way.v_out > 0.0) return 0;
+    const double left = end->s + end->length - (cell->s + cell->length);
+    return left < OVERLAP_NEAR * nck_link_seg(self->link, end->seg)->overlap;
+}
+
+static int part_is_full(const nck_sshape_t *self, const nck_pieces_t *pieces) {
+    const uint32_t count = self->at.piece + NCK_SSHAPE_HOP - self->next->piece;
+    if (self->cells >= PART_DRAWN || (int32_t)count > NCK_SSHAPE_PIECES) return 1;
+    const int overlaps = self->job.kind == NCK_JOB_START && self->now->withheld > 0;
+    const double most = overlaps ? OVERLAP_PERIODS : PART_PERIODS;
+    return self->time >= most * self->machine->period_s && !nears_overlap(self, pieces);
 }
 
 static nck_status_t build_part(nck_sshape_t *self, const nck_pieces_t *pieces) {
@@ -367,7 +384,7 @@ static nck_status_t build_part(nck_sshape_t *self, const nck_pieces_t *pieces) {
             set_end(self, &self->at);
             return NCK_DONE;
         }
-        if (part_is_full(self)) begin_brake(self);
+        if (part_is_full(self, pieces)) begin_brake(self);
         else if (ends) self->phase = PHASE_LOOK;
         if (self->phase != PHASE_PART) return NCK_OK;
     }
@@ -377,8 +394,8 @@ static nck_status_t build_part(nck_sshape_t *self, const nck_pieces_t *pieces) {
 // ---- look
 
 // A ramp gone through may be a part already.
-static void enter_part(nck_sshape_t *self) {
-    if (part_is_full(self)) begin_brake(self);
+static void enter_part(nck_sshape_t *self, const nck_pieces_t *pieces) {
+    if (part_is_full(self, pieces)) begin_brake(self);
     else self->phase = PHASE_PART;
 }
 
@@ -390,7 +407,7 @@ static nck_status_t join(nck_sshape_t *self, const nck_pieces_t *pieces) {
     const double most = nck_sshape_brakeable(&hop.piece, nck_sshape_end_most(self, &hop));
     if (self->at.v <= most * (1.0 + JOIN_EPSILON)) {
         self->checks = 0;
-        enter_part(self);
+        enter_part(self, pieces);
     } else if (!self->follows) {
         begin_follow(self, 1);
     } else if (nck_sshape_ends_block(self, pieces, horizon - 1)) {
@@ -407,7 +424,7 @@ static nck_status_t join(nck_sshape_t *self, const nck_pieces_t *pieces) {
 static nck_status_t look(nck_sshape_t *self, const nck_pieces_t *pieces) {
     const nck_status_t status = nck_sshape_look(self, pieces);
     if (status == NCK_DONE && self->checks) return join(self, pieces);
-    if (status == NCK_DONE) enter_part(self);
+    if (status == NCK_DONE) enter_part(self, pieces);
     if (status != NCK_EMPTY) return NCK_OK;
     if (self->cells == 0 || self->checks) return NCK_EMPTY;
     begin_brake(self);
