@@ -72,13 +72,12 @@ static inline int next_cell(nck_interpolate_t *self) {
     int from_tail = 0;
     if (nck_link_take(self->link, &self->cell, &from_tail) != NCK_OK) return 0;
     self->from_tail = (uint32_t)from_tail;
-    if (self->cell.stop & NCK_STOP_RIDES) {
-        part_ways(self);
-    } else if (self->rests) {
+    if (self->rests) {
         set_off(self);
     } else if (self->filter.taps > 1) { // else nobody asks, and segs may be many
         self->filter.ahead += length_between(self, seg_before, self->cell.seg);
     }
+    if (self->cell.stop & NCK_STOP_RIDES) part_ways(self);
     return 1;
 }
 
