@@ -190,7 +190,8 @@ static inline double distance_from_line(const double *p, const nck_seg_t *line)
 }
 
 // How far motions that overlap at a stop cut its corner, as a share of the smaller tolerance beside
-// it. Nothing overlaps but at a stop.
+// it. Nothing overlaps but at a stop. A spline beside it may begin another way than its line: what
+// overlaps there is room 5's choice.
 static inline double worst_overlap(void)
 {
     double worst = 0.0;
@@ -202,9 +203,11 @@ static inline double worst_overlap(void)
         double before[NCK_AXIS_MAX];
         double behind[NCK_AXIS_MAX];
         if (!(in->overlap > 0.0)) continue;
+        if (!in->stop) return 1e9;
+        if (in->kind != NCK_SEG_LINE || out->kind != NCK_SEG_LINE) continue;
         nck_path_tangent(in, in->length, before);
         nck_path_tangent(out, 0.0, behind);
-        worst = fmax(worst, in->stop ? in->overlap * distance(before, behind) / tolerance : 1e9);
+        worst = fmax(worst, in->overlap * distance(before, behind) / tolerance);
     }
     return worst;
 }
