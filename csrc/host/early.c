@@ -54,10 +54,7 @@ static nck_status_t push_seg(nck_host_early_t *self, const nck_seg_t *seg) {
     nck_host_batch_seg_t *const row = &batch->segs[batch->seg_count];
     if (nck_lookahead_push(&self->lookahead, seg) != NCK_OK) return NCK_E_STATE;
     nck_host_why_row(&row->why, self->tangent, seg, &self->terms);
-    row->length_mm = seg->s_begin + seg->length;
-    row->seq = seg->seq;
-    row->block = seg->block;
-    row->rapid = seg->rapid;
+    row->seg = *seg;
     batch->seg_count++;
     note(batch, NCK_HOST_BATCH_SEG);
     return NCK_OK;

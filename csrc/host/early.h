@@ -33,13 +33,10 @@ enum {
 // Rows of a batch that must be free before a step of these rooms, of each kind.
 enum { NCK_HOST_BATCH_ROOM = 64 };
 
-// Of a seg, what a plan without arrays needs.
+// A seg, and what the sums make of it.
 typedef struct nck_host_batch_seg {
     nck_host_why_seg_t why;
-    double length_mm;      // programmed path up to its end
-    uint32_t seq, block;   // as in the seg
-    uint8_t rapid;         // 1: G0
-    uint8_t reserved[7];   // 0
+    nck_seg_t seg;         // room 5 asks for its geometry beside a stop where motions overlap
 } nck_host_batch_seg_t;
 
 // The path of some blocks. Rows belong to the caller, NCK_HOST_BATCH_ROOM of each at least.

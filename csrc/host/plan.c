@@ -147,17 +147,13 @@ void nck_host_plan_take(nck_host_plan_t *plan, const nck_host_batch_t *batch) {
     memset(&plan->used, 0, sizeof plan->used);
 }
 
-// Of a seg the link gets what room 5 and the sums ask for.
 static void take_seg(nck_host_plan_t *plan, const nck_host_batch_seg_t *row) {
     nck_link_t *const link = nck_link_of(plan->nck);
-    nck_seg_t *const seg = nck_link_seg_place(link);
-    seg->line = row->why.line;
-    seg->block = row->block;
-    seg->rapid = row->rapid;
+    *nck_link_seg_place(link) = row->seg;
     nck_link_seg_placed(link);
-    *nck_host_why_at(&plan->why, row->seq) = row->why;
+    *nck_host_why_at(&plan->why, row->seg.seq) = row->why;
     plan->totals.segs++;
-    plan->totals.length_mm = row->length_mm;
+    plan->totals.length_mm = row->seg.s_begin + row->seg.length;
 }
 
 // What is next in the batch goes to the kernel. NCK_FULL: not before the tick has taken cells.
