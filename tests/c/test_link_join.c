@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// base/link.h: a plan joins the one before it, the last cells of which ride beside it and keep their
-// places until they are taken.
+// base/link.h: a plan joins the one before it, the last cells of which ride beside it and keep
+// their places until they are taken.
 #include <string.h> // memset
 
 #include "check.h"
@@ -128,7 +128,7 @@ static void no_more_than_most_becomes_final_of_the_other_plan(check_t *check)
     CHECK_INT(check, end_now(), 5 + 2);
 }
 
-// The tick goes on behind the rest, and takes what rides when it likes: until then the ring keeps it.
+// The tick goes on behind the rest, and takes what rides when it likes: until then it is kept.
 static void what_rides_keeps_its_place_until_it_is_taken(check_t *check)
 {
     begin(check, 1);
