@@ -34,8 +34,8 @@ static void begin(const corner_t *corner)
 static double off_line(const double *p, const double a[2], const double b[2])
 {
     const double d[2] = {b[0] - a[0], b[1] - a[1]};
-    const double along = ((p[0] - a[0]) * d[0] + (p[1] - a[1]) * d[1]) / (d[0] * d[0] + d[1] * d[1]);
-    const double share = fmin(1.0, fmax(0.0, along));
+    const double along = (p[0] - a[0]) * d[0] + (p[1] - a[1]) * d[1];
+    const double share = fmin(1.0, fmax(0.0, along / (d[0] * d[0] + d[1] * d[1])));
     return hypot(p[0] - a[0] - share * d[0], p[1] - a[1] - share * d[1]);
 }
 
