@@ -194,7 +194,7 @@ static inline double motion_off_both(const motion_t *self, const nck_seg_t *seg)
         const nck_seg_t *before = seg - 1;
         while (before > self->seg && !(before->overlap > 0.0)) before--;
         const double share = pose->left / before->length;
-        if (before->kind != NCK_SEG_LINE) return 0.0;
+        if (before->kind != NCK_SEG_LINE || pose->left > before->length) return 0.0;
         for (int x = 0; x < NCK_AXIS_MAX; x++) {
             axis[x] += (before->end[x] - before->start[x]) * share;
         }

@@ -152,6 +152,28 @@ static void limits_hold_whatever_the_operator_does(check_t *check)
 }
 
 
+// There and back, or nearly so: what slows the first motion down pulls the same way as what speeds
+// the second one up, and the filter mixes them. Short lines brake as soon as they overlap.
+static void an_axis_that_moves_in_both_keeps_its_jerk(check_t *check)
+{
+    static const char *const backs[] = {"X-5", "X-4.33 Y2.5", "X-2.5 Y4.33", "X5 Y5"};
+    uint32_t overlaps = 0;
+    for (double length = 0.1; length < 0.5; length *= 1.02) {
+        for (int k = 0; k < 4; k++) {
+            char words[80];
+            motion_begin(&motion, 1);
+            snprintf(words, sizeof words, "G21 G91 G64 P0.01 Q0 G1 X%.6f F6000", length);
+            motion_line(&motion, words);
+            motion_line(&motion, backs[k]);
+            motion_line(&motion, "M2");
+            CHECK_INT(check, motion_run(&motion, NULL), 1);
+            (void)motion_holds(check, &motion, words);
+            overlaps += motion.beside > 0;
+        }
+    }
+    CHECK(check, overlaps > 250);
+}
+
 // Nothing is known of what follows the second line: the path rests before it, as it would exactly,
 // and nobody calls it starved.
 static void a_path_that_is_not_known_further_rests(check_t *check)
@@ -208,6 +230,7 @@ int main(void)
     CHECK_RUN(&check, the_tolerance_is_made_use_of);
     CHECK_RUN(&check, other_slopes_rest);
     CHECK_RUN(&check, limits_hold_whatever_the_operator_does);
+    CHECK_RUN(&check, an_axis_that_moves_in_both_keeps_its_jerk);
     CHECK_RUN(&check, a_path_that_is_not_known_further_rests);
     CHECK_RUN(&check, a_late_prep_leaves_a_rest);
     return check_end(&check);

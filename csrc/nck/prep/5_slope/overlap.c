@@ -5,7 +5,6 @@
 #include "nck/base/overlap_math.h" // nck_overlap_…
 #include "nck/base/path.h"         // nck_path_tangent
 
-
 // Cells of a plan that are withheld, at most: the ring has room for others, too.
 enum { WITHHELD_MOST = NCK_CELL_MAX / 2 };
 // They last so many times what the end takes that is left at the distance in question.
@@ -95,17 +94,22 @@ typedef struct corner {
 } corner_t;
 
 // The end of the plan of now: as far from its rest as it slows down. Where an axis moves in both, as
-// its acceleration only grows in time, and in the piece beside the corner, which leaves some jerk.
+// its acceleration only grows in time, and in the piece beside the corner, which leaves some jerk:
+// there the filter has to be over what was before.
 static stretch_t look_back(const nck_link_t *link, const nck_plan_t *now, double period,
                            corner_t *corner) {
     stretch_t stretch = {corner->distance, 0.0, 0.0};
     const double least = -TURN_EPSILON * corner->j[0] * period;
     double behind = 0.0; // acceleration
     corner->time[0] = 0.0;
-    for (uint32_t i = 0; i < now->withheld; i++) {
+    for (uint32_t i = 0; i <= now->withheld; i++) {
         const nck_cell_t *const cell = cell_at(link, now, now->n - 1 - i);
-        if (!(cell->a < 0.0) || cell->span != 0) break;
-        if (corner->shares && (behind - cell->a < least || cell->s < corner->piece[0]->s)) break;
+        const int is_other = behind - cell->a < least || cell->s < corner->piece[0]->s;
+        if (!(cell->a < 0.0) || cell->span != 0 || (corner->shares && is_other)) {
+            if (corner->shares) corner->time[0] -= (double)NCK_FILTER_TAPS * period;
+            break;
+        }
+        if (i == now->withheld) break;
         extend(&stretch, cell, speed_behind(cell), -cell->a);
         corner->time[0] += cell->duration;
         behind = cell->a;
