@@ -19,6 +19,7 @@ static motion_t motion;
 static uint64_t at;      // the operator does something at this tick
 static uint32_t percent; // override that he sets then; 0: he holds the path, for some ticks
 static uint64_t stall;   // from this tick on prep does nothing for some ticks; 0: it works
+static uint64_t pace;    // 1 and more: state of random numbers, prep takes 0 … 2 steps a tick
 static double worst;     // distance from the nearer of both lines [mm]
 
 static void begin(const corner_t *corner)
@@ -51,6 +52,7 @@ static void operate(void *user, uint64_t tick)
 static uint32_t steps_of(void *user, uint64_t tick)
 {
     (void)user;
+    if (pace > 0) return (uint32_t)(3.0 * motion_random(&pace));
     return stall > 0 && tick >= stall && tick < stall + STALL ? 0 : MOTION_STEPS;
 }
 
@@ -223,6 +225,38 @@ static void a_late_prep_leaves_a_rest(check_t *check)
     stall = 0;
 }
 
+// Prep that can hardly follow: the path rests again and again, short plans begin in its middle, and
+// all of it is executed.
+static void a_slow_prep_comes_to_the_end(check_t *check)
+{
+    const motion_script_t script = {steps_of, NULL, NULL};
+    uint32_t rests = 0;
+    at = 0;
+    for (uint64_t seed = 1; seed <= 200 && !check->broken; seed++) {
+        motion_begin(&motion, seed * 0x9e3779b97f4a7c15u);
+        motion_line(&motion, "G21 G91 G64 P0.01 Q0 G1 F6000");
+        for (int k = 0; k < 6; k++) {
+            char words[80];
+            const double length = motion_random_decades(&motion.seed, 0.05, 3.0);
+            const double angle = 6.28 * motion_random(&motion.seed);
+            snprintf(words, sizeof words, "X%.6f Y%.6f", length * cos(angle), length * sin(angle));
+            motion_line(&motion, words);
+        }
+        motion_line(&motion, "M2");
+        pace = motion.seed;
+        (void)motion_start(&motion);
+        while (motion_tick(&motion, &script) && motion.ticks < 20000) {
+            CHECK_INT(check, nck_invariants(&motion.nck), 0);
+        }
+        CHECK_INT(check, motion.is_over, 1);
+        (void)motion_holds(check, &motion, "slow");
+        rests += motion.starved > 0;
+        if (check->broken) printf("    seed %d\n", (int)seed);
+    }
+    CHECK(check, rests > 100);
+    pace = 0;
+}
+
 int main(void)
 {
     check_t check = {0};
@@ -233,5 +267,6 @@ int main(void)
     CHECK_RUN(&check, an_axis_that_moves_in_both_keeps_its_jerk);
     CHECK_RUN(&check, a_path_that_is_not_known_further_rests);
     CHECK_RUN(&check, a_late_prep_leaves_a_rest);
+    CHECK_RUN(&check, a_slow_prep_comes_to_the_end);
     return check_end(&check);
 }

@@ -91,11 +91,13 @@ typedef struct corner {
     const nck_node_t *piece[2]; // beside it
     double j[2];     // limits of jerk there [path mm/s³]
     int shares;      // 1: an axis moves in both
+    int opposes;     // 1: opposite ways, or may
 } corner_t;
 
 // The end of the plan of now: as far from its rest as it slows down. Where an axis moves in both, as
-// its acceleration only grows in time, and in the piece beside the corner, which leaves some jerk:
-// there the filter has to be over what was before.
+// its acceleration only grows in time, and in the piece beside the corner, which leaves some jerk.
+// Where it moves opposite ways what builds up pulls as the other motion does: the filter has to be
+// behind that.
 static stretch_t look_back(const nck_link_t *link, const nck_plan_t *now, double period,
                            corner_t *corner) {
     stretch_t stretch = {corner->distance, 0.0, 0.0};
@@ -104,12 +106,10 @@ static stretch_t look_back(const nck_link_t *link, const nck_plan_t *now, double
     corner->time[0] = 0.0;
     for (uint32_t i = 0; i <= now->withheld; i++) {
         const nck_cell_t *const cell = cell_at(link, now, now->n - 1 - i);
-        const int is_other = behind - cell->a < least || cell->s < corner->piece[0]->s;
-        if (!(cell->a < 0.0) || cell->span != 0 || (corner->shares && is_other)) {
-            if (corner->shares) corner->time[0] -= (double)NCK_FILTER_TAPS * period;
-            break;
-        }
-        if (i == now->withheld) break;
+        const int builds_up = !(cell->a < 0.0) || behind - cell->a < least;
+        if (corner->opposes && builds_up) corner->time[0] -= (double)NCK_FILTER_TAPS * period;
+        if (!(cell->a < 0.0) || cell->span != 0 || i == now->withheld) break;
+        if (corner->shares && (builds_up || cell->s < corner->piece[0]->s)) break;
         extend(&stretch, cell, speed_behind(cell), -cell->a);
         corner->time[0] += cell->duration;
         behind = cell->a;
@@ -217,10 +217,11 @@ double nck_overlap_join(const nck_machine_t *machine, const nck_link_t *link, do
     const nck_overlap_t motions = {in, out, {before->j, behind->j},
                                    {nck_overlap_turn(seg->kind), nck_overlap_turn(following->kind)}};
     if (nck_overlap_jerk(machine, NCK_AXIS_MAX, &motions) > 1.0 + JERK_EPSILON) return 0.0;
+    const double most = nck_overlap_most(machine, NCK_AXIS_MAX, &motions);
     corner_t corner = {seg->overlap, {0.0, 0.0}, {before, behind}, {before->j, behind->j},
-                       nck_overlap_shares(machine, NCK_AXIS_MAX, &motions)};
-    const double most = nck_overlap_most(machine, NCK_AXIS_MAX, &motions) - step_s;
-    const double time = nck_min(most, time_of(link, machine, now, next, &corner));
+                       nck_overlap_shares(machine, NCK_AXIS_MAX, &motions),
+                       most < NCK_OVERLAP_FREE};
+    const double time = nck_min(most - step_s, time_of(link, machine, now, next, &corner));
     if (!(time >= LEAST_PERIODS * machine->period_s)) return 0.0;
     next->beside = cells_beside(link, next, time + (double)NCK_FILTER_TAPS * machine->period_s);
     return time;

@@ -295,11 +295,12 @@ static void give_up(nck_slope_t *self, const nck_pieces_t *pieces) {
     if (self->now.commit >= self->now.n) keep_plan(self, pieces, held);
 }
 
-// Its cells beside the one before are no more among those.
+// Its cells beside the one before are no more among those, nor what is final.
 static void withhold(nck_slope_t *self, const nck_pieces_t *pieces) {
     nck_plan_t *const now = &self->now;
     const uint32_t withheld = nck_overlap_withheld(self->link, pieces, now);
-    const uint32_t most = now->n - now->beside;
+    const uint32_t done = final_count(self);
+    const uint32_t most = now->n - (done > now->beside ? done : now->beside);
     now->withheld = withheld < most ? withheld : most;
 }
 
@@ -509,6 +510,7 @@ int nck_slope_invariants(const nck_slope_t *self) {
     return self->phase <= PHASE_INSTALL && self->kind <= NCK_JOB_BRAKE
            && now->held <= NCK_HELD_BLOCK && (int32_t)(now->end_piece - now->piece) >= 0
            && (now->end_s == NCK_PLAN_BEGIN || now->end_s >= 0.0)
-           && (now->complete || now->commit < now->n) && final_count(self) <= now->n
+           && (now->complete || now->commit < now->n)
+           && final_count(self) + now->withheld <= now->n
            && is_good_wish(&self->wish);
 }
