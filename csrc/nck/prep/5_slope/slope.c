@@ -511,6 +511,6 @@ int nck_slope_invariants(const nck_slope_t *self) {
            && now->held <= NCK_HELD_BLOCK && (int32_t)(now->end_piece - now->piece) >= 0
            && (now->end_s == NCK_PLAN_BEGIN || now->end_s >= 0.0)
            && (now->complete || now->commit < now->n)
-           && final_count(self) + now->withheld <= now->n
+           && final_count(self) + (now->complete ? now->withheld : 0) <= now->n
            && is_good_wish(&self->wish);
 }
