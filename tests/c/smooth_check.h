@@ -43,7 +43,7 @@ static inline double random_between(double low, double high)
 static inline void begin(void)
 {
     nck_machine_default(&machine);
-    machine.slope = NCK_SLOPE_JERK; // corners get blends of their own
+    machine.slope = NCK_SLOPE_JERK; // stops may overlap
     for (int x = 0; x < NCK_AXIS_MAX; x++) {
         machine.axis[x] = machine.axis[0];
         machine.axis[x].rotary = x >= NCK_AXIS_A && x <= NCK_AXIS_C;
@@ -105,7 +105,7 @@ static inline int is_bounded(void)
 // a dwell has of its own lies where a spline has its inner points.
 static inline int is_sound(const nck_seg_t *seg)
 {
-    double sum = seg->length + seg->feed + seg->program;
+    double sum = seg->length + seg->feed + seg->overlap;
     for (int x = 0; x < NCK_AXIS_MAX; x++) {
         sum += seg->start[x] + seg->end[x] + seg->shape.inner[0][x] + seg->shape.inner[1][x];
     }
@@ -189,57 +189,41 @@ static inline double distance_from_line(const double *p, const nck_seg_t *line)
     return distance(p, q);
 }
 
-// How far the programmed corners are from their blends, as a share of the smaller tolerance beside
-// them. The middle of a blend is where the block's name changes.
-static inline double worst_corner(void)
+// How far motions that overlap at a stop cut its corner, as a share of the smaller tolerance beside
+// it. Nothing overlaps but at a stop. A spline beside it may begin another way than its line: what
+// overlaps there is room 5's choice.
+static inline double worst_overlap(void)
 {
     double worst = 0.0;
     for (int k = 0; k + 1 < path.segs; k++) {
         const nck_seg_t *const in = &path.seg[k];
         const nck_seg_t *const out = &path.seg[k + 1];
-        if (!in->blend || !out->blend || in->block == out->block) continue;
-        int at = 0;
-        while (at + 1 < exact.segs && exact.seg[at + 1].block < out->block) at++;
-        while (at > 0 && exact.seg[at].block >= out->block) at--;
         const double tolerance =
             fmin(block[in->block].tolerance_mm, block[out->block].tolerance_mm);
-        worst = fmax(worst, distance(in->end, exact.seg[at].end) / tolerance);
+        double before[NCK_AXIS_MAX];
+        double behind[NCK_AXIS_MAX];
+        if (!(in->overlap > 0.0)) continue;
+        if (!in->stop) return 1e9;
+        if (in->kind != NCK_SEG_LINE || out->kind != NCK_SEG_LINE) continue;
+        nck_path_tangent(in, in->length, before);
+        nck_path_tangent(out, 0.0, behind);
+        worst = fmax(worst, in->overlap * distance(before, behind) / tolerance);
     }
     return worst;
-}
-
-// Share of a corner's own blend: of the lines that make its two, the one whose tolerance it uses
-// least of.
-static inline double blend_share(const double *p, const nck_seg_t *first, const nck_seg_t *last)
-{
-    double least = 1e9;
-    int k = 0;
-    while (exact.seg[k].block < first->block) k++;
-    for (; k < exact.segs && exact.seg[k].block <= last->block + NCK_SMOOTH_MERGE; k++) {
-        const double tolerance = block[exact.seg[k].block].tolerance_mm;
-        if (!(exact.seg[k].length > 0.0) || !(tolerance > 0.0)) continue;
-        least = fmin(least, distance_from_line(p, &exact.seg[k]) / tolerance);
-    }
-    return least;
 }
 
 // Largest share of the tolerance, sampled densely.
 static inline double worst_share(void)
 {
     double worst = 0.0;
-    int first = 0;
     int at = 0;
     for (int k = 0; k < path.segs; k++) {
         const nck_seg_t *const seg = &path.seg[k];
-        int last = k;
-        if (seg->blend && !path.seg[k - 1].blend) first = k;
-        while (seg->blend && path.seg[last + 1].blend) last++;
         for (double n = 0.0; n <= SAMPLES && seg->length > 0.0; n += 1.0) {
             double p[NCK_AXIS_MAX];
             const double s = seg->length * n / SAMPLES;
             nck_path_point(seg, s, p);
-            worst = fmax(worst, seg->blend ? blend_share(p, &path.seg[first], &path.seg[last])
-                                           : share_used(p, seg->s_program + s, &at));
+            worst = fmax(worst, share_used(p, seg->s_begin + s, &at));
         }
     }
     return worst;
@@ -290,7 +274,7 @@ static inline void hold_promises(check_t *check, const char *name)
         printf("    %s: %d segs, %u kinks\n", name, path.segs, smooth.run.kinks);
         return;
     }
-    const double share = fmax(worst_share(), worst_corner());
+    const double share = fmax(worst_share(), worst_overlap());
     const double jump = worst_jump();
     if (!CHECK(check, share <= 1.0 && jump <= 1e-10) || !CHECK(check, is_chained())) {
         printf("    %s: share %.9f, jump %.3g\n", name, share, jump);

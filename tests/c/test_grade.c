@@ -80,7 +80,7 @@ static nck_seg_t *next_seg(size_t i, double feed)
     seg->feed_scale = 1.0;
     if (i > 0) memcpy(seg->start, segs[i - 1].end, sizeof seg->start);
     memcpy(seg->end, seg->start, sizeof seg->end);
-    if (i > 0) seg->s_program = segs[i - 1].s_program + segs[i - 1].length;
+    if (i > 0) seg->s_begin = segs[i - 1].s_begin + segs[i - 1].length;
     return seg;
 }
 
@@ -91,7 +91,6 @@ static void add_line(size_t i, double feed, double dx, double dy, double dz)
     seg->end[1] += dy;
     seg->end[2] += dz;
     seg->length = sqrt(dx * dx + dy * dy + dz * dz);
-    seg->program = seg->length;
 }
 
 // An arc of radius r in the plane (u, w) that begins at the angle phi of its circle; helix: rise.
@@ -109,7 +108,6 @@ static void add_arc(size_t i, double feed, int u, int w, const double shape[4])
     seg->end[w] = seg->shape.arc.centre_v + r * sin(phi + sweep);
     seg->end[3 - u - w] += rise;
     seg->length = sqrt(r * r * sweep * sweep + rise * rise);
-    seg->program = seg->length;
 }
 
 static void add_random(size_t i, double feed, double size)

@@ -86,18 +86,14 @@ static void put_cell(check_t *check, const nck_cell_t *cell)
     CHECK_INT(check, nck_link_publish(&link_), NCK_OK);
 }
 
-// A line of 10 mm along X that stands for 12 mm of program, behind 90 mm of path and 100 of
-// program.
-static void put_line(check_t *check, int blend)
+// A line of 10 mm along X, behind 90 mm of path.
+static void put_line(check_t *check)
 {
     nck_seg_t seg;
     memset(&seg, 0, sizeof seg);
     seg.end[0] = 10.0;
     seg.length = 10.0;
-    seg.program = 12.0;
     seg.s_begin = 90.0;
-    seg.s_program = 100.0;
-    seg.blend = (uint8_t)blend;
     CHECK_INT(check, nck_link_push_seg(&link_, &seg), NCK_OK);
 }
 
@@ -107,7 +103,7 @@ static void no_setpoint_lies_beyond_a_cell(check_t *check)
     const nck_cell_t cell = {.stop = NCK_STOP_REST, .s = 1.0, .length = 2.0, .v = 40.0,
                              .duration = 0.07};
     begin();
-    put_line(check, 0);
+    put_line(check);
     put_cell(check, &cell);
     for (int k = 1; k < 7; k++) {
         const double x = nck_interpolate_tick(&interpolate)->axis[0];
@@ -121,7 +117,7 @@ static void no_setpoint_lies_before_a_cell(check_t *check)
     const nck_cell_t cell = {.stop = NCK_STOP_REST, .s = 1.0, .length = 1.0, .a = -10.0, .j = 1e3,
                              .duration = 0.1};
     begin();
-    put_line(check, 0);
+    put_line(check);
     put_cell(check, &cell);
     double before = 1.0;
     for (int k = 1; k <= 12; k++) {
@@ -139,7 +135,7 @@ static void path_without_a_next_cell_stops_where_the_last_one_ends(check_t *chec
     const nck_cell_t next = {.stop = NCK_STOP_REST, .s = 2.0, .length = 1.0, .v = 20.0,
                              .duration = 0.05};
     begin();
-    put_line(check, 0);
+    put_line(check);
     put_cell(check, &first);
     for (int k = 1; k < 5; k++) {
         CHECK_INT(check, nck_interpolate_tick(&interpolate)->state, NCK_TICK_MOVE);
@@ -162,29 +158,12 @@ static void brake_of_a_hold_is_told_from_its_first_period_to_the_end(check_t *ch
     const nck_cell_t cell = {.stop = NCK_STOP_REST | NCK_STOP_HOLD, .length = 2.0, .v = 80.0,
                              .a = -1600.0, .duration = 0.05};
     begin();
-    put_line(check, 0);
+    put_line(check);
     put_cell(check, &cell);
     for (int k = 0; k < 9; k++) {
         CHECK_INT(check, nck_interpolate_tick(&interpolate)->state, NCK_TICK_HOLD);
     }
     CHECK(check, nck_interpolate_tick(&interpolate)->axis[0] == 2.0);
-}
-
-// Along a blend the program goes on faster than the path, elsewhere as fast.
-static void programmed_path_runs_on_along_a_blend(check_t *check)
-{
-    const nck_cell_t cell = {.stop = NCK_STOP_REST, .last = 1, .length = 10.0, .v = 100.0,
-                             .duration = 0.1};
-    for (int blend = 0; blend < 2; blend++) {
-        begin();
-        put_line(check, blend);
-        put_cell(check, &cell);
-        for (int k = 1; k <= 10; k++) {
-            const nck_pose_t *const pose = nck_interpolate_tick(&interpolate);
-            CHECK_NEAR(check, pose->s, 90.0 + k, 1e-12);
-            CHECK_NEAR(check, pose->s_program, 100.0 + (blend ? 1.2 : 1.0) * k, 1e-12);
-        }
-    }
 }
 
 static void cells_are_taken_for_planning_but_never_those_of_a_tail(check_t *check)
@@ -194,7 +173,7 @@ static void cells_are_taken_for_planning_but_never_those_of_a_tail(check_t *chec
     nck_cell_t taken;
     begin();
     CHECK_INT(check, nck_interpolate_take(&interpolate, &taken), NCK_EMPTY);
-    put_line(check, 0);
+    put_line(check);
     (void)nck_link_batch_begin(&link_);
     nck_link_push_cell(&link_, &cell);
     nck_link_tail_begin(&link_);
@@ -238,7 +217,6 @@ int main(void)
     CHECK_RUN(&check, no_setpoint_lies_before_a_cell);
     CHECK_RUN(&check, path_without_a_next_cell_stops_where_the_last_one_ends);
     CHECK_RUN(&check, brake_of_a_hold_is_told_from_its_first_period_to_the_end);
-    CHECK_RUN(&check, programmed_path_runs_on_along_a_blend);
     CHECK_RUN(&check, cells_are_taken_for_planning_but_never_those_of_a_tail);
     CHECK_RUN(&check, spans_are_taken_off_time_and_periods_alike);
     CHECK_RUN(&check, landing_is_the_first_period_at_or_after_the_time);

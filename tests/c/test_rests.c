@@ -21,7 +21,7 @@ typedef struct corners {
 static const corners_t cases[] = {
     {"a bend from rest to rest", 1e-3, 2000.0, 28.0, {10000.0, 10000.0}, 0, "G64 P0.13",
      {"X-0.158 Y0.000012", "Z-0.0975"}},
-    {"a blend as wide as a chord allows", 1e-2, 485.0, 11300.0, {146000.0, 146000.0}, 0,
+    {"a chain of long lines all but straight", 1e-2, 485.0, 11300.0, {146000.0, 146000.0}, 0,
      "G64 P0.000133", {"X-232.7 Y-1.552 Z-1.255", "X-232.7 Y-2.334 Z-2.094",
                        "X-232.6 Y-3.290 Z-2.729", "X-232.6 Y-4.345 Z-2.279"}},
     {"a zone of little jerk beside a long line", 1e-3, 180.0, 900.0, {42000.0, 2400.0}, 0,

@@ -100,7 +100,7 @@ static void a_corner_uses_most_of_its_tolerance(check_t *check)
     line_to(10.0, 0.0, 0.0, 0.01);
     line_to(10.0, 10.0, 0.0, 0.01);
     hold_promises(check, "a corner");
-    CHECK(check, fmax(worst_share(), worst_corner()) > 0.9);
+    CHECK(check, fmax(worst_share(), worst_overlap()) > 0.9);
     const nck_seg_t *const last = &path.seg[path.segs - 1];
     CHECK(check, path.seg[0].kind == NCK_SEG_LINE && last->kind == NCK_SEG_LINE);
     CHECK(check, path.seg[0].length > 5.0 && last->length > 5.0);

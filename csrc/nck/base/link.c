@@ -141,7 +141,8 @@ static double time_of(const nck_cell_t *cell) {
 }
 
 // The time of cells that the tick has taken no longer counts. When all are taken nothing is left of
-// it, neither by rounding nor of an exchange that failed: the tick was in the tail then.
+// it, neither by rounding nor of an exchange that failed: the tick was in the tail then. Cells go
+// only to places that were free before: what stood there is counted.
 static double lead_of(nck_link_t *self) {
     const uint32_t taken = nck_fence_load(&self->taken);
     while (self->lead_seen != taken) {
@@ -152,11 +153,10 @@ static double lead_of(nck_link_t *self) {
     return self->lead_s;
 }
 
-// Copy the cells from place `first` of a tail on behind the batch, as far as lead and most allow.
-// Returns how many.
-static uint32_t copy_ahead(nck_link_t *self, uint32_t parity, uint32_t first, double lead,
-                           uint32_t most) {
-    const uint32_t room = nck_link_cell_room(self);
+// Copy the cells from place `first` of a tail on behind the batch, as far as room, lead and most
+// allow. Returns how many.
+static uint32_t copy_ahead(nck_link_t *self, uint32_t parity, uint32_t first, uint32_t room,
+                           double lead, uint32_t most) {
     const uint32_t left = self->tail_count[parity] - first;
     const uint32_t fits = room < left ? room : left;
     const uint32_t limit = fits < most ? fits : most;
@@ -186,13 +186,13 @@ static nck_status_t begin_install(nck_link_t *self) {
 }
 
 // Put the first cells of what is built behind the batch, one at least, and publish it all.
-static nck_status_t end_install(nck_link_t *self, double lead, uint32_t most) {
+static nck_status_t end_install(nck_link_t *self, uint32_t room, double lead, uint32_t most) {
     const uint32_t parity = next_parity(self);
     const uint32_t fill = self->tail_fill;
     self->tail_count[parity] = fill;
     self->tail_origin[parity] = (end_of(self->base) + self->batch) & END_MASK;
     const double least = self->lead_s + self->tail[parity].cell[0].duration;
-    const uint32_t count = copy_ahead(self, parity, 0, nck_max(lead, least), most);
+    const uint32_t count = copy_ahead(self, parity, 0, room, nck_max(lead, least), most);
     if (count == 0) return NCK_FULL;
     const uint32_t word = ((end_of(self->base) + self->batch) & END_MASK) << END_SHIFT
                           | (count < fill ? HAS_TAIL : 0u) | parity * PARITY;
@@ -204,8 +204,9 @@ static nck_status_t end_install(nck_link_t *self, double lead, uint32_t most) {
 nck_status_t nck_link_install(nck_link_t *self, double lead, uint32_t most) {
     const nck_status_t status = begin_install(self);
     if (status != NCK_OK) return status;
+    const uint32_t room = nck_link_cell_room(self);
     (void)lead_of(self);
-    return end_install(self, lead, most);
+    return end_install(self, room, lead, most);
 }
 
 static void append_rider(nck_link_t *self, const nck_cell_t *cell) {
@@ -248,11 +249,12 @@ nck_status_t nck_link_join(nck_link_t *self, double overlap, double lead, uint32
     const uint32_t parity = parity_of(self->base);
     const uint32_t first = cells_between(self->tail_origin[parity], end_of(self->base));
     const uint32_t left = self->tail_count[parity] - first;
-    if (nck_link_cell_room(self) < left + 2) return NCK_FULL;
+    const uint32_t room = nck_link_cell_room(self);
+    if (room < left + 2) return NCK_FULL;
     const double lead_s = lead_of(self);
     append_last(self, parity, first, overlap);
     *begin_out = (end_of(self->base) + self->batch) & END_MASK;
-    const nck_status_t ended = end_install(self, lead, most);
+    const nck_status_t ended = end_install(self, room - self->batch, lead, most);
     if (ended == NCK_OK) return NCK_OK;
     self->lead_s = lead_s;
     return ended;
@@ -260,15 +262,16 @@ nck_status_t nck_link_join(nck_link_t *self, double overlap, double lead, uint32
 
 nck_status_t nck_link_advance(nck_link_t *self, double lead, uint32_t most) {
     const uint32_t fill = self->tail_fill;
-    (void)lead_of(self);
     const int entered = nck_link_batch_begin(self);
+    const uint32_t room = nck_link_cell_room(self);
+    (void)lead_of(self);
     self->tail_fill = fill;
     if (self->lead_s >= lead) return entered ? NCK_E_STATE : NCK_FULL;
     const uint32_t parity = parity_of(self->base);
     const uint32_t end = end_of(self->base);
     const uint32_t first = cells_between(self->tail_origin[parity], end);
     const int copies = !entered && (self->base & HAS_TAIL);
-    const uint32_t count = copies ? copy_ahead(self, parity, first, lead, most) : 0;
+    const uint32_t count = copies ? copy_ahead(self, parity, first, room, lead, most) : 0;
     const uint32_t left = self->tail_count[parity] - first;
     const uint32_t word = ((end + count) & END_MASK) << END_SHIFT
                           | (count < left ? HAS_TAIL : 0u) | parity * PARITY;

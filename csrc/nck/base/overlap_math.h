@@ -12,6 +12,9 @@
 // Where they overlap a spline's tangent differs from that at the corner by so much at most.
 #define NCK_OVERLAP_TURN 0.015
 
+// How long motions may overlap where no axis moves opposite ways, or may [s].
+#define NCK_OVERLAP_FREE 1e9
+
 // The two motions.
 typedef struct nck_overlap {
     const double *in, *out; // dp/ds at the corner, before and behind it
@@ -77,7 +80,7 @@ static inline int nck_overlap_shares(const nck_machine_t *machine, int axes,
 // how long the motions may overlap by that [s]. Cost: linear in the axes.
 static inline double nck_overlap_most(const nck_machine_t *machine, int axes,
                                       const nck_overlap_t *self) {
-    double most = 1e9;
+    double most = NCK_OVERLAP_FREE;
     for (int x = 0; x < axes; x++) {
         double part[2];
         if (!machine->axis[x].present) continue;

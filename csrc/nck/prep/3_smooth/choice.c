@@ -199,7 +199,11 @@ static double overlap_of(const corner_t *corner, double *distance_out) {
     const double near = nck_min(corner->half[0], corner->half[1]) / SPREAD;
     const double d = nck_min(near, nck_overlap_distance(corner->tolerance, corner->turn));
     const double time = nck_overlap_time(d, share * j[0]) + nck_overlap_time(d, share * j[1]);
-    const double overlap = nck_min(time, nck_overlap_most(machine, axes, &motions));
+    double overlap = nck_min(time, nck_overlap_most(machine, axes, &motions));
+    for (int n = 0; n < 2; n++) { // a line overlaps at both ends
+        const double half = nck_scurve_over(&corner->ramp[n], 0.0, corner->half[n]);
+        overlap = nck_min(overlap, half - terms->rest_s);
+    }
     if (overlap < PERIODS_LEAST * machine->period_s) return 0.0;
     *distance_out = d;
     return overlap * (1.0 - 2.0 * (1.0 - share));

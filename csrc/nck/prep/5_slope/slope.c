@@ -496,6 +496,7 @@ int nck_slope_invariants(const nck_slope_t *self) {
     return self->phase <= PHASE_INSTALL && self->kind <= NCK_JOB_BRAKE
            && now->held <= NCK_HELD_BLOCK && (int32_t)(now->end_piece - now->piece) >= 0
            && (now->end_s == NCK_PLAN_BEGIN || now->end_s >= 0.0)
-           && (now->complete || now->commit < now->n) && final_count(self) <= now->n
+           && (now->complete || now->commit < now->n)
+           && final_count(self) + (now->complete ? now->withheld : 0) <= now->n
            && is_good_wish(&self->wish);
 }
