@@ -38,14 +38,14 @@ static void write_wave(size_t count, double off)
         const double root = sqrt(2.0);
         const double y = (double)(k % 2);
         nck_seg_t *const seg = &segs[k];
-        seg->length = seg->program = root;
-        seg->s_program = root * (double)k;
+        seg->length = root;
+        seg->s_begin = root * (double)k;
         seg->start[0] = (double)k;
         seg->end[0] = (double)k + 1.0;
         seg->start[1] = y;
         seg->end[1] = 1.0 - y;
         poses[k].line = (uint32_t)k + 1;
-        poses[k].s_program = root * ((double)k + 0.5);
+        poses[k].s = root * ((double)k + 0.5);
         poses[k].axis[0] = (double)k + 0.5;
         poses[k].axis[1] = 0.5;
     }
@@ -147,16 +147,6 @@ static void rings_of_a_few_rows_find_it_too(check_t *check)
     }
 }
 
-// All segs are one blend: it is measured as far as the ring goes.
-static void a_blend_longer_than_the_ring_ends(check_t *check)
-{
-    write_wave(300, 0.1);
-    for (size_t k = 0; k < 300; k++) segs[k].blend = 1;
-    const nck_host_path_miss_t miss = miss_of(300, 7, 16, 16);
-    CHECK_NEAR(check, miss.largest, miss_of(300, 7, ROWS, ROWS).largest, 1e-12);
-    CHECK(check, miss.mark_first == miss.mark_end);
-}
-
 static void a_path_that_ends_early_is_measured_as_far_as_it_goes(check_t *check)
 {
     write_wave(300, 0.1);
@@ -237,7 +227,6 @@ int main(void)
     CHECK_RUN(&check, setpoints_that_the_spindle_leads_do_not_count);
     CHECK_RUN(&check, a_tip_that_is_cut_off_is_missed_by_its_distance);
     CHECK_RUN(&check, rings_of_a_few_rows_find_it_too);
-    CHECK_RUN(&check, a_blend_longer_than_the_ring_ends);
     CHECK_RUN(&check, a_path_that_ends_early_is_measured_as_far_as_it_goes);
     CHECK_RUN(&check, a_point_beside_a_helix_is_as_far_as_it_is_off);
     CHECK_RUN(&check, a_seg_is_as_far_as_its_curve);

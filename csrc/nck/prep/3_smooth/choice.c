@@ -25,7 +25,7 @@
 #define ALIKE 0.01           // of a bend's half-width: a shorter block is a part of the corner
 #define PERIODS_LEAST 2.0     // that two motions overlap
 #define SHARE_LEAST 0.55      // of the jerk that motions keep to which overlap: half gains nothing
-#define SPREAD 8.0           // of δ: so near to the corner at least a block is its own
+#define SPREAD 5.0           // of δ: so near to the corner at least a block is its own
 #define OWN 0.7              // of the spline's turn that a corner has to make for a stop to help
 enum { HALVINGS = 12 };      // of a speed that is sought: to 1e-3 of it
 
@@ -184,7 +184,8 @@ static double side_time(const corner_t *corner, const shape_limit_t *limit, int 
 
 // What a stop gains by overlapping motions [s]; *distance_out: δ [path mm]. 0: nothing, where one of
 // the blocks is no line, or too short, or an axis has no jerk for both. Near to the corner either
-// keeps to a share κ of its jerk then, which costs it (1 − κ) of the time that both overlap.
+// keeps to a share κ of its jerk then, which costs it (1 − κ) of the time that both overlap; without
+// a filter it would come to no acceleration where that begins.
 static double overlap_of(const corner_t *corner, double *distance_out) {
     const nck_terms_t *const terms = corner->terms;
     const nck_overlap_t motions = {corner->in, corner->out,
@@ -195,9 +196,9 @@ static double overlap_of(const corner_t *corner, double *distance_out) {
     const nck_machine_t *const machine = terms->machine;
     const int axes = terms->axes;
     const double share = nck_min(1.0, 1.0 / nck_overlap_jerk(machine, axes, &motions));
-    if (share < SHARE_LEAST) return 0.0;
-    const double near = nck_min(corner->half[0], corner->half[1]) / SPREAD;
-    const double d = nck_min(near, nck_overlap_distance(corner->tolerance, corner->turn));
+    if (share < (terms->taps > 1 ? SHARE_LEAST : 1.0)) return 0.0;
+    const double d = nck_overlap_distance(corner->tolerance, corner->turn);
+    if (SPREAD * d > nck_min(corner->half[0], corner->half[1])) return 0.0;
     const double time = nck_overlap_time(d, share * j[0]) + nck_overlap_time(d, share * j[1]);
     double overlap = nck_min(time, nck_overlap_most(machine, axes, &motions));
     for (int n = 0; n < 2; n++) { // a line overlaps at both ends
