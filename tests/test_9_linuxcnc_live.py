@@ -121,6 +121,14 @@ def test_what_is_missing_in_the_ini_is_in_linuxcncs_log(planner, folder, monkeyp
         live.run(folder, PROGRAM, planner=planner)
 
 
+@pytest.mark.parametrize("period", [0, 1000])
+def test_a_servo_period_out_of_range_is_in_linuxcncs_log(planner, folder, monkeypatch, period):
+    ini = live.INI.replace("SERVO_PERIOD = 1000000", f"SERVO_PERIOD = {period}")
+    monkeypatch.setattr(live, "INI", ini)
+    with pytest.raises(live.errors.StateError, match="write 10000 to 100000000 nanoseconds"):
+        live.run(folder, PROGRAM, planner=planner)
+
+
 @pytest.mark.parametrize(("parameter", "told"), [
     ("swing=1", "swing"), ("jerk=-1", "above zero"), ("budget=-1", "above zero"),
     ("planner=fast", "write jerk or linear"),
