@@ -33,6 +33,8 @@ G1 X15
 M66 P0 L3 Q20
 M64 P0
 G1 F3000 X30
+M65 P0
+G1 X40
 M5
 M2
 """
@@ -89,10 +91,12 @@ def test_signals_and_waits_come_in_step_with_the_motion(signals):
     x = signals.places[:, 0]
     assert (np.abs(x - 1) < 1e-5).sum() > 1000  # M3 waits for the spindle
     assert (np.abs(x - 15) < 1e-5).sum() > 200  # M66 for its input
-    assert x[-1] == pytest.approx(30, abs=1e-5)
+    assert x[-1] == pytest.approx(40, abs=1e-5)
     assert (signals.analog[(x > 1.001) & (x < 9.9)] == 0.25).all()
     assert x[np.argmax(signals.analog == 0.75)] == pytest.approx(10, abs=0.02)
-    assert x[np.argmax(signals.output)] == pytest.approx(15, abs=1e-5)
+    on = np.flatnonzero(signals.output)
+    assert x[on[[0, -1]]] == pytest.approx([15, 30], abs=1e-5)  # M64, M65: at rest
+    assert (np.diff(on) == 1).all()
 
 
 def test_the_pins_tell_what_the_page_says(signals, root):
