@@ -33,6 +33,8 @@ G1 X15
 M66 P0 L3 Q20
 M64 P0
 G1 F3000 X30
+M65 P0
+G1 X40
 M5
 M2
 """
@@ -89,10 +91,12 @@ def test_signals_and_waits_come_in_step_with_the_motion(signals):
     x = signals.places[:, 0]
     assert (np.abs(x - 1) < 1e-5).sum() > 1000  # M3 waits for the spindle
     assert (np.abs(x - 15) < 1e-5).sum() > 200  # M66 for its input
-    assert x[-1] == pytest.approx(30, abs=1e-5)
+    assert x[-1] == pytest.approx(40, abs=1e-5)
     assert (signals.analog[(x > 1.001) & (x < 9.9)] == 0.25).all()
     assert x[np.argmax(signals.analog == 0.75)] == pytest.approx(10, abs=0.02)
-    assert x[np.argmax(signals.output)] == pytest.approx(15, abs=1e-5)
+    on = np.flatnonzero(signals.output)
+    assert x[on[[0, -1]]] == pytest.approx([15, 30], abs=1e-5)  # M64, M65: at rest
+    assert (np.diff(on) == 1).all()
 
 
 def test_the_pins_tell_what_the_page_says(signals, root):
@@ -118,6 +122,14 @@ def test_a_thread_follows_the_spindle(planner, folder):
 def test_what_is_missing_in_the_ini_is_in_linuxcncs_log(planner, folder, monkeypatch):
     monkeypatch.setattr(live, "AXIS", live.AXIS.replace("MAX_JERK = {j}\n", ""))
     with pytest.raises(live.errors.StateError, match="MAX_JERK is missing"):
+        live.run(folder, PROGRAM, planner=planner)
+
+
+@pytest.mark.parametrize("period", [0, 1000])
+def test_a_servo_period_out_of_range_is_in_linuxcncs_log(planner, folder, monkeypatch, period):
+    ini = live.INI.replace("SERVO_PERIOD = 1000000", f"SERVO_PERIOD = {period}")
+    monkeypatch.setattr(live, "INI", ini)
+    with pytest.raises(live.errors.StateError, match="write 10000 to 100000000 nanoseconds"):
         live.run(folder, PROGRAM, planner=planner)
 
 

@@ -10,6 +10,7 @@ enum {
     WAIT_AT_REST = 30,     // cycles that the kernel may wait there for a whole window
     PATIENCE = 40,         // the same while the tool moves, and is near the end of what is known
     PATIENCE_FAR = 100,    // the same wherever it is: chords may be known and not be a path yet
+    PERMILLE = 1000,
     WAY_UNDER_WAY = 60     // periods at full speed that a plan takes to be made, at most
 };
 
@@ -20,7 +21,18 @@ static double within(uint32_t quantity, double value) {
     return fmin(fmax(value, range.low), range.high);
 }
 
-void feed_machine(const planner_t *self, nck_machine_t *machine_out) {
+void feed_bounds(const planner_t *self, bounds_t *bounds) {
+    for (int k = 0; k < MOVES_AXES; k++) {
+        const double scale = settings_scale(&self->settings, k);
+        const double v = self->hooks.v_max(k) * scale;
+        const double a = self->hooks.a_max(k) * scale;
+        bounds->v[k] = v > 0.0 ? v : self->settings.v_max[k];
+        bounds->a[k] = a > 0.0 ? a : self->settings.a_max[k];
+    }
+    bounds->a_path = self->a_path;
+}
+
+void feed_machine(const planner_t *self, const bounds_t *bounds, nck_machine_t *machine_out) {
     nck_machine_t *const machine = machine_out;
     double j_most = 1.0;
     double v_most = 1.0;
@@ -31,14 +43,11 @@ void feed_machine(const planner_t *self, nck_machine_t *machine_out) {
     machine->path.tolerance = self->settings.tolerance;
     for (int k = 0; k < MOVES_AXES; k++) {
         nck_axis_t *const axis = &machine->axis[k];
-        const double scale = settings_scale(&self->settings, k);
-        const double v = self->hooks.v_max(k) * scale;
-        const double a = self->hooks.a_max(k) * scale;
         axis->present = (uint8_t)(self->settings.axes >> k & 1u);
         if (!axis->present) continue;
-        axis->v_max = within(NCK_QUANTITY_SPEED, v > 0.0 ? v : self->settings.v_max[k]);
-        axis->a_max = within(NCK_QUANTITY_ACCELERATION, a > 0.0 ? a : self->settings.a_max[k]);
-        axis->rapid = axis->v_max;
+        axis->v_max = within(NCK_QUANTITY_SPEED, bounds->v[k]);
+        axis->a_max = within(NCK_QUANTITY_ACCELERATION, bounds->a[k] * bounds->a_share);
+        axis->rapid = within(NCK_QUANTITY_SPEED, bounds->v[k] * bounds->v_share);
         axis->j_max = within(NCK_QUANTITY_JERK, fmax(self->settings.jerk[k], 1e-3));
         v_most += axis->v_max;
         a_most += axis->a_max;
@@ -46,7 +55,7 @@ void feed_machine(const planner_t *self, nck_machine_t *machine_out) {
     }
     machine->path.feed_max = within(NCK_QUANTITY_SPEED, v_most); // the host's own limit is a wish
     machine->path.a_max =
-        within(NCK_QUANTITY_ACCELERATION, self->a_path > 0.0 ? self->a_path : a_most);
+        within(NCK_QUANTITY_ACCELERATION, bounds->a_path > 0.0 ? bounds->a_path : a_most);
     machine->path.j_max = within(NCK_QUANTITY_JERK, j_most);
     machine->own_m_count = 2;
     machine->own_m[0].code = MOVES_M_PASS;
@@ -54,26 +63,17 @@ void feed_machine(const planner_t *self, nck_machine_t *machine_out) {
     machine->own_m[1].waits = 1;
 }
 
-int feed_limits_changed(const planner_t *self) {
-    const double a_path = within(NCK_QUANTITY_ACCELERATION, self->a_path);
-    if (self->a_path > 0.0 && self->machine.path.a_max != a_path) return 1;
-    for (int k = 0; k < MOVES_AXES; k++) {
-        const nck_axis_t *const axis = &self->machine.axis[k];
-        const double scale = settings_scale(&self->settings, k);
-        const double v = self->hooks.v_max(k) * scale;
-        const double a = self->hooks.a_max(k) * scale;
-        if (!axis->present) continue;
-        if (!(v > 0.0) || !(a > 0.0)) continue;
-        if (axis->v_max != within(NCK_QUANTITY_SPEED, v)) return 1;
-        if (axis->a_max != within(NCK_QUANTITY_ACCELERATION, a)) return 1;
-    }
-    return 0;
-}
-
 // What follows has the limits of now. 0: not yet, what is before it has to be planned.
 static int set_limits(planner_t *self) {
-    feed_machine(self, &self->machine);
-    return nck_set_limits(&self->nck, &self->machine) != NCK_FULL;
+    const move_t *const move = moves_at(&self->moves, self->moves.next);
+    bounds_t bounds = {.a_share = move->a_share, .v_share = move->v_share};
+    nck_machine_t machine;
+    feed_bounds(self, &bounds);
+    feed_machine(self, &bounds, &machine);
+    if (nck_set_limits(&self->nck, &machine) == NCK_FULL) return 0;
+    self->bounds = bounds;
+    self->machine = machine;
+    return 1;
 }
 
 // What the kernel has is executed to its end: the spindle leads then. Returns 1 for a flush.
@@ -82,6 +82,17 @@ static int finish(planner_t *self) {
     nck_flush(&self->nck);
     self->flushed = self->moves.next;
     return 1;
+}
+
+// With the override that is in force, or is wanted and will be, a block is within its move's cap.
+static void bound(planner_t *self, nck_block_in_t *block) {
+    const move_t *const move = moves_at(&self->moves, self->moves.next);
+    nck_command_t asked;
+    if (!(move->cap > 0.0)) return;
+    nck_asked(&self->nck, &asked);
+    const double most = fmax(fmax(self->wanted, asked.feed_permille), PERMILLE);
+    block->feed = fmin(block->feed, move->cap * PERMILLE / most);
+    self->capped = self->moves.next;
 }
 
 // Returns 1 if there is work for prep.
@@ -94,9 +105,11 @@ static int push(planner_t *self) {
         return 1;
     }
     const int last = moves_block(moves, self->offset, &block);
+    bound(self, &block);
     const nck_status_t status = nck_push_block(&self->nck, &block);
     if (status == NCK_FULL) return 1;
     if (status != NCK_OK) self->failed = 1;
+    moves_at(moves, moves->next)->given = fmax(moves_at(moves, moves->next)->given, block.feed);
     moves->part = last ? 0 : moves->part + 1;
     moves->next += (uint32_t)last;
     self->flushed = moves->next - 1;
@@ -156,6 +169,25 @@ static void hurry(planner_t *self) {
 static int give(planner_t *self) {
     if (self->moves.next == self->moves.head) return flush(self);
     return push(self);
+}
+
+// The move in work, or the first one that will be.
+static uint32_t current(const planner_t *self) {
+    return (int32_t)(self->told.move - self->first) >= 0 ? self->told.move : self->first;
+}
+
+int feed_is_capped(const planner_t *self) { return (int32_t)(self->capped - current(self)) >= 0; }
+
+uint32_t feed_override(const planner_t *self) {
+    const uint32_t end = self->moves.next + (self->moves.part > 0);
+    double least = HUGE_VAL;
+    for (uint32_t n = current(self); n != end; n++) {
+        const move_t *const move = moves_at((moves_t *)&self->moves, n);
+        const double asked = move->feed * self->wanted;
+        const double most = move->cap > 0.0 ? fmin(asked, move->cap * PERMILLE) : asked;
+        if (move->given > 0.0) least = fmin(least, most / move->given);
+    }
+    return least < HUGE_VAL ? (uint32_t)(fmin(least, 2 * PERMILLE) + 1e-6) : self->wanted;
 }
 
 int feed_is_done(const planner_t *self) {

@@ -46,10 +46,14 @@ typedef struct move {
     uint32_t count;    // moves that the host has handed over up to this one
     uint32_t chords;
     double value;      // of an output; of a thread the lead [mm]; of a tap the lead too
+    double a_share;    // of limits: see bounds_t
+    double v_share;
     double back;       // of a tap: how much faster the spindle is to turn on the way back
     double rps;        // that its feed is told for [1/s]; 0: its feed hangs on no spindle
     double vel;        // the host's speed of the move [units/s], told back
     double feed;       // [mm/min, deg/min]; 0: a rapid
+    double cap;        // at no override more than this [mm/min, deg/min]; 0: the axes see to it
+    double given;      // feed that the kernel has of it [mm/min, deg/min]; 0: not yet
     double tolerance;  // [mm]
     double way;        // programmed path up to its end [mm]
     double start[MOVES_AXES];

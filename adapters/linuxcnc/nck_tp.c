@@ -97,8 +97,15 @@ static void spindle_turn(double share) { spindle()->speed *= share; }
 
 static planner_order_t order_of(int motion, double vel, unsigned char enables, char waits,
                                 int indexer) {
-    const planner_order_t order = {vel, motion, enables, motion == EMC_MOTION_TYPE_TRAVERSE,
-                                   waits != 0, indexer};
+    const planner_order_t order = {vel, 0.0, 0.0, motion, enables,
+                                   motion == EMC_MOTION_TYPE_TRAVERSE, waits != 0, indexer};
+    return order;
+}
+
+// No override makes a move faster than ini_maxvel.
+static planner_order_t within(planner_order_t order, double ini_maxvel, double acc) {
+    order.v_most = ini_maxvel;
+    order.a_most = acc;
     return order;
 }
 
@@ -115,11 +122,10 @@ static int added(int taken, struct state_tag_t tag) {
 int tpAddLine(TP_STRUCT *const tp, EmcPose end, int motion, double vel, double ini_maxvel,
               double acc, unsigned char enables, char atspeed, int indexrotary,
               struct state_tag_t tag) {
-    const planner_order_t order = order_of(motion, vel, enables, atspeed, indexrotary);
+    const planner_order_t order =
+        within(order_of(motion, vel, enables, atspeed, indexrotary), ini_maxvel, acc);
     double place[MOVES_AXES];
     (void)tp;
-    (void)ini_maxvel;
-    (void)acc;
     from_pose(&end, place);
     return added(planner_line(&self, &order, place), tag);
 }
@@ -127,25 +133,23 @@ int tpAddLine(TP_STRUCT *const tp, EmcPose end, int motion, double vel, double i
 int tpAddCircle(TP_STRUCT *const tp, EmcPose end, PmCartesian center, PmCartesian normal, int turn,
                 int motion, double vel, double ini_maxvel, double acc, unsigned char enables,
                 char atspeed, struct state_tag_t tag) {
-    const planner_order_t order = order_of(motion, vel, enables, atspeed, -1);
+    const planner_order_t order =
+        within(order_of(motion, vel, enables, atspeed, -1), ini_maxvel, acc);
     const double unit = scale(0);
     const double centre[3] = {center.x * unit, center.y * unit, center.z * unit};
     const double along[3] = {normal.x, normal.y, normal.z};
     double place[MOVES_AXES];
     (void)tp;
-    (void)ini_maxvel;
-    (void)acc;
     from_pose(&end, place);
     return added(planner_arc(&self, &order, place, centre, along, turn), tag);
 }
 
 int tpAddRigidTap(TP_STRUCT *const tp, EmcPose end, double vel, double ini_maxvel, double acc,
                   unsigned char enables, double reverse, struct state_tag_t tag) {
-    const planner_order_t order = order_of(EMC_MOTION_TYPE_FEED, vel, enables, 0, -1);
+    const planner_order_t order =
+        within(order_of(EMC_MOTION_TYPE_FEED, vel, enables, 0, -1), ini_maxvel, acc);
     double place[MOVES_AXES];
     (void)tp;
-    (void)ini_maxvel;
-    (void)acc;
     from_pose(&end, place);
     return added(planner_tap(&self, &order, place, reverse), tag);
 }
@@ -345,12 +349,13 @@ int tpClear(TP_STRUCT *const tp) {
     return TP_ERR_OK;
 }
 
+// The motion controller does not look at what is returned; its first call comes without a period.
 int tpSetCycleTime(TP_STRUCT *tp, double secs) {
     (void)tp;
     if (!(secs > 0.0)) return TP_ERR_FAIL;
     if (secs == self.cycle_s) return TP_ERR_OK;
     if (planner_init(&self, &settings, &hooks, secs)) return TP_ERR_OK;
-    message("limits or the servo period are outside of what the planner can take");
+    message("the servo period is outside of 0.01 to 100 ms: no move is taken");
     return TP_ERR_FAIL;
 }
 

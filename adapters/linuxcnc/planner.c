@@ -38,6 +38,7 @@ static void forget(planner_t *self) {
     self->first = self->moves.head;
     self->passed = self->count;
     self->empty = 1;
+    self->bounds_asked = self->bounds;
     self->told.between = 0;
     memcpy(self->goal, self->told.place, sizeof self->goal);
 }
@@ -47,6 +48,10 @@ int planner_init(planner_t *self, const settings_t *settings, const planner_hook
     const nck_hooks_t listens = {self, on_output, NULL, NULL};
     const double a_path = self->a_path;
     const planner_modal_t modal = self->modal;
+    nck_range_t range;
+    nck_machine_range(NCK_QUANTITY_PERIOD, &range);
+    self->cycle_s = 0.0;
+    if (!(cycle_s >= range.low && cycle_s <= range.high)) return 0;
     memset(self, 0, sizeof *self);
     self->settings = *settings;
     self->hooks = *hooks;
@@ -55,8 +60,13 @@ int planner_init(planner_t *self, const settings_t *settings, const planner_hook
     self->modal = modal;
     self->moves.head = 1; // 0 is no move to the kernel
     self->done = 1;
-    feed_machine(self, &self->machine);
-    if (nck_init(&self->nck, &self->machine, &listens) != NCK_OK) return 0;
+    self->bounds.a_share = self->bounds.v_share = 1.0;
+    feed_bounds(self, &self->bounds);
+    feed_machine(self, &self->bounds, &self->machine);
+    if (nck_init(&self->nck, &self->machine, &listens) != NCK_OK) {
+        self->cycle_s = 0.0;
+        return 0;
+    }
     forget(self);
     return 1;
 }
@@ -85,13 +95,12 @@ static void stop(planner_t *self, planner_state_t state) {
 
 static int can_add(const planner_t *self, uint32_t entries) {
     const moves_t *const moves = &self->moves;
-    return !self->failed && self->state != PLANNER_STOPS
+    return self->cycle_s > 0.0 && !self->failed && self->state != PLANNER_STOPS
            && moves->head - moves->tail + entries <= MOVES_MAX;
 }
 
-// The next free entry, with what the host has told of the move.
-static move_t *entry(planner_t *self, const planner_order_t *order) {
-    move_t *const move = moves_at(&self->moves, self->moves.head);
+// What the host has told of a move.
+static void fill(const planner_t *self, const planner_order_t *order, move_t *move) {
     memset(move, 0, sizeof *move);
     move->id = self->modal.id;
     move->path_mode = (uint8_t)self->modal.path_mode;
@@ -104,14 +113,13 @@ static move_t *entry(planner_t *self, const planner_order_t *order) {
     move->enables = order->enables;
     move->vel = order->vel;
     if (self->modal.speed) move->rps = self->rps;
-    return move;
 }
 
 static void put_word(planner_t *self, const planner_order_t *order, move_kind_t kind, int index) {
-    move_t *const move = entry(self, order);
+    move_t *const move = moves_at(&self->moves, self->moves.head++);
+    fill(self, order, move);
     move->kind = (uint8_t)kind;
     move->index = index;
-    self->moves.head++;
 }
 
 int planner_output(planner_t *self, int analog, int index, double value) {
@@ -136,15 +144,19 @@ static void put_outputs(planner_t *self, const planner_order_t *order) {
     self->outputs = 0;
 }
 
-// Millimetres or degrees a minute that the move's speed is meant for.
-static double feed_of(const planner_t *self, const planner_order_t *order, const double *end) {
+// An axis in whose units the speed of a move is told.
+static int unit_of(const planner_t *self, const double *end) {
     int linear = 0;
     for (int k = 0; k < MOVES_AXES; k++) {
         const int rotary = k >= NCK_AXIS_A && k <= NCK_AXIS_C;
         linear |= !rotary && end[k] != self->goal[k];
     }
-    const double scale = settings_scale(&self->settings, linear ? NCK_AXIS_X : NCK_AXIS_A);
-    const double most = order->vel * scale * 60.0;
+    return linear ? NCK_AXIS_X : NCK_AXIS_A;
+}
+
+// Millimetres or degrees a minute that the move's speed is meant for.
+static double feed_of(const planner_t *self, const planner_order_t *order, const double *end) {
+    const double most = order->vel * settings_scale(&self->settings, unit_of(self, end)) * 60.0;
     if (order->rapid) return 0.0;
     if (!self->modal.speed || !(self->modal.lead > 0.0)) return most;
     return self->modal.lead * self->rps * 60.0; // the host's speed means nothing here
@@ -169,31 +181,53 @@ typedef struct shape {
     double back;                   // of a tap; 0: none
 } shape_t;
 
-// What comes before a move; its end is the goal then.
-static int add(planner_t *self, const planner_order_t *order, const shape_t *shape) {
+// A move to a place, as far as itself goes. Returns its length, −1 if there is no such arc.
+static double make(const planner_t *self, const planner_order_t *order, const shape_t *shape,
+                   const double *place, move_t *move) {
     const double *const centre = shape->centre;
-    double place[MOVES_AXES];
-    if (!can_add(self, 5 + PLANNER_OUTPUTS)) return -1;
-    if (!read_end(self, shape->end, place) || !(order->vel > 0.0)) return -2;
-    if (!centre && memcmp(place, self->goal, sizeof place) == 0) return 0;
-    const double feed = feed_of(self, order, centre ? place : shape->end);
-    if (feed_limits_changed(self)) put_word(self, order, MOVE_LIMITS, 0);
-    put_outputs(self, order);
-    if (order->at_speed) put_word(self, order, MOVE_AT_SPEED, 0);
-    if (order->indexer >= 0) put_word(self, order, MOVE_UNLOCK, order->indexer);
-    move_t *const move = entry(self, order);
-    double length = moves_straight(move, self->goal, place);
+    fill(self, order, move);
+    const double length = moves_straight(move, self->goal, place);
     move->kind = order->rapid ? MOVE_RAPID : MOVE_LINE;
     if (shape->back > 0.0) move->kind = MOVE_TAP;
     else if (self->modal.lead > 0.0 && !self->modal.speed && !centre) move->kind = MOVE_THREAD;
     move->value = self->modal.lead;
     move->back = shape->back;
-    if (centre) length = moves_round(move, centre, shape->normal, shape->turn);
+    move->feed = order->rapid ? 0.0 : feed_of(self, order, centre ? place : shape->end);
+    return centre ? moves_round(move, centre, shape->normal, shape->turn) : length;
+}
+
+// What the host leaves the move of the axes' limits. A rapid has no speed but theirs.
+static void put_bounds(planner_t *self, const planner_order_t *order, move_t *move) {
+    const double scale = settings_scale(&self->settings, unit_of(self, move->end));
+    const double v = order->rapid ? fmin(order->vel, order->v_most) : order->v_most;
+    const bounds_most_t most = {v * scale, order->a_most * scale};
+    bounds_t bounds = self->bounds_asked;
+    feed_bounds(self, &bounds);
+    bounds_share(&bounds, &most, move);
+    move->cap = 60.0 * bounds_cap(&bounds, &most, move);
+    if (bounds_same(&bounds, &self->bounds_asked)) return;
+    put_word(self, order, MOVE_LIMITS, 0);
+    moves_at(&self->moves, self->moves.head - 1)->a_share = bounds.a_share;
+    moves_at(&self->moves, self->moves.head - 1)->v_share = bounds.v_share;
+    self->bounds_asked = bounds;
+}
+
+// What comes before a move; its end is the goal then.
+static int add(planner_t *self, const planner_order_t *order, const shape_t *shape) {
+    move_t move;
+    double place[MOVES_AXES];
+    if (!can_add(self, 5 + PLANNER_OUTPUTS)) return -1;
+    if (!read_end(self, shape->end, place) || !(order->vel > 0.0)) return -2;
+    if (!shape->centre && memcmp(place, self->goal, sizeof place) == 0) return 0;
+    const double length = make(self, order, shape, place, &move);
     if (length < 0.0) return -2;
-    move->feed = order->rapid ? 0.0 : feed;
+    put_bounds(self, order, &move);
+    put_outputs(self, order);
+    if (order->at_speed) put_word(self, order, MOVE_AT_SPEED, 0);
+    if (order->indexer >= 0) put_word(self, order, MOVE_UNLOCK, order->indexer);
     self->way += length;
-    move->way = self->way;
-    self->moves.head++;
+    move.way = self->way;
+    *moves_at(&self->moves, self->moves.head++) = move;
     if (!(shape->back > 0.0)) memcpy(self->goal, place, sizeof self->goal);
     if (order->indexer >= 0) put_word(self, order, MOVE_LOCK, order->indexer);
     self->count++;
@@ -271,25 +305,26 @@ static uint32_t speed_um_s(const planner_t *self, double v_most) {
 
 // A feed a revolution was told for one speed of the spindle; it turns at another by now.
 static double spindle_share(planner_t *self, const planner_wish_t *wish) {
-    const double rps = moves_at(&self->moves, self->told.move)->rps;
+    const double rps = self->done ? 0.0 : moves_at(&self->moves, self->told.move)->rps;
     return rps > 0.0 ? wish->rps / rps : 1.0;
 }
 
 // A change of overrides is heard at once if it comes to rest or leaves it.
 static void hear_rates(planner_t *self, const planner_wish_t *wish) {
     nck_command_t asked;
-    const double spindle = spindle_share(self, wish);
-    const uint32_t feed = permille(wish->feed * spindle, 2 * PERMILLE);
     const uint32_t rapid = permille(wish->rapid, PERMILLE);
     const uint32_t speed = speed_um_s(self, wish->v_most);
     nck_asked(&self->nck, &asked);
-    const int same = asked.feed_permille == feed && asked.rapid_permille == rapid
-                     && asked.speed_um_s == speed;
-    const int rests = (asked.feed_permille == 0) != (feed == 0)
+    const int rests = (asked.feed_permille == 0) != (self->wanted == 0)
                       || (asked.rapid_permille == 0) != (rapid == 0);
     self->calm++;
-    if (same || (!rests && self->calm < CALM)) return;
-    self->calm = 0;
+    if (!rests && self->calm < CALM) return;
+    const int capped = feed_is_capped(self);
+    const uint32_t feed = capped ? feed_override(self) : self->wanted;
+    const int same = asked.feed_permille == feed && asked.rapid_permille == rapid
+                     && asked.speed_um_s == speed;
+    if (!same || capped) self->calm = 0;
+    if (same) return;
     nck_set_override_permille(&self->nck, feed, rapid);
     nck_set_speed(&self->nck, speed);
 }
@@ -414,6 +449,7 @@ void planner_cycle(planner_t *self, const planner_wish_t *wish) {
     nck_pose_t pose;
     nck_axes_t axes;
     self->rps = wish->rps > 0.0 ? wish->rps : fmax(wish->rps_asked, 1.0);
+    self->wanted = permille(wish->feed * spindle_share(self, wish), 2 * PERMILLE);
     if (self->done && self->state == PLANNER_READY) {
         self->told.v = self->told.a = self->told.j = 0.0;
         self->told.steps = 0;

@@ -10,6 +10,7 @@
 
 #include <stdint.h> // uint32_t
 
+#include "bounds.h"   // bounds_t bounds_most_t
 #include "follow.h"   // follow_t
 #include "moves.h"    // moves_t
 #include "nck/nck.h"  // nck_t
@@ -53,6 +54,8 @@ typedef struct planner_modal {
 // What a move has beside its geometry.
 typedef struct planner_order {
     double vel;        // [units/s] of the tool; of rotary axes where they move alone
+    double v_most;     // the same at any override; 0: as the axes can
+    double a_most;     // [units/s²] along the path, likewise
     int motion;        // the host's kind, told back
     uint8_t enables;   // the host's, told back
     uint8_t rapid;     // 1: as fast as the axes can
@@ -95,6 +98,8 @@ typedef enum planner_state {
 typedef struct planner {
     nck_t nck;
     nck_machine_t machine;  // the limits that were set last
+    bounds_t bounds;        // of them
+    bounds_t bounds_asked;  // of the last move that was handed over
     moves_t moves;
     settings_t settings;
     planner_hooks_t hooks;
@@ -127,7 +132,9 @@ typedef struct planner {
     uint32_t waits;         // 1: the unlocking or locking that is waited for has been asked for
     uint32_t first;         // entries before this one are behind the tool
     uint32_t calm;          // cycles since the overrides have changed
-    double cycle_s;
+    uint32_t wanted;        // override of feeds that the host wants [‰]
+    uint32_t capped;        // the last move with a cap that the kernel has
+    double cycle_s;         // 0: it takes no moves
     double a_path;          // tangential acceleration at most [mm/s²]
     double goal[MOVES_AXES];// where the last move ends
     double offset[MOVES_AXES]; // the host's place less the kernel's
@@ -136,8 +143,8 @@ typedef struct planner {
 } planner_t;
 
 // Make it ready, at rest at zero; cycle_s: a period of the servo thread. modal and a_path stay.
-// Returns 1, or 0 if the kernel refuses the machine. Cost: linear in the memory. Context: before
-// the first cycle.
+// Returns 1, or 0 if the kernel refuses the machine or the period: it takes no moves then. Cost:
+// linear in the memory. Context: before the first cycle.
 int planner_init(planner_t *self, const settings_t *settings, const planner_hooks_t *hooks,
                  double cycle_s);
 

@@ -213,9 +213,24 @@ static int read_choices(settings_t *settings, FILE *file, const settings_given_t
     return 1;
 }
 
+// LinuxCNC hears of no refusal once its motion controller has begun, so it is told before.
+static int read_period(FILE *file, char *why) {
+    char remedy[NAME + NAME];
+    double period_ns = 0.0;
+    nck_range_t range;
+    const int state = find_number(file, "EMCMOT", "SERVO_PERIOD", &period_ns);
+    nck_machine_range(NCK_QUANTITY_PERIOD, &range);
+    const int good = period_ns >= range.low * 1e9 - 0.5 && period_ns <= range.high * 1e9 + 0.5;
+    if (state == 0 || good) return 1;
+    (void)snprintf(remedy, sizeof remedy, "write %.0f to %.0f nanoseconds", range.low * 1e9,
+                   range.high * 1e9);
+    return fail(why, "[EMCMOT] SERVO_PERIOD", remedy);
+}
+
 static int read_file(settings_t *settings, FILE *file, const settings_given_t *given, char *why) {
-    return read_units(settings, file, why) && read_axes(settings, file, why)
-           && read_choices(settings, file, given, why) && read_limits(settings, file, given, why);
+    return read_period(file, why) && read_units(settings, file, why)
+           && read_axes(settings, file, why) && read_choices(settings, file, given, why)
+           && read_limits(settings, file, given, why);
 }
 
 int settings_read(settings_t *settings, const char *path, const settings_given_t *given,

@@ -185,6 +185,7 @@ static void until(const char *what, int most) {
 
 static unsigned char at_speed;
 static int indexer = -1;
+static double asked_v, asked_a; // of the moves that come, at most; 0: what the axes leave to them
 static struct state_tag_t tag;
 
 static EmcPose place_of(const double *n) {
@@ -210,7 +211,8 @@ static double left_of(const double *limit, const double *end, int straight) {
 static void move(const char *word, const double *n) {
     const EmcPose end = place_of(n + 1);
     const int straight = strcmp(word, "arc") != 0;
-    const double v = left_of(v_max, n + 1, straight), a = left_of(a_max, n + 1, straight);
+    const double v = asked_v > 0.0 ? asked_v : left_of(v_max, n + 1, straight);
+    const double a = asked_a > 0.0 ? asked_a : left_of(a_max, n + 1, straight);
     int good = 0;
     memcpy(goal, n + 1, sizeof goal);
     p_tpSetId(&tp, ++id);
@@ -267,6 +269,7 @@ static void set(const char *word, const double *n) {
     else if (strcmp(word, "term") == 0) p_tpSetTermCond(&tp, (int)n[0], n[1]);
     else if (strcmp(word, "dout") == 0) p_tpSetDout(&tp, (int)n[0], (unsigned char)n[1], 0);
     else if (strcmp(word, "aout") == 0) p_tpSetAout(&tp, (unsigned char)n[0], n[1], 0.0);
+    else if (strcmp(word, "period") == 0) printf("period %d\n", p_tpSetCycleTime(&tp, n[0]));
     else if (strcmp(word, "wait") == 0) at_speed = 1;
     else if (strcmp(word, "indexer") == 0) indexer = (int)n[0];
     else if (strcmp(word, "atspeed") == 0) status.spindle_status[0].at_speed = (int)n[0];
@@ -275,6 +278,10 @@ static void set(const char *word, const double *n) {
         if (n[1] > 0.0) rps_s = n[1];
     }
     else if (strcmp(word, "sync") == 0) p_tpSetSpindleSync(&tp, 0, n[0], (int)n[1]);
+    else if (strcmp(word, "caps") == 0) {
+        asked_v = n[0];
+        asked_a = n[1];
+    }
     else if (strcmp(word, "axis") == 0) {
         v_max[(int)n[0]] = n[1];
         a_max[(int)n[0]] = n[2];
