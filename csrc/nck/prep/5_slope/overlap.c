@@ -109,22 +109,32 @@ typedef struct corner {
     int shares;      // 1: an axis moves in both
 } corner_t;
 
-// The end of the plan of now: as far from its rest as it slows down. Where an axis moves in both, as
-// its acceleration only grows in time, and in the piece beside the corner, which leaves some jerk;
-// less half of the last cell, whose jump at its other end may go the other way (rule R).
+// Whether acceleration does anything but grow in time in a cell, from that of the one before on.
+static int falls(const corner_t *corner, int n, double before, const nck_cell_t *cell) {
+    const double least = -TURN_EPSILON * corner->j[n] * corner->period;
+    return nck_min(cell->a - before, accel_behind(cell) - cell->a) < least;
+}
+
+// Whether a cell of the end of the plan of now may ride, before one that begins with this
+// acceleration: it slows down. Where an axis moves in both, its acceleration only grows in time, and
+// it is in the piece beside the corner, which leaves some jerk.
+static int may_ride(const corner_t *corner, const nck_cell_t *cell, double behind) {
+    if (!(cell->a < 0.0) || cell->span != 0 || cell->v > corner->v_most) return 0;
+    if (!corner->shares) return 1;
+    const double grows = behind - accel_behind(cell);
+    const double least = -TURN_EPSILON * corner->j[0] * corner->period;
+    return grows >= least && !falls(corner, 0, cell->a, cell) && cell->s >= corner->piece[0]->s;
+}
+
+// Half of the last cell is left out: its jump at the other end may go the other way (rule R).
 static stretch_t look_back(const nck_link_t *link, const nck_plan_t *now, corner_t *corner) {
     stretch_t stretch = {corner->distance, 0.0, 0.0};
-    const double least = -TURN_EPSILON * corner->j[0] * corner->period;
     double behind = 0.0; // acceleration
     double last = 0.0;   // of the cells' durations
     corner->time[0] = 0.0;
     for (uint32_t i = 0; i < now->withheld; i++) {
         const nck_cell_t *const cell = cell_at(link, now, now->n - 1 - i);
-        const double a = accel_behind(cell);
-        const int is_other = behind - a < least || a - cell->a < least
-                             || cell->s < corner->piece[0]->s;
-        if (!(cell->a < 0.0) || cell->span != 0 || cell->v > corner->v_most) break;
-        if (corner->shares && is_other) break;
+        if (!may_ride(corner, cell, behind)) break;
         extend(&stretch, cell, 1);
         corner->time[0] += cell->duration;
         last = cell->duration;
@@ -134,32 +144,33 @@ static stretch_t look_back(const nck_link_t *link, const nck_plan_t *now, corner
     return stretch;
 }
 
-// The begin of the next one, the same way, as long as it is straight. It goes on for some time until
-// another plan may take over.
+// The same of a cell of the next plan, behind one that ends with this acceleration: it speeds up.
+static int may_begin(const corner_t *corner, const nck_cell_t *cell, double before) {
+    const nck_node_t *const piece = corner->piece[1];
+    if (!(accel_behind(cell) > 0.0) || cell->seg != piece->seg || cell->span != 0) return 0;
+    if (speed_behind(cell) > corner->v_most) return 0;
+    if (!corner->shares) return 1;
+    return !falls(corner, 1, before, cell) && cell->s + cell->length <= piece->s + piece->length;
+}
+
+// It goes on for some time until another plan may take over.
 static stretch_t look_ahead(const nck_link_t *link, const nck_plan_t *next, corner_t *corner) {
     stretch_t stretch = {corner->distance, 0.0, 0.0};
-    const double least = -TURN_EPSILON * corner->j[1] * corner->period;
     const uint32_t most = next->complete ? next->n : next->commit;
-    const uint32_t seg = nck_link_built_cell(link, 0)->seg;
     const double filter = corner->taps * corner->period;
-    const double end = corner->piece[1]->s + corner->piece[1]->length;
-    double before = 0.0;
+    double before = 0.0; // acceleration
     double time = 0.0;
     int goes_on = 1;
     for (uint32_t i = 0; i < most; i++) {
         const nck_cell_t *const cell = nck_link_built_cell(link, i);
-        const double a = accel_behind(cell);
-        const int is_other = cell->a - before < least || a - cell->a < least
-                             || cell->s + cell->length > end;
-        goes_on = goes_on && a > 0.0 && cell->seg == seg && cell->span == 0
-                  && speed_behind(cell) <= corner->v_most && !(corner->shares && is_other);
+        goes_on = goes_on && may_begin(corner, cell, before);
         time += cell->duration;
         if (goes_on) {
             extend(&stretch, cell, 0);
             corner->time[1] = time - (corner->shares ? 0.5 * cell->duration : 0.0);
         }
         if (time > nck_min(corner->time[0], corner->time[1]) + filter) break;
-        before = a;
+        before = accel_behind(cell);
     }
     corner->time[1] = nck_min(corner->time[1], time - filter);
     return stretch;
@@ -195,8 +206,8 @@ static double time_of(const nck_link_t *link, const nck_plan_t *now, const nck_p
     return nck_min(most, end.time + begin.time);
 }
 
-// How much a spline's tangent turns within the distance at one of its ends: no more than p″, which is
-// linear, at either end of that.
+// How much a spline's tangent turns within the distance at one of its ends: no more than p″, which
+// is linear, at either end of that.
 static double turn_near(const nck_seg_t *seg, double end, double other) {
     double second[2][NCK_AXIS_MAX];
     double square[2] = {0.0, 0.0};
@@ -224,31 +235,53 @@ static double slack_of(const nck_machine_t *machine) {
     return NCK_LADDER_STRETCH * nck_jerk_cell_s(machine);
 }
 
-double nck_overlap_join(const nck_machine_t *machine, const nck_link_t *link,
-                        const nck_pieces_t *pieces, const nck_wish_t *wish, const nck_plan_t *now,
-                        nck_plan_t *next) {
-    const nck_node_t *const before = piece_before_rest(pieces, now);
-    const nck_node_t *const behind = nck_plan_piece(pieces, next->piece);
-    if (!before || !behind || next->held) return 0.0;
-    double in[NCK_AXIS_MAX];
-    double out[NCK_AXIS_MAX];
-    const nck_seg_t *const seg = nck_link_seg(link, before->seg);
-    const nck_seg_t *const following = nck_link_seg(link, behind->seg);
-    if (!are_straight(seg, following)) return 0.0;
-    nck_path_tangent(seg, seg->length, in);
-    nck_path_tangent(following, 0.0, out);
-    const nck_overlap_t motions = {in, out, {before->j, behind->j},
-                                   {nck_overlap_turn(seg->kind), nck_overlap_turn(following->kind)}};
-    if (nck_overlap_jerk(machine, NCK_AXIS_MAX, &motions) > 1.0 + JERK_EPSILON) return 0.0;
-    const double vv = nck_min(nck_plan_cap(before, wish, next->over),
-                              nck_plan_cap(behind, wish, next->over));
+// The motions on both sides of a corner; 0 if they are none that overlap.
+static int find_motions(const nck_machine_t *machine, const nck_seg_t *seg[2],
+                        const nck_node_t *piece[2], double tangent[2][NCK_AXIS_MAX],
+                        nck_overlap_t *motions) {
+    if (!are_straight(seg[0], seg[1])) return 0;
+    nck_path_tangent(seg[0], seg[0]->length, tangent[0]);
+    nck_path_tangent(seg[1], 0.0, tangent[1]);
+    motions->in = tangent[0];
+    motions->out = tangent[1];
+    for (int n = 0; n < 2; n++) {
+        motions->j[n] = piece[n]->j;
+        motions->turn[n] = nck_overlap_turn(seg[n]->kind);
+    }
+    return nck_overlap_jerk(machine, NCK_AXIS_MAX, motions) <= 1.0 + JERK_EPSILON;
+}
+
+// As nck_overlap_join, between two pieces.
+static double join(const nck_machine_t *machine, const nck_link_t *link,
+                   const nck_node_t *piece[2], const nck_wish_t *wish, const nck_plan_t *now,
+                   const nck_plan_t *next) {
+    const nck_seg_t *seg[2] = {nck_link_seg(link, piece[0]->seg),
+                               nck_link_seg(link, piece[1]->seg)};
+    double tangent[2][NCK_AXIS_MAX];
+    nck_overlap_t motions;
+    if (!find_motions(machine, seg, piece, tangent, &motions)) return 0.0;
+    const double vv = nck_min(nck_plan_cap(piece[0], wish, next->over),
+                              nck_plan_cap(piece[1], wish, next->over));
     const double taps = machine->slope == NCK_SLOPE_JERK ? (double)NCK_FILTER_TAPS : 1.0;
-    corner_t corner = {seg->overlap, {0.0, 0.0}, {before, behind}, {before->j, behind->j},
-                       nck_sqrt(vv), machine->period_s, taps,
+    corner_t corner = {seg[0]->overlap, {0.0, 0.0}, {piece[0], piece[1]},
+                       {piece[0]->j, piece[1]->j}, nck_sqrt(vv), machine->period_s, taps,
                        nck_overlap_shares(machine, NCK_AXIS_MAX, &motions)};
     const double most = nck_overlap_most(machine, NCK_AXIS_MAX, &motions) - slack_of(machine);
-    const double time = nck_min(most, time_of(link, now, next, &corner));
-    if (!(time >= LEAST_PERIODS * machine->period_s)) return 0.0;
-    next->beside = cells_beside(link, next, time + taps * machine->period_s);
+    return nck_min(most, time_of(link, now, next, &corner));
+}
+
+double nck_overlap_join(const nck_machine_t *machine, const nck_link_t *link,
+                        const nck_pieces_t *pieces, const nck_wish_t *wish, nck_plan_t *now,
+                        nck_plan_t *next) {
+    const nck_node_t *piece[2] = {piece_before_rest(pieces, now),
+                                  nck_plan_piece(pieces, next->piece)};
+    const int are_known = piece[0] && piece[1] && !next->held;
+    const double time = are_known ? join(machine, link, piece, wish, now, next) : 0.0;
+    if (!(time >= LEAST_PERIODS * machine->period_s)) {
+        now->withheld = 0;
+        return 0.0;
+    }
+    const double filter = (double)NCK_FILTER_TAPS * machine->period_s;
+    next->beside = cells_beside(link, next, time + filter);
     return time;
 }

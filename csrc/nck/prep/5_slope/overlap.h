@@ -14,10 +14,10 @@ uint32_t nck_overlap_withheld(const nck_link_t *link, const nck_pieces_t *pieces
                               const nck_plan_t *next);
 
 // How long before the rest of `now` the plan `next`, which is built, begins [s], and in
-// next->beside how many of its cells are beside it; 0: behind the rest.
-// Cost: linear in the cells that overlap. Context: prep.
+// next->beside how many of its cells are beside it; 0: behind the rest, and nothing is withheld any
+// longer. Cost: linear in the cells that overlap. Context: prep.
 double nck_overlap_join(const nck_machine_t *machine, const nck_link_t *link,
-                        const nck_pieces_t *pieces, const nck_wish_t *wish, const nck_plan_t *now,
+                        const nck_pieces_t *pieces, const nck_wish_t *wish, nck_plan_t *now,
                         nck_plan_t *next);
 
 #endif

@@ -15,6 +15,16 @@ uint32_t nck_plan_find(const nck_pieces_t *pieces, uint32_t number, const nck_ce
     }
 }
 
+int nck_plan_is_other(const nck_wish_t *a, const nck_wish_t *b) {
+    const uint32_t words = (a->hold ^ b->hold) | (a->single_block ^ b->single_block);
+    return words != 0 || a->feed != b->feed || a->rapid != b->rapid || a->tool != b->tool;
+}
+
+int nck_plan_is_good(const nck_wish_t *wish) {
+    return wish->feed >= 0.0 && wish->feed <= 2.0 && wish->rapid >= 0.0 && wish->rapid <= 1.0
+           && wish->tool >= 0.0;
+}
+
 int nck_plan_is_plain(const nck_wish_t *wish, uint32_t over) {
     return wish->feed == 1.0 && wish->rapid == 1.0 && wish->tool == NCK_WISH_FREE && !over;
 }

@@ -55,7 +55,7 @@ typedef struct nck_plan {
     uint32_t held;     // nck_held_t: what must happen before it goes on
     uint32_t commit;   // so many of its cells may become final before the next plan takes over
     uint32_t keep;     // behind this cell it brakes for the window's end only
-    uint32_t withheld; // so many of its last cells wait for the plan behind its rest to overlap them
+    uint32_t withheld; // so many of its last cells wait for the plan behind its rest, to overlap
     uint32_t beside;   // its first so many cells are beside the end of the one before
     uint32_t over;     // 1: an override beyond 100 % has been in force since it was last at rest
     uint32_t wants;    // in work: pieces before this number must be known before it can go on
@@ -102,6 +102,12 @@ static inline double nck_plan_cap(const nck_node_t *piece, const nck_wish_t *wis
     const double most = wish->tool / (double)piece->tool;
     return nck_min(scaled, most * most);
 }
+
+// 1 if two wishes ask for different plans; resumes apart. Cost: constant.
+int nck_plan_is_other(const nck_wish_t *a, const nck_wish_t *b);
+
+// 1 if every wish is within its range, for tests. Cost: constant.
+int nck_plan_is_good(const nck_wish_t *wish);
 
 // 1 if under these wishes every cap is what room 4 has found, to the bit. Cost: constant.
 int nck_plan_is_plain(const nck_wish_t *wish, uint32_t over);

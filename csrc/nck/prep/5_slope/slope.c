@@ -258,6 +258,15 @@ static int is_late(nck_slope_t *self) {
            && nck_link_lead(self->link) < LEAD_LEAST * self->machine->period_s;
 }
 
+// 1 if the answer to the operator is put off, or cells are withheld no longer.
+static int waits_no_longer(nck_slope_t *self, const nck_pieces_t *pieces) {
+    const int answers = self->answer.pending && self->phase == PHASE_MAKE;
+    if (!(answers || self->now.withheld > 0) || !is_late(self)) return 0;
+    self->now.withheld = 0;
+    if (answers) put_off(self, pieces);
+    return 1;
+}
+
 // The tick has run into the tail: the path rests where the plan of now does.
 static void fall_into_tail(nck_slope_t *self, const nck_pieces_t *pieces) {
     int entered = 0;
@@ -291,29 +300,8 @@ static void give_up(nck_slope_t *self, const nck_pieces_t *pieces) {
     if (self->now.commit >= self->now.n) keep_plan(self, pieces, held);
 }
 
-// How long before the rest of the plan of now the next one begins, where cells are withheld for it
-// [s]. 0: behind that rest, so they are withheld no longer.
-static double find_overlap(nck_slope_t *self, const nck_pieces_t *pieces) {
-    const double overlap = nck_overlap_join(self->machine, self->link, pieces, &self->wish,
-                                            &self->now, &self->next);
-    if (!(overlap > 0.0)) self->now.withheld = 0;
-    return overlap;
-}
-
-static nck_status_t install(nck_slope_t *self, const nck_pieces_t *pieces) {
-    int entered = 0;
-    nck_plan_t *const next = &self->next;
-    const int joins = NCK_HAS_OVERLAP && self->kind == NCK_JOB_START && self->now.withheld > 0;
-    if (joins && final_count(self) != final_limit(self)) return NCK_FULL;
-    if (!joins && nck_link_end(self->link, &entered) != next->begin) return NCK_FULL;
-    const double overlap = joins ? find_overlap(self, pieces) : 0.0;
-    if (joins && !(overlap > 0.0)) return NCK_OK;
-    if (self->overlaps) next->withheld = nck_overlap_withheld(self->link, pieces, next);
-    const uint32_t most = next->complete ? next->n - next->withheld : next->commit;
-    const nck_status_t status =
-        joins ? nck_link_join(self->link, overlap, self->lead_s, most, &next->begin)
-              : nck_link_install(self->link, self->lead_s, most);
-    if (status != NCK_OK) return status == NCK_E_STATE ? NCK_OK : status;
+// The plan in work is published: it is the plan of now.
+static void take_over(nck_slope_t *self) {
     const int same_block = self->now.held == NCK_HELD_BLOCK && self->next.held == NCK_HELD_BLOCK;
     const int on_the_way = same_block && self->now.end_piece == self->next.end_piece;
     if (!on_the_way) self->resumes = self->wish.resumes;
@@ -324,7 +312,30 @@ static nck_status_t install(nck_slope_t *self, const nck_pieces_t *pieces) {
     self->anew = self->kind == NCK_JOB_BRAKE;
     memset(&self->answer, 0, sizeof self->answer);
     self->phase = PHASE_IDLE;
-    return NCK_OK;
+}
+
+// overlap: so long before the rest of the plan of now [s]; 0: behind its cells.
+static nck_status_t publish(nck_slope_t *self, const nck_pieces_t *pieces, double overlap) {
+    nck_plan_t *const next = &self->next;
+    if (self->overlaps) next->withheld = nck_overlap_withheld(self->link, pieces, next);
+    const uint32_t most = next->complete ? next->n - next->withheld : next->commit;
+    if (!(overlap > 0.0)) return nck_link_install(self->link, self->lead_s, most);
+    return nck_link_join(self->link, overlap, self->lead_s, most, &next->begin);
+}
+
+static nck_status_t install(nck_slope_t *self, const nck_pieces_t *pieces) {
+    int entered = 0;
+    double overlap = 0.0;
+    const uint32_t end = nck_link_end(self->link, &entered);
+    if (self->kind == NCK_JOB_START && self->now.withheld > 0) {
+        if (final_count(self) != final_limit(self)) return NCK_FULL;
+        overlap = nck_overlap_join(self->machine, self->link, pieces, &self->wish, &self->now,
+                                   &self->next);
+    }
+    if (!(overlap > 0.0) && end != self->next.begin) return NCK_FULL;
+    const nck_status_t status = publish(self, pieces, overlap);
+    if (status == NCK_OK) take_over(self);
+    return status == NCK_E_STATE ? NCK_OK : status;
 }
 
 static nck_status_t begin_next(nck_slope_t *self, const nck_pieces_t *pieces) {
@@ -345,11 +356,6 @@ static nck_status_t work(nck_slope_t *self, const nck_pieces_t *pieces) {
     case NCK_E_STATE: give_up(self, pieces); return NCK_OK;
     default: return status;
     }
-}
-
-static int is_other(const nck_wish_t *a, const nck_wish_t *b) {
-    const uint32_t words = (a->hold ^ b->hold) | (a->single_block ^ b->single_block);
-    return words != 0 || a->feed != b->feed || a->rapid != b->rapid || a->tool != b->tool;
 }
 
 // Single block switched off on the way to a block's end is a resume in advance, in case it is too
@@ -387,7 +393,7 @@ static void hear_other(nck_slope_t *self, const nck_pieces_t *pieces, const nck_
 static int hear(nck_slope_t *self, const nck_pieces_t *pieces, const nck_wish_t *wish) {
     const int resumes = self->wish.resumes != wish->resumes;
     self->wish.resumes = wish->resumes;
-    if (!is_other(&self->wish, wish)) return resumes;
+    if (!nck_plan_is_other(&self->wish, wish)) return resumes;
     hear_other(self, pieces, wish);
     return 1;
 }
@@ -431,12 +437,7 @@ nck_status_t nck_slope_step(nck_slope_t *self, const nck_pieces_t *pieces, const
     const int same = !hear(self, pieces, wish);
     const uint32_t done = final_count(self);
     const uint32_t limit = final_limit(self);
-    const int answers = self->answer.pending && self->phase == PHASE_MAKE;
-    if (done == limit && (answers || self->now.withheld > 0) && is_late(self)) {
-        self->now.withheld = 0;
-        if (answers) put_off(self, pieces);
-        return NCK_OK;
-    }
+    if (done == limit && waits_no_longer(self, pieces)) return NCK_OK;
     if (done < limit && nck_link_advance(self->link, self->lead_s, limit - done) == NCK_OK) {
         return note_final(self, pieces, lacks && same && !entered);
     }
@@ -486,11 +487,6 @@ int nck_slope_is_held(const nck_slope_t *self) {
 
 int nck_slope_waits(const nck_slope_t *self) { return nck_fence_load(&self->waits) != 0; }
 
-static int is_good_wish(const nck_wish_t *wish) {
-    return wish->feed >= 0.0 && wish->feed <= 2.0 && wish->rapid >= 0.0 && wish->rapid <= 1.0
-           && wish->tool >= 0.0;
-}
-
 int nck_slope_invariants(const nck_slope_t *self) {
     const nck_plan_t *const now = &self->now;
     return self->phase <= PHASE_INSTALL && self->kind <= NCK_JOB_BRAKE
@@ -498,5 +494,5 @@ int nck_slope_invariants(const nck_slope_t *self) {
            && (now->end_s == NCK_PLAN_BEGIN || now->end_s >= 0.0)
            && (now->complete || now->commit < now->n)
            && final_count(self) + (now->complete ? now->withheld : 0) <= now->n
-           && is_good_wish(&self->wish);
+           && nck_plan_is_good(&self->wish);
 }
