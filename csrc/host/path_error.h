@@ -5,7 +5,7 @@
 //
 // Moves are looked at from the setpoint's own one outwards, as far along the path as the nearest
 // point may be. Fixed memory: moves that are further away than half of the ring do not count.
-// Where two motions overlap at a corner no seg tells how far the run misses it, so its distance from
+// Where two motions overlap at a corner no seg tells how far the run misses it: its distance from
 // the chords between setpoints is measured here, too.
 #ifndef NCK_HOST_PATH_ERROR_H
 #define NCK_HOST_PATH_ERROR_H

@@ -39,7 +39,7 @@ static inline double nck_overlap_distance(double tolerance, double turn) {
 static inline double nck_overlap_time(double d, double j) { return nck_root_cube(6.0 * d / j); }
 
 // What both do on an axis: its share of their jerk, as large as it may be near to the corner.
-// Returns > 0 if they move it the same way, or may, < 0 if opposite ways, 0 if one does not move it.
+// Returns > 0 if they move it the same way, or may; < 0: opposite ways; 0: one does not move it.
 static inline double nck_overlap_axis(const nck_overlap_t *self, int x, double part_out[2]) {
     const double sign = self->in[x] * self->out[x];
     const int turns = (self->turn[0] > 0.0 && nck_fabs(self->in[x]) <= self->turn[0])
@@ -76,8 +76,8 @@ static inline int nck_overlap_shares(const nck_machine_t *machine, int axes,
     return 0;
 }
 
-// Where they move opposite ways their accelerations add up, to no more than t·j at any time. Returns
-// how long the motions may overlap by that [s]. Cost: linear in the axes.
+// Where they move opposite ways their accelerations add up, to no more than t·j at any time.
+// Returns how long the motions may overlap by that [s]. Cost: linear in the axes.
 static inline double nck_overlap_most(const nck_machine_t *machine, int axes,
                                       const nck_overlap_t *self) {
     double most = NCK_OVERLAP_FREE;

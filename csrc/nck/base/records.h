@@ -172,8 +172,8 @@ typedef struct nck_seg {
     double length;       // range of s [path mm]: path length (spline: that of the programmed path
                          // it stands for, never less than its own); 0 for dwell and wait
     double s_begin;      // length of all segs before [path mm], for reports
-    double overlap;      // where it stops: the next motion may begin when so much is left to go, and
-                         // be as far by then, within the tolerance [path mm]; 0: behind the rest
+    double overlap;      // where it stops: when so much is left to go the next motion may have come
+                         // as far, within the tolerance [path mm]; 0: it begins behind the rest
     double feed;         // wanted path speed [path mm/s]; rapid: 0
     double feed_scale;   // speed that the program means / path speed (1 unless rotary axes join in)
     double v_most;       // as fast as the spindle can follow [path mm/s]; 0: no such limit

@@ -182,10 +182,10 @@ static double side_time(const corner_t *corner, const shape_limit_t *limit, int 
            + nck_scurve_over(&way.left, way.v_free, way.bound);
 }
 
-// What a stop gains by overlapping motions [s]; *distance_out: δ [path mm]. 0: nothing, where one of
-// the blocks is no line, or too short, or an axis has no jerk for both. Near to the corner either
-// keeps to a share κ of its jerk then, which costs it (1 − κ) of the time that both overlap; without
-// a filter it would come to no acceleration where that begins.
+// What a stop gains by overlapping motions [s]; *distance_out: δ [path mm]. 0: nothing, where one
+// of the blocks is no line, or too short, or an axis has no jerk for both. Near to the corner
+// either keeps to a share κ of its jerk then, which costs it (1 − κ) of the time that both overlap.
+// Without a filter it would come to no acceleration where that begins.
 static double overlap_of(const corner_t *corner, double *distance_out) {
     const nck_terms_t *const terms = corner->terms;
     const nck_overlap_t motions = {corner->in, corner->out,

@@ -52,8 +52,8 @@ static double load_of(const double *tangent_in, const double *tangent_out,
     return load;
 }
 
-// Two motions that overlap at a stop: what either keeps to of its jerk, and how near to it. The other
-// one is at rest when it has κ·j·t³/6 to go, where t is how long both overlap.
+// Two motions that overlap at a stop: what either keeps to of its jerk, and how near to it. The
+// other one is at rest when it has κ·j·t³/6 to go, where t is how long both overlap.
 static void overlap(nck_joint_t *in, const nck_joint_t *out, const double *tangent_in,
                     const double *tangent_out, const nck_terms_t *terms) {
     nck_joint_overlap_t *const overlap = &in->overlap;

@@ -116,8 +116,8 @@ static int falls(const corner_t *corner, int n, double before, const nck_cell_t 
 }
 
 // Whether a cell of the end of the plan of now may ride, before one that begins with this
-// acceleration: it slows down. Where an axis moves in both, its acceleration only grows in time, and
-// it is in the piece beside the corner, which leaves some jerk.
+// acceleration: it slows down. Where an axis moves in both, its acceleration only grows in time,
+// and it is in the piece beside the corner, which leaves some jerk.
 static int may_ride(const corner_t *corner, const nck_cell_t *cell, double behind) {
     if (!(cell->a < 0.0) || cell->span != 0 || cell->v > corner->v_most) return 0;
     if (!corner->shares) return 1;

@@ -353,7 +353,7 @@ static void draw_slice(nck_sshape_t *self) {
     self->course.set = 0;
 }
 
-// 1 if the course is about to come to a rest that the next plan may overlap: its end is in one part.
+// 1 if the course comes to a rest soon that the next plan may overlap: its end is in one part.
 static int nears_overlap(const nck_sshape_t *self, const nck_pieces_t *pieces) {
     const nck_sshape_hop_t *const hop = &self->course.hop;
     const nck_cell_t *const cell = nck_link_built_cell(self->link, self->cells - 1);

@@ -123,7 +123,7 @@ static double walk(const nck_interpolate_t *self, nck_filter_t *filter, const nc
     return s;
 }
 
-// One more sample; returns the mean over the taps. Summed anew each time: a running sum would drift.
+// One more sample; returns the mean over the taps. Summed anew each time: a running sum drifts.
 static double take_tap(nck_filter_t *filter, double s, double v, double *v_out) {
     filter->s[filter->at] = s;
     filter->v[filter->at] = v;

@@ -27,8 +27,8 @@ typedef struct nck_filter {
     double v[NCK_FILTER_TAPS]; // [path mm/s]
 } nck_filter_t;
 
-// The end of a motion beside the next one, which has begun before the first is at rest: what is left
-// of it is added to the place.
+// The end of a motion beside the next one, which has begun before the first is at rest: what is
+// left of it is added to the place.
 typedef struct nck_rider {
     uint32_t on;            // 1: it goes on
     nck_cell_t cell;        // being executed
