@@ -123,7 +123,7 @@ static int join(void)
     build(last->seg + 1);
     if (link_.tail_entered || !saw_one_state(end, 0)) return 0;
     const nck_status_t joined =
-        nck_link_join(&link_, RIDING * DURATION, DURATION, 1 + step % 3, &first);
+        nck_link_join(&link_, (double)RIDING * DURATION, DURATION, 1 + step % 3, &first);
     joins += joined == NCK_OK;
     void_joins += joined == NCK_E_STATE;
     return 1;

@@ -110,7 +110,7 @@ static double mean_at(const ride_t *ride, double periods)
 {
     double sum = 0.0;
     for (int n = 0; n < TAPS; n++) sum += way_at(ride, periods - n);
-    return sum / TAPS;
+    return sum / (double)TAPS;
 }
 
 // All of it, tick by tick.
