@@ -17,6 +17,8 @@ enum { ASK_WORK = 8 };
 // Room for rounding in the sum of their lengths [mm].
 #define ROUNDING 1e-9
 
+// A cap is met within this share of the speed.
+#define MET_EPSILON 1e-6
 // The plan above a brake is at most so many times as fast.
 #define PLAN_ABOVE 1.1
 
@@ -261,10 +263,12 @@ void nck_brake_along(nck_jerk_t *self, const nck_pieces_t *pieces, uint32_t i, d
 
 // The deceleration must be gone when the cap is met: v − v_cap ≥ a²/(2J), which in steps of the
 // duration q becomes |a| ≤ √((Jq/2)² + 2J·(v − v_cap)) − Jq/2. Near the cap the brake gives way,
-// and vv becomes more.
+// and vv becomes more. Where the cap is met the brake goes on: what lies below a later cap needs no
+// raising.
 static double land_cell(nck_profile_t *state, double h, double j, double w_cap, double vv) {
     const double v = state->v_last;
-    const double above = nck_max(0.0, v - nck_sqrt(w_cap));
+    const double above = v - nck_sqrt(w_cap);
+    if (!(above > MET_EPSILON * v)) return vv;
     const double step = NCK_BRAKE_SHARE * j * state->share; // J·q/2
     const double least = step - nck_sqrt(step * step + 2.0 * NCK_BRAKE_SHARE * j * above);
     if (state->a_last >= least) return vv;

@@ -43,11 +43,11 @@ static double distance_of(const nck_link_t *link, const nck_pieces_t *pieces,
 }
 
 // A distance next to a rest as time: over cells, one by one away from it.
-typedef struct stretch {
+typedef struct reach {
     double left;  // of the distance [path mm]
     double time;  // [s]
     double a;     // the largest acceleration so far, without its sign [path mm/s²]
-} stretch_t;
+} reach_t;
 
 static double accel_behind(const nck_cell_t *cell) { return cell->a + cell->j * cell->duration; }
 
@@ -68,7 +68,7 @@ static double time_at(const nck_cell_t *cell, double way) {
 }
 
 // One cell further away from the rest, which lies behind it or before it.
-static void extend(stretch_t *stretch, const nck_cell_t *cell, int rests_behind) {
+static void extend(reach_t *stretch, const nck_cell_t *cell, int rests_behind) {
     const double left = stretch->left;
     if (!(left > 0.0)) return;
     stretch->left = nck_max(0.0, left - cell->length);
@@ -80,7 +80,7 @@ static void extend(stretch_t *stretch, const nck_cell_t *cell, int rests_behind)
 
 uint32_t nck_overlap_withheld(const nck_link_t *link, const nck_pieces_t *pieces,
                               const nck_plan_t *next) {
-    stretch_t stretch = {distance_of(link, pieces, next), 0.0, 0.0};
+    reach_t stretch = {distance_of(link, pieces, next), 0.0, 0.0};
     double time = 0.0;
     uint32_t count = 0;
     if (!(stretch.left > 0.0)) return 0;
@@ -98,7 +98,7 @@ uint32_t nck_overlap_withheld(const nck_link_t *link, const nck_pieces_t *pieces
 }
 
 // What two plans have next to a corner.
-typedef struct corner {
+typedef struct beside {
     double distance; // that either may have to it at the same time [path mm]
     double time[2];  // how long they may overlap, by their cells [s]
     const nck_node_t *piece[2]; // beside it
@@ -107,10 +107,10 @@ typedef struct corner {
     double period;   // [s]
     double taps;     // of the output filter; 1: there is none
     int shares;      // 1: an axis moves in both
-} corner_t;
+} beside_t;
 
 // Whether acceleration does anything but grow in time in a cell, from that of the one before on.
-static int falls(const corner_t *corner, int n, double before, const nck_cell_t *cell) {
+static int falls(const beside_t *corner, int n, double before, const nck_cell_t *cell) {
     const double least = -TURN_EPSILON * corner->j[n] * corner->period;
     return nck_min(cell->a - before, accel_behind(cell) - cell->a) < least;
 }
@@ -118,7 +118,7 @@ static int falls(const corner_t *corner, int n, double before, const nck_cell_t 
 // Whether a cell of the end of the plan of now may ride, before one that begins with this
 // acceleration: it slows down. Where an axis moves in both, its acceleration only grows in time,
 // and it is in the piece beside the corner, which leaves some jerk.
-static int may_ride(const corner_t *corner, const nck_cell_t *cell, double behind) {
+static int may_ride(const beside_t *corner, const nck_cell_t *cell, double behind) {
     if (!(cell->a < 0.0) || cell->span != 0 || cell->v > corner->v_most) return 0;
     if (!corner->shares) return 1;
     const double grows = behind - accel_behind(cell);
@@ -127,8 +127,8 @@ static int may_ride(const corner_t *corner, const nck_cell_t *cell, double behin
 }
 
 // Half of the last cell is left out: its jump at the other end may go the other way (rule R).
-static stretch_t look_back(const nck_link_t *link, const nck_plan_t *now, corner_t *corner) {
-    stretch_t stretch = {corner->distance, 0.0, 0.0};
+static reach_t look_back(const nck_link_t *link, const nck_plan_t *now, beside_t *corner) {
+    reach_t stretch = {corner->distance, 0.0, 0.0};
     double behind = 0.0; // acceleration
     double last = 0.0;   // of the cells' durations
     corner->time[0] = 0.0;
@@ -145,7 +145,7 @@ static stretch_t look_back(const nck_link_t *link, const nck_plan_t *now, corner
 }
 
 // The same of a cell of the next plan, behind one that ends with this acceleration: it speeds up.
-static int may_begin(const corner_t *corner, const nck_cell_t *cell, double before) {
+static int may_begin(const beside_t *corner, const nck_cell_t *cell, double before) {
     const nck_node_t *const piece = corner->piece[1];
     if (!(accel_behind(cell) > 0.0) || cell->seg != piece->seg || cell->span != 0) return 0;
     if (speed_behind(cell) > corner->v_most) return 0;
@@ -154,8 +154,8 @@ static int may_begin(const corner_t *corner, const nck_cell_t *cell, double befo
 }
 
 // It goes on for some time until another plan may take over.
-static stretch_t look_ahead(const nck_link_t *link, const nck_plan_t *next, corner_t *corner) {
-    stretch_t stretch = {corner->distance, 0.0, 0.0};
+static reach_t look_ahead(const nck_link_t *link, const nck_plan_t *next, beside_t *corner) {
+    reach_t stretch = {corner->distance, 0.0, 0.0};
     const uint32_t most = next->complete ? next->n : next->commit;
     const double filter = corner->taps * corner->period;
     double before = 0.0; // acceleration
@@ -193,9 +193,9 @@ static uint32_t cells_beside(const nck_link_t *link, const nck_plan_t *next, dou
 
 // How long both may overlap.
 static double time_of(const nck_link_t *link, const nck_plan_t *now, const nck_plan_t *next,
-                      corner_t *corner) {
-    stretch_t end = look_back(link, now, corner);
-    stretch_t begin = look_ahead(link, next, corner);
+                      beside_t *corner) {
+    reach_t end = look_back(link, now, corner);
+    reach_t begin = look_ahead(link, next, corner);
     const double most = nck_min(corner->time[0], corner->time[1]);
     const double j = nck_max(corner->j[0], corner->j[1]);
     const double a = nck_max(end.a, begin.a) + corner->period * j;
@@ -255,17 +255,25 @@ static int find_motions(const nck_machine_t *machine, const nck_seg_t *seg[2],
 static double join(const nck_machine_t *machine, const nck_link_t *link,
                    const nck_node_t *piece[2], const nck_wish_t *wish, const nck_plan_t *now,
                    const nck_plan_t *next) {
-    const nck_seg_t *seg[2] = {nck_link_seg(link, piece[0]->seg),
-                               nck_link_seg(link, piece[1]->seg)};
+    const nck_seg_t *seg[2];
     double tangent[2][NCK_AXIS_MAX];
     nck_overlap_t motions;
+    seg[0] = nck_link_seg(link, piece[0]->seg);
+    seg[1] = nck_link_seg(link, piece[1]->seg);
     if (!find_motions(machine, seg, piece, tangent, &motions)) return 0.0;
     const double vv = nck_min(nck_plan_cap(piece[0], wish, next->over),
                               nck_plan_cap(piece[1], wish, next->over));
-    const double taps = machine->slope == NCK_SLOPE_JERK ? (double)NCK_FILTER_TAPS : 1.0;
-    corner_t corner = {seg[0]->overlap, {0.0, 0.0}, {piece[0], piece[1]},
-                       {piece[0]->j, piece[1]->j}, nck_sqrt(vv), machine->period_s, taps,
-                       nck_overlap_shares(machine, NCK_AXIS_MAX, &motions)};
+    beside_t corner;
+    corner.distance = seg[0]->overlap;
+    for (int n = 0; n < 2; n++) {
+        corner.piece[n] = piece[n];
+        corner.j[n] = piece[n]->j;
+        corner.time[n] = 0.0;
+    }
+    corner.v_most = nck_sqrt(vv);
+    corner.period = machine->period_s;
+    corner.taps = machine->slope == NCK_SLOPE_JERK ? (double)NCK_FILTER_TAPS : 1.0;
+    corner.shares = nck_overlap_shares(machine, NCK_AXIS_MAX, &motions);
     const double most = nck_overlap_most(machine, NCK_AXIS_MAX, &motions) - slack_of(machine);
     return nck_min(most, time_of(link, now, next, &corner));
 }
@@ -273,8 +281,9 @@ static double join(const nck_machine_t *machine, const nck_link_t *link,
 double nck_overlap_join(const nck_machine_t *machine, const nck_link_t *link,
                         const nck_pieces_t *pieces, const nck_wish_t *wish, nck_plan_t *now,
                         nck_plan_t *next) {
-    const nck_node_t *piece[2] = {piece_before_rest(pieces, now),
-                                  nck_plan_piece(pieces, next->piece)};
+    const nck_node_t *piece[2];
+    piece[0] = piece_before_rest(pieces, now);
+    piece[1] = nck_plan_piece(pieces, next->piece);
     const int are_known = piece[0] && piece[1] && !next->held;
     const double time = are_known ? join(machine, link, piece, wish, now, next) : 0.0;
     if (!(time >= LEAST_PERIODS * machine->period_s)) {
