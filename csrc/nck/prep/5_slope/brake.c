@@ -263,12 +263,14 @@ void nck_brake_along(nck_jerk_t *self, const nck_pieces_t *pieces, uint32_t i, d
 
 // The deceleration must be gone when the cap is met: v − v_cap ≥ a²/(2J), which in steps of the
 // duration q becomes |a| ≤ √((Jq/2)² + 2J·(v − v_cap)) − Jq/2. Near the cap the brake gives way,
-// and vv becomes more. Where the cap is met the brake goes on: what lies below a later cap needs no
-// raising.
-static double land_cell(nck_profile_t *state, double h, double j, double w_cap, double vv) {
+// and vv becomes more. Where the cap of an override is met the brake goes on, so that what is below
+// later caps raises none; a hold's caps are those of its brake.
+static double land_cell(const nck_jerk_t *self, nck_profile_t *state, uint32_t i, double j,
+                        double vv) {
     const double v = state->v_last;
-    const double above = v - nck_sqrt(w_cap);
-    if (!(above > MET_EPSILON * v)) return vv;
+    const double h = self->h[i];
+    const double above = nck_max(0.0, v - nck_sqrt(self->w_cap[i + 1]));
+    if (!(self->work.reach > 0.0) && above <= MET_EPSILON * v) return vv;
     const double step = NCK_BRAKE_SHARE * j * state->share; // J·q/2
     const double least = step - nck_sqrt(step * step + 2.0 * NCK_BRAKE_SHARE * j * above);
     if (state->a_last >= least) return vv;
@@ -343,7 +345,7 @@ nck_status_t nck_brake_raise(nck_jerk_t *self) {
         const double a_max = self->work.eases ? eased[i] : self->a_max[i];
         const double j = j_of_both(self, i);
         const double vv = nck_brake_cell(state, self->h[i], a_max, j, q_cap);
-        const double landed = land_cell(state, self->h[i], j, self->w_cap[i + 1], vv);
+        const double landed = land_cell(self, state, i, j, vv);
         const double floor = nck_min(landed, vv_planned);
         if (floor < landed) { // the plan of now brakes harder
             state->a_last = 0.5 * (floor - state->v_last * state->v_last) / self->h[i];
