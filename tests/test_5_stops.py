@@ -51,8 +51,8 @@ def test_behind_an_override_that_came_down_a_slower_move_is_entered_at_its_own_f
     commands = [(1, "override", 200, 100), (tick, "override", 100, 100)]
     trace = pycnc.run(Program(text.encode(), programs.machine("jerk")), commands=commands)
     slow = trace["s_mm"] >= 250
-    assert trace["v_mm_s"][~slow].max() > 99
-    assert trace["v_mm_s"][slow].max() < 40.5
+    assert trace["vel_mm_s"][~slow].max() > 99
+    assert trace["vel_mm_s"][slow].max() < 40.5
 
 
 @pytest.mark.parametrize("name", ["micro-segments, P0.01", "zigzag 10 mm, P0.01"])
