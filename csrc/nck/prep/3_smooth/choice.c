@@ -182,11 +182,12 @@ static double side_time(const corner_t *corner, const shape_limit_t *limit, int 
            + nck_scurve_over(&way.left, way.v_free, way.bound);
 }
 
-// What a stop gains by overlapping motions [s]; *distance_out: δ [path mm]. 0: nothing, where one
-// of the blocks is no line, or too short, or an axis has no jerk for both. Near to the corner
-// either keeps to a share κ of its jerk then, which costs it (1 − κ) of the time that both overlap.
-// Without a filter it would come to no acceleration where that begins.
-static double overlap_of(const corner_t *corner, double *distance_out) {
+// What a stop gains by overlapping motions [s], no more than half a block takes from rest, half_s;
+// *distance_out: δ [path mm]. 0: nothing, where one of the blocks is no line, or too short, or an
+// axis has no jerk for both. Near to the corner either keeps to a share κ of its jerk then, which
+// costs it (1 − κ) of the time that both overlap. Without a filter it would come to no acceleration
+// where that begins.
+static double overlap_of(const corner_t *corner, double half_s, double *distance_out) {
     const nck_terms_t *const terms = corner->terms;
     const nck_overlap_t motions = {corner->in, corner->out,
                                    {corner->ramp[0].j, corner->ramp[1].j}, {0.0, 0.0}};
@@ -195,16 +196,13 @@ static double overlap_of(const corner_t *corner, double *distance_out) {
     if (!terms->overlaps || !corner->are_lines || !(corner->turn > 0.0)) return 0.0;
     const nck_machine_t *const machine = terms->machine;
     const int axes = terms->axes;
-    const double share = nck_min(1.0, 1.0 / nck_overlap_jerk(machine, axes, &motions));
-    if (share < (terms->taps > 1 ? SHARE_LEAST : 1.0)) return 0.0;
     const double d = nck_overlap_distance(corner->tolerance, corner->turn);
     if (SPREAD * d > nck_min(corner->half[0], corner->half[1])) return 0.0;
+    const double share = nck_min(1.0, 1.0 / nck_overlap_jerk(machine, axes, &motions));
+    if (share < (terms->taps > 1 ? SHARE_LEAST : 1.0)) return 0.0;
     const double time = nck_overlap_time(d, share * j[0]) + nck_overlap_time(d, share * j[1]);
-    double overlap = nck_min(time, nck_overlap_most(machine, axes, &motions));
-    for (int n = 0; n < 2; n++) { // a line overlaps at both ends
-        const double half = nck_scurve_over(&corner->ramp[n], 0.0, corner->half[n]);
-        overlap = nck_min(overlap, half - terms->rest_s);
-    }
+    const double most = nck_min(half_s - terms->rest_s, nck_overlap_most(machine, axes, &motions));
+    const double overlap = nck_min(time, most);
     if (overlap < PERIODS_LEAST * machine->period_s) return 0.0;
     *distance_out = d;
     return overlap * (1.0 - 2.0 * (1.0 - share));
@@ -214,13 +212,13 @@ static double overlap_of(const corner_t *corner, double *distance_out) {
 // fast as it has become. That is less than stops at all the corners there would take, if they are
 // alike. Under a jerk limit a block that is much shorter is a part of this corner: then the next
 // corner's stop is the bound. So it is for the S-shape, which brakes for each junction.
-static double stop_time(const corner_t *corner, double d) {
-    double distance = 0.0;
-    const double overlap = overlap_of(corner, &distance);
-    double time = overlap > 0.0 ? -overlap : corner->terms->rest_s;
+static double stop_time(const corner_t *corner, double d, double *overlap_out) {
+    double time = 0.0;
+    double half_s = NCK_UNLIMITED; // a line overlaps at both ends
     for (int n = 0; n < 2; n++) {
         const nck_scurve_t *const ramp = &corner->ramp[n];
         const double half = nck_scurve_over(ramp, 0.0, corner->half[n]);
+        half_s = nck_min(half_s, half);
         const double beyond = nck_max(0.0, d - corner->half[n]);
         const double on = beyond / nck_scurve_reach(ramp, 0.0, corner->half[n]);
         const int is_apart = !corner->terms->limits_jerk || corner->half[n] >= ALIKE * d;
@@ -228,7 +226,8 @@ static double stop_time(const corner_t *corner, double d) {
         if (corner->rests[n]) time += 2.0 * half;
         else time += half + (goes_on ? on : nck_min(half, on));
     }
-    return time;
+    const double overlap = overlap_of(corner, half_s, overlap_out);
+    return overlap > 0.0 ? time - overlap : time + corner->terms->rest_s;
 }
 
 // A bend that is left next to nothing is a standstill.
@@ -319,6 +318,5 @@ int nck_choice_stop(const nck_smooth_t *self, const nck_meet_t *meet, const nck_
     *overlap_out = 0.0;
     if (!is_own(&corner, bend)) return 0;
     measure_ramps(self, meet, &corner);
-    (void)overlap_of(&corner, overlap_out);
-    return stop_time(&corner, bend->d) < plain_time(&corner, bend);
+    return stop_time(&corner, bend->d, overlap_out) < plain_time(&corner, bend);
 }

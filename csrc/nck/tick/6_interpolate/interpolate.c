@@ -54,7 +54,8 @@ static void set_off(nck_interpolate_t *self) {
     finish_before(self, self->filter.seg);
 }
 
-// The cell rides from here on: the motion behind its rest begins beside it.
+// The cell rides from here on: the motion behind its rest begins beside it. It is not the first
+// one behind a rest.
 static void part_ways(nck_interpolate_t *self) {
     int from_tail = 0;
     self->rider.on = 1;
@@ -77,7 +78,6 @@ static inline int next_cell(nck_interpolate_t *self) {
     } else if (self->filter.taps > 1) { // else nobody asks, and segs may be many
         self->filter.ahead += length_between(self, seg_before, self->cell.seg);
     }
-    if (NCK_HAS_OVERLAP && (self->cell.stop & NCK_STOP_RIDES)) part_ways(self);
     return 1;
 }
 
@@ -311,6 +311,7 @@ static int stands_aside(nck_interpolate_t *self) {
 // Time begins to count later.
 static void rebase(nck_interpolate_t *self) {
     const uint64_t periods = nck_interpolate_rebase(&self->t_cell, self->machine->period_s);
+    if (periods == 0) return;
     self->k -= periods;
     self->rider.t_cell -= (double)periods * self->machine->period_s;
 }
@@ -345,6 +346,7 @@ static const nck_pose_t *tick(nck_interpolate_t *self) {
             if (self->from_tail) nck_link_tail_rest(self->link); // a tail ends at rest
             return rest(self);
         }
+        if (NCK_HAS_OVERLAP && (self->cell.stop & NCK_STOP_RIDES)) part_ways(self);
     }
     evaluate(self, (double)self->k * period - self->t_cell);
     return &self->pose;
