@@ -316,15 +316,20 @@ static void rebase(nck_interpolate_t *self) {
     self->rider.t_cell -= (double)periods * self->machine->period_s;
 }
 
+// At a WAIT until somebody resumes.
+static int waits_on(nck_interpolate_t *self) {
+    if (!self->waits) return 0;
+    if (!nck_fence_load(&self->resume)) return 1;
+    nck_fence_store(&self->resume, 0);
+    nck_fence_store(&self->waits, 0);
+    return 0;
+}
+
 // One period on, what rides apart.
 static const nck_pose_t *tick(nck_interpolate_t *self) {
     nck_sync_turn(&self->sync, self->machine, self->pose.spindle_rpm);
     if (stands_aside(self)) return rest(self);
-    if (self->waits) {
-        if (!nck_fence_load(&self->resume)) return &self->pose;
-        nck_fence_store(&self->resume, 0);
-        nck_fence_store(&self->waits, 0);
-    }
+    if (waits_on(self)) return &self->pose;
     if (self->filter.settle > 0) {
         settle(self);
         return &self->pose;
