@@ -13,7 +13,7 @@ import pytest
 
 TESTS = (
     "link", "link_races", "interpolate", "transform", "filter", "path", "tick", "kernel", "begin",
-    "flush", "survive", "travel", "single_block", "thread",
+    "flush", "survive", "travel", "single_block", "thread", "ride", "link_join", "overlap_plan",
 )  # fmt: skip
 # What runs in the tick, below csrc/nck: a file, and its functions if not all of them do.
 TICK_PATH = {

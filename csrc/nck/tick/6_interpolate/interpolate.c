@@ -316,6 +316,14 @@ static void rebase(nck_interpolate_t *self) {
     self->rider.t_cell -= (double)periods * self->machine->period_s;
 }
 
+// No cell follows: stand where the last one ends. A tail ends at rest.
+static const nck_pose_t *run_dry(nck_interpolate_t *self) {
+    nck_fence_store(&self->has_cell, 0);
+    pass(self, self->cell.s + self->cell.length, 0.0);
+    if (self->from_tail) nck_link_tail_rest(self->link);
+    return rest(self);
+}
+
 // At a WAIT until somebody resumes.
 static int waits_on(nck_interpolate_t *self) {
     if (!self->waits) return 0;
@@ -345,12 +353,7 @@ static const nck_pose_t *tick(nck_interpolate_t *self) {
         }
         self->t_cell += self->cell.duration;
         rebase(self);
-        if (!next_cell(self)) {
-            nck_fence_store(&self->has_cell, 0);
-            pass(self, self->cell.s + self->cell.length, 0.0);
-            if (self->from_tail) nck_link_tail_rest(self->link); // a tail ends at rest
-            return rest(self);
-        }
+        if (!next_cell(self)) return run_dry(self);
         if (NCK_HAS_OVERLAP && (self->cell.stop & NCK_STOP_RIDES)) part_ways(self);
     }
     evaluate(self, (double)self->k * period - self->t_cell);
