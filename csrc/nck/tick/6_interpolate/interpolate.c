@@ -11,6 +11,9 @@
 #include "nck/base/real.h"      // nck_floor
 #include "nck/base/spin_math.h" // nck_spin_rpm
 
+// Nothing in a build where no motions overlap.
+enum { OVERLAPS = NCK_HAS_OVERLAP, RIDES = OVERLAPS * NCK_STOP_RIDES };
+
 void nck_interpolate_init(nck_interpolate_t *self, const nck_terms_t *terms, nck_link_t *link) {
     const nck_machine_t *const machine = terms->machine;
     memset(self, 0, sizeof *self);
@@ -354,7 +357,7 @@ static const nck_pose_t *tick(nck_interpolate_t *self) {
         self->t_cell += self->cell.duration;
         rebase(self);
         if (!next_cell(self)) return run_dry(self);
-        if (NCK_HAS_OVERLAP && (self->cell.stop & NCK_STOP_RIDES)) part_ways(self);
+        if (self->cell.stop & RIDES) part_ways(self);
     }
     evaluate(self, (double)self->k * period - self->t_cell);
     return &self->pose;
@@ -362,7 +365,7 @@ static const nck_pose_t *tick(nck_interpolate_t *self) {
 
 const nck_pose_t *nck_interpolate_tick(nck_interpolate_t *self) {
     const nck_pose_t *const pose = tick(self);
-    if (NCK_HAS_OVERLAP && self->rider.on) ride(self);
+    if (self->rider.on & OVERLAPS) ride(self);
     return pose;
 }
 
