@@ -43,11 +43,11 @@ static double distance_of(const nck_link_t *link, const nck_pieces_t *pieces,
 }
 
 // A distance next to a rest as time: over cells, one by one away from it.
-typedef struct distance {
+typedef struct way_beside {
     double left;  // of the distance [path mm]
     double time;  // [s]
     double a;     // the largest acceleration so far, without its sign [path mm/s²]
-} distance_t;
+} way_beside_t;
 
 static double accel_behind(const nck_cell_t *cell) { return cell->a + cell->j * cell->duration; }
 
@@ -68,7 +68,7 @@ static double time_at(const nck_cell_t *cell, double way) {
 }
 
 // One cell further away from the rest, which lies behind it or before it.
-static void extend(distance_t *stretch, const nck_cell_t *cell, int rests_behind) {
+static void extend(way_beside_t *stretch, const nck_cell_t *cell, int rests_behind) {
     const double left = stretch->left;
     if (!(left > 0.0)) return;
     stretch->left = nck_max(0.0, left - cell->length);
@@ -80,7 +80,7 @@ static void extend(distance_t *stretch, const nck_cell_t *cell, int rests_behind
 
 uint32_t nck_overlap_withheld(const nck_link_t *link, const nck_pieces_t *pieces,
                               const nck_plan_t *next) {
-    distance_t stretch = {distance_of(link, pieces, next), 0.0, 0.0};
+    way_beside_t stretch = {distance_of(link, pieces, next), 0.0, 0.0};
     double time = 0.0;
     uint32_t count = 0;
     if (!(stretch.left > 0.0)) return 0;
@@ -127,8 +127,8 @@ static int may_ride(const beside_t *corner, const nck_cell_t *cell, double behin
 }
 
 // Half of the last cell is left out: its jump at the other end may go the other way (rule R).
-static distance_t look_back(const nck_link_t *link, const nck_plan_t *now, beside_t *corner) {
-    distance_t stretch = {corner->distance, 0.0, 0.0};
+static way_beside_t look_back(const nck_link_t *link, const nck_plan_t *now, beside_t *corner) {
+    way_beside_t stretch = {corner->distance, 0.0, 0.0};
     double behind = 0.0; // acceleration
     double last = 0.0;   // of the cells' durations
     corner->time[0] = 0.0;
@@ -154,8 +154,8 @@ static int may_begin(const beside_t *corner, const nck_cell_t *cell, double befo
 }
 
 // It goes on for some time until another plan may take over.
-static distance_t look_ahead(const nck_link_t *link, const nck_plan_t *next, beside_t *corner) {
-    distance_t stretch = {corner->distance, 0.0, 0.0};
+static way_beside_t look_ahead(const nck_link_t *link, const nck_plan_t *next, beside_t *corner) {
+    way_beside_t stretch = {corner->distance, 0.0, 0.0};
     const uint32_t most = next->complete ? next->n : next->commit;
     const double filter = corner->taps * corner->period;
     double before = 0.0; // acceleration
@@ -194,8 +194,8 @@ static uint32_t cells_beside(const nck_link_t *link, const nck_plan_t *next, dou
 // How long both may overlap.
 static double time_of(const nck_link_t *link, const nck_plan_t *now, const nck_plan_t *next,
                       beside_t *corner) {
-    distance_t end = look_back(link, now, corner);
-    distance_t begin = look_ahead(link, next, corner);
+    way_beside_t end = look_back(link, now, corner);
+    way_beside_t begin = look_ahead(link, next, corner);
     const double most = nck_min(corner->time[0], corner->time[1]);
     const double j = nck_max(corner->j[0], corner->j[1]);
     const double a = nck_max(end.a, begin.a) + corner->period * j;
