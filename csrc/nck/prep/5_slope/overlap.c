@@ -83,7 +83,7 @@ uint32_t nck_overlap_withheld(const nck_link_t *link, const nck_pieces_t *pieces
     way_beside_t stretch = {distance_of(link, pieces, next), 0.0, 0.0};
     double time = 0.0;
     uint32_t count = 0;
-    if (!(stretch.left > 0.0)) return 0;
+    if (!NCK_HAS_OVERLAP || !(stretch.left > 0.0)) return 0;
     const uint32_t seg = nck_link_built_cell(link, next->n - 1)->seg;
     const uint32_t least = next->beside > 0 ? next->beside : 1;
     while (count < WITHHELD_MOST && count + least < next->n) {

@@ -319,7 +319,9 @@ static nck_status_t publish(nck_slope_t *self, const nck_pieces_t *pieces, doubl
     nck_plan_t *const next = &self->next;
     if (self->overlaps) next->withheld = nck_overlap_withheld(self->link, pieces, next);
     const uint32_t most = next->complete ? next->n - next->withheld : next->commit;
-    if (!(overlap > 0.0)) return nck_link_install(self->link, self->lead_s, most);
+    if (!NCK_HAS_OVERLAP || !(overlap > 0.0)) {
+        return nck_link_install(self->link, self->lead_s, most);
+    }
     return nck_link_join(self->link, overlap, self->lead_s, most, &next->begin);
 }
 
@@ -327,7 +329,7 @@ static nck_status_t install(nck_slope_t *self, const nck_pieces_t *pieces) {
     int entered = 0;
     double overlap = 0.0;
     const uint32_t end = nck_link_end(self->link, &entered);
-    if (self->kind == NCK_JOB_START && self->now.withheld > 0) {
+    if (NCK_HAS_OVERLAP && self->kind == NCK_JOB_START && self->now.withheld > 0) {
         if (final_count(self) != final_limit(self)) return NCK_FULL;
         overlap = nck_overlap_join(self->machine, self->link, pieces, &self->wish, &self->now,
                                    &self->next);
