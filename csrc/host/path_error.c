@@ -4,7 +4,8 @@
 
 #include <string.h> // memcpy memset
 
-#include "nck/base/real.h" // nck_fabs nck_min nck_max nck_sqrt
+#include "host/seg_distance.h" // nck_host_chord_distance
+#include "nck/base/real.h"     // nck_fabs nck_min nck_max
 
 #define ON_PATH_MM 1e-9 // nearer needs no better
 // How much longer than a distance the way along the path to the nearest point may be.
@@ -88,24 +89,10 @@ static void begin_corner(nck_host_path_error_t *self, double s) {
     corner->apart = nck_host_course_apart(self->before, corner->point);
 }
 
-// How far a point is from the chord between two others.
-static double distance_of_chord(const double *a, const double *b, const double *point) {
-    double square = 0.0;
-    double along = 0.0;
-    double on[NCK_AXIS_MAX];
-    for (int x = 0; x < NCK_AXIS_MAX; x++) {
-        square += (b[x] - a[x]) * (b[x] - a[x]);
-        along += (b[x] - a[x]) * (point[x] - a[x]);
-    }
-    const double share = square > 0.0 ? nck_min(1.0, nck_max(0.0, along / square)) : 0.0;
-    for (int x = 0; x < NCK_AXIS_MAX; x++) on[x] = a[x] + share * (b[x] - a[x]);
-    return nck_host_course_apart(on, point);
-}
-
 // The run comes to a setpoint.
 static void come_near(nck_host_path_error_t *self, const double *point) {
     nck_host_corner_t *const corner = &self->corner;
-    const double apart = distance_of_chord(self->before, point, corner->point);
+    const double apart = nck_host_chord_distance(self->before, point, corner->point);
     corner->apart = nck_min(corner->apart, apart);
 }
 
