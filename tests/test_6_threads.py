@@ -242,7 +242,15 @@ def test_what_cannot_be_cut_is_one_finding(lines, name):
     assert finding(fanuc(lines)).id == name
 
 
-@pytest.mark.parametrize("lines", ["G33 Z-20", "G76 P1 Z-20 J.2 K1", "G76 P1 Z-20 I-1 J.2 K1 R.5"])
+@pytest.mark.parametrize(
+    "lines",
+    [
+        "G33 Z-20",
+        "G76 P1 Z-20 J.2 K1",
+        "G76 P1 Z-20 I-1 J.2 K1 R.5",
+        "G76 P1 Z-20 I[-10**200] J.2 K1",
+    ],
+)
 def test_rs274ngcs_forms_need_their_words(lines):
     program = load(f"G21 G18 G90\nM3 S500\nG0 X24 Z5\n{lines}\nM2\n", *LINUXCNC)
     assert finding(program).id in ("word-missing", "number-range")

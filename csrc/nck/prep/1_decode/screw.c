@@ -256,6 +256,9 @@ static nck_status_t read_rs274(nck_decode_t *self) {
     screw->exit = 0.0;
     if (status == NCK_OK) status = read_tapers(self);
     const double drive = real(self, 'I') * size;
+    const double most = (double)NCK_LINEAR_MAX_MM;
+    if (status == NCK_OK && !(nck_fabs(drive) <= most)) status = fail_range(self, 'I', most);
+    if (status != NCK_OK) return status;
     go_in(screw, drive);
     screw->end_nm[0] = screw->start_nm[0] + (int64_t)nck_floor(drive * NM + 0.5);
     screw->taper = 0.0;
@@ -264,7 +267,7 @@ static nck_status_t read_rs274(nck_decode_t *self) {
     screw->step_least = 0.0;
     screw->turn = 0.0f;
     screw->goes_back = 0;
-    return status;
+    return NCK_OK;
 }
 
 // The depth of the next pass; the step to it may be held up. Behind the rough ones: full.

@@ -13,13 +13,18 @@ enum { WITHHELD_MOST = NCK_CELL_MAX / 2 };
 enum { HALVINGS = 32 }; // of a cell's duration, for a time in it
 // They last so many times what the end takes that is left at the distance in question.
 #define WITHHELD_TIMES 2.5
-// Under one jerk the other motion is at rest when one has so many times the distance to go, or has
-// come so far; and some for the steps of a plan.
+// Along a spline either goes no more than so many times the distance: under one jerk the other is at
+// rest then; and some for the steps of a plan.
 #define REACH 9.0
 // Shorter overlaps are none, in periods.
 #define LEAST_PERIODS 1.0
 // Sums of jerk may pass an axis' limit by rounding.
 #define JERK_EPSILON 1e-9
+// Speeds in sum, likewise.
+#define SPEED_EPSILON 1e-9
+// How often an overlap is made shorter for its speed, and by what share of a period more.
+enum { SHORTENINGS = 6 };
+#define SHORTER 0.02
 // A change of acceleration to the other side is rounding below this share of the jerk in a period.
 #define TURN_EPSILON 1e-9
 
@@ -49,10 +54,12 @@ typedef struct way_beside {
     double a;     // the largest acceleration so far, without its sign [path mm/s²]
 } way_beside_t;
 
-static double accel_behind(const nck_cell_t *cell) { return cell->a + cell->j * cell->duration; }
+static double accel_at(const nck_cell_t *cell, double t) { return cell->a + cell->j * t; }
 
-static double speed_behind(const nck_cell_t *cell) {
-    return cell->v + (cell->a + 0.5 * cell->j * cell->duration) * cell->duration;
+static double accel_behind(const nck_cell_t *cell) { return accel_at(cell, cell->duration); }
+
+static double speed_at(const nck_cell_t *cell, double t) {
+    return cell->v + (cell->a + 0.5 * cell->j * t) * t;
 }
 
 // When a cell has come so far from its begin: halved and halved, for it never turns back.
@@ -102,8 +109,9 @@ typedef struct beside {
     double distance; // that either may have to it at the same time [path mm]
     double time[2];  // how long they may overlap, by their cells [s]
     const nck_node_t *piece[2]; // beside it
+    double furthest[2];         // how far either may be from it, along its seg [path mm]
     double j[2];     // limits of jerk there [path mm/s³]
-    double v_most;   // neither is faster beside the other: no feed is exceeded
+    double v_most;   // of either, and of both in sum: no feed is exceeded
     double period;   // [s]
     double taps;     // of the output filter; 1: there is none
     int shares;      // 1: an axis moves in both
@@ -120,6 +128,7 @@ static int falls(const beside_t *corner, int n, double before, const nck_cell_t 
 // and it is in the piece beside the corner, which leaves some jerk.
 static int may_ride(const beside_t *corner, const nck_cell_t *cell, double behind) {
     if (!(cell->a < 0.0) || cell->span != 0 || cell->v > corner->v_most) return 0;
+    if (cell->s < corner->furthest[0]) return 0;
     if (!corner->shares) return 1;
     const double grows = behind - accel_behind(cell);
     const double least = -TURN_EPSILON * corner->j[0] * corner->period;
@@ -148,9 +157,10 @@ static way_beside_t look_back(const nck_link_t *link, const nck_plan_t *now, bes
 static int may_begin(const beside_t *corner, const nck_cell_t *cell, double before) {
     const nck_node_t *const piece = corner->piece[1];
     if (!(accel_behind(cell) > 0.0) || cell->seg != piece->seg || cell->span != 0) return 0;
-    if (speed_behind(cell) > corner->v_most) return 0;
+    const double end = cell->s + cell->length;
+    if (speed_at(cell, cell->duration) > corner->v_most || end > corner->furthest[1]) return 0;
     if (!corner->shares) return 1;
-    return !falls(corner, 1, before, cell) && cell->s + cell->length <= piece->s + piece->length;
+    return !falls(corner, 1, before, cell) && end <= piece->s + piece->length;
 }
 
 // It goes on for some time until another plan may take over.
@@ -191,6 +201,59 @@ static uint32_t cells_beside(const nck_link_t *link, const nck_plan_t *next, dou
     return count;
 }
 
+// Both speeds at some time, and what the second gains [path mm/s, path mm/s²].
+typedef struct together {
+    double v, a;
+} together_t;
+
+// The largest sum of both speeds from here on, within a time in which neither cell ends.
+static together_t fastest_within(const nck_cell_t *const cell[2], const double t[2], double time) {
+    const double a = accel_at(cell[0], t[0]) + accel_at(cell[1], t[1]);
+    const double j = cell[0]->j + cell[1]->j;
+    together_t most = {speed_at(cell[0], t[0]) + speed_at(cell[1], t[1]), accel_at(cell[1], t[1])};
+    if (a > 0.0 && a < -j * time) most.v -= 0.5 * a * a / j;
+    return most;
+}
+
+// The same in all the time for which they overlap. Cost: linear in their cells.
+static together_t fastest(const nck_link_t *link, const nck_plan_t *now, const nck_plan_t *next,
+                          double time) {
+    together_t most = {0.0, 0.0};
+    double t[2] = {time, 0.0};
+    uint32_t at[2] = {now->n, 0};
+    while (at[0] > 0 && t[0] > 0.0) t[0] -= cell_at(link, now, --at[0])->duration;
+    t[0] = nck_max(0.0, -t[0]);
+    while (at[0] < now->n && at[1] < next->n) {
+        const nck_cell_t *cell[2];
+        cell[0] = cell_at(link, now, at[0]);
+        cell[1] = nck_link_built_cell(link, at[1]);
+        const double step = nck_min(cell[0]->duration - t[0], cell[1]->duration - t[1]);
+        const together_t here = fastest_within(cell, t, step);
+        if (here.v > most.v) most = here;
+        for (int n = 0; n < 2; n++) {
+            t[n] += step;
+            if (t[n] < cell[n]->duration) continue;
+            t[n] = 0.0;
+            at[n]++;
+        }
+    }
+    return most;
+}
+
+// Steps of two plans are not each other's mirror image: they overlap less where they would pass
+// the speed in sum. Returns the time for which they do not, 0 if that is not found.
+static double time_within_speed(const nck_link_t *link, const nck_plan_t *now,
+                                const nck_plan_t *next, const beside_t *corner, double time) {
+    for (int k = 0; k < SHORTENINGS; k++) {
+        const together_t most = fastest(link, now, next, time);
+        const double over = most.v - corner->v_most * (1.0 + SPEED_EPSILON);
+        if (!(over > 0.0)) return time;
+        if (!(most.a > 0.0)) return 0.0;
+        time -= over / most.a + SHORTER * corner->period;
+    }
+    return 0.0;
+}
+
 // How long both may overlap.
 static double time_of(const nck_link_t *link, const nck_plan_t *now, const nck_plan_t *next,
                       beside_t *corner) {
@@ -203,7 +266,7 @@ static double time_of(const nck_link_t *link, const nck_plan_t *now, const nck_p
     if (!(corner->distance > 0.0)) return 0.0;
     end = look_back(link, now, corner);
     begin = look_ahead(link, next, corner);
-    return nck_min(most, end.time + begin.time);
+    return time_within_speed(link, now, next, corner, nck_min(most, end.time + begin.time));
 }
 
 // How much a spline's tangent turns within the distance at one of its ends: no more than p″, which
@@ -221,12 +284,14 @@ static double turn_near(const nck_seg_t *seg, double end, double other) {
     return nck_sqrt(nck_max(square[0], square[1])) * nck_fabs(end - other);
 }
 
-// Both motions are straight enough, as far as they may reach: eight times the distance.
-static int are_straight(const nck_seg_t *in, const nck_seg_t *out) {
+// How far a motion is straight enough: up to its furthest, along its seg. Returns whether it is.
+static int are_straight(const nck_seg_t *in, const nck_seg_t *out, double furthest_out[2]) {
     const double reach = REACH * in->overlap;
+    furthest_out[0] = in->kind == NCK_SEG_LINE ? 0.0 : nck_max(0.0, in->length - reach);
+    furthest_out[1] = out->kind == NCK_SEG_LINE ? out->length : nck_min(out->length, reach);
     return in->kind != NCK_SEG_ARC && out->kind != NCK_SEG_ARC && out->kind < NCK_SEG_DWELL
-           && turn_near(in, in->length, nck_max(0.0, in->length - reach)) <= NCK_OVERLAP_TURN
-           && turn_near(out, 0.0, nck_min(out->length, reach)) <= NCK_OVERLAP_TURN;
+           && turn_near(in, in->length, furthest_out[0]) <= NCK_OVERLAP_TURN
+           && turn_near(out, 0.0, furthest_out[1]) <= NCK_OVERLAP_TURN;
 }
 
 // By how much cells of constant acceleration, which stays for their time, may pass t·j sooner [s].
@@ -239,7 +304,6 @@ static double slack_of(const nck_machine_t *machine) {
 static int find_motions(const nck_machine_t *machine, const nck_seg_t *seg[2],
                         const nck_node_t *piece[2], double tangent[2][NCK_AXIS_MAX],
                         nck_overlap_t *motions) {
-    if (!are_straight(seg[0], seg[1])) return 0;
     nck_path_tangent(seg[0], seg[0]->length, tangent[0]);
     nck_path_tangent(seg[1], 0.0, tangent[1]);
     motions->in = tangent[0];
@@ -258,12 +322,13 @@ static double join(const nck_machine_t *machine, const nck_link_t *link,
     const nck_seg_t *seg[2];
     double tangent[2][NCK_AXIS_MAX];
     nck_overlap_t motions;
+    beside_t corner;
     seg[0] = nck_link_seg(link, piece[0]->seg);
     seg[1] = nck_link_seg(link, piece[1]->seg);
+    if (!are_straight(seg[0], seg[1], corner.furthest)) return 0.0;
     if (!find_motions(machine, seg, piece, tangent, &motions)) return 0.0;
     const double vv = nck_min(nck_plan_cap(piece[0], wish, next->over),
                               nck_plan_cap(piece[1], wish, next->over));
-    beside_t corner;
     corner.distance = seg[0]->overlap;
     for (int n = 0; n < 2; n++) {
         corner.piece[n] = piece[n];
