@@ -101,7 +101,7 @@ static void halfway_the_corner_is_cut_by_the_tolerance(check_t *check)
     const double tolerance = 0.01;
     const double j = 400.0;
     const double turn = sqrt(0.4 * 0.4 + 0.8 * 0.8);
-    const double d = nck_overlap_distance(tolerance, turn);
+    const double d = nck_overlap_distance(tolerance, 0.0, turn, turn);
     const double half = nck_overlap_time(d, j);
     const double gone = j * half * half * half / 6.0;
     CHECK_NEAR(check, gone, d, 1e-15);

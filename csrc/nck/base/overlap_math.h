@@ -12,6 +12,9 @@
 // Where they overlap a spline's tangent differs from that at the corner by so much at most.
 #define NCK_OVERLAP_TURN 0.015
 
+// An axis that one of them hardly moves takes so much of its jerk at most, where its own is 1.
+#define NCK_OVERLAP_LITTLE 1.1
+
 // How long motions may overlap where no axis moves opposite ways, or may [s].
 #define NCK_OVERLAP_FREE 1e9
 
@@ -28,11 +31,16 @@ static inline double nck_overlap_turn(uint8_t kind) {
 }
 
 // While the first motion has the distance δ left to go and the second has come as far, the path is
-//        δ·|out − in|
-// off the corner, further than at any other time; its unit tangents are `in` and `out`. Returns the
-// distance that keeps to the tolerance; turn = |out − in| > 0. Cost: a division.
-static inline double nck_overlap_distance(double tolerance, double turn) {
-    return tolerance / turn;
+//        e·n + δ·w,     w = out − in
+// off the corner, further to its inside than at any other time: `in` and `out` are the tangents, n
+// leads to its outside, and there, `outside` = e ≤ tolerance off it, the first would rest. With
+// along = −n·w and turn = |w| > 0 that distance keeps to the tolerance. Returns δ; (P + e)/turn if n
+// and w are opposite. Cost: a division and a root.
+static inline double nck_overlap_distance(double tolerance, double outside, double along,
+                                          double turn) {
+    const double by = outside * along;
+    const double within = tolerance * tolerance - outside * outside;
+    return (by + nck_sqrt(by * by + turn * turn * within)) / (turn * turn);
 }
 
 // How long either motion takes for the distance d next to the corner: d = j·t³/6.
@@ -66,14 +74,26 @@ static inline double nck_overlap_jerk(const nck_machine_t *machine, int axes,
     return most;
 }
 
-// 1 if an axis moves in both. Cost: linear in the axes.
-static inline int nck_overlap_shares(const nck_machine_t *machine, int axes,
+// What both do on an axis adds up at most, whichever way and in whatever order: the sum's largest
+// share of an axis' jerk. Up to 1 their order in time does not matter. Cost: linear in the axes.
+static inline double nck_overlap_sum(const nck_machine_t *machine, int axes,
                                      const nck_overlap_t *self) {
+    double most = 0.0;
     for (int x = 0; x < axes; x++) {
         double part[2];
-        if (machine->axis[x].present && nck_overlap_axis(self, x, part) != 0.0) return 1;
+        if (!machine->axis[x].present) continue;
+        (void)nck_overlap_axis(self, x, part);
+        most = nck_max(most, (part[0] + part[1]) / machine->axis[x].j_max);
     }
-    return 0;
+    return most;
+}
+
+// What both keep to a share 1/load of their jerk for: any order, if that costs next to nothing.
+// Cost: linear in the axes.
+static inline double nck_overlap_load(const nck_machine_t *machine, int axes,
+                                      const nck_overlap_t *self) {
+    const double sum = nck_overlap_sum(machine, axes, self);
+    return sum <= NCK_OVERLAP_LITTLE ? sum : nck_overlap_jerk(machine, axes, self);
 }
 
 // Where they move opposite ways their accelerations add up, to no more than t·j at any time.

@@ -26,6 +26,10 @@
 #define PERIODS_LEAST 2.0     // that two motions overlap
 #define SHARE_LEAST 0.55      // of the jerk that motions keep to which overlap: half gains nothing
 #define SPREAD 5.0           // of δ: so near to the corner at least a block is its own
+#define OUTSIDE (1.0 / 32.0)  // of either block: so far off the corner a stop is at most
+#define USED 0.8             // of the time for which motions may overlap: more is not worth a way
+#define JERK_EPSILON 1e-9    // of a limit is rounding
+#define ADDED 1.3            // a/j of either block, in times for which accelerations add up
 #define OWN 0.7              // of the spline's turn that a corner has to make for a stop to help
 enum { HALVINGS = 12 };      // of a speed that is sought: to 1e-3 of it
 
@@ -37,8 +41,10 @@ typedef struct corner {
     double tolerance;         // [path mm]
     double length[2];         // of either block [path mm]
     double half[2];           // how much of it is this corner's [path mm]
+    double block[2];          // of the blocks themselves [path mm]
     uint8_t rests[2];         // 1: the path rests at the block's other end
     uint8_t are_lines;        // 1: both blocks are
+    uint8_t may_move;         // 1: a stop may be off the corner
     nck_scurve_t ramp[2];     // along either block
     double v_max;             // of both [path mm/s]
     const nck_terms_t *terms; // of the slope
@@ -182,29 +188,73 @@ static double side_time(const corner_t *corner, const shape_limit_t *limit, int 
            + nck_scurve_over(&way.left, way.v_free, way.bound);
 }
 
-// What a stop gains by overlapping motions [s], no more than half a block takes from rest, half_s;
-// *distance_out: δ [path mm]. 0: nothing, where one of the blocks is no line, or too short, or an
+// How far off the corner a stop is worth to be, for a distance up to `most`. Both ways grow by it.
+static double outside_of(const corner_t *corner, double most) {
+    const double wanted = nck_min(corner->tolerance, most * corner->turn - corner->tolerance);
+    const double shorter = nck_min(corner->block[0], corner->block[1]);
+    const int moves = corner->may_move && corner->terms->taps > 1 && wanted > 0.0;
+    return moves ? nck_min(wanted, OUTSIDE * shorter) : 0.0;
+}
+
+// How long a motion from rest over half of a block has acceleration that grows, with a share of its
+// jerk.
+static double growing_time(const corner_t *corner, int n, double share) {
+    const nck_scurve_t ramp = {corner->ramp[n].a, share * corner->ramp[n].j, corner->v_max};
+    const double v = nck_scurve_reach(&ramp, 0.0, corner->half[n]);
+    return nck_min(ramp.a / ramp.j, nck_sqrt(v / ramp.j));
+}
+
+// How long motions may overlap at most: up to the corner's speed, and half a block takes half_s.
+// Where only the order of their jerks lets them share an axis, as long as acceleration grows.
+static double overlap_most(const corner_t *corner, const nck_overlap_t *motions, double share,
+                           double half_s) {
+    const nck_terms_t *const terms = corner->terms;
+    const double sum = nck_overlap_sum(terms->machine, terms->axes, motions);
+    double most = nck_overlap_most(terms->machine, terms->axes, motions);
+    most = nck_min(most, half_s - terms->rest_s);
+    for (int n = 0; n < 2; n++) {
+        most = nck_min(most, nck_scurve_time(&corner->ramp[n], corner->v_max));
+        if (share * sum > 1.0 + JERK_EPSILON) {
+            most = nck_min(most, growing_time(corner, n, share));
+        }
+    }
+    return most;
+}
+
+// 1 if accelerations may add up for so long on every axis.
+static int may_add(const corner_t *corner, double time) {
+    const nck_scurve_t *const ramp = corner->ramp;
+    return nck_min(ramp[0].a / ramp[0].j, ramp[1].a / ramp[1].j) > ADDED * time;
+}
+
+// What a stop gains by overlapping motions [s], no more than half a block takes from rest, half_s.
+// No distance in *stop_out: nothing, where one of the blocks is no line, or too short, or an
 // axis has no jerk for both. Near to the corner either keeps to a share κ of its jerk then, which
 // costs it (1 − κ) of the time that both overlap. Without a filter it would come to no acceleration
 // where that begins.
-static double overlap_of(const corner_t *corner, double half_s, double *distance_out) {
+static double overlap_of(const corner_t *corner, double half_s, nck_corner_stop_t *stop_out) {
     const nck_terms_t *const terms = corner->terms;
     const nck_overlap_t motions = {corner->in, corner->out,
                                    {corner->ramp[0].j, corner->ramp[1].j}, {0.0, 0.0}};
-    const double *const j = motions.j;
-    *distance_out = 0.0;
     if (!terms->overlaps || !corner->are_lines || !(corner->turn > 0.0)) return 0.0;
-    const nck_machine_t *const machine = terms->machine;
-    const int axes = terms->axes;
-    const double d = nck_overlap_distance(corner->tolerance, corner->turn);
-    if (SPREAD * d > nck_min(corner->half[0], corner->half[1])) return 0.0;
-    const double share = nck_min(1.0, 1.0 / nck_overlap_jerk(machine, axes, &motions));
+    const double widest = nck_min(corner->half[0], corner->half[1]) / SPREAD;
+    double d = nck_overlap_distance(corner->tolerance, 0.0, corner->turn, corner->turn);
+    if (d > widest) return 0.0;
+    const double share = nck_min(1.0, 1.0 / nck_overlap_load(terms->machine, terms->axes, &motions));
     if (share < (terms->taps > 1 ? SHARE_LEAST : 1.0)) return 0.0;
-    const double time = nck_overlap_time(d, share * j[0]) + nck_overlap_time(d, share * j[1]);
-    const double most = nck_min(half_s - terms->rest_s, nck_overlap_most(machine, axes, &motions));
-    const double overlap = nck_min(time, most);
-    if (overlap < PERIODS_LEAST * machine->period_s) return 0.0;
-    *distance_out = d;
+    const double most = overlap_most(corner, &motions, share, half_s);
+    const double unit = nck_overlap_time(1.0, share * motions.j[0])
+                        + nck_overlap_time(1.0, share * motions.j[1]); // for 1 mm
+    const double used = USED * nck_max(0.0, most / unit);
+    const double outside = outside_of(corner, nck_min(widest, used * used * used));
+    const double wide = nck_overlap_distance(corner->tolerance, outside, corner->turn, corner->turn);
+    if (outside > 0.0 && may_add(corner, unit * nck_root_cube(wide))) {
+        stop_out->outside = outside;
+        d = wide;
+    }
+    const double overlap = nck_min(unit * nck_root_cube(d), most);
+    if (overlap < PERIODS_LEAST * terms->machine->period_s) return 0.0;
+    stop_out->distance = d;
     return overlap * (1.0 - 2.0 * (1.0 - share));
 }
 
@@ -212,7 +262,7 @@ static double overlap_of(const corner_t *corner, double half_s, double *distance
 // fast as it has become. That is less than stops at all the corners there would take, if they are
 // alike. Under a jerk limit a block that is much shorter is a part of this corner: then the next
 // corner's stop is the bound. So it is for the S-shape, which brakes for each junction.
-static double stop_time(const corner_t *corner, double d, double *overlap_out) {
+static double stop_time(const corner_t *corner, double d, nck_corner_stop_t *stop_out) {
     double time = 0.0;
     double half_s = NCK_UNLIMITED; // a line overlaps at both ends
     for (int n = 0; n < 2; n++) {
@@ -226,7 +276,7 @@ static double stop_time(const corner_t *corner, double d, double *overlap_out) {
         if (corner->rests[n]) time += 2.0 * half;
         else time += half + (goes_on ? on : nck_min(half, on));
     }
-    const double overlap = overlap_of(corner, half_s, overlap_out);
+    const double overlap = overlap_of(corner, half_s, stop_out);
     return overlap > 0.0 ? time - overlap : time + corner->terms->rest_s;
 }
 
@@ -279,6 +329,9 @@ static void measure_turn(const nck_smooth_t *self, const nck_meet_t *meet, corne
     memcpy(corner->length, meet->length, sizeof corner->length);
     memcpy(corner->rests, meet->rests, sizeof corner->rests);
     corner->are_lines = a->seg.kind == NCK_SEG_LINE && b->seg.kind == NCK_SEG_LINE;
+    corner->may_move = meet->may_move;
+    corner->block[0] = a->seg.length;
+    corner->block[1] = b->seg.length;
     corner->half[0] = HALF * meet->length[0];
     corner->half[1] = HALF * meet->length[1];
 }
@@ -312,11 +365,13 @@ int nck_choice_may_stop(const nck_smooth_t *self, const nck_meet_t *meet, const 
 }
 
 int nck_choice_stop(const nck_smooth_t *self, const nck_meet_t *meet, const nck_bend_t *bend,
-                    double *overlap_out) {
+                    nck_corner_stop_t *stop_out) {
     corner_t corner;
     measure_turn(self, meet, &corner);
-    *overlap_out = 0.0;
+    stop_out->tolerance = corner.tolerance;
+    stop_out->distance = 0.0;
+    stop_out->outside = 0.0;
     if (!is_own(&corner, bend)) return 0;
     measure_ramps(self, meet, &corner);
-    return stop_time(&corner, bend->d, overlap_out) < plain_time(&corner, bend);
+    return stop_time(&corner, bend->d, stop_out) < plain_time(&corner, bend);
 }

@@ -3,7 +3,8 @@
 // control point on the path or off it, or a stop.
 #include "nck/prep/3_smooth/meet.h"
 
-#include "nck/base/real.h"                 // nck_min
+#include "nck/base/overlap_math.h"         // nck_overlap_distance
+#include "nck/base/real.h"                 // nck_min nck_max
 #include "nck/prep/3_smooth/choice.h"      // nck_choice_…
 #include "nck/prep/3_smooth/raw.h"         // nck_raw_…
 #include "nck/prep/3_smooth/spline_math.h" // nck_spline_…
@@ -36,6 +37,57 @@ static void stop_behind(nck_smooth_t *self, uint32_t count, double overlap) {
     }
     self->run.end = count + 1;
     self->run.closed = 1;
+}
+
+// From the corner to its outside: −Δu, of unit length. Returns |Δu|.
+static double outward(const nck_smooth_t *self, const nck_meet_t *meet, double *way_out) {
+    const int axes = self->terms->axes;
+    const double turn = nck_raw_turn(&meet->a->seg, &meet->b->seg, axes, way_out);
+    for (int x = 0; x < axes; x++) way_out[x] /= -turn;
+    return turn;
+}
+
+// 1 if a corner may be moved to its outside: nothing of the block before it is used, and there is
+// travel for it.
+static int may_move(const nck_smooth_t *self, const nck_meet_t *meet) {
+    const double far = nck_min(meet->a->tolerance, meet->b->tolerance);
+    double way[NCK_AXIS_MAX];
+    if (self->run.t[4] > meet->a->s || !(outward(self, meet, way) > 0.0)) return 0;
+    for (int x = 0; x < self->terms->axes; x++) {
+        const double to = meet->b->seg.start[x] + far * way[x];
+        if (way[x] != 0.0 && (to < self->travel[0][x] || to > self->travel[1][x])) return 0;
+    }
+    return 1;
+}
+
+// The path stops at a corner, or outside of it. What comes behind may still be moved at its other
+// end, and turn its tangent by no more than P over its length: the distance at which motions
+// overlap leaves that. Returns the distance.
+static double move_corner(nck_smooth_t *self, uint32_t count, const nck_corner_stop_t *stop) {
+    const int axes = self->terms->axes;
+    nck_raw_t *const raw = nck_raw_at(self, count);
+    nck_raw_t *const next = nck_raw_at(self, nck_raw_next(self, count));
+    const nck_meet_t meet = {raw, next, {0.0, 0.0}, {0, 0}, 0};
+    const double turns = next->tolerance / next->seg.length;
+    const double within = stop->tolerance - stop->distance * turns;
+    const double outside = nck_min(stop->outside, within);
+    double way[NCK_AXIS_MAX];
+    double by[NCK_AXIS_MAX];
+    double along = 0.0;
+    if (!(within > 0.0) || !(stop->distance > 0.0)) return 0.0;
+    (void)outward(self, &meet, way);
+    if (outside > 0.0) {
+        for (int x = 0; x < axes; x++) {
+            raw->seg.end[x] += outside * way[x];
+            next->seg.start[x] = raw->seg.end[x];
+        }
+        raw->moved[1] = (float)outside;
+        next->moved[0] = (float)outside;
+        next->onward = NCK_ONWARD_UNKNOWN;
+    }
+    const double turn = nck_raw_turn(&raw->seg, &next->seg, axes, by);
+    for (int x = 0; x < axes; x++) along -= way[x] * by[x];
+    return nck_overlap_distance(within, nck_max(0.0, outside), along, turn);
 }
 
 // 1 if the path goes on as good as straight from one block to the next. Every corner in reach asks.
@@ -94,7 +146,7 @@ static void bend_of(nck_smooth_t *self, uint32_t count, double spacing, nck_bend
 void nck_meet_choose(nck_smooth_t *self, uint32_t count) {
     nck_raw_t *const raw = nck_raw_at(self, count);
     const nck_raw_t *const next = nck_raw_at(self, nck_raw_next(self, count));
-    nck_meet_t meet = {raw, next, {0.0, 0.0}, {0, 0}};
+    nck_meet_t meet = {raw, next, {0.0, 0.0}, {0, 0}, 0};
     nck_bend_t bend;
     bend_of(self, count, raw->spacing, &bend);
     if (raw->key != NCK_KEY_LIFTED && !nck_choice_may_stop(self, &meet, &bend)) return;
@@ -110,6 +162,8 @@ void nck_meet_choose(nck_smooth_t *self, uint32_t count) {
             bend = plain;
         }
     }
-    double overlap = 0.0;
-    if (nck_choice_stop(self, &meet, &bend, &overlap)) stop_behind(self, count, overlap);
+    nck_corner_stop_t stop;
+    meet.may_move = (uint8_t)may_move(self, &meet);
+    if (!nck_choice_stop(self, &meet, &bend, &stop)) return;
+    stop_behind(self, count, move_corner(self, count, &stop));
 }

@@ -17,7 +17,7 @@ static int is_alike(const nck_smooth_t *self, const nck_raw_t *raw, const nck_bl
     const int in_run = self->run.open && self->run.end == self->raw.head;
     const int unused = !in_run || self->run.t[4] <= raw->s;
     return is_line && raw->smooth && !raw->seg.rapid && unused
-           && (int)self->merge.count < NCK_SMOOTH_MERGE
+           && raw->moved[0] == 0.0f && (int)self->merge.count < NCK_SMOOTH_MERGE
            && self->merge.tolerance == block->tolerance_mm && raw->seg.feed == seg->feed
            && raw->seg.feed_scale == seg->feed_scale && !nck_raw_spins_differ(&raw->seg, seg);
 }

@@ -178,6 +178,11 @@ double nck_raw_turn(const nck_seg_t *in, const nck_seg_t *out, int axes, double 
     return nck_spline_norm(turn_out, axes);
 }
 
+double nck_raw_stretch(const nck_raw_t *raw, int axes) {
+    if (raw->moved[0] == 0.0f && raw->moved[1] == 0.0f) return 1.0;
+    return nck_spline_distance(raw->seg.start, raw->seg.end, axes) / raw->seg.length;
+}
+
 double nck_raw_curvature(const nck_seg_t *seg, int axes) {
     double second[NCK_AXIS_MAX];
     if (seg->kind == NCK_SEG_LINE) return 0.0;
@@ -255,6 +260,12 @@ static double second_apart(const piece_t *piece, const nck_raw_t *raw, const dou
     return apart + kappa * turned * turned / 8.0;
 }
 
+// How much of its tolerance a block has used at s of its run, as its moved ends are off the program.
+static double used_at(const nck_raw_t *raw, double s) {
+    const double first = (double)raw->moved[0];
+    return first + ((double)raw->moved[1] - first) * (s - raw->s) / raw->seg.length;
+}
+
 // As nck_raw_fit, over one block: from range[0] to range[1]. Between two points that are looked at
 // the deviation cannot exceed the larger one by more than what their difference can sag.
 // off: the deviation at range[0]; negative if it is not known. Takes that at range[1].
@@ -265,10 +276,13 @@ static int block_fits(const piece_t *piece, const nck_raw_t *raw, const double *
     const double h = length / (double)parts;
     const double near = allowed - nck_spline_sag(second_apart(piece, raw, range), h);
     if (*off < 0.0) *off = deviation(piece, raw, range[0]);
-    for (int n = 1; n <= parts && *off <= near; n++) {
-        *off = deviation(piece, raw, range[0] + h * (double)n);
+    int fits = *off + used_at(raw, range[0]) <= near;
+    for (int n = 1; n <= parts && fits; n++) {
+        const double s = range[0] + h * (double)n;
+        *off = deviation(piece, raw, s);
+        fits = *off + used_at(raw, s) <= near;
     }
-    return *off <= near;
+    return fits;
 }
 
 void nck_raw_begin_fit(nck_smooth_t *self, int first) {

@@ -52,6 +52,9 @@ void nck_raw_spread(nck_smooth_t *self, double s, double step, int count,
 // returns |Δu|. Cost: constant.
 double nck_raw_turn(const nck_seg_t *in, const nck_seg_t *out, int axes, double *turn_out);
 
+// |dp/ds| along a line the ends of which may have been moved. Cost: constant.
+double nck_raw_stretch(const nck_raw_t *raw, int axes);
+
 // The curvature |p″| of an exact seg, the same all along it [1/mm], over so many axes; 0 of a line.
 // Cost: constant.
 double nck_raw_curvature(const nck_seg_t *seg, int axes);

@@ -322,10 +322,9 @@ static double part_end(nck_smooth_t *self) {
     }
 }
 
-// The words of a part are those of the block that it ends in, or with.
-static void take_words(nck_smooth_t *self, double end, nck_seg_t *seg) {
-    const uint32_t count = nck_raw_find(self, end - nck_raw_least(end));
-    nck_raw_take_words(&nck_raw_at(self, count)->seg, seg);
+// The block that a part ends in, or with: its words are those of it.
+static const nck_raw_t *raw_of_part(nck_smooth_t *self, double end) {
+    return nck_raw_at(self, nck_raw_find(self, end - nck_raw_least(end)));
 }
 
 // |dp/ds| of a spline between two places: the largest, and the mean of what divides the feed.
@@ -357,8 +356,7 @@ static double even_end(nck_smooth_t *self, const nck_seg_t *spline, double end,
                        double *stretch_out) {
     const double begin = self->run.t[2];
     const double given = self->run.given;
-    const uint32_t count = nck_raw_find(self, end - nck_raw_least(end));
-    const nck_seg_t *const words = &nck_raw_at(self, count)->seg;
+    const nck_seg_t *const words = &raw_of_part(self, end)->seg;
     const double least = UNEVEN_PERIODS * words->feed * self->terms->machine->period_s;
     int halvings = HALVINGS;
     double to = end;
@@ -392,7 +390,9 @@ static nck_status_t give_spline(nck_smooth_t *self, nck_smooth_item_t *item_out)
     nck_spline_part(seg, self->run.given - t[2], end - t[2], self->terms->axes);
     memcpy(seg->start, self->run.position, sizeof seg->start);
     memcpy(self->run.position, seg->end, sizeof seg->end);
-    take_words(self, end, seg);
+    const nck_raw_t *const raw = raw_of_part(self, end);
+    if (seg->kind == NCK_SEG_LINE) stretch = nck_raw_stretch(raw, self->terms->axes);
+    nck_raw_take_words(&raw->seg, seg);
     keep_feed(seg, stretch);
     seg->stop = (uint8_t)nck_knot_rests(self, end);
     if (end < self->run.rest) seg->overlap = nck_raw_at(self, self->run.end - 1)->seg.overlap;

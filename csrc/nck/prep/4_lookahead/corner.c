@@ -61,7 +61,7 @@ static void overlap(nck_joint_t *in, const nck_joint_t *out, const double *tange
                                    {in->j_straight, out->j_straight},
                                    {nck_overlap_turn(in->kind), nck_overlap_turn(out->kind)}};
     const double *const j = motions.j;
-    const double most = nck_overlap_jerk(terms->machine, terms->axes, &motions);
+    const double most = nck_overlap_load(terms->machine, terms->axes, &motions);
     if (!(most > 1.0)) return;
     const double d = (double)overlap->distance;
     const double share = OVERLAP_SHARE / most;

@@ -114,7 +114,7 @@ typedef struct beside {
     double v_most;   // of either, and of both in sum: no feed is exceeded
     double period;   // [s]
     double taps;     // of the output filter; 1: there is none
-    int shares;      // 1: an axis moves in both
+    int shares;      // 1: their jerks keep to an axis' limit in sum by their order in time alone
 } beside_t;
 
 // Whether acceleration does anything but grow in time in a cell, from that of the one before on.
@@ -338,7 +338,7 @@ static double join(const nck_machine_t *machine, const nck_link_t *link,
     corner.v_most = nck_sqrt(vv);
     corner.period = machine->period_s;
     corner.taps = machine->slope == NCK_SLOPE_JERK ? (double)NCK_FILTER_TAPS : 1.0;
-    corner.shares = nck_overlap_shares(machine, NCK_AXIS_MAX, &motions);
+    corner.shares = nck_overlap_sum(machine, NCK_AXIS_MAX, &motions) > 1.0 + JERK_EPSILON;
     const double most = nck_overlap_most(machine, NCK_AXIS_MAX, &motions) - slack_of(machine);
     return nck_min(most, time_of(link, now, next, &corner));
 }
