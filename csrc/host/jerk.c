@@ -168,7 +168,7 @@ static size_t first_standing(const ladder_t *self) {
 
 // Caps and limits of every node and cell, and the plan. q_cap: see nck_profile_t. Returns as
 // first_standing.
-static size_t plan(ladder_t *self, double q_cap) {
+static size_t plan(ladder_t *self, double q_cap, int is_last) {
     nck_profile_t *const p = &self->profile;
     const nck_host_path_t *const path = self->path;
     for (uint32_t i = 0; i < p->n; i++) {
@@ -179,6 +179,7 @@ static size_t plan(ladder_t *self, double q_cap) {
         p->w_cap[i] = junction ? junction_cap(self, seg) : square(path->v_cap[seg]);
     }
     p->q_cap = q_cap;
+    p->count = is_last ? p->n : 0;
     p->v = p->a = p->q = 0.0;
     nck_profile_begin(p);
     while (nck_profile_step(p, UINT32_MAX) != NCK_DONE) continue;
@@ -189,11 +190,11 @@ static size_t plan(ladder_t *self, double q_cap) {
 static nck_status_t plan_in_rounds(ladder_t *self, double q_cap, size_t *bad_out) {
     if (!lay(self)) return NCK_FULL;
     for (uint32_t round = 0; round < self->how->rounds; round++) {
-        *bad_out = plan(self, UNCAPPED_PERIODS * self->how->period_s);
+        *bad_out = plan(self, UNCAPPED_PERIODS * self->how->period_s, 0);
         if (*bad_out < self->path->n) return NCK_E_STATE;
         if (!divide_long(self)) return NCK_FULL;
     }
-    *bad_out = plan(self, q_cap);
+    *bad_out = plan(self, q_cap, 1);
     return *bad_out < self->path->n ? NCK_E_STATE : NCK_OK;
 }
 

@@ -6,7 +6,8 @@
 //                             within the jerk; U, the two-pass envelope under these bounds
 //   hull, hull                E: the largest function under U whose slope falls slowly enough
 //   rise, fall                forward and backward under E, the acceleration grows slowly enough
-//   hull                      takes off the edge where the two meet
+//   hull                      takes off the edge where the two meet, by the durations above it: F(w)
+//   hull, hull                by those of F(w), which is too high, then by those of that
 #include "nck/prep/5_slope/profile.h"
 
 #include <assert.h> // assert
@@ -15,7 +16,7 @@
 
 enum {
     REACH_BACK = 0, REACH_FORTH, RAMP_BACK, RAMP_FORTH, HULL_U, LEVEL_U, HULL_E, LEVEL_E, RISE,
-    FALL, HULL_W, LEVEL_W, PLANNED
+    FALL, HULL_W, LEVEL_W, HULL_HIGH, LEVEL_HIGH, HULL_LAST, LEVEL_LAST, KEEP, PLANNED
 };
 
 // The entry speed is met if w agrees so far; a change of acceleration within rule R if it exceeds
@@ -25,6 +26,8 @@ enum {
 // A plan that can but slow down at first is none if that takes it below a tenth of what a cell
 // reaches from rest, v³ = J·h²: it would creep on from there.
 #define SLOWEST 1e-3
+// A hull that leaves more of v² everywhere is as good as with the durations at its own speeds.
+#define BLUNT 0.8
 // A speed is at the envelope within this share of it: it was added to another one and taken off.
 #define CAP_EPSILON 1e-14
 
@@ -38,7 +41,8 @@ static int is_backward(uint32_t phase) {
 }
 
 static int is_level(uint32_t phase) {
-    return phase == LEVEL_U || phase == LEVEL_E || phase == LEVEL_W;
+    return phase == LEVEL_U || phase == LEVEL_E || phase == LEVEL_W || phase == LEVEL_HIGH
+           || phase == LEVEL_LAST;
 }
 
 static void begin_pass(nck_profile_t *self, uint32_t phase) {
@@ -51,6 +55,7 @@ static void begin_pass(nck_profile_t *self, uint32_t phase) {
     self->fall = 0.0;
     self->slows = 0;
     if (!is_level(phase)) self->top = 0;
+    if (phase == LEVEL_U || phase == LEVEL_W) self->sharp = 0;
 }
 
 void nck_profile_begin(nck_profile_t *self) {
@@ -263,6 +268,7 @@ static uint32_t level(nck_profile_t *self, uint32_t budget, const double *g, dou
     const uint32_t *const stack = self->stack;
     const uint32_t end = self->i + count;
     uint32_t top = self->i > 0 ? self->top : 0;
+    uint32_t sharp = self->sharp;
     for (uint32_t i = self->i; i < end; i++) {
         const double value = g[i];
         if (stack[top] == i) {
@@ -274,9 +280,21 @@ static uint32_t level(nck_profile_t *self, uint32_t budget, const double *g, dou
         const uint32_t a = stack[top - 1];
         const uint32_t b = stack[top];
         const double on_hull = z[a] + (z[b] - z[a]) * ((s[i] - s[a]) / (s[b] - s[a]));
-        out[i] = nck_max(0.0, nck_min(value, on_hull - fall));
+        const double least = nck_max(0.0, nck_min(value, on_hull - fall));
+        sharp |= i < self->count && least < BLUNT * value;
+        out[i] = least;
     }
     self->top = top;
+    self->i = end;
+    self->sharp = sharp;
+    return count;
+}
+
+// The envelope is the plan.
+static uint32_t keep(nck_profile_t *self, uint32_t budget) {
+    const uint32_t count = left_forth(self, budget);
+    const uint32_t end = self->i + count;
+    for (uint32_t i = self->i; i < end; i++) self->w[i] = self->e[i];
     self->i = end;
     return count;
 }
@@ -411,7 +429,9 @@ static uint32_t work(nck_profile_t *self, uint32_t budget) {
     case RISE: return climb(self, budget, self->up, 0);
     case FALL: return climb(self, budget, self->down, 1);
     case HULL_W: return hull(self, budget, self->w, self->w);
-    case LEVEL_W: return level(self, budget, self->w, self->w);
+    case HULL_HIGH:
+    case HULL_LAST: return hull(self, budget, self->w, self->e);
+    case KEEP: return keep(self, budget);
     default: return level(self, budget, self->w, self->e);
     }
 }
@@ -419,11 +439,17 @@ static uint32_t work(nck_profile_t *self, uint32_t budget) {
 // The pass has done its last node: forward n, backward 0, and i has gone beyond.
 static int is_over(const nck_profile_t *self) { return self->i > self->n; }
 
+// The pass behind the one that is over.
+static uint32_t pass_behind(const nck_profile_t *self) {
+    if (self->phase == LEVEL_U && !self->sharp) return RISE;
+    return self->phase == LEVEL_W && !self->sharp ? KEEP : self->phase + 1;
+}
+
 nck_status_t nck_profile_step(nck_profile_t *self, uint32_t budget) {
     uint32_t left = budget;
     while (left > 0 && self->phase != PLANNED) {
         left -= work(self, left);
-        if (is_over(self)) begin_pass(self, self->phase + 1);
+        if (is_over(self)) begin_pass(self, pass_behind(self));
     }
     return self->phase == PLANNED ? NCK_DONE : NCK_OK;
 }

@@ -18,6 +18,7 @@ typedef struct nck_profile {
     double *a_max; // n: acceleration [mm/s²], positive
     double *j_max; // n: jerk [mm/s³], positive
     double q_cap;  // longest duration of a cell that counts in rule R [s], positive
+    uint32_t count; // nodes that are worth the best
     double v;      // speed at node 0 [mm/s]
     double a;      // acceleration of the cell before node 0 [mm/s²]
     double q;      // its duration [s]; 0 if the path rested there
@@ -43,6 +44,7 @@ typedef struct nck_profile {
     uint32_t fresh;  // 1: node i has not been looked at yet
     double share;  // of the cell done last
     uint32_t broken; // 1: the entry speed comes to nothing within the jerk: no plan from here
+    uint32_t sharp;  // 1: the last hull takes much off
     uint32_t slows;  // 1: the jerk has kept the acceleration negative from the entry on
     double fall;   // what the slope may fall so far, summed over length
 } nck_profile_t;
@@ -51,7 +53,7 @@ typedef struct nck_profile {
 void nck_profile_begin(nck_profile_t *self);
 
 // Do at most `budget` units of work, a node of a pass each. Returns NCK_OK (call again) or NCK_DONE
-// (w is the plan). The whole takes 12 passes, 17·n units at most. Context: any one context.
+// (w is the plan). The whole takes 17 passes, 24·n units at most. Context: any one context.
 nck_status_t nck_profile_step(nck_profile_t *self, uint32_t budget);
 
 // 1 if the plan goes on from the entry state within rule R: speed met, no change of acceleration
