@@ -26,8 +26,10 @@ enum {
 // A plan that can but slow down at first is none if that takes it below a tenth of what a cell
 // reaches from rest, v³ = J·h²: it would creep on from there.
 #define SLOWEST 1e-3
-// A hull that leaves more of v² everywhere is as good as with the durations at its own speeds.
-#define BLUNT 0.8
+// A hull that leaves more of v² everywhere is as good as one by the durations at its own speeds:
+// E, which only bounds the plan, and the plan.
+#define BLUNT_ENVELOPE 0.5
+#define BLUNT_PLAN 0.8
 // A speed is at the envelope within this share of it: it was added to another one and taken off.
 #define CAP_EPSILON 1e-14
 
@@ -268,6 +270,7 @@ static uint32_t level(nck_profile_t *self, uint32_t budget, const double *g, dou
     const uint32_t *const stack = self->stack;
     const uint32_t end = self->i + count;
     uint32_t top = self->i > 0 ? self->top : 0;
+    const double blunt = self->phase == LEVEL_U ? BLUNT_ENVELOPE : BLUNT_PLAN;
     uint32_t sharp = self->sharp;
     for (uint32_t i = self->i; i < end; i++) {
         const double value = g[i];
@@ -281,7 +284,7 @@ static uint32_t level(nck_profile_t *self, uint32_t budget, const double *g, dou
         const uint32_t b = stack[top];
         const double on_hull = z[a] + (z[b] - z[a]) * ((s[i] - s[a]) / (s[b] - s[a]));
         const double least = nck_max(0.0, nck_min(value, on_hull - fall));
-        sharp |= i < self->count && least < BLUNT * value;
+        sharp |= i < self->count && least < blunt * value;
         out[i] = least;
     }
     self->top = top;
