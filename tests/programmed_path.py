@@ -196,8 +196,9 @@ class Path:
     def _overlaps(self, limits):
         """Return by the block that a corner ends how far from it two motions may overlap.
 
-        With δ·|Δu| ≤ P either motion has δ to the corner when the other has. When one is at rest
-        the other is as far as it comes in both their times for δ: 8 δ under one jerk.
+        With δ·|Δu| ≤ 2 P either motion has δ to the corner, which may be moved to its outside by
+        P, when the other has. When one is at rest the other is as far as it comes in both their
+        times for δ: 8 δ under one jerk.
         """
         distance = np.zeros(len(self.length))
         moves = np.flatnonzero(self.length > 0)
@@ -208,7 +209,7 @@ class Path:
         sharp = np.flatnonzero(lines & (turn > SHARP))
         a, j = (_along(unit, *most) for most in ((limits.a_max, limits.path_a_max),
                                                  (limits.j_max, limits.path_j_max)))  # fmt: skip
-        delta = tolerance[sharp] / turn[sharp]
+        delta = 2 * tolerance[sharp] / turn[sharp]
         either = sharp + np.arange(2)[:, None, None]  # the motions, shares of a jerk, corners
         a, j = a[either], j[either] * SHARED[:, None]
         ways = _way_from_rest(_time_from_rest(delta, a, j).sum(axis=0), a, j)

@@ -41,9 +41,14 @@ static double most_of(const nck_overlap_t *motions)
     return nck_overlap_most(&machine, NCK_AXIS_MAX, motions);
 }
 
-static int shares(const nck_overlap_t *motions)
+static double sum_of(const nck_overlap_t *motions)
 {
-    return nck_overlap_shares(&machine, NCK_AXIS_MAX, motions);
+    return nck_overlap_sum(&machine, NCK_AXIS_MAX, motions);
+}
+
+static double load_of(const nck_overlap_t *motions)
+{
+    return nck_overlap_load(&machine, NCK_AXIS_MAX, motions);
 }
 
 static void same_way_jerks_add_up(check_t *check)
@@ -53,7 +58,7 @@ static void same_way_jerks_add_up(check_t *check)
     begin();
     CHECK_NEAR(check, jerk_of(&straight), 0.7, 1e-15);
     CHECK_NEAR(check, jerk_of(&slant), 0.4 + 0.18, 1e-15);
-    CHECK_INT(check, shares(&slant), 1);
+    CHECK_NEAR(check, sum_of(&slant), 0.4 + 0.18, 1e-15);
     CHECK(check, most_of(&slant) == NCK_OVERLAP_FREE); // accelerations are of either sign
 }
 
@@ -62,8 +67,24 @@ static void opposite_ways_accelerations_add_up(check_t *check)
     const nck_overlap_t motions = motions_of(x_on, x_back, 0.0, 0.0);
     begin();
     CHECK_NEAR(check, jerk_of(&motions), 0.4, 1e-15);
-    CHECK_INT(check, shares(&motions), 1);
+    CHECK_NEAR(check, sum_of(&motions), 0.7, 1e-15);
     CHECK_NEAR(check, most_of(&motions), 100.0 / 400.0, 1e-15);
+}
+
+// Any order in time where an axis that has its own motion gets a tenth more by it at most.
+static void a_little_of_another_motion_may_come_at_any_time(check_t *check)
+{
+    static const double up[NCK_AXIS_MAX] = {-0.1, 1.0};
+    static const double on[NCK_AXIS_MAX] = {1.0, 0.0};
+    nck_overlap_t motions = motions_of(on, up, 0.0, 0.0);
+    begin();
+    motions.j[0] = 1000.0;
+    motions.j[1] = 1000.0;
+    CHECK_NEAR(check, sum_of(&motions), 1.1, 1e-15);
+    CHECK_NEAR(check, load_of(&motions), 1.1, 1e-15);
+    motions.j[1] = 1001.0;
+    CHECK_NEAR(check, sum_of(&motions), 1.1001, 1e-15);
+    CHECK_NEAR(check, load_of(&motions), 1.001, 1e-15); // opposite ways the larger one counts
 }
 
 static void at_a_right_angle_each_has_its_axis(check_t *check)
@@ -73,7 +94,7 @@ static void at_a_right_angle_each_has_its_axis(check_t *check)
     CHECK_NEAR(check, jerk_of(&motions), 0.4, 1e-15);
     machine.axis[1].j_max = 500.0;
     CHECK_NEAR(check, jerk_of(&motions), 0.6, 1e-15);
-    CHECK_INT(check, shares(&motions), 0);
+    CHECK_NEAR(check, sum_of(&motions), 0.6, 1e-15);
     CHECK(check, most_of(&motions) == NCK_OVERLAP_FREE);
 }
 
@@ -85,12 +106,12 @@ static void what_turns_may_move_every_axis(check_t *check)
     CHECK_NEAR(check, jerk_of(&motions), 0.44, 1e-15); // X has no other
     machine.axis[1].j_max = 500.0;
     CHECK_NEAR(check, jerk_of(&motions), (40.0 + 300.0) / 500.0, 1e-15);
-    CHECK_INT(check, shares(&motions), 1);
+    CHECK_NEAR(check, sum_of(&motions), (40.0 + 300.0) / 500.0, 1e-15);
     CHECK_NEAR(check, most_of(&motions), 100.0 / 300.0, 1e-15);
     machine.axis[1].present = 0;
     CHECK_NEAR(check, most_of(&motions), 100.0 / 40.0, 1e-15);
     machine.axis[2].present = 0;
-    CHECK_INT(check, shares(&motions), 0);
+    CHECK_NEAR(check, sum_of(&motions), 0.44, 1e-15);
     CHECK(check, nck_overlap_turn(NCK_SEG_LINE) == 0.0);
     CHECK(check, nck_overlap_turn(NCK_SEG_SPLINE) == NCK_OVERLAP_TURN);
 }
@@ -107,6 +128,19 @@ static void halfway_the_corner_is_cut_by_the_tolerance(check_t *check)
     CHECK_NEAR(check, gone, d, 1e-15);
     CHECK_NEAR(check, hypot(gone * (slanted[0] - 1.0), gone * slanted[1]), tolerance, 1e-15);
     CHECK_NEAR(check, nck_overlap_time(8.0, 6.0), 2.0, 1e-14);
+}
+
+// Outside of the corner the first motion would rest; halfway both are as far inside.
+static void outside_of_the_corner_halfway_is_further(check_t *check)
+{
+    const double n[2] = {0.8, -0.6};
+    const double w[2] = {-1.1, 0.7};
+    const double turn = hypot(w[0], w[1]);
+    const double along = -(n[0] * w[0] + n[1] * w[1]);
+    const double d = nck_overlap_distance(0.01, 0.007, along, turn);
+    CHECK_NEAR(check, hypot(0.007 * n[0] + d * w[0], 0.007 * n[1] + d * w[1]), 0.01, 1e-15);
+    CHECK(check, d > nck_overlap_distance(0.01, 0.0, turn, turn));
+    CHECK_NEAR(check, nck_overlap_distance(0.01, 0.01, turn, turn), 0.02 / turn, 1e-15);
 }
 
 // ---- a cell in parts
@@ -168,9 +202,11 @@ int main(void)
     check_t check = {0};
     CHECK_RUN(&check, same_way_jerks_add_up);
     CHECK_RUN(&check, opposite_ways_accelerations_add_up);
+    CHECK_RUN(&check, a_little_of_another_motion_may_come_at_any_time);
     CHECK_RUN(&check, at_a_right_angle_each_has_its_axis);
     CHECK_RUN(&check, what_turns_may_move_every_axis);
     CHECK_RUN(&check, halfway_the_corner_is_cut_by_the_tolerance);
+    CHECK_RUN(&check, outside_of_the_corner_halfway_is_further);
     CHECK_RUN(&check, all_of_a_cell_is_the_cell);
     CHECK_RUN(&check, parts_add_up_to_their_cell);
     return check_end(&check);

@@ -27,9 +27,13 @@ enum {
 // reaches from rest, v³ = J·h²: it would creep on from there.
 #define SLOWEST 1e-3
 // A hull that leaves more of v² everywhere is as good as one by the durations at its own speeds:
-// E, which only bounds the plan, and the plan.
+// E, which only bounds a plan, a plan from rest, and one that goes on.
 #define BLUNT_ENVELOPE 0.5
-#define BLUNT_PLAN 0.8
+#define BLUNT_FROM_REST 0.8
+#define BLUNT_ONWARD 0.6
+// The last hull takes durations from speeds so much higher: a plan that goes on from within a turn
+// has other bounds to its speeds there, and needs some room to join.
+#define FASTER 1.03
 // A speed is at the envelope within this share of it: it was added to another one and taken off.
 #define CAP_EPSILON 1e-14
 
@@ -219,6 +223,7 @@ static uint32_t hull(nck_profile_t *self, uint32_t budget, const double *g,
         return 1;
     }
     const uint32_t count = left_forth(self, budget);
+    const double faster = self->phase == HULL_LAST ? FASTER : 1.0;
     const double most = 0.5 * self->q_cap;
     const double *const h = self->h;
     const double *const j_max = self->j_max;
@@ -236,7 +241,8 @@ static uint32_t hull(nck_profile_t *self, uint32_t budget, const double *g,
     for (uint32_t n = 0; n < count; n++) {
         if (fresh) {
             const double j = j_max[i - 1];
-            fall_over(&fallen, h[i - 1], nck_sqrt(w_of_time[i]), nck_min(j_before, j), most);
+            const double v = faster * nck_sqrt(w_of_time[i]);
+            fall_over(&fallen, h[i - 1], v, nck_min(j_before, j), most);
             j_before = j;
             at = g[i] + fallen.sum;
             z[i] = at;
@@ -262,6 +268,13 @@ static uint32_t hull(nck_profile_t *self, uint32_t budget, const double *g,
     return count;
 }
 
+static int begins_at_rest(const nck_profile_t *self) { return !(self->v > 0.0); }
+
+static double blunt_of(const nck_profile_t *self) {
+    if (self->phase == LEVEL_U) return BLUNT_ENVELOPE;
+    return begins_at_rest(self) ? BLUNT_FROM_REST : BLUNT_ONWARD;
+}
+
 // Every node down onto the hull. On a corner the value stays to the bit.
 static uint32_t level(nck_profile_t *self, uint32_t budget, const double *g, double *out) {
     const uint32_t count = left_forth(self, budget);
@@ -270,7 +283,7 @@ static uint32_t level(nck_profile_t *self, uint32_t budget, const double *g, dou
     const uint32_t *const stack = self->stack;
     const uint32_t end = self->i + count;
     uint32_t top = self->i > 0 ? self->top : 0;
-    const double blunt = self->phase == LEVEL_U ? BLUNT_ENVELOPE : BLUNT_PLAN;
+    const double blunt = blunt_of(self);
     uint32_t sharp = self->sharp;
     for (uint32_t i = self->i; i < end; i++) {
         const double value = g[i];
@@ -442,10 +455,11 @@ static uint32_t work(nck_profile_t *self, uint32_t budget) {
 // The pass has done its last node: forward n, backward 0, and i has gone beyond.
 static int is_over(const nck_profile_t *self) { return self->i > self->n; }
 
-// The pass behind the one that is over.
+// The pass behind the one that is over. A plan that goes on has to join: its envelope is the best.
 static uint32_t pass_behind(const nck_profile_t *self) {
-    if (self->phase == LEVEL_U && !self->sharp) return RISE;
-    return self->phase == LEVEL_W && !self->sharp ? KEEP : self->phase + 1;
+    if (self->sharp) return self->phase + 1;
+    if (self->phase == LEVEL_U && begins_at_rest(self)) return RISE;
+    return self->phase == LEVEL_W ? KEEP : self->phase + 1;
 }
 
 nck_status_t nck_profile_step(nck_profile_t *self, uint32_t budget) {
