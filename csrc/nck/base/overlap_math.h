@@ -5,7 +5,7 @@
 #define NCK_BASE_OVERLAP_MATH_H
 
 #include "nck/base/machine.h"   // nck_machine_t
-#include "nck/base/real.h"      // nck_fabs nck_min
+#include "nck/base/real.h"      // nck_fabs nck_min nck_max nck_sqrt
 #include "nck/base/records.h"   // NCK_SEG_LINE
 #include "nck/base/root_math.h" // nck_root_cube
 
@@ -34,8 +34,8 @@ static inline double nck_overlap_turn(uint8_t kind) {
 //        e·n + δ·w,     w = out − in
 // off the corner, further to its inside than at any other time: `in` and `out` are the tangents, n
 // leads to its outside, and there, `outside` = e ≤ tolerance off it, the first would rest. With
-// along = −n·w and turn = |w| > 0 that distance keeps to the tolerance. Returns δ; (P + e)/turn if n
-// and w are opposite. Cost: a division and a root.
+// along = −n·w and turn = |w| > 0 that distance keeps to the tolerance. Returns δ, (P + e)/turn
+// where n and w are opposite. Cost: a division and a root.
 static inline double nck_overlap_distance(double tolerance, double outside, double along,
                                           double turn) {
     const double by = outside * along;
@@ -75,7 +75,7 @@ static inline double nck_overlap_jerk(const nck_machine_t *machine, int axes,
 }
 
 // What both do on an axis adds up at most, whichever way and in whatever order: the sum's largest
-// share of an axis' jerk. Up to 1 their order in time does not matter. Cost: linear in the axes.
+// share of an axis' jerk. Up to 1 the order in time does not matter. Cost: linear in the axes.
 static inline double nck_overlap_sum(const nck_machine_t *machine, int axes,
                                      const nck_overlap_t *self) {
     double most = 0.0;

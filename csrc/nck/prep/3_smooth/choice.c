@@ -26,7 +26,6 @@
 #define PERIODS_LEAST 2.0     // that two motions overlap
 #define SHARE_LEAST 0.55      // of the jerk that motions keep to which overlap: half gains nothing
 #define SPREAD 5.0           // of δ: so near to the corner at least a block is its own
-#define OUTSIDE (1.0 / 32.0)  // of either block: so far off the corner a stop is at most
 #define USED 0.8             // of the time for which motions may overlap: more is not worth a way
 #define JERK_EPSILON 1e-9    // of a limit is rounding
 #define ADDED 1.3            // a/j of either block, in times for which accelerations add up
@@ -188,12 +187,17 @@ static double side_time(const corner_t *corner, const shape_limit_t *limit, int 
            + nck_scurve_over(&way.left, way.v_free, way.bound);
 }
 
+// The distance at which motions overlap that would rest so far off the corner.
+static double distance_of(const corner_t *corner, double outside) {
+    return nck_overlap_distance(corner->tolerance, outside, corner->turn, corner->turn);
+}
+
 // How far off the corner a stop is worth to be, for a distance up to `most`. Both ways grow by it.
 static double outside_of(const corner_t *corner, double most) {
     const double wanted = nck_min(corner->tolerance, most * corner->turn - corner->tolerance);
     const double shorter = nck_min(corner->block[0], corner->block[1]);
     const int moves = corner->may_move && corner->terms->taps > 1 && wanted > 0.0;
-    return moves ? nck_min(wanted, OUTSIDE * shorter) : 0.0;
+    return moves ? nck_min(wanted, NCK_CHOICE_OUTSIDE * shorter) : 0.0;
 }
 
 // How long a motion from rest over half of a block has acceleration that grows, with a share of its
@@ -229,8 +233,8 @@ static int may_add(const corner_t *corner, double time) {
 
 // What a stop gains by overlapping motions [s], no more than half a block takes from rest, half_s.
 // No distance in *stop_out: nothing, where one of the blocks is no line, or too short, or an
-// axis has no jerk for both. Near to the corner either keeps to a share κ of its jerk then, which
-// costs it (1 − κ) of the time that both overlap. Without a filter it would come to no acceleration
+// axis has no jerk for both. Near to the corner either keeps to a share κ of its jerk then, and
+// loses (1 − κ) of the time that both overlap. Without a filter it would come to no acceleration
 // where that begins.
 static double overlap_of(const corner_t *corner, double half_s, nck_corner_stop_t *stop_out) {
     const nck_terms_t *const terms = corner->terms;
@@ -238,16 +242,17 @@ static double overlap_of(const corner_t *corner, double half_s, nck_corner_stop_
                                    {corner->ramp[0].j, corner->ramp[1].j}, {0.0, 0.0}};
     if (!terms->overlaps || !corner->are_lines || !(corner->turn > 0.0)) return 0.0;
     const double widest = nck_min(corner->half[0], corner->half[1]) / SPREAD;
-    double d = nck_overlap_distance(corner->tolerance, 0.0, corner->turn, corner->turn);
+    double d = distance_of(corner, 0.0);
     if (d > widest) return 0.0;
-    const double share = nck_min(1.0, 1.0 / nck_overlap_load(terms->machine, terms->axes, &motions));
+    const double load = nck_overlap_load(terms->machine, terms->axes, &motions);
+    const double share = nck_min(1.0, 1.0 / load);
     if (share < (terms->taps > 1 ? SHARE_LEAST : 1.0)) return 0.0;
     const double most = overlap_most(corner, &motions, share, half_s);
     const double unit = nck_overlap_time(1.0, share * motions.j[0])
                         + nck_overlap_time(1.0, share * motions.j[1]); // for 1 mm
     const double used = USED * nck_max(0.0, most / unit);
     const double outside = outside_of(corner, nck_min(widest, used * used * used));
-    const double wide = nck_overlap_distance(corner->tolerance, outside, corner->turn, corner->turn);
+    const double wide = distance_of(corner, outside);
     if (outside > 0.0 && may_add(corner, unit * nck_root_cube(wide))) {
         stop_out->outside = outside;
         d = wide;
@@ -325,7 +330,7 @@ static void measure_turn(const nck_smooth_t *self, const nck_meet_t *meet, corne
     nck_path_tangent_part(&b->seg, 0.0, axes, corner->out);
     corner->terms = self->terms;
     corner->turn = turn_of(corner);
-    corner->tolerance = TOLERANCE_SHARE * nck_min(a->tolerance, b->tolerance);
+    corner->tolerance = TOLERANCE_SHARE * meet->tolerance;
     memcpy(corner->length, meet->length, sizeof corner->length);
     memcpy(corner->rests, meet->rests, sizeof corner->rests);
     corner->are_lines = a->seg.kind == NCK_SEG_LINE && b->seg.kind == NCK_SEG_LINE;

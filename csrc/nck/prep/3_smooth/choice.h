@@ -6,6 +6,9 @@
 
 #include "nck/prep/3_smooth/smooth.h" // nck_smooth_t nck_raw_t
 
+// A stop is off its corner by so much of either block beside it at most.
+#define NCK_CHOICE_OUTSIDE (1.0 / 32.0)
+
 // The bend of the spline at a corner.
 typedef struct nck_bend {
     double d;                 // spacing of the knots beside it [path mm]
@@ -18,6 +21,7 @@ typedef struct nck_meet {
     const nck_raw_t *a; // the block before the corner
     const nck_raw_t *b; // the block behind it
     double length[2];   // how far the path leads to it and on as good as straight [path mm]
+    double tolerance;   // the least on these ways [mm]
     uint8_t rests[2];   // 1: it rests at the other ends of these
     uint8_t may_move;   // 1: the corner may be moved to its outside
 } nck_meet_t;

@@ -40,9 +40,8 @@ static void stop_behind(nck_smooth_t *self, uint32_t count, double overlap) {
 }
 
 // From the corner to its outside: −Δu, of unit length. Returns |Δu|.
-static double outward(const nck_smooth_t *self, const nck_meet_t *meet, double *way_out) {
-    const int axes = self->terms->axes;
-    const double turn = nck_raw_turn(&meet->a->seg, &meet->b->seg, axes, way_out);
+static double outward(const nck_seg_t *in, const nck_seg_t *out, int axes, double *way_out) {
+    const double turn = nck_raw_turn(in, out, axes, way_out);
     for (int x = 0; x < axes; x++) way_out[x] /= -turn;
     return turn;
 }
@@ -50,32 +49,36 @@ static double outward(const nck_smooth_t *self, const nck_meet_t *meet, double *
 // 1 if a corner may be moved to its outside: nothing of the block before it is used, and there is
 // travel for it.
 static int may_move(const nck_smooth_t *self, const nck_meet_t *meet) {
-    const double far = nck_min(meet->a->tolerance, meet->b->tolerance);
+    const int axes = self->terms->axes;
     double way[NCK_AXIS_MAX];
-    if (self->run.t[4] > meet->a->s || !(outward(self, meet, way) > 0.0)) return 0;
-    for (int x = 0; x < self->terms->axes; x++) {
-        const double to = meet->b->seg.start[x] + far * way[x];
+    if (self->run.t[4] > meet->a->s) return 0;
+    if (!(outward(&meet->a->seg, &meet->b->seg, axes, way) > 0.0)) return 0;
+    for (int x = 0; x < axes; x++) {
+        const double to = meet->b->seg.start[x] + meet->tolerance * way[x];
         if (way[x] != 0.0 && (to < self->travel[0][x] || to > self->travel[1][x])) return 0;
     }
     return 1;
 }
 
-// The path stops at a corner, or outside of it. What comes behind may still be moved at its other
-// end, and turn its tangent by no more than P over its length: the distance at which motions
-// overlap leaves that. Returns the distance.
+// How much the tangent of a block may still turn, as its end is moved.
+static double turn_left(const nck_smooth_t *self, const nck_raw_t *raw) {
+    const double most = nck_min(raw->tolerance / raw->seg.length, NCK_CHOICE_OUTSIDE);
+    return self->terms->taps > 1 ? most : 0.0;
+}
+
+// The path stops at a corner, or outside of it. Returns the distance at which motions overlap
+// there; it leaves what the block behind may still turn.
 static double move_corner(nck_smooth_t *self, uint32_t count, const nck_corner_stop_t *stop) {
     const int axes = self->terms->axes;
     nck_raw_t *const raw = nck_raw_at(self, count);
     nck_raw_t *const next = nck_raw_at(self, nck_raw_next(self, count));
-    const nck_meet_t meet = {raw, next, {0.0, 0.0}, {0, 0}, 0};
-    const double turns = next->tolerance / next->seg.length;
-    const double within = stop->tolerance - stop->distance * turns;
+    const double within = stop->tolerance - stop->distance * turn_left(self, next);
     const double outside = nck_min(stop->outside, within);
     double way[NCK_AXIS_MAX];
     double by[NCK_AXIS_MAX];
     double along = 0.0;
     if (!(within > 0.0) || !(stop->distance > 0.0)) return 0.0;
-    (void)outward(self, &meet, way);
+    (void)outward(&raw->seg, &next->seg, axes, way);
     if (outside > 0.0) {
         for (int x = 0; x < axes; x++) {
             raw->seg.end[x] += outside * way[x];
@@ -110,6 +113,7 @@ static void measure_ways(nck_smooth_t *self, uint32_t count, nck_meet_t *meet) {
         if (nck_raw_at(self, other)->seg.stop || !goes_on(self, other, at)) break;
         at = other;
         other = nck_raw_before(self, at);
+        meet->tolerance = nck_min(meet->tolerance, nck_raw_at(self, at)->tolerance);
     }
     const nck_raw_t *const first = nck_raw_at(self, at);
     meet->length[0] = meet->a->s + meet->a->seg.length - first->s;
@@ -119,6 +123,7 @@ static void measure_ways(nck_smooth_t *self, uint32_t count, nck_meet_t *meet) {
     for (int n = 0; n < WAYS && other != self->run.end && goes_on(self, at, other); n++) {
         at = other;
         other = nck_raw_next(self, at);
+        meet->tolerance = nck_min(meet->tolerance, nck_raw_at(self, at)->tolerance);
     }
     const nck_raw_t *const last = nck_raw_at(self, at);
     meet->length[1] = last->s + last->seg.length - meet->b->s;
@@ -146,16 +151,17 @@ static void bend_of(nck_smooth_t *self, uint32_t count, double spacing, nck_bend
 void nck_meet_choose(nck_smooth_t *self, uint32_t count) {
     nck_raw_t *const raw = nck_raw_at(self, count);
     const nck_raw_t *const next = nck_raw_at(self, nck_raw_next(self, count));
-    nck_meet_t meet = {raw, next, {0.0, 0.0}, {0, 0}, 0};
+    const double tolerance = nck_min(raw->tolerance, next->tolerance);
+    nck_meet_t meet = {raw, next, {0.0, 0.0}, tolerance, {0, 0}, 0};
     nck_bend_t bend;
     bend_of(self, count, raw->spacing, &bend);
     if (raw->key != NCK_KEY_LIFTED && !nck_choice_may_stop(self, &meet, &bend)) return;
     measure_ways(self, count, &meet);
     if (raw->key == NCK_KEY_LIFTED) {
-        const double tolerance = NCK_SPLINE_WIDE_SHARE * nck_min(raw->tolerance, next->tolerance);
         const double turn = nck_spline_norm(bend.turn, self->terms->axes);
+        const double narrow = nck_spline_vertex_spacing(NCK_SPLINE_WIDE_SHARE * tolerance, turn);
         nck_bend_t plain;
-        bend_of(self, count, nck_spline_vertex_spacing(tolerance, turn), &plain);
+        bend_of(self, count, narrow, &plain);
         if (!nck_choice_wide(self, &meet, &bend, &plain)) {
             raw->key = NCK_KEY_ON_PATH;
             raw->spacing = plain.d;

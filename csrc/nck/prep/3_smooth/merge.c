@@ -17,7 +17,7 @@ static int is_alike(const nck_smooth_t *self, const nck_raw_t *raw, const nck_bl
     const int in_run = self->run.open && self->run.end == self->raw.head;
     const int unused = !in_run || self->run.t[4] <= raw->s;
     return is_line && raw->smooth && !raw->seg.rapid && unused
-           && raw->moved[0] == 0.0f && (int)self->merge.count < NCK_SMOOTH_MERGE
+           && (int)self->merge.count < NCK_SMOOTH_MERGE
            && self->merge.tolerance == block->tolerance_mm && raw->seg.feed == seg->feed
            && raw->seg.feed_scale == seg->feed_scale && !nck_raw_spins_differ(&raw->seg, seg);
 }
@@ -49,9 +49,8 @@ static int turns_back(const nck_seg_t *in, const nck_seg_t *out, int axes) {
 int nck_merge_line(nck_smooth_t *self, const nck_block_t *block, const nck_seg_t *seg) {
     if (self->raw.head == self->raw.tail || !(block->merge_mm > 0.0)) return 0;
     nck_raw_t *const raw = nck_raw_at(self, self->raw.head - 1);
-    if (!is_alike(self, raw, block, seg) || turns_back(&raw->seg, seg, self->terms->axes)) {
-        return 0;
-    }
+    if (raw->moved[0] != 0.0f || !is_alike(self, raw, block, seg)) return 0;
+    if (turns_back(&raw->seg, seg, self->terms->axes)) return 0;
     const uint32_t count = self->merge.count;
     const double length = raw->seg.length + seg->length;
     memcpy(self->merge.vertex[count], raw->seg.end, sizeof self->merge.vertex[count]);

@@ -260,7 +260,7 @@ static double second_apart(const piece_t *piece, const nck_raw_t *raw, const dou
     return apart + kappa * turned * turned / 8.0;
 }
 
-// How much of its tolerance a block has used at s of its run, as its moved ends are off the program.
+// How much of its tolerance a block has used at s of its run: its ends may be off the program.
 static double used_at(const nck_raw_t *raw, double s) {
     const double first = (double)raw->moved[0];
     return first + ((double)raw->moved[1] - first) * (s - raw->s) / raw->seg.length;

@@ -13,8 +13,8 @@ enum { WITHHELD_MOST = NCK_CELL_MAX / 2 };
 enum { HALVINGS = 32 }; // of a cell's duration, for a time in it
 // They last so many times what the end takes that is left at the distance in question.
 #define WITHHELD_TIMES 2.5
-// Along a spline either goes no more than so many times the distance: under one jerk the other is at
-// rest then; and some for the steps of a plan.
+// Along a spline either goes no more than so many times the distance: under one jerk the other is
+// at rest then; and some for the steps of a plan.
 #define REACH 9.0
 // Shorter overlaps are none, in periods.
 #define LEAST_PERIODS 1.0

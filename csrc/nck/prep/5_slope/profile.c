@@ -6,8 +6,8 @@
 //                             within the jerk; U, the two-pass envelope under these bounds
 //   hull, hull                E: the largest function under U whose slope falls slowly enough
 //   rise, fall                forward and backward under E, the acceleration grows slowly enough
-//   hull                      takes off the edge where the two meet, by the durations above it: F(w)
-//   hull, hull                by those of F(w), which is too high, then by those of that
+//   hull: F                   takes off the edge where the two meet, by the durations above it
+//   hull, hull                by those of F, which is too high, then by those of that
 #include "nck/prep/5_slope/profile.h"
 
 #include <assert.h> // assert
@@ -205,25 +205,30 @@ static inline int sticks_out(const corners_t *corners, double s, double z) {
     return nck_hull_above(corners->s0, corners->z0, corners->s1, corners->z1, s, z) >= 0.0;
 }
 
+// v² that the last hull takes durations from. No more than above it: those are what acceleration
+// falls by into a stretch of less.
+static inline double last_speeds(const nck_profile_t *self, uint32_t i) {
+    return nck_min(FASTER * FASTER * self->e[i], self->w[i]);
+}
+
 // The hull's first corner; the speeds as below.
-static void begin_hull(nck_profile_t *self, const double *g, const double *w_of_time) {
+static void begin_hull(nck_profile_t *self, const double *w_of_time) {
     self->v_last = nck_sqrt(w_of_time[0]);
-    self->z[0] = g[0];
+    self->z[0] = self->w[0];
     self->stack[0] = 0;
     self->top = 1;
     self->i = 1;
 }
 
-// Corners of the lower hull of (s, g + C); w_of_time: the speeds' squares that the durations come
+// Corners of the lower hull of (s, w + C); w_of_time: the speeds' squares that the durations come
 // from. A node and a corner taken off are a unit each.
-static uint32_t hull(nck_profile_t *self, uint32_t budget, const double *g,
-                     const double *w_of_time) {
+static uint32_t hull(nck_profile_t *self, uint32_t budget, const double *w_of_time) {
     if (self->i == 0) {
-        begin_hull(self, g, w_of_time);
+        begin_hull(self, w_of_time);
         return 1;
     }
     const uint32_t count = left_forth(self, budget);
-    const double faster = self->phase == HULL_LAST ? FASTER : 1.0;
+    const int is_last = self->phase == HULL_LAST;
     const double most = 0.5 * self->q_cap;
     const double *const h = self->h;
     const double *const j_max = self->j_max;
@@ -241,10 +246,10 @@ static uint32_t hull(nck_profile_t *self, uint32_t budget, const double *g,
     for (uint32_t n = 0; n < count; n++) {
         if (fresh) {
             const double j = j_max[i - 1];
-            const double v = faster * nck_sqrt(w_of_time[i]);
-            fall_over(&fallen, h[i - 1], v, nck_min(j_before, j), most);
+            const double ww = is_last ? last_speeds(self, i) : w_of_time[i];
+            fall_over(&fallen, h[i - 1], nck_sqrt(ww), nck_min(j_before, j), most);
             j_before = j;
-            at = g[i] + fallen.sum;
+            at = self->w[i] + fallen.sum;
             z[i] = at;
         }
         fresh = !sticks_out(&corners, s[i], at) || top == 1;
@@ -275,8 +280,8 @@ static double blunt_of(const nck_profile_t *self) {
     return begins_at_rest(self) ? BLUNT_FROM_REST : BLUNT_ONWARD;
 }
 
-// Every node down onto the hull. On a corner the value stays to the bit.
-static uint32_t level(nck_profile_t *self, uint32_t budget, const double *g, double *out) {
+// Every node of w down onto the hull, in e. On a corner the value stays to the bit.
+static uint32_t level(nck_profile_t *self, uint32_t budget) {
     const uint32_t count = left_forth(self, budget);
     const double *const s = self->s;
     const double *const z = self->z;
@@ -286,10 +291,10 @@ static uint32_t level(nck_profile_t *self, uint32_t budget, const double *g, dou
     const double blunt = blunt_of(self);
     uint32_t sharp = self->sharp;
     for (uint32_t i = self->i; i < end; i++) {
-        const double value = g[i];
+        const double value = self->w[i];
         if (stack[top] == i) {
             top++;
-            out[i] = value;
+            self->e[i] = value;
             continue;
         }
         const double fall = z[i] - value;
@@ -298,7 +303,7 @@ static uint32_t level(nck_profile_t *self, uint32_t budget, const double *g, dou
         const double on_hull = z[a] + (z[b] - z[a]) * ((s[i] - s[a]) / (s[b] - s[a]));
         const double least = nck_max(0.0, nck_min(value, on_hull - fall));
         sharp |= i < self->count && least < blunt * value;
-        out[i] = least;
+        self->e[i] = least;
     }
     self->top = top;
     self->i = end;
@@ -435,31 +440,42 @@ static uint32_t climb(nck_profile_t *self, uint32_t budget, const double *bound,
 }
 
 static uint32_t work(nck_profile_t *self, uint32_t budget) {
+    if (is_level(self->phase)) return level(self, budget);
     switch (self->phase) {
     case REACH_BACK: return reach_back(self, budget);
     case REACH_FORTH: return reach_forth(self, budget);
     case RAMP_BACK: return ramp_back(self, budget);
     case RAMP_FORTH: return ramp_forth(self, budget);
-    case HULL_U: return hull(self, budget, self->w, self->w);
-    case HULL_E: return hull(self, budget, self->w, self->e);
     case RISE: return climb(self, budget, self->up, 0);
     case FALL: return climb(self, budget, self->down, 1);
-    case HULL_W: return hull(self, budget, self->w, self->w);
-    case HULL_HIGH:
-    case HULL_LAST: return hull(self, budget, self->w, self->e);
     case KEEP: return keep(self, budget);
-    default: return level(self, budget, self->w, self->e);
+    case HULL_U:
+    case HULL_W: return hull(self, budget, self->w);
+    default: return hull(self, budget, self->e);
     }
 }
 
 // The pass has done its last node: forward n, backward 0, and i has gone beyond.
 static int is_over(const nck_profile_t *self) { return self->i > self->n; }
 
-// The pass behind the one that is over. A plan that goes on has to join: its envelope is the best.
+// nck_profile_joins, of a plan w.
+static int joins(const nck_profile_t *self, const double *w) {
+    const double vv = self->v * self->v;
+    if (!(vv > 0.0)) return 1;
+    if (self->broken || nck_fabs(w[0] - vv) > SPEED_EPSILON * vv) return 0;
+    const double share =
+        nck_hull_share(self->h[0], self->v + nck_sqrt(w[1]), 0.5 * self->q_cap);
+    const double a = (w[1] - w[0]) / (2.0 * self->h[0]);
+    const double fall = self->j_max[0] * (share + 0.5 * nck_min(self->q, self->q_cap));
+    return a >= self->a - fall - JOIN_EPSILON * self->a_max[0];
+}
+
+// The pass behind the one that is over. A plan that goes on has to join: its envelope is the best,
+// and so is what would not join.
 static uint32_t pass_behind(const nck_profile_t *self) {
     if (self->sharp) return self->phase + 1;
     if (self->phase == LEVEL_U && begins_at_rest(self)) return RISE;
-    return self->phase == LEVEL_W ? KEEP : self->phase + 1;
+    return self->phase == LEVEL_W && joins(self, self->e) ? KEEP : self->phase + 1;
 }
 
 nck_status_t nck_profile_step(nck_profile_t *self, uint32_t budget) {
@@ -471,13 +487,4 @@ nck_status_t nck_profile_step(nck_profile_t *self, uint32_t budget) {
     return self->phase == PLANNED ? NCK_DONE : NCK_OK;
 }
 
-int nck_profile_joins(const nck_profile_t *self) {
-    const double vv = self->v * self->v;
-    if (!(vv > 0.0)) return 1;
-    if (self->broken || nck_fabs(self->w[0] - vv) > SPEED_EPSILON * vv) return 0;
-    const double share =
-        nck_hull_share(self->h[0], self->v + nck_sqrt(self->w[1]), 0.5 * self->q_cap);
-    const double a = (self->w[1] - self->w[0]) / (2.0 * self->h[0]);
-    const double fall = self->j_max[0] * (share + 0.5 * nck_min(self->q, self->q_cap));
-    return a >= self->a - fall - JOIN_EPSILON * self->a_max[0];
-}
+int nck_profile_joins(const nck_profile_t *self) { return joins(self, self->w); }
