@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
 """A hold, an abort and an override of zero are heard within ten periods, and the path rests within
-what braking takes and 20 periods; within a tolerance it takes longer, and no longer than told in
+what braking takes and 21 periods; within a tolerance it takes longer, and no longer than told in
 docs/controller.md."""
 
 import re
@@ -13,7 +13,7 @@ from pycnc.bench import programs, stops
 from pycnc.program import Program
 
 HEARD = 10
-SPARE = 20  # periods beyond v/a + a/j
+SPARE = 21  # periods beyond v/a + a/j
 
 
 @pytest.mark.parametrize("event", stops.EVENTS)

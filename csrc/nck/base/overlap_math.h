@@ -74,6 +74,16 @@ static inline double nck_overlap_jerk(const nck_machine_t *machine, int axes,
     return most;
 }
 
+// 1 if an axis moves in both. Cost: linear in the axes.
+static inline int nck_overlap_shares(const nck_machine_t *machine, int axes,
+                                     const nck_overlap_t *self) {
+    for (int x = 0; x < axes; x++) {
+        double part[2];
+        if (machine->axis[x].present && nck_overlap_axis(self, x, part) != 0.0) return 1;
+    }
+    return 0;
+}
+
 // What both do on an axis adds up at most, whichever way and in whatever order: the sum's largest
 // share of an axis' jerk. Up to 1 the order in time does not matter. Cost: linear in the axes.
 static inline double nck_overlap_sum(const nck_machine_t *machine, int axes,

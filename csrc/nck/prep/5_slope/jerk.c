@@ -282,7 +282,8 @@ static void finish_relax(nck_jerk_t *self) {
     p->stack = spare->index;
     p->n = self->work.n;
     p->q_cap = nck_window_q_cap(self);
-    p->count = self->work.coarse ? 0 : self->next->complete ? p->n : p->n / 2;
+    const int is_hold = self->work.reach > 0.0;
+    p->count = self->work.coarse || is_hold ? 0 : self->next->complete ? p->n : p->n / 2;
     nck_profile_begin(p);
     enter(self, PHASE_PLAN);
 }

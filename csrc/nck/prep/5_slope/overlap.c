@@ -114,7 +114,8 @@ typedef struct beside {
     double v_most;   // of either, and of both in sum: no feed is exceeded
     double period;   // [s]
     double taps;     // of the output filter; 1: there is none
-    int shares;      // 1: their jerks keep to an axis' limit in sum by their order in time alone
+    int shares;      // 1: an axis moves in both
+    int ordered;     // 1: only the order in time keeps their jerks to an axis' limit in sum
 } beside_t;
 
 // Whether acceleration does anything but grow in time in a cell, from that of the one before on.
@@ -124,15 +125,16 @@ static int falls(const beside_t *corner, int n, double before, const nck_cell_t 
 }
 
 // Whether a cell of the end of the plan of now may ride, before one that begins with this
-// acceleration: it slows down. Where an axis moves in both, its acceleration only grows in time,
-// and it is in the piece beside the corner, which leaves some jerk.
+// acceleration: it slows down. Where an axis moves in both, it is in the piece beside the corner,
+// which leaves some jerk, and if their order in time matters its acceleration only grows.
 static int may_ride(const beside_t *corner, const nck_cell_t *cell, double behind) {
     if (!(cell->a < 0.0) || cell->span != 0 || cell->v > corner->v_most) return 0;
     if (cell->s < corner->furthest[0]) return 0;
-    if (!corner->shares) return 1;
+    if (corner->shares && cell->s < corner->piece[0]->s) return 0;
+    if (!corner->ordered) return 1;
     const double grows = behind - accel_behind(cell);
     const double least = -TURN_EPSILON * corner->j[0] * corner->period;
-    return grows >= least && !falls(corner, 0, cell->a, cell) && cell->s >= corner->piece[0]->s;
+    return grows >= least && !falls(corner, 0, cell->a, cell);
 }
 
 // Half of the last cell is left out: its jump at the other end may go the other way (rule R).
@@ -149,7 +151,7 @@ static way_beside_t look_back(const nck_link_t *link, const nck_plan_t *now, bes
         last = cell->duration;
         behind = cell->a;
     }
-    if (corner->shares) corner->time[0] -= 0.5 * last;
+    if (corner->ordered) corner->time[0] -= 0.5 * last;
     return stretch;
 }
 
@@ -159,8 +161,8 @@ static int may_begin(const beside_t *corner, const nck_cell_t *cell, double befo
     if (!(accel_behind(cell) > 0.0) || cell->seg != piece->seg || cell->span != 0) return 0;
     const double end = cell->s + cell->length;
     if (speed_at(cell, cell->duration) > corner->v_most || end > corner->furthest[1]) return 0;
-    if (!corner->shares) return 1;
-    return !falls(corner, 1, before, cell) && end <= piece->s + piece->length;
+    if (corner->shares && end > piece->s + piece->length) return 0;
+    return !corner->ordered || !falls(corner, 1, before, cell);
 }
 
 // It goes on for some time until another plan may take over.
@@ -177,7 +179,7 @@ static way_beside_t look_ahead(const nck_link_t *link, const nck_plan_t *next, b
         time += cell->duration;
         if (goes_on) {
             extend(&stretch, cell, 0);
-            corner->time[1] = time - (corner->shares ? 0.5 * cell->duration : 0.0);
+            corner->time[1] = time - (corner->ordered ? 0.5 * cell->duration : 0.0);
         }
         if (time > nck_min(corner->time[0], corner->time[1]) + filter) break;
         before = accel_behind(cell);
@@ -338,7 +340,8 @@ static double join(const nck_machine_t *machine, const nck_link_t *link,
     corner.v_most = nck_sqrt(vv);
     corner.period = machine->period_s;
     corner.taps = machine->slope == NCK_SLOPE_JERK ? (double)NCK_FILTER_TAPS : 1.0;
-    corner.shares = nck_overlap_sum(machine, NCK_AXIS_MAX, &motions) > 1.0 + JERK_EPSILON;
+    corner.shares = nck_overlap_shares(machine, NCK_AXIS_MAX, &motions);
+    corner.ordered = nck_overlap_sum(machine, NCK_AXIS_MAX, &motions) > 1.0 + JERK_EPSILON;
     const double most = nck_overlap_most(machine, NCK_AXIS_MAX, &motions) - slack_of(machine);
     return nck_min(most, time_of(link, now, next, &corner));
 }
