@@ -196,8 +196,8 @@ static double distance_of(const corner_t *corner, double outside) {
 static double outside_of(const corner_t *corner, double most) {
     const double wanted = nck_min(corner->tolerance, most * corner->turn - corner->tolerance);
     const double shorter = nck_min(corner->block[0], corner->block[1]);
-    const int moves = corner->may_move && corner->terms->taps > 1 && wanted > 0.0;
-    return moves ? nck_min(wanted, NCK_CHOICE_OUTSIDE * shorter) : 0.0;
+    if (!corner->may_move) return 0.0;
+    return nck_max(0.0, nck_min(wanted, NCK_CHOICE_OUTSIDE * shorter));
 }
 
 // How long a motion from rest over half of a block has acceleration that grows, with a share of its

@@ -12,7 +12,8 @@
 #define STRAIGHT 0.1     // |Δu| up to which a path goes on straight, for the time of a stop
 #define AT_REST 0.02     // of a way: a rest so near to its end is there, for the time of a stop
 enum {
-    WAYS = 16            // blocks on either side that go on straight, at most
+    WAYS = 16,           // blocks on either side that go on straight, at most
+    CELLS_LEAST = 64     // of the ring, for a corner to be moved
 };
 
 double nck_meet_lift(nck_smooth_t *self, uint32_t count, double h, double weight) {
@@ -46,12 +47,18 @@ static double outward(const nck_seg_t *in, const nck_seg_t *out, int axes, doubl
     return turn;
 }
 
+// 1 if corners are moved at all: few cells overlap no longer by it, and without a filter nothing on
+// another axis may overlap.
+static int moves_corners(const nck_smooth_t *self) {
+    return NCK_CELL_MAX >= CELLS_LEAST && self->terms->taps > 1;
+}
+
 // 1 if a corner may be moved to its outside: nothing of the block before it is used, and there is
 // travel for it.
 static int may_move(const nck_smooth_t *self, const nck_meet_t *meet) {
     const int axes = self->terms->axes;
     double way[NCK_AXIS_MAX];
-    if (self->run.t[4] > meet->a->s) return 0;
+    if (!moves_corners(self) || self->run.t[4] > meet->a->s) return 0;
     if (!(outward(&meet->a->seg, &meet->b->seg, axes, way) > 0.0)) return 0;
     for (int x = 0; x < axes; x++) {
         const double to = meet->b->seg.start[x] + meet->tolerance * way[x];
@@ -63,7 +70,7 @@ static int may_move(const nck_smooth_t *self, const nck_meet_t *meet) {
 // How much the tangent of a block may still turn, as its end is moved.
 static double turn_left(const nck_smooth_t *self, const nck_raw_t *raw) {
     const double most = nck_min(raw->tolerance / raw->seg.length, NCK_CHOICE_OUTSIDE);
-    return self->terms->taps > 1 ? most : 0.0;
+    return moves_corners(self) ? most : 0.0;
 }
 
 // The path stops at a corner, or outside of it. Returns the distance at which motions overlap

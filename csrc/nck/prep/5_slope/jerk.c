@@ -270,6 +270,16 @@ static void finish_limit(nck_jerk_t *self) {
     enter(self, self->work.eases ? PHASE_EASE : PHASE_BRAKE);
 }
 
+// Nodes of the plan that are worth the best: not of one that only divides the ladder, nor of a hold,
+// which is compared with its length. Another plan follows what is in the window's second half. A
+// short window has its processor busy enough.
+static uint32_t worth_the_best(const nck_jerk_t *self) {
+    const uint32_t n = self->work.n;
+    const int is_short = !(self->long_steps > 1.0);
+    if (self->work.coarse || self->work.reach > 0.0 || is_short) return 0;
+    return self->next->complete ? n : n / 2;
+}
+
 // The profile is worked out where its cells will be drawn.
 static void finish_relax(nck_jerk_t *self) {
     nck_profile_t *const p = &self->profile;
@@ -282,8 +292,7 @@ static void finish_relax(nck_jerk_t *self) {
     p->stack = spare->index;
     p->n = self->work.n;
     p->q_cap = nck_window_q_cap(self);
-    const int is_hold = self->work.reach > 0.0;
-    p->count = self->work.coarse || is_hold ? 0 : self->next->complete ? p->n : p->n / 2;
+    p->count = worth_the_best(self);
     nck_profile_begin(p);
     enter(self, PHASE_PLAN);
 }

@@ -474,7 +474,7 @@ static int joins(const nck_profile_t *self, const double *w) {
 // and so is what would not join.
 static uint32_t pass_behind(const nck_profile_t *self) {
     if (self->sharp) return self->phase + 1;
-    if (self->phase == LEVEL_U && begins_at_rest(self)) return RISE;
+    if (self->phase == LEVEL_U && begins_at_rest(self) && self->count > 0) return RISE;
     return self->phase == LEVEL_W && joins(self, self->e) ? KEEP : self->phase + 1;
 }
 
