@@ -165,15 +165,20 @@ static inline double distance(const double *p, const double *q)
     return sqrt(sum);
 }
 
+// The programmed point at s. Walks on from *at, to the seg that it is on.
+static inline void programmed(double s, int *at, double *point_out)
+{
+    while (*at + 1 < exact.segs && exact.seg[*at].s_begin + exact.seg[*at].length < s) (*at)++;
+    nck_path_point(&exact.seg[*at], s - exact.seg[*at].s_begin, point_out);
+}
+
 // How far a point may be from the programmed one at s, as a share of the tolerance there. Walks on
 // from *at.
 static inline double share_used(const double *p, double s, int *at)
 {
-    while (*at + 1 < exact.segs && exact.seg[*at].s_begin + exact.seg[*at].length < s) (*at)++;
-    const nck_seg_t *const seg = &exact.seg[*at];
     double q[NCK_AXIS_MAX];
-    nck_path_point(seg, s - seg->s_begin, q);
-    const double tolerance = block[seg->block].tolerance_mm;
+    programmed(s, at, q);
+    const double tolerance = block[exact.seg[*at].block].tolerance_mm;
     return distance(p, q) / (tolerance > 0.0 ? tolerance : 1e-9);
 }
 
@@ -189,12 +194,14 @@ static inline double distance_from_line(const double *p, const nck_seg_t *line)
     return distance(p, q);
 }
 
-// How far motions that overlap at a stop cut its corner, as a share of the smaller tolerance beside
-// it. Nothing overlaps but at a stop. A spline beside it may begin another way than its line: what
-// overlaps there is room 5's choice.
+// How far motions that overlap at a stop are off its corner, as a share of the smaller tolerance
+// beside it: where the first would rest, and where both have as far to the corner. Nothing overlaps
+// but at a stop. A spline beside it may begin another way than its line: what overlaps there is room
+// 5's choice.
 static inline double worst_overlap(void)
 {
     double worst = 0.0;
+    int at = 0;
     for (int k = 0; k + 1 < path.segs; k++) {
         const nck_seg_t *const in = &path.seg[k];
         const nck_seg_t *const out = &path.seg[k + 1];
@@ -202,12 +209,18 @@ static inline double worst_overlap(void)
             fmin(block[in->block].tolerance_mm, block[out->block].tolerance_mm);
         double before[NCK_AXIS_MAX];
         double behind[NCK_AXIS_MAX];
+        double corner[NCK_AXIS_MAX];
         if (!(in->overlap > 0.0)) continue;
         if (!in->stop) return 1e9;
         if (in->kind != NCK_SEG_LINE || out->kind != NCK_SEG_LINE) continue;
         nck_path_tangent(in, in->length, before);
         nck_path_tangent(out, 0.0, behind);
-        worst = fmax(worst, in->overlap * distance(before, behind) / tolerance);
+        programmed(out->s_begin, &at, corner);
+        worst = fmax(worst, distance(in->end, corner) / tolerance);
+        for (int x = 0; x < NCK_AXIS_MAX; x++) {
+            before[x] = in->end[x] + in->overlap * (behind[x] - before[x]);
+        }
+        worst = fmax(worst, distance(before, corner) / tolerance);
     }
     return worst;
 }
