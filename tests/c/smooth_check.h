@@ -196,8 +196,8 @@ static inline double distance_from_line(const double *p, const nck_seg_t *line)
 
 // How far motions that overlap at a stop are off its corner, as a share of the smaller tolerance
 // beside it: where the first would rest, and where both have as far to the corner. Nothing overlaps
-// but at a stop. A spline beside it may begin another way than its line: what overlaps there is room
-// 5's choice.
+// but at a stop. A spline beside it may begin another way than its line: what overlaps there is
+// room 5's choice.
 static inline double worst_overlap(void)
 {
     double worst = 0.0;

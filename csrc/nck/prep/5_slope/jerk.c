@@ -270,9 +270,9 @@ static void finish_limit(nck_jerk_t *self) {
     enter(self, self->work.eases ? PHASE_EASE : PHASE_BRAKE);
 }
 
-// Nodes of the plan that are worth the best: not of one that only divides the ladder, nor of a hold,
-// which is compared with its length. Another plan follows what is in the window's second half. A
-// short window has its processor busy enough.
+// Nodes of the plan that are worth the best: none of one that only divides the ladder, nor of a
+// hold, which is compared with its length. Another plan follows what is in the window's second half.
+// A short window has its processor busy enough.
 static uint32_t worth_the_best(const nck_jerk_t *self) {
     const uint32_t n = self->work.n;
     const int is_short = !(self->long_steps > 1.0);
