@@ -126,6 +126,8 @@
 #define NCK_HAS_SSHAPE (NCK_PROFILE > 0 && NCK_WINDOW >= 32)
 // Whether the stop at a sharp corner and the start behind it may overlap.
 #define NCK_HAS_OVERLAP (NCK_SMOOTH_SPAN > 0 && NCK_PROFILE > 0)
+// Whether a jerk-limited plan is made as good as it can be: a short window has no time for it.
+#define NCK_HAS_BEST (NCK_PROFILE >= 256)
 
 // What holds the state of cycles, of layouts, of parameters and calls, of compensation, of
 // smoothing, of the jerk-limited and the S-shaped slope. Where they are left out it is only read,

@@ -275,7 +275,7 @@ static void finish_limit(nck_jerk_t *self) {
 // A short window has its processor busy enough.
 static uint32_t worth_the_best(const nck_jerk_t *self) {
     const uint32_t n = self->work.n;
-    const int is_short = !(self->long_steps > 1.0);
+    const int is_short = !NCK_HAS_BEST || !(self->long_steps > 1.0);
     if (self->work.coarse || self->work.reach > 0.0 || is_short) return 0;
     return self->next->complete ? n : n / 2;
 }

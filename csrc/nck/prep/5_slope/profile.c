@@ -12,6 +12,7 @@
 
 #include <assert.h> // assert
 
+#include "nck/base/limits.h"            // NCK_HAS_BEST
 #include "nck/prep/5_slope/hull_math.h" // nck_hull_…
 
 enum {
@@ -228,7 +229,7 @@ static uint32_t hull(nck_profile_t *self, uint32_t budget, const double *w_of_ti
         return 1;
     }
     const uint32_t count = left_forth(self, budget);
-    const int is_last = self->phase == HULL_LAST;
+    const int is_last = NCK_HAS_BEST && self->phase == HULL_LAST;
     const double most = 0.5 * self->q_cap;
     const double *const h = self->h;
     const double *const j_max = self->j_max;
@@ -302,7 +303,7 @@ static uint32_t level(nck_profile_t *self, uint32_t budget) {
         const uint32_t b = stack[top];
         const double on_hull = z[a] + (z[b] - z[a]) * ((s[i] - s[a]) / (s[b] - s[a]));
         const double least = nck_max(0.0, nck_min(value, on_hull - fall));
-        sharp |= i < self->count && least < blunt * value;
+        sharp |= NCK_HAS_BEST && i < self->count && least < blunt * value;
         self->e[i] = least;
     }
     self->top = top;
@@ -473,6 +474,7 @@ static int joins(const nck_profile_t *self, const double *w) {
 // The pass behind the one that is over. A plan that goes on has to join: its envelope is the best,
 // and so is what would not join.
 static uint32_t pass_behind(const nck_profile_t *self) {
+    if (!NCK_HAS_BEST) return self->phase == LEVEL_W ? KEEP : self->phase + 1;
     if (self->sharp) return self->phase + 1;
     if (self->phase == LEVEL_U && begins_at_rest(self) && self->count > 0) return RISE;
     return self->phase == LEVEL_W && joins(self, self->e) ? KEEP : self->phase + 1;

@@ -18,7 +18,7 @@ typedef struct nck_profile {
     double *a_max; // n: acceleration [mm/s²], positive
     double *j_max; // n: jerk [mm/s³], positive
     double q_cap;  // longest duration of a cell that counts in rule R [s], positive
-    uint32_t count; // nodes that are worth the best
+    uint32_t count; // nodes that are worth the best, if the build has it (NCK_HAS_BEST)
     double v;      // speed at node 0 [mm/s]
     double a;      // acceleration of the cell before node 0 [mm/s²]
     double q;      // its duration [s]; 0 if the path rested there
