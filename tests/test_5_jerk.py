@@ -226,6 +226,19 @@ def test_a_rest_that_a_late_override_plans_anew_is_kept(rest, tick):
     judged.run(program, commands=[(tick, "override", 176, 40)])
 
 
+def test_motions_overlap_no_further_than_every_tolerance_lets_them():
+    # A short block with a wide tolerance between long ones, the first with a narrow one.
+    text = (
+        "G17 G21 G90 G94 G64 P0.000151\nG1 X27.19465 Y6.960014 Z-1.591634 F1000\n"
+        "X26.586588 Y14.840622\nG64 P0.967794\nX26.58549 Y14.854855\nX42.765074 Y13.523876\nM2\n"
+    )
+    axes = "".join(
+        f"[axis.{x}]\nv_max_mm_s = 70.7\na_max_mm_s2 = 2484\nj_max_mm_s3 = 102110\n" for x in "xyz"
+    )
+    machine = f'[kernel]\nperiod_ms = 4\n[path]\nslope = "jerk"\n{axes}'
+    judged.run(Program(text.encode(), Machine.from_text(machine, "narrow, then wide")).check())
+
+
 SCRIPT = st.lists(
     st.one_of(
         st.tuples(st.integers(0, 4000), st.sampled_from(("hold", "resume", "resume"))),
