@@ -302,9 +302,9 @@ static uint32_t level(nck_profile_t *self, uint32_t budget) {
         const uint32_t a = stack[top - 1];
         const uint32_t b = stack[top];
         const double on_hull = z[a] + (z[b] - z[a]) * ((s[i] - s[a]) / (s[b] - s[a]));
-        const double least = nck_max(0.0, nck_min(value, on_hull - fall));
-        sharp |= NCK_HAS_BEST && i < self->count && least < blunt * value;
-        self->e[i] = least;
+        const double leveled = nck_max(0.0, nck_min(value, on_hull - fall));
+        sharp |= NCK_HAS_BEST && i < self->count && leveled < blunt * value;
+        self->e[i] = leveled;
     }
     self->top = top;
     self->i = end;
