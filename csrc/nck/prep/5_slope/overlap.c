@@ -341,7 +341,10 @@ static double join(const nck_machine_t *machine, const nck_link_t *link,
     corner.period = machine->period_s;
     corner.taps = machine->slope == NCK_SLOPE_JERK ? (double)NCK_FILTER_TAPS : 1.0;
     corner.shares = nck_overlap_shares(machine, NCK_AXIS_MAX, &motions);
-    corner.ordered = nck_overlap_sum(machine, NCK_AXIS_MAX, &motions) > 1.0 + JERK_EPSILON;
+    // At a low speed a spline has more jerk than its piece tells (jerk.md, "What a bend leaves").
+    const int are_lines = seg[0]->kind == NCK_SEG_LINE && seg[1]->kind == NCK_SEG_LINE;
+    const double sum = nck_overlap_sum(machine, NCK_AXIS_MAX, &motions);
+    corner.ordered = !are_lines || sum > 1.0 + JERK_EPSILON;
     const double most = nck_overlap_most(machine, NCK_AXIS_MAX, &motions) - slack_of(machine);
     return nck_min(most, time_of(link, now, next, &corner));
 }
