@@ -315,7 +315,7 @@ def test_a_program_of_blocks_has_a_page_without_text():
     points = np.array([[0, 0, 0], [10, 0, 0], [10, 10, 0]], float)
     made = Unpacked(page.make(Program.from_points(points, 1200))[0])
     assert made.raw("text") == b""
-    assert made.column("x").max() == 10
+    assert made.column("x").max() == pytest.approx(10, abs=0.01)  # within the machine's tolerance
 
 
 def busy(count):
