@@ -271,8 +271,8 @@ static void finish_limit(nck_jerk_t *self) {
 }
 
 // Nodes of the plan that are worth the best: none of one that only divides the ladder, nor of a
-// hold, which is compared with its length. Another plan follows what is in the window's second half.
-// A short window has its processor busy enough.
+// hold, which is compared with its length. What is in the window's second half another plan
+// follows. A short window has its processor busy enough.
 static uint32_t worth_the_best(const nck_jerk_t *self) {
     const uint32_t n = self->work.n;
     const int is_short = !NCK_HAS_BEST || !(self->long_steps > 1.0);
