@@ -57,21 +57,28 @@ static inline double nck_overlap_axis(const nck_overlap_t *self, int x, double p
     return turns ? 1.0 : sign;
 }
 
+// The largest share of an axis' jerk that both take in sum, in their order in time or in any.
+// Cost: linear in the axes.
+static inline double nck_overlap_taken(const nck_machine_t *machine, int axes,
+                                       const nck_overlap_t *self, int ordered) {
+    double most = 0.0;
+    for (int x = 0; x < axes; x++) {
+        double part[2];
+        if (!machine->axis[x].present) continue;
+        const int adds = nck_overlap_axis(self, x, part) > 0.0 || !ordered;
+        const double sum = adds ? part[0] + part[1] : nck_max(part[0], part[1]);
+        most = nck_max(most, sum / machine->axis[x].j_max);
+    }
+    return most;
+}
+
 // Both motions have their jerk to the same side in time: the deceleration of the one goes, the
 // acceleration of the other comes. On an axis that both move along the same way it adds up; where
 // they move opposite ways only the larger counts. Returns the sum's largest share of an axis' jerk.
 // Cost: linear in the axes.
 static inline double nck_overlap_jerk(const nck_machine_t *machine, int axes,
                                       const nck_overlap_t *self) {
-    double most = 0.0;
-    for (int x = 0; x < axes; x++) {
-        double part[2];
-        if (!machine->axis[x].present) continue;
-        const int adds = nck_overlap_axis(self, x, part) > 0.0;
-        const double sum = adds ? part[0] + part[1] : nck_max(part[0], part[1]);
-        most = nck_max(most, sum / machine->axis[x].j_max);
-    }
-    return most;
+    return nck_overlap_taken(machine, axes, self, 1);
 }
 
 // 1 if an axis moves in both. Cost: linear in the axes.
@@ -88,14 +95,7 @@ static inline int nck_overlap_shares(const nck_machine_t *machine, int axes,
 // share of an axis' jerk. Up to 1 the order in time does not matter. Cost: linear in the axes.
 static inline double nck_overlap_sum(const nck_machine_t *machine, int axes,
                                      const nck_overlap_t *self) {
-    double most = 0.0;
-    for (int x = 0; x < axes; x++) {
-        double part[2];
-        if (!machine->axis[x].present) continue;
-        (void)nck_overlap_axis(self, x, part);
-        most = nck_max(most, (part[0] + part[1]) / machine->axis[x].j_max);
-    }
-    return most;
+    return nck_overlap_taken(machine, axes, self, 0);
 }
 
 // What both keep to a share 1/load of their jerk for: any order, if that costs next to nothing.

@@ -40,7 +40,7 @@ typedef struct corner {
     double tolerance;         // [path mm]
     double length[2];         // of either block [path mm]
     double half[2];           // how much of it is this corner's [path mm]
-    double block[2];          // of the blocks themselves [path mm]
+    double shorter;           // of the blocks themselves [path mm]
     uint8_t rests[2];         // 1: the path rests at the block's other end
     uint8_t are_lines;        // 1: both blocks are
     uint8_t may_move;         // 1: a stop may be off the corner
@@ -195,9 +195,8 @@ static double distance_of(const corner_t *corner, double outside) {
 // How far off the corner a stop is worth to be, for a distance up to `most`. Both ways grow by it.
 static double outside_of(const corner_t *corner, double most) {
     const double wanted = nck_min(corner->tolerance, most * corner->turn - corner->tolerance);
-    const double shorter = nck_min(corner->block[0], corner->block[1]);
     if (!corner->may_move) return 0.0;
-    return nck_max(0.0, nck_min(wanted, NCK_CHOICE_OUTSIDE * shorter));
+    return nck_max(0.0, nck_min(wanted, NCK_CHOICE_OUTSIDE * corner->shorter));
 }
 
 // How long a motion from rest over half of a block has acceleration that grows, with a share of its
@@ -335,8 +334,7 @@ static void measure_turn(const nck_smooth_t *self, const nck_meet_t *meet, corne
     memcpy(corner->rests, meet->rests, sizeof corner->rests);
     corner->are_lines = a->seg.kind == NCK_SEG_LINE && b->seg.kind == NCK_SEG_LINE;
     corner->may_move = meet->may_move;
-    corner->block[0] = a->seg.length;
-    corner->block[1] = b->seg.length;
+    corner->shorter = nck_min(a->seg.length, b->seg.length);
     corner->half[0] = HALF * meet->length[0];
     corner->half[1] = HALF * meet->length[1];
 }

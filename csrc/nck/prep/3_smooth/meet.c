@@ -4,7 +4,7 @@
 #include "nck/prep/3_smooth/meet.h"
 
 #include "nck/base/overlap_math.h"         // nck_overlap_distance
-#include "nck/base/real.h"                 // nck_min nck_max
+#include "nck/base/real.h"                 // nck_min
 #include "nck/prep/3_smooth/choice.h"      // nck_choice_…
 #include "nck/prep/3_smooth/raw.h"         // nck_raw_…
 #include "nck/prep/3_smooth/spline_math.h" // nck_spline_…
@@ -75,10 +75,9 @@ static double turn_left(const nck_smooth_t *self, const nck_raw_t *raw) {
 
 // The path stops at a corner, or outside of it. Returns the distance at which motions overlap
 // there; it leaves what the block behind may still turn.
-static double move_corner(nck_smooth_t *self, uint32_t count, const nck_corner_stop_t *stop) {
+static double move_corner(const nck_smooth_t *self, nck_raw_t *raw, nck_raw_t *next,
+                          const nck_corner_stop_t *stop) {
     const int axes = self->terms->axes;
-    nck_raw_t *const raw = nck_raw_at(self, count);
-    nck_raw_t *const next = nck_raw_at(self, nck_raw_next(self, count));
     const double within = stop->tolerance - stop->distance * turn_left(self, next);
     const double outside = nck_min(stop->outside, within);
     double way[NCK_AXIS_MAX];
@@ -97,7 +96,7 @@ static double move_corner(nck_smooth_t *self, uint32_t count, const nck_corner_s
     }
     const double turn = nck_raw_turn(&raw->seg, &next->seg, axes, by);
     for (int x = 0; x < axes; x++) along -= way[x] * by[x];
-    return nck_overlap_distance(within, nck_max(0.0, outside), along, turn);
+    return nck_overlap_distance(within, outside, along, turn);
 }
 
 // 1 if the path goes on as good as straight from one block to the next. Every corner in reach asks.
@@ -157,7 +156,7 @@ static void bend_of(nck_smooth_t *self, uint32_t count, double spacing, nck_bend
 // A corner with a lift goes without, if that is faster. Then it stops, if that is.
 void nck_meet_choose(nck_smooth_t *self, uint32_t count) {
     nck_raw_t *const raw = nck_raw_at(self, count);
-    const nck_raw_t *const next = nck_raw_at(self, nck_raw_next(self, count));
+    nck_raw_t *const next = nck_raw_at(self, nck_raw_next(self, count));
     const double tolerance = nck_min(raw->tolerance, next->tolerance);
     nck_meet_t meet = {raw, next, {0.0, 0.0}, tolerance, {0, 0}, 0};
     nck_bend_t bend;
@@ -178,5 +177,5 @@ void nck_meet_choose(nck_smooth_t *self, uint32_t count) {
     nck_corner_stop_t stop;
     meet.may_move = (uint8_t)may_move(self, &meet);
     if (!nck_choice_stop(self, &meet, &bend, &stop)) return;
-    stop_behind(self, count, move_corner(self, count, &stop));
+    stop_behind(self, count, move_corner(self, raw, next, &stop));
 }
