@@ -281,7 +281,8 @@ static double blunt_of(const nck_profile_t *self) {
     return begins_at_rest(self) ? BLUNT_FROM_REST : BLUNT_ONWARD;
 }
 
-// Every node of w down onto the hull, in e. On a corner the value stays to the bit.
+// Every node of w down onto the hull, in e; in its place if that is the plan. On a corner the value
+// stays to the bit.
 static uint32_t level(nck_profile_t *self, uint32_t budget) {
     const uint32_t count = left_forth(self, budget);
     const double *const s = self->s;
@@ -290,12 +291,13 @@ static uint32_t level(nck_profile_t *self, uint32_t budget) {
     const uint32_t end = self->i + count;
     uint32_t top = self->i > 0 ? self->top : 0;
     const double blunt = blunt_of(self);
+    double *const out = NCK_HAS_BEST || self->phase != LEVEL_W ? self->e : self->w;
     uint32_t sharp = self->sharp;
     for (uint32_t i = self->i; i < end; i++) {
         const double value = self->w[i];
         if (stack[top] == i) {
             top++;
-            self->e[i] = value;
+            out[i] = value;
             continue;
         }
         const double fall = z[i] - value;
@@ -304,7 +306,7 @@ static uint32_t level(nck_profile_t *self, uint32_t budget) {
         const double on_hull = z[a] + (z[b] - z[a]) * ((s[i] - s[a]) / (s[b] - s[a]));
         const double leveled = nck_max(0.0, nck_min(value, on_hull - fall));
         sharp |= NCK_HAS_BEST && i < self->count && leveled < blunt * value;
-        self->e[i] = leveled;
+        out[i] = leveled;
     }
     self->top = top;
     self->i = end;
@@ -474,7 +476,7 @@ static int joins(const nck_profile_t *self, const double *w) {
 // The pass behind the one that is over. A plan that goes on has to join: its envelope is the best,
 // and so is what would not join.
 static uint32_t pass_behind(const nck_profile_t *self) {
-    if (!NCK_HAS_BEST) return self->phase == LEVEL_W ? KEEP : self->phase + 1;
+    if (!NCK_HAS_BEST) return self->phase == LEVEL_W ? PLANNED : self->phase + 1;
     if (self->sharp) return self->phase + 1;
     if (self->phase == LEVEL_U && begins_at_rest(self) && self->count > 0) return RISE;
     return self->phase == LEVEL_W && joins(self, self->e) ? KEEP : self->phase + 1;
