@@ -203,6 +203,30 @@ static uint32_t cells_beside(const nck_link_t *link, const nck_plan_t *next, dou
     return count;
 }
 
+// The cell of the plan of now in which so much time is left to its rest, and the time in it.
+static double place_of(const nck_link_t *link, const nck_plan_t *now, double left,
+                       uint32_t *at_out) {
+    double t = left;
+    uint32_t at = now->n;
+    while (at > 0 && t > 0.0) t -= cell_at(link, now, --at)->duration;
+    *at_out = at;
+    return nck_max(0.0, -t);
+}
+
+// What both speeds come to in sum at most: the first only falls, the second only grows.
+static double speed_bound(const nck_link_t *link, const nck_plan_t *now, const nck_plan_t *next,
+                          double time) {
+    uint32_t at = 0;
+    uint32_t k = 0;
+    const double t = place_of(link, now, time, &at);
+    const double first = at < now->n ? speed_at(cell_at(link, now, at), t) : 0.0;
+    double left = time;
+    for (; k + 1 < next->n && left > nck_link_built_cell(link, k)->duration; k++) {
+        left -= nck_link_built_cell(link, k)->duration;
+    }
+    return first + speed_at(nck_link_built_cell(link, k), left);
+}
+
 // Both speeds at some time, and what the second gains [path mm/s, path mm/s²].
 typedef struct together {
     double v, a;
@@ -221,10 +245,9 @@ static together_t fastest_within(const nck_cell_t *const cell[2], const double t
 static together_t fastest(const nck_link_t *link, const nck_plan_t *now, const nck_plan_t *next,
                           double time) {
     together_t most = {0.0, 0.0};
-    double t[2] = {time, 0.0};
-    uint32_t at[2] = {now->n, 0};
-    while (at[0] > 0 && t[0] > 0.0) t[0] -= cell_at(link, now, --at[0])->duration;
-    t[0] = nck_max(0.0, -t[0]);
+    double t[2] = {0.0, 0.0};
+    uint32_t at[2] = {0, 0};
+    t[0] = place_of(link, now, time, &at[0]);
     while (at[0] < now->n && at[1] < next->n) {
         const nck_cell_t *cell[2];
         cell[0] = cell_at(link, now, at[0]);
@@ -246,6 +269,7 @@ static together_t fastest(const nck_link_t *link, const nck_plan_t *now, const n
 // the speed in sum. Returns the time for which they do not, 0 if that is not found.
 static double time_within_speed(const nck_link_t *link, const nck_plan_t *now,
                                 const nck_plan_t *next, const beside_t *corner, double time) {
+    if (speed_bound(link, now, next, time) <= corner->v_most) return time;
     for (int k = 0; k < SHORTENINGS; k++) {
         const together_t most = fastest(link, now, next, time);
         const double over = most.v - corner->v_most * (1.0 + SPEED_EPSILON);
