@@ -20,6 +20,7 @@ from typing import NamedTuple
 import numpy as np
 
 from pycnc import errors
+from pycnc.linuxcnc import MODULE, MODULES
 
 CYCLE_S = 1e-3
 NOBODY = "65534"
@@ -174,13 +175,15 @@ class Log(NamedTuple):
         return float(np.argmin(np.append(moves, False))) * CYCLE_S  # the log ends at rest
 
 
-def absent():
-    """Return why there is no live run here; an empty text if there is."""
+def absent(planner=""):
+    """Return why there is no live run with a planner here; an empty text if there is."""
     for tool in ("linuxcnc", "halcmd", "halsampler"):
         if not shutil.which(tool):
             return f"{tool} is not installed: apt-get install linuxcnc-uspace"
     if os.geteuid() == 0 and not shutil.which("setpriv"):
         return "as root a live run needs setpriv"
+    if planner.split()[:1] == [Path(MODULE).stem] and not (MODULES / MODULE).is_file():
+        return f"{MODULE} is not in {MODULES}: pycnc linuxcnc build, then pycnc linuxcnc install"
     return ""
 
 
@@ -273,11 +276,11 @@ def run(folder, program, *, planner="", axes="XYZ", limits=None, script=(), limi
     Raises
     ------
     AbsentError
-        If LinuxCNC is not installed.
+        If LinuxCNC, or the planner's module, is not installed.
     StateError
         If LinuxCNC does not start, or the program does not end.
     """
-    if reason := absent():
+    if reason := absent(planner):
         raise errors.AbsentError(reason, id="linuxcnc-absent")
     folder = Path(folder).resolve()
     _write(folder, planner, axes, limits or Limits())
