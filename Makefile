@@ -3,7 +3,7 @@
 #
 #   make run     run a program in the simulation; summary, what costs time, picture and report
 #                FILE=part.ngc MACHINE=cak6150n PICTURE=part.png REPORT=part.html to choose
-#   make test    all tests
+#   make test    all tests, files of them side by side, the quick tier first
 
 PYTHON ?= python3
 FILE ?= pycnc/examples/first_part.ngc
@@ -45,7 +45,7 @@ run: $(STAMP)/module
 	@echo "More: $(BIN)/pycnc --help, and docs/why.md"
 
 test: $(STAMP)/packages-test $(STAMP)/venv-test $(STAMP)/module
-	$(BIN)/python -m pytest
+	$(BIN)/python -m pytest -n logical --maxprocesses 8 --dist loadfile --no-loadscope-reorder
 
 # A C compiler, and a Python that can make a .venv and compile a module for it.
 $(STAMP)/packages-run:

@@ -9,6 +9,7 @@ from pathlib import Path
 
 import hypothesis
 import pytest
+from locks import locked
 
 ROOT = Path(__file__).resolve().parents[1]
 
@@ -34,10 +35,11 @@ def build_c(compiler, *options, name=None, targets=("all",)):
     configure += [f"-DCMAKE_MAKE_PROGRAM={cmake.with_name('ninja')}"]
     configure += [f"-DCMAKE_C_COMPILER={find_tool(compiler)}", *options]
     keep_going = [cmake, "--build", folder, "--target", *targets, "--", "-k", "0"]
-    for command in (configure, keep_going):
-        done = subprocess.run(command, capture_output=True, text=True)
-        if done.returncode != 0:
-            return folder, done.stdout + done.stderr
+    with locked(folder):
+        for command in (configure, keep_going):
+            done = subprocess.run(command, capture_output=True, text=True)
+            if done.returncode != 0:
+                return folder, done.stdout + done.stderr
     return folder, ""
 
 

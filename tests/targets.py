@@ -9,6 +9,7 @@ from functools import cache
 from pathlib import Path
 
 import numpy as np
+from locks import locked
 
 from pycnc.kernel.bind import lib
 from pycnc.kernel.records import dtype
@@ -66,8 +67,9 @@ def build(core):
     if core != "host":
         toolchain = ROOT / "firmware_sim" / "board" / "arm-none-eabi.cmake"
         configure += ["--toolchain", toolchain, f"-DNCK_CORE={core}"]
-    _run(configure)
-    _run([cmake, "--build", folder])
+    with locked(folder):
+        _run(configure)
+        _run([cmake, "--build", folder])
     return folder
 
 
