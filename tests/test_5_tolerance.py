@@ -203,6 +203,21 @@ def test_more_jerk_is_never_slower(mode, step):
     assert times[-1] < 0.8 * times[0]
 
 
+@pytest.mark.parametrize(("count", "step", "tolerances"), [
+    (2, 2.0, (0.03, 0.1, 0.3, 1.0)), (2, 10.0, (0.03, 0.1, 0.3, 1.0)), (60, 1.0, (0.03, 0.1, 0.3)),
+])  # fmt: skip
+def test_more_tolerance_is_never_slower_at_corners_that_are_stopped_at(count, step, tolerances):
+    machine = programs.machine()
+    runs = [
+        pycnc.run(programs.zigzag(f"G64 P{tolerance}", count, step), machine).summary
+        for tolerance in tolerances
+    ]
+    for (less, more), tolerance in zip(pairwise(runs), tolerances[1:], strict=True):
+        assert more["time_s"] <= 1.005 * less["time_s"]
+        assert more["path_error_mm"] <= tolerance
+        assert max(more["peaks"][axis]["j"] for axis in "xy") <= 1
+
+
 def test_a_slow_feed_is_kept_on_all_of_a_wide_bend():
     machine = Machine.load("mill3")
     moves = "G1 X-0.8 Y-0.67 F150\nG1 X0.2\nM2\n"

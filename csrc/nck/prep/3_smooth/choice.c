@@ -26,6 +26,8 @@
 #define PERIODS_LEAST 2.0     // that two motions overlap
 #define SHARE_LEAST 0.55      // of the jerk that motions keep to which overlap: half gains nothing
 #define SPREAD 5.0           // of δ: so near to the corner at least a block is its own
+#define ROOM 0.95            // of a bend's half-width: so far away is the next corner's share
+#define CUT_MOST 4.0         // times what is its own: a wider δ is cut to that
 #define USED 0.8             // of the time for which motions may overlap: more is not worth a way
 #define JERK_EPSILON 1e-9    // of a limit is rounding
 #define ADDED 1.3            // a/j of either block, in times for which accelerations add up
@@ -44,6 +46,7 @@ typedef struct corner {
     uint8_t rests[2];         // 1: the path rests at the block's other end
     uint8_t are_lines;        // 1: both blocks are
     uint8_t may_move;         // 1: a stop may be off the corner
+    uint8_t is_wide;          // 1: no other corner is within the bend
     nck_scurve_t ramp[2];     // along either block
     double v_max;             // of both [path mm/s]
     const nck_terms_t *terms; // of the slope
@@ -192,6 +195,15 @@ static double distance_of(const corner_t *corner, double outside) {
     return nck_overlap_distance(corner->tolerance, outside, corner->turn, corner->turn);
 }
 
+// The distance at a stop on the corner, cut to the widest that is either block's own; 0: none.
+static double distance_within(const corner_t *corner, double widest, nck_corner_stop_t *stop_out) {
+    const double distance = distance_of(corner, 0.0);
+    if (distance <= widest) return distance;
+    if (!corner->is_wide || distance > CUT_MOST * widest) return 0.0;
+    stop_out->widest = widest;
+    return widest;
+}
+
 // How far off the corner a stop is worth to be, for a distance up to `most`. Both ways grow by it.
 static double outside_of(const corner_t *corner, double most) {
     const double wanted = nck_min(corner->tolerance, most * corner->turn - corner->tolerance);
@@ -230,6 +242,15 @@ static int may_add(const corner_t *corner, double time) {
     return nck_min(ramp[0].a / ramp[0].j, ramp[1].a / ramp[1].j) > ADDED * time;
 }
 
+// 1 if no other corner is within a bend's half-width: the stop there is judged by itself.
+static int is_wide(const corner_t *corner, double d) {
+    for (int n = 0; n < 2; n++) {
+        const double room = corner->rests[n] ? corner->length[n] : corner->half[n];
+        if (room < ROOM * d) return 0;
+    }
+    return 1;
+}
+
 // What a stop gains by overlapping motions [s], no more than half a block takes from rest, half_s.
 // No distance in *stop_out: nothing, where one of the blocks is no line, or too short, or an
 // axis has no jerk for both. Near to the corner either keeps to a share κ of its jerk then, and
@@ -241,11 +262,10 @@ static double overlap_of(const corner_t *corner, double half_s, nck_corner_stop_
                                    {corner->ramp[0].j, corner->ramp[1].j}, {0.0, 0.0}};
     if (!terms->overlaps || !corner->are_lines || !(corner->turn > 0.0)) return 0.0;
     const double widest = nck_min(corner->half[0], corner->half[1]) / SPREAD;
-    double d = distance_of(corner, 0.0);
-    if (d > widest) return 0.0;
+    double d = distance_within(corner, widest, stop_out);
     const double load = nck_overlap_load(terms->machine, terms->axes, &motions);
     const double share = nck_min(1.0, 1.0 / load);
-    if (share < (terms->taps > 1 ? SHARE_LEAST : 1.0)) return 0.0;
+    if (!(d > 0.0) || share < (terms->taps > 1 ? SHARE_LEAST : 1.0)) return 0.0;
     const double most = overlap_most(corner, &motions, share, half_s);
     const double unit = nck_overlap_time(1.0, share * motions.j[0])
                         + nck_overlap_time(1.0, share * motions.j[1]); // for 1 mm
@@ -373,8 +393,10 @@ int nck_choice_stop(const nck_smooth_t *self, const nck_meet_t *meet, const nck_
     measure_turn(self, meet, &corner);
     stop_out->tolerance = corner.tolerance;
     stop_out->distance = 0.0;
+    stop_out->widest = NCK_UNLIMITED;
     stop_out->outside = 0.0;
     if (!is_own(&corner, bend)) return 0;
     measure_ramps(self, meet, &corner);
+    corner.is_wide = (uint8_t)is_wide(&corner, bend->d);
     return stop_time(&corner, bend->d, stop_out) < plain_time(&corner, bend);
 }

@@ -30,6 +30,7 @@ typedef struct nck_meet {
 typedef struct nck_corner_stop {
     double tolerance; // how far off the corner the path may be [mm]
     double distance;  // that either may have to it at the same time; 0: none overlap [path mm]
+    double widest;    // no more than that, as short as the blocks are [path mm]
     double outside;   // how far off the corner it is [mm]
 } nck_corner_stop_t;
 

@@ -96,7 +96,7 @@ static double move_corner(const nck_smooth_t *self, nck_raw_t *raw, nck_raw_t *n
     }
     const double turn = nck_raw_turn(&raw->seg, &next->seg, axes, by);
     for (int x = 0; x < axes; x++) along -= way[x] * by[x];
-    return nck_overlap_distance(within, outside, along, turn);
+    return nck_min(nck_overlap_distance(within, outside, along, turn), stop->widest);
 }
 
 // 1 if the path goes on as good as straight from one block to the next. Every corner in reach asks.
