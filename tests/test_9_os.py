@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: MIT
 """The small kernel on emulated processors, and controls: what is broken on purpose is caught.
 
-The same test programs run on the host, in both builds, in test_0_quality.
+The same test programs run on the host, in both builds, in test_0_release and
+test_0_sanitizers.
 """
 
 import subprocess
