@@ -259,8 +259,7 @@ def test_grades_out_of_range_are_refused(bad):
 # All four stages of the papers
 
 
-@pytest.mark.parametrize("name", PROGRAMS)
-def test_planning_by_grades_has_the_bits_of_c(name):
+def assert_grades_have_the_bits_of_c(name, kinds):
     case = PROGRAMS[name]
     if hasattr(case, "path") and not case.path.exists():
         pytest.skip(f"{case.path} is not here: the corpus lies beside the repository")
@@ -268,11 +267,16 @@ def test_planning_by_grades_has_the_bits_of_c(name):
     plan, _ = grades.of_text(program.text, program.machine)
     if len(plan.units) == 0:
         pytest.skip("no motion")
-    for home in HOME_DEVICES:
-        got = device_grades.plan_grades(plan.segs, plan.units, plan.stretches, home)
+    for kind in kinds:
+        got = device_grades.plan_grades(plan.segs, plan.units, plan.stretches, kind)
         for field in vars(got):
             want = getattr(plan, field)
             assert getattr(got, field).tobytes() == want.tobytes(), field
+
+
+@pytest.mark.parametrize("name", PROGRAMS)
+def test_planning_by_grades_has_the_bits_of_c(name):
+    assert_grades_have_the_bits_of_c(name, HOME_DEVICES)
 
 
 # Devices
@@ -286,11 +290,30 @@ def test_pocl_is_at_home_with_two_devices():
     assert "PoCL" in str(device.choose("pthread"))  # the version tells two of them apart
 
 
-def test_a_gpu_gives_the_bits_of_c():
+def skip_without_gpu():
     if not any(each.kind == "gpu" for each in device.devices()):
         pytest.skip("no GPU here: its bits were not compared")
-    w_cap, h = random_path(100_000, 1, 0.02, np.float32)
-    assert on_device("gpu", w_cap, h).tobytes() == by_c(w_cap, h).tobytes()
+
+
+@pytest.mark.parametrize("real", REALS)
+@pytest.mark.parametrize("n", [1, 2, 1000, 100_000, 1_000_000])
+def test_a_gpu_gives_the_bits_of_c(kernel, n, real):
+    skip_without_gpu()
+    w_cap, h = random_path(n, 1, 0.02, real)
+    assert on_device("gpu", w_cap, h, kernel=kernel).tobytes() == by_c(w_cap, h).tobytes()
+
+
+@pytest.mark.parametrize("method", ["scan", "fused", "sweep"])
+def test_a_gpu_settles_grades_as_c_does(method):
+    skip_without_gpu()
+    p = np.random.default_rng(1).integers(0, 64, 100_000).astype(np.int32)
+    assert device_grades.bubble(p, method, "gpu")[0].tobytes() == grades.bubble(p)[0].tobytes()
+
+
+@pytest.mark.parametrize("name", PROGRAMS)
+def test_a_gpu_plans_by_grades_as_c_does(name):
+    skip_without_gpu()
+    assert_grades_have_the_bits_of_c(name, ["gpu"])
 
 
 def test_the_environment_chooses(monkeypatch):

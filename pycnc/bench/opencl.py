@@ -1,5 +1,9 @@
 # SPDX-License-Identifier: MIT
-"""Rows of what OpenCL costs: the envelope and the bubble on every PoCL device, beside serial C.
+"""Rows of what OpenCL costs: the envelope and the bubble on every PoCL device and GPU, beside
+serial C.
+
+On a device with memory of its own three variants tell the copies apart: all of them, the caps and
+pieces on the device already, and all of it there (kernels alone).
 
 Every variant runs on the same arrays in the same process, a warm-up first, then until its least
 time has had time to show. Wrong would make it: other work on the cores (a device of two threads
@@ -17,7 +21,7 @@ from pycnc.planning import grades, parallel
 
 SIZES = (10_000, 100_000, 1_000_000, 10_000_000)
 SECONDS = 0.3  # of repetition for each variant; three runs at least
-HOME = ("basic", "pthread")  # PoCL's devices: in the calling thread, on all cores
+KINDS = ("basic", "pthread", "gpu")  # PoCL in the calling thread, on all cores; any GPU
 REALS = {"float": np.float32, "double": np.float64}
 GRADES = 64
 # Sweeps cost a hundred times what a scan costs: larger sizes would tell nothing more.
@@ -46,9 +50,18 @@ def bench_opencl_rows(sizes=SIZES, seconds=SECONDS):
     for n in sizes:
         for real in REALS:
             rows += _envelope_rows(n, real, seconds)
-        for home in HOME:
-            rows += _bubble_rows(n, home, seconds)
+        for kind in _kinds():
+            rows += _bubble_rows(n, kind, seconds)
     return rows
+
+
+def _kinds():
+    there = {each.kind for each in device.devices()}
+    return [kind for kind in KINDS if kind in there]
+
+
+def _name(kind):
+    return device.choose(kind).name if kind == "gpu" else f"PoCL {kind}"
 
 
 def _least_ns(run, seconds):
@@ -90,24 +103,38 @@ def _envelope_rows(n, real, seconds):
     serial_ns = parallel.time_envelope(real, "c", w_cap, h, want, seconds=seconds)
     parallel.envelope(w_cap, h, backend="c", out=want)
     rows = [_row(n, f"serial C, {real}", serial_ns, serial_ns, True)]
-    for home in HOME:
-        shared = device.in_use(home)
-        launch = device.EnvelopeLaunch(shared, w_cap, h, w)
-        copying = device.Session(shared.device)
-        copying.shares_memory = False
-        variants = {
-            "zero-copy": functools.partial(launch.run, 0.0, 0.0),
-            "with copies": functools.partial(_copy_and_run, copying, w_cap, h, w),
-        }
-        for name, run in variants.items():
+    for kind in _kinds():
+        for name, run, finish in _variants(device.in_use(kind), w_cap, h, w):
             w.fill(-1.0)
             ns = _least_ns(run, seconds)
+            finish()
             equal = w.tobytes() == want.tobytes()
-            rows.append(_row(n, f"PoCL {home}, {name}, {real}", ns, serial_ns, equal))
+            rows.append(_row(n, f"{_name(kind)}, {name}, {real}", ns, serial_ns, equal))
     return rows
 
 
-def _bubble_rows(n, home, seconds):
+def _variants(session, w_cap, h, w):
+    """Yield (name, run, finish) of the ways to run the envelope on a device; finish: what is not
+    timed and w needs."""
+    copying = device.Session(session.device)
+    copying.shares_memory = False
+    copies = functools.partial(_copy_and_run, copying, w_cap, h, w)
+    launch = device.EnvelopeLaunch(session, w_cap, h, w)
+    run = functools.partial(launch.run, 0.0, 0.0)
+    if session.shares_memory:
+        yield "zero-copy", run, _nothing
+        yield "with copies", copies, _nothing
+    else:
+        yield "with copies", copies, _nothing
+        yield "caps there", run, _nothing
+        yield "kernels alone", functools.partial(launch.run_kernels, 0.0, 0.0), launch.fetch
+
+
+def _nothing():
+    pass
+
+
+def _bubble_rows(n, kind, seconds):
     """Return the rows of the bubble's three forms on one device."""
     rng = np.random.default_rng(n)
     low = rng.random(n) < LOW_POINTS
@@ -116,9 +143,9 @@ def _bubble_rows(n, home, seconds):
     rows, sweep_ns = [], None
     for method in ("sweep", "fused", "scan") if n <= SWEEPS_MOST else ("scan",):
         settled.fill(-1)
-        run = functools.partial(device_grades.bubble, p, method, home, settled)
+        run = functools.partial(device_grades.bubble, p, method, kind, settled)
         ns = _least_ns(run, seconds)
         sweep_ns = ns if method == "sweep" else sweep_ns
         equal = settled.tobytes() == want.tobytes()
-        rows.append(_row(n, f"bubble by {method}, PoCL {home}", ns, sweep_ns, equal))
+        rows.append(_row(n, f"bubble by {method}, {_name(kind)}", ns, sweep_ns, equal))
     return rows

@@ -134,29 +134,49 @@ class EnvelopeLaunch:
 
     def run(self, w_start, w_end):
         """Compute once and wait; raise DeviceError where the result is not certain."""
+        if not (_is_good(w_start) and _is_good(w_end)):
+            raise _bad_number()
         with self.session.lock:
-            self._run(w_start, w_end)
+            self._enqueue(w_start, w_end)
+            self.fetch()
 
-    def _run(self, w_start, w_end):
-        session, real = self.session, self.out.dtype.type
-        ends, n = (real(w_start), real(w_end)), np.int64(len(self.out))
-        try:
-            self.form.enqueue(self.inputs, n, ends, (self.w, self.state_buffer))
-            session.read(self.w, self.out)
-            session.read(self.state_buffer, self.states)
-        except session.cl.Error as cause:
-            raise session.lost(cause) from cause
+    def run_kernels(self, w_start, w_end):
+        """Compute once and wait; the result stays on the device until `fetch`."""
+        with self.session.lock:
+            self._enqueue(w_start, w_end)
+            self.session.queue.finish()
+
+    def fetch(self):
+        """Bring the result into `out`; raise DeviceError where it is not certain."""
+        with self.session.lock:
+            try:
+                self.session.read(self.w, self.out)
+                self.session.read(self.state_buffer, self.states)
+            except self.session.cl.Error as cause:
+                raise self.session.lost(cause) from cause
         doubt = int(np.bitwise_or.reduce(self.states))
-        if doubt & DOUBT_NUMBER or not (_is_good(w_start) and _is_good(w_end)):
-            raise errors.DeviceError(
-                "a number is NaN, infinite, negative or a negative zero; the C backend names it",
-                id="device-number",
-            )
+        if doubt & DOUBT_NUMBER:
+            raise _bad_number()
         if doubt & DOUBT_OVERLAP:
             raise errors.DeviceError(
                 "pieces are too short for the overlap of two parts; plan with the C backend",
                 id="device-overlap",
             )
+
+    def _enqueue(self, w_start, w_end):
+        real = self.out.dtype.type
+        ends, n = (real(w_start), real(w_end)), np.int64(len(self.out))
+        try:
+            self.form.enqueue(self.inputs, n, ends, (self.w, self.state_buffer))
+        except self.session.cl.Error as cause:
+            raise self.session.lost(cause) from cause
+
+
+def _bad_number():
+    return errors.DeviceError(
+        "a number is NaN, infinite, negative or a negative zero; the C backend names it",
+        id="device-number",
+    )
 
 
 def _is_good(x):
