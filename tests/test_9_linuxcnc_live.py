@@ -7,7 +7,7 @@ import re
 import numpy as np
 import pytest
 
-from pycnc import linuxcnc
+from pycnc import errors, linuxcnc
 from pycnc.bench import linuxcnc_live as bench
 from pycnc.linuxcnc import live
 
@@ -57,6 +57,14 @@ def planner(tmp_path_factory):
     yield "nck_tp"
     if not was_there:
         place.unlink()
+
+
+def test_a_run_without_the_installed_module_says_how_to_install_it(monkeypatch, tmp_path):
+    if reason := live.absent():
+        pytest.skip(reason)
+    monkeypatch.setattr(live, "MODULES", tmp_path)
+    with pytest.raises(errors.AbsentError, match="pycnc linuxcnc install"):
+        live.run(tmp_path, PROGRAM, planner="nck_tp planner=linear")
 
 
 def opened(tmp_path_factory):
