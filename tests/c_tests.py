@@ -7,13 +7,14 @@ from pathlib import Path
 import pytest
 
 C_TESTS = sorted(path.stem for path in (Path(__file__).parent / "c").glob("test_*.c"))
-CAPACITIES = ("", "_small")
 # Builds that leave out rooms and planners, and the tests that they are built with.
 LEAN = [
     f"{name}_{lean}"
     for lean in ("linear", "jerk")
     for name in ("test_decode_motion", "test_interpolate", "test_left_out", "test_link")
 ]
+# In the default and in the small capacities, then those.
+PROGRAMS = [f"{name}{capacities}" for name in C_TESTS for capacities in ("", "_small")] + LEAN
 
 
 def run_c_test(folder, name):

@@ -2,7 +2,7 @@
 """The build by clang: no warning, and the C unit tests under its sanitizers."""
 
 import pytest
-from c_tests import C_TESTS, CAPACITIES, LEAN, run_c_test
+from c_tests import PROGRAMS, run_c_test
 
 
 def test_clang_has_no_warning(clang_build):
@@ -10,12 +10,6 @@ def test_clang_has_no_warning(clang_build):
     assert not complaints, complaints
 
 
-@pytest.mark.parametrize("capacities", CAPACITIES)
-@pytest.mark.parametrize("name", C_TESTS)
-def test_c_tests_pass_under_the_sanitizers(clang_build, name, capacities):
-    run_c_test(clang_build[0], f"{name}{capacities}")
-
-
-@pytest.mark.parametrize("name", LEAN)
-def test_what_lean_builds_have_left_runs_under_the_sanitizers(clang_build, name):
+@pytest.mark.parametrize("name", PROGRAMS)
+def test_a_c_test_passes_under_the_sanitizers(clang_build, name):
     run_c_test(clang_build[0], name)

@@ -144,7 +144,10 @@ class EnvelopeLaunch:
         """Compute once and wait; the result stays on the device until `fetch`."""
         with self.session.lock:
             self._enqueue(w_start, w_end)
-            self.session.queue.finish()
+            try:
+                self.session.queue.finish()
+            except self.session.cl.Error as cause:
+                raise self.session.lost(cause) from cause
 
     def fetch(self):
         """Bring the result into `out`; raise DeviceError where it is not certain."""

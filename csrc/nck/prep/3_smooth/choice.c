@@ -46,7 +46,6 @@ typedef struct corner {
     uint8_t rests[2];         // 1: the path rests at the block's other end
     uint8_t are_lines;        // 1: both blocks are
     uint8_t may_move;         // 1: a stop may be off the corner
-    uint8_t is_wide;          // 1: no other corner is within the bend
     nck_scurve_t ramp[2];     // along either block
     double v_max;             // of both [path mm/s]
     const nck_terms_t *terms; // of the slope
@@ -195,11 +194,22 @@ static double distance_of(const corner_t *corner, double outside) {
     return nck_overlap_distance(corner->tolerance, outside, corner->turn, corner->turn);
 }
 
+// 1 if no other corner is within a bend's half-width: the stop there is judged by itself.
+static int is_alone(const corner_t *corner, double d) {
+    for (int n = 0; n < 2; n++) {
+        const double room = corner->rests[n] ? corner->length[n] : corner->half[n];
+        if (room < ROOM * d) return 0;
+    }
+    return 1;
+}
+
 // The distance at a stop on the corner, cut to the widest that is either block's own; 0: none.
-static double distance_within(const corner_t *corner, double widest, nck_corner_stop_t *stop_out) {
+// A bend there would take bend_d of either block.
+static double distance_within(const corner_t *corner, double bend_d, double widest,
+                              nck_corner_stop_t *stop_out) {
     const double distance = distance_of(corner, 0.0);
     if (distance <= widest) return distance;
-    if (!corner->is_wide || distance > CUT_MOST * widest) return 0.0;
+    if (distance > CUT_MOST * widest || !is_alone(corner, bend_d)) return 0.0;
     stop_out->widest = widest;
     return widest;
 }
@@ -242,27 +252,20 @@ static int may_add(const corner_t *corner, double time) {
     return nck_min(ramp[0].a / ramp[0].j, ramp[1].a / ramp[1].j) > ADDED * time;
 }
 
-// 1 if no other corner is within a bend's half-width: the stop there is judged by itself.
-static int is_wide(const corner_t *corner, double d) {
-    for (int n = 0; n < 2; n++) {
-        const double room = corner->rests[n] ? corner->length[n] : corner->half[n];
-        if (room < ROOM * d) return 0;
-    }
-    return 1;
-}
-
-// What a stop gains by overlapping motions [s], no more than half a block takes from rest, half_s.
+// What a stop gains by overlapping motions [s], no more than half a block takes from rest, half_s;
+// a bend would take bend_d.
 // No distance in *stop_out: nothing, where one of the blocks is no line, or too short, or an
 // axis has no jerk for both. Near to the corner either keeps to a share κ of its jerk then, and
 // loses (1 − κ) of the time that both overlap. Without a filter it would come to no acceleration
 // where that begins.
-static double overlap_of(const corner_t *corner, double half_s, nck_corner_stop_t *stop_out) {
+static double overlap_of(const corner_t *corner, double bend_d, double half_s,
+                         nck_corner_stop_t *stop_out) {
     const nck_terms_t *const terms = corner->terms;
     const nck_overlap_t motions = {corner->in, corner->out,
                                    {corner->ramp[0].j, corner->ramp[1].j}, {0.0, 0.0}};
     if (!terms->overlaps || !corner->are_lines || !(corner->turn > 0.0)) return 0.0;
     const double widest = nck_min(corner->half[0], corner->half[1]) / SPREAD;
-    double d = distance_within(corner, widest, stop_out);
+    double d = distance_within(corner, bend_d, widest, stop_out);
     const double load = nck_overlap_load(terms->machine, terms->axes, &motions);
     const double share = nck_min(1.0, 1.0 / load);
     if (!(d > 0.0) || share < (terms->taps > 1 ? SHARE_LEAST : 1.0)) return 0.0;
@@ -300,7 +303,7 @@ static double stop_time(const corner_t *corner, double d, nck_corner_stop_t *sto
         if (corner->rests[n]) time += 2.0 * half;
         else time += half + (goes_on ? on : nck_min(half, on));
     }
-    const double overlap = overlap_of(corner, half_s, stop_out);
+    const double overlap = overlap_of(corner, d, half_s, stop_out);
     return overlap > 0.0 ? time - overlap : time + corner->terms->rest_s;
 }
 
@@ -397,6 +400,5 @@ int nck_choice_stop(const nck_smooth_t *self, const nck_meet_t *meet, const nck_
     stop_out->outside = 0.0;
     if (!is_own(&corner, bend)) return 0;
     measure_ramps(self, meet, &corner);
-    corner.is_wide = (uint8_t)is_wide(&corner, bend->d);
     return stop_time(&corner, bend->d, stop_out) < plain_time(&corner, bend);
 }
