@@ -181,7 +181,7 @@ def figures(folder):
         runs["relief, jerk, G64 P0.01"].total / LINES,
         runs["arcs, jerk"].total / ARCS,
         planned / int(jerk.said),
-        jerk.room("/5_slope/profile.c") / planned,
+        jerk.room("/5_slope/profile") / planned,
         short.total / short.calls["nck_tick"] * tick.calls["nck_tick"] / tick.total,
     ), strict=True))  # fmt: skip
 

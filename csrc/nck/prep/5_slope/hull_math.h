@@ -55,6 +55,12 @@ static inline nck_real nck_hull_rise(NCK_IN nck_hull_cell_t *cell, nck_real v, n
     return x < v ? -1.0 : x - v;
 }
 
+// 1 if that is v_cap, and no root is needed to know so: nothing speeds up, and nothing must slow
+// down. Below half of v its last digits are not those of v + v_cap.
+static inline int nck_hull_stays(nck_real v, nck_real b, nck_real v_cap) {
+    return v_cap <= v && v <= 2.0 * v_cap && b >= 0.0;
+}
+
 // Where the middle of three points of growing abscissa lies: > 0 above the chord of the others.
 static inline nck_real nck_hull_above(nck_real s0, nck_real z0, nck_real s1, nck_real z1,
                                       nck_real s2, nck_real z2) {

@@ -11,9 +11,11 @@
 #include "nck/prep/5_slope/profile.h"
 
 #include <assert.h> // assert
+#include <string.h> // memcpy
 
-#include "nck/base/limits.h"            // NCK_HAS_BEST
-#include "nck/prep/5_slope/hull_math.h" // nck_hull_…
+#include "nck/base/limits.h"                // NCK_HAS_BEST
+#include "nck/prep/5_slope/hull_math.h"     // nck_hull_…
+#include "nck/prep/5_slope/profile_reach.h" // nck_profile_reach_… nck_profile_ramp_…
 
 enum {
     REACH_BACK = 0, REACH_FORTH, RAMP_BACK, RAMP_FORTH, HULL_U, LEVEL_U, HULL_E, LEVEL_E, RISE,
@@ -38,23 +40,23 @@ enum {
 // A speed is at the envelope within this share of it: it was added to another one and taken off.
 #define CAP_EPSILON 1e-14
 
-// At a node between two cells.
-static inline double jerk_within(const nck_profile_t *self, uint32_t i) {
-    return nck_min(self->j_max[i - 1], self->j_max[i]);
-}
-
-static int is_backward(uint32_t phase) {
-    return phase == REACH_BACK || phase == RAMP_BACK || phase == FALL;
-}
+static int is_backward(uint32_t phase) { return phase == REACH_BACK || phase == FALL; }
 
 static int is_level(uint32_t phase) {
     return phase == LEVEL_U || phase == LEVEL_E || phase == LEVEL_W || phase == LEVEL_HIGH
            || phase == LEVEL_LAST;
 }
 
+// The node, or the cell, that a pass begins with.
+static uint32_t begin_of(const nck_profile_t *self, uint32_t phase) {
+    if (phase == RAMP_BACK) return self->last;
+    if (phase == RAMP_FORTH) return self->first;
+    return is_backward(phase) ? self->n : 0;
+}
+
 static void begin_pass(nck_profile_t *self, uint32_t phase) {
     self->phase = phase;
-    self->i = is_backward(phase) ? self->n : 0;
+    self->i = begin_of(self, phase);
     self->v_last = 0.0;
     self->a_last = 0.0;
     self->share = 0.0;
@@ -71,102 +73,6 @@ void nck_profile_begin(nck_profile_t *self) {
     self->fresh = 1;
     self->broken = 0;
     begin_pass(self, REACH_BACK);
-}
-
-// Every pass does nodes from self->i on, `budget` units at most, and returns how many it has done.
-// What it carries from node to node stands in self between two calls, and in locals within one.
-
-static uint32_t least(uint32_t a, uint32_t b) { return a < b ? a : b; }
-
-static uint32_t left_back(const nck_profile_t *self, uint32_t budget) {
-    return least(self->i + 1, budget);
-}
-
-static uint32_t left_forth(const nck_profile_t *self, uint32_t budget) {
-    return least(self->n + 1 - self->i, budget);
-}
-
-static uint32_t reach_back(nck_profile_t *self, uint32_t budget) {
-    const uint32_t count = left_back(self, budget);
-    uint32_t i = self->i;
-    double w = i < self->n ? self->w[i + 1] : self->w_cap[i];
-    for (uint32_t n = 0; n < count; n++, i--) {
-        if (i < self->n) w = nck_min(self->w_cap[i], w + 2.0 * self->a_max[i] * self->h[i]);
-        self->w[i] = w;
-    }
-    self->i = i;
-    return count;
-}
-
-static void reach_first(nck_profile_t *self) {
-    self->w[0] = nck_min(self->w[0], self->v * self->v);
-    self->s[0] = 0.0;
-    self->v_last = nck_sqrt(self->w[0]);
-}
-
-// Also: the bound on deceleration falls into a stretch of less no faster than the jerk lets it.
-static uint32_t reach_forth(nck_profile_t *self, uint32_t budget) {
-    const uint32_t count = left_forth(self, budget);
-    const double *const h = self->h;
-    double *const w = self->w;
-    const uint32_t end = self->i + count;
-    if (self->i == 0) reach_first(self);
-    const double most = 0.5 * self->q_cap;
-    double v_last = self->v_last;
-    double share_last = self->share;
-    for (uint32_t i = self->i > 0 ? self->i : 1; i < end; i++) {
-        const uint32_t cell = i - 1;
-        w[i] = nck_min(w[i], w[cell] + 2.0 * self->a_max[cell] * h[cell]);
-        self->s[i] = self->s[cell] + h[cell];
-        const double v = nck_sqrt(w[i]);
-        const double share = nck_hull_share(h[cell], v_last + v, most);
-        double bound = self->a_max[cell];
-        if (cell > 0) {
-            const double step = jerk_within(self, cell) * (share_last + share);
-            bound = nck_min(bound, self->down[cell - 1] + step);
-        }
-        self->down[cell] = bound;
-        self->z[cell] = share;
-        share_last = share;
-        v_last = v;
-    }
-    self->share = share_last;
-    self->v_last = v_last;
-    self->i = end;
-    return count;
-}
-
-static uint32_t ramp_back(nck_profile_t *self, uint32_t budget) {
-    const uint32_t count = left_back(self, budget);
-    double *const w = self->w;
-    uint32_t i = self->i;
-    for (uint32_t n = 0; n < count; n++, i--) {
-        if (i == self->n) {
-            w[i] = 0.0;
-            continue;
-        }
-        double bound = self->a_max[i];
-        if (i + 1 < self->n) {
-            const double growth = jerk_within(self, i + 1) * (self->z[i] + self->z[i + 1]);
-            bound = nck_min(bound, self->up[i + 1] + growth);
-        }
-        self->up[i] = bound;
-        w[i] = nck_min(self->w_cap[i], w[i + 1] + 2.0 * self->down[i] * self->h[i]);
-    }
-    self->i = i;
-    return count;
-}
-
-static uint32_t ramp_forth(nck_profile_t *self, uint32_t budget) {
-    const uint32_t count = left_forth(self, budget);
-    double *const w = self->w;
-    const uint32_t end = self->i + count;
-    if (self->i == 0) w[0] = nck_min(w[0], self->v * self->v);
-    for (uint32_t i = self->i > 0 ? self->i : 1; i < end; i++) {
-        w[i] = nck_min(w[i], w[i - 1] + 2.0 * self->up[i - 1] * self->h[i - 1]);
-    }
-    self->i = end;
-    return count;
 }
 
 // How much the slope may have fallen up to a node, summed over length: C of the README.
@@ -206,12 +112,6 @@ static inline int sticks_out(const corners_t *corners, double s, double z) {
     return nck_hull_above(corners->s0, corners->z0, corners->s1, corners->z1, s, z) >= 0.0;
 }
 
-// v² that the last hull takes durations from. No more than above it: those are what acceleration
-// falls by into a stretch of less.
-static inline double last_speeds(const nck_profile_t *self, uint32_t i) {
-    return nck_min(FASTER * FASTER * self->e[i], self->w[i]);
-}
-
 // The hull's first corner; the speeds as below.
 static void begin_hull(nck_profile_t *self, const double *w_of_time) {
     self->v_last = nck_sqrt(w_of_time[0]);
@@ -228,12 +128,12 @@ static uint32_t hull(nck_profile_t *self, uint32_t budget, const double *w_of_ti
         begin_hull(self, w_of_time);
         return 1;
     }
-    const uint32_t count = left_forth(self, budget);
-    const int is_last = NCK_HAS_BEST && self->phase == HULL_LAST;
+    const uint32_t count = nck_profile_left_forth(self, budget);
     const double most = 0.5 * self->q_cap;
     const double *const h = self->h;
     const double *const j_max = self->j_max;
     const double *const s = self->s;
+    const double *const w = self->w;
     double *const z = self->z;
     uint32_t *const stack = self->stack;
     fallen_t fallen = {self->v_last, self->share, self->sigma, self->fall};
@@ -247,22 +147,21 @@ static uint32_t hull(nck_profile_t *self, uint32_t budget, const double *w_of_ti
     for (uint32_t n = 0; n < count; n++) {
         if (fresh) {
             const double j = j_max[i - 1];
-            const double ww = is_last ? last_speeds(self, i) : w_of_time[i];
-            fall_over(&fallen, h[i - 1], nck_sqrt(ww), nck_min(j_before, j), most);
+            fall_over(&fallen, h[i - 1], nck_sqrt(w_of_time[i]), nck_min(j_before, j), most);
             j_before = j;
-            at = self->w[i] + fallen.sum;
+            at = w[i] + fallen.sum;
             z[i] = at;
         }
         fresh = !sticks_out(&corners, s[i], at) || top == 1;
-        if (fresh) {
-            stack[top] = i;
-            corners = (corners_t){corners.s1, corners.z1, s[i], at};
-            top++;
-            i++;
-        } else {
+        if (!fresh) {
             top--;
             corners = corners_of(self, top);
+            continue;
         }
+        stack[top] = i;
+        corners = (corners_t){corners.s1, corners.z1, s[i], at};
+        top++;
+        i++;
     }
     self->v_last = fallen.v;
     self->share = fallen.share;
@@ -282,19 +181,22 @@ static double blunt_of(const nck_profile_t *self) {
 }
 
 // Every node of w down onto the hull, in e; in its place if that is the plan. On a corner the value
-// stays to the bit.
+// stays to the bit. For the last hull it is what that takes durations from: no more than above it,
+// for those are what acceleration falls by into a stretch of less.
 static uint32_t level(nck_profile_t *self, uint32_t budget) {
-    const uint32_t count = left_forth(self, budget);
+    const uint32_t count = nck_profile_left_forth(self, budget);
     const double *const s = self->s;
     const double *const z = self->z;
     const uint32_t *const stack = self->stack;
     const uint32_t end = self->i + count;
     uint32_t top = self->i > 0 ? self->top : 0;
     const double blunt = blunt_of(self);
+    const double faster = NCK_HAS_BEST && self->phase == LEVEL_HIGH ? FASTER * FASTER : 1.0;
+    const double *const w = self->w;
     double *const out = NCK_HAS_BEST || self->phase != LEVEL_W ? self->e : self->w;
     uint32_t sharp = self->sharp;
     for (uint32_t i = self->i; i < end; i++) {
-        const double value = self->w[i];
+        const double value = w[i];
         if (stack[top] == i) {
             top++;
             out[i] = value;
@@ -306,7 +208,7 @@ static uint32_t level(nck_profile_t *self, uint32_t budget) {
         const double on_hull = z[a] + (z[b] - z[a]) * ((s[i] - s[a]) / (s[b] - s[a]));
         const double leveled = nck_max(0.0, nck_min(value, on_hull - fall));
         sharp |= NCK_HAS_BEST && i < self->count && leveled < blunt * value;
-        out[i] = leveled;
+        out[i] = nck_min(value, faster * leveled);
     }
     self->top = top;
     self->i = end;
@@ -316,10 +218,9 @@ static uint32_t level(nck_profile_t *self, uint32_t budget) {
 
 // The envelope is the plan.
 static uint32_t keep(nck_profile_t *self, uint32_t budget) {
-    const uint32_t count = left_forth(self, budget);
-    const uint32_t end = self->i + count;
-    for (uint32_t i = self->i; i < end; i++) self->w[i] = self->e[i];
-    self->i = end;
+    const uint32_t count = nck_profile_left_forth(self, budget);
+    memcpy(self->w + self->i, self->e + self->i, count * sizeof *self->w);
+    self->i += count;
     return count;
 }
 
@@ -356,18 +257,26 @@ static inline double rise(rise_t *state, const nck_hull_cell_t *step, const doub
     const double v = state->v;
     const double b = state->a + step->j * state->share;
     const double v_cap = nck_sqrt(e_end);
-    double v1 = nck_hull_rise(step, v, b, v_cap);
-    if (v1 < 0.0) {
-        state->broken = 1;
-        v1 = 0.0;
+    double v1 = v_cap;
+    double vv1 = e_end;
+    int capped = 1;
+    if (!nck_hull_stays(v, b, v_cap)) {
+        double most = nck_hull_rise(step, v, b, v_cap);
+        if (most < 0.0) {
+            state->broken = 1;
+            most = 0.0;
+        }
+        capped = most >= v_cap * (1.0 - CAP_EPSILON);
+        if (!capped) v1 = most;
+        if (!capped) vv1 = most * most;
     }
-    const int capped = v1 >= v_cap * (1.0 - CAP_EPSILON);
-    const double vv1 = capped ? e_end : v1 * v1;
-    state->v = capped ? v_cap : v1;
+    state->v = v1;
     state->a = (vv1 - v * v) / (2.0 * step->h);
-    state->slows = state->slows && !capped && state->a < 0.0;
-    if (state->slows && comes_to_nothing(step, state, *a_max)) state->broken = 1;
-    state->share = nck_hull_share(step->h, v + state->v, step->most);
+    if (state->slows) {
+        state->slows = !capped && state->a < 0.0;
+        if (state->slows && comes_to_nothing(step, state, *a_max)) state->broken = 1;
+    }
+    state->share = nck_hull_share(step->h, v + v1, step->most);
     // at rest; or on a falling envelope, where the next cell may be level
     const int free = !(vv1 > 0.0) || (capped && state->a + step->j * state->share < 0.0);
     if (free) {
@@ -414,7 +323,8 @@ static uint32_t begin_climb(nck_profile_t *self, int back) {
 
 // Rise and fall: the cells of one pass, forth or back, each within its bound.
 static uint32_t climb(nck_profile_t *self, uint32_t budget, const double *bound, int back) {
-    const uint32_t count = back ? left_back(self, budget) : left_forth(self, budget);
+    const uint32_t count = back ? nck_profile_left_back(self, budget)
+                                : nck_profile_left_forth(self, budget);
     const int begins = self->i == (back ? self->n : 0);
     uint32_t i = begins ? begin_climb(self, back) : self->i;
     uint32_t cell = back ? i : i - 1;
@@ -445,10 +355,10 @@ static uint32_t climb(nck_profile_t *self, uint32_t budget, const double *bound,
 static uint32_t work(nck_profile_t *self, uint32_t budget) {
     if (is_level(self->phase)) return level(self, budget);
     switch (self->phase) {
-    case REACH_BACK: return reach_back(self, budget);
-    case REACH_FORTH: return reach_forth(self, budget);
-    case RAMP_BACK: return ramp_back(self, budget);
-    case RAMP_FORTH: return ramp_forth(self, budget);
+    case REACH_BACK: return nck_profile_reach_back(self, budget);
+    case REACH_FORTH: return nck_profile_reach_forth(self, budget);
+    case RAMP_BACK: return nck_profile_ramp_back(self, budget);
+    case RAMP_FORTH: return nck_profile_ramp_forth(self, budget);
     case RISE: return climb(self, budget, self->up, 0);
     case FALL: return climb(self, budget, self->down, 1);
     case KEEP: return keep(self, budget);

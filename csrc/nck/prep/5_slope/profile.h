@@ -41,6 +41,8 @@ typedef struct nck_profile {
     double sigma;  // sum of what the slope may fall so far
     double a_last; // acceleration of the cell done last
     uint32_t top;  // corners on the stack, or the edge in use
+    uint32_t last;  // cell where the limit of acceleration steps last; UINT32_MAX: it does not
+    uint32_t first; // node that its ramps change first; n + 1: none
     uint32_t fresh;  // 1: node i has not been looked at yet
     double share;  // of the cell done last
     uint32_t broken; // 1: the entry speed comes to nothing within the jerk: no plan from here
