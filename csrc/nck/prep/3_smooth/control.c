@@ -104,7 +104,7 @@ static void spread(nck_smooth_t *self, const span_t *span, double (*p)[NCK_AXIS_
     uint32_t last = self->run.end;
     int bends = 0;
     for (int k = 0; k < POINTS; k++) places[k] = span->xi - span->h + step * (double)k;
-    nck_raw_points(self, places, POINTS, p, blocks);
+    nck_raw_points(self, nck_raw_find(self, places[0]), places, POINTS, p, blocks);
     memcpy(middle_out, p[SIDE], sizeof p[SIDE]);
     if (is_within(nck_raw_at(self, blocks[SIDE]), span)) return;
     for (int k = 0; k < POINTS; k++) {

@@ -11,7 +11,7 @@
 enum {
     PARTS = 8,                    // a knot interval is looked at in so many parts at least
     FIT_BLOCKS = 8,               // that it is compared with in one call
-    NEAR = 6                      // blocks around a guess that are looked at, before all are
+    NEAR = 6                      // guesses at a place's block, before all are looked at
 };
 #define LEAST 1e-9                // [path mm] a thousandth of what a setpoint can tell
 #define LEAST_SHARE 1e-15         // of the place, whose own rounding this is
@@ -60,25 +60,6 @@ static uint32_t search(nck_smooth_t *self, uint32_t low, uint32_t count, double 
     return low;
 }
 
-// The first block from `low` on that ends at s or behind it, or run.end. Blocks on one side of a
-// guess are looked at one by one, then all that are left there.
-static uint32_t search_near(nck_smooth_t *self, uint32_t low, uint32_t guess, double s) {
-    const uint32_t end = self->run.end;
-    uint32_t at = guess;
-    if (raw_end(nck_raw_at(self, at)) < s) {
-        for (int n = 0; n < NEAR; n++) {
-            at++;
-            if (at == end || !(raw_end(nck_raw_at(self, at)) < s)) return at;
-        }
-        return search(self, at + 1, end - at - 1, s);
-    }
-    for (int n = 0; n < NEAR; n++) {
-        if (at == low || raw_end(nck_raw_at(self, at - 1)) < s) return at;
-        at--;
-    }
-    return search(self, low, at - low, s);
-}
-
 static uint32_t skip_outputs(nck_smooth_t *self, uint32_t low) {
     const uint32_t count = low == self->run.end ? low : nck_raw_next(self, low);
     return count == self->run.end ? nck_raw_last(self) : count;
@@ -87,6 +68,35 @@ static uint32_t skip_outputs(nck_smooth_t *self, uint32_t low) {
 // The block with length of the run from `low` on.
 static inline uint32_t with_length(nck_smooth_t *self, uint32_t low) {
     return low != self->run.end && nck_raw_at(self, low)->has_seg ? low : skip_outputs(self, low);
+}
+
+// A block begins where the one before it ends, to the bit: is s in it, or at its end?
+static int is_in(const nck_raw_t *raw, double s) { return raw->s < s && !(raw_end(raw) < s); }
+
+// So many blocks on or back, at most: where s would be if all were as long as this one, one at
+// least.
+static uint32_t leap(const nck_raw_t *raw, double way, uint32_t most) {
+    const double blocks = nck_min((double)most, way / raw->seg.length);
+    return blocks > 1.0 ? (uint32_t)blocks : 1;
+}
+
+// nck_raw_find, from a guess.
+static uint32_t find_near(nck_smooth_t *self, uint32_t guess, double s) {
+    const uint32_t low = self->raw.tail;
+    const uint32_t last = self->run.end - 1;
+    uint32_t at = guess;
+    for (int n = 0; n < NEAR; n++) {
+        const nck_raw_t *const raw = nck_raw_at(self, at);
+        if (is_in(raw, s)) return at;
+        if (raw->s < s) {
+            if (at == last) return nck_raw_last(self);
+            at += leap(raw, s - raw->s, last - at);
+        } else {
+            if (at == low) return with_length(self, at);
+            at -= leap(raw, raw->s - s + raw->seg.length, at - low);
+        }
+    }
+    return with_length(self, search(self, low, last + 1 - low, s));
 }
 
 // Blocks are much of a length: the guess is where s would be if they all were.
@@ -98,7 +108,7 @@ uint32_t nck_raw_find(nck_smooth_t *self, double s) {
     if (!(s > first)) return with_length(self, low);
     if (s > last) return nck_raw_last(self);
     const double blocks = (double)most * ((s - first) / (last - first));
-    return with_length(self, search_near(self, low, low + (uint32_t)blocks, s));
+    return find_near(self, low + (uint32_t)blocks, s);
 }
 
 // nck_path_part; most places are inside a line.
@@ -129,7 +139,13 @@ static void point_beside(const nck_raw_t *raw, double s, int axes, double *point
         for (int x = 0; x < axes; x++) point_out[x] = end[x];
         return;
     }
-    tangent_of(&raw->seg, before ? 0.0 : raw->seg.length, axes, point_out);
+    if (raw->seg.kind == NCK_SEG_LINE) {
+        for (int x = 0; x < axes; x++) {
+            point_out[x] = end[x] + nck_path_slope(&raw->seg, x) * beyond;
+        }
+        return;
+    }
+    nck_path_tangent_part(&raw->seg, before ? 0.0 : raw->seg.length, axes, point_out);
     for (int x = 0; x < axes; x++) point_out[x] = end[x] + point_out[x] * beyond;
 }
 
@@ -143,21 +159,12 @@ void nck_raw_point(nck_smooth_t *self, double s, double *point_out) {
     point_by(nck_raw_at(self, nck_raw_find(self, s)), s, self->terms->axes, point_out);
 }
 
-// As nck_raw_find, for a place behind the end of the block at `from`.
-static uint32_t find_from(nck_smooth_t *self, uint32_t from, double s) {
-    const nck_raw_t *const raw = nck_raw_at(self, from);
-    const uint32_t most = self->run.end - from - 1;
-    if (most == 0) return from;
-    const double blocks = nck_min((s - raw->s) / raw->seg.length, (double)most);
-    return with_length(self, search_near(self, from + 1, from + (uint32_t)blocks, s));
-}
-
-void nck_raw_points(nck_smooth_t *self, const double *places, int count,
+void nck_raw_points(nck_smooth_t *self, uint32_t near, const double *places, int count,
                     double (*points_out)[NCK_AXIS_MAX], uint32_t *blocks_out) {
     const int axes = self->terms->axes;
-    uint32_t at = nck_raw_find(self, places[0]);
+    uint32_t at = near;
     for (int k = 0; k < count; k++) {
-        if (raw_end(nck_raw_at(self, at)) < places[k]) at = find_from(self, at, places[k]);
+        at = find_near(self, at, places[k]);
         point_by(nck_raw_at(self, at), places[k], axes, points_out[k]);
         if (blocks_out) blocks_out[k] = at;
     }
@@ -167,7 +174,7 @@ void nck_raw_spread(nck_smooth_t *self, double s, double step, int count,
                     double (*points_out)[NCK_AXIS_MAX]) {
     double places[NCK_RAW_SPREAD];
     for (int k = 0; k < count; k++) places[k] = s + step * (double)k;
-    nck_raw_points(self, places, count, points_out, NULL);
+    nck_raw_points(self, nck_raw_find(self, s), places, count, points_out, NULL);
 }
 
 double nck_raw_turn(const nck_seg_t *in, const nck_seg_t *out, int axes, double *turn_out) {

@@ -39,8 +39,8 @@ double nck_raw_known(nck_smooth_t *self);
 void nck_raw_point(nck_smooth_t *self, double s, double *point_out);
 
 // So many points of it, at places that go up, and the blocks that they are of (NULL: nobody asks).
-// Cost: as so many of nck_raw_find at most.
-void nck_raw_points(nck_smooth_t *self, const double *places, int count,
+// near: a block of the run, not far from the first. Cost: as so many of nck_raw_find at most.
+void nck_raw_points(nck_smooth_t *self, uint32_t near, const double *places, int count,
                     double (*points_out)[NCK_AXIS_MAX], uint32_t *blocks_out);
 
 // The same, a step apart from s on: NCK_RAW_SPREAD points at most.

@@ -67,11 +67,14 @@ typedef struct vertex {
     int lone;       // 1: nothing but itself bounds its spacing
 } vertex_t;
 
-// How far a spline of even spacing h would leave the path at a knot at s, if its control points
-// were made of second differences over h alone.
+// How far a spline of even spacing h would leave the path at a knot at a block's end, if its
+// control points were made of second differences over h alone.
 // On a curve they are p − δ²p/6, p̃ − p = −δ⁴p/36;
 // in noise p + 5δ²p/24, p̃ − p = (11 δ²p + 5/4·(δ²p before + δ²p behind))/36.
-static double deviation(nck_smooth_t *self, double s, const double *here, double h, int rough) {
+static double deviation(nck_smooth_t *self, uint32_t count, double h, int rough) {
+    const nck_raw_t *const raw = nck_raw_at(self, count);
+    const double *const here = raw->seg.end;
+    const double s = raw->s + raw->seg.length;
     const double before = s - 2.0 * h;
     const double behind = s + h;
     const double places[4] = {before, before + h, behind, behind + h};
@@ -80,7 +83,7 @@ static double deviation(nck_smooth_t *self, double s, const double *here, double
     const int axes = self->terms->axes;
     const double at_side = rough ? 1.25 : -1.0;
     const double at_middle = rough ? 11.0 : 2.0;
-    nck_raw_points(self, places, 4, p, NULL);
+    nck_raw_points(self, count, places, 4, p, NULL);
     for (int x = 0; x < axes; x++) {
         const double middle = nck_spline_bend(p[1][x], here[x], p[2][x]);
         const double sides = nck_spline_bend(p[0][x], p[1][x], here[x])
@@ -103,14 +106,17 @@ static double bends_of(const nck_smooth_t *self, double (*p)[NCK_AXIS_MAX], int 
     return sum;
 }
 
-// The same of five places around s; NCK_UNLIMITED if the first of them alone exceeds `most`.
-static double unevenness(nck_smooth_t *self, double s, double h, double most) {
+// The same of five places around a block's end; NCK_UNLIMITED if the first of them alone exceeds
+// `most`.
+static double unevenness(nck_smooth_t *self, uint32_t count, double h, double most) {
+    const nck_raw_t *const raw = nck_raw_at(self, count);
+    const double s = raw->s + raw->seg.length;
     double p[POINTS][NCK_AXIS_MAX];
     double places[POINTS];
     for (int k = 0; k < POINTS; k++) places[k] = s - 3.0 * h + h * (double)k;
-    nck_raw_points(self, places, 3, p, NULL);
+    nck_raw_points(self, count, places, 3, p, NULL);
     if (bends_of(self, p, 1) > most) return NCK_UNLIMITED;
-    nck_raw_points(self, places + 3, POINTS - 3, p + 3, NULL);
+    nck_raw_points(self, count, places + 3, POINTS - 3, p + 3, NULL);
     return bends_of(self, p, POINTS - 2);
 }
 
@@ -118,10 +124,10 @@ static double unevenness(nck_smooth_t *self, double s, double h, double most) {
 // aim.
 // NCK_EMPTY if that depends on what is not known yet; NCK_FULL if it does and the ring is full:
 // then what is known must do for now.
-static nck_status_t grow(nck_smooth_t *self, const nck_raw_t *raw, double aim, int rough,
+static nck_status_t grow(nck_smooth_t *self, uint32_t count, double aim, int rough,
                          double *spacing) {
+    const nck_raw_t *const raw = nck_raw_at(self, count);
     const double s = raw->s + raw->seg.length;
-    const double *const here = raw->seg.end;
     const double known = self->run.closed ? s + self->spacing_max : nck_raw_known(self);
     double good = *spacing;
     double bad = good;
@@ -131,7 +137,7 @@ static nck_status_t grow(nck_smooth_t *self, const nck_raw_t *raw, double aim, i
             *spacing = good;
             return nck_raw_is_full(self) ? NCK_FULL : NCK_EMPTY;
         }
-        if (deviation(self, s, here, next, rough) <= aim) {
+        if (deviation(self, count, next, rough) <= aim) {
             good = next;
             bad = good;
         } else {
@@ -140,7 +146,7 @@ static nck_status_t grow(nck_smooth_t *self, const nck_raw_t *raw, double aim, i
     }
     for (int n = 0; n < BISECT_STEPS && bad > good; n++) {
         const double middle = 0.5 * (good + bad);
-        if (deviation(self, s, here, middle, rough) <= aim) good = middle;
+        if (deviation(self, count, middle, rough) <= aim) good = middle;
         else bad = middle;
     }
     *spacing = good;
@@ -153,7 +159,7 @@ static double begin_growing(nck_smooth_t *self, uint32_t count, double aim, doub
     const double s = raw->s + raw->seg.length;
     const double likely = NEIGHBOUR * nck_raw_at(self, nck_raw_before(self, count))->spacing;
     if (likely <= spacing || s + likely > nck_raw_known(self)) return spacing;
-    return deviation(self, s, raw->seg.end, likely, 0) <= aim ? likely : spacing;
+    return deviation(self, count, likely, 0) <= aim ? likely : spacing;
 }
 
 // The spacing that a corner between two blocks allows if it is alone; and how it turns.
@@ -264,14 +270,13 @@ static void look_at(nck_smooth_t *self, uint32_t count, vertex_t *corner) {
 static nck_status_t grow_as_curve_or_noise(nck_smooth_t *self, uint32_t count, double aim,
                                            double *spacing) {
     nck_raw_t *const raw = nck_raw_at(self, count);
-    const double s = raw->s + raw->seg.length;
-    const nck_status_t status = grow(self, raw, aim, 0, spacing);
+    const nck_status_t status = grow(self, count, aim, 0, spacing);
     if (status == NCK_EMPTY) return status;
     const int was_rough = nck_raw_at(self, nck_raw_before(self, count))->rough;
-    const double fine = unevenness(self, s, 0.5 * *spacing, NCK_UNLIMITED);
+    const double fine = unevenness(self, count, 0.5 * *spacing, NCK_UNLIMITED);
     const double most = (was_rough ? STAYS_ROUGH : GETS_ROUGH) * fine;
-    raw->rough = unevenness(self, s, *spacing, most) < most;
-    return raw->rough ? grow(self, raw, aim, 1, spacing) : status;
+    raw->rough = unevenness(self, count, *spacing, most) < most;
+    return raw->rough ? grow(self, count, aim, 1, spacing) : status;
 }
 
 // 1 if a block is a small part of what the spacing before it spans, and as blunt: then its spacing
