@@ -33,16 +33,19 @@ static double seam_of(const nck_jerk_t *self) {
 
 // What a piece leaves to the cells inside of it.
 typedef struct inside {
-    const nck_node_t *piece;
+    const nck_node_t *piece; // NULL: none has been looked at
+    uint32_t number;
     double w; // cap, v²
     double a; // [path mm/s²]
     double j; // [path mm/s³]
 } inside_t;
 
-static inside_t inside_of(const nck_jerk_t *self, const nck_node_t *piece) {
+// Of a piece that is there.
+static inside_t inside_of(const nck_jerk_t *self, const nck_pieces_t *pieces, uint32_t number) {
     const int over = self->work.over != 0;
-    const inside_t inside = {piece, nck_window_cap(self, piece), over ? piece->a_over : piece->a,
-                             over ? piece->j_over : piece->j};
+    const nck_node_t *const piece = nck_plan_piece(pieces, number);
+    const inside_t inside = {piece, number, nck_window_cap(self, piece),
+                             over ? piece->a_over : piece->a, over ? piece->j_over : piece->j};
     return inside;
 }
 
@@ -57,13 +60,13 @@ static double limits_of(const nck_jerk_t *self, const nck_pieces_t *pieces, uint
                         const inside_t *inside, nck_brake_limits_t *limits) {
     const double h = self->h[i];
     const nck_node_t *piece = inside->piece;
-    uint32_t number = self->rung_piece[i];
+    uint32_t number = inside->number;
     inside_t least = *inside;
     double left = length_behind(self, piece, i);
     while (left > nck_window_rounding(piece, h)) {
         piece = nck_plan_piece(pieces, ++number);
         if (!piece) break;
-        const inside_t next = inside_of(self, piece);
+        const inside_t next = inside_of(self, pieces, number);
         least.w = nck_min(least.w, nck_window_node_cap(self, piece));
         least.w = nck_min(least.w, next.w);
         least.a = nck_min(least.a, next.a);
@@ -77,35 +80,41 @@ static double limits_of(const nck_jerk_t *self, const nck_pieces_t *pieces, uint
 
 static nck_brake_limits_t limits_at(const nck_jerk_t *self, const nck_pieces_t *pieces,
                                     uint32_t i) {
-    const nck_node_t *const piece = nck_plan_piece(pieces, self->rung_piece[i]);
-    const inside_t inside = inside_of(self, piece);
+    const inside_t inside = inside_of(self, pieces, self->rung_piece[i]);
     nck_brake_limits_t limits;
     (void)limits_of(self, pieces, i, &inside, &limits);
     return limits;
 }
 
+// 1 if the next cell begins in the same piece: then this one lies in it.
+static inline int is_within(const nck_jerk_t *self, uint32_t i) {
+    return i + 1 < self->work.n && self->rung_piece[i + 1] == self->rung_piece[i];
+}
+
 // inside: of the piece that the cell before began in; this one's when it is done.
-static void limit_cell(nck_jerk_t *self, const nck_pieces_t *pieces, uint32_t i, int holds,
-                       inside_t *inside, nck_brake_mixed_t *mixed) {
-    const nck_node_t *const piece = nck_plan_piece(pieces, self->rung_piece[i]);
-    if (piece != inside->piece) *inside = inside_of(self, piece);
+static void limit_cell(nck_jerk_t *self, const nck_pieces_t *pieces, uint32_t i,
+                       inside_t *inside) {
+    if (!inside->piece || self->rung_piece[i] != inside->number) {
+        *inside = inside_of(self, pieces, self->rung_piece[i]);
+        if (inside->piece->kind == NCK_SEG_SPLINE) self->work.bends = 1;
+    }
+    const nck_node_t *const piece = inside->piece;
     nck_brake_limits_t limits = {inside->a, inside->j * self->j_scale};
     double w_cell = inside->w;
-    if (length_behind(self, piece, i) > nck_window_rounding(piece, self->h[i])) {
+    if (!is_within(self, i)
+        && length_behind(self, piece, i) > nck_window_rounding(piece, self->h[i])) {
         w_cell = limits_of(self, pieces, i, inside, &limits);
     }
-    const int begins = self->rung_s[i] == piece->s;
-    double w_node = begins ? nck_window_node_cap(self, piece) : NCK_WINDOW_UNCAPPED;
-    if (i > 0) w_node = nck_min(w_node, self->work.w_cell);
-    if (piece->kind == NCK_SEG_SPLINE) self->work.bends = 1;
-    if (self->work.seam > 0.0) limits.j *= SEAM_SHARE;
-    self->work.seam -= self->h[i];
+    double w_node = i > 0 ? self->work.w_cell : NCK_WINDOW_UNCAPPED;
+    if (self->rung_s[i] == piece->s) w_node = nck_min(w_node, nck_window_node_cap(self, piece));
+    if (self->work.seam > 0.0) {
+        limits.j *= SEAM_SHARE;
+        self->work.seam -= self->h[i];
+    }
     self->work.w_cell = w_cell;
     self->w_cap[i] = nck_min(w_node, w_cell);
     self->a_max[i] = limits.a;
     self->j_max[i] = limits.j;
-    const double tried = self->work.redone > 0 ? tried_speed(self, i) : 0.0;
-    if (holds) nck_brake_along(self, pieces, i, tried, mixed);
 }
 
 // The path has been faster there.
@@ -129,14 +138,18 @@ nck_status_t nck_bounds_set(nck_jerk_t *self, const nck_pieces_t *pieces) {
     const uint32_t left = self->work.n - begin;
     const uint32_t end = begin + (left < NCK_JERK_STEP ? left : NCK_JERK_STEP);
     const int holds = is_hold(self);
-    inside_t inside = {(const nck_node_t *)0, 0.0, 0.0, 0.0};
+    inside_t inside = {(const nck_node_t *)0, 0, 0.0, 0.0, 0.0};
     nck_brake_mixed_t mixed = {0};
     if (begin == 0) {
         self->work.seam = seam_of(self);
         self->work.bends = 0;
     }
     for (uint32_t i = begin; i < end; i++) {
-        limit_cell(self, pieces, i, holds, &inside, &mixed);
+        limit_cell(self, pieces, i, &inside);
+        if (holds) {
+            const double tried = self->work.redone > 0 ? tried_speed(self, i) : 0.0;
+            nck_brake_along(self, pieces, i, tried, &mixed);
+        }
         if (is_lowered(self, i)) self->work.lowered = 1;
     }
     self->work.i = end;

@@ -49,11 +49,20 @@ static uint8_t limit_of(const nck_jerk_t *self, draw_t *draw, uint32_t i, double
     return NCK_LIMIT_JERK;
 }
 
-// How many segs further on a cell's end lies, and whether it is a seg's end. Returns the piece that
-// begins there, or goes on; NULL if it is not known.
+// 1 if the next cell begins further on in the same piece.
+static inline int goes_on(const nck_jerk_t *self, const nck_node_t *piece, uint32_t i) {
+    return i + 1 < self->work.n && self->rung_piece[i + 1] == self->rung_piece[i]
+           && self->rung_s[i + 1] != piece->s;
+}
+
+// How many segs further on a cell's end lies, and whether it is a seg's end. begun: the piece that
+// it begins in. Returns the one that begins there, or goes on; NULL if it is not known.
 static const nck_node_t *end_cell(const nck_jerk_t *self, const nck_pieces_t *pieces, uint32_t i,
-                                  nck_cell_t *cell) {
+                                  const nck_node_t *begun, nck_cell_t *cell) {
     const int is_end = i + 1 == self->work.n;
+    cell->span = 0;
+    cell->last = 0;
+    if (goes_on(self, begun, i)) return begun;
     const uint32_t number = is_end ? self->next->end_piece : self->rung_piece[i + 1];
     const double s = is_end ? self->next->end_s : self->rung_s[i + 1];
     const nck_node_t *const at = nck_plan_piece(pieces, number);
@@ -135,7 +144,7 @@ static void draw_cell(nck_jerk_t *self, const nck_pieces_t *pieces, draw_t *draw
     }
     cell->limit = limit_of(self, draw, i, cell->a);
     cell->stop = draw->held | (uint8_t)(i + 1 == draw->n ? NCK_STOP_REST : 0);
-    draw->piece = end_cell(self, pieces, i, cell);
+    draw->piece = end_cell(self, pieces, i, draw->piece, cell);
     note_uneven(self, i, cell);
     note_sure(self, draw, i);
 }

@@ -249,13 +249,6 @@ static double exit_cap(const nck_jerk_t *self, const nck_pieces_t *pieces, const
     return nck_min(cap, w_end + gain);
 }
 
-// How long the next cell is to be [mm].
-typedef struct rung {
-    double step; // as the ladder has it; short pieces share it
-    double h;    // from rest to rest several cells are wanted
-    int alone;   // 1: the piece goes from rest to rest
-} rung_t;
-
 // How near the ends of a piece the speed may change at all: a ramp, and what hulls round. Where no
 // more is left between than a few long cells, they are not worth it.
 static double find_even(const nck_jerk_t *self, const nck_ladder_piece_t *rungs, double left) {
@@ -293,7 +286,12 @@ typedef struct ground {
     const nck_node_t *piece; // NULL: it has not been looked at
     uint32_t number;
     int rests;               // what rests_behind says
+    double end;              // of the piece, in its seg [mm]
+    double rounding;         // beside that
     nck_ladder_piece_t rungs;
+    int begun;               // 1: what follows is known
+    int alone;               // 1: the piece goes from rest to rest: several cells are wanted
+    double step;             // of the ladder at its cap [mm]
 } ground_t;
 
 static void look(const nck_jerk_t *self, const nck_pieces_t *pieces, const nck_node_t *piece,
@@ -306,26 +304,31 @@ static void look(const nck_jerk_t *self, const nck_pieces_t *pieces, const nck_n
     ground->piece = piece;
     ground->number = self->work.piece;
     ground->rests = rests;
+    ground->end = end_of(piece);
+    ground->rounding = nck_window_rounding(piece, 0.0);
     ground->rungs = rungs;
+    ground->begun = 0;
 }
 
-// At the ladder's end, in this piece. Its first cell notes the speed that it begins with.
-static rung_t next_rung(nck_jerk_t *self, ground_t *ground, double x, double left) {
-    const nck_node_t *const piece = ground->piece;
+// The first cell that is laid here; that of the piece notes the speed that it begins with.
+static void begin_ground(nck_jerk_t *self, ground_t *ground, double x, double left) {
     nck_ladder_piece_t *const rungs = &ground->rungs;
     if (x == 0.0) {
-        const double w_node = nck_min(rungs->w, nck_window_node_cap(self, piece));
+        const double w_node = nck_min(rungs->w, nck_window_node_cap(self, ground->piece));
         self->work.w_entry = nck_min(w_node, self->work.w_entry);
     }
     rungs->w0 = self->work.w_entry;
     if (x == 0.0 || self->work.far == NCK_JERK_UNKNOWN) find_far(self, rungs, x, left);
+    ground->alone = rungs->w0 == 0.0 && rungs->w1 == 0.0;
+    ground->step = self->step_s * nck_sqrt(rungs->w);
+    ground->begun = 1;
+}
+
+// How long the next cell is to be, as the ladder has it; short pieces share it [mm].
+static double next_step(const nck_jerk_t *self, const ground_t *ground, double x, double left) {
     const double off = nck_min(x - self->work.far_s, left);
-    const double step = off > self->work.far
-                            ? far_step(self, self->step_s * nck_sqrt(rungs->w), off, left)
-                            : nck_ladder_step(rungs, x, left, self->step_s);
-    const int alone = rungs->w0 == 0.0 && rungs->w1 == 0.0;
-    const rung_t rung = {step, alone ? nck_min(step, 0.25 * piece->length) : step, alone};
-    return rung;
+    return off > self->work.far ? far_step(self, ground->step, off, left)
+                                : nck_ladder_step(&ground->rungs, x, left, self->step_s);
 }
 
 // Lay what is left of a piece, or one cell of it.
@@ -334,25 +337,27 @@ static nck_status_t lay_some(nck_jerk_t *self, const nck_pieces_t *pieces, groun
     const int rests = ground->rests;
     const double x = self->work.s - piece->s;
     const double left = piece->length - x;
-    const rung_t rung = next_rung(self, ground, x, left);
-    if (joins_pending(self, piece, rung.step) && x == 0.0 && !rung.alone) {
+    if (!ground->begun) begin_ground(self, ground, x, left);
+    const double step = next_step(self, ground, x, left);
+    const double h = ground->alone ? nck_min(step, 0.25 * piece->length) : step;
+    if (joins_pending(self, piece, step) && x == 0.0 && !ground->alone) {
         self->work.pending += left;
         return end_piece(self, pieces, piece, rests);
     }
     close_pending(self, pieces);
-    if (left < 0.5 * rung.h && x == 0.0 && !rests) {
+    if (left >= 1.5 * h) {
+        push(self, self->work.piece, self->work.s, h, NCK_WINDOW_UNCAPPED);
+        self->work.s += h;
+        return NCK_OK;
+    }
+    if (left < 0.5 * h && x == 0.0 && !rests) {
         self->work.pending = left;
         self->work.pending_piece = self->work.piece;
         self->work.pending_s = self->work.s;
         return end_piece(self, pieces, piece, rests);
     }
-    if (left < 1.5 * rung.h) {
-        push_end(self, pieces, self->work.piece, self->work.s, left);
-        return end_piece(self, pieces, piece, rests);
-    }
-    push(self, self->work.piece, self->work.s, rung.h, NCK_WINDOW_UNCAPPED);
-    self->work.s += rung.h;
-    return NCK_OK;
+    push_end(self, pieces, self->work.piece, self->work.s, left);
+    return end_piece(self, pieces, piece, rests);
 }
 
 // A dwell or a wait is a plan of its own.
@@ -409,14 +414,13 @@ static nck_status_t lay_one(nck_jerk_t *self, const nck_pieces_t *pieces, ground
         const nck_status_t status = enter_piece(self, pieces, ground);
         if (status != NCK_OK) return status;
     }
-    const nck_node_t *const piece = ground->piece;
-    const int is_over = end_of(piece) - self->work.s <= nck_window_rounding(piece, 0.0);
-    if (is_over && self->work.n > 0) return end_piece(self, pieces, piece, ground->rests);
+    const int is_over = ground->end - self->work.s <= ground->rounding;
+    if (is_over && self->work.n > 0) return end_piece(self, pieces, ground->piece, ground->rests);
     return lay_some(self, pieces, ground);
 }
 
 nck_status_t nck_window_lay(nck_jerk_t *self, const nck_pieces_t *pieces) {
-    ground_t ground = {(const nck_node_t *)0, 0, 0, {0.0, 0.0, 0.0, 0.0, 0.0}};
+    ground_t ground = {0};
     for (int n = 0; n < NCK_JERK_STEP; n++) {
         const nck_status_t status = lay_one(self, pieces, &ground);
         if (status == NCK_OK) continue;
