@@ -77,6 +77,16 @@ typedef struct nck_trial {
     uint8_t looks;  // 1: before it, the way ahead is looked at from `count` on, `step` so far
 } nck_trial_t;
 
+// What a look at a block's end has found of the path around it: looks in vain come again.
+typedef struct nck_look {
+    uint32_t count; // the block
+    uint32_t tail;  // of the ring, then
+    double h;       // spacing that was looked at [path mm]; 0: none
+    double before[NCK_AXIS_MAX]; // δ²p one spacing before [mm]
+    double middle[NCK_AXIS_MAX]; // and there
+    double behind[NCK_AXIS_MAX]; // p one spacing behind [mm]
+} nck_look_t;
+
 // The room's state: filled by nck_smooth_init, written by the room alone.
 typedef struct nck_smooth {
     const nck_terms_t *terms;
@@ -126,6 +136,8 @@ typedef struct nck_smooth {
         uint32_t kinks;  // places where it must rest to stay within the tolerance, in all runs
         uint32_t tries;  // knots that the last pull has begun to try
         nck_trial_t trial;
+        nck_look_t look[2]; // the newest, in turn
+        uint32_t looks;  // so many so far
         double rest;     // the place of the next of them; beyond the run: none is known
         double given;    // t[2] … t[3] is given up to here
         double t[8];     // next seg: t[2] … t[3]; t[6], t[7]: if it had to end at t[5]

@@ -67,6 +67,33 @@ typedef struct vertex {
     int lone;       // 1: nothing but itself bounds its spacing
 } vertex_t;
 
+// What of the path around a block's end, a spacing h to either side, is known from now on. The
+// newest block may yet change, and what is behind it is not known.
+static const nck_look_t *look_around(nck_smooth_t *self, uint32_t count, double h) {
+    for (int k = 0; k < 2; k++) {
+        const nck_look_t *const known = &self->run.look[k];
+        const int is_that = known->h == h && known->count == count;
+        if (is_that && known->tail == self->raw.tail) return known;
+    }
+    const nck_raw_t *const raw = nck_raw_at(self, count);
+    const double *const here = raw->seg.end;
+    const double s = raw->s + raw->seg.length;
+    const double before = s - 2.0 * h;
+    const double places[3] = {before, before + h, s + h};
+    double p[3][NCK_AXIS_MAX];
+    nck_look_t *const look = &self->run.look[self->run.looks++ % 2];
+    nck_raw_points(self, count, places, 3, p, NULL);
+    for (int x = 0; x < self->terms->axes; x++) {
+        look->before[x] = nck_spline_bend(p[0][x], p[1][x], here[x]);
+        look->middle[x] = nck_spline_bend(p[1][x], here[x], p[2][x]);
+        look->behind[x] = p[2][x];
+    }
+    look->count = count;
+    look->tail = self->raw.tail;
+    look->h = places[2] <= nck_raw_at(self, self->run.end - 1)->s ? h : 0.0;
+    return look;
+}
+
 // How far a spline of even spacing h would leave the path at a knot at a block's end, if its
 // control points were made of second differences over h alone.
 // On a curve they are p − δ²p/6, p̃ − p = −δ⁴p/36;
@@ -74,21 +101,17 @@ typedef struct vertex {
 static double deviation(nck_smooth_t *self, uint32_t count, double h, int rough) {
     const nck_raw_t *const raw = nck_raw_at(self, count);
     const double *const here = raw->seg.end;
-    const double s = raw->s + raw->seg.length;
-    const double before = s - 2.0 * h;
-    const double behind = s + h;
-    const double places[4] = {before, before + h, behind, behind + h};
-    double p[4][NCK_AXIS_MAX];
+    const double furthest = raw->s + raw->seg.length + h + h;
+    double p[1][NCK_AXIS_MAX];
     double off[NCK_AXIS_MAX];
     const int axes = self->terms->axes;
     const double at_side = rough ? 1.25 : -1.0;
     const double at_middle = rough ? 11.0 : 2.0;
-    nck_raw_points(self, count, places, 4, p, NULL);
+    const nck_look_t *const look = look_around(self, count, h);
+    nck_raw_points(self, count, &furthest, 1, p, NULL);
     for (int x = 0; x < axes; x++) {
-        const double middle = nck_spline_bend(p[1][x], here[x], p[2][x]);
-        const double sides = nck_spline_bend(p[0][x], p[1][x], here[x])
-                             + nck_spline_bend(here[x], p[2][x], p[3][x]);
-        off[x] = at_middle * middle + at_side * sides;
+        const double sides = look->before[x] + nck_spline_bend(here[x], look->behind[x], p[0][x]);
+        off[x] = at_middle * look->middle[x] + at_side * sides;
     }
     return nck_spline_norm(off, axes) / 36.0;
 }
@@ -451,6 +474,8 @@ nck_status_t nck_spacing_know(nck_smooth_t *self, uint32_t count) {
         }
     }
     raw->lacks = NCK_LACKS_NOTHING;
+    self->run.look[0].h = 0.0; // the corner may be moved
+    self->run.look[1].h = 0.0;
     nck_meet_choose(self, count);
     return NCK_OK;
 }
