@@ -78,35 +78,36 @@ static double limits_of(const nck_jerk_t *self, const nck_pieces_t *pieces, uint
     return least.w;
 }
 
-static nck_brake_limits_t limits_at(const nck_jerk_t *self, const nck_pieces_t *pieces,
-                                    uint32_t i) {
-    const inside_t inside = inside_of(self, pieces, self->rung_piece[i]);
-    nck_brake_limits_t limits;
-    (void)limits_of(self, pieces, i, &inside, &limits);
-    return limits;
-}
-
 // 1 if the next cell begins in the same piece: then this one lies in it.
 static inline int is_within(const nck_jerk_t *self, uint32_t i) {
     return i + 1 < self->work.n && self->rung_piece[i + 1] == self->rung_piece[i];
 }
 
-// inside: of the piece that the cell before began in; this one's when it is done.
-static void limit_cell(nck_jerk_t *self, const nck_pieces_t *pieces, uint32_t i,
-                       inside_t *inside) {
+// The same as limits_of. inside: of the piece that the cell before began in; this one's when it is
+// done.
+static inline double limits_at(const nck_jerk_t *self, const nck_pieces_t *pieces, uint32_t i,
+                               inside_t *inside, nck_brake_limits_t *limits) {
     if (!inside->piece || self->rung_piece[i] != inside->number) {
         *inside = inside_of(self, pieces, self->rung_piece[i]);
-        if (inside->piece->kind == NCK_SEG_SPLINE) self->work.bends = 1;
     }
     const nck_node_t *const piece = inside->piece;
-    nck_brake_limits_t limits = {inside->a, inside->j * self->j_scale};
-    double w_cell = inside->w;
     if (!is_within(self, i)
         && length_behind(self, piece, i) > nck_window_rounding(piece, self->h[i])) {
-        w_cell = limits_of(self, pieces, i, inside, &limits);
+        return limits_of(self, pieces, i, inside, limits);
     }
+    limits->a = inside->a;
+    limits->j = inside->j * self->j_scale;
+    return inside->w;
+}
+
+static void limit_cell(nck_jerk_t *self, const nck_pieces_t *pieces, uint32_t i,
+                       inside_t *inside) {
+    nck_brake_limits_t limits;
+    const double w_cell = limits_at(self, pieces, i, inside, &limits);
+    const nck_node_t *const piece = inside->piece;
     double w_node = i > 0 ? self->work.w_cell : NCK_WINDOW_UNCAPPED;
     if (self->rung_s[i] == piece->s) w_node = nck_min(w_node, nck_window_node_cap(self, piece));
+    if (piece->kind == NCK_SEG_SPLINE) self->work.bends = 1;
     if (self->work.seam > 0.0) {
         limits.j *= SEAM_SHARE;
         self->work.seam -= self->h[i];
@@ -268,9 +269,10 @@ nck_status_t nck_bounds_relax(nck_jerk_t *self, const nck_pieces_t *pieces) {
 
 // 1 if a cell of the plan keeps to what its bends leave at the speed that it has in the end.
 static int keeps_limits(nck_jerk_t *self, const nck_pieces_t *pieces, uint32_t i,
-                        nck_brake_mixed_t *mixed) {
+                        inside_t *inside, nck_brake_mixed_t *mixed) {
     nck_profile_t *const state = &self->profile;
-    nck_brake_limits_t limits = limits_at(self, pieces, i);
+    nck_brake_limits_t limits;
+    (void)limits_at(self, pieces, i, inside, &limits);
     nck_brake_relax(self, pieces, self->rung_piece[i], tried_speed(self, i), mixed, &limits);
     const double end = i + 1 < self->work.n ? self->w[i + 1] : 0.0;
     const double a = 0.5 * (end - self->w[i]) / self->h[i];
@@ -292,8 +294,9 @@ static int fits(const nck_brake_limits_t *limits, double a, double j) {
 
 // 1 if what the plan was made with is left at the speed that it has in the end.
 static int is_left(const nck_jerk_t *self, const nck_pieces_t *pieces, uint32_t i,
-                   nck_brake_mixed_t *mixed) {
-    const nck_brake_limits_t capped = limits_at(self, pieces, i);
+                   inside_t *inside, nck_brake_mixed_t *mixed) {
+    nck_brake_limits_t capped;
+    (void)limits_at(self, pieces, i, inside, &capped);
     if (fits(&capped, self->a_max[i], self->j_max[i])) return 1;
     nck_brake_left_t left = {capped, capped};
     nck_brake_left(self, pieces, self->rung_piece[i], tried_speed(self, i), mixed, &left);
@@ -306,12 +309,13 @@ nck_status_t nck_bounds_check(nck_jerk_t *self, const nck_pieces_t *pieces) {
     const uint32_t end = holds ? self->work.n : self->work.relaxed_to;
     if (self->work.coarse) return NCK_DONE;
     if (!holds && self->work.i == 0) self->work.i = self->work.relaxed_from;
+    inside_t inside = {(const nck_node_t *)0, 0, 0.0, 0.0, 0.0};
     nck_brake_mixed_t mixed = {0};
     for (int n = 0; n < NCK_JERK_STEP && mixed.work < LOOK_MOST; n++) {
         const uint32_t i = self->work.i;
         if (i >= end) return NCK_DONE;
-        const int keeps = holds ? keeps_limits(self, pieces, i, &mixed)
-                                : is_left(self, pieces, i, &mixed);
+        const int keeps = holds ? keeps_limits(self, pieces, i, &inside, &mixed)
+                                : is_left(self, pieces, i, &inside, &mixed);
         if (!keeps) return NCK_E_STATE;
         self->work.i++;
     }
