@@ -187,9 +187,8 @@ static uint32_t level(nck_profile_t *self, uint32_t budget) {
     const uint32_t count = nck_profile_left_forth(self, budget);
     const double *const s = self->s;
     const double *const z = self->z;
-    const uint32_t *const stack = self->stack;
+    const uint32_t *corner = self->stack + (self->i > 0 ? self->top : 0); // i, or the next one
     const uint32_t end = self->i + count;
-    uint32_t top = self->i > 0 ? self->top : 0;
     const double blunt = blunt_of(self);
     const double faster = NCK_HAS_BEST && self->phase == LEVEL_HIGH ? FASTER * FASTER : 1.0;
     const double *const w = self->w;
@@ -197,20 +196,20 @@ static uint32_t level(nck_profile_t *self, uint32_t budget) {
     uint32_t sharp = self->sharp;
     for (uint32_t i = self->i; i < end; i++) {
         const double value = w[i];
-        if (stack[top] == i) {
-            top++;
+        if (*corner == i) {
+            corner++;
             out[i] = value;
             continue;
         }
         const double fall = z[i] - value;
-        const uint32_t a = stack[top - 1];
-        const uint32_t b = stack[top];
+        const uint32_t a = corner[-1];
+        const uint32_t b = corner[0];
         const double on_hull = z[a] + (z[b] - z[a]) * ((s[i] - s[a]) / (s[b] - s[a]));
         const double leveled = nck_max(0.0, nck_min(value, on_hull - fall));
         sharp |= NCK_HAS_BEST && i < self->count && leveled < blunt * value;
         out[i] = nck_min(value, faster * leveled);
     }
-    self->top = top;
+    self->top = (uint32_t)(corner - self->stack);
     self->i = end;
     self->sharp = sharp;
     return count;
