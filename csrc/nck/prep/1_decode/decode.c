@@ -332,6 +332,7 @@ static nck_status_t pull_entry(nck_decode_t *self, nck_block_t *out) {
 }
 
 nck_status_t nck_decode_pull(nck_decode_t *self, nck_block_t *block_out) {
+    if (nck_decode_needs_text(self)) return NCK_EMPTY;
     return self->entry.waits != 0 ? pull_entry(self, block_out) : pull_block(self, block_out);
 }
 

@@ -2,7 +2,7 @@
 // Blocks with all that is modal: what every one of them has, and those that hand something over.
 #include "nck/prep/1_decode/parts.h"
 
-#include <stddef.h> // NULL offsetof
+#include <stddef.h> // NULL
 #include <string.h> // memcpy memset
 
 const nck_tool_t *nck_decode_find_tool(const nck_decode_t *self, uint32_t number) {
@@ -31,8 +31,22 @@ void nck_decode_spin(const nck_decode_t *self, nck_block_t *out) {
     out->spindle_x_mm = (double)self->place.origin_nm[NCK_AXIS_X] / (double)NCK_COUNTS_PER_MM;
 }
 
+// What only some blocks have; member by member, for one clearing of all of it takes longer.
+static inline void clear(nck_block_t *out) {
+    out->centre_mm[0] = 0.0;
+    out->centre_mm[1] = 0.0;
+    out->sweep_rad = 0.0;
+    out->feed = 0.0;
+    out->spindle_rpm = 0.0;
+    out->surface = 0.0;
+    out->spindle_x_mm = 0.0;
+    out->dwell_s = 0.0;
+    memset(&out->thread, 0, sizeof out->thread);
+    memset(&out->tap, 0, sizeof out->tap);
+    memset(&out->output, 0, sizeof out->output);
+}
+
 void nck_decode_block(const nck_decode_t *self, nck_block_kind_t kind, nck_block_t *out) {
-    memset(out->centre_mm, 0, sizeof *out - offsetof(nck_block_t, centre_mm));
     out->line = self->line.tag;
     out->kind = (uint8_t)kind;
     out->path_mode = self->modal.path_mode;
@@ -43,6 +57,7 @@ void nck_decode_block(const nck_decode_t *self, nck_block_kind_t kind, nck_block
         out->tool_nm[axis] = self->place.tool_nm[axis];
         out->target_nm[axis] -= self->place.tool_nm[axis];
     }
+    clear(out);
     nck_decode_spin(self, out);
     out->tolerance_mm = self->modal.tolerance_mm;
     out->merge_mm = self->modal.merge_mm;

@@ -14,6 +14,7 @@ static const int64_t power_of_ten[] = {1, 10, 100, 1000, 10000, 100000, 1000000,
 
 // A line as far as it is read.
 typedef struct quick {
+    const int64_t *from_nm; // where axis words count from
     int64_t target_nm[3]; // X Y Z, of those that are named
     uint32_t axes; // bit k: axis k is named
     int code;      // in tenths; CODE_NONE: none yet
@@ -34,54 +35,58 @@ static int is_plain(const nck_decode_t *self) {
 static unsigned digit_of(const char *at) { return (unsigned)(unsigned char)*at - (unsigned)'0'; }
 
 // Digits in a row, behind those of the mantissa; of too many the mantissa is worth nothing.
-static const char *read_digits(const char *at, int64_t *mantissa) {
-    uint64_t sum = (uint64_t)*mantissa;
+static inline const char *read_digits(const char *at, uint64_t *mantissa) {
     unsigned digit = digit_of(at);
     while (digit <= 9) {
-        sum = sum * 10 + digit;
+        *mantissa = *mantissa * 10 + digit;
         at++;
         digit = digit_of(at);
     }
-    *mantissa = (int64_t)sum;
     return at;
 }
 
 // The blanks behind a number. NULL: neither a letter nor the line's end stands behind them.
-static const char *end_number(const char *at) {
+static inline const char *end_number(const char *at) {
     while (*at == ' ') at++;
     return *at > '9' || *at == '\n' ? at : (const char *)0;
 }
 
 // A number of few digits that is whole in counts of the scale, and the blanks after it. NULL if it
 // is none of these, or beyond the scale's limit.
-static const char *read_counts(const nck_decode_t *self, const char *at, const nck_scale_t *scale,
-                               int64_t *out) {
+static inline const char *read_counts(const nck_decode_t *self, const char *at,
+                                      const nck_scale_t *scale, int64_t *out) {
     const int negative = *at == '-';
     const char *const first = at + negative;
-    int64_t mantissa = 0;
-    const char *const point = read_digits(first, &mantissa);
-    const int has_point = *point == '.';
-    const char *const end = has_point ? read_digits(point + 1, &mantissa) : point;
-    const int length = (int)(end - first) - has_point;
-    const int shift = scale->power + has_point - (int)(end - point);
-    if (!has_point && mantissa != 0 && nck_decode_asks_integers(self)) return (const char *)0;
-    if (length < 1 || shift < 0 || length + shift > DIGITS_MOST) return (const char *)0;
-    const int64_t counts = mantissa * power_of_ten[shift] * scale->factor;
+    uint64_t mantissa = 0;
+    const char *end = read_digits(first, &mantissa);
+    const int most = (int)(end - first) + scale->power; // digits, of the finest unit
+    int shift = scale->power;
+    if (*end == '.') {
+        const char *const point = end;
+        end = read_digits(point + 1, &mantissa);
+        shift -= (int)(end - point) - 1;
+        if (most - shift < 1) return (const char *)0;
+    } else if (most == shift || (mantissa != 0 && nck_decode_asks_integers(self))) {
+        return (const char *)0;
+    }
+    if (shift < 0 || most > DIGITS_MOST) return (const char *)0;
+    const int64_t counts = (int64_t)mantissa * power_of_ten[shift] * scale->factor;
     if (counts > scale->limit) return (const char *)0;
     *out = negative ? -counts : counts;
     return end_number(end);
 }
 
-static const char *read_axis(const nck_decode_t *self, quick_t *line, unsigned axis,
-                             const char *at) {
+static inline const char *read_axis(const nck_decode_t *self, quick_t *line, unsigned axis,
+                                    const char *at) {
     const nck_scale_t *const scale = &self->place.scale[axis == NCK_AXIS_X];
     const nck_axis_t *const travel = &self->machine->axis[axis];
     const uint32_t bit = 1u << axis;
+    const int64_t limit = scale->limit;
     int64_t value = 0;
     if (line->axes & bit) return (const char *)0;
     at = read_counts(self, at, scale, &value);
-    value += self->modal.incremental ? self->place.position_nm[axis] : self->place.origin_nm[axis];
-    if (value < -scale->limit || value > scale->limit) return (const char *)0;
+    value += line->from_nm[axis];
+    if (value < -limit || value > limit) return (const char *)0;
     if (value < travel->min_nm || value > travel->max_nm) return (const char *)0;
     line->target_nm[axis] = value;
     line->axes |= bit;
@@ -97,7 +102,7 @@ static const char *read_code(quick_t *line, const char *at) {
 }
 
 static const char *read_name(quick_t *line, const char *at) {
-    int64_t name = 0;
+    uint64_t name = 0;
     const char *const end = read_digits(at, &name);
     const int is_good = !line->is_named && end > at;
     line->is_named = 1;
@@ -105,7 +110,7 @@ static const char *read_name(quick_t *line, const char *at) {
 }
 
 // A word and the blanks after it. NULL: it is none for here, or a mistake.
-static const char *read_word(const nck_decode_t *self, quick_t *line, const char *at) {
+static inline const char *read_word(const nck_decode_t *self, quick_t *line, const char *at) {
     const unsigned letter = (unsigned)(unsigned char)*at & ~0x20u;
     if (letter >= 'X' && letter <= 'Z') return read_axis(self, line, letter - 'X', at + 1);
     if (letter == 'G') return read_code(line, at + 1);
@@ -127,6 +132,7 @@ static int read_line(const nck_decode_t *self, quick_t *line) {
 int nck_decode_quick(nck_decode_t *self, nck_block_t *out) {
     quick_t line;
     if (!is_plain(self)) return 0;
+    line.from_nm = self->modal.incremental ? self->place.position_nm : self->place.origin_nm;
     line.axes = 0;
     line.code = CODE_NONE;
     line.is_named = 0;

@@ -43,7 +43,7 @@ static void close_line(nck_decode_t *self) {
 static int is_begun(const nck_decode_t *self) { return self->line.size > 0; }
 
 // A piece of text for the line, up to its end. Returns how much of it was taken.
-static size_t take(nck_decode_t *self, const char *text, size_t n) {
+static inline size_t take(nck_decode_t *self, const char *text, size_t n) {
     const size_t begin = self->line.after_cr && text[0] == '\n';
     size_t span = n - begin < NCK_LINE_MAX ? n - begin : NCK_LINE_MAX;
     const char *const first = text + begin;
