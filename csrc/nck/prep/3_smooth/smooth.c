@@ -69,9 +69,11 @@ int nck_smooth_is_empty(const nck_smooth_t *self) {
 // Where the block ends, in what is where it begins. Most blocks move few axes: the others need no
 // division.
 static void set_end(const nck_smooth_t *self, const nck_block_t *block, double *end) {
-    for (int x = 0; x < self->terms->axes; x++) {
+    const nck_machine_t *const machine = self->terms->machine;
+    const int axes = self->terms->axes;
+    for (int x = 0; x < axes; x++) {
         if (block->target_nm[x] == self->position_nm[x]) continue;
-        end[x] = (double)block->target_nm[x] / nck_machine_counts(self->terms->machine, x);
+        end[x] = (double)block->target_nm[x] / nck_machine_counts(machine, x);
     }
 }
 
@@ -252,7 +254,8 @@ nck_status_t nck_smooth_pass(nck_smooth_t *self, const nck_block_t *block, uint3
     const int is_plain = block->kind <= NCK_BLOCK_ARC && !is_smooth(block);
     if (!self->hungry || waits || !is_plain || block->surface > 0.0) return NCK_FULL;
     memset(seg_out, 0, offsetof(nck_seg_t, start)); // start and end are set
-    memset(&seg_out->length, 0, sizeof *seg_out - offsetof(nck_seg_t, length));
+    memset(&seg_out->length, 0, offsetof(nck_seg_t, shape) - offsetof(nck_seg_t, length));
+    for (int k = 0; k < 2; k++) memset(seg_out->shape.inner[k], 0, sizeof seg_out->shape.inner[k]);
     seg_out->block = block_seq;
     const nck_status_t status = make_seg(self, block, seg_out);
     if (status != NCK_OK) return status;
