@@ -183,7 +183,7 @@ static int is_heard(const nck_t *nck, uint32_t hold) {
     return (overrides | words) == 0;
 }
 
-static nck_pieces_t pieces_of(nck_t *nck) {
+static inline nck_pieces_t pieces_of(nck_t *nck) {
     const nck_pieces_t pieces = {nck->lookahead.window.at, nck->lookahead.window.head,
                                  nck->lookahead.window.fill, nck->lookahead.window.barrier,
                                  (uint32_t)nck_lookahead_is_complete(&nck->lookahead)};
@@ -200,19 +200,24 @@ static void drop_before(nck_t *nck, uint32_t number) {
 }
 
 // 1 if the path would leave the soft limits, and brakes.
-static uint32_t is_stopped(nck_t *nck, const nck_pieces_t *pieces) {
-    return nck_travel_is_set(&nck->travel)
-           && nck_travel_step(&nck->travel, &nck->terms, &nck->link, pieces);
+static uint32_t is_stopped(nck_t *nck) {
+    if (!nck_travel_is_set(&nck->travel)) return 0;
+    const nck_pieces_t pieces = pieces_of(nck);
+    return (uint32_t)nck_travel_step(&nck->travel, &nck->terms, &nck->link, &pieces);
+}
+
+// As nck_lacks_pieces; most steps of prep end by it.
+static inline int lacks_pieces(nck_t *nck) {
+    const nck_pieces_t pieces = pieces_of(nck);
+    return nck_slope_lacks(&nck->slope, &pieces);
 }
 
 // lookahead ─▶ slope ─▶ plans and final cells.
 static nck_status_t step_slope(nck_t *nck) {
-    const nck_pieces_t pieces = pieces_of(nck);
-    const uint32_t stopped = is_stopped(nck, &pieces);
+    const uint32_t stopped = is_stopped(nck);
     const uint32_t hold = nck_fence_load(&nck->command.hold) | stopped;
-    if (nck_slope_lacks(&nck->slope, &pieces) && is_heard(nck, hold)) {
-        return (nck_status_t)nck->slope.idle.status;
-    }
+    if (lacks_pieces(nck) && is_heard(nck, hold)) return (nck_status_t)nck->slope.idle.status;
+    const nck_pieces_t pieces = pieces_of(nck);
     nck_command_t *const heard = &nck->wire.heard;
     nck_asked(nck, heard);
     heard->hold |= stopped;
@@ -286,16 +291,13 @@ static int look_ahead(nck_t *nck) {
     return nck_lookahead_is_idle(&nck->lookahead);
 }
 
-int nck_lacks_pieces(nck_t *nck) {
-    const nck_pieces_t pieces = pieces_of(nck);
-    return nck_slope_lacks(&nck->slope, &pieces);
-}
+int nck_lacks_pieces(nck_t *nck) { return lacks_pieces(nck); }
 
 // A block has been taken. 1 if nothing is left to do before more text comes.
 static int needs_text(nck_t *nck) {
     if (!nck_smooth_is_hungry(&nck->smooth) || nck->wire.flush != NCK_FLUSH_NOT) return 0;
     return look_ahead(nck) && nck_decode_needs_text(&nck->decode)
-           && !nck_toolcomp_is_on(&nck->toolcomp) && nck_lacks_pieces(nck);
+           && !nck_toolcomp_is_on(&nck->toolcomp) && lacks_pieces(nck);
 }
 
 // More input, where rooms 5 and 4 (status, ahead) have none to work on.
