@@ -67,12 +67,13 @@ nck_status_t nck_host_grade_command(nck_host_grades_t *self) {
     for (size_t i = 0; i < self->seg_count; i++) {
         const nck_seg_t *const seg = &self->segs[i];
         nck_joint_t joint;
+        const double whole[2] = {0.0, seg->length};
         double start[NCK_AXIS_MAX];
         double end[NCK_AXIS_MAX];
         self->bad = i;
         if (!is_good_seg(seg)) return NCK_E_ARGUMENT;
         nck_joint_tangents(seg, terms.axes, start, end);
-        nck_joint_make(&joint, seg, start, end, &terms);
+        nck_joint_make(&joint, seg, whole, start, end, &terms);
         self->v_command[i] = joint.v_max;
         self->limit[i] = joint.limit;
     }

@@ -93,7 +93,7 @@ void nck_corner_meet(nck_joint_t *in, nck_joint_t *out, const double *tangent_in
 // A junction that is decided, between two known segs.
 typedef struct junction {
     uint32_t count;         // at the end of this joint, …
-    const nck_joint_t *in;  // … which is this one …
+    nck_joint_t *in;        // … which is this one …
     const nck_joint_t *out; // … and the next one
     double shorter;         // of both [path mm]
     double beta;            // share that it may take
@@ -120,12 +120,13 @@ static nck_status_t largest_gain(nck_lookahead_t *self, const junction_t *juncti
 
 // The slope's filter crosses the junction up to v_filter faster than v. A junction that even this
 // is too fast for is stopped at.
-static void settle(nck_lookahead_t *self, const junction_t *junction, int pace, double v,
+static void settle(const nck_lookahead_t *self, const junction_t *junction, int pace, double v,
                    double share) {
     const double most = self->terms->limits_jerk ? NCK_CORNER_SHARE_LONE : NCK_CORNER_SHARE_MAX;
-    nck_joint_t *const joint = nck_joint_at(self, junction->count);
-    joint->pace[pace].v_corner = v;
-    joint->pace[pace].share = nck_min(most, nck_max(0.0, share));
+    nck_joint_t *const joint = junction->in;
+    nck_pace_t *const at = &joint->pace[pace];
+    at->v_corner = v;
+    at->share = nck_min(most, nck_max(0.0, share));
     if (share > most && v < self->terms->v_filter) joint->end |= NCK_JOINT_STOP;
 }
 

@@ -187,8 +187,8 @@ static void make_rest(nck_joint_t *joint, const nck_seg_t *seg) {
     if (seg->kind == NCK_SEG_TAP) joint->shape.dwell_s = (double)seg->shape.tap.duration;
 }
 
-static void make_caps(nck_joint_t *joint, const nck_seg_t *seg, const double *tangent_start,
-                      const double *tangent_end, const nck_terms_t *terms) {
+static inline void make_caps(nck_joint_t *joint, const nck_seg_t *seg, const double *tangent_start,
+                             const double *tangent_end, const nck_terms_t *terms) {
     const nck_machine_t *const machine = terms->machine;
     if (!seg->rapid) {
         cap_feed(joint, seg->feed, NCK_LIMIT_FEED);
@@ -205,29 +205,21 @@ static void make_caps(nck_joint_t *joint, const nck_seg_t *seg, const double *ta
     }
 }
 
-void nck_joint_make(nck_joint_t *joint, const nck_seg_t *seg, const double *tangent_start,
-                    const double *tangent_end, const nck_terms_t *terms) {
-    const double span[2] = {0.0, seg->length};
+void nck_joint_make(nck_joint_t *joint, const nck_seg_t *seg, const double span[2],
+                    const double *tangent_start, const double *tangent_end,
+                    const nck_terms_t *terms) {
     begin(joint, seg);
     if (seg->kind >= NCK_SEG_DWELL) {
         make_rest(joint, seg);
         return;
     }
     if (seg->kind == NCK_SEG_SPLINE) {
-        joint->shape.bend.s = 0.0;
+        joint->shape.bend.s = span[0];
+        joint->length = span[1] - span[0];
+        if (span[1] < seg->length) joint->end = 0;
         bound_spline(joint, seg, span, terms);
     }
     make_caps(joint, seg, tangent_start, tangent_end, terms);
-}
-
-void nck_joint_part(nck_joint_t *joint, const nck_seg_t *seg, const double span[2],
-                    const nck_terms_t *terms) {
-    begin(joint, seg);
-    joint->shape.bend.s = span[0];
-    joint->length = span[1] - span[0];
-    if (span[1] < seg->length) joint->end = 0;
-    bound_spline(joint, seg, span, terms);
-    make_caps(joint, seg, joint->shape.bend.first, joint->shape.bend.first, terms);
 }
 
 // Parts no shorter than the reach of what the filter mixes, if the curvature changes so much in the
@@ -236,7 +228,7 @@ int nck_joint_parts(const nck_joint_t *joint, const nck_terms_t *terms) {
     const nck_machine_t *const machine = terms->machine;
     const double mixed = joint->v_free * terms->mix_s;
     double change = 0.0;
-    if (joint->kind != NCK_SEG_SPLINE || !(mixed > 0.0)) return 1;
+    if (!(mixed > 0.0)) return 1;
     if (!terms->carries) return 1; // each part ends without acceleration
     for (int x = 0; x < terms->axes; x++) {
         const double third = joint->shape.bend.third[x];

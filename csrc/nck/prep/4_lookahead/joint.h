@@ -30,14 +30,8 @@ double nck_joint_a_any(const nck_machine_t *machine);
 const double *nck_joint_tangents(const nck_seg_t *seg, int axes, double *start_out,
                                  double *end_out);
 
-// Into how many joints a spline is worth to be parted; of other segs: 1. joint: the whole seg's.
-// Cost: constant.
+// Into how many joints a spline is worth to be parted. joint: the whole seg's. Cost: constant.
 int nck_joint_parts(const nck_joint_t *joint, const nck_terms_t *terms);
-
-// Fill in the caps of the part from span[0] to span[1] of a spline, else as nck_joint_make.
-// Cost: constant.
-void nck_joint_part(nck_joint_t *joint, const nck_seg_t *seg, const double span[2],
-                    const nck_terms_t *terms);
 
 // The least j_x/|p″| of a spline [mm²/s³]; NCK_UNLIMITED of other segs. Cost: constant.
 double nck_joint_bends(const nck_joint_t *joint, const nck_terms_t *terms);
@@ -45,9 +39,11 @@ double nck_joint_bends(const nck_joint_t *joint, const nck_terms_t *terms);
 // What a spline's bends leave of the path's acceleration at v². Cost: constant.
 double nck_joint_left(const nck_joint_t *joint, double w, const nck_terms_t *terms);
 
-// Fill in a seg's caps; the tangents are those at its start and end. Cost: constant.
-void nck_joint_make(nck_joint_t *joint, const nck_seg_t *seg, const double *tangent_start,
-                    const double *tangent_end, const nck_terms_t *terms);
+// Fill in a seg's caps, of a spline those from span[0] to span[1]; the tangents are those at the
+// seg's start and end, of a spline nobody asks for them. Cost: constant.
+void nck_joint_make(nck_joint_t *joint, const nck_seg_t *seg, const double span[2],
+                    const double *tangent_start, const double *tangent_end,
+                    const nck_terms_t *terms);
 
 // Speed and limits of a seg at both paces, once w_near is known; it is entered at w_in at most.
 // Cost: constant.

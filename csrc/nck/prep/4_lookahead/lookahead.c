@@ -38,7 +38,8 @@ static void push_parts(nck_lookahead_t *self, const nck_seg_t *seg, int count) {
     double span[2] = {0.0, 0.0};
     for (int k = 0; k < count; k++) {
         span[1] = k + 1 < count ? seg->length * (double)(k + 1) / (double)count : seg->length;
-        nck_joint_part(nck_joint_at(self, self->joint.head), seg, span, self->terms);
+        nck_joint_make(nck_joint_at(self, self->joint.head), seg, span, self->joint.tangent,
+                       self->joint.tangent, self->terms);
         join(self);
         span[0] = span[1];
     }
@@ -49,16 +50,17 @@ nck_status_t nck_lookahead_push(nck_lookahead_t *self, const nck_seg_t *seg) {
     self->ended = 0;
     nck_joint_t *const joint = nck_joint_at(self, self->joint.head);
     const int axes = self->terms->axes;
+    const double whole[2] = {0.0, seg->length};
     double start[NCK_AXIS_MAX];
     double bent[NCK_AXIS_MAX];
     const double *const end = nck_joint_tangents(seg, axes, start, bent);
-    nck_joint_make(joint, seg, start, end, self->terms);
+    nck_joint_make(joint, seg, whole, start, end, self->terms);
     if (self->joint.head > 0) {
         nck_corner_meet(nck_joint_at(self, self->joint.head - 1), joint, self->joint.tangent, start,
                         self->terms);
     }
     for (int x = 0; x < axes; x++) self->joint.tangent[x] = end[x];
-    const int parts = nck_joint_parts(joint, self->terms);
+    const int parts = seg->kind == NCK_SEG_SPLINE ? nck_joint_parts(joint, self->terms) : 1;
     if (parts > 1) {
         push_parts(self, seg, parts);
     } else {
