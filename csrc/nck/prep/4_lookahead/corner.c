@@ -101,15 +101,14 @@ typedef struct junction {
 } junction_t;
 
 // A·T, where A is the largest acceleration on the segs that can share a period with the junction
-// when it is crossed at v.
-static nck_status_t largest_gain(nck_lookahead_t *self, const junction_t *junction, double reach,
-                                 double *a_t_out) {
+// when it is crossed at v. begin: a walk that stands at the junction.
+static nck_status_t largest_gain(nck_lookahead_t *self, const junction_t *junction,
+                                 const nck_walk_t *begin, double reach, double *a_t_out) {
     const nck_joint_t *neighbour = junction->out;
     double a = nck_joint_most(junction->in, self->terms);
     double x = 0.0;
     nck_status_t status = NCK_OK;
-    nck_walk_t walk;
-    nck_walk_begin(self, &walk, junction->count);
+    nck_walk_t walk = *begin;
     while (status == NCK_OK) {
         a = nck_max(a, nck_joint_most(neighbour, self->terms)); // the first time, of the seg behind
         status = nck_walk_next(self, &walk, reach, &neighbour, &x);
@@ -148,15 +147,14 @@ static double share_most(const nck_lookahead_t *self, const nck_joint_t *in,
 }
 
 // Speed and share of a junction that shares a period with others; alone it is crossed at v.
-static nck_status_t decide_crowd(nck_lookahead_t *self, const junction_t *junction, int pace,
-                                 double v, double a_t) {
+static nck_status_t decide_crowd(nck_lookahead_t *self, const junction_t *junction,
+                                 const nck_walk_t *begin, int pace, double v, double a_t) {
     const double period = junction->period;
     const double d = junction->in->load;
     double others_d = 0.0;
     double others_dx = 0.0;
     nck_status_t status = NCK_OK;
-    nck_walk_t walk;
-    nck_walk_begin(self, &walk, junction->count);
+    nck_walk_t walk = *begin;
     for (;;) {
         const nck_joint_t *neighbour = junction->in;
         double x = 0.0;
@@ -187,8 +185,10 @@ static int is_open(const nck_lookahead_t *self, const junction_t *junction, doub
 static nck_status_t decide_near(nck_lookahead_t *self, const junction_t *junction, int pace,
                                 double v, double reach) {
     double a_t = 0.0;
-    const nck_status_t status = largest_gain(self, junction, reach, &a_t);
-    return status == NCK_OK ? decide_crowd(self, junction, pace, v, a_t) : status;
+    nck_walk_t walk;
+    nck_walk_begin(self, &walk, junction->count);
+    const nck_status_t status = largest_gain(self, junction, &walk, reach, &a_t);
+    return status == NCK_OK ? decide_crowd(self, junction, &walk, pace, v, a_t) : status;
 }
 
 // Speed and share at a pace of a junction with a load that is crossed alone at v.

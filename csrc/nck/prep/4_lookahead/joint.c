@@ -127,21 +127,6 @@ static void make_spline(nck_joint_t *joint, const nck_terms_t *terms) {
     }
 }
 
-const double *nck_joint_tangents(const nck_seg_t *seg, int axes, double *start_out,
-                                 double *end_out) {
-    if (!(seg->length > 0.0)) {
-        for (int x = 0; x < axes; x++) start_out[x] = 0.0;
-        return start_out;
-    }
-    if (seg->kind != NCK_SEG_ARC && seg->kind != NCK_SEG_SPLINE) {
-        for (int x = 0; x < axes; x++) start_out[x] = nck_path_slope(seg, x);
-        return start_out;
-    }
-    nck_path_tangent_part(seg, 0.0, axes, start_out);
-    nck_path_tangent_part(seg, seg->length, axes, end_out);
-    return end_out;
-}
-
 static const nck_joint_arc_t no_arc = {NCK_UNLIMITED, NCK_UNLIMITED, 0.0, 0.0};
 
 // 1 if X Y Z U V or W moves.
@@ -340,15 +325,18 @@ void nck_joint_settle(nck_joint_t *joint, double w_in, const nck_terms_t *terms)
     }
 }
 
-void nck_joint_curved(const nck_joint_t *joint, double beta, int pace, const nck_terms_t *terms,
-                      nck_piece_limit_t *piece) {
+nck_piece_limit_t nck_joint_curved(const nck_joint_t *joint, double beta, int pace,
+                                   const nck_terms_t *terms) {
     const nck_pace_t *const at = &joint->pace[pace];
+    nck_piece_limit_t piece = {at->v * at->v, joint->v_free * joint->v_free,
+                               terms->machine->path.a_max, at->j, joint->limit};
     if (joint->kind == NCK_SEG_SPLINE) {
-        piece->vv *= 1.0 - beta;
-        piece->vv_free = (1.0 - beta) * joint->w_near;
-        piece->a = (1.0 - beta) * at->a;
-        return;
+        piece.vv *= 1.0 - beta;
+        piece.vv_free = (1.0 - beta) * joint->w_near;
+        piece.a = (1.0 - beta) * at->a;
+        return piece;
     }
-    piece->a = nck_joint_straight(joint, beta, terms);
-    if (is_curved(joint)) limit_on_arc(joint, beta, terms->v_filter, piece);
+    piece.a = nck_joint_straight(joint, beta, terms);
+    if (is_curved(joint)) limit_on_arc(joint, beta, terms->v_filter, &piece);
+    return piece;
 }

@@ -3,6 +3,8 @@
 #ifndef NCK_PREP_JOINT_H
 #define NCK_PREP_JOINT_H
 
+#include "nck/base/path.h"                  // nck_path_tangent_part
+#include "nck/base/path_math.h"             // nck_path_slope
 #include "nck/base/real.h"                  // nck_min
 #include "nck/prep/4_lookahead/lookahead.h" // nck_lookahead_t nck_joint_t
 
@@ -27,8 +29,21 @@ double nck_joint_a_any(const nck_machine_t *machine);
 
 // The unit tangents at both ends of a seg, so many components of each, from X on; of a rest: zero.
 // Returns the one at its end: end_out, or start_out where they are the same. Cost: constant.
-const double *nck_joint_tangents(const nck_seg_t *seg, int axes, double *start_out,
-                                 double *end_out);
+static inline const double *nck_joint_tangents(const nck_seg_t *seg, int axes, double *start_out,
+                                               double *end_out) {
+    const int is_bent = seg->kind == NCK_SEG_ARC || seg->kind == NCK_SEG_SPLINE;
+    if (!(seg->length > 0.0)) {
+        for (int x = 0; x < axes; x++) start_out[x] = 0.0;
+        return start_out;
+    }
+    if (!is_bent) {
+        for (int x = 0; x < axes; x++) start_out[x] = nck_path_slope(seg, x);
+        return start_out;
+    }
+    nck_path_tangent_part(seg, 0.0, axes, start_out);
+    nck_path_tangent_part(seg, seg->length, axes, end_out);
+    return end_out;
+}
 
 // Into how many joints a spline is worth to be parted. joint: the whole seg's. Cost: constant.
 int nck_joint_parts(const nck_joint_t *joint, const nck_terms_t *terms);
@@ -62,20 +77,19 @@ static inline double nck_joint_most(const nck_joint_t *joint, const nck_terms_t 
     return joint->kind == NCK_SEG_LINE ? nck_joint_straight(joint, 0.0, terms) : joint->a_most;
 }
 
-// The rest of nck_joint_piece for arcs and splines: acceleration, and what bends cost of the speed.
+// nck_joint_piece of arcs and splines: bends cost of the speed and of the acceleration.
 // Cost: constant.
-void nck_joint_curved(const nck_joint_t *joint, double beta, int pace, const nck_terms_t *terms,
-                      nck_piece_limit_t *piece);
+nck_piece_limit_t nck_joint_curved(const nck_joint_t *joint, double beta, int pace,
+                                   const nck_terms_t *terms);
 
 // Limits in a piece of the settled seg at a pace (NCK_PACE_…), under the share beta.
 // Cost: constant.
 static inline nck_piece_limit_t nck_joint_piece(const nck_joint_t *joint, double beta, int pace,
                                                 const nck_terms_t *terms) {
+    if (joint->kind != NCK_SEG_LINE) return nck_joint_curved(joint, beta, pace, terms);
     const nck_pace_t *const at = &joint->pace[pace];
-    nck_piece_limit_t piece = {at->v * at->v, joint->v_free * joint->v_free,
-                               terms->machine->path.a_max, at->j, joint->limit};
-    if (joint->kind != NCK_SEG_LINE) nck_joint_curved(joint, beta, pace, terms, &piece);
-    else piece.a = nck_joint_straight(joint, beta, terms);
+    const nck_piece_limit_t piece = {at->v * at->v, joint->v_free * joint->v_free,
+                                     nck_joint_straight(joint, beta, terms), at->j, joint->limit};
     return piece;
 }
 

@@ -51,7 +51,7 @@ nck_status_t nck_lookahead_push(nck_lookahead_t *self, const nck_seg_t *seg) {
     nck_joint_t *const joint = nck_joint_at(self, self->joint.head);
     const int axes = self->terms->axes;
     const double whole[2] = {0.0, seg->length};
-    double start[NCK_AXIS_MAX];
+    double start[NCK_AXIS_MAX] = {0};
     double bent[NCK_AXIS_MAX];
     const double *const end = nck_joint_tangents(seg, axes, start, bent);
     nck_joint_make(joint, seg, whole, start, end, self->terms);

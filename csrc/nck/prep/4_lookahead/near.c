@@ -96,16 +96,6 @@ static void level_before(nck_lookahead_t *self, uint32_t at, uint32_t most) {
     }
 }
 
-static int rests(const nck_joint_t *joint) {
-    return !joint || (joint->end & NCK_JOINT_STOP) || joint->kind >= NCK_SEG_DWELL;
-}
-
-// v² at which a joint is entered at most.
-static double entered_at(nck_lookahead_t *self, uint32_t at) {
-    const nck_joint_t *const before = at > 0 ? nck_joint_at(self, at - 1) : (nck_joint_t *)0;
-    return rests(before) ? 0.0 : before->w_out;
-}
-
 // A line that ends a chain of splines: where it ends at rest the chain comes down to it.
 static int ends_chain(nck_lookahead_t *self, uint32_t at) {
     return at > 0 && nck_joint_at(self, at)->kind == NCK_SEG_LINE
@@ -134,7 +124,7 @@ static void level_to_rest(nck_lookahead_t *self, uint32_t at, uint32_t most) {
 static int side_before(nck_lookahead_t *self, uint32_t at, neighbour_t *side_out) {
     const nck_joint_t *const joint = nck_joint_at(self, at);
     const nck_joint_t *const before = at > 0 ? nck_joint_at(self, at - 1) : (nck_joint_t *)0;
-    if (rests(before)) {
+    if (nck_near_rests(before)) {
         *side_out = at_rest(joint);
         return 1;
     }
@@ -144,17 +134,14 @@ static int side_before(nck_lookahead_t *self, uint32_t at, neighbour_t *side_out
         return 1;
     }
     if (before->kind != NCK_SEG_LINE) return 0;
-    if (at > 1 && !rests(nck_joint_at(self, at - 2))) return 0;
+    if (at > 1 && !nck_near_rests(nck_joint_at(self, at - 2))) return 0;
     *side_out = beyond_line(joint, before, self->terms);
     return 1;
 }
 
-static void set_w_out(nck_lookahead_t *self, uint32_t at, nck_joint_t *joint) {
-    joint->w_out =
-        nck_min(joint->w_near, entered_at(self, at) + 2.0 * joint->a_most * joint->length);
-}
-
-static void level_newest(nck_lookahead_t *self, uint32_t at, nck_joint_t *joint) {
+void nck_near_level_newest(nck_lookahead_t *self) {
+    const uint32_t at = self->joint.head - 1;
+    nck_joint_t *const joint = nck_joint_at(self, at);
     neighbour_t side;
     close_chains(self, at);
     // Whether the joint before stops is known by now.
@@ -167,22 +154,8 @@ static void level_newest(nck_lookahead_t *self, uint32_t at, nck_joint_t *joint)
             level_before(self, at, NCK_NEAR_SPAN);
         }
     }
-    set_w_out(self, at, joint);
+    nck_near_set_out(self, at, joint);
     if (joint->end & NCK_JOINT_STOP) level_to_rest(self, at, NCK_NEAR_SPAN);
-}
-
-// Behind a line or an arc that ends no chain nothing is levelled with another one.
-void nck_near_level(nck_lookahead_t *self) {
-    const uint32_t at = self->joint.head - 1;
-    nck_joint_t *const joint = nck_joint_at(self, at);
-    const int is_bare = self->joint.broken == at && joint->kind != NCK_SEG_SPLINE
-                        && nck_joint_at(self, at - 1)->kind != NCK_SEG_SPLINE;
-    if (is_bare) {
-        self->joint.broken = at + 1;
-        set_w_out(self, at, joint);
-    } else {
-        level_newest(self, at, joint);
-    }
 }
 
 // No joint is pushed: what the newest one had left to be settled may be, or not, as time would have
@@ -198,7 +171,7 @@ void nck_near_hurry(nck_lookahead_t *self) { self->joint.hurried = self->joint.h
 
 void nck_near_settle(nck_lookahead_t *self) {
     const uint32_t count = self->joint.settled;
-    const double w_in = self->terms->limits_jerk ? entered_at(self, count) : 0.0;
+    const double w_in = self->terms->limits_jerk ? nck_near_entered_at(self, count) : 0.0;
     nck_joint_settle(nck_joint_at(self, count), w_in, self->terms);
     self->joint.settled++;
 }

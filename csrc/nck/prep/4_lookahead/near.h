@@ -12,9 +12,40 @@ typedef struct nck_near {
     double slow; // share of the speed at which NCK_NEAR_SPAN segs reach far enough; 1: all of it
 } nck_near_t;
 
-// Level the caps of neighbouring splines, once the newest joint is known.
-// Cost: NCK_NEAR_SPAN neighbours at most.
-void nck_near_level(nck_lookahead_t *self);
+// 1 if nothing moves out of a joint (NULL: the path's begin). Cost: constant.
+static inline int nck_near_rests(const nck_joint_t *joint) {
+    return !joint || (joint->end & NCK_JOINT_STOP) || joint->kind >= NCK_SEG_DWELL;
+}
+
+// v² at which a joint is entered at most. Cost: constant.
+static inline double nck_near_entered_at(nck_lookahead_t *self, uint32_t at) {
+    const nck_joint_t *const before = at > 0 ? nck_joint_at(self, at - 1) : (nck_joint_t *)0;
+    return nck_near_rests(before) ? 0.0 : before->w_out;
+}
+
+// What a joint is left at, at most: w_out. Cost: constant.
+static inline void nck_near_set_out(nck_lookahead_t *self, uint32_t at, nck_joint_t *joint) {
+    const double w_in = nck_near_entered_at(self, at);
+    joint->w_out = nck_min(joint->w_near, w_in + 2.0 * joint->a_most * joint->length);
+}
+
+// nck_near_level where the newest joint is a spline, or a chain of them may end.
+void nck_near_level_newest(nck_lookahead_t *self);
+
+// Level the caps of neighbouring splines, once the newest joint is known. Behind a line or an arc
+// that ends no chain nothing is levelled with another one. Cost: NCK_NEAR_SPAN neighbours at most.
+static inline void nck_near_level(nck_lookahead_t *self) {
+    const uint32_t at = self->joint.head - 1;
+    nck_joint_t *const joint = nck_joint_at(self, at);
+    const int is_bare = self->joint.broken == at && joint->kind != NCK_SEG_SPLINE
+                        && nck_joint_at(self, at - 1)->kind != NCK_SEG_SPLINE;
+    if (is_bare) {
+        self->joint.broken = at + 1;
+        nck_near_set_out(self, at, joint);
+    } else {
+        nck_near_level_newest(self);
+    }
+}
 
 // The path ends behind the newest joint: its splines come down to the rest there.
 // Cost: as above.

@@ -36,18 +36,22 @@ static void begin_around(const nck_lookahead_t *self, around_t *around) {
     for (int k = 0; k < NCK_PACES; k++) around->near[k] = NOTHING_NEAR;
 }
 
-// What another side's neighbourhood takes on top.
-static void add_around(const nck_lookahead_t *self, around_t *around, const around_t *other) {
-    for (int k = 0; k < NCK_PACES; k++) {
-        around->share[k] = nck_max(around->share[k], other->share[k]);
-    }
-    if (!self->terms->limits_jerk) return;
+static void add_near(around_t *around, const around_t *other) {
     for (int k = 0; k < NCK_PACES; k++) {
         nck_near_t *const near = &around->near[k];
         near->a = nck_min(near->a, other->near[k].a);
         near->j = nck_min(near->j, other->near[k].j);
         near->slow = nck_min(near->slow, other->near[k].slow);
     }
+}
+
+// What another side's neighbourhood takes on top.
+static inline void add_around(const nck_lookahead_t *self, around_t *around,
+                              const around_t *other) {
+    for (int k = 0; k < NCK_PACES; k++) {
+        around->share[k] = nck_max(around->share[k], other->share[k]);
+    }
+    if (self->terms->limits_jerk) add_near(around, other);
 }
 
 // The cap at a node by everything but the feeds: its junction and the pieces at both sides. Where
