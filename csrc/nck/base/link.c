@@ -10,13 +10,11 @@
 #include "nck/base/real.h"      // nck_max
 
 enum {
-    ENTERED = NCK_LINK_ENTERED, PARITY = 2, HAS_TAIL = 4, END_SHIFT = NCK_LINK_END_SHIFT,
-    END_MASK = NCK_LINK_COUNT_MASK
+    ENTERED = NCK_LINK_ENTERED, PARITY = NCK_LINK_PARITY, HAS_TAIL = 4,
+    END_SHIFT = NCK_LINK_END_SHIFT, END_MASK = NCK_LINK_COUNT_MASK
 };
 
 static uint32_t end_of(uint32_t word) { return word >> END_SHIFT; }
-
-static uint32_t parity_of(uint32_t word) { return (word & PARITY) ? 1u : 0u; }
 
 static uint32_t cells_between(uint32_t taken, uint32_t end) { return (end - taken) & END_MASK; }
 
@@ -67,11 +65,8 @@ int nck_link_batch_begin(nck_link_t *self) {
     return (self->base & ENTERED) != 0;
 }
 
-// One sum tells: what is not finite makes it so.
-static void inspect(nck_link_t *self, const nck_cell_t *cell) {
-    const double sum = cell->s + cell->length + cell->v + cell->a + cell->j + cell->duration;
-    const int good = sum - sum == 0.0 && cell->length >= 0.0 && cell->duration >= 0.0;
-    if (good || self->broken) return;
+void nck_link_break(nck_link_t *self, const nck_cell_t *cell) {
+    if (self->broken) return;
     self->broken = 1;
     self->broken_line = nck_link_seg(self, cell->seg)->line;
 }
@@ -84,12 +79,12 @@ static void append(nck_link_t *self, const nck_cell_t *cell) {
 
 void nck_link_push_cell(nck_link_t *self, const nck_cell_t *cell) {
     assert(nck_link_cell_room(self) > 0);
-    inspect(self, cell);
+    nck_link_inspect(self, cell);
     append(self, cell);
 }
 
 // The tail in use belongs to the other parity, so this one is prep's alone.
-static uint32_t next_parity(const nck_link_t *self) { return 1u - parity_of(self->base); }
+static uint32_t next_parity(const nck_link_t *self) { return 1u - nck_link_parity(self->base); }
 
 void nck_link_tail_begin(nck_link_t *self) {
     self->tail_fill = 0;
@@ -97,24 +92,15 @@ void nck_link_tail_begin(nck_link_t *self) {
     self->tail_origin[next_parity(self)] = (end_of(self->base) + self->batch) & END_MASK;
 }
 
-nck_cell_t *nck_link_tail_room(nck_link_t *self) {
-    return &self->tail[next_parity(self)].cell[self->tail_fill];
-}
-
 void nck_link_tail_grow(nck_link_t *self, uint32_t count) {
     const nck_cell_t *const cell = nck_link_tail_room(self);
     assert(count <= NCK_TAIL_MAX - self->tail_fill);
-    for (uint32_t i = 0; i < count; i++) inspect(self, &cell[i]);
+    for (uint32_t i = 0; i < count; i++) nck_link_inspect(self, &cell[i]);
     self->tail_fill += count;
 }
 
-void nck_link_tail_placed(nck_link_t *self, const nck_cell_t *cell) {
-    assert(self->tail_fill < NCK_TAIL_MAX);
-    inspect(self, cell);
-    self->tail_fill++;
-}
-
 void nck_link_tail_push(nck_link_t *self, const nck_cell_t *cell) {
+    assert(self->tail_fill < NCK_TAIL_MAX);
     nck_cell_t *const room = nck_link_tail_room(self);
     *room = *cell;
     nck_link_tail_placed(self, room);
@@ -246,7 +232,7 @@ nck_status_t nck_link_join(nck_link_t *self, double overlap, double lead, uint32
     const nck_status_t status = begin_install(self);
     if (status != NCK_OK) return status;
     if (self->tail_entered) return NCK_E_STATE;
-    const uint32_t parity = parity_of(self->base);
+    const uint32_t parity = nck_link_parity(self->base);
     const uint32_t first = cells_between(self->tail_origin[parity], end_of(self->base));
     const uint32_t left = self->tail_count[parity] - first;
     const uint32_t room = nck_link_cell_room(self);
@@ -267,7 +253,7 @@ nck_status_t nck_link_advance(nck_link_t *self, double lead, uint32_t most) {
     (void)lead_of(self);
     self->tail_fill = fill;
     if (self->lead_s >= lead) return entered ? NCK_E_STATE : NCK_FULL;
-    const uint32_t parity = parity_of(self->base);
+    const uint32_t parity = nck_link_parity(self->base);
     const uint32_t end = end_of(self->base);
     const uint32_t first = cells_between(self->tail_origin[parity], end);
     const int copies = !entered && (self->base & HAS_TAIL);
@@ -289,7 +275,7 @@ uint32_t nck_link_broken_line(const nck_link_t *self) { return self->broken_line
 uint32_t nck_link_finished(const nck_link_t *self) { return nck_fence_load(&self->seg_done); }
 
 const nck_cell_t *nck_link_tail_cell(const nck_link_t *self, uint32_t count) {
-    const uint32_t parity = parity_of(nck_fence_load(&self->word));
+    const uint32_t parity = nck_link_parity(nck_fence_load(&self->word));
     const uint32_t place = cells_between(self->tail_origin[parity], count);
     if (place >= self->tail_count[parity]) return (const nck_cell_t *)0;
     return &self->tail[parity].cell[place];
@@ -301,13 +287,13 @@ const nck_cell_t *nck_link_built_cell(const nck_link_t *self, uint32_t i) {
 
 const nck_cell_t *nck_link_tail_end(const nck_link_t *self, uint32_t *count_out) {
     const uint32_t word = nck_fence_load(&self->word);
-    const uint32_t parity = parity_of(word);
+    const uint32_t parity = nck_link_parity(word);
     *count_out = (word & HAS_TAIL) ? self->tail_count[parity] : 0;
     return *count_out ? &self->tail[parity].cell[*count_out - 1] : (const nck_cell_t *)0;
 }
 
 static nck_status_t take_from_tail(nck_link_t *self, uint32_t word, nck_cell_t *cell_out) {
-    const uint32_t parity = parity_of(word);
+    const uint32_t parity = nck_link_parity(word);
     // At rest: prep may be writing both tails.
     if (self->tail_rested == end_of(word) + 1) return NCK_EMPTY;
     if (self->tail_taken >= self->tail_count[parity]) return NCK_EMPTY;
@@ -332,7 +318,8 @@ nck_status_t nck_link_take(nck_link_t *self, nck_cell_t *cell_out, int *from_tai
         *from_tail_out = 1;
         if (word & ENTERED) return take_from_tail(self, word, cell_out);
         if (nck_fence_exchange(&self->word, word, word | ENTERED)) {
-            self->tail_taken = cells_between(self->tail_origin[parity_of(word)], end_of(word));
+            const uint32_t origin = self->tail_origin[nck_link_parity(word)];
+            self->tail_taken = cells_between(origin, end_of(word));
             return take_from_tail(self, word | ENTERED, cell_out);
         }
     }

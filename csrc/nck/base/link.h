@@ -33,7 +33,7 @@ extern "C" {
 enum { NCK_LINK_COUNT_MASK = 0x1fffffff };
 
 // Parts of the link's word that more than the link's own file reads.
-enum { NCK_LINK_ENTERED = 1, NCK_LINK_END_SHIFT = 3 };
+enum { NCK_LINK_ENTERED = 1, NCK_LINK_PARITY = 2, NCK_LINK_END_SHIFT = 3 };
 
 // Whose the link is.
 typedef enum nck_link_owner {
@@ -119,6 +119,20 @@ int nck_link_batch_begin(nck_link_t *self);
 // Put a cell behind the batch (there must be room). Cost: constant. Context: prep.
 void nck_link_push_cell(nck_link_t *self, const nck_cell_t *cell);
 
+// A cell was put in that is none. Cost: constant. Context: prep.
+void nck_link_break(nck_link_t *self, const nck_cell_t *cell);
+
+// Whether a cell is one; one sum tells: what is not finite makes it so. Cost: constant.
+// Context: prep.
+static inline void nck_link_inspect(nck_link_t *self, const nck_cell_t *cell) {
+    const double sum = cell->s + cell->length + cell->v + cell->a + cell->j + cell->duration;
+    const int good = sum - sum == 0.0 && cell->length >= 0.0 && cell->duration >= 0.0;
+    if (!good) nck_link_break(self, cell);
+}
+
+// Which of the two tails a word says is published. Cost: constant. Context: any.
+static inline uint32_t nck_link_parity(uint32_t word) { return word / NCK_LINK_PARITY & 1u; }
+
 // Begin the tail of the batch; then put its cells in, NCK_TAIL_MAX at most.
 // Cost: constant. Context: prep.
 void nck_link_tail_begin(nck_link_t *self);
@@ -126,12 +140,17 @@ void nck_link_tail_push(nck_link_t *self, const nck_cell_t *cell);
 
 // The same in place: where the tail's next cells go, and that so many more stand there.
 // Cost: constant; linear in the cells. Context: prep.
-nck_cell_t *nck_link_tail_room(nck_link_t *self);
+static inline nck_cell_t *nck_link_tail_room(nck_link_t *self) {
+    return &self->tail[1u - nck_link_parity(self->base)].cell[self->tail_fill];
+}
 void nck_link_tail_grow(nck_link_t *self, uint32_t count);
 
 // The same of one cell, that stands where nck_link_tail_room has said. Cost: constant.
 // Context: prep.
-void nck_link_tail_placed(nck_link_t *self, const nck_cell_t *cell);
+static inline void nck_link_tail_placed(nck_link_t *self, const nck_cell_t *cell) {
+    nck_link_inspect(self, cell);
+    self->tail_fill++;
+}
 
 // The memory of the tail that is built next, for prep to work in until nck_link_tail_begin; a tail
 // that was being built is lost. It stays where it is until something is published.

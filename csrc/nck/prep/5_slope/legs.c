@@ -5,27 +5,17 @@
 #include "nck/base/cell_math.h" // nck_cell_part
 #include "nck/base/real.h"      // nck_min nck_floor
 
-// Cells are divided so that none lasts longer: a hold begins behind those that are final.
-#define SLICE_PERIODS 1.5
 // Of a leg, at most: after days its slices are longer.
 #define SLICES_MOST 1e9
 // Slices last a whole number of such parts of a second, so that their sum is the leg to the bit but
 // for the carry of an exponent.
 #define GRAINS 16777216.0
 
-static void begin_leg(nck_legs_t *self, double period) {
+void nck_legs_divide(nck_legs_t *self, double most) {
     const nck_cell_t *const leg = &self->cell[self->k];
-    const double most = SLICE_PERIODS * period;
-    const int moves = leg->length > 0.0 && leg->duration > most;
-    self->slices = moves ? 1 + (uint32_t)nck_min(SLICES_MOST, leg->duration / most) : 1;
-    self->m = 0;
+    self->slices = 1 + (uint32_t)nck_min(SLICES_MOST, leg->duration / most);
     if (self->slices == 1) return;
     self->slice_s = nck_floor(GRAINS * leg->duration / (double)self->slices) / GRAINS;
-}
-
-void nck_legs_begin(nck_legs_t *self, double period) {
-    self->k = 0;
-    begin_leg(self, period);
 }
 
 void nck_legs_slices(const nck_legs_t *self, uint32_t count, nck_cell_t *cell_out) {
@@ -45,7 +35,7 @@ int nck_legs_part(nck_legs_t *self, double period, nck_cell_t *cell_out) {
     if (self->m < self->slices) return 0;
     self->k++;
     if (self->k < self->count) {
-        begin_leg(self, period);
+        nck_legs_begin_leg(self, period);
         return 0;
     }
     self->count = 0;

@@ -7,6 +7,9 @@
 
 enum { NCK_LEGS = 3 }; // of a stretch at most
 
+// Cells are divided so that none lasts longer: a hold begins behind those that are final.
+#define NCK_SLICE_PERIODS 1.5
+
 // A stretch of path. Set cell and count, then begin.
 typedef struct nck_legs {
     uint32_t count;  // legs of the stretch in work; 0: none in work
@@ -17,8 +20,23 @@ typedef struct nck_legs {
     nck_cell_t cell[NCK_LEGS];
 } nck_legs_t;
 
+// Divide the leg in work into slices that last so long at most [s]. Cost: constant.
+void nck_legs_divide(nck_legs_t *self, double most);
+
+// Begin with the leg k. Cost: constant.
+static inline void nck_legs_begin_leg(nck_legs_t *self, double period) {
+    const nck_cell_t *const leg = &self->cell[self->k];
+    const double most = NCK_SLICE_PERIODS * period;
+    self->slices = 1;
+    self->m = 0;
+    if (leg->length > 0.0 && leg->duration > most) nck_legs_divide(self, most);
+}
+
 // Begin with the first leg. Cost: constant.
-void nck_legs_begin(nck_legs_t *self, double period);
+static inline void nck_legs_begin(nck_legs_t *self, double period) {
+    self->k = 0;
+    nck_legs_begin_leg(self, period);
+}
 
 // The next cell of a stretch that has more than one.
 int nck_legs_part(nck_legs_t *self, double period, nck_cell_t *cell_out);

@@ -42,7 +42,7 @@ static double cap_at(const nck_linear_t *self, const nck_pieces_t *pieces, uint3
 }
 
 static double accel_of(const nck_linear_t *self, const nck_node_t *piece) {
-    return self->next->over ? piece->a_over : piece->a;
+    return !self->is_plain && self->next->over ? piece->a_over : piece->a;
 }
 
 static double end_of(const nck_node_t *piece) { return piece->s + piece->length; }
@@ -297,8 +297,8 @@ static inline nck_span_t span_of(const nck_linear_t *self, const nck_node_t *pie
     return span;
 }
 
-static void begin_piece(nck_linear_t *self, const nck_pieces_t *pieces) {
-    const nck_node_t *const piece = nck_plan_piece(pieces, self->at.piece);
+static void begin_piece(nck_linear_t *self, const nck_pieces_t *pieces,
+                        const nck_node_t *piece) {
     nck_span_t span = span_of(self, piece, &self->at);
     const uint32_t behind = self->at.piece + 1;
     const int rests = behind == self->end || (behind == self->final && self->held);
@@ -370,12 +370,12 @@ static nck_status_t end_part(nck_linear_t *self) {
 
 static nck_status_t draw_one(nck_linear_t *self, const nck_pieces_t *pieces) {
     if (self->part == NCK_LINEAR_PART) return end_part(self);
+    const nck_node_t *const piece = nck_plan_piece(pieces, self->at.piece);
     if (self->legs.count == 0) {
         if (self->at.piece == self->final) return end_part(self);
-        begin_piece(self, pieces);
+        begin_piece(self, pieces, piece);
     }
     if (!draw_slice(self)) return NCK_EMPTY;
-    const nck_node_t *const piece = nck_plan_piece(pieces, self->at.piece);
     const int rests = piece->stop || !(piece->length > 0.0);
     leave_piece(self, pieces);
     return rests ? finish_at_rest(self) : NCK_EMPTY; // a tail has one rest, at its end

@@ -8,8 +8,9 @@ uint32_t nck_plan_find(const nck_pieces_t *pieces, uint32_t number, const nck_ce
     const nck_node_t *piece = nck_plan_piece(pieces, number);
     for (;;) {
         const nck_node_t *const next = nck_plan_piece(pieces, number + 1);
-        const int beyond = next && next->seg == cell->seg && cell->s >= next->s;
-        if (!next || (piece->seg == cell->seg && !beyond)) return number;
+        if (!next) return number;
+        const int is_it = piece->seg == cell->seg;
+        if (is_it && (next->seg != cell->seg || !(cell->s >= next->s))) return number;
         piece = next;
         number++;
     }

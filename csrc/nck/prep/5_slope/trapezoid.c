@@ -32,7 +32,7 @@ typedef struct leg {
     double v[2];   // their roots
 } leg_t;
 
-static void set_leg(nck_cell_t *cell, const nck_node_t *piece, const leg_t *leg) {
+static inline void set_leg(nck_cell_t *cell, const nck_node_t *piece, const leg_t *leg) {
     const double *const w = leg->w;
     cell->seg = piece->seg;
     cell->stop = 0;
