@@ -58,7 +58,7 @@ static nck_status_t finish_flush(nck_t *nck) {
 }
 
 // seg ring ─▶ lookahead: a seg that is in its place.
-static nck_status_t push_seg(nck_t *nck, const nck_seg_t *seg) {
+static inline nck_status_t push_seg(nck_t *nck, const nck_seg_t *seg) {
     nck_link_seg_placed(&nck->link);
     if (nck_lookahead_push(&nck->lookahead, seg) != NCK_OK) return NCK_E_INTERNAL;
     if (nck->hooks.on_seg) nck->hooks.on_seg(nck->hooks.user, seg);

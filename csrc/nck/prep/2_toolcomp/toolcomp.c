@@ -18,10 +18,8 @@ void nck_toolcomp_init(nck_toolcomp_t *self, const nck_machine_t *machine) {
     self->machine = machine;
 }
 
-void nck_toolcomp_place(const nck_toolcomp_t *self, nck_block_t *block) {
-    const int64_t *const tool = block->tool_nm;
+void nck_toolcomp_move(const nck_toolcomp_t *self, nck_block_t *block) {
     if (block->kind > NCK_BLOCK_ARC && block->kind < NCK_BLOCK_THREAD) return;
-    if (tool[0] == 0 && tool[1] == 0 && tool[2] == 0) return;
     if (block->kind == NCK_BLOCK_ARC) {
         uint8_t axis[2];
         axes_of(block->plane, axis);
@@ -74,7 +72,7 @@ static void switch_on(nck_toolcomp_t *self, const nck_block_t *block) {
     }
 }
 
-nck_status_t nck_toolcomp_push(nck_toolcomp_t *self, nck_block_t *block) {
+nck_status_t nck_toolcomp_take(nck_toolcomp_t *self, nck_block_t *block) {
     if (!NCK_HAS_COMP) return NCK_OK;
     if (block->kind == NCK_BLOCK_COMP) {
         if (block->output.value != 0.0) switch_on(self, block);

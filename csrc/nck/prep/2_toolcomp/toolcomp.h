@@ -86,11 +86,20 @@ typedef struct nck_toolcomp {
 // Cost: constant. Context: any, before the tick runs.
 void nck_toolcomp_init(nck_toolcomp_t *self, const nck_machine_t *machine);
 
+// nck_toolcomp_push of a block that compensation has to do with, and nck_toolcomp_place of one with
+// a tool offset.
+nck_status_t nck_toolcomp_take(nck_toolcomp_t *self, nck_block_t *block);
+void nck_toolcomp_move(const nck_toolcomp_t *self, nck_block_t *block);
+
 // Take a block. Under compensation at most NCK_COMP_SPAN wait: pull before.
 // Returns NCK_OK: it passes, and goes on as it is now; NCK_EMPTY: it is taken, what comes of it is
 // pulled; NCK_E_COMP_ENTRY, NCK_E_COMP_RADIUS, NCK_E_COMP_EXIT: compensation ends there.
 // Cost: linear in NCK_COMP_SPAN. Context: prep.
-nck_status_t nck_toolcomp_push(nck_toolcomp_t *self, nck_block_t *block);
+static inline nck_status_t nck_toolcomp_push(nck_toolcomp_t *self, nck_block_t *block) {
+    const int passes = self->phase == NCK_COMP_OFF && !self->away;
+    if (!NCK_HAS_COMP || (passes && block->kind != NCK_BLOCK_COMP)) return NCK_OK;
+    return nck_toolcomp_take(self, block);
+}
 
 // 1 if blocks are taken and wait. Cost: constant. Context: prep.
 static inline int nck_toolcomp_is_on(const nck_toolcomp_t *self) {
@@ -112,7 +121,10 @@ nck_status_t nck_toolcomp_diagnostic(nck_toolcomp_t *self, nck_diagnostic_t *dia
 // Turn a block of the tool tip into a block of the machine: target and arc centre are moved by the
 // tool offset in force, which is zero afterwards. Blocks without motion stay. Cost: constant.
 // Context: prep.
-void nck_toolcomp_place(const nck_toolcomp_t *self, nck_block_t *block);
+static inline void nck_toolcomp_place(const nck_toolcomp_t *self, nck_block_t *block) {
+    const int64_t *const tool = block->tool_nm;
+    if ((tool[0] | tool[1] | tool[2]) != 0) nck_toolcomp_move(self, block);
+}
 
 // What must hold between two calls. Returns 1 if it holds. For tests. Cost: constant.
 // Context: prep.

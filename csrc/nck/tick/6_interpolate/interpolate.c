@@ -291,9 +291,7 @@ static void settle_on_counts(nck_interpolate_t *self) {
 
 // Prep wants to begin anew: once nothing is left to execute the link is its own, and what the last
 // program left behind is over.
-static int stands_aside(nck_interpolate_t *self) {
-    const uint32_t owner = nck_link_owner(self->link);
-    if (owner == NCK_LINK_BOTH) return 0;
+static int yields(nck_interpolate_t *self, uint32_t owner) {
     if (owner == NCK_LINK_PREP) return 1;
     if (!nck_interpolate_is_at_rest(self)) return 0;
     memset(&self->cell, 0, sizeof self->cell);
@@ -309,6 +307,12 @@ static int stands_aside(nck_interpolate_t *self) {
     nck_fence_store(&self->sync.lost, 0);
     nck_link_yield(self->link);
     return 1;
+}
+
+// Whether the link is prep's alone; asked every tick.
+static inline int stands_aside(nck_interpolate_t *self) {
+    const uint32_t owner = nck_link_owner(self->link);
+    return owner != NCK_LINK_BOTH && yields(self, owner);
 }
 
 // Time begins to count later.
