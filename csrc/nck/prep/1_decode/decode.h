@@ -192,8 +192,9 @@ int nck_decode_is_empty(const nck_decode_t *self);
 // 1 if nck_decode_pull would find no line to work on: text must be pushed first. Cost: constant.
 // Context: prep.
 static inline int nck_decode_needs_text(const nck_decode_t *self) {
+    if (self->line.state != NCK_LINE_OPEN) return 0;
     const int ends = self->text.complete || self->text.over || self->entry.waits != 0;
-    return self->line.state == NCK_LINE_OPEN && !ends && !self->macro.reads;
+    return !ends && !self->macro.reads;
 }
 
 // Begin another program: modes are the machine's again, the

@@ -47,15 +47,18 @@ static inline size_t take(nck_decode_t *self, const char *text, size_t n) {
     const size_t begin = self->line.after_cr && text[0] == '\n';
     size_t span = n - begin < NCK_LINE_MAX ? n - begin : NCK_LINE_MAX;
     const char *const first = text + begin;
-    const char *const feed = memchr(first, '\n', span);
-    if (feed != NULL) span = (size_t)(feed - first);
+    const char *end = memchr(first, '\n', span);
+    if (end != NULL) span = (size_t)(end - first);
     const char *const back = memchr(first, '\r', span);
-    if (back != NULL) span = (size_t)(back - first);
+    if (back != NULL) {
+        span = (size_t)(back - first);
+        end = back;
+    }
     collect(self, first, span);
     self->line.after_cr = back != NULL;
-    const size_t used = begin + span + (feed != NULL || back != NULL);
-    if (feed != NULL || back != NULL) close_line(self);
-    return used;
+    if (end == NULL) return begin + span;
+    close_line(self);
+    return begin + span + 1;
 }
 
 nck_status_t nck_decode_push(nck_decode_t *self, const char *text, size_t n, size_t *used_out) {
