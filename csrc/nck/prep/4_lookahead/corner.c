@@ -45,7 +45,7 @@ static double load_of(const double *tangent_in, const double *tangent_out,
                       const nck_terms_t *terms) {
     double load = 0.0;
     for (int x = 0; x < terms->axes; x++) {
-        if (tangent_in[x] == tangent_out[x]) continue;
+        if (!(nck_fabs(tangent_in[x] - tangent_out[x]) > 0.0)) continue;
         load = nck_max(load, nck_corner_load(tangent_in[x], tangent_out[x],
                                              terms->machine->axis[x].a_max));
     }

@@ -51,7 +51,7 @@ static void cap_by_axes(nck_joint_t *joint, const nck_seg_t *seg, const double *
     for (int x = 0; x < terms->axes; x++) {
         const nck_axis_t *const axis = &machine->axis[x];
         const double c = is_line ? nck_fabs(t_in[x]) : largest_cosine(joint, seg, x, t_in, t_out);
-        if (c == 0.0) continue;
+        if (!(c > 0.0)) continue;
         const double v_axis = nck_limit_along(seg->rapid ? axis->rapid : axis->v_max, c);
         if (v_axis < v) slowest = x;
         v = nck_min(v, v_axis);
@@ -129,14 +129,18 @@ static void make_spline(nck_joint_t *joint, const nck_terms_t *terms) {
 
 static const nck_joint_arc_t no_arc = {NCK_UNLIMITED, NCK_UNLIMITED, 0.0, 0.0};
 
-// 1 if X Y Z U V or W moves.
-static int moves_linear(const nck_seg_t *seg) {
-    int moves = seg->kind == NCK_SEG_ARC;
-    for (int x = 0; x < NCK_AXIS_MAX && !moves; x++) {
-        const int rotary = x >= NCK_AXIS_A && x <= NCK_AXIS_C;
-        moves = !rotary && seg->start[x] != seg->end[x];
+// 1 if one of some axes moves straight, the last of them left out.
+static inline int moves_of(const nck_seg_t *seg, int first, int last) {
+    for (int x = first; x < last && x < NCK_AXIS_MAX; x++) {
+        if (seg->start[x] != seg->end[x]) return 1;
     }
-    return moves;
+    return 0;
+}
+
+// 1 if X Y Z U V or W moves.
+static inline int moves_linear(const nck_seg_t *seg) {
+    return moves_of(seg, NCK_AXIS_X, NCK_AXIS_A) || seg->kind == NCK_SEG_ARC
+           || moves_of(seg, NCK_AXIS_U, NCK_AXIS_MAX);
 }
 
 // What a joint has of its seg, before any cap. What else a moving joint has of before it is settled
@@ -317,11 +321,14 @@ void nck_joint_settle(nck_joint_t *joint, double w_in, const nck_terms_t *terms)
         at->v = speeds[k];
         at->a = joint->a_most;
         at->j = joint->j_straight;
-        if (joint->kind == NCK_SEG_SPLINE) {
-            limit_spline(joint, at, nck_min(at->v + terms->v_filter, v_free), terms);
-        }
         at->time = joint->length / at->v;
-        if (terms->limits_jerk) at->least = least_time(joint, w_in, at);
+    }
+    for (int k = 0; k < NCK_PACES && joint->kind == NCK_SEG_SPLINE; k++) {
+        nck_pace_t *const at = &joint->pace[k];
+        limit_spline(joint, at, nck_min(at->v + terms->v_filter, v_free), terms);
+    }
+    for (int k = 0; k < NCK_PACES && terms->limits_jerk; k++) {
+        joint->pace[k].least = least_time(joint, w_in, &joint->pace[k]);
     }
 }
 

@@ -200,9 +200,9 @@ uint32_t nck_lookahead_fill(const nck_lookahead_t *self);
 // 1 if no more pieces come before the path is at rest: the path has ended, or the newest piece is a
 // WAIT. Cost: constant. Context: prep.
 static inline int nck_lookahead_is_complete(const nck_lookahead_t *self) {
-    const uint32_t fill = self->window.fill;
-    const int all_placed = self->ended && self->joint.placed == self->joint.head;
-    return all_placed || (fill > 0 && self->window.barrier == fill);
+    const uint32_t barrier = self->window.barrier;
+    if (barrier > 0 && barrier == self->window.fill) return 1;
+    return self->ended && self->joint.placed == self->joint.head;
 }
 
 // Forget the first n pieces. Cost: constant. Context: prep.

@@ -131,8 +131,8 @@ static void begin_node(nck_node_t *node, const nck_joint_t *joint) {
 }
 
 // Append the piece from s[0] to s[1]; v_corner caps the node at its start.
-static void add_piece(nck_lookahead_t *self, const nck_joint_t *joint, const double s[2],
-                      const around_t *around, const double v_corner[]) {
+static nck_node_t *add_piece(nck_lookahead_t *self, const nck_joint_t *joint, const double s[2],
+                             const around_t *around, const double v_corner[]) {
     const nck_piece_limit_t piece = limits_of(self, joint, around, NCK_PACE_FEED);
     const nck_piece_limit_t over = limits_of(self, joint, around, NCK_PACE_OVER);
     nck_node_t *const node = node_at(self, self->window.fill);
@@ -152,9 +152,10 @@ static void add_piece(nck_lookahead_t *self, const nck_joint_t *joint, const dou
     }
     cap_node(self, node, v_corner);
     self->window.fill++;
+    return node;
 }
 
-static void add_rest(nck_lookahead_t *self, const nck_joint_t *joint) {
+static nck_node_t *add_rest(nck_lookahead_t *self, const nck_joint_t *joint) {
     nck_node_t *const node = node_at(self, self->window.fill);
     memset(node, 0, sizeof *node);
     node->seg = joint->seq;
@@ -169,6 +170,7 @@ static void add_rest(nck_lookahead_t *self, const nck_joint_t *joint) {
                         : joint->kind >= NCK_SEG_THREAD ? NCK_LIMIT_THREAD
                                                         : NCK_LIMIT_WAIT;
     self->window.fill++;
+    return node;
 }
 
 // How fast the path may be between the segs count − 1 and count, both known if they exist, by the
@@ -219,6 +221,7 @@ static int find_shares(const nck_lookahead_t *self, const nck_joint_t *joint,
     const double share[2] = {ends[0].share[NCK_PACE_FEED], ends[1].share[NCK_PACE_FEED]};
     const double length = joint->v_max * self->zone_s;
     if (!(nck_max(share[0], share[1]) > SPLIT_SHARE)) return 0;
+    if (!(joint->length > NCK_ZONES_CUT * length)) return 0; // too short for one of them
     is_cut_off[0] = share[0] > 0.0;
     is_cut_off[1] = share[1] > 0.0;
     zone[0] = is_cut_off[0] ? length : 0.0;
@@ -255,17 +258,17 @@ static void keep_in_middle(const nck_lookahead_t *self, const around_t ends[2],
 }
 
 // All of a seg in one piece, under what both of its sides leave.
-static void add_whole(nck_lookahead_t *self, const nck_joint_t *joint, around_t ends[2],
-                      const double v_start[]) {
+static nck_node_t *add_whole(nck_lookahead_t *self, const nck_joint_t *joint, around_t ends[2],
+                             const double v_start[]) {
     const double whole[2] = {0.0, joint->length};
     add_around(self, &ends[0], &ends[1]);
-    add_piece(self, joint, whole, &ends[0], v_start);
+    return add_piece(self, joint, whole, &ends[0], v_start);
 }
 
 // Inside a zone the share of its junction is kept free and its neighbour's limits hold; the middle
-// has all that the seg allows.
-static void add_motion(nck_lookahead_t *self, uint32_t count, around_t ends[2],
-                       const double v_start[]) {
+// has all that the seg allows. Returns the last piece.
+static nck_node_t *add_motion(nck_lookahead_t *self, uint32_t count, around_t ends[2],
+                              const double v_start[]) {
     const nck_joint_t *const joint = nck_joint_at(self, count);
     const double unlimited[NCK_PACES] = {joint->v_max, joint->v_free};
     double zone[2];
@@ -273,10 +276,7 @@ static void add_motion(nck_lookahead_t *self, uint32_t count, around_t ends[2],
     const int is_cut = self->terms->limits_jerk
                            ? find_zones(self, count, ends, is_cut_off, zone)
                            : find_shares(self, joint, ends, is_cut_off, zone);
-    if (!is_cut) {
-        add_whole(self, joint, ends, v_start);
-        return;
-    }
+    if (!is_cut) return add_whole(self, joint, ends, v_start);
     const double a = is_cut_off[0] ? zone[0] : 0.0;
     const double b = is_cut_off[1] ? joint->length - zone[1] : joint->length;
     const double first[2] = {0.0, a};
@@ -290,9 +290,10 @@ static void add_motion(nck_lookahead_t *self, uint32_t count, around_t ends[2],
         const int may_reach = !is_cut_off[1 - n]; // all the way
         if (may_reach) add_around(self, &beside[n], &ends[1 - n]);
     }
-    if (is_cut_off[0]) add_piece(self, joint, first, &beside[0], v_start);
-    add_piece(self, joint, middle, &inside, is_cut_off[0] ? unlimited : v_start);
-    if (is_cut_off[1]) add_piece(self, joint, last, &beside[1], unlimited);
+    if (is_cut_off[0]) (void)add_piece(self, joint, first, &beside[0], v_start);
+    nck_node_t *const inner =
+        add_piece(self, joint, middle, &inside, is_cut_off[0] ? unlimited : v_start);
+    return is_cut_off[1] ? add_piece(self, joint, last, &beside[1], unlimited) : inner;
 }
 
 // Beside a stop where motions overlap each keeps to its share of the jerk.
@@ -323,14 +324,14 @@ static nck_status_t look_around(nck_lookahead_t *self, uint32_t count, around_t 
     return NCK_OK;
 }
 
-static void place_motion(nck_lookahead_t *self, uint32_t count, around_t ends[2]) {
+static nck_node_t *place_motion(nck_lookahead_t *self, uint32_t count, around_t ends[2]) {
     double v_start[NCK_PACES] = {0.0, 0.0};
     if (count > 0) {
         const nck_pace_t *const pace = nck_joint_at(self, count - 1)->pace;
         v_start[NCK_PACE_FEED] = pace[NCK_PACE_FEED].v_corner;
         v_start[NCK_PACE_OVER] = pace[NCK_PACE_OVER].v_corner;
     }
-    add_motion(self, count, ends, v_start);
+    return add_motion(self, count, ends, v_start);
 }
 
 nck_status_t nck_piece_place(nck_lookahead_t *self, const double share_after[NCK_PACES]) {
@@ -340,12 +341,8 @@ nck_status_t nck_piece_place(nck_lookahead_t *self, const double share_after[NCK
     memcpy(ends[1].share, share_after, sizeof ends[1].share);
     const nck_status_t status = look_around(self, count, ends);
     if (status != NCK_OK) return status;
-    if (joint->kind >= NCK_SEG_DWELL) {
-        add_rest(self, joint);
-    } else {
-        place_motion(self, count, ends);
-    }
-    nck_node_t *const end = node_at(self, self->window.fill - 1);
+    nck_node_t *const end =
+        joint->kind >= NCK_SEG_DWELL ? add_rest(self, joint) : place_motion(self, count, ends);
     end->last = (joint->end & NCK_JOINT_LAST) != 0;
     end->stop = (joint->end & NCK_JOINT_STOP) != 0;
     if (end->stop) {
