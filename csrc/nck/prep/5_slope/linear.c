@@ -215,7 +215,7 @@ static int rests_at(const nck_linear_t *self, const nck_pieces_t *pieces, uint32
 // Returns 1 where the last envelope, which comes to rest sooner, is met at a cap: what is before it
 // is as it was.
 static int backward_node(nck_linear_t *self, const nck_pieces_t *pieces, uint32_t number) {
-    nck_node_t *const node = nck_plan_piece(pieces, number);
+    nck_node_t *const node = nck_plan_there(pieces, number);
     const int is_known = (int32_t)(self->pass.known - number) > 0 && !node->open;
     const double h = nck_envelope_h(accel_of(self, node), node->length);
     double cap = cap_at(self, pieces, number, node);
@@ -237,7 +237,7 @@ static int backward_node(nck_linear_t *self, const nck_pieces_t *pieces, uint32_
 // The envelope has come to where the plan begins: it must be as high as the path is fast. A block's
 // end that comes too early to rest at is passed.
 static nck_status_t join(nck_linear_t *self, const nck_pieces_t *pieces) {
-    nck_node_t *const node = nck_plan_piece(pieces, self->at.piece);
+    nck_node_t *const node = nck_plan_there(pieces, self->at.piece);
     const double reach = self->pass.vv + gain_over(self, self->at.piece, node);
     const int open = self->pass.open && reach < cap_at(self, pieces, self->at.piece, node);
     node->open = (uint8_t)open;
@@ -272,7 +272,7 @@ static void end_envelope(nck_linear_t *self) {
 
 // w_{i+1} = min(w_{i+1}, w_i + h_i) over the pieces that become final.
 static void pass_forward(nck_linear_t *self, const nck_pieces_t *pieces) {
-    nck_node_t *next = nck_plan_piece(pieces, self->pass.i);
+    nck_node_t *next = nck_plan_there(pieces, self->pass.i);
     for (int n = 0; n < PASS_STEP; n++) {
         const uint32_t number = self->pass.i;
         if (number == self->final || number + 1 == self->end) {
@@ -281,7 +281,7 @@ static void pass_forward(nck_linear_t *self, const nck_pieces_t *pieces) {
             return;
         }
         const double gain = gain_over(self, number, next);
-        next = nck_plan_piece(pieces, number + 1);
+        next = nck_plan_there(pieces, number + 1);
         next->vv = nck_envelope_forward(next->vv, self->pass.vv, gain);
         self->pass.vv = next->vv;
         self->pass.i++;
@@ -302,7 +302,7 @@ static void begin_piece(nck_linear_t *self, const nck_pieces_t *pieces,
     nck_span_t span = span_of(self, piece, &self->at);
     const uint32_t behind = self->at.piece + 1;
     const int rests = behind == self->end || (behind == self->final && self->held);
-    span.vv_out = rests ? 0.0 : nck_plan_piece(pieces, behind)->vv;
+    span.vv_out = rests ? 0.0 : nck_plan_there(pieces, behind)->vv;
     const double period = self->machine->period_s;
     self->legs.count = (uint32_t)nck_trapezoid_legs(piece, &span, period, self->legs.cell);
     nck_legs_begin(&self->legs, period);
@@ -336,7 +336,7 @@ static int draw_slice(nck_linear_t *self) {
 
 // The piece is drawn: go on at the next one, at its envelope to the bit.
 static void leave_piece(nck_linear_t *self, const nck_pieces_t *pieces) {
-    const nck_node_t *const next = nck_plan_piece(pieces, self->at.piece + 1);
+    const nck_node_t *const next = nck_plan_there(pieces, self->at.piece + 1);
     const int within = self->at.piece + 1 != self->end;
     self->at.piece++;
     self->at.fresh = 1;
@@ -370,7 +370,7 @@ static nck_status_t end_part(nck_linear_t *self) {
 
 static nck_status_t draw_one(nck_linear_t *self, const nck_pieces_t *pieces) {
     if (self->part == NCK_LINEAR_PART) return end_part(self);
-    const nck_node_t *const piece = nck_plan_piece(pieces, self->at.piece);
+    const nck_node_t *const piece = nck_plan_there(pieces, self->at.piece);
     if (self->legs.count == 0) {
         if (self->at.piece == self->final) return end_part(self);
         begin_piece(self, pieces, piece);

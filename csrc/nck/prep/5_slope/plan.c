@@ -5,15 +5,15 @@
 #include "nck/base/real.h" // nck_min
 
 uint32_t nck_plan_find(const nck_pieces_t *pieces, uint32_t number, const nck_cell_t *cell) {
-    const nck_node_t *piece = nck_plan_piece(pieces, number);
-    for (;;) {
-        const nck_node_t *const next = nck_plan_piece(pieces, number + 1);
-        if (!next) return number;
+    const nck_node_t *piece = nck_plan_there(pieces, number);
+    while (number + 1 - pieces->head < pieces->fill) {
+        const nck_node_t *const next = nck_plan_there(pieces, number + 1);
         const int is_it = piece->seg == cell->seg;
-        if (is_it && (next->seg != cell->seg || !(cell->s >= next->s))) return number;
+        if (is_it && (next->seg != cell->seg || !(cell->s >= next->s))) break;
         piece = next;
         number++;
     }
+    return number;
 }
 
 int nck_plan_is_other(const nck_wish_t *a, const nck_wish_t *b) {

@@ -81,10 +81,16 @@ typedef struct nck_job {
     double q;          // duration of that cell [s]; 0: from rest, or out of constant jerk
 } nck_job_t;
 
+// Room 4's piece of a running number that is there; else it must not be asked for anything.
+// Cost: constant.
+static inline nck_node_t *nck_plan_there(const nck_pieces_t *pieces, uint32_t number) {
+    return &pieces->at[number & (NCK_WINDOW - 1)];
+}
+
 // Room 4's piece of a running number; NULL if it is not there (yet). Cost: constant.
 static inline nck_node_t *nck_plan_piece(const nck_pieces_t *pieces, uint32_t number) {
     if (number - pieces->head >= pieces->fill) return (nck_node_t *)0;
-    return &pieces->at[number & (NCK_WINDOW - 1)];
+    return nck_plan_there(pieces, number);
 }
 
 // The piece in which a cell begins, from a piece at or before it. Cost: linear in the pieces
