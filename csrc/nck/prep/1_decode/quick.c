@@ -7,7 +7,7 @@
 
 enum { CODE_NONE = -1, CODE_LINE = 10 }; // in tenths
 
-enum { DIGITS_MOST = 15 }; // of a number in the finest unit, so that its counts fit
+enum { WHOLE_MOST = 9 }; // digits in front of a number's point, so that its counts fit
 
 static const int64_t power_of_ten[] = {1, 10, 100, 1000, 10000, 100000, 1000000, 10000000,
                                        100000000, 1000000000};
@@ -59,17 +59,16 @@ static inline const char *read_counts(const nck_decode_t *self, const char *at,
     const char *const first = at + negative;
     uint64_t mantissa = 0;
     const char *end = read_digits(first, &mantissa);
-    const int most = (int)(end - first) + scale->power; // digits, of the finest unit
     int shift = scale->power;
+    if (end - first > WHOLE_MOST) return (const char *)0;
     if (*end == '.') {
         const char *const point = end;
         end = read_digits(point + 1, &mantissa);
         shift -= (int)(end - point) - 1;
-        if (most - shift < 1) return (const char *)0;
-    } else if (most == shift || (mantissa != 0 && nck_decode_asks_integers(self))) {
+        if (shift < 0 || end == first + 1) return (const char *)0;
+    } else if (end == first || (mantissa != 0 && nck_decode_asks_integers(self))) {
         return (const char *)0;
     }
-    if (shift < 0 || most > DIGITS_MOST) return (const char *)0;
     const int64_t counts = (int64_t)mantissa * power_of_ten[shift] * scale->factor;
     if (counts > scale->limit) return (const char *)0;
     *out = negative ? -counts : counts;
