@@ -79,6 +79,7 @@ static void make_arc(nck_joint_t *joint, const nck_seg_t *seg, const nck_machine
     const double r = nck_sqrt(ru * ru + rv * rv);
     const double cos_lambda = nck_min(1.0, r * nck_fabs(arc->sweep) / seg->length);
     const double v = nck_limit_chord(r, machine->path.chord_error, machine->period_s);
+    joint->shape.arc.a_plane = NCK_UNLIMITED; // cap_by_axes finds it
     joint->shape.arc.cos_lambda = cos_lambda;
     joint->shape.arc.kappa = cos_lambda * cos_lambda / r;
     cap_speed(joint, v / cos_lambda, NCK_LIMIT_CHORD);
@@ -127,8 +128,6 @@ static void make_spline(nck_joint_t *joint, const nck_terms_t *terms) {
     }
 }
 
-static const nck_joint_arc_t no_arc = {NCK_UNLIMITED, NCK_UNLIMITED, 0.0, 0.0};
-
 // 1 if one of some axes moves straight, the last of them left out.
 static inline int moves_of(const nck_seg_t *seg, int first, int last) {
     for (int x = first; x < last && x < NCK_AXIS_MAX; x++) {
@@ -163,7 +162,6 @@ static inline void begin(nck_joint_t *joint, const nck_seg_t *seg) {
         joint->pace[k].v_corner = NCK_UNLIMITED;
         joint->pace[k].share = 0.0;
     }
-    if (seg->kind <= NCK_SEG_ARC) joint->shape.arc = no_arc;
 }
 
 // A rest has no cap of its own.
