@@ -146,11 +146,12 @@ static uint32_t copy_ahead(nck_link_t *self, uint32_t parity, uint32_t first, ui
     const uint32_t left = self->tail_count[parity] - first;
     const uint32_t fits = room < left ? room : left;
     const uint32_t limit = fits < most ? fits : most;
+    const nck_cell_t *cell = &self->tail[parity].cell[first];
     uint32_t count = 0;
     while (count < limit && self->lead_s < lead) {
-        const nck_cell_t *const cell = &self->tail[parity].cell[first + count];
         self->lead_s += cell->duration;
         append(self, cell);
+        cell++;
         count++;
     }
     return count;
