@@ -27,12 +27,6 @@ void nck_lookahead_adapt(nck_lookahead_t *self) {
     self->zone_s = nck_zone_s(self->terms);
 }
 
-// Put the newest joint into the chain.
-static void join(nck_lookahead_t *self) {
-    self->joint.head++;
-    nck_near_level(self);
-}
-
 // Part the newest joint, a spline's, which is not in the chain yet.
 static void push_parts(nck_lookahead_t *self, const nck_seg_t *seg, int count) {
     double span[2] = {0.0, 0.0};
@@ -40,7 +34,8 @@ static void push_parts(nck_lookahead_t *self, const nck_seg_t *seg, int count) {
         span[1] = k + 1 < count ? seg->length * (double)(k + 1) / (double)count : seg->length;
         nck_joint_make(nck_joint_at(self, self->joint.head), seg, span, self->joint.tangent,
                        self->joint.tangent, self->terms);
-        join(self);
+        self->joint.head++;
+        nck_near_level_newest(self);
         span[0] = span[1];
     }
 }
@@ -64,7 +59,8 @@ nck_status_t nck_lookahead_push(nck_lookahead_t *self, const nck_seg_t *seg) {
     if (parts > 1) {
         push_parts(self, seg, parts);
     } else {
-        join(self);
+        self->joint.head++;
+        nck_near_level(self);
     }
     return NCK_OK;
 }

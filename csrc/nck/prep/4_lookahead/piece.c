@@ -36,22 +36,23 @@ static void begin_around(const nck_lookahead_t *self, around_t *around) {
     for (int k = 0; k < NCK_PACES; k++) around->near[k] = NOTHING_NEAR;
 }
 
-static void add_near(around_t *around, const around_t *other) {
+// What another side's junctions take on top.
+static inline void add_shares(around_t *around, const around_t *other) {
+    for (int k = 0; k < NCK_PACES; k++) {
+        around->share[k] = nck_max(around->share[k], other->share[k]);
+    }
+}
+
+// What another side's neighbourhood takes on top.
+static void add_around(const nck_lookahead_t *self, around_t *around, const around_t *other) {
+    add_shares(around, other);
+    if (!self->terms->limits_jerk) return;
     for (int k = 0; k < NCK_PACES; k++) {
         nck_near_t *const near = &around->near[k];
         near->a = nck_min(near->a, other->near[k].a);
         near->j = nck_min(near->j, other->near[k].j);
         near->slow = nck_min(near->slow, other->near[k].slow);
     }
-}
-
-// What another side's neighbourhood takes on top.
-static inline void add_around(const nck_lookahead_t *self, around_t *around,
-                              const around_t *other) {
-    for (int k = 0; k < NCK_PACES; k++) {
-        around->share[k] = nck_max(around->share[k], other->share[k]);
-    }
-    if (self->terms->limits_jerk) add_near(around, other);
 }
 
 // The cap at a node by everything but the feeds: its junction and the pieces at both sides. Where
@@ -261,7 +262,8 @@ static void keep_in_middle(const nck_lookahead_t *self, const around_t ends[2],
 static nck_node_t *add_whole(nck_lookahead_t *self, const nck_joint_t *joint, around_t ends[2],
                              const double v_start[]) {
     const double whole[2] = {0.0, joint->length};
-    add_around(self, &ends[0], &ends[1]);
+    if (self->terms->limits_jerk) add_around(self, &ends[0], &ends[1]);
+    else add_shares(&ends[0], &ends[1]);
     return add_piece(self, joint, whole, &ends[0], v_start);
 }
 
