@@ -218,6 +218,19 @@ def test_more_tolerance_is_never_slower_at_corners_that_are_stopped_at(count, st
         assert max(more["peaks"][axis]["j"] for axis in "xy") <= 1
 
 
+@pytest.mark.parametrize("last", [0.03, 0.08, 0.2])
+@pytest.mark.parametrize("way", [1, -1])
+def test_a_curve_of_chords_does_not_rest_at_the_vertex_beside_its_end(last, way):
+    turns = np.radians(2.2) * np.arange(18)
+    lengths = np.append(np.full(17, 0.14), last)[::way]
+    places = np.cumsum(lengths[:, None] * np.column_stack([np.cos(turns), np.sin(turns)]), axis=0)
+    points = np.vstack([[0, 0], np.round(places, 6)])
+    plan = pycnc.plan(Program.from_points(points, 6000, programs.machine(), tolerance=0.01))
+    assert not plan.segs["stop"].any()
+    jerk = programs.machine().limits("j_max")[:2].min()
+    assert plan.time_s < 1.6 * (32 * lengths.sum() / jerk) ** (1 / 3)
+
+
 def test_a_slow_feed_is_kept_on_all_of_a_wide_bend():
     machine = Machine.load("mill3")
     moves = "G1 X-0.8 Y-0.67 F150\nG1 X0.2\nM2\n"

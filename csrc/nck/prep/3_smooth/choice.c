@@ -314,10 +314,42 @@ static double bend_speed(const corner_t *corner, const shape_limit_t *limit, dou
     return nck_min(corner->v_max, nck_max(v - corner->terms->v_filter, STANDSTILL * v));
 }
 
+// Time of both blocks if nothing bends between the rest at the n-th one's other end and half of the
+// other one, or the rest there.
+static double straight_time(const corner_t *corner, const nck_scurve_t *ramp, int n) {
+    const int m = 1 - n;
+    if (!corner->rests[m]) return nck_scurve_over(ramp, 0.0, corner->length[n] + corner->half[m]);
+    return 2.0 * nck_scurve_over(ramp, 0.0, 0.5 * (corner->length[0] + corner->length[1]));
+}
+
+// Time of both blocks if the bend is near a rest: the path is still speeding up in it, or comes to
+// rest. From rest over x with the jerk κj:   v³ = 4.5x²κj,   v·a = 3xκj.   So the bend leaves that
+//   |p‴|v³ + 3|p″|v·a + κj ≤ j:   1/κ = 1 + 4.5|p‴|x² + 9|p″|x   in units of what an axis has.
+static double rising_time(const corner_t *corner, const shape_limit_t *limit, int n, double v_bend,
+                          double d) {
+    const nck_scurve_t *const ramps = corner->ramp;
+    const nck_scurve_t ramp = {nck_min(ramps[0].a, ramps[1].a), nck_min(ramps[0].j, ramps[1].j),
+                               corner->v_max};
+    const double way = corner->length[n] + d;
+    const double third = NCK_BUDGET_TWIST_SHARE / (limit->j * d * d);
+    const double share = 1.0 / (1.0 + ramp.j * third * (4.5 * way * way + 9.0 * way * d));
+    const nck_scurve_t slow = {ramp.a, share * ramp.j, ramp.v_max};
+    if (nck_scurve_reach(&slow, 0.0, way) > v_bend) return NCK_UNLIMITED;
+    return straight_time(corner, &ramp, n) + nck_scurve_over(&slow, 0.0, way)
+           - nck_scurve_over(&ramp, 0.0, way);
+}
+
 static double plain_time(const corner_t *corner, const nck_bend_t *bend) {
     const shape_limit_t limit = limit_plain(corner->terms, bend);
-    const double v = reachable(corner, &limit, bend_speed(corner, &limit, bend->d), bend->d);
-    return side_time(corner, &limit, 0, v, bend->d) + side_time(corner, &limit, 1, v, bend->d);
+    const double v_bend = bend_speed(corner, &limit, bend->d);
+    const double v = reachable(corner, &limit, v_bend, bend->d);
+    double time = side_time(corner, &limit, 0, v, bend->d)
+                  + side_time(corner, &limit, 1, v, bend->d);
+    for (int n = 0; n < 2; n++) {
+        if (!corner->rests[n]) continue;
+        time = nck_min(time, rising_time(corner, &limit, n, v_bend, bend->d));
+    }
+    return time;
 }
 
 static double speed_of(const nck_smooth_t *self, const nck_seg_t *seg, const double *tangent) {
