@@ -231,6 +231,17 @@ def test_a_curve_of_chords_does_not_rest_at_the_vertex_beside_its_end(last, way)
     assert plan.time_s < 1.6 * (32 * lengths.sum() / jerk) ** (1 / 3)
 
 
+def test_more_tolerance_is_no_slower_at_a_turn_back_of_two_corners():
+    points = np.array([(x, y) for y, xs in ((0, np.arange(0, 30.1, 0.125)),
+                                            (0.12, np.arange(30, -0.1, -0.125))) for x in xs])
+    times = [
+        pycnc.plan(Program.from_points(points, 6000, programs.machine(), tolerance=p)).time_s
+        for p in (0.01, 0.02, 0.05)
+    ]
+    for less, more in pairwise(times):
+        assert more <= 1.005 * less
+
+
 def test_a_slow_feed_is_kept_on_all_of_a_wide_bend():
     machine = Machine.load("mill3")
     moves = "G1 X-0.8 Y-0.67 F150\nG1 X0.2\nM2\n"

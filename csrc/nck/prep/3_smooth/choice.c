@@ -32,6 +32,8 @@
 #define JERK_EPSILON 1e-9    // of a limit is rounding
 #define ADDED 1.3            // a/j of either block, in times for which accelerations add up
 #define OWN 0.7              // of the spline's turn that a corner has to make for a stop to help
+#define TURNS_ON 1.1          // of a corner's turn is the bend's: other corners in it turn alike
+#define UNEVEN 2.5            // times as much costs the turn of such a bend, whose knots are uneven
 enum { HALVINGS = 12 };      // of a speed that is sought: to 1e-3 of it
 
 // What a corner is like. Speeds in path mm/s.
@@ -194,22 +196,12 @@ static double distance_of(const corner_t *corner, double outside) {
     return nck_overlap_distance(corner->tolerance, outside, corner->turn, corner->turn);
 }
 
-// 1 if no other corner is within a bend's half-width: the stop there is judged by itself.
-static int is_alone(const corner_t *corner, double d) {
-    for (int n = 0; n < 2; n++) {
-        const double room = corner->rests[n] ? corner->length[n] : corner->half[n];
-        if (room < ROOM * d) return 0;
-    }
-    return 1;
-}
-
 // The distance at a stop on the corner, cut to the widest that is either block's own; 0: none.
-// A bend there would take bend_d of either block.
-static double distance_within(const corner_t *corner, double bend_d, double widest,
+static double distance_within(const corner_t *corner, double widest,
                               nck_corner_stop_t *stop_out) {
     const double distance = distance_of(corner, 0.0);
     if (distance <= widest) return distance;
-    if (distance > CUT_MOST * widest || !is_alone(corner, bend_d)) return 0.0;
+    if (distance > CUT_MOST * widest) return 0.0;
     stop_out->widest = widest;
     return widest;
 }
@@ -252,20 +244,18 @@ static int may_add(const corner_t *corner, double time) {
     return nck_min(ramp[0].a / ramp[0].j, ramp[1].a / ramp[1].j) > ADDED * time;
 }
 
-// What a stop gains by overlapping motions [s], no more than half a block takes from rest, half_s;
-// a bend would take bend_d.
+// What a stop gains by overlapping motions [s], no more than half a block takes from rest, half_s.
 // No distance in *stop_out: nothing, where one of the blocks is no line, or too short, or an
 // axis has no jerk for both. Near to the corner either keeps to a share κ of its jerk then, and
 // loses (1 − κ) of the time that both overlap. Without a filter it would come to no acceleration
 // where that begins.
-static double overlap_of(const corner_t *corner, double bend_d, double half_s,
-                         nck_corner_stop_t *stop_out) {
+static double overlap_of(const corner_t *corner, double half_s, nck_corner_stop_t *stop_out) {
     const nck_terms_t *const terms = corner->terms;
     const nck_overlap_t motions = {corner->in, corner->out,
                                    {corner->ramp[0].j, corner->ramp[1].j}, {0.0, 0.0}};
     if (!terms->overlaps || !corner->are_lines || !(corner->turn > 0.0)) return 0.0;
     const double widest = nck_min(corner->half[0], corner->half[1]) / SPREAD;
-    double d = distance_within(corner, bend_d, widest, stop_out);
+    double d = distance_within(corner, widest, stop_out);
     const double load = nck_overlap_load(terms->machine, terms->axes, &motions);
     const double share = nck_min(1.0, 1.0 / load);
     if (!(d > 0.0) || share < (terms->taps > 1 ? SHARE_LEAST : 1.0)) return 0.0;
@@ -303,7 +293,7 @@ static double stop_time(const corner_t *corner, double d, nck_corner_stop_t *sto
         if (corner->rests[n]) time += 2.0 * half;
         else time += half + (goes_on ? on : nck_min(half, on));
     }
-    const double overlap = overlap_of(corner, d, half_s, stop_out);
+    const double overlap = overlap_of(corner, half_s, stop_out);
     return overlap > 0.0 ? time - overlap : time + corner->terms->rest_s;
 }
 
@@ -416,6 +406,18 @@ static int is_own(const corner_t *corner, const nck_bend_t *bend) {
     return !(corner->turn < OWN * nck_spline_norm(bend->turn, corner->terms->axes));
 }
 
+// 1 if the bend reaches to other corners, and they turn on: then its knots are uneven, and nearer to
+// each other than is reckoned.
+static int is_shared(const corner_t *corner, const nck_bend_t *bend) {
+    const double turn = nck_spline_norm(bend->turn, corner->terms->axes);
+    int reaches = 0;
+    for (int n = 0; n < 2; n++) {
+        const double room = corner->rests[n] ? corner->length[n] : corner->half[n];
+        reaches |= room < ROOM * bend->d;
+    }
+    return reaches && turn > TURNS_ON * corner->turn;
+}
+
 int nck_choice_may_stop(const nck_smooth_t *self, const nck_meet_t *meet, const nck_bend_t *bend) {
     corner_t corner;
     measure_turn(self, meet, &corner);
@@ -432,5 +434,8 @@ int nck_choice_stop(const nck_smooth_t *self, const nck_meet_t *meet, const nck_
     stop_out->outside = 0.0;
     if (!is_own(&corner, bend)) return 0;
     measure_ramps(self, meet, &corner);
-    return stop_time(&corner, bend->d, stop_out) < plain_time(&corner, bend);
+    nck_bend_t steep = *bend;
+    const double share = is_shared(&corner, bend) ? UNEVEN : 1.0;
+    for (int x = 0; x < self->terms->axes; x++) steep.turn[x] *= share;
+    return stop_time(&corner, bend->d, stop_out) < plain_time(&corner, &steep);
 }
