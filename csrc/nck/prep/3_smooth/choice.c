@@ -33,6 +33,7 @@
 #define ADDED 1.3            // a/j of either block, in times for which accelerations add up
 #define OWN 0.7              // of the spline's turn that a corner has to make for a stop to help
 #define TURNS_ON 1.1          // of a corner's turn is the bend's: other corners in it turn alike
+#define MANY 0.1              // of a bend's half-width: with corners so near to each other it has many
 #define UNEVEN 2.5            // times as much costs the turn of such a bend, whose knots are uneven
 enum { HALVINGS = 12 };      // of a speed that is sought: to 1e-3 of it
 
@@ -406,16 +407,16 @@ static int is_own(const corner_t *corner, const nck_bend_t *bend) {
     return !(corner->turn < OWN * nck_spline_norm(bend->turn, corner->terms->axes));
 }
 
-// 1 if the bend reaches to other corners, and they turn on: then its knots are uneven, and nearer to
-// each other than is reckoned.
+// 1 if the bend reaches to a few other corners, and they turn on: then its knots are uneven, and
+// nearer to each other than is reckoned.
 static int is_shared(const corner_t *corner, const nck_bend_t *bend) {
     const double turn = nck_spline_norm(bend->turn, corner->terms->axes);
-    int reaches = 0;
+    double room[2];
     for (int n = 0; n < 2; n++) {
-        const double room = corner->rests[n] ? corner->length[n] : corner->half[n];
-        reaches |= room < ROOM * bend->d;
+        room[n] = (corner->rests[n] ? corner->length[n] : corner->half[n]) / bend->d;
     }
-    return reaches && turn > TURNS_ON * corner->turn;
+    const double least = nck_min(room[0], room[1]);
+    return least > MANY && least < ROOM && turn > TURNS_ON * corner->turn;
 }
 
 int nck_choice_may_stop(const nck_smooth_t *self, const nck_meet_t *meet, const nck_bend_t *bend) {
