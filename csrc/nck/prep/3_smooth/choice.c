@@ -26,14 +26,15 @@
 #define PERIODS_LEAST 2.0     // that two motions overlap
 #define SHARE_LEAST 0.55      // of the jerk that motions keep to which overlap: half gains nothing
 #define SPREAD 5.0           // of δ: so near to the corner at least a block is its own
-#define ROOM 0.95            // of a bend's half-width: so far away is the next corner's share
 #define CUT_MOST 4.0         // times what is its own: a wider δ is cut to that
 #define USED 0.8             // of the time for which motions may overlap: more is not worth a way
 #define JERK_EPSILON 1e-9    // of a limit is rounding
 #define ADDED 1.3            // a/j of either block, in times for which accelerations add up
 #define OWN 0.7              // of the spline's turn that a corner has to make for a stop to help
 #define TURNS_ON 1.1          // of a corner's turn is the bend's: other corners in it turn alike
-#define MANY 0.1              // of a bend's half-width: with corners so near to each other it has many
+// Of a bend's half-width: corners that are nearer to each other are many, and further few.
+#define MANY 0.1
+#define FEW 0.3
 #define UNEVEN 2.5            // times as much costs the turn of such a bend, whose knots are uneven
 enum { HALVINGS = 12 };      // of a speed that is sought: to 1e-3 of it
 
@@ -416,7 +417,7 @@ static int is_shared(const corner_t *corner, const nck_bend_t *bend) {
         room[n] = (corner->rests[n] ? corner->length[n] : corner->half[n]) / bend->d;
     }
     const double least = nck_min(room[0], room[1]);
-    return least > MANY && least < ROOM && turn > TURNS_ON * corner->turn;
+    return least > MANY && least < FEW && turn > TURNS_ON * corner->turn;
 }
 
 int nck_choice_may_stop(const nck_smooth_t *self, const nck_meet_t *meet, const nck_bend_t *bend) {

@@ -3,11 +3,10 @@
 // to rest there.
 #include "nck/prep/3_smooth/spacing.h"
 
-#include <stddef.h> // NULL
-
 #include "nck/base/budget.h"               // NCK_UNLIMITED
 #include "nck/base/path.h"                 // nck_path_second_part
 #include "nck/base/real.h"                 // nck_min nck_max
+#include "nck/prep/3_smooth/estimate.h"    // nck_estimate_…
 #include "nck/prep/3_smooth/meet.h"        // nck_meet_choose
 #include "nck/prep/3_smooth/raw.h"         // nck_raw_…
 #include "nck/prep/3_smooth/spline_math.h" // nck_spline_…
@@ -18,6 +17,7 @@
 #define AIM_KEY 0.96
 #define AIM_STEP 0.9
 #define GROWTH 1.5       // between two spacings that are looked at for a block's end
+#define SHRINK 0.85      // between two of them, on the way back
 #define NEIGHBOUR 0.7    // of a spacing: where to begin to look for the next one
 #define KEY_LEAST 0.5    // a corner is a key if the spacing that it allows alone is right by …
 #define KEY_MOST 1.5     // … these shares, and it is none of a bend
@@ -44,8 +44,8 @@
 enum {
     LOOKED_AT = 4,       // of so many small blocks one
     WINDOW_LEAST = 128,  // pieces that a window holds, for corners of more pieces
-    POINTS = 7,          // of the path that tell a curve from noise
     GROWTH_STEPS = 40,   // from 1 µm to beyond any spacing
+    SHRINK_STEPS = 12,   // to a seventh: a turn back is left by 2.4 times the plain estimate
     BISECT_STEPS = 3     // the last 25 % to 3 %
 };
 
@@ -67,80 +67,14 @@ typedef struct vertex {
     int lone;       // 1: nothing but itself bounds its spacing
 } vertex_t;
 
-// What of the path around a block's end, a spacing h to either side, is known from now on. The
-// newest block may yet change, and what is behind it is not known.
-static const nck_look_t *look_around(nck_smooth_t *self, uint32_t count, double h) {
-    for (int k = 0; k < 2; k++) {
-        const nck_look_t *const known = &self->run.look[k];
-        const int is_that = known->h == h && known->count == count;
-        if (is_that && known->tail == self->raw.tail) return known;
+// A spacing that was found with the plain estimate, made smaller until it is right with the other
+// one too.
+static double shrunk(nck_smooth_t *self, uint32_t count, double aim, double spacing) {
+    double good = spacing;
+    for (int n = 0; n < SHRINK_STEPS && nck_estimate_nine(self, count, good) > aim; n++) {
+        good *= SHRINK;
     }
-    const nck_raw_t *const raw = nck_raw_at(self, count);
-    const double *const here = raw->seg.end;
-    const double s = raw->s + raw->seg.length;
-    const double before = s - 2.0 * h;
-    const double places[3] = {before, before + h, s + h};
-    double p[3][NCK_AXIS_MAX];
-    nck_look_t *const look = &self->run.look[self->run.looks++ % 2];
-    nck_raw_points(self, count, places, 3, p, NULL);
-    for (int x = 0; x < self->terms->axes; x++) {
-        look->before[x] = nck_spline_bend(p[0][x], p[1][x], here[x]);
-        look->middle[x] = nck_spline_bend(p[1][x], here[x], p[2][x]);
-        look->behind[x] = p[2][x];
-    }
-    look->count = count;
-    look->tail = self->raw.tail;
-    look->h = places[2] <= nck_raw_at(self, self->run.end - 1)->s ? h : 0.0;
-    return look;
-}
-
-// How far a spline of even spacing h would leave the path at a knot at a block's end, if its
-// control points were made of second differences over h alone.
-// On a curve they are p − δ²p/6, p̃ − p = −δ⁴p/36;
-// in noise p + 5δ²p/24, p̃ − p = (11 δ²p + 5/4·(δ²p before + δ²p behind))/36.
-static double deviation(nck_smooth_t *self, uint32_t count, double h, int rough) {
-    const nck_raw_t *const raw = nck_raw_at(self, count);
-    const double *const here = raw->seg.end;
-    const double furthest = raw->s + raw->seg.length + h + h;
-    double p[1][NCK_AXIS_MAX];
-    double off[NCK_AXIS_MAX];
-    const int axes = self->terms->axes;
-    const double at_side = rough ? 1.25 : -1.0;
-    const double at_middle = rough ? 11.0 : 2.0;
-    const nck_look_t *const look = look_around(self, count, h);
-    nck_raw_points(self, count, &furthest, 1, p, NULL);
-    for (int x = 0; x < axes; x++) {
-        const double sides = look->before[x] + nck_spline_bend(here[x], look->behind[x], p[0][x]);
-        off[x] = at_middle * look->middle[x] + at_side * sides;
-    }
-    return nck_spline_norm(off, axes) / 36.0;
-}
-
-// Σ |δ²p|² of so many places, h apart: of their points, and one more on either side.
-static double bends_of(const nck_smooth_t *self, double (*p)[NCK_AXIS_MAX], int count) {
-    const int axes = self->terms->axes;
-    double sum = 0.0;
-    for (int k = 1; k <= count; k++) {
-        for (int x = 0; x < axes; x++) {
-            const double bend = nck_spline_bend(p[k - 1][x], p[k][x], p[k + 1][x]);
-            sum += bend * bend;
-        }
-    }
-    return sum;
-}
-
-// The same of five places around a block's end; NCK_UNLIMITED if the first of them alone exceeds
-// `most`.
-static double unevenness(nck_smooth_t *self, uint32_t count, double h, double most) {
-    const nck_raw_t *const raw = nck_raw_at(self, count);
-    const double s = raw->s + raw->seg.length;
-    double p[POINTS][NCK_AXIS_MAX];
-    double places[POINTS];
-    for (int k = 0; k < POINTS; k++) places[k] = s - 3.0 * h + h * (double)k;
-    nck_raw_points(self, count, places, 3, p, NULL);
-    if (bends_of(self, p, 1) > most) return NCK_UNLIMITED;
-    nck_raw_points(self, count, places + 3, POINTS - 3, p + 3, NULL);
-    return bends_of(self, p, POINTS - 2);
+    return good;
 }
 
 // The largest spacing at a block's end, from a good one on, before the deviation first exceeds the
@@ -160,7 +94,7 @@ static nck_status_t grow(nck_smooth_t *self, uint32_t count, double aim, int rou
             *spacing = good;
             return nck_raw_is_full(self) ? NCK_FULL : NCK_EMPTY;
         }
-        if (deviation(self, count, next, rough) <= aim) {
+        if (nck_estimate_plain(self, count, next, rough) <= aim) {
             good = next;
             bad = good;
         } else {
@@ -169,10 +103,10 @@ static nck_status_t grow(nck_smooth_t *self, uint32_t count, double aim, int rou
     }
     for (int n = 0; n < BISECT_STEPS && bad > good; n++) {
         const double middle = 0.5 * (good + bad);
-        if (deviation(self, count, middle, rough) <= aim) good = middle;
+        if (nck_estimate_plain(self, count, middle, rough) <= aim) good = middle;
         else bad = middle;
     }
-    *spacing = good;
+    *spacing = rough ? good : shrunk(self, count, aim, good);
     return NCK_OK;
 }
 
@@ -182,7 +116,7 @@ static double begin_growing(nck_smooth_t *self, uint32_t count, double aim, doub
     const double s = raw->s + raw->seg.length;
     const double likely = NEIGHBOUR * nck_raw_at(self, nck_raw_before(self, count))->spacing;
     if (likely <= spacing || s + likely > nck_raw_known(self)) return spacing;
-    return deviation(self, count, likely, 0) <= aim ? likely : spacing;
+    return nck_estimate_plain(self, count, likely, 0) <= aim ? likely : spacing;
 }
 
 // The spacing that a corner between two blocks allows if it is alone; and how it turns.
@@ -296,9 +230,9 @@ static nck_status_t grow_as_curve_or_noise(nck_smooth_t *self, uint32_t count, d
     const nck_status_t status = grow(self, count, aim, 0, spacing);
     if (status == NCK_EMPTY) return status;
     const int was_rough = nck_raw_at(self, nck_raw_before(self, count))->rough;
-    const double fine = unevenness(self, count, 0.5 * *spacing, NCK_UNLIMITED);
+    const double fine = nck_estimate_unevenness(self, count, 0.5 * *spacing, NCK_UNLIMITED);
     const double most = (was_rough ? STAYS_ROUGH : GETS_ROUGH) * fine;
-    raw->rough = unevenness(self, count, *spacing, most) < most;
+    raw->rough = nck_estimate_unevenness(self, count, *spacing, most) < most;
     return raw->rough ? grow(self, count, aim, 1, spacing) : status;
 }
 
@@ -350,10 +284,12 @@ static int is_alone(nck_smooth_t *self, uint32_t count, const turn_t *turn, doub
     return nck_spline_norm(others, turn->axes) <= OTHERS * turn->size;
 }
 
-// 1 if the corner gets a knot of its own.
+// 1 if the corner gets a knot of its own. Beside the rest that a run begins at it would be narrow.
 static int is_key(nck_smooth_t *self, uint32_t count, const vertex_t *corner, double spacing) {
+    const nck_raw_t *const raw = nck_raw_at(self, count);
     const int likely = spacing >= KEY_LEAST * corner->alone && spacing <= KEY_MOST * corner->alone
-                       && corner->alone < self->spacing_max;
+                       && corner->alone < self->spacing_max
+                       && spacing <= raw->s + raw->seg.length;
     return (corner->lone || (likely && !bends_on(self, count, corner)
                              && is_alone(self, count, &corner->bend, spacing)))
            && !is_crowded(self, count, spacing);
