@@ -9,6 +9,8 @@
 #include "nck/prep/3_smooth/raw.h"         // nck_raw_…
 #include "nck/prep/3_smooth/spline_math.h" // nck_spline_…
 
+#define CURVED 0.3
+#define SHARP 0.4
 enum { POINTS = 7 }; // of the path that tell a curve from noise
 
 // What of the path around a block's end, a spacing h to either side, is known from now on. The
@@ -56,22 +58,33 @@ double nck_estimate_plain(nck_smooth_t *self, uint32_t count, double h, int roug
     return nck_spline_norm(off, axes) / 36.0;
 }
 
-double nck_estimate_nine(nck_smooth_t *self, uint32_t count, double h) {
+// δ²p over h/2 is a quarter of that over h on a curve, and half of it at a corner.
+static int power_of(double half, double whole) {
+    const double ratio = half / whole;
+    if (ratio < CURVED) return 4;
+    return ratio < SHARP ? 2 : 1;
+}
+
+nck_estimate_t nck_estimate_nine(nck_smooth_t *self, uint32_t count, double h) {
     const nck_raw_t *const raw = nck_raw_at(self, count);
     const double *const here = raw->seg.end;
     const double s = raw->s + raw->seg.length;
     const double places[3] = {s - 0.5 * h, s + 0.5 * h, s + h + h};
     double p[3][NCK_AXIS_MAX];
     double off[NCK_AXIS_MAX];
+    double half[NCK_AXIS_MAX];
     const int axes = self->terms->axes;
     const nck_look_t *const look = look_around(self, count, h);
     nck_raw_points(self, count, places, 3, p, NULL);
     for (int x = 0; x < axes; x++) {
-        const double half = nck_spline_bend(p[0][x], here[x], p[1][x]);
+        half[x] = nck_spline_bend(p[0][x], here[x], p[1][x]);
         const double sides = look->before[x] + nck_spline_bend(here[x], look->behind[x], p[2][x]);
-        off[x] = 11.5 * half - 0.875 * look->middle[x] - sides;
+        off[x] = 11.5 * half[x] - 0.875 * look->middle[x] - sides;
     }
-    return nck_spline_norm(off, axes) / 36.0;
+    const nck_estimate_t estimate = {
+        nck_spline_norm(off, axes) / 36.0,
+        power_of(nck_spline_norm(half, axes), nck_spline_norm(look->middle, axes))};
+    return estimate;
 }
 
 // Σ |δ²p|² of so many places, h apart: of their points, and one more on either side.
