@@ -76,8 +76,8 @@ static int is_in(const nck_raw_t *raw, double s) { return raw->s < s && !(raw_en
 // So many blocks on or back, at most: where s would be if all were as long as this one, one at
 // least.
 static uint32_t leap(const nck_raw_t *raw, double way, uint32_t most) {
-    const double blocks = nck_min((double)most, way / raw->seg.length);
-    return blocks > 1.0 ? (uint32_t)blocks : 1;
+    if (!(way > raw->seg.length) || !(raw->seg.length > 0.0)) return 1; // outputs have no length
+    return (uint32_t)nck_min((double)most, way / raw->seg.length);
 }
 
 // nck_raw_find, from a guess.
