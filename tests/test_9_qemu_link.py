@@ -69,8 +69,8 @@ NO_EXCHANGE = Fault(
     "    *(volatile uint32_t *)word = desired;\n    return 1;\n",
 )  # fmt: skip
 SAME_TAIL = Fault(
-    "the tail in use is written over", "link.c", "return 1u - parity_of(self->base);",
-    "return parity_of(self->base);",
+    "the tail in use is written over", "link.c", "return 1u - nck_link_parity(self->base);",
+    "return nck_link_parity(self->base);",
 )  # fmt: skip
 NO_WAIT = Fault(
     "prep goes on before the tail has come to rest", "link.c", "!= end + 1) return NCK_FULL;",

@@ -266,8 +266,10 @@ static inline double rise(rise_t *state, const nck_hull_cell_t *step, const doub
             most = 0.0;
         }
         capped = most >= v_cap * (1.0 - CAP_EPSILON);
-        if (!capped) v1 = most;
-        if (!capped) vv1 = most * most;
+        if (!capped) {
+            v1 = most;
+            vv1 = most * most;
+        }
     }
     state->v = v1;
     state->a = (vv1 - v * v) / (2.0 * step->h);

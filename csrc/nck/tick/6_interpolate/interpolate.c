@@ -312,7 +312,8 @@ static int yields(nck_interpolate_t *self, uint32_t owner) {
 // Whether the link is prep's alone; asked every tick.
 static inline int stands_aside(nck_interpolate_t *self) {
     const uint32_t owner = nck_link_owner(self->link);
-    return owner != NCK_LINK_BOTH && yields(self, owner);
+    if (owner == NCK_LINK_BOTH) return 0;
+    return yields(self, owner);
 }
 
 // Time begins to count later.
