@@ -199,8 +199,7 @@ static double distance_of(const corner_t *corner, double outside) {
 }
 
 // The distance at a stop on the corner, cut to the widest that is either block's own; 0: none.
-static double distance_within(const corner_t *corner, double widest,
-                              nck_corner_stop_t *stop_out) {
+static double distance_within(const corner_t *corner, double widest, nck_corner_stop_t *stop_out) {
     const double distance = distance_of(corner, 0.0);
     if (distance <= widest) return distance;
     if (distance > CUT_MOST * widest) return 0.0;

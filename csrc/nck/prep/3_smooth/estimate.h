@@ -31,4 +31,9 @@ nck_estimate_t nck_estimate_nine(nck_smooth_t *self, uint32_t count, double h);
 // alone exceeds `most`. Cost: seven points of the path.
 double nck_estimate_unevenness(nck_smooth_t *self, uint32_t count, double h, double most);
 
+// Forget what is known of the path from estimates before: a corner may be moved. Cost: constant.
+static inline void nck_estimate_forget(nck_smooth_t *self) {
+    for (int k = 0; k < 2; k++) self->run.look[k].h = 0.0;
+}
+
 #endif

@@ -139,13 +139,7 @@ static void point_beside(const nck_raw_t *raw, double s, int axes, double *point
         for (int x = 0; x < axes; x++) point_out[x] = end[x];
         return;
     }
-    if (raw->seg.kind == NCK_SEG_LINE) {
-        for (int x = 0; x < axes; x++) {
-            point_out[x] = end[x] + nck_path_slope(&raw->seg, x) * beyond;
-        }
-        return;
-    }
-    nck_path_tangent_part(&raw->seg, before ? 0.0 : raw->seg.length, axes, point_out);
+    tangent_of(&raw->seg, before ? 0.0 : raw->seg.length, axes, point_out);
     for (int x = 0; x < axes; x++) point_out[x] = end[x] + point_out[x] * beyond;
 }
 

@@ -416,8 +416,7 @@ nck_status_t nck_spacing_know(nck_smooth_t *self, uint32_t count) {
         }
     }
     raw->lacks = NCK_LACKS_NOTHING;
-    self->run.look[0].h = 0.0; // the corner may be moved
-    self->run.look[1].h = 0.0;
+    nck_estimate_forget(self); // the corner may be moved
     nck_meet_choose(self, count);
     return NCK_OK;
 }
