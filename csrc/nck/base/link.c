@@ -100,7 +100,6 @@ void nck_link_tail_grow(nck_link_t *self, uint32_t count) {
 }
 
 void nck_link_tail_push(nck_link_t *self, const nck_cell_t *cell) {
-    assert(self->tail_fill < NCK_TAIL_MAX);
     nck_cell_t *const room = nck_link_tail_room(self);
     *room = *cell;
     nck_link_tail_placed(self, room);

@@ -20,6 +20,8 @@
 #ifndef NCK_BASE_LINK_H
 #define NCK_BASE_LINK_H
 
+#include <assert.h> // assert
+
 #include "nck/base/fence.h"   // nck_fence_load and its kin
 #include "nck/base/limits.h"  // capacities
 #include "nck/base/records.h" // nck_cell_t nck_seg_t nck_output_t
@@ -148,6 +150,7 @@ void nck_link_tail_grow(nck_link_t *self, uint32_t count);
 // The same of one cell, that stands where nck_link_tail_room has said. Cost: constant.
 // Context: prep.
 static inline void nck_link_tail_placed(nck_link_t *self, const nck_cell_t *cell) {
+    assert(self->tail_fill < NCK_TAIL_MAX);
     nck_link_inspect(self, cell);
     self->tail_fill++;
 }

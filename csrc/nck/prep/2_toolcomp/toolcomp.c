@@ -79,9 +79,7 @@ nck_status_t nck_toolcomp_take(nck_toolcomp_t *self, nck_block_t *block) {
         else self->closed = self->phase != NCK_COMP_OFF;
         return NCK_EMPTY;
     }
-    if (self->phase == NCK_COMP_OFF) {
-        return self->away ? stay_away(self, block) : NCK_OK;
-    }
+    if (self->phase == NCK_COMP_OFF) return stay_away(self, block);
     if (block->kind == NCK_BLOCK_END) self->closed = 1;
     return nck_comp_take(self, block);
 }
