@@ -26,7 +26,7 @@
 #define PERIODS_LEAST 2.0     // that two motions overlap
 #define SHARE_LEAST 0.55      // of the jerk that motions keep to which overlap: half gains nothing
 #define SPREAD 5.0           // of δ: so near to the corner at least a block is its own
-#define CUT_MOST 4.0         // times what is its own: a wider δ is cut to that
+#define CUT_MOST 4.0         // times what is its own: a wider δ is cut only beside a long block
 #define USED 0.8             // of the time for which motions may overlap: more is not worth a way
 #define JERK_EPSILON 1e-9    // of a limit is rounding
 #define ADDED 1.3            // a/j of either block, in times for which accelerations add up
@@ -198,11 +198,13 @@ static double distance_of(const corner_t *corner, double outside) {
     return nck_overlap_distance(corner->tolerance, outside, corner->turn, corner->turn);
 }
 
-// The distance at a stop on the corner, cut to the widest that is either block's own; 0: none.
+// The distance at a stop on the corner, cut to the widest that is either block's own; 0: none, as
+// where it is much wider than both blocks have room for.
 static double distance_within(const corner_t *corner, double widest, nck_corner_stop_t *stop_out) {
     const double distance = distance_of(corner, 0.0);
     if (distance <= widest) return distance;
-    if (distance > CUT_MOST * widest) return 0.0;
+    const double longer = nck_max(corner->half[0], corner->half[1]) / SPREAD;
+    if (distance > nck_max(CUT_MOST * widest, longer)) return 0.0;
     stop_out->widest = widest;
     return widest;
 }
@@ -276,6 +278,11 @@ static double overlap_of(const corner_t *corner, double half_s, nck_corner_stop_
     return overlap * (1.0 - 2.0 * (1.0 - share));
 }
 
+// Time from a stop at a block's other end over what of d is beyond that.
+static double again_time(const corner_t *corner, int n, double d) {
+    return nck_scurve_over(&corner->ramp[n], 0.0, nck_max(0.0, d - corner->length[n]));
+}
+
 // Time of a stop, over d of either block at least: where a block is shorter the path goes on as
 // fast as it has become. That is less than stops at all the corners there would take, if they are
 // alike. Under a jerk limit a block that is much shorter is a part of this corner: then the next
@@ -288,7 +295,8 @@ static double stop_time(const corner_t *corner, double d, nck_corner_stop_t *sto
         const double half = nck_scurve_over(ramp, 0.0, corner->half[n]);
         half_s = nck_min(half_s, half);
         const double beyond = nck_max(0.0, d - corner->half[n]);
-        const double on = beyond / nck_scurve_reach(ramp, 0.0, corner->half[n]);
+        double on = beyond / nck_scurve_reach(ramp, 0.0, corner->half[n]);
+        if (corner->terms->limits_jerk) on = nck_min(on, half + again_time(corner, n, d));
         const int is_apart = !corner->terms->limits_jerk || corner->half[n] >= ALIKE * d;
         const int goes_on = corner->terms->carries && is_apart;
         if (corner->rests[n]) time += 2.0 * half;
