@@ -9,7 +9,8 @@
 #include <string.h> // memset strlen
 
 #include "check.h"
-#include "nck/nck.h" // nck_t
+#include "nck/base/path.h" // nck_path_tangent
+#include "nck/nck.h"       // nck_t
 
 enum { MOTION_TEXT = 400000, MOTION_SEGS = 8192, MOTION_OUTPUTS = 512, MOTION_MOVES = 12,
        MOTION_STEPS = 100000 /* prep does all that it can */ };
@@ -50,6 +51,8 @@ typedef struct motion {
     double axis[4][NCK_AXIS_MAX];
     uint32_t apart;        // ticks since two motions overlapped
     uint64_t beside;       // ticks in which they did
+    uint32_t at;           // seg of the last tick
+    uint32_t past_corner;  // ticks since a corner of the exact path, which keeps no jerk of an axis
     nck_pose_t pose;
     nck_axes_t axes;
     motion_peak_t peak;
@@ -139,6 +142,8 @@ static inline nck_status_t motion_start(motion_t *self)
     memset(self->s, 0, sizeof self->s);
     memset(self->axis, 0, sizeof self->axis);
     self->apart = 4;
+    self->past_corner = 4;
+    self->at = 0;
     self->beside = 0;
     memset(&self->peak, 0, sizeof self->peak);
     return nck_init(&self->nck, &self->machine, &hooks);
@@ -218,9 +223,27 @@ static inline void motion_judge_axes(motion_t *self)
         const double change = p[2][x] - 3.0 * p[1][x] + 3.0 * p[0][x] - self->axis[0][x];
         const double rounding = 8.0 * 2.2204460492503131e-16 * fmax(1e-9, fabs(p[2][x]));
         const double j = (fabs(change) - rounding) / (period * period * period);
-        if (self->apart == 0) self->peak.j_axis = fmax(self->peak.j_axis, j / limit->j_max);
         self->hash = (self->hash ^ (uint64_t)self->axes.joint_nm[x]) * 1099511628211u; // FNV-1a
+        if (self->apart > 0 || self->past_corner <= 3) continue;
+        self->peak.j_axis = fmax(self->peak.j_axis, j / limit->j_max);
     }
+}
+
+// 1 if the path goes on from one of these segs to the next round a corner, without a rest there.
+static inline int motion_turns(const motion_t *self, uint32_t from, uint32_t to)
+{
+    for (uint32_t k = from; k < to && k + 1 < self->segs; k++) {
+        const nck_seg_t *const in = &self->seg[k];
+        const nck_seg_t *const out = &self->seg[k + 1];
+        double u[2][NCK_AXIS_MAX];
+        if (in->stop || in->kind > NCK_SEG_SPLINE || out->kind > NCK_SEG_SPLINE) continue;
+        nck_path_tangent(in, in->length, u[0]);
+        nck_path_tangent(out, 0.0, u[1]);
+        for (int x = 0; x < NCK_AXIS_MAX; x++) {
+            if (fabs(u[1][x] - u[0][x]) > 1e-6) return 1;
+        }
+    }
+    return 0;
 }
 
 static inline void motion_judge(motion_t *self)
@@ -239,6 +262,8 @@ static inline void motion_judge(motion_t *self)
     peak->a = fmax(peak->a, (fabs(s[3] - 2.0 * s[2] + s[1]) - rounding) / (period * period));
     self->apart = pose->left > 0.0 ? 0 : self->apart + 1;
     self->beside += pose->left > 0.0;
+    self->past_corner = motion_turns(self, self->at, pose->seg) ? 0 : self->past_corner + 1;
+    self->at = pose->seg;
     if (self->apart > 3) { // else s is that of two motions
         peak->j = fmax(peak->j, (fabs(s[3] - 3.0 * s[2] + 3.0 * s[1] - s[0]) - rounding)
                                     / (period * period * period));

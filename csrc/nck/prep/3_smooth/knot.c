@@ -17,6 +17,7 @@
 // The knots next to a key's stand so many of its spacings further off at least.
 #define GAP_LEAST 0.4
 #define STEP_GROWTH 1.1  // from one knot interval to the next, where the path is not straight
+#define NEAR_OUTPUT 0.65 // of a step: an output so far off draws a knot
 #define SURE 0.5         // of √(P/κ): from rest a step on one block that certainly fits
 #define NEVER 1e300      // [path mm] no place of a run
 enum {
@@ -29,7 +30,7 @@ enum {
 // What the way ahead of t[4] asks for.
 typedef struct way {
     double step;  // spacing, as all that is not a goal allows
-    double goal;  // place of the next corner, of an output or of the run's end, within two steps
+    double goal;  // place of the next corner or of the run's end, within two steps
     double half;  // spacing wanted on either side of the goal; 0: any
     double growth;    // of a step with the distance, for what lies ahead: from rest on none
     uint8_t sure;     // 1: no spacing so far may still grow
@@ -96,7 +97,7 @@ static void keep_place(nck_smooth_t *self, uint32_t count, double step) {
 }
 
 // What a block's end with a known spacing asks for. 1: it is the goal.
-static int look_at_corner(nck_smooth_t *self, uint32_t count, uint32_t next, way_t *way) {
+static int look_at_corner(nck_smooth_t *self, uint32_t count, way_t *way) {
     const nck_raw_t *const raw = nck_raw_at(self, count);
     const double here = self->run.t[4];
     const double end = raw->s + raw->seg.length;
@@ -109,9 +110,7 @@ static int look_at_corner(nck_smooth_t *self, uint32_t count, uint32_t next, way
     }
     way->sure &= (uint8_t)nck_spacing_is_known(raw);
     way->step = nck_min(way->step, raw->spacing + way->growth * (end - here));
-    if (!nck_raw_at(self, next - 1)->has_output) return 0;
-    way->goal = end;
-    return 1;
+    return 0;
 }
 
 // Look ahead from t[4]. A spacing at distance d may be half of d smaller: steps may halve.
@@ -134,7 +133,7 @@ static nck_status_t look_ahead(nck_smooth_t *self, way_t *way) {
             const nck_status_t status = find_spacing(self, count, &found);
             if (status != NCK_OK) return status;
             if (raw->seg.stop) return look_at_end(self, raw, way);
-            if (look_at_corner(self, count, next, way)) return NCK_OK;
+            if (look_at_corner(self, count, way)) return NCK_OK;
         }
         count = next;
     }
@@ -184,8 +183,24 @@ static double straight_gap(const nck_smooth_t *self, const way_t *way, double ga
     return gap_before(way, gap);
 }
 
+// A step that no corner asks for ends at the last output near its end where the path goes straight
+// on: a seg ends there anyhow.
+static double step_to_output(nck_smooth_t *self, double step) {
+    const double here = self->run.t[4];
+    double last = step;
+    uint32_t count = nck_raw_find(self, here + NEAR_OUTPUT * step);
+    for (; count != self->run.end; count++) {
+        const nck_raw_t *const raw = nck_raw_at(self, count);
+        if (raw->s > here + step) break;
+        if (!raw->has_output || raw->s < here + NEAR_OUTPUT * step) continue;
+        const nck_raw_t *const before = nck_raw_at(self, nck_raw_before(self, count));
+        if (!(before->spacing < self->spacing_max)) last = raw->s - here;
+    }
+    return last;
+}
+
 // The step from t[4] on that is wanted.
-static double wanted_step(const nck_smooth_t *self, const way_t *way) {
+static double wanted_step(nck_smooth_t *self, const way_t *way) {
     const double ahead = way->goal - self->run.t[4];
     if (self->run.on_key) return step_from_key(self, way, ahead);
     const double gap = ahead - way->half;
@@ -195,7 +210,8 @@ static double wanted_step(const nck_smooth_t *self, const way_t *way) {
     if (gap < 0.5 * way->half) return 0.5 * ahead;
     const double next = way->key == NCK_KEY_STEP ? gap_before(way, gap) : gap;
     if (next <= way->step) return next;
-    return nck_min(way->step, nck_max(0.5 * next, 0.5 * way->step));
+    const double step = nck_min(way->step, nck_max(0.5 * next, 0.5 * way->step));
+    return step_to_output(self, step);
 }
 
 // No knot beside the end of a block, nearer than rounding can tell.

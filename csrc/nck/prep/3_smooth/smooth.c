@@ -6,25 +6,18 @@
 #include <stddef.h> // offsetof
 #include <string.h> // memcpy memset
 
-#include "nck/base/path.h"                 // nck_path_…
 #include "nck/base/real.h"                 // nck_min nck_max
 #include "nck/prep/3_smooth/divide.h"      // nck_divide_…
 #include "nck/prep/3_smooth/knot.h"        // nck_knot_…
 #include "nck/prep/3_smooth/merge.h"       // nck_merge_…
 #include "nck/prep/3_smooth/metric_math.h" // nck_metric_of
+#include "nck/prep/3_smooth/part.h"        // nck_part_…
 #include "nck/prep/3_smooth/raw.h"         // nck_raw_…
 #include "nck/prep/3_smooth/spacing.h"     // nck_spacing_inside
 #include "nck/prep/3_smooth/spline_math.h" // nck_spline_…
 
 #define TOLERANCE_MIN 1e-4 // [mm] a smaller one means the exact path
-#define MUCH 0.5           // of a knot interval, for a block's end to be a seg's end
 #define ROUNDING 2e-6      // [mm] kept of the tolerance: setpoints are whole nanometres
-enum { STRETCH_PARTS = 8 }; // of a spline, to find where it is fastest
-// A part of a spline whose fastest place exceeds its mean by more is halved, so often at most, and
-// into parts that last so many periods at least.
-#define UNEVEN 1.05
-#define UNEVEN_PERIODS 4.0
-enum { HALVINGS = 3 };
 
 // The widest spacing that any speed, acceleration and jerk of the machine can ask for.
 static double widest_spacing(const nck_machine_t *machine) {
@@ -218,6 +211,19 @@ static void take_raw(nck_smooth_t *self, const nck_block_t *block) {
     extend_run(self);
 }
 
+// Outputs wait for the path ahead: the newest one's row is that of the block behind it, too. So a
+// line with an output takes no more of the ring than one without.
+static void join_output(nck_smooth_t *self, nck_raw_t *raw) {
+    const int is_closed = self->run.open && self->run.closed;
+    if (self->raw.head == self->raw.tail || is_closed) return;
+    nck_raw_t *const last = nck_raw_at(self, self->raw.head - 1);
+    if (!is_between(last)) return;
+    raw->output = last->output;
+    raw->has_output = 1;
+    *last = *raw;
+    self->raw.head--;
+}
+
 // The seg of a block is made: the next one begins where it ends.
 static void arrive(nck_smooth_t *self, const nck_block_t *block, const nck_seg_t *seg) {
     memcpy(self->position_nm, block->target_nm, sizeof self->position_nm);
@@ -234,9 +240,10 @@ nck_status_t nck_smooth_push(nck_smooth_t *self, const nck_block_t *block, uint3
         arrive(self, block, &raw->seg);
     }
     self->hungry = 0;
-    if (!NCK_HAS_SMOOTH || !raw->smooth || !nck_merge_line(self, block, &raw->seg)) {
-        take_raw(self, block);
-    }
+    const int is_smoothed = NCK_HAS_SMOOTH && raw->smooth;
+    if (is_smoothed && nck_merge_line(self, block, &raw->seg)) return NCK_OK;
+    if (is_smoothed) join_output(self, raw);
+    take_raw(self, block);
     return NCK_OK;
 }
 
@@ -281,11 +288,12 @@ static nck_status_t give_output(nck_smooth_t *self, nck_raw_t *raw, nck_smooth_i
     return NCK_OK;
 }
 
-// The next output of the run before the place s.
+// The next output of the run up to the place s.
 static nck_raw_t *due_output(nck_smooth_t *self, double s) {
+    const double beyond = s + nck_raw_least(s);
     for (uint32_t count = self->raw.tail; count != self->run.end; count++) {
         nck_raw_t *const raw = nck_raw_at(self, count);
-        if (raw->s >= s) return NULL;
+        if (raw->s >= beyond) return NULL;
         if (raw->has_output) return raw;
     }
     return NULL;
@@ -301,81 +309,6 @@ static void drop_passed(nck_smooth_t *self, double s) {
     }
 }
 
-// 1 if two blocks mean different motions on the same path.
-static int words_differ(const nck_seg_t *a, const nck_seg_t *b) {
-    return a->rapid != b->rapid || a->feed != b->feed || a->feed_scale != b->feed_scale
-           || nck_raw_spins_differ(a, b);
-}
-
-// Where the next part of the interval at t[2] … t[3] ends: where the words of the program change,
-// or where a block ends that makes much of the interval. Shorter blocks are executed together.
-static double part_end(nck_smooth_t *self) {
-    const double to = self->run.t[3];
-    const double least = nck_raw_least(to);
-    const double much = MUCH * (to - self->run.t[2]);
-    uint32_t count = nck_raw_find(self, self->run.given + least);
-    for (;;) {
-        const nck_raw_t *const raw = nck_raw_at(self, count);
-        const uint32_t next = nck_raw_next(self, count);
-        const double end = raw->s + raw->seg.length;
-        if (next == self->run.end || end > to - least) return to;
-        if (raw->seg.length > much || words_differ(&raw->seg, &nck_raw_at(self, next)->seg)) {
-            return end;
-        }
-        count = next;
-    }
-}
-
-// The block that a part ends in, or with: its words are those of it.
-static const nck_raw_t *raw_of_part(nck_smooth_t *self, double end) {
-    return nck_raw_at(self, nck_raw_find(self, end - nck_raw_least(end)));
-}
-
-// |dp/ds| of a spline between two places: the largest, and the mean of what divides the feed.
-// dp/ds is a parabola: between places h apart it is larger than at them by |p‴|·h²/8 at most.
-typedef struct stretch {
-    double most, mean;
-} stretch_t;
-
-static stretch_t stretch_of(const nck_seg_t *seg, double from, double to, int axes) {
-    const double h = (to - from) / (double)STRETCH_PARTS;
-    stretch_t stretch = {0.0, 0.0};
-    double third[NCK_AXIS_MAX];
-    for (int k = 0; k <= STRETCH_PARTS; k++) {
-        double tangent[NCK_AXIS_MAX];
-        nck_path_tangent_part(seg, from + h * (double)k, axes, tangent);
-        const double speed = nck_spline_norm(tangent, axes);
-        stretch.most = nck_max(stretch.most, speed);
-        stretch.mean += nck_max(1.0, speed);
-    }
-    stretch.mean *= 1.0 / (double)(STRETCH_PARTS + 1);
-    nck_path_third_part(seg, 0.0, axes, third);
-    stretch.most += nck_spline_sag(nck_spline_norm(third, axes), h);
-    return stretch;
-}
-
-// Where a part of the spline ends: it is halved as long as the tool, which keeps to the feed where
-// it is fastest, would be slower on average by more than UNEVEN, and for some periods.
-static double even_end(nck_smooth_t *self, const nck_seg_t *spline, double end,
-                       double *stretch_out) {
-    const double begin = self->run.t[2];
-    const double given = self->run.given;
-    const nck_seg_t *const words = &raw_of_part(self, end)->seg;
-    const double least = UNEVEN_PERIODS * words->feed * self->terms->machine->period_s;
-    int halvings = HALVINGS;
-    double to = end;
-    for (;;) {
-        const stretch_t stretch =
-            stretch_of(spline, given - begin, to - begin, self->terms->axes);
-        const double half = 0.5 * (to - given);
-        const int is_even = stretch.most <= UNEVEN * stretch.mean || stretch.most <= 1.0;
-        *stretch_out = stretch.most;
-        if (is_even || words->rapid || halvings == 0 || half < least) return to;
-        halvings--;
-        to = given + half;
-    }
-}
-
 // Where the spline is longer than the program's path, |dp/ds| > 1, the tool keeps to the feed.
 static void keep_feed(nck_seg_t *seg, double stretch) {
     if (stretch <= 1.0) return;
@@ -388,13 +321,13 @@ static nck_status_t give_spline(nck_smooth_t *self, nck_smooth_item_t *item_out)
     const double *const t = self->run.t;
     nck_seg_t *const seg = &item_out->seg;
     double stretch = 1.0;
-    double end = part_end(self);
+    double end = nck_part_end(self);
     nck_raw_spline(self, 0, seg);
-    if (seg->kind == NCK_SEG_SPLINE) end = even_end(self, seg, end, &stretch);
+    if (seg->kind == NCK_SEG_SPLINE) end = nck_part_even(self, seg, end, &stretch);
     nck_spline_part(seg, self->run.given - t[2], end - t[2], self->terms->axes);
     memcpy(seg->start, self->run.position, sizeof seg->start);
     memcpy(self->run.position, seg->end, sizeof seg->end);
-    const nck_raw_t *const raw = raw_of_part(self, end);
+    const nck_raw_t *const raw = nck_part_raw(self, end);
     if (seg->kind == NCK_SEG_LINE) stretch = nck_raw_stretch(raw, self->terms->axes);
     nck_raw_take_words(&raw->seg, seg);
     keep_feed(seg, stretch);
@@ -420,12 +353,12 @@ static nck_status_t pull_run(nck_smooth_t *self, nck_smooth_item_t *item_out) {
             if (status != NCK_OK) return status;
             self->run.chosen = 1;
         }
-        nck_raw_t *const raw = due_output(self, self->run.t[3]);
+        nck_raw_t *const raw = due_output(self, self->run.given);
         if (raw) return give_output(self, raw, item_out);
         if (self->run.t[3] > self->run.t[2]) return give_spline(self, item_out);
         nck_knot_advance(self);
     }
-    nck_raw_t *const raw = due_output(self, self->run.t[2] + 1.0);
+    nck_raw_t *const raw = due_output(self, self->run.given);
     return raw ? give_output(self, raw, item_out) : NCK_DONE;
 }
 
