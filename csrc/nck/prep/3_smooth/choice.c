@@ -31,7 +31,7 @@
 #define JERK_EPSILON 1e-9    // of a limit is rounding
 #define ADDED 1.3            // a/j of either block, in times for which accelerations add up
 #define OWN 0.7              // of the spline's turn that a corner has to make for a stop to help
-#define TURNS_ON 1.1          // of a corner's turn is the bend's: other corners in it turn alike
+#define TURNS_ON 1.02         // of a corner's turn is the bend's: other corners in it turn alike
 // Of a bend's half-width: corners that are nearer to each other are many, and further few.
 #define MANY 0.1
 #define FEW 0.3
