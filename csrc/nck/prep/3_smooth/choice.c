@@ -36,6 +36,10 @@
 #define MANY 0.1
 #define FEW 0.3
 #define UNEVEN 2.5            // times as much costs the turn of such a bend, whose knots are uneven
+// So many times the turn of two corners' bend counts that are one, and less by their distance in
+// spacings.
+#define BACK 3.5
+#define BACK_APART 3.0
 enum { HALVINGS = 12 };      // of a speed that is sought: to 1e-3 of it
 
 // What a corner is like. Speeds in path mm/s.
@@ -427,6 +431,15 @@ static int is_shared(const corner_t *corner, const nck_bend_t *bend) {
     return least > MANY && least < FEW && turn > TURNS_ON * corner->turn;
 }
 
+// How many times the bend's turn counts. The nearer two corners that share it are to each other,
+// the more it is a way back: there an axis has to stop in the bend, too.
+static double turn_counts(const corner_t *corner, const nck_meet_t *meet,
+                          const nck_bend_t *bend) {
+    const double apart = meet->b->seg.length / meet->a->spacing;
+    if (meet->a->pair) return nck_max(1.0, BACK - BACK_APART * apart);
+    return is_shared(corner, bend) ? UNEVEN : 1.0;
+}
+
 int nck_choice_may_stop(const nck_smooth_t *self, const nck_meet_t *meet, const nck_bend_t *bend) {
     corner_t corner;
     measure_turn(self, meet, &corner);
@@ -444,7 +457,7 @@ int nck_choice_stop(const nck_smooth_t *self, const nck_meet_t *meet, const nck_
     if (!is_own(&corner, bend)) return 0;
     measure_ramps(self, meet, &corner);
     nck_bend_t steep = *bend;
-    const double share = is_shared(&corner, bend) ? UNEVEN : 1.0;
-    for (int x = 0; x < self->terms->axes; x++) steep.turn[x] *= share;
+    const double times = turn_counts(&corner, meet, bend);
+    for (int x = 0; x < self->terms->axes; x++) steep.turn[x] *= times;
     return stop_time(&corner, bend->d, stop_out) < plain_time(&corner, &steep);
 }

@@ -96,6 +96,21 @@ static void keep_place(nck_smooth_t *self, uint32_t count, double step) {
     trial->step = step;
 }
 
+// Two corners that share their bend want even knots, h apart, about the middle between them: two
+// inner ones with control points on the path, h/2 to either side. 1: one of them is the goal.
+static int look_at_pair(nck_smooth_t *self, uint32_t count, way_t *way) {
+    const nck_raw_t *const raw = nck_raw_at(self, count);
+    const double h = raw->spacing;
+    const double between = nck_raw_at(self, nck_raw_next(self, count))->seg.length;
+    const double first = raw->s + raw->seg.length + 0.5 * (between - h);
+    const int is_inside = self->run.on_key == NCK_KEY_PAIR;
+    if (!is_inside && first < self->run.t[4] + 0.5 * h) return 0;
+    way->goal = is_inside ? self->run.t[4] + h : first;
+    way->half = h;
+    way->key = NCK_KEY_PAIR;
+    return 1;
+}
+
 // What a block's end with a known spacing asks for. 1: it is the goal.
 static int look_at_corner(nck_smooth_t *self, uint32_t count, way_t *way) {
     const nck_raw_t *const raw = nck_raw_at(self, count);
@@ -108,6 +123,7 @@ static int look_at_corner(nck_smooth_t *self, uint32_t count, way_t *way) {
         way->straight = raw->s <= here && raw->seg.kind == NCK_SEG_LINE;
         return 1;
     }
+    if (raw->pair == NCK_PAIR_FIRST && look_at_pair(self, count, way)) return 1;
     way->sure &= (uint8_t)nck_spacing_is_known(raw);
     way->step = nck_min(way->step, raw->spacing + way->growth * (end - here));
     return 0;
@@ -202,6 +218,7 @@ static double step_to_output(nck_smooth_t *self, double step) {
 // The step from t[4] on that is wanted.
 static double wanted_step(nck_smooth_t *self, const way_t *way) {
     const double ahead = way->goal - self->run.t[4];
+    if (self->run.on_key == NCK_KEY_PAIR && way->key == NCK_KEY_PAIR) return ahead;
     if (self->run.on_key) return step_from_key(self, way, ahead);
     const double gap = ahead - way->half;
     if (gap <= 0.01 * way->half) return ahead;

@@ -137,6 +137,20 @@ static void measure_ways(nck_smooth_t *self, uint32_t count, nck_meet_t *meet) {
     meet->rests[1] = self->run.closed && behind <= AT_REST * meet->length[1];
 }
 
+// The bend of two corners: from the first one back to where it begins. Its |p‴| is that of one of
+// the two inner control points.
+static void bend_of_pair(nck_smooth_t *self, const nck_meet_t *meet, nck_bend_t *bend) {
+    const double h = meet->a->spacing;
+    double p[3][NCK_AXIS_MAX];
+    nck_raw_spread(self, meet->b->s + 0.5 * meet->b->seg.length - 1.5 * h, h, 3, p);
+    bend->d = 1.5 * h - 0.5 * meet->b->seg.length;
+    const double share = bend->d * bend->d / (h * h * h);
+    for (int x = 0; x < self->terms->axes; x++) {
+        bend->turn[x] = share * nck_spline_bend(p[0][x], p[1][x], p[2][x]);
+    }
+    bend->lift = 0.0;
+}
+
 // The bend that a spacing makes of the corner at a block's end, as the run's ends leave it.
 static void bend_of(nck_smooth_t *self, uint32_t count, double spacing, nck_bend_t *bend) {
     const nck_raw_t *const raw = nck_raw_at(self, count);
@@ -160,7 +174,8 @@ void nck_meet_choose(nck_smooth_t *self, uint32_t count) {
     const double tolerance = nck_min(raw->tolerance, next->tolerance);
     nck_meet_t meet = {raw, next, {0.0, 0.0}, tolerance, {0, 0}, 0};
     nck_bend_t bend;
-    bend_of(self, count, raw->spacing, &bend);
+    if (raw->pair) bend_of_pair(self, &meet, &bend);
+    else bend_of(self, count, raw->spacing, &bend);
     if (raw->key != NCK_KEY_LIFTED && !nck_choice_may_stop(self, &meet, &bend)) return;
     measure_ways(self, count, &meet);
     if (raw->key == NCK_KEY_LIFTED) {
@@ -177,5 +192,6 @@ void nck_meet_choose(nck_smooth_t *self, uint32_t count) {
     nck_corner_stop_t stop;
     meet.may_move = (uint8_t)may_move(self, &meet);
     if (!nck_choice_stop(self, &meet, &bend, &stop)) return;
+    raw->pair = NCK_PAIR_NONE;
     stop_behind(self, count, move_corner(self, raw, next, &stop));
 }

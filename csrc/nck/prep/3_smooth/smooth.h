@@ -25,8 +25,16 @@ typedef enum nck_key {
     NCK_KEY_NONE = 0,
     NCK_KEY_ON_PATH,
     NCK_KEY_LIFTED,
-    NCK_KEY_STEP
+    NCK_KEY_STEP,
+    NCK_KEY_PAIR // beside the middle of two corners, which share their bend
 } nck_key_t;
+
+// Whether the corners at both ends of a block share one bend.
+typedef enum nck_pair {
+    NCK_PAIR_NONE = 0,
+    NCK_PAIR_FIRST, // with the one behind it
+    NCK_PAIR_SECOND // with the one before it
+} nck_pair_t;
 
 // What is still to be found of the spacing at a block's end.
 typedef enum nck_lack {
@@ -52,6 +60,8 @@ typedef struct nck_raw {
     uint8_t ends;        // 1: end of the program
     uint8_t lacks;       // of its spacing: nck_lack_t
     uint8_t onward;      // how the path goes on into it: nck_onward_t
+    uint8_t pair;        // whether the corner at its end shares its bend: nck_pair_t
+    uint8_t reserved[7]; // 0
 } nck_raw_t;
 
 // What the room gives: a seg, or an output between segs.

@@ -8,6 +8,7 @@
 #include "nck/base/real.h"                 // nck_min nck_max
 #include "nck/prep/3_smooth/estimate.h"    // nck_estimate_…
 #include "nck/prep/3_smooth/meet.h"        // nck_meet_choose
+#include "nck/prep/3_smooth/pair.h"        // nck_pair_find
 #include "nck/prep/3_smooth/raw.h"         // nck_raw_…
 #include "nck/prep/3_smooth/spline_math.h" // nck_spline_…
 
@@ -290,15 +291,13 @@ static int is_alone(nck_smooth_t *self, uint32_t count, const turn_t *turn, doub
     return nck_spline_norm(others, turn->axes) <= OTHERS * turn->size;
 }
 
-// 1 if the corner gets a knot of its own. Beside the rest that a run begins at it would be narrow.
-static int is_key(nck_smooth_t *self, uint32_t count, const vertex_t *corner, double spacing) {
+// 1 if the corner turns as much as its spacing allows. Beside the rest that a run begins at a knot
+// of its own would be narrow.
+static int is_sharp(nck_smooth_t *self, uint32_t count, const vertex_t *corner, double spacing) {
     const nck_raw_t *const raw = nck_raw_at(self, count);
-    const int likely = spacing >= KEY_LEAST * corner->alone && spacing <= KEY_MOST * corner->alone
-                       && corner->alone < self->spacing_max
-                       && spacing <= raw->s + raw->seg.length;
-    return (corner->lone || (likely && !bends_on(self, count, corner)
-                             && is_alone(self, count, &corner->bend, spacing)))
-           && !is_crowded(self, count, spacing);
+    return spacing >= KEY_LEAST * corner->alone && spacing <= KEY_MOST * corner->alone
+           && corner->alone < self->spacing_max && spacing <= raw->s + raw->seg.length
+           && !bends_on(self, count, corner);
 }
 
 // A lone corner's spacing on a line: with a lift it bends two of them on either side. Two corners
@@ -362,6 +361,29 @@ static double step_spacing(nck_smooth_t *self, uint32_t count, const vertex_t *c
     return nck_min(nck_min(room, inside), nck_spline_step_spacing(share * tolerance, step));
 }
 
+// Whether a corner is a key, or shares its bend with the next or the one before; then it has the
+// spacing of both.
+static void choose_knots(nck_smooth_t *self, uint32_t count, const vertex_t *corner, int lifted,
+                         double *spacing) {
+    nck_raw_t *const raw = nck_raw_at(self, count);
+    const nck_raw_t *const before = nck_raw_at(self, nck_raw_before(self, count));
+    const int is_second = before->pair == NCK_PAIR_FIRST;
+    const double aim = corner->aim * (AIM_KEY / AIM);
+    raw->key = NCK_KEY_NONE;
+    raw->pair = is_second ? NCK_PAIR_SECOND : NCK_PAIR_NONE;
+    if (is_second) {
+        *spacing = before->spacing;
+        return;
+    }
+    const int sharp = is_sharp(self, count, corner, *spacing);
+    if (corner->lone || (sharp && is_alone(self, count, &corner->bend, *spacing))) {
+        if (is_crowded(self, count, *spacing)) return;
+        raw->key = corner->lone && lifted ? NCK_KEY_LIFTED : NCK_KEY_ON_PATH;
+    } else if (sharp && nck_pair_find(self, count, aim, spacing)) {
+        raw->pair = NCK_PAIR_FIRST;
+    }
+}
+
 // The spacing at a corner, and whether it is a key. NCK_EMPTY if more blocks must be known.
 static nck_status_t find_at_corner(nck_smooth_t *self, uint32_t count, vertex_t *corner,
                                    double *spacing_out) {
@@ -375,10 +397,7 @@ static nck_status_t find_at_corner(nck_smooth_t *self, uint32_t count, vertex_t 
         plain = plain_spacing(corner, narrow);
         *spacing_out = widen(self, count, narrow, plain);
     }
-    raw->key = NCK_KEY_NONE;
-    if (is_key(self, count, corner, *spacing_out)) {
-        raw->key = corner->lone && *spacing_out > plain ? NCK_KEY_LIFTED : NCK_KEY_ON_PATH;
-    }
+    choose_knots(self, count, corner, *spacing_out > plain, spacing_out);
     return NCK_OK;
 }
 
@@ -409,7 +428,8 @@ nck_status_t nck_spacing_know(nck_smooth_t *self, uint32_t count) {
         vertex_t corner;
         const nck_status_t status = find(self, count, &corner);
         if (status != NCK_OK || raw->lacks || !(corner.alone < self->spacing_max)) return status;
-        if (raw->key == NCK_KEY_STEP) return NCK_OK; // next to no corner
+        if (raw->key == NCK_KEY_STEP) return NCK_OK;     // next to no corner
+        if (raw->pair == NCK_PAIR_SECOND) return NCK_OK; // the first has chosen for both
         if (!corner.lines) {
             raw->lacks = NCK_LACKS_TIME;
             return NCK_FULL;

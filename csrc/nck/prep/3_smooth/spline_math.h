@@ -94,6 +94,15 @@ static inline nck_real nck_spline_moment(const nck_real *t) {
     return (first * first + second * second + both * both) / 18.0;
 }
 
+// Weights of four control points of a cubic B-spline with even knots, at a share u of an interval.
+static inline void nck_spline_basis(nck_real u, nck_real *weight_out) {
+    const nck_real w = 1.0 - u;
+    weight_out[0] = w * w * w / 6.0;
+    weight_out[1] = (3.0 * u * u * u - 6.0 * u * u + 4.0) / 6.0;
+    weight_out[2] = (3.0 * w * w * w - 6.0 * w * w + 4.0) / 6.0;
+    weight_out[3] = u * u * u / 6.0;
+}
+
 // Second difference of three points evenly apart, of one axis:   δ²p = p_− − 2p + p_+
 static inline nck_real nck_spline_bend(nck_real before, nck_real here, nck_real behind) {
     return (before - here) + (behind - here);
