@@ -81,10 +81,6 @@ nck_status_t nck_lookahead_take(nck_lookahead_t *self, const nck_node_t *piece) 
 
 void nck_lookahead_hurry(nck_lookahead_t *self) { nck_near_hurry(self); }
 
-static int window_full(const nck_lookahead_t *self) {
-    return self->window.fill > NCK_WINDOW - NCK_PIECES_PER_SEG;
-}
-
 int nck_lookahead_is_settled(const nck_lookahead_t *self) {
     return self->joint.placed == self->joint.head && (self->ended || self->joint.head == 0);
 }
@@ -113,8 +109,8 @@ static int place(nck_lookahead_t *self) {
     const uint32_t known = self->joint.settled + self->joint.decided;
     int placed = 0;
     if (self->joint.tried == known && !self->ended) return 0;
-    while (placed < PLACES_PER_STEP && !window_full(self) && place_one(self)) placed++;
-    if (!window_full(self) && (placed < PLACES_PER_STEP || is_early(self))) {
+    while (placed < PLACES_PER_STEP && !nck_lookahead_is_full(self) && place_one(self)) placed++;
+    if (!nck_lookahead_is_full(self) && (placed < PLACES_PER_STEP || is_early(self))) {
         self->joint.tried = known;
     }
     return placed > 0;
@@ -130,7 +126,7 @@ static int may_decide(const nck_lookahead_t *self) {
 
 // What a seg needs one after the other: its own speeds, its junction, its place in the window.
 nck_status_t nck_lookahead_step(nck_lookahead_t *self) {
-    if (window_full(self)) return NCK_FULL;
+    if (nck_lookahead_is_full(self)) return NCK_FULL;
     const int settles = nck_lookahead_may_settle(self);
     if (settles) nck_near_settle(self);
     const int is_decided = may_decide(self) && nck_corner_decide(self) == NCK_OK;
