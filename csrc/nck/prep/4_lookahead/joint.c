@@ -309,18 +309,8 @@ static double least_time(const nck_joint_t *joint, double w_in, const nck_pace_t
     return v_out > v_in && v_out < at->v ? 2.0 * joint->length / (v_in + v_out) : at->time;
 }
 
-void nck_joint_settle(nck_joint_t *joint, double w_in, const nck_terms_t *terms) {
-    const double v_free = joint->kind == NCK_SEG_SPLINE ? nck_sqrt(joint->w_near) : joint->v_free;
-    const double v_over = joint->feed > 0.0 ? NCK_OVERRIDE_TOP * joint->feed : v_free;
-    const double speeds[NCK_PACES] = {nck_min(joint->v_max, v_free), nck_min(v_free, v_over)};
-    if (v_free < joint->v_max) joint->limit = joint->limit_free;
-    for (int k = 0; k < NCK_PACES; k++) {
-        nck_pace_t *const at = &joint->pace[k];
-        at->v = speeds[k];
-        at->a = joint->a_most;
-        at->j = joint->j_straight;
-        at->time = joint->length / at->v;
-    }
+void nck_joint_settle_more(nck_joint_t *joint, double v_free, double w_in,
+                           const nck_terms_t *terms) {
     for (int k = 0; k < NCK_PACES && joint->kind == NCK_SEG_SPLINE; k++) {
         nck_pace_t *const at = &joint->pace[k];
         limit_spline(joint, at, nck_min(at->v + terms->v_filter, v_free), terms);

@@ -111,7 +111,8 @@ typedef struct nck_lookahead {
         uint32_t placed;  // segs turned into nodes
         uint32_t known;   // head when the next junction could not be decided for want of segs
         uint32_t tried;   // settled + decided when the next seg was to be placed in vain
-        double tangent[NCK_AXIS_MAX]; // at the end of the last seg
+        uint32_t row;     // of tangent: the last seg's
+        double tangent[2][NCK_AXIS_MAX]; // at the ends of segs, by turns
         nck_joint_t at[NCK_JOINT_MAX];
     } joint;
 

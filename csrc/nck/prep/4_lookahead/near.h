@@ -56,7 +56,12 @@ void nck_near_end(nck_lookahead_t *self);
 void nck_near_hurry(nck_lookahead_t *self);
 
 // Settle the next joint's speeds and limits, as nck_lookahead_may_settle allows. Cost: constant.
-void nck_near_settle(nck_lookahead_t *self);
+static inline void nck_near_settle(nck_lookahead_t *self) {
+    const uint32_t count = self->joint.settled;
+    const double w_in = self->terms->limits_jerk ? nck_near_entered_at(self, count) : 0.0;
+    nck_joint_settle(nck_joint_at(self, count), w_in, self->terms);
+    self->joint.settled++;
+}
 
 // The least limits, under the share beta, near a seg's start (end), its own apart.
 // after: NCK_EMPTY if segs are not settled that far. Cost: NCK_NEAR_SPAN neighbours at most.
