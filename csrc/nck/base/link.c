@@ -87,9 +87,11 @@ void nck_link_push_cell(nck_link_t *self, const nck_cell_t *cell) {
 static uint32_t next_parity(const nck_link_t *self) { return 1u - nck_link_parity(self->base); }
 
 void nck_link_tail_begin(nck_link_t *self) {
+    const uint32_t parity = next_parity(self);
     self->tail_fill = 0;
+    self->tail_at = self->tail[parity].cell;
     self->tail_entered = nck_fence_load(&self->word) & ENTERED;
-    self->tail_origin[next_parity(self)] = (end_of(self->base) + self->batch) & END_MASK;
+    self->tail_origin[parity] = (end_of(self->base) + self->batch) & END_MASK;
 }
 
 void nck_link_tail_grow(nck_link_t *self, uint32_t count) {
@@ -97,6 +99,7 @@ void nck_link_tail_grow(nck_link_t *self, uint32_t count) {
     assert(count <= NCK_TAIL_MAX - self->tail_fill);
     for (uint32_t i = 0; i < count; i++) nck_link_inspect(self, &cell[i]);
     self->tail_fill += count;
+    self->tail_at += count;
 }
 
 void nck_link_tail_push(nck_link_t *self, const nck_cell_t *cell) {

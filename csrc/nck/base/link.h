@@ -64,6 +64,7 @@ typedef struct nck_link {
     uint32_t base;        // the word that the batch builds on; prep alone
     uint32_t batch;       // cells behind the end, not yet final; prep alone
     uint32_t tail_fill;   // cells in the tail being built; prep alone
+    nck_cell_t *tail_at;  // where the next of them goes; prep alone
     uint32_t tail_entered; // whether the tick was in the old tail then; prep alone
     uint32_t lead_seen;   // cells whose time has left lead_s; prep alone
     double lead_s;        // duration of the final cells from lead_seen on; prep alone
@@ -142,9 +143,7 @@ void nck_link_tail_push(nck_link_t *self, const nck_cell_t *cell);
 
 // The same in place: where the tail's next cells go, and that so many more stand there.
 // Cost: constant; linear in the cells. Context: prep.
-static inline nck_cell_t *nck_link_tail_room(nck_link_t *self) {
-    return &self->tail[1u - nck_link_parity(self->base)].cell[self->tail_fill];
-}
+static inline nck_cell_t *nck_link_tail_room(nck_link_t *self) { return self->tail_at; }
 void nck_link_tail_grow(nck_link_t *self, uint32_t count);
 
 // The same of one cell, that stands where nck_link_tail_room has said. Cost: constant.
@@ -153,6 +152,7 @@ static inline void nck_link_tail_placed(nck_link_t *self, const nck_cell_t *cell
     assert(self->tail_fill < NCK_TAIL_MAX);
     nck_link_inspect(self, cell);
     self->tail_fill++;
+    self->tail_at++;
 }
 
 // The memory of the tail that is built next, for prep to work in until nck_link_tail_begin; a tail

@@ -281,7 +281,7 @@ static void pass_forward(nck_linear_t *self, const nck_pieces_t *pieces) {
             return;
         }
         const double gain = gain_over(self, number, next);
-        next = nck_plan_there(pieces, number + 1);
+        next = nck_plan_behind(pieces, next);
         next->vv = nck_envelope_forward(next->vv, self->pass.vv, gain);
         self->pass.vv = next->vv;
         self->pass.i++;
