@@ -312,9 +312,7 @@ nck_status_t nck_link_take(nck_link_t *self, nck_cell_t *cell_out, int *from_tai
         const uint32_t word = nck_fence_load(&self->word);
         *from_tail_out = 0;
         if (cells_between(self->taken, end_of(word)) > 0) {
-            *cell_out = self->cell[self->taken & (NCK_CELL_MAX - 1)];
-            nck_fence_store(&self->taken, (self->taken + 1) & END_MASK);
-            if (self->riders == 0) nck_fence_store(&self->kept, self->taken);
+            nck_link_take_final(self, cell_out);
             return NCK_OK;
         }
         if (!(word & HAS_TAIL)) return NCK_EMPTY;
@@ -349,10 +347,6 @@ nck_status_t nck_link_take_rider(nck_link_t *self, nck_cell_t *cell_out) {
 void nck_link_tail_rest(nck_link_t *self) {
     const uint32_t end = end_of(nck_fence_load(&self->word));
     nck_fence_store(&self->tail_rested, end + 1);
-}
-
-void nck_link_seg_finish(nck_link_t *self, uint32_t seq) {
-    if (seq != self->seg_done) nck_fence_store(&self->seg_done, seq);
 }
 
 const nck_seg_t *nck_link_seg(const nck_link_t *self, uint32_t seq) {

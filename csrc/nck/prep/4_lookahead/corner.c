@@ -233,7 +233,7 @@ static nck_status_t decide_corner(nck_lookahead_t *self, uint32_t count, nck_joi
 
 // Whether what the next junction hangs on is known, as far as it can be told without a look around.
 static int is_known(const nck_lookahead_t *self, uint32_t count, int newest) {
-    const nck_joint_t *const joint = &self->joint.at[count & (NCK_JOINT_MAX - 1)];
+    const nck_joint_t *const joint = self->joint.at + (count & (NCK_JOINT_MAX - 1));
     if (count + !newest >= self->joint.settled) return 0;
     if (self->ended) return 1;
     return self->joint.known != self->joint.head && (!newest || joint->kind >= NCK_SEG_DWELL);

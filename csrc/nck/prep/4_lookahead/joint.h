@@ -20,7 +20,7 @@ typedef struct nck_piece_limit {
 
 // The joint with this count. Cost: constant.
 static inline nck_joint_t *nck_joint_at(nck_lookahead_t *self, uint32_t count) {
-    return &self->joint.at[count & (NCK_JOINT_MAX - 1)];
+    return self->joint.at + (count & (NCK_JOINT_MAX - 1));
 }
 
 // The largest tangential acceleration that any seg can have on this machine: √Σ a_x², path a_max at

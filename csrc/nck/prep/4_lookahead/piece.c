@@ -18,7 +18,7 @@
 
 static nck_node_t *node_at(nck_lookahead_t *self, uint32_t i) {
     assert(i < NCK_WINDOW);
-    return &self->window.at[(self->window.head + i) & (NCK_WINDOW - 1)];
+    return self->window.at + ((self->window.head + i) & (NCK_WINDOW - 1));
 }
 
 // What the neighbourhood leaves to a piece, by pace.
