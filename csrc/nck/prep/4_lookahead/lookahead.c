@@ -45,23 +45,21 @@ nck_status_t nck_lookahead_push(nck_lookahead_t *self, const nck_seg_t *seg) {
     if (!nck_lookahead_has_room(self)) return NCK_FULL;
     self->ended = 0;
     nck_joint_t *const joint = nck_joint_at(self, self->joint.head);
-    const double *const before = self->joint.tangent[self->joint.row];
+    const double *const tangent = self->joint.tangent[self->joint.row];
     double *const end = self->joint.tangent[1 - self->joint.row];
     const double whole[2] = {0.0, seg->length};
     double bent[NCK_AXIS_MAX];
     const double *const start = nck_joint_tangents(seg, self->terms->axes, bent, end);
     nck_joint_make(joint, seg, whole, start, end, self->terms);
-    if (self->joint.head > 0) {
-        nck_corner_meet(nck_joint_at(self, self->joint.head - 1), joint, before, start,
-                        self->terms);
-    }
+    nck_joint_t *const before = nck_joint_at(self, self->joint.head - 1);
+    if (self->joint.head > 0) nck_corner_meet(before, joint, tangent, start, self->terms);
     self->joint.row = 1 - self->joint.row;
     const int parts = seg->kind == NCK_SEG_SPLINE ? nck_joint_parts(joint, self->terms) : 1;
     if (parts > 1) {
         push_parts(self, seg, parts);
     } else {
         self->joint.head++;
-        nck_near_level(self);
+        nck_near_level(self, before, joint);
     }
     return NCK_OK;
 }
@@ -116,20 +114,12 @@ static int place(nck_lookahead_t *self) {
     return placed > 0;
 }
 
-// A junction needs both its segs; a rest, and the path's end, have one.
-static int may_decide(const nck_lookahead_t *self) {
-    const uint32_t known = self->joint.settled - self->joint.decided;
-    if (known != 1) return known > 1;
-    const nck_joint_t *const joint = &self->joint.at[self->joint.decided & (NCK_JOINT_MAX - 1)];
-    return self->ended || joint->kind >= NCK_SEG_DWELL;
-}
-
 // What a seg needs one after the other: its own speeds, its junction, its place in the window.
 nck_status_t nck_lookahead_step(nck_lookahead_t *self) {
     if (nck_lookahead_is_full(self)) return NCK_FULL;
     const int settles = nck_lookahead_may_settle(self);
     if (settles) nck_near_settle(self);
-    const int is_decided = may_decide(self) && nck_corner_decide(self) == NCK_OK;
+    const int is_decided = nck_corner_may_decide(self) && nck_corner_decide(self) == NCK_OK;
     if (place(self) || is_decided || settles) return NCK_OK;
     return self->ended && self->joint.placed == self->joint.head ? NCK_DONE : NCK_EMPTY;
 }

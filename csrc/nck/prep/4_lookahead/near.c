@@ -154,7 +154,7 @@ void nck_near_level_newest(nck_lookahead_t *self) {
             level_before(self, at, NCK_NEAR_SPAN);
         }
     }
-    nck_near_set_out(self, at, joint);
+    nck_near_set_out(joint, nck_near_entered_at(self, at));
     if (joint->end & NCK_JOINT_STOP) level_to_rest(self, at, NCK_NEAR_SPAN);
 }
 
