@@ -40,10 +40,10 @@ static double largest_cosine(const nck_joint_t *joint, const nck_seg_t *seg, int
                                           t_out[x] / cos_lambda, t_out[across] / cos_lambda);
 }
 
-static void cap_by_axes(nck_joint_t *joint, const nck_seg_t *seg, const double *t_in,
-                        const double *t_out, const nck_terms_t *terms) {
+// is_line: known where it is called, so that a line's loop asks for nothing that lines have not.
+static inline void cap_by_axes(nck_joint_t *joint, const nck_seg_t *seg, const double *t_in,
+                               const double *t_out, const nck_terms_t *terms, int is_line) {
     const nck_machine_t *const machine = terms->machine;
-    const int is_line = seg->kind == NCK_SEG_LINE;
     double v = NCK_UNLIMITED;
     double a_straight = NCK_UNLIMITED;
     double j = terms->j_max;
@@ -184,7 +184,8 @@ static inline void make_caps(nck_joint_t *joint, const nck_seg_t *seg, const dou
     if (seg->v_most > 0.0) cap_speed(joint, seg->v_most, NCK_LIMIT_SPINDLE);
     if (seg->kind == NCK_SEG_ARC) make_arc(joint, seg, machine);
     if (seg->kind == NCK_SEG_SPLINE) make_spline(joint, terms);
-    cap_by_axes(joint, seg, tangent_start, tangent_end, terms);
+    if (seg->kind == NCK_SEG_LINE) cap_by_axes(joint, seg, tangent_start, tangent_end, terms, 1);
+    else cap_by_axes(joint, seg, tangent_start, tangent_end, terms, 0);
     joint->w_near = joint->v_free * joint->v_free;
     if (is_curved(joint)) {
         const nck_joint_arc_t *const arc = &joint->shape.arc;
