@@ -38,8 +38,8 @@ static int is_slow(const nck_joint_t *in, const nck_joint_t *out, double load,
     return stop < crossing_time(half, v, &ramp, nck_zone_s(terms));
 }
 
-// A crossing leaves half of the acceleration all over segs that are too short to be cut at the zones
-// of the programmed speed. A stop costs a period at most.
+// All over segs that are too short to be cut at the zones of the programmed speed, a crossing
+// leaves half of the acceleration. A stop costs a period at most.
 int nck_stop_is_faster(const nck_joint_t *in, const nck_joint_t *out, double load, double v,
                        const nck_machine_t *machine) {
     const nck_joint_t *joint[2];

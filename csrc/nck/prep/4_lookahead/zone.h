@@ -53,8 +53,8 @@ static inline int nck_zone_pass(nck_zone_reach_t *reach, const nck_joint_t *join
     return reach->time[NCK_PACE_OVER] >= zone_s;
 }
 
-// The walk ends at NCK_CORNER_SPAN neighbours, short of the zone's end. Under a jerk limit the seg is
-// slowed until it does not (near.h); else the worst is assumed. Cost: constant.
+// The walk ends at NCK_CORNER_SPAN neighbours, short of the zone's end. Under a jerk limit the seg
+// is slowed until it does not (near.h); else the worst is assumed. Cost: constant.
 static inline void nck_zone_cut_off(nck_zone_reach_t *reach, const nck_lookahead_t *self) {
     for (int k = 0; k < NCK_PACES; k++) {
         const int is_short = reach->time[k] < self->zone_s && !self->terms->limits_jerk;
