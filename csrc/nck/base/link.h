@@ -64,12 +64,12 @@ typedef struct nck_link {
     uint32_t base;        // the word that the batch builds on; prep alone
     uint32_t batch;       // cells behind the end, not yet final; prep alone
     uint32_t tail_fill;   // cells in the tail being built; prep alone
-    nck_cell_t *tail_at;  // where the next of them goes; prep alone
     uint32_t tail_entered; // whether the tick was in the old tail then; prep alone
     uint32_t lead_seen;   // cells whose time has left lead_s; prep alone
     double lead_s;        // duration of the final cells from lead_seen on; prep alone
     uint32_t broken;      // 1: a cell was put in that is none; prep alone
     uint32_t broken_line; // its source line; prep alone
+    nck_cell_t *tail_at;  // where the next cell of the tail being built goes; prep alone
 
     uint32_t taken;        // cells taken by the tick; tick writes
     uint32_t kept;         // the oldest cell in use, taken or riding; tick writes

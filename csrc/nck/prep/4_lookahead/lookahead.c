@@ -19,7 +19,7 @@ void nck_lookahead_init(nck_lookahead_t *self, const nck_terms_t *terms) {
     memset(self, 0, sizeof *self);
     self->terms = terms;
     nck_lookahead_adapt(self);
-    self->before.limit = NCK_LIMIT_EXACT_STOP;
+    self->before_limit = NCK_LIMIT_EXACT_STOP;
 }
 
 void nck_lookahead_adapt(nck_lookahead_t *self) {
@@ -29,7 +29,7 @@ void nck_lookahead_adapt(nck_lookahead_t *self) {
 
 // Part the newest joint, a spline's, which is not in the chain yet.
 static void push_parts(nck_lookahead_t *self, const nck_seg_t *seg, int count) {
-    const double *const tangent = self->joint.tangent[self->joint.row];
+    const double *const tangent = self->joint.tangent;
     double span[2] = {0.0, 0.0};
     for (int k = 0; k < count; k++) {
         span[1] = k + 1 < count ? seg->length * (double)(k + 1) / (double)count : seg->length;
@@ -45,15 +45,16 @@ nck_status_t nck_lookahead_push(nck_lookahead_t *self, const nck_seg_t *seg) {
     if (!nck_lookahead_has_room(self)) return NCK_FULL;
     self->ended = 0;
     nck_joint_t *const joint = nck_joint_at(self, self->joint.head);
-    const double *const tangent = self->joint.tangent[self->joint.row];
-    double *const end = self->joint.tangent[1 - self->joint.row];
+    double *const tangent = self->joint.tangent;
+    const int axes = self->terms->axes;
     const double whole[2] = {0.0, seg->length};
+    double end[NCK_AXIS_MAX] = {0};
     double bent[NCK_AXIS_MAX];
-    const double *const start = nck_joint_tangents(seg, self->terms->axes, bent, end);
+    const double *const start = nck_joint_tangents(seg, axes, bent, end);
     nck_joint_make(joint, seg, whole, start, end, self->terms);
     nck_joint_t *const before = nck_joint_at(self, self->joint.head - 1);
     if (self->joint.head > 0) nck_corner_meet(before, joint, tangent, start, self->terms);
-    self->joint.row = 1 - self->joint.row;
+    for (int x = 0; x < axes; x++) tangent[x] = end[x];
     const int parts = seg->kind == NCK_SEG_SPLINE ? nck_joint_parts(joint, self->terms) : 1;
     if (parts > 1) {
         push_parts(self, seg, parts);

@@ -97,7 +97,8 @@ typedef struct nck_joint {
 // The room's state.
 typedef struct nck_lookahead {
     const nck_terms_t *terms;
-    uint32_t ended;       // 1: no more segs will come before the path is at rest
+    uint16_t ended;       // 1: no more segs will come before the path is at rest
+    uint16_t before_limit; // nck_limit_t that set before.vv
     double a_any;         // no seg has a larger tangential acceleration [path mm/s²]
     double zone_s;        // how long before and after a junction its share is kept free [s]
 
@@ -111,8 +112,7 @@ typedef struct nck_lookahead {
         uint32_t placed;  // segs turned into nodes
         uint32_t known;   // head when the next junction could not be decided for want of segs
         uint32_t tried;   // settled + decided when the next seg was to be placed in vain
-        uint32_t row;     // of tangent: the last seg's
-        double tangent[2][NCK_AXIS_MAX]; // at the ends of segs, by turns
+        double tangent[NCK_AXIS_MAX]; // at the end of the last seg
         nck_joint_t at[NCK_JOINT_MAX];
     } joint;
 
@@ -120,7 +120,6 @@ typedef struct nck_lookahead {
     struct {
         double vv;        // cap at 100 %, v²
         double vv_over;   // cap by everything but the feed, v²
-        uint32_t limit;   // nck_limit_t that set vv
     } before;
 
     // window of nodes, counted from the start; slot = count mod NCK_WINDOW

@@ -74,7 +74,7 @@ static inline void cap_node(nck_lookahead_t *self, nck_node_t *node, const nck_p
     uint32_t limit = piece->limit;
     if (self->before.vv < vv_cap) {
         vv_cap = self->before.vv;
-        limit = self->before.limit;
+        limit = self->before_limit;
     }
     if (vv_corner < vv_cap) {
         vv_cap = vv_corner;
@@ -83,7 +83,7 @@ static inline void cap_node(nck_lookahead_t *self, nck_node_t *node, const nck_p
     const double vv_node = node_cap(self, piece->vv_free, v_corner);
     self->before.vv = piece->vv;
     self->before.vv_over = piece->vv_free;
-    self->before.limit = piece->limit;
+    self->before_limit = piece->limit;
     node->limit = (uint8_t)limit;
     node->limit_piece = piece->limit;
     node->vv_piece = piece->vv;
@@ -353,7 +353,7 @@ nck_status_t nck_piece_place(nck_lookahead_t *self, const double share_after[NCK
     if (end->stop) {
         self->before.vv = 0.0;
         self->before.vv_over = 0.0;
-        self->before.limit = NCK_LIMIT_EXACT_STOP;
+        self->before_limit = NCK_LIMIT_EXACT_STOP;
     }
     if (joint->kind == NCK_SEG_WAIT) self->window.barrier = self->window.fill;
     self->joint.placed++;
