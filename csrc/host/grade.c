@@ -72,8 +72,8 @@ nck_status_t nck_host_grade_command(nck_host_grades_t *self) {
         double end[NCK_AXIS_MAX];
         self->bad = i;
         if (!is_good_seg(seg)) return NCK_E_ARGUMENT;
-        nck_joint_tangents(seg, terms.axes, start, end);
-        nck_joint_make(&joint, seg, whole, start, end, &terms);
+        const double *const begin = nck_joint_tangents(seg, terms.axes, start, end);
+        nck_joint_make(&joint, seg, whole, begin, end, &terms);
         self->v_command[i] = joint.v_max;
         self->limit[i] = joint.limit;
     }

@@ -278,15 +278,16 @@ static nck_status_t finish_abort(const nck_t *nck) {
     return nck_slope_is_held(&nck->slope) || waits ? NCK_DONE : NCK_FULL;
 }
 
-static nck_status_t step_ahead(nck_lookahead_t *lookahead) {
+static inline nck_status_t step_ahead(nck_lookahead_t *lookahead) {
+    if (nck_lookahead_is_full(lookahead)) return NCK_FULL;
     return nck_lookahead_is_idle(lookahead) ? NCK_EMPTY : nck_lookahead_step(lookahead);
 }
 
 // What a block has made known to the look-ahead is worked out: mostly a seg, now and then the one
-// that has waited for it, too. 1 if nothing is left of it.
+// that has waited for it, too. 1 if nothing is left of it that finds room.
 static int look_ahead(nck_t *nck) {
     for (int n = 0; n < STEPS_PER_BLOCK; n++) {
-        if (step_ahead(&nck->lookahead) == NCK_EMPTY) return 1;
+        if (step_ahead(&nck->lookahead) != NCK_OK) return 1;
     }
     return nck_lookahead_is_idle(&nck->lookahead);
 }

@@ -87,9 +87,11 @@ void nck_link_push_cell(nck_link_t *self, const nck_cell_t *cell) {
 static uint32_t next_parity(const nck_link_t *self) { return 1u - nck_link_parity(self->base); }
 
 void nck_link_tail_begin(nck_link_t *self) {
+    const uint32_t parity = next_parity(self);
     self->tail_fill = 0;
+    self->tail_at = self->tail[parity].cell;
     self->tail_entered = nck_fence_load(&self->word) & ENTERED;
-    self->tail_origin[next_parity(self)] = (end_of(self->base) + self->batch) & END_MASK;
+    self->tail_origin[parity] = (end_of(self->base) + self->batch) & END_MASK;
 }
 
 void nck_link_tail_grow(nck_link_t *self, uint32_t count) {
@@ -97,6 +99,7 @@ void nck_link_tail_grow(nck_link_t *self, uint32_t count) {
     assert(count <= NCK_TAIL_MAX - self->tail_fill);
     for (uint32_t i = 0; i < count; i++) nck_link_inspect(self, &cell[i]);
     self->tail_fill += count;
+    self->tail_at += count;
 }
 
 void nck_link_tail_push(nck_link_t *self, const nck_cell_t *cell) {
@@ -309,9 +312,7 @@ nck_status_t nck_link_take(nck_link_t *self, nck_cell_t *cell_out, int *from_tai
         const uint32_t word = nck_fence_load(&self->word);
         *from_tail_out = 0;
         if (cells_between(self->taken, end_of(word)) > 0) {
-            *cell_out = self->cell[self->taken & (NCK_CELL_MAX - 1)];
-            nck_fence_store(&self->taken, (self->taken + 1) & END_MASK);
-            if (self->riders == 0) nck_fence_store(&self->kept, self->taken);
+            nck_link_take_final(self, cell_out);
             return NCK_OK;
         }
         if (!(word & HAS_TAIL)) return NCK_EMPTY;
@@ -346,10 +347,6 @@ nck_status_t nck_link_take_rider(nck_link_t *self, nck_cell_t *cell_out) {
 void nck_link_tail_rest(nck_link_t *self) {
     const uint32_t end = end_of(nck_fence_load(&self->word));
     nck_fence_store(&self->tail_rested, end + 1);
-}
-
-void nck_link_seg_finish(nck_link_t *self, uint32_t seq) {
-    if (seq != self->seg_done) nck_fence_store(&self->seg_done, seq);
 }
 
 const nck_seg_t *nck_link_seg(const nck_link_t *self, uint32_t seq) {

@@ -69,6 +69,7 @@ typedef struct nck_link {
     double lead_s;        // duration of the final cells from lead_seen on; prep alone
     uint32_t broken;      // 1: a cell was put in that is none; prep alone
     uint32_t broken_line; // its source line; prep alone
+    nck_cell_t *tail_at;  // where the next cell of the tail being built goes; prep alone
 
     uint32_t taken;        // cells taken by the tick; tick writes
     uint32_t kept;         // the oldest cell in use, taken or riding; tick writes
@@ -142,9 +143,7 @@ void nck_link_tail_push(nck_link_t *self, const nck_cell_t *cell);
 
 // The same in place: where the tail's next cells go, and that so many more stand there.
 // Cost: constant; linear in the cells. Context: prep.
-static inline nck_cell_t *nck_link_tail_room(nck_link_t *self) {
-    return &self->tail[1u - nck_link_parity(self->base)].cell[self->tail_fill];
-}
+static inline nck_cell_t *nck_link_tail_room(nck_link_t *self) { return self->tail_at; }
 void nck_link_tail_grow(nck_link_t *self, uint32_t count);
 
 // The same of one cell, that stands where nck_link_tail_room has said. Cost: constant.
@@ -153,6 +152,7 @@ static inline void nck_link_tail_placed(nck_link_t *self, const nck_cell_t *cell
     assert(self->tail_fill < NCK_TAIL_MAX);
     nck_link_inspect(self, cell);
     self->tail_fill++;
+    self->tail_at++;
 }
 
 // The memory of the tail that is built next, for prep to work in until nck_link_tail_begin; a tail
@@ -242,6 +242,14 @@ void nck_link_yield(nck_link_t *self);
 // Context: any; another than tick's: as long as nothing is published.
 int nck_link_is_spent(const nck_link_t *self);
 
+// Take the next final cell; there must be one (nck_link_waiting). Cost: constant. Context: tick.
+static inline void nck_link_take_final(nck_link_t *self, nck_cell_t *cell_out) {
+    const uint32_t next = (self->taken + 1) & NCK_LINK_COUNT_MASK;
+    *cell_out = self->cell[self->taken & (NCK_CELL_MAX - 1)];
+    nck_fence_store(&self->taken, next);
+    if (self->riders == 0) nck_fence_store(&self->kept, next);
+}
+
 // Take the next cell: a final one, else one of the tail (*from_tail_out = 1), else NCK_EMPTY.
 // Cost: constant, no spinning. Context: tick.
 nck_status_t nck_link_take(nck_link_t *self, nck_cell_t *cell_out, int *from_tail_out);
@@ -255,7 +263,9 @@ nck_status_t nck_link_take_rider(nck_link_t *self, nck_cell_t *cell_out);
 void nck_link_tail_rest(nck_link_t *self);
 
 // All segs before seq are finished: their places may be used again. Cost: constant. Context: tick.
-void nck_link_seg_finish(nck_link_t *self, uint32_t seq);
+static inline void nck_link_seg_finish(nck_link_t *self, uint32_t seq) {
+    if (seq != self->seg_done) nck_fence_store(&self->seg_done, seq);
+}
 
 // The geometry of a seg that is not finished. Cost: constant. Context: tick.
 const nck_seg_t *nck_link_seg(const nck_link_t *self, uint32_t seq);

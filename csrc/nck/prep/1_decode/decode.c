@@ -216,6 +216,7 @@ static nck_status_t begin_line(nck_decode_t *self) {
     const uint8_t state = self->line.state;
     if (state == NCK_LINE_RUNNING) return NCK_OK;
     self->line.state = NCK_LINE_RUNNING;
+    self->text.quick = 0;
     self->words.steps = 0;
     if (state == NCK_LINE_WAITING) {
         self->line.tag = self->line.number;

@@ -53,10 +53,8 @@ void nck_decode_block(const nck_decode_t *self, nck_block_kind_t kind, nck_block
     out->feed_mode = self->modal.feed_mode;
     out->plane = self->modal.plane;
     memcpy(out->target_nm, self->place.position_nm, sizeof out->target_nm);
-    for (unsigned axis = 0; axis < 3; axis++) {
-        out->tool_nm[axis] = self->place.tool_nm[axis];
-        out->target_nm[axis] -= self->place.tool_nm[axis];
-    }
+    memcpy(out->tool_nm, self->place.tool_nm, sizeof out->tool_nm);
+    for (unsigned axis = 0; axis < 3; axis++) out->target_nm[axis] -= out->tool_nm[axis];
     clear(out);
     nck_decode_spin(self, out);
     out->tolerance_mm = self->modal.tolerance_mm;

@@ -21,18 +21,21 @@ typedef struct quick {
     int is_named;  // 1: N was read
 } quick_t;
 
-// A program that has begun and moves straight, and in which nothing but modes is in force.
+// A program that has begun and moves straight, and in which nothing but modes is in force. Behind a
+// line that was one for here that is so.
 static int is_plain(const nck_decode_t *self) {
+    if (self->text.quick) return 1;
     const uint32_t noted = self->finding.given | self->finding.notes;
     const uint32_t wanted = 1u << NCK_NOTE_UNITS | 1u << NCK_NOTE_DISTANCE;
-    const int whole = self->text.words && !self->line.overflow;
     const int by_itself = self->macro.seek.kind == NCK_SEEK_NOT && self->macro.modal == 0
                           && (self->held.contour.mode | self->entry.waits | self->layout.on) == 0;
     const int linear = !(self->place.rotary & 7u);
-    return whole && by_itself && linear && (noted & wanted) == wanted;
+    return self->text.words && by_itself && linear && (noted & wanted) == wanted;
 }
 
-static unsigned digit_of(const char *at) { return (unsigned)(unsigned char)*at - (unsigned)'0'; }
+static inline unsigned digit_of(const char *at) {
+    return (unsigned)(unsigned char)*at - (unsigned)'0';
+}
 
 // Digits in a row, behind those of the mantissa; of too many the mantissa is worth nothing.
 static inline const char *read_digits(const char *at, uint64_t *mantissa) {
@@ -45,14 +48,8 @@ static inline const char *read_digits(const char *at, uint64_t *mantissa) {
     return at;
 }
 
-// The blanks behind a number. NULL: neither a letter nor the line's end stands behind them.
-static inline const char *end_number(const char *at) {
-    while (*at == ' ') at++;
-    return *at > '9' || *at == '\n' ? at : (const char *)0;
-}
-
-// A number of few digits that is whole in counts of the scale, and the blanks after it. NULL if it
-// is none of these, or beyond the scale's limit.
+// A number of few digits that is whole in counts of the scale. NULL if it is none of these, or
+// beyond the scale's limit.
 static inline const char *read_counts(const nck_decode_t *self, const char *at,
                                       const nck_scale_t *scale, int64_t *out) {
     const int negative = *at == '-';
@@ -72,7 +69,7 @@ static inline const char *read_counts(const nck_decode_t *self, const char *at,
     const int64_t counts = (int64_t)mantissa * power_of_ten[shift] * scale->factor;
     if (counts > scale->limit) return (const char *)0;
     *out = negative ? -counts : counts;
-    return end_number(end);
+    return end;
 }
 
 static inline const char *read_axis(const nck_decode_t *self, quick_t *line, unsigned axis,
@@ -85,7 +82,7 @@ static inline const char *read_axis(const nck_decode_t *self, quick_t *line, uns
     if (line->axes & bit) return (const char *)0;
     at = read_counts(self, at, scale, &value);
     value += line->from_nm[axis];
-    if (value < -limit || value > limit) return (const char *)0;
+    if ((uint64_t)(value + limit) > 2 * (uint64_t)limit) return (const char *)0;
     if (value < travel->min_nm || value > travel->max_nm) return (const char *)0;
     line->target_nm[axis] = value;
     line->axes |= bit;
@@ -97,7 +94,7 @@ static const char *read_code(quick_t *line, const char *at) {
     const char *const digit = *at == '0' && digit_of(at + 1) <= 9 ? at + 1 : at;
     if (line->code != CODE_NONE || digit_of(digit) > 1) return (const char *)0;
     line->code = digit_of(digit) == 0 ? 0 : CODE_LINE;
-    return end_number(digit + 1);
+    return digit + 1;
 }
 
 static const char *read_name(quick_t *line, const char *at) {
@@ -105,10 +102,10 @@ static const char *read_name(quick_t *line, const char *at) {
     const char *const end = read_digits(at, &name);
     const int is_good = !line->is_named && end > at;
     line->is_named = 1;
-    return is_good ? end_number(end) : (const char *)0;
+    return is_good ? end : (const char *)0;
 }
 
-// A word and the blanks after it. NULL: it is none for here, or a mistake.
+// A word. NULL: it is none for here, or a mistake.
 static inline const char *read_word(const nck_decode_t *self, quick_t *line, const char *at) {
     const unsigned letter = (unsigned)(unsigned char)*at & ~0x20u;
     if (letter >= 'X' && letter <= 'Z') return read_axis(self, line, letter - 'X', at + 1);
@@ -116,16 +113,24 @@ static inline const char *read_word(const nck_decode_t *self, quick_t *line, con
     return letter == 'N' ? read_name(line, at + 1) : (const char *)0;
 }
 
-// 1 if the line is one for here, and no mistake is in it.
-static int read_line(const nck_decode_t *self, quick_t *line) {
+// Words with blanks between them, to the line's end. 0: one is none for here, or a mistake.
+static inline int read_words(const nck_decode_t *self, quick_t *line) {
     const char *at = self->line.text;
-    while (*at == ' ') at++;
-    while (at && *at != '\n') at = read_word(self, line, at);
+    for (;;) {
+        while (*at == ' ') at++;
+        if (*at == '\n') return 1;
+        at = read_word(self, line, at);
+        if (!at) return 0;
+    }
+}
+
+// 1 if the line is one for here, and no mistake is in it.
+static inline int read_line(const nck_decode_t *self, quick_t *line) {
+    if (self->line.overflow || !read_words(self, line)) return 0;
+    if (line->axes == 0 || (line->axes & ~self->place.axes)) return 0;
     if (line->code == CODE_NONE) line->code = self->modal.motion;
-    const int cuts = line->code == CODE_LINE;
-    const int has_feed = self->modal.feed_mode == NCK_FEED_PER_MINUTE && self->modal.feed > 0.0;
-    return at && line->axes != 0 && !(line->axes & ~self->place.axes) && line->code <= CODE_LINE
-           && (!cuts || has_feed);
+    if (line->code != CODE_LINE) return line->code < CODE_LINE;
+    return self->modal.feed_mode == NCK_FEED_PER_MINUTE && self->modal.feed > 0.0;
 }
 
 int nck_decode_quick(nck_decode_t *self, nck_block_t *out) {
@@ -137,6 +142,7 @@ int nck_decode_quick(nck_decode_t *self, nck_block_t *out) {
     line.is_named = 0;
     if (!read_line(self, &line)) return 0;
     const int cuts = line.code == CODE_LINE;
+    self->text.quick = 1;
     self->line.tag = self->line.number;
     self->modal.motion = line.code;
     for (unsigned axis = 0; axis < 3; axis++) {

@@ -20,17 +20,24 @@ static void watch_rest(nck_decode_t *self, const char *text, size_t n) {
     }
 }
 
-// Add n bytes to the line; what does not fit is dropped, and the line is known to be too long. Who
-// reads the line sees a NUL byte in it, but for one that is dropped.
-static void collect(nck_decode_t *self, const char *text, size_t n) {
-    const size_t room = NCK_LINE_MAX - self->line.size;
-    const size_t fits = n < room ? n : room;
-    memcpy(self->line.text + self->line.size, text, fits);
-    self->line.size += (uint32_t)fits;
-    assert(self->line.size <= NCK_LINE_MAX);
-    if (n <= room) return;
+// More bytes than the line has room for: what does not fit is dropped, and the line is known to be
+// too long. Who reads the line sees a NUL byte in it, but for one that is dropped.
+static void overflow(nck_decode_t *self, const char *text, size_t n) {
+    memcpy(self->line.text + self->line.size, text, NCK_LINE_MAX - self->line.size);
+    self->line.size = NCK_LINE_MAX;
     self->line.overflow = 1;
     if (memchr(text, '\0', n) != NULL) self->line.binary = 1;
+}
+
+// Add n bytes to the line.
+static inline void collect(nck_decode_t *self, const char *text, size_t n) {
+    assert(self->line.size <= NCK_LINE_MAX);
+    if (n > NCK_LINE_MAX - self->line.size) {
+        overflow(self, text, n);
+        return;
+    }
+    memcpy(self->line.text + self->line.size, text, n);
+    self->line.size += (uint32_t)n;
 }
 
 static void close_line(nck_decode_t *self) {

@@ -61,7 +61,7 @@ int nck_smooth_is_empty(const nck_smooth_t *self) {
 
 // Where the block ends, in what is where it begins. Most blocks move few axes: the others need no
 // division.
-static void set_end(const nck_smooth_t *self, const nck_block_t *block, double *end) {
+static inline void set_end(const nck_smooth_t *self, const nck_block_t *block, double *end) {
     const nck_machine_t *const machine = self->terms->machine;
     const int axes = self->terms->axes;
     for (int x = 0; x < axes; x++) {

@@ -231,20 +231,10 @@ static nck_status_t decide_corner(nck_lookahead_t *self, uint32_t count, nck_joi
     return NCK_OK;
 }
 
-// Whether what the next junction hangs on is known, as far as it can be told without a look around.
-static int is_known(const nck_lookahead_t *self, uint32_t count, int newest) {
-    const nck_joint_t *const joint = &self->joint.at[count & (NCK_JOINT_MAX - 1)];
-    if (count + !newest >= self->joint.settled) return 0;
-    if (self->ended) return 1;
-    return self->joint.known != self->joint.head && (!newest || joint->kind >= NCK_SEG_DWELL);
-}
-
 nck_status_t nck_corner_decide(nck_lookahead_t *self) {
     const uint32_t count = self->joint.decided;
-    const int newest = count + 1 == self->joint.head;
-    if (count == self->joint.head || !is_known(self, count, newest)) return NCK_EMPTY;
     nck_joint_t *const joint = nck_joint_at(self, count);
-    if (newest) joint->end |= NCK_JOINT_STOP;
+    if (count + 1 == self->joint.head) joint->end |= NCK_JOINT_STOP;
     if (joint->load > 0.0) {
         const nck_status_t status = decide_corner(self, count, joint);
         if (status == NCK_EMPTY) self->joint.known = self->joint.head;

@@ -10,8 +10,18 @@
 void nck_corner_meet(nck_joint_t *in, nck_joint_t *out, const double *tangent_in,
                      const double *tangent_out, const nck_terms_t *terms);
 
-// Decide the next junction's speed and share at both paces. NCK_OK, or NCK_EMPTY: more segs must be
-// known. Cost: 4·NCK_CORNER_SPAN neighbours at most.
+// Whether what the next junction hangs on is known, as far as it can be told without a look around:
+// it needs both its segs; a rest, and the path's end, have one. Cost: constant.
+static inline int nck_corner_may_decide(nck_lookahead_t *self) {
+    const uint32_t known = self->joint.settled - self->joint.decided;
+    if (self->joint.known == self->joint.head && !self->ended) return 0;
+    if (known != 1) return known > 1;
+    if (self->joint.settled != self->joint.head) return 0;
+    return self->ended || nck_joint_at(self, self->joint.decided)->kind >= NCK_SEG_DWELL;
+}
+
+// Decide the next junction's speed and share at both paces, as nck_corner_may_decide allows.
+// NCK_OK, or NCK_EMPTY: more segs must be known. Cost: 4·NCK_CORNER_SPAN neighbours at most.
 nck_status_t nck_corner_decide(nck_lookahead_t *self);
 
 #endif

@@ -40,10 +40,10 @@ static double largest_cosine(const nck_joint_t *joint, const nck_seg_t *seg, int
                                           t_out[x] / cos_lambda, t_out[across] / cos_lambda);
 }
 
-static void cap_by_axes(nck_joint_t *joint, const nck_seg_t *seg, const double *t_in,
-                        const double *t_out, const nck_terms_t *terms) {
+// is_line: known where it is called, so that a line's loop asks for nothing that lines have not.
+static inline void cap_by_axes(nck_joint_t *joint, const nck_seg_t *seg, const double *t_in,
+                               const double *t_out, const nck_terms_t *terms, int is_line) {
     const nck_machine_t *const machine = terms->machine;
-    const int is_line = seg->kind == NCK_SEG_LINE;
     double v = NCK_UNLIMITED;
     double a_straight = NCK_UNLIMITED;
     double j = terms->j_max;
@@ -184,7 +184,8 @@ static inline void make_caps(nck_joint_t *joint, const nck_seg_t *seg, const dou
     if (seg->v_most > 0.0) cap_speed(joint, seg->v_most, NCK_LIMIT_SPINDLE);
     if (seg->kind == NCK_SEG_ARC) make_arc(joint, seg, machine);
     if (seg->kind == NCK_SEG_SPLINE) make_spline(joint, terms);
-    cap_by_axes(joint, seg, tangent_start, tangent_end, terms);
+    if (seg->kind == NCK_SEG_LINE) cap_by_axes(joint, seg, tangent_start, tangent_end, terms, 1);
+    else cap_by_axes(joint, seg, tangent_start, tangent_end, terms, 0);
     joint->w_near = joint->v_free * joint->v_free;
     if (is_curved(joint)) {
         const nck_joint_arc_t *const arc = &joint->shape.arc;
@@ -309,18 +310,8 @@ static double least_time(const nck_joint_t *joint, double w_in, const nck_pace_t
     return v_out > v_in && v_out < at->v ? 2.0 * joint->length / (v_in + v_out) : at->time;
 }
 
-void nck_joint_settle(nck_joint_t *joint, double w_in, const nck_terms_t *terms) {
-    const double v_free = joint->kind == NCK_SEG_SPLINE ? nck_sqrt(joint->w_near) : joint->v_free;
-    const double v_over = joint->feed > 0.0 ? NCK_OVERRIDE_TOP * joint->feed : v_free;
-    const double speeds[NCK_PACES] = {nck_min(joint->v_max, v_free), nck_min(v_free, v_over)};
-    if (v_free < joint->v_max) joint->limit = joint->limit_free;
-    for (int k = 0; k < NCK_PACES; k++) {
-        nck_pace_t *const at = &joint->pace[k];
-        at->v = speeds[k];
-        at->a = joint->a_most;
-        at->j = joint->j_straight;
-        at->time = joint->length / at->v;
-    }
+void nck_joint_settle_more(nck_joint_t *joint, double v_free, double w_in,
+                           const nck_terms_t *terms) {
     for (int k = 0; k < NCK_PACES && joint->kind == NCK_SEG_SPLINE; k++) {
         nck_pace_t *const at = &joint->pace[k];
         limit_spline(joint, at, nck_min(at->v + terms->v_filter, v_free), terms);

@@ -5,7 +5,8 @@
 
 #include "nck/base/path.h"                  // nck_path_tangent_part
 #include "nck/base/path_math.h"             // nck_path_slope
-#include "nck/base/real.h"                  // nck_min
+#include "nck/base/real.h"                  // nck_min nck_sqrt
+#include "nck/prep/4_lookahead/limit_math.h" // NCK_OVERRIDE_TOP
 #include "nck/prep/4_lookahead/lookahead.h" // nck_lookahead_t nck_joint_t
 
 // What a piece of a seg may do when junctions nearby use the share beta of the acceleration.
@@ -19,7 +20,7 @@ typedef struct nck_piece_limit {
 
 // The joint with this count. Cost: constant.
 static inline nck_joint_t *nck_joint_at(nck_lookahead_t *self, uint32_t count) {
-    return &self->joint.at[count & (NCK_JOINT_MAX - 1)];
+    return self->joint.at + (count & (NCK_JOINT_MAX - 1));
 }
 
 // The largest tangential acceleration that any seg can have on this machine: √Σ a_x², path a_max at
@@ -28,21 +29,21 @@ static inline nck_joint_t *nck_joint_at(nck_lookahead_t *self, uint32_t count) {
 double nck_joint_a_any(const nck_machine_t *machine);
 
 // The unit tangents at both ends of a seg, so many components of each, from X on; of a rest: zero.
-// Returns the one at its end: end_out, or start_out where they are the same. Cost: constant.
+// Returns the one at its start: start_out, or end_out where they are the same. Cost: constant.
 static inline const double *nck_joint_tangents(const nck_seg_t *seg, int axes, double *start_out,
                                                double *end_out) {
     const int is_bent = seg->kind == NCK_SEG_ARC || seg->kind == NCK_SEG_SPLINE;
     if (!(seg->length > 0.0)) {
-        for (int x = 0; x < axes; x++) start_out[x] = 0.0;
-        return start_out;
+        for (int x = 0; x < axes; x++) end_out[x] = 0.0;
+        return end_out;
     }
     if (!is_bent) {
-        for (int x = 0; x < axes; x++) start_out[x] = nck_path_slope(seg, x);
-        return start_out;
+        for (int x = 0; x < axes; x++) end_out[x] = nck_path_slope(seg, x);
+        return end_out;
     }
     nck_path_tangent_part(seg, 0.0, axes, start_out);
     nck_path_tangent_part(seg, seg->length, axes, end_out);
-    return end_out;
+    return start_out;
 }
 
 // Into how many joints a spline is worth to be parted. joint: the whole seg's. Cost: constant.
@@ -60,9 +61,27 @@ void nck_joint_make(nck_joint_t *joint, const nck_seg_t *seg, const double span[
                     const double *tangent_start, const double *tangent_end,
                     const nck_terms_t *terms);
 
+// nck_joint_settle beyond what all segs have: of splines, and under a jerk limit.
+void nck_joint_settle_more(nck_joint_t *joint, double v_free, double w_in,
+                           const nck_terms_t *terms);
+
 // Speed and limits of a seg at both paces, once w_near is known; it is entered at w_in at most.
 // Cost: constant.
-void nck_joint_settle(nck_joint_t *joint, double w_in, const nck_terms_t *terms);
+static inline void nck_joint_settle(nck_joint_t *joint, double w_in, const nck_terms_t *terms) {
+    const int bends = joint->kind == NCK_SEG_SPLINE;
+    const double v_free = bends ? nck_sqrt(joint->w_near) : joint->v_free;
+    const double v_over = joint->feed > 0.0 ? NCK_OVERRIDE_TOP * joint->feed : v_free;
+    const double speeds[NCK_PACES] = {nck_min(joint->v_max, v_free), nck_min(v_free, v_over)};
+    if (v_free < joint->v_max) joint->limit = joint->limit_free;
+    for (int k = 0; k < NCK_PACES; k++) {
+        nck_pace_t *const at = &joint->pace[k];
+        at->v = speeds[k];
+        at->a = joint->a_most;
+        at->j = joint->j_straight;
+        at->time = joint->length / at->v;
+    }
+    if (bends || terms->limits_jerk) nck_joint_settle_more(joint, v_free, w_in, terms);
+}
 
 // What the axes leave to a line's acceleration, or to an arc's outside of its plane, under beta.
 // Cost: constant.

@@ -19,7 +19,7 @@ void nck_lookahead_init(nck_lookahead_t *self, const nck_terms_t *terms) {
     memset(self, 0, sizeof *self);
     self->terms = terms;
     nck_lookahead_adapt(self);
-    self->before.limit = NCK_LIMIT_EXACT_STOP;
+    self->before_limit = NCK_LIMIT_EXACT_STOP;
 }
 
 void nck_lookahead_adapt(nck_lookahead_t *self) {
@@ -29,11 +29,12 @@ void nck_lookahead_adapt(nck_lookahead_t *self) {
 
 // Part the newest joint, a spline's, which is not in the chain yet.
 static void push_parts(nck_lookahead_t *self, const nck_seg_t *seg, int count) {
+    const double *const tangent = self->joint.tangent;
     double span[2] = {0.0, 0.0};
     for (int k = 0; k < count; k++) {
         span[1] = k + 1 < count ? seg->length * (double)(k + 1) / (double)count : seg->length;
-        nck_joint_make(nck_joint_at(self, self->joint.head), seg, span, self->joint.tangent,
-                       self->joint.tangent, self->terms);
+        nck_joint_make(nck_joint_at(self, self->joint.head), seg, span, tangent, tangent,
+                       self->terms);
         self->joint.head++;
         nck_near_level_newest(self);
         span[0] = span[1];
@@ -44,23 +45,22 @@ nck_status_t nck_lookahead_push(nck_lookahead_t *self, const nck_seg_t *seg) {
     if (!nck_lookahead_has_room(self)) return NCK_FULL;
     self->ended = 0;
     nck_joint_t *const joint = nck_joint_at(self, self->joint.head);
+    double *const tangent = self->joint.tangent;
     const int axes = self->terms->axes;
     const double whole[2] = {0.0, seg->length};
-    double start[NCK_AXIS_MAX] = {0};
+    double end[NCK_AXIS_MAX] = {0};
     double bent[NCK_AXIS_MAX];
-    const double *const end = nck_joint_tangents(seg, axes, start, bent);
+    const double *const start = nck_joint_tangents(seg, axes, bent, end);
     nck_joint_make(joint, seg, whole, start, end, self->terms);
-    if (self->joint.head > 0) {
-        nck_corner_meet(nck_joint_at(self, self->joint.head - 1), joint, self->joint.tangent, start,
-                        self->terms);
-    }
-    for (int x = 0; x < axes; x++) self->joint.tangent[x] = end[x];
+    nck_joint_t *const before = nck_joint_at(self, self->joint.head - 1);
+    if (self->joint.head > 0) nck_corner_meet(before, joint, tangent, start, self->terms);
+    for (int x = 0; x < axes; x++) tangent[x] = end[x];
     const int parts = seg->kind == NCK_SEG_SPLINE ? nck_joint_parts(joint, self->terms) : 1;
     if (parts > 1) {
         push_parts(self, seg, parts);
     } else {
         self->joint.head++;
-        nck_near_level(self);
+        nck_near_level(self, before, joint);
     }
     return NCK_OK;
 }
@@ -81,31 +81,28 @@ nck_status_t nck_lookahead_take(nck_lookahead_t *self, const nck_node_t *piece) 
 
 void nck_lookahead_hurry(nck_lookahead_t *self) { nck_near_hurry(self); }
 
-static int window_full(const nck_lookahead_t *self) {
-    return self->window.fill > NCK_WINDOW - NCK_PIECES_PER_SEG;
-}
-
 int nck_lookahead_is_settled(const nck_lookahead_t *self) {
     return self->joint.placed == self->joint.head && (self->ended || self->joint.head == 0);
 }
 
 // The next seg cannot be placed yet, as is seen without a walk: what comes behind the last junction
 // that is decided reaches into it.
-static int is_early(const nck_lookahead_t *self) {
+static inline int is_early(nck_lookahead_t *self) {
     const uint32_t count = self->joint.placed;
+    const uint32_t next = count + 1;
     if (count == self->joint.decided) return 1;
-    if (count + 1 != self->joint.decided || count + 1 == self->joint.head) return 0;
-    const nck_joint_t *const joint = &self->joint.at[count & (NCK_JOINT_MAX - 1)];
-    const nck_joint_t *const next = &self->joint.at[(count + 1) & (NCK_JOINT_MAX - 1)];
-    return !nck_zone_parts(joint, self->zone_s) && next->pace[NCK_PACE_OVER].time < self->zone_s;
+    if (next != self->joint.decided || next == self->joint.head) return 0;
+    return nck_joint_at(self, next)->pace[NCK_PACE_OVER].time < self->zone_s
+           && !nck_zone_parts(nck_joint_at(self, count), self->zone_s);
 }
 
 // Place the next seg. Returns 1 if it is placed.
-static int place_one(nck_lookahead_t *self) {
-    double share[NCK_PACES];
-    return !is_early(self)
-           && nck_zone_shares_after(self, self->joint.placed, share) == NCK_OK
-           && nck_piece_place(self, share) == NCK_OK;
+static inline int place_one(nck_lookahead_t *self) {
+    nck_zone_reach_t after;
+    if (is_early(self)) return 0;
+    if (nck_zone_shares_after(self, self->joint.placed, &after) != NCK_OK) return 0;
+    const double share[NCK_PACES] = {after.share[NCK_PACE_FEED], after.share[NCK_PACE_OVER]};
+    return nck_piece_place(self, share) == NCK_OK;
 }
 
 // Place the next segs, unless it was tried in vain and nothing has become known since.
@@ -113,27 +110,17 @@ static int place(nck_lookahead_t *self) {
     const uint32_t known = self->joint.settled + self->joint.decided;
     int placed = 0;
     if (self->joint.tried == known && !self->ended) return 0;
-    while (placed < PLACES_PER_STEP && !window_full(self) && place_one(self)) placed++;
-    if (!window_full(self) && (placed < PLACES_PER_STEP || is_early(self))) {
-        self->joint.tried = known;
-    }
+    while (placed < PLACES_PER_STEP && !nck_lookahead_is_full(self) && place_one(self)) placed++;
+    if (!nck_lookahead_is_full(self) && placed < PLACES_PER_STEP) self->joint.tried = known;
     return placed > 0;
-}
-
-// A junction needs both its segs; a rest, and the path's end, have one.
-static int may_decide(const nck_lookahead_t *self) {
-    const uint32_t known = self->joint.settled - self->joint.decided;
-    if (known != 1) return known > 1;
-    const nck_joint_t *const joint = &self->joint.at[self->joint.decided & (NCK_JOINT_MAX - 1)];
-    return self->ended || joint->kind >= NCK_SEG_DWELL;
 }
 
 // What a seg needs one after the other: its own speeds, its junction, its place in the window.
 nck_status_t nck_lookahead_step(nck_lookahead_t *self) {
-    if (window_full(self)) return NCK_FULL;
+    if (nck_lookahead_is_full(self)) return NCK_FULL;
     const int settles = nck_lookahead_may_settle(self);
     if (settles) nck_near_settle(self);
-    const int is_decided = may_decide(self) && nck_corner_decide(self) == NCK_OK;
+    const int is_decided = nck_corner_may_decide(self) && nck_corner_decide(self) == NCK_OK;
     if (place(self) || is_decided || settles) return NCK_OK;
     return self->ended && self->joint.placed == self->joint.head ? NCK_DONE : NCK_EMPTY;
 }

@@ -97,7 +97,8 @@ typedef struct nck_joint {
 // The room's state.
 typedef struct nck_lookahead {
     const nck_terms_t *terms;
-    uint32_t ended;       // 1: no more segs will come before the path is at rest
+    uint16_t ended;       // 1: no more segs will come before the path is at rest
+    uint16_t before_limit; // nck_limit_t that set before.vv
     double a_any;         // no seg has a larger tangential acceleration [path mm/s²]
     double zone_s;        // how long before and after a junction its share is kept free [s]
 
@@ -119,7 +120,6 @@ typedef struct nck_lookahead {
     struct {
         double vv;        // cap at 100 %, v²
         double vv_over;   // cap by everything but the feed, v²
-        uint32_t limit;   // nck_limit_t that set vv
     } before;
 
     // window of nodes, counted from the start; slot = count mod NCK_WINDOW
@@ -176,15 +176,20 @@ static inline int nck_lookahead_may_settle(const nck_lookahead_t *self) {
            || self->joint.hurried > count || self->ended;
 }
 
-// 1 if a step would do nothing but say NCK_EMPTY, till another seg comes. Cost: constant.
+// 1 if a step would do nothing but say NCK_FULL, till pieces are dropped. Cost: constant.
 // Context: prep.
+static inline int nck_lookahead_is_full(const nck_lookahead_t *self) {
+    return self->window.fill > NCK_WINDOW - NCK_PIECES_PER_SEG;
+}
+
+// 1 if a step, while there is room, would do nothing but say NCK_EMPTY, till another seg comes.
+// Cost: constant. Context: prep.
 static inline int nck_lookahead_is_idle(const nck_lookahead_t *self) {
     const uint32_t settled = self->joint.settled;
     const uint32_t decided = self->joint.decided;
     if (self->ended || nck_lookahead_may_settle(self)) return 0;
     if (decided + 1 != settled && self->joint.known != self->joint.head) return 0;
-    if (self->joint.placed != decided && self->joint.tried != settled + decided) return 0;
-    return self->window.fill <= NCK_WINDOW - NCK_PIECES_PER_SEG;
+    return self->joint.placed == decided || self->joint.tried == settled + decided;
 }
 
 // The i-th piece from the window's head; NULL beyond the window. Cost: constant. Context: prep.

@@ -154,7 +154,7 @@ void nck_near_level_newest(nck_lookahead_t *self) {
             level_before(self, at, NCK_NEAR_SPAN);
         }
     }
-    nck_near_set_out(self, at, joint);
+    nck_near_set_out(joint, nck_near_entered_at(self, at));
     if (joint->end & NCK_JOINT_STOP) level_to_rest(self, at, NCK_NEAR_SPAN);
 }
 
@@ -168,13 +168,6 @@ void nck_near_end(nck_lookahead_t *self) {
 // Its caps stay as if the path went on as it is: levelled to a rest at the newest joint's end they
 // would be slow for good: 1500 chords, one a period, took 2.93 s in place of 2.05.
 void nck_near_hurry(nck_lookahead_t *self) { self->joint.hurried = self->joint.head; }
-
-void nck_near_settle(nck_lookahead_t *self) {
-    const uint32_t count = self->joint.settled;
-    const double w_in = self->terms->limits_jerk ? nck_near_entered_at(self, count) : 0.0;
-    nck_joint_settle(nck_joint_at(self, count), w_in, self->terms);
-    self->joint.settled++;
-}
 
 static void include(nck_near_t *near, const nck_joint_t *joint, double a, int pace) {
     near->a = nck_min(near->a, a);

@@ -23,9 +23,8 @@ static inline double nck_near_entered_at(nck_lookahead_t *self, uint32_t at) {
     return nck_near_rests(before) ? 0.0 : before->w_out;
 }
 
-// What a joint is left at, at most: w_out. Cost: constant.
-static inline void nck_near_set_out(nck_lookahead_t *self, uint32_t at, nck_joint_t *joint) {
-    const double w_in = nck_near_entered_at(self, at);
+// What a joint is left at, at most, if it is entered at w_in: w_out. Cost: constant.
+static inline void nck_near_set_out(nck_joint_t *joint, double w_in) {
     joint->w_out = nck_min(joint->w_near, w_in + 2.0 * joint->a_most * joint->length);
 }
 
@@ -33,15 +32,16 @@ static inline void nck_near_set_out(nck_lookahead_t *self, uint32_t at, nck_join
 void nck_near_level_newest(nck_lookahead_t *self);
 
 // Level the caps of neighbouring splines, once the newest joint is known. Behind a line or an arc
-// that ends no chain nothing is levelled with another one. Cost: NCK_NEAR_SPAN neighbours at most.
-static inline void nck_near_level(nck_lookahead_t *self) {
+// that ends no chain nothing is levelled with another one. before: the joint before it, if there is
+// one. Cost: NCK_NEAR_SPAN neighbours at most.
+static inline void nck_near_level(nck_lookahead_t *self, const nck_joint_t *before,
+                                  nck_joint_t *joint) {
     const uint32_t at = self->joint.head - 1;
-    nck_joint_t *const joint = nck_joint_at(self, at);
     const int is_bare = self->joint.broken == at && joint->kind != NCK_SEG_SPLINE
-                        && nck_joint_at(self, at - 1)->kind != NCK_SEG_SPLINE;
+                        && before->kind != NCK_SEG_SPLINE;
     if (is_bare) {
         self->joint.broken = at + 1;
-        nck_near_set_out(self, at, joint);
+        nck_near_set_out(joint, at == 0 || nck_near_rests(before) ? 0.0 : before->w_out);
     } else {
         nck_near_level_newest(self);
     }
@@ -56,7 +56,12 @@ void nck_near_end(nck_lookahead_t *self);
 void nck_near_hurry(nck_lookahead_t *self);
 
 // Settle the next joint's speeds and limits, as nck_lookahead_may_settle allows. Cost: constant.
-void nck_near_settle(nck_lookahead_t *self);
+static inline void nck_near_settle(nck_lookahead_t *self) {
+    const uint32_t count = self->joint.settled;
+    const double w_in = self->terms->limits_jerk ? nck_near_entered_at(self, count) : 0.0;
+    nck_joint_settle(nck_joint_at(self, count), w_in, self->terms);
+    self->joint.settled++;
+}
 
 // The least limits, under the share beta, near a seg's start (end), its own apart.
 // after: NCK_EMPTY if segs are not settled that far. Cost: NCK_NEAR_SPAN neighbours at most.

@@ -18,7 +18,7 @@
 
 static nck_node_t *node_at(nck_lookahead_t *self, uint32_t i) {
     assert(i < NCK_WINDOW);
-    return &self->window.at[(self->window.head + i) & (NCK_WINDOW - 1)];
+    return self->window.at + ((self->window.head + i) & (NCK_WINDOW - 1));
 }
 
 // What the neighbourhood leaves to a piece, by pace.
@@ -66,25 +66,30 @@ static double node_cap(const nck_lookahead_t *self, double vv_over, const double
     return v * v;
 }
 
-// The caps of the node at a piece's start.
-static void cap_node(nck_lookahead_t *self, nck_node_t *node, const double v_corner[]) {
+// The caps of the node at a piece's start, whose own caps are these.
+static inline void cap_node(nck_lookahead_t *self, nck_node_t *node, const nck_piece_limit_t *piece,
+                            const double v_corner[]) {
     const double vv_corner = v_corner[NCK_PACE_FEED] * v_corner[NCK_PACE_FEED];
-    double vv_cap = node->vv_piece;
-    uint32_t limit = node->limit_piece;
+    double vv_cap = piece->vv;
+    uint32_t limit = piece->limit;
     if (self->before.vv < vv_cap) {
         vv_cap = self->before.vv;
-        limit = self->before.limit;
+        limit = self->before_limit;
     }
     if (vv_corner < vv_cap) {
         vv_cap = vv_corner;
         limit = NCK_LIMIT_CORNER;
     }
-    node->vv_node = node_cap(self, node->vv_over, v_corner);
-    node->vv_cap = self->terms->limits_jerk ? nck_min(vv_cap, node->vv_node) : vv_cap;
+    const double vv_node = node_cap(self, piece->vv_free, v_corner);
+    self->before.vv = piece->vv;
+    self->before.vv_over = piece->vv_free;
+    self->before_limit = piece->limit;
     node->limit = (uint8_t)limit;
-    self->before.vv = node->vv_piece;
-    self->before.vv_over = node->vv_over;
-    self->before.limit = node->limit_piece;
+    node->limit_piece = piece->limit;
+    node->vv_piece = piece->vv;
+    node->vv_over = piece->vv_free;
+    node->vv_cap = self->terms->limits_jerk ? nck_min(vv_cap, vv_node) : vv_cap;
+    node->vv_node = vv_node;
 }
 
 static inline nck_piece_limit_t limits_of(const nck_lookahead_t *self, const nck_joint_t *joint,
@@ -134,9 +139,12 @@ static void begin_node(nck_node_t *node, const nck_joint_t *joint) {
 // Append the piece from s[0] to s[1]; v_corner caps the node at its start.
 static nck_node_t *add_piece(nck_lookahead_t *self, const nck_joint_t *joint, const double s[2],
                              const around_t *around, const double v_corner[]) {
-    const nck_piece_limit_t piece = limits_of(self, joint, around, NCK_PACE_FEED);
+    nck_piece_limit_t piece = limits_of(self, joint, around, NCK_PACE_FEED);
     const nck_piece_limit_t over = limits_of(self, joint, around, NCK_PACE_OVER);
     nck_node_t *const node = node_at(self, self->window.fill);
+    if (self->terms->limits_jerk) piece.vv = nck_min(piece.vv, over.vv_free);
+    piece.vv_free = over.vv_free;
+    cap_node(self, node, &piece, v_corner);
     begin_node(node, joint);
     node->s = joint->kind == NCK_SEG_SPLINE ? joint->shape.bend.s + s[0] : s[0];
     node->length = s[1] - s[0];
@@ -144,14 +152,7 @@ static nck_node_t *add_piece(nck_lookahead_t *self, const nck_joint_t *joint, co
     node->a_over = nck_min(piece.a, over.a);
     node->j = piece.j;
     node->j_over = nck_min(piece.j, over.j);
-    node->vv_piece = piece.vv;
-    node->vv_over = over.vv_free;
-    node->limit_piece = piece.limit;
-    if (self->terms->limits_jerk) {
-        node->vv_piece = nck_min(piece.vv, over.vv_free);
-        leave_at_rest(node, joint, self->terms);
-    }
-    cap_node(self, node, v_corner);
+    if (self->terms->limits_jerk) leave_at_rest(node, joint, self->terms);
     self->window.fill++;
     return node;
 }
@@ -314,7 +315,9 @@ static void share_jerk(nck_lookahead_t *self, uint32_t count, around_t ends[2]) 
 // What reaches into the oldest joint from before and, beside the shares, from behind. NCK_EMPTY if
 // it is not known yet.
 static nck_status_t look_around(nck_lookahead_t *self, uint32_t count, around_t ends[2]) {
-    nck_zone_shares_before(self, count, ends[0].share);
+    nck_zone_reach_t before;
+    nck_zone_shares_before(self, count, &before);
+    for (int k = 0; k < NCK_PACES; k++) ends[0].share[k] = before.share[k];
     if (!self->terms->limits_jerk) return NCK_OK;
     for (int k = 0; k < NCK_PACES; k++) {
         const double beta = nck_max(ends[0].share[k], ends[1].share[k]);
@@ -350,7 +353,7 @@ nck_status_t nck_piece_place(nck_lookahead_t *self, const double share_after[NCK
     if (end->stop) {
         self->before.vv = 0.0;
         self->before.vv_over = 0.0;
-        self->before.limit = NCK_LIMIT_EXACT_STOP;
+        self->before_limit = NCK_LIMIT_EXACT_STOP;
     }
     if (joint->kind == NCK_SEG_WAIT) self->window.barrier = self->window.fill;
     self->joint.placed++;

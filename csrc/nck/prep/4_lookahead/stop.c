@@ -38,22 +38,14 @@ static int is_slow(const nck_joint_t *in, const nck_joint_t *out, double load,
     return stop < crossing_time(half, v, &ramp, nck_zone_s(terms));
 }
 
-// Whether a seg's half is crossed at v no later than it is left from rest: half/v ≤ √(2·half/a).
-static int is_fast(const nck_joint_t *joint, double v) {
-    return joint->a_most * joint->length <= 4.0 * v * v;
-}
-
-// The same where jerk is not limited: all over segs that are too short to be cut at the zones of
-// the programmed speed, a crossing leaves half of the acceleration. A stop costs a period at most.
-static int is_slow_linear(const nck_joint_t *in, const nck_joint_t *out, double load,
-                          const nck_machine_t *machine) {
+// All over segs that are too short to be cut at the zones of the programmed speed, a crossing
+// leaves half of the acceleration. A stop costs a period at most.
+int nck_stop_is_faster(const nck_joint_t *in, const nck_joint_t *out, double load, double v,
+                       const nck_machine_t *machine) {
     const nck_joint_t *joint[2];
     joint[0] = in;
     joint[1] = out;
     const double period = machine->period_s;
-    const double v_max = nck_min(in->v_max, out->v_max);
-    const double v = nck_min(NCK_CORNER_SHARE_MAX * period / load, v_max);
-    if (is_fast(in, v) && is_fast(out, v)) return 0; // a stop costs a period on top
     const double share = v * load / period;
     double stop = period;
     double crossing = 0.0;
@@ -69,13 +61,9 @@ static int is_slow_linear(const nck_joint_t *in, const nck_joint_t *out, double 
     return stop < crossing;
 }
 
-int nck_stop_pays(const nck_joint_t *in, const nck_joint_t *out, double load,
-                  const nck_terms_t *terms) {
-    const nck_machine_t *const machine = terms->machine;
+int nck_stop_pays_jerk(const nck_joint_t *in, const nck_joint_t *out, double load,
+                       const nck_terms_t *terms) {
     const double a = nck_min(in->a_most, out->a_most);
-    if (!terms->limits_jerk) {
-        return nck_corner_sharp(load, a) || is_slow_linear(in, out, load, machine);
-    }
     const double a_there = nck_min(a, terms->j_max * nck_zone_s(terms));
     if (nck_zone_is_alone(in, out, load, terms) && nck_corner_sharp(load, a_there)) return 1;
     return is_slow(in, out, load, terms);

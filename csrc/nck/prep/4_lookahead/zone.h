@@ -3,7 +3,8 @@
 #ifndef NCK_PREP_ZONE_H
 #define NCK_PREP_ZONE_H
 
-#include "nck/prep/4_lookahead/joint.h" // nck_lookahead_t nck_joint_t nck_joint_at
+#include "nck/prep/4_lookahead/joint.h"      // nck_lookahead_t nck_joint_t nck_joint_at
+#include "nck/prep/4_lookahead/limit_math.h" // NCK_CORNER_SHARE_MAX
 
 // A seg is cut where its zones end only if it is longer than both of them together by so much: the
 // middle is to be worth a piece.
@@ -30,11 +31,70 @@ static inline int nck_zone_parts(const nck_joint_t *joint, double zone_s) {
 int nck_zone_is_alone(const nck_joint_t *in, const nck_joint_t *out, double load,
                       const nck_terms_t *terms);
 
+// A walk away from a seg at both paces. No seg takes longer with an override than without: so the
+// zone is left at NCK_PACE_OVER last.
+typedef struct nck_zone_reach {
+    double time[NCK_PACES];  // so far [s]
+    double share[NCK_PACES]; // the largest
+} nck_zone_reach_t;
+
+// The walk comes to a joint's end. Cost: constant.
+static inline void nck_zone_meet(nck_zone_reach_t *reach, const nck_joint_t *joint, double zone_s) {
+    for (int k = 0; k < NCK_PACES; k++) {
+        if (k != NCK_PACE_FEED || reach->time[k] < zone_s) {
+            reach->share[k] = nck_max(reach->share[k], joint->pace[k].share);
+        }
+    }
+}
+
+// The walk passes a joint. Returns 1 if the zone ends within it. Cost: constant.
+static inline int nck_zone_pass(nck_zone_reach_t *reach, const nck_joint_t *joint, double zone_s) {
+    for (int k = 0; k < NCK_PACES; k++) reach->time[k] += joint->pace[k].time;
+    return reach->time[NCK_PACE_OVER] >= zone_s;
+}
+
+// The walk ends at NCK_CORNER_SPAN neighbours, short of the zone's end. Under a jerk limit the seg
+// is slowed until it does not (near.h); else the worst is assumed. Cost: constant.
+static inline void nck_zone_cut_off(nck_zone_reach_t *reach, const nck_lookahead_t *self) {
+    for (int k = 0; k < NCK_PACES; k++) {
+        const int is_short = reach->time[k] < self->zone_s && !self->terms->limits_jerk;
+        if (is_short) reach->share[k] = NCK_CORNER_SHARE_MAX;
+    }
+}
+
 // The largest share that junctions use, by pace, so near before (after) the seg's start (end) that
 // it must be kept free there. after: NCK_EMPTY if junctions are not decided that far.
 // Cost: NCK_CORNER_SPAN neighbours at most.
-void nck_zone_shares_before(nck_lookahead_t *self, uint32_t count, double share_out[NCK_PACES]);
-nck_status_t nck_zone_shares_after(nck_lookahead_t *self, uint32_t count,
-                                   double share_out[NCK_PACES]);
+static inline void nck_zone_shares_before(nck_lookahead_t *self, uint32_t count,
+                                          nck_zone_reach_t *reach) {
+    const nck_zone_reach_t begin = {{0.0, 0.0}, {0.0, 0.0}};
+    *reach = begin;
+    for (uint32_t n = 0; n < NCK_CORNER_SPAN; n++) {
+        if (count == 0) return;
+        count--;
+        const nck_joint_t *const joint = nck_joint_at(self, count);
+        if (nck_zone_parts(joint, self->zone_s)) return;
+        nck_zone_meet(reach, joint, self->zone_s);
+        if (nck_zone_pass(reach, joint, self->zone_s)) return;
+    }
+    nck_zone_cut_off(reach, self);
+}
+static inline nck_status_t nck_zone_shares_after(nck_lookahead_t *self, uint32_t count,
+                                                 nck_zone_reach_t *reach) {
+    const nck_zone_reach_t begin = {{0.0, 0.0}, {0.0, 0.0}};
+    const nck_joint_t *joint = nck_joint_at(self, count);
+    *reach = begin;
+    for (uint32_t n = 0; n < NCK_CORNER_SPAN; n++) {
+        if (count == self->joint.decided) return NCK_EMPTY;
+        nck_zone_meet(reach, joint, self->zone_s);
+        if (nck_zone_parts(joint, self->zone_s)) return NCK_OK;
+        count++;
+        if (count == self->joint.head) return self->ended ? NCK_OK : NCK_EMPTY;
+        joint = nck_joint_at(self, count);
+        if (nck_zone_pass(reach, joint, self->zone_s)) return NCK_OK;
+    }
+    nck_zone_cut_off(reach, self);
+    return NCK_OK;
+}
 
 #endif

@@ -281,7 +281,7 @@ static void pass_forward(nck_linear_t *self, const nck_pieces_t *pieces) {
             return;
         }
         const double gain = gain_over(self, number, next);
-        next = nck_plan_there(pieces, number + 1);
+        next = nck_plan_behind(pieces, next);
         next->vv = nck_envelope_forward(next->vv, self->pass.vv, gain);
         self->pass.vv = next->vv;
         self->pass.i++;
@@ -303,6 +303,7 @@ static void begin_piece(nck_linear_t *self, const nck_pieces_t *pieces,
     const uint32_t behind = self->at.piece + 1;
     const int rests = behind == self->end || (behind == self->final && self->held);
     span.vv_out = rests ? 0.0 : nck_plan_there(pieces, behind)->vv;
+    self->vv_out = span.vv_out;
     const double period = self->machine->period_s;
     self->legs.count = (uint32_t)nck_trapezoid_legs(piece, &span, period, self->legs.cell);
     nck_legs_begin(&self->legs, period);
@@ -335,13 +336,10 @@ static int draw_slice(nck_linear_t *self) {
 }
 
 // The piece is drawn: go on at the next one, at its envelope to the bit.
-static void leave_piece(nck_linear_t *self, const nck_pieces_t *pieces) {
-    const nck_node_t *const next = nck_plan_there(pieces, self->at.piece + 1);
-    const int within = self->at.piece + 1 != self->end;
+static void leave_piece(nck_linear_t *self) {
     self->at.piece++;
     self->at.fresh = 1;
-    self->at.vv = within ? next->vv : 0.0;
-    if (self->held && self->at.piece == self->final) self->at.vv = 0.0;
+    self->at.vv = self->vv_out;
 }
 
 static void set_end(nck_linear_t *self, const nck_linear_place_t *place) {
@@ -377,7 +375,7 @@ static nck_status_t draw_one(nck_linear_t *self, const nck_pieces_t *pieces) {
     }
     if (!draw_slice(self)) return NCK_EMPTY;
     const int rests = piece->stop || !(piece->length > 0.0);
-    leave_piece(self, pieces);
+    leave_piece(self);
     return rests ? finish_at_rest(self) : NCK_EMPTY; // a tail has one rest, at its end
 }
 

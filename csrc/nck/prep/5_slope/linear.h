@@ -63,6 +63,7 @@ typedef struct nck_linear {
     } pass;
 
     nck_legs_t legs;       // of the piece in work
+    double vv_out;         // v² at its end
 } nck_linear_t;
 
 // next: the slope's plan in work; its begin, piece, s and over are set before a plan is begun.

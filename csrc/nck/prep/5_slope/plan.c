@@ -5,13 +5,13 @@
 #include "nck/base/real.h" // nck_min
 
 uint32_t nck_plan_find(const nck_pieces_t *pieces, uint32_t number, const nck_cell_t *cell) {
-    const nck_node_t *piece = nck_plan_there(pieces, number);
-    while (number + 1 - pieces->head < pieces->fill) {
-        const nck_node_t *const next = nck_plan_there(pieces, number + 1);
+    const uint32_t last = pieces->head + pieces->fill - 1;
+    nck_node_t *piece = nck_plan_there(pieces, number);
+    for (; (int32_t)(last - number) > 0; number++) {
+        nck_node_t *const next = nck_plan_behind(pieces, piece);
         const int is_it = piece->seg == cell->seg;
         if (is_it && (next->seg != cell->seg || !(cell->s >= next->s))) break;
         piece = next;
-        number++;
     }
     return number;
 }

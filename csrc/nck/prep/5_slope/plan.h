@@ -87,6 +87,11 @@ static inline nck_node_t *nck_plan_there(const nck_pieces_t *pieces, uint32_t nu
     return &pieces->at[number & (NCK_WINDOW - 1)];
 }
 
+// The place in the ring behind a piece's. Cost: constant.
+static inline nck_node_t *nck_plan_behind(const nck_pieces_t *pieces, nck_node_t *piece) {
+    return piece + 1 == &pieces->at[NCK_WINDOW] ? pieces->at : piece + 1;
+}
+
 // Room 4's piece of a running number; NULL if it is not there (yet). Cost: constant.
 static inline nck_node_t *nck_plan_piece(const nck_pieces_t *pieces, uint32_t number) {
     if (number - pieces->head >= pieces->fill) return (nck_node_t *)0;
