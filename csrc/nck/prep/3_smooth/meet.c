@@ -6,6 +6,7 @@
 #include "nck/base/overlap_math.h"         // nck_overlap_distance
 #include "nck/base/real.h"                 // nck_min
 #include "nck/prep/3_smooth/choice.h"      // nck_choice_…
+#include "nck/prep/3_smooth/estimate.h"    // nck_estimate_off
 #include "nck/prep/3_smooth/raw.h"         // nck_raw_…
 #include "nck/prep/3_smooth/spline_math.h" // nck_spline_…
 
@@ -141,13 +142,14 @@ static void measure_ways(nck_smooth_t *self, uint32_t count, nck_meet_t *meet) {
 static void bend_of(nck_smooth_t *self, uint32_t count, double spacing, nck_bend_t *bend) {
     const nck_raw_t *const raw = nck_raw_at(self, count);
     const double s = raw->s + raw->seg.length;
-    double before[NCK_AXIS_MAX];
+    double p[2][NCK_AXIS_MAX];
     bend->d = nck_min(spacing, s);
     if (self->run.closed) bend->d = nck_min(bend->d, nck_raw_known(self) - s);
-    nck_raw_point(self, s - bend->d, before);
-    nck_raw_point(self, s + bend->d, bend->turn);
+    const double places[2] = {s - bend->d, s + bend->d};
+    uint32_t at[2] = {nck_estimate_off(self, -4), nck_estimate_off(self, 4)};
+    nck_raw_points(self, count, places, 2, p, at);
     for (int x = 0; x < self->terms->axes; x++) {
-        bend->turn[x] = nck_spline_bend(before[x], raw->seg.end[x], bend->turn[x]) / bend->d;
+        bend->turn[x] = nck_spline_bend(p[0][x], raw->seg.end[x], p[1][x]) / bend->d;
     }
     const int lifted = raw->key == NCK_KEY_LIFTED;
     bend->lift = lifted ? nck_meet_lift(self, count, bend->d, NCK_SPLINE_WEIGHT) : 0.0;

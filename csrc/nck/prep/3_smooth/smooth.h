@@ -77,15 +77,29 @@ typedef struct nck_trial {
     uint8_t looks;  // 1: before it, the way ahead is looked at from `count` on, `step` so far
 } nck_trial_t;
 
-// What a look at a block's end has found of the path around it: looks in vain come again.
+// What a look at a block's end has found of the path around it.
 typedef struct nck_look {
-    uint32_t count; // the block
-    uint32_t tail;  // of the ring, then
     double h;       // spacing that was looked at [path mm]; 0: none
     double before[NCK_AXIS_MAX]; // δ²p one spacing before [mm]
     double middle[NCK_AXIS_MAX]; // and there
     double behind[NCK_AXIS_MAX]; // p one spacing behind [mm]
 } nck_look_t;
+
+// Looks at one block's end: those in vain come again, and places are about where they were.
+typedef struct nck_looks {
+    uint32_t count;   // the block
+    uint32_t tail;    // of the ring, then
+    nck_look_t at[2]; // the newest, in turn
+    double wait;      // a spacing that was good where it was looked at last, while a wider one
+                      // waits for more blocks [path mm]; 0: none waits
+} nck_looks_t;
+
+// And what goes with it.
+typedef struct nck_looked {
+    int16_t off[3]; // blocks to two spacings before the end, and to one and two behind it: about
+    uint8_t newest; // of the two looks
+    uint8_t known;  // 1: `wait` is good whatever comes
+} nck_looked_t;
 
 // The room's state: filled by nck_smooth_init, written by the room alone.
 typedef struct nck_smooth {
@@ -136,8 +150,8 @@ typedef struct nck_smooth {
         uint32_t kinks;  // places where it must rest to stay within the tolerance, in all runs
         uint32_t tries;  // knots that the last pull has begun to try
         nck_trial_t trial;
-        nck_look_t look[2]; // the newest, in turn
-        uint32_t looks;  // so many so far
+        nck_looks_t looks;
+        nck_looked_t looked;
         double rest;     // the place of the next of them; beyond the run: none is known
         double given;    // t[2] … t[3] is given up to here
         double t[8];     // next seg: t[2] … t[3]; t[6], t[7]: if it had to end at t[5]
