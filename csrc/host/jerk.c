@@ -8,7 +8,7 @@
 #include "nck/prep/5_slope/ladder_math.h" // nck_ladder_…
 #include "nck/prep/5_slope/profile.h"     // nck_profile_t
 
-enum { ARRAYS = 10, PARTS_MOST = 1000 };
+enum { ARRAYS = 11, PARTS_MOST = 1000 };
 
 // No cell is capped in rule R while the ladder is still coarse.
 #define UNCAPPED_PERIODS 1e9
@@ -47,7 +47,7 @@ static void share_out(ladder_t *self, void *work, size_t nodes) {
     double **const arrays[ARRAYS] = {
         &self->profile.h, &self->profile.w_cap, &self->profile.a_max, &self->profile.j_max,
         &self->profile.w, &self->profile.s,     &self->profile.up,    &self->profile.down,
-        &self->profile.e, &self->profile.z};
+        &self->profile.e, &self->profile.z,     &self->profile.j};
     for (size_t k = 0; k < ARRAYS; k++) *arrays[k] = first + k * nodes;
     void *const behind = first + ARRAYS * nodes;
     self->profile.stack = behind;

@@ -18,7 +18,7 @@ enum { CELLS = 300, CASES = 3000, WORK = 27 * CELLS };
 typedef struct ladder {
     nck_profile_t profile;
     double h[CELLS], w_cap[CELLS + 1], a_max[CELLS], j_max[CELLS], w[CELLS + 1], s[CELLS + 1];
-    double up[CELLS], down[CELLS], e[CELLS + 1], z[CELLS + 1];
+    double up[CELLS], down[CELLS], e[CELLS + 1], z[CELLS + 1], j[CELLS + 1];
     uint32_t stack[CELLS + 1];
 } ladder_t;
 
@@ -48,6 +48,7 @@ static void bind(ladder_t *self)
     p->down = self->down;
     p->e = self->e;
     p->z = self->z;
+    p->j = self->j;
     p->stack = self->stack;
 }
 

@@ -46,7 +46,7 @@ typedef enum nck_link_owner {
 
 // What prep finds in the memory of the next tail as long as it builds none there.
 typedef struct nck_link_spare {
-    double number[5][NCK_TAIL_MAX];
+    double number[6][NCK_TAIL_MAX];
     uint32_t index[NCK_TAIL_MAX];
 } nck_link_spare_t;
 

@@ -436,7 +436,7 @@ static int is_shared(const corner_t *corner, const nck_bend_t *bend) {
 static double turn_counts(const corner_t *corner, const nck_meet_t *meet,
                           const nck_bend_t *bend) {
     const double apart = meet->b->seg.length / meet->a->spacing;
-    if (meet->a->pair) return nck_max(1.0, BACK - BACK_APART * apart);
+    if (meet->a->key == NCK_KEY_PAIR) return nck_max(1.0, BACK - BACK_APART * apart);
     return is_shared(corner, bend) ? UNEVEN : 1.0;
 }
 

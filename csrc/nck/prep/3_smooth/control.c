@@ -100,21 +100,23 @@ static void spread(nck_smooth_t *self, const span_t *span, double (*p)[NCK_AXIS_
     const double step = span->h / (double)SIDE;
     double places[POINTS];
     double kappa[NCK_AXIS_MAX];
-    uint32_t blocks[POINTS];
+    uint32_t blocks[POINTS] = {0};
     uint32_t last = self->run.end;
     int bends = 0;
     for (int k = 0; k < POINTS; k++) places[k] = span->xi - span->h + step * (double)k;
-    nck_raw_points(self, nck_raw_find(self, places[0]), places, POINTS, p, blocks);
+    const uint32_t near = nck_raw_find(self, places[0]);
+    nck_raw_points(self, near, places, POINTS, p, blocks);
     memcpy(middle_out, p[SIDE], sizeof p[SIDE]);
-    if (is_within(nck_raw_at(self, blocks[SIDE]), span)) return;
+    if (is_within(nck_raw_at(self, near + blocks[SIDE]), span)) return;
     for (int k = 0; k < POINTS; k++) {
-        const nck_raw_t *const raw = nck_raw_at(self, blocks[k]);
+        const uint32_t at = near + blocks[k];
+        const nck_raw_t *const raw = nck_raw_at(self, at);
         const double done = places[k] - raw->s;
         const double left = raw->seg.length - done;
         const int is_chord = raw->seg.kind == NCK_SEG_LINE && raw->seg.length >= CHORD * span->h;
         if (!is_chord || !(done > 0.0 && left > 0.0)) continue;
-        if (blocks[k] != last) bends = curve_of(self, blocks[k], kappa);
-        last = blocks[k];
+        if (at != last) bends = curve_of(self, at, kappa);
+        last = at;
         for (int x = 0; bends && x < self->terms->axes; x++) {
             p[k][x] -= 0.5 * BULGE * done * left * kappa[x];
         }

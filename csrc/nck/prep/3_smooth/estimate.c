@@ -13,49 +13,66 @@
 #define SHARP 0.4
 enum { POINTS = 7 }; // of the path that tell a curve from noise
 
-// What of the path around a block's end, a spacing h to either side, is known from now on. The
-// newest block may yet change, and what is behind it is not known.
-static const nck_look_t *look_around(nck_smooth_t *self, uint32_t count, double h) {
-    for (int k = 0; k < 2; k++) {
-        const nck_look_t *const known = &self->run.look[k];
-        const int is_that = known->h == h && known->count == count;
-        if (is_that && known->tail == self->raw.tail) return known;
-    }
+// What is known so far is of this block's end, or nothing.
+static void turn_to(nck_smooth_t *self, uint32_t count) {
+    nck_looks_t *const looks = &self->run.looks;
+    if (looks->count == count && looks->tail == self->raw.tail) return;
+    nck_estimate_forget(self);
+    looks->count = count;
+    looks->tail = self->raw.tail;
+}
+
+// The path around a block's end, a spacing h to either side: what of it is known from now on is not
+// looked for again; and the point two spacings behind it.
+static const nck_look_t *look_around(nck_smooth_t *self, uint32_t count, double h,
+                                     double (*beyond_out)[NCK_AXIS_MAX]) {
+    nck_looks_t *const looks = &self->run.looks;
+    nck_looked_t *const looked = &self->run.looked;
     const nck_raw_t *const raw = nck_raw_at(self, count);
-    const double *const here = raw->seg.end;
     const double s = raw->s + raw->seg.length;
+    const double beyond = s + h + h;
+    uint32_t at = (uint32_t)looked->off[2];
+    turn_to(self, count);
+    for (int k = 0; k < 2; k++) {
+        if (looks->at[k].h != h) continue;
+        nck_raw_points(self, count, &beyond, 1, beyond_out, &at);
+        return &looks->at[k];
+    }
     const double before = s - 2.0 * h;
-    const double places[3] = {before, before + h, s + h};
-    double p[3][NCK_AXIS_MAX];
-    nck_look_t *const look = &self->run.look[self->run.looks++ % 2];
-    nck_raw_points(self, count, places, 3, p, NULL);
+    const double places[4] = {before, before + h, s + h, beyond};
+    uint32_t off[4] = {(uint32_t)looked->off[0], (uint32_t)(looked->off[0] / 2),
+                       (uint32_t)looked->off[1], at};
+    double p[4][NCK_AXIS_MAX];
+    looked->newest ^= 1u;
+    nck_look_t *const look = &looks->at[looked->newest];
+    const double *const here = raw->seg.end;
+    nck_raw_points(self, count, places, 4, p, off);
     for (int x = 0; x < self->terms->axes; x++) {
         look->before[x] = nck_spline_bend(p[0][x], p[1][x], here[x]);
         look->middle[x] = nck_spline_bend(p[1][x], here[x], p[2][x]);
         look->behind[x] = p[2][x];
+        beyond_out[0][x] = p[3][x];
     }
-    look->count = count;
-    look->tail = self->raw.tail;
-    look->h = places[2] <= nck_raw_at(self, self->run.end - 1)->s ? h : 0.0;
+    look->h = nck_estimate_is_known(self, places[2]) ? h : 0.0;
+    looked->off[0] = (int16_t)off[0];
+    looked->off[1] = (int16_t)off[2];
+    looked->off[2] = (int16_t)off[3];
     return look;
 }
 
 double nck_estimate_plain(nck_smooth_t *self, uint32_t count, double h, int rough) {
-    const nck_raw_t *const raw = nck_raw_at(self, count);
-    const double *const here = raw->seg.end;
-    const double furthest = raw->s + raw->seg.length + h + h;
-    double p[1][NCK_AXIS_MAX];
-    double off[NCK_AXIS_MAX];
-    const int axes = self->terms->axes;
+    const double *const here = nck_raw_at(self, count)->seg.end;
     const double at_side = rough ? 1.25 : -1.0;
     const double at_middle = rough ? 11.0 : 2.0;
-    const nck_look_t *const look = look_around(self, count, h);
-    nck_raw_points(self, count, &furthest, 1, p, NULL);
-    for (int x = 0; x < axes; x++) {
-        const double sides = look->before[x] + nck_spline_bend(here[x], look->behind[x], p[0][x]);
-        off[x] = at_middle * look->middle[x] + at_side * sides;
+    double beyond[1][NCK_AXIS_MAX];
+    const nck_look_t *const look = look_around(self, count, h, beyond);
+    double sum = 0.0;
+    for (int x = 0; x < self->terms->axes; x++) {
+        const double bend = nck_spline_bend(here[x], look->behind[x], beyond[0][x]);
+        const double off = at_middle * look->middle[x] + at_side * (look->before[x] + bend);
+        sum += off * off;
     }
-    return nck_spline_norm(off, axes) / 36.0;
+    return nck_sqrt(sum) / 36.0;
 }
 
 // δ²p over h/2 is a quarter of that over h on a curve, and half of it at a corner.
@@ -69,16 +86,19 @@ nck_estimate_t nck_estimate_nine(nck_smooth_t *self, uint32_t count, double h) {
     const nck_raw_t *const raw = nck_raw_at(self, count);
     const double *const here = raw->seg.end;
     const double s = raw->s + raw->seg.length;
-    const double places[3] = {s - 0.5 * h, s + 0.5 * h, s + h + h};
-    double p[3][NCK_AXIS_MAX];
+    const double places[2] = {s - 0.5 * h, s + 0.5 * h};
+    double p[2][NCK_AXIS_MAX];
+    double beyond[1][NCK_AXIS_MAX];
     double off[NCK_AXIS_MAX];
     double half[NCK_AXIS_MAX];
     const int axes = self->terms->axes;
-    const nck_look_t *const look = look_around(self, count, h);
-    nck_raw_points(self, count, places, 3, p, NULL);
+    const nck_look_t *const look = look_around(self, count, h, beyond);
+    uint32_t at[2] = {nck_estimate_off(self, -2), nck_estimate_off(self, 2)};
+    nck_raw_points(self, count, places, 2, p, at);
     for (int x = 0; x < axes; x++) {
         half[x] = nck_spline_bend(p[0][x], here[x], p[1][x]);
-        const double sides = look->before[x] + nck_spline_bend(here[x], look->behind[x], p[2][x]);
+        const double bend = nck_spline_bend(here[x], look->behind[x], beyond[0][x]);
+        const double sides = look->before[x] + bend;
         off[x] = 11.5 * half[x] - 0.875 * look->middle[x] - sides;
     }
     const nck_estimate_t estimate = {
@@ -105,9 +125,13 @@ double nck_estimate_unevenness(nck_smooth_t *self, uint32_t count, double h, dou
     const double s = raw->s + raw->seg.length;
     double p[POINTS][NCK_AXIS_MAX];
     double places[POINTS];
+    uint32_t off[POINTS];
     for (int k = 0; k < POINTS; k++) places[k] = s - 3.0 * h + h * (double)k;
-    nck_raw_points(self, count, places, 3, p, NULL);
+    const uint32_t before = nck_estimate_off(self, most < NCK_UNLIMITED ? -4 : -2);
+    const uint32_t behind = nck_estimate_off(self, most < NCK_UNLIMITED ? 4 : 2);
+    for (uint32_t k = 0; k < POINTS; k++) off[k] = k < 3 ? (3 - k) * before : (k - 3) * behind;
+    nck_raw_points(self, count, places, 3, p, off);
     if (bends_of(self, p, 1) > most) return NCK_UNLIMITED;
-    nck_raw_points(self, count, places + 3, POINTS - 3, p + 3, NULL);
+    nck_raw_points(self, count, places + 3, POINTS - 3, p + 3, off + 3);
     return bends_of(self, p, POINTS - 2);
 }

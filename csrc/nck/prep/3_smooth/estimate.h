@@ -31,9 +31,24 @@ nck_estimate_t nck_estimate_nine(nck_smooth_t *self, uint32_t count, double h);
 // alone exceeds `most`. Cost: seven points of the path.
 double nck_estimate_unevenness(nck_smooth_t *self, uint32_t count, double h, double most);
 
+// 1 if the path up to a place is known from now on: the newest block may yet change, and what is
+// behind it is not known. Cost: constant.
+static inline int nck_estimate_is_known(const nck_smooth_t *self, double s) {
+    return s <= self->raw.at[(self->run.end - 1) & (NCK_SMOOTH_ROWS - 1)].s;
+}
+
 // Forget what is known of the path from estimates before: a corner may be moved. Cost: constant.
 static inline void nck_estimate_forget(nck_smooth_t *self) {
-    for (int k = 0; k < 2; k++) self->run.look[k].h = 0.0;
+    for (int k = 0; k < 2; k++) self->run.looks.at[k].h = 0.0;
+    self->run.looks.wait = 0.0;
+    self->run.looked.known = 0;
+}
+
+// Blocks from the block's end that was looked at last to about n/4 of its spacing behind it, or
+// before it where n is negative: modulo 2³². Cost: constant.
+static inline uint32_t nck_estimate_off(const nck_smooth_t *self, int n) {
+    const int16_t *const off = self->run.looked.off;
+    return (uint32_t)(n < 0 ? -n * off[0] / 8 : n * off[2] / 8);
 }
 
 #endif

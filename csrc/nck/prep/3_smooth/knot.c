@@ -116,14 +116,14 @@ static int look_at_corner(nck_smooth_t *self, uint32_t count, way_t *way) {
     const nck_raw_t *const raw = nck_raw_at(self, count);
     const double here = self->run.t[4];
     const double end = raw->s + raw->seg.length;
-    if (raw->key) {
+    if (raw->key == NCK_KEY_PAIR && look_at_pair(self, count, way)) return 1;
+    if (raw->key && raw->key < NCK_KEY_PAIR) {
         way->goal = end;
         way->half = raw->spacing;
         way->key = raw->key;
         way->straight = raw->s <= here && raw->seg.kind == NCK_SEG_LINE;
         return 1;
     }
-    if (raw->pair == NCK_PAIR_FIRST && look_at_pair(self, count, way)) return 1;
     way->sure &= (uint8_t)nck_spacing_is_known(raw);
     way->step = nck_min(way->step, raw->spacing + way->growth * (end - here));
     return 0;

@@ -6,6 +6,7 @@
 #include "nck/base/overlap_math.h"         // nck_overlap_distance
 #include "nck/base/real.h"                 // nck_min
 #include "nck/prep/3_smooth/choice.h"      // nck_choice_…
+#include "nck/prep/3_smooth/estimate.h"    // nck_estimate_off
 #include "nck/prep/3_smooth/raw.h"         // nck_raw_…
 #include "nck/prep/3_smooth/spline_math.h" // nck_spline_…
 
@@ -155,13 +156,14 @@ static void bend_of_pair(nck_smooth_t *self, const nck_meet_t *meet, nck_bend_t 
 static void bend_of(nck_smooth_t *self, uint32_t count, double spacing, nck_bend_t *bend) {
     const nck_raw_t *const raw = nck_raw_at(self, count);
     const double s = raw->s + raw->seg.length;
-    double before[NCK_AXIS_MAX];
+    double p[2][NCK_AXIS_MAX];
     bend->d = nck_min(spacing, s);
     if (self->run.closed) bend->d = nck_min(bend->d, nck_raw_known(self) - s);
-    nck_raw_point(self, s - bend->d, before);
-    nck_raw_point(self, s + bend->d, bend->turn);
+    const double places[2] = {s - bend->d, s + bend->d};
+    uint32_t at[2] = {nck_estimate_off(self, -4), nck_estimate_off(self, 4)};
+    nck_raw_points(self, count, places, 2, p, at);
     for (int x = 0; x < self->terms->axes; x++) {
-        bend->turn[x] = nck_spline_bend(before[x], raw->seg.end[x], bend->turn[x]) / bend->d;
+        bend->turn[x] = nck_spline_bend(p[0][x], raw->seg.end[x], p[1][x]) / bend->d;
     }
     const int lifted = raw->key == NCK_KEY_LIFTED;
     bend->lift = lifted ? nck_meet_lift(self, count, bend->d, NCK_SPLINE_WEIGHT) : 0.0;
@@ -174,7 +176,7 @@ void nck_meet_choose(nck_smooth_t *self, uint32_t count) {
     const double tolerance = nck_min(raw->tolerance, next->tolerance);
     nck_meet_t meet = {raw, next, {0.0, 0.0}, tolerance, {0, 0}, 0};
     nck_bend_t bend;
-    if (raw->pair) bend_of_pair(self, &meet, &bend);
+    if (raw->key == NCK_KEY_PAIR) bend_of_pair(self, &meet, &bend);
     else bend_of(self, count, raw->spacing, &bend);
     if (raw->key != NCK_KEY_LIFTED && !nck_choice_may_stop(self, &meet, &bend)) return;
     measure_ways(self, count, &meet);
@@ -192,6 +194,6 @@ void nck_meet_choose(nck_smooth_t *self, uint32_t count) {
     nck_corner_stop_t stop;
     meet.may_move = (uint8_t)may_move(self, &meet);
     if (!nck_choice_stop(self, &meet, &bend, &stop)) return;
-    raw->pair = NCK_PAIR_NONE;
+    if (raw->key == NCK_KEY_PAIR) raw->key = NCK_KEY_NONE; // the next one is alone
     stop_behind(self, count, move_corner(self, raw, next, &stop));
 }

@@ -4,9 +4,8 @@
 
 #include <string.h> // memcpy
 
-#include "nck/base/real.h"                 // nck_min nck_max
-#include "nck/prep/3_smooth/raw.h"         // nck_raw_at
-#include "nck/prep/3_smooth/spline_math.h" // nck_spline_distance
+#include "nck/base/real.h"         // nck_min nck_max nck_sqrt
+#include "nck/prep/3_smooth/raw.h" // nck_raw_at
 
 #define SHARE 0.05 // of the tolerance that merging may use: it is lost to the spline
 
@@ -29,12 +28,15 @@ static double leaves_by(const nck_smooth_t *self, const double *start, const dou
     const int axes = self->terms->axes;
     double worst = 0.0;
     for (uint32_t i = 0; i <= self->merge.count; i++) {
-        double p[NCK_AXIS_MAX];
         const double f = self->merge.s[i] / length;
-        for (int x = 0; x < axes; x++) p[x] = start[x] + (end[x] - start[x]) * f;
-        worst = nck_max(worst, nck_spline_distance(p, self->merge.vertex[i], axes));
+        double sum = 0.0;
+        for (int x = 0; x < axes; x++) {
+            const double off = start[x] + (end[x] - start[x]) * f - self->merge.vertex[i][x];
+            sum += off * off;
+        }
+        worst = nck_max(worst, sum);
     }
-    return worst;
+    return nck_sqrt(worst);
 }
 
 // 1 if the line leads back along the newest block: its tip is a corner, however near it is.

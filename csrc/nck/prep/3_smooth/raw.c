@@ -121,15 +121,6 @@ static inline void part_of(const nck_seg_t *seg, double s, int axes, double *poi
     for (int x = 0; x < axes; x++) point_out[x] = nck_path_straight(seg, x, f);
 }
 
-// nck_path_tangent_part; most blocks are lines.
-static inline void tangent_of(const nck_seg_t *seg, double s, int axes, double *tangent_out) {
-    if (seg->kind != NCK_SEG_LINE) {
-        nck_path_tangent_part(seg, s, axes, tangent_out);
-        return;
-    }
-    for (int x = 0; x < axes; x++) tangent_out[x] = nck_path_slope(seg, x);
-}
-
 // The point at s, beside a block or at one of its ends, which is its point to the bit.
 static void point_beside(const nck_raw_t *raw, double s, int axes, double *point_out) {
     const int before = s < raw->s;
@@ -139,7 +130,13 @@ static void point_beside(const nck_raw_t *raw, double s, int axes, double *point
         for (int x = 0; x < axes; x++) point_out[x] = end[x];
         return;
     }
-    tangent_of(&raw->seg, before ? 0.0 : raw->seg.length, axes, point_out);
+    if (raw->seg.kind == NCK_SEG_LINE) {
+        for (int x = 0; x < axes; x++) {
+            point_out[x] = end[x] + nck_path_slope(&raw->seg, x) * beyond;
+        }
+        return;
+    }
+    nck_path_tangent_part(&raw->seg, before ? 0.0 : raw->seg.length, axes, point_out);
     for (int x = 0; x < axes; x++) point_out[x] = end[x] + point_out[x] * beyond;
 }
 
@@ -154,27 +151,40 @@ void nck_raw_point(nck_smooth_t *self, double s, double *point_out) {
 }
 
 void nck_raw_points(nck_smooth_t *self, uint32_t near, const double *places, int count,
-                    double (*points_out)[NCK_AXIS_MAX], uint32_t *blocks_out) {
+                    double (*points_out)[NCK_AXIS_MAX], uint32_t *off) {
     const int axes = self->terms->axes;
-    uint32_t at = near;
+    const uint32_t last = self->run.end - 1;
+    uint32_t at = self->raw.tail;
     for (int k = 0; k < count; k++) {
+        const uint32_t guess = near + off[k];
+        if (guess - at <= last - at) at = guess;
         at = find_near(self, at, places[k]);
         point_by(nck_raw_at(self, at), places[k], axes, points_out[k]);
-        if (blocks_out) blocks_out[k] = at;
+        off[k] = at - near;
     }
 }
 
 void nck_raw_spread(nck_smooth_t *self, double s, double step, int count,
                     double (*points_out)[NCK_AXIS_MAX]) {
     double places[NCK_RAW_SPREAD];
+    uint32_t off[NCK_RAW_SPREAD] = {0};
     for (int k = 0; k < count; k++) places[k] = s + step * (double)k;
-    nck_raw_points(self, nck_raw_find(self, s), places, count, points_out, NULL);
+    nck_raw_points(self, nck_raw_find(self, s), places, count, points_out, off);
 }
 
 double nck_raw_turn(const nck_seg_t *in, const nck_seg_t *out, int axes, double *turn_out) {
     double tangent[NCK_AXIS_MAX];
-    tangent_of(in, in->length, axes, tangent);
-    tangent_of(out, 0.0, axes, turn_out);
+    if (in->kind == NCK_SEG_LINE && out->kind == NCK_SEG_LINE) {
+        double sum = 0.0;
+        for (int x = 0; x < axes; x++) {
+            const double by = nck_path_slope(out, x) - nck_path_slope(in, x);
+            turn_out[x] = by;
+            sum += by * by;
+        }
+        return nck_sqrt(sum);
+    }
+    nck_path_tangent_part(in, in->length, axes, tangent);
+    nck_path_tangent_part(out, 0.0, axes, turn_out);
     for (int x = 0; x < axes; x++) turn_out[x] -= tangent[x];
     return nck_spline_norm(turn_out, axes);
 }
@@ -264,6 +274,7 @@ static double second_apart(const piece_t *piece, const nck_raw_t *raw, const dou
 // How much of its tolerance a block has used at s of its run: its ends may be off the program.
 static double used_at(const nck_raw_t *raw, double s) {
     const double first = (double)raw->moved[0];
+    if (raw->moved[0] == 0.0f && raw->moved[1] == 0.0f) return 0.0;
     return first + ((double)raw->moved[1] - first) * (s - raw->s) / raw->seg.length;
 }
 

@@ -38,10 +38,11 @@ double nck_raw_known(nck_smooth_t *self);
 // Cost: as nck_raw_find.
 void nck_raw_point(nck_smooth_t *self, double s, double *point_out);
 
-// So many points of it, at places that go up, and the blocks that they are of (NULL: nobody asks).
-// near: a block of the run, not far from the first. Cost: as so many of nck_raw_find at most.
+// So many points of it, at places that go up. near: a block of the run. off: how many blocks behind
+// it to look for each; told anew, so that the next look at places alike is quick. 0: not known.
+// Cost: as so many of nck_raw_find at most.
 void nck_raw_points(nck_smooth_t *self, uint32_t near, const double *places, int count,
-                    double (*points_out)[NCK_AXIS_MAX], uint32_t *blocks_out);
+                    double (*points_out)[NCK_AXIS_MAX], uint32_t *off);
 
 // The same, a step apart from s on: NCK_RAW_SPREAD points at most.
 enum { NCK_RAW_SPREAD = 9 };

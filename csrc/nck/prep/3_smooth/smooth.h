@@ -26,15 +26,9 @@ typedef enum nck_key {
     NCK_KEY_ON_PATH,
     NCK_KEY_LIFTED,
     NCK_KEY_STEP,
-    NCK_KEY_PAIR // beside the middle of two corners, which share their bend
+    NCK_KEY_PAIR,  // the first of two corners that share a bend: knots on either side of their middle
+    NCK_KEY_SECOND // the other one
 } nck_key_t;
-
-// Whether the corners at both ends of a block share one bend.
-typedef enum nck_pair {
-    NCK_PAIR_NONE = 0,
-    NCK_PAIR_FIRST, // with the one behind it
-    NCK_PAIR_SECOND // with the one before it
-} nck_pair_t;
 
 // What is still to be found of the spacing at a block's end.
 typedef enum nck_lack {
@@ -60,8 +54,6 @@ typedef struct nck_raw {
     uint8_t ends;        // 1: end of the program
     uint8_t lacks;       // of its spacing: nck_lack_t
     uint8_t onward;      // how the path goes on into it: nck_onward_t
-    uint8_t pair;        // whether the corner at its end shares its bend: nck_pair_t
-    uint8_t reserved[7]; // 0
 } nck_raw_t;
 
 // What the room gives: a seg, or an output between segs.
@@ -87,15 +79,29 @@ typedef struct nck_trial {
     uint8_t looks;  // 1: before it, the way ahead is looked at from `count` on, `step` so far
 } nck_trial_t;
 
-// What a look at a block's end has found of the path around it: looks in vain come again.
+// What a look at a block's end has found of the path around it.
 typedef struct nck_look {
-    uint32_t count; // the block
-    uint32_t tail;  // of the ring, then
     double h;       // spacing that was looked at [path mm]; 0: none
     double before[NCK_AXIS_MAX]; // δ²p one spacing before [mm]
     double middle[NCK_AXIS_MAX]; // and there
     double behind[NCK_AXIS_MAX]; // p one spacing behind [mm]
 } nck_look_t;
+
+// Looks at one block's end: those in vain come again, and places are about where they were.
+typedef struct nck_looks {
+    uint32_t count;   // the block
+    uint32_t tail;    // of the ring, then
+    nck_look_t at[2]; // the newest, in turn
+    double wait;      // a spacing that was good where it was looked at last, while a wider one
+                      // waits for more blocks [path mm]; 0: none waits
+} nck_looks_t;
+
+// And what goes with it.
+typedef struct nck_looked {
+    int16_t off[3]; // blocks to two spacings before the end, and to one and two behind it: about
+    uint8_t newest; // of the two looks
+    uint8_t known;  // 1: `wait` is good whatever comes
+} nck_looked_t;
 
 // The room's state: filled by nck_smooth_init, written by the room alone.
 typedef struct nck_smooth {
@@ -146,8 +152,8 @@ typedef struct nck_smooth {
         uint32_t kinks;  // places where it must rest to stay within the tolerance, in all runs
         uint32_t tries;  // knots that the last pull has begun to try
         nck_trial_t trial;
-        nck_look_t look[2]; // the newest, in turn
-        uint32_t looks;  // so many so far
+        nck_looks_t looks;
+        nck_looked_t looked;
         double rest;     // the place of the next of them; beyond the run: none is known
         double given;    // t[2] … t[3] is given up to here
         double t[8];     // next seg: t[2] … t[3]; t[6], t[7]: if it had to end at t[5]

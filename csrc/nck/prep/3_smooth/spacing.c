@@ -67,6 +67,8 @@ typedef struct vertex {
     double room;    // spacing that the corners beside it allow, if it is alone [path mm]
     int lines;      // 1: between two lines
     int lone;       // 1: nothing but itself bounds its spacing
+    int grown;      // 1: the largest spacing is known to be …
+    double range[2]; // … between the good one and the bad one here [path mm]
 } vertex_t;
 
 // A spacing that was found with the plain estimate, made smaller until it is right with the other
@@ -84,46 +86,79 @@ static double shrunk(nck_smooth_t *self, uint32_t count, double aim, double spac
     return good;
 }
 
-// The largest spacing at a block's end, from a good one on, before the deviation first exceeds the
-// aim.
-// NCK_EMPTY if that depends on what is not known yet; NCK_FULL if it does and the ring is full:
-// then what is known must do for now.
-static nck_status_t grow(nck_smooth_t *self, uint32_t count, double aim, int rough,
-                         double *spacing) {
+// 1 if a block's end waits for more blocks, and what is found of it still counts.
+static int is_waiting(const nck_smooth_t *self, uint32_t count) {
+    const nck_looks_t *const looks = &self->run.looks;
+    return looks->wait > 0.0 && looks->count == count && looks->tail == self->raw.tail;
+}
+
+// 1 if it does, and this spacing is good whatever comes.
+static int knows_wait(const nck_smooth_t *self, uint32_t count, double spacing) {
+    return self->run.looked.known && self->run.looks.wait == spacing && is_waiting(self, count);
+}
+
+// 1 if what an estimate looks at, of a spacing at a block's end at s, is known from now on.
+static int is_settled(const nck_smooth_t *self, double s, double spacing) {
+    return nck_estimate_is_known(self, s + spacing + spacing);
+}
+
+// From a good spacing on to the first one that is bad; or as far as any may be, twice.
+// NCK_EMPTY if that depends on what is not known yet; NCK_FULL if it does and the ring is full.
+static nck_status_t reach(nck_smooth_t *self, uint32_t count, double aim, int rough,
+                          double range[2]) {
     const nck_raw_t *const raw = nck_raw_at(self, count);
     const double s = raw->s + raw->seg.length;
     const double known = self->run.closed ? s + self->spacing_max : nck_raw_known(self);
-    double good = *spacing;
-    double bad = good;
-    for (int n = 0; n < GROWTH_STEPS && bad == good && good < self->spacing_max; n++) {
-        const double next = nck_min(good * GROWTH, self->spacing_max);
-        if (s + next > known) {
-            *spacing = good;
-            return nck_raw_is_full(self) ? NCK_FULL : NCK_EMPTY;
-        }
-        if (nck_estimate_plain(self, count, next, rough) <= aim) {
-            good = next;
-            bad = good;
-        } else {
-            bad = next;
-        }
+    range[1] = range[0];
+    for (int n = 0; n < GROWTH_STEPS && range[0] < self->spacing_max; n++) {
+        const double next = nck_min(range[0] * GROWTH, self->spacing_max);
+        if (s + next > known) return nck_raw_is_full(self) ? NCK_FULL : NCK_EMPTY;
+        range[1] = next;
+        if (!(nck_estimate_plain(self, count, next, rough) <= aim)) return NCK_OK;
+        const int follows = !rough && knows_wait(self, count, range[0]);
+        if (follows && is_settled(self, s, next)) self->run.looks.wait = next;
+        range[0] = next;
     }
-    for (int n = 0; n < BISECT_STEPS && bad > good; n++) {
-        const double middle = 0.5 * (good + bad);
-        if (nck_estimate_plain(self, count, middle, rough) <= aim) good = middle;
-        else bad = middle;
-    }
-    *spacing = rough ? good : shrunk(self, count, aim, good);
     return NCK_OK;
 }
 
-// Neighbours on a dense path are much alike: begin to grow not far below the one before.
-static double begin_growing(nck_smooth_t *self, uint32_t count, double aim, double spacing) {
+// The largest spacing at a block's end, from a good one on, before the deviation first exceeds the
+// aim. NCK_EMPTY as above; NCK_FULL: what is known must do for now.
+static nck_status_t grow(nck_smooth_t *self, uint32_t count, vertex_t *corner, int rough,
+                         double *spacing) {
+    const double aim = corner->aim;
+    double range[2] = {*spacing, corner->range[1]};
+    const nck_status_t status =
+        corner->grown ? NCK_OK : reach(self, count, aim, rough, range);
+    corner->grown = 0;
+    *spacing = range[0];
+    if (status != NCK_OK) return status;
+    for (int n = 0; n < BISECT_STEPS && range[1] > range[0]; n++) {
+        const double middle = 0.5 * (range[0] + range[1]);
+        range[nck_estimate_plain(self, count, middle, rough) <= aim ? 0 : 1] = middle;
+    }
+    *spacing = rough ? range[0] : shrunk(self, count, aim, range[0]);
+    return NCK_OK;
+}
+
+// 1 if a block's end is known to wait for more blocks: what was good there still is, and whether a
+// wider spacing is depends on them. Else what it has found so is in corner->range, if it is grown.
+static int waits(nck_smooth_t *self, uint32_t count, vertex_t *corner) {
+    nck_looks_t *const looks = &self->run.looks;
     const nck_raw_t *const raw = nck_raw_at(self, count);
-    const double s = raw->s + raw->seg.length;
-    const double likely = NEIGHBOUR * nck_raw_at(self, nck_raw_before(self, count))->spacing;
-    if (likely <= spacing || s + likely > nck_raw_known(self)) return spacing;
-    return nck_estimate_plain(self, count, likely, 0) <= aim ? likely : spacing;
+    corner->grown = 0;
+    corner->range[0] = looks->wait;
+    corner->range[1] = looks->wait;
+    if (raw->lacks || !is_waiting(self, count)) return 0;
+    const nck_raw_t *const next = nck_raw_at(self, nck_raw_next(self, count));
+    const double aim = AIM * nck_min(raw->tolerance, next->tolerance);
+    if (!self->run.looked.known) {
+        if (!(nck_estimate_plain(self, count, looks->wait, 0) <= aim)) return 0;
+        self->run.looked.known = (uint8_t)is_settled(self, raw->s + raw->seg.length, looks->wait);
+    }
+    const nck_status_t status = reach(self, count, aim, 0, corner->range);
+    corner->grown = status == NCK_OK;
+    return status == NCK_EMPTY;
 }
 
 // The spacing that a corner between two blocks allows if it is alone; and how it turns.
@@ -229,18 +264,38 @@ static void look_at(nck_smooth_t *self, uint32_t count, vertex_t *corner) {
     corner->lone = 0;
 }
 
+// Neighbours on a dense path are much alike: begin to grow not far below the one before. If it has
+// to wait, then for blocks further off than what has led here: a lone corner may yet be one of a
+// bend.
+static double begin_growing(nck_smooth_t *self, uint32_t count, const vertex_t *corner,
+                            double spacing) {
+    const nck_raw_t *const raw = nck_raw_at(self, count);
+    const double s = raw->s + raw->seg.length;
+    const double likely = NEIGHBOUR * nck_raw_at(self, nck_raw_before(self, count))->spacing;
+    nck_looks_t *const looks = &self->run.looks;
+    if (corner->grown) return corner->range[0];
+    if (likely <= spacing || s + likely > nck_raw_known(self)) return spacing;
+    if (!(nck_estimate_plain(self, count, likely, 0) <= corner->aim)) return spacing;
+    const nck_raw_t *const next = nck_raw_at(self, nck_raw_next(self, count));
+    const int stays = spacing < corner->alone
+                      && nck_estimate_is_known(self, next->s + next->seg.length);
+    looks->wait = stays ? likely : 0.0;
+    self->run.looked.known = (uint8_t)is_settled(self, s, likely);
+    return likely;
+}
+
 // Bends of a curve grow with the square of the spacing at which it is looked at, those of noise
 // stay as they are.
-static nck_status_t grow_as_curve_or_noise(nck_smooth_t *self, uint32_t count, double aim,
+static nck_status_t grow_as_curve_or_noise(nck_smooth_t *self, uint32_t count, vertex_t *corner,
                                            double *spacing) {
     nck_raw_t *const raw = nck_raw_at(self, count);
-    const nck_status_t status = grow(self, count, aim, 0, spacing);
+    const nck_status_t status = grow(self, count, corner, 0, spacing);
     if (status == NCK_EMPTY) return status;
     const int was_rough = nck_raw_at(self, nck_raw_before(self, count))->rough;
     const double fine = nck_estimate_unevenness(self, count, 0.5 * *spacing, NCK_UNLIMITED);
     const double most = (was_rough ? STAYS_ROUGH : GETS_ROUGH) * fine;
     raw->rough = nck_estimate_unevenness(self, count, *spacing, most) < most;
-    return raw->rough ? grow(self, count, aim, 1, spacing) : status;
+    return raw->rough ? grow(self, count, corner, 1, spacing) : status;
 }
 
 // 1 if a block is a small part of what the spacing before it spans, and as blunt: then its spacing
@@ -273,8 +328,8 @@ static nck_status_t choose(nck_smooth_t *self, uint32_t count, vertex_t *corner,
     } else if (corner->lines && !bounded) {
         *spacing_out = corner->alone; // other corners bound the way
     } else if (!corner->lone) {
-        *spacing_out = begin_growing(self, count, corner->aim, *spacing_out);
-        status = grow_as_curve_or_noise(self, count, corner->aim, spacing_out);
+        *spacing_out = begin_growing(self, count, corner, *spacing_out);
+        status = grow_as_curve_or_noise(self, count, corner, spacing_out);
     }
     return status;
 }
@@ -367,10 +422,9 @@ static void choose_knots(nck_smooth_t *self, uint32_t count, const vertex_t *cor
                          double *spacing) {
     nck_raw_t *const raw = nck_raw_at(self, count);
     const nck_raw_t *const before = nck_raw_at(self, nck_raw_before(self, count));
-    const int is_second = before->pair == NCK_PAIR_FIRST;
+    const int is_second = before->key == NCK_KEY_PAIR;
     const double aim = corner->aim * (AIM_KEY / AIM);
-    raw->key = NCK_KEY_NONE;
-    raw->pair = is_second ? NCK_PAIR_SECOND : NCK_PAIR_NONE;
+    raw->key = is_second ? NCK_KEY_SECOND : NCK_KEY_NONE;
     if (is_second) {
         *spacing = before->spacing;
         return;
@@ -380,7 +434,7 @@ static void choose_knots(nck_smooth_t *self, uint32_t count, const vertex_t *cor
         if (is_crowded(self, count, *spacing)) return;
         raw->key = corner->lone && lifted ? NCK_KEY_LIFTED : NCK_KEY_ON_PATH;
     } else if (sharp && nck_pair_find(self, count, aim, spacing)) {
-        raw->pair = NCK_PAIR_FIRST;
+        raw->key = NCK_KEY_PAIR;
     }
 }
 
@@ -424,12 +478,13 @@ static nck_status_t find(nck_smooth_t *self, uint32_t count, vertex_t *corner_ou
 // Every point of an arc takes a sine and a cosine: then the stop is timed in the next call.
 nck_status_t nck_spacing_know(nck_smooth_t *self, uint32_t count) {
     nck_raw_t *const raw = nck_raw_at(self, count);
+    vertex_t corner;
+    if (waits(self, count, &corner)) return NCK_EMPTY;
     if (raw->lacks != NCK_LACKS_TIME) {
-        vertex_t corner;
         const nck_status_t status = find(self, count, &corner);
         if (status != NCK_OK || raw->lacks || !(corner.alone < self->spacing_max)) return status;
-        if (raw->key == NCK_KEY_STEP) return NCK_OK;     // next to no corner
-        if (raw->pair == NCK_PAIR_SECOND) return NCK_OK; // the first has chosen for both
+        if (raw->key == NCK_KEY_STEP) return NCK_OK;   // next to no corner
+        if (raw->key == NCK_KEY_SECOND) return NCK_OK; // the first has chosen for both
         if (!corner.lines) {
             raw->lacks = NCK_LACKS_TIME;
             return NCK_FULL;

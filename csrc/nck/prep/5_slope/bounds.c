@@ -16,6 +16,8 @@
 #define SEAM_SHARE 0.02
 // Room for rounding.
 #define CHECK_MARGIN 1e-6
+// Long ladders are worth the code that treats many cells of a piece at once.
+enum { MANY_CELLS = NCK_PROFILE > 128 };
 
 // A hold takes what bends leave at lower speeds.
 static int is_hold(const nck_jerk_t *self) { return self->work.reach > 0.0; }
@@ -78,9 +80,9 @@ static double limits_of(const nck_jerk_t *self, const nck_pieces_t *pieces, uint
     return least.w;
 }
 
-// 1 if the next cell begins in the same piece: then this one lies in it.
-static inline int is_within(const nck_jerk_t *self, uint32_t i) {
-    return i + 1 < self->work.n && self->rung_piece[i + 1] == self->rung_piece[i];
+// 1 if the cell behind cell i begins in this piece too: then cell i lies in it.
+static inline int is_within(const nck_jerk_t *self, uint32_t i, uint32_t number) {
+    return i + 1 < self->work.n && self->rung_piece[i + 1] == number;
 }
 
 // The same as limits_of. inside: of the piece that the cell before began in; this one's when it is
@@ -91,7 +93,7 @@ static inline double limits_at(const nck_jerk_t *self, const nck_pieces_t *piece
         *inside = inside_of(self, pieces, self->rung_piece[i]);
     }
     const nck_node_t *const piece = inside->piece;
-    if (!is_within(self, i)
+    if (!is_within(self, i, inside->number)
         && length_behind(self, piece, i) > nck_window_rounding(piece, self->h[i])) {
         return limits_of(self, pieces, i, inside, limits);
     }
@@ -134,6 +136,23 @@ static void end_at_rest(nck_jerk_t *self) {
     self->next->end_s = self->rung_s[last];
 }
 
+// The same of cells from i on, as long as they lie in the piece of the cell before and do not begin
+// it: there is but one answer to all. Returns the first one that is another's.
+static uint32_t limit_alike(nck_jerk_t *self, uint32_t i, uint32_t end, const inside_t *inside) {
+    const double begin = inside->piece->s;
+    const double w = inside->w;
+    const double j = inside->j * self->j_scale;
+    uint32_t k = i;
+    while (k < end && is_within(self, k, inside->number) && self->rung_s[k] != begin) {
+        self->w_cap[k] = w;
+        self->a_max[k] = inside->a;
+        self->j_max[k] = j;
+        if (is_lowered(self, k)) self->work.lowered = 1;
+        k++;
+    }
+    return k;
+}
+
 nck_status_t nck_bounds_set(nck_jerk_t *self, const nck_pieces_t *pieces) {
     const uint32_t begin = self->work.i;
     const uint32_t left = self->work.n - begin;
@@ -145,13 +164,17 @@ nck_status_t nck_bounds_set(nck_jerk_t *self, const nck_pieces_t *pieces) {
         self->work.seam = seam_of(self);
         self->work.bends = 0;
     }
-    for (uint32_t i = begin; i < end; i++) {
+    uint32_t i = begin;
+    while (i < end) {
         limit_cell(self, pieces, i, &inside);
         if (holds) {
             const double tried = self->work.redone > 0 ? tried_speed(self, i) : 0.0;
             nck_brake_along(self, pieces, i, tried, &mixed);
         }
         if (is_lowered(self, i)) self->work.lowered = 1;
+        i++;
+        const int alike = MANY_CELLS && !holds && !(self->work.seam > 0.0);
+        if (alike && is_within(self, i, inside.number)) i = limit_alike(self, i, end, &inside);
     }
     self->work.i = end;
     if (left >= NCK_JERK_STEP) return NCK_OK;
@@ -176,9 +199,9 @@ enum { LOOK_MOST = 8 * NCK_JERK_STEP };
 // quarter of planning more, and gains next to nothing.
 static inline int may_leave(const nck_jerk_t *self, const nck_pieces_t *pieces, uint32_t i,
                             double w) {
-    const int slow = w < LOW_SHARE * self->w_cap[i];
-    if (!slow || self->a_max[i] >= FULL_SHARE * self->machine->path.a_max) return 0;
-    return nck_plan_piece(pieces, self->rung_piece[i])->kind == NCK_SEG_SPLINE;
+    if (!(w < LOW_SHARE * self->w_cap[i])) return 0;
+    if (self->a_max[i] >= FULL_SHARE * self->machine->path.a_max) return 0;
+    return nck_plan_there(pieces, self->rung_piece[i])->kind == NCK_SEG_SPLINE;
 }
 
 // How long it takes to a stop from speed v.
@@ -196,10 +219,10 @@ static nck_brake_limits_t left_at(const nck_jerk_t *self, const nck_pieces_t *pi
     return stop_time(&left.with_a, v) < stop_time(&left.with_j, v) ? left.with_a : left.with_j;
 }
 
-// The acceleration of cell i at v² = w. mixed: NULL if it has no more than at its cap.
+// The acceleration that cell i leaves at v² = w.
 static double accel_at(const nck_jerk_t *self, const nck_pieces_t *pieces, uint32_t i, double w,
                        nck_brake_mixed_t *mixed) {
-    return mixed ? left_at(self, pieces, i, nck_sqrt(w), mixed).a : self->a_max[i];
+    return left_at(self, pieces, i, nck_sqrt(w), mixed).a;
 }
 
 // From the rest at the ladder's end backward: v² that no plan is above.
@@ -213,7 +236,7 @@ static void look_back(nck_jerk_t *self, const nck_pieces_t *pieces) {
     for (uint32_t done = 0; left > 0 && done + mixed.work < LOOK_MOST; done++) {
         const uint32_t i = --left;
         const int looks = may_leave(self, pieces, i, w);
-        const double a = accel_at(self, pieces, i, w, looks ? &mixed : NULL);
+        const double a = looks ? accel_at(self, pieces, i, w, &mixed) : self->a_max[i];
         w = nck_min(self->w_cap[i], w + 2.0 * a * self->h[i]);
         most[i] = w;
     }
@@ -227,7 +250,6 @@ static void look_back(nck_jerk_t *self, const nck_pieces_t *pieces) {
 // Limits of a cell at the highest speed that it may be passed with.
 static void relax_cell(nck_jerk_t *self, const nck_pieces_t *pieces, uint32_t i, double w,
                        nck_brake_mixed_t *mixed) {
-    if (!may_leave(self, pieces, i, w)) return;
     const double above = 1.0 + (LOW_ABOVE - 1.0) * nck_min(1.0, (double)i / ENTRY_CELLS);
     const nck_brake_limits_t left = left_at(self, pieces, i, above * nck_sqrt(w), mixed);
     if (!(left.a > self->a_max[i])) return;
@@ -248,9 +270,10 @@ static nck_status_t look_forth(nck_jerk_t *self, const nck_pieces_t *pieces) {
         const double cap = i + 1 < n ? self->w_cap[i + 1] : 0.0;
         const int looks = may_leave(self, pieces, i, w);
         const double begin = nck_min(w, most[i]);
-        const double a = accel_at(self, pieces, i, w, looks ? &mixed : NULL);
+        const double a = looks ? accel_at(self, pieces, i, w, &mixed) : self->a_max[i];
         w = nck_min(cap, w + 2.0 * a * self->h[i]);
-        relax_cell(self, pieces, i, nck_max(begin, nck_min(w, most[i + 1])), &mixed);
+        const double fastest = nck_max(begin, nck_min(w, most[i + 1]));
+        if (may_leave(self, pieces, i, fastest)) relax_cell(self, pieces, i, fastest, &mixed);
         i++;
     }
     self->work.i = i;

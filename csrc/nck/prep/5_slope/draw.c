@@ -50,19 +50,19 @@ static uint8_t limit_of(const nck_jerk_t *self, draw_t *draw, uint32_t i, double
 }
 
 // 1 if the next cell begins further on in the same piece.
-static inline int goes_on(const nck_jerk_t *self, const nck_node_t *piece, uint32_t i) {
-    return i + 1 < self->work.n && self->rung_piece[i + 1] == self->rung_piece[i]
-           && self->rung_s[i + 1] != piece->s;
+static inline int goes_on(const nck_jerk_t *self, const draw_t *draw, uint32_t i) {
+    return i + 1 < draw->n && self->rung_piece[i + 1] == self->rung_piece[i]
+           && self->rung_s[i + 1] != draw->piece->s;
 }
 
-// How many segs further on a cell's end lies, and whether it is a seg's end. begun: the piece that
-// it begins in. Returns the one that begins there, or goes on; NULL if it is not known.
+// How many segs further on a cell's end lies, and whether it is a seg's end. Returns the piece that
+// begins there, or goes on; NULL if it is not known.
 static const nck_node_t *end_cell(const nck_jerk_t *self, const nck_pieces_t *pieces, uint32_t i,
-                                  const nck_node_t *begun, nck_cell_t *cell) {
-    const int is_end = i + 1 == self->work.n;
+                                  const draw_t *draw, nck_cell_t *cell) {
+    const int is_end = i + 1 == draw->n;
     cell->span = 0;
     cell->last = 0;
-    if (goes_on(self, begun, i)) return begun;
+    if (goes_on(self, draw, i)) return draw->piece;
     const uint32_t number = is_end ? self->next->end_piece : self->rung_piece[i + 1];
     const double s = is_end ? self->next->end_s : self->rung_s[i + 1];
     const nck_node_t *const at = nck_plan_piece(pieces, number);
@@ -76,9 +76,9 @@ static const nck_node_t *end_cell(const nck_jerk_t *self, const nck_pieces_t *pi
 
 // Between two nodes at no speed a cell would last for ever. Where a plan is broken there may be
 // such (a coarse one is not asked, and from rest there is no other): the node behind cell i creeps.
-static void keep_moving(nck_jerk_t *self, uint32_t i) {
+static void keep_moving(nck_jerk_t *self, uint32_t i, uint32_t n) {
     const uint32_t node = i + 1;
-    if (node == self->work.n || self->w[node] > 0.0 || !(self->w_cap[node] > 0.0)) return;
+    if (node == n || !(self->w_cap[node] > 0.0)) return;
     if (self->w[i] > 0.0 && self->w[node + 1] > 0.0) return;
     const double h = nck_min(self->h[i], self->h[node]);
     const double v = CREEP * nck_ladder_cbrt(nck_min(self->j_max[i], self->j_max[node]) * h * h);
@@ -115,11 +115,12 @@ static inline void note_sure(const nck_jerk_t *self, draw_t *draw, uint32_t i) {
 // What of a cell the ladder of the next plan is divided by.
 static inline void draw_motion(nck_jerk_t *self, draw_t *draw, uint32_t i) {
     nck_cell_t *const cell = &draw->cells[i];
-    keep_moving(self, i);
+    if (!(self->w[i + 1] > 0.0)) keep_moving(self, i, draw->n);
     const double v = draw->v;
     const double h = self->h[i];
-    const double a = (self->w[i + 1] - self->w[i]) / (2.0 * h);
-    draw->v = nck_sqrt(self->w[i + 1]);
+    const double end = self->w[i + 1];
+    const double a = (end - self->w[i]) / (2.0 * h);
+    draw->v = nck_sqrt(end);
     const double duration = 2.0 * h / (v + draw->v);
     draw->time += duration;
     cell->seg = draw->piece->seg;
@@ -144,7 +145,7 @@ static void draw_cell(nck_jerk_t *self, const nck_pieces_t *pieces, draw_t *draw
     }
     cell->limit = limit_of(self, draw, i, cell->a);
     cell->stop = draw->held | (uint8_t)(i + 1 == draw->n ? NCK_STOP_REST : 0);
-    draw->piece = end_cell(self, pieces, i, draw->piece, cell);
+    draw->piece = end_cell(self, pieces, i, draw, cell);
     note_uneven(self, i, cell);
     note_sure(self, draw, i);
 }

@@ -289,6 +289,7 @@ static void finish_relax(nck_jerk_t *self) {
     p->down = spare->number[2];
     p->e = spare->number[3];
     p->z = spare->number[4];
+    p->j = spare->number[5];
     p->stack = spare->index;
     p->n = self->work.n;
     p->q_cap = nck_window_q_cap(self);

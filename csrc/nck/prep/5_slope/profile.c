@@ -107,6 +107,14 @@ static inline corners_t corners_of(const nck_profile_t *self, uint32_t top) {
     return corners;
 }
 
+// Without the newest one.
+static inline corners_t corners_before(const nck_profile_t *self, uint32_t top,
+                                       const corners_t *corners) {
+    const uint32_t older = self->stack[top > 1 ? top - 2 : 0];
+    const corners_t before = {self->s[older], self->z[older], corners->s0, corners->z0};
+    return before;
+}
+
 // 1 if the newest corner is above what joins the one before it and the next node.
 static inline int sticks_out(const corners_t *corners, double s, double z) {
     return nck_hull_above(corners->s0, corners->z0, corners->s1, corners->z1, s, z) >= 0.0;
@@ -131,7 +139,7 @@ static uint32_t hull(nck_profile_t *self, uint32_t budget, const double *w_of_ti
     const uint32_t count = nck_profile_left_forth(self, budget);
     const double most = 0.5 * self->q_cap;
     const double *const h = self->h;
-    const double *const j_max = self->j_max;
+    const double *const j = self->j;
     const double *const s = self->s;
     const double *const w = self->w;
     double *const z = self->z;
@@ -141,21 +149,17 @@ static uint32_t hull(nck_profile_t *self, uint32_t budget, const double *w_of_ti
     uint32_t top = self->top;
     uint32_t fresh = self->fresh;
     corners_t corners = corners_of(self, top);
-    const uint32_t summed = i - fresh; // the last node that C is known at
-    double j_before = summed > 0 ? j_max[summed - 1] : 0.0;
     double at = fresh ? 0.0 : z[i];
     for (uint32_t n = 0; n < count; n++) {
         if (fresh) {
-            const double j = j_max[i - 1];
-            fall_over(&fallen, h[i - 1], nck_sqrt(w_of_time[i]), nck_min(j_before, j), most);
-            j_before = j;
+            fall_over(&fallen, h[i - 1], nck_sqrt(w_of_time[i]), j[i - 1], most);
             at = w[i] + fallen.sum;
             z[i] = at;
         }
         fresh = !sticks_out(&corners, s[i], at) || top == 1;
         if (!fresh) {
             top--;
-            corners = corners_of(self, top);
+            corners = corners_before(self, top, &corners);
             continue;
         }
         stack[top] = i;
@@ -322,6 +326,12 @@ static uint32_t begin_climb(nck_profile_t *self, int back) {
     return back ? self->n - 1 : 1;
 }
 
+// Jerk at the node that a pass of rises enters a cell by; at the path's ends it is the cell's own.
+static double jerk_of_first(const nck_profile_t *self, uint32_t cell, int back) {
+    if (back) return cell + 1 < self->n ? self->j[cell + 1] : self->j_max[cell];
+    return cell > 0 ? self->j[cell] : self->j_max[0];
+}
+
 // Rise and fall: the cells of one pass, forth or back, each within its bound.
 static uint32_t climb(nck_profile_t *self, uint32_t budget, const double *bound, int back) {
     const uint32_t count = back ? nck_profile_left_back(self, budget)
@@ -333,18 +343,15 @@ static uint32_t climb(nck_profile_t *self, uint32_t budget, const double *bound,
     const double most = 0.5 * self->q_cap;
     const uint32_t onward = back ? UINT32_MAX : 1; // one back, or forth
     const uint32_t end = count - (begins ? 1 : 0);
-    const int alone = back ? cell + 1 >= self->n : cell == 0;
-    double j_last = end > 0 ? self->j_max[alone ? cell : cell - onward] : 0.0;
+    double j = end > 0 ? jerk_of_first(self, cell, back) : 0.0;
     for (uint32_t n = 0; n < end; n++) {
-        const double j_cell = self->j_max[cell];
-        const nck_hull_cell_t step = {self->h[cell], bound[cell], nck_min(j_last, j_cell),
-                                      most};
+        const nck_hull_cell_t step = {self->h[cell], bound[cell], j, most};
         const double v = state.v;
         const uint32_t broken = state.broken;
         const double vv = rise(&state, &step, &self->a_max[cell], self->e[i]);
         if (back) meet(self, i, vv, v, broken, &state);
         else self->w[i] = vv;
-        j_last = j_cell;
+        j = self->j[i]; // between this cell and the next one
         i += onward;
         cell += onward;
     }

@@ -32,6 +32,7 @@ typedef struct nck_profile {
     double *down;  // n: bound on deceleration
     double *e;     // n + 1: envelope
     double *z;     // n + 1: envelope plus what its slope may fall
+    double *j;     // n + 1: jerk at every node, the smaller of both cells'; 0 at the ends
     uint32_t *stack; // n + 1: corners of the hull
 
     // the pass in work; what one pass carries does not stand side by side: a compiler would pack it

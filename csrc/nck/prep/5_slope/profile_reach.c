@@ -5,11 +5,6 @@
 #include "nck/base/real.h"              // nck_min nck_sqrt
 #include "nck/prep/5_slope/hull_math.h" // nck_hull_share
 
-// At a node between two cells.
-static inline double jerk_within(const nck_profile_t *self, uint32_t i) {
-    return nck_min(self->j_max[i - 1], self->j_max[i]);
-}
-
 uint32_t nck_profile_reach_back(nck_profile_t *self, uint32_t budget) {
     const uint32_t count = nck_profile_left_back(self, budget);
     const double *const w_cap = self->w_cap;
@@ -35,18 +30,20 @@ static void reach_first(nck_profile_t *self) {
     self->v_last = nck_sqrt(self->w[0]);
     self->last = UINT32_MAX;
     self->first = self->n + 1;
+    self->j[self->n] = 0.0;
 }
 
 // The limit of a cell, approached from a bound in the one beside it as fast as the jerk lets it.
 // behind: the one of both that lies behind the other.
 static inline double approach(const nck_profile_t *self, uint32_t behind, double bound, double a) {
     const double shares = self->z[behind - 1] + self->z[behind];
-    return nck_min(a, bound + jerk_within(self, behind) * shares);
+    return nck_min(a, bound + self->j[behind] * shares);
 }
 
 uint32_t nck_profile_reach_forth(nck_profile_t *self, uint32_t budget) {
     const uint32_t count = nck_profile_left_forth(self, budget);
     const double *const a_max = self->a_max;
+    const double *const j_max = self->j_max;
     const double *const h = self->h;
     double *const w = self->w;
     const double most = 0.5 * self->q_cap;
@@ -57,9 +54,12 @@ uint32_t nck_profile_reach_forth(nck_profile_t *self, uint32_t budget) {
     double reach = w[begin - 1];
     double s = self->s[begin - 1];
     double v_last = self->v_last;
+    double j_last = begin > 1 ? j_max[begin - 2] : 0.0;
     for (uint32_t i = begin; i < end; i++) {
         const uint32_t cell = i - 1;
         const double a = a_max[cell];
+        self->j[cell] = nck_min(j_last, j_max[cell]);
+        j_last = j_max[cell];
         reach = nck_min(w[i], reach + 2.0 * a * h[cell]);
         s += h[cell];
         const double v = nck_sqrt(reach);

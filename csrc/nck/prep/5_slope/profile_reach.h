@@ -24,7 +24,7 @@ static inline uint32_t nck_profile_left_forth(const nck_profile_t *self, uint32_
 uint32_t nck_profile_reach_back(nck_profile_t *self, uint32_t budget);
 
 // w: what can be reached as well, forward. Also the bound on deceleration, which falls into a
-// stretch of less no faster than the jerk lets it; and the last cell where the limit steps.
+// stretch of less no faster than the jerk lets it; the last cell where the limit steps; and j.
 uint32_t nck_profile_reach_forth(nck_profile_t *self, uint32_t budget);
 
 // The same for the bound on acceleration, from the last step on: behind it nothing changes. e: the
