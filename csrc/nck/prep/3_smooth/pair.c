@@ -13,10 +13,11 @@
 #define TURN_LEAST 0.5 // |Δu| of either corner, 29°: a curve's chords turn by less
 #define AGAINST 0.25   // cosine of two turns that do not yet cancel each other
 #define OTHERS 0.25    // of a corner's turn that the path beside both may make
+#define LEAST 0.6      // of the corner's own spacing: where to begin to look
 #define GROWTH 1.25    // between two spacings that are looked at
 enum {
-    GROWTH_STEPS = 40,
-    BISECT_STEPS = 5   // the last 25 % to 1 %
+    GROWTH_STEPS = 5,
+    BISECT_STEPS = 4   // the last 25 % to 1.5 %
 };
 
 // Both corners.
@@ -52,9 +53,9 @@ static double off_by(nck_smooth_t *self, const couple_t *couple, double h) {
     return worst;
 }
 
-// The largest spacing within the aim; 0: not even that of two corners with knots of their own.
-static double widest(nck_smooth_t *self, const couple_t *couple, double aim) {
-    double good = couple->length;
+// The largest spacing within the aim, from a least one on; 0: not even that.
+static double widest(nck_smooth_t *self, const couple_t *couple, double aim, double least) {
+    double good = nck_max(couple->length, least);
     if (off_by(self, couple, good) > aim) return 0.0;
     double bad = good;
     for (int n = 0; n < GROWTH_STEPS && bad == good && good < self->spacing_max; n++) {
@@ -99,7 +100,7 @@ int nck_pair_find(nck_smooth_t *self, uint32_t count, double aim, double *spacin
     if (nck_min(first, last) < TURN_LEAST || along < -AGAINST * first * last) return 0;
     const couple_t couple = {raw->s + raw->seg.length + 0.5 * next->length, next->length,
                              {next->start, next->end}, first, axes};
-    const double h = widest(self, &couple, aim);
+    const double h = widest(self, &couple, aim, LEAST * *spacing_out);
     if (!(h > 0.0) || !is_straight_beside(self, &couple, h)) return 0;
     *spacing_out = h;
     return 1;

@@ -8,7 +8,7 @@
 // 1 if the corner at a block's end and the next one share a bend, and nothing beside them turns:
 // even knots about their middle, with control points on the path, may be *spacing_out apart
 // [path mm] within the aim [mm]. That is the corner's own spacing before.
-// Cost: 46 · 4 points of the path at most, none where the block between is long or turns little.
+// Cost: 46 points of the path at most, none where the block between is long or turns little.
 int nck_pair_find(nck_smooth_t *self, uint32_t count, double aim, double *spacing_out);
 
 #endif

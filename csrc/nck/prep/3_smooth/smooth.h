@@ -26,7 +26,7 @@ typedef enum nck_key {
     NCK_KEY_ON_PATH,
     NCK_KEY_LIFTED,
     NCK_KEY_STEP,
-    NCK_KEY_PAIR,  // the first of two corners that share a bend: knots on either side of their middle
+    NCK_KEY_PAIR,  // the first of two corners that share a bend, with knots about their middle
     NCK_KEY_SECOND // the other one
 } nck_key_t;
 
