@@ -41,6 +41,18 @@ def corners_with_outputs(mode):
     )
 
 
+def passes(mode, back, words=False):
+    """Return six passes of chords 0.125 mm long and apart, each beginning so far back; S a chord."""
+    x, way, lines = 0.0, 0.125, [f"G21 G17 G90 {mode} Q0", "G1 F6000 X0 Y0"]
+    for row in range(6):
+        for y in (*(row * 0.125 for _ in range(32)), (row + 1) * 0.125):
+            last = y > row * 0.125
+            x += -way / 0.125 * back if last else way
+            lines.append(f"X{x:.4f} Y{y:.4f}" + f" S{len(lines)}" * words)
+        way = -way
+    return "\n".join(lines) + "\nM2\n"
+
+
 def five_axes(mode):
     rows = (
         f"X{20 * math.cos(k / 7):.3f} Y{15 * math.sin(k / 5):.3f} Z{k / 9:.3f}"
@@ -123,6 +135,22 @@ def test_an_output_in_a_corner_leaves_it_smooth(tolerance):
     assert 0.5 < judge.j.max() <= 1.0
     without = re.sub(r"^[MST]\d+\n", "", text, flags=re.MULTILINE) + "M2\n"
     assert judge.ticks <= 1.02 * judged.run(load(without)).judge.ticks
+
+
+@pytest.mark.parametrize("tolerance", ["0.1", "0.2"])
+def test_outputs_along_the_passes_of_a_laser_do_not_slow_its_turns(tolerance):
+    plain, marked = (
+        judged.run(load(passes(f"G64 P{tolerance}", 0.375, words))).judge for words in (0, 1)
+    )
+    assert marked.ticks <= 1.05 * plain.ticks
+    assert 0.2 < marked.tolerance_used <= 1.0
+
+
+@pytest.mark.parametrize(("tolerance", "most"), [("0.1", 1.05), ("0.2", 1.0)])
+def test_two_near_corners_are_one_bend(tolerance, most):
+    narrow, wide = (judged.run(load(passes(f"G64 P{p}", 0.0))).judge for p in (0.01, tolerance))
+    assert wide.ticks <= most * narrow.ticks
+    assert 0.5 < wide.tolerance_used <= 1.0 and wide.j.max() <= 1.0
 
 
 @pytest.mark.parametrize("tolerance", ["0.01", "0.2"])
