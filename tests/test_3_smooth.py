@@ -42,7 +42,7 @@ def corners_with_outputs(mode):
 
 
 def passes(mode, back, words=False):
-    """Return six passes of chords 0.125 mm long and apart, each beginning so far back; S a chord."""
+    """Return six passes of chords, 0.125 mm long and apart, each beginning so far back."""
     x, way, lines = 0.0, 0.125, [f"G21 G17 G90 {mode} Q0", "G1 F6000 X0 Y0"]
     for row in range(6):
         for y in (*(row * 0.125 for _ in range(32)), (row + 1) * 0.125):

@@ -5,13 +5,6 @@
 
 #include "nck/prep/3_smooth/smooth.h" // nck_smooth_t
 
-// How far a spline would leave the path, and with which power of its spacing that grows about
-// there: 4 on a curve, 1 at a corner, 2 between them.
-typedef struct nck_estimate {
-    double off; // [mm]
-    int power;
-} nck_estimate_t;
-
 // How far a spline of even spacing h would leave the path at a knot at a block's end [mm], if its
 // control points were made of second differences over h alone.
 // On a curve they are p − δ²p/6, p̃ − p = −δ⁴p/36;
@@ -19,13 +12,10 @@ typedef struct nck_estimate {
 // Cost: four points of the path, one where they are known.
 double nck_estimate_plain(nck_smooth_t *self, uint32_t count, double h, int rough);
 
-// The same on a curve, with control points of nine points (spline_math.h). What those add up of
-// second differences is told by two of them, exact on a curve, where δ²p over h is four times that
-// over h/2, and at a corner, where it is twice that:
-//   p̃ − p = (23/2 δ²p(h/2) − 7/8 δ²p(h) − δ²p before − δ²p behind)/36
-// So a corner is left by 0.135·|Δu|·h, where the plain estimate tells 0.056·|Δu|·h.
-// Cost: six points of the path.
-nck_estimate_t nck_estimate_nine(nck_smooth_t *self, uint32_t count, double h);
+// A spacing that was found right with the plain estimate, made smaller until the spline keeps to
+// the aim [mm] with control points of nine points (spline_math.h), too.
+// Cost: 18 points of the path.
+double nck_estimate_shrink(nck_smooth_t *self, uint32_t count, double aim, double spacing);
 
 // Σ |δ²p|² of five places around a block's end, h apart [mm²]; NCK_UNLIMITED if the first of them
 // alone exceeds `most`. Cost: seven points of the path.

@@ -18,8 +18,6 @@
 #define AIM_KEY 0.96
 #define AIM_STEP 0.9
 #define GROWTH 1.5       // between two spacings that are looked at for a block's end
-#define SHRINK 0.98      // to be within the aim, and not just there
-#define SHRINK_MOST 0.4  // at once
 #define NEIGHBOUR 0.7    // of a spacing: where to begin to look for the next one
 #define KEY_LEAST 0.5    // a corner is a key if the spacing that it allows alone is right by …
 #define KEY_MOST 1.5     // … these shares, and it is none of a bend
@@ -47,7 +45,6 @@ enum {
     LOOKED_AT = 4,       // of so many small blocks one
     WINDOW_LEAST = 128,  // pieces that a window holds, for corners of more pieces
     GROWTH_STEPS = 40,   // from 1 µm to beyond any spacing
-    SHRINK_STEPS = 3,    // the plain estimate is 2.4 times too small at most
     BISECT_STEPS = 3     // the last 25 % to 3 %
 };
 
@@ -70,21 +67,6 @@ typedef struct vertex {
     int grown;      // 1: the largest spacing is known to be …
     double range[2]; // … between the good one and the bad one here [path mm]
 } vertex_t;
-
-// A spacing that was found with the plain estimate, made smaller until it is right with the other
-// one too.
-static double shrunk(nck_smooth_t *self, uint32_t count, double aim, double spacing) {
-    double good = spacing;
-    for (int n = 0; n < SHRINK_STEPS; n++) {
-        const nck_estimate_t estimate = nck_estimate_nine(self, count, good);
-        if (estimate.off <= aim) break;
-        double share = aim / estimate.off;
-        if (estimate.power >= 2) share = nck_sqrt(share);
-        if (estimate.power == 4) share = nck_sqrt(share);
-        good *= nck_max(SHRINK_MOST, SHRINK * share);
-    }
-    return good;
-}
 
 // 1 if a block's end waits for more blocks, and what is found of it still counts.
 static int is_waiting(const nck_smooth_t *self, uint32_t count) {
@@ -137,7 +119,7 @@ static nck_status_t grow(nck_smooth_t *self, uint32_t count, vertex_t *corner, i
         const double middle = 0.5 * (range[0] + range[1]);
         range[nck_estimate_plain(self, count, middle, rough) <= aim ? 0 : 1] = middle;
     }
-    *spacing = rough ? range[0] : shrunk(self, count, aim, range[0]);
+    *spacing = rough ? range[0] : nck_estimate_shrink(self, count, aim, range[0]);
     return NCK_OK;
 }
 
