@@ -457,7 +457,8 @@ static nck_status_t find(nck_smooth_t *self, uint32_t count, vertex_t *corner_ou
     return NCK_OK;
 }
 
-// Every point of an arc takes a sine and a cosine: then the stop is timed in the next call.
+// Every point of an arc takes a sine and a cosine, and two corners are looked at together: then the
+// stop is timed in the next call.
 nck_status_t nck_spacing_know(nck_smooth_t *self, uint32_t count) {
     nck_raw_t *const raw = nck_raw_at(self, count);
     vertex_t corner;
@@ -467,7 +468,7 @@ nck_status_t nck_spacing_know(nck_smooth_t *self, uint32_t count) {
         if (status != NCK_OK || raw->lacks || !(corner.alone < self->spacing_max)) return status;
         if (raw->key == NCK_KEY_STEP) return NCK_OK;   // next to no corner
         if (raw->key == NCK_KEY_SECOND) return NCK_OK; // the first has chosen for both
-        if (!corner.lines) {
+        if (!corner.lines || raw->key == NCK_KEY_PAIR) {
             raw->lacks = NCK_LACKS_TIME;
             return NCK_FULL;
         }
