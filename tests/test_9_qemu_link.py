@@ -47,10 +47,10 @@ class Fault:
 
 OUTPUT_WRITE = "    self->output[self->output_head & (NCK_OUTPUT_MAX - 1)] = *output;\n"
 OUTPUT_PUBLISH = "    nck_fence_store(&self->output_head, self->output_head + 1);\n"
-CELL_READ = "            *cell_out = self->cell[self->taken & (NCK_CELL_MAX - 1)];\n"
+CELL_READ = "    *cell_out = self->cell[self->taken & (NCK_CELL_MAX - 1)];\n"
 CELL_FREE = (
-    "            nck_fence_store(&self->taken, (self->taken + 1) & END_MASK);\n"
-    "            if (self->riders == 0) nck_fence_store(&self->kept, self->taken);\n"
+    "    nck_fence_store(&self->taken, next);\n"
+    "    if (self->riders == 0) nck_fence_store(&self->kept, next);\n"
 )
 EXCHANGE = (
     "    return __atomic_compare_exchange_n(word, &expected, desired, 0, __ATOMIC_ACQ_REL,\n"
@@ -93,7 +93,7 @@ PLAIN_LOAD = Fault(
     "return *word;",
 )  # fmt: skip
 FREE_FIRST = Fault(
-    "a cell's place is free before it is read", "link.c", CELL_READ + CELL_FREE,
+    "a cell's place is free before it is read", "link.h", CELL_READ + CELL_FREE,
     CELL_FREE + CELL_READ.replace("self->taken &", "(self->taken - 1) &"),
 )  # fmt: skip
 
