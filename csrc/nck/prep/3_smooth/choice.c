@@ -435,9 +435,8 @@ static int is_shared(const corner_t *corner, const nck_bend_t *bend) {
 // the more it is a way back: there an axis has to stop in the bend, too.
 static double turn_counts(const corner_t *corner, const nck_meet_t *meet,
                           const nck_bend_t *bend) {
-    const double apart = meet->b->seg.length / meet->a->spacing;
-    if (meet->a->key == NCK_KEY_PAIR) return nck_max(1.0, BACK - BACK_APART * apart);
-    return is_shared(corner, bend) ? UNEVEN : 1.0;
+    if (meet->a->key != NCK_KEY_PAIR) return is_shared(corner, bend) ? UNEVEN : 1.0;
+    return nck_max(1.0, BACK - BACK_APART * (meet->b->seg.length / meet->a->spacing));
 }
 
 int nck_choice_may_stop(const nck_smooth_t *self, const nck_meet_t *meet, const nck_bend_t *bend) {

@@ -68,6 +68,11 @@ typedef struct vertex {
     double range[2]; // … between the good one and the bad one here [path mm]
 } vertex_t;
 
+// How far the spline may leave the corner between two blocks, before it is checked [mm].
+static double aim_between(const nck_raw_t *raw, const nck_raw_t *next) {
+    return AIM * nck_min(raw->tolerance, next->tolerance);
+}
+
 // 1 if a block's end waits for more blocks, and what is found of it still counts.
 static int is_waiting(const nck_smooth_t *self, uint32_t count) {
     const nck_looks_t *const looks = &self->run.looks;
@@ -133,7 +138,7 @@ static int waits(nck_smooth_t *self, uint32_t count, vertex_t *corner) {
     corner->range[1] = looks->wait;
     if (raw->lacks || !is_waiting(self, count)) return 0;
     const nck_raw_t *const next = nck_raw_at(self, nck_raw_next(self, count));
-    const double aim = AIM * nck_min(raw->tolerance, next->tolerance);
+    const double aim = aim_between(raw, next);
     if (!self->run.looked.known) {
         if (!(nck_estimate_plain(self, count, looks->wait, 0) <= aim)) return 0;
         self->run.looked.known = (uint8_t)is_settled(self, raw->s + raw->seg.length, looks->wait);
@@ -146,7 +151,7 @@ static int waits(nck_smooth_t *self, uint32_t count, vertex_t *corner) {
 // The spacing that a corner between two blocks allows if it is alone; and how it turns.
 static double lone_spacing(const nck_smooth_t *self, const nck_raw_t *raw, const nck_raw_t *next,
                            turn_t *turn) {
-    const double aim = AIM * nck_min(raw->tolerance, next->tolerance);
+    const double aim = aim_between(raw, next);
     turn->axes = self->terms->axes;
     turn->size = nck_raw_turn(&raw->seg, &next->seg, turn->axes, turn->by);
     if (!(turn->size > 0.0)) return self->spacing_max;
@@ -237,7 +242,7 @@ static double keep_off(nck_smooth_t *self, uint32_t count, double spacing) {
 static void look_at(nck_smooth_t *self, uint32_t count, vertex_t *corner) {
     const nck_raw_t *const raw = nck_raw_at(self, count);
     const nck_raw_t *const next = nck_raw_at(self, nck_raw_next(self, count));
-    corner->aim = AIM * nck_min(raw->tolerance, next->tolerance);
+    corner->aim = aim_between(raw, next);
     corner->alone = lone_spacing(self, raw, next, &corner->bend);
     corner->nearest = nck_min(nck_min(raw->seg.length, next->seg.length),
                              nck_min(raw->inside, next->inside));
