@@ -293,26 +293,30 @@ static nck_status_t do_line(nck_decode_t *self, nck_block_t *out) {
     return end_steps(self, status, out);
 }
 
-// A line that only moves straight, in a mode that does: told at once, so that arcs pay nothing.
-static int is_quick(nck_decode_t *self, nck_block_t *out) {
+// Give a line that only moves straight, in a mode that does: seen at once, so that arcs pay
+// nothing. 0: the line that waits is none, or no line waits.
+static inline int give_quick(nck_decode_t *self, nck_block_t *out) {
     enum { RAPID = 0, LINE = 10 };
     const int straight = self->modal.motion == RAPID || self->modal.motion == LINE;
-    return straight && self->line.state == NCK_LINE_WAITING && nck_decode_quick(self, out);
+    if (!straight || self->line.state != NCK_LINE_WAITING || self->text.over) return 0;
+    if (!nck_decode_quick(self, out)) return 0;
+    release_line(self);
+    self->macro.idle = 0;
+    return 1;
 }
 
+// The block of a line that give_quick has refused, or that the room reads itself.
 static nck_status_t pull_block(nck_decode_t *self, nck_block_t *block_out) {
     if (self->text.over) return NCK_DONE;
     if (self->line.state == NCK_LINE_OPEN) {
         if (!self->text.complete && !self->macro.reads) return NCK_EMPTY;
         const nck_status_t next = next_line(self, block_out);
         if (self->line.state == NCK_LINE_OPEN) return next;
+        if (give_quick(self, block_out)) return NCK_OK;
     }
     if (self->entry.waits != 0 && nck_entry_is_here(self)) {
         const nck_status_t entry = nck_entry_next(self, block_out);
         if (entry != NCK_EMPTY) return entry < 0 ? fail_entry(self, entry) : entry;
-    }
-    if (is_quick(self, block_out)) {
-        return end_steps(self, NCK_OK, block_out);
     }
     return do_line(self, block_out);
 }
@@ -333,6 +337,7 @@ static nck_status_t pull_entry(nck_decode_t *self, nck_block_t *out) {
 }
 
 nck_status_t nck_decode_pull(nck_decode_t *self, nck_block_t *block_out) {
+    if (give_quick(self, block_out)) return NCK_OK;
     if (nck_decode_needs_text(self)) return NCK_EMPTY;
     return self->entry.waits != 0 ? pull_entry(self, block_out) : pull_block(self, block_out);
 }

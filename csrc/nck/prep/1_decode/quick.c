@@ -14,8 +14,7 @@ static const int64_t power_of_ten[] = {1, 10, 100, 1000, 10000, 100000, 1000000,
 
 // A line as far as it is read.
 typedef struct quick {
-    const int64_t *from_nm; // where axis words count from
-    int64_t target_nm[3]; // X Y Z, of those that are named
+    int64_t nm[3]; // what X Y Z say, of those that are named; then where they lead
     uint32_t axes; // bit k: axis k is named
     int code;      // in tenths; CODE_NONE: none yet
     int is_named;  // 1: N was read
@@ -37,14 +36,16 @@ static inline unsigned digit_of(const char *at) {
     return (unsigned)(unsigned char)*at - (unsigned)'0';
 }
 
-// Digits in a row, behind those of the mantissa; of too many the mantissa is worth nothing.
-static inline const char *read_digits(const char *at, uint64_t *mantissa) {
+// Digits in a row, behind those of the mantissa; of too many the mantissa is worth nothing. What
+// stands behind them, as a digit's distance from 0, goes to *behind_out.
+static inline const char *read_digits(const char *at, uint64_t *mantissa, unsigned *behind_out) {
     unsigned digit = digit_of(at);
     while (digit <= 9) {
         *mantissa = *mantissa * 10 + digit;
         at++;
         digit = digit_of(at);
     }
+    *behind_out = digit;
     return at;
 }
 
@@ -55,12 +56,13 @@ static inline const char *read_counts(const nck_decode_t *self, const char *at,
     const int negative = *at == '-';
     const char *const first = at + negative;
     uint64_t mantissa = 0;
-    const char *end = read_digits(first, &mantissa);
+    unsigned behind = 0;
+    const char *end = read_digits(first, &mantissa, &behind);
     int shift = scale->power;
     if (end - first > WHOLE_MOST) return (const char *)0;
-    if (*end == '.') {
+    if (behind == digit_of(".")) {
         const char *const point = end;
-        end = read_digits(point + 1, &mantissa);
+        end = read_digits(point + 1, &mantissa, &behind);
         shift -= (int)(end - point) - 1;
         if (shift < 0 || end == first + 1) return (const char *)0;
     } else if (end == first || (mantissa != 0 && nck_decode_asks_integers(self))) {
@@ -74,19 +76,10 @@ static inline const char *read_counts(const nck_decode_t *self, const char *at,
 
 static inline const char *read_axis(const nck_decode_t *self, quick_t *line, unsigned axis,
                                     const char *at) {
-    const nck_scale_t *const scale = &self->place.scale[axis == NCK_AXIS_X];
-    const nck_axis_t *const travel = &self->machine->axis[axis];
     const uint32_t bit = 1u << axis;
-    const int64_t limit = scale->limit;
-    int64_t value = 0;
     if (line->axes & bit) return (const char *)0;
-    at = read_counts(self, at, scale, &value);
-    value += line->from_nm[axis];
-    if ((uint64_t)(value + limit) > 2 * (uint64_t)limit) return (const char *)0;
-    if (value < travel->min_nm || value > travel->max_nm) return (const char *)0;
-    line->target_nm[axis] = value;
     line->axes |= bit;
-    return at;
+    return read_counts(self, at, &self->place.scale[axis == NCK_AXIS_X], &line->nm[axis]);
 }
 
 // G0 or G1.
@@ -99,7 +92,8 @@ static const char *read_code(quick_t *line, const char *at) {
 
 static const char *read_name(quick_t *line, const char *at) {
     uint64_t name = 0;
-    const char *const end = read_digits(at, &name);
+    unsigned behind = 0;
+    const char *const end = read_digits(at, &name, &behind);
     const int is_good = !line->is_named && end > at;
     line->is_named = 1;
     return is_good ? end : (const char *)0;
@@ -124,10 +118,31 @@ static inline int read_words(const nck_decode_t *self, quick_t *line) {
     }
 }
 
+// Where a named axis goes, counted from there. 0: beyond the numbers' range, or its travel.
+static inline int find_target(const nck_decode_t *self, quick_t *line, const int64_t *from_nm,
+                              unsigned axis) {
+    const nck_axis_t *const travel = &self->machine->axis[axis];
+    const int64_t limit = self->place.scale[0].limit;
+    if (!(line->axes & 1u << axis)) return 1;
+    const int64_t target = line->nm[axis] + from_nm[axis];
+    line->nm[axis] = target;
+    return (uint64_t)(target + limit) <= 2 * (uint64_t)limit && target >= travel->min_nm
+           && target <= travel->max_nm;
+}
+
+static inline int find_targets(const nck_decode_t *self, quick_t *line) {
+    const int64_t *const from_nm =
+        self->modal.incremental ? self->place.position_nm : self->place.origin_nm;
+    return find_target(self, line, from_nm, NCK_AXIS_X)
+           && find_target(self, line, from_nm, NCK_AXIS_Y)
+           && find_target(self, line, from_nm, NCK_AXIS_Z);
+}
+
 // 1 if the line is one for here, and no mistake is in it.
 static inline int read_line(const nck_decode_t *self, quick_t *line) {
     if (self->line.overflow || !read_words(self, line)) return 0;
     if (line->axes == 0 || (line->axes & ~self->place.axes)) return 0;
+    if (!find_targets(self, line)) return 0;
     if (line->code == CODE_NONE) line->code = self->modal.motion;
     if (line->code != CODE_LINE) return line->code < CODE_LINE;
     return self->modal.feed_mode == NCK_FEED_PER_MINUTE && self->modal.feed > 0.0;
@@ -136,7 +151,6 @@ static inline int read_line(const nck_decode_t *self, quick_t *line) {
 int nck_decode_quick(nck_decode_t *self, nck_block_t *out) {
     quick_t line;
     if (!is_plain(self)) return 0;
-    line.from_nm = self->modal.incremental ? self->place.position_nm : self->place.origin_nm;
     line.axes = 0;
     line.code = CODE_NONE;
     line.is_named = 0;
@@ -146,7 +160,7 @@ int nck_decode_quick(nck_decode_t *self, nck_block_t *out) {
     self->line.tag = self->line.number;
     self->modal.motion = line.code;
     for (unsigned axis = 0; axis < 3; axis++) {
-        if (line.axes & 1u << axis) self->place.position_nm[axis] = line.target_nm[axis];
+        if (line.axes & 1u << axis) self->place.position_nm[axis] = line.nm[axis];
     }
     nck_decode_block(self, cuts ? NCK_BLOCK_LINE : NCK_BLOCK_RAPID, out);
     out->feed = cuts ? self->modal.feed : 0.0;

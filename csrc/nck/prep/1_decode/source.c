@@ -61,8 +61,8 @@ static inline size_t take(nck_decode_t *self, const char *text, size_t n) {
         span = (size_t)(back - first);
         end = back;
     }
-    collect(self, first, span);
     self->line.after_cr = back != NULL;
+    collect(self, first, span);
     if (end == NULL) return begin + span;
     close_line(self);
     return begin + span + 1;
