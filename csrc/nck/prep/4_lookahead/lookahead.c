@@ -3,7 +3,7 @@
 #include "nck/prep/4_lookahead/lookahead.h"
 
 #include <assert.h> // assert
-#include <string.h> // memset
+#include <string.h> // memcpy memset
 
 #include "nck/prep/4_lookahead/corner.h" // nck_corner_…
 #include "nck/prep/4_lookahead/joint.h"  // nck_joint_…
@@ -54,7 +54,7 @@ nck_status_t nck_lookahead_push(nck_lookahead_t *self, const nck_seg_t *seg) {
     nck_joint_make(joint, seg, whole, start, end, self->terms);
     nck_joint_t *const before = nck_joint_at(self, self->joint.head - 1);
     if (self->joint.head > 0) nck_corner_meet(before, joint, tangent, start, self->terms);
-    for (int x = 0; x < axes; x++) tangent[x] = end[x];
+    memcpy(tangent, end, sizeof end);
     const int parts = seg->kind == NCK_SEG_SPLINE ? nck_joint_parts(joint, self->terms) : 1;
     if (parts > 1) {
         push_parts(self, seg, parts);

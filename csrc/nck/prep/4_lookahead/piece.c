@@ -259,44 +259,69 @@ static void keep_in_middle(const nck_lookahead_t *self, const around_t ends[2],
     if (!self->terms->limits_jerk) middle_out->share[NCK_PACE_OVER] = share;
 }
 
+// A seg as its pieces.
+typedef struct cutting {
+    uint32_t count;                            // of pieces
+    double s[NCK_PIECES_PER_SEG + 1];          // where they begin, and where the last one ends
+    const around_t *under[NCK_PIECES_PER_SEG]; // what is around each: one of these, or of the seg
+    around_t inside;                           // of the middle
+    around_t beside[2];                        // of what is cut off
+} cutting_t;
+
 // All of a seg in one piece, under what both of its sides leave.
-static nck_node_t *add_whole(nck_lookahead_t *self, const nck_joint_t *joint, around_t ends[2],
-                             const double v_start[]) {
-    const double whole[2] = {0.0, joint->length};
+static inline void keep_whole(const nck_lookahead_t *self, const nck_joint_t *joint,
+                              around_t ends[2], cutting_t *cutting) {
     if (self->terms->limits_jerk) add_around(self, &ends[0], &ends[1]);
     else add_shares(&ends[0], &ends[1]);
-    return add_piece(self, joint, whole, &ends[0], v_start);
+    cutting->under[0] = &ends[0];
+    cutting->s[1] = joint->length;
+    cutting->count = 1;
+}
+
+// One more piece, up to s.
+static void cut_at(cutting_t *cutting, double s, const around_t *around) {
+    cutting->under[cutting->count] = around;
+    cutting->count++;
+    cutting->s[cutting->count] = s;
 }
 
 // Inside a zone the share of its junction is kept free and its neighbour's limits hold; the middle
-// has all that the seg allows. Returns the last piece.
+// has all that the seg allows.
+static void cut_off(const nck_lookahead_t *self, const nck_joint_t *joint, const around_t ends[2],
+                    const int is_cut_off[2], const double zone[2], cutting_t *cutting) {
+    const double middle = is_cut_off[1] ? joint->length - zone[1] : joint->length;
+    memcpy(cutting->beside, ends, sizeof cutting->beside);
+    keep_in_middle(self, ends, is_cut_off, &cutting->inside);
+    for (int n = 0; n < 2 && self->terms->limits_jerk; n++) {
+        const int may_reach = !is_cut_off[1 - n]; // all the way
+        if (may_reach) add_around(self, &cutting->beside[n], &ends[1 - n]);
+    }
+    if (is_cut_off[0]) cut_at(cutting, zone[0], &cutting->beside[0]);
+    cut_at(cutting, middle, &cutting->inside);
+    if (is_cut_off[1]) cut_at(cutting, joint->length, &cutting->beside[1]);
+}
+
+// Returns the last piece.
 static nck_node_t *add_motion(nck_lookahead_t *self, uint32_t count, around_t ends[2],
                               const double v_start[]) {
     const nck_joint_t *const joint = nck_joint_at(self, count);
     const double unlimited[NCK_PACES] = {joint->v_max, joint->v_free};
     double zone[2];
     int is_cut_off[2];
+    cutting_t cutting;
+    cutting.count = 0;
+    cutting.s[0] = 0.0;
     const int is_cut = self->terms->limits_jerk
                            ? find_zones(self, count, ends, is_cut_off, zone)
                            : find_shares(self, joint, ends, is_cut_off, zone);
-    if (!is_cut) return add_whole(self, joint, ends, v_start);
-    const double a = is_cut_off[0] ? zone[0] : 0.0;
-    const double b = is_cut_off[1] ? joint->length - zone[1] : joint->length;
-    const double first[2] = {0.0, a};
-    const double middle[2] = {a, b};
-    const double last[2] = {b, joint->length};
-    around_t inside;
-    around_t beside[2];
-    memcpy(beside, ends, sizeof beside);
-    keep_in_middle(self, ends, is_cut_off, &inside);
-    for (int n = 0; n < 2 && self->terms->limits_jerk; n++) {
-        const int may_reach = !is_cut_off[1 - n]; // all the way
-        if (may_reach) add_around(self, &beside[n], &ends[1 - n]);
+    if (is_cut) cut_off(self, joint, ends, is_cut_off, zone, &cutting);
+    else keep_whole(self, joint, ends, &cutting);
+    nck_node_t *node = (nck_node_t *)0;
+    for (uint32_t k = 0; k < cutting.count; k++) {
+        const double *const v_node = k == 0 ? v_start : unlimited;
+        node = add_piece(self, joint, &cutting.s[k], cutting.under[k], v_node);
     }
-    if (is_cut_off[0]) (void)add_piece(self, joint, first, &beside[0], v_start);
-    nck_node_t *const inner =
-        add_piece(self, joint, middle, &inside, is_cut_off[0] ? unlimited : v_start);
-    return is_cut_off[1] ? add_piece(self, joint, last, &beside[1], unlimited) : inner;
+    return node;
 }
 
 // Beside a stop where motions overlap each keeps to its share of the jerk.
