@@ -20,8 +20,10 @@ void nck_legs_divide(nck_legs_t *self, double most) {
 
 void nck_legs_slices(const nck_legs_t *self, uint32_t count, nck_cell_t *cell_out) {
     const nck_cell_t *const leg = &self->cell[self->k];
-    *cell_out = *leg;
-    if (self->slices == 1) return;
+    if (self->slices == 1) {
+        *cell_out = *leg;
+        return;
+    }
     const int is_last = self->m + count == self->slices;
     const double t0 = self->slice_s * (double)self->m;
     const double t1 = is_last ? leg->duration : self->slice_s * (double)(self->m + count);

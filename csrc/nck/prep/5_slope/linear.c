@@ -272,20 +272,22 @@ static void end_envelope(nck_linear_t *self) {
 
 // w_{i+1} = min(w_{i+1}, w_i + h_i) over the pieces that become final.
 static void pass_forward(nck_linear_t *self, const nck_pieces_t *pieces) {
-    nck_node_t *next = nck_plan_there(pieces, self->pass.i);
-    for (int n = 0; n < PASS_STEP; n++) {
-        const uint32_t number = self->pass.i;
-        if (number == self->final || number + 1 == self->end) {
-            end_envelope(self);
-            enter_part(self);
-            return;
-        }
+    const uint32_t last = self->final == self->end ? self->end - 1 : self->final;
+    uint32_t number = self->pass.i;
+    double vv = self->pass.vv;
+    nck_node_t *next = nck_plan_there(pieces, number);
+    for (int n = 0; n < PASS_STEP && number != last; n++) {
         const double gain = gain_over(self, number, next);
         next = nck_plan_behind(pieces, next);
-        next->vv = nck_envelope_forward(next->vv, self->pass.vv, gain);
-        self->pass.vv = next->vv;
-        self->pass.i++;
+        vv = nck_envelope_forward(next->vv, vv, gain);
+        next->vv = vv;
+        number++;
     }
+    self->pass.i = number;
+    self->pass.vv = vv;
+    if (number != last) return;
+    end_envelope(self);
+    enter_part(self);
 }
 
 // ---- the part that may become final
@@ -297,12 +299,11 @@ static inline nck_span_t span_of(const nck_linear_t *self, const nck_node_t *pie
     return span;
 }
 
-static void begin_piece(nck_linear_t *self, const nck_pieces_t *pieces,
-                        const nck_node_t *piece) {
+static void begin_piece(nck_linear_t *self, const nck_pieces_t *pieces, nck_node_t *piece) {
     nck_span_t span = span_of(self, piece, &self->at);
     const uint32_t behind = self->at.piece + 1;
     const int rests = behind == self->end || (behind == self->final && self->held);
-    span.vv_out = rests ? 0.0 : nck_plan_there(pieces, behind)->vv;
+    span.vv_out = rests ? 0.0 : nck_plan_behind(pieces, piece)->vv;
     self->vv_out = span.vv_out;
     const double period = self->machine->period_s;
     self->legs.count = (uint32_t)nck_trapezoid_legs(piece, &span, period, self->legs.cell);
@@ -366,22 +367,26 @@ static nck_status_t end_part(nck_linear_t *self) {
     return NCK_OK;
 }
 
-static nck_status_t draw_one(nck_linear_t *self, const nck_pieces_t *pieces) {
+// One more cell. at: the piece that it is of, or behind it.
+static inline nck_status_t draw_one(nck_linear_t *self, const nck_pieces_t *pieces,
+                                    nck_node_t **at) {
+    nck_node_t *const piece = *at;
     if (self->part == NCK_LINEAR_PART) return end_part(self);
-    const nck_node_t *const piece = nck_plan_there(pieces, self->at.piece);
     if (self->legs.count == 0) {
         if (self->at.piece == self->final) return end_part(self);
         begin_piece(self, pieces, piece);
     }
     if (!draw_slice(self)) return NCK_EMPTY;
-    const int rests = piece->stop || !(piece->length > 0.0);
+    *at = nck_plan_behind(pieces, piece);
     leave_piece(self);
+    const int rests = piece->stop || !(piece->length > 0.0);
     return rests ? finish_at_rest(self) : NCK_EMPTY; // a tail has one rest, at its end
 }
 
 static nck_status_t draw_part(nck_linear_t *self, const nck_pieces_t *pieces) {
+    nck_node_t *piece = nck_plan_there(pieces, self->at.piece);
     for (int n = 0; n < PASS_STEP; n++) {
-        const nck_status_t status = draw_one(self, pieces);
+        const nck_status_t status = draw_one(self, pieces, &piece);
         if (status != NCK_EMPTY) return status;
     }
     return NCK_OK;
