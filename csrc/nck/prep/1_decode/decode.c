@@ -296,8 +296,8 @@ static nck_status_t do_line(nck_decode_t *self, nck_block_t *out) {
 // Give a line that only moves straight, in a mode that does: seen at once, so that arcs pay
 // nothing. 0: the line that waits is none, or no line waits.
 static inline int give_quick(nck_decode_t *self, nck_block_t *out) {
-    enum { RAPID = 0, LINE = 10 };
-    const int straight = self->modal.motion == RAPID || self->modal.motion == LINE;
+    enum { LINE = 10 }; // in tenths; no motion is between G0 and G1, and none at all is below 0
+    const int straight = (uint32_t)self->modal.motion <= LINE;
     if (!straight || self->line.state != NCK_LINE_WAITING || self->text.over) return 0;
     if (!nck_decode_quick(self, out)) return 0;
     release_line(self);
@@ -337,8 +337,8 @@ static nck_status_t pull_entry(nck_decode_t *self, nck_block_t *out) {
 }
 
 nck_status_t nck_decode_pull(nck_decode_t *self, nck_block_t *block_out) {
-    if (give_quick(self, block_out)) return NCK_OK;
     if (nck_decode_needs_text(self)) return NCK_EMPTY;
+    if (give_quick(self, block_out)) return NCK_OK;
     return self->entry.waits != 0 ? pull_entry(self, block_out) : pull_block(self, block_out);
 }
 

@@ -46,17 +46,18 @@ static inline void clear(nck_block_t *out) {
     memset(&out->output, 0, sizeof out->output);
 }
 
+// Kind and plane come last: a compiler would take some pains to store four bytes in a row at once.
 void nck_decode_block(const nck_decode_t *self, nck_block_kind_t kind, nck_block_t *out) {
     out->line = self->line.tag;
-    out->kind = (uint8_t)kind;
     out->path_mode = self->modal.path_mode;
     out->feed_mode = self->modal.feed_mode;
-    out->plane = self->modal.plane;
     memcpy(out->target_nm, self->place.position_nm, sizeof out->target_nm);
     memcpy(out->tool_nm, self->place.tool_nm, sizeof out->tool_nm);
     for (unsigned axis = 0; axis < 3; axis++) out->target_nm[axis] -= out->tool_nm[axis];
     clear(out);
     nck_decode_spin(self, out);
+    out->kind = (uint8_t)kind;
+    out->plane = self->modal.plane;
     out->tolerance_mm = self->modal.tolerance_mm;
     out->merge_mm = self->modal.merge_mm;
     out->output.line = self->line.tag;

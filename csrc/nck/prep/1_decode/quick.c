@@ -14,7 +14,7 @@ static const int64_t power_of_ten[] = {1, 10, 100, 1000, 10000, 100000, 1000000,
 
 // A line as far as it is read.
 typedef struct quick {
-    int64_t nm[3]; // what X Y Z say, of those that are named; then where they lead
+    int64_t at[3]; // what X Y Z say, of those that are named; then where they lead [nm]
     uint32_t axes; // bit k: axis k is named
     int code;      // in tenths; CODE_NONE: none yet
     int is_named;  // 1: N was read
@@ -36,6 +36,8 @@ static inline unsigned digit_of(const char *at) {
     return (unsigned)(unsigned char)*at - (unsigned)'0';
 }
 
+static inline unsigned letter_of(const char *at) { return (unsigned)(unsigned char)*at & ~0x20u; }
+
 // Digits in a row, behind those of the mantissa; of too many the mantissa is worth nothing. What
 // stands behind them, as a digit's distance from 0, goes to *behind_out.
 static inline const char *read_digits(const char *at, uint64_t *mantissa, unsigned *behind_out) {
@@ -49,16 +51,16 @@ static inline const char *read_digits(const char *at, uint64_t *mantissa, unsign
     return at;
 }
 
-// A number of few digits that is whole in counts of the scale. NULL if it is none of these, or
-// beyond the scale's limit.
-static inline const char *read_counts(const nck_decode_t *self, const char *at,
-                                      const nck_scale_t *scale, int64_t *out) {
+// A number of few digits as parts of a unit, 10^power of them, if it is whole in these. NULL if it
+// is none of these.
+static inline const char *read_parts(const nck_decode_t *self, const char *at, int power,
+                                     int64_t *out) {
     const int negative = *at == '-';
     const char *const first = at + negative;
     uint64_t mantissa = 0;
     unsigned behind = 0;
     const char *end = read_digits(first, &mantissa, &behind);
-    int shift = scale->power;
+    int shift = power;
     if (end - first > WHOLE_MOST) return (const char *)0;
     if (behind == digit_of(".")) {
         const char *const point = end;
@@ -68,18 +70,16 @@ static inline const char *read_counts(const nck_decode_t *self, const char *at,
     } else if (end == first || (mantissa != 0 && nck_decode_asks_integers(self))) {
         return (const char *)0;
     }
-    const int64_t counts = (int64_t)mantissa * power_of_ten[shift] * scale->factor;
-    if (counts > scale->limit) return (const char *)0;
-    *out = negative ? -counts : counts;
+    const int64_t parts = (int64_t)mantissa * power_of_ten[shift];
+    *out = negative ? -parts : parts;
     return end;
 }
 
 static inline const char *read_axis(const nck_decode_t *self, quick_t *line, unsigned axis,
                                     const char *at) {
-    const uint32_t bit = 1u << axis;
-    if (line->axes & bit) return (const char *)0;
-    line->axes |= bit;
-    return read_counts(self, at, &self->place.scale[axis == NCK_AXIS_X], &line->nm[axis]);
+    if (line->axes >> axis & 1u) return (const char *)0;
+    line->axes |= 1u << axis;
+    return read_parts(self, at, self->place.scale[0].power, &line->at[axis]);
 }
 
 // G0 or G1.
@@ -99,35 +99,44 @@ static const char *read_name(quick_t *line, const char *at) {
     return is_good ? end : (const char *)0;
 }
 
-// A word. NULL: it is none for here, or a mistake.
-static inline const char *read_word(const nck_decode_t *self, quick_t *line, const char *at) {
-    const unsigned letter = (unsigned)(unsigned char)*at & ~0x20u;
-    if (letter >= 'X' && letter <= 'Z') return read_axis(self, line, letter - 'X', at + 1);
+// A blank, or a word of another letter. NULL: it is none for here, or a mistake.
+static inline const char *read_other(quick_t *line, const char *at) {
+    const unsigned letter = letter_of(at);
+    if (*at == ' ') return at + 1;
     if (letter == 'G') return read_code(line, at + 1);
     return letter == 'N' ? read_name(line, at + 1) : (const char *)0;
 }
 
-// Words with blanks between them, to the line's end. 0: one is none for here, or a mistake.
+// Words with blanks between them, to the line's end; most are axes with one blank behind them.
+// 0: one is none for here, or a mistake.
 static inline int read_words(const nck_decode_t *self, quick_t *line) {
     const char *at = self->line.text;
     for (;;) {
-        while (*at == ' ') at++;
-        if (*at == '\n') return 1;
-        at = read_word(self, line, at);
+        const unsigned axis = letter_of(at) - 'X';
+        if (axis <= NCK_AXIS_Z) at = read_axis(self, line, axis, at + 1);
+        else if (*at == '\n') return 1;
+        else at = read_other(line, at);
         if (!at) return 0;
+        if (*at == ' ') at++;
     }
+}
+
+// 1 if a number is no further from 0 than the limit.
+static inline int is_within(int64_t value, int64_t limit) {
+    return (uint64_t)(value + limit) <= 2 * (uint64_t)limit;
 }
 
 // Where a named axis goes, counted from there. 0: beyond the numbers' range, or its travel.
 static inline int find_target(const nck_decode_t *self, quick_t *line, const int64_t *from_nm,
                               unsigned axis) {
     const nck_axis_t *const travel = &self->machine->axis[axis];
-    const int64_t limit = self->place.scale[0].limit;
+    const nck_scale_t *const scale = &self->place.scale[axis == NCK_AXIS_X];
     if (!(line->axes & 1u << axis)) return 1;
-    const int64_t target = line->nm[axis] + from_nm[axis];
-    line->nm[axis] = target;
-    return (uint64_t)(target + limit) <= 2 * (uint64_t)limit && target >= travel->min_nm
-           && target <= travel->max_nm;
+    const int64_t word = line->at[axis] * scale->factor;
+    const int64_t target = word + from_nm[axis];
+    line->at[axis] = target;
+    return is_within(word, scale->limit) && is_within(target, scale->limit)
+           && target >= travel->min_nm && target <= travel->max_nm;
 }
 
 static inline int find_targets(const nck_decode_t *self, quick_t *line) {
@@ -155,14 +164,13 @@ int nck_decode_quick(nck_decode_t *self, nck_block_t *out) {
     line.code = CODE_NONE;
     line.is_named = 0;
     if (!read_line(self, &line)) return 0;
-    const int cuts = line.code == CODE_LINE;
     self->text.quick = 1;
     self->line.tag = self->line.number;
     self->modal.motion = line.code;
     for (unsigned axis = 0; axis < 3; axis++) {
-        if (line.axes & 1u << axis) self->place.position_nm[axis] = line.nm[axis];
+        if (line.axes & 1u << axis) self->place.position_nm[axis] = line.at[axis];
     }
-    nck_decode_block(self, cuts ? NCK_BLOCK_LINE : NCK_BLOCK_RAPID, out);
-    out->feed = cuts ? self->modal.feed : 0.0;
+    nck_decode_block(self, line.code == CODE_LINE ? NCK_BLOCK_LINE : NCK_BLOCK_RAPID, out);
+    if (out->kind == NCK_BLOCK_LINE) out->feed = self->modal.feed;
     return 1;
 }
