@@ -73,15 +73,19 @@ static nck_status_t push_item(nck_t *nck, const nck_smooth_item_t *item) {
     return push_seg(nck, seg);
 }
 
-// One item out of smooth, or a step towards it. NCK_EMPTY: it needs a block.
-static nck_status_t carry_item(nck_t *nck) {
+// The next item out of smooth, or a step towards it; there is room.
+static nck_status_t pull_item(nck_t *nck) {
     nck_smooth_item_t item;
-    if (!nck_link_has_room(&nck->link) || !nck_lookahead_has_room(&nck->lookahead)) return NCK_FULL;
-    if (nck_smooth_is_hungry(&nck->smooth)) return NCK_EMPTY;
     const nck_status_t status = nck_smooth_pull(&nck->smooth, &item);
     if (status == NCK_OK) return push_item(nck, &item);
     if (status == NCK_DONE) end_path(nck);
     return status == NCK_FULL ? NCK_OK : status;
+}
+
+// The same, if there is room and any is there. NCK_EMPTY: it needs a block.
+static inline nck_status_t carry_item(nck_t *nck) {
+    if (!nck_link_has_room(&nck->link) || !nck_lookahead_has_room(&nck->lookahead)) return NCK_FULL;
+    return nck_smooth_is_hungry(&nck->smooth) ? NCK_EMPTY : pull_item(nck);
 }
 
 // A block into smooth, which asks for it; on the exact path its seg is made in its place and goes

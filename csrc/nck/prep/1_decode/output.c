@@ -55,7 +55,7 @@ void nck_decode_block(const nck_decode_t *self, nck_block_kind_t kind, nck_block
     memcpy(out->tool_nm, self->place.tool_nm, sizeof out->tool_nm);
     for (unsigned axis = 0; axis < 3; axis++) out->target_nm[axis] -= out->tool_nm[axis];
     clear(out);
-    nck_decode_spin(self, out);
+    if (nck_decode_turns(self)) nck_decode_spin(self, out);
     out->kind = (uint8_t)kind;
     out->plane = self->modal.plane;
     out->tolerance_mm = self->modal.tolerance_mm;

@@ -376,10 +376,11 @@ const nck_pose_t *nck_interpolate_tick(nck_interpolate_t *self) {
 
 // As if it were executed: a tick that follows sets off from rest, and begins to count here.
 nck_status_t nck_interpolate_take(nck_interpolate_t *self, nck_cell_t *cell_out) {
-    if (stands_aside(self) || nck_link_waiting(self->link) == 0) return NCK_EMPTY;
-    nck_link_take_final(self->link, &self->cell);
+    nck_link_t *const link = self->link;
+    if (stands_aside(self) || nck_link_waiting(link) == 0) return NCK_EMPTY;
+    nck_link_take_final(link, &self->cell);
     const uint32_t seg = self->cell.seg + self->cell.span;
-    nck_link_seg_finish(self->link, self->cell.last ? seg + 1 : self->cell.seg);
+    nck_link_seg_finish(link, self->cell.last ? seg + 1 : self->cell.seg);
     nck_fence_store(&self->has_cell, 0);
     self->from_tail = 0;
     self->rests = 1;
