@@ -111,9 +111,11 @@ uint32_t nck_raw_find(nck_smooth_t *self, double s) {
     return find_near(self, low + (uint32_t)blocks, s);
 }
 
+static inline int is_inside(const nck_seg_t *seg, double s) { return s > 0.0 && s < seg->length; }
+
 // nck_path_part; most places are inside a line.
 static inline void part_of(const nck_seg_t *seg, double s, int axes, double *point_out) {
-    if (seg->kind != NCK_SEG_LINE || !(s > 0.0 && s < seg->length)) {
+    if (seg->kind != NCK_SEG_LINE || !is_inside(seg, s)) {
         nck_path_part(seg, s, axes, point_out);
         return;
     }
@@ -189,8 +191,13 @@ double nck_raw_turn(const nck_seg_t *in, const nck_seg_t *out, int axes, double 
     return nck_spline_norm(turn_out, axes);
 }
 
+// 1 if an end of a block is off the program.
+static int is_moved(const nck_raw_t *raw) {
+    return raw->moved[0] != 0.0f || raw->moved[1] != 0.0f;
+}
+
 double nck_raw_stretch(const nck_raw_t *raw, int axes) {
-    if (raw->moved[0] == 0.0f && raw->moved[1] == 0.0f) return 1.0;
+    if (!is_moved(raw)) return 1.0;
     return nck_spline_distance(raw->seg.start, raw->seg.end, axes) / raw->seg.length;
 }
 
@@ -208,21 +215,32 @@ static int is_straight(nck_smooth_t *self, double from, double to) {
     return raw->seg.kind == NCK_SEG_LINE && raw->s <= from + least;
 }
 
-void nck_raw_spline(nck_smooth_t *self, int first, nck_seg_t *seg_out) {
+// As nck_raw_spline, but only what tells its points: kind, length, and of the Bernstein points the
+// coordinates that may change.
+static void take_shape(nck_smooth_t *self, int first, nck_seg_t *seg_out) {
     const double *const t = self->run.t + first;
-    memset(seg_out, 0, sizeof *seg_out);
     nck_spline_bernstein(t, self->run.c + first, self->terms->axes, seg_out);
     seg_out->length = t[3] - t[2];
-    seg_out->kind = NCK_SEG_SPLINE;
     double from = t[3];
     double to = t[2];
     for (int i = first; i < first + 4; i++) {
         from = nck_min(from, self->run.reach[i][0]);
         to = nck_max(to, self->run.reach[i][1]);
     }
-    if (!is_straight(self, from, to)) return;
-    seg_out->kind = NCK_SEG_LINE;
-    memset(&seg_out->shape, 0, sizeof seg_out->shape);
+    seg_out->kind = is_straight(self, from, to) ? NCK_SEG_LINE : NCK_SEG_SPLINE;
+}
+
+void nck_raw_spline(nck_smooth_t *self, int first, nck_seg_t *seg_out) {
+    const double *const stays = self->run.c[first];
+    memset(seg_out, 0, sizeof *seg_out);
+    take_shape(self, first, seg_out);
+    for (int x = self->terms->axes; x < NCK_AXIS_MAX; x++) {
+        seg_out->shape.inner[0][x] = stays[x];
+        seg_out->shape.inner[1][x] = stays[x];
+        seg_out->start[x] = stays[x];
+        seg_out->end[x] = stays[x];
+    }
+    if (seg_out->kind == NCK_SEG_LINE) memset(&seg_out->shape, 0, sizeof seg_out->shape);
 }
 
 // |p″| over a spline: the larger end's, for it is linear in between.
@@ -242,13 +260,30 @@ typedef struct piece {
     int axes;      // that may move
 } piece_t;
 
-// |spline − programmed path| at s of the spline's run.
-static double deviation(const piece_t *piece, const nck_raw_t *raw, double s) {
-    double p[NCK_AXIS_MAX];
-    double q[NCK_AXIS_MAX];
-    nck_path_part(&piece->seg, s - piece->begin, piece->axes, p);
-    part_of(&raw->seg, s - raw->s, piece->axes, q);
-    return nck_spline_distance(p, q, piece->axes);
+// Distance of a piece's point at s of the spline's run from another one.
+static double distance_to(const piece_t *piece, double s, const double *point) {
+    const double along = s - piece->begin;
+    double sum = 0.0;
+    if (!is_inside(&piece->seg, along)) {
+        double p[NCK_AXIS_MAX];
+        nck_path_part(&piece->seg, along, piece->axes, p);
+        return nck_spline_distance(p, point, piece->axes);
+    }
+    const double f = along / piece->seg.length;
+    for (int x = 0; x < piece->axes; x++) {
+        const double off = nck_path_cubic(&piece->seg, x, f) - point[x];
+        sum += off * off;
+    }
+    return nck_sqrt(sum);
+}
+
+// |spline − programmed path| at s of the spline's run; many places are at a block's end.
+static inline double deviation(const piece_t *piece, const nck_raw_t *raw, double s) {
+    const double along = s - raw->s;
+    double point[NCK_AXIS_MAX];
+    if (along >= raw->seg.length) return distance_to(piece, s, raw->seg.end);
+    part_of(&raw->seg, along, piece->axes, point);
+    return distance_to(piece, s, point);
 }
 
 // The largest |p̃″ − p″| of a piece and a block, from range[0] to range[1]: p̃″ is linear
@@ -271,10 +306,9 @@ static double second_apart(const piece_t *piece, const nck_raw_t *raw, const dou
     return apart + kappa * turned * turned / 8.0;
 }
 
-// How much of its tolerance a block has used at s of its run: its ends may be off the program.
+// How much of its tolerance such a block has used at s of its run.
 static double used_at(const nck_raw_t *raw, double s) {
     const double first = (double)raw->moved[0];
-    if (raw->moved[0] == 0.0f && raw->moved[1] == 0.0f) return 0.0;
     return first + ((double)raw->moved[1] - first) * (s - raw->s) / raw->seg.length;
 }
 
@@ -288,11 +322,12 @@ static int block_fits(const piece_t *piece, const nck_raw_t *raw, const double *
     const double h = length / (double)parts;
     const double near = allowed - nck_spline_sag(second_apart(piece, raw, range), h);
     if (*off < 0.0) *off = deviation(piece, raw, range[0]);
-    int fits = *off + used_at(raw, range[0]) <= near;
+    const int moved = is_moved(raw);
+    int fits = *off + (moved ? used_at(raw, range[0]) : 0.0) <= near;
     for (int n = 1; n <= parts && fits; n++) {
         const double s = range[0] + h * (double)n;
         *off = deviation(piece, raw, s);
-        fits = *off + used_at(raw, s) <= near;
+        fits = *off + (moved ? used_at(raw, s) : 0.0) <= near;
     }
     return fits;
 }
@@ -308,7 +343,7 @@ nck_status_t nck_raw_fit(nck_smooth_t *self, int first, double share) {
     const double to = self->run.t[first + 3];
     piece_t piece;
     if (!(to > from)) return NCK_DONE;
-    nck_raw_spline(self, first, &piece.seg);
+    take_shape(self, first, &piece.seg);
     if (piece.seg.kind == NCK_SEG_LINE) return NCK_DONE;
     piece.begin = from;
     piece.axes = self->terms->axes;
