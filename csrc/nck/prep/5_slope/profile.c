@@ -100,7 +100,7 @@ typedef struct corners {
 } corners_t;
 
 // So many corners are on the stack, one at least.
-static inline corners_t corners_of(const nck_profile_t *self, uint32_t top) {
+static inline corners_t corners_of(const nck_profile_t *self, size_t top) {
     const uint32_t older = self->stack[top > 1 ? top - 2 : 0];
     const uint32_t newest = self->stack[top - 1];
     const corners_t corners = {self->s[older], self->z[older], self->s[newest], self->z[newest]};
@@ -108,7 +108,7 @@ static inline corners_t corners_of(const nck_profile_t *self, uint32_t top) {
 }
 
 // Without the newest one.
-static inline corners_t corners_before(const nck_profile_t *self, uint32_t top,
+static inline corners_t corners_before(const nck_profile_t *self, size_t top,
                                        const corners_t *corners) {
     const uint32_t older = self->stack[top > 1 ? top - 2 : 0];
     const corners_t before = {self->s[older], self->z[older], corners->s0, corners->z0};
@@ -145,34 +145,38 @@ static uint32_t hull(nck_profile_t *self, uint32_t budget, const double *w_of_ti
     double *const z = self->z;
     uint32_t *const stack = self->stack;
     fallen_t fallen = {self->v_last, self->share, self->sigma, self->fall};
-    uint32_t i = self->i;
-    uint32_t top = self->top;
+    size_t i = self->i;
+    size_t top = self->top;
     uint32_t fresh = self->fresh;
     corners_t corners = corners_of(self, top);
     double at = fresh ? 0.0 : z[i];
-    for (uint32_t n = 0; n < count; n++) {
+    uint32_t left = count;
+    while (left > 0) {
         if (fresh) {
             fall_over(&fallen, h[i - 1], nck_sqrt(w_of_time[i]), j[i - 1], most);
             at = w[i] + fallen.sum;
             z[i] = at;
         }
-        fresh = !sticks_out(&corners, s[i], at) || top == 1;
-        if (!fresh) {
+        const double s_here = s[i];
+        while (sticks_out(&corners, s_here, at) && top > 1 && left > 0) {
             top--;
             corners = corners_before(self, top, &corners);
-            continue;
+            left--;
         }
-        stack[top] = i;
-        corners = (corners_t){corners.s1, corners.z1, s[i], at};
+        fresh = left > 0;
+        if (!fresh) break;
+        corners = (corners_t){corners.s1, corners.z1, s_here, at};
+        stack[top] = (uint32_t)i;
         top++;
         i++;
+        left--;
     }
     self->v_last = fallen.v;
     self->share = fallen.share;
     self->sigma = fallen.sigma;
     self->fall = fallen.sum;
-    self->i = i;
-    self->top = top;
+    self->i = (uint32_t)i;
+    self->top = (uint32_t)top;
     self->fresh = fresh;
     return count;
 }
