@@ -341,26 +341,26 @@ static uint32_t climb(nck_profile_t *self, uint32_t budget, const double *bound,
     const uint32_t count = back ? nck_profile_left_back(self, budget)
                                 : nck_profile_left_forth(self, budget);
     const int begins = self->i == (back ? self->n : 0);
-    uint32_t i = begins ? begin_climb(self, back) : self->i;
-    uint32_t cell = back ? i : i - 1;
+    size_t i = begins ? begin_climb(self, back) : self->i;
+    size_t cell = back ? i : i - 1;
     rise_t state = rise_of(self);
     const double most = 0.5 * self->q_cap;
-    const uint32_t onward = back ? UINT32_MAX : 1; // one back, or forth
+    const size_t onward = back ? SIZE_MAX : 1; // one back, or forth
     const uint32_t end = count - (begins ? 1 : 0);
-    double j = end > 0 ? jerk_of_first(self, cell, back) : 0.0;
+    double j = end > 0 ? jerk_of_first(self, (uint32_t)cell, back) : 0.0;
     for (uint32_t n = 0; n < end; n++) {
         const nck_hull_cell_t step = {self->h[cell], bound[cell], j, most};
         const double v = state.v;
         const uint32_t broken = state.broken;
         const double vv = rise(&state, &step, &self->a_max[cell], self->e[i]);
-        if (back) meet(self, i, vv, v, broken, &state);
+        if (back) meet(self, (uint32_t)i, vv, v, broken, &state);
         else self->w[i] = vv;
         j = self->j[i]; // between this cell and the next one
         i += onward;
         cell += onward;
     }
     keep_rise(self, &state);
-    self->i = i;
+    self->i = (uint32_t)i;
     return count;
 }
 
