@@ -11,6 +11,7 @@
 #include "nck/prep/5_slope/profile.h"
 
 #include <assert.h> // assert
+#include <stddef.h> // size_t
 #include <string.h> // memcpy
 
 #include "nck/base/limits.h"                // NCK_HAS_BEST
@@ -196,13 +197,13 @@ static uint32_t level(nck_profile_t *self, uint32_t budget) {
     const double *const s = self->s;
     const double *const z = self->z;
     const uint32_t *corner = self->stack + (self->i > 0 ? self->top : 0); // i, or the next one
-    const uint32_t end = self->i + count;
+    const size_t end = self->i + count;
     const double blunt = blunt_of(self);
     const double faster = NCK_HAS_BEST && self->phase == LEVEL_HIGH ? FASTER * FASTER : 1.0;
     const double *const w = self->w;
     double *const out = NCK_HAS_BEST || self->phase != LEVEL_W ? self->e : self->w;
     uint32_t sharp = self->sharp;
-    for (uint32_t i = self->i; i < end; i++) {
+    for (size_t i = self->i; i < end; i++) {
         const double value = w[i];
         if (*corner == i) {
             corner++;
@@ -218,7 +219,7 @@ static uint32_t level(nck_profile_t *self, uint32_t budget) {
         out[i] = nck_min(value, faster * leveled);
     }
     self->top = (uint32_t)(corner - self->stack);
-    self->i = end;
+    self->i = (uint32_t)end;
     self->sharp = sharp;
     return count;
 }
