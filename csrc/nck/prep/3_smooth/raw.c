@@ -166,6 +166,20 @@ void nck_raw_points(nck_smooth_t *self, uint32_t near, const double *places, int
     }
 }
 
+void nck_raw_ahead(nck_smooth_t *self, uint32_t near, double s, double *point_out,
+                   uint32_t *off) {
+    const uint32_t last = nck_raw_last(self);
+    const nck_raw_t *const raw = nck_raw_at(self, last);
+    uint32_t at = last;
+    if (!(s > raw_end(raw))) {
+        at = find_near(self, *off < last - near ? near + *off : last, s);
+        point_by(nck_raw_at(self, at), s, self->terms->axes, point_out);
+    } else {
+        point_beside(raw, s, self->terms->axes, point_out);
+    }
+    *off = at - near;
+}
+
 void nck_raw_spread(nck_smooth_t *self, double s, double step, int count,
                     double (*points_out)[NCK_AXIS_MAX]) {
     double places[NCK_RAW_SPREAD];

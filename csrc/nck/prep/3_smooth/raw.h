@@ -44,7 +44,11 @@ void nck_raw_point(nck_smooth_t *self, double s, double *point_out);
 void nck_raw_points(nck_smooth_t *self, uint32_t near, const double *places, int count,
                     double (*points_out)[NCK_AXIS_MAX], uint32_t *off);
 
-// The same, a step apart from s on: NCK_RAW_SPREAD points at most.
+// One of them, which mostly is behind what is known. off: as above, of it alone. Cost: as
+// nck_raw_find.
+void nck_raw_ahead(nck_smooth_t *self, uint32_t near, double s, double *point_out, uint32_t *off);
+
+// So many of them, a step apart from s on: NCK_RAW_SPREAD points at most.
 enum { NCK_RAW_SPREAD = 9 };
 void nck_raw_spread(nck_smooth_t *self, double s, double step, int count,
                     double (*points_out)[NCK_AXIS_MAX]);
