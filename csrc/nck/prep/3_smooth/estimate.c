@@ -35,27 +35,18 @@ static void turn_to(nck_smooth_t *self, uint32_t count) {
     looks->tail = self->raw.tail;
 }
 
-// The path around a block's end, a spacing h to either side: what of it is known from now on is not
-// looked for again; and the point two spacings behind it.
-static const nck_look_t *look_around(nck_smooth_t *self, uint32_t count, double h,
-                                     double *beyond_out) {
-    nck_looks_t *const looks = &self->run.looks;
+// The path around a block's end, a spacing h to either side, is looked for.
+static const nck_look_t *look_anew(nck_smooth_t *self, uint32_t count, double h) {
     nck_looked_t *const looked = &self->run.looked;
     const nck_raw_t *const raw = nck_raw_at(self, count);
-    const double s = raw->s + raw->seg.length;
-    uint32_t at = (uint32_t)looked->off[2];
-    turn_to(self, count);
-    nck_raw_ahead(self, count, s + h + h, beyond_out, &at);
-    for (int k = 0; k < 2; k++) {
-        if (looks->at[k].h == h) return &looks->at[k];
-    }
+    const double s = nck_raw_end(raw);
     const double before = s - 2.0 * h;
     const double places[3] = {before, before + h, s + h};
     uint32_t off[3] = {(uint32_t)looked->off[0], (uint32_t)(looked->off[0] / 2),
                        (uint32_t)looked->off[1]};
     double p[3][NCK_AXIS_MAX];
     looked->newest ^= 1u;
-    nck_look_t *const look = &looks->at[looked->newest];
+    nck_look_t *const look = &self->run.looks.at[looked->newest];
     const double *const here = raw->seg.end;
     nck_raw_points(self, count, places, 3, p, off);
     for (int x = 0; x < self->terms->axes; x++) {
@@ -66,8 +57,23 @@ static const nck_look_t *look_around(nck_smooth_t *self, uint32_t count, double 
     look->h = nck_estimate_is_known(self, places[2]) ? h : 0.0;
     looked->off[0] = (int16_t)off[0];
     looked->off[1] = (int16_t)off[2];
-    looked->off[2] = (int16_t)at;
     return look;
+}
+
+// The same: what of it is known from now on is not looked for again; and the point two spacings
+// behind it.
+static inline const nck_look_t *look_around(nck_smooth_t *self, uint32_t count, double h,
+                                            double *beyond_out) {
+    const nck_looks_t *const looks = &self->run.looks;
+    const double s = nck_raw_end(nck_raw_at(self, count));
+    uint32_t at = (uint32_t)self->run.looked.off[2];
+    turn_to(self, count);
+    nck_raw_ahead(self, count, s + h + h, beyond_out, &at);
+    for (int k = 0; k < 2; k++) {
+        if (looks->at[k].h == h) return &looks->at[k];
+    }
+    self->run.looked.off[2] = (int16_t)at;
+    return look_anew(self, count, h);
 }
 
 double nck_estimate_plain(nck_smooth_t *self, uint32_t count, double h, int rough) {

@@ -18,39 +18,11 @@ enum {
 
 double nck_raw_least(double s) { return LEAST + LEAST_SHARE * s; }
 
-int nck_raw_is_full(const nck_smooth_t *self) {
-    return self->raw.head - self->raw.tail == NCK_SMOOTH_ROWS;
-}
-
-static double raw_end(const nck_raw_t *raw) { return raw->s + raw->seg.length; }
-
-uint32_t nck_raw_next(nck_smooth_t *self, uint32_t count) {
-    count++;
-    while (count != self->run.end && !nck_raw_at(self, count)->has_seg) count++;
-    return count;
-}
-
-uint32_t nck_raw_before(nck_smooth_t *self, uint32_t count) {
-    uint32_t before = count;
-    do {
-        if (before == self->raw.tail) return count;
-    } while (!nck_raw_at(self, --before)->has_seg);
-    return before;
-}
-
-uint32_t nck_raw_last(nck_smooth_t *self) {
-    uint32_t count = self->run.end - 1;
-    while (!nck_raw_at(self, count)->has_seg) count--;
-    return count;
-}
-
-double nck_raw_known(nck_smooth_t *self) { return raw_end(nck_raw_at(self, nck_raw_last(self))); }
-
 // The first of so many blocks from `low` on that ends at s or behind it, or the one behind them.
 static uint32_t search(nck_smooth_t *self, uint32_t low, uint32_t count, double s) {
     while (count > 0) {
         const uint32_t half = count / 2;
-        if (raw_end(nck_raw_at(self, low + half)) < s) {
+        if (nck_raw_end(nck_raw_at(self, low + half)) < s) {
             low += half + 1;
             count -= half + 1;
         } else {
@@ -71,7 +43,7 @@ static inline uint32_t with_length(nck_smooth_t *self, uint32_t low) {
 }
 
 // A block begins where the one before it ends, to the bit: is s in it, or at its end?
-static int is_in(const nck_raw_t *raw, double s) { return raw->s < s && !(raw_end(raw) < s); }
+static int is_in(const nck_raw_t *raw, double s) { return raw->s < s && !(nck_raw_end(raw) < s); }
 
 // So many blocks on or back, at most: where s would be if all were as long as this one, one at
 // least.
@@ -103,8 +75,8 @@ static uint32_t find_near(nck_smooth_t *self, uint32_t guess, double s) {
 uint32_t nck_raw_find(nck_smooth_t *self, double s) {
     const uint32_t low = self->raw.tail;
     const uint32_t most = self->run.end - low - 1;
-    const double first = raw_end(nck_raw_at(self, low));
-    const double last = raw_end(nck_raw_at(self, low + most));
+    const double first = nck_raw_end(nck_raw_at(self, low));
+    const double last = nck_raw_end(nck_raw_at(self, low + most));
     if (!(s > first)) return with_length(self, low);
     if (s > last) return nck_raw_last(self);
     const double blocks = (double)most * ((s - first) / (last - first));
@@ -127,7 +99,7 @@ static inline void part_of(const nck_seg_t *seg, double s, int axes, double *poi
 static void point_beside(const nck_raw_t *raw, double s, int axes, double *point_out) {
     const int before = s < raw->s;
     const double *const end = before ? raw->seg.start : raw->seg.end;
-    const double beyond = s - (before ? raw->s : raw_end(raw));
+    const double beyond = s - (before ? raw->s : nck_raw_end(raw));
     if (beyond == 0.0) {
         for (int x = 0; x < axes; x++) point_out[x] = end[x];
         return;
@@ -144,7 +116,7 @@ static void point_beside(const nck_raw_t *raw, double s, int axes, double *point
 
 // The point at s, of a block that it is in, or nearest to.
 static inline void point_by(const nck_raw_t *raw, double s, int axes, double *point_out) {
-    if (s >= raw->s && s < raw_end(raw)) part_of(&raw->seg, s - raw->s, axes, point_out);
+    if (s >= raw->s && s < nck_raw_end(raw)) part_of(&raw->seg, s - raw->s, axes, point_out);
     else point_beside(raw, s, axes, point_out);
 }
 
@@ -171,7 +143,7 @@ void nck_raw_ahead(nck_smooth_t *self, uint32_t near, double s, double *point_ou
     const uint32_t last = nck_raw_last(self);
     const nck_raw_t *const raw = nck_raw_at(self, last);
     uint32_t at = last;
-    if (!(s > raw_end(raw))) {
+    if (!(s > nck_raw_end(raw))) {
         at = find_near(self, *off < last - near ? near + *off : last, s);
         point_by(nck_raw_at(self, at), s, self->terms->axes, point_out);
     } else {
@@ -365,7 +337,7 @@ nck_status_t nck_raw_fit(nck_smooth_t *self, int first, double share) {
     for (int n = 0; n < FIT_BLOCKS; n++) {
         if (trial->count == self->run.end) return NCK_DONE;
         const nck_raw_t *const raw = nck_raw_at(self, trial->count);
-        const double range[2] = {nck_max(from, raw->s), nck_min(to, raw_end(raw))};
+        const double range[2] = {nck_max(from, raw->s), nck_min(to, nck_raw_end(raw))};
         if (!(range[0] < to)) return NCK_DONE;
         if (!block_fits(&piece, raw, range, share * raw->tolerance, &trial->off)) {
             return NCK_E_STATE;
