@@ -161,11 +161,12 @@ double nck_estimate_unevenness(nck_smooth_t *self, uint32_t count, double h, dou
     double places[POINTS];
     uint32_t off[POINTS];
     for (int k = 0; k < POINTS; k++) places[k] = s - 3.0 * h + h * (double)k;
-    const uint32_t before = nck_estimate_off(self, most < NCK_UNLIMITED ? -4 : -2);
-    const uint32_t behind = nck_estimate_off(self, most < NCK_UNLIMITED ? 4 : 2);
+    const int bounded = most < NCK_UNLIMITED;
+    const uint32_t before = nck_estimate_off(self, bounded ? -4 : -2);
+    const uint32_t behind = nck_estimate_off(self, bounded ? 4 : 2);
     for (uint32_t k = 0; k < POINTS; k++) off[k] = k < 3 ? (3 - k) * before : (k - 3) * behind;
     nck_raw_points(self, count, places, 3, p, off);
-    if (bends_of(self, p, 1) > most) return NCK_UNLIMITED;
+    if (bounded && bends_of(self, p, 1) > most) return NCK_UNLIMITED;
     nck_raw_points(self, count, places + 3, POINTS - 3, p + 3, off + 3);
     return bends_of(self, p, POINTS - 2);
 }
