@@ -12,7 +12,7 @@
 
 #include "nck/base/budget.h"               // NCK_BUDGET_… NCK_UNLIMITED
 #include "nck/base/overlap_math.h"         // nck_overlap_…
-#include "nck/base/path.h"                 // nck_path_tangent
+#include "nck/base/path.h"                 // nck_path_tangent_part nck_path_slope
 #include "nck/base/real.h"                 // nck_min nck_max
 #include "nck/base/scurve_math.h"          // nck_scurve_…
 #include "nck/base/root_math.h"            // nck_root_cube
@@ -364,29 +364,42 @@ static double speed_of(const nck_smooth_t *self, const nck_seg_t *seg, const dou
     return v;
 }
 
+// dp/ds of both blocks where they meet.
+static void take_tangents(const nck_meet_t *meet, int axes, double *in_out, double *out_out) {
+    const nck_seg_t *const in = &meet->a->seg;
+    const nck_seg_t *const out = &meet->b->seg;
+    if (in->kind != NCK_SEG_LINE || out->kind != NCK_SEG_LINE) {
+        nck_path_tangent_part(in, in->length, axes, in_out);
+        nck_path_tangent_part(out, 0.0, axes, out_out);
+        return;
+    }
+    for (int x = 0; x < axes; x++) {
+        in_out[x] = nck_path_slope(in, x);
+        out_out[x] = nck_path_slope(out, x);
+    }
+}
+
 // Length of the difference of both tangents as unit vectors: a merged line's path coordinate may be
 // longer than the line.
-static double turn_of(const corner_t *corner) {
-    const int axes = corner->terms->axes;
-    const double *const in = corner->in;
-    const double *const out = corner->out;
+static double turn_of(const double *in, const double *out, int axes) {
     const double size_in = nck_spline_norm(in, axes);
     const double size_out = nck_spline_norm(out, axes);
-    double apart[NCK_AXIS_MAX];
+    double sum = 0.0;
     if (!(size_in > 0.0) || !(size_out > 0.0)) return 0.0;
-    for (int x = 0; x < axes; x++) apart[x] = out[x] / size_out - in[x] / size_in;
-    return nck_spline_norm(apart, axes);
+    for (int x = 0; x < axes; x++) {
+        const double apart = out[x] / size_out - in[x] / size_in;
+        sum += apart * apart;
+    }
+    return nck_sqrt(sum);
 }
 
 // Where the corner is and how sharp.
 static void measure_turn(const nck_smooth_t *self, const nck_meet_t *meet, corner_t *corner) {
     const nck_raw_t *const a = meet->a;
     const nck_raw_t *const b = meet->b;
-    const int axes = self->terms->axes;
-    nck_path_tangent_part(&a->seg, a->seg.length, axes, corner->in);
-    nck_path_tangent_part(&b->seg, 0.0, axes, corner->out);
+    take_tangents(meet, self->terms->axes, corner->in, corner->out);
     corner->terms = self->terms;
-    corner->turn = turn_of(corner);
+    corner->turn = turn_of(corner->in, corner->out, self->terms->axes);
     corner->tolerance = TOLERANCE_SHARE * meet->tolerance;
     memcpy(corner->length, meet->length, sizeof corner->length);
     memcpy(corner->rests, meet->rests, sizeof corner->rests);
@@ -414,9 +427,10 @@ int nck_choice_wide(const nck_smooth_t *self, const nck_meet_t *meet, const nck_
     return plain_time(&corner, wide) < plain_time(&corner, narrow);
 }
 
-// 1 if the bend is the corner's own, not that of a curve which it is a part of.
-static int is_own(const corner_t *corner, const nck_bend_t *bend) {
-    return !(corner->turn < OWN * nck_spline_norm(bend->turn, corner->terms->axes));
+// 1 if the bend of a corner which turns by so much is its own, not that of a curve which it is a
+// part of.
+static int is_own(double turn, const nck_bend_t *bend, int axes) {
+    return !(turn < OWN * nck_spline_norm(bend->turn, axes));
 }
 
 // 1 if the bend reaches to a few other corners, and they turn on: then its knots are uneven, and
@@ -440,9 +454,11 @@ static double turn_counts(const corner_t *corner, const nck_meet_t *meet,
 }
 
 int nck_choice_may_stop(const nck_smooth_t *self, const nck_meet_t *meet, const nck_bend_t *bend) {
-    corner_t corner;
-    measure_turn(self, meet, &corner);
-    return is_own(&corner, bend);
+    const int axes = self->terms->axes;
+    double in[NCK_AXIS_MAX];
+    double out[NCK_AXIS_MAX];
+    take_tangents(meet, axes, in, out);
+    return is_own(turn_of(in, out, axes), bend, axes);
 }
 
 int nck_choice_stop(const nck_smooth_t *self, const nck_meet_t *meet, const nck_bend_t *bend,
@@ -453,7 +469,7 @@ int nck_choice_stop(const nck_smooth_t *self, const nck_meet_t *meet, const nck_
     stop_out->distance = 0.0;
     stop_out->widest = NCK_UNLIMITED;
     stop_out->outside = 0.0;
-    if (!is_own(&corner, bend)) return 0;
+    if (!is_own(corner.turn, bend, self->terms->axes)) return 0;
     measure_ramps(self, meet, &corner);
     nck_bend_t steep = *bend;
     const double times = turn_counts(&corner, meet, bend);

@@ -35,53 +35,56 @@ static void turn_to(nck_smooth_t *self, uint32_t count) {
     looks->tail = self->raw.tail;
 }
 
-// The path around a block's end, a spacing h to either side: what of it is known from now on is not
-// looked for again; and the point two spacings behind it.
-static const nck_look_t *look_around(nck_smooth_t *self, uint32_t count, double h,
-                                     double (*beyond_out)[NCK_AXIS_MAX]) {
-    nck_looks_t *const looks = &self->run.looks;
+// The path around a block's end, a spacing h to either side, is looked for.
+static const nck_look_t *look_anew(nck_smooth_t *self, uint32_t count, double h) {
     nck_looked_t *const looked = &self->run.looked;
     const nck_raw_t *const raw = nck_raw_at(self, count);
-    const double s = raw->s + raw->seg.length;
-    const double beyond = s + h + h;
-    uint32_t at = (uint32_t)looked->off[2];
-    turn_to(self, count);
-    for (int k = 0; k < 2; k++) {
-        if (looks->at[k].h != h) continue;
-        nck_raw_points(self, count, &beyond, 1, beyond_out, &at);
-        return &looks->at[k];
-    }
+    const double s = nck_raw_end(raw);
     const double before = s - 2.0 * h;
-    const double places[4] = {before, before + h, s + h, beyond};
-    uint32_t off[4] = {(uint32_t)looked->off[0], (uint32_t)(looked->off[0] / 2),
-                       (uint32_t)looked->off[1], at};
-    double p[4][NCK_AXIS_MAX];
+    const double places[3] = {before, before + h, s + h};
+    uint32_t off[3] = {(uint32_t)looked->off[0], (uint32_t)(looked->off[0] / 2),
+                       (uint32_t)looked->off[1]};
+    double p[3][NCK_AXIS_MAX];
     looked->newest ^= 1u;
-    nck_look_t *const look = &looks->at[looked->newest];
+    nck_look_t *const look = &self->run.looks.at[looked->newest];
     const double *const here = raw->seg.end;
-    nck_raw_points(self, count, places, 4, p, off);
+    nck_raw_points(self, count, places, 3, p, off);
     for (int x = 0; x < self->terms->axes; x++) {
         look->before[x] = nck_spline_bend(p[0][x], p[1][x], here[x]);
         look->middle[x] = nck_spline_bend(p[1][x], here[x], p[2][x]);
         look->behind[x] = p[2][x];
-        beyond_out[0][x] = p[3][x];
     }
     look->h = nck_estimate_is_known(self, places[2]) ? h : 0.0;
     looked->off[0] = (int16_t)off[0];
     looked->off[1] = (int16_t)off[2];
-    looked->off[2] = (int16_t)off[3];
     return look;
+}
+
+// The same: what of it is known from now on is not looked for again; and the point two spacings
+// behind it.
+static inline const nck_look_t *look_around(nck_smooth_t *self, uint32_t count, double h,
+                                            double *beyond_out) {
+    const nck_looks_t *const looks = &self->run.looks;
+    const double s = nck_raw_end(nck_raw_at(self, count));
+    uint32_t at = (uint32_t)self->run.looked.off[2];
+    turn_to(self, count);
+    nck_raw_ahead(self, count, s + h + h, beyond_out, &at);
+    for (int k = 0; k < 2; k++) {
+        if (looks->at[k].h == h) return &looks->at[k];
+    }
+    self->run.looked.off[2] = (int16_t)at;
+    return look_anew(self, count, h);
 }
 
 double nck_estimate_plain(nck_smooth_t *self, uint32_t count, double h, int rough) {
     const double *const here = nck_raw_at(self, count)->seg.end;
     const double at_side = rough ? 1.25 : -1.0;
     const double at_middle = rough ? 11.0 : 2.0;
-    double beyond[1][NCK_AXIS_MAX];
+    double beyond[NCK_AXIS_MAX];
     const nck_look_t *const look = look_around(self, count, h, beyond);
     double sum = 0.0;
     for (int x = 0; x < self->terms->axes; x++) {
-        const double bend = nck_spline_bend(here[x], look->behind[x], beyond[0][x]);
+        const double bend = nck_spline_bend(here[x], look->behind[x], beyond[x]);
         const double off = at_middle * look->middle[x] + at_side * (look->before[x] + bend);
         sum += off * off;
     }
@@ -106,7 +109,7 @@ static estimate_t estimate_nine(nck_smooth_t *self, uint32_t count, double h) {
     const double s = raw->s + raw->seg.length;
     const double places[2] = {s - 0.5 * h, s + 0.5 * h};
     double p[2][NCK_AXIS_MAX];
-    double beyond[1][NCK_AXIS_MAX];
+    double beyond[NCK_AXIS_MAX];
     double off[NCK_AXIS_MAX];
     double half[NCK_AXIS_MAX];
     const int axes = self->terms->axes;
@@ -115,7 +118,7 @@ static estimate_t estimate_nine(nck_smooth_t *self, uint32_t count, double h) {
     nck_raw_points(self, count, places, 2, p, at);
     for (int x = 0; x < axes; x++) {
         half[x] = nck_spline_bend(p[0][x], here[x], p[1][x]);
-        const double bend = nck_spline_bend(here[x], look->behind[x], beyond[0][x]);
+        const double bend = nck_spline_bend(here[x], look->behind[x], beyond[x]);
         const double sides = look->before[x] + bend;
         off[x] = 11.5 * half[x] - 0.875 * look->middle[x] - sides;
     }
@@ -158,11 +161,12 @@ double nck_estimate_unevenness(nck_smooth_t *self, uint32_t count, double h, dou
     double places[POINTS];
     uint32_t off[POINTS];
     for (int k = 0; k < POINTS; k++) places[k] = s - 3.0 * h + h * (double)k;
-    const uint32_t before = nck_estimate_off(self, most < NCK_UNLIMITED ? -4 : -2);
-    const uint32_t behind = nck_estimate_off(self, most < NCK_UNLIMITED ? 4 : 2);
+    const int bounded = most < NCK_UNLIMITED;
+    const uint32_t before = nck_estimate_off(self, bounded ? -4 : -2);
+    const uint32_t behind = nck_estimate_off(self, bounded ? 4 : 2);
     for (uint32_t k = 0; k < POINTS; k++) off[k] = k < 3 ? (3 - k) * before : (k - 3) * behind;
     nck_raw_points(self, count, places, 3, p, off);
-    if (bends_of(self, p, 1) > most) return NCK_UNLIMITED;
+    if (bounded && bends_of(self, p, 1) > most) return NCK_UNLIMITED;
     nck_raw_points(self, count, places + 3, POINTS - 3, p + 3, off + 3);
     return bends_of(self, p, POINTS - 2);
 }

@@ -18,39 +18,11 @@ enum {
 
 double nck_raw_least(double s) { return LEAST + LEAST_SHARE * s; }
 
-int nck_raw_is_full(const nck_smooth_t *self) {
-    return self->raw.head - self->raw.tail == NCK_SMOOTH_ROWS;
-}
-
-static double raw_end(const nck_raw_t *raw) { return raw->s + raw->seg.length; }
-
-uint32_t nck_raw_next(nck_smooth_t *self, uint32_t count) {
-    count++;
-    while (count != self->run.end && !nck_raw_at(self, count)->has_seg) count++;
-    return count;
-}
-
-uint32_t nck_raw_before(nck_smooth_t *self, uint32_t count) {
-    uint32_t before = count;
-    do {
-        if (before == self->raw.tail) return count;
-    } while (!nck_raw_at(self, --before)->has_seg);
-    return before;
-}
-
-uint32_t nck_raw_last(nck_smooth_t *self) {
-    uint32_t count = self->run.end - 1;
-    while (!nck_raw_at(self, count)->has_seg) count--;
-    return count;
-}
-
-double nck_raw_known(nck_smooth_t *self) { return raw_end(nck_raw_at(self, nck_raw_last(self))); }
-
 // The first of so many blocks from `low` on that ends at s or behind it, or the one behind them.
 static uint32_t search(nck_smooth_t *self, uint32_t low, uint32_t count, double s) {
     while (count > 0) {
         const uint32_t half = count / 2;
-        if (raw_end(nck_raw_at(self, low + half)) < s) {
+        if (nck_raw_end(nck_raw_at(self, low + half)) < s) {
             low += half + 1;
             count -= half + 1;
         } else {
@@ -71,7 +43,7 @@ static inline uint32_t with_length(nck_smooth_t *self, uint32_t low) {
 }
 
 // A block begins where the one before it ends, to the bit: is s in it, or at its end?
-static int is_in(const nck_raw_t *raw, double s) { return raw->s < s && !(raw_end(raw) < s); }
+static int is_in(const nck_raw_t *raw, double s) { return raw->s < s && !(nck_raw_end(raw) < s); }
 
 // So many blocks on or back, at most: where s would be if all were as long as this one, one at
 // least.
@@ -103,17 +75,19 @@ static uint32_t find_near(nck_smooth_t *self, uint32_t guess, double s) {
 uint32_t nck_raw_find(nck_smooth_t *self, double s) {
     const uint32_t low = self->raw.tail;
     const uint32_t most = self->run.end - low - 1;
-    const double first = raw_end(nck_raw_at(self, low));
-    const double last = raw_end(nck_raw_at(self, low + most));
+    const double first = nck_raw_end(nck_raw_at(self, low));
+    const double last = nck_raw_end(nck_raw_at(self, low + most));
     if (!(s > first)) return with_length(self, low);
     if (s > last) return nck_raw_last(self);
     const double blocks = (double)most * ((s - first) / (last - first));
     return find_near(self, low + (uint32_t)blocks, s);
 }
 
+static inline int is_inside(const nck_seg_t *seg, double s) { return s > 0.0 && s < seg->length; }
+
 // nck_path_part; most places are inside a line.
 static inline void part_of(const nck_seg_t *seg, double s, int axes, double *point_out) {
-    if (seg->kind != NCK_SEG_LINE || !(s > 0.0 && s < seg->length)) {
+    if (seg->kind != NCK_SEG_LINE || !is_inside(seg, s)) {
         nck_path_part(seg, s, axes, point_out);
         return;
     }
@@ -125,7 +99,7 @@ static inline void part_of(const nck_seg_t *seg, double s, int axes, double *poi
 static void point_beside(const nck_raw_t *raw, double s, int axes, double *point_out) {
     const int before = s < raw->s;
     const double *const end = before ? raw->seg.start : raw->seg.end;
-    const double beyond = s - (before ? raw->s : raw_end(raw));
+    const double beyond = s - (before ? raw->s : nck_raw_end(raw));
     if (beyond == 0.0) {
         for (int x = 0; x < axes; x++) point_out[x] = end[x];
         return;
@@ -142,7 +116,7 @@ static void point_beside(const nck_raw_t *raw, double s, int axes, double *point
 
 // The point at s, of a block that it is in, or nearest to.
 static inline void point_by(const nck_raw_t *raw, double s, int axes, double *point_out) {
-    if (s >= raw->s && s < raw_end(raw)) part_of(&raw->seg, s - raw->s, axes, point_out);
+    if (s >= raw->s && s < nck_raw_end(raw)) part_of(&raw->seg, s - raw->s, axes, point_out);
     else point_beside(raw, s, axes, point_out);
 }
 
@@ -162,6 +136,20 @@ void nck_raw_points(nck_smooth_t *self, uint32_t near, const double *places, int
         point_by(nck_raw_at(self, at), places[k], axes, points_out[k]);
         off[k] = at - near;
     }
+}
+
+void nck_raw_ahead(nck_smooth_t *self, uint32_t near, double s, double *point_out,
+                   uint32_t *off) {
+    const uint32_t last = nck_raw_last(self);
+    const nck_raw_t *const raw = nck_raw_at(self, last);
+    uint32_t at = last;
+    if (!(s > nck_raw_end(raw))) {
+        at = find_near(self, *off < last - near ? near + *off : last, s);
+        point_by(nck_raw_at(self, at), s, self->terms->axes, point_out);
+    } else {
+        point_beside(raw, s, self->terms->axes, point_out);
+    }
+    *off = at - near;
 }
 
 void nck_raw_spread(nck_smooth_t *self, double s, double step, int count,
@@ -189,8 +177,13 @@ double nck_raw_turn(const nck_seg_t *in, const nck_seg_t *out, int axes, double 
     return nck_spline_norm(turn_out, axes);
 }
 
+// 1 if an end of a block is off the program.
+static int is_moved(const nck_raw_t *raw) {
+    return raw->moved[0] != 0.0f || raw->moved[1] != 0.0f;
+}
+
 double nck_raw_stretch(const nck_raw_t *raw, int axes) {
-    if (raw->moved[0] == 0.0f && raw->moved[1] == 0.0f) return 1.0;
+    if (!is_moved(raw)) return 1.0;
     return nck_spline_distance(raw->seg.start, raw->seg.end, axes) / raw->seg.length;
 }
 
@@ -208,21 +201,32 @@ static int is_straight(nck_smooth_t *self, double from, double to) {
     return raw->seg.kind == NCK_SEG_LINE && raw->s <= from + least;
 }
 
-void nck_raw_spline(nck_smooth_t *self, int first, nck_seg_t *seg_out) {
+// As nck_raw_spline, but only what tells its points: kind, length, and of the Bernstein points the
+// coordinates that may change.
+static void take_shape(nck_smooth_t *self, int first, nck_seg_t *seg_out) {
     const double *const t = self->run.t + first;
-    memset(seg_out, 0, sizeof *seg_out);
     nck_spline_bernstein(t, self->run.c + first, self->terms->axes, seg_out);
     seg_out->length = t[3] - t[2];
-    seg_out->kind = NCK_SEG_SPLINE;
     double from = t[3];
     double to = t[2];
     for (int i = first; i < first + 4; i++) {
         from = nck_min(from, self->run.reach[i][0]);
         to = nck_max(to, self->run.reach[i][1]);
     }
-    if (!is_straight(self, from, to)) return;
-    seg_out->kind = NCK_SEG_LINE;
-    memset(&seg_out->shape, 0, sizeof seg_out->shape);
+    seg_out->kind = is_straight(self, from, to) ? NCK_SEG_LINE : NCK_SEG_SPLINE;
+}
+
+void nck_raw_spline(nck_smooth_t *self, int first, nck_seg_t *seg_out) {
+    const double *const stays = self->run.c[first];
+    memset(seg_out, 0, sizeof *seg_out);
+    take_shape(self, first, seg_out);
+    for (int x = self->terms->axes; x < NCK_AXIS_MAX; x++) {
+        seg_out->shape.inner[0][x] = stays[x];
+        seg_out->shape.inner[1][x] = stays[x];
+        seg_out->start[x] = stays[x];
+        seg_out->end[x] = stays[x];
+    }
+    if (seg_out->kind == NCK_SEG_LINE) memset(&seg_out->shape, 0, sizeof seg_out->shape);
 }
 
 // |p″| over a spline: the larger end's, for it is linear in between.
@@ -242,13 +246,30 @@ typedef struct piece {
     int axes;      // that may move
 } piece_t;
 
-// |spline − programmed path| at s of the spline's run.
-static double deviation(const piece_t *piece, const nck_raw_t *raw, double s) {
-    double p[NCK_AXIS_MAX];
-    double q[NCK_AXIS_MAX];
-    nck_path_part(&piece->seg, s - piece->begin, piece->axes, p);
-    part_of(&raw->seg, s - raw->s, piece->axes, q);
-    return nck_spline_distance(p, q, piece->axes);
+// Distance of a piece's point at s of the spline's run from another one.
+static double distance_to(const piece_t *piece, double s, const double *point) {
+    const double along = s - piece->begin;
+    double sum = 0.0;
+    if (!is_inside(&piece->seg, along)) {
+        double p[NCK_AXIS_MAX];
+        nck_path_part(&piece->seg, along, piece->axes, p);
+        return nck_spline_distance(p, point, piece->axes);
+    }
+    const double f = along / piece->seg.length;
+    for (int x = 0; x < piece->axes; x++) {
+        const double off = nck_path_cubic(&piece->seg, x, f) - point[x];
+        sum += off * off;
+    }
+    return nck_sqrt(sum);
+}
+
+// |spline − programmed path| at s of the spline's run; many places are at a block's end.
+static inline double deviation(const piece_t *piece, const nck_raw_t *raw, double s) {
+    const double along = s - raw->s;
+    double point[NCK_AXIS_MAX];
+    if (along >= raw->seg.length) return distance_to(piece, s, raw->seg.end);
+    part_of(&raw->seg, along, piece->axes, point);
+    return distance_to(piece, s, point);
 }
 
 // The largest |p̃″ − p″| of a piece and a block, from range[0] to range[1]: p̃″ is linear
@@ -271,10 +292,9 @@ static double second_apart(const piece_t *piece, const nck_raw_t *raw, const dou
     return apart + kappa * turned * turned / 8.0;
 }
 
-// How much of its tolerance a block has used at s of its run: its ends may be off the program.
+// How much of its tolerance such a block has used at s of its run.
 static double used_at(const nck_raw_t *raw, double s) {
     const double first = (double)raw->moved[0];
-    if (raw->moved[0] == 0.0f && raw->moved[1] == 0.0f) return 0.0;
     return first + ((double)raw->moved[1] - first) * (s - raw->s) / raw->seg.length;
 }
 
@@ -288,11 +308,12 @@ static int block_fits(const piece_t *piece, const nck_raw_t *raw, const double *
     const double h = length / (double)parts;
     const double near = allowed - nck_spline_sag(second_apart(piece, raw, range), h);
     if (*off < 0.0) *off = deviation(piece, raw, range[0]);
-    int fits = *off + used_at(raw, range[0]) <= near;
+    const int moved = is_moved(raw);
+    int fits = *off + (moved ? used_at(raw, range[0]) : 0.0) <= near;
     for (int n = 1; n <= parts && fits; n++) {
         const double s = range[0] + h * (double)n;
         *off = deviation(piece, raw, s);
-        fits = *off + used_at(raw, s) <= near;
+        fits = *off + (moved ? used_at(raw, s) : 0.0) <= near;
     }
     return fits;
 }
@@ -308,7 +329,7 @@ nck_status_t nck_raw_fit(nck_smooth_t *self, int first, double share) {
     const double to = self->run.t[first + 3];
     piece_t piece;
     if (!(to > from)) return NCK_DONE;
-    nck_raw_spline(self, first, &piece.seg);
+    take_shape(self, first, &piece.seg);
     if (piece.seg.kind == NCK_SEG_LINE) return NCK_DONE;
     piece.begin = from;
     piece.axes = self->terms->axes;
@@ -316,7 +337,7 @@ nck_status_t nck_raw_fit(nck_smooth_t *self, int first, double share) {
     for (int n = 0; n < FIT_BLOCKS; n++) {
         if (trial->count == self->run.end) return NCK_DONE;
         const nck_raw_t *const raw = nck_raw_at(self, trial->count);
-        const double range[2] = {nck_max(from, raw->s), nck_min(to, raw_end(raw))};
+        const double range[2] = {nck_max(from, raw->s), nck_min(to, nck_raw_end(raw))};
         if (!(range[0] < to)) return NCK_DONE;
         if (!block_fits(&piece, raw, range, share * raw->tolerance, &trial->off)) {
             return NCK_E_STATE;

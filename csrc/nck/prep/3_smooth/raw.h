@@ -14,24 +14,45 @@ static inline nck_raw_t *nck_raw_at(nck_smooth_t *self, uint32_t count) {
 }
 
 // 1 if the ring has no room. Cost: constant.
-int nck_raw_is_full(const nck_smooth_t *self);
+static inline int nck_raw_is_full(const nck_smooth_t *self) {
+    return self->raw.head - self->raw.tail == NCK_SMOOTH_ROWS;
+}
+
+// Where a block ends in its run [path mm]. Cost: constant.
+static inline double nck_raw_end(const nck_raw_t *raw) { return raw->s + raw->seg.length; }
 
 // The first block of the run that has length and ends at s or behind it; the run's last one if none
 // does. Cost: logarithmic in NCK_SMOOTH_SPAN, and linear in outputs in a row.
 uint32_t nck_raw_find(nck_smooth_t *self, double s);
 
 // The next block with length behind this one; run.end if there is none. Cost: linear in outputs.
-uint32_t nck_raw_next(nck_smooth_t *self, uint32_t count);
+static inline uint32_t nck_raw_next(nck_smooth_t *self, uint32_t count) {
+    uint32_t next = count + 1;
+    while (next != self->run.end && !nck_raw_at(self, next)->has_seg) next++;
+    return next;
+}
 
 // The block with length before this one; this one if it is not known any more. Cost: linear in
 // outputs between them.
-uint32_t nck_raw_before(nck_smooth_t *self, uint32_t count);
+static inline uint32_t nck_raw_before(nck_smooth_t *self, uint32_t count) {
+    uint32_t before = count;
+    do {
+        if (before == self->raw.tail) return count;
+    } while (!nck_raw_at(self, --before)->has_seg);
+    return before;
+}
 
 // The last seg of the run. Cost: linear in the outputs behind it.
-uint32_t nck_raw_last(nck_smooth_t *self);
+static inline uint32_t nck_raw_last(nck_smooth_t *self) {
+    uint32_t count = self->run.end - 1;
+    while (!nck_raw_at(self, count)->has_seg) count--;
+    return count;
+}
 
 // Where the known part of the run ends [path mm]. Cost: linear in outputs at its end.
-double nck_raw_known(nck_smooth_t *self);
+static inline double nck_raw_known(nck_smooth_t *self) {
+    return nck_raw_end(nck_raw_at(self, nck_raw_last(self)));
+}
 
 // The point of the programmed path at s, of it the coordinates that may change; beyond what is
 // known, straight on along the tangent.
@@ -44,7 +65,11 @@ void nck_raw_point(nck_smooth_t *self, double s, double *point_out);
 void nck_raw_points(nck_smooth_t *self, uint32_t near, const double *places, int count,
                     double (*points_out)[NCK_AXIS_MAX], uint32_t *off);
 
-// The same, a step apart from s on: NCK_RAW_SPREAD points at most.
+// One of them, which mostly is behind what is known. off: as above, of it alone. Cost: as
+// nck_raw_find.
+void nck_raw_ahead(nck_smooth_t *self, uint32_t near, double s, double *point_out, uint32_t *off);
+
+// So many of them, a step apart from s on: NCK_RAW_SPREAD points at most.
 enum { NCK_RAW_SPREAD = 9 };
 void nck_raw_spread(nck_smooth_t *self, double s, double step, int count,
                     double (*points_out)[NCK_AXIS_MAX]);

@@ -179,9 +179,17 @@ static int is_smooth(const nck_block_t *block) {
            && block->path_mode == NCK_PATH_CONTINUOUS && block->tolerance_mm >= TOLERANCE_MIN;
 }
 
+// All of it but start and end, which every move sets; in parts: clearing all at once takes longer.
+static inline void clear_seg(nck_seg_t *seg) {
+    memset(seg, 0, offsetof(nck_seg_t, start));
+    memset(&seg->length, 0, offsetof(nck_seg_t, shape) - offsetof(nck_seg_t, length));
+    for (int k = 0; k < 2; k++) memset(seg->shape.inner[k], 0, sizeof seg->shape.inner[k]);
+}
+
 static void begin_raw(nck_raw_t *raw, const nck_block_t *block, uint32_t block_seq) {
-    memset(raw, 0, sizeof *raw);
     const int threads = block->kind >= NCK_BLOCK_THREAD;
+    clear_seg(&raw->seg);
+    memset(&raw->s, 0, sizeof *raw - offsetof(nck_raw_t, s));
     raw->has_output = block->kind >= NCK_BLOCK_WAIT && !threads;
     raw->has_seg = block->kind <= NCK_BLOCK_WAIT || threads;
     raw->ends = block->kind == NCK_BLOCK_END;
@@ -260,10 +268,7 @@ nck_status_t nck_smooth_pass(nck_smooth_t *self, const nck_block_t *block, uint3
     const int waits = self->run.open || !nck_smooth_is_empty(self);
     const int is_plain = block->kind <= NCK_BLOCK_ARC && !is_smooth(block);
     if (!self->hungry || waits || !is_plain || block->surface > 0.0) return NCK_FULL;
-    memset(seg_out, 0, offsetof(nck_seg_t, start)); // start and end are set
-    memset(&seg_out->length, 0, offsetof(nck_seg_t, shape) - offsetof(nck_seg_t, length));
-    // The largest of the shapes, in parts: one clearing of all of it takes longer.
-    for (int k = 0; k < 2; k++) memset(seg_out->shape.inner[k], 0, sizeof seg_out->shape.inner[k]);
+    clear_seg(seg_out);
     seg_out->block = block_seq;
     const nck_status_t status = make_seg(self, block, seg_out);
     if (status != NCK_OK) return status;

@@ -21,8 +21,8 @@ static inline nck_real nck_spline_greville(const nck_real *t) {
 //    c0                  c3
 //
 // (W. Boehm, Inserting New Knots into B-spline Curves, 1980: each knot inserted three times.)
-// Fills start, inner and end of the seg. A triple knot at t_3 gives end = c3, at t_2 start = c0, to
-// the bit. axes: coordinates that may change, from X on; the others stay.
+// Fills start, inner and end of the seg, of them the coordinates that may change, axes from X on. A
+// triple knot at t_3 gives end = c3, at t_2 start = c0, to the bit.
 static inline void nck_spline_bernstein(const nck_real *t, nck_real (*c)[NCK_AXIS_MAX], int axes,
                                         nck_seg_t *seg_out) {
     const nck_real before = (t[2] - t[0]) / (t[3] - t[0]);
@@ -40,12 +40,6 @@ static inline void nck_spline_bernstein(const nck_real *t, nck_real (*c)[NCK_AXI
         seg_out->shape.inner[1][x] = b2;
         seg_out->start[x] = t[0] < t[2] ? last + (b1 - last) * at_start : c[0][x];
         seg_out->end[x] = t[3] < t[5] ? b2 + (next - b2) * at_end : c[3][x];
-    }
-    for (int x = axes; x < NCK_AXIS_MAX; x++) {
-        seg_out->shape.inner[0][x] = c[0][x];
-        seg_out->shape.inner[1][x] = c[0][x];
-        seg_out->start[x] = c[0][x];
-        seg_out->end[x] = c[0][x];
     }
 }
 

@@ -23,7 +23,7 @@ enum { MANY_CELLS = NCK_PROFILE > 128 };
 static int is_hold(const nck_jerk_t *self) { return self->work.reach > 0.0; }
 
 // The larger speed at a cell's ends in the plan tried last, which ends at rest.
-static double tried_speed(const nck_jerk_t *self, uint32_t i) {
+static double tried_speed(const nck_jerk_t *self, size_t i) {
     const double end = i + 1 < self->work.n ? self->w[i + 1] : 0.0;
     return nck_sqrt(nck_max(self->w[i], end));
 }
@@ -52,13 +52,13 @@ static inside_t inside_of(const nck_jerk_t *self, const nck_pieces_t *pieces, ui
 }
 
 // So much of a cell, which begins in this piece, lies behind it [mm].
-static inline double length_behind(const nck_jerk_t *self, const nck_node_t *piece, uint32_t i) {
+static inline double length_behind(const nck_jerk_t *self, const nck_node_t *piece, size_t i) {
     return self->h[i] - (piece->s + piece->length - self->rung_s[i]);
 }
 
 // A cell keeps to the limits of every piece that it touches, and its nodes to the caps of the nodes
 // that it passes over. inside: of the piece that it begins in. Returns the cap inside of it, v².
-static double limits_of(const nck_jerk_t *self, const nck_pieces_t *pieces, uint32_t i,
+static double limits_of(const nck_jerk_t *self, const nck_pieces_t *pieces, size_t i,
                         const inside_t *inside, nck_brake_limits_t *limits) {
     const double h = self->h[i];
     const nck_node_t *piece = inside->piece;
@@ -81,13 +81,13 @@ static double limits_of(const nck_jerk_t *self, const nck_pieces_t *pieces, uint
 }
 
 // 1 if the cell behind cell i begins in this piece too: then cell i lies in it.
-static inline int is_within(const nck_jerk_t *self, uint32_t i, uint32_t number) {
+static inline int is_within(const nck_jerk_t *self, size_t i, uint32_t number) {
     return i + 1 < self->work.n && self->rung_piece[i + 1] == number;
 }
 
 // The same as limits_of. inside: of the piece that the cell before began in; this one's when it is
 // done.
-static inline double limits_at(const nck_jerk_t *self, const nck_pieces_t *pieces, uint32_t i,
+static inline double limits_at(const nck_jerk_t *self, const nck_pieces_t *pieces, size_t i,
                                inside_t *inside, nck_brake_limits_t *limits) {
     if (!inside->piece || self->rung_piece[i] != inside->number) {
         *inside = inside_of(self, pieces, self->rung_piece[i]);
@@ -102,7 +102,7 @@ static inline double limits_at(const nck_jerk_t *self, const nck_pieces_t *piece
     return inside->w;
 }
 
-static void limit_cell(nck_jerk_t *self, const nck_pieces_t *pieces, uint32_t i,
+static void limit_cell(nck_jerk_t *self, const nck_pieces_t *pieces, size_t i,
                        inside_t *inside) {
     nck_brake_limits_t limits;
     const double w_cell = limits_at(self, pieces, i, inside, &limits);
@@ -121,7 +121,7 @@ static void limit_cell(nck_jerk_t *self, const nck_pieces_t *pieces, uint32_t i,
 }
 
 // The path has been faster there.
-static int is_lowered(const nck_jerk_t *self, uint32_t i) {
+static int is_lowered(const nck_jerk_t *self, size_t i) {
     return i < self->work.loaded && self->w[i] > self->w_cap[i];
 }
 
@@ -138,11 +138,11 @@ static void end_at_rest(nck_jerk_t *self) {
 
 // The same of cells from i on, as long as they lie in the piece of the cell before and do not begin
 // it: there is but one answer to all. Returns the first one that is another's.
-static uint32_t limit_alike(nck_jerk_t *self, uint32_t i, uint32_t end, const inside_t *inside) {
+static size_t limit_alike(nck_jerk_t *self, size_t i, size_t end, const inside_t *inside) {
     const double begin = inside->piece->s;
     const double w = inside->w;
     const double j = inside->j * self->j_scale;
-    uint32_t k = i;
+    size_t k = i;
     while (k < end && is_within(self, k, inside->number) && self->rung_s[k] != begin) {
         self->w_cap[k] = w;
         self->a_max[k] = inside->a;
@@ -156,7 +156,7 @@ static uint32_t limit_alike(nck_jerk_t *self, uint32_t i, uint32_t end, const in
 nck_status_t nck_bounds_set(nck_jerk_t *self, const nck_pieces_t *pieces) {
     const uint32_t begin = self->work.i;
     const uint32_t left = self->work.n - begin;
-    const uint32_t end = begin + (left < NCK_JERK_STEP ? left : NCK_JERK_STEP);
+    const size_t end = begin + (left < NCK_JERK_STEP ? left : NCK_JERK_STEP);
     const int holds = is_hold(self);
     inside_t inside = {(const nck_node_t *)0, 0, 0.0, 0.0, 0.0};
     nck_brake_mixed_t mixed = {0};
@@ -164,19 +164,19 @@ nck_status_t nck_bounds_set(nck_jerk_t *self, const nck_pieces_t *pieces) {
         self->work.seam = seam_of(self);
         self->work.bends = 0;
     }
-    uint32_t i = begin;
+    size_t i = begin;
     while (i < end) {
         limit_cell(self, pieces, i, &inside);
         if (holds) {
             const double tried = self->work.redone > 0 ? tried_speed(self, i) : 0.0;
-            nck_brake_along(self, pieces, i, tried, &mixed);
+            nck_brake_along(self, pieces, (uint32_t)i, tried, &mixed);
         }
         if (is_lowered(self, i)) self->work.lowered = 1;
         i++;
         const int alike = MANY_CELLS && !holds && !(self->work.seam > 0.0);
         if (alike && is_within(self, i, inside.number)) i = limit_alike(self, i, end, &inside);
     }
-    self->work.i = end;
+    self->work.i = (uint32_t)end;
     if (left >= NCK_JERK_STEP) return NCK_OK;
     end_at_rest(self);
     return NCK_DONE;
@@ -197,7 +197,7 @@ enum { LOOK_MOST = 8 * NCK_JERK_STEP };
 
 // Whether cell i may leave more at v² than at its cap: it bends. On lines and arcs it would cost a
 // quarter of planning more, and gains next to nothing.
-static inline int may_leave(const nck_jerk_t *self, const nck_pieces_t *pieces, uint32_t i,
+static inline int may_leave(const nck_jerk_t *self, const nck_pieces_t *pieces, size_t i,
                             double w) {
     if (!(w < LOW_SHARE * self->w_cap[i])) return 0;
     if (self->a_max[i] >= FULL_SHARE * self->machine->path.a_max) return 0;
@@ -211,7 +211,7 @@ static double stop_time(const nck_brake_limits_t *limits, double v) {
 }
 
 // What cell i leaves at speed v: of both ways the one that stops sooner.
-static nck_brake_limits_t left_at(const nck_jerk_t *self, const nck_pieces_t *pieces, uint32_t i,
+static nck_brake_limits_t left_at(const nck_jerk_t *self, const nck_pieces_t *pieces, size_t i,
                                   double v, nck_brake_mixed_t *mixed) {
     const nck_brake_limits_t capped = {self->a_max[i], self->j_max[i]};
     nck_brake_left_t left = {capped, capped};
@@ -220,7 +220,7 @@ static nck_brake_limits_t left_at(const nck_jerk_t *self, const nck_pieces_t *pi
 }
 
 // The acceleration that cell i leaves at v² = w.
-static double accel_at(const nck_jerk_t *self, const nck_pieces_t *pieces, uint32_t i, double w,
+static double accel_at(const nck_jerk_t *self, const nck_pieces_t *pieces, size_t i, double w,
                        nck_brake_mixed_t *mixed) {
     return left_at(self, pieces, i, nck_sqrt(w), mixed).a;
 }
@@ -229,18 +229,18 @@ static double accel_at(const nck_jerk_t *self, const nck_pieces_t *pieces, uint3
 static void look_back(nck_jerk_t *self, const nck_pieces_t *pieces) {
     double *const most = nck_link_spare(self->link)->number[1];
     const uint32_t n = self->work.n;
-    uint32_t left = n - self->work.i;
+    size_t left = n - self->work.i;
     double w = self->work.i > 0 ? most[left] : 0.0;
     nck_brake_mixed_t mixed = {0};
     most[left] = w;
     for (uint32_t done = 0; left > 0 && done + mixed.work < LOOK_MOST; done++) {
-        const uint32_t i = --left;
+        const size_t i = --left;
         const int looks = may_leave(self, pieces, i, w);
         const double a = looks ? accel_at(self, pieces, i, w, &mixed) : self->a_max[i];
         w = nck_min(self->w_cap[i], w + 2.0 * a * self->h[i]);
         most[i] = w;
     }
-    self->work.i = n - left;
+    self->work.i = n - (uint32_t)left;
     if (left > 0) return;
     self->work.forth = 1;
     self->work.i = 0;
@@ -248,22 +248,22 @@ static void look_back(nck_jerk_t *self, const nck_pieces_t *pieces) {
 }
 
 // Limits of a cell at the highest speed that it may be passed with.
-static void relax_cell(nck_jerk_t *self, const nck_pieces_t *pieces, uint32_t i, double w,
+static void relax_cell(nck_jerk_t *self, const nck_pieces_t *pieces, size_t i, double w,
                        nck_brake_mixed_t *mixed) {
     const double above = 1.0 + (LOW_ABOVE - 1.0) * nck_min(1.0, (double)i / ENTRY_CELLS);
     const nck_brake_limits_t left = left_at(self, pieces, i, above * nck_sqrt(w), mixed);
     if (!(left.a > self->a_max[i])) return;
     self->a_max[i] = left.a;
     self->j_max[i] = left.j;
-    if (self->work.relaxed_to == 0) self->work.relaxed_from = i;
-    self->work.relaxed_to = i + 1;
+    if (self->work.relaxed_to == 0) self->work.relaxed_from = (uint32_t)i;
+    self->work.relaxed_to = (uint32_t)i + 1;
 }
 
 // From the ladder's begin on, where it looks only.
 static nck_status_t look_forth(nck_jerk_t *self, const nck_pieces_t *pieces) {
     const double *const most = nck_link_spare(self->link)->number[1];
     const uint32_t n = self->work.n;
-    uint32_t i = self->work.i;
+    size_t i = self->work.i;
     double w = self->work.w_cell;
     nck_brake_mixed_t mixed = {0};
     for (uint32_t done = 0; i < n && done + mixed.work < LOOK_MOST; done++) {
@@ -276,7 +276,7 @@ static nck_status_t look_forth(nck_jerk_t *self, const nck_pieces_t *pieces) {
         if (may_leave(self, pieces, i, fastest)) relax_cell(self, pieces, i, fastest, &mixed);
         i++;
     }
-    self->work.i = i;
+    self->work.i = (uint32_t)i;
     self->work.w_cell = w;
     return i == n ? NCK_DONE : NCK_OK;
 }
@@ -291,7 +291,7 @@ nck_status_t nck_bounds_relax(nck_jerk_t *self, const nck_pieces_t *pieces) {
 // ---- check
 
 // 1 if a cell of the plan keeps to what its bends leave at the speed that it has in the end.
-static int keeps_limits(nck_jerk_t *self, const nck_pieces_t *pieces, uint32_t i,
+static int keeps_limits(nck_jerk_t *self, const nck_pieces_t *pieces, size_t i,
                         inside_t *inside, nck_brake_mixed_t *mixed) {
     nck_profile_t *const state = &self->profile;
     nck_brake_limits_t limits;
@@ -316,7 +316,7 @@ static int fits(const nck_brake_limits_t *limits, double a, double j) {
 }
 
 // 1 if what the plan was made with is left at the speed that it has in the end.
-static int is_left(const nck_jerk_t *self, const nck_pieces_t *pieces, uint32_t i,
+static int is_left(const nck_jerk_t *self, const nck_pieces_t *pieces, size_t i,
                    inside_t *inside, nck_brake_mixed_t *mixed) {
     nck_brake_limits_t capped;
     (void)limits_at(self, pieces, i, inside, &capped);
@@ -335,7 +335,7 @@ nck_status_t nck_bounds_check(nck_jerk_t *self, const nck_pieces_t *pieces) {
     inside_t inside = {(const nck_node_t *)0, 0, 0.0, 0.0, 0.0};
     nck_brake_mixed_t mixed = {0};
     for (int n = 0; n < NCK_JERK_STEP && mixed.work < LOOK_MOST; n++) {
-        const uint32_t i = self->work.i;
+        const size_t i = self->work.i;
         if (i >= end) return NCK_DONE;
         const int keeps = holds ? keeps_limits(self, pieces, i, &inside, &mixed)
                                 : is_left(self, pieces, i, &inside, &mixed);

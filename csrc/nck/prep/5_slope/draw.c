@@ -2,6 +2,7 @@
 // Room 5, slope: a plan over the ladder as cells of a tail.
 #include "nck/prep/5_slope/draw.h"
 
+#include <stddef.h> // size_t
 #include <string.h> // memset
 
 #include "nck/base/real.h"                // nck_min nck_max nck_fabs nck_sqrt
@@ -32,7 +33,7 @@ typedef struct draw {
     uint32_t sure;
 } draw_t;
 
-static uint8_t limit_of(const nck_jerk_t *self, draw_t *draw, uint32_t i, double a) {
+static uint8_t limit_of(const nck_jerk_t *self, draw_t *draw, size_t i, double a) {
     const nck_node_t *const piece = draw->piece;
     const double w0 = self->w[i];
     const double w1 = self->w[i + 1];
@@ -50,14 +51,14 @@ static uint8_t limit_of(const nck_jerk_t *self, draw_t *draw, uint32_t i, double
 }
 
 // 1 if the next cell begins further on in the same piece.
-static inline int goes_on(const nck_jerk_t *self, const draw_t *draw, uint32_t i) {
+static inline int goes_on(const nck_jerk_t *self, const draw_t *draw, size_t i) {
     return i + 1 < draw->n && self->rung_piece[i + 1] == self->rung_piece[i]
            && self->rung_s[i + 1] != draw->piece->s;
 }
 
 // How many segs further on a cell's end lies, and whether it is a seg's end. Returns the piece that
 // begins there, or goes on; NULL if it is not known.
-static const nck_node_t *end_cell(const nck_jerk_t *self, const nck_pieces_t *pieces, uint32_t i,
+static const nck_node_t *end_cell(const nck_jerk_t *self, const nck_pieces_t *pieces, size_t i,
                                   const draw_t *draw, nck_cell_t *cell) {
     const int is_end = i + 1 == draw->n;
     cell->span = 0;
@@ -76,8 +77,8 @@ static const nck_node_t *end_cell(const nck_jerk_t *self, const nck_pieces_t *pi
 
 // Between two nodes at no speed a cell would last for ever. Where a plan is broken there may be
 // such (a coarse one is not asked, and from rest there is no other): the node behind cell i creeps.
-static void keep_moving(nck_jerk_t *self, uint32_t i, uint32_t n) {
-    const uint32_t node = i + 1;
+static void keep_moving(nck_jerk_t *self, size_t i, uint32_t n) {
+    const size_t node = i + 1;
     if (node == n || !(self->w_cap[node] > 0.0)) return;
     if (self->w[i] > 0.0 && self->w[node + 1] > 0.0) return;
     const double h = nck_min(self->h[i], self->h[node]);
@@ -86,7 +87,7 @@ static void keep_moving(nck_jerk_t *self, uint32_t i, uint32_t n) {
 }
 
 // Whether cell i is a long one, however slowly the path passes it.
-static int is_long(const nck_jerk_t *self, uint32_t i, const nck_cell_t *drawn) {
+static int is_long(const nck_jerk_t *self, size_t i, const nck_cell_t *drawn) {
     const double longer = LONG_SHARE * NCK_LADDER_STRETCH * self->work.step;
     if (!(drawn->duration > longer)) return 0;
     const double end = i + 1 < self->work.n ? self->w_cap[i + 1] : 0.0;
@@ -95,14 +96,14 @@ static int is_long(const nck_jerk_t *self, uint32_t i, const nck_cell_t *drawn) 
 
 // A long cell is drawn in which the speed changes. What brakes for the window's end does not count:
 // it does not become final.
-static void note_uneven(nck_jerk_t *self, uint32_t i, const nck_cell_t *drawn) {
+static void note_uneven(nck_jerk_t *self, size_t i, const nck_cell_t *drawn) {
     if (is_long(self, i, drawn) && !nck_window_is_even(drawn)) self->work.brakes_long = 1;
     if (drawn->a >= 0.0) self->work.uneven |= self->work.brakes_long;
 }
 
 // How far the plan is sure once cell i is drawn. Two steps a cell catch up with any stretch of
 // braking in the middle of the path.
-static inline void note_sure(const nck_jerk_t *self, draw_t *draw, uint32_t i) {
+static inline void note_sure(const nck_jerk_t *self, draw_t *draw, size_t i) {
     const double until = draw->keep_time - self->margin_s;
     for (int n = 0; n < 2 && draw->sure <= i; n++) {
         const double end = draw->sure_time + draw->cells[draw->sure].duration;
@@ -113,7 +114,7 @@ static inline void note_sure(const nck_jerk_t *self, draw_t *draw, uint32_t i) {
 }
 
 // What of a cell the ladder of the next plan is divided by.
-static inline void draw_motion(nck_jerk_t *self, draw_t *draw, uint32_t i) {
+static inline void draw_motion(nck_jerk_t *self, draw_t *draw, size_t i) {
     nck_cell_t *const cell = &draw->cells[i];
     if (!(self->w[i + 1] > 0.0)) keep_moving(self, i, draw->n);
     const double v = draw->v;
@@ -131,12 +132,12 @@ static inline void draw_motion(nck_jerk_t *self, draw_t *draw, uint32_t i) {
     cell->j = 0.0;
     cell->duration = duration;
     if (!(a >= 0.0)) return;
-    draw->keep = i + 1;
+    draw->keep = (uint32_t)i + 1;
     draw->keep_time = draw->time;
 }
 
 // A plan that only tells how to divide the ladder needs no more.
-static void draw_cell(nck_jerk_t *self, const nck_pieces_t *pieces, draw_t *draw, uint32_t i) {
+static void draw_cell(nck_jerk_t *self, const nck_pieces_t *pieces, draw_t *draw, size_t i) {
     nck_cell_t *const cell = &draw->cells[i];
     draw_motion(self, draw, i);
     if (self->work.coarse) {
@@ -200,7 +201,7 @@ nck_status_t nck_draw_cells(nck_jerk_t *self, const nck_pieces_t *pieces) {
     const uint32_t left = self->work.n - begin;
     const uint32_t end = begin + (left < NCK_JERK_STEP ? left : NCK_JERK_STEP);
     draw_t draw = begin_step(self, pieces);
-    for (uint32_t i = begin; i < end; i++) draw_cell(self, pieces, &draw, i);
+    for (size_t i = begin; i < end; i++) draw_cell(self, pieces, &draw, i);
     end_step(self, &draw, end);
     return left < NCK_JERK_STEP ? NCK_DONE : NCK_OK;
 }

@@ -11,6 +11,7 @@
 #include "nck/prep/5_slope/profile.h"
 
 #include <assert.h> // assert
+#include <stddef.h> // size_t
 #include <string.h> // memcpy
 
 #include "nck/base/limits.h"                // NCK_HAS_BEST
@@ -100,7 +101,7 @@ typedef struct corners {
 } corners_t;
 
 // So many corners are on the stack, one at least.
-static inline corners_t corners_of(const nck_profile_t *self, uint32_t top) {
+static inline corners_t corners_of(const nck_profile_t *self, size_t top) {
     const uint32_t older = self->stack[top > 1 ? top - 2 : 0];
     const uint32_t newest = self->stack[top - 1];
     const corners_t corners = {self->s[older], self->z[older], self->s[newest], self->z[newest]};
@@ -108,7 +109,7 @@ static inline corners_t corners_of(const nck_profile_t *self, uint32_t top) {
 }
 
 // Without the newest one.
-static inline corners_t corners_before(const nck_profile_t *self, uint32_t top,
+static inline corners_t corners_before(const nck_profile_t *self, size_t top,
                                        const corners_t *corners) {
     const uint32_t older = self->stack[top > 1 ? top - 2 : 0];
     const corners_t before = {self->s[older], self->z[older], corners->s0, corners->z0};
@@ -145,34 +146,38 @@ static uint32_t hull(nck_profile_t *self, uint32_t budget, const double *w_of_ti
     double *const z = self->z;
     uint32_t *const stack = self->stack;
     fallen_t fallen = {self->v_last, self->share, self->sigma, self->fall};
-    uint32_t i = self->i;
-    uint32_t top = self->top;
+    size_t i = self->i;
+    size_t top = self->top;
     uint32_t fresh = self->fresh;
     corners_t corners = corners_of(self, top);
     double at = fresh ? 0.0 : z[i];
-    for (uint32_t n = 0; n < count; n++) {
+    uint32_t left = count;
+    while (left > 0) {
         if (fresh) {
             fall_over(&fallen, h[i - 1], nck_sqrt(w_of_time[i]), j[i - 1], most);
             at = w[i] + fallen.sum;
             z[i] = at;
         }
-        fresh = !sticks_out(&corners, s[i], at) || top == 1;
-        if (!fresh) {
+        const double s_here = s[i];
+        while (sticks_out(&corners, s_here, at) && top > 1 && left > 0) {
             top--;
             corners = corners_before(self, top, &corners);
-            continue;
+            left--;
         }
-        stack[top] = i;
-        corners = (corners_t){corners.s1, corners.z1, s[i], at};
+        fresh = left > 0;
+        if (!fresh) break;
+        corners = (corners_t){corners.s1, corners.z1, s_here, at};
+        stack[top] = (uint32_t)i;
         top++;
         i++;
+        left--;
     }
     self->v_last = fallen.v;
     self->share = fallen.share;
     self->sigma = fallen.sigma;
     self->fall = fallen.sum;
-    self->i = i;
-    self->top = top;
+    self->i = (uint32_t)i;
+    self->top = (uint32_t)top;
     self->fresh = fresh;
     return count;
 }
@@ -192,13 +197,13 @@ static uint32_t level(nck_profile_t *self, uint32_t budget) {
     const double *const s = self->s;
     const double *const z = self->z;
     const uint32_t *corner = self->stack + (self->i > 0 ? self->top : 0); // i, or the next one
-    const uint32_t end = self->i + count;
+    const size_t end = self->i + count;
     const double blunt = blunt_of(self);
     const double faster = NCK_HAS_BEST && self->phase == LEVEL_HIGH ? FASTER * FASTER : 1.0;
     const double *const w = self->w;
     double *const out = NCK_HAS_BEST || self->phase != LEVEL_W ? self->e : self->w;
     uint32_t sharp = self->sharp;
-    for (uint32_t i = self->i; i < end; i++) {
+    for (size_t i = self->i; i < end; i++) {
         const double value = w[i];
         if (*corner == i) {
             corner++;
@@ -214,7 +219,7 @@ static uint32_t level(nck_profile_t *self, uint32_t budget) {
         out[i] = nck_min(value, faster * leveled);
     }
     self->top = (uint32_t)(corner - self->stack);
-    self->i = end;
+    self->i = (uint32_t)end;
     self->sharp = sharp;
     return count;
 }
@@ -337,26 +342,26 @@ static uint32_t climb(nck_profile_t *self, uint32_t budget, const double *bound,
     const uint32_t count = back ? nck_profile_left_back(self, budget)
                                 : nck_profile_left_forth(self, budget);
     const int begins = self->i == (back ? self->n : 0);
-    uint32_t i = begins ? begin_climb(self, back) : self->i;
-    uint32_t cell = back ? i : i - 1;
+    size_t i = begins ? begin_climb(self, back) : self->i;
+    size_t cell = back ? i : i - 1;
     rise_t state = rise_of(self);
     const double most = 0.5 * self->q_cap;
-    const uint32_t onward = back ? UINT32_MAX : 1; // one back, or forth
+    const size_t onward = back ? SIZE_MAX : 1; // one back, or forth
     const uint32_t end = count - (begins ? 1 : 0);
-    double j = end > 0 ? jerk_of_first(self, cell, back) : 0.0;
+    double j = end > 0 ? jerk_of_first(self, (uint32_t)cell, back) : 0.0;
     for (uint32_t n = 0; n < end; n++) {
         const nck_hull_cell_t step = {self->h[cell], bound[cell], j, most};
         const double v = state.v;
         const uint32_t broken = state.broken;
         const double vv = rise(&state, &step, &self->a_max[cell], self->e[i]);
-        if (back) meet(self, i, vv, v, broken, &state);
+        if (back) meet(self, (uint32_t)i, vv, v, broken, &state);
         else self->w[i] = vv;
         j = self->j[i]; // between this cell and the next one
         i += onward;
         cell += onward;
     }
     keep_rise(self, &state);
-    self->i = i;
+    self->i = (uint32_t)i;
     return count;
 }
 

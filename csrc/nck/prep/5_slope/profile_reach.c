@@ -2,6 +2,8 @@
 // The first passes of a profile: how fast by acceleration alone, and its ramps.
 #include "nck/prep/5_slope/profile_reach.h"
 
+#include <stddef.h> // size_t
+
 #include "nck/base/real.h"              // nck_min nck_sqrt
 #include "nck/prep/5_slope/hull_math.h" // nck_hull_share
 
@@ -35,7 +37,7 @@ static void reach_first(nck_profile_t *self) {
 
 // The limit of a cell, approached from a bound in the one beside it as fast as the jerk lets it.
 // behind: the one of both that lies behind the other.
-static inline double approach(const nck_profile_t *self, uint32_t behind, double bound, double a) {
+static inline double approach(const nck_profile_t *self, size_t behind, double bound, double a) {
     const double shares = self->z[behind - 1] + self->z[behind];
     return nck_min(a, bound + self->j[behind] * shares);
 }
@@ -47,16 +49,16 @@ uint32_t nck_profile_reach_forth(nck_profile_t *self, uint32_t budget) {
     const double *const h = self->h;
     double *const w = self->w;
     const double most = 0.5 * self->q_cap;
-    const uint32_t end = self->i + count;
+    const size_t end = self->i + count;
     if (self->i == 0) reach_first(self);
-    const uint32_t begin = self->i > 0 ? self->i : 1;
+    const size_t begin = self->i > 0 ? self->i : 1;
     double bound = begin > 1 ? self->down[begin - 2] : a_max[0];
     double reach = w[begin - 1];
     double s = self->s[begin - 1];
     double v_last = self->v_last;
     double j_last = begin > 1 ? j_max[begin - 2] : 0.0;
-    for (uint32_t i = begin; i < end; i++) {
-        const uint32_t cell = i - 1;
+    for (size_t i = begin; i < end; i++) {
+        const size_t cell = i - 1;
         const double a = a_max[cell];
         self->j[cell] = nck_min(j_last, j_max[cell]);
         j_last = j_max[cell];
@@ -69,14 +71,14 @@ uint32_t nck_profile_reach_forth(nck_profile_t *self, uint32_t budget) {
         self->z[cell] = nck_hull_share(h[cell], v_last + v, most);
         v_last = v;
         if (a != bound) {
-            self->last = cell;
+            self->last = (uint32_t)cell;
             bound = a > bound ? approach(self, cell, bound, a) : a;
         }
         self->down[cell] = bound;
         self->up[cell] = a;
     }
     self->v_last = v_last;
-    self->i = end;
+    self->i = (uint32_t)end;
     return count;
 }
 
@@ -86,24 +88,24 @@ uint32_t nck_profile_ramp_back(nck_profile_t *self, uint32_t budget) {
     const double *const h = self->h;
     const double *const down = self->down;
     double *const e = self->e;
-    uint32_t i = self->i;
+    size_t i = self->i;
     double bound = i + 1 < self->n ? self->up[i + 1] : a_max[self->n - 1];
     for (uint32_t n = 0; n < count; n++, i--) {
         const double a = a_max[i];
         if (a > bound) {
             bound = approach(self, i + 1, bound, a);
             self->up[i] = bound;
-            self->first = i + 1;
+            self->first = (uint32_t)i + 1;
         } else {
             bound = a;
         }
         const double reach = e[i + 1] + 2.0 * down[i] * h[i];
         if (reach < e[i]) {
             e[i] = reach;
-            self->first = i;
+            self->first = (uint32_t)i;
         }
     }
-    self->i = i;
+    self->i = (uint32_t)i;
     return count;
 }
 

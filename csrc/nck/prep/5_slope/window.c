@@ -152,34 +152,44 @@ nck_status_t nck_window_load(nck_jerk_t *self, const nck_pieces_t *pieces) {
 
 // ---- lay
 
+// A piece and the two behind it; NULL: it is not known.
+typedef struct view {
+    uint32_t number; // of the first
+    const nck_node_t *piece;
+    const nck_node_t *next;
+    const nck_node_t *second;
+} view_t;
+
+static inline view_t view_of(const nck_pieces_t *pieces, uint32_t number) {
+    const view_t view = {number, nck_plan_piece(pieces, number),
+                         nck_plan_piece(pieces, number + 1), nck_plan_piece(pieces, number + 2)};
+    return view;
+}
+
 // 1 if the ladder over a piece may be laid: the piece behind it is known, and the one after that,
 // whose cap says how fast the path may leave (exit_cap). Without it the ladder would be as fine as
 // for a rest, and fill the window.
-static int knows_exit(const nck_pieces_t *pieces, uint32_t number) {
-    const nck_node_t *const piece = nck_plan_piece(pieces, number);
-    const nck_node_t *const next = nck_plan_piece(pieces, number + 1);
-    if (piece->stop) return 1;
-    if (!next) return 0;
-    return next->stop || !(next->length > 0.0) || nck_plan_piece(pieces, number + 2);
+static inline int knows_exit(const view_t *view) {
+    if (view->piece->stop) return 1;
+    if (!view->next) return 0;
+    return view->next->stop || !(view->next->length > 0.0) || view->second;
 }
 
-// BLOCK_END or MUST_REST if the path rests at the end of this piece, which is its last or has one
+// BLOCK_END or MUST_REST if the path rests at the end of the piece, which is its last or has one
 // behind it.
-static int rests_behind(const nck_jerk_t *self, const nck_pieces_t *pieces, uint32_t number) {
-    const nck_node_t *const piece = nck_plan_piece(pieces, number);
-    const nck_node_t *const next = nck_plan_piece(pieces, number + 1);
-    if (piece->stop) return MUST_REST;
-    if (!next) return 0; // the window ends
-    if (!(nck_window_cap(self, next) > 0.0)) return MUST_REST;
+static int rests_behind(const nck_jerk_t *self, const nck_pieces_t *pieces, const view_t *view) {
+    if (view->piece->stop) return MUST_REST;
+    if (!view->next) return 0; // the window ends
+    if (!(nck_window_cap(self, view->next) > 0.0)) return MUST_REST;
     if (!self->job.wish.single_block) return 0;
-    return nck_plan_ends_block(self->link, pieces, number) ? BLOCK_END : 0;
+    return nck_plan_ends_block(self->link, pieces, view->number) ? BLOCK_END : 0;
 }
 
 int nck_window_rests(const nck_jerk_t *self, const nck_pieces_t *pieces) {
     const nck_node_t *const piece = nck_plan_piece(pieces, self->work.piece);
     if (self->work.n == 0 || !piece || self->work.s != piece->s) return 0;
-    if (!nck_plan_piece(pieces, self->work.piece - 1)) return 0;
-    return rests_behind(self, pieces, self->work.piece - 1);
+    const view_t view = view_of(pieces, self->work.piece - 1);
+    return view.piece ? rests_behind(self, pieces, &view) : 0;
 }
 
 // 1 if the path rests where the next cell begins.
@@ -207,16 +217,16 @@ static void close_pending(nck_jerk_t *self, const nck_pieces_t *pieces) {
 }
 
 // At a piece's end the path may be faster than at its start, if the next one's lets it.
-static void gain_entry(nck_jerk_t *self, const nck_pieces_t *pieces, const nck_node_t *piece) {
-    const nck_node_t *const next = nck_plan_piece(pieces, self->work.piece + 1);
-    if (next && self->work.w_entry >= nck_window_node_cap(self, next)) return;
+static inline void gain_entry(nck_jerk_t *self, const view_t *view) {
+    const nck_node_t *const piece = view->piece;
+    if (view->next && self->work.w_entry >= nck_window_node_cap(self, view->next)) return;
     self->work.w_entry += nck_ladder_gain(piece->length, piece->a, piece->j * self->j_scale);
 }
 
 // The ladder has come to the end of a piece.
-static nck_status_t end_piece(nck_jerk_t *self, const nck_pieces_t *pieces,
-                              const nck_node_t *piece, int rests) {
-    gain_entry(self, pieces, piece);
+static nck_status_t end_piece(nck_jerk_t *self, const nck_pieces_t *pieces, const view_t *view,
+                              int rests) {
+    gain_entry(self, view);
     self->work.piece++;
     self->work.s = NCK_PLAN_BEGIN;
     if (!rests) return NCK_OK;
@@ -240,8 +250,9 @@ static int joins_pending(const nck_jerk_t *self, const nck_node_t *piece, double
 
 // About the largest v² at a piece's start, by what the piece and the node behind it allow. Zones of
 // corners make pieces of their own, so the corner itself may be one further on.
-static double exit_cap(const nck_jerk_t *self, const nck_pieces_t *pieces, const nck_node_t *next) {
-    const nck_node_t *const second = nck_plan_piece(pieces, self->work.piece + 2);
+static inline double exit_cap(const nck_jerk_t *self, const view_t *view) {
+    const nck_node_t *const next = view->next;
+    const nck_node_t *const second = view->second;
     const double w_end = next->stop || !second ? 0.0 : nck_window_node_cap(self, second);
     const double cap = nck_window_node_cap(self, next);
     if (w_end >= cap) return cap;
@@ -283,8 +294,7 @@ static double far_step(const nck_jerk_t *self, double step, double x, double y) 
 
 // The piece at the ladder's end, as long as nothing else is known of the path.
 typedef struct ground {
-    const nck_node_t *piece; // NULL: it has not been looked at
-    uint32_t number;
+    view_t view;             // no piece: it has not been looked at
     int rests;               // what rests_behind says
     double end;              // of the piece, in its seg [mm]
     double rounding;         // beside that
@@ -294,15 +304,13 @@ typedef struct ground {
     double step;             // of the ladder at its cap [mm]
 } ground_t;
 
-static void look(const nck_jerk_t *self, const nck_pieces_t *pieces, const nck_node_t *piece,
-                 ground_t *ground) {
-    const nck_node_t *const next = nck_plan_piece(pieces, self->work.piece + 1);
-    const int rests = rests_behind(self, pieces, self->work.piece);
+static void look(const nck_jerk_t *self, const nck_pieces_t *pieces, ground_t *ground) {
+    const view_t *const view = &ground->view;
+    const nck_node_t *const piece = view->piece;
+    const int rests = rests_behind(self, pieces, view);
     const double w = nck_window_cap(self, piece);
-    const double w1 = rests || !next ? 0.0 : nck_min(w, exit_cap(self, pieces, next));
+    const double w1 = rests || !view->next ? 0.0 : nck_min(w, exit_cap(self, view));
     const nck_ladder_piece_t rungs = {0.0, w1, w, piece->a, piece->j * self->j_scale};
-    ground->piece = piece;
-    ground->number = self->work.piece;
     ground->rests = rests;
     ground->end = end_of(piece);
     ground->rounding = nck_window_rounding(piece, 0.0);
@@ -314,7 +322,7 @@ static void look(const nck_jerk_t *self, const nck_pieces_t *pieces, const nck_n
 static void begin_ground(nck_jerk_t *self, ground_t *ground, double x, double left) {
     nck_ladder_piece_t *const rungs = &ground->rungs;
     if (x == 0.0) {
-        const double w_node = nck_min(rungs->w, nck_window_node_cap(self, ground->piece));
+        const double w_node = nck_min(rungs->w, nck_window_node_cap(self, ground->view.piece));
         self->work.w_entry = nck_min(w_node, self->work.w_entry);
     }
     rungs->w0 = self->work.w_entry;
@@ -333,7 +341,8 @@ static double next_step(const nck_jerk_t *self, const ground_t *ground, double x
 
 // Lay what is left of a piece, or one cell of it.
 static nck_status_t lay_some(nck_jerk_t *self, const nck_pieces_t *pieces, ground_t *ground) {
-    const nck_node_t *const piece = ground->piece;
+    const view_t *const view = &ground->view;
+    const nck_node_t *const piece = view->piece;
     const int rests = ground->rests;
     const double x = self->work.s - piece->s;
     const double left = piece->length - x;
@@ -342,7 +351,7 @@ static nck_status_t lay_some(nck_jerk_t *self, const nck_pieces_t *pieces, groun
     const double h = ground->alone ? nck_min(step, 0.25 * piece->length) : step;
     if (joins_pending(self, piece, step) && x == 0.0 && !ground->alone) {
         self->work.pending += left;
-        return end_piece(self, pieces, piece, rests);
+        return end_piece(self, pieces, view, rests);
     }
     close_pending(self, pieces);
     if (left >= 1.5 * h) {
@@ -354,10 +363,10 @@ static nck_status_t lay_some(nck_jerk_t *self, const nck_pieces_t *pieces, groun
         self->work.pending = left;
         self->work.pending_piece = self->work.piece;
         self->work.pending_s = self->work.s;
-        return end_piece(self, pieces, piece, rests);
+        return end_piece(self, pieces, view, rests);
     }
     push_end(self, pieces, self->work.piece, self->work.s, left);
-    return end_piece(self, pieces, piece, rests);
+    return end_piece(self, pieces, view, rests);
 }
 
 // A dwell or a wait is a plan of its own.
@@ -395,7 +404,8 @@ static int is_full(const nck_jerk_t *self, const nck_pieces_t *pieces, const nck
 
 // The ladder comes to a piece: NCK_OK if it may be laid over it.
 static nck_status_t enter_piece(nck_jerk_t *self, const nck_pieces_t *pieces, ground_t *ground) {
-    const nck_node_t *const piece = nck_plan_piece(pieces, self->work.piece);
+    ground->view = view_of(pieces, self->work.piece);
+    const nck_node_t *const piece = ground->view.piece;
     if (!piece) return ends_here(self, pieces);
     if (self->work.s == NCK_PLAN_BEGIN) self->work.s = piece->s;
     if (!(piece->length > 0.0)) return lay_rest(self, pieces, piece);
@@ -403,19 +413,19 @@ static nck_status_t enter_piece(nck_jerk_t *self, const nck_pieces_t *pieces, gr
         close_pending(self, pieces);
         return NCK_DONE;
     }
-    if (!knows_exit(pieces, self->work.piece) && !self->job.starved) return NCK_EMPTY;
-    look(self, pieces, piece, ground);
+    if (!knows_exit(&ground->view) && !self->job.starved) return NCK_EMPTY;
+    look(self, pieces, ground);
     return NCK_OK;
 }
 
 static nck_status_t lay_one(nck_jerk_t *self, const nck_pieces_t *pieces, ground_t *ground) {
-    const int is_new = !ground->piece || self->work.piece != ground->number;
+    const int is_new = !ground->view.piece || self->work.piece != ground->view.number;
     if (is_new || !takes_cells(self)) {
         const nck_status_t status = enter_piece(self, pieces, ground);
         if (status != NCK_OK) return status;
     }
     const int is_over = ground->end - self->work.s <= ground->rounding;
-    if (is_over && self->work.n > 0) return end_piece(self, pieces, ground->piece, ground->rests);
+    if (is_over && self->work.n > 0) return end_piece(self, pieces, &ground->view, ground->rests);
     return lay_some(self, pieces, ground);
 }
 
