@@ -15,6 +15,7 @@
 #define SPLIT_SHARE 0.05
 // More than a float's rounding.
 #define FLOAT_ROUNDING 1e-6
+#define ZONE_MARGIN 1.001
 
 static nck_node_t *node_at(nck_lookahead_t *self, uint32_t i) {
     assert(i < NCK_WINDOW);
@@ -364,6 +365,13 @@ static nck_node_t *place_motion(nck_lookahead_t *self, uint32_t count, around_t 
     return add_motion(self, count, ends, v_start);
 }
 
+// The seg is placed: for how long the share of a junction that got more than half is kept free.
+static inline void pass_share(nck_lookahead_t *self, const nck_joint_t *joint) {
+    const nck_pace_t *const pace = &joint->pace[NCK_PACE_OVER];
+    const int is_most = pace->share > NCK_CORNER_SHARE_MAX;
+    self->most_s = is_most ? (float)(ZONE_MARGIN * self->zone_s) : self->most_s - (float)pace->time;
+}
+
 nck_status_t nck_piece_place(nck_lookahead_t *self, const double share_after[NCK_PACES]) {
     const uint32_t count = self->joint.placed;
     const nck_joint_t *const joint = nck_joint_at(self, count);
@@ -381,6 +389,7 @@ nck_status_t nck_piece_place(nck_lookahead_t *self, const double share_after[NCK
         self->before_limit = NCK_LIMIT_EXACT_STOP;
     }
     if (joint->kind == NCK_SEG_WAIT) self->window.barrier = self->window.fill;
+    if (!self->terms->limits_jerk) pass_share(self, joint);
     self->joint.placed++;
     return NCK_OK;
 }

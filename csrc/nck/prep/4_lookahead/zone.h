@@ -4,7 +4,7 @@
 #define NCK_PREP_ZONE_H
 
 #include "nck/prep/4_lookahead/joint.h"      // nck_lookahead_t nck_joint_t nck_joint_at
-#include "nck/prep/4_lookahead/limit_math.h" // NCK_CORNER_SHARE_MAX
+#include "nck/prep/4_lookahead/limit_math.h" // NCK_CORNER_SHARE_…
 
 // A seg is cut where its zones end only if it is longer than both of them together by so much: the
 // middle is to be worth a piece.
@@ -54,16 +54,19 @@ static inline int nck_zone_pass(nck_zone_reach_t *reach, const nck_joint_t *join
 }
 
 // The walk ends at NCK_CORNER_SPAN neighbours, short of the zone's end. Under a jerk limit the seg
-// is slowed until it does not (near.h); else the worst is assumed. Cost: constant.
-static inline void nck_zone_cut_off(nck_zone_reach_t *reach, const nck_lookahead_t *self) {
+// is slowed until it does not (near.h); else share is assumed, the largest that may be further on.
+// Cost: constant.
+static inline void nck_zone_cut_off(nck_zone_reach_t *reach, const nck_lookahead_t *self,
+                                    double share) {
     for (int k = 0; k < NCK_PACES; k++) {
         const int is_short = reach->time[k] < self->zone_s && !self->terms->limits_jerk;
-        if (is_short) reach->share[k] = NCK_CORNER_SHARE_MAX;
+        if (is_short) reach->share[k] = nck_max(reach->share[k], share);
     }
 }
 
 // The largest share that junctions use, by pace, so near before (after) the seg's start (end) that
-// it must be kept free there. after: NCK_EMPTY if junctions are not decided that far.
+// it must be kept free there. before: of the next seg that is placed. after: NCK_EMPTY if junctions
+// are not decided that far.
 // Cost: NCK_CORNER_SPAN neighbours at most.
 static inline void nck_zone_shares_before(nck_lookahead_t *self, uint32_t count,
                                           nck_zone_reach_t *reach) {
@@ -77,7 +80,8 @@ static inline void nck_zone_shares_before(nck_lookahead_t *self, uint32_t count,
         nck_zone_meet(reach, joint, self->zone_s);
         if (nck_zone_pass(reach, joint, self->zone_s)) return;
     }
-    nck_zone_cut_off(reach, self);
+    const int is_most = self->most_s > 0.0f;
+    nck_zone_cut_off(reach, self, is_most ? NCK_CORNER_SHARE_MOST : NCK_CORNER_SHARE_MAX);
 }
 static inline nck_status_t nck_zone_shares_after(nck_lookahead_t *self, uint32_t count,
                                                  nck_zone_reach_t *reach) {
@@ -93,7 +97,7 @@ static inline nck_status_t nck_zone_shares_after(nck_lookahead_t *self, uint32_t
         joint = nck_joint_at(self, count);
         if (nck_zone_pass(reach, joint, self->zone_s)) return NCK_OK;
     }
-    nck_zone_cut_off(reach, self);
+    nck_zone_cut_off(reach, self, NCK_CORNER_SHARE_MAX);
     return NCK_OK;
 }
 
