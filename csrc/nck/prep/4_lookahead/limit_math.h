@@ -7,11 +7,10 @@
 
 // Share of every axis' acceleration that a junction may use at most; README, "the budget".
 #define NCK_CORNER_SHARE_MAX 0.5
-// The same under a jerk limit, of junctions close to each other.
+// The same of junctions close to each other: under a jerk limit, and on an even polygon (corner.c).
 #define NCK_CORNER_SHARE_DENSE 0.8
-// The same where acceleration between junctions is worth little: under a jerk limit of one alone,
-// without one on an even polygon. No junction has more.
-#define NCK_CORNER_SHARE_MOST 0.9
+// The same under a jerk limit, of one alone.
+#define NCK_CORNER_SHARE_LONE 0.9
 // Share that centripetal acceleration may use of what the corner leaves; the tangential one gets at
 // least √(1 − 0.8²) = 0.6 of it, for the two are perpendicular.
 #define NCK_CURVE_SHARE 0.8
@@ -70,7 +69,7 @@ static inline nck_real nck_corner_load(nck_real c_in, nck_real c_out, nck_real a
 // by twice what the jerk allows there:   β = 1 − 2·j·zone/a,   0.5 ≤ β ≤ 0.9
 static inline nck_real nck_corner_share_lone(nck_real j, nck_real a, nck_real zone) {
     const nck_real share = 1.0 - 2.0 * j * zone / a;
-    return nck_max(NCK_CORNER_SHARE_MAX, nck_min(NCK_CORNER_SHARE_MOST, share));
+    return nck_max(NCK_CORNER_SHARE_MAX, nck_min(NCK_CORNER_SHARE_LONE, share));
 }
 
 // A corner so sharp that its transfer speed β_max·T/d is less than the speed gained in one period,
