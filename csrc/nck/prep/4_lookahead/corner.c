@@ -24,12 +24,13 @@
 
 // Without a jerk limit a junction gets most of the acceleration where the path is an even polygon:
 // behind EVEN_RUN blunt junctions of lines that gain no more in v², a·l, than EVEN_GAIN times the
-// v² of the junction, if the window is long enough to brake from it. Found by trying: without the
-// run random short lines take twice as long; a run of 16 costs the butterfly 1 to 3 %, a load of
-// 0.3 random lines 2 %; a share of 0.9 saves 4 % more, but holds take twice as long.
+// v² that the junction has by all of the acceleration, if the window is long enough to brake from
+// it. Found by trying: without the run random short lines take twice as long; a run of 16 costs the
+// butterfly 1 to 3 %, a load of 0.3 random lines 2 %; a share of 0.9 saves 4 % more, but holds take
+// twice as long.
 #define EVEN_RUN 8
-#define EVEN_GAIN 32.0
-#define EVEN_BRAKE 6.4
+#define EVEN_GAIN 8.0
+#define EVEN_BRAKE 1.6
 #define BLUNT_LOAD 0.2
 // More than a float's rounding.
 #define EVEN_MARGIN 1.001
@@ -108,7 +109,7 @@ typedef struct junction {
     nck_joint_t *in;        // … which is this one …
     const nck_joint_t *out; // … and the next one
     double shorter;         // of both [path mm]
-    int is_even;            // of an even polygon; only without a jerk limit
+    int even;               // 1: of an even polygon; only without a jerk limit
     double beta;            // share that it may take
     double period;          // [s]
 } junction_t;
@@ -149,23 +150,20 @@ static inline void settle_alone(nck_lookahead_t *self, const junction_t *junctio
            nck_corner_share_alone(v_true, junction->in->load, junction->period));
 }
 
-// Whether a junction, and what its lines gain, are those of an even polygon: d a ≤ BLUNT_LOAD,
-// a l ≤ EVEN_GAIN v², where v = T/(2d), and what n lines of the window can brake from with the rest,
-// a/5, is the square of the speed that 0.8 a allows: 0.4 a l n ≥ (1.6 v)². No zone is longer than NCK_CORNER_SPAN of its lines: so
-// nck_zone_shares_after comes as far as such a junction.
-static inline int is_even(const nck_lookahead_t *self, const nck_joint_t *in,
-                          const nck_joint_t *out) {
-    const nck_machine_t *const machine = self->terms->machine;
-    const double load = in->load;
-    const double a = nck_max(in->a_most, out->a_most);
-    if (!(load * a <= BLUNT_LOAD)) return 0;
-    if (in->kind != NCK_SEG_LINE || out->kind != NCK_SEG_LINE) return 0;
-    const uint32_t blocks = machine->lookahead_blocks > 0 ? machine->lookahead_blocks : NCK_WINDOW;
-    const double v = nck_corner_speed_alone(NCK_CORNER_SHARE_MAX, load, machine->period_s);
-    const double gain = a * nck_max(in->length, out->length);
-    const double least = nck_min(in->pace[NCK_PACE_OVER].time, out->pace[NCK_PACE_OVER].time);
-    return gain <= EVEN_GAIN * v * v && gain * (double)blocks >= EVEN_BRAKE * v * v
-           && least * NCK_CORNER_SPAN >= EVEN_MARGIN * self->zone_s;
+// Whether a junction and the line before it are those of an even polygon: d a ≤ BLUNT_LOAD,
+// a l ≤ EVEN_GAIN v², where v = T/d, and what n such lines, as many as the window has, can brake
+// from with the rest, a/5, is the square of the speed that 0.8 a allows: 0.4 a l n ≥ (0.8 v)². No
+// zone is longer than NCK_CORNER_SPAN such lines: nck_zone_shares_after comes as far as a junction.
+static inline int is_even_at(const nck_lookahead_t *self, const nck_joint_t *in,
+                             const nck_joint_t *out, double period) {
+    const double d_a = in->load * in->a_most;
+    if (!(d_a <= BLUNT_LOAD) || in->kind != NCK_SEG_LINE || out->kind != NCK_SEG_LINE) return 0;
+    const uint32_t told = self->terms->machine->lookahead_blocks;
+    const uint32_t blocks = told > 0 ? told : NCK_WINDOW;
+    const double least = EVEN_MARGIN / NCK_CORNER_SPAN * self->zone_s;
+    const double gain = d_a * in->load * in->length / (period * period); // a l/v²
+    return gain <= EVEN_GAIN && gain * (double)blocks >= EVEN_BRAKE
+           && in->pace[NCK_PACE_OVER].time >= least;
 }
 
 static inline void end_run(nck_lookahead_t *self) {
@@ -173,22 +171,21 @@ static inline void end_run(nck_lookahead_t *self) {
     self->even_s = 0.0f;
 }
 
-// The junction is decided: even ones in a row up to it.
+// The junction is decided: so many even ones in a row up to it, EVEN_RUN if they take longer than
+// a zone does.
 static inline void count_even(nck_lookahead_t *self, const junction_t *junction) {
-    if (!junction->is_even) {
+    if (!junction->even) {
         end_run(self);
-        return;
+    } else if (self->even < EVEN_RUN) {
+        self->even_s += (float)junction->in->pace[NCK_PACE_OVER].time;
+        const int is_long = (double)self->even_s >= EVEN_MARGIN * self->zone_s;
+        if (self->even < EVEN_RUN - 1 || is_long) self->even++;
     }
-    if (self->even < EVEN_RUN) self->even++;
-    self->even_s += (float)junction->in->pace[NCK_PACE_OVER].time;
 }
 
-// The largest share of a junction without a jerk limit: behind so many even ones that take longer
-// than a zone does, most of it.
-static inline double share_most_linear(const nck_lookahead_t *self, int is_even) {
-    const int ends_run = is_even && self->even == EVEN_RUN
-                         && (double)self->even_s >= EVEN_MARGIN * self->zone_s;
-    return ends_run ? NCK_CORNER_SHARE_DENSE : NCK_CORNER_SHARE_MAX;
+// The largest share of a junction without a jerk limit.
+static inline double share_most_linear(const nck_lookahead_t *self, int even) {
+    return even && self->even == EVEN_RUN ? NCK_CORNER_SHARE_DENSE : NCK_CORNER_SHARE_MAX;
 }
 
 // The same under a jerk limit: the speed is least where the acceleration is small, so that most of
@@ -265,7 +262,7 @@ static nck_status_t decide_corner(nck_lookahead_t *self, uint32_t count, nck_joi
     const nck_joint_t *const out = nck_joint_at(self, count + 1);
     const double period = self->terms->machine->period_s;
     const int is_linear = !self->terms->limits_jerk;
-    const int even = is_linear && is_even(self, joint, out);
+    const int even = is_linear && is_even_at(self, joint, out, period);
     const junction_t junction = {count, joint, out, nck_min(joint->length, out->length), even,
                                  is_linear ? share_most_linear(self, even)
                                            : share_most_jerk(self, joint, out),

@@ -102,7 +102,7 @@ typedef struct nck_lookahead {
     uint16_t before_limit; // nck_limit_t that set before.vv
     double a_any;         // no seg has a larger tangential acceleration [path mm/s²]
     double zone_s;        // how long before and after a junction its share is kept free [s]
-    float even_s;         // that those of the even polygon take [s]
+    float even_s;         // that these take, while they are too few [s]
     float most_s;         // where the next seg is placed: for so long a share of more than half may
                           // still be kept free; negative: none is [s]
 

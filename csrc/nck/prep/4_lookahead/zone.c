@@ -17,3 +17,10 @@ int nck_zone_is_alone(const nck_joint_t *in, const nck_joint_t *out, double load
     const double zone = (v + 0.5 * nck_max(in->a_most, out->a_most) * time) * time;
     return nck_min(in->length, out->length) > ZONES_APART * zone;
 }
+
+void nck_zone_cut_off(nck_zone_reach_t *reach, const nck_lookahead_t *self, double share) {
+    for (int k = 0; k < NCK_PACES; k++) {
+        const int is_short = reach->time[k] < self->zone_s && !self->terms->limits_jerk;
+        if (is_short) reach->share[k] = nck_max(reach->share[k], share);
+    }
+}

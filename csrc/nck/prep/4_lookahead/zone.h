@@ -56,13 +56,7 @@ static inline int nck_zone_pass(nck_zone_reach_t *reach, const nck_joint_t *join
 // The walk ends at NCK_CORNER_SPAN neighbours, short of the zone's end. Under a jerk limit the seg
 // is slowed until it does not (near.h); else share is assumed, the largest that may be further on.
 // Cost: constant.
-static inline void nck_zone_cut_off(nck_zone_reach_t *reach, const nck_lookahead_t *self,
-                                    double share) {
-    for (int k = 0; k < NCK_PACES; k++) {
-        const int is_short = reach->time[k] < self->zone_s && !self->terms->limits_jerk;
-        if (is_short) reach->share[k] = nck_max(reach->share[k], share);
-    }
-}
+void nck_zone_cut_off(nck_zone_reach_t *reach, const nck_lookahead_t *self, double share);
 
 // The largest share that junctions use, by pace, so near before (after) the seg's start (end) that
 // it must be kept free there. before: of the next seg that is placed. after: NCK_EMPTY if junctions

@@ -153,15 +153,15 @@ nck_status_t nck_window_load(nck_jerk_t *self, const nck_pieces_t *pieces) {
 // ---- lay
 
 // A piece and the two behind it; NULL: it is not known.
-typedef struct view {
+typedef struct piece_view {
     uint32_t number; // of the first
     const nck_node_t *piece;
     const nck_node_t *next;
     const nck_node_t *second;
-} view_t;
+} piece_view_t;
 
-static inline view_t view_of(const nck_pieces_t *pieces, uint32_t number) {
-    const view_t view = {number, nck_plan_piece(pieces, number),
+static inline piece_view_t view_of(const nck_pieces_t *pieces, uint32_t number) {
+    const piece_view_t view = {number, nck_plan_piece(pieces, number),
                          nck_plan_piece(pieces, number + 1), nck_plan_piece(pieces, number + 2)};
     return view;
 }
@@ -169,7 +169,7 @@ static inline view_t view_of(const nck_pieces_t *pieces, uint32_t number) {
 // 1 if the ladder over a piece may be laid: the piece behind it is known, and the one after that,
 // whose cap says how fast the path may leave (exit_cap). Without it the ladder would be as fine as
 // for a rest, and fill the window.
-static inline int knows_exit(const view_t *view) {
+static inline int knows_exit(const piece_view_t *view) {
     if (view->piece->stop) return 1;
     if (!view->next) return 0;
     return view->next->stop || !(view->next->length > 0.0) || view->second;
@@ -177,7 +177,8 @@ static inline int knows_exit(const view_t *view) {
 
 // BLOCK_END or MUST_REST if the path rests at the end of the piece, which is its last or has one
 // behind it.
-static int rests_behind(const nck_jerk_t *self, const nck_pieces_t *pieces, const view_t *view) {
+static int rests_behind(const nck_jerk_t *self, const nck_pieces_t *pieces,
+                        const piece_view_t *view) {
     if (view->piece->stop) return MUST_REST;
     if (!view->next) return 0; // the window ends
     if (!(nck_window_cap(self, view->next) > 0.0)) return MUST_REST;
@@ -188,7 +189,7 @@ static int rests_behind(const nck_jerk_t *self, const nck_pieces_t *pieces, cons
 int nck_window_rests(const nck_jerk_t *self, const nck_pieces_t *pieces) {
     const nck_node_t *const piece = nck_plan_piece(pieces, self->work.piece);
     if (self->work.n == 0 || !piece || self->work.s != piece->s) return 0;
-    const view_t view = view_of(pieces, self->work.piece - 1);
+    const piece_view_t view = view_of(pieces, self->work.piece - 1);
     return view.piece ? rests_behind(self, pieces, &view) : 0;
 }
 
@@ -217,15 +218,15 @@ static void close_pending(nck_jerk_t *self, const nck_pieces_t *pieces) {
 }
 
 // At a piece's end the path may be faster than at its start, if the next one's lets it.
-static inline void gain_entry(nck_jerk_t *self, const view_t *view) {
+static inline void gain_entry(nck_jerk_t *self, const piece_view_t *view) {
     const nck_node_t *const piece = view->piece;
     if (view->next && self->work.w_entry >= nck_window_node_cap(self, view->next)) return;
     self->work.w_entry += nck_ladder_gain(piece->length, piece->a, piece->j * self->j_scale);
 }
 
 // The ladder has come to the end of a piece.
-static nck_status_t end_piece(nck_jerk_t *self, const nck_pieces_t *pieces, const view_t *view,
-                              int rests) {
+static nck_status_t end_piece(nck_jerk_t *self, const nck_pieces_t *pieces,
+                              const piece_view_t *view, int rests) {
     gain_entry(self, view);
     self->work.piece++;
     self->work.s = NCK_PLAN_BEGIN;
@@ -250,7 +251,7 @@ static int joins_pending(const nck_jerk_t *self, const nck_node_t *piece, double
 
 // About the largest v² at a piece's start, by what the piece and the node behind it allow. Zones of
 // corners make pieces of their own, so the corner itself may be one further on.
-static inline double exit_cap(const nck_jerk_t *self, const view_t *view) {
+static inline double exit_cap(const nck_jerk_t *self, const piece_view_t *view) {
     const nck_node_t *const next = view->next;
     const nck_node_t *const second = view->second;
     const double w_end = next->stop || !second ? 0.0 : nck_window_node_cap(self, second);
@@ -294,7 +295,7 @@ static double far_step(const nck_jerk_t *self, double step, double x, double y) 
 
 // The piece at the ladder's end, as long as nothing else is known of the path.
 typedef struct ground {
-    view_t view;             // no piece: it has not been looked at
+    piece_view_t view;             // no piece: it has not been looked at
     int rests;               // what rests_behind says
     double end;              // of the piece, in its seg [mm]
     double rounding;         // beside that
@@ -305,7 +306,7 @@ typedef struct ground {
 } ground_t;
 
 static void look(const nck_jerk_t *self, const nck_pieces_t *pieces, ground_t *ground) {
-    const view_t *const view = &ground->view;
+    const piece_view_t *const view = &ground->view;
     const nck_node_t *const piece = view->piece;
     const int rests = rests_behind(self, pieces, view);
     const double w = nck_window_cap(self, piece);
@@ -341,7 +342,7 @@ static double next_step(const nck_jerk_t *self, const ground_t *ground, double x
 
 // Lay what is left of a piece, or one cell of it.
 static nck_status_t lay_some(nck_jerk_t *self, const nck_pieces_t *pieces, ground_t *ground) {
-    const view_t *const view = &ground->view;
+    const piece_view_t *const view = &ground->view;
     const nck_node_t *const piece = view->piece;
     const int rests = ground->rests;
     const double x = self->work.s - piece->s;
