@@ -83,8 +83,11 @@ void nck_link_push_cell(nck_link_t *self, const nck_cell_t *cell) {
     append(self, cell);
 }
 
+// The tail in use belongs to the other parity, so this one is prep's alone.
+static uint32_t next_parity(const nck_link_t *self) { return 1u - nck_link_parity(self->base); }
+
 void nck_link_tail_begin(nck_link_t *self) {
-    const uint32_t parity = nck_link_next_parity(self);
+    const uint32_t parity = next_parity(self);
     self->tail_fill = 0;
     self->tail_at = self->tail[parity].cell;
     self->tail_entered = nck_fence_load(&self->word) & ENTERED;
@@ -105,12 +108,10 @@ void nck_link_tail_push(nck_link_t *self, const nck_cell_t *cell) {
     nck_link_tail_placed(self, room);
 }
 
-nck_link_spare_t *nck_link_spare(nck_link_t *self) {
-    return &self->tail[nck_link_next_parity(self)].spare;
-}
+nck_link_spare_t *nck_link_spare(nck_link_t *self) { return &self->tail[next_parity(self)].spare; }
 
 nck_status_t nck_link_publish(nck_link_t *self) {
-    const uint32_t parity = nck_link_next_parity(self);
+    const uint32_t parity = next_parity(self);
     const uint32_t end = end_of(self->base);
     if (self->broken) return NCK_E_INTERNAL;
     if ((self->base & ENTERED) && nck_fence_load(&self->tail_rested) != end + 1) return NCK_FULL;
@@ -175,7 +176,7 @@ static nck_status_t begin_install(nck_link_t *self) {
 
 // Put the first cells of what is built behind the batch, one at least, and publish it all.
 static nck_status_t end_install(nck_link_t *self, uint32_t room, double lead, uint32_t most) {
-    const uint32_t parity = nck_link_next_parity(self);
+    const uint32_t parity = next_parity(self);
     const uint32_t fill = self->tail_fill;
     self->tail_count[parity] = fill;
     self->tail_origin[parity] = (end_of(self->base) + self->batch) & END_MASK;
@@ -281,6 +282,10 @@ const nck_cell_t *nck_link_tail_cell(const nck_link_t *self, uint32_t count) {
     const uint32_t place = cells_between(self->tail_origin[parity], count);
     if (place >= self->tail_count[parity]) return (const nck_cell_t *)0;
     return &self->tail[parity].cell[place];
+}
+
+const nck_cell_t *nck_link_built_cell(const nck_link_t *self, uint32_t i) {
+    return i < self->tail_fill ? &self->tail[next_parity(self)].cell[i] : (const nck_cell_t *)0;
 }
 
 const nck_cell_t *nck_link_tail_end(const nck_link_t *self, uint32_t *count_out) {

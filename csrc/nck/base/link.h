@@ -136,12 +136,6 @@ static inline void nck_link_inspect(nck_link_t *self, const nck_cell_t *cell) {
 // Which of the two tails a word says is published. Cost: constant. Context: any.
 static inline uint32_t nck_link_parity(uint32_t word) { return word / NCK_LINK_PARITY & 1u; }
 
-// Which of them prep builds: the one in use belongs to the other parity. Cost: constant. Context:
-// prep.
-static inline uint32_t nck_link_next_parity(const nck_link_t *self) {
-    return 1u - nck_link_parity(self->base);
-}
-
 // Begin the tail of the batch; then put its cells in, NCK_TAIL_MAX at most.
 // Cost: constant. Context: prep.
 void nck_link_tail_begin(nck_link_t *self);
@@ -222,10 +216,7 @@ static inline uint32_t nck_link_taken(const nck_link_t *self) {
 const nck_cell_t *nck_link_tail_cell(const nck_link_t *self, uint32_t count);
 
 // The i-th cell of the tail being built; NULL outside of it. Cost: constant. Context: prep.
-static inline const nck_cell_t *nck_link_built_cell(const nck_link_t *self, uint32_t i) {
-    const nck_link_tail_t *const tail = &self->tail[nck_link_next_parity(self)];
-    return i < self->tail_fill ? &tail->cell[i] : (const nck_cell_t *)0;
-}
+const nck_cell_t *nck_link_built_cell(const nck_link_t *self, uint32_t i);
 
 // The last cell of the last published tail and the count of them; NULL and 0 if it is empty.
 // Cost: constant. Context: prep.
