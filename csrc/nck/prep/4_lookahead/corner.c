@@ -177,8 +177,9 @@ static inline void count_even(nck_lookahead_t *self, const junction_t *junction)
     if (!junction->even) {
         end_run(self);
     } else if (self->even < EVEN_RUN) {
+        const float zone_s = (float)(EVEN_MARGIN * self->zone_s);
         self->even_s += (float)junction->in->pace[NCK_PACE_OVER].time;
-        const int is_long = (double)self->even_s >= EVEN_MARGIN * self->zone_s;
+        const int is_long = NCK_CORNER_SPAN <= EVEN_RUN || self->even_s >= zone_s;
         if (self->even < EVEN_RUN - 1 || is_long) self->even++;
     }
 }
