@@ -23,17 +23,19 @@
 #define TAME_LOAD 0.02
 
 // Without a jerk limit a junction gets most of the acceleration where the path is an even polygon:
-// behind EVEN_RUN blunt junctions of lines that gain no more in v², a·l, than EVEN_GAIN times the
-// v² that the junction has by all of the acceleration, if the window is long enough to brake from
-// it. Found by trying: without the run random short lines take twice as long; a run of 16 costs the
-// butterfly 1 to 3 %, a load of 0.3 random lines 2 %; a share of 0.9 saves 4 % more, but holds take
-// twice as long.
-#define EVEN_RUN 8
+// behind blunt junctions in a row whose lines gain, together, EVEN_LONG times the v² that they are
+// passed at, none of them more than EVEN_GAIN times, if the window is long enough to brake from
+// there. Found by trying: of 200 random polygons with low points 10 are slower by more than 0.5 %
+// then, 20 with a row of 4, 27 with 1.6; where sharp junctions count, too, random short lines take
+// twice as long; a share of 0.9 saves 4 % more, but holds take twice as long.
+#define EVEN_LONG 10.0
 #define EVEN_GAIN 8.0
 #define EVEN_BRAKE 1.6
 #define BLUNT_LOAD 0.2
 // More than a float's rounding.
 #define EVEN_MARGIN 1.001
+
+enum { SEES_POLYGONS = NCK_WINDOW >= 256 }; // a shorter window seldom holds enough of one
 
 // Room for a float's rounding, and for the steps of a plan.
 #define OVERLAP_SHARE (1.0 - 1e-6)
@@ -109,7 +111,7 @@ typedef struct junction {
     nck_joint_t *in;        // … which is this one …
     const nck_joint_t *out; // … and the next one
     double shorter;         // of both [path mm]
-    int even;               // 1: of an even polygon; only without a jerk limit
+    double even;            // of an even polygon: what the line before gains; else 0
     double beta;            // share that it may take
     double period;          // [s]
 } junction_t;
@@ -150,43 +152,41 @@ static inline void settle_alone(nck_lookahead_t *self, const junction_t *junctio
            nck_corner_share_alone(v_true, junction->in->load, junction->period));
 }
 
-// Whether a junction and the line before it are those of an even polygon: d a ≤ BLUNT_LOAD,
-// a l ≤ EVEN_GAIN v², where v = T/d, and what n such lines, as many as the window has, can brake
-// from with the rest, a/5, is the square of the speed that 0.8 a allows: 0.4 a l n ≥ (0.8 v)². No
-// zone is longer than NCK_CORNER_SPAN such lines: nck_zone_shares_after comes as far as a junction.
-static inline int is_even_at(const nck_lookahead_t *self, const nck_joint_t *in,
-                             const nck_joint_t *out, double period) {
-    const double d_a = in->load * in->a_most;
-    if (!(d_a <= BLUNT_LOAD) || in->kind != NCK_SEG_LINE || out->kind != NCK_SEG_LINE) return 0;
+// Of a junction that is one of an even polygon, as is the line before it, what that gains over v²,
+// where 0.8 v is the most that 0.8 a or the line allows; of another one 0. It is one if
+// d a ≤ BLUNT_LOAD, a l ≤ EVEN_GAIN v², and n such lines, as many as the window has, can brake from
+// there with the rest, a/5: 0.4 a l n ≥ (0.8 v)². No zone is longer than NCK_CORNER_SPAN such
+// lines: nck_zone_shares_after comes as far as a junction.
+static inline double even_gain(const nck_lookahead_t *self, const nck_joint_t *in,
+                               const nck_joint_t *out, double period) {
+    const nck_pace_t *const pace = &in->pace[NCK_PACE_OVER];
+    if (!(in->load * in->a_most <= BLUNT_LOAD)) return 0.0;
+    if (in->kind != NCK_SEG_LINE || out->kind != NCK_SEG_LINE) return 0.0;
     const uint32_t told = self->terms->machine->lookahead_blocks;
     const uint32_t blocks = told > 0 ? told : NCK_WINDOW;
     const double least = EVEN_MARGIN / NCK_CORNER_SPAN * self->zone_s;
-    const double gain = d_a * in->load * in->length / (period * period); // a l/v²
-    return gain <= EVEN_GAIN && gain * (double)blocks >= EVEN_BRAKE
-           && in->pace[NCK_PACE_OVER].time >= least;
+    const double v = nck_min(period / in->load, 1.0 / NCK_CORNER_SHARE_DENSE * pace->v);
+    const double gain = in->a_most * in->length / (v * v);
+    const int is_even =
+        gain <= EVEN_GAIN && gain * (double)blocks >= EVEN_BRAKE && pace->time >= least;
+    return is_even ? gain : 0.0;
 }
 
-static inline void end_run(nck_lookahead_t *self) {
-    self->even = 0;
-    self->even_s = 0.0f;
-}
-
-// The junction is decided: so many even ones in a row up to it, EVEN_RUN if they take longer than
-// a zone does.
+// The junction is decided: how far the row of even ones is on its way to EVEN_LONG. It does not
+// come there before it takes longer than a zone does.
 static inline void count_even(nck_lookahead_t *self, const junction_t *junction) {
-    if (!junction->even) {
-        end_run(self);
-    } else if (self->even < EVEN_RUN) {
-        const float zone_s = (float)(EVEN_MARGIN * self->zone_s);
-        self->even_s += (float)junction->in->pace[NCK_PACE_OVER].time;
-        const int is_long = NCK_CORNER_SPAN <= EVEN_RUN || self->even_s >= zone_s;
-        if (self->even < EVEN_RUN - 1 || is_long) self->even++;
+    const double most = EVEN_LONG / EVEN_MARGIN / self->zone_s;
+    const double time = junction->in->pace[NCK_PACE_OVER].time;
+    if (!(junction->even > 0.0)) self->even = 0.0f;
+    else if (!(self->even >= (float)EVEN_LONG)) {
+        self->even += (float)nck_min(junction->even, most * time);
     }
 }
 
 // The largest share of a junction without a jerk limit.
-static inline double share_most_linear(const nck_lookahead_t *self, int even) {
-    return even && self->even == EVEN_RUN ? NCK_CORNER_SHARE_DENSE : NCK_CORNER_SHARE_MAX;
+static inline double share_most_linear(const nck_lookahead_t *self, double even) {
+    const int is_long = even > 0.0 && self->even >= (float)EVEN_LONG;
+    return is_long ? NCK_CORNER_SHARE_DENSE : NCK_CORNER_SHARE_MAX;
 }
 
 // The same under a jerk limit: the speed is least where the acceleration is small, so that most of
@@ -263,7 +263,7 @@ static nck_status_t decide_corner(nck_lookahead_t *self, uint32_t count, nck_joi
     const nck_joint_t *const out = nck_joint_at(self, count + 1);
     const double period = self->terms->machine->period_s;
     const int is_linear = !self->terms->limits_jerk;
-    const int even = is_linear && is_even_at(self, joint, out, period);
+    const double even = is_linear && SEES_POLYGONS ? even_gain(self, joint, out, period) : 0.0;
     const junction_t junction = {count, joint, out, nck_min(joint->length, out->length), even,
                                  is_linear ? share_most_linear(self, even)
                                            : share_most_jerk(self, joint, out),
@@ -280,7 +280,7 @@ static nck_status_t decide_corner(nck_lookahead_t *self, uint32_t count, nck_joi
         status = decide_pace(self, &junction, NCK_PACE_FEED, v[NCK_PACE_FEED]);
     }
     if (status != NCK_OK) return status;
-    if (is_linear) count_even(self, &junction);
+    if (is_linear && SEES_POLYGONS) count_even(self, &junction);
     for (int k = 0; k < NCK_PACES && (joint->end & NCK_JOINT_STOP); k++) {
         pace[k].v_corner = 0.0;
         pace[k].share = 0.0;
@@ -297,7 +297,7 @@ nck_status_t nck_corner_decide(nck_lookahead_t *self) {
         if (status == NCK_EMPTY) self->joint.known = self->joint.head;
         if (status != NCK_OK) return status;
     } else if (joint->end & NCK_JOINT_STOP) {
-        end_run(self);
+        self->even = 0.0f;
     }
     self->joint.decided++;
     return NCK_OK;

@@ -97,12 +97,11 @@ typedef struct nck_joint {
 // The room's state.
 typedef struct nck_lookahead {
     const nck_terms_t *terms;
-    uint8_t ended;        // 1: no more segs will come before the path is at rest
-    uint8_t even;         // decided junctions of an even polygon in a row, up to a few (corner.c)
+    uint16_t ended;       // 1: no more segs will come before the path is at rest
     uint16_t before_limit; // nck_limit_t that set before.vv
     double a_any;         // no seg has a larger tangential acceleration [path mm/s²]
     double zone_s;        // how long before and after a junction its share is kept free [s]
-    float even_s;         // that these take, while they are too few [s]
+    float even;           // what decided lines of an even polygon gain in a row (corner.c)
     float most_s;         // where the next seg is placed: for so long a share of more than half may
                           // still be kept free; negative: none is [s]
 
