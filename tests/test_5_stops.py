@@ -34,7 +34,7 @@ def test_blocks_of_a_micrometre_stop_as_a_line_does(slope, event):
 @pytest.mark.parametrize(
     "slope, name, most_ms",
     [
-        ("linear", "micro-segments, exact", 210), ("linear", "micro-segments, P0.01", 220),
+        ("linear", "micro-segments, exact", 240), ("linear", "micro-segments, P0.01", 220),
         ("linear", "zigzag 10 mm, P0.01", 130), ("jerk", "micro-segments, exact", 360),
         ("jerk", "micro-segments, P0.01", 560), ("jerk", "zigzag 10 mm, P0.01", 260),
         ("sshape", "micro-segments, exact", 165), ("sshape", "micro-segments, P0.01", 560),
