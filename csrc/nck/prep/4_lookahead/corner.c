@@ -175,6 +175,7 @@ static inline double even_gain(const nck_lookahead_t *self, const nck_joint_t *i
 // The junction is decided: how far the row of even ones is on its way to EVEN_LONG. It does not
 // come there before it takes longer than a zone does.
 static inline void count_even(nck_lookahead_t *self, const junction_t *junction) {
+    if (!SEES_POLYGONS) return;
     const double most = EVEN_LONG / EVEN_MARGIN / self->zone_s;
     const double time = junction->in->pace[NCK_PACE_OVER].time;
     if (!(junction->even > 0.0)) self->even = 0.0f;
@@ -196,6 +197,18 @@ static double share_most_jerk(const nck_lookahead_t *self, const nck_joint_t *in
     if (!nck_zone_is_alone(in, out, in->load, self->terms)) return NCK_CORNER_SHARE_DENSE;
     return nck_corner_share_lone(nck_max(in->j_straight, out->j_straight),
                                  nck_min(in->a_most, out->a_most), self->zone_s);
+}
+
+// What share a junction may take, and whether it is of an even polygon.
+static inline void set_share(const nck_lookahead_t *self, junction_t *junction) {
+    const nck_joint_t *const in = junction->in;
+    const nck_joint_t *const out = junction->out;
+    if (self->terms->limits_jerk) {
+        junction->beta = share_most_jerk(self, in, out);
+        return;
+    }
+    if (SEES_POLYGONS) junction->even = even_gain(self, in, out, junction->period);
+    junction->beta = share_most_linear(self, junction->even);
 }
 
 // Speed and share of a junction that shares a period with others; alone it is crossed at v.
@@ -263,11 +276,9 @@ static nck_status_t decide_corner(nck_lookahead_t *self, uint32_t count, nck_joi
     const nck_joint_t *const out = nck_joint_at(self, count + 1);
     const double period = self->terms->machine->period_s;
     const int is_linear = !self->terms->limits_jerk;
-    const double even = is_linear && SEES_POLYGONS ? even_gain(self, joint, out, period) : 0.0;
-    const junction_t junction = {count, joint, out, nck_min(joint->length, out->length), even,
-                                 is_linear ? share_most_linear(self, even)
-                                           : share_most_jerk(self, joint, out),
-                                 period};
+    junction_t junction = {count, joint, out, nck_min(joint->length, out->length), 0.0, 0.0,
+                           period};
+    set_share(self, &junction);
     const double most = nck_corner_speed_alone(junction.beta, joint->load, period);
     nck_pace_t *const pace = joint->pace;
     double v[NCK_PACES];
@@ -280,7 +291,7 @@ static nck_status_t decide_corner(nck_lookahead_t *self, uint32_t count, nck_joi
         status = decide_pace(self, &junction, NCK_PACE_FEED, v[NCK_PACE_FEED]);
     }
     if (status != NCK_OK) return status;
-    if (is_linear && SEES_POLYGONS) count_even(self, &junction);
+    if (is_linear) count_even(self, &junction);
     for (int k = 0; k < NCK_PACES && (joint->end & NCK_JOINT_STOP); k++) {
         pace[k].v_corner = 0.0;
         pace[k].share = 0.0;
