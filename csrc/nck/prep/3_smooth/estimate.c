@@ -106,7 +106,7 @@ static int power_of(double half, double whole) {
 static estimate_t estimate_nine(nck_smooth_t *self, uint32_t count, double h) {
     const nck_raw_t *const raw = nck_raw_at(self, count);
     const double *const here = raw->seg.end;
-    const double s = raw->s + raw->seg.length;
+    const double s = nck_raw_end(raw);
     const double places[2] = {s - 0.5 * h, s + 0.5 * h};
     double p[2][NCK_AXIS_MAX];
     double beyond[NCK_AXIS_MAX];
@@ -156,7 +156,7 @@ static double bends_of(const nck_smooth_t *self, double (*p)[NCK_AXIS_MAX], int 
 
 double nck_estimate_unevenness(nck_smooth_t *self, uint32_t count, double h, double most) {
     const nck_raw_t *const raw = nck_raw_at(self, count);
-    const double s = raw->s + raw->seg.length;
+    const double s = nck_raw_end(raw);
     double p[POINTS][NCK_AXIS_MAX];
     double places[POINTS];
     uint32_t off[POINTS];

@@ -94,7 +94,7 @@ static int is_settled(const nck_smooth_t *self, double s, double spacing) {
 static nck_status_t reach(nck_smooth_t *self, uint32_t count, double aim, int rough,
                           double range[2]) {
     const nck_raw_t *const raw = nck_raw_at(self, count);
-    const double s = raw->s + raw->seg.length;
+    const double s = nck_raw_end(raw);
     const double known = self->run.closed ? s + self->spacing_max : nck_raw_known(self);
     range[1] = range[0];
     for (int n = 0; n < GROWTH_STEPS && range[0] < self->spacing_max; n++) {
@@ -141,7 +141,7 @@ static int waits(nck_smooth_t *self, uint32_t count, vertex_t *corner) {
     const double aim = aim_between(raw, next);
     if (!self->run.looked.known) {
         if (!(nck_estimate_plain(self, count, looks->wait, 0) <= aim)) return 0;
-        self->run.looked.known = (uint8_t)is_settled(self, raw->s + raw->seg.length, looks->wait);
+        self->run.looked.known = (uint8_t)is_settled(self, nck_raw_end(raw), looks->wait);
     }
     const nck_status_t status = reach(self, count, aim, 0, corner->range);
     corner->grown = status == NCK_OK;
@@ -257,7 +257,7 @@ static void look_at(nck_smooth_t *self, uint32_t count, vertex_t *corner) {
 static double begin_growing(nck_smooth_t *self, uint32_t count, const vertex_t *corner,
                             double spacing) {
     const nck_raw_t *const raw = nck_raw_at(self, count);
-    const double s = raw->s + raw->seg.length;
+    const double s = nck_raw_end(raw);
     const double likely = NEIGHBOUR * nck_raw_at(self, nck_raw_before(self, count))->spacing;
     nck_looks_t *const looks = &self->run.looks;
     if (corner->grown) return corner->range[0];
@@ -326,7 +326,7 @@ static int is_alone(nck_smooth_t *self, uint32_t count, const turn_t *turn, doub
     const nck_raw_t *const raw = nck_raw_at(self, count);
     double p[3][NCK_AXIS_MAX];
     double others[NCK_AXIS_MAX];
-    nck_raw_spread(self, raw->s + raw->seg.length - spacing, spacing, 3, p);
+    nck_raw_spread(self, nck_raw_end(raw) - spacing, spacing, 3, p);
     for (int x = 0; x < turn->axes; x++) {
         others[x] = turn->by[x] - nck_spline_bend(p[0][x], p[1][x], p[2][x]) / spacing;
     }
@@ -338,7 +338,7 @@ static int is_alone(nck_smooth_t *self, uint32_t count, const turn_t *turn, doub
 static int is_sharp(nck_smooth_t *self, uint32_t count, const vertex_t *corner, double spacing) {
     const nck_raw_t *const raw = nck_raw_at(self, count);
     return spacing >= KEY_LEAST * corner->alone && spacing <= KEY_MOST * corner->alone
-           && corner->alone < self->spacing_max && spacing <= raw->s + raw->seg.length
+           && corner->alone < self->spacing_max && spacing <= nck_raw_end(raw)
            && !bends_on(self, count, corner);
 }
 

@@ -2,7 +2,7 @@
 // Inside room 4: the speed at a junction, from the tangents on both sides to the cap of its node.
 //
 //   load ─▶ stop, if that is faster ─▶ share ─▶ speed alone ─▶ speed in a crowd ─▶ share taken
-//   meet    (stop.c)                  share_most   decide_pace      decide_crowd        settle
+//   meet    (stop.c)                  set_share    decide_pace      decide_crowd        settle
 //
 // What the pieces on both sides allow comes on top when the node is placed (piece.c).
 #include "nck/prep/4_lookahead/corner.h"
@@ -32,8 +32,6 @@
 #define EVEN_GAIN 8.0
 #define EVEN_BRAKE 1.6
 #define BLUNT_LOAD 0.2
-// More than a float's rounding.
-#define EVEN_MARGIN 1.001
 
 enum { SEES_POLYGONS = NCK_WINDOW >= 256 }; // a shorter window seldom holds enough of one
 
@@ -164,7 +162,7 @@ static inline double even_gain(const nck_lookahead_t *self, const nck_joint_t *i
     if (in->kind != NCK_SEG_LINE || out->kind != NCK_SEG_LINE) return 0.0;
     const uint32_t told = self->terms->machine->lookahead_blocks;
     const uint32_t blocks = told > 0 ? told : NCK_WINDOW;
-    const double least = EVEN_MARGIN / NCK_CORNER_SPAN * self->zone_s;
+    const double least = NCK_ZONE_MARGIN / NCK_CORNER_SPAN * self->zone_s;
     const double v = nck_min(period / in->load, 1.0 / NCK_CORNER_SHARE_DENSE * pace->v);
     const double gain = in->a_most * in->length / (v * v);
     const int is_even =
@@ -176,7 +174,7 @@ static inline double even_gain(const nck_lookahead_t *self, const nck_joint_t *i
 // come there before it takes longer than a zone does.
 static inline void count_even(nck_lookahead_t *self, const junction_t *junction) {
     if (!SEES_POLYGONS) return;
-    const double most = EVEN_LONG / EVEN_MARGIN / self->zone_s;
+    const double most = EVEN_LONG / NCK_ZONE_MARGIN / self->zone_s;
     const double time = junction->in->pace[NCK_PACE_OVER].time;
     if (!(junction->even > 0.0)) self->even = 0.0f;
     else if (!(self->even >= (float)EVEN_LONG)) {
@@ -275,7 +273,6 @@ static inline nck_status_t decide_pace(nck_lookahead_t *self, const junction_t *
 static nck_status_t decide_corner(nck_lookahead_t *self, uint32_t count, nck_joint_t *joint) {
     const nck_joint_t *const out = nck_joint_at(self, count + 1);
     const double period = self->terms->machine->period_s;
-    const int is_linear = !self->terms->limits_jerk;
     junction_t junction = {count, joint, out, nck_min(joint->length, out->length), 0.0, 0.0,
                            period};
     set_share(self, &junction);
@@ -291,7 +288,7 @@ static nck_status_t decide_corner(nck_lookahead_t *self, uint32_t count, nck_joi
         status = decide_pace(self, &junction, NCK_PACE_FEED, v[NCK_PACE_FEED]);
     }
     if (status != NCK_OK) return status;
-    if (is_linear) count_even(self, &junction);
+    if (!self->terms->limits_jerk) count_even(self, &junction);
     for (int k = 0; k < NCK_PACES && (joint->end & NCK_JOINT_STOP); k++) {
         pace[k].v_corner = 0.0;
         pace[k].share = 0.0;

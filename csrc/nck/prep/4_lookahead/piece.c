@@ -8,14 +8,13 @@
 #include "nck/base/budget.h"            // NCK_UNLIMITED
 #include "nck/prep/4_lookahead/joint.h" // nck_joint_…
 #include "nck/prep/4_lookahead/near.h"  // nck_near_…
-#include "nck/prep/4_lookahead/zone.h"  // nck_zone_… NCK_ZONES_CUT
+#include "nck/prep/4_lookahead/zone.h"  // nck_zone_… NCK_ZONE…
 
 // A seg is cut where its junctions' share ends only if that frees more than this share of its
 // acceleration.
 #define SPLIT_SHARE 0.05
 // More than a float's rounding.
 #define FLOAT_ROUNDING 1e-6
-#define ZONE_MARGIN 1.001
 
 static nck_node_t *node_at(nck_lookahead_t *self, uint32_t i) {
     assert(i < NCK_WINDOW);
@@ -369,7 +368,8 @@ static nck_node_t *place_motion(nck_lookahead_t *self, uint32_t count, around_t 
 static inline void pass_share(nck_lookahead_t *self, const nck_joint_t *joint) {
     const nck_pace_t *const pace = &joint->pace[NCK_PACE_OVER];
     const int is_most = pace->share > NCK_CORNER_SHARE_MAX;
-    self->most_s = is_most ? (float)(ZONE_MARGIN * self->zone_s) : self->most_s - (float)pace->time;
+    if (is_most) self->most_s = (float)(NCK_ZONE_MARGIN * self->zone_s);
+    else self->most_s -= (float)pace->time;
 }
 
 nck_status_t nck_piece_place(nck_lookahead_t *self, const double share_after[NCK_PACES]) {

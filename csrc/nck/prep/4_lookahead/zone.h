@@ -10,6 +10,9 @@
 // middle is to be worth a piece.
 #define NCK_ZONES_CUT 1.3
 
+// Of a zone's time: more than the rounding of floats that count it.
+#define NCK_ZONE_MARGIN 1.001
+
 // How long before and after a junction its share is kept free: one period, and half of what the
 // slope's filter mixes [s]. Cost: constant.
 double nck_zone_s(const nck_terms_t *terms);

@@ -162,7 +162,8 @@ typedef struct piece_view {
 
 static inline piece_view_t view_of(const nck_pieces_t *pieces, uint32_t number) {
     const piece_view_t view = {number, nck_plan_piece(pieces, number),
-                         nck_plan_piece(pieces, number + 1), nck_plan_piece(pieces, number + 2)};
+                               nck_plan_piece(pieces, number + 1),
+                               nck_plan_piece(pieces, number + 2)};
     return view;
 }
 
