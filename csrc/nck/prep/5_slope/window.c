@@ -191,7 +191,8 @@ int nck_window_rests(const nck_jerk_t *self, const nck_pieces_t *pieces) {
     const nck_node_t *const piece = nck_plan_piece(pieces, self->work.piece);
     if (self->work.n == 0 || !piece || self->work.s != piece->s) return 0;
     const piece_view_t view = view_of(pieces, self->work.piece - 1);
-    return view.piece ? rests_behind(self, pieces, &view) : 0;
+    if (!view.piece) return 0;
+    return rests_behind(self, pieces, &view);
 }
 
 // 1 if the path rests where the next cell begins.
