@@ -34,7 +34,7 @@ def test_blocks_of_a_micrometre_stop_as_a_line_does(slope, event):
 @pytest.mark.parametrize(
     "slope, name, most_ms",
     [
-        ("linear", "micro-segments, exact", 240), ("linear", "micro-segments, P0.01", 220),
+        ("linear", "micro-segments, exact", 175), ("linear", "micro-segments, P0.01", 180),
         ("linear", "zigzag 10 mm, P0.01", 130), ("jerk", "micro-segments, exact", 360),
         ("jerk", "micro-segments, P0.01", 560), ("jerk", "zigzag 10 mm, P0.01", 260),
         ("sshape", "micro-segments, exact", 165), ("sshape", "micro-segments, P0.01", 560),
@@ -68,6 +68,30 @@ def test_every_axis_keeps_its_limits_while_it_stops(slope, name):
         del peaks["path"]
         kinds = "va" if slope == "linear" else "vaj"
         assert max(peaks[axis][kind] for axis in peaks for kind in kinds) <= 1 + 1e-6, tick
+
+
+def peaks_of_axes(run):
+    """Return the largest share of an axis' speed or acceleration."""
+    peaks = run.summary["peaks"]
+    return max(peaks[axis][kind] for axis in peaks if axis != "path" for kind in "va")
+
+
+def test_a_linear_hold_keeps_the_limits_of_an_even_polygon():
+    text, machine = programs.micro("G61"), programs.machine("linear", stops.A, stops.J)
+    for tick in np.linspace(300, 8300, 12).astype(int):
+        run = pycnc.run(text, machine=machine, commands=[(int(tick), "hold")])
+        assert peaks_of_axes(run) <= 1 + 1e-6, tick
+
+
+@pytest.mark.parametrize("tick", range(1650, 1750, 10))
+def test_a_linear_hold_keeps_limits_where_an_override_passes_a_slow_feed(tick):
+    turn = np.linspace(0, 4 * np.pi, 800)
+    points = zip(8 * np.cos(turn) - 8, 8 * np.sin(turn), strict=True)
+    chords = "\n".join(f"G1 X{x:.6f} Y{y:.6f}" for x, y in points)
+    text = f"{programs.head('G64 P0.01')}F1200\n{chords}\nM2\n"
+    commands = [(1, "override", 200, 100), (tick, "hold")]
+    machine = programs.machine("linear", stops.A, stops.J)
+    assert peaks_of_axes(pycnc.run(text, machine=machine, commands=commands)) <= 1 + 1e-6
 
 
 def test_the_page_has_a_row_for_every_slope_and_program(root):

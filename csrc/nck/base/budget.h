@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: MIT
-// How the rooms share an axis' acceleration and jerk among the terms of a bend, and a number for
-// what nothing limits. README of 4_lookahead, section "smooth pieces".
+// How the rooms share an axis' acceleration and jerk among the terms of a bend, the largest override
+// that they are shared for, and a number for what nothing limits. README of 4_lookahead, section "smooth pieces".
 #ifndef NCK_BASE_BUDGET_H
 #define NCK_BASE_BUDGET_H
 
 // Beyond every speed, acceleration, jerk and length.
 #define NCK_UNLIMITED 1e30
+
+// Largest feed override.
+#define NCK_OVERRIDE_TOP 2.0
 
 // Shares that the speed alone may use: of acceleration |p″|v² ≤ γ·a_x, of jerk |p‴|v³ ≤ β·j_x.
 #define NCK_BUDGET_CURVE_SHARE 0.95

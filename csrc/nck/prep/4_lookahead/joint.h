@@ -3,10 +3,10 @@
 #ifndef NCK_PREP_JOINT_H
 #define NCK_PREP_JOINT_H
 
+#include "nck/base/budget.h"                // NCK_OVERRIDE_TOP
 #include "nck/base/path.h"                  // nck_path_tangent_part
 #include "nck/base/path_math.h"             // nck_path_slope
 #include "nck/base/real.h"                  // nck_min nck_sqrt
-#include "nck/prep/4_lookahead/limit_math.h" // NCK_OVERRIDE_TOP
 #include "nck/prep/4_lookahead/lookahead.h" // nck_lookahead_t nck_joint_t
 
 // What a piece of a seg may do when junctions nearby use the share beta of the acceleration.

@@ -15,9 +15,6 @@
 // least √(1 − 0.8²) = 0.6 of it, for the two are perpendicular.
 #define NCK_CURVE_SHARE 0.8
 
-// Largest feed override.
-#define NCK_OVERRIDE_TOP 2.0
-
 // Limit of the path quantity when an axis has the limit x_lim and the direction cosine c ≠ 0:
 //   path ≤ x_lim / |c|      (speed, acceleration and jerk alike)
 static inline nck_real nck_limit_along(nck_real x_lim, nck_real c) { return x_lim / nck_fabs(c); }

@@ -115,9 +115,11 @@ static uint16_t half_of(float x) {
     return (uint16_t)(bits >> 16);
 }
 
-// What the axes leave at standstill.
-static void leave_at_rest(nck_node_t *node, const nck_joint_t *joint, const nck_terms_t *terms) {
+// What the axes leave at standstill; the linear slope asks for the acceleration alone.
+static inline void leave_at_rest(nck_node_t *node, const nck_joint_t *joint,
+                                 const nck_terms_t *terms) {
     node->standstill.left.a = no_more(nck_joint_most(joint, terms));
+    if (!terms->limits_jerk) return;
     node->standstill.left.j = no_more(joint->j_straight);
     node->q_rest = half_of(no_more(nck_joint_bends(joint, terms)));
 }
@@ -152,7 +154,7 @@ static nck_node_t *add_piece(nck_lookahead_t *self, const nck_joint_t *joint, co
     node->a_over = nck_min(piece.a, over.a);
     node->j = piece.j;
     node->j_over = nck_min(piece.j, over.j);
-    if (self->terms->limits_jerk) leave_at_rest(node, joint, self->terms);
+    leave_at_rest(node, joint, self->terms);
     self->window.fill++;
     return node;
 }

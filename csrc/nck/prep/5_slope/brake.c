@@ -45,13 +45,6 @@ int nck_brake_rests(const nck_profile_t *state, double j) {
 
 // ---- what is left at a lower speed
 
-// The smaller cap of a piece and of the node at its start; a rest at the node is none.
-static double cap_of(const nck_jerk_t *self, const nck_node_t *piece) {
-    const double inside = self->work.over ? piece->vv_over : piece->vv_piece;
-    const double node = self->work.over ? piece->vv_node : piece->vv_cap;
-    return node > 0.0 ? nck_min(inside, node) : inside;
-}
-
 // Whether nothing is mixed beyond a piece: the path, or the plan, rests there.
 static int ends_at(const nck_jerk_t *self, const nck_node_t *piece, uint32_t number, int step) {
     const uint32_t end = self->next->end_piece;
@@ -104,7 +97,7 @@ static double least_cap(const nck_jerk_t *self, const nck_pieces_t *pieces, doub
         const double before = left;
         const int is_rest = rests_before(piece, step, n == 0);
         if (!is_rest) {
-            least = nck_min(least, cap_of(self, piece));
+            least = nck_min(least, nck_plan_limits_at(piece, self->work.over));
             mix(mixed, piece);
             if (n > 0) left -= piece->length;
         }

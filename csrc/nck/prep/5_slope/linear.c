@@ -6,6 +6,7 @@
 
 #include "nck/base/envelope_math.h" // nck_envelope_…
 #include "nck/base/real.h"          // nck_max nck_min
+#include "nck/prep/5_slope/linear_left.h" // nck_linear_left
 #include "nck/prep/5_slope/trapezoid.h" // nck_trapezoid_legs nck_trapezoid_brake
 
 enum {
@@ -394,12 +395,20 @@ static nck_status_t draw_part(nck_linear_t *self, const nck_pieces_t *pieces) {
 
 // ---- the brake behind it
 
+// A hold brakes with what is left at the speed that it has by then.
+static double hold_accel(const nck_linear_t *self, const nck_pieces_t *pieces,
+                         const nck_linear_place_t *place) {
+    return nck_linear_left(pieces, place->piece, place->vv, self->next->over,
+                           self->machine->period_s);
+}
+
 static nck_status_t brake_piece(nck_linear_t *self, const nck_pieces_t *pieces) {
     nck_linear_place_t *const place = &self->brake;
     const nck_node_t *const piece = nck_plan_piece(pieces, place->piece);
     const nck_node_t *const behind = nck_plan_piece(pieces, place->piece + 1);
     nck_span_t span = span_of(self, piece, place);
     span.vv_out = behind ? behind->vv_cap : 0.0;
+    if (self->next->held) span.a = hold_accel(self, pieces, place);
     nck_cell_t cell;
     const int rests = nck_trapezoid_brake(piece, &span, &cell);
     const int is_whole = !(cell.length < span.length);

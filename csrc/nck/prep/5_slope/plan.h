@@ -130,6 +130,10 @@ double nck_plan_inside(const nck_node_t *piece, const nck_wish_t *wish, uint32_t
 double nck_plan_at(const nck_pieces_t *pieces, uint32_t number, const nck_wish_t *wish,
                    uint32_t over);
 
+// v² at which a piece leaves what its limits say, over or not: the smallest cap of it and of the
+// node at its start; a rest at the node is none. Cost: constant.
+double nck_plan_limits_at(const nck_node_t *piece, uint32_t over);
+
 // 1 if the piece of this number, which has one behind it, ends its block. Cost: constant.
 int nck_plan_ends_block(const nck_link_t *link, const nck_pieces_t *pieces, uint32_t number);
 
