@@ -25,13 +25,18 @@
 // Without a jerk limit a junction gets most of the acceleration where the path is an even polygon:
 // behind blunt junctions in a row whose lines gain, together, EVEN_LONG times the v² that they are
 // passed at, none of them more than EVEN_GAIN times, if the window is long enough to brake from
-// there. Found by trying: of 200 random polygons with low points 10 are slower by more than 0.5 %
-// then, 20 with a row of 4, 27 with 1.6; where sharp junctions count, too, random short lines take
-// twice as long; a share of 0.9 saves 4 % more, but holds take twice as long.
+// there; behind EVEN_LONGER times it gets nearly all. Found by trying: of 200 random polygons with
+// low points 10 are slower by more than 0.5 % then, 20 with a row of 4, 27 with 1.6; where sharp
+// junctions count, too, random short lines take twice as long. The longer row makes 3 of 300
+// slower, up to 1.7 %, and the butterfly 4 % faster; of 20 in place of 40, 7, up to 14 %.
 #define EVEN_LONG 10.0
+#define EVEN_LONGER 40.0
 #define EVEN_GAIN 8.0
-#define EVEN_BRAKE 1.6
 #define BLUNT_LOAD 0.2
+// With the share β a row gains so many times v² at least where (1 − β)·a brakes from β·v along it:
+// β²/(2·(1 − β)).
+#define EVEN_BRAKE 1.6
+#define EVEN_BRAKE_LONGER 4.05
 
 enum { SEES_POLYGONS = NCK_WINDOW >= 256 }; // a shorter window seldom holds enough of one
 
@@ -150,6 +155,12 @@ static inline void settle_alone(nck_lookahead_t *self, const junction_t *junctio
            nck_corner_share_alone(v_true, junction->in->load, junction->period));
 }
 
+// Lines in sight, if all are as long.
+static inline double lines_seen(const nck_lookahead_t *self) {
+    const uint32_t told = self->terms->machine->lookahead_blocks;
+    return (double)(told > 0 ? told : NCK_WINDOW);
+}
+
 // Of a junction that is one of an even polygon, as is the line before it, what that gains over v²,
 // where 0.8 v is the most that 0.8 a or the line allows; of another one 0. It is one if
 // d a ≤ BLUNT_LOAD, a l ≤ EVEN_GAIN v², and n such lines, as many as the window has, can brake from
@@ -160,32 +171,32 @@ static inline double even_gain(const nck_lookahead_t *self, const nck_joint_t *i
     const nck_pace_t *const pace = &in->pace[NCK_PACE_OVER];
     if (!(in->load * in->a_most <= BLUNT_LOAD)) return 0.0;
     if (in->kind != NCK_SEG_LINE || out->kind != NCK_SEG_LINE) return 0.0;
-    const uint32_t told = self->terms->machine->lookahead_blocks;
-    const uint32_t blocks = told > 0 ? told : NCK_WINDOW;
     const double least = NCK_ZONE_MARGIN / NCK_CORNER_SPAN * self->zone_s;
     const double v = nck_min(period / in->load, 1.0 / NCK_CORNER_SHARE_DENSE * pace->v);
     const double gain = in->a_most * in->length / (v * v);
     const int is_even =
-        gain <= EVEN_GAIN && gain * (double)blocks >= EVEN_BRAKE && pace->time >= least;
+        gain <= EVEN_GAIN && gain * lines_seen(self) >= EVEN_BRAKE && pace->time >= least;
     return is_even ? gain : 0.0;
 }
 
-// The junction is decided: how far the row of even ones is on its way to EVEN_LONG. It does not
-// come there before it takes longer than a zone does.
+// The junction is decided: how far the row of even ones is on its way to EVEN_LONGER. It does not
+// come to EVEN_LONG before it takes longer than a zone does.
 static inline void count_even(nck_lookahead_t *self, const junction_t *junction) {
     if (!SEES_POLYGONS) return;
     const double most = EVEN_LONG / NCK_ZONE_MARGIN / self->zone_s;
     const double time = junction->in->pace[NCK_PACE_OVER].time;
     if (!(junction->even > 0.0)) self->even = 0.0f;
-    else if (!(self->even >= (float)EVEN_LONG)) {
+    else if (!(self->even >= (float)EVEN_LONGER)) {
         self->even += (float)nck_min(junction->even, most * time);
     }
 }
 
 // The largest share of a junction without a jerk limit.
 static inline double share_most_linear(const nck_lookahead_t *self, double even) {
-    const int is_long = even > 0.0 && self->even >= (float)EVEN_LONG;
-    return is_long ? NCK_CORNER_SHARE_DENSE : NCK_CORNER_SHARE_MAX;
+    if (!(even > 0.0 && self->even >= (float)EVEN_LONG)) return NCK_CORNER_SHARE_MAX;
+    const int is_longer = self->even >= (float)EVEN_LONGER
+                          && even * lines_seen(self) >= EVEN_BRAKE_LONGER;
+    return is_longer ? NCK_CORNER_SHARE_LONE : NCK_CORNER_SHARE_DENSE;
 }
 
 // The same under a jerk limit: the speed is least where the acceleration is small, so that most of

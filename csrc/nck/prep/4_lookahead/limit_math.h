@@ -9,7 +9,7 @@
 #define NCK_CORNER_SHARE_MAX 0.5
 // The same of junctions close to each other: under a jerk limit, and on an even polygon (corner.c).
 #define NCK_CORNER_SHARE_DENSE 0.8
-// The same under a jerk limit, of one alone.
+// The same under a jerk limit, of one alone, and on a long even polygon.
 #define NCK_CORNER_SHARE_LONE 0.9
 // Share that centripetal acceleration may use of what the corner leaves; the tangential one gets at
 // least √(1 − 0.8²) = 0.6 of it, for the two are perpendicular.

@@ -78,7 +78,7 @@ static inline void nck_zone_shares_before(nck_lookahead_t *self, uint32_t count,
         if (nck_zone_pass(reach, joint, self->zone_s)) return;
     }
     const int is_most = self->most_s > 0.0f;
-    nck_zone_cut_off(reach, self, is_most ? NCK_CORNER_SHARE_DENSE : NCK_CORNER_SHARE_MAX);
+    nck_zone_cut_off(reach, self, is_most ? NCK_CORNER_SHARE_LONE : NCK_CORNER_SHARE_MAX);
 }
 static inline nck_status_t nck_zone_shares_after(nck_lookahead_t *self, uint32_t count,
                                                  nck_zone_reach_t *reach) {
