@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// How the rooms share an axis' acceleration and jerk among the terms of a bend, the largest override
-// that they are shared for, and a number for what nothing limits. README of 4_lookahead, section "smooth pieces".
+// How the rooms share an axis' acceleration and jerk among the terms of a bend, the largest
+// override that they are shared for, and a number for what nothing limits. README of 4_lookahead,
+// section "smooth pieces".
 #ifndef NCK_BASE_BUDGET_H
 #define NCK_BASE_BUDGET_H
 

@@ -27,18 +27,16 @@
 // passed at, none of them more than EVEN_GAIN times, if the window is long enough to brake from
 // there; behind EVEN_LONGER times it gets nearly all. Found by trying: of 200 random polygons with
 // low points 10 are slower by more than 0.5 % then, 20 with a row of 4, 27 with 1.6; where sharp
-// junctions count, too, random short lines take twice as long. The longer row makes 3 of 300
-// slower, up to 1.7 %, and the butterfly 4 % faster; of 20 in place of 40, 7, up to 14 %.
+// junctions count, too, random short lines take twice as long. The longer row makes none of 300
+// slower; a half of it makes the wavy surface 0.8 % slower, and an eighth 2.5 % and 3 of 300.
 #define EVEN_LONG 10.0
-#define EVEN_LONGER 40.0
-#define EVEN_GAIN 8.0
+#define EVEN_LONGER 320.0
+#define EVEN_GAIN 16.0
 #define BLUNT_LOAD 0.2
 // With the share β a row gains so many times v² at least where (1 − β)·a brakes from β·v along it:
 // β²/(2·(1 − β)).
 #define EVEN_BRAKE 1.6
 #define EVEN_BRAKE_LONGER 4.05
-
-enum { SEES_POLYGONS = NCK_WINDOW >= 256 }; // a shorter window seldom holds enough of one
 
 // Room for a float's rounding, and for the steps of a plan.
 #define OVERLAP_SHARE (1.0 - 1e-6)
@@ -182,7 +180,7 @@ static inline double even_gain(const nck_lookahead_t *self, const nck_joint_t *i
 // The junction is decided: how far the row of even ones is on its way to EVEN_LONGER. It does not
 // come to EVEN_LONG before it takes longer than a zone does.
 static inline void count_even(nck_lookahead_t *self, const junction_t *junction) {
-    if (!SEES_POLYGONS) return;
+    if (!NCK_HAS_POLYGONS) return;
     const double most = EVEN_LONG / NCK_ZONE_MARGIN / self->zone_s;
     const double time = junction->in->pace[NCK_PACE_OVER].time;
     if (!(junction->even > 0.0)) self->even = 0.0f;
@@ -216,7 +214,7 @@ static inline void set_share(const nck_lookahead_t *self, junction_t *junction) 
         junction->beta = share_most_jerk(self, in, out);
         return;
     }
-    if (SEES_POLYGONS) junction->even = even_gain(self, in, out, junction->period);
+    if (NCK_HAS_POLYGONS) junction->even = even_gain(self, in, out, junction->period);
     junction->beta = share_most_linear(self, junction->even);
 }
 

@@ -408,7 +408,7 @@ static nck_status_t brake_piece(nck_linear_t *self, const nck_pieces_t *pieces) 
     const nck_node_t *const behind = nck_plan_piece(pieces, place->piece + 1);
     nck_span_t span = span_of(self, piece, place);
     span.vv_out = behind ? behind->vv_cap : 0.0;
-    if (self->next->held) span.a = hold_accel(self, pieces, place);
+    if (NCK_HAS_POLYGONS && self->next->held) span.a = hold_accel(self, pieces, place);
     nck_cell_t cell;
     const int rests = nck_trapezoid_brake(piece, &span, &cell);
     const int is_whole = !(cell.length < span.length);

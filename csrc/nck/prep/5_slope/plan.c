@@ -2,7 +2,6 @@
 // Inside room 5: pieces of path as every planner reads them.
 #include "nck/prep/5_slope/plan.h"
 
-#include "nck/base/budget.h" // NCK_OVERRIDE_TOP
 #include "nck/base/real.h"   // nck_min
 
 uint32_t nck_plan_find(const nck_pieces_t *pieces, uint32_t number, const nck_cell_t *cell) {
@@ -43,14 +42,6 @@ double nck_plan_at(const nck_pieces_t *pieces, uint32_t number, const nck_wish_t
     const nck_node_t *const before = nck_plan_piece(pieces, number - 1);
     const double cap = nck_min(junction, nck_plan_inside(piece, wish, over));
     return before ? nck_min(cap, nck_plan_inside(before, wish, over)) : cap;
-}
-
-double nck_plan_limits_at(const nck_node_t *piece, uint32_t over) {
-    const double inside = over ? piece->vv_over : piece->vv_piece;
-    const double node = over ? piece->vv_node : piece->vv_cap;
-    const double cap = node > 0.0 ? nck_min(inside, node) : inside;
-    const double v = NCK_OVERRIDE_TOP * piece->feed;
-    return over && piece->feed > 0.0 ? nck_min(cap, v * v) : cap;
 }
 
 int nck_plan_ends_block(const nck_link_t *link, const nck_pieces_t *pieces, uint32_t number) {

@@ -3,6 +3,7 @@
 #ifndef NCK_PREP_PLAN_H
 #define NCK_PREP_PLAN_H
 
+#include "nck/base/budget.h"  // NCK_OVERRIDE_TOP
 #include "nck/base/machine.h" // nck_machine_t
 #include "nck/base/link.h"    // nck_link_t
 #include "nck/base/real.h"    // nck_min
@@ -132,7 +133,13 @@ double nck_plan_at(const nck_pieces_t *pieces, uint32_t number, const nck_wish_t
 
 // v² at which a piece leaves what its limits say, over or not: the smallest cap of it and of the
 // node at its start; a rest at the node is none. Cost: constant.
-double nck_plan_limits_at(const nck_node_t *piece, uint32_t over);
+static inline double nck_plan_limits_at(const nck_node_t *piece, uint32_t over) {
+    const double inside = over ? piece->vv_over : piece->vv_piece;
+    const double node = over ? piece->vv_node : piece->vv_cap;
+    const double cap = node > 0.0 ? nck_min(inside, node) : inside;
+    const double v = NCK_OVERRIDE_TOP * piece->feed;
+    return over && piece->feed > 0.0 ? nck_min(cap, v * v) : cap;
+}
 
 // 1 if the piece of this number, which has one behind it, ends its block. Cost: constant.
 int nck_plan_ends_block(const nck_link_t *link, const nck_pieces_t *pieces, uint32_t number);
