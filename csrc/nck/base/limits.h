@@ -129,7 +129,7 @@
 // Whether a jerk-limited plan is made as good as it can be: a short window has no time for it.
 #define NCK_HAS_BEST (NCK_PROFILE >= 256)
 // Whether the linear slope is made for even polygons: its corners get more there (room 4,
-// corner.c), and holds know it (room 5, linear_left.c). A shorter window seldom holds enough of one.
+// corner.c), and holds know it (room 5, linear_left.c). A shorter window seldom holds enough.
 #define NCK_HAS_POLYGONS (NCK_WINDOW >= 256)
 
 // What holds the state of cycles, of layouts, of parameters and calls, of compensation, of
