@@ -5,6 +5,7 @@
 #include <assert.h> // assert
 #include <string.h> // memcpy memset
 
+#include "nck/base/budget.h"             // NCK_UNLIMITED
 #include "nck/prep/4_lookahead/corner.h" // nck_corner_…
 #include "nck/prep/4_lookahead/joint.h"  // nck_joint_…
 #include "nck/prep/4_lookahead/near.h"   // nck_near_…
@@ -86,21 +87,25 @@ int nck_lookahead_is_settled(const nck_lookahead_t *self) {
 }
 
 // The next seg cannot be placed yet, as is seen without a walk: what comes behind the last junction
-// that is decided reaches into it.
-static inline int is_early(nck_lookahead_t *self) {
+// that is decided reaches into it. known: of the walk behind the seg before (nck_zone_reach_t).
+static inline int is_early(nck_lookahead_t *self, double known) {
     const uint32_t count = self->joint.placed;
     const uint32_t next = count + 1;
     if (count == self->joint.decided) return 1;
+    const nck_joint_t *const joint = nck_joint_at(self, count);
+    const double left = known - joint->pace[NCK_PACE_OVER].time;
+    if (left * NCK_ZONE_MARGIN < self->zone_s && joint->kind < NCK_SEG_DWELL) return 1;
     if (next != self->joint.decided || next == self->joint.head) return 0;
     return nck_joint_at(self, next)->pace[NCK_PACE_OVER].time < self->zone_s
-           && !nck_zone_parts(nck_joint_at(self, count), self->zone_s);
+           && !nck_zone_parts(joint, self->zone_s);
 }
 
-// Place the next seg. Returns 1 if it is placed.
-static inline int place_one(nck_lookahead_t *self) {
+// Place the next seg. Returns 1 if it is placed; known_io: as in is_early, and for the next one.
+static inline int place_one(nck_lookahead_t *self, double *known_io) {
     nck_zone_reach_t after;
-    if (is_early(self)) return 0;
+    if (is_early(self, *known_io)) return 0;
     if (nck_zone_shares_after(self, self->joint.placed, &after) != NCK_OK) return 0;
+    *known_io = after.known;
     const double share[NCK_PACES] = {after.share[NCK_PACE_FEED], after.share[NCK_PACE_OVER]};
     return nck_piece_place(self, share) == NCK_OK;
 }
@@ -108,9 +113,12 @@ static inline int place_one(nck_lookahead_t *self) {
 // Place the next segs, unless it was tried in vain and nothing has become known since.
 static int place(nck_lookahead_t *self) {
     const uint32_t known = self->joint.settled + self->joint.decided;
+    double known_s = NCK_UNLIMITED;
     int placed = 0;
     if (self->joint.tried == known && !self->ended) return 0;
-    while (placed < PLACES_PER_STEP && !nck_lookahead_is_full(self) && place_one(self)) placed++;
+    while (placed < PLACES_PER_STEP && !nck_lookahead_is_full(self) && place_one(self, &known_s)) {
+        placed++;
+    }
     if (!nck_lookahead_is_full(self) && placed < PLACES_PER_STEP) self->joint.tried = known;
     return placed > 0;
 }

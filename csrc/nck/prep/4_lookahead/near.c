@@ -174,22 +174,23 @@ static void include(nck_near_t *near, const nck_joint_t *joint, double a, int pa
     near->j = nck_min(near->j, joint->pace[pace].j);
 }
 
-nck_near_t nck_near_before(nck_lookahead_t *self, uint32_t count, int pace, double beta) {
-    nck_near_t near = {NCK_UNLIMITED, NCK_UNLIMITED, 1.0};
+void nck_near_before(nck_lookahead_t *self, uint32_t count, int pace, double beta,
+                     nck_near_t *near_out) {
+    const nck_near_t unlimited = {NCK_UNLIMITED, NCK_UNLIMITED, 1.0};
     double time = 0.0;
     double least = 0.0;
+    *near_out = unlimited;
     for (int n = 0; n < NCK_NEAR_SPAN; n++) {
-        if (count == 0) return near;
+        if (count == 0) return;
         count--;
         const nck_joint_t *const joint = nck_joint_at(self, count);
-        if ((joint->end & NCK_JOINT_STOP) || joint->kind >= NCK_SEG_DWELL) return near;
-        include(&near, joint, nck_joint_accel(joint, beta, pace, self->terms), pace);
+        if ((joint->end & NCK_JOINT_STOP) || joint->kind >= NCK_SEG_DWELL) return;
+        include(near_out, joint, nck_joint_accel(joint, beta, pace, self->terms), pace);
         time += joint->pace[pace].time;
         least += joint->pace[pace].least;
-        if (least >= self->terms->mix_s) return near;
+        if (least >= self->terms->mix_s) return;
     }
-    near.slow = time / self->terms->mix_s;
-    return near;
+    near_out->slow = time / self->terms->mix_s;
 }
 
 nck_status_t nck_near_after(nck_lookahead_t *self, uint32_t count, int pace, double beta,

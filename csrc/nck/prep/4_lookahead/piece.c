@@ -219,18 +219,23 @@ static int is_tighter(const nck_lookahead_t *self, const nck_joint_t *joint,
     return near->a < (1.0 - SPLIT_SHARE) * own.a || near->j < (1.0 - SPLIT_SHARE) * own.j;
 }
 
+// 1 if a seg has a middle that is worth a piece beside zones that are so long.
+static inline int has_middle(const nck_joint_t *joint, double zones) {
+    return joint->length > NCK_ZONES_CUT * zones;
+}
+
 // The linear slope, once it cuts a seg, cuts at every share, and all zones are of one length.
 static int find_shares(const nck_lookahead_t *self, const nck_joint_t *joint,
                        const around_t ends[2], int is_cut_off[2], double zone[2]) {
     const double share[2] = {ends[0].share[NCK_PACE_FEED], ends[1].share[NCK_PACE_FEED]};
     const double length = joint->v_max * self->zone_s;
     if (!(nck_max(share[0], share[1]) > SPLIT_SHARE)) return 0;
-    if (!(joint->length > NCK_ZONES_CUT * length)) return 0; // too short for one of them
+    if (!has_middle(joint, length)) return 0; // too short for one of them
     is_cut_off[0] = share[0] > 0.0;
     is_cut_off[1] = share[1] > 0.0;
     zone[0] = is_cut_off[0] ? length : 0.0;
     zone[1] = is_cut_off[1] ? length : 0.0;
-    return joint->length > NCK_ZONES_CUT * (zone[0] + zone[1]);
+    return has_middle(joint, zone[0] + zone[1]);
 }
 
 // The zones of a seg that are cut off, and how long they are; none if the middle would be too
@@ -243,9 +248,9 @@ static int find_zones(nck_lookahead_t *self, uint32_t count, const around_t ends
         is_cut_off[n] = is_tighter(self, joint, &ends[n]);
         zone[n] = is_cut_off[n] ? zone_length(self, joint, count + n, &ends[n]) : 0.0;
         if (is_cut_off[n] && overlap) zone[n] = nck_max(zone[n], (double)overlap->reach[1 - n]);
+        if (!has_middle(joint, zone[n])) return 0;
     }
-    return (is_cut_off[0] || is_cut_off[1])
-           && joint->length > NCK_ZONES_CUT * (zone[0] + zone[1]);
+    return (is_cut_off[0] || is_cut_off[1]) && has_middle(joint, zone[0] + zone[1]);
 }
 
 // What is left of the neighbourhood in a middle whose ends are cut off or not. The linear slope's
@@ -350,7 +355,7 @@ static nck_status_t look_around(nck_lookahead_t *self, uint32_t count, around_t 
         const double beta = nck_max(ends[0].share[k], ends[1].share[k]);
         const nck_status_t status = nck_near_after(self, count, k, beta, &ends[1].near[k]);
         if (status != NCK_OK) return status;
-        ends[0].near[k] = nck_near_before(self, count, k, beta);
+        nck_near_before(self, count, k, beta, &ends[0].near[k]);
     }
     share_jerk(self, count, ends);
     return NCK_OK;
