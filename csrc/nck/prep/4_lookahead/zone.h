@@ -46,18 +46,16 @@ typedef struct nck_zone_reach {
 
 // The walk comes to a joint's end. Cost: constant.
 static inline void nck_zone_meet(nck_zone_reach_t *reach, const nck_joint_t *joint, double zone_s) {
-    double *const share = reach->share;
-    const nck_pace_t *const pace = joint->pace;
-    if (reach->time[NCK_PACE_FEED] < zone_s) {
-        share[NCK_PACE_FEED] = nck_max(share[NCK_PACE_FEED], pace[NCK_PACE_FEED].share);
+    for (int k = 0; k < NCK_PACES; k++) {
+        if (k != NCK_PACE_FEED || reach->time[k] < zone_s) {
+            reach->share[k] = nck_max(reach->share[k], joint->pace[k].share);
+        }
     }
-    share[NCK_PACE_OVER] = nck_max(share[NCK_PACE_OVER], pace[NCK_PACE_OVER].share);
 }
 
 // The walk passes a joint. Returns 1 if the zone ends within it. Cost: constant.
 static inline int nck_zone_pass(nck_zone_reach_t *reach, const nck_joint_t *joint, double zone_s) {
-    reach->time[NCK_PACE_FEED] += joint->pace[NCK_PACE_FEED].time;
-    reach->time[NCK_PACE_OVER] += joint->pace[NCK_PACE_OVER].time;
+    for (int k = 0; k < NCK_PACES; k++) reach->time[k] += joint->pace[k].time;
     return reach->time[NCK_PACE_OVER] >= zone_s;
 }
 
@@ -71,44 +69,37 @@ void nck_zone_cut_off(nck_zone_reach_t *reach, const nck_lookahead_t *self, doub
 // are not decided that far.
 // Cost: NCK_CORNER_SPAN neighbours at most.
 static inline void nck_zone_shares_before(nck_lookahead_t *self, uint32_t count,
-                                          nck_zone_reach_t *reach_out) {
-    nck_zone_reach_t reach = {{0.0, 0.0}, {0.0, 0.0}, NCK_UNLIMITED};
-    uint32_t n = 0;
-    for (; n < NCK_CORNER_SPAN; n++) {
-        if (count == 0) break;
+                                          nck_zone_reach_t *reach) {
+    const nck_zone_reach_t begin = {{0.0, 0.0}, {0.0, 0.0}, NCK_UNLIMITED};
+    *reach = begin;
+    for (uint32_t n = 0; n < NCK_CORNER_SPAN; n++) {
+        if (count == 0) return;
         count--;
         const nck_joint_t *const joint = nck_joint_at(self, count);
-        if (nck_zone_parts(joint, self->zone_s)) break;
-        nck_zone_meet(&reach, joint, self->zone_s);
-        if (nck_zone_pass(&reach, joint, self->zone_s)) break;
+        if (nck_zone_parts(joint, self->zone_s)) return;
+        nck_zone_meet(reach, joint, self->zone_s);
+        if (nck_zone_pass(reach, joint, self->zone_s)) return;
     }
-    *reach_out = reach;
-    if (n < NCK_CORNER_SPAN) return;
     const int is_most = self->most_s > 0.0f;
-    nck_zone_cut_off(reach_out, self, is_most ? NCK_CORNER_SHARE_LONE : NCK_CORNER_SHARE_MAX);
+    nck_zone_cut_off(reach, self, is_most ? NCK_CORNER_SHARE_LONE : NCK_CORNER_SHARE_MAX);
 }
 static inline nck_status_t nck_zone_shares_after(nck_lookahead_t *self, uint32_t count,
-                                                 nck_zone_reach_t *reach_out) {
-    nck_zone_reach_t reach = {{0.0, 0.0}, {0.0, 0.0}, NCK_UNLIMITED};
+                                                 nck_zone_reach_t *reach) {
+    const nck_zone_reach_t begin = {{0.0, 0.0}, {0.0, 0.0}, NCK_UNLIMITED};
     const nck_joint_t *joint = nck_joint_at(self, count);
-    uint32_t n = 0;
-    for (; n < NCK_CORNER_SPAN; n++) {
+    *reach = begin;
+    for (uint32_t n = 0; n < NCK_CORNER_SPAN; n++) {
         if (count == self->joint.decided) return NCK_EMPTY;
-        nck_zone_meet(&reach, joint, self->zone_s);
-        if (nck_zone_parts(joint, self->zone_s)) break;
+        nck_zone_meet(reach, joint, self->zone_s);
+        if (nck_zone_parts(joint, self->zone_s)) return NCK_OK;
         count++;
-        if (count == self->joint.head) {
-            if (!self->ended) return NCK_EMPTY;
-            break;
-        }
+        if (count == self->joint.head) return self->ended ? NCK_OK : NCK_EMPTY;
         joint = nck_joint_at(self, count);
-        if (nck_zone_pass(&reach, joint, self->zone_s)) {
-            if (count == self->joint.decided) reach.known = reach.time[NCK_PACE_OVER];
-            break;
-        }
+        if (!nck_zone_pass(reach, joint, self->zone_s)) continue;
+        if (count == self->joint.decided) reach->known = reach->time[NCK_PACE_OVER];
+        return NCK_OK;
     }
-    *reach_out = reach;
-    if (n == NCK_CORNER_SPAN) nck_zone_cut_off(reach_out, self, NCK_CORNER_SHARE_MAX);
+    nck_zone_cut_off(reach, self, NCK_CORNER_SHARE_MAX);
     return NCK_OK;
 }
 
