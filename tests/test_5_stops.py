@@ -55,6 +55,12 @@ def test_behind_an_override_that_came_down_a_slower_move_is_entered_at_its_own_f
     assert trace["vel_mm_s"][slow].max() < 40.5
 
 
+def peaks_of_axes(run, kinds="va"):
+    """Return the largest share of an axis' limits: v, a, j."""
+    peaks = run.summary["peaks"]
+    return max(peaks[axis][kind] for axis in peaks if axis != "path" for kind in kinds)
+
+
 @pytest.mark.parametrize("name", ["micro-segments, P0.01", "zigzag 10 mm, P0.01"])
 @pytest.mark.parametrize("slope", stops.SLOPES)
 def test_every_axis_keeps_its_limits_while_it_stops(slope, name):
@@ -64,16 +70,8 @@ def test_every_axis_keeps_its_limits_while_it_stops(slope, name):
     for tick, event in [(1611, "hold"), (7670, "override 0"), *moments]:
         command = (int(tick), *stops.EVENTS[event])
         run = pycnc.run(text, machine=machine, commands=[command])
-        peaks = run.summary["peaks"]
-        del peaks["path"]
         kinds = "va" if slope == "linear" else "vaj"
-        assert max(peaks[axis][kind] for axis in peaks for kind in kinds) <= 1 + 1e-6, tick
-
-
-def peaks_of_axes(run):
-    """Return the largest share of an axis' speed or acceleration."""
-    peaks = run.summary["peaks"]
-    return max(peaks[axis][kind] for axis in peaks if axis != "path" for kind in "va")
+        assert peaks_of_axes(run, kinds) <= 1 + 1e-6, tick
 
 
 def test_a_linear_hold_keeps_the_limits_of_an_even_polygon():

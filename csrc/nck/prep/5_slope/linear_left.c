@@ -2,7 +2,7 @@
 // Inside room 5: what corners and bends leave to the linear slope's brake.
 #include "nck/prep/5_slope/linear_left.h"
 
-#include "nck/base/real.h"   // nck_min nck_sqrt
+#include "nck/base/real.h" // nck_min nck_sqrt
 
 enum { NEIGHBOURS = 8 }; // on a side; where a period passes more of them, nothing is known
 

@@ -2,7 +2,7 @@
 // Inside room 5: pieces of path as every planner reads them.
 #include "nck/prep/5_slope/plan.h"
 
-#include "nck/base/real.h"   // nck_min
+#include "nck/base/real.h" // nck_min
 
 uint32_t nck_plan_find(const nck_pieces_t *pieces, uint32_t number, const nck_cell_t *cell) {
     const uint32_t last = pieces->head + pieces->fill - 1;
