@@ -229,13 +229,14 @@ static double growing_time(const corner_t *corner, int n, double share) {
 }
 
 // How long motions may overlap at most: up to the corner's speed, and half a block takes half_s.
+// The slope cannot do so for longer than ride_s.
 // Where only the order of their jerks lets them share an axis, as long as acceleration grows.
 static double overlap_most(const corner_t *corner, const nck_overlap_t *motions, double share,
                            double half_s) {
     const nck_terms_t *const terms = corner->terms;
     const double sum = nck_overlap_sum(terms->machine, terms->axes, motions);
     double most = nck_overlap_most(terms->machine, terms->axes, motions);
-    most = nck_min(most, half_s - terms->rest_s);
+    most = nck_min(most, nck_min(terms->ride_s, half_s - terms->rest_s));
     for (int n = 0; n < 2; n++) {
         most = nck_min(most, nck_scurve_time(&corner->ramp[n], corner->v_max));
         if (share * sum > 1.0 + JERK_EPSILON) {
@@ -254,8 +255,8 @@ static int may_add(const corner_t *corner, double time) {
 // What a stop gains by overlapping motions [s], no more than half a block takes from rest, half_s.
 // No distance in *stop_out: nothing, where one of the blocks is no line, or too short, or an
 // axis has no jerk for both. Near to the corner either keeps to a share κ of its jerk then, and
-// loses (1 − κ) of the time that both overlap. Without a filter it would come to no acceleration
-// where that begins.
+// loses (1 − κ) of the time that both overlap: so no distance is wider than that time can use.
+// Without a filter it would come to no acceleration where that begins.
 static double overlap_of(const corner_t *corner, double half_s, nck_corner_stop_t *stop_out) {
     const nck_terms_t *const terms = corner->terms;
     const nck_overlap_t motions = {corner->in, corner->out,
@@ -269,12 +270,17 @@ static double overlap_of(const corner_t *corner, double half_s, nck_corner_stop_
     const double most = overlap_most(corner, &motions, share, half_s);
     const double unit = nck_overlap_time(1.0, share * motions.j[0])
                         + nck_overlap_time(1.0, share * motions.j[1]); // for 1 mm
-    const double used = USED * nck_max(0.0, most / unit);
+    const double root = nck_max(0.0, most / unit);
+    const double used = USED * root;
     const double outside = outside_of(corner, nck_min(widest, used * used * used));
     const double wide = distance_of(corner, outside);
     if (outside > 0.0 && may_add(corner, unit * nck_root_cube(wide))) {
         stop_out->outside = outside;
         d = wide;
+    }
+    if (share < 1.0 && d > root * root * root) {
+        d = root * root * root;
+        stop_out->widest = d;
     }
     const double overlap = nck_min(unit * nck_root_cube(d), most);
     if (overlap < PERIODS_LEAST * terms->machine->period_s) return 0.0;

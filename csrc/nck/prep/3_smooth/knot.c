@@ -251,12 +251,14 @@ static double sure_knot(nck_smooth_t *self, double here) {
     return t < end - nck_raw_least(end) ? t : end;
 }
 
-// The n-th step to try: parts of the one wanted, then of the one before, which fitted.
+// The n-th step to try: parts of the one wanted, then of the one before, which fitted. On the way to
+// a key no sliver is left before it: its knots would be that near on both sides.
 static double shorter_step(const nck_smooth_t *self, double step, int n) {
-    static const double of_wanted[TRIES_WANTED] = {1.0, 0.9, 0.8, 0.65, 0.45};
+    static const double of_wanted[2][TRIES_WANTED] = {{1.0, 0.9, 0.8, 0.65, 0.45},
+                                                      {1.0, 0.5, 0.4, 0.33, 0.25}};
     static const double of_last[TRIES - TRIES_WANTED] = {1.0, 0.6, 0.3, 0.1, 0.02, 0.002};
     const double last = self->run.t[4] - self->run.t[3];
-    if (n < TRIES_WANTED) return of_wanted[n] * step;
+    if (n < TRIES_WANTED) return of_wanted[self->run.trial.to_key ? 1 : 0][n] * step;
     return of_last[n - TRIES_WANTED] * (last > 0.0 ? nck_min(last, 0.3 * step) : 0.3 * step);
 }
 

@@ -3,11 +3,15 @@
 #include "nck/prep/3_smooth/part.h"
 
 #include "nck/base/path.h"                 // nck_path_…
-#include "nck/base/real.h"                 // nck_max
+#include "nck/base/real.h"                 // nck_min nck_max
 #include "nck/prep/3_smooth/raw.h"         // nck_raw_…
 #include "nck/prep/3_smooth/spline_math.h" // nck_spline_…
 
 #define MUCH 0.5            // of a knot interval, for a block's end to be a seg's end
+// No part of a spline is shorter than this share of its interval, or than this [path mm]: the third
+// difference of its points would be their rounding, and cap the speed as if it were a bend.
+#define PART_SHARE (1.0 / 64.0)
+#define PART_LONG 2e-3
 enum { STRETCH_PARTS = 8 }; // of a spline, to find where it is fastest
 // A part of a spline whose fastest place exceeds its mean by more is halved, so often at most, and
 // into parts that last so many periods at least.
@@ -28,10 +32,16 @@ static int parts_at(nck_smooth_t *self, uint32_t count, uint32_t next) {
     return outputs || words_differ(&nck_raw_at(self, count)->seg, &nck_raw_at(self, next)->seg);
 }
 
+double nck_part_least(const nck_smooth_t *self) {
+    const double to = self->run.t[3];
+    const double share = PART_SHARE * (to - self->run.t[2]);
+    return nck_max(nck_raw_least(to), nck_min(PART_LONG, share));
+}
+
 // Shorter blocks than what makes much of the interval are executed together.
 double nck_part_end(nck_smooth_t *self) {
     const double to = self->run.t[3];
-    const double least = nck_raw_least(to);
+    const double least = nck_part_least(self);
     const double much = MUCH * (to - self->run.t[2]);
     uint32_t count = nck_raw_find(self, self->run.given + least);
     for (;;) {
@@ -45,7 +55,7 @@ double nck_part_end(nck_smooth_t *self) {
 }
 
 const nck_raw_t *nck_part_raw(nck_smooth_t *self, double end) {
-    return nck_raw_at(self, nck_raw_find(self, end - nck_raw_least(end)));
+    return nck_raw_at(self, nck_raw_find(self, end - nck_part_least(self)));
 }
 
 // |dp/ds| of a spline between two places: the largest, and the mean of what divides the feed.

@@ -5,6 +5,10 @@
 
 #include "nck/prep/3_smooth/smooth.h" // nck_smooth_t nck_raw_t
 
+// What is no part of its own between t[2] and t[3] [path mm]: where a block ends, or something is
+// output, nearer to a knot than this, the knot stands for it. Cost: constant.
+double nck_part_least(const nck_smooth_t *self);
+
 // Where the next part of the interval at t[2] … t[3] ends [path mm]: at an output, where the words
 // of the program change, or where a block ends that makes much of the interval.
 // Cost: as nck_raw_find, and linear in the blocks of the part.

@@ -295,7 +295,7 @@ static nck_status_t give_output(nck_smooth_t *self, nck_raw_t *raw, nck_smooth_i
 
 // The next output of the run up to the place s.
 static nck_raw_t *due_output(nck_smooth_t *self, double s) {
-    const double beyond = s + nck_raw_least(s);
+    const double beyond = s + nck_part_least(self);
     for (uint32_t count = self->raw.tail; count != self->run.end; count++) {
         nck_raw_t *const raw = nck_raw_at(self, count);
         if (raw->s >= beyond) return NULL;

@@ -38,9 +38,9 @@
 // A step of the curvature is a key if the corner there allows alone so many of its spacings, and
 // the blocks beside it have room for this share of it.
 #define STEP_CORNER 4.0
-#define STEP_ROOM 0.5
+#define STEP_ROOM 0.35
 // Inside of an arc its spacing must fit by this share.
-#define STEP_FITS 0.8
+#define STEP_FITS 0.7
 enum {
     LOOKED_AT = 4,       // of so many small blocks one
     WINDOW_LEAST = 128,  // pieces that a window holds, for corners of more pieces

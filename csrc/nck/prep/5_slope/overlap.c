@@ -8,8 +8,6 @@
 #include "nck/prep/5_slope/jerk.h" // nck_jerk_cell_s
 #include "nck/prep/5_slope/ladder_math.h" // NCK_LADDER_STRETCH
 
-// Cells of a plan that are withheld, at most: the ring has room for others, too.
-enum { WITHHELD_MOST = NCK_CELL_MAX / 2 };
 enum { HALVINGS = 32 }; // of a cell's duration, for a time in it
 // They last so many times what the end takes that is left at the distance in question.
 #define WITHHELD_TIMES 2.5
@@ -93,7 +91,7 @@ uint32_t nck_overlap_withheld(const nck_link_t *link, const nck_pieces_t *pieces
     if (!NCK_HAS_OVERLAP || !(stretch.left > 0.0)) return 0;
     const uint32_t seg = nck_link_built_cell(link, next->n - 1)->seg;
     const uint32_t least = next->beside > 0 ? next->beside : 1;
-    while (count < WITHHELD_MOST && count + least < next->n) {
+    while (count < NCK_OVERLAP_CELLS && count + least < next->n) {
         const nck_cell_t *const cell = nck_link_built_cell(link, next->n - 1 - count);
         const int is_far = !(stretch.left > 0.0) && time > WITHHELD_TIMES * stretch.time;
         if (is_far || cell->seg != seg) break;

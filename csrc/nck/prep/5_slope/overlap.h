@@ -3,9 +3,13 @@
 #ifndef NCK_PREP_OVERLAP_H
 #define NCK_PREP_OVERLAP_H
 
+#include "nck/base/limits.h"       // NCK_CELL_MAX
 #include "nck/base/link.h"         // nck_link_t
 #include "nck/base/machine.h"      // nck_machine_t
 #include "nck/prep/5_slope/plan.h" // nck_plan_t nck_pieces_t
+
+// Cells of a plan that are withheld, at most: the ring has room for others, too.
+enum { NCK_OVERLAP_CELLS = NCK_CELL_MAX / 2 };
 
 // How many of a plan's last cells wait for the plan behind its rest (nck_plan_t.withheld): all that
 // it may overlap, none of those that are beside the plan before; 0: it may not. The plan is built.

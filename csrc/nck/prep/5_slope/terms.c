@@ -5,6 +5,9 @@
 #include "nck/base/limits.h"              // NCK_FILTER_TAPS
 #include "nck/base/real.h"                // nck_max
 #include "nck/prep/5_slope/ladder_math.h" // nck_ladder_raise NCK_LADDER_STRETCH
+#include "nck/prep/5_slope/overlap.h"     // NCK_OVERLAP_CELLS
+
+#define BESIDE_REST 1.25 // times D: what a cell lasts there
 
 // Axes from X on up to the last one that the machine has.
 static uint8_t axes_of(const nck_machine_t *machine) {
@@ -37,7 +40,8 @@ void nck_slope_terms(const nck_machine_t *machine, nck_terms_t *terms_out) {
     const double filter = (double)NCK_FILTER_TAPS * period;
     const int is_filtered = machine->slope == NCK_SLOPE_JERK;
     const uint8_t axes = axes_of(machine);
-    const nck_terms_t linear = {machine, 0, 1, 0, 1, axes, machine->path.j_max, 0.0, 0.0, period};
+    const nck_terms_t linear = {machine, 0, 1, 0, 1, axes, machine->path.j_max, 0.0, 0.0, period,
+                                0.0};
     *terms_out = linear;
     if (!NCK_HAS_JERK || machine->slope == NCK_SLOPE_LINEAR) return;
     terms_out->limits_jerk = 1;
@@ -50,4 +54,6 @@ void nck_slope_terms(const nck_machine_t *machine, nck_terms_t *terms_out) {
     terms_out->v_filter =
         nck_ladder_raise(terms_out->j_max, filter, NCK_LADDER_STRETCH * cell);
     terms_out->rest_s = is_filtered ? period + filter : period;
+    const double beside = is_filtered ? BESIDE_REST * nck_jerk_cell_s(machine) : period;
+    terms_out->ride_s = (double)NCK_OVERLAP_CELLS * beside;
 }
