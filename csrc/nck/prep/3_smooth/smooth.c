@@ -19,19 +19,14 @@
 #define TOLERANCE_MIN 1e-4 // [mm] a smaller one means the exact path
 #define ROUNDING 2e-6      // [mm] kept of the tolerance: setpoints are whole nanometres
 
-// The widest spacing that any speed, acceleration and jerk of the machine can ask for.
-static double widest_spacing(const nck_machine_t *machine) {
+// Nothing moves faster.
+static double fastest(const nck_machine_t *machine) {
     double vv = 0.0;
-    double a = machine->path.a_max;
-    double j = machine->path.j_max;
     for (int x = 0; x < NCK_AXIS_MAX; x++) {
         const nck_axis_t *const axis = &machine->axis[x];
-        if (!axis->present) continue;
-        vv += axis->v_max * axis->v_max;
-        a = nck_min(a, axis->a_max);
-        j = nck_min(j, axis->j_max);
+        if (axis->present) vv += axis->v_max * axis->v_max;
     }
-    return nck_spline_spacing_max(nck_sqrt(vv), a, j);
+    return nck_sqrt(vv);
 }
 
 void nck_smooth_init(nck_smooth_t *self, const nck_terms_t *terms) {
@@ -47,7 +42,7 @@ void nck_smooth_init(nck_smooth_t *self, const nck_terms_t *terms) {
 
 void nck_smooth_adapt(nck_smooth_t *self) {
     const nck_machine_t *const machine = self->terms->machine;
-    if (NCK_HAS_SMOOTH) self->spacing_max = widest_spacing(machine);
+    if (NCK_HAS_SMOOTH) self->spacing_max = nck_spacing_widest(self, fastest(machine));
     for (int x = 0; x < NCK_AXIS_MAX; x++) {
         const double counts = nck_machine_counts(machine, x);
         self->travel[0][x] = (double)machine->axis[x].min_nm / counts;

@@ -68,6 +68,26 @@ typedef struct vertex {
     double range[2]; // … between the good one and the bad one here [path mm]
 } vertex_t;
 
+double nck_spacing_widest(const nck_smooth_t *self, double v) {
+    const nck_machine_t *const machine = self->terms->machine;
+    double a = machine->path.a_max;
+    double j = machine->path.j_max;
+    for (int x = 0; x < self->terms->axes; x++) {
+        const nck_axis_t *const axis = &machine->axis[x];
+        if (!axis->present) continue;
+        a = nck_min(a, axis->a_max);
+        j = nck_min(j, axis->j_max);
+    }
+    return nck_spline_spacing_max(v, a, j);
+}
+
+// The widest that the speed of a block can ask for: a wider bend only leaves the path further, and
+// is a longer way.
+static double widest_along(const nck_smooth_t *self, const nck_seg_t *seg) {
+    if (seg->rapid) return self->spacing_max;
+    return nck_min(self->spacing_max, nck_spacing_widest(self, seg->feed));
+}
+
 // How far the spline may leave the corner between two blocks, before it is checked [mm].
 static double aim_between(const nck_raw_t *raw, const nck_raw_t *next) {
     return AIM * nck_min(raw->tolerance, next->tolerance);
@@ -361,7 +381,9 @@ static double widen(nck_smooth_t *self, uint32_t count, double narrow, double pl
     if (NCK_WINDOW < WINDOW_LEAST || !self->terms->carries) return plain;
     const double in = nck_raw_at(self, count)->seg.length;
     const double out = nck_raw_at(self, nck_raw_next(self, count))->seg.length;
-    const double wide = nck_min(self->spacing_max,
+    const nck_raw_t *const raw = nck_raw_at(self, count);
+    const nck_raw_t *const next = nck_raw_at(self, nck_raw_next(self, count));
+    const double wide = nck_min(nck_min(raw->inside, next->inside),
                                 NCK_SPLINE_WIDE * (NCK_SPLINE_WIDE_SHARE / AIM_KEY) * narrow);
     return nck_max(plain, fit_line(fit_line(wide, nck_min(in, out)), nck_max(in, out)));
 }
@@ -378,12 +400,12 @@ static double step_of(const nck_seg_t *in, const nck_seg_t *out, int axes) {
 
 // The spacing of knots that the inside of a block allows where it goes on straight at its ends.
 static double spacing_along(const nck_smooth_t *self, const nck_raw_t *raw) {
-    if (raw->seg.kind == NCK_SEG_LINE) return self->spacing_max;
+    const double widest = widest_along(self, &raw->seg);
+    if (raw->seg.kind == NCK_SEG_LINE) return widest;
     const double kappa = nck_raw_curvature(&raw->seg, self->terms->axes);
     const double omega = nck_fabs(raw->seg.shape.arc.sweep) / raw->seg.length;
-    if (!(kappa * omega * omega > 0.0)) return self->spacing_max; // it hardly bends
-    return nck_min(self->spacing_max,
-                   nck_spline_arc_spacing(AIM * raw->tolerance, kappa, omega));
+    if (!(kappa * omega * omega > 0.0)) return widest; // it hardly bends
+    return nck_min(widest, nck_spline_arc_spacing(AIM * raw->tolerance, kappa, omega));
 }
 
 // The spacing at a step of the curvature that gets a knot of its own; 0: it is none, or does not.
@@ -454,7 +476,9 @@ static nck_status_t find(nck_smooth_t *self, uint32_t count, vertex_t *corner_ou
         raw->inside = spacing_along(self, raw);
         next->inside = spacing_along(self, next);
     } else {
-        raw->inside = nck_spacing_inside(self, &raw->seg, raw->tolerance);
+        if (raw->seg.kind != NCK_SEG_LINE) {
+            raw->inside = nck_spacing_inside(self, &raw->seg, raw->tolerance);
+        }
         const nck_status_t status = find_at_corner(self, count, corner_out, &spacing);
         if (status == NCK_EMPTY) return status;
     }
@@ -486,6 +510,6 @@ nck_status_t nck_spacing_know(nck_smooth_t *self, uint32_t count) {
 
 double nck_spacing_inside(const nck_smooth_t *self, const nck_seg_t *seg, double tolerance) {
     const double kappa = nck_raw_curvature(seg, self->terms->axes);
-    if (!(kappa > 0.0)) return self->spacing_max;
-    return nck_min(self->spacing_max, nck_spline_curve_spacing(AIM * tolerance, kappa));
+    const double widest = widest_along(self, seg);
+    return kappa > 0.0 ? nck_min(widest, nck_spline_curve_spacing(AIM * tolerance, kappa)) : widest;
 }
