@@ -309,7 +309,8 @@ static double stop_time(const corner_t *corner, double d, nck_corner_stop_t *sto
         if (corner->terms->limits_jerk) on = nck_min(on, half + again_time(corner, n, d));
         const int is_apart = !corner->terms->limits_jerk || corner->half[n] >= ALIKE * d;
         const int goes_on = corner->terms->carries && is_apart;
-        if (corner->rests[n]) time += 2.0 * half;
+        const double between = corner->length[n] - 2.0 * corner->half[n]; // of both halves
+        if (corner->rests[n]) time += 2.0 * half + between / ramp->v_max;
         else time += half + (goes_on ? on : nck_min(half, on));
     }
     const double overlap = overlap_of(corner, half_s, stop_out);
