@@ -53,10 +53,12 @@ static int taps_of(const nck_machine_t *machine) {
     return machine->slope == NCK_SLOPE_JERK ? NCK_FILTER_TAPS : 1;
 }
 
-// What a ramp from full speed to rest takes [s].
+// What a ramp from full speed to rest takes [s]: no more acceleration is come to than √(v·j).
 static double ramp_s(const nck_machine_t *machine) {
-    return machine->path.feed_max / machine->path.a_max
-           + machine->path.a_max / machine->path.j_max;
+    const double v = machine->path.feed_max;
+    const double j = machine->path.j_max;
+    const double a = nck_min(machine->path.a_max, nck_sqrt(v * j));
+    return v / a + a / j;
 }
 
 double nck_jerk_cell_s(const nck_machine_t *machine) {
