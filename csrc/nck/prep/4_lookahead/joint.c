@@ -174,6 +174,14 @@ static void make_rest(nck_joint_t *joint, const nck_seg_t *seg) {
     if (seg->kind == NCK_SEG_TAP) joint->shape.dwell_s = (double)seg->shape.tap.duration;
 }
 
+// What accelerates at a has come from a = 0 at rest, what brakes at a has to come to it:
+//   v ≥ a²/2j,   a ≤ √(2v·j)
+// More than that is never had, and a profile is the nearer to its optimum the less it may have.
+static inline void cap_by_jerk(nck_joint_t *joint, double j) {
+    const double aa = 2.0 * joint->v_free * j;
+    if (joint->a_most * joint->a_most > aa) joint->a_most = nck_sqrt(aa);
+}
+
 static inline void make_caps(nck_joint_t *joint, const nck_seg_t *seg, const double *tangent_start,
                              const double *tangent_end, const nck_terms_t *terms) {
     const nck_machine_t *const machine = terms->machine;
@@ -191,6 +199,7 @@ static inline void make_caps(nck_joint_t *joint, const nck_seg_t *seg, const dou
         const nck_joint_arc_t *const arc = &joint->shape.arc;
         joint->a_most = nck_min(joint->a_most, arc->a_plane / arc->cos_lambda);
     }
+    if (terms->limits_jerk) cap_by_jerk(joint, terms->j_max);
 }
 
 void nck_joint_make(nck_joint_t *joint, const nck_seg_t *seg, const double span[2],
@@ -220,10 +229,12 @@ int nck_joint_parts(const nck_joint_t *joint, const nck_terms_t *terms) {
     if (!terms->carries) return 1; // each part ends without acceleration
     for (int x = 0; x < terms->axes; x++) {
         const double third = joint->shape.bend.third[x];
+        const nck_axis_t *const axis = &machine->axis[x];
         const double bend = third * joint->length * joint->v_free * joint->v_free;
-        change = nck_max(change, bend / machine->axis[x].a_max);
+        const double aa = nck_min(axis->a_max * axis->a_max, joint->v_free * axis->j_max);
+        change = nck_max(change, bend * bend / aa);
     }
-    if (change < PART_CHANGE || joint->length < 2.0 * mixed) return 1;
+    if (change < PART_CHANGE * PART_CHANGE || joint->length < 2.0 * mixed) return 1;
     return (int)nck_min((double)NCK_SPLINE_PARTS, nck_floor(joint->length / mixed));
 }
 
@@ -262,7 +273,7 @@ static void limit_on_arc(const nck_joint_t *joint, double beta, double v_filter,
 static double accel_left(const nck_joint_t *joint, double v, const nck_terms_t *terms) {
     const nck_machine_t *const machine = terms->machine;
     const nck_joint_bend_t *const bend = &joint->shape.bend;
-    double a = machine->path.a_max;
+    double a = joint->a_most;
     for (int x = 0; x < terms->axes; x++) {
         const nck_axis_t *const axis = &machine->axis[x];
         if (!(bend->first[x] > 0.0)) continue;

@@ -87,7 +87,7 @@ static inline void nck_joint_settle(nck_joint_t *joint, double w_in, const nck_t
 // Cost: constant.
 static inline double nck_joint_straight(const nck_joint_t *joint, double beta,
                                         const nck_terms_t *terms) {
-    return nck_min(terms->machine->path.a_max, (1.0 - beta) * joint->shape.arc.a_straight);
+    return nck_min(joint->a_most, (1.0 - beta) * joint->shape.arc.a_straight);
 }
 
 // The largest tangential acceleration anywhere on a seg, when its junctions are known: a line's may
