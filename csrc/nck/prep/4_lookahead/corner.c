@@ -122,12 +122,12 @@ typedef struct junction {
 static nck_status_t largest_gain(nck_lookahead_t *self, const junction_t *junction,
                                  const nck_walk_t *begin, double reach, double *a_t_out) {
     const nck_joint_t *neighbour = junction->out;
-    double a = nck_joint_most(junction->in, self->terms);
+    double a = nck_joint_most(junction->in);
     double x = 0.0;
     nck_status_t status = NCK_OK;
     nck_walk_t walk = *begin;
     while (status == NCK_OK) {
-        a = nck_max(a, nck_joint_most(neighbour, self->terms)); // the first time, of the seg behind
+        a = nck_max(a, nck_joint_most(neighbour)); // the first time, of the seg behind
         status = nck_walk_next(self, &walk, reach, &neighbour, &x);
     }
     *a_t_out = a * junction->period;

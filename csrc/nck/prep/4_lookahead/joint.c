@@ -343,7 +343,7 @@ nck_piece_limit_t nck_joint_curved(const nck_joint_t *joint, double beta, int pa
         piece.a = (1.0 - beta) * at->a;
         return piece;
     }
-    piece.a = nck_joint_straight(joint, beta, terms);
+    piece.a = nck_joint_straight(joint, beta);
     if (is_curved(joint)) limit_on_arc(joint, beta, terms->v_filter, &piece);
     return piece;
 }

@@ -85,15 +85,14 @@ static inline void nck_joint_settle(nck_joint_t *joint, double w_in, const nck_t
 
 // What the axes leave to a line's acceleration, or to an arc's outside of its plane, under beta.
 // Cost: constant.
-static inline double nck_joint_straight(const nck_joint_t *joint, double beta,
-                                        const nck_terms_t *terms) {
+static inline double nck_joint_straight(const nck_joint_t *joint, double beta) {
     return nck_min(joint->a_most, (1.0 - beta) * joint->shape.arc.a_straight);
 }
 
 // The largest tangential acceleration anywhere on a seg, when its junctions are known: a line's may
 // have come down. Cost: constant.
-static inline double nck_joint_most(const nck_joint_t *joint, const nck_terms_t *terms) {
-    return joint->kind == NCK_SEG_LINE ? nck_joint_straight(joint, 0.0, terms) : joint->a_most;
+static inline double nck_joint_most(const nck_joint_t *joint) {
+    return joint->kind == NCK_SEG_LINE ? nck_joint_straight(joint, 0.0) : joint->a_most;
 }
 
 // nck_joint_piece of arcs and splines: bends cost of the speed and of the acceleration.
@@ -108,14 +107,14 @@ static inline nck_piece_limit_t nck_joint_piece(const nck_joint_t *joint, double
     if (joint->kind != NCK_SEG_LINE) return nck_joint_curved(joint, beta, pace, terms);
     const nck_pace_t *const at = &joint->pace[pace];
     const nck_piece_limit_t piece = {at->v * at->v, joint->v_free * joint->v_free,
-                                     nck_joint_straight(joint, beta, terms), at->j, joint->limit};
+                                     nck_joint_straight(joint, beta), at->j, joint->limit};
     return piece;
 }
 
 // The acceleration of nck_joint_piece alone. Cost: constant.
 static inline double nck_joint_accel(const nck_joint_t *joint, double beta, int pace,
                                      const nck_terms_t *terms) {
-    if (joint->kind == NCK_SEG_LINE) return nck_joint_straight(joint, beta, terms);
+    if (joint->kind == NCK_SEG_LINE) return nck_joint_straight(joint, beta);
     return nck_joint_piece(joint, beta, pace, terms).a;
 }
 

@@ -118,7 +118,7 @@ static uint16_t half_of(float x) {
 // What the axes leave at standstill; the linear slope asks for the acceleration alone.
 static inline void leave_at_rest(nck_node_t *node, const nck_joint_t *joint,
                                  const nck_terms_t *terms) {
-    node->standstill.left.a = no_more(nck_joint_most(joint, terms));
+    node->standstill.left.a = no_more(nck_joint_most(joint));
     if (!terms->limits_jerk) return;
     node->standstill.left.j = no_more(joint->j_straight);
     node->q_rest = half_of(no_more(nck_joint_bends(joint, terms)));
