@@ -103,7 +103,7 @@ void nck_corner_meet(nck_joint_t *in, nck_joint_t *out, const double *tangent_in
         return;
     }
     in->load = load;
-    if (terms->limits_jerk && terms->carries) tame(in, out, terms);
+    if (terms->carries) tame(in, out, terms);
 }
 
 // A junction that is decided, between two known segs.

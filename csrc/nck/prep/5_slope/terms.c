@@ -7,7 +7,8 @@
 #include "nck/prep/5_slope/ladder_math.h" // nck_ladder_raise NCK_LADDER_STRETCH
 #include "nck/prep/5_slope/overlap.h"     // NCK_OVERLAP_CELLS
 
-#define BESIDE_REST 1.25 // times D: what a cell lasts there
+#define FILTERS_LEAST 2.0 // that a ramp lasts
+#define BESIDE_REST 1.25   // times D: what a cell lasts there
 
 // Axes from X on up to the last one that the machine has.
 static uint8_t axes_of(const nck_machine_t *machine) {
@@ -17,8 +18,8 @@ static uint8_t axes_of(const nck_machine_t *machine) {
 }
 
 // Jerk along a path, at most: along no tangent do the axes allow more than the root of their
-// squares' sum. Where a filter follows, no ramp A/J is shorter than it: what it takes from low caps
-// (v_filter) grows with the jerk, and soon costs more time than the ramps win.
+// squares' sum. Where a filter follows, no ramp A/J is shorter than it twice over: what it takes
+// from low caps (v_filter) grows with the jerk, and soon costs more time than the ramps win.
 static double jerk_along(const nck_machine_t *machine, uint8_t axes, double filter) {
     double aa = 0.0;
     double jj = 0.0;
@@ -30,7 +31,7 @@ static double jerk_along(const nck_machine_t *machine, uint8_t axes, double filt
     }
     const double a = nck_min(machine->path.a_max, nck_sqrt(aa));
     const double j = nck_min(machine->path.j_max, nck_sqrt(jj));
-    return filter > 0.0 ? nck_min(j, a / filter) : j;
+    return filter > 0.0 ? nck_min(j, a / (FILTERS_LEAST * filter)) : j;
 }
 
 // Only the jerk-limited slope has a filter, and waits at a rest until it has run out. Room 4 gives
