@@ -287,7 +287,6 @@ static double accel_left(const nck_joint_t *joint, double v, const nck_terms_t *
 
 double nck_joint_bends(const nck_joint_t *joint, const nck_terms_t *terms) {
     double least = NCK_UNLIMITED;
-    if (joint->kind != NCK_SEG_SPLINE) return least;
     for (int x = 0; x < terms->axes; x++) {
         const double second = joint->shape.bend.second[x];
         if (second > 0.0) least = nck_min(least, terms->machine->axis[x].j_max / second);

@@ -121,7 +121,9 @@ static inline void leave_at_rest(nck_node_t *node, const nck_joint_t *joint,
     node->standstill.left.a = no_more(nck_joint_most(joint));
     if (!terms->limits_jerk) return;
     node->standstill.left.j = no_more(joint->j_straight);
-    node->q_rest = half_of(no_more(nck_joint_bends(joint, terms)));
+    const int bends = joint->kind == NCK_SEG_SPLINE; // told apart here, which is quicker
+    node->q_rest = bends ? half_of(no_more(nck_joint_bends(joint, terms)))
+                         : half_of(no_more(NCK_UNLIMITED));
 }
 
 // What a node has of its joint, and what nobody has found yet.
@@ -211,8 +213,8 @@ static double zone_length(nck_lookahead_t *self, const nck_joint_t *joint, uint3
 
 // Under a jerk limit: whether a seg is worth a piece of its own next to the node around which less
 // is allowed.
-static int is_tighter(const nck_lookahead_t *self, const nck_joint_t *joint,
-                      const around_t *around) {
+static inline int is_tighter(const nck_lookahead_t *self, const nck_joint_t *joint,
+                             const around_t *around) {
     if (around->share[NCK_PACE_FEED] > SPLIT_SHARE) return 1;
     const nck_piece_limit_t own = nck_joint_piece(joint, 0.0, NCK_PACE_FEED, self->terms);
     const nck_near_t *const near = &around->near[NCK_PACE_FEED];
@@ -244,10 +246,12 @@ static int find_zones(nck_lookahead_t *self, uint32_t count, const around_t ends
                       int is_cut_off[2], double zone[2]) {
     const nck_joint_t *const joint = nck_joint_at(self, count);
     for (uint32_t n = 0; n < 2; n++) {
-        const nck_joint_overlap_t *const overlap = overlap_at(self, count + n);
         is_cut_off[n] = is_tighter(self, joint, &ends[n]);
-        zone[n] = is_cut_off[n] ? zone_length(self, joint, count + n, &ends[n]) : 0.0;
-        if (is_cut_off[n] && overlap) zone[n] = nck_max(zone[n], (double)overlap->reach[1 - n]);
+        zone[n] = 0.0;
+        if (!is_cut_off[n]) continue;
+        const nck_joint_overlap_t *const overlap = overlap_at(self, count + n);
+        zone[n] = zone_length(self, joint, count + n, &ends[n]);
+        if (overlap) zone[n] = nck_max(zone[n], (double)overlap->reach[1 - n]);
         if (!has_middle(joint, zone[n])) return 0;
     }
     return (is_cut_off[0] || is_cut_off[1]) && has_middle(joint, zone[0] + zone[1]);
