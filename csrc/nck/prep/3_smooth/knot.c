@@ -8,6 +8,7 @@
 
 #include "nck/base/real.h"                 // nck_min nck_max
 #include "nck/prep/3_smooth/control.h"     // nck_control_…
+#include "nck/prep/3_smooth/curve.h"       // nck_curve_inside
 #include "nck/prep/3_smooth/raw.h"         // nck_raw_…
 #include "nck/prep/3_smooth/spacing.h"     // nck_spacing_know
 
@@ -47,7 +48,7 @@ static nck_status_t look_at_end(nck_smooth_t *self, const nck_raw_t *raw, way_t 
     if (self->run.closed) {
         way->goal = end;
         way->half = 0.0;
-        const double inside = nck_spacing_inside(self, &raw->seg, raw->tolerance);
+        const double inside = nck_curve_inside(self, &raw->seg, raw->tolerance);
         way->step = nck_min(way->step, inside + 0.5 * (end - self->run.t[4]));
         return NCK_OK;
     }
@@ -251,8 +252,8 @@ static double sure_knot(nck_smooth_t *self, double here) {
     return t < end - nck_raw_least(end) ? t : end;
 }
 
-// The n-th step to try: parts of the one wanted, then of the one before, which fitted. On the way to
-// a key no sliver is left before it: its knots would be that near on both sides.
+// The n-th step to try: parts of the one wanted, then of the one before, which fitted. No sliver is
+// left before a key: its knots would be that near on both sides.
 static double shorter_step(const nck_smooth_t *self, double step, int n) {
     static const double of_wanted[2][TRIES_WANTED] = {{1.0, 0.9, 0.8, 0.65, 0.45},
                                                       {1.0, 0.5, 0.4, 0.33, 0.25}};

@@ -7,13 +7,13 @@
 #include <string.h> // memcpy memset
 
 #include "nck/base/real.h"                 // nck_min nck_max
+#include "nck/prep/3_smooth/curve.h"       // nck_curve_…
 #include "nck/prep/3_smooth/divide.h"      // nck_divide_…
 #include "nck/prep/3_smooth/knot.h"        // nck_knot_…
 #include "nck/prep/3_smooth/merge.h"       // nck_merge_…
 #include "nck/prep/3_smooth/metric_math.h" // nck_metric_of
 #include "nck/prep/3_smooth/part.h"        // nck_part_…
 #include "nck/prep/3_smooth/raw.h"         // nck_raw_…
-#include "nck/prep/3_smooth/spacing.h"     // nck_spacing_inside
 #include "nck/prep/3_smooth/spline_math.h" // nck_spline_…
 
 #define TOLERANCE_MIN 1e-4 // [mm] a smaller one means the exact path
@@ -42,7 +42,7 @@ void nck_smooth_init(nck_smooth_t *self, const nck_terms_t *terms) {
 
 void nck_smooth_adapt(nck_smooth_t *self) {
     const nck_machine_t *const machine = self->terms->machine;
-    if (NCK_HAS_SMOOTH) self->spacing_max = nck_spacing_widest(self, fastest(machine));
+    if (NCK_HAS_SMOOTH) self->spacing_max = nck_curve_widest(self, fastest(machine));
     for (int x = 0; x < NCK_AXIS_MAX; x++) {
         const double counts = nck_machine_counts(machine, x);
         self->travel[0][x] = (double)machine->axis[x].min_nm / counts;
@@ -204,7 +204,7 @@ static void take_raw(nck_smooth_t *self, const nck_block_t *block) {
     nck_raw_t *const raw = nck_raw_at(self, self->raw.head);
     raw->s = place_in_run(self);
     if (raw->smooth) {
-        raw->inside = nck_spacing_inside(self, &raw->seg, raw->tolerance);
+        raw->inside = nck_curve_inside(self, &raw->seg, raw->tolerance);
         self->mixed |= self->tolerance > 0.0 && self->tolerance != raw->tolerance;
         self->tolerance = raw->tolerance;
     }

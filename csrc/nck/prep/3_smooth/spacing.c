@@ -4,25 +4,22 @@
 #include "nck/prep/3_smooth/spacing.h"
 
 #include "nck/base/budget.h"               // NCK_UNLIMITED
-#include "nck/base/path.h"                 // nck_path_second_part
 #include "nck/base/real.h"                 // nck_min nck_max
+#include "nck/prep/3_smooth/curve.h"       // nck_curve_… NCK_CURVE_AIM
 #include "nck/prep/3_smooth/estimate.h"    // nck_estimate_…
 #include "nck/prep/3_smooth/meet.h"        // nck_meet_choose
 #include "nck/prep/3_smooth/pair.h"        // nck_pair_find
 #include "nck/prep/3_smooth/raw.h"         // nck_raw_…
 #include "nck/prep/3_smooth/spline_math.h" // nck_spline_…
 
-// Shares of the tolerance: what a spacing is chosen for before it is checked, in general and on a
-// lone corner, where nothing is left to chance.
-#define AIM 0.7
+// NCK_CURVE_AIM of a lone corner, where nothing is left to chance.
 #define AIM_KEY 0.96
-#define AIM_STEP 0.9
 #define GROWTH 1.5       // between two spacings that are looked at for a block's end
 #define NEIGHBOUR 0.7    // of a spacing: where to begin to look for the next one
 #define KEY_LEAST 0.5    // a corner is a key if the spacing that it allows alone is right by …
 #define KEY_MOST 1.5     // … these shares, and it is none of a bend
 // … whose chords are shorter than so many of its corners' spacings: half of the bulge, L·|Δu|/16,
-// is within AIM·P then; a spacing is 6·AIM·P/|Δu|
+// is within 0.7 P then; a spacing is 6·0.7·P/|Δu|
 #define CHORD (8.0 / 3.0)
 #define NO_GAP 1e-6      // of a spacing: what two corners leave of a line, by rounding
 #define FEW_GAPS 0.408   // of a line, for the corner at one of its ends: so much is left between
@@ -35,12 +32,6 @@
 #define SAME 0.9         // tolerances of blocks that differ by no more count as one
 #define SMALL 0.125      // of a spacing: such a block has the one before it
 #define BLUNT 1.25       // of the spacing before it: so much its corner allows alone
-// A step of the curvature is a key if the corner there allows alone so many of its spacings, and
-// the blocks beside it have room for this share of it.
-#define STEP_CORNER 4.0
-#define STEP_ROOM 0.35
-// Inside of an arc its spacing must fit by this share.
-#define STEP_FITS 0.7
 enum {
     LOOKED_AT = 4,       // of so many small blocks one
     WINDOW_LEAST = 128,  // pieces that a window holds, for corners of more pieces
@@ -68,29 +59,9 @@ typedef struct vertex {
     double range[2]; // … between the good one and the bad one here [path mm]
 } vertex_t;
 
-double nck_spacing_widest(const nck_smooth_t *self, double v) {
-    const nck_machine_t *const machine = self->terms->machine;
-    double a = machine->path.a_max;
-    double j = machine->path.j_max;
-    for (int x = 0; x < self->terms->axes; x++) {
-        const nck_axis_t *const axis = &machine->axis[x];
-        if (!axis->present) continue;
-        a = nck_min(a, axis->a_max);
-        j = nck_min(j, axis->j_max);
-    }
-    return nck_spline_spacing_max(v, a, j);
-}
-
-// The widest that the speed of a block can ask for: a wider bend only leaves the path further, and
-// is a longer way.
-static double widest_along(const nck_smooth_t *self, const nck_seg_t *seg) {
-    if (seg->rapid) return self->spacing_max;
-    return nck_min(self->spacing_max, nck_spacing_widest(self, seg->feed));
-}
-
 // How far the spline may leave the corner between two blocks, before it is checked [mm].
 static double aim_between(const nck_raw_t *raw, const nck_raw_t *next) {
-    return AIM * nck_min(raw->tolerance, next->tolerance);
+    return NCK_CURVE_AIM * nck_min(raw->tolerance, next->tolerance);
 }
 
 // 1 if a block's end waits for more blocks, and what is found of it still counts.
@@ -388,43 +359,6 @@ static double widen(nck_smooth_t *self, uint32_t count, double narrow, double pl
     return nck_max(plain, fit_line(fit_line(wide, nck_min(in, out)), nck_max(in, out)));
 }
 
-// How much the curvature steps from one seg to the next: |Δp″|.
-static double step_of(const nck_seg_t *in, const nck_seg_t *out, int axes) {
-    double before[NCK_AXIS_MAX];
-    double behind[NCK_AXIS_MAX];
-    if (in->kind == NCK_SEG_LINE && out->kind == NCK_SEG_LINE) return 0.0;
-    nck_path_second_part(in, in->length, axes, before);
-    nck_path_second_part(out, 0.0, axes, behind);
-    return nck_spline_distance(before, behind, axes);
-}
-
-// The spacing of knots that the inside of a block allows where it goes on straight at its ends.
-static double spacing_along(const nck_smooth_t *self, const nck_raw_t *raw) {
-    const double widest = widest_along(self, &raw->seg);
-    if (raw->seg.kind == NCK_SEG_LINE) return widest;
-    const double kappa = nck_raw_curvature(&raw->seg, self->terms->axes);
-    const double omega = nck_fabs(raw->seg.shape.arc.sweep) / raw->seg.length;
-    if (!(kappa * omega * omega > 0.0)) return widest; // it hardly bends
-    return nck_min(widest, nck_spline_arc_spacing(AIM * raw->tolerance, kappa, omega));
-}
-
-// The spacing at a step of the curvature that gets a knot of its own; 0: it is none, or does not.
-// What the corner there uses of the tolerance comes off.
-static double step_spacing(nck_smooth_t *self, uint32_t count, const vertex_t *corner) {
-    const nck_raw_t *const raw = nck_raw_at(self, count);
-    const nck_raw_t *const next = nck_raw_at(self, nck_raw_next(self, count));
-    const double step = step_of(&raw->seg, &next->seg, self->terms->axes);
-    if (!(step > 0.0)) return 0.0;
-    const double tolerance = corner->aim / AIM;
-    const double most = nck_spline_step_spacing(AIM_STEP * tolerance, step);
-    const double room = 0.5 * nck_min(raw->seg.length, next->seg.length);
-    if (corner->alone < STEP_CORNER * most || room < STEP_ROOM * most) return 0.0;
-    const double inside = nck_min(spacing_along(self, raw), spacing_along(self, next));
-    if (inside < STEP_FITS * most) return 0.0;
-    const double share = AIM_STEP - AIM * most / corner->alone;
-    return nck_min(nck_min(room, inside), nck_spline_step_spacing(share * tolerance, step));
-}
-
 // Whether a corner is a key, or shares its bend with the next or the one before; then it has the
 // spacing of both.
 static void choose_knots(nck_smooth_t *self, uint32_t count, const vertex_t *corner, int lifted,
@@ -432,7 +366,7 @@ static void choose_knots(nck_smooth_t *self, uint32_t count, const vertex_t *cor
     nck_raw_t *const raw = nck_raw_at(self, count);
     const nck_raw_t *const before = nck_raw_at(self, nck_raw_before(self, count));
     const int is_second = before->key == NCK_KEY_PAIR;
-    const double aim = corner->aim * (AIM_KEY / AIM);
+    const double aim = corner->aim * (AIM_KEY / NCK_CURVE_AIM);
     raw->key = is_second ? NCK_KEY_SECOND : NCK_KEY_NONE;
     if (is_second) {
         *spacing = before->spacing;
@@ -456,7 +390,7 @@ static nck_status_t find_at_corner(nck_smooth_t *self, uint32_t count, vertex_t 
     raw->lacks = status == NCK_FULL ? NCK_LACKS_BLOCKS : NCK_LACKS_NOTHING;
     double plain = *spacing_out;
     if (corner->lone) {
-        const double narrow = plain * (AIM_KEY / AIM);
+        const double narrow = plain * (AIM_KEY / NCK_CURVE_AIM);
         plain = plain_spacing(corner, narrow);
         *spacing_out = widen(self, count, narrow, plain);
     }
@@ -469,15 +403,15 @@ static nck_status_t find(nck_smooth_t *self, uint32_t count, vertex_t *corner_ou
     nck_raw_t *const raw = nck_raw_at(self, count);
     nck_raw_t *const next = nck_raw_at(self, nck_raw_next(self, count));
     look_at(self, count, corner_out);
-    double spacing = step_spacing(self, count, corner_out);
+    double spacing = nck_curve_step(self, count, corner_out->aim, corner_out->alone);
     if (spacing > 0.0) {
         raw->lacks = NCK_LACKS_NOTHING;
         raw->key = NCK_KEY_STEP;
-        raw->inside = spacing_along(self, raw);
-        next->inside = spacing_along(self, next);
+        raw->inside = nck_curve_along(self, raw);
+        next->inside = nck_curve_along(self, next);
     } else {
         if (raw->seg.kind != NCK_SEG_LINE) {
-            raw->inside = nck_spacing_inside(self, &raw->seg, raw->tolerance);
+            raw->inside = nck_curve_inside(self, &raw->seg, raw->tolerance);
         }
         const nck_status_t status = find_at_corner(self, count, corner_out, &spacing);
         if (status == NCK_EMPTY) return status;
@@ -506,10 +440,4 @@ nck_status_t nck_spacing_know(nck_smooth_t *self, uint32_t count) {
     nck_estimate_forget(self); // the corner may be moved
     nck_meet_choose(self, count);
     return NCK_OK;
-}
-
-double nck_spacing_inside(const nck_smooth_t *self, const nck_seg_t *seg, double tolerance) {
-    const double kappa = nck_raw_curvature(seg, self->terms->axes);
-    const double widest = widest_along(self, seg);
-    return kappa > 0.0 ? nck_min(widest, nck_spline_curve_spacing(AIM * tolerance, kappa)) : widest;
 }

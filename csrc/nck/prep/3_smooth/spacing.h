@@ -5,14 +5,6 @@
 
 #include "nck/prep/3_smooth/smooth.h" // nck_smooth_t
 
-// The widest spacing that a speed can ask for on this machine [path mm], v in path mm/s.
-// Cost: linear in the axes, one root.
-double nck_spacing_widest(const nck_smooth_t *self, double v);
-
-// The spacing of knots that the inside of an exact seg allows where its ends are corners or rests:
-// what is slow there needs short pieces, each of which has one speed at most. Cost: constant.
-double nck_spacing_inside(const nck_smooth_t *self, const nck_seg_t *seg, double tolerance);
-
 // 1 if the spacing that a block's end allows is found. Cost: constant.
 static inline int nck_spacing_is_known(const nck_raw_t *raw) {
     return raw->spacing > 0.0 && raw->lacks == NCK_LACKS_NOTHING;
