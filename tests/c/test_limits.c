@@ -27,6 +27,7 @@ typedef struct allowed {
     double v_free; // whatever the feed
     double a, j;   // along the path
     int limit;     // that sets v
+    double a_come_to; // under a jerk limit: no more is ever had
 } allowed_t;
 
 // Xorshift, G. Marsaglia 2003: the same numbers everywhere. low … high.
@@ -148,19 +149,8 @@ static double plane_a(void)
     return fmin(machine.axis[seg.shape.arc.axis_u].a_max, machine.axis[seg.shape.arc.axis_v].a_max);
 }
 
-// Chords of one period stay within the chord error; the centripetal acceleration takes 0.8.
-static void cap_arc(allowed_t *allowed)
-{
-    double r = 0.0;
-    const double cosine = arc_cosine(&r);
-    const double sagitta = fmin(machine.path.chord_error, r);
-    const double chord = 2.0 * sqrt(r * r - (r - sagitta) * (r - sagitta));
-    cap(allowed, chord / machine.period_s / cosine, NCK_LIMIT_CHORD);
-    cap(allowed, sqrt(0.8 * plane_a() * r) / cosine, NCK_LIMIT_CURVATURE);
-}
-
 // A plan asks for no more jerk along the path than the axes have together, and for no ramp of less
-// than the filter (5_slope/README, section "output filter").
+// than two filters (5_slope/README, section "output filter").
 static double most_jerk(void)
 {
     const nck_axis_t *const axis = machine.axis;
@@ -170,13 +160,32 @@ static double most_jerk(void)
     const double along = fmin(machine.path.j_max, j);
     if (machine.slope == NCK_SLOPE_LINEAR) return machine.path.j_max;
     if (machine.slope == NCK_SLOPE_SSHAPE) return along;
-    return fmin(along, fmin(machine.path.a_max, a) / tau);
+    return fmin(along, fmin(machine.path.a_max, a) / (2.0 * tau));
+}
+
+// No acceleration is come to, or left, that a speed has no room for:   v ≥ a²/2j
+static void cap_by_jerk(allowed_t *allowed)
+{
+    if (machine.slope == NCK_SLOPE_LINEAR) return;
+    allowed->a_come_to = sqrt(2.0 * allowed->v_free * most_jerk());
+}
+
+// Chords of one period stay within the chord error; the centripetal acceleration takes 0.8.
+static void cap_arc(allowed_t *allowed)
+{
+    double r = 0.0;
+    const double cosine = arc_cosine(&r);
+    const double sagitta = fmin(machine.path.chord_error, r);
+    const double chord = 2.0 * sqrt(r * r - (r - sagitta) * (r - sagitta));
+    cap(allowed, chord / machine.period_s / cosine, NCK_LIMIT_CHORD);
+    cap_by_jerk(allowed);
+    cap(allowed, sqrt(0.8 * plane_a() * r) / cosine, NCK_LIMIT_CURVATURE);
 }
 
 static allowed_t find_allowed(void)
 {
     double cosine[3];
-    allowed_t allowed = {1e30, 1e30, machine.path.a_max, most_jerk(), -1};
+    allowed_t allowed = {1e30, 1e30, machine.path.a_max, most_jerk(), -1, 1e30};
     if (!seg.rapid) {
         cap(&allowed, machine.path.feed_max / seg.feed_scale, NCK_LIMIT_FEED_MAX);
     }
@@ -191,6 +200,8 @@ static allowed_t find_allowed(void)
         if (!in_plane) allowed.a = fmin(allowed.a, axis->a_max / cosine[x]);
     }
     if (seg.kind == NCK_SEG_ARC) cap_arc(&allowed);
+    else cap_by_jerk(&allowed);
+    allowed.a = fmin(allowed.a, allowed.a_come_to);
     if (!seg.rapid && seg.feed < allowed.v) {
         allowed.v = seg.feed;
         allowed.limit = NCK_LIMIT_FEED;

@@ -73,7 +73,8 @@ static void a_line_of_the_s_shape_takes_the_shortest_time(check_t *check)
     }
 }
 
-// The filter takes its taps on top, the nodes of the profile a little at each end.
+// The filter takes its taps on top, and again where no ramp is shorter than two of it; the nodes of
+// the profile take a little at each end.
 static void a_line_under_jerk_takes_little_more_than_the_shortest_time(check_t *check)
 {
     seed = 4;
@@ -86,7 +87,7 @@ static void a_line_under_jerk_takes_little_more_than_the_shortest_time(check_t *
         const double ticks = run(check, length);
         CHECK(check, ticks >= shortest - 1e-3);
         if (NCK_PROFILE < 256) continue; // a short window brakes early
-        CHECK(check, ticks <= 1.1 * shortest + NCK_FILTER_TAPS + 4.0);
+        CHECK(check, ticks <= 1.1 * shortest + 2.0 * NCK_FILTER_TAPS + 4.0);
     }
 }
 

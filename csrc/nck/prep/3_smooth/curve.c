@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Inside room 3: how far apart the knots may be by what a block itself is: its speed, its curvature,
-// and the step of that where another one begins.
+// Inside room 3: how far apart the knots may be by what a block itself is: by its speed, by its
+// curvature, and by the step of that where another one begins.
 #include "nck/prep/3_smooth/curve.h"
 
 #include "nck/base/path.h"                 // nck_path_second_part

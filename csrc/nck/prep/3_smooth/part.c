@@ -11,7 +11,7 @@
 // No part of a spline is shorter than this share of its interval, or than this [path mm]: the third
 // difference of its points would be their rounding, and cap the speed as if it were a bend.
 #define PART_SHARE (1.0 / 64.0)
-#define PART_LONG 2e-3
+#define PART_LONG 1e-3
 enum { STRETCH_PARTS = 8 }; // of a spline, to find where it is fastest
 // A part of a spline whose fastest place exceeds its mean by more is halved, so often at most, and
 // into parts that last so many periods at least.

@@ -100,6 +100,7 @@ static int load_cell(nck_jerk_t *self, const nck_pieces_t *pieces, const nck_cel
     const int is_hold = self->work.reach > 0.0 && !self->work.from_built;
     int parts = nck_window_parts(self, cell, is_hold);
     if (parts > 1 && stays_long(self, cell, is_hold)) parts = 1;
+    if (is_hold && !(cell->v > 0.0)) parts *= 2; // it has to move before it rests
     uint32_t piece = nck_plan_find(pieces, self->work.piece, cell);
     double s = cell->s;
     double begin = 0.0;
