@@ -229,14 +229,15 @@ static double growing_time(const corner_t *corner, int n, double share) {
 }
 
 // How long motions may overlap at most: up to the corner's speed, and half a block takes half_s.
-// The slope cannot do so for longer than ride_s.
+// The slope cannot do so for longer than ride_s: where that costs jerk, less is better.
 // Where only the order of their jerks lets them share an axis, as long as acceleration grows.
 static double overlap_most(const corner_t *corner, const nck_overlap_t *motions, double share,
                            double half_s) {
     const nck_terms_t *const terms = corner->terms;
     const double sum = nck_overlap_sum(terms->machine, terms->axes, motions);
     double most = nck_overlap_most(terms->machine, terms->axes, motions);
-    most = nck_min(most, nck_min(terms->ride_s, half_s - terms->rest_s));
+    most = nck_min(most, half_s - terms->rest_s);
+    if (share < 1.0) most = nck_min(most, terms->ride_s);
     for (int n = 0; n < 2; n++) {
         most = nck_min(most, nck_scurve_time(&corner->ramp[n], corner->v_max));
         if (share * sum > 1.0 + JERK_EPSILON) {

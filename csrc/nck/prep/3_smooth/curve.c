@@ -32,7 +32,7 @@ double nck_curve_widest(const nck_smooth_t *self, double v) {
 // The widest that the speed of a block can ask for: a wider bend only leaves the path further, and
 // is a longer way.
 static double widest_along(const nck_smooth_t *self, const nck_seg_t *seg) {
-    if (seg->rapid) return self->spacing_max;
+    if (seg->rapid || NCK_WINDOW < NCK_CURVE_WINDOW) return self->spacing_max;
     return nck_min(self->spacing_max, nck_curve_widest(self, seg->feed));
 }
 

@@ -7,6 +7,8 @@
 
 // Share of the tolerance that a spacing is chosen for before it is checked, in general.
 #define NCK_CURVE_AIM 0.7
+// Pieces that a window holds where a knot more is worth it: a short one sees less with more pieces.
+enum { NCK_CURVE_WINDOW = 128 };
 
 // The widest spacing that a speed can ask for on this machine [path mm], v in path mm/s.
 // Cost: linear in the axes, one root.

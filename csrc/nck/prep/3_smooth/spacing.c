@@ -34,7 +34,6 @@
 #define BLUNT 1.25       // of the spacing before it: so much its corner allows alone
 enum {
     LOOKED_AT = 4,       // of so many small blocks one
-    WINDOW_LEAST = 128,  // pieces that a window holds, for corners of more pieces
     GROWTH_STEPS = 40,   // from 1 µm to beyond any spacing
     BISECT_STEPS = 3     // the last 25 % to 3 %
 };
@@ -349,7 +348,7 @@ static double plain_spacing(const vertex_t *corner, double narrow) {
 // With a lift, if that is more. It makes six pieces of a corner for four: a short window sees less
 // then, and under the S-shape each is a stop of acceleration.
 static double widen(nck_smooth_t *self, uint32_t count, double narrow, double plain) {
-    if (NCK_WINDOW < WINDOW_LEAST || !self->terms->carries) return plain;
+    if (NCK_WINDOW < NCK_CURVE_WINDOW || !self->terms->carries) return plain;
     const double in = nck_raw_at(self, count)->seg.length;
     const double out = nck_raw_at(self, nck_raw_next(self, count))->seg.length;
     const nck_raw_t *const raw = nck_raw_at(self, count);

@@ -21,6 +21,7 @@
 // So much of the axes' acceleration times the load a corner has at least that is no curve's: alone
 // it is crossed at 40 times what a period gains, or less.
 #define TAME_LOAD 0.02
+#define TAME_LEAST 0.25
 
 // Without a jerk limit a junction gets most of the acceleration where the path is an even polygon:
 // behind blunt junctions in a row whose lines gain, together, EVEN_LONG times the v² that they are
@@ -44,14 +45,16 @@
 
 // Where a period gains as much speed as short lines have room for, a crowd of corners would have to
 // be passed at next to none: less acceleration on the lines lets it be passed at more. What the
-// filter adds to a speed is not worth less. The S-shape, at rest in acceleration at each corner, is
-// slower by it.
+// filter adds to a speed is not worth less, nor without one a share of what a period gains. The
+// S-shape, at rest in acceleration at each corner, is slower by it.
 static void tame(nck_joint_t *in, nck_joint_t *out, const nck_terms_t *terms) {
     const double period = terms->machine->period_s;
     const int is_sharp = in->load * nck_max(in->a_most, out->a_most) >= TAME_LOAD;
     if (!is_sharp || in->kind != NCK_SEG_LINE || out->kind != NCK_SEG_LINE) return;
     const double longer = nck_max(in->length, out->length);
-    const double gain = nck_max(longer / period, terms->v_filter);
+    const double period_gain = nck_min(in->a_most, out->a_most) * period;
+    const double least = terms->limits_jerk ? terms->v_filter : TAME_LEAST * period_gain;
+    const double gain = nck_max(longer / period, least);
     in->shape.arc.a_straight = nck_min(in->shape.arc.a_straight, gain / period);
     out->shape.arc.a_straight = nck_min(out->shape.arc.a_straight, gain / period);
 }

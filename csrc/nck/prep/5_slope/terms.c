@@ -8,7 +8,10 @@
 #include "nck/prep/5_slope/overlap.h"     // NCK_OVERLAP_CELLS
 
 #define FILTERS_LEAST 2.0 // that a ramp lasts
-#define BESIDE_REST 1.25   // times D: what a cell lasts there
+// Times D: what a cell lasts beside a rest, where a ladder has few cells and else.
+#define BESIDE_REST_FEW 3.0
+#define BESIDE_REST 1.25
+enum { FEW = 256 };
 
 // Axes from X on up to the last one that the machine has.
 static uint8_t axes_of(const nck_machine_t *machine) {
@@ -55,6 +58,7 @@ void nck_slope_terms(const nck_machine_t *machine, nck_terms_t *terms_out) {
     terms_out->v_filter =
         nck_ladder_raise(terms_out->j_max, filter, NCK_LADDER_STRETCH * cell);
     terms_out->rest_s = is_filtered ? period + filter : period;
-    const double beside = is_filtered ? BESIDE_REST * nck_jerk_cell_s(machine) : period;
+    const double times = NCK_PROFILE_ROWS < FEW ? BESIDE_REST_FEW : BESIDE_REST;
+    const double beside = is_filtered ? times * nck_jerk_cell_s(machine) : period;
     terms_out->ride_s = (double)NCK_OVERLAP_CELLS * beside;
 }
