@@ -50,6 +50,7 @@
 static void tame(nck_joint_t *in, nck_joint_t *out, const nck_terms_t *terms) {
     const double period = terms->machine->period_s;
     const int is_sharp = in->load * nck_max(in->a_most, out->a_most) >= TAME_LOAD;
+    if (!NCK_HAS_POLYGONS && !(NCK_HAS_JERK && terms->limits_jerk)) return;
     if (!is_sharp || in->kind != NCK_SEG_LINE || out->kind != NCK_SEG_LINE) return;
     const double longer = nck_max(in->length, out->length);
     const double period_gain = nck_min(in->a_most, out->a_most) * period;

@@ -37,6 +37,14 @@ static double jerk_along(const nck_machine_t *machine, uint8_t axes, double filt
     return filter > 0.0 ? nck_min(j, a / (FILTERS_LEAST * filter)) : j;
 }
 
+// For how long two motions may overlap: the cells of the first one wait in the ring.
+static double ride_of(const nck_machine_t *machine) {
+    const double times = NCK_PROFILE_ROWS < FEW ? BESIDE_REST_FEW : BESIDE_REST;
+    const int is_filtered = machine->slope == NCK_SLOPE_JERK;
+    const double cell = is_filtered ? times * nck_jerk_cell_s(machine) : machine->period_s;
+    return (double)NCK_OVERLAP_CELLS * cell;
+}
+
 // Only the jerk-limited slope has a filter, and waits at a rest until it has run out. Room 4 gives
 // the classical S-shape the same margins.
 void nck_slope_terms(const nck_machine_t *machine, nck_terms_t *terms_out) {
@@ -58,7 +66,5 @@ void nck_slope_terms(const nck_machine_t *machine, nck_terms_t *terms_out) {
     terms_out->v_filter =
         nck_ladder_raise(terms_out->j_max, filter, NCK_LADDER_STRETCH * cell);
     terms_out->rest_s = is_filtered ? period + filter : period;
-    const double times = NCK_PROFILE_ROWS < FEW ? BESIDE_REST_FEW : BESIDE_REST;
-    const double beside = is_filtered ? times * nck_jerk_cell_s(machine) : period;
-    terms_out->ride_s = (double)NCK_OVERLAP_CELLS * beside;
+    if (NCK_HAS_OVERLAP) terms_out->ride_s = ride_of(machine);
 }

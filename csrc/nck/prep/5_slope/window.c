@@ -94,13 +94,19 @@ static int load_whole(nck_jerk_t *self, const nck_pieces_t *pieces, const nck_ce
     return 1;
 }
 
+// Into how many parts a cell of the plan of now is loaded. From no speed on a hold has to move
+// before it rests.
+static int parts_loaded(const nck_jerk_t *self, const nck_cell_t *cell, int is_hold) {
+    const int parts = nck_window_parts(self, cell, is_hold);
+    if (parts > 1 && stays_long(self, cell, is_hold)) return 1;
+    return is_hold && !(cell->v > 0.0) ? 2 * parts : parts;
+}
+
 // A cell in parts of equal time; coarser for a hold, whose ladder is divided later. Returns 0 if
 // the window is full, or the rest asked for is reached.
 static int load_cell(nck_jerk_t *self, const nck_pieces_t *pieces, const nck_cell_t *cell) {
     const int is_hold = self->work.reach > 0.0 && !self->work.from_built;
-    int parts = nck_window_parts(self, cell, is_hold);
-    if (parts > 1 && stays_long(self, cell, is_hold)) parts = 1;
-    if (is_hold && !(cell->v > 0.0)) parts *= 2; // it has to move before it rests
+    const int parts = parts_loaded(self, cell, is_hold);
     uint32_t piece = nck_plan_find(pieces, self->work.piece, cell);
     double s = cell->s;
     double begin = 0.0;
