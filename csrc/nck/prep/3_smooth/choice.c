@@ -310,8 +310,7 @@ static double stop_time(const corner_t *corner, double d, nck_corner_stop_t *sto
         if (corner->terms->limits_jerk) on = nck_min(on, half + again_time(corner, n, d));
         const int is_apart = !corner->terms->limits_jerk || corner->half[n] >= ALIKE * d;
         const int goes_on = corner->terms->carries && is_apart;
-        const double between = corner->length[n] - 2.0 * corner->half[n]; // of both halves
-        if (corner->rests[n]) time += 2.0 * half + between / ramp->v_max;
+        if (corner->rests[n]) time += 2.0 * half;
         else time += half + (goes_on ? on : nck_min(half, on));
     }
     const double overlap = overlap_of(corner, half_s, stop_out);
@@ -350,10 +349,12 @@ static double rising_time(const corner_t *corner, const shape_limit_t *limit, in
            - nck_scurve_over(&ramp, 0.0, way);
 }
 
+// Time of both blocks and the bend between them.
 static double plain_time(const corner_t *corner, const nck_bend_t *bend) {
     const shape_limit_t limit = limit_plain(corner->terms, bend);
     const double v_bend = bend_speed(corner, &limit, bend->d);
     const double v = reachable(corner, &limit, v_bend, bend->d);
+    if (!(v < corner->v_max)) return 0.0; // the bend costs nothing
     double time = side_time(corner, &limit, 0, v, bend->d)
                   + side_time(corner, &limit, 1, v, bend->d);
     for (int n = 0; n < 2; n++) {
