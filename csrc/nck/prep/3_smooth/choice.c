@@ -31,6 +31,7 @@
 #define JERK_EPSILON 1e-9    // of a limit is rounding
 #define ADDED 1.3            // a/j of either block, in times for which accelerations add up
 #define OWN 0.7              // of the spline's turn that a corner has to make for a stop to help
+#define FREE 1.6              // times the speed beside it: a bend that allows so much has that one
 #define TURNS_ON 1.02         // of a corner's turn is the bend's: other corners in it turn alike
 // Of a bend's half-width: corners that are nearer to each other are many, and further few.
 #define MANY 0.1
@@ -317,11 +318,11 @@ static double stop_time(const corner_t *corner, double d, nck_corner_stop_t *sto
     return overlap > 0.0 ? time - overlap : time + corner->terms->rest_s;
 }
 
-// A bend that is left next to nothing is a standstill.
+// What a bend allows. One that is left next to nothing is a standstill.
 static double bend_speed(const corner_t *corner, const shape_limit_t *limit, double d) {
     const double vv = nck_min(limit->a, limit->sag) * d;
     const double v = nck_min(nck_root_cube(limit->j * d * d), nck_sqrt(vv));
-    return nck_min(corner->v_max, nck_max(v - corner->terms->v_filter, STANDSTILL * v));
+    return nck_max(v - corner->terms->v_filter, STANDSTILL * v);
 }
 
 // Time of both blocks if nothing bends between the rest at the n-th one's other end and half of the
@@ -352,9 +353,10 @@ static double rising_time(const corner_t *corner, const shape_limit_t *limit, in
 // Time of both blocks and the bend between them.
 static double plain_time(const corner_t *corner, const nck_bend_t *bend) {
     const shape_limit_t limit = limit_plain(corner->terms, bend);
-    const double v_bend = bend_speed(corner, &limit, bend->d);
+    const double v_free = bend_speed(corner, &limit, bend->d);
+    const double v_bend = nck_min(corner->v_max, v_free);
     const double v = reachable(corner, &limit, v_bend, bend->d);
-    if (!(v < corner->v_max)) return 0.0; // the bend costs nothing
+    if (v_free > FREE * corner->v_max && !(v < corner->v_max)) return 0.0; // costs nothing
     double time = side_time(corner, &limit, 0, v, bend->d)
                   + side_time(corner, &limit, 1, v, bend->d);
     for (int n = 0; n < 2; n++) {
