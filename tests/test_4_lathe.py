@@ -76,7 +76,7 @@ def test_an_override_of_the_feed_does_not_outrun_the_spindle():
 
 
 def test_a_cut_along_the_axis_is_one_piece():
-    program = lathe("G21 G18 G99 G50 S900\nG96 S90 M3\nG0 X40 Z2\nG1 Z-30 F0.2\nM30\n")
+    program = lathe("G21 G18 G99 G61 G50 S900\nG96 S90 M3\nG0 X40 Z2\nG1 Z-30 F0.2\nM30\n")
     _, segs, _, _ = judged.plan(program)
     assert np.count_nonzero(segs["line"] == 4) == 1
 

@@ -254,6 +254,18 @@ static int may_add(const corner_t *corner, double time) {
     return nck_min(ramp[0].a / ramp[0].j, ramp[1].a / ramp[1].j) > ADDED * time;
 }
 
+// A distance that is cut to this one.
+static double cut_to(double distance, double longest, nck_corner_stop_t *stop_out) {
+    if (distance <= longest) return distance;
+    stop_out->widest = longest;
+    return longest;
+}
+
+// The time for a distance goes with its cube root.
+static double time_root(double distance) {
+    return distance > 0.0 ? nck_root_cube(distance) : 0.0;
+}
+
 // What a stop gains by overlapping motions [s], no more than half a block takes from rest, half_s.
 // No distance in *stop_out: nothing, where one of the blocks is no line, or too short, or an
 // axis has no jerk for both. Near to the corner either keeps to a share κ of its jerk then, and
@@ -280,11 +292,8 @@ static double overlap_of(const corner_t *corner, double half_s, nck_corner_stop_
         stop_out->outside = outside;
         d = wide;
     }
-    if (share < 1.0 && d > root * root * root) {
-        d = root * root * root;
-        stop_out->widest = d;
-    }
-    const double overlap = nck_min(unit * nck_root_cube(d), most);
+    if (share < 1.0) d = cut_to(d, root * root * root, stop_out);
+    const double overlap = nck_min(unit * time_root(d), most);
     if (overlap < PERIODS_LEAST * terms->machine->period_s) return 0.0;
     stop_out->distance = d;
     return overlap * (1.0 - 2.0 * (1.0 - share));

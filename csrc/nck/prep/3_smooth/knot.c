@@ -48,7 +48,9 @@ static nck_status_t look_at_end(nck_smooth_t *self, const nck_raw_t *raw, way_t 
     if (self->run.closed) {
         way->goal = end;
         way->half = 0.0;
-        const double inside = nck_curve_inside(self, &raw->seg, raw->tolerance);
+        const int is_line = raw->seg.kind == NCK_SEG_LINE;
+        const double inside = is_line ? self->spacing_max
+                                      : nck_curve_inside(self, &raw->seg, raw->tolerance);
         way->step = nck_min(way->step, inside + 0.5 * (end - self->run.t[4]));
         return NCK_OK;
     }
@@ -130,6 +132,14 @@ static int look_at_corner(nck_smooth_t *self, uint32_t count, way_t *way) {
     return 0;
 }
 
+// The step that a block allows from here on: its spacing, and half of the distance to it on top;
+// along a line, half of the distance from its begin.
+static double step_inside(const nck_raw_t *raw, double here) {
+    const double from = raw->s - here;
+    const double far = raw->seg.kind == NCK_SEG_LINE ? nck_fabs(from) : nck_max(0.0, from);
+    return raw->inside + 0.5 * far;
+}
+
 // Look ahead from t[4]. A spacing at distance d may be half of d smaller: steps may halve.
 static nck_status_t look_ahead(nck_smooth_t *self, way_t *way) {
     const double here = self->run.t[4];
@@ -140,7 +150,7 @@ static nck_status_t look_ahead(nck_smooth_t *self, way_t *way) {
         const double far = nck_max(0.0, raw->s - here);
         if (far > 2.0 * way->step) return NCK_OK;
         if (way->sure) keep_place(self, count, way->step);
-        way->step = nck_min(way->step, raw->inside + 0.5 * far);
+        way->step = nck_min(way->step, step_inside(raw, here));
         const uint32_t next = nck_raw_next(self, count);
         if (next == self->run.end) {
             way->straight = far == 0.0 && raw->seg.kind == NCK_SEG_LINE;

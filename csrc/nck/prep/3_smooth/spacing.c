@@ -79,16 +79,23 @@ static int is_settled(const nck_smooth_t *self, double s, double spacing) {
     return nck_estimate_is_known(self, s + spacing + spacing);
 }
 
+// What a line's speed can ask for; arcs are told apart by their curvature.
+static double widest_on(const nck_smooth_t *self, const nck_raw_t *raw) {
+    return raw->seg.kind == NCK_SEG_LINE ? raw->inside : self->spacing_max;
+}
+
 // From a good spacing on to the first one that is bad; or as far as any may be, twice.
 // NCK_EMPTY if that depends on what is not known yet; NCK_FULL if it does and the ring is full.
 static nck_status_t reach(nck_smooth_t *self, uint32_t count, double aim, int rough,
                           double range[2]) {
     const nck_raw_t *const raw = nck_raw_at(self, count);
     const double s = nck_raw_end(raw);
-    const double known = self->run.closed ? s + self->spacing_max : nck_raw_known(self);
+    const nck_raw_t *const behind = nck_raw_at(self, nck_raw_next(self, count));
+    const double most = nck_min(widest_on(self, raw), widest_on(self, behind));
+    const double known = self->run.closed ? s + most : nck_raw_known(self);
     range[1] = range[0];
-    for (int n = 0; n < GROWTH_STEPS && range[0] < self->spacing_max; n++) {
-        const double next = nck_min(range[0] * GROWTH, self->spacing_max);
+    for (int n = 0; n < GROWTH_STEPS && range[0] < most; n++) {
+        const double next = nck_min(range[0] * GROWTH, most);
         if (s + next > known) return nck_raw_is_full(self) ? NCK_FULL : NCK_EMPTY;
         range[1] = next;
         if (!(nck_estimate_plain(self, count, next, rough) <= aim)) return NCK_OK;
