@@ -93,6 +93,7 @@ double nck_estimate_plain(nck_smooth_t *self, uint32_t count, double h, int roug
 
 // δ²p over h/2 is a quarter of that over h on a curve, and half of it at a corner.
 static int power_of(double half, double whole) {
+    if (!(whole > 0.0)) return 1; // nothing bends
     const double ratio = half / whole;
     if (ratio < CURVED) return 4;
     return ratio < SHARP ? 2 : 1;
