@@ -34,8 +34,8 @@ def rounded_rectangle(r, side):
     )
 
 
-# The times of tolerances, none slower than a smaller one by more than this share.
 def assert_never_slower(times, share):
+    """Assert that no time is longer than the one before it by more than this share."""
     assert all(more <= (1 + share) * less for less, more in pairwise(times)), times
 
 

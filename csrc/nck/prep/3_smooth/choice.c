@@ -203,6 +203,13 @@ static double distance_of(const corner_t *corner, double outside) {
     return nck_overlap_distance(corner->tolerance, outside, corner->turn, corner->turn);
 }
 
+// A distance that is cut to this one.
+static double cut_to(double distance, double longest, nck_corner_stop_t *stop_out) {
+    if (distance <= longest) return distance;
+    stop_out->widest = longest;
+    return longest;
+}
+
 // The distance at a stop on the corner, cut to the widest that is either block's own; 0: none, as
 // where it is much wider than both blocks have room for.
 static double distance_within(const corner_t *corner, double widest, nck_corner_stop_t *stop_out) {
@@ -210,8 +217,7 @@ static double distance_within(const corner_t *corner, double widest, nck_corner_
     if (distance <= widest) return distance;
     const double longer = nck_max(corner->half[0], corner->half[1]) / SPREAD;
     if (distance > nck_max(CUT_MOST * widest, longer)) return 0.0;
-    stop_out->widest = widest;
-    return widest;
+    return cut_to(distance, widest, stop_out);
 }
 
 // How far off the corner a stop is worth to be, for a distance up to `most`. Both ways grow by it.
@@ -252,13 +258,6 @@ static double overlap_most(const corner_t *corner, const nck_overlap_t *motions,
 static int may_add(const corner_t *corner, double time) {
     const nck_scurve_t *const ramp = corner->ramp;
     return nck_min(ramp[0].a / ramp[0].j, ramp[1].a / ramp[1].j) > ADDED * time;
-}
-
-// A distance that is cut to this one.
-static double cut_to(double distance, double longest, nck_corner_stop_t *stop_out) {
-    if (distance <= longest) return distance;
-    stop_out->widest = longest;
-    return longest;
 }
 
 // The time for a distance goes with its cube root.

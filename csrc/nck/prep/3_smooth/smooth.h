@@ -44,7 +44,7 @@ typedef struct nck_raw {
     double s;            // where it begins in its run [path mm]
     double tolerance;    // [mm] of the smoothed path; 0: exact
     double spacing;      // of knots, as its end allows [path mm]; 0: not known yet
-    double inside;       // of knots, as its inside allows [path mm]
+    double inside;       // of knots, as its bend or a line's speed allows [path mm]
     float moved[2];      // by how much its begin and its end are off the program [mm]
     uint8_t has_seg;     // 1: it moves or rests
     uint8_t has_output;  // 1: it hands over something, and has not yet
