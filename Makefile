@@ -1,11 +1,18 @@
 # SPDX-License-Identifier: MIT
-# The two commands. Both set up what they need, say so, and are quick the second time.
+# Two commands for everybody. Both set up what they need, say so, and are quick the second time.
 #
-#   make run     run a program in the simulation; summary, what costs time, picture and report
-#                FILE=part.ngc MACHINE=cak6150n PICTURE=part.png REPORT=part.html to choose
-#   make test    all tests, files of them side by side, the quick tier first
+#   make run       run a program in the simulation; summary, what costs time, picture and report
+#                  FILE=part.ngc MACHINE=cak6150n PICTURE=part.png REPORT=part.html to choose
+#   make test      the suite, files of it side by side; DURATIONS=1 tells what each costs
+#
+# Three for those who change it (CONTRIBUTING.md):
+#
+#   make room      the tests of one room, quick, after an edit: R=smooth
+#   make quick     a few of every kind, before a commit
+#   make campaign  all that the suite draws from, and the long searches: WHAT=fuzz for one of them
 
 PYTHON ?= python3
+R ?= house
 FILE ?= pycnc/examples/first_part.ngc
 PICTURE ?= build/$(basename $(notdir $(FILE))).png
 REPORT ?= build/$(basename $(notdir $(FILE))).html
@@ -13,11 +20,12 @@ MACHINE_OPTION = $(if $(MACHINE), --machine "$(MACHINE)")
 
 BIN = .venv/bin
 STAMP = build/stamp
+PYTEST = $(BIN)/python -m pytest -n logical --maxprocesses 8 --dist loadfile --no-loadscope-reorder
 SOURCES := $(shell find csrc opencl firmware_sim adapters cmake CMakeLists.txt -type f)
 NAMES := $(shell find pycnc -name '*.py' | sort | cksum | cut -d' ' -f1)
 PACKAGES_TEST = clang-19 libclang-rt-19-dev llvm-19 cppcheck gcc-arm-none-eabi \
                 libnewlib-arm-none-eabi qemu-system-arm pkgconf linuxcnc-uspace \
-                linuxcnc-uspace-dev chromium doxygen
+                linuxcnc-uspace-dev chromium doxygen valgrind ccache git
 
 # $(call install,PACKAGES): install the Debian packages of the list that are missing.
 install = missing=$$(for package in $(1); do \
@@ -32,7 +40,7 @@ install = missing=$$(for package in $(1); do \
     $$root env DEBIAN_FRONTEND=noninteractive \
         apt-get -qq install -y --no-install-recommends $$missing
 
-.PHONY: run test
+.PHONY: run test room quick campaign
 
 run: $(STAMP)/module
 	$(BIN)/pycnc run "$(FILE)"$(MACHINE_OPTION)
@@ -44,8 +52,19 @@ run: $(STAMP)/module
 	@echo "All of it in one page for your browser, which needs no network: $(REPORT)"
 	@echo "More: $(BIN)/pycnc --help, and docs/why.md"
 
-test: $(STAMP)/packages-test $(STAMP)/venv-test $(STAMP)/module
-	$(BIN)/python -m pytest -n logical --maxprocesses 8 --dist loadfile --no-loadscope-reorder
+# Packages that few tests need come while the others run; see tests/builds.py.
+test: export PACKAGES_COMING = $(STAMP)/packages-coming
+test: $(STAMP)/venv-test $(STAMP)/module
+	@touch $(PACKAGES_COMING); \
+	($(MAKE) --no-print-directory $(STAMP)/packages-test; rm -f $(PACKAGES_COMING)) & \
+	$(PYTEST); status=$$?; wait; exit $$status
+
+room quick: $(STAMP)/venv-test
+	@$(MAKE) -q $(STAMP)/module || $(MAKE) --no-print-directory $(STAMP)/module-quick
+	$(PYTEST) --draw quick -q $(if $(filter room,$@),tests/$(R))
+
+campaign: $(STAMP)/packages-test $(STAMP)/venv-test $(STAMP)/module
+	$(BIN)/python tests/campaign.py $(WHAT)
 
 # A C compiler, and a Python that can make a .venv and compile a module for it.
 $(STAMP)/packages-run:
@@ -84,4 +103,16 @@ $(STAMP)/module: $(STAMP)/venv pyproject.toml $(SOURCES) $(STAMP)/names-$(NAMES)
 	@echo "building pycnc"
 	$(BIN)/python -m pip install -q --disable-pip-version-check \
 	    --no-build-isolation --no-deps -e .
+	@touch $@
+
+# The same module, compiled file by file with little optimization: after an edit one file is built.
+$(STAMP)/module-quick: $(STAMP)/venv pyproject.toml $(SOURCES) $(STAMP)/names-$(NAMES)
+	@test $(STAMP)/module -nt $(STAMP)/names-$(NAMES) || \
+	    $(MAKE) --no-print-directory $(STAMP)/module
+	@test -e build/quick/build.ninja || $(BIN)/cmake -S . -B build/quick -G Ninja -DSKBUILD=1 \
+	    -DNCK_QUICK=ON -DCMAKE_MAKE_PROGRAM=$(abspath $(BIN))/ninja \
+	    -DPython_EXECUTABLE=$(abspath $(BIN))/python >/dev/null
+	@$(BIN)/ninja -C build/quick --quiet
+	@$(BIN)/cmake --install build/quick --prefix \
+	    "$$($(BIN)/python -c 'import sysconfig as s; print(s.get_path("platlib"))')" >/dev/null
 	@touch $@

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
 # Capacity sets: values for csrc/nck/base/limits.h. The default set is limits.h itself.
-# tests/size/table.py reads this file too.
+# tests/house/size/table.py reads this file too.
 
 # A three-axis machine in a small microcontroller.
 set(NCK_CAPACITY_SMALL

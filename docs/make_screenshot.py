@@ -23,7 +23,7 @@ EXAMPLE = ROOT / "pycnc" / "examples" / "first_part.ngc"
 
 def main():
     """Write the picture."""
-    sys.path.insert(0, str(ROOT / "tests"))
+    sys.path.insert(0, str(ROOT / "tests" / "report"))
     from browser import SOFTWARE_GL, opened
 
     with tempfile.TemporaryDirectory() as folder, sync_playwright() as started:

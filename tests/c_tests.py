@@ -1,27 +1,117 @@
 # SPDX-License-Identifier: MIT
-"""The C unit tests of tests/c, as programs of a build: their names, and how one is run."""
+"""The C tests, tests/<room>/test_*.c, as items of pytest: one for each build that has them.
 
+A test runs in the release build by gcc, in the default and in the small capacities (`small`), a few
+also in the builds that leave rooms out (`linear`, `jerk`). Under the sanitizers of clang the suite
+runs the tests of some rooms in one set of capacities, as drawn; the campaign runs them all.
+"""
+
+import re
 import subprocess
 from pathlib import Path
 
 import pytest
+import sampling
+from builds import build_c
 
-C_TESTS = sorted(path.stem for path in (Path(__file__).parent / "c").glob("test_*.c"))
+LIMIT_S = 600
 # Builds that leave out rooms and planners, and the tests that they are built with.
-LEAN = [
-    f"{name}_{lean}"
-    for lean in ("linear", "jerk")
-    for name in ("test_decode_motion", "test_interpolate", "test_left_out", "test_link")
-]
-# In the default and in the small capacities, then those.
-PROGRAMS = [f"{name}{capacities}" for name in C_TESTS for capacities in ("", "_small")] + LEAN
+LEAN = {"test_decode_motion", "test_interpolate", "test_left_out", "test_link"}
+SANITIZED = "clang-19"
 
 
-def run_c_test(folder, name):
-    """Run a C test program; fail with its own words."""
-    executable = folder / name
-    if not executable.exists():
-        pytest.fail(f"{name} was not built", pytrace=False)
-    done = subprocess.run([executable], capture_output=True, text=True, timeout=300)
-    if done.returncode != 0:
-        pytest.fail(f"{done.stdout}{done.stderr}", pytrace=False)
+def programs():
+    """Return {path of a C test: the stem of the program that holds it}."""
+    found = {}
+    for path in sorted(Path(__file__).parent.glob("*/test_*.c")):
+        alone = re.search(r'^#include "nck/.*\.c"', path.read_text(encoding="utf-8"), re.M)
+        found[path] = path.stem if alone else f"tests_{path.parent.name}"
+    return found
+
+
+def drawn_programs(config):
+    """Return the names of the programs that a run has under the sanitizers.
+
+    The suite has those of half of the rooms, in one set of capacities.
+    """
+    names = sorted(set(programs().values()))
+    if config.option.draw == "suite":
+        random = sampling.generator(config, "sanitizers")
+        suffix = random.choice(("", "_small"))
+        return [name + suffix for name in random.sample(names, len(names) // 2)]
+    whole = config.option.draw == "whole"
+    return [name + suffix for name in names for suffix in ("", "_small")] if whole else []
+
+
+def sanitized_targets(config):
+    """Return what a run builds under the sanitizers; nothing stands for all."""
+    if config.option.draw == "whole":
+        return ()
+    return (*drawn_programs(config), "fuzz_decode", "fuzz_kernel")
+
+
+def not_drawn(config, items):
+    """Return the items under the sanitizers that a run leaves out."""
+    drawn = set(drawn_programs(config))
+    return [each for each in items if isinstance(each, CTest) and not each.is_drawn(drawn)]
+
+
+class CTestError(Exception):
+    """What a C test, or the compiler, said."""
+
+
+class CTest(pytest.Item):
+    """A C test in one build."""
+
+    def __init__(self, *, build, program, **others):
+        super().__init__(**others)
+        self.build, self.program = build, program
+        self.is_sanitized = build == SANITIZED
+
+    def targets(self):
+        """Return what a run builds for this test: all, or what a change in work needs."""
+        if self.is_sanitized:
+            return sanitized_targets(self.config)
+        return (self.program,) if self.config.option.draw == "quick" else ()
+
+    def is_drawn(self, programs):
+        """Tell whether a run has this test, by the names of its programs under the sanitizers."""
+        return not self.is_sanitized or self.program in programs
+
+    def runtest(self):
+        folder, complaints = build_c(self.build, *self.targets())
+        executable = folder / self.program
+        if complaints and (not executable.exists() or self.program in complaints):
+            raise CTestError(f"{self.program} was not built\n{complaints[-4000:]}")
+        command = [executable] + ([self.path.stem] if self.program.startswith("tests_") else [])
+        done = subprocess.run(command, capture_output=True, text=True, timeout=LIMIT_S)
+        if done.returncode != 0:
+            raise CTestError(f"exit status {done.returncode}\n{done.stdout}{done.stderr}")
+
+    def repr_failure(self, excinfo, style=None):
+        if isinstance(excinfo.value, CTestError):
+            return str(excinfo.value)
+        return super().repr_failure(excinfo, style)
+
+    def reportinfo(self):
+        return self.path, 0, self.name
+
+
+class CTestFile(pytest.File):
+    """A file of C tests."""
+
+    def collect(self):
+        stem = programs()[self.path]
+        rows = [("release", "gcc", stem), ("small", "gcc", f"{stem}_small")]
+        if self.path.stem in LEAN:
+            rows += [(lean, "gcc", f"tests_lean_{lean}") for lean in ("linear", "jerk")]
+        rows += [("sanitized", SANITIZED, stem), ("sanitized_small", SANITIZED, f"{stem}_small")]
+        for name, build, program in rows:
+            yield CTest.from_parent(self, name=name, build=build, program=program)
+
+
+def collect_file(file_path, parent):
+    """Return the collector of a C test; None for any other file."""
+    if file_path.suffix == ".c" and file_path.stem.startswith("test_"):
+        return CTestFile.from_parent(parent, path=file_path)
+    return None

@@ -94,6 +94,16 @@ def tiny_circles(count=20):
     return HEAD + "F6000\n" + "G2 I0.002 J0\nG1 X0.01\nG3 J-0.05\nG1 X0\n" * count + "M2\n"
 
 
+def busy(count):
+    """Return a program of short moves, each at a speed of its own."""
+    moves = (
+        f"G1 X{50 * math.cos(k * 1e-3):.4f} Y{50 * math.sin(k * 1e-3):.4f} "
+        f"Z{2 * math.sin(k * 5e-3):.4f} F{3000 + k * 7919 % 3000}\n"
+        for k in range(count)
+    )
+    return f"G21 G90 G64 P0.01 F6000\n{''.join(moves)}M2\n"
+
+
 PROGRAM_CASES = (
     Case("square", (PROGRAMS / "square.ngc").read_text()),
     Case("star", star()),
@@ -232,7 +242,7 @@ CORPUS_FILES = (
     CorpusFile(
         "lathe_g76_thread_part.ngc",
         machine="cak6150n",
-        set=("dialect.base=linuxcnc", "dialect.diameter=false"),  # and with T9: test_6_threads.py
+        set=("dialect.base=linuxcnc", "dialect.diameter=false"),  # and with T9: test_threads.py
         ends=("tool-unknown", 108),
     ),
     CorpusFile("mill_fanuc_g81_g91.nc", ends=("modal-group", 26)),

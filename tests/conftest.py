@@ -2,45 +2,38 @@
 """Where things are, the C builds that several tests share, and the closing line that counts."""
 
 import os
-import shutil
-import subprocess
-import sys
 from pathlib import Path
 
+import c_tests
+import durations
 import hypothesis
 import pytest
-from locks import locked
+import sampling
+from builds import build_c, find_tool, wait_for_packages
+from sampling import (  # noqa: F401
+    draw,
+    draw_seed,
+    pytest_addoption,
+    pytest_configure_node,
+    pytest_report_header,
+)
 
 ROOT = Path(__file__).resolve().parents[1]
 
-# Random cases come from a fixed seed: the same run finds the same faults.
-hypothesis.settings.register_profile("house", derandomize=True, deadline=None, database=None)
-hypothesis.settings.load_profile("house")
+
+def pytest_configure(config):
+    """Fix the draw of this run: of the cases, and of what hypothesis thinks of."""
+    sampling.pytest_configure(config)
+    durations.pytest_configure(config)
+    # Random cases come from the run's seed: the same seed finds the same faults.
+    hypothesis.settings.register_profile("house", deadline=None, database=None)
+    hypothesis.settings.load_profile("house")
+    hypothesis.core.global_force_seed = config.option.draw_seed
 
 
-def find_tool(name):
-    """Return the path of a program; without it the test is skipped, under CI it fails."""
-    path = shutil.which(name)
-    if path is None:
-        absent = pytest.fail if os.environ.get("CI") else pytest.skip
-        absent(f"{name} is not installed (make test installs it on Debian)")
-    return path
-
-
-def build_c(compiler, *options, name=None, targets=("all",)):
-    """Build C targets in build/<name or compiler>; return (folder, words of a failure or "")."""
-    cmake = Path(sys.executable).with_name("cmake")
-    folder = ROOT / "build" / (name or compiler)
-    configure = [cmake, "-S", ROOT, "-B", folder, "-G", "Ninja", "-DNCK_TESTS=ON"]
-    configure += [f"-DCMAKE_MAKE_PROGRAM={cmake.with_name('ninja')}"]
-    configure += [f"-DCMAKE_C_COMPILER={find_tool(compiler)}", *options]
-    keep_going = [cmake, "--build", folder, "--target", *targets, "--", "-k", "0"]
-    with locked(folder):
-        for command in (configure, keep_going):
-            done = subprocess.run(command, capture_output=True, text=True)
-            if done.returncode != 0:
-                return folder, done.stdout + done.stderr
-    return folder, ""
+def pytest_collect_file(file_path, parent):
+    """Collect C tests beside those in Python."""
+    return c_tests.collect_file(file_path, parent)
 
 
 @pytest.fixture(scope="session")
@@ -62,23 +55,32 @@ def gcc_build():
 
 
 @pytest.fixture(scope="session")
-def clang_build():
+def kernel_build():
+    """Return the same with no more than the kernel in its default capacities built."""
+    return build_c("gcc", "nck")
+
+
+@pytest.fixture(scope="session")
+def clang_build(pytestconfig):
     """Return the folder of the build with clang under the sanitizers, and its complaints."""
-    return build_c("clang-19", "-DNCK_SANITIZE=ON")
+    return build_c("clang-19", *c_tests.sanitized_targets(pytestconfig))
 
 
 @pytest.fixture(scope="session")
 def coverage_build():
-    """Return the function that builds C tests to be counted, MC/DC among it; see build_c.
+    """Return the function that builds C tests to be counted, MC/DC among it; see build_c."""
+    return lambda *targets: build_c("coverage", *targets)
 
-    Asserts are left out: none of them is ever to be false.
-    """
 
-    def build(*targets):
-        flags = "-fprofile-instr-generate -fcoverage-mapping -fcoverage-mcdc -DNDEBUG"
-        return build_c("clang-19", f"-DCMAKE_C_FLAGS={flags}", name="coverage", targets=targets)
+# Rooms whose tests reach for packages on their own, and not by the fixture `tool`.
+WITH_PACKAGES = {"kernel", "tick", "controller", "linuxcnc", "package", "house"}
+FIRST = {"test_house_rules", "test_compilers_gcc"}  # … but for these
 
-    return build
+
+def pytest_runtest_setup(item):
+    """Let what needs packages wait for them; all else begins meanwhile."""
+    if item.path.parent.name in WITH_PACKAGES and item.path.stem not in FIRST:
+        wait_for_packages()
 
 
 TOO_OLD = "its LLVM is older than this processor"
@@ -95,9 +97,11 @@ def _is_too_old():
     return False
 
 
-def pytest_collection_modifyitems(items):
-    """Skip, loudly, all that needs PoCL where PoCL is older than the processor."""
-    of_device = [item for item in items if item.path.stem.startswith("test_4_opencl")]
+@pytest.hookimpl(trylast=True)
+def pytest_collection_modifyitems(config, items):
+    """Draw; then skip, loudly, all that needs PoCL where PoCL is older than the processor."""
+    sampling.leave_out(config, items, c_tests.not_drawn(config, items))
+    of_device = [item for item in items if item.path.stem.startswith("test_opencl")]
     if of_device and _is_too_old():
         reason = "OpenCL was NOT tested: the LLVM of PoCL is older than this processor"
         for item in of_device:
@@ -116,10 +120,12 @@ def pytest_runtest_makereport(item, call):
 
 @pytest.hookimpl(trylast=True)
 def pytest_unconfigure(config):
-    """Print the plain closing line, below pytest's own."""
+    """Print what the tests cost, if it is asked for, and the plain closing line below it all."""
     reporter = config.pluginmanager.get_plugin("terminalreporter")
     if reporter is None or config.option.collectonly:
         return
+    if os.environ.get("DURATIONS"):
+        print(durations.table())
     counts = {key: len(reports) for key, reports in reporter.stats.items()}
     failed = counts.get("failed", 0) + counts.get("error", 0)
     print(f"{counts.get('passed', 0)} passed, {failed} failed, {counts.get('skipped', 0)} skipped")

@@ -90,3 +90,23 @@ def plan(program):
     planner = kernel.Planner(program.text, program.machine)
     pieces = [[array.copy() for array in arrays] for *arrays, _ in planner.pieces()]
     return planner.totals, *(np.concatenate(each) for each in zip(*pieces, strict=True))
+
+
+def judge(program, rows):
+    """Ask the checker about rows at hand, in pieces; raises PhysicsError."""
+    judge = checker.Checker(program.blocks, program.machine.record)
+    for piece in np.array_split(rows, 7):
+        judge.add(piece)
+    judge.finish()
+
+
+def rounded(rows):
+    """Make the joints of spoilt poses fit."""
+    rows["axes"]["joint_nm"][:, :3] = np.round(rows["pose"]["axis"][:, :3] * 1e6)
+    return rows
+
+
+def retimed(rows):
+    """Number the periods of spoilt rows anew."""
+    rows["t_s"] = np.arange(1, len(rows) + 1) * 1e-3
+    return rows

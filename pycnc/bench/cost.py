@@ -4,7 +4,8 @@
 Counted by callgrind over a build of this tree by gcc -O2 with the capacities of the module; the
 programs are those of `pycnc bench decode | tick`, shorter. `start` is commit 240a973 under the same
 count, where its parts can be told apart. Other compilers count otherwise; clocks do not matter. The
-longest steps of two microcontrollers are those of docs/size.md, which tests/size/table.py measures.
+longest steps of two microcontrollers are those of docs/size.md, which
+tests/house/size/table.py measures.
 """
 
 import re

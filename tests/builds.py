@@ -1,0 +1,75 @@
+# SPDX-License-Identifier: MIT
+"""The C builds that tests share: each is made once, in build/, by whichever test needs it first.
+
+Compilers go through ccache where it is installed, with its cache in build/ccache: what one folder
+has compiled, no other compiles again.
+"""
+
+import os
+import shutil
+import subprocess
+import sys
+import time
+from functools import cache
+from pathlib import Path
+
+import pytest
+from locks import locked
+
+ROOT = Path(__file__).resolve().parents[1]
+CMAKE = Path(sys.executable).with_name("cmake")
+NINJA = Path(sys.executable).with_name("ninja")
+COUNTED = "-fprofile-instr-generate -fcoverage-mapping -fcoverage-mcdc -DNDEBUG"
+# Name: (compiler, options of the configuration).
+BUILDS = {
+    "gcc": ("gcc", []),
+    "clang-19": ("clang-19", ["-DNCK_SANITIZE=ON"]),
+    # Asserts are left out: none of them is ever to be false.
+    "coverage": ("clang-19", [f"-DCMAKE_C_FLAGS={COUNTED}"]),
+}
+
+
+def wait_for_packages():
+    """Wait until what `make test` installs beside the tests is there, or cannot be had."""
+    installing = os.environ.get("PACKAGES_COMING")  # a file that goes when they have come
+    while installing and Path(installing).exists():
+        time.sleep(0.2)
+
+
+def find_tool(name):
+    """Return the path of a program; without it the test is skipped, under CI it fails."""
+    if name not in ("gcc", "cc", "nm"):  # what the module was built with
+        wait_for_packages()
+    path = shutil.which(name)
+    if path is None:
+        absent = pytest.fail if os.environ.get("CI") else pytest.skip
+        absent(f"{name} is not installed (make test installs it on Debian)")
+    return path
+
+
+def cached_compiler():
+    """Return the environment and the options of CMake for a compiler whose work is kept."""
+    if not shutil.which("ccache"):
+        return dict(os.environ), []
+    kept = {"CCACHE_DIR": str(ROOT / "build" / "ccache"), "CCACHE_BASEDIR": str(ROOT),
+            "CCACHE_NOHASHDIR": "1"}  # fmt: skip
+    return os.environ | kept, ["-DCMAKE_C_COMPILER_LAUNCHER=ccache"]
+
+
+@cache
+def build_c(name, *targets):
+    """Build targets of a build, all without any; return (folder, words of a failure or "")."""
+    compiler, options = BUILDS[name]
+    folder = ROOT / "build" / name
+    environment, launcher = cached_compiler()
+    configure = [CMAKE, "-S", ROOT, "-B", folder, "-G", "Ninja", "-DNCK_TESTS=ON", *launcher]
+    configure += [f"-DCMAKE_MAKE_PROGRAM={NINJA}", f"-DCMAKE_C_COMPILER={find_tool(compiler)}"]
+    keep_going = [NINJA, "-C", folder, "-k", "0", *targets]
+    commands = [keep_going] if (folder / "build.ninja").exists() else [configure, keep_going]
+    commands[0] += options if commands[0] is configure else []
+    with locked(folder):
+        for command in commands:
+            done = subprocess.run(command, capture_output=True, text=True, env=environment)
+            if done.returncode != 0:
+                return folder, done.stdout + done.stderr
+    return folder, ""

@@ -1,0 +1,365 @@
+# SPDX-License-Identifier: MIT
+"""The house rules of DESIGN.md and CONTRIBUTING.md, as far as a program can check them."""
+
+import ast
+import re
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+from house import (
+    C_FILES,
+    CL_FILES,
+    PAGES,
+    PYTHON_FILES,
+    ROOT,
+    SOURCES,
+    c_functions,
+    call_graph,
+    circles,
+    complexity,
+    identifiers,
+    public_definitions,
+    python_imports,
+    read,
+    undocumented,
+    without_comments,
+    without_own_rules,
+)
+
+ROOMS = (
+    "prep/1_decode", "prep/2_toolcomp", "prep/3_smooth", "prep/4_lookahead", "prep/5_slope",
+    "tick/6_interpolate", "tick/7_transform",
+)  # fmt: skip
+EXTRAS = ("typer", "rich", "pydantic", "matplotlib", "pyarrow", "pyopencl")
+# The rooms of pycnc: each may import those before it.
+PYTHON_ROOMS = (
+    "errors", "names", "extras", "files", "kernel", "machine", "program", "device", "planning",
+    "stages", "report", "controller", "linuxcnc", "papers", "bench", "cli",
+)  # fmt: skip
+# Who calls the kernel; everybody else may read its constants.
+WRAPPERS = (
+    "kernel/__init__", "kernel/batches", "kernel/bind", "kernel/records", "machine/__init__",
+    "planning/grades", "planning/parallel", "stages", "report/path_error", "bench/timing",
+)  # fmt: skip
+
+# The files under another licence: they include LinuxCNC's headers and have its signatures.
+GUESTS = ("adapters/linuxcnc/nck_tp.c", "tests/linuxcnc/stand_in.c")
+# Headers beside a file of the adapter; those of LinuxCNC are for GUESTS alone.
+LINUXCNC = ("rtapi.h", "rtapi_app.h", "rtapi_string.h", "hal.h", "motion.h", "motion_types.h",
+            "tp.h")
+HOST_OF_ADAPTER = ("arc.h", "bounds.h", "feed.h", "follow.h", "moves.h", "planner.h",
+                   "settings.h", "thread.h")
+
+# Which of our headers a file may include, by the longest path that fits the file.
+MAY_INCLUDE = {
+    "csrc/nck/base/": ("nck/base/",),
+    **{f"csrc/nck/{room}/": ("nck/base/", f"nck/{room}/") for room in ROOMS},
+    "csrc/nck/nck.": ("nck/",),
+    "csrc/nck/front.": ("nck/nck.h", "nck/base/"),
+    "csrc/host/": ("nck/", "host/"),
+    "opencl/": ("nck/base/", "_math.h", "host/unit.h", "opencl/"),
+    "firmware_sim/os/": ("os/", "os.h"),
+    "firmware_sim/app/": ("app/", "nck/nck.h", "os.h", "hal.h"),
+    "firmware_sim/hal/": ("hal", "board/board.h", "os/port.h"),
+    "firmware_sim/board/": ("board/", "hal.h", "os.h"),
+    "firmware_sim/examples/": ("nck/nck.h", "board/board.h", "os.h"),
+    "firmware_sim/soft_double/": ("soft_double/",),
+    "firmware_sim/glue/": ("glue/", "os/os.h"),
+    "firmware_sim/sim": ("nck/", "sim", "app/", "os.h", "hal.h"),
+    "adapters/linuxcnc/": ("nck/nck.h", *HOST_OF_ADAPTER),
+    "tests/linuxcnc/": (),
+    "tests/": ("nck/", "host/", "sim.h", "check.h", "pace.h", "os/", "board/", "app/", "hal/",
+                 "soft_double/"),
+    "tests/house/fuzz/": ("nck/", "host/", "sim.h"),
+    "tests/qemu/": ("nck/nck.h", "nck/base/link.h", "board/", "mark.h", "traffic.h"),
+    "tests/package/project/": ("nck/nck.h", "host/"),
+}
+FORBIDDEN_WORDS = {"util", "utils", "helper", "helpers", "manager", "tmp", "interp"}
+CORE = [name for name in C_FILES if name.startswith("csrc/nck/")]
+# Headers for others: not those that are compiled in variants, not those of another kernel.
+PUBLIC_HEADERS = [
+    name
+    for name in C_FILES
+    if name.endswith(".h")
+    and name.startswith(("csrc/", "firmware_sim/"))
+    and not name.startswith(("csrc/host/envelope/", "firmware_sim/glue/"))
+]
+PYCNC = [name for name in PYTHON_FILES if name.startswith("pycnc/")]
+PUBLIC_PYTHON = [name for name in PYTHON_FILES if name.startswith(("pycnc/", "cmake/", "docs/"))]
+LIBC = {
+    "memcpy", "memset", "memmove", "memchr", "memcmp", "strlen", "sqrt", "fabs", "floor",
+    "__assert_fail",
+}  # fmt: skip
+
+
+def forbidden(names):
+    """Return the names that have a forbidden word in them; pytest's own fixtures are not ours."""
+    fixtures = {"tmp_path", "tmp_path_factory"}
+    words = {name: set(name.lower().split("_")) for name in names if name not in fixtures}
+    return sorted(name for name, parts in words.items() if parts & FORBIDDEN_WORDS)
+
+
+# Who may know whom
+
+
+@pytest.mark.parametrize("name", C_FILES + CL_FILES)
+def test_a_room_includes_only_the_ground_and_itself(name):
+    fits = [start for start in MAY_INCLUDE if name.startswith(start)]
+    assert fits, f"{name}: stands in no room of the plan"
+    allowed = MAY_INCLUDE[max(fits, key=len)]
+    included = re.findall(r'^\s*#\s*include\s+"([^"]+)"', read(name), re.M)
+    allowed += LINUXCNC if name in GUESTS else ()
+    strangers = [
+        header
+        for header in included
+        if not any(header.startswith(start) or header.endswith(start) for start in allowed)
+    ]
+    assert strangers == []
+
+
+@pytest.mark.parametrize("name", [name for name in C_FILES if name.endswith("_math.h")])
+def test_a_formula_header_has_formulas_only(name):
+    text = without_comments(read(name))
+    assert not re.search(r"^\s*#\s*include\s+<", read(name), re.M), "includes a system header"
+    heads = re.findall(r"^(?!#)(\w[^\n;{}]*)\(", text, re.M)
+    assert all(head.startswith("static inline") for head in heads)
+
+
+def test_files_of_the_core_do_not_call_in_circles():
+    assert circles(call_graph(CORE)) == []
+
+
+@pytest.mark.parametrize("name", CORE)
+def test_only_the_fence_and_the_link_know_atomics(name):
+    if name.endswith(("base/link.h", "base/fence.h")):
+        return
+    text = without_comments(read(name))
+    assert not re.search(r"__atomic|__sync|_Atomic|\bvolatile\b|stdatomic", text)
+
+
+@pytest.mark.parametrize("name", PYCNC)
+def test_a_room_of_python_imports_those_before_it(name):
+    room = name.split("/")[1].removesuffix(".py")
+    if room in ("__init__", "__main__", "examples"):  # the front doors; a program of its own
+        return
+    found = {module.split(".")[1] for module in python_imports(name) if module[:6] == "pycnc."}
+    before = PYTHON_ROOMS[: PYTHON_ROOMS.index(room) + 1]
+    binding = {"_nck"} if name == "pycnc/kernel/bind.py" else set()
+    assert found <= {*before, *binding}
+
+
+@pytest.mark.parametrize("name", PYCNC)
+def test_cffi_and_opencl_have_one_door_each(name):
+    packages = {module.split(".")[0] for module in python_imports(name)}
+    assert "cffi" not in packages
+    assert "pyopencl" not in packages or name == "pycnc/device/__init__.py"
+
+
+@pytest.mark.parametrize("name", PYCNC)
+def test_only_the_wrappers_call_the_kernel(name):
+    if name.removeprefix("pycnc/").removesuffix(".py") in WRAPPERS:
+        return
+    tree = ast.parse(read(name))
+    assert "ffi" not in {node.id for node in ast.walk(tree) if isinstance(node, ast.Name)}
+    reached = (node for node in ast.walk(tree) if isinstance(node, ast.Attribute))
+    calls = [node.attr for node in reached if getattr(node.value, "id", "") == "lib"]
+    assert [call for call in calls if not call.startswith("NCK_")] == []
+
+
+def test_python_modules_do_not_import_in_circles():
+    graph = {}
+    for name in PYCNC:
+        module = name.removesuffix(".py").removesuffix("/__init__").replace("/", ".")
+        graph[module] = python_imports(name)
+    graph["pycnc"] = set()  # the front door imports all and nobody needs it
+    assert circles({module: found & graph.keys() for module, found in graph.items()}) == []
+
+
+def test_the_wrapper_needs_cffi_and_numpy_alone():
+    code = f"import pycnc, sys; print([name for name in {EXTRAS} if name in sys.modules])"
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    assert done.stdout.strip() == "[]"
+
+
+def test_no_declaration_of_c_is_copied_by_hand():
+    code = {name: without_own_rules(read(name)) for name in PYTHON_FILES}
+    assert [name for name, text in code.items() if ".cdef(" in text] == ["cmake/make_binding.py"]
+
+
+# The look of a file
+
+
+@pytest.mark.parametrize("name", SOURCES)
+def test_a_file_has_its_licence_and_its_size(name):
+    lines = read(name).split("\n")
+    licence = "GPL-2.0-or-later" if name in GUESTS else "MIT"
+    assert any(f"SPDX-License-Identifier: {licence}" in line for line in lines[:2])
+    assert len(lines) <= 501
+    assert [number for number, line in enumerate(lines, 1) if len(line) > 100] == []
+    assert "TODO" not in without_own_rules(read(name))
+    assert "\t" not in read(name) or name == "Makefile"
+
+
+@pytest.mark.parametrize("name", PAGES)
+def test_a_page_has_short_lines(name):
+    lines = [line for line in read(name).split("\n") if not line.lstrip().startswith("|")]
+    assert [line for line in lines if len(line) > 100] == []
+
+
+@pytest.mark.parametrize("name", CORE)
+def test_the_core_is_simple(name):
+    assert {f: count for f, count in complexity(name).items() if count > 12} == {}
+
+
+@pytest.mark.parametrize("name", PUBLIC_HEADERS)
+def test_a_public_declaration_of_c_has_a_comment(name):
+    assert list(undocumented(read(name))) == []
+
+
+@pytest.mark.parametrize("name", PUBLIC_PYTHON)
+def test_a_public_definition_of_python_has_a_docstring(name):
+    defined = public_definitions(ast.parse(read(name)))
+    assert [node.name for node in defined if not ast.get_docstring(node)] == []
+
+
+@pytest.mark.parametrize("name", C_FILES)
+def test_c_functions_are_short_and_shallow(name):
+    for function, first, last, parameters, nesting in c_functions(read(name)):
+        assert last - first < 60, f"{function} has {last - first + 1} lines"
+        assert nesting <= 3, f"{function} is {nesting} blocks deep"
+        own = name not in GUESTS or not function.startswith("tp")
+        assert parameters <= 6 or not own, f"{function} has {parameters} parameters"
+
+
+@pytest.mark.parametrize("name", PYTHON_FILES)
+def test_python_functions_are_short(name):
+    for node in ast.walk(ast.parse(read(name))):
+        if isinstance(node, (ast.FunctionDef, ast.AsyncFunctionDef)):
+            assert node.end_lineno - node.lineno < 60, f"{node.name} is too long"
+            given = [each.arg for each in node.args.posonlyargs + node.args.args]
+            by_place = [name for name in given if name not in ("self", "cls")]
+            assert len(by_place) <= 6, f"{node.name}: what is more is given by name"
+
+
+@pytest.mark.parametrize("name", C_FILES + CL_FILES)
+def test_c_names_say_what_they_mean(name):
+    found = set(re.findall(r"[A-Za-z_]\w*", without_comments(read(name))))
+    assert forbidden(found | {Path(name).stem}) == []
+
+
+@pytest.mark.parametrize("name", PYTHON_FILES)
+def test_python_names_say_what_they_mean(name):
+    assert forbidden(set(identifiers(ast.parse(read(name)))) | {Path(name).stem}) == []
+
+
+@pytest.mark.parametrize("name", CORE)
+def test_preprocessor_branches_live_in_limits_and_real(name):
+    if name.endswith(("base/limits.h", "base/real.h")):
+        return
+    branches = re.findall(r"^\s*#\s*(?:if|ifdef|ifndef|elif)\b.*$", read(name), re.M)
+    guard = re.compile(r"#ifndef (NCK_\w*H|__OPENCL_VERSION__)$|#ifdef __cplusplus$")
+    assert [branch for branch in branches if not guard.match(branch.strip())] == []
+
+
+@pytest.mark.parametrize("name", PYTHON_FILES)
+def test_python_says_what_a_module_is_for(name):
+    assert ast.get_docstring(ast.parse(read(name)))
+
+
+# The rooms
+
+
+@pytest.mark.parametrize("room", ROOMS)
+def test_a_room_has_its_page_and_its_face(room):
+    folder = ROOT / "csrc" / "nck" / room
+    page = folder / "README.md"
+    assert page.exists()
+    assert len(page.read_text(encoding="utf-8").splitlines()) <= 80
+    assert (folder / f"{room.split('_')[-1]}.h").exists()
+
+
+def test_the_core_has_no_data(gcc_build):
+    command = ["size", "-A", gcc_build[0] / "libnck.a"]
+    done = subprocess.run(command, capture_output=True, text=True, check=True)
+    sections = re.findall(r"^(\.\S+)\s+(\d+)", done.stdout, re.M)
+    relocated = ".data.rel.ro"  # constant tables of pointers in position-independent code
+    data = [
+        (section, size)
+        for section, size in sections
+        if section.startswith((".data", ".bss", ".tdata", ".tbss"))
+        and not section.startswith(relocated)
+        and int(size) > 0
+    ]
+    assert data == []
+
+
+def test_the_core_calls_nothing_but_a_few_of_libc(gcc_build):
+    command = ["nm", "-u", gcc_build[0] / "libnck.a"]
+    done = subprocess.run(command, capture_output=True, text=True, check=True)
+    needed = set(re.findall(r"^\s+U (\w+)$", done.stdout, re.M))
+    strangers = {name for name in needed if not name.startswith(("nck_", "_GLOBAL_OFFSET_TABLE_"))}
+    assert strangers <= LIBC
+
+
+@pytest.mark.parametrize("name", [n for n in C_FILES if n.startswith(("csrc/", "firmware_sim/"))])
+def test_no_static_local_that_changes(name):
+    text = without_comments(read(name))
+    assert re.findall(r"^[ \t]+static (?!const\b|inline\b)[^\n]*", text, re.M) == []
+
+
+def test_the_knobs_are_few():
+    knobs = re.findall(r"^#ifndef (NCK_\w+)$", read("csrc/nck/base/limits.h"), re.M)
+    assert len([knob for knob in knobs if not knob.endswith("_H")]) <= 16
+
+
+# The repository
+
+
+@pytest.mark.parametrize("name", SOURCES + PAGES)
+def test_a_page_that_is_named_is_there(name):
+    named = {found.lstrip("./") for found in re.findall(r"[\w./-]+\.md\b", read(name))}
+    pages = [f"/{page}" for page in PAGES]
+    assert [found for found in named if not any(p.endswith(f"/{found}") for p in pages)] == []
+
+
+def test_the_makefile_has_two_commands_and_three_for_those_who_change_it():
+    text = read("Makefile")
+    assert re.findall(r"^\.PHONY: (.*)$", text, re.M) == ["run test room quick campaign"]
+    targets = re.findall(r"^([^\s#:=]+):(?!=)", text, re.M)
+    commands = {"run", "test", "room", "quick", "campaign"}
+    assert {target for target in targets if "/" not in target} == {".PHONY", *commands}
+
+
+def test_ci_calls_the_test_command():
+    assert "make test" in read(".ci/run")
+
+
+def test_the_installed_packages_fit_together():
+    command = [sys.executable, "-m", "pip", "--disable-pip-version-check", "check"]
+    done = subprocess.run(command, capture_output=True, text=True)
+    assert done.returncode == 0, done.stdout
+
+
+# The front door
+
+
+def kernel_members():
+    """Return the names of nck_t's members."""
+    text = without_comments(read("csrc/nck/nck.h"))
+    body = re.search(r"typedef struct nck \{(.*?)\n\} nck_t;", text, re.S)[1]
+    return re.findall(r"^    (?:nck_\w+_t|\}) (\w+);", body, re.M)
+
+
+def test_the_kernel_has_members_that_are_looked_for():
+    assert {"machine", "decode", "link", "interpolate", "wire"} <= set(kernel_members())
+
+
+OUTSIDE = ("csrc/host/", "firmware_sim/", "pycnc/")
+
+
+@pytest.mark.parametrize("name", [n for n in C_FILES + PYTHON_FILES if n.startswith(OUTSIDE)])
+def test_nobody_outside_of_the_kernel_touches_its_members(name):
+    members = "|".join(kernel_members())
+    assert re.findall(rf"\bnck\)?(?:\.|->|\[0\]\.)(?:{members})\b", read(name)) == []

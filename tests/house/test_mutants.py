@@ -1,0 +1,46 @@
+# SPDX-License-Identifier: MIT
+"""mutate.py changes what it says, and its reviewed changes are changes of today's code."""
+
+import mutate
+
+SOURCE = """
+// if (a < b) in a comment is none
+static int clamp(int a, const int *b) {
+    const nck_seg_t *const seg = at(a);
+    if (a < *b && a != 0) return 7;
+    for (int k = 0; k < 3; k++) a += k * 2;
+    self->s = a - 1.5;
+    work(seg);
+    return a;
+}
+enum { NONE = 5 };
+"""
+CHANGES = {
+    ("a < *b && a != 0", "!(a < *b && a != 0)"), ("<", "<="), ("<", ">="), ("&&", "||"),
+    ("!=", "=="), ("0", "1"), ("return 7", ""), ("7", "8"), ("7", "6"), ("3", "4"), ("3", "2"),
+    ("+=", "-="), ("+=", "="), ("*", "/"), ("2", "3"), ("2", "1"), ("a += k * 2", ""),
+    ("-", "+"), ("1.5", "(1.5 + 1.0)"), ("1.5", "(1.5 - 1.0)"), ("self->s = a - 1.5", ""),
+    ("work(seg)", ""),
+}  # fmt: skip
+
+
+def test_changes_are_small_and_inside_of_functions(tmp_path, monkeypatch):
+    (tmp_path / "csrc" / "nck").mkdir(parents=True)
+    (tmp_path / "csrc" / "nck" / "clamp.c").write_text(SOURCE)
+    monkeypatch.setattr(mutate, "ROOT", tmp_path)
+    found = list(mutate.mutants_of("clamp.c"))
+    assert {(mutant.was, mutant.now) for mutant in found} == CHANGES
+    assert all(mutant.was in mutant.source for mutant in found)
+
+
+def test_a_sample_is_the_same_whatever_is_added_behind():
+    mutants = list(mutate.mutants_of("base/link.c"))
+    some = mutants[: len(mutants) // 2]
+    drawn = [mutant for mutant in mutate.draw(mutants, 1) if mutant in set(some)]
+    assert drawn == mutate.draw(some, 1)
+    assert drawn != mutate.draw(some, 2)
+
+
+def test_reviewed_mutants_are_changes_of_the_code():
+    found = {mutate.name_of(mutant) for mutant in mutate.sample(1, [])}
+    assert mutate.reviewed() <= found

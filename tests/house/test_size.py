@@ -1,0 +1,114 @@
+# SPDX-License-Identifier: MIT
+"""The tables in docs/size.md say what libnck costs on two cores, and nothing grows unseen."""
+
+import importlib.util
+
+import pytest
+
+SLACK = 0.05  # how far a number of the page may be off
+
+
+def load(root, name):
+    spec = importlib.util.spec_from_file_location(name, root / f"tests/house/size/{name}.py")
+    module = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(module)
+    return module
+
+
+@pytest.fixture(scope="module")
+def size_table(root, tool):
+    """Return the module tests/house/size/table.py."""
+    tool("arm-none-eabi-gcc")
+    tool("qemu-system-arm")
+    return load(root, "table")
+
+
+@pytest.fixture(scope="module")
+def measured(size_table):
+    """Return all numbers, measured now."""
+    return size_table.numbers(size_table.table())
+
+
+@pytest.fixture(scope="module")
+def written(root, size_table):
+    """Return all numbers of the page, if they are of the compiler at hand."""
+    _, text, _ = size_table.split_page((root / "docs" / "size.md").read_text(encoding="utf-8"))
+    if size_table.compiler() not in text:
+        pytest.skip(f"the tables were measured with another compiler than {size_table.compiler()}")
+    return size_table.numbers(text)
+
+
+def off(written, measured):
+    """Return the rows in which a number is off by more than the slack."""
+    return {
+        key: (written[key], measured[key])
+        for key in measured.keys() & written.keys()
+        if any(abs(now - was) > SLACK * was for was, now in zip(written[key], measured[key]))
+    }
+
+
+def test_the_tables_in_the_page_are_true(written, measured):
+    hint = "renew them: python tests/house/size/table.py --write"
+    assert list(measured) == list(written), hint
+    assert off(written, measured) == {}, hint
+
+
+def test_a_rise_by_six_percent_is_seen(measured):
+    grown = {key: [round(number * 1.06) for number in row] for key, row in measured.items()}
+    large = {key for key, row in measured.items() if max(row) >= 100}
+    assert len(large) >= 30
+    assert large <= off(measured, grown).keys()
+
+
+def test_the_core_has_no_data_on_a_target(measured):
+    rows = [row for (_, title), row in measured.items() if title.startswith("data + bss")]
+    assert rows == [[0, 0, 0, 0]]
+
+
+# Builds that leave out rooms and planners: nck_t and flash that their users count on [bytes]
+
+MOST = {"linear": (20_480, 93_000, 75_700), "jerk": (32_768, 116_500, 92_500)}
+
+
+@pytest.mark.parametrize("name", MOST)
+def test_lean_builds_fit_into_their_memory(size_table, measured, name):
+    titles = [title.partition(" (")[0] for title in size_table.SETS.values()]
+    sizes = measured["RAM: members of `nck_t` [bytes]", "**`sizeof(nck_t)`**"]
+    most, *flash_most = MOST[name]
+    assert sizes[titles.index(name)] <= most
+    linked = measured["flash that a firmware links, -Os [bytes]", name]
+    assert all(flash <= limit for flash, limit in zip(linked, flash_most))
+
+
+# The stack
+
+
+def test_no_run_uses_more_stack_than_the_bound(size_table, root, tmp_path):
+    stack, targets = size_table.stack, size_table.targets
+    for core in size_table.CORES:
+        image = targets.build(core) / "setpoints_default.elf"
+        graph = stack.CallGraph(stack.objects_of(image), image)
+        bound = graph.depth("Reset_Handler")
+        case = next(case for case in size_table.CASES if case.name == "random_arcs_0")
+        machine = size_table.Machine.load(case.machine)
+        used = targets.run_setpoints(core, "default", case, machine, tmp_path).stack_bytes
+        assert bound / 3 < used <= bound
+
+
+SOURCES = {
+    "recursion": "int f(int n); int f(int n) { return n ? n + f(n - 1) * n : 0; }",
+    "nobody knows": "int g(int n); int f(int n); int f(int n) { return g(n) + 1; }",
+    "unknown size": "int g(char *x); int f(int n); int f(int n) { char x[n]; return g(x) + 1; }",
+}
+
+
+@pytest.mark.parametrize("word", SOURCES)
+def test_a_stack_without_a_bound_is_refused(size_table, tmp_path, word):
+    source, binary = tmp_path / "f.c", tmp_path / "f.o"
+    source.write_text(SOURCES[word])
+    options = [*size_table.OPTIONS["m7"], "-O1", "-fcallgraph-info=su", "-c", source, "-o", binary]
+    size_table.run("gcc", *options)
+    stack = size_table.stack
+    image = size_table.targets.build("m7") / "setpoints_default.elf"
+    with pytest.raises(stack.StackError, match=word):
+        stack.CallGraph([binary], image).depth("f")

@@ -1,0 +1,134 @@
+# SPDX-License-Identifier: MIT
+"""The planner module in a stand-in for LinuxCNC's motion controller: scripts in, setpoints out."""
+
+import re
+import shutil
+import subprocess
+from pathlib import Path
+from typing import NamedTuple
+
+import numpy as np
+import pytest
+
+from pycnc import linuxcnc
+
+ROOT = Path(__file__).resolve().parents[2]
+HEADERS = Path("/usr/include/linuxcnc")
+OWN = Path("/usr/lib/linuxcnc/modules/tpmod.so")  # LinuxCNC's own planner
+FLAGS = ["-D_GNU_SOURCE", "-DRTAPI", "-DSIM", "-Drealtime", "-D__MODULE__", "-rdynamic", "-O2"]
+AXES = "XYZABCUVW"
+COLUMNS = (*AXES.lower(), "turns", "speed", "to_go", "id", "depth", "done", "v_asked")
+CYCLE_S = 1e-3
+EVER = 1_000_000  # cycles: longer than any script takes
+
+INI = """[TRAJ]
+COORDINATES = {coordinates}
+LINEAR_UNITS = {units}
+ANGULAR_UNITS = degree
+{traj}
+[KINS]
+KINEMATICS = trivkins coordinates={joints}
+{axes}"""
+
+
+class Machine(NamedTuple):
+    """Limits of every axis, in the machine's units."""
+
+    axes: str = "XYZ"
+    v: float = 100.0
+    a: float = 1000.0
+    j: float = 10_000.0
+    units: str = "mm"
+    traj: str = ""  # more lines of [TRAJ]
+
+    @property
+    def ini(self):
+        """Return the text of its INI file."""
+        limits = f"MAX_VELOCITY = {self.v}\nMAX_ACCELERATION = {self.a}\nMAX_JERK = {self.j}\n"
+        return INI.format(
+            coordinates=" ".join(self.axes), units=self.units, traj=self.traj,
+            joints=self.axes.lower(), axes="".join(f"[AXIS_{x}]\n{limits}" for x in self.axes),
+        )  # fmt: skip
+
+    @property
+    def limits(self):
+        """Return the script that tells the planner the limits of its axes."""
+        return [f"axis {AXES.index(x)} {self.v} {self.a}" for x in self.axes]
+
+
+class Run(NamedTuple):
+    """What a script has brought about."""
+
+    machine: Machine
+    answers: list  # lines of words
+    log: str
+    rows: np.ndarray  # a row a cycle, COLUMNS
+
+    def column(self, name):
+        """Return one column."""
+        return self.rows[:, COLUMNS.index(name)]
+
+    @property
+    def places(self):
+        """Return the places of the machine's axes, a row a cycle."""
+        return self.rows[:, [AXES.index(x) for x in self.machine.axes]]
+
+    def told(self, word):
+        """Return the answers that begin with a word, without it."""
+        return [answer[1:] for answer in self.answers if answer[0] == word]
+
+    def peaks(self, rows=slice(None)):
+        """Return the largest speed, acceleration and jerk of any axis, over its limits."""
+        found = np.diff(self.places[rows], axis=0) / CYCLE_S
+        shares = []
+        for limit in (self.machine.v, self.machine.a, self.machine.j):
+            shares.append(float(np.abs(found).max()) / limit)
+            found = np.diff(found, axis=0) / CYCLE_S
+        return shares
+
+
+class StandIn:
+    """The module and the stand-in, compiled into a folder; it needs LinuxCNC's headers."""
+
+    def __init__(self, folder):
+        if not (HEADERS / "tp.h").is_file():
+            pytest.skip("linuxcnc-uspace-dev is not installed")
+        self.folder = Path(folder)
+        self.module = linuxcnc.build(self.folder / "module")
+        self.program = self.folder / "stand_in"
+        source = ROOT / "tests/linuxcnc/stand_in.c"
+        command = ["gcc", *FLAGS, f"-I{HEADERS}", source, "-o", self.program, "-ldl", "-lm"]
+        subprocess.run(command, check=True)
+
+    def start(self, script, machine, ini=None, module=None, under=()):
+        """Run a script, `under` another program; return the process, whether or not it went well.
+
+        module: another planner than the one that was built.
+        """
+        path = self.folder / "machine.ini"
+        path.write_text(machine.ini if ini is None else ini, encoding="utf-8")
+        return subprocess.run(
+            [*under, self.program, module or self.module, self.folder / "trace"],
+            input="\n".join([*machine.limits, *script]) + "\n",
+            env={"INI_FILE_NAME": str(path)}, capture_output=True, text=True, timeout=300,
+        )  # fmt: skip
+
+    def run(self, script, machine=None, module=None):
+        """Run a script on a machine; return what it has brought about."""
+        machine = machine or Machine()
+        done = self.start(script, machine, module=module)
+        assert done.returncode == 0, done.stderr
+        rows = np.fromfile(self.folder / "trace").reshape(-1, len(COLUMNS))
+        return Run(machine, [line.split() for line in done.stdout.splitlines()], done.stderr, rows)
+
+    def count(self, script, module=None):
+        """Run a script on the machine; return the instructions of each servo cycle."""
+        out = self.folder / "callgrind"
+        out.unlink(missing_ok=True)
+        under = [shutil.which("valgrind"), "--tool=callgrind", "--combine-dumps=yes",
+                 f"--callgrind-out-file={out}", "--toggle-collect=tpRunCycle",
+                 "--dump-after=tpRunCycle"]  # fmt: skip
+        done = self.start(script, Machine(), module=module, under=under)
+        assert done.returncode == 0, done.stderr
+        found = re.findall(r"^totals: (\d+)", out.read_text(encoding="utf-8"), re.M)
+        return np.array(found[:-1], int)  # the last one is of what comes behind the last cycle

@@ -1,0 +1,106 @@
+# SPDX-License-Identifier: MIT
+"""How much of the tests a run has: all of a promise's cases are searched by the campaign, of the
+many that are alike the suite draws some, by a seed from the commit.
+
+`--draw quick` is for a change in work, `--draw suite` (the default) is `make test`, `--draw whole`
+is the campaign. Three marks say what a run leaves out:
+
+    @pytest.mark.sample(12)      of the cases of this test twelve are drawn, a quarter of them in a
+                                 quick run; `quick=1` says another number
+    @pytest.mark.thorough        a quick run leaves it out
+    @pytest.mark.campaign        only the campaign has it
+
+What is not drawn is not collected; the run says how many cases that were and how to repeat the
+draw: `--draw-seed N`, without which the seed is the commit's.
+"""
+
+import hashlib
+import random
+import subprocess
+from collections import defaultdict
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).resolve().parents[1]
+LEVELS = ("quick", "suite", "whole")
+MARKS = (
+    "sample(count, quick=None): how many of a test's cases the suite and a quick run draw",
+    "thorough: left out of a quick run",
+    "campaign: only in the campaign",
+)
+
+
+def seed_of_commit():
+    """Return a number from the commit that is checked out; 0 outside of a repository."""
+    command = ["git", "-C", str(ROOT), "rev-parse", "HEAD"]
+    done = subprocess.run(command, capture_output=True, text=True)
+    return int(done.stdout[:8], 16) if done.returncode == 0 else 0
+
+
+def pytest_addoption(parser):
+    """Add the options of the draw."""
+    parser.addoption("--draw", choices=LEVELS, default="suite", help="how much is run")
+    parser.addoption("--draw-seed", type=int, help="another draw than the commit's")
+
+
+def pytest_configure(config):
+    """Name the marks; fix the seed, for the workers too."""
+    for mark in MARKS:
+        config.addinivalue_line("markers", mark)
+    given = getattr(config, "workerinput", {}).get("draw_seed", config.option.draw_seed)
+    config.option.draw_seed = seed_of_commit() if given is None else given
+
+
+@pytest.hookimpl(optionalhook=True)
+def pytest_configure_node(node):
+    """Give a worker the seed of the run."""
+    node.workerinput["draw_seed"] = node.config.option.draw_seed
+
+
+def pytest_report_header(config):
+    """Say which draw it is."""
+    return f"draw: {config.option.draw}, seed {config.option.draw_seed}"
+
+
+def generator(config, name):
+    """Return the random numbers of one name, the same for every run of a draw."""
+    digest = hashlib.sha256(f"{config.option.draw_seed} {name}".encode()).digest()
+    return random.Random(digest)
+
+
+def _most(mark, level):
+    """Return how many cases a mark lets a level draw."""
+    count = mark.args[0]
+    return mark.kwargs.get("quick", max(1, count // 4)) if level == "quick" else count
+
+
+def leave_out(config, items, others=()):
+    """Take away the items that this run does not draw, and the others that the caller names."""
+    level = config.option.draw
+    left_out, groups = set(others), defaultdict(list)
+    for item in items if level != "whole" else ():
+        is_thorough = item.get_closest_marker("thorough") and level == "quick"
+        if item.get_closest_marker("campaign") or is_thorough:
+            left_out.add(item)
+        elif item.get_closest_marker("sample"):
+            groups[item.nodeid.partition("[")[0]].append(item)
+    for name, group in groups.items():
+        most = min(len(group), _most(group[0].get_closest_marker("sample"), level))
+        drawn = set(generator(config, name).sample(range(len(group)), most))
+        left_out.update(item for k, item in enumerate(group) if k not in drawn)
+    if left_out:
+        config.hook.pytest_deselected(items=[item for item in items if item in left_out])
+        items[:] = [item for item in items if item not in left_out]
+
+
+@pytest.fixture(scope="session")
+def draw(request):
+    """Return the level of the run: "quick", "suite" or "whole"."""
+    return request.config.option.draw
+
+
+@pytest.fixture(scope="session")
+def draw_seed(request):
+    """Return the seed of the run, for what draws its own cases."""
+    return request.config.option.draw_seed
