@@ -69,7 +69,9 @@ class Durations:
 
 
 def pytest_configure(config):
-    """Measure in every process that runs tests."""
+    """Measure in every process that runs tests, if it is asked for."""
+    if not os.environ.get("DURATIONS"):
+        return
     worker = os.environ.get("PYTEST_XDIST_WORKER")
     if worker is None:
         for path in FOLDER.glob("*.jsonl"):

@@ -42,6 +42,7 @@ def pytest_addoption(parser):
     """Add the options of the draw."""
     parser.addoption("--draw", choices=LEVELS, default="suite", help="how much is run")
     parser.addoption("--draw-seed", type=int, help="another draw than the commit's")
+    parser.addoption("--fuzz-factor", type=int, default=1, help="times as many fuzzed inputs")
 
 
 def pytest_configure(config):

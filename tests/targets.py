@@ -9,6 +9,7 @@ from functools import cache
 from pathlib import Path
 
 import numpy as np
+from builds import CMAKE, NINJA, cached_compiler
 from locks import locked
 
 from pycnc.kernel.bind import lib
@@ -60,16 +61,17 @@ def _run(command, **options):
 @cache
 def build(core):
     """Build all programs for the host or a board: "host", "m4f", "m7", "m55"; return the folder."""
-    cmake = Path(sys.executable).with_name("cmake")
     folder = ROOT / "build" / f"qemu-{core}"
-    configure = [cmake, "-S", ROOT / "tests" / "qemu", "-B", folder, "-G", "Ninja"]
-    configure += [f"-DCMAKE_MAKE_PROGRAM={cmake.with_name('ninja')}"]
+    environment, launcher = cached_compiler()
+    configure = [CMAKE, "-S", ROOT / "tests" / "qemu", "-B", folder, "-G", "Ninja", *launcher]
+    configure += [f"-DCMAKE_MAKE_PROGRAM={NINJA}"]
     if core != "host":
         toolchain = ROOT / "firmware_sim" / "board" / "arm-none-eabi.cmake"
         configure += ["--toolchain", toolchain, f"-DNCK_CORE={core}"]
     with locked(folder):
-        _run(configure)
-        _run([cmake, "--build", folder])
+        if not (folder / "build.ninja").exists():
+            _run(configure, env=environment)
+        _run([NINJA, "-C", folder], env=environment)
     return folder
 
 

@@ -42,10 +42,12 @@ def _capacities():
 
 
 def build(name, folder, level="-O2"):
-    """Compile a program of `SOURCES` into a folder, at a level, and return its path."""
+    """Compile a program of `SOURCES` into a folder, at a level, once; return its path."""
     if not (ROOT / "tests" / "c").is_dir():
         raise errors.AbsentError("counting instructions needs the source tree", id="absent")
     binary = Path(folder) / f"{name}{level}"
+    if binary.exists():
+        return binary
     sources = [path for pattern in SOURCES[name] for path in sorted(ROOT.glob(pattern))]
     options = ["-std=c99", level, "-g", "-ffp-contract=off", "-fno-math-errno"]
     if name == "text_to_cells":

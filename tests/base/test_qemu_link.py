@@ -158,6 +158,7 @@ def run_threads(program, way):
     return done.stdout + done.stderr if done.returncode != 0 else ""
 
 
+@pytest.mark.sample(2)
 @pytest.mark.parametrize("way", SWEPT)
 @pytest.mark.parametrize("core", CORES)
 def test_no_interrupt_breaks_the_traffic(tool, tmp_path, core, way):
@@ -166,6 +167,7 @@ def test_no_interrupt_breaks_the_traffic(tool, tmp_path, core, way):
     assert [said for gap in GAPS if (said := sweep(core, image, gap, way))] == []
 
 
+@pytest.mark.sample(2)
 @pytest.mark.parametrize("fault", SWEEP_FAULTS, ids=str)
 def test_the_sweep_catches_a_broken_link(tool, tmp_path, fault):
     tool("qemu-system-arm")
@@ -173,11 +175,13 @@ def test_the_sweep_catches_a_broken_link(tool, tmp_path, fault):
     assert any("broken: " in sweep("m7", image, gap, way) for way in SWEPT for gap in GAPS)
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize("way", WAYS)
 def test_two_threads_do_not_race(tool, tmp_path, way):
     assert run_threads(build_threads(tool, tmp_path), way) == ""
 
 
+@pytest.mark.sample(2)
 @pytest.mark.parametrize("fault", THREAD_FAULTS, ids=str)
 def test_two_threads_catch_a_broken_link(tool, tmp_path, fault):
     program = build_threads(tool, tmp_path, fault)
@@ -215,6 +219,7 @@ def run_kernel(program, case, slope, folder, timeout=600):
     return ticks, setpoints, ""
 
 
+@pytest.mark.thorough
 def test_prep_tick_and_operator_do_not_race(tool, tmp_path):
     program = build_kernel(tool, tmp_path)
     for case in THREADED:
@@ -226,6 +231,7 @@ def test_prep_tick_and_operator_do_not_race(tool, tmp_path):
             assert setpoints == [int(end[f"joint_{k}_nm"][-1]) for k in range(3)]
 
 
+@pytest.mark.campaign
 def test_the_three_threads_catch_a_broken_fence(tool, tmp_path):
     program = build_kernel(tool, tmp_path, PLAIN_LOAD)
 

@@ -19,6 +19,7 @@ def told(board, slope, name, events, tool):
     return bench.row(board, slope, name, events)
 
 
+@pytest.mark.sample(2)
 @pytest.mark.parametrize("board", ["host", "m7"])
 @pytest.mark.parametrize("slope", stops.SLOPES)
 def test_a_line_is_left_in_time(board, slope, tool):

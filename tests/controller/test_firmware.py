@@ -47,6 +47,7 @@ def all_agree(outcomes):
     assert {each.overruns + each.starved_ticks for each in outcomes} == {0}
 
 
+@pytest.mark.sample(4)
 @pytest.mark.parametrize("case", GOLDEN, ids=str)
 def test_setpoints_are_the_same_on_every_controller(controllers, case):
     machine = Machine.load(case.machine, set=[*case.set, "path.slope=linear"])

@@ -57,6 +57,7 @@ def build(target, kernel, checkout, folder, core="m7", settings=""):
     return subprocess.run(command, capture_output=True, text=True)
 
 
+@pytest.mark.sample(1)
 @pytest.mark.parametrize("kernel", CHECKOUTS, ids=str)
 def test_the_app_is_built_on_a_checkout_of_the_kernel(kernel, build_folder, tool, tmp_path):
     tool("arm-none-eabi-gcc")

@@ -47,6 +47,7 @@ def errors_of(diagnostics):
     return [(status_id(int(each["code"])), int(each["line"])) for each in errors]
 
 
+@pytest.mark.sample(6)
 @pytest.mark.parametrize("first", range(0, 300, 25))
 def test_random_programs_equal_rs274(first, machine, oracle):
     for seed in range(first, first + 25):

@@ -66,6 +66,7 @@ def two_cores(monkeypatch):
     monkeypatch.setattr(pipeline, "cores", lambda: 2)
 
 
+@pytest.mark.sample(16)
 @pytest.mark.parametrize("slope", SLOPES)
 @pytest.mark.parametrize("name", FILES)
 def test_real_programs_have_the_same_bits(name, slope):
@@ -82,6 +83,7 @@ def test_cases_have_the_same_bits(name, slope):
     same_bits(program, 100)
 
 
+@pytest.mark.sample(3)
 @pytest.mark.parametrize("slope", SLOPES)
 @pytest.mark.parametrize("text", [programs.relief(50_000), programs.arcs(40_000), programs.loop()],
                          ids=["relief", "arcs", "loop"])  # fmt: skip

@@ -1,15 +1,16 @@
 # SPDX-License-Identifier: MIT
 """Change libnck in one small place after another: do the C tests notice?
 
-A seeded sample of changes ("mutants") over base/ and the rooms 3 to 7, each compiled into a copy of
-the tree in build/mutate and run against the C tests, the quickest first, in the default and in the
-small capacities. A test that fails, crashes or does not end kills the mutant. Survivors are
-printed; those of tests/house/mutants.toml are reviewed: nobody can tell them from the original, for
-the reason that stands there. The exit status is 1 below the share of GOAL.
+A seeded sample of changes ("mutants") over base/, the wires and all rooms, each compiled into a
+copy of the tree in build/mutate and run against the C tests: those of its own room first, the
+quickest first, then all others. A test that fails, crashes or does not end kills the mutant.
+Survivors are printed; those of tests/house/mutants.toml are reviewed: nobody can tell them from the
+original, for the reason that stands there. The exit status is 1 below the share of GOAL.
 
     python tests/house/mutate.py                      the sample, 100 mutants
     python tests/house/mutate.py --count 50 tick/     50 of the files whose path contains tick/
     python tests/house/mutate.py --seed 2             another sample
+    python tests/house/mutate.py --near               by the tests of their own room alone
 """
 
 import argparse
@@ -27,14 +28,21 @@ from dataclasses import dataclass
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(ROOT / "tests"))
+
+import builds  # noqa: E402
+import c_tests  # noqa: E402
+
 FOLDER = ROOT / "build" / "mutate"
 TREE = FOLDER / "tree"
 BUILT = FOLDER / "out" / "tree"
-COPIED = ("CMakeLists.txt", "cmake", "csrc", "firmware_sim", "tests/c", "tests/house/fuzz")
-PLACES = ("base", "prep/3_smooth", "prep/4_lookahead", "prep/5_slope", "tick")
+COPIED = ("CMakeLists.txt", "cmake", "csrc", "firmware_sim", "tests")
+PLACES = ("base", "prep", "tick", "nck.c", "front.c")
 NINJA = Path(sys.executable).with_name("ninja")
-LIBRARIES = [BUILT / f"lib{name}.a" for name in ("nck", "nck_small", "nck_host", "nck_host_small")]
-FOREIGN = ("test_os_", "test_app_", "test_bench")  # of the firmware and of clocks
+# The room of tests that a folder of libnck has, where it is not the folder's name.
+ROOMS = {"6_interpolate": "tick", "7_transform": "tick", "nck": "kernel"}
+LIBRARIES = ("libnck.a", "libnck_small.a", "libnck_host.a", "libnck_host_small.a")
+FOREIGN = {"controller"}  # rooms of tests that know no kernel
 # What is undefined stops the program, as it does in the C tests under the sanitizers.
 FLAGS = ("-O1", "-fsanitize=undefined,float-divide-by-zero,float-cast-overflow,bounds-strict",
          "-fsanitize-undefined-trap-on-error")  # fmt: skip
@@ -214,10 +222,12 @@ def mutants_of(file):
 def closing(text, at):
     """Return the place of the parenthesis that closes the one before `at`."""
     depth = 1
-    while depth:
-        depth += {"(": 1, ")": -1}.get(text[at], 0)
-        at += 1
-    return at - 1
+    for match in TOKEN.finditer(text, at):
+        if match.lastgroup == "sign":
+            depth += {"(": 1, ")": -1}.get(match[0], 0)
+        if depth == 0:
+            return match.start()
+    raise ValueError("a parenthesis is not closed")
 
 
 def draw(mutants, seed):
@@ -234,8 +244,10 @@ def draw(mutants, seed):
 def sample(seed, only):
     """Return all mutants of the chosen files in an order at random."""
     base = ROOT / "csrc" / "nck"
-    paths = sorted(path for place in PLACES for path in (base / place).rglob("*.[ch]"))
-    files = [path.relative_to(base).as_posix() for path in paths]
+    given = [base / place for place in PLACES]
+    paths = [path for path in given if path.is_file()]
+    paths += [path for folder in given for path in folder.rglob("*.[ch]")]
+    files = sorted(path.relative_to(base).as_posix() for path in paths)
     chosen = [file for file in files if not only or any(word in file for word in only)]
     return draw([mutant for file in chosen for mutant in mutants_of(file)], seed)
 
@@ -248,7 +260,7 @@ def copy_tree():
         for path in [source] if source.is_file() else sorted(source.rglob("*")):
             target = TREE / path.relative_to(ROOT)
             kept.add(target)
-            if path.is_dir():
+            if path.is_dir() or path.suffix in (".py", ".pyc"):
                 continue
             target.parent.mkdir(parents=True, exist_ok=True)
             if not target.exists() or target.read_bytes() != path.read_bytes():
@@ -259,79 +271,105 @@ def copy_tree():
     (FOLDER / "CMakeLists.txt").write_text(PROJECT)
 
 
-def make(*files):
-    """Build files, one process at a time. Returns 1 if they are built."""
-    names = [str(file.relative_to(FOLDER / "out")) for file in files]
-    command = [NINJA, "-C", FOLDER / "out", "-j1", *names]
+def make(*targets):
+    """Build targets of the copy. Returns whether they are built."""
+    names = [f"tree/{target}" for target in targets]
+    command = [NINJA, "-C", FOLDER / "out", *names]
     return subprocess.run(command, capture_output=True).returncode == 0
 
 
 def configure():
     """Make the build folder."""
     cmake = NINJA.with_name("cmake")
-    command = [cmake, "-S", FOLDER, "-B", FOLDER / "out", "-G", "Ninja"]
+    environment, launcher = builds.cached_compiler()
+    command = [cmake, "-S", FOLDER, "-B", FOLDER / "out", "-G", "Ninja", *launcher]
     command += [f"-DCMAKE_MAKE_PROGRAM={NINJA}", "-DCMAKE_C_COMPILER=gcc", "-DNCK_TESTS=ON"]
     command += ["-DCMAKE_BUILD_TYPE=Mutate", f"-DCMAKE_C_FLAGS_MUTATE={' '.join(FLAGS)}"]
-    done = subprocess.run(command, capture_output=True, text=True)
+    done = subprocess.run(command, capture_output=True, text=True, env=environment)
     if done.returncode != 0:
         sys.exit(done.stdout + done.stderr)
 
 
-def time_of(test, limit_s):
-    """Run a test. Returns the processor's time [s]; None: it failed or took more than the limit."""
-    limit = math.ceil(limit_s)
-    begin = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime
-    done = subprocess.run(
-        [test],
-        stdout=subprocess.DEVNULL,
-        preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_CPU, (limit, limit)),
-    )
-    took = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime - begin
-    return took if done.returncode == 0 else None
+@dataclass(frozen=True)
+class Test:
+    """A C test in one set of capacities."""
+
+    room: str
+    stem: str
+    program: str
+
+    def time(self, limit_s):
+        """Run it. Returns the processor's time [s]; None: it failed or took over the limit."""
+        limit = math.ceil(limit_s)
+        begin = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime
+        done = subprocess.run(
+            [BUILT / self.program, self.stem],
+            stdout=subprocess.DEVNULL,
+            stderr=subprocess.DEVNULL,
+            preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_CPU, (limit, limit)),
+        )
+        took = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime - begin
+        return took if done.returncode == 0 else None
 
 
-def tests_in_order():
-    """Build and run all tests of the original; return [(limit [s], test)], the quickest first."""
-    stems = sorted(path.stem for path in (TREE / "tests" / "c").glob("test_*.c"))
-    names = [name for name in stems if not name.startswith(FOREIGN)]
-    tests = [BUILT / f"{name}{suffix}" for name in names for suffix in ("", "_small")]
-    if not make(*LIBRARIES, *tests):
-        sys.exit("the C tests do not build")
+def room_of(file):
+    """Return the room whose tests are the nearest to a file of libnck."""
+    folder = Path("nck", file).parent.name
+    return ROOMS.get(folder, folder.partition("_")[2] or folder)
+
+
+def tests_of(rooms, suffixes):
+    """Build and run the tests of rooms on the original; return [(limit [s], test)]."""
     found = []
-    for test in tests:
-        took = time_of(test, 600.0)
-        if took is None:
-            sys.exit(f"{test.name} fails without any change")
-        found.append((took, test))
-    return [(SLACK_S + SLOWER * took, test) for took, test in sorted(found)]
+    for path, program in c_tests.programs().items():
+        if path.parent.name not in rooms:
+            continue
+        for suffix in suffixes:
+            test = Test(path.parent.name, path.stem, f"{program}{suffix}")
+            took = test.time(600.0) if make(test.program) else None
+            if took is None:
+                sys.exit(f"{test.program} {test.stem} fails without any change")
+            found.append((SLACK_S + SLOWER * took, test))
+    return sorted(found, key=lambda row: row[0])
 
 
-def fingerprint():
+def fingerprint(libraries):
     """Return a hash of all that the compiler made of the kernel."""
     digest = hashlib.sha256()
-    for library in LIBRARIES:
-        digest.update(library.read_bytes())
+    for library in libraries:
+        digest.update((BUILT / library).read_bytes())
     return digest.digest()
+
+
+def in_order_for(file, tests, near):
+    """Return the tests for a mutant of a file: its own room's, then, unless near, the others."""
+    own = [row for row in tests if row[1].room == room_of(file)]
+    return own if near else own + [row for row in tests if row not in own]
 
 
 def killer_of(tests):
     """Return the first test that notices the change; None if none does."""
+    made = set()
     for limit_s, test in tests:
-        if not make(test) or time_of(test, limit_s) is None:
-            return test.name
+        if test.program not in made and not make(test.program):
+            return test.program
+        made.add(test.program)
+        if test.time(limit_s) is None:
+            return f"{test.stem} ({test.program})"
     return None
 
 
-def judge(mutant, tests, original):
+def judge(mutant, tests, original, near):
     """Try one mutant. Returns "same" for one that the compiler cannot tell from the original or
     does not compile, the test that kills it, or "survived"."""
     path = TREE / "csrc" / "nck" / mutant.file
     text = path.read_text(encoding="utf-8")
     path.write_text(text[: mutant.begin] + mutant.now + text[mutant.end :], encoding="utf-8")
     try:
-        if not make(*LIBRARIES) or fingerprint() == original:
+        libraries = LIBRARIES[::2] if near else LIBRARIES
+        if not make(*libraries) or fingerprint(libraries) == original:
             return "same"
-        return killer_of(tests) or "survived"
+        return killer_of(in_order_for(mutant.file, tests, near)) or "survived"
     finally:
         path.write_text(text, encoding="utf-8")
 
@@ -348,10 +386,21 @@ def reviewed():
     return {(row["file"], row["line"], row["was"], row["now"]) for row in rows}
 
 
-def run(mutants, count):
-    """Judge mutants until `count` of them were killed or survived; return the survivors, killed."""
-    tests = tests_in_order()
-    original = fingerprint()
+def run(mutants, count, near=False):
+    """Judge mutants until `count` of them were killed or survived; return the survivors, killed.
+
+    With `near`, by the tests of a mutant's own room, in the default capacities alone.
+    """
+    copy_tree()
+    configure()
+    libraries = LIBRARIES[::2] if near else LIBRARIES
+    if not make(*libraries):
+        sys.exit("libnck does not build")
+    original = fingerprint(libraries)
+    rooms = {path.parent.name for path in c_tests.programs()} - FOREIGN
+    if near:
+        rooms = {room_of(mutant.file) for mutant in mutants[: 2 * count]}
+    tests = tests_of(rooms, ("",) if near else ("", "_small"))
     known = reviewed()
     survivors, killed, same = [], 0, 0
     for mutant in mutants:
@@ -360,12 +409,12 @@ def run(mutants, count):
         if name_of(mutant) in known:
             same += 1
             continue
-        verdict = judge(mutant, tests, original)
+        verdict = judge(mutant, tests, original, near)
         same += verdict == "same"
         killed += verdict not in ("same", "survived")
         if verdict == "survived":
             survivors.append(mutant)
-        print(f"{killed + len(survivors):4}  {verdict:26}{mutant}", flush=True)
+        print(f"{killed + len(survivors):4}  {verdict:40}{mutant}", flush=True)
     print(f"\n{same} mutants more are the same program, or none")
     return survivors, killed
 
@@ -376,12 +425,11 @@ def main():
     )
     parser.add_argument("--count", type=int, default=100, help="mutants to judge")
     parser.add_argument("--seed", type=int, default=1, help="which sample")
+    parser.add_argument("--near", action="store_true", help="by the tests of their room alone")
     parser.add_argument("only", nargs="*", help="words, one of which a file's path contains")
     given = parser.parse_args()
     os.nice(10)
-    copy_tree()
-    configure()
-    survivors, killed = run(sample(given.seed, given.only), given.count)
+    survivors, killed = run(sample(given.seed, given.only), given.count, given.near)
     for mutant in survivors:
         print(f"survived  {mutant}\n          {mutant.source.strip()}")
     judged = killed + len(survivors)

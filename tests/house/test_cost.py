@@ -8,6 +8,8 @@ import pytest
 
 from pycnc.bench import cost
 
+pytestmark = pytest.mark.thorough
+
 COMPILER = "12.2.0"  # what the numbers here and on the page were counted with, -O2 on x86-64
 INSTRUCTIONS = {"line": 694, "modal": 570, "arc": 3183, "macro": 6955}  # of decoding a line
 BEFORE_MACROS = {"line": 1917, "modal": 1416, "arc": 3185}

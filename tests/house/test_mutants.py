@@ -2,6 +2,8 @@
 """mutate.py changes what it says, and its reviewed changes are changes of today's code."""
 
 import mutate
+import pytest
+import sampling
 
 SOURCE = """
 // if (a < b) in a comment is none
@@ -44,3 +46,18 @@ def test_a_sample_is_the_same_whatever_is_added_behind():
 def test_reviewed_mutants_are_changes_of_the_code():
     found = {mutate.name_of(mutant) for mutant in mutate.sample(1, [])}
     assert mutate.reviewed() <= found
+
+
+# How many of the drawn mutants the tests of their own rooms may leave: chance, not a goal. The
+# campaign asks for 95 of 100 by all tests (mutate.GOAL).
+DRAWN, LEFT_MOST = 20, 6
+# Rooms 1 and 2 are held against rs274 and by geometry, in Python: the C tests kill half of theirs.
+FOLDERS = ("base/", "3_smooth/", "4_lookahead/", "5_slope/", "tick/")
+
+
+@pytest.mark.thorough
+def test_tests_of_a_room_kill_mutants_of_it(pytestconfig, draw_seed):
+    some = sampling.generator(pytestconfig, "mutants").sample(FOLDERS, 2)
+    survivors, killed = mutate.run(mutate.sample(draw_seed, some), DRAWN, near=True)
+    assert killed + len(survivors) == DRAWN
+    assert len(survivors) <= LEFT_MOST, "\n".join(map(str, survivors))

@@ -44,9 +44,15 @@ def run_of(name):
     return judged.run(program_of(name))
 
 
-def quick(names):
+def short(names):
     """Return the names of the files that are not slow."""
     return [name for name in names if FILES[name].file not in SLOW]
+
+
+def whole(names):
+    """Return the names, of which the campaign alone has those of slow files."""
+    slow = pytest.mark.campaign
+    return [pytest.param(n, marks=slow) if FILES[n].file in SLOW else n for n in names]
 
 
 def test_the_table_names_every_file_of_the_corpus():
@@ -69,25 +75,29 @@ def test_a_file_ends_as_the_table_says(name):
         assert (caught.value.id, caught.value.line) == file.ends
 
 
-@pytest.mark.parametrize("name", RUNNING)
+@pytest.mark.sample(4)
+@pytest.mark.parametrize("name", whole(RUNNING))
 def test_a_run_keeps_limits_path_and_stops(name):
     run = run_of(name)
     assert run.starved_ticks == 0
     assert run.judge.path_error_mm <= 1e-6
 
 
-@pytest.mark.parametrize("name", RUNNING)
+@pytest.mark.sample(4)
+@pytest.mark.parametrize("name", whole(RUNNING))
 def test_the_plan_takes_as_long_as_the_run(name):
     ticks = run_of(name).ticks
     assert plan(program_of(name)).time_s == ticks * program_of(name).machine.period_s
 
 
-@pytest.mark.parametrize("name", quick(RUNNING))
+@pytest.mark.sample(4)
+@pytest.mark.parametrize("name", short(RUNNING))
 def test_two_runs_give_the_same_bytes(name):
     assert judged.digest_of(program_of(name)) == run_of(name).digest
 
 
-@pytest.mark.parametrize("name", quick(RUNNING))
+@pytest.mark.sample(4)
+@pytest.mark.parametrize("name", short(RUNNING))
 def test_the_summary_tells_what_the_checker_found(name):
     summary, run = Trace(program_of(name), keep=False).summary, run_of(name)
     assert summary["ticks"] == run.ticks
@@ -101,7 +111,8 @@ def test_the_summary_tells_what_the_checker_found(name):
             assert peaks["v"] == pytest.approx(run.judge.v[column], rel=1e-9)
 
 
-@pytest.mark.parametrize("name", quick(RUNNING))
+@pytest.mark.sample(4)
+@pytest.mark.parametrize("name", short(RUNNING))
 def test_a_starved_run_keeps_limits_path_and_stops(name):
     starved = judged.run(program_of(name), STARVED)
     assert starved.ticks >= run_of(name).ticks
@@ -122,6 +133,7 @@ def test_a_file_with_threads_runs_to_its_end(name):
 LONG = SLOW | {"surf_la_peinture_180k.gc", "mill_fusion_grbl_helix.nc"}  # minutes of ticks
 
 
+@pytest.mark.sample(4)
 @pytest.mark.parametrize("name", [name for name in RUNNING if FILES[name].file not in LONG])
 def test_a_plan_of_a_shipped_machine_takes_as_long_as_the_run(name):
     program = judged.load(present(FILES[name]))
@@ -132,6 +144,7 @@ def test_a_plan_of_a_shipped_machine_takes_as_long_as_the_run(name):
 SHORT = ("arcs_rword.gcode", "mill_fanuc_g17_18_19.nc", "tp_trochoidal.ngc", "tp_zigzag.ngc")
 
 
+@pytest.mark.sample(2)
 @pytest.mark.parametrize("name", [name for name in RUNNING if FILES[name].file in SHORT])
 def test_a_shipped_machine_keeps_every_limit_and_its_tolerance(name):
     program = judged.load(present(FILES[name]))
@@ -160,6 +173,7 @@ def beginning_of(name, mode):
     return Program(text, machine, file=name).check()
 
 
+@pytest.mark.sample(6)
 @pytest.mark.parametrize("name", JERK_QUICK)
 def test_on_the_exact_path_the_path_keeps_its_jerk(name):
     judge = judged.run(beginning_of(name, "G61")).judge
@@ -167,6 +181,7 @@ def test_on_the_exact_path_the_path_keeps_its_jerk(name):
     assert judge.path_error_mm <= 1e-6
 
 
+@pytest.mark.sample(6)
 @pytest.mark.parametrize("name", JERK_QUICK)
 def test_within_a_tolerance_every_axis_keeps_its_jerk(name):
     judge = judged.run(beginning_of(name, "G64 P0.01")).judge

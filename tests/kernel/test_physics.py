@@ -35,6 +35,7 @@ def test_a_run_keeps_limits_path_and_stops(case, load):
     judged.run(load(case).check())
 
 
+@pytest.mark.sample(40)
 @pytest.mark.parametrize("prep_steps", [1, 2, 3, 7])
 def test_a_starved_run_keeps_limits_path_and_stops(case, prep_steps):
     judged.run(judged.load_exact(case), prep_steps)
@@ -78,6 +79,7 @@ def test_the_length_of_a_plan_is_the_length_of_the_program(case):
     assert judged.plan(program)[0]["length_mm"] == pytest.approx(path.length.sum(), rel=1e-12)
 
 
+@pytest.mark.sample(30)
 @pytest.mark.parametrize("blocks", [2, 3, 10])
 def test_a_short_window_is_slower_and_keeps_every_promise(case, blocks):
     change = (*case.set, f"path.lookahead_blocks={blocks}")
@@ -94,6 +96,7 @@ def test_starvation_is_noticed_and_costs_time():
     assert starved.ticks > fed.ticks
 
 
+@pytest.mark.sample(10)
 @pytest.mark.parametrize("period_ms", [0.125, 0.5, 4, 10])
 @pytest.mark.parametrize("name", ["star", "rotary", "random_arcs_0", "random_lines_1", "waits"])
 def test_any_period_keeps_every_promise(name, period_ms):

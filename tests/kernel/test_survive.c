@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What fuzzing has found (tests/house/fuzz/kernel.c), as programs; and what must not happen ends in one
-// error and a stop.
+// What fuzzing has found (tests/house/fuzz/kernel.c), as programs; and what must not happen ends in
+// one error and a stop.
 #include "motion_check.h"
 
 static motion_t self;

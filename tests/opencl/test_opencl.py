@@ -180,6 +180,7 @@ def nodes_of(name):
     return judged.plan(judged.load_exact(case))[2]
 
 
+@pytest.mark.sample(30)
 @pytest.mark.parametrize("name", PROGRAMS)
 def test_real_paths_have_the_bits_of_c(kernel, name):
     nodes = nodes_of(name)
@@ -274,6 +275,7 @@ def assert_grades_have_the_bits_of_c(name, kinds):
             assert getattr(got, field).tobytes() == want.tobytes(), field
 
 
+@pytest.mark.sample(15)
 @pytest.mark.parametrize("name", PROGRAMS)
 def test_planning_by_grades_has_the_bits_of_c(name):
     assert_grades_have_the_bits_of_c(name, HOME_DEVICES)

@@ -334,6 +334,7 @@ def test_a_page_that_has_all_says_nothing_of_what_is_left_out(visit):
 
 
 
+@pytest.mark.thorough
 def test_a_million_points_load_and_are_found(browse, tmp_path):
     lines, count = ["G21 G90 G17 G61", "G1 F4000"], 48_000
     for k in range(count):

@@ -54,12 +54,14 @@ def test_within_a_tolerance_every_axis_keeps_its_jerk(case):
     assert run.judge.j.max() <= 1 + 1e-6
 
 
+@pytest.mark.sample(20)
 @pytest.mark.parametrize("lookahead", [0, 3])
 def test_the_classical_s_shape_keeps_the_same_promises(case, lookahead):
     change = (*case.set, "path.slope=sshape", f"path.lookahead_blocks={lookahead}")
     judged.run(judged.load(cases.Case(case.name, case.text, case.machine, change)).check())
 
 
+@pytest.mark.sample(30)
 @pytest.mark.parametrize(("blocks", "mode"), [(2, None), (20, None), (3, TOLERANCE)])
 def test_a_short_window_comes_to_the_end_and_keeps_every_promise(case, blocks, mode):
     change = (*case.set, f"path.lookahead_blocks={blocks}")
@@ -67,6 +69,7 @@ def test_a_short_window_comes_to_the_end_and_keeps_every_promise(case, blocks, m
     assert run.starved_ticks == 0
 
 
+@pytest.mark.sample(40)
 @pytest.mark.parametrize("prep_steps", [1, 5])
 @pytest.mark.parametrize("mode", [None, TOLERANCE])
 def test_a_starved_run_keeps_every_promise(case, mode, prep_steps):

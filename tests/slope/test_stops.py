@@ -24,6 +24,7 @@ def test_a_line_of_a_metre_is_left_at_once(slope, event):
     assert told["rest_worst_ms"] <= told["least_worst_ms"] + SPARE + 20 * (event == "override 0")
 
 
+@pytest.mark.sample(3)
 @pytest.mark.parametrize("event", ["hold", "abort"])
 @pytest.mark.parametrize("slope", stops.SLOPES)
 def test_blocks_of_a_micrometre_stop_as_a_line_does(slope, event):
@@ -31,6 +32,7 @@ def test_blocks_of_a_micrometre_stop_as_a_line_does(slope, event):
     assert told["rest_worst_ms"] <= told["least_worst_ms"] + SPARE + told["heard_ms"]
 
 
+@pytest.mark.sample(3)
 @pytest.mark.parametrize(
     "slope, name, most_ms",
     [
@@ -61,6 +63,7 @@ def peaks_of_axes(run, kinds="va"):
     return max(peaks[axis][kind] for axis in peaks if axis != "path" for kind in kinds)
 
 
+@pytest.mark.sample(3)
 @pytest.mark.parametrize("name", ["micro-segments, P0.01", "zigzag 10 mm, P0.01"])
 @pytest.mark.parametrize("slope", stops.SLOPES)
 def test_every_axis_keeps_its_limits_while_it_stops(slope, name):

@@ -163,7 +163,8 @@ def lines_of(head, columns, rows):
 
 def flash_lines(images, folder):
     flash = {}
-    for core, title in CORES.items():
+    for core in images:
+        title = CORES[core]
         built = small_objects(core, folder)
         flash[f"{title} -O2"] = measure_flash(objects(core), images[core])
         flash[f"{title} -Os"] = measure_flash(built, link_whole(core, built, folder))
@@ -191,12 +192,12 @@ def measure_share(core, set_name, folder):
     return sizes(image)[0]
 
 
-def share_rows():
-    jobs = [(core, set_name) for set_name in LEAN_SETS for core in CORES]
+def share_rows(cores):
+    jobs = [(core, set_name) for set_name in LEAN_SETS for core in cores]
     with tempfile.TemporaryDirectory() as folder, ThreadPoolExecutor(2) as pool:
         found = list(pool.map(lambda job: measure_share(*job, folder), jobs))
-    for k in range(0, len(jobs), len(CORES)):
-        yield SETS[jobs[k][1]], found[k : k + len(CORES)]
+    for k in range(0, len(jobs), len(cores)):
+        yield SETS[jobs[k][1]], found[k : k + len(cores)]
 
 
 def flash_rows(flash):
@@ -226,29 +227,29 @@ def stack_rows(images):
         yield f"`{name}`", [found[name] for found in depths]
 
 
-def instruction_rows():
-    jobs = [(core, *budget) for budget in BUDGETS for core in CORES]
+def instruction_rows(cores):
+    jobs = [(core, *budget) for budget in BUDGETS for core in cores]
     with ThreadPoolExecutor(2) as pool:
         found = list(pool.map(lambda job: measure_instructions(*job), jobs))
-    for k in range(0, len(jobs), len(CORES)):
-        numbers = [number for each in found[k : k + len(CORES)] for number in each]
+    for k in range(0, len(jobs), len(cores)):
+        numbers = [number for each in found[k : k + len(cores)] for number in each]
         yield f"{jobs[k][1].replace('_', ', ')}, {jobs[k][2]}", numbers
 
 
-def table():
-    """Measure and return the tables as Markdown."""
+def table(cores=tuple(CORES)):
+    """Measure and return the tables as Markdown, their columns for these cores."""
     targets.build("host")
     with tempfile.TemporaryDirectory() as folder:
-        images = {core: link_whole(core, objects(core), Path(folder)) for core in CORES}
+        images = {core: link_whole(core, objects(core), Path(folder)) for core in cores}
         with tempfile.TemporaryDirectory() as small:
             lines = flash_lines(images, small)
-        names = list(CORES.values())
-        lines += lines_of("flash that a firmware links, -Os [bytes]", names, share_rows())
+        names = [CORES[core] for core in cores]
+        lines += lines_of("flash that a firmware links, -Os [bytes]", names, share_rows(cores))
         lines += ram_lines()
         lines += lines_of("deepest stack of a call [bytes]", names, stack_rows(images))
     spans = ("tick, most", "tick, mean", "prep step, most")
-    columns = [f"{name}: {span}" for name in ("M4F", "M7") for span in spans]
-    lines += lines_of("instructions: program, slope", columns, instruction_rows())
+    columns = [f"{name}: {span}" for name in map(str.upper, cores) for span in spans]
+    lines += lines_of("instructions: program, slope", columns, instruction_rows(cores))
     lines += [
         f"Measured with {compiler()} by `tests/house/size/table.py`; RAM, stacks and",
         "instructions at -O2. A test fails where a number is off by more than 5 %. Stacks are",

@@ -1,0 +1,75 @@
+# SPDX-License-Identifier: MIT
+"""The campaign: all that the suite draws its samples from, and the searches that take long.
+
+    make campaign               all of it, in order; hours
+    make campaign WHAT=nasty    one part, or several in quotes
+
+Every part says how much it tried and from which seed, and is repeated by the command that is
+printed before it. The exit status is the number of parts that found something.
+
+    suite       every case of every test, fuzzing and the corpus at full length with it
+    fuzz        the fuzzers, a million and fifty thousand inputs
+    sanitizers  all C tests under the sanitizers
+    quality     cppcheck and MISRA over all files
+    mutants     100 mutants of libnck against all C tests
+    nasty       4 000 nasty programs a slope
+    rs274       15 000 random programs against rs274
+    linuxcnc    20 random operators in a live LinuxCNC
+"""
+
+import argparse
+import shlex
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+import sampling
+
+ROOT = Path(__file__).resolve().parents[1]
+PYTEST = "-m pytest -q -n logical --dist loadfile --no-loadscope-reorder --draw whole"
+SLOPES = ("jerk", "linear", "sshape")
+PARTS = {
+    "suite": [PYTEST],
+    "fuzz": [f"{PYTEST} tests/house/test_fuzz.py --fuzz-factor 10"],
+    "sanitizers": [f"{PYTEST} tests -k sanitized"],
+    "quality": [f"{PYTEST} tests/house/test_quality.py"],
+    "mutants": ["tests/house/mutate.py --count 100 --seed {seed}"],
+    "nasty": [f"tests/kernel/nasty.py --slope {slope} --count 4000 --seed {{seed}}"
+              for slope in SLOPES],
+    "rs274": ["tests/decode/against_rs274.py 15000 {seed}"],
+    "linuxcnc": ["tests/linuxcnc/operators.py"],
+}  # fmt: skip
+
+
+def run(name, seed):
+    """Run a part; return (whether it found nothing, seconds)."""
+    began, good = time.monotonic(), True
+    for words in PARTS[name]:
+        command = words.format(seed=seed)
+        print(f"\n=== {name}: .venv/bin/python {command}", flush=True)
+        good &= subprocess.run([sys.executable, *shlex.split(command)], cwd=ROOT).returncode == 0
+    return good, time.monotonic() - began
+
+
+def main():
+    """Run the parts that are asked for; print a table of them."""
+    parser = argparse.ArgumentParser(
+        description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
+    )
+    parser.add_argument("what", nargs="*", metavar="WHAT", help="parts; all without any")
+    parser.add_argument("--seed", type=int, help="another seed than the commit's")
+    given = parser.parse_args()
+    unknown = [name for name in given.what if name not in PARTS]
+    if unknown:
+        parser.error(f"no part {' '.join(unknown)}; there are {' '.join(PARTS)}")
+    seed = sampling.seed_of_commit() % 1_000_000 if given.seed is None else given.seed
+    rows = [(name, *run(name, seed)) for name in given.what or PARTS]
+    print(f"\nseed {seed}")
+    for name, good, seconds in rows:
+        print(f"{name:12}{'nothing found' if good else 'FOUND SOMETHING':18}{seconds:8.0f} s")
+    return sum(not good for _, good, _ in rows)
+
+
+if __name__ == "__main__":
+    sys.exit(main())
