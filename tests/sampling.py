@@ -6,7 +6,8 @@ many that are alike the suite draws some, by a seed from the commit.
 is the campaign. Three marks say what a run leaves out:
 
     @pytest.mark.sample(12)      of the cases of this test twelve are drawn, a quarter of them in a
-                                 quick run; `quick=1` says another number
+                                 quick run; `quick=1` says another number; `of="kernel"` draws
+                                 kernels, the same ones for all tests of the file with this mark
     @pytest.mark.thorough        a quick run leaves it out
     @pytest.mark.campaign        only the campaign has it
 
@@ -25,7 +26,8 @@ import pytest
 ROOT = Path(__file__).resolve().parents[1]
 LEVELS = ("quick", "suite", "whole")
 MARKS = (
-    "sample(count, quick=None): how many of a test's cases the suite and a quick run draw",
+    "sample(count, quick=None, of=None): how many of a test's cases, or of the values of one of its "
+    "parameters, the suite and a quick run draw",
     "thorough: left out of a quick run",
     "campaign: only in the campaign",
 )
@@ -79,17 +81,21 @@ def _most(mark, level):
 def leave_out(config, items, others=()):
     """Take away the items that this run does not draw, and the others that the caller names."""
     level = config.option.draw
-    left_out, groups = set(others), defaultdict(list)
+    left_out, groups = set(others), defaultdict(lambda: defaultdict(list))
     for item in items if level != "whole" else ():
         is_thorough = item.get_closest_marker("thorough") and level == "quick"
         if item.get_closest_marker("campaign") or is_thorough:
             left_out.add(item)
         elif item.get_closest_marker("sample"):
-            groups[item.nodeid.partition("[")[0]].append(item)
-    for name, group in groups.items():
-        most = min(len(group), _most(group[0].get_closest_marker("sample"), level))
-        drawn = set(generator(config, name).sample(range(len(group)), most))
-        left_out.update(item for k, item in enumerate(group) if k not in drawn)
+            of = item.get_closest_marker("sample").kwargs.get("of")
+            name = item.nodeid.partition("::" if of else "[")[0]
+            value = item.callspec.indices[of] if of else item.nodeid
+            groups[name, of][value].append(item)
+    for (name, _), values in groups.items():
+        mark = next(iter(values.values()))[0].get_closest_marker("sample")
+        most = min(len(values), _most(mark, level))
+        for value in generator(config, name).sample(list(values), len(values) - most):
+            left_out.update(values[value])
     if left_out:
         config.hook.pytest_deselected(items=[item for item in items if item in left_out])
         items[:] = [item for item in items if item not in left_out]

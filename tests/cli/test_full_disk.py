@@ -11,6 +11,7 @@ from cases import star
 MOST = 200  # bytes that a file may have: the system refuses the next one, as a full disk does
 
 
+@pytest.mark.sample(4)
 @pytest.mark.parametrize(
     ("verb", "words", "name"),
     [

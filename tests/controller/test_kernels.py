@@ -85,6 +85,7 @@ def test_a_kernel_with_another_prototype_is_noticed(build_folder, tool, tmp_path
 # What the documented command finds in a checkout
 
 
+@pytest.mark.sample(1)
 @pytest.mark.parametrize("core", ["m4f", "m7"])
 @pytest.mark.parametrize("kernel", CHECKOUTS[:2], ids=str)
 def test_assembler_files_are_for_the_same_core_as_the_others(
@@ -181,6 +182,7 @@ def glued(request, build_folder, tool, tmp_path_factory):
     return controller.Controller("m7", shutil.copy(image(build_folder), checkout))
 
 
+@pytest.mark.sample(1, of="glued")
 def test_the_app_does_the_same_on_the_glue_as_on_our_own_kernel(glued):
     own = controller.open("m7").run(PROGRAM)
     outcome = glued.run(PROGRAM)
@@ -193,6 +195,7 @@ def test_the_app_does_the_same_on_the_glue_as_on_our_own_kernel(glued):
     assert all(left > 0 for left in outcome.stack_left.values()), outcome.stack_left
 
 
+@pytest.mark.sample(1, of="glued")
 @pytest.mark.parametrize(
     ("command", "state"),
     [
@@ -206,6 +209,7 @@ def test_faults_end_in_the_same_states_on_the_glue(glued, command, state):
     assert glued.run(PROGRAM, commands=[command]).state == state
 
 
+@pytest.mark.sample(1, of="glued")
 @pytest.mark.parametrize(
     ("command", "cause"),
     [((100, "trap", 5), "usage fault"), ((100, "masked_work", 5, 4_000_000_000), "watchdog")],
@@ -225,6 +229,7 @@ REFUSALS = {
 }
 
 
+@pytest.mark.sample(1)
 @pytest.mark.parametrize("kernel", CHECKOUTS, ids=str)
 def test_a_call_that_the_kernel_refuses_ends_in_the_safe_state(
     kernel, build_folder, tool, tmp_path
@@ -242,6 +247,7 @@ def test_a_call_that_the_kernel_refuses_ends_in_the_safe_state(
 
 
 # The tick of a core without doubles, writing a trace: the deepest that there is.
+@pytest.mark.sample(1)
 @pytest.mark.parametrize("kernel", CHECKOUTS[:2], ids=str)
 def test_the_stack_that_the_kernel_gives_to_interrupts_is_large_enough(
     kernel, build_folder, tool, tmp_path

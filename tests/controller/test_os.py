@@ -120,6 +120,7 @@ def run_on_target(tool, folder, core, program, source, warnings=FLAGS):
     return subprocess.run(command, capture_output=True, text=True, timeout=LIMIT_S)
 
 
+@pytest.mark.sample(6)
 @pytest.mark.parametrize("program", PROGRAMS)
 @pytest.mark.parametrize("core", CORES)
 def test_the_kernel_keeps_its_promises_on_a_target(tool, tmp_path, core, program):

@@ -40,6 +40,7 @@ FAULTS = {
 }
 
 
+@pytest.mark.sample(10)
 @pytest.mark.parametrize("fault", FAULTS)
 def test_the_state_that_a_fault_ends_in_is_safe_from_its_first_tick(
     controllers, name, fault, tmp_path

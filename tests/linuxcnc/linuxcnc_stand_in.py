@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 """The planner module in a stand-in for LinuxCNC's motion controller: scripts in, setpoints out."""
 
+import hashlib
 import re
 import shutil
 import subprocess
@@ -9,6 +10,7 @@ from typing import NamedTuple
 
 import numpy as np
 import pytest
+from locks import locked
 
 from pycnc import linuxcnc
 
@@ -87,6 +89,18 @@ class Run(NamedTuple):
         return shares
 
 
+def built_module():
+    """Return the planner module of this tree, compiled once for all tests that load it."""
+    digest = hashlib.sha256()
+    for pattern in ("csrc/nck/**/*.[ch]", "adapters/linuxcnc/*"):
+        for path in sorted(ROOT.glob(pattern)):
+            digest.update(path.read_bytes())
+    folder = ROOT / "build" / "linuxcnc" / digest.hexdigest()[:16]
+    with locked(folder):
+        module = folder / linuxcnc.MODULE
+        return module if module.exists() else linuxcnc.build(folder)
+
+
 class StandIn:
     """The module and the stand-in, compiled into a folder; it needs LinuxCNC's headers."""
 
@@ -94,7 +108,7 @@ class StandIn:
         if not (HEADERS / "tp.h").is_file():
             pytest.skip("linuxcnc-uspace-dev is not installed")
         self.folder = Path(folder)
-        self.module = linuxcnc.build(self.folder / "module")
+        self.module = built_module()
         self.program = self.folder / "stand_in"
         source = ROOT / "tests/linuxcnc/stand_in.c"
         command = ["gcc", *FLAGS, f"-I{HEADERS}", source, "-o", self.program, "-ldl", "-lm"]

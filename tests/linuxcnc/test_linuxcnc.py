@@ -430,6 +430,7 @@ def random_script(seed):
             "line 50 1 2 3", f"rest {EVER}", "tell"]  # fmt: skip
 
 
+@pytest.mark.sample(60)
 @pytest.mark.parametrize("seed", range(SCRIPTS))
 def test_a_random_operator_breaks_no_limit_and_loses_no_place(stand_in, seed):
     run = stand_in.run(random_script(seed))
@@ -463,6 +464,7 @@ def told(row):
     return int(line.split("|")[3].replace(" ", ""))
 
 
+@pytest.mark.thorough
 def test_a_cycle_takes_as_many_instructions_as_the_page_says(stand_in):
     if not OWN.is_file():
         pytest.skip("linuxcnc-uspace is not installed")

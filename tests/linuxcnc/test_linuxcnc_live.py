@@ -6,6 +6,7 @@ import re
 
 import numpy as np
 import pytest
+from linuxcnc_stand_in import built_module
 
 from pycnc import errors, linuxcnc
 from pycnc.bench import linuxcnc_live as bench
@@ -44,7 +45,7 @@ OPERATOR = [(0, "set", AT_SPEED, "0"), (1.6, "set", AT_SPEED, "1"), (0.4, "show"
 
 
 @pytest.fixture(scope="module")
-def planner(tmp_path_factory):
+def planner():
     if reason := live.absent():
         pytest.skip(reason)
     if not linuxcnc.PARTS.is_file():
@@ -53,7 +54,7 @@ def planner(tmp_path_factory):
     if not os.access(linuxcnc.MODULES, os.W_OK):
         pytest.skip(f"{linuxcnc.MODULES} may not be written: LinuxCNC loads modules from there")
     was_there = place.is_file()
-    linuxcnc.install(linuxcnc.build(tmp_path_factory.mktemp("module")))
+    linuxcnc.install(built_module())
     yield "nck_tp"
     if not was_there:
         place.unlink()

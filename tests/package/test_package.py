@@ -157,6 +157,7 @@ def kernel_size(nm, binary):
     return int(re.search(r"^\w+ (\w+) \w kernel_size$", call(nm, "-S", binary), re.M)[1], 16)
 
 
+@pytest.mark.thorough
 def test_an_installation_for_a_microcontroller_keeps_its_capacities(tool, tmp_path):
     compiler, nm = tool("arm-none-eabi-gcc"), tool("arm-none-eabi-nm")
     board = [f"--toolchain={ROOT / 'firmware_sim/board/arm-none-eabi.cmake'}", "-DNCK_CORE=m4f"]
@@ -204,6 +205,7 @@ def test_the_pair_is_the_same_bytes_wherever_it_is_made(pair, tmp_path):
             assert (out / name).read_bytes() == (pair / name).read_bytes()
 
 
+@pytest.mark.sample(1)
 @pytest.mark.parametrize("compiler", ["gcc", "clang-19"])
 def test_the_pair_gives_the_same_setpoints(pair, setpoints, expected, tool, tmp_path, compiler):
     folder = shutil.copytree(pair, tmp_path / "nck")
@@ -259,6 +261,7 @@ def test_every_public_header_links_from_cpp(gcc_build, tool, tmp_path):
     call(program)
 
 
+@pytest.mark.sample(1)
 @pytest.mark.parametrize("core", CORES)
 def test_the_pair_compiles_for_a_microcontroller(pair, tool, tmp_path, core):
     command = [tool("arm-none-eabi-gcc"), *STRICT, *CORES[core], "-Os", "-c", pair / "nck.c"]

@@ -9,7 +9,10 @@ import json
 import os
 import subprocess
 
+import c_tests
 import pytest
+
+pytestmark = pytest.mark.thorough
 
 TESTS = (
     "link", "link_races", "interpolate", "transform", "filter", "path", "tick", "kernel", "begin",
@@ -39,15 +42,17 @@ def run(command, **options):
 @pytest.fixture(scope="module")
 def counted(root, tool, coverage_build, tmp_path_factory):
     """Return what llvm-cov exports of the tick path after a run of the tests."""
-    folder, complaints = coverage_build(*(f"test_{name}" for name in TESTS))
+    program_of = {path.stem: program for path, program in c_tests.programs().items()}
+    programs = sorted({program_of[f"test_{name}"] for name in TESTS})
+    folder, complaints = coverage_build(*programs)
     assert not complaints, complaints
     profiles = tmp_path_factory.mktemp("profiles")
     for name in TESTS:
         places = {**os.environ, "LLVM_PROFILE_FILE": str(profiles / f"{name}.profraw")}
-        run([folder / f"test_{name}"], env=places, timeout=300)
+        run([folder / program_of[f"test_{name}"], f"test_{name}"], env=places, timeout=300)
     merged = profiles / "all.profdata"
     run([tool("llvm-profdata-19"), "merge", "-sparse", *profiles.glob("*.profraw"), "-o", merged])
-    first, *others = (folder / f"test_{name}" for name in TESTS)
+    first, *others = (folder / program for program in programs)
     command = [tool("llvm-cov-19"), "export", first, *(f"-object={other}" for other in others)]
     sources = [root / "csrc" / "nck" / name for name in TICK_PATH]
     return json.loads(run([*command, f"-instr-profile={merged}", *sources]))["data"][0]
