@@ -26,8 +26,8 @@ import pytest
 ROOT = Path(__file__).resolve().parents[1]
 LEVELS = ("quick", "suite", "whole")
 MARKS = (
-    "sample(count, quick=None, of=None): how many of a test's cases, or of the values of one of its "
-    "parameters, the suite and a quick run draw",
+    "sample(count, quick=None, of=None): how many of a test's cases, or of the values of a "
+    "parameter, the suite and a quick run draw",
     "thorough: left out of a quick run",
     "campaign: only in the campaign",
 )

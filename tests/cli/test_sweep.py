@@ -75,6 +75,7 @@ def test_rows_are_plans_in_the_order_of_the_grid(files):
         assert row["time_s"] == plan(Path(row["file"]).read_text(), machine).time_s
 
 
+@pytest.mark.thorough
 def test_one_two_and_eight_workers_give_the_same_bytes(files, tmp_path):
     told, tables = set(), set()
     for jobs in ("1", "2", "8"):
@@ -117,6 +118,7 @@ def dying(unit, machine, texts):
     return sweep._row(unit.task)
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize("kind", ["once", "always"])
 def test_a_dead_worker_is_replaced_and_its_task_tried_again_then_named(kind, tmp_path):
     tasks = sweep.tasks_of(["a", "b"], {"path.slope": ["jerk", "sshape", "linear"]})

@@ -57,6 +57,7 @@ def build(target, kernel, checkout, folder, core="m7", settings=""):
     return subprocess.run(command, capture_output=True, text=True)
 
 
+@pytest.mark.thorough
 @pytest.mark.sample(1)
 @pytest.mark.parametrize("kernel", CHECKOUTS, ids=str)
 def test_the_app_is_built_on_a_checkout_of_the_kernel(kernel, build_folder, tool, tmp_path):
@@ -182,6 +183,7 @@ def glued(request, build_folder, tool, tmp_path_factory):
     return controller.Controller("m7", shutil.copy(image(build_folder), checkout))
 
 
+@pytest.mark.thorough
 @pytest.mark.sample(1, of="glued")
 def test_the_app_does_the_same_on_the_glue_as_on_our_own_kernel(glued):
     own = controller.open("m7").run(PROGRAM)
@@ -195,6 +197,7 @@ def test_the_app_does_the_same_on_the_glue_as_on_our_own_kernel(glued):
     assert all(left > 0 for left in outcome.stack_left.values()), outcome.stack_left
 
 
+@pytest.mark.thorough
 @pytest.mark.sample(1, of="glued")
 @pytest.mark.parametrize(
     ("command", "state"),
@@ -209,6 +212,7 @@ def test_faults_end_in_the_same_states_on_the_glue(glued, command, state):
     assert glued.run(PROGRAM, commands=[command]).state == state
 
 
+@pytest.mark.thorough
 @pytest.mark.sample(1, of="glued")
 @pytest.mark.parametrize(
     ("command", "cause"),
@@ -247,6 +251,7 @@ def test_a_call_that_the_kernel_refuses_ends_in_the_safe_state(
 
 
 # The tick of a core without doubles, writing a trace: the deepest that there is.
+@pytest.mark.thorough
 @pytest.mark.sample(1)
 @pytest.mark.parametrize("kernel", CHECKOUTS[:2], ids=str)
 def test_the_stack_that_the_kernel_gives_to_interrupts_is_large_enough(

@@ -139,6 +139,7 @@ def test_a_fault_in_the_kernel_is_caught_on_the_host(tool, tmp_path, name):
     assert "broken:" in done.stdout
 
 
+@pytest.mark.sample(3)
 @pytest.mark.parametrize("name", BROKEN_ON_TARGET)
 @pytest.mark.parametrize("core", CORES)
 def test_a_fault_in_the_port_is_caught_on_a_target(tool, tmp_path, core, name):

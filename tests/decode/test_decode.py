@@ -107,6 +107,7 @@ def test_the_table_has_every_corpus_file():
     assert names == set(FIRST_ERROR)
 
 
+@pytest.mark.sample(12)
 @pytest.mark.parametrize("name", FIRST_ERROR)
 def test_motions_equal_rs274(name, machine, oracle):
     text = corpus_text(name)

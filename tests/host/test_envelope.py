@@ -123,6 +123,7 @@ def test_the_window_gives_the_bits_of_the_whole_path(name):
     assert nodes["vv"].tobytes() == whole_path(nodes).tobytes()
 
 
+@pytest.mark.sample(8)
 @pytest.mark.parametrize("name", FILES)
 def test_the_window_gives_the_bits_of_the_whole_path_on_real_programs(name):
     if not FILES[name].path.exists():

@@ -201,6 +201,7 @@ def test_a_run_by_grades_keeps_speeds_path_stops_and_end(name):
     assert judge.ticks == planned.totals["ticks"] or not len(planned.segs)
 
 
+@pytest.mark.sample(2)
 @pytest.mark.parametrize("name", FILES)
 def test_a_corpus_file_runs_by_grades(name):
     file = next(each for each in cases.RUNNING_FILES if each.file == name)

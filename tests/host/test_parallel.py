@@ -114,6 +114,7 @@ def test_random_patterns_give_the_bits_of_the_serial_road(case, w_start, w_end):
     assert w.tobytes() == want.tobytes()
 
 
+@pytest.mark.sample(8)
 @pytest.mark.parametrize("name", FILES)
 def test_every_road_gives_the_same_bits_on_real_programs(name):
     if not FILES[name].path.exists():

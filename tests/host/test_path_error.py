@@ -112,6 +112,7 @@ def errors_of(program, segs, rows):
     return run, path
 
 
+@pytest.mark.sample(6)
 @pytest.mark.parametrize("slope", ["linear", "jerk"])
 @pytest.mark.parametrize("name", PROGRAMS)
 def test_both_ways_are_as_far_as_brute_force_finds(name, slope):

@@ -118,6 +118,7 @@ def test_everything_before_an_error_is_executed_and_nothing_after():
 
 
 # Programs that nobody thought of
+@pytest.mark.thorough
 
 @settings(max_examples=250)
 @given(program_text, st.sampled_from((1, 2, 3, 5, 11, 256)))

@@ -205,6 +205,7 @@ def test_the_pair_is_the_same_bytes_wherever_it_is_made(pair, tmp_path):
             assert (out / name).read_bytes() == (pair / name).read_bytes()
 
 
+@pytest.mark.thorough
 @pytest.mark.sample(1)
 @pytest.mark.parametrize("compiler", ["gcc", "clang-19"])
 def test_the_pair_gives_the_same_setpoints(pair, setpoints, expected, tool, tmp_path, compiler):
@@ -241,6 +242,7 @@ def test_a_cpp_file_includes_links_and_runs(gcc_build, pair, tool, tmp_path, for
             call(program)
 
 
+@pytest.mark.thorough
 def test_every_public_header_links_from_cpp(gcc_build, tool, tmp_path):
     source, program = tmp_path / "all.cpp", tmp_path / "all"
     headers = [*(f"host/{path.name}" for path in sorted((ROOT / "csrc/host").glob("*.h"))),
@@ -261,6 +263,7 @@ def test_every_public_header_links_from_cpp(gcc_build, tool, tmp_path):
     call(program)
 
 
+@pytest.mark.thorough
 @pytest.mark.sample(1)
 @pytest.mark.parametrize("core", CORES)
 def test_the_pair_compiles_for_a_microcontroller(pair, tool, tmp_path, core):
@@ -408,6 +411,7 @@ def logged(file, axes=9):
     return "".join(f"{x} {y} {z}\n" for x, y, z in rows)
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize("of", [*itertools.product(MACHINES, ("bare_metal", "os_kernel"))], ids=str)
 def test_an_example_drives_as_the_library_on_the_host(
     examples, programs, expected, tool, tmp_path, of

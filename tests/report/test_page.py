@@ -328,6 +328,7 @@ def test_a_page_that_leaves_out_lines_and_points_tells_so_and_finds_them(
         assert visit.complaints == []
 
 
+@pytest.mark.thorough
 def test_a_page_that_has_all_says_nothing_of_what_is_left_out(visit):
     assert "shown" not in visit.text("#machine")
     assert visit.page.locator(".row .absent").count() == 0

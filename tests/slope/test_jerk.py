@@ -257,6 +257,7 @@ SCRIPT = st.lists(
 )
 
 
+@pytest.mark.thorough
 @settings(max_examples=120)
 @given(
     st.sampled_from(("square", "star", "random_arcs_0", "random_smooth_1", "reversals")),
