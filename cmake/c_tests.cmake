@@ -62,6 +62,10 @@ foreach(folder IN LISTS test_folders)
     endforeach()
 endforeach()
 
+# What rooms 1 and 2 make of programs, for who compares it.
+add_executable(blocks_of tests/c/blocks_of.c)
+target_link_libraries(blocks_of PRIVATE nck_host nck_flags)
+
 # Builds that leave out rooms and planners: what is left of them runs.
 set(nck_lean_tests tests/base/test_link.c tests/decode/test_decode_motion.c
     tests/kernel/test_left_out.c tests/tick/test_interpolate.c)

@@ -28,10 +28,12 @@ from dataclasses import dataclass
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
-sys.path.insert(0, str(ROOT / "tests"))
+sys.path[:0] = [str(ROOT / "tests"), str(ROOT / "tests" / "decode")]
 
+import against_rs274  # noqa: E402
 import builds  # noqa: E402
 import c_tests  # noqa: E402
+import targets  # noqa: E402
 
 FOLDER = ROOT / "build" / "mutate"
 TREE = FOLDER / "tree"
@@ -49,6 +51,7 @@ FLAGS = ("-O1", "-fsanitize=undefined,float-divide-by-zero,float-cast-overflow,b
 GOAL = 0.95
 # A test that takes so many times as long, and so much longer, counts as one that never ends.
 SLOWER, SLACK_S = 5.0, 2.0
+LIMIT_S = 20.0  # of a family of programs
 # The project as a part of another one: warnings are no errors then.
 PROJECT = """cmake_minimum_required(VERSION 3.25)
 project(mutants LANGUAGES C)
@@ -312,6 +315,51 @@ class Test:
         return took if done.returncode == 0 else None
 
 
+PROGRAMS = 10  # of each family, those that the suite holds against rs274
+
+
+class Programs:
+    """Random programs that the suite holds against rs274: what rooms 1 and 2 make of them.
+
+    Where that differs from what the original makes, the suite would have told.
+    """
+
+    stem, program = "against_rs274", "blocks_of"
+
+    def __init__(self, room):
+        self.room, self._expected = room, None
+        self._runs = [_written(name, family) for name, family in against_rs274.FAMILIES.items()]
+
+    def time(self, limit_s):
+        """Run them. Returns the processor's time [s]; None: other blocks, or over the limit."""
+        limit = math.ceil(limit_s)
+        begin = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime
+        found = []
+        for files in self._runs:
+            done = subprocess.run(
+                [BUILT / self.program, *files],
+                capture_output=True,
+                preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_CPU, (limit, limit)),
+            )
+            found.append((done.returncode, done.stdout))
+        self._expected = self._expected or found
+        took = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime - begin
+        return took if found == self._expected else None
+
+
+def _written(name, family):
+    """Write a family's machine and programs; return their files."""
+    folder = FOLDER / "programs" / name
+    folder.mkdir(parents=True, exist_ok=True)
+    (folder / "machine").write_bytes(targets.machine_image(family.machine(), "default"))
+    files = [folder / "machine"]
+    for seed in range(1, 1 + PROGRAMS):
+        text = family.write(seed)
+        files.append(folder / f"{seed}.ngc")
+        files[-1].write_bytes(text[0] if isinstance(text, tuple) else text)
+    return files
+
+
 def room_of(file):
     """Return the room whose tests are the nearest to a file of libnck."""
     folder = Path("nck", file).parent.name
@@ -320,7 +368,10 @@ def room_of(file):
 
 def tests_of(rooms, suffixes):
     """Build and run the tests of rooms on the original; return [(limit [s], test)]."""
-    found = []
+    found = [(LIMIT_S, Programs(room)) for room in rooms if room in ("decode", "toolcomp")]
+    for _, programs in found:
+        if not make(programs.program) or programs.time(LIMIT_S) is None:
+            sys.exit("the programs do not run without any change")
     for path, program in c_tests.programs().items():
         if path.parent.name not in rooms:
             continue
