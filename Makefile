@@ -25,7 +25,10 @@ SOURCES := $(shell find csrc opencl firmware_sim adapters cmake CMakeLists.txt -
 NAMES := $(shell find pycnc -name '*.py' | sort | cksum | cut -d' ' -f1)
 PACKAGES_TEST = clang-19 libclang-rt-19-dev llvm-19 cppcheck gcc-arm-none-eabi \
                 libnewlib-arm-none-eabi qemu-system-arm pkgconf linuxcnc-uspace \
-                linuxcnc-uspace-dev chromium doxygen valgrind ccache git
+                linuxcnc-uspace-dev chromium doxygen valgrind ccache git qemu-user \
+                gcc-i686-linux-gnu gcc-aarch64-linux-gnu gcc-riscv64-linux-gnu \
+                gcc-s390x-linux-gnu libc6-dev-i386-cross libc6-dev-arm64-cross \
+                libc6-dev-riscv64-cross libc6-dev-s390x-cross
 
 # $(call install,PACKAGES): install the Debian packages of the list that are missing.
 install = missing=$$(for package in $(1); do \

@@ -16,6 +16,7 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parents[1]
 CSRC = ROOT / "csrc"
 FRONT_DOOR = "nck/nck.h"
+BITS = "nck/base/bits.h"  # what it says of arithmetic holds for all that follows it
 TOKEN = re.compile(
     r'//[^\n]*|/\*.*?\*/|"(?:\\.|[^"\\\n])*"|\'(?:\\.|[^\'\\\n])*\''  # comment, string, character
     r"|\.?\d(?:[eEpP][+-]|[\w.])*|[A-Za-z_]\w*|->|\s+|.",  # number, word, arrow, blank, other
@@ -149,6 +150,7 @@ def amalgamate(definitions):
     faces = [*headers_of(FRONT_DOOR, seen), FRONT_DOOR]
     paths = sorted(CSRC.glob("nck/**/*.c"), key=flow)
     sources = [path.relative_to(CSRC).as_posix() for path in paths]
+    seen.add(BITS)
     formulas = [header for name in sources for header in headers_of(name, seen)]
 
     texts = with_own_names({name: read(name) for name in [*faces, *formulas, *sources]})
@@ -162,7 +164,8 @@ def amalgamate(definitions):
     inner = "".join(body(name, texts[name]) for name in formulas)
     for name in sources:
         inner += body(name, texts[name]) + macros_end_here(texts[name])
-    code = head + '#include "nck.h"\n\n'
+    code = head + system_includes([read(BITS)]) + body(BITS, read(BITS))
+    code += '\n#include "nck.h"\n\n'
     code += system_includes(texts[name] for name in [*formulas, *sources])
     return face, code + without_idle_formulas(inner)
 

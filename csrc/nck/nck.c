@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The wires: pull from room k, push into room k + 1. Only this file and front.c name two rooms.
+#include "nck/base/bits.h" // a compiler that would change them is stopped
+
 #include "nck/nck.h"
 
 #include <string.h> // memset

@@ -122,6 +122,16 @@ typedef struct nck {
     } wire;
 } nck_t;
 
+// What nck_selftest returns where arithmetic is as it has to be.
+#define NCK_SELFTEST 0xf0b18588u
+
+// Compute formulas of all rooms from fixed numbers. Another number than NCK_SELFTEST: arithmetic
+// was compiled or set otherwise (a·b + c rounded once, x87, -ffast-math, no numbers below 2⁻¹⁰²²,
+// another rounding), setpoints have other bits than on every other machine and were never tested.
+// Then do not move.
+// Cost: constant, 10⁴ operations of double; 1 KB of stack. Context: any, before nck_init.
+uint32_t nck_selftest(void);
+
 // Make a kernel for a machine (copied). hooks may be NULL.
 // Returns NCK_OK; NCK_E_MACHINE or NCK_E_UNSUPPORTED if nck_machine_check refuses the machine.
 // Cost: constant. Context: any, before the tick runs.

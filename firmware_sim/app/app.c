@@ -107,6 +107,7 @@ static void start(app_t *app) {
 
 int app_run(app_t *app) {
     memset(app, 0, sizeof *app);
+    if (nck_selftest() != NCK_SELFTEST) return APP_EXIT_BITS;
     if (!read_job(&app->job)) return APP_EXIT_JOB;
     app->tick.hash = app_hash_begin();
     const nck_hooks_t hooks = {.user = app, .on_output = app_output};

@@ -10,7 +10,8 @@ typedef enum app_exit {
     APP_EXIT_JOB = 2,     // the job is wrong; the report says where
     APP_EXIT_SYSTEM = 3,  // the tasks could not be made
     APP_EXIT_STREAMS = 4, // a file could not be opened
-    APP_EXIT_KERNEL = 5   // the operating system refused a call
+    APP_EXIT_KERNEL = 5,  // the operating system refused a call
+    APP_EXIT_BITS = 6     // arithmetic gives other bits: nck_selftest
 } app_exit_t;
 
 // One row of the trace: what the drives got. Followed by one int64_t a joint [nm, ndeg].

@@ -126,6 +126,7 @@ int main(void) {
     if (board_argument(2, name, sizeof name) < 0) return 2;
     const int log = board_open(name, BOARD_WRITE);
     if (program < 0 || log < 0) return 2;
+    if (nck_selftest() != NCK_SELFTEST) return 2; // arithmetic is not as it has to be
     nck_machine_default(&machine); // then change what differs
     machine.slope = NCK_SLOPE_LINEAR; // doubles are software on an M4F: jerk would starve there
     if (nck_init(&nck, &machine, NULL) != NCK_OK) return 2;

@@ -48,6 +48,7 @@ _CAUSES = {  # exit status of the firmware → what has happened
     _BOARD.OVERRUN: "tick overrun", _BOARD.WATCHDOG: "watchdog",
     _APP.SYSTEM: "its tasks could not be made", _APP.STREAMS: "a file could not be opened",
     _APP.KERNEL: "its operating system refused a call",
+    _APP.BITS: "its arithmetic gives other bits than the kernel was tested with",
 }  # fmt: skip
 
 

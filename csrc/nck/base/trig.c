@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Inlined, a sine and cosine takes 470 bytes of flash wherever an arc is looked at.
+#include "nck/base/bits.h" // no fused operations
+
 #include "nck/base/trig.h"
 
 #include "nck/base/trig_math.h" // nck_trig_sincos nck_trig_atan2
