@@ -3,7 +3,8 @@
 
 The C preprocessor reads the headers once. What comes from our own files becomes the cdef, what
 comes from the system's is dropped (cffi knows the integer types), and the macros of the capacities
-header become constants. Inline functions are dropped: formulas are not for cffi.
+header become constants. Inline functions are dropped: formulas are not for cffi. Names that carry
+capacities and version for the linker have their short form here.
 """
 
 import argparse
@@ -14,6 +15,7 @@ from pathlib import Path
 import cffi
 
 LINE_MARKER = re.compile(r'^# \d+ "(?P<file>[^"]*)"')
+SIZED = re.compile(r"\b(nck_\w+?)_v\d+_\d+_axes\w+")  # a name that carries its build (sized.h)
 CAPACITY = re.compile(r"^#define (?P<name>NCK_\w+) (?!struct|union)\S")
 
 
@@ -77,7 +79,7 @@ def main():
     preprocessed = preprocess(given.cc, given.headers, given.include, given.define)
     lines = own_lines(preprocessed, given.include, given.capacities)
     binding = cffi.FFI()
-    binding.cdef("\n".join(without_inline_functions(lines)))
+    binding.cdef(SIZED.sub(r"\1", "\n".join(without_inline_functions(lines))))
     binding.set_source(given.module, include_lines(given.headers), py_limited_api=True)
     binding.emit_c_code(str(given.out))
 

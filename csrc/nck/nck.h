@@ -23,6 +23,7 @@ extern "C" {
 #include "nck/base/link.h"                      // nck_link_t
 #include "nck/base/machine.h"                   // nck_machine_t
 #include "nck/base/records.h"                   // nck_block_t … nck_axes_t
+#include "nck/base/sized.h"                     // NCK_SIZED NCK_VERSION
 #include "nck/base/status.h"                    // nck_status_t nck_diagnostic_t
 #include "nck/base/terms.h"                     // nck_terms_t
 #include "nck/prep/1_decode/decode.h"           // nck_decode_t
@@ -131,6 +132,10 @@ typedef struct nck {
 // Then do not move.
 // Cost: constant, 10⁴ operations of double; 1 KB of stack. Context: any, before nck_init.
 uint32_t nck_selftest(void);
+
+// For the linker this name has capacities and version in it (sized.h): with others than the
+// library's nothing links.
+#define nck_init NCK_SIZED(nck_init)
 
 // Make a kernel for a machine (copied). hooks may be NULL.
 // Returns NCK_OK; NCK_E_MACHINE or NCK_E_UNSUPPORTED if nck_machine_check refuses the machine.

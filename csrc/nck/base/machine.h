@@ -6,6 +6,7 @@
 
 #include "nck/base/limits.h"  // NCK_AXIS_MAX NCK_TOOL_MAX
 #include "nck/base/records.h" // axis order
+#include "nck/base/sized.h"   // NCK_SIZED
 #include "nck/base/status.h"  // nck_status_t
 
 #ifdef __cplusplus
@@ -174,6 +175,10 @@ typedef struct nck_machine {
     uint32_t own_m_count;
     nck_own_m_t own_m[NCK_OWN_M_MAX];
 } nck_machine_t;
+
+// For the linker these names have capacities and version in them (sized.h).
+#define nck_machine_default NCK_SIZED(nck_machine_default)
+#define nck_machine_check NCK_SIZED(nck_machine_check)
 
 // Fill in a machine that is safe and complete: three axes X Y Z of 100 mm/s, 1000 mm/s², 10 000
 // mm/s³ and free travel, T = 1 ms, jerk-limited slope (linear in a build without it), tolerance

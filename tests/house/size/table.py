@@ -184,7 +184,10 @@ def measure_share(core, set_name, folder):
     command = [sys.executable, ROOT / "cmake" / "amalgamate.py", "--out", place, *pair]
     subprocess.run(command, check=True)
     image = place / "share.elf"
-    kept = [f"-Wl,-u,{name}" for name in stack.entry_points(CSRC / "nck" / "nck.h")]
+    declared = run("gcc", *OPTIONS[core], "-E", "-P", place / "nck.h")
+    doors = "|".join(stack.entry_points(CSRC / "nck" / "nck.h"))
+    linked = re.findall(rf"\b((?:{doors})(?:_v\d\w*)?)\(", declared)
+    kept = [f"-Wl,-u,{name}" for name in linked]
     warn = ["-Wall", "-Wextra", "-Werror"]
     link = ["-nostartfiles", "-Wl,--gc-sections", "-Wl,-e,nck_tick", *kept]
     source = place / "nck.c"
