@@ -43,3 +43,19 @@ list(TRANSFORM NCK_RARE_SOURCES
 if(CMAKE_CROSSCOMPILING)
     set_source_files_properties(${NCK_RARE_SOURCES} PROPERTIES COMPILE_OPTIONS -Os)
 endif()
+
+# The text of limits.h with capacities NAME=VALUE as its defaults; one that it does not have is
+# refused.
+function(nck_fill_in_capacities text_out)
+    file(READ "${CMAKE_CURRENT_FUNCTION_LIST_DIR}/../csrc/nck/base/limits.h" text)
+    foreach(capacity IN LISTS ARGN)
+        string(REGEX REPLACE "=.*" "" name "${capacity}")
+        if(NOT capacity MATCHES "^[A-Z_]+=(0|[1-9][0-9]*)$"
+           OR NOT text MATCHES "\n#define ${name} [0-9]")
+            message(FATAL_ERROR "NCK_CAPACITIES: limits.h has no capacity like ${capacity}")
+        endif()
+        string(REPLACE "=" " " filled_in "${capacity}")
+        string(REGEX REPLACE "\n#define ${name} [0-9]+" "\n#define ${filled_in}" text "${text}")
+    endforeach()
+    set(${text_out} "${text}" PARENT_SCOPE)
+endfunction()
