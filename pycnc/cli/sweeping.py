@@ -34,7 +34,8 @@ _Grid = Annotated[
 _Cluster = Annotated[
     str | None,
     typer.Option("--cluster", metavar="ADDRESS",
-                 help="Plan on a cluster of dask.distributed: tcp://host:8786."),
+                 help="Plan on a cluster of dask.distributed: tcp://host:8786. Whoever can reach "
+                      "it can run code there and here (pickle): only one that you trust."),
 ]  # fmt: skip
 
 

@@ -11,6 +11,7 @@ import hashlib
 import importlib.metadata
 import os
 import shutil
+import stat
 import subprocess
 import sys
 import tempfile
@@ -36,20 +37,34 @@ PROGRAMS = (
 _PROBE_SECONDS = 300
 
 
+def _is_ours(folder):
+    """Tell whether nobody but this user can have put anything into a folder."""
+    found = folder.lstat()
+    if not stat.S_ISDIR(found.st_mode) or not os.access(folder, os.W_OK):
+        return False
+    if not hasattr(os, "getuid"):  # rights are told otherwise there
+        return True
+    return found.st_uid == os.getuid() and not found.st_mode & (stat.S_IWGRP | stat.S_IWOTH)
+
+
 def cache_folder():
-    """Return the folder for compiled kernels, made if it is not there yet."""
+    """Return the folder for compiled kernels, made if it is not there yet.
+
+    What lies there is run: a folder that is another user's, that others can write or that is a link
+    is not taken, be it in the home or in the temporary folder that all share.
+    """
     home = os.environ.get("XDG_CACHE_HOME") or os.path.join(os.path.expanduser("~"), ".cache")
     user = os.getuid() if hasattr(os, "getuid") else os.environ.get("USERNAME", "user")
     for base in (Path(home) / "pycnc", Path(tempfile.gettempdir()) / f"pycnc-{user}"):
         try:
-            base.mkdir(parents=True, exist_ok=True)
+            base.mkdir(mode=0o700, parents=True, exist_ok=True)
+            if _is_ours(base):
+                return base
         except OSError:
             continue
-        if os.access(base, os.W_OK):
-            return base
     raise errors.DeviceError(
-        f"no folder for compiled kernels: neither {home} nor {tempfile.gettempdir()} can be "
-        "written; set XDG_CACHE_HOME to a folder that can",
+        f"no folder for compiled kernels: what is in {home} and in {tempfile.gettempdir()} cannot "
+        "be written, or not by this user alone; set XDG_CACHE_HOME to a folder of your own",
         id="device-build",
     )
 

@@ -226,7 +226,7 @@ def _write(file, kept):
     """Keep a calibration for the next process; where that is not possible, it measures again."""
     passing = file.with_name(f"{file.name}.{os.getpid()}")
     try:
-        file.parent.mkdir(parents=True, exist_ok=True)
+        file.parent.mkdir(mode=0o700, parents=True, exist_ok=True)
         passing.write_text(json.dumps(kept), encoding="utf-8")
         passing.replace(file)  # whole or not at all, for whoever reads it now
     except OSError:

@@ -264,7 +264,8 @@ def sweep(files, settings, machine="mill3", *, jobs=1, cluster=None):
     jobs : int
         Processes side by side.
     cluster : str, optional
-        Address of a scheduler of dask.distributed instead (needs distributed).
+        Address of a scheduler of dask.distributed instead (needs distributed). It is trusted:
+        whoever can reach it can run code on its workers and here, for work travels by pickle.
 
     Returns
     -------
