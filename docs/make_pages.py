@@ -80,8 +80,8 @@ every value in force and where it comes from. `--set axis.x.max_mm=500` changes 
 
 `pycnc machine new NAME` writes one to begin with, each key with its meaning. `pycnc machine import
 FILE` makes one of LinuxCNC's INI, grbl's `$$`, Klipper's cfg or FluidNC's yaml: units are
-converted, each value has the line that it comes from as its comment, and what has no equal here is
-told.
+converted, each value has the line that it comes from as its comment, and every line that nothing is
+made of is told. Files that it includes are read. `--units` says the unit where an INI does not.
 
 Positions are machine coordinates. A key without a default must be there, if its table is.
 This page is written by `docs/make_pages.py` from `pycnc/machine/schema.py`; a test compares.

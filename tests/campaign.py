@@ -15,6 +15,7 @@ printed before it. The exit status is the number of parts that found something.
     nasty       4 000 nasty programs a slope
     rs274       15 000 random programs against rs274
     linuxcnc    20 random operators in a live LinuxCNC
+    imports     4 500 random configurations of other controls
 """
 
 import argparse
@@ -39,6 +40,7 @@ PARTS = {
               for slope in SLOPES],
     "rs274": ["tests/decode/against_rs274.py 15000 {seed}"],
     "linuxcnc": ["tests/linuxcnc/operators.py"],
+    "imports": ["tests/machine/configurations.py 1500 {seed}"],
 }  # fmt: skip
 
 

@@ -12,7 +12,7 @@ import typer
 
 from pycnc import errors
 from pycnc.cli.door import machines, verb
-from pycnc.cli.options import Dialect, Quiet
+from pycnc.cli.options import Dialect, Quiet, Units
 from pycnc.cli.words import GOOD, fail, read, writing
 from pycnc.files import Part
 
@@ -78,17 +78,21 @@ def _travel(words, letters):
 def import_(
     *, file: Annotated[str, typer.Argument(
         metavar="FILE", help="LinuxCNC INI, grbl $$, Klipper cfg or FluidNC yaml; - is stdin.")],
+    units: Annotated[
+        Units | None, typer.Option(help="Unit of lengths where a LinuxCNC INI does not say it.")
+    ] = None,
     output: Output = None, quiet: Quiet = False,
 ):  # fmt: skip
     """Make a machine file of another control's configuration.
 
-    Units are converted; each value has the line that it comes from as its comment, and what has no
-    equal here is told at the end.
+    Units are converted; each value has the line that it comes from as its comment, and every line
+    that nothing is made of stands at the end. Files that it includes are read.
     """
-    from pycnc.machine import Machine, MachineFileError, importer
+    from pycnc.machine import Machine, MachineFileError, importer, source
 
     name, data = read(file, "give a file with the configuration of a control")
-    found = importer.read(data.decode("utf-8", errors="replace"), Path(name).name)
+    folder = None if file == "-" else Path(file).parent
+    found = importer.read(source.decode(data), Path(name).name, folder, units and units.value)
     if found.problems:
         raise MachineFileError(name, found.problems)
     head = [f"Imported from {Path(name).name}. Check every line: a file cannot tell all of it."]
@@ -100,6 +104,9 @@ def import_(
     if not quiet:
         for words in found.left:
             fail(f"{name}: note[not-imported]: {words}")
+        if found.rest:
+            fail(f"{name}: note[not-imported]: {len(found.rest)} more lines that are not about the "
+                 "motion of axes; they stand at the end of the machine file")
     return _write(text, output, quiet)
 
 

@@ -8,6 +8,7 @@ from pycnc.machine.schema import AXES, MachineFile, position_key, unit_of
 
 JERK_RISE_S = Decimal("0.05")  # where nobody says: so long until the highest acceleration
 _WIDTH = 98
+_DIGITS = 20  # before the point; six behind it are kept
 
 
 class Draft:
@@ -19,12 +20,14 @@ class Draft:
         Path to key → (value, comment).
     left : list of str
         What the source has that a machine file has no equal for, with its place.
+    rest : list of str
+        The same, as far as it does not look as if it had to do with motion.
     problems : list of (str, str)
         Key, and what is missing or wrong.
     """
 
     def __init__(self, description=""):
-        self.values, self.left, self.problems = {}, [], []
+        self.values, self.left, self.rest, self.problems = {}, [], [], []
         if description:
             self.put("description", description)
 
@@ -84,6 +87,8 @@ class Draft:
             lines += [_line(key.rpartition(".")[2], *self.values[key]) for key in keys]
         if self.left:
             lines += ["", "# Without an equal here:", *(f"#   {words}" for words in self.left)]
+        if self.rest:
+            lines += ["", "# Not about the motion of axes:", *(f"#   {row}" for row in self.rest)]
         return "\n".join([*lines, ""])
 
 
@@ -119,6 +124,8 @@ def _toml(value):
         escaped = value.replace("\\", "\\\\").replace('"', '\\"')
         return f'"{"".join(c if c.isprintable() else " " for c in escaped)}"'
     number = Decimal(value)
+    if number.adjusted() > _DIGITS:  # out of every range, as is told of it later
+        return f"{number:e}"
     rounded = number.quantize(Decimal("1e-6")).normalize()
     return f"{rounded:f}"
 

@@ -4,10 +4,10 @@
 import re
 
 _SIGNS = {  # of each a line that its files have and the others' do not
-    "grbl or grblHAL ($$)": r"^\s*\$1[0-3][0-9]\s*=",
-    "Klipper (printer.cfg)": r"^\[(stepper_\w+|printer|mcu)\]",
-    "LinuxCNC (INI)": r"^\[(EMC|TRAJ|KINS|AXIS_\w|JOINT_\d+)\]",
-    "FluidNC (YAML)": r"^axes:\s*$",
+    "grbl or grblHAL ($$)": r"^[ \t]*\$1[0-3][0-9][ \t]*=",
+    "Klipper (printer.cfg)": r"^[ \t]*\[(stepper_\w+|printer|mcu|include [^]]+)\]",
+    "LinuxCNC (INI)": r"^[ \t]*(\[(EMC|TRAJ|KINS|AXIS_\w|JOINT_\d+)\]|#INCLUDE\b)",
+    "FluidNC (YAML)": r"^axes:[ \t]*(#.*)?\r?$",
 }
 
 

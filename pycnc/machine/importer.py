@@ -6,11 +6,11 @@ has no equal for is told.
 """
 
 import re
-from decimal import Decimal, InvalidOperation
-from typing import NamedTuple
+from decimal import Decimal
 
 from pycnc import errors
 from pycnc.machine import foreign
+from pycnc.machine import source as forms
 from pycnc.machine.draft import Draft
 from pycnc.machine.schema import AXES, ROTARY_AXES
 
@@ -18,27 +18,25 @@ _MM = {  # LINEAR_UNITS of LinuxCNC → millimetres
     **dict.fromkeys(("mm", "metric"), Decimal(1)), "cm": Decimal(10), "um": Decimal("1e-3"),
     **dict.fromkeys(("inch", "in", "imperial"), Decimal("25.4")),
 }  # fmt: skip
-_ELSEWHERE = re.compile(r"^\s*(#INCLUDE\s+\S+|\[include\s+.+\])", re.M)
+_DEGREES = {  # ANGULAR_UNITS of LinuxCNC → degrees
+    **dict.fromkeys(("deg", "degree"), Decimal(1)), "grad": Decimal("0.9"), "gon": Decimal("0.9"),
+    **dict.fromkeys(("rad", "radian"), Decimal("57.29577951308232087679815")),
+}  # fmt: skip
+_NUMBER = re.compile(r"[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d{1,3})?", re.ASCII)
 _MOTION = re.compile(  # what has to do with motion, and no equal here
     r"junction_deviation|square_corner|backlash|instant_corner|accel_to_decel|minimum_cruise|ferror"
     r"|stepgen_maxvel|stepgen_maxaccel|max_joint|input_shap|pressure_advance|shaper_freq", re.I,
 )  # fmt: skip
 
 
-class Setting(NamedTuple):
-    """A setting of a foreign file."""
-
-    value: str
-    line: int
-    text: str  # the line
-
-
 class Source:
     """The settings of a foreign file, and the draft that is made of them."""
 
-    def __init__(self, file, settings, kind):
-        self.file, self.settings, self.used = file, settings, set()
+    def __init__(self, file, form, kind, units):
+        self.form, self.settings, self.units, self.used = form, form.settings, units, set()
+        self.axes = set()  # sections that say by themselves that there is an axis
         self.draft = Draft(f"imported from {file} ({kind})")
+        self.draft.problems += form.problems
 
     def word(self, *keys):
         """Return the text of the first of some keys that is there; None if none is."""
@@ -54,18 +52,31 @@ class Source:
             if key in self.settings:
                 self.used.add(key)
                 setting = self.settings[key]
-                comment = f"line {setting.line}: {setting.text}"
-                try:
-                    number = Decimal(setting.value)
-                except InvalidOperation:
-                    number = Decimal("NaN")
-                if number.is_finite():
-                    return number, comment
-                self.draft.problems.append(
-                    (f"line {setting.line}", f"{setting.value!r} is no number: {setting.text}")
-                )
+                if _NUMBER.fullmatch(setting.value):
+                    return Decimal(setting.value), setting.told
+                place, _, text = setting.told.partition(": ")
+                self.draft.problems.append((place, f"{setting.value!r} is no number: {text}"))
                 return None, ""
         return None, ""
+
+    def unit(self, key, name, known):
+        """Return what a unit that the file names is worth; None if it names none.
+
+        A number says how many of them are a millimetre, or a degree.
+        """
+        word = self.word(key)
+        if word is None or word.lower() in known:
+            return word and known[word.lower()]
+        if _NUMBER.fullmatch(word) and Decimal(word) > 0:
+            return round(1 / Decimal(word), 6)
+        self.draft.problems.append((name, f"{word!r} is none of {', '.join(known)}, nor a number"))
+        return Decimal(1)
+
+    def letters_of(self, begin, letters):
+        """Return the letters of the axes that have a section of their own."""
+        found = [letter for letter in letters if begin + letter in self.form.heads.values()]
+        self.axes.update(begin + letter for letter in found)
+        return found
 
     def axis(self, letter, quantity, keys, scale=Decimal(1)):
         """Set a limit of an axis from the first of some keys."""
@@ -80,20 +91,26 @@ class Source:
             self.draft.put(key, value * scale, comment)
 
     def tell_left(self):
-        """Say what has to do with motion and has not been used, and count the rest."""
-        rest = 0
-        for key, setting in self.settings.items():
-            if key in self.used or not key[-1]:  # used, or the head of a section
+        """List every line that nothing was made of: what has to do with motion, and the rest."""
+        used = {id(row) for key in self.used for row in self.settings[key].rows}
+        sections = {section for section, _ in self.used} | self.axes
+        for row in self.form.rows:
+            section = self.form.heads.get(id(row))
+            is_used = id(row) in used or (section and _leads_to(section, sections))
+            if is_used or not row.text:
                 continue
-            if _MOTION.search(key[-1]):
-                self.draft.left.append(f"line {setting.line}: {setting.text}")
-            else:
-                rest += 1
-        if rest:
-            self.draft.left.append(f"{rest} more that are not about the motion of axes")
+            note = self.form.notes.get(id(row))
+            moves = note or _MOTION.search(row.text)
+            told = f"{row.place}: {row.text}" + (f" ({note})" if note else "")
+            (self.draft.left if moves else self.draft.rest).append(told)
 
 
-def read(text, file):
+def _leads_to(section, used):
+    """Tell whether a section, or one below it, has a value that is used."""
+    return any(each == section or each.startswith(f"{section}.") for each in used)
+
+
+def read(text, file, folder=None, units=None):
     """Return the draft of a machine file from a foreign configuration.
 
     Parameters
@@ -101,6 +118,10 @@ def read(text, file):
     text : str
     file : str
         Its name, for comments and messages.
+    folder : path, optional
+        Where it lies: what it includes is read from there; without one it is told.
+    units : str, optional
+        "mm" or "inch": what lengths are in where the file does not say.
 
     Raises
     ------
@@ -114,11 +135,8 @@ def read(text, file):
             f"{file}: is no configuration that can be imported: {known}", id="import"
         )
     parse, fill = _READERS[kind]
-    source = Source(file, parse(text), kind)
+    source = Source(file, parse(text, folder), kind, units)
     letters = fill(source)
-    for found in _ELSEWHERE.finditer(text):
-        number = text.count("\n", 0, found.start(1)) + 1
-        source.draft.left.append(f"line {number}: {found[1]} (what stands there is not read)")
     if not letters:
         source.draft.problems.append(("", "no axis found"))
     source.draft.complete(letters)
@@ -126,71 +144,44 @@ def read(text, file):
     return source.draft
 
 
-# ---- the forms of files: (section, key) → Setting, keys in lower case
-
-
-def _sections(text):
-    """Read [section] and key = value or key: value."""
-    found, section = {}, ""
-    for number, line in enumerate(text.splitlines(), 1):
-        bare = re.split(r"(?:^|\s)[#;]", line, maxsplit=1)[0].strip()
-        head = re.fullmatch(r"\[(.+)\]", bare)
-        pair = re.match(r"([^=:\s][^=:]*?)\s*[=:]\s*(.*)", bare)
-        if head:
-            section = head[1].strip().lower()
-            found.setdefault((section, ""), Setting("", number, bare))
-        elif pair and not line[:1].isspace():
-            key = (section, pair[1].lower())
-            found.setdefault(key, Setting(pair[2], number, " ".join(bare.split())))
-    return found
-
-
-def _dollars(text):
-    """Read $110=500.000."""
-    found = {}
-    for number, line in enumerate(text.splitlines(), 1):
-        pair = re.match(r"\s*\$(\d+)\s*=\s*([^\s(]+)", line)
-        if pair:
-            found[("$", int(pair[1]))] = Setting(pair[2], number, " ".join(line.split()))
-    return {(section, str(key)): setting for (section, key), setting in found.items()}
-
-
-def _indented(text):
-    """Read the maps of YAML: the section of a key is the keys that it stands under."""
-    found, above = {}, []
-    for number, line in enumerate(text.splitlines(), 1):
-        bare = re.split(r"(?:^|\s)#", line, maxsplit=1)[0].rstrip()
-        pair = re.match(r"(\s*)([\w.\-]+)\s*:\s*(.*)", bare)
-        if not pair:
-            continue
-        depth = len(pair[1].expandtabs())
-        above = [each for each in above if each[0] < depth]
-        section = ".".join(name for _, name in above)
-        if pair[3]:
-            value = pair[3].strip("\"'")
-            found[(section, pair[2].lower())] = Setting(value, number, " ".join(bare.split()))
-        else:
-            above.append((depth, pair[2].lower()))
-    return found
-
-
 # ---- what they mean
 
 
-def _fill_linuxcnc(source):
-    units = (source.word(("traj", "linear_units")) or "mm").lower()
-    if units not in _MM:
-        known = ", ".join(_MM)
-        source.draft.problems.append(("LINEAR_UNITS", f"{units!r} is none of {known}"))
-    unit = _MM.get(units, Decimal(1))
-    letters = re.sub("[^a-z]", "", (source.word(("traj", "coordinates")) or "xyz").lower())
-    letters = [letter for letter in AXES if letter in letters]
+def _length_unit(source):
+    """Return the millimetres of a LinuxCNC machine's unit: as it says, else as the caller does."""
+    told = source.unit(("traj", "linear_units"), "LINEAR_UNITS", _MM)
+    given = source.units and _MM[source.units]
+    if told is None and given is None:
+        source.draft.problems.append(
+            ("LINEAR_UNITS", "the file does not say them: add --units mm or --units inch")
+        )
+    if told and given and told != given:
+        source.draft.problems.append(("--units", f"{source.units}: the file says otherwise"))
+    return told or given or Decimal(1)
+
+
+def _joints(source):
+    """Return {axis: its first joint} of a LinuxCNC machine, in the order of the axes."""
     kinematics = source.word(("kins", "kinematics")) or "trivkins"
     if not kinematics.startswith("trivkins"):
         source.draft.left.append(f"kinematics {kinematics}: the axes are taken as joints")
-    for joint, letter in enumerate(letters):
+    told = source.word(("traj", "coordinates"))
+    if told is None:
+        source.draft.left.append("COORDINATES: not in the source; taken as X Y Z")
+    of_joints = re.search(r"\bcoordinates=(\w+)", kinematics.lower())
+    named = re.sub("[^a-z]", "", (told or "xyz").lower())
+    order = of_joints[1] if of_joints else named
+    return {letter: order.find(letter) for letter in AXES if letter in named}
+
+
+def _fill_linuxcnc(source):
+    unit = _length_unit(source)
+    degrees = source.unit(("traj", "angular_units"), "ANGULAR_UNITS", _DEGREES) or Decimal(1)
+    joints = _joints(source)
+    letters = list(joints)
+    for letter, joint in joints.items():
         rotary = letter in ROTARY_AXES
-        scale = Decimal(1) if rotary else unit
+        scale = degrees if rotary else unit
         own = (f"axis_{letter}", f"axis_{joint}", f"joint_{joint}")
         most = "max_angular" if rotary else "max_linear"
         for quantity, name in (("v_max", "velocity"), ("a_max", "acceleration"),
@@ -237,8 +228,7 @@ def _fill_klipper(source):
     kinematics = source.word(("printer", "kinematics")) or "cartesian"
     if kinematics not in ("cartesian", "corexy", "corexz", "hybrid_corexy", "hybrid_corexz"):
         source.draft.problems.append(("printer.kinematics", f"{kinematics} has no equal here"))
-    sections = {section for section, _ in source.settings}
-    letters = [letter for letter in "xyz" if f"stepper_{letter}" in sections]
+    letters = source.letters_of("stepper_", "xyz")
     for letter in letters:
         own = [("printer", f"max_{letter}_velocity"), ("printer", "max_velocity")]
         source.axis(letter, "v_max", own)
@@ -255,8 +245,7 @@ def _fill_klipper(source):
 
 
 def _fill_fluidnc(source):
-    sections = {section for section, _ in source.settings}
-    letters = [letter for letter in AXES if f"axes.{letter}" in sections]
+    letters = source.letters_of("axes.", AXES)
     for letter in letters:
         own = f"axes.{letter}"
         source.axis(letter, "v_max", [(own, "max_rate_mm_per_min")], 1 / Decimal(60))
@@ -275,8 +264,8 @@ def _fill_fluidnc(source):
 
 
 _READERS = {
-    "LinuxCNC (INI)": (_sections, _fill_linuxcnc),
-    "grbl or grblHAL ($$)": (_dollars, _fill_grbl),
-    "Klipper (printer.cfg)": (_sections, _fill_klipper),
-    "FluidNC (YAML)": (_indented, _fill_fluidnc),
+    "LinuxCNC (INI)": (forms.linuxcnc, _fill_linuxcnc),
+    "grbl or grblHAL ($$)": (forms.grbl, _fill_grbl),
+    "Klipper (printer.cfg)": (forms.klipper, _fill_klipper),
+    "FluidNC (YAML)": (forms.fluidnc, _fill_fluidnc),
 }

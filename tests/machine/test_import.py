@@ -1,12 +1,16 @@
 # SPDX-License-Identifier: MIT
 """Machine files from other controls' configurations, and new ones."""
 
+import random
+import time
 import tomllib
 
+import configurations
 import pytest
 from command_line import pycnc
 
-from pycnc.machine import Machine
+from pycnc.errors import ArgumentError
+from pycnc.machine import Machine, MachineFileError, importer
 
 KLIPPER = """\
 # a printer
@@ -185,6 +189,133 @@ def test_what_stands_in_another_file_is_told(text, words):
     _, result = imported(text)
     assert words in result.err
     assert words in result.out
+
+
+# What a file says, wherever it says it
+
+
+@pytest.mark.sample(60)
+@pytest.mark.parametrize("kind", configurations.KINDS)
+@pytest.mark.parametrize("number", range(300))
+def test_what_is_written_is_read_and_every_line_is_told(kind, number, draw_seed, tmp_path):
+    case = getattr(configurations, kind)(draw_seed + number)
+    assert configurations.faults(case, tmp_path) == []
+
+
+@pytest.mark.sample(30)
+@pytest.mark.parametrize("number", range(300))
+def test_a_damaged_configuration_is_imported_or_refused(number, draw_seed, tmp_path):
+    pen = random.Random(draw_seed + number)
+    case = getattr(configurations, pen.choice(configurations.KINDS))(draw_seed + number)
+    for name, data in case.files.items():
+        damaged = bytearray(data)
+        for _ in range(pen.randrange(1, 6)):
+            at = pen.randrange(len(damaged))
+            damaged[at : at + pen.randrange(4)] = pen.randbytes(pen.randrange(4))
+        (tmp_path / name).write_bytes(damaged)
+    result = pycnc("machine", "import", tmp_path / next(iter(case.files)))
+    assert result.code in (0, 2)
+    if result.code == 0:
+        Machine.from_text(result.out)
+
+
+def test_keys_may_be_indented():
+    data, _ = imported(LINUXCNC.replace("\nM", "\n\t M").replace("\nL", "\n   L"))
+    assert data == imported(LINUXCNC)[0]
+
+
+@pytest.mark.parametrize("units", ["mm", "inch"])
+def test_units_are_found_or_asked_for(units):
+    text = LINUXCNC.replace("LINEAR_UNITS = inch\n", "")
+    result = pycnc("machine", "import", "-", stdin=text.encode())
+    assert (result.code, result.out) == (2, "")
+    assert "the file does not say them: add --units mm or --units inch" in result.err
+    data, _ = imported(text, "--units", units)
+    assert data["axis"]["x"]["v_max_mm_s"] == {"mm": 3, "inch": 76.2}[units]
+    result = pycnc("machine", "import", "-", "--units", "mm", stdin=LINUXCNC.encode())
+    assert (result.code, result.out) == (2, "") and "the file says otherwise" in result.err
+
+
+def test_a_unit_may_be_a_number():
+    data, _ = imported(LINUXCNC.replace("= inch", "= 0.03937007874015748"))
+    assert data == imported(LINUXCNC)[0]
+
+
+def test_angles_have_their_unit_too():
+    text = LINUXCNC.replace("[EMCMOT]", "ANGULAR_UNITS = radian\n[EMCMOT]")
+    text = text.replace("= 90\n", "= 1.5707963267948966\n").replace("= 1200", "= 20")
+    data, _ = imported(text)
+    assert data["axis"]["a"]["v_max_deg_s"] == pytest.approx(90)
+    assert data["axis"]["a"]["a_max_deg_s2"] == pytest.approx(1145.91559)
+
+
+def test_two_joints_of_an_axis_do_not_move_the_next():
+    text = LINUXCNC.replace("X Y Z A", "X Y Y Z").replace("[JOINT_2]", "[JOINT_3]")
+    data, _ = imported(text)
+    assert data["axis"]["z"]["v_max_mm_s"] == 50.8
+
+
+@pytest.mark.parametrize(
+    ("files", "words"),
+    [
+        ({"a.cfg": "[include b.cfg]\n", "b.cfg": "[include a.cfg]\n"}, "one includes itself"),
+        ({"a.cfg": f"[include no.cfg]\n{KLIPPER}"}, "line 1: [include no.cfg]: no.cfg: No such"),
+        ({"a.cfg": f"[include /dev/zero]\n{KLIPPER}"}, "no file"),
+    ],
+)
+def test_what_cannot_be_included_is_refused(files, words, tmp_path):
+    for name, text in files.items():
+        (tmp_path / name).write_text(text)
+    result = pycnc("machine", "import", tmp_path / "a.cfg")
+    assert (result.code, result.out) == (2, "")
+    assert words in result.err
+
+
+def test_linuxcnc_goes_on_without_what_cannot_be_included(tmp_path):
+    (tmp_path / "a.ini").write_text(f"#INCLUDE no.inc\n{LINUXCNC}#INCLUDE b.inc\n")
+    (tmp_path / "b.inc").write_text("#INCLUDE c.inc\n[AXIS_Z]\nMAX_LIMIT = 1\n")
+    result = pycnc("machine", "import", tmp_path / "a.ini")
+    assert result.code == 0
+    assert "line 1: #INCLUDE no.inc (No such file or directory: not read)" in result.out
+    assert "b.inc line 1: #INCLUDE c.inc (LinuxCNC does not read it there)" in result.out
+    assert "max_mm = 25.4 # b.inc line 3: MAX_LIMIT = 1" in result.out
+
+
+def test_of_several_values_the_one_counts_that_the_control_takes():
+    twice = LINUXCNC.replace("MAX_VELOCITY = 3\n", "MAX_VELOCITY = 3\nMAX_VELOCITY = 4\n")
+    data, result = imported(twice)
+    assert data["axis"]["x"]["v_max_mm_s"] == 76.2
+    assert "line 13: MAX_VELOCITY = 4 (line 12 counts)" in result.out
+    data, result = imported(KLIPPER + "[printer]\nmax_accel: 5000\n")
+    assert data["axis"]["x"]["a_max_mm_s2"] == 5000
+    assert "line 13: max_accel: 3000 (line 18 counts)" in result.out
+
+
+def test_what_goes_on_under_a_key_of_klipper_is_no_key():
+    data, result = imported(KLIPPER + "[gcode_macro a]\ngcode:\n  max_velocity: 7\n")
+    assert data["axis"]["x"]["v_max_mm_s"] == 300
+    assert "#   line 19: max_velocity: 7" in result.out
+
+
+@pytest.mark.parametrize("number", ["1_000", "１", "0x10", "1e9999", "infinity", "--1", "3,5"])
+def test_a_number_is_written_as_the_controls_write_it(number):
+    text = KLIPPER.replace("max_accel: 3000", f"max_accel: {number}")
+    result = pycnc("machine", "import", "-", stdin=text.encode())
+    assert (result.code, result.out) == (2, "")
+    assert "is no number" in result.err
+
+
+def test_many_empty_lines_take_no_time():
+    began = time.process_time()
+    for text in (LINUXCNC, KLIPPER, GRBL, FLUIDNC, "[path]\nslope = \n"):
+        lines = "\n" * 200_000 + text + " \n" * 200_000
+        try:
+            importer.read(lines, "x", None, "mm" if "LINEAR" not in text else None)
+        except ArgumentError:
+            pass
+        with pytest.raises(MachineFileError):
+            Machine.from_text(lines)
+    assert time.process_time() - began < 20, "five texts of 400 000 lines, read twice"
 
 
 def test_a_name_cannot_leave_its_string():

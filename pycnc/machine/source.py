@@ -1,0 +1,315 @@
+# SPDX-License-Identifier: MIT
+"""The lines of another control's configuration: which settings they make, and which make none.
+
+Every form is read as its own control reads it: what continues a line, what an indentation means,
+which of two values counts, and what stands in other files.
+"""
+
+import codecs
+import glob
+import os
+import re
+import stat
+from pathlib import Path
+from typing import NamedTuple
+
+_MOST_BYTES = 16 << 20  # of all files that are included; configurations have kilobytes
+_MOST_FILES = 100  # files that are included, one in another or again
+_MARKS = {  # first bytes of a file → how the rest is written
+    codecs.BOM_UTF8: "utf-8", codecs.BOM_UTF16_LE: "utf-16-le", codecs.BOM_UTF16_BE: "utf-16-be",
+}  # fmt: skip
+_COMMENT = re.compile(r"(?:^|\s)[#;].*")
+_HEAD = re.compile(r"\[([^\]]+)\]")
+
+
+class Row(NamedTuple):
+    """A line of a file that says something."""
+
+    place: str  # "line 7", in an included file "z.inc line 7"
+    text: str  # the line, blanks joined
+    raw: str
+
+
+class Setting(NamedTuple):
+    """A value, and the lines that it comes from."""
+
+    value: str
+    rows: tuple
+
+    @property
+    def told(self):
+        """Return where the value comes from, for a comment."""
+        return f"{self.rows[0].place}: {' '.join(row.text for row in self.rows)}"
+
+
+class Form:
+    """What the lines of a file come to.
+
+    Attributes
+    ----------
+    settings : dict
+        (section, key), both in lower case → Setting.
+    rows : list of Row
+        All lines but comments and empty ones, in their order.
+    heads : dict
+        id of the row of a [section] → its section.
+    notes : dict
+        id of a row → what to say of it.
+    problems : list of (str, str)
+        Place, and why the whole cannot be taken.
+    """
+
+    def __init__(self):
+        self.settings, self.rows, self.heads = {}, [], {}
+        self.notes, self.problems = {}, []
+
+    def put(self, key, value, rows, last_counts):
+        """Take a value of a key; of several the control takes the last, or the first."""
+        setting, earlier = Setting(value, tuple(rows)), self.settings.get(key)
+        if earlier is None or last_counts:
+            self.settings[key] = setting
+        if earlier is not None:
+            loser, winner = (earlier, setting) if last_counts else (setting, earlier)
+            self.note(loser.rows[0], f"{winner.rows[0].place} counts")
+
+    def note(self, row, words):
+        """Say something of a row, where it is listed."""
+        self.notes[id(row)] = words
+
+
+def decode(data):
+    """Return the text of a file, lines ended by a line feed: UTF-8, UTF-16 by its mark, Latin-1."""
+    mark = next((mark for mark in _MARKS if data.startswith(mark)), b"")
+    code, data = _MARKS.get(mark, "utf-8"), data[len(mark) :]
+    try:
+        text = data.decode(code, errors="replace" if mark else "strict")
+    except UnicodeDecodeError:
+        text = data.decode("latin-1")
+    return text.replace("\r\n", "\n").replace("\r", "\n")
+
+
+def _rows(text, name=""):
+    """Yield (number, row) of all lines, the empty ones too."""
+    before = f"{name} " if name else ""
+    for number, raw in enumerate(text.split("\n"), 1):
+        shown = "".join(c if c.isprintable() else " " for c in raw)
+        yield Row(f"{before}line {number}", " ".join(shown.split()), raw)
+
+
+class _Included:
+    """Files that a configuration names: read from its folder, a bounded number of times."""
+
+    def __init__(self, form, folder):
+        self.form, self.folder, self.count, self.bytes = form, folder, 0, 0
+
+    def rows(self, row, names, folder, must):
+        """Yield (rows, folder) of the files that a line names; say what cannot be read."""
+        for name in names:
+            path = Path(folder, os.path.expanduser(name))
+            self.count += 1
+            words = self._why_not(path)
+            if not words:
+                shown = os.path.relpath(path, self.folder)
+                yield _rows(decode(path.read_bytes()), shown), path.parent
+            elif must:
+                self.form.problems.append((row.place, f"{row.text}: {name}: {words}"))
+            else:
+                self.form.note(row, f"{words}: not read")
+
+    def _why_not(self, path):
+        """Return why a file cannot be read; "" if it can."""
+        if self.count > _MOST_FILES:
+            return f"more than {_MOST_FILES} files are included, or one includes itself"
+        try:
+            found = path.stat()
+            if not stat.S_ISREG(found.st_mode):
+                return "no file"
+            self.bytes += found.st_size
+            if self.bytes > _MOST_BYTES:
+                return f"more than {_MOST_BYTES >> 20} MB are included"
+            with path.open("rb"):
+                return ""
+        except (OSError, ValueError) as cause:
+            return getattr(cause, "strerror", None) or str(cause)
+
+
+# ---- LinuxCNC: key = value, # and ; before comments, a backslash before what goes on
+
+
+def linuxcnc(text, folder):
+    """Read an INI of LinuxCNC; `#INCLUDE FILE` in it, but not in what is included."""
+    form = Form()
+    section, begun = "", []
+    for row in _with_includes(form, text, folder):
+        bare = _COMMENT.sub("", " ".join(row.raw.replace("\0", " ").split()))
+        if not bare and not begun:
+            continue
+        form.rows.append(row)
+        begun.append((row, bare))
+        if bare.endswith("\\"):
+            continue
+        section = _take_ini(form, section, begun)
+        begun = []
+    if begun:
+        _take_ini(form, section, begun)
+    return form
+
+
+def _with_includes(form, text, folder):
+    """Yield the lines of an INI and of the files that it includes."""
+    files = _Included(form, folder)
+    for row in _rows(text):
+        found = re.match(r"\s*#INCLUDE\b\s*(.*)", row.raw)
+        if not found:
+            yield row
+            continue
+        names = re.sub(r"\s#.*", "", found[1]).split()[:1]
+        if folder is None or not names:
+            form.rows.append(row)
+            form.note(row, "what stands there is not read")
+            continue
+        told = len(form.notes)
+        for rows, _ in files.rows(row, names, folder, must=False):
+            yield from _without_includes(form, rows)
+        if len(form.notes) > told:
+            form.rows.append(row)
+
+
+def _without_includes(form, rows):
+    for row in rows:
+        if re.match(r"\s*#INCLUDE\b", row.raw):
+            form.rows.append(row)
+            form.note(row, "LinuxCNC does not read it there")
+        else:
+            yield row
+
+
+def _take_ini(form, section, begun):
+    """Take a line with what goes on behind it; return the section that is in force now."""
+    rows = [row for row, _ in begun]
+    bare = " ".join(part.removesuffix("\\").strip() for _, part in begun).strip()
+    if head := _HEAD.fullmatch(bare):
+        form.heads[id(rows[0])] = head[1].strip().lower()
+        return head[1].strip().lower()
+    key, equals, value = bare.partition("=")
+    if equals and key.strip():
+        form.put((section, key.strip().lower()), value.strip(), rows, last_counts=False)
+    return section
+
+
+# ---- Klipper: key: value or key = value; what is indented further goes on
+
+
+def klipper(text, folder):
+    """Read a printer.cfg of Klipper; `[include FILES]` in it and in what is included."""
+    form = Form()
+    reader = _Klipper(form, _Included(form, folder))
+    reader.read(_rows(text), folder)
+    reader.end_value()
+    return form
+
+
+class _Klipper:
+    """Where in a printer.cfg one stands."""
+
+    def __init__(self, form, files):
+        self.form, self.files = form, files
+        self.section, self.key, self.indent = None, None, 0
+        self.values, self.value_rows = [], []
+
+    def read(self, rows, folder):
+        """Read lines, and the files that they include."""
+        for row in rows:
+            raw = re.sub(r"^#\*#( |$)", "", row.raw)  # what Klipper has saved there by itself
+            bare = _COMMENT.sub("", raw.partition("#")[0]).strip()
+            if not bare:
+                continue
+            indent = len(raw) - len(raw.lstrip())
+            if self.key is not None and indent > self.indent:
+                self.form.rows.append(row)
+                self.values.append(bare)
+                self.value_rows.append(row)
+                continue
+            self.indent = indent
+            self._begin(row, bare, folder)
+
+    def _begin(self, row, bare, folder):
+        """Take a line that goes on with nothing."""
+        self.end_value()
+        head = re.match(r"\[(.+)\]", bare)
+        if head and head[1].split(None, 1)[0].lower() == "include":
+            self._include(row, head[1].split(None, 1)[1:], folder)
+            return
+        self.form.rows.append(row)
+        pair = re.match(r"(.*?)\s*[:=]\s*(.*)", bare)
+        if head:
+            self.section = head[1].strip().lower()
+            self.form.heads[id(row)] = self.section
+        elif pair and pair[1] and self.section is not None:
+            self.key, self.values, self.value_rows = pair[1].lower(), [pair[2]], [row]
+
+    def end_value(self):
+        """Keep the value that is being read."""
+        if self.key is not None:
+            value = "\n".join(self.values).strip()
+            self.form.put((self.section, self.key), value, self.value_rows, last_counts=True)
+        self.key = None
+
+    def _include(self, row, words, folder):
+        self.section = None
+        if folder is None or not words:
+            self.form.rows.append(row)
+            self.form.note(row, "what stands there is not read")
+            return
+        many = glob.has_magic(words[0])
+        names = sorted(glob.glob(words[0], root_dir=folder)) if many else words
+        if not names:
+            self.form.rows.append(row)
+            self.form.note(row, "no such files")
+        for rows, inner in self.files.rows(row, names, folder, must=True):
+            self.read(rows, inner)
+            self.end_value()
+            self.section = None
+
+
+# ---- grbl: $110=500.000
+
+
+def grbl(text, folder):
+    """Read what $$ prints, or what is sent to set it; grbl has no other files."""
+    del folder
+    form = Form()
+    for row in _rows(text):
+        if not row.text:
+            continue
+        form.rows.append(row)
+        pair = re.match(r"\s*\$(\d+)\s*=\s*([^\s(;]+)", row.raw, re.ASCII)
+        if pair:
+            form.put(("$", str(int(pair[1]))), pair[2], [row], last_counts=True)
+    return form
+
+
+# ---- FluidNC: maps of YAML
+
+
+def fluidnc(text, folder):
+    """Read the maps of YAML: the section of a key is the keys that it stands under."""
+    del folder
+    form, above = Form(), []
+    for row in _rows(text):
+        bare = re.sub(r"(?:^|\s)#.*", "", row.raw).rstrip()
+        if not bare:
+            continue
+        form.rows.append(row)
+        pair = re.match(r"(\s*)([\w.\-]+|\"[\w.\-]+\"|'[\w.\-]+')\s*:(?:\s+(.*)|$)", bare)
+        if not pair:
+            continue
+        depth, name = len(pair[1].expandtabs()), pair[2].strip("\"'").lower()
+        above = [each for each in above if each[0] < depth]
+        section = ".".join(key for _, key in above)
+        if pair[3]:
+            form.put((section, name), pair[3].strip("\"'"), [row], last_counts=True)
+        else:
+            above.append((depth, name))
+            form.heads[id(row)] = ".".join(key for _, key in above)
+    return form
