@@ -17,8 +17,8 @@
 // The same, with the values put in for the macros.
 #define NCK_SIZED_OF(...) NCK_SIZED_BY(__VA_ARGS__)
 // The same, joined.
-#define NCK_SIZED_BY(name, major, minor, axes, line, tools, own, variables, calls, cycles, layouts, \
-                     contour, comp, window, corner, taps, profile, smooth, cells) \
+#define NCK_SIZED_BY(name, major, minor, axes, line, tools, own, variables, calls, cycles, \
+                     layouts, contour, comp, window, corner, taps, profile, smooth, cells) \
     name##_v##major##_##minor##_axes##axes##_line##line##_tools##tools##_m##own \
     ##_var##variables##_calls##calls##_cycles##cycles##_layouts##layouts##_contour##contour \
     ##_comp##comp##_window##window##_corner##corner##_taps##taps##_profile##profile \
