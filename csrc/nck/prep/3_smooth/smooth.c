@@ -227,8 +227,10 @@ static void join_output(nck_smooth_t *self, nck_raw_t *raw) {
     self->raw.head--;
 }
 
-// The seg of a block is made: the next one begins where it ends.
+// The seg of a block is made: the next one begins where it ends. What rests, or comes back, stays
+// where it is, whatever its target says.
 static void arrive(nck_smooth_t *self, const nck_block_t *block, const nck_seg_t *seg) {
+    if (block->kind > NCK_BLOCK_ARC && block->kind != NCK_BLOCK_THREAD) return;
     memcpy(self->position_nm, block->target_nm, sizeof self->position_nm);
     memcpy(self->position, seg->end, sizeof self->position);
 }
