@@ -63,6 +63,7 @@ TABLES = (
     ("[spindle]", schema.Spindle),
     ("[times]", schema.Times),
     ("[dialect]", schema.Dialect),
+    ("[approach]", schema.Approach),
     ("[start]", schema.Start),
     ("[home.g28], [home.g30], [home.g30_p3], [home.g30_p4], [work.g54] …", schema.Position),
     ("[tool.N]", schema.Tool),

@@ -33,7 +33,8 @@ static int is_rest(const nck_host_cut_t *cut, const nck_block_t *block) {
     const int rests = block->kind == NCK_BLOCK_WAIT
                       || (block->kind == NCK_BLOCK_DWELL
                           && nck_zone_rests(block->dwell_s, cut->zone_s));
-    return rests && !nck_toolcomp_is_on(&cut->toolcomp) && !cut->toolcomp.away;
+    const int enters = cut->decode.entry.waits != NCK_ENTRY_NOT; // the axes are elsewhere
+    return rests && !enters && !nck_toolcomp_is_on(&cut->toolcomp) && !cut->toolcomp.away;
 }
 
 nck_status_t nck_host_cut_next(nck_host_cut_t *cut, uint64_t least) {

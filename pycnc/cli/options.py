@@ -82,7 +82,8 @@ FromLine = Annotated[
     int | None,
     typer.Option(
         "--from-line", min=1, metavar="N",
-        help="Begin at line N, with tool, spindle, coolant and modes as they are there.",
+        help="Begin at line N, with tool, spindle, coolant and modes as they are there, by the way "
+        "in that the machine file says: [approach].",
     ),
 ]
 File = Annotated[str, typer.Argument(metavar="FILE", help="NC program; - is stdin.")]

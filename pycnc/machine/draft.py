@@ -166,7 +166,8 @@ def _pages(draft, letters):
     tables += [(f"axis.{letter}", schema.RotaryAxis if unit_of(letter) == "deg"
                 else schema.LinearAxis) for letter in letters]  # fmt: skip
     tables += [("kinematics", schema.Kinematics), ("spindle", schema.Spindle),
-               ("times", schema.Times), ("dialect", schema.Dialect)]  # fmt: skip
+               ("times", schema.Times), ("dialect", schema.Dialect),
+               ("approach", schema.Approach)]  # fmt: skip
     for name, table in tables:
         yield from ("", f"[{name}]")
         for key, field in table.model_fields.items():

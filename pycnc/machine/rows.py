@@ -7,7 +7,14 @@ import numpy as np
 
 from pycnc.kernel.bind import lib
 from pycnc.kernel.records import counts_per_unit, dtype, quantity_range
-from pycnc.machine.schema import AXES, ROTARY_AXES, WORK_SYSTEMS, Position, unit_of
+from pycnc.machine.schema import (
+    AXES,
+    ROTARY_AXES,
+    WORK_SYSTEMS,
+    Position,
+    approach_axis,
+    unit_of,
+)
 
 _FREE = (np.iinfo(np.int64).min, np.iinfo(np.int64).max)
 _KINEMATICS = {"identity": lib.NCK_KINEMATICS_IDENTITY, "lathe_xz": lib.NCK_KINEMATICS_LATHE_XZ}
@@ -69,6 +76,7 @@ def rows_of(settings):
     record["spindle"]["rpm_max"] = float(settings.spindle.rpm_max)
     record["spindle"]["a_max_rpm_s"] = float(settings.spindle.a_max_rpm_s)
     _fill_dialect(record["dialect"], settings.dialect)
+    _fill_approach(record["approach"], settings)
     _fill_positions(record, settings)
     _fill_tools(record, settings.tool)
     _fill_own_m(record, settings.m)
@@ -124,6 +132,14 @@ def _fill_dialect(row, dialect):
     row["block_skip"], row["optional_stop"] = dialect.block_skip, dialect.optional_stop
     row["from_line"] = dialect.from_line
     row["feed_default"] = float(dialect.feed_default_mm_min)
+
+
+def _fill_approach(row, settings):
+    approach, letter = settings.approach, approach_axis(settings.approach, settings.kinematics)
+    height = approach.height_mm
+    row["height_nm"] = _FREE[1] if height is None else _counts(height, letter)
+    row["feed"] = float(approach.feed_mm_min / 60)
+    row["axis"] = 0 if approach.axis is None else 1 + AXES.index(approach.axis)
 
 
 def _fill_positions(record, settings):

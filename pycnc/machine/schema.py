@@ -271,6 +271,27 @@ class Dialect(Table):
     )
 
 
+class Approach(Table):
+    """The way to where a program begins in the middle (`--from-line`): one axis leaves the work
+    first, the others go across as rapids, and that axis goes in last, at a feed."""
+
+    axis: Literal[LINEAR_AXES] | None = Field(
+        None,
+        description="The axis that leaves first and goes in last, its positive end away from the "
+        "work. Default: Z, of a lathe X (`z` for a bore).",
+    )
+    height_mm: Travel = Field(
+        None,
+        description="Where that axis clears everything, machine coordinates (lathe: radius); it "
+        "never goes towards the work for it. Default: the end of its travel; where that is free, "
+        "too, the way is an error.",
+    )
+    feed_mm_min: SpeedPerMinute = Field(
+        Decimal(100),
+        description="How fast it goes in: by default who sees it go wrong has a second for 2 mm.",
+    )
+
+
 class Position(Table):
     """A position: every axis that is not named is 0."""
 
@@ -353,6 +374,9 @@ class MachineFile(Table):
     spindle: Spindle = Field(Spindle(), description="The main spindle.")
     times: Times = Field(Times(), description="What takes time that no axis makes.")
     dialect: Dialect = Field(Dialect(), description="How program text is read.")
+    approach: Approach = Field(
+        Approach(), description="The way to where a program begins in the middle (`--from-line`)."
+    )
     start: Start = Field(Start(), description="Where the machine stands when a program starts.")
     home: Home = Field(Home(), description="Reference points.")
     work: Work = Field(Work(), description="Work offsets.")
@@ -388,6 +412,7 @@ def contradictions(machine):
             "kinematics.type",
             f"lathe_xz needs the axes X and Z alone (the file has {', '.join(axes).upper()})",
         )
+    yield from _approach_contradictions(machine.approach, machine.kinematics, axes)
     for number in machine.m:
         if not (number.isdecimal() and number.isascii() and number == str(int(number))):
             yield f"m.{number}", "an M code's name is its number, as in [m.428]"
@@ -412,6 +437,28 @@ def _axis_contradictions(letter, axis):
         )
     if low is not None and high is not None and low >= high:
         yield f"axis.{letter}.min_{unit}", f"must be below max_{unit} = {high} (is {low})"
+
+
+def approach_axis(approach, kinematics):
+    """Return the letter of the axis that leaves the work first."""
+    return approach.axis or ("x" if kinematics.type == "lathe_xz" else "z")
+
+
+def _approach_contradictions(approach, kinematics, axes):
+    letter, height = approach_axis(approach, kinematics), approach.height_mm
+    if letter not in axes:
+        for key in ("axis", "height_mm"):
+            if getattr(approach, key) is not None:
+                yield f"approach.{key}", f"the machine has no {letter.upper()} axis"
+        return
+    low, high = axes[letter].min_mm, axes[letter].max_mm
+    if height is not None and ((low is not None and height < low)
+                               or (high is not None and height > high)):  # fmt: skip
+        yield (
+            "approach.height_mm",
+            f"must be within the travel of {letter.upper()} {_bound(low)} … {_bound(high)} "
+            f"(is {height})",
+        )
 
 
 def _positions(machine):

@@ -79,9 +79,11 @@ MOTION = {
     "unsupported:G88": ("behind G88 nobody knows where the tool is", "use G86 or G89"),
     "unsupported:G93": ("inverse time (G93) is the time of one move", "use G94 in a cycle"),
     **{f"unsupported:G38.{k}": _PROBES for k in range(2, 6)},
-    "comp-on:N": (
-        "line {value:.0f} stands in radius compensation: where its tool is, depends on before",
-        "begin before its G41 or G42",
+    "approach": (
+        "the program is to begin at line {value:.0f}, and no height is known at which {letter} "
+        "clears everything on the way there",
+        "say it in machine coordinates: --set approach.height_mm=…; without it, it is the end of "
+        "the travel, axis.{axis}.max_mm, which is free here",
     ),
     "comp-on": (
         "{found} while radius compensation (G41, G42) is in force",

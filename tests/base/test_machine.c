@@ -136,6 +136,48 @@ static void each_bad_choice_is_found(check_t *check) {
     CHECK_INT(check, nck_machine_check(&machine), NCK_OK);
 }
 
+// Where the axis of approach is, and how high: what is said, or what follows from the machine.
+static void the_way_in_is_said_or_follows(check_t *check) {
+    nck_machine_default(&machine);
+    CHECK(check, machine.approach.feed == 100.0 / 60.0);
+    CHECK_INT(check, nck_machine_approach_axis(&machine), NCK_AXIS_Z);
+    CHECK(check, nck_machine_approach_nm(&machine) == INT64_MAX);
+    machine.axis[NCK_AXIS_Z].max_nm = 7;
+    CHECK(check, nck_machine_approach_nm(&machine) == 7);
+    machine.approach.height_nm = 5;
+    CHECK(check, nck_machine_approach_nm(&machine) == 5);
+    CHECK_INT(check, nck_machine_check(&machine), NCK_OK);
+    machine.kinematics = NCK_KINEMATICS_LATHE_XZ;
+    CHECK_INT(check, nck_machine_approach_axis(&machine), NCK_AXIS_X);
+    machine.approach.axis = 1 + NCK_AXIS_Y;
+    CHECK_INT(check, nck_machine_approach_axis(&machine), NCK_AXIS_Y);
+    machine.axis[NCK_AXIS_Y].present = 0;
+    CHECK(check, nck_machine_approach_nm(&machine) == -INT64_MAX - 1);
+}
+
+static void a_way_in_that_cannot_be_is_found(check_t *check) {
+    nck_machine_default(&machine);
+    machine.axis[NCK_AXIS_Z].min_nm = -7;
+    machine.axis[NCK_AXIS_Z].max_nm = 7;
+    const struct { int64_t height_nm; int good; } heights[] = {
+        {INT64_MAX, 1}, {7, 1}, {-7, 1}, {8, 0}, {-8, 0}};
+    for (unsigned k = 0; k < sizeof heights / sizeof heights[0]; k++) {
+        machine.approach.height_nm = heights[k].height_nm;
+        const nck_status_t status = nck_machine_check(&machine);
+        CHECK_INT(check, status, heights[k].good ? NCK_OK : NCK_E_MACHINE);
+    }
+    machine.approach.height_nm = INT64_MAX;
+    for (uint32_t axis = 0; axis <= NCK_AXIS_MAX + 1u; axis++) {
+        const int turns = axis >= 1 + NCK_AXIS_A && axis <= 1 + NCK_AXIS_C;
+        machine.approach.axis = axis;
+        const int good = axis <= NCK_AXIS_MAX && !turns;
+        CHECK_INT(check, nck_machine_check(&machine), good ? NCK_OK : NCK_E_MACHINE);
+    }
+    machine.approach.axis = 0;
+    machine.approach.feed = 0.0;
+    CHECK_INT(check, nck_machine_check(&machine), NCK_E_MACHINE);
+}
+
 static void check_word(check_t *check, uint32_t *word, uint32_t value, int good) {
     const uint32_t before = *word;
     *word = value;
@@ -266,6 +308,8 @@ int main(void) {
     CHECK_RUN(&check, each_limit_has_its_range);
     CHECK_RUN(&check, a_limit_of_zero_is_found);
     CHECK_RUN(&check, each_bad_choice_is_found);
+    CHECK_RUN(&check, the_way_in_is_said_or_follows);
+    CHECK_RUN(&check, a_way_in_that_cannot_be_is_found);
     CHECK_RUN(&check, choices_end_at_their_last_one);
     CHECK_RUN(&check, every_place_may_be_as_far_as_the_kernels_range);
     CHECK_RUN(&check, places_must_be_within_the_kernels_range);

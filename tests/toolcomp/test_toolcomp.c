@@ -57,6 +57,38 @@ static void another_program_begins_without_it(check_t *check) {
     CHECK_NEAR(check, front_x(&front), 7.0, 1e-9);
 }
 
+// Behind a change of tool the way in was lost: the wait told where it led to, and it did not move.
+// The second time the tool is in already.
+static void a_program_that_begins_in_the_middle_cuts_where_the_whole_one_does(check_t *check) {
+    static const char text[] = "T2 M6\nG0 X10 Y20 Z5\nG1 Z-1\nX40\nG41.1 D4 Y40\nX80\nG40\nM2\n";
+    for (uint32_t line = 1; line <= 8; line++) {
+        front_machine(&front, NCK_SLOPE_JERK);
+        front.machine.axis[NCK_AXIS_Z].max_nm = 30000000;
+        front.machine.dialect.from_line = line;
+        (void)front_start(&front);
+        for (int again = 0; again < 2; again++) {
+            run(text);
+            CHECK_INT(check, front.state == NCK_TICK_WAIT, again == 0 || line == 1);
+            nck_resume(&front.nck);
+            front_rest(&front);
+            CHECK_INT(check, front.error, NCK_OK);
+            CHECK_NEAR(check, front_x(&front), 80.0, 1e-9);
+            CHECK_NEAR(check, front.pose.axis[NCK_AXIS_Y], 42.0, 1e-9);
+            CHECK_NEAR(check, front.pose.axis[NCK_AXIS_Z], -1.0, 1e-9);
+            CHECK_INT(check, nck_begin(&front.nck), NCK_OK);
+        }
+    }
+}
+
+static void a_way_in_without_a_height_is_refused(check_t *check) {
+    front_machine(&front, NCK_SLOPE_JERK);
+    front.machine.dialect.from_line = 2;
+    (void)front_start(&front);
+    run("G1 X10\nX20\nM2\n");
+    CHECK_INT(check, front.error, NCK_E_APPROACH);
+    CHECK_NEAR(check, front_x(&front), 0.0, 1e-9);
+}
+
 static nck_block_t line_to(double x, double y, uint32_t line) {
     nck_block_t block;
     memset(&block, 0, sizeof block);
@@ -114,6 +146,8 @@ int main(void) {
     CHECK_RUN(&check, a_mistake_behind_it_executes_what_waits);
     CHECK_RUN(&check, a_gouge_ends_the_path_before_it);
     CHECK_RUN(&check, another_program_begins_without_it);
+    CHECK_RUN(&check, a_program_that_begins_in_the_middle_cuts_where_the_whole_one_does);
+    CHECK_RUN(&check, a_way_in_without_a_height_is_refused);
     CHECK_RUN(&check, the_ring_gives_as_it_is_fed);
     return check_end(&check);
 }

@@ -31,6 +31,20 @@ void nck_machine_default(nck_machine_t *machine) {
     machine->dialect.base = NCK_DIALECT_LINUXCNC;
     machine->dialect.plane = 17;
     machine->dialect.thread_pull = 1.0;
+    machine->approach.height_nm = INT64_MAX;
+    machine->approach.feed = 100.0 / 60.0;
+}
+
+unsigned nck_machine_approach_axis(const nck_machine_t *machine) {
+    if (machine->approach.axis != 0) return machine->approach.axis - 1;
+    return machine->kinematics == NCK_KINEMATICS_LATHE_XZ ? NCK_AXIS_X : NCK_AXIS_Z;
+}
+
+int64_t nck_machine_approach_nm(const nck_machine_t *machine) {
+    const nck_axis_t *const axis = &machine->axis[nck_machine_approach_axis(machine)];
+    const int64_t height_nm = machine->approach.height_nm;
+    if (!axis->present) return free_below;
+    return height_nm < INT64_MAX ? height_nm : axis->max_nm;
 }
 
 // NaN fails every comparison, infinity the upper one.
@@ -137,6 +151,15 @@ static int choices_good(const nck_machine_t *machine) {
            && machine->dialect.integers <= NCK_INTEGERS_INCREMENTS;
 }
 
+static int approach_good(const nck_machine_t *machine) {
+    if (machine->approach.axis > NCK_AXIS_MAX) return 0;
+    const nck_axis_t *const axis = &machine->axis[nck_machine_approach_axis(machine)];
+    const int64_t height_nm = machine->approach.height_nm;
+    const int in_travel = height_nm >= axis->min_nm && height_nm <= axis->max_nm;
+    return good(NCK_QUANTITY_SPEED, machine->approach.feed) && !axis->rotary
+           && (height_nm == INT64_MAX || (place_good(axis, height_nm) && in_travel));
+}
+
 static int dialect_numbers_good(const nck_machine_t *machine) {
     return within(machine->dialect.thread_pull, 0.0, 10.0)
            && within(machine->dialect.scale_unit, 0.0, 1.0);
@@ -168,7 +191,7 @@ nck_status_t nck_machine_check(const nck_machine_t *machine) {
     const int all = numbers_good(machine) && axes_good(machine) && path_good(machine)
                     && dialect_good(machine) && choices_good(machine)
                     && dialect_numbers_good(machine) && tools_good(machine) && own_good(machine)
-                    && machine->home_more >> (NCK_HOMES - 2) == 0;
+                    && approach_good(machine) && machine->home_more >> (NCK_HOMES - 2) == 0;
     if (!all) return NCK_E_MACHINE;
     return is_slope_built(machine) ? NCK_OK : NCK_E_UNSUPPORTED;
 }

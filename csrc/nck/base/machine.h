@@ -165,6 +165,13 @@ typedef struct nck_machine {
         double a_max_rpm_s;  // ROTATION, a second: how fast it follows under G96; 0: at once
     } spindle;
 
+    struct {
+        int64_t height_nm;   // where its axis clears everything; INT64_MAX: its travel's end
+        double feed;         // SPEED: of the way in
+        uint32_t axis;       // that leaves the work first and goes in last: 1 + axis; 0: Z, of a
+                             // lathe X
+    } approach;              // to where a program begins in the middle
+
     int64_t start_nm[NCK_AXIS_MAX];               // position at start, after homing
     int64_t home_nm[NCK_HOMES][NCK_AXIS_MAX];     // G28, G30 (P2), G30 P3, G30 P4
     int64_t work_nm[NCK_WORK_SYSTEMS][NCK_AXIS_MAX]; // G54 … G59.3
@@ -182,7 +189,8 @@ typedef struct nck_machine {
 
 // Fill in a machine that is safe and complete: three axes X Y Z of 100 mm/s, 1000 mm/s², 10 000
 // mm/s³ and free travel, T = 1 ms, jerk-limited slope (linear in a build without it), tolerance
-// 0.01 mm. The caller changes what differs.
+// 0.01 mm, a way in of 100 mm/min: who sees it go wrong has a second for each 2 mm. The caller
+// changes what differs.
 // Cost: constant. Context: any, before nck_init.
 void nck_machine_default(nck_machine_t *machine);
 
@@ -192,6 +200,13 @@ void nck_machine_default(nck_machine_t *machine);
 static inline double nck_machine_counts(const nck_machine_t *machine, int axis) {
     return machine->axis[axis].rotary ? NCK_COUNTS_PER_DEG : NCK_COUNTS_PER_MM;
 }
+
+// The axis of approach. Cost: constant. Context: any.
+unsigned nck_machine_approach_axis(const nck_machine_t *machine);
+
+// The height of approach [nm], as a machine position of its axis; INT64_MAX: nobody says one, and
+// the axis' travel is free; INT64_MIN: the machine has no such axis. Cost: constant. Context: any.
+int64_t nck_machine_approach_nm(const nck_machine_t *machine);
 
 // The range of a quantity, an nck_quantity_t below NCK_QUANTITIES. Limits stay six decades and more
 // from where a formula of the rooms would lose its digits (machine.c).

@@ -37,8 +37,17 @@ typedef enum nck_block_kind {
                          // radius [mm], + left of the contour, − right of it, 0: off; centre_mm:
                          // from the centre of its nose to its point
     NCK_BLOCK_THREAD = 8, // G33, G32, a pass of G76 or G92: straight, with the spindle
-    NCK_BLOCK_TAP = 9    // G33.1, a hole of G84 or G74: with the spindle, from the target and back
+    NCK_BLOCK_TAP = 9,   // G33.1, a hole of G84 or G74: with the spindle, from the target and back
+    NCK_BLOCK_ENTRY = 10 // a part of the way to where a program begins in the middle, for
+                         // 2_toolcomp, where it ends: output.number is its nck_way_t
 } nck_block_kind_t;
+
+// The parts of the way in.
+typedef enum nck_way {
+    NCK_WAY_AWAY = 0,   // one axis, away from the work
+    NCK_WAY_ACROSS = 1, // all the others
+    NCK_WAY_IN = 2      // that axis again, at a feed
+} nck_way_t;
 
 // How the path meets the program.
 typedef enum nck_path_mode {

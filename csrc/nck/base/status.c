@@ -65,6 +65,7 @@
     x(NCK_E_SPLINE, "spline")         \
     x(NCK_E_CORNER, "corner")         \
     x(NCK_E_PROBE, "probe")           \
+    x(NCK_E_APPROACH, "approach")     \
     x(NCK_E_ARGUMENT, "argument")         \
     x(NCK_E_MACHINE, "machine")           \
     x(NCK_E_STATE, "state")               \

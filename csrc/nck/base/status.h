@@ -97,6 +97,9 @@ typedef enum nck_status {
     NCK_E_PROBE = -65,        // "probe": G38.2 or G38.4, and nothing is touched; value = the code,
                               // 95: under G95; letter X: it has no way to go
 
+    NCK_E_APPROACH = -70,     // "approach": no height is known for the way to where a program
+                              // begins in the middle; letter: of its axis, value = the line
+
     // the front door
     NCK_E_ARGUMENT = -40, // "argument": an argument outside of its range
     NCK_E_MACHINE = -41,  // "machine": a machine number outside of its range

@@ -102,6 +102,7 @@ static nck_status_t read_line(nck_decode_t *self) {
 static nck_status_t take_line(nck_decode_t *self) {
     nck_macro_t *const macro = &self->macro;
     if (macro->seek.kind == NCK_SEEK_NOT) return read_line(self);
+    nck_entry_leave_out(self);
     const nck_status_t status = nck_seek_pass(self);
     return status == NCK_OK ? read_line(self) : status;
 }
@@ -314,7 +315,7 @@ static nck_status_t pull_block(nck_decode_t *self, nck_block_t *block_out) {
         if (self->line.state == NCK_LINE_OPEN) return next;
         if (give_quick(self, block_out)) return NCK_OK;
     }
-    if (self->entry.waits != 0 && nck_entry_is_here(self)) {
+    if (self->entry.waits != NCK_ENTRY_NOT && nck_entry_is_here(self)) {
         const nck_status_t entry = nck_entry_next(self, block_out);
         if (entry != NCK_EMPTY) return entry < 0 ? fail_entry(self, entry) : entry;
     }
@@ -378,7 +379,7 @@ static void begin_modes(nck_decode_t *self) {
     self->modal.feed = machine->dialect.feed_default;
     self->modal.feed_word = machine->dialect.feed_default;
     self->modal.speed = -1.0;
-    self->entry.waits = machine->dialect.from_line != 0;
+    self->entry.waits = machine->dialect.from_line != 0 ? NCK_ENTRY_BEGINS : NCK_ENTRY_NOT;
     if (nck_lathe_is_a(self)) self->finding.given = 1u << NCK_NOTE_DISTANCE; // has no G90 or G91
     if (NCK_HAS_CYCLES) {
         self->held.rough.retract_nm = NCK_ROUGH_RETRACT_NM;

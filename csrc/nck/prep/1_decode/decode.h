@@ -65,6 +65,14 @@ typedef enum nck_comp_state {
     NCK_COMPENSATES = 2
 } nck_comp_state_t;
 
+// How far a program is that begins at a line in the middle.
+typedef enum nck_entry {
+    NCK_ENTRY_NOT = 0,    // it has begun, or begins with its first line
+    NCK_ENTRY_BEGINS = 1, // nothing of it is read
+    NCK_ENTRY_SEEKS = 2,  // the line is looked for
+    NCK_ENTRY_REACHED = 3 // the line is there
+} nck_entry_t;
+
 // Bits of modal.excused.
 enum { NCK_EXCUSED_FEED = 1, NCK_EXCUSED_SPEED = 2 };
 
@@ -117,10 +125,11 @@ typedef struct nck_decode {
     } place;
 
     struct {
-        int64_t last_nm;  // where the axis stood that goes to the work last
-        uint8_t waits;    // 1: the line where the program begins is to come, 2: and is looked for
-        uint8_t phase;    // of what is given there, entry.c
-        uint8_t coolant;  // in force before it: bit 0 M7, bit 1 M8
+        int64_t at_nm[NCK_AXIS_MAX]; // where the last move before it ends, machine position
+        uint32_t tool_in;  // before the program
+        uint8_t waits;     // nck_entry_t
+        uint8_t phase;     // of what is given there, entry.c
+        uint8_t is_called; // 1: the line is of a subprogram, which is still to be called
     } entry;
 
     nck_layout_t layout; // how the program's coordinates lie

@@ -1,39 +1,59 @@
 // SPDX-License-Identifier: MIT
-// Beginning at a line in the middle: what stands before it is decoded and not handed over. Then the
-// tool, the spindle and the coolant that are in force there, and the way to where the tool is.
+// Beginning at a line in the middle: what stands before it is decoded; of its blocks only those of
+// the path are handed over, for 2_toolcomp follows the tool's centre along it. Then the way in, and
+// on it the tool, the spindle and the coolant that are in force there.
 #include "nck/prep/1_decode/parts.h"
 
+#include <string.h> // memcmp memcpy
+
+#define SECONDS_PER_MINUTE 60.0
+
 enum {
-    PHASE_TOOL, PHASE_CHANGE, PHASE_NEXT, PHASE_SPEED, PHASE_SPINDLE, PHASE_MIST, PHASE_FLOOD,
-    PHASE_ACROSS, PHASE_DOWN, PHASES
+    PHASE_AWAY, PHASE_TOOL, PHASE_REST, PHASE_CHANGE, PHASE_NEXT, PHASE_ACROSS, PHASE_SPEED,
+    PHASE_SPINDLE, PHASE_MIST, PHASE_FLOOD, PHASE_IN, PHASES
 };
 
-enum { MIST = 1, FLOOD = 2 };
+enum { MIST = 1, FLOOD = 2 }; // bits of modal.coolant
 
-// The axis that goes to the work last: the drill of a mill, X of a lathe.
-static unsigned last_axis(const nck_decode_t *self) {
-    return self->machine->kinematics == NCK_KINEMATICS_LATHE_XZ ? NCK_AXIS_X : NCK_AXIS_Z;
-}
+// ---- where
 
 void nck_entry_begin(nck_decode_t *self) {
-    if (self->entry.waits != 1) return;
-    self->entry.waits = 2;
-    self->entry.last_nm = self->place.position_nm[last_axis(self)];
+    if (self->entry.waits != NCK_ENTRY_BEGINS) return;
+    self->entry.waits = NCK_ENTRY_SEEKS;
+    self->entry.tool_in = self->modal.tool_in;
+    memcpy(self->entry.at_nm, self->place.position_nm, sizeof self->entry.at_nm);
 }
 
-int nck_entry_is_here(const nck_decode_t *self) {
+// The line that waits is the one, or lies behind it. In calls and loops it must be the one itself,
+// and also if the one is of a subprogram that was passed over.
+static int is_reached(const nck_decode_t *self) {
     const uint32_t line = self->machine->dialect.from_line;
     const int calls = NCK_HAS_CALLS && self->macro.depth > 0;
     if (self->line.state != NCK_LINE_WAITING || self->macro.seek.kind != NCK_SEEK_NOT) return 0;
-    return self->line.number == line || (self->line.number > line && !calls);
+    if (self->line.number == line) return 1;
+    return self->line.number > line && !calls && !self->entry.is_called;
 }
 
-static void watch_coolant(nck_decode_t *self, const nck_output_t *output) {
-    if (output->kind != NCK_OUTPUT_M) return;
-    if (output->value == 7.0) self->entry.coolant |= MIST;
-    if (output->value == 8.0) self->entry.coolant |= FLOOD;
-    if (output->value == 9.0) self->entry.coolant = 0;
+// A move with a corner behind it waits for the line that says where it ends: it is none of what the
+// program begins with.
+static int holds_move(const nck_decode_t *self) {
+    const uint32_t mode = self->held.contour.mode;
+    if (!NCK_HAS_CYCLES || (mode & NCK_CONTOUR_READS) != 0) return 0;
+    return (mode & NCK_CONTOUR_CORNER) != 0 && self->held.corner.phase != NCK_CORNER_JOINS;
 }
+
+int nck_entry_is_here(nck_decode_t *self) {
+    const int seeks = self->entry.waits == NCK_ENTRY_SEEKS;
+    if (seeks && is_reached(self)) self->entry.waits = NCK_ENTRY_REACHED;
+    return self->entry.waits == NCK_ENTRY_REACHED && !holds_move(self);
+}
+
+void nck_entry_leave_out(nck_decode_t *self) {
+    const int is_line = self->line.number == self->machine->dialect.from_line;
+    if (is_line && self->macro.seek.kind == NCK_SEEK_ENDSUB) self->entry.is_called = 1;
+}
+
+// ---- before it
 
 nck_status_t nck_entry_pass(nck_decode_t *self, const nck_block_t *block) {
     const double line = (double)self->machine->dialect.from_line;
@@ -41,8 +61,13 @@ nck_status_t nck_entry_pass(nck_decode_t *self, const nck_block_t *block) {
         self->text.over = 1;
         return nck_decode_fail(self, NCK_E_LABEL, 0, 'N', line, 0.0);
     }
-    if (block->kind == NCK_BLOCK_OUTPUT) watch_coolant(self, &block->output);
-    return NCK_EMPTY;
+    if (block->kind == NCK_BLOCK_COMP) return NCK_OK;
+    if (block->kind > NCK_BLOCK_ARC && block->kind != NCK_BLOCK_THREAD) return NCK_EMPTY;
+    for (unsigned axis = 0; axis < NCK_AXIS_MAX; axis++) {
+        const int64_t tool = axis < 3 ? block->tool_nm[axis] : 0;
+        self->entry.at_nm[axis] = block->target_nm[axis] + tool;
+    }
+    return NCK_OK;
 }
 
 // ---- what is in force
@@ -54,7 +79,8 @@ static nck_status_t give_tool(nck_decode_t *self, uint8_t phase, nck_block_t *ou
         if (next == in) return NCK_EMPTY;
         return nck_decode_give_output(self, NCK_BLOCK_OUTPUT, NCK_OUTPUT_TOOL, next, out);
     }
-    if (in == 0 || (phase == PHASE_CHANGE && turret)) return NCK_EMPTY;
+    if (in == self->entry.tool_in || (phase != PHASE_TOOL && turret)) return NCK_EMPTY;
+    if (phase == PHASE_REST) return nck_decode_give_m(self, 5.0, out);
     if (phase == PHASE_CHANGE) {
         return nck_decode_give_output(self, NCK_BLOCK_WAIT, NCK_OUTPUT_M, 6.0, out);
     }
@@ -77,33 +103,84 @@ static nck_status_t give_spindle(nck_decode_t *self, uint8_t phase, nck_block_t 
 
 static nck_status_t give_coolant(nck_decode_t *self, uint8_t phase, nck_block_t *out) {
     const int bit = phase == PHASE_MIST ? MIST : FLOOD;
-    if (!(self->entry.coolant & bit)) return NCK_EMPTY;
+    if (!(self->modal.coolant & bit)) return NCK_EMPTY;
     return nck_decode_give_m(self, bit == MIST ? 7.0 : 8.0, out);
 }
 
-static nck_status_t give_way(nck_decode_t *self, uint8_t phase, nck_block_t *out) {
-    int64_t *const at_nm = &self->place.position_nm[last_axis(self)];
-    const int64_t to_nm = *at_nm;
-    if (phase == PHASE_ACROSS) *at_nm = self->entry.last_nm;
-    nck_decode_give_exact(self, NCK_BLOCK_RAPID, 0.0, out);
-    *at_nm = to_nm;
+// ---- the way in
+
+// A part of it: each ends at a stop, and the spindle turns from the last one on.
+static nck_status_t give_way(nck_decode_t *self, nck_way_t part, nck_block_t *out) {
+    nck_decode_block(self, NCK_BLOCK_ENTRY, out);
+    out->path_mode = NCK_PATH_STOP;
+    out->tolerance_mm = 0.0;
+    out->merge_mm = 0.0;
+    out->feed_mode = NCK_FEED_PER_MINUTE;
+    out->output.number = (uint32_t)part;
+    if (part == NCK_WAY_IN) {
+        out->feed = self->machine->approach.feed * SECONDS_PER_MINUTE;
+        return NCK_OK;
+    }
+    out->spindle_rpm = 0.0;
+    out->surface = 0.0;
     return NCK_OK;
+}
+
+static nck_status_t give(nck_decode_t *self, uint8_t phase, nck_block_t *out) {
+    switch (phase) {
+    case PHASE_AWAY: return give_way(self, NCK_WAY_AWAY, out);
+    case PHASE_ACROSS: return give_way(self, NCK_WAY_ACROSS, out);
+    case PHASE_IN: return give_way(self, NCK_WAY_IN, out);
+    case PHASE_SPEED:
+    case PHASE_SPINDLE: return give_spindle(self, phase, out);
+    case PHASE_MIST:
+    case PHASE_FLOOD: return give_coolant(self, phase, out);
+    default: return give_tool(self, phase, out);
+    }
+}
+
+// What a printer has put out is put out: where the extruder stands has the name that the program
+// has for it there, as behind G92.
+static void name_extruder(nck_decode_t *self) {
+    const unsigned axis = NCK_AXIS_U;
+    if (axis >= NCK_AXIS_MAX || self->machine->dialect.base != NCK_DIALECT_MARLIN) return;
+    const int64_t by_nm = self->machine->start_nm[axis] - self->entry.at_nm[axis];
+    self->entry.at_nm[axis] += by_nm;
+    self->place.position_nm[axis] += by_nm;
+    self->place.g92_nm[axis] += by_nm;
+    nck_decode_origin(self);
+}
+
+// Is a way needed, and known?
+static nck_status_t check_way(nck_decode_t *self) {
+    const unsigned axis = nck_machine_approach_axis(self->machine);
+    const int is_there = !memcmp(self->entry.at_nm, self->machine->start_nm,
+                                 sizeof self->entry.at_nm);
+    const int stays = is_there && self->modal.comp != NCK_COMPENSATES;
+    if (stays || nck_machine_approach_nm(self->machine) < INT64_MAX) return NCK_OK;
+    return nck_decode_fail(self, NCK_E_APPROACH, 1, nck_decode_letter(axis),
+                           (double)self->machine->dialect.from_line, 0.0);
+}
+
+// Where all of it is: where the tool would be.
+static void stand(const nck_decode_t *self, nck_block_t *out) {
+    memcpy(out->target_nm, self->entry.at_nm, sizeof out->target_nm);
+    for (unsigned axis = 0; axis < 3; axis++) out->target_nm[axis] -= out->tool_nm[axis];
 }
 
 nck_status_t nck_entry_next(nck_decode_t *self, nck_block_t *out) {
     nck_status_t status = NCK_EMPTY;
     self->line.tag = self->line.number;
-    if (self->held.contour.mode & NCK_CONTOUR_CORNER) return nck_corner_missing(self);
-    if (self->modal.comp) {
-        return nck_decode_fail(self, NCK_E_COMP_ON, 0, 'N', (double)self->line.number, 0.0);
+    if (self->entry.phase == 0) {
+        name_extruder(self);
+        const nck_status_t way = check_way(self);
+        if (way != NCK_OK) return way;
     }
     while (status == NCK_EMPTY && self->entry.phase < PHASES) {
-        const uint8_t phase = self->entry.phase++;
-        if (phase <= PHASE_NEXT) status = give_tool(self, phase, out);
-        else if (phase <= PHASE_SPINDLE) status = give_spindle(self, phase, out);
-        else if (phase <= PHASE_FLOOD) status = give_coolant(self, phase, out);
-        else status = give_way(self, phase, out);
+        status = give(self, self->entry.phase, out);
+        self->entry.phase++;
     }
-    if (status == NCK_EMPTY) self->entry.waits = 0;
+    if (status == NCK_OK) stand(self, out);
+    else self->entry.waits = NCK_ENTRY_NOT;
     return status;
 }

@@ -23,6 +23,10 @@ void nck_comp_off(nck_toolcomp_t *self);
 nck_status_t nck_comp_fail(nck_toolcomp_t *self, nck_status_t code, uint32_t line, double value,
                            double limit);
 
+// entry.c: a part of the way in becomes a move, from the machine's start. NCK_EMPTY: there is none
+// to go. Cost: constant.
+nck_status_t nck_comp_way_in(const nck_toolcomp_t *self, nck_block_t *block);
+
 // contour.c: put a block into the ring, which has room. NCK_EMPTY, NCK_E_COMP_ENTRY,
 // NCK_E_COMP_RADIUS. Cost: linear in the ring.
 nck_status_t nck_comp_take(nck_toolcomp_t *self, const nck_block_t *block);

@@ -16,6 +16,7 @@ static void axes_of(unsigned plane, uint8_t *axis_out) {
 void nck_toolcomp_init(nck_toolcomp_t *self, const nck_machine_t *machine) {
     memset(self, 0, sizeof *self);
     self->machine = machine;
+    self->enters = machine->dialect.from_line != 0;
 }
 
 void nck_toolcomp_move(const nck_toolcomp_t *self, nck_block_t *block) {
@@ -38,7 +39,8 @@ void nck_toolcomp_move(const nck_toolcomp_t *self, nck_block_t *block) {
 // While the tool is away, moves outside of the plane leave it there; the first one in the plane
 // takes it to a programmed point, and must be straight.
 static nck_status_t stay_away(nck_toolcomp_t *self, nck_block_t *block) {
-    if (block->kind > NCK_BLOCK_ARC) return NCK_OK;
+    const int moves = block->kind <= NCK_BLOCK_ARC || block->kind == NCK_BLOCK_ENTRY;
+    if (!self->away || !moves) return NCK_OK;
     if (block->kind == NCK_BLOCK_ARC) {
         self->away = 0;
         self->error = (nck_diagnostic_t){NCK_E_COMP_EXIT, block->line, 0, 0, 0.0, 0.0};
@@ -72,14 +74,26 @@ static void switch_on(nck_toolcomp_t *self, const nck_block_t *block) {
     }
 }
 
+// A block of the tool's path, on its way out of the room. NCK_EMPTY: it is before where the program
+// begins.
+static nck_status_t leave(nck_toolcomp_t *self, nck_block_t *block) {
+    const int enters = self->enters;
+    if (block->kind != NCK_BLOCK_ENTRY) return enters ? NCK_EMPTY : NCK_OK;
+    self->enters = 0;
+    return nck_comp_way_in(self, block);
+}
+
 nck_status_t nck_toolcomp_take(nck_toolcomp_t *self, nck_block_t *block) {
-    if (!NCK_HAS_COMP) return NCK_OK;
+    if (!NCK_HAS_COMP) return leave(self, block);
     if (block->kind == NCK_BLOCK_COMP) {
         if (block->output.value != 0.0) switch_on(self, block);
         else self->closed = self->phase != NCK_COMP_OFF;
         return NCK_EMPTY;
     }
-    if (self->phase == NCK_COMP_OFF) return stay_away(self, block);
+    if (self->phase == NCK_COMP_OFF) {
+        const nck_status_t status = stay_away(self, block);
+        return status == NCK_OK ? leave(self, block) : status;
+    }
     if (block->kind == NCK_BLOCK_END) self->closed = 1;
     return nck_comp_take(self, block);
 }
@@ -167,7 +181,8 @@ nck_status_t nck_toolcomp_pull(nck_toolcomp_t *self, nck_block_t *block_out) {
     const uint32_t waiting = self->ring.head - self->ring.tail;
     if (!self->closed && waiting < NCK_COMP_ROWS - NCK_COMP_KEPT) return NCK_EMPTY;
     while (self->ring.tail != self->ring.head) {
-        const nck_status_t status = step(self, block_out);
+        nck_status_t status = step(self, block_out);
+        if (status == NCK_OK) status = leave(self, block_out);
         if (status != NCK_EMPTY) return status;
     }
     if (self->closed) nck_comp_off(self);

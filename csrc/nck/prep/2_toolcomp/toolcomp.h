@@ -55,7 +55,8 @@ typedef struct nck_toolcomp {
     uint8_t away;        // 1: off, and the tool still stands where compensation has left it
     uint8_t plane;       // 17, 18, 19
     uint8_t axis[2];     // its axes
-    uint8_t reserved[2]; // 0
+    uint8_t enters;      // 1: the program begins in the middle, and what comes is before that
+    uint8_t reserved;    // 0
 
     // The piece in work, and where the path leaves it.
     NCK_COMP_STATE {
@@ -83,6 +84,7 @@ typedef struct nck_toolcomp {
     nck_diagnostic_t note;  // code 0: none
 } nck_toolcomp_t;
 
+// A program that begins in the middle (dialect.from_line) gives nothing before NCK_BLOCK_ENTRY.
 // Cost: constant. Context: any, before the tick runs.
 void nck_toolcomp_init(nck_toolcomp_t *self, const nck_machine_t *machine);
 
@@ -92,12 +94,13 @@ nck_status_t nck_toolcomp_take(nck_toolcomp_t *self, nck_block_t *block);
 void nck_toolcomp_move(const nck_toolcomp_t *self, nck_block_t *block);
 
 // Take a block. Under compensation at most NCK_COMP_SPAN wait: pull before.
-// Returns NCK_OK: it passes, and goes on as it is now; NCK_EMPTY: it is taken, what comes of it is
-// pulled; NCK_E_COMP_ENTRY, NCK_E_COMP_RADIUS, NCK_E_COMP_EXIT: compensation ends there.
+// Returns NCK_OK: it passes, and goes on as it is now; NCK_EMPTY: it is taken, what comes of it, if
+// anything does, is pulled; NCK_E_COMP_ENTRY, NCK_E_COMP_RADIUS, NCK_E_COMP_EXIT: compensation ends
+// there.
 // Cost: linear in NCK_COMP_SPAN. Context: prep.
 static inline nck_status_t nck_toolcomp_push(nck_toolcomp_t *self, nck_block_t *block) {
-    const int passes = self->phase == NCK_COMP_OFF && !self->away;
-    if (!NCK_HAS_COMP || (passes && block->kind != NCK_BLOCK_COMP)) return NCK_OK;
+    const int passes = self->phase == NCK_COMP_OFF && !self->away && !self->enters;
+    if (passes && (!NCK_HAS_COMP || block->kind < NCK_BLOCK_COMP)) return NCK_OK;
     return nck_toolcomp_take(self, block);
 }
 
