@@ -66,6 +66,13 @@ void nck_decode_set_feed(nck_decode_t *self, double feed, double word) {
     self->modal.excused &= (uint8_t)~NCK_EXCUSED_FEED;
 }
 
+// Per minute no feed is slower than the slowest axis may be: a millimetre would take days.
+static double least_feed(const nck_decode_t *self) {
+    nck_range_t speed;
+    nck_machine_range(NCK_QUANTITY_SPEED, &speed);
+    return self->modal.feed_mode == NCK_FEED_PER_MINUTE ? 60.0 * speed.low : 0.0;
+}
+
 nck_status_t nck_decode_feed(nck_decode_t *self, nck_block_t *out) {
     const double value = real_word(self, 'F');
     const double feed = self->modal.feed_mode == NCK_FEED_INVERSE ? value : value * unit_mm(self);
@@ -75,6 +82,10 @@ nck_status_t nck_decode_feed(nck_decode_t *self, nck_block_t *out) {
     }
     if (value < 0.0 || feed > value_max) {
         return nck_decode_fail_word(self, NCK_E_NUMBER_RANGE, 'F', value, value_max);
+    }
+    const double least = least_feed(self);
+    if (feed > 0.0 && feed < least) {
+        return nck_decode_fail_word(self, NCK_E_NUMBER_RANGE, 'F', value, least);
     }
     nck_decode_set_feed(self, feed, value);
     return NCK_EMPTY;
