@@ -1,12 +1,17 @@
 # SPDX-License-Identifier: MIT
 """``pycnc`` and ``python -m pycnc``: the command line.
 
-An interrupt from the keyboard ends it without a word, also while its modules are still loaded.
+An interrupt from the keyboard ends it without a word. While modules are loaded, before a verb and
+behind it, that is the system's doing: Python would tell where it was, or lose it. Verbs hear it
+themselves (`cli.door`), for they may have something to put in order.
 """
 
 import os
 import signal
 import sys
+
+if signal.getsignal(signal.SIGINT) is signal.default_int_handler:  # else it is to be ignored
+    signal.signal(signal.SIGINT, signal.SIG_DFL)
 
 
 def main():

@@ -1,7 +1,9 @@
 # SPDX-License-Identifier: MIT
 """The door of the command line: where verbs register, and what all of them need."""
 
+import contextlib
 import functools
+import signal
 import sys
 
 import typer
@@ -44,6 +46,19 @@ def _options(
     pass
 
 
+@contextlib.contextmanager
+def _hearing():
+    """A verb hears an interrupt from the keyboard, where else the system would end the process."""
+    if signal.getsignal(signal.SIGINT) is not signal.SIG_DFL:
+        yield
+        return
+    signal.signal(signal.SIGINT, signal.default_int_handler)
+    try:
+        yield
+    finally:
+        signal.signal(signal.SIGINT, signal.SIG_DFL)
+
+
 def verb(group, example):
     """Register a function as a verb: whatever goes wrong in it becomes words and an exit code.
 
@@ -54,8 +69,9 @@ def verb(group, example):
         @functools.wraps(function)
         def guarded(*arguments, **options):
             try:
-                code = function(*arguments, **options)
-                sys.stdout.flush()
+                with _hearing():
+                    code = function(*arguments, **options)
+                    sys.stdout.flush()
             except BrokenPipeError:  # the reader has seen enough: pycnc canon … | head
                 drop_stdout()
                 code = GOOD

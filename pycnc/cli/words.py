@@ -6,9 +6,8 @@ import json
 import os
 import sys
 import traceback
-from pathlib import Path
 
-from pycnc import errors, names
+from pycnc import errors, files, names
 
 GOOD, WRONG, USAGE, OUTSIDE, INTERNAL, INTERRUPTED = 0, 1, 2, 3, 4, 130
 
@@ -73,8 +72,8 @@ def read(file, remedy="give a file with an NC program"):
     """Return (name, bytes) of a file on the command line; remedy: if it cannot be read."""
     try:
         if file == "-" and sys.stdin is not None:
-            return "<stdin>", sys.stdin.buffer.read()
-        return file, Path(file).read_bytes()
+            return "<stdin>", files.read_open(sys.stdin.buffer, "<stdin>")
+        return file, files.read(file)
     except (OSError, ValueError) as cause:
         from pycnc.program.diagnostics import Diagnostic
 

@@ -13,7 +13,7 @@ from pathlib import Path
 import numpy as np
 import pydantic
 
-from pycnc import errors
+from pycnc import errors, files
 from pycnc.machine import foreign, schema, tool_table
 from pycnc.kernel.bind import ffi, lib, pointer
 from pycnc.machine.rows import rows_of
@@ -212,7 +212,7 @@ def _read(name):
         return str(name), str(file), file.read_text(encoding="utf-8")
     path = Path(name)
     try:
-        return path.stem, str(name), path.read_bytes().decode("utf-8")
+        return path.stem, str(name), files.read(path, files.SETTINGS_MOST).decode("utf-8")
     except UnicodeDecodeError:
         raise MachineFileError(str(name), [("", "is no text in UTF-8")]) from None
     except (OSError, ValueError) as cause:
@@ -278,7 +278,7 @@ def _changes_of(machine):
 def _tools_of(file):
     """Yield the tools of a table as changes."""
     try:
-        text = Path(file).read_bytes().decode("utf-8", errors="replace")
+        text = files.read(file, files.SETTINGS_MOST).decode("utf-8", errors="replace")
     except (OSError, ValueError) as cause:
         raise MachineFileError(
             str(file), [("", getattr(cause, "strerror", None) or str(cause))]

@@ -63,10 +63,12 @@ class Pipeline:
     ----------
     begun : float
         When it began, by `time.perf_counter` [s].
+    is_left : bool
+        The program goes round and may never end: it is read first, and planned if it does.
     """
 
     def __init__(self):
-        self.begun = time.perf_counter()
+        self.begun, self.is_left, self._used = time.perf_counter(), False, 0
         self._first, self._threads, self._early, self._late = None, [], None, None
         self._is_broken, self._cause = threading.Event(), None
         self._arrays, self._free_arrays = 0, queue.SimpleQueue()
@@ -80,8 +82,14 @@ class Pipeline:
         self._arrays += 1
         return kernel.rows_of_blocks()
 
-    def take(self, machine, blocks):
-        """Take the next blocks of a program for a machine: of `another` array, or what stays."""
+    def take(self, machine, blocks, used=None):
+        """Take the next blocks of a program for a machine: of `another` array, or what stays.
+
+        used: bytes of the text that are read so far; from where they become no more on, the program
+        is not planned while it is read.
+        """
+        if used is not None:
+            self._leave(used)
         if self._first is None:
             self._first = blocks
             return
@@ -89,6 +97,13 @@ class Pipeline:
             self._begin(machine)
             self._blocks.put(self._first)
         self._blocks.put(blocks)
+
+    def _leave(self, used):
+        """What has gone round over as many blocks as an array holds may do so for ever."""
+        if used <= self._used and self._threads:
+            self.is_left = True
+            self._is_broken.set()
+        self._used = max(self._used, used)
 
     def end(self):
         """Return the planner of the program, which has ended; None: plan it on one core."""

@@ -14,6 +14,7 @@ from pycnc.kernel.records import copied, dtype, join
 
 RECORDS = ("segs", "nodes", "cells")
 _KEPT = ("seg", "node", "cell")
+_CELLS_AT_ONCE = 1 << 20  # 56 MB: a plan has a cell for every two periods of its time
 # Of every kind of planning.
 BACKENDS = {"exact": ("auto", "c"), "grades": ("auto", "c", "opencl")}
 
@@ -89,7 +90,8 @@ class Plan:
     exact_time_s : float
         Machining time by the exact envelope [s].
     segs, nodes, cells : numpy.ndarray
-        Of dtypes ``nck_seg_t``, ``nck_node_t``, ``nck_cell_t``; empty if they were not kept.
+        Of dtypes ``nck_seg_t``, ``nck_node_t``, ``nck_cell_t``; empty if they were not kept. A
+        million cells and more are planned again when they are first asked for.
 
     parts : list of dict or None
         Where the time goes, if it was asked for, the longest first: see `shares.table`.
@@ -127,7 +129,7 @@ class Plan:
         self.grades, exact = grades.of_text(text, machine, backend=backend, progress=progress)
         self.segs = self.grades.segs
         self.nodes = np.empty(0, dtype("nck_node_t"))
-        self.cells = self.grades.cells() if keep else np.empty(0, dtype("nck_cell_t"))
+        self._cells = self.grades.cells() if keep else np.empty(0, dtype("nck_cell_t"))
         totals = self.grades.totals
         for name in ("blocks", "tool_changes", "spindle_starts"):
             totals[name] = exact[name]
@@ -136,11 +138,13 @@ class Plan:
     def _exactly(self, keep, progress, look, trail, by, beside):
         planner = None
         if not (keep or look or trail or by):
-            planner = beside.end() if beside else self._side_by_side(progress)
+            planner = beside.end() if beside else None
+            if planner is None and (not beside or beside.is_left):
+                planner = self._side_by_side(progress)
         if planner is None:
             planner = self._on_one_core(keep, progress, look, trail, by)
         else:
-            self.segs, self.nodes, self.cells = (join(f"nck_{name}_t", []) for name in _KEPT)
+            self.segs, self.nodes, self._cells = (join(f"nck_{name}_t", []) for name in _KEPT)
         self.lost = planner.why
         return planner.totals
 
@@ -164,9 +168,12 @@ class Plan:
         records += ("host_point", "host_foot") if trail else ()
         planner = kernel.Planner(program.text, program.machine, records, shares=asked)
         kept = {"nck_seg_t": [], "nck_node_t": [], "nck_cell_t": []}
+        cells = 0
         for *pieces, used in planner.pieces():
             if keep:
-                for arrays, piece in zip(kept.values(), pieces, strict=False):
+                cells += len(pieces[2])
+                few = len(kept) if cells <= _CELLS_AT_ONCE else len(kept) - 1
+                for arrays, piece in zip(list(kept.values())[:few], pieces, strict=False):
                     arrays.append(copied(piece))
             if trail:
                 trail(*pieces[-2:])
@@ -174,9 +181,26 @@ class Plan:
                 look(pieces[0])
             if progress:
                 progress(used, len(program.text))
-        self.segs, self.nodes, self.cells = (join(*record) for record in kept.items())
+        if cells > _CELLS_AT_ONCE:
+            kept["nck_cell_t"].clear()
+        self.segs, self.nodes, some = (join(*record) for record in kept.items())
+        self._cells, self._later = (None, cells) if cells > _CELLS_AT_ONCE else (some, 0)
         self.parts = shares.table(program, by, planner.shares, names) if by else None
         return planner
+
+    @property
+    def cells(self):
+        """The cells; many are planned again, when they are first asked for."""
+        if self._cells is None:
+            planner = kernel.Planner(self.program.text, self.program.machine, ("cell",))
+            self._cells = join("nck_cell_t", [copied(piece) for piece, _ in planner.pieces()])
+        return self._cells
+
+    @property
+    def _counts(self):
+        """How many records of each kind there are to be had."""
+        cells = self._later if self._cells is None else len(self._cells)
+        return {"segs": len(self.segs), "nodes": len(self.nodes), "cells": cells}
 
     def as_dict(self):
         """Return what ``pycnc time --json`` tells."""
@@ -237,11 +261,12 @@ class Plan:
             yield f"{name.replace('_', ' ')} [s]", f"{totals[f'{name}_s']:.3f}"
         held = sorted(totals["limit_time_s"].items(), key=lambda item: -item[1])
         yield "held by", ", ".join(f"{name} {time:.3f} s" for name, time in held[:3] if time > 0)
-        for name in RECORDS:
-            yield name, f"{len(getattr(self, name)):,}"
+        for name, count in self._counts.items():
+            yield name, f"{count:,}"
 
     def __repr__(self):
-        return f"<Plan of {self.program.file}: {self.time_s:.3f} s, {len(self.cells):,} cells>"
+        cells = self._counts["cells"]
+        return f"<Plan of {self.program.file}: {self.time_s:.3f} s, {cells:,} cells>"
 
     def _repr_html_(self):
         return shown.facts_table(self._facts())

@@ -16,6 +16,7 @@ from decimal import Decimal, InvalidOperation
 from typing import NamedTuple
 
 from pycnc import errors
+from pycnc.files import read
 from pycnc.machine import Machine
 from pycnc.planning import measure, parts, workers
 from pycnc.planning.plan import Plan
@@ -288,8 +289,7 @@ def sweep(files, settings, machine="mill3", *, jobs=1, cluster=None):
     """
     texts = {}
     for file in files:
-        with open(file, "rb") as data:
-            texts[str(file)] = data.read()
+        texts[str(file)] = read(file)
     if isinstance(settings, dict):
         axes = {key: [str(value) for value in values] for key, values in settings.items()}
     else:

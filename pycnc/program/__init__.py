@@ -2,9 +2,8 @@
 """A program: NC text, decoded whole for one machine."""
 
 import hashlib
-from pathlib import Path
 
-from pycnc import errors, kernel
+from pycnc import errors, files, kernel
 from pycnc.program import guess, moves
 from pycnc.program.diagnostics import Diagnostic, Diagnostics, Wording
 from pycnc.program.geometry import Moves
@@ -57,7 +56,7 @@ class Program:
             if keep:
                 kept.append(copied(blocks))
             if beside:
-                beside.take(machine, blocks)
+                beside.take(machine, blocks, used)
             if progress:
                 progress(used, len(self.text))
         self.blocks = join("nck_block_t", kept) if keep else None
@@ -215,7 +214,7 @@ def read_text(path_or_text):
         return "<text>", bytes(path_or_text)
     if isinstance(path_or_text, str) and "\n" in path_or_text:
         return "<text>", path_or_text.encode()
-    return str(path_or_text), Path(path_or_text).read_bytes()
+    return str(path_or_text), files.read(path_or_text)
 
 
 def load(path_or_text, machine=DEFAULT, dialect=None):
