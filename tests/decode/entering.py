@@ -29,6 +29,7 @@ from pycnc.machine.schema import AXES
 from pycnc.program import Program
 
 NEAR_MM = 2e-3  # of two runs beside their tolerances: chords of arcs
+SAME_S_MM = 1e-7  # path coordinates so near are one
 SPUN_MM = 0.05  # of two passes: they meet the spindle at other moments of their periods
 PERIOD_MS = 5  # nobody waits for ticks either; a corner passed within one is a² T² / 2 wide
 PLACE_NM = 0  # where a program ends it ends to the bit
@@ -238,8 +239,11 @@ class Entered:
         if not len(theirs) or not len(ours):
             return
         inside = (ours["s"] >= theirs["s"][0]) & (ours["s"] <= theirs["s"][-1])
-        steps = np.r_[True, np.diff(theirs["s"]) > 0]  # a rest has one place
-        theirs = theirs[steps]
+        steps = np.diff(theirs["s"]) > 0
+        theirs = theirs[np.r_[True, steps] | np.r_[steps, True]]  # of a rest both ends
+        passes = theirs["s"][:-1][np.diff(theirs["s"]) == 0]  # there a thread may have been cut
+        for s in passes:
+            inside &= np.abs(ours["s"] - s) > SAME_S_MM
         off = 0.0
         for axis in range(9)[self.counted]:
             wanted = np.interp(ours["s"], theirs["s"], theirs["axis"][:, axis])
