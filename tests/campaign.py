@@ -14,6 +14,7 @@ printed before it. The exit status is the number of parts that found something.
     mutants     100 mutants of libnck against all C tests
     nasty       4 000 nasty programs a slope
     rs274       15 000 random programs against rs274
+    entering    the cases, the corpus and 50 programs of each family, begun at their lines
     linuxcnc    20 random operators in a live LinuxCNC
     imports     4 500 random configurations of other controls
 """
@@ -39,6 +40,8 @@ PARTS = {
     "nasty": [f"tests/kernel/nasty.py --slope {slope} --count 4000 --seed {{seed}}"
               for slope in SLOPES],
     "rs274": ["tests/decode/against_rs274.py 15000 {seed}"],
+    "entering": ["tests/decode/entering.py --lines 200",
+                 "tests/decode/entering.py --family all --seeds {seed} +50"],
     "linuxcnc": ["tests/linuxcnc/operators.py"],
     "imports": ["tests/machine/configurations.py 1500 {seed}"],
 }  # fmt: skip

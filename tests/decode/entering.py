@@ -4,7 +4,7 @@ and, to the last tick, by where the axes are; and by the way in. Nothing here as
 enters.
 
     python tests/decode/entering.py                # the cases and the corpus, 200 lines of each
-    python tests/decode/entering.py --family mill --seeds 0 100
+    python tests/decode/entering.py --family mill --seeds 0 +100  # or of all families
 
 Prints what is wrong, and how many lines were entered; exit 1 if anything is.
 """
@@ -302,16 +302,19 @@ def search(names, seed, long):
 
 def main():
     ask = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    ask.add_argument("--family", choices=sorted(entering_families.FAMILIES))
-    ask.add_argument("--seeds", nargs=2, type=int, default=(0, 20))
+    ask.add_argument("--family", choices=["all", *sorted(entering_families.FAMILIES)])
+    ask.add_argument("--seeds", nargs=2, default=("0", "+20"), help="the first, and how many more")
     ask.add_argument("--only", default="", help="cases whose name contains it")
     ask.add_argument("--lines", type=int, default=LONG, help="of a long program, by the first seed")
     asked = ask.parse_args()
+    first, count = map(int, asked.seeds)
     if asked.family:
-        chosen = [entering_families.case(asked.family, seed) for seed in range(*asked.seeds)]
+        families = entering_families.FAMILIES if asked.family == "all" else [asked.family]
+        chosen = [entering_families.case(family, first + more)
+                  for family in families for more in range(count)]  # fmt: skip
     else:
         chosen = [case for case in (*cases.CASES, *files()) if asked.only in str(case)]
-    lines, found = search(chosen, asked.seeds[0], asked.lines)
+    lines, found = search(chosen, first, asked.lines)
     print(f"{lines} lines of {len(chosen)} programs entered, {found} findings")
     return found > 0
 
