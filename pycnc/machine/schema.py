@@ -15,6 +15,7 @@ LINEAR_AXES = ("x", "y", "z", "u", "v", "w")
 ROTARY_AXES = ("a", "b", "c")
 AXES = ("x", "y", "z", "a", "b", "c", "u", "v", "w")  # the kernel's order
 WORK_SYSTEMS = ("g54", "g55", "g56", "g57", "g58", "g59", "g59_1", "g59_2", "g59_3")
+TOLERANCE_LEAST_MM = Decimal("0.0001")  # the kernel smooths within nothing smaller
 TRAVEL_LIMIT = 1_000_000  # mm or degrees: a position beyond a kilometre is a mistake
 
 
@@ -405,6 +406,8 @@ def contradictions(machine):
         yield from _position_contradictions(
             name, position, axes, travel=not name.startswith("work.")
         )
+    if 0 < machine.path.tolerance_mm < TOLERANCE_LEAST_MM:
+        yield "path.tolerance_mm", f"must be 0 (exact path) or {TOLERANCE_LEAST_MM} at least"
     if machine.path.lookahead_blocks == 1 and machine.path.slope != "sshape":
         yield "path.lookahead_blocks", "must be 0 (all) or 2 at least"
     if machine.kinematics.type == "lathe_xz" and set(axes) != {"x", "z"}:

@@ -296,6 +296,10 @@ WORDING = {
     "assumed-plane": ("no G17, G18 or G19 before the first arc or cycle: G{plane} assumed", ""),
     "assumed-distance": ("no G90 or G91 before the first motion: absolute (G90) assumed", ""),
     "assumed-centre": ("no G90.1 or G91.1 before I J K: {arc_centre} centres assumed", ""),
+    "no-tolerance:P": (
+        "P is {value:g} mm, and within less than 0.0001 mm nothing is smoothed: the path is exact",
+        "G61 says so; else give a P of 0.0001 mm or more, as in G64 P0.01",
+    ),
     "no-tolerance": (
         "G64 without P means the machine's tolerance, and that is 0: the path is exact",
         "give P, as in G64 P0.01, or the machine a tolerance: --set path.tolerance_mm=0.01",

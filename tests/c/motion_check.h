@@ -138,7 +138,7 @@ static inline nck_status_t motion_start(motion_t *self)
     self->error = NCK_OK;
     self->hash = 0;
     self->is_over = 0;
-    self->tick_most = 400000;
+    self->tick_most = 800000;
     memset(self->s, 0, sizeof self->s);
     memset(self->axis, 0, sizeof self->axis);
     self->apart = 4;

@@ -130,11 +130,13 @@ static void corners_of_a_cycle_are_not_rounded(check_t *check) {
     case_decode(&self, "G21 G90 G98 F60 G64 P1 G0 Z9\nG81 X1 R2 Z-1\nG61.1 X2\nG9 X3\nM2\n");
     CHECK_INT(check, self.block[0].path_mode, NCK_PATH_CONTINUOUS);
     for (int k = 1; k < 5; k++) {
-        CHECK_INT(check, self.block[k].path_mode, NCK_PATH_EXACT);
+        CHECK_INT(check, self.block[k].path_mode, NCK_PATH_TURNS);
         CHECK_NEAR(check, self.block[k].tolerance_mm, 0.0, 0.0);
     }
     CHECK_INT(check, self.block[5].path_mode, NCK_PATH_STOP);
     CHECK_INT(check, self.block[9].path_mode, NCK_PATH_STOP);
+    case_decode(&self, "G21 G90 G98 F60 G61 G0 Z9\nG81 X1 R2 Z-1\nG64 P0.00009 X2\nM2\n");
+    for (int k = 1; k < 9; k++) CHECK_INT(check, self.block[k].path_mode, NCK_PATH_EXACT);
 }
 
 typedef struct wrong {

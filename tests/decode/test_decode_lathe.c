@@ -20,6 +20,7 @@ typedef struct move {
     double x, z;
 } move_t;
 
+// Kinds: r rapid, l a line with a stop where it turns, c a line along a contour.
 // The moves from block `first` on; ended by a kind of 0.
 static void check_moves(check_t *check, int first, const move_t *moves) {
     int k = first;
@@ -29,8 +30,9 @@ static void check_moves(check_t *check, int first, const move_t *moves) {
         CHECK_INT(check, block->kind, moves->kind == 'r' ? NCK_BLOCK_RAPID : NCK_BLOCK_LINE);
         CHECK_NEAR(check, (double)block->target_nm[0] / 1e6, moves->x, 1e-9);
         CHECK_NEAR(check, (double)block->target_nm[2] / 1e6, moves->z, 1e-9);
-        CHECK_INT(check, block->feed > 0.0, moves->kind == 'l');
-        CHECK_INT(check, block->path_mode, NCK_PATH_EXACT);
+        CHECK_INT(check, block->feed > 0.0, moves->kind != 'r');
+        CHECK_INT(check, block->path_mode,
+                  moves->kind == 'c' ? NCK_PATH_CONTINUOUS : NCK_PATH_TURNS);
     }
     CHECK_INT(check, moves->kind, 0);
     CHECK_INT(check, nck_decode_invariants(&self.decode), 1);
@@ -227,8 +229,8 @@ static void the_whole_rectangle_is_within_the_travel(check_t *check) {
 static void contours_are_read_from_pushed_text(check_t *check) {
     static const move_t cut[] = {{'r', 8, 0}, {'l', 8, -5}, {'r', 9, -4}, {'r', 9, 0}, {'r', 6, 0},
                                  {'l', 6, -5}, {'r', 7, -4}, {'r', 7, 0}, {'r', 5, 0},
-                                 {'l', 5, -5}, {'r', 6, -4}, {'r', 6, 0}, {'l', 5, 0},
-                                 {'l', 5, -5}, {'l', 10, -5}, {'r', 10, 0}, {0, 0, 0}};
+                                 {'l', 5, -5}, {'r', 6, -4}, {'r', 6, 0}, {'c', 5, 0},
+                                 {'c', 5, -5}, {'c', 10, -5}, {'r', 10, 0}, {0, 0, 0}};
     static const char *const texts[] = {
         "G21 G98 F60 G0 X20 Z0\nG71 U2 R1\nG71 P1 Q2\nN1 G0 X10\nG1 Z-5\nN2 X20\nG0 X22\nM2\n",
         "G21 G98 F60 G0 X20 Z0\nG71 D2. P1 Q2\nN1 G0 X10\nG1 W-5\nN2 U10\nG0 X22\nM2\n"

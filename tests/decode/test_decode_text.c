@@ -102,10 +102,28 @@ static void a_g64_that_gives_no_tolerance_is_noted(check_t *check) {
     self.machine.path.tolerance = 0.0;
     case_decode(&self, "G64 P0.1\nG61\nM2\n");
     CHECK_INT(check, self.findings, 0);
-    case_decode(&self, "G64 P0\nM3\nG64\nG64 Q0.1\nM2\n");
+    case_decode(&self, "M3\nG64\nG64 Q0.1\nM2\n");
     CHECK_INT(check, self.findings, 1);
     CHECK_INT(check, self.finding[0].code, NCK_NOTE_TOLERANCE);
-    CHECK_INT(check, self.finding[0].line, 3);
+    CHECK_INT(check, self.finding[0].line, 2);
+    CHECK_INT(check, self.finding[0].letter, 0);
+}
+
+static void a_p_too_small_to_smooth_within_is_noted_once(check_t *check) {
+    static const char *const small[] = {"G64 P0\n", "G64 P0.00009999\n", "G20 G64 P0.0000039\n"};
+    case_begin(&self);
+    case_decode(&self, "G64 P0.0001\nG20\nG64 P0.000004\nM2\n"); // 0.1 µm and more
+    CHECK_INT(check, self.findings, 0);
+    for (unsigned k = 0; k < sizeof small / sizeof small[0]; k++) {
+        char text[64];
+        (void)snprintf(text, sizeof text, "%s%sM2\n", small[k], small[k]);
+        case_decode(&self, text);
+        CHECK_INT(check, self.findings, 1);
+        CHECK_INT(check, self.finding[0].code, NCK_NOTE_TOLERANCE);
+        CHECK_INT(check, self.finding[0].letter, 'P');
+        CHECK_INT(check, self.finding[0].line, 1);
+        CHECK(check, self.finding[0].column > 0 && self.finding[0].value < 1e-4);
+    }
 }
 
 static void a_feed_beside_a_change_of_units_is_noted(check_t *check) {
@@ -225,6 +243,7 @@ int main(void) {
     CHECK_RUN(&check, a_missing_end_is_noted_and_the_last_line_counts);
     CHECK_RUN(&check, assumed_defaults_are_noted_once_each);
     CHECK_RUN(&check, a_g64_that_gives_no_tolerance_is_noted);
+    CHECK_RUN(&check, a_p_too_small_to_smooth_within_is_noted_once);
     CHECK_RUN(&check, a_feed_beside_a_change_of_units_is_noted);
     CHECK_RUN(&check, a_text_without_a_block_is_no_program);
     CHECK_RUN(&check, a_nul_byte_ends_it_at_once);

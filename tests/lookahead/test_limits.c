@@ -28,6 +28,7 @@ typedef struct allowed {
     double a, j;   // along the path
     int limit;     // that sets v
     double a_come_to; // under a jerk limit: no more is ever had
+    double v_turn;    // of an arc: v_free but for the acceleration of its bend
 } allowed_t;
 
 // Xorshift, G. Marsaglia 2003: the same numbers everywhere. low … high.
@@ -149,6 +150,11 @@ static double plane_a(void)
     return fmin(machine.axis[seg.shape.arc.axis_u].a_max, machine.axis[seg.shape.arc.axis_v].a_max);
 }
 
+static double plane_j(void)
+{
+    return fmin(machine.axis[seg.shape.arc.axis_u].j_max, machine.axis[seg.shape.arc.axis_v].j_max);
+}
+
 // A plan asks for no more jerk along the path than the axes have together, and for no ramp of less
 // than two filters (5_slope/README, section "output filter").
 static double most_jerk(void)
@@ -170,7 +176,8 @@ static void cap_by_jerk(allowed_t *allowed)
     allowed->a_come_to = sqrt(2.0 * allowed->v_free * most_jerk());
 }
 
-// Chords of one period stay within the chord error; the centripetal acceleration takes 0.8.
+// Chords of one period stay within the chord error; the centripetal acceleration takes 0.8; under a
+// jerk limit half of the plane's jerk is for the turn at constant speed, v³/r².
 static void cap_arc(allowed_t *allowed)
 {
     double r = 0.0;
@@ -178,14 +185,18 @@ static void cap_arc(allowed_t *allowed)
     const double sagitta = fmin(machine.path.chord_error, r);
     const double chord = 2.0 * sqrt(r * r - (r - sagitta) * (r - sagitta));
     cap(allowed, chord / machine.period_s / cosine, NCK_LIMIT_CHORD);
+    if (machine.slope != NCK_SLOPE_LINEAR) {
+        cap(allowed, cbrt(0.5 * plane_j() * r * r) / cosine, NCK_LIMIT_JERK);
+    }
     cap_by_jerk(allowed);
+    allowed->v_turn = allowed->v_free;
     cap(allowed, sqrt(0.8 * plane_a() * r) / cosine, NCK_LIMIT_CURVATURE);
 }
 
 static allowed_t find_allowed(void)
 {
     double cosine[3];
-    allowed_t allowed = {1e30, 1e30, machine.path.a_max, most_jerk(), -1, 1e30};
+    allowed_t allowed = {1e30, 1e30, machine.path.a_max, most_jerk(), -1, 1e30, 1e30};
     if (!seg.rapid) {
         cap(&allowed, machine.path.feed_max / seg.feed_scale, NCK_LIMIT_FEED_MAX);
     }
@@ -216,6 +227,35 @@ static double a_beside_the_bend(double v)
     const double cosine = arc_cosine(&r);
     const double bend = v * v * cosine * cosine / r;
     return sqrt(fmax(0.0, plane_a() * plane_a() - bend * bend)) / cosine;
+}
+
+// What the turn at v leaves along the path: acceleration, for half of the jerk by squares, and jerk
+// beside an acceleration; along the tangent and along the normal they are at a right angle.
+static double twist_at(double v)
+{
+    double r = 0.0;
+    const double v_plane = v * arc_cosine(&r);
+    return v_plane * v_plane * v_plane / (r * r);
+}
+
+static double normal_at(double v, double a)
+{
+    double r = 0.0;
+    const double cosine = arc_cosine(&r);
+    return 3.0 * v * a * cosine * cosine / r;
+}
+
+static double a_beside_the_turn(double v)
+{
+    const double twist = twist_at(v);
+    return sqrt((plane_j() * plane_j() - twist * twist) / 2.0) / normal_at(v, 1.0);
+}
+
+static double j_beside_the_turn(double v, double a)
+{
+    double r = 0.0;
+    const double normal = normal_at(v, a);
+    return (sqrt(plane_j() * plane_j() - normal * normal) - twist_at(v)) / arc_cosine(&r);
 }
 
 static void check_speed(check_t *check, const allowed_t *allowed)
@@ -275,22 +315,29 @@ static void arcs_pay_for_what_the_filter_adds(check_t *check)
         draw_arc();
         draw_feed();
         plan(check);
-        const allowed_t allowed = find_allowed();
+        allowed_t allowed = find_allowed();
         const double tau = NCK_FILTER_TAPS * machine.period_s;
         const double q = 1.35 * machine.period_s; // 5_slope/README, section "output"
         const double v_filter = most_jerk() * (tau * tau / 24.0 + q * q / 8.0);
         double r = 0.0;
         const double cosine = arc_cosine(&r);
         const double v_bend = sqrt(0.8 * plane_a() * r) / cosine;
-        const double v = fmin(allowed.v + v_filter, v_bend);
         const double v_top = seg.feed > 0.0 ? fmin(2.0 * seg.feed, allowed.v_free) : allowed.v_free;
-        const double v_over = fmin(v_top + v_filter, v_bend);
-        const double left = fmin(allowed.a, a_beside_the_bend(v));
-        const double over = fmin(left, a_beside_the_bend(v_over));
+        const double v[2] = {allowed.v + v_filter, v_top + v_filter};
+        double left[2], jerk[2];
+        for (int pace = 0; pace < 2; pace++) {
+            const double v_turn = fmin(v[pace], allowed.v_turn);
+            left[pace] = fmin(allowed.a, a_beside_the_bend(fmin(v[pace], v_bend)));
+            left[pace] = fmin(left[pace], a_beside_the_turn(v_turn));
+            jerk[pace] = fmin(allowed.j, j_beside_the_turn(v_turn, left[pace]));
+        }
+        allowed.j = jerk[0];
         check_speed(check, &allowed);
-        CHECK_NEAR(check, node.a, left, 1e-5 * left);
-        CHECK_NEAR(check, node.a_over, over, 1e-5 * over);
+        CHECK_NEAR(check, node.a, left[0], 1e-5 * left[0]);
+        CHECK_NEAR(check, node.a_over, fmin(left[0], left[1]), 1e-5 * left[0]);
+        CHECK_NEAR(check, node.j_over, fmin(jerk[0], jerk[1]), NEAR * jerk[0]);
     }
+    CHECK(check, told[NCK_LIMIT_JERK] > 0 && told[NCK_LIMIT_CURVATURE] > 0);
 }
 
 // A quarter of a circle from 45° to 135°: in the middle X sees all of the speed; what Y sees is

@@ -124,6 +124,7 @@ static void plan(check_t *check, int count, double length, double turn)
         angle += turn * (random_real() - 0.5);
         seg = line_from(&seg, l * cos(angle), l * sin(angle), 5.0 + 95.0 * random_real());
         while (nck_lookahead_push(&lookahead, &seg) != NCK_OK) work(check);
+        link.seg[seg.seq & (NCK_SEG_MAX - 1)].block = seg.seq; // a block is a seg
     }
     nck_lookahead_end(&lookahead);
     while (work(check)) { }

@@ -16,6 +16,9 @@ static void straight_blocks_become_straight_segs(check_t *check)
     line_to(30.0, 40.0, 0.0, 0.5);
     CHECK(check, run(&exact, 1) && run(&path, 0));
     CHECK_INT(check, path.segs, 1);
+    CHECK_INT(check, path.seg[0].keeps, NCK_KEEP_SMOOTH);
+    CHECK_INT(check, exact.seg[0].keeps, NCK_KEEP_NOTHING);
+    path.seg[0].keeps = exact.seg[0].keeps;
     CHECK(check, memcmp(&path.seg[0], &exact.seg[0], sizeof path.seg[0]) == 0);
 }
 

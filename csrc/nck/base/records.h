@@ -53,7 +53,9 @@ typedef enum nck_way {
 typedef enum nck_path_mode {
     NCK_PATH_EXACT = 0,     // G61: on the path, junctions crossed by the transfer rule
     NCK_PATH_STOP = 1,      // G61.1, G9: a stop at the end of every move
-    NCK_PATH_CONTINUOUS = 2 // G64 P Q: within the tolerance
+    NCK_PATH_CONTINUOUS = 2, // G64 P Q: within the tolerance
+    NCK_PATH_TURNS = 3 // a cycle's move under G64 P: on the path, and a stop where it turns, so that
+                       // the axes keep their jerk there, too
 } nck_path_mode_t;
 
 // What F means.
@@ -129,6 +131,13 @@ typedef struct nck_block {
     nck_output_t output;  // NCK_BLOCK_OUTPUT, NCK_BLOCK_WAIT, NCK_BLOCK_END (kind M)
 } nck_block_t;
 
+// Where a seg's axes keep to their jerk beside what its own straight ways and arcs ask for.
+typedef enum nck_keep {
+    NCK_KEEP_NOTHING = 0, // exact path: junctions are crossed by the transfer rule
+    NCK_KEEP_TURNS = 1,   // of a block of NCK_PATH_TURNS
+    NCK_KEEP_SMOOTH = 2   // within a tolerance: smooth, or at rest
+} nck_keep_t;
+
 // The geometry of a seg.
 typedef enum nck_seg_kind {
     NCK_SEG_LINE = 0,
@@ -175,7 +184,7 @@ typedef struct nck_seg {
     uint8_t kind;        // nck_seg_kind_t
     uint8_t rapid;       // 1: G0
     uint8_t stop;        // 1: exact stop at the end
-    uint8_t reserved;    // 0
+    uint8_t keeps;       // nck_keep_t
     double start[NCK_AXIS_MAX]; // pose at s = 0 [mm, deg]
     double end[NCK_AXIS_MAX];   // pose at s = length [mm, deg]
     double length;       // range of s [path mm]: path length (spline: that of the programmed path

@@ -4,7 +4,8 @@
 
 #include <string.h> // memcpy
 
-#include "nck/base/real.h" // nck_fabs nck_floor
+#include "nck/base/budget.h" // NCK_TOLERANCE_MIN
+#include "nck/base/real.h"   // nck_fabs nck_floor
 
 static const double value_max = NCK_DECODE_VALUE_MAX;
 static const double linear_max_mm = NCK_LINEAR_MAX_MM;
@@ -65,7 +66,10 @@ static void set_feed(nck_decode_t *self, const nck_block_in_t *block) {
 static void set_path(nck_decode_t *self, const nck_block_in_t *block) {
     if (!(block->sets & NCK_IN_SETS_PATH)) return;
     const int within_p = block->path_mode == NCK_PATH_CONTINUOUS;
-    if (!NCK_HAS_SMOOTH && within_p) nck_decode_assume(self, NCK_NOTE_TOLERANCE);
+    const int is_exact = !NCK_HAS_SMOOTH || block->tolerance < NCK_TOLERANCE_MIN;
+    if (within_p && is_exact) {
+        nck_decode_note_word(self, NCK_NOTE_TOLERANCE, 'P', block->tolerance);
+    }
     self->modal.path_mode = block->path_mode;
     self->modal.tolerance_mm = within_p ? block->tolerance : 0.0;
     self->modal.merge_mm = self->modal.tolerance_mm;

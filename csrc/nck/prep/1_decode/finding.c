@@ -46,9 +46,21 @@ void nck_decode_find(nck_decode_t *self, const nck_diagnostic_t *finding) {
     self->finding.queue[self->finding.count++] = *finding;
 }
 
+static void note_once(nck_decode_t *self, const nck_diagnostic_t *finding) {
+    const uint32_t note = 1u << finding->code;
+    if ((self->finding.given | self->finding.notes) & note) return;
+    self->finding.notes |= note;
+    nck_decode_find(self, finding);
+}
+
 void nck_decode_assume(nck_decode_t *self, nck_note_t note) {
-    if ((self->finding.given | self->finding.notes) & (1u << note)) return;
     const nck_diagnostic_t finding = {(int32_t)note, self->line.tag, 0, 0, 0.0, 0.0};
-    self->finding.notes |= 1u << note;
-    nck_decode_find(self, &finding);
+    note_once(self, &finding);
+}
+
+void nck_decode_note_word(nck_decode_t *self, nck_note_t note, char letter, double value) {
+    const int said = (self->words.letters & NCK_LETTER(letter)) != 0;
+    const unsigned column = said ? self->words.column[letter - 'A'] : 0;
+    const nck_diagnostic_t finding = {(int32_t)note, self->line.tag, column, letter, value, 0.0};
+    note_once(self, &finding);
 }

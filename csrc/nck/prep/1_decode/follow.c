@@ -26,6 +26,13 @@ void nck_follow_place(const nck_decode_t *self, double *out) {
     }
 }
 
+// Along the contour a cut is what the program's own lines would be, within the tolerance in force.
+static int is_contour(const nck_decode_t *self, nck_block_kind_t kind) {
+    const uint8_t phase = self->held.rough.phase;
+    const int follows = phase >= NCK_ROUGH_SIDE && phase <= NCK_ROUGH_LEAVE;
+    return kind != NCK_BLOCK_RAPID && (follows || phase == NCK_ROUGH_COPY);
+}
+
 // A block to the machine position; a move to where the tool stands is none.
 static nck_status_t give(nck_decode_t *self, nck_block_kind_t kind, const int64_t *to_nm,
                          nck_block_t *out) {
@@ -35,7 +42,9 @@ static nck_status_t give(nck_decode_t *self, nck_block_kind_t kind, const int64_
         self->place.position_nm[axes[k]] = to_nm[k];
     }
     if (!moves) return NCK_EMPTY;
-    nck_decode_give_exact(self, kind, self->held.rough.feed, out);
+    const double feed = self->held.rough.feed;
+    if (is_contour(self, kind)) nck_decode_give_within(self, kind, feed, out);
+    else nck_decode_give_exact(self, kind, feed, out);
     return NCK_OK;
 }
 

@@ -5,6 +5,8 @@
 
 #include <stddef.h> // NULL
 
+#include "nck/base/budget.h" // NCK_TOLERANCE_MIN
+
 enum { CHANGE_WAITS = 1 }; // code of M6 whose M5 has been given
 
 static const double value_max = NCK_DECODE_VALUE_MAX;
@@ -187,13 +189,16 @@ nck_status_t nck_decode_diameter(nck_decode_t *self, nck_block_t *out) {
     return NCK_EMPTY;
 }
 
-// G64 without P means the machine's tolerance. That the path stays exact is noted.
+// G64 without P means the machine's tolerance. That the path stays exact within one that is too
+// small is noted.
 static double read_tolerance(nck_decode_t *self) {
     const int says = has_word(self, 'P');
     const double tolerance =
         says ? real_word(self, 'P') * unit_mm(self) : self->machine->path.tolerance;
-    const int is_none = !NCK_HAS_SMOOTH || (!says && tolerance <= 0.0);
-    if (is_none) nck_decode_assume(self, NCK_NOTE_TOLERANCE);
+    if (!NCK_HAS_SMOOTH) nck_decode_assume(self, NCK_NOTE_TOLERANCE);
+    if (tolerance >= NCK_TOLERANCE_MIN || tolerance < 0.0) return tolerance;
+    if (says) nck_decode_note_word(self, NCK_NOTE_TOLERANCE, 'P', tolerance);
+    else nck_decode_assume(self, NCK_NOTE_TOLERANCE);
     return tolerance;
 }
 

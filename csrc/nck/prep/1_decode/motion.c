@@ -5,6 +5,8 @@
 #include <stddef.h> // NULL
 #include <string.h> // memcpy
 
+#include "nck/base/budget.h" // NCK_TOLERANCE_MIN
+
 enum { POINT_MOST = 4 }; // of G30 P
 
 static int axis_bit(uint32_t axes, unsigned axis) {
@@ -189,14 +191,22 @@ nck_status_t nck_decode_cycle_fits(nck_decode_t *self) {
     return nck_decode_fail(self, NCK_E_COMP_ON, 0, 'G', self->modal.motion / 10.0, 0.0);
 }
 
-void nck_decode_give_exact(const nck_decode_t *self, nck_block_kind_t kind, double feed,
-                           nck_block_t *out) {
+void nck_decode_give_within(const nck_decode_t *self, nck_block_kind_t kind, double feed,
+                            nck_block_t *out) {
     nck_decode_block(self, kind, out);
     out->feed = kind == NCK_BLOCK_RAPID ? 0.0 : feed;
-    if (out->path_mode != NCK_PATH_STOP) out->path_mode = NCK_PATH_EXACT;
+    stop_exactly(self, out);
+}
+
+void nck_decode_give_exact(const nck_decode_t *self, nck_block_kind_t kind, double feed,
+                           nck_block_t *out) {
+    nck_decode_give_within(self, kind, feed, out);
+    if (out->path_mode == NCK_PATH_CONTINUOUS) {
+        const int is_within = out->tolerance_mm >= NCK_TOLERANCE_MIN;
+        out->path_mode = is_within ? NCK_PATH_TURNS : NCK_PATH_EXACT;
+    }
     out->tolerance_mm = 0.0;
     out->merge_mm = 0.0;
-    stop_exactly(self, out);
 }
 
 nck_status_t nck_decode_second(nck_decode_t *self, nck_block_t *out) {

@@ -54,6 +54,9 @@ void nck_decode_find(nck_decode_t *self, const nck_diagnostic_t *finding);
 // finding.c: give a note if the program leaves it to the machine. Cost: constant.
 void nck_decode_assume(nck_decode_t *self, nck_note_t note);
 
+// finding.c: give a note, once in a program, about what a word asks for. Cost: constant.
+void nck_decode_note_word(nck_decode_t *self, nck_note_t note, char letter, double value);
+
 // axis.c: the letter of axis 0 … 8: X Y Z A B C U V W. Cost: constant.
 int nck_decode_letter(unsigned axis);
 
@@ -372,8 +375,13 @@ nck_status_t nck_decode_probe(nck_decode_t *self, nck_block_t *out);
 // NCK_E_COMP_ON. Cost: constant.
 nck_status_t nck_decode_cycle_fits(nck_decode_t *self);
 
-// motion.c: a block of a cycle to the present position: its corners are not rounded, G61.1 and G9
-// stop at them. feed: of NCK_BLOCK_LINE. Cost: constant.
+// motion.c: a block of a cycle to the present position, as any other move is. feed: of all but
+// NCK_BLOCK_RAPID. Cost: constant.
+void nck_decode_give_within(const nck_decode_t *self, nck_block_kind_t kind, double feed,
+                            nck_block_t *out);
+
+// motion.c: the same on the exact path: its corners are not rounded; G61.1, G9 and a tolerance stop
+// at them. Cost: constant.
 void nck_decode_give_exact(const nck_decode_t *self, nck_block_kind_t kind, double feed,
                            nck_block_t *out);
 

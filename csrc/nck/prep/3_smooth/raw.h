@@ -90,6 +90,7 @@ static inline void nck_raw_take_words(const nck_seg_t *from, nck_seg_t *seg) {
     seg->line = from->line;
     seg->block = from->block;
     seg->rapid = from->rapid;
+    seg->keeps = from->keeps;
     seg->feed = from->feed;
     seg->feed_scale = from->feed_scale;
     seg->spin = from->spin;

@@ -6,6 +6,7 @@
 #include <stddef.h> // offsetof
 #include <string.h> // memcpy memset
 
+#include "nck/base/budget.h"               // NCK_TOLERANCE_MIN
 #include "nck/base/real.h"                 // nck_min nck_max
 #include "nck/prep/3_smooth/curve.h"       // nck_curve_…
 #include "nck/prep/3_smooth/divide.h"      // nck_divide_…
@@ -16,8 +17,7 @@
 #include "nck/prep/3_smooth/raw.h"         // nck_raw_…
 #include "nck/prep/3_smooth/spline_math.h" // nck_spline_…
 
-#define TOLERANCE_MIN 1e-4 // [mm] a smaller one means the exact path
-#define ROUNDING 2e-6      // [mm] kept of the tolerance: setpoints are whole nanometres
+#define ROUNDING 2e-6 // [mm] kept of the tolerance: setpoints are whole nanometres
 
 // Nothing moves faster.
 static double fastest(const nck_machine_t *machine) {
@@ -84,6 +84,16 @@ static double path_feed(const nck_block_t *block, const nck_seg_t *seg) {
     return per_minute / 60.0 / seg->feed_scale;
 }
 
+static int is_smooth(const nck_block_t *block) {
+    return NCK_HAS_SMOOTH && block->kind <= NCK_BLOCK_ARC
+           && block->path_mode == NCK_PATH_CONTINUOUS && block->tolerance_mm >= NCK_TOLERANCE_MIN;
+}
+
+static uint8_t keep_of(const nck_block_t *block) {
+    if (is_smooth(block)) return NCK_KEEP_SMOOTH;
+    return block->path_mode == NCK_PATH_TURNS ? NCK_KEEP_TURNS : NCK_KEEP_NOTHING;
+}
+
 static void set_spin(nck_seg_t *seg, const nck_block_t *block) {
     const int follows = block->surface > 0.0;
     seg->spin.speed = follows ? block->surface / (2.0 * NCK_PI) : block->spindle_rpm;
@@ -100,6 +110,7 @@ static nck_status_t make_motion(const nck_smooth_t *self, const nck_block_t *blo
     seg->length = metric.length;
     if (!(seg->length > 0.0)) return NCK_EMPTY;
     seg->stop = block->path_mode == NCK_PATH_STOP;
+    seg->keeps = keep_of(block);
     seg->rapid = block->kind == NCK_BLOCK_RAPID;
     seg->feed_scale = metric.feed_length / metric.length;
     if (seg->rapid) return NCK_OK;
@@ -167,11 +178,6 @@ static double place_in_run(nck_smooth_t *self) {
         count--;
     }
     return 0.0;
-}
-
-static int is_smooth(const nck_block_t *block) {
-    return NCK_HAS_SMOOTH && block->kind <= NCK_BLOCK_ARC
-           && block->path_mode == NCK_PATH_CONTINUOUS && block->tolerance_mm >= TOLERANCE_MIN;
 }
 
 // All of it but start and end, which every move sets; in parts: clearing all at once takes longer.

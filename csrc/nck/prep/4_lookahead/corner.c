@@ -92,6 +92,21 @@ static void overlap(nck_joint_t *in, const nck_joint_t *out, const double *tange
     }
 }
 
+// The path rests at the end of a joint; lands: the tick does, too.
+static void rest(nck_joint_t *joint, int lands) {
+    for (int k = 0; k < NCK_PACES; k++) joint->pace[k].v_corner = 0.0;
+    if (lands) joint->end |= NCK_JOINT_STOP;
+}
+
+// Whether a junction, crossed moving, would break the jerk that one of its sides keeps. Within a
+// tolerance the path is smooth or at rest; else it must go straight on. turns: it does not.
+static int breaks_jerk(const nck_joint_t *in, const nck_joint_t *out, int turns) {
+    const int either = in->end | out->end;
+    const int is_within = (in->end & out->end & NCK_JOINT_SMOOTH) != 0;
+    const int is_straight = in->kind == NCK_SEG_LINE && out->kind == NCK_SEG_LINE && !turns;
+    return (either & (NCK_JOINT_TURNS | NCK_JOINT_SMOOTH)) && !is_within && !is_straight;
+}
+
 void nck_corner_meet(nck_joint_t *in, nck_joint_t *out, const double *tangent_in,
                      const double *tangent_out, const nck_terms_t *terms) {
     if (out->kind >= NCK_SEG_DWELL) in->end |= NCK_JOINT_STOP;
@@ -99,11 +114,14 @@ void nck_corner_meet(nck_joint_t *in, nck_joint_t *out, const double *tangent_in
     if ((in->end & NCK_JOINT_STOP) || in->kind >= NCK_SEG_DWELL) return;
     const double load = load_of(tangent_in, tangent_out, terms);
     const double v = nck_min(in->v_free, out->v_free);
-    if (!(load > 0.0)) return;
-    if (load * v <= SHARE_OF_ROUNDING * terms->machine->period_s) return;
+    const int turns = load * v > SHARE_OF_ROUNDING * terms->machine->period_s;
+    if (terms->limits_jerk && breaks_jerk(in, out, turns)) {
+        rest(in, 1);
+        return;
+    }
+    if (!turns) return;
     if (nck_stop_pays(in, out, load, terms)) {
-        for (int k = 0; k < NCK_PACES; k++) in->pace[k].v_corner = 0.0;
-        if (terms->limits_jerk) in->end |= NCK_JOINT_STOP;
+        rest(in, terms->limits_jerk);
         return;
     }
     in->load = load;

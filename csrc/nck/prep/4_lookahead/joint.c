@@ -58,6 +58,7 @@ static inline void cap_by_axes(nck_joint_t *joint, const nck_seg_t *seg, const d
         j = nck_min(j, nck_limit_along(axis->j_max, c));
         if (!is_line && nck_path_turns(seg, x)) {
             joint->shape.arc.a_plane = nck_min(joint->shape.arc.a_plane, axis->a_max);
+            joint->shape.arc.j_plane = nck_min(joint->shape.arc.j_plane, axis->j_max);
         } else {
             a_straight = nck_min(a_straight, nck_limit_along(axis->a_max, c));
         }
@@ -79,7 +80,8 @@ static void make_arc(nck_joint_t *joint, const nck_seg_t *seg, const nck_machine
     const double r = nck_sqrt(ru * ru + rv * rv);
     const double cos_lambda = nck_min(1.0, r * nck_fabs(arc->sweep) / seg->length);
     const double v = nck_limit_chord(r, machine->path.chord_error, machine->period_s);
-    joint->shape.arc.a_plane = NCK_UNLIMITED; // cap_by_axes finds it
+    joint->shape.arc.a_plane = NCK_UNLIMITED; // cap_by_axes finds both
+    joint->shape.arc.j_plane = NCK_UNLIMITED;
     joint->shape.arc.cos_lambda = cos_lambda;
     joint->shape.arc.kappa = cos_lambda * cos_lambda / r;
     cap_speed(joint, v / cos_lambda, NCK_LIMIT_CHORD);
@@ -150,6 +152,8 @@ static inline void begin(nck_joint_t *joint, const nck_seg_t *seg) {
     joint->limit = NCK_LIMIT_FEED;
     joint->limit_free = NCK_LIMIT_FEED;
     joint->end = seg->stop ? NCK_JOINT_STOP | NCK_JOINT_LAST : NCK_JOINT_LAST;
+    if (seg->keeps == NCK_KEEP_TURNS) joint->end |= NCK_JOINT_TURNS;
+    if (seg->keeps == NCK_KEEP_SMOOTH) joint->end |= NCK_JOINT_SMOOTH;
     joint->length = seg->length;
     joint->feed = seg->feed;
     joint->tool = moves_linear(seg) ? seg->feed_scale : 0.0;
@@ -182,6 +186,15 @@ static inline void cap_by_jerk(nck_joint_t *joint, double j) {
     if (joint->a_most * joint->a_most > aa) joint->a_most = nck_sqrt(aa);
 }
 
+// An arc by its plane's axes.
+static void limit_arc(nck_joint_t *joint, const nck_terms_t *terms) {
+    const nck_joint_arc_t *const arc = &joint->shape.arc;
+    joint->a_most = nck_min(joint->a_most, arc->a_plane / arc->cos_lambda);
+    if (!terms->limits_jerk) return;
+    const double cube = nck_limit_arc_cube(arc->j_plane, arc->kappa, arc->cos_lambda);
+    cap_speed(joint, nck_root_cube(cube), NCK_LIMIT_JERK);
+}
+
 static inline void make_caps(nck_joint_t *joint, const nck_seg_t *seg, const double *tangent_start,
                              const double *tangent_end, const nck_terms_t *terms) {
     const nck_machine_t *const machine = terms->machine;
@@ -194,11 +207,8 @@ static inline void make_caps(nck_joint_t *joint, const nck_seg_t *seg, const dou
     if (seg->kind == NCK_SEG_SPLINE) make_spline(joint, terms);
     if (seg->kind == NCK_SEG_LINE) cap_by_axes(joint, seg, tangent_start, tangent_end, terms, 1);
     else cap_by_axes(joint, seg, tangent_start, tangent_end, terms, 0);
+    if (is_curved(joint)) limit_arc(joint, terms);
     joint->w_near = joint->v_free * joint->v_free;
-    if (is_curved(joint)) {
-        const nck_joint_arc_t *const arc = &joint->shape.arc;
-        joint->a_most = nck_min(joint->a_most, arc->a_plane / arc->cos_lambda);
-    }
     if (terms->limits_jerk) cap_by_jerk(joint, terms->j_max);
 }
 
@@ -213,7 +223,7 @@ void nck_joint_make(nck_joint_t *joint, const nck_seg_t *seg, const double span[
     if (seg->kind == NCK_SEG_SPLINE) {
         joint->shape.bend.s = span[0];
         joint->length = span[1] - span[0];
-        if (span[1] < seg->length) joint->end = 0;
+        if (span[1] < seg->length) joint->end &= (uint8_t)~(unsigned)(NCK_JOINT_STOP | NCK_JOINT_LAST);
         bound_spline(joint, seg, span, terms);
     }
     make_caps(joint, seg, tangent_start, tangent_end, terms);
@@ -253,9 +263,27 @@ static double raised(double vv, double v_filter) {
     return v * v;
 }
 
+// The speed that an arc is taken at where the slope's filter adds to it; no more than its jerk lets
+// it be.
+static double arc_speed(const nck_joint_t *joint, double vv, const nck_terms_t *terms) {
+    return nck_min(nck_sqrt(vv) + terms->v_filter, joint->v_free);
+}
+
+// What the jerk of an arc's plane leaves of the path's acceleration at speed v.
+static double ramp_on_arc(const nck_joint_arc_t *arc, double v) {
+    const double twist = nck_limit_arc_twist(v, arc->kappa, arc->cos_lambda);
+    return nck_limit_arc_ramp(arc->j_plane, twist, v * arc->kappa);
+}
+
+// What it leaves of the path's jerk at v and a.
+static double jerk_on_arc(const nck_joint_arc_t *arc, double v, double a) {
+    const double twist = nck_limit_arc_twist(v, arc->kappa, arc->cos_lambda);
+    return nck_limit_arc_jerk(arc->j_plane, twist, 3.0 * v * arc->kappa * a, arc->cos_lambda);
+}
+
 // An arc's curvature caps the speed, and what it uses of the acceleration at the speed allowed is
 // lost to the tangential one.
-static void limit_on_arc(const nck_joint_t *joint, double beta, double v_filter,
+static void limit_on_arc(const nck_joint_t *joint, double beta, const nck_terms_t *terms,
                          nck_piece_limit_t *piece) {
     const nck_joint_arc_t *const arc = &joint->shape.arc;
     const double vv_curve = nck_limit_curve(arc->a_plane, arc->kappa, beta);
@@ -264,10 +292,22 @@ static void limit_on_arc(const nck_joint_t *joint, double beta, double v_filter,
         piece->vv = vv_curve;
         piece->limit = NCK_LIMIT_CURVATURE;
     }
-    const double vv = nck_min(vv_curve, raised(piece->vv, v_filter));
+    const double vv = nck_min(vv_curve, raised(piece->vv, terms->v_filter));
     const double a_arc =
         nck_limit_arc_accel((1.0 - beta) * arc->a_plane, vv * arc->kappa, arc->cos_lambda);
     piece->a = nck_min(piece->a, a_arc);
+    if (!terms->limits_jerk) return;
+    piece->a = nck_min(piece->a, ramp_on_arc(arc, arc_speed(joint, piece->vv, terms)));
+}
+
+// The tangential jerk left on an arc at a pace, which is least where no junction takes a share: then
+// the speed and, where not the jerk itself limits it, the acceleration are highest.
+static void settle_arc(const nck_joint_t *joint, nck_pace_t *at, const nck_terms_t *terms) {
+    nck_piece_limit_t piece = {at->v * at->v, 0.0, nck_joint_straight(joint, 0.0), at->j,
+                               joint->limit};
+    limit_on_arc(joint, 0.0, terms, &piece);
+    const double v = arc_speed(joint, piece.vv, terms);
+    at->j = nck_min(at->j, jerk_on_arc(&joint->shape.arc, v, piece.a));
 }
 
 static double accel_left(const nck_joint_t *joint, double v, const nck_terms_t *terms) {
@@ -287,6 +327,8 @@ static double accel_left(const nck_joint_t *joint, double v, const nck_terms_t *
 
 double nck_joint_bends(const nck_joint_t *joint, const nck_terms_t *terms) {
     double least = NCK_UNLIMITED;
+    if (is_curved(joint)) return joint->shape.arc.j_plane / joint->shape.arc.kappa;
+    if (joint->kind != NCK_SEG_SPLINE) return least;
     for (int x = 0; x < terms->axes; x++) {
         const double second = joint->shape.bend.second[x];
         if (second > 0.0) least = nck_min(least, terms->machine->axis[x].j_max / second);
@@ -326,6 +368,9 @@ void nck_joint_settle_more(nck_joint_t *joint, double v_free, double w_in,
         nck_pace_t *const at = &joint->pace[k];
         limit_spline(joint, at, nck_min(at->v + terms->v_filter, v_free), terms);
     }
+    for (int k = 0; k < NCK_PACES && terms->limits_jerk && is_curved(joint); k++) {
+        settle_arc(joint, &joint->pace[k], terms);
+    }
     for (int k = 0; k < NCK_PACES && terms->limits_jerk; k++) {
         joint->pace[k].least = least_time(joint, w_in, &joint->pace[k]);
     }
@@ -343,6 +388,6 @@ nck_piece_limit_t nck_joint_curved(const nck_joint_t *joint, double beta, int pa
         return piece;
     }
     piece.a = nck_joint_straight(joint, beta);
-    if (is_curved(joint)) limit_on_arc(joint, beta, terms->v_filter, &piece);
+    if (is_curved(joint)) limit_on_arc(joint, beta, terms, &piece);
     return piece;
 }

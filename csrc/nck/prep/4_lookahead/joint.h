@@ -49,7 +49,7 @@ static inline const double *nck_joint_tangents(const nck_seg_t *seg, int axes, d
 // Into how many joints a spline is worth to be parted. joint: the whole seg's. Cost: constant.
 int nck_joint_parts(const nck_joint_t *joint, const nck_terms_t *terms);
 
-// The least j_x/|p″| of a spline [mm²/s³]. Cost: constant.
+// The least j_x/|p″| of a spline or an arc [mm²/s³]. Cost: constant.
 double nck_joint_bends(const nck_joint_t *joint, const nck_terms_t *terms);
 
 // What a spline's bends leave of the path's acceleration at v². Cost: constant.

@@ -14,6 +14,8 @@
 // Share that centripetal acceleration may use of what the corner leaves; the tangential one gets at
 // least √(1 − 0.8²) = 0.6 of it, for the two are perpendicular.
 #define NCK_CURVE_SHARE 0.8
+// Share of the jerk of an arc's plane that the speed alone may use; as of a spline (base/budget.h).
+#define NCK_ARC_TWIST_SHARE 0.5
 
 // Limit of the path quantity when an axis has the limit x_lim and the direction cosine c ≠ 0:
 //   path ≤ x_lim / |c|      (speed, acceleration and jerk alike)
@@ -46,6 +48,34 @@ static inline nck_real nck_limit_sag(nck_real kappa, nck_real delta, nck_real pe
 //   v² ≤ 0.8·(1 − β)·a/κ
 static inline nck_real nck_limit_curve(nck_real a, nck_real kappa, nck_real beta) {
     return NCK_CURVE_SHARE * (1.0 - beta) * a / kappa;
+}
+
+// An arc whose in-plane acceleration is v²κ at the path speed v (κ = cos²λ/r, λ: pitch angle of a
+// helix) takes, of the jerk of its plane, v³κ²/cos λ against the tangent and 3vκ·a along the normal
+// (Frenet's equations differentiated twice: p⃛ = (j − κ²v³)·t + 3κva·n). The two are at a right
+// angle, so an axis of the plane sees, at most,
+//   (cos λ·j + v³κ²/cos λ)² + (3vκa)² ≤ J²
+static inline nck_real nck_limit_arc_twist(nck_real v, nck_real kappa, nck_real cos_lambda) {
+    return v * v * v * kappa * kappa / cos_lambda;
+}
+
+// v³ at which that takes the share β of J, κ > 0:   v³ ≤ β·J·cos λ/κ²     (a circle: β·J·r²)
+// The rest of J is for speeding up and braking at that speed.
+static inline nck_real nck_limit_arc_cube(nck_real j, nck_real kappa, nck_real cos_lambda) {
+    return NCK_ARC_TWIST_SHARE * j * cos_lambda / (kappa * kappa);
+}
+
+// The path's acceleration that takes half, by squares, of what is left:
+//   3vκ·a ≤ √((J² − twist²)/2)     twist ≤ J, vκ > 0
+static inline nck_real nck_limit_arc_ramp(nck_real j, nck_real twist, nck_real v_kappa) {
+    return nck_sqrt(0.5 * (j * j - twist * twist)) / (3.0 * v_kappa);
+}
+
+// The path's jerk that is left then:   cos λ·j ≤ √(J² − normal²) − twist
+// normal: 3vκa; normal² + twist² ≤ J².
+static inline nck_real nck_limit_arc_jerk(nck_real j, nck_real twist, nck_real normal,
+                                          nck_real cos_lambda) {
+    return (nck_sqrt(j * j - normal * normal) - twist) / cos_lambda;
 }
 
 // Tangential acceleration left on an arc: of τ·a, τ = 1 − β, the centripetal part v²κ is spent at a

@@ -37,8 +37,10 @@ typedef struct nck_pace {
 
 // What is at a joint's end, bit by bit.
 typedef enum nck_joint_end {
-    NCK_JOINT_STOP = 1, // the path rests there
-    NCK_JOINT_LAST = 2  // its seg ends there
+    NCK_JOINT_STOP = 1,  // the path rests there
+    NCK_JOINT_LAST = 2,  // its seg ends there
+    NCK_JOINT_TURNS = 4, // its seg keeps NCK_KEEP_TURNS
+    NCK_JOINT_SMOOTH = 8 // its seg keeps NCK_KEEP_SMOOTH
 } nck_joint_end_t;
 
 // Where the path stops within a tolerance, and the next motion may begin before: near to the corner
@@ -53,6 +55,7 @@ typedef struct nck_joint_overlap {
 typedef struct nck_joint_arc {
     double a_straight;    // tangential limit by the axes that are on no arc [path mm/s²]
     double a_plane;       // their smaller limit [mm/s²]
+    double j_plane;       // and of jerk [mm/s³]
     double cos_lambda;    // in-plane share of the path speed
     double kappa;         // in-plane acceleration = v²·kappa [1/mm]
 } nck_joint_arc_t;

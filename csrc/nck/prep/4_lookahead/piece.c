@@ -121,7 +121,7 @@ static inline void leave_at_rest(nck_node_t *node, const nck_joint_t *joint,
     node->standstill.left.a = no_more(nck_joint_most(joint));
     if (!terms->limits_jerk) return;
     node->standstill.left.j = no_more(joint->j_straight);
-    const int bends = joint->kind == NCK_SEG_SPLINE; // told apart here, which is quicker
+    const int bends = joint->kind != NCK_SEG_LINE; // told apart here, which is quicker
     node->q_rest = bends ? half_of(no_more(nck_joint_bends(joint, terms)))
                          : half_of(no_more(NCK_UNLIMITED));
 }

@@ -120,9 +120,12 @@ static int find_end(nck_linear_t *self, const nck_pieces_t *pieces) {
     const uint32_t known = pieces->head + pieces->fill - first;
     self->end = first + (known < NCK_LINEAR_VIEW ? known : NCK_LINEAR_VIEW);
     if (blocks > 0) {
-        const uint32_t seg = nck_plan_piece(pieces, first)->seg;
+        const nck_node_t *const begin = nck_plan_piece(pieces, first);
         uint32_t i = first;
-        while (i != self->end && nck_plan_piece(pieces, i)->seg - seg < blocks) i++;
+        while (i != self->end
+               && !nck_plan_is_beyond(self->link, begin, nck_plan_piece(pieces, i), blocks)) {
+            i++;
+        }
         if (i != self->end) {
             self->end = i;
             return 1;

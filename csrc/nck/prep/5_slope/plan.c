@@ -4,6 +4,8 @@
 
 #include "nck/base/real.h" // nck_min
 
+enum { SEGS_LEAST = 2 }; // that a look-ahead of several blocks sees
+
 uint32_t nck_plan_find(const nck_pieces_t *pieces, uint32_t number, const nck_cell_t *cell) {
     const uint32_t last = pieces->head + pieces->fill - 1;
     nck_node_t *piece = nck_plan_there(pieces, number);
@@ -49,4 +51,11 @@ int nck_plan_ends_block(const nck_link_t *link, const nck_pieces_t *pieces, uint
     const nck_node_t *const next = nck_plan_piece(pieces, number + 1);
     return piece->last
            && nck_link_seg(link, piece->seg)->block != nck_link_seg(link, next->seg)->block;
+}
+
+int nck_plan_is_beyond(const nck_link_t *link, const nck_node_t *first, const nck_node_t *piece,
+                       uint32_t blocks) {
+    const uint32_t segs = piece->seg - first->seg;
+    if (segs < blocks && segs < SEGS_LEAST) return 0;
+    return nck_link_seg(link, piece->seg)->block - nck_link_seg(link, first->seg)->block >= blocks;
 }

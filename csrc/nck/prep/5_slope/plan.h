@@ -141,6 +141,12 @@ static inline double nck_plan_limits_at(const nck_node_t *piece, uint32_t over) 
     return over && piece->feed > 0.0 ? nck_min(cap, v * v) : cap;
 }
 
+// 1 if a piece is beyond so many blocks, counted from the one that the first piece is of. A look-
+// ahead of several blocks sees two segs at least: a spline's may be as long as many blocks, and at
+// the end of what is seen the path rests. Cost: constant.
+int nck_plan_is_beyond(const nck_link_t *link, const nck_node_t *first, const nck_node_t *piece,
+                       uint32_t blocks);
+
 // 1 if the piece of this number, which has one behind it, ends its block. Cost: constant.
 int nck_plan_ends_block(const nck_link_t *link, const nck_pieces_t *pieces, uint32_t number);
 

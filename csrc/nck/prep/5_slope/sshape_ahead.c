@@ -75,17 +75,24 @@ void nck_sshape_look_anew(nck_sshape_t *self, double v_floor) {
     ahead->back = 0;
 }
 
+// Whether as many blocks are seen as may be, to the end of the last one.
+static int sees_blocks(const nck_sshape_t *self, const nck_pieces_t *pieces) {
+    const uint32_t blocks = self->machine->lookahead_blocks;
+    const uint32_t horizon = self->memory.ahead.horizon;
+    const nck_node_t *const first = nck_plan_piece(pieces, self->at.piece);
+    const nck_node_t *const last = nck_plan_piece(pieces, horizon - 1);
+    if (blocks == 0 || !nck_plan_piece(pieces, horizon)) return 0;
+    return nck_plan_ends_block(self->link, pieces, horizon - 1)
+           && (blocks == 1 || nck_plan_is_beyond(self->link, first, last, blocks - 1));
+}
+
 // Whether the horizon has come as far as it may: a stop, or all that the look-ahead may see.
 static int is_far(const nck_sshape_t *self, const nck_pieces_t *pieces) {
-    const uint32_t blocks = self->machine->lookahead_blocks;
     const uint32_t horizon = self->memory.ahead.horizon;
     const uint32_t count = horizon - self->at.piece;
     if (count == 0) return 0;
-    const nck_node_t *const first = nck_plan_piece(pieces, self->at.piece);
-    const nck_node_t *const last = nck_plan_piece(pieces, horizon - 1);
-    const int seen = blocks > 0 && last->last && last->seg - first->seg + 1 >= blocks;
-    const int rests = rests_behind(self, pieces, horizon - 1);
-    return rests || seen || count + NCK_SSHAPE_HOP > PIECES_MOST;
+    return rests_behind(self, pieces, horizon - 1) || sees_blocks(self, pieces)
+           || count + NCK_SSHAPE_HOP > PIECES_MOST;
 }
 
 // Single block must know whether the horizon is a block's end.

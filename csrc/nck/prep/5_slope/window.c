@@ -409,7 +409,8 @@ static int is_full(const nck_jerk_t *self, const nck_pieces_t *pieces, const nck
     const uint32_t blocks = self->machine->lookahead_blocks;
     if (!takes_cells(self)) return 1;
     if (self->work.piece - self->work.base >= self->work.pieces) return 1;
-    return blocks > 0 && piece->seg - nck_plan_piece(pieces, self->next->piece)->seg >= blocks;
+    const nck_node_t *const first = nck_plan_piece(pieces, self->next->piece);
+    return blocks > 0 && nck_plan_is_beyond(self->link, first, piece, blocks);
 }
 
 // The ladder comes to a piece: NCK_OK if it may be laid over it.
