@@ -13,7 +13,7 @@ acceleration and jerk is a finite difference of setpoints.
 - within a tolerance the run comes as near to every corner of the program and every part of an arc,
   in their order;
 - under a jerk-limited slope every axis keeps its jerk wherever a tolerance is in force, and inside
-  every straight block;
+  every block of the exact path, straight or arc;
 - exact stops land on their end points to the nanometre, dwells last as long as they are to, or
   longer where there is a hold or, under a jerk-limited slope, a plan that is late;
 - a hold and an abort come to rest in time; the last pose is the program's end.
@@ -150,7 +150,7 @@ class Checker:
         self._s, self._block, self._settled = np.zeros(3), np.zeros(3, np.intp), 0
         self._visits = Visits(self.path, self._poses[0]) if visits else None
         self._exact = np.concatenate(
-            [[0], np.cumsum((self.path.length > 0) & (self.path.tolerance == 0))]
+            [[0], np.cumsum((self.path.length > 0) & ~self.path.keeps_jerk)]
         )
         self._dwelt = np.zeros(len(blocks), np.int64)
         self._times = {}
@@ -251,16 +251,15 @@ class Checker:
             self._hold(good, f"{what} {values[k, axis]:.9g} of axis {axis}, limit {limit[axis]:g}")
 
     def _jerk_promised(self, block):
-        """Return at which ticks the axes' jerk is limited: four poses within tolerances, or on one
-        straight block that no filter reaches out of."""
+        """Return at which ticks the axes' jerk is limited: four poses within tolerances or on the
+        moves of cycles there, or on one block that no filter reaches out of."""
         before = np.concatenate([self._block, block])[: len(block)]
         smoothed = self._exact[block + 1] == self._exact[before]
         here = np.arange(len(block))
         entered = np.diff(block, prepend=self._block[-1]) != 0
         age = here - np.maximum.accumulate(np.where(entered, here, -1 - self._settled))
         self._settled = int(age[-1]) + 1
-        straight = ~self.path.is_arc[block] & (self.path.length[block] > 0)
-        return smoothed | (straight & (age >= SETTLED))
+        return smoothed | ((self.path.length[block] > 0) & (age >= SETTLED))
 
     def _progress(self, s, poses, way):
         """Forward, within acceleration and jerk of the path, twice the jerk where two motions may

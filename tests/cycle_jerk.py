@@ -159,7 +159,8 @@ class Lathe(Writer):
         else:
             pull = self.one_of("00", "05", "12")
             self.lines += [f"{code} P01{pull}60 Q150 R0.1",
-                           f"{code} X22 Z-30 R{self.one_of('0', '-' + r)} P900 Q350 F{lead}"]  # fmt: skip
+                           f"{code} X22 Z-30 R{self.one_of('0', '-' + r)} P900 Q350 "
+                           f"F{lead}"]  # fmt: skip
 
     def fanuc(self):
         system = self.one_of("A", "B", "C")
@@ -184,7 +185,8 @@ class Lathe(Writer):
                               f"H{self.one_of(0, 1)}{more}")  # fmt: skip
             self.lines.append(self.one_of(
                 "G0 Z12", "G1 X31 F400\nG0 Z12", "G0 X28\nG33 Z-30 K1\nG0 X30\nZ12",
-                "G0 X12\nG33.1 Z-15 K1\nG0 X30\nZ12", "G0 Z12\nG3 X36 Z6 R9 F500\nG0 X30 Z12"))  # fmt: skip
+                "G0 X12\nG33.1 Z-15 K1\nG0 X30\nZ12",
+                "G0 Z12\nG3 X36 Z6 R9 F500\nG0 X30 Z12"))  # fmt: skip
         self.lines += ["G0 X60 Z20", "M2", ""]
         return Case("\n".join(self.lines), "cak6150n",
                     self.settings("dialect.base=linuxcnc", *self.jerks("xz")))  # fmt: skip

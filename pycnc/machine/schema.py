@@ -95,7 +95,8 @@ class Path(Table):
     )
     tolerance_mm: Size = Field(
         Decimal("0.01"),
-        description="What G64 without P means, and a program without G61 and G64; 0 is exact path.",
+        description="What G64 without P means, and a program without G61 and G64: 0, which is "
+        "exact path, or 0.0001 at least.",
     )
     arc_radius_mm: Error = Field(
         Decimal("0.005"), description="How far the end point of an arc may miss its circle."
@@ -104,7 +105,8 @@ class Path(Table):
         0,
         ge=0,
         description="Blocks that the look-ahead may see, the one in work among them, 2 at least "
-        "(`sshape`: 1, which stops at every block); 0: all that the kernel holds.",
+        "(`sshape`: 1, which stops at every block); within a tolerance two pieces of the spline at "
+        "least; 0: all that the kernel holds.",
     )
     slope: Slope = Field(
         "jerk",

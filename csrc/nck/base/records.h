@@ -54,7 +54,7 @@ typedef enum nck_path_mode {
     NCK_PATH_EXACT = 0,     // G61: on the path, junctions crossed by the transfer rule
     NCK_PATH_STOP = 1,      // G61.1, G9: a stop at the end of every move
     NCK_PATH_CONTINUOUS = 2, // G64 P Q: within the tolerance
-    NCK_PATH_TURNS = 3 // a cycle's move under G64 P: on the path, and a stop where it turns, so that
+    NCK_PATH_TURNS = 3 // a cycle's move under G64 P: on the path, a stop where it turns, so that
                        // the axes keep their jerk there, too
 } nck_path_mode_t;
 

@@ -375,13 +375,11 @@ nck_status_t nck_decode_probe(nck_decode_t *self, nck_block_t *out);
 // NCK_E_COMP_ON. Cost: constant.
 nck_status_t nck_decode_cycle_fits(nck_decode_t *self);
 
-// motion.c: a block of a cycle to the present position, as any other move is. feed: of all but
-// NCK_BLOCK_RAPID. Cost: constant.
+// motion.c: a block of a cycle to the present position; within: as any other move is, exact: its
+// corners are not rounded; G61.1, G9 and a tolerance stop at them. feed: of NCK_BLOCK_LINE.
+// Cost: constant.
 void nck_decode_give_within(const nck_decode_t *self, nck_block_kind_t kind, double feed,
                             nck_block_t *out);
-
-// motion.c: the same on the exact path: its corners are not rounded; G61.1, G9 and a tolerance stop
-// at them. Cost: constant.
 void nck_decode_give_exact(const nck_decode_t *self, nck_block_kind_t kind, double feed,
                            nck_block_t *out);
 

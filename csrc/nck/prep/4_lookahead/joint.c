@@ -223,7 +223,7 @@ void nck_joint_make(nck_joint_t *joint, const nck_seg_t *seg, const double span[
     if (seg->kind == NCK_SEG_SPLINE) {
         joint->shape.bend.s = span[0];
         joint->length = span[1] - span[0];
-        if (span[1] < seg->length) joint->end &= (uint8_t)~(unsigned)(NCK_JOINT_STOP | NCK_JOINT_LAST);
+        if (span[1] < seg->length) joint->end &= NCK_JOINT_TURNS | NCK_JOINT_SMOOTH;
         bound_spline(joint, seg, span, terms);
     }
     make_caps(joint, seg, tangent_start, tangent_end, terms);
@@ -300,8 +300,8 @@ static void limit_on_arc(const nck_joint_t *joint, double beta, const nck_terms_
     piece->a = nck_min(piece->a, ramp_on_arc(arc, arc_speed(joint, piece->vv, terms)));
 }
 
-// The tangential jerk left on an arc at a pace, which is least where no junction takes a share: then
-// the speed and, where not the jerk itself limits it, the acceleration are highest.
+// The tangential jerk left on an arc at a pace, which is least where no junction takes a share:
+// then the speed and, where not the jerk itself limits it, the acceleration are highest.
 static void settle_arc(const nck_joint_t *joint, nck_pace_t *at, const nck_terms_t *terms) {
     nck_piece_limit_t piece = {at->v * at->v, 0.0, nck_joint_straight(joint, 0.0), at->j,
                                joint->limit};
