@@ -13,6 +13,7 @@ printed before it. The exit status is the number of parts that found something.
     quality     cppcheck and MISRA over all files
     mutants     100 mutants of libnck against all C tests
     nasty       4 000 nasty programs a slope
+    cycles      4 000 programs with cycles within a tolerance: limits of every axis
     rs274       15 000 random programs against rs274
     entering    the cases, the corpus and 50 programs of each family, begun at their lines
     linuxcnc    20 random operators in a live LinuxCNC
@@ -39,6 +40,7 @@ PARTS = {
     "mutants": ["tests/house/mutate.py --count 100 --seed {seed}"],
     "nasty": [f"tests/kernel/nasty.py --slope {slope} --count 4000 --seed {{seed}}"
               for slope in SLOPES],
+    "cycles": ["tests/cycle_jerk.py --count 4000 --seed {seed}"],
     "rs274": ["tests/decode/against_rs274.py 15000 {seed}"],
     "entering": ["tests/decode/entering.py --lines 200",
                  "tests/decode/entering.py --family all --seeds {seed} +50"],

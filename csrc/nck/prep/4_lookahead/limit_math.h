@@ -15,8 +15,8 @@
 // least √(1 − 0.8²) = 0.6 of it, for the two are perpendicular.
 #define NCK_CURVE_SHARE 0.8
 // Share of the jerk of an arc's plane that the speed alone may use. From rest to rest 0.2, 0.3 and
-// 0.4 are fastest over a quarter, a half and a whole turn, 0.85 over five; less of it leaves more to
-// speed up with, and walks of lines and arcs of 5 mm take 34.3 s with 0.5, 44.2 s with 0.85.
+// 0.4 are fastest over a quarter, a half and a whole turn, 0.85 over five; less of it leaves more
+// to speed up with, and walks of lines and arcs of 5 mm take 34.3 s with 0.5, 44.2 s with 0.85.
 #define NCK_ARC_TWIST_SHARE 0.5
 
 // Limit of the path quantity when an axis has the limit x_lim and the direction cosine c ≠ 0:
