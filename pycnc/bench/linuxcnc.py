@@ -11,6 +11,7 @@ same on every computer; a missing path_error or time would mean that the program
 """
 
 from pycnc.bench import programs
+from pycnc.kernel.bind import lib
 from pycnc.machine import Machine
 from pycnc.planning.plan import Plan
 from pycnc.program import Program
@@ -103,15 +104,15 @@ def _butterfly_row(chord_mm, a, j, machine):
 def bench_window_rows(modes=("G64 P0.01", "G61"), windows=WINDOWS):
     """Return rows {program, mode, lookahead_blocks, time_s, ratio, ramps}.
 
-    Planned times of the micro-segments with a look-ahead of so many blocks (within a tolerance: of
-    the pieces that smoothing makes); ratio: over the time with all of the window; ramps: how long
+    Planned times of the micro-segments with a look-ahead of so many blocks; ratio: over the time with all of the window; ramps: how long
     the blocks last at the mean speed of that, over v/A + A/J.
     """
     rows = []
     for mode in modes:
         text, machine = programs.micro(mode), programs.machine()
-        whole = Plan(Program(text, machine), keep=False)
-        each_s = whole.time_s / int(whole.totals["segments"])
+        program = Program(text, machine)
+        whole = Plan(program, keep=False)
+        each_s = whole.time_s / int((program.blocks["kind"] <= lib.NCK_BLOCK_ARC).sum())
         for blocks in windows:
             changed = Machine.load(machine, set={"path.lookahead_blocks": blocks})
             time_s = Plan(Program(text, changed), keep=False).time_s
