@@ -1,75 +1,21 @@
 // SPDX-License-Identifier: MIT
-// The contour: blocks as lines and arcs of the plane, in a ring, and where they meet themselves.
+// The contour: blocks as lines and arcs of the plane, in a ring.
 #include "nck/prep/2_toolcomp/parts.h"
 
 #include <assert.h> // assert
-#include <stddef.h> // NULL
-#include <string.h> // memcpy
-
-#include "nck/base/arc_math.h" // nck_arc_norm
-#include "nck/base/real.h"     // nck_fabs
-
-#define TOUCH 1e-3 // [mm] the contour meets itself
-
-// Does a new contour end on an older one? Where that meets an older one still, that one counts.
-static int ends_on(const nck_comp_entry_t *old, nck_comp_entry_t *entry) {
-    if (!(nck_shape_distance(&old->contour, entry->contour.q) < TOUCH)) return 0;
-    const double place = old->s + nck_shape_along(&old->contour, entry->contour.q);
-    const int again = old->met >= 0.0 && nck_fabs(place - old->met_at) < TOUCH;
-    entry->met = again ? old->met : place;
-    entry->met_at = entry->s + entry->contour.length;
-    return 1;
-}
-
-// A whole turn.
-static int ends_on_itself(nck_comp_entry_t *entry) {
-    const nck_shape_t *const contour = &entry->contour;
-    const double way[2] = {contour->q[0] - contour->p[0], contour->q[1] - contour->p[1]};
-    if (!(contour->radius > 0.0) || !(nck_arc_norm(way[0], way[1]) < TOUCH)) return 0;
-    entry->met = entry->s;
-    entry->met_at = entry->s + contour->length;
-    return 1;
-}
-
-static int crosses(const nck_comp_entry_t *old, nck_comp_entry_t *entry) {
-    nck_meeting_t crossing[2];
-    if (nck_shape_cross(&old->contour, &entry->contour, crossing) == 0) return 0;
-    entry->met = old->s + crossing[0].on_a;
-    entry->met_at = entry->s + crossing[0].on_b;
-    return 1;
-}
-
-// Look for an older contour that the new one meets. The one just before it meets it anyway.
-static int meets_any(nck_toolcomp_t *self, nck_comp_entry_t *entry,
-                     int (*meets)(const nck_comp_entry_t *old, nck_comp_entry_t *entry)) {
-    const nck_comp_entry_t *before = NULL;
-    for (uint32_t count = self->ring.tail; count != self->ring.head; count++) {
-        const nck_comp_entry_t *const old = nck_comp_at(self, count);
-        if (!old->moves) continue;
-        if (before != NULL && meets(before, entry)) return 1;
-        before = old;
-    }
-    return 0;
-}
-
-// An end counts before a crossing: where the contour is run through again, every end is on it.
-static void find_meeting(nck_toolcomp_t *self, nck_comp_entry_t *entry) {
-    if (meets_any(self, entry, ends_on) || ends_on_itself(entry)) return;
-    (void)meets_any(self, entry, crosses);
-}
+#include <string.h> // memcpy memset
 
 // What the first contour, and an arc, must be. 1: it is good.
 static nck_status_t check(nck_toolcomp_t *self, const nck_comp_entry_t *entry) {
     const nck_shape_t *const contour = &entry->contour;
     const uint32_t line = entry->block.line;
-    nck_comp_piece_t piece;
     nck_shape_t beside;
     if (!entry->enters) {
         if (nck_shape_parallel(contour, self->side * self->radius, &beside)) return NCK_EMPTY;
         return nck_comp_fail(self, NCK_E_COMP_RADIUS, line, self->radius, contour->radius);
     }
     const double size = contour->radius > 0.0 ? contour->radius : contour->length;
-    if (size > self->radius && nck_comp_enter(self, contour, &piece.shape)) return NCK_EMPTY;
+    if (size > self->radius && nck_comp_enter(self, contour, &beside)) return NCK_EMPTY;
     return nck_comp_fail(self, NCK_E_COMP_ENTRY, line, size, self->radius);
 }
 
@@ -89,23 +35,64 @@ static void read_contour(nck_toolcomp_t *self, nck_comp_entry_t *entry) {
     memcpy(self->reached_nm, block->target_nm, sizeof self->reached_nm);
 }
 
+// Does the path go on from where the contour before ends? What is done with does.
+static int follows_last(nck_toolcomp_t *self) {
+    const uint32_t count = self->last.count;
+    if (count - self->ring.tail >= self->ring.head - self->ring.tail) return 1;
+    const nck_comp_span_t *const span = &nck_comp_at(self, count)->path[NCK_COMP_BESIDE];
+    nck_comp_piece_t piece;
+    nck_comp_piece(self, count, NCK_COMP_BESIDE, &piece);
+    return span->on && !(span->to < piece.shape.length);
+}
+
+static void note_last(nck_toolcomp_t *self, const nck_comp_entry_t *entry) {
+    const nck_shape_t *const contour = &entry->contour;
+    if (!entry->enters && self->last.begins == 0) {
+        self->last.begins = entry->block.line;
+        memcpy(self->last.first, contour->p, sizeof self->last.first);
+        nck_shape_tangent(contour, 0.0, self->last.ahead);
+    }
+    nck_shape_tangent(contour, contour->length, self->last.tangent);
+    self->last.count = self->ring.head;
+    self->last.line = entry->block.line;
+    self->last.rapid = entry->rapid;
+}
+
+// The path is led along the newest contour. What is done with cannot be cut short for it any more.
+static nck_status_t follow(nck_toolcomp_t *self, nck_comp_entry_t *entry) {
+    const int follows = follows_last(self);
+    const int done = self->last.count - self->ring.tail >= self->ring.head - self->ring.tail;
+    memcpy(entry->tangent, self->last.tangent, sizeof entry->tangent);
+    if (!entry->enters && done && !entry->rapid && !self->last.rapid) {
+        double ahead[2];
+        nck_shape_tangent(&entry->contour, 0.0, ahead);
+        const double dip = nck_comp_dip(self, nck_comp_turn(self, entry->tangent, ahead));
+        const uint32_t line = self->last.line;
+        if (dip > NCK_COMP_CLOSE) {
+            return nck_comp_fail(self, NCK_E_COMP_GOUGE, line, dip, (double)entry->block.line);
+        }
+    }
+    nck_comp_join(self, self->ring.head, follows);
+    note_last(self, entry);
+    return NCK_EMPTY;
+}
+
 nck_status_t nck_comp_take(nck_toolcomp_t *self, const nck_block_t *block) {
     nck_comp_entry_t *const entry = nck_comp_at(self, self->ring.head);
     nck_status_t status = NCK_EMPTY;
+    memset(entry, 0, sizeof *entry);
     entry->block = *block;
     entry->s = self->s;
-    entry->met = -1.0;
     entry->rapid = block->kind == NCK_BLOCK_RAPID;
-    entry->contour.length = 0.0;
     if (block->kind <= NCK_BLOCK_ARC) read_contour(self, entry);
     entry->moves = entry->contour.length > 0.0;
     entry->enters = entry->moves && self->phase == NCK_COMP_ENTERS;
     if (entry->moves) {
         status = check(self, entry);
+        if (status == NCK_EMPTY) status = follow(self, entry);
         if (status != NCK_EMPTY) return status;
         self->phase = NCK_COMP_ON;
         self->s += entry->contour.length;
-        find_meeting(self, entry);
     }
     self->ring.head++;
     assert(self->ring.head - self->ring.tail <= NCK_COMP_ROWS);

@@ -7,7 +7,6 @@
 #include "nck/base/arc_math.h" // nck_arc_…
 #include "nck/base/real.h"     // nck_floor nck_fabs
 
-#define LEAST 1e-7      // [mm] a stretch so short is none
 #define PER_MINUTE 60.0 // seconds
 
 // The place of the tool's point in the plane.
@@ -119,23 +118,35 @@ static int has_length(const nck_toolcomp_t *self, const nck_block_t *out) {
     return 0;
 }
 
+// A piece that begins elsewhere than the one before ends is led to straight.
+static int is_apart(const nck_toolcomp_t *self, const nck_comp_entry_t *entry, double *begin) {
+    const nck_comp_piece_t *const piece = &self->walk.piece;
+    if (entry->enters || self->walk.along > entry->path[piece->part].from) return 0;
+    nck_shape_point(&piece->shape, self->walk.along, begin);
+    return nck_arc_norm(begin[0] - self->at[0], begin[1] - self->at[1]) > NCK_COMP_SHORT;
+}
+
 nck_status_t nck_comp_give(nck_toolcomp_t *self, nck_block_t *out) {
     const nck_comp_piece_t *const piece = &self->walk.piece;
     const nck_comp_entry_t *const entry = nck_comp_at(self, piece->of);
-    const int bends = piece->shape.radius > 0.0;
-    const double rest = self->walk.until - self->walk.along;
+    const int joins = piece->part == NCK_COMP_ABOUT;
+    double begin[2];
+    const int apart = is_apart(self, entry, begin);
+    const double rest = apart ? 0.0 : self->walk.until - self->walk.along;
+    const int bends = piece->shape.radius > 0.0 && rest > NCK_COMP_SHORT;
     const double share = bends ? stretch(&piece->shape, self->walk.along, self->walk.until) : 1.0;
-    const double to = share < 1.0 ? self->walk.along + share * rest : self->walk.until;
+    const double to = share < 1.0 ? self->walk.along + share * rest : self->walk.along + rest;
     nck_status_t status = NCK_OK;
-    nck_shape_point(&piece->shape, to, self->at);
+    if (apart) memcpy(self->at, begin, sizeof begin);
+    else nck_shape_point(&piece->shape, to, self->at);
     self->walk.along = to;
     *out = entry->block;
-    share_others(self, &entry->block, piece->joins ? 0.0 : share, out);
+    share_others(self, &entry->block, joins || apart ? 0.0 : share, out);
     target(self, self->at, out->target_nm);
     if (!has_length(self, out)) return NCK_EMPTY;
-    if (bends && rest > LEAST) status = bend(self, &piece->shape, out);
+    if (bends) status = bend(self, &piece->shape, out);
     else if (out->kind == NCK_BLOCK_ARC) out->kind = NCK_BLOCK_LINE;
-    if (piece->joins) feed_corner(self, entry, piece->shape.length, out);
+    if (joins) feed_corner(self, entry, piece->shape.length, out);
     for (unsigned k = 0; k < 2 && status == NCK_OK; k++) {
         status = check_place(self, out, k, out->target_nm[self->axis[k]]);
     }

@@ -1,130 +1,172 @@
 // SPDX-License-Identifier: MIT
-// Is the path good: clear of the contours that follow, and what does a cut leave out?
+// What does the path leave out between two of its pieces? The radius of an inside corner may stay,
+// with elements in it that are no longer than the tool's radius; nothing that the tool could touch.
 #include "nck/prep/2_toolcomp/parts.h"
 
-#include "nck/base/real.h" // nck_min nck_max
+#include <string.h> // memset
+
+#include "nck/base/arc_math.h" // nck_arc_norm
+#include "nck/base/real.h"     // nck_min nck_max nck_fabs
 
 enum { PLACES = 8 }; // of a piece are looked at
-#define CLOSE 1e-3 // [mm] a path that comes so much too near is good, and less material is not told
 #define CLEAR 1e-5 // [mm] a tool that is nearer does not fit
 
-// How deep the tool is in a contour at worst.
-typedef struct depth {
-    double most;    // [mm]
-    uint32_t of;    // count of the contour beside which it is
-    uint32_t other; // and of the one that it is in
-} depth_t;
+// What is between two pieces of the path.
+typedef struct gap {
+    const nck_comp_piece_t *from;
+    const nck_comp_piece_t *to;
+    nck_shape_t side[2]; // what the path has of them
+    double left;         // most of the material that stays [mm]
+    double length;       // contour that is left out [mm]
+    double longest;      // of its elements [mm]
+    uint32_t first;      // count of the first one of them
+    uint32_t last;
+    uint32_t elements;   // how many
+    double depth;        // the tool beside what is left out is so deep in another contour [mm]
+    uint32_t of;         // count of the contour beside which it is
+    uint32_t other;      // and of the one that it is in
+} gap_t;
 
-static nck_status_t fail(nck_toolcomp_t *self, const depth_t *depth) {
-    return nck_comp_fail(self, NCK_E_COMP_GOUGE, nck_comp_at(self, depth->of)->block.line,
-                         depth->most, (double)nck_comp_at(self, depth->other)->block.line);
-}
-
-// ---- the path itself
-
-// The tool at a point of the piece in work, so far along.
-static void hold_point(nck_toolcomp_t *self, const double *point, double along, depth_t *worst) {
-    const uint32_t of = self->walk.piece.of;
-    const double s = nck_comp_on_contour(self, &self->walk.piece, along);
-    for (uint32_t m = nck_comp_next(self, of); m != self->ring.head; m = nck_comp_next(self, m)) {
-        const nck_comp_entry_t *const entry = nck_comp_at(self, m);
-        if (entry->rapid) return;
-        const double depth = self->radius - nck_shape_distance(&entry->contour, point);
-        if (!(depth > nck_max(worst->most, CLOSE))) continue;
-        const double nearest = entry->s + nck_shape_along(&entry->contour, point);
-        if (!nck_comp_relates(self, s, nck_max(nearest, entry->s))) continue;
-        *worst = (depth_t){depth, of, m};
-    }
-}
-
-nck_status_t nck_comp_hold(nck_toolcomp_t *self) {
-    const nck_comp_piece_t *const piece = &self->walk.piece;
-    const nck_comp_entry_t *const entry = nck_comp_at(self, piece->of);
-    const double until = self->walk.until;
-    depth_t worst = {0.0, 0, 0};
-    double point[2];
-    double end[2];
-    if (entry->rapid) return NCK_OK;
-    nck_shape_point(&piece->shape, until, end);
-    nck_shape_point(&piece->shape, 0.5 * (self->walk.along + until), point);
-    if (entry->enters && !piece->joins && !(piece->shape.radius > 0.0)) {
-        point[0] = 0.5 * (self->at[0] + end[0]);
-        point[1] = 0.5 * (self->at[1] + end[1]);
-    }
-    hold_point(self, point, 0.5 * (self->walk.along + until), &worst);
-    hold_point(self, end, until, &worst);
-    return worst.most > CLOSE ? fail(self, &worst) : NCK_OK;
-}
-
-// ---- what is left out
-
-// The tool beside contour `of`: how deep is it in the others? Returns 1 if it is in none. deepest:
-// neighbours do not count, for at a corner each is in the other.
-static int is_clear(nck_toolcomp_t *self, uint32_t of, const double *point, depth_t *deepest) {
+// The tool beside contour `of`: how deep is it in the others? Returns 1 if it is in none. Neighbours
+// have no depth, for at a corner each is in the other.
+static int is_clear(nck_toolcomp_t *self, gap_t *gap, uint32_t of, const double *point) {
     int clear = 1;
-    for (uint32_t m = nck_comp_oldest(self); m != self->ring.head; m++) {
+    for (uint32_t m = gap->from->of; m != gap->to->of + 1; m++) {
         const nck_comp_entry_t *const entry = nck_comp_at(self, m);
         if (m == of || !entry->moves || entry->enters || entry->rapid) continue;
         const double depth = self->radius - nck_shape_distance(&entry->contour, point);
         if (depth > -CLEAR) clear = 0;
         const int neighbours = nck_comp_next(self, m) == of || nck_comp_next(self, of) == m;
-        if (depth > deepest->most && !neighbours) *deepest = (depth_t){depth, of, m};
+        if (depth <= gap->depth || neighbours) continue;
+        gap->depth = depth;
+        gap->of = of;
+        gap->other = m;
     }
     return clear;
 }
 
-// Does the tool fit anywhere on a stretch of the piece beside contour `of` that is left out? Behind
-// the first move it may: that one is no contour, and where it leads in the contour is cut short.
-static int fits(nck_toolcomp_t *self, uint32_t of, double from, depth_t *deepest) {
+// Does the tool fit anywhere on a stretch of the piece beside contour `of`? Behind the first move,
+// which is no contour, it may: where that leads in, the contour is cut short.
+static int fits(nck_toolcomp_t *self, gap_t *gap, uint32_t of, const double *stretch) {
     nck_comp_piece_t piece;
     double point[2];
-    if (nck_comp_at(self, self->walk.piece.of)->enters) return 0;
-    nck_comp_beside(self, of, &piece);
-    const double step = (piece.shape.length - from) / (double)PLACES;
+    nck_comp_piece(self, of, NCK_COMP_BESIDE, &piece);
+    const double step = (stretch[1] - stretch[0]) / (double)PLACES;
+    if (!(step > 0.0) || nck_comp_at(self, gap->from->of)->enters) return 0;
     for (int k = 0; k < PLACES; k++) {
-        nck_shape_point(&piece.shape, from + step * ((double)k + 0.5), point);
-        if (is_clear(self, of, point, deepest)) return 1;
+        nck_shape_point(&piece.shape, stretch[0] + step * ((double)k + 0.5), point);
+        if (is_clear(self, gap, of, point)) return 1;
     }
     return 0;
 }
 
-// How far a corner of the contour is from the path on both sides of the cut.
-static double reach(const nck_shape_t *sides, const double *point) {
-    return nck_min(nck_shape_distance(&sides[0], point), nck_shape_distance(&sides[1], point));
+// The ends of both pieces that are cut off. Beside a rapid nothing is cut.
+static int ends_fit(nck_toolcomp_t *self, gap_t *gap) {
+    const nck_comp_piece_t *const from = gap->from;
+    const nck_comp_piece_t *const to = gap->to;
+    const nck_comp_entry_t *const entry = nck_comp_at(self, from->of);
+    if (entry->rapid || nck_comp_at(self, to->of)->rapid) return 0;
+    const double behind[2] = {entry->path[from->part].to, from->shape.length};
+    const double before[2] = {0.0, nck_comp_at(self, to->of)->path[to->part].from};
+    return (from->part == NCK_COMP_BESIDE && fits(self, gap, from->of, behind))
+           || (to->part == NCK_COMP_BESIDE && fits(self, gap, to->of, before));
 }
 
-static void tell(nck_toolcomp_t *self, uint32_t first, uint32_t last, double left) {
-    if (left < CLOSE || (self->note.code != 0 && self->note.value > left)) return;
-    const uint32_t lines[2] = {nck_comp_at(self, first)->block.line,
-                               nck_comp_at(self, last)->block.line};
-    self->note = (nck_diagnostic_t){NCK_NOTE_COMP_LEFT, lines[0], 0, 0, left, (double)lines[1]};
+static void side_of(nck_toolcomp_t *self, const nck_comp_piece_t *piece, nck_shape_t *out) {
+    const nck_comp_span_t *const span = &nck_comp_at(self, piece->of)->path[piece->part];
+    nck_shape_part(&piece->shape, span->from, span->to, out);
 }
 
-// The path on both sides of the cut.
-static void sides_of(nck_toolcomp_t *self, nck_shape_t *sides_out) {
-    const nck_comp_piece_t *const next = &self->walk.next;
-    nck_shape_part(&self->walk.piece.shape, self->walk.along, self->walk.until, &sides_out[0]);
-    nck_shape_part(&next->shape, self->walk.on_next, next->shape.length, &sides_out[1]);
+// How far a corner of the contour is from the path on both sides of the gap.
+static double reach(const gap_t *gap, const double *point) {
+    return nck_min(nck_shape_distance(&gap->side[0], point),
+                   nck_shape_distance(&gap->side[1], point));
+}
+
+// An element of which nothing is on the path. Returns 1 if the tool could touch it.
+static int leave_out(nck_toolcomp_t *self, gap_t *gap, uint32_t count) {
+    const nck_shape_t *const contour = &nck_comp_at(self, count)->contour;
+    nck_comp_piece_t piece;
+    nck_comp_piece(self, count, NCK_COMP_BESIDE, &piece);
+    const double all[2] = {0.0, piece.shape.length};
+    const double far = nck_max(reach(gap, contour->p), reach(gap, contour->q));
+    if (gap->elements == 0) gap->first = count;
+    gap->last = count;
+    gap->elements++;
+    gap->left = nck_max(gap->left, far - self->radius);
+    gap->length += contour->length;
+    gap->longest = nck_max(gap->longest, contour->length);
+    return fits(self, gap, count, all);
+}
+
+static int is_left_out(nck_toolcomp_t *self, uint32_t count) {
+    const nck_comp_entry_t *const entry = nck_comp_at(self, count);
+    return entry->moves && !entry->path[NCK_COMP_BESIDE].on;
+}
+
+static nck_status_t fail(nck_toolcomp_t *self, gap_t *gap) {
+    double end[2];
+    if (!(gap->depth > 0.0)) { // in no other: then where the piece before would end
+        nck_shape_point(&gap->from->shape, gap->from->shape.length, end);
+        (void)is_clear(self, gap, gap->from->of, end);
+    }
+    if (!(gap->depth > 0.0) && gap->elements > 0) {
+        const nck_shape_t *const contour = &nck_comp_at(self, gap->first)->contour;
+        gap->depth = nck_max(self->radius - nck_shape_distance(contour, end), 0.0);
+        gap->other = gap->first;
+    }
+    return nck_comp_fail(self, NCK_E_COMP_GOUGE, nck_comp_at(self, gap->of)->block.line,
+                         gap->depth, (double)nck_comp_at(self, gap->other)->block.line);
+}
+
+static void tell(nck_toolcomp_t *self, const gap_t *gap) {
+    const int told = self->note.code != 0 && self->note.value > gap->left;
+    if (gap->elements == 0 || gap->left < NCK_COMP_CLOSE || told) return;
+    const uint32_t lines[2] = {nck_comp_at(self, gap->first)->block.line,
+                               nck_comp_at(self, gap->last)->block.line};
+    self->note = (nck_diagnostic_t){NCK_NOTE_COMP_LEFT, lines[0], 0, 0, gap->left,
+                                    (double)lines[1]};
+}
+
+// The path ends here for good: is it closed, and does the tool cut into where it began?
+static nck_status_t judge_end(nck_toolcomp_t *self) {
+    const nck_comp_entry_t *const entry = nck_comp_at(self, self->walk.piece.of);
+    const nck_shape_t *const contour = &entry->contour;
+    const double gap = nck_arc_norm(contour->q[0] - self->last.first[0],
+                                    contour->q[1] - self->last.first[1]);
+    if (entry->enters || entry->rapid || gap > NCK_COMP_CLOSE) return NCK_OK;
+    const double dip = nck_comp_dip(self, nck_comp_turn(self, self->last.tangent,
+                                                        self->last.ahead));
+    if (!(dip > NCK_COMP_CLOSE)) return NCK_OK;
+    return nck_comp_fail(self, NCK_E_COMP_GOUGE, entry->block.line, dip,
+                         (double)self->last.begins);
 }
 
 nck_status_t nck_comp_judge(nck_toolcomp_t *self) {
     const nck_comp_piece_t *const piece = &self->walk.piece;
-    const uint32_t to = self->walk.next.of;
-    const uint32_t first = piece->joins ? piece->of : nck_comp_next(self, piece->of);
-    depth_t deepest = {0.0, first, to};
-    nck_shape_t sides[2];
-    uint32_t last = first;
-    double left = 0.0;
-    if (first == to) return NCK_OK;
-    sides_of(self, sides);
-    int fit = !piece->joins && fits(self, piece->of, self->walk.until, &deepest);
-    for (uint32_t m = first; m != to && !fit; m = nck_comp_next(self, m)) {
-        const nck_shape_t *const contour = &nck_comp_at(self, m)->contour;
-        fit = fits(self, m, 0.0, &deepest);
-        left = nck_max(left, nck_max(reach(sides, contour->p), reach(sides, contour->q)));
-        last = m;
+    const uint32_t behind = nck_comp_next(self, piece->of);
+    const uint32_t first = piece->part == NCK_COMP_ABOUT ? piece->of : behind;
+    nck_comp_piece_t next;
+    const int lost = !nck_comp_following(self, piece, &next);
+    if (lost) {
+        if (first == self->ring.head) return self->closed ? judge_end(self) : NCK_OK;
+        nck_comp_piece(self, self->last.count, NCK_COMP_BESIDE, &next);
     }
-    if (fit) return fail(self, &deepest);
-    tell(self, first, last, left - self->radius);
+    gap_t gap;
+    memset(&gap, 0, sizeof gap);
+    gap.from = piece;
+    gap.to = &next;
+    gap.of = first;
+    gap.other = first;
+    side_of(self, piece, &gap.side[0]);
+    side_of(self, &next, &gap.side[1]);
+    int fit = ends_fit(self, &gap);
+    for (uint32_t m = piece->of; m != next.of + 1 && !fit; m++) {
+        if (is_left_out(self, m)) fit = leave_out(self, &gap, m);
+    }
+    const int deep = gap.longest > self->radius
+                     || nck_min(gap.left, gap.length) > self->radius;
+    if (fit || deep || lost) return fail(self, &gap);
+    tell(self, &gap);
     return NCK_OK;
 }

@@ -10,7 +10,6 @@
 #include "nck/base/arc_math.h" // nck_arc_angle
 #include "nck/base/real.h"     // nck_fabs nck_atan2
 
-#define SHORT 1e-4 // [mm] an arc so short is left out: the path misses it by less than it rounds
 #define STRAIGHT 1e-9 // sine of the angle of a corner that turns nowhere, or right back
 
 // The first move: a line has its parallel, which is only where it is left from; an arc goes from
@@ -36,33 +35,34 @@ int nck_comp_enter(const nck_toolcomp_t *self, const nck_shape_t *contour, nck_s
     return 1;
 }
 
-void nck_comp_beside(nck_toolcomp_t *self, uint32_t count, nck_comp_piece_t *out) {
-    const nck_comp_entry_t *const entry = nck_comp_at(self, count);
-    out->of = count;
-    out->joins = 0;
-    if (entry->enters) (void)nck_comp_enter(self, &entry->contour, &out->shape);
-    else (void)nck_shape_parallel(&entry->contour, self->side * self->radius, &out->shape);
+double nck_comp_turn(const nck_toolcomp_t *self, const double *before, const double *behind) {
+    const double away = self->side * (before[1] * behind[0] - before[0] * behind[1]);
+    const double ahead = before[0] * behind[0] + before[1] * behind[1];
+    const double angle = nck_atan2(nck_fabs(away), ahead);
+    return away < (ahead < 0.0 ? -STRAIGHT : 0.0) ? -angle : angle;
 }
 
-int nck_comp_about(nck_toolcomp_t *self, uint32_t count, const double *tangent,
-                   nck_comp_piece_t *out) {
-    const nck_shape_t *const contour = &nck_comp_at(self, count)->contour;
-    double next[2];
-    double end[2][2];
-    nck_shape_tangent(contour, 0.0, next);
-    const double away = self->side * (tangent[1] * next[0] - tangent[0] * next[1]);
-    const double ahead = tangent[0] * next[0] + tangent[1] * next[1];
-    if (away < (ahead < 0.0 ? -STRAIGHT : 0.0)) return 0;
-    const double angle = nck_atan2(nck_fabs(away), ahead);
-    if (!(self->radius * angle > SHORT)) return 0;
+static void about(const nck_toolcomp_t *self, const nck_comp_entry_t *entry, nck_shape_t *out) {
+    const nck_shape_t *const contour = &entry->contour;
     const double left = self->side * self->radius;
-    const double *const of[2] = {tangent, next};
+    double behind[2];
+    double end[2][2];
+    nck_shape_tangent(contour, 0.0, behind);
+    const double *const of[2] = {entry->tangent, behind};
     for (unsigned k = 0; k < 2; k++) {
         end[k][0] = contour->p[0] - left * of[k][1];
         end[k][1] = contour->p[1] + left * of[k][0];
     }
-    nck_shape_arc(end[0], end[1], contour->p, -self->side * angle, &out->shape);
+    const double turn = nck_comp_turn(self, entry->tangent, behind);
+    nck_shape_arc(end[0], end[1], contour->p, -self->side * turn, out);
+}
+
+void nck_comp_piece(nck_toolcomp_t *self, uint32_t count, nck_comp_part_t part,
+                    nck_comp_piece_t *out) {
+    const nck_comp_entry_t *const entry = nck_comp_at(self, count);
     out->of = count;
-    out->joins = 1;
-    return 1;
+    out->part = (uint8_t)part;
+    if (part == NCK_COMP_ABOUT) about(self, entry, &out->shape);
+    else if (entry->enters) (void)nck_comp_enter(self, &entry->contour, &out->shape);
+    else (void)nck_shape_parallel(&entry->contour, self->side * self->radius, &out->shape);
 }

@@ -61,7 +61,7 @@ static void switch_on(nck_toolcomp_t *self, const nck_block_t *block) {
     axes_of(block->plane, self->axis);
     for (unsigned k = 0; k < NCK_AXIS_MAX; k++) self->reached_nm[k] = block->target_nm[k];
     if (!self->away) memcpy(self->given_nm, self->reached_nm, sizeof self->given_nm);
-    self->ring.first = self->ring.head;
+    memset(&self->last, 0, sizeof self->last);
     self->phase = NCK_COMP_ENTERS;
     self->away = 0;
     self->plane = block->plane;
@@ -102,68 +102,34 @@ void nck_toolcomp_end(nck_toolcomp_t *self) {
     self->closed = self->phase != NCK_COMP_OFF;
 }
 
-static void open_piece(nck_toolcomp_t *self, const nck_comp_piece_t *piece, double along) {
-    self->walk.piece = *piece;
-    self->walk.along = along;
+static void open_piece(nck_toolcomp_t *self, nck_comp_part_t part) {
+    const nck_comp_span_t *const span = &nck_comp_at(self, self->ring.tail)->path[part];
+    nck_comp_piece(self, self->ring.tail, part, &self->walk.piece);
+    self->walk.along = span->from;
+    self->walk.until = span->to;
     self->walk.open = 1;
     self->walk.planned = 0;
-    self->walk.corner = 0;
 }
 
-// The contour at the tail begins where the last one ended: about the corner first, then along it.
-static void open_next(nck_toolcomp_t *self) {
-    nck_comp_piece_t piece;
-    const uint32_t count = self->ring.tail;
-    const int rounds = self->walk.corner
-                       && nck_comp_about(self, count, self->walk.tangent, &piece);
-    if (!rounds) nck_comp_beside(self, count, &piece);
-    open_piece(self, &piece, 0.0);
-}
-
-// The path has left the piece: of its contour, and of what is cut off, nothing is left to do.
-static void close_piece(nck_toolcomp_t *self) {
-    const uint32_t of = self->walk.piece.of;
-    const int joined = self->walk.piece.joins;
-    self->walk.open = 0;
-    if (self->walk.jumps) return;
-    if (joined) {
-        nck_comp_piece_t next;
-        nck_comp_beside(self, of, &next);
-        open_piece(self, &next, 0.0);
-        return;
-    }
-    const nck_shape_t *const contour = &nck_comp_at(self, of)->contour;
-    nck_shape_tangent(contour, contour->length, self->walk.tangent);
-    self->walk.corner = 1;
-    self->ring.tail++;
-}
-
-// Where the path leaves the piece in work, and what that leaves out.
 static nck_status_t plan_piece(nck_toolcomp_t *self) {
-    nck_comp_find_cut(self);
     self->walk.planned = 1;
     const nck_status_t status = nck_comp_hold(self);
-    return status == NCK_OK && self->walk.jumps ? nck_comp_judge(self) : status;
+    return status == NCK_OK ? nck_comp_judge(self) : status;
 }
 
-// The entry at the tail: a block without contour is given, a contour's piece is opened or, before
-// the place to which the path jumps, left out.
+// The entry at the tail: a block without contour is given, the next piece of a contour is opened.
 static nck_status_t begin_entry(nck_toolcomp_t *self, nck_block_t *out) {
-    const uint32_t count = self->ring.tail;
-    nck_comp_entry_t *const entry = nck_comp_at(self, count);
-    if (!entry->moves) {
+    nck_comp_entry_t *const entry = nck_comp_at(self, self->ring.tail);
+    const unsigned part = self->walk.part;
+    if (part == NCK_COMP_PARTS || !entry->moves) {
         self->ring.tail++;
+        self->walk.part = 0;
+        if (entry->moves) return NCK_EMPTY;
         nck_comp_give_along(self, &entry->block, out);
         return NCK_OK;
     }
-    if (!self->walk.jumps) {
-        open_next(self);
-    } else if (count == self->walk.next.of) {
-        open_piece(self, &self->walk.next, self->walk.on_next);
-        self->walk.jumps = 0;
-    } else {
-        self->ring.tail++;
-    }
+    if (entry->path[part].on) open_piece(self, (nck_comp_part_t)part);
+    self->walk.part++;
     return NCK_EMPTY;
 }
 
@@ -172,14 +138,14 @@ static nck_status_t step(nck_toolcomp_t *self, nck_block_t *out) {
     if (!self->walk.open) return begin_entry(self, out);
     nck_status_t status = self->walk.planned ? NCK_OK : plan_piece(self);
     if (status == NCK_OK) status = nck_comp_give(self, out);
-    if (status >= NCK_OK && !(self->walk.along < self->walk.until)) close_piece(self);
+    if (status >= NCK_OK && !(self->walk.along < self->walk.until)) self->walk.open = 0;
     return status;
 }
 
 nck_status_t nck_toolcomp_pull(nck_toolcomp_t *self, nck_block_t *block_out) {
     if (!NCK_HAS_COMP || self->phase == NCK_COMP_OFF) return NCK_EMPTY;
     const uint32_t waiting = self->ring.head - self->ring.tail;
-    if (!self->closed && waiting < NCK_COMP_ROWS - NCK_COMP_KEPT) return NCK_EMPTY;
+    if (!self->closed && waiting < NCK_COMP_ROWS) return NCK_EMPTY;
     while (self->ring.tail != self->ring.head) {
         nck_status_t status = step(self, block_out);
         if (status == NCK_OK) status = leave(self, block_out);

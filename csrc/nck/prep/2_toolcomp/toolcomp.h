@@ -12,13 +12,28 @@
 #include "nck/base/status.h"  // nck_status_t nck_diagnostic_t
 #include "nck/prep/2_toolcomp/shape.h" // nck_shape_t
 
+// What the path has of a contour: an arc about the corner before it, and what is parallel to it.
+typedef enum nck_comp_part {
+    NCK_COMP_ABOUT = 0,
+    NCK_COMP_BESIDE = 1,
+    NCK_COMP_PARTS = 2
+} nck_comp_part_t;
+
+// From where to where the path is on a piece.
+typedef struct nck_comp_span {
+    double from;         // [mm] along it
+    double to;
+    uint8_t on;          // 1: it is there
+    uint8_t reserved[7]; // 0
+} nck_comp_span_t;
+
 // A block that waits, and what it is in the plane.
 typedef NCK_COMP_STATE nck_comp_entry {
     nck_block_t block;   // as it came
     nck_shape_t contour; // the programmed line or arc
+    double tangent[2];   // direction of the contour before it, at its end
     double s;            // contour before it [mm]
-    double met;          // contour before a place where it meets itself [mm]; < 0: nowhere
-    double met_at;       // contour before the same place, on this one [mm]
+    nck_comp_span_t path[NCK_COMP_PARTS];
     uint8_t moves;       // 1: it has a contour
     uint8_t rapid;       // 1: G0: nothing is cut there
     uint8_t enters;      // 1: the first move
@@ -32,11 +47,11 @@ typedef enum nck_comp_phase {
     NCK_COMP_ON = 2
 } nck_comp_phase_t;
 
-// A piece of the centre's path: parallel to a contour, or an arc about a corner before one.
+// A piece of the centre's path, from where a contour begins to where it ends.
 typedef struct nck_comp_piece {
     nck_shape_t shape;
     uint32_t of;         // count of the contour
-    uint8_t joins;       // 1: about the corner before it
+    uint8_t part;        // nck_comp_part_t
     uint8_t reserved[3]; // 0
 } nck_comp_piece_t;
 
@@ -58,25 +73,32 @@ typedef struct nck_toolcomp {
     uint8_t enters;      // 1: the program begins in the middle, and what comes is before that
     uint8_t reserved;    // 0
 
-    // The piece in work, and where the path leaves it.
+    // The contours that were pushed last and first.
+    NCK_COMP_STATE {
+        double tangent[2]; // direction in which the last one ends
+        double first[2];   // where the first one behind the entry begins, and its direction
+        double ahead[2];
+        uint32_t count;    // of the last one
+        uint32_t line;     // of the last one
+        uint32_t begins;   // line of the first one behind the entry; 0: there is none
+        uint8_t rapid;     // 1: the last one is a G0
+        uint8_t reserved[3]; // 0
+    } last;
+
+    // The piece in work.
     NCK_COMP_STATE {
         uint8_t open;        // 1: there is one
-        uint8_t planned;     // 1: where it is left is known
-        uint8_t jumps;       // 1: it is left for `next`, else at its end
-        uint8_t corner;      // 1: the last piece ended at a corner, which is not looked at yet
-        uint8_t reserved[4]; // 0
+        uint8_t planned;     // 1: it is good
+        uint8_t part;        // of the entry at the tail, the next one to be looked at
+        uint8_t reserved[5]; // 0
         double along;        // where on it the path is [mm]
         double until;        // where the path leaves it [mm]
-        double on_next;      // where on `next` it goes on [mm]
-        double tangent[2];   // direction of the contour before the corner
         nck_comp_piece_t piece;
-        nck_comp_piece_t next;
     } walk;
 
     struct {
-        uint32_t head;  // blocks taken
-        uint32_t tail;  // blocks done with
-        uint32_t first; // of those, the first under this compensation
+        uint32_t head; // blocks taken
+        uint32_t tail; // blocks done with
         nck_comp_entry_t at[NCK_COMP_ROWS];
     } ring;
 
@@ -95,7 +117,8 @@ void nck_toolcomp_move(const nck_toolcomp_t *self, nck_block_t *block);
 
 // Take a block. Under compensation at most NCK_COMP_SPAN wait: pull before.
 // Returns NCK_OK: it passes, and goes on as it is now; NCK_EMPTY: it is taken, what comes of it, if
-// anything does, is pulled; NCK_E_COMP_ENTRY, NCK_E_COMP_RADIUS, NCK_E_COMP_EXIT: compensation ends
+// anything does, is pulled; NCK_E_COMP_ENTRY, NCK_E_COMP_RADIUS, NCK_E_COMP_GOUGE,
+// NCK_E_COMP_EXIT: compensation ends
 // there.
 // Cost: linear in NCK_COMP_SPAN. Context: prep.
 static inline nck_status_t nck_toolcomp_push(nck_toolcomp_t *self, nck_block_t *block) {
@@ -111,7 +134,8 @@ static inline int nck_toolcomp_is_on(const nck_toolcomp_t *self) {
 
 // Take the next block of what waits. Returns NCK_OK; NCK_EMPTY: push a block before;
 // NCK_E_COMP_GOUGE, NCK_E_TRAVEL: compensation ends there, and what waits is dropped.
-// Cost: quadratic in NCK_COMP_SPAN where a loop is cut off, else linear. Context: prep.
+// Cost: quadratic in NCK_COMP_SPAN where contours are left out or cross, else linear. Context:
+// prep.
 nck_status_t nck_toolcomp_pull(nck_toolcomp_t *self, nck_block_t *block_out);
 
 // No block follows what waits. Cost: constant. Context: prep.

@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: MIT
+// Does the path cross itself? It may where the contour crosses or touches itself: laps, what leads
+// in and out. Elsewhere two parts of the contour face each other, nearer than the tool is wide.
+#include "nck/prep/2_toolcomp/parts.h"
+
+#include "nck/base/real.h" // nck_min nck_max nck_fabs
+
+enum { PLACES = 8 }; // of a piece are looked at
+#define NEAR 4.0  // radii of contour about a place: what is met there explains what the path meets
+#define BESIDE 0.25 // radii beside a crossing: so far from it the tool is in the other contour
+
+// How deep the tool is in a contour at worst.
+typedef struct depth {
+    double most;    // [mm]
+    uint32_t other; // count of the contour
+} depth_t;
+
+// Contours about a place, counts from … until.
+typedef struct window {
+    uint32_t from;
+    uint32_t until;
+} window_t;
+
+static double place_of(nck_toolcomp_t *self, const nck_comp_piece_t *piece, double along) {
+    const nck_comp_entry_t *const entry = nck_comp_at(self, piece->of);
+    if (piece->part == NCK_COMP_ABOUT) return entry->s;
+    return entry->s + entry->contour.length * (along / piece->shape.length);
+}
+
+static window_t window_about(nck_toolcomp_t *self, uint32_t of, double s) {
+    const double near = NEAR * self->radius;
+    window_t window = {of, of + 1};
+    while (window.from != self->ring.tail) {
+        const nck_comp_entry_t *const entry = nck_comp_at(self, window.from - 1);
+        if (entry->s + entry->contour.length < s - near) break;
+        window.from--;
+    }
+    while (window.until != self->ring.head
+           && nck_comp_at(self, window.until)->s < s + near) {
+        window.until++;
+    }
+    return window;
+}
+
+static int is_at(const nck_shape_t *shape, const double *point) {
+    return nck_shape_distance(shape, point) < NCK_COMP_CLOSE;
+}
+
+// Do two contours meet, but for the corner between neighbours?
+static int do_meet(nck_toolcomp_t *self, uint32_t first, uint32_t second) {
+    const nck_shape_t *const a = &nck_comp_at(self, first)->contour;
+    const nck_shape_t *const b = &nck_comp_at(self, second)->contour;
+    nck_meeting_t at[2];
+    if (is_at(a, b->q) || is_at(b, a->p)) return 1;
+    if (nck_comp_next(self, first) == second) return 0;
+    return nck_shape_cross(a, b, at) > 0 || is_at(a, b->p) || is_at(b, a->q);
+}
+
+// Does the contour meet itself about two places?
+static int meets(nck_toolcomp_t *self, const window_t *a, const window_t *b) {
+    for (uint32_t m = a->from; m != a->until; m++) {
+        if (!nck_comp_at(self, m)->moves) continue;
+        for (uint32_t n = nck_comp_next(self, m); n - self->ring.tail < b->until - self->ring.tail;
+             n = nck_comp_next(self, n)) {
+            if (n - self->ring.tail < b->from - self->ring.tail) continue;
+            if (do_meet(self, m, n)) return 1;
+        }
+    }
+    return 0;
+}
+
+// The tool at a place of a piece: is it deep in a contour?
+static void sound(nck_toolcomp_t *self, const nck_shape_t *shape, double along, uint32_t contour,
+                  depth_t *depth) {
+    double point[2];
+    const nck_comp_entry_t *const entry = nck_comp_at(self, contour);
+    if (entry->enters) return;
+    nck_shape_point(shape, nck_min(nck_max(along, 0.0), shape->length), point);
+    const double deep = self->radius - nck_shape_distance(&entry->contour, point);
+    if (deep > depth->most) *depth = (depth_t){deep, contour};
+}
+
+// A piece as it is on the path: the first move is straight.
+static void on_path(nck_toolcomp_t *self, const nck_comp_piece_t *piece, nck_shape_t *out) {
+    const nck_comp_entry_t *const entry = nck_comp_at(self, piece->of);
+    const nck_comp_span_t *const span = &entry->path[piece->part];
+    double end[2];
+    nck_shape_part(&piece->shape, span->from, span->to, out);
+    if (!entry->enters || out->radius > 0.0) return;
+    end[0] = out->q[0];
+    end[1] = out->q[1];
+    nck_shape_line(self->at, end, out);
+}
+
+static int is_inside(const nck_shape_t *shape, double along) {
+    return along > NCK_COMP_CLOSE && along < shape->length - NCK_COMP_CLOSE;
+}
+
+// Does the path, at a place where two of its pieces cross, go into either contour?
+static int goes_in(nck_toolcomp_t *self, const nck_shape_t *shapes, const uint32_t *contours,
+                   const nck_meeting_t *at) {
+    const double step = BESIDE * self->radius;
+    depth_t depth = {0.0, 0};
+    for (int sign = -1; sign <= 1; sign += 2) {
+        sound(self, &shapes[0], at->on_a + sign * step, contours[1], &depth);
+        sound(self, &shapes[1], at->on_b + sign * step, contours[0], &depth);
+    }
+    return depth.most > NCK_COMP_CLOSE;
+}
+
+// A fault between the piece in work and another one. Returns 1 if it is one.
+static int is_fault(nck_toolcomp_t *self, const nck_shape_t *shape, const nck_comp_piece_t *other) {
+    const nck_comp_piece_t *const piece = &self->walk.piece;
+    const uint32_t contours[2] = {piece->of, other->of};
+    nck_shape_t shapes[2] = {*shape, *shape};
+    nck_meeting_t at[2];
+    on_path(self, other, &shapes[1]);
+    const unsigned count = nck_shape_cross(&shapes[0], &shapes[1], at);
+    for (unsigned k = 0; k < count; k++) {
+        const int inside = is_inside(&shapes[0], at[k].on_a) && is_inside(&shapes[1], at[k].on_b);
+        if (!inside || !goes_in(self, shapes, contours, &at[k])) continue;
+        const double from = nck_comp_at(self, other->of)->path[other->part].from;
+        const window_t a = window_about(self, piece->of,
+                                        place_of(self, piece, self->walk.along + at[k].on_a));
+        const window_t b = window_about(self, other->of, place_of(self, other, from + at[k].on_b));
+        if (!meets(self, &a, &b)) return 1;
+    }
+    return 0;
+}
+
+static nck_status_t fail(nck_toolcomp_t *self, const nck_shape_t *shape,
+                         const nck_comp_piece_t *other) {
+    const uint32_t of = self->walk.piece.of;
+    depth_t depth = {0.0, other->of};
+    for (uint32_t m = nck_comp_next(self, of); m != self->ring.head; m = nck_comp_next(self, m)) {
+        if (nck_comp_at(self, m)->rapid) break;
+        if (m == nck_comp_next(self, of) && m != other->of) continue;
+        for (int k = 0; k <= PLACES; k++) {
+            sound(self, shape, shape->length * (double)k / (double)PLACES, m, &depth);
+        }
+    }
+    return nck_comp_fail(self, NCK_E_COMP_GOUGE, nck_comp_at(self, of)->block.line, depth.most,
+                         (double)nck_comp_at(self, depth.other)->block.line);
+}
+
+nck_status_t nck_comp_hold(nck_toolcomp_t *self) {
+    nck_comp_piece_t other = self->walk.piece;
+    nck_shape_t shape;
+    if (nck_comp_at(self, other.of)->rapid) return NCK_OK;
+    on_path(self, &self->walk.piece, &shape);
+    while (nck_comp_following(self, &other, &other)) {
+        if (nck_comp_at(self, other.of)->rapid) return NCK_OK;
+        if (is_fault(self, &shape, &other)) return fail(self, &shape, &other);
+    }
+    return NCK_OK;
+}

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: MIT
+// The path, led along one contour after another: each is joined to the path so far where it crosses
+// it towards the tool. What an inside corner cuts off is taken back, the newest first, but never
+// all of a contour that is longer than the tool's radius.
+#include "nck/prep/2_toolcomp/parts.h"
+
+#include "nck/base/real.h"      // nck_min nck_max
+#include "nck/base/trig_math.h" // NCK_PI nck_sincos
+
+#define ONE_PLACE 1e-6 // [mm] places nearer to one another are one
+#define TOWARDS 1e-9   // sine of an angle that turns towards the tool
+#define LEVEL 1e-4     // [mm] dipping in less deep than this the tool may go straight on
+
+double nck_comp_dip(const nck_toolcomp_t *self, double turn) {
+    double sine = 0.0;
+    double cosine = 0.0;
+    if (!(turn < 0.0)) return 0.0;
+    if (turn > -0.5 * NCK_PI) nck_sincos(turn, &sine, &cosine);
+    return self->radius * (1.0 - cosine);
+}
+
+static int turns_towards(const nck_toolcomp_t *self, const nck_comp_piece_t *from,
+                         const nck_comp_piece_t *to, const nck_meeting_t *at) {
+    double in[2];
+    double out[2];
+    nck_shape_tangent(&from->shape, at->on_a, in);
+    nck_shape_tangent(&to->shape, at->on_b, out);
+    return self->side * (in[0] * out[1] - in[1] * out[0]) > TOWARDS;
+}
+
+// Does the path cross the new piece on this one? Then it leaves this one there.
+static int leaves(nck_toolcomp_t *self, uint32_t count, nck_comp_part_t part,
+                  const nck_comp_piece_t *to) {
+    nck_comp_span_t *const span = &nck_comp_at(self, count)->path[part];
+    nck_comp_span_t *const next = &nck_comp_at(self, to->of)->path[to->part];
+    nck_comp_piece_t piece;
+    nck_meeting_t at[2];
+    if (!span->on) return 0;
+    nck_comp_piece(self, count, part, &piece);
+    const unsigned crossings = nck_shape_cross(&piece.shape, &to->shape, at);
+    for (unsigned k = 0; k < crossings; k++) {
+        const int within = at[k].on_a > span->from && at[k].on_a < span->to + ONE_PLACE
+                           && at[k].on_b < to->shape.length;
+        if (!within || !turns_towards(self, &piece, to, &at[k])) continue;
+        span->to = nck_min(at[k].on_a, span->to);
+        *next = (nck_comp_span_t){nck_max(at[k].on_b, 0.0), to->shape.length, 1, {0}};
+        return 1;
+    }
+    return 0;
+}
+
+// Of the contours behind a piece nothing is on the path any more.
+static void take_back(nck_toolcomp_t *self, uint32_t count, nck_comp_part_t part, uint32_t until) {
+    if (part == NCK_COMP_ABOUT) nck_comp_at(self, count)->path[NCK_COMP_BESIDE].on = 0;
+    for (uint32_t m = count + 1; m != until; m++) {
+        nck_comp_entry_t *const entry = nck_comp_at(self, m);
+        entry->path[NCK_COMP_ABOUT].on = 0;
+        entry->path[NCK_COMP_BESIDE].on = 0;
+    }
+}
+
+// Where does the path so far cross a new piece, the newest place first? neighbour: the contour
+// before. Beyond a rapid nothing is held against anything.
+static int crosses(nck_toolcomp_t *self, uint32_t neighbour, const nck_comp_piece_t *to) {
+    const int rapid = nck_comp_at(self, to->of)->rapid;
+    for (uint32_t m = neighbour + 1; m-- != self->ring.tail;) {
+        const nck_comp_entry_t *const entry = nck_comp_at(self, m);
+        if (!entry->moves) continue;
+        for (int part = NCK_COMP_BESIDE; part >= 0; part--) {
+            if (leaves(self, m, (nck_comp_part_t)part, to)) {
+                take_back(self, m, (nck_comp_part_t)part, to->of);
+                return 1;
+            }
+            if (part == NCK_COMP_BESIDE && entry->contour.length > self->radius) return 0;
+        }
+        if (rapid || entry->rapid) return 0;
+    }
+    return 0;
+}
+
+static void lead(nck_toolcomp_t *self, const nck_comp_piece_t *piece) {
+    nck_comp_span_t *const span = &nck_comp_at(self, piece->of)->path[piece->part];
+    *span = (nck_comp_span_t){0.0, piece->shape.length, 1, {0}};
+}
+
+// Towards the tool: the parallels cross. Where they do not, an angle so small that nobody can tell
+// is none, and rapids cut nothing.
+static void join_inside(nck_toolcomp_t *self, const nck_comp_piece_t *beside, int follows,
+                        double turn) {
+    const uint32_t before = self->last.count;
+    const int waits = before - self->ring.tail < beside->of - self->ring.tail;
+    const int rapid = self->last.rapid || nck_comp_at(self, beside->of)->rapid;
+    if (waits && leaves(self, before, NCK_COMP_BESIDE, beside)) return;
+    if (follows && (rapid || nck_comp_dip(self, turn) < LEVEL)) lead(self, beside);
+    else if (waits) (void)crosses(self, before, beside);
+}
+
+void nck_comp_join(nck_toolcomp_t *self, uint32_t count, int follows) {
+    const nck_comp_entry_t *const entry = nck_comp_at(self, count);
+    nck_comp_piece_t about;
+    nck_comp_piece_t beside;
+    double ahead[2];
+    nck_comp_piece(self, count, NCK_COMP_BESIDE, &beside);
+    if (entry->enters) {
+        lead(self, &beside);
+        return;
+    }
+    nck_shape_tangent(&entry->contour, 0.0, ahead);
+    const double turn = nck_comp_turn(self, entry->tangent, ahead);
+    if (turn < 0.0) {
+        join_inside(self, &beside, follows, turn);
+        return;
+    }
+    const int rounds = self->radius * turn > NCK_COMP_SHORT;
+    if (rounds) nck_comp_piece(self, count, NCK_COMP_ABOUT, &about);
+    if (follows && rounds) lead(self, &about);
+    if (follows || (rounds && crosses(self, self->last.count, &about))) lead(self, &beside);
+    else (void)crosses(self, self->last.count, &beside);
+}
