@@ -10,6 +10,7 @@
 #define ONE_PLACE 1e-6 // [mm] places nearer to one another are one
 #define TOWARDS 1e-9   // sine of an angle that turns towards the tool
 #define LEVEL 1e-4     // [mm] dipping in less deep than this the tool may go straight on
+#define ANYWHERE 1e12  // [mm]
 
 double nck_comp_dip(const nck_toolcomp_t *self, double turn) {
     double sine = 0.0;
@@ -28,9 +29,10 @@ static int turns_towards(const nck_toolcomp_t *self, const nck_comp_piece_t *fro
     return self->side * (in[0] * out[1] - in[1] * out[0]) > TOWARDS;
 }
 
-// Does the path cross the new piece on this one? Then it leaves this one there.
+// Does the path cross the new piece on this one? Then it leaves this one there. reach: so little of
+// either may be cut off [mm].
 static int leaves(nck_toolcomp_t *self, uint32_t count, nck_comp_part_t part,
-                  const nck_comp_piece_t *to) {
+                  const nck_comp_piece_t *to, double reach) {
     nck_comp_span_t *const span = &nck_comp_at(self, count)->path[part];
     nck_comp_span_t *const next = &nck_comp_at(self, to->of)->path[to->part];
     nck_comp_piece_t piece;
@@ -41,7 +43,8 @@ static int leaves(nck_toolcomp_t *self, uint32_t count, nck_comp_part_t part,
     for (unsigned k = 0; k < crossings; k++) {
         const int within = at[k].on_a > span->from && at[k].on_a < span->to + ONE_PLACE
                            && at[k].on_b < to->shape.length;
-        if (!within || !turns_towards(self, &piece, to, &at[k])) continue;
+        const int near = span->to - at[k].on_a < reach && at[k].on_b < reach;
+        if (!within || !near || !turns_towards(self, &piece, to, &at[k])) continue;
         span->to = nck_min(at[k].on_a, span->to);
         *next = (nck_comp_span_t){nck_max(at[k].on_b, 0.0), to->shape.length, 1, {0}};
         return 1;
@@ -67,7 +70,7 @@ static int crosses(nck_toolcomp_t *self, uint32_t neighbour, const nck_comp_piec
         const nck_comp_entry_t *const entry = nck_comp_at(self, m);
         if (!entry->moves) continue;
         for (int part = NCK_COMP_BESIDE; part >= 0; part--) {
-            if (leaves(self, m, (nck_comp_part_t)part, to)) {
+            if (leaves(self, m, (nck_comp_part_t)part, to, ANYWHERE)) {
                 take_back(self, m, (nck_comp_part_t)part, to->of);
                 return 1;
             }
@@ -83,15 +86,18 @@ static void lead(nck_toolcomp_t *self, const nck_comp_piece_t *piece) {
     *span = (nck_comp_span_t){0.0, piece->shape.length, 1, {0}};
 }
 
-// Towards the tool: the parallels cross. Where they do not, an angle so small that nobody can tell
-// is none, and rapids cut nothing.
+// Towards the tool: the parallels cross. At an angle so small that nobody can tell they do so close
+// to the corner, by R·angle/2 before it on straight lines, or the tool goes straight on. Rapids cut
+// nothing.
 static void join_inside(nck_toolcomp_t *self, const nck_comp_piece_t *beside, int follows,
                         double turn) {
     const uint32_t before = self->last.count;
     const int waits = before - self->ring.tail < beside->of - self->ring.tail;
     const int rapid = self->last.rapid || nck_comp_at(self, beside->of)->rapid;
-    if (waits && leaves(self, before, NCK_COMP_BESIDE, beside)) return;
-    if (follows && (rapid || nck_comp_dip(self, turn) < LEVEL)) lead(self, beside);
+    const int level = follows && nck_comp_dip(self, turn) < LEVEL;
+    const double reach = level ? ONE_PLACE - 2.0 * self->radius * turn : ANYWHERE;
+    if (waits && leaves(self, before, NCK_COMP_BESIDE, beside, reach)) return;
+    if (level || (follows && rapid)) lead(self, beside);
     else if (waits) (void)crosses(self, before, beside);
 }
 

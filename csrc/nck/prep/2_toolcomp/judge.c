@@ -161,7 +161,8 @@ nck_status_t nck_comp_judge(nck_toolcomp_t *self) {
     side_of(self, piece, &gap.side[0]);
     side_of(self, &next, &gap.side[1]);
     int fit = ends_fit(self, &gap);
-    for (uint32_t m = piece->of; m != next.of + 1 && !fit; m++) {
+    const uint32_t end = next.part == NCK_COMP_ABOUT && !lost ? next.of : next.of + 1;
+    for (uint32_t m = piece->of; m != end && !fit; m++) {
         if (is_left_out(self, m)) fit = leave_out(self, &gap, m);
     }
     const int deep = gap.longest > self->radius

@@ -153,11 +153,15 @@ static int is_on(const nck_shape_t *self, double along) {
 static unsigned add(const nck_shape_t *a, const nck_shape_t *b, const double *point,
                     nck_meeting_t *out) {
     double on_a = nck_shape_along(a, point);
-    const double on_b = nck_shape_along(b, point);
+    double on_b = nck_shape_along(b, point);
     if (!is_on(a, on_a) || !is_on(b, on_b)) return 0;
     if (a->radius > 0.0) {
         const double turn = 2.0 * NCK_PI * a->radius;
         on_a += turn * nck_floor((a->length + ROUNDING - on_a) / turn);
+    }
+    if (b->radius > 0.0) {
+        const double turn = 2.0 * NCK_PI * b->radius;
+        if (on_b - turn > -ROUNDING) on_b -= turn;
     }
     *out = (nck_meeting_t){on_a, on_b};
     return 1;
