@@ -73,23 +73,16 @@ static int meets(nck_toolcomp_t *self, const window_t *a, const window_t *b) {
 static void sound(nck_toolcomp_t *self, const nck_shape_t *shape, double along, uint32_t contour,
                   depth_t *depth) {
     double point[2];
-    const nck_comp_entry_t *const entry = nck_comp_at(self, contour);
-    if (entry->enters) return;
+    const nck_shape_t *const other = &nck_comp_at(self, contour)->contour;
     nck_shape_point(shape, nck_min(nck_max(along, 0.0), shape->length), point);
-    const double deep = self->radius - nck_shape_distance(&entry->contour, point);
+    const double deep = self->radius - nck_shape_distance(other, point);
     if (deep > depth->most) *depth = (depth_t){deep, contour};
 }
 
-// A piece as it is on the path: the first move is straight.
+// A piece as it is on the path.
 static void on_path(nck_toolcomp_t *self, const nck_comp_piece_t *piece, nck_shape_t *out) {
-    const nck_comp_entry_t *const entry = nck_comp_at(self, piece->of);
-    const nck_comp_span_t *const span = &entry->path[piece->part];
-    double end[2];
+    const nck_comp_span_t *const span = &nck_comp_at(self, piece->of)->path[piece->part];
     nck_shape_part(&piece->shape, span->from, span->to, out);
-    if (!entry->enters || out->radius > 0.0) return;
-    end[0] = out->q[0];
-    end[1] = out->q[1];
-    nck_shape_line(self->at, end, out);
 }
 
 static int is_inside(const nck_shape_t *shape, double along) {
@@ -128,13 +121,35 @@ static int is_fault(nck_toolcomp_t *self, const nck_shape_t *shape, const nck_co
     return 0;
 }
 
-static nck_status_t fail(nck_toolcomp_t *self, const nck_shape_t *shape,
-                         const nck_comp_piece_t *other) {
+// Does the tool, on a piece of the path, cut into a contour's first or last point, where no other
+// contour leads to, and the contour does not meet itself from here up to there?
+static int cuts_end(nck_toolcomp_t *self, const nck_shape_t *shape, const double *end,
+                    uint32_t until) {
+    const window_t all = {self->walk.piece.of, until};
+    return self->radius - nck_shape_distance(shape, end) > NCK_COMP_CLOSE
+           && !meets(self, &all, &all);
+}
+
+static int is_fault_at_first(nck_toolcomp_t *self, const nck_comp_piece_t *other) {
+    const nck_comp_entry_t *const entry = nck_comp_at(self, self->walk.piece.of);
+    nck_shape_t shape;
+    if (!entry->first) return 0;
+    on_path(self, other, &shape);
+    return cuts_end(self, &shape, entry->contour.p, other->of + 1);
+}
+
+static int is_fault_at_last(nck_toolcomp_t *self, const nck_shape_t *shape) {
+    const nck_comp_entry_t *const last = nck_comp_at(self, self->last.count);
+    if (!self->closed || last->rapid) return 0;
+    return cuts_end(self, shape, last->contour.q, self->ring.head);
+}
+
+static nck_status_t fail(nck_toolcomp_t *self, const nck_shape_t *shape, uint32_t other) {
     const uint32_t of = self->walk.piece.of;
-    depth_t depth = {0.0, other->of};
+    depth_t depth = {0.0, other};
     for (uint32_t m = nck_comp_next(self, of); m != self->ring.head; m = nck_comp_next(self, m)) {
         if (nck_comp_at(self, m)->rapid) break;
-        if (m == nck_comp_next(self, of) && m != other->of) continue;
+        if (m == nck_comp_next(self, of) && m != other) continue;
         for (int k = 0; k <= PLACES; k++) {
             sound(self, shape, shape->length * (double)k / (double)PLACES, m, &depth);
         }
@@ -145,12 +160,15 @@ static nck_status_t fail(nck_toolcomp_t *self, const nck_shape_t *shape,
 
 nck_status_t nck_comp_hold(nck_toolcomp_t *self) {
     nck_comp_piece_t other = self->walk.piece;
+    const nck_comp_entry_t *const entry = nck_comp_at(self, other.of);
     nck_shape_t shape;
-    if (nck_comp_at(self, other.of)->rapid) return NCK_OK;
+    if (entry->rapid || entry->enters) return NCK_OK;
     on_path(self, &self->walk.piece, &shape);
+    if (is_fault_at_last(self, &shape)) return fail(self, &shape, self->last.count);
     while (nck_comp_following(self, &other, &other)) {
         if (nck_comp_at(self, other.of)->rapid) return NCK_OK;
-        if (is_fault(self, &shape, &other)) return fail(self, &shape, &other);
+        const int fault = is_fault(self, &shape, &other) || is_fault_at_first(self, &other);
+        if (fault) return fail(self, &shape, other.of);
     }
     return NCK_OK;
 }

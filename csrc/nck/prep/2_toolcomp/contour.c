@@ -45,9 +45,10 @@ static int follows_last(nck_toolcomp_t *self) {
     return span->on && !(span->to < piece.shape.length);
 }
 
-static void note_last(nck_toolcomp_t *self, const nck_comp_entry_t *entry) {
+static void note_last(nck_toolcomp_t *self, nck_comp_entry_t *entry) {
     const nck_shape_t *const contour = &entry->contour;
-    if (!entry->enters && self->last.begins == 0) {
+    entry->first = !entry->enters && self->last.begins == 0;
+    if (entry->first) {
         self->last.begins = entry->block.line;
         memcpy(self->last.first, contour->p, sizeof self->last.first);
         nck_shape_tangent(contour, 0.0, self->last.ahead);
