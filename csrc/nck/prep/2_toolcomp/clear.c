@@ -121,29 +121,6 @@ static int is_fault(nck_toolcomp_t *self, const nck_shape_t *shape, const nck_co
     return 0;
 }
 
-// Does the tool, on a piece of the path, cut into a contour's first or last point, where no other
-// contour leads to, and the contour does not meet itself from here up to there?
-static int cuts_end(nck_toolcomp_t *self, const nck_shape_t *shape, const double *end,
-                    uint32_t until) {
-    const window_t all = {self->walk.piece.of, until};
-    return self->radius - nck_shape_distance(shape, end) > NCK_COMP_CLOSE
-           && !meets(self, &all, &all);
-}
-
-static int is_fault_at_first(nck_toolcomp_t *self, const nck_comp_piece_t *other) {
-    const nck_comp_entry_t *const entry = nck_comp_at(self, self->walk.piece.of);
-    nck_shape_t shape;
-    if (!entry->first) return 0;
-    on_path(self, other, &shape);
-    return cuts_end(self, &shape, entry->contour.p, other->of + 1);
-}
-
-static int is_fault_at_last(nck_toolcomp_t *self, const nck_shape_t *shape) {
-    const nck_comp_entry_t *const last = nck_comp_at(self, self->last.count);
-    if (!self->closed || last->rapid) return 0;
-    return cuts_end(self, shape, last->contour.q, self->ring.head);
-}
-
 static nck_status_t fail(nck_toolcomp_t *self, const nck_shape_t *shape, uint32_t other) {
     const uint32_t of = self->walk.piece.of;
     depth_t depth = {0.0, other};
@@ -158,17 +135,50 @@ static nck_status_t fail(nck_toolcomp_t *self, const nck_shape_t *shape, uint32_
                          (double)nck_comp_at(self, depth.other)->block.line);
 }
 
+// Where the path begins, and where it ends, no crossing tells that the tool is in a contour, or that
+// it passes where the contour begins or ends.
+static int is_near(nck_toolcomp_t *self, const nck_comp_piece_t *piece, const double *contour_end,
+                   const double *path_end) {
+    const double near = self->radius - NCK_COMP_CLOSE;
+    nck_shape_t path;
+    on_path(self, piece, &path);
+    return nck_shape_distance(&path, contour_end) < near
+           || nck_shape_distance(&nck_comp_at(self, piece->of)->contour, path_end) < near;
+}
+
+// The piece in work is the first one, and the contour is all there: if it meets itself nowhere, are
+// its ends clear of it?
+static nck_status_t hold_ends(nck_toolcomp_t *self, const nck_shape_t *shape) {
+    const nck_comp_entry_t *const first = nck_comp_at(self, self->walk.piece.of);
+    const nck_comp_entry_t *const last = nck_comp_at(self, self->last.count);
+    const window_t all = {self->walk.piece.of, self->ring.head};
+    nck_comp_piece_t piece;
+    nck_shape_t end;
+    nck_comp_piece(self, self->last.count, NCK_COMP_BESIDE, &piece);
+    on_path(self, &piece, &end);
+    piece = self->walk.piece;
+    do {
+        const int ends[2] = {
+            piece.of != self->walk.piece.of && is_near(self, &piece, first->contour.p, shape->p),
+            piece.of != self->last.count && is_near(self, &piece, last->contour.q, end.q)
+        };
+        if (!ends[0] && !ends[1]) continue;
+        if (meets(self, &all, &all)) return NCK_OK;
+        return fail(self, shape, ends[0] ? piece.of : self->last.count);
+    } while (nck_comp_following(self, &piece, &piece));
+    return NCK_OK;
+}
+
 nck_status_t nck_comp_hold(nck_toolcomp_t *self) {
     nck_comp_piece_t other = self->walk.piece;
     const nck_comp_entry_t *const entry = nck_comp_at(self, other.of);
     nck_shape_t shape;
     if (entry->rapid || entry->enters) return NCK_OK;
     on_path(self, &self->walk.piece, &shape);
-    if (is_fault_at_last(self, &shape)) return fail(self, &shape, self->last.count);
     while (nck_comp_following(self, &other, &other)) {
         if (nck_comp_at(self, other.of)->rapid) return NCK_OK;
-        const int fault = is_fault(self, &shape, &other) || is_fault_at_first(self, &other);
-        if (fault) return fail(self, &shape, other.of);
+        if (is_fault(self, &shape, &other)) return fail(self, &shape, other.of);
     }
-    return NCK_OK;
+    const int whole = entry->first && self->closed && self->walk.piece.part == NCK_COMP_BESIDE;
+    return whole ? hold_ends(self, &shape) : NCK_OK;
 }
