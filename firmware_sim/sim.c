@@ -145,7 +145,7 @@ static sim_end_t cause_of_rest(const sim_t *sim) {
     const nck_command_t command = asked_of(sim->nck);
     if (command.abort) return SIM_END_STALLED; // prep has to say that it is done
     if (command.hold) return SIM_END_HOLD;
-    if (command.feed_permille == 0 || command.rapid_permille == 0) return SIM_END_OVERRIDE;
+    if (command.feed_ppm == 0 || command.rapid_ppm == 0) return SIM_END_OVERRIDE;
     nck_pose_t pose;
     nck_axes_t axes;
     const int held = nck_position(sim->nck, &pose, &axes) == NCK_TICK_HOLD;

@@ -202,8 +202,8 @@ const nck_node_t *nck_piece(const nck_t *nck, uint32_t i) {
 
 void nck_asked(const nck_t *nck, nck_command_t *command_out) {
     const nck_command_t *const command = &nck->command;
-    command_out->feed_permille = nck_fence_load(&command->feed_permille);
-    command_out->rapid_permille = nck_fence_load(&command->rapid_permille);
+    command_out->feed_ppm = nck_fence_load(&command->feed_ppm);
+    command_out->rapid_ppm = nck_fence_load(&command->rapid_ppm);
     command_out->speed_um_s = nck_fence_load(&command->speed_um_s);
     command_out->hold = nck_fence_load(&command->hold);
     command_out->single_block = nck_fence_load(&command->single_block);

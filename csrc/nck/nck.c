@@ -9,8 +9,8 @@
 #include "nck/base/real.h" // nck_floor
 
 enum {
-    PERMILLE = 1000, FEED_MOST = 2000, // overrides
-    PERMILLE_PER_PERCENT = 10,
+    PPM = 1000000, FEED_MOST = 2, // overrides
+    PPM_PER_PERMILLE = 1000, PPM_PER_PERCENT = 10000,
     STEPS_PER_BLOCK = 2 // of the look-ahead
 };
 
@@ -26,8 +26,8 @@ nck_status_t nck_init(nck_t *nck, const nck_machine_t *machine, const nck_hooks_
     if (status != NCK_OK) return status;
     memset(nck, 0, sizeof *nck);
     nck->machine = *machine;
-    nck->command.feed_permille = PERMILLE;
-    nck->command.rapid_permille = PERMILLE;
+    nck->command.feed_ppm = PPM;
+    nck->command.rapid_ppm = PPM;
     nck->command.speed_um_s = UINT32_MAX;
     if (hooks) nck->hooks = *hooks;
     nck_slope_terms(&nck->machine, &nck->terms);
@@ -167,8 +167,8 @@ static nck_status_t pull_block(nck_t *nck) {
 
 static nck_wish_t wish_of(const nck_command_t *asked) {
     const uint32_t speed_um_s = asked->speed_um_s;
-    const nck_wish_t wish = {(double)asked->feed_permille / (double)PERMILLE,
-                             (double)asked->rapid_permille / (double)PERMILLE,
+    const nck_wish_t wish = {(double)asked->feed_ppm / (double)PPM,
+                             (double)asked->rapid_ppm / (double)PPM,
                              speed_um_s < UINT32_MAX ? (double)speed_um_s * 1e-3 : NCK_WISH_FREE,
                              asked->hold, asked->single_block, asked->resumes};
     return wish;
@@ -180,8 +180,8 @@ static int is_heard(const nck_t *nck, uint32_t hold) {
     const nck_command_t *const command = &nck->command;
     const nck_command_t *const heard = &nck->wire.heard;
     const uint32_t overrides =
-        (nck_fence_load(&command->feed_permille) ^ heard->feed_permille)
-        | (nck_fence_load(&command->rapid_permille) ^ heard->rapid_permille)
+        (nck_fence_load(&command->feed_ppm) ^ heard->feed_ppm)
+        | (nck_fence_load(&command->rapid_ppm) ^ heard->rapid_ppm)
         | (nck_fence_load(&command->speed_um_s) ^ heard->speed_um_s);
     const uint32_t words = (nck_fence_load(&command->single_block) ^ heard->single_block)
                            | (nck_fence_load(&command->resumes) ^ heard->resumes)
@@ -386,17 +386,24 @@ void nck_set_single_block(nck_t *nck, uint32_t on) {
     nck_fence_store(&nck->command.single_block, on ? 1 : 0);
 }
 
+void nck_set_override_ppm(nck_t *nck, uint32_t feed_ppm, uint32_t rapid_ppm) {
+    nck_fence_store(&nck->command.feed_ppm, feed_ppm < FEED_MOST * PPM ? feed_ppm : FEED_MOST * PPM);
+    nck_fence_store(&nck->command.rapid_ppm, rapid_ppm < PPM ? rapid_ppm : PPM);
+}
+
+// An override in units of so many millionths; one that does not fit counts as the most.
+static uint32_t ppm_of(uint32_t override, uint32_t unit) {
+    return override < FEED_MOST * PPM / unit ? override * unit : FEED_MOST * PPM;
+}
+
 void nck_set_override_permille(nck_t *nck, uint32_t feed_permille, uint32_t rapid_permille) {
-    const uint32_t feed = feed_permille < FEED_MOST ? feed_permille : FEED_MOST;
-    const uint32_t rapid = rapid_permille < PERMILLE ? rapid_permille : PERMILLE;
-    nck_fence_store(&nck->command.feed_permille, feed);
-    nck_fence_store(&nck->command.rapid_permille, rapid);
+    nck_set_override_ppm(nck, ppm_of(feed_permille, PPM_PER_PERMILLE),
+                         ppm_of(rapid_permille, PPM_PER_PERMILLE));
 }
 
 void nck_set_override(nck_t *nck, uint32_t feed_percent, uint32_t rapid_percent) {
-    const uint32_t feed = feed_percent < FEED_MOST ? feed_percent : FEED_MOST;
-    const uint32_t rapid = rapid_percent < PERMILLE ? rapid_percent : PERMILLE;
-    nck_set_override_permille(nck, PERMILLE_PER_PERCENT * feed, PERMILLE_PER_PERCENT * rapid);
+    nck_set_override_ppm(nck, ppm_of(feed_percent, PPM_PER_PERCENT),
+                         ppm_of(rapid_percent, PPM_PER_PERCENT));
 }
 
 void nck_set_speed(nck_t *nck, uint32_t most_um_s) {

@@ -45,8 +45,8 @@ typedef struct nck_hooks {
 
 // What the operator asks for: single words, so that any context may write them.
 typedef struct nck_command {
-    uint32_t feed_permille;  // override of programmed feeds, 0 … 2000
-    uint32_t rapid_permille; // override of rapids, 0 … 1000
+    uint32_t feed_ppm;       // override of programmed feeds, 0 … 2 000 000
+    uint32_t rapid_ppm;      // override of rapids, 0 … 1 000 000
     uint32_t speed_um_s;     // as fast as the tool may be [µm/s]; UINT32_MAX: no such limit
     uint32_t hold;           // 1: come to rest on the path and stay
     uint32_t single_block;   // 1: the same at the end of every block
@@ -283,6 +283,10 @@ void nck_set_override(nck_t *nck, uint32_t feed_percent, uint32_t rapid_percent)
 
 // The same in per mille: feeds 0 … 2000, rapids 0 … 1000. Cost: constant. Context: any.
 void nck_set_override_permille(nck_t *nck, uint32_t feed_permille, uint32_t rapid_permille);
+
+// The same in millionths: feeds 0 … 2 000 000, rapids 0 … 1 000 000; for a feed that follows what
+// is measured. Cost: constant. Context: any.
+void nck_set_override_ppm(nck_t *nck, uint32_t feed_ppm, uint32_t rapid_ppm);
 
 // As fast as the tool may be from now on, in feeds and rapids and whatever the overrides say
 // [µm/s]. UINT32_MAX: no such limit, as behind nck_init; 0 rests until it is raised. Moves of

@@ -54,7 +54,7 @@ static void write_row(const app_t *app) {
 static uint32_t state_of(const app_t *app, nck_tick_state_t state) {
     nck_command_t asked;
     nck_asked(&app->nck, &asked);
-    const int nothing = asked.feed_permille == 0 || asked.rapid_permille == 0;
+    const int nothing = asked.feed_ppm == 0 || asked.rapid_ppm == 0;
     const int rests = state == NCK_TICK_STARVED || (state == NCK_TICK_IDLE && !app->prep.done);
     return nothing && rests ? NCK_TICK_HOLD : state;
 }

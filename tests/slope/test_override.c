@@ -172,6 +172,29 @@ static void an_override_counts_in_per_mille(check_t *check)
     CHECK_NEAR(check, v_most, 0.777 * 50.0, 1e-6);
 }
 
+// And under millionths; what is more than 200 and 100 % is the most, in any unit.
+static void an_override_counts_in_millionths(check_t *check)
+{
+    nck_command_t asked;
+    double v_most = 0.0;
+    motion_begin(&motion, 1);
+    motion.machine.slope = NCK_SLOPE_LINEAR;
+    motion_line(&motion, "G21 G90 G61 G1 X100 F3000");
+    motion_line(&motion, "M2");
+    motion.status = motion_start(&motion);
+    nck_set_override_ppm(&motion.nck, 777123, 1000000);
+    while (motion_tick(&motion, NULL)) v_most = fmax(v_most, motion.pose.v);
+    CHECK_NEAR(check, v_most, 0.777123 * 50.0, 1e-6);
+    for (uint32_t unit = 0; unit < 3; unit++) {
+        if (unit == 0) nck_set_override(&motion.nck, UINT32_MAX, UINT32_MAX);
+        if (unit == 1) nck_set_override_permille(&motion.nck, 2001, 1001);
+        if (unit == 2) nck_set_override_ppm(&motion.nck, 2000001, 1000001);
+        nck_asked(&motion.nck, &asked);
+        CHECK(check, asked.feed_ppm == 2000000 && asked.rapid_ppm == 1000000);
+        nck_set_override(&motion.nck, 100, 100);
+    }
+}
+
 #if NCK_AXIS_MAX > 3
 // Degrees are no millimetres: a table that turns alone does not heed the tool's speed.
 static void a_rotary_axis_alone_does_not_heed_the_speed_of_the_tool(check_t *check)
@@ -203,6 +226,7 @@ int main(void)
     CHECK_RUN(&check, a_lowered_override_is_kept_in_every_block_under_the_linear_slope);
     CHECK_RUN(&check, the_tool_is_no_faster_than_the_operator_allows);
     CHECK_RUN(&check, an_override_counts_in_per_mille);
+    CHECK_RUN(&check, an_override_counts_in_millionths);
 #if NCK_AXIS_MAX > 3
     CHECK_RUN(&check, a_rotary_axis_alone_does_not_heed_the_speed_of_the_tool);
 #endif
