@@ -5,12 +5,13 @@
 #include <math.h>  // fabs fmax fmin
 #include <stdio.h> // snprintf
 
+#include "rates.h" // rates_wait rates_bound
+
 enum {
     PATIENCE_AT_REST = 10, // cycles without a move until what is there counts as all
     WAIT_AT_REST = 30,     // cycles that the kernel may wait there for a whole window
     PATIENCE = 40,         // the same while the tool moves, and is near the end of what is known
     PATIENCE_FAR = 100,    // the same wherever it is: chords may be known and not be a path yet
-    PERMILLE = 1000,
     WAY_UNDER_WAY = 60     // periods at full speed that a plan takes to be made, at most
 };
 
@@ -84,32 +85,21 @@ static int finish(planner_t *self) {
     return 1;
 }
 
-// With the override that is in force, or is wanted and will be, a block is within its move's cap.
-static void bound(planner_t *self, nck_block_in_t *block) {
-    const move_t *const move = moves_at(&self->moves, self->moves.next);
-    nck_command_t asked;
-    if (!(move->cap > 0.0)) return;
-    nck_asked(&self->nck, &asked);
-    const double most = fmax(fmax(self->wanted, asked.feed_permille), PERMILLE);
-    block->feed = fmin(block->feed, move->cap * PERMILLE / most);
-    self->capped = self->moves.next;
-}
-
 // Returns 1 if there is work for prep.
 static int push(planner_t *self) {
     moves_t *const moves = &self->moves;
     nck_block_in_t block;
-    if (moves_at(moves, moves->next)->kind >= MOVE_THREAD) return finish(self);
+    self->spindle = moves_at(moves, moves->next)->spindle;
+    if (moves_at(moves, moves->next)->kind >= MOVE_THREAD || rates_wait(self)) return finish(self);
     if (moves_at(moves, moves->next)->kind == MOVE_LIMITS) {
         moves->next += (uint32_t)set_limits(self);
         return 1;
     }
     const int last = moves_block(moves, self->offset, &block);
-    bound(self, &block);
+    rates_bound(self, &block);
     const nck_status_t status = nck_push_block(&self->nck, &block);
     if (status == NCK_FULL) return 1;
     if (status != NCK_OK) self->failed = 1;
-    moves_at(moves, moves->next)->given = fmax(moves_at(moves, moves->next)->given, block.feed);
     moves->part = last ? 0 : moves->part + 1;
     moves->next += (uint32_t)last;
     self->flushed = moves->next - 1;
@@ -169,25 +159,6 @@ static void hurry(planner_t *self) {
 static int give(planner_t *self) {
     if (self->moves.next == self->moves.head) return flush(self);
     return push(self);
-}
-
-// The move in work, or the first one that will be.
-static uint32_t current(const planner_t *self) {
-    return (int32_t)(self->told.move - self->first) >= 0 ? self->told.move : self->first;
-}
-
-int feed_is_capped(const planner_t *self) { return (int32_t)(self->capped - current(self)) >= 0; }
-
-uint32_t feed_override(const planner_t *self) {
-    const uint32_t end = self->moves.next + (self->moves.part > 0);
-    double least = HUGE_VAL;
-    for (uint32_t n = current(self); n != end; n++) {
-        const move_t *const move = moves_at((moves_t *)&self->moves, n);
-        const double asked = move->feed * self->wanted;
-        const double most = move->cap > 0.0 ? fmin(asked, move->cap * PERMILLE) : asked;
-        if (move->given > 0.0) least = fmin(least, most / move->given);
-    }
-    return least < HUGE_VAL ? (uint32_t)(fmin(least, 2 * PERMILLE) + 1e-6) : self->wanted;
 }
 
 int feed_is_done(const planner_t *self) {

@@ -11,13 +11,6 @@ void feed_bounds(const planner_t *self, bounds_t *bounds);
 // The kernel's machine, by the settings and the bounds. Cost: constant.
 void feed_machine(const planner_t *self, const bounds_t *bounds, nck_machine_t *machine_out);
 
-// 1 if a move ahead of the tool has a cap, that the kernel has. Cost: constant.
-int feed_is_capped(const planner_t *self);
-
-// The kernel's override of feeds: with it no move that the kernel has is faster than its cap, or
-// than with the override that the host wants [‰]. Cost: linear in these moves.
-uint32_t feed_override(const planner_t *self);
-
 // 1 if the kernel has executed all that it was given, and was told that it is all. Cost: constant.
 int feed_is_done(const planner_t *self);
 

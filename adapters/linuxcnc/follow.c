@@ -6,52 +6,69 @@
 #include <string.h> // memcpy memset
 
 static const double spare = 1.3; // a spindle may turn so much faster than when the pass began
+static const double least = 0.1; // of a limit has to be left for a kink that is rounded
 
-void follow_begin(follow_t *self, const double *place, double lead, double cycle_s) {
-    memset(self, 0, sizeof *self);
-    self->lead = lead;
-    self->cycle_s = cycle_s;
-    memcpy(self->point[0], place, sizeof self->point[0]);
+// ---- the way
+
+static follow_node_t *node(const follow_t *self, uint32_t number) {
+    return (follow_node_t *)&self->node[number % FOLLOW_LINES];
 }
 
-int follow_line(follow_t *self, const double *end) {
-    double sum = 0.0;
-    const double *const from = self->point[self->lines];
-    if (self->lines == FOLLOW_LINES) return 0;
-    for (int k = 0; k < FOLLOW_AXES; k++) sum += (end[k] - from[k]) * (end[k] - from[k]);
-    self->end[self->lines + 1] = self->end[self->lines] + sqrt(sum);
-    self->lines++;
-    memcpy(self->point[self->lines], end, sizeof self->point[0]);
-    return 1;
+// By how much an axis moves a revolution, on the line that ends at a node; 0 outside of the way.
+static double gradient(const follow_t *self, uint32_t number, int axis) {
+    if (number == 0 || number > self->head) return 0.0;
+    const follow_node_t *const from = node(self, number - 1), *const to = node(self, number);
+    return (to->place[axis] - from->place[axis]) / (to->u - from->u);
 }
 
-// The place at s of the way.
-static void place_at(const follow_t *self, double s, double *place_out) {
-    uint32_t line = 1;
-    while (line < self->lines && s > self->end[line]) line++;
-    const double *const from = self->point[line - 1], *const to = self->point[line];
-    const double length = self->end[line] - self->end[line - 1];
-    const double x = fmin(fmax(s - self->end[line - 1], 0.0), length);
+// By how much the speed of an axis changes at a node, at most [mm/s].
+static double kink(const follow_t *self, uint32_t number, int axis) {
+    const double before = gradient(self, number, axis);
+    return fabs(gradient(self, number + 1, axis) - before) * self->rps;
+}
+
+// The node at the end of the line that u is on.
+static uint32_t line_at(const follow_t *self, double u) {
+    uint32_t number = self->tail + 1;
+    while (number < self->head && u > node(self, number)->u) number++;
+    return number;
+}
+
+// What a node's rounding adds to the way: the mean of the kink over 2w, less the kink.
+static void round_off(const follow_t *self, uint32_t number, double u, double *place) {
+    const follow_node_t *const at = node(self, number);
+    const double inside = at->w - fabs(u - at->u);
+    if (!(inside > 0.0)) return;
     for (int k = 0; k < FOLLOW_AXES; k++) {
-        place_out[k] = length > 0.0 ? from[k] + (to[k] - from[k]) * (x / length) : to[k];
+        const double turns = gradient(self, number + 1, k) - gradient(self, number, k);
+        place[k] += turns * inside * inside / (4.0 * at->w);
     }
 }
 
-// Direction of a line along an axis; 0 outside of the way.
-static double direction(const follow_t *self, uint32_t line, int axis) {
-    if (line == 0 || line > self->lines) return 0.0;
-    const double length = self->end[line] - self->end[line - 1];
-    const double way = self->point[line][axis] - self->point[line - 1][axis];
-    return length > 0.0 ? way / length : 0.0;
+// The place at u of the way. Beyond its end a tap's goes straight on: the spindle has to brake.
+static void place_at(const follow_t *self, double u, double *place_out) {
+    const uint32_t number = line_at(self, u);
+    const follow_node_t *const from = node(self, number - 1), *const to = node(self, number);
+    const double x = fmax(u - from->u, 0.0), length = to->u - from->u;
+    const double share = (self->taps ? x : fmin(x, length)) / length;
+    for (int k = 0; k < FOLLOW_AXES; k++) {
+        place_out[k] = from->place[k] + (to->place[k] - from->place[k]) * share;
+    }
+    round_off(self, number - 1, u, place_out);
+    round_off(self, number, u, place_out);
 }
 
-// By how much the speed of an axis changes at the end of a line, and at the ends behind it that are
-// reached within a length: what the means mix.
-static double kink(const follow_t *self, uint32_t line, int axis, double length) {
+// ---- how smooth it has to be
+
+// The oldest node whose kink is known.
+static uint32_t oldest(const follow_t *self) { return self->tail > 0 ? self->tail + 1 : 0; }
+
+// The kinks from a node on that are reached within a length, of one axis: what the means mix.
+static double kinks(const follow_t *self, uint32_t number, int axis, double length) {
+    const double begin = node(self, number)->u;
     double sum = 0.0;
-    for (uint32_t k = line; k <= self->lines; k++) {
-        if (self->end[k] - self->end[line] > length) break;
-        sum += fabs(direction(self, k + 1, axis) - direction(self, k, axis));
+    for (; number <= self->head && node(self, number)->u - begin <= length; number++) {
+        sum += kink(self, number, axis);
     }
     return sum;
 }
@@ -59,62 +76,162 @@ static double kink(const follow_t *self, uint32_t line, int axis, double length)
 // A kink of d in the speed of an axis becomes, under two means of τ each, a ramp of 2τ with the
 // acceleration d/τ and the jerk d/τ²:   τ ≥ d/a,  τ ≥ √(d/j).   A tap's reversal is made by the
 // spindle, which is no kink.
-static double mean_time(const follow_t *self, const nck_machine_t *machine, double v, double tau) {
+static double mean_time(const follow_t *self, double tau) {
     double longest = 0.0;
-    for (uint32_t line = 0; line <= self->lines; line++) {
+    for (uint32_t number = oldest(self); number <= self->head; number++) {
         for (int k = 0; k < FOLLOW_AXES; k++) {
-            const nck_axis_t *const axis = &machine->axis[k];
-            const double d = axis->present ? v * kink(self, line, k, 2.0 * v * tau) : 0.0;
-            if (d == 0.0) continue;
-            longest = fmax(longest, d / axis->a_max);
-            if (machine->slope != NCK_SLOPE_LINEAR) longest = fmax(longest, sqrt(d / axis->j_max));
+            if (!(self->limits.v[k] > 0.0)) continue;
+            const double d = kinks(self, number, k, 2.0 * self->rps * tau);
+            longest = fmax(longest, d / (self->limits.a[k] * self->share));
+            longest = fmax(longest, sqrt(d / self->limits.j[k]));
         }
     }
     return longest;
 }
 
-// How the speed along the way may change, and how high it may be. Under the two means an
-// acceleration a that turns round at once is a jerk of 2a/τ.
-static void limit(follow_t *self, const nck_machine_t *machine) {
+// Cycles of each mean for the lines that are known.
+static uint32_t cycles(const follow_t *self) {
+    double tau = 0.0;
+    for (int more = 0; more < 4; more++) tau = mean_time(self, tau);
+    const double n = ceil(tau / self->cycle_s) + 1.0;
+    return n < (double)FOLLOW_HALF ? (uint32_t)n : FOLLOW_HALF;
+}
+
+// How far to both sides a node is rounded, so that its kink is within what the other kinks near it
+// leave: a mean over the time W more makes it d/W and d/Wτ. Returns −1 if they leave too little.
+static double width(const follow_t *self, uint32_t number) {
     const double tau = (double)self->n * self->cycle_s;
-    self->v_most = INFINITY;
-    self->a_most = INFINITY;
-    for (uint32_t line = 1; line <= self->lines; line++) {
-        for (int k = 0; k < FOLLOW_AXES; k++) {
-            const nck_axis_t *const axis = &machine->axis[k];
-            const double share = axis->present ? fabs(direction(self, line, k)) : 0.0;
-            if (share == 0.0) continue;
-            self->v_most = fmin(self->v_most, axis->v_max / share);
-            self->a_most = fmin(self->a_most, axis->a_max / share);
-            if (machine->slope == NCK_SLOPE_LINEAR) continue;
-            self->a_most = fmin(self->a_most, 0.5 * axis->j_max * tau / share);
+    const double near = 2.0 * self->rps * tau;
+    double most = 0.0;
+    uint32_t first = number;
+    while (first > oldest(self) && node(self, number)->u - node(self, first - 1)->u <= near) first--;
+    for (int k = 0; k < FOLLOW_AXES; k++) {
+        if (!(self->limits.v[k] > 0.0)) continue;
+        const double d = kink(self, number, k);
+        const double a = self->limits.a[k] * self->share, j = self->limits.j[k];
+        double others = -d;
+        for (uint32_t n = first; n <= self->head; n++) {
+            const double w = node(self, n)->w;
+            if (node(self, n)->u - node(self, number)->u > near) break;
+            others += kink(self, n, k) * (n == number ? 1.0 : fmin(1.0, 0.25 * near / fmax(w, 1e-12)));
         }
+        const double left_a = a - others / tau, left_j = j - others / (tau * tau);
+        if (d <= left_a * tau && d <= left_j * tau * tau) continue;
+        if (left_a < least * a || left_j < least * j) return -1.0;
+        most = fmax(most, fmax(d / left_a, d / (left_j * tau)));
+    }
+    return 0.5 * most * self->rps;
+}
+
+// How fast the spindle may turn on the line to a node, and by how much its speed may change. Under
+// the two means an acceleration a that turns round at once is a jerk of 2a/τ.
+static void limit(const follow_t *self, uint32_t number) {
+    follow_node_t *const to = node(self, number);
+    const double tau = (double)self->n * self->cycle_s;
+    to->v_most = to->a_most = to->v_stop = INFINITY;
+    for (int k = 0; k < FOLLOW_AXES; k++) {
+        const double share = fabs(gradient(self, number, k));
+        if (share == 0.0 || !(self->limits.v[k] > 0.0)) continue;
+        const double a = self->limits.a[k] * self->share, by_jerk = self->limits.j[k] * tau;
+        to->v_most = fmin(to->v_most, self->limits.v[k] / share);
+        to->a_most = fmin(to->a_most, fmin(a, 0.5 * by_jerk) / share);
+        to->v_stop = fmin(to->v_stop, fmin(a, by_jerk) * tau / share);
     }
 }
 
-void follow_prepare(follow_t *self, const nck_machine_t *machine, double rps) {
-    const double v = self->lead * fabs(rps) * spare;
-    double tau = 0.0;
-    for (int more = 0; more < 4; more++) tau = mean_time(self, machine, v, tau);
-    const double n = ceil(tau / self->cycle_s) + 1.0;
-    self->n = n < (double)FOLLOW_HALF ? (uint32_t)n : FOLLOW_HALF;
-    limit(self, machine);
-    self->v_back = fmin(v, self->v_most);
+static void still(follow_t *self) {
+    for (uint32_t n = 0; n < self->n; n++) {
+        memcpy(self->first[n], node(self, 0)->place, sizeof self->first[n]);
+        memcpy(self->second[n], node(self, 0)->place, sizeof self->second[n]);
+    }
+    self->at = 0;
+}
+
+// Before it moves the means may become longer, if the angle is still as far away.
+static int prepare(follow_t *self) {
+    const uint32_t n = cycles(self);
+    const double more = self->step * ((double)n - (double)self->n);
+    if (self->phase == FOLLOW_CUTS && self->asked + more >= 0.0) return 0;
+    if (n > self->n || self->phase == FOLLOW_INDEX) self->n = n;
+    if (self->phase == FOLLOW_CUTS) still(self);
+    for (uint32_t number = self->tail + 1; number <= self->head; number++) limit(self, number);
+    return 1;
+}
+
+// Behind the begin the last two kinks are rounded where n is too small for them. 0: there is no
+// room for it, or the tool is there already.
+static int fit(follow_t *self) {
+    follow_node_t *const from = node(self, self->head - 1), *const to = node(self, self->head);
+    const follow_node_t *const before = node(self, self->head - 2);
+    const double kept = from->w, room = from->u - before->u - before->w;
+    from->w = 0.0;
+    const int there = self->u >= from->u; // it rests there already, or nearly: the chase goes on
+    const double w = there ? 0.0 : width(self, self->head - 1);
+    from->w = w;
+    to->w = width(self, self->head);
+    limit(self, self->head);
+    const int late = self->u > from->u - fmax(kept, w) && (!there || kept > 0.0) && w != kept;
+    if (w >= 0.0 && to->w >= 0.0 && w <= room && w + to->w <= to->u - from->u && !late) return 1;
+    from->w = kept;
+    return 0;
+}
+
+// ---- lines
+
+void follow_begin(follow_t *self, const double *place, double rps, double cycle_s) {
+    const follow_limits_t limits = self->limits;
+    memset(self, 0, sizeof *self);
+    self->limits = limits;
+    self->rps = fabs(rps) * spare;
+    self->cycle_s = cycle_s;
+    self->share = 1.0;
     self->phase = FOLLOW_INDEX;
+    memcpy(node(self, 0)->place, place, sizeof node(self, 0)->place);
+}
+
+int follow_has_room(const follow_t *self) { return self->head - self->tail < FOLLOW_LINES - 1; }
+
+int follow_line(follow_t *self, const double *end, double lead, double share, uint32_t move) {
+    double sum = 0.0;
+    const double kept = self->share;
+    const follow_node_t *const from = node(self, self->head);
+    follow_node_t *const to = node(self, self->head + 1);
+    if (!follow_has_room(self)) return 0;
+    for (int k = 0; k < FOLLOW_AXES; k++) {
+        sum += (end[k] - from->place[k]) * (end[k] - from->place[k]);
+    }
+    memset(to, 0, sizeof *to);
+    to->move = move;
+    to->lead = lead;
+    to->u = from->u + sqrt(sum) / lead;
+    memcpy(to->place, end, sizeof to->place);
+    self->head++;
+    self->share = fmin(self->share, share);
+    const int moves = self->phase != FOLLOW_INDEX && self->asked >= 0.0;
+    if ((!moves && prepare(self)) || (self->phase != FOLLOW_INDEX && fit(self))) {
+        if (self->phase == FOLLOW_SETTLES) self->phase = FOLLOW_CUTS;
+        self->settled = 0;
+        return 1;
+    }
+    self->head--;
+    self->share = kept;
+    return 0;
 }
 
 // A thread is the same a whole revolution later. So the pass begins at the first whole revolution
 // that is not there yet when the first sample is taken, in the next cycle and n ahead.
 void follow_index(follow_t *self, double rps) {
+    self->rps = fmax(self->rps, fabs(rps) * spare);
+    (void)prepare(self);
     const double ahead = fabs(rps) * (double)(self->n + 1) * self->cycle_s;
     self->begin = 1.0 + floor(ahead);
-    self->asked = -self->lead * self->begin;
+    self->asked = -self->begin;
+    self->v_back = fmin(self->rps, node(self, self->head)->v_most);
     self->phase = FOLLOW_CUTS;
-    for (uint32_t n = 0; n < self->n; n++) {
-        memcpy(self->first[n], self->point[0], sizeof self->first[n]);
-        memcpy(self->second[n], self->point[0], sizeof self->second[n]);
-    }
+    still(self);
 }
+
+// ---- a cycle
 
 // The mean of a ring's samples, summed anew: a running sum would drift.
 static void mean(const follow_t *self, double (*ring)[FOLLOW_AXES], const double *sample,
@@ -132,59 +249,72 @@ static void mean(const follow_t *self, double (*ring)[FOLLOW_AXES], const double
 // there with the speed of what he follows; here in steps of one cycle. A tap comes out no faster
 // than the means can stop.
 static double chase(const follow_t *self, double asked) {
-    const double step = self->a_most * self->cycle_s * self->cycle_s;
-    const double out = sqrt(self->v_back * self->v_back + 2.0 * self->a_most * fmax(self->s, 0.0));
-    const double v = self->phase == FOLLOW_RETURNS ? fmin(out, self->v_most) : self->v_most;
-    const double most = v * self->cycle_s;
-    const double off = self->asked - self->s;
+    double v = INFINITY, a = INFINITY;
+    for (uint32_t number = self->tail + 1; number <= self->head; number++) {
+        v = fmin(v, node(self, number)->v_most);
+        a = fmin(a, node(self, number)->a_most);
+    }
+    const double step = a * self->cycle_s * self->cycle_s;
+    const double out = sqrt(self->v_back * self->v_back + 2.0 * a * fmax(self->u, 0.0));
+    const double most = (self->phase == FOLLOW_RETURNS ? fmin(out, v) : v) * self->cycle_s;
+    const double off = self->asked - self->u;
     const double closing = step * (sqrt(0.25 + 2.0 * fabs(off) / step) - 0.5);
     const double wish = asked - self->asked + copysign(fmin(fabs(off), closing), off);
     const double can = fmin(fmax(wish, self->step - step), self->step + step);
-    return self->s + fmin(fmax(can, -most), most);
+    return self->u + fmin(fmax(can, -most), most);
+}
+
+// An abort stops at once where the means make a ramp within the limits of it; else it brakes.
+static double brake(const follow_t *self) {
+    const follow_node_t *const to = node(self, line_at(self, self->u));
+    const double v = fabs(self->step) / self->cycle_s;
+    if (v <= to->v_stop || self->u <= 0.0) return self->u;
+    const double step = fmax(v - to->a_most * self->cycle_s, 0.0) * self->cycle_s;
+    return fmax(self->u + copysign(step, self->step), 0.0);
+}
+
+// Where the sample is, if the way, or the chase, is at u.
+static void go(follow_t *self, double u) {
+    const double length = node(self, self->head)->u;
+    if (self->phase == FOLLOW_CUTS) {
+        self->u = self->taps ? fmax(u, self->u) : fmin(fmax(u, self->u), length);
+        if (self->u >= length) self->phase = self->taps ? FOLLOW_RETURNS : FOLLOW_SETTLES;
+    } else if (self->phase == FOLLOW_RETURNS) {
+        self->u = u;
+        if (u <= 0.0) self->phase = FOLLOW_SETTLES;
+    }
+    if (self->phase != FOLLOW_SETTLES) return;
+    const double before = self->u;
+    if (self->taps) self->u = fmax(self->u, 0.0);
+    if (self->stops) self->u = fmin(brake(self), fmax(before, length));
+    self->settled += !self->stops || self->u == before;
 }
 
 // Both means together come n − 1 cycles late, and the axes get to a place by the end of the cycle:
 // that far ahead the angle is asked for.
 static void advance(follow_t *self, double turns, double rps) {
-    const double length = self->end[self->lines];
-    const double ahead = turns + rps * (double)self->n * self->cycle_s;
-    const double asked = self->lead * (ahead - self->begin);
-    const double before = self->s;
+    const double asked = turns + rps * (double)self->n * self->cycle_s - self->begin;
+    const double before = self->u;
     const int moves = before > 0.0; // its begin is a kink, which the means know
-    const double s = moves ? chase(self, asked) : asked;
-    if (self->phase == FOLLOW_CUTS) {
-        self->s = self->taps ? fmax(s, self->s) : fmin(fmax(s, self->s), length);
-        if (self->s >= length) self->phase = self->taps ? FOLLOW_RETURNS : FOLLOW_SETTLES;
-    } else if (self->phase == FOLLOW_RETURNS) {
-        self->s = s;
-        if (s <= 0.0) self->phase = FOLLOW_SETTLES;
-    }
-    if (self->phase == FOLLOW_SETTLES) {
-        self->s = self->taps == 1 ? fmax(self->s, 0.0) : self->s;
-        self->settled++;
-    }
-    self->step = moves ? self->s - before : asked - self->asked;
+    go(self, moves ? chase(self, asked) : asked);
+    self->step = moves ? self->u - before : asked - self->asked;
     self->asked = asked;
-    self->reached = fmax(self->reached, self->s);
 }
 
-// Beyond the end a tap's way goes straight on: the spindle has to brake first.
-static void sample_at(const follow_t *self, double *place_out) {
-    const double beyond = self->s - self->end[self->lines];
-    place_at(self, self->s, place_out);
-    if (!(beyond > 0.0)) return;
-    for (int k = 0; k < FOLLOW_AXES; k++) {
-        place_out[k] += beyond * direction(self, self->lines, k);
-    }
+// A line that the tool has left is behind it, but for the last one; one a cycle.
+static void forget(follow_t *self) {
+    const follow_node_t *const next = node(self, self->tail + 2);
+    if (self->tail + 2 < self->head && self->u > next->u + next->w) self->tail++;
 }
 
 int follow_cycle(follow_t *self, double turns, double rps, double *place_out) {
     double sample[FOLLOW_AXES], between[FOLLOW_AXES];
     advance(self, turns, rps);
-    sample_at(self, sample);
+    place_at(self, self->u, sample);
     mean(self, self->first, sample, between);
     mean(self, self->second, between, place_out);
     self->at = self->at + 1 < self->n ? self->at + 1 : 0;
+    if (!self->taps) forget(self);
     if (self->settled < 2 * self->n) return 1;
     self->phase = FOLLOW_NOT;
     return 0;
@@ -193,11 +323,13 @@ int follow_cycle(follow_t *self, double turns, double rps, double *place_out) {
 void follow_stop(follow_t *self) {
     if (self->phase == FOLLOW_INDEX) self->phase = FOLLOW_NOT;
     if (self->phase != FOLLOW_NOT) self->phase = FOLLOW_SETTLES;
+    self->stops = 1;
     self->taps = 0;
 }
 
-uint32_t follow_at(const follow_t *self) {
-    uint32_t line = 1;
-    while (line < self->lines && self->s > self->end[line]) line++;
-    return line - 1;
+uint32_t follow_move(const follow_t *self, double *to_go_out) {
+    const uint32_t number = line_at(self, self->u);
+    const follow_node_t *const to = node(self, number);
+    *to_go_out = fmax(to->u - fmax(self->u, 0.0), 0.0) * to->lead;
+    return to->move;
 }

@@ -39,6 +39,8 @@ typedef struct move {
     uint8_t path_mode; // nck_path_mode_t
     uint8_t plane;     // of an arc: 17, 18, 19
     uint8_t enables;   // the host's, told back
+    uint8_t spindle;   // that it goes by
+    uint8_t per_rev;   // 1: its feed hangs on the spindle's speed
     int32_t motion;    // the host's kind of motion, told back
     int32_t id;        // the host's number of the move
     int32_t index;     // of an output, or a joint
@@ -46,12 +48,11 @@ typedef struct move {
     uint32_t count;    // moves that the host has handed over up to this one
     uint32_t chords;
     double value;      // of an output; of a thread the lead [mm]; of a tap the lead too
-    double a_share;    // of limits: see bounds_t
+    double a_share;    // of limits, and of a thread: see bounds_t
     double v_share;
     double back;       // of a tap: how much faster the spindle is to turn on the way back
-    double rps;        // that its feed is told for [1/s]; 0: its feed hangs on no spindle
     double vel;        // the host's speed of the move [units/s], told back
-    double feed;       // [mm/min, deg/min]; 0: a rapid
+    double feed;       // [mm/min, deg/min], by the revolution at 1 a second; 0: a rapid
     double cap;        // at no override more than this [mm/min, deg/min]; 0: the axes see to it
     double given;      // feed that the kernel has of it [mm/min, deg/min]; 0: not yet
     double tolerance;  // [mm]

@@ -14,7 +14,7 @@
 #include "motion_types.h"
 #include "tp.h"
 
-#include <math.h>   // fabs
+#include <math.h>   // fabs fmax fmin HUGE_VAL
 #include <stdlib.h> // getenv
 
 #include "planner.h"
@@ -49,8 +49,9 @@ static struct state_tag_t tags[MOVES_MAX]; // of the moves, in their ring
 static emcmot_status_t *status;
 static emcmot_config_t *config;
 static uint32_t told_up_to;  // entries of the ring before this one have their tags
+static const char no_reverse[] =
+    "running in reverse is not offered, for moves behind the tool are forgotten: it stays";
 static double v_limit = 1e9; // of the tool [mm/s]
-static int led_by;           // the spindle that threads go by
 static int forward = 1;      // 1, −1: how it turned when the pass began
 
 static double scale(int axis) { return settings_scale(&settings, axis); }
@@ -84,7 +85,7 @@ static int at_speed(void) {
     return 1;
 }
 
-static spindle_status_t *spindle(void) { return &status->spindle_status[led_by]; }
+static spindle_status_t *spindle(void) { return &status->spindle_status[self.spindle]; }
 
 static int spindle_index(int ask) {
     if (ask) spindle()->spindle_index_enable = 1;
@@ -184,7 +185,7 @@ int tpSetAout(TP_STRUCT *const tp, unsigned char index, double start, double end
 
 int tpSetSpindleSync(TP_STRUCT *const tp, int spindle, double sync, int mode) {
     (void)tp;
-    led_by = spindle;
+    self.modal.spindle = spindle >= 0 && spindle < EMCMOT_MAX_SPINDLES ? (uint32_t)spindle : 0;
     self.modal.lead = fabs(sync) * scale(0);
     self.modal.speed = sync != 0.0 && mode != 0;
     return TP_ERR_OK;
@@ -211,10 +212,12 @@ int tpAbort(TP_STRUCT *tp) {
 }
 
 int tpSetRunDir(TP_STRUCT *const tp, tc_direction_t dir) {
+    static int said; // asked for every cycle while adaptive feed is below zero
     (void)tp;
-    if (dir == TC_DIR_FORWARD) return TP_ERR_OK;
-    message("running in reverse is not offered: moves behind the tool are forgotten");
-    return TP_ERR_FAIL;
+    if (!planner_reverse(&self, dir == TC_DIR_REVERSE)) dir = TC_DIR_REVERSE;
+    if (dir == TC_DIR_REVERSE && !said) message(no_reverse);
+    said = dir == TC_DIR_REVERSE;
+    return dir == TC_DIR_FORWARD ? TP_ERR_OK : TP_ERR_FAIL;
 }
 
 int tpSetVlimit(TP_STRUCT *tp, double limit) {
@@ -225,14 +228,22 @@ int tpSetVlimit(TP_STRUCT *tp, double limit) {
 
 // ---- the cycle
 
+// How fast the spindle is to turn under G96, where X is now.
+static double rps_for_surface(void) {
+    const double radius = fabs(spindle()->xoffset - status->carte_pos_cmd.tran.x);
+    if (spindle()->css_factor == 0.0) return HUGE_VAL;
+    return fabs(spindle()->css_factor * spindle()->net_scale) / (60.0 * fmax(radius, 1e-9));
+}
+
 // The host scales the move in work: by its kind's override, and by adaptive feed and feed hold. The
 // planner looks further, so it wants both overrides.
 static planner_wish_t wish_of(void) {
-    planner_wish_t wish = {0.0, 0.0, v_limit, status->stepping, 0.0, 0.0, 0.0};
+    planner_wish_t wish = {.v_most = v_limit, .single = status->stepping};
     if (self.state != PLANNER_FOLLOWS) forward = spindle()->speed < 0.0 ? -1 : 1;
     wish.turns = forward * spindle()->spindleRevs;
     wish.rps = fabs(spindle()->spindleSpeedIn);
-    wish.rps_asked = fabs(spindle()->speed) / 60.0;
+    wish.rps_most = fabs(spindle()->speed * spindle()->net_scale) / 60.0;
+    wish.rps_asked = fmin(rps_for_surface(), wish.rps_most);
     const int scaled = status->enables_queued & FS_ENABLED;
     const int rapid = status->motionType == EMC_MOTION_TYPE_TRAVERSE;
     const double feed = scaled ? status->feed_scale : 1.0;
@@ -273,9 +284,10 @@ int tpRunCycle(TP_STRUCT *tp, long period) {
     const planner_wish_t wish = wish_of();
     const long long begin = rtapi_get_time();
     const int rested = self.done != 0;
-    (void)tp;
     (void)period;
+    if (status->on_soft_limit && !rested) planner_abort(&self); // the host asks for it later
     planner_cycle(&self, &wish);
+    tp->reverse_run = self.reversed ? TC_DIR_REVERSE : TC_DIR_FORWARD;
     report();
     const hal_s32_t time = (hal_s32_t)(rtapi_get_time() - begin);
     *pins->time = time;

@@ -6,12 +6,8 @@
 #include <string.h> // memcpy memset
 
 #include "feed.h"   // feed_prepare
+#include "rates.h"  // rates_measure rates_hear
 #include "thread.h" // thread_begins thread_cycle
-
-enum {
-    PERMILLE = 1000,
-    CALM = 20 // cycles between two overrides: each is a plan of its own
-};
 
 // ---- to and from the kernel
 
@@ -112,7 +108,7 @@ static void fill(const planner_t *self, const planner_order_t *order, move_t *mo
     move->motion = order->motion;
     move->enables = order->enables;
     move->vel = order->vel;
-    if (self->modal.speed) move->rps = self->rps;
+    move->spindle = (uint8_t)self->modal.spindle;
 }
 
 static void put_word(planner_t *self, const planner_order_t *order, move_kind_t kind, int index) {
@@ -154,12 +150,29 @@ static int unit_of(const planner_t *self, const double *end) {
     return linear ? NCK_AXIS_X : NCK_AXIS_A;
 }
 
+// Geometry of a move, as the host tells it.
+typedef struct shape {
+    const double *end;
+    const double *centre, *normal; // NULL: straight
+    int turn;
+    double back;                   // of a tap; 0: none
+} shape_t;
+
+// In step with the spindle, whatever speed the host tells.
+static int is_thread(const planner_t *self, const shape_t *shape) {
+    const int leads = self->modal.lead > 0.0 && !self->modal.speed;
+    return leads && !shape->centre;
+}
+
+static int is_per_rev(const planner_t *self, const planner_order_t *order) {
+    return self->modal.lead > 0.0 && self->modal.speed && !order->rapid;
+}
+
 // Millimetres or degrees a minute that the move's speed is meant for.
 static double feed_of(const planner_t *self, const planner_order_t *order, const double *end) {
     const double most = order->vel * settings_scale(&self->settings, unit_of(self, end)) * 60.0;
     if (order->rapid) return 0.0;
-    if (!self->modal.speed || !(self->modal.lead > 0.0)) return most;
-    return self->modal.lead * self->rps * 60.0; // the host's speed means nothing here
+    return is_per_rev(self, order) ? self->modal.lead * 60.0 : most;
 }
 
 // Axes that the machine lacks stay where they are. Returns 0 for a place beyond all machines.
@@ -173,14 +186,6 @@ static int read_end(const planner_t *self, const double *end, double *end_out) {
     return 1;
 }
 
-// Geometry of a move, as the host tells it.
-typedef struct shape {
-    const double *end;
-    const double *centre, *normal; // NULL: straight
-    int turn;
-    double back;                   // of a tap; 0: none
-} shape_t;
-
 // A move to a place, as far as itself goes. Returns its length, −1 if there is no such arc.
 static double make(const planner_t *self, const planner_order_t *order, const shape_t *shape,
                    const double *place, move_t *move) {
@@ -189,9 +194,10 @@ static double make(const planner_t *self, const planner_order_t *order, const sh
     const double length = moves_straight(move, self->goal, place);
     move->kind = order->rapid ? MOVE_RAPID : MOVE_LINE;
     if (shape->back > 0.0) move->kind = MOVE_TAP;
-    else if (self->modal.lead > 0.0 && !self->modal.speed && !centre) move->kind = MOVE_THREAD;
+    else if (is_thread(self, shape)) move->kind = MOVE_THREAD;
     move->value = self->modal.lead;
     move->back = shape->back;
+    move->per_rev = (uint8_t)is_per_rev(self, order);
     move->feed = order->rapid ? 0.0 : feed_of(self, order, centre ? place : shape->end);
     return centre ? moves_round(move, centre, shape->normal, shape->turn) : length;
 }
@@ -205,7 +211,8 @@ static void put_bounds(planner_t *self, const planner_order_t *order, move_t *mo
     feed_bounds(self, &bounds);
     bounds_share(&bounds, &most, move);
     move->cap = 60.0 * bounds_cap(&bounds, &most, move);
-    if (bounds_same(&bounds, &self->bounds_asked)) return;
+    move->a_share = bounds.a_share;
+    if (move->kind >= MOVE_THREAD || bounds_same(&bounds, &self->bounds_asked)) return;
     put_word(self, order, MOVE_LIMITS, 0);
     moves_at(&self->moves, self->moves.head - 1)->a_share = bounds.a_share;
     moves_at(&self->moves, self->moves.head - 1)->v_share = bounds.v_share;
@@ -217,7 +224,9 @@ static int add(planner_t *self, const planner_order_t *order, const shape_t *sha
     move_t move;
     double place[MOVES_AXES];
     if (!can_add(self, 5 + PLANNER_OUTPUTS)) return -1;
-    if (!read_end(self, shape->end, place) || !(order->vel > 0.0)) return -2;
+    const int led = shape->back > 0.0 || is_thread(self, shape);
+    if (!read_end(self, shape->end, place)) return -2;
+    if (led ? !(fabs(order->vel) < HUGE_VAL) : !(order->vel > 0.0)) return -2;
     if (!shape->centre && memcmp(place, self->goal, sizeof place) == 0) return 0;
     const double length = make(self, order, shape, place, &move);
     if (length < 0.0) return -2;
@@ -255,11 +264,18 @@ int planner_arc(planner_t *self, const planner_order_t *order, const double *end
 
 // ---- the operator
 
-void planner_pause(planner_t *self, int pause) { self->paused = (uint32_t)pause; }
+void planner_pause(planner_t *self, int pause) { self->paused = pause && !self->done; }
+
+int planner_reverse(planner_t *self, int reverse) {
+    if (reverse && self->told.v > 0.0) return 0;
+    self->reversed = reverse && !self->done;
+    return 1;
+}
 
 void planner_abort(planner_t *self) {
     self->failed = 0;
     self->outputs = 0;
+    self->reversed = 0;
     if (self->state == PLANNER_FOLLOWS) thread_stop(self);
     if (self->done || self->state != PLANNER_READY) return;
     stop(self, PLANNER_STOPS);
@@ -274,6 +290,7 @@ void planner_put(planner_t *self, const double *place) {
     self->failed = 0;
     self->outputs = 0;
     self->paused = 0;
+    self->reversed = 0;
     self->done = 1;
     if (rests) {
         keep_place(self);
@@ -285,48 +302,6 @@ void planner_put(planner_t *self, const double *place) {
 
 int planner_depth(const planner_t *self) {
     return self->done ? 0 : (int)(self->count - self->passed);
-}
-
-static uint32_t permille(double share, uint32_t most) {
-    const double value = floor(fmax(share, 0.0) * PERMILLE + 0.5);
-    return value < (double)most ? (uint32_t)value : most;
-}
-
-// Faster than this no tool can be: no limit then, which is cheaper to plan.
-static uint32_t speed_um_s(const planner_t *self, double v_most) {
-    double sum = 0.0;
-    for (int k = 0; k < MOVES_AXES; k++) {
-        const nck_axis_t *const axis = &self->machine.axis[k];
-        if (axis->present) sum += axis->v_max * axis->v_max;
-    }
-    if (v_most * v_most >= sum || v_most > 4e6) return UINT32_MAX;
-    return (uint32_t)(fmax(v_most, 0.0) * 1e3);
-}
-
-// A feed a revolution was told for one speed of the spindle; it turns at another by now.
-static double spindle_share(planner_t *self, const planner_wish_t *wish) {
-    const double rps = self->done ? 0.0 : moves_at(&self->moves, self->told.move)->rps;
-    return rps > 0.0 ? wish->rps / rps : 1.0;
-}
-
-// A change of overrides is heard at once if it comes to rest or leaves it.
-static void hear_rates(planner_t *self, const planner_wish_t *wish) {
-    nck_command_t asked;
-    const uint32_t rapid = permille(wish->rapid, PERMILLE);
-    const uint32_t speed = speed_um_s(self, wish->v_most);
-    nck_asked(&self->nck, &asked);
-    const int rests = (asked.feed_permille == 0) != (self->wanted == 0)
-                      || (asked.rapid_permille == 0) != (rapid == 0);
-    self->calm++;
-    if (!rests && self->calm < CALM) return;
-    const int capped = feed_is_capped(self);
-    const uint32_t feed = capped ? feed_override(self) : self->wanted;
-    const int same = asked.feed_permille == feed && asked.rapid_permille == rapid
-                     && asked.speed_um_s == speed;
-    if (!same || capped) self->calm = 0;
-    if (same) return;
-    nck_set_override_permille(&self->nck, feed, rapid);
-    nck_set_speed(&self->nck, speed);
 }
 
 // What the tool rests for is there.
@@ -348,11 +323,12 @@ static void hear_holds(planner_t *self, const planner_wish_t *wish) {
     nck_set_single_block(&self->nck, single);
     if (self->single && !single) self->owed = 1;
     self->single = single;
-    if (self->paused && !self->holds) {
+    const int paused = self->paused || self->reversed;
+    if (paused && !self->holds) {
         nck_hold(&self->nck);
         self->holds = 1;
     }
-    if (self->paused) return;
+    if (paused) return;
     if (waits && !wait_is_over(self, moves_at(&self->moves, pose.line))) return;
     if (waits || self->holds || self->owed) {
         nck_resume(&self->nck);
@@ -401,7 +377,7 @@ static void tell_move(planner_t *self, const nck_pose_t *pose, int single) {
     const move_t *const move = moves_at(&self->moves, told->move);
     if (told->v > 0.0) self->moved = 1;
     if (told->v > 0.0) told->between = 0;
-    else if (single && self->moved && !self->paused && pose->state == NCK_TICK_HOLD) {
+    else if (single && self->moved && !self->paused && !self->reversed && pose->state == NCK_TICK_HOLD) {
         told->between = 1; // until it moves again
     }
     self->at = pose->s + self->skipped;
@@ -416,6 +392,7 @@ static void tell_rest(planner_t *self) {
     self->way = self->at;
     self->done = 1;
     self->paused = 0;
+    self->reversed = 0;
     self->told.to_go = 0.0;
     memset(self->told.dtg, 0, sizeof self->told.dtg);
 }
@@ -448,8 +425,8 @@ static void end_stop(planner_t *self) {
 void planner_cycle(planner_t *self, const planner_wish_t *wish) {
     nck_pose_t pose;
     nck_axes_t axes;
-    self->rps = wish->rps > 0.0 ? wish->rps : fmax(wish->rps_asked, 1.0);
-    self->wanted = permille(wish->feed * spindle_share(self, wish), 2 * PERMILLE);
+    self->wish = *wish;
+    rates_measure(self, wish);
     if (self->done && self->state == PLANNER_READY) {
         self->told.v = self->told.a = self->told.j = 0.0;
         self->told.steps = 0;
@@ -461,7 +438,7 @@ void planner_cycle(planner_t *self, const planner_wish_t *wish) {
         return;
     }
     if (self->state == PLANNER_READY) {
-        hear_rates(self, wish);
+        rates_hear(self, wish);
         hear_holds(self, wish);
     }
     feed_prepare(self);

@@ -49,6 +49,7 @@ typedef struct planner_modal {
     double tolerance;  // [mm]; 0: the owner's
     double lead;       // in step with the spindle: [mm] a revolution; 0: not
     uint32_t speed;    // 1: by its speed, as feed a revolution; 0: by its angle
+    uint32_t spindle;  // which
 } planner_modal_t;
 
 // What a move has beside its geometry.
@@ -70,7 +71,8 @@ typedef struct planner_wish {
     int single;        // 1: rest at the end of the move in work
     double turns;      // of the spindle as measured, forward as it was commanded [revolutions]
     double rps;        // how fast it turns, ≥ 0 [1/s]
-    double rps_asked;  // as commanded, ≥ 0
+    double rps_asked;  // as commanded for now, ≥ 0
+    double rps_most;   // as commanded at most: under G96 more than for now; 0: by nobody
 } planner_wish_t;
 
 // What is told of a cycle.
@@ -107,16 +109,23 @@ typedef struct planner {
     planner_told_t told;    // the owner reads
     follow_t follow;        // the pass in step with the spindle
     uint32_t dropped;       // 1: it was aborted
+    uint32_t cut;           // the first entry of the ring whose word the pass has not said yet
     double steps[PLANNER_STEPS]; // of the spindle's angle in the last cycles [revolutions]
     double turns;           // its angle in the last cycle
     uint32_t step;          // of steps, the oldest
-    double rps;             // of the spindle in the last cycle
+    planner_wish_t wish;    // of this cycle
+    double rps;             // of the spindle, or as it is commanded, which is more
+    double fast, slow;      // means of its speed [1/s]
+    double turned;          // its speed foreseen, times the override of feeds [1/s]
+    double base;            // its speed at an override of 1; 0: the kernel has no feed by it
+    uint32_t spindle;       // that the move in work, or the next one, goes by
     double skipped;         // way that the kernel has not gone [mm]
     planner_output_t output[PLANNER_OUTPUTS];
     uint32_t outputs;       // of them, for the next move
     uint32_t state;         // planner_state_t
     uint32_t begun;         // 1: the kernel has been initialised
     uint32_t paused;        // 1: the operator holds
+    uint32_t reversed;      // 1: he wants to go back, which is not offered
     uint32_t holds;         // 1: the kernel has been told so
     uint32_t failed;        // 1: the kernel refused a move; no more until an abort
     uint32_t done;          // 1: nothing left to do
@@ -132,8 +141,8 @@ typedef struct planner {
     uint32_t waits;         // 1: the unlocking or locking that is waited for has been asked for
     uint32_t first;         // entries before this one are behind the tool
     uint32_t calm;          // cycles since the overrides have changed
-    uint32_t wanted;        // override of feeds that the host wants [‰]
-    uint32_t capped;        // the last move with a cap that the kernel has
+    uint32_t wanted;        // override of feeds that the host wants [ppm]
+    uint32_t bound;         // the last move with a cap, or a feed a revolution, that the kernel has
     double cycle_s;         // 0: it takes no moves
     double a_path;          // tangential acceleration at most [mm/s²]
     double goal[MOVES_AXES];// where the last move ends
@@ -163,8 +172,12 @@ int planner_tap(planner_t *self, const planner_order_t *order, const double *end
 // if there are PLANNER_OUTPUTS of them.
 int planner_output(planner_t *self, int analog, int index, double value);
 
-// Brake to rest on the path, or rest there; go on.
+// Brake to rest on the path, or rest there; go on. Without a move to be done it counts for nothing.
 void planner_pause(planner_t *self, int pause);
+
+// Going back is asked for (1), which is not offered, or going on (0): until then what rests stays.
+// Returns 1, or 0 if it moves: that counts for nothing.
+int planner_reverse(planner_t *self, int reverse);
 
 // Brake to rest and drop what has not been done.
 void planner_abort(planner_t *self);

@@ -2,48 +2,77 @@
 // Passes in step with the spindle.
 #include "thread.h"
 
-#include <math.h>   // fabs fmax
+#include <math.h>   // fabs fmax INFINITY
 #include <string.h> // memcpy memset
 
-#include "feed.h" // feed_is_done
+#include "feed.h" // feed_is_done feed_bounds
 
-enum { PATIENCE = 10 }; // cycles without a move until a pass counts as known to its end
+enum { LINES = 8 }; // of a pass that are taken over in one cycle, at most
 
-static int is_thread(const planner_t *self, uint32_t count) {
-    return count != self->moves.head
-           && moves_at((moves_t *)&self->moves, count)->kind >= MOVE_THREAD;
-}
-
-// Where its lines end: a tap is one, threads of one lead go on.
-static uint32_t end_of(const planner_t *self) {
-    const move_t *const first = moves_at((moves_t *)&self->moves, self->moves.next);
-    uint32_t count = self->moves.next;
-    if (first->kind == MOVE_TAP) return count + 1;
-    while (is_thread(self, count) && count - self->moves.next < FOLLOW_LINES) {
-        const move_t *const move = moves_at((moves_t *)&self->moves, count);
-        if (move->kind != MOVE_THREAD || move->value != first->value) break;
-        count++;
-    }
-    return count;
+static const move_t *next_of(const planner_t *self) {
+    const moves_t *const moves = &self->moves;
+    return moves->next == moves->head ? NULL : moves_at((moves_t *)moves, moves->next);
 }
 
 int thread_begins(const planner_t *self) {
-    if (!is_thread(self, self->moves.next) || self->paused) return 0;
-    const int open = end_of(self) == self->moves.head;
-    return feed_is_done(self) && (!open || self->quiet >= PATIENCE);
+    const move_t *const next = next_of(self);
+    if (!next || next->kind < MOVE_THREAD || self->paused || self->reversed) return 0;
+    return feed_is_done(self);
+}
+
+// What the axes can now.
+static void find_limits(const planner_t *self, follow_limits_t *limits_out) {
+    bounds_t bounds;
+    feed_bounds(self, &bounds);
+    for (int k = 0; k < FOLLOW_AXES; k++) {
+        const int there = (int)(self->settings.axes >> k & 1u);
+        const double jerk = self->settings.jerk[k];
+        limits_out->v[k] = there ? bounds.v[k] : 0.0;
+        limits_out->a[k] = bounds.a[k];
+        limits_out->j[k] = self->settings.slope == NCK_SLOPE_LINEAR ? INFINITY : jerk;
+    }
+}
+
+// One more line of the pass. 0: it has no room.
+static int take_line(planner_t *self) {
+    const move_t *const move = next_of(self);
+    const uint32_t name = self->moves.next;
+    if (!follow_line(&self->follow, move->end, move->value, move->a_share, name)) return 0;
+    self->moves.next++;
+    return 1;
+}
+
+// The lines of the pass that have come: threads one behind the other, whatever their leads; words
+// between them are said where the tool is. A tap is one line.
+static void take(planner_t *self) {
+    const move_t *next = next_of(self);
+    for (int n = 0; n < LINES && next; n++) {
+        if (next->kind == MOVE_DIGITAL || next->kind == MOVE_ANALOG) self->moves.next++;
+        else if (next->kind != MOVE_THREAD || !take_line(self)) return;
+        next = next_of(self);
+    }
+}
+
+// Words of the entries before one.
+static void say(planner_t *self, uint32_t end) {
+    for (; self->cut != end; self->cut++) {
+        const move_t *const move = moves_at(&self->moves, self->cut);
+        if (move->kind == MOVE_DIGITAL) self->hooks.digital(move->index, (char)(move->value > 0.0));
+        if (move->kind == MOVE_ANALOG) self->hooks.analog(move->index, move->value);
+    }
 }
 
 void thread_begin(planner_t *self) {
-    const uint32_t end = end_of(self);
-    const move_t *const first = moves_at(&self->moves, self->moves.next);
-    follow_begin(&self->follow, self->told.place, first->value, self->cycle_s);
-    for (uint32_t n = self->moves.next; n != end; n++) {
-        (void)follow_line(&self->follow, moves_at(&self->moves, n)->end);
-    }
-    self->follow.taps = first->kind == MOVE_TAP;
-    follow_prepare(&self->follow, &self->machine, self->rps * fmax(first->back, 1.0));
+    follow_t *const follow = &self->follow;
+    const move_t *const first = next_of(self);
+    find_limits(self, &follow->limits);
+    follow_begin(follow, self->told.place, self->rps * fmax(first->back, 1.0), self->cycle_s);
+    self->cut = self->moves.next;
+    (void)take_line(self);
+    follow->taps = first->kind == MOVE_TAP;
+    if (!follow->taps) take(self);
     (void)self->hooks.index(1);
-    for (int n = 0; n < PLANNER_STEPS; n++) self->steps[n] = self->rps * self->cycle_s;
+    for (int n = 0; n < PLANNER_STEPS; n++) self->steps[n] = self->wish.rps * self->cycle_s;
     self->dropped = 0;
     self->state = PLANNER_FOLLOWS;
 }
@@ -65,10 +94,11 @@ static double measure(planner_t *self, double turns) {
 int thread_cycle(planner_t *self, const planner_wish_t *wish, double *place_out) {
     follow_t *const follow = &self->follow;
     const uint32_t before = follow->phase;
-    const double back = moves_at(&self->moves, self->moves.next)->back;
+    const double back = moves_at(&self->moves, self->cut)->back;
     const double rps = measure(self, wish->turns);
     memcpy(place_out, self->told.place, sizeof self->told.place);
     if (before == FOLLOW_NOT) return 0;
+    if (!self->dropped && !follow->taps) take(self);
     if (before == FOLLOW_INDEX) {
         if (self->hooks.index(0)) follow_index(follow, wish->rps > 0.0 ? wish->rps : rps);
         return 1;
@@ -81,29 +111,28 @@ int thread_cycle(planner_t *self, const planner_wish_t *wish, double *place_out)
 
 void thread_tell(planner_t *self) {
     planner_told_t *const told = &self->told;
-    told->move = self->moves.next + follow_at(&self->follow);
+    told->move = follow_move(&self->follow, &told->to_go);
     const move_t *const move = moves_at(&self->moves, told->move);
-    const double reached = self->follow.s < 0.0 ? 0.0 : self->follow.s;
     self->passed = move->count - 1;
     told->between = 0;
-    told->to_go = fmax(0.0, move->way - self->at - reached);
     for (int k = 0; k < MOVES_AXES; k++) told->dtg[k] = move->end[k] - told->place[k];
+    if (!self->follow.taps) say(self, told->move);
+    moves_pass(&self->moves, told->move);
 }
 
 void thread_stop(planner_t *self) {
     if (self->follow.phase == FOLLOW_RETURNS) {
-        self->hooks.turn(-1.0 / moves_at(&self->moves, self->moves.next)->back);
+        self->hooks.turn(-1.0 / moves_at(&self->moves, self->cut)->back);
     }
     follow_stop(&self->follow);
     self->dropped = 1;
 }
 
 void thread_end(planner_t *self) {
-    const double length = self->follow.end[self->follow.lines];
-    const uint32_t lines = self->follow.lines;
-    self->skipped += length;
-    self->at += length;
-    self->moves.next += lines;
+    const double way = moves_at(&self->moves, self->moves.next - 1)->way;
+    if (!self->dropped) say(self, self->moves.next);
+    self->skipped += way - self->at;
+    self->at = way;
     self->flushed = self->moves.next;
     self->first = self->moves.next;
     self->moves.tail = self->moves.next;

@@ -5,8 +5,8 @@
 
 #include "planner.h" // planner_t
 
-// 1 if the next entries of the ring are a pass, all of it is known, and the kernel rests.
-// Cost: linear in its lines. Context: servo thread, as all below.
+// 1 if the next entry of the ring begins a pass and the kernel rests: what comes behind it joins in.
+// Cost: constant. Context: servo thread, as all below.
 int thread_begins(const planner_t *self);
 
 // Begin it: the spindle is asked for its index. Cost: linear in its lines.

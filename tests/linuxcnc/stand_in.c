@@ -331,6 +331,7 @@ static void set_up(void) {
     status.feed_scale = status.rapid_scale = status.net_feed_scale = 1.0;
     status.enables_new = status.enables_queued = FS_ENABLED | FH_ENABLED | AF_ENABLED;
     status.spindle_status[0].at_speed = 1;
+    status.spindle_status[0].net_scale = 1.0;
     config.numSpindles = 1;
     config.arcBlendEnable = 1;
     config.arcBlendOptDepth = 50;
