@@ -75,3 +75,18 @@ uint32_t arc_chords(const arc_t *arc, double error) {
     const double step = 2.0 * acos(fmax(0.0, 1.0 - error / radius));
     return 1u + (uint32_t)(fabs(arc->angle) / step);
 }
+
+// It turns back along an axis where the way is across it, once a turn on each side.
+double arc_reach(const arc_t *arc, int axis, double side) {
+    static const double turn = 6.283185307179586;
+    const double sweep = fabs(arc->angle), along = arc->angle < 0.0 ? -arc->v[axis] : arc->v[axis];
+    double at = atan2(side * along, side * arc->u[axis]);
+    if (at < 0.0) at += turn;
+    const double shares[4] = {0.0, 1.0, at / sweep, (at + turn * floor((sweep - at) / turn)) / sweep};
+    double point[3], most = -HUGE_VAL;
+    for (int n = 0; n < (at <= sweep ? 4 : 2); n++) {
+        arc_point(arc, shares[n], point);
+        most = fmax(most, side * point[axis]);
+    }
+    return side * most;
+}

@@ -31,4 +31,8 @@ double arc_length(const arc_t *arc);
 // So many even chords stay within the error of the arc, from 1 [mm]. Cost: constant. Context: any.
 uint32_t arc_chords(const arc_t *arc, double error);
 
+// How far it gets along X, Y or Z, axis 0 … 2, to the side of 1 or −1 [mm]. Where radius or height
+// change it may be off by an eighth of what they change by in a turn. Cost: constant. Context: any.
+double arc_reach(const arc_t *arc, int axis, double side);
+
 #endif

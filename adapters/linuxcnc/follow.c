@@ -191,6 +191,14 @@ void follow_begin(follow_t *self, const double *place, double rps, double cycle_
 
 int follow_has_room(const follow_t *self) { return self->head - self->tail < FOLLOW_LINES - 1; }
 
+// A line that comes while the tool comes to rest: it goes on, and catches up. Until the means have
+// left the stop behind, its ramp has what that leaves of the jerk.
+static void go_on(follow_t *self) {
+    self->phase = FOLLOW_CUTS;
+    self->eased = 2 * self->n - self->settled;
+    self->settled = 0;
+}
+
 int follow_line(follow_t *self, const double *end, double lead, double share, uint32_t move) {
     double sum = 0.0;
     const double kept = self->share;
@@ -209,8 +217,7 @@ int follow_line(follow_t *self, const double *end, double lead, double share, ui
     self->share = fmin(self->share, share);
     const int moves = self->phase != FOLLOW_INDEX && self->asked >= 0.0;
     if ((!moves && prepare(self)) || (self->phase != FOLLOW_INDEX && fit(self))) {
-        if (self->phase == FOLLOW_SETTLES) self->phase = FOLLOW_CUTS;
-        self->settled = 0;
+        if (self->phase == FOLLOW_SETTLES) go_on(self);
         return 1;
     }
     self->head--;
@@ -254,6 +261,7 @@ static double chase(const follow_t *self, double asked) {
         v = fmin(v, node(self, number)->v_most);
         a = fmin(a, node(self, number)->a_most);
     }
+    if (self->eased > 0) a *= fmin(1.0, 2.0 * fmax(1.0 - self->stopped, 0.5 * least));
     const double step = a * self->cycle_s * self->cycle_s;
     const double out = sqrt(self->v_back * self->v_back + 2.0 * a * fmax(self->u, 0.0));
     const double most = (self->phase == FOLLOW_RETURNS ? fmin(out, v) : v) * self->cycle_s;
@@ -275,9 +283,11 @@ static double brake(const follow_t *self) {
 
 // Where the sample is, if the way, or the chase, is at u.
 static void go(follow_t *self, double u) {
-    const double length = node(self, self->head)->u;
+    const follow_node_t *const end = node(self, self->head);
+    const double length = end->u + end->w;
     if (self->phase == FOLLOW_CUTS) {
         self->u = self->taps ? fmax(u, self->u) : fmin(fmax(u, self->u), length);
+        if (self->u >= length) self->stopped = fabs(self->step) / (self->cycle_s * end->v_stop);
         if (self->u >= length) self->phase = self->taps ? FOLLOW_RETURNS : FOLLOW_SETTLES;
     } else if (self->phase == FOLLOW_RETURNS) {
         self->u = u;
@@ -295,6 +305,7 @@ static void go(follow_t *self, double u) {
 static void advance(follow_t *self, double turns, double rps) {
     const double asked = turns + rps * (double)self->n * self->cycle_s - self->begin;
     const double before = self->u;
+    if (self->eased > 0) self->eased--;
     const int moves = before > 0.0; // its begin is a kink, which the means know
     go(self, moves ? chase(self, asked) : asked);
     self->step = moves ? self->u - before : asked - self->asked;

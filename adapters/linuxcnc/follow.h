@@ -58,6 +58,8 @@ typedef struct follow {
     uint32_t settled;  // samples of the way's end
     uint32_t taps;     // 1: back at the end, by the spindle
     uint32_t stops;    // 1: an abort
+    uint32_t eased;    // cycles that a stop is still in the means
+    double stopped;    // of what the means bear, the speed that it stopped from
     double cycle_s;
     double rps;        // the most that the spindle is to turn [1/s]
     double share;      // of the axes' acceleration, the least that a line may have

@@ -117,7 +117,8 @@ static int added(int taken, struct state_tag_t tag) {
         self.modal.id++;
         return TP_ERR_OK;
     }
-    return taken == 0 ? TP_ERR_ZERO_LENGTH : taken == -2 ? TP_ERR_RANGE : TP_ERR_FAIL;
+    if (taken == -3) message("an arc leaves the travel of an axis between its ends");
+    return taken == 0 ? TP_ERR_ZERO_LENGTH : taken < -1 ? TP_ERR_RANGE : TP_ERR_FAIL;
 }
 
 int tpAddLine(TP_STRUCT *const tp, EmcPose end, int motion, double vel, double ini_maxvel,
@@ -131,6 +132,16 @@ int tpAddLine(TP_STRUCT *const tp, EmcPose end, int motion, double vel, double i
     return added(planner_line(&self, &order, place), tag);
 }
 
+// The soft limits of an axis; both are zero where the host has not set them.
+static void find_travel(void) {
+    for (int k = 0; k < 3; k++) {
+        const emcmot_axis_status_t *const axis = &status->axis_status[k];
+        const int set = axis->min_pos_limit < axis->max_pos_limit;
+        self.travel.least[k] = set ? axis->min_pos_limit * scale(k) : -HUGE_VAL;
+        self.travel.most[k] = set ? axis->max_pos_limit * scale(k) : HUGE_VAL;
+    }
+}
+
 int tpAddCircle(TP_STRUCT *const tp, EmcPose end, PmCartesian center, PmCartesian normal, int turn,
                 int motion, double vel, double ini_maxvel, double acc, unsigned char enables,
                 char atspeed, struct state_tag_t tag) {
@@ -142,6 +153,7 @@ int tpAddCircle(TP_STRUCT *const tp, EmcPose end, PmCartesian center, PmCartesia
     double place[MOVES_AXES];
     (void)tp;
     from_pose(&end, place);
+    find_travel();
     return added(planner_arc(&self, &order, place, centre, along, turn), tag);
 }
 

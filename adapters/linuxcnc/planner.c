@@ -44,6 +44,7 @@ int planner_init(planner_t *self, const settings_t *settings, const planner_hook
     const nck_hooks_t listens = {self, on_output, NULL, NULL};
     const double a_path = self->a_path;
     const planner_modal_t modal = self->modal;
+    const planner_travel_t travel = self->travel;
     nck_range_t range;
     nck_machine_range(NCK_QUANTITY_PERIOD, &range);
     self->cycle_s = 0.0;
@@ -54,6 +55,7 @@ int planner_init(planner_t *self, const settings_t *settings, const planner_hook
     self->cycle_s = cycle_s;
     self->a_path = a_path;
     self->modal = modal;
+    self->travel = travel;
     self->moves.head = 1; // 0 is no move to the kernel
     self->done = 1;
     self->bounds.a_share = self->bounds.v_share = 1.0;
@@ -202,6 +204,17 @@ static double make(const planner_t *self, const planner_order_t *order, const sh
     return centre ? moves_round(move, centre, shape->normal, shape->turn) : length;
 }
 
+// An arc that leaves the travel between its ends. One that begins outside has to lead back.
+static int leaves(const planner_t *self, const move_t *move) {
+    static const double rounding = 1e-6; // [mm], as the kernel counts
+    for (int k = 0; k < 3; k++) {
+        const double most = fmax(self->travel.most[k], move->start[k]) + rounding;
+        const double least = fmin(self->travel.least[k], move->start[k]) - rounding;
+        if (arc_reach(&move->arc, k, 1.0) > most || arc_reach(&move->arc, k, -1.0) < least) return 1;
+    }
+    return 0;
+}
+
 // What the host leaves the move of the axes' limits. A rapid has no speed but theirs.
 static void put_bounds(planner_t *self, const planner_order_t *order, move_t *move) {
     const double scale = settings_scale(&self->settings, unit_of(self, move->end));
@@ -230,6 +243,7 @@ static int add(planner_t *self, const planner_order_t *order, const shape_t *sha
     if (!shape->centre && memcmp(place, self->goal, sizeof place) == 0) return 0;
     const double length = make(self, order, shape, place, &move);
     if (length < 0.0) return -2;
+    if (shape->centre && leaves(self, &move)) return -3;
     put_bounds(self, order, &move);
     put_outputs(self, order);
     if (order->at_speed) put_word(self, order, MOVE_AT_SPEED, 0);

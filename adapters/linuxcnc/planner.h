@@ -52,6 +52,12 @@ typedef struct planner_modal {
     uint32_t spindle;  // which
 } planner_modal_t;
 
+// Where the axes may go. The host looks at the ends of moves; an arc may lead further.
+typedef struct planner_travel {
+    double least[3]; // X Y Z [mm]
+    double most[3];
+} planner_travel_t;
+
 // What a move has beside its geometry.
 typedef struct planner_order {
     double vel;        // [units/s] of the tool; of rotary axes where they move alone
@@ -106,6 +112,7 @@ typedef struct planner {
     settings_t settings;
     planner_hooks_t hooks;
     planner_modal_t modal;  // the owner writes
+    planner_travel_t travel;// the owner writes
     planner_told_t told;    // the owner reads
     follow_t follow;        // the pass in step with the spindle
     uint32_t dropped;       // 1: it was aborted
@@ -158,8 +165,8 @@ int planner_init(planner_t *self, const settings_t *settings, const planner_hook
                  double cycle_s);
 
 // A move to `end`: straight, or about an axis. Returns 1; 0 without length; −1 where nothing can be
-// added: no room, after an error, while an abort brakes; −2 for a number that no machine has.
-// Cost: constant. Context: servo thread, as all below.
+// added: no room, after an error, while an abort brakes; −2 for a number that no machine has; −3
+// for an arc that leaves the travel. Cost: constant. Context: servo thread, as all below.
 int planner_line(planner_t *self, const planner_order_t *order, const double *end);
 int planner_arc(planner_t *self, const planner_order_t *order, const double *end,
                 const double *centre, const double *normal, int turn);

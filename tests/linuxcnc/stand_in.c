@@ -31,6 +31,8 @@ static double turns, rps;       // of the spindle, and its speed
 static double rps_s = 1e9;      // by which it can change in a second
 static double adaptive = 1.0;
 static int held, id_for_step, unlocked, id;
+static double soft[AXES][2];    // limits of joints, at which the host aborts; both 0: none
+static int abort_in;            // cycles until the host's task has heard of them
 static unsigned long long cycles, nanoseconds, worst;
 
 // ---- what LinuxCNC gives to a module
@@ -135,7 +137,10 @@ static void scale(void) {
 
 // The spindle, until the end of the cycle: the place is for then.
 static void turn(void) {
-    const double wanted = status.spindle_status[0].speed / 60.0;
+    const double most = status.spindle_status[0].speed / 60.0;
+    const double css = status.spindle_status[0].css_factor / 60.0;
+    const double radius = fabs(status.spindle_status[0].xoffset - status.carte_pos_cmd.tran.x);
+    const double wanted = css > 0.0 ? fmin(css / fmax(radius, 1e-9), most) : most;
     rps += fmax(-rps_s * 1e-3, fmin(rps_s * 1e-3, wanted - rps));
     turns += rps * 1e-3;
     // the encoder counts from its index once that was asked for
@@ -147,15 +152,27 @@ static void turn(void) {
     status.spindle_status[0].spindleSpeedIn = rps;
 }
 
+// The host looks at soft limits behind the planner; its task aborts some cycles later.
+static void look_at_limits(void) {
+    const EmcPose *const p = &status.carte_pos_cmd;
+    const double place[3] = {p->tran.x, p->tran.y, p->tran.z};
+    int beyond = 0;
+    for (int k = 0; k < 3; k++) {
+        if (soft[k][0] >= soft[k][1]) continue;
+        beyond |= place[k] > soft[k][1] + 1e-12 || place[k] < soft[k][0] - 1e-12;
+    }
+    if (beyond && !status.on_soft_limit) {
+        printf("limit %llu\n", cycles);
+        abort_in = 20;
+    }
+    status.on_soft_limit = beyond;
+    if (abort_in > 0 && --abort_in == 0) p_tpAbort(&tp);
+}
+
 static void cycle(void) {
     EmcPose pos;
     const long long begin = rtapi_get_time();
     status.spindle_status[0].spindleRevs = turns;
-    if (status.stepping && id_for_step != status.id) {
-        p_tpPause(&tp);
-        status.stepping = 0;
-        status.paused = 1;
-    }
     scale();
     p_tpRunCycle(&tp, 1000000);
     const unsigned long long time = (unsigned long long)(rtapi_get_time() - begin);
@@ -164,6 +181,12 @@ static void cycle(void) {
     p_tpGetPos(&tp, &pos);
     status.carte_pos_cmd = pos;
     status.id = p_tpGetExecId(&tp);
+    look_at_limits();
+    if (status.stepping && id_for_step != status.id) {
+        p_tpPause(&tp);
+        status.stepping = 0;
+        status.paused = 1;
+    }
     turn();
     put_down(&pos);
     cycles++;
@@ -241,9 +264,9 @@ static void operate(const char *word, const double *n) {
         status.paused = 0;
         p_tpResume(&tp);
     } else if (strcmp(word, "step") == 0) {
+        if (!status.paused) return;
         id_for_step = status.id;
         status.stepping = 1;
-        status.paused = 0;
         p_tpResume(&tp);
     } else if (strcmp(word, "abort") == 0) {
         p_tpAbort(&tp);
@@ -255,6 +278,8 @@ static void operate(const char *word, const double *n) {
         p_tpSetPos(&tp, &pos);
     } else if (strcmp(word, "reverse") == 0) {
         printf("reverse %d\n", p_tpSetRunDir(&tp, TC_DIR_REVERSE));
+    } else if (strcmp(word, "forward") == 0) {
+        printf("forward %d\n", p_tpSetRunDir(&tp, TC_DIR_FORWARD));
     }
 }
 
@@ -278,7 +303,16 @@ static void set(const char *word, const double *n) {
         if (n[1] > 0.0) rps_s = n[1];
     }
     else if (strcmp(word, "sync") == 0) p_tpSetSpindleSync(&tp, 0, n[0], (int)n[1]);
-    else if (strcmp(word, "caps") == 0) {
+    else if (strcmp(word, "css") == 0) {
+        status.spindle_status[0].css_factor = n[0];
+        status.spindle_status[0].xoffset = n[1];
+    } else if (strcmp(word, "soft") == 0) {
+        soft[(int)n[0]][0] = n[1];
+        soft[(int)n[0]][1] = n[2];
+    } else if (strcmp(word, "travel") == 0) {
+        status.axis_status[(int)n[0]].min_pos_limit = n[1];
+        status.axis_status[(int)n[0]].max_pos_limit = n[2];
+    } else if (strcmp(word, "caps") == 0) {
         asked_v = n[0];
         asked_a = n[1];
     }
@@ -299,7 +333,7 @@ static void tell(void) {
 static void obey(const char *word, const double *n) {
     static const char *const moves[] = {"line", "rapid", "arc", "tap"};
     static const char *const operators[] = {"pause", "resume", "step", "abort", "clear", "setpos",
-                                            "reverse"};
+                                            "reverse", "forward"};
     for (unsigned k = 0; k < sizeof moves / sizeof *moves; k++) {
         if (strcmp(word, moves[k]) == 0) {
             move(word, n);
