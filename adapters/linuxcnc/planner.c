@@ -278,11 +278,11 @@ int planner_arc(planner_t *self, const planner_order_t *order, const double *end
 
 // ---- the operator
 
-void planner_pause(planner_t *self, int pause) { self->paused = pause && !self->done; }
+void planner_pause(planner_t *self, int pause) { self->paused = (uint32_t)pause; }
 
 int planner_reverse(planner_t *self, int reverse) {
     if (reverse && self->told.v > 0.0) return 0;
-    self->reversed = reverse && !self->done;
+    self->reversed = (uint32_t)reverse;
     return 1;
 }
 
@@ -443,6 +443,7 @@ void planner_cycle(planner_t *self, const planner_wish_t *wish) {
     rates_measure(self, wish);
     if (self->done && self->state == PLANNER_READY) {
         self->told.v = self->told.a = self->told.j = 0.0;
+        self->paused = self->reversed = 0;
         self->told.steps = 0;
         return;
     }

@@ -179,7 +179,7 @@ int planner_tap(planner_t *self, const planner_order_t *order, const double *end
 // if there are PLANNER_OUTPUTS of them.
 int planner_output(planner_t *self, int analog, int index, double value);
 
-// Brake to rest on the path, or rest there; go on. Without a move to be done it counts for nothing.
+// Brake to rest on the path, or rest there; go on. A cycle without a move forgets it.
 void planner_pause(planner_t *self, int pause);
 
 // Going back is asked for (1), which is not offered, or going on (0): until then what rests stays.

@@ -8,7 +8,8 @@
 
 enum {
     PPM = 1000000,
-    CALM = 60,      // cycles between two overrides: each is a plan of its own
+    CALM = 20,      // cycles between two overrides: each is a plan of its own, …
+    PATIENCE = 200, // … and one that is being made is waited for, so long at most
     TREND = 32,     // cycles of the faster of two means of the spindle's speed; the other: twice
     LATE = 60       // cycles until the tool has the speed that an override asks for, seen
 };
@@ -36,19 +37,20 @@ static uint32_t speed_um_s(const planner_t *self, double v_most) {
 // How fast the spindle will turn when the tool has heard of it: where it gets faster or slower, by
 // the difference of two means of its speed; not beyond what it is told to turn.
 static double foreseen(planner_t *self, const planner_wish_t *wish) {
-    const double now = wish->rps;
+    const double now = wish->rps, most = wish->rps_most;
+    const int follows = wish->rps_asked < most; // G96: what it is told changes all the while
     self->fast += (now - self->fast) / TREND;
     self->slow += (now - self->slow) / (2 * TREND);
     const double then = now + (self->fast - self->slow) * ((double)LATE / TREND);
-    const double end = wish->rps_asked;
-    const double most = fmax(now, end >= now ? end : then), lowest = fmin(now, end < now ? end : 0.0);
-    return fmax(fmin(then, most), lowest);
+    if (then > now && now < most) return fmin(then, most);
+    return then < now && (follows || now > most) ? fmax(then, follows ? 0.0 : most) : now;
 }
 
 void rates_measure(planner_t *self, const planner_wish_t *wish) {
     self->rps = fmax(wish->rps, wish->rps_asked);
     self->wanted = ppm(wish->feed, 2.0);
     self->turned = wish->feed * foreseen(self, wish);
+    if (self->done) self->calm = PATIENCE;
 }
 
 // ---- what the kernel's override has to be
@@ -94,7 +96,8 @@ void rates_hear(planner_t *self, const planner_wish_t *wish) {
     const int stands = self->base > 0.0 && bound ? self->turned <= 0.0 : self->wanted == 0;
     const int rests = (asked.feed_ppm == 0) != stands || (asked.rapid_ppm == 0) != (rapid == 0);
     self->calm++;
-    if (!rests && self->calm < CALM) return;
+    const uint32_t calm = nck_is_answering(&self->nck) ? PATIENCE : CALM;
+    if (!rests && self->calm < calm) return;
     const uint32_t end = self->moves.next + (self->moves.part > 0);
     const uint32_t feed = bound ? override_of(self, end) : self->wanted;
     const int same = is_same(self, asked.feed_ppm, feed) && asked.rapid_ppm == rapid

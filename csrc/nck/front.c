@@ -200,6 +200,8 @@ const nck_node_t *nck_piece(const nck_t *nck, uint32_t i) {
     return nck_lookahead_ahead(&nck->lookahead, i);
 }
 
+int nck_is_answering(const nck_t *nck) { return nck_slope_is_answering(&nck->slope); }
+
 void nck_asked(const nck_t *nck, nck_command_t *command_out) {
     const nck_command_t *const command = &nck->command;
     command_out->feed_ppm = nck_fence_load(&command->feed_ppm);

@@ -348,6 +348,10 @@ const nck_machine_t *nck_machine_of(const nck_t *nck);
 // final, its envelope may not be. NULL: not known yet. Cost: constant. Context: prep.
 const nck_node_t *nck_piece(const nck_t *nck, uint32_t i);
 
+// 1 while a plan is made that answers the operator: who asks for something else now, and again and
+// again, has it begin anew each time. Cost: constant. Context: prep.
+int nck_is_answering(const nck_t *nck);
+
 // What the operator asks for, as of now. Cost: constant. Context: any.
 void nck_asked(const nck_t *nck, nck_command_t *command_out);
 
