@@ -19,7 +19,9 @@ from linuxcnc_stand_in import CYCLE_S, EVER, OWN, Machine, StandIn
 ROUNDING = 1e-6  # of a limit, on doubles
 NEAR = 0.02  # LinuxCNC's own planner goes on into the next move before it hears a pause [mm]
 OFF = 5e-3  # of a feed a revolution
-STEADY = 0.4  # the spindle has turned evenly for so long [s]
+STEADY = 0.8  # for so long, before it is judged, tool and spindle have changed little [s], …
+FASTEST = 0.25  # … the spindle by no more than this share a second
+LATE_S = 0.05  # and for so long its change may not be heard [s]
 REST = f"rest {EVER}"
 SETTLES = "run 2500"  # every move of `calls` is done by then
 
@@ -138,18 +140,17 @@ def feeds(seed):
     rps_s, facing = draw.choice([5, 20, 100]), draw.random() < 0.3
     top = min(60.0, 60.0 / lead)
     script = [draw.choice(["term 1 0", "term 2 0.01"]), f"sync {lead} 1"]
-    x, way = (30.0 if facing else 0.0), -1 if facing else 1
-    script += ["setpos 30 0 0"] if facing else []
+    x, way = 0.0, -1 if facing else 1
     if facing:
-        rps = draw.uniform(0.2, 1) * top
-        script += [f"spindle {rps} {rps_s}", f"css {draw.uniform(200, 3000) * rps / 10} 0"]
+        x, rps = draw.uniform(2, 60), draw.uniform(0.2, 1) * top
+        begin = rps * draw.uniform(0.1, 0.8)
+        script += [f"setpos {x} 0 0", f"spindle {rps} {rps_s}", f"css {60 * begin * x} 0"]
     for _ in range(draw.randrange(1, 5)):
         if not facing:
             rps = draw.uniform(0.05, 1) * top
             script += [f"spindle {rps} {rps_s}", f"run {draw.choice([0, 1, 500])}"]
         for _ in range(draw.randrange(1, 4)):
-            x += way * (7.0 if facing else lead * rps * draw.uniform(0.2, 3))
-            x = max(x, 2.0) if facing else x
+            x += way * min(lead * rps * draw.uniform(0.2, 3), 0.3 * x if facing else np.inf)
             script += [f"line {lead} {x} 0 0", *draw.choice([[], [], [f"run {draw.randrange(60)}"]])]
         if draw.random() < 0.3 and not facing:
             script += [f"run {draw.randrange(900)}", f"spindle {rps * draw.uniform(0.6, 1.4)} 0"]
@@ -163,22 +164,19 @@ def feeds_failures(stand_in, seed):
     run = stand_in.run(script)
     v = np.abs(np.diff(run.places[:, 0])) / CYCLE_S
     rps = np.abs(np.diff(run.column("turns"))) / CYCLE_S
-    n = int(STEADY / CYCLE_S)
-    wrong = held(run)
+    wrong, n = held(run), int(STEADY / CYCLE_S)
     if len(v) <= n:
         return wrong
-    window = np.lib.stride_tricks.sliding_window_view
-    change = window(rps, n).max(axis=1) / np.maximum(window(rps, n).min(axis=1), 1e-9) - 1
-    even = change < 0.25 * STEADY  # a quarter a second: G96 outside of the middle
-    moves = window(v, n).min(axis=1) > 0.2 * lead * window(rps, n).min(axis=1)
-    judged = np.flatnonzero(even & moves)[n // 2 :]
-    # the middle of the window: behind a rest, and before one, the tool has its ramp
-    at = judged + n // 2
-    ramps = window(v, n)[judged]
-    steady = np.ptp(ramps, axis=1) < 0.12 * lead * rps[at]
-    off = v[at][steady] / (lead * rps[at][steady]) - 1
-    if len(off) and np.abs(off).max() > OFF:
-        wrong.append(f"feed a revolution off by {100 * np.abs(off).max():.2f} %")
+    # judged towards the end of a time in which tool and spindle change little
+    most, least = (f(np.lib.stride_tricks.sliding_window_view(rps, n), axis=1)
+                   for f in (np.max, np.min))  # fmt: skip
+    rate = (most / np.maximum(least, 1e-9) - 1) / STEADY
+    moves = np.lib.stride_tricks.sliding_window_view(v, n).min(axis=1) > 0.8 * lead * least
+    judged = np.flatnonzero((rate < FASTEST) & moves)
+    at = judged + n - n // 8
+    off = np.abs(v[at] / (lead * rps[at]) - 1) - rate[judged] * LATE_S
+    if len(off) and off.max() > OFF:
+        wrong.append(f"feed a revolution off by {100 * off.max():.2f} %")
     return wrong
 
 

@@ -95,12 +95,14 @@ static int push(planner_t *self) {
         moves->next += (uint32_t)set_limits(self);
         return 1;
     }
+    rates_part(self);
     const int last = moves_block(moves, self->offset, &block);
     rates_bound(self, &block);
     const nck_status_t status = nck_push_block(&self->nck, &block);
     if (status == NCK_FULL) return 1;
     if (status != NCK_OK) self->failed = 1;
     moves->part = last ? 0 : moves->part + 1;
+    moves->from = last ? 0.0 : moves->to;
     moves->next += (uint32_t)last;
     self->flushed = moves->next - 1;
     self->empty = 0;

@@ -16,6 +16,8 @@ void moves_clear(moves_t *self) {
     self->next = self->head;
     self->tail = self->head;
     self->part = 0;
+    self->from = 0.0;
+    self->to = 1.0;
 }
 
 void moves_pass(moves_t *self, uint32_t count) {
@@ -73,6 +75,13 @@ static void chord_end(const move_t *move, uint32_t part, double *end_out) {
     }
 }
 
+// A place on a line.
+static void line_end(const move_t *move, double share, double *end_out) {
+    for (int k = 0; k < MOVES_AXES; k++) {
+        end_out[k] = move->start[k] + share * (move->end[k] - move->start[k]);
+    }
+}
+
 // What a block has whose entry has a way.
 static void fill_way(const moves_t *self, const double *offset, nck_block_in_t *block) {
     const move_t *const move = moves_at((moves_t *)self, self->next);
@@ -81,6 +90,7 @@ static void fill_way(const moves_t *self, const double *offset, nck_block_in_t *
     double end[MOVES_AXES];
     memcpy(end, move->end, sizeof end);
     if (move->kind == MOVE_CHORDS) chord_end(move, self->part, end);
+    else if (self->to < 1.0) line_end(move, self->to, end);
     block->kind = kinds[move->kind];
     block->sets = NCK_IN_SETS_PATH;
     block->path_mode = move->path_mode;
@@ -113,7 +123,7 @@ int moves_block(const moves_t *self, const double *offset, nck_block_in_t *block
     block_out->id = self->next;
     if (move->kind <= MOVE_CHORDS) {
         fill_way(self, offset, block_out);
-        return move->kind != MOVE_CHORDS || self->part + 1 == move->chords;
+        return move->kind == MOVE_CHORDS ? self->part + 1 == move->chords : !(self->to < 1.0);
     }
     block_out->kind = NCK_IN_M;
     block_out->value = waits ? MOVES_M_WAIT : MOVES_M_PASS;

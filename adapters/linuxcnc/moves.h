@@ -68,7 +68,9 @@ typedef struct moves {
     uint32_t head; // the next one that comes
     uint32_t next; // the next one that the kernel takes
     uint32_t tail; // the oldest that is kept
-    uint32_t part; // chords of `next` that it has taken
+    uint32_t part; // chords of `next`, or parts of its line, that it has taken
+    double from;   // of its line: the next part, in shares of the way
+    double to;
 } moves_t;
 
 // The entry of a count. Cost: constant. Context: servo thread, as all of them.
@@ -91,7 +93,8 @@ double moves_straight(move_t *move, const double *start, const double *end);
 // About an axis. Returns the length, −1 if there is no such arc. Cost: constant.
 double moves_round(move_t *move, const double *centre, const double *normal, int32_t turn);
 
-// The next block of the entry `next`; offset: what the kernel's places lack of the host's.
+// The next block of the entry `next`: of a line from `from` to `to`, which the owner sets; offset:
+// what the kernel's places lack of the host's.
 // Returns 1 if it is the entry's last. Cost: constant.
 int moves_block(const moves_t *self, const double *offset, nck_block_in_t *block_out);
 

@@ -14,7 +14,7 @@
 #include "motion_types.h"
 #include "tp.h"
 
-#include <math.h>   // fabs fmax fmin HUGE_VAL
+#include <math.h>   // fabs HUGE_VAL
 #include <stdlib.h> // getenv
 
 #include "planner.h"
@@ -240,13 +240,6 @@ int tpSetVlimit(TP_STRUCT *tp, double limit) {
 
 // ---- the cycle
 
-// How fast the spindle is to turn under G96, where X is now.
-static double rps_for_surface(void) {
-    const double radius = fabs(spindle()->xoffset - status->carte_pos_cmd.tran.x);
-    if (spindle()->css_factor == 0.0) return HUGE_VAL;
-    return fabs(spindle()->css_factor * spindle()->net_scale) / (60.0 * fmax(radius, 1e-9));
-}
-
 // The host scales the move in work: by its kind's override, and by adaptive feed and feed hold. The
 // planner looks further, so it wants both overrides.
 static planner_wish_t wish_of(void) {
@@ -255,7 +248,8 @@ static planner_wish_t wish_of(void) {
     wish.turns = forward * spindle()->spindleRevs;
     wish.rps = fabs(spindle()->spindleSpeedIn);
     wish.rps_most = fabs(spindle()->speed * spindle()->net_scale) / 60.0;
-    wish.rps_asked = fmin(rps_for_surface(), wish.rps_most);
+    wish.axis_x = spindle()->xoffset * scale(0);
+    wish.surface = fabs(spindle()->css_factor * spindle()->net_scale) * scale(0) / 60.0;
     const int scaled = status->enables_queued & FS_ENABLED;
     const int rapid = status->motionType == EMC_MOTION_TYPE_TRAVERSE;
     const double feed = scaled ? status->feed_scale : 1.0;

@@ -439,7 +439,6 @@ static void end_stop(planner_t *self) {
 void planner_cycle(planner_t *self, const planner_wish_t *wish) {
     nck_pose_t pose;
     nck_axes_t axes;
-    self->wish = *wish;
     rates_measure(self, wish);
     if (self->done && self->state == PLANNER_READY) {
         self->told.v = self->told.a = self->told.j = 0.0;

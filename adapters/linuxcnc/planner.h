@@ -77,8 +77,9 @@ typedef struct planner_wish {
     int single;        // 1: rest at the end of the move in work
     double turns;      // of the spindle as measured, forward as it was commanded [revolutions]
     double rps;        // how fast it turns, ≥ 0 [1/s]
-    double rps_asked;  // as commanded for now, ≥ 0
     double rps_most;   // as commanded at most: under G96 more than for now; 0: by nobody
+    double surface;    // G96: its speed times the radius [mm/s]; 0: its speed is constant
+    double axis_x;     // from where that radius counts [mm]
 } planner_wish_t;
 
 // What is told of a cycle.
@@ -124,7 +125,8 @@ typedef struct planner {
     double rps;             // of the spindle, or as it is commanded, which is more
     double fast, slow;      // means of its speed [1/s]
     double turned;          // its speed foreseen, times the override of feeds [1/s]
-    double base;            // its speed at an override of 1; 0: the kernel has no feed by it
+    planner_wish_t began;   // of when the kernel began on the feeds that it has
+    uint32_t by_turns;      // 1: the feeds that the kernel has hang on it
     uint32_t spindle;       // that the move in work, or the next one, goes by
     double skipped;         // way that the kernel has not gone [mm]
     planner_output_t output[PLANNER_OUTPUTS];

@@ -11,9 +11,11 @@ enum {
     CALM = 20,      // cycles between two overrides: each is a plan of its own, …
     PATIENCE = 200, // … and one that is being made is waited for, so long at most
     TREND = 32,     // cycles of the faster of two means of the spindle's speed; the other: twice
-    LATE = 60       // cycles until the tool has the speed that an override asks for, seen
+    LATE = 45       // cycles until the tool has the speed that an override asks for, seen
 };
 
+static const double part_share = 5e-3; // of the radius, by which a part of a line under G96 goes
+static const double part_least = 0.05; // [mm] a part is no shorter
 static const double fine = 5e-4; // of an override, by which a spindle's is not told anew: a tenth
                                  // of what a feed a revolution may be off
 
@@ -34,22 +36,28 @@ static uint32_t speed_um_s(const planner_t *self, double v_most) {
     return (uint32_t)(fmax(v_most, 0.0) * 1e3);
 }
 
+// How fast the spindle is to turn where X is there: as it is commanded; 0: nobody says.
+static double told_at(const planner_wish_t *wish, double x) {
+    const double radius = fmax(fabs(x - wish->axis_x), 1e-9);
+    return wish->surface > 0.0 ? fmin(wish->surface / radius, wish->rps_most) : wish->rps_most;
+}
+
 // How fast the spindle will turn when the tool has heard of it: where it gets faster or slower, by
 // the difference of two means of its speed; not beyond what it is told to turn.
-static double foreseen(planner_t *self, const planner_wish_t *wish) {
-    const double now = wish->rps, most = wish->rps_most;
-    const int follows = wish->rps_asked < most; // G96: what it is told changes all the while
+static double foreseen(planner_t *self, double now) {
+    const double end = told_at(&self->wish, self->told.place[NCK_AXIS_X]);
     self->fast += (now - self->fast) / TREND;
     self->slow += (now - self->slow) / (2 * TREND);
     const double then = now + (self->fast - self->slow) * ((double)LATE / TREND);
-    if (then > now && now < most) return fmin(then, most);
-    return then < now && (follows || now > most) ? fmax(then, follows ? 0.0 : most) : now;
+    if (then > now) return end > now ? fmin(then, end) : now;
+    return end < now ? fmax(then, end) : now;
 }
 
 void rates_measure(planner_t *self, const planner_wish_t *wish) {
-    self->rps = fmax(wish->rps, wish->rps_asked);
+    self->wish = *wish;
+    self->rps = fmax(wish->rps, told_at(wish, self->told.place[NCK_AXIS_X]));
     self->wanted = ppm(wish->feed, 2.0);
-    self->turned = wish->feed * foreseen(self, wish);
+    self->turned = wish->feed * foreseen(self, wish->rps);
     if (self->done) self->calm = PATIENCE;
 }
 
@@ -60,18 +68,34 @@ static uint32_t current(const planner_t *self) {
     return (int32_t)(self->told.move - self->first) >= 0 ? self->told.move : self->first;
 }
 
-// The speed that a move is to have [mm/min].
-static double asked_of(const planner_t *self, const move_t *move) {
-    const double most = move->cap > 0.0 ? move->cap : HUGE_VAL;
-    return fmin(move->feed * (move->per_rev ? self->turned : (double)self->wanted / PPM), most);
+// The spindle's speed that a move's feed is told for, where X is there: as commanded when the tool
+// last rested; if it turned faster, as it did; and where nobody says, as fast as the axes can follow.
+static double base_at(const planner_t *self, const move_t *move, double x) {
+    const planner_wish_t *const began = &self->began;
+    const double told = told_at(began, x);
+    const double most = 60.0 * bounds_along(self->bounds.v, move) / move->feed;
+    const double turns = began->surface > 0.0 ? told : fmax(told, began->rps);
+    return told > 0.0 ? fmin(turns, most) : most;
 }
 
-// With it no move that the kernel has is faster than its cap, or than the host wants [ppm].
+// What an override of 1 means to a move that follows the spindle: a line is told for every place.
+static double base_of(const planner_t *self, const move_t *move) {
+    if (move->kind == MOVE_LINE) return base_at(self, move, self->told.place[NCK_AXIS_X]);
+    return move->given / move->feed;
+}
+
+// With it no move that the kernel has is faster than its cap, or than the host wants [ppm]. What
+// follows the spindle has the override by which the move in work does.
 static uint32_t override_of(const planner_t *self, uint32_t end) {
     double least = HUGE_VAL;
     for (uint32_t n = current(self); n != end; n++) {
         const move_t *const move = moves_at((moves_t *)&self->moves, n);
-        if (move->given > 0.0) least = fmin(least, asked_of(self, move) / move->given);
+        if (!(move->given > 0.0)) continue;
+        const double asked = (double)self->wanted / PPM * move->feed;
+        const double most = move->cap > 0.0 ? move->cap : HUGE_VAL;
+        if (move->per_rev && least == HUGE_VAL) least = self->turned / base_of(self, move);
+        else if (!move->per_rev) least = fmin(least, fmin(asked, most) / move->given);
+        if (move->per_rev) least = fmin(least, most / move->given);
     }
     return least < HUGE_VAL ? ppm(least, 2.0) : self->wanted;
 }
@@ -83,7 +107,7 @@ static int is_bound(const planner_t *self) {
 
 static int is_same(const planner_t *self, uint32_t one, uint32_t other) {
     const double off = fabs((double)one - (double)other);
-    return off <= (self->base > 0.0 && is_bound(self) ? fine * (double)other : 0.0);
+    return off <= (self->by_turns && is_bound(self) ? fine * (double)other : 0.0);
 }
 
 // A change is heard at once if it comes to rest or leaves it.
@@ -93,7 +117,7 @@ void rates_hear(planner_t *self, const planner_wish_t *wish) {
     const uint32_t speed = speed_um_s(self, wish->v_most);
     const int bound = is_bound(self);
     nck_asked(&self->nck, &asked);
-    const int stands = self->base > 0.0 && bound ? self->turned <= 0.0 : self->wanted == 0;
+    const int stands = self->by_turns && bound ? self->turned <= 0.0 : self->wanted == 0;
     const int rests = (asked.feed_ppm == 0) != stands || (asked.rapid_ppm == 0) != (rapid == 0);
     self->calm++;
     const uint32_t calm = nck_is_answering(&self->nck) ? PATIENCE : CALM;
@@ -114,17 +138,32 @@ static int has_feed(const move_t *move) { return move->kind <= MOVE_CHORDS && mo
 
 int rates_wait(const planner_t *self) {
     const move_t *const move = moves_at((moves_t *)&self->moves, self->moves.next);
-    if (!has_feed(move) || move->per_rev == (self->base > 0.0)) return 0;
+    if (!has_feed(move) || move->per_rev == self->by_turns) return 0;
     return !feed_is_done(self);
 }
 
-// How fast the spindle may turn while the kernel has moves with a feed a revolution: an override
-// goes up to twice that, and down with ease. Where nobody tells how fast, it is the axes' speed
-// that ends it.
-static double base_of(const planner_t *self, const planner_wish_t *wish, const move_t *move) {
-    const double axes = 60.0 * bounds_along(self->bounds.v, move) / move->feed;
-    const double told = fmax(wish->rps_most, wish->rps);
-    return told > 0.0 ? fmin(told, axes) : axes;
+void rates_part(planner_t *self) {
+    moves_t *const moves = &self->moves;
+    const move_t *const move = moves_at(moves, moves->next);
+    const double way = fabs(move->end[NCK_AXIS_X] - move->start[NCK_AXIS_X]);
+    const double x = move->start[NCK_AXIS_X]
+                     + moves->from * (move->end[NCK_AXIS_X] - move->start[NCK_AXIS_X]);
+    const planner_wish_t *const began = feed_is_done(self) ? &self->wish : &self->began;
+    const double least = began->surface / fmax(began->rps_most, 1e-9);
+    const double radius = fmax(fabs(x - began->axis_x), least);
+    moves->to = 1.0;
+    if (!move->per_rev || move->kind != MOVE_LINE || !(began->surface > 0.0 && way > 0.0)) return;
+    const double to = moves->from + fmax(part_share * radius, part_least) / way;
+    if (to < 1.0 - 0.5 * (to - moves->from)) moves->to = to;
+}
+
+// The feed of the part in the middle of it; of an arc where the spindle is to turn fastest.
+static double feed_by_turns(planner_t *self, const move_t *move) {
+    const double start = move->start[NCK_AXIS_X], end = move->end[NCK_AXIS_X];
+    const double middle = 0.5 * (self->moves.from + self->moves.to);
+    const double line = base_at(self, move, start + middle * (end - start));
+    const double arc = fmax(base_at(self, move, start), base_at(self, move, end));
+    return move->feed * (move->kind == MOVE_LINE ? line : arc);
 }
 
 void rates_bound(planner_t *self, nck_block_in_t *block) {
@@ -132,11 +171,11 @@ void rates_bound(planner_t *self, nck_block_in_t *block) {
     nck_command_t asked;
     if (!has_feed(move)) return;
     nck_asked(&self->nck, &asked);
-    const int first = move->per_rev != (self->base > 0.0);
-    if (move->per_rev && (first || feed_is_done(self))) self->base = base_of(self, &self->wish, move);
-    if (!move->per_rev) self->base = 0.0;
+    const int begins = move->per_rev != self->by_turns || feed_is_done(self);
+    if (begins) self->began = self->wish;
+    self->by_turns = move->per_rev;
     if (move->per_rev) {
-        block->feed = move->feed * self->base;
+        block->feed = feed_by_turns(self, move);
     } else if (move->cap > 0.0) {
         // with the override that is in force, or is wanted and will be, it is within its cap
         const double most = fmax(fmax(self->wanted, asked.feed_ppm), PPM);
@@ -144,6 +183,6 @@ void rates_bound(planner_t *self, nck_block_in_t *block) {
     }
     if (move->per_rev || move->cap > 0.0) self->bound = self->moves.next;
     move->given = fmax(move->given, block->feed);
-    if (!first && !feed_is_done(self)) return;
+    if (!begins) return;
     nck_set_override_ppm(&self->nck, override_of(self, self->moves.next + 1), asked.rapid_ppm);
 }

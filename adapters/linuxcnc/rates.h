@@ -17,6 +17,10 @@ void rates_hear(planner_t *self, const planner_wish_t *wish);
 // the minute and by the revolution: those are executed before. Cost: constant.
 int rates_wait(const planner_t *self);
 
+// The part of the entry that the kernel is to take next: under G96 a line is fed in parts, each as
+// the spindle will turn there. Cost: constant.
+void rates_part(planner_t *self);
+
 // The feed of the block that the entry to be taken next has become; what it asks of the override is
 // told at once where the tool rests. Cost: linear in the moves that the kernel has.
 void rates_bound(planner_t *self, nck_block_in_t *block);
