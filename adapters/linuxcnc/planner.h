@@ -123,8 +123,8 @@ typedef struct planner {
     uint32_t step;          // of steps, the oldest
     planner_wish_t wish;    // of this cycle
     double rps;             // of the spindle, or as it is commanded, which is more
-    double fast, slow;      // means of its speed [1/s]
-    double turned;          // its speed foreseen, times the override of feeds [1/s]
+    double fast, slow;      // means of its speed over what feeds by it are told for
+    double turned;          // the same foreseen, times the override of feeds
     planner_wish_t began;   // of when the kernel began on the feeds that it has
     uint32_t by_turns;      // 1: the feeds that the kernel has hang on it
     uint32_t spindle;       // that the move in work, or the next one, goes by

@@ -16,6 +16,7 @@ enum {
 
 static const double part_share = 5e-3; // of the radius, by which a part of a line under G96 goes
 static const double part_least = 0.05; // [mm] a part is no shorter
+static const double there = 0.02; // of an override, by which a spindle may be off what it is told
 static const double fine = 5e-4; // of an override, by which a spindle's is not told anew: a tenth
                                  // of what a feed a revolution may be off
 
@@ -42,22 +43,10 @@ static double told_at(const planner_wish_t *wish, double x) {
     return wish->surface > 0.0 ? fmin(wish->surface / radius, wish->rps_most) : wish->rps_most;
 }
 
-// How fast the spindle will turn when the tool has heard of it: where it gets faster or slower, by
-// the difference of two means of its speed; not beyond what it is told to turn.
-static double foreseen(planner_t *self, double now) {
-    const double end = told_at(&self->wish, self->told.place[NCK_AXIS_X]);
-    self->fast += (now - self->fast) / TREND;
-    self->slow += (now - self->slow) / (2 * TREND);
-    const double then = now + (self->fast - self->slow) * ((double)LATE / TREND);
-    if (then > now) return end > now ? fmin(then, end) : now;
-    return end < now ? fmax(then, end) : now;
-}
-
 void rates_measure(planner_t *self, const planner_wish_t *wish) {
     self->wish = *wish;
     self->rps = fmax(wish->rps, told_at(wish, self->told.place[NCK_AXIS_X]));
     self->wanted = ppm(wish->feed, 2.0);
-    self->turned = wish->feed * foreseen(self, wish->rps);
     if (self->done) self->calm = PATIENCE;
 }
 
@@ -84,6 +73,25 @@ static double base_of(const planner_t *self, const move_t *move) {
     return move->given / move->feed;
 }
 
+// What an override will have to be when the tool has heard of it, if it is `now` and changes as it
+// did: by the difference of two means. On its way to `end` it does not go beyond.
+static double foreseen(planner_t *self, double now, double end) {
+    self->fast += (now - self->fast) / TREND;
+    self->slow += (now - self->slow) / (2 * TREND);
+    const double then = now + (self->fast - self->slow) * ((double)LATE / TREND);
+    if (then > now) return end < now * (1.0 - there) ? then : fmin(then, fmax(end, now));
+    return end > now * (1.0 + there) ? fmax(then, 0.0) : fmax(then, fmin(end, now));
+}
+
+// The override by which the move in work follows the spindle.
+static void measure(planner_t *self) {
+    const move_t *const move = moves_at(&self->moves, current(self));
+    if (!self->by_turns || !move->per_rev || !(move->given > 0.0)) return;
+    const double base = base_of(self, move);
+    const double end = told_at(&self->wish, self->told.place[NCK_AXIS_X]);
+    self->turned = self->wish.feed * foreseen(self, self->wish.rps / base, end / base);
+}
+
 // With it no move that the kernel has is faster than its cap, or than the host wants [ppm]. What
 // follows the spindle has the override by which the move in work does.
 static uint32_t override_of(const planner_t *self, uint32_t end) {
@@ -91,11 +99,9 @@ static uint32_t override_of(const planner_t *self, uint32_t end) {
     for (uint32_t n = current(self); n != end; n++) {
         const move_t *const move = moves_at((moves_t *)&self->moves, n);
         if (!(move->given > 0.0)) continue;
-        const double asked = (double)self->wanted / PPM * move->feed;
-        const double most = move->cap > 0.0 ? move->cap : HUGE_VAL;
-        if (move->per_rev && least == HUGE_VAL) least = self->turned / base_of(self, move);
-        else if (!move->per_rev) least = fmin(least, fmin(asked, most) / move->given);
-        if (move->per_rev) least = fmin(least, most / move->given);
+        const double wanted = (double)self->wanted / PPM * move->feed;
+        const double asked = move->per_rev ? self->turned * move->given : wanted;
+        least = fmin(least, fmin(asked, move->cap > 0.0 ? move->cap : HUGE_VAL) / move->given);
     }
     return least < HUGE_VAL ? ppm(least, 2.0) : self->wanted;
 }
@@ -116,6 +122,7 @@ void rates_hear(planner_t *self, const planner_wish_t *wish) {
     const uint32_t rapid = ppm(wish->rapid, 1.0);
     const uint32_t speed = speed_um_s(self, wish->v_most);
     const int bound = is_bound(self);
+    measure(self);
     nck_asked(&self->nck, &asked);
     const int stands = self->by_turns && bound ? self->turned <= 0.0 : self->wanted == 0;
     const int rests = (asked.feed_ppm == 0) != stands || (asked.rapid_ppm == 0) != (rapid == 0);
@@ -184,5 +191,7 @@ void rates_bound(planner_t *self, nck_block_in_t *block) {
     if (move->per_rev || move->cap > 0.0) self->bound = self->moves.next;
     move->given = fmax(move->given, block->feed);
     if (!begins) return;
+    if (move->per_rev) self->turned = self->wish.feed * self->wish.rps / base_of(self, move);
+    self->fast = self->slow = self->turned;
     nck_set_override_ppm(&self->nck, override_of(self, self->moves.next + 1), asked.rapid_ppm);
 }
