@@ -5,7 +5,8 @@
 #include <math.h>   // ceil copysign fabs floor fmax fmin INFINITY sqrt
 #include <string.h> // memcpy memset
 
-static const double spare = 1.3; // a spindle may turn so much faster than when the pass began
+static const double spare = 1.5; // a spindle may turn so much faster than when the pass began, and
+                                 // kinks may be so much larger that come later
 static const double least = 0.1; // of a limit has to be left for a kink that is rounded
 
 // ---- the way
@@ -97,30 +98,44 @@ static uint32_t cycles(const follow_t *self) {
     return n < (double)FOLLOW_HALF ? (uint32_t)n : FOLLOW_HALF;
 }
 
-// How far to both sides a node is rounded, so that its kink is within what the other kinks near it
-// leave: a mean over the time W more makes it d/W and d/Wτ. Returns −1 if they leave too little.
-static double width(const follow_t *self, uint32_t number) {
+// What the other kinks of an axis take that the means mix with a node's, which is rounded by w [mm/s].
+static double others(const follow_t *self, uint32_t number, int axis, double w) {
+    const double tau = (double)self->n * self->cycle_s, mixed = 2.0 * self->rps * tau;
+    double sum = 0.0;
+    for (uint32_t n = oldest(self); n <= self->head; n++) {
+        const follow_node_t *const at = node(self, n);
+        const double off = fabs(at->u - node(self, number)->u);
+        if (n == number || off > mixed + w + at->w) continue;
+        sum += kink(self, n, axis) * fmin(1.0, 0.25 * mixed / fmax(at->w, 1e-12));
+    }
+    return sum;
+}
+
+// How far to both sides a node is rounded, so that its kink is within what the others near it leave:
+// a mean over the time W more makes it d/W and d/Wτ. Returns −1 if they leave too little.
+static double width_beside(const follow_t *self, uint32_t number, double w) {
     const double tau = (double)self->n * self->cycle_s;
-    const double near = 2.0 * self->rps * tau;
     double most = 0.0;
-    uint32_t first = number;
-    while (first > oldest(self) && node(self, number)->u - node(self, first - 1)->u <= near) first--;
     for (int k = 0; k < FOLLOW_AXES; k++) {
         if (!(self->limits.v[k] > 0.0)) continue;
-        const double d = kink(self, number, k);
+        const double d = kink(self, number, k), sum = others(self, number, k, w);
         const double a = self->limits.a[k] * self->share, j = self->limits.j[k];
-        double others = -d;
-        for (uint32_t n = first; n <= self->head; n++) {
-            const double w = node(self, n)->w;
-            if (node(self, n)->u - node(self, number)->u > near) break;
-            others += kink(self, n, k) * (n == number ? 1.0 : fmin(1.0, 0.25 * near / fmax(w, 1e-12)));
-        }
-        const double left_a = a - others / tau, left_j = j - others / (tau * tau);
+        const double left_a = a - sum / tau, left_j = j - sum / (tau * tau);
         if (d <= left_a * tau && d <= left_j * tau * tau) continue;
         if (left_a < least * a || left_j < least * j) return -1.0;
         most = fmax(most, fmax(d / left_a, d / (left_j * tau)));
     }
     return 0.5 * most * self->rps;
+}
+
+// What is rounded further has others near it that are further away.
+static double width(const follow_t *self, uint32_t number) {
+    double w = 0.0, before = -1.0;
+    for (int more = 0; more < 4 && w > before; more++) {
+        before = w;
+        w = width_beside(self, number, w);
+    }
+    return w > before ? -1.0 : w;
 }
 
 // How fast the spindle may turn on the line to a node, and by how much its speed may change. Under
@@ -191,10 +206,24 @@ void follow_begin(follow_t *self, const double *place, double rps, double cycle_
 
 int follow_has_room(const follow_t *self) { return self->head - self->tail < FOLLOW_LINES - 1; }
 
+// Of what the means bear, what a stop at a node takes, with the kinks near it.
+static double used(const follow_t *self, uint32_t number) {
+    const double tau = (double)self->n * self->cycle_s;
+    double most = 0.0;
+    for (int k = 0; k < FOLLOW_AXES; k++) {
+        if (!(self->limits.v[k] > 0.0)) continue;
+        const double d = fabs(gradient(self, number, k)) * self->rps + others(self, number, k, 0.0);
+        const double bears = fmin(self->limits.a[k] * self->share, self->limits.j[k] * tau) * tau;
+        most = fmax(most, d / bears);
+    }
+    return most;
+}
+
 // A line that comes while the tool comes to rest: it goes on, and catches up. Until the means have
 // left the stop behind, its ramp has what that leaves of the jerk.
 static void go_on(follow_t *self) {
     self->phase = FOLLOW_CUTS;
+    self->stopped = used(self, self->head - 1);
     self->eased = 2 * self->n - self->settled;
     self->settled = 0;
 }
@@ -225,15 +254,11 @@ int follow_line(follow_t *self, const double *end, double lead, double share, ui
     return 0;
 }
 
-// A thread is the same a whole revolution later. So the pass begins at the first whole revolution
-// that is not there yet when the first sample is taken, in the next cycle and n ahead.
 void follow_index(follow_t *self, double rps) {
     self->rps = fmax(self->rps, fabs(rps) * spare);
     (void)prepare(self);
-    const double ahead = fabs(rps) * (double)(self->n + 1) * self->cycle_s;
-    self->begin = 1.0 + floor(ahead);
-    self->asked = -self->begin;
     self->v_back = fmin(self->rps, node(self, self->head)->v_most);
+    self->asked = -1.0;
     self->phase = FOLLOW_CUTS;
     still(self);
 }
@@ -287,7 +312,6 @@ static void go(follow_t *self, double u) {
     const double length = end->u + end->w;
     if (self->phase == FOLLOW_CUTS) {
         self->u = self->taps ? fmax(u, self->u) : fmin(fmax(u, self->u), length);
-        if (self->u >= length) self->stopped = fabs(self->step) / (self->cycle_s * end->v_stop);
         if (self->u >= length) self->phase = self->taps ? FOLLOW_RETURNS : FOLLOW_SETTLES;
     } else if (self->phase == FOLLOW_RETURNS) {
         self->u = u;
@@ -301,9 +325,15 @@ static void go(follow_t *self, double u) {
 }
 
 // Both means together come n − 1 cycles late, and the axes get to a place by the end of the cycle:
-// that far ahead the angle is asked for.
+// that far ahead the angle is asked for. A thread is the same a whole revolution later: the pass
+// begins at the first one that is not there yet.
 static void advance(follow_t *self, double turns, double rps) {
-    const double asked = turns + rps * (double)self->n * self->cycle_s - self->begin;
+    const double ahead = turns + rps * (double)self->n * self->cycle_s;
+    if (self->begin == 0.0) {
+        self->begin = 1.0 + floor(ahead);
+        self->asked = ahead - rps * self->cycle_s - self->begin;
+    }
+    const double asked = ahead - self->begin;
     const double before = self->u;
     if (self->eased > 0) self->eased--;
     const int moves = before > 0.0; // its begin is a kink, which the means know

@@ -59,11 +59,11 @@ typedef struct follow {
     uint32_t taps;     // 1: back at the end, by the spindle
     uint32_t stops;    // 1: an abort
     uint32_t eased;    // cycles that a stop is still in the means
-    double stopped;    // of what the means bear, the speed that it stopped from
+    double stopped;    // of what the means bear, what that stop took
     double cycle_s;
     double rps;        // the most that the spindle is to turn [1/s]
     double share;      // of the axes' acceleration, the least that a line may have
-    double begin;      // angle at which it begins [revolutions]
+    double begin;      // angle at which it begins [revolutions]; 0: not known yet
     double u;          // of the way, where the sample is [revolutions]
     double step;       // of u in the last cycle
     double asked;      // u as the angle has it
