@@ -151,6 +151,7 @@ def feeds(seed):
             script += [f"spindle {rps} {rps_s}", f"run {draw.choice([0, 1, 500])}"]
         for _ in range(draw.randrange(1, 4)):
             x += way * min(lead * rps * draw.uniform(0.2, 3), 0.3 * x if facing else np.inf)
+            script += draw.choice([[], [], ["wait"]])
             script += [f"line {lead} {x} 0 0", *draw.choice([[], [], [f"run {draw.randrange(60)}"]])]
         if draw.random() < 0.3 and not facing:
             script += [f"run {draw.randrange(900)}", f"spindle {rps * draw.uniform(0.6, 1.4)} 0"]

@@ -126,6 +126,7 @@ typedef struct planner {
     double fast, slow;      // means of its speed over what feeds by it are told for
     double turned;          // the same foreseen, times the override of feeds
     planner_wish_t began;   // of when the kernel began on the feeds that it has
+    uint32_t fed;           // the last move with a feed that the kernel has
     uint32_t by_turns;      // 1: the feeds that the kernel has hang on it
     uint32_t spindle;       // that the move in work, or the next one, goes by
     double skipped;         // way that the kernel has not gone [mm]

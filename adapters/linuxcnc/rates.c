@@ -143,10 +143,14 @@ void rates_hear(planner_t *self, const planner_wish_t *wish) {
 
 static int has_feed(const move_t *move) { return move->kind <= MOVE_CHORDS && move->feed > 0.0; }
 
+// The kernel has a move with a feed that is not behind the tool.
+static int feeds(const planner_t *self) {
+    return (int32_t)(self->fed - current(self)) >= 0 && !feed_is_done(self);
+}
+
 int rates_wait(const planner_t *self) {
     const move_t *const move = moves_at((moves_t *)&self->moves, self->moves.next);
-    if (!has_feed(move) || move->per_rev == self->by_turns) return 0;
-    return !feed_is_done(self);
+    return has_feed(move) && move->per_rev != self->by_turns && feeds(self);
 }
 
 void rates_part(planner_t *self) {
@@ -155,7 +159,7 @@ void rates_part(planner_t *self) {
     const double way = fabs(move->end[NCK_AXIS_X] - move->start[NCK_AXIS_X]);
     const double x = move->start[NCK_AXIS_X]
                      + moves->from * (move->end[NCK_AXIS_X] - move->start[NCK_AXIS_X]);
-    const planner_wish_t *const began = feed_is_done(self) ? &self->wish : &self->began;
+    const planner_wish_t *const began = feeds(self) ? &self->began : &self->wish;
     const double least = began->surface / fmax(began->rps_most, 1e-9);
     const double radius = fmax(fabs(x - began->axis_x), least);
     moves->to = 1.0;
@@ -178,8 +182,9 @@ void rates_bound(planner_t *self, nck_block_in_t *block) {
     nck_command_t asked;
     if (!has_feed(move)) return;
     nck_asked(&self->nck, &asked);
-    const int begins = move->per_rev != self->by_turns || feed_is_done(self);
+    const int begins = !feeds(self);
     if (begins) self->began = self->wish;
+    self->fed = self->moves.next;
     self->by_turns = move->per_rev;
     if (move->per_rev) {
         block->feed = feed_by_turns(self, move);
