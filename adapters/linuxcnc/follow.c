@@ -5,8 +5,7 @@
 #include <math.h>   // ceil copysign fabs floor fmax fmin INFINITY sqrt
 #include <string.h> // memcpy memset
 
-static const double spare = 1.5; // a spindle may turn so much faster than when the pass began, and
-                                 // kinks may be so much larger that come later
+static const double spare = 1.3; // a spindle may turn so much faster than when the pass began
 static const double least = 0.1; // of a limit has to be left for a kink that is rounded
 
 // ---- the way

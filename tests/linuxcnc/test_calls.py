@@ -1,0 +1,163 @@
+# SPDX-License-Identifier: MIT
+"""Calls of LinuxCNC at any time: pause, step, reverse, soft limits, feeds and threads in step."""
+
+import linuxcnc_calls
+import numpy as np
+import pytest
+from linuxcnc_stand_in import CYCLE_S, EVER, OWN, StandIn
+
+REST, EXACT = f"rest {EVER}", "term 1 0"
+ARC = "arc 100 0 40 0 0 0 0 0 0 0 0 20 0 0 0 1 0"  # half of a circle, radius 20, X up to 20
+SEEDS = {"calls": range(4), "stops": range(20), "feeds": range(12), "threads": range(24)}
+
+
+@pytest.fixture(scope="module")
+def stand_in(tmp_path_factory):
+    return StandIn(tmp_path_factory.mktemp("linuxcnc"))
+
+
+def ends(run):
+    """Return X behind every `tell`."""
+    return [float(each[0]) for each in run.told("tell")]
+
+
+# Whatever comes
+
+
+@pytest.mark.parametrize(("family", "seed"), [(f, s) for f, seeds in SEEDS.items() for s in seeds])
+def test_calls_at_random_bring_what_they_have_to(stand_in, family, seed):
+    if family == "calls" and not OWN.is_file():
+        pytest.skip("linuxcnc-uspace is not installed")
+    assert linuxcnc_calls.FAMILIES[family](stand_in, seed) == []
+
+
+# Pause, step, reverse
+
+
+@pytest.mark.parametrize("before", [["pause"], ["pause", "run 1", "abort"], ["pause", "run 500"]])
+def test_a_pause_without_a_move_counts_for_nothing(stand_in, before):
+    run = stand_in.run([*before, "run 1", "line 50 10 0 0", REST, "tell"])
+    assert ends(run) == pytest.approx([10], abs=1e-6)
+
+
+def test_steps_from_a_programs_start_go_move_by_move(stand_in):
+    step = ["step", "run 1500", "tell"]
+    run = stand_in.run([EXACT, "pause", "run 5", "step", "line 50 10 0 0", "line 50 20 0 0",
+                        "run 1500", "tell", *step, *step, *step])  # fmt: skip
+    assert ends(run) == pytest.approx([0, 10, 20, 20], abs=1e-6)
+
+
+def test_reverse_is_refused_once_and_the_tool_stays_until_forward(stand_in):
+    run = stand_in.run(["line 50 100 0 0", "run 500", "pause", "still 3000", "tell",
+                        *5 * ["reverse", "run 1"], "resume", "run 1000", "tell", "forward",
+                        REST, "tell"])  # fmt: skip
+    before, held, end = ends(run)
+    assert held == before and end == pytest.approx(100, abs=1e-6)
+    assert run.log.count("running in reverse") == 1
+
+
+def test_reverse_on_the_way_is_told_once(stand_in):
+    run = stand_in.run(["line 50 100 0 0", "run 500", *300 * ["reverse", "run 1"], REST, "tell"])
+    assert run.log.count("running in reverse") == 1
+    assert ends(run) == pytest.approx([100], abs=1e-6)
+
+
+# Soft limits
+
+
+def test_an_arc_that_leaves_the_travel_is_refused_and_nothing_crosses(stand_in):
+    run = stand_in.run(["travel 0 -1 15", "soft 0 -1 15", ARC, "line 100 10 0 0", REST, "tell"])
+    assert len(run.told("move")) == 1 and "leaves the travel" in run.log
+    assert run.told("limit") == [] and ends(run) == pytest.approx([10], abs=1e-6)
+
+
+@pytest.mark.parametrize("most", [20, 20.001, 1e99])
+def test_an_arc_that_reaches_the_travels_end_is_taken(stand_in, most):
+    run = stand_in.run([f"travel 0 -1e-3 {most}", ARC, REST])
+    assert run.told("move") == [] and run.places[:, 0].max() == pytest.approx(20, abs=1e-4)
+
+
+@pytest.mark.parametrize("turn", [0, 1, -1, -2])
+@pytest.mark.parametrize("normal", [(0, 0, 1), (0, 0, -1), (1, 0, 0), (0, 1, 0), (1, 1, 1)])
+def test_how_far_an_arc_gets_is_known_before_it_moves(stand_in, turn, normal):
+    n = np.array(normal) / np.linalg.norm(normal)
+    u = np.cross(n, [0.3, 0.5, 0.7])
+    u /= np.linalg.norm(u)
+    centre = -8.0 * u
+    end = centre + 8.0 * (np.cos(2.0) * u + np.sin(2.0) * np.cross(n, u))
+    numbers = " ".join(repr(float(x)) for x in (*end, 0, 0, 0, 0, 0, 0, *centre, *n))
+    arc = f"arc 50 {numbers} {turn}"
+    reach = stand_in.run(["term 2 0.001", arc, REST]).places.max(axis=0)
+    for more, refused in ((0.02, 0), (-0.02, 1)):
+        free = (reach[0] > max(0, end[0]) + 0.1) + more  # an end that is beyond is the host's
+        if refused and reach[0] < max(0.0, end[0]) + 0.1:
+            continue
+        run = stand_in.run([f"travel 0 -100 {reach[0] + more}", arc, "run 5"])
+        assert len(run.told("move")) == refused, free
+
+
+def test_a_soft_limit_that_is_crossed_is_heard_in_the_same_cycle(stand_in):
+    run = stand_in.run(["term 2 0.01", "soft 0 -1 15", ARC, "rest 5000"])
+    x, v = run.places[:, 0], np.linalg.norm(np.diff(run.places, axis=0), axis=1) / CYCLE_S
+    crossed = np.argmax(x > 15)
+    assert v[crossed + 30] < v[crossed] and run.told("rest") != [["-1"]]
+
+
+# Feeds a revolution
+
+
+def per_rev(run, first, last):
+    """Return the feed a revolution between two places of X."""
+    x, turns = run.places[:, 0], run.column("turns")
+    a, b = (np.argmax(np.abs(x) >= place) for place in (first, last))
+    return (np.abs(x[b] - x[a])) / (turns[b] - turns[a])
+
+
+def test_moves_that_come_before_the_spindle_turns_have_their_feed(stand_in):
+    run = stand_in.run(["sync 1 1", "spindle 10 20", "line 1 30 0 0", REST])
+    assert per_rev(run, 10, 28) == pytest.approx(1, rel=5e-3)
+
+
+@pytest.mark.parametrize(("first", "then"), [(200, 2000), (2000, 200), (600, 3000)])
+def test_the_feed_follows_another_speed_without_end(stand_in, first, then):
+    run = stand_in.run([f"spindle {first / 60} 1e9", "run 10", "sync 0.2 1", "line 0.2 3 0 0", REST,
+                        f"spindle {then / 60} 1e9", "wait", "line 0.2 30 0 0", REST])  # fmt: skip
+    assert per_rev(run, 1, 2.9) == pytest.approx(0.2, rel=5e-3)
+    assert per_rev(run, 6, 28) == pytest.approx(0.2, rel=5e-3)
+
+
+def test_a_spindle_that_somebody_else_turns_leads_the_feed(stand_in):
+    run = stand_in.run(["spindle 5 1e9", "run 10", "sync 0.5 1", "line 0.5 30 0 0", "run 2000",
+                        "spindle 9 2", REST])  # fmt: skip
+    assert per_rev(run, 1, 4) == pytest.approx(0.5, rel=5e-3)
+    assert per_rev(run, 20, 28) == pytest.approx(0.5, rel=5e-3)
+
+
+def test_facing_at_constant_surface_speed_keeps_the_feed_to_where_the_spindle_ends(stand_in):
+    run = stand_in.run(["setpos 40 0 0", "spindle 40 100", f"css {60 * 5 * 40} 0", "run 500",
+                        "sync 0.5 1", "line 0.5 0 0 0", REST])  # fmt: skip
+    x, turns = run.places[:, 0], run.column("turns")
+    places = np.arange(38.0, 6.0, -2.0)
+    at = [np.argmax(x <= place) for place in places]
+    assert -np.diff(x[at]) / np.diff(turns[at]) == pytest.approx(0.5, rel=5e-3)
+    assert run.peaks(slice(2, None))[2] <= 1 + 1e-6
+
+
+# Threads
+
+
+@pytest.mark.parametrize("word", ["line 0 0 0 -20", "line -1 0 0 -20"])
+def test_a_thread_needs_no_feed(stand_in, word):
+    run = stand_in.run(["spindle 10", "run 50", "sync 2 0", word, REST, "tell"])
+    assert run.told("move") == []
+    assert run.places[-1] == pytest.approx([0, 0, -20], abs=1e-6)
+
+
+def test_outputs_inside_a_thread_change_where_their_line_begins(stand_in):
+    run = stand_in.run(["spindle 10", "run 50", "sync 2 0", "line 0 0 0 -20", "dout 3 1",
+                        "line 0 0 0 -40", REST])  # fmt: skip
+    ((index, _, _, cycle, _),) = run.told("dout")
+    assert index == "3"
+    assert run.places[int(cycle), 2] == pytest.approx(-20, abs=2)
+    moves = np.flatnonzero(np.diff(run.places[:, 2]))
+    assert (np.diff(moves) == 1).all()
