@@ -6,6 +6,7 @@
 #include <string.h> // memcpy memset
 
 static const double spare = 1.3; // a spindle may turn so much faster than when the pass began
+static const double larger = 1.5; // kinks may be by so much where lines are still to come
 static const double least = 0.1; // of a limit has to be left for a kink that is rounded
 
 // ---- the way
@@ -81,7 +82,8 @@ static double mean_time(const follow_t *self, double tau) {
     for (uint32_t number = oldest(self); number <= self->head; number++) {
         for (int k = 0; k < FOLLOW_AXES; k++) {
             if (!(self->limits.v[k] > 0.0)) continue;
-            const double d = kinks(self, number, k, 2.0 * self->rps * tau);
+            const double d =
+                kinks(self, number, k, 2.0 * self->rps * tau) * (self->open ? larger : 1.0);
             longest = fmax(longest, d / (self->limits.a[k] * self->share));
             longest = fmax(longest, sqrt(d / self->limits.j[k]));
         }
@@ -92,7 +94,7 @@ static double mean_time(const follow_t *self, double tau) {
 // Cycles of each mean for the lines that are known.
 static uint32_t cycles(const follow_t *self) {
     double tau = 0.0;
-    for (int more = 0; more < 4; more++) tau = mean_time(self, tau);
+    for (int again = 0; again < 4; again++) tau = mean_time(self, tau);
     const double n = ceil(tau / self->cycle_s) + 1.0;
     return n < (double)FOLLOW_HALF ? (uint32_t)n : FOLLOW_HALF;
 }
@@ -130,7 +132,7 @@ static double width_beside(const follow_t *self, uint32_t number, double w) {
 // What is rounded further has others near it that are further away.
 static double width(const follow_t *self, uint32_t number) {
     double w = 0.0, before = -1.0;
-    for (int more = 0; more < 4 && w > before; more++) {
+    for (int again = 0; again < 4 && w > before; again++) {
         before = w;
         w = width_beside(self, number, w);
     }
@@ -164,10 +166,14 @@ static void still(follow_t *self) {
 // Before it moves the means may become longer, if the angle is still as far away.
 static int prepare(follow_t *self) {
     const uint32_t n = cycles(self);
-    const double more = self->step * ((double)n - (double)self->n);
-    if (self->phase == FOLLOW_CUTS && self->asked + more >= 0.0) return 0;
-    if (n > self->n || self->phase == FOLLOW_INDEX) self->n = n;
-    if (self->phase == FOLLOW_CUTS) still(self);
+    const int cuts = self->phase == FOLLOW_CUTS;
+    const double more = n > self->n ? self->step * (double)(n - self->n) : 0.0;
+    if (cuts && self->asked + more >= 0.0) return 0;
+    if (n > self->n || !cuts) self->n = n;
+    if (cuts) {
+        self->asked += more;
+        still(self);
+    }
     for (uint32_t number = self->tail + 1; number <= self->head; number++) limit(self, number);
     return 1;
 }

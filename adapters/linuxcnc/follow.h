@@ -56,6 +56,7 @@ typedef struct follow {
     uint32_t n;        // cycles of each of two means
     uint32_t at;       // oldest of the samples
     uint32_t settled;  // samples of the way's end
+    uint32_t open;     // 1: more lines may come; the owner writes
     uint32_t taps;     // 1: back at the end, by the spindle
     uint32_t stops;    // 1: an abort
     uint32_t eased;    // cycles that a stop is still in the means

@@ -48,9 +48,10 @@ static void take(planner_t *self) {
     const move_t *next = next_of(self);
     for (int n = 0; n < LINES && next; n++) {
         if (next->kind == MOVE_DIGITAL || next->kind == MOVE_ANALOG) self->moves.next++;
-        else if (next->kind != MOVE_THREAD || !take_line(self)) return;
+        else if (next->kind != MOVE_THREAD || !take_line(self)) break;
         next = next_of(self);
     }
+    self->follow.open = !next || next->kind == MOVE_THREAD;
 }
 
 // Words of the entries before one.
@@ -73,6 +74,7 @@ void thread_begin(planner_t *self) {
     if (!follow->taps) take(self);
     (void)self->hooks.index(1);
     for (int n = 0; n < PLANNER_STEPS; n++) self->steps[n] = self->wish.rps * self->cycle_s;
+    self->turns = self->wish.turns;
     self->dropped = 0;
     self->state = PLANNER_FOLLOWS;
 }
