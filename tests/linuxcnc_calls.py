@@ -69,7 +69,8 @@ def calls_failures(stand_in, seed):
     """Return what differs from LinuxCNC's own planner, in words."""
     script = settled(calls(seed))
     ours, own = (tells(stand_in.run(script, module=module)) for module in (None, OWN))
-    wrong = [f"call {n}: {a} in place of {b}" for n, (a, b) in enumerate(zip(ours, own, strict=True))
+    pairs = enumerate(zip(ours, own, strict=True))
+    wrong = [f"call {n}: {a} in place of {b}" for n, (a, b) in pairs
              if abs(a[0] - b[0]) > NEAR or a[1] != b[1]]  # fmt: skip
     return wrong + held(stand_in.run(script))
 
@@ -152,7 +153,8 @@ def feeds(seed):
         for _ in range(draw.randrange(1, 4)):
             x += way * min(lead * rps * draw.uniform(0.2, 3), 0.3 * x if facing else np.inf)
             script += draw.choice([[], [], ["wait"]])
-            script += [f"line {lead} {x} 0 0", *draw.choice([[], [], [f"run {draw.randrange(60)}"]])]
+            script.append(f"line {lead} {x} 0 0")
+            script += draw.choice([[], [], [f"run {draw.randrange(60)}"]])
         if draw.random() < 0.3 and not facing:
             script += [f"run {draw.randrange(900)}", f"spindle {rps * draw.uniform(0.6, 1.4)} 0"]
         script += [REST] if not facing else []
@@ -197,7 +199,8 @@ def threads(seed):
     for n in range(count):
         lead = draw.choice(leads)
         way = lead * draw.uniform(0.5, 1) * (long if n else 6)
-        end = nodes[-1] + way / np.hypot(1, taper) * np.array([taper * draw.choice([1, 1, -0.5]), 0, -1])
+        across = taper * draw.choice([1, 1, -0.5])
+        end = nodes[-1] + way / np.hypot(1, taper) * np.array([across, 0, -1])
         script += [f"sync {lead} 0", "line 0 {} {} {}".format(*end)]
         turns.append(turns[-1] + np.linalg.norm(end - nodes[-1]) / lead)
         nodes.append(end)

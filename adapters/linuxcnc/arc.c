@@ -82,7 +82,8 @@ double arc_reach(const arc_t *arc, int axis, double side) {
     const double sweep = fabs(arc->angle), along = arc->angle < 0.0 ? -arc->v[axis] : arc->v[axis];
     double at = atan2(side * along, side * arc->u[axis]);
     if (at < 0.0) at += turn;
-    const double shares[4] = {0.0, 1.0, at / sweep, (at + turn * floor((sweep - at) / turn)) / sweep};
+    const double last = at + turn * floor((sweep - at) / turn);
+    const double shares[4] = {0.0, 1.0, at / sweep, last / sweep};
     double point[3], most = -HUGE_VAL;
     for (int n = 0; n < (at <= sweep ? 4 : 2); n++) {
         arc_point(arc, shares[n], point);

@@ -7,7 +7,7 @@
 
 static const double spare = 1.3; // a spindle may turn so much faster than when the pass began
 static const double larger = 1.5; // kinks may be by so much where lines are still to come
-static const double least = 0.1; // of a limit has to be left for a kink that is rounded
+static const double least = 0.1;  // of a limit is left for a kink that is rounded, in any case
 
 // ---- the way
 
@@ -99,7 +99,7 @@ static uint32_t cycles(const follow_t *self) {
     return n < (double)FOLLOW_HALF ? (uint32_t)n : FOLLOW_HALF;
 }
 
-// What the other kinks of an axis take that the means mix with a node's, which is rounded by w [mm/s].
+// What the other kinks of an axis take, that the means mix with a node's, rounded by w [mm/s].
 static double others(const follow_t *self, uint32_t number, int axis, double w) {
     const double tau = (double)self->n * self->cycle_s, mixed = 2.0 * self->rps * tau;
     double sum = 0.0;
@@ -112,8 +112,8 @@ static double others(const follow_t *self, uint32_t number, int axis, double w) 
     return sum;
 }
 
-// How far to both sides a node is rounded, so that its kink is within what the others near it leave:
-// a mean over the time W more makes it d/W and d/Wτ. Returns −1 if they leave too little.
+// How far to both sides a node is rounded, so that its kink is within what the others near it
+// leave: a mean over the time W more makes it d/W and d/Wτ. They leave a tenth at least.
 static double width_beside(const follow_t *self, uint32_t number, double w) {
     const double tau = (double)self->n * self->cycle_s;
     double most = 0.0;
@@ -123,13 +123,12 @@ static double width_beside(const follow_t *self, uint32_t number, double w) {
         const double a = self->limits.a[k] * self->share, j = self->limits.j[k];
         const double left_a = a - sum / tau, left_j = j - sum / (tau * tau);
         if (d <= left_a * tau && d <= left_j * tau * tau) continue;
-        if (left_a < least * a || left_j < least * j) return -1.0;
-        most = fmax(most, fmax(d / left_a, d / (left_j * tau)));
+        most = fmax(most, fmax(d / fmax(left_a, least * a), d / (fmax(left_j, least * j) * tau)));
     }
     return 0.5 * most * self->rps;
 }
 
-// What is rounded further has others near it that are further away.
+// What is rounded further has others near it that are further away. −1: and so on.
 static double width(const follow_t *self, uint32_t number) {
     double w = 0.0, before = -1.0;
     for (int again = 0; again < 4 && w > before; again++) {

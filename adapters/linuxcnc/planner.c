@@ -210,7 +210,8 @@ static int leaves(const planner_t *self, const move_t *move) {
     for (int k = 0; k < 3; k++) {
         const double most = fmax(self->travel.most[k], move->start[k]) + rounding;
         const double least = fmin(self->travel.least[k], move->start[k]) - rounding;
-        if (arc_reach(&move->arc, k, 1.0) > most || arc_reach(&move->arc, k, -1.0) < least) return 1;
+        if (arc_reach(&move->arc, k, 1.0) > most) return 1;
+        if (arc_reach(&move->arc, k, -1.0) < least) return 1;
     }
     return 0;
 }
@@ -318,6 +319,9 @@ int planner_depth(const planner_t *self) {
     return self->done ? 0 : (int)(self->count - self->passed);
 }
 
+// The operator wants the tool to rest.
+static int is_held(const planner_t *self) { return self->paused || self->reversed; }
+
 // What the tool rests for is there.
 static int wait_is_over(planner_t *self, const move_t *move) {
     const int unlock = move->kind == MOVE_UNLOCK;
@@ -337,12 +341,11 @@ static void hear_holds(planner_t *self, const planner_wish_t *wish) {
     nck_set_single_block(&self->nck, single);
     if (self->single && !single) self->owed = 1;
     self->single = single;
-    const int paused = self->paused || self->reversed;
-    if (paused && !self->holds) {
+    if (is_held(self) && !self->holds) {
         nck_hold(&self->nck);
         self->holds = 1;
     }
-    if (paused) return;
+    if (is_held(self)) return;
     if (waits && !wait_is_over(self, moves_at(&self->moves, pose.line))) return;
     if (waits || self->holds || self->owed) {
         nck_resume(&self->nck);
@@ -391,7 +394,7 @@ static void tell_move(planner_t *self, const nck_pose_t *pose, int single) {
     const move_t *const move = moves_at(&self->moves, told->move);
     if (told->v > 0.0) self->moved = 1;
     if (told->v > 0.0) told->between = 0;
-    else if (single && self->moved && !self->paused && !self->reversed && pose->state == NCK_TICK_HOLD) {
+    else if (single && self->moved && !is_held(self) && pose->state == NCK_TICK_HOLD) {
         told->between = 1; // until it moves again
     }
     self->at = pose->s + self->skipped;

@@ -58,7 +58,7 @@ static uint32_t current(const planner_t *self) {
 }
 
 // The spindle's speed that a move's feed is told for, where X is there: as commanded when the tool
-// last rested; if it turned faster, as it did; and where nobody says, as fast as the axes can follow.
+// last rested; if it turned faster, as it did; where nobody says, as fast as the axes can follow.
 static double base_at(const planner_t *self, const move_t *move, double x) {
     const planner_wish_t *const began = &self->began;
     const double told = told_at(began, x);

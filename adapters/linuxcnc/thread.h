@@ -5,7 +5,7 @@
 
 #include "planner.h" // planner_t
 
-// 1 if the next entry of the ring begins a pass and the kernel rests: what comes behind it joins in.
+// 1 if the next entry of the ring begins a pass and the kernel rests; what comes behind joins in.
 // Cost: constant. Context: servo thread, as all below.
 int thread_begins(const planner_t *self);
 

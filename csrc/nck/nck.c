@@ -387,7 +387,8 @@ void nck_set_single_block(nck_t *nck, uint32_t on) {
 }
 
 void nck_set_override_ppm(nck_t *nck, uint32_t feed_ppm, uint32_t rapid_ppm) {
-    nck_fence_store(&nck->command.feed_ppm, feed_ppm < FEED_MOST * PPM ? feed_ppm : FEED_MOST * PPM);
+    const uint32_t feed = feed_ppm < FEED_MOST * PPM ? feed_ppm : FEED_MOST * PPM;
+    nck_fence_store(&nck->command.feed_ppm, feed);
     nck_fence_store(&nck->command.rapid_ppm, rapid_ppm < PPM ? rapid_ppm : PPM);
 }
 

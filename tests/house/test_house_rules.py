@@ -50,7 +50,7 @@ GUESTS = ("adapters/linuxcnc/nck_tp.c", "tests/linuxcnc/stand_in.c")
 LINUXCNC = ("rtapi.h", "rtapi_app.h", "rtapi_string.h", "hal.h", "motion.h", "motion_types.h",
             "tp.h")
 HOST_OF_ADAPTER = ("arc.h", "bounds.h", "feed.h", "follow.h", "moves.h", "planner.h",
-                   "settings.h", "thread.h")
+                   "rates.h", "settings.h", "thread.h")
 
 # Which of our headers a file may include, by the longest path that fits the file.
 MAY_INCLUDE = {

@@ -487,8 +487,6 @@ int nck_slope_is_held(const nck_slope_t *self) {
     return self->now.held && final_count(self) >= self->now.n;
 }
 
-int nck_slope_is_answering(const nck_slope_t *self) { return self->answer.pending != 0; }
-
 int nck_slope_waits(const nck_slope_t *self) { return nck_fence_load(&self->waits) != 0; }
 
 int nck_slope_invariants(const nck_slope_t *self) {

@@ -108,9 +108,11 @@ uint32_t nck_slope_needs(const nck_slope_t *self);
 // 1 if every plan is final and has come to rest by a hold. Cost: constant. Context: prep.
 int nck_slope_is_held(const nck_slope_t *self);
 
-// 1 if the plan in work answers the operator: other wishes would have it begin anew. Cost: constant.
-// Context: prep.
-int nck_slope_is_answering(const nck_slope_t *self);
+// 1 if the plan in work answers the operator: other wishes would have it begin anew.
+// Cost: constant. Context: prep.
+static inline int nck_slope_is_answering(const nck_slope_t *self) {
+    return self->answer.pending != 0;
+}
 
 // 1 if single block keeps the path where the plan of now rests. Cost: constant. Context: any.
 int nck_slope_waits(const nck_slope_t *self);
