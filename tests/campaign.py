@@ -16,7 +16,7 @@ printed before it. The exit status is the number of parts that found something.
     cycles      4 000 programs with cycles within a tolerance: limits of every axis
     rs274       15 000 random programs against rs274
     entering    the cases, the corpus and 50 programs of each family, begun at their lines
-    linuxcnc    20 random operators in a live LinuxCNC
+    linuxcnc    2 000 random scripts of calls in the stand-in, 20 operators in a live LinuxCNC
     imports     4 500 random configurations of other controls
 """
 
@@ -44,7 +44,8 @@ PARTS = {
     "rs274": ["tests/decode/against_rs274.py 15000 {seed}"],
     "entering": ["tests/decode/entering.py --lines 200",
                  "tests/decode/entering.py --family all --seeds {seed} +50"],
-    "linuxcnc": ["tests/linuxcnc/operators.py"],
+    "linuxcnc": ["tests/linuxcnc/linuxcnc_calls.py --count 500 --seed {seed}",
+                 "tests/linuxcnc/operators.py"],
     "imports": ["tests/machine/configurations.py 1500 {seed}"],
 }  # fmt: skip
 

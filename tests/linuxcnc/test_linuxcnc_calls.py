@@ -8,7 +8,6 @@ from linuxcnc_stand_in import CYCLE_S, EVER, OWN, StandIn
 
 REST, EXACT = f"rest {EVER}", "term 1 0"
 ARC = "arc 100 0 40 0 0 0 0 0 0 0 0 20 0 0 0 1 0"  # half of a circle, radius 20, X up to 20
-SEEDS = {"calls": range(4), "stops": range(20), "feeds": range(12), "threads": range(24)}
 
 
 @pytest.fixture(scope="module")
@@ -24,11 +23,30 @@ def ends(run):
 # Whatever comes
 
 
-@pytest.mark.parametrize(("family", "seed"), [(f, s) for f, seeds in SEEDS.items() for s in seeds])
-def test_calls_at_random_bring_what_they_have_to(stand_in, family, seed):
-    if family == "calls" and not OWN.is_file():
+@pytest.mark.sample(4)
+@pytest.mark.parametrize("seed", range(60))
+def test_calls_at_rest_bring_what_linuxcncs_own_planner_makes_of_them(stand_in, seed):
+    if not OWN.is_file():
         pytest.skip("linuxcnc-uspace is not installed")
-    assert linuxcnc_calls.FAMILIES[family](stand_in, seed) == []
+    assert linuxcnc_calls.calls_failures(stand_in, seed) == []
+
+
+@pytest.mark.sample(20)
+@pytest.mark.parametrize("seed", range(500))
+def test_an_operator_on_the_move_breaks_no_limit_and_leaves_nothing_standing(stand_in, seed):
+    assert linuxcnc_calls.stops_failures(stand_in, seed) == []
+
+
+@pytest.mark.sample(20)
+@pytest.mark.parametrize("seed", [s for s in range(1000) if s not in linuxcnc_calls.DENSE])
+def test_a_thread_of_any_lines_is_one_groove(stand_in, seed):
+    assert linuxcnc_calls.threads_failures(stand_in, seed) == []
+
+
+@pytest.mark.sample(8)
+@pytest.mark.parametrize("seed", range(150))
+def test_a_feed_a_revolution_is_what_is_programmed(stand_in, seed):
+    assert linuxcnc_calls.feeds_failures(stand_in, seed) == []
 
 
 # Pause, step, reverse

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """Calls that a host makes of the planner module, at random by seed, and what they have to bring.
 
-    .venv/bin/python tests/linuxcnc_calls.py [FAMILY … ] [--count N] [--seed FIRST]
+    .venv/bin/python tests/linuxcnc/linuxcnc_calls.py [FAMILY … ] [--count N] [--seed FIRST]
 
 Families: `calls` (an operator at rest, beside LinuxCNC's own planner), `stops` (one on the move),
 `feeds` (G95, G96 while the spindle changes its speed) and `threads` (lines with leads of their own
@@ -14,7 +14,7 @@ import sys
 import tempfile
 
 import numpy as np
-from linuxcnc_stand_in import CYCLE_S, EVER, OWN, Machine, StandIn
+from linuxcnc_stand_in import CYCLE_S, EVER, OWN, StandIn
 
 ROUNDING = 1e-6  # of a limit, on doubles
 NEAR = 0.02  # LinuxCNC's own planner goes on into the next move before it hears a pause [mm]
@@ -212,6 +212,8 @@ def threads(seed):
     return [*script, "sync 0 0", REST], np.array(nodes), np.array(turns), rps
 
 
+# Leads that double and halve line by line, faster than the means of the pass can mix.
+DENSE = (286, 910)
 LATEST_S = 0.8  # a line has come so long before the tool is there, kinks of all sizes included
 
 
