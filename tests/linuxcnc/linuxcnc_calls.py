@@ -109,7 +109,7 @@ def stops(seed):
                                                                          "resume"],
         ])]  # fmt: skip
         if "abort" in script[-4:] or any(line.startswith("soft") for line in script[-3:]):
-            script += ["rest 20000", "resume"]
+            script += ["run 30", REST, "resume"]
     script += ["axis 0 100 1000", "axis 1 100 1000", "axis 2 100 1000"]
     return [*script, "feed 1", "vlimit 1000", "forward", "resume", REST, "line 50 1 2 3", REST]
 
