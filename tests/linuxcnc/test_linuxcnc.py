@@ -295,7 +295,7 @@ def test_linuxcncs_own_groove_lies_behind_by_its_way_to_speed(stand_in, rps):
 
 
 def test_a_spindle_that_slows_down_takes_the_tool_along(stand_in):
-    slows = ["spindle 10 5", "run 2100", *PASS[2:5], "run 800", "spindle 8", f"rest {EVER}"]
+    slows = ["spindle 10 5", "run 2100", *PASS[2:7], "run 800", "spindle 8", f"rest {EVER}"]
     run = stand_in.run(slows)
     assert_within_limits(run)
     assert phase_error(run, -3, -18) < 0.02  # while it changes by half a turn a second, each 0.1 s

@@ -39,6 +39,20 @@ G1 X40
 M5
 M2
 """
+TURNED = """G21 G90 G18 G64 P0.01
+M3 S200
+G95 F1
+G1 Z-3
+S2000 F0.5
+G1 Z-22
+G94 S600
+G0 Z-24
+G33 Z-40 K1
+G33 Z-56 K2
+G0 X1
+M5
+M2
+"""
 AT_SPEED, INPUT = "spindle.0.at-speed", "motion.digital-in-00"
 OPERATOR = [(0, "set", AT_SPEED, "0"), (1.6, "set", AT_SPEED, "1"), (0.4, "show", "nck-tp"),
             (1.6, "set", INPUT, "1")]  # fmt: skip
@@ -127,6 +141,22 @@ def test_a_thread_follows_the_spindle(planner, folder):
     log = live.run(folder, bench.thread(dict(bench.THREADS)["G33"]), planner=planner)
     assert max(log.peaks(live.Limits())) <= 1 + 1e-3
     assert bench.phase_um(log) < 5
+
+
+def per_rev(log, first, last):
+    """Return the way a revolution between two places of Z that is cut downward."""
+    z = log.places[:, 2]
+    a, b = (np.argmax(z <= place) for place in (first, last))
+    return (z[a] - z[b]) / (log.turns[b] - log.turns[a])
+
+
+def test_feeds_and_threads_are_what_is_programmed_a_revolution(planner, folder):
+    log = live.run(folder, TURNED, planner=planner)
+    assert max(log.peaks(live.Limits())) <= 1 + 1e-3
+    for first, last, lead in ((-1, -2.5, 1), (-10, -20, 0.5), (-32, -38, 1), (-44, -54, 2)):
+        assert per_rev(log, first, last) == pytest.approx(lead, rel=5e-3)
+    cut = (log.places[:, 2] < -32) & (log.places[:, 2] > -54)
+    assert (np.diff(log.places[cut, 2]) < 0).all()  # no rest where the lead changes
 
 
 def test_what_is_missing_in_the_ini_is_in_linuxcncs_log(planner, folder, monkeypatch):
