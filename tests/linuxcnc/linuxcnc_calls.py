@@ -20,7 +20,7 @@ ROUNDING = 1e-6  # of a limit, on doubles
 NEAR = 0.02  # LinuxCNC's own planner goes on into the next move before it hears a pause [mm]
 OFF = 5e-3  # of a feed a revolution
 STEADY = 0.8  # for so long, before it is judged, tool and spindle have changed little [s], …
-FASTEST = 0.25  # … the spindle by no more than this share a second
+FASTEST = {"css": 0.25, "": 0.005}  # … the spindle by no more than this share a second
 LATE_S = 0.05  # and for so long its change may not be heard [s]
 REST = f"rest {EVER}"
 SETTLES = "run 2500"  # every move of `calls` is done by then
@@ -175,7 +175,8 @@ def feeds_failures(stand_in, seed):
                    for f in (np.max, np.min))  # fmt: skip
     rate = (most / np.maximum(least, 1e-9) - 1) / STEADY
     moves = np.lib.stride_tricks.sliding_window_view(v, n).min(axis=1) > 0.8 * lead * least
-    judged = np.flatnonzero((rate < FASTEST) & moves)
+    fastest = FASTEST["css" if any("css" in line for line in script) else ""]
+    judged = np.flatnonzero((rate < fastest) & moves)
     at = judged + n - n // 8
     off = np.abs(v[at] / (lead * rps[at]) - 1) - rate[judged] * LATE_S
     if len(off) and off.max() > OFF:
