@@ -5,6 +5,7 @@
 #include <string.h> // memset
 
 #include "host/grade_math.h"            // nck_grade_of nck_grade_vv
+#include "nck/base/thread.h"            // nck_thread_rest_s
 #include "nck/prep/5_slope/ramp_math.h" // nck_ramp_…
 
 // What is left of a length below this share of it is rounding.
@@ -111,7 +112,7 @@ static int make_cell(const nck_host_grades_t *self, nck_host_grade_cursor_t *cur
 static void make_rest(const nck_seg_t *seg, nck_cell_t *cell) {
     memset(cell, 0, sizeof *cell);
     cell->seg = seg->seq;
-    cell->duration = seg->shape.dwell_s;
+    cell->duration = nck_thread_rest_s(seg);
     cell->limit = seg->kind == NCK_SEG_DWELL    ? NCK_LIMIT_DWELL
                   : seg->kind >= NCK_SEG_THREAD ? NCK_LIMIT_THREAD
                                                 : NCK_LIMIT_WAIT;

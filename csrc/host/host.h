@@ -8,6 +8,7 @@
 
 #include "host/cut.h" // nck_host_cut_t
 #include "host/early.h" // nck_host_batch_t
+#include "host/spindle.h" // nck_host_spindle_t
 #include "host/why.h" // nck_host_why_t
 #include "nck/nck.h"  // nck_t and all records
 
@@ -79,6 +80,7 @@ typedef struct nck_host_plan {
     int32_t status;             // last of nck_prep
     double tangent[NCK_AXIS_MAX]; // at the end of the newest seg
     nck_host_why_t why;         // what the time goes to; shares and a trail may be asked for
+    nck_host_spindle_t spindle; // for the waits of threads; off unless it is asked for
 } nck_host_plan_t;
 
 // Begin to plan a whole text (which must outlive the plan). Installs its own hooks in nck.
@@ -89,6 +91,11 @@ nck_status_t nck_host_plan_init(nck_host_plan_t *plan, nck_t *nck, const nck_mac
 // What was given as text is rows of nck_block_in_t, each valid. Call it right after
 // nck_host_plan_init. Cost: constant. Context: prep.
 void nck_host_plan_blocks(nck_host_plan_t *plan);
+
+// The program has threads or taps: plan the waits for the spindle's angle, too; without it each is
+// half a turn. The spindle turns as commanded. Not of a part, nor from batches. Call it right after
+// nck_host_plan_init. Cost: then also linear in the periods of the plan. Context: prep.
+void nck_host_plan_threads(nck_host_plan_t *plan);
 
 // Plan only a part: from a cut of the same text on, so many blocks to the next one (0: to the end).
 // The path rests at cuts, so each part is a plan of its own; its sums are those of the part alone,

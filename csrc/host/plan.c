@@ -32,6 +32,7 @@ nck_status_t nck_host_plan_init(nck_host_plan_t *plan, nck_t *nck, const nck_mac
     memset(plan, 0, offsetof(nck_host_plan_t, why));
     nck_host_why_init(&plan->why, nck);
     nck_host_share_init(&plan->why.shares, machine);
+    plan->spindle.on = 0;
     plan->nck = nck;
     plan->text = text;
     plan->text_size = n;
@@ -81,7 +82,9 @@ static uint32_t take_cells(nck_host_plan_t *plan) {
     nck_cell_t cell;
     uint32_t count = 0;
     while (nck_host_trail_has_room(&plan->why.trail) && nck_take(plan->nck, &cell) == NCK_OK) {
-        const int rapid = nck_link_seg(nck_link_of(plan->nck), cell.seg)->rapid;
+        const nck_link_t *const link = nck_link_of(plan->nck);
+        const int rapid = nck_link_seg(link, cell.seg)->rapid;
+        nck_host_spindle_cell(&plan->spindle, link, &cell);
         const double extra_s = nck_host_totals_add(&plan->totals, &plan->since_stop_s, &cell,
                                                    rapid, machine->period_s, settle);
         nck_host_why_cell(&plan->why, &cell, extra_s);
@@ -92,6 +95,10 @@ static uint32_t take_cells(nck_host_plan_t *plan) {
 }
 
 void nck_host_plan_blocks(nck_host_plan_t *plan) { plan->is_blocks = 1; }
+
+void nck_host_plan_threads(nck_host_plan_t *plan) {
+    nck_host_spindle_init(&plan->spindle, nck_machine_of(plan->nck));
+}
 
 nck_status_t nck_host_plan_part(nck_host_plan_t *plan, const nck_host_cut_t *from,
                                 uint64_t blocks) {
@@ -274,6 +281,7 @@ nck_status_t nck_host_plan_run(nck_host_plan_t *plan) {
     }
     if (status == NCK_DONE) nck_host_why_end(&plan->why);
     if (plan->why.broken || plan->why.trail.broken) return NCK_E_INTERNAL;
+    if (plan->spindle.on && plan->spindle.broken) return NCK_E_INTERNAL;
     complete_totals(plan);
     return status == NCK_DONE && plan->error < NCK_OK ? (nck_status_t)plan->error : status;
 }

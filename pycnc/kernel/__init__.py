@@ -21,6 +21,7 @@ _PLAN_ROWS = 4 * lib.NCK_WINDOW  # the least that nck_host_plan_run takes
 _TRAIL_ROWS = 16 * lib.NCK_HOST_TRAIL_ROOM
 _TRAIL = {"host_point": ("points", "point"), "host_foot": ("feet", "foot")}
 _TICK_ROWS = 16384
+_OF_SPINDLE = (lib.NCK_BLOCK_THREAD, lib.NCK_BLOCK_TAP)
 _COMMANDS = {  # name → (kind, how many numbers it needs, the most that each may be)
     "hold": (lib.SIM_HOLD, 0, ()),
     "resume": (lib.SIM_RESUME, 0, ()),
@@ -99,6 +100,11 @@ def _bad_block(data, used):
     )
 
 
+def has_threads(blocks):
+    """Return whether passes of threads or taps are among blocks of dtype ``nck_block_t``."""
+    return bool(np.isin(blocks["kind"], _OF_SPINDLE).any())
+
+
 def cuts(text, machine, least):
     """Yield (cut, blocks) of each part that a text is cut into at its rests.
 
@@ -141,6 +147,9 @@ class Planner:
     shares : int or numpy.ndarray, optional
         Parts of the time that are asked for: so many tools at most; or for every source line the
         number of its row (uint32).
+    threads : bool
+        Whether the program has threads or taps, whose waits for the spindle's angle are to be
+        planned. Each is half a turn without it, and in a part.
 
     Attributes
     ----------
@@ -154,7 +163,7 @@ class Planner:
     """
 
     def __init__(self, text, machine, records=("seg", "node", "cell"), shares=None,
-                 part=None):  # fmt: skip
+                 part=None, threads=False):  # fmt: skip
         self._text, self._machine = text, machine
         self._nck, self._plan = ffi.new("nck_t *"), ffi.new("nck_host_plan_t *")
         self._data = ffi.from_buffer("char[]", text)
@@ -164,6 +173,8 @@ class Planner:
         if part is not None:
             cut = ffi.from_buffer("nck_host_cut_t *", part[0])
             check(lib.nck_host_plan_part(self._plan, cut, part[1]))
+        elif threads:
+            lib.nck_host_plan_threads(self._plan)
         self._ask_shares(shares)
         self._arrays = {
             name: np.empty(_TRAIL_ROWS if name in _TRAIL else _PLAN_ROWS, dtype(f"nck_{name}_t"))

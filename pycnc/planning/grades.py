@@ -313,7 +313,7 @@ _OF_POINTS = {
 }  # fmt: skip
 
 
-def of_text(text, machine, *, steps=STEPS, backend="auto", progress=None):
+def of_text(text, machine, *, steps=STEPS, backend="auto", threads=False, progress=None):
     """Plan a whole NC text by grades.
 
     Parameters
@@ -325,6 +325,8 @@ def of_text(text, machine, *, steps=STEPS, backend="auto", progress=None):
         n of eq. 10.
     backend : {"auto", "c", "opencl"}
         As for `Grades`.
+    threads : bool
+        As for `kernel.Planner`: of the exact plan alone.
     progress : callable, optional
         Called with (bytes used, bytes of the text).
 
@@ -334,7 +336,7 @@ def of_text(text, machine, *, steps=STEPS, backend="auto", progress=None):
     exact : numpy.void
         Of dtype ``nck_host_totals_t``: the same program planned by the exact envelope.
     """
-    planner = kernel.Planner(text, machine, ("seg", "output"))
+    planner = kernel.Planner(text, machine, ("seg", "output"), threads=threads)
     kept = [], []
     for *pieces, used in planner.pieces():
         for arrays, piece in zip(kept, pieces, strict=True):

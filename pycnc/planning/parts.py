@@ -18,8 +18,12 @@ PART_BLOCKS = 20_000  # blocks of a part at least
 
 
 def of(program):
-    """Return an iterator over the parts of a program, for `totals_of`; None if it is not huge."""
-    if isinstance(program.text, kernel.Blocks) or program.block_count < 2 * PART_BLOCKS:
+    """Return an iterator over the parts of a program, for `totals_of`; None if it is not huge, or
+    has threads: at what angle the spindle is where a part begins, only what is before it tells.
+    """
+    if isinstance(program.text, kernel.Blocks) or program.has_threads:
+        return None
+    if program.block_count < 2 * PART_BLOCKS:
         return None
     return kernel.cuts(program.text, program.machine, PART_BLOCKS)
 

@@ -40,7 +40,8 @@ def cores():
 
 def is_worth(program):
     """Return whether a program that is decoded is planned sooner by several cores."""
-    return program.block_count > kernel.BLOCK_ROWS and cores() > 1
+    is_big = program.block_count > kernel.BLOCK_ROWS
+    return is_big and not program.has_threads and cores() > 1
 
 
 @contextlib.contextmanager
@@ -86,10 +87,13 @@ class Pipeline:
         """Take the next blocks of a program for a machine: of `another` array, or what stays.
 
         used: bytes of the text that are read so far; from where they become no more on, the program
-        is not planned while it is read.
+        is not planned while it is read. Threads are planned on one core: how long one waits for the
+        spindle's angle hangs on every period before it.
         """
         if used is not None:
             self._leave(used)
+        if kernel.has_threads(blocks):
+            self._is_broken.set()
         if self._first is None:
             self._first = blocks
             return

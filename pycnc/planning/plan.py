@@ -126,7 +126,9 @@ class Plan:
         from pycnc.planning import grades
 
         text, machine = self.program.text, self.program.machine
-        self.grades, exact = grades.of_text(text, machine, backend=backend, progress=progress)
+        self.grades, exact = grades.of_text(
+            text, machine, backend=backend, threads=self.program.has_threads, progress=progress
+        )
         self.segs = self.grades.segs
         self.nodes = np.empty(0, dtype("nck_node_t"))
         self._cells = self.grades.cells() if keep else np.empty(0, dtype("nck_cell_t"))
@@ -166,7 +168,9 @@ class Plan:
         asked, names = shares.ask(program, by) if by else (None, [])
         records = _KEPT if keep else _KEPT[:1] if look else ()
         records += ("host_point", "host_foot") if trail else ()
-        planner = kernel.Planner(program.text, program.machine, records, shares=asked)
+        planner = kernel.Planner(
+            program.text, program.machine, records, shares=asked, threads=program.has_threads
+        )
         kept = {"nck_seg_t": [], "nck_node_t": [], "nck_cell_t": []}
         cells = 0
         for *pieces, used in planner.pieces():

@@ -34,7 +34,7 @@ WORDS = {
     "lookahead": "the length of the look-ahead",
     "feed_max": "the machine's highest feed",
     "spindle": "the spindle's speed",
-    "thread": "threads in step with the spindle",
+    "thread": "threads: the spindle, and the wait for its angle",
 }
 _ENDS = "start and end of the program"
 _ASKED = "stops that G61.1 and G9 ask for"

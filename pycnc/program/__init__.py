@@ -36,6 +36,8 @@ class Program:
     block_count : int
     tolerance_most_mm : float
         The largest tolerance in force anywhere.
+    has_threads : bool
+        Whether there are passes of threads, or taps.
 
     `beside` is a `planning.pipeline.Pipeline`, which plans what has been read so far meanwhile.
     """
@@ -45,7 +47,7 @@ class Program:
         self.lines = Lines(b"" if isinstance(self.text, kernel.Blocks) else self.text)
         self.file, self.diagnostics, kept, self.block_count = file, Diagnostics(), [], 0
         self.machine = machine = self._choose_dialect(machine)
-        self.tolerance_most_mm = 0.0
+        self.tolerance_most_mm, self.has_threads = 0.0, False
         wording = Wording(file, self.lines, machine)
         another = beside.another if beside else None
         for blocks, findings, used in kernel.decode(self.text, machine, another):
@@ -53,6 +55,7 @@ class Program:
             self.block_count += len(blocks)
             most = blocks["tolerance_mm"].max(initial=0.0)
             self.tolerance_most_mm = max(self.tolerance_most_mm, float(most))
+            self.has_threads = self.has_threads or kernel.has_threads(blocks)
             if keep:
                 kept.append(copied(blocks))
             if beside:

@@ -26,7 +26,7 @@ LIMIT_WORDS = {
     "starved": "starvation: preparation was late",
     "feed_max": "the machine's highest feed",
     "spindle": "the spindle, which follows the surface speed",
-    "thread": "threads, in step with the spindle",
+    "thread": "threads: the spindle, and the wait for its angle",
 }
 
 

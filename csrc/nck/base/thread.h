@@ -39,6 +39,15 @@ typedef struct nck_moment {
     double a; // [mm/s²]
 } nck_moment_t;
 
+// How long planning takes a seg that does not move to last [s]: a dwell, a wait; a pass of a thread
+// and a tap as the spindle turns when it is as commanded, with half a turn until its angle comes.
+// Cost: constant. Context: any.
+static inline double nck_thread_rest_s(const nck_seg_t *seg) {
+    if (seg->kind == NCK_SEG_THREAD) return (double)seg->shape.thread.duration;
+    if (seg->kind == NCK_SEG_TAP) return (double)seg->shape.tap.duration;
+    return seg->shape.dwell_s;
+}
+
 // How fast a pass may be, along its leading measure [mm/s]. start, end: of the seg.
 // Cost: constant. Context: any.
 double nck_thread_speed_most(const nck_machine_t *machine, const double *start, const double *end,

@@ -6,6 +6,7 @@
 #include "nck/base/path.h"                    // nck_path_…_part
 #include "nck/base/path_math.h"               // nck_path_turns
 #include "nck/base/root_math.h"               // nck_root_cube
+#include "nck/base/thread.h"                  // nck_thread_rest_s
 #include "nck/prep/4_lookahead/budget_math.h" // nck_budget_…
 #include "nck/prep/4_lookahead/limit_math.h"  // nck_limit_…
 
@@ -173,9 +174,7 @@ static void make_rest(nck_joint_t *joint, const nck_seg_t *seg) {
     joint->w_near = 0.0;
     joint->j_straight = 0.0;
     joint->a_most = 0.0;
-    joint->shape.dwell_s = seg->shape.dwell_s;
-    if (seg->kind == NCK_SEG_THREAD) joint->shape.dwell_s = (double)seg->shape.thread.duration;
-    if (seg->kind == NCK_SEG_TAP) joint->shape.dwell_s = (double)seg->shape.tap.duration;
+    joint->shape.dwell_s = nck_thread_rest_s(seg);
 }
 
 // What accelerates at a has come from a = 0 at rest, what brakes at a has to come to it:
