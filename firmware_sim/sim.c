@@ -158,7 +158,8 @@ static uint32_t find_end(const sim_t *sim) {
     if (sim->prep_status == NCK_DONE && nck_is_idle(sim->nck)) {
         return asked_of(sim->nck).abort ? SIM_END_ABORTED : SIM_END_DONE;
     }
-    if (sim->rest_ticks < REST_TICKS || sim->prep_status != NCK_FULL) return SIM_END_NOT;
+    const int over = sim->prep_status == NCK_FULL || sim->prep_status == NCK_DONE;
+    if (sim->rest_ticks < REST_TICKS || !over) return SIM_END_NOT;
     const sim_end_t cause = cause_of_rest(sim);
     const int waits = cause != SIM_END_STALLED && sim->command_next < sim->command_count;
     return waits ? SIM_END_NOT : cause;
@@ -214,7 +215,10 @@ static int tick(sim_t *sim, sim_row_t *row) {
     row->queue_cells = nck_queue_cells(sim->nck);
     row->feed_percent = sim->feed_percent;
     row->rapid_percent = sim->rapid_percent;
-    const int rests = !moves(sim) && state != NCK_TICK_WAIT && sim->prep_status == NCK_FULL;
+    const int held = state == NCK_TICK_HOLD && !(row->pose.v > 0.0) // before a thread, too
+                     && !asked_of(sim->nck).abort;
+    const int waits = sim->prep_status == NCK_FULL && state != NCK_TICK_WAIT;
+    const int rests = held || (waits && !moves(sim));
     sim->rest_ticks = rests ? sim->rest_ticks + 1 : 0;
     return 1;
 }

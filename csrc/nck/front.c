@@ -137,6 +137,7 @@ nck_status_t nck_begin(nck_t *nck) {
     nck_travel_begin(&nck->travel);
     memset(&nck->wire, 0, sizeof nck->wire);
     nck_fence_store(&nck->command.hold, 0);
+    nck_interpolate_hold_thread(&nck->interpolate, 0);
     nck_fence_store(&nck->command.abort, 0);
     return NCK_OK;
 }

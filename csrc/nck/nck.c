@@ -370,11 +370,15 @@ nck_tick_state_t nck_tick(nck_t *nck, nck_pose_t *pose_out, nck_axes_t *axes_out
 void nck_resume(nck_t *nck) {
     if (nck_fence_load(&nck->command.abort)) return;
     nck_fence_store(&nck->command.hold, 0);
+    nck_interpolate_hold_thread(&nck->interpolate, 0);
     nck_fence_store(&nck->command.resumes, nck_fence_load(&nck->command.resumes) + 1);
     nck_interpolate_resume(&nck->interpolate);
 }
 
-void nck_hold(nck_t *nck) { nck_fence_store(&nck->command.hold, 1); }
+void nck_hold(nck_t *nck) {
+    nck_fence_store(&nck->command.hold, 1);
+    nck_interpolate_hold_thread(&nck->interpolate, 1);
+}
 
 void nck_abort(nck_t *nck) {
     nck_fence_store(&nck->command.abort, 1);

@@ -316,8 +316,9 @@ nck_status_t nck_take(nck_t *nck, nck_cell_t *cell_out);
 // threads and taps follow it. Cost: constant. Context: tick.
 void nck_set_spindle(nck_t *nck, double turns);
 
-// 1 if a pass of a thread was stopped before its end, by nck_abort or since the spindle turned more
-// than 5 % faster than commanded, 2 ms ahead of the tool: then the tick rests in NCK_TICK_HOLD.
+// 1 if a pass of a thread was stopped before its end: by nck_abort; since the axes could not follow
+// the spindle's angle, which was 2 ms of its turning beside the tool; or since it hardly turned.
+// Then the tick rests in NCK_TICK_HOLD.
 // nck_begin forgets it.
 // Cost: constant. Context: any.
 int nck_is_thread_lost(const nck_t *nck);

@@ -16,12 +16,16 @@ pytestmark = pytest.mark.thorough
 
 TESTS = (
     "link", "link_races", "interpolate", "transform", "filter", "path", "tick", "kernel", "begin",
-    "flush", "survive", "travel", "single_block", "thread", "ride", "link_join", "overlap_plan",
+    "flush", "survive", "travel", "single_block", "thread", "spindle", "ride", "link_join",
+    "overlap_plan",
 )  # fmt: skip
 # What runs in the tick, below csrc/nck: a file, and its functions if not all of them do.
 TICK_PATH = {
     "tick/6_interpolate/interpolate.c": None,
     "tick/6_interpolate/sync.c": None,
+    "tick/6_interpolate/follow.c": None,
+    "tick/6_interpolate/tap.c": None,
+    "base/thread.c": None,
     "tick/7_transform/transform.c": None,
     "base/link.c": None,
     "base/path_math.h": {"nck_path_point", "nck_path_cubic"},

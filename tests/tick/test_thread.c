@@ -73,7 +73,7 @@ static void the_full_thread_is_on_its_helix(check_t *check)
             for (size_t k = first_of_pass(); k < count; k++) {
                 const nck_pose_t *const pose = &rows[k].pose;
                 if (pose->kind != NCK_SEG_THREAD || pose->v == 0.0) continue; // waits
-                if (pose->v < pose->feed) continue;
+                if (pose->axis[NCK_AXIS_Z] > 2.0 || pose->axis[NCK_AXIS_Z] < -17.0) continue;
                 const double turns = (pose->axis[NCK_AXIS_Z] - 5.0) / lead + rows[k].spindle_turns;
                 worst = fmax(worst, fabs(turns - floor(turns + 0.5)) * lead);
             }

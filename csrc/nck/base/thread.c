@@ -11,6 +11,8 @@
 #define FASTER 1.05
 // Where the way along the pass and X's own motion meet in X, each has half.
 #define HALF 0.5
+// Of X's acceleration in motions of its own: the rest is for a spindle that turns unevenly.
+#define EVEN 0.8
 #define UNLIMITED 1e30
 
 // The way of a pass a length of 1, X's own motions left out.
@@ -83,7 +85,7 @@ static double swing_time(const nck_machine_t *machine, double d, double share) {
     const double f = FASTER;
     if (d == 0.0) return 0.0;
     double t = nck_max(2.0 * d * f / (share * axis->v_max),
-                       nck_sqrt(8.0 * d * f * f / (share * axis->a_max)));
+                       nck_sqrt(8.0 * d * f * f / (EVEN * share * axis->a_max)));
     if (machine->slope == NCK_SLOPE_LINEAR) return t;
     return nck_max(t, nck_root_cube(32.0 * d * f * f * f / (share * axis->j_max)));
 }
@@ -96,6 +98,15 @@ static double swing(double x) {
     if (x > 0.75) return 1.0 - 16.0 / 3.0 * (1.0 - x) * (1.0 - x) * (1.0 - x);
     const double y = x - 0.25;
     return 1.0 / 12.0 + (1.0 + (4.0 - 16.0 / 3.0 * y) * y) * y;
+}
+
+// What change of pace is left of X's share while it goes so far in so long: it is no faster than
+// 2d/T, and takes no more acceleration than 8d/T².
+static double change_left(const nck_machine_t *machine, double d, double t, double share) {
+    if (t == 0.0) return UNLIMITED;
+    const double a = 8.0 * nck_fabs(d) / (t * t) * FASTER * FASTER;
+    const double left = share * machine->axis[NCK_AXIS_X].a_max - a;
+    return nck_max(0.0, left) * t / (2.0 * nck_fabs(d));
 }
 
 // When the pass is so far along, at full speed.
@@ -120,6 +131,8 @@ static void plan_beside(const nck_machine_t *machine, const nck_thread_t *thread
     if (pass->leave_s > 0.0) {
         pass->leave_s = nck_max(pass->leave_s, (double)thread->exit / pass->ramp.v);
     }
+    pass->change[0] = change_left(machine, pass->enter, pass->enter_s, share);
+    pass->change[1] = change_left(machine, pass->leave, pass->leave_s, share);
     pass->total = run_out + pass->ramp.time;
     pass->total = nck_max(pass->total, pass->enter_s);
     if (pass->leave_s > 0.0) pass->total = nck_max(pass->total, pass->leave_at + pass->leave_s);

@@ -29,6 +29,8 @@ typedef struct nck_pass {
     double leave;     // X goes out by so much [mm]
     double leave_at;  // from here on [s]
     double leave_s;   // in so many seconds; 0: it does not
+    double change[2]; // of the spindle's speed over the commanded one, that X can follow while it
+                      // goes in and out [1/s]
     double total;     // [s]
 } nck_pass_t;
 

@@ -407,6 +407,10 @@ void nck_interpolate_stop_thread(nck_interpolate_t *self) {
     nck_fence_store(&self->sync.asked, 1);
 }
 
+void nck_interpolate_hold_thread(nck_interpolate_t *self, uint32_t on) {
+    nck_fence_store(&self->sync.held, on);
+}
+
 void nck_interpolate_resume(nck_interpolate_t *self) { nck_fence_store(&self->resume, 1); }
 
 // Up to 2⁵² periods the quotient is never too large by one, however it is rounded.

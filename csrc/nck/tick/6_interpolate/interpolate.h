@@ -74,6 +74,9 @@ void nck_interpolate_measure(nck_interpolate_t *self, double turns);
 // Context: any.
 void nck_interpolate_stop_thread(nck_interpolate_t *self);
 
+// 1: begin no pass of a thread, one in work goes on; 0: as before. Cost: constant. Context: any.
+void nck_interpolate_hold_thread(nck_interpolate_t *self, uint32_t on);
+
 // 1 at a WAIT that nobody has ended. Cost: constant. Context: any.
 int nck_interpolate_is_waiting(const nck_interpolate_t *self);
 

@@ -16,9 +16,6 @@ typedef enum nck_sync_state {
     NCK_SYNC_ENDS = 4   // at its end, or where a stop has ended
 } nck_sync_state_t;
 
-#define NCK_SYNC_FASTER 1.05 // than commanded: what a pass is planned for (base/thread.c)
-#define NCK_SYNC_SLACK 2e-3  // [s] by which the spindle may be ahead of that
-
 // The spindle and the pass in work.
 typedef struct nck_sync {
     double turns;      // of the spindle, as told or as commanded [revolutions]
@@ -26,17 +23,23 @@ typedef struct nck_sync {
     uint32_t untold;   // ticks that turns do not hold yet, all of them at rpm
     double rpm;        // commanded [1/min]
     uint32_t asked;    // 1: to stop; any writes it
+    uint32_t held;     // 1: no pass begins; any writes it
     uint32_t lost;     // 1: a pass was stopped before its end; any reads it
     uint32_t state;    // nck_sync_state_t
+    double seen;       // turns at the tick before [revolutions]
+    double spin;       // speed of the spindle over the commanded one, of the last period
+    double slow;       // by how much it has been too slow [s]
     double begin;      // angle at which the pass begins [revolutions]
     double t;          // of the pass: the spindle's turns since then at the commanded speed [s]
-    double before;     // t of the tick before
+    double rate;       // by which t has grown in the last period, a second
+    double was;        // acceleration of the pass where that began, at the rate 1 [mm/s²]
     nck_pass_t pass;
 
     // Braking by itself: the pass time runs on at its last rate for X, the way has its own ramp.
     // Of a tap: the spindle's ramp to rest and back, from s on; rate: 0 not yet, else which way.
     struct {
         double rate;   // pass time a second
+        double fade;   // within which it goes to 0, of a spindle that hardly turns; 0: it stays [s]
         double t;      // since it began [s]
         double ease;   // until the acceleration of then is gone [s]
         nck_moment_t from;
@@ -45,7 +48,8 @@ typedef struct nck_sync {
     } stop;
 } nck_sync_t;
 
-// The angle as measured, for this tick. Cost: constant. Context: tick.
+// The angle as measured, for this tick; one that is no number, or beyond 10¹² revolutions either
+// way, is none: the spindle seems to stand. Cost: constant. Context: tick.
 void nck_sync_measure(nck_sync_t *self, double turns);
 
 // A tick has passed: unless the angle is measured, the spindle turns as commanded.

@@ -6,8 +6,13 @@
 
 #include "nck/base/fence.h" // nck_fence_load nck_fence_store
 #include "nck/base/real.h"  // nck_fabs nck_max nck_min
+#include "nck/tick/6_interpolate/follow.h" // nck_follow …
 
-#define STANDS 1e-3   // of a period: a spindle that turns less has stopped
+#define SECONDS 60.0
+#define STANDS 1e-3   // of the commanded speed: a spindle that turns less has stopped
+#define SETTLED 5e-3  // of it, on average over
+#define STEADY 0.5    // so long [s]: an encoder's step of 2 ms to and fro is less
+#define ANSWER 1.0    // [s] in which a spindle turns round, once it is told
 #define UNLIMITED 1e30
 
 // How far the tool may go along the pass: to the bottom and beyond, if the spindle is late, but not
@@ -33,19 +38,25 @@ void nck_tap_begin(nck_sync_t *self, const nck_machine_t *machine, const nck_seg
     pass->enter_s = pass->ramp.time + (most - pass->ramp.length) / pass->ramp.v;
 }
 
-// Where the tool is when the spindle has turned for t at its full speed.
+// How far the tool is when the spindle has turned for t at its full speed.
+static void find_moment(const nck_sync_t *self, double t, nck_moment_t *at) {
+    const nck_ramp_t *const ramp = &self->pass.ramp;
+    if (t < ramp->time) {
+        nck_thread_on_ramp(ramp, nck_max(0.0, t), at);
+    } else {
+        *at = (nck_moment_t){ramp->length + ramp->v * (t - ramp->time), ramp->v, 0.0};
+    }
+}
+
+// Where it is then.
 static void stand(const nck_sync_t *self, const nck_seg_t *seg, nck_moment_t *at,
                   nck_pose_t *pose) {
-    const nck_ramp_t *const ramp = &self->pass.ramp;
-    if (self->t < ramp->time) {
-        nck_thread_on_ramp(ramp, self->t, at);
-    } else {
-        *at = (nck_moment_t){ramp->length + ramp->v * (self->t - ramp->time), ramp->v, 0.0};
-    }
+    find_moment(self, self->t, at);
     for (int x = 0; x < NCK_AXIS_MAX; x++) {
         pose->axis[x] = seg->start[x] + self->pass.way[x] * at->s;
     }
-    pose->feed = ramp->v;
+    pose->feed = self->pass.ramp.v;
+    pose->v = at->v * nck_fabs(self->rate);
 }
 
 // What the command has led to since the spindle began to brake [mm]: to the bottom, a rest, and out
@@ -88,6 +99,7 @@ static void begin_stop(nck_sync_t *self, const nck_tap_t *tap) {
     nck_thread_ramp(nck_fabs(v), back.a, back.j, &self->stop.ramp);
     self->stop.rate = v < 0.0 ? -1.0 : 1.0;
     self->stop.t = 0.0;
+    self->slow = 1.0;
     self->state = NCK_SYNC_STOPS;
     nck_fence_store(&self->lost, 1);
 }
@@ -98,15 +110,36 @@ static uint32_t end(nck_sync_t *self, nck_pose_t *pose) {
     return NCK_SYNC_ENDS;
 }
 
-// The turns since the begin as time; no further than the axes can follow, nor than they may go.
-// Returns by how much the spindle is beside that [s].
+// t and rate of this tick: within the tap, and no further than the axes may go. Returns by how much
+// the spindle is beside that [s]. Of a stop it is in step whatever came before.
 static double take_turns(nck_sync_t *self, double rpm, double period) {
-    const double wanted = (self->turns - self->begin) * 60.0 / rpm;
-    const double step = NCK_SYNC_FASTER * period;
-    const double most = nck_min(self->t + step, self->pass.enter_s);
-    self->before = self->t;
-    self->t = nck_max(nck_max(0.0, self->t - step), nck_min(most, wanted));
-    return wanted - self->t;
+    const double before = self->t;
+    const double step = NCK_FOLLOW_FASTER * period;
+    nck_follow_room_t room = {-NCK_FOLLOW_FASTER, self->pass.enter_s, UNLIMITED, rpm, period,
+                              {0.0, 0.0, 0.0}, {0.0, 0.0, 0.0}};
+    find_moment(self, before, &room.at);
+    find_moment(self, self->rate < 0.0 ? before - step : before + step, &room.far);
+    double beside = nck_follow(self, &room);
+    const double t = nck_max(0.0, nck_min(self->pass.enter_s, self->t));
+    beside += self->t - t;
+    self->t = t;
+    self->rate = (t - before) / period;
+    if (self->state == NCK_SYNC_STOPS) self->begin = self->turns - t * rpm / SECONDS;
+    return beside;
+}
+
+// A spindle that hardly turns as it is told to. It may take its time to turn round.
+static int is_slow(nck_sync_t *self, const nck_tap_t *tap, double period) {
+    const double turned = 2.0 * self->stop.ramp.time + (double)tap->dwell + ANSWER;
+    if (self->stop.rate == 0.0) return nck_follow_is_slow(self, 1.0, period);
+    return self->stop.t > turned && nck_follow_is_slow(self, -1.0, period);
+}
+
+// 1 if the spindle stands, whatever small steps its encoder takes to and fro.
+static int stands(nck_sync_t *self, double period) {
+    self->slow += (self->rate - self->slow) * nck_min(1.0, period / STEADY);
+    const double rate = nck_min(nck_fabs(self->rate), nck_fabs(self->slow) * STANDS / SETTLED);
+    return self->stop.t > self->stop.ramp.time && rate < STANDS;
 }
 
 uint32_t nck_tap_tick(nck_sync_t *self, const nck_machine_t *machine, const nck_seg_t *seg,
@@ -121,13 +154,14 @@ uint32_t nck_tap_tick(nck_sync_t *self, const nck_machine_t *machine, const nck_
         return end(self, pose);
     }
     const int asked = (int)nck_fence_load(&self->asked);
-    const int lost = nck_fabs(beside) > NCK_SYNC_SLACK && self->t > 0.0;
-    if (self->state == NCK_SYNC_RUNS && (asked || lost)) begin_stop(self, tap);
+    if (self->state == NCK_SYNC_RUNS) {
+        const int slow = is_slow(self, tap, period);
+        const int lost = (nck_fabs(beside) > NCK_FOLLOW_SLACK || slow) && self->t > 0.0;
+        if (asked || lost) begin_stop(self, tap);
+    }
     stand(self, seg, &at, pose);
     command(self, period, tap, at.s, pose);
-    const double rate = nck_fabs(self->t - self->before) / period;
-    pose->v = at.v * rate;
     if (self->state == NCK_SYNC_RUNS) return NCK_SYNC_RUNS;
     pose->state = NCK_TICK_HOLD;
-    return self->stop.t > self->stop.ramp.time && rate < STANDS ? end(self, pose) : NCK_SYNC_STOPS;
+    return stands(self, period) ? end(self, pose) : NCK_SYNC_STOPS;
 }
