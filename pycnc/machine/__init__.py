@@ -135,12 +135,14 @@ class Machine:
         else:
             stem, file, text = _read(name)
         data = _parse(text, file)
-        changes = [
-            *(_changes_of(name) if isinstance(name, cls) else ()),
-            *_changes(set, dialect),
-            *(_tools_of(tools) if tools is not None else ()),
-        ]
-        _apply_changes(data, changes)
+        noses = _noses_of(data)
+        said = [*(_changes_of(name) if isinstance(name, cls) else ()), *_changes(set, dialect)]
+        _apply_changes(data, said)
+        base = _base_of(data)
+        if isinstance(name, cls):
+            said = _turned(said, name.settings.dialect.base, base)
+        changes = [*said, *(_turned(_tools_of(tools), "linuxcnc", base) if tools else ())]
+        _apply_changes(data, [*_turned(noses, _base_of(_parse(text, file)), base), *changes])
         return cls(data, name=stem, file=file, text=text, changes=changes)
 
     @classmethod
@@ -273,6 +275,36 @@ def _changes_of(machine):
     for key, value, source in machine.effective():
         if source not in ("file", "default"):
             yield key, "free" if value is None else value, source
+
+
+def _base_of(data):
+    """Return ``dialect.base`` of a machine file that nobody has checked."""
+    dialect = data.get("dialect")
+    base = dialect.get("base") if isinstance(dialect, dict) else None
+    return base or MachineFile.model_fields["dialect"].default.base
+
+
+def _noses_of(data):
+    """Return where the tips of a file's tools point, as changes."""
+    tools = data.get("tool")
+    tools = tools.items() if isinstance(tools, dict) else ()
+    return [
+        (f"tool.{number}.orientation", tool["orientation"], "file")
+        for number, tool in tools
+        if isinstance(tool, dict) and isinstance(tool.get("orientation"), int)
+    ]
+
+
+def _turned(changes, before, after):
+    """Return changes, the noses of files and tool tables as the base in force numbers them."""
+    if (before == "fanuc") == (after == "fanuc"):
+        return list(changes)
+    return [
+        (key, tool_table.TURNED.get(value, value), source)
+        if key.endswith(".orientation") and source not in ("--set", "--dialect")
+        else (key, value, source)
+        for key, value, source in changes
+    ]
 
 
 def _tools_of(file):

@@ -353,7 +353,9 @@ class Tool(Table):
         Decimal(0), description="Added to the radius: what the tool has lost, negative."
     )
     orientation: Annotated[int, Field(ge=0, le=9)] = Field(
-        0, description="Lathe: where the tip points, 0 to 9."
+        0,
+        description="Lathe: where the tip points, 0 to 9, as the language of the file's "
+        "`dialect.base` numbers it: X−, Z− is 3 for Fanuc (and Haas), 2 for LinuxCNC.",
     )
 
 

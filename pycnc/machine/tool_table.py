@@ -7,6 +7,8 @@ from decimal import Decimal, InvalidOperation
 # letter of the table → key of [tool.N]
 _KEYS = {"X": "x_mm", "Y": "y_mm", "Z": "length_mm", "D": "radius_mm", "Q": "orientation"}
 _IGNORED = frozenset("PABCUVWIJ")  # pocket, other offsets, front and back angle
+# Where a tip points: LinuxCNC's number → Fanuc's, and the other way; 0, 5, 7 and 9 are alike.
+TURNED = {1: 4, 4: 1, 2: 3, 3: 2, 6: 8, 8: 6}
 _WORD = re.compile(r"\s*([A-Za-z])\s*([-+]?[0-9.]+)")
 
 

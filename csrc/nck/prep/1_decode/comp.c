@@ -4,9 +4,11 @@
 
 #include <stddef.h> // NULL
 
-// From the centre of the nose to the tool's point, in radii: orientations 0 … 9 along X and Z.
-static const int8_t nose_x[10] = {0, -1, -1, 1, 1, 0, -1, 0, 1, 0};
-static const int8_t nose_z[10] = {0, 1, -1, -1, 1, 1, 0, -1, 0, 0};
+// From the centre of the nose to the tool's point, in radii: orientations 0 … 9 along X and Z, as
+// LinuxCNC's tool table numbers them, and as Fanuc's manuals do with their imaginary noses.
+static const int8_t nose_x[2][10] = {{0, -1, -1, 1, 1, 0, -1, 0, 1, 0},
+                                     {0, 1, 1, -1, -1, 0, 1, 0, -1, 0}};
+static const int8_t nose_z[10] = {0, 1, -1, -1, 1, 1, 0, -1, 0, 0}; // of both
 
 nck_status_t nck_decode_comp_refuses(nck_decode_t *self) {
     static const uint8_t after[] = {NCK_STEP_LAYOUT, NCK_STEP_LENGTH, NCK_STEP_WORK,
@@ -72,10 +74,11 @@ static nck_status_t read_diameter(nck_decode_t *self, double *radius_out, int64_
 // The block that 2_toolcomp begins or ends at. radius: as NCK_BLOCK_COMP has it.
 static nck_status_t give(nck_decode_t *self, double radius, int64_t nose, nck_block_t *out) {
     const double size = radius < 0.0 ? -radius : radius;
+    const int fanuc = self->machine->dialect.base == NCK_DIALECT_FANUC;
     nck_decode_block(self, NCK_BLOCK_COMP, out);
     out->output.value = radius;
     out->centre_mm[0] = size * nose_z[nose];
-    out->centre_mm[1] = size * nose_x[nose];
+    out->centre_mm[1] = size * nose_x[fanuc][nose];
     return NCK_OK;
 }
 
