@@ -31,6 +31,7 @@ ELSEWHERE = {
     "word-missing": ("(by word) missing", "error:28"),
     "g-unknown": ("Unknown g code used", "error:20"),
     "m-unknown": ("Unknown m code used", "error:20"),
+    "other-base": ("Unknown g code used", "error:20"),
     "modal-group": ("Two g codes used from same modal group", "error:21, error:24"),
     "unsupported": ("", "error:20"),
     "feed-missing": ("Cannot do g1 with zero feed rate", "error:22"),

@@ -15,6 +15,14 @@ SHOWN_PER_ID = 20  # findings of one id that are told in full; the rest is count
 _EXCERPT = 100  # characters of a source line that are shown around the column
 _DIALECTS = {1: "Heidenhain Klartext", 2: "Sinumerik", 3: "Okuma"}
 
+_TONGUES = (
+    (lib.NCK_TONGUE_LINUXCNC, "linuxcnc"),
+    (lib.NCK_TONGUE_FANUC | lib.NCK_TONGUE_TURNING, "fanuc"),
+    (lib.NCK_TONGUE_FANUC, "fanuc (mills)"),
+    (lib.NCK_TONGUE_TURNING, "fanuc (lathes)"),
+    (lib.NCK_TONGUE_GRBL, "grbl"),
+    (lib.NCK_TONGUE_MARLIN, "marlin"),
+)
 _WARNINGS = frozenset({"after-end", "comp-left"})
 KEYS = ("file", "line", "col", "id", "severity", "message", "help")  # of Diagnostic.as_dict
 
@@ -170,12 +178,12 @@ class Wording:
         name = _id(int(row["code"]))
         line, column = int(row["line"]), int(row["column"])
         source = self._lines[line]
-        fields = self._fields(row, source)
+        fields = self._fields(name, row, source)
         message, remedy = (words.format_map(fields) for words in _wording(name, fields))
         severity = severity_of(name)
         return Diagnostic(self._file, line, column, name, severity, message, remedy, source)
 
-    def _fields(self, row, source):
+    def _fields(self, name, row, source):
         value, limit = float(row["value"]), float(row["limit"])
         letter = chr(row["letter"]) if row["letter"] else ""
         settings, axis = self._machine.settings, letter.lower()
@@ -193,11 +201,23 @@ class Wording:
             "key": f"{axis}_{unit}",
             "end": "max" if value > limit else "min",
             "dialect": _DIALECTS.get(int(value), "a language of its own"),
+            "base": settings.dialect.base,
+            **_whose(int(limit) if name == "other-base" else 0),
             "units": "inches (G20)" if settings.dialect.units == "inch" else "mm (G21)",
             "plane": settings.dialect.plane,
             "lathe": settings.kinematics.type == "lathe_xz" and settings.dialect.base == "fanuc",
             "arc_centre": settings.dialect.arc_centre,
         }
+
+
+def _whose(tongues):
+    """Return whose a word is, as a person says it and as ``--dialect`` does."""
+    names = [name for bits, name in _TONGUES if tongues & bits == bits]
+    names = [name for name in names if "(" not in name or "fanuc" not in names]
+    bases = dict.fromkeys(name.split(" ")[0] for name in names)
+    *first, last = names or ["another one"]
+    others = f"{', '.join(first)} and {last}" if first else last
+    return {"others": others, "dialects": " or ".join(bases)}
 
 
 def _wording(name, fields):
@@ -232,7 +252,7 @@ def severity_of(name):
 def _word(source, column):
     """Return the word of a source line that begins at a column, as a person would quote it."""
     rest = source[max(column - 1, 0) :][:40].decode("utf-8", errors="replace")
-    word = re.match(r"[A-Za-z]\s*[-+]?[0-9.]+|[A-Za-z]+|.", rest)
+    word = re.match(r"[A-Za-z#]\s*[-+]?[0-9.]+|[A-Za-z]+|.", rest)
     return _printable(word[0].replace(" ", "").encode()) if word else "this"
 
 

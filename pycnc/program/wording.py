@@ -102,6 +102,15 @@ WORDING = {
         "remove the code, or if the machine has it, tell so in its file: [m.{value:.0f}] "
         'action = "output"',
     ),
+    "other-base": (
+        "{found} is not of the language {base} (dialect.base); it is of {others}",
+        "if the program is written for it: --dialect {dialects}; else say it in {base}'s words",
+    ),
+    "other-base:M": (
+        "{found} is not of the language {base} (dialect.base); it is of {others}",
+        "if the machine has it: --set m.{value:.0f}.action=output (or wait, until it is done); "
+        "if the program is written for another one: --dialect {dialects}",
+    ),
     "modal-group": (
         "{found} excludes another code of its block (both set the same, or both move)",
         "put one of the two codes on a line of its own",

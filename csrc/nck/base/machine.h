@@ -41,6 +41,15 @@ typedef enum nck_dialect {
     NCK_DIALECT_LINUXCNC = 0, NCK_DIALECT_FANUC = 1, NCK_DIALECT_GRBL = 2, NCK_DIALECT_MARLIN = 3
 } nck_dialect_t;
 
+// Who speaks so, as bits of a set: dialects, and Fanuc's mills and lathes are two.
+typedef enum nck_tongue {
+    NCK_TONGUE_LINUXCNC = 1,
+    NCK_TONGUE_FANUC = 2,   // its mills
+    NCK_TONGUE_TURNING = 4, // its lathes
+    NCK_TONGUE_GRBL = 8,
+    NCK_TONGUE_MARLIN = 16
+} nck_tongue_t;
+
 // Fanuc's G-code system of a lathe: what G90, G92, G94, G98 and the like mean. Others have none.
 typedef enum nck_system {
     NCK_SYSTEM_OPEN = 0, // A, and a note says so

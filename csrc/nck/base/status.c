@@ -55,6 +55,7 @@
     x(NCK_E_THREAD_SPEED, "thread-speed") \
     x(NCK_E_THREAD_RUN_IN, "thread-run-in") \
     x(NCK_E_COMP_ON, "comp-on")       \
+    x(NCK_E_OTHER_BASE, "other-base") \
     x(NCK_E_COMP_PLANE, "comp-plane") \
     x(NCK_E_COMP_ENTRY, "comp-entry") \
     x(NCK_E_COMP_EXIT, "comp-exit")   \

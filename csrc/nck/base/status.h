@@ -99,6 +99,8 @@ typedef enum nck_status {
 
     NCK_E_APPROACH = -70,     // "approach": no height is known for the way to where a program
                               // begins in the middle; letter: of its axis, value = the line
+    NCK_E_OTHER_BASE = -71,   // "other-base": not of the language that is read; letter, value: the
+                              // word (0: a control word); limit = whose it is (nck_tongue_t)
 
     // the front door
     NCK_E_ARGUMENT = -40, // "argument": an argument outside of its range

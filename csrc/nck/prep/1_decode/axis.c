@@ -92,6 +92,7 @@ void nck_decode_origin(nck_decode_t *self) {
     const int64_t *const work = self->place.work_nm[self->place.work_system];
     for (unsigned axis = 0; axis < NCK_AXIS_MAX; axis++) {
         const int64_t tool = axis < 3 ? self->place.tool_nm[axis] : 0;
-        self->place.origin_nm[axis] = work[axis] + self->place.g92_nm[axis] + tool;
+        self->place.origin_nm[axis] =
+            self->place.outer_nm[axis] + work[axis] + self->place.g92_nm[axis] + tool;
     }
 }

@@ -412,10 +412,19 @@ void nck_decode_stand(nck_decode_t *self) {
     memcpy(self->place.position_nm, self->machine->start_nm, sizeof self->place.position_nm);
 }
 
+static uint16_t tongue_of(const nck_decode_t *self) {
+    static const uint8_t tongues[] = {
+        [NCK_DIALECT_LINUXCNC] = NCK_TONGUE_LINUXCNC, [NCK_DIALECT_FANUC] = NCK_TONGUE_FANUC,
+        [NCK_DIALECT_GRBL] = NCK_TONGUE_GRBL, [NCK_DIALECT_MARLIN] = NCK_TONGUE_MARLIN
+    };
+    return self->lathe ? NCK_TONGUE_TURNING : tongues[self->machine->dialect.base];
+}
+
 void nck_decode_init(nck_decode_t *self, const nck_machine_t *machine) {
     memset(self, 0, sizeof *self);
     self->machine = machine;
-    self->lathe = (uint32_t)nck_lathe_speaks_fanuc(self);
+    self->lathe = (uint16_t)nck_lathe_speaks_fanuc(self);
+    self->tongue = tongue_of(self);
     begin_modes(self);
     self->modal.offset_in = -1;
     for (unsigned axis = 0; axis < NCK_AXIS_MAX; axis++) {
@@ -431,12 +440,13 @@ void nck_decode_init(nck_decode_t *self, const nck_machine_t *machine) {
 }
 
 static int axis_good(const nck_decode_t *self, unsigned axis) {
-    const int64_t *const work = self->place.work_nm[self->place.work_system];
+    const int64_t zero = self->place.outer_nm[axis]
+                         + self->place.work_nm[self->place.work_system][axis];
     const int64_t tool = axis < 3 ? self->place.tool_nm[axis] : 0;
     const int64_t limit = (self->place.rotary >> axis & 1u) ? self->place.scale[2].limit
                                                             : self->place.scale[0].limit;
     const int64_t at = self->place.position_nm[axis];
-    return self->place.origin_nm[axis] == work[axis] + self->place.g92_nm[axis] + tool
+    return self->place.origin_nm[axis] == zero + self->place.g92_nm[axis] + tool
            && at >= -limit && at <= limit;
 }
 

@@ -104,14 +104,16 @@ typedef struct nck_decode {
         uint8_t binary;              // 1: the line had a NUL byte behind those in text
     } line;
     nck_words_t words; // of the line in work
-    uint32_t lathe;    // 1: it speaks Fanuc's language: G codes go by its system
+    uint16_t lathe;    // 1: it speaks Fanuc's language: G codes go by its system
+    uint16_t tongue;   // nck_tongue_t: whose rows of the tables count
 
     nck_modes_t modal;   // what stays in force until a word changes it
     nck_states_t states; // and is kept by M70, M73
 
     struct {
         int64_t position_nm[NCK_AXIS_MAX]; // machine position, tool offset included
-        int64_t origin_nm[NCK_AXIS_MAX];   // where the program's zero is: work + g92 + tool
+        int64_t origin_nm[NCK_AXIS_MAX];   // where the program's zero is: outer + work + g92 + tool
+        int64_t outer_nm[NCK_AXIS_MAX];    // Fanuc's external zero offset, of all work systems
         int64_t work_nm[NCK_WORK_SYSTEMS][NCK_AXIS_MAX];
         int64_t g92_nm[NCK_AXIS_MAX];
         int64_t g92_kept_nm[NCK_AXIS_MAX]; // what G92.3 brings back

@@ -15,6 +15,10 @@
 
 enum { NCK_LABEL_MOST = 99999999, NCK_VARIABLE_LAST = 99999 }; // of O and N; of #
 
+enum { NCK_TONGUES_FANUC = NCK_TONGUE_FANUC | NCK_TONGUE_TURNING };
+
+enum { NCK_LIST_WORK = 2, NCK_LIST_WORK_HERE = 20 }; // lists of G10
+
 // Sets of letters.
 enum {
     NCK_LETTERS_LINEAR = (1 << ('X' - 'A')) | (1 << ('Y' - 'A')) | (1 << ('Z' - 'A'))
@@ -206,10 +210,14 @@ void nck_decode_tell_calls(nck_decode_t *self);
 void nck_decode_fetch(nck_decode_t *self);
 void nck_decode_watch(nck_decode_t *self);
 
-// codes.c: what a code is. Returns NCK_OK, NCK_E_UNSUPPORTED, or NCK_E_G_UNKNOWN / NCK_E_M_UNKNOWN.
+// codes.c: what a code is to the language in force. Returns NCK_OK; NCK_E_UNSUPPORTED: it has the
+// code, and it is not built; NCK_E_OTHER_BASE: others have it; NCK_E_G_UNKNOWN, NCK_E_M_UNKNOWN.
 // letter: G or M; tenths: the code; *takes_out: letters that it uses. Cost: linear in the codes.
 nck_status_t nck_decode_code(const nck_decode_t *self, int letter, int64_t tenths,
                              unsigned *step_out, uint32_t *takes_out);
+
+// codes.c: who has a code: bits of nck_tongue_t. Cost: linear in the codes.
+uint32_t nck_decode_who(int letter, int64_t tenths);
 
 // codes.c: the machine's entry for an M code; NULL: it has none. Cost: linear in the entries.
 const nck_own_m_t *nck_decode_own_m(const nck_decode_t *self, int64_t code);
@@ -290,6 +298,9 @@ const nck_tool_t *nck_decode_find_tool(const nck_decode_t *self, uint32_t number
 // NCK_E_WORD_UNUSED, NCK_E_WORD_MISSING, NCK_E_VARIABLES. Cost: linear in tools and parameters.
 int nck_table_find(const nck_decode_t *self, uint32_t number, nck_tool_t *tool_out);
 nck_status_t nck_table_set(nck_decode_t *self, int64_t list);
+
+// table.c: does the language have this list of G10? NCK_E_UNSUPPORTED. Cost: constant.
+nck_status_t nck_table_lists(nck_decode_t *self, int64_t list);
 
 // printer.c: 1 if an M code is one of Marlin's; if the line is one's; one past its text; who takes
 // its words; what it hands over. NCK_E_MODAL_GROUP. Cost: linear in the codes, and in the text.

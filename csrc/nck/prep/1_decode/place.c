@@ -5,6 +5,8 @@
 #include <stddef.h> // NULL
 #include <string.h> // memcpy memset
 
+enum { SYSTEMS_OF_OTHERS = 6 }; // G54 … G59
+
 // G43.1: the words of X Y Z are the offset.
 static nck_status_t set_length(nck_decode_t *self) {
     int64_t value_nm[3];
@@ -20,7 +22,8 @@ static nck_status_t set_length(nck_decode_t *self) {
 }
 
 static nck_status_t fail_length(nck_decode_t *self) {
-    return nck_decode_fail_step(self, NCK_E_WORD_MISSING, NCK_STEP_LENGTH, 'H', 43.2, 0.0);
+    return nck_decode_fail_step(self, NCK_E_WORD_MISSING, NCK_STEP_LENGTH, 'H',
+                                self->words.code[NCK_STEP_LENGTH] / 10.0, 0.0);
 }
 
 // The offset of a tool, NULL: none, comes in place of the one in force; G43.2: on top of it.
@@ -33,8 +36,8 @@ static void take_length(nck_decode_t *self, const nck_tool_t *tool) {
     nck_decode_origin(self);
 }
 
-// G43 with H: the table's offset; without: of the tool in the spindle; H0, no tool and G49: none.
-// G43.2 with H adds one.
+// G43 with H: the table's offset; without: of the tool in the spindle, but Fanuc's counts the last H;
+// H0, no tool and G49: none. G43.2 with H adds one.
 nck_status_t nck_decode_length(nck_decode_t *self, nck_block_t *out) {
     const nck_words_t *const words = &self->words;
     const int has_h = (words->letters & NCK_LETTER('H')) != 0;
@@ -42,7 +45,8 @@ nck_status_t nck_decode_length(nck_decode_t *self, nck_block_t *out) {
     int64_t number = code == 430 ? self->modal.tool_in : 0;
     (void)out;
     if (code == 431) return set_length(self);
-    if (code == 432 && !has_h) return fail_length(self);
+    const int needs_h = code == 432 || (code == 430 && self->tongue == NCK_TONGUE_FANUC);
+    if (needs_h && !has_h) return fail_length(self);
     const nck_status_t status = nck_decode_whole(self, 'H', NCK_DECODE_VALUE_MAX, number, &number);
     if (status != NCK_OK) return status;
     nck_tool_t tool;
@@ -77,7 +81,6 @@ static nck_status_t check_local(nck_decode_t *self) {
 
 // G92: the present position gets the name that the words say.
 static nck_status_t rename_position(nck_decode_t *self) {
-    const int64_t *const work = self->place.work_nm[self->place.work_system];
     int64_t g92_nm[NCK_AXIS_MAX];
     const int limits = self->lathe && (self->words.letters & NCK_LETTER('S'));
     const nck_status_t limited = limits ? nck_decode_speed_limit(self) : NCK_EMPTY;
@@ -92,8 +95,7 @@ static nck_status_t rename_position(nck_decode_t *self) {
         if (!(self->words.axes & ((uint32_t)1 << axis))) continue;
         const nck_status_t status = nck_decode_axis_word(self, axis, &value);
         if (status != NCK_OK) return status;
-        const int64_t tool = axis < 3 ? self->place.tool_nm[axis] : 0;
-        g92_nm[axis] = self->place.position_nm[axis] - tool - work[axis] - value;
+        g92_nm[axis] += self->place.position_nm[axis] - self->place.origin_nm[axis] - value;
     }
     memcpy(self->place.g92_nm, g92_nm, sizeof g92_nm);
     memcpy(self->place.g92_kept_nm, g92_nm, sizeof g92_nm);
@@ -124,38 +126,45 @@ static nck_status_t set_local(nck_decode_t *self) {
     return NCK_EMPTY;
 }
 
-// G10 L2 L20 Pn: which work system, 0 for the one in force. A work system that is turned (R) is not
-// built, and Q is nothing to it.
-static nck_status_t read_system(nck_decode_t *self, int64_t *number_out) {
+// G10 L2 L20 Pn: which work system, 0 for the one in force, to Fanuc for the external offset. A work
+// system that is turned (R) is not built, and Q is nothing to it.
+static nck_status_t read_system(nck_decode_t *self, int64_t **zero_out) {
     const nck_words_t *const words = &self->words;
     const double turn = nck_number_real(&words->number['R' - 'A']);
+    const int64_t most = self->tongue == NCK_TONGUE_LINUXCNC ? NCK_WORK_SYSTEMS : SYSTEMS_OF_OTHERS;
+    int64_t number = 0;
     if ((words->letters & NCK_LETTER('R')) && (turn > 0.0 || turn < 0.0)) {
         return nck_decode_fail_word(self, NCK_E_UNSUPPORTED, 'R', turn, 0.0);
     }
     if (words->letters & NCK_LETTER('Q')) {
         return nck_decode_fail_word(self, NCK_E_WORD_UNUSED, 'Q', 0.0, 0.0);
     }
-    return nck_decode_whole(self, 'P', NCK_WORK_SYSTEMS, 0, number_out);
+    *zero_out = self->place.work_nm[self->place.work_system];
+    const nck_status_t status = nck_decode_whole(self, 'P', most, 0, &number);
+    if (status != NCK_OK) return status;
+    if (number > 0) *zero_out = self->place.work_nm[number - 1];
+    else if (self->tongue & NCK_TONGUES_FANUC) *zero_out = self->place.outer_nm;
+    return NCK_OK;
 }
 
-// G10 L2: the zero of a work system for the axes named; L20: it is where the axes have the places
-// that the words say.
+// G10 L2: the zero of a work system for the axes named, which Fanuc's G91 adds to; L20: it is where
+// the axes have the places that the words say.
 static nck_status_t set_work(nck_decode_t *self, int64_t list) {
-    const nck_words_t *const words = &self->words;
-    int64_t number = 0;
-    const nck_status_t system = read_system(self, &number);
+    const int adds = self->modal.incremental && (self->tongue & NCK_TONGUES_FANUC);
+    const int64_t *const in_force = self->place.work_nm[self->place.work_system];
+    int64_t *kept = NULL;
+    const nck_status_t system = read_system(self, &kept);
     if (system != NCK_OK) return system;
-    int64_t *const kept = self->place.work_nm[number > 0 ? number - 1 : self->place.work_system];
     int64_t work[NCK_AXIS_MAX];
     memcpy(work, kept, sizeof work);
     for (unsigned axis = 0; axis < NCK_AXIS_MAX; axis++) {
         int64_t value = 0;
-        if (!(words->axes & ((uint32_t)1 << axis))) continue;
-        const nck_status_t status = nck_decode_axis_word(self, axis, &value);
+        if (!(self->words.axes & ((uint32_t)1 << axis))) continue;
+        nck_status_t status = nck_decode_axis_word(self, axis, &value);
+        if (status == NCK_OK && adds) status = nck_decode_steps(self, axis, work[axis], 1, &value);
         if (status != NCK_OK) return status;
-        const int64_t tool = axis < 3 ? self->place.tool_nm[axis] : 0;
-        const int64_t here = self->place.position_nm[axis] - tool - self->place.g92_nm[axis];
-        work[axis] = list == 2 ? value : here - value;
+        const int64_t here = self->place.position_nm[axis] - self->place.origin_nm[axis];
+        work[axis] = list == NCK_LIST_WORK ? value : here + in_force[axis] - value;
     }
     memcpy(kept, work, sizeof work);
     return NCK_EMPTY;
@@ -168,7 +177,9 @@ static nck_status_t set_data(nck_decode_t *self) {
     if (!(words->letters & NCK_LETTER('L'))) return fail_missing(self, 'L');
     if (!(words->letters & NCK_LETTER('P'))) return fail_missing(self, 'P');
     if (!nck_number_whole(&words->number['L' - 'A'], 0, &list)) list = -1;
-    if (list == 2 || list == 20) return set_work(self, list);
+    const nck_status_t known = nck_table_lists(self, list);
+    if (known != NCK_OK) return known;
+    if (list == NCK_LIST_WORK || list == NCK_LIST_WORK_HERE) return set_work(self, list);
     const nck_status_t status = nck_table_set(self, list);
     return status == NCK_OK ? NCK_EMPTY : status;
 }

@@ -3,7 +3,7 @@
 // among the parameters.
 #include "nck/prep/1_decode/parts.h"
 
-#include <stddef.h> // NULL
+#include <stddef.h> // NULL size_t
 
 #include "nck/base/real.h" // nck_floor
 
@@ -111,14 +111,27 @@ static nck_status_t set_radius(nck_decode_t *self, uint32_t number, int64_t list
     return status == NCK_OK ? keep(self, number, field, value) : status;
 }
 
-// What a language has not, or leaves open: D by radius or diameter, and lathes.
-static int speaks(const nck_decode_t *self, int64_t list) {
-    const uint32_t base = self->machine->dialect.base;
-    const int fanuc = base == NCK_DIALECT_FANUC && !self->lathe;
+// Whose a list of G10 is; what no row gives to a language is refused there. Fanuc's L20 is of its
+// further work systems (G54.1), and its lathes' tools are not built.
+static const struct list {
+    uint8_t list, whose; // bits of nck_tongue_t
+} lists[] = {
+    {L_ENTRY, NCK_TONGUE_LINUXCNC | NCK_TONGUE_FANUC},
+    {NCK_LIST_WORK, NCK_TONGUE_LINUXCNC | NCK_TONGUE_FANUC | NCK_TONGUE_TURNING | NCK_TONGUE_GRBL},
+    {L_HERE, NCK_TONGUE_LINUXCNC | NCK_TONGUE_FANUC},
+    {L_FIXTURE, NCK_TONGUE_LINUXCNC | NCK_TONGUE_FANUC},
+    {L_RADIUS, NCK_TONGUE_FANUC}, {L_RADIUS_WEAR, NCK_TONGUE_FANUC},
+    {NCK_LIST_WORK_HERE, NCK_TONGUE_LINUXCNC | NCK_TONGUE_GRBL}
+};
+
+nck_status_t nck_table_lists(nck_decode_t *self, int64_t list) {
     const int radius = list == L_RADIUS || list == L_RADIUS_WEAR;
-    const int listed = list == L_ENTRY || list == L_HERE || list == L_FIXTURE;
-    if (radius) return NCK_HAS_VARIABLES && fanuc && self->machine->dialect.d_offset != NCK_D_OPEN;
-    return NCK_HAS_VARIABLES && listed && (fanuc || base == NCK_DIALECT_LINUXCNC);
+    const int open = radius && self->machine->dialect.d_offset == NCK_D_OPEN;
+    const int built = NCK_HAS_VARIABLES || list == NCK_LIST_WORK || list == NCK_LIST_WORK_HERE;
+    for (size_t k = 0; k < sizeof lists / sizeof lists[0] && built && !open; k++) {
+        if (lists[k].list == list && (lists[k].whose & self->tongue)) return NCK_OK;
+    }
+    return nck_decode_fail_word(self, NCK_E_UNSUPPORTED, 'L', (double)list, 0.0);
 }
 
 // The words that the list has no use for, 0: there are none.
@@ -135,9 +148,6 @@ static int stranger(const nck_decode_t *self) {
 nck_status_t nck_table_set(nck_decode_t *self, int64_t list) {
     int64_t number = 0;
     const int letter = stranger(self);
-    if (!speaks(self, list)) {
-        return nck_decode_fail_word(self, NCK_E_UNSUPPORTED, 'L', (double)list, 0.0);
-    }
     if (letter != 0) return nck_decode_fail_word(self, NCK_E_WORD_UNUSED, letter, 0.0, 0.0);
     nck_status_t status = nck_decode_whole(self, 'P', NCK_DECODE_VALUE_MAX, 0, &number);
     if (status != NCK_OK) return status;

@@ -115,7 +115,8 @@ static nck_status_t read_code(nck_decode_t *self, const char **at) {
     if (status == NCK_OK && (words->codes & NCK_STEP(step))) status = collide(words, step, tenths);
     if (status == NCK_EMPTY) return NCK_OK;
     if (status != NCK_OK) {
-        return nck_decode_fail(self, status, column, letter, nck_number_real(&number), 0.0);
+        const double who = status == NCK_E_OTHER_BASE ? nck_decode_who(letter, tenths) : 0.0;
+        return nck_decode_fail(self, status, column, letter, nck_number_real(&number), who);
     }
     words->takes |= takes;
     words->code_column[step] = (uint16_t)column;
