@@ -25,6 +25,7 @@ ELSEWHERE = {
     "number-range": ("(by word) out of range", "error:4, error:38"),
     "line-length": ("Command too long", "error:11"),
     "comment": ("Unclosed comment found", ""),
+    "comment:(": ("Nested comment found", ""),
     "word-unknown": ("Bad character used", "error:1"),
     "word-twice": ("Multiple words on one line", "error:25"),
     "word-unused": ("(by word) with no code that uses it", "error:36"),

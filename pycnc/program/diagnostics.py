@@ -23,7 +23,7 @@ _TONGUES = (
     (lib.NCK_TONGUE_GRBL, "grbl"),
     (lib.NCK_TONGUE_MARLIN, "marlin"),
 )
-_WARNINGS = frozenset({"after-end", "comp-left"})
+_WARNINGS = frozenset({"abort", "after-end", "comp-left"})
 KEYS = ("file", "line", "col", "id", "severity", "message", "help")  # of Diagnostic.as_dict
 
 
@@ -185,14 +185,14 @@ class Wording:
 
     def _fields(self, name, row, source):
         value, limit = float(row["value"]), float(row["limit"])
-        letter = chr(row["letter"]) if row["letter"] else ""
+        letter, column = chr(row["letter"]) if row["letter"] else "", int(row["column"])
         settings, axis = self._machine.settings, letter.lower()
         unit = "deg" if letter in "ABC" and letter else "mm"
         return {
             "value": value,
             "limit": limit,
             "letter": letter or "?",
-            "found": _word(source, int(row["column"])),
+            "found": _word(source, column),
             "miss": abs(value - limit),
             "tolerance": float(settings.path.arc_radius_mm),
             "machine": self._machine.name,
@@ -201,6 +201,7 @@ class Wording:
             "key": f"{axis}_{unit}",
             "end": "max" if value > limit else "min",
             "dialect": _DIALECTS.get(int(value), "a language of its own"),
+            "remark": _remark(source, column),
             "base": settings.dialect.base,
             **_whose(int(limit) if name == "other-base" else 0),
             "units": "inches (G20)" if settings.dialect.units == "inch" else "mm (G21)",
@@ -254,6 +255,12 @@ def _word(source, column):
     rest = source[max(column - 1, 0) :][:40].decode("utf-8", errors="replace")
     word = re.match(r"[A-Za-z#]\s*[-+]?[0-9.]+|[A-Za-z]+|.", rest)
     return _printable(word[0].replace(" ", "").encode()) if word else "this"
+
+
+def _remark(source, column):
+    """Return what (abort, …) at a column of a source line says."""
+    text = source[max(column - 1, 0) :].split(b")", 1)[0].split(b",", 1)
+    return _printable(text[-1]).strip()
 
 
 def _printable(data):

@@ -61,6 +61,10 @@ WORDING = {
         "the comment is not closed",
         "close it with ) on the same line, or begin it with ;",
     ),
+    "comment:(": (
+        "a comment in a comment",
+        "write the inner one without ( ): LinuxCNC refuses it, and others run what follows its )",
+    ),
     "word-unknown": (
         "the language has no {letter} word",
         "remove the word, or put it into a comment: ( )",
@@ -254,6 +258,7 @@ WORDING = {
         "give the kernel the text to read (nck_read)",
     ),
     "alarm": ("the program stops with alarm {value:.0f} (#3000)", "see the remark on its line"),
+    "abort": ("the program stops here: {remark}", "(abort, …) ends it, as LinuxCNC does"),
     "endless:J": (
         "the program has gone back {limit:.0f} times",
         "check the condition of its loop: it seems never to end",

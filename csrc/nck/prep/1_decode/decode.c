@@ -20,7 +20,7 @@ static nck_status_t percent_line(nck_decode_t *self, const char *at) {
     do at++; while (*at == ' ' || *at == '\t');
     if (*at != '\n') return NCK_OK;
     if (!self->text.begun) self->text.percent = 1;
-    else if (self->text.percent) self->text.closed = 1;
+    else if (self->text.percent) self->text.closed = NCK_CLOSED_BY_PERCENT;
     return NCK_OK;
 }
 
@@ -64,7 +64,10 @@ static nck_status_t read_watched(nck_decode_t *self) {
 
 // What the line says from its first word on.
 static nck_status_t read_words(nck_decode_t *self, const char *at) {
-    const nck_status_t status = nck_decode_words(self, at);
+    nck_status_t status = NCK_OK;
+    if (self->tongue == NCK_TONGUE_LINUXCNC) status = nck_decode_remarks(self, at);
+    if (self->text.closed != NCK_CLOSED_NOT) return NCK_OK;
+    if (status == NCK_OK) status = nck_decode_words(self, at);
     if (status != NCK_OK || (self->line.overflow && !self->words.tail)) {
         self->text.words = 1;
         return unreadable(self, status);
@@ -195,14 +198,15 @@ static nck_status_t finish(nck_decode_t *self, nck_block_t *out) {
     return give_end(self, out);
 }
 
-// The closing % has been read.
+// The closing % has been read, or (abort, …).
 static nck_status_t close_program(nck_decode_t *self, nck_block_t *out) {
     release_line(self);
     if (waits_for_lines(self)) return fail_missing(self);
     if (!self->text.words) return fail_line(self, fail_last(self, NCK_E_NO_PROGRAM, 0.0));
-    self->text.watch = 1;
+    const int watches = self->text.closed == NCK_CLOSED_BY_PERCENT;
+    self->text.watch = (uint8_t)watches;
     const nck_status_t status = give_end(self, out);
-    nck_decode_watch(self);
+    if (watches) nck_decode_watch(self);
     return status;
 }
 

@@ -52,6 +52,13 @@ typedef enum nck_decode_line_state {
     NCK_LINE_PUSHED = 3   // a pushed block waits in place of a line
 } nck_decode_line_state_t;
 
+// What ends a program but a code.
+typedef enum nck_closed {
+    NCK_CLOSED_NOT = 0,
+    NCK_CLOSED_BY_PERCENT = 1, // what follows is not read, which a note tells
+    NCK_CLOSED_BY_ABORT = 2    // (abort, …), which a note tells
+} nck_closed_t;
+
 // What modal.motion is where it is no G code.
 typedef enum nck_no_motion {
     NCK_MOTION_NONE = -1,   // at start, after G80
@@ -153,7 +160,7 @@ typedef struct nck_decode {
     struct {
         uint8_t percent;  // 1: the text begins with a % line
         uint8_t begun;    // 1: a line that is not blank was met
-        uint8_t closed;   // 1: the closing % was met
+        uint8_t closed;   // nck_closed_t: the program ends before the line in work
         uint8_t words;    // 1: a line with words (or an error) was met
         uint8_t complete; // 1: nck_decode_end was called
         uint8_t over;     // 1: nothing more is decoded

@@ -96,6 +96,10 @@ int nck_decode_quick(nck_decode_t *self, nck_block_t *out);
 // words.c: the line from `at` on as words. Cost: linear in the line.
 nck_status_t nck_decode_words(nck_decode_t *self, const char *at);
 
+// remark.c: LinuxCNC's remarks from `first` on: one in another one is NCK_E_COMMENT, letter (; where
+// the last one says (abort, …) the program ends before the line. Cost: linear in the line.
+nck_status_t nck_decode_remarks(nck_decode_t *self, const char *first);
+
 // words.c: the line is refused. If it says a feed, a speed or the first motion, that one is missing
 // behind it is no mistake of its own. Cost: linear in the line.
 void nck_decode_excuse(nck_decode_t *self);
