@@ -110,6 +110,10 @@ WORDING = {
         "{found} is not of the language {base} (dialect.base); it is of {others}",
         "if the program is written for it: --dialect {dialects}; else say it in {base}'s words",
     ),
+    "other-base:#": (
+        "the language {base} (dialect.base) has no parameter #{value:g}; it is of {others}",
+        "if the program is written for it: --dialect {dialects}; values go into #100 … #499",
+    ),
     "other-base:M": (
         "{found} is not of the language {base} (dialect.base); it is of {others}",
         "if the machine has it: --set m.{value:.0f}.action=output (or wait, until it is done); "

@@ -28,7 +28,7 @@ static nck_status_t set_work(nck_decode_t *self, const char *at, uint64_t number
     nck_status_t status = NCK_E_WORD_SHARED;
     if (!words_before) status = nck_parameter_set_work(self, (uint32_t)number, value);
     if (status == NCK_OK) return NCK_OK;
-    return nck_decode_fail_at(self, status, at, '#', (double)number, 0.0);
+    return nck_decode_fail_at(self, status, at, '#', (double)number, nck_parameter_limit(status));
 }
 
 // What the control itself does where its own parameters are set.
@@ -55,6 +55,8 @@ static nck_status_t read_target(nck_decode_t *self, const char **at, uint64_t *k
     double number = 0.0;
     const char *const name = nck_decode_skip(*at + 1);
     if (*name == '<') {
+        const nck_status_t named = nck_decode_only(self, name, NCK_TONGUE_LINUXCNC);
+        if (named != NCK_OK) return named;
         const char *const end = nck_decode_name_key(name, key_out);
         if (end == NULL) return fail_at(self, name, NCK_E_EXPRESSION);
         *at = end;
@@ -79,7 +81,8 @@ nck_status_t nck_decode_assign(nck_decode_t *self, const char **at) {
     double value = 0.0;
     if (!NCK_HAS_VARIABLES) return fail_at(self, first, NCK_E_UNSUPPORTED);
     self->text.words = 1;
-    nck_status_t status = read_target(self, at, &key);
+    nck_status_t status = nck_decode_only(self, first, NCK_TONGUES_MACRO);
+    if (status == NCK_OK) status = read_target(self, at, &key);
     if (status != NCK_OK) return status;
     *at = nck_decode_skip(*at);
     if (**at != '=') return fail_at(self, *at, NCK_E_EXPRESSION);
@@ -163,6 +166,8 @@ nck_status_t nck_decode_control(nck_decode_t *self, const char **at) {
     const unsigned word = nck_decode_listed(*at, "IF GOTO WHILE DO END ", &end);
     if (word == NONE || is_letter(*nck_decode_skip(end))) return NCK_EMPTY;
     if (!NCK_HAS_CALLS) return fail_at(self, *at, NCK_E_UNSUPPORTED);
+    const nck_status_t speaks = nck_decode_only(self, *at, NCK_TONGUES_FANUC);
+    if (speaks != NCK_OK) return speaks;
     self->text.words = 1;
     *at = nck_decode_skip(end);
     if (word == IF) return if_then(self, at);

@@ -20,7 +20,7 @@ static const double huge = 1e300;
 typedef enum operator {
     OPEN, PARAMETER, MINUS,
     ABS, ACOS, ASIN, ATAN, COS, EXP, FIX, FUP, LN, ROUND, SIN, SQRT, TAN, RND, SQR,
-    POW, BIN, BCD, ADP, PRM, // Fanuc's alone
+    POW, BIN, BCD, ADP, PRM, // from RND on Fanuc's alone
     ANGLE, RAISED, // ATAN and POW that wait for their second operand
     OR, XOR, AND, EQ, NE, LT, LE, GT, GE, MOD, ADD, SUBTRACT, TIMES, DIVIDE, POWER
 } operator_t;
@@ -44,6 +44,11 @@ static void fail(work_t *work, nck_status_t code, double value) {
 }
 
 static void refuse(work_t *work) { fail(work, NCK_E_EXPRESSION, 0.0); }
+
+// What other languages have.
+static void only(work_t *work, uint32_t whose) {
+    if (work->status == NCK_OK) work->status = nck_decode_only(work->self, work->at, whose);
+}
 
 static int is_fanuc(const work_t *work) {
     return work->self->machine->dialect.base == NCK_DIALECT_FANUC;
@@ -257,6 +262,7 @@ static double parameter(work_t *work, double number) {
     if (status != NCK_OK) {
         fail(work, status, index);
         work->self->finding.error.letter = '#';
+        work->self->finding.error.limit = nck_parameter_limit(status);
     }
     return value;
 }
@@ -293,7 +299,8 @@ static void read_function(work_t *work) {
     const char *end = NULL;
     const unsigned place = nck_decode_listed(work->at, names, &end);
     const unsigned function = ABS + place - 1;
-    if (place == 0 || (function >= POW && !is_fanuc(work))) {
+    if (place != 0 && function >= RND) only(work, NCK_TONGUES_FANUC);
+    if (place == 0 || work->status != NCK_OK) {
         refuse(work);
         return;
     }
@@ -362,6 +369,7 @@ static int read_operand(work_t *work) {
     if (c == '#') {
         work->at = nck_decode_skip(work->at + 1);
         const int named = *work->at == '<';
+        if (named) only(work, NCK_TONGUE_LINUXCNC);
         if (named) read_name(work);
         else push_operator(work, PARAMETER);
         return named;
@@ -376,6 +384,7 @@ static int read_operand(work_t *work) {
         return 1;
     }
     const char *const exists = nck_decode_spells(work->at, "EXISTS");
+    if (exists != NULL) only(work, NCK_TONGUE_LINUXCNC);
     if (exists != NULL) read_exists(work, exists);
     else read_function(work);
     return exists != NULL;
@@ -388,6 +397,7 @@ static operator_t read_binary(work_t *work) {
     for (unsigned k = 0; k < sizeof signs; k++) {
         if (*work->at != signs[k]) continue;
         const int power = ADD + k == TIMES && *end == '*';
+        if (power) only(work, NCK_TONGUE_LINUXCNC);
         work->at = power ? end + 1 : end;
         return power ? POWER : (operator_t)(ADD + k);
     }
@@ -408,6 +418,7 @@ static void close(work_t *work) {
 
 // ATAN[y, x]: Fanuc's way; POW[x, y].
 static void next_argument(work_t *work) {
+    only(work, NCK_TONGUES_FANUC);
     reduce(work, 1);
     const unsigned n = work->operators;
     const operator_t function = n < 2 ? OPEN : (operator_t)work->operator[n - 2];
@@ -451,6 +462,8 @@ nck_status_t nck_decode_value(nck_decode_t *self, const char **at, int bare, dou
     if (!NCK_HAS_VARIABLES) {
         return nck_decode_fail_at(self, NCK_E_UNSUPPORTED, *at, 0, 0.0, 0.0);
     }
+    const nck_status_t speaks = nck_decode_only(self, *at, NCK_TONGUES_MACRO);
+    if (speaks != NCK_OK) return speaks;
     work.self = self;
     work.at = *at;
     work.values = 0;

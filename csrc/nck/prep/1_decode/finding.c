@@ -38,6 +38,11 @@ nck_status_t nck_decode_fail_code(nck_decode_t *self, nck_status_t code, nck_ste
                                 self->words.code[step] / 10.0, 0.0);
 }
 
+nck_status_t nck_decode_only(nck_decode_t *self, const char *at, uint32_t whose) {
+    if (self->tongue & whose) return NCK_OK;
+    return nck_decode_fail_at(self, NCK_E_OTHER_BASE, at, 0, 0.0, (double)whose);
+}
+
 void nck_decode_find(nck_decode_t *self, const nck_diagnostic_t *finding) {
     if (self->finding.count >= NCK_DECODE_FINDINGS) {
         self->finding.lost++;

@@ -203,6 +203,8 @@ nck_status_t nck_decode_o_word(nck_decode_t *self, const char **at) {
     if (word == NCK_O_OTHER) return fail_at(self, first, NCK_E_UNSUPPORTED);
     *at = behind;
     if (word == NCK_O_NAME) return NCK_OK;
+    status = nck_decode_only(self, first, NCK_TONGUE_LINUXCNC);
+    if (status != NCK_OK) return status;
     self->text.words = 1;
     status = do_word(self, at, word, key);
     if (status != NCK_OK) return status;

@@ -15,7 +15,11 @@
 
 enum { NCK_LABEL_MOST = 99999999, NCK_VARIABLE_LAST = 99999 }; // of O and N; of #
 
-enum { NCK_TONGUES_FANUC = NCK_TONGUE_FANUC | NCK_TONGUE_TURNING };
+// Sets of tongues: Fanuc's; those with parameters and expressions.
+enum {
+    NCK_TONGUES_FANUC = NCK_TONGUE_FANUC | NCK_TONGUE_TURNING,
+    NCK_TONGUES_MACRO = NCK_TONGUE_LINUXCNC | NCK_TONGUES_FANUC
+};
 
 enum { NCK_LIST_WORK = 2, NCK_LIST_WORK_HERE = 20 }; // lists of G10
 
@@ -51,6 +55,10 @@ nck_status_t nck_decode_fail_word(nck_decode_t *self, nck_status_t code, int let
 nck_status_t nck_decode_fail_step(nck_decode_t *self, nck_status_t code, nck_step_t step,
                                   int letter, double value, double limit);
 nck_status_t nck_decode_fail_code(nck_decode_t *self, nck_status_t code, nck_step_t step);
+
+// finding.c: is the text at a place of the line in the language that is read? whose: bits of
+// nck_tongue_t. NCK_E_OTHER_BASE. Cost: constant.
+nck_status_t nck_decode_only(nck_decode_t *self, const char *at, uint32_t whose);
 
 // finding.c: queue a finding. Cost: constant.
 void nck_decode_find(nck_decode_t *self, const nck_diagnostic_t *finding);
@@ -189,13 +197,16 @@ void nck_variable_drop_kept(nck_decode_t *self, int modal);
 nck_status_t nck_variable_copy_kept(nck_decode_t *self, uint32_t from, int modal);
 
 // system.c: the value of a parameter; 1 if the control keeps it itself. NCK_E_UNSUPPORTED,
-// NCK_E_UNSET. Cost: linear in the parameters.
+// NCK_E_OTHER_BASE, NCK_E_NUMBER_RANGE, NCK_E_COMP_ON, NCK_E_UNSET. Cost: linear in the parameters.
 nck_status_t nck_parameter_number(nck_decode_t *self, uint32_t number, double *value_out);
 nck_status_t nck_parameter_name(nck_decode_t *self, const char *at, const char *end,
                                 double *value_out);
 int nck_parameter_is_own(const nck_decode_t *self, uint32_t number);
 
-// system.c: set one of Fanuc's work offsets, #5221 …, in the units in force. NCK_E_UNSUPPORTED: it
+// system.c: the limit of the finding that one of these statuses becomes. Cost: constant.
+double nck_parameter_limit(nck_status_t status);
+
+// system.c: set one of Fanuc's work offsets, #5221 …, or its external one, #5201 …, in the units in force. NCK_E_UNSUPPORTED: it
 // is none; NCK_E_COMP_ON, NCK_E_LAYOUT_ON, NCK_E_VALUE. Cost: constant.
 nck_status_t nck_parameter_set_work(nck_decode_t *self, uint32_t number, double value);
 

@@ -4,24 +4,26 @@
 #include "nck/prep/1_decode/axis.h" // nck_decode_scale_of
 #include "nck/prep/1_decode/parts.h"
 
-#include <stddef.h> // NULL
+#include <stddef.h> // NULL size_t
 
 #include "nck/base/real.h" // nck_floor nck_fabs
 
 enum {
     SYSTEM_ROW = 20,           // numbers from one work system to the next
-    FANUC_OWN = 1000,          // Fanuc: the first number that the control keeps
-    FANUC_WORK = 5221, FANUC_SYSTEMS = 6,
-    LINUXCNC_OWN = 5061, LINUXCNC_LAST = 5602,
+    FANUC_NONE = 34,           // Fanuc: behind a call's own, up to #100, it has none
+    FANUC_SHARED = 100, FANUC_OWN = 1000, // from here on the control keeps them
+    FANUC_OUTER = 5201, FANUC_WORK = 5221, FANUC_SYSTEMS = 6,
+    LINUXCNC_OWN = 5001, LINUXCNC_KEPT = 5061, LINUXCNC_LAST = 5601,
+    LAST_OF_GROUP = 30,        // G3, in tenths
     PROBED = 5061, PROBE_TOUCHED = 5070 // where a probe has ended; did it meet anything?
 };
 
 // What may be asked for.
 typedef enum ask {
-    ASK_NOTHING, ASK_PROGRAM, ASK_MACHINE, ASK_WORK, ASK_FEED, ASK_SPEED, ASK_TOOL, ASK_NEXT_TOOL,
-    ASK_SYSTEM, ASK_MOTION, ASK_PLANE, ASK_DISTANCE, ASK_INCREMENTAL, ASK_INCH, ASK_METRIC,
-    ASK_UNITS, ASK_FEED_MODE, ASK_DIAMETER, ASK_CENTRE, ASK_SPINDLE, ASK_LEVEL, ASK_RETURNED,
-    ASK_HAS_RETURNED, ASK_ZERO
+    ASK_NOTHING, ASK_PROGRAM, ASK_NOSE, ASK_MACHINE, ASK_OUTER, ASK_WORK, ASK_FEED, ASK_SPEED,
+    ASK_TOOL, ASK_NEXT_TOOL, ASK_TURRET, ASK_SYSTEM, ASK_MOTION, ASK_PLANE, ASK_DISTANCE,
+    ASK_INCREMENTAL, ASK_INCH, ASK_METRIC, ASK_UNITS, ASK_FEED_MODE, ASK_DIAMETER, ASK_CENTRE,
+    ASK_SPINDLE, ASK_SURFACE, ASK_LEVEL, ASK_RETURNED, ASK_HAS_RETURNED, ASK_ZERO
 } ask_t;
 
 // Counts of an axis in the units in force.
@@ -41,19 +43,28 @@ static double counts_of(const nck_decode_t *self, unsigned axis) {
     return halves * mm * (double)NCK_COUNTS_PER_MM;
 }
 
-// index: of the axis; of ASK_WORK: work system × SYSTEM_ROW + axis.
+// index: of the axis; of ASK_WORK: work system × SYSTEM_ROW + axis. ASK_NOSE: in the work system,
+// the tool's offset included, as Fanuc tells where an axis is now.
 static double place(const nck_decode_t *self, ask_t ask, unsigned index) {
     const unsigned axis = index % SYSTEM_ROW;
     if (axis >= NCK_AXIS_MAX) return 0.0;
     const int64_t at = self->place.position_nm[axis];
+    const int64_t tool = ask == ASK_NOSE && axis < 3 ? self->place.tool_nm[axis] : 0;
     if (ask == ASK_MACHINE) return shown(self, axis, at);
+    if (ask == ASK_OUTER) return shown(self, axis, self->place.outer_nm[axis]);
     if (ask == ASK_WORK) return shown(self, axis, self->place.work_nm[index / SYSTEM_ROW][axis]);
-    return shown(self, axis, at - self->place.origin_nm[axis]);
+    return shown(self, axis, at - self->place.origin_nm[axis] + tool);
 }
 
 static double feed_group(const nck_decode_t *self) {
-    static const double codes[] = {94.0, 93.0, 95.0};
-    return codes[self->modal.feed_mode];
+    static const double codes[] = {94.0, 93.0, 95.0}, codes_a[] = {98.0, 93.0, 99.0};
+    return nck_lathe_is_a(self) ? codes_a[self->modal.feed_mode] : codes[self->modal.feed_mode];
+}
+
+// G20 G21; on Fanuc's lathes of system C G70 G71.
+static double units_group(const nck_decode_t *self) {
+    const int c = self->lathe && self->machine->dialect.system == NCK_SYSTEM_C;
+    return (c ? 71.0 : 21.0) - self->modal.inch;
 }
 
 static double motion(const nck_decode_t *self) {
@@ -68,12 +79,20 @@ static double setting(const nck_decode_t *self, ask_t ask) {
     case ASK_INCREMENTAL: return self->modal.incremental;
     case ASK_INCH: return self->modal.inch;
     case ASK_METRIC: return 1.0 - self->modal.inch;
-    case ASK_UNITS: return 21.0 - self->modal.inch;
+    case ASK_UNITS: return units_group(self);
     case ASK_FEED_MODE: return feed_group(self);
     case ASK_DIAMETER: return self->modal.diameter;
     case ASK_CENTRE: return self->modal.centre_absolute;
+    case ASK_SURFACE: return 97.0 - self->modal.surface_on;
     default: return self->modal.spindle_on;
     }
+}
+
+// Fanuc's lathes: the tool and its offset, as T says both.
+static double turret(const nck_decode_t *self) {
+    const int32_t offset = self->modal.offset_in;
+    if (offset < 0) return self->modal.tool_next;
+    return (double)self->modal.tool_in * NCK_LATHE_TOOLS + offset;
 }
 
 static double number_in_force(const nck_decode_t *self, ask_t ask) {
@@ -83,6 +102,7 @@ static double number_in_force(const nck_decode_t *self, ask_t ask) {
     case ASK_SPEED: return self->modal.speed > 0.0 ? self->modal.speed : 0.0;
     case ASK_TOOL: return self->modal.tool_in;
     case ASK_NEXT_TOOL: return self->modal.tool_next;
+    case ASK_TURRET: return turret(self);
     case ASK_SYSTEM: return self->place.work_system + 1.0;
     case ASK_RETURNED: return self->macro.returned;
     case ASK_HAS_RETURNED: return self->macro.has_returned;
@@ -93,31 +113,42 @@ static double number_in_force(const nck_decode_t *self, ask_t ask) {
 
 static double answer(const nck_decode_t *self, ask_t ask, unsigned index) {
     if (ask <= ASK_WORK) return place(self, ask, index);
-    const int sets = ask >= ASK_MOTION && ask <= ASK_SPINDLE;
+    const int sets = ask >= ASK_MOTION && ask <= ASK_SURFACE;
     return sets ? setting(self, ask) : number_in_force(self, ask);
 }
 
-// What a range of numbers asks for; present: the k-th is of the k-th axis that the machine has.
+// What a range of numbers asks for, and whose it is: bits of nck_tongue_t. What no row gives to a
+// language is a parameter of the program's own, or refused (nck_parameter_is_own).
 typedef struct row {
-    uint16_t first, count;
-    uint8_t ask, present;
+    uint16_t first;
+    uint8_t count, ask, whose;
+    uint8_t present; // 1: the k-th is of the k-th axis that the machine has
 } row_t;
 
-static const row_t linuxcnc_rows[] = {
-    {PROBED, 10, ASK_ZERO, 0},
-    {5220, 1, ASK_SYSTEM, 0}, {5221, 9 * SYSTEM_ROW, ASK_WORK, 0}, {5400, 1, ASK_TOOL, 0},
-    {5420, 9, ASK_PROGRAM, 0}, {0, 0, 0, 0}
-};
+enum { L = NCK_TONGUE_LINUXCNC, F = NCK_TONGUE_FANUC, T = NCK_TONGUE_TURNING };
 
 // #5401 … #5500 are Haas's: how long each tool has cut. Here all are new.
-static const row_t fanuc_rows[] = {
-    {5001, 9, ASK_PROGRAM, 1}, {5021, 9, ASK_MACHINE, 1}, {5041, 9, ASK_PROGRAM, 1},
-    {FANUC_WORK, FANUC_SYSTEMS * SYSTEM_ROW, ASK_WORK, 1}, {5401, 100, ASK_ZERO, 0},
-    {4001, 1, ASK_MOTION, 0},
-    {4002, 1, ASK_PLANE, 0}, {4003, 1, ASK_DISTANCE, 0}, {4005, 1, ASK_FEED_MODE, 0},
-    {4006, 1, ASK_UNITS, 0}, {4109, 1, ASK_FEED, 0}, {4119, 1, ASK_SPEED, 0},
-    {4120, 1, ASK_NEXT_TOOL, 0}, {0, 0, 0, 0}
+static const row_t rows[] = {
+    {PROBED, 10, ASK_ZERO, L, 0}, {5220, 1, ASK_SYSTEM, L, 0},
+    {5221, 9 * SYSTEM_ROW, ASK_WORK, L, 0}, {5400, 1, ASK_TOOL, L, 0}, {5420, 9, ASK_PROGRAM, L, 0},
+    {5001, 9, ASK_PROGRAM, F | T, 1}, {5021, 9, ASK_MACHINE, F | T, 1},
+    {5041, 9, ASK_NOSE, F | T, 1}, {FANUC_OUTER, SYSTEM_ROW, ASK_OUTER, F | T, 1},
+    {FANUC_WORK, FANUC_SYSTEMS * SYSTEM_ROW, ASK_WORK, F | T, 1},
+    {5401, 100, ASK_ZERO, F | T, 0}, {4001, 1, ASK_MOTION, F | T, 0}, {4002, 1, ASK_PLANE, F, 0},
+    {4002, 1, ASK_SURFACE, T, 0}, {4003, 1, ASK_DISTANCE, F | T, 0},
+    {4005, 1, ASK_FEED_MODE, F | T, 0}, {4006, 1, ASK_UNITS, F | T, 0},
+    {4016, 1, ASK_PLANE, T, 0}, {4109, 1, ASK_FEED, F | T, 0}, {4119, 1, ASK_SPEED, F | T, 0},
+    {4120, 1, ASK_NEXT_TOOL, F, 0}, {4120, 1, ASK_TURRET, T, 0}
 };
+
+static const row_t *find(const nck_decode_t *self, uint32_t number) {
+    for (size_t k = 0; k < sizeof rows / sizeof rows[0]; k++) {
+        if (number - rows[k].first < rows[k].count && (rows[k].whose & self->tongue)) {
+            return &rows[k];
+        }
+    }
+    return NULL;
+}
 
 // The axis that is the k-th of the machine, from 0.
 static unsigned present_axis(const nck_decode_t *self, unsigned k) {
@@ -132,26 +163,47 @@ static unsigned present_axis(const nck_decode_t *self, unsigned k) {
 
 int nck_parameter_is_own(const nck_decode_t *self, uint32_t number) {
     if (!NCK_HAS_VARIABLES) return 0;
-    if (self->machine->dialect.base == NCK_DIALECT_FANUC) return number >= FANUC_OWN;
-    return number >= LINUXCNC_OWN && number <= LINUXCNC_LAST;
+    if (self->tongue == NCK_TONGUE_LINUXCNC) return number >= LINUXCNC_OWN;
+    return number >= FANUC_OWN || (number >= FANUC_NONE && number < FANUC_SHARED);
+}
+
+// Why a parameter of the control's own cannot be reached.
+static nck_status_t refuse(const nck_decode_t *self, uint32_t number) {
+    const int linuxcnc = self->tongue == NCK_TONGUE_LINUXCNC;
+    if (linuxcnc && number < LINUXCNC_KEPT) return NCK_E_OTHER_BASE;
+    return linuxcnc && number > LINUXCNC_LAST ? NCK_E_NUMBER_RANGE : NCK_E_UNSUPPORTED;
+}
+
+double nck_parameter_limit(nck_status_t status) {
+    if (status == NCK_E_OTHER_BASE) return NCK_TONGUES_FANUC;
+    return status == NCK_E_NUMBER_RANGE ? LINUXCNC_LAST : 0.0;
+}
+
+// What a row cannot tell: Fanuc's group 01 behind a cycle of another group, a distance mode that
+// system A has not, and where an axis is while its tool goes beside the contour.
+static nck_status_t check_row(const nck_decode_t *self, const row_t *row) {
+    const int fanuc = (row->whose & NCK_TONGUES_FANUC) != 0;
+    const int motion = row->ask == ASK_MOTION && (uint32_t)self->modal.motion > LAST_OF_GROUP;
+    const int distance = row->ask == ASK_DISTANCE && nck_lathe_is_a(self);
+    const int where = row->ask == ASK_NOSE || row->ask == ASK_MACHINE;
+    if (fanuc && (motion || distance)) return NCK_E_UNSUPPORTED;
+    return where && self->modal.comp == NCK_COMPENSATES ? NCK_E_COMP_ON : NCK_OK;
 }
 
 nck_status_t nck_parameter_number(nck_decode_t *self, uint32_t number, double *value_out) {
     if (!NCK_HAS_VARIABLES) return NCK_E_UNSUPPORTED;
-    const int fanuc = self->machine->dialect.base == NCK_DIALECT_FANUC;
+    const int fanuc = (self->tongue & NCK_TONGUES_FANUC) != 0;
     const double *const known = nck_variable_find(self, number);
     *value_out = known != NULL ? *known : fanuc ? NCK_NO_VALUE : 0.0;
     if (known != NULL || !nck_parameter_is_own(self, number)) return NCK_OK;
-    const row_t *row = fanuc ? fanuc_rows : linuxcnc_rows;
-    for (; row->count != 0; row++) {
-        const uint32_t index = number - row->first;
-        if (index >= row->count) continue;
-        const unsigned k = index % SYSTEM_ROW;
-        const unsigned axis = row->present ? present_axis(self, k) : k;
-        *value_out = answer(self, (ask_t)row->ask, index - k + axis);
-        return NCK_OK;
-    }
-    return NCK_E_UNSUPPORTED;
+    const row_t *const row = find(self, number);
+    if (row == NULL) return refuse(self, number);
+    const uint32_t index = number - row->first;
+    const unsigned k = index % SYSTEM_ROW;
+    const unsigned axis = row->present ? present_axis(self, k) : k;
+    if (row->present && axis >= NCK_AXIS_MAX) return NCK_E_UNSUPPORTED;
+    *value_out = answer(self, (ask_t)row->ask, index - k + axis);
+    return check_row(self, row);
 }
 
 nck_status_t nck_parameter_set_probe(nck_decode_t *self, int touched) {
@@ -166,17 +218,20 @@ nck_status_t nck_parameter_set_probe(nck_decode_t *self, int touched) {
 
 nck_status_t nck_parameter_set_work(nck_decode_t *self, uint32_t number, double value) {
     if (!NCK_HAS_VARIABLES) return NCK_E_UNSUPPORTED;
-    const uint32_t index = number - FANUC_WORK;
+    const row_t *const row = find(self, number);
+    const int zero = row != NULL && (row->whose & NCK_TONGUES_FANUC)
+                     && (row->ask == ASK_WORK || row->ask == ASK_OUTER);
+    if (!zero) return refuse(self, number);
+    const uint32_t index = number - row->first;
     const unsigned axis = present_axis(self, index % SYSTEM_ROW);
-    const int fanuc = self->machine->dialect.base == NCK_DIALECT_FANUC;
-    if (!fanuc || index >= FANUC_SYSTEMS * SYSTEM_ROW || axis >= NCK_AXIS_MAX) {
-        return NCK_E_UNSUPPORTED;
-    }
+    if (axis >= NCK_AXIS_MAX) return NCK_E_UNSUPPORTED;
     if (self->modal.comp) return NCK_E_COMP_ON;
     if (self->layout.on) return NCK_E_LAYOUT_ON;
     const double counts = nck_floor(value * counts_of(self, axis) + 0.5);
     if (!(nck_fabs(counts) <= (double)nck_decode_scale_of(self, axis)->limit)) return NCK_E_VALUE;
-    self->place.work_nm[index / SYSTEM_ROW][axis] = (int64_t)counts;
+    int64_t *const zeros = row->ask == ASK_OUTER ? self->place.outer_nm
+                                                 : self->place.work_nm[index / SYSTEM_ROW];
+    zeros[axis] = (int64_t)counts;
     nck_decode_origin(self);
     return NCK_OK;
 }
