@@ -247,7 +247,7 @@ CORPUS_FILES = (
     ),
     CorpusFile("mill_fanuc_g81_g91.nc", ends=("modal-group", 26)),
     CorpusFile("mill_fusion_grbl_helix.nc", ends=("feed-missing", 14)),
-    CorpusFile("mill_haas_threadmill.nc", ends=("unsupported", 7)),
+    CorpusFile("mill_haas_threadmill.nc", ends=("other-base", 7)),
     CorpusFile(
         "mill_haas_threadmill.nc", set=("dialect.base=fanuc", *_HAAS), ends=("tool-unknown", 28)
     ),

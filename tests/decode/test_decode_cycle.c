@@ -127,7 +127,7 @@ static void fanuc_keeps_places_and_data(check_t *check) {
 
 static void corners_of_a_cycle_are_not_rounded(check_t *check) {
     begin(NCK_DIALECT_LINUXCNC);
-    case_decode(&self, "G21 G90 G98 F60 G64 P1 G0 Z9\nG81 X1 R2 Z-1\nG61.1 X2\nG9 X3\nM2\n");
+    case_decode(&self, "G21 G90 G98 F60 G64 P1 G0 Z9\nG81 X1 R2 Z-1\nG61.1 X2\nX3\nM2\n");
     CHECK_INT(check, self.block[0].path_mode, NCK_PATH_CONTINUOUS);
     for (int k = 1; k < 5; k++) {
         CHECK_INT(check, self.block[k].path_mode, NCK_PATH_TURNS);

@@ -32,6 +32,8 @@ static void a_skipped_line_may_say_its_switch(check_t *check) {
 static void g30_p_names_the_reference_point(check_t *check) {
     case_begin(&self);
     self.machine.home_nm[1][0] = 7000000;
+    check_error(check, &self, "G30 P2 X0\nM2\n", NCK_E_WORD_UNUSED, 1, 5);
+    self.machine.dialect.base = NCK_DIALECT_FANUC;
     case_decode(&self, "G21 G90 G0 X1\nG30 P2 X3\nG30 X2\nM2\n");
     CHECK_INT(check, self.errors, 0);
     CHECK_INT(check, self.blocks, 6);
@@ -48,6 +50,7 @@ static void g30_p_names_the_reference_point(check_t *check) {
 
 static void further_reference_points_are_the_machines(check_t *check) {
     case_begin(&self);
+    self.machine.dialect.base = NCK_DIALECT_FANUC;
     self.machine.home_more = 1u << (NCK_HOMES - 2);
     CHECK_INT(check, nck_machine_check(&self.machine), NCK_E_MACHINE);
     if (NCK_HOMES < 4) return;

@@ -60,7 +60,7 @@ static void m1_stops_only_where_the_machine_wants_it(check_t *check) {
 
 static void letters_blanks_and_comments_may_be_anywhere(check_t *check) {
     case_begin(&self);
-    case_decode(&self, "n10 g 0 (to (10 here) x 1 0 y-\t5 ; and (on\n"
+    case_decode(&self, "n10 g 0 (to 10 here) x 1 0 y-\t5 ; and (on\n"
                        "N20(only a remark)\n\n\t \nG0X2Y3Z4N30\nO1001 (name)\nO7\nm2\n");
     CHECK_INT(check, self.errors, 0);
     CHECK_INT(check, self.blocks, 3);
@@ -131,7 +131,7 @@ static const wrong_t wrongs[] = {
     {"G91 G53 G0 X1\nM2\n", NCK_E_INCREMENTAL, 1, 5},
     {"G91\nG53 G0 X1\nM2\n", NCK_E_INCREMENTAL, 2, 1},
     {"G92 S500\nM2\n", NCK_E_UNSUPPORTED, 1, 1},
-    {"G50 S500\nM2\n", NCK_E_UNSUPPORTED, 1, 1},
+    {"G50 S500\nM2\n", NCK_E_OTHER_BASE, 1, 1},
     {"M19\nM2\n", NCK_E_UNSUPPORTED, 1, 1},
     {"G17 G18\nM2\n", NCK_E_MODAL_GROUP, 1, 5},
     {"M3 M4\nM2\n", NCK_E_MODAL_GROUP, 1, 4},
@@ -195,21 +195,35 @@ static void every_mistake_is_one_error_with_its_place(check_t *check) {
 }
 
 // What RS274NGC and Fanuc's controls name and the kernel does not build: told apart from nonsense.
+static void check_code(check_t *check, const char *code, nck_status_t status) {
+    char text[32];
+    memset(text, 0, sizeof text);
+    memcpy(text, code, strlen(code));
+    memcpy(text + strlen(code), "\nM2\n", 4);
+    check_error(check, &self, text, status, 1, 1);
+}
+
 static void standard_codes_are_unsupported_not_unknown(check_t *check) {
     static const char *const codes[] = {
-        "G6.2", "G7.1", "G12.1", "G15", "G16", "G17.1", "G27", "G29", "G31", "G32",
-        "G34", "G38.2", "G41.2", "G42.2", "G43.4", "G44", "G45", "G50", "G51",
-        "G54.1", "G60", "G62", "G63", "G68", "G68.2", "G69", "G70", "G71",
-        "G72", "G75", "G77", "G79", "G84.2", "G87", "G88",
-        "M19", "M29", "M41", "M97", "M198"
+        "G17.1", "G38.2", "G70", "G71", "G72", "G87", "G88", "M19", "M41", "M61"
     };
-    char text[32];
     case_begin(&self);
     for (unsigned k = 0; k < sizeof codes / sizeof codes[0]; k++) {
-        memset(text, 0, sizeof text);
-        memcpy(text, codes[k], strlen(codes[k]));
-        memcpy(text + strlen(codes[k]), "\nM2\n", 4);
-        check_error(check, &self, text, NCK_E_UNSUPPORTED, 1, 1);
+        check_code(check, codes[k], NCK_E_UNSUPPORTED);
+    }
+}
+
+static void what_another_language_has_is_refused_by_its_name(check_t *check) {
+    static const char *const codes[] = {
+        "G7.1", "G12.1", "G27", "G29", "G31", "G34", "G41.2", "G42.2", "G43.4", "G44", "G45",
+        "G54.1", "G60", "G62", "G63", "G68.2", "G75", "G77", "G79", "G84.2", "M97", "M198"
+    };
+    for (unsigned k = 0; k < sizeof codes / sizeof codes[0]; k++) {
+        case_begin(&self);
+        check_code(check, codes[k], NCK_E_OTHER_BASE);
+        CHECK(check, ((int)self.first.limit & NCK_TONGUE_FANUC) != 0);
+        self.machine.dialect.base = NCK_DIALECT_FANUC;
+        check_code(check, codes[k], NCK_E_UNSUPPORTED);
     }
 }
 
@@ -230,7 +244,7 @@ static void a_refused_feed_speed_or_motion_is_one_finding(check_t *check) {
     check_error(check, &self, "F-1\nG1 X1\nX2\nG2 X3 I.5\nM2\n", NCK_E_NUMBER_RANGE, 1, 1);
     CHECK_INT(check, self.blocks, 1);
     check_error(check, &self, "G1 X1 F1 F2\nM3 S5\nX2\nM2\n", NCK_E_WORD_TWICE, 1, 10);
-    check_error(check, &self, "G0 G41.2 X1 f 200\nG1 X2\nX3\nM2\n", NCK_E_UNSUPPORTED, 1, 4);
+    check_error(check, &self, "G0 G41.2 X1 f 200\nG1 X2\nX3\nM2\n", NCK_E_OTHER_BASE, 1, 4);
     check_error(check, &self, "G1 X1\nX2\nX3\nM2\n", NCK_E_FEED_MISSING, 1, 0);
     check_error(check, &self, "G53 G0 Q1 X1\nX2\nX3\nM2\n", NCK_E_WORD_UNUSED, 1, 8);
     check_error(check, &self, "G95 F1 G1\nS-1 M3\nX2\nX3\nM2\n", NCK_E_NUMBER_RANGE, 2, 1);
@@ -288,7 +302,7 @@ static void dialects_read_dwell_and_first_motion_their_way(check_t *check) {
     CHECK_INT(check, self.block[2].target_nm[0], 1000000);
     CHECK_INT(check, self.block[5].path_mode, NCK_PATH_STOP);
     self.machine.dialect.base = NCK_DIALECT_MARLIN;
-    case_decode(&self, "G4 S2\nG4 P250\nG0 X5 Y5\nG28 X0\nM2\n");
+    case_decode(&self, "G4 S2\nG4 P250\nG0 X5 Y5\nG28 X0\n");
     CHECK_INT(check, self.errors, 0);
     CHECK_NEAR(check, self.block[0].dwell_s, 2.0, 0.0);
     CHECK_NEAR(check, self.block[1].dwell_s, 0.25, 0.0);
@@ -303,7 +317,7 @@ static void path_modes_carry_their_tolerance(check_t *check) {
     case_begin(&self);
     self.machine.path.tolerance = 0.02;
     case_decode(&self, "G0 X1\nG61 X2\nG61.1 X3\nG64 X4\nG64 P0.1 X5\nG20 G64 P0.01 Q0.02 X0\n"
-                       "G9 X1\nX0\nM2\n");
+                       "G61.1 X1\nG64 X0\nM2\n");
     CHECK_INT(check, self.errors, 0);
     CHECK_NEAR(check, self.block[0].tolerance_mm, 0.02, 0.0);
     CHECK_INT(check, self.block[1].path_mode, NCK_PATH_EXACT);
@@ -329,6 +343,7 @@ int main(void) {
     CHECK_RUN(&check, what_is_left_out_is_told);
     CHECK_RUN(&check, every_mistake_is_one_error_with_its_place);
     CHECK_RUN(&check, standard_codes_are_unsupported_not_unknown);
+    CHECK_RUN(&check, what_another_language_has_is_refused_by_its_name);
     CHECK_RUN(&check, g80_beside_a_motion_is_the_motion);
     CHECK_RUN(&check, a_refused_feed_speed_or_motion_is_one_finding);
     CHECK_RUN(&check, a_line_with_an_error_moves_nothing);

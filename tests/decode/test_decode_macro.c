@@ -181,12 +181,12 @@ static void fanuc_counts_in_bits_and_digits(check_t *check) {
     check_read(check, "XPRM[12]\nM30\n", NCK_E_UNSUPPORTED, 1, 2);
     check_read(check, "XMAX[1,2]\nM30\n", NCK_E_EXPRESSION, 1, 2);
     self.machine.dialect.base = NCK_DIALECT_LINUXCNC;
-    check_read(check, "G0 XPOW[2,3]\nM30\n", NCK_E_EXPRESSION, 1, 5);
+    check_read(check, "G0 XPOW[2,3]\nM30\n", NCK_E_OTHER_BASE, 1, 5);
     check_read(check, "G0 X[[1.5 AND 1] + [0 OR 0]]\nM30\n", NCK_OK, 0, 0);
 }
 
 static void fanuc_sets_its_work_offsets(check_t *check) {
-    static const double wanted[] = {6.0, 31.4, 7.0, 7.0};
+    static const double wanted[] = {6.0, 31.4, 7.0, 7.0}, zeros[] = {6.0, 7.0, 20.0};
     case_begin(&self);
     self.machine.dialect.base = NCK_DIALECT_FANUC;
     check_x(check, "G21 G90 G54\n#5221=5. #5223=1\nX1.\nG20\nN5 #5221=1 (inch)\nG21 X6.\n"
@@ -195,6 +195,8 @@ static void fanuc_sets_its_work_offsets(check_t *check) {
     CHECK_INT(check, self.block[0].target_nm[2], 0);
     check_read(check, "#5220=1\nM30\n", NCK_E_UNSUPPORTED, 1, 1);
     CHECK_INT(check, self.first.letter, '#');
+    check_x(check, "G21 G90 G54\n#5201=5.\nX1.\nG55 X2.\n#5201=#5201-#5221\nG10 L2 P0 X9.\n"
+                   "G91 G10 L2 P0 X1.\nG90 X#5201\nM30\n", zeros, 3);
     check_read(check, "#5341=1\nM30\n", NCK_E_UNSUPPORTED, 1, 1);
     check_read(check, "#5235=1\nM30\n", NCK_E_UNSUPPORTED, 1, 1);
     check_read(check, "#2001=1\nM30\n", NCK_E_UNSUPPORTED, 1, 1);
@@ -203,7 +205,9 @@ static void fanuc_sets_its_work_offsets(check_t *check) {
     check_read(check, "#5221=1 X1\nM30\n", NCK_E_WORD_SHARED, 1, 9);
     check_read(check, "#5221=1000001\nM30\n", NCK_E_VALUE, 1, 1);
     check_read(check, "#5221=#0\nM30\n", NCK_E_VALUE, 1, 1);
-    if (NCK_HAS_COMP) check_read(check, "G41.1 D2\n#5221=1\nM30\n", NCK_E_COMP_ON, 2, 1);
+    self.machine.tool_count = 1;
+    self.machine.tool[0] = (nck_tool_t){.number = 1, .radius_mm = 1.0};
+    if (NCK_HAS_COMP) check_read(check, "G41 D1\n#5221=1\nM30\n", NCK_E_COMP_ON, 2, 1);
     if (NCK_HAS_LAYOUTS) check_read(check, "G51.1 X0\n#5221=1\nM30\n", NCK_E_LAYOUT_ON, 2, 1);
     self.machine.dialect.base = NCK_DIALECT_LINUXCNC;
     check_read(check, "#5221=1\nM30\n", NCK_E_UNSUPPORTED, 1, 1);
@@ -216,6 +220,8 @@ static void pushed_text_jumps_forward_only(check_t *check) {
     CHECK_INT(check, self.block[0].target_nm[0], 5000000);
     check_error(check, &self, "o1 repeat [2]\nG0 X1\no1 endrepeat\nM2\n", NCK_E_NO_SEEK, 3, 0);
     check_error(check, &self, "o1 sub\no1 endsub\no1 call\nM2\n", NCK_E_NO_SEEK, 3, 0);
+    check_error(check, &self, "GOTO 5\nN5 M2\n", NCK_E_OTHER_BASE, 1, 1);
+    self.machine.dialect.base = NCK_DIALECT_FANUC;
     check_error(check, &self, "GOTO 5\nX1\nN5 M2\n", NCK_OK, 0, 0);
     check_error(check, &self, "GOTO 5\nX1\nM2\n", NCK_E_NO_SEEK, 1, 0);
 }

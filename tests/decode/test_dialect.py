@@ -89,7 +89,7 @@ def test_a_lathe_of_rs274ngc_has_the_remedies_of_its_language(code, remedy):
 
 
 def test_further_reference_points_are_the_machines():
-    change = ["home.g30_p3.z_mm=-5", "home.g30_p4.x_mm=7"]
+    change = ["dialect.base=fanuc", "home.g30_p3.z_mm=-5", "home.g30_p4.x_mm=7"]
     machine = pycnc.Machine.load("mill3", set=change)
     blocks = pycnc.load("G21 G90 G0 X1 Y1 Z0\nG30 P3 Z0\nG30 P4 X2\nM2\n", machine).blocks
     assert blocks["target_nm"][[2, 4], :3].tolist() == [

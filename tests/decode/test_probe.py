@@ -100,7 +100,7 @@ REFUSED = {
     "G95 S100 M3 F1\nG38.3 Z-1": "probe",
     "G41 D1\nG38.3 X-1": "comp-on",
     "G53 G38.2 Z-1": "word-missing",
-    "G38 Z1": "unsupported",
+    "G38 Z1": "other-base",
     "G38.6 Z1": "g-unknown",
 }
 
@@ -117,4 +117,4 @@ def test_other_languages_and_machines_that_say_so_have_no_probe():
     text = "G21 G90 F120\nG38.3 Z-5\nM2\n"
     assert decode(text, "refused")[1] == [("unsupported", 2)]
     assert decode(text, "misses", "dialect.base=grbl")[1] == []
-    assert decode(text, "misses", "dialect.base=fanuc")[1] == [("unsupported", 2)]
+    assert decode(text, "misses", "dialect.base=fanuc")[1] == [("other-base", 2)]

@@ -208,9 +208,9 @@ static const uint16_t g_later[] = {
 };
 
 static const uint16_t m_later[] = {
-    ALL | 100, ALL | 110, ALL | 130, ALL | 140, ALL | 190, P | 300, ALL | 400, ALL | 410, ALL | 420,
-    ALL | 430, ALL | 440, ALL | 450, P | 480, P | 490, L | 500, L | 510, L | 520, L | 530, G | 560,
-    L | 610, P | 730, F | T | 960, F | T | 970, F | T | 1980
+    ALL | 100, ALL | 110, ALL | 130, ALL | 140, ALL | 190, F | T | 290, P | 300, ALL | 400,
+    ALL | 410, ALL | 420, ALL | 430, ALL | 440, ALL | 450, P | 480, P | 490, L | 500, L | 510,
+    L | 520, L | 530, G | 560, L | 610, P | 730, F | T | 960, F | T | 970, F | T | 1980
 };
 
 #define ALL_OF(rows) rows, sizeof rows / sizeof rows[0]
@@ -278,7 +278,8 @@ static int is_own(const nck_decode_t *self, int64_t tenths) {
 
 uint32_t nck_decode_who(int letter, int64_t tenths) {
     const int g = letter == 'G';
-    uint32_t all = 0;
+    const int printer = !g && tenths % 10 == 0 && nck_printer_names(tenths / 10);
+    uint32_t all = printer ? NCK_TONGUE_MARLIN : 0;
     for (uint32_t who = NCK_TONGUE_LINUXCNC; who <= NCK_TONGUE_MARLIN; who <<= 1) {
         const code_t *const code = g ? find_g(tenths, who) : find(ALL_OF(m_codes), tenths, who);
         if (code != NULL || is_named(g, tenths, who)) all |= who;

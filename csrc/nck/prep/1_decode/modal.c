@@ -251,7 +251,8 @@ nck_status_t nck_decode_retract(nck_decode_t *self, nck_block_t *out) {
 nck_status_t nck_decode_stop(nck_decode_t *self, nck_block_t *out) {
     const uint16_t code = self->words.code[NCK_STEP_STOP];
     nck_block_kind_t kind = NCK_BLOCK_WAIT;
-    if (code == 10 && !self->machine->dialect.optional_stop) kind = NCK_BLOCK_OUTPUT;
+    const int optional = code == 10 && self->tongue != NCK_TONGUE_MARLIN; // whose M1 is its M0
+    if (optional && !self->machine->dialect.optional_stop) kind = NCK_BLOCK_OUTPUT;
     if (code == 20 || code == 300) {
         if (nck_spline_waits(self)) return nck_spline_missing(self);
         kind = NCK_BLOCK_END;

@@ -320,6 +320,7 @@ nck_status_t nck_table_lists(nck_decode_t *self, int64_t list);
 // printer.c: 1 if an M code is one of Marlin's; if the line is one's; one past its text; who takes
 // its words; what it hands over. NCK_E_MODAL_GROUP. Cost: linear in the codes, and in the text.
 int nck_printer_has(const nck_decode_t *self, int64_t code);
+int nck_printer_names(int64_t code);
 int nck_printer_speaks(const nck_decode_t *self);
 const char *nck_printer_text(const nck_decode_t *self, const char *at, int64_t tenths);
 nck_status_t nck_printer_resolve(nck_decode_t *self);

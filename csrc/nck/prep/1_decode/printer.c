@@ -24,13 +24,18 @@ static const printer_code_t codes[] = {
     {201, LIMITS}, {202, LIMITS}, {203, LIMITS}, {204, LIMITS}, {205, LIMITS}, {900, PLAIN}
 };
 
-static const printer_code_t *find(const nck_decode_t *self, int64_t code) {
-    if (self->machine->dialect.base != NCK_DIALECT_MARLIN) return NULL;
+static const printer_code_t *row_of(int64_t code) {
     for (unsigned k = 0; k < sizeof codes / sizeof codes[0]; k++) {
         if (codes[k].code == code) return &codes[k];
     }
     return NULL;
 }
+
+static const printer_code_t *find(const nck_decode_t *self, int64_t code) {
+    return self->tongue == NCK_TONGUE_MARLIN ? row_of(code) : NULL;
+}
+
+int nck_printer_names(int64_t code) { return row_of(code) != NULL; }
 
 int nck_printer_has(const nck_decode_t *self, int64_t code) { return find(self, code) != NULL; }
 
