@@ -44,7 +44,7 @@ FIRST_ERROR = {
     "mill_sub_cycles_mmount.ngc": ("tool-unknown", 250),
     "nurbs_g5_butterfly.ngc": None,
     "odd_no_spaces.gcode": None,
-    "print_cura_bp_case_56k.gcode": ("m-unknown", 1),
+    "print_cura_bp_case_56k.gcode": ("other-base", 1),
     "surf_la_peinture_180k.gc": None,
     "surf_webgcode_46k.ngc": None,
     "tp_random_lines_0.001in.ngc": None,

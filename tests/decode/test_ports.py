@@ -149,5 +149,5 @@ def test_random_programs_equal_rs274(first, machine, oracle):
 
 def test_codes_of_rs274_stay_strange_to_others():
     fanuc = Machine.load("mill3", set=["dialect.base=fanuc"])
-    for line in ("M62 P1", "M70", "G43.1 Z1", "G28.1"):
-        assert [each[0] for each in decode(f"G21 G90\n{line}\nM30\n", fanuc)[1]] == ["unsupported"]
+    for line in ("M62 P1", "M70", "G43.2 H1", "G28.1"):
+        assert [each[0] for each in decode(f"G21 G90\n{line}\nM30\n", fanuc)[1]] == ["other-base"]
