@@ -16,7 +16,7 @@ import pydantic
 from pycnc import errors, files
 from pycnc.machine import foreign, schema, tool_table
 from pycnc.kernel.bind import ffi, lib, pointer
-from pycnc.machine.rows import rows_of
+from pycnc.machine.rows import base_number, rows_of
 from pycnc.machine.schema import AXES, MachineFile, position_key, unit_of
 from pycnc.names import DEFAULT  # noqa: F401
 
@@ -341,7 +341,7 @@ def _validate(data):
     problems += [
         (f"m.{number}", f"{lib.NCK_M_MAX} at most, and no code that the kernel executes itself")
         for number in settings.m
-        if number.isdecimal() and not _is_free(int(number))
+        if number.isdecimal() and not _is_free(int(number), settings.dialect.base)
     ]
     if len(settings.m) > lib.NCK_OWN_M_MAX:
         problems.append(("m", f"{lib.NCK_OWN_M_MAX} codes at most (the table has more)"))
@@ -350,15 +350,19 @@ def _validate(data):
     return settings, problems
 
 
-def _is_free(code):
-    """Tell whether an M code is within range and none that the kernel executes itself."""
+_FREE = (lib.NCK_E_M_UNKNOWN, lib.NCK_E_UNSUPPORTED, lib.NCK_E_OTHER_BASE)
+
+
+def _is_free(code, base):
+    """Tell whether an M code is within range and none that the kernel executes in a language."""
     machine, decode = ffi.new("nck_machine_t *"), ffi.new("nck_decode_t *")
     lib.nck_machine_default(machine)
+    machine.dialect.base = base_number(base)
     lib.nck_decode_init(decode, machine)
     line = f"M{code}\n".encode()
     lib.nck_decode_push(decode, line, len(line), ffi.new("size_t *"))
     status = lib.nck_decode_pull(decode, ffi.new("nck_block_t *"))
-    return code <= lib.NCK_M_MAX and status in (lib.NCK_E_M_UNKNOWN, lib.NCK_E_UNSUPPORTED)
+    return code <= lib.NCK_M_MAX and status in _FREE
 
 
 def _plain(number):

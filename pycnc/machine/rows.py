@@ -118,8 +118,13 @@ def _fill_path(record, path):
     record["slope"] = _SLOPES[path.slope]
 
 
+def base_number(base):
+    """Return the kernel's number of ``dialect.base``; "auto": LinuxCNC's, until a text tells."""
+    return _DIALECTS.get(base, lib.NCK_DIALECT_LINUXCNC)
+
+
 def _fill_dialect(row, dialect):
-    row["base"] = _DIALECTS.get(dialect.base, lib.NCK_DIALECT_LINUXCNC)  # auto: until a text tells
+    row["base"] = base_number(dialect.base)
     row["system"] = _SYSTEMS[dialect.system]
     row["feed"] = _FEEDS[dialect.feed]
     row["d_offset"] = _D_OFFSETS[dialect.d_offset]

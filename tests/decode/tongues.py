@@ -44,10 +44,7 @@ G = {
     "grbl": _MODAL + "10 28.1 30 30.1 38.2 38.3 38.4 38.5 40 43.1 49 61 91.1 92.1 93 94",
     "marlin": _MODAL + "5 59.1 59.2 59.3",
 }
-_NOT_TURNING = _spread("51 71.1 79")
 G = {name: _spread(words) for name, words in G.items()}
-G["fanuc"] -= _spread("62 63") | _spread("66.1")
-G["turning"] -= _NOT_TURNING
 M = {
     "linuxcnc": "0-9 30 48 49 60 62-68 70-73 98 99",
     "fanuc": "0-9 29 30 48 49 98 99",
