@@ -104,8 +104,9 @@ def _butterfly_row(chord_mm, a, j, machine):
 def bench_window_rows(modes=("G64 P0.01", "G61"), windows=WINDOWS):
     """Return rows {program, mode, lookahead_blocks, time_s, ratio, ramps}.
 
-    Planned times of the micro-segments with a look-ahead of so many blocks; ratio: over the time with all of the window; ramps: how long
-    the blocks last at the mean speed of that, over v/A + A/J.
+    Planned times of the micro-segments with a look-ahead of so many blocks; ratio: over the time
+    with all of the window; ramps: how long the blocks last at the mean speed of that, over v/A +
+    A/J.
     """
     rows = []
     for mode in modes:
