@@ -3,7 +3,6 @@
 // with elements in it that are no longer than the tool's radius; nothing that the tool could touch.
 #include "nck/prep/2_toolcomp/parts.h"
 
-#include <stdio.h>
 #include <string.h> // memset
 
 #include "nck/base/arc_math.h" // nck_arc_norm
@@ -168,7 +167,6 @@ nck_status_t nck_comp_judge(nck_toolcomp_t *self) {
     }
     const int deep = gap.longest > self->radius
                      || nck_min(gap.left, gap.length) > self->radius;
-    if (fit || deep || lost) fprintf(stderr, "fit %d lost %d left %.3f len %.3f longest %.3f n %u from %u.%u(%u) to %u.%u(%u) from.to %.9f/%.9f to.from %.9f\n", fit, lost, gap.left, gap.length, gap.longest, gap.elements, piece->of, piece->part, nck_comp_at(self,piece->of)->block.line, next.of, next.part,  nck_comp_at(self,next.of)->block.line, nck_comp_at(self,piece->of)->path[piece->part].to, piece->shape.length, nck_comp_at(self,next.of)->path[next.part].from);
     if (fit || deep || lost) return fail(self, &gap);
     tell(self, &gap);
     return NCK_OK;
