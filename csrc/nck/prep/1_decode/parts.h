@@ -206,14 +206,9 @@ int nck_parameter_is_own(const nck_decode_t *self, uint32_t number);
 // system.c: the limit of the finding that one of these statuses becomes. Cost: constant.
 double nck_parameter_limit(nck_status_t status);
 
-<<<<<<< HEAD
-// system.c: set one of Fanuc's work offsets, #5221 …, or its external one, #5201 …, in the units in force. NCK_E_UNSUPPORTED: it
-// is none; NCK_E_COMP_ON, NCK_E_LAYOUT_ON, NCK_E_VALUE. Cost: constant.
-=======
 // system.c: set one of Fanuc's work offsets, #5221 …, or its external one, #5201 …, in the
 // units in force. NCK_E_UNSUPPORTED: it is none; NCK_E_COMP_ON, NCK_E_LAYOUT_ON, NCK_E_VALUE.
 // Cost: constant.
->>>>>>> b4c33c4 (decode: a line of a header fits)
 nck_status_t nck_parameter_set_work(nck_decode_t *self, uint32_t number, double value);
 
 // system.c: a probe has ended where the axes stand: #5061 … #5070. NCK_E_VARIABLES. Cost: linear in
