@@ -13,6 +13,9 @@ import re
 import sys
 import time
 from dataclasses import replace
+from pathlib import Path
+
+sys.path.append(str(Path(__file__).resolve().parents[1]))
 
 import nasty_judge
 import nasty_seeds

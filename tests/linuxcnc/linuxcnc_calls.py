@@ -12,6 +12,9 @@ import argparse
 import random
 import sys
 import tempfile
+from pathlib import Path
+
+sys.path.append(str(Path(__file__).resolve().parents[1]))
 
 import numpy as np
 from linuxcnc_stand_in import CYCLE_S, EVER, OWN, StandIn
