@@ -4,6 +4,7 @@
 import math
 from pathlib import Path
 
+import comp_gate
 import contours
 import numpy as np
 import pytest
@@ -87,11 +88,57 @@ def test_a_slot_that_opens_out_behind_its_neck_is_an_error_with_both_lines():
     assert not load(text.replace("D6", "D3.9")).diagnostics.errors
 
 
-def test_a_slot_that_the_tool_does_not_enter_is_passed_over():
-    program = load(HEAD + SLOT.format(diameter=6, behind=""))
-    assert len(found(program, "comp-left")) == 1
-    above = [piece.points(np.linspace(0, 1, 50)).imag.min() for piece in pieces_of(program)[3:-1]]
-    assert min(above) == pytest.approx(math.sqrt(3**2 - 2**2), abs=1e-6)
+def test_a_slot_that_the_tool_does_not_enter_is_an_error():
+    error = error_of(HEAD + SLOT.format(diameter=6, behind=""))
+    assert (error.id, error.line) == ("comp-gouge", 7)
+    assert "2.000 mm into the contour of line 9" in str(error)
+
+
+def test_many_short_elements_of_a_slot_are_no_inside_corner():
+    down = "".join(f"Y-{0.5 * k}\n" for k in range(1, 20))
+    up = "".join(f"Y-{9.5 - 0.5 * k}\n" for k in range(19))
+    text = HEAD + f"G0 X-10 Y-10\nG41.1 D6\nG1 X0 Y0\nX10\n{down}X14\n{up}X30\nG40 G1 Y20\nM2\n"
+    assert error_of(text).id == "comp-gouge"
+
+
+def test_a_pocket_that_ends_in_its_inside_corner_is_an_error():
+    text = "G0 X0 Y0\nG41.1 D6\nG1 X0 Y-20\nX20\nY20\nX-20\nY-20\nX0\nG40 G1 X0 Y0\nM2\n"
+    assert not load(HEAD + text).diagnostics.errors
+    corner = "G0 X0 Y0\nG41.1 D6\nG1 X20 Y-20\nY20\nX-20\nY-20\nX20\nG40 G1 X0 Y0\nM2\n"
+    error = error_of(HEAD + corner)
+    assert (error.id, error.line) == ("comp-gouge", 9)
+    assert "3.000 mm into the contour of line 6" in str(error)
+
+
+@pytest.mark.parametrize("seed", range(1, 7))
+@pytest.mark.parametrize("family", comp_gate.FAMILIES)
+def test_every_element_is_cut_or_told(family, seed, tool, tmp_path):
+    tool("rs274")
+    for each in range(10 * seed, 10 * seed + 10):
+        assert comp_gate.fault_of(comp_gate.case_of(family, each))[1] == ""
+    case = comp_gate.case_of(family, 10 * seed)
+    if case.plane != 19:  # rs274 has none there
+        assert comp_gate.differs_from_rs274(case, tmp_path) == ""
+
+
+def threadmill(radius):
+    """Return the sweep of the helix of a real thread mill's program, and its end."""
+    text = (CORPUS / "mill_haas_threadmill.nc").read_text().splitlines()
+    moves = "\n".join(line.split(" ", 1)[1] for line in text[27:32])
+    head = "G21 G17 G90 G91.1 G94\nT4 M6\nG0 X0 Y0 Z-12\n"
+    machine = Machine.load("mill3", set=(*FREE, f"tool.4.radius_mm={radius}"))
+    blocks = load(head + moves + "\nM2\n", machine).blocks
+    helix = blocks[blocks["line"] == 6]
+    return float(helix["sweep_rad"].sum()), int(helix["target_nm"][-1][2])
+
+
+@pytest.mark.parametrize("radius", np.linspace(0.2, 1.9, 18).round(3))
+def test_the_helix_of_a_thread_mill_is_whole(radius):
+    if not (CORPUS / "mill_haas_threadmill.nc").exists():
+        pytest.skip("no corpus")
+    sweep, height = threadmill(radius)
+    assert sweep == pytest.approx(2 * math.pi, abs=1e-3)
+    assert height == -10_313_000
 
 
 FAMILIES = {"terrain": 1, "inside": 1, "outside": -1}
@@ -102,20 +149,36 @@ def random_contour(family, seed):
     rng, side = np.random.default_rng([seed, 7]), FAMILIES[family]
     radius, arcs = float(rng.choice([0.5, 1, 3, 6])), float(rng.choice([0, 0.3]))
     if family == "terrain":
-        form = float(rng.choice([0.3, 1, 3])), float(rng.choice([0.1, 1, 4])), arcs
+        step, height = rng.choice([0.05, 0.1, 0.2]), rng.choice([0.02, 0.1, 0.3])
+        form = radius * float(step), radius * float(height), arcs
         elements = contours.terrain(rng, 520, form, radius)
         return elements, radius, side, elements[0].start - 40 + 60j, elements[-1].end + 40 + 60j
-    form = float(rng.choice([30, 80])), float(rng.choice([0.05, 0.2, 0.5])), arcs
+    form = radius * float(rng.choice([8, 15])), float(rng.choice([0.02, 0.05, 0.1])), arcs
     elements = contours.flower(rng, 520, form, radius, side)
     away = elements[0].start * (0.3 if side > 0 else 2)
     return elements, radius, side, away, away
+
+
+def no_room(elements, radius, side):
+    """Tell whether more than R of the contour in a row, or at once, is out of the tool's reach."""
+    q, row, most = np.linspace(0.02, 0.98, 15), 0.0, 0.0
+    for each in elements:
+        beside = each.points(q) + side * radius * each.left(q)
+        reached = (contours.to_the_nearest(elements, beside) >= radius - 1e-6).any()
+        row = 0.0 if reached else row + abs(each.end - each.start)
+        most = max(most, row)
+    return most > radius
 
 
 @pytest.mark.parametrize("seed", range(6))
 @pytest.mark.parametrize("family", FAMILIES)
 def test_the_tool_keeps_off_the_contour_and_touches_it_where_it_can(family, seed):
     elements, radius, side, entry, leave = random_contour(family, seed)
-    program = load(contours.program(elements, radius, side, entry, leave))
+    text = contours.program(elements, radius, side, entry, leave)
+    program = Program(text.encode(), MILL, file="part.ngc")
+    if program.diagnostics.errors:
+        assert no_room(elements, radius, side)
+        return
     path = pieces_of(program)[2:-1]
 
     places = np.concatenate([piece.points(np.linspace(0, 1, 9)) for piece in path])
