@@ -142,7 +142,7 @@ static double wanted_speed(double command, double t)
 // What is told of the angle.
 static double told_angle(double t)
 {
-    static const double none[] = {NAN, INFINITY, -INFINITY, 1e300};
+    static const double none[] = {(double)NAN, (double)INFINITY, -(double)INFINITY, 1e300};
     const int lasts = trial.size < 0.6 || t < 0.002;
     switch (trial.family) {
     case STALLS: return t >= 0.0 ? trial.told : trial.turns;
@@ -220,7 +220,7 @@ static void operate(int waits)
         const nck_tick_state_t state = nck_tick(&nck, &trial.pose, &axes);
         trial.tick++;
         trial.pass_ticks++;
-        if (state != NCK_TICK_HOLD || trial.pose.v != 0.0) fail("a hold before the pass is not heard");
+        if (state != NCK_TICK_HOLD || trial.pose.v != 0.0) fail("a hold is not heard");
         judge_motion();
     }
 }
