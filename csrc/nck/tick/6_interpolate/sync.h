@@ -40,6 +40,7 @@ typedef struct nck_sync {
     struct {
         double rate;   // pass time a second
         double fade;   // within which it goes to 0, of a spindle that hardly turns; 0: it stays [s]
+        double size;   // of a tap: of its mean rate, on average, which passes 0 as it turns round
         double t;      // since it began [s]
         double ease;   // until the acceleration of then is gone [s]
         nck_moment_t from;

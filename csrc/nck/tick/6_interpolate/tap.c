@@ -100,6 +100,7 @@ static void begin_stop(nck_sync_t *self, const nck_tap_t *tap) {
     self->stop.rate = v < 0.0 ? -1.0 : 1.0;
     self->stop.t = 0.0;
     self->slow = 1.0;
+    self->stop.size = 1.0;
     self->state = NCK_SYNC_STOPS;
     nck_fence_store(&self->lost, 1);
 }
@@ -137,8 +138,10 @@ static int is_slow(nck_sync_t *self, const nck_tap_t *tap, double period) {
 
 // 1 if the spindle stands, whatever small steps its encoder takes to and fro.
 static int stands(nck_sync_t *self, double period) {
-    self->slow += (self->rate - self->slow) * nck_min(1.0, period / STEADY);
-    const double rate = nck_min(nck_fabs(self->rate), nck_fabs(self->slow) * STANDS / SETTLED);
+    const double share = nck_min(1.0, period / STEADY);
+    self->slow += (self->rate - self->slow) * share;
+    self->stop.size += (nck_fabs(self->slow) - self->stop.size) * share;
+    const double rate = nck_min(nck_fabs(self->rate), self->stop.size * STANDS / SETTLED);
     return self->stop.t > self->stop.ramp.time && rate < STANDS;
 }
 
