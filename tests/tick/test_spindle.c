@@ -350,7 +350,7 @@ static int try_case(uint64_t number, int tells)
     begin(number);
     const double ticks = lasts_s / machine.period_s;
     trial.hand = pick(3) ? NOBODY : (hand_t)(1 + pick(HANDS - 1));
-    trial.fault_at = (uint64_t)(ticks * between(0.0, 1.05));
+    trial.fault_at = (uint64_t)(ticks * between(0.0, 1.05) * (pick(4) ? 1.0 : 0.02));
     trial.hand_at = 1 + (uint64_t)(ticks * between(0.0, 1.0) * (pick(3) ? 1.0 : 0.02));
     (void)run(4.0 * lasts_s + 12.0);
     check_all();

@@ -159,7 +159,7 @@ uint32_t nck_tap_tick(nck_sync_t *self, const nck_machine_t *machine, const nck_
     const int asked = (int)nck_fence_load(&self->asked);
     if (self->state == NCK_SYNC_RUNS) {
         const int slow = is_slow(self, tap, period);
-        const int lost = (nck_fabs(beside) > NCK_FOLLOW_SLACK || slow) && self->t > 0.0;
+        const int lost = nck_fabs(beside) > NCK_FOLLOW_SLACK || slow;
         if (asked || lost) begin_stop(self, tap);
     }
     stand(self, seg, &at, pose);
