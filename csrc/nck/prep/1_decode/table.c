@@ -81,7 +81,7 @@ static nck_status_t set_shape(nck_decode_t *self, uint32_t number) {
 // Fanuc's mills: R is the length (L10), its wear (L11, in older programs L1); G91 adds to it. What
 // a change does to an offset in force goes by the control.
 static nck_status_t set_length(nck_decode_t *self, uint32_t number, int64_t list) {
-    nck_tool_t tool;
+    nck_tool_t tool = {0};
     int64_t value_nm = 0;
     const unsigned field = list == L_HERE ? FIELD_Z : FIELD_WEAR;
     const int64_t *const in_force = self->place.tool_nm;
@@ -100,7 +100,7 @@ static nck_status_t set_length(nck_decode_t *self, uint32_t number, int64_t list
 
 // The same of the radius for D (L12) and its wear (L13), as the machine says that the words are.
 static nck_status_t set_radius(nck_decode_t *self, uint32_t number, int64_t list) {
-    nck_tool_t tool;
+    nck_tool_t tool = {0};
     int64_t value_nm = 0;
     const double share = self->machine->dialect.d_offset == NCK_D_DIAMETER ? 0.5 : 1.0;
     const unsigned field = list == L_RADIUS ? FIELD_RADIUS : FIELD_RADIUS_WEAR;
