@@ -87,6 +87,7 @@ typedef struct code {
 // One row for each code and what it means to those whose it is; what no row gives to a language is
 // refused there. Sources: the G code lists of LinuxCNC 2.9, of Fanuc's 0i and 30i (M, and T in
 // G-code system B), of grbl 1.1 and of Marlin 2.1.
+// G9 is ours in the language of LinuxCNC, which has G61.1 alone for it.
 // Ordered by how often programs use them: the search is from the front.
 static const code_t g_codes[] = {
     {ALL | 10, NCK_STEP_MOTION, AXES}, {ALL | 0, NCK_STEP_MOTION, AXES},
@@ -119,7 +120,7 @@ static const code_t g_codes[] = {
     {L | 923, NCK_STEP_OFFSET, NONE}, {L | F | T | G | 100, NCK_STEP_OFFSET, SET},
     {L | G | 281, NCK_STEP_OFFSET, NONE}, {L | G | 301, NCK_STEP_OFFSET, NONE},
     {L | 70, NCK_STEP_DIAMETER, NONE}, {L | 80, NCK_STEP_DIAMETER, NONE},
-    {F | T | 90, NCK_STEP_EXACT, NONE}, {L | F | T | 970, NCK_STEP_SPEED_MODE, NONE},
+    {L | F | T | 90, NCK_STEP_EXACT, NONE}, {L | F | T | 970, NCK_STEP_SPEED_MODE, NONE},
     {L | 960, NCK_STEP_SPEED_MODE, RADIUS}, {F | T | 960, NCK_STEP_SPEED_MODE, NONE},
     {F | T | 650, NCK_STEP_CALL, MACRO}, {F | T | 660, NCK_STEP_CALL, MACRO},
     {F | T | 670, NCK_STEP_CALL, NONE}
