@@ -68,7 +68,7 @@ LINES = (
     ("#<wide>=1", "linuxcnc"), ("X[EXISTS[#1]]", "linuxcnc"), ("X[2**3]", "linuxcnc"),
     ("O7 if [1 gt 2]", "linuxcnc"), ("X#5220", "linuxcnc"),
     ("G2 X0. Y0. I1. P2", "linuxcnc marlin"), ("G96 S100 D900", "linuxcnc"),
-    ("G9 X1.", "fanuc turning"), ("G15", "fanuc"), ("G30 P2 X0.", "fanuc turning"),
+    ("G9 X1.", "linuxcnc fanuc turning"), ("G15", "fanuc"), ("G30 P2 X0.", "fanuc turning"),
     ("G51.1 X0.", "fanuc"), ("G68 X0. Y0. R10.", "fanuc"), ("G65 P9 A1.", "fanuc turning"),
     ("G66 P9", "fanuc turning"), ("M29", "fanuc turning"), ("X[POW[2,3]]", "fanuc turning"),
     ("IF [1 EQ 2] GOTO 9", "fanuc turning"), ("GOTO 9", "fanuc turning"),

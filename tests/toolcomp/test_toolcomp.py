@@ -124,11 +124,11 @@ def test_every_element_is_cut_or_told(family, seed, tool, tmp_path):
 def threadmill(radius):
     """Return the sweep of the helix of a real thread mill's program, and its end."""
     text = (CORPUS / "mill_haas_threadmill.nc").read_text().splitlines()
-    moves = "\n".join(line.split(" ", 1)[1] for line in text[27:32])
+    moves = "\n".join(line.split(" ", 1)[1] for line in text[29:34])
     head = "G21 G17 G90 G91.1 G94\nT4 M6\nG0 X0 Y0 Z-12\n"
     machine = Machine.load("mill3", set=(*FREE, f"tool.4.radius_mm={radius}"))
     blocks = load(head + moves + "\nM2\n", machine).blocks
-    helix = blocks[blocks["line"] == 6]
+    helix = blocks[blocks["line"] == 7]
     return float(helix["sweep_rad"].sum()), int(helix["target_nm"][-1][2])
 
 
