@@ -92,7 +92,7 @@ static double setting(const nck_decode_t *self, ask_t ask) {
 static double turret(const nck_decode_t *self) {
     const int32_t offset = self->modal.offset_in;
     if (offset < 0) return self->modal.tool_next;
-    return (double)self->modal.tool_in * NCK_LATHE_TOOLS + offset;
+    return (double)self->modal.tool_in * (double)NCK_LATHE_TOOLS + offset;
 }
 
 static double number_in_force(const nck_decode_t *self, ask_t ask) {
@@ -176,7 +176,7 @@ static nck_status_t refuse(const nck_decode_t *self, uint32_t number) {
 
 double nck_parameter_limit(nck_status_t status) {
     if (status == NCK_E_OTHER_BASE) return NCK_TONGUES_FANUC;
-    return status == NCK_E_NUMBER_RANGE ? LINUXCNC_LAST : 0.0;
+    return status == NCK_E_NUMBER_RANGE ? (double)LINUXCNC_LAST : 0.0;
 }
 
 // What a row cannot tell: Fanuc's group 01 behind a cycle of another group, a distance mode that
