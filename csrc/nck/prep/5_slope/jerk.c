@@ -121,7 +121,7 @@ static void restart(nck_jerk_t *self) {
     self->work.far = NCK_JERK_UNKNOWN;
     self->profile.v = self->job.v;
     self->profile.a = self->job.a;
-    self->profile.q = self->job.q;
+    self->profile.q = nck_min(self->job.q, self->q_cap); // on a coarse ladder, too: else none joins
 }
 
 // From rest every cell is planned twice, so that ladder is short, but long enough to be sure of

@@ -18,6 +18,10 @@ enum { BLOCK_END = 1, MUST_REST = 2 };
 // A piece has so many long cells, or none.
 #define LONG_LEAST 3.0
 
+// A cell of constant speed lasts so many periods at most, or 1.35 times that: an answer waits for
+// its end. A long one at its cap lasts two.
+#define CELL_PERIODS 4.0
+
 // While the ladder is coarse no cell's duration is capped in rule R [s].
 #define UNCAPPED_S 1e6
 
@@ -94,11 +98,18 @@ static int load_whole(nck_jerk_t *self, const nck_pieces_t *pieces, const nck_ce
     return 1;
 }
 
+// A cell that was long at full speed lasts many times that behind a lowered override, and nothing
+// takes over within it: it is divided into long ones of this speed.
+static int long_parts(const nck_jerk_t *self, const nck_cell_t *cell) {
+    const double most = CELL_PERIODS * self->machine->period_s;
+    return nck_ladder_parts(cell->duration, most, PARTS_MOST);
+}
+
 // Into how many parts a cell of the plan of now is loaded. From no speed on a hold has to move
 // before it rests.
 static int parts_loaded(const nck_jerk_t *self, const nck_cell_t *cell, int is_hold) {
     const int parts = nck_window_parts(self, cell, is_hold);
-    if (parts > 1 && stays_long(self, cell, is_hold)) return 1;
+    if (parts > 1 && stays_long(self, cell, is_hold)) return long_parts(self, cell);
     return is_hold && !(cell->v > 0.0) ? 2 * parts : parts;
 }
 
