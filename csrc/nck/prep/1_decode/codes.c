@@ -258,7 +258,8 @@ static int is_lathe(const nck_decode_t *self) {
 }
 
 int nck_decode_follows(const nck_decode_t *self, int32_t motion) {
-    const int g70 = self->tongue == NCK_TONGUE_LINUXCNC && is_lathe(self) && motion < NCK_MOTION_PATTERN;
+    const int g70 = self->tongue == NCK_TONGUE_LINUXCNC && is_lathe(self)
+                    && motion < NCK_MOTION_PATTERN;
     return motion >= NCK_MOTION_FINISH && motion <= NCK_MOTION_PATTERN && (self->lathe || g70);
 }
 
@@ -271,7 +272,8 @@ static int is_able(const nck_decode_t *self, const code_t *code) {
 
 // An M code that is handed over: of the machine's own, or M29, whose taps are rigid anyhow.
 static int is_own(const nck_decode_t *self, int64_t tenths) {
-    const int taps = NCK_HAS_CYCLES && (self->tongue & (NCK_TONGUE_FANUC | NCK_TONGUE_TURNING)) != 0;
+    const unsigned fanuc = NCK_TONGUE_FANUC | NCK_TONGUE_TURNING;
+    const int taps = NCK_HAS_CYCLES && (self->tongue & fanuc) != 0;
     if (taps && tenths == RIGID) return 1;
     if (tenths % 10 == 0 && nck_printer_has(self, tenths / 10)) return 1;
     return tenths % 10 == 0 && nck_decode_own_m(self, tenths / 10) != NULL;

@@ -475,9 +475,7 @@ nck_status_t nck_decode_value(nck_decode_t *self, const char **at, int bare, dou
         more = read_behind(&work, bare);
     }
     if (work.status == NCK_OK) reduce(&work, 1);
-    if (work.status == NCK_OK && (work.values != 1 || work.operators != 0)) {
-        refuse(&work);
-    }
+    if (work.status == NCK_OK && (work.values != 1 || work.operators != 0)) refuse(&work);
     *value_out = work.status == NCK_OK ? work.value[0] : 0.0;
     *at = work.at;
     return work.status;

@@ -36,8 +36,8 @@ static void take_length(nck_decode_t *self, const nck_tool_t *tool) {
     nck_decode_origin(self);
 }
 
-// G43 with H: the table's offset; without: of the tool in the spindle, but Fanuc's counts the last H;
-// H0, no tool and G49: none. G43.2 with H adds one.
+// G43 with H: the table's offset; without: of the tool in the spindle, but Fanuc's counts the last
+// H; H0, no tool and G49: none. G43.2 with H adds one.
 nck_status_t nck_decode_length(nck_decode_t *self, nck_block_t *out) {
     const nck_words_t *const words = &self->words;
     const int has_h = (words->letters & NCK_LETTER('H')) != 0;
@@ -126,8 +126,8 @@ static nck_status_t set_local(nck_decode_t *self) {
     return NCK_EMPTY;
 }
 
-// G10 L2 L20 Pn: which work system, 0 for the one in force, to Fanuc for the external offset. A work
-// system that is turned (R) is not built, and Q is nothing to it.
+// G10 L2 L20 Pn: which work system, 0 for the one in force, to Fanuc for the external offset. A
+// work system that is turned (R) is not built, and Q is nothing to it.
 static nck_status_t read_system(nck_decode_t *self, int64_t **zero_out) {
     const nck_words_t *const words = &self->words;
     const double turn = nck_number_real(&words->number['R' - 'A']);

@@ -95,10 +95,14 @@ static double turret(const nck_decode_t *self) {
     return (double)self->modal.tool_in * (double)NCK_LATHE_TOOLS + offset;
 }
 
+static double feed_in_force(const nck_decode_t *self) {
+    const int is_inverse = self->modal.feed_mode == NCK_FEED_INVERSE;
+    return self->modal.feed / (self->modal.inch && !is_inverse ? 25.4 : 1.0);
+}
+
 static double number_in_force(const nck_decode_t *self, ask_t ask) {
-    const int per_minute = self->modal.feed_mode == NCK_FEED_INVERSE;
     switch (ask) {
-    case ASK_FEED: return self->modal.feed / (self->modal.inch && !per_minute ? 25.4 : 1.0);
+    case ASK_FEED: return feed_in_force(self);
     case ASK_SPEED: return self->modal.speed > 0.0 ? self->modal.speed : 0.0;
     case ASK_TOOL: return self->modal.tool_in;
     case ASK_NEXT_TOOL: return self->modal.tool_next;

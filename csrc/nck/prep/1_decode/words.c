@@ -94,6 +94,16 @@ static const char *behind_code(const nck_decode_t *self, const char *at, unsigne
 }
 
 // G and M codes: sorted into the step that executes them.
+// The code of a letter and its number: what it is called here, its step and what it takes.
+static nck_status_t find_code(const nck_decode_t *self, int letter, const nck_number_t *number,
+                              int64_t *tenths, unsigned *step, uint32_t *takes) {
+    if (!nck_number_whole(number, 1, tenths)) {
+        return letter == 'G' ? NCK_E_G_UNKNOWN : NCK_E_M_UNKNOWN;
+    }
+    if (self->lathe && letter == 'G') *tenths = nck_lathe_code(self, *tenths);
+    return nck_decode_code(self, letter, *tenths, step, takes);
+}
+
 static nck_status_t read_code(nck_decode_t *self, const char **at) {
     nck_words_t *const words = &self->words;
     const unsigned column = column_of(self, *at);
@@ -107,11 +117,7 @@ static nck_status_t read_code(nck_decode_t *self, const char **at) {
     nck_status_t status = next != NULL ? NCK_OK : read_value(self, at, &number);
     if (status != NCK_OK) return status;
     if (next != NULL) *at = next;
-    status = letter == 'G' ? NCK_E_G_UNKNOWN : NCK_E_M_UNKNOWN;
-    if (nck_number_whole(&number, 1, &tenths)) {
-        if (self->lathe && letter == 'G') tenths = nck_lathe_code(self, tenths);
-        status = nck_decode_code(self, letter, tenths, &step, &takes);
-    }
+    status = find_code(self, letter, &number, &tenths, &step, &takes);
     if (status == NCK_OK && (words->codes & NCK_STEP(step))) status = collide(words, step, tenths);
     if (status == NCK_EMPTY) return NCK_OK;
     if (status != NCK_OK) {

@@ -135,8 +135,8 @@ static nck_status_t fail(nck_toolcomp_t *self, const nck_shape_t *shape, uint32_
                          (double)nck_comp_at(self, depth.other)->block.line);
 }
 
-// Where the path begins, and where it ends, no crossing tells that the tool is in a contour, or that
-// it passes where the contour begins or ends.
+// Where the path begins, and where it ends, no crossing tells that the tool is in a contour, or
+// that it passes where the contour begins or ends.
 static int is_near(nck_toolcomp_t *self, const nck_comp_piece_t *piece, const double *contour_end,
                    const double *path_end) {
     const double near = self->radius - NCK_COMP_CLOSE;

@@ -126,6 +126,14 @@ static int is_apart(const nck_toolcomp_t *self, const nck_comp_entry_t *entry, d
     return nck_arc_norm(begin[0] - self->at[0], begin[1] - self->at[1]) > NCK_COMP_SHORT;
 }
 
+static nck_status_t check_places(nck_toolcomp_t *self, const nck_block_t *block) {
+    nck_status_t status = NCK_OK;
+    for (unsigned k = 0; k < 2 && status == NCK_OK; k++) {
+        status = check_place(self, block, k, block->target_nm[self->axis[k]]);
+    }
+    return status;
+}
+
 nck_status_t nck_comp_give(nck_toolcomp_t *self, nck_block_t *out) {
     const nck_comp_piece_t *const piece = &self->walk.piece;
     const nck_comp_entry_t *const entry = nck_comp_at(self, piece->of);
@@ -147,9 +155,7 @@ nck_status_t nck_comp_give(nck_toolcomp_t *self, nck_block_t *out) {
     if (bends) status = bend(self, &piece->shape, out);
     else if (out->kind == NCK_BLOCK_ARC) out->kind = NCK_BLOCK_LINE;
     if (joins) feed_corner(self, entry, piece->shape.length, out);
-    for (unsigned k = 0; k < 2 && status == NCK_OK; k++) {
-        status = check_place(self, out, k, out->target_nm[self->axis[k]]);
-    }
+    if (status == NCK_OK) status = check_places(self, out);
     memcpy(self->given_nm, out->target_nm, sizeof self->given_nm);
     return status;
 }

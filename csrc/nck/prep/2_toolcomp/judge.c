@@ -27,8 +27,8 @@ typedef struct gap {
     uint32_t other;      // and of the one that it is in
 } gap_t;
 
-// The tool beside contour `of`: how deep is it in the others? Returns 1 if it is in none. Neighbours
-// have no depth, for at a corner each is in the other.
+// The tool beside contour `of`: how deep is it in the others? Returns 1 if it is in none.
+// Neighbours have no depth, for at a corner each is in the other.
 static int is_clear(nck_toolcomp_t *self, gap_t *gap, uint32_t of, const double *point) {
     int clear = 1;
     for (uint32_t m = gap->from->of; m != gap->to->of + 1; m++) {
@@ -142,6 +142,15 @@ static nck_status_t judge_end(nck_toolcomp_t *self) {
                          (double)self->last.begins);
 }
 
+// Leave out what is so from entry `of` up to `end`. Returns as leave_out does.
+static int leave_out_until(nck_toolcomp_t *self, gap_t *gap, uint32_t of, uint32_t end) {
+    int fit = 0;
+    for (uint32_t m = of; m != end && !fit; m++) {
+        if (is_left_out(self, m)) fit = leave_out(self, gap, m);
+    }
+    return fit;
+}
+
 nck_status_t nck_comp_judge(nck_toolcomp_t *self) {
     const nck_comp_piece_t *const piece = &self->walk.piece;
     const uint32_t behind = nck_comp_next(self, piece->of);
@@ -160,11 +169,9 @@ nck_status_t nck_comp_judge(nck_toolcomp_t *self) {
     gap.other = first;
     side_of(self, piece, &gap.side[0]);
     side_of(self, &next, &gap.side[1]);
-    int fit = ends_fit(self, &gap);
+    const int ends = ends_fit(self, &gap);
     const uint32_t end = next.part == NCK_COMP_ABOUT && !lost ? next.of : next.of + 1;
-    for (uint32_t m = piece->of; m != end && !fit; m++) {
-        if (is_left_out(self, m)) fit = leave_out(self, &gap, m);
-    }
+    const int fit = ends || leave_out_until(self, &gap, piece->of, end);
     const int deep = gap.longest > self->radius
                      || nck_min(gap.left, gap.length) > self->radius;
     if (fit || deep || lost) return fail(self, &gap);

@@ -27,7 +27,7 @@ nck_status_t nck_comp_way_in(const nck_toolcomp_t *self, nck_block_t *block);
 // ring.c: the next entry with a contour behind this one, or ring.head. Cost: linear in the ring.
 uint32_t nck_comp_next(nck_toolcomp_t *self, uint32_t count);
 
-// ring.c: the piece of the path behind this one. 0: there is none yet. Cost: linear in the ring.
+// pieces.c: the piece of the path behind this one. 0: there is none yet. Cost: linear in the ring.
 int nck_comp_following(nck_toolcomp_t *self, const nck_comp_piece_t *piece, nck_comp_piece_t *out);
 
 // contour.c: put a block into the ring, which has room. NCK_EMPTY, NCK_E_COMP_ENTRY,

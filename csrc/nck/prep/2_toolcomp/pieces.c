@@ -66,3 +66,19 @@ void nck_comp_piece(nck_toolcomp_t *self, uint32_t count, nck_comp_part_t part,
     else if (entry->enters) (void)nck_comp_enter(self, &entry->contour, &out->shape);
     else (void)nck_shape_parallel(&entry->contour, self->side * self->radius, &out->shape);
 }
+
+int nck_comp_following(nck_toolcomp_t *self, const nck_comp_piece_t *piece, nck_comp_piece_t *out) {
+    uint32_t count = piece->of;
+    int part = piece->part + 1;
+    while (count != self->ring.head) {
+        const nck_comp_entry_t *const entry = nck_comp_at(self, count);
+        for (; part < NCK_COMP_PARTS; part++) {
+            if (!entry->path[part].on) continue;
+            nck_comp_piece(self, count, (nck_comp_part_t)part, out);
+            return 1;
+        }
+        count = nck_comp_next(self, count);
+        part = 0;
+    }
+    return 0;
+}
