@@ -62,7 +62,7 @@ class Mill:
         ]  # fmt: skip
 
     def beside(self):
-        """A lap about a rectangle that the tool leaves as it has come."""
+        """Three sides of a rectangle; the tool leaves without crossing the way that it came."""
         x, y = self.source.uniform(-50, 50), self.source.uniform(-50, 50)
         a, b = self.source.uniform(15, 40), self.source.uniform(15, 40)
         code, turns = self.source.choice([("G41", 3), ("G42", 2)])
@@ -73,7 +73,7 @@ class Mill:
         round_ = f"G{turns} X{x + a:.3f} Y{y + b:.3f} R{a:.3f}"
         middle = [corner[1], self.source.choice([corner[2], round_]), f"G1 {corner[3]}"]
         self.lines += [corner[0], *middle, self.source.choice(["M8", "", "S500", "G4 P0.05"])]
-        self.lines += [f"G1 X{x - 30:.3f} Y{y - 5:.3f}", f"G40 X{x - 40:.3f} Y{y - 30:.3f}"]
+        self.lines += [f"G1 X{x + a:.3f} Y{y - 8:.3f}", f"G40 X{x + a:.3f} Y{y - 40:.3f}"]
         self.lines.append("G0 Z9")
 
     def call(self):
@@ -137,7 +137,7 @@ class Printer:
                 self.lines.append(f"G1 X{x:.3f} Y{y:.3f} {way}")
             self.lines += [f"G1 {self.extrude(-1.5)} F2400", "G0 X10 Y10"]
             self.lines.append(f"G1 {self.extrude(1.5)} F900")
-        return "\n".join([*self.lines, "M104 S0", "M2", ""])
+        return "\n".join([*self.lines, "M104 S0", ""])
 
 
 def _free(*more):

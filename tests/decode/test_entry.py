@@ -253,7 +253,7 @@ def test_a_corner_before_the_line_belongs_to_it():
 
 
 def test_what_a_printer_has_put_out_is_not_put_out_again():
-    text = "G21 G90\nG28\nG1 X50 Y50 Z0.2 E900 F1200\nX60 E901\nM2\n"
+    text = "G21 G90\nG28\nG1 X50 Y50 Z0.2 E900 F1200\nX60 E901\n"
     blocks, errors = entered("printer", text.encode(), 4)
     assert errors == []
     assert blocks[np.isin(blocks["kind"], entering.MOVES)]["target_nm"][:, 6].tolist() == [

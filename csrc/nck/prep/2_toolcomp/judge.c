@@ -113,6 +113,7 @@ static nck_status_t fail(nck_toolcomp_t *self, gap_t *gap) {
     if (!(gap->depth > 0.0) && gap->elements > 0) {
         const nck_shape_t *const contour = &nck_comp_at(self, gap->first)->contour;
         gap->depth = nck_max(self->radius - nck_shape_distance(contour, end), 0.0);
+        gap->of = gap->from->of;
         gap->other = gap->first;
     }
     return nck_comp_fail(self, NCK_E_COMP_GOUGE, nck_comp_at(self, gap->of)->block.line,
