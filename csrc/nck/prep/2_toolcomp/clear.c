@@ -173,7 +173,8 @@ nck_status_t nck_comp_hold(nck_toolcomp_t *self) {
     nck_comp_piece_t other = self->walk.piece;
     const nck_comp_entry_t *const entry = nck_comp_at(self, other.of);
     nck_shape_t shape;
-    if (entry->rapid || entry->enters) return NCK_OK;
+    const int swings = entry->clear && other.part == NCK_COMP_ABOUT;
+    if (entry->rapid || entry->enters || swings) return NCK_OK;
     on_path(self, &self->walk.piece, &shape);
     while (nck_comp_following(self, &other, &other)) {
         if (nck_comp_at(self, other.of)->rapid) return NCK_OK;

@@ -48,6 +48,7 @@ static int follows_last(nck_toolcomp_t *self) {
 static void note_last(nck_toolcomp_t *self, nck_comp_entry_t *entry) {
     const nck_shape_t *const contour = &entry->contour;
     entry->first = !entry->enters && self->last.begins == 0;
+    entry->clear = entry->first && self->last.rapid;
     if (entry->first) {
         self->last.begins = entry->block.line;
         memcpy(self->last.first, contour->p, sizeof self->last.first);

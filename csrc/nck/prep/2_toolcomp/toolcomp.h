@@ -38,7 +38,8 @@ typedef NCK_COMP_STATE nck_comp_entry {
     uint8_t rapid;       // 1: G0: nothing is cut there
     uint8_t enters;      // 1: the first move
     uint8_t first;       // 1: the first contour behind it
-    uint8_t reserved[4]; // 0
+    uint8_t clear;       // 1: it came by a rapid, so that the arc to its side cuts nothing either
+    uint8_t reserved[3]; // 0
 } nck_comp_entry_t;
 
 // How far compensation is.
