@@ -237,8 +237,8 @@ CORPUS_FILES = (
     CorpusFile("ax5_boat_xyzac_g93.ngc", machine="mill5_xyzac", ends=("m-unknown", 2)),
     CorpusFile("bad_longmill_invalid.nc", ends=("word-unknown", 124)),
     CorpusFile("lathe_fanuc0t_css.nc", machine="cak6150n", ends=("unsupported", 6)),
-    CorpusFile("lathe_g71_g70_pawn.ngc", machine="cak6150n", ends=("unsupported", 27)),
-    CorpusFile("lathe_g76_thread_part.ngc", machine="cak6150n", ends=("word-missing", 40)),
+    CorpusFile("lathe_g71_g70_pawn.ngc", machine="cak6150n", ends=("other-base", 4)),
+    CorpusFile("lathe_g76_thread_part.ngc", machine="cak6150n", ends=("unsupported", 11)),
     CorpusFile(
         "lathe_g76_thread_part.ngc",
         machine="cak6150n",
@@ -266,7 +266,7 @@ PROGRAM_FILES = (
         "lathe_fanuc_two_line_cycles.nc", "cak6150n", set=("tool.5.radius_mm=0.2",),
         folder=SHARED_PROGRAMS, threads=True,
     ),
-    CorpusFile("lathe_g96_g76.ngc", "cak6150n", ends=("word-unused", 11), folder=SHARED_PROGRAMS),
+    CorpusFile("lathe_g96_g76.ngc", "cak6150n", ends=("unsupported", 3), folder=SHARED_PROGRAMS),
     CorpusFile(
         "lathe_g96_g76.ngc", "cak6150n", set=("dialect.base=linuxcnc",), folder=SHARED_PROGRAMS,
         threads=True,

@@ -170,6 +170,10 @@ def beginning_of(name, mode):
     text = b"\n".join([mode.encode(), *lines, b"M2", b""]).replace(b"G61", b"").replace(b"G64", b"")
     text = mode.encode() + b"\n" + text.partition(b"\n")[2]
     machine = Machine.load(file.machine, set=(*file.set, "path.slope=jerk"))
+    if machine.settings.dialect.base != "linuxcnc" and mode.startswith("G64"):  # P is LinuxCNC's
+        change = f"path.tolerance_mm={mode.partition('P')[2]}"
+        machine = Machine.load(file.machine, set=(*file.set, "path.slope=jerk", change))
+        text = text.replace(mode.encode(), b"G64", 1)
     return Program(text, machine, file=name).check()
 
 
