@@ -29,8 +29,8 @@ BAD = {
     "word that nothing uses": (START + b"G1 X10 F100 Q3\n", "word-unused", 2, 13),
     "unknown G code": (START + b"G123 X1\n", "g-unknown", 2, 1),
     "unknown M code": (START + b"M123\n", "m-unknown", 2, 1),
-    "G code that is not built": (START + b"G34 Z-1 K1\n", "unsupported", 2, 1),
-    "G code that is standard": (START + b"G50 S500\n", "unsupported", 2, 1),
+    "G code that is not built": (START + b"G17.1\n", "unsupported", 2, 1),
+    "G code that is standard": (START + b"G50 S500\n", "other-base", 2, 1),
     "limit of the spindle's speed": (START + b"G92 S500\nS900\nX1\n", "unsupported", 2, 1),
     "one P for two codes": (START + b"G64 P2 G2 I3 J4 F9\n", "word-shared", 2, 5),
     "G53 in incremental": (START + b"G91 G53 G0 X1\n", "incremental", 2, 5),
@@ -122,7 +122,7 @@ def test_a_word_can_have_wording_of_its_own(wording, letter):
 
 
 def test_what_is_not_built_is_told_as_not_supported_yet():
-    for line in (b"G41.2 D1", b"G34 Z1", b"G71 U1"):
+    for line in (b"G17.1", b"G87 Z1", b"G71 U1"):
         (error,) = findings(START + line + b"\n")[1]
         assert error["id"] == "unsupported"
         assert error["message"] == f"{line.split()[0].decode()} is not supported yet"

@@ -23,7 +23,7 @@ POINTS += [(30, -5), (24, 5)]
 PROGRAM = cases.polyline(POINTS, feed=3000)
 WAVE = [(0.05 * k, 0.4 * math.sin(k / 9)) for k in range(1500)]  # a long way for a small window
 WAVE_END_NM = (*(round(1e6 * x) for x in WAVE[-1]), 0)
-ERROR = cases.polyline(POINTS[:6], feed=3000).replace("M2", "G1 X12 Y15.5\nG51\nG1 X30")
+ERROR = cases.polyline(POINTS[:6], feed=3000).replace("M2", "G1 X12 Y15.5\nG87\nG1 X30")
 
 
 def opened(name, tool):

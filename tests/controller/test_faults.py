@@ -244,7 +244,7 @@ def test_a_program_error_ends_behind_what_stands_before_it(controllers, name):
     assert outcome.state == "program_error"
     assert outcome.joints_nm == (12_000_000, 15_500_000, 0)
     (error,) = [each for each in outcome.diagnostics if each.severity == "error"]
-    assert (error.id, error.line) == ("unsupported", ERROR[: ERROR.index("G51")].count("\n") + 1)
+    assert (error.id, error.line) == ("unsupported", ERROR[: ERROR.index("G87")].count("\n") + 1)
     rests_at_its_end(outcome)
     along(outcome, [*POINTS[:6], (12, 15.5)])
 

@@ -61,7 +61,8 @@ def test_the_commands_of_the_five_minutes_work(workshop):
         result = pycnc(*words[1:])
         assert (result.code, "error[" in result.err) == (0, False), f"{line}: {result.err}"
     assert Path("part.html").stat().st_size > 500_000
-    (times,) = blocks("my_machine.md", "toml")
+    times, approach = blocks("my_machine.md", "toml")
+    assert approach.startswith("[approach]")
     settings = [f"times.{line.replace(' ', '')}" for line in times.splitlines()[1:]]
     set_them = [word for each in settings for word in ("--set", each)]
     assert "tool change 16.00 s" in pycnc("time", "part.ngc", *set_them).out

@@ -290,6 +290,9 @@ uint32_t nck_decode_who(int letter, int64_t tenths) {
     return all;
 }
 
+// A build without some of the tables cannot say whose a G code is: its language may have it.
+enum { HAS_ALL = NCK_HAS_CYCLES && NCK_HAS_CONTOUR && NCK_HAS_LAYOUTS };
+
 // What is in no table of the language: the machine may have it.
 static nck_status_t other_code(const nck_decode_t *self, int g, int64_t tenths,
                                unsigned *step_out) {
@@ -298,7 +301,9 @@ static nck_status_t other_code(const nck_decode_t *self, int g, int64_t tenths,
         return NCK_OK;
     }
     if (is_named(g, tenths, self->tongue)) return NCK_E_UNSUPPORTED;
-    if (nck_decode_who(g ? 'G' : 'M', tenths) != 0) return NCK_E_OTHER_BASE;
+    if (nck_decode_who(g ? 'G' : 'M', tenths) != 0) {
+        return g && !HAS_ALL ? NCK_E_UNSUPPORTED : NCK_E_OTHER_BASE;
+    }
     return g ? NCK_E_G_UNKNOWN : NCK_E_M_UNKNOWN;
 }
 
