@@ -15,7 +15,7 @@
 
 enum {
     NAME_MAX = 200,
-    TEXT_MAX = 1024, // bytes of program in memory
+    TEXT_MAX = 128,  // bytes of program in memory
     TICK_MAX = 1000000,
     PREP_STEPS = 256 // between two ticks, as pycnc.run has it
 };
