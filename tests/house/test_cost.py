@@ -13,7 +13,7 @@ pytestmark = pytest.mark.thorough
 COMPILER = "12.2.0"  # what the numbers here and on the page were counted with, -O2 on x86-64
 INSTRUCTIONS = {"line": 694, "modal": 570, "arc": 3183, "macro": 6955}  # of decoding a line
 BEFORE_MACROS = {"line": 1917, "modal": 1416, "arc": 3185}
-WITHIN, MOST = 0.05, 1.02
+WITHIN, MOST = 0.05, 1.03  # 2 % for macros, 1 % for whose a code is
 
 
 @pytest.fixture(scope="module")

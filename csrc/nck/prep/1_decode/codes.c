@@ -90,13 +90,13 @@ typedef struct code {
 // G9 is ours in the language of LinuxCNC, which has G61.1 alone for it.
 // Ordered by how often programs use them: the search is from the front.
 static const code_t g_codes[] = {
-    {ALL | 10, NCK_STEP_MOTION, AXES}, {ALL | 0, NCK_STEP_MOTION, AXES},
+    {ALL | 10, NCK_STEP_MOTION, AXES}, {ALL, NCK_STEP_MOTION, AXES}, // G1, G0
     {L | P | 20, NCK_STEP_MOTION, ARC}, {L | P | 30, NCK_STEP_MOTION, ARC},
     {F | T | G | 20, NCK_STEP_MOTION, CURVE}, {F | T | G | 30, NCK_STEP_MOTION, CURVE},
+    {ALL | 900, NCK_STEP_DISTANCE, NONE}, {ALL | 910, NCK_STEP_DISTANCE, NONE},
     {ALL | 40, NCK_STEP_DWELL, DWELL}, {ALL | 170, NCK_STEP_PLANE, NONE},
     {ALL | 180, NCK_STEP_PLANE, NONE}, {ALL | 190, NCK_STEP_PLANE, NONE},
     {ALL | 200, NCK_STEP_UNITS, NONE}, {ALL | 210, NCK_STEP_UNITS, NONE},
-    {ALL | 900, NCK_STEP_DISTANCE, NONE}, {ALL | 910, NCK_STEP_DISTANCE, NONE},
     {L | 901, NCK_STEP_CENTRE, NONE}, {L | G | 911, NCK_STEP_CENTRE, NONE},
     {L | F | T | G | 940, NCK_STEP_FEED_MODE, NONE},
     {L | F | T | G | 930, NCK_STEP_FEED_MODE, NONE},
@@ -172,7 +172,7 @@ static const code_t layout_codes[] = {
 };
 
 static const code_t m_codes[] = {
-    {ALL | 0, NCK_STEP_STOP, NONE}, {ALL | 10, NCK_STEP_STOP, NONE},
+    {ALL, NCK_STEP_STOP, NONE}, {ALL | 10, NCK_STEP_STOP, NONE},
     {L | F | T | G | 20, NCK_STEP_STOP, NONE}, {L | F | T | G | 300, NCK_STEP_STOP, NONE},
     {L | 600, NCK_STEP_STOP, NONE}, {ALL | 30, NCK_STEP_SPINDLE, NONE},
     {ALL | 40, NCK_STEP_SPINDLE, NONE}, {ALL | 50, NCK_STEP_SPINDLE, NONE},

@@ -425,11 +425,13 @@ void nck_decode_stand(nck_decode_t *self) {
 }
 
 static uint16_t tongue_of(const nck_decode_t *self) {
-    static const uint8_t tongues[] = {
-        [NCK_DIALECT_LINUXCNC] = NCK_TONGUE_LINUXCNC, [NCK_DIALECT_FANUC] = NCK_TONGUE_FANUC,
-        [NCK_DIALECT_GRBL] = NCK_TONGUE_GRBL, [NCK_DIALECT_MARLIN] = NCK_TONGUE_MARLIN
-    };
-    return self->lathe ? NCK_TONGUE_TURNING : tongues[self->machine->dialect.base];
+    if (self->lathe) return NCK_TONGUE_TURNING;
+    switch (self->machine->dialect.base) {
+    case NCK_DIALECT_FANUC: return NCK_TONGUE_FANUC;
+    case NCK_DIALECT_GRBL: return NCK_TONGUE_GRBL;
+    case NCK_DIALECT_MARLIN: return NCK_TONGUE_MARLIN;
+    default: return NCK_TONGUE_LINUXCNC;
+    }
 }
 
 void nck_decode_init(nck_decode_t *self, const nck_machine_t *machine) {

@@ -10,9 +10,7 @@
 #include "nck/base/real.h"      // nck_fabs …
 #include "nck/base/trig_math.h" // NCK_PI
 
-enum {
-    DEPTH = 24 // operands, and operators, that wait at once
-};
+enum { DEPTH = 24 }; // operands, and operators, that wait at once
 
 static const double huge = 1e300;
 
@@ -369,9 +367,10 @@ static int read_operand(work_t *work) {
     if (c == '#') {
         work->at = nck_decode_skip(work->at + 1);
         const int named = *work->at == '<';
-        if (named) only(work, NCK_TONGUE_LINUXCNC);
-        if (named) read_name(work);
-        else push_operator(work, PARAMETER);
+        if (named) {
+            only(work, NCK_TONGUE_LINUXCNC);
+            read_name(work);
+        } else push_operator(work, PARAMETER);
         return named;
     }
     if (c == '-' || c == '+') {
@@ -384,10 +383,10 @@ static int read_operand(work_t *work) {
         return 1;
     }
     const char *const exists = nck_decode_spells(work->at, "EXISTS");
-    if (exists != NULL) only(work, NCK_TONGUE_LINUXCNC);
-    if (exists != NULL) read_exists(work, exists);
-    else read_function(work);
-    return exists != NULL;
+    if (exists == NULL) return read_function(work), 0;
+    only(work, NCK_TONGUE_LINUXCNC);
+    read_exists(work, exists);
+    return 1;
 }
 
 // The operator between two operands, 0: none stands here.

@@ -187,10 +187,10 @@ double nck_parameter_limit(nck_status_t status) {
 // system A has not, and where an axis is while its tool goes beside the contour.
 static nck_status_t check_row(const nck_decode_t *self, const row_t *row) {
     const int fanuc = (row->whose & NCK_TONGUES_FANUC) != 0;
-    const int motion = row->ask == ASK_MOTION && (uint32_t)self->modal.motion > LAST_OF_GROUP;
+    const int cycle = row->ask == ASK_MOTION && (uint32_t)self->modal.motion > LAST_OF_GROUP;
     const int distance = row->ask == ASK_DISTANCE && nck_lathe_is_a(self);
     const int where = row->ask == ASK_NOSE || row->ask == ASK_MACHINE;
-    if (fanuc && (motion || distance)) return NCK_E_UNSUPPORTED;
+    if (fanuc && (cycle || distance)) return NCK_E_UNSUPPORTED;
     return where && self->modal.comp == NCK_COMPENSATES ? NCK_E_COMP_ON : NCK_OK;
 }
 

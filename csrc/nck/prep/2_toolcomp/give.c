@@ -134,6 +134,15 @@ static nck_status_t check_places(nck_toolcomp_t *self, const nck_block_t *block)
     return status;
 }
 
+// The block gets its form: an arc of the piece, or a line.
+static nck_status_t form(nck_toolcomp_t *self, const nck_comp_piece_t *piece, int bends,
+                         nck_block_t *out) {
+    nck_status_t status = NCK_OK;
+    if (bends) status = bend(self, &piece->shape, out);
+    else if (out->kind == NCK_BLOCK_ARC) out->kind = NCK_BLOCK_LINE;
+    return status;
+}
+
 nck_status_t nck_comp_give(nck_toolcomp_t *self, nck_block_t *out) {
     const nck_comp_piece_t *const piece = &self->walk.piece;
     const nck_comp_entry_t *const entry = nck_comp_at(self, piece->of);
@@ -144,7 +153,6 @@ nck_status_t nck_comp_give(nck_toolcomp_t *self, nck_block_t *out) {
     const int bends = piece->shape.radius > 0.0 && rest > NCK_COMP_SHORT;
     const double share = bends ? stretch(&piece->shape, self->walk.along, self->walk.until) : 1.0;
     const double to = share < 1.0 ? self->walk.along + share * rest : self->walk.along + rest;
-    nck_status_t status = NCK_OK;
     if (apart) memcpy(self->at, begin, sizeof begin);
     else nck_shape_point(&piece->shape, to, self->at);
     self->walk.along = to;
@@ -152,8 +160,7 @@ nck_status_t nck_comp_give(nck_toolcomp_t *self, nck_block_t *out) {
     share_others(self, &entry->block, joins || apart ? 0.0 : share, out);
     target(self, self->at, out->target_nm);
     if (!has_length(self, out)) return NCK_EMPTY;
-    if (bends) status = bend(self, &piece->shape, out);
-    else if (out->kind == NCK_BLOCK_ARC) out->kind = NCK_BLOCK_LINE;
+    nck_status_t status = form(self, piece, bends, out);
     if (joins) feed_corner(self, entry, piece->shape.length, out);
     if (status == NCK_OK) status = check_places(self, out);
     memcpy(self->given_nm, out->target_nm, sizeof self->given_nm);
