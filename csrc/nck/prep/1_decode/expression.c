@@ -383,10 +383,12 @@ static int read_operand(work_t *work) {
         return 1;
     }
     const char *const exists = nck_decode_spells(work->at, "EXISTS");
-    if (exists == NULL) return read_function(work), 0;
-    only(work, NCK_TONGUE_LINUXCNC);
-    read_exists(work, exists);
-    return 1;
+    if (exists == NULL) read_function(work);
+    else {
+        only(work, NCK_TONGUE_LINUXCNC);
+        read_exists(work, exists);
+    }
+    return exists != NULL;
 }
 
 // The operator between two operands, 0: none stands here.
@@ -457,7 +459,6 @@ static int read_behind(work_t *work, int bare) {
 
 nck_status_t nck_decode_value(nck_decode_t *self, const char **at, int bare, double *value_out) {
     work_t work;
-    int more = 1;
     if (!NCK_HAS_VARIABLES) {
         return nck_decode_fail_at(self, NCK_E_UNSUPPORTED, *at, 0, 0.0, 0.0);
     }
@@ -469,7 +470,7 @@ nck_status_t nck_decode_value(nck_decode_t *self, const char **at, int bare, dou
     work.operators = 0;
     work.open = 0;
     work.status = NCK_OK;
-    while (more && work.status == NCK_OK) {
+    for (int more = 1; more && work.status == NCK_OK;) {
         while (work.status == NCK_OK && !read_operand(&work)) continue;
         more = read_behind(&work, bare);
     }
