@@ -23,7 +23,7 @@ from pycnc.program import Program
 
 SLOPES = ("jerk", "jerk", "sshape")
 PLANES = {17: "XYZ", 18: "ZXY", 19: "YZX"}  # of the plane, and of the drill
-MILL_BASES = ("linuxcnc", "fanuc", "grbl", "marlin")
+MILL_BASES = ("linuxcnc", "fanuc")  # the languages that have cycles
 STILL = 4  # ticks at rest before the first one, and behind the last
 
 
@@ -39,9 +39,10 @@ class Case:
 class Writer:
     """Draws numbers and writes lines."""
 
-    def __init__(self, seed):
-        self.source = random.Random(seed)
+    def __init__(self, seed, base="fanuc"):
+        self.source, self.base = random.Random(seed), base
         self.lines = []
+        self.p = 10 ** self.source.uniform(-3.5, -0.5)
 
     def number(self, low, high, digits=3):
         return f"{self.source.uniform(low, high):.{digits}f}"
@@ -50,12 +51,14 @@ class Writer:
         return self.source.choice(items)
 
     def mode(self):
-        p = 10 ** self.source.uniform(-3.5, -0.5)
-        return f"G64 P{p:.5f}" + self.one_of("", "", " Q0")
+        """Return the words of a tolerance: P is LinuxCNC's, Fanuc's is the machine's."""
+        if self.base == "fanuc":
+            return "G64"
+        return f"G64 P{10 ** self.source.uniform(-3.5, -0.5):.5f}" + self.one_of("", "", " Q0")
 
     def settings(self, *more):
         """Return a machine's settings: slope, period and the scale of jerk."""
-        settings = [f"path.slope={self.one_of(*SLOPES)}"]
+        settings = [f"path.slope={self.one_of(*SLOPES)}", f"path.tolerance_mm={self.p:.5f}"]
         if self.source.random() < 0.3:
             settings.append(f"kernel.period_ms={self.one_of('0.5', '2', '4')}")
         return (*settings, *more)
@@ -94,7 +97,7 @@ class Drill(Writer):
 
     def program(self):
         plane = self.one_of(17, 17, 17, 18, 19)
-        base = self.one_of(*MILL_BASES[: 2 if plane > 17 else 4])
+        base = self.base = self.one_of(*MILL_BASES)
         u, v, drill = PLANES[plane]
         self.lines = [f"G21 G{plane} G90 G94 {self.mode()} F900", "M3 S500",
                       f"G0 {drill}{self.number(5, 20)}"]  # fmt: skip
@@ -214,7 +217,7 @@ def rough(seed):
 FAMILIES = {
     "holes": lambda seed: Drill(seed).program(),
     "turning": lambda seed: Lathe(seed).fanuc(),
-    "threads": lambda seed: Lathe(seed).linuxcnc(),
+    "threads": lambda seed: Lathe(seed, "linuxcnc").linuxcnc(),
     "contours": rough,
 }
 

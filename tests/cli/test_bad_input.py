@@ -122,7 +122,7 @@ def test_a_word_can_have_wording_of_its_own(wording, letter):
 
 
 def test_what_is_not_built_is_told_as_not_supported_yet():
-    for line in (b"G17.1", b"G87 Z1", b"G71 U1"):
+    for line in (b"G17.1", b"G19.1", b"G71 U1"):
         (error,) = findings(START + line + b"\n")[1]
         assert error["id"] == "unsupported"
         assert error["message"] == f"{line.split()[0].decode()} is not supported yet"
