@@ -152,14 +152,18 @@ static sim_end_t cause_of_rest(const sim_t *sim) {
     return held && !sim->resumed ? SIM_END_SINGLE_BLOCK : SIM_END_STALLED;
 }
 
+// Prep has nothing to do before the tick or the operator does something.
+static int is_prepared(const sim_t *sim) {
+    return sim->prep_status == NCK_FULL || sim->prep_status == NCK_DONE;
+}
+
 // How the run has ended behind a tick and the prep that follows it.
 static uint32_t find_end(const sim_t *sim) {
     if (sim->end != SIM_END_NOT) return sim->end;
     if (sim->prep_status == NCK_DONE && nck_is_idle(sim->nck)) {
         return asked_of(sim->nck).abort ? SIM_END_ABORTED : SIM_END_DONE;
     }
-    const int over = sim->prep_status == NCK_FULL || sim->prep_status == NCK_DONE;
-    if (sim->rest_ticks < REST_TICKS || !over) return SIM_END_NOT;
+    if (sim->rest_ticks < REST_TICKS || !is_prepared(sim)) return SIM_END_NOT;
     const sim_end_t cause = cause_of_rest(sim);
     const int waits = cause != SIM_END_STALLED && sim->command_next < sim->command_count;
     return waits ? SIM_END_NOT : cause;
@@ -216,7 +220,7 @@ static int tick(sim_t *sim, sim_row_t *row) {
     row->feed_percent = sim->feed_percent;
     row->rapid_percent = sim->rapid_percent;
     const int held = state == NCK_TICK_HOLD && !(row->pose.v > 0.0) // before a thread, too
-                     && !asked_of(sim->nck).abort;
+                     && is_prepared(sim) && !asked_of(sim->nck).abort;
     const int waits = sim->prep_status == NCK_FULL && state != NCK_TICK_WAIT;
     const int rests = held || (waits && !moves(sim));
     sim->rest_ticks = rests ? sim->rest_ticks + 1 : 0;
