@@ -13,8 +13,13 @@ printed before it. The exit status is the number of parts that found something.
     quality     cppcheck and MISRA over all files
     mutants     100 mutants of libnck against all C tests
     nasty       4 000 nasty programs a slope
+    scripts     24 000 random scripts of the front door, 100 000 programs
+    stops       20 000 programs that are held, aborted and resumed
     cycles      4 000 programs with cycles within a tolerance: limits of every axis
+    threads     2 000 programs of each family with threads and taps; 20 000 spindles that fail
+    comp        2 000 contours of each family under radius compensation, rs274 beside them
     rs274       15 000 random programs against rs274
+    tongues     20 000 programs with a word of another language
     entering    the cases, the corpus and 50 programs of each family, begun at their lines
     linuxcnc    2 000 random scripts of calls in the stand-in, 20 operators in a live LinuxCNC
     imports     4 500 random configurations of other controls
@@ -28,6 +33,7 @@ import time
 from pathlib import Path
 
 import sampling
+from builds import build_c
 
 ROOT = Path(__file__).resolve().parents[1]
 PYTEST = "-m pytest -q -n logical --dist loadfile --no-loadscope-reorder --draw whole"
@@ -40,23 +46,40 @@ PARTS = {
     "mutants": ["tests/house/mutate.py --count 100 --seed {seed}"],
     "nasty": [f"tests/kernel/nasty.py --slope {slope} --count 4000 --seed {{seed}}"
               for slope in SLOPES],
+    "scripts": ["build/gcc/tests_kernel test_script 24000 {seed}"],
+    "stops": ["tests/stop_gate.py 20000 {seed}"],
     "cycles": ["tests/cycle_jerk.py --count 4000 --seed {seed}"],
+    "threads": ["tests/thread_programs.py --count 2000 --seed {seed}",
+                "build/gcc/tests_tick test_spindle 20000 {seed}"],
+    "comp": ["tests/comp_gate.py --count 2000 --seed {seed} --rs274"],
     "rs274": ["tests/decode/against_rs274.py 15000 {seed}"],
+    "tongues": ["tests/decode/tongues.py 20000 {seed}"],
     "entering": ["tests/decode/entering.py --lines 200",
                  "tests/decode/entering.py --family all --seeds {seed} +50"],
     "linuxcnc": ["tests/linuxcnc/linuxcnc_calls.py --count 500 --seed {seed}",
-                 "tests/linuxcnc/operators.py"],
+                 "tests/linuxcnc/operators.py {seed} 20"],
     "imports": ["tests/machine/configurations.py 1500 {seed}"],
 }  # fmt: skip
+
+
+def command_of(words, seed):
+    """Return a command of a part: a C test, which is built for it, or one of Python."""
+    command = shlex.split(words.format(seed=seed))
+    if not command[0].startswith("build/"):
+        return [".venv/bin/python", *command]
+    complaints = build_c("gcc", Path(command[0]).name)[1]
+    if complaints:
+        raise SystemExit(complaints)
+    return command
 
 
 def run(name, seed):
     """Run a part; return (whether it found nothing, seconds)."""
     began, good = time.monotonic(), True
     for words in PARTS[name]:
-        command = words.format(seed=seed)
-        print(f"\n=== {name}: .venv/bin/python {command}", flush=True)
-        good &= subprocess.run([sys.executable, *shlex.split(command)], cwd=ROOT).returncode == 0
+        command = command_of(words, seed)
+        print(f"\n=== {name}: {shlex.join(command)}", flush=True)
+        good &= subprocess.run(command, cwd=ROOT).returncode == 0
     return good, time.monotonic() - began
 
 

@@ -334,6 +334,20 @@ def test_the_makefile_has_two_commands_and_three_for_those_who_change_it():
     assert {target for target in targets if "/" not in target} == {".PHONY", *commands}
 
 
+# Programs among the tests that search for nothing.
+TOOLS = {"campaign.py", "durations.py", "rooms.py", "lock.py", "table.py"}
+
+
+def test_the_campaign_has_every_search():
+    names = [name for name in PYTHON_FILES
+             if name.startswith("tests/") and "\nif __name__ ==" in read(name)
+             and not Path(name).name.startswith("test_") and Path(name).name not in TOOLS]  # fmt: skip
+    counting = [name for name in C_FILES if "/test_" in name and "argv[1]" in read(name)]
+    names += [Path(name).stem for name in counting]
+    assert len(names) >= 12
+    assert [name for name in names if f"{name} " not in read("tests/campaign.py")] == []
+
+
 def test_ci_calls_the_test_command():
     assert "make test" in read(".ci/run")
 
