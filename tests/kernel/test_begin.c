@@ -77,6 +77,27 @@ static void offsets_stay_and_modes_do_not(check_t *check)
     CHECK_NEAR(check, (double)front.axes.joint_nm[2] * 1e-6, 52.0, 1e-9);
 }
 
+// Behind nck_begin the tick has nothing to do until prep has begun anew, whatever an abort dropped.
+static void it_is_idle_until_prep_begins_anew(check_t *check)
+{
+    begin(NCK_SLOPE_JERK);
+    front_push(&front, "G1 F3000 X60\nX90\nM8\nX10\n");
+    nck_flush(&front.nck);
+    until_beyond(20.0);
+    CHECK(check, !nck_is_idle(&front.nck));
+    nck_abort(&front.nck);
+    front_rest(&front);
+    CHECK_INT(check, nck_begin(&front.nck), NCK_OK);
+    for (int n = 0; n < 3; n++) {
+        CHECK_INT(check, nck_tick(&front.nck, &front.pose, &front.axes), NCK_TICK_IDLE);
+        CHECK(check, nck_is_idle(&front.nck));
+    }
+    front_push(&front, "G1 X5\n");
+    nck_flush(&front.nck);
+    front_prep(&front);
+    CHECK(check, !nck_is_idle(&front.nck));
+}
+
 // While the tick moves, and before the end is executed, it is refused and nothing is changed.
 static void it_is_refused_before_the_end(check_t *check)
 {
@@ -204,6 +225,7 @@ int main(void)
     check_t check = {0};
     CHECK_RUN(&check, it_goes_on_as_a_new_kernel_there);
     CHECK_RUN(&check, offsets_stay_and_modes_do_not);
+    CHECK_RUN(&check, it_is_idle_until_prep_begins_anew);
     CHECK_RUN(&check, it_is_refused_before_the_end);
     CHECK_RUN(&check, after_an_abort_it_goes_on_from_the_rest);
     CHECK_RUN(&check, it_can_be_done_for_ever);
