@@ -23,6 +23,8 @@ STAMP = build/stamp
 PYTEST = $(BIN)/python -m pytest -n logical --maxprocesses 8 --dist loadfile --no-loadscope-reorder
 SOURCES := $(shell find csrc opencl firmware_sim adapters cmake CMakeLists.txt -type f)
 NAMES := $(shell find pycnc -name '*.py' | sort | cksum | cut -d' ' -f1)
+# After an edit three failures say enough, or two tests that had to be ended.
+SOON = --maxfail 3 --max-worker-restart 1
 PACKAGES_TEST = clang-19 libclang-rt-19-dev llvm-19 cppcheck gcc-arm-none-eabi \
                 libnewlib-arm-none-eabi qemu-system-arm pkgconf linuxcnc-uspace \
                 linuxcnc-uspace-dev chromium doxygen valgrind ccache git qemu-user \
@@ -64,7 +66,7 @@ test: $(STAMP)/venv-test $(STAMP)/module
 
 room quick: $(STAMP)/venv-test
 	@$(MAKE) -q $(STAMP)/module || $(MAKE) --no-print-directory $(STAMP)/module-quick
-	$(PYTEST) --draw quick -q $(if $(filter room,$@),tests/$(R))
+	$(PYTEST) --draw quick -q $(if $(filter room,$@),$(SOON) tests/$(R))
 
 campaign: $(STAMP)/packages-test $(STAMP)/venv-test $(STAMP)/module
 	$(BIN)/python tests/campaign.py $(WHAT)

@@ -7,6 +7,7 @@ from pathlib import Path
 import c_tests
 import durations
 import hypothesis
+import limits
 import pytest
 import sampling
 from builds import build_c, find_tool, wait_for_packages
@@ -25,6 +26,7 @@ def pytest_configure(config):
     """Fix the draw of this run: of the cases, and of what hypothesis thinks of."""
     sampling.pytest_configure(config)
     durations.pytest_configure(config)
+    limits.pytest_configure(config)
     # Random cases come from the run's seed: the same seed finds the same faults.
     hypothesis.settings.register_profile("house", deadline=None, database=None)
     hypothesis.settings.load_profile("house")

@@ -1,0 +1,140 @@
+# SPDX-License-Identifier: MIT
+"""How long a test may take: one that loops for ever fails, and the run goes on.
+
+Counted is the processor time of the test's process and of all that it has started, so that a busy
+computer ends nothing; of the time that passes while they wait, half. What a test has started is
+killed first, and mostly the test then fails by itself. Where the test itself loops, in C too, its
+process ends with the places where it was; xdist says which test that was, starts another process
+and lets it go on behind that test. What is built once for several tests (locks.py) is not counted.
+"""
+
+import os
+import signal
+import threading
+import time
+from contextlib import contextmanager, nullcontext, suppress
+from pathlib import Path
+
+import pytest
+
+FOLDER = Path(__file__).resolve().parents[1] / "build" / "limits"
+# By draw. A quick run's tests take less than 5 s each; the suite's longest is a minute.
+LIMIT_S = {"quick": 10.0, "suite": 900.0}
+WAITING = 0.5  # of the time that passes counts where nothing is computed
+PERIOD_S = 0.5  # between two looks
+GRACE_S = 2.0  # for a test to end when all that it has started is killed
+TICKS_PER_S = os.sysconf("SC_CLK_TCK")
+
+
+def started_by(pid):
+    """Return the numbers of all processes that one has started, and those in turn."""
+    found = []
+    for path in Path(f"/proc/{pid}/task").glob("*/children"):
+        try:
+            children = [int(word) for word in path.read_text().split()]
+        except OSError:  # the thread has ended meanwhile
+            continue
+        for child in children:
+            found += [child, *started_by(child)]
+    return found
+
+
+def _used_s(pid):
+    """Return the processor time of a process and of those that it has waited for."""
+    try:
+        fields = Path(f"/proc/{pid}/stat").read_text().rpartition(")")[2].split()
+    except OSError:
+        return 0.0
+    return sum(int(field) for field in fields[11:15]) / TICKS_PER_S
+
+
+class Watch:
+    """A plugin that looks at the running test from a thread of its own."""
+
+    def __init__(self, limit_s, run):
+        FOLDER.mkdir(parents=True, exist_ok=True)
+        self.limit_s = limit_s
+        self._ended = FOLDER / run  # tests of this run that ended a process
+        self._name = ""
+        self._began = None  # (time, processor time); None: nothing is watched
+        self._killed_at = None  # time at which what the test has started was killed
+        threading.Thread(target=self._look_on, daemon=True).start()
+
+    @contextmanager
+    def untimed(self):
+        """Count nothing within, and what comes behind from nothing."""
+        self._began, is_timed = None, self._began is not None
+        try:
+            yield
+        finally:
+            self._began = self._now() if is_timed else None
+
+    @staticmethod
+    def _now():
+        pids = (os.getpid(), *started_by(os.getpid()))
+        return time.monotonic(), sum(_used_s(pid) for pid in pids)
+
+    def _is_over(self, began):
+        now = self._now()
+        return max(now[1] - began[1], WAITING * (now[0] - began[0])) > self.limit_s
+
+    def _look_on(self):
+        while True:
+            time.sleep(PERIOD_S)
+            began = self._began
+            if began is None or not self._is_over(began) or began is not self._began:
+                continue
+            for pid in reversed(started_by(os.getpid())):
+                with suppress(ProcessLookupError):  # it has ended meanwhile
+                    os.kill(pid, signal.SIGKILL)
+            if self._killed_at is None:
+                self._killed_at = time.monotonic()
+            elif time.monotonic() > self._killed_at + GRACE_S:
+                with self._ended.open("a", encoding="utf-8") as file:
+                    file.write(f"{self._name}\n")
+                os.abort()  # pytest lets faulthandler say where that was
+
+    @pytest.hookimpl(wrapper=True)
+    def pytest_runtest_protocol(self, item):
+        """Watch a test, and what is set up for it."""
+        self._name, self._killed_at, self._began = item.nodeid, None, self._now()
+        try:
+            return (yield)
+        finally:
+            self._began = None
+
+    @pytest.hookimpl(tryfirst=True)
+    def pytest_runtest_setup(self, item):
+        """Pass by a test that has ended a process of this run: xdist gives it to the next one."""
+        if self._ended.exists() and item.nodeid in self._ended.read_text().splitlines():
+            pytest.skip("it has ended a process already")
+
+    @pytest.hookimpl(wrapper=True)
+    def pytest_runtest_makereport(self):
+        """Let a test fail whose processes were killed, and say why."""
+        report = yield
+        if self._killed_at is not None:
+            report.outcome = "failed"
+            said = f"longer than {self.limit_s:.0f} s: what it had started was killed"
+            report.longrepr = f"{report.longrepr or ''}\n{said}"
+            self._killed_at = None
+        return report
+
+
+_watch = None
+
+
+def pytest_configure(config):
+    """Watch the tests in every process that runs some, but for the campaign's."""
+    global _watch
+    limit_s = LIMIT_S.get(config.option.draw)
+    runs_tests = hasattr(config, "workerinput") or not config.getoption("numprocesses", None)
+    if limit_s and runs_tests:
+        run = getattr(config, "workerinput", {}).get("testrunuid", f"{os.getpid()}")
+        _watch = Watch(limit_s, run)
+        config.pluginmanager.register(_watch)
+
+
+def untimed():
+    """Return a context for what is built once, by whichever test needs it first."""
+    return _watch.untimed() if _watch else nullcontext()
