@@ -76,7 +76,7 @@ def coverage_build():
 
 # Rooms whose tests reach for packages on their own, and not by the fixture `tool`.
 WITH_PACKAGES = {"kernel", "tick", "controller", "linuxcnc", "package", "house"}
-FIRST = {"test_house_rules", "test_compilers_gcc"}  # … but for these
+FIRST = {"test_house_rules", "test_file_rules", "test_compilers_gcc"}  # … but for these
 
 
 def pytest_runtest_setup(item):

@@ -88,6 +88,7 @@ def test_bad_text_gives_one_clear_diagnostic(name):
         assert errors[0]["col"] == column
 
 
+@pytest.mark.sample(16, quick=6)
 @pytest.mark.parametrize("verb", ["canon", "time", "run", "plot"])
 @pytest.mark.parametrize("name", ["empty", "binary", "missing feed", "line of 10 MB"])
 def test_every_verb_refuses_bad_text(verb, name, tmp_path):
@@ -213,6 +214,7 @@ WORDS = st.sampled_from(
 )
 
 
+@pytest.mark.thorough
 @settings(max_examples=150)
 @given(st.lists(st.lists(WORDS, max_size=6).map(" ".join), max_size=12).map("\n".join))
 def test_any_words_are_planned_and_run_or_refused(text):

@@ -451,6 +451,7 @@ def test_a_reader_that_leaves_early_is_no_error(tmp_path):
     assert done.stderr == b""
 
 
+@pytest.mark.thorough
 def test_a_stream_that_is_closed_or_full_is_no_traceback(good):
     for words, code in ((">&-", 0), ("2>&-", 0), (">/dev/full", 2), ("--json >/dev/full", 2)):
         command = f"{sys.executable} -m pycnc.cli time {good} {words}"

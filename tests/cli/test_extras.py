@@ -58,6 +58,7 @@ def bare():
 COMMAND = "from pycnc.cli import main; main()"
 
 
+@pytest.mark.thorough
 def test_the_command_line_needs_no_extra(bare):
     assert bare(COMMAND, "--help").returncode == 0
     for verb in ("check", "canon", "time", "run"):
@@ -77,6 +78,7 @@ print(json.dumps([pycnc.plan(program).time_s, pycnc.run(program).summary["time_s
     assert planned == run > 1
 
 
+@pytest.mark.sample(6, quick=2)
 @pytest.mark.parametrize(
     ("arguments", "code", "words"),
     [

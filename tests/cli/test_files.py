@@ -120,6 +120,7 @@ def test_a_program_that_never_ends_is_not_planned(tmp_path):
     assert told.code == 1 and "error[endless]" in told.err
 
 
+@pytest.mark.thorough
 def test_a_program_that_goes_round_is_planned_when_it_is_read():
     with pipeline.Pipeline() as beside:
         program = pycnc.Program(LOOP.encode(), pycnc.Machine.load("mill3"), beside=beside)

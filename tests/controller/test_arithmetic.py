@@ -14,6 +14,7 @@ STUB = "#include <stdint.h>\nuint32_t __wrap_nck_selftest(void) { return 0; }\n"
 PROGRAM = "G21 G90\nG1 F600 X1\nM2\n"
 
 
+@pytest.mark.thorough
 def test_a_firmware_refuses_to_run_on_other_arithmetic(tmp_path):
     image = Path(controller._build("host"))
     (tmp_path / "stub.c").write_text(STUB)

@@ -173,6 +173,7 @@ def test_holes_on_a_circle_by_steps_of_the_angle(machine):
     assert (cuts[:, 2] == -5).all()
 
 
+@pytest.mark.thorough
 def test_a_tool_stays_on_its_side_of_a_mirrored_contour(machine):
     contour = "G1 G41 D1 X10 Y0 F600\nX20\nG3 X30 Y10 J10\nG1 Y20\nG40 Y40"
     change = [*FREE, "dialect.base=fanuc", "tool.1.radius_mm=3"]

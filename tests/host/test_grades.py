@@ -268,6 +268,7 @@ def test_an_arc_is_slowed_by_the_acceleration_between_its_steps(mill):
 # The bench
 
 
+@pytest.mark.thorough
 def test_every_variant_of_the_bench_gives_the_same_grades():
     rows = bench_grades.bench_bubble_rows(sizes=(300, 5000), seconds=0.0)
     assert {"C scan", "C sweeps"} <= {row["variant"] for row in rows}

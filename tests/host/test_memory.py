@@ -65,6 +65,7 @@ def test_two_million_lines_are_planned_in_300_mb(tmp_path):
     assert peak("time", path, *machine) <= MOST
 
 
+@pytest.mark.thorough
 @pytest.mark.sample(2)
 @pytest.mark.parametrize("verb", OF_A_LINE)
 def test_memory_grows_by_the_text_and_little_more(verb, program):

@@ -294,6 +294,7 @@ def test_marks_in_comments_and_names_do_nothing(browse, tmp_path):
 # It is large enough, and tells what it leaves out
 
 
+@pytest.mark.thorough
 def test_a_page_that_leaves_out_lines_and_points_tells_so_and_finds_them(
     browse, tmp_path, monkeypatch
 ):

@@ -267,6 +267,7 @@ def test_whatever_the_operator_does_limits_and_path_are_kept(name, mode, prep_st
     judged.run(jerk_limited(CASES[name], mode), prep_steps, script, answer=np.inf)
 
 
+@pytest.mark.sample(4, quick=1)
 @pytest.mark.parametrize("prep_steps", (1, 2, 3, 7))
 def test_a_resume_on_the_way_to_a_rest_goes_on_when_prep_has_made_its_plan(prep_steps):
     program = jerk_limited(CASES["random_arcs_0"], "G64 P0.01")

@@ -32,6 +32,7 @@ def test_blocks_of_a_micrometre_stop_as_a_line_does(slope, event):
     assert told["rest_worst_ms"] <= told["least_worst_ms"] + SPARE + told["heard_ms"]
 
 
+@pytest.mark.thorough
 @pytest.mark.sample(3)
 @pytest.mark.parametrize(
     "slope, name, most_ms",
