@@ -8,8 +8,10 @@ process ends with the places where it was; xdist says which test that was, start
 and lets it go on behind that test. What is built once for several tests (locks.py) is not counted.
 """
 
+import faulthandler
 import os
 import signal
+import sys
 import threading
 import time
 from contextlib import contextmanager, nullcontext, suppress
@@ -22,6 +24,8 @@ FOLDER = Path(__file__).resolve().parents[1] / "build" / "limits"
 LIMIT_S = {"quick": 10.0, "suite": 900.0}
 WAITING = 0.5  # of the time that passes counts where nothing is computed
 PERIOD_S = 0.5  # between two looks
+# Times the limit, and no other thread of Python has got a turn: a loop in C that lets none.
+DEAF = 3
 GRACE_S = 2.0  # for a test to end when all that it has started is killed
 TICKS_PER_S = os.sysconf("SC_CLK_TCK")
 
@@ -54,8 +58,8 @@ class Watch:
     def __init__(self, limit_s, run):
         FOLDER.mkdir(parents=True, exist_ok=True)
         self.limit_s = limit_s
-        self._ended = FOLDER / run  # tests of this run that ended a process
-        self._name = ""
+        self._run = run
+        self._note = FOLDER / f"{run}-{os.getpid()}"  # the test that this process is at
         self._began = None  # (time, processor time); None: nothing is watched
         self._killed_at = None  # time at which what the test has started was killed
         threading.Thread(target=self._look_on, daemon=True).start()
@@ -63,11 +67,21 @@ class Watch:
     @contextmanager
     def untimed(self):
         """Count nothing within, and what comes behind from nothing."""
-        self._began, is_timed = None, self._began is not None
+        is_timed = self._began is not None
+        self._end()
         try:
             yield
         finally:
-            self._began = self._now() if is_timed else None
+            if is_timed:
+                self._begin()
+
+    def _begin(self):
+        self._began = self._now()
+        faulthandler.dump_traceback_later(DEAF * self.limit_s, exit=True, file=sys.__stderr__)
+
+    def _end(self):
+        faulthandler.cancel_dump_traceback_later()
+        self._began = None
 
     @staticmethod
     def _now():
@@ -90,24 +104,27 @@ class Watch:
             if self._killed_at is None:
                 self._killed_at = time.monotonic()
             elif time.monotonic() > self._killed_at + GRACE_S:
-                with self._ended.open("a", encoding="utf-8") as file:
-                    file.write(f"{self._name}\n")
                 os.abort()  # pytest lets faulthandler say where that was
 
     @pytest.hookimpl(wrapper=True)
     def pytest_runtest_protocol(self, item):
         """Watch a test, and what is set up for it."""
-        self._name, self._killed_at, self._began = item.nodeid, None, self._now()
+        self._killed_at = None
+        self._note.write_text(item.nodeid, encoding="utf-8")
+        self._begin()
         try:
             return (yield)
         finally:
-            self._began = None
+            self._end()
+            self._note.unlink(missing_ok=True)
 
     @pytest.hookimpl(tryfirst=True)
     def pytest_runtest_setup(self, item):
         """Pass by a test that has ended a process of this run: xdist gives it to the next one."""
-        if self._ended.exists() and item.nodeid in self._ended.read_text().splitlines():
-            pytest.skip("it has ended a process already")
+        for note in FOLDER.glob(f"{self._run}-*"):
+            with suppress(FileNotFoundError):  # its process goes on
+                if note != self._note and note.read_text(encoding="utf-8") == item.nodeid:
+                    pytest.skip("it has ended a process already")
 
     @pytest.hookimpl(wrapper=True)
     def pytest_runtest_makereport(self):
