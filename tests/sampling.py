@@ -7,7 +7,8 @@ is the campaign. Three marks say what a run leaves out:
 
     @pytest.mark.sample(12)      of the cases of this test twelve are drawn, a quarter of them in a
                                  quick run; `quick=1` says another number; `of="kernel"` draws
-                                 kernels, the same ones for all tests of the file with this mark
+                                 kernels, the same ones for all tests of the file with this mark;
+                                 `sample(quick=1)` thins out the quick run alone
     @pytest.mark.thorough        a quick run leaves it out
     @pytest.mark.campaign        only the campaign has it
 
@@ -18,6 +19,7 @@ draw: `--draw-seed N`, without which the seed is the commit's.
 import hashlib
 import random
 import subprocess
+import sys
 from collections import defaultdict
 from pathlib import Path
 
@@ -26,7 +28,7 @@ import pytest
 ROOT = Path(__file__).resolve().parents[1]
 LEVELS = ("quick", "suite", "whole")
 MARKS = (
-    "sample(count, quick=None, of=None): how many of a test's cases, or of the values of a "
+    "sample(count=all, quick=None, of=None): how many of a test's cases, or of the values of a "
     "parameter, the suite and a quick run draw",
     "thorough: left out of a quick run",
     "campaign: only in the campaign",
@@ -74,7 +76,7 @@ def generator(config, name):
 
 def _most(mark, level):
     """Return how many cases a mark lets a level draw."""
-    count = mark.args[0]
+    count = mark.args[0] if mark.args else sys.maxsize
     return mark.kwargs.get("quick", max(1, count // 4)) if level == "quick" else count
 
 

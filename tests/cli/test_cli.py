@@ -256,6 +256,7 @@ def test_a_run_with_errors_moves_nothing(wrong, tmp_path):
     ]  # fmt: skip
 
 
+@pytest.mark.thorough
 def test_plot_says_what_it_wrote(good, tmp_path):
     picture = tmp_path / "part.svg"
     assert pycnc("plot", good, "-o", picture).out == f"{picture}\n"

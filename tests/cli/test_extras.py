@@ -78,7 +78,7 @@ print(json.dumps([pycnc.plan(program).time_s, pycnc.run(program).summary["time_s
     assert planned == run > 1
 
 
-@pytest.mark.sample(6, quick=2)
+@pytest.mark.sample(quick=2)
 @pytest.mark.parametrize(
     ("arguments", "code", "words"),
     [

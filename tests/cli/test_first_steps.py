@@ -65,7 +65,7 @@ def test_a_small_verb_loads_nothing_that_it_does_not_use(arguments, unused, tmp_
     assert loaded & unused == set()
 
 
-@pytest.mark.sample(99, quick=5)
+@pytest.mark.sample(quick=5)
 @pytest.mark.parametrize("verb", COMMANDS, ids=" ".join)
 def test_the_example_of_a_verb_works_as_it_is_written(verb, tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
@@ -112,7 +112,7 @@ def test_slope_is_short_for_its_setting():
     assert "slope linear" in short
 
 
-@pytest.mark.sample(3, quick=1)
+@pytest.mark.sample(quick=1)
 @pytest.mark.parametrize("shell", ["bash", "zsh", "fish"])
 def test_a_shell_completes_verbs_machines_and_settings(shell):
     assert "_PYCNC_COMPLETE" in completing(f"source_{shell}")

@@ -270,6 +270,7 @@ def test_a_place_that_cannot_be_written_is_told_before_anything_is_planned(files
     assert (result.code, result.out) == (2, "")
 
 
+@pytest.mark.thorough
 def test_an_interrupt_ends_it_with_130_and_no_half_file(files, tmp_path):
     table = tmp_path / "table.csv"
     command = [sys.executable, "-m", "pycnc", "sweep", *files, "-o", table, "--jobs", "2",

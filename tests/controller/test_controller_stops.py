@@ -36,7 +36,7 @@ def test_a_soft_limit_is_kept_without_a_jump(slope, name, tool):
     assert re.fullmatch(r"\d+\.\d\d", found["travel"])
 
 
-@pytest.mark.sample(2, quick=1)
+@pytest.mark.sample(quick=1)
 @pytest.mark.parametrize("name", ["a line of 1 m", "micro-segments, exact"])
 def test_a_soft_limit_is_kept_on_a_cortex_m7(name, tool):
     found = told("m7", "jerk", name, ("travel",), tool)

@@ -10,7 +10,7 @@ ELSEWHERE = {"modes", "cycles", "macros", "zeros", "states"}  # test_decode.py a
 FIRST, COUNT = 1, 10
 
 
-@pytest.mark.sample(9, quick=2)
+@pytest.mark.sample(quick=2)
 @pytest.mark.parametrize("name", sorted(against_rs274.FAMILIES.keys() - ELSEWHERE))
 def test_random_programs_equal_rs274(name, tool, tmp_path):
     tool("rs274")

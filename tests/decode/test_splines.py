@@ -73,7 +73,7 @@ def check(blocks, points, weights, order):
     assert (blocks["feed"][1:] == 600).all()
 
 
-@pytest.mark.sample(20, quick=4)
+@pytest.mark.sample(quick=4)
 @pytest.mark.parametrize("seed", range(20))
 def test_a_nurbs_is_the_one_of_its_definition(seed, machine):
     source = random.Random(seed)
@@ -214,7 +214,7 @@ def said_knots(points, weights, knots, order):
     return f"G6.2 P{order} " + "\n".join(lines)
 
 
-@pytest.mark.sample(20, quick=4)
+@pytest.mark.sample(quick=4)
 @pytest.mark.parametrize("seed", range(20))
 def test_g6_2_is_the_curve_of_its_definition(seed):
     source = random.Random(seed)

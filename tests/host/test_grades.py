@@ -193,6 +193,7 @@ def judge_run(program):
     return planned, controller, judge
 
 
+@pytest.mark.sample(quick=10)
 @pytest.mark.parametrize("name", CASES)
 def test_a_run_by_grades_keeps_speeds_path_stops_and_end(name):
     planned, controller, judge = judge_run(judged.load_exact(CASES[name]))

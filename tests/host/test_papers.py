@@ -255,6 +255,7 @@ def test_too_little_overlap_gives_a_lower_profile_and_says_where():
     assert not np.any(lower & seen["found_short"].certain)
 
 
+@pytest.mark.thorough
 def test_figures_5_and_the_scaling_study_have_a_row_for_everything():
     rows = papers_parallel.efficiency_rows(sizes=(100, 1000))
     assert [row["blocks"] for row in rows] == [100, 1000]

@@ -174,6 +174,7 @@ def test_an_error_behind_a_big_part_is_told_as_on_one_core(tmp_path, monkeypatch
     assert said[0].code == 1
 
 
+@pytest.mark.thorough
 @pytest.mark.skipif(pipeline.cores() == 1, reason="one core: nothing works side by side")
 def test_an_interrupt_exits_130_at_once(tmp_path):
     file = tmp_path / "big.ngc"

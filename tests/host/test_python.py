@@ -419,6 +419,7 @@ def test_a_lathe_counts_radii_where_the_program_counts_diameters():
 # Pictures
 
 
+@pytest.mark.sample(quick=1)
 @pytest.mark.parametrize(
     ("text", "machine", "three"),
     [

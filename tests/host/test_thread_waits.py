@@ -16,7 +16,7 @@ AFTER_FACING = (  # the angle hangs on every period of the surface speed before
 )
 
 
-@pytest.mark.sample(9, quick=3)
+@pytest.mark.sample(quick=3)
 @pytest.mark.parametrize("family", thread_programs.FAMILIES)
 def test_a_run_takes_as_long_as_planned(family):
     judged = [thread_programs.judge(family, seed) for seed in range(1, 7)]
@@ -43,6 +43,7 @@ def test_a_plan_by_grades_takes_a_thread_for_what_it_lasts():
     assert by_grades.time_s == pytest.approx(exact.time_s, abs=0.5 * 60 / 800 + 0.01)  # half a turn
 
 
+@pytest.mark.thorough
 def test_a_big_program_with_threads_is_planned_on_one_core_and_never_in_parts(monkeypatch):
     monkeypatch.setattr(parts, "PART_BLOCKS", 10)
     moves = "".join(f"G1 F3000 X{20 + k % 2 / 20}\n" for k in range(20_000))

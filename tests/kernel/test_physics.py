@@ -30,6 +30,7 @@ def case(request):
 # Runs keep every promise
 
 
+@pytest.mark.sample(quick=16)
 @pytest.mark.parametrize("load", [judged.load_exact, judged.load], ids=["linear", "shipped"])
 def test_a_run_keeps_limits_path_and_stops(case, load):
     judged.run(load(case).check())
@@ -41,12 +42,14 @@ def test_a_starved_run_keeps_limits_path_and_stops(case, prep_steps):
     judged.run(judged.load_exact(case), prep_steps)
 
 
+@pytest.mark.sample(quick=10)
 @pytest.mark.parametrize("prep_steps", [2, kernel.PREP_STEPS])
 def test_two_runs_give_the_same_bytes(case, prep_steps):
     program = judged.load_exact(case)
     assert judged.digest_of(program, prep_steps) == judged.digest_of(program, prep_steps)
 
 
+@pytest.mark.sample(quick=8)
 def test_how_many_rows_are_asked_for_makes_no_difference(case, monkeypatch):
     program = judged.load_exact(case)
     whole = judged.digest_of(program, 3)
@@ -54,6 +57,7 @@ def test_how_many_rows_are_asked_for_makes_no_difference(case, monkeypatch):
     assert judged.digest_of(program, 3) == whole
 
 
+@pytest.mark.sample(quick=10)
 def test_the_plan_takes_as_long_as_the_run(case):
     program = judged.load_exact(case)
     totals, segs, nodes, cells = judged.plan(program)

@@ -42,12 +42,14 @@ def case(request):
 # Runs keep every promise
 
 
+@pytest.mark.sample(quick=10)
 def test_a_run_keeps_jerk_and_all_other_limits_on_the_exact_path(case):
     run = judged.run(jerk_limited(case))
     assert run.judge.path_error_mm <= 1e-6
     assert run.judge.path_j <= 1 + 1e-6
 
 
+@pytest.mark.sample(quick=10)
 def test_within_a_tolerance_every_axis_keeps_its_jerk(case):
     run = judged.run(jerk_limited(case, TOLERANCE))
     assert run.judge.path_error_mm <= 0.01 * (1 + 1e-6)
@@ -76,6 +78,7 @@ def test_a_starved_run_keeps_every_promise(case, mode, prep_steps):
     judged.run(jerk_limited(case, mode), prep_steps)
 
 
+@pytest.mark.sample(quick=16)
 @pytest.mark.parametrize("mode", [None, TOLERANCE])
 def test_the_plan_takes_as_long_as_the_run_but_for_a_tick_at_a_dwell(case, mode):
     program = jerk_limited(case, mode)
@@ -267,7 +270,7 @@ def test_whatever_the_operator_does_limits_and_path_are_kept(name, mode, prep_st
     judged.run(jerk_limited(CASES[name], mode), prep_steps, script, answer=np.inf)
 
 
-@pytest.mark.sample(4, quick=1)
+@pytest.mark.sample(quick=1)
 @pytest.mark.parametrize("prep_steps", (1, 2, 3, 7))
 def test_a_resume_on_the_way_to_a_rest_goes_on_when_prep_has_made_its_plan(prep_steps):
     program = jerk_limited(CASES["random_arcs_0"], "G64 P0.01")

@@ -77,6 +77,7 @@ def test_the_experiment_keeps_every_promise(lookahead):
 # Every promise
 
 
+@pytest.mark.sample(quick=12)
 @pytest.mark.parametrize("name", CASES)
 @pytest.mark.parametrize("change", [(), ("path.lookahead_blocks=1",), ("path.lookahead_blocks=3",)])
 def test_a_run_keeps_limits_path_and_stops(name, change):
@@ -86,6 +87,7 @@ def test_a_run_keeps_limits_path_and_stops(name, change):
     assert judged.plan(program)[0]["ticks"] == run.ticks
 
 
+@pytest.mark.sample(quick=10)
 @pytest.mark.parametrize("name", CASES)
 @pytest.mark.parametrize("tolerance", ["G64 P0.01", "G64 P0.1"])
 def test_a_run_within_a_tolerance_keeps_limits_path_and_stops(name, tolerance):
@@ -144,6 +146,7 @@ def test_parts_of_a_spline_keep_the_limits_of_each(name):
     assert max(run.judge.path_a, run.judge.path_j) <= 1 + 1e-6
 
 
+@pytest.mark.sample(quick=5)
 @pytest.mark.parametrize("name", CASES)
 def test_a_starved_run_keeps_limits_path_and_stops(name):
     judged.run(under(CASES[name]), prep_steps=3)
