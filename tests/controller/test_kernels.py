@@ -233,6 +233,7 @@ REFUSALS = {
 }
 
 
+@pytest.mark.thorough
 @pytest.mark.sample(1)
 @pytest.mark.parametrize("kernel", CHECKOUTS, ids=str)
 def test_a_call_that_the_kernel_refuses_ends_in_the_safe_state(

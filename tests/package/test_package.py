@@ -205,6 +205,14 @@ def test_the_pair_is_the_same_bytes_wherever_it_is_made(pair, tmp_path):
             assert (out / name).read_bytes() == (pair / name).read_bytes()
 
 
+def test_no_file_of_the_pair_leaves_its_macros_to_the_next(pair):
+    text = (pair / "nck.c").read_text(encoding="utf-8")
+    sources = [path.read_text(encoding="utf-8") for path in (ROOT / "csrc/nck").rglob("*.c")]
+    names = {name for source in sources for name in re.findall(r"^#define (\w+)", source, re.M)}
+    assert names
+    assert [name for name in sorted(names) if f"\n#undef {name}\n" not in text] == []
+
+
 @pytest.mark.thorough
 @pytest.mark.sample(1)
 @pytest.mark.parametrize("compiler", ["gcc", "clang-19"])
@@ -425,6 +433,7 @@ def test_an_example_drives_as_the_library_on_the_host(
             assert digest(logged(log)) == expected[program.stem], program.stem
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize("name", ["bare_metal", "os_kernel"])
 def test_an_example_on_a_core_that_is_too_slow_says_so(examples, programs, tool, tmp_path, name):
     image, arguments = examples("m4f") / f"{name}.elf", (programs[0], tmp_path / "log")
