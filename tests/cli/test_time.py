@@ -137,6 +137,12 @@ def test_parts_are_told_as_a_table_with_units(tmp_path):
     assert {part["name"] for part in told["parts"]} == {"side one", "side two"}
 
 
+@pytest.mark.parametrize("length, shown", [(60, "n" * 60), (61, "n" * 59 + "…")])
+def test_a_name_of_more_than_60_letters_is_cut(length, shown):
+    program = b"G21 G90 F600\n(" + b"n" * length + b")\nG1 X1\nM2\n"
+    assert f"  {shown}\n" in pycnc("time", "-", "--by", "section", stdin=program).out
+
+
 def test_several_files_have_a_total_and_jobs_change_nothing_but_the_clock(tmp_path):
     for name in ("a.ngc", "b.ngc"):
         (tmp_path / name).write_bytes(PROGRAM)

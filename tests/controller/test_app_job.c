@@ -152,6 +152,7 @@ static void conditions_are_counts(check_t *check)
     CHECK_INT(check, line(&job, "max_ticks 4294967295"), APP_JOB_OK);
     CHECK_INT(check, line(&job, "max_ticks 4294967296"), APP_JOB_E_NUMBER);
     CHECK_INT(check, line(&job, "prep_steps"), APP_JOB_E_COUNT);
+    CHECK_INT(check, line(&job, "prep_steps 5 6"), APP_JOB_E_COUNT);
     CHECK_INT(check, line(&job, "prep_step 4"), APP_JOB_E_WORD);
     CHECK_INT(check, line(&job, "a b c d e f g"), APP_JOB_E_COUNT);
     char longer[APP_JOB_LINE_MAX + 1];
