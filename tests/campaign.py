@@ -14,7 +14,6 @@ printed before it. The exit status is the number of parts that found something.
     mutants     100 mutants of libnck against all C tests
     nasty       4 000 nasty programs a slope
     scripts     24 000 random scripts of the front door, 100 000 programs
-    stops       20 000 programs that are held, aborted and resumed
     cycles      4 000 programs with cycles within a tolerance: limits of every axis
     threads     2 000 programs of each family with threads and taps; 20 000 spindles that fail
     comp        2 000 contours of each family under radius compensation, rs274 beside them
@@ -47,7 +46,6 @@ PARTS = {
     "nasty": [f"tests/kernel/nasty.py --slope {slope} --count 4000 --seed {{seed}}"
               for slope in SLOPES],
     "scripts": ["build/gcc/tests_kernel test_script 24000 {seed}"],
-    "stops": ["tests/stop_gate.py 20000 {seed}"],
     "cycles": ["tests/cycle_jerk.py --count 4000 --seed {seed}"],
     "threads": ["tests/thread_programs.py --count 2000 --seed {seed}",
                 "build/gcc/tests_tick test_spindle 20000 {seed}"],

@@ -105,8 +105,10 @@ static int goes_in(nck_toolcomp_t *self, const nck_shape_t *shapes, const uint32
 static int is_fault(nck_toolcomp_t *self, const nck_shape_t *shape, const nck_comp_piece_t *other) {
     const nck_comp_piece_t *const piece = &self->walk.piece;
     const uint32_t contours[2] = {piece->of, other->of};
-    nck_shape_t shapes[2] = {*shape, *shape};
+    nck_shape_t shapes[2];
     nck_meeting_t at[2];
+    shapes[0] = *shape;
+    shapes[1] = *shape;
     on_path(self, other, &shapes[1]);
     const unsigned count = nck_shape_cross(&shapes[0], &shapes[1], at);
     for (unsigned k = 0; k < count; k++) {
@@ -170,9 +172,10 @@ static nck_status_t hold_ends(nck_toolcomp_t *self, const nck_shape_t *shape) {
 }
 
 nck_status_t nck_comp_hold(nck_toolcomp_t *self) {
-    nck_comp_piece_t other = self->walk.piece;
-    const nck_comp_entry_t *const entry = nck_comp_at(self, other.of);
+    nck_comp_piece_t other;
     nck_shape_t shape;
+    other = self->walk.piece;
+    const nck_comp_entry_t *const entry = nck_comp_at(self, other.of);
     const int swings = entry->clear && other.part == NCK_COMP_ABOUT;
     if (entry->rapid || entry->enters || swings) return NCK_OK;
     on_path(self, &self->walk.piece, &shape);
