@@ -12,7 +12,7 @@ enum { PLACES = 8 }; // of a piece are looked at
 #define CLEAR 1e-5 // [mm] a tool that is nearer does not fit
 
 // What is between two pieces of the path.
-typedef struct gap {
+typedef struct apart {
     const nck_comp_piece_t *from;
     const nck_comp_piece_t *to;
     nck_shape_t side[2]; // what the path has of them
@@ -25,11 +25,11 @@ typedef struct gap {
     double depth;        // the tool beside what is left out is so deep in another contour [mm]
     uint32_t of;         // count of the contour beside which it is
     uint32_t other;      // and of the one that it is in
-} gap_t;
+} apart_t;
 
 // The tool beside contour `of`: how deep is it in the others? Returns 1 if it is in none.
 // Neighbours have no depth, for at a corner each is in the other.
-static int is_clear(nck_toolcomp_t *self, gap_t *gap, uint32_t of, const double *point) {
+static int is_clear(nck_toolcomp_t *self, apart_t *gap, uint32_t of, const double *point) {
     int clear = 1;
     for (uint32_t m = gap->from->of; m != gap->to->of + 1; m++) {
         const nck_comp_entry_t *const entry = nck_comp_at(self, m);
@@ -47,7 +47,7 @@ static int is_clear(nck_toolcomp_t *self, gap_t *gap, uint32_t of, const double 
 
 // Does the tool fit anywhere on a stretch of the piece beside contour `of`? Behind the first move,
 // which is no contour, it may: where that leads in, the contour is cut short.
-static int fits(nck_toolcomp_t *self, gap_t *gap, uint32_t of, const double *stretch) {
+static int fits(nck_toolcomp_t *self, apart_t *gap, uint32_t of, const double *stretch) {
     nck_comp_piece_t piece;
     double point[2];
     nck_comp_piece(self, of, NCK_COMP_BESIDE, &piece);
@@ -61,7 +61,7 @@ static int fits(nck_toolcomp_t *self, gap_t *gap, uint32_t of, const double *str
 }
 
 // The ends of both pieces that are cut off. Beside a rapid nothing is cut.
-static int ends_fit(nck_toolcomp_t *self, gap_t *gap) {
+static int ends_fit(nck_toolcomp_t *self, apart_t *gap) {
     const nck_comp_piece_t *const from = gap->from;
     const nck_comp_piece_t *const to = gap->to;
     const nck_comp_entry_t *const entry = nck_comp_at(self, from->of);
@@ -78,13 +78,13 @@ static void side_of(nck_toolcomp_t *self, const nck_comp_piece_t *piece, nck_sha
 }
 
 // How far a corner of the contour is from the path on both sides of the gap.
-static double reach(const gap_t *gap, const double *point) {
+static double reach(const apart_t *gap, const double *point) {
     return nck_min(nck_shape_distance(&gap->side[0], point),
                    nck_shape_distance(&gap->side[1], point));
 }
 
 // An element of which nothing is on the path. Returns 1 if the tool could touch it.
-static int leave_out(nck_toolcomp_t *self, gap_t *gap, uint32_t count) {
+static int leave_out(nck_toolcomp_t *self, apart_t *gap, uint32_t count) {
     const nck_shape_t *const contour = &nck_comp_at(self, count)->contour;
     nck_comp_piece_t piece;
     nck_comp_piece(self, count, NCK_COMP_BESIDE, &piece);
@@ -104,7 +104,7 @@ static int is_left_out(nck_toolcomp_t *self, uint32_t count) {
     return entry->moves && !entry->path[NCK_COMP_BESIDE].on;
 }
 
-static nck_status_t fail(nck_toolcomp_t *self, gap_t *gap) {
+static nck_status_t fail(nck_toolcomp_t *self, apart_t *gap) {
     double end[2];
     if (!(gap->depth > 0.0)) { // in no other: then where the piece before would end
         nck_shape_point(&gap->from->shape, gap->from->shape.length, end);
@@ -120,7 +120,7 @@ static nck_status_t fail(nck_toolcomp_t *self, gap_t *gap) {
                          gap->depth, (double)nck_comp_at(self, gap->other)->block.line);
 }
 
-static void tell(nck_toolcomp_t *self, const gap_t *gap) {
+static void tell(nck_toolcomp_t *self, const apart_t *gap) {
     const int told = self->note.code != 0 && self->note.value > gap->left;
     if (gap->elements == 0 || gap->left < NCK_COMP_CLOSE || told) return;
     const uint32_t lines[2] = {nck_comp_at(self, gap->first)->block.line,
@@ -144,7 +144,7 @@ static nck_status_t judge_end(nck_toolcomp_t *self) {
 }
 
 // Leave out what is so from entry `of` up to `end`. Returns as leave_out does.
-static int leave_out_until(nck_toolcomp_t *self, gap_t *gap, uint32_t of, uint32_t end) {
+static int leave_out_until(nck_toolcomp_t *self, apart_t *gap, uint32_t of, uint32_t end) {
     int fit = 0;
     for (uint32_t m = of; m != end && !fit; m++) {
         if (is_left_out(self, m)) fit = leave_out(self, gap, m);
@@ -162,7 +162,7 @@ nck_status_t nck_comp_judge(nck_toolcomp_t *self) {
         if (first == self->ring.head) return self->closed ? judge_end(self) : NCK_OK;
         nck_comp_piece(self, self->last.count, NCK_COMP_BESIDE, &next);
     }
-    gap_t gap;
+    apart_t gap;
     memset(&gap, 0, sizeof gap);
     gap.from = piece;
     gap.to = &next;
