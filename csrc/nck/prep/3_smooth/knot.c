@@ -29,7 +29,7 @@ enum {
 };
 
 // What the way ahead of t[4] asks for.
-typedef struct way {
+typedef struct passage {
     double step;  // spacing, as all that is not a goal allows
     double goal;  // place of the next corner or of the run's end, within two steps
     double half;  // spacing wanted on either side of the goal; 0: any
@@ -37,13 +37,13 @@ typedef struct way {
     uint8_t sure;     // 1: no spacing so far may still grow
     uint8_t key;      // whose own knot the goal is: nck_key_t
     uint8_t straight; // 1: one line leads to the goal
-} way_t;
+} passage_t;
 
 // 1 if the spline begins at t[4], at rest.
 static int is_fresh(const nck_smooth_t *self) { return !(self->run.t[0] < self->run.t[4]); }
 
 // The end of the known path, in place of a corner.
-static nck_status_t look_at_end(nck_smooth_t *self, const nck_raw_t *raw, way_t *way) {
+static nck_status_t look_at_end(nck_smooth_t *self, const nck_raw_t *raw, passage_t *way) {
     const double end = raw->s + raw->seg.length;
     if (self->run.closed) {
         way->goal = end;
@@ -80,7 +80,7 @@ static nck_status_t find_spacing(nck_smooth_t *self, uint32_t count, int *found)
 }
 
 // Where to look ahead from: t[4], or the block where the last call had to leave off.
-static uint32_t begin_look(nck_smooth_t *self, way_t *way) {
+static uint32_t begin_look(nck_smooth_t *self, passage_t *way) {
     const nck_trial_t *const trial = &self->run.trial;
     const uint32_t count = trial->looks ? trial->count : nck_raw_find(self, self->run.t[4]);
     way->step = trial->looks ? trial->step : largest_step(self, nck_raw_at(self, count));
@@ -101,7 +101,7 @@ static void keep_place(nck_smooth_t *self, uint32_t count, double step) {
 
 // Two corners that share their bend want even knots, h apart, about the middle between them: two
 // inner ones with control points on the path, h/2 to either side. 1: one of them is the goal.
-static int look_at_pair(nck_smooth_t *self, uint32_t count, way_t *way) {
+static int look_at_pair(nck_smooth_t *self, uint32_t count, passage_t *way) {
     const nck_raw_t *const raw = nck_raw_at(self, count);
     const double h = raw->spacing;
     const double between = nck_raw_at(self, nck_raw_next(self, count))->seg.length;
@@ -115,7 +115,7 @@ static int look_at_pair(nck_smooth_t *self, uint32_t count, way_t *way) {
 }
 
 // What a block's end with a known spacing asks for. 1: it is the goal.
-static int look_at_corner(nck_smooth_t *self, uint32_t count, way_t *way) {
+static int look_at_corner(nck_smooth_t *self, uint32_t count, passage_t *way) {
     const nck_raw_t *const raw = nck_raw_at(self, count);
     const double here = self->run.t[4];
     const double end = raw->s + raw->seg.length;
@@ -141,7 +141,7 @@ static double step_inside(const nck_raw_t *raw, double here) {
 }
 
 // Look ahead from t[4]. A spacing at distance d may be half of d smaller: steps may halve.
-static nck_status_t look_ahead(nck_smooth_t *self, way_t *way) {
+static nck_status_t look_ahead(nck_smooth_t *self, passage_t *way) {
     const double here = self->run.t[4];
     uint32_t count = begin_look(self, way);
     int found = 0;
@@ -168,7 +168,7 @@ static nck_status_t look_ahead(nck_smooth_t *self, way_t *way) {
 
 // From the knot of a corner on: as far as before it, so that the control point stays on the corner.
 // What is too short for both corners' spacings is shared: half for each that wants more.
-static double step_from_key(const nck_smooth_t *self, const way_t *way, double ahead) {
+static double step_from_key(const nck_smooth_t *self, const passage_t *way, double ahead) {
     const double even = self->run.t[4] - self->run.t[3];
     const double step = even > 0.0 ? nck_min(even, way->step) : way->step;
     if (ahead >= step + way->half) return step;
@@ -191,7 +191,7 @@ static const gap_t *gap_of(uint8_t key) {
 }
 
 // Up to the knot before the goal, or one more before that.
-static double gap_before(const way_t *way, double gap) {
+static double gap_before(const passage_t *way, double gap) {
     const gap_t *const ahead = gap_of(way->key);
     if (!ahead || gap <= ahead->most * way->half) return gap;
     const double middle = gap - ahead->wide * way->half;
@@ -200,7 +200,7 @@ static double gap_before(const way_t *way, double gap) {
 
 // Along a line up to the knot before the goal: in one step, or with knots that bound what a key
 // bends.
-static double straight_gap(const nck_smooth_t *self, const way_t *way, double gap) {
+static double straight_gap(const nck_smooth_t *self, const passage_t *way, double gap) {
     const gap_t *const behind = gap_of(self->run.past_key);
     const double past = behind ? self->run.t[4] - self->run.t[3] : 0.0;
     if (past > 0.0 && gap > behind->most * past) {
@@ -227,7 +227,7 @@ static double step_to_output(nck_smooth_t *self, double step) {
 }
 
 // The step from t[4] on that is wanted.
-static double wanted_step(nck_smooth_t *self, const way_t *way) {
+static double wanted_step(nck_smooth_t *self, const passage_t *way) {
     const double ahead = way->goal - self->run.t[4];
     if (self->run.on_key == NCK_KEY_PAIR && way->key == NCK_KEY_PAIR) return ahead;
     if (self->run.on_key) return step_from_key(self, way, ahead);
@@ -309,7 +309,7 @@ static int begin_try(nck_smooth_t *self, double t) {
 }
 
 // Begin to try the steps on a way, from the one wanted down. 0: there is none.
-static int begin_trial(nck_smooth_t *self, const way_t *way) {
+static int begin_trial(nck_smooth_t *self, const passage_t *way) {
     nck_trial_t *const trial = &self->run.trial;
     const double here = self->run.t[4];
     trial->step = wanted_step(self, way);
@@ -344,7 +344,7 @@ static int try_shorter(nck_smooth_t *self) {
 // Look for the way ahead. NCK_DONE: the knot needs no trial.
 static nck_status_t begin_choice(nck_smooth_t *self) {
     const double here = self->run.t[4];
-    way_t way = {0.0, 0.0, 0.0, 0.0, 0, NCK_KEY_NONE, 0};
+    passage_t way = {0.0, 0.0, 0.0, 0.0, 0, NCK_KEY_NONE, 0};
     // Outputs fill the ring behind its only seg: no more path comes before they are given.
     self->run.closed |= nck_raw_is_full(self) && self->raw.tail == nck_raw_last(self);
     if (here >= self->run.rest || (self->run.closed && here >= nck_raw_known(self))) {
