@@ -3,6 +3,7 @@
 
 import contextlib
 import errno
+import io
 import os
 import secrets
 import stat
@@ -116,12 +117,11 @@ def read_open(file, name, most=PROGRAM_MOST):
 
     Behind the piece with the first NUL byte nothing is read: there no text goes on.
     """
-    pieces, size = [], 0
+    text = io.BytesIO()  # grows in place and gives its bytes without a copy: pieces to join are two
     while piece := file.read(_PIECE):
-        pieces.append(piece)
-        size += len(piece)
-        if size > most:
+        text.write(piece)
+        if text.tell() > most:
             raise _too_long(name, most)
         if b"\0" in piece:
             break
-    return b"".join(pieces)
+    return text.getvalue()
