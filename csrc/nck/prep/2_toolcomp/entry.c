@@ -12,22 +12,23 @@ typedef struct way {
     unsigned axis;
 } way_t;
 
-static way_t way_of(const nck_toolcomp_t *self, const nck_block_t *block) {
+static void find_way(const nck_toolcomp_t *self, const nck_block_t *block, way_t *way_out) {
     const int64_t height_nm = nck_machine_approach_nm(self->machine);
-    way_t way;
-    way.axis = nck_machine_approach_axis(self->machine);
-    memcpy(way.to_nm, block->target_nm, sizeof way.to_nm);
-    for (unsigned x = 0; x < 3; x++) way.to_nm[x] += block->tool_nm[x];
-    way.high_nm = self->machine->start_nm[way.axis];
-    if (way.to_nm[way.axis] > way.high_nm) way.high_nm = way.to_nm[way.axis];
-    if (height_nm < INT64_MAX && height_nm > way.high_nm) way.high_nm = height_nm;
-    return way;
+    const unsigned axis = nck_machine_approach_axis(self->machine);
+    memcpy(way_out->to_nm, block->target_nm, sizeof way_out->to_nm);
+    for (unsigned x = 0; x < 3; x++) way_out->to_nm[x] += block->tool_nm[x];
+    int64_t high_nm = self->machine->start_nm[axis];
+    if (way_out->to_nm[axis] > high_nm) high_nm = way_out->to_nm[axis];
+    if (height_nm < INT64_MAX && height_nm > high_nm) high_nm = height_nm;
+    way_out->axis = axis;
+    way_out->high_nm = high_nm;
 }
 
 nck_status_t nck_comp_way_in(const nck_toolcomp_t *self, nck_block_t *block) {
     const int64_t *const start_nm = self->machine->start_nm;
     const uint32_t part = block->output.number;
-    const way_t way = way_of(self, block);
+    way_t way;
+    find_way(self, block, &way);
     if (!memcmp(way.to_nm, start_nm, sizeof way.to_nm)) return NCK_EMPTY; // it is there
     block->kind = part == NCK_WAY_IN ? NCK_BLOCK_LINE : NCK_BLOCK_RAPID;
     block->output.number = 0;
