@@ -15,11 +15,11 @@ EVERYWHERE = ("host", "m7")  # where the faults are tried
 PERIOD_S = 1e-3
 NM = 1e-6  # mm
 PERIOD_UNITS = 25_000  # of the controllers' clock
-END_NM = (24_000_000, 5_000_000, 0)
+END_NM = (24_000_000, -6_000_000, 0)
 # A way that never crosses itself: straight moves of 2 to 25 mm, and many of 0.1 mm.
 POINTS = [(0, 0), (25, 0), (25, 10), (12, 10), (10, 12), (12, 15), (40, 15), (40, 2)]
 POINTS += [(40 - 0.1 * k, 2 + 3 * math.sin(k / 25) - 0.02 * k) for k in range(1, 100)]
-POINTS += [(30, -5), (24, 5)]
+POINTS += [(30, -5), (24, -6)]
 PROGRAM = cases.polyline(POINTS, feed=3000)
 WAVE = [(0.05 * k, 0.4 * math.sin(k / 9)) for k in range(1500)]  # a long way for a small window
 WAVE_END_NM = (*(round(1e6 * x) for x in WAVE[-1]), 0)

@@ -110,7 +110,7 @@ def test_an_abort_keeps_the_position_and_the_next_program_goes_on_there(controll
     assert done[499] <= done[-1] < 40
     x, y, _ = outcome.joints_nm
     there = mill(**{"start.x_mm": x * NM, "start.y_mm": y * NM})
-    again = controllers(name).run("G21 G90 G1 F3000 X24 Y5\nM2\n", there, trace=True)
+    again = controllers(name).run("G21 G90 G1 F3000 X24 Y-6\nM2\n", there, trace=True)
     assert abs(again.rows["joint_nm"][0] - outcome.joints_nm).max() < 1e6 * 50 * PERIOD_S
     assert again.state == "done" and again.joints_nm == END_NM
 
