@@ -26,6 +26,9 @@ from programmed_path import COUNTS, Limits, Path
 from visits import Visits
 
 SHARE = 1e-6  # how far a limit may be passed
+# … by acceleration and jerk where a late prep lets the tick brake by itself: it goes by the steps
+# of a plan that it follows (csrc/nck/tick/6_interpolate/README.md, "The clock").
+LATE_SHARE = 0.05
 STRETCH = 2.5  # a smoothed path may be as much longer than its coordinate somewhere
 ROUNDING = 8 * 2.0**-52  # of a coordinate, 8 ulp at most; felt in accelerations by 1/T²
 PATH_ERROR_MM = 1e-6
@@ -236,10 +239,16 @@ class Checker:
                 judged = self._jerk_promised(block)
             unit = limits.period_s ** (order + 1)
             values = np.diff(track[2 - order :], n=order + 1, axis=0)[judged] / unit
-            self._within(values, most, SUMS[order] * noise / unit, what, judged)
+            more = SUMS[order] * noise / unit + self._late_more(order, most)
+            self._within(values, most, more, what, judged)
             np.maximum(found, np.abs(values / most).max(axis=0, initial=0.0), out=found)
             values = np.diff(counted[2 - order :], n=order + 1, axis=0)[judged] * nm / unit
-            self._within(values, most[axes], SUMS[order] * 0.5 * nm / unit, f"joint {what}", judged)
+            more = SUMS[order] * 0.5 * nm / unit + self._late_more(order, most[axes])
+            self._within(values, most[axes], more, f"joint {what}", judged)
+
+    def _late_more(self, order, most):
+        late = self._late and self._operator.commands and order > 0
+        return LATE_SHARE * most if late else 0.0
 
     def _within(self, values, limit, more, what, judged):
         size = np.abs(values)
@@ -277,7 +286,7 @@ class Checker:
         for order, most in enumerate(bounds, 1):
             unit = period ** (order + 1)
             values = np.abs(np.diff(track[2 - order :], n=order + 1)) / unit
-            more = SUMS[order] * noise / unit
+            more = SUMS[order] * noise / unit + self._late_more(order, np.max(most))
             what = f"path {ORDERS[order]} {values.max():.9g}, limit {np.min(most):g}"
             self._hold(values <= most * (1 + SHARE) + more, what)
             name = ("path_a", "path_j")[order - 1]

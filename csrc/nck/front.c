@@ -130,7 +130,8 @@ static int is_executed(const nck_t *nck) {
 nck_status_t nck_begin(nck_t *nck) {
     const int aborted = nck_fence_load(&nck->command.abort) != 0;
     const int over = aborted || is_executed(nck);
-    const int rests = nck_interpolate_is_at_rest(&nck->interpolate);
+    const int rests = nck_interpolate_is_at_rest(&nck->interpolate)
+                      || nck_interpolate_stands(&nck->interpolate);
     if (nck->wire.given_up || !over || !rests) return NCK_E_STATE;
     nck_link_ask(&nck->link); // nck_prep begins the other rooms when the tick has yielded it
     nck_decode_begin(&nck->decode);

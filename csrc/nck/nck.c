@@ -281,7 +281,8 @@ static int is_begun(nck_t *nck) {
 // Nothing more is planned; the end is the rest.
 static nck_status_t finish_abort(const nck_t *nck) {
     const int waits = nck_interpolate_is_waiting(&nck->interpolate);
-    return nck_slope_is_held(&nck->slope) || waits ? NCK_DONE : NCK_FULL;
+    const int stands = nck_interpolate_stands(&nck->interpolate);
+    return nck_slope_is_held(&nck->slope) || waits || stands ? NCK_DONE : NCK_FULL;
 }
 
 static inline nck_status_t step_ahead(nck_lookahead_t *lookahead) {
@@ -324,7 +325,7 @@ static nck_status_t take_input(nck_t *nck, nck_status_t status, nck_status_t ahe
 }
 
 // Downstream first: cells, then caps, then blocks.
-nck_status_t nck_prep(nck_t *nck) {
+static nck_status_t step_rooms(nck_t *nck) {
     if (nck->wire.given_up) return NCK_DONE;
     if (!is_begun(nck)) return NCK_FULL;
     const nck_status_t status = step_slope(nck);
@@ -333,6 +334,13 @@ nck_status_t nck_prep(nck_t *nck) {
     if (nck_fence_load(&nck->command.abort)) return finish_abort(nck);
     const nck_status_t ahead = step_ahead(&nck->lookahead);
     return ahead == NCK_OK ? NCK_OK : take_input(nck, status, ahead);
+}
+
+// Who has nothing left to do need not be seen.
+nck_status_t nck_prep(nck_t *nck) {
+    const nck_status_t status = step_rooms(nck);
+    nck_fence_store(&nck->wire.steps, status == NCK_DONE ? 0 : nck->wire.steps + 1);
+    return status;
 }
 
 static void hand_over_outputs(nck_t *nck) {
@@ -359,7 +367,19 @@ nck_tick_state_t nck_position(const nck_t *nck, nck_pose_t *pose_out, nck_axes_t
     return (nck_tick_state_t)pose_out->state;
 }
 
+// 1 if somebody asks for rest.
+static inline int asks_for_rest(const nck_t *nck) {
+    const nck_command_t *const command = &nck->command;
+    const int rapid = nck->interpolate.pose.rapid;
+    const uint32_t ppm = nck_fence_load(rapid ? &command->rapid_ppm : &command->feed_ppm);
+    if (nck_fence_load(&command->hold) | nck_fence_load(&nck->travel.stops)) return 1;
+    return ppm == 0 || nck_fence_load(&command->speed_um_s) == 0;
+}
+
 nck_tick_state_t nck_tick(nck_t *nck, nck_pose_t *pose_out, nck_axes_t *axes_out) {
+    const int asks = asks_for_rest(nck);
+    nck_interpolate_watch(&nck->interpolate, asks, asks && nck_slope_brakes(&nck->slope),
+                          nck_fence_load(&nck->wire.steps));
     (void)nck_interpolate_tick(&nck->interpolate);
     if (nck_fence_load(&nck->interpolate.sync.lost)) nck_abort(nck); // nothing can follow it
     const nck_tick_state_t state = nck_position(nck, pose_out, axes_out);
@@ -423,7 +443,8 @@ int nck_is_idle(const nck_t *nck) {
     const int waits = nck_interpolate_is_waiting(&nck->interpolate);
     if (nck_link_owner(&nck->link) == NCK_LINK_PREP) return 1;
     const int moves = nck_is_moving(nck);
-    if (nck_fence_load(&nck->command.abort)) return waits || !moves;
+    const int stands = nck_interpolate_stands(&nck->interpolate);
+    if (nck_fence_load(&nck->command.abort)) return waits || stands || !moves;
     return !waits && !moves && nck_link_is_empty(&nck->link);
 }
 

@@ -120,6 +120,7 @@ typedef struct nck {
         uint8_t flush;          // nck_flush_state_t
         uint32_t blocks;        // blocks so far, of all kinds
         nck_diagnostic_t diagnostic; // of a room behind 1_decode; code 0: none
+        uint32_t steps;         // of nck_prep, 0 when it is done; any reads
     } wire;
 } nck_t;
 
@@ -269,9 +270,8 @@ nck_tick_state_t nck_tick(nck_t *nck, nck_pose_t *pose_out, nck_axes_t *axes_out
 void nck_resume(nck_t *nck);
 
 // Come to rest on the path, within the limits of the slope, and stay until nck_resume. The state is
-// NCK_TICK_HOLD from the first cell of the brake on. The brake begins within ten periods if prep
-// makes one short plan, a bounded number of steps, in five of them, else that much later.
-// Cost: constant. Context: any.
+// NCK_TICK_HOLD from the first cell of the brake on. The brake begins within ten periods: if prep
+// has not made its short plan by then, the tick brakes by itself. Cost: constant. Context: any.
 void nck_hold(nck_t *nck);
 
 // Hold at the end of every block (1) or no longer (0). Cost: constant. Context: any.

@@ -19,6 +19,8 @@ HEADERS = Path("/usr/include/linuxcnc")
 OWN = Path("/usr/lib/linuxcnc/modules/tpmod.so")  # LinuxCNC's own planner
 FLAGS = ["-D_GNU_SOURCE", "-DRTAPI", "-DSIM", "-Drealtime", "-D__MODULE__", "-rdynamic", "-O2"]
 AXES = "XYZABCUVW"
+# Jerk where an answer comes late and the tick brakes by itself (docs/stops.md).
+BY_TICK = 1.15
 COLUMNS = (*AXES.lower(), "turns", "speed", "to_go", "id", "depth", "done", "v_asked")
 CYCLE_S = 1e-3
 EVER = 1_000_000  # cycles: longer than any script takes

@@ -6,7 +6,7 @@ import random
 
 import numpy as np
 import pytest
-from linuxcnc_stand_in import CYCLE_S, EVER, OWN, ROOT, Machine, StandIn
+from linuxcnc_stand_in import BY_TICK, CYCLE_S, EVER, OWN, ROOT, Machine, StandIn
 
 ROUNDING = 1e-6  # of a limit, on doubles
 WITHIN = "term 2 0.01"
@@ -434,7 +434,8 @@ def random_script(seed):
 @pytest.mark.parametrize("seed", range(SCRIPTS))
 def test_a_random_operator_breaks_no_limit_and_loses_no_place(stand_in, seed):
     run = stand_in.run(random_script(seed))
-    assert_within_limits(run)
+    assert max(run.peaks()[:2]) <= 1 + ROUNDING
+    assert run.peaks()[2] <= BY_TICK
     assert ["-1"] not in run.told("rest") + run.told("still")
     assert run.places[-1] == pytest.approx([1, 2, 3], abs=1e-6)
 

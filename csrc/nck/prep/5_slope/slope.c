@@ -167,9 +167,11 @@ static int waits_behind(const nck_slope_t *self, const nck_pieces_t *pieces) {
     return nck_plan_ends_block(self->link, pieces, end - 1);
 }
 
-// Cells that were not made for a rest at a block's end do not tell it.
+// Cells that were not made for a rest at a block's end do not tell it. In the tail nobody is heard.
 static void tell(nck_slope_t *self) {
+    const int brakes = self->now.held == NCK_HELD_RESUME || self->now.held == NCK_HELD_OVERRIDE;
     nck_fence_store(&self->waits, self->now.held == NCK_HELD_BLOCK);
+    nck_fence_store(&self->brakes, brakes && !self->in_tail);
 }
 
 // The plan of now stays, to its end.
@@ -307,8 +309,8 @@ static void take_over(nck_slope_t *self) {
     if (!on_the_way) self->resumes = self->wish.resumes;
     self->now = self->next;
     self->now.first_piece = self->next.piece;
-    tell(self);
     self->in_tail = 0;
+    tell(self);
     self->anew = self->kind == NCK_JOB_BRAKE;
     memset(&self->answer, 0, sizeof self->answer);
     self->phase = PHASE_IDLE;
@@ -486,8 +488,6 @@ uint32_t nck_slope_needs(const nck_slope_t *self) {
 int nck_slope_is_held(const nck_slope_t *self) {
     return self->now.held && final_count(self) >= self->now.n;
 }
-
-int nck_slope_waits(const nck_slope_t *self) { return nck_fence_load(&self->waits) != 0; }
 
 int nck_slope_invariants(const nck_slope_t *self) {
     const nck_plan_t *const now = &self->now;

@@ -12,6 +12,7 @@
 #ifndef NCK_PREP_SLOPE_H
 #define NCK_PREP_SLOPE_H
 
+#include "nck/base/fence.h"           // nck_fence_load
 #include "nck/base/link.h"            // nck_link_t
 #include "nck/base/machine.h"         // nck_machine_t
 #include "nck/base/status.h"          // nck_status_t
@@ -43,6 +44,7 @@ typedef struct nck_slope {
     uint32_t taken;        // cells that the tick had taken when the plan in work was begun
     uint32_t spent;        // cells that it took while the last plan was made
     uint32_t waits;        // 1: single block keeps the path behind now; any context reads
+    uint32_t brakes;       // 1: the plan of now brings the rest asked for; any context reads
     uint32_t in_tail;      // 1: the tick has been seen in the stop tail
     struct {
         uint32_t status;   // what the last step said, which lacked pieces; NCK_FULL: or what the
@@ -114,8 +116,16 @@ static inline int nck_slope_is_answering(const nck_slope_t *self) {
     return self->answer.pending != 0;
 }
 
+// 1 if the plan in force brings the rest that a hold or an override of 0 asks for. Cost: constant.
+// Context: any.
+static inline int nck_slope_brakes(const nck_slope_t *self) {
+    return nck_fence_load(&self->brakes) != 0;
+}
+
 // 1 if single block keeps the path where the plan of now rests. Cost: constant. Context: any.
-int nck_slope_waits(const nck_slope_t *self);
+static inline int nck_slope_waits(const nck_slope_t *self) {
+    return nck_fence_load(&self->waits) != 0;
+}
 
 // Every invariant of the room, for tests: 1 if all hold. Cost: constant. Context: prep.
 int nck_slope_invariants(const nck_slope_t *self);

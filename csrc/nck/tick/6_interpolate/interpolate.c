@@ -11,6 +11,9 @@
 #include "nck/base/real.h"      // nck_floor
 #include "nck/base/spin_math.h" // nck_spin_rpm
 
+// A brake follows the plan as long as it is slower by no more than rounding has made it.
+#define FOLLOWS_EPSILON 1e-6
+
 // Nothing in a build where no motions overlap.
 enum { OVERLAPS = NCK_HAS_OVERLAP, RIDES = OVERLAPS * NCK_STOP_RIDES };
 
@@ -18,6 +21,7 @@ void nck_interpolate_init(nck_interpolate_t *self, const nck_terms_t *terms, nck
     const nck_machine_t *const machine = terms->machine;
     memset(self, 0, sizeof *self);
     self->machine = machine;
+    self->terms = terms;
     self->link = link;
     for (int x = 0; x < NCK_AXIS_MAX; x++) {
         self->pose.axis[x] = (double)machine->start_nm[x] / nck_machine_counts(machine, x);
@@ -33,13 +37,6 @@ static const nck_seg_t *seg_at(const nck_interpolate_t *self, uint32_t seq) {
     return nck_link_seg(self->link, seq);
 }
 
-// From the start of one seg to that of a later one.
-static double length_between(const nck_interpolate_t *self, uint32_t from, uint32_t to) {
-    double length = 0.0;
-    for (uint32_t seq = from; seq != to; seq++) length += seg_at(self, seq)->length;
-    return length;
-}
-
 // Segs before this one are done with, unless what rides is in one of them.
 static void finish_before(nck_interpolate_t *self, uint32_t seq) {
     if (!self->rider.on) nck_link_seg_finish(self->link, seq);
@@ -48,12 +45,7 @@ static void finish_before(nck_interpolate_t *self, uint32_t seq) {
 // The first cell behind a rest.
 static void set_off(nck_interpolate_t *self) {
     self->rests = 0;
-    self->filter.seg = self->cell.seg;
-    self->filter.ahead = 0.0;
-    for (uint32_t n = 0; n < self->filter.taps; n++) {
-        self->filter.s[n] = self->cell.s;
-        self->filter.v[n] = 0.0;
-    }
+    nck_mean_begin(&self->filter, &self->cell);
     finish_before(self, self->filter.seg);
 }
 
@@ -64,6 +56,7 @@ static void part_ways(nck_interpolate_t *self) {
     self->rider.on = 1;
     self->rider.cell = self->cell;
     self->rider.t_cell = self->t_cell;
+    self->rider.late = self->clock.late;
     self->rider.filter = self->filter;
     nck_link_ride(self->link);
     (void)nck_link_take(self->link, &self->cell, &from_tail);
@@ -74,12 +67,13 @@ static void part_ways(nck_interpolate_t *self) {
 static inline int next_cell(nck_interpolate_t *self) {
     const uint32_t seg_before = self->cell.seg;
     int from_tail = 0;
+    self->a_before = self->rests ? 0.0 : self->cell.a;
     if (nck_link_take(self->link, &self->cell, &from_tail) != NCK_OK) return 0;
     self->from_tail = (uint32_t)from_tail;
     if (self->rests) {
         set_off(self);
     } else if (self->filter.taps > 1) { // else nobody asks, and segs may be many
-        self->filter.ahead += length_between(self, seg_before, self->cell.seg);
+        self->filter.ahead += nck_mean_length(self->link, seg_before, self->cell.seg);
     }
     return 1;
 }
@@ -98,48 +92,21 @@ static void place(nck_interpolate_t *self, const nck_seg_t *seg, double s, doubl
     pose->block = seg->block;
     pose->kind = seg->kind;
     pose->rapid = seg->rapid;
-    pose->limit = self->cell.limit;
+    pose->limit = self->brakes == NCK_TICK_STARVED ? NCK_LIMIT_STARVED : self->cell.limit;
     pose->s = seg->s_begin + s;
     pose->left = 0.0;
     pose->v = v;
     pose->feed = seg->feed;
     pose->feed_scale = seg->feed_scale;
-    pose->state = self->cell.stop & NCK_STOP_HOLD ? NCK_TICK_HOLD
+    const int brakes = self->clock.state == NCK_CLOCK_BRAKES;
+    const int slowed = brakes || self->clock.state == NCK_CLOCK_STANDS;
+    pose->state = slowed && self->brakes ? (uint8_t)self->brakes
+                  : self->cell.stop & NCK_STOP_HOLD ? NCK_TICK_HOLD
                   : self->from_tail ? NCK_TICK_STARVED
                   : seg->kind == NCK_SEG_DWELL ? NCK_TICK_DWELL
                   : seg->kind == NCK_SEG_WAIT ? NCK_TICK_WAIT : NCK_TICK_MOVE;
     if (seg->kind < NCK_SEG_DWELL) nck_path_point(seg, s, pose->axis);
     pose->spindle_rpm = nck_spin_rpm(&seg->spin, pose->axis[NCK_AXIS_X]);
-}
-
-// The segs from the filter's on that lie behind s; none beyond the seg where the cell ends.
-static double walk(const nck_interpolate_t *self, nck_filter_t *filter, const nck_cell_t *cell,
-                   double s) {
-    const uint32_t last = cell->seg + cell->span;
-    while (filter->seg != last && s >= seg_at(self, filter->seg)->length) {
-        const double length = seg_at(self, filter->seg)->length;
-        s -= length;
-        filter->ahead -= length;
-        for (uint32_t n = 0; n < filter->taps; n++) filter->s[n] -= length;
-        filter->seg++;
-    }
-    return s;
-}
-
-// One more sample; returns the mean over the taps. Summed anew each time: a running sum drifts.
-static double take_tap(nck_filter_t *filter, double s, double v, double *v_out) {
-    filter->s[filter->at] = s;
-    filter->v[filter->at] = v;
-    filter->at = filter->at + 1 < filter->taps ? filter->at + 1 : 0;
-    double s_sum = 0.0;
-    double v_sum = 0.0;
-    for (uint32_t n = 0; n < filter->taps; n++) {
-        s_sum += filter->s[n];
-        v_sum += filter->v[n];
-    }
-    const double taps = (double)filter->taps;
-    *v_out = v_sum / taps;
-    return s_sum / taps;
 }
 
 // The cells stand at s of the cell's seg: hand out the mean over the taps.
@@ -152,8 +119,7 @@ static void pass(nck_interpolate_t *self, double s, double v) {
         return;
     }
     double v_mean = 0.0;
-    const double s_ahead = take_tap(filter, s + filter->ahead, v, &v_mean);
-    const double s_mean = walk(self, filter, &self->cell, s_ahead);
+    const double s_mean = nck_mean_take(filter, self->link, &self->cell, s, v, &v_mean);
     finish_before(self, filter->seg);
     place(self, seg_at(self, filter->seg), s_mean, v_mean);
 }
@@ -163,12 +129,24 @@ static void leave_cell(nck_interpolate_t *self) {
     nck_fence_store(&self->has_cell, 0);
 }
 
+// The tool rests: time counts from here.
+static void begin_to_count(nck_interpolate_t *self) {
+    self->k = 0;
+    self->t_cell = 0.0;
+    memset(&self->clock, 0, sizeof self->clock);
+}
+
+// The path's time: that of the periods, less what the clock is late.
+static inline double now(const nck_interpolate_t *self) {
+    return (double)self->k * self->machine->period_s - self->clock.late;
+}
+
 // Come to rest at the end of the cell: the count of periods begins anew.
 static void land(nck_interpolate_t *self) {
     const nck_cell_t *const cell = &self->cell;
     const uint32_t seq = cell->seg + cell->span;
     const nck_seg_t *const seg = seg_at(self, seq);
-    const double s = cell->s + cell->length - length_between(self, cell->seg, seq);
+    const double s = cell->s + cell->length - nck_mean_length(self->link, cell->seg, seq);
     place(self, seg, cell->last ? seg->length : s, 0.0);
     nck_fence_store(&self->waits, seg->kind == NCK_SEG_WAIT);
     nck_fence_store(&self->resume, 0);
@@ -176,8 +154,7 @@ static void land(nck_interpolate_t *self) {
     nck_link_seg_finish(self->link, cell->last ? seq + 1 : seq);
     if (self->from_tail) nck_link_tail_rest(self->link);
     self->rests = 1;
-    self->k = 0;
-    self->t_cell = 0.0;
+    begin_to_count(self);
 }
 
 static int cuts_thread(const nck_interpolate_t *self) {
@@ -212,68 +189,24 @@ static void settle(nck_interpolate_t *self) {
     }
 }
 
-// s(t) = s0 + v·t + a·t²/2 + j·t³/6, never beyond the cell; t from the begin of the cell.
-static inline double place_at(const nck_cell_t *cell, double t, double *v_out) {
-    assert(t >= 0.0);
-    *v_out = nck_max(0.0, cell->v + (cell->a + cell->j / 2.0 * t) * t);
-    return cell->s + nck_max(0.0, nck_min(nck_cell_way(cell, t), cell->length));
-}
-
 static void evaluate(nck_interpolate_t *self, double t) {
     double v = 0.0;
-    const double s = place_at(&self->cell, t, &v);
+    const double s = nck_mean_place(&self->cell, t, &v);
     pass(self, s, v);
 }
 
-// Add what is left of the motion that rides: the mean is at s of the filter's seg.
-static void add_left(nck_interpolate_t *self, double s, double v) {
-    nck_pose_t *const pose = &self->pose;
-    const nck_cell_t *const cell = &self->rider.cell;
-    const nck_seg_t *const seg = seg_at(self, self->rider.filter.seg);
-    const nck_seg_t *const last = seg_at(self, cell->seg + cell->span);
-    const double left = (last->s_begin + last->length) - (seg->s_begin + s);
-    double at[NCK_AXIS_MAX];
-    nck_path_point(seg, s, at);
-    for (int x = 0; x < NCK_AXIS_MAX; x++) pose->axis[x] += at[x] - last->end[x];
-    pose->s -= left;
-    pose->v += v;
-    pose->left = left;
-}
-
-// What rides is one tick further on. Its mean rests when every tap is there.
+// What rides is one period further on.
 static void ride(nck_interpolate_t *self) {
-    nck_rider_t *const rider = &self->rider;
-    nck_filter_t *const filter = &rider->filter;
-    const double t = (double)self->k * self->machine->period_s;
-    while (t >= rider->t_cell + rider->cell.duration && filter->settle == 0) {
-        if (rider->cell.stop & NCK_STOP_REST) {
-            filter->settle = filter->taps;
-            break;
-        }
-        const uint32_t seg_before = rider->cell.seg;
-        rider->t_cell += rider->cell.duration;
-        if (nck_link_take_rider(self->link, &rider->cell) != NCK_OK) break;
-        filter->ahead += length_between(self, seg_before, rider->cell.seg);
-    }
-    double v = 0.0;
-    double s = rider->cell.s + rider->cell.length;
-    if (filter->settle == 0) s = place_at(&rider->cell, t - rider->t_cell, &v);
-    const double s_ahead = take_tap(filter, s + filter->ahead, v, &v);
-    const double s_mean = walk(self, filter, &rider->cell, s_ahead);
-    if (filter->settle == 1) {
-        rider->on = 0;
-        finish_before(self, self->filter.seg);
-        return;
-    }
-    if (filter->settle > 0) filter->settle--;
-    add_left(self, s_mean, v);
+    const double t = (double)self->k * self->machine->period_s - self->rider.late;
+    if (!nck_mean_ride(&self->rider, self->link, t, &self->pose)) return;
+    self->rider.on = 0;
+    finish_before(self, self->filter.seg);
 }
 
 // Nothing to execute: stay. In the middle of the path that is starvation, unless it is held there.
 static const nck_pose_t *rest(nck_interpolate_t *self) {
     const int on_path = !self->rests || self->from_tail;
-    self->k = 0;
-    self->t_cell = 0.0;
+    begin_to_count(self);
     self->pose.v = 0.0;
     self->pose.limit = on_path ? NCK_LIMIT_STARVED : NCK_LIMIT_EXACT_STOP;
     self->pose.state = self->cell.stop & NCK_STOP_HOLD ? NCK_TICK_HOLD
@@ -293,8 +226,12 @@ static void settle_on_counts(nck_interpolate_t *self) {
 // program left behind is over.
 static int yields(nck_interpolate_t *self, uint32_t owner) {
     if (owner == NCK_LINK_PREP) return 1;
-    if (!nck_interpolate_is_at_rest(self)) return 0;
+    if (!nck_interpolate_is_at_rest(self) && !nck_interpolate_stands(self)) return 0;
     memset(&self->cell, 0, sizeof self->cell);
+    memset(&self->clock, 0, sizeof self->clock);
+    self->rider.on = 0;
+    self->filter.settle = 0;
+    nck_fence_store(&self->has_cell, 0);
     self->pose.seg = 0;
     self->pose.line = 0;
     self->pose.block = 0;
@@ -341,6 +278,106 @@ static int waits_on(nck_interpolate_t *self) {
     return 0;
 }
 
+// The cell is over: the next one. 0: there is none, or the path rests.
+static inline int cross(nck_interpolate_t *self) {
+    if (self->cell.stop & NCK_STOP_REST) {
+        settle(self);
+        return 0;
+    }
+    self->t_cell += self->cell.duration;
+    rebase(self);
+    if (!next_cell(self)) {
+        (void)run_dry(self);
+        return 0;
+    }
+    if ((self->cell.stop & RIDES) && self->clock.state == NCK_CLOCK_RUNS) part_ways(self);
+    return 1;
+}
+
+// The path at its time. 0: it is at rest.
+static inline int seek(nck_interpolate_t *self) {
+    while (now(self) >= self->t_cell + self->cell.duration) {
+        if (!cross(self)) return 0;
+    }
+    return 1;
+}
+
+// ---- the tick's own clock
+
+// The speed and the acceleration that the plan has.
+static void plan_at(const nck_interpolate_t *self, double *v_out, double *a_out) {
+    const double steps_from = self->filter.taps > 1 ? self->a_before : self->cell.a;
+    nck_clock_plan(&self->cell, now(self) - self->t_cell, steps_from, v_out, a_out);
+}
+
+// What is asked for now, on the way. A brake goes on to its rest: what ends it earlier would need
+// as much of the axes again.
+static void hear(nck_interpolate_t *self) {
+    nck_clock_t *const clock = &self->clock;
+    const int slows = clock->state == NCK_CLOCK_BRAKES || clock->state == NCK_CLOCK_STANDS;
+    if (self->brakes && !slows && self->cell.length > 0.0 && !self->rider.on) {
+        double v = 0.0;
+        double a = 0.0;
+        plan_at(self, &v, &a);
+        nck_clock_begin(clock, v, a);
+    }
+    if (!self->brakes && clock->state == NCK_CLOCK_STANDS) nck_clock_go_on(clock);
+}
+
+// So far along the plan, as long as a period at most: it is never overtaken. 0: the path rests.
+static int go(nck_interpolate_t *self, double way) {
+    nck_clock_t *const clock = &self->clock;
+    double left = self->machine->period_s;
+    double ahead = way;
+    for (;;) {
+        const nck_cell_t *const cell = &self->cell;
+        const double t = nck_max(0.0, now(self) - self->t_cell);
+        const double time = nck_max(0.0, cell->duration - t);
+        const double length = cell->length - nck_min(nck_cell_way(cell, t), cell->length);
+        if (ahead < length || time >= left) {
+            clock->late -= nck_min(left, nck_clock_time(cell, t, ahead));
+            return 1;
+        }
+        left -= time;
+        ahead = nck_max(0.0, ahead - length);
+        clock->late -= self->t_cell + cell->duration - now(self);
+        if (!cross(self)) return 0;
+    }
+}
+
+static void pass_at(nck_interpolate_t *self, double share) {
+    double v = 0.0;
+    const double s = nck_mean_place(&self->cell, nck_max(0.0, now(self) - self->t_cell), &v);
+    pass(self, s, v * share);
+}
+
+static void brake(nck_interpolate_t *self) {
+    nck_clock_t *const clock = &self->clock;
+    nck_clock_place_t here;
+    double v = 0.0;
+    double a = 0.0;
+    plan_at(self, &here.v, &here.a);
+    nck_clock_find(self->link, &self->cell, now(self) - self->t_cell, &here);
+    if (!go(self, nck_clock_brake(clock, self->terms, &here))) return;
+    plan_at(self, &v, &a);
+    clock->follows = clock->first.v >= v * (1.0 - FOLLOWS_EPSILON);
+    if (clock->first.v > v) nck_clock_follow(clock, v, a);
+    pass_at(self, clock->first.v > 0.0 ? clock->first.v / v : 0.0);
+    if (!(clock->first.v > 0.0)) nck_fence_store(&clock->state, NCK_CLOCK_STANDS);
+}
+
+// One period on in its own time; k has been counted.
+static void own_time(nck_interpolate_t *self) {
+    nck_clock_t *const clock = &self->clock;
+    clock->late += self->machine->period_s;
+    if (clock->state == NCK_CLOCK_BRAKES) {
+        brake(self);
+    } else {
+        clock->late -= nck_clock_set_off(clock, self->terms);
+        if (seek(self)) pass_at(self, clock->first.rate);
+    }
+}
+
 // One period on, what rides apart.
 static const nck_pose_t *tick(nck_interpolate_t *self) {
     nck_sync_turn(&self->sync, self->machine, self->pose.spindle_rpm);
@@ -350,27 +387,31 @@ static const nck_pose_t *tick(nck_interpolate_t *self) {
         settle(self);
         return &self->pose;
     }
-    if (!self->has_cell && !fetch(self)) return rest(self);
+    if (!self->has_cell && (self->brakes || !fetch(self))) return rest(self);
     if (cuts_thread(self)) return follow_spindle(self, seg_at(self, self->cell.seg));
-    const double period = self->machine->period_s;
-    self->k++;
-    while ((double)self->k * period >= self->t_cell + self->cell.duration) {
-        if (self->cell.stop & NCK_STOP_REST) {
-            settle(self);
-            return &self->pose;
-        }
-        self->t_cell += self->cell.duration;
-        rebase(self);
-        if (!next_cell(self)) return run_dry(self);
-        if (self->cell.stop & RIDES) part_ways(self);
+    hear(self);
+    if (self->clock.state == NCK_CLOCK_STANDS) {
+        pass_at(self, 0.0); // where it is, to the bit: time does not count
+        return &self->pose;
     }
-    evaluate(self, (double)self->k * period - self->t_cell);
+    self->k++;
+    if (self->clock.state != NCK_CLOCK_RUNS) {
+        own_time(self);
+    } else if (seek(self)) {
+        evaluate(self, now(self) - self->t_cell);
+    }
     return &self->pose;
+}
+
+static void tell_rest(nck_interpolate_t *self) {
+    const int rests = !self->has_cell || self->clock.state == NCK_CLOCK_STANDS;
+    nck_fence_store(&self->stands, self->brakes && rests && !(self->pose.v > 0.0));
 }
 
 const nck_pose_t *nck_interpolate_tick(nck_interpolate_t *self) {
     const nck_pose_t *const pose = tick(self);
     if (self->rider.on & OVERLAPS) ride(self);
+    if (self->brakes | self->stands) tell_rest(self);
     return pose;
 }
 
@@ -388,6 +429,15 @@ nck_status_t nck_interpolate_take(nck_interpolate_t *self, nck_cell_t *cell_out)
     self->t_cell = 0.0;
     *cell_out = self->cell;
     return NCK_OK;
+}
+
+void nck_interpolate_watch(nck_interpolate_t *self, int asks, int planned, uint32_t steps) {
+    const nck_watched_t seen = {asks, planned, steps, (int)self->from_tail, self->pose.v};
+    self->brakes = (uint32_t)nck_watch_tick(&self->watch, self->terms, &seen);
+}
+
+int nck_interpolate_stands(const nck_interpolate_t *self) {
+    return nck_fence_load(&self->stands) != 0;
 }
 
 int nck_interpolate_is_waiting(const nck_interpolate_t *self) {

@@ -8,39 +8,22 @@
 #include "nck/base/records.h" // nck_cell_t nck_pose_t
 #include "nck/base/status.h"  // nck_status_t
 #include "nck/base/terms.h"   // nck_terms_t
-#include "nck/tick/6_interpolate/sync.h" // nck_sync_t
+#include "nck/tick/6_interpolate/clock.h" // nck_clock_t
+#include "nck/tick/6_interpolate/mean.h"  // nck_filter_t nck_rider_t
+#include "nck/tick/6_interpolate/sync.h"  // nck_sync_t
+#include "nck/tick/6_interpolate/watch.h" // nck_watch_t
 
 // Periods of a span. Time counts from the last rest or, if that is longer ago, from a whole number
 // of spans after it.
 enum { NCK_INTERPOLATE_SPAN = 1024 };
 
-// The filter at the output of the jerk-limited slope: the path coordinate handed out is the mean
-// over the last taps of what the cells say. It filters the path coordinate, never the position, so
-// it costs no accuracy on the path. One tap: no filter.
-typedef struct nck_filter {
-    uint32_t taps;          // n, periods
-    uint32_t at;            // oldest tap
-    uint32_t settle;        // periods left until the mean rests where the cells rest
-    uint32_t seg;           // seq of the seg that the mean lies in
-    double ahead;           // from that seg's start to that of the cell's seg [path mm]
-    double s[NCK_FILTER_TAPS]; // from that seg's start [path mm]
-    double v[NCK_FILTER_TAPS]; // [path mm/s]
-} nck_filter_t;
-
-// The end of a motion beside the next one, which has begun before the first is at rest: what is
-// left of it is added to the place.
-typedef struct nck_rider {
-    uint32_t on;            // 1: it goes on
-    nck_cell_t cell;        // being executed
-    double t_cell;          // when the cell begins [s]
-    nck_filter_t filter;
-} nck_rider_t;
-
 // The room's state.
 typedef struct nck_interpolate {
     const nck_machine_t *machine;
+    const nck_terms_t *terms;
     nck_link_t *link;       // consumer's side
     nck_cell_t cell;        // being executed
+    double a_before;        // of the cell before, behind a rest 0 [path mm/s²]
     uint32_t has_cell;      // 1: cell is valid; any reads it
     uint32_t from_tail;     // 1: it came from the stop tail
     uint32_t rests;         // 1: the last cell came to rest and the tick has landed
@@ -49,6 +32,10 @@ typedef struct nck_interpolate {
     nck_filter_t filter;
     nck_rider_t rider;
     nck_sync_t sync;      // the spindle, and the pass of a thread in work
+    nck_clock_t clock;
+    nck_watch_t watch;      // over prep
+    uint32_t brakes;        // as what a tick is told that has to brake, an nck_tick_state_t; 0: not
+    uint32_t stands;        // 1: it has, and rests; any reads it
     uint64_t k;             // periods since time began to count
     double t_cell;          // when the cell begins [s]
     nck_pose_t pose;        // of the last tick
@@ -76,6 +63,16 @@ void nck_interpolate_stop_thread(nck_interpolate_t *self);
 
 // 1: begin no pass of a thread, one in work goes on; 0: as before. Cost: constant. Context: any.
 void nck_interpolate_hold_thread(nck_interpolate_t *self, uint32_t on);
+
+// What is known of prep before a tick: 1 if somebody asks for rest; 1 if the plan in force brings
+// it; prep's steps so far, 0 if it has nothing left to do. The tick brakes by itself, and comes to
+// rest as soon as the axes can, where the rest has no plan in time or takes too long, and on the
+// tail where prep is not seen any more; it sets off again when that is over. A pass of a thread
+// and a rest end as they would. Cost: constant. Context: tick.
+void nck_interpolate_watch(nck_interpolate_t *self, int asks, int planned, uint32_t steps);
+
+// 1 if it has come to rest by that in the middle of a plan. Cost: constant. Context: any.
+int nck_interpolate_stands(const nck_interpolate_t *self);
 
 // 1 at a WAIT that nobody has ended. Cost: constant. Context: any.
 int nck_interpolate_is_waiting(const nck_interpolate_t *self);
