@@ -12,7 +12,7 @@ import rs274_oracle
 
 from pycnc import stages
 from pycnc.errors import ProgramError
-from pycnc.kernel.bind import lib
+from pycnc.kernel.bind import ffi, lib
 from pycnc.machine import Machine
 from pycnc.program import Program
 
@@ -262,6 +262,18 @@ def test_what_cannot_be_done_is_one_error(name):
     line, text = ERRORS[name]
     error = error_of(HEAD + text)
     assert (error.id, error.line) == (name, line)
+
+
+@pytest.mark.parametrize("more", [-4, -1, 0, 6])
+def test_what_is_given_is_not_cut_short_any_more(more):
+    room = len(ffi.new("nck_toolcomp_t *").ring.at) - 2  # two contours wait, too
+    text = ENTRY + "Y20\nY40\n" + "M8\n" * (room + more) + "X-20\nG40 G1 X-20 Y20\nM2\n"
+    if more < 0:
+        assert corners(load(HEAD + text))[-3:] == [-2 + 38j, -20 + 38j, -20 + 20j]
+        return
+    error = error_of(HEAD + text)
+    assert (error.id, error.line) == ("comp-gouge", 7)
+    assert "2.000 mm into the contour" in str(error)
 
 
 def test_the_tool_is_held_against_the_travel_not_the_contour_alone():

@@ -38,7 +38,7 @@ static void read_contour(nck_toolcomp_t *self, nck_comp_entry_t *entry) {
 // Does the path go on from where the contour before ends? What is done with does.
 static int follows_last(nck_toolcomp_t *self) {
     const uint32_t count = self->last.count;
-    if (count - self->ring.tail >= self->ring.head - self->ring.tail) return 1;
+    if (nck_comp_is_given(self, count)) return 1;
     const nck_comp_span_t *const span = &nck_comp_at(self, count)->path[NCK_COMP_BESIDE];
     nck_comp_piece_t piece;
     nck_comp_piece(self, count, NCK_COMP_BESIDE, &piece);
@@ -63,7 +63,7 @@ static void note_last(nck_toolcomp_t *self, nck_comp_entry_t *entry) {
 // The path is led along the newest contour. What is done with cannot be cut short for it any more.
 static nck_status_t follow(nck_toolcomp_t *self, nck_comp_entry_t *entry) {
     const int follows = follows_last(self);
-    const int done = self->last.count - self->ring.tail >= self->ring.head - self->ring.tail;
+    const int done = nck_comp_is_given(self, self->last.count);
     memcpy(entry->tangent, self->last.tangent, sizeof entry->tangent);
     if (!entry->enters && done && !entry->rapid && !self->last.rapid) {
         double ahead[2];

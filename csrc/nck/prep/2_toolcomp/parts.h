@@ -20,6 +20,10 @@ void nck_comp_off(nck_toolcomp_t *self);
 nck_status_t nck_comp_fail(nck_toolcomp_t *self, nck_status_t code, uint32_t line, double value,
                            double limit);
 
+// ring.c: 1 if the path beside the contour of an entry is given, to its end or in part. Cost:
+// constant.
+int nck_comp_is_given(const nck_toolcomp_t *self, uint32_t count);
+
 // entry.c: a part of the way in becomes a move, from the machine's start. NCK_EMPTY: there is none
 // to go. Cost: constant.
 nck_status_t nck_comp_way_in(const nck_toolcomp_t *self, nck_block_t *block);

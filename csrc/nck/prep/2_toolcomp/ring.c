@@ -23,6 +23,11 @@ nck_status_t nck_comp_fail(nck_toolcomp_t *self, nck_status_t code, uint32_t lin
     return code;
 }
 
+int nck_comp_is_given(const nck_toolcomp_t *self, uint32_t count) {
+    if (count - self->ring.tail >= self->ring.head - self->ring.tail) return 1;
+    return count == self->ring.tail && self->walk.part == NCK_COMP_PARTS;
+}
+
 uint32_t nck_comp_next(nck_toolcomp_t *self, uint32_t count) {
     do count++; while (count != self->ring.head && !nck_comp_at(self, count)->moves);
     return count;
