@@ -5,7 +5,9 @@ Circles and helices between tangents, laps, pockets, bosses and chains of tangen
 sides, in all planes, with 0 to 3 decimals. A program is good if no part of the path is nearer to
 the contour than R − 1 µm, if the path touches every element wherever a disc of R fits, and if
 heights are reached where they are programmed; and, where rs274 takes it, if the path is its own. A
-program that is refused has an element that the path beside it does not fit.
+program that is refused has an element that the path beside it does not fit. All of it under each
+way to begin and to end (dialect.comp_start), and by types A and B the tool comes to the contour and
+goes from it as their equations say, at corners of every kind.
 
     python tests/comp_gate.py --count 300 --seed 1
 """
@@ -27,8 +29,15 @@ from pycnc.machine import Machine
 from pycnc.program import Program
 
 NEAR = 1e-3  # [mm] so much nearer than R is too near
+SHORT = 1e-4  # [mm] shorter arcs about a corner are none
 FREE = tuple(f"axis.{axis}.{end}_mm=free" for axis in "xyz" for end in ("min", "max"))
-MACHINE = Machine.load("mill3", set=(*FREE, "path.arc_radius_mm=0.05"))
+STARTS = ("rs274", "A", "B")
+MACHINES = {
+    start: Machine.load(
+        "mill3", set=(*FREE, "path.arc_radius_mm=0.05", f"dialect.comp_start={start}")
+    )
+    for start in STARTS
+}
 LETTERS = {17: "XYIJZ", 18: "ZXKIY", 19: "YZJKX"}
 AXES = {17: (0, 1, 2), 18: (2, 0, 1), 19: (1, 2, 0)}
 
@@ -50,6 +59,7 @@ class Case:
     plane: int = 17
     parts: list = field(default_factory=list)  # of each element; −1: it leads in or out
     must: bool = True  # it fits: refused is wrong
+    starts: tuple = STARTS  # the ways to begin that it is meant for
 
 
 def number(value, decimals):
@@ -128,26 +138,72 @@ def meets_itself(elements):
     return False
 
 
-def fault_of(case):
-    """Return (what became of a case, words for what is wrong)."""
-    plain = Program(text_of(case, False).encode(), MACHINE, file="plain")
+def beside(case, point, ahead):
+    """Return where the tool is beside a point of the contour that goes in a direction there."""
+    return point + 1j * case.side * case.radius * ahead / abs(ahead)
+
+
+def round_about(case, corner, behind, ahead):
+    """Return the places beside both sides of a corner that turns away from the tool, else none."""
+    turn = -case.side * np.angle(np.conj(behind) * ahead)
+    if turn * case.radius < SHORT:
+        return []
+    return [beside(case, corner, behind), beside(case, corner, ahead)]
+
+
+def heading(element, q):
+    """Return the direction of an element at a share of it."""
+    return -1j * element.left(np.array([q]))[0]
+
+
+def ways_differ(case, start, plain, path):
+    """Return words for a way to the contour, or from it, that is not as the type says.
+
+    plain: elements without compensation, the first move and the last among them; path: rows with
+    it, from behind the first move on.
+    """
+    enter, first, *_ = plain
+    *_, last, leave = plain
+    to, at = first.start, last.end
+    into, out = heading(first, 0.0), heading(last, 1.0)
+    ends = [beside(case, to, into)]
+    begins = [beside(case, at, out)]
+    if start == "B":
+        ends = round_about(case, to, enter.end - enter.start, into) or ends
+        begins = round_about(case, at, out, leave.end - leave.start) or begins
+    inward = max(abs(a - each.start) for a, (_, each, _) in zip(ends, path))
+    tail = [each for line, each, _ in path if line == path[-1][0]]
+    outward = max(abs(a - each.start) for a, each in zip(begins, tail))
+    if len(tail) != len(begins):
+        return f"{len(tail)} moves from the contour, not {len(begins)}"
+    if max(inward, outward) > NEAR:
+        return f"{inward:.4f} mm beside its way to the contour, {outward:.4f} mm from it"
+    if len(begins) > 1 and np.ptp(np.abs(samples(tail[0]) - at)) > NEAR:
+        return "no arc about the contour's end"
+    return ""
+
+
+def fault_of(case, start="rs274"):
+    """Return (what became of a case, words for what is wrong); start: how it begins and ends."""
+    machine = MACHINES[start]
+    plain = Program(text_of(case, False).encode(), machine, file="plain")
     if any(each.severity == "error" for each in plain.diagnostics):
         return "no program", ""
     contour = [each for line, each, _ in shapes_of(plain, case.plane) if line >= 6][:-1]
     lines = [line for line, _, _ in shapes_of(plain, case.plane) if line >= 6][:-1]
     heights = {line: height for line, _, height in shapes_of(plain, case.plane)}
-    program = Program(text_of(case).encode(), MACHINE, file="part")
+    program = Program(text_of(case).encode(), machine, file="part")
     errors = [each for each in program.diagnostics if each.severity == "error"]
     warned = any(each.id == "comp-left" for each in program.diagnostics)
     parts = case.parts or [0] * len(contour)
     parts = [parts[line - 6] for line in lines]
     if errors:
         return "refused", refusal(case, contour, parts, errors[0])
-    rows = shapes_of(program, case.plane)[2:]
+    rows = [row for row in shapes_of(program, case.plane) if row[0] >= 6]
     last = {line: height for line, _, height in rows}
     if any(abs(last.get(line, 1e9) - heights[line]) > 1e-6 for line in lines if not warned):
         return "cut", "an element, or its height, is missing"
-    path = [each for line, each, _ in rows if line >= 6][:-1]
+    path = [each for _, each, _ in rows][:-1]
     simple = case.must or len(set(parts)) > 1 or not meets_itself(contour)
     for part in sorted(set(parts) - {-1}):
         walls = [each for each, other in zip(contour, parts) if other == part]
@@ -163,7 +219,11 @@ def fault_of(case):
         words = untouched(case, walls, [*path, rows[-1][1]])
         if words:
             return "cut", words
-    return "warned" if warned else "cut", ""
+    words = ""
+    if start != "rs274" and not warned:
+        moves = [each for line, each, _ in shapes_of(plain, case.plane) if line >= 5]
+        words = ways_differ(case, start, [each for each in moves if length(each) > 1e-6], rows)
+    return "warned" if warned else "cut", words
 
 
 def untouched(case, walls, path):
@@ -336,7 +396,28 @@ def chain(rng):
     return Case(start, 0j, elements, radius, side, at + 5 * radius * ahead, must=False)
 
 
-FAMILIES = {each.__name__: each for each in (circle, helix, pocket, boss, laps, chain)}
+def ways(rng):
+    """A line or an arc, with ways to it and from it out of all directions, as short as they may be.
+
+    RS274NGC's entry needs more room.
+    """
+    radius, side = float(rng.choice([0.5, 1, 3])), int(rng.choice([-1, 1]))
+    first, last = np.exp(1j * rng.uniform(-3.1, 3.1, 2)) * radius * rng.uniform(0.3, 6, 2)
+    if rng.random() < 0.5:
+        end = complex(radius * rng.uniform(0.5, 9))
+        return Case(-first, 0j, [(end, None, 0, None)], radius, side, end + last,
+                    starts=("A", "B"))
+    sense = int(rng.choice([-1, 1]))
+    size = radius * (rng.uniform(1.1, 6) if sense == side else rng.uniform(0.3, 6))
+    hub, turn = 1j * sense * size, np.exp(1j * sense * rng.uniform(0.3, 3))
+    end = hub - hub * turn
+    if abs(end) < 2 * radius:  # an arc about one end would be in the way of the other
+        return None
+    return Case(-first, 0j, [(end, hub, sense, None)], radius, side, end + last * turn,
+                starts=("A", "B"))
+
+
+FAMILIES = {each.__name__: each for each in (circle, helix, pocket, boss, laps, chain, ways)}
 
 
 def case_of(family, seed):
@@ -379,7 +460,7 @@ def differs_from_rs274(case, folder):
     file = folder / "part.ngc"
     file.write_bytes(text)
     moves, complaint = rs274_oracle.run(file, folder, {})
-    program = Program(text, MACHINE, file="part")
+    program = Program(text, MACHINES["rs274"], file="part")
     if complaint or any(each.severity == "error" for each in program.diagnostics):
         return ""
     ours = [each for _, each, _ in shapes_of(program, case.plane)]
@@ -407,14 +488,16 @@ def main():
         became = Counter()
         for seed in range(given.seed, given.seed + given.count):
             case = case_of(family, seed)
-            what, words = fault_of(case)
-            if given.rs274 and not words and what != "no program" and case.plane != 19:
-                with tempfile.TemporaryDirectory() as folder:
-                    words = differs_from_rs274(case, Path(folder))
-            became[what] += 1
-            if words:
-                wrong += 1
-                print(f"{family} {seed}: {words}", flush=True)
+            for start in case.starts:
+                what, words = fault_of(case, start)
+                beside_theirs = given.rs274 and start == "rs274" and case.plane != 19
+                if beside_theirs and not words and what != "no program":
+                    with tempfile.TemporaryDirectory() as folder:
+                        words = differs_from_rs274(case, Path(folder))
+                became[f"{what} {start}"] += 1
+                if words:
+                    wrong += 1
+                    print(f"{family} {seed} {start}: {words}", flush=True)
         print(family, dict(became), flush=True)
     print(f"{wrong} wrong")
     return wrong > 0

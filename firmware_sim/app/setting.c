@@ -60,6 +60,7 @@ static const setting_t settings[] = {
     ONE(dialect.d_offset, BYTE),
     ONE(dialect.probe, BYTE),
     ONE(dialect.integers, BYTE),
+    ONE(dialect.comp_start, BYTE),
     ONE(dialect.from_line, WORD),
     ONE(dialect.feed_default, REAL),
     ONE(dialect.scale_unit, REAL),

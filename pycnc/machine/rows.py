@@ -45,6 +45,12 @@ _INTEGERS = {
     "units": lib.NCK_INTEGERS_UNITS,
     "increments": lib.NCK_INTEGERS_INCREMENTS,
 }
+_COMP_STARTS = {
+    None: lib.NCK_COMP_START_OPEN,
+    "rs274": lib.NCK_COMP_START_RS274,
+    "A": lib.NCK_COMP_START_A,
+    "B": lib.NCK_COMP_START_B,
+}
 _PROBES = {
     "refused": lib.NCK_PROBE_REFUSED,
     "misses": lib.NCK_PROBE_MISSES,
@@ -129,6 +135,7 @@ def _fill_dialect(row, dialect):
     row["feed"] = _FEEDS[dialect.feed]
     row["d_offset"] = _D_OFFSETS[dialect.d_offset]
     row["integers"] = _INTEGERS[dialect.integers]
+    row["comp_start"] = _COMP_STARTS[dialect.comp_start]
     row["probe"] = _PROBES[dialect.probe]
     row["scale_unit"] = float(dialect.scale_unit)
     row["thread_pull"] = float(dialect.thread_pull_leads)

@@ -240,6 +240,12 @@ class Dialect(Table):
         description="What Fanuc's G10 L12 and L13 say of an offset for D. Not said: they are "
         "refused, since controls differ.",
     )
+    comp_start: Literal["rs274", "A", "B"] | None = Field(
+        None,
+        description="How radius compensation begins and ends: as RS274NGC's, or by type A or B of "
+        "Fanuc (parameter 5003) and Haas (setting 43). Not said: A where the text is Fanuc's, "
+        "else rs274.",
+    )
     integers: Literal["units", "increments"] | None = Field(
         None,
         description="What Fanuc's lengths, angles and dwells (X, U) without a point count: X100 is "

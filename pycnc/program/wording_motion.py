@@ -98,6 +98,11 @@ MOTION = {
         "radius, {limit:.3f} mm",
         "begin further away: the tool is beside the contour at this move's end",
     ),
+    "comp-entry:G": (
+        "the first move under radius compensation is an arc",
+        "begin it by a straight move (G0 or G1), or say that the control takes an arc: --set "
+        "dialect.comp_start=rs274",
+    ),
     "comp-exit": (
         "the first move behind G40 is an arc",
         "leave the contour by a straight move (G0 or G1)",

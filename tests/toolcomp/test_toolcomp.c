@@ -114,6 +114,51 @@ static int pull_all(check_t *check, uint32_t *line) {
     return given;
 }
 
+// A right angle away from the tool at either end of a contour from (0, 0) to (0, −9): how many moves
+// come of it, and where the first one ends.
+static void begins_and_ends(check_t *check, nck_comp_start_t start, int moves, double x, double y) {
+    static nck_machine_t machine;
+    const double ends[3][2] = {{0.0, 0.0}, {0.0, -9.0}, {-9.0, -9.0}};
+    nck_block_t block = line_to(-9.0, 0.0, 0);
+    nck_block_t first = block;
+    int given = 0;
+    nck_machine_default(&machine);
+    nck_toolcomp_init(&room, &machine);
+    block.kind = NCK_BLOCK_COMP;
+    block.output.value = 1.0;
+    block.output.number = start;
+    CHECK_INT(check, nck_toolcomp_push(&room, &block), NCK_EMPTY);
+    for (uint32_t k = 0; k < 3; k++) {
+        if (k == 2) { // G40
+            block.output.value = 0.0;
+            block.kind = NCK_BLOCK_COMP;
+            CHECK_INT(check, nck_toolcomp_push(&room, &block), NCK_EMPTY);
+            while (nck_toolcomp_pull(&room, &block) == NCK_OK) {
+                if (given++ == 0) first = block;
+            }
+            CHECK(check, !nck_toolcomp_is_on(&room));
+        }
+        block = line_to(ends[k][0], ends[k][1], k + 1);
+        given += nck_toolcomp_push(&room, &block) == NCK_OK;
+        CHECK(check, nck_toolcomp_invariants(&room));
+    }
+    while (nck_toolcomp_pull(&room, &block) == NCK_OK) given++;
+    CHECK(check, nck_toolcomp_invariants(&room) && !nck_toolcomp_is_on(&room));
+    CHECK_INT(check, given, moves);
+    CHECK_NEAR(check, (double)first.target_nm[0] * 1e-6, x, 1e-9);
+    CHECK_NEAR(check, (double)first.target_nm[1] * 1e-6, y, 1e-9);
+    CHECK_NEAR(check, (double)block.target_nm[0] * 1e-6, -9.0, 1e-9);
+    CHECK_NEAR(check, (double)block.target_nm[1] * 1e-6, -9.0, 1e-9);
+}
+
+// Two arcs about the corners, one, none.
+static void it_begins_and_ends_as_the_block_says(check_t *check) {
+    begins_and_ends(check, NCK_COMP_START_OPEN, 4, 0.0, 1.0);
+    begins_and_ends(check, NCK_COMP_START_RS274, 4, 0.0, 1.0);
+    begins_and_ends(check, NCK_COMP_START_A, 3, 1.0, 0.0);
+    begins_and_ends(check, NCK_COMP_START_B, 5, 0.0, 1.0);
+}
+
 // Many more blocks than fit: none is lost, and none comes before what follows it is known.
 static void the_ring_gives_as_it_is_fed(check_t *check) {
     static nck_machine_t machine;
@@ -148,6 +193,7 @@ int main(void) {
     CHECK_RUN(&check, another_program_begins_without_it);
     CHECK_RUN(&check, a_program_that_begins_in_the_middle_cuts_where_the_whole_one_does);
     CHECK_RUN(&check, a_way_in_without_a_height_is_refused);
+    CHECK_RUN(&check, it_begins_and_ends_as_the_block_says);
     CHECK_RUN(&check, the_ring_gives_as_it_is_fed);
     return check_end(&check);
 }

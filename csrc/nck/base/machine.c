@@ -148,7 +148,8 @@ static int choices_good(const nck_machine_t *machine) {
     return machine->dialect.system <= NCK_SYSTEM_C && machine->dialect.feed <= NCK_FEED_START_REV
            && machine->dialect.d_offset <= NCK_D_DIAMETER
            && machine->dialect.probe <= NCK_PROBE_TOUCHES
-           && machine->dialect.integers <= NCK_INTEGERS_INCREMENTS;
+           && machine->dialect.integers <= NCK_INTEGERS_INCREMENTS
+           && machine->dialect.comp_start <= NCK_COMP_START_B;
 }
 
 static int approach_good(const nck_machine_t *machine) {

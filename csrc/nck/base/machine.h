@@ -70,6 +70,14 @@ typedef enum nck_d_offset {
     NCK_D_DIAMETER = 2
 } nck_d_offset_t;
 
+// How radius compensation begins and ends: what RS274NGC does, or Fanuc's types.
+typedef enum nck_comp_start {
+    NCK_COMP_START_OPEN = 0, // the dialect's: A of Fanuc's, else RS274NGC's
+    NCK_COMP_START_RS274 = 1,
+    NCK_COMP_START_A = 2,
+    NCK_COMP_START_B = 3
+} nck_comp_start_t;
+
 // What Fanuc's lengths, angles and dwells without a point count.
 typedef enum nck_integers {
     NCK_INTEGERS_OPEN = 0,      // units, and a note says so
@@ -163,6 +171,7 @@ typedef struct nck_machine {
         uint8_t d_offset;    // nck_d_offset_t
         uint8_t probe;       // nck_probe_t
         uint8_t integers;    // nck_integers_t
+        uint8_t comp_start;  // nck_comp_start_t
         uint32_t from_line;  // where programs begin: what stands before is not done; 0: all is
         double feed_default; // FEED: in force before the first F
         double scale_unit;   // what 1 means where a factor of G51 has no point, 0 … 1; 0: open

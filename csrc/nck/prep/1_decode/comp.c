@@ -71,12 +71,21 @@ static nck_status_t read_diameter(nck_decode_t *self, double *radius_out, int64_
     return read_whole(self, 'L', 9, nose_out);
 }
 
+// How it begins and ends.
+static uint32_t start_of(const nck_decode_t *self) {
+    const uint32_t start = self->machine->dialect.comp_start;
+    if (start != NCK_COMP_START_OPEN) return start;
+    const int fanuc = self->machine->dialect.base == NCK_DIALECT_FANUC;
+    return fanuc ? NCK_COMP_START_A : NCK_COMP_START_RS274;
+}
+
 // The block that 2_toolcomp begins or ends at. radius: as NCK_BLOCK_COMP has it.
 static nck_status_t give(nck_decode_t *self, double radius, int64_t nose, nck_block_t *out) {
     const double size = radius < 0.0 ? -radius : radius;
     const int fanuc = self->machine->dialect.base == NCK_DIALECT_FANUC;
     nck_decode_block(self, NCK_BLOCK_COMP, out);
     out->output.value = radius;
+    out->output.number = start_of(self);
     out->centre_mm[0] = size * nose_z[nose];
     out->centre_mm[1] = size * nose_x[fanuc][nose];
     return NCK_OK;

@@ -5,18 +5,30 @@
 #include <assert.h> // assert
 #include <string.h> // memcpy memset
 
-// What the first contour, and an arc, must be. 1: it is good.
+// What the first move must be: by the types of Fanuc straight, as short as it may be.
+static nck_status_t check_entry(nck_toolcomp_t *self, const nck_comp_entry_t *entry) {
+    const nck_shape_t *const contour = &entry->contour;
+    const double size = contour->radius > 0.0 ? contour->radius : contour->length;
+    nck_shape_t beside;
+    if (self->start > NCK_COMP_START_RS274) {
+        if (!(contour->radius > 0.0)) return NCK_EMPTY;
+        const nck_status_t status = nck_comp_fail(self, NCK_E_COMP_ENTRY, entry->block.line, size,
+                                                  self->radius);
+        self->error.letter = 'G';
+        return status;
+    }
+    if (size > self->radius && nck_comp_enter(self, contour, &beside)) return NCK_EMPTY;
+    return nck_comp_fail(self, NCK_E_COMP_ENTRY, entry->block.line, size, self->radius);
+}
+
+// What the first move, and an arc, must be. NCK_EMPTY: it is good.
 static nck_status_t check(nck_toolcomp_t *self, const nck_comp_entry_t *entry) {
     const nck_shape_t *const contour = &entry->contour;
-    const uint32_t line = entry->block.line;
     nck_shape_t beside;
-    if (!entry->enters) {
-        if (nck_shape_parallel(contour, self->side * self->radius, &beside)) return NCK_EMPTY;
-        return nck_comp_fail(self, NCK_E_COMP_RADIUS, line, self->radius, contour->radius);
-    }
-    const double size = contour->radius > 0.0 ? contour->radius : contour->length;
-    if (size > self->radius && nck_comp_enter(self, contour, &beside)) return NCK_EMPTY;
-    return nck_comp_fail(self, NCK_E_COMP_ENTRY, line, size, self->radius);
+    if (entry->enters) return check_entry(self, entry);
+    if (nck_shape_parallel(contour, self->side * self->radius, &beside)) return NCK_EMPTY;
+    return nck_comp_fail(self, NCK_E_COMP_RADIUS, entry->block.line, self->radius,
+                         contour->radius);
 }
 
 static void read_contour(nck_toolcomp_t *self, nck_comp_entry_t *entry) {
@@ -65,6 +77,7 @@ static nck_status_t follow(nck_toolcomp_t *self, nck_comp_entry_t *entry) {
     const int follows = follows_last(self);
     const int done = nck_comp_is_given(self, self->last.count);
     memcpy(entry->tangent, self->last.tangent, sizeof entry->tangent);
+    if (entry->enters) nck_shape_tangent(&entry->contour, entry->contour.length, entry->tangent);
     if (!entry->enters && done && !entry->rapid && !self->last.rapid) {
         double ahead[2];
         nck_shape_tangent(&entry->contour, 0.0, ahead);
@@ -79,15 +92,41 @@ static nck_status_t follow(nck_toolcomp_t *self, nck_comp_entry_t *entry) {
     return NCK_EMPTY;
 }
 
-nck_status_t nck_comp_take(nck_toolcomp_t *self, const nck_block_t *block) {
+// The block as an entry of the ring's head.
+static nck_comp_entry_t *read_entry(nck_toolcomp_t *self, const nck_block_t *block) {
     nck_comp_entry_t *const entry = nck_comp_at(self, self->ring.head);
-    nck_status_t status = NCK_EMPTY;
     memset(entry, 0, sizeof *entry);
     entry->block = *block;
     entry->s = self->s;
     entry->rapid = block->kind == NCK_BLOCK_RAPID;
     if (block->kind <= NCK_BLOCK_ARC) read_contour(self, entry);
     entry->moves = entry->contour.length > 0.0;
+    return entry;
+}
+
+nck_status_t nck_comp_leave(nck_toolcomp_t *self, const nck_block_t *block) {
+    if (self->start != NCK_COMP_START_B) return NCK_OK;
+    nck_comp_entry_t *const entry = read_entry(self, block);
+    double ahead[2];
+    nck_shape_tangent(&entry->contour, 0.0, ahead);
+    const double turn = nck_comp_turn(self, self->last.tangent, ahead);
+    if (!(self->radius * turn > NCK_COMP_SHORT)) return NCK_OK;
+    memcpy(entry->tangent, self->last.tangent, sizeof entry->tangent);
+    entry->leaves = 1;
+    for (int part = 0; part < NCK_COMP_PARTS; part++) {
+        nck_comp_piece_t piece;
+        nck_comp_piece(self, self->ring.head, (nck_comp_part_t)part, &piece);
+        entry->path[part] = (nck_comp_span_t){0.0, piece.shape.length, 1, {0}};
+    }
+    self->ring.head++;
+    self->phase = NCK_COMP_LEAVES;
+    self->closed = 1;
+    return NCK_EMPTY;
+}
+
+nck_status_t nck_comp_take(nck_toolcomp_t *self, const nck_block_t *block) {
+    nck_comp_entry_t *const entry = read_entry(self, block);
+    nck_status_t status = NCK_EMPTY;
     entry->enters = entry->moves && self->phase == NCK_COMP_ENTERS;
     if (entry->moves) {
         status = check(self, entry);

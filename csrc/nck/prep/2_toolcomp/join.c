@@ -4,6 +4,8 @@
 // all of a contour that is longer than the tool's radius.
 #include "nck/prep/2_toolcomp/parts.h"
 
+#include <string.h> // memcpy
+
 #include "nck/base/real.h"      // nck_min nck_max
 #include "nck/base/trig_math.h" // NCK_PI nck_sincos
 
@@ -101,6 +103,21 @@ static void join_inside(nck_toolcomp_t *self, const nck_comp_piece_t *beside, in
     else if (waits) (void)crosses(self, before, beside);
 }
 
+// The first move, if it is still to be given, by type A, at a corner towards the tool by type B,
+// too, ends beside the beginning of the contour behind it. Returns 0 if it does not.
+static int leads_in(nck_toolcomp_t *self, const double *ahead, double turn) {
+    const int upright = self->start == NCK_COMP_START_A
+                        || (self->start == NCK_COMP_START_B && turn < 0.0);
+    if (!upright || nck_comp_is_given(self, self->last.count)) return 0;
+    nck_comp_entry_t *const entry = nck_comp_at(self, self->last.count);
+    nck_comp_piece_t way;
+    if (!entry->enters) return 0;
+    memcpy(entry->tangent, ahead, sizeof entry->tangent);
+    nck_comp_piece(self, self->last.count, NCK_COMP_BESIDE, &way);
+    lead(self, &way);
+    return 1;
+}
+
 void nck_comp_join(nck_toolcomp_t *self, uint32_t count, int follows) {
     const nck_comp_entry_t *const entry = nck_comp_at(self, count);
     nck_comp_piece_t about;
@@ -113,6 +130,10 @@ void nck_comp_join(nck_toolcomp_t *self, uint32_t count, int follows) {
     }
     nck_shape_tangent(&entry->contour, 0.0, ahead);
     const double turn = nck_comp_turn(self, entry->tangent, ahead);
+    if (leads_in(self, ahead, turn)) {
+        lead(self, &beside);
+        return;
+    }
     if (turn < 0.0) {
         join_inside(self, &beside, follows, turn);
         return;

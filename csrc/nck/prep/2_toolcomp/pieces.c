@@ -42,19 +42,39 @@ double nck_comp_turn(const nck_toolcomp_t *self, const double *before, const dou
     return away < (ahead < 0.0 ? -STRAIGHT : 0.0) ? -angle : angle;
 }
 
+// The place beside a point of the contour that goes in a direction there.
+static void beside(const nck_toolcomp_t *self, const double *point, const double *tangent,
+                   double *out) {
+    const double left = self->side * self->radius;
+    out[0] = point[0] - left * tangent[1];
+    out[1] = point[1] + left * tangent[0];
+}
+
 static void about(const nck_toolcomp_t *self, const nck_comp_entry_t *entry, nck_shape_t *out) {
     const nck_shape_t *const contour = &entry->contour;
-    const double left = self->side * self->radius;
     double behind[2];
     double end[2][2];
     nck_shape_tangent(contour, 0.0, behind);
-    const double *const of[2] = {entry->tangent, behind};
-    for (unsigned k = 0; k < 2; k++) {
-        end[k][0] = contour->p[0] - left * of[k][1];
-        end[k][1] = contour->p[1] + left * of[k][0];
-    }
+    beside(self, contour->p, entry->tangent, end[0]);
+    beside(self, contour->p, behind, end[1]);
     const double turn = nck_comp_turn(self, entry->tangent, behind);
     nck_shape_arc(end[0], end[1], contour->p, -self->side * turn, out);
+}
+
+// The first move, and the one behind G40: straight between the programmed point and a place beside
+// the contour.
+static void way(const nck_toolcomp_t *self, const nck_comp_entry_t *entry, nck_shape_t *out) {
+    const nck_shape_t *const contour = &entry->contour;
+    double ahead[2];
+    double ends[2][2];
+    nck_shape_tangent(contour, 0.0, ahead);
+    for (unsigned k = 0; k < 2; k++) {
+        ends[0][k] = contour->p[k] - self->nose[k];
+        ends[1][k] = contour->q[k] - self->nose[k];
+    }
+    if (entry->leaves) beside(self, contour->p, ahead, ends[0]);
+    else beside(self, contour->q, entry->tangent, ends[1]);
+    nck_shape_line(ends[0], ends[1], out);
 }
 
 void nck_comp_piece(nck_toolcomp_t *self, uint32_t count, nck_comp_part_t part,
@@ -62,7 +82,9 @@ void nck_comp_piece(nck_toolcomp_t *self, uint32_t count, nck_comp_part_t part,
     const nck_comp_entry_t *const entry = nck_comp_at(self, count);
     out->of = count;
     out->part = (uint8_t)part;
+    const int upright = entry->enters && self->start > NCK_COMP_START_RS274;
     if (part == NCK_COMP_ABOUT) about(self, entry, &out->shape);
+    else if (upright || entry->leaves) way(self, entry, &out->shape);
     else if (entry->enters) (void)nck_comp_enter(self, &entry->contour, &out->shape);
     else (void)nck_shape_parallel(&entry->contour, self->side * self->radius, &out->shape);
 }

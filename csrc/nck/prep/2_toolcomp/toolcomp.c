@@ -37,7 +37,7 @@ void nck_toolcomp_move(const nck_toolcomp_t *self, nck_block_t *block) {
 // ---- radius compensation
 
 // While the tool is away, moves outside of the plane leave it there; the first one in the plane
-// takes it to a programmed point, and must be straight.
+// takes it to a programmed point, and must be straight. NCK_EMPTY: that one is taken.
 static nck_status_t stay_away(nck_toolcomp_t *self, nck_block_t *block) {
     const int moves = block->kind <= NCK_BLOCK_ARC || block->kind == NCK_BLOCK_ENTRY;
     if (!self->away || !moves) return NCK_OK;
@@ -50,9 +50,9 @@ static nck_status_t stay_away(nck_toolcomp_t *self, nck_block_t *block) {
     for (unsigned k = 0; k < 2; k++) {
         if (block->target_nm[axis[k]] != self->reached_nm[axis[k]]) self->away = 0;
     }
-    for (unsigned k = 0; self->away && k < 2; k++) {
-        block->target_nm[axis[k]] = self->given_nm[axis[k]];
-    }
+    if (!self->away) return block->kind == NCK_BLOCK_ENTRY ? NCK_OK : nck_comp_leave(self, block);
+    for (unsigned k = 0; k < 2; k++) block->target_nm[axis[k]] = self->given_nm[axis[k]];
+    memcpy(self->given_nm, block->target_nm, sizeof self->given_nm);
     return NCK_OK;
 }
 
@@ -64,6 +64,7 @@ static void switch_on(nck_toolcomp_t *self, const nck_block_t *block) {
     memset(&self->last, 0, sizeof self->last);
     self->phase = NCK_COMP_ENTERS;
     self->away = 0;
+    self->start = (uint8_t)block->output.number;
     self->plane = block->plane;
     self->radius = nck_fabs(radius);
     self->side = radius < 0.0 ? -1.0 : 1.0;
@@ -108,7 +109,7 @@ static void open_piece(nck_toolcomp_t *self, nck_comp_part_t part) {
     self->walk.along = span->from;
     self->walk.until = span->to;
     self->walk.open = 1;
-    self->walk.planned = 0;
+    self->walk.planned = nck_comp_at(self, self->ring.tail)->leaves;
 }
 
 static nck_status_t plan_piece(nck_toolcomp_t *self) {
@@ -165,7 +166,7 @@ nck_status_t nck_toolcomp_diagnostic(nck_toolcomp_t *self, nck_diagnostic_t *dia
 
 int nck_toolcomp_invariants(const nck_toolcomp_t *self) {
     const uint32_t waiting = self->ring.head - self->ring.tail;
-    return waiting <= NCK_COMP_ROWS && self->phase <= NCK_COMP_ON
+    return waiting <= NCK_COMP_ROWS && self->phase <= NCK_COMP_LEAVES
            && (self->phase != NCK_COMP_OFF || (waiting == 0 && !self->walk.open))
            && (self->phase == NCK_COMP_OFF || self->radius > 0.0);
 }

@@ -31,7 +31,8 @@ typedef struct nck_comp_span {
 typedef NCK_COMP_STATE nck_comp_entry {
     nck_block_t block;   // as it came
     nck_shape_t contour; // the programmed line or arc
-    double tangent[2];   // direction of the contour before it, at its end
+    double tangent[2];   // direction of the contour before it, at its end; of the first move: the
+                         // one that it ends upright on, by the types of Fanuc
     double s;            // contour before it [mm]
     nck_comp_span_t path[NCK_COMP_PARTS];
     uint8_t moves;       // 1: it has a contour
@@ -39,14 +40,16 @@ typedef NCK_COMP_STATE nck_comp_entry {
     uint8_t enters;      // 1: the first move
     uint8_t first;       // 1: the first contour behind it
     uint8_t clear;       // 1: it came by a rapid, so that the arc to its side cuts nothing either
-    uint8_t reserved[3]; // 0
+    uint8_t leaves;      // 1: the move behind G40, with an arc about the contour's end before it
+    uint8_t reserved[2]; // 0
 } nck_comp_entry_t;
 
 // How far compensation is.
 typedef enum nck_comp_phase {
     NCK_COMP_OFF = 0,
     NCK_COMP_ENTERS = 1, // the first move in the plane is not there yet
-    NCK_COMP_ON = 2
+    NCK_COMP_ON = 2,
+    NCK_COMP_LEAVES = 3  // off, but for an arc about the contour's end and the move behind it
 } nck_comp_phase_t;
 
 // A piece of the centre's path, from where a contour begins to where it ends.
@@ -73,7 +76,7 @@ typedef struct nck_toolcomp {
     uint8_t plane;       // 17, 18, 19
     uint8_t axis[2];     // its axes
     uint8_t enters;      // 1: the program begins in the middle, and what comes is before that
-    uint8_t reserved;    // 0
+    uint8_t start;       // nck_comp_start_t of what is in force or was last
 
     // The contours that were pushed last and first.
     NCK_COMP_STATE {
