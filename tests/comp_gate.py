@@ -32,12 +32,8 @@ NEAR = 1e-3  # [mm] so much nearer than R is too near
 SHORT = 1e-4  # [mm] shorter arcs about a corner are none
 FREE = tuple(f"axis.{axis}.{end}_mm=free" for axis in "xyz" for end in ("min", "max"))
 STARTS = ("rs274", "A", "B")
-MACHINES = {
-    start: Machine.load(
-        "mill3", set=(*FREE, "path.arc_radius_mm=0.05", f"dialect.comp_start={start}")
-    )
-    for start in STARTS
-}
+OPEN = Machine.load("mill3", set=(*FREE, "path.arc_radius_mm=0.05"))
+MACHINES = {start: Machine.load(OPEN, set=[f"dialect.comp_start={start}"]) for start in STARTS}
 LETTERS = {17: "XYIJZ", 18: "ZXKIY", 19: "YZJKX"}
 AXES = {17: (0, 1, 2), 18: (2, 0, 1), 19: (1, 2, 0)}
 
@@ -397,24 +393,20 @@ def chain(rng):
 
 
 def ways(rng):
-    """A line or an arc, with ways to it and from it out of all directions, as short as they may be.
-
-    RS274NGC's entry needs more room.
-    """
+    """A line or an arc, with ways to it and from it out of all directions, as short as they may be:
+    too short for RS274NGC's."""
     radius, side = float(rng.choice([0.5, 1, 3])), int(rng.choice([-1, 1]))
     first, last = np.exp(1j * rng.uniform(-3.1, 3.1, 2)) * radius * rng.uniform(0.3, 6, 2)
+    end, hub, sense = complex(radius * rng.uniform(0.5, 9)), None, 0
     if rng.random() < 0.5:
-        end = complex(radius * rng.uniform(0.5, 9))
-        return Case(-first, 0j, [(end, None, 0, None)], radius, side, end + last,
-                    starts=("A", "B"))
-    sense = int(rng.choice([-1, 1]))
-    size = radius * (rng.uniform(1.1, 6) if sense == side else rng.uniform(0.3, 6))
-    hub, turn = 1j * sense * size, np.exp(1j * sense * rng.uniform(0.3, 3))
-    end = hub - hub * turn
-    if abs(end) < 2 * radius:  # an arc about one end would be in the way of the other
-        return None
-    return Case(-first, 0j, [(end, hub, sense, None)], radius, side, end + last * turn,
-                starts=("A", "B"))
+        sense = int(rng.choice([-1, 1]))
+        size = radius * (rng.uniform(1.1, 6) if sense == side else rng.uniform(0.3, 6))
+        hub = 1j * sense * size
+        end = hub - hub * np.exp(1j * sense * rng.uniform(0.3, 3))
+        if abs(end) < 2 * radius:  # an arc about one end would be in the way of the other
+            return None
+    elements = [(end, hub, sense, None)]
+    return Case(-first, 0j, elements, radius, side, end + last, starts=("A", "B"))
 
 
 FAMILIES = {each.__name__: each for each in (circle, helix, pocket, boss, laps, chain, ways)}

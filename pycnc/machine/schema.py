@@ -241,10 +241,7 @@ class Dialect(Table):
         "refused, since controls differ.",
     )
     comp_start: Literal["rs274", "A", "B"] | None = Field(
-        None,
-        description="How radius compensation begins and ends: as RS274NGC's, or by type A or B of "
-        "Fanuc (parameter 5003) and Haas (setting 43). Not said: A where the text is Fanuc's, "
-        "else rs274.",
+        None, description="How G41 begins, G40 ends (words.md); not said: A of Fanuc, else rs274."
     )
     integers: Literal["units", "increments"] | None = Field(
         None,

@@ -131,7 +131,7 @@ def test_a_nose_is_numbered_as_its_language_does(number, tmp_path):
     text = "G21 G18 G8\nT1 M6\nG0 X30 Z20\nG42 G1 X20 Z1 F100\nZ-20\nG40 X34\nM30\n"
     there = pycnc.Machine.load("cak6150n", set={
         "dialect.base": "linuxcnc", "dialect.diameter": False, "tool.1.radius_mm": 0.4,
-        "tool.1.orientation": number,
+        "tool.1.orientation": number, "dialect.comp_start": "rs274",
     })  # fmt: skip
     here = pycnc.Machine.load(there, dialect="fanuc", set={"tool.1.orientation": NOSES[number]})
     table = tmp_path / "tool.tbl"

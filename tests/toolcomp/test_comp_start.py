@@ -124,7 +124,7 @@ def test_a_nose_is_led_by_its_point(start, orientation):
             load(each, machine(start)).blocks["target_nm"][:, (2, 0)] @ [1e-6, 1e-6j]
             for each in (text, nose)
         )
-        # In between the centre is where it is without: but the first place, and behind G40 the last.
+        # The centre is where it is without a nose, but for the first place and behind G40.
         behind = -2 if "G40" in text else None
         assert near(led[1:behind], plain[1:behind] + 2 * points[orientation])
         assert near(led[:1], plain[:1])

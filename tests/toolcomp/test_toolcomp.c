@@ -114,8 +114,8 @@ static int pull_all(check_t *check, uint32_t *line) {
     return given;
 }
 
-// A right angle away from the tool at either end of a contour from (0, 0) to (0, −9): how many moves
-// come of it, and where the first one ends.
+// A right angle away from the tool at either end of a contour from (0, 0) to (0, −9): how many
+// moves come of it, and where the first one ends.
 static void begins_and_ends(check_t *check, nck_comp_start_t start, int moves, double x, double y) {
     static nck_machine_t machine;
     const double ends[3][2] = {{0.0, 0.0}, {0.0, -9.0}, {-9.0, -9.0}};

@@ -38,9 +38,9 @@ int nck_comp_following(nck_toolcomp_t *self, const nck_comp_piece_t *piece, nck_
 // NCK_E_COMP_RADIUS, NCK_E_COMP_GOUGE. Cost: linear in the ring.
 nck_status_t nck_comp_take(nck_toolcomp_t *self, const nck_block_t *block);
 
-// contour.c: the tool goes from the contour to the programmed end of a move. By type B it goes about
-// the contour's last corner first, if that turns away from it: then the move is taken. Returns
-// NCK_OK: it passes; NCK_EMPTY: it is taken. Cost: constant.
+// contour.c: the tool goes from the contour to the programmed end of a move. By type B it rounds
+// the contour's end before, if the corner there turns away from it: then the move is taken.
+// Returns NCK_OK: it passes; NCK_EMPTY: it is taken. Cost: constant.
 nck_status_t nck_comp_leave(nck_toolcomp_t *self, const nck_block_t *block);
 
 // pieces.c: the piece of the first contour, as RS274NGC has it; 0: there is none. Cost: constant.
