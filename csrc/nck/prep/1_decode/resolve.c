@@ -95,7 +95,9 @@ static nck_status_t claim_motion(nck_decode_t *self) {
         // Fanuc's G0 G28 Z0: the motion code sets the mode, G28 has the words.
         const int second = taken && words->code[NCK_STEP_MOTION] != 800;
         if (second && self->machine->dialect.base != NCK_DIALECT_FANUC) {
-            return nck_decode_fail_code(self, NCK_E_MODAL_GROUP, NCK_STEP_OFFSET);
+            const int offset = has(words, NCK_STEP_OFFSET) && words->code[NCK_STEP_OFFSET] <= 920;
+            return nck_decode_fail_code(self, NCK_E_MODAL_GROUP,
+                                        offset ? NCK_STEP_OFFSET : NCK_STEP_LENGTH);
         }
         return NCK_OK;
     }
