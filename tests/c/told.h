@@ -8,8 +8,8 @@
 // A block has its line and its kind, and then only what is other than in the block before; before
 // the first one the axes stand at 0, G94 is in force, and what the machine's own table has.
 // Findings stand where they came: !line:column id letter value/limit of an error, ? of a note. The
-// M2 that ends every text is not told, nor are the notes on what a text leaves unsaid. ~ marks a
-// move of a cycle that keeps to the path, whatever G64 says.
+// M2 that ends every text is not told, nor, unless asked for, are the notes on what a text leaves
+// unsaid. ~ marks a move of a cycle that keeps to the path, whatever G64 says.
 #ifndef TOLD_H
 #define TOLD_H
 
@@ -36,6 +36,7 @@ typedef struct told {
     nck_toolcomp_t toolcomp;
     int compensates; // 1: the blocks of room 2, 0: of room 1
     int reads;       // 1: the room reads the text itself, and so may jump back in it
+    int notes;       // 1: what a text leaves unsaid is told, too
     nck_block_t before;
     nck_block_t path; // told last of G61 and G64
     double feed;      // told last
@@ -248,7 +249,8 @@ static inline void told_block(told_t *self, const nck_block_t *now) {
 }
 
 static inline void told_finding(told_t *self, const nck_diagnostic_t *finding) {
-    if (finding->code >= NCK_NOTE_UNITS && finding->code <= NCK_NOTE_NO_END) return;
+    const int unsaid = finding->code >= NCK_NOTE_UNITS && finding->code <= NCK_NOTE_NO_END;
+    if (unsaid && !self->notes) return;
     const char *const id = finding->code < 0 ? nck_status_id(finding->code)
                                              : nck_note_id(finding->code);
     told_add(self, "%s%c%u:%u %s", self->size > 0 ? "; " : "", finding->code < 0 ? '!' : '?',

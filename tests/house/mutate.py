@@ -175,6 +175,18 @@ def is_removable(tokens, k, heads):
     return not is_declaration and not (word.text.endswith("_t") and after.text == "*")
 
 
+def is_size(tokens, k):
+    """Tell whether a number is the size of an array that a statement declares."""
+    if tokens[k - 1].text != "[" or tokens[k + 1].text != "]":
+        return False
+    while tokens[k - 1].text not in (";", "{", "}", "(", "="):
+        k -= 1
+    if tokens[k].text in ("const", "static"):
+        return True
+    is_type = tokens[k].text in KEPT - {"return", "case"} or tokens[k].text.endswith("_t")
+    return is_type and tokens[k + 1].text != "["
+
+
 def changes(text):
     """Yield (begin, end, what stands there instead) of every change of C text."""
     tokens = tokens_of(text)
@@ -202,7 +214,8 @@ def changes_at(text, tokens, k):
     """Yield the changes of one token."""
     token = tokens[k]
     if token.kind == "number":
-        for now in other_numbers(token.text):
+        found = other_numbers(token.text)
+        for now in found[1:] if is_size(tokens, k) else found:  # a larger array is as good
             yield token.begin, token.end, now
     elif token.text in SWAPS and is_binary(text, token):
         for now in SWAPS[token.text]:

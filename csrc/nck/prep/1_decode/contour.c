@@ -107,7 +107,7 @@ static nck_status_t check_first(nck_decode_t *self) {
                          && nck_number_whole(&words->number['N' - 'A'], 0, &number);
         if (!said || (uint64_t)number != contour->first) {
             contour->broken = 1;
-            contour->mode = NCK_CONTOUR_NOT;
+            bring_back(self);
             return fail_cycle(self, NCK_E_CONTOUR, 'P', (double)contour->first);
         }
         contour->one_way = (words->axes & 5u) != 5u; // X and Z: type II
