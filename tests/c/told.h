@@ -123,6 +123,11 @@ static inline void told_rounded(told_t *self, double value, int decimals) {
     told_add(self, " %s", strcmp(text, "-0") == 0 ? "0" : text);
 }
 
+// What is kept as a float: its last digits are nobody's.
+static inline void told_float(told_t *self, const char *name, float now) {
+    if (now < 0.0f || now > 0.0f) told_add(self, " %s %.6g", name, (double)now);
+}
+
 // A number that changed. Returns 1 if it did.
 static inline int told_number(told_t *self, const char *name, double before, double now) {
     if (before <= now && before >= now) return 0;
@@ -193,16 +198,16 @@ static inline void told_shape(told_t *self, const nck_block_t *now) {
     if (now->kind == NCK_BLOCK_THREAD) {
         told_add(self, " of %.9g lead %.9g", thread->length, thread->lead);
         (void)told_number(self, "in ", 0.0, thread->enter);
-        (void)told_number(self, "over ", 0.0, (double)thread->entry);
+        told_float(self, "over", thread->entry);
         (void)told_number(self, "out ", 0.0, thread->leave);
-        (void)told_number(self, "over ", 0.0, (double)thread->exit);
-        (void)told_number(self, "at ", 0.0, (double)thread->turn);
+        told_float(self, "over", thread->exit);
+        told_float(self, "at", thread->turn);
         told_add(self, " for %.4g", (double)thread->duration);
     }
     if (now->kind == NCK_BLOCK_TAP) {
         told_add(self, " by %.9g %.9g %.9g lead %.9g", tap->way[0], tap->way[1], tap->way[2],
                  tap->lead);
-        (void)told_number(self, "dwell ", 0.0, (double)tap->dwell);
+        told_float(self, "dwell", tap->dwell);
         told_add(self, " for %.4g", (double)tap->duration);
     }
 }

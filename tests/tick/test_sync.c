@@ -144,7 +144,7 @@ static void an_angle_beyond_all_turns_is_none(check_t *check) {
     CHECK_NEAR(check, sync.turns, 0.999e12, 0.0);
     nck_sync_measure(&sync, 1e12);
     nck_sync_measure(&sync, -1e12);
-    nck_sync_measure(&sync, NAN);
+    nck_sync_measure(&sync, (double)NAN);
     CHECK_NEAR(check, sync.turns, 0.999e12, 0.0);
     nck_sync_measure(&sync, -0.999e12);
     CHECK_NEAR(check, sync.turns, -0.999e12, 0.0);
