@@ -174,8 +174,12 @@ static double follow(nck_sync_t *self, double rpm, double period) {
     const nck_pass_t *const pass = &self->pass;
     const double t = self->t;
     const double far = t + NCK_FOLLOW_FASTER * period;
-    nck_follow_room_t room = {0.0, 2.0 * pass->total, UNLIMITED, rpm, period,
-                              {0.0, 0.0, 0.0}, {0.0, 0.0, 0.0}};
+    nck_follow_room_t room;
+    room.least = 0.0;
+    room.most = 2.0 * pass->total;
+    room.change = UNLIMITED;
+    room.rpm = rpm;
+    room.period = period;
     nck_thread_at(pass, t, &room.at);
     nck_thread_at(pass, far, &room.far);
     if (t < pass->enter_s) room.change = pass->change[0];

@@ -116,8 +116,12 @@ static uint32_t end(nck_sync_t *self, nck_pose_t *pose) {
 static double take_turns(nck_sync_t *self, double rpm, double period) {
     const double before = self->t;
     const double step = NCK_FOLLOW_FASTER * period;
-    nck_follow_room_t room = {-NCK_FOLLOW_FASTER, self->pass.enter_s, UNLIMITED, rpm, period,
-                              {0.0, 0.0, 0.0}, {0.0, 0.0, 0.0}};
+    nck_follow_room_t room;
+    room.least = -NCK_FOLLOW_FASTER;
+    room.most = self->pass.enter_s;
+    room.change = UNLIMITED;
+    room.rpm = rpm;
+    room.period = period;
     find_moment(self, before, &room.at);
     find_moment(self, self->rate < 0.0 ? before - step : before + step, &room.far);
     double beside = nck_follow(self, &room);

@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: MIT
+// Rooms 1 and 2: the tool's centre at the ends of the travel, in narrow contours, beside a nose.
+#include "told.h"
+
+static told_t self;
+
+static const told_row_t beside_bound_rows[] = {
+    {"G42.1 D4 F100\nG1 X10 Y5\nX99\nY8\n",
+     "2 line X10.472136 Y3 F100; 3 line X99; !4:0 travel X 101/100"},
+    {"G42.1 D4 F100\nG1 X10 Y5\nX97\nG3 Y15 J5\nG1 X10\n",
+     "!4:0 travel X 102/100; 2 line X10.472136 Y3 F100; 3 line X97;"
+     " 5 arc X97.228381 Y6.986918 G17 about 97 5 by 173.4431; 5 line X10.228381 Y16.986918"},
+    {"G41.1 D4 F100\nG1 X-5 Y5\nY190\nG2 X5 Y199 I9\nG1 X20\n",
+     "!4:1 arc-radius 9.05538514/9; 2 line X-6.414214 Y3.585786 F100;"
+     " 3 arc X-7 Y5 G17 about -5 5 by -45; 3 line Y190;"
+     " 5 arc X-5.677439 Y191.881775 G17 about -5 190 by -70.2011; !5:0 travel Y 200.881775/200"},
+    {"G41.1 D4 F100\nG1 X-5 Y5\nY190\nG2 X10 Y190 I7.5 P1\nG1 Y100\n",
+     "2 line X-6.414214 Y3.585786 F100; 3 arc X-7 Y5 G17 about -5 5 by -45; 3 line Y190;"
+     " 4 arc X12 G17 about 2.5 190 by -180; 5 line Y100"},
+    {"G41.1 D4 F100\nG1 X20 Y-5\nX10\nG2 X0 Y5 J10\nG1 Y50\n",
+     "2 line X20.485071 Y-3.059715 F100; 3 arc X20 Y-7 G17 about 20 -5 by -165.9638;"
+     " 3 line X10; 4 arc X-2 Y5 G17 about 10 5 by -90; 5 line Y50"},
+    {"G41.1 D4 F100\nG1 X20 Y-5\nX10\nG2 X-5 Y-5 I-7.5\nG1 Y50\n",
+     "2 line X20.485071 Y-3.059715 F100; 3 arc X20 Y-7 G17 about 20 -5 by -165.9638;"
+     " 3 line X11.787088; 4 arc X-7 Y-5 G17 about 2.5 -5 by -167.8468; 5 line Y50"},
+    {"G42.1 D4 F100\nG1 X20 Y-5\nG3 X40 I10\nG1 Y20\n",
+     "2 line X18.105528 Y-6.587935 F100; 3 arc X42 Y-5 G17 about 30 -5 by 172.3959; 4 line Y20"},
+    {"G42.1 D4 F100\nG1 X20 Y-10\nG3 X40 I10\nG1 Y20\n",
+     "2 line X18.067367 Y-11.269751 F100; !3:0 travel Y -22/-20"},
+    {"G41.1 D4 F100\nG1 X-8.5 Y5\nY100\n",
+     "2 line X-9.51404 Y3.276132 F100; !3:0 travel X -10.5/-10"},
+    {"G41.1 D4 F100\nG1 X50 Y199\nX80\nY100\n",
+     "2 line X48.06029 Y199.487364 F100; !3:0 travel Y 201/200"},
+    {"G41.1 D4 F100\nG1 X50 Y-18.5\nX20\nY100\n",
+     "2 line X50.694018 Y-16.624276 F100; !3:0 travel Y -20.5/-20"},
+    {"G43.1 X5 Y5 Z5\nG41.1 D4 F100\nG1 X50 Y192\nX80\nY194\nX90\n",
+     "3 line X53.073666 Y197.537809 F100; 4 arc X55 Y199 G17 about 55 197 by -74.4009;"
+     " ?5:0 comp-left 0.828427125/5; 4 line X83; !6:0 travel Y 201/200"},
+    {"G18 G41.1 D4 F100\nG1 Z5 X20\nZ47\nX30\nZ49\nX50\n",
+     "2 line X20.485071 Z3.059715 F100; 3 arc X22 Z5 G18 about 5 20 by -75.9638; 3 line Z45;"
+     " 4 line X30; ?5:0 comp-left 0.828427125/5; 5 arc X32 Z47 G18 about 47 30 by -90;"
+     " 6 line X50"},
+    {"G18 G41.1 D4 F100\nG1 Z5 X95\nZ20\nX99\nZ30\n",
+     "2 line X95.105118 Z3.002764 F100; 3 arc X97 Z5 G18 about 5 95 by -86.9872; 3 line Z18;"
+     " 4 line X99; !5:0 travel X 101/100"},
+    {"G19 G42.1 D4 F100\nG1 Y20 Z-5\nY190\nZ10\nY199\nZ30\n",
+     "2 line Y19.514929 Z-6.940285 F100; 3 arc Y20 Z-7 G19 about 20 -5 by 14.0362; 3 line Y190;"
+     " 4 arc Y192 Z-5 G19 about 190 -5 by 90; 4 line Z8; 5 line Y199; !6:0 travel Y 201/200"},
+    {"G41.1 D4 F100\nG1 X0 Y190\nG2 X10 Y190 I5\nG1 X30\n",
+     "2 line X-2 Y190 F100; 3 arc X11.708204 Y192 G17 about 5 190 by -163.3985; 4 line X30"},
+    {"G41.1 D4 F100\nG1 X0 Y190\nG2 X20 Y190 I10\nG1 X30\n",
+     "2 line X-2 Y190 F100; !3:0 travel Y 202/200"},
+    {"G42.1 D4 F100\nG1 X0 Y190\nG3 X-7 Y190 I-3.5\nG1 X-7 Y150\n",
+     "2 line X2 Y190 F100; 3 arc X-9 G17 about -3.5 190 by 180; 4 line Y150"},
+};
+
+static void no_part_of_the_path_leaves_the_travel(check_t *check) {
+    told_begin(&self, NCK_DIALECT_LINUXCNC);
+    told_bound(&self);
+    self.compensates = 1;
+    TOLD(check, &self, beside_bound_rows);
+}
+
+static const told_row_t inside2_rows[] = {
+    {"G41.1 D4 F100\nG1 X20\nX20 Y20\nX0\nY0\nX20\nG40 X40\n",
+     "2 line X18 Y2 F100; 3 line Y18; 4 line X2; 5 line Y2; !6:0 comp-gouge 2/3; 7 line X40 Y0"},
+    {"G42.1 D4 F100\nG1 X20\nX20 Y20\nX0\nY0\nX20\nY10\nG40 X40\n",
+     "2 line X20 Y-2 F100; 3 arc X22 Y0 G17 about 20 0 by 90; 3 line Y20;"
+     " 4 arc X20 Y22 G17 about 20 20 by 90; 4 line X0; 5 arc X-2 Y20 G17 about 0 20 by 90;"
+     " 5 line Y0; 6 arc X0 Y-2 G17 about 0 0 by 90; 6 line X20;"
+     " 7 arc X22 Y0 G17 about 20 0 by 90; 7 line Y10; 8 line X40"},
+    {"G41.1 D4 F100\nG1 X20\nY20\nX40 Y10\nX20\nG40 Y-10\n",
+     "2 line X18 Y2 F100; 3 line Y20; 4 arc X20.894427 Y21.788854 G17 about 20 20 by -116.5651;"
+     " 4 line X40.894427 Y11.788854; 5 arc X40 Y8 G17 about 40 10 by -153.4349; 5 line X20;"
+     " 6 line Y-10"},
+    {"G42.1 D4 F100\nG1 Y5\nX20 Y15\nX0 Y25\nY5\nG40 X-10\n",
+     "2 line X2 Y3.763932 F100; 3 line X20.894427 Y13.211146;"
+     " 4 arc Y16.788854 G17 about 20 15 by 126.8699; 4 line X0.894427 Y26.788854;"
+     " 5 arc X-2 Y25 G17 about 0 25 by 116.5651; 5 line Y5; 6 line X-10"},
+    {"G41.1 D4 F100\nG1 X0 Y20\nX10\nG2 X30 Y20 I10\nG1 X40\nG3 X60 Y20 I10\nG1 X70\nG40 Y0\n",
+     "2 line X-2 Y20 F100; 3 arc X0 Y22 G17 about 0 20 by -90; 3 line X8.16784;"
+     " 4 arc X31.83216 G17 about 20 20 by -160.8119; 5 line X40;"
+     " 6 arc X42 Y20 G17 about 40 20 by -90; 6 arc X58 G17 about 50 20 by 180;"
+     " 7 arc X60 Y22 G17 about 60 20 by -90; 7 line X70; 8 line Y0"},
+    {"G41.1 D20 F100\nG1 X0 Y20\nX10\nG3 X30 Y20 I10\nG1 X40\nG40 Y0\n",
+     "!4:0 comp-radius 10/10; 5 line X40 Y20 F100; 6 line Y0"},
+    {"G41.1 D19.99 F100\nG1 X0 Y20\nX10\nG3 X30 Y20 I10\nG1 X40\nG40 Y0\n",
+     "2 line X-9.995 Y20 F100; 3 arc X0 Y29.995 G17 about 0 20 by -90; 3 line X10;"
+     " 4 arc X19.995 Y20 G17 about 10 20 by -90; 4 arc X20.005 G17 about 20 20 by 180;"
+     " 5 arc X30 Y29.995 G17 about 30 20 by -90; 5 line X40; 6 line Y0"},
+    {"G42.1 D6 F100\nG1 X0 Y20\nX10\nX10.5 Y19\nX11 Y20\nX12 Y18\nX13 Y20\nX30\nG40 Y0\n",
+     "2 line X3 Y17 F100; ?4:0 comp-left 0.466111946/4; 3 line X8.263932;"
+     " ?5:0 comp-left 1.06030393/6; 5 arc X9.662792 Y16.119187 G17 about 10.5 19 by 31.985;"
+     " 7 arc X14.683282 Y16.658359 G17 about 12 18 by 114.6104; 7 line X14.854102 Y17;"
+     " 8 line X30; 9 line Y0"},
+    {"G42.1 D6 F100\nG1 X0 Y20\nX10\nG2 X12 Y20 I1\nG1 X20\nG3 X22 Y20 I1\nG1 X40\nG40 Y0\n",
+     "!4:0 comp-radius 3/1; 5 line X20 Y20 F100; 6 arc X22 G17 about 21 20 by 180; 7 line X40;"
+     " 8 line Y0"},
+    {"G41.1 D6 F100\nG1 X0 Y20\nX10\nG2 X12 Y20 I1\nG1 X20\nG3 X22 Y20 I1\nG1 X40\nG40 Y0\n",
+     "!6:0 comp-radius 3/1; 7 line X40 Y20 F100; 8 line Y0"},
+    {"G41.1 D4 F100\nG1 X0 Y20\nX40\nY24\nX0\nY26\nX-20\nG40 Y0\n",
+     "2 line X-2 Y20 F100; 3 arc X0 Y22 G17 about 0 20 by -90; 3 line X38; !4:0 comp-gouge 2/5;"
+     " 8 line X-20 Y0"},
+    {"G41.1 D4 F100\nG1 X0 Y20\nX40\nY24.1\nX-20\nG40 Y0\n",
+     "2 line X-2 Y20 F100; 3 arc X0 Y22 G17 about 0 20 by -90; 3 line X38; 4 line Y22.1;"
+     " 5 line X-20; 6 line Y0"},
+    {"G41.1 D4 F100\nG1 X0 Y20\nX40\nY30\nX20\nY22\nX10\nY40\nG40 Y50\n",
+     "2 line X-2 Y20 F100; 3 arc X0 Y22 G17 about 0 20 by -90; 3 line X38; 4 line Y28;"
+     " 5 line X22; 6 line Y22; 7 arc X20 Y20 G17 about 20 22 by -90; 7 line X10;"
+     " 8 arc X8 Y22 G17 about 10 22 by -90; 8 line Y40; 9 line X10 Y50"},
+    {"G42.1 D4 F100\nG1 X0 Y20\nX40\nY30\nX20\nY10\nG40 X10\n",
+     "2 line X2 Y18 F100; 3 line X40; 4 arc X42 Y20 G17 about 40 20 by 90; 4 line Y30;"
+     " 5 arc X40 Y32 G17 about 40 30 by 90; 5 line X20; 6 arc X18 Y30 G17 about 20 30 by 90;"
+     " 6 line Y10; 7 line X10"},
+    {"G42.1 D4 F100\nG1 X0 Y20\nX40\nY40\nX20\nY0\nX50\nG40 X60\n",
+     "2 line X2 Y18 F100; 3 line X40; 4 arc X42 Y20 G17 about 40 20 by 90; 4 line Y40;"
+     " 5 arc X40 Y42 G17 about 40 40 by 90; 5 line X20; 6 arc X18 Y40 G17 about 20 40 by 90;"
+     " 6 line Y0; 7 arc X20 Y-2 G17 about 20 0 by 90; 7 line X50; 8 line X60 Y0"},
+    {"G41.1 D4 F100\nG1 X0 Y20\nX40\nY40\nX20\nY0\nX50\nG40 X60\n",
+     "2 line X-2 Y20 F100; 3 arc X0 Y22 G17 about 0 20 by -90; 3 line X38; 4 line Y38;"
+     " 5 line X22; 6 line Y2; 7 line X50; 8 line X60 Y0"},
+    {"G41.1 D4 F100\nG1 X0 Y20\nX40\nG0 Y24\nG1 X0\nY22\nX-20\nG40 Y0\n",
+     "2 line X-2 Y20 F100; 3 arc X0 Y22 G17 about 0 20 by -90; 3 line X38; 4 rapid Y24;"
+     " ?6:0 comp-left 0.828427125/6; 5 line X40 Y22; 5 line X2;"
+     " 7 arc X0 Y20 G17 about 0 22 by -90; 7 line X-20; 8 line Y0"},
+    {"G41.1 D4 F100\nG1 X0 Y20\nG2 X0 Y20 I10\nG2 X20 Y20 I10\nG1 X40\nG40 Y0\n",
+     "2 line X-2 Y20 F100; 3 arc X16 Y30.392305 G17 about 10 20 by -120;"
+     " 3 arc Y9.607695 G17 about 10 20 by -120; 3 arc X-2 Y20 G17 about 10 20 by -120;"
+     " 4 arc X21.83216 Y22 G17 about 10 20 by -170.4059; 5 line X40; 6 line Y0"},
+    {"G41.1 D4 F100\nG1 X0 Y20\nX20 Y20.0000005\nX40 Y20\nX40.00001\nX60\nG40 Y0\n",
+     "2 line X-2 Y20 F100; 3 arc X0 Y22 G17 about 0 20 by -90; 3 line X20; 4 line X40;"
+     " 5 line X40.00001; 6 line X60; 7 line Y0"},
+    {"G42.1 D2 F100\nG1 X0 Y20\nX20 Y18\nX40 Y20\nX60 Y20.05\nX80 Y20\nG40 Y0\n",
+     "2 line X1 Y18.895012 F100; 3 line X19.900496 Y17.004963;"
+     " 4 arc X20.099504 G17 about 20 18 by 11.4212; 4 line X40.051122 Y19.000125;"
+     " 5 line X60 Y19.049997; 6 line X79.9975 Y19.000003; 7 line X80 Y0"},
+    {"G41.1 D4 F100\nG2 X10 Y10 I10 Z5\nX20 Y0 J-10 Z10\nG1 X20 Y-10 Z0\nG40 X30\n",
+     "2 arc X10 Y12 Z5 G17 about 10 1.83333 by -100.3889 F100;"
+     " 3 arc X22 Y0 Z10 G17 about 10 0 by -90; 4 line Y-10 Z0; 5 line X30"},
+    {"G41.1 D4 F100 G93\nG1 X0 Y20 F1\nG2 X20 I10 P2 F2\nG1 X40 F3\nG40 Y0 F1\n",
+     "2 line X-2 Y20 F1 inverse; 3 arc X21.981312 Y20.669445 G17 about 10 20 by -176.802 F2;"
+     " 3 arc X-1.925307 Y18.663196 G17 about 10 20 by -176.802;"
+     " 3 arc X21.83216 Y22 G17 about 10 20 by -176.802; 4 line X40 F3; 5 line Y0 F1"},
+};
+
+static void narrow_contours_are_cut_left_out_or_refused(check_t *check) {
+    told_begin(&self, NCK_DIALECT_LINUXCNC);
+    self.compensates = 1;
+    TOLD(check, &self, inside2_rows);
+}
+
+static const told_row_t nose_rows[] = {
+    {"G18 G42 D7 F100\nG1 X10 Z-5\nZ-20\nX20 Z-30\nG40 X40\n",
+     "2 line X11.157771 Z-5.084458 F100; 3 arc X11.6 Z-5.8 G18 about -5.8 10.8 by 63.4349;"
+     " 3 line Z-20.468629; 4 line X21.365685 Z-30.234315; 5 line X40 Z-30"},
+    {"G18 G41.1 D2 L1 F100\nG1 X10 Z5\nZ20\nG3 X20 Z30 I10\nG1 X30\nG40 X40\n",
+     "2 line X9.447214 Z5.105573 F100; 3 arc X10 Z6 G18 about 6 9 by -63.4349; 3 line Z21;"
+     " 4 arc X19 Z30 G18 about 21 19 by 90; 5 line X29; 6 line X40"},
+    {"G18 G42.1 D2 L6 F100\nG1 X10 Z-5\nX20\nZ-20\nG40 X40\n",
+     "2 line X9.236068 Z-4 F100; 3 line X19; 4 arc X20 Z-5 G18 about -5 19 by 90; 4 line Z-20;"
+     " 5 line X40"},
+};
+
+static void a_nose_goes_beside_the_contour(check_t *check) {
+    told_begin(&self, NCK_DIALECT_LINUXCNC);
+    told_tools(&self);
+    told_lathe(&self);
+    self.compensates = 1;
+    TOLD(check, &self, nose_rows);
+}
+
+int main(void) {
+    check_t check = {0};
+    if (!TOLD_WHOLE) return 0;
+    CHECK_RUN(&check, no_part_of_the_path_leaves_the_travel);
+    CHECK_RUN(&check, narrow_contours_are_cut_left_out_or_refused);
+    CHECK_RUN(&check, a_nose_goes_beside_the_contour);
+    return check_end(&check);
+}
