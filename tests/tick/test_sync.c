@@ -300,6 +300,38 @@ static void a_spindle_that_slows_down_is_followed_to_a_tenth(check_t *check) {
     CHECK_NEAR(check, gone() - from, v * sqrt(v / sync.pass.ramp.j), 0.02 * v);
 }
 
+// X is on its way in, 1 mm in T, as the spindle slows down to half of a tenth: its pace of 2/T, at
+// that rate, goes by a cubic of y = t/fade whose steepest part takes all that X has.
+static void x_lets_its_pace_go_with_a_spindle_that_stops(check_t *check) {
+    for (int k = 0; k < 2; k++) {
+        begin(NCK_SLOPE_JERK);
+        seg.shape.thread.enter = -1.0;
+        seg.shape.thread.entry = 20.0f;
+        seg.end[NCK_AXIS_X] = 9.0;
+        (void)wait_for_begin(check);
+        tick_for(200);
+        while (rpm > 60.0) {
+            rpm -= 1.2;
+            (void)tick();
+        }
+        if (k == 1) machine.axis[NCK_AXIS_X].a_max = 1.0; // it counts beside the jerk
+        for (int n = 0; n < 1000 && sync.lost == 0; n++) (void)tick();
+        const double v = 2.0 / sync.pass.enter_s, rate = sync.stop.rate;
+        const double fade = k == 0 ? sqrt(6.0 * v * rate / 10000.0) : 1.5 * v * rate;
+        CHECK(check, rate > 0.04 && rate < 0.1);
+        CHECK_NEAR(check, sync.stop.fade, fade, 1e-12);
+        double t = sync.t;
+        for (int n = 1; n < 400; n++) {
+            const double y = PERIOD * n / fade;
+            if (tick() == NCK_SYNC_ENDS) break;
+            t += y < 1.0 ? rate * (1.0 - 3.0 * y * y + 2.0 * y * y * y) * PERIOD : 0.0;
+            CHECK_NEAR(check, sync.t, t, 1e-12);
+            CHECK_NEAR(check, pose.axis[NCK_AXIS_X], 10.0 + nck_thread_beside(&sync.pass, t),
+                       1e-9);
+        }
+    }
+}
+
 // ---- taps
 
 // In: as the spindle turns. Its command is 600 rpm until it is to brake, 0 at the bottom.
@@ -398,6 +430,7 @@ int main(void) {
     CHECK_RUN(&check, x_ends_what_it_has_begun);
     CHECK_RUN(&check, a_spindle_that_leaps_or_stalls_loses_the_thread);
     CHECK_RUN(&check, a_spindle_that_slows_down_is_followed_to_a_tenth);
+    CHECK_RUN(&check, x_lets_its_pace_go_with_a_spindle_that_stops);
     CHECK_RUN(&check, a_tap_goes_in_and_out_with_the_spindle);
     CHECK_RUN(&check, a_tap_that_is_stopped_stays_in_step);
     CHECK_RUN(&check, a_tap_whose_spindle_ignores_its_order_is_lost);

@@ -159,7 +159,7 @@ static int find_stop(nck_sync_t *self, double period, nck_moment_t *at) {
 
 static uint32_t stopping(nck_sync_t *self, const nck_machine_t *machine, const nck_seg_t *seg,
                          nck_pose_t *pose) {
-    nck_moment_t at = {0.0, 0.0, 0.0};
+    nck_moment_t at;
     const int goes_on = find_stop(self, machine->period_s, &at);
     stand(self, seg, &at, pose);
     pose->state = NCK_TICK_HOLD;
