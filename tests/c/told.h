@@ -37,7 +37,8 @@ typedef struct told {
     int compensates; // 1: the blocks of room 2, 0: of room 1
     int reads;       // 1: the room reads the text itself, and so may jump back in it
     int hooked;      // 1: in pieces
-    int notes;       // 1: what a text leaves unsaid is told, too
+    int bare;        // 1: no M2 stands behind the text, and what ends it is told
+    int notes;       // 1: what a text leaves unsaid is told, too; 2: only that it has no end
     nck_block_t before;
     nck_block_t path; // told last of G61 and G64
     double feed;      // told last
@@ -240,7 +241,7 @@ static inline int told_is_last(const told_t *self, const nck_block_t *now) {
 static inline void told_block(told_t *self, const nck_block_t *now) {
     static const char *const kinds[] = {"rapid", "line", "arc", "dwell", "wait", "out", "end",
                                         "comp", "thread", "tap", "entry"};
-    if (told_is_last(self, now)) return;
+    if (!self->bare && told_is_last(self, now)) return;
     const int cuts = now->kind == NCK_BLOCK_LINE || now->kind == NCK_BLOCK_ARC
                      || (now->kind == NCK_BLOCK_ENTRY && now->output.number == NCK_WAY_IN);
     told_add(self, "%s%u %s%s", self->size > 0 ? "; " : "", (unsigned)now->line, kinds[now->kind],
@@ -255,8 +256,9 @@ static inline void told_block(told_t *self, const nck_block_t *now) {
 }
 
 static inline void told_finding(told_t *self, const nck_diagnostic_t *finding) {
-    const int unsaid = finding->code >= NCK_NOTE_UNITS && finding->code <= NCK_NOTE_NO_END;
-    if (unsaid && !self->notes) return;
+    const int unsaid = finding->code >= NCK_NOTE_UNITS && finding->code <= NCK_NOTE_ARC_CENTRE;
+    if (unsaid && self->notes != 1) return;
+    if (finding->code == NCK_NOTE_NO_END && self->notes == 0) return;
     const char *const id = finding->code < 0 ? nck_status_id(finding->code)
                                              : nck_note_id(finding->code);
     told_add(self, "%s%c%u:%u %s", self->size > 0 ? "; " : "", finding->code < 0 ? '!' : '?',
@@ -314,7 +316,8 @@ static inline size_t told_read(void *user, size_t offset, char *out, size_t n) {
 static inline void told_run(told_t *self, const char *text) {
     nck_block_t block;
     nck_status_t status = NCK_EMPTY;
-    const char *const tail = self->machine.dialect.base == NCK_DIALECT_MARLIN ? "" : "M2\n";
+    const int ends = self->bare || self->machine.dialect.base == NCK_DIALECT_MARLIN;
+    const char *const tail = ends ? "" : "M2\n";
     const int size = snprintf(self->program, sizeof self->program, "%s%s", text, tail);
     size_t used = 0, n = size > 0 ? (size_t)size : 0;
     const nck_source_t in_place = {self->program, n, NULL, NULL};

@@ -188,7 +188,8 @@ nck_status_t nck_decode_cycle_fits(nck_decode_t *self) {
         return nck_decode_fail(self, NCK_E_UNSUPPORTED, 0, 'G', 93.0, 0.0);
     }
     if (!self->modal.comp) return NCK_OK;
-    return nck_decode_fail(self, NCK_E_COMP_ON, 0, 'G', self->modal.motion / 10.0, 0.0);
+    return nck_decode_fail(self, NCK_E_COMP_ON, 0, 'G',
+                           self->words.code[NCK_STEP_MOTION] / 10.0, 0.0);
 }
 
 void nck_decode_give_within(const nck_decode_t *self, nck_block_kind_t kind, double feed,
