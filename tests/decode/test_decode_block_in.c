@@ -3,7 +3,7 @@
 #include <math.h> // INFINITY NAN
 
 #include "nck/prep/1_decode/parts.h" // nck_decode_block_good
-#include "told.h"
+#include "told_check.h"
 
 static told_t self;
 

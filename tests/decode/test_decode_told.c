@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Room 1: lines and all that they are told to do: modes, offsets, places, and every mistake.
-#include "told.h"
+#include "told_check.h"
 
 static told_t self;
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Room 1: powers and angles, numbers as bits, places that are mapped.
-#include "told.h"
+#include "told_check.h"
 
 static told_t self;
 

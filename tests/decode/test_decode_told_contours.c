@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Room 1: contours that lathes rough and finish.
-#include "told.h"
+#include "told_check.h"
 
 static told_t self;
 

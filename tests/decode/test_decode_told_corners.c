@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Room 1: corners that are rounded or cut off, and what a text leaves unsaid.
-#include "told.h"
+#include "told_check.h"
 
 static told_t self;
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Room 1: splines as chords of half a millimetre, probes, and what is turned, scaled, mirrored, polar.
-#include "told.h"
+#include "told_check.h"
 
 static told_t self;
 

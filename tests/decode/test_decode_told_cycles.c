@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Room 1: every block of canned cycles, from the words of their lines.
-#include "told.h"
+#include "told_check.h"
 
 static told_t self;
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Room 1: corners between lines and arcs of every sense, calls, contours that are refused.
-#include "told.h"
+#include "told_check.h"
 
 static told_t self;
 

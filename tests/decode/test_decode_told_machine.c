@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Room 1: what goes by the machine: travel, tools, ports, other languages, where a program begins.
-#include "told.h"
+#include "told_check.h"
 
 static told_t self;
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Room 1: turning and threads of a lathe of Fanuc, states that are kept, cycles that follow each other.
-#include "told.h"
+#include "told_check.h"
 
 static told_t self;
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Room 1: numbers to the last digit, and parameters from call to call.
-#include "told.h"
+#include "told_check.h"
 
 static told_t self;
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Room 1: contours with walls, pockets and arcs, and words that they do not have.
-#include "told.h"
+#include "told_check.h"
 
 static told_t self;
 

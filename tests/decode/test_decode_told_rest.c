@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Room 1: what stands beside each other in a line, threads and taps and their refusals.
-#include "told.h"
+#include "told_check.h"
 
 static told_t self;
 

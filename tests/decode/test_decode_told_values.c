@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Room 1: what expressions, parameters and O words come to.
-#include "told.h"
+#include "told_check.h"
 
 static told_t self;
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Rooms 1 and 2: the path of the tool's centre, block by block.
-#include "told.h"
+#include "told_check.h"
 
 static told_t self;
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Rooms 1 and 2: the tool's centre at the ends of the travel, in narrow contours, beside a nose.
-#include "told.h"
+#include "told_check.h"
 
 static told_t self;
 

@@ -10,8 +10,8 @@
 // Findings stand where they came: !line:column id letter value/limit of an error, ? of a note. The
 // M2 that ends every text is not told, nor, unless asked for, are the notes on what a text leaves
 // unsaid. ~ marks a move of a cycle that keeps to the path, whatever G64 says.
-#ifndef TOLD_H
-#define TOLD_H
+#ifndef TOLD_CHECK_H
+#define TOLD_CHECK_H
 
 #include <stdarg.h> // va_list
 #include <stdio.h>  // vsnprintf
