@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Room 1: corners that ,R rounds and ,C cuts off.
-#include <math.h>
+#include <math.h>  // hypot
+#include <stdio.h> // snprintf
 
 #include "check.h"
 #include "decode_check.h"
@@ -81,6 +82,26 @@ static void a_line_and_an_arc_are_rounded_without_a_bend(check_t *check) {
     check_block(check, 3, NCK_BLOCK_ARC, 20, 10);
 }
 
+// A corner may take all of a side, as its end is rounded to whole nanometres twice; no more.
+static void a_corner_may_use_up_a_side_and_no_more(check_t *check) {
+    static const char *const fits[] = {",R10", ",R10.000001", ",C10", ",C10.000001"};
+    static const char *const wide[] = {",R10.000003", ",R10.001", ",C10.000003", ",C10.001"};
+    char text[80];
+    begin();
+    for (unsigned k = 0; k < 4; k++) {
+        snprintf(text, sizeof text, "G21 G90 G1 X10 Y0 F9 %s\nY20\nM30\n", fits[k]);
+        case_decode(&self, text);
+        CHECK_INT(check, self.errors, 0);
+        snprintf(text, sizeof text, "G21 G90 G1 X20 Y0 F9 %s\nY10\nM30\n", fits[k]);
+        case_decode(&self, text);
+        CHECK_INT(check, self.errors, 0);
+        snprintf(text, sizeof text, "G21 G90 G1 X10 Y0 F9 %s\nY20\nM30\n", wide[k]);
+        check_error(check, &self, text, NCK_E_CORNER, 1, 23);
+        snprintf(text, sizeof text, "G21 G90 G1 X20 Y0 F9 %s\nY10\nM30\n", wide[k]);
+        check_error(check, &self, text, NCK_E_CORNER, 1, 23);
+    }
+}
+
 static void a_corner_that_does_not_fit_is_one_error(check_t *check) {
     static const struct {
         const char *text;
@@ -145,6 +166,7 @@ int main(void) {
         CHECK_RUN(&check, a_right_angle_is_rounded_and_cut_off);
         CHECK_RUN(&check, outputs_keep_their_place);
         CHECK_RUN(&check, a_line_and_an_arc_are_rounded_without_a_bend);
+        CHECK_RUN(&check, a_corner_may_use_up_a_side_and_no_more);
         CHECK_RUN(&check, a_corner_that_does_not_fit_is_one_error);
         CHECK_RUN(&check, a_lathe_spells_it_without_a_comma);
     }
