@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Room 1: splines as chords of half a millimetre, probes, and what is turned, scaled, mirrored, polar.
+// Room 1: splines as chords of half a millimetre, probes, places that are mapped.
 #include "told_check.h"
 
 static told_t self;

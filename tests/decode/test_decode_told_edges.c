@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Room 1: arcs at the ends of the travel, lines that are excused, remarks, knots, systems of a lathe.
+// Room 1: arcs at the ends of the travel, remarks, knots, systems of a lathe.
 #include "told_check.h"
 
 static told_t self;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Room 1: turning and threads of a lathe of Fanuc, states that are kept, cycles that follow each other.
+// Room 1: turning and threads, states that are kept, cycles that follow each other.
 #include "told_check.h"
 
 static told_t self;

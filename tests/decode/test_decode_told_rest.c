@@ -50,7 +50,7 @@ static const told_row_t frest_rows[] = {
     {"N10G0X1.\nX1\nX+1\nX-1 Y+2.\nX#1\nX[1]\nX0\nX1.0\nX.5\nX5.\nX1 Y2 Z3.\nX 1 . 5\n"
      "X1000000\nX1000001\nG1 X1 F5\nX2 F6.\nN5 X3. (F9)\nX4.;F9\nX5. F\nX6. Q1\nX7. Y\nX8. G0\n"
      "X9.G1\nX10.M8\nX11. A1\nX12. U1\n/X13.\n%\nX14.\nN15\n:15 X15.\nX16. X17.\nX18. F1 F2\n"
-     "X1e1\nX19.Y20.Z21.F22.\nx20.y21.\nX21. ( Y5.\nX22. ) Y5.\nX23.	Y24.\nF100. X25.\n"
+     "X1e1\nX19.Y20.Z21.F22.\nx20.y21.\nX21. ( Y5.\nX22. ) Y5.\nX23.\tY24.\nF100. X25.\n"
      "S100 X26.\nT1 X27.\nG91 X1.\nY1. Z-1.\nG53 X1.\nG90 G53 X1.\n",
      "1 rapid X1; ?2:0 assumed-integers; 2 rapid; 3 rapid; 4 rapid X-1 Y2; 6 rapid X1;"
      " 7 rapid X0; 8 rapid X1; 9 rapid X0.5; 10 rapid X5; 11 rapid X1 Z3; 12 rapid X1.5;"

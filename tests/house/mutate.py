@@ -177,14 +177,12 @@ def is_removable(tokens, k, heads):
 
 def is_size(tokens, k):
     """Tell whether a number is the size of an array that a statement declares."""
-    if tokens[k - 1].text != "[" or tokens[k + 1].text != "]":
-        return False
-    while tokens[k - 1].text not in (";", "{", "}", "(", "="):
+    is_index = (tokens[k - 1].text, tokens[k + 1].text) == ("[", "]")
+    while is_index and tokens[k - 1].text not in (";", "{", "}", "(", "="):
         k -= 1
-    if tokens[k].text in ("const", "static"):
-        return True
-    is_type = tokens[k].text in KEPT - {"return", "case"} or tokens[k].text.endswith("_t")
-    return is_type and tokens[k + 1].text != "["
+    first = tokens[k].text
+    is_type = first in KEPT - {"return", "case"} or first.endswith("_t")
+    return is_index and is_type and tokens[k + 1].text != "["
 
 
 def changes(text):
@@ -214,8 +212,7 @@ def changes_at(text, tokens, k):
     """Yield the changes of one token."""
     token = tokens[k]
     if token.kind == "number":
-        found = other_numbers(token.text)
-        for now in found[1:] if is_size(tokens, k) else found:  # a larger array is as good
+        for now in other_numbers(token.text)[is_size(tokens, k) :]:  # a larger array is as good
             yield token.begin, token.end, now
     elif token.text in SWAPS and is_binary(text, token):
         for now in SWAPS[token.text]:
@@ -289,8 +286,7 @@ def copy_tree():
 
 def make(*targets):
     """Build targets of the copy. Returns whether they are built."""
-    names = [f"tree/{target}" for target in targets]
-    command = [NINJA, "-C", FOLDER / "out", *names]
+    command = [NINJA, "-C", FOLDER / "out", *(f"tree/{target}" for target in targets)]
     return subprocess.run(command, capture_output=True).returncode == 0
 
 

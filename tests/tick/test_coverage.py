@@ -15,9 +15,9 @@ import pytest
 pytestmark = pytest.mark.thorough
 
 TESTS = (
-    "pass", "link", "link_races", "interpolate", "transform", "filter", "path", "tick", "kernel", "begin",
-    "flush", "survive", "travel", "single_block", "thread", "spindle", "ride", "link_join",
-    "overlap_plan", "sync",
+    "pass", "link", "link_races", "interpolate", "transform", "filter", "path", "tick",
+    "kernel", "begin", "flush", "survive", "travel", "single_block", "thread", "spindle",
+    "ride", "link_join", "overlap_plan", "sync",
 )  # fmt: skip
 # What runs in the tick, below csrc/nck: a file, and its functions if not all of them do.
 TICK_PATH = {
