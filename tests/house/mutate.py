@@ -180,8 +180,7 @@ def is_size(tokens, k):
     is_index = (tokens[k - 1].text, tokens[k + 1].text) == ("[", "]")
     while is_index and tokens[k - 1].text not in (";", "{", "}", "(", "="):
         k -= 1
-    first = tokens[k].text
-    is_type = first in KEPT - {"return", "case"} or first.endswith("_t")
+    is_type = tokens[k].text in KEPT - {"return", "case"} or tokens[k].text.endswith("_t")
     return is_index and is_type and tokens[k + 1].text != "["
 
 
