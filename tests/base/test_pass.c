@@ -65,6 +65,14 @@ static void a_ramp_that_has_it_for_a_while(check_t *check) {
     check_moment(check, &ramp, 1.1, 5.5, 10.0, 0.0);
 }
 
+// 0.125 mm/s at 0.5 mm/s³: half a second up to 0.25 mm/s², and half a second down.
+static void a_ramp_may_take_its_time(check_t *check) {
+    nck_ramp_t ramp;
+    nck_thread_ramp(0.125, 1.0, 0.5, &ramp);
+    check_ramp(check, &ramp, 0.5, 0.0, 0.0625);
+    check_moment(check, &ramp, 0.5, 0.5 * 0.125 / 6.0, 0.0625, 0.25);
+}
+
 static void a_ramp_without_jerk_has_it_all_the_time(check_t *check) {
     nck_ramp_t ramp;
     nck_thread_ramp(10.0, 10.0, 0.0, &ramp);
@@ -223,6 +231,7 @@ static void x_is_bound_by_speed_and_acceleration(check_t *check) {
     nck_thread_plan(&machine, origin, end, &thread, 1200.0, &pass);
     CHECK_NEAR(check, pass.enter_s, F * sqrt(8.0 / (EVEN * 1e-3)), 1e-9);
     CHECK_NEAR(check, pass.total, pass.enter_s, 0.0); // longer than the pass
+    CHECK_NEAR(check, pass.change[0], 0.2e-3 * pass.enter_s / 2.0, 1e-9); // a fifth is left
 }
 
 // E of a G76: X goes in over 6 mm and out over 9 mm, at 30 mm/s.
@@ -296,6 +305,7 @@ int main(void) {
     check_t check = {0};
     CHECK_RUN(&check, a_ramp_that_never_has_its_acceleration);
     CHECK_RUN(&check, a_ramp_that_has_it_for_a_while);
+    CHECK_RUN(&check, a_ramp_may_take_its_time);
     CHECK_RUN(&check, a_ramp_without_jerk_has_it_all_the_time);
     CHECK_RUN(&check, the_slowest_axis_bounds_a_pass);
     CHECK_RUN(&check, the_slowest_axis_bounds_a_tap);

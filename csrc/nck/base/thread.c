@@ -54,7 +54,6 @@ void nck_thread_ramp(double v, double a, double j, nck_ramp_t *ramp_out) {
     ramp->j = j;
     if (j > 0.0) ramp->t_jerk = v * j <= a * a ? nck_sqrt(v / j) : a / j;
     ramp->t_even = nck_max(0.0, v / a - ramp->t_jerk);
-    if (j > 0.0 && v * j <= a * a) ramp->t_even = 0.0;
     ramp->time = 2.0 * ramp->t_jerk + ramp->t_even;
     ramp->length = 0.5 * v * ramp->time;
 }
