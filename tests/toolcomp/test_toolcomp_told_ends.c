@@ -149,6 +149,87 @@ static void narrow_contours_are_cut_left_out_or_refused(check_t *check) {
     TOLD(check, &self, inside2_rows);
 }
 
+static const told_row_t between_rows[] = {
+    {"G41.1 D4 F100\nG1 Y10\nX20\nM8\nG4 P1\nY20\nS5\nX40\nM9\nY0\nG40 X60\n",
+     "2 line X-2 Y10 F100; 3 arc X0 Y12 G17 about 0 10 by -90; 3 line X18; 4 out M8;"
+     " 5 dwell for 1; 6 line Y20; 7 out S5; 8 arc X20 Y22 G17 about 20 20 by -90; 8 line X40;"
+     " 9 out M9; 10 arc X42 Y20 G17 about 40 20 by -90; 10 line Y0; 11 line X60"},
+    {"G41.1 D4 F100\nM8\nG1 Z-1\nY10\nZ-2\nX20\nZ-3\nY8\nZ-4\nX21\nZ-5\nY10\nZ-6\nX40\nG40\n"
+     "Z5\nY0\n",
+     "2 out M8; 3 line Z-1 F100; 4 line X-2 Y10; 5 line Z-2;"
+     " 6 arc X0 Y12 G17 about 0 10 by -90; 6 line X20; 7 line Z-3;"
+     " ?8:0 comp-left 1.96811879/12; 8 arc X20.5 Y11.936492 G17 about 20 10 by -14.4775;"
+     " 9 line Z-4; 11 line Z-5; 13 line Z-6; 14 arc X21 Y12 G17 about 21 10 by -14.4775;"
+     " 14 line X40; 16 line Z5; 17 line Y0"},
+    {"G41.1 D4 F100\nG1 Y10\nG2 X20 R10\nG40\nG2 X30 R5\nG1 Z5\nX40\n",
+     "2 line X-2 Y10 F100; 3 arc X22 G17 about 10 10 by -180; !5:0 comp-exit; 6 line X30 Z5;"
+     " 7 line X40"},
+    {"G41.1 D4 F100\nG1 Y10\nX20\nG40\nG2 X30 R5\nZ5\nG1 X40\nG42.1 D2\nX50\nY30\nG40\nZ7\nX0\n",
+     "2 line X-2 Y10 F100; 3 arc X0 Y12 G17 about 0 10 by -90; 3 line X20; !5:0 comp-exit;"
+     " !6:0 arc-centre; 7 line X40 Y10 Z5; 9 line X50 Y9; 10 arc X51 Y10 G17 about 50 10 by 90;"
+     " 10 line Y30; 12 line Z7; 13 line X0"},
+    {"G41.1 D4 F100\nG1 X10\nX30 Y0\nX20 Y17.320508\nX10 Y0\nG40 X0\n",
+     "2 line X10 Y2 F100; 3 line X26.535898; 4 line X20 Y13.320508; !5:0 comp-gouge 2/3;"
+     " 6 line X0 Y0"},
+    {"G42.1 D4 F100\nG1 X10\nX30 Y0\nX20 Y17.320508\nX10 Y0\nX20\nG40 X40\n",
+     "2 line X10 Y-2 F100; 3 line X30; 4 arc X31.732051 Y1 G17 about 30 0 by 120;"
+     " 4 line X21.732051 Y18.320508; 5 arc X18.267949 G17 about 20 17.32051 by 120;"
+     " 5 line X8.267949 Y1; 6 arc X10 Y-2 G17 about 10 0 by 120; 6 line X20; 7 line X40 Y0"},
+    {"G41.1 D4 F100\nG1 X15 Y0\nX30 Y0\nX20 Y17.320508\nX10 Y0\nX20\nG40 X20 Y5\n",
+     "2 line X15 Y2 F100; 3 line X26.535898; 4 line X20 Y13.320508; 5 line X13.464102 Y2;"
+     " 6 line X20; 7 line Y5"},
+    {"G41.1 D4 F100\nG1 Y20\nX40\nY25\nX38\nY40\nG40 X60\n",
+     "2 line X-2 Y20 F100; 3 arc X0 Y22 G17 about 0 20 by -90; 3 line X38;"
+     " ?5:0 comp-left 0.828427125/5; 4 line Y23; 6 arc X36 Y25 G17 about 38 25 by -90;"
+     " 6 line Y40; 7 line X60"},
+    {"G42.1 D4 F100\nG1 Y20\nX40\nX40 Y25\nX42\nY40\nG40 X60\n",
+     "2 line X2 Y18 F100; 3 line X40; 4 arc X42 Y20 G17 about 40 20 by 90;"
+     " ?5:0 comp-left 0.828427125/5; 4 line Y23; 6 arc X44 Y25 G17 about 42 25 by 90;"
+     " 6 line Y40; 7 line X60"},
+    {"G41.1 D4 F100\nG1 Y20\nX10\nX20 Y30\nX30 Y20\nX40\nX50 Y10\nX60 Y20\nX80\nG40 Y0\n",
+     "2 line X-2 Y20 F100; 3 arc X0 Y22 G17 about 0 20 by -90; 3 line X9.171573;"
+     " 4 line X18.585786 Y31.414214; 5 arc X21.414214 G17 about 20 30 by -90;"
+     " 5 line X30.828427 Y22; 6 line X40; 7 arc X41.414214 Y21.414214 G17 about 40 20 by -45;"
+     " 7 line X50 Y12.828427; 8 line X58.585786 Y21.414214;"
+     " 9 arc X60 Y22 G17 about 60 20 by -45; 9 line X80; 10 line Y0"},
+    {"G42.1 D4 F100\nG1 Y20\nX10\nX20 Y30\nX30 Y20\nX40\nX50 Y10\nX60 Y20\nX80\nG40 Y0\n",
+     "2 line X2 Y18 F100; 3 line X10; 4 arc X11.414214 Y18.585786 G17 about 10 20 by 45;"
+     " 4 line X20 Y27.171573; 5 line X28.585786 Y18.585786;"
+     " 6 arc X30 Y18 G17 about 30 20 by 45; 6 line X39.171573; 7 line X48.585786 Y8.585786;"
+     " 8 arc X51.414214 G17 about 50 10 by 90; 8 line X60.828427 Y18; 9 line X80; 10 line Y0"},
+    {"G41.1 D4 F100\nG1 Y20\nX10\nG2 X14 Y24 I4\nG3 X20 Y30 J6\nG1 Y40\nG3 X14 Y40 I-3\n"
+     "G1 Y60\nG40 X0\n",
+     "2 line X-2 Y20 F100; 3 arc X0 Y22 G17 about 0 20 by -90; 3 line X8.343146;"
+     " 4 arc X14 Y26 G17 about 14 20 by -70.5288; 5 arc X18 Y30 G17 about 14 30 by 90;"
+     " 6 line Y40; 7 arc X16 G17 about 17 40 by 180; 8 arc X12 G17 about 14 40 by -180;"
+     " 8 line Y60; 9 line X0"},
+    {"G42.1 D4 F100\nG1 Y20\nX10\nG3 X14 Y24 J4\nG2 X20 Y30 I6\nG1 X40\nG2 X40 Y20 J-5\n"
+     "G1 X30\nG40 Y0\n",
+     "2 line X2 Y18 F100; 3 line X10; 4 arc X16 Y24 G17 about 10 24 by 90;"
+     " 5 arc X20 Y28 G17 about 20 24 by -90; 6 line X40; 7 arc Y22 G17 about 40 25 by -180;"
+     " 8 line X30; 9 line Y0"},
+    {"G41.1 D4 F100\nG0 Y20\nG0 X20\nG1 Y10\nG0 X40\nY30\nG1 X60\nG40 G0 Y0\n",
+     "2 rapid X-2 Y20; 3 arc X0 Y22 G17 about 0 20 by -90 F6000; 3 rapid X20;"
+     " 4 arc X22 Y20 G17 about 20 20 by -90 F100; 4 line Y12; 5 rapid X38; 6 rapid Y30;"
+     " 7 arc X40 Y32 G17 about 40 30 by -90; 7 line X60; 8 rapid Y0"},
+    {"G41.1 D4 F100\nG1 Y10\nX20\nG41.1 D4\nG42.1 D4\nG40\nG1 Y0\nG42.1 D4\nX40\nY20\nG40\n"
+     "G0 X0 Y0\n",
+     "!4:1 comp-on G 41.1/0; !5:1 comp-on G 42.1/0; 2 line X-2 Y10 F100;"
+     " 3 arc X0 Y12 G17 about 0 10 by -90; 3 line X20; 7 line Y0; 9 line X40 Y-2;"
+     " 10 arc X42 Y0 G17 about 40 0 by 90; 10 line Y20; 12 rapid X0 Y0"},
+    {"G41.1 D4 F100\nG1 X20\nY20\nX22\nY0\nG40 X40\n",
+     "2 line X18 Y2 F100; 3 line Y20; 4 arc X20 Y22 G17 about 20 20 by -90; 4 line X22;"
+     " 5 arc X24 Y20 G17 about 22 20 by -90; 5 line Y0; 6 line X40"},
+    {"G42.1 D4 F100\nG1 X20\nY20\nX22\nY0\nX40\nG40 X60\n",
+     "2 line X20 Y-2 F100; 3 arc X22 Y0 G17 about 20 0 by 90; !5:0 comp-gouge 2/3; 7 line X60"},
+};
+
+static void what_stands_between_contours_is_executed_there(check_t *check) {
+    told_begin(&self, NCK_DIALECT_LINUXCNC);
+    self.compensates = 1;
+    TOLD(check, &self, between_rows);
+}
+
 static const told_row_t nose_rows[] = {
     {"G18 G42 D7 F100\nG1 X10 Z-5\nZ-20\nX20 Z-30\nG40 X40\n",
      "2 line X11.157771 Z-5.084458 F100; 3 arc X11.6 Z-5.8 G18 about -5.8 10.8 by 63.4349;"
@@ -174,6 +255,7 @@ int main(void) {
     if (!TOLD_WHOLE) return 0;
     CHECK_RUN(&check, no_part_of_the_path_leaves_the_travel);
     CHECK_RUN(&check, narrow_contours_are_cut_left_out_or_refused);
+    CHECK_RUN(&check, what_stands_between_contours_is_executed_there);
     CHECK_RUN(&check, a_nose_goes_beside_the_contour);
     return check_end(&check);
 }

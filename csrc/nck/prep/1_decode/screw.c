@@ -96,8 +96,7 @@ static nck_status_t set_screw(nck_decode_t *self) {
 
 // The tangent of an angle below 90°.
 static double tangent(double degrees) {
-    double sine = 0.0;
-    double cosine = 1.0;
+    double sine, cosine;
     nck_sincos(degrees * NCK_PI / 180.0, &sine, &cosine);
     return sine / cosine;
 }

@@ -52,8 +52,7 @@ void nck_shape_point(const nck_shape_t *self, double along, double *out) {
         return;
     }
     (void)way(self->c, self->p, arm);
-    double sine = 0.0;
-    double cosine = 1.0;
+    double sine, cosine;
     nck_sincos(turn_of(self) * along / self->radius, &sine, &cosine);
     out[0] = self->c[0] + arm[0] * cosine - arm[1] * sine;
     out[1] = self->c[1] + arm[0] * sine + arm[1] * cosine;
