@@ -70,6 +70,12 @@ static inline void told_turns(told_t *self) {
     }
 }
 
+// It has an extruder, which a printer's E moves.
+static inline void told_extruder(told_t *self) {
+    const int u = NCK_AXIS_U;
+    if (u < NCK_AXIS_MAX) self->machine.axis[u] = self->machine.axis[NCK_AXIS_X];
+}
+
 // It is a lathe.
 static inline void told_lathe(told_t *self) {
     self->machine.kinematics = NCK_KINEMATICS_LATHE_XZ;

@@ -165,7 +165,7 @@ static const told_row_t marlin_rows[] = {
 
 static void printers_have_words_of_their_own(check_t *check) {
     told_begin(&self, NCK_DIALECT_MARLIN);
-    self.machine.axis[NCK_AXIS_U] = self.machine.axis[NCK_AXIS_X];
+    told_extruder(&self);
     TOLD(check, &self, marlin_rows);
 }
 
