@@ -74,7 +74,7 @@ static void note_last(nck_toolcomp_t *self, nck_comp_entry_t *entry) {
 
 // The path is led along the newest contour. What is done with cannot be cut short for it any more.
 static nck_status_t follow(nck_toolcomp_t *self, nck_comp_entry_t *entry) {
-    const int follows = follows_last(self);
+    const int follows = !entry->enters && follows_last(self); // before it nothing is led
     const int done = nck_comp_is_given(self, self->last.count);
     memcpy(entry->tangent, self->last.tangent, sizeof entry->tangent);
     if (entry->enters) nck_shape_tangent(&entry->contour, entry->contour.length, entry->tangent);
