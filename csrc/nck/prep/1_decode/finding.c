@@ -34,7 +34,8 @@ nck_status_t nck_decode_fail_code(nck_decode_t *self, nck_status_t code, nck_ste
                        | NCK_STEP(NCK_STEP_MIST) | NCK_STEP(NCK_STEP_FLOOD)
                        | NCK_STEP(NCK_STEP_OVERRIDE) | NCK_STEP(NCK_STEP_OWN)
                        | NCK_STEP(NCK_STEP_CALL) | NCK_STEP(NCK_STEP_STOP);
-    const int macro = step == NCK_STEP_CALL && nck_words_are_arguments(&self->words); // G65, G66
+    // G65 and G66 share a step with M98 and M99.
+    const int macro = step == NCK_STEP_CALL && self->words.code[step] < 980;
     return nck_decode_fail_step(self, code, step, !macro && (m & NCK_STEP(step)) ? 'M' : 'G',
                                 self->words.code[step] / 10.0, 0.0);
 }
