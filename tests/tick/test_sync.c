@@ -303,11 +303,15 @@ static void a_spindle_that_slows_down_is_followed_to_a_tenth(check_t *check) {
 // X is on its way in, 1 mm in T, as the spindle slows down to half of a tenth: its pace of 2/T, at
 // that rate, goes by a cubic of y = t/fade whose steepest part takes all that X has.
 static void x_lets_its_pace_go_with_a_spindle_that_stops(check_t *check) {
-    for (int k = 0; k < 2; k++) {
+    for (int k = 0; k < 3; k++) {
         begin(NCK_SLOPE_JERK);
         seg.shape.thread.enter = -1.0;
         seg.shape.thread.entry = 20.0f;
         seg.end[NCK_AXIS_X] = 9.0;
+        if (k == 2) { // it would go out faster
+            seg.shape.thread.leave = 2.0;
+            seg.end[NCK_AXIS_X] = 11.0;
+        }
         (void)wait_for_begin(check);
         tick_for(200);
         while (rpm > 60.0) {
@@ -316,8 +320,9 @@ static void x_lets_its_pace_go_with_a_spindle_that_stops(check_t *check) {
         }
         if (k == 1) machine.axis[NCK_AXIS_X].a_max = 1.0; // it counts beside the jerk
         for (int n = 0; n < 1000 && sync.lost == 0; n++) (void)tick();
-        const double v = 2.0 / sync.pass.enter_s, rate = sync.stop.rate;
-        const double fade = k == 0 ? sqrt(6.0 * v * rate / 10000.0) : 1.5 * v * rate;
+        const double v = k == 2 ? 4.0 / sync.pass.leave_s : 2.0 / sync.pass.enter_s;
+        const double rate = sync.stop.rate;
+        const double fade = k == 1 ? 1.5 * v * rate : sqrt(6.0 * v * rate / 10000.0);
         CHECK(check, rate > 0.04 && rate < 0.1);
         CHECK_NEAR(check, sync.stop.fade, fade, 1e-12);
         double t = sync.t;
@@ -520,6 +525,21 @@ static void a_tap_whose_spindle_ignores_its_order_is_lost(check_t *check) {
     CHECK(check, gone() <= 32.0 + NEAR);
 }
 
+// It turns on, and there is room for it: twice the ramp, the rest and a second it may take to turn
+// round, and then is 2 ms late in two ticks more.
+static void a_spindle_has_a_second_to_turn_round(check_t *check) {
+    begin_tap(NCK_SLOPE_LINEAR);
+    seg.shape.tap.dwell = 0.5f;
+    pose.spindle_rpm = 600.0;
+    (void)wait_for_begin(check);
+    int ordered = 0;
+    for (int k = 0; k < 100000 && sync.lost == 0; k++) {
+        (void)tick();
+        ordered += pose.spindle_rpm < 600.0;
+    }
+    CHECK_NEAR(check, ordered, (2.0 * 15.0 * 1.05 * 1.05 / 1000.0 + 1.5) / PERIOD + 2.0, 2.0);
+}
+
 int main(void) {
     check_t check = {0};
     if (!NCK_HAS_CYCLES) return 0;
@@ -541,5 +561,6 @@ int main(void) {
     CHECK_RUN(&check, a_spindle_that_only_trembles_stands);
     CHECK_RUN(&check, a_tap_that_is_stopped_stays_in_step);
     CHECK_RUN(&check, a_tap_whose_spindle_ignores_its_order_is_lost);
+    CHECK_RUN(&check, a_spindle_has_a_second_to_turn_round);
     return check_end(&check);
 }
