@@ -377,7 +377,7 @@ static void a_tap_goes_in_and_out_with_the_spindle(check_t *check) {
     }
 }
 
-// As far as the first of the axes may go: from the start at 15 mm/s, less what the ramp lags behind.
+// As far as the first of the axes may go: from the start at 15 mm/s, less what the ramp lags.
 static void check_reach(check_t *check, double x, double y, double z, double most) {
     begin_tap(NCK_SLOPE_LINEAR);
     for (int k = 0; k < 3; k++) {
