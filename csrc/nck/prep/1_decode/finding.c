@@ -34,10 +34,10 @@ nck_status_t nck_decode_fail_code(nck_decode_t *self, nck_status_t code, nck_ste
                        | NCK_STEP(NCK_STEP_MIST) | NCK_STEP(NCK_STEP_FLOOD)
                        | NCK_STEP(NCK_STEP_OVERRIDE) | NCK_STEP(NCK_STEP_OWN)
                        | NCK_STEP(NCK_STEP_CALL) | NCK_STEP(NCK_STEP_STOP);
-    // G65 and G66 share a step with M98 and M99.
-    const int macro = step == NCK_STEP_CALL && self->words.code[step] < 980;
+    const uint16_t tenths = self->words.code[step];
+    const int macro = step == NCK_STEP_CALL && tenths < 980; // G65 G66 G67; M98 M99
     return nck_decode_fail_step(self, code, step, !macro && (m & NCK_STEP(step)) ? 'M' : 'G',
-                                self->words.code[step] / 10.0, 0.0);
+                                tenths / 10.0, 0.0);
 }
 
 nck_status_t nck_decode_only(nck_decode_t *self, const char *at, uint32_t whose) {
