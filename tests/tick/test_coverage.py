@@ -17,7 +17,7 @@ pytestmark = pytest.mark.thorough
 TESTS = (
     "pass", "link", "link_races", "interpolate", "transform", "filter", "path", "tick",
     "kernel", "begin", "flush", "survive", "travel", "single_block", "thread", "spindle",
-    "ride", "link_join", "overlap_plan", "sync",
+    "ride", "link_join", "overlap_plan", "sync", "sync_tap",
 )  # fmt: skip
 # What runs in the tick, below csrc/nck: a file, and its functions if not all of them do.
 TICK_PATH = {
