@@ -11,18 +11,19 @@ out. The same sources give the same bytes.
 
 import argparse
 import re
+from collections import Counter
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[1]
 CSRC = ROOT / "csrc"
 FRONT_DOOR = "nck/nck.h"
 BITS = "nck/base/bits.h"  # what it says of arithmetic holds for all that follows it
-TOKEN = re.compile(
+NO_WORD = (
     r'//[^\n]*|/\*.*?\*/|"(?:\\.|[^"\\\n])*"|\'(?:\\.|[^\'\\\n])*\''  # comment, string, character
-    r"|\.?\d(?:[eEpP][+-]|[\w.])*|[A-Za-z_]\w*|->|\s+|.",  # number, word, arrow, blank, other
-    re.S,
+    r"|\.?\d(?:[eEpP][+-]|[\w.])*"  # number
 )
-WORD = re.compile(r"[A-Za-z_]\w*")
+WORD = re.compile(NO_WORD + r"|([A-Za-z_]\w*)", re.S)
+TOKEN = re.compile(NO_WORD + r"|[A-Za-z_]\w*|->|\s+|.", re.S)  # word, arrow, blank, other
 OWN_INCLUDE = re.compile(r'^#include "([^"]+)".*\n', re.M)
 SYSTEM_INCLUDE = re.compile(r"^#include <([^>]+)>.*\n", re.M)
 GUARD = re.compile(r"^#ifndef (NCK_\w*H)\n#define \1\n(.*)^#endif\n", re.M | re.S)
@@ -39,8 +40,8 @@ def read(name):
 
 
 def words(text):
-    """Yield the words of C text that are neither comment nor string."""
-    return (token for token in TOKEN.findall(text) if WORD.fullmatch(token))
+    """Return the words of C text that are neither comment nor string."""
+    return filter(None, WORD.findall(text))
 
 
 def headers_of(name, seen):
@@ -103,13 +104,13 @@ def renamed(text, names, prefix):
 
 def with_own_names(texts):
     """Return {source: text} in which no file-local name is a word of another file."""
-    spelled = {name: set(words(text)) for name, text in texts.items()}
+    files = Counter(word for text in texts.values() for word in set(words(text)))
     result = {}
     for name, text in texts.items():
-        elsewhere = set().union(*(found for other, found in spelled.items() if other != name))
-        shared = file_names(text) & elsewhere if name.endswith(".c") else set()
+        own = file_names(text) if name.endswith(".c") else ()
+        shared = {word for word in own if files[word] > 1}
         prefix = Path(name).stem + "_"
-        if any(prefix + word in elsewhere | spelled[name] for word in shared):
+        if any(prefix + word in files for word in shared):
             raise SystemExit(f"{name}: {prefix} in front makes a name that is taken")
         result[name] = renamed(text, shared, prefix) if shared else text
     return result
@@ -118,8 +119,8 @@ def with_own_names(texts):
 def without_idle_formulas(text):
     """Drop inline functions, with their comments, that nothing calls."""
     while True:
-        spelled = list(words(text))
-        idle = [match for match in INLINE.finditer(text) if spelled.count(match[1]) == 1]
+        spelled = Counter(words(text))
+        idle = [match for match in INLINE.finditer(text) if spelled[match[1]] == 1]
         if not idle:
             return text
         for match in reversed(idle):
