@@ -45,6 +45,10 @@ install = missing=$$(for package in $(1); do \
     $$root env DEBIAN_FRONTEND=noninteractive \
         apt-get -qq install -y --no-install-recommends $$missing
 
+# Compiled Python is kept, whatever the shell asks for: without it every process compiles the tests
+# and pycnc anew, half a second of each program of the command line and a second of each pytest.
+unexport PYTHONDONTWRITEBYTECODE
+
 .PHONY: run test room quick campaign
 
 run: $(STAMP)/module
