@@ -2,19 +2,23 @@
 """The planner module in a stand-in for LinuxCNC's motion controller: scripts in, setpoints out."""
 
 import hashlib
+import os
 import re
 import shutil
 import subprocess
 from pathlib import Path
 from typing import NamedTuple
+from unittest import mock
 
 import numpy as np
 import pytest
+from builds import cached_compiler
 from locks import locked
 
 from pycnc import linuxcnc
 
 ROOT = Path(__file__).resolve().parents[2]
+CACHED = "/usr/lib/ccache"  # compilers of the same names; the kernel in one file takes 10 s of one
 HEADERS = Path("/usr/include/linuxcnc")
 OWN = Path("/usr/lib/linuxcnc/modules/tpmod.so")  # LinuxCNC's own planner
 FLAGS = ["-D_GNU_SOURCE", "-DRTAPI", "-DSIM", "-Drealtime", "-D__MODULE__", "-rdynamic", "-O2"]
@@ -98,7 +102,9 @@ def built_module():
         for path in sorted(ROOT.glob(pattern)):
             digest.update(path.read_bytes())
     folder = ROOT / "build" / "linuxcnc" / digest.hexdigest()[:16]
-    with locked(folder):
+    environment, _ = cached_compiler()
+    environment["PATH"] = f"{CACHED}:{environment['PATH']}"
+    with locked(folder), mock.patch.dict(os.environ, environment):
         module = folder / linuxcnc.MODULE
         return module if module.exists() else linuxcnc.build(folder)
 
