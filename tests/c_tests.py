@@ -2,8 +2,9 @@
 """The C tests, tests/<room>/test_*.c, as items of pytest: one for each build that has them.
 
 A test runs in the release build by gcc, in the default and in the small capacities (`small`), a few
-also in the builds that leave rooms out (`linear`, `jerk`). Under the sanitizers of clang the suite
-runs the tests of some rooms in one set of capacities, as drawn; the campaign runs them all.
+also in the builds that leave rooms out (`linear`, `jerk`). A quick run has the small capacities of
+two rooms alone. Under the sanitizers of clang the suite runs the tests of some rooms in one set of
+capacities, as drawn; the campaign runs them all.
 """
 
 import re
@@ -18,6 +19,7 @@ LIMIT_S = 600  # of the campaign, too, whose tests limits.py does not watch
 # Builds that leave out rooms and planners, and the tests that they are built with.
 LEAN = {"test_decode_motion", "test_interpolate", "test_left_out", "test_link"}
 SANITIZED = "clang-19"
+SMALL_IF_QUICK = ("base", "kernel")  # whose rings wrap and fill where they are short
 
 
 def programs():
@@ -51,9 +53,10 @@ def sanitized_targets(config):
 
 
 def not_drawn(config, items):
-    """Return the items under the sanitizers that a run leaves out."""
-    drawn = set(drawn_programs(config))
-    return [each for each in items if isinstance(each, CTest) and not each.is_drawn(drawn)]
+    """Return the items that a run leaves out: under the sanitizers, and in small capacities."""
+    drawn, level = set(drawn_programs(config)), config.option.draw
+    tests = [each for each in items if isinstance(each, CTest)]
+    return [each for each in tests if not each.is_drawn(drawn, level)]
 
 
 class CTestError(Exception):
@@ -74,9 +77,11 @@ class CTest(pytest.Item):
             return sanitized_targets(self.config)
         return (self.program,) if self.config.option.draw == "quick" else ()
 
-    def is_drawn(self, programs):
+    def is_drawn(self, programs, level):
         """Tell whether a run has this test, by the names of its programs under the sanitizers."""
-        return not self.is_sanitized or self.program in programs
+        if self.is_sanitized:
+            return self.program in programs
+        return level != "quick" or self.name != "small" or self.path.parent.name in SMALL_IF_QUICK
 
     def runtest(self):
         folder, complaints = build_c(self.build, *self.targets())

@@ -52,8 +52,8 @@ def tool():
 
 @pytest.fixture(scope="session")
 def gcc_build():
-    """Return the folder of the release build with gcc, and what it complained about."""
-    return build_c("gcc")
+    """Return the folder of the release build with gcc, with what is installed, and complaints."""
+    return build_c("gcc", "nck", "nck_host")
 
 
 @pytest.fixture(scope="session")

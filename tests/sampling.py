@@ -14,6 +14,8 @@ is the campaign. Three marks say what a run leaves out:
 
 What is not drawn is not collected; the run says how many cases that were and how to repeat the
 draw: `--draw-seed N`, without which the seed is the commit's.
+
+What hypothesis thinks of is thinned out likewise: of `@examples(60)` a quick run has a quarter.
 """
 
 import hashlib
@@ -23,6 +25,7 @@ import sys
 from collections import defaultdict
 from pathlib import Path
 
+import hypothesis
 import pytest
 
 ROOT = Path(__file__).resolve().parents[1]
@@ -33,6 +36,8 @@ MARKS = (
     "thorough: left out of a quick run",
     "campaign: only in the campaign",
 )
+
+_level = "suite"  # of this run, from pytest_configure on
 
 
 def seed_of_commit():
@@ -50,7 +55,9 @@ def pytest_addoption(parser):
 
 
 def pytest_configure(config):
-    """Name the marks; fix the seed, for the workers too."""
+    """Name the marks; fix the level, and the seed for the workers too."""
+    global _level
+    _level = config.option.draw
     for mark in MARKS:
         config.addinivalue_line("markers", mark)
     given = getattr(config, "workerinput", {}).get("draw_seed", config.option.draw_seed)
@@ -74,10 +81,19 @@ def generator(config, name):
     return random.Random(digest)
 
 
+def examples(count):
+    """Return the settings of a test for which hypothesis thinks of so many examples."""
+    return hypothesis.settings(max_examples=_quarter(count) if _level == "quick" else count)
+
+
+def _quarter(count):
+    return max(1, count // 4)
+
+
 def _most(mark, level):
     """Return how many cases a mark lets a level draw."""
     count = mark.args[0] if mark.args else sys.maxsize
-    return mark.kwargs.get("quick", max(1, count // 4)) if level == "quick" else count
+    return mark.kwargs.get("quick", _quarter(count)) if level == "quick" else count
 
 
 def leave_out(config, items, others=()):

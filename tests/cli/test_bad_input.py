@@ -5,8 +5,9 @@ import json
 
 import pytest
 from command_line import pycnc
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
+from sampling import examples
 
 from pycnc import stages
 from pycnc.kernel.bind import lib
@@ -217,7 +218,7 @@ WORDS = st.sampled_from(
 
 
 @pytest.mark.thorough
-@settings(max_examples=150)
+@examples(150)
 @given(st.lists(st.lists(WORDS, max_size=6).map(" ".join), max_size=12).map("\n".join))
 def test_any_words_are_planned_and_run_or_refused(text):
     result = pycnc("run", "-q", "-", "--set", "axis.a.v_max_deg_s=90",
@@ -228,7 +229,7 @@ def test_any_words_are_planned_and_run_or_refused(text):
     assert "error[internal]" not in result.err
 
 
-@settings(max_examples=300)
+@examples(300)
 @given(st.binary(max_size=400))
 def test_any_bytes_are_decoded_or_refused(data):
     blocks, found = stages.decode(data, MILL)

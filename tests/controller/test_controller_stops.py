@@ -29,6 +29,7 @@ def test_a_line_is_left_in_time(board, slope, tool):
         assert int(found[event]) <= found["least_ms"] + (25 if board == "host" else 45)
 
 
+@pytest.mark.sample(quick=4)
 @pytest.mark.parametrize("slope", stops.SLOPES)
 @pytest.mark.parametrize("name", stops.PROGRAMS)
 def test_a_soft_limit_is_kept_without_a_jump(slope, name, tool):
@@ -43,6 +44,7 @@ def test_a_soft_limit_is_kept_on_a_cortex_m7(name, tool):
     assert re.fullmatch(r"\d+\.\d\d", found["travel"])
 
 
+@pytest.mark.sample(quick=1)
 @pytest.mark.parametrize("percent, tick", [(50, 1000), (80, 400), (120, 1700)])
 def test_an_override_on_micro_segments_never_starves_a_cortex_m7(percent, tick, tool):
     machine = programs.machine("jerk", stops.A, stops.J)

@@ -24,8 +24,9 @@ from firmware_runs import (
     motion,
     rests_at_its_end,
 )
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
+from sampling import examples
 
 from pycnc import controller
 
@@ -39,6 +40,7 @@ def controllers(tool):
 # The operator
 
 
+@pytest.mark.sample(quick=2)
 @pytest.mark.parametrize("slope", SLOPES)
 @pytest.mark.parametrize("name", EVERYWHERE)
 def test_a_hold_rests_on_the_path_and_a_resume_goes_on(controllers, name, slope):
@@ -57,6 +59,7 @@ def test_a_hold_rests_on_the_path_and_a_resume_goes_on(controllers, name, slope)
     rests_at_its_end(outcome)
 
 
+@pytest.mark.sample(quick=1)
 @pytest.mark.parametrize("name", EVERYWHERE)
 def test_an_override_changes_the_speed_and_not_the_path(controllers, name):
     plain = controllers(name).run(PROGRAM, mill(), trace=True)
@@ -74,6 +77,7 @@ def test_an_override_changes_the_speed_and_not_the_path(controllers, name):
         assert outcome.state == "done" and outcome.joints_nm == END_NM
 
 
+@pytest.mark.sample(quick=1)
 @pytest.mark.parametrize("name", EVERYWHERE)
 def test_an_override_of_nothing_stands_still_until_it_is_raised(controllers, name):
     commands = [(300, "override", 0, 0), (2000, "override", 100, 100)]
@@ -88,6 +92,7 @@ def test_an_override_of_nothing_before_the_first_move_ends_the_run_as_a_hold(con
     assert outcome.state == "hold" and outcome.joints_nm == (0, 0, 0)
 
 
+@pytest.mark.sample(quick=1)
 @pytest.mark.parametrize("name", EVERYWHERE)
 def test_single_block_holds_at_the_end_of_every_block(controllers, name):
     text = cases.polyline(POINTS[:4], feed=6000)
@@ -99,6 +104,7 @@ def test_single_block_holds_at_the_end_of_every_block(controllers, name):
     assert outcome.state == "done"
 
 
+@pytest.mark.sample(quick=1)
 @pytest.mark.parametrize("name", EVERYWHERE)
 def test_an_abort_keeps_the_position_and_the_next_program_goes_on_there(controllers, name):
     machine = mill()
@@ -115,6 +121,7 @@ def test_an_abort_keeps_the_position_and_the_next_program_goes_on_there(controll
     assert again.state == "done" and again.joints_nm == END_NM
 
 
+@pytest.mark.sample(quick=1)
 @pytest.mark.parametrize("name", EVERYWHERE)
 def test_an_emergency_stop_ends_at_the_next_tick_with_the_drives_off(controllers, name):
     outcome = controllers(name).run(PROGRAM, mill(), [(500, "estop")], trace=True)
@@ -126,6 +133,7 @@ def test_an_emergency_stop_ends_at_the_next_tick_with_the_drives_off(controllers
     assert tuple(outcome.rows["joint_nm"][499]) == outcome.joints_nm
 
 
+@pytest.mark.sample(quick=1)
 @pytest.mark.parametrize("name", EVERYWHERE)
 def test_a_soft_limit_stops_before_it_is_passed(controllers, name):
     machine = mill()
@@ -158,7 +166,7 @@ SCRIPTS = st.lists(
 )  # fmt: skip
 
 
-@settings(max_examples=40)
+@examples(40)
 @given(script=SCRIPTS, slope=st.sampled_from(SLOPES), steps=st.sampled_from([0, 2, 5, 40]))
 def test_whatever_the_operator_does_the_limits_hold_and_the_end_is_reached(script, slope, steps):
     machine = mill(slope)
@@ -170,7 +178,7 @@ def test_whatever_the_operator_does_the_limits_hold_and_the_end_is_reached(scrip
     along(outcome)
 
 
-@settings(max_examples=30)
+@examples(30)
 @given(tick=st.integers(1, 2000), what=st.sampled_from(["abort", "estop", "hold"]),
        slope=st.sampled_from(SLOPES))  # fmt: skip
 def test_an_end_at_any_tick_keeps_the_position(tick, what, slope):
@@ -186,6 +194,7 @@ def test_an_end_at_any_tick_keeps_the_position(tick, what, slope):
 # Faults
 
 
+@pytest.mark.sample(quick=2)
 @pytest.mark.parametrize("slope", SLOPES)
 @pytest.mark.parametrize("name", EVERYWHERE)
 def test_starved_motion_stops_on_the_path_and_goes_on(controllers, name, slope):
@@ -199,6 +208,7 @@ def test_starved_motion_stops_on_the_path_and_goes_on(controllers, name, slope):
     assert outcome.joints_nm == WAVE_END_NM
 
 
+@pytest.mark.sample(quick=1)
 @pytest.mark.parametrize("name", EVERYWHERE)
 def test_text_that_never_comes_ends_in_a_fault(controllers, name):
     commands = [(150, "feeder_pause", 4_000_000)]
@@ -208,6 +218,7 @@ def test_text_that_never_comes_ends_in_a_fault(controllers, name):
     along(outcome, WAVE)
 
 
+@pytest.mark.sample(quick=2)
 @pytest.mark.parametrize("name", EVERYWHERE)
 @pytest.mark.parametrize("units", [26_000, 40_000, 70_000, 130_000])
 def test_a_tick_overrun_stops_the_motion_and_hangs_nothing(controllers, name, units):
@@ -220,6 +231,7 @@ def test_a_tick_overrun_stops_the_motion_and_hangs_nothing(controllers, name, un
     assert along(outcome)[-1] < 40
 
 
+@pytest.mark.sample(quick=1)
 @pytest.mark.parametrize("name", EVERYWHERE)
 def test_a_tick_that_just_fits_is_no_fault(controllers, name):
     outcome = controllers(name).run(PROGRAM, mill(), [(400, "tick_work", 15_000, 150)])
@@ -227,6 +239,7 @@ def test_a_tick_that_just_fits_is_no_fault(controllers, name):
     assert 0.5 < outcome.tick_most < 1
 
 
+@pytest.mark.sample(quick=2)
 @pytest.mark.parametrize("task", [1, 3, 5], ids=["supervisor", "feeder", "prep"])
 @pytest.mark.parametrize("name", EVERYWHERE)
 def test_a_stack_that_is_left_is_found_and_the_motion_ends(controllers, name, task):
@@ -238,6 +251,7 @@ def test_a_stack_that_is_left_is_found_and_the_motion_ends(controllers, name, ta
     assert along(outcome, WAVE)[-1] < 70
 
 
+@pytest.mark.sample(quick=1)
 @pytest.mark.parametrize("name", EVERYWHERE)
 def test_a_program_error_ends_behind_what_stands_before_it(controllers, name):
     outcome = controllers(name).run(ERROR, mill(), trace=True)
@@ -256,6 +270,7 @@ def test_a_machine_that_makes_no_sense_is_a_fault(controllers):
     assert outcome.state == "fault_machine" and outcome.ticks == 0
 
 
+@pytest.mark.sample(quick=3)
 @pytest.mark.parametrize("steps", range(1, 17))
 def test_the_ring_runs_empty_and_full_at_every_phase(controllers, steps):
     for slope in SLOPES:
@@ -265,6 +280,7 @@ def test_the_ring_runs_empty_and_full_at_every_phase(controllers, steps):
         along(outcome)
 
 
+@pytest.mark.sample(quick=1)
 @pytest.mark.parametrize("slope", SLOPES)
 def test_text_may_stop_at_any_tick(controllers, slope):
     machine = mill(slope)

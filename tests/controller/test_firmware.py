@@ -54,7 +54,7 @@ def test_setpoints_are_the_same_on_every_controller(controllers, case):
     all_agree([controllers(name).run(case.text, machine) for name in controller.CONTROLLERS])
 
 
-@pytest.mark.sample(quick=4)
+@pytest.mark.sample(quick=2)
 @pytest.mark.parametrize("case", GOLDEN, ids=str)
 def test_jerk_limited_setpoints_are_the_same_on_host_and_m7(controllers, case):
     machine = Machine.load(case.machine, set=[*case.set, "path.slope=jerk"])
@@ -72,6 +72,7 @@ def test_jerk_limited_setpoints_are_the_same_on_an_m4f_that_is_fast_enough(contr
 
 # The wrapper's capacities are larger. Under the linear slope that changes nothing for programs that
 # fit into the firmware's window.
+@pytest.mark.sample(quick=3)
 @pytest.mark.parametrize("name", ["full_circle", "helix", "waits", "lathe_part", "rotary"])
 def test_the_firmware_gives_what_the_python_wrapper_gives(controllers, name):
     (case,) = (each for each in cases.CASES if each.name == name)
@@ -93,6 +94,7 @@ def test_the_hash_is_that_of_the_setpoints(controllers):
     assert outcome.hash == f"{hashed:016x}"
 
 
+@pytest.mark.sample(quick=1)
 @pytest.mark.parametrize("name", EVERYWHERE)
 def test_every_wait_is_resumed_after_its_ticks(controllers, name):
     text = "G21 G90\nM0\nM0\nG1 F600 X1\nM0\nM2\n"
@@ -113,6 +115,7 @@ def surface(rows=25, columns=400):
     return cases.polyline(points, feed=6000)
 
 
+@pytest.mark.thorough
 def test_ten_thousand_blocks_run_in_time_on_a_cortex_m7(controllers):
     text = surface()
     host, m7 = (controllers(name).run(text, mill("jerk")) for name in EVERYWHERE)
@@ -178,6 +181,7 @@ def test_a_controller_takes_every_number_of_a_machine(root):
     assert sorted(name for name in missing if "." not in name) == []
 
 
+@pytest.mark.thorough
 def test_a_controller_that_does_not_end_is_given_up(controllers):
     silent = [(0, "feeder_pause", 4_000_000_000)]
     for name in EVERYWHERE:

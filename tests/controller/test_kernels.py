@@ -266,6 +266,7 @@ def test_the_stack_that_the_kernel_gives_to_interrupts_is_large_enough(
     assert chosen.run(text, mill("linear"), trace=True).state == "done"
 
 
+@pytest.mark.sample(quick=2)
 @pytest.mark.parametrize(
     "source",
     [GLUE / "os.c", *sorted((ROOT / "firmware_sim" / "examples").glob("*.c"))],

@@ -129,6 +129,7 @@ def test_the_kernel_keeps_its_promises_on_a_target(tool, tmp_path, core, program
     assert ", 0 failed" in done.stderr
 
 
+@pytest.mark.sample(quick=3)
 @pytest.mark.parametrize("name", BROKEN)
 def test_a_fault_in_the_kernel_is_caught_on_the_host(tool, tmp_path, name):
     fault = BROKEN[name]

@@ -56,6 +56,7 @@ def test_the_state_that_a_fault_ends_in_is_safe_from_its_first_tick(
     assert not off[rows["tick"] < tick].any()
 
 
+@pytest.mark.sample(quick=1)
 def test_a_setpoint_beyond_its_travel_needs_no_supervisor(controllers, name, tmp_path):
     commands = [(300, "travel", 0, -10_000_000, 1_000_000), (300, "task_work", 1, FOREVER)]
     cause, changes = run_in(tmp_path, controllers(name), PROGRAM, commands)
@@ -65,6 +66,7 @@ def test_a_setpoint_beyond_its_travel_needs_no_supervisor(controllers, name, tmp
     assert (rows["drives"] == (rows["tick"] <= 300)).all()
 
 
+@pytest.mark.sample(quick=3)
 @pytest.mark.parametrize("priority", [1, 3, 5], ids=["supervisor", "feeder", "prep"])
 def test_the_handler_of_a_fault_makes_safe_at_once(controllers, name, priority, tmp_path):
     commands = [(300, "trap", priority)]
@@ -76,6 +78,7 @@ def test_the_handler_of_a_fault_makes_safe_at_once(controllers, name, priority, 
     assert max(change.unfed for change in changes[-3:]) <= least + HANDLER_UNITS
 
 
+@pytest.mark.sample(quick=1)
 def test_a_fault_in_the_tick_makes_safe_within_a_period(controllers, name, tmp_path):
     cause, changes = run_in(tmp_path, controllers(name), PROGRAM, [(300, "trap", 0)])
     assert cause in ("usage fault", "hard fault")
@@ -91,6 +94,7 @@ HANGS = {
 }
 
 
+@pytest.mark.sample(quick=3)
 @pytest.mark.parametrize("hang", HANGS)
 def test_whatever_hangs_the_watchdog_makes_safe(controllers, name, hang, tmp_path):
     cause, changes = run_in(tmp_path, controllers(name), PROGRAM, [HANGS[hang]])
@@ -100,12 +104,14 @@ def test_whatever_hangs_the_watchdog_makes_safe(controllers, name, hang, tmp_pat
     assert all(longest <= change.unfed <= longest + HANDLER_UNITS for change in changes[-3:])
 
 
+@pytest.mark.sample(quick=1)
 def test_a_task_that_comes_late_is_no_hang(controllers, name, tmp_path):
     commands = [(300, "task_work", 5, 80 * PERIOD_UNITS)]
     cause, changes = run_in(tmp_path, controllers(name), PROGRAM, commands)
     assert (cause, report_in(tmp_path)[0]) == ("", "done")
 
 
+@pytest.mark.sample(quick=1)
 def test_a_whole_run_switches_what_the_program_says_and_ends_safe(controllers, name, tmp_path):
     text = "G21 G90 G61 F3000\nM8\nS500 M4\nG1 X5\nS600\nM5\nM9\nM3\nG1 X0\nM2\n"
     cause, changes = run_in(tmp_path, controllers(name), text)

@@ -81,6 +81,7 @@ def test_a_finer_step_is_never_slower():
     assert fine < coarse < 1.05 * fine
 
 
+@pytest.mark.thorough
 def test_another_begin_of_the_search_leads_to_the_same_time():
     points = bounds._stairs(6, 1.0)[:, :2]
     points = points - points[0]
@@ -161,6 +162,7 @@ def test_pieces_of_jerk_go_where_their_integral_does():
     assert (q.tolist(), v.tolist(), a.tolist()) == ([0, 1, 19], [0, 3, 15], [0, 6, 6])
 
 
+@pytest.mark.thorough
 def test_a_row_of_bounds_is_in_order():
     bent = np.array([(0, 0), (EDGE, 0), (2 * EDGE, EDGE / 8)])
     cases = [("corner", lambda: bent, 0.01), bounds.CASES[0]]

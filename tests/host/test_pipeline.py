@@ -146,6 +146,7 @@ def test_in_a_process_beside_others_a_plan_has_one_core():
 # The command line
 
 
+@pytest.mark.sample(quick=1)
 @pytest.mark.parametrize("verb", ["time", "why"])
 def test_a_verb_says_the_same_on_any_number_of_cores(verb, tmp_path, monkeypatch):
     file = tmp_path / "big.ngc"

@@ -7,9 +7,10 @@ import checker
 import judged
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 from judged import judge, retimed, rounded
+from sampling import examples
 from unthought import program_text
 
 from pycnc import kernel
@@ -124,7 +125,7 @@ def test_everything_before_an_error_is_executed_and_nothing_after():
 # Programs that nobody thought of
 @pytest.mark.thorough
 
-@settings(max_examples=250)
+@examples(250)
 @given(program_text, st.sampled_from((1, 2, 3, 5, 11, 256)))
 def test_any_program_keeps_every_promise(text, prep_steps):
     free = ("axis.z.max_mm=free", "axis.z.min_mm=free")

@@ -12,8 +12,9 @@ import judged
 import numpy as np
 import pytest
 from envelopes import HOME_DEVICES, REALS, by_c, on_device, random_path
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
+from sampling import examples
 
 from pycnc import device
 from pycnc.device import grades as device_grades
@@ -55,7 +56,7 @@ def test_a_device_gives_the_bits_of_c(home, kernel, n, rare, real):
 
 @given(st.integers(1, 30_000), st.integers(1, 9), st.integers(0, 99), st.sampled_from(REALS),
        st.sampled_from(launch.KERNELS))  # fmt: skip
-@settings(max_examples=100)
+@examples(100)
 def test_the_bits_do_not_depend_on_the_parts(n, count, seed, real, kernel):
     w_cap, h = random_path(n, seed, 0.02, real, h=(10.0, 300.0))
     got = on_device("basic", w_cap, h, 9.0, 4.0, count=count, kernel=kernel)
@@ -236,7 +237,7 @@ def test_every_form_of_the_bubble_gives_the_same_grades(home, method, n, top):
 
 
 @given(st.lists(st.integers(0, 5000), max_size=700))
-@settings(max_examples=50)
+@examples(50)
 def test_the_scan_is_exact_on_all_data(p):
     p = np.array(p, np.int32)
     assert device_grades.bubble(p, "scan", "basic")[0].tolist() == by_scan(p).tolist()

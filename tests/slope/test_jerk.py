@@ -8,10 +8,11 @@ import checker
 import judged
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 from judged import judge, retimed, rounded
 from programmed_path import DWELL
+from sampling import examples
 from unthought import program_text
 
 import pycnc
@@ -42,14 +43,14 @@ def case(request):
 # Runs keep every promise
 
 
-@pytest.mark.sample(quick=10)
+@pytest.mark.sample(quick=6)
 def test_a_run_keeps_jerk_and_all_other_limits_on_the_exact_path(case):
     run = judged.run(jerk_limited(case))
     assert run.judge.path_error_mm <= 1e-6
     assert run.judge.path_j <= 1 + 1e-6
 
 
-@pytest.mark.sample(quick=10)
+@pytest.mark.sample(quick=6)
 def test_within_a_tolerance_every_axis_keeps_its_jerk(case):
     run = judged.run(jerk_limited(case, TOLERANCE))
     assert run.judge.path_error_mm <= 0.01 * (1 + 1e-6)
@@ -71,14 +72,14 @@ def test_a_short_window_comes_to_the_end_and_keeps_every_promise(case, blocks, m
     assert run.starved_ticks == 0
 
 
-@pytest.mark.sample(40)
+@pytest.mark.sample(40, quick=6)
 @pytest.mark.parametrize("prep_steps", [1, 5])
 @pytest.mark.parametrize("mode", [None, TOLERANCE])
 def test_a_starved_run_keeps_every_promise(case, mode, prep_steps):
     judged.run(jerk_limited(case, mode), prep_steps)
 
 
-@pytest.mark.sample(quick=16)
+@pytest.mark.sample(quick=8)
 @pytest.mark.parametrize("mode", [None, TOLERANCE])
 def test_the_plan_takes_as_long_as_the_run_but_for_a_tick_at_a_dwell(case, mode):
     program = jerk_limited(case, mode)
@@ -105,7 +106,7 @@ def test_two_runs_give_the_same_bytes(name):
     assert judged.digest_of(program) == judged.digest_of(program)
 
 
-@settings(max_examples=60)
+@examples(60)
 @given(program_text, st.sampled_from((1, 3, 256)), st.sampled_from(("G61", TOLERANCE)))
 def test_any_program_keeps_every_promise(text, prep_steps, mode):
     free = ["axis.z.max_mm=free", "axis.z.min_mm=free", "path.slope=jerk"]
@@ -261,7 +262,7 @@ SCRIPT = st.lists(
 
 
 @pytest.mark.thorough
-@settings(max_examples=120)
+@examples(120)
 @given(
     st.sampled_from(("square", "star", "random_arcs_0", "random_smooth_1", "reversals")),
     st.sampled_from((None, TOLERANCE)), st.sampled_from((2, 7, kernel.PREP_STEPS)), SCRIPT,

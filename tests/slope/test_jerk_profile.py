@@ -228,6 +228,7 @@ def test_a_plan_is_timed():
 # Programs
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize("chord_mm", [0.001, 0.01])
 def test_no_chord_of_the_butterfly_leaves_the_curve_by_more_than_its_error(chord_mm):
     u = butterfly.cuts(chord_mm)
@@ -242,6 +243,7 @@ def test_no_chord_of_the_butterfly_leaves_the_curve_by_more_than_its_error(chord
     assert ends[-1] == pytest.approx([54.492, 52.139], abs=1e-12)
 
 
+@pytest.mark.thorough
 def test_the_butterfly_is_as_long_as_the_literature_has_it():
     assert np.linalg.norm(np.diff(butterfly.polygon(0.002), axis=0), axis=1).sum() == (
         pytest.approx(382.86, abs=0.05)

@@ -77,7 +77,7 @@ def test_the_experiment_keeps_every_promise(lookahead):
 # Every promise
 
 
-@pytest.mark.sample(quick=12)
+@pytest.mark.sample(quick=8)
 @pytest.mark.parametrize("name", CASES)
 @pytest.mark.parametrize("change", [(), ("path.lookahead_blocks=1",), ("path.lookahead_blocks=3",)])
 def test_a_run_keeps_limits_path_and_stops(name, change):
@@ -87,7 +87,7 @@ def test_a_run_keeps_limits_path_and_stops(name, change):
     assert judged.plan(program)[0]["ticks"] == run.ticks
 
 
-@pytest.mark.sample(quick=10)
+@pytest.mark.sample(quick=6)
 @pytest.mark.parametrize("name", CASES)
 @pytest.mark.parametrize("tolerance", ["G64 P0.01", "G64 P0.1"])
 def test_a_run_within_a_tolerance_keeps_limits_path_and_stops(name, tolerance):
@@ -146,7 +146,7 @@ def test_parts_of_a_spline_keep_the_limits_of_each(name):
     assert max(run.judge.path_a, run.judge.path_j) <= 1 + 1e-6
 
 
-@pytest.mark.sample(quick=5)
+@pytest.mark.sample(quick=3)
 @pytest.mark.parametrize("name", CASES)
 def test_a_starved_run_keeps_limits_path_and_stops(name):
     judged.run(under(CASES[name]), prep_steps=3)
@@ -185,6 +185,7 @@ def test_a_stop_of_acceleration_at_every_junction_costs_half_the_time_of_short_b
     assert 1.6 < sshape / jerk < 1.7
 
 
+@pytest.mark.thorough
 def test_the_kernels_s_shape_is_slower_on_short_blocks_than_its_carried_acceleration():
     text = programs.butterfly("G61", 0.001)
     sshape, jerk = (plan(text, machine=programs.machine(slope)).time_s

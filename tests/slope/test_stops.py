@@ -24,6 +24,7 @@ def test_a_line_of_a_metre_is_left_at_once(slope, event):
     assert told["rest_worst_ms"] <= told["least_worst_ms"] + SPARE + 20 * (event == "override 0")
 
 
+@pytest.mark.thorough
 @pytest.mark.sample(3)
 @pytest.mark.parametrize("event", ["hold", "abort"])
 @pytest.mark.parametrize("slope", stops.SLOPES)
