@@ -280,8 +280,8 @@ def _build(controller):
     with (folder / "lock").open("w") as lock:
         fcntl.flock(lock, fcntl.LOCK_EX)
         make = [_tool("cmake"), "--build", folder, "--target", "firmware", "--parallel", "2"]
-        configured = (folder / "Makefile").exists()  # the build itself sees whether it must be again
-        for command in (make,) if configured else (configure, make):
+        is_configured = (folder / "Makefile").exists()  # the build sees whether it must be again
+        for command in (make,) if is_configured else (configure, make):
             done = subprocess.run(command, capture_output=True, text=True)
             if done.returncode != 0:
                 raise FirmwareError(f"the firmware of {controller} does not build:\n{done.stdout}"

@@ -161,6 +161,7 @@ def sums_of(text, machine, part=None):
     return planner.totals
 
 
+@pytest.mark.sample(quick=1)
 @pytest.mark.parametrize("slope", ["linear", "jerk", "sshape"])
 def test_parts_add_up_to_the_plan_of_the_whole_program_to_the_tick(slope):
     machine = Machine.load("mill3", set=[f"path.slope={slope}"])

@@ -305,6 +305,7 @@ def test_a_number_is_written_as_the_controls_write_it(number):
     assert "is no number" in result.err
 
 
+@pytest.mark.thorough
 def test_many_empty_lines_take_no_time():
     began = time.process_time()
     for text in (LINUXCNC, KLIPPER, GRBL, FLUIDNC, "[path]\nslope = \n"):

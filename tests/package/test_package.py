@@ -235,6 +235,7 @@ int main() {
 CPP_FLAGS = "-std=c++11 -fno-exceptions -fno-rtti -Wall -Wextra -Werror".split()
 
 
+@pytest.mark.sample(quick=1)
 @pytest.mark.parametrize("form", ["library", "pair"])
 def test_a_cpp_file_includes_links_and_runs(gcc_build, pair, tool, tmp_path, form):
     source, program = tmp_path / "firmware.cpp", tmp_path / "firmware"

@@ -93,6 +93,7 @@ def test_the_notebook_runs_and_every_result_shows_itself(workshop):
 # What it says of JSON
 
 
+@pytest.mark.sample(quick=4)
 @pytest.mark.parametrize("arguments", [[], ["--slope", "linear"], ["--set", "path.tolerance_mm=0"]])
 @pytest.mark.parametrize("verb", ["time", "run", "why", "report"])
 def test_a_verb_tells_what_the_schema_says(verb, arguments, tmp_path):
@@ -118,6 +119,7 @@ def test_parts_cures_and_findings_are_as_the_schema_says():
     TypeAdapter(list[models.Diagnostic]).validate_json(findings)
 
 
+@pytest.mark.thorough
 def test_a_sweep_and_a_comparison_are_as_the_schema_says(workshop):
     out = pycnc("sweep", "part.ngc", "--set", "path.slope=jerk,linear", "--json").out
     assert len(models.Sweep.model_validate_json(out).rows) == 2

@@ -143,6 +143,7 @@ def kernel_size(folder, name):
     return int(re.search(r"^\w+ (\w+) \w kernel_size$", rows, re.M)[1], 16)
 
 
+@pytest.mark.sample(quick=1)
 @pytest.mark.parametrize("setting", ["", "set(SKBUILD 2)"])
 def test_a_subproject_has_the_capacities_that_it_is_given(tmp_path, setting):
     done = configured(tmp_path / "small", "SMALL", setting)
@@ -154,6 +155,7 @@ def test_a_subproject_has_the_capacities_that_it_is_given(tmp_path, setting):
     assert seen[0][0] == seen[0][1] < seen[1][0] == seen[1][1]
 
 
+@pytest.mark.sample(quick=1)
 @pytest.mark.parametrize("wrong", ["SMAL", "NCK_TOOLS=8", "NCK_TOOL_MAX=0x8", "NCK_TOOL_MAX"])
 def test_a_subproject_refuses_capacities_that_there_are_not(tmp_path, wrong):
     done = configured(tmp_path / "wrong", wrong)
