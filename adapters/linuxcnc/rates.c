@@ -125,7 +125,8 @@ void rates_hear(planner_t *self, const planner_wish_t *wish) {
     measure(self);
     nck_asked(&self->nck, &asked);
     const int stands = self->by_turns && bound ? self->turned <= 0.0 : self->wanted == 0;
-    const int rests = (asked.feed_ppm == 0) != stands || (asked.rapid_ppm == 0) != (rapid == 0);
+    const int rests = (asked.feed_ppm == 0) != stands || (asked.rapid_ppm == 0) != (rapid == 0)
+                      || (asked.speed_um_s == 0) != (speed == 0);
     self->calm++;
     const uint32_t calm = nck_is_answering(&self->nck) ? PATIENCE : CALM;
     if (!rests && self->calm < calm) return;

@@ -49,6 +49,17 @@ def test_a_feed_a_revolution_is_what_is_programmed(stand_in, seed):
     assert linuxcnc_calls.feeds_failures(stand_in, seed) == []
 
 
+# A rest that is asked for
+
+
+@pytest.mark.parametrize("zero", ["vlimit 0", "adaptive 0", "feedhold 1"])
+@pytest.mark.parametrize("behind", [1, 2, 10, 25])
+def test_a_speed_of_nothing_is_heard_at_once_behind_any_other_answer(stand_in, zero, behind):
+    begin = [EXACT, "line 50 1000 0 0", "run 1000", "feed 0.9", f"run {behind}"]
+    rests = [stand_in.run([*begin, word, "still 3000"]).told("still") for word in ("feed 0", zero)]
+    assert rests[0] == rests[1] != [["-1"]]
+
+
 # Pause, step, reverse
 
 
