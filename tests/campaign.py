@@ -12,7 +12,8 @@ printed before it. The exit status is the number of parts that found something.
     sanitizers  all C tests under the sanitizers
     quality     cppcheck and MISRA over all files
     mutants     100 mutants of libnck against all C tests
-    stops       20 000 rests asked for at any moment, after anything, prep alive or dead
+    stops       20 000 rests asked for at any moment, after anything, prep alive or dead; 10 000 in
+                the stand-in for LinuxCNC, 1 000 on each Cortex-M under QEMU
     nasty       4 000 nasty programs a slope
     scripts     24 000 random scripts of the front door, 100 000 programs
     cycles      4 000 programs with cycles within a tolerance: limits of every axis
@@ -46,7 +47,8 @@ PARTS = {
     "mutants": ["tests/house/mutate.py --count 100 --seed {seed}"],
     "nasty": [f"tests/kernel/nasty.py --slope {slope} --count 4000 --seed {{seed}}"
               for slope in SLOPES],
-    "stops": ["tests/stop_gate.py 20000 {seed}"],
+    "stops": ["tests/stop_gate.py 20000 {seed}", "tests/linuxcnc/linuxcnc_stops.py 10000 {seed}",
+              "tests/controller/firmware_stops.py 2000 {seed}"],
     "scripts": ["build/gcc/tests_kernel test_script 24000 {seed}"],
     "cycles": ["tests/cycle_jerk.py --count 4000 --seed {seed}"],
     "threads": ["tests/thread_programs.py --count 2000 --seed {seed}",

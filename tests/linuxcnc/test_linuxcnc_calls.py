@@ -2,8 +2,10 @@
 """Calls of LinuxCNC at any time: pause, step, reverse, soft limits, feeds and threads in step."""
 
 import linuxcnc_calls
+import linuxcnc_stops
 import numpy as np
 import pytest
+import stop_gate
 from linuxcnc_stand_in import CYCLE_S, EVER, OWN, StandIn
 
 REST, EXACT = f"rest {EVER}", "term 1 0"
@@ -50,6 +52,15 @@ def test_a_feed_a_revolution_is_what_is_programmed(stand_in, seed):
 
 
 # A rest that is asked for
+
+STOPS = {"quick": 12, "suite": 60, "whole": 600}  # seeds of linuxcnc_stops.py
+STOP_SEEDS = 20_000
+
+
+def test_every_rest_comes_in_time_and_within_limits(stand_in, draw, draw_seed):
+    begin = draw_seed * STOPS[draw] % STOP_SEEDS
+    seeds = range(begin, begin + STOPS[draw])
+    stop_gate.hold(lambda seed: linuxcnc_stops.try_seed(stand_in, seed), seeds)
 
 
 @pytest.mark.parametrize("zero", ["vlimit 0", "adaptive 0", "feedhold 1"])
