@@ -117,6 +117,7 @@ def macros(kernel, checkout, folder, header, names, settings=""):
     return re.findall(r"^= .* = (.*)$", text, re.M)
 
 
+@pytest.mark.sample(quick=1)
 @pytest.mark.parametrize("with_template", [True, False])
 def test_a_template_of_ucos2_says_what_it_knows_and_the_glue_the_rest(
     with_template, build_folder, tool, tmp_path
@@ -151,6 +152,7 @@ def test_what_a_users_own_settings_say_holds(build_folder, tool, tmp_path):
     assert said == ["4u", "5u"]
 
 
+@pytest.mark.sample(quick=1)
 @pytest.mark.parametrize(
     ("kernel", "hook"),
     [(CHECKOUTS[0], "OS_TIME_TICK_HOOK_EN"), (CHECKOUTS[1], "OS_CFG_APP_HOOKS_EN")],

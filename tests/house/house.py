@@ -2,6 +2,7 @@
 """How the house's tests read the sources: which files there are, and what stands in them."""
 
 import ast
+import functools
 import re
 import subprocess
 from pathlib import Path
@@ -73,9 +74,9 @@ def c_functions(text):
         yield match[1], first, last, parameters, deepest - 1
 
 
-def identifiers(tree):
-    """Yield every name that a Python module defines: functions, classes, arguments, variables."""
-    for node in ast.walk(tree):
+def identifiers(nodes):
+    """Yield every name that nodes of Python define: functions, classes, arguments, variables."""
+    for node in nodes:
         if isinstance(node, (ast.FunctionDef, ast.AsyncFunctionDef, ast.ClassDef)):
             yield node.name
         elif isinstance(node, ast.arg):
@@ -84,10 +85,16 @@ def identifiers(tree):
             yield node.id
 
 
+@functools.cache
+def python_nodes(name):
+    """Return all nodes of a Python file's syntax tree, the whole first."""
+    return list(ast.walk(ast.parse(read(name))))
+
+
 def python_imports(name):
     """Return the full names of all modules that a Python file imports, wherever it does."""
     found = set()
-    for node in ast.walk(ast.parse(read(name))):
+    for node in python_nodes(name):
         if isinstance(node, ast.Import):
             found.update(alias.name for alias in node.names)
         elif isinstance(node, ast.ImportFrom):

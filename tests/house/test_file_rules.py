@@ -18,6 +18,7 @@ from house import (
     complexity,
     identifiers,
     public_definitions,
+    python_nodes,
     read,
     undocumented,
     without_comments,
@@ -72,7 +73,7 @@ def test_a_public_declaration_of_c_has_a_comment(name):
 
 @pytest.mark.parametrize("name", PUBLIC_PYTHON)
 def test_a_public_definition_of_python_has_a_docstring(name):
-    defined = public_definitions(ast.parse(read(name)))
+    defined = public_definitions(python_nodes(name)[0])
     assert [node.name for node in defined if not ast.get_docstring(node)] == []
 
 
@@ -87,7 +88,7 @@ def test_c_functions_are_short_and_shallow(name):
 
 @pytest.mark.parametrize("name", PYTHON_FILES)
 def test_python_functions_are_short(name):
-    for node in ast.walk(ast.parse(read(name))):
+    for node in python_nodes(name):
         if isinstance(node, (ast.FunctionDef, ast.AsyncFunctionDef)):
             assert node.end_lineno - node.lineno < 60, f"{node.name} is too long"
             given = [each.arg for each in node.args.posonlyargs + node.args.args]
@@ -103,7 +104,7 @@ def test_c_names_say_what_they_mean(name):
 
 @pytest.mark.parametrize("name", PYTHON_FILES)
 def test_python_names_say_what_they_mean(name):
-    assert forbidden(set(identifiers(ast.parse(read(name)))) | {Path(name).stem}) == []
+    assert forbidden(set(identifiers(python_nodes(name))) | {Path(name).stem}) == []
 
 
 @pytest.mark.parametrize("name", CORE)
@@ -117,4 +118,4 @@ def test_preprocessor_branches_live_in_limits_real_and_bits(name):
 
 @pytest.mark.parametrize("name", PYTHON_FILES)
 def test_python_says_what_a_module_is_for(name):
-    assert ast.get_docstring(ast.parse(read(name)))
+    assert ast.get_docstring(python_nodes(name)[0])
