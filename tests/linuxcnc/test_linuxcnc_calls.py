@@ -63,6 +63,13 @@ def test_every_rest_comes_in_time_and_within_limits(stand_in, draw, draw_seed):
     stop_gate.hold(lambda seed: linuxcnc_stops.try_seed(stand_in, seed), seeds)
 
 
+def test_a_brake_that_meets_a_bend_keeps_the_jerk(stand_in):
+    # A corner within 0.3 mm, half the tick's brake in it. A brake that does not look for bends
+    # enters it at 1400 mm/s², which cannot be taken back until the speed is gone: 3.2 times.
+    told = linuxcnc_stops.try_seed(stand_in, 2901)
+    assert told.case.first == "up" and told.j <= 1 + 1e-6
+
+
 @pytest.mark.parametrize("zero", ["vlimit 0", "adaptive 0", "feedhold 1"])
 @pytest.mark.parametrize("behind", [1, 2, 10, 25])
 def test_a_speed_of_nothing_is_heard_at_once_behind_any_other_answer(stand_in, zero, behind):
