@@ -43,8 +43,8 @@ double nck_comp_turn(const nck_toolcomp_t *self, const double *before, const dou
 }
 
 // The place beside a point of the contour that goes in a direction there.
-static void beside(const nck_toolcomp_t *self, const double *point, const double *tangent,
-                   double *out) {
+static void stand_beside(const nck_toolcomp_t *self, const double *point, const double *tangent,
+                         double *out) {
     const double left = self->side * self->radius;
     out[0] = point[0] - left * tangent[1];
     out[1] = point[1] + left * tangent[0];
@@ -55,8 +55,8 @@ static void about(const nck_toolcomp_t *self, const nck_comp_entry_t *entry, nck
     double behind[2];
     double end[2][2];
     nck_shape_tangent(contour, 0.0, behind);
-    beside(self, contour->p, entry->tangent, end[0]);
-    beside(self, contour->p, behind, end[1]);
+    stand_beside(self, contour->p, entry->tangent, end[0]);
+    stand_beside(self, contour->p, behind, end[1]);
     const double turn = nck_comp_turn(self, entry->tangent, behind);
     nck_shape_arc(end[0], end[1], contour->p, -self->side * turn, out);
 }
@@ -72,8 +72,8 @@ static void way(const nck_toolcomp_t *self, const nck_comp_entry_t *entry, nck_s
         ends[0][k] = contour->p[k] - self->nose[k];
         ends[1][k] = contour->q[k] - self->nose[k];
     }
-    if (entry->leaves) beside(self, contour->p, ahead, ends[0]);
-    else beside(self, contour->q, entry->tangent, ends[1]);
+    if (entry->leaves) stand_beside(self, contour->p, ahead, ends[0]);
+    else stand_beside(self, contour->q, entry->tangent, ends[1]);
     nck_shape_line(ends[0], ends[1], out);
 }
 
