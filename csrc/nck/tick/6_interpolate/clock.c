@@ -288,9 +288,10 @@ void nck_clock_find(const nck_link_t *link, const nck_cell_t *cell, double t,
     }
     const int known = nck_fence_load(&link->seg_head) - seq > 1;
     const int rests = (cell->stop & NCK_STOP_REST) && seq == last;
+    const nck_seg_t *const behind = known && !rests ? nck_link_seg(link, seq + 1) : NULL;
     place_out->seg = nck_link_seg(link, seq);
     place_out->s = nck_min(s, place_out->seg->length);
-    place_out->behind = known && !rests ? nck_link_seg(link, seq + 1) : (const nck_seg_t *)0;
+    place_out->behind = behind && behind->length > 0.0 ? behind : NULL; // no dwell, no wait
 }
 
 // Cells of constant acceleration are the steps of a ramp, which is met in the middle of each.
