@@ -11,6 +11,7 @@ Prints what is wrong, and how many lines were entered; exit 1 if anything is.
 
 import argparse
 import functools
+import re
 import sys
 from dataclasses import dataclass
 from pathlib import Path
@@ -149,8 +150,14 @@ class Entered:
         if (np.diff(lines.astype(np.int64)) >= 0).all():
             if (before >= self.line).any():
                 yield f"begins behind line {int(before.max())}"
-            if (behind < self.line).any() and not self._is_whole(behind[0]):
+            early = (behind < self.line).any() and not self._turns_back()
+            if early and not self._is_whole(behind[0]):
                 yield f"begins already at line {int(behind.min())}"
+
+    def _turns_back(self):
+        """The end of a loop at the line or behind it leads to earlier ones."""
+        rest = self.run.program.text.upper().split(b"\n")[self.line - 1 :]
+        return any(re.search(rb"\bEND[\dWR]|GOTO|\bWHILE", each) for each in rest)
 
     def _is_contour(self):
         """Lines of a contour move once more when it is finished."""
