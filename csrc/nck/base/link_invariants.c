@@ -2,7 +2,8 @@
 // What always holds of the link.
 #include "nck/base/link_invariants.h"
 
-#include "nck/base/real.h" // nck_fabs
+#include "nck/base/cell_math.h" // nck_cell_speed
+#include "nck/base/real.h"      // nck_fabs
 
 // Speeds of neighbouring cells are the same but for rounding, of 1 mm/s and more.
 #define SEAM 1e-9
@@ -15,11 +16,10 @@ typedef struct chain {
 
 // Whether a cell goes on from those before it.
 static int follows(chain_t *chain, const nck_cell_t *cell) {
-    const double t = cell->duration;
     const double scale = 1.0 + cell->v;
     const int good = chain->cells == 0 || nck_fabs(cell->v - chain->v) <= SEAM * scale;
     chain->cells++;
-    chain->v = cell->v + (cell->a + cell->j / 2.0 * t) * t;
+    chain->v = nck_cell_speed(cell, cell->duration);
     if (cell->stop & NCK_STOP_REST) chain->v = 0.0;
     return good && chain->v >= -SEAM * scale;
 }

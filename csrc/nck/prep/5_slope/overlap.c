@@ -2,7 +2,7 @@
 // Inside room 5: stops that overlap with the starts behind them.
 #include "nck/prep/5_slope/overlap.h"
 
-#include "nck/base/cell_math.h"    // nck_cell_way
+#include "nck/base/cell_math.h"    // nck_cell_way nck_cell_speed
 #include "nck/base/overlap_math.h" // nck_overlap_…
 #include "nck/base/path.h"         // nck_path_tangent nck_path_second
 #include "nck/prep/5_slope/jerk.h" // nck_jerk_cell_s
@@ -55,10 +55,6 @@ typedef struct way_beside {
 static double accel_at(const nck_cell_t *cell, double t) { return cell->a + cell->j * t; }
 
 static double accel_behind(const nck_cell_t *cell) { return accel_at(cell, cell->duration); }
-
-static double speed_at(const nck_cell_t *cell, double t) {
-    return cell->v + (cell->a + 0.5 * cell->j * t) * t;
-}
 
 // When a cell has come so far from its begin: halved and halved, for it never turns back.
 static double time_at(const nck_cell_t *cell, double way) {
@@ -158,7 +154,8 @@ static int may_begin(const beside_t *corner, const nck_cell_t *cell, double befo
     const nck_node_t *const piece = corner->piece[1];
     if (!(accel_behind(cell) > 0.0) || cell->seg != piece->seg || cell->span != 0) return 0;
     const double end = cell->s + cell->length;
-    if (speed_at(cell, cell->duration) > corner->v_most || end > corner->furthest[1]) return 0;
+    const double v = nck_cell_speed(cell, cell->duration);
+    if (v > corner->v_most || end > corner->furthest[1]) return 0;
     if (corner->shares && end > piece->s + piece->length) return 0;
     return !corner->ordered || !falls(corner, 1, before, cell);
 }
@@ -217,12 +214,12 @@ static double speed_bound(const nck_link_t *link, const nck_plan_t *now, const n
     uint32_t at = 0;
     uint32_t k = 0;
     const double t = place_of(link, now, time, &at);
-    const double first = at < now->n ? speed_at(cell_at(link, now, at), t) : 0.0;
+    const double first = at < now->n ? nck_cell_speed(cell_at(link, now, at), t) : 0.0;
     double left = time;
     for (; k + 1 < next->n && left > nck_link_built_cell(link, k)->duration; k++) {
         left -= nck_link_built_cell(link, k)->duration;
     }
-    return first + speed_at(nck_link_built_cell(link, k), left);
+    return first + nck_cell_speed(nck_link_built_cell(link, k), left);
 }
 
 // Both speeds at some time, and what the second gains [path mm/s, path mm/s²].
@@ -234,7 +231,8 @@ typedef struct together {
 static together_t fastest_within(const nck_cell_t *const cell[2], const double t[2], double time) {
     const double a = accel_at(cell[0], t[0]) + accel_at(cell[1], t[1]);
     const double j = cell[0]->j + cell[1]->j;
-    together_t most = {speed_at(cell[0], t[0]) + speed_at(cell[1], t[1]), accel_at(cell[1], t[1])};
+    const double v = nck_cell_speed(cell[0], t[0]) + nck_cell_speed(cell[1], t[1]);
+    together_t most = {v, accel_at(cell[1], t[1])};
     if (a > 0.0 && a < -j * time) most.v -= 0.5 * a * a / j;
     return most;
 }

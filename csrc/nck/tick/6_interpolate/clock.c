@@ -2,10 +2,9 @@
 // Inside room 6: how a tick brakes without a plan, and sets off again.
 #include "nck/tick/6_interpolate/clock.h"
 
-#include <string.h> // memcpy
+#include <string.h> // memset
 
-#include "nck/base/budget.h"    // NCK_UNLIMITED
-#include "nck/base/cell_math.h" // nck_cell_way
+#include "nck/base/cell_math.h" // nck_cell_way nck_cell_speed
 #include "nck/base/fence.h"     // nck_fence_store
 #include "nck/base/path.h"      // nck_path_tangent nck_path_second nck_path_third
 #include "nck/base/real.h"      // nck_min nck_max nck_sqrt nck_fabs
@@ -37,6 +36,8 @@
 #define RUNS_EPSILON 1e-9
 // Newton's steps to a time within a cell: each doubles the digits of a first guess good to some %.
 enum { TIME_STEPS = 4 };
+// Places where a brake looks for bends.
+enum { BEND_PLACES = 4 };
 
 // What all axes allow together.
 typedef struct bounds {
@@ -170,13 +171,13 @@ static double accel_in_bend(const nck_terms_t *terms, const nck_seg_t *seg, doub
     return accel;
 }
 
-// Braking has to be so weak in a bend when it is there: here, and where the tool is when it can
-// have become weaker by half, and by all.
+// Braking has to be so weak in a bend when it is there: here, and where the tool is when braking
+// can have become weaker by half, by all, and by half as much again.
 static double accel_in_bends(const nck_clock_t *self, const nck_terms_t *terms,
                              const nck_clock_place_t *place, double j) {
     const double back = BEND_BACK * j;
     double a_low = -terms->machine->path.a_max;
-    for (int n = 0; n < 4; n++) {
+    for (int n = 0; n < BEND_PLACES; n++) {
         const double time = n * (0.5 * nck_fabs(self->second.a) / back + terms->machine->period_s);
         const double s = place->s + self->first.v * time;
         const double beyond = s - place->seg->length;
@@ -214,8 +215,8 @@ static bounds_t bounds_of(nck_clock_t *self, const nck_terms_t *terms,
         bounds.j_end = nck_min(bounds.j_end, machine->axis[x].j_max / along);
     }
     if (place->seg->kind != NCK_SEG_LINE) bounds.j_end *= END_SHARE;
-    const double bends = accel_in_bends(self, terms, place, bounds.j_end);
-    if (terms->limits_jerk) bounds.a_low = nck_max(bounds.a_low, bends);
+    if (!terms->limits_jerk) return bounds;
+    bounds.a_low = nck_max(bounds.a_low, accel_in_bends(self, terms, place, bounds.j_end));
     return bounds;
 }
 
@@ -298,7 +299,7 @@ void nck_clock_find(const nck_link_t *link, const nck_cell_t *cell, double t,
 void nck_clock_plan(const nck_cell_t *cell, double t, double a_before, double *v_out,
                     double *a_out) {
     const double share = cell->duration > 0.0 ? t / cell->duration - 0.5 : 0.0;
-    *v_out = nck_max(0.0, cell->v + (cell->a + 0.5 * cell->j * t) * t);
+    *v_out = nck_max(0.0, nck_cell_speed(cell, t));
     *a_out = cell->a + cell->j * t + share * (cell->a - a_before);
 }
 
@@ -360,7 +361,7 @@ void nck_clock_follow(nck_clock_t *self, double v, double a) {
 }
 
 double nck_clock_time(const nck_cell_t *cell, double t, double way) {
-    const double v = cell->v + (cell->a + 0.5 * cell->j * t) * t;
+    const double v = nck_cell_speed(cell, t);
     const double a = cell->a + cell->j * t;
     const double least = nck_sqrt(nck_max(0.0, v * v + 2.0 * a * way));
     if (!(v + least > 0.0)) return 0.0;

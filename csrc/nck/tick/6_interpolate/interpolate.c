@@ -425,8 +425,7 @@ nck_status_t nck_interpolate_take(nck_interpolate_t *self, nck_cell_t *cell_out)
     nck_fence_store(&self->has_cell, 0);
     self->from_tail = 0;
     self->rests = 1;
-    self->k = 0;
-    self->t_cell = 0.0;
+    begin_to_count(self);
     *cell_out = self->cell;
     return NCK_OK;
 }

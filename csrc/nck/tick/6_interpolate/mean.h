@@ -6,7 +6,7 @@
 
 #include <assert.h> // assert
 
-#include "nck/base/cell_math.h" // nck_cell_way
+#include "nck/base/cell_math.h" // nck_cell_way nck_cell_speed
 #include "nck/base/link.h"      // nck_link_t
 #include "nck/base/real.h"      // nck_min nck_max
 #include "nck/base/records.h"   // nck_cell_t nck_pose_t
@@ -52,7 +52,7 @@ double nck_mean_take(nck_filter_t *filter, const nck_link_t *link, const nck_cel
 // *v_out: the speed. Cost: constant. Context: tick.
 static inline double nck_mean_place(const nck_cell_t *cell, double t, double *v_out) {
     assert(t >= 0.0);
-    *v_out = nck_max(0.0, cell->v + (cell->a + cell->j / 2.0 * t) * t);
+    *v_out = nck_max(0.0, nck_cell_speed(cell, t));
     return cell->s + nck_max(0.0, nck_min(nck_cell_way(cell, t), cell->length));
 }
 
