@@ -19,13 +19,10 @@ from locks import locked
 ROOT = Path(__file__).resolve().parents[1]
 CMAKE = Path(sys.executable).with_name("cmake")
 NINJA = Path(sys.executable).with_name("ninja")
-COUNTED = "-fprofile-instr-generate -fcoverage-mapping -fcoverage-mcdc -DNDEBUG"
 # Name: (compiler, options of the configuration).
 BUILDS = {
     "gcc": ("gcc", []),
     "clang-19": ("clang-19", ["-DNCK_SANITIZE=ON"]),
-    # Asserts are left out: none of them is ever to be false.
-    "coverage": ("clang-19", [f"-DCMAKE_C_FLAGS={COUNTED}"]),
 }
 
 

@@ -68,12 +68,6 @@ def clang_build(pytestconfig):
     return build_c("clang-19", *c_tests.sanitized_targets(pytestconfig))
 
 
-@pytest.fixture(scope="session")
-def coverage_build():
-    """Return the function that builds C tests to be counted, MC/DC among it; see build_c."""
-    return lambda *targets: build_c("coverage", *targets)
-
-
 # Rooms whose tests reach for packages on their own, and not by the fixture `tool`.
 WITH_PACKAGES = {"kernel", "tick", "controller", "linuxcnc", "package", "house"}
 FIRST = {"test_house_rules", "test_file_rules", "test_compilers_gcc"}  # … but for these

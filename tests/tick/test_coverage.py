@@ -8,9 +8,11 @@ that stands alone counts as covered if it was true and false.
 import json
 import os
 import subprocess
+from concurrent.futures import ThreadPoolExecutor
 
 import c_tests
 import pytest
+from builds import build_c
 
 pytestmark = pytest.mark.thorough
 
@@ -35,6 +37,15 @@ TICK_PATH = {
               "nck_is_idle", "nck_is_moving", "nck_take"},
 }  # fmt: skip
 GOAL = 0.95
+# The tests, and what is not of the tick's path, are those of the release build: clang compiles what
+# is counted, which comes first among what is linked.
+COUNTED = sorted({name for name in TICK_PATH if name.endswith(".c")} | {"base/path.c"})
+LIBRARIES = ("firmware_sim/app/libapp.a", "libsim.a", "libnck_host.a", "firmware_sim/libos.a",
+             "firmware_sim/app/libhal_switches.a", "libnck.a")  # fmt: skip
+# Asserts are left out: none of them is ever to be false.
+FLAGS = ("-std=c99 -O2 -DNDEBUG -ffp-contract=off -fno-math-errno"
+         " -fprofile-instr-generate -fcoverage-mapping -fcoverage-mcdc").split()  # fmt: skip
+LINK = ["-fprofile-instr-generate", "-lm", "-l:libgomp.so.1", "-lpthread"]
 
 
 def run(command, **options):
@@ -44,19 +55,41 @@ def run(command, **options):
 
 
 @pytest.fixture(scope="module")
-def counted(root, tool, coverage_build, tmp_path_factory):
-    """Return what llvm-cov exports of the tick path after a run of the tests."""
-    program_of = {path.stem: program for path, program in c_tests.programs().items()}
-    programs = sorted({program_of[f"test_{name}"] for name in TESTS})
-    folder, complaints = coverage_build(*programs)
+def programs(root, tool, tmp_path_factory):
+    """Return {test: its program} of the tests, in which the tick's path is counted."""
+    clang, folder = tool("clang-19"), tmp_path_factory.mktemp("counted")
+    includes = [f"-I{root / name}" for name in ("csrc", "tests/c")]
+
+    def compiled(source):
+        binary = folder / f"{source.stem}.o"
+        run([clang, *FLAGS, *includes, "-c", source, "-o", binary])
+        return binary
+
+    files = {path: name for path, name in c_tests.programs().items() if path.stem[5:] in TESTS}
+    assert len(files) == len(TESTS)
+    build, complaints = build_c("gcc", *files.values())
     assert not complaints, complaints
+    with ThreadPoolExecutor(2) as pool:
+        counted = list(pool.map(compiled, [root / "csrc" / "nck" / name for name in COUNTED]))
+    libraries = [build / name for name in LIBRARIES]
+    for program in set(files.values()):
+        objects = [*(build / "CMakeFiles" / f"{program}.dir").rglob("*.o"), *counted]
+        if not program.startswith("tests_"):  # it brings the source that it is about
+            objects = [compiled(path) for path, name in files.items() if name == program]
+        run([clang, *objects, *libraries, *LINK, "-o", folder / program])
+    return {path.stem: folder / program for path, program in files.items()}
+
+
+@pytest.fixture(scope="module")
+def counted(root, tool, programs, tmp_path_factory):
+    """Return what llvm-cov exports of the tick path after a run of the tests."""
     profiles = tmp_path_factory.mktemp("profiles")
-    for name in TESTS:
-        places = {**os.environ, "LLVM_PROFILE_FILE": str(profiles / f"{name}.profraw")}
-        run([folder / program_of[f"test_{name}"], f"test_{name}"], env=places, timeout=300)
+    for test, program in programs.items():
+        places = {**os.environ, "LLVM_PROFILE_FILE": str(profiles / f"{test}.profraw")}
+        run([program, test], env=places, timeout=300)
     merged = profiles / "all.profdata"
     run([tool("llvm-profdata-19"), "merge", "-sparse", *profiles.glob("*.profraw"), "-o", merged])
-    first, *others = (folder / program for program in programs)
+    first, *others = sorted(set(programs.values()))
     command = [tool("llvm-cov-19"), "export", first, *(f"-object={other}" for other in others)]
     sources = [root / "csrc" / "nck" / name for name in TICK_PATH]
     return json.loads(run([*command, f"-instr-profile={merged}", *sources]))["data"][0]
