@@ -2,7 +2,8 @@
 """The C builds that tests share: each is made once, in build/, by whichever test needs it first.
 
 Compilers go through ccache where it is installed, with its cache in build/ccache: what one folder
-has compiled, no other compiles again.
+has compiled, no other compiles again, whoever configures it. It sees that by the options and the
+paths, which are absolute; where these differ, by the text behind the preprocessor.
 """
 
 import os
@@ -26,11 +27,21 @@ BUILDS = {
 }
 
 
+def keep_what_is_compiled():
+    """From here on every CMake of this process has its compilers' work kept, if ccache is there."""
+    if shutil.which("ccache"):
+        os.environ |= {"CCACHE_DIR": str(ROOT / "build" / "ccache"), "CCACHE_NOHASHDIR": "1",
+                       "CMAKE_C_COMPILER_LAUNCHER": "ccache"}  # fmt: skip
+    if shutil.which("gcc"):
+        os.environ.setdefault("CC", "gcc")  # ccache takes cc for another compiler
+
+
 def wait_for_packages():
     """Wait until what `make test` installs beside the tests is there, or cannot be had."""
     installing = os.environ.get("PACKAGES_COMING")  # a file that goes when they have come
     while installing and Path(installing).exists():
         time.sleep(0.2)
+    keep_what_is_compiled()
 
 
 def find_tool(name):
@@ -44,29 +55,20 @@ def find_tool(name):
     return path
 
 
-def cached_compiler():
-    """Return the environment and the options of CMake for a compiler whose work is kept."""
-    if not shutil.which("ccache"):
-        return dict(os.environ), []
-    kept = {"CCACHE_DIR": str(ROOT / "build" / "ccache"), "CCACHE_BASEDIR": str(ROOT),
-            "CCACHE_NOHASHDIR": "1"}  # fmt: skip
-    return os.environ | kept, ["-DCMAKE_C_COMPILER_LAUNCHER=ccache"]
-
-
 @cache
 def build_c(name, *targets):
     """Build targets of a build, all without any; return (folder, words of a failure or "")."""
     compiler, options = BUILDS[name]
     folder = ROOT / "build" / name
-    environment, launcher = cached_compiler()
-    configure = [CMAKE, "-S", ROOT, "-B", folder, "-G", "Ninja", "-DNCK_TESTS=ON", *launcher]
+    keep_what_is_compiled()
+    configure = [CMAKE, "-S", ROOT, "-B", folder, "-G", "Ninja", "-DNCK_TESTS=ON"]
     configure += [f"-DCMAKE_MAKE_PROGRAM={NINJA}", f"-DCMAKE_C_COMPILER={find_tool(compiler)}"]
     keep_going = [NINJA, "-C", folder, "-k", "0", *targets]
     commands = [keep_going] if (folder / "build.ninja").exists() else [configure, keep_going]
     commands[0] += options if commands[0] is configure else []
     with locked(folder):
         for command in commands:
-            done = subprocess.run(command, capture_output=True, text=True, env=environment)
+            done = subprocess.run(command, capture_output=True, text=True)
             if done.returncode != 0:
                 return folder, done.stdout + done.stderr
     return folder, ""

@@ -9,7 +9,7 @@ from functools import cache
 from pathlib import Path
 
 import numpy as np
-from builds import CMAKE, NINJA, cached_compiler
+from builds import CMAKE, NINJA, keep_what_is_compiled
 from locks import locked
 
 from pycnc.kernel.bind import lib
@@ -59,19 +59,22 @@ def _run(command, **options):
 
 
 @cache
-def build(core):
-    """Build all programs for the host or a board: "host", "m4f", "m7", "m55"; return the folder."""
+def build(core, *targets):
+    """Build programs for the host or a board: "host", "m4f", "m7", "m55"; return the folder.
+
+    Without targets those that run; "nck_called" tells who calls whom, for house/size/stack.py.
+    """
     folder = ROOT / "build" / f"qemu-{core}"
-    environment, launcher = cached_compiler()
-    configure = [CMAKE, "-S", ROOT / "tests" / "qemu", "-B", folder, "-G", "Ninja", *launcher]
+    keep_what_is_compiled()
+    configure = [CMAKE, "-S", ROOT / "tests" / "qemu", "-B", folder, "-G", "Ninja"]
     configure += [f"-DCMAKE_MAKE_PROGRAM={NINJA}"]
     if core != "host":
         toolchain = ROOT / "firmware_sim" / "board" / "arm-none-eabi.cmake"
         configure += ["--toolchain", toolchain, f"-DNCK_CORE={core}"]
     with locked(folder):
         if not (folder / "build.ninja").exists():
-            _run(configure, env=environment)
-        _run([NINJA, "-C", folder], env=environment)
+            _run(configure)
+        _run([NINJA, "-C", folder, *targets])
     return folder
 
 

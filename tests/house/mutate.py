@@ -292,11 +292,11 @@ def make(*targets):
 def configure():
     """Make the build folder."""
     cmake = NINJA.with_name("cmake")
-    environment, launcher = builds.cached_compiler()
-    command = [cmake, "-S", FOLDER, "-B", FOLDER / "out", "-G", "Ninja", *launcher]
+    builds.keep_what_is_compiled()
+    command = [cmake, "-S", FOLDER, "-B", FOLDER / "out", "-G", "Ninja"]
     command += [f"-DCMAKE_MAKE_PROGRAM={NINJA}", "-DCMAKE_C_COMPILER=gcc", "-DNCK_TESTS=ON"]
     command += ["-DCMAKE_BUILD_TYPE=Mutate", f"-DCMAKE_C_FLAGS_MUTATE={' '.join(FLAGS)}"]
-    done = subprocess.run(command, capture_output=True, text=True, env=environment)
+    done = subprocess.run(command, capture_output=True, text=True)
     if done.returncode != 0:
         sys.exit(done.stdout + done.stderr)
 

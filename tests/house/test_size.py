@@ -110,6 +110,7 @@ def test_lean_builds_fit_into_their_memory(size_table, measured, cores, name):
 def test_no_run_uses_more_stack_than_the_bound(size_table, cores, tmp_path):
     stack, targets = size_table.stack, size_table.targets
     for core in cores:
+        targets.build(core, "nck_called")
         image = targets.build(core) / "setpoints_default.elf"
         graph = stack.CallGraph(stack.objects_of(image), image)
         bound = graph.depth("Reset_Handler")

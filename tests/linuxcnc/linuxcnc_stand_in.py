@@ -12,7 +12,7 @@ from unittest import mock
 
 import numpy as np
 import pytest
-from builds import cached_compiler
+from builds import keep_what_is_compiled
 from locks import locked
 
 from pycnc import linuxcnc
@@ -102,9 +102,9 @@ def built_module():
         for path in sorted(ROOT.glob(pattern)):
             digest.update(path.read_bytes())
     folder = ROOT / "build" / "linuxcnc" / digest.hexdigest()[:16]
-    environment, _ = cached_compiler()
-    environment["PATH"] = f"{CACHED}:{environment['PATH']}"
-    with locked(folder), mock.patch.dict(os.environ, environment):
+    keep_what_is_compiled()
+    cached_first = {"PATH": f"{CACHED}:{os.environ['PATH']}"}
+    with locked(folder), mock.patch.dict(os.environ, cached_first):
         module = folder / linuxcnc.MODULE
         return module if module.exists() else linuxcnc.build(folder)
 

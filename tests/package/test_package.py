@@ -394,7 +394,7 @@ def examples(tool, tmp_path_factory):
     @functools.cache
     def build(core):
         folder = tmp_path_factory.mktemp(f"examples_{core}")
-        options = [f"--toolchain={TOOLCHAIN}", f"-DNCK_CORE={core}"]
+        options = [f"--toolchain={TOOLCHAIN}", f"-DNCK_CORE={core}", "-DNCK_STRICT=ON"]
         done = configure(EXAMPLES, folder, *options)
         assert done.returncode == 0, done.stdout + done.stderr
         call(CMAKE, "--build", folder)

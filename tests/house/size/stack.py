@@ -173,9 +173,9 @@ def _register_bytes(registers):
 
 
 def objects_of(image):
-    """Return the object files of an image of tests/qemu, those of its library among them."""
+    """Return the object files of setpoints_default in tests/qemu, those of libnck among them."""
     folder = image.parent / "CMakeFiles"
-    for kind in (image.stem, image.stem.replace("setpoints", "nck")):
+    for kind in (image.stem, "nck_called"):
         yield from (folder / f"{kind}.dir").rglob("*.obj")
 
 

@@ -64,9 +64,13 @@ def compiler():
 
 
 def objects(core):
-    """Return {source: object} of libnck, as tests/qemu builds it: -O2, default capacities."""
+    """Return {source: object} of libnck, as tests/qemu builds it: -O2, default capacities.
+
+    Beside each stands what its functions take of the stack, and whom they call.
+    """
     found = {}
-    for binary in sorted((targets.build(core) / "CMakeFiles/nck_default.dir").rglob("*.obj")):
+    folder = targets.build(core, "nck_called")
+    for binary in sorted((folder / "CMakeFiles/nck_called.dir").rglob("*.obj")):
         source = re.search(r"csrc/nck/(.*)\.obj$", binary.as_posix())[1]
         if (CSRC / "nck" / source).exists():
             found[source] = binary
