@@ -28,6 +28,7 @@ function(nck_add_test_program name)
     add_executable(${name} tests/c/run.c ${ARGN})
     target_compile_options(${name} PRIVATE "SHELL:-include ${folder}/tests_of_program.h")
     target_include_directories(${name} PRIVATE tests/c)
+    target_compile_options(${name} PRIVATE -O1) # what takes the time is the kernel, not its tests
 endfunction()
 
 file(GLOB test_folders CONFIGURE_DEPENDS tests/*)
@@ -66,29 +67,32 @@ endforeach()
 add_executable(blocks_of tests/c/blocks_of.c)
 target_link_libraries(blocks_of PRIVATE nck_host nck_flags)
 
-# Builds that leave out rooms and planners: what is left of them runs.
+# Builds that leave out rooms and planners: what is left of them runs, if it is asked for.
 set(nck_lean_tests tests/base/test_link.c tests/decode/test_decode_motion.c
     tests/kernel/test_left_out.c tests/tick/test_interpolate.c)
 list(TRANSFORM nck_lean_tests PREPEND "${CMAKE_CURRENT_SOURCE_DIR}/")
 foreach(set IN ITEMS LINEAR JERK)
     string(TOLOWER "_${set}" suffix)
-    add_library(nck${suffix} STATIC ${nck_sources})
+    add_library(nck${suffix} STATIC EXCLUDE_FROM_ALL ${nck_sources})
     target_include_directories(nck${suffix} PUBLIC csrc)
     target_compile_definitions(nck${suffix} PUBLIC ${NCK_CAPACITY_${set}})
     target_link_libraries(nck${suffix} PUBLIC m PRIVATE nck_flags)
     nck_add_test_program(tests_lean${suffix} ${nck_lean_tests})
     target_link_libraries(tests_lean${suffix} PRIVATE nck${suffix} nck_flags)
+    set_target_properties(tests_lean${suffix} PROPERTIES EXCLUDE_FROM_ALL ON)
 endforeach()
 
-# Fuzz targets need clang's driver. The whole kernel runs in the small capacities: rings wrap
-# and fill up soon. Code at fixed addresses: what the fuzzer tries follows them.
-set(fuzz_suffix_kernel _small)
+# Fuzz targets need clang's driver. In the small capacities rings wrap and fill up soon; in the
+# default ones there are variables, calls and cycles. Code at fixed addresses: what the fuzzer tries
+# follows them.
 file(GLOB fuzz_sources CONFIGURE_DEPENDS tests/house/fuzz/*.c)
 foreach(source IN LISTS fuzz_sources)
     cmake_path(GET source STEM name)
-    if(NCK_FUZZ)
-        add_executable(fuzz_${name} ${source})
-        target_link_options(fuzz_${name} PRIVATE -fsanitize=fuzzer -no-pie)
-        target_link_libraries(fuzz_${name} PRIVATE nck${fuzz_suffix_${name}} nck_flags)
-    endif()
+    foreach(suffix IN ITEMS "" _small)
+        if(NCK_FUZZ)
+            add_executable(fuzz_${name}${suffix} ${source})
+            target_link_options(fuzz_${name}${suffix} PRIVATE -fsanitize=fuzzer -no-pie)
+            target_link_libraries(fuzz_${name}${suffix} PRIVATE nck${suffix} nck_flags)
+        endif()
+    endforeach()
 endforeach()

@@ -2,9 +2,9 @@
 """The C tests, tests/<room>/test_*.c, as items of pytest: one for each build that has them.
 
 A test runs in the release build by gcc, in the default and in the small capacities (`small`), a few
-also in the builds that leave rooms out (`linear`, `jerk`). A quick run has the small capacities of
-two rooms alone. Under the sanitizers of clang the suite runs the tests of some rooms in one set of
-capacities, as drawn; the campaign runs them all.
+also in a build that leaves rooms out, `linear` or `jerk` as drawn. A quick run has the small
+capacities of two rooms alone. Under the sanitizers of clang the suite runs the tests of some rooms
+in one set of capacities, as drawn; the campaign runs them all.
 """
 
 import re
@@ -18,7 +18,10 @@ from builds import build_c
 LIMIT_S = 600  # of the campaign, too, whose tests limits.py does not watch
 # Builds that leave out rooms and planners, and the tests that they are built with.
 LEAN = {"test_decode_motion", "test_interpolate", "test_left_out", "test_link"}
+LEAN_PROGRAMS = ("tests_lean_linear", "tests_lean_jerk")
 SANITIZED = "clang-19"
+SUFFIXES = ("", "_small")  # of names, for the sets of capacities
+FUZZED = ("decode", "kernel")
 SMALL_IF_QUICK = ("base", "kernel")  # whose rings wrap and fill where they are short
 
 
@@ -31,32 +34,46 @@ def programs():
     return found
 
 
-def drawn_programs(config):
-    """Return the names of the programs that a run has under the sanitizers.
+def drawn_suffixes(config):
+    """Return the ends of the names of the capacities that a run has under the sanitizers.
 
-    The suite has those of half of the rooms, in one set of capacities.
+    The suite has one set of two, for each takes as long to compile as all tests take to run.
     """
-    names = sorted(set(programs().values()))
     if config.option.draw == "suite":
-        random = sampling.generator(config, "sanitizers")
-        suffix = random.choice(("", "_small"))
-        return [name + suffix for name in random.sample(names, len(names) // 2)]
-    whole = config.option.draw == "whole"
-    return [name + suffix for name in names for suffix in ("", "_small")] if whole else []
+        return (sampling.generator(config, "capacities").choice(SUFFIXES),)
+    return SUFFIXES if config.option.draw == "whole" else ()
+
+
+def drawn_programs(config):
+    """Return the names of the programs that a run has under the sanitizers, and of lean builds.
+
+    The suite has those of half of the rooms, and one build that leaves rooms out.
+    """
+    names, lean = sorted(set(programs().values())), LEAN_PROGRAMS
+    if config.option.draw != "whole":
+        names = sampling.generator(config, "sanitizers").sample(names, len(names) // 2)
+        lean = [sampling.generator(config, "lean").choice(LEAN_PROGRAMS)]
+    return [name + suffix for name in names for suffix in drawn_suffixes(config)], lean
 
 
 def sanitized_targets(config):
-    """Return what a run builds under the sanitizers; nothing stands for all."""
+    """Return what a run builds under the sanitizers."""
     if config.option.draw == "whole":
-        return ()
-    return (*drawn_programs(config), "fuzz_decode", "fuzz_kernel")
+        return ("all", *LEAN_PROGRAMS)
+    fuzzers = [f"fuzz_{name}{each}" for name in FUZZED for each in drawn_suffixes(config)]
+    return (*drawn_programs(config)[0], *fuzzers)
+
+
+def release_targets(config):
+    """Return what a run builds by gcc of all that it may."""
+    return ("all", *drawn_programs(config)[1])
 
 
 def not_drawn(config, items):
-    """Return the items that a run leaves out: under the sanitizers, and in small capacities."""
-    drawn, level = set(drawn_programs(config)), config.option.draw
+    """Return the items that a run leaves out: under the sanitizers, in small capacities, lean."""
+    drawn, level = drawn_programs(config), config.option.draw
     tests = [each for each in items if isinstance(each, CTest)]
-    return [each for each in tests if not each.is_drawn(drawn, level)]
+    return [each for each in tests if not each.is_drawn(*drawn, level)]
 
 
 class CTestError(Exception):
@@ -75,12 +92,15 @@ class CTest(pytest.Item):
         """Return what a run builds for this test: all, or what a change in work needs."""
         if self.is_sanitized:
             return sanitized_targets(self.config)
-        return (self.program,) if self.config.option.draw == "quick" else ()
+        quick = self.config.option.draw == "quick"
+        return (self.program,) if quick else release_targets(self.config)
 
-    def is_drawn(self, programs, level):
-        """Tell whether a run has this test, by the names of its programs under the sanitizers."""
+    def is_drawn(self, sanitized, lean, level):
+        """Tell whether a run has this test, by the names of the programs that it draws."""
         if self.is_sanitized:
-            return self.program in programs
+            return self.program in sanitized
+        if self.program in LEAN_PROGRAMS:
+            return self.program in lean
         return level != "quick" or self.name != "small" or self.path.parent.name in SMALL_IF_QUICK
 
     def runtest(self):
@@ -109,7 +129,7 @@ class CTestFile(pytest.File):
         stem = programs()[self.path]
         rows = [("release", "gcc", stem), ("small", "gcc", f"{stem}_small")]
         if self.path.stem in LEAN:
-            rows += [(lean, "gcc", f"tests_lean_{lean}") for lean in ("linear", "jerk")]
+            rows += [(name.rpartition("_")[2], "gcc", name) for name in LEAN_PROGRAMS]
         rows += [("sanitized", SANITIZED, stem), ("sanitized_small", SANITIZED, f"{stem}_small")]
         for name, build, program in rows:
             yield CTest.from_parent(self, name=name, build=build, program=program)

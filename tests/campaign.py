@@ -8,7 +8,7 @@ Every part says how much it tried and from which seed, and is repeated by the co
 printed before it. The exit status is the number of parts that found something.
 
     suite       every case of every test, fuzzing and the corpus at full length with it
-    fuzz        the fuzzers, a million and fifty thousand inputs
+    fuzz        the fuzzers in both sets of capacities, 2 million and 100 000 inputs
     sanitizers  all C tests under the sanitizers
     quality     cppcheck and MISRA over all files
     mutants     100 mutants of libnck against all C tests

@@ -35,20 +35,29 @@ def cores(size_table, pytestconfig, draw):
 
 
 @pytest.fixture(scope="module")
-def measured(size_table, cores):
-    """Return all numbers of the cores, measured now."""
-    return size_table.numbers(size_table.table(cores))
+def lean(size_table, pytestconfig, draw):
+    """Return the sets of capacities that are linked: in the suite the one that is drawn."""
+    every = size_table.LEAN_SETS
+    one = sampling.generator(pytestconfig, "lean sizes").choice(every)
+    return every if draw == "whole" else (one,)
 
 
 @pytest.fixture(scope="module")
-def written(root, size_table, cores):
-    """Return the numbers of the page for the cores, if they are of the compiler at hand."""
+def measured(size_table, cores, lean):
+    """Return all numbers of the cores and of what is linked, measured now."""
+    return size_table.numbers(size_table.table(cores, lean))
+
+
+@pytest.fixture(scope="module")
+def written(root, size_table, cores, lean):
+    """Return the numbers of the page for the same, if they are of the compiler at hand."""
     _, text, _ = size_table.split_page((root / "docs" / "size.md").read_text(encoding="utf-8"))
     if size_table.compiler() not in text:
         pytest.skip(f"the tables were measured with another compiler than {size_table.compiler()}")
     return {
         key: row if key[0].startswith("RAM") else columns(row, cores, size_table.CORES)
         for key, row in size_table.numbers(text).items()
+        if key[0] != size_table.LINKED or key[1] in lean
     }
 
 
@@ -94,14 +103,15 @@ MOST = {
 
 
 @pytest.mark.parametrize("name", MOST)
-def test_lean_builds_fit_into_their_memory(size_table, measured, cores, name):
+def test_lean_builds_fit_into_their_memory(size_table, measured, cores, lean, name):
     titles = [title.partition(" (")[0] for title in size_table.SETS.values()]
     sizes = measured["RAM: members of `nck_t` [bytes]", "**`sizeof(nck_t)`**"]
     most, flash_most = MOST[name]
     assert sizes[titles.index(name)] <= most
-    linked = measured["flash that a firmware links, -Os [bytes]", name]
-    limits = [flash_most[core] for core in cores]
-    assert all(flash <= limit for flash, limit in zip(linked, limits, strict=True))
+    if name in lean:
+        linked = measured[size_table.LINKED, name]
+        limits = [flash_most[core] for core in cores]
+        assert all(flash <= limit for flash, limit in zip(linked, limits, strict=True))
 
 
 # The stack

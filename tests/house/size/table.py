@@ -44,6 +44,7 @@ SETS = {
     "host": "host",
 }  # fmt: skip
 LEAN_SETS = ("linear", "jerk", "small")
+LINKED = "flash that a firmware links, -Os [bytes]"
 # Micro-segments, the same smoothed, arcs in three planes, one dense straight line, five axes.
 BUDGETS = (
     ("star", "linear"), ("star", "jerk"), ("star_smoothed", "linear"), ("star_smoothed", "jerk"),
@@ -199,8 +200,8 @@ def measure_share(core, set_name, folder):
     return sizes(image)[0]
 
 
-def share_rows(cores):
-    jobs = [(core, set_name) for set_name in LEAN_SETS for core in cores]
+def share_rows(cores, lean):
+    jobs = [(core, set_name) for set_name in lean for core in cores]
     with tempfile.TemporaryDirectory() as folder, ThreadPoolExecutor(2) as pool:
         found = list(pool.map(lambda job: measure_share(*job, folder), jobs))
     for k in range(0, len(jobs), len(cores)):
@@ -243,15 +244,15 @@ def instruction_rows(cores):
         yield f"{jobs[k][1].replace('_', ', ')}, {jobs[k][2]}", numbers
 
 
-def table(cores=tuple(CORES)):
-    """Measure and return the tables as Markdown, their columns for these cores."""
+def table(cores=tuple(CORES), lean=LEAN_SETS):
+    """Measure and return the tables as Markdown, for these cores and lean builds."""
     targets.build("host")
     with tempfile.TemporaryDirectory() as folder:
         images = {core: link_whole(core, objects(core), Path(folder)) for core in cores}
         with tempfile.TemporaryDirectory() as small:
             lines = flash_lines(images, small)
         names = [CORES[core] for core in cores]
-        lines += lines_of("flash that a firmware links, -Os [bytes]", names, share_rows(cores))
+        lines += lines_of(LINKED, names, share_rows(cores, lean))
         lines += ram_lines()
         lines += lines_of("deepest stack of a call [bytes]", names, stack_rows(images))
     spans = ("tick, most", "tick, mean", "prep step, most")
