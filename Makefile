@@ -46,7 +46,8 @@ install = missing=$$(for package in $(1); do \
         apt-get -qq install -y --no-install-recommends $$missing
 
 # Compiled Python is kept, whatever the shell asks for: without it every process compiles the tests
-# and pycnc anew, half a second of each program of the command line and a second of each pytest.
+# and pycnc anew, half a second of each program of the command line and a second of each pytest. pip
+# compiles nothing: all modules of the packages would take 20 s, and few of them are ever imported.
 unexport PYTHONDONTWRITEBYTECODE
 
 .PHONY: run test room quick campaign
@@ -92,13 +93,13 @@ $(STAMP)/packages-test: Makefile
 $(STAMP)/venv: requirements.lock $(STAMP)/packages-run
 	@echo "installing the packages of requirements.lock into .venv"
 	$(PYTHON) -m venv .venv
-	$(BIN)/python -m pip install -q --disable-pip-version-check -r requirements.lock
+	$(BIN)/python -m pip install -q --disable-pip-version-check --no-compile -r requirements.lock
 	@touch $@
 
 # What only the tests need, an OpenCL among it.
 $(STAMP)/venv-test: requirements-test.lock $(STAMP)/venv
 	@echo "installing the packages of requirements-test.lock into .venv"
-	$(BIN)/python -m pip install -q --disable-pip-version-check -r requirements-test.lock
+	$(BIN)/python -m pip install -q --disable-pip-version-check --no-compile -r requirements-test.lock
 	@touch $@
 
 $(STAMP)/names-$(NAMES):

@@ -49,7 +49,7 @@ def build(name, folder, level="-O2"):
     if binary.exists():
         return binary
     sources = [path for pattern in SOURCES[name] for path in sorted(ROOT.glob(pattern))]
-    options = ["-std=c99", level, "-g", "-ffp-contract=off", "-fno-math-errno"]
+    options = ["-std=c99", level, "-g1", "-ffp-contract=off", "-fno-math-errno"]
     if name == "text_to_cells":
         options += _capacities()
     command = [_tool("gcc"), *options, f"-I{ROOT / 'csrc'}", "-o", binary, *sources, "-lm"]

@@ -134,7 +134,7 @@ def build_sweep(core, tool, folder, fault=None):
 
 def build_threads(tool, folder, fault=None):
     """Build the two threads under the thread sanitizer."""
-    options = ["-O1", "-g", "-fsanitize=thread", *ground(folder, fault), "-pthread"]
+    options = ["-O1", "-g1", "-fsanitize=thread", *ground(folder, fault), "-pthread"]
     program = folder / "threads"
     compile_c(tool("clang-19"), options, ["link_threads.c", "traffic.c"], program)
     return program
@@ -196,7 +196,7 @@ def build_kernel(tool, folder, fault=None):
     """Build prep, tick and operator in three threads under the thread sanitizer."""
     csrc = targets.ROOT / "csrc"
     includes = [*ground(folder, fault)[:-1], f"-I{csrc}", f"-I{targets.ROOT / 'firmware_sim'}"]
-    options = ["-O1", "-g", "-fsanitize=thread", *includes, "-pthread", "-lm"]
+    options = ["-O1", "-g1", "-fsanitize=thread", *includes, "-pthread", "-lm"]
     sources = ["kernel_threads.c", "board_host.c", *sorted((csrc / "nck").rglob("*.c"))]
     program = folder / "kernel_threads"
     compile_c(tool("clang-19"), options, sources, program)
