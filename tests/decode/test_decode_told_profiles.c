@@ -204,6 +204,10 @@ static const told_row_t fprofiles_rows[] = {
      " 3 line~ Z-5; 3 rapid~ X7.5 Z-4.5; 3 rapid~ Z2; 3 line~ X5; 3 line~ Z-5;"
      " 3 rapid~ X5.5 Z-4.5; 3 rapid~ Z2; 3 line X5; 3 line Z-5; 3 rapid~ X15; 3 rapid~ Z2;"
      " 4 line X5 F0.5; 5 line Z-5 F0.4; 6 rapid~ X15 Z2; 7 line X25"},
+    {"G0 X30. Z2. S500 M3 F.2\nN1 G0 X10.\nN2 G1 Z-5.\n"
+     "G70 P1 Q2 I1.\nG70 P1 Q2 D1\nG70 P1 Q2 R1.\n",
+     "1 out S500 per-rev; 1 out M3 S500; 1 rapid X15 Z2; 2 rapid X5; 3 line Z-5 F0.2;"
+     " !4:11 word-unused I; !5:11 word-unused D; !6:11 word-unused R"},
     {"G0 X30. Z2. S500 M3 F.2\nG71 U.001 R.5\nG71 P1 Q2\nN1 G0 X30.\nN2 G1 Z-5.\n",
      "1 out S500 per-rev; 1 out M3 S500; 1 rapid X15 Z2; !3:0 contour"},
     {"G0 X30. Z2. S500 M3 F.2\nG71 U2. R.5\nG71 P1 Q2\nN1 G0 X10.\nG54\nN2 G1 Z-5.\n",
