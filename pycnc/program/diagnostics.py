@@ -4,6 +4,7 @@
 import re
 from collections import Counter
 from dataclasses import dataclass
+from decimal import Decimal
 
 import numpy as np
 
@@ -13,6 +14,7 @@ from pycnc.program.wording import WORDING
 
 SHOWN_PER_ID = 20  # findings of one id that are told in full; the rest is counted
 _EXCERPT = 100  # characters of a source line that are shown around the column
+_NUMBER = 40  # characters of a number that are shown
 _DIALECTS = {1: "Heidenhain Klartext", 2: "Sinumerik", 3: "Okuma"}
 
 _TONGUES = (
@@ -184,8 +186,9 @@ class Wording:
         return Diagnostic(self._file, line, column, name, severity, message, remedy, source)
 
     def _fields(self, name, row, source):
-        value, limit = float(row["value"]), float(row["limit"])
         letter, column = chr(row["letter"]) if row["letter"] else "", int(row["column"])
+        value, limit = _Number(row["value"]), _Number(row["limit"])
+        value.text = _number_at(source, column, letter, value)
         settings, axis = self._machine.settings, letter.lower()
         unit = "deg" if letter in "ABC" and letter else "mm"
         return {
@@ -211,6 +214,31 @@ class Wording:
         }
 
 
+class _Number(float):
+    """A number of a program, which is told as a program says it: with all its digits."""
+
+    text = None  # as it is written, if it is
+
+    def __format__(self, spec):
+        """Return it by the spec; without one as it is written, without an exponent."""
+        if spec:
+            return super().__format__(spec)
+        told = self.text or f"{Decimal(super().__format__('.15g')) + 0:f}"
+        return told if len(told) <= _NUMBER else told[:_NUMBER] + "…"
+
+
+def _number_at(source, column, letter, value):
+    """Return the number as it is written at a column of a source line; None: it is not."""
+    word = re.match(rb"([A-Za-z#])([-+.0-9\s]+)", source[max(column - 1, 0) :])
+    if not word or word[1].decode().upper() != letter:
+        return None
+    text = "".join(word[2].decode().split())
+    try:
+        return text if float(text) == value else None
+    except ValueError:
+        return None
+
+
 def _whose(tongues):
     """Return whose a word is, as a person says it and as ``--dialect`` does."""
     names = [name for bits, name in _TONGUES if tongues & bits == bits]
@@ -223,7 +251,7 @@ def _whose(tongues):
 
 def _wording(name, fields):
     letter = fields["letter"]
-    word = f"{name}:{letter}{fields['value']:g}"
+    word = f"{name}:{letter}{fields['value']:.15g}"
     for key in (f"{word}:lathe" * fields["lathe"], word, f"{name}:{letter}"):
         if key in WORDING:
             return WORDING[key]

@@ -12,15 +12,15 @@ _SETS = (
     "say I J K in this order, in every set what a later one has; or letters: D is #7, E is #8",
 )
 _D_OFFSET = (
-    "G10 L{value:g} sets an offset for D: Fanuc's mills do, by radius or by diameter",
+    "G10 L{value} sets an offset for D: Fanuc's mills do, by radius or by diameter",
     "where the control is one, say which it takes: --set dialect.d_offset=radius (or diameter)",
 )
 _OWN_M = (
-    "M{value:g} is a function of the machine's own, and its file does not name it",
+    "M{value} is a function of the machine's own, and its file does not name it",
     "if the machine has it: --set m.{value:.0f}.action=output (or wait, until it is done)",
 )
 _NOT_IN_A = (
-    "G{value:g} is none of the codes of Fanuc's G-code system A, which a lathe is taken to speak",
+    "G{value} is none of the codes of Fanuc's G-code system A, which a lathe is taken to speak",
     "--set dialect.system=B (or C); in A, U and W count steps and G99 is feed per revolution; a "
     "program made for RS274NGC: --dialect linuxcnc",
 )
@@ -41,18 +41,18 @@ WORDING = {
         "write the letter that the number belongs to, such as X12.5",
     ),
     "number-range": (
-        "{letter}{value:g} is out of range (limit {limit:g})",
+        "{letter}{value} is out of range (limit {limit})",
         "check the number and the units in force (G20 inch, G21 mm)",
     ),
     "number-range:S": (
-        "S{value:g} is out of range (limit {limit:g})",
+        "S{value} is out of range (limit {limit})",
         "choose another speed, or set the machine's: --set spindle.rpm_max=…",
     ),
     "number-range:R": (
-        "R{value:g} is out of range (limit {limit:g})",
+        "R{value} is out of range (limit {limit})",
         "check number and units; in a cycle R lies above the bottom, a taper beside its end",
     ),
-    "number-range:Q": ("Q{value:g} is no depth of a peck", "Q has no sign and is more than 0"),
+    "number-range:Q": ("Q{value} is no depth of a peck", "Q has no sign and is more than 0"),
     "line-length": (
         "the line is longer than {value:.0f} bytes",
         "split the block into several lines or shorten its comment",
@@ -86,7 +86,7 @@ WORDING = {
         "add the axes with their numbers, such as X0, to the block",
     ),
     "word-shared:#": (
-        "#{value:g} is an offset that counts at once, and other words stand in its line",
+        "#{value} is an offset that counts at once, and other words stand in its line",
         "set it on a line of its own",
     ),
     "word-shared": (
@@ -98,11 +98,11 @@ WORDING = {
         "add G0 or G1 to the block",
     ),
     "g-unknown": (
-        "G{value:g} is no G code that the kernel knows",
+        "G{value} is no G code that the kernel knows",
         "look up the code in the manual of the control that the program was made for",
     ),
     "m-unknown": (
-        "M{value:g} is no M code that the kernel knows",
+        "M{value} is no M code that the kernel knows",
         "remove the code, or if the machine has it, tell so in its file: [m.{value:.0f}] "
         'action = "output"',
     ),
@@ -111,7 +111,7 @@ WORDING = {
         "if the program is written for it: --dialect {dialects}; else say it in {base}'s words",
     ),
     "other-base:#": (
-        "the language {base} (dialect.base) has no parameter #{value:g}; it is of {others}",
+        "the language {base} (dialect.base) has no parameter #{value}; it is of {others}",
         "if the program is written for it: --dialect {dialects}; values go into #100 … #499",
     ),
     "other-base:M": (
@@ -136,16 +136,16 @@ WORDING = {
     "unsupported:J": _SETS,
     "unsupported:K": _SETS,
     "unsupported:P": (
-        "the machine has no reference point {value:g}, where G30 P{value:g} goes",
-        "say where it is in the machine: --set home.g30_p{value:g}.z_mm=…, or go there by G53",
+        "the machine has no reference point {value}, where G30 P{value} goes",
+        "say where it is in the machine: --set home.g30_p{value}.z_mm=…, or go there by G53",
     ),
     "unsupported:#": (
-        "the program cannot reach the control's own parameter #{value:g} in this way",
+        "the program cannot reach the control's own parameter #{value} in this way",
         "keep values in #100 … #199; set offsets by G10: L2 P (work), L1 L10 L11 P (tools); Fanuc: "
         "#5221 … can be set, too",
     ),
     "unsupported:L": (
-        "G10 L{value:g} is not supported here",
+        "G10 L{value} is not supported here",
         "say it in the machine file: --set tool.N.length_mm=…, radius_mm, x_mm; work systems: L2",
     ),
     **{f"unsupported:L{each}": _D_OFFSET for each in (12, 13)},
@@ -196,7 +196,7 @@ WORDING = {
         "give the centre by I J K in the plane in force (G17: I J, G18: I K, G19: J K), or R",
     ),
     "arc-chord": (
-        "R{value:g} is shorter than half of the chord, {limit:.4f} mm",
+        "R{value} is shorter than half of the chord, {limit:.4f}",
         "check R, the end point and the units in force",
     ),
     "axis-unknown": (
@@ -209,7 +209,7 @@ WORDING = {
         "--set axis.{axis}.{end}_{unit}=…",
     ),
     "tool-unknown": (
-        "tool {value:.0f} is not in the tool table",
+        "tool {value} is not in the tool table",
         "add [tool.{value:.0f}] to the machine file, or give a tool table: --tools tool.tbl",
     ),
     "no-motion": (
@@ -234,7 +234,7 @@ WORDING = {
         "word needs sub, call, if, while, repeat, do or their ends behind it",
     ),
     "value": (
-        "an expression without a value: it divides by zero, or a function has none for {value:g}",
+        "an expression without a value: it divides by zero, or a function has none for {value}",
         "check the parameters that it is made of",
     ),
     "parameter-unset": (
@@ -261,7 +261,7 @@ WORDING = {
         "a jump backward in text that is only pushed",
         "give the kernel the text to read (nck_read)",
     ),
-    "alarm": ("the program stops with alarm {value:.0f} (#3000)", "see the remark on its line"),
+    "alarm": ("the program stops with alarm {value} (#3000)", "see the remark on its line"),
     "abort": ("the program stops here: {remark}", "(abort, …) ends it, as LinuxCNC does"),
     "endless:J": (
         "the program has gone back {limit:.0f} times",
@@ -315,7 +315,7 @@ WORDING = {
     "assumed-distance": ("no G90 or G91 before the first motion: absolute (G90) assumed", ""),
     "assumed-centre": ("no G90.1 or G91.1 before I J K: {arc_centre} centres assumed", ""),
     "no-tolerance:P": (
-        "P is {value:g} mm, and within less than 0.0001 mm nothing is smoothed: the path is exact",
+        "P is {value} mm, and within less than 0.0001 mm nothing is smoothed: the path is exact",
         "G61 says so; else give a P of 0.0001 mm or more, as in G64 P0.01",
     ),
     "no-tolerance": (

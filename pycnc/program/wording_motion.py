@@ -2,24 +2,24 @@
 """The words of the findings about cycles, contours, threads, compensation, splines and probes."""
 
 _TAPPING = (
-    "G{value:g}: tapping cycles are not supported on lathes that speak Fanuc's language",
+    "G{value}: tapping cycles are not supported on lathes that speak Fanuc's language",
     "tap with G32 in and out, the spindle turned back between them, or --dialect linuxcnc: G33.1",
 )
 _RELIEF = (
-    "R beside the end of G{value:g} moves the tool aside at the end of every cut, of the first one "
+    "R beside the end of G{value} moves the tool aside at the end of every cut, of the first one "
     "into the wall, which is not supported",
     "leave R out there, or R0; how far a peck goes back is the R of a line of its own before it",
 )
 _DRIVEN = (
-    "G{value:g} drills with a driven tool on Fanuc's lathes, which is not supported",
+    "G{value} drills with a driven tool on Fanuc's lathes, which is not supported",
     "drill on the axis with G1; --dialect linuxcnc for a program made for RS274NGC",
 )
 _PROBES = (
-    "G{value:g}: this machine refuses probes",
+    "G{value}: this machine refuses probes",
     "--set dialect.probe=misses (or touches) simulates them, in LinuxCNC's language and in grbl's",
 )
 _BITES = (
-    "{letter}{value:g} would have the cycle cut into the contour",
+    "{letter}{value} would have the cycle cut into the contour",
     "what is left on the contour leads away from the work: turn its sign; W leaves nothing on the "
     "far side of a pocket and is 0 there",
 )
@@ -28,15 +28,15 @@ _TURNS_BACK = (
     "G71 cuts along Z, G72 along X: the contour goes one way; pockets: name X and Z in line P",
 )
 _CORNER = (
-    "a corner of {value:g} mm does not fit between this line and the one before",
+    "a corner of {value} mm does not fit between this line and the one before",
     "make it smaller; it stands between two straight lines",
 )
 _STRANGE = (
-    "{letter}{value:g} cannot stand in or beside the contour of a cycle",
+    "{letter}{value} cannot stand in or beside the contour of a cycle",
     "a contour has G0 G1 G2 G3 in the plane of Z and X (G18); put other codes before the cycle",
 )
 _BOTH_ENDS = (
-    "G{value:g} is a turning cycle (Fanuc's G-code system A), needs X and Z, and has no {letter}",
+    "G{value} is a turning cycle (Fanuc's G-code system A), needs X and Z, and has no {letter}",
     "say both; if G90 means absolute distances, or G94 feed per minute: --set dialect.system=B; a "
     "program made for RS274NGC: --dialect linuxcnc",
 )
@@ -50,7 +50,7 @@ _THREAD_C = (
     "say them; if it means millimetres: --set dialect.system=A (or B)",
 )
 _SPLINE_OPEN = (
-    "the program ends before the spline that G{value:g} begins here does",
+    "the program ends before the spline that G{value} begins here does",
     "say G5.3 behind its last point; of G6.2 as many lines with K alone as its order P",
 )
 
@@ -116,12 +116,12 @@ MOTION = {
         "begin the cycle further outside, and give the contour more than one point",
     ),
     "contour:P": (
-        "the line behind the cycle is not N{value:g}, where its contour begins",
+        "the line behind the cycle is not N{value}, where its contour begins",
         "write the lines P … Q right behind the cycle",
     ),
     "contour:D": (
-        "D{value:g} has no decimal point: a length, or least increments?",
-        "write D{value:g}. for a length",
+        "D{value} has no decimal point: a length, or least increments?",
+        "write D{value}. for a length",
     ),
     "contour:U": _BITES,
     "contour:W": _BITES,
@@ -167,7 +167,7 @@ MOTION = {
         "begin further from the thread, end further behind it, or turn slower",
     ),
     "layout-on": (
-        "{letter}{value:g} cannot be done while coordinates are mirrored, scaled, turned or polar",
+        "{letter}{value} cannot be done while coordinates are mirrored, scaled, turned or polar",
         "end it before, in this order: G15, G69, G50, G50.1; they begin in the other one",
     ),
     "layout-on:?": (
@@ -175,20 +175,20 @@ MOTION = {
         "give both axes of the plane the same factor; G91.1 (dialect.arc_centre)",
     ),
     "scale-unit": (
-        "a control may read the factor {letter}{value:g} as {value:g}, as thousandths, or less",
-        "write a point ({letter}{value:g}.) or say what 1 means: --set dialect.scale_unit=0.001",
+        "a control may read the factor {letter}{value} as {value}, as thousandths, or less",
+        "write a point ({letter}{value}.) or say what 1 means: --set dialect.scale_unit=0.001",
     ),
     "comp-on:M72": (
         "M72 would switch radius compensation, which needs a move of its own",
         "say G40 before it, or keep the state in the same compensation",
     ),
     "corner": (
-        "a corner {letter}{value:g} does not fit between this move and the next one",
+        "a corner {letter}{value} does not fit between this move and the next one",
         "make it smaller; both are G1 G2 G3 in the plane, one line behind the other, and meet at "
         "an angle; a sign without a comma says which way the next one goes",
     ),
     "probe:G": (
-        "G{value:g} must touch something (G38.4: leave it) on its way, and nothing is there",
+        "G{value} must touch something (G38.4: leave it) on its way, and nothing is there",
         "--set dialect.probe=touches simulates it where it ends; G38.3 and G38.5 may miss (#5070)",
     ),
     "probe:G95": ("a probe has no feed per revolution (G95)", "say G94 and F before it"),

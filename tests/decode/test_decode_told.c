@@ -83,7 +83,7 @@ static const told_row_t plain_rows[] = {
      "G10 L2 P1 X1000001\nG92\nG52\n",
      "!1:8 number-range P 10/9; !2:8 number-range P -1/9; !3:9 number-range P 1.5/9;"
      " !5:11 unsupported R 5/0; !6:11 word-unused Q; !7:1 word-missing L; !8:1 word-missing P;"
-     " !9:5 unsupported L 99/0; !10:5 unsupported L -1/0;"
+     " !9:5 unsupported L 99/0; !10:5 unsupported L 2.5/0;"
      " !11:11 number-range X 1000001/1000000; !12:1 word-missing X; !13:1 word-missing X"},
     {"G43.1 Z5\nG0 Z1\nG43.1 X1 Y2\nZ0\nG49\nX0\nG20 G43.1 Z1\nZ0\nG91 G43.1 Z2\nG90 Z0\n",
      "2 rapid Z1 tool Z5; 4 rapid X-1 Y-2 Z0 tool X1 tool Y2;"

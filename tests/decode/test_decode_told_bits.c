@@ -89,7 +89,7 @@ static const told_row_t layouts2_rows[] = {
      "G68 X0 Y0 R1000001.\nG68 X0 Y0 R-450.\nG0 X1. Y0\nG69\n",
      "1 rapid X9.848078 Y1.736482; 2 rapid X0 Y-10; !3:7 number-range Y 1000001/1000000;"
      " 4 rapid X-8.660254 Y5; 5 rapid X3.255682 Y9.455186;"
-     " !7:1 number-range X 1000003.26/1000000; !8:1 incremental G 68/0;"
+     " !7:1 number-range X 1000000/999996.744; !8:1 incremental G 68/0;"
      " !9:1 incremental G 68/0; 10 rapid X4.255682"},
     {"G51 X0 Y0 P1000.\nG51 X0 Y0 P1001.\nG0 X2.\nX1000.\nX1000.001\nG50\nG51 X0 Y0 P.001\n"
      "X1.\nG50\nG51 X0 Y0 P.0009\nG51 P-2. X1. Y1.\nG0 X2. Y3.\nG2 X4. R1. F9.\nG3 X6. I1.\n"

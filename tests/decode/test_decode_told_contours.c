@@ -39,7 +39,7 @@ static const told_row_t pockets_rows[] = {
     {"o1 sub\nG0 X4\nG1 Z-6\no1 endsub\nG0 X14 Z2 F100\nG71 Q1 X14 Z2 D0 I0 R1\n"
      "G71 Q1 X14 Z2 D0 I-1 R1\nG71 Q1 X14 Z2 D-1 I1 R1\nG71 Q1 X14 Z2 D0 I1 R-1\n"
      "G71 Q1 X14 Z2 D0 R1\nG71 Q1 Z2 D0 I1 R1\nG71 X14 Z2 D0 I1 R1\nG71 Q9 X14 Z2 D0 I1 R1\n",
-     "5 rapid X14 Z2; !6:18 number-range I 0/1e-06"},
+     "5 rapid X14 Z2; !6:18 number-range I"},
     {"o1 sub\nG3 X4 Z-4 R4\no1 endsub\nG0 X14 Z2 F100\nG71 Q1 X14 Z2 D0 I1 R1\n",
      "4 rapid X14 Z2; !2:11 arc-chord R 4/5.83095189; ?5:0 called-from"},
     {"o1 sub\nG0 X4\nG1 Z-6\nZ-4\no1 endsub\nG0 X14 Z2 F100\nG71 Q1 X14 Z2 D0 I1 R1\n",

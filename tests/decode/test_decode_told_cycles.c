@@ -45,8 +45,8 @@ static const told_row_t cycles_rows[] = {
      "G81 X1 Z-5 R1 L1.5\nG81 X1 Z-5 R1 L1000001\nG81 X1 Z-5 R1 K2\nG81 X1 Z-5 R1 Q2\n"
      "G81 X1 Z-5 R1 A3\nG81\nG81 X1 Z-5 R1 I2\nG98\n",
      "1 rapid Z10; !2:1 word-missing R; !3:1 word-missing Z; !4:1 word-missing R;"
-     " !5:11 number-range R 2/3; !6:1 word-missing Q; !7:15 number-range Q 0/1000000;"
-     " !8:15 number-range Q -1/1000000; !9:1 word-missing P; !10:15 number-range P -1/1000000;"
+     " !5:11 number-range R 2/3; !6:1 word-missing Q; !7:15 number-range Q;"
+     " !8:15 number-range Q -1/0; !9:1 word-missing P; !10:15 number-range P -1/1000000;"
      " !11:15 number-range L 0/1000000; !12:15 number-range L 1.5/1000000;"
      " !13:15 number-range L 1000001/1000000; !14:15 word-unused K; !15:15 word-unused Q;"
      " !16:15 axis-unknown A; !17:1 word-missing X; !18:15 word-unused I"},
@@ -91,7 +91,7 @@ static const told_row_t cycles_rows[] = {
      "1 rapid Z10; !2:5 modal-group G 28/0; !3:8 word-unused R; !4:5 word-unused X"},
     {"G91 F100 G81 X500000 Z-1 R-1 L3\nG90 G81 X1 Z-1000000 R1\nG81 X1 Z-1000001 R1\n"
      "G81 X1000000 Z-1 R1\n",
-     "!1:14 number-range X 1500000/1000000; 2 rapid~ Z1; 2 rapid~ X1; 2 line~ Z-1000000 F100;"
+     "!1:14 number-range X 500000/333333.333; 2 rapid~ Z1; 2 rapid~ X1; 2 line~ Z-1000000 F100;"
      " 2 rapid~ Z1; !3:8 number-range Z -1000001/1000000; 4 rapid~ X1000000; 4 line~ Z-1;"
      " 4 rapid~ Z1"},
     {"G0 X1 F100 G81 Z-1 R1\nG0 Z5 G82 X1 P1 R1\nG4 P1 G82 X1 Z-1 R1\n",

@@ -230,7 +230,7 @@ static const told_row_t fla_rows[] = {
     {"G0 X30. Z2. F.1 S500 M3\nG71 P10 Q20 \nG71 U0 R1.\nG71 U2. R-1.\nG71 P10 Q30 U.4\n"
      "N10 G0 X10.\nN20 X20.\n",
      "1 out S500 per-rev; 1 out M3 S500; 1 rapid X15 Z2; !2:1 word-missing U;"
-     " !3:5 number-range U 0/1e-06; !4:9 number-range R -1/0; !8:1 contour M 2/0;"
+     " !3:5 number-range U; !4:9 number-range R -1/0; !8:1 contour M 2/0;"
      " !5:0 label-missing 30/100"},
     {"G0 X20. Z0 S500 M3\nG1 X30. ,R2. F.1\nZ-10. ,C1.\nX40.\nX50. K-2.\nZ-30.\nZ-40. I1.\n"
      "X70.\nZ-50. R2.\nX90.\nX95. R-2.\nZ-45.\nX100. K2. I2.\n",

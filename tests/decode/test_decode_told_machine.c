@@ -159,7 +159,7 @@ static const told_row_t marlin_rows[] = {
      "!1:1 word-missing S 104/0; !2:6 number-range S -1/1000000;"
      " !3:6 number-range S 1000001/1000000; 4 out M104=1000000; !5:1 modal-group M 104/0;"
      " !6:11 modal-group M 106/0; !7:10 word-twice U; !8:1 word-missing P;"
-     " !9:4 number-range S -1/1000000; !10:1 number-range U 2000000/1000000;"
+     " !9:4 number-range S -1/1000000; !10:1 number-range E 2000000/1000000;"
      " !11:5 modal-group M 83/0; 12 out M117; !13:5 number X; 14 out M110; 15 rapid U1"},
 };
 

@@ -16,9 +16,9 @@ static const told_row_t profiles_rows[] = {
      " 8 line X9 Z-10; 8 comp G18 0 nose 0 0; 8 rapid~ X14 Z-9.609566; 8 rapid~ Z2;"
      " 9 rapid~ X4; 9 line Z-6; 9 line X9 Z-10; 9 rapid~ X14; 9 rapid~ Z2; 10 rapid"},
     {"o1 sub\nG0 X4\nG1 Z-6\nX9 Z-10\no1 endsub\nG0 X14 Z2 F100\nG71 Q1 X14 Z2 D0 I0 R1\n",
-     "6 rapid X14 Z2; !7:18 number-range I 0/1e-06"},
+     "6 rapid X14 Z2; !7:18 number-range I"},
     {"F9 G71 Q1 X14 Z2 D0 I-1 R1\n",
-     "!1:21 number-range I -1/1e-06"},
+     "!1:21 number-range I -1/0"},
     {"F9 G71 Q1 X14 Z2 D-1 I1 R1\n",
      "!1:18 number-range D -1/0"},
     {"F9 G71 Q1 X14 Z2 D0 I1 R-1\n",
@@ -188,7 +188,7 @@ static const told_row_t fprofiles_rows[] = {
      " 7 line Z-5.2; 7 arc X7.8 Z-8.2 G18 about -5.2 7.8 by -90; 7 rapid~ X15 Z2"},
     {"G0 X30. Z2. S500 M3 F.2\nG71 U-2. R.5\nG71 R.5\nG71 U2.\nG71 U2. R.5\n"
      "G71 P1 Q2 U.4 W.2 X5.\nG71 P1 Q2 U.4 W.2 K5.\nG71 P1 Q2 U-.4\n",
-     "1 out S500 per-rev; 1 out M3 S500; 1 rapid X15 Z2; !2:5 number-range U -2/1e-06;"
+     "1 out S500 per-rev; 1 out M3 S500; 1 rapid X15 Z2; !2:5 number-range U -2/0;"
      " !6:19 word-unused X; !7:19 word-unused K; !8:0 contour P 1/100; 8 end M2"},
     {"G0 X30. Z2. S500 M3 F.2\nG71 U2. R.5\nG71 P1 Q2 U-.4\nN1 G0 X10.\nN2 G1 Z-5.\n",
      "1 out S500 per-rev; 1 out M3 S500; 1 rapid X15 Z2; !3:0 contour U -0.4/0"},

@@ -30,7 +30,7 @@ static const told_row_t rest_rows[] = {
      " !9:1 word-missing K 33.1/0; 10 out M3; 10 tap by 0 -1 -4 lead 1 for 58.32;"
      " 11 tap by 0 0 -2 lead 1 for 30.02; 12 thread Z4 of 1 lead 0.5 for 16.67;"
      " 13 thread Z29.4 of 25.4 lead 2.54 for 70.01; 14 tap by 0 0 -25.4 lead 2.54 for 136.7;"
-     " !15:8 number-range K 50000/1000000; !16:1 thread-run-in Z 0.160030001/0.000254;"
+     " !15:8 number-range K 50000/39370.0787; !16:1 thread-run-in Z 0.160030001/0.000254;"
      " 17 out surface 304.8 Z29.400254 V304.8; !17:11 thread-speed G 96/0;"
      " 18 out S9 inverse V0; !18:0 unsupported G 93/0; 19 comp G17 12.7 nose 0 0 per-min;"
      " !20:0 comp-on G 33/0; !21:0 comp-on G 33.1/0; 22 comp G17 0 nose 0 0"},

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // G2 and G3: from the words to circles that pass through both ends.
 #include "nck/base/arc_math.h" // nck_arc_sweep …
+#include "nck/prep/1_decode/integer.h" // nck_decode_counts nck_decode_said
 #include "nck/prep/1_decode/parts.h"
 
 #include <stddef.h> // NULL
@@ -138,7 +139,9 @@ static nck_status_t arc_by_radius(nck_decode_t *self, course_t *course, const in
         return nck_decode_fail_word(self, NCK_E_ARC_CENTRE, 'R', radius, 0.0);
     }
     if (nck_fabs(radius) < 0.5 * length - self->machine->path.arc_radius) {
-        return nck_decode_fail_word(self, NCK_E_ARC_CHORD, 'R', radius, 0.5 * length);
+        const double least = nck_decode_as_word(&self->place.scale[0], 0.5e6 * length / scale);
+        return nck_decode_fail_word(self, NCK_E_ARC_CHORD, 'R', nck_decode_said(self, 'R'),
+                                    least * nck_decode_counts(self, 'R'));
     }
     const double height = nck_arc_radius_height(length, radius, course->turn);
     return fill_arc(self, course, self->place.position_nm, target_nm, height, out);

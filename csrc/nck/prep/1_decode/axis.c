@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The words of the axes: their letters, scales and numbers, where they count from, the travel.
 #include "nck/prep/1_decode/axis.h" // nck_decode_scale_of
-#include "nck/prep/1_decode/integer.h" // nck_decode_fixed
+#include "nck/prep/1_decode/integer.h" // nck_decode_counts nck_decode_fixed nck_decode_said
 #include "nck/prep/1_decode/parts.h"
 
 enum { DECIMALS = 9, PLACES = 10000 }; // 10^(DECIMALS − 5)
@@ -16,6 +16,12 @@ double nck_decode_shown(const nck_decode_t *self, unsigned axis, int64_t value_n
     return (double)value_nm / (rotary ? NCK_COUNTS_PER_DEG : NCK_COUNTS_PER_MM);
 }
 
+double nck_decode_as_word(const nck_scale_t *scale, double value_nm) {
+    double unit = (double)scale->factor;
+    for (int32_t k = 0; k < scale->power; k++) unit *= 10.0;
+    return value_nm / unit;
+}
+
 static unsigned column_of_axis(const nck_decode_t *self, unsigned axis) {
     const int letter = nck_decode_letter(axis);
     const int said = (self->words.letters & NCK_LETTER(letter)) != 0;
@@ -23,11 +29,9 @@ static unsigned column_of_axis(const nck_decode_t *self, unsigned axis) {
 }
 
 static nck_status_t fail_range(nck_decode_t *self, int letter, const nck_scale_t *scale) {
-    const int rotary = scale == &self->place.scale[2];
-    const double counts = rotary ? NCK_COUNTS_PER_DEG : NCK_COUNTS_PER_MM;
-    return nck_decode_fail_word(self, NCK_E_NUMBER_RANGE, letter,
-                                nck_number_real(&self->words.number[letter - 'A']),
-                                (double)scale->limit / counts);
+    const double limit = nck_decode_as_word(scale, (double)scale->limit);
+    return nck_decode_fail_word(self, NCK_E_NUMBER_RANGE, letter, nck_decode_said(self, letter),
+                                limit * nck_decode_counts(self, letter));
 }
 
 static nck_status_t read_word(nck_decode_t *self, int letter, const nck_scale_t *scale,
@@ -55,17 +59,28 @@ nck_status_t nck_decode_length_word(nck_decode_t *self, char letter, int64_t *va
     return read_word(self, letter, &self->place.scale[0], value_out);
 }
 
+nck_status_t nck_decode_beyond(nck_decode_t *self, unsigned axis, double at_nm, double times) {
+    const nck_scale_t *const scale = nck_decode_scale_of(self, axis);
+    const int letter = nck_decode_letter(axis);
+    const int said = (self->words.letters & NCK_LETTER(letter)) != 0;
+    const double most_nm = at_nm < 0.0 ? -(double)scale->limit : (double)scale->limit;
+    const double at = nck_decode_as_word(scale, at_nm), most = nck_decode_as_word(scale, most_nm);
+    const double counts = nck_decode_counts(self, letter);
+    const double word = nck_decode_said(self, letter);
+    if (!said) return nck_decode_fail_word(self, NCK_E_NUMBER_RANGE, letter, at, most);
+    return nck_decode_fail_word(self, NCK_E_NUMBER_RANGE, letter, word,
+                                word - (at - most) * counts / times);
+}
+
 nck_status_t nck_decode_steps(nck_decode_t *self, unsigned axis, int64_t step_nm, int64_t count,
                               int64_t *at_nm) {
-    const int64_t limit_nm = nck_decode_scale_of(self, axis)->limit;
+    const double limit_nm = (double)nck_decode_scale_of(self, axis)->limit;
     const double end_nm = (double)*at_nm + (double)step_nm * (double)count;
-    if (end_nm >= -(double)limit_nm && end_nm <= (double)limit_nm) {
-        *at_nm += step_nm * count;
-        return NCK_OK;
+    if (!(end_nm >= -limit_nm && end_nm <= limit_nm)) {
+        return nck_decode_beyond(self, axis, end_nm, (double)count + 1.0);
     }
-    return nck_decode_fail(self, NCK_E_NUMBER_RANGE, column_of_axis(self, axis),
-                           nck_decode_letter(axis), end_nm / 1e6,
-                           nck_decode_shown(self, axis, limit_nm));
+    *at_nm += step_nm * count;
+    return NCK_OK;
 }
 
 nck_status_t nck_decode_travel(nck_decode_t *self, unsigned axis, int64_t position_nm) {

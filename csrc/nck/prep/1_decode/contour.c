@@ -5,6 +5,7 @@
 #include "nck/base/real.h"     // nck_fabs nck_floor
 #include "nck/base/trig.h"     // nck_atan2 nck_sincos
 #include "nck/prep/1_decode/call.h"
+#include "nck/prep/1_decode/integer.h" // nck_decode_said
 #include "nck/prep/1_decode/jump.h"
 #include "nck/prep/1_decode/level.h"
 #include "nck/prep/1_decode/parts.h"
@@ -82,7 +83,8 @@ static nck_status_t take_corner(nck_decode_t *self) {
     const nck_status_t status = nck_decode_length_word(self, letter, size_nm);
     if (status != NCK_OK) return status;
     if (*size_nm <= 0) {
-        return nck_decode_fail_word(self, NCK_E_NUMBER_RANGE, letter, (double)*size_nm / 1e6, 0.0);
+        return nck_decode_fail_word(self, NCK_E_NUMBER_RANGE, letter,
+                                    nck_decode_said(self, letter), 0.0);
     }
     if (letter == 'C') *size_nm = -*size_nm;
     words->letters &= ~said;

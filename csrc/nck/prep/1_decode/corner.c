@@ -5,7 +5,7 @@
 #include "nck/base/arc_math.h" // nck_arc_norm
 #include "nck/base/real.h"     // nck_fabs nck_floor
 #include "nck/prep/1_decode/fillet.h"
-#include "nck/prep/1_decode/integer.h" // nck_decode_fixed
+#include "nck/prep/1_decode/integer.h" // nck_decode_counts_of nck_decode_fixed
 #include "nck/prep/1_decode/parts.h"
 
 #include <string.h> // memcpy
@@ -287,7 +287,9 @@ static nck_status_t hold(nck_decode_t *self, const nck_block_t *block) {
                                        &size_nm);
     if (!whole || nck_fabs(mm(size_nm)) < size_least || nck_fabs(mm(size_nm)) > size_most) {
         return nck_decode_fail(self, NCK_E_NUMBER_RANGE, corner->column, corner->letter,
-                               corner->size, size_most);
+                               corner->size,
+                               nck_decode_as_word(&self->place.scale[0], size_most * 1e6)
+                                   * nck_decode_counts_of(self, &corner->word.number));
     }
     corner->size = mm(size_nm);
     corner->held = *block;

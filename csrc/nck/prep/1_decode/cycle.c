@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Canned cycles of drilling, boring and tapping: G73 G74 G81 … G86 G89.
+#include "nck/prep/1_decode/axis.h"    // nck_decode_scale_of
+#include "nck/prep/1_decode/integer.h" // nck_decode_said
 #include "nck/prep/1_decode/parts.h"
 
 #include <stddef.h> // NULL
@@ -107,8 +109,11 @@ static nck_status_t set_levels(nck_decode_t *self) {
     const int64_t bottom_nm = cycle->depth_nm + (steps ? r_nm : 0);
     const int64_t high_nm = cycle->initial_nm > r_nm ? cycle->initial_nm : r_nm;
     if (r_nm < bottom_nm) {
-        return nck_decode_fail_word(self, NCK_E_NUMBER_RANGE, 'R', (double)r_nm / 1e6,
-                                    (double)bottom_nm / 1e6);
+        const nck_scale_t *const scale = nck_decode_scale_of(self, cycle->drill);
+        const double most_nm = (double)(bottom_nm - (r_nm - cycle->r_nm));
+        return nck_decode_fail_word(self, NCK_E_NUMBER_RANGE, 'R',
+                                    nck_decode_as_word(scale, (double)cycle->r_nm),
+                                    nck_decode_as_word(scale, most_nm));
     }
     cycle->level_nm[LEVEL_R] = r_nm + origin_nm;
     cycle->level_nm[LEVEL_BOTTOM] = bottom_nm + origin_nm;
@@ -133,8 +138,8 @@ static nck_status_t read_rest(nck_decode_t *self) {
     if (said & NCK_LETTER('Q')) {
         status = nck_decode_length_word(self, 'Q', &peck_nm);
         if (status == NCK_OK && peck_nm <= 0) {
-            status = nck_decode_fail_word(self, NCK_E_NUMBER_RANGE, 'Q', (double)peck_nm / 1e6,
-                                          NCK_LINEAR_MAX_MM);
+            status = nck_decode_fail_word(self, NCK_E_NUMBER_RANGE, 'Q',
+                                          nck_decode_said(self, 'Q'), 0.0);
         }
         if (status == NCK_OK) cycle->peck_nm = peck_nm;
     }

@@ -18,7 +18,8 @@ nck_status_t nck_decode_fail_word(nck_decode_t *self, nck_status_t code, int let
                                   double limit) {
     const int said = (self->words.letters & NCK_LETTER(letter)) != 0; // not by a pushed block
     const unsigned column = said ? self->words.column[letter - 'A'] : 0;
-    return nck_decode_fail(self, code, column, letter, value, limit);
+    const int written = column > 0 ? self->line.text[column - 1] & ~0x20 : letter; // U may be X
+    return nck_decode_fail(self, code, column, written, value, limit);
 }
 
 nck_status_t nck_decode_fail_step(nck_decode_t *self, nck_status_t code, nck_step_t step,

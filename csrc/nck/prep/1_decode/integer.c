@@ -34,6 +34,21 @@ int nck_decode_asks_integers(const nck_decode_t *self) {
     return integers == NCK_INTEGERS_INCREMENTS || (integers == NCK_INTEGERS_OPEN && !noted);
 }
 
+double nck_decode_counts_of(const nck_decode_t *self, const nck_number_t *word) {
+    const int counts = self->machine->dialect.base == NCK_DIALECT_FANUC
+                       && self->machine->dialect.integers == NCK_INTEGERS_INCREMENTS;
+    if (!counts || word->decimals != 0 || !is_integer(self, word)) return 1.0;
+    return self->modal.inch ? 1e4 : 1e3;
+}
+
+double nck_decode_counts(const nck_decode_t *self, int letter) {
+    return nck_decode_counts_of(self, word_of(self, letter));
+}
+
+double nck_decode_said(const nck_decode_t *self, int letter) {
+    return nck_number_real(word_of(self, letter));
+}
+
 // 1 if a number counts least increments. Where the control leaves it open it does not, and a note
 // says so.
 static int counts_increments(nck_decode_t *self, const nck_number_t *word) {

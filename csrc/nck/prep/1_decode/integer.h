@@ -32,6 +32,12 @@ int nck_decode_increments(const nck_decode_t *self, int letter, int64_t *out);
 // A word in degrees or seconds, whose least increments are thousandths. Cost: linear in its digits.
 double nck_decode_real_word(nck_decode_t *self, int letter);
 
+// How much larger a number is than what it means: 1000 or 10 000 where it counts least increments,
+// else 1. The number as the program says it. Cost: linear in the digits.
+double nck_decode_counts_of(const nck_decode_t *self, const nck_number_t *word);
+double nck_decode_counts(const nck_decode_t *self, int letter);
+double nck_decode_said(const nck_decode_t *self, int letter);
+
 // A word that is no length, as a factor. Without a point what 1 means goes by the control:
 // NCK_E_SCALE_UNIT. Cost: linear in its digits.
 nck_status_t nck_decode_plain_word(nck_decode_t *self, int letter, double *value_out);

@@ -3,7 +3,7 @@
 //
 //     words ─polar─▶ place of the program ─mirror─▶ ─scale─▶ ─turn─▶ + origin = machine position
 #include "nck/prep/1_decode/axis.h" // nck_decode_scale_of
-#include "nck/prep/1_decode/integer.h" // nck_decode_real_word nck_decode_plain_word
+#include "nck/prep/1_decode/integer.h" // nck_decode_real_word nck_decode_said nck_…
 #include "nck/prep/1_decode/parts.h"
 
 #include <string.h> // memcmp memcpy memset
@@ -100,7 +100,9 @@ static nck_status_t read_polar(nck_decode_t *self, int64_t *at_nm) {
         layout->angle = steps ? layout->angle + word : word;
         if (!(nck_fabs(layout->angle) <= degrees_most)) {
             layout->angle = 0.0;
-            return nck_decode_fail_word(self, NCK_E_NUMBER_RANGE, letter, word, degrees_most);
+            return nck_decode_fail_word(self, NCK_E_NUMBER_RANGE, letter,
+                                        nck_decode_said(self, letter),
+                                        degrees_most * nck_decode_counts(self, letter));
         }
     }
     const double whole = 360.0 * nck_floor(layout->angle / 360.0);
@@ -144,11 +146,13 @@ nck_status_t nck_layout_target(nck_decode_t *self, int64_t *target_nm) {
     if (layout->on & NCK_LAYOUT_TURN) turn(self, layout->sine, place);
     for (unsigned axis = 0; axis < 3 && status == NCK_OK; axis++) {
         target_nm[axis] = 0;
-        const double most = (double)nck_decode_scale_of(self, axis)->limit;
+        const nck_scale_t *const scale = nck_decode_scale_of(self, axis);
+        const double most = (double)scale->limit;
         const double far = place[axis] + (double)self->place.origin_nm[axis];
         if (!(nck_fabs(far) <= most)) {
             status = nck_decode_fail(self, NCK_E_NUMBER_RANGE, 0, nck_decode_letter(axis),
-                                     far * 1e-6, most * 1e-6);
+                                     nck_decode_as_word(scale, far),
+                                     nck_decode_as_word(scale, most));
         } else {
             target_nm[axis] = self->place.origin_nm[axis] + rounded(place[axis]);
         }
@@ -259,7 +263,9 @@ static nck_status_t read_factor(nck_decode_t *self, int letter, double *factor_o
     if (status != NCK_OK) return status;
     const double size_of = nck_fabs(*factor_out);
     if (size_of >= 1.0 / factor_most && size_of <= factor_most) return NCK_OK;
-    return nck_decode_fail_word(self, NCK_E_NUMBER_RANGE, letter, *factor_out, factor_most);
+    const double word = nck_decode_said(self, letter);
+    const double most = size_of > 0.0 ? factor_most * nck_fabs(word) / size_of : factor_most;
+    return nck_decode_fail_word(self, NCK_E_NUMBER_RANGE, letter, word, most);
 }
 
 // P for all axes, or I J K; one that is not said is 1.
@@ -329,7 +335,8 @@ static nck_status_t rotate(nck_decode_t *self) {
     if (!has_word(self, 'R')) return fail(self, NCK_E_WORD_MISSING, 'R', 68.0);
     if (self->modal.incremental) return fail(self, NCK_E_INCREMENTAL, 'G', 68.0);
     if (!(nck_fabs(degrees) <= degrees_most)) {
-        return nck_decode_fail_word(self, NCK_E_NUMBER_RANGE, 'R', degrees, degrees_most);
+        return nck_decode_fail_word(self, NCK_E_NUMBER_RANGE, 'R', nck_decode_said(self, 'R'),
+                                    degrees_most * nck_decode_counts(self, 'R'));
     }
     status = read_centre(self, centre_nm);
     if (status != NCK_OK) return status;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Settings that stay in force, and what is not motion: outputs, dwell, stops.
-#include "nck/prep/1_decode/integer.h" // nck_decode_real_word
+#include "nck/prep/1_decode/integer.h" // nck_decode_counts nck_decode_real_word nck_…
 #include "nck/prep/1_decode/parts.h"
 
 #include <stddef.h> // NULL
@@ -77,17 +77,18 @@ static double least_feed(const nck_decode_t *self) {
 
 nck_status_t nck_decode_feed(nck_decode_t *self, nck_block_t *out) {
     const double value = real_word(self, 'F');
-    const double feed = self->modal.feed_mode == NCK_FEED_INVERSE ? value : value * unit_mm(self);
+    const double unit = self->modal.feed_mode == NCK_FEED_INVERSE ? 1.0 : unit_mm(self);
+    const double feed = value * unit;
     (void)out;
     if (self->lathe && self->machine->dialect.feed == NCK_FEED_START_OPEN) {
         nck_decode_assume(self, NCK_NOTE_FEED_MODE);
     }
     if (value < 0.0 || feed > value_max) {
-        return nck_decode_fail_word(self, NCK_E_NUMBER_RANGE, 'F', value, value_max);
+        return nck_decode_fail_word(self, NCK_E_NUMBER_RANGE, 'F', value, value_max / unit);
     }
     const double least = least_feed(self);
     if (feed > 0.0 && feed < least) {
-        return nck_decode_fail_word(self, NCK_E_NUMBER_RANGE, 'F', value, least);
+        return nck_decode_fail_word(self, NCK_E_NUMBER_RANGE, 'F', value, least / unit);
     }
     nck_decode_set_feed(self, feed, value);
     return NCK_EMPTY;
@@ -159,7 +160,10 @@ nck_status_t nck_decode_dwell_word(nck_decode_t *self, char letter, double *dwel
     const double word = counts ? real_word(self, letter) : nck_decode_real_word(self, letter);
     const double dwell_s = counts && millisecond ? word / 1000.0 : word;
     if (!(word >= 0.0 && dwell_s <= dwell_max_s)) {
-        return nck_decode_fail_word(self, NCK_E_NUMBER_RANGE, letter, word, dwell_max_s);
+        const double unit = counts ? (millisecond ? 1000.0 : 1.0)
+                                   : nck_decode_counts(self, letter);
+        return nck_decode_fail_word(self, NCK_E_NUMBER_RANGE, letter,
+                                    nck_decode_said(self, letter), dwell_max_s * unit);
     }
     *dwell_out = dwell_s;
     return NCK_OK;
@@ -220,7 +224,7 @@ nck_status_t nck_decode_path(nck_decode_t *self, nck_block_t *out) {
     if (!p_good || merge < 0.0 || merge > linear_max_mm) {
         const char letter = p_good ? 'Q' : 'P';
         return nck_decode_fail_word(self, NCK_E_NUMBER_RANGE, letter, real_word(self, letter),
-                                    linear_max_mm);
+                                    linear_max_mm / unit_mm(self));
     }
     self->modal.path_mode = NCK_PATH_CONTINUOUS;
     self->modal.tolerance_mm = tolerance;

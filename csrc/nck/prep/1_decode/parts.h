@@ -91,6 +91,13 @@ void nck_decode_write(const nck_decode_t *self, unsigned axis, int64_t value_nm,
 // axis.c: a length [nm] that stands in the line, whatever its letter. NCK_E_NUMBER_RANGE.
 nck_status_t nck_decode_length_word(nck_decode_t *self, char letter, int64_t *value_out);
 
+// axis.c: a value of so many counts as a word of that scale says it. Cost: constant.
+double nck_decode_as_word(const nck_scale_t *scale, double value_nm);
+
+// axis.c: a place of an axis is beyond what it may be, its word counting so many times in it. Told
+// is the word, and the largest that is within; without a word the place. NCK_E_NUMBER_RANGE.
+nck_status_t nck_decode_beyond(nck_decode_t *self, unsigned axis, double at_nm, double times);
+
 // axis.c: count steps on from a machine position of an axis. NCK_E_NUMBER_RANGE. Cost: constant.
 nck_status_t nck_decode_steps(nck_decode_t *self, unsigned axis, int64_t step_nm, int64_t count,
                               int64_t *at_nm);

@@ -2,7 +2,7 @@
 // G74 and G75 of Fanuc's lathes (system C: G76, G77): pecks along Z or along X, row beside row.
 //
 //     start ─1▶ cut ─2▶ back ─1▶ … end of the row ─3▶ out ─4▶ next row … last row ─3▶ out ─5▶ start
-#include "nck/prep/1_decode/integer.h" // nck_decode_increments nck_decode_says_point
+#include "nck/prep/1_decode/integer.h" // nck_decode_increments nck_decode_said nck_…
 #include "nck/prep/1_decode/parts.h"
 
 enum { PHASE_CUT = 1, PHASE_BACK, PHASE_OUT, PHASE_NEXT };
@@ -39,8 +39,7 @@ static nck_status_t read_step(nck_decode_t *self, unsigned k, int64_t *step_out)
     const nck_status_t status = said == other ? nck_decode_length_word(self, said, step_out)
                                               : read_increments(self, said, step_out);
     if (status != NCK_OK || *step_out > 0) return status;
-    return nck_decode_fail_word(self, NCK_E_NUMBER_RANGE, said,
-                                nck_number_real(&self->words.number[said - 'A']), 0.0);
+    return nck_decode_fail_word(self, NCK_E_NUMBER_RANGE, said, nck_decode_said(self, said), 0.0);
 }
 
 // X and Z; what is not said stays: one row, or in it nothing to cut.
@@ -77,7 +76,7 @@ static nck_status_t keep_back(nck_decode_t *self) {
     if (!has(self, 'R')) return fail_missing(self, 'R');
     const nck_status_t status = nck_decode_length_word(self, 'R', &back_nm);
     if (status == NCK_OK && back_nm < 0) {
-        return nck_decode_fail_word(self, NCK_E_NUMBER_RANGE, 'R', (double)back_nm / 1e6, 0.0);
+        return nck_decode_fail_word(self, NCK_E_NUMBER_RANGE, 'R', nck_decode_said(self, 'R'), 0.0);
     }
     if (status == NCK_OK) self->held.peck.back_nm = back_nm;
     return status;

@@ -161,7 +161,8 @@ static nck_status_t set_work(nck_decode_t *self, int64_t list) {
         int64_t value = 0;
         if (!(self->words.axes & ((uint32_t)1 << axis))) continue;
         nck_status_t status = nck_decode_axis_word(self, axis, &value);
-        if (status == NCK_OK && adds) status = nck_decode_steps(self, axis, work[axis], 1, &value);
+        if (adds) value += work[axis];
+        if (status == NCK_OK) status = nck_decode_steps(self, axis, 0, 0, &value);
         if (status != NCK_OK) return status;
         const int64_t here = self->place.position_nm[axis] - self->place.origin_nm[axis];
         work[axis] = list == NCK_LIST_WORK ? value : here + in_force[axis] - value;
@@ -176,7 +177,7 @@ static nck_status_t set_data(nck_decode_t *self) {
     int64_t list = 0;
     if (!(words->letters & NCK_LETTER('L'))) return fail_missing(self, 'L');
     if (!(words->letters & NCK_LETTER('P'))) return fail_missing(self, 'P');
-    if (!nck_number_whole(&words->number['L' - 'A'], 0, &list)) list = -1;
+    if (!nck_number_whole(&words->number['L' - 'A'], 0, &list)) list = 0; // none has that number
     const nck_status_t known = nck_table_lists(self, list);
     if (known != NCK_OK) return known;
     if (list == NCK_LIST_WORK || list == NCK_LIST_WORK_HERE) return set_work(self, list);

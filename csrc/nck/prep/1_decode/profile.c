@@ -2,7 +2,7 @@
 // G70 … G73: their words, in Fanuc's two lines or in one, and in RS274NGC's way.
 #include "nck/prep/1_decode/call.h"
 #include "nck/prep/1_decode/jump.h"
-#include "nck/prep/1_decode/integer.h" // nck_decode_says_point
+#include "nck/prep/1_decode/integer.h" // nck_decode_said nck_decode_says_point
 #include "nck/prep/1_decode/parts.h"
 #include "nck/prep/1_decode/rough.h"
 
@@ -33,7 +33,7 @@ static nck_status_t read_length(nck_decode_t *self, char letter, int64_t least_n
     if (!has(self, letter)) return NCK_OK;
     const nck_status_t status = nck_decode_length_word(self, letter, out);
     if (status != NCK_OK || *out >= least_nm) return status;
-    return fail_range(self, letter, (double)least_nm / 1e6);
+    return fail_range(self, letter, 0.0);
 }
 
 // Fanuc's D counts least increments where it has no point, and who wrote it may have meant lengths.
@@ -239,7 +239,8 @@ static nck_status_t call_contour(nck_decode_t *self) {
     if (status == NCK_OK && code_of(self) != NCK_MOTION_FINISH) status = read_cuts(self);
     if (status == NCK_OK) status = read_start(self);
     if (status == NCK_OK && self->held.rough.spare > 0.0 && !NCK_HAS_COMP) {
-        status = nck_decode_fail_word(self, NCK_E_UNSUPPORTED, 'D', self->held.rough.spare, 0.0);
+        status = nck_decode_fail_word(self, NCK_E_UNSUPPORTED, 'D', nck_decode_said(self, 'D'),
+                                      0.0);
     }
     if (status != NCK_OK) return status;
     self->held.contour.first = (uint64_t)name;

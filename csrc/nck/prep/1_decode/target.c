@@ -24,9 +24,7 @@ nck_status_t nck_decode_target(nck_decode_t *self, int absolute, int64_t *target
         }
         const int64_t limit = nck_decode_scale_of(self, axis)->limit;
         if (value < -limit || value > limit) {
-            return nck_decode_fail_word(self, NCK_E_NUMBER_RANGE, nck_decode_letter(axis),
-                                        nck_decode_shown(self, axis, value),
-                                        nck_decode_shown(self, axis, limit));
+            return nck_decode_beyond(self, axis, (double)value, 1.0);
         }
         target_nm[axis] = value;
     }

@@ -39,15 +39,19 @@ static nck_status_t read_end(nck_decode_t *self) {
     return turn->said & 2u ? NCK_OK : fail_missing(self, 'Z');
 }
 
-// The taper: R; on older controls I of turning, K of facing.
+// The word of the taper: R; on older controls I of turning, K of facing.
+static char taper_letter(const nck_decode_t *self) {
+    const char other = is_turning(self) ? 'I' : 'K';
+    return self->words.letters & NCK_LETTER(other) ? other : 'R';
+}
+
 static nck_status_t read_taper(nck_decode_t *self) {
     const char other = is_turning(self) ? 'I' : 'K';
     const uint32_t both = NCK_LETTER('R') | NCK_LETTER(other);
     const uint32_t said = self->words.letters & both;
     if (said == both) return nck_decode_fail_word(self, NCK_E_WORD_SHARED, other, 0.0, 0.0);
     if (said == 0) return NCK_OK;
-    const char letter = said == NCK_LETTER('R') ? 'R' : other;
-    return nck_decode_length_word(self, letter, &self->held.turn.taper_nm);
+    return nck_decode_length_word(self, taper_letter(self), &self->held.turn.taper_nm);
 }
 
 static nck_status_t check_corner(nck_decode_t *self, int64_t *corner_nm) {
@@ -84,8 +88,10 @@ static nck_status_t check_taper(nck_decode_t *self) {
     const int away = (depth_nm > 0 && begin_nm < 0) || (depth_nm < 0 && begin_nm > 0);
     const int flat = turn->corner_nm[1][1 - in] == turn->start_nm[1 - in];
     if (!away && !(flat && turn->taper_nm != 0)) return NCK_OK;
-    return nck_decode_fail_word(self, NCK_E_NUMBER_RANGE, 'R', (double)turn->taper_nm / 1e6,
-                                (double)-depth_nm / 1e6);
+    const nck_scale_t *const scale = &self->place.scale[0];
+    return nck_decode_fail_word(self, NCK_E_NUMBER_RANGE, taper_letter(self),
+                                nck_decode_as_word(scale, (double)turn->taper_nm),
+                                nck_decode_as_word(scale, (double)-depth_nm));
 }
 
 static nck_status_t begin(nck_decode_t *self) {
