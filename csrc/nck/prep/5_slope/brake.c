@@ -254,18 +254,32 @@ void nck_brake_along(nck_jerk_t *self, const nck_pieces_t *pieces, uint32_t i, d
 
 // ---- raise
 
-// The deceleration must be gone when the cap is met: v − v_cap ≥ a²/(2J), which in steps of the
-// duration q becomes |a| ≤ √((Jq/2)² + 2J·(v − v_cap)) − Jq/2. Near the cap the brake gives way,
-// and vv becomes more. Where the cap of an override is met the brake goes on, so that what is below
-// later caps raises none; a hold's caps are those of its brake.
-static double land_cell(const nck_jerk_t *self, nck_profile_t *state, uint32_t i, double j,
-                        double vv) {
+// A deceleration of x steps that gives way by one step a cell lowers the speed until it is gone by
+// x + (x − 1) + (x − 2) + … = (m + 1)·r + m·(m + 1)/2,  x = m + r, 0 ≤ r < 1, times what a step
+// does in a cell. Returns x that with `more`·x beside it comes to u.
+static double steps_for(double u, double more) {
+    const double b = more + 0.5;
+    const double m = nck_floor(nck_sqrt(b * b + 2.0 * u) - b);
+    return m + (u - m * (more + 0.5 * (m + 1.0))) / (more + m + 1.0);
+}
+
+// The deceleration must be gone when the cap is met: it gives way by J(q + q′)/2 behind this cell,
+// q′ the duration of those behind it, and by Jq′ behind each of these. That they are whole counts
+// where the speed changes in a few: v − v_cap ≥ a²/2J + aq/2, the same with many of one length, has
+// the last one give way by up to J·q/8 more. Near the cap the brake gives way, and vv becomes more.
+// Where the cap of an override is met the brake goes on, so that what is below later caps raises
+// none; a hold's caps are those of its brake.
+static double land_cell(const nck_jerk_t *self, nck_profile_t *state, uint32_t i, double vv) {
     const double v = state->v_last;
-    const double h = self->h[i];
+    const double h = self->h[i], behind = self->h[i + 1];
     const double above = nck_max(0.0, v - nck_sqrt(self->w_cap[i + 1]));
     if (!(self->work.reach > 0.0) && above <= MET_EPSILON * v) return vv;
-    const double step = NCK_BRAKE_SHARE * j * state->share; // J·q/2
-    const double least = step - nck_sqrt(step * step + 2.0 * NCK_BRAKE_SHARE * j * above);
+    const double j = NCK_BRAKE_SHARE * j_of_both(self, i + 1);
+    const double share = nck_hull_share(behind, 2.0 * v, 0.5 * nck_window_q_cap(self));
+    const double first = j * (state->share + share), step = j * 2.0 * share;
+    const double left = above - first * h / v;
+    const double steps = left > 0.0 ? steps_for(left * v / (step * behind), h / behind) : 0.0;
+    const double least = -nck_min(above * v / h, first + step * steps);
     if (state->a_last >= least) return vv;
     state->a_last = least;
     return nck_max(0.0, v * v + 2.0 * least * h);
@@ -338,7 +352,7 @@ nck_status_t nck_brake_raise(nck_jerk_t *self) {
         const double a_max = self->work.eases ? eased[i] : self->a_max[i];
         const double j = j_of_both(self, i);
         const double vv = nck_brake_cell(state, self->h[i], a_max, j, q_cap);
-        const double landed = land_cell(self, state, i, j, vv);
+        const double landed = land_cell(self, state, i, vv);
         const double floor = nck_min(landed, vv_planned);
         if (floor < landed) { // the plan of now brakes harder
             state->a_last = 0.5 * (floor - state->v_last * state->v_last) / self->h[i];
