@@ -254,32 +254,22 @@ void nck_brake_along(nck_jerk_t *self, const nck_pieces_t *pieces, uint32_t i, d
 
 // ---- raise
 
-// A deceleration of x steps that gives way by one step a cell lowers the speed until it is gone by
-// x + (x − 1) + (x − 2) + … = (m + 1)·r + m·(m + 1)/2,  x = m + r, 0 ≤ r < 1, times what a step
-// does in a cell. Returns x that with `more`·x beside it comes to u.
-static double steps_for(double u, double more) {
-    const double b = more + 0.5;
-    const double m = nck_floor(nck_sqrt(b * b + 2.0 * u) - b);
-    return m + (u - m * (more + 0.5 * (m + 1.0))) / (more + m + 1.0);
-}
-
-// The deceleration must be gone when the cap is met: it gives way by J(q + q′)/2 behind this cell,
-// q′ the duration of those behind it, and by Jq′ behind each of these. That they are whole counts
-// where the speed changes in a few: v − v_cap ≥ a²/2J + aq/2, the same with many of one length, has
-// the last one give way by up to J·q/8 more. Near the cap the brake gives way, and vv becomes more.
-// Where the cap of an override is met the brake goes on, so that what is below later caps raises
-// none; a hold's caps are those of its brake.
+// The deceleration must be gone when the cap is met. By rule R it gives way along a line through the
+// middles of the cells, whatever their durations; the mean of a cell is its middle's, so from a
+// cell's begin on it lowers the speed by B²/2J at most, B = |a| + Jq/2 the line's value there:
+//     v − v_cap ≥ (|a| + Jq/2)²/2J.
+// What a cell can do with no more than Jq/2 it does: the next one may be level, or rise. Near the
+// cap the brake gives way, and vv becomes more. Where the cap of an override is met the brake goes
+// on, so that what is below later caps raises none; a hold's caps are those of its brake.
 static double land_cell(const nck_jerk_t *self, nck_profile_t *state, uint32_t i, double vv) {
     const double v = state->v_last;
-    const double h = self->h[i], behind = self->h[i + 1];
+    const double h = self->h[i];
     const double above = nck_max(0.0, v - nck_sqrt(self->w_cap[i + 1]));
     if (!(self->work.reach > 0.0) && above <= MET_EPSILON * v) return vv;
-    const double j = NCK_BRAKE_SHARE * j_of_both(self, i + 1);
-    const double share = nck_hull_share(behind, 2.0 * v, 0.5 * nck_window_q_cap(self));
-    const double first = j * (state->share + share), step = j * 2.0 * share;
-    const double left = above - first * h / v;
-    const double steps = left > 0.0 ? steps_for(left * v / (step * behind), h / behind) : 0.0;
-    const double least = -nck_min(above * v / h, first + step * steps);
+    const double half = NCK_BRAKE_SHARE * j_of_both(self, i + 1) * state->share; // Jq/2
+    const double at_once = above * v / h;
+    const double line = nck_sqrt(4.0 * half * at_once) - half; // J = 2·half/q, q = h/v
+    const double least = -(at_once <= half ? at_once : line);
     if (state->a_last >= least) return vv;
     state->a_last = least;
     return nck_max(0.0, v * v + 2.0 * least * h);
@@ -335,12 +325,38 @@ static int may_raise(const nck_jerk_t *self) {
     return self->work.anew || self->work.from_built || self->work.lowered;
 }
 
+// Where the brake leaves a cap that rises, its deceleration is not gone: caps are lowered to how it
+// gives way, until what is left of it lets the next cell rise as it likes. Else a plan would slow
+// down sooner, and not join. vv: of the brake where cell i ends.
+static void turn_up(nck_jerk_t *self, uint32_t i, double vv) {
+    nck_jerk_turn_t *const turn = &self->work.turn;
+    const nck_profile_t *const state = &self->profile;
+    const double h = self->h[i];
+    const double j = NCK_BRAKE_SHARE * j_of_both(self, i);
+    if (vv >= self->w_cap[i + 1]) {
+        *turn = (nck_jerk_turn_t){nck_sqrt(vv), state->a_last, state->share};
+        return;
+    }
+    if (!(-turn->a > j * turn->share)) return;
+    const double share = nck_hull_share(h, 2.0 * turn->v, 0.5 * nck_window_q_cap(self));
+    turn->a += j * (turn->share + share);
+    turn->share = share;
+    const double vv_turn = turn->v * turn->v + 2.0 * turn->a * h;
+    if (!(vv_turn > vv)) { // it comes to nothing, as the brake does
+        turn->a = 0.0;
+        return;
+    }
+    turn->v = nck_sqrt(vv_turn);
+    self->w_cap[i + 1] = nck_min(self->w_cap[i + 1], vv_turn);
+}
+
 nck_status_t nck_brake_raise(nck_jerk_t *self) {
     nck_profile_t *const state = &self->profile;
     const double *const eased = nck_link_spare(self->link)->number[0];
     const double q_cap = nck_window_q_cap(self);
     if (self->work.i == 0) {
         nck_brake_begin(state, q_cap);
+        self->work.turn.a = 0.0;
         if (state->v > 0.0) self->w_cap[0] = nck_max(self->w_cap[0], state->v * state->v);
         if (!may_raise(self)) return NCK_DONE;
     }
@@ -357,6 +373,7 @@ nck_status_t nck_brake_raise(nck_jerk_t *self) {
         if (floor < landed) { // the plan of now brakes harder
             state->a_last = 0.5 * (floor - state->v_last * state->v_last) / self->h[i];
         }
+        turn_up(self, i, floor);
         self->w_cap[i + 1] = nck_max(self->w_cap[i + 1], floor);
         state->v_last = nck_sqrt(floor);
         self->work.braked += self->h[i];

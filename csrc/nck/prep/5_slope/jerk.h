@@ -15,6 +15,13 @@
 #include "nck/prep/5_slope/plan.h"     // nck_plan_t nck_job_t nck_pieces_t
 #include "nck/prep/5_slope/profile.h"  // nck_profile_t
 
+// How a brake gives way behind the last cap that it has met: in the cell done last.
+typedef struct nck_jerk_turn {
+    double v;     // where that ends [mm/s]
+    double a;     // [mm/s²]; what lets the next cell rise is none any more
+    double share; // half of its duration [s]
+} nck_jerk_turn_t;
+
 // The jerk-limited planner: the plan in work, and the ladder that it stands on.
 typedef NCK_JERK_STATE nck_jerk {
     const nck_machine_t *machine;
@@ -80,6 +87,7 @@ typedef NCK_JERK_STATE nck_jerk {
         uint32_t planned_cell; // brake: cell of that plan …
         double planned_at; // … so much path behind the ladder's begin [mm]
         double braked;     // path that the brake has gone through [mm]
+        nck_jerk_turn_t turn; // brake: where it comes below caps
     } work;
     nck_profile_t profile;
     uint32_t rung_piece[NCK_PROFILE_ROWS]; // where every cell begins
