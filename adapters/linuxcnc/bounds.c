@@ -22,6 +22,12 @@ static double length_of(const double *way) {
     return sqrt(sum);
 }
 
+double bounds_length(const move_t *move) {
+    double way[MOVES_AXES];
+    for (int k = 0; k < MOVES_AXES; k++) way[k] = move->end[k] - move->start[k];
+    return length_of(way);
+}
+
 double bounds_along(const double *limit, const move_t *move) {
     const int round = is_arc(move);
     double way[MOVES_AXES];

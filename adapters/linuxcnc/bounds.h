@@ -21,6 +21,9 @@ typedef struct bounds_most {
     double a; // [mm/s², deg/s²]
 } bounds_most_t;
 
+// Length of a straight move, as its feed is told along it [mm, deg]. Cost: constant. Context: any.
+double bounds_length(const move_t *move);
+
 // What limits of the axes leave to the tool on a move, as LinuxCNC's interpreter reckons: along a
 // line's direction, on an arc the least of X Y Z. Cost: constant. Context: any.
 double bounds_along(const double *limit, const move_t *move);

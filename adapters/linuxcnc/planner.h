@@ -95,6 +95,11 @@ typedef struct planner_told {
     uint32_t steps;    // of preparation in this cycle
 } planner_told_t;
 
+// Two means of a number over the last cycles, the slow one twice as far back: how it changes.
+typedef struct trend {
+    double fast, slow;
+} trend_t;
+
 // How far the kernel is from taking moves.
 typedef enum planner_state {
     PLANNER_READY = 0,
@@ -123,7 +128,8 @@ typedef struct planner {
     uint32_t step;          // of steps, the oldest
     planner_wish_t wish;    // of this cycle
     double rps;             // of the spindle, or as it is commanded, which is more
-    double fast, slow;      // means of its speed over what feeds by it are told for
+    trend_t spins;          // of its speed [1/s]
+    trend_t override;       // of that over what feeds by it are told for
     double turned;          // the same foreseen, times the override of feeds
     planner_wish_t began;   // of when the kernel began on the feeds that it has
     uint32_t fed;           // the last move with a feed that the kernel has

@@ -73,23 +73,64 @@ static double base_of(const planner_t *self, const move_t *move) {
     return move->given / move->feed;
 }
 
-// What an override will have to be when the tool has heard of it, if it is `now` and changes as it
-// did: by the difference of two means. On its way to `end` it does not go beyond.
-static double foreseen(planner_t *self, double now, double end) {
-    self->fast += (now - self->fast) / TREND;
-    self->slow += (now - self->slow) / (2 * TREND);
-    const double then = now + (self->fast - self->slow) * ((double)LATE / TREND);
+// What a number will be when the tool has heard of it, if it is `now` and changes as it did: by the
+// difference of two means.
+static double foreseen(trend_t *trend, double now) {
+    trend->fast += (now - trend->fast) / TREND;
+    trend->slow += (now - trend->slow) / (2 * TREND);
+    return fmax(now + (trend->fast - trend->slow) * ((double)LATE / TREND), 0.0);
+}
+
+// On its way to `end` it does not go beyond.
+static double up_to(double now, double then, double end) {
     if (then > now) return end < now * (1.0 - there) ? then : fmin(then, fmax(end, now));
-    return end > now * (1.0 + there) ? fmax(then, 0.0) : fmax(then, fmin(end, now));
+    return end > now * (1.0 + there) ? then : fmax(then, fmin(end, now));
+}
+
+static int is_fed_line(const planner_t *self, uint32_t count) {
+    const move_t *const move = moves_at((moves_t *)&self->moves, count);
+    return count != self->moves.head && move->kind == MOVE_LINE && move->per_rev;
+}
+
+// The line that the tool is on when it has heard of an override, and X there. It is known as far as
+// lines fed by the revolution follow each other.
+static const move_t *line_then(const planner_t *self, double *x_out) {
+    uint32_t n = current(self);
+    double left = self->told.v * LATE * self->cycle_s;
+    double way = self->told.to_go;
+    *x_out = self->told.place[NCK_AXIS_X];
+    for (; left > way && is_fed_line(self, n + 1); n++) {
+        const move_t *const next = moves_at((moves_t *)&self->moves, n + 1);
+        *x_out = next->start[NCK_AXIS_X];
+        left -= way;
+        way = bounds_length(next);
+    }
+    const move_t *const line = moves_at((moves_t *)&self->moves, n);
+    if (way > 0.0) *x_out += fmin(left / way, 1.0) * (line->end[NCK_AXIS_X] - *x_out);
+    return line;
+}
+
+// The override by which a move is to follow the spindle when the tool has heard of it. A spindle
+// that turns as it is told does so at every place; one that is on its way there changes its speed
+// by itself, and what the feed is told for is known ahead.
+static double follows(planner_t *self, const move_t *move) {
+    const double base = base_of(self, move);
+    const double now = self->wish.rps / base;
+    const double end = told_at(&self->wish, self->told.place[NCK_AXIS_X]) / base;
+    const double then = foreseen(&self->override, now);
+    const double rps = foreseen(&self->spins, self->wish.rps);
+    const int lags = fabs(now - end) > there * end;
+    if (!lags || move->kind != MOVE_LINE) return up_to(now, then, end);
+    double x;
+    const move_t *const line = line_then(self, &x);
+    return up_to(self->wish.rps, rps, told_at(&self->wish, x)) / base_at(self, line, x);
 }
 
 // The override by which the move in work follows the spindle.
 static void measure(planner_t *self) {
     const move_t *const move = moves_at(&self->moves, current(self));
     if (!self->by_turns || !move->per_rev || !(move->given > 0.0)) return;
-    const double base = base_of(self, move);
-    const double end = told_at(&self->wish, self->told.place[NCK_AXIS_X]);
-    self->turned = self->wish.feed * foreseen(self, self->wish.rps / base, end / base);
+    self->turned = self->wish.feed * follows(self, move);
 }
 
 // With it no move that the kernel has is faster than its cap, or than the host wants [ppm]. What
@@ -198,6 +239,7 @@ void rates_bound(planner_t *self, nck_block_in_t *block) {
     move->given = fmax(move->given, block->feed);
     if (!begins) return;
     if (move->per_rev) self->turned = self->wish.feed * self->wish.rps / base_of(self, move);
-    self->fast = self->slow = self->turned;
+    self->override = (trend_t){self->turned, self->turned};
+    self->spins = (trend_t){self->wish.rps, self->wish.rps};
     nck_set_override_ppm(&self->nck, override_of(self, self->moves.next + 1), asked.rapid_ppm);
 }
