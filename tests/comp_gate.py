@@ -1,13 +1,13 @@
 # SPDX-License-Identifier: MIT
 """Contours under radius compensation, searched by seed: is every element cut, or told?
 
-Circles and helices between tangents, laps, pockets, bosses and chains of tangent elements, on both
-sides, in all planes, with 0 to 3 decimals. A program is good if no part of the path is nearer to
-the contour than R − 1 µm, if the path touches every element wherever a disc of R fits, and if
-heights are reached where they are programmed; and, where rs274 takes it, if the path is its own. A
-program that is refused has an element that the path beside it does not fit. All of it under each
-way to begin and to end (dialect.comp_start), and by types A and B the tool comes to the contour and
-goes from it as their equations say, at corners of every kind.
+Circles and helices between tangents, laps, pockets, bosses, open spirals and chains of tangent
+elements, on both sides, in all planes, with 0 to 3 decimals. A program is good if no part of the
+path is nearer to the contour than R − 1 µm, if the path touches every element wherever a disc of R
+fits, and if heights are reached where they are programmed; and, where rs274 takes it, if the path
+is its own. A program that is refused has an element that the path beside it does not fit. All of it
+under each way to begin and to end (dialect.comp_start), and by types A and B the tool comes to the
+contour and goes from it as their equations say, at corners of every kind.
 
     python tests/comp_gate.py --count 300 --seed 1
 """
@@ -409,7 +409,27 @@ def ways(rng):
     return Case(-first, 0j, elements, radius, side, end + last, starts=("A", "B"))
 
 
-FAMILIES = {each.__name__: each for each in (circle, helix, pocket, boss, laps, chain, ways)}
+def winding(rng):
+    """An open spiral of half circles, inwards or outwards: what is beside one lap faces the back of
+    the next, or is clear of it by as little, and the paths beside them do not cross."""
+    radius, sense = float(rng.choice([0.5, 1, 3])), int(rng.choice([-1, 1]))
+    halves = int(rng.integers(3, 7))
+    steps = np.where(rng.random(halves) < 0.3, rng.uniform(0.6, 1.1, halves), 1.3)
+    sizes = radius * (rng.uniform(0.3, 1.7) + np.cumsum(steps))
+    if rng.random() < 0.5:
+        sizes = sizes[::-1]
+    at, ahead, elements = 0j, 1 + 0j, []
+    for size in sizes:
+        hub = at + 1j * sense * size * ahead
+        at, ahead = 2 * hub - at, -ahead
+        elements.append((at, hub, sense, None))
+    side = int(rng.choice([-1, 1]))
+    start, leave = -5 * radius + 0j, at + 5 * radius * ahead
+    return Case(start, 0j, elements, radius, side, leave, must=False)
+
+
+FORMS = (circle, helix, pocket, boss, laps, chain, ways, winding)
+FAMILIES = {each.__name__: each for each in FORMS}
 
 
 def case_of(family, seed):
@@ -422,25 +442,6 @@ def case_of(family, seed):
     case.decimals = int(rng.choice([0, 1, 2, 3, 3] if family == "chain" else [2, 3]))
     case.plane = int(rng.choice([17, 18, 19]))
     return case
-
-
-def elements_of(moves, plane):
-    """Return the elements of rs274's moves in the plane, and how far each turns."""
-    u, v, _ = AXES[plane]
-    elements, at = [], 0j
-    for move in moves:
-        end = complex(move.end[u], move.end[v])
-        if move.kind == "arc":
-            centre = complex(*move.centre)
-            turn = math.copysign(1, move.turns)
-            sweep = turn * (np.angle((end - centre) / (at - centre)) * turn % (2 * math.pi))
-            whole = abs(at - end) < 0.02 * abs(at - centre)  # its own ends of a circle lie apart
-            sweep = turn * 2 * math.pi if whole else sweep
-            elements.append(contours.Element(at, end, centre, sweep))
-        elif abs(end - at) > 1e-4:
-            elements.append(contours.Element(at, end))
-        at = end
-    return elements
 
 
 def differs_from_rs274(case, folder):
@@ -456,7 +457,7 @@ def differs_from_rs274(case, folder):
     if complaint or any(each.severity == "error" for each in program.diagnostics):
         return ""
     ours = [each for _, each, _ in shapes_of(program, case.plane)]
-    theirs = elements_of(moves, case.plane)
+    theirs = rs274_oracle.elements_of(moves, AXES[case.plane])
     for one, other in ((ours, theirs), (theirs, ours)):
         points = np.concatenate([samples(each, 30) for each in one if length(each) > 1e-9])
         away = nearest(other, points).max()

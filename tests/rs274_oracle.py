@@ -10,6 +10,7 @@ import re
 import subprocess
 from dataclasses import dataclass, replace
 
+import contours
 import numpy as np
 
 from pycnc.kernel.bind import lib
@@ -284,3 +285,22 @@ def difference(ours, theirs):
         else:
             return equal, f"line {a.line}: {a} is not {b}"
     return equal, ""
+
+
+def elements_of(moves, axes):
+    """Return the elements of rs274's moves in the plane of two axes, and how far each turns."""
+    u, v, _ = axes
+    elements, at = [], 0j
+    for move in moves:
+        end = complex(move.end[u], move.end[v])
+        if move.kind == "arc":
+            centre = complex(*move.centre)
+            turn = math.copysign(1, move.turns)
+            sweep = turn * (np.angle((end - centre) / (at - centre)) * turn % (2 * math.pi))
+            whole = abs(at - end) < 0.02 * abs(at - centre)  # its own ends of a circle lie apart
+            sweep = turn * 2 * math.pi if whole else sweep
+            elements.append(contours.Element(at, end, centre, sweep))
+        elif abs(end - at) > 1e-4:
+            elements.append(contours.Element(at, end))
+        at = end
+    return elements

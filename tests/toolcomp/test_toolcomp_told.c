@@ -103,8 +103,7 @@ static const told_row_t inside_rows[] = {
      " ?4:0 comp-left 1.93089328/6; 4 arc X21 Y12.828427 G17 about 20 10 by -19.4712;"
      " 7 arc X22 Y13 G17 about 22 10 by -19.4712; 7 line X40; 8 line Y0"},
     {"G41.1 D4 F100\nG1 X0 Y10\nX20\nY20\nX0\nY11\nG40 X-10\n",
-     "2 line X-2 Y10 F100; 3 arc X0 Y12 G17 about 0 10 by -90; !3:0 comp-gouge 2/6;"
-     " 7 line X-10 Y11"},
+     "2 line X-2 Y10 F100; !3:0 comp-gouge 2/6; 7 line X-10 Y11"},
     {"G42.1 D4 F100\nG1 Y10\nX20\nY-10\nX-20\nY10\nX-5\nG40 Y30\n",
      "2 line X2 Y8 F100; 3 line X18; 4 line Y-8; 5 line X-18; 6 line Y8; 7 line X-5; 8 line Y30"},
     {"G41.1 D4 F100\nG1 Y10\nX20\nY-10\nX-20\nY10\nX5\nG40 Y30\n",
@@ -168,7 +167,7 @@ static const told_row_t inside_rows[] = {
      "2 line X-2 Y10 F100; 3 arc X0 Y12 G17 about 0 10 by -90; 3 line X28; 4 line Y18;"
      " 5 line X12; 6 line Y0; 7 line X0"},
     {"G41.1 D4 F100\nG1 Y10\nX30\nY13\nX0\nG40 X0\n",
-     "2 line X-2 Y10 F100; 3 arc X0 Y12 G17 about 0 10 by -90; !3:0 comp-gouge 1/5; 6 line"},
+     "2 line X-2 Y10 F100; !3:0 comp-gouge 1/5; 6 line"},
     {"G41.1 D4 F100\nG1 Y10\nX20\nY20\nX19\nY30\nX40\nG40 Y50\n",
      "2 line X-2 Y10 F100; 3 arc X0 Y12 G17 about 0 10 by -90; 3 line X18;"
      " ?5:0 comp-left 0.645751311/5; 4 line Y18.267949; 6 arc X17 Y20 G17 about 19 20 by -60;"

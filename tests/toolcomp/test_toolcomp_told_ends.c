@@ -105,9 +105,8 @@ static const told_row_t inside2_rows[] = {
      "2 line X-2 Y20 F100; 3 arc X0 Y22 G17 about 0 20 by -90; 3 line X38; 4 line Y22.1;"
      " 5 line X-20; 6 line Y0"},
     {"G41.1 D4 F100\nG1 X0 Y20\nX40\nY30\nX20\nY22\nX10\nY40\nG40 Y50\n",
-     "2 line X-2 Y20 F100; 3 arc X0 Y22 G17 about 0 20 by -90; 3 line X38; 4 line Y28;"
-     " 5 line X22; 6 line Y22; 7 arc X20 Y20 G17 about 20 22 by -90; 7 line X10;"
-     " 8 arc X8 Y22 G17 about 10 22 by -90; 8 line Y40; 9 line X10 Y50"},
+     "2 line X-2 Y20 F100; 3 arc X0 Y22 G17 about 0 20 by -90; !3:0 comp-gouge 2/6;"
+     " 9 line X10 Y50"},
     {"G42.1 D4 F100\nG1 X0 Y20\nX40\nY30\nX20\nY10\nG40 X10\n",
      "2 line X2 Y18 F100; 3 line X40; 4 arc X42 Y20 G17 about 40 20 by 90; 4 line Y30;"
      " 5 arc X40 Y32 G17 about 40 30 by 90; 5 line X20; 6 arc X18 Y30 G17 about 20 30 by 90;"
@@ -142,6 +141,29 @@ static const told_row_t inside2_rows[] = {
      " 3 arc X-1.925307 Y18.663196 G17 about 10 20 by -176.802;"
      " 3 arc X21.83216 Y22 G17 about 10 20 by -176.802; 4 line X40 F3; 5 line Y0 F1"},
 };
+
+// The path of line 3 is at Y22, and faces the back of a contour further on: the paths beside them
+// do not cross. A corner at Y23.5, and an arc whose middle is there, are 0.5 mm too near.
+static const told_row_t back_rows[] = {
+    {"G41.1 D4 F100\nG1 X0 Y20\nX60\nY60\nX20\nY23.5\nX40\nG40 Y50\n",
+     "2 line X-2 Y20 F100; 3 arc X0 Y22 G17 about 0 20 by -90; !3:0 comp-gouge 0.5/6;"
+     " 8 line X40 Y50"},
+    {"G41.1 D4 F100\nG1 X0 Y20\nX60\nY60\nX20\nY24\nX40\nG40 Y50\n",
+     "2 line X-2 Y20 F100; 3 arc X0 Y22 G17 about 0 20 by -90; 3 line X58; 4 line Y58;"
+     " 5 line X22; 6 line Y26; 7 line X40; 8 line Y50"},
+    {"G41.1 D4 F100\nG1 X0 Y20\nX60\nY60\nX20\nY33.5\nG3 X40 I10\nG40 G1 Y50\n",
+     "2 line X-2 Y20 F100; 3 arc X0 Y22 G17 about 0 20 by -90; !3:0 comp-gouge 0.5/7;"
+     " 8 line X40 Y50"},
+    {"G41.1 D4 F100\nG1 X0 Y20\nX60\nY60\nX20\nY34\nG3 X40 I10\nG40 G1 Y50\n",
+     "2 line X-2 Y20 F100; 3 arc X0 Y22 G17 about 0 20 by -90; 3 line X58; 4 line Y58;"
+     " 5 line X22; 6 line Y34; 7 arc X38 G17 about 30 34 by 180; 8 line X40 Y50"},
+};
+
+static void a_path_keeps_off_the_back_of_a_contour(check_t *check) {
+    told_begin(&self, NCK_DIALECT_LINUXCNC);
+    self.compensates = 1;
+    TOLD(check, &self, back_rows);
+}
 
 static void narrow_contours_are_cut_left_out_or_refused(check_t *check) {
     told_begin(&self, NCK_DIALECT_LINUXCNC);
@@ -256,6 +278,7 @@ int main(void) {
     CHECK_RUN(&check, no_part_of_the_path_leaves_the_travel);
     CHECK_RUN(&check, narrow_contours_are_cut_left_out_or_refused);
     CHECK_RUN(&check, what_stands_between_contours_is_executed_there);
+    CHECK_RUN(&check, a_path_keeps_off_the_back_of_a_contour);
     CHECK_RUN(&check, a_nose_goes_beside_the_contour);
     return check_end(&check);
 }

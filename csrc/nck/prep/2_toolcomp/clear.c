@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
-// Does the path cross itself? It may where the contour crosses or touches itself: laps, what leads
-// in and out. Elsewhere two parts of the contour face each other, nearer than the tool is wide.
+// Does the path cross itself, or come too near to a contour? It may where the contour crosses or
+// touches itself: laps, what leads in and out. Elsewhere two parts of the contour face each other,
+// nearer than the tool is wide, or one is too near to the back of the other.
 #include "nck/prep/2_toolcomp/parts.h"
 
-#include "nck/base/real.h" // nck_min nck_max nck_fabs
+#include "nck/base/arc_math.h" // NCK_PI
+#include "nck/base/real.h"     // nck_min nck_max nck_fabs
 
 enum { PLACES = 8 }; // of a piece are looked at
 #define NEAR 4.0  // radii of contour about a place: what is met there explains what the path meets
@@ -51,6 +53,7 @@ static int do_meet(nck_toolcomp_t *self, uint32_t first, uint32_t second) {
     const nck_shape_t *const a = &nck_comp_at(self, first)->contour;
     const nck_shape_t *const b = &nck_comp_at(self, second)->contour;
     nck_meeting_t at[2];
+    if (nck_shape_are_far(a, b, NCK_COMP_CLOSE)) return 0;
     if (is_at(a, b->q) || is_at(b, a->p)) return 1;
     if (nck_comp_next(self, first) == second) return 0;
     return nck_shape_cross(a, b, at) > 0 || is_at(a, b->p) || is_at(b, a->q);
@@ -137,52 +140,111 @@ static nck_status_t fail(nck_toolcomp_t *self, const nck_shape_t *shape, uint32_
                          (double)nck_comp_at(self, depth.other)->block.line);
 }
 
-// Where the path begins, and where it ends, no crossing tells that the tool is in a contour, or
-// that it passes where the contour begins or ends.
-static int is_near(nck_toolcomp_t *self, const nck_comp_piece_t *piece, const double *contour_end,
-                   const double *path_end) {
-    const double near = self->radius - NCK_COMP_CLOSE;
-    nck_shape_t path;
-    on_path(self, piece, &path);
-    return nck_shape_distance(&path, contour_end) < near
-           || nck_shape_distance(&nck_comp_at(self, piece->of)->contour, path_end) < near;
+// Does a contour that comes back to itself begin anew between two places, or next to them?
+static int begins_anew(nck_toolcomp_t *self, const window_t *a, const window_t *b) {
+    const int ahead = a->from - self->ring.tail < b->from - self->ring.tail;
+    const uint32_t until = ahead ? b->until : a->until;
+    for (uint32_t m = ahead ? a->from : b->from; m != until; m++) {
+        if (nck_comp_at(self, m)->anew) return 1;
+    }
+    return 0;
 }
 
-// The piece in work is the first one, and the contour is all there: if it meets itself nowhere, are
-// its ends clear of it?
-static nck_status_t hold_ends(nck_toolcomp_t *self, const nck_shape_t *shape) {
-    const nck_comp_entry_t *const first = nck_comp_at(self, self->walk.piece.of);
-    const nck_comp_entry_t *const last = nck_comp_at(self, self->last.count);
-    const window_t all = {self->walk.piece.of, self->ring.head};
-    nck_comp_piece_t piece;
-    nck_shape_t end;
-    nck_comp_piece(self, self->last.count, NCK_COMP_BESIDE, &piece);
-    on_path(self, &piece, &end);
-    piece = self->walk.piece;
-    do {
-        const int ends[2] = {
-            piece.of != self->walk.piece.of && is_near(self, &piece, first->contour.p, shape->p),
-            piece.of != self->last.count && is_near(self, &piece, last->contour.q, end.q)
-        };
-        if (!ends[0] && !ends[1]) continue;
-        if (meets(self, &all, &all)) return NCK_OK;
-        return fail(self, shape, ends[0] ? piece.of : self->last.count);
-    } while (nck_comp_following(self, &piece, &piece));
-    return NCK_OK;
+// A stretch of the path and a contour that it is not beside: how deep is the tool in it [mm]?
+// anew: 1: it is too near, but they are of two laps.
+static double depth_in(nck_toolcomp_t *self, const nck_comp_piece_t *piece,
+                       const nck_shape_t *shape, uint32_t contour, int *anew) {
+    const nck_comp_entry_t *const of = nck_comp_at(self, piece->of);
+    const nck_comp_entry_t *const other = nck_comp_at(self, contour);
+    nck_approach_t at;
+    if (nck_shape_are_far(shape, &other->contour, self->radius)) return 0.0;
+    nck_shape_approach(shape, &other->contour, &at);
+    if (!(self->radius - at.gap > NCK_COMP_CLOSE)) return 0.0;
+    const double along = of->path[piece->part].from + at.on_a;
+    const window_t a = window_about(self, piece->of, place_of(self, piece, along));
+    const window_t b = window_about(self, contour, other->s + at.on_b);
+    *anew = begins_anew(self, &a, &b);
+    return *anew ? 0.0 : self->radius - at.gap;
+}
+
+// Note how deep the tool is beside an entry, unless one before it, or that one deeper, is noted.
+static void note_deep(nck_toolcomp_t *self, uint32_t count, double depth) {
+    const uint32_t ahead = self->deep.of - self->ring.tail;
+    const uint32_t own = count - self->ring.tail;
+    const int waits = self->deep.most > 0.0 && ahead < self->ring.head - self->ring.tail;
+    if (waits && (ahead < own || (ahead == own && self->deep.most >= depth))) return;
+    self->deep.most = depth;
+    self->deep.of = count;
+    self->deep.line = nck_comp_at(self, self->walk.piece.of)->block.line;
+}
+
+// What the path has beside a contour further on may be too near to that of the piece in work, which
+// is gone from the ring by then.
+static void hold_back(nck_toolcomp_t *self, uint32_t count, int *anew) {
+    for (int part = 0; part < NCK_COMP_PARTS && !*anew; part++) {
+        nck_comp_piece_t piece;
+        nck_shape_t shape;
+        if (!nck_comp_at(self, count)->path[part].on) continue;
+        nck_comp_piece(self, count, (nck_comp_part_t)part, &piece);
+        on_path(self, &piece, &shape);
+        const double depth = depth_in(self, &piece, &shape, self->walk.piece.of, anew);
+        if (depth > 0.0) note_deep(self, count, depth);
+    }
+}
+
+int nck_comp_is_anew(nck_toolcomp_t *self, uint32_t count) {
+    const nck_shape_t *const contour = &nck_comp_at(self, count)->contour;
+    const double turn = 2.0 * NCK_PI * contour->radius;
+    if (turn > 0.0 && contour->length > turn - NCK_COMP_CLOSE) return 1;
+    for (uint32_t m = self->ring.tail; m != count; m++) {
+        const nck_comp_entry_t *const entry = nck_comp_at(self, m);
+        if (entry->moves && !entry->enters && do_meet(self, m, count)) return 1;
+    }
+    return 0;
+}
+
+// Is the piece in work held against the contours? A way to the contour and a rapid are not, nor is
+// what a rapid swings about.
+static int is_held(nck_toolcomp_t *self) {
+    const nck_comp_piece_t *const piece = &self->walk.piece;
+    const nck_comp_entry_t *const entry = nck_comp_at(self, piece->of);
+    const int swings = entry->clear && piece->part == NCK_COMP_ABOUT;
+    return !entry->rapid && !entry->enters && !swings;
 }
 
 nck_status_t nck_comp_hold(nck_toolcomp_t *self) {
     nck_comp_piece_t other;
     nck_shape_t shape;
+    if (!is_held(self)) return NCK_OK;
     other = self->walk.piece;
-    const nck_comp_entry_t *const entry = nck_comp_at(self, other.of);
-    const int swings = entry->clear && other.part == NCK_COMP_ABOUT;
-    if (entry->rapid || entry->enters || swings) return NCK_OK;
     on_path(self, &self->walk.piece, &shape);
     while (nck_comp_following(self, &other, &other)) {
         if (nck_comp_at(self, other.of)->rapid) return NCK_OK;
         if (is_fault(self, &shape, &other)) return fail(self, &shape, other.of);
     }
-    const int whole = entry->first && self->closed && self->walk.piece.part == NCK_COMP_BESIDE;
-    return whole ? hold_ends(self, &shape) : NCK_OK;
+    return NCK_OK;
+}
+
+nck_status_t nck_comp_keep_off(nck_toolcomp_t *self) {
+    const nck_comp_piece_t *const piece = &self->walk.piece;
+    const nck_comp_entry_t *const entry = nck_comp_at(self, piece->of);
+    double depth = self->deep.of == piece->of ? self->deep.most : 0.0;
+    uint32_t line = self->deep.line;
+    nck_shape_t shape;
+    int anew = 0;
+    if (!is_held(self)) return NCK_OK;
+    on_path(self, piece, &shape);
+    for (uint32_t m = nck_comp_next(self, piece->of); m != self->ring.head && !anew;
+         m = nck_comp_next(self, m)) {
+        const nck_comp_entry_t *const other = nck_comp_at(self, m);
+        if (other->rapid || other->leaves) break;
+        const double deep = depth_in(self, piece, &shape, m, &anew);
+        if (deep > depth) {
+            depth = deep;
+            line = other->block.line;
+        }
+        hold_back(self, m, &anew);
+    }
+    if (!(depth > 0.0)) return NCK_OK;
+    return nck_comp_fail(self, NCK_E_COMP_GOUGE, entry->block.line, depth, (double)line);
 }

@@ -134,6 +134,7 @@ nck_status_t nck_comp_take(nck_toolcomp_t *self, const nck_block_t *block) {
         if (status != NCK_EMPTY) return status;
         self->phase = NCK_COMP_ON;
         self->s += entry->contour.length;
+        entry->anew = (uint8_t)nck_comp_is_anew(self, self->ring.head);
     }
     self->ring.head++;
     assert(self->ring.head - self->ring.tail <= NCK_COMP_ROWS);

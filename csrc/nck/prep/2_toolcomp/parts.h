@@ -69,9 +69,17 @@ void nck_comp_join(nck_toolcomp_t *self, uint32_t count, int follows);
 // quadratic in the ring.
 nck_status_t nck_comp_judge(nck_toolcomp_t *self);
 
+// clear.c: does the contour of an entry come back to itself, or to one before it? Cost: linear in
+// the ring.
+int nck_comp_is_anew(nck_toolcomp_t *self, uint32_t count);
+
 // clear.c: does the path cross the piece in work further on, where the contour does not cross
 // itself? NCK_E_COMP_GOUGE. Cost: linear in the ring, quadratic where it does.
 nck_status_t nck_comp_hold(nck_toolcomp_t *self);
+
+// clear.c: is the piece in work nearer to a contour than the tool's radius, where the contour does
+// not begin anew between them? NCK_E_COMP_GOUGE. Cost: linear in the ring.
+nck_status_t nck_comp_keep_off(nck_toolcomp_t *self);
 
 // give.c: the block for the next stretch of the piece in work. NCK_OK, NCK_EMPTY (it has no
 // length), NCK_E_TRAVEL. Cost: constant.

@@ -230,3 +230,48 @@ unsigned nck_shape_cross(const nck_shape_t *a, const nck_shape_t *b, nck_meeting
     if (a_bends || b_bends) return line_with_arc(a, b, a_bends, out);
     return line_with_line(a, b, out);
 }
+
+// The middle of a circle about a shape. Returns its radius.
+static double circle_about(const nck_shape_t *self, double *middle) {
+    const int bends = self->radius > 0.0;
+    for (unsigned k = 0; k < 2; k++) {
+        middle[k] = bends ? self->c[k] : 0.5 * (self->p[k] + self->q[k]);
+    }
+    return bends ? self->radius : 0.5 * self->length;
+}
+
+int nck_shape_are_far(const nck_shape_t *a, const nck_shape_t *b, double distance) {
+    double middle[2][2];
+    const double reach = circle_about(a, middle[0]) + circle_about(b, middle[1]) + distance;
+    const double between[2] = {middle[1][0] - middle[0][0], middle[1][1] - middle[0][1]};
+    return inner(between, between) > reach * reach;
+}
+
+// How far along the shape's nearest point to this one is.
+static double nearest(const nck_shape_t *self, const double *point) {
+    const double along = nck_shape_along(self, point);
+    double arm[2];
+    if (along >= 0.0 && along <= self->length) return along;
+    return way(self->p, point, arm) < way(self->q, point, arm) ? 0.0 : self->length;
+}
+
+// From the ends of one shape, and from its point nearest to an arc's centre, to the other one: two
+// circles that do not cross are nearest on the line through their centres.
+static void approach_from(const nck_shape_t *a, const nck_shape_t *b, nck_approach_t *out) {
+    const double on_a[3] = {0.0, a->length, b->radius > 0.0 ? nearest(a, b->c) : 0.0};
+    for (unsigned k = 0; k < 3; k++) {
+        double point[2];
+        nck_shape_point(a, on_a[k], point);
+        const double gap = nck_shape_distance(b, point);
+        if (k == 0 || gap < out->gap) *out = (nck_approach_t){gap, on_a[k], nearest(b, point)};
+    }
+}
+
+void nck_shape_approach(const nck_shape_t *a, const nck_shape_t *b, nck_approach_t *out) {
+    nck_meeting_t at[2];
+    nck_approach_t back;
+    approach_from(a, b, out);
+    approach_from(b, a, &back);
+    if (back.gap < out->gap) *out = (nck_approach_t){back.gap, back.on_b, back.on_a};
+    if (nck_shape_cross(a, b, at) > 0) *out = (nck_approach_t){0.0, at[0].on_a, at[0].on_b};
+}

@@ -19,6 +19,13 @@ typedef struct nck_meeting {
     double on_b;
 } nck_meeting_t;
 
+// Where two shapes are nearest to each other.
+typedef struct nck_approach {
+    double gap;  // between them there
+    double on_a; // how far along either it is
+    double on_b;
+} nck_approach_t;
+
 // The line from p to q. Cost: constant.
 void nck_shape_line(const double *p, const double *q, nck_shape_t *out);
 
@@ -46,5 +53,12 @@ int nck_shape_parallel(const nck_shape_t *self, double left, nck_shape_t *out);
 // Where two shapes cross: 0 … 2 places. Of an arc of more than a turn: a's last turn, b's first.
 // Parallel and touching shapes do not cross. Cost: constant.
 unsigned nck_shape_cross(const nck_shape_t *a, const nck_shape_t *b, nck_meeting_t *out);
+
+// 1 if the shapes, by circles about them, are further apart than a distance for certain. Cost:
+// constant.
+int nck_shape_are_far(const nck_shape_t *a, const nck_shape_t *b, double distance);
+
+// Where two shapes are nearest to each other. Cost: constant.
+void nck_shape_approach(const nck_shape_t *a, const nck_shape_t *b, nck_approach_t *out);
 
 #endif

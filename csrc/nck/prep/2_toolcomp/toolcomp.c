@@ -114,8 +114,9 @@ static void open_piece(nck_toolcomp_t *self, nck_comp_part_t part) {
 
 static nck_status_t plan_piece(nck_toolcomp_t *self) {
     self->walk.planned = 1;
-    const nck_status_t status = nck_comp_hold(self);
-    return status == NCK_OK ? nck_comp_judge(self) : status;
+    nck_status_t status = nck_comp_hold(self);
+    if (status == NCK_OK) status = nck_comp_judge(self);
+    return status == NCK_OK ? nck_comp_keep_off(self) : status;
 }
 
 // The entry at the tail: a block without contour is given, the next piece of a contour is opened.

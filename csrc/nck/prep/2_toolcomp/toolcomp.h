@@ -41,7 +41,8 @@ typedef NCK_COMP_STATE nck_comp_entry {
     uint8_t first;       // 1: the first contour behind it
     uint8_t clear;       // 1: it came by a rapid, so that the arc to its side cuts nothing either
     uint8_t leaves;      // 1: the move behind G40, with an arc about the contour's end before it
-    uint8_t reserved[2]; // 0
+    uint8_t anew;        // 1: the contour comes back to itself here
+    uint8_t reserved[1]; // 0
 } nck_comp_entry_t;
 
 // How far compensation is.
@@ -100,6 +101,13 @@ typedef struct nck_toolcomp {
         double until;        // where the path leaves it [mm]
         nck_comp_piece_t piece;
     } walk;
+
+    // The next entry whose path is too near to a contour before it, which is done with by then.
+    NCK_COMP_STATE {
+        double most;   // so deep is the tool in it [mm]; 0: there is none
+        uint32_t of;   // count of the entry
+        uint32_t line; // of the contour before
+    } deep;
 
     struct {
         uint32_t head; // blocks taken
