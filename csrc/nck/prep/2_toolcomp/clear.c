@@ -212,15 +212,34 @@ static int is_held(nck_toolcomp_t *self) {
     return !entry->rapid && !entry->enters && !swings;
 }
 
+// Are two contours so far apart that what runs beside one, at R from it, keeps off from the other
+// one, and from what runs beside that?
+static int are_apart(nck_toolcomp_t *self, uint32_t first, uint32_t second) {
+    return nck_shape_are_far(&nck_comp_at(self, first)->contour,
+                             &nck_comp_at(self, second)->contour, 2.0 * self->radius);
+}
+
+// Is the piece in work at fault with what the path has of an entry, from a part of it on?
+static int crosses(nck_toolcomp_t *self, const nck_shape_t *shape, uint32_t count, int part) {
+    for (; part < NCK_COMP_PARTS; part++) {
+        nck_comp_piece_t other;
+        if (!nck_comp_at(self, count)->path[part].on) continue;
+        nck_comp_piece(self, count, (nck_comp_part_t)part, &other);
+        if (is_fault(self, shape, &other)) return 1;
+    }
+    return 0;
+}
+
 nck_status_t nck_comp_hold(nck_toolcomp_t *self) {
-    nck_comp_piece_t other;
+    const uint32_t of = self->walk.piece.of;
+    int part = self->walk.piece.part + 1;
     nck_shape_t shape;
     if (!is_held(self)) return NCK_OK;
-    other = self->walk.piece;
     on_path(self, &self->walk.piece, &shape);
-    while (nck_comp_following(self, &other, &other)) {
-        if (nck_comp_at(self, other.of)->rapid) return NCK_OK;
-        if (is_fault(self, &shape, &other)) return fail(self, &shape, other.of);
+    for (uint32_t m = of; m != self->ring.head; m = nck_comp_next(self, m)) {
+        if (nck_comp_at(self, m)->rapid) return NCK_OK;
+        if (!are_apart(self, of, m) && crosses(self, &shape, m, part)) return fail(self, &shape, m);
+        part = 0;
     }
     return NCK_OK;
 }
@@ -238,6 +257,7 @@ nck_status_t nck_comp_keep_off(nck_toolcomp_t *self) {
          m = nck_comp_next(self, m)) {
         const nck_comp_entry_t *const other = nck_comp_at(self, m);
         if (other->rapid || other->leaves) break;
+        if (are_apart(self, piece->of, m)) continue;
         const double deep = depth_in(self, piece, &shape, m, &anew);
         if (deep > depth) {
             depth = deep;
