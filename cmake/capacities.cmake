@@ -35,7 +35,8 @@ foreach(name IN ITEMS argument bits block_in call comp contour control corner cy
         turn variables)
     list(APPEND NCK_RARE_SOURCES prep/1_decode/${name})
 endforeach()
-foreach(name IN ITEMS clear contour entry give join judge pieces ring shape toolcomp)
+foreach(name IN ITEMS clear contour entry give join judge level pieces ring shape toolcomp
+        way)
     list(APPEND NCK_RARE_SOURCES prep/2_toolcomp/${name})
 endforeach()
 list(TRANSFORM NCK_RARE_SOURCES

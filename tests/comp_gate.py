@@ -1,28 +1,31 @@
 # SPDX-License-Identifier: MIT
 """Contours under radius compensation, searched by seed: is every element cut, or told?
 
-Circles and helices between tangents, laps, pockets, bosses, open spirals and chains of tangent
-elements, on both sides, in all planes, with 0 to 3 decimals. A program is good if no part of the
-path is nearer to the contour than R − 1 µm, if the path touches every element wherever a disc of R
-fits, and if heights are reached where they are programmed; and, where rs274 takes it, if the path
-is its own. A program that is refused has an element that the path beside it does not fit. All of it
-under each way to begin and to end (dialect.comp_start), and by types A and B the tool comes to the
-contour and goes from it as their equations say, at corners of every kind.
+Circles and helices between tangents, laps, pockets, bosses, open spirals, level and on a ramp, and
+chains of tangent elements, on both sides, in all planes, with 0 to 3 decimals. A program is good if
+no part of the path is nearer to the contour than R − 1 µm, if the path touches every element
+wherever a disc of R fits, and if heights are reached where they are programmed; and, where rs274
+takes it, if the path is its own. In G17 the tool stands upright: it passes above what lies lower. A
+program that is refused has an element that the path beside it does not fit, or a way to the contour
+or from it that is in the contour further than R from where it begins or ends. All of it under each
+way to begin and to end (dialect.comp_start), and by types A and B the tool comes to the contour and
+goes from it as their equations say, at corners of every kind. How deep it is there is told.
 
     python tests/comp_gate.py --count 300 --seed 1
 """
 
 import argparse
 import math
+import re
 import sys
 import tempfile
 from collections import Counter
-from dataclasses import dataclass, field
 from pathlib import Path
 
 import contours
 import numpy as np
 import rs274_oracle
+from comp_families import FAMILIES, STARTS, case_of, text_of
 
 from pycnc.kernel.bind import lib
 from pycnc.machine import Machine
@@ -31,63 +34,9 @@ from pycnc.program import Program
 NEAR = 1e-3  # [mm] so much nearer than R is too near
 SHORT = 1e-4  # [mm] shorter arcs about a corner are none
 FREE = tuple(f"axis.{axis}.{end}_mm=free" for axis in "xyz" for end in ("min", "max"))
-STARTS = ("rs274", "A", "B")
 OPEN = Machine.load("mill3", set=(*FREE, "path.arc_radius_mm=0.05"))
 MACHINES = {start: Machine.load(OPEN, set=[f"dialect.comp_start={start}"]) for start in STARTS}
-LETTERS = {17: "XYIJZ", 18: "ZXKIY", 19: "YZJKX"}
 AXES = {17: (0, 1, 2), 18: (2, 0, 1), 19: (1, 2, 0)}
-
-
-@dataclass
-class Case:
-    """A program along elements: (end, centre or None, sense, height or None) each.
-
-    walls: of each element the ones that its path keeps off from; leads: those that lead in and out.
-    """
-
-    start: complex
-    entry: complex
-    elements: list
-    radius: float
-    side: int
-    leave: complex
-    decimals: int = 3
-    plane: int = 17
-    parts: list = field(default_factory=list)  # of each element; −1: it leads in or out
-    must: bool = True  # it fits: refused is wrong
-    starts: tuple = STARTS  # the ways to begin that it is meant for
-
-
-def number(value, decimals):
-    """Return a coordinate as it is written."""
-    return f"{round(value, decimals) + 0.0:.{decimals}f}"
-
-
-def text_of(case, compensated=True):
-    """Return the program; its entry is line 5, its elements follow."""
-    x, y, i, j, z = LETTERS[case.plane]
-    digits = case.decimals
-
-    def place(point):
-        return f"{x}{number(point.real, digits)} {y}{number(point.imag, digits)}"
-
-    code = "G41.1" if case.side > 0 else "G42.1"
-    lines = [f"G21 G90 G91.1 G{case.plane} G94 G61", "F1000", f"G0 {place(case.start)} {z}0"]
-    lines.append(f"{code} D{2 * case.radius:.6f}" if compensated else "G4 P0")
-    lines.append(f"G1 {place(case.entry)}")
-    at = case.entry
-    for end, centre, sense, height in case.elements:
-        up = "" if height is None else f" {z}{number(height, digits)}"
-        if centre is None:
-            lines.append(f"G1 {place(end)}{up}")
-        else:
-            at = complex(round(at.real, digits), round(at.imag, digits))
-            way = centre - at
-            arm = f"{i}{number(way.real, digits)} {j}{number(way.imag, digits)}"
-            lines.append(f"G{3 if sense > 0 else 2} {place(end)}{up} {arm}")
-        at = end
-    lines.append(("G40 " if compensated else "") + f"G1 {place(case.leave)}")
-    return "\n".join([*lines, "M2", ""])
 
 
 def shapes_of(program, plane):
@@ -117,6 +66,37 @@ def length(element):
     if element.sweep:
         return abs(element.sweep) * abs(element.start - element.centre)
     return abs(element.end - element.start)
+
+
+def levels(rows, case, lines):
+    """Return the elements of lines that have a length, and the heights of their ends: where the
+    tool does not stand upright on the plane, all are of one."""
+    found, at = [], 0.0
+    for line, each, height in rows:
+        if line in lines and length(each) > 1e-9:
+            found.append((each, at, height) if case.plane == 17 else (each, 0.0, 0.0))
+        at = height
+    return found
+
+
+def places(elements, step):
+    """Return points of elements with heights, and how high each is."""
+    points, heights = [], []
+    for each, begin, end in elements:
+        q = np.linspace(0, 1, 3 + int(length(each) / step))
+        points.append(each.points(q))
+        heights.append(begin + (end - begin) * q)
+    return np.concatenate(points), np.concatenate(heights)
+
+
+def depth_in(walls, path, radius, level=1e-9):
+    """Return how deep the tool is in walls at each place of a path; level: as much as a wall may be
+    lower than it and is in its way."""
+    depths = []
+    for point, tip in zip(*path):
+        high = walls[1] >= tip - level
+        depths.append(radius - np.abs(walls[0][high] - point).min(initial=np.inf))
+    return np.array(depths)
 
 
 def nearest(elements, points):
@@ -179,27 +159,131 @@ def ways_differ(case, start, plain, path):
     return ""
 
 
+def comes_to(case, start, enter, contour):
+    """Return where the first move may end: one place but for RS274NGC's inside of a corner, where
+    an element cuts it short."""
+    first = contour[0]
+    to, ahead, into = first.start, enter.end - enter.start, heading(first, 0.0)
+    turns_away = -case.side * np.angle(np.conj(ahead) * into) >= 0
+    if start == "A" or (start == "B" and not turns_away):
+        return [beside(case, to, into)]
+    if turns_away:
+        return [beside(case, to, ahead)]
+    line = beside(case, enter.points(np.linspace(0, 1, 4000)), ahead)
+    near = [np.abs(each.distance(line) - case.radius) < abs(ahead) / 1000 for each in contour]
+    return line[np.any(near, axis=0)]
+
+
+def leaves_from(case, start, at, last, leave):
+    """Return the ways from where the path ends: by type B there may be an arc about the corner."""
+    rounds = round_about(case, last.end, heading(last, 1.0), leave - last.end)
+    if start != "B" or not rounds:
+        return [contours.Element(at, leave)]
+    turn = float(np.angle((rounds[1] - last.end) / (rounds[0] - last.end)))
+    return [contours.Element(*rounds, last.end, turn), contours.Element(rounds[1], leave)]
+
+
+def in_the_way(case, start, plain, rows, line):
+    """Tell whether a way is in the contour further than R from where that begins or ends.
+
+    plain: rows without compensation; rows: with it; line: of the way.
+    """
+    lines = range(6, plain[-1][0])
+    walls = levels(plain, case, lines)
+    contour = [each for each, *_ in walls]
+    tip = next(height for own, _, height in plain if own == line)
+    if line == 5:
+        place, way = contour[0].start, next(each for own, each, _ in plain if own == 5)
+        ends = comes_to(case, start, way, contour)
+        moves = [contours.Element(way.start, end) for end in ends]
+    else:
+        place, leave = contour[-1].end, plain[-1][1].end
+        moves = leaves_from(case, start, rows[-1][1].end, contour[-1], leave)
+    points, heights = places(walls, case.radius / 100)
+    away = np.abs(points - place) > 0.999 * case.radius
+    tip = tip if case.plane == 17 else 0.0
+    path = places([(each, tip, tip) for each in moves if length(each) > 1e-9], case.radius / 50)
+    deep = depth_in((points[away], heights[away]), path, case.radius, 2 * NEAR)
+    return deep.max(initial=0.0) > NEAR / 2
+
+
+def own_lines(case, walls, line):
+    """Return the lines of the contour against which a way is held in any case: one that comes back
+    to itself begins anew there."""
+    lines = sorted(walls)
+    laps = sorted({part for part in case.parts if part >= 0})
+    if laps:
+        lap, lead = (laps[0], lines[0]) if line == 5 else (laps[-1], lines[-1])
+        return [each for each, part in zip(lines, case.parts) if part == lap or each == lead]
+    if case.must or case.ramps or not meets_itself([each for each, *_ in sum(walls.values(), [])]):
+        return lines
+    return lines[:1] if line == 5 else lines[-1:]
+
+
+def depth_of(case, walls, way):
+    """Return how deep a way is in walls, and how exact that is."""
+    path = places(way, case.radius / 4000)
+    deep = case.radius - nearest([each for each, *_ in walls], path[0]).min()
+    if deep < NEAR or len({height for _, *ends in (*walls, *way) for height in ends}) == 1:
+        return deep, 2 * NEAR
+    step = case.radius / 100
+    return depth_in(places(walls, step), places(way, step), case.radius).max(), step + 2 * NEAR
+
+
+def untold(case, plain, rows, told):
+    """Return words for a way that is in the contour, and not as deep as is told.
+
+    told: the depth by the line of the way.
+    """
+    last = plain[-1][0]
+    walls = {line: levels(plain, case, [line]) for line in range(6, last)}
+    walls = {line: each for line, each in walls.items() if each}
+    for line in (5, last):
+        way, depth = levels(rows, case, [line]), told.get(line, 0.0)
+        if not way:
+            continue
+        own = [row for each in own_lines(case, walls, line) for row in walls[each]]
+        (least, close), (most, _) = (
+            depth_of(case, each, way) for each in (own, sum(walls.values(), []))
+        )
+        if max(least, depth) > NEAR and not least - close < depth < most + close:
+            return f"line {line} is {least:.4f} mm in the contour, told: {depth} mm"
+    return ""
+
+
 def fault_of(case, start="rs274"):
     """Return (what became of a case, words for what is wrong); start: how it begins and ends."""
     machine = MACHINES[start]
     plain = Program(text_of(case, False).encode(), machine, file="plain")
     if any(each.severity == "error" for each in plain.diagnostics):
         return "no program", ""
-    contour = [each for line, each, _ in shapes_of(plain, case.plane) if line >= 6][:-1]
-    lines = [line for line, _, _ in shapes_of(plain, case.plane) if line >= 6][:-1]
-    heights = {line: height for line, _, height in shapes_of(plain, case.plane)}
+    plain = shapes_of(plain, case.plane)
+    contour = [each for line, each, _ in plain if line >= 6][:-1]
+    lines = [line for line, _, _ in plain if line >= 6][:-1]
+    heights = {line: height for line, _, height in plain}
     program = Program(text_of(case).encode(), machine, file="part")
     errors = [each for each in program.diagnostics if each.severity == "error"]
     warned = any(each.id == "comp-left" for each in program.diagnostics)
     parts = case.parts or [0] * len(contour)
     parts = [parts[line - 6] for line in lines]
+    whole = shapes_of(program, case.plane)
+    if errors and "on its way" in errors[0].message:
+        good = in_the_way(case, start, plain, whole, errors[0].line)
+        return "in the way", "" if good else "a way that is refused is in no contour"
     if errors:
-        return "refused", refusal(case, contour, parts, errors[0])
-    rows = [row for row in shapes_of(program, case.plane) if row[0] >= 6]
+        return "refused", refusal(case, plain, errors[0])
+    told = {each.line: float(re.search(r"[\d.]+ mm", each.message)[0][:-3])
+            for each in program.diagnostics if each.id == "comp-way"}  # fmt: skip
+    words = untold(case, plain, whole, told)
+    if words:
+        return "cut", words
+    rows = [row for row in whole if row[0] >= 6]
     last = {line: height for line, _, height in rows}
     if any(abs(last.get(line, 1e9) - heights[line]) > 1e-6 for line in lines if not warned):
         return "cut", "an element, or its height, is missing"
     path = [each for _, each, _ in rows][:-1]
+    if case.ramps:
+        return "warned" if warned else "cut", fault_of_ramp(case, plain, whole)
     simple = case.must or len(set(parts)) > 1 or not meets_itself(contour)
     for part in sorted(set(parts) - {-1}):
         walls = [each for each, other in zip(contour, parts) if other == part]
@@ -217,7 +301,7 @@ def fault_of(case, start="rs274"):
             return "cut", words
     words = ""
     if start != "rs274" and not warned:
-        moves = [each for line, each, _ in shapes_of(plain, case.plane) if line >= 5]
+        moves = [each for line, each, _ in plain if line >= 5]
         words = ways_differ(case, start, [each for each in moves if length(each) > 1e-6], rows)
     return "warned" if warned else "cut", words
 
@@ -236,212 +320,46 @@ def untouched(case, walls, path):
     return ""
 
 
-def refusal(case, contour, parts, error):
+def along(case, walls, shares):
+    """Return where the tool is beside elements with heights, and how high, element by element."""
+    for each, begin, end in walls:
+        beside = each.points(shares) + case.side * case.radius * each.left(shares)
+        yield beside, begin + (end - begin) * shares
+
+
+def fault_of_ramp(case, plain, rows):
+    """Return words for what is wrong with a path that is beside each element or above it."""
+    lines = range(6, plain[-1][0])
+    walls = levels(plain, case, lines)
+    points = places(walls, case.radius / 60)
+    path = places(levels(rows, case, lines), case.radius / 10)
+    deep = depth_in(points, path, case.radius).max()
+    if deep > NEAR:
+        return f"{deep:.4f} mm too near"
+    begin, end = walls[0][0].start, walls[-1][0].end
+    owners = [line for line, each, _ in plain if line in lines and length(each) > 1e-9]
+    for line, (beside, tips) in zip(owners, along(case, walls, np.linspace(0.1, 0.9, 7))):
+        ends = np.minimum(np.abs(beside - begin), np.abs(beside - end)) > 2.5 * case.radius
+        fits = (depth_in(points, (beside, tips), case.radius) < 1e-6) & ends
+        own = [each for other, each, _ in rows if other == line]
+        away = nearest(own, beside[fits]).max(initial=0.0)
+        if away > NEAR:
+            return f"{away:.4f} mm away from where it could touch line {line}"
+    return ""
+
+
+def refusal(case, plain, error):
     """Return words for an error without a reason."""
     if case.must:
         return f"refused: {error.text().splitlines()[0]}"
     if error.id == "comp-radius" or error.id == "comp-entry":
         return ""
-    q = np.linspace(0, 1, 100)
-    for each in contour:
-        beside = each.points(q) + case.side * case.radius * each.left(q)
-        if nearest(contour, beside).min() < case.radius - NEAR:
+    walls = levels(plain, case, range(6, plain[-1][0]))
+    points = places(walls, case.radius / 60)
+    for each in along(case, walls, np.linspace(0, 1, 100)):
+        if depth_in(points, each, case.radius, 2 * NEAR).max() > NEAR:
             return ""
     return f"refused without a reason: {error.text().splitlines()[0]}"
-
-
-# ---- families
-
-
-def turned(case, rng):
-    """Turn and shift a case, so that nothing in it is along an axis."""
-    turn = np.exp(1j * rng.uniform(0, 2 * math.pi))
-    shift = complex(*rng.uniform(-20, 20, 2))
-
-    def move(point):
-        return None if point is None else point * turn + shift
-
-    case.start, case.entry, case.leave = map(move, (case.start, case.entry, case.leave))
-    case.elements = [(move(e), move(c), sense, z) for e, c, sense, z in case.elements]
-    return case
-
-
-def before(rng, place, ahead, radius):
-    """Return where a first move comes from: from behind, a little from one side."""
-    return place - ahead * np.exp(1j * rng.uniform(-0.5, 0.5)) * radius * rng.uniform(1.5, 4)
-
-
-def circle(rng, turns=0):
-    """A bore or a boss between two tangent arcs, as a circle or a helix of some turns."""
-    radius = float(rng.choice([0.5, 1, 3, 6.35]))
-    inside = bool(rng.random() < 0.6)
-    size = radius * rng.uniform(1.6, 8) if inside else radius * rng.uniform(0.2, 6)
-    lead = rng.uniform(1.25 * radius, 0.95 * size) if inside and 0.95 * size > 1.25 * radius else 0
-    if not inside:
-        lead = radius * rng.uniform(1.3, 4)
-    anticlockwise = int(rng.choice([-1, 1]))
-    side = anticlockwise if inside else -anticlockwise
-    out = 1 if inside else -1  # from the circle's centre to the leads' one: inwards or outwards
-    touch, centre = size + 0j, 0j
-    hub = touch - out * lead
-    # Both leads are quarters; seen from its hub each turns as the tool does.
-    sense = anticlockwise * out
-    begin = hub + lead * np.exp(1j * (0 if inside else math.pi)) * np.exp(-1j * sense * math.pi / 2)
-    end = hub + lead * np.exp(1j * (0 if inside else math.pi)) * np.exp(1j * sense * math.pi / 2)
-    step = float(rng.uniform(0.2, 2))
-    circles = [(touch, centre, anticlockwise, -step * k if turns else None)
-               for k in range(1, max(turns, 1) + 1)]
-    if lead == 0:
-        return None
-    start = before(rng, begin, 1j * sense * (begin - hub) / lead, radius)
-    elements = [(touch, hub, sense, None), *circles, (end, hub, sense, None)]
-    parts = [-1, *range(len(circles)), -1]
-    case = Case(start, begin, elements, radius, side, start, parts=parts)
-    return case
-
-
-def helix(rng):
-    """A circle with 1 to 5 turns down."""
-    return circle(rng, int(rng.integers(1, 6)))
-
-
-def corners_of(rng, radius, inside):
-    """Return the corners of a convex polygon, anticlockwise, its edges longer than the tool."""
-    count = int(rng.integers(4, 8))
-    angles = np.sort((np.arange(count) + rng.uniform(-0.3, 0.3, count)) * 2 * math.pi / count)
-    size = radius * rng.uniform(7, 15) if inside else radius * rng.uniform(3, 12)
-    return size * rng.uniform(0.9, 1.1, count) * np.exp(1j * angles)
-
-
-def around(corners, direction):
-    """Return the elements of a polygon from the middle of its first edge, and that place."""
-    if direction < 0:
-        corners = corners[::-1]
-    begin = (corners[-1] + corners[0]) / 2
-    return [(corner, None, 0, None) for corner in corners] + [(begin, None, 0, None)], begin
-
-
-def form(rng, inside):
-    """A pocket or a boss with quarters that lead in and out."""
-    radius = float(rng.choice([0.5, 1, 3, 6.35]))
-    corners, direction = corners_of(rng, radius, inside), int(rng.choice([-1, 1]))
-    elements, begin = around(corners, direction)
-    side = direction if inside else -direction
-    ahead = (elements[0][0] - begin) / abs(elements[0][0] - begin)
-    free = 1j * side * ahead
-    lead = radius * rng.uniform(1.3, 2)
-    hub = begin + lead * free
-    first, last = hub - lead * ahead, hub + lead * ahead
-    elements = [(begin, hub, side, None), *elements, (last, hub, side, None)]
-    start = before(rng, first, 1j * side * (first - hub) / lead, radius)
-    parts = [-1, *[0] * (len(elements) - 2), -1]
-    return Case(start, first, elements, radius, side, start, parts=parts)
-
-
-def pocket(rng):
-    """A pocket."""
-    return form(rng, True)
-
-
-def boss(rng):
-    """A boss."""
-    return form(rng, False)
-
-
-def laps(rng):
-    """A polygon run through again and again, each lap beside the one before or on it."""
-    radius, inside = float(rng.choice([0.5, 1, 3])), bool(rng.random() < 0.5)
-    corners, direction = corners_of(rng, radius, True), int(rng.choice([-1, 1]))
-    step = float(rng.choice([0, 0.01, 0.1, -0.1, -0.02])) * int(rng.integers(1, 3))
-    side = direction if inside else -direction
-    elements, parts = [], []
-    for lap in range(int(rng.integers(2, 5))):
-        each, begin = around(corners * (1 + step * lap), direction)
-        if lap == 0:
-            ahead = (each[0][0] - begin) / abs(each[0][0] - begin)
-            entry = begin
-        else:
-            elements.append((begin, None, 0, None))
-            parts.append(-1)
-        elements += each
-        parts += [lap] * len(each)
-    free = 1j * side * ahead
-    start, leave = entry - 3 * radius * ahead + 2 * radius * free, entry + 4 * radius * free
-    # A way to the next lap that is longer than R, and at an inside corner, may not fit.
-    fits = abs(step) * np.abs(corners).max() < 0.9 * radius
-    return Case(start, entry, elements, radius, side, leave, parts=parts, must=bool(fits))
-
-
-def chain(rng):
-    """Elements one tangent to the next, arcs of up to 6.2 rad and lines; they may meet."""
-    radius, side = float(rng.choice([0.5, 1, 3])), int(rng.choice([-1, 1]))
-    at, ahead, elements = 0j, 1 + 0j, []
-    most = float(rng.choice([1.5, 3, 6.2]))
-    for _ in range(int(rng.integers(3, 10))):
-        if rng.random() < 0.3:
-            at = at + ahead * radius * rng.uniform(0.5, 8)
-            elements.append((at, None, 0, None))
-            continue
-        sense = int(rng.choice([-1, 1]))
-        size = radius * (rng.uniform(1.1, 6) if sense == side else rng.uniform(0.3, 6))
-        turn = np.exp(1j * sense * rng.uniform(0.2, most))
-        hub = at + 1j * sense * size * ahead
-        at, ahead = hub + (at - hub) * turn, ahead * turn
-        elements.append((at, hub, sense, None))
-    start = -5 * radius + 0j
-    return Case(start, 0j, elements, radius, side, at + 5 * radius * ahead, must=False)
-
-
-def ways(rng):
-    """A line or an arc, with ways to it and from it out of all directions, as short as they may be:
-    too short for RS274NGC's."""
-    radius, side = float(rng.choice([0.5, 1, 3])), int(rng.choice([-1, 1]))
-    first, last = np.exp(1j * rng.uniform(-3.1, 3.1, 2)) * radius * rng.uniform(0.3, 6, 2)
-    end, hub, sense = complex(radius * rng.uniform(0.5, 9)), None, 0
-    if rng.random() < 0.5:
-        sense = int(rng.choice([-1, 1]))
-        size = radius * (rng.uniform(1.1, 6) if sense == side else rng.uniform(0.3, 6))
-        hub = 1j * sense * size
-        end = hub - hub * np.exp(1j * sense * rng.uniform(0.3, 3))
-        if abs(end) < 2 * radius:  # an arc about one end would be in the way of the other
-            return None
-    elements = [(end, hub, sense, None)]
-    return Case(-first, 0j, elements, radius, side, end + last, starts=("A", "B"))
-
-
-def winding(rng):
-    """An open spiral of half circles, inwards or outwards: what is beside one lap faces the back of
-    the next, or is clear of it by as little, and the paths beside them do not cross."""
-    radius, sense = float(rng.choice([0.5, 1, 3])), int(rng.choice([-1, 1]))
-    halves = int(rng.integers(3, 7))
-    steps = np.where(rng.random(halves) < 0.3, rng.uniform(0.6, 1.1, halves), 1.3)
-    sizes = radius * (rng.uniform(0.3, 1.7) + np.cumsum(steps))
-    if rng.random() < 0.5:
-        sizes = sizes[::-1]
-    at, ahead, elements = 0j, 1 + 0j, []
-    for size in sizes:
-        hub = at + 1j * sense * size * ahead
-        at, ahead = 2 * hub - at, -ahead
-        elements.append((at, hub, sense, None))
-    side = int(rng.choice([-1, 1]))
-    start, leave = -5 * radius + 0j, at + 5 * radius * ahead
-    return Case(start, 0j, elements, radius, side, leave, must=False)
-
-
-FORMS = (circle, helix, pocket, boss, laps, chain, ways, winding)
-FAMILIES = {each.__name__: each for each in FORMS}
-
-
-def case_of(family, seed):
-    """Return a case; decimals and plane follow from the seed, too."""
-    rng = np.random.default_rng([seed, sorted(FAMILIES).index(family)])
-    case = None
-    while case is None:
-        case = FAMILIES[family](rng)
-    case = turned(case, rng)
-    case.decimals = int(rng.choice([0, 1, 2, 3, 3] if family == "chain" else [2, 3]))
-    case.plane = int(rng.choice([17, 18, 19]))
-    return case
 
 
 def differs_from_rs274(case, folder):

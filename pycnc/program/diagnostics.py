@@ -25,7 +25,7 @@ _TONGUES = (
     (lib.NCK_TONGUE_GRBL, "grbl"),
     (lib.NCK_TONGUE_MARLIN, "marlin"),
 )
-_WARNINGS = frozenset({"abort", "after-end", "comp-left"})
+_WARNINGS = frozenset({"abort", "after-end", "comp-left", "comp-way"})
 KEYS = ("file", "line", "col", "id", "severity", "message", "help")  # of Diagnostic.as_dict
 
 

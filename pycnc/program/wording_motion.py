@@ -135,6 +135,11 @@ MOTION = {
         "the contour has more than {limit:.0f} lines and arcs",
         "make it shorter, or build with a larger NCK_CONTOUR",
     ),
+    "comp-gouge:G": (
+        "on its way to the contour, or from it, the tool would cut {value:.3f} mm into the one of "
+        "line {limit:.0f}",
+        "begin and end where the tool comes straight to the contour's side, over no other part",
+    ),
     "comp-gouge": (
         "the tool would cut {value:.3f} mm into the contour of line {limit:.0f}",
         "take a smaller tool, or widen the contour between the two lines",
@@ -219,5 +224,10 @@ MOTION = {
         "the tool is too large for the contour from here to line {limit:.0f}: up to {value:.3f} mm "
         "are left",
         "take a smaller tool if that is too much",
+    ),
+    "comp-way": (
+        "on its way to the contour, or from it, the tool cuts {value:.3f} mm into its end in line "
+        "{limit:.0f}",
+        "if that is no lead in the air: come, or go, at a right angle to it, or along an arc",
     ),
 }

@@ -9,12 +9,13 @@ import re
 
 import numpy as np
 import pytest
-from test_toolcomp import FREE, HEAD, corners, error_of, load, pieces_of
+from test_toolcomp import FREE, HEAD, corners, error_of, found, load, pieces_of
 
 from pycnc.kernel.bind import ffi, lib
 from pycnc.machine import Machine
 
 S = math.sqrt(2)
+ACUTE = (4 - 2j) / math.sqrt(5)  # beside a corner in 0 that turns by 117 degrees
 TO = "G0 X-10 Y0\nG41.1 D4\nG1 X0 Y0\n"
 FROM = "G0 X-20 Y0\nG41.1 D4\nG1 X0 Y0\nX20\nG40 G1 "
 ARC_FROM = "G0 X10 Y-20\nG41.1 D4\nG1 Y0\nG2 X20 Y10 R10\nG40 G1 "
@@ -34,8 +35,8 @@ def near(found, expected):
 TO_A_CORNER = {
     "outside, right": ("Y-20", [2], [2j, 2]),
     "outside, obtuse": ("X20 Y-20", [S + S * 1j], [2j, S + S * 1j]),
-    "outside, acute": ("X-20 Y-20", [S - S * 1j], [2j, S - S * 1j]),
-    "outside, back": ("X-20", [-2j], [2j, -2j]),
+    "outside, acute": ("X-10 Y-20", [ACUTE], [2j, ACUTE]),
+    "outside, back": ("X-1.5", [-2j], [2j, -2j]),
     "straight on": ("X20", [2j], [2j]),
     "inside, right": ("Y20", [-2], [-2]),
     "inside, obtuse": ("X20 Y20", [-S + S * 1j], [-S + S * 1j]),
@@ -60,7 +61,7 @@ def test_the_first_move_ends_beside_the_contour_as_its_type_says(corner):
 # The contour ends in 20, along X; behind G40 the tool goes to a place: by way of these.
 FROM_A_CORNER = {
     "outside, right": (FROM, "X20 Y-20", [20 + 2j], [20 + 2j, 22]),
-    "outside, acute": (FROM, "X0 Y-20", [20 + 2j], [20 + 2j, 20 + S - S * 1j]),
+    "outside, acute": (FROM, "X10 Y-20", [20 + 2j], [20 + 2j, 20 + ACUTE]),
     "outside, obtuse": (FROM, "X40 Y-20", [20 + 2j], [20 + 2j, 20 + S + S * 1j]),
     "straight on": (FROM, "X40", [20 + 2j], [20 + 2j]),
     "inside": (FROM, "X20 Y20", [20 + 2j], [20 + 2j]),
@@ -129,6 +130,47 @@ def test_a_nose_is_led_by_its_point(start, orientation):
         assert near(led[1:behind], plain[1:behind] + 2 * points[orientation])
         assert near(led[:1], plain[:1])
         assert behind is None or near(led[behind:], plain[behind:])
+
+
+# What is told of a way: line 5 to the contour in 0, line 7 from it in 20, so deep by A, by B.
+OVER_AN_END = {
+    "straight on": (f"{TO}X20", 5, 2 - 20 / math.sqrt(104), 2 - 20 / math.sqrt(104)),
+    "outside, right": (f"{TO}Y-20", 5, 2, 2 - 20 / math.sqrt(104)),
+    "inside": (f"{TO}Y20", 5, 0, 0),
+    "from above": (f"{TO}X20".replace("Y0\nX", "Y0\nZ-1\nX"), 5, 0, 0),
+    "into its depth": (f"{TO}X20".replace("X0 Y0", "X0 Y0 Z-5"), 5, 0, 0),
+    "straight from it": (f"{FROM}X40", 7, 2 - 40 / math.sqrt(404), 2 - 40 / math.sqrt(404)),
+    "from it, right": (f"{FROM}X20 Y-20", 7, 2, 2 - 40 / math.sqrt(404)),
+    "up from it": (f"{FROM}Z1\nX20 Y-20", 8, 0, 0),
+}
+
+
+@pytest.mark.parametrize("corner", OVER_AN_END)
+def test_what_a_way_cuts_where_the_contour_begins_or_ends_is_a_warning(corner):
+    text, line, *depths = OVER_AN_END[corner]
+    for start, deep in zip("AB", depths, strict=True):
+        program = load(f"{HEAD}{text}\nM2\n", machine(start))
+        told = [each for each in found(program, "comp-way") if each.line == line]
+        assert len(told) == (deep > 0)
+        assert all(each.severity == "warning" and f"{deep:.3f} mm" in str(each) for each in told)
+
+
+IN_THE_CONTOUR = {
+    "it begins over the wall": (f"{TO}X-20", 5, "2.000 mm", "line 6"),
+    "through the wall to it": (f"{TO}X20".replace("X-10 Y0", "X20 Y-10"), 5, "2.000 mm", "line 6"),
+    "past another wall": (f"{TO}Y20\nX-8.5\nY1.5", 5, "0.500 mm", "line 8"),
+    "from it through a wall": (
+        FROM.replace("X20", "Y20\nX20") + "X-20 Y-20", 8, "2.000 mm", "line 6"
+    ),
+}
+
+
+@pytest.mark.parametrize("place", IN_THE_CONTOUR)
+def test_a_way_in_any_other_part_of_the_contour_is_an_error(place):
+    text, line, deep, wall = IN_THE_CONTOUR[place]
+    error = error_of(f"{HEAD}{text}\nM2\n", machine("A"))
+    assert (error.id, error.line) == ("comp-gouge", line)
+    assert deep in str(error) and wall in str(error)
 
 
 def test_other_axes_keep_their_place_and_words():

@@ -83,6 +83,7 @@
     x(NCK_NOTE_TOLERANCE, "no-tolerance")    \
     x(NCK_NOTE_CALLED, "called-from")        \
     x(NCK_NOTE_COMP_LEFT, "comp-left")       \
+    x(NCK_NOTE_COMP_WAY, "comp-way")         \
     x(NCK_NOTE_REPEATS, "repeats")           \
     x(NCK_NOTE_LIMITS, "limits-stay")        \
     x(NCK_NOTE_SYSTEM, "assumed-system")     \

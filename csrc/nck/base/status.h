@@ -112,7 +112,7 @@ typedef enum nck_status {
 } nck_status_t;
 
 // Notes: assumed defaults and the like. Not errors; at most one of each in a program, but for
-// NCK_NOTE_CALLED and NCK_NOTE_COMP_LEFT.
+// NCK_NOTE_CALLED, NCK_NOTE_COMP_LEFT and NCK_NOTE_COMP_WAY.
 typedef enum nck_note {
     NCK_NOTE_UNITS = 1,      // "assumed-units": motion before G20 or G21
     NCK_NOTE_PLANE = 2,      // "assumed-plane": an arc before G17, G18 or G19
@@ -127,6 +127,9 @@ typedef enum nck_note {
     NCK_NOTE_CALLED = 9,     // "called-from": behind an error, once for every call in force: where
     NCK_NOTE_COMP_LEFT = 10, // "comp-left": the tool does not come to the contour between the line
                              // and line `limit`; value = material left there at most [mm]
+    NCK_NOTE_COMP_WAY = 16,  // "comp-way": the first move under radius compensation, or the one
+                             // behind G40, is in the contour of line `limit` where that begins or
+                             // ends; value = so deep [mm]
     NCK_NOTE_REPEATS = 12,   // "repeats": M99 in the main program, which is done once
     NCK_NOTE_SYSTEM = 11,    // "assumed-system": a turning cycle of system A, which nobody said
     NCK_NOTE_LIMITS = 14,    // "limits-stay": M201 … M205 of a printer: the machine's limits hold

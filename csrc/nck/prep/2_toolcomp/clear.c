@@ -104,7 +104,8 @@ static int goes_in(nck_toolcomp_t *self, const nck_shape_t *shapes, const uint32
     return depth.most > NCK_COMP_CLOSE;
 }
 
-// A fault between the piece in work and another one. Returns 1 if it is one.
+// A fault between the piece in work and another one, whatever their heights: of two paths that
+// cross the lower one is in the contour of the higher one. Returns 1 if it is one.
 static int is_fault(nck_toolcomp_t *self, const nck_shape_t *shape, const nck_comp_piece_t *other) {
     const nck_comp_piece_t *const piece = &self->walk.piece;
     const uint32_t contours[2] = {piece->of, other->of};
@@ -153,18 +154,20 @@ static int begins_anew(nck_toolcomp_t *self, const window_t *a, const window_t *
 // A stretch of the path and a contour that it is not beside: how deep is the tool in it [mm]?
 // anew: 1: it is too near, but they are of two laps.
 static double depth_in(nck_toolcomp_t *self, const nck_comp_piece_t *piece,
-                       const nck_shape_t *shape, uint32_t contour, int *anew) {
+                       const nck_comp_stretch_t *path, uint32_t contour, int *anew) {
     const nck_comp_entry_t *const of = nck_comp_at(self, piece->of);
     const nck_comp_entry_t *const other = nck_comp_at(self, contour);
+    nck_comp_stretch_t wall;
     nck_approach_t at;
-    if (nck_shape_are_far(shape, &other->contour, self->radius)) return 0.0;
-    nck_shape_approach(shape, &other->contour, &at);
-    if (!(self->radius - at.gap > NCK_COMP_CLOSE)) return 0.0;
+    if (nck_shape_are_far(&path->shape, &other->contour, self->radius)) return 0.0;
+    nck_comp_wall(self, contour, &wall);
+    const double depth = nck_comp_depth(self, path, &wall, &at);
+    if (!(depth > 0.0)) return 0.0;
     const double along = of->path[piece->part].from + at.on_a;
     const window_t a = window_about(self, piece->of, place_of(self, piece, along));
     const window_t b = window_about(self, contour, other->s + at.on_b);
     *anew = begins_anew(self, &a, &b);
-    return *anew ? 0.0 : self->radius - at.gap;
+    return *anew ? 0.0 : depth;
 }
 
 // Note how deep the tool is beside an entry, unless one before it, or that one deeper, is noted.
@@ -183,11 +186,11 @@ static void note_deep(nck_toolcomp_t *self, uint32_t count, double depth) {
 static void hold_back(nck_toolcomp_t *self, uint32_t count, int *anew) {
     for (int part = 0; part < NCK_COMP_PARTS && !*anew; part++) {
         nck_comp_piece_t piece;
-        nck_shape_t shape;
+        nck_comp_stretch_t path;
         if (!nck_comp_at(self, count)->path[part].on) continue;
         nck_comp_piece(self, count, (nck_comp_part_t)part, &piece);
-        on_path(self, &piece, &shape);
-        const double depth = depth_in(self, &piece, &shape, self->walk.piece.of, anew);
+        nck_comp_stretch(self, &piece, &path);
+        const double depth = depth_in(self, &piece, &path, self->walk.piece.of, anew);
         if (depth > 0.0) note_deep(self, count, depth);
     }
 }
@@ -199,6 +202,14 @@ int nck_comp_is_anew(nck_toolcomp_t *self, uint32_t count) {
     for (uint32_t m = self->ring.tail; m != count; m++) {
         const nck_comp_entry_t *const entry = nck_comp_at(self, m);
         if (entry->moves && !entry->enters && do_meet(self, m, count)) return 1;
+    }
+    return 0;
+}
+
+int nck_comp_is_met(nck_toolcomp_t *self, uint32_t count) {
+    for (uint32_t m = nck_comp_next(self, count); m != self->ring.head;
+         m = nck_comp_next(self, m)) {
+        if (do_meet(self, count, m)) return 1;
     }
     return 0;
 }
@@ -249,16 +260,16 @@ nck_status_t nck_comp_keep_off(nck_toolcomp_t *self) {
     const nck_comp_entry_t *const entry = nck_comp_at(self, piece->of);
     double depth = self->deep.of == piece->of ? self->deep.most : 0.0;
     uint32_t line = self->deep.line;
-    nck_shape_t shape;
+    nck_comp_stretch_t path;
     int anew = 0;
     if (!is_held(self)) return NCK_OK;
-    on_path(self, piece, &shape);
+    nck_comp_stretch(self, piece, &path);
     for (uint32_t m = nck_comp_next(self, piece->of); m != self->ring.head && !anew;
          m = nck_comp_next(self, m)) {
         const nck_comp_entry_t *const other = nck_comp_at(self, m);
         if (other->rapid || other->leaves) break;
         if (are_apart(self, piece->of, m)) continue;
-        const double deep = depth_in(self, piece, &shape, m, &anew);
+        const double deep = depth_in(self, piece, &path, m, &anew);
         if (deep > depth) {
             depth = deep;
             line = other->block.line;

@@ -44,6 +44,7 @@ static void read_contour(nck_toolcomp_t *self, nck_comp_entry_t *entry) {
     } else {
         nck_shape_line(p, q, &entry->contour);
     }
+    entry->height = nck_comp_height(self, self->reached_nm);
     memcpy(self->reached_nm, block->target_nm, sizeof self->reached_nm);
 }
 
@@ -64,6 +65,7 @@ static void note_last(nck_toolcomp_t *self, nck_comp_entry_t *entry) {
     if (entry->first) {
         self->last.begins = entry->block.line;
         memcpy(self->last.first, contour->p, sizeof self->last.first);
+        self->last.height = entry->height;
         nck_shape_tangent(contour, 0.0, self->last.ahead);
     }
     nck_shape_tangent(contour, contour->length, self->last.tangent);
@@ -104,20 +106,45 @@ static nck_comp_entry_t *read_entry(nck_toolcomp_t *self, const nck_block_t *blo
     return entry;
 }
 
-nck_status_t nck_comp_leave(nck_toolcomp_t *self, const nck_block_t *block) {
-    if (self->start != NCK_COMP_START_B) return NCK_OK;
-    nck_comp_entry_t *const entry = read_entry(self, block);
-    double ahead[2];
-    nck_shape_tangent(&entry->contour, 0.0, ahead);
-    const double turn = nck_comp_turn(self, self->last.tangent, ahead);
-    if (!(self->radius * turn > NCK_COMP_SHORT)) return NCK_OK;
-    memcpy(entry->tangent, self->last.tangent, sizeof entry->tangent);
+// The move behind G40 goes straight from where the tool stands.
+static nck_status_t go_straight(nck_toolcomp_t *self, const nck_block_t *block) {
+    nck_comp_stretch_t way;
+    double to[2];
+    for (unsigned k = 0; k < 2; k++) {
+        to[k] = (double)block->target_nm[self->axis[k]] * 1e-6 - self->nose[k];
+    }
+    nck_shape_line(self->at, to, &way.shape);
+    way.height[0] = nck_comp_height(self, self->given_nm);
+    way.height[1] = nck_comp_height(self, block->target_nm);
+    return nck_comp_way_from(self, block, &way);
+}
+
+// Or by way of an arc about the contour's end.
+static nck_status_t go_round(nck_toolcomp_t *self, nck_comp_entry_t *entry) {
+    nck_status_t status = NCK_OK;
     entry->leaves = 1;
-    for (int part = 0; part < NCK_COMP_PARTS; part++) {
+    for (int part = 0; part < NCK_COMP_PARTS && status == NCK_OK; part++) {
         nck_comp_piece_t piece;
+        nck_comp_stretch_t way;
         nck_comp_piece(self, self->ring.head, (nck_comp_part_t)part, &piece);
         entry->path[part] = (nck_comp_span_t){0.0, piece.shape.length, 1, {0}};
+        nck_comp_stretch(self, &piece, &way);
+        status = nck_comp_way_from(self, &entry->block, &way);
     }
+    return status;
+}
+
+nck_status_t nck_comp_leave(nck_toolcomp_t *self, const nck_block_t *block) {
+    if (self->start != NCK_COMP_START_B) return go_straight(self, block);
+    nck_comp_entry_t *const entry = read_entry(self, block);
+    double ahead[2];
+    entry->height = nck_comp_height(self, self->given_nm); // there may be moves along Z between
+    nck_shape_tangent(&entry->contour, 0.0, ahead);
+    const double turn = nck_comp_turn(self, self->last.tangent, ahead);
+    if (!(self->radius * turn > NCK_COMP_SHORT)) return go_straight(self, block);
+    memcpy(entry->tangent, self->last.tangent, sizeof entry->tangent);
+    const nck_status_t status = go_round(self, entry);
+    if (status != NCK_OK) return status;
     self->ring.head++;
     self->phase = NCK_COMP_LEAVES;
     self->closed = 1;

@@ -121,12 +121,12 @@ static nck_status_t fail(nck_toolcomp_t *self, apart_t *gap) {
 }
 
 static void tell(nck_toolcomp_t *self, const apart_t *gap) {
-    const int told = self->note.code != 0 && self->note.value > gap->left;
+    const int told = self->note.left.code != 0 && self->note.left.value > gap->left;
     if (gap->elements == 0 || gap->left < NCK_COMP_CLOSE || told) return;
     const uint32_t lines[2] = {nck_comp_at(self, gap->first)->block.line,
                                nck_comp_at(self, gap->last)->block.line};
-    self->note = (nck_diagnostic_t){NCK_NOTE_COMP_LEFT, lines[0], 0, 0, gap->left,
-                                    (double)lines[1]};
+    self->note.left = (nck_diagnostic_t){NCK_NOTE_COMP_LEFT, lines[0], 0, 0, gap->left,
+                                         (double)lines[1]};
 }
 
 // The path ends here for good: is it closed, and does the tool cut into where it began?
@@ -135,7 +135,9 @@ static nck_status_t judge_end(nck_toolcomp_t *self) {
     const nck_shape_t *const contour = &entry->contour;
     const double gap = nck_arc_norm(contour->q[0] - self->last.first[0],
                                     contour->q[1] - self->last.first[1]);
-    if (entry->enters || entry->rapid || gap > NCK_COMP_CLOSE) return NCK_OK;
+    const double above = nck_comp_height(self, entry->block.target_nm) - self->last.height;
+    const int apart = gap > NCK_COMP_CLOSE || above > NCK_COMP_CLOSE;
+    if (entry->enters || entry->rapid || apart) return NCK_OK;
     const double dip = nck_comp_dip(self, nck_comp_turn(self, self->last.tangent,
                                                         self->last.ahead));
     if (!(dip > NCK_COMP_CLOSE)) return NCK_OK;

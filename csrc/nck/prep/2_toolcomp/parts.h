@@ -9,6 +9,12 @@
 #define NCK_COMP_SHORT 1e-4 // [mm] shorter arcs are straight: they bend by less than is rounded
 #define NCK_COMP_CLOSE 1e-3 // [mm] less is neither too near nor worth a word
 
+// A line or an arc, and how high its ends are [mm], as nck_comp_height has it.
+typedef struct nck_comp_stretch {
+    nck_shape_t shape;
+    double height[2];
+} nck_comp_stretch_t;
+
 // ring.c: the entry with this count. Cost: constant.
 nck_comp_entry_t *nck_comp_at(nck_toolcomp_t *self, uint32_t count);
 
@@ -40,7 +46,8 @@ nck_status_t nck_comp_take(nck_toolcomp_t *self, const nck_block_t *block);
 
 // contour.c: the tool goes from the contour to the programmed end of a move. By type B it rounds
 // the contour's end before, if the corner there turns away from it: then the move is taken.
-// Returns NCK_OK: it passes; NCK_EMPTY: it is taken. Cost: constant.
+// Returns NCK_OK: it passes; NCK_EMPTY: it is taken; NCK_E_COMP_GOUGE. Cost: quadratic in the
+// ring.
 nck_status_t nck_comp_leave(nck_toolcomp_t *self, const nck_block_t *block);
 
 // pieces.c: the piece of the first contour, as RS274NGC has it; 0: there is none. Cost: constant.
@@ -73,6 +80,9 @@ nck_status_t nck_comp_judge(nck_toolcomp_t *self);
 // the ring.
 int nck_comp_is_anew(nck_toolcomp_t *self, uint32_t count);
 
+// clear.c: does a contour behind that of an entry come back to it? Cost: linear in the ring.
+int nck_comp_is_met(nck_toolcomp_t *self, uint32_t count);
+
 // clear.c: does the path cross the piece in work further on, where the contour does not cross
 // itself? NCK_E_COMP_GOUGE. Cost: linear in the ring, quadratic where it does.
 nck_status_t nck_comp_hold(nck_toolcomp_t *self);
@@ -80,6 +90,30 @@ nck_status_t nck_comp_hold(nck_toolcomp_t *self);
 // clear.c: is the piece in work nearer to a contour than the tool's radius, where the contour does
 // not begin anew between them? NCK_E_COMP_GOUGE. Cost: linear in the ring.
 nck_status_t nck_comp_keep_off(nck_toolcomp_t *self);
+
+// level.c: how high a place is [mm]; 0 where the tool does not stand upright on the plane. Cost:
+// constant.
+double nck_comp_height(const nck_toolcomp_t *self, const int64_t *place_nm);
+
+// level.c: the contour of an entry, and a piece as it is on the path, with their heights. Cost:
+// constant, but for what is left out before the piece.
+void nck_comp_wall(nck_toolcomp_t *self, uint32_t count, nck_comp_stretch_t *out);
+void nck_comp_stretch(nck_toolcomp_t *self, const nck_comp_piece_t *piece,
+                      nck_comp_stretch_t *out);
+
+// level.c: how deep is the tool, on a stretch of the path, in a contour [mm]? 0: no deeper than
+// NCK_COMP_CLOSE. at: where. Cost: constant.
+double nck_comp_depth(const nck_toolcomp_t *self, const nck_comp_stretch_t *path,
+                      const nck_comp_stretch_t *wall, nck_approach_t *at);
+
+// way.c: is the first move, the piece in work, in the contour? A note, or NCK_E_COMP_GOUGE. Cost:
+// linear in the ring.
+nck_status_t nck_comp_way_to(nck_toolcomp_t *self);
+
+// way.c: is the move behind G40, or a part of it, in the contour? A note, or NCK_E_COMP_GOUGE.
+// Cost: quadratic in the ring.
+nck_status_t nck_comp_way_from(nck_toolcomp_t *self, const nck_block_t *block,
+                               const nck_comp_stretch_t *way);
 
 // give.c: the block for the next stretch of the piece in work. NCK_OK, NCK_EMPTY (it has no
 // length), NCK_E_TRAVEL. Cost: constant.

@@ -20,6 +20,7 @@ void nck_comp_off(nck_toolcomp_t *self) {
 nck_status_t nck_comp_fail(nck_toolcomp_t *self, nck_status_t code, uint32_t line, double value,
                            double limit) {
     self->error = (nck_diagnostic_t){code, line, 0, 0, value, limit};
+    self->last.from = self->ring.head;
     nck_comp_off(self);
     return code;
 }

@@ -62,6 +62,7 @@ static void switch_on(nck_toolcomp_t *self, const nck_block_t *block) {
     for (unsigned k = 0; k < NCK_AXIS_MAX; k++) self->reached_nm[k] = block->target_nm[k];
     if (!self->away) memcpy(self->given_nm, self->reached_nm, sizeof self->given_nm);
     memset(&self->last, 0, sizeof self->last);
+    self->last.from = self->ring.head;
     self->phase = NCK_COMP_ENTERS;
     self->away = 0;
     self->start = (uint8_t)block->output.number;
@@ -116,7 +117,9 @@ static nck_status_t plan_piece(nck_toolcomp_t *self) {
     self->walk.planned = 1;
     nck_status_t status = nck_comp_hold(self);
     if (status == NCK_OK) status = nck_comp_judge(self);
-    return status == NCK_OK ? nck_comp_keep_off(self) : status;
+    if (status != NCK_OK) return status;
+    const int enters = nck_comp_at(self, self->walk.piece.of)->enters;
+    return enters ? nck_comp_way_to(self) : nck_comp_keep_off(self);
 }
 
 // The entry at the tail: a block without contour is given, the next piece of a contour is opened.
@@ -158,7 +161,9 @@ nck_status_t nck_toolcomp_pull(nck_toolcomp_t *self, nck_block_t *block_out) {
 }
 
 nck_status_t nck_toolcomp_diagnostic(nck_toolcomp_t *self, nck_diagnostic_t *diagnostic_out) {
-    nck_diagnostic_t *const found = self->note.code != 0 ? &self->note : &self->error;
+    nck_diagnostic_t *found = &self->error;
+    if (self->note.left.code != 0) found = &self->note.left;
+    if (self->note.way.code != 0) found = &self->note.way;
     if (found->code == 0) return NCK_EMPTY;
     *diagnostic_out = *found;
     found->code = 0;

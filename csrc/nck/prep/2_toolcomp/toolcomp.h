@@ -34,6 +34,7 @@ typedef NCK_COMP_STATE nck_comp_entry {
     double tangent[2];   // direction of the contour before it, at its end; of the first move: the
                          // one that it ends upright on, by the types of Fanuc
     double s;            // contour before it [mm]
+    double height;       // where it begins outside of the plane, as nck_comp_height has it [mm]
     nck_comp_span_t path[NCK_COMP_PARTS];
     uint8_t moves;       // 1: it has a contour
     uint8_t rapid;       // 1: G0: nothing is cut there
@@ -84,11 +85,13 @@ typedef struct nck_toolcomp {
         double tangent[2]; // direction in which the last one ends
         double first[2];   // where the first one behind the entry begins, and its direction
         double ahead[2];
+        double height;     // of that place
+        uint32_t from;     // counts from here on are of this contour
         uint32_t count;    // of the last one
         uint32_t line;     // of the last one
         uint32_t begins;   // line of the first one behind the entry; 0: there is none
         uint8_t rapid;     // 1: the last one is a G0
-        uint8_t reserved[3]; // 0
+        uint8_t reserved[7]; // 0
     } last;
 
     // The piece in work.
@@ -116,7 +119,10 @@ typedef struct nck_toolcomp {
     } ring;
 
     nck_diagnostic_t error; // code 0: none
-    nck_diagnostic_t note;  // code 0: none
+    NCK_COMP_STATE {
+        nck_diagnostic_t left; // corners left out; code 0: none
+        nck_diagnostic_t way;  // a way in or out in the contour; code 0: none
+    } note;
 } nck_toolcomp_t;
 
 // A program that begins in the middle (dialect.from_line) gives nothing before NCK_BLOCK_ENTRY.

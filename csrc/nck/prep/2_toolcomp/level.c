@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: MIT
+// Heights. What the tool is in, it cuts from its tip upwards: it passes above a contour that lies
+// lower, and cuts through one that lies higher. Only in G17 does it stand upright on the plane; in
+// G18 and G19 nobody says from which side it comes, and all contours are of one height.
+#include "nck/prep/2_toolcomp/parts.h"
+
+#include "nck/base/real.h" // nck_min nck_max
+
+double nck_comp_height(const nck_toolcomp_t *self, const int64_t *place_nm) {
+    return self->plane == 17 ? (double)place_nm[NCK_AXIS_Z] * 1e-6 : 0.0;
+}
+
+void nck_comp_wall(nck_toolcomp_t *self, uint32_t count, nck_comp_stretch_t *out) {
+    const nck_comp_entry_t *const entry = nck_comp_at(self, count);
+    out->shape = entry->contour;
+    out->height[0] = entry->height;
+    out->height[1] = nck_comp_height(self, entry->block.target_nm);
+}
+
+// How low is the path at most where it comes to an entry? It was left where the contours between
+// are left out.
+static double comes_from(nck_toolcomp_t *self, uint32_t count) {
+    double height = nck_comp_at(self, count)->height;
+    while (count != self->ring.tail) {
+        const nck_comp_entry_t *const entry = nck_comp_at(self, --count);
+        if (entry->moves && entry->path[NCK_COMP_BESIDE].on) break;
+        if (entry->moves) height = nck_min(height, entry->height);
+    }
+    return height;
+}
+
+void nck_comp_stretch(nck_toolcomp_t *self, const nck_comp_piece_t *piece,
+                      nck_comp_stretch_t *out) {
+    const nck_comp_entry_t *const entry = nck_comp_at(self, piece->of);
+    const nck_comp_span_t *const span = &entry->path[piece->part];
+    const int turns = piece->part == NCK_COMP_ABOUT;
+    nck_shape_part(&piece->shape, span->from, span->to, &out->shape);
+    out->height[0] = comes_from(self, piece->of);
+    out->height[1] = turns ? out->height[0] : nck_comp_height(self, entry->block.target_nm);
+}
+
+// The part of a stretch that is no higher than a height (sense 1), or no lower (−1). Returns where
+// on the stretch it begins [mm], −1 if there is none.
+static double cut(const nck_comp_stretch_t *self, double height, double sense,
+                  nck_comp_stretch_t *out) {
+    const double room[2] = {sense * (height - self->height[0]), sense * (height - self->height[1])};
+    const int out_of_it[2] = {room[0] < 0.0, room[1] < 0.0};
+    *out = *self;
+    if (out_of_it[0] && out_of_it[1]) return -1.0;
+    if (!out_of_it[0] && !out_of_it[1]) return 0.0;
+    const double place = self->shape.length * (room[0] / (room[0] - room[1]));
+    const double from = out_of_it[0] ? place : 0.0;
+    nck_shape_part(&self->shape, from, out_of_it[0] ? self->shape.length : place, &out->shape);
+    out->height[out_of_it[0] ? 0 : 1] = height;
+    return from;
+}
+
+double nck_comp_depth(const nck_toolcomp_t *self, const nck_comp_stretch_t *path,
+                      const nck_comp_stretch_t *wall, nck_approach_t *at) {
+    nck_comp_stretch_t low;
+    nck_comp_stretch_t high;
+    const double top = nck_max(wall->height[0], wall->height[1]) + NCK_COMP_CLOSE;
+    const double on_path = cut(path, top, 1.0, &low);
+    if (on_path < 0.0) return 0.0;
+    const double bottom = nck_min(low.height[0], low.height[1]) - NCK_COMP_CLOSE;
+    const double on_wall = cut(wall, bottom, -1.0, &high);
+    if (on_wall < 0.0) return 0.0;
+    nck_shape_approach(&low.shape, &high.shape, at);
+    at->on_a += on_path;
+    at->on_b += on_wall;
+    const double depth = self->radius - at->gap;
+    return depth > NCK_COMP_CLOSE ? depth : 0.0;
+}
