@@ -187,7 +187,7 @@ static void hold_back(nck_toolcomp_t *self, uint32_t count, int *anew) {
     for (int part = 0; part < NCK_COMP_PARTS && !*anew; part++) {
         nck_comp_piece_t piece;
         nck_comp_stretch_t path;
-        if (!nck_comp_at(self, count)->path[part].on) continue;
+        if (!nck_comp_at(self, count)->on[part]) continue;
         nck_comp_piece(self, count, (nck_comp_part_t)part, &piece);
         nck_comp_stretch(self, &piece, &path);
         const double depth = depth_in(self, &piece, &path, self->walk.piece.of, anew);
@@ -234,7 +234,7 @@ static int are_apart(nck_toolcomp_t *self, uint32_t first, uint32_t second) {
 static int crosses(nck_toolcomp_t *self, const nck_shape_t *shape, uint32_t count, int part) {
     for (; part < NCK_COMP_PARTS; part++) {
         nck_comp_piece_t other;
-        if (!nck_comp_at(self, count)->path[part].on) continue;
+        if (!nck_comp_at(self, count)->on[part]) continue;
         nck_comp_piece(self, count, (nck_comp_part_t)part, &other);
         if (is_fault(self, shape, &other)) return 1;
     }

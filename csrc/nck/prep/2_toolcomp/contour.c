@@ -52,17 +52,17 @@ static void read_contour(nck_toolcomp_t *self, nck_comp_entry_t *entry) {
 static int follows_last(nck_toolcomp_t *self) {
     const uint32_t count = self->last.count;
     if (nck_comp_is_given(self, count)) return 1;
-    const nck_comp_span_t *const span = &nck_comp_at(self, count)->path[NCK_COMP_BESIDE];
+    const nck_comp_entry_t *const entry = nck_comp_at(self, count);
     nck_comp_piece_t piece;
     nck_comp_piece(self, count, NCK_COMP_BESIDE, &piece);
-    return span->on && !(span->to < piece.shape.length);
+    return entry->on[NCK_COMP_BESIDE] && !(entry->path[NCK_COMP_BESIDE].to < piece.shape.length);
 }
 
 static void note_last(nck_toolcomp_t *self, nck_comp_entry_t *entry) {
     const nck_shape_t *const contour = &entry->contour;
-    entry->first = !entry->enters && self->last.begins == 0;
-    entry->clear = entry->first && self->last.rapid;
-    if (entry->first) {
+    const int first = !entry->enters && self->last.begins == 0;
+    entry->clear = first && self->last.rapid;
+    if (first) {
         self->last.begins = entry->block.line;
         memcpy(self->last.first, contour->p, sizeof self->last.first);
         self->last.height = entry->height;
@@ -127,7 +127,8 @@ static nck_status_t go_round(nck_toolcomp_t *self, nck_comp_entry_t *entry) {
         nck_comp_piece_t piece;
         nck_comp_stretch_t way;
         nck_comp_piece(self, self->ring.head, (nck_comp_part_t)part, &piece);
-        entry->path[part] = (nck_comp_span_t){0.0, piece.shape.length, 1, {0}};
+        entry->path[part] = (nck_comp_span_t){0.0, piece.shape.length};
+        entry->on[part] = 1;
         nck_comp_stretch(self, &piece, &way);
         status = nck_comp_way_from(self, &entry->block, &way);
     }

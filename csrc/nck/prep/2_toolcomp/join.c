@@ -35,11 +35,12 @@ static int turns_towards(const nck_toolcomp_t *self, const nck_comp_piece_t *fro
 // either may be cut off [mm].
 static int leaves(nck_toolcomp_t *self, uint32_t count, nck_comp_part_t part,
                   const nck_comp_piece_t *to, double reach) {
-    nck_comp_span_t *const span = &nck_comp_at(self, count)->path[part];
-    nck_comp_span_t *const next = &nck_comp_at(self, to->of)->path[to->part];
+    nck_comp_entry_t *const entry = nck_comp_at(self, count);
+    nck_comp_entry_t *const next = nck_comp_at(self, to->of);
+    nck_comp_span_t *const span = &entry->path[part];
     nck_comp_piece_t piece;
     nck_meeting_t at[2];
-    if (!span->on) return 0;
+    if (!entry->on[part]) return 0;
     nck_comp_piece(self, count, part, &piece);
     const unsigned crossings = nck_shape_cross(&piece.shape, &to->shape, at);
     for (unsigned k = 0; k < crossings; k++) {
@@ -48,7 +49,8 @@ static int leaves(nck_toolcomp_t *self, uint32_t count, nck_comp_part_t part,
         const int near = span->to - at[k].on_a < reach && at[k].on_b < reach;
         if (!within || !near || !turns_towards(self, &piece, to, &at[k])) continue;
         span->to = nck_min(at[k].on_a, span->to);
-        *next = (nck_comp_span_t){nck_max(at[k].on_b, 0.0), to->shape.length, 1, {0}};
+        next->path[to->part] = (nck_comp_span_t){nck_max(at[k].on_b, 0.0), to->shape.length};
+        next->on[to->part] = 1;
         return 1;
     }
     return 0;
@@ -56,11 +58,11 @@ static int leaves(nck_toolcomp_t *self, uint32_t count, nck_comp_part_t part,
 
 // Of the contours behind a piece nothing is on the path any more.
 static void take_back(nck_toolcomp_t *self, uint32_t count, nck_comp_part_t part, uint32_t until) {
-    if (part == NCK_COMP_ABOUT) nck_comp_at(self, count)->path[NCK_COMP_BESIDE].on = 0;
+    if (part == NCK_COMP_ABOUT) nck_comp_at(self, count)->on[NCK_COMP_BESIDE] = 0;
     for (uint32_t m = count + 1; m != until; m++) {
         nck_comp_entry_t *const entry = nck_comp_at(self, m);
-        entry->path[NCK_COMP_ABOUT].on = 0;
-        entry->path[NCK_COMP_BESIDE].on = 0;
+        entry->on[NCK_COMP_ABOUT] = 0;
+        entry->on[NCK_COMP_BESIDE] = 0;
     }
 }
 
@@ -84,8 +86,9 @@ static int crosses(nck_toolcomp_t *self, uint32_t neighbour, const nck_comp_piec
 }
 
 static void lead(nck_toolcomp_t *self, const nck_comp_piece_t *piece) {
-    nck_comp_span_t *const span = &nck_comp_at(self, piece->of)->path[piece->part];
-    *span = (nck_comp_span_t){0.0, piece->shape.length, 1, {0}};
+    nck_comp_entry_t *const entry = nck_comp_at(self, piece->of);
+    entry->path[piece->part] = (nck_comp_span_t){0.0, piece->shape.length};
+    entry->on[piece->part] = 1;
 }
 
 // Towards the tool: the parallels cross. At an angle so small that nobody can tell they do so close

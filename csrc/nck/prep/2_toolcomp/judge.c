@@ -101,7 +101,7 @@ static int leave_out(nck_toolcomp_t *self, apart_t *gap, uint32_t count) {
 
 static int is_left_out(nck_toolcomp_t *self, uint32_t count) {
     const nck_comp_entry_t *const entry = nck_comp_at(self, count);
-    return entry->moves && !entry->path[NCK_COMP_BESIDE].on;
+    return entry->moves && !entry->on[NCK_COMP_BESIDE];
 }
 
 static nck_status_t fail(nck_toolcomp_t *self, apart_t *gap) {

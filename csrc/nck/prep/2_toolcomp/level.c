@@ -23,7 +23,7 @@ static double comes_from(nck_toolcomp_t *self, uint32_t count) {
     double height = nck_comp_at(self, count)->height;
     while (count != self->ring.tail) {
         const nck_comp_entry_t *const entry = nck_comp_at(self, --count);
-        if (entry->moves && entry->path[NCK_COMP_BESIDE].on) break;
+        if (entry->moves && entry->on[NCK_COMP_BESIDE]) break;
         if (entry->moves) height = nck_min(height, entry->height);
     }
     return height;

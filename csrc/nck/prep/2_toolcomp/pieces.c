@@ -95,7 +95,7 @@ int nck_comp_following(nck_toolcomp_t *self, const nck_comp_piece_t *piece, nck_
     while (count != self->ring.head) {
         const nck_comp_entry_t *const entry = nck_comp_at(self, count);
         for (; part < NCK_COMP_PARTS; part++) {
-            if (!entry->path[part].on) continue;
+            if (!entry->on[part]) continue;
             nck_comp_piece(self, count, (nck_comp_part_t)part, out);
             return 1;
         }

@@ -133,7 +133,7 @@ static nck_status_t begin_entry(nck_toolcomp_t *self, nck_block_t *out) {
         nck_comp_give_along(self, &entry->block, out);
         return NCK_OK;
     }
-    if (entry->path[part].on) open_piece(self, (nck_comp_part_t)part);
+    if (entry->on[part]) open_piece(self, (nck_comp_part_t)part);
     self->walk.part++;
     return NCK_EMPTY;
 }

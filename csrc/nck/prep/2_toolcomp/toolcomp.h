@@ -21,10 +21,8 @@ typedef enum nck_comp_part {
 
 // From where to where the path is on a piece.
 typedef struct nck_comp_span {
-    double from;         // [mm] along it
+    double from; // [mm] along it
     double to;
-    uint8_t on;          // 1: it is there
-    uint8_t reserved[7]; // 0
 } nck_comp_span_t;
 
 // A block that waits, and what it is in the plane.
@@ -36,14 +34,14 @@ typedef NCK_COMP_STATE nck_comp_entry {
     double s;            // contour before it [mm]
     double height;       // where it begins outside of the plane, as nck_comp_height has it [mm]
     nck_comp_span_t path[NCK_COMP_PARTS];
+    uint8_t on[NCK_COMP_PARTS]; // 1: the path is on that piece
     uint8_t moves;       // 1: it has a contour
     uint8_t rapid;       // 1: G0: nothing is cut there
     uint8_t enters;      // 1: the first move
-    uint8_t first;       // 1: the first contour behind it
-    uint8_t clear;       // 1: it came by a rapid, so that the arc to its side cuts nothing either
+    uint8_t clear;       // 1: the first contour behind it, if that came by a rapid: the arc to its
+                         // side cuts nothing either
     uint8_t leaves;      // 1: the move behind G40, with an arc about the contour's end before it
     uint8_t anew;        // 1: the contour comes back to itself here
-    uint8_t reserved[1]; // 0
 } nck_comp_entry_t;
 
 // How far compensation is.
