@@ -271,7 +271,7 @@ def fault_of(case, start="rs274"):
         good = in_the_way(case, start, plain, whole, errors[0].line)
         return "in the way", "" if good else "a way that is refused is in no contour"
     if errors:
-        return "refused", refusal(case, plain, errors[0])
+        return "refused", refusal(case, start, plain, errors[0])
     told = {each.line: float(re.search(r"[\d.]+ mm", each.message)[0][:-3])
             for each in program.diagnostics if each.id == "comp-way"}  # fmt: skip
     words = untold(case, plain, whole, told)
@@ -348,13 +348,25 @@ def fault_of_ramp(case, plain, rows):
     return ""
 
 
-def refusal(case, plain, error):
+def passes_by(case, enter, walls):
+    """Tell whether RS274NGC's first move does not meet what is beside the first element: inside a
+    corner with a small arc it leads past that."""
+    shares = np.linspace(0, 1, 4000)
+    ends = beside(case, enter.points(np.array([0.0, 1.0])), enter.end - enter.start)
+    places, _ = next(along(case, walls, shares))
+    return contours.Element(*ends).distance(places).min() > length(walls[0][0]) / 2000
+
+
+def refusal(case, start, plain, error):
     """Return words for an error without a reason."""
     if case.must:
         return f"refused: {error.text().splitlines()[0]}"
     if error.id == "comp-radius" or error.id == "comp-entry":
         return ""
     walls = levels(plain, case, range(6, plain[-1][0]))
+    enter = next(each for line, each, _ in plain if line == 5)
+    if error.line == 5 and start == "rs274" and passes_by(case, enter, walls):
+        return ""
     points = places(walls, case.radius / 60)
     for each in along(case, walls, np.linspace(0, 1, 100)):
         if depth_in(points, each, case.radius, 2 * NEAR).max() > NEAR:

@@ -146,86 +146,6 @@ static const told_row_t inside2_rows[] = {
      " 5 line Y0 F1"},
 };
 
-// The path of line 3 is at Y22, and faces the back of a contour further on: the paths beside them
-// do not cross. A corner at Y23.5, and an arc whose middle is there, are 0.5 mm too near.
-static const told_row_t back_rows[] = {
-    {"G41.1 D4 F100\nG1 X0 Y20\nX60\nY60\nX20\nY23.5\nX40\nG40 Y50\n",
-     "?2:0 comp-way 0.00992561958/3; 2 line X-2 Y20 F100; 3 arc X0 Y22 G17 about 0 20 by -90;"
-     " !3:0 comp-gouge 0.5/6; 8 line X40 Y50"},
-    {"G41.1 D4 F100\nG1 X0 Y20\nX60\nY60\nX20\nY24\nX40\nG40 Y50\n",
-     "?2:0 comp-way 0.00992561958/3; 2 line X-2 Y20 F100; 3 arc X0 Y22 G17 about 0 20 by -90;"
-     " 3 line X58; 4 line Y58; 5 line X22; 6 line Y26; 7 line X40; 8 line Y50"},
-    {"G41.1 D4 F100\nG1 X0 Y20\nX60\nY60\nX20\nY33.5\nG3 X40 I10\nG40 G1 Y50\n",
-     "?2:0 comp-way 0.00992561958/3; 2 line X-2 Y20 F100; 3 arc X0 Y22 G17 about 0 20 by -90;"
-     " !3:0 comp-gouge 0.5/7; 8 line X40 Y50"},
-    {"G41.1 D4 F100\nG1 X0 Y20\nX60\nY60\nX20\nY34\nG3 X40 I10\nG40 G1 Y50\n",
-     "?2:0 comp-way 0.00992561958/3; 2 line X-2 Y20 F100; 3 arc X0 Y22 G17 about 0 20 by -90;"
-     " 3 line X58; 4 line Y58; 5 line X22; 6 line Y34; 7 arc X38 G17 about 30 34 by 180;"
-     " ?8:0 comp-way 0.0154442466/7; 8 line X40 Y50"},
-};
-
-static void a_path_keeps_off_the_back_of_a_contour(check_t *check) {
-    told_begin(&self, NCK_DIALECT_LINUXCNC);
-    self.compensates = 1;
-    TOLD(check, &self, back_rows);
-}
-
-// The same contours, part of them lower or higher: in G17 the tool passes above what is lower by
-// more than 1 µm. The last three end in the corner where they begin.
-static const told_row_t level_rows[] = {
-    {"G41.1 D4 F100\nG1 X0 Y20\nX60\nY60\nX20\nZ-1\nY23.5\nX40\nG40 Y50\n",
-     "?2:0 comp-way 0.00992561958/3; 2 line X-2 Y20 F100; 3 arc X0 Y22 G17 about 0 20 by -90;"
-     " 3 line X58; 4 line Y58; 5 line X22; 6 line Z-1; 7 line Y25.5; 8 line X40; 9 line Y50"},
-    {"G41.1 D4 F100\nG1 X0 Y20\nX60\nY60\nX20\nZ1\nY23.5\nX40\nG40 Y50\n",
-     "?2:0 comp-way 0.00992561958/3; 2 line X-2 Y20 F100; 3 arc X0 Y22 G17 about 0 20 by -90;"
-     " !3:0 comp-gouge 0.5/7; 9 line X40 Y50 Z1"},
-    {"G41.1 D4 F100\nG1 X0 Y20\nX60\nY60\nX20\nZ-0.001\nY23.5\nX40\nG40 Y50\n",
-     "?2:0 comp-way 0.00992561958/3; 2 line X-2 Y20 F100; 3 arc X0 Y22 G17 about 0 20 by -90;"
-     " !3:0 comp-gouge 0.5/7; 9 line X40 Y50 Z-0.001"},
-    {"G41.1 D4 F100\nG1 X0 Y20\nX60\nY60\nX20\nZ-0.0011\nY23.5\nX40\nG40 Y50\n",
-     "?2:0 comp-way 0.00992561958/3; 2 line X-2 Y20 F100; 3 arc X0 Y22 G17 about 0 20 by -90;"
-     " 3 line X58; 4 line Y58; 5 line X22; 6 line Z-0.0011; 7 line Y25.5; 8 line X40; 9 line Y50"},
-    {"G41.1 D4 F100\nG1 X0 Y20\nX60\nY60\nX20\nY23.5 Z-1\nX40\nG40 Y50\n",
-     "?2:0 comp-way 0.00992561958/3; 2 line X-2 Y20 F100; 3 arc X0 Y22 G17 about 0 20 by -90;"
-     " 3 line X58; 4 line Y58; 5 line X22; 6 line Y25.5 Z-1; 7 line X40; 8 line Y50"},
-    {"G41.1 D4 F100\nG1 X0 Y20\nX60\nY60\nX20\nY23.5 Z1\nX40\nG40 Y50\n",
-     "?2:0 comp-way 0.00992561958/3; 2 line X-2 Y20 F100; 3 arc X0 Y22 G17 about 0 20 by -90;"
-     " !3:0 comp-gouge 0.5/6; 8 line X40 Y50 Z1"},
-    {"G18 G41.1 D4 F100\nG1 Z0 X20\nZ60\nX60\nZ20\nY-1\nX23.5\nZ40\nG40 X50\n",
-     "?2:0 comp-way 0.00992561958/3; 2 line X20 Z-2 F100; 3 arc X22 Z0 G18 about 0 20 by -90;"
-     " !3:0 comp-gouge 0.5/7; 9 line X50 Y-1 Z40"},
-    {"G0 X40 Y40\nG42.1 D4 F100\nG1 Y23.5\nX20\nY60\nX60\nY20\nX0\nG40 Y10\n",
-     "1 rapid X40 Y40; 3 line X38 Y25.5 F100; 4 line X22; 5 line Y58; 6 line X58; 7 line Y22;"
-     " !8:0 comp-gouge 0.5/4; 9 line X0 Y10"},
-    {"G0 X40 Y40\nG42.1 D4 F100\nG1 Y23.5\nX20\nY60\nX60\nZ1\nY20\nX0\nG40 Y10\n",
-     "1 rapid X40 Y40; 3 line X38 Y25.5 F100; 4 line X22; 5 line Y58; 6 line X58; 7 line Z1;"
-     " 8 line Y22; 9 line X0; ?10:0 comp-way 2/9; 10 line Y10"},
-    {"G0 X40 Y40\nG42.1 D4 F100\nG1 Y23.5\nX20\nY60\nX60\nZ-1\nY20\nX0\nG40 Y10\n",
-     "1 rapid X40 Y40; 3 line X38 Y25.5 F100; 4 line X22; 5 line Y58; 6 line X58; 7 line Z-1;"
-     " 8 line Y22; !9:0 comp-gouge 0.5/4; 10 line X0 Y10"},
-    {"G0 X40 Y40\nG42.1 D4 F100\nG1 Y23.5\nX20\nY60\nX60\nY20 Z1\nX0\nG40 Y10\n",
-     "1 rapid X40 Y40; 3 line X38 Y25.5 F100; 4 line X22; 5 line Y58; 6 line X58; 7 line Y22 Z1;"
-     " 8 line X0; ?9:0 comp-way 2/8; 9 line Y10"},
-    {"G0 X40 Y40\nG42.1 D4 F100\nG1 Y23.5\nX20\nY60\nX60\nZ-1\nY20 Z1\nX0\nG40 Y10\n",
-     "1 rapid X40 Y40; 3 line X38 Y25.5 F100; 4 line X22; 5 line Y58; 6 line X58; 7 line Z-1;"
-     " 8 line Y22 Z1; 9 line X0; ?10:0 comp-way 2/9; 10 line Y10"},
-    {"G0 X0 Y0\nG41.1 D6 F100\nG1 X20 Y-20\nY20\nX-20\nY-20\nX20\nG40 X0 Y0\n",
-     "1 rapid; 3 line X17 Y-12.757359 F100; 4 line Y17; 5 line X-17; 6 line Y-17;"
-     " !7:0 comp-gouge 3/4; 8 line X0 Y0"},
-    {"G0 X0 Y0\nG41.1 D6 F100\nG1 X20 Y-20\nY20\nX-20\nY-20\nZ1\nX20\nG40 X0 Y0\n",
-     "1 rapid; 3 line X17 Y-12.757359 F100; 4 line Y17; 5 line X-17; 6 line Y-17; 7 line Z1;"
-     " 8 line X20; 9 line X0 Y0"},
-    {"G0 X0 Y0\nG41.1 D6 F100\nG1 X20 Y-20\nY20\nX-20\nY-20\nZ-1\nX20\nG40 X0 Y0\n",
-     "1 rapid; 3 line X17 Y-12.757359 F100; 4 line Y17; 5 line X-17; 6 line Y-17; 7 line Z-1;"
-     " !8:0 comp-gouge 3/4; 9 line X0 Y0"},
-};
-
-static void a_path_passes_above_what_lies_lower(check_t *check) {
-    told_begin(&self, NCK_DIALECT_LINUXCNC);
-    self.compensates = 1;
-    TOLD(check, &self, level_rows);
-}
-
 static void narrow_contours_are_cut_left_out_or_refused(check_t *check) {
     told_begin(&self, NCK_DIALECT_LINUXCNC);
     self.compensates = 1;
@@ -342,8 +262,6 @@ int main(void) {
     CHECK_RUN(&check, no_part_of_the_path_leaves_the_travel);
     CHECK_RUN(&check, narrow_contours_are_cut_left_out_or_refused);
     CHECK_RUN(&check, what_stands_between_contours_is_executed_there);
-    CHECK_RUN(&check, a_path_keeps_off_the_back_of_a_contour);
-    CHECK_RUN(&check, a_path_passes_above_what_lies_lower);
     CHECK_RUN(&check, a_nose_goes_beside_the_contour);
     return check_end(&check);
 }

@@ -17,16 +17,16 @@ void nck_comp_wall(nck_toolcomp_t *self, uint32_t count, nck_comp_stretch_t *out
     out->height[1] = nck_comp_height(self, entry->block.target_nm);
 }
 
-// How low is the path at most where it comes to an entry? It was left where the contours between
-// are left out.
+// How low is the path at most where it comes to an entry? It comes from the nearest contour before
+// that is not left out; before the ring's first one it is where the tool is by now.
 static double comes_from(nck_toolcomp_t *self, uint32_t count) {
     double height = nck_comp_at(self, count)->height;
     while (count != self->ring.tail) {
         const nck_comp_entry_t *const entry = nck_comp_at(self, --count);
-        if (entry->moves && entry->on[NCK_COMP_BESIDE]) break;
+        if (entry->moves && entry->on[NCK_COMP_BESIDE]) return height;
         if (entry->moves) height = nck_min(height, entry->height);
     }
-    return height;
+    return nck_min(height, nck_comp_height(self, self->given_nm));
 }
 
 void nck_comp_stretch(nck_toolcomp_t *self, const nck_comp_piece_t *piece,
