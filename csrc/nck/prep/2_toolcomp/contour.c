@@ -116,23 +116,21 @@ static nck_status_t go_straight(nck_toolcomp_t *self, const nck_block_t *block) 
     nck_shape_line(self->at, to, &way.shape);
     way.height[0] = nck_comp_height(self, self->given_nm);
     way.height[1] = nck_comp_height(self, block->target_nm);
-    return nck_comp_way_from(self, block, &way);
+    return nck_comp_way_from(self, block, &way, 1);
 }
 
 // Or by way of an arc about the contour's end.
 static nck_status_t go_round(nck_toolcomp_t *self, nck_comp_entry_t *entry) {
-    nck_status_t status = NCK_OK;
+    nck_comp_stretch_t way[NCK_COMP_PARTS];
     entry->leaves = 1;
-    for (int part = 0; part < NCK_COMP_PARTS && status == NCK_OK; part++) {
+    for (int part = 0; part < NCK_COMP_PARTS; part++) {
         nck_comp_piece_t piece;
-        nck_comp_stretch_t way;
         nck_comp_piece(self, self->ring.head, (nck_comp_part_t)part, &piece);
         entry->path[part] = (nck_comp_span_t){0.0, piece.shape.length};
         entry->on[part] = 1;
-        nck_comp_stretch(self, &piece, &way);
-        status = nck_comp_way_from(self, &entry->block, &way);
+        nck_comp_stretch(self, &piece, &way[part]);
     }
-    return status;
+    return nck_comp_way_from(self, &entry->block, way, NCK_COMP_PARTS);
 }
 
 nck_status_t nck_comp_leave(nck_toolcomp_t *self, const nck_block_t *block) {

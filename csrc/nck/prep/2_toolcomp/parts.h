@@ -110,10 +110,10 @@ double nck_comp_depth(const nck_toolcomp_t *self, const nck_comp_stretch_t *path
 // linear in the ring.
 nck_status_t nck_comp_way_to(nck_toolcomp_t *self);
 
-// way.c: is the move behind G40, or a part of it, in the contour? A note, or NCK_E_COMP_GOUGE.
+// way.c: is the move behind G40, in one part or two, in the contour? A note, or NCK_E_COMP_GOUGE.
 // Cost: quadratic in the ring.
 nck_status_t nck_comp_way_from(nck_toolcomp_t *self, const nck_block_t *block,
-                               const nck_comp_stretch_t *way);
+                               const nck_comp_stretch_t *way, unsigned parts);
 
 // give.c: the block for the next stretch of the piece in work. NCK_OK, NCK_EMPTY (it has no
 // length), NCK_E_TRAVEL. Cost: constant.

@@ -42,9 +42,7 @@ static nck_status_t tell(nck_toolcomp_t *self, uint32_t line, const trespass_t *
         self->error.letter = 'G';
         return status;
     }
-    const int told = self->note.way.code != 0 && self->note.way.line == line
-                     && self->note.way.value > found->most[1]; // of another part of the way
-    if (found->most[1] > 0.0 && !told) {
+    if (found->most[1] > 0.0) {
         self->note.way = (nck_diagnostic_t){NCK_NOTE_COMP_WAY, line, 0, 0, found->most[1],
                                             (double)found->line[1]};
     }
@@ -73,7 +71,7 @@ nck_status_t nck_comp_way_to(nck_toolcomp_t *self) {
 }
 
 nck_status_t nck_comp_way_from(nck_toolcomp_t *self, const nck_block_t *block,
-                               const nck_comp_stretch_t *way) {
+                               const nck_comp_stretch_t *way, unsigned parts) {
     const uint32_t head = self->ring.head;
     const uint32_t taken = head - self->last.from;
     const uint32_t kept = taken < NCK_COMP_ROWS ? taken : NCK_COMP_ROWS - 1;
@@ -87,7 +85,7 @@ nck_status_t nck_comp_way_from(nck_toolcomp_t *self, const nck_block_t *block,
         const nck_comp_entry_t *const entry = nck_comp_at(self, --m);
         if (entry->rapid) break;
         if (!entry->moves || entry->enters) continue;
-        look(self, way, at, m, &found);
+        for (unsigned k = 0; k < parts; k++) look(self, &way[k], at, m, &found);
         if (nck_comp_is_met(self, m)) break;
     }
     return tell(self, block->line, &found);
