@@ -21,6 +21,37 @@ static const told_row_t back_rows[] = {
      "?2:0 comp-way 0.00992561958/3; 2 line X-2 Y20 F100; 3 arc X0 Y22 G17 about 0 20 by -90;"
      " 3 line X58; 4 line Y58; 5 line X22; 6 line Y34; 7 arc X38 G17 about 30 34 by 180;"
      " ?8:0 comp-way 0.0154442466/7; 8 line X40 Y50"},
+    {"G0 X40 Y40\nG42.1 D4 F100\nG1 Y23.5\nX30\nY23\nX20\nY60\nX60\nY20\nX0\nG40 Y10\n",
+     "1 rapid X40 Y40; 3 line X38 Y25.5 F100; 4 line X30; ?5:0 comp-left 0.397915762/5;"
+     " 5 arc X28.677124 Y25 G17 about 30 23.5 by 41.4096; 6 line X22; 7 line Y58; 8 line X58;"
+     " 9 line Y22; !10:0 comp-gouge 1/5; 11 line X0 Y10"},
+    {"G0 X40 Y40\nG42.1 D4 F100\nG1 Y23\nX30\nY23.5\nX20\nY60\nX60\nY20\nX0\nG40 Y10\n",
+     "1 rapid X40 Y40; 3 line X38 Y25 F100; ?5:0 comp-left 0.397915762/5; 4 line X31.322876;"
+     " 6 arc X30 Y25.5 G17 about 30 23.5 by 41.4096; 6 line X22; 7 line Y58; 8 line X58;"
+     " 9 line Y22; !10:0 comp-gouge 1/4; 11 line X0 Y10"},
+    {"G0 X40 Y40\nG42.1 D4 F100\nG1 Y23.5\nX30\nX20 Y22.5\nY60\nX60\nY20\nX0\nY50\nX-20\nG40 Y10\n",
+     "1 rapid X40 Y40; 3 line X38 Y25.5 F100; 4 line X30;"
+     " 5 arc X29.800993 Y25.490074 G17 about 30 23.5 by 5.7106; 5 line X22 Y24.709975; 6 line Y58;"
+     " 7 line X58; 8 line Y22; !9:0 comp-gouge 1.5/5; 12 line X-20 Y10"},
+    {"G41.1 D4 F100\nG1 X0 Y20\nX60\nY60\nX20\nX25 Y23.5\nX35 Y23\nX45 Y30\nG40 Y50\n",
+     "?2:0 comp-way 0.00992561958/3; 2 line X-2 Y20 F100; 3 arc X0 Y22 G17 about 0 20 by -90;"
+     " !3:0 comp-gouge 1/7; 9 line X45 Y50"},
+    {"G0 X18 Y-20\nG41.1 D4 F100\nG1 X20 Y0\nG3 X-20 Y0 I-20\nG1 X-10\nG2 X10 Y0 I10\n"
+     "G40 G1 Y-20\n",
+     "1 rapid X18 Y-20; 3 line X17.999738 Y0.097131 F100;"
+     " 4 arc X-17.888544 Y2 G17 about 0 0 by 173.3115; 5 line X-11.83216;"
+     " 6 arc X12 Y0 G17 about 0 0 by -170.4059; ?7:0 comp-way 0.00992561958/6; 7 line X10 Y-20"},
+    {"G0 X-10 Y-10\nG41.1 D6 F100\nG1 X0 Y0\nX10\nY-10\nX5\nY-30\nX19\nY-10\nX14\nY0\n"
+     "X30\nG40 Y20\n",
+     "1 rapid X-10 Y-10; ?3:0 comp-way 0.0653040717/4; 3 line X-2.12132 Y2.12132 F100;"
+     " 4 arc X0 Y3 G17 about 0 0 by -45; 4 line X10; !5:0 comp-gouge 2/11; 13 line X30 Y20"},
+    {"G0 X-10 Y-10\nG41.1 D3.9 F100\nG1 X0 Y0\nX10\nY-10\nX5\nY-30\nX19\nY-10\nX14\nY0\n"
+     "X30\nG40 Y20\n",
+     "1 rapid X-10 Y-10; ?3:0 comp-way 0.0182769783/4; 3 line X-1.378858 Y1.378858 F100;"
+     " 4 arc X0 Y1.95 G17 about 0 0 by -45; 4 line X10; 5 arc X11.95 Y0 G17 about 10 0 by -90;"
+     " 5 line Y-10; 6 arc X10 Y-11.95 G17 about 10 -10 by -90; 6 line X6.95; 7 line Y-28.05;"
+     " 8 line X17.05; 9 line Y-11.95; 10 line X14; 11 arc X12.05 Y-10 G17 about 14 -10 by -90;"
+     " 11 line Y0; 12 arc X14 Y1.95 G17 about 14 0 by -90; 12 line X30; 13 line Y20"},
 };
 
 static void a_path_keeps_off_the_back_of_a_contour(check_t *check) {
