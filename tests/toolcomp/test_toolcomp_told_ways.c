@@ -61,8 +61,8 @@ static void a_path_keeps_off_the_back_of_a_contour(check_t *check) {
 }
 
 // The same contours, part of them lower or higher: in G17 the tool passes above what is lower by
-// more than 1 µm. Three end in the corner where they begin; the last two come to line 6 from lower
-// down, for line 5 is left out.
+// more than 1 µm. Three end in the corner where they begin; two come to line 5 or 6 from where
+// they leave line 3, lower down or not; in the last both go down.
 static const told_row_t level_rows[] = {
     {"G41.1 D4 F100\nG1 X0 Y20\nX60\nY60\nX20\nZ-1\nY23.5\nX40\nG40 Y50\n",
      "?2:0 comp-way 0.00992561958/3; 2 line X-2 Y20 F100; 3 arc X0 Y22 G17 about 0 20 by -90;"
@@ -117,6 +117,9 @@ static const told_row_t level_rows[] = {
      "2 line X-2 Y20 Z-3 F100; 3 arc X0 Y22 G17 about 0 20 by -90; ?5:0 comp-left 0.5/5;"
      " 3 line X38; 4 line Z0; 6 line Y58; 7 line X22; 8 line Z-2; 9 line Y28; 10 line X34.5;"
      " 11 line Y40; 12 line X30"},
+    {"G41.1 D4 F100\nG1 X0 Y20\nX60 Z-3\nY60\nX50 Z-2\nY23.5 Z-2.4\nG40 X58 Y50\n",
+     "?2:0 comp-way 0.00992561958/3; 2 line X-2 Y20 F100; 3 arc X0 Y22 G17 about 0 20 by -90;"
+     " !3:0 comp-gouge 0.5/6; 7 line X58 Y50 Z-2.4"},
 };
 
 static void a_path_passes_above_what_lies_lower(check_t *check) {
