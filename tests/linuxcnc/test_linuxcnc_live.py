@@ -160,6 +160,7 @@ def test_feeds_and_threads_are_what_is_programmed_a_revolution(planner, folder):
     assert (np.diff(log.places[cut, 2]) < 0).all()  # no rest where the lead changes
 
 
+@pytest.mark.thorough
 @pytest.mark.sample(1)
 @pytest.mark.parametrize("chapter", lathe_live.MANUAL)
 def test_the_manuals_lathe_examples_cut_one_groove_of_their_lead(planner, folder, chapter):
