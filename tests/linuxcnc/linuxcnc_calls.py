@@ -175,10 +175,10 @@ def feeds_failures(stand_in, seed):
     if len(v) <= n:
         return wrong
     # judged towards the end of a time in which tool and spindle change little
-    most, least = (f(np.lib.stride_tricks.sliding_window_view(rps, n), axis=1)
-                   for f in (np.max, np.min))  # fmt: skip
-    rate = (most / np.maximum(least, 1e-9) - 1) / STEADY
-    moves = np.lib.stride_tricks.sliding_window_view(v, n).min(axis=1) > 0.8 * lead * least
+    late, windows = int(LATE_S / CYCLE_S), np.lib.stride_tricks.sliding_window_view
+    slope = np.abs(rps[late:] - rps[:-late]) / np.maximum(rps[:-late], 1e-9) / LATE_S
+    rate = windows(slope, n - late).max(axis=1)
+    moves = windows(v, n).min(axis=1) > 0.8 * lead * windows(rps, n).min(axis=1)
     fastest = FASTEST["css" if any("css" in line for line in script) else ""]
     judged = np.flatnonzero((rate < fastest) & moves)
     at = judged + n - n // 8
