@@ -171,6 +171,17 @@
 #define NCK_SSHAPE_STATE union
 #endif
 
+// Nodes of a motion's window (base/motion.h): a multiple of NCK_MOTION_LANES. 128 cells and their
+// ends, fewer where memory is short.
+#if NCK_PROFILE >= 256
+#define NCK_MOTION_NODES 136
+#else
+#define NCK_MOTION_NODES 96
+#endif
+// Nodes that are worked on side by side: sums over nodes are sums of so many sums, whatever the
+// processor, so that loops become vectors of the same bits.
+#define NCK_MOTION_LANES 8
+
 // Reference points: G28, G30 (P2), G30 P3, G30 P4.
 #if NCK_CYCLES > 0
 #define NCK_HOMES 4

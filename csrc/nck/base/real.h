@@ -8,18 +8,27 @@
 #define NCK_REAL double
 #endif
 
+// The number type of the solvers' arrays (base/motion.h): double, or float for a processor that has
+// no other in hardware.
+#ifndef NCK_NUM
+#define NCK_NUM double
+#endif
+
 #ifdef __OPENCL_VERSION__
 #pragma OPENCL FP_CONTRACT OFF
 // The same words in both languages: arguments read and written, the number, its functions.
 #define NCK_IN __global const
 #define NCK_OUT __global
 typedef NCK_REAL nck_real;
+typedef NCK_REAL nck_num; // a device plans in the type that it has
 typedef long nck_int64;
 #define nck_sqrt(x) sqrt(x)
 #define nck_fabs(x) fabs(x)
 #define nck_floor(x) floor(x)
 #define nck_sincos(x, sin_out, cos_out) nck_trig_sincos(x, sin_out, cos_out) // trig_math.h
 #define nck_atan2(y, x) nck_trig_atan2(y, x)
+#define NCK_NUM_SQRT(x) sqrt(x)
+#define NCK_NUM_ABS(x) fabs(x)
 #else
 #include <math.h>   // sqrt fabs floor: exact in IEEE 754, no other function of libm is used
 #include <stdint.h> // int64_t
@@ -30,11 +39,19 @@ typedef long nck_int64;
 #define NCK_IN const
 #define NCK_OUT
 typedef NCK_REAL nck_real;
+typedef NCK_NUM nck_num;
 typedef int64_t nck_int64;
 #define nck_sqrt(x) sqrt(x)
 #define nck_fabs(x) fabs(x)
 #define nck_floor(x) floor(x)
+#define NCK_NUM_SQRT(x) \
+    (sizeof(nck_num) == 4 ? (nck_num)sqrtf((float)(x)) : (nck_num)sqrt((double)(x)))
+#define NCK_NUM_ABS(x) \
+    (sizeof(nck_num) == 4 ? (nck_num)fabsf((float)(x)) : (nck_num)fabs((double)(x)))
 #endif
+
+// A literal of the solvers' type.
+#define NCK_NUM_OF(x) ((nck_num)(x))
 
 // Ternaries on purpose: fmin in a dependent chain costs 2.5 times more, and NaN rules stay visible.
 static inline nck_real nck_min(nck_real a, nck_real b) { return b < a ? b : a; }

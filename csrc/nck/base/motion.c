@@ -1,0 +1,415 @@
+// SPDX-License-Identifier: MIT
+// The iteration: objective and caps, the Newton step, how far it is gone, when it is enough.
+#include "nck/base/motion.h"
+
+#include <string.h> // memset
+
+#include "nck/base/motion_math.h" // nck_motion_row
+#include "nck/base/motion_rows.h" // nck_motion_assemble
+
+// What a step does next. A window goes BEGIN, SEED …, then round by round ASSEMBLE …, SOLVE,
+// DIRECT …, GO, until SOLVE finds it good enough; then CHECK ….
+enum { BEGIN, SEED, ASSEMBLE, SOLVE, DIRECT, GO, CHECK, END };
+
+// μ of the first multipliers, as a share of time; larger ones are slow, smaller ones let the first
+// steps run into a corner of the limits.
+#define MU_FIRST NCK_NUM_OF(2)
+// By how much μ may fall in a step: less while a limit is broken.
+#define MU_FALL NCK_NUM_OF(0.15)
+#define MU_FALL_BROKEN NCK_NUM_OF(0.3)
+// The share of time that it stays at while a limit is broken by all of itself: rows that come late
+// find others with no slack to give way.
+#define MU_BROKEN NCK_NUM_OF(0.3)
+// What of the gap is aimed at: the last step need not be exact.
+#define MU_LAST NCK_NUM_OF(0.35)
+// What of the price for excess is time that a gap is a share of: all of it would leave the rest of
+// the motion to chance, none asks for the last digits.
+#define PAID NCK_NUM_OF(0.1)
+// A limit broken by more is not yet met …
+#define BROKEN NCK_NUM_OF(1e-2)
+// … and by so much is met, for numbers of either type.
+#define MET NCK_NUM_OF(sizeof(nck_num) == 4 ? 1e-3 : 2e-4)
+// What is taken between rows may be beyond the limits by so much; reserves are taken so often.
+#define MENDED NCK_NUM_OF(1e-3)
+#define MENDED_MOST 3
+// So much of the way to the nearest limit is gone; and of the way to b = 0.
+#define WAY NCK_NUM_OF(0.97)
+#define WAY_TO_ZERO NCK_NUM_OF(0.8)
+// The last step was a Newton step nearly whole: the gradient is no more than rounding.
+#define WHOLE NCK_NUM_OF(0.9)
+// A pivot is no smaller than this share of its diagonal: rounding.
+#define PIVOT_MIN NCK_NUM_OF(sizeof(nck_num) == 4 ? 1e-7 : 1e-15)
+// Keeps 1/√b finite at a rest.
+#define SPEED_MIN NCK_NUM_OF(1e-9)
+
+static nck_num *line_of(nck_num *line) { return line + 1; }
+
+// Beyond its ends a line is even.
+static void mirror(nck_num *line, int nodes) {
+    line[-1] = line[1];
+    line[nodes] = line[nodes - 2];
+}
+
+// ---- objective: Σ 2τ/(√b_k + √b_{k+1}), convex in b
+
+static nck_num time_of(const nck_motion_t *self) {
+    const nck_num tau = self->tau;
+    nck_num time = 0;
+    nck_num v = NCK_NUM_SQRT(self->b[1]);
+    for (int k = 1; k < self->wish.nodes; k++) {
+        const nck_num next = NCK_NUM_SQRT(self->b[k + 1]);
+        time += NCK_NUM_OF(2) * tau / (v + next);
+        v = next;
+    }
+    return time;
+}
+
+// Derivatives of a chunk's cells by b at their ends v², w²: −τ/((v + w)²v) …
+static void add_time(nck_motion_t *self, int chunk) {
+    const int first = chunk * NCK_MOTION_LANES + 1;
+    nck_motion_lanes_t here, behind, before2, cross2, behind2;
+    for (int k = 0; k < NCK_MOTION_LANES; k++) {
+        const int is_cell = chunk * NCK_MOTION_LANES + k < self->wish.nodes - 1;
+        const nck_num tau = (nck_num)is_cell * self->tau;
+        const nck_num v = NCK_NUM_SQRT(self->b[first + k]) + SPEED_MIN;
+        const nck_num w = NCK_NUM_SQRT(self->b[first + k + 1]) + SPEED_MIN;
+        const nck_num per = NCK_NUM_OF(1) / (v + w);
+        const nck_num per_v = NCK_NUM_OF(1) / v;
+        const nck_num per_w = NCK_NUM_OF(1) / w;
+        const nck_num force = tau * per * per;
+        const nck_num curve = force * per;
+        here[k] = -force * per_v;
+        behind[k] = -force * per_w;
+        before2[k] = NCK_NUM_OF(0.5) * curve * (NCK_NUM_OF(3) * v + w) * per_v * per_v * per_v;
+        cross2[k] = curve * per_v * per_w;
+        behind2[k] = NCK_NUM_OF(0.5) * curve * (NCK_NUM_OF(3) * w + v) * per_w * per_w * per_w;
+        self->sums.time[k] += NCK_NUM_OF(2) * tau * per;
+    }
+    for (int k = 0; k < NCK_MOTION_LANES; k++) {
+        self->g[first + k] += here[k];
+        self->g[first + k + 1] += behind[k];
+        self->h0[first + k] += before2[k];
+        self->h1[first + k] += cross2[k];
+        self->h0[first + k + 1] += behind2[k];
+    }
+}
+
+// ---- the Newton step: five diagonals, L D Lᵀ
+
+// Beyond its ends b is even: what rows tell of node −1 is told of node 1.
+static void fold(nck_motion_t *self) {
+    nck_num *const h0 = line_of(self->h0);
+    nck_num *const h1 = line_of(self->h1);
+    nck_num *const h2 = line_of(self->h2);
+    const int last = self->wish.nodes - 1;
+    h0[1] += h0[-1] + NCK_NUM_OF(2) * h2[-1];
+    h1[0] += h1[-1];
+    h0[last - 1] += h0[last + 1] + NCK_NUM_OF(2) * h2[last - 1];
+    h1[last - 1] += h1[last];
+    self->g[2] += self->g[0];
+    self->g[last] += self->g[last + 2];
+}
+
+// Factors in place of the matrix: 1/D, and L below it. Where rounding has taken a pivot away its
+// node stays in this step.
+static void factor(nck_motion_t *self) {
+    nck_num *const h0 = line_of(self->h0);
+    nck_num *const h1 = line_of(self->h1);
+    nck_num *const h2 = line_of(self->h2);
+    nck_num *const least = line_of(self->step_b);
+    for (int k = self->wish.fixed; k < self->free_end; k++) least[k] = PIVOT_MIN * h0[k];
+    for (int k = self->wish.fixed; k < self->free_end; k++) {
+        const nck_num per = h0[k] > least[k] ? NCK_NUM_OF(1) / h0[k] : NCK_NUM_OF(0);
+        const nck_num one = h1[k] * per;
+        const nck_num two = h2[k] * per;
+        h0[k + 1] -= one * h1[k];
+        h1[k + 1] -= one * h2[k];
+        h0[k + 2] -= two * h2[k];
+        h0[k] = per;
+        h1[k] = one;
+        h2[k] = two;
+    }
+}
+
+// L D Lᵀ step = −gradient; nodes that are not free stay.
+static void substitute(nck_motion_t *self) {
+    const nck_num *const h0 = line_of(self->h0);
+    const nck_num *const h1 = line_of(self->h1);
+    const nck_num *const h2 = line_of(self->h2);
+    nck_num *const x = line_of(self->step_b);
+    const int low = self->wish.fixed;
+    const int end = self->free_end;
+    memset(self->step_b, 0, sizeof self->step_b);
+    for (int k = low; k < end; k++) x[k] = -self->g[k + 1];
+    for (int k = low; k < end; k++) {
+        if (k + 1 < end) x[k + 1] -= h1[k] * x[k];
+        if (k + 2 < end) x[k + 2] -= h2[k] * x[k];
+    }
+    for (int k = end - 1; k >= low; k--) {
+        x[k] *= h0[k];
+        if (k + 1 < end) x[k] -= h1[k] * x[k + 1];
+        if (k + 2 < end) x[k] -= h2[k] * x[k + 2];
+    }
+    mirror(x, self->wish.nodes);
+}
+
+// ---- sums, in lanes
+
+static nck_num sum_of(const nck_num *lanes) {
+    nck_num sum = 0;
+    for (int k = 0; k < NCK_MOTION_LANES; k++) sum += lanes[k];
+    return sum;
+}
+
+static nck_num most_of(const nck_num *lanes) {
+    nck_num most = 0;
+    for (int k = 0; k < NCK_MOTION_LANES; k++) most = nck_motion_max(most, lanes[k]);
+    return most;
+}
+
+static void clear_system(nck_motion_t *self) {
+    memset(self->h0, 0, sizeof self->h0);
+    memset(self->h1, 0, sizeof self->h1);
+    memset(self->h2, 0, sizeof self->h2);
+    memset(self->g, 0, sizeof self->g);
+    memset(&self->sums, 0, sizeof self->sums);
+}
+
+// ---- what is done in one step each
+
+// Beyond its ends the path goes on as it is there; b is even about them.
+static void extend(nck_motion_t *self) {
+    const int last = self->wish.nodes;
+    for (int axis = 0; axis < self->wish.axes; axis++) {
+        nck_num *const p2 = self->p2[axis];
+        p2[0] = p2[1] - (p2[2] - p2[1]);
+        p2[last + 1] = p2[last] + (p2[last] - p2[last - 1]);
+    }
+    mirror(line_of(self->b), last);
+}
+
+static void count_rows(nck_motion_t *self) {
+    const int nodes = self->high - self->low + 1;
+    const int last = self->wish.nodes - 1;
+    const int cells = (self->high < last ? self->high : last - 1) - self->low + 1;
+    const int before = self->high - (self->low > 0 ? self->low : 1) + 1;
+    const int caps = self->high - self->cap_low + 1;
+    const int in_middles = 2 * cells + before;
+    const int is_rough = (self->wish.ends & NCK_MOTION_ROUGH) != 0;
+    const int at_nodes = is_rough ? 0 : NCK_MOTION_ROWS * nodes;
+    self->rows = self->wish.axes * (at_nodes + in_middles) + caps;
+}
+
+// The next μ: by the gap that will be left, and no smaller than the last one has to be.
+static void lower_mu(nck_motion_t *self, nck_num gone) {
+    const nck_num broken = self->most - NCK_NUM_OF(1);
+    const nck_num fall = broken > BROKEN ? MU_FALL_BROKEN : MU_FALL;
+    const nck_num last = MU_LAST * self->gap * (self->time + self->paid);
+    const nck_num least = MU_BROKEN * self->time * (broken < 1 ? broken : NCK_NUM_OF(1));
+    self->mu = nck_motion_max(nck_motion_max(fall * gone, last), least) / (nck_num)self->rows;
+}
+
+static void begin_rounds(nck_motion_t *self) {
+    extend(self);
+    count_rows(self);
+    for (int k = 0; k < self->wish.nodes; k++) {
+        const int has_rows = k >= self->low && k <= self->high;
+        const int is_cell = k < self->wish.nodes - 1;
+        self->on_node[k + 1] = (nck_num)has_rows;
+        self->on_cell[k + 1] = (nck_num)is_cell;
+    }
+    self->time = time_of(self);
+    self->mu_was = MU_FIRST * self->time / (nck_num)self->rows;
+    self->slack_per = NCK_NUM_OF(1) / self->mu_was;
+    self->most = NCK_NUM_OF(1) + NCK_NUM_OF(2) * BROKEN; // for all that is known
+    lower_mu(self, MU_FIRST * self->time);
+    clear_system(self);
+}
+
+// Rows with a reserve may be broken by as much as what they are reserved against may be left: what
+// is fixed at a window's begin may have no room for it.
+static int is_met(const nck_motion_t *self) {
+    return self->most <= NCK_NUM_OF(1) + (self->mended > 0 ? MENDED : MET);
+}
+
+static int is_good(const nck_motion_t *self) {
+    return self->iteration > 0 && is_met(self)
+           && self->gone <= self->gap * (self->time + self->paid) && self->step > WHOLE
+           && most_of(self->sums.back) <= 0;
+}
+
+static nck_status_t solve(nck_motion_t *self) {
+    self->time = sum_of(self->sums.time);
+    self->paid = PAID * sum_of(self->sums.paid);
+    self->gone = sum_of(self->sums.gone);
+    self->most = most_of(self->sums.most);
+    if (is_good(self) || self->iteration >= self->wish.most) {
+        self->phase = CHECK;
+        return NCK_OK;
+    }
+    fold(self);
+    factor(self);
+    substitute(self);
+    memset(&self->sums, 0, sizeof self->sums);
+    self->phase = DIRECT;
+    return NCK_OK;
+}
+
+// How far the step goes: nearly to the nearest limit, and never near b = 0.
+static nck_num step_length(const nck_motion_t *self) {
+    const nck_num up = most_of(self->sums.up);
+    nck_num step = up > WAY ? WAY / up : NCK_NUM_OF(1);
+    nck_num down = 0;
+    for (int k = self->wish.fixed; k < self->free_end; k++) {
+        down = nck_motion_max(down, -self->step_b[k + 1] / self->b[k + 1]);
+    }
+    if (down * step > WAY_TO_ZERO) step = WAY_TO_ZERO / down;
+    return step;
+}
+
+static void go(nck_motion_t *self) {
+    const nck_num step = step_length(self);
+    nck_motion_lanes_t back;
+    for (int k = self->wish.fixed; k < self->free_end; k++) {
+        self->b[k + 1] += step * self->step_b[k + 1];
+    }
+    for (int k = self->cap_low; k <= self->high; k++) {
+        self->excess[k + 1] += step * self->step_excess[k + 1];
+        self->slack[k + 1] += step * self->step_slack[k + 1];
+    }
+    mirror(line_of(self->b), self->wish.nodes);
+    self->step = step;
+    const nck_num rows = (nck_num)self->rows;
+    self->mu_was = self->mu;
+    self->slack_per = NCK_NUM_OF(1) / self->mu;
+    lower_mu(self, (NCK_NUM_OF(1) - step) * self->gone + step * self->mu * rows);
+    self->iteration++;
+    memcpy(back, self->sums.back, sizeof back);
+    clear_system(self);
+    memcpy(self->sums.back, back, sizeof back);
+}
+
+// The end; or, where more than the limits is taken between rows, a few rounds more with reserves.
+static nck_status_t finish(nck_motion_t *self) {
+    self->share = most_of(self->sums.most);
+    const int may_mend = !(self->wish.ends & NCK_MOTION_ROUGH) && self->mended < MENDED_MOST;
+    if (may_mend && is_met(self) && self->share > NCK_NUM_OF(1) + MENDED) {
+        self->mended++;
+        self->most = self->share;
+        lower_mu(self, self->gone);
+        self->phase = ASSEMBLE;
+        clear_system(self);
+        return NCK_OK;
+    }
+    self->phase = END;
+    return NCK_DONE;
+}
+
+// A chunk of what the phase does; the next phase behind the last one.
+static void do_chunk(nck_motion_t *self, int next) {
+    const int chunk = self->chunk;
+    if (self->phase == SEED) {
+        nck_motion_seed(self, chunk);
+        nck_motion_seed_caps(self, chunk * NCK_MOTION_LANES);
+    }
+    if (self->phase == ASSEMBLE) {
+        nck_motion_assemble(self, chunk);
+        add_time(self, chunk);
+        nck_motion_assemble_caps(self, chunk * NCK_MOTION_LANES);
+    }
+    if (self->phase == DIRECT) {
+        nck_motion_direct(self, chunk);
+        nck_motion_direct_caps(self, chunk * NCK_MOTION_LANES);
+    }
+    if (self->phase == CHECK) nck_motion_check(self, chunk);
+    self->chunk++;
+    if (self->chunk * NCK_MOTION_LANES < self->wish.nodes) return;
+    self->chunk = 0;
+    self->phase = next;
+}
+
+// ---- the door
+
+static int is_in_range(const nck_motion_wish_t *wish) {
+    const int is_window = wish->nodes >= NCK_MOTION_LANES && wish->nodes <= NCK_MOTION_NODES;
+    const int is_fixed = wish->fixed >= 0 && wish->fixed <= wish->nodes - 2;
+    return wish->tau > 0.0 && wish->axes >= 1 && wish->axes <= NCK_AXIS_MAX && is_window && is_fixed
+           && wish->gap >= 1e-7 && wish->gap <= 1.0 && wish->room > 0.0;
+}
+
+nck_status_t nck_motion_begin(nck_motion_t *self, const nck_motion_wish_t *wish) {
+    if (!is_in_range(wish)) return NCK_E_ARGUMENT;
+    memset(self, 0, sizeof *self);
+    for (int k = 0; k < NCK_MOTION_LINE; k++) self->b[k] = NCK_NUM_OF(1);
+    self->wish = *wish;
+    self->low = wish->fixed > 0 ? wish->fixed - 1 : 0;
+    if (wish->ends & NCK_MOTION_INSIDE) self->low = 1;
+    self->high = wish->nodes - (wish->ends & NCK_MOTION_OPEN_END ? 2 : 1);
+    self->cap_low = self->low > wish->fixed ? self->low : wish->fixed;
+    const int is_free = (wish->ends & (NCK_MOTION_OPEN_END | NCK_MOTION_FREE_END)) != 0;
+    self->free_end = wish->nodes - !is_free;
+    self->tau = (nck_num)wish->tau;
+    self->gap = (nck_num)wish->gap;
+    self->room = (nck_num)wish->room;
+    self->price = (nck_num)(wish->price * wish->tau);
+    for (int axis = 0; axis < wish->axes; axis++) {
+        const double a = wish->a[axis];
+        self->ratio[axis] = (nck_num)(a / (wish->j[axis] * wish->tau));
+        if (wish->v[axis] > 0.0) self->speed[axis] = (nck_num)(2.0 * wish->tau * a / wish->v[axis]);
+    }
+    return NCK_OK;
+}
+
+void nck_motion_node(nck_motion_t *self, int k, const nck_num *p1, const nck_num *p2,
+                     const nck_num *cap_and_b) {
+    const nck_num cap = cap_and_b[0];
+    const nck_num b = cap_and_b[1];
+    for (int axis = 0; axis < self->wish.axes; axis++) {
+        const nck_num a = (nck_num)self->wish.a[axis];
+        self->p1[axis][k + 1] = p1[axis] / (NCK_NUM_OF(2) * self->tau * a);
+        self->p2[axis][k + 1] = p2[axis] / a;
+    }
+    self->cap[k + 1] = cap;
+    self->b[k + 1] = b;
+    const int is_soft = (self->wish.ends & NCK_MOTION_SOFT) != 0;
+    self->scale[k + 1] = NCK_NUM_OF(1) / (is_soft && b > cap ? b : cap);
+}
+
+nck_status_t nck_motion_step(nck_motion_t *self) {
+    switch (self->phase) {
+    case BEGIN:
+        begin_rounds(self);
+        self->phase = SEED;
+        return NCK_OK;
+    case SEED:
+        do_chunk(self, ASSEMBLE);
+        return NCK_OK;
+    case ASSEMBLE:
+        do_chunk(self, SOLVE);
+        return NCK_OK;
+    case SOLVE:
+        return solve(self);
+    case DIRECT:
+        do_chunk(self, GO);
+        return NCK_OK;
+    case GO:
+        go(self);
+        self->phase = ASSEMBLE;
+        return NCK_OK;
+    case CHECK:
+        do_chunk(self, END);
+        return self->phase == END ? finish(self) : NCK_OK;
+    default:
+        return NCK_DONE;
+    }
+}
+
+nck_num nck_motion_b(const nck_motion_t *self, int k) { return self->b[k + 1]; }
+
+void nck_motion_told(const nck_motion_t *self, nck_motion_told_t *told_out) {
+    told_out->iterations = self->iteration;
+    told_out->time = (double)self->time;
+    told_out->least = 1.0 - (double)self->most;
+    told_out->gap = (double)(self->gone / self->time);
+    told_out->share = (double)self->share;
+}

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: MIT
+// What a finished motion takes of the limits, also where no row stands.
+#include <string.h> // memset
+
+#include "nck/base/motion_math.h" // nck_motion_jerk
+#include "nck/base/motion_rows.h" // nck_motion_shape
+
+enum { SPOTS = 3 };
+
+// The path and the motion at x · τ from a node, |x| ≤ 1/2: p₁ + p₂x/2 + δx²/4, p₂ + δx;
+// β + αx, γ + βx + αx²/2.
+typedef struct spot {
+    nck_num p1, p2, slope, level;
+} spot_t;
+
+static inline spot_t spot_at(const nck_motion_shape_t *restrict b,
+                             const nck_motion_path_t *restrict path, nck_num x, int k) {
+    const nck_num turn = path->turn[x < 0][k];
+    const nck_num half = NCK_NUM_OF(0.5) * x;
+    spot_t spot;
+    spot.p1 = path->p1[k] + half * (path->p2[k] + half * turn);
+    spot.p2 = path->p2[k] + x * turn;
+    spot.slope = b->slope[k] + x * b->bend[0][k];
+    spot.level = b->level[k] + x * (b->slope[k] + half * b->bend[0][k]);
+    return spot;
+}
+
+// The largest shares of an axis' limits at a distance x from each node: of a and j, of v.
+static void check_at(nck_num *restrict most, nck_num *restrict fastest,
+                     const nck_motion_shape_t *restrict b, const nck_motion_path_t *restrict path,
+                     const nck_num *restrict ratios, nck_num x) {
+    for (int k = 0; k < NCK_MOTION_LANES; k++) {
+        const spot_t at = spot_at(b, path, x, k);
+        const nck_num turn = path->turn[x < 0][k];
+        const nck_num v = NCK_NUM_SQRT(nck_motion_max(at.level, 0));
+        const nck_num jerk = nck_motion_jerk(at.p1 * b->bend[0][k], at.p2 * at.slope,
+                                             turn * at.level);
+        const nck_num a = nck_motion_acceleration(at.p1, at.p2, at.slope, at.level);
+        const nck_num share = nck_motion_max(NCK_NUM_ABS(a), NCK_NUM_ABS(ratios[0] * v * jerk));
+        most[k] = nck_motion_max(most[k], share);
+        fastest[k] = nck_motion_max(fastest[k], NCK_NUM_ABS(ratios[1] * v * at.p1));
+    }
+}
+
+// The most about each node: in the half cell before it, in the one behind it.
+typedef struct sides {
+    nck_motion_lanes_t most[2], fastest[2];
+} sides_t;
+
+// The node and three spots in either half cell: an extreme of the jerk, a parabola but for the
+// root, is no more than 1/16 of a cell from one of them or from a row.
+static void check_axis(const nck_motion_t *self, int chunk, int axis, sides_t *sides) {
+    const nck_num ratios[2] = {self->ratio[axis], self->speed[axis]};
+    nck_motion_shape_t shape;
+    nck_motion_path_t path;
+    nck_motion_shape(&self->b[chunk * NCK_MOTION_LANES + 1], 0, &shape);
+    nck_motion_path(self, chunk, axis, 0, &path);
+    for (int spot = 0; spot <= SPOTS; spot++) {
+        const nck_num x = NCK_NUM_OF(0.125) * (nck_num)spot;
+        check_at(sides->most[0], sides->fastest[0], &shape, &path, ratios, -x);
+        check_at(sides->most[1], sides->fastest[1], &shape, &path, ratios, x);
+    }
+}
+
+// What is beyond the limits about a node becomes its reserve, besides the one that it has, and
+// lowers its cap: shares are those of the path times 1 + reserve. Not beside nodes that are fixed:
+// they were good enough for the last plan, and there may be no other way on.
+static void reserve(nck_motion_t *self, int node, nck_num most, nck_num fastest) {
+    nck_num *const reserve = &self->reserve[node + 1];
+    const nck_num share = most / (NCK_NUM_OF(1) + *reserve);
+    const nck_num speed = fastest / (NCK_NUM_OF(1) + *reserve);
+    nck_num *const lane = &self->sums.most[node % NCK_MOTION_LANES];
+    *lane = nck_motion_max(*lane, nck_motion_max(share, speed));
+    if (node > 0 && node <= self->wish.fixed) return;
+    if (share > NCK_NUM_OF(1)) *reserve += share - NCK_NUM_OF(1) + NCK_MOTION_MARGIN;
+    if (speed > NCK_NUM_OF(1) && !(self->wish.ends & NCK_MOTION_SOFT)) {
+        self->cap[node + 1] /= (speed + NCK_MOTION_MARGIN) * (speed + NCK_MOTION_MARGIN);
+        self->scale[node + 1] = NCK_NUM_OF(1) / self->cap[node + 1];
+    }
+}
+
+void nck_motion_check(nck_motion_t *self, int chunk) {
+    sides_t sides;
+    memset(&sides, 0, sizeof sides);
+    for (int axis = 0; axis < self->wish.axes; axis++) check_axis(self, chunk, axis, &sides);
+    for (int k = 0; k < NCK_MOTION_LANES; k++) {
+        const int node = chunk * NCK_MOTION_LANES + k;
+        if (node < self->low || node > self->high) continue;
+        const int from = node == 0;
+        const int to = node < self->wish.nodes - 1;
+        reserve(self, node, nck_motion_max(sides.most[from][k], sides.most[to][k]),
+                nck_motion_max(sides.fastest[from][k], sides.fastest[to][k]));
+    }
+}

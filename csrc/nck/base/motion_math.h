@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: MIT
+// The rows of a motion (motion.h): one limit of one axis at one place, as an interior point method
+// has it.
+#ifndef NCK_BASE_MOTION_MATH_H
+#define NCK_BASE_MOTION_MATH_H
+
+#include "nck/base/real.h" // nck_num
+
+// A smaller room is none: sums of nck_num cannot tell it from a limit that is broken.
+#define NCK_MOTION_ROOM_MIN NCK_NUM_OF(sizeof(nck_num) == 4 ? 1e-6 : 1e-10)
+// A multiplier falls to no less than this share of itself in a step, so none is ever negative.
+#define NCK_MOTION_KEPT NCK_NUM_OF(0.1)
+// Seconds for one whole limit: what no limit of a feasible window is worth. Keeps others finite.
+#define NCK_MOTION_Z_MOST NCK_NUM_OF(1e8)
+
+// A row at an iterate.
+typedef struct nck_motion_row {
+    nck_num pull;   // φ′
+    nck_num room;   // −φ
+    nck_num held;   // 1: its slack is its room
+    nck_num broken; // 1: its slack is μ/z
+    nck_num per;    // 1/slack
+} nck_motion_row_t;
+
+// What a row adds to the Newton system.
+typedef struct nck_motion_load {
+    nck_num curve;  // over its gradient twice: z φ″ + z φ′²/s
+    nck_num cross;  // over its gradient and its tangent: z φ′/s
+    nck_num weight; // over its tangent twice: z/s
+    nck_num force;  // along its gradient and its tangent: μ/s, and z − z·room/s where broken
+} nck_motion_load_t;
+
+// The larger, the smaller of two.
+static inline nck_num nck_motion_max(nck_num a, nck_num b) { return b > a ? b : a; }
+static inline nck_num nck_motion_min(nck_num a, nck_num b) { return b < a ? b : a; }
+
+// `on` where x > 0, 0 where x = 0, without a branch that would keep loops from becoming vectors. x
+// is a difference of numbers near 1e-10 or above: a positive one is more than 1e-20.
+static inline nck_num nck_motion_where(nck_num x, nck_num on) {
+    return nck_motion_min(NCK_NUM_OF(1e20) * x, on);
+}
+
+// x, no further from 0 than 1.
+static inline nck_num nck_motion_clip(nck_num x) {
+    const nck_num one = NCK_NUM_OF(1);
+    return NCK_NUM_OF(0.5) * (NCK_NUM_ABS(x + one) - NCK_NUM_ABS(x - one));
+}
+
+// Share of the acceleration: x = p₁β + p₂γ.
+static inline nck_num nck_motion_acceleration(nck_num p1, nck_num p2, nck_num slope,
+                                              nck_num level) {
+    return p1 * slope + p2 * level;
+}
+
+// Share of the jerk over √γ·A/(Jτ): p₁α + 3/2 p₂β + δγ (p′a′ + 3p″a + p‴b by the chain rule).
+static inline nck_num nck_motion_jerk(nck_num p1_bend, nck_num p2_slope, nck_num turn_level) {
+    return p1_bend + (NCK_NUM_OF(1.5) * p2_slope + turn_level);
+}
+
+// A limit |x| ≤ 1 as one row φ(x) ≤ 0:
+//
+//     φ = (x² − 1)/2  for |x| ≤ 1,   |x| − 1 beyond      (φ′ = x, at most 1 either way)
+//
+// convex and smooth. Inside −μ ln(−φ) is the barrier of the two rows x ≤ 1 and −x ≤ 1; far outside
+// Newton's method finds its way back as straight as with those. The slack is the room where that is
+// more than `least`; else it is μ/z, which a multiplier that grows makes small: no slack is stored.
+static inline nck_motion_row_t nck_motion_row(nck_num x, nck_num z, nck_num on, nck_num least,
+                                              nck_num slack_per) {
+    nck_motion_row_t row;
+    row.pull = nck_motion_clip(x);
+    row.room = NCK_NUM_OF(0.5) + row.pull * (NCK_NUM_OF(0.5) * row.pull - x);
+    const nck_num room = nck_motion_max(row.room, least);
+    row.held = nck_motion_where(room - least, on);
+    row.broken = on - row.held;
+    row.per = row.held / room + row.broken * (z * slack_per);
+    return row;
+}
+
+// Newton's method for s z = μ, s = −φ (Boyd and Vandenberghe 2004, 11.7.1, slacks eliminated).
+static inline nck_motion_load_t nck_motion_load(nck_motion_row_t row, nck_num z, nck_num mu) {
+    nck_motion_load_t load;
+    load.weight = z * row.per;
+    load.cross = load.weight * row.pull;
+    load.curve = row.held * z + load.cross * row.pull;
+    load.force = mu * row.per + row.broken * (z - load.weight * row.room);
+    return load;
+}
+
+// s z of a row: how far it is from complementary; mu: of the slack of a broken one.
+static inline nck_num nck_motion_gone(nck_motion_row_t row, nck_num z, nck_num mu) {
+    return row.held * row.room * z + row.broken * mu;
+}
+
+// The multiplier at the end of a whole step in which φ rises by `rise`: (μ + z·rise)/s, for a row
+// that is not held z more and z·room/s less.
+static inline nck_num nck_motion_multiplier(nck_motion_row_t row, nck_num z, nck_num rise,
+                                            nck_num mu) {
+    return (mu + z * (rise - row.broken * row.room)) * row.per + row.broken * z;
+}
+
+// The same, kept within what a multiplier may be.
+static inline nck_num nck_motion_renewed(nck_num now, nck_num z) {
+    return nck_motion_min(nck_motion_max(now, NCK_MOTION_KEPT * z), NCK_MOTION_Z_MOST);
+}
+
+// 1/(share of the step that ends at the limit) of a row that is held: the larger one of
+// (dx + t)/(1 − x) and (t − dx)/(1 + x), where the step takes t off the limit.
+static inline nck_num nck_motion_up(nck_motion_row_t row, nck_num x, nck_num dx, nck_num t) {
+    const nck_num even = t + x * dx;
+    const nck_num odd = dx + x * t;
+    return NCK_NUM_OF(0.5) * row.held * row.per * (even + NCK_NUM_ABS(odd));
+}
+
+#endif
