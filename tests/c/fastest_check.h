@@ -113,7 +113,7 @@ static double taken(int low, int high) {
 // A line from rest to rest over a clock that runs about right: s = 10w³ − 15w⁴ + 6w⁵. Its control
 // points are s − h²s″/6 (blossoms of a cubic), three equal ones at a rest.
 static void lay_line(double length, double slant) {
-    const double h = 1.0 / (KNOTS - 3.0);
+    const double h = 1.0 / (double)(KNOTS - 3);
     for (int k = 0; k < KNOTS; k++) {
         double w = h * (k - 1.0);
         w = w < 0.0 ? 0.0 : w > 1.0 ? 1.0 : w;
@@ -130,7 +130,7 @@ static void lay_line(double length, double slant) {
 static void lay_waves(unsigned seed) {
     lay_line(8.0, 0.3);
     for (int k = 3; k < KNOTS - 3; k++) {
-        const double w = (k - 1.0) / (KNOTS - 3.0);
+        const double w = (k - 1.0) / (double)(KNOTS - 3);
         const double calm = w * w * w * (1.0 - w) * (1.0 - w) * (1.0 - w) * 64.0;
         for (int x = 0; x < AXES; x++) {
             const double turns = 4.0 + (double)((seed + 3u * (unsigned)x) % 7u);

@@ -1,0 +1,324 @@
+// SPDX-License-Identifier: MIT
+// Inside room 3: windows and rounds, from segs to pieces of one curve.
+#include "nck/prep/3_smooth/stream.h"
+
+#include <string.h> // memcpy memset
+
+#include "nck/base/real.h"            // nck_fabs nck_max nck_min
+#include "nck/prep/3_smooth/sample.h" // nck_sample_…
+
+#define SHARE 0.98 // of P that samples may use: the solver is done when it is not far off
+#define ROUGH 1.0  // gap of a curve that only a clock is made of: a fifth fewer iterations
+#define BLEND 40   // knots over which a plan comes into the clock behind what is committed
+#define OPEN 12    // last knots of a plan that know too little of what follows
+#define BLEND_SOON 8 // the same where the clock was far too fast
+#define SOUND 0.02 // [P²] rows may be off by in what is the answer
+#define LOST 100.0 // [P²] what has come of it is no curve
+#define NEXT 8      // knots behind a joint that are looked at, where to put it
+#define RELAXED ((nck_num)0.5) // that a joint further ahead must be better
+#define TRIES 6    // curves of a window that may miss P
+#define FRESH 0.6  // [1] b that the first plan begins with: slow enough nearly everywhere
+#define NEAR 0.85  // [1] the same where the clock comes from a plan
+#define FASTEST 1e6 // [1] b where a curve stands still: it is no limit there
+#define POINTS 8   // reference points and nodes a call
+
+void nck_stream_begin(nck_stream_t *self, const nck_stream_wish_t *wish) {
+    self->wish = *wish;
+    self->phase = NCK_STREAM_GUESS;
+    self->at = 0;
+    self->round = 0;
+    self->tries = 0;
+    self->commit = 0;
+    self->share = SHARE;
+    self->unit = 0.0;
+    self->miss = 0.0;
+    self->near = 0;
+    memset(&self->told, 0, sizeof self->told);
+    memset(self->joint, 0, sizeof self->joint);
+    nck_track_begin(&self->track, wish->terms.axes, wish->terms.tau);
+    nck_timing_begin(&self->clock, &self->wish.terms);
+    nck_timing_keep(&self->clock, &self->work.list, self->b, 0, 0, 0);
+}
+
+nck_status_t nck_stream_push(nck_stream_t *self, const nck_seg_t *seg, double tolerance) {
+    if (self->track.head == 0) {
+        for (int k = 0; k < 3; k++) memcpy(self->joint[k], seg->start, sizeof self->joint[k]);
+    }
+    return nck_track_push(&self->track, seg, tolerance);
+}
+
+void nck_stream_close(nck_stream_t *self) {
+    nck_track_seal(&self->track);
+    self->clock.closed = 1;
+}
+
+static nck_status_t go(nck_stream_t *self, nck_stream_phase_t phase) {
+    self->phase = phase;
+    self->at = 0;
+    return NCK_OK;
+}
+
+static nck_status_t guess(nck_stream_t *self) {
+    const nck_status_t status = nck_timing_look(&self->clock, &self->track);
+    if (status != NCK_DONE) {
+        self->told.places += status == NCK_OK;
+        return status;
+    }
+    if (self->track.head == 0) return go(self, NCK_STREAM_OVER);
+    return go(self, NCK_STREAM_CLOCK);
+}
+
+static nck_status_t make_clock(nck_stream_t *self) {
+    if (nck_timing_make(&self->clock, &self->work.list, &self->track) == NCK_OK) return NCK_OK;
+    self->near = self->track.tail;
+    const uint32_t first = nck_track_find(&self->track, self->near, self->clock.s[0]);
+    self->unit = (double)nck_track_at(&self->track, first)->tolerance;
+    return go(self, NCK_STREAM_REFERENCE);
+}
+
+// 1 if the curve that comes of this clock is to be given.
+static int is_last_round(const nck_stream_t *self) { return self->round + 1 >= self->wish.rounds; }
+
+static void begin_fair(nck_stream_t *self) {
+    const nck_timing_terms_t *const terms = &self->wish.terms;
+    const double tau = terms->tau;
+    nck_fair_task_t task;
+    memset(&task, 0, sizeof task);
+    task.knots = self->clock.knots;
+    task.axes = terms->axes;
+    task.ends = self->clock.ends;
+    task.most = 40;
+    task.gap = is_last_round(self) ? (nck_num)self->wish.gap : (nck_num)ROUGH;
+    task.scale = (nck_num)(self->unit / (terms->j_least * tau * tau * tau));
+    for (int x = 0; x < terms->axes; x++) {
+        const double share = terms->j_least / terms->j[x];
+        task.weight[x] = (nck_num)(share * share);
+    }
+    nck_fair_begin(&self->work.fair, &task);
+}
+
+static nck_status_t set_reference(nck_stream_t *self) {
+    const int points = self->clock.knots + 3;
+    for (int k = 0; k < POINTS && self->at < points; k++) nck_sample_reference(self, self->at++);
+    if (self->at < points) return NCK_OK;
+    begin_fair(self);
+    self->near = self->track.tail;
+    return go(self, NCK_STREAM_SAMPLES);
+}
+
+static nck_status_t set_samples(nck_stream_t *self) {
+    nck_sample_interval(self, self->at++);
+    return self->at < self->clock.knots ? NCK_OK : go(self, NCK_STREAM_FAIR);
+}
+
+// The reference becomes the curve.
+static void take_curve(nck_stream_t *self) {
+    const int axes = self->wish.terms.axes;
+    for (int k = 0; k < self->clock.knots + 3; k++) {
+        for (int x = 0; x < axes; x++) {
+            self->point[k][x] += self->unit * (double)self->work.fair.y[k * axes + x];
+        }
+    }
+}
+
+// What P holds back in the intervals behind a joint at the knot k: the prices of their rows.
+static nck_num tightness(const nck_fair_t *fair, int k) {
+    nck_num sum = 0;
+    for (int b = NCK_FAIR_BINS * k; b < NCK_FAIR_BINS * (k + NEXT); b++) sum += fair->price[b];
+    return sum;
+}
+
+// How much of the window is given: about the half that knows enough of what follows, up to where
+// the next window's begin is least held. In a corner another clock may have no curve at all.
+static int to_commit(const nck_stream_t *self) {
+    const int knots = self->clock.knots;
+    if (self->clock.ends) return knots;
+    int best = knots / 2;
+    nck_num least = tightness(&self->work.fair, best);
+    for (int k = best - 1; k >= knots / 4; k--) {
+        const nck_num here = tightness(&self->work.fair, k);
+        if (!(here < RELAXED * least)) continue;
+        least = here;
+        best = k;
+    }
+    return best;
+}
+
+// The clock takes twice as long behind what is given: knots were too far apart for any curve.
+static nck_status_t slow_down(nck_stream_t *self) {
+    for (int k = 0; k <= self->clock.knots; k++) self->b[k] = (nck_num)0.25;
+    self->told.slowed++;
+    nck_timing_keep(&self->clock, &self->work.list, self->b, 0, self->clock.knots,
+                   self->clock.begins ? 0 : BLEND_SOON);
+    return go(self, NCK_STREAM_CLOCK);
+}
+
+static nck_status_t make_fair(nck_stream_t *self) {
+    if (nck_fair_step(&self->work.fair) == NCK_OK) return NCK_OK;
+    const nck_num primal = self->work.fair.sum.primal;
+    self->told.windows++;
+    self->told.iterations += (uint32_t)self->work.fair.iterations;
+    self->sound = primal < (nck_num)SOUND;
+    if (!(primal < (nck_num)LOST) && self->tries < TRIES) {
+        self->tries++;
+        return slow_down(self);
+    }
+    take_curve(self);
+    self->near = self->track.tail;
+    self->given = to_commit(self);
+    return go(self, is_last_round(self) ? NCK_STREAM_PROVE : NCK_STREAM_NODES);
+}
+
+// A curve that is off somewhere is made again: on the next clock, which its plan makes slower,
+// if it is not the answer, else with less of P.
+static nck_status_t try_again(nck_stream_t *self, double found) {
+    self->tries++;
+    self->told.again++;
+    if (!self->sound && self->tries < TRIES) return go(self, NCK_STREAM_NODES);
+    if (!self->sound) return slow_down(self);
+    self->share = nck_max(0.5, self->share * nck_max(0.8, 0.99 / found));
+    return go(self, NCK_STREAM_REFERENCE);
+}
+
+// Hold an interval against the program.
+static nck_status_t prove(nck_stream_t *self) {
+    const double miss = nck_sample_miss(self, self->at++);
+    self->miss = nck_max(self->miss, miss);
+    if (self->at < self->given) return NCK_OK;
+    const double found = self->miss;
+    self->miss = 0.0;
+    if (!(found <= 1.0) && self->tries < TRIES) return try_again(self, found);
+    self->told.missed += found > 1.0;
+    self->told.most = nck_max(self->told.most, found);
+    self->commit = self->given;
+    return go(self, self->clock.ends ? NCK_STREAM_GIVE : NCK_STREAM_NODES);
+}
+
+static nck_status_t begin_motion(nck_stream_t *self) {
+    const nck_timing_terms_t *const terms = &self->wish.terms;
+    nck_motion_wish_t wish;
+    memset(&wish, 0, sizeof wish);
+    wish.tau = terms->tau;
+    memcpy(wish.a, terms->a, sizeof wish.a);
+    memcpy(wish.j, terms->j, sizeof wish.j);
+    wish.axes = terms->axes;
+    wish.nodes = self->clock.knots + 1;
+    wish.ends = (self->clock.ends ? NCK_MOTION_FREE_END : NCK_MOTION_OPEN_END)
+               | (self->clock.begins ? 0U : NCK_MOTION_INSIDE);
+    wish.most = self->wish.most;
+    wish.gap = 0.1;
+    wish.room = 0.3;
+    return nck_motion_begin(&self->work.motion, &wish);
+}
+
+// One node: r′ and r″ over the clock, and the cap of b by feed and axis speeds.
+static void set_node(nck_stream_t *self, int k) {
+    const nck_timing_terms_t *const terms = &self->wish.terms;
+    double (*const c)[NCK_AXIS_MAX] = &self->point[k];
+    const double per = 1.0 / terms->tau;
+    nck_num p1[NCK_AXIS_MAX];
+    nck_num p2[NCK_AXIS_MAX];
+    double slowness = 0.0;
+    double square = 0.0;
+    for (int x = 0; x < terms->axes; x++) {
+        const double first = 0.5 * per * (c[2][x] - c[0][x]);
+        p1[x] = (nck_num)first;
+        p2[x] = (nck_num)(per * per * (c[2][x] - 2.0 * c[1][x] + c[0][x]));
+        slowness = nck_max(slowness, nck_fabs(first) / terms->v[x]);
+        square += first * first;
+    }
+    self->near = nck_track_find(&self->track, self->near, self->clock.s[4 * k]);
+    const double feed = nck_track_at(&self->track, self->near)->feed;
+    double least = 1.0 / FASTEST;
+    least = nck_max(least, slowness * slowness);
+    if (feed > 0.0) least = nck_max(least, square / (feed * feed));
+    const nck_num cap_and_b[2] = {(nck_num)(1.0 / least),
+                                  (nck_num)(self->told.plans > 0 ? NEAR : FRESH)};
+    nck_motion_node(&self->work.motion, k, p1, p2, cap_and_b);
+}
+
+static nck_status_t set_nodes(nck_stream_t *self) {
+    if (self->at == 0 && begin_motion(self) != NCK_OK) return NCK_E_INTERNAL;
+    const int nodes = self->clock.knots + 1;
+    for (int k = 0; k < POINTS && self->at < nodes; k++) set_node(self, self->at++);
+    return self->at < nodes ? NCK_OK : go(self, NCK_STREAM_MOTION);
+}
+
+// What comes of the window: another round, or pieces. Where the next clock begins.
+static void turn(nck_stream_t *self, int from) {
+    const int knots = self->clock.knots;
+    const int known = knots - OPEN > from + 2 ? knots - OPEN : from + 2;
+    const int to = self->clock.ends || known > knots ? knots : known;
+    const int blend = self->clock.begins && from == 0 ? 0 : (int)BLEND;
+    nck_timing_keep(&self->clock, &self->work.list, self->b, from, to, blend);
+}
+
+static nck_status_t make_motion(nck_stream_t *self) {
+    if (nck_motion_step(&self->work.motion) == NCK_OK) return NCK_OK;
+    nck_motion_told_t told;
+    nck_motion_told(&self->work.motion, &told);
+    self->told.plans += (uint32_t)told.iterations;
+    int good = 1;
+    for (int k = 0; k <= self->clock.knots; k++) {
+        self->b[k] = nck_motion_b(&self->work.motion, k);
+        good = good && self->b[k] >= 0 && self->b[k] < (nck_num)1e9;
+    }
+    for (int k = 0; k <= self->clock.knots && !good; k++) self->b[k] = (nck_num)NEAR;
+    if (self->commit > 0) return go(self, NCK_STREAM_GIVE);
+    self->round++;
+    turn(self, 0);
+    return go(self, NCK_STREAM_CLOCK);
+}
+
+// All of the window's pieces are taken: the next one begins where they end.
+static nck_status_t next_window(nck_stream_t *self) {
+    if (self->clock.ends) return go(self, NCK_STREAM_OVER);
+    const double s = self->clock.s[4 * self->commit];
+    memcpy(self->joint, &self->point[self->commit], sizeof self->joint);
+    turn(self, self->commit);
+    nck_timing_drop(&self->clock, s);
+    nck_track_drop(&self->track, s, nck_timing_reach(&self->clock, &self->track));
+    self->commit = 0;
+    self->round = 0;
+    self->tries = 0;
+    self->share = SHARE;
+    return go(self, NCK_STREAM_GUESS);
+}
+
+nck_status_t nck_stream_step(nck_stream_t *self) {
+    switch (self->phase) {
+    case NCK_STREAM_GUESS:
+        return guess(self);
+    case NCK_STREAM_CLOCK:
+        return make_clock(self);
+    case NCK_STREAM_REFERENCE:
+        return set_reference(self);
+    case NCK_STREAM_SAMPLES:
+        return set_samples(self);
+    case NCK_STREAM_FAIR:
+        return make_fair(self);
+    case NCK_STREAM_NODES:
+        return set_nodes(self);
+    case NCK_STREAM_MOTION:
+        return make_motion(self);
+    case NCK_STREAM_PROVE:
+        return prove(self);
+    case NCK_STREAM_GIVE:
+        return self->at < self->commit ? NCK_FULL : next_window(self);
+    default:
+        return NCK_DONE;
+    }
+}
+
+void nck_stream_take(nck_stream_t *self, nck_stream_piece_t *piece_out) {
+    const int i = self->at++;
+    memcpy(piece_out->point, &self->point[i], sizeof piece_out->point);
+    piece_out->s[0] = self->clock.s[4 * i];
+    piece_out->s[1] = self->clock.s[4 * (i + 1)];
+    self->near = nck_track_find(&self->track, self->near, piece_out->s[0]);
+    const nck_track_element_t *const element = nck_track_at(&self->track, self->near);
+    memcpy(piece_out->line, element->line, sizeof piece_out->line);
+    const int begins = self->clock.begins && i == 0;
+    const int ends = self->clock.ends && i + 1 == self->clock.knots;
+    piece_out->rests = (uint8_t)(begins | (ends << 1));
+}

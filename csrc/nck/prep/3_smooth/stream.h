@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: MIT
+// Inside room 3: segs become one curve within P, window by window: CURVE.md.
+#ifndef NCK_PREP_STREAM_H
+#define NCK_PREP_STREAM_H
+
+#include "nck/base/motion.h"         // nck_motion_t
+#include "nck/base/records.h"        // nck_seg_t
+#include "nck/base/status.h"         // nck_status_t
+#include "nck/prep/3_smooth/timing.h" // nck_timing_t
+#include "nck/prep/3_smooth/fair.h"  // nck_fair_t
+#include "nck/prep/3_smooth/track.h" // nck_track_t
+
+// What is asked of it, the same for all runs.
+typedef struct nck_stream_wish {
+    nck_timing_terms_t terms;
+    int rounds;  // clocks a window: 1 … 9
+    double gap;  // of the curve: 0.1 is enough
+    int most;    // iterations of a clock's plan: 10 are enough
+} nck_stream_wish_t;
+
+// An interval of the curve: u from 0 to τ, cubic.
+typedef struct nck_stream_piece {
+    double point[4][NCK_AXIS_MAX]; // control points of the uniform B-spline [mm, deg]
+    double s[2];       // of the program, at its begin and its end [path mm]
+    uint32_t line[2];  // first and last source line of what its begin is in
+    uint8_t rests;     // bit 0: at its begin, bit 1: at its end
+} nck_stream_piece_t;
+
+// What happens next.
+typedef enum nck_stream_phase {
+    NCK_STREAM_GUESS = 0, // look at places as far ahead as there is room
+    NCK_STREAM_CLOCK,     // make the clock
+    NCK_STREAM_REFERENCE, // control points on the program
+    NCK_STREAM_SAMPLES,   // where the curve must be
+    NCK_STREAM_FAIR,      // the smoothest one
+    NCK_STREAM_NODES,     // its motion: set up
+    NCK_STREAM_MOTION,    // solve
+    NCK_STREAM_PROVE,     // is it within P everywhere?
+    NCK_STREAM_GIVE,      // pieces to take
+    NCK_STREAM_OVER       // the run has ended
+} nck_stream_phase_t;
+
+// What has happened, for who measures it.
+typedef struct nck_stream_told {
+    uint32_t windows;     // curves that have been smoothed
+    uint32_t iterations;  // of them
+    uint32_t plans;       // iterations of their plans
+    uint32_t again;       // windows that missed P at first
+    uint32_t slowed;      // clocks that were too fast for any curve
+    uint32_t missed;      // that were given although their proof failed
+    double most;          // |r − p|/P that is proven, at most
+    uint32_t places;      // of the guess
+} nck_stream_told_t;
+
+// The run in work.
+typedef struct nck_stream {
+    nck_stream_wish_t wish;
+    nck_stream_phase_t phase;
+    int at;              // interval, point or piece in work
+    int round;           // clocks of the window made so far
+    int tries;           // curves of it that missed P
+    uint8_t sound;       // 1: the curve is the smoothest one, as far as it is sought
+    int given;           // intervals of it to give, once it is proven
+    int commit;          // the same, when it is: 0 before
+    double share;        // of P that samples may use
+    double miss;         // |r − p|/P at most, as far as it is proven
+    double unit;         // P of the window [mm]
+    uint32_t near;       // element where something was found last
+    nck_track_t track;
+    nck_timing_t clock;
+    double joint[3][NCK_AXIS_MAX];                // control points given last
+    double point[NCK_FAIR_POINTS][NCK_AXIS_MAX];  // of the window
+    nck_num b[NCK_FAIR_KNOTS + 1];                // of the clock's plan
+    nck_stream_told_t told;
+    union {
+        nck_timing_list_t list;
+        nck_fair_t fair;
+        nck_motion_t motion;
+    } work;
+} nck_stream_t;
+
+// Begin a run at rest at a point. Cost: constant. Context: prep.
+void nck_stream_begin(nck_stream_t *self, const nck_stream_wish_t *wish);
+
+// Add a line, an arc or a helix. Returns NCK_OK; NCK_FULL: step first. Cost: constant.
+// Context: prep.
+nck_status_t nck_stream_push(nck_stream_t *self, const nck_seg_t *seg, double tolerance);
+
+// The run has no more segs: it ends at rest. Cost: constant. Context: prep.
+void nck_stream_close(nck_stream_t *self);
+
+// Work, a slice. Returns NCK_OK: call again; NCK_EMPTY: it needs a seg, or the close; NCK_FULL: a
+// piece waits to be taken; NCK_DONE: all of the run is given.
+// Cost: 40 000 operations. Context: prep.
+nck_status_t nck_stream_step(nck_stream_t *self);
+
+// Take the next piece, when step has said NCK_FULL. Cost: constant. Context: prep.
+void nck_stream_take(nck_stream_t *self, nck_stream_piece_t *piece_out);
+
+#endif

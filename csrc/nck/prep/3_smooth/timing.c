@@ -1,0 +1,418 @@
+// SPDX-License-Identifier: MIT
+// Inside room 3: the clock's guess from the program's shape, and clocks from plans.
+#include "nck/prep/3_smooth/timing.h"
+
+#include <string.h> // memcpy
+
+#include "nck/base/real.h"      // nck_fabs nck_max nck_min nck_sqrt
+#include "nck/base/root_math.h" // nck_root_cube
+
+#define RUNG 1.4422495703074083 // ∛3: what a rung is longer than the last one; the third from it
+                                // is 3 times as long
+#define REACH 0.06   // [s] at the feed: what bends further apart ask for the passes know, too
+#define USE 0.8      // share of what the rungs allow: a curve is not as good everywhere
+#define ASK 0.7      // share of the acceleration that the guess builds up speed with
+#define KEEP_ASK 1.5 // what a kept place gives way to alone
+#define REST 0.4     // share of the jerk that the guess leaves a rest with
+#define BLUR 0.016   // [s] of each of two means: as long as acceleration takes to change
+#define MARGIN 2     // knots at the end of what is known that no window has
+#define SHORTEST (NCK_FAIR_WINDOW / 2) // knots of a window behind which the run goes on: where less
+                     // is known than they last the clock goes slower
+#define LEAST 7      // knots of a window: three control points at both ends stay
+#define SLOWEST 0.3  // the least and
+#define FASTEST 1.5  // most that a plan may change the clock by at once
+
+void nck_timing_begin(nck_timing_t *self, const nck_timing_terms_t *terms) {
+    self->terms = terms;
+    self->closed = 0;
+    self->looked = 0;
+    self->brakes = 0;
+    self->ends = 0;
+    self->begins = 1;
+    self->phase = NCK_TIMING_FORWARD;
+    self->knots = 0;
+    self->guess.head = 0;
+    self->guess.tail = 0;
+    self->guess.v = 0.0;
+    for (int k = 0; k <= 2 * NCK_TIMING_RUNGS; k++) self->guess.near[k] = 0;
+    self->s[0] = 0.0;
+}
+
+// The speed from rest after x: s = J' t³/6 gives v = (4.5 J' x²)^(1/3).
+static double rest_speed(const nck_timing_terms_t *terms, double x) {
+    return x > 0.0 ? nck_root_cube(4.5 * REST * terms->j_least * x * x) : 0.0;
+}
+
+// What the rungs find at a place: v² ≤ 1/second, v³ ≤ 1/third, and the steepest axis.
+typedef struct bends {
+    double second; // [s²/mm²]
+    double third;  // [s³/mm³]
+} bends_t;
+
+// The path so far before and behind a place.
+typedef struct rung {
+    double h;
+    double front[NCK_AXIS_MAX];
+    double back[NCK_AXIS_MAX];
+} rung_t;
+
+// A place while it is looked at.
+typedef struct sight {
+    double s;
+    double first;     // the path is known from here
+    double known;     // to here [path mm]
+    double tolerance; // P [mm]
+    double middle[NCK_AXIS_MAX];
+    double odd[4][NCK_AXIS_MAX]; // p(s + h) − p(s − h) of the last four rungs
+} sight_t;
+
+// Add what the rung n, of the length h, shows:
+//   v²(|δ²p| − 4P) ≤ A h²      δ²p = p(s + h) − 2 p(s) + p(s − h)
+//   v³(|δ³p| − 8P) ≤ J (2h′)³  δ³p = p(s + h) − 3 p(s + h′) + 3 p(s − h′) − p(s − h),  h′ = h/3
+// for each point may be P off.
+static void add_rung(const nck_timing_terms_t *terms, sight_t *sight, int n, const rung_t *rung,
+                     bends_t *bends) {
+    const double h = rung->h;
+    double *const odd = sight->odd[n % 4];
+    const double *const inner = sight->odd[(n + 1) % 4];
+    const double l = 2.0 * h / 3.0;
+    for (int x = 0; x < terms->axes; x++) {
+        const double even = nck_fabs(rung->front[x] + rung->back[x] - 2.0 * sight->middle[x]);
+        odd[x] = rung->front[x] - rung->back[x];
+        bends->second =
+            nck_max(bends->second, (even - 4.0 * sight->tolerance) / (terms->a[x] * h * h));
+        if (n < 3) continue;
+        const double third = nck_fabs(odd[x] - 3.0 * inner[x]);
+        bends->third =
+            nck_max(bends->third, (third - 8.0 * sight->tolerance) / (terms->j[x] * l * l * l));
+    }
+}
+
+// The speed that the axes' own speeds allow, by the path's direction over the first rung.
+static double axis_speed(const nck_timing_terms_t *terms, const double *odd, double h) {
+    double slowness = 1e-9;
+    for (int x = 0; x < terms->axes; x++) {
+        slowness = nck_max(slowness, nck_fabs(odd[x]) / (2.0 * h * terms->v[x]));
+    }
+    return 1.0 / slowness;
+}
+
+static void find_point(nck_timing_t *self, const nck_track_t *track, int k, double s,
+                       double *point_out) {
+    self->guess.near[k] = nck_track_find(track, self->guess.near[k], s);
+    nck_track_point(track, self->guess.near[k], s, point_out);
+}
+
+// 1 if the path is known at s, or goes on straight there.
+static int is_seen(const nck_timing_t *self, const sight_t *sight, double s) {
+    return (s >= sight->first || sight->first <= 0.0) && (s <= sight->known || self->closed);
+}
+
+// How fast the place may be passed, as its surroundings up to `reach` show.
+static double look_around(nck_timing_t *self, const nck_track_t *track, sight_t *sight,
+                          double reach) {
+    const nck_timing_terms_t *const terms = self->terms;
+    rung_t rung;
+    bends_t bends = {0.0, 0.0};
+    double v = 1e9;
+    double h = 2.0 * sight->tolerance;
+    find_point(self, track, 2 * NCK_TIMING_RUNGS, sight->s, sight->middle);
+    for (int n = 0; n < NCK_TIMING_RUNGS && (n < 1 || h <= reach); n++) {
+        if (!is_seen(self, sight, sight->s - h) || !is_seen(self, sight, sight->s + h)) break;
+        find_point(self, track, 2 * n, sight->s + h, rung.front);
+        find_point(self, track, 2 * n + 1, sight->s - h, rung.back);
+        rung.h = h;
+        add_rung(terms, sight, n, &rung, &bends);
+        if (n == 0) v = axis_speed(terms, sight->odd[0], h);
+        h *= RUNG;
+    }
+    if (bends.second > 0.0) v = nck_min(v, USE / nck_sqrt(bends.second));
+    if (bends.third > 0.0) v = nck_min(v, USE * nck_root_cube(1.0 / bends.third));
+    return nck_max(v, 0.5 * terms->j_least * terms->tau * terms->tau);
+}
+
+static nck_place_t *place_at(nck_timing_t *self, uint32_t count) {
+    return &self->guess.at[count % NCK_TIMING_PLACES];
+}
+
+// The acceleration that speed is built up with from v on: jerk from 0 leaves a = √(2 J v).
+static double push_of(const nck_timing_terms_t *terms, double wish, double v) {
+    const double low = terms->j_least * terms->tau * terms->tau / 32.0;
+    return wish * nck_min(terms->a_least, nck_sqrt(2.0 * terms->j_least * nck_max(v, low)));
+}
+
+// The speed a way h on from v.
+static double reach_speed(const nck_timing_terms_t *terms, double wish, double v, double h) {
+    return nck_sqrt(v * v + 2.0 * push_of(terms, wish, v) * h);
+}
+
+// Where the next place is: half a knot on at the speed that is reached. Towards the run's end half
+// of the way that is left, so that there is one within the shortest run.
+static double next_place(nck_timing_t *self, double end) {
+    const nck_timing_terms_t *const terms = self->terms;
+    const double half = 0.5 * terms->tau;
+    const double least = REST * terms->j_least * half * half * half / 6.0;
+    if (self->guess.head == 0) return 0.0;
+    const double s = place_at(self, self->guess.head - 1)->s;
+    const double step = nck_max(least, half * self->guess.v);
+    if (!self->closed) return s + step;
+    return s > 0.0 && end - s <= least ? end : s + nck_min(step, 0.5 * (end - s));
+}
+
+// How fast a place may be passed by all that is known.
+static double speed_of(nck_timing_t *self, const nck_track_t *track, sight_t *sight,
+                       const nck_track_element_t *element) {
+    const double around = look_around(self, track, sight, REACH * element->feed);
+    const double v = nck_min(around, nck_min(element->feed, rest_speed(self->terms, sight->s)));
+    return self->closed ? nck_min(v, rest_speed(self->terms, sight->known - sight->s)) : v;
+}
+
+// The guess goes on to a place.
+static void add_place(nck_timing_t *self, double s, double v) {
+    if (self->guess.head > 0) {
+        const double h = s - place_at(self, self->guess.head - 1)->s;
+        self->guess.v = nck_min(v, reach_speed(self->terms, ASK, self->guess.v, h));
+    }
+    nck_place_t *const place = place_at(self, self->guess.head++);
+    place->s = s;
+    place->v = v;
+}
+
+nck_status_t nck_timing_look(nck_timing_t *self, const nck_track_t *track) {
+    self->brakes = 0;
+    if (self->looked || self->guess.head - self->guess.tail == NCK_TIMING_PLACES) return NCK_DONE;
+    sight_t sight = {.known = nck_track_known(track)};
+    if (!(sight.known > 0.0)) return self->closed ? NCK_DONE : NCK_EMPTY;
+    sight.first = nck_track_at(track, track->tail)->s;
+    sight.s = next_place(self, sight.known);
+    uint32_t *const near = &self->guess.near[2 * NCK_TIMING_RUNGS];
+    *near = nck_track_find(track, *near, sight.s);
+    const nck_track_element_t *const element = nck_track_at(track, *near);
+    if (!self->closed && sight.s + REACH * element->feed > sight.known) {
+        if (!nck_track_is_full(track)) return NCK_EMPTY;
+        self->brakes = self->guess.head - self->guess.tail < NCK_FAIR_WINDOW;
+        if (sight.s > sight.known) return NCK_DONE;
+    }
+    sight.tolerance = (double)element->tolerance;
+    add_place(self, sight.s, speed_of(self, track, &sight, element));
+    self->looked = self->closed && sight.s >= sight.known;
+    return NCK_OK;
+}
+
+double nck_timing_reach(const nck_timing_t *self, const nck_track_t *track) {
+    const uint32_t near = nck_track_find(track, track->tail, self->s[0]);
+    return REACH * nck_track_at(track, near)->feed;
+}
+
+void nck_timing_drop(nck_timing_t *self, double s) {
+    while (self->guess.tail + 1 < self->guess.head && place_at(self, self->guess.tail)->s < s) {
+        self->guess.tail++;
+    }
+}
+
+// ds/du at a quarter.
+static double speed_at(const nck_timing_t *self, int k, int last) {
+    const double quarter = 0.25 * self->terms->tau;
+    if (k == 0) return self->begins ? 0.0 : (self->s[1] - self->s[0]) / quarter;
+    if (self->ends && k == last) return 0.0;
+    return (self->s[k + 1] - self->s[k - 1]) / (2.0 * quarter);
+}
+
+// The plan's du/dt at a quarter, as far as it comes in there: smoothly over `blend` knots.
+static double factor_at(const nck_num *b, int k, int from, int blend) {
+    const int knot = k / 4;
+    const double w = 0.25 * (k % 4);
+    const double here = (double)b[knot];
+    const double at = w > 0.0 ? here + w * ((double)b[knot + 1] - here) : here;
+    const double rate = nck_min(nck_max(nck_sqrt(nck_max(at, 0.0)), SLOWEST), FASTEST);
+    const double way = blend > 0 ? (0.25 * k - from) / blend : 1.0;
+    const double g = nck_min(nck_max(way, 0.0), 1.0);
+    return 1.0 + (rate - 1.0) * g * g * (3.0 - 2.0 * g);
+}
+
+void nck_timing_keep(nck_timing_t *self, nck_timing_list_t *list, const nck_num *b, int from,
+                     int to, int blend) {
+    list->count = 0;
+    for (int k = 4 * from; k <= 4 * to && to > from; k++) {
+        const double s = self->s[k];
+        if (list->count > 0 && !(s > list->at[list->count - 1].s + 1e-9)) continue;
+        list->at[list->count].s = s;
+        list->at[list->count].v = speed_at(self, k, 4 * self->knots) * factor_at(b, k, from, blend);
+        list->count++;
+    }
+    list->kept = list->count;
+    if (from > 0) self->begins = 0;
+    self->phase = NCK_TIMING_FORWARD;
+}
+
+// The guess behind what is kept.
+static void add_guess(nck_timing_t *self, nck_timing_list_t *list, double end) {
+    const double from = list->count > 0 ? list->at[list->count - 1].s + 1e-7 : -1.0;
+    for (uint32_t k = self->guess.tail; k != self->guess.head; k++) {
+        nck_place_t place = *place_at(self, k);
+        if (place.s <= from) continue;
+        if (self->closed || self->brakes) {
+            place.v = nck_min(place.v, rest_speed(self->terms, end - place.s));
+        }
+        list->at[list->count++] = place;
+    }
+}
+
+static void pass_forward(const nck_timing_t *self, nck_timing_list_t *list) {
+    for (int k = list->kept > 0 ? list->kept - 1 : 0; k + 1 < list->count; k++) {
+        const nck_place_t *const at = &list->at[k];
+        const double v = reach_speed(self->terms, ASK, at->v, at[1].s - at->s);
+        list->at[k + 1].v = nck_min(at[1].v, v);
+    }
+}
+
+static void pass_backward(const nck_timing_t *self, nck_timing_list_t *list) {
+    for (int k = list->count - 2; k >= 1; k--) {
+        const nck_place_t *const at = &list->at[k];
+        const double wish = k >= list->kept ? ASK : KEEP_ASK;
+        list->at[k].v = nck_min(at->v, reach_speed(self->terms, wish, at[1].v, at[1].s - at->s));
+    }
+}
+
+// How long it takes from a place to the next one, at even acceleration.
+static double time_of(const nck_place_t *at) {
+    return 2.0 * (at[1].s - at[0].s) / nck_max(at[0].v + at[1].v, 1e-9);
+}
+
+// Where in such a cell it is at the share w of its time.
+static double within(const nck_place_t *at, double w) {
+    const double sum = nck_max(at[0].v + at[1].v, 1e-9);
+    const double way = (2.0 * at[0].v + (at[1].v - at[0].v) * w) * w / sum;
+    return at[0].s + (at[1].s - at[0].s) * nck_min(way, 1.0);
+}
+
+// Cut the list behind the window. Returns its time.
+static double cut(const nck_timing_t *self, nck_timing_list_t *list) {
+    const double most = self->terms->tau * (NCK_FAIR_WINDOW + NCK_TIMING_AHEAD);
+    double t = 0.0;
+    int k = 0;
+    while (k + 1 < list->count && t < most) t += time_of(&list->at[k++]);
+    list->count = k + 1;
+    return t;
+}
+
+// A time that lasts `all` and is to end at another: stretched smoothly.
+typedef struct delay {
+    double all;  // [s]
+    double more; // by so much in all [s]
+} delay_t;
+
+static double stretched(const delay_t *delay, double t) {
+    const double w = nck_min(t / delay->all, 1.0);
+    return t + delay->more * w * w * (3.0 - 2.0 * w);
+}
+
+// s at count + 1 even times of a list; behind its end straight on.
+static void sample(nck_timing_t *self, const nck_timing_list_t *list, int count, double step,
+                   const delay_t *delay) {
+    const nck_place_t *at = list->at;
+    const nck_place_t *const last = &list->at[list->count - 1];
+    double t = time_of(at);
+    double begin = 0.0;
+    double end = stretched(delay, t);
+    for (int k = 0; k <= count; k++) {
+        const double wanted = k * step;
+        while (wanted > end && at + 1 < last) {
+            at++;
+            t += time_of(at);
+            begin = end;
+            end = stretched(delay, t);
+        }
+        self->s[k] = wanted > end ? last->s + (wanted - end) * last->v
+                                  : within(at, (wanted - begin) / (end - begin));
+    }
+}
+
+// A mean over up to 2 `half` + 1 quarters of s[0 … count], less where it would pass the ends. sum:
+// room for as many.
+static void smear(nck_timing_t *self, int count, int half, nck_place_t *sum) {
+    double all = 0.0;
+    for (int k = 0; k <= count; k++) {
+        sum[k].s = all;
+        all += self->s[k];
+    }
+    sum[count + 1].s = all;
+    for (int k = 0; k <= count; k++) {
+        const int end = k < count - k ? k : count - k;
+        const int n = half < end ? half : end;
+        self->s[k] = (sum[k + n + 1].s - sum[k - n].s) / (2 * n + 1);
+    }
+}
+
+// The list anew: behind what is kept, from the means.
+static void blur(nck_timing_t *self, nck_timing_list_t *list) {
+    const double quarter = 0.25 * self->terms->tau;
+    const double all = cut(self, list);
+    const nck_place_t last = list->at[list->count - 1];
+    if (list->kept >= list->count) {
+        list->kept = list->count;
+        return;
+    }
+    int count = (int)(all / quarter) + 1;
+    if (count > NCK_TIMING_CELLS) count = NCK_TIMING_CELLS;
+    const double step = nck_min(all / count, quarter);
+    const delay_t even = {all, 0.0};
+    const int half = (int)(0.5 * BLUR / step + 0.5);
+    sample(self, list, count, step, &even);
+    const int kept = list->kept > 0 ? list->kept : 1;
+    smear(self, count, half, &list->at[kept]);
+    smear(self, count, half, &list->at[kept]);
+    list->count = kept;
+    for (int k = 1; k <= count; k++) {
+        if (!(self->s[k] > list->at[list->count - 1].s + 1e-9)) continue;
+        nck_place_t *const place = &list->at[list->count++];
+        place->s = self->s[k];
+        place->v = k < count ? (self->s[k + 1] - self->s[k - 1]) / (2.0 * step) : last.v;
+    }
+}
+
+// s at quarters, and how many knots the window has.
+static void set(nck_timing_t *self, const nck_timing_list_t *list, double end) {
+    const double tau = self->terms->tau;
+    double all = 0.0;
+    for (int k = 0; k + 1 < list->count; k++) all += time_of(&list->at[k]);
+    const int is_whole = self->looked && list->at[list->count - 1].s >= end - 1e-9;
+    self->ends = is_whole && all <= (NCK_FAIR_WINDOW + 2) * tau;
+    delay_t delay = {all, 0.0};
+    if (self->ends) {
+        const int knots = (int)(all / tau);
+        self->knots = knots + (knots * tau < all);
+        if (self->knots < LEAST) self->knots = LEAST;
+        delay.more = self->knots * tau - all;
+    } else {
+        const int knots = (int)(all / tau) - MARGIN;
+        self->knots = knots < NCK_FAIR_WINDOW ? knots : NCK_FAIR_WINDOW;
+        if (self->knots < SHORTEST) self->knots = SHORTEST;
+        delay.more = nck_max(0.0, (SHORTEST + MARGIN) * tau - all);
+    }
+    sample(self, list, 4 * (self->knots + 1), 0.25 * tau, &delay);
+}
+
+nck_status_t nck_timing_make(nck_timing_t *self, nck_timing_list_t *list,
+                             const nck_track_t *track) {
+    const double end = nck_track_known(track);
+    switch (self->phase) {
+    case NCK_TIMING_FORWARD:
+        add_guess(self, list, end);
+        pass_forward(self, list);
+        self->phase = NCK_TIMING_BACKWARD;
+        return NCK_OK;
+    case NCK_TIMING_BACKWARD:
+        pass_backward(self, list);
+        self->phase = NCK_TIMING_BLUR;
+        return NCK_OK;
+    case NCK_TIMING_BLUR:
+        blur(self, list);
+        self->phase = NCK_TIMING_SET;
+        return NCK_OK;
+    default:
+        set(self, list, end);
+        self->phase = NCK_TIMING_MADE;
+        return NCK_DONE;
+    }
+}

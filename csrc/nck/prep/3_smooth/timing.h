@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: MIT
+// Inside room 3: the clock, program length against a guessed time u. The curve has its knots at
+// even steps of it, so wherever the program is slow they are close.
+#ifndef NCK_PREP_TIMING_H
+#define NCK_PREP_TIMING_H
+
+#include <stdint.h> // uint32_t
+
+#include "nck/base/status.h"         // nck_status_t
+#include "nck/prep/3_smooth/fair.h"  // NCK_FAIR_…
+#include "nck/prep/3_smooth/track.h" // nck_track_t
+
+// Sizes.
+enum {
+    NCK_TIMING_AHEAD = 8, // knots that are made beyond a window
+    NCK_TIMING_CELLS = 4 * (NCK_FAIR_WINDOW + NCK_TIMING_AHEAD + 4), // a quarter of a knot each
+    NCK_TIMING_PLACES = 3 * NCK_FAIR_WINDOW, // of the guess: a window and the way to brake behind
+    NCK_TIMING_LIST = 2 * NCK_TIMING_CELLS + 2,
+    NCK_TIMING_RUNGS = 24 // lengths that a place is looked at over
+};
+
+// What the machine can do.
+typedef struct nck_timing_terms {
+    int axes;     // so many
+    double tau;   // what knots are apart [s]
+    double v[NCK_AXIS_MAX]; // of every axis [mm/s]
+    double a[NCK_AXIS_MAX]; // [mm/s²]
+    double j[NCK_AXIS_MAX]; // [mm/s³]
+    double a_least; // the least of them, of the axes that move
+    double a_most;  // the most
+    double j_least;
+} nck_timing_terms_t;
+
+// A place of the program, and how fast it may be passed.
+typedef struct nck_place {
+    double s; // [path mm]
+    double v; // [path mm/s]
+} nck_place_t;
+
+// Places in work: what is kept of the last plan, then those of the guess. Needed for making a clock
+// alone.
+typedef struct nck_timing_list {
+    int count;
+    int kept;
+    nck_place_t at[NCK_TIMING_LIST];
+} nck_timing_list_t;
+
+// What makes a clock, in order.
+typedef enum nck_timing_phase {
+    NCK_TIMING_FORWARD = 0, // no faster than it can have become
+    NCK_TIMING_BACKWARD,    // nor than it can brake
+    NCK_TIMING_BLUR,        // steps of acceleration rounded
+    NCK_TIMING_SET,         // s at all quarters
+    NCK_TIMING_MADE
+} nck_timing_phase_t;
+
+// The clock.
+typedef struct nck_timing {
+    const nck_timing_terms_t *terms;
+    uint8_t closed;   // 1: the run's end is known
+    uint8_t looked;   // 1: the guess has reached it
+    uint8_t brakes;   // 1: so little is known that the guess rests where that ends
+    uint8_t begins;   // 1: the window begins at the run's begin, at rest
+    uint8_t ends;     // 1: it ends at the run's end
+    nck_timing_phase_t phase;
+    int knots;        // of the window
+    struct {
+        uint32_t head; // places looked at
+        uint32_t tail; // done with
+        double v;      // what the newest can be reached with [path mm/s]
+        uint32_t near[2 * NCK_TIMING_RUNGS + 1]; // elements, where each point was found last
+        nck_place_t at[NCK_TIMING_PLACES];
+    } guess;
+    double s[NCK_TIMING_CELLS + 1]; // at quarters from the window's begin on [path mm]
+} nck_timing_t;
+
+// Begin a run at s = 0. Cost: constant. Context: prep.
+void nck_timing_begin(nck_timing_t *self, const nck_timing_terms_t *terms);
+
+// Look at the next place. Returns NCK_OK (call again); NCK_EMPTY: the track must be known further,
+// closed or full first; NCK_DONE: as far as there is room for, or to the end.
+// Cost: 2 NCK_TIMING_RUNGS points. Context: prep.
+nck_status_t nck_timing_look(nck_timing_t *self, const nck_track_t *track);
+
+// How far before the window's begin the track is still looked at. Cost: constant. Context: prep.
+double nck_timing_reach(const nck_timing_t *self, const nck_track_t *track);
+
+// Forget the places before s. Cost: linear in them. Context: prep.
+void nck_timing_drop(nck_timing_t *self, double s);
+
+// Begin to make the next clock from the knot `from` of this one on: its time runs by the plan's
+// b = (du/dt)² at knots, which comes in over `blend` knots, 0: at once. Up to the knot `to` all is
+// kept; behind it is the guess. from = to = 0: nothing is kept.
+// Cost: linear in what is kept. Context: prep.
+void nck_timing_keep(nck_timing_t *self, nck_timing_list_t *list, const nck_num *b, int from,
+                     int to, int blend);
+
+// Make it. Returns NCK_OK (call again); NCK_DONE. Cost: 40 operations a place of the list.
+// Context: prep.
+nck_status_t nck_timing_make(nck_timing_t *self, nck_timing_list_t *list,
+                             const nck_track_t *track);
+
+#endif

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: MIT
+// Inside room 3: the programmed path of a run, from rest to rest, as elements: lines, some of them
+// joined from many, arcs and helices.
+#ifndef NCK_PREP_TRACK_H
+#define NCK_PREP_TRACK_H
+
+#include <stdint.h> // uint32_t
+
+#include "nck/base/limits.h"  // NCK_AXIS_MAX NCK_SMOOTH_ROWS
+#include "nck/base/records.h" // nck_seg_t
+#include "nck/base/status.h"  // nck_status_t
+
+// Sizes.
+enum {
+    NCK_TRACK_SPAN = NCK_SMOOTH_ROWS < 256 ? 4 * NCK_SMOOTH_ROWS : 1024, // elements
+    NCK_TRACK_LEVELS = 4 // of what joining lines may cost
+};
+
+// An element.
+typedef struct nck_track_element {
+    double s;         // where it begins in its run [path mm]
+    double length;    // [path mm]
+    double start[NCK_AXIS_MAX]; // [mm, deg]
+    double feed;      // wanted path speed [path mm/s]
+    nck_seg_arc_t arc; // of an arc
+    float tolerance;  // what joining has left of P [mm]
+    uint32_t line[2]; // first and last source line
+    uint32_t block[2]; // first and last block
+    uint8_t kind;     // NCK_SEG_LINE or NCK_SEG_ARC
+} nck_track_element_t;
+
+// The path: elements tail … head − 1 of a ring.
+typedef struct nck_track {
+    int axes;         // so many coordinates
+    uint32_t head;    // elements begun
+    uint32_t tail;    // elements done with
+    uint8_t grows;    // 1: lines may be joined to the newest one
+    double knot_s;    // what knots are apart in time [s]
+    double end[NCK_AXIS_MAX]; // of the newest
+    struct {
+        double tolerance; // P of its blocks [mm]
+        double low[NCK_TRACK_LEVELS][NCK_AXIS_MAX]; // what its slope may be at every level
+        double high[NCK_TRACK_LEVELS][NCK_AXIS_MAX];
+    } join;
+    nck_track_element_t at[NCK_TRACK_SPAN];
+} nck_track_t;
+
+// Begin a run. Cost: constant. Context: prep.
+void nck_track_begin(nck_track_t *self, int axes, double knot_s);
+
+// Add a line, arc or helix with length, which begins where the last one ended. Its feed is what is
+// wanted, of a rapid what its axes can do. tolerance: P > 0.
+// Returns NCK_OK; NCK_FULL: no room. Cost: constant. Context: prep.
+nck_status_t nck_track_push(nck_track_t *self, const nck_seg_t *seg, double tolerance);
+
+// The newest element is whole: nothing is joined to it. Cost: constant. Context: prep.
+void nck_track_seal(nck_track_t *self);
+
+// The run is known up to here [path mm]. Cost: constant. Context: prep.
+double nck_track_known(const nck_track_t *self);
+
+// 1 if the ring has no room for another element. Cost: constant. Context: prep.
+static inline int nck_track_is_full(const nck_track_t *self) {
+    return self->head - self->tail == NCK_TRACK_SPAN;
+}
+
+// The element with this count. Cost: constant. Context: prep.
+static inline const nck_track_element_t *nck_track_at(const nck_track_t *self, uint32_t count) {
+    return &self->at[count & (NCK_TRACK_SPAN - 1)];
+}
+
+// The known element that s is in, the first or last one beyond them; near: one to begin with, of
+// any count. Cost: linear in elements between. Context: prep.
+uint32_t nck_track_find(const nck_track_t *self, uint32_t near, double s);
+
+// The point at s of a known element, straight on beyond it. Cost: constant. Context: prep.
+void nck_track_point(const nck_track_t *self, uint32_t count, double s, double *point_out);
+
+// Where an element ends. Cost: constant. Context: prep.
+const double *nck_track_end(const nck_track_t *self, uint32_t count);
+
+// An element as a seg, without words. Cost: constant. Context: prep.
+void nck_track_seg(const nck_track_t *self, uint32_t count, nck_seg_t *seg_out);
+
+// The run is given up to s: forget the elements that end further than `back` before it, and what
+// takes more than a quarter of the ring. Cost: linear in them. Context: prep.
+void nck_track_drop(nck_track_t *self, double s, double back);
+
+#endif
