@@ -22,6 +22,8 @@ LEAN_PROGRAMS = ("tests_lean_linear", "tests_lean_jerk")
 SANITIZED = "clang-19"
 SUFFIXES = ("", "_small")  # of names, for the sets of capacities
 FUZZED = ("decode", "kernel")
+LIBRARIES = ("firmware_sim/app/libapp.a", "libsim.a", "libnck_host.a", "firmware_sim/libos.a",
+             "firmware_sim/app/libhal_switches.a", "libnck.a")  # fmt: skip
 SMALL_IF_QUICK = ("base", "kernel")  # whose rings wrap and fill where they are short
 
 
@@ -74,6 +76,23 @@ def not_drawn(config, items):
     drawn, level = drawn_programs(config), config.option.draw
     tests = [each for each in items if isinstance(each, CTest)]
     return [each for each in tests if not each.is_drawn(*drawn, level)]
+
+
+def link_anew(program, objects, target, *command):
+    """Link a program of the release build, objects before its own libraries; return the target.
+
+    So one file of the kernel is compiled otherwise, and nothing else.
+    """
+    folder, complaints = build_c("gcc", program)
+    if complaints:
+        raise CTestError(complaints[-4000:])
+    own = (folder / "CMakeFiles" / f"{program}.dir").rglob("*.o")
+    libraries = [folder / name for name in LIBRARIES]
+    command = [*command, *objects, *own, *libraries, "-lm", "-l:libgomp.so.1", "-lpthread"]
+    done = subprocess.run([*command, "-o", target], capture_output=True, text=True)
+    if done.returncode != 0:
+        raise CTestError(done.stderr)
+    return target
 
 
 class CTestError(Exception):

@@ -10,7 +10,6 @@ original, for the reason that stands there. The exit status is 1 below the share
     python tests/house/mutate.py                      the sample, 100 mutants
     python tests/house/mutate.py --count 50 tick/     50 of the files whose path contains tick/
     python tests/house/mutate.py --seed 2             another sample
-    python tests/house/mutate.py --near               by the tests of their own room alone
 """
 
 import argparse
@@ -309,12 +308,12 @@ class Test:
     stem: str
     program: str
 
-    def time(self, limit_s):
+    def time(self, limit_s, folder=BUILT):
         """Run it. Returns the processor's time [s]; None: it failed or took over the limit."""
         limit = math.ceil(limit_s)
         begin = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime
         done = subprocess.run(
-            [BUILT / self.program, self.stem],
+            [folder / self.program, self.stem],
             stdout=subprocess.DEVNULL,
             stderr=subprocess.DEVNULL,
             preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_CPU, (limit, limit)),
@@ -374,7 +373,7 @@ def room_of(file):
     return ROOMS.get(folder, folder.partition("_")[2] or folder)
 
 
-def tests_of(rooms, suffixes):
+def tests_of(rooms):
     """Build and run the tests of rooms on the original; return [(limit [s], test)]."""
     found = [(LIMIT_S, Programs(room)) for room in rooms if room in ("decode", "toolcomp")]
     for _, programs in found:
@@ -383,7 +382,7 @@ def tests_of(rooms, suffixes):
     for path, program in c_tests.programs().items():
         if path.parent.name not in rooms:
             continue
-        for suffix in suffixes:
+        for suffix in c_tests.SUFFIXES:
             test = Test(path.parent.name, path.stem, f"{program}{suffix}")
             took = test.time(600.0) if make(test.program) else None
             if took is None:
@@ -392,18 +391,18 @@ def tests_of(rooms, suffixes):
     return sorted(found, key=lambda row: row[0])
 
 
-def fingerprint(libraries):
+def fingerprint():
     """Return a hash of all that the compiler made of the kernel."""
     digest = hashlib.sha256()
-    for library in libraries:
+    for library in LIBRARIES:
         digest.update((BUILT / library).read_bytes())
     return digest.digest()
 
 
-def in_order_for(file, tests, near):
-    """Return the tests for a mutant of a file: its own room's, then, unless near, the others."""
+def in_order_for(file, tests):
+    """Return the tests for a mutant of a file: its own room's, then the others."""
     own = [row for row in tests if row[1].room == room_of(file)]
-    return own if near else own + [row for row in tests if row not in own]
+    return own + [row for row in tests if row not in own]
 
 
 def killer_of(tests):
@@ -418,17 +417,16 @@ def killer_of(tests):
     return None
 
 
-def judge(mutant, tests, original, near):
+def judge(mutant, tests, original):
     """Try one mutant. Returns "same" for one that the compiler cannot tell from the original or
     does not compile, the test that kills it, or "survived"."""
     path = TREE / "csrc" / "nck" / mutant.file
     text = path.read_text(encoding="utf-8")
     path.write_text(text[: mutant.begin] + mutant.now + text[mutant.end :], encoding="utf-8")
     try:
-        libraries = LIBRARIES[::2] if near else LIBRARIES
-        if not make(*libraries) or fingerprint(libraries) == original:
+        if not make(*LIBRARIES) or fingerprint() == original:
             return "same"
-        return killer_of(in_order_for(mutant.file, tests, near)) or "survived"
+        return killer_of(in_order_for(mutant.file, tests)) or "survived"
     finally:
         path.write_text(text, encoding="utf-8")
 
@@ -445,21 +443,8 @@ def reviewed():
     return {(row["file"], row["line"], row["was"], row["now"]) for row in rows}
 
 
-def run(mutants, count, near=False):
-    """Judge mutants until `count` of them were killed or survived; return the survivors, killed.
-
-    With `near`, by the tests of a mutant's own room, in the default capacities alone.
-    """
-    copy_tree()
-    configure()
-    libraries = LIBRARIES[::2] if near else LIBRARIES
-    if not make(*libraries):
-        sys.exit("libnck does not build")
-    original = fingerprint(libraries)
-    rooms = {path.parent.name for path in c_tests.programs()} - FOREIGN
-    if near:
-        rooms = {room_of(mutant.file) for mutant in mutants[: 2 * count]}
-    tests = tests_of(rooms, ("",) if near else ("", "_small"))
+def tally(mutants, count, judged):
+    """Judge mutants until `count` of them were killed or survived; return the survivors, killed."""
     known = reviewed()
     survivors, killed, same = [], 0, 0
     for mutant in mutants:
@@ -468,7 +453,7 @@ def run(mutants, count, near=False):
         if name_of(mutant) in known:
             same += 1
             continue
-        verdict = judge(mutant, tests, original, near)
+        verdict = judged(mutant)
         same += verdict == "same"
         killed += verdict not in ("same", "survived")
         if verdict == "survived":
@@ -478,17 +463,27 @@ def run(mutants, count, near=False):
     return survivors, killed
 
 
+def run(mutants, count):
+    """Judge mutants by all tests in both sets of capacities; see tally."""
+    copy_tree()
+    configure()
+    if not make(*LIBRARIES):
+        sys.exit("libnck does not build")
+    original = fingerprint()
+    tests = tests_of({path.parent.name for path in c_tests.programs()} - FOREIGN)
+    return tally(mutants, count, lambda mutant: judge(mutant, tests, original))
+
+
 def main():
     parser = argparse.ArgumentParser(
         description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
     )
     parser.add_argument("--count", type=int, default=100, help="mutants to judge")
     parser.add_argument("--seed", type=int, default=1, help="which sample")
-    parser.add_argument("--near", action="store_true", help="by the tests of their room alone")
     parser.add_argument("only", nargs="*", help="words, one of which a file's path contains")
     given = parser.parse_args()
     os.nice(10)
-    survivors, killed = run(sample(given.seed, given.only), given.count, given.near)
+    survivors, killed = run(sample(given.seed, given.only), given.count)
     for mutant in survivors:
         print(f"survived  {mutant}\n          {mutant.source.strip()}")
     judged = killed + len(survivors)

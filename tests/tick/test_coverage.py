@@ -12,7 +12,6 @@ from concurrent.futures import ThreadPoolExecutor
 
 import c_tests
 import pytest
-from builds import build_c
 
 pytestmark = pytest.mark.thorough
 
@@ -40,12 +39,10 @@ GOAL = 0.95
 # The tests, and what is not of the tick's path, are those of the release build: clang compiles what
 # is counted, which comes first among what is linked.
 COUNTED = sorted({name for name in TICK_PATH if name.endswith(".c")} | {"base/path.c"})
-LIBRARIES = ("firmware_sim/app/libapp.a", "libsim.a", "libnck_host.a", "firmware_sim/libos.a",
-             "firmware_sim/app/libhal_switches.a", "libnck.a")  # fmt: skip
 # Asserts are left out: none of them is ever to be false.
+PROFILED = "-fprofile-instr-generate"
 FLAGS = ("-std=c99 -O2 -DNDEBUG -ffp-contract=off -fno-math-errno"
-         " -fprofile-instr-generate -fcoverage-mapping -fcoverage-mcdc").split()  # fmt: skip
-LINK = ["-fprofile-instr-generate", "-lm", "-l:libgomp.so.1", "-lpthread"]
+         f" {PROFILED} -fcoverage-mapping -fcoverage-mcdc").split()  # fmt: skip
 
 
 def run(command, **options):
@@ -67,16 +64,13 @@ def programs(root, tool, tmp_path_factory):
 
     files = {path: name for path, name in c_tests.programs().items() if path.stem[5:] in TESTS}
     assert len(files) == len(TESTS)
-    build, complaints = build_c("gcc", *files.values())
-    assert not complaints, complaints
     with ThreadPoolExecutor(2) as pool:
         counted = list(pool.map(compiled, [root / "csrc" / "nck" / name for name in COUNTED]))
-    libraries = [build / name for name in LIBRARIES]
-    for program in set(files.values()):
-        objects = [*(build / "CMakeFiles" / f"{program}.dir").rglob("*.o"), *counted]
-        if not program.startswith("tests_"):  # it brings the source that it is about
-            objects = [compiled(path) for path, name in files.items() if name == program]
-        run([clang, *objects, *libraries, *LINK, "-o", folder / program])
+    for path, program in files.items():
+        if program == path.stem:  # it brings the source that it is about
+            run([clang, PROFILED, compiled(path), "-o", folder / program])
+        elif not (folder / program).exists():
+            c_tests.link_anew(program, counted, folder / program, clang, PROFILED)
     return {path.stem: folder / program for path, program in files.items()}
 
 
