@@ -19,8 +19,6 @@ enum { ASK_WORK = 8 };
 
 // A cap is met within this share of the speed.
 #define MET_EPSILON 1e-6
-// What gives way leaves so much of v² in a cell, or the cell is too long for it.
-#define LEFT_LEAST 0.25
 // The plan above a brake is at most so many times as fast.
 #define PLAN_ABOVE 1.1
 
@@ -261,11 +259,9 @@ void nck_brake_along(nck_jerk_t *self, const nck_pieces_t *pieces, uint32_t i, d
 // cell's begin on it lowers the speed by B²/2J at most, B = |a| + Jq/2 the line's value there:
 //     v − v_cap ≥ (|a| + Jq/2)²/2J.
 // What a cell can do with no more than Jq/2 it does: the next one may be level, or rise. Near the
-// cap the brake gives way, and vv becomes more, but not faster than by `most`: a cap that rises is
-// come below. Where the cap of an override is met the brake goes on, so that what is below later
-// caps raises none; a hold's caps are those of its brake.
-static double land_cell(const nck_jerk_t *self, nck_profile_t *state, uint32_t i, double most,
-                        double vv) {
+// cap the brake gives way, and vv becomes more. Where the cap of an override is met the brake goes
+// on, so that what is below later caps raises none; a hold's caps are those of its brake.
+static double land_cell(const nck_jerk_t *self, nck_profile_t *state, uint32_t i, double vv) {
     const double v = state->v_last;
     const double h = self->h[i];
     const double above = nck_max(0.0, v - nck_sqrt(self->w_cap[i + 1]));
@@ -273,7 +269,7 @@ static double land_cell(const nck_jerk_t *self, nck_profile_t *state, uint32_t i
     const double half = NCK_BRAKE_SHARE * j_of_both(self, i + 1) * state->share; // Jq/2
     const double at_once = above * v / h;
     const double line = nck_sqrt(4.0 * half * at_once) - half; // J = 2·half/q, q = h/v
-    const double least = nck_min(most, -(at_once <= half ? at_once : line));
+    const double least = -(at_once <= half ? at_once : line);
     if (state->a_last >= least) return vv;
     state->a_last = least;
     return nck_max(0.0, v * v + 2.0 * least * h);
@@ -346,7 +342,7 @@ static void turn_up(nck_jerk_t *self, uint32_t i, double vv) {
     turn->a += j * (turn->share + share);
     turn->share = share;
     const double vv_turn = turn->v * turn->v + 2.0 * turn->a * h;
-    if (!(vv_turn > LEFT_LEAST * turn->v * turn->v)) {
+    if (!(vv_turn > vv)) { // it comes to nothing, as the brake does
         turn->a = 0.0;
         return;
     }
@@ -371,10 +367,8 @@ nck_status_t nck_brake_raise(nck_jerk_t *self) {
         if (vv_planned < 0.0) continue;
         const double a_max = self->work.eases ? eased[i] : self->a_max[i];
         const double j = j_of_both(self, i);
-        const double a = state->a_last, share = state->share;
         const double vv = nck_brake_cell(state, self->h[i], a_max, j, q_cap);
-        const double most = a + NCK_BRAKE_SHARE * j * (share + state->share);
-        const double landed = land_cell(self, state, i, most, vv);
+        const double landed = land_cell(self, state, i, vv);
         const double floor = nck_min(landed, vv_planned);
         if (floor < landed) { // the plan of now brakes harder
             state->a_last = 0.5 * (floor - state->v_last * state->v_last) / self->h[i];
