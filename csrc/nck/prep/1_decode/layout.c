@@ -146,13 +146,13 @@ nck_status_t nck_layout_target(nck_decode_t *self, int64_t *target_nm) {
     if (layout->on & NCK_LAYOUT_TURN) turn(self, layout->sine, place);
     for (unsigned axis = 0; axis < 3 && status == NCK_OK; axis++) {
         target_nm[axis] = 0;
-        const nck_scale_t *const scale = nck_decode_scale_of(self, axis);
-        const double most = (double)scale->limit;
+        const nck_scale_t *const factor = nck_decode_scale_of(self, axis);
+        const double most = (double)factor->limit;
         const double far = place[axis] + (double)self->place.origin_nm[axis];
         if (!(nck_fabs(far) <= most)) {
             status = nck_decode_fail(self, NCK_E_NUMBER_RANGE, 0, nck_decode_letter(axis),
-                                     nck_decode_as_word(scale, far),
-                                     nck_decode_as_word(scale, most));
+                                     nck_decode_as_word(factor, far),
+                                     nck_decode_as_word(factor, most));
         } else {
             target_nm[axis] = self->place.origin_nm[axis] + rounded(place[axis]);
         }

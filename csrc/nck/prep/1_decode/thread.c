@@ -113,7 +113,8 @@ nck_status_t nck_decode_lead(nck_decode_t *self, char letter, double *lead_out) 
     *lead_out = word * unit;
     self->held.screw.lead = *lead_out;
     if (word > 0.0 && *lead_out <= (double)NCK_LINEAR_MAX_MM) return NCK_OK;
-    return nck_decode_fail_word(self, NCK_E_NUMBER_RANGE, letter, word, NCK_LINEAR_MAX_MM / unit);
+    return nck_decode_fail_word(self, NCK_E_NUMBER_RANGE, letter, word,
+                                (double)NCK_LINEAR_MAX_MM / unit);
 }
 
 nck_status_t nck_decode_start_angle(nck_decode_t *self, float *turn_out) {

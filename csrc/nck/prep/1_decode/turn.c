@@ -42,7 +42,7 @@ static nck_status_t read_end(nck_decode_t *self) {
 // The word of the taper: R; on older controls I of turning, K of facing.
 static char taper_letter(const nck_decode_t *self) {
     const char other = is_turning(self) ? 'I' : 'K';
-    return self->words.letters & NCK_LETTER(other) ? other : 'R';
+    return (self->words.letters & NCK_LETTER(other)) ? other : 'R';
 }
 
 static nck_status_t read_taper(nck_decode_t *self) {

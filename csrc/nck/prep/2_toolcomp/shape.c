@@ -259,12 +259,14 @@ static double nearest(const nck_shape_t *self, const double *point) {
 // circles that do not cross are nearest on the line through their centres.
 static void approach_from(const nck_shape_t *a, const nck_shape_t *b, nck_approach_t *out) {
     const double on_a[3] = {0.0, a->length, b->radius > 0.0 ? nearest(a, b->c) : 0.0};
+    nck_approach_t least = {0.0, 0.0, 0.0};
     for (unsigned k = 0; k < 3; k++) {
         double point[2];
         nck_shape_point(a, on_a[k], point);
         const double gap = nck_shape_distance(b, point);
-        if (k == 0 || gap < out->gap) *out = (nck_approach_t){gap, on_a[k], nearest(b, point)};
+        if (k == 0 || gap < least.gap) least = (nck_approach_t){gap, on_a[k], nearest(b, point)};
     }
+    *out = least;
 }
 
 void nck_shape_approach(const nck_shape_t *a, const nck_shape_t *b, nck_approach_t *out) {

@@ -61,11 +61,13 @@ nck_status_t nck_comp_way_to(nck_toolcomp_t *self) {
     else nck_shape_line(self->at, to, &way.shape);
     way.height[0] = nck_comp_height(self, self->given_nm);
     way.height[1] = nck_comp_height(self, entry->block.target_nm);
-    for (uint32_t m = nck_comp_next(self, piece->of); m != self->ring.head;
+    int ends = 0;
+    for (uint32_t m = nck_comp_next(self, piece->of); m != self->ring.head && !ends;
          m = nck_comp_next(self, m)) {
-        if (nck_comp_at(self, m)->rapid) break;
+        ends = nck_comp_at(self, m)->rapid;
+        if (ends) continue;
         look(self, &way, self->last.first, m, &found);
-        if (nck_comp_at(self, m)->anew) break;
+        ends = nck_comp_at(self, m)->anew;
     }
     return tell(self, entry->block.line, &found);
 }
