@@ -7,7 +7,8 @@
 
 static const double spare = 1.3; // a spindle may turn so much faster than when the pass began
 static const double larger = 1.5; // kinks may be by so much where lines are still to come
-static const double least = 0.1;  // of a limit is left for a kink that is rounded, in any case
+static const double least = 0.1;  // of the jerk is left behind a stop for going on, in any case
+static const double wider = 1.1;  // a kink is rounded by no more than so much further than it has to
 
 // ---- the way
 
@@ -22,10 +23,10 @@ static double gradient(const follow_t *self, uint32_t number, int axis) {
     return (to->place[axis] - from->place[axis]) / (to->u - from->u);
 }
 
-// By how much the speed of an axis changes at a node, at most [mm/s].
+// By how much the speed of an axis changes at a node, with its sign, at most [mm/s].
 static double kink(const follow_t *self, uint32_t number, int axis) {
     const double before = gradient(self, number, axis);
-    return fabs(gradient(self, number + 1, axis) - before) * self->rps;
+    return (gradient(self, number + 1, axis) - before) * self->rps;
 }
 
 // The node at the end of the line that u is on.
@@ -64,28 +65,60 @@ static void place_at(const follow_t *self, double u, double *place_out) {
 // The oldest node whose kink is known.
 static uint32_t oldest(const follow_t *self) { return self->tail > 0 ? self->tail + 1 : 0; }
 
-// The kinks from a node on that are reached within a length, of one axis: what the means mix.
-static double kinks(const follow_t *self, uint32_t number, int axis, double length) {
-    const double begin = node(self, number)->u;
-    double sum = 0.0;
-    for (; number <= self->head && node(self, number)->u - begin <= length; number++) {
-        sum += kink(self, number, axis);
+// A speed on its way through kinks, from the last one back: what two means of it can be.
+typedef struct follow_mix {
+    double v;            // before the kinks so far, less that behind them all [mm/s]
+    double high;         // the most of it …
+    double low;          // … and the least
+    double peak;         // the most of a speed less twice one before it …
+    double dip;          // … and the least
+    double acceleration; // the largest difference of two: times 1/τ
+    double jerk;         // the largest second difference of three: times 1/τ²
+} follow_mix_t;
+
+// One more kink: the speeds before it differ by d from those behind it.
+static void mix_kink(follow_mix_t *self, double d) {
+    self->v -= d;
+    self->high = fmax(self->high, self->v);
+    self->low = fmin(self->low, self->v);
+    self->peak = fmax(self->peak, self->high - 2.0 * self->v);
+    self->dip = fmin(self->dip, self->low - 2.0 * self->v);
+    self->acceleration = fmax(self->high - self->low, self->acceleration);
+    self->jerk = fmax(fmax(self->v + self->peak, -self->v - self->dip), self->jerk);
+}
+
+// What the means mix of an axis until the kink of a node, where one mean is `mean` revolutions
+// long. With the speed V under two means of τ each
+//
+//   acceleration = mean of (V(t) − V(t − τ)) / τ,   jerk = (V(t) − 2V(t − τ) + V(t − 2τ)) / τ²:
+//
+// kinks that follow each other up and down within 2τ make no more than 2(max V − min V) / τ². Of
+// one that is rounded by w, no more than mean/2w is within τ. A slower spindle has less of all.
+static follow_mix_t mixed(const follow_t *self, uint32_t last, int axis, double mean) {
+    const follow_node_t *const end = node(self, last);
+    follow_mix_t mix = {0};
+    for (uint32_t n = last + 1; n-- > oldest(self);) {
+        const follow_node_t *const at = node(self, n);
+        if (end->u - at->u > 2.0 * mean + end->w + at->w) break;
+        const double within = at->w > 0.5 * mean ? 0.5 * mean / at->w : 1.0;
+        mix_kink(&mix, kink(self, n, axis) * within);
     }
-    return sum;
+    return mix;
 }
 
 // A kink of d in the speed of an axis becomes, under two means of τ each, a ramp of 2τ with the
 // acceleration d/τ and the jerk d/τ²:   τ ≥ d/a,  τ ≥ √(d/j).   A tap's reversal is made by the
 // spindle, which is no kink.
 static double mean_time(const follow_t *self, double tau) {
+    const double more = self->open ? larger : 1.0;
     double longest = 0.0;
     for (uint32_t number = oldest(self); number <= self->head; number++) {
         for (int k = 0; k < FOLLOW_AXES; k++) {
             if (!(self->limits.v[k] > 0.0)) continue;
-            const double d =
-                kinks(self, number, k, 2.0 * self->rps * tau) * (self->open ? larger : 1.0);
-            longest = fmax(longest, d / (self->limits.a[k] * self->share));
-            longest = fmax(longest, sqrt(d / self->limits.j[k]));
+            const follow_mix_t mix = mixed(self, number, k, self->rps * tau);
+            const double a = self->limits.a[k] * self->share;
+            longest = fmax(longest, more * mix.acceleration / a);
+            longest = fmax(longest, sqrt(more * mix.jerk / self->limits.j[k]));
         }
     }
     return longest;
@@ -99,43 +132,30 @@ static uint32_t cycles(const follow_t *self) {
     return n < (double)FOLLOW_HALF ? (uint32_t)n : FOLLOW_HALF;
 }
 
-// What the other kinks of an axis take, that the means mix with a node's, rounded by w [mm/s].
-static double others(const follow_t *self, uint32_t number, int axis, double w) {
-    const double tau = (double)self->n * self->cycle_s, mixed = 2.0 * self->rps * tau;
-    double sum = 0.0;
-    for (uint32_t n = oldest(self); n <= self->head; n++) {
-        const follow_node_t *const at = node(self, n);
-        const double off = fabs(at->u - node(self, number)->u);
-        if (n == number || off > mixed + w + at->w) continue;
-        sum += kink(self, n, axis) * fmin(1.0, 0.25 * mixed / fmax(at->w, 1e-12));
-    }
-    return sum;
-}
-
-// How far to both sides a node is rounded, so that its kink is within what the others near it
-// leave: a mean over the time W more makes it d/W and d/Wτ. They leave a tenth at least.
-static double width_beside(const follow_t *self, uint32_t number, double w) {
+// Of what the axes bear, what the kink of a node takes with those before it.
+static double used(const follow_t *self, uint32_t number) {
     const double tau = (double)self->n * self->cycle_s;
     double most = 0.0;
     for (int k = 0; k < FOLLOW_AXES; k++) {
         if (!(self->limits.v[k] > 0.0)) continue;
-        const double d = kink(self, number, k), sum = others(self, number, k, w);
-        const double a = self->limits.a[k] * self->share, j = self->limits.j[k];
-        const double left_a = a - sum / tau, left_j = j - sum / (tau * tau);
-        if (d <= left_a * tau && d <= left_j * tau * tau) continue;
-        most = fmax(most, fmax(d / fmax(left_a, least * a), d / (fmax(left_j, least * j) * tau)));
+        const follow_mix_t mix = mixed(self, number, k, self->rps * tau);
+        most = fmax(most, mix.acceleration / (self->limits.a[k] * self->share * tau));
+        most = fmax(most, mix.jerk / (self->limits.j[k] * tau * tau));
     }
-    return 0.5 * most * self->rps;
+    return most;
 }
 
-// What is rounded further has others near it that are further away. −1: and so on.
-static double width(const follow_t *self, uint32_t number) {
-    double w = 0.0, before = -1.0;
-    for (int again = 0; again < 4 && w > before; again++) {
-        before = w;
-        w = width_beside(self, number, w);
+// How far to both sides a node is rounded, within its room, so that the axes bear its kink with
+// those before it. Less than half of a mean makes it no smoother. 0: no width is enough.
+static int round_node(follow_t *self, uint32_t number, double room) {
+    follow_node_t *const at = node(self, number);
+    const double least_w = 0.5 * self->rps * (double)self->n * self->cycle_s;
+    at->w = 0.0;
+    while (used(self, number) > 1.0) {
+        if (!(at->w < room)) return 0;
+        at->w = fmin(fmax(at->w, least_w) * wider, room);
     }
-    return w > before ? -1.0 : w;
+    return 1;
 }
 
 // How fast the spindle may turn on the line to a node, and by how much its speed may change. Under
@@ -183,14 +203,14 @@ static int fit(follow_t *self) {
     follow_node_t *const from = node(self, self->head - 1), *const to = node(self, self->head);
     const follow_node_t *const before = node(self, self->head - 2);
     const double kept = from->w, room = from->u - before->u - before->w;
-    from->w = 0.0;
     const int there = self->u >= from->u; // it rests there already, or nearly: the chase goes on
-    const double w = there ? 0.0 : width(self, self->head - 1);
-    from->w = w;
-    to->w = width(self, self->head);
+    from->w = 0.0;
+    const int fits = (there || round_node(self, self->head - 1, room))
+                     && round_node(self, self->head, to->u - from->u - from->w);
+    const int late = self->u > from->u - fmax(kept, from->w) && (!there || kept > 0.0)
+                     && from->w != kept;
     limit(self, self->head);
-    const int late = self->u > from->u - fmax(kept, w) && (!there || kept > 0.0) && w != kept;
-    if (w >= 0.0 && to->w >= 0.0 && w <= room && w + to->w <= to->u - from->u && !late) return 1;
+    if (fits && !late) return 1;
     from->w = kept;
     return 0;
 }
@@ -210,24 +230,11 @@ void follow_begin(follow_t *self, const double *place, double rps, double cycle_
 
 int follow_has_room(const follow_t *self) { return self->head - self->tail < FOLLOW_LINES - 1; }
 
-// Of what the means bear, what a stop at a node takes, with the kinks near it.
-static double used(const follow_t *self, uint32_t number) {
-    const double tau = (double)self->n * self->cycle_s;
-    double most = 0.0;
-    for (int k = 0; k < FOLLOW_AXES; k++) {
-        if (!(self->limits.v[k] > 0.0)) continue;
-        const double d = fabs(gradient(self, number, k)) * self->rps + others(self, number, k, 0.0);
-        const double bears = fmin(self->limits.a[k] * self->share, self->limits.j[k] * tau) * tau;
-        most = fmax(most, d / bears);
-    }
-    return most;
-}
-
 // A line that comes while the tool comes to rest: it goes on, and catches up. Until the means have
 // left the stop behind, its ramp has what that leaves of the jerk.
-static void go_on(follow_t *self) {
+static void go_on(follow_t *self, double stopped) {
     self->phase = FOLLOW_CUTS;
-    self->stopped = used(self, self->head - 1);
+    self->stopped = stopped;
     self->eased = 2 * self->n - self->settled;
     self->settled = 0;
 }
@@ -238,6 +245,7 @@ int follow_line(follow_t *self, const double *end, double lead, double share, ui
     const follow_node_t *const from = node(self, self->head);
     follow_node_t *const to = node(self, self->head + 1);
     if (!follow_has_room(self)) return 0;
+    const double stopped = self->phase == FOLLOW_SETTLES ? used(self, self->head) : 0.0;
     for (int k = 0; k < FOLLOW_AXES; k++) {
         sum += (end[k] - from->place[k]) * (end[k] - from->place[k]);
     }
@@ -250,7 +258,7 @@ int follow_line(follow_t *self, const double *end, double lead, double share, ui
     self->share = fmin(self->share, share);
     const int moves = self->phase != FOLLOW_INDEX && self->asked >= 0.0;
     if ((!moves && prepare(self)) || (self->phase != FOLLOW_INDEX && fit(self))) {
-        if (self->phase == FOLLOW_SETTLES) go_on(self);
+        if (self->phase == FOLLOW_SETTLES) go_on(self, stopped);
         return 1;
     }
     self->head--;

@@ -217,8 +217,6 @@ def threads(seed):
     return [*script, "sync 0 0", REST], np.array(nodes), np.array(turns), rps
 
 
-# Leads that double and halve line by line, faster than the means of the pass can mix.
-DENSE = (286, 910)
 LATEST_S = 0.8  # a line has come so long before the tool is there, kinks of all sizes included
 
 
