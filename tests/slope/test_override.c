@@ -195,6 +195,45 @@ static void an_override_counts_in_millionths(check_t *check)
     }
 }
 
+enum { STEPS_A_TICK = 48, // with so little prep a plan takes up to 30 ticks
+       FOLLOWED = 150 };  // ticks: three such plans, and a ramp of 5 mm/s
+
+// Ticks until the tool has its feed [mm/s], from the last one of overrides that go up.
+static int ticks_to_follow(double feed, int apart)
+{
+    static const uint32_t ppm[] = {20000, 450000, 900000, 1000000};
+    const int begin = 60;
+    char words[40];
+    motion_begin(&motion, 1);
+    snprintf(words, sizeof words, "G21 G90 G61 G1 X50 F%.0f", 60.0 * feed);
+    motion_line(&motion, words);
+    motion_line(&motion, "M2");
+    motion.status = motion_start(&motion);
+    for (int tick = 0; tick < begin + 2 * apart + 1000; tick++) {
+        const int k = tick < begin ? 0 : 1 + (tick - begin) / apart;
+        nck_set_override_ppm(&motion.nck, ppm[k < 3 ? k : 3], 1000000);
+        for (int n = 0; n < STEPS_A_TICK && motion_prep(&motion); n++) continue;
+        (void)nck_tick(&motion.nck, &motion.pose, &motion.axes);
+        const double v = motion.pose.v * motion.pose.feed_scale;
+        if (v > 0.97 * feed) return tick - (begin + 2 * apart);
+    }
+    return 1000;
+}
+
+// A ladder for far lower speeds is passed in no time. As many cells of another one last up to a
+// second, which no answer waits for.
+static void overrides_that_go_up_in_steps_are_followed_at_once(check_t *check)
+{
+    static const double feed[] = {0.3, 1.0, 5.0};
+    for (int k = 0; k < 3; k++) {
+        for (int apart = 10; apart <= 60; apart += 5) {
+            const int met = ticks_to_follow(feed[k], apart);
+            if (CHECK(check, met <= FOLLOWED)) continue;
+            printf("    %.1f mm/s, %d apart: %d ticks\n", feed[k], apart, met);
+        }
+    }
+}
+
 #if NCK_AXIS_MAX > 3
 // Degrees are no millimetres: a table that turns alone does not heed the tool's speed.
 static void a_rotary_axis_alone_does_not_heed_the_speed_of_the_tool(check_t *check)
@@ -225,6 +264,7 @@ int main(void)
     CHECK_RUN(&check, an_override_on_the_way_to_a_corner_rests_at_it_under_the_linear_slope);
     CHECK_RUN(&check, a_lowered_override_is_kept_in_every_block_under_the_linear_slope);
     CHECK_RUN(&check, the_tool_is_no_faster_than_the_operator_allows);
+    CHECK_RUN(&check, overrides_that_go_up_in_steps_are_followed_at_once);
     CHECK_RUN(&check, an_override_counts_in_per_mille);
     CHECK_RUN(&check, an_override_counts_in_millionths);
 #if NCK_AXIS_MAX > 3

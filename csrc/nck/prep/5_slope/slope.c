@@ -7,6 +7,7 @@
 
 #include "nck/base/budget.h"              // NCK_UNLIMITED
 #include "nck/base/fence.h"               // nck_fence_load nck_fence_store
+#include "nck/base/real.h"                // nck_max
 #include "nck/prep/5_slope/ladder_math.h" // NCK_LADDER_STRETCH
 #include "nck/prep/5_slope/overlap.h"     // nck_overlap_…
 
@@ -77,6 +78,13 @@ static nck_status_t step_plan(nck_slope_t *self, const nck_pieces_t *pieces) {
     }
 }
 
+static void note_begun(nck_slope_t *self) {
+    int entered = 0;
+    self->begun.taken = nck_link_taken(self->link);
+    self->begun.end = nck_link_end(self->link, &entered);
+    self->begun.lead_s = nck_link_lead(self->link);
+}
+
 // A plan from rest or from a moving state, under the wishes of now. over: 1: that state may be one
 // of an override beyond 100 %.
 static void begin(nck_slope_t *self, nck_job_t *job, uint32_t count, uint32_t over) {
@@ -85,7 +93,7 @@ static void begin(nck_slope_t *self, nck_job_t *job, uint32_t count, uint32_t ov
     self->next.begin = count & NCK_LINK_COUNT_MASK;
     self->next.wants = self->now.end_piece;
     self->next.over = over || self->wish.feed > 1.0;
-    self->taken = nck_link_taken(self->link);
+    note_begun(self);
     self->hurried = 0;
     self->awaits_tail = 0;
     job->wish = self->wish;
@@ -206,24 +214,42 @@ static uint32_t cell_after(const nck_slope_t *self, uint32_t first, double time,
     return i;
 }
 
+static uint32_t larger(uint32_t one, uint32_t other) { return one > other ? one : other; }
+
 // Where a plan begun now takes over. As many cells pass as for the last one, twice, because it is
-// made twice; where they are long, as much time as others last. A hold's is short. What was put off
-// gets more.
+// made twice; where they are long, or those for the last one were short, as much time as others
+// last. A hold's is short. What was put off gets more.
 static uint32_t takeover(const nck_slope_t *self) {
     const double periods = self->wish.hold ? HOLD_PERIODS : PLAN_PERIODS;
     const uint32_t done = final_count(self);
     const double least_s = periods * self->machine->period_s;
     const uint32_t least = cell_after(self, done, least_s, self->now.n);
-    const uint32_t spent = self->wish.hold ? 0 : 2 * self->spent;
-    const uint32_t cells = spent > self->answer.reserve ? spent : self->answer.reserve;
-    const uint32_t first = cell_after(self, done, (double)cells * self->cell_s, cells);
-    const uint32_t later = least > first ? least : first;
-    return later > self->now.beside ? later : self->now.beside;
+    const uint32_t twice = self->wish.hold ? 0 : 2;
+    const uint32_t cells = larger(twice * self->spent.cells, self->answer.reserve.cells);
+    const uint32_t even = larger(twice * self->spent.even, self->answer.reserve.even);
+    const uint32_t first = cell_after(self, done, (double)even * self->cell_s, cells);
+    return larger(larger(least, first), self->now.beside);
 }
 
 // Cells that the tick has taken since the plan in work was begun.
 static uint32_t passed_meanwhile(const nck_slope_t *self) {
-    return (nck_link_taken(self->link) - self->taken) & NCK_LINK_COUNT_MASK;
+    return (nck_link_taken(self->link) - self->begun.taken) & NCK_LINK_COUNT_MASK;
+}
+
+// The same, with the time that they lasted: a ladder for far lower speeds is passed in no time.
+static void note_passed(const nck_slope_t *self, nck_slope_passed_t *passed_out) {
+    const uint32_t passed = passed_meanwhile(self);
+    int entered = 0;
+    const uint32_t end = nck_link_end(self->link, &entered);
+    double time = self->begun.lead_s - nck_link_lead(self->link);
+    for (uint32_t i = self->begun.end; i != end; i = (i + 1) & NCK_LINK_COUNT_MASK) {
+        const nck_cell_t *const cell = nck_link_tail_cell(self->link, i);
+        if (!cell) break; // the tick has run into the tail
+        time += cell->duration;
+    }
+    const double even = 1.0 + NCK_LADDER_STRETCH * nck_max(time, 0.0) / self->cell_s;
+    passed_out->cells = passed;
+    passed_out->even = even < (double)passed ? (uint32_t)even : passed;
 }
 
 // Other wishes: plan anew from a few cells behind the final ones, unless the path rests by then.
@@ -249,7 +275,10 @@ static void replan(nck_slope_t *self, const nck_pieces_t *pieces) {
 // The answer to the operator is not made in time: the plan of now goes on, and another answer is
 // made from further on. Only answers may wait for time; other plans depend on counts alone.
 static void put_off(nck_slope_t *self, const nck_pieces_t *pieces) {
-    self->answer.reserve = PATIENCE * (1 + passed_meanwhile(self));
+    nck_slope_passed_t *const reserve = &self->answer.reserve;
+    note_passed(self, reserve);
+    reserve->cells = PATIENCE * (1 + reserve->cells);
+    reserve->even = PATIENCE * (1 + reserve->even);
     replan(self, pieces);
     if (self->phase == PHASE_IDLE) keep_plan(self, pieces, NCK_HELD_NOT);
 }
@@ -286,7 +315,7 @@ static void fall_into_tail(nck_slope_t *self, const nck_pieces_t *pieces) {
 static void finish(nck_slope_t *self) {
     nck_plan_t *const next = &self->next;
     if (next->commit >= next->n) next->complete = 1; // nothing to take over from
-    if (self->kind == NCK_JOB_GO_ON) self->spent = passed_meanwhile(self);
+    if (self->kind == NCK_JOB_GO_ON) note_passed(self, &self->spent);
     self->phase = PHASE_INSTALL;
 }
 

@@ -22,6 +22,12 @@
 #include "nck/prep/5_slope/plan.h"    // nck_plan_t nck_pieces_t nck_wish_t
 #include "nck/prep/5_slope/sshape.h"  // nck_sshape_t
 
+// Cells that have passed while a plan was made.
+typedef struct nck_slope_passed {
+    uint32_t cells;
+    uint32_t even;         // as many of those that are not short last as long; no more than cells
+} nck_slope_passed_t;
+
 // The room's state: plan after plan, and what the operator wants of them.
 typedef struct nck_slope {
     const nck_machine_t *machine;
@@ -36,13 +42,17 @@ typedef struct nck_slope {
     struct {
         uint32_t pending;  // 1: the plan in work answers the operator
         uint32_t slower;   // 1: an override has come down
-        uint32_t reserve;  // cells that are to pass until it takes over, at least
+        nck_slope_passed_t reserve; // that are to pass until it takes over, at least
     } answer;
     uint32_t anew;         // 1: the next plan does not begin where the plan of now meant it to
     uint32_t overlaps;     // 1: a plan may overlap the end of the one before
     uint32_t resumes;      // as counted when the plan of now was installed
-    uint32_t taken;        // cells that the tick had taken when the plan in work was begun
-    uint32_t spent;        // cells that it took while the last plan was made
+    struct {
+        uint32_t taken;    // cells that the tick had taken when the plan in work was begun
+        uint32_t end;      // cells that were final then
+        double lead_s;     // how long those lasted that the tick had not taken [s]
+    } begun;
+    nck_slope_passed_t spent; // while the last plan was made
     uint32_t waits;        // 1: single block keeps the path behind now; any context reads
     uint32_t brakes;       // 1: the plan of now brings the rest asked for; any context reads
     uint32_t in_tail;      // 1: the tick has been seen in the stop tail
