@@ -15,7 +15,8 @@ enum {
 };
 
 static const double part_share = 5e-3; // of the radius, by which a part of a line under G96 goes
-static const double part_least = 0.05; // [mm] a part is no shorter
+static const double part_least = 0.05; // [mm] a part is no shorter, …
+static const double part_s = 0.02;     // … or lasts so long: more than the kernel takes for it
 static const double there = 0.02; // of an override, by which a spindle may be off what it is told
 static const double fine = 5e-4; // of an override, by which a spindle's is not told anew: a tenth
                                  // of what a feed a revolution may be off
@@ -206,7 +207,9 @@ void rates_part(planner_t *self) {
     const double radius = fmax(fabs(x - began->axis_x), least);
     moves->to = 1.0;
     if (!move->per_rev || move->kind != MOVE_LINE || !(began->surface > 0.0 && way > 0.0)) return;
-    const double to = moves->from + fmax(part_share * radius, part_least) / way;
+    const double v = told_at(began, x) * move->feed / 60.0;
+    const double part = fmax(part_share * radius, fmin(part_least, part_s * v));
+    const double to = moves->from + part / way;
     if (to < 1.0 - 0.5 * (to - moves->from)) moves->to = to;
 }
 

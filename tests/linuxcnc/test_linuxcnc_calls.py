@@ -190,6 +190,14 @@ def test_facing_at_constant_surface_speed_keeps_the_feed_to_where_the_spindle_en
     assert run.peaks(slice(2, None))[2] <= 1 + 1e-6
 
 
+def test_facing_near_the_axis_keeps_the_feed_within_every_twentieth_of_a_millimetre(stand_in):
+    run = stand_in.run(["setpos 2.7 0 0", "spindle 40 100", "css 948 0", "run 500", "sync 0.05 1",
+                        "line 0.05 1.9 0 0", REST])  # fmt: skip
+    x, turns = run.places[:, 0], run.column("turns")
+    at = [np.argmax(x <= place) for place in np.arange(2.6, 1.95, -0.01)]
+    assert -np.diff(x[at]) / np.diff(turns[at]) == pytest.approx(0.05, rel=5e-3)
+
+
 # Threads
 
 
