@@ -7,7 +7,7 @@
 
 static const double spare = 1.3; // a spindle may turn so much faster than when the pass began
 static const double larger = 1.5; // kinks may be by so much where lines are still to come
-static const double least = 0.1;  // of the jerk is left behind a stop for going on, in any case
+static const double least = 0.1;  // of what the axes bear is left for a chase, in any case
 static const double wider = 1.1;  // a kink is rounded by no more than so much further than it has to
 
 // ---- the way
@@ -151,11 +151,12 @@ static int round_node(follow_t *self, uint32_t number, double room) {
     follow_node_t *const at = node(self, number);
     const double least_w = 0.5 * self->rps * (double)self->n * self->cycle_s;
     at->w = 0.0;
-    while (used(self, number) > 1.0) {
+    for (;;) {
+        at->used = used(self, number);
+        if (at->used <= 1.0) return 1;
         if (!(at->w < room)) return 0;
         at->w = fmin(fmax(at->w, least_w) * wider, room);
     }
-    return 1;
 }
 
 // How fast the spindle may turn on the line to a node, and by how much its speed may change. Under
@@ -193,7 +194,11 @@ static int prepare(follow_t *self) {
         self->asked += more;
         still(self);
     }
-    for (uint32_t number = self->tail + 1; number <= self->head; number++) limit(self, number);
+    for (uint32_t number = self->tail + 1; number <= self->head; number++) {
+        node(self, number)->used = used(self, number);
+        limit(self, number);
+    }
+    node(self, 0)->used = used(self, 0);
     return 1;
 }
 
@@ -288,6 +293,32 @@ static void mean(const follow_t *self, double (*ring)[FOLLOW_AXES], const double
     }
 }
 
+// Of what the axes bear, what kinks take that the means mix with the way of now, or soon will: what
+// is left is for a chase. Kinks are passed no faster than leaves a little (to_kinks).
+static double strain(const follow_t *self) {
+    const double means = 2.0 * self->rps * (double)self->n * self->cycle_s;
+    double most = 0.0;
+    for (uint32_t n = oldest(self); n <= self->head; n++) {
+        const follow_node_t *const at = node(self, n);
+        if (fabs(self->u - at->u) <= means + at->w) most = fmax(most, at->used);
+    }
+    return fmin(most, 1.0 - least);
+}
+
+// How fast the way may be gone, so that with an acceleration a the kinks ahead are come to no faster
+// than they were rounded for [revolutions/s].
+static double to_kinks(const follow_t *self, double a) {
+    double v = INFINITY;
+    for (uint32_t n = oldest(self); n <= self->head; n++) {
+        const follow_node_t *const at = node(self, n);
+        if (at->u + at->w < self->u) continue;
+        const double there = self->rps * fmin(1.0, (1.0 - least) / fmax(at->used, least));
+        const double way = fmax(at->u - at->w - self->u, 0.0);
+        v = fmin(v, sqrt(there * there + 2.0 * a * way));
+    }
+    return v;
+}
+
 // A spindle may change its speed, and turn back, faster than the axes can follow: then the way is
 // what they can do until it is in step again. Whoever is off by x, and closes in by √(2ax), gets
 // there with the speed of what he follows; here in steps of one cycle. A tap comes out no faster
@@ -299,13 +330,15 @@ static double chase(const follow_t *self, double asked) {
         a = fmin(a, node(self, number)->a_most);
     }
     if (self->eased > 0) a *= fmin(1.0, 2.0 * fmax(1.0 - self->stopped, 0.5 * least));
+    if (!self->taps) a *= 1.0 - strain(self);
+    const double bent = self->taps ? INFINITY : to_kinks(self, a) * self->cycle_s;
     const double step = a * self->cycle_s * self->cycle_s;
     const double out = sqrt(self->v_back * self->v_back + 2.0 * a * fmax(self->u, 0.0));
     const double most = (self->phase == FOLLOW_RETURNS ? fmin(out, v) : v) * self->cycle_s;
     const double off = self->asked - self->u;
     const double closing = step * (sqrt(0.25 + 2.0 * fabs(off) / step) - 0.5);
     const double wish = asked - self->asked + copysign(fmin(fabs(off), closing), off);
-    const double can = fmin(fmax(wish, self->step - step), self->step + step);
+    const double can = fmin(fmax(fmin(wish, bent), self->step - step), self->step + step);
     return self->u + fmin(fmax(can, -most), most);
 }
 
@@ -354,10 +387,12 @@ static void advance(follow_t *self, double turns, double rps) {
     self->asked = asked;
 }
 
-// A line that the tool has left is behind it, but for the last one; one a cycle.
+// A line that the tool has left is behind it, but for the last one, as soon as its end has left the
+// means, too; one a cycle.
 static void forget(follow_t *self) {
     const follow_node_t *const next = node(self, self->tail + 2);
-    if (self->tail + 2 < self->head && self->u > next->u + next->w) self->tail++;
+    const double means = 2.0 * self->rps * (double)self->n * self->cycle_s;
+    if (self->tail + 2 < self->head && self->u > next->u + next->w + means) self->tail++;
 }
 
 int follow_cycle(follow_t *self, double turns, double rps, double *place_out) {

@@ -44,6 +44,7 @@ typedef struct follow_node {
     double lead;       // of the line that ends here [mm]
     double v_most;     // of that line [revolutions/s]
     double a_most;     // [revolutions/s²]
+    double used;       // of what the axes bear, what its kink takes with those before it
     double v_stop;     // from which the means make a stop within the limits [revolutions/s]
     double place[FOLLOW_AXES];
 } follow_node_t;

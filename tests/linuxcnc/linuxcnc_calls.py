@@ -4,8 +4,8 @@
     .venv/bin/python tests/linuxcnc/linuxcnc_calls.py [FAMILY … ] [--count N] [--seed FIRST]
 
 Families: `calls` (an operator at rest, beside LinuxCNC's own planner), `stops` (one on the move),
-`feeds` (G95, G96 while the spindle changes its speed) and `threads` (lines with leads of their own
-that come when they come).
+`feeds` (G95, G96 while the spindle changes its speed), `threads` (lines with leads of their own
+that come when they come) and `late` (short ones that come when the tool is nearly there, or is).
 """
 
 import argparse
@@ -244,8 +244,35 @@ def threads_failures(stand_in, seed):
     return wrong
 
 
+# ---- lines of a thread that come late
+
+
+def late(seed):
+    """Return a script of lines shorter than a ramp, and where it ends."""
+    draw = random.Random(seed)
+    rps, lead = draw.uniform(4, 20), draw.choice([0.5, 1, 2])
+    leads = [lead * draw.choice([0.5, 0.8, 1, 1.25, 2]) for _ in range(4)]
+    z, long = -3 * lead, draw.choice([0.1, 0.2, 0.4, 0.7, 1])
+    script = [f"spindle {rps}", "run 100", f"sync {lead} 0", f"line 0 0 0 {z}",
+              f"run {draw.randrange(int(3000 / rps) + 100)}"]  # fmt: skip
+    for _ in range(draw.randrange(5, 40)):
+        lead, turns = draw.choice(leads), long * draw.uniform(0.6, 1)
+        z -= turns * lead
+        wait = f"run {draw.randrange(int(1400 * turns / rps) + 1)}"
+        script += [f"sync {lead} 0", f"line 0 0 0 {z}", wait]
+    return [*script, "sync 0 0", REST], z
+
+
+def late_failures(stand_in, seed):
+    """Return what is wrong with lines that are caught up with, in words."""
+    script, z = late(seed)
+    run = stand_in.run(script)
+    ends = [] if abs(run.places[-1, 2] - z) < 1e-6 else [f"it ends at {run.places[-1]}"]
+    return held(run) + ends
+
+
 FAMILIES = {"calls": calls_failures, "stops": stops_failures, "feeds": feeds_failures,
-            "threads": threads_failures}  # fmt: skip
+            "threads": threads_failures, "late": late_failures}  # fmt: skip
 
 
 def main():
