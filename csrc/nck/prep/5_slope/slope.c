@@ -237,7 +237,7 @@ static uint32_t passed_meanwhile(const nck_slope_t *self) {
 }
 
 // The same, with the time that they lasted: a ladder for far lower speeds is passed in no time.
-static void note_passed(const nck_slope_t *self, nck_slope_passed_t *passed_out) {
+static void note_passed(nck_slope_t *self, nck_slope_passed_t *passed_out) {
     const uint32_t passed = passed_meanwhile(self);
     int entered = 0;
     const uint32_t end = nck_link_end(self->link, &entered);
