@@ -23,6 +23,7 @@ import random
 import subprocess
 import sys
 from collections import defaultdict
+from functools import cache
 from pathlib import Path
 
 import hypothesis
@@ -35,6 +36,8 @@ MARKS = (
     "parameter, the suite and a quick run draw",
     "thorough: left out of a quick run",
     "campaign: only in the campaign",
+    "seldom(one_in, *places): in the suite after one commit of so many, and after those that "
+    "change a file below the places",
 )
 
 _level = "suite"  # of this run, from pytest_configure on
@@ -45,6 +48,17 @@ def seed_of_commit():
     command = ["git", "-C", str(ROOT), "rev-parse", "HEAD"]
     done = subprocess.run(command, capture_output=True, text=True)
     return int(done.stdout[:8], 16) if done.returncode == 0 else 0
+
+
+@cache
+def changed_files():
+    """Return the files that the last commit changes, and what is not committed; relative paths.
+
+    None outside of a repository, nor where the commit before is not known.
+    """
+    command = ["git", "-C", str(ROOT), "diff", "--name-only", "HEAD~1"]
+    done = subprocess.run(command, capture_output=True, text=True)
+    return frozenset(done.stdout.splitlines()) if done.returncode == 0 else frozenset()
 
 
 def pytest_addoption(parser):
@@ -96,13 +110,26 @@ def _most(mark, level):
     return mark.kwargs.get("quick", _quarter(count)) if level == "quick" else count
 
 
+def is_due(config, item):
+    """Tell whether the suite has a test that it has seldom, or a test that is not so marked."""
+    mark = item.get_closest_marker("seldom")
+    if mark is None:
+        return True
+    one_in, *places = mark.args
+    below = tuple(f"{place}/" for place in places)
+    if any(file in places or file.startswith(below) for file in changed_files()):
+        return True
+    return generator(config, item.nodeid.partition("[")[0]).randrange(one_in) == 0
+
+
 def leave_out(config, items, others=()):
     """Take away the items that this run does not draw, and the others that the caller names."""
     level = config.option.draw
     left_out, groups = set(others), defaultdict(lambda: defaultdict(list))
     for item in items if level != "whole" else ():
-        is_thorough = item.get_closest_marker("thorough") and level == "quick"
-        if item.get_closest_marker("campaign") or is_thorough:
+        marks = {mark.name for mark in item.iter_markers()}
+        too_long = level == "quick" and marks & {"thorough", "seldom"}
+        if "campaign" in marks or too_long or not is_due(config, item):
             left_out.add(item)
         elif item.get_closest_marker("sample"):
             of = item.get_closest_marker("sample").kwargs.get("of")

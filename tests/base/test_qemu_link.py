@@ -219,7 +219,7 @@ def run_kernel(program, case, slope, folder, timeout=600):
     return ticks, setpoints, ""
 
 
-@pytest.mark.thorough
+@pytest.mark.seldom(4, "csrc/nck/base", "csrc/nck/tick", "csrc/nck/nck.c", "tests/qemu")
 def test_prep_tick_and_operator_do_not_race(tool, tmp_path):
     program = build_kernel(tool, tmp_path)
     for case in THREADED:

@@ -198,7 +198,7 @@ def test_no_cut_is_where_the_tool_stands_beside_its_contour():
     assert found["ticks"] == sums_of(text, machine)["ticks"]
 
 
-@pytest.mark.thorough
+@pytest.mark.seldom(4, "pycnc/planning", "tests/cli")
 def test_a_huge_program_has_the_same_bits_with_1_2_and_8_workers(tmp_path):
     file = tmp_path / "huge.ngc"
     file.write_text(with_rests(2 * parts.PART_BLOCKS + 5000, 997))

@@ -57,7 +57,7 @@ def peak(verb, path, *options):
     return int(done.stderr.split()[-1]) << 10
 
 
-@pytest.mark.thorough
+@pytest.mark.seldom(4, "pycnc/planning", "pycnc/program", "tests/host")
 def test_two_million_lines_are_planned_in_300_mb(tmp_path):
     path = tmp_path / "long.ngc"
     path.write_bytes(relief(MANY))
@@ -65,7 +65,7 @@ def test_two_million_lines_are_planned_in_300_mb(tmp_path):
     assert peak("time", path, *machine) <= MOST
 
 
-@pytest.mark.thorough
+@pytest.mark.seldom(4, "pycnc/planning", "pycnc/program", "pycnc/report", "tests/host")
 @pytest.mark.sample(2)
 @pytest.mark.parametrize("verb", OF_A_LINE)
 def test_memory_grows_by_the_text_and_little_more(verb, program):

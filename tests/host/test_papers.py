@@ -266,7 +266,7 @@ def test_figures_5_and_the_scaling_study_have_a_row_for_everything():
     assert all(row.get("equal", True) and row["ns_per_point"] > 0 for row in rows)
 
 
-@pytest.mark.thorough
+@pytest.mark.seldom(4, "pycnc/bench", "pycnc/device", "opencl")
 def test_copies_to_a_device_take_their_time():
     rows = papers_parallel.scaling_rows(sizes=(1_000_000,), backends=("opencl",))
     copied = [row for row in rows if "copy_in_ns" in row]
@@ -324,7 +324,7 @@ def test_every_figure_of_the_page_is_there_and_is_a_picture(root):
         assert len(content) < 100_000
 
 
-@pytest.mark.thorough
+@pytest.mark.seldom(4, "pycnc/bench", "pycnc/papers", "docs/figures")
 def test_the_command_that_the_page_names_draws_what_it_shows(root, tmp_path):
     done = pycnc("bench", "cao", "--json", "-o", tmp_path)
     assert done.code == 0

@@ -20,9 +20,7 @@ def drawn(config, sources, name, count):
     """Return the sources that a run has: those that the commit changes, and some; or all."""
     if config.option.draw == "whole":
         return sources
-    command = ["git", "-C", ROOT, "diff", "--name-only", "HEAD~1"]
-    done = subprocess.run(command, capture_output=True, text=True)
-    changed = {ROOT / each for each in done.stdout.split()} & set(sources)
+    changed = {ROOT / each for each in sampling.changed_files()} & set(sources)
     return sorted(changed.union(sampling.generator(config, name).sample(sources, count)))
 
 

@@ -465,7 +465,7 @@ def told(row):
     return int(line.split("|")[3].replace(" ", ""))
 
 
-@pytest.mark.thorough
+@pytest.mark.seldom(4, "adapters", "csrc/nck/tick", "docs/linuxcnc.md", "tests/linuxcnc")
 def test_a_cycle_takes_as_many_instructions_as_the_page_says(stand_in):
     if not OWN.is_file():
         pytest.skip("linuxcnc-uspace is not installed")

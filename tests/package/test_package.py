@@ -157,7 +157,7 @@ def kernel_size(nm, binary):
     return int(re.search(r"^\w+ (\w+) \w kernel_size$", call(nm, "-S", binary), re.M)[1], 16)
 
 
-@pytest.mark.thorough
+@pytest.mark.seldom(4, "CMakeLists.txt", "cmake", "firmware_sim/board", "tests/package")
 def test_an_installation_for_a_microcontroller_keeps_its_capacities(tool, tmp_path):
     compiler, nm = tool("arm-none-eabi-gcc"), tool("arm-none-eabi-nm")
     board = [f"--toolchain={ROOT / 'firmware_sim/board/arm-none-eabi.cmake'}", "-DNCK_CORE=m4f"]
@@ -420,7 +420,7 @@ def logged(file, axes=9):
     return "".join(f"{x} {y} {z}\n" for x, y, z in rows)
 
 
-@pytest.mark.thorough
+@pytest.mark.seldom(4, "firmware_sim", "CMakeLists.txt", "cmake", "tests/package")
 @pytest.mark.parametrize("of", [*itertools.product(MACHINES, ("bare_metal", "os_kernel"))], ids=str)
 def test_an_example_drives_as_the_library_on_the_host(
     examples, programs, expected, tool, tmp_path, of
@@ -434,7 +434,7 @@ def test_an_example_drives_as_the_library_on_the_host(
             assert digest(logged(log)) == expected[program.stem], program.stem
 
 
-@pytest.mark.thorough
+@pytest.mark.seldom(4, "firmware_sim", "CMakeLists.txt", "cmake", "tests/package")
 @pytest.mark.parametrize("name", ["bare_metal", "os_kernel"])
 def test_an_example_on_a_core_that_is_too_slow_says_so(examples, programs, tool, tmp_path, name):
     image, arguments = examples("m4f") / f"{name}.elf", (programs[0], tmp_path / "log")

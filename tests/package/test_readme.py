@@ -33,7 +33,7 @@ def test_the_python_example_tells_time_and_peak(tmp_path):
     assert 0.5 < peak <= 1.0 + 1e-6
 
 
-@pytest.mark.thorough
+@pytest.mark.seldom(4, "README.md", "csrc/nck/nck.h")
 def test_the_c_example_compiles_alone_and_ends_on_its_end_point(tmp_path):
     source = tmp_path / "example.c"
     source.write_text(example("c"))

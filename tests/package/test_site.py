@@ -137,7 +137,7 @@ def test_what_is_not_in_the_schema_is_noticed():
 # The site
 
 
-@pytest.mark.thorough
+@pytest.mark.seldom(4, "docs", "README.md", "pycnc", "csrc/nck/nck.h")
 def test_the_site_is_built_without_a_warning(tool):
     pytest.importorskip("sphinx")
     tool("doxygen")

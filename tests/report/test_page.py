@@ -336,7 +336,7 @@ def test_a_page_that_has_all_says_nothing_of_what_is_left_out(visit):
 
 
 
-@pytest.mark.thorough
+@pytest.mark.seldom(4, "page", "pycnc/report", "tests/report")
 def test_a_million_points_load_and_are_found(browse, tmp_path):
     lines, count = ["G21 G90 G17 G61", "G1 F4000"], 48_000
     for k in range(count):

@@ -369,7 +369,7 @@ def test_of_too_long_a_text_the_worst_places_and_the_begin_stay(monkeypatch):
     assert any(first <= worst < first + count for first, count in less.facts["spans"])
 
 
-@pytest.mark.thorough
+@pytest.mark.seldom(4, "pycnc/report", "tests/report")
 def test_a_page_of_whatever_length_stays_below_8_mb():
     html, found = page.make(load(busy(700_000)))
     assert len(html.encode()) <= 8e6
