@@ -34,7 +34,7 @@ def _tool(name):
     return path
 
 
-def _capacities():
+def capacities():
     """Return the module's capacities as options of a compiler."""
     text = (ROOT / "cmake" / "capacities.cmake").read_text(encoding="utf-8")
     told = re.search(r"set\(NCK_CAPACITY_HOST\s+(.*?)\)", text, re.S)[1]
@@ -42,19 +42,25 @@ def _capacities():
 
 
 def build(name, folder, level="-O2"):
-    """Compile a program of `SOURCES` into a folder, at a level, once; return its path."""
+    """Compile a program of `SOURCES` into a folder, at a level, once; return its path.
+
+    What lies there already is taken as it is.
+    """
     if not (ROOT / "tests" / "c").is_dir():
         raise errors.AbsentError("counting instructions needs the source tree", id="absent")
     binary = Path(folder) / f"{name}{level}"
     if binary.exists():
         return binary
     sources = [path for pattern in SOURCES[name] for path in sorted(ROOT.glob(pattern))]
-    options = ["-std=c99", level, "-g1", "-ffp-contract=off", "-fno-math-errno"]
-    if name == "text_to_cells":
-        options += _capacities()
+    compile_c(sources, binary, level, capacities())
+    return binary
+
+
+def compile_c(sources, binary, level, definitions):
+    """Compile sources, and libraries among them, as instructions are counted."""
+    options = ["-std=c99", level, "-g1", "-ffp-contract=off", "-fno-math-errno", *definitions]
     command = [_tool("gcc"), *options, f"-I{ROOT / 'csrc'}", "-o", binary, *sources, "-lm"]
     subprocess.run(command, check=True)
-    return binary
 
 
 class Count:

@@ -5,6 +5,7 @@ import re
 import subprocess
 
 import pytest
+import targets
 
 from pycnc.bench import cost
 
@@ -17,13 +18,25 @@ WITHIN, MOST = 0.05, 1.03  # 2 % for macros, 1 % for whose a code is
 
 
 @pytest.fixture(scope="module")
-def folder(tool, tmp_path_factory):
-    """Return a folder to build in, where instructions can be counted and compared."""
+def folder(tool, root, tmp_path_factory):
+    """Return a folder with the programs whose instructions can be counted and compared.
+
+    Their kernel is that of tests/qemu in the module's capacities, which need not be compiled again;
+    for what counts the calls of `draw_motion`, its file is.
+    """
     tool("valgrind")
     version = subprocess.run([tool("gcc"), "-dumpfullversion"], capture_output=True, text=True)
     if version.stdout.strip() != COMPILER:
         pytest.skip(f"instructions were counted with gcc {COMPILER}")
-    return tmp_path_factory.mktemp("cost")
+    kernel = targets.build("host", "nck_host") / "libnck_host.a"
+    folder = tmp_path_factory.mktemp("cost")
+    for name, level, sources in (
+        ("text_to_cells", "-O2", []), ("plain_lines", "-O2", []),
+        ("text_to_cells", "-O0", [root / "csrc/nck/prep/5_slope/draw.c"]),
+    ):  # fmt: skip
+        program = [root / f"tests/c/{name}.c", *sources, kernel]
+        cost.compile_c(program, folder / f"{name}{level}", level, cost.capacities())
+    return folder
 
 
 @pytest.mark.parametrize("kind", INSTRUCTIONS)
