@@ -1,5 +1,8 @@
 # SPDX-License-Identifier: MIT
-"""The tables in docs/size.md say what libnck costs on two cores, and nothing grows unseen."""
+"""The tables in docs/size.md say what libnck costs on two cores, and nothing grows unseen.
+
+In the suite they are measured on one core, flash or stacks beside the rest, both as drawn.
+"""
 
 import importlib.util
 
@@ -43,21 +46,31 @@ def lean(size_table, pytestconfig, draw):
 
 
 @pytest.fixture(scope="module")
-def measured(size_table, cores, lean):
-    """Return all numbers of the cores and of what is linked, measured now."""
-    return size_table.numbers(size_table.table(cores, lean))
+def parts(size_table, pytestconfig, draw):
+    """Return the parts that are measured of those that compile: in the suite the one drawn."""
+    every = tuple(size_table.PARTS)
+    one = sampling.generator(pytestconfig, "parts of size").choice(every)
+    return every if draw == "whole" else (one,)
 
 
 @pytest.fixture(scope="module")
-def written(root, size_table, cores, lean):
+def measured(size_table, cores, lean, parts):
+    """Return all numbers of the cores and of what is linked, measured now."""
+    return size_table.numbers(size_table.table(cores, lean, parts))
+
+
+@pytest.fixture(scope="module")
+def written(root, size_table, cores, lean, parts):
     """Return the numbers of the page for the same, if they are of the compiler at hand."""
     _, text, _ = size_table.split_page((root / "docs" / "size.md").read_text(encoding="utf-8"))
     if size_table.compiler() not in text:
         pytest.skip(f"the tables were measured with another compiler than {size_table.compiler()}")
+    left_out = {head for part, heads in size_table.PARTS.items() if part not in parts
+                for head in heads}  # fmt: skip
     return {
         key: row if key[0].startswith("RAM") else columns(row, cores, size_table.CORES)
         for key, row in size_table.numbers(text).items()
-        if key[0] != size_table.LINKED or key[1] in lean
+        if key[0] not in left_out and (key[0] != size_table.LINKED or key[1] in lean)
     }
 
 
@@ -89,9 +102,10 @@ def test_a_rise_by_six_percent_is_seen(measured):
     assert large <= off(measured, grown).keys()
 
 
-def test_the_core_has_no_data_on_a_target(measured):
-    (row,) = [row for (_, title), row in measured.items() if title.startswith("data + bss")]
-    assert row and not any(row)
+def test_the_core_has_no_data_on_a_target(size_table, cores):
+    for core in cores:
+        data = [size_table.sizes(binary)[1] for binary in size_table.objects(core).values()]
+        assert data and not any(data)
 
 
 # Builds that leave out rooms and planners: nck_t and flash that their users count on [bytes]
@@ -103,12 +117,12 @@ MOST = {
 
 
 @pytest.mark.parametrize("name", MOST)
-def test_lean_builds_fit_into_their_memory(size_table, measured, cores, lean, name):
+def test_lean_builds_fit_into_their_memory(size_table, measured, cores, lean, parts, name):
     titles = [title.partition(" (")[0] for title in size_table.SETS.values()]
     sizes = measured["RAM: members of `nck_t` [bytes]", "**`sizeof(nck_t)`**"]
     most, flash_most = MOST[name]
     assert sizes[titles.index(name)] <= most
-    if name in lean:
+    if name in lean and "flash" in parts:
         linked = measured[size_table.LINKED, name]
         limits = [flash_most[core] for core in cores]
         assert all(flash <= limit for flash, limit in zip(linked, limits, strict=True))
@@ -117,7 +131,9 @@ def test_lean_builds_fit_into_their_memory(size_table, measured, cores, lean, na
 # The stack
 
 
-def test_no_run_uses_more_stack_than_the_bound(size_table, cores, tmp_path):
+def test_no_run_uses_more_stack_than_the_bound(size_table, cores, parts, tmp_path):
+    if "stack" not in parts:
+        pytest.skip("bounds of the stack are not drawn")
     stack, targets = size_table.stack, size_table.targets
     for core in cores:
         targets.build(core, "nck_called")
@@ -138,12 +154,12 @@ SOURCES = {
 
 
 @pytest.mark.parametrize("word", SOURCES)
-def test_a_stack_without_a_bound_is_refused(size_table, tmp_path, word):
+def test_a_stack_without_a_bound_is_refused(size_table, cores, tmp_path, word):
     source, binary = tmp_path / "f.c", tmp_path / "f.o"
     source.write_text(SOURCES[word])
-    options = [*size_table.OPTIONS["m7"], "-O1", "-fcallgraph-info=su", "-c", source, "-o", binary]
-    size_table.run("gcc", *options)
+    options = [*size_table.OPTIONS[cores[0]], "-O1", "-fcallgraph-info=su"]
+    size_table.run("gcc", *options, "-c", source, "-o", binary)
     stack = size_table.stack
-    image = size_table.targets.build("m7") / "setpoints_default.elf"
+    image = size_table.targets.build(cores[0]) / "setpoints_default.elf"
     with pytest.raises(stack.StackError, match=word):
         stack.CallGraph([binary], image).depth("f")

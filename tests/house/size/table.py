@@ -44,7 +44,10 @@ SETS = {
     "host": "host",
 }  # fmt: skip
 LEAN_SETS = ("linear", "jerk", "small")
+FLASH = "flash [bytes]"
 LINKED = "flash that a firmware links, -Os [bytes]"
+DEEPEST = "deepest stack of a call [bytes]"
+PARTS = {"flash": (FLASH, LINKED), "stack": (DEEPEST,)}  # that compile libnck for themselves
 # Micro-segments, the same smoothed, arcs in three planes, one dense straight line, five axes.
 BUDGETS = (
     ("star", "linear"), ("star", "jerk"), ("star_smoothed", "linear"), ("star_smoothed", "jerk"),
@@ -64,14 +67,14 @@ def compiler():
     return f"{PREFIX}gcc {run('gcc', '-dumpfullversion').strip()}"
 
 
-def objects(core):
+def objects(core, library="nck_default"):
     """Return {source: object} of libnck, as tests/qemu builds it: -O2, default capacities.
 
-    Beside each stands what its functions take of the stack, and whom they call.
+    Beside those of nck_called stands what their functions take of the stack, and whom they call.
     """
     found = {}
-    folder = targets.build(core, "nck_called")
-    for binary in sorted((folder / "CMakeFiles/nck_called.dir").rglob("*.obj")):
+    folder = targets.build(core, library)
+    for binary in sorted((folder / f"CMakeFiles/{library}.dir").rglob("*.obj")):
         source = re.search(r"csrc/nck/(.*)\.obj$", binary.as_posix())[1]
         if (CSRC / "nck" / source).exists():
             found[source] = binary
@@ -134,7 +137,7 @@ def measure_structs(set_name):
 
 def measure_stack(core, image):
     """Return {public function: deepest stack in bytes}."""
-    graph = stack.CallGraph(objects(core).values(), image)
+    graph = stack.CallGraph(objects(core, "nck_called").values(), image)
     return {name: graph.depth(name) for name in stack.entry_points(CSRC / "nck" / "nck.h")}
 
 
@@ -173,7 +176,7 @@ def flash_lines(images, folder):
         built = small_objects(core, folder)
         flash[f"{title} -O2"] = measure_flash(objects(core), images[core])
         flash[f"{title} -Os"] = measure_flash(built, link_whole(core, built, folder))
-    return list(lines_of("flash [bytes]", list(flash), flash_rows(list(flash.values()))))
+    return list(lines_of(FLASH, list(flash), flash_rows(list(flash.values()))))
 
 
 def definitions_of(set_name):
@@ -244,17 +247,22 @@ def instruction_rows(cores):
         yield f"{jobs[k][1].replace('_', ', ')}, {jobs[k][2]}", numbers
 
 
-def table(cores=tuple(CORES), lean=LEAN_SETS):
-    """Measure and return the tables as Markdown, for these cores and lean builds."""
+def table(cores=tuple(CORES), lean=LEAN_SETS, parts=PARTS):
+    """Measure and return the tables as Markdown, for these cores and lean builds.
+
+    What few parts leave out need not be compiled.
+    """
     targets.build("host")
+    names, lines = [CORES[core] for core in cores], []
     with tempfile.TemporaryDirectory() as folder:
         images = {core: link_whole(core, objects(core), Path(folder)) for core in cores}
-        with tempfile.TemporaryDirectory() as small:
-            lines = flash_lines(images, small)
-        names = [CORES[core] for core in cores]
-        lines += lines_of(LINKED, names, share_rows(cores, lean))
+        if "flash" in parts:
+            with tempfile.TemporaryDirectory() as small:
+                lines += flash_lines(images, small)
+            lines += lines_of(LINKED, names, share_rows(cores, lean))
         lines += ram_lines()
-        lines += lines_of("deepest stack of a call [bytes]", names, stack_rows(images))
+        if "stack" in parts:
+            lines += lines_of(DEEPEST, names, stack_rows(images))
     spans = ("tick, most", "tick, mean", "prep step, most")
     columns = [f"{name}: {span}" for name in map(str.upper, cores) for span in spans]
     lines += lines_of("instructions: program, slope", columns, instruction_rows(cores))
