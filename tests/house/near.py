@@ -2,7 +2,8 @@
 """The same mutants in short: do the C tests of a source's own room notice?
 
 What the suite has of tests/house/mutate.py. It is a matter of seconds, for the file of the mutant
-is compiled alone; all else is the release build's.
+is compiled alone; all else is the release build's; and tests that take long are left out: a
+survivor would wait for them all.
 """
 
 import subprocess
@@ -13,6 +14,9 @@ import builds
 import c_tests
 import mutate
 
+# What a test may take without any change [s], to be asked: the three of 14 in the slope that take
+# longer have nine tenths of the time, and one kill of ten.
+LONGEST_S = 0.4
 SLOWER_CODE = 4.0  # times as long may code take that is compiled with mutate.FLAGS
 
 
@@ -40,6 +44,8 @@ class Near:
                     test = mutate.Test(room, path.stem, program)
                     took = test.time(600.0, builds.build_c("gcc", program)[0])
                     assert took is not None, f"{program} {path.stem} fails without any change"
+                    if took > LONGEST_S:
+                        continue
                     found.append((mutate.SLACK_S + mutate.SLOWER * SLOWER_CODE * took, test))
             self._tests[room] = sorted(found, key=lambda row: row[0])
         return self._tests[room]
