@@ -8,7 +8,6 @@ import random
 import re
 import shlex
 import subprocess
-import sys
 from pathlib import Path
 
 import pytest
@@ -57,12 +56,9 @@ def call(*command, **options):
 
 
 @pytest.fixture(scope="module")
-def library(tool, tmp_path_factory):
-    """Return an object of the whole library in its default capacities."""
-    folder = tmp_path_factory.mktemp("library")
-    call(sys.executable, ROOT / "cmake" / "amalgamate.py", "--out", folder / "nck")
-    call(tool("gcc"), "-std=c99", "-c", folder / "nck" / "nck.c", "-o", folder / "nck.o")
-    return folder / "nck.o"
+def library(kernel_build):
+    """Return the library in its default capacities."""
+    return kernel_build[0] / "libnck.a"
 
 
 @pytest.fixture
