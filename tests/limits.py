@@ -33,13 +33,17 @@ TICKS_PER_S = os.sysconf("SC_CLK_TCK")
 
 def started_by(pid):
     """Return the numbers of all processes that one has started, and those in turn."""
+    try:
+        threads = os.listdir(f"/proc/{pid}/task")
+    except OSError:  # the process has ended meanwhile
+        return []
     found = []
-    for path in Path(f"/proc/{pid}/task").glob("*/children"):
+    for thread in threads:
         try:
-            children = [int(word) for word in path.read_text().split()]
-        except OSError:  # the thread has ended meanwhile
+            text = Path(f"/proc/{pid}/task/{thread}/children").read_text()
+        except OSError:  # the thread has
             continue
-        for child in children:
+        for child in map(int, text.split()):
             found += [child, *started_by(child)]
     return found
 
