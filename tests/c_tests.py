@@ -3,7 +3,8 @@
 
 A test runs in the release build by gcc, in the default and in the small capacities (`small`), a few
 also in a build that leaves rooms out, `linear` or `jerk` as drawn. A quick run has the small
-capacities of two rooms alone. Under the sanitizers of clang the suite runs the tests of some rooms
+capacities of two rooms alone, the suite beside them those of the rooms that the commit changes, and
+of half of the others. Under the sanitizers of clang the suite runs the tests of some rooms
 in one set of capacities, as drawn; the campaign runs them all.
 """
 
@@ -24,7 +25,7 @@ SUFFIXES = ("", "_small")  # of names, for the sets of capacities
 FUZZED = ("decode", "kernel")
 LIBRARIES = ("firmware_sim/app/libapp.a", "libsim.a", "libnck_host.a", "firmware_sim/libos.a",
              "firmware_sim/app/libhal_switches.a", "libnck.a")  # fmt: skip
-SMALL_IF_QUICK = ("base", "kernel")  # whose rings wrap and fill where they are short
+SMALL_ALWAYS = ("base", "kernel")  # whose rings wrap and fill where they are short
 
 
 def programs():
@@ -44,6 +45,23 @@ def drawn_suffixes(config):
     if config.option.draw == "suite":
         return (sampling.generator(config, "capacities").choice(SUFFIXES),)
     return SUFFIXES if config.option.draw == "whole" else ()
+
+
+def small_rooms(config):
+    """Return the rooms whose tests a run has in the small capacities."""
+    rooms = sorted({path.parent.name for path in programs()} - set(SMALL_ALWAYS))
+    if config.option.draw != "suite":
+        return {*SMALL_ALWAYS, *(rooms if config.option.draw == "whole" else ())}
+    some = sampling.generator(config, "small rooms").sample(rooms, len(rooms) // 2)
+    changed = {room for room in rooms for file in sampling.changed_files()
+               if re.search(rf"(^|[/_]){room}/.*\.[ch]$", file)}  # fmt: skip
+    return {*SMALL_ALWAYS, *changed, *some}
+
+
+def small_programs(config):
+    """Return the programs of those rooms."""
+    rooms = small_rooms(config)
+    return {f"{stem}_small" for path, stem in programs().items() if path.parent.name in rooms}
 
 
 def drawn_programs(config):
@@ -68,14 +86,18 @@ def sanitized_targets(config):
 
 def release_targets(config):
     """Return what a run builds by gcc of all that it may."""
-    return ("all", *drawn_programs(config)[1])
+    lean = drawn_programs(config)[1]
+    if config.option.draw == "whole":
+        return ("all", *lean)
+    others = ("nck", "nck_host", "nck_small", "firmware", "blocks_of")
+    return (*others, *sorted(set(programs().values())), *sorted(small_programs(config)), *lean)
 
 
 def not_drawn(config, items):
     """Return the items that a run leaves out: under the sanitizers, in small capacities, lean."""
-    drawn, level = drawn_programs(config), config.option.draw
+    drawn, small = drawn_programs(config), small_programs(config)
     tests = [each for each in items if isinstance(each, CTest)]
-    return [each for each in tests if not each.is_drawn(*drawn, level)]
+    return [each for each in tests if not each.is_drawn(*drawn, small)]
 
 
 def link_anew(program, objects, target, *command):
@@ -114,13 +136,13 @@ class CTest(pytest.Item):
         quick = self.config.option.draw == "quick"
         return (self.program,) if quick else release_targets(self.config)
 
-    def is_drawn(self, sanitized, lean, level):
+    def is_drawn(self, sanitized, lean, small):
         """Tell whether a run has this test, by the names of the programs that it draws."""
         if self.is_sanitized:
             return self.program in sanitized
         if self.program in LEAN_PROGRAMS:
             return self.program in lean
-        return level != "quick" or self.name != "small" or self.path.parent.name in SMALL_IF_QUICK
+        return self.name != "small" or self.program in small
 
     def runtest(self):
         folder, complaints = build_c(self.build, *self.targets())
