@@ -67,7 +67,7 @@ def two_cores(monkeypatch):
     monkeypatch.setattr(pipeline, "cores", lambda: 2)
 
 
-@pytest.mark.sample(16)
+@pytest.mark.sample(10)
 @pytest.mark.parametrize("slope", SLOPES)
 @pytest.mark.parametrize("name", FILES)
 def test_real_programs_have_the_same_bits(name, slope):

@@ -16,7 +16,7 @@ AFTER_FACING = (  # the angle hangs on every period of the surface speed before
 )
 
 
-@pytest.mark.sample(quick=1)
+@pytest.mark.sample(4, quick=1)
 @pytest.mark.parametrize("family", thread_programs.FAMILIES)
 def test_a_run_takes_as_long_as_planned(family):
     judged = [thread_programs.judge(family, seed) for seed in range(1, 7)]

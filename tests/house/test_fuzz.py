@@ -10,7 +10,7 @@ import pytest
 FUZZ = Path(__file__).resolve().parent / "fuzz"
 RUNS = {  # inputs of the suite, and of the campaign, in each set of capacities
     "decode": {"suite": 10_000, "whole": 100_000},
-    "kernel": {"suite": 500, "whole": 5_000},
+    "kernel": {"suite": 250, "whole": 5_000},
 }
 FUZZ_FLAGS = {"kernel": ["-len_control=0", "-max_len=600"]}  # long inputs at once
 

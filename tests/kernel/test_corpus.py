@@ -157,10 +157,12 @@ def test_a_shipped_machine_keeps_every_limit_and_its_tolerance(name):
 # The jerk-limited slope, on the beginning of every file
 
 LINES = 400  # read of a file: enough for arcs, corners and micro-segments
+HOUR = "mill_fanuc_g81_g91.nc"  # of feed: 4 million ticks, the next file has 700 000
 JERK_QUICK = [
-    name for name in RUNNING
+    pytest.param(name, marks=pytest.mark.campaign) if FILES[name].file == HOUR else name
+    for name in RUNNING
     if FILES[name].file not in SLOW | {"tp_random_lines_0.001in.ngc", "odd_no_spaces.gcode"}
-]  # fmt: skip
+]
 
 
 def beginning_of(name, mode):

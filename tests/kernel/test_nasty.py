@@ -30,6 +30,7 @@ SLOWER_MOST = {"jerk": 0, "linear": 0, "sshape": 1}
 
 
 @pytest.mark.thorough
+@pytest.mark.sample(1)
 @pytest.mark.parametrize("slope", nasty_seeds.SLOPES)
 def test_nasty_programs_find_nothing_and_few_are_slower_than_with_stops(slope, worker):
     slower = []

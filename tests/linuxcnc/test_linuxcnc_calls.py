@@ -45,7 +45,7 @@ def test_a_thread_of_any_lines_is_one_groove(stand_in, seed):
     assert linuxcnc_calls.threads_failures(stand_in, seed) == []
 
 
-@pytest.mark.sample(8)
+@pytest.mark.sample(4)
 @pytest.mark.parametrize("seed", range(500))
 def test_lines_of_a_thread_that_come_late_are_caught_up_with_within_limits(stand_in, seed):
     assert linuxcnc_calls.late_failures(stand_in, seed) == []
