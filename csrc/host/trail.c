@@ -4,8 +4,9 @@
 
 #include <string.h> // memset
 
-#include "nck/base/path.h" // nck_path_part nck_path_second
-#include "nck/base/real.h" // nck_sqrt nck_fabs nck_min
+#include "nck/base/cell_math.h" // nck_cell_way nck_cell_speed
+#include "nck/base/path.h"      // nck_path_part nck_path_second
+#include "nck/base/real.h"      // nck_sqrt nck_fabs nck_min
 
 // A chord of a bend is so far from it at most [mm], and turns so far at most [rad].
 #define CHORD 0.005
@@ -130,11 +131,7 @@ static int goes_on(const nck_host_trail_t *self, const nck_host_stride_t *stretc
 }
 
 static double speed_at(const nck_cell_t *cell, double t) {
-    return nck_max(0.0, cell->v + t * (cell->a + 0.5 * cell->j * t));
-}
-
-static double way_at(const nck_cell_t *cell, double t) {
-    return t * (cell->v + t * (0.5 * cell->a + cell->j * t / 6.0));
+    return nck_max(0.0, nck_cell_speed(cell, t));
 }
 
 // A part of a stretch, no longer than a chord may be.
@@ -144,8 +141,8 @@ static void step(nck_host_trail_t *self, const nck_host_stride_t *stretch, doubl
     const double time = to - from;
     const double v = speed_at(cell, to);
     const double a = time > 0.0 ? (v - speed_at(cell, from)) / time : 0.0;
-    const double s = way_at(cell, to);
-    const double length = s - way_at(cell, from);
+    const double s = nck_cell_way(cell, to);
+    const double length = s - nck_cell_way(cell, from);
     const int is_bent = chord > 0.0 && self->length + length > chord;
     if (is_bent || !goes_on(self, stretch, a, v, time)) {
         close_stretch(self);
@@ -162,8 +159,8 @@ static void step(nck_host_trail_t *self, const nck_host_stride_t *stretch, doubl
 void nck_host_trail_move(nck_host_trail_t *self, const nck_host_stride_t *stretch) {
     give_start(self, stretch);
     const double time = stretch->to - stretch->from;
-    const double s = way_at(stretch->cell, stretch->from);
-    const double length = way_at(stretch->cell, stretch->to) - s;
+    const double s = nck_cell_way(stretch->cell, stretch->from);
+    const double length = nck_cell_way(stretch->cell, stretch->to) - s;
     const double chord = chord_at(stretch->seg, stretch->s + s);
     const size_t room = self->point_max - self->point_count;
     const int is_bent = chord > 0.0 && room > NCK_HOST_TRAIL_ROOM / 2;

@@ -5,9 +5,10 @@
 #include <stddef.h> // offsetof
 #include <string.h> // memcpy memset
 
-#include "nck/base/path.h" // nck_path_tangent_part
-#include "nck/base/real.h" // nck_sqrt nck_fabs nck_min nck_max
-#include "nck/base/trig.h" // nck_atan2
+#include "nck/base/cell_math.h" // nck_cell_way nck_cell_speed
+#include "nck/base/path.h"      // nck_path_tangent_part
+#include "nck/base/real.h"      // nck_sqrt nck_fabs nck_min nck_max
+#include "nck/base/trig.h"      // nck_atan2
 
 // A speed is held by a cap from this share of it on.
 #define HELD 0.995
@@ -209,14 +210,14 @@ static int next_piece(nck_host_why_t *self) {
 // ---- time
 
 static double speed_at(const nck_cell_t *cell, double t) {
-    return nck_max(0.0, cell->v + t * (cell->a + 0.5 * cell->j * t));
+    return nck_max(0.0, nck_cell_speed(cell, t));
 }
 
 // When the cell has come so far: s = v·t + a·t²/2 + j·t³/6, by Newton's method from a time before.
 static double time_at(const nck_cell_t *cell, double s, double t) {
     for (int k = 0; k < NEWTON_ROUNDS; k++) {
-        const double v = cell->v + t * (cell->a + 0.5 * cell->j * t);
-        const double miss = s - t * (cell->v + t * (0.5 * cell->a + cell->j * t / 6.0));
+        const double v = nck_cell_speed(cell, t);
+        const double miss = s - nck_cell_way(cell, t);
         if (!(v > 0.0)) {
             t = nck_min(cell->duration, t + 0.5 * (cell->duration - t));
             continue;

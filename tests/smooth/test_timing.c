@@ -5,22 +5,20 @@
 
 #include "check.h"
 #include "nck/prep/3_smooth/timing.h" // nck_timing_…
+#include "track_check.h"              // line_to
 
 #define P 0.01 // [mm]
 // A line that one window holds from rest to rest, its feed reached.
 #define LINE (NCK_FAIR_WINDOW > 100 ? 20.0 : 1.0) // [mm]
 #define FEED (NCK_FAIR_WINDOW > 100 ? 80.0 : 15.0) // [mm/s]
 
-static nck_track_t track;
 static nck_timing_t clock_;
 static nck_timing_list_t list;
 static nck_timing_terms_t terms;
-static nck_seg_t seg;
 static nck_num plan[NCK_FAIR_KNOTS + 1];
 
 static void begin(void)
 {
-    memset(&seg, 0, sizeof seg);
     memset(&terms, 0, sizeof terms);
     terms.axes = 2;
     terms.tau = 0.004;
@@ -31,20 +29,9 @@ static void begin(void)
     }
     terms.a_least = terms.a_most = 1000.0;
     terms.j_least = 10000.0;
-    nck_track_begin(&track, 2, terms.tau);
+    begin_lines(terms.tau, FEED);
     nck_timing_begin(&clock_, &terms);
     nck_timing_keep(&clock_, &list, plan, 0, 0, 0);
-}
-
-static nck_status_t line_to(double x, double y)
-{
-    memcpy(seg.start, seg.end, sizeof seg.start);
-    seg.kind = NCK_SEG_LINE;
-    seg.end[0] = x;
-    seg.end[1] = y;
-    seg.length = hypot(x - seg.start[0], y - seg.start[1]);
-    seg.feed = FEED;
-    return nck_track_push(&track, &seg, P);
 }
 
 static void close_run(void)
@@ -70,7 +57,7 @@ static double speed(int k) { return (clock_.s[k + 1] - clock_.s[k]) / (0.25 * te
 static void a_lone_line_is_left_and_met_at_rest_and_run_at_its_feed(check_t *check)
 {
     begin();
-    line_to(LINE, 0.0);
+    line_to(LINE, 0.0, P);
     close_run();
     CHECK_INT(check, make(), NCK_DONE);
     CHECK(check, clock_.begins && clock_.ends);
@@ -91,7 +78,7 @@ static void a_lone_line_is_left_and_met_at_rest_and_run_at_its_feed(check_t *che
 static void a_rest_is_left_by_a_share_of_the_jerk(check_t *check)
 {
     begin();
-    line_to(LINE, 0.0);
+    line_to(LINE, 0.0, P);
     close_run();
     make();
     for (uint32_t k = clock_.guess.tail; k != clock_.guess.head; k++) {
@@ -104,7 +91,7 @@ static void a_rest_is_left_by_a_share_of_the_jerk(check_t *check)
 static void places_are_half_a_knot_apart_at_the_speed_there(check_t *check)
 {
     begin();
-    line_to(LINE, 0.0);
+    line_to(LINE, 0.0, P);
     close_run();
     make();
     const int places = (int)(clock_.guess.head - clock_.guess.tail);
@@ -116,8 +103,8 @@ static void places_are_half_a_knot_apart_at_the_speed_there(check_t *check)
 static void a_corner_is_seen(check_t *check)
 {
     begin();
-    line_to(0.5 * LINE, 0.0);
-    line_to(0.5 * LINE, 0.5 * LINE);
+    line_to(0.5 * LINE, 0.0, P);
+    line_to(0.5 * LINE, 0.5 * LINE, P);
     close_run();
     make();
     double least = 100.0;
@@ -137,7 +124,7 @@ static void a_circle_of_chords_is_run_as_the_circle(check_t *check)
         nck_status_t status = NCK_OK;
         begin();
         for (int k = 1; status == NCK_OK && k * chord < 60.0; k++) {
-            status = line_to(r * sin(k * chord / r), r - r * cos(k * chord / r));
+            status = line_to(r * sin(k * chord / r), r - r * cos(k * chord / r), P);
         }
         make();
         if (clock_.knots < 110) continue; // so small a ring has no room to get there
@@ -154,8 +141,8 @@ static void more_is_asked_for_until_enough_is_known(check_t *check)
 {
     begin();
     CHECK_INT(check, make(), NCK_EMPTY);
-    line_to(0.5 * LINE, 0.0);
-    line_to(LINE, 0.0);
+    line_to(0.5 * LINE, 0.0, P);
+    line_to(LINE, 0.0, P);
     CHECK_INT(check, make(), NCK_EMPTY);
     close_run();
     CHECK_INT(check, make(), NCK_DONE);
@@ -165,8 +152,8 @@ static void a_plan_at_the_clocks_own_speed_leaves_it_as_it_is(check_t *check)
 {
     static double before[NCK_TIMING_CELLS + 1];
     begin();
-    line_to(0.5 * LINE, 0.0);
-    line_to(0.5 * LINE, 0.5 * LINE);
+    line_to(0.5 * LINE, 0.0, P);
+    line_to(0.5 * LINE, 0.5 * LINE, P);
     close_run();
     make();
     const int knots = clock_.knots;
@@ -181,7 +168,7 @@ static void a_plan_at_the_clocks_own_speed_leaves_it_as_it_is(check_t *check)
 static void a_plan_at_half_speed_takes_twice_as_long(check_t *check)
 {
     begin();
-    line_to(0.2 * LINE, 0.0);
+    line_to(0.2 * LINE, 0.0, P);
     close_run();
     make();
     const int knots = clock_.knots;
@@ -196,7 +183,7 @@ static void a_plan_at_half_speed_takes_twice_as_long(check_t *check)
 static void a_window_goes_on_where_the_last_one_is_given(check_t *check)
 {
     begin();
-    line_to(60.0, 0.0);
+    line_to(60.0, 0.0, P);
     close_run();
     make();
     const int knots = clock_.knots, given = knots / 2;

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 // Room 3: the program as elements, and how short lines become one while they are read.
 #include <math.h>   // hypot sqrt
-#include <string.h> // memcpy memset
+#include <string.h> // memcpy
 
 #include "check.h"
-#include "nck/base/path.h"           // nck_path_point
-#include "nck/prep/3_smooth/track.h" // nck_track_…
+#include "nck/base/path.h" // nck_path_point
+#include "track_check.h"   // line_to
 
 #define TAU 0.004    // [s]
 #define FEED 100.0   // [mm/s]
@@ -13,8 +13,6 @@
 
 enum { LINES = 6000 };
 
-static nck_track_t track;
-static nck_seg_t seg;
 static double points[LINES + 1][2], places[LINES + 1];
 static uint32_t state;
 
@@ -27,21 +25,7 @@ static double any(void)
 static void begin(void)
 {
     state = 1;
-    memset(&seg, 0, sizeof seg);
-    nck_track_begin(&track, 2, TAU);
-}
-
-static nck_status_t line_to(double x, double y, double tolerance)
-{
-    memcpy(seg.start, seg.end, sizeof seg.start);
-    seg.kind = NCK_SEG_LINE;
-    seg.end[0] = x;
-    seg.end[1] = y;
-    seg.length = hypot(x - seg.start[0], y - seg.start[1]);
-    seg.feed = FEED;
-    seg.line++;
-    seg.block = seg.line;
-    return nck_track_push(&track, &seg, tolerance);
+    begin_lines(TAU, FEED);
 }
 
 // Chords of so many mm, with noise beside and along them, as many as fit. Returns them.
