@@ -99,6 +99,10 @@ static const told_row_t corner2_rows[] = {
      "!1:9 corner R 2/0"},
     {"G1 X10. ,C2. F100.\nG2 I5.\n",
      "!1:10 corner C 2/0"},
+    {"G1 X10. ,R1. F100.\nG2 X10.018 Y-.4475 I5.\nG1 X0\n",
+     "1 line X9.083911 F100; 1 arc X10.069927 Y0.83335 G17 about 9.08391 1 by 80.4069;"
+     " 2 arc X19.996013 Y0.223929 G17 about 15.00051 0.00001 by -167.8404;"
+     " 2 arc X10.018 Y-0.4475 G17 about 14.99949 -0.00003 by -177.4336; 3 line X0"},
     {"G1 X10. ,R2.\nF100.\nY10.\n",
      "!1:0 feed-missing F; 3 line X10 Y10 F100"},
     {"G1 X10. ,R2. F100.\nY10. ,C3.\nX0 M30\n",

@@ -202,6 +202,24 @@ static void push_waits_until_pull_asks(check_t *check)
     CHECK_INT(check, nck_smooth_pull(&smooth, &item), NCK_DONE);
 }
 
+// Facing under a surface speed: the line is divided where the feed follows the radius, or what the
+// spindle can.
+static void a_surface_speed_divides_a_line_whose_feed_or_spindle_follows(check_t *check)
+{
+    for (int which = 0; which < 4; which++) {
+        begin();
+        machine.spindle.a_max_rpm_s = which & 1 ? 0.5 : 0.0;
+        line_to(40.0, 0.0, 0.0, 0.0);
+        line_to(10.0, 0.0, 0.0, 0.0);
+        block[1].surface = 100000.0;   // [mm/min]
+        block[1].spindle_rpm = 3000.0; // at most
+        block[1].feed_mode = which & 2 ? NCK_FEED_PER_REV : NCK_FEED_PER_MINUTE;
+        block[1].feed = which & 2 ? 0.2 : 600.0;
+        CHECK(check, run(&exact, 1));
+        CHECK(check, which == 0 ? exact.segs == 2 : exact.segs > 4);
+    }
+}
+
 int main(void)
 {
     check_t check = {0};
@@ -212,6 +230,7 @@ int main(void)
     CHECK_RUN(&check, outputs_leave_a_corner_as_it_is);
     CHECK_RUN(&check, words_change_where_the_program_changes_them);
     CHECK_RUN(&check, long_blocks_end_with_a_seg);
+    CHECK_RUN(&check, a_surface_speed_divides_a_line_whose_feed_or_spindle_follows);
     CHECK_RUN(&check, push_waits_until_pull_asks);
     return check_end(&check);
 }
