@@ -29,6 +29,7 @@ SHARE = 1e-6  # how far a limit may be passed
 # … by acceleration and jerk where a late prep lets the tick brake by itself: it goes by the steps
 # of a plan that it follows (csrc/nck/tick/6_interpolate/README.md, "The clock").
 LATE_SHARE = 0.05
+OPTIMAL = 3  # nck_slope_kind_t
 STRETCH = 2.5  # a smoothed path may be as much longer than its coordinate somewhere
 ROUNDING = 8 * 2.0**-52  # of a coordinate, 8 ulp at most; felt in accelerations by 1/T²
 PATH_ERROR_MM = 1e-6
@@ -152,6 +153,8 @@ class Checker:
         self._joints = np.repeat(start[self._limits.joint_axes][None], 3, axis=0)
         self._s, self._block, self._settled = np.zeros(3), np.zeros(3, np.intp), 0
         self._visits = Visits(self.path, self._poses[0]) if visits else None
+        self._way, self._clocked = np.zeros(2), np.zeros(2, bool)
+        self._clocked_before = self._clocked_next = np.zeros(3, bool)
         self._exact = np.concatenate(
             [[0], np.cumsum((self.path.length > 0) & ~self.path.keeps_jerk)]
         )
@@ -177,8 +180,10 @@ class Checker:
         self._axis_limits(poses, joints, block)
         s = rows["pose"]["s"]
         way = np.linalg.norm(np.diff(np.concatenate([self._poses[-1:], poses]), axis=0), axis=1)
-        self._progress(s, poses, way)
-        self._feed(s, way)
+        clocked = self._is_clocked(block)
+        self._progress(s, poses, np.where(clocked, 0, way), clocked)
+        self._along(way, clocked)
+        self._feed(s, way, clocked)
         self._on_path(block, s, poses)
         if self._visits:
             self._visits.add(s, poses)
@@ -186,6 +191,7 @@ class Checker:
         self._poses = np.concatenate([self._poses, poses])[-3:]
         self._joints = np.concatenate([self._joints, joints])[-3:]
         self._s = np.concatenate([self._s, s])[-3:]
+        self._clocked_before = self._clocked_next
         self._block = np.concatenate([self._block, block])[-3:]
         self.ticks += len(rows)
 
@@ -270,7 +276,33 @@ class Checker:
         self._settled = int(age[-1]) + 1
         return smoothed | ((self.path.length[block] > 0) & (age >= SETTLED))
 
-    def _progress(self, s, poses, way):
+    def _is_clocked(self, block):
+        """Return where the path is clocked: its coordinate is the program's, not its length."""
+        optimal = self._limits.slope == OPTIMAL
+        return optimal & (self.path.tolerance[block] > 0) & (self.path.length[block] > 0)
+
+    def _along(self, way, clocked):
+        """Within the path's own limits by the tool's way, where no axis holds it first."""
+        limits, period = self._limits, self._limits.period_s
+        track = np.concatenate([self._way, way])
+        still = np.concatenate([self._clocked, clocked])
+        self._way, self._clocked = track[-2:], still[-2:]
+        bounds = (limits.path_a_max, limits.path_j_max)
+        norms = np.linalg.norm(limits.a_max[limits.present]), np.linalg.norm(
+            limits.j_max[limits.present]
+        )
+        for order, (most, norm) in enumerate(zip(bounds, norms, strict=True), 1):
+            if most >= norm * (1 - SHARE):
+                continue
+            judged = still[2:] & still[1:-1] & still[:-2]
+            unit = period ** (order + 1)
+            values = np.abs(np.diff(track, n=order)[-len(way) :]) / unit
+            values = np.where(judged, values, 0)
+            more = SUMS[order] * ROUNDING * np.abs(way).max() / unit
+            what = f"tool {ORDERS[order]} {values.max():.9g}, limit {most:g}"
+            self._hold(values <= most * (1 + SHARE) + more, what)
+
+    def _progress(self, s, poses, way, clocked):
         """Forward, within acceleration and jerk of the path, twice the jerk where two motions may
         overlap; and no pose goes further than its coordinate, by as much as a smoothed path may be
         longer."""
@@ -286,13 +318,20 @@ class Checker:
         for order, most in enumerate(bounds, 1):
             unit = period ** (order + 1)
             values = np.abs(np.diff(track[2 - order :], n=order + 1)) / unit
+            values = np.where(self._near(clocked), 0, values)
             more = SUMS[order] * noise / unit + self._late_more(order, np.max(most))
             what = f"path {ORDERS[order]} {values.max():.9g}, limit {np.min(most):g}"
             self._hold(values <= most * (1 + SHARE) + more, what)
             name = ("path_a", "path_j")[order - 1]
             setattr(self, name, max(getattr(self, name), float((values / most).max())))
 
-    def _feed(self, s, way):
+    def _near(self, clocked):
+        """Return where one of the last poses is on a clocked path."""
+        here = np.concatenate([self._clocked_before, clocked])
+        self._clocked_next = here[-3:]
+        return here[3:] | here[2:-1] | here[1:-2] | here[:-3]
+
+    def _feed(self, s, way, clocked):
         """Neither the path nor the tool on it faster than the program says; at rest when the
         operator holds."""
         step = np.diff(s, prepend=self._s[-1])
@@ -307,7 +346,8 @@ class Checker:
             at = np.interp(from_s, begin, times) + self._limits.period_s
             most = np.interp(at, times, begin) - from_s
             tool = self.path.tool_speeds(from_s, s, pair[0]) * self._limits.period_s
-            for what, gone, bound in (("path", step, most), ("tool", way, tool)):
+            path = np.where(clocked, 0, step)
+            for what, gone, bound in (("path", path, most), ("tool", way, tool)):
                 good = gone <= bound * (1 + SHARE) + self._raise + BACKWARD_MM
                 over = np.max((gone - bound)[here]) / self._limits.period_s
                 self._hold(good | ~here, f"{what} faster than its feed, by {over} mm/s")
@@ -371,4 +411,4 @@ class Checker:
         self._lines = np.zeros(3, np.int64)
         still = np.repeat(self._poses[-1:], 3, axis=0)
         self._axis_limits(still, np.repeat(self._joints[-1:], 3, axis=0), self._block[[-1] * 3])
-        self._progress(np.repeat(self._s[-1:], 3), still, np.zeros(3))
+        self._progress(np.repeat(self._s[-1:], 3), still, np.zeros(3), np.zeros(3, bool))

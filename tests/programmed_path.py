@@ -54,6 +54,7 @@ class Limits:
     a_max: np.ndarray
     j_max: np.ndarray
     path_a_max: float
+    slope: int  # nck_slope_kind_t
     path_j_max: float  # infinite for the linear slope, which does not limit it
     feed_max: float
     start_nm: np.ndarray
@@ -72,6 +73,7 @@ class Limits:
             rapid=np.where(present, axis["rapid"], np.inf),
             a_max=np.where(present, axis["a_max"], np.inf),
             j_max=np.where(present & limited, axis["j_max"], np.inf),
+            slope=int(record["slope"]),
             path_a_max=float(record["path"]["a_max"]),
             path_j_max=float(record["path"]["j_max"]) if limited else np.inf,
             feed_max=float(record["path"]["feed_max"]),

@@ -18,7 +18,7 @@ enum {
 static void begin_rooms(nck_t *nck) {
     nck_smooth_init(&nck->smooth, &nck->terms);
     nck_lookahead_init(&nck->lookahead, &nck->terms);
-    nck_slope_init(&nck->slope, &nck->machine, &nck->link);
+    nck_slope_init(&nck->slope, &nck->terms, &nck->link);
 }
 
 nck_status_t nck_init(nck_t *nck, const nck_machine_t *machine, const nck_hooks_t *hooks) {

@@ -117,7 +117,7 @@ static void plan(check_t *check, int count, double length, double turn)
     double angle = 0.0;
     nck_lookahead_init(&lookahead, terms_of(&machine));
     nck_link_init(&link);
-    nck_slope_init(&slope, &machine, &link);
+    nck_slope_init(&slope, terms_of(&machine), &link);
     end_of_cells = 0.0;
     for (int k = 0; k < count; k++) {
         const double l = length * (0.1 + random_real());

@@ -126,6 +126,8 @@
 #define NCK_HAS_SSHAPE (NCK_PROFILE > 0 && NCK_WINDOW >= 32)
 // Whether the stop at a sharp corner and the start behind it may overlap.
 #define NCK_HAS_OVERLAP (NCK_SMOOTH_SPAN > 0 && NCK_PROFILE > 0)
+// Whether there is the optimal slope, which takes 300 KB: where memory is not short.
+#define NCK_HAS_OPTIMAL (NCK_SMOOTH_SPAN >= 512 && NCK_PROFILE >= 512)
 // Whether a jerk-limited plan is made as good as it can be: a short window has no time for it.
 #define NCK_HAS_BEST (NCK_PROFILE >= 256)
 // Whether the linear slope is made for even polygons: its corners get more there (room 4,
@@ -169,6 +171,31 @@
 #define NCK_SSHAPE_STATE struct
 #else
 #define NCK_SSHAPE_STATE union
+#endif
+
+// A member that only builds with the optimal slope have, and its address: elsewhere nobody asks for
+// it.
+#if NCK_HAS_OPTIMAL
+#define NCK_OPTIMAL_MEMBER(type, name) type name;
+#define NCK_OPTIMAL_AT(self, name) (&(self)->name)
+#else
+#define NCK_OPTIMAL_MEMBER(type, name)
+#define NCK_OPTIMAL_AT(self, name) ((void *)0)
+#endif
+
+// Intervals of a window of the curve, and elements of its track (3_smooth/CURVE.md).
+#if NCK_SMOOTH_SPAN == 0
+#define NCK_CLOCKED_WINDOW 33
+#define NCK_CLOCKED_TRACK 4
+#elif NCK_SMOOTH_SPAN < 128
+#define NCK_CLOCKED_WINDOW (NCK_SMOOTH_SPAN + 32)
+#define NCK_CLOCKED_TRACK (4 * NCK_SMOOTH_SPAN)
+#elif NCK_SMOOTH_SPAN < 256
+#define NCK_CLOCKED_WINDOW 128
+#define NCK_CLOCKED_TRACK (4 * NCK_SMOOTH_SPAN)
+#else
+#define NCK_CLOCKED_WINDOW 128
+#define NCK_CLOCKED_TRACK 1024
 #endif
 
 // Nodes of a motion's window (base/motion.h): a multiple of NCK_MOTION_LANES. 128 cells and their

@@ -126,13 +126,14 @@ static int numbers_good(const nck_machine_t *machine) {
 }
 
 static int path_good(const nck_machine_t *machine) {
-    return machine->slope <= NCK_SLOPE_SSHAPE && machine->lookahead_blocks <= NCK_WINDOW
+    return machine->slope <= NCK_SLOPE_OPTIMAL && machine->lookahead_blocks <= NCK_WINDOW
            && (machine->lookahead_blocks != 1 || machine->slope == NCK_SLOPE_SSHAPE);
 }
 
 static int is_slope_built(const nck_machine_t *machine) {
     return machine->slope == NCK_SLOPE_LINEAR || (machine->slope == NCK_SLOPE_JERK && NCK_HAS_JERK)
-           || (machine->slope == NCK_SLOPE_SSHAPE && NCK_HAS_SSHAPE);
+           || (machine->slope == NCK_SLOPE_SSHAPE && NCK_HAS_SSHAPE)
+           || (machine->slope == NCK_SLOPE_OPTIMAL && NCK_HAS_OPTIMAL);
 }
 
 static int dialect_good(const nck_machine_t *machine) {

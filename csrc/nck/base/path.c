@@ -106,3 +106,23 @@ void nck_path_third_part(const nck_seg_t *seg, double s, int axes, double *third
 void nck_path_third(const nck_seg_t *seg, double s, double *third_out) {
     nck_path_third_part(seg, s, NCK_AXIS_MAX, third_out);
 }
+
+// ∫ |dp/ds| from 0 to s. Gauss' three places are exact for polynomials up to the fifth degree.
+static double length_to(const nck_seg_t *seg, double s) {
+    static const double place[3] = {0.1127016653792583, 0.5, 0.8872983346207417};
+    static const double weight[3] = {5.0 / 18.0, 8.0 / 18.0, 5.0 / 18.0};
+    double length = 0.0;
+    for (int i = 0; i < 3; i++) {
+        double tangent[NCK_AXIS_MAX];
+        double square = 0.0;
+        nck_path_tangent(seg, place[i] * s, tangent);
+        for (int x = 0; x < NCK_AXIS_MAX; x++) square += tangent[x] * tangent[x];
+        length += weight[i] * nck_sqrt(square);
+    }
+    return length * s;
+}
+
+double nck_path_share(const nck_seg_t *seg, double s) {
+    const double whole = length_to(seg, seg->length);
+    return whole > 0.0 ? nck_min(length_to(seg, s) / whole, 1.0) : s / seg->length;
+}

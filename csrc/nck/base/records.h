@@ -136,7 +136,8 @@ typedef struct nck_block {
 typedef enum nck_keep {
     NCK_KEEP_NOTHING = 0, // exact path: junctions are crossed by the transfer rule
     NCK_KEEP_TURNS = 1,   // of a block of NCK_PATH_TURNS
-    NCK_KEEP_SMOOTH = 2   // within a tolerance: smooth, or at rest
+    NCK_KEEP_SMOOTH = 2,  // within a tolerance: smooth, or at rest
+    NCK_KEEP_CLOCK = 3    // the same, an interval of a clocked path
 } nck_keep_t;
 
 // The geometry of a seg.
@@ -250,8 +251,11 @@ typedef struct nck_node {
 typedef enum nck_stop {
     NCK_STOP_REST = 1, // comes to rest at its end, the tick lands there
     NCK_STOP_HOLD = 2, // of a hold: braking for a rest from which only nck_resume goes on
-    NCK_STOP_RIDES = 4 // overlaps: what follows behind its rest begins with the first such cell, so
-                       // it takes no time of its own
+    NCK_STOP_RIDES = 4, // overlaps: what follows behind its rest begins with the first such cell:
+                        // it takes no time of its own
+    NCK_STOP_SLOW = 8,  // of a plan that only slows down for a rest: from here on the tick brakes
+    NCK_STOP_SETS_OFF = 16 // the path does not rest before it, the tool does: the tick's clock
+                           // starts from nothing
 } nck_stop_t;
 
 // 5_slope ══ring══▶ 6_interpolate: a stretch of constant jerk (0 for the linear slope).

@@ -19,6 +19,8 @@ typedef struct nck_terms {
     double mix_s;        // how far in time accelerations are mixed: half the filter's length [s]
     double v_filter;     // by how much the speed at a node may pass the planned one [path mm/s]
     double rest_s;       // what a rest costs besides its ramps [s]
+    double knot_s;       // how long an interval of a clocked path lasts by its clock [s]; 0: there
+                         // are none
     double ride_s;       // for how long two motions may overlap: by what the cells' ring holds [s]
 } nck_terms_t;
 

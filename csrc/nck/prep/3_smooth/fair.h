@@ -22,7 +22,7 @@
 
 // Sizes of a problem.
 enum {
-    NCK_FAIR_WINDOW = NCK_SMOOTH_ROWS < 128 ? NCK_SMOOTH_ROWS + 32 : 128, // intervals of a window
+    NCK_FAIR_WINDOW = NCK_CLOCKED_WINDOW,   // intervals of a window
     NCK_FAIR_KNOTS = NCK_FAIR_WINDOW + 2, // of the last one at most
     NCK_FAIR_POINTS = NCK_FAIR_KNOTS + 3,
     NCK_FAIR_BINS = 4,                   // of an interval

@@ -7,6 +7,7 @@
 #include "nck/base/path.h" // nck_path_second_part
 #include "nck/base/real.h" // nck_fabs nck_max nck_min nck_sqrt
 
+#define PLENTY 8      // bins of the window may have as many samples as this one without its choice
 #define ROUNDING 2e-6 // [mm] kept of the tolerance: setpoints are whole nanometres
 
 // The program's point at s.
@@ -137,16 +138,30 @@ static void add_extremes(nck_stream_t *self, const cubic_t *cubic, const bin_t *
     if (best[1] != best[0]) add_vertex(self, cubic, bin, best[1]);
 }
 
-// The samples of a bin: its middle, and vertices.
+// Add the middle of what an arc has in the bin: it is furthest from the chord of its ends.
+static void add_arc(nck_stream_t *self, const cubic_t *cubic, const bin_t *bin, uint32_t n) {
+    const nck_track_element_t *const element = nck_track_at(&self->track, n);
+    double point[NCK_AXIS_MAX];
+    if (element->kind != NCK_SEG_ARC || nck_fair_room(&self->work.fair) <= 0) return;
+    const double begin = nck_max(bin->s[0], element->s);
+    const double middle = 0.5 * (begin + nck_min(bin->s[1], element->s + element->length));
+    nck_track_point(&self->track, n, middle, point);
+    add_point(self, cubic, place_of(bin, middle), point);
+}
+
+// The samples of a bin: its middle, vertices, and arcs among them.
 static void fill_bin(nck_stream_t *self, const cubic_t *cubic, const bin_t *bin) {
     double point[NCK_AXIS_MAX];
     find_point(self, 0.5 * (bin->s[0] + bin->s[1]), point);
     add_point(self, cubic, 0.5 * (bin->w[0] + bin->w[1]), point);
     const uint32_t vertices = bin->last - bin->first;
-    if (vertices > 2) {
+    if (vertices > 2 && (int)vertices > nck_fair_room(&self->work.fair) / PLENTY) {
         add_extremes(self, cubic, bin);
     } else {
         for (uint32_t n = 1; n <= vertices; n++) add_vertex(self, cubic, bin, bin->first + n);
+    }
+    for (uint32_t n = bin->first; vertices > 0 && n != bin->last + 1; n++) {
+        add_arc(self, cubic, bin, n);
     }
     const double quarter = 0.25 * self->wish.terms.tau;
     const double lies_between = self->wish.terms.a_most * quarter * quarter / 8.0;

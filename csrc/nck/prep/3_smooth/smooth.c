@@ -15,6 +15,7 @@
 #include "nck/prep/3_smooth/metric_math.h" // nck_metric_of
 #include "nck/prep/3_smooth/part.h"        // nck_part_…
 #include "nck/prep/3_smooth/raw.h"         // nck_raw_…
+#include "nck/prep/3_smooth/runs.h"        // nck_runs_…
 #include "nck/prep/3_smooth/spline_math.h" // nck_spline_…
 
 #define ROUNDING 2e-6 // [mm] kept of the tolerance: setpoints are whole nanometres
@@ -37,6 +38,7 @@ void nck_smooth_init(nck_smooth_t *self, const nck_terms_t *terms) {
     for (int x = 0; x < NCK_AXIS_MAX; x++) {
         self->position[x] = (double)machine->start_nm[x] / nck_machine_counts(machine, x);
     }
+    self->rests = 1;
     nck_smooth_adapt(self);
 }
 
@@ -51,7 +53,8 @@ void nck_smooth_adapt(nck_smooth_t *self) {
 }
 
 int nck_smooth_is_empty(const nck_smooth_t *self) {
-    return self->raw.head == self->raw.tail && !(self->divide.from < self->divide.seg.length);
+    return !nck_runs_is_open(self) && self->raw.head == self->raw.tail
+           && !(self->divide.from < self->divide.seg.length);
 }
 
 // Where the block ends, in what is where it begins. Most blocks move few axes: the others need no
@@ -241,6 +244,21 @@ static void arrive(nck_smooth_t *self, const nck_block_t *block, const nck_seg_t
     memcpy(self->position, seg->end, sizeof self->position);
 }
 
+// 1 if the block is taken by the clocked run, which it may open; else that is over.
+static int goes_clocked(nck_smooth_t *self, const nck_block_t *block, const nck_raw_t *raw) {
+    nck_clocked_t *const clocked = nck_runs_of(self);
+    if (raw->smooth && !(block->surface > 0.0)) {
+        const int rests = self->rests;
+        return nck_clocked_push(clocked, self->terms, &raw->seg, raw->tolerance, rests) == NCK_OK;
+    }
+    if (clocked->open && is_between(raw) && nck_clocked_has_room(clocked)) {
+        nck_clocked_push_output(clocked, &raw->output);
+        return 1;
+    }
+    nck_clocked_close(clocked);
+    return 0;
+}
+
 nck_status_t nck_smooth_push(nck_smooth_t *self, const nck_block_t *block, uint32_t block_seq) {
     if (!self->hungry) return NCK_FULL;
     nck_raw_t *const raw = nck_raw_at(self, self->raw.head);
@@ -251,6 +269,8 @@ nck_status_t nck_smooth_push(nck_smooth_t *self, const nck_block_t *block, uint3
         arrive(self, block, &raw->seg);
     }
     self->hungry = 0;
+    if (nck_runs_are_clocked(self) && goes_clocked(self, block, raw)) return NCK_OK;
+    if (nck_runs_are_clocked(self)) raw->smooth = 0;
     const int is_smoothed = NCK_HAS_SMOOTH && raw->smooth;
     if (is_smoothed && nck_merge_line(self, block, &raw->seg)) return NCK_OK;
     if (is_smoothed) join_output(self, raw);
@@ -264,6 +284,7 @@ static void give_seg(nck_smooth_t *self, nck_seg_t *seg) {
     seg->s_begin = self->s;
     self->s += seg->length;
     self->seq++;
+    self->rests = seg->stop;
 }
 
 nck_status_t nck_smooth_pass(nck_smooth_t *self, const nck_block_t *block, uint32_t block_seq,
@@ -283,6 +304,7 @@ nck_status_t nck_smooth_pass(nck_smooth_t *self, const nck_block_t *block, uint3
 void nck_smooth_end(nck_smooth_t *self) {
     self->ended = 1;
     self->hungry = 0;
+    if (nck_runs_are_clocked(self)) nck_clocked_close(nck_runs_of(self));
     extend_run(self);
 }
 
@@ -391,10 +413,26 @@ static void open_run(nck_smooth_t *self) {
     nck_knot_begin(self);
 }
 
+// The next item of a clocked run. NCK_DONE: it is over.
+static nck_status_t pull_clocked(nck_smooth_t *self, nck_smooth_item_t *item_out) {
+    const nck_output_t *output = (nck_output_t *)0;
+    const nck_status_t status = nck_clocked_pull(nck_runs_of(self), &item_out->seg, &output);
+    self->hungry = status == NCK_EMPTY;
+    item_out->is_output = output != NULL;
+    if (!output) return status;
+    item_out->output = *output;
+    item_out->output.after_segs = self->seq;
+    return status;
+}
+
 // The next seg or output, whatever the spindle does along it.
 static nck_status_t pull_whole(nck_smooth_t *self, nck_smooth_item_t *item_out) {
     self->hungry = 0;
     self->run.tries = 0;
+    if (nck_runs_is_open(self)) {
+        const nck_status_t status = pull_clocked(self, item_out);
+        if (status != NCK_DONE) return status;
+    }
     if (NCK_HAS_SMOOTH && self->run.open) {
         const nck_status_t status = pull_run(self, item_out);
         self->hungry = status == NCK_EMPTY;
@@ -418,6 +456,10 @@ nck_status_t nck_smooth_pull(nck_smooth_t *self, nck_smooth_item_t *item_out) {
     if (!(self->divide.from < self->divide.seg.length)) {
         const nck_status_t status = pull_whole(self, item_out);
         if (status != NCK_OK || item_out->is_output) return status;
+        if (item_out->seg.keeps == NCK_KEEP_CLOCK) {
+            give_seg(self, &item_out->seg);
+            return NCK_OK;
+        }
         if (nck_divide_begin(self, &item_out->seg)) nck_divide_next(self, &item_out->seg);
     } else {
         item_out->is_output = 0;

@@ -7,6 +7,7 @@
 #include "nck/base/records.h" // nck_block_t nck_seg_t nck_output_t
 #include "nck/base/status.h"  // nck_status_t
 #include "nck/base/terms.h"   // nck_terms_t
+#include "nck/prep/3_smooth/clocked.h" // nck_clocked_t
 
 // Blocks that G64 Q may join to one, the first not counted.
 enum { NCK_SMOOTH_MERGE = NCK_MERGE_ROWS };
@@ -116,7 +117,7 @@ typedef struct nck_smooth {
     uint8_t hungry;      // 1: pull needs a block
     uint8_t ended;       // 1: no more blocks
     uint8_t mixed;       // 1: blocks have come with more than one tolerance
-    uint8_t reserved;    // 0
+    uint8_t rests;       // 1: the path does, behind the last seg pulled
 
     struct {
         uint32_t head; // blocks pushed
@@ -129,6 +130,8 @@ typedef struct nck_smooth {
         double from;   // given up to here [path mm]; its length: nothing is left
         nck_seg_t seg;
     } divide;
+
+    NCK_OPTIMAL_MEMBER(nck_clocked_t, clocked) // the run in work, of the optimal slope
 
     // The newest block, as lines are joined to it.
     NCK_SMOOTH_STATE {

@@ -16,6 +16,11 @@
 #define LOST 100.0 // [P²] what has come of it is no curve
 #define NEXT 8      // knots behind a joint that are looked at, where to put it
 #define RELAXED ((nck_num)0.5) // that a joint further ahead must be better
+#define JOINED 3   // intervals behind what is given that have to be within P, too
+#define FAR 1.2    // [P] what is off by more than that between samples is of a clock too fast
+#define MOST 40    // iterations of a curve
+#define PLAN_GAP 0.1  // of a clock's plan, as a share of its time: a clock needs no more
+#define PLAN_ROOM 0.3 // what a broken row's slack begins with: the guess may be far off
 #define TRIES 6    // curves of a window that may miss P
 #define FRESH 0.6  // [1] b that the first plan begins with: slow enough nearly everywhere
 #define NEAR 0.85  // [1] the same where the clock comes from a plan
@@ -72,7 +77,12 @@ static nck_status_t make_clock(nck_stream_t *self) {
     if (nck_timing_make(&self->clock, &self->work.list, &self->track) == NCK_OK) return NCK_OK;
     self->near = self->track.tail;
     const uint32_t first = nck_track_find(&self->track, self->near, self->clock.s[0]);
-    self->unit = (double)nck_track_at(&self->track, first)->tolerance;
+    const double end = self->clock.s[4 * self->clock.knots];
+    const uint32_t last = nck_track_find(&self->track, first, end);
+    self->unit = (double)nck_track_at(&self->track, last)->tolerance;
+    for (uint32_t n = first; n != last; n++) {
+        self->unit = nck_min(self->unit, (double)nck_track_at(&self->track, n)->tolerance);
+    }
     return go(self, NCK_STREAM_REFERENCE);
 }
 
@@ -87,7 +97,7 @@ static void begin_fair(nck_stream_t *self) {
     task.knots = self->clock.knots;
     task.axes = terms->axes;
     task.ends = self->clock.ends;
-    task.most = 40;
+    task.most = MOST;
     task.gap = is_last_round(self) ? (nck_num)self->wish.gap : (nck_num)ROUGH;
     task.scale = (nck_num)(self->unit / (terms->j_least * tau * tau * tau));
     for (int x = 0; x < terms->axes; x++) {
@@ -174,17 +184,25 @@ static nck_status_t make_fair(nck_stream_t *self) {
 static nck_status_t try_again(nck_stream_t *self, double found) {
     self->tries++;
     self->told.again++;
-    if (!self->sound && self->tries < TRIES) return go(self, NCK_STREAM_NODES);
+    const int is_far = !self->sound || found > FAR;
+    if (is_far && self->tries < TRIES) return go(self, NCK_STREAM_NODES);
     if (!self->sound) return slow_down(self);
     self->share = nck_max(0.5, self->share * nck_max(0.8, 0.99 / found));
     return go(self, NCK_STREAM_REFERENCE);
+}
+
+// Intervals that are proven: those that are given, and the first ones behind their joint. So the
+// next window, which begins with three of this one's points, has a curve to begin with.
+static int proven_to(const nck_stream_t *self) {
+    const int to = self->given + JOINED;
+    return to < self->clock.knots ? to : self->clock.knots;
 }
 
 // Hold an interval against the program.
 static nck_status_t prove(nck_stream_t *self) {
     const double miss = nck_sample_miss(self, self->at++);
     self->miss = nck_max(self->miss, miss);
-    if (self->at < self->given) return NCK_OK;
+    if (self->at < proven_to(self)) return NCK_OK;
     const double found = self->miss;
     self->miss = 0.0;
     if (!(found <= 1.0) && self->tries < TRIES) return try_again(self, found);
@@ -206,8 +224,9 @@ static nck_status_t begin_motion(nck_stream_t *self) {
     wish.ends = (self->clock.ends ? NCK_MOTION_FREE_END : NCK_MOTION_OPEN_END)
                | (self->clock.begins ? 0U : NCK_MOTION_INSIDE);
     wish.most = self->wish.most;
-    wish.gap = 0.1;
-    wish.room = 0.3;
+    wish.ends |= NCK_MOTION_ROUGH;
+    wish.gap = PLAN_GAP;
+    wish.room = PLAN_ROOM;
     return nck_motion_begin(&self->work.motion, &wish);
 }
 
@@ -228,7 +247,7 @@ static void set_node(nck_stream_t *self, int k) {
         square += first * first;
     }
     self->near = nck_track_find(&self->track, self->near, self->clock.s[4 * k]);
-    const double feed = nck_track_at(&self->track, self->near)->feed;
+    const double feed = nck_track_at(&self->track, self->near)->words.feed;
     double least = 1.0 / FASTEST;
     least = nck_max(least, slowness * slowness);
     if (feed > 0.0) least = nck_max(least, square / (feed * feed));
@@ -310,6 +329,8 @@ nck_status_t nck_stream_step(nck_stream_t *self) {
     }
 }
 
+double nck_stream_place(const nck_stream_t *self) { return self->clock.s[4 * self->at]; }
+
 void nck_stream_take(nck_stream_t *self, nck_stream_piece_t *piece_out) {
     const int i = self->at++;
     memcpy(piece_out->point, &self->point[i], sizeof piece_out->point);
@@ -318,6 +339,8 @@ void nck_stream_take(nck_stream_t *self, nck_stream_piece_t *piece_out) {
     self->near = nck_track_find(&self->track, self->near, piece_out->s[0]);
     const nck_track_element_t *const element = nck_track_at(&self->track, self->near);
     memcpy(piece_out->line, element->line, sizeof piece_out->line);
+    piece_out->block = element->block[0];
+    piece_out->words = element->words;
     const int begins = self->clock.begins && i == 0;
     const int ends = self->clock.ends && i + 1 == self->clock.knots;
     piece_out->rests = (uint8_t)(begins | (ends << 1));

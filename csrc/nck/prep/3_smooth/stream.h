@@ -23,6 +23,8 @@ typedef struct nck_stream_piece {
     double point[4][NCK_AXIS_MAX]; // control points of the uniform B-spline [mm, deg]
     double s[2];       // of the program, at its begin and its end [path mm]
     uint32_t line[2];  // first and last source line of what its begin is in
+    uint32_t block;    // the first block of it
+    nck_track_words_t words; // of it
     uint8_t rests;     // bit 0: at its begin, bit 1: at its end
 } nck_stream_piece_t;
 
@@ -93,6 +95,10 @@ void nck_stream_close(nck_stream_t *self);
 // piece waits to be taken; NCK_DONE: all of the run is given.
 // Cost: 40 000 operations. Context: prep.
 nck_status_t nck_stream_step(nck_stream_t *self);
+
+// Where the next piece begins, when step has said NCK_FULL [path mm]. Cost: constant.
+// Context: prep.
+double nck_stream_place(const nck_stream_t *self);
 
 // Take the next piece, when step has said NCK_FULL. Cost: constant. Context: prep.
 void nck_stream_take(nck_stream_t *self, nck_stream_piece_t *piece_out);

@@ -162,8 +162,9 @@ static double next_place(nck_timing_t *self, double end) {
 // How fast a place may be passed by all that is known.
 static double speed_of(nck_timing_t *self, const nck_track_t *track, sight_t *sight,
                        const nck_track_element_t *element) {
-    const double around = look_around(self, track, sight, REACH * element->feed);
-    const double v = nck_min(around, nck_min(element->feed, rest_speed(self->terms, sight->s)));
+    const double around = look_around(self, track, sight, REACH * element->words.feed);
+    const double feed = element->words.feed;
+    const double v = nck_min(around, nck_min(feed, rest_speed(self->terms, sight->s)));
     return self->closed ? nck_min(v, rest_speed(self->terms, sight->known - sight->s)) : v;
 }
 
@@ -188,7 +189,7 @@ nck_status_t nck_timing_look(nck_timing_t *self, const nck_track_t *track) {
     uint32_t *const near = &self->guess.near[2 * NCK_TIMING_RUNGS];
     *near = nck_track_find(track, *near, sight.s);
     const nck_track_element_t *const element = nck_track_at(track, *near);
-    if (!self->closed && sight.s + REACH * element->feed > sight.known) {
+    if (!self->closed && sight.s + REACH * element->words.feed > sight.known) {
         if (!nck_track_is_full(track)) return NCK_EMPTY;
         self->brakes = self->guess.head - self->guess.tail < NCK_FAIR_WINDOW;
         if (sight.s > sight.known) return NCK_DONE;
@@ -201,7 +202,7 @@ nck_status_t nck_timing_look(nck_timing_t *self, const nck_track_t *track) {
 
 double nck_timing_reach(const nck_timing_t *self, const nck_track_t *track) {
     const uint32_t near = nck_track_find(track, track->tail, self->s[0]);
-    return REACH * nck_track_at(track, near)->feed;
+    return REACH * nck_track_at(track, near)->words.feed;
 }
 
 void nck_timing_drop(nck_timing_t *self, double s) {

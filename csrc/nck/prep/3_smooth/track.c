@@ -2,7 +2,7 @@
 // Inside room 3: the programmed path, and how short lines become one while they are read.
 #include "nck/prep/3_smooth/track.h"
 
-#include <string.h> // memcpy memset
+#include <string.h> // memcmp memcpy memset
 
 #include "nck/base/path.h" // nck_path_part nck_path_tangent_part
 #include "nck/base/real.h" // nck_max nck_min nck_sqrt
@@ -52,12 +52,27 @@ static int level_of(const nck_track_t *self, const nck_track_element_t *line, co
     return level;
 }
 
+static void set_words(nck_track_words_t *words, const nck_seg_t *seg) {
+    memset(words, 0, sizeof *words);
+    words->feed = seg->feed;
+    words->feed_scale = seg->feed_scale;
+    words->spin = seg->spin;
+    words->rapid = seg->rapid;
+}
+
+// 1 if a seg has these words.
+static int is_same(const nck_track_words_t *words, const nck_seg_t *seg) {
+    nck_track_words_t other;
+    set_words(&other, seg);
+    return memcmp(words, &other, sizeof other) == 0;
+}
+
 // Join the line to the newest element. Returns 1, or 0: it cannot be.
 static int join(nck_track_t *self, const nck_seg_t *seg, double tolerance) {
     nck_track_element_t *const line = newest(self);
     const double length = line->length + seg->length;
     if (seg->kind != NCK_SEG_LINE || seg->rapid || self->join.tolerance != tolerance
-        || line->feed != seg->feed || length > SPAN * self->knot_s * line->feed) {
+        || !is_same(&line->words, seg) || length > SPAN * self->knot_s * seg->feed) {
         return 0;
     }
     narrow(self, line);
@@ -93,7 +108,7 @@ nck_status_t nck_track_push(nck_track_t *self, const nck_seg_t *seg, double tole
     element->s = s;
     element->length = seg->length;
     memcpy(element->start, seg->start, sizeof element->start);
-    element->feed = seg->feed;
+    set_words(&element->words, seg);
     element->kind = seg->kind;
     if (seg->kind == NCK_SEG_ARC) element->arc = seg->shape.arc;
     element->tolerance = (float)tolerance;

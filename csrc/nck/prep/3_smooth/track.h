@@ -12,16 +12,25 @@
 
 // Sizes.
 enum {
-    NCK_TRACK_SPAN = NCK_SMOOTH_ROWS < 256 ? 4 * NCK_SMOOTH_ROWS : 1024, // elements
+    NCK_TRACK_SPAN = NCK_CLOCKED_TRACK, // elements
     NCK_TRACK_LEVELS = 4 // of what joining lines may cost
 };
+
+// What holds along an element beside its path.
+typedef struct nck_track_words {
+    double feed;       // wanted path speed [path mm/s]; of a rapid what its axes can do
+    double feed_scale; // as in the seg
+    nck_spin_t spin;   // as in the seg
+    uint8_t rapid;     // 1: G0
+    uint8_t reserved[7]; // 0
+} nck_track_words_t;
 
 // An element.
 typedef struct nck_track_element {
     double s;         // where it begins in its run [path mm]
     double length;    // [path mm]
     double start[NCK_AXIS_MAX]; // [mm, deg]
-    double feed;      // wanted path speed [path mm/s]
+    nck_track_words_t words;
     nck_seg_arc_t arc; // of an arc
     float tolerance;  // what joining has left of P [mm]
     uint32_t line[2]; // first and last source line

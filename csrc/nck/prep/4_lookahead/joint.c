@@ -211,12 +211,32 @@ static inline void make_caps(nck_joint_t *joint, const nck_seg_t *seg, const dou
     if (terms->limits_jerk) cap_by_jerk(joint, terms->j_max);
 }
 
+// A rest to this room; the path goes on, if it is not one.
+static void make_clocked(nck_joint_t *joint, const nck_seg_t *seg, const nck_terms_t *terms) {
+    const double most = terms->machine->path.feed_max / seg->feed_scale;
+    joint->kind = NCK_JOINT_CLOCKED;
+    if (seg->stop) joint->end |= NCK_JOINT_RESTS;
+    joint->end |= NCK_JOINT_STOP;
+    joint->length = 0.0;
+    joint->w_near = 0.0;
+    joint->j_straight = 0.0;
+    joint->a_most = 0.0;
+    joint->shape.clocked = seg->length;
+    if (!seg->rapid && most < seg->feed) joint->limit = NCK_LIMIT_FEED_MAX;
+    if (seg->rapid) joint->limit = NCK_LIMIT_RAPID;
+    joint->v_free = seg->rapid ? seg->v_most : most;
+}
+
 void nck_joint_make(nck_joint_t *joint, const nck_seg_t *seg, const double span[2],
                     const double *tangent_start, const double *tangent_end,
                     const nck_terms_t *terms) {
     begin(joint, seg);
     if (seg->kind >= NCK_SEG_DWELL) {
         make_rest(joint, seg);
+        return;
+    }
+    if (NCK_HAS_OPTIMAL && seg->keeps == NCK_KEEP_CLOCK) {
+        make_clocked(joint, seg, terms);
         return;
     }
     if (seg->kind == NCK_SEG_SPLINE) {

@@ -56,7 +56,7 @@ nck_status_t nck_lookahead_push(nck_lookahead_t *self, const nck_seg_t *seg) {
     nck_joint_t *const before = nck_joint_at(self, self->joint.head - 1);
     if (self->joint.head > 0) nck_corner_meet(before, joint, tangent, start, self->terms);
     memcpy(tangent, end, sizeof end);
-    const int is_spline = NCK_HAS_SMOOTH && seg->kind == NCK_SEG_SPLINE;
+    const int is_spline = NCK_HAS_SMOOTH && joint->kind == NCK_SEG_SPLINE;
     const int parts = is_spline ? nck_joint_parts(joint, self->terms) : 1;
     if (parts > 1) {
         push_parts(self, seg, parts);

@@ -40,8 +40,13 @@ typedef enum nck_joint_end {
     NCK_JOINT_STOP = 1,  // the path rests there
     NCK_JOINT_LAST = 2,  // its seg ends there
     NCK_JOINT_TURNS = 4, // its seg keeps NCK_KEEP_TURNS
-    NCK_JOINT_SMOOTH = 8 // its seg keeps NCK_KEEP_SMOOTH
+    NCK_JOINT_SMOOTH = 8, // its seg keeps NCK_KEEP_SMOOTH
+    NCK_JOINT_RESTS = 16 // of NCK_JOINT_CLOCKED: the path rests there
 } nck_joint_end_t;
+
+// The kind of a joint that is an interval of a clocked path: where its limits are kept is room 5's
+// alone, so for its neighbours here it is a rest.
+enum { NCK_JOINT_CLOCKED = NCK_SEG_TAP + 1 };
 
 // Where the path stops within a tolerance, and the next motion may begin before: near to the corner
 // both leave some jerk of the axes that they share for the other one.
@@ -73,6 +78,7 @@ typedef union nck_joint_shape {
     nck_joint_arc_t arc;   // or line
     nck_joint_bend_t bend; // spline
     double dwell_s;        // dwell [s]; wait: 0
+    double clocked;        // NCK_JOINT_CLOCKED: its length [path mm]
 } nck_joint_shape_t;
 
 // A seg (of a spline: a part of it) as this room sees it, and the junction at its end.

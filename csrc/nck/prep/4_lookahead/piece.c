@@ -179,6 +179,31 @@ static nck_node_t *add_rest(nck_lookahead_t *self, const nck_joint_t *joint) {
     return node;
 }
 
+// An interval of a clocked path: caps by feeds, all else is room 5's.
+static nck_node_t *add_clocked(nck_lookahead_t *self, const nck_joint_t *joint) {
+    nck_node_t *const node = node_at(self, self->window.fill);
+    const double most = joint->v_free;
+    memset(node, 0, sizeof *node);
+    node->seg = joint->seq;
+    node->kind = NCK_SEG_SPLINE;
+    node->tool = (float)joint->tool;
+    node->length = joint->shape.clocked;
+    node->a = self->terms->machine->path.a_max;
+    node->a_over = node->a;
+    node->j = self->terms->j_max;
+    node->j_over = node->j;
+    node->feed = joint->feed;
+    node->vv_over = most * most;
+    node->vv_piece = joint->feed > 0.0 ? nck_min(most * most, joint->feed * joint->feed)
+                                       : most * most;
+    node->vv_node = node->vv_over;
+    node->vv_cap = node->vv_piece;
+    node->limit = joint->limit;
+    node->limit_piece = joint->limit;
+    self->window.fill++;
+    return node;
+}
+
 // How fast the path may be between the segs count − 1 and count, both known if they exist, by the
 // junction and the segs.
 static double speed_between(nck_lookahead_t *self, uint32_t count) {
@@ -390,11 +415,13 @@ nck_status_t nck_piece_place(nck_lookahead_t *self, const double share_after[NCK
     memcpy(ends[1].share, share_after, sizeof ends[1].share);
     const nck_status_t status = look_around(self, count, ends);
     if (status != NCK_OK) return status;
-    nck_node_t *const end =
-        joint->kind >= NCK_SEG_DWELL ? add_rest(self, joint) : place_motion(self, count, ends);
+    const int is_clocked = NCK_HAS_OPTIMAL && joint->kind == NCK_JOINT_CLOCKED;
+    nck_node_t *const end = is_clocked                     ? add_clocked(self, joint)
+                            : joint->kind >= NCK_SEG_DWELL ? add_rest(self, joint)
+                                                           : place_motion(self, count, ends);
     end->last = (joint->end & NCK_JOINT_LAST) != 0;
-    end->stop = (joint->end & NCK_JOINT_STOP) != 0;
-    if (end->stop) {
+    end->stop = (joint->end & (is_clocked ? NCK_JOINT_RESTS : NCK_JOINT_STOP)) != 0;
+    if (joint->end & NCK_JOINT_STOP) {
         self->before.vv = 0.0;
         self->before.vv_over = 0.0;
         self->before_limit = NCK_LIMIT_EXACT_STOP;

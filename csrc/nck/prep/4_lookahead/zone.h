@@ -24,10 +24,10 @@ static inline int nck_zone_rests(double dwell_s, double zone_s) {
     return dwell_s >= 2.0 * zone_s;
 }
 
-// 1 if a joint is such a rest, or a WAIT. Cost: constant.
+// 1 if a joint is such a rest, a WAIT, or of a clocked path. Cost: constant.
 static inline int nck_zone_parts(const nck_joint_t *joint, double zone_s) {
     if (joint->kind < NCK_SEG_DWELL) return 0;
-    return joint->kind == NCK_SEG_WAIT
+    return joint->kind == NCK_SEG_WAIT || joint->kind == NCK_JOINT_CLOCKED
            || (joint->kind == NCK_SEG_DWELL && nck_zone_rests(joint->shape.dwell_s, zone_s));
 }
 

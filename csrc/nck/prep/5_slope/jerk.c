@@ -50,7 +50,7 @@ enum { TRIES_MOST = 4 };
 #define REDONE_MOST 3
 
 static int taps_of(const nck_machine_t *machine) {
-    return machine->slope == NCK_SLOPE_JERK ? NCK_FILTER_TAPS : 1;
+    return nck_machine_filters(machine) ? NCK_FILTER_TAPS : 1;
 }
 
 // What a ramp from full speed to rest takes [s]: no more acceleration is come to than √(v·j).

@@ -318,7 +318,7 @@ static int are_straight(const nck_seg_t *in, const nck_seg_t *out, double furthe
 
 // By how much cells of constant acceleration, which stays for their time, may pass t·j sooner [s].
 static double slack_of(const nck_machine_t *machine) {
-    if (machine->slope != NCK_SLOPE_JERK) return 0.0;
+    if (!nck_machine_filters(machine)) return 0.0;
     return NCK_LADDER_STRETCH * nck_jerk_cell_s(machine);
 }
 
@@ -359,7 +359,7 @@ static double join(const nck_machine_t *machine, const nck_link_t *link,
     }
     corner.v_most = nck_sqrt(vv);
     corner.period = machine->period_s;
-    corner.taps = machine->slope == NCK_SLOPE_JERK ? (double)NCK_FILTER_TAPS : 1.0;
+    corner.taps = nck_machine_filters(machine) ? (double)NCK_FILTER_TAPS : 1.0;
     corner.shares = nck_overlap_shares(machine, NCK_AXIS_MAX, &motions);
     // At a low speed a spline has more jerk than its piece tells (jerk.md, "What a bend leaves").
     const int are_lines = seg[0]->kind == NCK_SEG_LINE && seg[1]->kind == NCK_SEG_LINE;

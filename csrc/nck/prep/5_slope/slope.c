@@ -5,11 +5,11 @@
 #include <assert.h> // assert
 #include <string.h> // memset
 
-#include "nck/base/budget.h"              // NCK_UNLIMITED
 #include "nck/base/fence.h"               // nck_fence_load nck_fence_store
 #include "nck/base/real.h"                // nck_max
 #include "nck/prep/5_slope/ladder_math.h" // NCK_LADDER_STRETCH
 #include "nck/prep/5_slope/overlap.h"     // nck_overlap_…
+#include "nck/prep/5_slope/planner.h"     // nck_planner_…
 
 enum { PHASE_IDLE = 0, PHASE_MAKE, PHASE_INSTALL };
 
@@ -27,55 +27,24 @@ enum { PHASE_IDLE = 0, PHASE_MAKE, PHASE_INSTALL };
 #define NO_WAY (1 + (NCK_PROFILE > 128 ? NCK_PROFILE / 16 : 8))
 // The same for a brake, which is sought from cell to cell; and the cells that the last try took.
 enum { NO_BRAKE = 4 };
+// The same where plans are sought by optimisation: about three intervals, so that the window has
+// most of its way left.
+enum { NO_MOTION = 8 };
 
-// The machine's slope, one of those that the build has (nck_machine_check): the others are not
-// called.
-static uint32_t planner_of(const nck_machine_t *machine) {
-    if (!NCK_HAS_JERK) return NCK_SLOPE_LINEAR;
-    if (NCK_HAS_SSHAPE) return machine->slope;
-    return machine->slope == NCK_SLOPE_JERK ? NCK_SLOPE_JERK : NCK_SLOPE_LINEAR;
-}
-
-void nck_slope_init(nck_slope_t *self, const nck_machine_t *machine, nck_link_t *link) {
+void nck_slope_init(nck_slope_t *self, const nck_terms_t *terms, nck_link_t *link) {
+    const nck_machine_t *const machine = terms->machine;
     memset(self, 0, sizeof *self);
+    self->terms = terms;
     self->machine = machine;
     self->link = link;
     self->lead_s = LEAD_PERIODS * machine->period_s;
-    self->cell_s = NCK_UNLIMITED;
     self->now.complete = 1;
     self->now.end_s = NCK_PLAN_BEGIN;
     self->wish.feed = 1.0;
     self->wish.rapid = 1.0;
     self->wish.tool = NCK_WISH_FREE;
-    self->overlaps = NCK_HAS_OVERLAP && planner_of(machine) != NCK_SLOPE_LINEAR;
-    switch (planner_of(machine)) {
-    case NCK_SLOPE_JERK:
-        self->cell_s = NCK_LADDER_STRETCH * nck_jerk_cell_s(machine);
-        nck_jerk_init(&self->planner.jerk, machine, link, &self->now, &self->next);
-        break;
-    case NCK_SLOPE_SSHAPE:
-        nck_sshape_init(&self->planner.sshape, machine, link, &self->now, &self->next);
-        break;
-    default:
-        nck_linear_init(&self->planner.linear, machine, link, &self->next);
-        break;
-    }
-}
-
-static void begin_plan(nck_slope_t *self, const nck_job_t *job) {
-    switch (planner_of(self->machine)) {
-    case NCK_SLOPE_JERK: nck_jerk_begin(&self->planner.jerk, job); break;
-    case NCK_SLOPE_SSHAPE: nck_sshape_begin(&self->planner.sshape, job); break;
-    default: nck_linear_begin(&self->planner.linear, job); break;
-    }
-}
-
-static nck_status_t step_plan(nck_slope_t *self, const nck_pieces_t *pieces) {
-    switch (planner_of(self->machine)) {
-    case NCK_SLOPE_JERK: return nck_jerk_step(&self->planner.jerk, pieces);
-    case NCK_SLOPE_SSHAPE: return nck_sshape_step(&self->planner.sshape, pieces);
-    default: return nck_linear_step(&self->planner.linear, pieces);
-    }
+    nck_planner_init(self);
+    self->overlaps = NCK_HAS_OVERLAP && nck_planner_kind(self) != NCK_SLOPE_LINEAR;
 }
 
 static void note_begun(nck_slope_t *self) {
@@ -104,7 +73,7 @@ static void begin(nck_slope_t *self, nck_job_t *job, uint32_t count, uint32_t ov
 static void make(nck_slope_t *self, const nck_job_t *job) {
     self->kind = job->kind;
     self->phase = PHASE_MAKE;
-    begin_plan(self, job);
+    nck_planner_begin(self, job);
 }
 
 static int is_released(const nck_slope_t *self) {
@@ -119,6 +88,7 @@ static nck_status_t start(nck_slope_t *self, const nck_pieces_t *pieces) {
     nck_job_t job;
     if (!is_released(self)) return NCK_FULL;
     if (!piece) return NCK_EMPTY;
+    nck_planner_choose(self, piece);
     begin(self, &job, self->now.begin + self->now.n, 0);
     const double cap = nck_plan_cap(piece, &self->wish, self->next.over);
     if (piece->length > 0.0 && !(cap > 0.0)) return NCK_FULL;
@@ -179,7 +149,7 @@ static int waits_behind(const nck_slope_t *self, const nck_pieces_t *pieces) {
 static void tell(nck_slope_t *self) {
     const int brakes = self->now.held == NCK_HELD_RESUME || self->now.held == NCK_HELD_OVERRIDE;
     nck_fence_store(&self->waits, self->now.held == NCK_HELD_BLOCK);
-    nck_fence_store(&self->brakes, brakes && !self->in_tail);
+    nck_fence_store(&self->brakes, (brakes || self->now.slows) && !self->in_tail);
 }
 
 // The plan of now stays, to its end.
@@ -219,7 +189,7 @@ static uint32_t larger(uint32_t one, uint32_t other) { return one > other ? one 
 // Where a plan begun now takes over. As many cells pass as for the last one, twice, because it is
 // made twice; where they are long, or those for the last one were short, as much time as others
 // last. A hold's is short. What was put off gets more.
-static uint32_t takeover(const nck_slope_t *self) {
+static uint32_t takeover(nck_slope_t *self) {
     const double periods = self->wish.hold ? HOLD_PERIODS : PLAN_PERIODS;
     const uint32_t done = final_count(self);
     const double least_s = periods * self->machine->period_s;
@@ -228,7 +198,7 @@ static uint32_t takeover(const nck_slope_t *self) {
     const uint32_t cells = larger(twice * self->spent.cells, self->answer.reserve.cells);
     const uint32_t even = larger(twice * self->spent.even, self->answer.reserve.even);
     const uint32_t first = cell_after(self, done, (double)even * self->cell_s, cells);
-    return larger(larger(least, first), self->now.beside);
+    return nck_planner_seam(self, larger(larger(least, first), self->now.beside));
 }
 
 // Cells that the tick has taken since the plan in work was begun.
@@ -322,12 +292,16 @@ static void finish(nck_slope_t *self) {
 // No plan joins: the plan of now goes on, and the next one begins later.
 static void give_up(nck_slope_t *self, const nck_pieces_t *pieces) {
     const int brakes = self->kind == NCK_JOB_BRAKE;
+    const int is_short = nck_planner_kind(self) == NCK_SLOPE_OPTIMAL;
     const uint32_t held = brakes ? self->next.held : (uint32_t)NCK_HELD_NOT;
     self->phase = PHASE_IDLE;
     self->awaits_tail = self->hurried; // a rest that nobody asked for is told as starvation
     if (self->hurried) return;
     self->anew = 1;
-    self->now.commit += brakes ? NO_BRAKE + passed_meanwhile(self) : (uint32_t)NO_WAY;
+    self->now.commit += brakes     ? NO_BRAKE + passed_meanwhile(self)
+                        : is_short ? (uint32_t)NO_MOTION
+                                   : (uint32_t)NO_WAY;
+    self->now.commit = nck_planner_seam(self, self->now.commit);
     if (self->now.commit >= self->now.n) keep_plan(self, pieces, held);
 }
 
@@ -374,6 +348,7 @@ static nck_status_t install(nck_slope_t *self, const nck_pieces_t *pieces) {
 static nck_status_t begin_next(nck_slope_t *self, const nck_pieces_t *pieces) {
     if (self->now.complete) return start(self, pieces);
     if (self->awaits_tail) return NCK_FULL;
+    if (self->now.slows && self->wish.hold) return NCK_FULL; // the tick does the rest
     go_on(self, pieces, self->now.commit);
     return NCK_OK;
 }
@@ -382,7 +357,7 @@ static nck_status_t begin_next(nck_slope_t *self, const nck_pieces_t *pieces) {
 static nck_status_t work(nck_slope_t *self, const nck_pieces_t *pieces) {
     if (self->phase == PHASE_IDLE) return begin_next(self, pieces);
     if (self->phase == PHASE_INSTALL) return install(self, pieces);
-    const nck_status_t status = step_plan(self, pieces);
+    const nck_status_t status = nck_planner_step(self, pieces);
     switch (status) {
     case NCK_DONE: finish(self); return NCK_OK;
     case NCK_FULL: keep_plan(self, pieces, self->next.held); return NCK_OK;
@@ -499,18 +474,15 @@ int nck_slope_hurry(nck_slope_t *self, uint32_t periods) {
     if (self->phase != PHASE_MAKE || !takes_what_is_there(self, periods, late)) return 0;
     self->idle.status = NCK_OK;
     self->hurried = (uint32_t)late; // what does not join early is tried again
-    switch (planner_of(self->machine)) {
-    case NCK_SLOPE_JERK: nck_jerk_hurry(&self->planner.jerk); break;
-    case NCK_SLOPE_SSHAPE: nck_sshape_hurry(&self->planner.sshape); break;
-    default: nck_linear_hurry(&self->planner.linear); break;
-    }
+    nck_planner_hurry(self);
     return 1;
 }
 
 // A jerk-limited plan looks at pieces of the plan of now that the tick has passed, whether or not
 // it has: setpoints must not hang on time.
 uint32_t nck_slope_needs(const nck_slope_t *self) {
-    const int looks_back = planner_of(self->machine) == NCK_SLOPE_JERK;
+    const uint32_t kind = nck_planner_kind(self);
+    const int looks_back = kind == NCK_SLOPE_JERK || kind == NCK_SLOPE_OPTIMAL;
     return looks_back && final_count(self) < self->now.n ? self->now.first_piece : self->now.piece;
 }
 

@@ -6,7 +6,7 @@
 //                                                  ▼
 //                         hold, resume ─▶ now: published; its first cells are final
 //
-// Three planners of one shape (begin, step): linear, jerk and sshape. A plan goes on from the
+// Planners of one shape (begin, step): linear, jerk, sshape and optimal. A plan goes on from the
 // moving state where the last one is left, and ends at rest. Hold, override, single block and abort
 // are plans like any other.
 #ifndef NCK_PREP_SLOPE_H
@@ -19,6 +19,7 @@
 #include "nck/base/terms.h"           // nck_terms_t
 #include "nck/prep/5_slope/jerk.h"    // nck_jerk_t
 #include "nck/prep/5_slope/linear.h"  // nck_linear_t
+#include "nck/prep/5_slope/optimal.h" // nck_optimal_t
 #include "nck/prep/5_slope/plan.h"    // nck_plan_t nck_pieces_t nck_wish_t
 #include "nck/prep/5_slope/sshape.h"  // nck_sshape_t
 
@@ -31,6 +32,7 @@ typedef struct nck_slope_passed {
 // The room's state: plan after plan, and what the operator wants of them.
 typedef struct nck_slope {
     const nck_machine_t *machine;
+    const nck_terms_t *terms;
     nck_link_t *link;      // producer's side
     nck_wish_t wish;
     double lead_s;         // duration of the cells that are final ahead of the tick [s]
@@ -66,10 +68,12 @@ typedef struct nck_slope {
     } idle;
     uint32_t hurried;      // 1: the plan in work takes what is known …
     uint32_t awaits_tail;  // … 1: and did not join: the path starves
-    union {                // by machine->slope
+    uint32_t kind_in_force; // nck_slope_kind_t of the planner in force
+    union {                // by it
         nck_linear_t linear;
         nck_jerk_t jerk;
         nck_sshape_t sshape;
+        NCK_OPTIMAL_MEMBER(nck_optimal_t, optimal)
     } planner;
 } nck_slope_t;
 
@@ -78,7 +82,7 @@ typedef struct nck_slope {
 void nck_slope_terms(const nck_machine_t *machine, nck_terms_t *terms_out);
 
 // At rest where the link ends. Cost: linear in the capacities. Context: any, before the tick runs.
-void nck_slope_init(nck_slope_t *self, const nck_machine_t *machine, nck_link_t *link);
+void nck_slope_init(nck_slope_t *self, const nck_terms_t *terms, nck_link_t *link);
 
 // One bounded piece of work. Returns NCK_OK (call again), NCK_EMPTY (needs pieces), NCK_FULL (waits
 // for the tick, or is held), NCK_E_INTERNAL (a broken plan, see nck_link_publish).

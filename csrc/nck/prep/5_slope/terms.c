@@ -3,10 +3,17 @@
 #include "nck/prep/5_slope/slope.h"
 
 #include "nck/base/limits.h"              // NCK_FILTER_TAPS
-#include "nck/base/real.h"                // nck_max
+#include "nck/base/real.h"                // nck_max nck_min
+#include "nck/base/root_math.h"           // nck_root_cube
 #include "nck/prep/5_slope/ladder_math.h" // nck_ladder_raise NCK_LADDER_STRETCH
 #include "nck/prep/5_slope/overlap.h"     // NCK_OVERLAP_CELLS
 
+// Knots of a clocked path: so much of (P/J)^(1/3), which is what a corner within P takes, for this
+// P [mm] and the highest J; between these [s].
+#define KNOT_SHARE 0.4
+#define KNOT_TOLERANCE 0.01
+#define KNOT_LEAST 0.00025
+#define KNOT_MOST 0.004
 #define FILTERS_LEAST 2.0 // that a ramp lasts
 // Times D: what a cell lasts beside a rest, where a ladder has few cells and else.
 #define BESIDE_REST_FEW 3.0
@@ -37,10 +44,20 @@ static double jerk_along(const nck_machine_t *machine, uint8_t axes, double filt
     return filter > 0.0 ? nck_min(j, a / (FILTERS_LEAST * filter)) : j;
 }
 
+// How long an interval of a clocked path lasts by its clock [s].
+static double knot_of(const nck_machine_t *machine, uint8_t axes) {
+    double j = 0.0;
+    for (int x = 0; x < axes; x++) {
+        if (machine->axis[x].present) j = nck_max(j, machine->axis[x].j_max);
+    }
+    const double knot = KNOT_SHARE * nck_root_cube(KNOT_TOLERANCE / j);
+    return nck_max(KNOT_LEAST, nck_min(knot, KNOT_MOST));
+}
+
 // For how long two motions may overlap: the cells of the first one wait in the ring.
 static double ride_of(const nck_machine_t *machine) {
     const double times = NCK_PROFILE_ROWS < FEW ? BESIDE_REST_FEW : BESIDE_REST;
-    const int is_filtered = machine->slope == NCK_SLOPE_JERK;
+    const int is_filtered = nck_machine_filters(machine);
     const double cell = is_filtered ? times * nck_jerk_cell_s(machine) : machine->period_s;
     return (double)NCK_OVERLAP_CELLS * cell;
 }
@@ -50,10 +67,10 @@ static double ride_of(const nck_machine_t *machine) {
 void nck_slope_terms(const nck_machine_t *machine, nck_terms_t *terms_out) {
     const double period = machine->period_s;
     const double filter = (double)NCK_FILTER_TAPS * period;
-    const int is_filtered = machine->slope == NCK_SLOPE_JERK;
+    const int is_filtered = nck_machine_filters(machine);
     const uint8_t axes = axes_of(machine);
     const nck_terms_t linear = {machine, 0, 1, 0, 1, axes, machine->path.j_max, 0.0, 0.0, period,
-                                0.0};
+                                0.0, 0.0};
     *terms_out = linear;
     if (!NCK_HAS_JERK || machine->slope == NCK_SLOPE_LINEAR) return;
     terms_out->limits_jerk = 1;
@@ -66,5 +83,6 @@ void nck_slope_terms(const nck_machine_t *machine, nck_terms_t *terms_out) {
     terms_out->v_filter =
         nck_ladder_raise(terms_out->j_max, filter, NCK_LADDER_STRETCH * cell);
     terms_out->rest_s = is_filtered ? period + filter : period;
+    if (machine->slope == NCK_SLOPE_OPTIMAL) terms_out->knot_s = knot_of(machine, axes);
     if (NCK_HAS_OVERLAP) terms_out->ride_s = ride_of(machine);
 }

@@ -36,8 +36,10 @@
 #define RUNS_EPSILON 1e-9
 // Newton's steps to a time within a cell: each doubles the digits of a first guess good to some %.
 enum { TIME_STEPS = 4 };
-// Places where a brake looks for bends.
-enum { BEND_PLACES = 4 };
+// Places where a brake looks for bends, as far as BEND_TIMES of what it takes to become weaker by
+// half: the intervals of a clocked path are short.
+enum { BEND_PLACES = 4, BEND_PLACES_CLOCKED = 40 };
+#define BEND_TIMES 3.0
 
 // What all axes allow together.
 typedef struct bounds {
@@ -50,23 +52,52 @@ typedef struct bounds {
     double back;             // share of the jerk that leads back
 } bounds_t;
 
-// The derivatives of the path by its coordinate at a place.
-typedef struct geometry {
-    double first[NCK_AXIS_MAX];
-    double second[NCK_AXIS_MAX];
-    double third[NCK_AXIS_MAX];
-} geometry_t;
-
 // The end of a seg.
 typedef struct seg_end {
     double jump[NCK_AXIS_MAX]; // by which dp/ds jumps there
     double in_s;               // until then [s]
 } seg_end_t;
 
-static void find_geometry(const nck_seg_t *seg, double s, geometry_t *out) {
+static double dot(const double *a, const double *b) {
+    double sum = 0.0;
+    for (int x = 0; x < NCK_AXIS_MAX; x++) sum += a[x] * b[x];
+    return sum;
+}
+
+// From derivatives by the coordinate s to those by the length l: with q = |p′|, e = p′·p″
+//   s′ = 1/q    s″ = −e/q⁴    s‴ = (4e²/q² − p″·p″ − p′·p‴)/q⁵
+//   p‴s′³ + 3p″s′s″ + p′s‴,    p″s′² + p′s″,    p′s′
+static void by_length(nck_clock_geometry_t *at) {
+    const double qq = dot(at->first, at->first);
+    if (!(qq > 0.0)) return;
+    const double q = nck_sqrt(qq);
+    const double e = dot(at->first, at->second);
+    const double bend = dot(at->second, at->second) + dot(at->first, at->third);
+    at->s[0] = 1.0 / q;
+    at->s[1] = -e / (qq * qq);
+    at->s[2] = (4.0 * e * e / qq - bend) / (qq * qq * q);
+    for (int x = 0; x < NCK_AXIS_MAX; x++) {
+        const double by_two = at->second[x] * at->s[0] * at->s[1];
+        const double by_three = at->third[x] * at->s[0] * at->s[0] * at->s[0];
+        at->third[x] = by_three + 3.0 * by_two + at->first[x] * at->s[2];
+        at->second[x] = at->second[x] * at->s[0] * at->s[0] + at->first[x] * at->s[1];
+        at->first[x] *= at->s[0];
+    }
+}
+
+// On a clocked path the coordinate goes on by the clock, so a brake goes by the length.
+static void find_geometry(const nck_seg_t *seg, double s, nck_clock_geometry_t *out) {
     nck_path_tangent(seg, s, out->first);
     nck_path_second(seg, s, out->second);
     nck_path_third(seg, s, out->third);
+    out->s[0] = 1.0;
+    out->s[1] = 0.0;
+    out->s[2] = 0.0;
+    if (seg->keeps == NCK_KEEP_CLOCK) by_length(out);
+}
+
+static double so_far(const nck_clock_geometry_t *at, double length) {
+    return (at->s[0] + (0.5 * at->s[1] + at->s[2] / 6.0 * length) * length) * length;
 }
 
 // Jerk of one axis along its own direction on the path:
@@ -88,7 +119,8 @@ static void bound_jerk(bounds_t *bounds, double along, double twist, double j_ma
 
 // The most that |p′| of an axis is in a seg: an arc turns to it, a spline's is a mean of the
 // slopes between its points.
-static double most_along(const nck_seg_t *seg, int x) {
+static double most_along(const nck_seg_t *seg, const nck_clock_geometry_t *at, int x) {
+    if (seg->keeps == NCK_KEEP_CLOCK) return nck_fabs(at->first[x]);
     if (nck_path_turns(seg, x)) return 1.0;
     if (seg->kind != NCK_SEG_SPLINE) return nck_fabs(nck_path_slope(seg, x));
     const double b1 = seg->shape.inner[0][x];
@@ -99,7 +131,8 @@ static double most_along(const nck_seg_t *seg, int x) {
 
 // What follows at the seg's end is felt one period on: a sample of acceleration spans two.
 static int feels_end(const nck_clock_t *self, const nck_clock_place_t *place, double period) {
-    return place->behind && place->s + 2.0 * self->first.v * period >= place->seg->length;
+    const double way = so_far(&place->at, 2.0 * self->first.v * period);
+    return place->behind && place->s + way >= place->seg->length;
 }
 
 // By how much p′ jumps at the place's end: at a corner, or by what the seam of splines leaves.
@@ -108,6 +141,7 @@ static void look_at_corner(const nck_clock_place_t *place, double *jump_out) {
     double behind[NCK_AXIS_MAX];
     memset(jump_out, 0, NCK_AXIS_MAX * sizeof *jump_out);
     if (!place->behind) return;
+    if (place->seg->keeps == NCK_KEEP_CLOCK) return;
     nck_path_tangent(place->seg, place->seg->length, before);
     nck_path_tangent(place->behind, 0.0, behind);
     for (int x = 0; x < NCK_AXIS_MAX; x++) jump_out[x] = nck_fabs(behind[x] - before[x]);
@@ -126,7 +160,7 @@ static void feel_corner(nck_clock_t *self, const nck_terms_t *terms, const doubl
 
 // One axis, at a place and behind the next seg's begin.
 static void bound_axis(const nck_clock_t *self, const nck_terms_t *terms, int x,
-                       const geometry_t at[2], const seg_end_t *end, bounds_t *bounds) {
+                       const nck_clock_geometry_t at[2], const seg_end_t *end, bounds_t *bounds) {
     const nck_axis_t *const axis = &terms->machine->axis[x];
     const double period = terms->machine->period_s;
     const double v = self->first.v;
@@ -146,7 +180,7 @@ static void bound_axis(const nck_clock_t *self, const nck_terms_t *terms, int x,
     const double speed[2] = {v, next};
     for (int n = 0; n < 4; n++) {
         const double u = speed[n / 2];
-        const geometry_t *const g = &at[n % 2];
+        const nck_clock_geometry_t *const g = &at[n % 2];
         const double twist = sign * (g->third[x] * u * u + 3.0 * g->second[x] * self->second.a) * u;
         bound_jerk(bounds, along, twist, axis->j_max);
     }
@@ -155,20 +189,35 @@ static void bound_axis(const nck_clock_t *self, const nck_terms_t *terms, int x,
 // What a bend leaves to braking, of every axis:  |p‴v³ − 3p″v|a|| ≤ J
 static double accel_in_bend(const nck_terms_t *terms, const nck_seg_t *seg, double s, double v) {
     double accel = terms->machine->path.a_max;
-    double second[NCK_AXIS_MAX];
-    double third[NCK_AXIS_MAX];
+    nck_clock_geometry_t at;
     if (seg->kind == NCK_SEG_LINE) return accel;
-    nck_path_second(seg, s, second);
-    nck_path_third(seg, s, third);
+    find_geometry(seg, s, &at);
     for (int x = 0; x < terms->axes; x++) {
         const nck_axis_t *const axis = &terms->machine->axis[x];
-        const double bend = 3.0 * nck_fabs(second[x]) * v;
-        const double sign = second[x] < 0.0 ? -1.0 : 1.0;
-        const double left = BEND_SHARE * axis->j_max + sign * third[x] * v * v * v;
+        const double bend = 3.0 * nck_fabs(at.second[x]) * v;
+        const double sign = at.second[x] < 0.0 ? -1.0 : 1.0;
+        const double left = BEND_SHARE * axis->j_max + sign * at.third[x] * v * v * v;
         const double takes = nck_max(BEND_LEAST * axis->j_max, left);
         if (axis->present && bend * accel > takes) accel = takes / bend;
     }
     return accel;
+}
+
+// Where the path is so far behind a place [of its seg's coordinate]: the seg there, or the last one
+// that is known on this side of a rest.
+static const nck_seg_t *seek_ahead(const nck_clock_place_t *place, double way, double *s_out) {
+    const nck_link_t *const link = place->link;
+    const uint32_t head = nck_fence_load(&link->seg_head);
+    const nck_seg_t *seg = place->seg;
+    double s = place->s + way;
+    while (s > seg->length && !seg->stop && head - seg->seq > 1) {
+        const nck_seg_t *const next = nck_link_seg(link, seg->seq + 1);
+        if (!(next->length > 0.0)) break;
+        s = (s - seg->length) * (seg->keeps == NCK_KEEP_CLOCK ? next->length / seg->length : 1.0);
+        seg = next;
+    }
+    *s_out = nck_min(s, seg->length);
+    return seg;
 }
 
 // Braking has to be so weak in a bend when it is there: here, and where the tool is when braking
@@ -177,14 +226,15 @@ static double accel_in_bends(const nck_clock_t *self, const nck_terms_t *terms,
                              const nck_clock_place_t *place, double j) {
     const double back = BEND_BACK * j;
     double a_low = -terms->machine->path.a_max;
-    for (int n = 0; n < BEND_PLACES; n++) {
-        const double time = n * (0.5 * nck_fabs(self->second.a) / back + terms->machine->period_s);
-        const double s = place->s + self->first.v * time;
-        const double beyond = s - place->seg->length;
-        const int next = beyond > 0.0 && place->behind;
-        const nck_seg_t *const seg = next ? place->behind : place->seg;
+    const double half = 0.5 * nck_fabs(self->second.a) / back + terms->machine->period_s;
+    const int is_clocked = NCK_HAS_OPTIMAL && place->seg->keeps == NCK_KEEP_CLOCK;
+    const int places = is_clocked ? (int)BEND_PLACES_CLOCKED : (int)BEND_PLACES;
+    for (int n = 0; n < places; n++) {
+        const double time = BEND_TIMES * half * (double)n / (double)(places - 1);
+        double s = 0.0;
+        const nck_seg_t *const seg = seek_ahead(place, self->first.v * place->at.s[0] * time, &s);
         const double v = nck_max(0.0, self->first.v + 0.5 * self->second.a * time);
-        const double there = accel_in_bend(terms, seg, nck_min(next ? beyond : s, seg->length), v);
+        const double there = accel_in_bend(terms, seg, s, v);
         a_low = nck_max(a_low, -there - back * time);
     }
     return a_low;
@@ -198,19 +248,17 @@ static bounds_t bounds_of(nck_clock_t *self, const nck_terms_t *terms,
     const double a_path = machine->path.a_max;
     bounds_t bounds = {-SHARE * a_path, -a_path, -BEGIN_SHARE * j_path, back * j_path, -j_path,
                        1.0 / j_path, 1.0 / j_path, j_path, back};
-    geometry_t at[2];
+    nck_clock_geometry_t at[2] = {place->at, place->at};
     seg_end_t end;
-    find_geometry(place->seg, place->s, &at[0]);
-    at[1] = at[0];
     const int felt = feels_end(self, place, machine->period_s);
     if (felt) find_geometry(place->behind, 0.0, &at[1]);
     look_at_corner(place, end.jump);
     feel_corner(self, terms, end.jump, felt);
-    end.in_s = nck_max(0.0, place->seg->length - place->s) / self->first.v;
+    end.in_s = nck_max(0.0, place->seg->length - place->s) / (self->first.v * place->at.s[0]);
     for (int x = 0; x < terms->axes; x++) {
         bound_axis(self, terms, x, at, &end, &bounds);
-        const double behind = place->behind ? most_along(place->behind, x) : 0.0;
-        const double along = nck_max(most_along(place->seg, x), behind);
+        const double behind = place->behind ? most_along(place->behind, &at[1], x) : 0.0;
+        const double along = nck_max(most_along(place->seg, &at[0], x), behind);
         if (!machine->axis[x].present || along < ALONG_LEAST) continue;
         bounds.j_end = nck_min(bounds.j_end, machine->axis[x].j_max / along);
     }
@@ -279,6 +327,13 @@ void nck_clock_begin(nck_clock_t *self, double v, double a) {
     nck_fence_store(&self->state, NCK_CLOCK_BRAKES);
 }
 
+void nck_clock_measure(const nck_seg_t *seg, double s, nck_pose_t *pose) {
+    double tangent[NCK_AXIS_MAX];
+    nck_path_tangent(seg, s, tangent);
+    pose->s = seg->s_begin + seg->length * nck_path_share(seg, s);
+    pose->v *= nck_sqrt(dot(tangent, tangent));
+}
+
 void nck_clock_find(const nck_link_t *link, const nck_cell_t *cell, double t,
                     nck_clock_place_t *place_out) {
     const uint32_t last = cell->seg + cell->span;
@@ -293,14 +348,18 @@ void nck_clock_find(const nck_link_t *link, const nck_cell_t *cell, double t,
     place_out->seg = nck_link_seg(link, seq);
     place_out->s = nck_min(s, place_out->seg->length);
     place_out->behind = behind && behind->length > 0.0 ? behind : NULL; // no dwell, no wait
+    place_out->link = link;
+    find_geometry(place_out->seg, place_out->s, &place_out->at);
 }
 
 // Cells of constant acceleration are the steps of a ramp, which is met in the middle of each.
-void nck_clock_plan(const nck_cell_t *cell, double t, double a_before, double *v_out,
-                    double *a_out) {
+void nck_clock_plan(const nck_cell_t *cell, double t, double a_before, nck_clock_place_t *place) {
     const double share = cell->duration > 0.0 ? t / cell->duration - 0.5 : 0.0;
-    *v_out = nck_max(0.0, nck_cell_speed(cell, t));
-    *a_out = cell->a + cell->j * t + share * (cell->a - a_before);
+    const double v = nck_max(0.0, nck_cell_speed(cell, t));
+    const double a = cell->a + cell->j * t + share * (cell->a - a_before);
+    const double *const by = place->at.s;
+    place->v = v / by[0];
+    place->a = (a - by[1] * place->v * place->v) / by[0];
 }
 
 double nck_clock_brake(nck_clock_t *self, const nck_terms_t *terms,
@@ -315,7 +374,8 @@ double nck_clock_brake(nck_clock_t *self, const nck_terms_t *terms,
     const int rests = !(v > v_least);
     self->second.a = rests ? 0.0 : a;
     self->first.v = rests ? 0.0 : v;
-    return rests ? 0.5 * v0 * period : (v0 + (2.0 * a0 + a) / 6.0 * period) * period;
+    const double way = rests ? 0.5 * v0 * period : (v0 + (2.0 * a0 + a) / 6.0 * period) * period;
+    return so_far(&place->at, way);
 }
 
 // The least time constant τ that the quantities V, A and J of an axis let a clock have that sets

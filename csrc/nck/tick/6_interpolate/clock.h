@@ -35,11 +35,21 @@ typedef struct nck_clock {
     float j_end;              // … the jerk that takes the last acceleration away [path mm/s³]
 } nck_clock_t;
 
+// The derivatives of the path by its length at a place, and those of the seg's coordinate by it.
+typedef struct nck_clock_geometry {
+    double first[NCK_AXIS_MAX];
+    double second[NCK_AXIS_MAX];
+    double third[NCK_AXIS_MAX];
+    double s[3];
+} nck_clock_geometry_t;
+
 // Where the tool is, for a brake.
 typedef struct nck_clock_place {
     const nck_seg_t *seg;
     const nck_seg_t *behind; // the seg behind it; NULL: none is known, or the path rests between
     double s;                // in the seg [path mm]
+    const nck_link_t *link;  // where the segs are
+    nck_clock_geometry_t at;
     double v, a;             // that the plan has there [path mm/s], [path mm/s²]
 } nck_clock_place_t;
 
@@ -52,11 +62,21 @@ void nck_clock_begin(nck_clock_t *self, double v, double a);
 void nck_clock_find(const nck_link_t *link, const nck_cell_t *cell, double t,
                     nck_clock_place_t *place_out);
 
-// The speed and the acceleration that the plan has at the time t from the begin of the cell.
-// a_before: of the cell before, where cells are steps; else the cell's own. Cost: constant.
+// How many periods the tick hands out the mean of on a seg: a clocked path needs no filter.
+// Cost: constant. Context: tick.
+static inline uint32_t nck_clock_taps(const nck_terms_t *terms, const nck_seg_t *seg) {
+    return NCK_HAS_OPTIMAL && seg->keeps == NCK_KEEP_CLOCK ? 1u : terms->taps;
+}
+
+// At s of a clocked seg, whose coordinate goes by the clock: the pose tells the program's
+// coordinate by the share of the seg's length, and the tool's own speed. Cost: seven tangents.
 // Context: tick.
-void nck_clock_plan(const nck_cell_t *cell, double t, double a_before, double *v_out,
-                    double *a_out);
+void nck_clock_measure(const nck_seg_t *seg, double s, nck_pose_t *pose);
+
+// The speed and the acceleration that the plan has at the time t from the begin of the cell, at the
+// place that was found for it. a_before: of the cell before, where cells are steps; else the cell's
+// own. Cost: constant. Context: tick.
+void nck_clock_plan(const nck_cell_t *cell, double t, double a_before, nck_clock_place_t *place);
 
 // One period of braking from the clock's v and a, which become those behind it: the jerk is the
 // least that every axis allows. Returns the way [path mm].

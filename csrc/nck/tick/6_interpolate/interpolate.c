@@ -44,6 +44,8 @@ static void finish_before(nck_interpolate_t *self, uint32_t seq) {
 
 // The first cell behind a rest.
 static void set_off(nck_interpolate_t *self) {
+    if (self->cell.stop & NCK_STOP_SETS_OFF) nck_clock_go_on(&self->clock);
+    self->filter.taps = nck_clock_taps(self->terms, seg_at(self, self->cell.seg));
     self->rests = 0;
     nck_mean_begin(&self->filter, &self->cell);
     finish_before(self, self->filter.seg);
@@ -96,6 +98,7 @@ static void place(nck_interpolate_t *self, const nck_seg_t *seg, double s, doubl
     pose->s = seg->s_begin + s;
     pose->left = 0.0;
     pose->v = v;
+    if (NCK_HAS_OPTIMAL && seg->keeps == NCK_KEEP_CLOCK) nck_clock_measure(seg, s, pose);
     pose->feed = seg->feed;
     pose->feed_scale = seg->feed_scale;
     const int brakes = self->clock.state == NCK_CLOCK_BRAKES;
@@ -304,10 +307,12 @@ static inline int seek(nck_interpolate_t *self) {
 
 // ---- the tick's own clock
 
-// The speed and the acceleration that the plan has.
-static void plan_at(const nck_interpolate_t *self, double *v_out, double *a_out) {
+// Where the plan is, and the speed and the acceleration that it has.
+static void find_place(const nck_interpolate_t *self, nck_clock_place_t *place_out) {
     const double steps_from = self->filter.taps > 1 ? self->a_before : self->cell.a;
-    nck_clock_plan(&self->cell, now(self) - self->t_cell, steps_from, v_out, a_out);
+    const double t = now(self) - self->t_cell;
+    nck_clock_find(self->link, &self->cell, t, place_out);
+    nck_clock_plan(&self->cell, t, steps_from, place_out);
 }
 
 // What is asked for now, on the way. A brake goes on to its rest: what ends it earlier would need
@@ -316,10 +321,9 @@ static void hear(nck_interpolate_t *self) {
     nck_clock_t *const clock = &self->clock;
     const int slows = clock->state == NCK_CLOCK_BRAKES || clock->state == NCK_CLOCK_STANDS;
     if (self->brakes && !slows && self->cell.length > 0.0 && !self->rider.on) {
-        double v = 0.0;
-        double a = 0.0;
-        plan_at(self, &v, &a);
-        nck_clock_begin(clock, v, a);
+        nck_clock_place_t here;
+        find_place(self, &here);
+        nck_clock_begin(clock, here.v, here.a);
     }
     if (!self->brakes && clock->state == NCK_CLOCK_STANDS) nck_clock_go_on(clock);
 }
@@ -340,8 +344,11 @@ static int go(nck_interpolate_t *self, double way) {
         }
         left -= time;
         ahead = nck_max(0.0, ahead - length);
+        const nck_seg_t *const seg = seg_at(self, cell->seg);
         clock->late -= self->t_cell + cell->duration - now(self);
         if (!cross(self)) return 0;
+        const nck_seg_t *const next = seg_at(self, self->cell.seg);
+        if (next != seg && seg->keeps == NCK_KEEP_CLOCK) ahead *= next->length / seg->length;
     }
 }
 
@@ -354,15 +361,12 @@ static void pass_at(nck_interpolate_t *self, double share) {
 static void brake(nck_interpolate_t *self) {
     nck_clock_t *const clock = &self->clock;
     nck_clock_place_t here;
-    double v = 0.0;
-    double a = 0.0;
-    plan_at(self, &here.v, &here.a);
-    nck_clock_find(self->link, &self->cell, now(self) - self->t_cell, &here);
+    find_place(self, &here);
     if (!go(self, nck_clock_brake(clock, self->terms, &here))) return;
-    plan_at(self, &v, &a);
-    clock->follows = clock->first.v >= v * (1.0 - FOLLOWS_EPSILON);
-    if (clock->first.v > v) nck_clock_follow(clock, v, a);
-    pass_at(self, clock->first.v > 0.0 ? clock->first.v / v : 0.0);
+    find_place(self, &here);
+    clock->follows = clock->first.v >= here.v * (1.0 - FOLLOWS_EPSILON);
+    if (clock->first.v > here.v) nck_clock_follow(clock, here.v, here.a);
+    pass_at(self, clock->first.v > 0.0 ? clock->first.v / here.v : 0.0);
     if (!(clock->first.v > 0.0)) nck_fence_store(&clock->state, NCK_CLOCK_STANDS);
 }
 
@@ -431,7 +435,8 @@ nck_status_t nck_interpolate_take(nck_interpolate_t *self, nck_cell_t *cell_out)
 }
 
 void nck_interpolate_watch(nck_interpolate_t *self, int asks, int planned, uint32_t steps) {
-    const nck_watched_t seen = {asks, planned, steps, (int)self->from_tail, self->pose.v};
+    const int slow = self->has_cell && (self->cell.stop & NCK_STOP_SLOW);
+    const nck_watched_t seen = {asks, planned, slow, steps, (int)self->from_tail, self->pose.v};
     self->brakes = (uint32_t)nck_watch_tick(&self->watch, self->terms, &seen);
 }
 

@@ -50,7 +50,7 @@ static int is_late(nck_watch_t *self, const nck_terms_t *terms, const nck_watche
     if (self->asked == 1) self->most = rest_periods(terms, seen->v);
     const int unplanned = self->asked > ANSWER_PERIODS && !seen->planned;
     const int late = unplanned || self->asked > self->most;
-    self->stops = seen->asks && (late || self->stops);
+    self->stops = seen->asks && (late || seen->slow || self->stops);
     return self->stops;
 }
 

@@ -1,0 +1,254 @@
+// SPDX-License-Identifier: MIT
+// Room 5, slope: the jerk-limited planner on a clocked path.
+#include "nck/prep/5_slope/optimal.h"
+
+#include <string.h> // memset
+
+#include "nck/base/real.h"                  // nck_min nck_max nck_sqrt
+#include "nck/prep/5_slope/optimal_draw.h"  // nck_optimal_draw
+#include "nck/prep/5_slope/optimal_nodes.h" // nck_optimal_fill …
+#include "nck/prep/5_slope/optimal_pace.h"  // nck_optimal_work …
+
+enum { PHASE_LAY = 0, PHASE_FILL, PHASE_SOLVE, PHASE_DRAW };
+
+enum {
+    INTERVALS_MOST = NCK_MOTION_NODES - 1,
+    COMMIT_MOST = INTERVALS_MOST / 2, // intervals of a plan that become final before the next one …
+    COMMIT_LEAST = INTERVALS_MOST / 8, // … at least so many: every plan costs as much …
+    COMMIT_OFF = 4, // … and none of the brake for its window's end, nor of what leads to it
+    ITERATIONS = 60, // of one plan; windows of random polygons take 14 to 44
+    ITERATIONS_SLOWED = 100, // … while it slows down
+    PARTS_MOST = 3 // cells of half an interval
+};
+// Of the time, what a plan may be away from the fastest: 20 iterations; 5 % save two and cost 0.4
+// %.
+#define GAP 0.02
+// What a broken row's slack begins with: far off, and next to a plan that only has to be slowed.
+#define ROOM 0.3
+#define ROOM_SLOWED 0.005
+// Price of being faster than a lowered cap for a second, where it is not lowered: by the cube of
+// the share that it is lowered to, since the time that is won by breaking it grows likewise.
+#define SLOWER_PRICE 2.0
+// Of the speed now, what one plan is slowed down to at least: 25 to 40 iterations; the next one
+// goes on from there.
+#define SLOWER_LEAST 0.05
+// … it has done so once v² is less than so many times what it is slowed down to.
+#define SLOWER_DONE 1.5
+// Nodes within which that is looked for: a brake takes about so many.
+enum { SLOWER_NODES = 48 };
+
+// Of what it is asked for, the most that a plan may take of a limit anywhere: what its check lets
+// pass, and a little. Beyond it the plan before goes on.
+#define SHARE_MOST 1.003
+
+void nck_optimal_init(nck_optimal_t *self, const nck_terms_t *terms, nck_link_t *link,
+                      const nck_plan_t *now, nck_plan_t *next) {
+    if (!NCK_HAS_OPTIMAL) return;
+    memset(self, 0, sizeof *self);
+    self->terms = terms;
+    self->link = link;
+    self->now = now;
+    self->next = next;
+}
+
+// The plan drawn last may have been published, or not.
+static void note_published(nck_optimal_t *self) {
+    const nck_optimal_pace_t *const work = nck_optimal_work(self);
+    if (work->drawn && work->begin == self->now->begin) self->drawn = 1 - self->drawn;
+}
+
+void nck_optimal_begin(nck_optimal_t *self, const nck_job_t *job) {
+    if (!NCK_HAS_OPTIMAL) return;
+    note_published(self);
+    nck_optimal_pace_t *const work = nck_optimal_work(self);
+    self->job = *job;
+    self->next->n = 0;
+    self->next->complete = 0;
+    self->next->held = NCK_HELD_NOT;
+    self->phase = PHASE_LAY;
+    work->begin = self->next->begin;
+    work->first = self->next->piece;
+    work->n = 0;
+    work->ends = 0;
+    work->drawn = 0;
+}
+
+// ---- laying
+
+// Caps have come down below what the last plan is about to do: what they are to be raised to for
+// one plan, v², and the least share of its speed that they are then.
+static void look_slower(nck_optimal_t *self, const nck_pieces_t *pieces) {
+    const nck_optimal_pace_t *const now = nck_optimal_now(self);
+    const nck_optimal_pace_t *const work = nck_optimal_work(self);
+    double share = 1.0;
+    self->vv_floor = 0.0;
+    for (uint32_t k = 1; nck_optimal_goes_on(self) && k < SLOWER_NODES; k++) {
+        const uint32_t at = work->first - now->first + k;
+        const nck_node_t *const piece = nck_plan_piece(pieces, work->first + k);
+        if (at > now->top || !piece) break;
+        const double vv = (double)now->along[at] * now->b[at];
+        const double cap = nck_optimal_wanted(self, piece);
+        self->vv_floor = nck_max(self->vv_floor, SLOWER_LEAST * SLOWER_LEAST * vv);
+        if (cap < share * share * vv) share = nck_sqrt(cap / vv);
+    }
+    self->slower = nck_max(share, SLOWER_LEAST);
+}
+
+// Intervals of the window at most: a plan that slows the last one down ends where that does, since
+// it is sought from there.
+static uint32_t most_intervals(nck_optimal_t *self) {
+    const nck_optimal_pace_t *const now = nck_optimal_now(self);
+    if (!nck_optimal_slows(self)) return INTERVALS_MOST;
+    return now->first + now->n - nck_optimal_work(self)->first;
+}
+
+// Count the intervals of the window.
+static nck_status_t count(nck_optimal_t *self, const nck_pieces_t *pieces) {
+    nck_optimal_pace_t *const work = nck_optimal_work(self);
+    const uint32_t least = nck_optimal_goes_on(self) ? NCK_OPTIMAL_GIVEN + 1 : 1;
+    const uint32_t most = most_intervals(self);
+    while (work->n < most && !work->ends) {
+        const nck_node_t *const piece = nck_plan_piece(pieces, work->first + work->n);
+        if (!piece) break;
+        work->ends = piece->stop;
+        work->n++;
+    }
+    if (work->ends || work->n == most) return NCK_DONE;
+    if (self->job.starved && work->n >= least) return NCK_DONE;
+    self->next->wants = work->first + work->n + 1;
+    return NCK_EMPTY;
+}
+
+static nck_status_t ask(nck_optimal_t *self) {
+    const nck_optimal_pace_t *const work = nck_optimal_work(self);
+    nck_motion_wish_t asked;
+    memset(&asked, 0, sizeof asked);
+    asked.tau = self->terms->knot_s;
+    asked.axes = self->terms->axes + nck_optimal_has_path(self);
+    asked.nodes = (int)work->n + 1;
+    asked.fixed = nck_optimal_goes_on(self) ? (int)NCK_OPTIMAL_GIVEN : 0;
+    asked.ends = (work->ends ? NCK_MOTION_FREE_END : 0u);
+    asked.most = ITERATIONS;
+    asked.gap = GAP;
+    asked.room = ROOM;
+    if (nck_optimal_slows(self)) {
+        const nck_optimal_pace_t *const now = nck_optimal_now(self);
+        const double share = self->slower;
+        asked.ends |= NCK_MOTION_SOFT;
+        asked.price = SLOWER_PRICE / (share * share * share);
+        asked.price /= nck_sqrt(now->b[work->first - now->first + 1]);
+        asked.room = ROOM_SLOWED;
+        asked.most = ITERATIONS_SLOWED;
+    }
+    nck_optimal_set_limits(self, &asked);
+    return nck_motion_begin(&self->motion, &asked);
+}
+
+static nck_status_t lay(nck_optimal_t *self, const nck_pieces_t *pieces) {
+    if (nck_optimal_work(self)->n == 0) look_slower(self, pieces);
+    const nck_status_t status = count(self, pieces);
+    if (status != NCK_DONE) return status;
+    self->i = 0;
+    self->phase = PHASE_FILL;
+    return ask(self);
+}
+
+static nck_status_t fill(nck_optimal_t *self, const nck_pieces_t *pieces) {
+    const nck_optimal_pace_t *const work = nck_optimal_work(self);
+    for (int n = 0; n < NCK_OPTIMAL_STEP && self->i <= work->n; n++) {
+        nck_optimal_fill(self, pieces, self->i++);
+    }
+    if (self->i > work->n) self->phase = PHASE_SOLVE;
+    return NCK_OK;
+}
+
+// ---- solving
+
+// 1 if the plan keeps its limits: else the one before goes on to its rest.
+static int holds(const nck_motion_t *motion) {
+    nck_motion_told_t told;
+    nck_motion_told(motion, &told);
+    return told.share <= SHARE_MOST;
+}
+
+// The place of most speed before a plan brakes for its window's end.
+static uint32_t find_top(const nck_optimal_pace_t *work, uint32_t least) {
+    if (work->ends) return work->n;
+    for (uint32_t k = work->n - 1; k > least; k--) {
+        const double before = (double)work->along[k - 1] * work->b[k - 1];
+        const double here = (double)work->along[k] * work->b[k];
+        const double behind = (double)work->along[k + 1] * work->b[k + 1];
+        if (here >= behind && here >= before) return k;
+    }
+    return work->n;
+}
+
+// Where the next plan takes over, in the middle of an interval: behind so many of them. One that
+// has not slowed down to what is asked for is followed where it is slow.
+static uint32_t commit_of(const nck_optimal_t *self, const nck_optimal_pace_t *work) {
+    const uint32_t off = work->ends ? 0 : COMMIT_OFF;
+    uint32_t step = work->top > off + COMMIT_LEAST ? work->top - off : COMMIT_LEAST;
+    if (step > COMMIT_MOST) step = COMMIT_MOST;
+    if (self->slower <= SLOWER_LEAST) {
+        for (uint32_t k = NCK_OPTIMAL_GIVEN; k < step; k++) {
+            const double here = (double)work->along[k] * work->b[k];
+            const double behind = (double)work->along[k + 1] * work->b[k + 1];
+            if (here < SLOWER_DONE * self->vv_floor && behind > 0.9 * here) step = k;
+        }
+    }
+    if (step + NCK_OPTIMAL_GIVEN <= work->n) return step;
+    return work->n > NCK_OPTIMAL_GIVEN ? work->n - NCK_OPTIMAL_GIVEN : 1;
+}
+
+static nck_status_t solve(nck_optimal_t *self) {
+    const nck_status_t status = nck_motion_step(&self->motion);
+    nck_optimal_pace_t *const work = nck_optimal_work(self);
+    if (status != NCK_DONE) return status;
+    if (!holds(&self->motion)) return NCK_E_STATE;
+    for (uint32_t k = 0; k <= work->n; k++) {
+        work->b[k] = (double)nck_motion_b(&self->motion, (int)k);
+    }
+    const nck_optimal_pace_t *const now = nck_optimal_now(self);
+    for (uint32_t k = 0; nck_optimal_goes_on(self) && k < NCK_OPTIMAL_GIVEN; k++) {
+        work->b[k] = now->b[work->first - now->first + k]; // to the bit
+    }
+    work->top = find_top(work, NCK_OPTIMAL_GIVEN + 1);
+    self->takes_over = commit_of(self, work) - (nck_optimal_goes_on(self) ? 0 : 1);
+    if (self->job.kind == NCK_JOB_BRAKE) {
+        self->slow = self->takes_over;
+        self->takes_over = work->n > NCK_OPTIMAL_GIVEN + 1 ? work->n - NCK_OPTIMAL_GIVEN : 1;
+    }
+    self->i = 0;
+    self->cells = 0;
+    self->seam = 0;
+    nck_link_tail_begin(self->link);
+    self->phase = PHASE_DRAW;
+    return NCK_OK;
+}
+
+nck_status_t nck_optimal_step(nck_optimal_t *self, const nck_pieces_t *pieces) {
+    if (!NCK_HAS_OPTIMAL) return NCK_E_INTERNAL;
+    switch (self->phase) {
+    case PHASE_LAY: return lay(self, pieces);
+    case PHASE_FILL: return fill(self, pieces);
+    case PHASE_SOLVE: return solve(self);
+    default: return nck_optimal_draw(self, pieces);
+    }
+}
+
+void nck_optimal_hurry(nck_optimal_t *self) {
+    if (NCK_HAS_OPTIMAL) self->job.starved = 1;
+}
+
+
+// A cell that begins in the middle of its seg. In the last interval there is no seam.
+uint32_t nck_optimal_seam(const nck_optimal_t *self, uint32_t cell) {
+    if (!NCK_HAS_OPTIMAL) return cell;
+    uint32_t i = cell;
+    for (; i < self->now->n; i++) {
+        const nck_cell_t *const at =
+            nck_link_tail_cell(self->link, (self->now->begin + i) & NCK_LINK_COUNT_MASK);
+        if (!at || at->s == 0.5 * nck_link_seg(self->link, at->seg)->length) break;
+    }
+    return i;
+}

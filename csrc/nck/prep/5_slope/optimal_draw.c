@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: MIT
+// Inside room 5: the motion along a clocked path becomes cells.
+#include "nck/prep/5_slope/optimal_draw.h"
+
+#include <string.h> // memset
+
+#include "nck/base/real.h" // nck_fabs nck_min nck_max nck_sqrt
+#include "nck/prep/5_slope/optimal_pace.h" // nck_optimal_work …
+
+enum { PARTS_MOST = 3 }; // cells of half an interval
+// Of an axis' jerk, what a cell may be off its plan by.
+#define CELL_SHARE 0.01
+
+// Acceleration b′/2 in the middle of interval k; there is none beyond the ends.
+static double middle_accel(const nck_optimal_pace_t *pace, double knot, uint32_t k) {
+    return k < pace->n ? (pace->b[k + 1] - pace->b[k]) / (2.0 * knot) : 0.0;
+}
+
+// b at node k, on its parabola.
+static double pace_at(const nck_optimal_pace_t *pace, uint32_t k) {
+    const double before = pace->b[k > 0 ? k - 1 : k];
+    const double behind = pace->b[k < pace->n ? k + 1 : k];
+    return pace->b[k] + 0.125 * (before - 2.0 * pace->b[k] + behind);
+}
+
+// The time over a way h of the clock, along which b′/2 goes evenly from a0 to a1:   ∫ du/√b
+// by Gauss' three places (its error is below 1e-9 while b changes by a third).
+static double time_over(double b0, double a0, double a1, double h) {
+    static const double place[3] = {0.1127016653792583, 0.5, 0.8872983346207417};
+    static const double weight[3] = {5.0 / 18.0, 8.0 / 18.0, 5.0 / 18.0};
+    double time = 0.0;
+    for (int i = 0; i < 3; i++) {
+        const double way = place[i] * h;
+        time += weight[i] * h / nck_sqrt(b0 + (2.0 * a0 + (a1 - a0) * place[i]) * way);
+    }
+    return time;
+}
+
+// A stretch of the clock within half an interval, along which b′/2 goes evenly from a0 to a1.
+typedef struct stretch {
+    double u;      // where it begins in the interval [s]
+    double h;      // its way [s]
+    double b0, b1; // at its ends
+    double a0, a1; // at its ends [1/s]
+} stretch_t;
+
+// It as a cell: the cubic of time that has its length and the speeds at both ends.
+static void put_cell(nck_optimal_t *self, const nck_node_t *piece, const stretch_t *on, int last) {
+    const double knot = self->terms->knot_s;
+    const double scale = piece->length / knot;
+    const double v0 = scale * nck_sqrt(on->b0);
+    const double v1 = scale * nck_sqrt(on->b1);
+    const double time = on->b1 > 0.0 ? time_over(on->b0, on->a0, on->a1, on->h)
+                                     : 2.0 * on->h / nck_sqrt(on->b0);
+    nck_cell_t cell;
+    memset(&cell, 0, sizeof cell);
+    cell.seg = piece->seg;
+    cell.limit = NCK_LIMIT_JERK;
+    cell.last = (uint8_t)last;
+    cell.stop = last && self->i + 1 == nck_optimal_work(self)->n ? NCK_STOP_REST : 0;
+    if (self->job.kind == NCK_JOB_BRAKE && self->i >= self->slow) cell.stop |= NCK_STOP_SLOW;
+    if (self->job.kind == NCK_JOB_START && !self->at_rest && self->cells == 0) {
+        cell.stop |= NCK_STOP_SETS_OFF;
+    }
+    cell.s = piece->length * (on->u / knot); // a half is exact
+    cell.length = last ? piece->length - cell.s : scale * on->h;
+    cell.v = v0;
+    cell.duration = time;
+    cell.a = (6.0 * cell.length / time - (4.0 * v0 + 2.0 * v1)) / time;
+    cell.j = (6.0 * (v0 + v1) - 12.0 * cell.length / time) / (time * time);
+    nck_link_tail_push(self->link, &cell);
+}
+
+// Such a cell's acceleration is off by Δa·Δv/6v at its ends, which in m parts is less by m². One
+// sample of jerk feels it whole.
+static int parts_of(const nck_optimal_t *self, const nck_node_t *piece, const stretch_t *on) {
+    const double scale = piece->length / self->terms->knot_s;
+    const double most = CELL_SHARE * self->j_least * self->terms->machine->period_s;
+    const double v0 = nck_sqrt(on->b0);
+    const double v1 = nck_sqrt(on->b1);
+    const double turn = nck_fabs((on->a1 - on->a0) * (v1 - v0)) * scale;
+    const double off = turn / (6.0 * nck_max(nck_min(v0, v1), 0.25 * nck_max(v0, v1)));
+    int parts = 1;
+    while (parts < PARTS_MOST && off > most * (double)(parts * parts)) parts++;
+    return parts;
+}
+
+// Half an interval in cells.
+static void put_half(nck_optimal_t *self, const nck_node_t *piece, const stretch_t *on, int last) {
+    const int parts = on->b1 > 0.0 ? parts_of(self, piece, on) : 1;
+    stretch_t part = *on;
+    part.h = on->h / (double)parts;
+    for (int n = 1; n <= parts; n++) {
+        const double share = (double)n / (double)parts;
+        const double way = share * on->h;
+        const int ends = n == parts;
+        part.a1 = ends ? on->a1 : on->a0 + (on->a1 - on->a0) * share;
+        part.b1 = ends ? on->b1 : on->b0 + (2.0 * on->a0 + (on->a1 - on->a0) * share) * way;
+        put_cell(self, piece, &part, last && ends);
+        self->cells++;
+        part.u += part.h;
+        part.a0 = part.a1;
+        part.b0 = part.b1;
+    }
+}
+
+// A plan that goes on begins in the middle of its first interval. At a window's end, where the path
+// itself does not rest, the last cell brakes evenly.
+static void draw_interval(nck_optimal_t *self, const nck_node_t *piece, uint32_t k) {
+    const nck_optimal_pace_t *const work = nck_optimal_work(self);
+    const double knot = self->terms->knot_s;
+    const double half = 0.5 * knot;
+    const double b = 0.5 * (work->b[k] + work->b[k + 1]);
+    const double a = middle_accel(work, knot, k);
+    if (k > 0 || !nck_optimal_goes_on(self)) {
+        const double a0 = 0.5 * ((k > 0 ? middle_accel(work, knot, k - 1) : 0.0) + a);
+        const stretch_t first = {0.0, half, pace_at(work, k), b, a0, a};
+        put_half(self, piece, &first, 0);
+    }
+    if (k == self->takes_over) self->seam = self->cells;
+    const int rests = k + 1 == work->n && !work->ends;
+    const double a1 = 0.5 * (a + middle_accel(work, knot, k + 1));
+    const stretch_t second = {half, half, b, rests ? 0.0 : pace_at(work, k + 1), a, a1};
+    put_half(self, piece, &second, 1);
+}
+
+static void finish(nck_optimal_t *self) {
+    nck_optimal_pace_t *const work = nck_optimal_work(self);
+    nck_plan_t *const next = self->next;
+    work->drawn = 1;
+    next->slows = self->job.kind == NCK_JOB_BRAKE;
+    next->end_piece = work->first + work->n;
+    next->end_s = NCK_PLAN_BEGIN;
+    next->complete = work->ends;
+    next->n = self->cells;
+    next->commit = self->seam;
+}
+
+nck_status_t nck_optimal_draw(nck_optimal_t *self, const nck_pieces_t *pieces) {
+    if (!NCK_HAS_OPTIMAL) return NCK_E_INTERNAL;
+    const nck_optimal_pace_t *const work = nck_optimal_work(self);
+    for (int n = 0; n < NCK_OPTIMAL_STEP && self->i < work->n; n++) {
+        draw_interval(self, nck_plan_there(pieces, work->first + self->i), self->i);
+        self->i++;
+    }
+    if (self->i < work->n) return NCK_OK;
+    finish(self);
+    return NCK_DONE;
+}

@@ -1,0 +1,212 @@
+// SPDX-License-Identifier: MIT
+// Inside room 5: intervals of a clocked path become the nodes of a motion.
+#include "nck/prep/5_slope/optimal_nodes.h"
+
+#include "nck/base/real.h" // nck_fabs nck_min nck_max nck_sqrt nck_num
+#include "nck/prep/5_slope/optimal_pace.h" // nck_optimal_work …
+
+// Of the clock's pace, what a plan begins to be sought with; and of the last plan's, as far as
+// there is one: a little inside its limits.
+#define GUESS 0.6
+#define AGAIN 0.98
+// Nodes over which the guess brakes for a window's end.
+#define BRAKE_NODES 40.0
+#define PACE_LEAST 1e-8
+// Shares of an interval that the path's speed over the clock is looked at in: a parabola's root.
+#define LOOK 0.25
+// Slower than that by its clock the path rests [mm/s].
+#define REST_LEAST 1e-6
+#define PACE_MOST 1e6
+// Of an axis' limits, what a plan is asked to keep to; what passes its rows (0.002 of time is what
+// 0.6 % of jerk cost) stays below the limit.
+#define SHARE_ASKED 0.997
+// The same of speed, which it passes by less.
+#define SHARE_SPEED 0.999
+
+// Derivatives by the clock, of a spline's Bernstein points, at its begin and its end:
+//   p′ = 3(b1 − b0)/τ    p″ = 6(b2 − 2b1 + b0)/τ²
+static void derive(const nck_seg_t *seg, int axes, double knot, int at_end, nck_num *first_out,
+                   nck_num *second_out) {
+    for (int x = 0; x < axes; x++) {
+        const double to_b1 = seg->shape.inner[0][x] - seg->start[x];
+        const double to_b2 = seg->shape.inner[1][x] - seg->shape.inner[0][x];
+        const double to_b3 = seg->end[x] - seg->shape.inner[1][x];
+        const double bend = at_end ? to_b3 - to_b2 : to_b2 - to_b1;
+        first_out[x] = (nck_num)(3.0 / knot * (at_end ? to_b3 : to_b1));
+        second_out[x] = (nck_num)(6.0 / (knot * knot) * bend);
+    }
+}
+
+// |p′|² within an interval, at w of it.
+static double along_at(const nck_optimal_t *self, const nck_seg_t *seg, double w) {
+    const double per = 3.0 / self->terms->knot_s;
+    double sum = 0.0;
+    for (int x = 0; x < self->terms->axes; x++) {
+        const double to_b1 = seg->shape.inner[0][x] - seg->start[x];
+        const double to_b2 = seg->shape.inner[1][x] - seg->shape.inner[0][x];
+        const double to_b3 = seg->end[x] - seg->shape.inner[1][x];
+        const double low = to_b1 + (to_b2 - to_b1) * w;
+        const double high = to_b2 + (to_b3 - to_b2) * w;
+        const double slope = per * (low + (high - low) * w);
+        sum += slope * slope;
+    }
+    return sum;
+}
+
+// What stands about a node: within half an interval of it b is a mean of its own and both
+// neighbours', so what holds at all three within one and a half keeps feeds between nodes, too.
+typedef struct around {
+    double along; // the most |p′|² [(mm/s)²]
+    double vv;    // the least that is wanted [(mm/s)²]
+} around_t;
+
+// … an interval of it, from w0 to w1.
+static void look_at(const nck_optimal_t *self, const nck_node_t *piece, const double span[2],
+                    around_t *around) {
+    const nck_seg_t *const seg = nck_link_seg(self->link, piece->seg);
+    around->vv = nck_min(around->vv, nck_optimal_wanted(self, piece));
+    for (double w = span[0]; w <= span[1]; w += LOOK) {
+        around->along = nck_max(around->along, along_at(self, seg, w));
+    }
+}
+
+// Begin of the path's motion or of the window, and its end, end what is looked at.
+static void look_around(const nck_optimal_t *self, const nck_pieces_t *pieces, uint32_t number,
+                        around_t *around_out) {
+    static const double span[4][2] = {{0.5, 1.0}, {0.0, 1.0}, {0.0, 1.0}, {0.0, 0.5}};
+    around_out->along = 0.0;
+    around_out->vv = PACE_MOST * PACE_MOST;
+    for (uint32_t n = 0; n < 4; n++) {
+        const nck_node_t *const piece = nck_plan_piece(pieces, number + n - 2);
+        const int is_of_run = piece && piece->length > 0.0
+                              && nck_link_seg(self->link, piece->seg)->keeps == NCK_KEEP_CLOCK;
+        if (is_of_run) look_at(self, piece, span[n], around_out);
+    }
+}
+
+// Cap of b at a node where the path's speed is at most v: by it and by every axis.
+static double cap_of(const nck_optimal_t *self, const nck_num *first, double along, double vv) {
+    double cap = PACE_MOST;
+    for (int x = 0; x < self->terms->axes; x++) {
+        const double v = SHARE_SPEED * self->terms->machine->axis[x].v_max;
+        const double pp = (double)first[x] * (double)first[x];
+        if (self->terms->machine->axis[x].present && pp * cap > v * v) cap = v * v / pp;
+    }
+    return along * cap > vv ? vv / along : cap;
+}
+
+// A pace to begin with, which may break limits by far: the last plan's, as far as that is not the
+// brake for its window's end; the clock's own behind it, with a brake for this window's end.
+static double guess(nck_optimal_t *self, uint32_t k) {
+    const nck_optimal_pace_t *const work = nck_optimal_work(self);
+    const nck_optimal_pace_t *const now = nck_optimal_now(self);
+    const uint32_t at = work->first - now->first + k;
+    if (nck_optimal_goes_on(self) && k < NCK_OPTIMAL_GIVEN) return now->b[at];
+    if (k == work->n && !work->ends) return 0.0;
+    const double x = (double)(work->n - k) / BRAKE_NODES;
+    double b = GUESS;
+    if (!work->ends && x < 1.0) b *= x * nck_sqrt(nck_sqrt(x));
+    if (nck_optimal_goes_on(self) && at <= now->top) b = AGAIN * now->b[at];
+    if (nck_optimal_slows(self)) b = now->b[at];
+    return nck_max(b, PACE_LEAST);
+}
+
+// 1 if the path itself rests at a node: its clock goes on where its place does not.
+static int is_rest(const nck_optimal_t *self, const nck_num *first) {
+    for (int x = 0; x < self->terms->axes; x++) {
+        if (!(NCK_NUM_ABS(first[x]) < REST_LEAST)) return 0;
+    }
+    return 1;
+}
+
+// 1 if the path's own limits may hold where no axis' limit does. With all axes there is no room
+// for them beside those.
+int nck_optimal_has_path(const nck_optimal_t *self) {
+    if (!NCK_HAS_OPTIMAL) return 0;
+    const nck_machine_t *const machine = self->terms->machine;
+    double aa = 0.0;
+    double jj = 0.0;
+    for (int x = 0; x < self->terms->axes; x++) {
+        const nck_axis_t *const axis = &machine->axis[x];
+        if (!axis->present) continue;
+        aa += axis->a_max * axis->a_max;
+        jj += axis->j_max * axis->j_max;
+    }
+    const double a = machine->path.a_max;
+    const double j = machine->path.j_max;
+    const double near = 1.0 - 1e-9; // a root of the sum of squares is rounded
+    return self->terms->axes < NCK_AXIS_MAX && (a * a < near * aa || j * j < near * jj);
+}
+
+// Derivatives of the length by the clock:  l′ = |p′|    l″ = p′·p″/|p′|
+static void add_length(int axes, nck_num *first, nck_num *second) {
+    nck_num square = 0;
+    nck_num dot = 0;
+    for (int x = 0; x < axes; x++) {
+        square += first[x] * first[x];
+        dot += first[x] * second[x];
+    }
+    first[axes] = NCK_NUM_SQRT(square);
+    second[axes] = square > 0 ? dot / first[axes] : 0;
+}
+
+// Cap of b one node before a window's end, where the path goes on but the plan rests: what is left
+// of its acceleration there, b/2τ, is gone within a period.
+static nck_num cap_at_end(const nck_optimal_t *self, const nck_num *first, nck_num cap) {
+    const nck_machine_t *const machine = self->terms->machine;
+    double most = (double)cap;
+    for (int x = 0; x < self->terms->axes; x++) {
+        const double step = SHARE_ASKED * machine->axis[x].j_max * machine->period_s;
+        const double along = nck_fabs((double)first[x]);
+        if (machine->axis[x].present && along * most > 2.0 * self->terms->knot_s * step) {
+            most = 2.0 * self->terms->knot_s * step / along;
+        }
+    }
+    return (nck_num)most;
+}
+
+void nck_optimal_fill(nck_optimal_t *self, const nck_pieces_t *pieces, uint32_t k) {
+    if (!NCK_HAS_OPTIMAL) return;
+    nck_optimal_pace_t *const work = nck_optimal_work(self);
+    const int at_end = k == work->n;
+    const nck_node_t *const piece = nck_plan_there(pieces, work->first + k - (uint32_t)at_end);
+    const nck_seg_t *const seg = nck_link_seg(self->link, piece->seg);
+    nck_num first[NCK_AXIS_MAX];
+    nck_num second[NCK_AXIS_MAX];
+    nck_num cap_and_b[2];
+    around_t around;
+    look_around(self, pieces, work->first + k, &around);
+    double vv = around.vv;
+    derive(seg, self->terms->axes, self->terms->knot_s, at_end, first, second);
+    if (k == 0) self->at_rest = (uint32_t)is_rest(self, first);
+    work->along[k] = 0.0f;
+    for (int x = 0; x < self->terms->axes; x++) {
+        work->along[k] += (float)first[x] * (float)first[x];
+    }
+    if (nck_optimal_slows(self)) vv = nck_max(vv, self->vv_floor);
+    if (nck_optimal_has_path(self)) add_length(self->terms->axes, first, second);
+    cap_and_b[0] = (nck_num)cap_of(self, first, around.along, vv);
+    if (k + 1 == work->n && !work->ends) {
+        cap_and_b[0] = cap_at_end(self, first, cap_and_b[0]);
+    }
+    cap_and_b[1] = (nck_num)guess(self, k);
+    nck_motion_node(&self->motion, (int)k, first, second, cap_and_b);
+}
+
+// What an axis may do; one that the machine lacks never moves: any limit will do. The path's own
+// limits, where there are any, are those of one axis more.
+void nck_optimal_set_limits(nck_optimal_t *self, nck_motion_wish_t *asked) {
+    if (!NCK_HAS_OPTIMAL) return;
+    const nck_machine_t *const machine = self->terms->machine;
+    self->j_least = machine->path.j_max;
+    for (int x = 0; x < self->terms->axes; x++) {
+        const nck_axis_t *const axis = &machine->axis[x];
+        asked->a[x] = axis->present ? SHARE_ASKED * axis->a_max : 1.0;
+        asked->j[x] = axis->present ? SHARE_ASKED * axis->j_max : 1.0;
+        asked->v[x] = axis->present ? SHARE_SPEED * axis->v_max : 0.0;
+        if (axis->present) self->j_least = nck_min(self->j_least, asked->j[x]);
+    }
+    if (asked->axes == self->terms->axes) return;
+    asked->a[asked->axes - 1] = SHARE_ASKED * machine->path.a_max;
+    asked->j[asked->axes - 1] = SHARE_ASKED * machine->path.j_max;
+}

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: MIT
+// Inside room 5: which planner is in force.
+#include "nck/prep/5_slope/planner.h"
+
+#include "nck/base/budget.h"              // NCK_UNLIMITED
+#include "nck/prep/5_slope/ladder_math.h" // NCK_LADDER_STRETCH
+
+// The machine's slope, one of those that the build has (nck_machine_check): the others are not
+// called.
+static uint32_t slope_of(const nck_machine_t *machine) {
+    const int is_built = machine->slope != NCK_SLOPE_SSHAPE || NCK_HAS_SSHAPE;
+    return NCK_HAS_JERK && is_built ? machine->slope : NCK_SLOPE_LINEAR;
+}
+
+// Its planner on the exact path.
+static uint32_t planner_of(const nck_machine_t *machine) {
+    const uint32_t slope = slope_of(machine);
+    return NCK_HAS_OPTIMAL && slope == NCK_SLOPE_OPTIMAL ? NCK_SLOPE_JERK : slope;
+}
+
+uint32_t nck_planner_kind(const nck_slope_t *self) {
+    return NCK_HAS_OPTIMAL ? self->kind_in_force : planner_of(self->machine);
+}
+
+// The optimal planner's state, which few builds have.
+static nck_optimal_t *optimal_of(nck_slope_t *self) {
+    (void)self; // of no use without one
+    return NCK_OPTIMAL_AT(self, planner.optimal);
+}
+
+// All that follows is planned by it.
+static void init_planner(nck_slope_t *self, uint32_t planner) {
+    const nck_machine_t *const machine = self->machine;
+    nck_link_t *const link = self->link;
+    self->kind_in_force = planner;
+    self->cell_s = NCK_UNLIMITED;
+    switch (planner) {
+    case NCK_SLOPE_OPTIMAL:
+        nck_optimal_init(optimal_of(self), self->terms, link, &self->now, &self->next);
+        break;
+    case NCK_SLOPE_JERK:
+        self->cell_s = NCK_LADDER_STRETCH * nck_jerk_cell_s(machine);
+        nck_jerk_init(&self->planner.jerk, machine, link, &self->now, &self->next);
+        break;
+    case NCK_SLOPE_SSHAPE:
+        nck_sshape_init(&self->planner.sshape, machine, link, &self->now, &self->next);
+        break;
+    default:
+        nck_linear_init(&self->planner.linear, machine, link, &self->next);
+        break;
+    }
+}
+
+void nck_planner_init(nck_slope_t *self) { init_planner(self, planner_of(self->machine)); }
+
+void nck_planner_choose(nck_slope_t *self, const nck_node_t *piece) {
+    if (!NCK_HAS_OPTIMAL || slope_of(self->machine) != NCK_SLOPE_OPTIMAL) return;
+    const int is_clocked = nck_link_seg(self->link, piece->seg)->keeps == NCK_KEEP_CLOCK;
+    const uint32_t planner = is_clocked ? (uint32_t)NCK_SLOPE_OPTIMAL : (uint32_t)NCK_SLOPE_JERK;
+    if (planner != self->kind_in_force) init_planner(self, planner);
+}
+
+void nck_planner_begin(nck_slope_t *self, const nck_job_t *job) {
+    switch (nck_planner_kind(self)) {
+    case NCK_SLOPE_OPTIMAL: nck_optimal_begin(optimal_of(self), job); break;
+    case NCK_SLOPE_JERK: nck_jerk_begin(&self->planner.jerk, job); break;
+    case NCK_SLOPE_SSHAPE: nck_sshape_begin(&self->planner.sshape, job); break;
+    default: nck_linear_begin(&self->planner.linear, job); break;
+    }
+}
+
+nck_status_t nck_planner_step(nck_slope_t *self, const nck_pieces_t *pieces) {
+    switch (nck_planner_kind(self)) {
+    case NCK_SLOPE_OPTIMAL: return nck_optimal_step(optimal_of(self), pieces);
+    case NCK_SLOPE_JERK: return nck_jerk_step(&self->planner.jerk, pieces);
+    case NCK_SLOPE_SSHAPE: return nck_sshape_step(&self->planner.sshape, pieces);
+    default: return nck_linear_step(&self->planner.linear, pieces);
+    }
+}
+
+void nck_planner_hurry(nck_slope_t *self) {
+    switch (nck_planner_kind(self)) {
+    case NCK_SLOPE_OPTIMAL: nck_optimal_hurry(optimal_of(self)); break;
+    case NCK_SLOPE_JERK: nck_jerk_hurry(&self->planner.jerk); break;
+    case NCK_SLOPE_SSHAPE: nck_sshape_hurry(&self->planner.sshape); break;
+    default: nck_linear_hurry(&self->planner.linear); break;
+    }
+}
+
+uint32_t nck_planner_seam(nck_slope_t *self, uint32_t cell) {
+    if (nck_planner_kind(self) != NCK_SLOPE_OPTIMAL) return cell;
+    return nck_optimal_seam(optimal_of(self), cell);
+}

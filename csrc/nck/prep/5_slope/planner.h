@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+// Inside room 5: which planner is in force. The exact path has the machine's; under the optimal
+// slope a clocked path has its own, from rest to rest.
+#ifndef NCK_PREP_PLANNER_H
+#define NCK_PREP_PLANNER_H
+
+#include "nck/prep/5_slope/slope.h" // nck_slope_t
+
+// The planner in force, an nck_slope_kind_t. Cost: constant.
+uint32_t nck_planner_kind(const nck_slope_t *self);
+
+// The exact path's planner is in force. Cost: linear in the capacities.
+void nck_planner_init(nck_slope_t *self);
+
+// At rest before a piece: its planner is in force. Cost: constant; linear in the capacities where
+// it is another one.
+void nck_planner_choose(nck_slope_t *self, const nck_node_t *piece);
+
+// Begin, step and hurry the plan in work: see nck_jerk_begin, nck_jerk_step, nck_jerk_hurry.
+void nck_planner_begin(nck_slope_t *self, const nck_job_t *job);
+nck_status_t nck_planner_step(nck_slope_t *self, const nck_pieces_t *pieces);
+void nck_planner_hurry(nck_slope_t *self);
+
+// The first cell of the plan of now, from this one on, that another plan can begin with.
+// Cost: linear in the cells passed.
+uint32_t nck_planner_seam(nck_slope_t *self, uint32_t cell);
+
+#endif

@@ -1,0 +1,129 @@
+# SPDX-License-Identifier: MIT
+"""Programs along clocked paths, which the slope in work plans by convex optimisation: what they
+promise.
+
+    .venv/bin/python tests/clocked.py 1000 [FIRST]      so many programs by seed
+    .venv/bin/python tests/clocked.py stops 300 [FIRST] rests asked for along the way (stop_gate.py)
+
+A program is lines and arcs in two or three axes, from smooth to jagged, with other feeds, rapids,
+tolerances, exact blocks, dwells and spindle words in between. It is judged by tests/checker.py, and
+must end.
+"""
+
+import dataclasses
+import sys
+from pathlib import Path
+
+import numpy as np
+
+sys.path.append(str(Path(__file__).resolve().parent))
+
+import checker
+import stop_gate
+
+from pycnc import kernel
+from pycnc.bench import programs
+from pycnc.kernel import lib
+from pycnc.planning.plan import Plan
+from pycnc.program import Program
+
+TRAVEL = 190.0  # mm: of every axis, less a bit
+RUN_SHARE, RUN_TICKS = 30, 5000  # a run takes so many times its plan at most, and these
+
+
+def clocked(machine):
+    """Return the machine with the slope in work, which no machine file has."""
+    machine._rows["slope"] = lib.NCK_SLOPE_OPTIMAL
+    return machine
+
+
+def _words(rng, tolerance):
+    """Yield what stands between two moves, seldom."""
+    if rng.random() < 0.02:
+        yield "G61"
+        if rng.random() < 0.5:
+            yield f"G64 P{tolerance}"
+    if rng.random() < 0.02:
+        yield f"G64 P{rng.choice([0.002, 0.01, 0.05])}"
+    if rng.random() < 0.02:
+        yield "G4 P0.05"
+    if rng.random() < 0.02:
+        yield "S1000 M3"
+
+
+def _point(place):
+    return " ".join(f"{axis}{x:.5f}" for axis, x in zip("XYZ", place, strict=True))
+
+
+def text_of(seed):
+    """Return the program of a seed."""
+    rng = np.random.default_rng([7, seed])
+    count, axes = int(rng.integers(3, 60)), int(rng.integers(2, 4))
+    scale, turn = 10 ** rng.uniform(-1.5, 1.5), rng.choice([0.05, 0.3, 1.0, 3.0])
+    tolerance, feed = float(rng.choice([0.002, 0.01, 0.05])), float(rng.choice([300, 1500, 6000]))
+    lines = [f"G21 G17 G90 G94 G64 P{tolerance}", f"F{feed:g}"]
+    place, along = np.zeros(3), rng.normal(size=3) * (np.arange(3) < axes)
+    for _ in range(count):
+        along = along / np.linalg.norm(along) + turn * rng.normal(size=3) * (np.arange(3) < axes)
+        step = scale * 10 ** rng.uniform(-0.7, 0.7) * along / np.linalg.norm(along)
+        end = np.round(np.clip(place + step, -TRAVEL, TRAVEL), 5)
+        chord = np.linalg.norm((end - place)[:2])
+        if rng.random() < (0.15 if axes == 2 else 0.08) and chord > 1e-3:
+            word = f"G{rng.integers(2, 4)} {_point(end)} R{chord * rng.uniform(0.55, 3):.6f}"
+        elif rng.random() < 0.05:
+            word = f"G0 {_point(end)}"
+        else:
+            other = f" F{feed * rng.uniform(0.3, 1):.1f}" if rng.random() < 0.1 else ""
+            word = f"G1 {_point(end)}{other}"
+        lines += [word, *_words(rng, tolerance)]
+        place = end
+    return "\n".join([*lines, "M2", ""])
+
+
+def findings(seed):
+    """Return what is wrong with the run of a seed's program, in words; empty: nothing."""
+    machine = clocked(programs.machine())
+    program = Program(text_of(seed).encode(), machine).check()
+    judge = checker.Checker(program.blocks, machine.record)
+    most = RUN_SHARE * Plan(program).time_s / machine.period_s + RUN_TICKS
+    try:
+        for rows, _ in kernel.Simulation(program.text, machine, kernel.PREP_STEPS, ()).pieces():
+            judge.add(rows)
+            if judge.ticks > most:
+                return "no end"
+        judge.finish()
+    except checker.PhysicsError as error:
+        return str(error)
+    return ""
+
+
+class Rest(stop_gate.Case):
+    """A case of the stop gate along a clocked path."""
+
+    def machine(self):
+        """Return its machine."""
+        return clocked(super().machine())
+
+
+def try_rest(seed):
+    """Return how a rest goes; None where nothing moves, or on the exact path."""
+    case = dataclasses.replace(stop_gate.draw(seed), slope="jerk")
+    return None if case.exact else stop_gate.try_case(Rest(**dataclasses.asdict(case)))
+
+
+def main():
+    """Try what the command line says; return 1 if something is wrong."""
+    if sys.argv[1:2] == ["stops"]:
+        return stop_gate.search(try_rest, 300)
+    count, first = [*(int(word) for word in sys.argv[1:]), *(1000, 0)[len(sys.argv) - 1 :]]
+    wrong = 0
+    for seed in range(first, first + count):
+        if found := findings(seed):
+            wrong += 1
+            print(f"{seed}: {found}", flush=True)
+    print(f"{wrong} of {count} programs from seed {first} on")
+    return int(wrong > 0)
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,62 @@
+# SPDX-License-Identifier: MIT
+"""The slope in work, by convex optimisation along clocked paths, in the whole kernel: what its
+programs promise, how soon a rest comes, and that it is as fast as its prototype."""
+
+import sys
+from pathlib import Path
+
+import pytest
+
+sys.path.append(str(Path(__file__).resolve().parents[1]))
+
+import clocked
+import stop_gate
+
+from pycnc.bench import bounds, programs
+from pycnc.planning.plan import Plan
+from pycnc.program import Program
+
+FEED = 6000  # mm/min
+# Of the prototype's time: 0.3 % of every limit is kept, the spiral takes 1.1 % longer.
+NEAR = 1.015
+# Programs, P [mm], and what the prototype takes for them [s]: v 100 mm/s, a 1000, j 10 000.
+PROTOTYPE = {
+    "two edges": (lambda: bounds._stairs(2, 10.0), 0.01, 0.599),
+    "zigzag of 1 mm": (lambda: bounds._stairs(12, 1.0), 0.01, 1.341),
+    "zigzag of 10 mm": (lambda: bounds._stairs(6, 10.0), 0.01, 1.719),
+    "butterfly": (lambda: bounds._butterfly(0.001), 0.01, 1.652),
+    "butterfly, whole": (lambda: bounds._butterfly(0.005, 1.0), 0.01, 6.012),
+    "spiral": (bounds._spiral, 0.01, 3.224),
+    "arcs of 2 mm": (lambda: bounds._arcs(2.0), 0.01, 1.393),
+    "arcs of 20 mm": (lambda: bounds._arcs(20.0), 0.01, 2.103),
+}
+
+
+@pytest.mark.parametrize("seed", range(24))
+def test_a_program_keeps_its_promises(seed):
+    assert clocked.findings(seed) == ""
+
+
+@pytest.mark.campaign
+def test_programs_keep_their_promises():
+    assert [seed for seed in range(600) if clocked.findings(seed)] == []
+
+
+@pytest.mark.parametrize("first", [100, 120])
+def test_a_rest_comes_in_time(first):
+    stop_gate.hold(clocked.try_rest, range(first, first + 20))
+
+
+@pytest.mark.parametrize("name", PROTOTYPE)
+def test_it_is_as_fast_as_the_prototype(name):
+    make, tolerance, prototype_s = PROTOTYPE[name]
+    made = make()
+    points, moves = made if isinstance(made, tuple) else (made, None)
+    points = points - points[0]
+    machine = clocked.clocked(programs.machine())
+    if moves:
+        text = programs.head(f"G64 P{tolerance}") + f"F{FEED}\n{moves}M2\n"
+        program = Program(text.encode(), machine)
+    else:
+        program = Program.from_points(points, FEED, machine, tolerance=tolerance)
+    assert Plan(program).time_s <= NEAR * prototype_s
