@@ -8,7 +8,7 @@
 static const double spare = 1.3; // a spindle may turn so much faster than when the pass began
 static const double larger = 1.5; // kinks may be by so much where lines are still to come
 static const double least = 0.1;  // of what the axes bear is left for a chase, in any case
-static const double wider = 1.1;  // a kink is rounded by no more than so much further than it has to
+static const double wider = 1.1;  // at most, what a kink is rounded further by than it has to be
 
 // ---- the way
 
@@ -305,8 +305,8 @@ static double strain(const follow_t *self) {
     return fmin(most, 1.0 - least);
 }
 
-// How fast the way may be gone, so that with an acceleration a the kinks ahead are come to no faster
-// than they were rounded for [revolutions/s].
+// How fast the way may be gone, so that with an acceleration a the kinks ahead are come to no
+// faster than they were rounded for [revolutions/s].
 static double to_kinks(const follow_t *self, double a) {
     double v = INFINITY;
     for (uint32_t n = oldest(self); n <= self->head; n++) {

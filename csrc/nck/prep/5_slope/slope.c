@@ -6,7 +6,7 @@
 #include <string.h> // memset
 
 #include "nck/base/fence.h"               // nck_fence_load nck_fence_store
-#include "nck/base/real.h"                // nck_max
+#include "nck/base/real.h"                // nck_max nck_min
 #include "nck/prep/5_slope/ladder_math.h" // NCK_LADDER_STRETCH
 #include "nck/prep/5_slope/overlap.h"     // nck_overlap_…
 #include "nck/prep/5_slope/planner.h"     // nck_planner_…
@@ -208,7 +208,6 @@ static uint32_t passed_meanwhile(const nck_slope_t *self) {
 
 // The same, with the time that they lasted: a ladder for far lower speeds is passed in no time.
 static void note_passed(nck_slope_t *self, nck_slope_passed_t *passed_out) {
-    const uint32_t passed = passed_meanwhile(self);
     int entered = 0;
     const uint32_t end = nck_link_end(self->link, &entered);
     double time = self->begun.lead_s - nck_link_lead(self->link);
@@ -218,8 +217,8 @@ static void note_passed(nck_slope_t *self, nck_slope_passed_t *passed_out) {
         time += cell->duration;
     }
     const double even = 1.0 + NCK_LADDER_STRETCH * nck_max(time, 0.0) / self->cell_s;
-    passed_out->cells = passed;
-    passed_out->even = even < (double)passed ? (uint32_t)even : passed;
+    passed_out->cells = passed_meanwhile(self);
+    passed_out->even = (uint32_t)nck_min(even, (double)passed_out->cells);
 }
 
 // Other wishes: plan anew from a few cells behind the final ones, unless the path rests by then.
