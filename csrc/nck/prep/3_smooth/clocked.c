@@ -53,7 +53,7 @@ static void open_run(nck_clocked_t *self, const nck_terms_t *terms, const nck_se
     wish.most = ITERATIONS;
     self->open = 1;
     self->closed = 0;
-    self->rests = (uint8_t)!rests;
+    self->rests = rests ? 0 : 1;
     self->s = 0.0;
     self->out.head = 0;
     self->out.tail = 0;

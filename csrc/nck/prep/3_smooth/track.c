@@ -2,7 +2,7 @@
 // Inside room 3: the programmed path, and how short lines become one while they are read.
 #include "nck/prep/3_smooth/track.h"
 
-#include <string.h> // memcmp memcpy memset
+#include <string.h> // memcpy memset
 
 #include "nck/base/path.h" // nck_path_part nck_path_tangent_part
 #include "nck/base/real.h" // nck_max nck_min nck_sqrt
@@ -62,9 +62,11 @@ static void set_words(nck_track_words_t *words, const nck_seg_t *seg) {
 
 // 1 if a seg has these words.
 static int is_same(const nck_track_words_t *words, const nck_seg_t *seg) {
-    nck_track_words_t other;
-    set_words(&other, seg);
-    return memcmp(words, &other, sizeof other) == 0;
+    const nck_spin_t *const spin = &words->spin;
+    const int turns = spin->speed == seg->spin.speed && spin->most == seg->spin.most
+                      && spin->x == seg->spin.x && spin->per_rev == seg->spin.per_rev;
+    return turns && words->feed == seg->feed && words->feed_scale == seg->feed_scale
+           && words->rapid == seg->rapid;
 }
 
 // Join the line to the newest element. Returns 1, or 0: it cannot be.

@@ -103,7 +103,7 @@ static uint32_t most_intervals(nck_optimal_t *self) {
 }
 
 // Count the intervals of the window.
-static nck_status_t count(nck_optimal_t *self, const nck_pieces_t *pieces) {
+static nck_status_t count_intervals(nck_optimal_t *self, const nck_pieces_t *pieces) {
     nck_optimal_pace_t *const work = nck_optimal_work(self);
     const uint32_t least = nck_optimal_goes_on(self) ? NCK_OPTIMAL_GIVEN + 1 : 1;
     const uint32_t most = most_intervals(self);
@@ -119,7 +119,7 @@ static nck_status_t count(nck_optimal_t *self, const nck_pieces_t *pieces) {
     return NCK_EMPTY;
 }
 
-static nck_status_t ask(nck_optimal_t *self) {
+static nck_status_t set_wish(nck_optimal_t *self) {
     const nck_optimal_pace_t *const work = nck_optimal_work(self);
     nck_motion_wish_t asked;
     memset(&asked, 0, sizeof asked);
@@ -144,16 +144,16 @@ static nck_status_t ask(nck_optimal_t *self) {
     return nck_motion_begin(&self->motion, &asked);
 }
 
-static nck_status_t lay(nck_optimal_t *self, const nck_pieces_t *pieces) {
+static nck_status_t lay_window(nck_optimal_t *self, const nck_pieces_t *pieces) {
     if (nck_optimal_work(self)->n == 0) look_slower(self, pieces);
-    const nck_status_t status = count(self, pieces);
+    const nck_status_t status = count_intervals(self, pieces);
     if (status != NCK_DONE) return status;
     self->i = 0;
     self->phase = PHASE_FILL;
-    return ask(self);
+    return set_wish(self);
 }
 
-static nck_status_t fill(nck_optimal_t *self, const nck_pieces_t *pieces) {
+static nck_status_t fill_nodes(nck_optimal_t *self, const nck_pieces_t *pieces) {
     const nck_optimal_pace_t *const work = nck_optimal_work(self);
     for (int n = 0; n < NCK_OPTIMAL_STEP && self->i <= work->n; n++) {
         nck_optimal_fill(self, pieces, self->i++);
@@ -200,7 +200,7 @@ static uint32_t commit_of(const nck_optimal_t *self, const nck_optimal_pace_t *w
     return work->n > NCK_OPTIMAL_GIVEN ? work->n - NCK_OPTIMAL_GIVEN : 1;
 }
 
-static nck_status_t solve(nck_optimal_t *self) {
+static nck_status_t solve_motion(nck_optimal_t *self) {
     const nck_status_t status = nck_motion_step(&self->motion);
     nck_optimal_pace_t *const work = nck_optimal_work(self);
     if (status != NCK_DONE) return status;
@@ -229,9 +229,9 @@ static nck_status_t solve(nck_optimal_t *self) {
 nck_status_t nck_optimal_step(nck_optimal_t *self, const nck_pieces_t *pieces) {
     if (!NCK_HAS_OPTIMAL) return NCK_E_INTERNAL;
     switch (self->phase) {
-    case PHASE_LAY: return lay(self, pieces);
-    case PHASE_FILL: return fill(self, pieces);
-    case PHASE_SOLVE: return solve(self);
+    case PHASE_LAY: return lay_window(self, pieces);
+    case PHASE_FILL: return fill_nodes(self, pieces);
+    case PHASE_SOLVE: return solve_motion(self);
     default: return nck_optimal_draw(self, pieces);
     }
 }

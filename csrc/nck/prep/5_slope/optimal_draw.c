@@ -37,15 +37,15 @@ static double time_over(double b0, double a0, double a1, double h) {
 }
 
 // A stretch of the clock within half an interval, along which b′/2 goes evenly from a0 to a1.
-typedef struct stretch {
+typedef struct portion {
     double u;      // where it begins in the interval [s]
     double h;      // its way [s]
     double b0, b1; // at its ends
     double a0, a1; // at its ends [1/s]
-} stretch_t;
+} portion_t;
 
 // It as a cell: the cubic of time that has its length and the speeds at both ends.
-static void put_cell(nck_optimal_t *self, const nck_node_t *piece, const stretch_t *on, int last) {
+static void put_cell(nck_optimal_t *self, const nck_node_t *piece, const portion_t *on, int last) {
     const double knot = self->terms->knot_s;
     const double scale = piece->length / knot;
     const double v0 = scale * nck_sqrt(on->b0);
@@ -73,7 +73,7 @@ static void put_cell(nck_optimal_t *self, const nck_node_t *piece, const stretch
 
 // Such a cell's acceleration is off by Δa·Δv/6v at its ends, which in m parts is less by m². One
 // sample of jerk feels it whole.
-static int parts_of(const nck_optimal_t *self, const nck_node_t *piece, const stretch_t *on) {
+static int parts_of(const nck_optimal_t *self, const nck_node_t *piece, const portion_t *on) {
     const double scale = piece->length / self->terms->knot_s;
     const double most = CELL_SHARE * self->j_least * self->terms->machine->period_s;
     const double v0 = nck_sqrt(on->b0);
@@ -86,9 +86,9 @@ static int parts_of(const nck_optimal_t *self, const nck_node_t *piece, const st
 }
 
 // Half an interval in cells.
-static void put_half(nck_optimal_t *self, const nck_node_t *piece, const stretch_t *on, int last) {
+static void put_half(nck_optimal_t *self, const nck_node_t *piece, const portion_t *on, int last) {
     const int parts = on->b1 > 0.0 ? parts_of(self, piece, on) : 1;
-    stretch_t part = *on;
+    portion_t part = *on;
     part.h = on->h / (double)parts;
     for (int n = 1; n <= parts; n++) {
         const double share = (double)n / (double)parts;
@@ -114,13 +114,13 @@ static void draw_interval(nck_optimal_t *self, const nck_node_t *piece, uint32_t
     const double a = middle_accel(work, knot, k);
     if (k > 0 || !nck_optimal_goes_on(self)) {
         const double a0 = 0.5 * ((k > 0 ? middle_accel(work, knot, k - 1) : 0.0) + a);
-        const stretch_t first = {0.0, half, pace_at(work, k), b, a0, a};
+        const portion_t first = {0.0, half, pace_at(work, k), b, a0, a};
         put_half(self, piece, &first, 0);
     }
     if (k == self->takes_over) self->seam = self->cells;
     const int rests = k + 1 == work->n && !work->ends;
     const double a1 = 0.5 * (a + middle_accel(work, knot, k + 1));
-    const stretch_t second = {half, half, b, rests ? 0.0 : pace_at(work, k + 1), a, a1};
+    const portion_t second = {half, half, b, rests ? 0.0 : pace_at(work, k + 1), a, a1};
     put_half(self, piece, &second, 1);
 }
 

@@ -12,8 +12,9 @@
 // Nodes over which the guess brakes for a window's end.
 #define BRAKE_NODES 40.0
 #define PACE_LEAST 1e-8
-// Shares of an interval that the path's speed over the clock is looked at in: a parabola's root.
-#define LOOK 0.25
+// Parts of an interval, at whose ends the path's speed over the clock is looked at: its square is
+// of the fourth degree there.
+enum { LOOKS = 4 };
 // Slower than that by its clock the path rests [mm/s].
 #define REST_LEAST 1e-6
 #define PACE_MOST 1e6
@@ -55,25 +56,25 @@ static double along_at(const nck_optimal_t *self, const nck_seg_t *seg, double w
 
 // What stands about a node: within half an interval of it b is a mean of its own and both
 // neighbours', so what holds at all three within one and a half keeps feeds between nodes, too.
-typedef struct around {
+typedef struct nearby {
     double along; // the most |p′|² [(mm/s)²]
     double vv;    // the least that is wanted [(mm/s)²]
-} around_t;
+} nearby_t;
 
-// … an interval of it, from w0 to w1.
-static void look_at(const nck_optimal_t *self, const nck_node_t *piece, const double span[2],
-                    around_t *around) {
+// … an interval of it, from one place to another.
+static void look_at(const nck_optimal_t *self, const nck_node_t *piece, const int span[2],
+                    nearby_t *around) {
     const nck_seg_t *const seg = nck_link_seg(self->link, piece->seg);
     around->vv = nck_min(around->vv, nck_optimal_wanted(self, piece));
-    for (double w = span[0]; w <= span[1]; w += LOOK) {
-        around->along = nck_max(around->along, along_at(self, seg, w));
+    for (int n = span[0]; n <= span[1]; n++) {
+        around->along = nck_max(around->along, along_at(self, seg, (double)n / LOOKS));
     }
 }
 
 // Begin of the path's motion or of the window, and its end, end what is looked at.
 static void look_around(const nck_optimal_t *self, const nck_pieces_t *pieces, uint32_t number,
-                        around_t *around_out) {
-    static const double span[4][2] = {{0.5, 1.0}, {0.0, 1.0}, {0.0, 1.0}, {0.0, 0.5}};
+                        nearby_t *around_out) {
+    static const int span[4][2] = {{LOOKS / 2, LOOKS}, {0, LOOKS}, {0, LOOKS}, {0, LOOKS / 2}};
     around_out->along = 0.0;
     around_out->vv = PACE_MOST * PACE_MOST;
     for (uint32_t n = 0; n < 4; n++) {
@@ -97,7 +98,7 @@ static double cap_of(const nck_optimal_t *self, const nck_num *first, double alo
 
 // A pace to begin with, which may break limits by far: the last plan's, as far as that is not the
 // brake for its window's end; the clock's own behind it, with a brake for this window's end.
-static double guess(nck_optimal_t *self, uint32_t k) {
+static double pace_guess(nck_optimal_t *self, uint32_t k) {
     const nck_optimal_pace_t *const work = nck_optimal_work(self);
     const nck_optimal_pace_t *const now = nck_optimal_now(self);
     const uint32_t at = work->first - now->first + k;
@@ -174,7 +175,7 @@ void nck_optimal_fill(nck_optimal_t *self, const nck_pieces_t *pieces, uint32_t 
     nck_num first[NCK_AXIS_MAX];
     nck_num second[NCK_AXIS_MAX];
     nck_num cap_and_b[2];
-    around_t around;
+    nearby_t around;
     look_around(self, pieces, work->first + k, &around);
     double vv = around.vv;
     derive(seg, self->terms->axes, self->terms->knot_s, at_end, first, second);
@@ -189,7 +190,7 @@ void nck_optimal_fill(nck_optimal_t *self, const nck_pieces_t *pieces, uint32_t 
     if (k + 1 == work->n && !work->ends) {
         cap_and_b[0] = cap_at_end(self, first, cap_and_b[0]);
     }
-    cap_and_b[1] = (nck_num)guess(self, k);
+    cap_and_b[1] = (nck_num)pace_guess(self, k);
     nck_motion_node(&self->motion, (int)k, first, second, cap_and_b);
 }
 

@@ -248,8 +248,10 @@ static bounds_t bounds_of(nck_clock_t *self, const nck_terms_t *terms,
     const double a_path = machine->path.a_max;
     bounds_t bounds = {-SHARE * a_path, -a_path, -BEGIN_SHARE * j_path, back * j_path, -j_path,
                        1.0 / j_path, 1.0 / j_path, j_path, back};
-    nck_clock_geometry_t at[2] = {place->at, place->at};
+    nck_clock_geometry_t at[2];
     seg_end_t end;
+    at[0] = place->at;
+    at[1] = place->at;
     const int felt = feels_end(self, place, machine->period_s);
     if (felt) find_geometry(place->behind, 0.0, &at[1]);
     look_at_corner(place, end.jump);
