@@ -188,7 +188,7 @@ static void check_word(check_t *check, uint32_t *word, uint32_t value, int good)
 static void choices_end_at_their_last_one(check_t *check) {
     nck_machine_default(&machine);
     check_word(check, &machine.slope, NCK_SLOPE_SSHAPE, 1);
-    check_word(check, &machine.slope, NCK_SLOPE_SSHAPE + 1, 0);
+    check_word(check, &machine.slope, NCK_SLOPE_OPTIMAL + 1, 0);
     check_word(check, &machine.kinematics, NCK_KINEMATICS_LATHE_XZ, 1);
     check_word(check, &machine.kinematics, NCK_KINEMATICS_LATHE_XZ + 1, 0);
     check_word(check, &machine.dialect.base, NCK_DIALECT_MARLIN, 1);

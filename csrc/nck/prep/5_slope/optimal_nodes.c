@@ -67,7 +67,7 @@ static void look_at(const nck_optimal_t *self, const nck_node_t *piece, const in
     const nck_seg_t *const seg = nck_link_seg(self->link, piece->seg);
     around->vv = nck_min(around->vv, nck_optimal_wanted(self, piece));
     for (int n = span[0]; n <= span[1]; n++) {
-        around->along = nck_max(around->along, along_at(self, seg, (double)n / LOOKS));
+        around->along = nck_max(around->along, along_at(self, seg, (double)n / (double)LOOKS));
     }
 }
 

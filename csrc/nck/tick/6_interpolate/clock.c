@@ -93,10 +93,11 @@ static void find_geometry(const nck_seg_t *seg, double s, nck_clock_geometry_t *
     out->s[0] = 1.0;
     out->s[1] = 0.0;
     out->s[2] = 0.0;
-    if (seg->keeps == NCK_KEEP_CLOCK) by_length(out);
+    if (nck_clock_has(seg)) by_length(out);
 }
 
 static double so_far(const nck_clock_geometry_t *at, double length) {
+    if (!NCK_HAS_OPTIMAL) return length;
     return (at->s[0] + (0.5 * at->s[1] + at->s[2] / 6.0 * length) * length) * length;
 }
 
@@ -120,7 +121,7 @@ static void bound_jerk(bounds_t *bounds, double along, double twist, double j_ma
 // The most that |p′| of an axis is in a seg: an arc turns to it, a spline's is a mean of the
 // slopes between its points.
 static double most_along(const nck_seg_t *seg, const nck_clock_geometry_t *at, int x) {
-    if (seg->keeps == NCK_KEEP_CLOCK) return nck_fabs(at->first[x]);
+    if (nck_clock_has(seg)) return nck_fabs(at->first[x]);
     if (nck_path_turns(seg, x)) return 1.0;
     if (seg->kind != NCK_SEG_SPLINE) return nck_fabs(nck_path_slope(seg, x));
     const double b1 = seg->shape.inner[0][x];
@@ -141,7 +142,7 @@ static void look_at_corner(const nck_clock_place_t *place, double *jump_out) {
     double behind[NCK_AXIS_MAX];
     memset(jump_out, 0, NCK_AXIS_MAX * sizeof *jump_out);
     if (!place->behind) return;
-    if (place->seg->keeps == NCK_KEEP_CLOCK) return;
+    if (nck_clock_has(place->seg)) return;
     nck_path_tangent(place->seg, place->seg->length, before);
     nck_path_tangent(place->behind, 0.0, behind);
     for (int x = 0; x < NCK_AXIS_MAX; x++) jump_out[x] = nck_fabs(behind[x] - before[x]);
@@ -213,7 +214,7 @@ static const nck_seg_t *seek_ahead(const nck_clock_place_t *place, double way, d
     while (s > seg->length && !seg->stop && head - seg->seq > 1) {
         const nck_seg_t *const next = nck_link_seg(link, seg->seq + 1);
         if (!(next->length > 0.0)) break;
-        s = (s - seg->length) * (seg->keeps == NCK_KEEP_CLOCK ? next->length / seg->length : 1.0);
+        s = (s - seg->length) * (nck_clock_has(seg) ? next->length / seg->length : 1.0);
         seg = next;
     }
     *s_out = nck_min(s, seg->length);
@@ -227,7 +228,7 @@ static double accel_in_bends(const nck_clock_t *self, const nck_terms_t *terms,
     const double back = BEND_BACK * j;
     double a_low = -terms->machine->path.a_max;
     const double half = 0.5 * nck_fabs(self->second.a) / back + terms->machine->period_s;
-    const int is_clocked = NCK_HAS_OPTIMAL && place->seg->keeps == NCK_KEEP_CLOCK;
+    const int is_clocked = nck_clock_has(place->seg);
     const int places = is_clocked ? (int)BEND_PLACES_CLOCKED : (int)BEND_PLACES;
     for (int n = 0; n < places; n++) {
         const double time = BEND_TIMES * half * (double)n / (double)(places - 1);
@@ -360,6 +361,9 @@ void nck_clock_plan(const nck_cell_t *cell, double t, double a_before, nck_clock
     const double v = nck_max(0.0, nck_cell_speed(cell, t));
     const double a = cell->a + cell->j * t + share * (cell->a - a_before);
     const double *const by = place->at.s;
+    place->v = v;
+    place->a = a;
+    if (!NCK_HAS_OPTIMAL) return;
     place->v = v / by[0];
     place->a = (a - by[1] * place->v * place->v) / by[0];
 }

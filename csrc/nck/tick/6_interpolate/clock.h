@@ -62,10 +62,15 @@ void nck_clock_begin(nck_clock_t *self, double v, double a);
 void nck_clock_find(const nck_link_t *link, const nck_cell_t *cell, double t,
                     nck_clock_place_t *place_out);
 
+// 1 if a seg is an interval of a clocked path. Cost: constant. Context: tick.
+static inline int nck_clock_has(const nck_seg_t *seg) {
+    return NCK_HAS_OPTIMAL && seg->keeps == NCK_KEEP_CLOCK;
+}
+
 // How many periods the tick hands out the mean of on a seg: a clocked path needs no filter.
 // Cost: constant. Context: tick.
 static inline uint32_t nck_clock_taps(const nck_terms_t *terms, const nck_seg_t *seg) {
-    return NCK_HAS_OPTIMAL && seg->keeps == NCK_KEEP_CLOCK ? 1u : terms->taps;
+    return nck_clock_has(seg) ? 1u : terms->taps;
 }
 
 // At s of a clocked seg, whose coordinate goes by the clock: the pose tells the program's

@@ -98,7 +98,7 @@ static void place(nck_interpolate_t *self, const nck_seg_t *seg, double s, doubl
     pose->s = seg->s_begin + s;
     pose->left = 0.0;
     pose->v = v;
-    if (NCK_HAS_OPTIMAL && seg->keeps == NCK_KEEP_CLOCK) nck_clock_measure(seg, s, pose);
+    if (nck_clock_has(seg)) nck_clock_measure(seg, s, pose);
     pose->feed = seg->feed;
     pose->feed_scale = seg->feed_scale;
     const int brakes = self->clock.state == NCK_CLOCK_BRAKES;
@@ -348,7 +348,7 @@ static int go(nck_interpolate_t *self, double way) {
         clock->late -= self->t_cell + cell->duration - now(self);
         if (!cross(self)) return 0;
         const nck_seg_t *const next = seg_at(self, self->cell.seg);
-        if (next != seg && seg->keeps == NCK_KEEP_CLOCK) ahead *= next->length / seg->length;
+        if (nck_clock_has(seg)) ahead *= next->length / seg->length;
     }
 }
 
