@@ -178,9 +178,11 @@
 #if NCK_HAS_OPTIMAL
 #define NCK_OPTIMAL_MEMBER(type, name) type name;
 #define NCK_OPTIMAL_AT(self, name) (&(self)->name)
+#define NCK_OPTIMAL_VALUE(self, name) ((self)->name)
 #else
 #define NCK_OPTIMAL_MEMBER(type, name)
 #define NCK_OPTIMAL_AT(self, name) ((void *)0)
+#define NCK_OPTIMAL_VALUE(self, name) 0u
 #endif
 
 // Intervals of a window of the curve, and elements of its track (3_smooth/CURVE.md).

@@ -18,9 +18,8 @@ static inline int nck_runs_are_clocked(const nck_smooth_t *self) {
 
 // 1 if a clocked run is in work. Cost: constant.
 static inline int nck_runs_is_open(const nck_smooth_t *self) {
-    const nck_clocked_t *const clocked = NCK_OPTIMAL_AT(self, clocked);
     (void)self; // of no use without one
-    return clocked ? (int)clocked->open : 0;
+    return (int)NCK_OPTIMAL_VALUE(self, clocked.open);
 }
 
 #endif
