@@ -24,7 +24,7 @@
 
 // Interrupts run on a stack of the port's, of 256 words unless told. The tick needs more.
 #ifndef OS_CPU_EXCEPT_STK_SIZE
-#define OS_CPU_EXCEPT_STK_SIZE 512u
+#define OS_CPU_EXCEPT_STK_SIZE 640u
 #endif
 
 #endif

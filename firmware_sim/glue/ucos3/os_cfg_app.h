@@ -6,9 +6,9 @@
 
 #include_next <os_cfg_app.h>
 
-#if OS_CFG_ISR_STK_SIZE < 512u
+#if OS_CFG_ISR_STK_SIZE < 640u
 #undef OS_CFG_ISR_STK_SIZE
-#define OS_CFG_ISR_STK_SIZE 512u
+#define OS_CFG_ISR_STK_SIZE 640u
 #endif
 
 #endif

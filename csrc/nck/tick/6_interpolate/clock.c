@@ -161,16 +161,17 @@ static void feel_corner(nck_clock_t *self, const nck_terms_t *terms, const doubl
 
 // One axis, at a place and behind the next seg's begin.
 static void bound_axis(const nck_clock_t *self, const nck_terms_t *terms, int x,
-                       const nck_clock_geometry_t at[2], const seg_end_t *end, bounds_t *bounds) {
+                       const nck_clock_geometry_t *const at[2], const seg_end_t *end,
+                       bounds_t *bounds) {
     const nck_axis_t *const axis = &terms->machine->axis[x];
     const double period = terms->machine->period_s;
     const double v = self->first.v;
     const double next = nck_max(0.0, v + self->second.a * period);
-    const double along = nck_fabs(at[0].first[x]);
-    const double sign = at[0].first[x] < 0.0 ? -1.0 : 1.0;
+    const double along = nck_fabs(at[0]->first[x]);
+    const double sign = at[0]->first[x] < 0.0 ? -1.0 : 1.0;
     if (!axis->present || along < ALONG_LEAST) return;
-    const double here = sign * (at[0].second[x] + at[0].third[x] * v * period);
-    const double curve = nck_min(here, sign * at[1].second[x]) * next * next;
+    const double here = sign * (at[0]->second[x] + at[0]->third[x] * v * period);
+    const double curve = nck_min(here, sign * at[1]->second[x]) * next * next;
     const double a_max = nck_max(0.0, SHARE * axis->a_max - (double)self->jump[x] * next / period);
     const double least = -LEAST_SHARE * axis->a_max / along;
     bounds->a_floor = nck_max(bounds->a_floor, -axis->a_max / along);
@@ -181,7 +182,7 @@ static void bound_axis(const nck_clock_t *self, const nck_terms_t *terms, int x,
     const double speed[2] = {v, next};
     for (int n = 0; n < 4; n++) {
         const double u = speed[n / 2];
-        const nck_clock_geometry_t *const g = &at[n % 2];
+        const nck_clock_geometry_t *const g = at[n % 2];
         const double twist = sign * (g->third[x] * u * u + 3.0 * g->second[x] * self->second.a) * u;
         bound_jerk(bounds, along, twist, axis->j_max);
     }
@@ -249,19 +250,23 @@ static bounds_t bounds_of(nck_clock_t *self, const nck_terms_t *terms,
     const double a_path = machine->path.a_max;
     bounds_t bounds = {-SHARE * a_path, -a_path, -BEGIN_SHARE * j_path, back * j_path, -j_path,
                        1.0 / j_path, 1.0 / j_path, j_path, back};
-    nck_clock_geometry_t at[2];
+    nck_clock_geometry_t there;
+    const nck_clock_geometry_t *at[2];
     seg_end_t end;
-    at[0] = place->at;
-    at[1] = place->at;
+    at[0] = &place->at;
+    at[1] = &place->at;
     const int felt = feels_end(self, place, machine->period_s);
-    if (felt) find_geometry(place->behind, 0.0, &at[1]);
+    if (felt) {
+        find_geometry(place->behind, 0.0, &there);
+        at[1] = &there;
+    }
     look_at_corner(place, end.jump);
     feel_corner(self, terms, end.jump, felt);
     end.in_s = nck_max(0.0, place->seg->length - place->s) / (self->first.v * place->at.s[0]);
     for (int x = 0; x < terms->axes; x++) {
         bound_axis(self, terms, x, at, &end, &bounds);
-        const double behind = place->behind ? most_along(place->behind, &at[1], x) : 0.0;
-        const double along = nck_max(most_along(place->seg, &at[0], x), behind);
+        const double behind = place->behind ? most_along(place->behind, at[1], x) : 0.0;
+        const double along = nck_max(most_along(place->seg, at[0], x), behind);
         if (!machine->axis[x].present || along < ALONG_LEAST) continue;
         bounds.j_end = nck_min(bounds.j_end, machine->axis[x].j_max / along);
     }
