@@ -178,11 +178,7 @@ def ours(points, tolerance, moves=None):
         What ``pycnc run --json`` tells of the motion.
     """
     axes = points.shape[1]
-    if moves:
-        text = programs.head(f"G64 P{tolerance}") + f"F{FEED}\n{moves}M2\n"
-        program = Program(text.encode(), programs.machine())
-    else:
-        program = Program.from_points(points, FEED, programs.machine(), tolerance=tolerance)
+    program = _program(points, tolerance, moves, programs.machine())
     plan, trace = Plan(program), Trace(program)
     places = np.column_stack([trace[f"pos_{axis}_mm"] for axis in "xyz"[:axes]])
     places = np.concatenate([np.zeros((1, axes)), places])
@@ -190,6 +186,13 @@ def ours(points, tolerance, moves=None):
     t = np.arange(len(s)) * programs.machine().period_s
     seen = Seen(t, s, places, _corners_s(points, plan.segs, s, t))
     return plan, seen, trace.summary
+
+
+def _program(points, tolerance, moves, machine):
+    if not moves:
+        return Program.from_points(points, FEED, machine, tolerance=tolerance)
+    text = programs.head(f"G64 P{tolerance}") + f"F{FEED}\n{moves}M2\n"
+    return Program(text.encode(), machine)
 
 
 def _peak(facts):

@@ -14,9 +14,7 @@ import stop_gate
 
 from pycnc.bench import bounds, programs
 from pycnc.planning.plan import Plan
-from pycnc.program import Program
 
-FEED = 6000  # mm/min
 # Of the prototype's time: 0.3 % of every limit is kept, the spiral takes 1.1 % longer.
 NEAR = 1.015
 # Programs, P [mm], and what the prototype takes for them [s]: v 100 mm/s, a 1000, j 10 000.
@@ -37,11 +35,6 @@ def test_a_program_keeps_its_promises(seed):
     assert clocked.findings(seed) == ""
 
 
-@pytest.mark.campaign
-def test_programs_keep_their_promises():
-    assert [seed for seed in range(600) if clocked.findings(seed)] == []
-
-
 @pytest.mark.parametrize("first", [100, 120])
 def test_a_rest_comes_in_time(first):
     stop_gate.hold(clocked.try_rest, range(first, first + 20))
@@ -52,11 +45,6 @@ def test_it_is_as_fast_as_the_prototype(name):
     make, tolerance, prototype_s = PROTOTYPE[name]
     made = make()
     points, moves = made if isinstance(made, tuple) else (made, None)
-    points = points - points[0]
     machine = clocked.clocked(programs.machine())
-    if moves:
-        text = programs.head(f"G64 P{tolerance}") + f"F{FEED}\n{moves}M2\n"
-        program = Program(text.encode(), machine)
-    else:
-        program = Program.from_points(points, FEED, machine, tolerance=tolerance)
+    program = bounds._program(points - points[0], tolerance, moves, machine)
     assert Plan(program).time_s <= NEAR * prototype_s

@@ -2,6 +2,8 @@
 // The derivatives of straight lines, arcs, helices and cubic splines.
 #include "nck/base/path.h"
 
+#include "nck/base/gauss_math.h" // nck_gauss_place nck_gauss_weight
+
 // Where the start radius (u, v) of an arc points at s: turned by sweep·s/L.
 static void radius_at(const nck_seg_t *seg, double s, double *radius_out) {
     const nck_seg_arc_t *const arc = &seg->shape.arc;
@@ -107,17 +109,15 @@ void nck_path_third(const nck_seg_t *seg, double s, double *third_out) {
     nck_path_third_part(seg, s, NCK_AXIS_MAX, third_out);
 }
 
-// ∫ |dp/ds| from 0 to s. Gauss' three places are exact for polynomials up to the fifth degree.
+// ∫ |dp/ds| from 0 to s.
 static double length_to(const nck_seg_t *seg, double s) {
-    static const double place[3] = {0.1127016653792583, 0.5, 0.8872983346207417};
-    static const double weight[3] = {5.0 / 18.0, 8.0 / 18.0, 5.0 / 18.0};
     double length = 0.0;
-    for (int i = 0; i < 3; i++) {
+    for (int i = 0; i < NCK_GAUSS_PLACES; i++) {
         double tangent[NCK_AXIS_MAX];
         double square = 0.0;
-        nck_path_tangent(seg, place[i] * s, tangent);
+        nck_path_tangent(seg, nck_gauss_place(i) * s, tangent);
         for (int x = 0; x < NCK_AXIS_MAX; x++) square += tangent[x] * tangent[x];
-        length += weight[i] * nck_sqrt(square);
+        length += nck_gauss_weight(i) * nck_sqrt(square);
     }
     return length * s;
 }

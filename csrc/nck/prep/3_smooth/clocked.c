@@ -18,6 +18,7 @@ enum {
 static double most_feed(const nck_machine_t *machine, const nck_seg_t *seg, int axes) {
     double slowness = 0.0;
     for (int x = 0; x < axes; x++) {
+        if (!machine->axis[x].present) continue;
         const double along = seg->kind == NCK_SEG_ARC ? 1.0 : nck_fabs(nck_path_slope(seg, x));
         slowness = nck_max(slowness, along / machine->axis[x].rapid);
     }

@@ -247,9 +247,10 @@ static void arrive(nck_smooth_t *self, const nck_block_t *block, const nck_seg_t
 // 1 if the block is taken by the clocked run, which it may open; else that is over.
 static int goes_clocked(nck_smooth_t *self, const nck_block_t *block, const nck_raw_t *raw) {
     nck_clocked_t *const clocked = nck_runs_of(self);
-    if (raw->smooth && !(block->surface > 0.0)) {
-        const int rests = self->rests;
-        return nck_clocked_push(clocked, self->terms, &raw->seg, raw->tolerance, rests) == NCK_OK;
+    const int may_join = raw->smooth && !(block->surface > 0.0);
+    if (may_join && nck_clocked_push(clocked, self->terms, &raw->seg, raw->tolerance,
+                                     self->rests) == NCK_OK) {
+        return 1;
     }
     if (clocked->open && is_between(raw) && nck_clocked_has_room(clocked)) {
         nck_clocked_push_output(clocked, &raw->output);

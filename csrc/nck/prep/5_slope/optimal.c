@@ -17,11 +17,10 @@ enum {
     COMMIT_LEAST = INTERVALS_MOST / 8, // … at least so many: every plan costs as much …
     COMMIT_OFF = 4, // … and none of the brake for its window's end, nor of what leads to it
     ITERATIONS = 60, // of one plan; windows of random polygons take 14 to 44
-    ITERATIONS_SLOWED = 100, // … while it slows down
-    PARTS_MOST = 3 // cells of half an interval
+    ITERATIONS_SLOWED = 100 // … while it slows down
 };
-// Of the time, what a plan may be away from the fastest: 20 iterations; 5 % save two and cost 0.4
-// %.
+// Of the time, what a plan may be away from the fastest: 20 iterations; 0.05 saves two of them and
+// costs 0.4 %.
 #define GAP 0.02
 // What a broken row's slack begins with: far off, and next to a plan that only has to be slowed.
 #define ROOM 0.3
@@ -124,7 +123,8 @@ static nck_status_t set_wish(nck_optimal_t *self) {
     nck_motion_wish_t asked;
     memset(&asked, 0, sizeof asked);
     asked.tau = self->terms->knot_s;
-    asked.axes = self->terms->axes + nck_optimal_has_path(self);
+    self->has_path = (uint32_t)nck_optimal_has_path(self);
+    asked.axes = self->terms->axes + (int)self->has_path;
     asked.nodes = (int)work->n + 1;
     asked.fixed = nck_optimal_goes_on(self) ? (int)NCK_OPTIMAL_GIVEN : 0;
     asked.ends = (work->ends ? NCK_MOTION_FREE_END : 0u);
@@ -239,7 +239,6 @@ nck_status_t nck_optimal_step(nck_optimal_t *self, const nck_pieces_t *pieces) {
 void nck_optimal_hurry(nck_optimal_t *self) {
     if (NCK_HAS_OPTIMAL) self->job.starved = 1;
 }
-
 
 // A cell that begins in the middle of its seg. In the last interval there is no seam.
 uint32_t nck_optimal_seam(const nck_optimal_t *self, uint32_t cell) {

@@ -2,6 +2,7 @@
 // Inside room 5: intervals of a clocked path become the nodes of a motion.
 #include "nck/prep/5_slope/optimal_nodes.h"
 
+#include "nck/base/path.h" // nck_path_tangent_part nck_path_second_part
 #include "nck/base/real.h" // nck_fabs nck_min nck_max nck_sqrt nck_num
 #include "nck/prep/5_slope/optimal_pace.h" // nck_optimal_work …
 
@@ -24,34 +25,30 @@ enum { LOOKS = 4 };
 // The same of speed, which it passes by less.
 #define SHARE_SPEED 0.999
 
-// Derivatives by the clock, of a spline's Bernstein points, at its begin and its end:
-//   p′ = 3(b1 − b0)/τ    p″ = 6(b2 − 2b1 + b0)/τ²
-static void derive(const nck_seg_t *seg, int axes, double knot, int at_end, nck_num *first_out,
+// Derivatives by the clock, at the begin or the end of an interval.
+static void derive(const nck_optimal_t *self, const nck_seg_t *seg, int at_end, nck_num *first_out,
                    nck_num *second_out) {
+    const int axes = self->terms->axes;
+    const double per = seg->length / self->terms->knot_s;
+    const double s = at_end ? seg->length : 0.0;
+    double first[NCK_AXIS_MAX];
+    double second[NCK_AXIS_MAX];
+    nck_path_tangent_part(seg, s, axes, first);
+    nck_path_second_part(seg, s, axes, second);
     for (int x = 0; x < axes; x++) {
-        const double to_b1 = seg->shape.inner[0][x] - seg->start[x];
-        const double to_b2 = seg->shape.inner[1][x] - seg->shape.inner[0][x];
-        const double to_b3 = seg->end[x] - seg->shape.inner[1][x];
-        const double bend = at_end ? to_b3 - to_b2 : to_b2 - to_b1;
-        first_out[x] = (nck_num)(3.0 / knot * (at_end ? to_b3 : to_b1));
-        second_out[x] = (nck_num)(6.0 / (knot * knot) * bend);
+        first_out[x] = (nck_num)(per * first[x]);
+        second_out[x] = (nck_num)(per * per * second[x]);
     }
 }
 
 // |p′|² within an interval, at w of it.
 static double along_at(const nck_optimal_t *self, const nck_seg_t *seg, double w) {
-    const double per = 3.0 / self->terms->knot_s;
+    const double per = seg->length / self->terms->knot_s;
+    double tangent[NCK_AXIS_MAX];
     double sum = 0.0;
-    for (int x = 0; x < self->terms->axes; x++) {
-        const double to_b1 = seg->shape.inner[0][x] - seg->start[x];
-        const double to_b2 = seg->shape.inner[1][x] - seg->shape.inner[0][x];
-        const double to_b3 = seg->end[x] - seg->shape.inner[1][x];
-        const double low = to_b1 + (to_b2 - to_b1) * w;
-        const double high = to_b2 + (to_b3 - to_b2) * w;
-        const double slope = per * (low + (high - low) * w);
-        sum += slope * slope;
-    }
-    return sum;
+    nck_path_tangent_part(seg, w * seg->length, self->terms->axes, tangent);
+    for (int x = 0; x < self->terms->axes; x++) sum += tangent[x] * tangent[x];
+    return per * per * sum;
 }
 
 // What stands about a node: within half an interval of it b is a mean of its own and both
@@ -178,14 +175,14 @@ void nck_optimal_fill(nck_optimal_t *self, const nck_pieces_t *pieces, uint32_t 
     nearby_t around;
     look_around(self, pieces, work->first + k, &around);
     double vv = around.vv;
-    derive(seg, self->terms->axes, self->terms->knot_s, at_end, first, second);
+    derive(self, seg, at_end, first, second);
     if (k == 0) self->at_rest = (uint32_t)is_rest(self, first);
     work->along[k] = 0.0f;
     for (int x = 0; x < self->terms->axes; x++) {
         work->along[k] += (float)first[x] * (float)first[x];
     }
     if (nck_optimal_slows(self)) vv = nck_max(vv, self->vv_floor);
-    if (nck_optimal_has_path(self)) add_length(self->terms->axes, first, second);
+    if (self->has_path) add_length(self->terms->axes, first, second);
     cap_and_b[0] = (nck_num)cap_of(self, first, around.along, vv);
     if (k + 1 == work->n && !work->ends) {
         cap_and_b[0] = cap_at_end(self, first, cap_and_b[0]);
@@ -207,7 +204,7 @@ void nck_optimal_set_limits(nck_optimal_t *self, nck_motion_wish_t *asked) {
         asked->v[x] = axis->present ? SHARE_SPEED * axis->v_max : 0.0;
         if (axis->present) self->j_least = nck_min(self->j_least, asked->j[x]);
     }
-    if (asked->axes == self->terms->axes) return;
+    if (!self->has_path) return;
     asked->a[asked->axes - 1] = SHARE_ASKED * machine->path.a_max;
     asked->j[asked->axes - 1] = SHARE_ASKED * machine->path.j_max;
 }
