@@ -33,6 +33,11 @@ def pytest_configure(config):
     hypothesis.core.global_force_seed = config.option.draw_seed
 
 
+def pytest_xdist_make_scheduler(config, log):
+    """Give out tests so that a run goes on when a process ends."""
+    return limits.Scheduler(config, log)
+
+
 def pytest_collect_file(file_path, parent):
     """Collect C tests beside those in Python."""
     return c_tests.collect_file(file_path, parent)

@@ -19,6 +19,7 @@ from contextlib import contextmanager, nullcontext, suppress
 from pathlib import Path
 
 import pytest
+from xdist.scheduler.loadfile import LoadFileScheduling
 
 FOLDER = Path(__file__).resolve().parents[1] / "build" / "limits"
 # By draw. A quick run's tests take less than 5 s each; the suite's longest is a minute.
@@ -141,6 +142,21 @@ class Watch:
             report.longrepr = f"{report.longrepr or ''}\n{said}"
             self._killed_at = None
         return report
+
+
+class Scheduler(LoadFileScheduling):
+    """Whole files to each process, as xdist gives them, and those left of one that has ended.
+
+    xdist gives out all that the process ever had. Who gets a file with nothing left to run has
+    nothing to answer, so gets no other one: in the end all would wait.
+    """
+
+    def remove_node(self, node):
+        """Take back what a process had; return the test at which it ended, if at one."""
+        files = self.assigned_work[node]
+        for name in [name for name, tests in files.items() if all(tests.values())]:
+            del files[name]
+        return super().remove_node(node)
 
 
 _watch = None
