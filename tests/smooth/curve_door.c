@@ -10,7 +10,8 @@ typedef struct curve_run {
     int points, axes, rounds, room; // room: pieces that fit
     double tau, tolerance, feed, v, a, j;
     int pieces;
-    double told[6]; // windows, iterations, iterations of plans, again, missed, most |r − p|/P
+    double told[8]; // windows, iterations, iterations of plans, again, missed, most |r − p|/P,
+                    // rests for want of a curve, joints with no rest behind them
 } curve_run_t;
 
 static nck_stream_t stream;
@@ -83,8 +84,8 @@ int curve_run(curve_run_t *run, const double *points, double *control_out, doubl
         status = NCK_OK;
     }
     const nck_stream_told_t *const told = &stream.told;
-    const double all[6] = {told->windows, told->iterations, told->plans,
-                           told->again,   told->missed,     told->most};
+    const double all[8] = {told->windows, told->iterations, told->plans, told->again,
+                           told->missed,  told->most,       told->rests, told->restless};
     memcpy(run->told, all, sizeof all);
     return (int)status;
 }

@@ -23,7 +23,7 @@ class Run(ctypes.Structure):
     _fields_ = [
         *((name, ctypes.c_int) for name in ("points", "axes", "rounds", "room")),
         *((name, ctypes.c_double) for name in ("tau", "tolerance", "feed", "v", "a", "j")),
-        ("pieces", ctypes.c_int), ("told", ctypes.c_double * 6),
+        ("pieces", ctypes.c_int), ("told", ctypes.c_double * 8),
     ]  # fmt: skip
 
 

@@ -43,3 +43,17 @@ def test_the_curve_is_proven_within_the_tolerance(library):
         points = np.cumsum(random.normal(size=(40, 3)) * 10 ** random.uniform(-2, 0), axis=0)
         *_, run = curve_door.smooth(library, points, 10 ** random.uniform(-2.7, -1.5))
         assert run.told[4] == 0 and run.told[5] <= 1.0
+
+
+def test_no_curve_misses_a_tolerance_whatever_the_limits_are(library):
+    random = np.random.default_rng(6)
+    rests = 0
+    for _ in range(24):
+        a, j = 10 ** random.uniform([1.3, 2], [4.3, 6])
+        asked = {"a": a, "j": j, "v": 250.0, "feed": 10 ** random.uniform(0, 2.4)}
+        asked["tau"] = min(0.004, 0.4 * (0.01 / j) ** (1 / 3))
+        points = np.cumsum(random.normal(size=(30, 3)) * 10 ** random.uniform(-3, -0.5), axis=0)
+        *_, run = curve_door.smooth(library, points, 10 ** random.uniform(-4, -3.4), **asked)
+        assert run.told[4] == 0 and run.told[5] <= 1.0
+        rests += run.told[6]
+    assert rests > 0

@@ -9,6 +9,10 @@
 // what it has to be. Cost: one point. Context: prep.
 void nck_sample_reference(nck_stream_t *self, int k);
 
+// Of the tolerance what the curve may be off at samples: less by what may lie between them [mm].
+// Cost: constant. Context: prep.
+double nck_sample_room(const nck_stream_t *self, double tolerance);
+
 // What interval i asks of the curve: the reference's jerk, samples of four bins.
 // Cost: 4 points, and linear in elements. Context: prep.
 void nck_sample_interval(nck_stream_t *self, int i);
@@ -16,5 +20,23 @@ void nck_sample_interval(nck_stream_t *self, int i);
 // The most that the curve is off the program in interval i, over the tolerance there: a bound.
 // Cost: 5 points, 60 operations an axis and element. Context: prep.
 double nck_sample_miss(nck_stream_t *self, int i);
+
+// Intervals in which a curve comes to rest behind a joint.
+enum { NCK_SAMPLE_REST = 6 };
+
+// Such a rest: control points, the last three of which are one, on the program.
+typedef struct nck_sample_rest {
+    double point[NCK_SAMPLE_REST + 3][NCK_AXIS_MAX];
+    double place[NCK_SAMPLE_REST + 3]; // s of the program, as coefficients of the same spline
+} nck_sample_rest_t;
+
+// The rest behind its first three control points, which are given, as are three s of the program:
+// at their knot and the two behind it. Each way is half as long as the one before, so it rests one
+// knot on at most. Cost: 8 points. Context: prep.
+void nck_sample_rest(nck_stream_t *self, const double *s, nck_sample_rest_t *rest);
+
+// The most that it is off the program, over the tolerance: a bound. Cost: 200 points, more where
+// that is above 1. Context: prep.
+double nck_sample_rest_miss(nck_stream_t *self, const nck_sample_rest_t *rest);
 
 #endif

@@ -21,7 +21,8 @@
 #define MOST 40    // iterations of a curve
 #define PLAN_GAP 0.1  // of a clock's plan, as a share of its time: a clock needs no more
 #define PLAN_ROOM 0.3 // what a broken row's slack begins with: the guess may be far off
-#define TRIES 6    // curves of a window that may miss P
+#define TRIES 6    // curves of a window that may miss P …
+#define TRIES_REST 20 // … that begins at rest, where a clock slow enough always has one
 #define FRESH 0.6  // [1] b that the first plan begins with: slow enough nearly everywhere
 #define NEAR 0.85  // [1] the same where the clock comes from a plan
 #define FASTEST 1e6 // [1] b where a curve stands still: it is no limit there
@@ -34,6 +35,7 @@ void nck_stream_begin(nck_stream_t *self, const nck_stream_wish_t *wish) {
     self->round = 0;
     self->tries = 0;
     self->commit = 0;
+    self->halts = 0;
     self->share = SHARE;
     self->unit = 0.0;
     self->miss = 0.0;
@@ -163,13 +165,15 @@ static nck_status_t slow_down(nck_stream_t *self) {
     return go(self, NCK_STREAM_CLOCK);
 }
 
+static int tries_of(const nck_stream_t *self) { return self->clock.begins ? TRIES_REST : TRIES; }
+
 static nck_status_t make_fair(nck_stream_t *self) {
     if (nck_fair_step(&self->work.fair) == NCK_OK) return NCK_OK;
     const nck_num primal = self->work.fair.sum.primal;
     self->told.windows++;
     self->told.iterations += (uint32_t)self->work.fair.iterations;
     self->sound = primal < (nck_num)SOUND;
-    if (!(primal < (nck_num)LOST) && self->tries < TRIES) {
+    if (!(primal < (nck_num)LOST) && self->tries < tries_of(self)) {
         self->tries++;
         return slow_down(self);
     }
@@ -186,7 +190,7 @@ static nck_status_t try_again(nck_stream_t *self, double found) {
     self->told.again++;
     const int is_far = !self->sound || found > FAR;
     if (is_far && self->tries < TRIES) return go(self, NCK_STREAM_NODES);
-    if (!self->sound) return slow_down(self);
+    if (!self->sound || self->tries > TRIES) return slow_down(self);
     self->share = nck_max(0.5, self->share * nck_max(0.8, 0.99 / found));
     return go(self, NCK_STREAM_REFERENCE);
 }
@@ -198,6 +202,31 @@ static int proven_to(const nck_stream_t *self) {
     return to < self->clock.knots ? to : self->clock.knots;
 }
 
+// No curve of this window is within P: the last one comes to rest behind its joint instead.
+static nck_status_t halt(nck_stream_t *self) {
+    nck_sample_rest_t rest;
+    self->told.rests++;
+    self->halts = 1;
+    memcpy(rest.point, self->joint, sizeof self->joint);
+    nck_sample_rest(self, self->knot_s, &rest);
+    memcpy(self->point, rest.point, sizeof rest.point);
+    for (int k = 1; k <= NCK_SAMPLE_REST; k++) {
+        const double *const place = &rest.place[k];
+        self->clock.s[4 * k] = (place[0] + 4.0 * place[1] + place[2]) / 6.0;
+    }
+    self->commit = NCK_SAMPLE_REST;
+    return go(self, NCK_STREAM_GIVE);
+}
+
+// The window has no curve that will do: another one, or the rest that the last one has.
+static nck_status_t fail(nck_stream_t *self, double found) {
+    if (self->tries < tries_of(self)) return try_again(self, found);
+    if (!self->clock.begins) return halt(self);
+    self->told.missed++;
+    self->commit = self->given;
+    return go(self, self->clock.ends ? NCK_STREAM_GIVE : NCK_STREAM_NODES);
+}
+
 // Hold an interval against the program.
 static nck_status_t prove(nck_stream_t *self) {
     const double miss = nck_sample_miss(self, self->at++);
@@ -205,11 +234,32 @@ static nck_status_t prove(nck_stream_t *self) {
     if (self->at < proven_to(self)) return NCK_OK;
     const double found = self->miss;
     self->miss = 0.0;
-    if (!(found <= 1.0) && self->tries < TRIES) return try_again(self, found);
-    self->told.missed += found > 1.0;
+    if (!(found <= 1.0)) return fail(self, found);
     self->told.most = nck_max(self->told.most, found);
+    if (!self->clock.ends) return go(self, NCK_STREAM_REST);
     self->commit = self->given;
-    return go(self, self->clock.ends ? NCK_STREAM_GIVE : NCK_STREAM_NODES);
+    return go(self, NCK_STREAM_GIVE);
+}
+
+// The joint is where the curve could rest within P, as late as may be: so the next window may fail.
+static nck_status_t find_rest(nck_stream_t *self) {
+    const int here = self->given - self->at;
+    nck_sample_rest_t rest;
+    if (here < 1) {
+        self->told.restless++;
+        self->sound = 0;
+        return fail(self, FAR);
+    }
+    for (int k = 0; k < 3; k++) self->next_s[k] = self->clock.s[4 * (here + k)];
+    memcpy(rest.point, &self->point[here], sizeof self->joint);
+    nck_sample_rest(self, self->next_s, &rest);
+    if (!(nck_sample_rest_miss(self, &rest) <= 1.0)) {
+        self->at++;
+        return NCK_OK;
+    }
+    self->given = here;
+    self->commit = here;
+    return go(self, NCK_STREAM_NODES);
 }
 
 static nck_status_t begin_motion(nck_stream_t *self) {
@@ -291,10 +341,13 @@ static nck_status_t make_motion(nck_stream_t *self) {
 
 // All of the window's pieces are taken: the next one begins where they end.
 static nck_status_t next_window(nck_stream_t *self) {
-    if (self->clock.ends) return go(self, NCK_STREAM_OVER);
+    if (self->clock.ends && !self->halts) return go(self, NCK_STREAM_OVER);
     const double s = self->clock.s[4 * self->commit];
     memcpy(self->joint, &self->point[self->commit], sizeof self->joint);
-    turn(self, self->commit);
+    memcpy(self->knot_s, self->next_s, sizeof self->knot_s);
+    if (self->halts) nck_timing_rest(&self->clock, &self->work.list, s);
+    else turn(self, self->commit);
+    self->halts = 0;
     nck_timing_drop(&self->clock, s);
     nck_track_drop(&self->track, s, nck_timing_reach(&self->clock, &self->track));
     self->commit = 0;
@@ -322,6 +375,8 @@ nck_status_t nck_stream_step(nck_stream_t *self) {
         return make_motion(self);
     case NCK_STREAM_PROVE:
         return prove(self);
+    case NCK_STREAM_REST:
+        return find_rest(self);
     case NCK_STREAM_GIVE:
         return self->at < self->commit ? NCK_FULL : next_window(self);
     default:
@@ -342,6 +397,6 @@ void nck_stream_take(nck_stream_t *self, nck_stream_piece_t *piece_out) {
     piece_out->block = element->block[0];
     piece_out->words = element->words;
     const int begins = self->clock.begins && i == 0;
-    const int ends = self->clock.ends && i + 1 == self->clock.knots;
+    const int ends = (self->clock.ends || self->halts) && i + 1 == self->commit;
     piece_out->rests = (uint8_t)(begins | (ends << 1));
 }

@@ -38,6 +38,7 @@ typedef enum nck_stream_phase {
     NCK_STREAM_NODES,     // its motion: set up
     NCK_STREAM_MOTION,    // solve
     NCK_STREAM_PROVE,     // is it within P everywhere?
+    NCK_STREAM_REST,      // could it come to rest behind what is given?
     NCK_STREAM_GIVE,      // pieces to take
     NCK_STREAM_OVER       // the run has ended
 } nck_stream_phase_t;
@@ -49,6 +50,8 @@ typedef struct nck_stream_told {
     uint32_t plans;       // iterations of their plans
     uint32_t again;       // windows that missed P at first
     uint32_t slowed;      // clocks that were too fast for any curve
+    uint32_t rests;       // that were left out for a rest: none of theirs was within P
+    uint32_t restless;    // that had no joint with a rest within P behind it
     uint32_t missed;      // that were given although their proof failed
     double most;          // |r − p|/P that is proven, at most
     uint32_t places;      // of the guess
@@ -70,6 +73,9 @@ typedef struct nck_stream {
     uint32_t near;       // element where something was found last
     nck_track_t track;
     nck_timing_t clock;
+    uint8_t halts;       // 1: what is given comes to rest
+    double knot_s[3];    // of the program at the joint and the two knots behind it [path mm]
+    double next_s[3];    // the same of the next joint
     double joint[3][NCK_AXIS_MAX];                // control points given last
     double point[NCK_FAIR_POINTS][NCK_AXIS_MAX];  // of the window
     nck_num b[NCK_FAIR_KNOTS + 1];                // of the clock's plan

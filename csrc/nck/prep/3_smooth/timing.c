@@ -246,12 +246,24 @@ void nck_timing_keep(nck_timing_t *self, nck_timing_list_t *list, const nck_num 
     self->phase = NCK_TIMING_FORWARD;
 }
 
-// The guess behind what is kept.
+void nck_timing_rest(nck_timing_t *self, nck_timing_list_t *list, double s) {
+    list->at[0].s = s;
+    list->at[0].v = 0.0;
+    list->count = 1;
+    list->kept = 1;
+    self->begins = 1;
+    self->phase = NCK_TIMING_FORWARD;
+}
+
+// The guess behind what is kept; where that is a rest, as slow as it leaves one.
 static void add_guess(nck_timing_t *self, nck_timing_list_t *list, double end) {
     const double from = list->count > 0 ? list->at[list->count - 1].s + 1e-7 : -1.0;
     for (uint32_t k = self->guess.tail; k != self->guess.head; k++) {
         nck_place_t place = *place_at(self, k);
         if (place.s <= from) continue;
+        if (self->begins && list->count > 0) {
+            place.v = nck_min(place.v, rest_speed(self->terms, place.s - list->at[0].s));
+        }
         if (self->closed || self->brakes) {
             place.v = nck_min(place.v, rest_speed(self->terms, end - place.s));
         }

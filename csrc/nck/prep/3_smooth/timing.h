@@ -60,7 +60,7 @@ typedef struct nck_timing {
     uint8_t closed;   // 1: the run's end is known
     uint8_t looked;   // 1: the guess has reached it
     uint8_t brakes;   // 1: so little is known that the guess rests where that ends
-    uint8_t begins;   // 1: the window begins at the run's begin, at rest
+    uint8_t begins;   // 1: the window begins at rest
     uint8_t ends;     // 1: it ends at the run's end
     nck_timing_phase_t phase;
     int knots;        // of the window
@@ -94,6 +94,9 @@ void nck_timing_drop(nck_timing_t *self, double s);
 // Cost: linear in what is kept. Context: prep.
 void nck_timing_keep(nck_timing_t *self, nck_timing_list_t *list, const nck_num *b, int from,
                      int to, int blend);
+
+// Begin to make a clock that begins at rest at s, of the guess alone. Cost: constant. Context: prep.
+void nck_timing_rest(nck_timing_t *self, nck_timing_list_t *list, double s);
 
 // Make it. Returns NCK_OK (call again); NCK_DONE. Cost: 40 operations a place of the list.
 // Context: prep.
