@@ -164,6 +164,24 @@ static void a_corner_uses_most_of_its_tolerance(check_t *check)
     CHECK(check, path.seg[0].length > 5.0 && last->length > 5.0);
 }
 
+// A kink where a line becomes an arc has its part of what the step of the curvature may use there,
+// 0.9 of the tolerance (AIM_STEP of curve.c); the step has the rest.
+static void a_kink_before_an_arc_shares_its_tolerance(check_t *check)
+{
+    const double radius = 5.0;
+    const double p = 0.001;
+    for (int side = -1; side <= 1; side += 2) {
+        const double kink = 0.00136 * side; // [rad] half of what makes it a corner like any other
+        begin();
+        line_to(100.0, 0.0, 0.0, p);
+        arc_about(100.0 - radius * sin(kink), radius * cos(kink), 2.5, 0.0, p);
+        for (int n = 0; n < blocks; n++) block[n].feed = 12000.0;
+        hold_promises(check, "a kink before an arc");
+        const double share = worst_share();
+        if (!CHECK(check, share > 0.8 && share <= 0.9)) printf("    %g rad: %g\n", kink, share);
+    }
+}
+
 // |p″| and |p‴| of the smoothest path within a looser tolerance, as the time they cost.
 static double time_of(void)
 {
@@ -334,6 +352,7 @@ int main(void)
     CHECK_RUN(&check, micro_segments_stay_within_the_tolerance);
     CHECK_RUN(&check, random_paths_of_all_axes_stay_within_the_tolerance);
     CHECK_RUN(&check, a_corner_uses_most_of_its_tolerance);
+    CHECK_RUN(&check, a_kink_before_an_arc_shares_its_tolerance);
     CHECK_RUN(&check, a_looser_tolerance_is_not_slower);
     CHECK_RUN(&check, programmed_corners_are_within_the_tolerance_of_the_path);
     CHECK_RUN(&check, chords_are_seen_as_the_curve_that_they_came_from);
