@@ -23,6 +23,10 @@ static const told_row_t profiles_rows[] = {
      "6 rapid X14 Z2; 7 rapid~ Z3.025; 7 rapid~ X5.025; 7 comp G18 -0.5 nose 0 0;"
      " 7 line X4 F100; 7 line Z2; 7 line Z-6; 7 arc X6 Z-11 G18 about -8.0087 6.22826 by -127.6699;"
      " 7 comp G18 0 nose 0 0; 7 rapid~ X14 Z-10.501449; 7 rapid~ Z2"},
+    {"o1 sub\nG0 X4\nG1 Z-6\nG2 X5.8 Z-6 R.9\no1 endsub\nG0 X14 Z2 F100\nG71 Q1 X14 Z2 D.5\n",
+     "6 rapid X14 Z2; !4:0 contour Z; ?7:0 called-from"}, // half circles come back
+    {"o1 sub\nG0 X4\nG1 Z-6\nG3 X5.8 Z-6 R.9\no1 endsub\nG0 X14 Z2 F100\nG71 Q1 X14 Z2 D.5\n",
+     "6 rapid X14 Z2; !4:0 contour Z; ?7:0 called-from"},
     {"o1 sub\nG0 X4\nG1 Z-6\nX9 Z-10\no1 endsub\nG0 X14 Z2 F100\nG71 Q1 X14 Z2 D0 I0 R1\n",
      "6 rapid X14 Z2; !7:18 number-range I"},
     {"F9 G71 Q1 X14 Z2 D0 I-1 R1\n",
