@@ -100,6 +100,17 @@ def test_steps_from_a_programs_start_go_move_by_move(stand_in):
     assert ends(run) == pytest.approx([0, 10, 20, 20], abs=1e-6)
 
 
+@pytest.mark.parametrize("mode", [EXACT, "term 2 0", "term 2 0.5", "clear"])
+@pytest.mark.parametrize("long", [1, 4])  # 0.8 mm at 50 mm/s are a block of its own
+@pytest.mark.parametrize("word", ["line 50", "rapid 100"])
+def test_steps_rest_at_every_move_of_one_straight_line(stand_in, mode, long, word):
+    long *= 5 if word == "rapid 100" else 1  # what 16 periods are at the fastest feed, 301 mm/s
+    moves = [f"{word} {long * n} 0 0" for n in range(1, 6)]
+    step = ["step", "run 1500", "tell"]
+    run = stand_in.run([mode, "pause", *moves, "run 50", *5 * step])
+    assert ends(run) == pytest.approx(long * np.arange(1, 6), abs=1e-6)
+
+
 def test_reverse_is_refused_once_and_the_tool_stays_until_forward(stand_in):
     run = stand_in.run(["line 50 100 0 0", "run 500", "pause", "still 3000", "tell",
                         *5 * ["reverse", "run 1"], "resume", "run 1000", "tell", "forward",

@@ -167,14 +167,9 @@ static void words_change_where_the_program_changes_them(check_t *check)
 }
 
 // A block that makes much of an interval of knots ends where a seg does: there single block rests.
-static void long_blocks_end_with_a_seg(check_t *check)
+// Where a block ends a seg of its own does, so that single block rests there.
+static void check_ends(check_t *check)
 {
-    begin();
-    random_state = 3;
-    for (int k = 1; k < 60; k++) {
-        line_to(3.0 * k, random_between(0.0, 3.0), random_between(0.0, 2.0), 0.05);
-    }
-    hold_promises(check, "long blocks");
     int at = 0;
     for (int k = 0; k < exact.segs; k++) {
         const double end = exact.seg[k].s_begin + exact.seg[k].length;
@@ -184,6 +179,36 @@ static void long_blocks_end_with_a_seg(check_t *check)
         CHECK_NEAR(check, path.seg[at].s_begin + path.seg[at].length, end, 1e-9);
         CHECK_INT(check, path.seg[at].block, exact.seg[k].block);
     }
+}
+
+static void long_blocks_end_with_a_seg(check_t *check)
+{
+    begin();
+    random_state = 3;
+    for (int k = 1; k < 60; k++) {
+        line_to(3.0 * k, random_between(0.0, 3.0), random_between(0.0, 2.0), 0.05);
+    }
+    hold_promises(check, "long blocks");
+    check_ends(check);
+}
+
+// 16 periods are 1.573 mm at the first feed, and 1.6 mm at the second one.
+static void long_lines_on_one_line_end_with_a_seg(check_t *check)
+{
+    begin();
+    double x = 0.0;
+    line_to(x, 0.0, 0.0, 0.05);
+    for (int k = 0; k < 60; k++) {
+        x += k % 20 == 19 ? 100.0 : 1.59;
+        line_to(x, 0.0, 0.0, 0.05);
+        block[blocks - 1].merge_mm = 0.05;
+        block[blocks - 1].feed = 5900.0;
+    }
+    hold_promises(check, "long lines on one line");
+    check_ends(check);
+    for (int k = 1; k < blocks; k++) block[k].feed = 6000.0;
+    hold_promises(check, "lines that last less");
+    CHECK(check, smooth.raw.head < 40); // of 60 blocks: short ones are merged
 }
 
 static void push_waits_until_pull_asks(check_t *check)
@@ -230,6 +255,7 @@ int main(void)
     CHECK_RUN(&check, outputs_leave_a_corner_as_it_is);
     CHECK_RUN(&check, words_change_where_the_program_changes_them);
     CHECK_RUN(&check, long_blocks_end_with_a_seg);
+    CHECK_RUN(&check, long_lines_on_one_line_end_with_a_seg);
     CHECK_RUN(&check, a_surface_speed_divides_a_line_whose_feed_or_spindle_follows);
     CHECK_RUN(&check, push_waits_until_pull_asks);
     return check_end(&check);

@@ -15,7 +15,8 @@ static int is_alike(const nck_smooth_t *self, const nck_raw_t *raw, const nck_bl
     const int is_line = block->kind == NCK_BLOCK_LINE && raw->seg.kind == NCK_SEG_LINE;
     const int in_run = self->run.open && self->run.end == self->raw.head;
     const int unused = !in_run || self->run.t[4] <= raw->s;
-    return is_line && raw->smooth && !raw->seg.rapid && unused
+    const int is_short = !nck_raw_is_long(self, &raw->seg) && !nck_raw_is_long(self, seg);
+    return is_line && is_short && raw->smooth && !raw->seg.rapid && unused
            && (int)self->merge.count < NCK_SMOOTH_MERGE
            && self->merge.tolerance == block->tolerance_mm && raw->seg.feed == seg->feed
            && raw->seg.feed_scale == seg->feed_scale && !nck_raw_spins_differ(&raw->seg, seg);

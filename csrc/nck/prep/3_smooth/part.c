@@ -38,7 +38,7 @@ double nck_part_least(const nck_smooth_t *self) {
     return nck_max(nck_raw_least(to), nck_min(PART_LONG, share));
 }
 
-// Shorter blocks than what makes much of the interval are executed together.
+// Shorter blocks than what makes much of the interval are executed together, unless they are long.
 double nck_part_end(nck_smooth_t *self) {
     const double to = self->run.t[3];
     const double least = nck_part_least(self);
@@ -49,7 +49,8 @@ double nck_part_end(nck_smooth_t *self) {
         const uint32_t next = nck_raw_next(self, count);
         const double end = raw->s + raw->seg.length;
         if (next == self->run.end || end > to - least) return to;
-        if (raw->seg.length > much || parts_at(self, count, next)) return end;
+        const int rests = raw->seg.length > much || nck_raw_is_long(self, &raw->seg);
+        if (rests || parts_at(self, count, next)) return end;
         count = next;
     }
 }

@@ -16,7 +16,18 @@ enum {
 #define LEAST 1e-9                // [path mm] a thousandth of what a setpoint can tell
 #define LEAST_SHARE 1e-15         // of the place, whose own rounding this is
 
+// A block that lasts so many periods at its feed is long: even in a window of 32 such blocks, the
+// least under a jerk limit, half a second of path is known then, more than a brake takes.
+#define LONG_PERIODS 16.0
+
 double nck_raw_least(double s) { return LEAST + LEAST_SHARE * s; }
+
+int nck_raw_is_long(const nck_smooth_t *self, const nck_seg_t *seg) {
+    const nck_machine_t *const machine = self->terms->machine;
+    const double most = machine->path.feed_max;
+    const double feed = seg->rapid ? most : nck_min(seg->feed, most);
+    return seg->length >= LONG_PERIODS * machine->period_s * feed;
+}
 
 // The first of so many blocks from `low` on that ends at s or behind it, or the one behind them.
 static uint32_t search(nck_smooth_t *self, uint32_t low, uint32_t count, double s) {

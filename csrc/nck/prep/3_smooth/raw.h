@@ -49,6 +49,10 @@ static inline uint32_t nck_raw_last(nck_smooth_t *self) {
     return count;
 }
 
+// 1 if a block takes so long that an operator who goes block by block rests at its end: it stays a
+// piece of its own, even on one line with others. Cost: constant.
+int nck_raw_is_long(const nck_smooth_t *self, const nck_seg_t *seg);
+
 // Where the known part of the run ends [path mm]. Cost: linear in outputs at its end.
 static inline double nck_raw_known(nck_smooth_t *self) {
     return nck_raw_end(nck_raw_at(self, nck_raw_last(self)));
