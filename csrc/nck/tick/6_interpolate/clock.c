@@ -2,12 +2,13 @@
 // Inside room 6: how a tick brakes without a plan, and sets off again.
 #include "nck/tick/6_interpolate/clock.h"
 
-#include <string.h> // memset
+#include <stddef.h> // NULL
 
-#include "nck/base/cell_math.h" // nck_cell_way nck_cell_speed
-#include "nck/base/fence.h"     // nck_fence_store
-#include "nck/base/path.h"      // nck_path_tangent nck_path_second nck_path_third
-#include "nck/base/real.h"      // nck_min nck_max nck_sqrt nck_fabs
+#include "nck/base/cell_math.h"          // nck_cell_way nck_cell_speed
+#include "nck/base/fence.h"              // nck_fence_load nck_fence_store
+#include "nck/base/path.h"               // nck_path_slope nck_path_tangent nck_path_turns
+#include "nck/base/real.h"               // nck_min nck_max nck_sqrt nck_fabs
+#include "nck/tick/6_interpolate/look.h" // nck_look_…
 
 // Of an axis' acceleration, what a brake plans with: geometry changes within a period.
 #define SHARE 0.98
@@ -24,23 +25,12 @@
 // Of an axis' acceleration, what a brake takes even where corners or bends leave less: at lower
 // speeds they leave more, so it need not wait for them to end.
 #define LEAST_SHARE 0.02
-// Of an axis' jerk, what braking in a bend may take: the rest is left to change the braking …
-#define BEND_SHARE 0.8
-// … and what it takes at least: at lower speeds bends leave more.
-#define BEND_LEAST 0.04
-// Of the jerk that a line has to make braking weaker, what is left of it before a bend.
-#define BEND_BACK 0.5
 // A direction that asks nothing of an axis: below it no acceleration along the path moves it.
 #define ALONG_LEAST 1e-6
 // A clock that is so near to running runs: a jump of 1e-9 periods' way.
 #define RUNS_EPSILON 1e-9
 // Newton's steps to a time within a cell: each doubles the digits of a first guess good to some %.
 enum { TIME_STEPS = 4 };
-// Places where a brake looks for bends, as far as BEND_TIMES of what it takes to become weaker by
-// half: the intervals of a clocked path are short.
-enum { BEND_PLACES = 4, BEND_PLACES_CLOCKED = 40 };
-#define BEND_TIMES 3.0
-
 // What all axes allow together.
 typedef struct bounds {
     double a_low;            // behind this period [path mm/s²]
@@ -57,49 +47,6 @@ typedef struct seg_end {
     double jump[NCK_AXIS_MAX]; // by which dp/ds jumps there
     double in_s;               // until then [s]
 } seg_end_t;
-
-static double dot(const double *a, const double *b) {
-    double sum = 0.0;
-    for (int x = 0; x < NCK_AXIS_MAX; x++) sum += a[x] * b[x];
-    return sum;
-}
-
-// From derivatives by the coordinate s to those by the length l: with q = |p′|, e = p′·p″
-//   s′ = 1/q    s″ = −e/q⁴    s‴ = (4e²/q² − p″·p″ − p′·p‴)/q⁵
-//   p‴s′³ + 3p″s′s″ + p′s‴,    p″s′² + p′s″,    p′s′
-static void by_length(nck_clock_geometry_t *at) {
-    const double qq = dot(at->first, at->first);
-    if (!(qq > 0.0)) return;
-    const double q = nck_sqrt(qq);
-    const double e = dot(at->first, at->second);
-    const double bend = dot(at->second, at->second) + dot(at->first, at->third);
-    at->s[0] = 1.0 / q;
-    at->s[1] = -e / (qq * qq);
-    at->s[2] = (4.0 * e * e / qq - bend) / (qq * qq * q);
-    for (int x = 0; x < NCK_AXIS_MAX; x++) {
-        const double by_two = at->second[x] * at->s[0] * at->s[1];
-        const double by_three = at->third[x] * at->s[0] * at->s[0] * at->s[0];
-        at->third[x] = by_three + 3.0 * by_two + at->first[x] * at->s[2];
-        at->second[x] = at->second[x] * at->s[0] * at->s[0] + at->first[x] * at->s[1];
-        at->first[x] *= at->s[0];
-    }
-}
-
-// On a clocked path the coordinate goes on by the clock, so a brake goes by the length.
-static void find_geometry(const nck_seg_t *seg, double s, nck_clock_geometry_t *out) {
-    nck_path_tangent(seg, s, out->first);
-    nck_path_second(seg, s, out->second);
-    nck_path_third(seg, s, out->third);
-    out->s[0] = 1.0;
-    out->s[1] = 0.0;
-    out->s[2] = 0.0;
-    if (nck_clock_has(seg)) by_length(out);
-}
-
-static double so_far(const nck_clock_geometry_t *at, double length) {
-    if (!NCK_HAS_OPTIMAL) return length;
-    return (at->s[0] + (0.5 * at->s[1] + at->s[2] / 6.0 * length) * length) * length;
-}
 
 // Jerk of one axis along its own direction on the path:
 //   |p‴v³ + 3p″va + p′j| ≤ J
@@ -132,20 +79,8 @@ static double most_along(const nck_seg_t *seg, const nck_clock_geometry_t *at, i
 
 // What follows at the seg's end is felt one period on: a sample of acceleration spans two.
 static int feels_end(const nck_clock_t *self, const nck_clock_place_t *place, double period) {
-    const double way = so_far(&place->at, 2.0 * self->first.v * period);
+    const double way = nck_look_way(&place->at, 2.0 * self->first.v * period);
     return place->behind && place->s + way >= place->seg->length;
-}
-
-// By how much p′ jumps at the place's end: at a corner, or by what the seam of splines leaves.
-static void look_at_corner(const nck_clock_place_t *place, double *jump_out) {
-    double before[NCK_AXIS_MAX];
-    double behind[NCK_AXIS_MAX];
-    memset(jump_out, 0, NCK_AXIS_MAX * sizeof *jump_out);
-    if (!place->behind) return;
-    if (nck_clock_has(place->seg)) return;
-    nck_path_tangent(place->seg, place->seg->length, before);
-    nck_path_tangent(place->behind, 0.0, behind);
-    for (int x = 0; x < NCK_AXIS_MAX; x++) jump_out[x] = nck_fabs(behind[x] - before[x]);
 }
 
 // A corner is felt from two periods before it on, until the filter has forgotten it.
@@ -188,60 +123,6 @@ static void bound_axis(const nck_clock_t *self, const nck_terms_t *terms, int x,
     }
 }
 
-// What a bend leaves to braking, of every axis:  |p‴v³ − 3p″v|a|| ≤ J
-static double accel_in_bend(const nck_terms_t *terms, const nck_seg_t *seg, double s, double v) {
-    double accel = terms->machine->path.a_max;
-    nck_clock_geometry_t at;
-    if (seg->kind == NCK_SEG_LINE) return accel;
-    find_geometry(seg, s, &at);
-    for (int x = 0; x < terms->axes; x++) {
-        const nck_axis_t *const axis = &terms->machine->axis[x];
-        const double bend = 3.0 * nck_fabs(at.second[x]) * v;
-        const double sign = at.second[x] < 0.0 ? -1.0 : 1.0;
-        const double left = BEND_SHARE * axis->j_max + sign * at.third[x] * v * v * v;
-        const double takes = nck_max(BEND_LEAST * axis->j_max, left);
-        if (axis->present && bend * accel > takes) accel = takes / bend;
-    }
-    return accel;
-}
-
-// Where the path is so far behind a place [of its seg's coordinate]: the seg there, or the last one
-// that is known on this side of a rest.
-static const nck_seg_t *seek_ahead(const nck_clock_place_t *place, double way, double *s_out) {
-    const nck_link_t *const link = place->link;
-    const uint32_t head = nck_fence_load(&link->seg_head);
-    const nck_seg_t *seg = place->seg;
-    double s = place->s + way;
-    while (s > seg->length && !seg->stop && head - seg->seq > 1) {
-        const nck_seg_t *const next = nck_link_seg(link, seg->seq + 1);
-        if (!(next->length > 0.0)) break;
-        s = (s - seg->length) * (nck_clock_has(seg) ? next->length / seg->length : 1.0);
-        seg = next;
-    }
-    *s_out = nck_min(s, seg->length);
-    return seg;
-}
-
-// Braking has to be so weak in a bend when it is there: here, and where the tool is when braking
-// can have become weaker by half, by all, and by half as much again.
-static double accel_in_bends(const nck_clock_t *self, const nck_terms_t *terms,
-                             const nck_clock_place_t *place, double j) {
-    const double back = BEND_BACK * j;
-    double a_low = -terms->machine->path.a_max;
-    const double half = 0.5 * nck_fabs(self->second.a) / back + terms->machine->period_s;
-    const int is_clocked = nck_clock_has(place->seg);
-    const int places = is_clocked ? (int)BEND_PLACES_CLOCKED : (int)BEND_PLACES;
-    for (int n = 0; n < places; n++) {
-        const double time = BEND_TIMES * half * (double)n / (double)(places - 1);
-        double s = 0.0;
-        const nck_seg_t *const seg = seek_ahead(place, self->first.v * place->at.s[0] * time, &s);
-        const double v = nck_max(0.0, self->first.v + 0.5 * self->second.a * time);
-        const double there = accel_in_bend(terms, seg, s, v);
-        a_low = nck_max(a_low, -there - back * time);
-    }
-    return a_low;
-}
-
 static bounds_t bounds_of(nck_clock_t *self, const nck_terms_t *terms,
                           const nck_clock_place_t *place) {
     const nck_machine_t *const machine = terms->machine;
@@ -257,10 +138,10 @@ static bounds_t bounds_of(nck_clock_t *self, const nck_terms_t *terms,
     at[1] = &place->at;
     const int felt = feels_end(self, place, machine->period_s);
     if (felt) {
-        find_geometry(place->behind, 0.0, &there);
+        nck_look_geometry(place->behind, 0.0, &there);
         at[1] = &there;
     }
-    look_at_corner(place, end.jump);
+    nck_look_corner(place, end.jump);
     feel_corner(self, terms, end.jump, felt);
     end.in_s = nck_max(0.0, place->seg->length - place->s) / (self->first.v * place->at.s[0]);
     for (int x = 0; x < terms->axes; x++) {
@@ -272,7 +153,8 @@ static bounds_t bounds_of(nck_clock_t *self, const nck_terms_t *terms,
     }
     if (place->seg->kind != NCK_SEG_LINE) bounds.j_end *= END_SHARE;
     if (!terms->limits_jerk) return bounds;
-    bounds.a_low = nck_max(bounds.a_low, accel_in_bends(self, terms, place, bounds.j_end));
+    bounds.a_low = nck_max(bounds.a_low, nck_look_bends(terms, place, self->first.v, self->second.a,
+                                                           bounds.j_end));
     return bounds;
 }
 
@@ -339,7 +221,7 @@ void nck_clock_measure(const nck_seg_t *seg, double s, nck_pose_t *pose) {
     double tangent[NCK_AXIS_MAX];
     nck_path_tangent(seg, s, tangent);
     pose->s = seg->s_begin + seg->length * nck_path_share(seg, s);
-    pose->v *= nck_sqrt(dot(tangent, tangent));
+    pose->v *= nck_sqrt(nck_look_dot(tangent, tangent));
 }
 
 void nck_clock_find(const nck_link_t *link, const nck_cell_t *cell, double t,
@@ -357,7 +239,7 @@ void nck_clock_find(const nck_link_t *link, const nck_cell_t *cell, double t,
     place_out->s = nck_min(s, place_out->seg->length);
     place_out->behind = behind && behind->length > 0.0 ? behind : NULL; // no dwell, no wait
     place_out->link = link;
-    find_geometry(place_out->seg, place_out->s, &place_out->at);
+    nck_look_geometry(place_out->seg, place_out->s, &place_out->at);
 }
 
 // Cells of constant acceleration are the steps of a ramp, which is met in the middle of each.
@@ -386,7 +268,7 @@ double nck_clock_brake(nck_clock_t *self, const nck_terms_t *terms,
     self->second.a = rests ? 0.0 : a;
     self->first.v = rests ? 0.0 : v;
     const double way = rests ? 0.5 * v0 * period : (v0 + (2.0 * a0 + a) / 6.0 * period) * period;
-    return so_far(&place->at, way);
+    return nck_look_way(&place->at, way);
 }
 
 // The least time constant τ that the quantities V, A and J of an axis let a clock have that sets

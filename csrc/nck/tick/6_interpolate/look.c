@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: MIT
+// Inside room 6: what a brake of the tick looks at.
+#include "nck/tick/6_interpolate/look.h"
+
+#include <string.h> // memset
+
+#include "nck/base/fence.h" // nck_fence_load
+#include "nck/base/path.h"  // nck_path_tangent nck_path_second nck_path_third
+#include "nck/base/real.h"  // nck_min nck_max nck_sqrt nck_fabs
+
+// Of an axis' jerk, what braking in a bend may take: the rest is left to change the braking …
+#define BEND_SHARE 0.8
+// … and what it takes at least: at lower speeds bends leave more.
+#define BEND_LEAST 0.04
+// Of the jerk that a line has to make braking weaker, what is left of it before a bend.
+#define BEND_BACK 0.5
+// Places where a brake looks for bends, as far as BEND_TIMES of what it takes to become weaker by
+// half: the intervals of a clocked path are short.
+enum { BEND_PLACES = 4, BEND_PLACES_CLOCKED = 40 };
+#define BEND_TIMES 3.0
+
+// From derivatives by the coordinate s to those by the length l: with q = |p′|, e = p′·p″
+//   s′ = 1/q    s″ = −e/q⁴    s‴ = (4e²/q² − p″·p″ − p′·p‴)/q⁵
+//   p‴s′³ + 3p″s′s″ + p′s‴,    p″s′² + p′s″,    p′s′
+static void by_length(nck_clock_geometry_t *at) {
+    const double qq = nck_look_dot(at->first, at->first);
+    if (!(qq > 0.0)) return;
+    const double q = nck_sqrt(qq);
+    const double e = nck_look_dot(at->first, at->second);
+    const double bend = nck_look_dot(at->second, at->second) + nck_look_dot(at->first, at->third);
+    at->s[0] = 1.0 / q;
+    at->s[1] = -e / (qq * qq);
+    at->s[2] = (4.0 * e * e / qq - bend) / (qq * qq * q);
+    for (int x = 0; x < NCK_AXIS_MAX; x++) {
+        const double by_two = at->second[x] * at->s[0] * at->s[1];
+        const double by_three = at->third[x] * at->s[0] * at->s[0] * at->s[0];
+        at->third[x] = by_three + 3.0 * by_two + at->first[x] * at->s[2];
+        at->second[x] = at->second[x] * at->s[0] * at->s[0] + at->first[x] * at->s[1];
+        at->first[x] *= at->s[0];
+    }
+}
+
+void nck_look_geometry(const nck_seg_t *seg, double s, nck_clock_geometry_t *out) {
+    nck_path_tangent(seg, s, out->first);
+    nck_path_second(seg, s, out->second);
+    nck_path_third(seg, s, out->third);
+    out->s[0] = 1.0;
+    out->s[1] = 0.0;
+    out->s[2] = 0.0;
+    if (nck_clock_has(seg)) by_length(out);
+}
+
+void nck_look_corner(const nck_clock_place_t *place, double *jump_out) {
+    double before[NCK_AXIS_MAX];
+    double behind[NCK_AXIS_MAX];
+    memset(jump_out, 0, NCK_AXIS_MAX * sizeof *jump_out);
+    if (!place->behind) return;
+    if (nck_clock_has(place->seg)) return;
+    nck_path_tangent(place->seg, place->seg->length, before);
+    nck_path_tangent(place->behind, 0.0, behind);
+    for (int x = 0; x < NCK_AXIS_MAX; x++) jump_out[x] = nck_fabs(behind[x] - before[x]);
+}
+
+// What a bend leaves to braking, of every axis:  |p‴v³ − 3p″v|a|| ≤ J
+static double accel_in_bend(const nck_terms_t *terms, const nck_seg_t *seg, double s, double v) {
+    double accel = terms->machine->path.a_max;
+    nck_clock_geometry_t at;
+    if (seg->kind == NCK_SEG_LINE) return accel;
+    nck_look_geometry(seg, s, &at);
+    for (int x = 0; x < terms->axes; x++) {
+        const nck_axis_t *const axis = &terms->machine->axis[x];
+        const double bend = 3.0 * nck_fabs(at.second[x]) * v;
+        const double sign = at.second[x] < 0.0 ? -1.0 : 1.0;
+        const double left = BEND_SHARE * axis->j_max + sign * at.third[x] * v * v * v;
+        const double takes = nck_max(BEND_LEAST * axis->j_max, left);
+        if (axis->present && bend * accel > takes) accel = takes / bend;
+    }
+    return accel;
+}
+
+// Where the path is so far behind a place [of its seg's coordinate]: the seg there, or the last one
+// that is known on this side of a rest.
+static const nck_seg_t *seek_ahead(const nck_clock_place_t *place, double way, double *s_out) {
+    const nck_link_t *const link = place->link;
+    const uint32_t head = nck_fence_load(&link->seg_head);
+    const nck_seg_t *seg = place->seg;
+    double s = place->s + way;
+    while (s > seg->length && !seg->stop && head - seg->seq > 1) {
+        const nck_seg_t *const next = nck_link_seg(link, seg->seq + 1);
+        if (!(next->length > 0.0)) break;
+        s = (s - seg->length) * (nck_clock_has(seg) ? next->length / seg->length : 1.0);
+        seg = next;
+    }
+    *s_out = nck_min(s, seg->length);
+    return seg;
+}
+
+double nck_look_bends(const nck_terms_t *terms, const nck_clock_place_t *place, double v, double a,
+                      double j) {
+    const double back = BEND_BACK * j;
+    double a_low = -terms->machine->path.a_max;
+    const double half = 0.5 * nck_fabs(a) / back + terms->machine->period_s;
+    const int is_clocked = nck_clock_has(place->seg);
+    const int places = is_clocked ? (int)BEND_PLACES_CLOCKED : (int)BEND_PLACES;
+    for (int n = 0; n < places; n++) {
+        const double time = BEND_TIMES * half * (double)n / (double)(places - 1);
+        double s = 0.0;
+        const nck_seg_t *const seg = seek_ahead(place, v * place->at.s[0] * time, &s);
+        const double v_there = nck_max(0.0, v + 0.5 * a * time);
+        const double there = accel_in_bend(terms, seg, s, v_there);
+        a_low = nck_max(a_low, -there - back * time);
+    }
+    return a_low;
+}

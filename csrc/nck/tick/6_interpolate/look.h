@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+// Inside room 6: what a brake of the tick looks at: the path where it is, and corners and bends
+// ahead. Face: clock.h.
+#ifndef NCK_TICK_LOOK_H
+#define NCK_TICK_LOOK_H
+
+#include "nck/base/limits.h"              // NCK_AXIS_MAX NCK_HAS_OPTIMAL
+#include "nck/base/records.h"             // nck_seg_t
+#include "nck/base/terms.h"               // nck_terms_t
+#include "nck/tick/6_interpolate/clock.h" // nck_clock_geometry_t nck_clock_place_t
+
+// a·b over all axes. Cost: linear in them. Context: tick, as all below.
+static inline double nck_look_dot(const double *a, const double *b) {
+    double sum = 0.0;
+    for (int x = 0; x < NCK_AXIS_MAX; x++) sum += a[x] * b[x];
+    return sum;
+}
+
+// How far the seg's coordinate goes on over a length of the path [path mm]. Cost: constant.
+static inline double nck_look_way(const nck_clock_geometry_t *at, double length) {
+    if (!NCK_HAS_OPTIMAL) return length;
+    return (at->s[0] + (0.5 * at->s[1] + at->s[2] / 6.0 * length) * length) * length;
+}
+
+// The path at s of a seg. On a clocked path the coordinate goes on by the clock, so a brake goes by
+// the length. Cost: three derivatives.
+void nck_look_geometry(const nck_seg_t *seg, double s, nck_clock_geometry_t *out);
+
+// By how much p′ jumps at the place's end: at a corner, or by what the seam of splines leaves.
+// Cost: two tangents.
+void nck_look_corner(const nck_clock_place_t *place, double *jump_out);
+
+// How weak braking has to be now [path mm/s²], so that it is as weak as a bend asks for when it is
+// there: here, and where the tool is when braking can have become weaker by half, by all, and by
+// half as much again. v, a: of the tool [path mm/s], [path mm/s²]; j: that makes braking weaker on
+// a line [path mm/s³]. Cost: as many looks at a place, and the segs on the way.
+double nck_look_bends(const nck_terms_t *terms, const nck_clock_place_t *place, double v, double a,
+                      double j);
+
+#endif
