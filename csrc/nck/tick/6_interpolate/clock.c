@@ -77,6 +77,18 @@ static double most_along(const nck_seg_t *seg, const nck_clock_geometry_t *at, i
     return 3.0 * nck_max(ends, nck_fabs(b2 - b1)) / seg->length;
 }
 
+// The path's jerk that every axis allows anywhere in a seg.
+static double least_jerk(const nck_terms_t *terms, const nck_seg_t *seg,
+                         const nck_clock_geometry_t *at) {
+    double j = terms->machine->path.j_max;
+    for (int x = 0; x < terms->axes; x++) {
+        const nck_axis_t *const axis = &terms->machine->axis[x];
+        const double along = most_along(seg, at, x);
+        if (axis->present && along >= ALONG_LEAST) j = nck_min(j, axis->j_max / along);
+    }
+    return seg->kind == NCK_SEG_LINE ? j : END_SHARE * j;
+}
+
 // What follows at the seg's end is felt one period on: a sample of acceleration spans two.
 static int feels_end(const nck_clock_t *self, const nck_clock_place_t *place, double period) {
     const double way = nck_look_way(&place->at, 2.0 * self->first.v * period);
@@ -123,6 +135,18 @@ static void bound_axis(const nck_clock_t *self, const nck_terms_t *terms, int x,
     }
 }
 
+// The jerk that takes the last acceleration away: what every axis allows in the seg, and in the one
+// behind it where a brake with no more than that gets there: from v on within v·√(2v/j)/3.
+static double last_jerk(const nck_clock_t *self, const nck_terms_t *terms,
+                        const nck_clock_place_t *place, const nck_clock_geometry_t *behind) {
+    const double v = self->first.v;
+    const double left = nck_max(0.0, place->seg->length - place->s) / place->at.s[0];
+    const double here = least_jerk(terms, place->seg, &place->at);
+    if (!place->behind) return here;
+    const double j = nck_min(here, least_jerk(terms, place->behind, behind));
+    return v * nck_sqrt(2.0 * v / j) < 3.0 * left ? here : j;
+}
+
 static bounds_t bounds_of(nck_clock_t *self, const nck_terms_t *terms,
                           const nck_clock_place_t *place) {
     const nck_machine_t *const machine = terms->machine;
@@ -144,14 +168,8 @@ static bounds_t bounds_of(nck_clock_t *self, const nck_terms_t *terms,
     nck_look_corner(place, end.jump);
     feel_corner(self, terms, end.jump, felt);
     end.in_s = nck_max(0.0, place->seg->length - place->s) / (self->first.v * place->at.s[0]);
-    for (int x = 0; x < terms->axes; x++) {
-        bound_axis(self, terms, x, at, &end, &bounds);
-        const double behind = place->behind ? most_along(place->behind, at[1], x) : 0.0;
-        const double along = nck_max(most_along(place->seg, at[0], x), behind);
-        if (!machine->axis[x].present || along < ALONG_LEAST) continue;
-        bounds.j_end = nck_min(bounds.j_end, machine->axis[x].j_max / along);
-    }
-    if (place->seg->kind != NCK_SEG_LINE) bounds.j_end *= END_SHARE;
+    for (int x = 0; x < terms->axes; x++) bound_axis(self, terms, x, at, &end, &bounds);
+    bounds.j_end = last_jerk(self, terms, place, at[1]);
     if (!terms->limits_jerk) return bounds;
     bounds.a_low = nck_max(bounds.a_low, nck_look_bends(terms, place, self->first.v, self->second.a,
                                                            bounds.j_end));
