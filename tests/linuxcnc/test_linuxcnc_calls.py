@@ -87,6 +87,11 @@ def test_a_brake_ends_with_what_the_axes_allow_up_to_its_rest(stand_in, seed):
     assert most_jerk_of_stops(stand_in, seed) <= 1
 
 
+# In a bend 3p″va takes of the jerk that the end of a brake needs: 1.6 times.
+def test_a_brake_in_a_bend_begins_to_end_while_there_is_jerk_for_it(stand_in):
+    assert most_jerk_of_stops(stand_in, 484) <= 1
+
+
 @pytest.mark.parametrize("zero", ["vlimit 0", "adaptive 0", "feedhold 1"])
 @pytest.mark.parametrize("behind", [1, 2, 10, 25])
 def test_a_speed_of_nothing_is_heard_at_once_behind_any_other_answer(stand_in, zero, behind):

@@ -183,6 +183,28 @@ static double between(const bounds_t *bounds) {
     return nck_min(j, bounds->j_end);
 }
 
+// What a bend leaves of the jerk that takes the last acceleration away, from v on, of every axis:
+//   |p′|j + 3|p″|v·|a| ≤ J with a² = 2jv.   It grows as v falls, so what begins with it ends in time.
+static double jerk_to_rest(const nck_terms_t *terms, const nck_clock_place_t *place, double v,
+                           double j_end) {
+    const double way = v * nck_sqrt(2.0 * v / j_end) / 3.0;
+    double j = j_end;
+    if (place->seg->kind == NCK_SEG_LINE) return j;
+    for (int x = 0; x < terms->axes; x++) {
+        const nck_axis_t *const axis = &terms->machine->axis[x];
+        const double along = nck_fabs(place->at.first[x]);
+        const double sign = place->at.first[x] < 0.0 ? 1.0 : -1.0;
+        const double there = place->at.second[x] + place->at.third[x] * way;
+        const double bend = 3.0 * nck_max(sign * place->at.second[x], sign * there);
+        const double left = END_SHARE * axis->j_max;
+        if (!axis->present || !(bend > 0.0)) continue;
+        const double b = bend * v * nck_sqrt(2.0 * v);
+        const double root = 2.0 * left / (b + nck_sqrt(b * b + 4.0 * along * left));
+        j = nck_min(j, root * root);
+    }
+    return j;
+}
+
 // a so that it is gone when v is, in steps of T:  |a| = √((JT/2)² + 2Jv) − JT/2
 static double accel_to_rest(double v, double j, double period) {
     const double step = 0.5 * j * period;
@@ -210,7 +232,8 @@ static double next_accel(nck_clock_t *self, const nck_terms_t *terms,
     *v_least_out = 0.0;
     if (!terms->limits_jerk) return bounds.a_low;
     const double v = nck_max(0.0, self->first.v + self->second.a * period);
-    const double to_rest = accel_to_rest(v, bounds.j_end, period);
+    const double j_rest = jerk_to_rest(terms, place, v, bounds.j_end);
+    const double to_rest = accel_to_rest(v, j_rest, period);
     const double wanted = nck_max(bounds.a_low, to_rest);
     // Of what is left then, jerk and acceleration take no more than theirs.
     *v_least_out = nck_min(0.125 * bounds.j_end * period, -0.5 * bounds.a_low) * period;
