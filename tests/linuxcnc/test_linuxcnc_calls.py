@@ -87,6 +87,11 @@ def test_a_brake_ends_with_what_the_axes_allow_up_to_its_rest(stand_in, seed):
     assert most_jerk_of_stops(stand_in, seed) <= 1
 
 
+# A brake that has begun to end is met by its plan, which ends with more jerk: 1.2 times.
+def test_a_brake_that_ends_beside_its_plan_ends_as_that_does(stand_in):
+    assert most_jerk_of_stops(stand_in, 826) <= 1
+
+
 # In a bend 3p″va takes of the jerk that the end of a brake needs: 1.6 times.
 def test_a_brake_in_a_bend_begins_to_end_while_there_is_jerk_for_it(stand_in):
     assert most_jerk_of_stops(stand_in, 484) <= 1

@@ -242,9 +242,11 @@ static double next_accel(nck_clock_t *self, const nck_terms_t *terms,
     if (bounds.j_low > bounds.j_high) return self->second.a + between(&bounds) * period;
     const double j = (wanted - self->second.a) / period;
     const double a = self->second.a + nck_max(bounds.j_low, nck_min(bounds.j_high, j)) * period;
-    const int ends = to_rest > bounds.a_low && to_rest > self->second.a;
-    if (ends || !meets_plan(self, place, &bounds)) return a;
-    return nck_min(a, nck_max(wanted, self->second.a + bounds.j_floor * period));
+    if (!meets_plan(self, place, &bounds)) return a;
+    // A plan that comes to rest knows where: the brake may end with all that there is here, as it.
+    const double j_here = nck_max(j_rest, FOLLOW_SHARE * bounds.j_high);
+    const double most = nck_max(bounds.a_low, accel_to_rest(v, j_here, period));
+    return nck_min(a, nck_max(most, self->second.a + bounds.j_floor * period));
 }
 
 // x′k, x″k² + x′k′: the plan asks for x′ and x″, the clock is at k and k′.
