@@ -172,7 +172,7 @@ static bounds_t bounds_of(nck_clock_t *self, const nck_terms_t *terms,
     bounds.j_end = last_jerk(self, terms, place, at[1]);
     if (!terms->limits_jerk) return bounds;
     bounds.a_low = nck_max(bounds.a_low, nck_look_bends(terms, place, self->first.v, self->second.a,
-                                                           bounds.j_end));
+                                                           bounds.j_end, end.in_s));
     return bounds;
 }
 

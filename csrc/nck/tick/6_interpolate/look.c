@@ -96,7 +96,7 @@ static const nck_seg_t *seek_ahead(const nck_clock_place_t *place, double way, d
 }
 
 double nck_look_bends(const nck_terms_t *terms, const nck_clock_place_t *place, double v, double a,
-                      double j) {
+                      double j, double end_s) {
     const double back = BEND_BACK * j;
     double a_low = -terms->machine->path.a_max;
     const double half = 0.5 * nck_fabs(a) / back + terms->machine->period_s;
@@ -110,5 +110,7 @@ double nck_look_bends(const nck_terms_t *terms, const nck_clock_place_t *place, 
         const double there = accel_in_bend(terms, seg, s, v_there);
         a_low = nck_max(a_low, -there - back * time);
     }
-    return a_low;
+    if (!place->behind) return a_low;
+    const double there = accel_in_bend(terms, place->behind, 0.0, v);
+    return nck_max(a_low, -there - back * end_s);
 }

@@ -31,10 +31,11 @@ void nck_look_geometry(const nck_seg_t *seg, double s, nck_clock_geometry_t *out
 void nck_look_corner(const nck_clock_place_t *place, double *jump_out);
 
 // How weak braking has to be now [path mm/s²], so that it is as weak as a bend asks for when it is
-// there: here, and where the tool is when braking can have become weaker by half, by all, and by
-// half as much again. v, a: of the tool [path mm/s], [path mm/s²]; j: that makes braking weaker on
-// a line [path mm/s³]. Cost: as many looks at a place, and the segs on the way.
+// there: here, where the tool is when braking can have become weaker by half, by all, and by half
+// as much again, and at the seg's end, where p‴ jumps. v, a: of the tool [path mm/s], [path mm/s²];
+// j: that makes braking weaker on a line [path mm/s³]; end_s: until that end.
+// Cost: as many looks at a place, and the segs on the way.
 double nck_look_bends(const nck_terms_t *terms, const nck_clock_place_t *place, double v, double a,
-                      double j);
+                      double j, double end_s);
 
 #endif
