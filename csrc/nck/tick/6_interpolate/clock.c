@@ -153,6 +153,7 @@ static bounds_t bounds_of(nck_clock_t *self, const nck_terms_t *terms,
     const double j_path = machine->path.j_max;
     const double back = self->follows ? 1.0 : BACK_SHARE;
     const double a_path = machine->path.a_max;
+    const int felt = feels_end(self, place, machine->period_s);
     bounds_t bounds = {-SHARE * a_path, -a_path, -BEGIN_SHARE * j_path, back * j_path, -j_path,
                        1.0 / j_path, 1.0 / j_path, j_path, back};
     nck_clock_geometry_t there;
@@ -160,7 +161,6 @@ static bounds_t bounds_of(nck_clock_t *self, const nck_terms_t *terms,
     seg_end_t end;
     at[0] = &place->at;
     at[1] = &place->at;
-    const int felt = feels_end(self, place, machine->period_s);
     if (felt) {
         nck_look_geometry(place->behind, 0.0, &there);
         at[1] = &there;
@@ -211,12 +211,16 @@ static double accel_to_rest(double v, double j, double period) {
     return step - nck_sqrt(step * step + 2.0 * j * v);
 }
 
-// 1 if the plan, which brakes harder, would be met before the brake has come to its acceleration.
+// 1 if the plan, which brakes harder, would be met before the brake has come to its acceleration. A
+// plan that goes by steps leaves some jerk for that. One that goes by jerk may take all: so the
+// brake keeps up with it from period to period, a behind this one.
 static int meets_plan(const nck_clock_t *self, const nck_clock_place_t *place,
-                      const bounds_t *bounds) {
-    const double harder = self->second.a - place->a;
+                      const bounds_t *bounds, double a, double period) {
+    const double behind = a - (place->a + place->j * period);
+    const double harder = place->j < 0.0 ? behind : self->second.a - place->a;
+    const double spare = place->j < 0.0 ? place->j - bounds->j_floor : MEET_SHARE * bounds->j_end;
     const double apart = nck_max(0.0, place->v - self->first.v);
-    return harder > 0.0 && 2.0 * MEET_SHARE * bounds->j_end * apart < harder * harder;
+    return harder > 0.0 && 2.0 * nck_max(0.0, spare) * apart < harder * harder;
 }
 
 // The acceleration behind this period.
@@ -242,7 +246,7 @@ static double next_accel(nck_clock_t *self, const nck_terms_t *terms,
     if (bounds.j_low > bounds.j_high) return self->second.a + between(&bounds) * period;
     const double j = (wanted - self->second.a) / period;
     const double a = self->second.a + nck_max(bounds.j_low, nck_min(bounds.j_high, j)) * period;
-    if (!meets_plan(self, place, &bounds)) return a;
+    if (!meets_plan(self, place, &bounds, a, period)) return a;
     // A plan that comes to rest knows where: the brake may end with all that there is here, as it.
     const double j_here = nck_max(j_rest, FOLLOW_SHARE * bounds.j_high);
     const double most = nck_max(bounds.a_low, accel_to_rest(v, j_here, period));
@@ -293,6 +297,7 @@ void nck_clock_plan(const nck_cell_t *cell, double t, double a_before, nck_clock
     const double *const by = place->at.s;
     place->v = v;
     place->a = a;
+    place->j = cell->j;
     if (!NCK_HAS_OPTIMAL) return;
     place->v = v / by[0];
     place->a = (a - by[1] * place->v * place->v) / by[0];

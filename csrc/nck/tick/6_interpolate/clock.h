@@ -50,7 +50,7 @@ typedef struct nck_clock_place {
     double s;                // in the seg [path mm]
     const nck_link_t *link;  // where the segs are
     nck_clock_geometry_t at;
-    double v, a;             // that the plan has there [path mm/s], [path mm/s²]
+    double v, a, j;          // that the plan has there [path mm/s], [path mm/s²], [path mm/s³]
 } nck_clock_place_t;
 
 // Begin to brake, where the plan has the speed v and the acceleration a. Cost: constant.
@@ -78,7 +78,7 @@ static inline uint32_t nck_clock_taps(const nck_terms_t *terms, const nck_seg_t 
 // Context: tick.
 void nck_clock_measure(const nck_seg_t *seg, double s, nck_pose_t *pose);
 
-// The speed and the acceleration that the plan has at the time t from the begin of the cell, at the
+// The speed, acceleration and jerk that the plan has at the time t from the begin of the cell, at the
 // place that was found for it. a_before: of the cell before, where cells are steps; else the cell's
 // own. Cost: constant. Context: tick.
 void nck_clock_plan(const nck_cell_t *cell, double t, double a_before, nck_clock_place_t *place);
