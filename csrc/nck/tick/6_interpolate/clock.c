@@ -165,7 +165,7 @@ static bounds_t bounds_of(nck_clock_t *self, const nck_terms_t *terms,
         nck_look_geometry(place->behind, 0.0, &there);
         at[1] = &there;
     }
-    nck_look_corner(place, end.jump);
+    nck_look_corners(place, self->first.v, machine->period_s, end.jump);
     feel_corner(self, terms, end.jump, felt);
     end.in_s = nck_max(0.0, place->seg->length - place->s) / (self->first.v * place->at.s[0]);
     for (int x = 0; x < terms->axes; x++) bound_axis(self, terms, x, at, &end, &bounds);

@@ -2,6 +2,7 @@
 // Inside room 6: what a brake of the tick looks at.
 #include "nck/tick/6_interpolate/look.h"
 
+#include <stddef.h> // NULL
 #include <string.h> // memset
 
 #include "nck/base/fence.h" // nck_fence_load
@@ -18,6 +19,8 @@
 // half: the intervals of a clocked path are short.
 enum { BEND_PLACES = 4, BEND_PLACES_CLOCKED = 40 };
 #define BEND_TIMES 3.0
+// Corners of a period and the next one that a brake looks at: that bounds the work of a tick.
+enum { CORNERS = 16 };
 
 // From derivatives by the coordinate s to those by the length l: with q = |p′|, e = p′·p″
 //   s′ = 1/q    s″ = −e/q⁴    s‴ = (4e²/q² − p″·p″ − p′·p‴)/q⁵
@@ -50,15 +53,44 @@ void nck_look_geometry(const nck_seg_t *seg, double s, nck_clock_geometry_t *out
     if (nck_clock_has(seg)) by_length(out);
 }
 
-void nck_look_corner(const nck_clock_place_t *place, double *jump_out) {
+// The seg behind one whose end the path goes over without a rest; NULL: none is known.
+static const nck_seg_t *onward(const nck_clock_place_t *place, const nck_seg_t *seg) {
+    const nck_link_t *const link = place->link;
+    if (seg->stop || nck_fence_load(&link->seg_head) - seg->seq <= 1) return NULL;
+    const nck_seg_t *const next = nck_link_seg(link, seg->seq + 1);
+    return next->length > 0.0 ? next : NULL;
+}
+
+// What a corner adds, upward and downward apart: curves go on, zigzags do not.
+static void add_jump(const nck_seg_t *seg, const nck_seg_t *next, double share, double *up,
+                     double *down) {
     double before[NCK_AXIS_MAX];
     double behind[NCK_AXIS_MAX];
-    memset(jump_out, 0, NCK_AXIS_MAX * sizeof *jump_out);
-    if (!place->behind) return;
-    if (nck_clock_has(place->seg)) return;
-    nck_path_tangent(place->seg, place->seg->length, before);
-    nck_path_tangent(place->behind, 0.0, behind);
-    for (int x = 0; x < NCK_AXIS_MAX; x++) jump_out[x] = nck_fabs(behind[x] - before[x]);
+    nck_path_tangent(seg, seg->length, before);
+    nck_path_tangent(next, 0.0, behind);
+    for (int x = 0; x < NCK_AXIS_MAX; x++) {
+        const double jump = share * (behind[x] - before[x]);
+        up[x] += nck_max(0.0, jump);
+        down[x] += nck_max(0.0, -jump);
+    }
+}
+
+void nck_look_corners(const nck_clock_place_t *place, double v, double period, double *jump_out) {
+    double down[NCK_AXIS_MAX];
+    double time = nck_max(0.0, place->seg->length - place->s) / v;
+    double share = 1.0;
+    const nck_seg_t *seg = place->seg;
+    const nck_seg_t *next = nck_clock_has(seg) ? NULL : place->behind;
+    memset(jump_out, 0, sizeof down);
+    memset(down, 0, sizeof down);
+    for (int n = 0; n < (int)CORNERS && next && share > 0.0; n++) {
+        add_jump(seg, next, share, jump_out, down);
+        time += next->length / v;
+        share = 1.0 - nck_fabs(time - period) / period;
+        seg = next;
+        next = onward(place, seg);
+    }
+    for (int x = 0; x < NCK_AXIS_MAX; x++) jump_out[x] = nck_max(jump_out[x], down[x]);
 }
 
 // What a bend leaves to braking, of every axis:  |p‴v³ − 3p″v|a|| ≤ J

@@ -26,9 +26,10 @@ static inline double nck_look_way(const nck_clock_geometry_t *at, double length)
 // the length. Cost: three derivatives.
 void nck_look_geometry(const nck_seg_t *seg, double s, nck_clock_geometry_t *out);
 
-// By how much p′ jumps at the place's end: at a corner, or by what the seam of splines leaves.
-// Cost: two tangents.
-void nck_look_corner(const nck_clock_place_t *place, double *jump_out);
+// By how much p′ jumps at the place's end, at a corner or by what the seam of splines leaves, with
+// the corners behind it that the sample of acceleration a period on mixes, by 1 − |t − T|/T, at the
+// speed v [path mm/s]. Cost: two tangents a corner, of 16 at most.
+void nck_look_corners(const nck_clock_place_t *place, double v, double period, double *jump_out);
 
 // How weak braking has to be now [path mm/s²], so that it is as weak as a bend asks for when it is
 // there: here, where the tool is when braking can have become weaker by half, by all, and by half
