@@ -67,8 +67,8 @@ static void bound_jerk(bounds_t *bounds, double along, double twist, double j_ma
 
 // The most that |p′| of an axis is in a seg: an arc turns to it, a spline's is a mean of the
 // slopes between its points.
-static double most_along(const nck_seg_t *seg, const nck_clock_geometry_t *at, int x) {
-    if (nck_clock_has(seg)) return nck_fabs(at->first[x]);
+static double most_along(const nck_seg_t *seg, const nck_look_geometry_t *at, int x) {
+    if (nck_look_is_clocked(seg)) return nck_fabs(at->first[x]);
     if (nck_path_turns(seg, x)) return 1.0;
     if (seg->kind != NCK_SEG_SPLINE) return nck_fabs(nck_path_slope(seg, x));
     const double b1 = seg->shape.inner[0][x];
@@ -79,7 +79,7 @@ static double most_along(const nck_seg_t *seg, const nck_clock_geometry_t *at, i
 
 // The path's jerk that every axis allows anywhere in a seg.
 static double least_jerk(const nck_terms_t *terms, const nck_seg_t *seg,
-                         const nck_clock_geometry_t *at) {
+                         const nck_look_geometry_t *at) {
     double j = terms->machine->path.j_max;
     for (int x = 0; x < terms->axes; x++) {
         const nck_axis_t *const axis = &terms->machine->axis[x];
@@ -90,7 +90,7 @@ static double least_jerk(const nck_terms_t *terms, const nck_seg_t *seg,
 }
 
 // What follows at the seg's end is felt one period on: a sample of acceleration spans two.
-static int feels_end(const nck_clock_t *self, const nck_clock_place_t *place, double period) {
+static int feels_end(const nck_clock_t *self, const nck_look_place_t *place, double period) {
     const double way = nck_look_way(&place->at, 2.0 * self->first.v * period);
     return place->behind && place->s + way >= place->seg->length;
 }
@@ -108,7 +108,7 @@ static void feel_corner(nck_clock_t *self, const nck_terms_t *terms, const doubl
 
 // One axis, at a place and behind the next seg's begin.
 static void bound_axis(const nck_clock_t *self, const nck_terms_t *terms, int x,
-                       const nck_clock_geometry_t *const at[2], const seg_end_t *end,
+                       const nck_look_geometry_t *const at[2], const seg_end_t *end,
                        bounds_t *bounds) {
     const nck_axis_t *const axis = &terms->machine->axis[x];
     const double period = terms->machine->period_s;
@@ -129,7 +129,7 @@ static void bound_axis(const nck_clock_t *self, const nck_terms_t *terms, int x,
     const double speed[2] = {v, next};
     for (int n = 0; n < 4; n++) {
         const double u = speed[n / 2];
-        const nck_clock_geometry_t *const g = at[n % 2];
+        const nck_look_geometry_t *const g = at[n % 2];
         const double twist = sign * (g->third[x] * u * u + 3.0 * g->second[x] * self->second.a) * u;
         bound_jerk(bounds, along, twist, axis->j_max);
     }
@@ -138,7 +138,7 @@ static void bound_axis(const nck_clock_t *self, const nck_terms_t *terms, int x,
 // The jerk that takes the last acceleration away: what every axis allows in the seg, and in the one
 // behind it where a brake with no more than that gets there: from v on within v·√(2v/j)/3.
 static double last_jerk(const nck_clock_t *self, const nck_terms_t *terms,
-                        const nck_clock_place_t *place, const nck_clock_geometry_t *behind) {
+                        const nck_look_place_t *place, const nck_look_geometry_t *behind) {
     const double v = self->first.v;
     const double left = nck_max(0.0, place->seg->length - place->s) / place->at.s[0];
     const double here = least_jerk(terms, place->seg, &place->at);
@@ -148,7 +148,7 @@ static double last_jerk(const nck_clock_t *self, const nck_terms_t *terms,
 }
 
 static bounds_t bounds_of(nck_clock_t *self, const nck_terms_t *terms,
-                          const nck_clock_place_t *place) {
+                          const nck_look_place_t *place) {
     const nck_machine_t *const machine = terms->machine;
     const double j_path = machine->path.j_max;
     const double back = self->follows ? 1.0 : BACK_SHARE;
@@ -156,8 +156,8 @@ static bounds_t bounds_of(nck_clock_t *self, const nck_terms_t *terms,
     const int felt = feels_end(self, place, machine->period_s);
     bounds_t bounds = {-SHARE * a_path, -a_path, -BEGIN_SHARE * j_path, back * j_path, -j_path,
                        1.0 / j_path, 1.0 / j_path, j_path, back};
-    nck_clock_geometry_t there;
-    const nck_clock_geometry_t *at[2];
+    nck_look_geometry_t there;
+    const nck_look_geometry_t *at[2];
     seg_end_t end;
     at[0] = &place->at;
     at[1] = &place->at;
@@ -184,8 +184,9 @@ static double between(const bounds_t *bounds) {
 }
 
 // What a bend leaves of the jerk that takes the last acceleration away, from v on, of every axis:
-//   |p′|j + 3|p″|v·|a| ≤ J with a² = 2jv.   It grows as v falls, so what begins with it ends in time.
-static double jerk_to_rest(const nck_terms_t *terms, const nck_clock_place_t *place, double v,
+//   |p′|j + 3|p″|v·|a| ≤ J with a² = 2jv.
+// It grows as v falls, so what begins with it ends in time.
+static double jerk_to_rest(const nck_terms_t *terms, const nck_look_place_t *place, double v,
                            double j_end) {
     const double way = v * nck_sqrt(2.0 * v / j_end) / 3.0;
     double j = j_end;
@@ -214,7 +215,7 @@ static double accel_to_rest(double v, double j, double period) {
 // 1 if the plan, which brakes harder, would be met before the brake has come to its acceleration. A
 // plan that goes by steps leaves some jerk for that. One that goes by jerk may take all: so the
 // brake keeps up with it from period to period, a behind this one.
-static int meets_plan(const nck_clock_t *self, const nck_clock_place_t *place,
+static int meets_plan(const nck_clock_t *self, const nck_look_place_t *place,
                       const bounds_t *bounds, double a, double period) {
     const double behind = a - (place->a + place->j * period);
     const double harder = place->j < 0.0 ? behind : self->second.a - place->a;
@@ -225,7 +226,7 @@ static int meets_plan(const nck_clock_t *self, const nck_clock_place_t *place,
 
 // The acceleration behind this period.
 static double next_accel(nck_clock_t *self, const nck_terms_t *terms,
-                         const nck_clock_place_t *place, double *v_least_out) {
+                         const nck_look_place_t *place, double *v_least_out) {
     const double period = terms->machine->period_s;
     bounds_t bounds = bounds_of(self, terms, place);
     self->j_end = (float)bounds.j_end;
@@ -272,7 +273,7 @@ void nck_clock_measure(const nck_seg_t *seg, double s, nck_pose_t *pose) {
 }
 
 void nck_clock_find(const nck_link_t *link, const nck_cell_t *cell, double t,
-                    nck_clock_place_t *place_out) {
+                    nck_look_place_t *place_out) {
     const uint32_t last = cell->seg + cell->span;
     uint32_t seq = cell->seg;
     double s = cell->s + nck_max(0.0, nck_min(nck_cell_way(cell, t), cell->length));
@@ -290,7 +291,7 @@ void nck_clock_find(const nck_link_t *link, const nck_cell_t *cell, double t,
 }
 
 // Cells of constant acceleration are the steps of a ramp, which is met in the middle of each.
-void nck_clock_plan(const nck_cell_t *cell, double t, double a_before, nck_clock_place_t *place) {
+void nck_clock_plan(const nck_cell_t *cell, double t, double a_before, nck_look_place_t *place) {
     const double share = cell->duration > 0.0 ? t / cell->duration - 0.5 : 0.0;
     const double v = nck_max(0.0, nck_cell_speed(cell, t));
     const double a = cell->a + cell->j * t + share * (cell->a - a_before);
@@ -304,7 +305,7 @@ void nck_clock_plan(const nck_cell_t *cell, double t, double a_before, nck_clock
 }
 
 double nck_clock_brake(nck_clock_t *self, const nck_terms_t *terms,
-                       const nck_clock_place_t *place) {
+                       const nck_look_place_t *place) {
     const double period = terms->machine->period_s;
     double v_least = 0.0;
     if (!(self->first.v > 0.0)) return 0.0;

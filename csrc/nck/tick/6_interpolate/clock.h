@@ -5,9 +5,10 @@
 #ifndef NCK_TICK_CLOCK_H
 #define NCK_TICK_CLOCK_H
 
-#include "nck/base/link.h"    // nck_link_t
-#include "nck/base/records.h" // nck_seg_t nck_cell_t
-#include "nck/base/terms.h"   // nck_terms_t
+#include "nck/base/link.h"               // nck_link_t
+#include "nck/base/records.h"            // nck_seg_t nck_cell_t
+#include "nck/base/terms.h"              // nck_terms_t
+#include "nck/tick/6_interpolate/look.h" // nck_look_place_t
 
 // What the clock does.
 typedef enum nck_clock_state {
@@ -35,24 +36,6 @@ typedef struct nck_clock {
     float j_end;              // … the jerk that takes the last acceleration away [path mm/s³]
 } nck_clock_t;
 
-// The derivatives of the path by its length at a place, and those of the seg's coordinate by it.
-typedef struct nck_clock_geometry {
-    double first[NCK_AXIS_MAX];
-    double second[NCK_AXIS_MAX];
-    double third[NCK_AXIS_MAX];
-    double s[3];
-} nck_clock_geometry_t;
-
-// Where the tool is, for a brake.
-typedef struct nck_clock_place {
-    const nck_seg_t *seg;
-    const nck_seg_t *behind; // the seg behind it; NULL: none is known, or the path rests between
-    double s;                // in the seg [path mm]
-    const nck_link_t *link;  // where the segs are
-    nck_clock_geometry_t at;
-    double v, a, j;          // that the plan has there [path mm/s], [path mm/s²], [path mm/s³]
-} nck_clock_place_t;
-
 // Begin to brake, where the plan has the speed v and the acceleration a. Cost: constant.
 // Context: tick.
 void nck_clock_begin(nck_clock_t *self, double v, double a);
@@ -60,17 +43,12 @@ void nck_clock_begin(nck_clock_t *self, double v, double a);
 // Where the cells stand at the time t from the begin of the cell: all of a place but v and a.
 // Cost: linear in the segs of the cell. Context: tick.
 void nck_clock_find(const nck_link_t *link, const nck_cell_t *cell, double t,
-                    nck_clock_place_t *place_out);
-
-// 1 if a seg is an interval of a clocked path. Cost: constant. Context: tick.
-static inline int nck_clock_has(const nck_seg_t *seg) {
-    return NCK_HAS_OPTIMAL && seg->keeps == NCK_KEEP_CLOCK;
-}
+                    nck_look_place_t *place_out);
 
 // How many periods the tick hands out the mean of on a seg: a clocked path needs no filter.
 // Cost: constant. Context: tick.
 static inline uint32_t nck_clock_taps(const nck_terms_t *terms, const nck_seg_t *seg) {
-    return nck_clock_has(seg) ? 1u : terms->taps;
+    return nck_look_is_clocked(seg) ? 1u : terms->taps;
 }
 
 // At s of a clocked seg, whose coordinate goes by the clock: the pose tells the program's
@@ -78,16 +56,16 @@ static inline uint32_t nck_clock_taps(const nck_terms_t *terms, const nck_seg_t 
 // Context: tick.
 void nck_clock_measure(const nck_seg_t *seg, double s, nck_pose_t *pose);
 
-// The speed, acceleration and jerk that the plan has at the time t from the begin of the cell, at the
-// place that was found for it. a_before: of the cell before, where cells are steps; else the cell's
-// own. Cost: constant. Context: tick.
-void nck_clock_plan(const nck_cell_t *cell, double t, double a_before, nck_clock_place_t *place);
+// The speed, acceleration and jerk that the plan has at the time t from the begin of the cell, at
+// the place that was found for it. a_before: of the cell before, where cells are steps; else the
+// cell's own. Cost: constant. Context: tick.
+void nck_clock_plan(const nck_cell_t *cell, double t, double a_before, nck_look_place_t *place);
 
 // One period of braking from the clock's v and a, which become those behind it: the jerk is the
 // least that every axis allows. Returns the way [path mm].
 // Cost: linear in the axes; of an arc four sines and cosines. Context: tick.
 double nck_clock_brake(nck_clock_t *self, const nck_terms_t *terms,
-                       const nck_clock_place_t *place);
+                       const nck_look_place_t *place);
 
 // Braking goes on from the plan's speed and acceleration, as far as jerk takes that away by the
 // rest. Cost: constant. Context: tick.

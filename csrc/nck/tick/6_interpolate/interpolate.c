@@ -98,7 +98,7 @@ static void place(nck_interpolate_t *self, const nck_seg_t *seg, double s, doubl
     pose->s = seg->s_begin + s;
     pose->left = 0.0;
     pose->v = v;
-    if (nck_clock_has(seg)) nck_clock_measure(seg, s, pose);
+    if (nck_look_is_clocked(seg)) nck_clock_measure(seg, s, pose);
     pose->feed = seg->feed;
     pose->feed_scale = seg->feed_scale;
     const int brakes = self->clock.state == NCK_CLOCK_BRAKES;
@@ -308,7 +308,7 @@ static inline int seek(nck_interpolate_t *self) {
 // ---- the tick's own clock
 
 // Where the plan is, and the speed and the acceleration that it has.
-static void find_place(const nck_interpolate_t *self, nck_clock_place_t *place_out) {
+static void find_place(const nck_interpolate_t *self, nck_look_place_t *place_out) {
     const double steps_from = self->filter.taps > 1 ? self->a_before : self->cell.a;
     const double t = now(self) - self->t_cell;
     nck_clock_find(self->link, &self->cell, t, place_out);
@@ -321,7 +321,7 @@ static void hear(nck_interpolate_t *self) {
     nck_clock_t *const clock = &self->clock;
     const int slows = clock->state == NCK_CLOCK_BRAKES || clock->state == NCK_CLOCK_STANDS;
     if (self->brakes && !slows && self->cell.length > 0.0 && !self->rider.on) {
-        nck_clock_place_t here;
+        nck_look_place_t here;
         find_place(self, &here);
         nck_clock_begin(clock, here.v, here.a);
     }
@@ -348,7 +348,7 @@ static int go(nck_interpolate_t *self, double way) {
         clock->late -= self->t_cell + cell->duration - now(self);
         if (!cross(self)) return 0;
         const nck_seg_t *const next = seg_at(self, self->cell.seg);
-        if (nck_clock_has(seg)) ahead *= next->length / seg->length;
+        if (nck_look_is_clocked(seg)) ahead *= next->length / seg->length;
     }
 }
 
@@ -360,7 +360,7 @@ static void pass_at(nck_interpolate_t *self, double share) {
 
 static void brake(nck_interpolate_t *self) {
     nck_clock_t *const clock = &self->clock;
-    nck_clock_place_t here;
+    nck_look_place_t here;
     find_place(self, &here);
     if (!go(self, nck_clock_brake(clock, self->terms, &here))) return;
     find_place(self, &here);

@@ -25,7 +25,7 @@ enum { CORNERS = 16 };
 // From derivatives by the coordinate s to those by the length l: with q = |p′|, e = p′·p″
 //   s′ = 1/q    s″ = −e/q⁴    s‴ = (4e²/q² − p″·p″ − p′·p‴)/q⁵
 //   p‴s′³ + 3p″s′s″ + p′s‴,    p″s′² + p′s″,    p′s′
-static void by_length(nck_clock_geometry_t *at) {
+static void by_length(nck_look_geometry_t *at) {
     const double qq = nck_look_dot(at->first, at->first);
     if (!(qq > 0.0)) return;
     const double q = nck_sqrt(qq);
@@ -43,18 +43,18 @@ static void by_length(nck_clock_geometry_t *at) {
     }
 }
 
-void nck_look_geometry(const nck_seg_t *seg, double s, nck_clock_geometry_t *out) {
+void nck_look_geometry(const nck_seg_t *seg, double s, nck_look_geometry_t *out) {
     nck_path_tangent(seg, s, out->first);
     nck_path_second(seg, s, out->second);
     nck_path_third(seg, s, out->third);
     out->s[0] = 1.0;
     out->s[1] = 0.0;
     out->s[2] = 0.0;
-    if (nck_clock_has(seg)) by_length(out);
+    if (nck_look_is_clocked(seg)) by_length(out);
 }
 
 // The seg behind one whose end the path goes over without a rest; NULL: none is known.
-static const nck_seg_t *onward(const nck_clock_place_t *place, const nck_seg_t *seg) {
+static const nck_seg_t *onward(const nck_look_place_t *place, const nck_seg_t *seg) {
     const nck_link_t *const link = place->link;
     if (seg->stop || nck_fence_load(&link->seg_head) - seg->seq <= 1) return NULL;
     const nck_seg_t *const next = nck_link_seg(link, seg->seq + 1);
@@ -75,12 +75,12 @@ static void add_jump(const nck_seg_t *seg, const nck_seg_t *next, double share, 
     }
 }
 
-void nck_look_corners(const nck_clock_place_t *place, double v, double period, double *jump_out) {
+void nck_look_corners(const nck_look_place_t *place, double v, double period, double *jump_out) {
     double down[NCK_AXIS_MAX];
     double time = nck_max(0.0, place->seg->length - place->s) / v;
     double share = 1.0;
     const nck_seg_t *seg = place->seg;
-    const nck_seg_t *next = nck_clock_has(seg) ? NULL : place->behind;
+    const nck_seg_t *next = nck_look_is_clocked(seg) ? NULL : place->behind;
     memset(jump_out, 0, sizeof down);
     memset(down, 0, sizeof down);
     for (int n = 0; n < (int)CORNERS && next && share > 0.0; n++) {
@@ -96,7 +96,7 @@ void nck_look_corners(const nck_clock_place_t *place, double v, double period, d
 // What a bend leaves to braking, of every axis:  |p‴v³ − 3p″v|a|| ≤ J
 static double accel_in_bend(const nck_terms_t *terms, const nck_seg_t *seg, double s, double v) {
     double accel = terms->machine->path.a_max;
-    nck_clock_geometry_t at;
+    nck_look_geometry_t at;
     if (seg->kind == NCK_SEG_LINE) return accel;
     nck_look_geometry(seg, s, &at);
     for (int x = 0; x < terms->axes; x++) {
@@ -112,7 +112,7 @@ static double accel_in_bend(const nck_terms_t *terms, const nck_seg_t *seg, doub
 
 // Where the path is so far behind a place [of its seg's coordinate]: the seg there, or the last one
 // that is known on this side of a rest.
-static const nck_seg_t *seek_ahead(const nck_clock_place_t *place, double way, double *s_out) {
+static const nck_seg_t *seek_ahead(const nck_look_place_t *place, double way, double *s_out) {
     const nck_link_t *const link = place->link;
     const uint32_t head = nck_fence_load(&link->seg_head);
     const nck_seg_t *seg = place->seg;
@@ -120,19 +120,19 @@ static const nck_seg_t *seek_ahead(const nck_clock_place_t *place, double way, d
     while (s > seg->length && !seg->stop && head - seg->seq > 1) {
         const nck_seg_t *const next = nck_link_seg(link, seg->seq + 1);
         if (!(next->length > 0.0)) break;
-        s = (s - seg->length) * (nck_clock_has(seg) ? next->length / seg->length : 1.0);
+        s = (s - seg->length) * (nck_look_is_clocked(seg) ? next->length / seg->length : 1.0);
         seg = next;
     }
     *s_out = nck_min(s, seg->length);
     return seg;
 }
 
-double nck_look_bends(const nck_terms_t *terms, const nck_clock_place_t *place, double v, double a,
+double nck_look_bends(const nck_terms_t *terms, const nck_look_place_t *place, double v, double a,
                       double j, double end_s) {
     const double back = BEND_BACK * j;
     double a_low = -terms->machine->path.a_max;
     const double half = 0.5 * nck_fabs(a) / back + terms->machine->period_s;
-    const int is_clocked = nck_clock_has(place->seg);
+    const int is_clocked = nck_look_is_clocked(place->seg);
     const int places = is_clocked ? (int)BEND_PLACES_CLOCKED : (int)BEND_PLACES;
     for (int n = 0; n < places; n++) {
         const double time = BEND_TIMES * half * (double)n / (double)(places - 1);
