@@ -15,8 +15,7 @@ static int is_alike(const nck_smooth_t *self, const nck_raw_t *raw, const nck_bl
     const int is_line = block->kind == NCK_BLOCK_LINE && raw->seg.kind == NCK_SEG_LINE;
     const int in_run = self->run.open && self->run.end == self->raw.head;
     const int unused = !in_run || self->run.t[4] <= raw->s;
-    const int is_short = !nck_raw_is_long(self, &raw->seg) && !nck_raw_is_long(self, seg);
-    return is_line && is_short && raw->smooth && !raw->seg.rapid && unused
+    return is_line && raw->smooth && !raw->seg.rapid && unused
            && (int)self->merge.count < NCK_SMOOTH_MERGE
            && self->merge.tolerance == block->tolerance_mm && raw->seg.feed == seg->feed
            && raw->seg.feed_scale == seg->feed_scale && !nck_raw_spins_differ(&raw->seg, seg);
@@ -53,6 +52,7 @@ int nck_merge_line(nck_smooth_t *self, const nck_block_t *block, const nck_seg_t
     if (self->raw.head == self->raw.tail || !(block->merge_mm > 0.0)) return 0;
     nck_raw_t *const raw = nck_raw_at(self, self->raw.head - 1);
     if (raw->moved[0] != 0.0f || !is_alike(self, raw, block, seg)) return 0;
+    if (nck_raw_is_long(self, &raw->seg) || nck_raw_is_long(self, seg)) return 0;
     if (turns_back(&raw->seg, seg, self->terms->axes)) return 0;
     const uint32_t count = self->merge.count;
     const double length = raw->seg.length + seg->length;
