@@ -15,7 +15,8 @@ printed before it. The exit status is the number of parts that found something.
     stops       20 000 rests asked for at any moment, after anything, prep alive or dead; 10 000 in
                 the stand-in for LinuxCNC, 1 000 on each Cortex-M under QEMU
     nasty       4 000 nasty programs a slope
-    clocked     1 000 programs and 2 000 rests along clocked paths (they find some yet)
+    clocked     1 000 programs, 2 000 rests and 4 000 nasty programs along clocked paths (they find
+                some yet)
     scripts     24 000 random scripts of the front door, 100 000 programs
     cycles      4 000 programs with cycles within a tolerance: limits of every axis
     threads     2 000 programs of each family with threads and taps; 20 000 spindles that fail
@@ -51,7 +52,8 @@ PARTS = {
               for slope in SLOPES],
     "stops": ["tests/stop_gate.py 20000 {seed}", "tests/linuxcnc/linuxcnc_stops.py 10000 {seed}",
               "tests/controller/firmware_stops.py 2000 {seed}"],
-    "clocked": ["tests/clocked.py 1000 {seed}", "tests/clocked.py stops 2000 {seed}"],
+    "clocked": ["tests/clocked.py 1000 {seed}", "tests/clocked.py stops 2000 {seed}",
+                "tests/kernel/nasty.py --slope optimal --count 4000 --seed {seed}"],
     "scripts": ["build/gcc/tests_kernel test_script 24000 {seed}"],
     "cycles": ["tests/cycle_jerk.py --count 4000 --seed {seed}"],
     "threads": ["tests/thread_programs.py --count 2000 --seed {seed}",

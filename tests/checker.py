@@ -153,7 +153,6 @@ class Checker:
         self._joints = np.repeat(start[self._limits.joint_axes][None], 3, axis=0)
         self._s, self._block, self._settled = np.zeros(3), np.zeros(3, np.intp), 0
         self._visits = Visits(self.path, self._poses[0]) if visits else None
-        self._way, self._clocked = np.zeros(2), np.zeros(2, bool)
         self._clocked_before = self._clocked_next = np.zeros(3, bool)
         self._exact = np.concatenate(
             [[0], np.cumsum((self.path.length > 0) & ~self.path.keeps_jerk)]
@@ -182,7 +181,6 @@ class Checker:
         way = np.linalg.norm(np.diff(np.concatenate([self._poses[-1:], poses]), axis=0), axis=1)
         clocked = self._is_clocked(block)
         self._progress(s, poses, np.where(clocked, 0, way), clocked)
-        self._along(way, clocked)
         self._feed(s, way, clocked)
         self._on_path(block, s, poses)
         if self._visits:
@@ -277,30 +275,15 @@ class Checker:
         return smoothed | ((self.path.length[block] > 0) & (age >= SETTLED))
 
     def _is_clocked(self, block):
-        """Return where the path is clocked: its coordinate is the program's, not its length."""
-        optimal = self._limits.slope == OPTIMAL
-        return optimal & (self.path.tolerance[block] > 0) & (self.path.length[block] > 0)
-
-    def _along(self, way, clocked):
-        """Within the path's own limits by the tool's way, where no axis holds it first."""
-        limits, period = self._limits, self._limits.period_s
-        track = np.concatenate([self._way, way])
-        still = np.concatenate([self._clocked, clocked])
-        self._way, self._clocked = track[-2:], still[-2:]
-        bounds = (limits.path_a_max, limits.path_j_max)
-        norms = np.linalg.norm(limits.a_max[limits.present]), np.linalg.norm(
-            limits.j_max[limits.present]
-        )
-        for order, (most, norm) in enumerate(zip(bounds, norms, strict=True), 1):
-            if most >= norm * (1 - SHARE):
-                continue
-            judged = still[2:] & still[1:-1] & still[:-2]
-            unit = period ** (order + 1)
-            values = np.abs(np.diff(track, n=order)[-len(way) :]) / unit
-            values = np.where(judged, values, 0)
-            more = SUMS[order] * ROUNDING * np.abs(way).max() / unit
-            what = f"tool {ORDERS[order]} {values.max():.9g}, limit {most:g}"
-            self._hold(values <= most * (1 + SHARE) + more, what)
+        """Return where the path is clocked: its coordinate is the program's, not its length. Where
+        the path's own limits hold before those of the axes it never is."""
+        limits = self._limits
+        free = all(
+            most >= np.linalg.norm(of_axes[limits.present]) * (1 - SHARE)
+            for most, of_axes in (
+                (limits.path_a_max, limits.a_max), (limits.path_j_max, limits.j_max))
+        )  # fmt: skip
+        return (limits.slope == OPTIMAL and free) & (self.path.tolerance[block] > 0) & (self.path.length[block] > 0)
 
     def _progress(self, s, poses, way, clocked):
         """Forward, within acceleration and jerk of the path, twice the jerk where two motions may

@@ -133,7 +133,7 @@ def told(case, finding):
 def main(arguments=None):
     """Run the command line; return the exit code."""
     parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
-    parser.add_argument("--slope", choices=nasty_seeds.SLOPES, default="jerk")
+    parser.add_argument("--slope", choices=(*nasty_seeds.SLOPES, "optimal"), default="jerk")
     parser.add_argument("--count", type=int, default=200)
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--first", type=int, default=0, help="number of the first case")

@@ -7,9 +7,12 @@ from pathlib import Path
 
 import pytest
 
-sys.path.append(str(Path(__file__).resolve().parents[1]))
+TESTS = Path(__file__).resolve().parents[1]
+sys.path += [str(TESTS), str(TESTS / "kernel")]
 
 import clocked
+import nasty_judge
+import nasty_seeds
 import stop_gate
 
 from pycnc.bench import bounds, programs
@@ -38,6 +41,22 @@ def test_a_program_keeps_its_promises(seed):
 @pytest.mark.parametrize("first", [100, 120])
 def test_a_rest_comes_in_time(first):
     stop_gate.hold(clocked.try_rest, range(first, first + 20))
+
+
+# Found once, of nasty programs: b beside a rest was drawn as no row had it; whoever answered while
+# the other planner began behind a rest had the wrong one; at rest a plan that broke a limit was
+# sought again for ever; a coordinate went back where a path does; a clock of a run of 1 nm stood
+# still; a brake for a plan that brakes had no number in it.
+@pytest.mark.parametrize(
+    ("seed", "number"),
+    [(1, 8), (1, 18), (1, 24), (1, 29), (1, 88), (1, 93), (1, 133), (1, 180), (1, 399), (2, 299)],
+)
+def test_what_was_found_once_is_found_no_more(seed, number):
+    assert nasty_judge.find(nasty_seeds.case("optimal", seed, number)) == []
+
+
+def test_an_override_near_nothing_and_another_one_let_it_go_on():
+    stop_gate.hold(clocked.try_rest, [262])
 
 
 @pytest.mark.parametrize("name", PROTOTYPE)

@@ -2,7 +2,6 @@
 // The derivatives of straight lines, arcs, helices and cubic splines.
 #include "nck/base/path.h"
 
-#include "nck/base/gauss_math.h" // nck_gauss_place nck_gauss_weight
 
 // Where the start radius (u, v) of an arc points at s: turned by sweep·s/L.
 static void radius_at(const nck_seg_t *seg, double s, double *radius_out) {
@@ -109,20 +108,30 @@ void nck_path_third(const nck_seg_t *seg, double s, double *third_out) {
     nck_path_third_part(seg, s, NCK_AXIS_MAX, third_out);
 }
 
-// ∫ |dp/ds| from 0 to s.
-static double length_to(const nck_seg_t *seg, double s) {
-    double length = 0.0;
-    for (int i = 0; i < NCK_GAUSS_PLACES; i++) {
-        double tangent[NCK_AXIS_MAX];
-        double square = 0.0;
-        nck_path_tangent(seg, nck_gauss_place(i) * s, tangent);
-        for (int x = 0; x < NCK_AXIS_MAX; x++) square += tangent[x] * tangent[x];
-        length += nck_gauss_weight(i) * nck_sqrt(square);
-    }
-    return length * s;
+// |dp/ds| at s.
+static double speed_at(const nck_seg_t *seg, double s) {
+    double tangent[NCK_AXIS_MAX];
+    double square = 0.0;
+    nck_path_tangent(seg, s, tangent);
+    for (int x = 0; x < NCK_AXIS_MAX; x++) square += tangent[x] * tangent[x];
+    return nck_sqrt(square);
 }
 
+// Parts of a seg over which that is straight, as good as. A length from it never goes back, where a
+// spline all but stands still, too.
+enum { SHARE_PARTS = 4 };
+
 double nck_path_share(const nck_seg_t *seg, double s) {
-    const double whole = length_to(seg, seg->length);
-    return whole > 0.0 ? nck_min(length_to(seg, s) / whole, 1.0) : s / seg->length;
+    const double place = nck_min(s / seg->length, 1.0) * (double)SHARE_PARTS;
+    double before = speed_at(seg, 0.0);
+    double whole = 0.0;
+    double part = 0.0;
+    for (int i = 0; i < SHARE_PARTS; i++) {
+        const double behind = speed_at(seg, seg->length * (double)(i + 1) / (double)SHARE_PARTS);
+        const double way = nck_min(nck_max(place - (double)i, 0.0), 1.0);
+        whole += 0.5 * (before + behind);
+        part += way * (before + 0.5 * way * (behind - before));
+        before = behind;
+    }
+    return whole > 0.0 ? nck_min(part / whole, 1.0) : s / seg->length;
 }

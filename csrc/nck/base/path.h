@@ -25,8 +25,8 @@ void nck_path_tangent_part(const nck_seg_t *seg, double s, int axes, double *tan
 void nck_path_second_part(const nck_seg_t *seg, double s, int axes, double *second_out);
 void nck_path_third_part(const nck_seg_t *seg, double s, int axes, double *third_out);
 
-// The share of a spline's own length that lies before s, by Gauss' rule of three places.
-// 0 ≤ s ≤ L; L must be positive. Cost: six tangents. Context: any.
+// The share of a spline's own length that lies before s, by the trapezoid rule of four parts.
+// 0 ≤ s ≤ L; L must be positive. Cost: five tangents. Context: any.
 double nck_path_share(const nck_seg_t *seg, double s);
 
 #ifdef __cplusplus

@@ -263,14 +263,14 @@ static double most_between(const stand_t *a, const stand_t *b, int axes) {
 }
 
 // A stretch of an interval with no vertex in it.
-typedef struct stretch {
+typedef struct reach {
     uint32_t element;
     double s[2]; // of the program
     double w[2]; // of the interval
-} stretch_t;
+} reach_t;
 
 // The most |r − p| along it, s straight over w [mm].
-static double most_along(const nck_stream_t *self, const cubic_t *cubic, const stretch_t *on) {
+static double most_along(const nck_stream_t *self, const cubic_t *cubic, const reach_t *on) {
     const double way = on->w[1] - on->w[0];
     const double rate = way > 0.0 ? (on->s[1] - on->s[0]) / way : 0.0;
     stand_t from = {.w = on->w[0]};
@@ -295,10 +295,10 @@ static double nearest(const nck_stream_t *self, uint32_t n, double s, const doub
 
 // The same, s as it is best at places within: any s does that never goes back.
 static double most_along_parts(const nck_stream_t *self, const cubic_t *cubic,
-                               const stretch_t *on) {
+                               const reach_t *on) {
     double most = 0.0;
     double point[NCK_AXIS_MAX];
-    stretch_t part = *on;
+    reach_t part = *on;
     for (int k = 1; k <= PARTS; k++) {
         const double share = (double)k / PARTS;
         const double s = on->s[0] + (on->s[1] - on->s[0]) * share;
@@ -316,7 +316,7 @@ static double most_along_parts(const nck_stream_t *self, const cubic_t *cubic,
 // The most |r − p|/P in a bin.
 static double bin_miss(const nck_stream_t *self, const cubic_t *cubic, const bin_t *bin) {
     double most = 0.0;
-    stretch_t on = {.w = {bin->w[0], 0.0}};
+    reach_t on = {.w = {bin->w[0], 0.0}};
     for (uint32_t n = bin->first; n != bin->last + 1; n++) {
         const nck_track_element_t *const element = nck_track_at(&self->track, n);
         const double room = (double)element->tolerance - ROUNDING;

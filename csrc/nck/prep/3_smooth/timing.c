@@ -368,6 +368,7 @@ static void blur(nck_timing_t *self, nck_timing_list_t *list) {
     }
     int count = (int)(all / quarter) + 1;
     if (count > NCK_TIMING_CELLS) count = NCK_TIMING_CELLS;
+    if (count < LEAST) count = LEAST; // from rest to rest something has to move between
     const double step = nck_min(all / count, quarter);
     const delay_t even = {all, 0.0};
     const int half = (int)(0.5 * BLUR / step + 0.5);

@@ -39,6 +39,8 @@ enum { SLOWER_NODES = 48 };
 // Of what it is asked for, the most that a plan may take of a limit anywhere: what its check lets
 // pass, and a little. Beyond it the plan before goes on.
 #define SHARE_MOST 1.003
+#define SHARE_LOST 1e6 // what takes more is no plan …
+#define TIME_LOST 1e6  // … nor is what takes longer [s], or no number
 
 void nck_optimal_init(nck_optimal_t *self, const nck_terms_t *terms, nck_link_t *link,
                       const nck_plan_t *now, nck_plan_t *next) {
@@ -123,8 +125,7 @@ static nck_status_t set_wish(nck_optimal_t *self) {
     nck_motion_wish_t asked;
     memset(&asked, 0, sizeof asked);
     asked.tau = self->terms->knot_s;
-    self->has_path = (uint32_t)nck_optimal_has_path(self);
-    asked.axes = self->terms->axes + (int)self->has_path;
+    asked.axes = self->terms->axes;
     asked.nodes = (int)work->n + 1;
     asked.fixed = nck_optimal_goes_on(self) ? (int)NCK_OPTIMAL_GIVEN : 0;
     asked.ends = (work->ends ? NCK_MOTION_FREE_END : 0u);
@@ -144,8 +145,13 @@ static nck_status_t set_wish(nck_optimal_t *self) {
     return nck_motion_begin(&self->motion, &asked);
 }
 
+// The last plan brakes for its own rest: NCK_FULL, a brake has nothing to add.
 static nck_status_t lay_window(nck_optimal_t *self, const nck_pieces_t *pieces) {
     if (nck_optimal_work(self)->n == 0) look_slower(self, pieces);
+    if (self->job.kind == NCK_JOB_BRAKE && !nck_optimal_slows(self)) {
+        self->next->held = self->job.held;
+        return NCK_FULL;
+    }
     const nck_status_t status = count_intervals(self, pieces);
     if (status != NCK_DONE) return status;
     self->i = 0;
@@ -164,11 +170,15 @@ static nck_status_t fill_nodes(nck_optimal_t *self, const nck_pieces_t *pieces) 
 
 // ---- solving
 
-// 1 if the plan keeps its limits: else the one before goes on to its rest.
-static int holds(const nck_motion_t *motion) {
+// What the pace b is to be multiplied by, so that the plan keeps its limits: 1 where it does; less
+// where it begins at rest, since accelerations go down as b and jerks as b^(3/2). 0: there is none,
+// the plan before goes on to its rest.
+static double factor_of(const nck_optimal_t *self) {
     nck_motion_told_t told;
-    nck_motion_told(motion, &told);
-    return told.share <= SHARE_MOST;
+    nck_motion_told(&self->motion, &told);
+    if (!(told.time < TIME_LOST)) return 0.0;
+    if (told.share <= SHARE_MOST) return 1.0;
+    return nck_optimal_goes_on(self) || !(told.share < SHARE_LOST) ? 0.0 : 1.0 / told.share;
 }
 
 // The place of most speed before a plan brakes for its window's end.
@@ -204,9 +214,10 @@ static nck_status_t solve_motion(nck_optimal_t *self) {
     const nck_status_t status = nck_motion_step(&self->motion);
     nck_optimal_pace_t *const work = nck_optimal_work(self);
     if (status != NCK_DONE) return status;
-    if (!holds(&self->motion)) return NCK_E_STATE;
+    const double factor = factor_of(self);
+    if (!(factor > 0.0)) return NCK_E_STATE;
     for (uint32_t k = 0; k <= work->n; k++) {
-        work->b[k] = (double)nck_motion_b(&self->motion, (int)k);
+        work->b[k] = factor * (double)nck_motion_b(&self->motion, (int)k);
     }
     const nck_optimal_pace_t *const now = nck_optimal_now(self);
     for (uint32_t k = 0; nck_optimal_goes_on(self) && k < NCK_OPTIMAL_GIVEN; k++) {

@@ -8,19 +8,25 @@
 #include "nck/base/real.h" // nck_fabs nck_min nck_max nck_sqrt
 #include "nck/prep/5_slope/optimal_pace.h" // nck_optimal_work …
 
-enum { PARTS_MOST = 3 }; // cells of half an interval
+enum { PARTS_MOST = 4 }; // cells of half an interval
 // Of an axis' jerk, what a cell may be off its plan by.
-#define CELL_SHARE 0.01
+#define CELL_SHARE 0.003
 
-// Acceleration b′/2 in the middle of interval k; there is none beyond the ends.
+// Acceleration b′/2 in the middle of interval k. Beyond the ends b is even, as base/motion.h has it.
 static double middle_accel(const nck_optimal_pace_t *pace, double knot, uint32_t k) {
-    return k < pace->n ? (pace->b[k + 1] - pace->b[k]) / (2.0 * knot) : 0.0;
+    return (pace->b[k + 1] - pace->b[k]) / (2.0 * knot);
+}
+
+// … at node k.
+static double node_accel(const nck_optimal_pace_t *pace, double knot, uint32_t k) {
+    if (k == 0 || k == pace->n) return 0.0;
+    return 0.5 * (middle_accel(pace, knot, k - 1) + middle_accel(pace, knot, k));
 }
 
 // b at node k, on its parabola.
 static double pace_at(const nck_optimal_pace_t *pace, uint32_t k) {
-    const double before = pace->b[k > 0 ? k - 1 : k];
-    const double behind = pace->b[k < pace->n ? k + 1 : k];
+    const double before = pace->b[k > 0 ? k - 1 : k + 1];
+    const double behind = pace->b[k < pace->n ? k + 1 : k - 1];
     return pace->b[k] + 0.125 * (before - 2.0 * pace->b[k] + behind);
 }
 
@@ -113,13 +119,12 @@ static void draw_interval(nck_optimal_t *self, const nck_node_t *piece, uint32_t
     const double b = 0.5 * (work->b[k] + work->b[k + 1]);
     const double a = middle_accel(work, knot, k);
     if (k > 0 || !nck_optimal_goes_on(self)) {
-        const double a0 = 0.5 * ((k > 0 ? middle_accel(work, knot, k - 1) : 0.0) + a);
-        const portion_t first = {0.0, half, pace_at(work, k), b, a0, a};
+        const portion_t first = {0.0, half, pace_at(work, k), b, node_accel(work, knot, k), a};
         put_half(self, piece, &first, 0);
     }
     if (k == self->takes_over) self->seam = self->cells;
     const int rests = k + 1 == work->n && !work->ends;
-    const double a1 = 0.5 * (a + middle_accel(work, knot, k + 1));
+    const double a1 = node_accel(work, knot, k + 1);
     const portion_t second = {half, half, b, rests ? 0.0 : pace_at(work, k + 1), a, a1};
     put_half(self, piece, &second, 1);
 }

@@ -21,7 +21,7 @@ enum { LOOKS = 4 };
 #define PACE_MOST 1e6
 // Of an axis' limits, what a plan is asked to keep to; what passes its rows (0.002 of time is what
 // 0.6 % of jerk cost) stays below the limit.
-#define SHARE_ASKED 0.997
+#define SHARE_ASKED 0.996
 // The same of speed, which it passes by less.
 #define SHARE_SPEED 0.999
 
@@ -117,37 +117,6 @@ static int is_rest(const nck_optimal_t *self, const nck_num *first) {
     return 1;
 }
 
-// 1 if the path's own limits may hold where no axis' limit does. With all axes there is no room
-// for them beside those.
-int nck_optimal_has_path(const nck_optimal_t *self) {
-    if (!NCK_HAS_OPTIMAL) return 0;
-    const nck_machine_t *const machine = self->terms->machine;
-    double aa = 0.0;
-    double jj = 0.0;
-    for (int x = 0; x < self->terms->axes; x++) {
-        const nck_axis_t *const axis = &machine->axis[x];
-        if (!axis->present) continue;
-        aa += axis->a_max * axis->a_max;
-        jj += axis->j_max * axis->j_max;
-    }
-    const double a = machine->path.a_max;
-    const double j = machine->path.j_max;
-    const double near = 1.0 - 1e-9; // a root of the sum of squares is rounded
-    return self->terms->axes < NCK_AXIS_MAX && (a * a < near * aa || j * j < near * jj);
-}
-
-// Derivatives of the length by the clock:  l′ = |p′|    l″ = p′·p″/|p′|
-static void add_length(int axes, nck_num *first, nck_num *second) {
-    nck_num square = 0;
-    nck_num dot = 0;
-    for (int x = 0; x < axes; x++) {
-        square += first[x] * first[x];
-        dot += first[x] * second[x];
-    }
-    first[axes] = NCK_NUM_SQRT(square);
-    second[axes] = square > 0 ? dot / first[axes] : 0;
-}
-
 // Cap of b one node before a window's end, where the path goes on but the plan rests: what is left
 // of its acceleration there, b/2τ, is gone within a period.
 static nck_num cap_at_end(const nck_optimal_t *self, const nck_num *first, nck_num cap) {
@@ -182,7 +151,6 @@ void nck_optimal_fill(nck_optimal_t *self, const nck_pieces_t *pieces, uint32_t 
         work->along[k] += (float)first[x] * (float)first[x];
     }
     if (nck_optimal_slows(self)) vv = nck_max(vv, self->vv_floor);
-    if (self->has_path) add_length(self->terms->axes, first, second);
     cap_and_b[0] = (nck_num)cap_of(self, first, around.along, vv);
     if (k + 1 == work->n && !work->ends) {
         cap_and_b[0] = cap_at_end(self, first, cap_and_b[0]);
@@ -191,8 +159,7 @@ void nck_optimal_fill(nck_optimal_t *self, const nck_pieces_t *pieces, uint32_t 
     nck_motion_node(&self->motion, (int)k, first, second, cap_and_b);
 }
 
-// What an axis may do; one that the machine lacks never moves: any limit will do. The path's own
-// limits, where there are any, are those of one axis more.
+// What an axis may do; one that the machine lacks never moves: any limit will do.
 void nck_optimal_set_limits(nck_optimal_t *self, nck_motion_wish_t *asked) {
     if (!NCK_HAS_OPTIMAL) return;
     const nck_machine_t *const machine = self->terms->machine;
@@ -204,7 +171,4 @@ void nck_optimal_set_limits(nck_optimal_t *self, nck_motion_wish_t *asked) {
         asked->v[x] = axis->present ? SHARE_SPEED * axis->v_max : 0.0;
         if (axis->present) self->j_least = nck_min(self->j_least, asked->j[x]);
     }
-    if (!self->has_path) return;
-    asked->a[asked->axes - 1] = SHARE_ASKED * machine->path.a_max;
-    asked->j[asked->axes - 1] = SHARE_ASKED * machine->path.j_max;
 }

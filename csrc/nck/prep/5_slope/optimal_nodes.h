@@ -5,10 +5,6 @@
 
 #include "nck/prep/5_slope/optimal.h" // nck_optimal_t
 
-// 1 if the path's own limits may hold where no axis' limit does: they are those of one axis more.
-// Cost: linear in axes. Context: prep.
-int nck_optimal_has_path(const nck_optimal_t *self);
-
 // What is asked of the motion: limits of each axis. Cost: linear in axes. Context: prep.
 void nck_optimal_set_limits(nck_optimal_t *self, nck_motion_wish_t *asked);
 

@@ -25,21 +25,25 @@ uint32_t nck_planner_kind(const nck_slope_t *self) {
 // The optimal planner's state, which few builds have.
 static nck_optimal_t *optimal_of(nck_slope_t *self) {
     (void)self; // of no use without one
-    return NCK_OPTIMAL_AT(self, planner.optimal);
+    return NCK_OPTIMAL_AT(self, optimal);
 }
 
-// All that follows is planned by it.
-static void init_planner(nck_slope_t *self, uint32_t planner) {
+// What cells last that are not long, by a planner [s].
+static double cell_time(const nck_machine_t *machine, uint32_t planner) {
+    if (planner != NCK_SLOPE_JERK) return NCK_UNLIMITED;
+    return NCK_LADDER_STRETCH * nck_jerk_cell_s(machine);
+}
+
+void nck_planner_init(nck_slope_t *self) {
     const nck_machine_t *const machine = self->machine;
     nck_link_t *const link = self->link;
-    self->kind_in_force = planner;
-    self->cell_s = NCK_UNLIMITED;
-    switch (planner) {
-    case NCK_SLOPE_OPTIMAL:
+    self->kind_in_force = planner_of(machine);
+    self->cell_s = cell_time(machine, self->kind_in_force);
+    if (slope_of(machine) == NCK_SLOPE_OPTIMAL) {
         nck_optimal_init(optimal_of(self), self->terms, link, &self->now, &self->next);
-        break;
+    }
+    switch (self->kind_in_force) {
     case NCK_SLOPE_JERK:
-        self->cell_s = NCK_LADDER_STRETCH * nck_jerk_cell_s(machine);
         nck_jerk_init(&self->planner.jerk, machine, link, &self->now, &self->next);
         break;
     case NCK_SLOPE_SSHAPE:
@@ -51,13 +55,11 @@ static void init_planner(nck_slope_t *self, uint32_t planner) {
     }
 }
 
-void nck_planner_init(nck_slope_t *self) { init_planner(self, planner_of(self->machine)); }
-
 void nck_planner_choose(nck_slope_t *self, const nck_node_t *piece) {
-    if (!NCK_HAS_OPTIMAL || slope_of(self->machine) != NCK_SLOPE_OPTIMAL) return;
+    if (!NCK_HAS_OPTIMAL || slope_of(self->machine) != NCK_SLOPE_OPTIMAL || !piece) return;
     const int is_clocked = nck_link_seg(self->link, piece->seg)->keeps == NCK_KEEP_CLOCK;
-    const uint32_t planner = is_clocked ? (uint32_t)NCK_SLOPE_OPTIMAL : (uint32_t)NCK_SLOPE_JERK;
-    if (planner != self->kind_in_force) init_planner(self, planner);
+    self->kind_in_force = is_clocked ? (uint32_t)NCK_SLOPE_OPTIMAL : (uint32_t)NCK_SLOPE_JERK;
+    self->cell_s = cell_time(self->machine, self->kind_in_force);
 }
 
 void nck_planner_begin(nck_slope_t *self, const nck_job_t *job) {

@@ -9,11 +9,11 @@
 // The planner in force, an nck_slope_kind_t. Cost: constant.
 uint32_t nck_planner_kind(const nck_slope_t *self);
 
-// The exact path's planner is in force. Cost: linear in the capacities.
+// All planners of the machine's slope begin, and that of the exact path is in force.
+// Cost: linear in the capacities.
 void nck_planner_init(nck_slope_t *self);
 
-// At rest before a piece: its planner is in force. Cost: constant; linear in the capacities where
-// it is another one.
+// The planner of a piece's path is in force; NULL: no change. Cost: constant.
 void nck_planner_choose(nck_slope_t *self, const nck_node_t *piece);
 
 // Begin, step and hurry the plan in work: see nck_jerk_begin, nck_jerk_step, nck_jerk_hurry.

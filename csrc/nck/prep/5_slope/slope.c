@@ -27,8 +27,7 @@ enum { PHASE_IDLE = 0, PHASE_MAKE, PHASE_INSTALL };
 #define NO_WAY (1 + (NCK_PROFILE > 128 ? NCK_PROFILE / 16 : 8))
 // The same for a brake, which is sought from cell to cell; and the cells that the last try took.
 enum { NO_BRAKE = 4 };
-// The same where plans are sought by optimisation: about three intervals, so that the window has
-// most of its way left.
+// The same by optimisation: some three intervals, so that the window has most of its way left.
 enum { NO_MOTION = 8 };
 
 void nck_slope_init(nck_slope_t *self, const nck_terms_t *terms, nck_link_t *link) {
@@ -223,6 +222,7 @@ static void note_passed(nck_slope_t *self, nck_slope_passed_t *passed_out) {
 
 // Other wishes: plan anew from a few cells behind the final ones, unless the path rests by then.
 static void replan(nck_slope_t *self, const nck_pieces_t *pieces) {
+    nck_planner_choose(self, nck_plan_piece(pieces, self->now.piece)); // a start may have another
     uint32_t first = takeover(self);
     self->phase = PHASE_IDLE;
     if (self->now.held == NCK_HELD_RESUME) return; // brakes already
@@ -254,8 +254,8 @@ static void put_off(nck_slope_t *self, const nck_pieces_t *pieces) {
 
 // Nothing is drawn that would come in time: the plan behind a rest does not overlap then.
 static int is_late(nck_slope_t *self) {
-    return self->phase != PHASE_INSTALL
-           && nck_link_lead(self->link) < LEAD_LEAST * self->machine->period_s;
+    const double least = LEAD_LEAST * self->machine->period_s;
+    return self->phase != PHASE_INSTALL && nck_link_lead(self->link) < least;
 }
 
 // 1 if the answer to the operator is put off, or cells are withheld no longer.

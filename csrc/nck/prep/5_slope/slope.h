@@ -73,8 +73,8 @@ typedef struct nck_slope {
         nck_linear_t linear;
         nck_jerk_t jerk;
         nck_sshape_t sshape;
-        NCK_OPTIMAL_MEMBER(nck_optimal_t, optimal)
     } planner;
+    NCK_OPTIMAL_MEMBER(nck_optimal_t, optimal) // beside the exact path's
 } nck_slope_t;
 
 // Fill in what the machine's slope means to the other rooms. Once more after a change of limits.

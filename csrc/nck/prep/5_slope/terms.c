@@ -12,8 +12,15 @@
 // P [mm] and the highest J; between these [s].
 #define KNOT_SHARE 0.4
 #define KNOT_TOLERANCE 0.01
+// … a path within a smaller P is not clocked if knots are more of it: a window of a few corners
+// takes up to three times as long.
+#define KNOT_SHARE_MOST 1.2
 #define KNOT_LEAST 0.00025
 #define KNOT_MOST 0.004
+// … but so many last as long as it takes to stop: a plan sees 135 of them, and gives a part. By so
+// much at most, else corners are too coarse.
+#define KNOTS_STOP 100.0
+#define KNOT_RAISE 2.0
 #define FILTERS_LEAST 2.0 // that a ramp lasts
 // Times D: what a cell lasts beside a rest, where a ladder has few cells and else.
 #define BESIDE_REST_FEW 3.0
@@ -44,14 +51,38 @@ static double jerk_along(const nck_machine_t *machine, uint8_t axes, double filt
     return filter > 0.0 ? nck_min(j, a / (FILTERS_LEAST * filter)) : j;
 }
 
-// How long an interval of a clocked path lasts by its clock [s].
-static double knot_of(const nck_machine_t *machine, uint8_t axes) {
+// How long an interval of a clocked path lasts by its clock, and for what P that is short enough.
+static void set_knot(const nck_machine_t *machine, uint8_t axes, nck_terms_t *terms_out) {
     double j = 0.0;
+    double stop = 0.0;
     for (int x = 0; x < axes; x++) {
-        if (machine->axis[x].present) j = nck_max(j, machine->axis[x].j_max);
+        const nck_axis_t *const axis = &machine->axis[x];
+        if (!axis->present) continue;
+        j = nck_max(j, axis->j_max);
+        stop = nck_max(stop, axis->v_max / axis->a_max + axis->a_max / axis->j_max);
     }
-    const double knot = KNOT_SHARE * nck_root_cube(KNOT_TOLERANCE / j);
-    return nck_max(KNOT_LEAST, nck_min(knot, KNOT_MOST));
+    const double corner = KNOT_SHARE * nck_root_cube(KNOT_TOLERANCE / j);
+    const double wanted = nck_max(KNOT_LEAST, nck_min(corner, KNOT_MOST));
+    const double knot = nck_max(wanted, nck_min(stop / KNOTS_STOP, KNOT_RAISE * wanted));
+    const double share = knot / KNOT_SHARE_MOST;
+    terms_out->knot_s = knot;
+    terms_out->knot_p = j * share * share * share;
+}
+
+// 1 if the path's own limits hold where no axis' limit does.
+static int path_binds(const nck_machine_t *machine, uint8_t axes) {
+    const double near = 1.0 - 1e-9; // a root of the sum of squares is rounded
+    double aa = 0.0;
+    double jj = 0.0;
+    for (int x = 0; x < axes; x++) {
+        const nck_axis_t *const axis = &machine->axis[x];
+        if (!axis->present) continue;
+        aa += axis->a_max * axis->a_max;
+        jj += axis->j_max * axis->j_max;
+    }
+    const double a = machine->path.a_max;
+    const double j = machine->path.j_max;
+    return a * a < near * aa || j * j < near * jj;
 }
 
 // For how long two motions may overlap: the cells of the first one wait in the ring.
@@ -70,7 +101,7 @@ void nck_slope_terms(const nck_machine_t *machine, nck_terms_t *terms_out) {
     const int is_filtered = nck_machine_filters(machine);
     const uint8_t axes = axes_of(machine);
     const nck_terms_t linear = {machine, 0, 1, 0, 1, axes, machine->path.j_max, 0.0, 0.0, period,
-                                0.0, 0.0};
+                                0.0, 0.0, 0.0};
     *terms_out = linear;
     if (!NCK_HAS_JERK || machine->slope == NCK_SLOPE_LINEAR) return;
     terms_out->limits_jerk = 1;
@@ -83,6 +114,7 @@ void nck_slope_terms(const nck_machine_t *machine, nck_terms_t *terms_out) {
     terms_out->v_filter =
         nck_ladder_raise(terms_out->j_max, filter, NCK_LADDER_STRETCH * cell);
     terms_out->rest_s = is_filtered ? period + filter : period;
-    if (machine->slope == NCK_SLOPE_OPTIMAL) terms_out->knot_s = knot_of(machine, axes);
+    const int is_clocked = machine->slope == NCK_SLOPE_OPTIMAL && !path_binds(machine, axes);
+    if (is_clocked) set_knot(machine, axes, terms_out);
     if (NCK_HAS_OVERLAP) terms_out->ride_s = ride_of(machine);
 }
