@@ -27,6 +27,10 @@
 #define LEAST_SHARE 0.02
 // A direction that asks nothing of an axis: below it no acceleration along the path moves it.
 #define ALONG_LEAST 1e-6
+// Of the jerk that is left at the last, what giving way may take in any case.
+#define WAY_SHARE 0.1
+// No axis' limit is more, by the clock [1/s², 1/s³].
+#define FASTEST 1e12
 // A clock that is so near to running runs: a jump of 1e-9 periods' way.
 #define RUNS_EPSILON 1e-9
 // Newton's steps to a time within a cell: each doubles the digits of a first guess good to some %.
@@ -67,8 +71,7 @@ static void bound_jerk(bounds_t *bounds, double along, double twist, double j_ma
 
 // The most that |p′| of an axis is in a seg: an arc turns to it, a spline's is a mean of the
 // slopes between its points.
-static double most_along(const nck_seg_t *seg, const nck_look_geometry_t *at, int x) {
-    if (nck_look_is_clocked(seg)) return nck_fabs(at->first[x]);
+static double most_along(const nck_seg_t *seg, int x) {
     if (nck_path_turns(seg, x)) return 1.0;
     if (seg->kind != NCK_SEG_SPLINE) return nck_fabs(nck_path_slope(seg, x));
     const double b1 = seg->shape.inner[0][x];
@@ -78,12 +81,11 @@ static double most_along(const nck_seg_t *seg, const nck_look_geometry_t *at, in
 }
 
 // The path's jerk that every axis allows anywhere in a seg.
-static double least_jerk(const nck_terms_t *terms, const nck_seg_t *seg,
-                         const nck_look_geometry_t *at) {
+static double least_jerk(const nck_terms_t *terms, const nck_seg_t *seg) {
     double j = terms->machine->path.j_max;
     for (int x = 0; x < terms->axes; x++) {
         const nck_axis_t *const axis = &terms->machine->axis[x];
-        const double along = most_along(seg, at, x);
+        const double along = most_along(seg, x);
         if (axis->present && along >= ALONG_LEAST) j = nck_min(j, axis->j_max / along);
     }
     return seg->kind == NCK_SEG_LINE ? j : END_SHARE * j;
@@ -91,7 +93,7 @@ static double least_jerk(const nck_terms_t *terms, const nck_seg_t *seg,
 
 // What follows at the seg's end is felt one period on: a sample of acceleration spans two.
 static int feels_end(const nck_clock_t *self, const nck_look_place_t *place, double period) {
-    const double way = nck_look_way(&place->at, 2.0 * self->first.v * period);
+    const double way = 2.0 * self->first.v * place->at.s * period;
     return place->behind && place->s + way >= place->seg->length;
 }
 
@@ -138,21 +140,53 @@ static void bound_axis(const nck_clock_t *self, const nck_terms_t *terms, int x,
 // The jerk that takes the last acceleration away: what every axis allows in the seg, and in the one
 // behind it where a brake with no more than that gets there: from v on within v·√(2v/j)/3.
 static double last_jerk(const nck_clock_t *self, const nck_terms_t *terms,
-                        const nck_look_place_t *place, const nck_look_geometry_t *behind) {
+                        const nck_look_place_t *place) {
     const double v = self->first.v;
-    const double left = nck_max(0.0, place->seg->length - place->s) / place->at.s[0];
-    const double here = least_jerk(terms, place->seg, &place->at);
+    const double left = nck_max(0.0, place->seg->length - place->s) / place->at.s;
+    const double here = least_jerk(terms, place->seg);
     if (!place->behind) return here;
-    const double j = nck_min(here, least_jerk(terms, place->behind, behind));
+    const double j = nck_min(here, least_jerk(terms, place->behind));
     return v * nck_sqrt(2.0 * v / j) < 3.0 * left ? here : j;
+}
+
+// The most speed up to where a brake comes to rest on a clocked path, of every axis and of all
+// together: on the way v²/2a + v√(v/j), and of a period.
+static double speeds_to_rest(const nck_clock_t *self, const nck_terms_t *terms,
+                             const nck_look_place_t *place, double *most_out) {
+    const double v = self->first.v;
+    double a = FASTEST;
+    double j = self->j_end > 0.0f ? (double)self->j_end : FASTEST;
+    for (int x = 0; x < terms->axes; x++) {
+        const nck_axis_t *const axis = &terms->machine->axis[x];
+        const double along = nck_max(nck_fabs(place->at.first[x]), ALONG_LEAST);
+        if (axis->present) {
+            a = nck_min(a, axis->a_max / along);
+            j = nck_min(j, axis->j_max / along);
+        }
+    }
+    const double way = 0.5 * v * v / a + v * nck_sqrt(v / j) + v * terms->machine->period_s;
+    return nck_max(nck_look_speeds(terms, place, way, most_out), ALONG_LEAST);
+}
+
+// … and what all axes allow of jerk at all of these.
+static double last_clock_jerk(const nck_terms_t *terms, const double *most, double j_path) {
+    double j = j_path;
+    for (int x = 0; x < terms->axes; x++) {
+        const nck_axis_t *const axis = &terms->machine->axis[x];
+        if (axis->present && most[x] >= ALONG_LEAST) j = nck_min(j, axis->j_max / most[x]);
+    }
+    return END_SHARE * j;
 }
 
 static bounds_t bounds_of(nck_clock_t *self, const nck_terms_t *terms,
                           const nck_look_place_t *place) {
     const nck_machine_t *const machine = terms->machine;
-    const double j_path = machine->path.j_max;
+    const int is_clocked = nck_look_is_clocked(place->seg);
+    double speeds[NCK_AXIS_MAX];
+    const double per = is_clocked ? 1.0 / speeds_to_rest(self, terms, place, speeds) : 1.0;
+    const double j_path = per * machine->path.j_max;
     const double back = self->follows ? 1.0 : BACK_SHARE;
-    const double a_path = machine->path.a_max;
+    const double a_path = per * machine->path.a_max;
     const int felt = feels_end(self, place, machine->period_s);
     bounds_t bounds = {-SHARE * a_path, -a_path, -BEGIN_SHARE * j_path, back * j_path, -j_path,
                        1.0 / j_path, 1.0 / j_path, j_path, back};
@@ -162,17 +196,18 @@ static bounds_t bounds_of(nck_clock_t *self, const nck_terms_t *terms,
     at[0] = &place->at;
     at[1] = &place->at;
     if (felt) {
-        nck_look_geometry(place->behind, 0.0, &there);
+        nck_look_geometry(terms, place->behind, 0.0, &there);
         at[1] = &there;
     }
     nck_look_corners(place, self->first.v, machine->period_s, end.jump);
     feel_corner(self, terms, end.jump, felt);
-    end.in_s = nck_max(0.0, place->seg->length - place->s) / (self->first.v * place->at.s[0]);
+    end.in_s = nck_max(0.0, place->seg->length - place->s) / (self->first.v * place->at.s);
     for (int x = 0; x < terms->axes; x++) bound_axis(self, terms, x, at, &end, &bounds);
-    bounds.j_end = last_jerk(self, terms, place, at[1]);
+    bounds.j_end = is_clocked ? last_clock_jerk(terms, speeds, j_path)
+                              : last_jerk(self, terms, place);
     if (!terms->limits_jerk) return bounds;
-    bounds.a_low = nck_max(bounds.a_low, nck_look_bends(terms, place, self->first.v, self->second.a,
-                                                           bounds.j_end, end.in_s));
+    const nck_look_tool_t tool = {self->first.v, self->second.a, bounds.j_end, end.in_s, a_path};
+    bounds.a_low = nck_max(bounds.a_low, nck_look_bends(terms, place, &tool));
     return bounds;
 }
 
@@ -231,7 +266,8 @@ static double next_accel(nck_clock_t *self, const nck_terms_t *terms,
     bounds_t bounds = bounds_of(self, terms, place);
     self->j_end = (float)bounds.j_end;
     // What the plan may ask for at a higher speed, the brake may as well.
-    const double deeper = terms->limits_jerk ? bounds.j_floor * period : 0.0;
+    const int is_clocked = nck_look_is_clocked(place->seg);
+    const double deeper = terms->limits_jerk && !is_clocked ? bounds.j_floor * period : 0.0;
     const double floor = nck_min(bounds.a_floor, place->a);
     bounds.a_low = nck_min(bounds.a_low, nck_max(place->a + deeper, floor));
     *v_least_out = 0.0;
@@ -241,9 +277,12 @@ static double next_accel(nck_clock_t *self, const nck_terms_t *terms,
     const double to_rest = accel_to_rest(v, j_rest, period);
     const double wanted = nck_max(bounds.a_low, to_rest);
     // Of what is left then, jerk and acceleration take no more than theirs.
-    *v_least_out = nck_min(0.125 * bounds.j_end * period, -0.5 * bounds.a_low) * period;
-    // No axis makes the brake harder: what a bend takes grows with that.
-    bounds.j_high = nck_max(0.0, bounds.j_high);
+    const double last = nck_max(0.0, -0.5 * bounds.a_low);
+    *v_least_out = nck_min(0.125 * bounds.j_end * period, last) * period;
+    // No axis makes the brake harder: what a bend takes grows with that. Where a clocked path turns
+    // back, the brake gives way whatever is left of the jerk: |p′| is small there.
+    const int gives_way = is_clocked && self->second.a < bounds.a_low;
+    bounds.j_high = nck_max(gives_way ? WAY_SHARE * bounds.j_end : 0.0, bounds.j_high);
     if (bounds.j_low > bounds.j_high) return self->second.a + between(&bounds) * period;
     const double j = (wanted - self->second.a) / period;
     const double a = self->second.a + nck_max(bounds.j_low, nck_min(bounds.j_high, j)) * period;
@@ -272,8 +311,8 @@ void nck_clock_measure(const nck_seg_t *seg, double s, nck_pose_t *pose) {
     pose->v *= nck_sqrt(nck_look_dot(tangent, tangent));
 }
 
-void nck_clock_find(const nck_link_t *link, const nck_cell_t *cell, double t,
-                    nck_look_place_t *place_out) {
+void nck_clock_find(const nck_link_t *link, const nck_terms_t *terms, const nck_cell_t *cell,
+                    double t, nck_look_place_t *place_out) {
     const uint32_t last = cell->seg + cell->span;
     uint32_t seq = cell->seg;
     double s = cell->s + nck_max(0.0, nck_min(nck_cell_way(cell, t), cell->length));
@@ -287,7 +326,7 @@ void nck_clock_find(const nck_link_t *link, const nck_cell_t *cell, double t,
     place_out->s = nck_min(s, place_out->seg->length);
     place_out->behind = behind && behind->length > 0.0 ? behind : NULL; // no dwell, no wait
     place_out->link = link;
-    nck_look_geometry(place_out->seg, place_out->s, &place_out->at);
+    nck_look_geometry(terms, place_out->seg, place_out->s, &place_out->at);
 }
 
 // Cells of constant acceleration are the steps of a ramp, which is met in the middle of each.
@@ -295,13 +334,9 @@ void nck_clock_plan(const nck_cell_t *cell, double t, double a_before, nck_look_
     const double share = cell->duration > 0.0 ? t / cell->duration - 0.5 : 0.0;
     const double v = nck_max(0.0, nck_cell_speed(cell, t));
     const double a = cell->a + cell->j * t + share * (cell->a - a_before);
-    const double *const by = place->at.s;
-    place->v = v;
-    place->a = a;
-    place->j = cell->j;
-    if (!NCK_HAS_OPTIMAL) return;
-    place->v = v / by[0];
-    place->a = (a - by[1] * place->v * place->v) / by[0];
+    place->v = v / place->at.s;
+    place->a = a / place->at.s;
+    place->j = cell->j / place->at.s;
 }
 
 double nck_clock_brake(nck_clock_t *self, const nck_terms_t *terms,
@@ -317,7 +352,7 @@ double nck_clock_brake(nck_clock_t *self, const nck_terms_t *terms,
     self->second.a = rests ? 0.0 : a;
     self->first.v = rests ? 0.0 : v;
     const double way = rests ? 0.5 * v0 * period : (v0 + (2.0 * a0 + a) / 6.0 * period) * period;
-    return nck_look_way(&place->at, way);
+    return place->at.s * way;
 }
 
 // The least time constant τ that the quantities V, A and J of an axis let a clock have that sets

@@ -311,7 +311,7 @@ static inline int seek(nck_interpolate_t *self) {
 static void find_place(const nck_interpolate_t *self, nck_look_place_t *place_out) {
     const double steps_from = self->filter.taps > 1 ? self->a_before : self->cell.a;
     const double t = now(self) - self->t_cell;
-    nck_clock_find(self->link, &self->cell, t, place_out);
+    nck_clock_find(self->link, self->terms, &self->cell, t, place_out);
     nck_clock_plan(&self->cell, t, steps_from, place_out);
 }
 

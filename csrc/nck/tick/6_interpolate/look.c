@@ -19,38 +19,27 @@
 // half: the intervals of a clocked path are short.
 enum { BEND_PLACES = 4, BEND_PLACES_CLOCKED = 40 };
 #define BEND_TIMES 3.0
+// … and for speeds up to where it rests there.
+enum { SPEED_PLACES = 16 };
+// Of an axis' jerk, what a clocked path may take where the plan's clock runs faster.
+#define PLAN_SHARE 0.97
 // Corners of a period and the next one that a brake looks at: that bounds the work of a tick.
 enum { CORNERS = 16 };
 
-// From derivatives by the coordinate s to those by the length l: with q = |p′|, e = p′·p″
-//   s′ = 1/q    s″ = −e/q⁴    s‴ = (4e²/q² − p″·p″ − p′·p‴)/q⁵
-//   p‴s′³ + 3p″s′s″ + p′s‴,    p″s′² + p′s″,    p′s′
-static void by_length(nck_look_geometry_t *at) {
-    const double qq = nck_look_dot(at->first, at->first);
-    if (!(qq > 0.0)) return;
-    const double q = nck_sqrt(qq);
-    const double e = nck_look_dot(at->first, at->second);
-    const double bend = nck_look_dot(at->second, at->second) + nck_look_dot(at->first, at->third);
-    at->s[0] = 1.0 / q;
-    at->s[1] = -e / (qq * qq);
-    at->s[2] = (4.0 * e * e / qq - bend) / (qq * qq * q);
-    for (int x = 0; x < NCK_AXIS_MAX; x++) {
-        const double by_two = at->second[x] * at->s[0] * at->s[1];
-        const double by_three = at->third[x] * at->s[0] * at->s[0] * at->s[0];
-        at->third[x] = by_three + 3.0 * by_two + at->first[x] * at->s[2];
-        at->second[x] = at->second[x] * at->s[0] * at->s[0] + at->first[x] * at->s[1];
-        at->first[x] *= at->s[0];
-    }
-}
-
-void nck_look_geometry(const nck_seg_t *seg, double s, nck_look_geometry_t *out) {
+void nck_look_geometry(const nck_terms_t *terms, const nck_seg_t *seg, double s,
+                       nck_look_geometry_t *out) {
     nck_path_tangent(seg, s, out->first);
     nck_path_second(seg, s, out->second);
     nck_path_third(seg, s, out->third);
-    out->s[0] = 1.0;
-    out->s[1] = 0.0;
-    out->s[2] = 0.0;
-    if (nck_look_is_clocked(seg)) by_length(out);
+    out->s = 1.0;
+    if (!nck_look_is_clocked(seg)) return;
+    const double by = seg->length / terms->knot_s;
+    out->s = by;
+    for (int x = 0; x < NCK_AXIS_MAX; x++) {
+        out->first[x] *= by;
+        out->second[x] *= by * by;
+        out->third[x] *= by * by * by;
+    }
 }
 
 // The seg behind one whose end the path goes over without a rest; NULL: none is known.
@@ -94,17 +83,20 @@ void nck_look_corners(const nck_look_place_t *place, double v, double period, do
 }
 
 // What a bend leaves to braking, of every axis:  |p‴v³ − 3p″v|a|| ≤ J
-static double accel_in_bend(const nck_terms_t *terms, const nck_seg_t *seg, double s, double v) {
-    double accel = terms->machine->path.a_max;
+static double accel_in_bend(const nck_terms_t *terms, const nck_seg_t *seg, double s, double v,
+                            double most) {
+    double accel = most;
     nck_look_geometry_t at;
     if (seg->kind == NCK_SEG_LINE) return accel;
-    nck_look_geometry(seg, s, &at);
+    nck_look_geometry(terms, seg, s, &at);
+    const int is_clocked = nck_look_is_clocked(seg);
     for (int x = 0; x < terms->axes; x++) {
         const nck_axis_t *const axis = &terms->machine->axis[x];
         const double bend = 3.0 * nck_fabs(at.second[x]) * v;
-        const double sign = at.second[x] < 0.0 ? -1.0 : 1.0;
-        const double left = BEND_SHARE * axis->j_max + sign * at.third[x] * v * v * v;
-        const double takes = nck_max(BEND_LEAST * axis->j_max, left);
+        const double turn = (at.second[x] < 0.0 ? -1.0 : 1.0) * at.third[x] * v * v * v;
+        const double least = BEND_LEAST * axis->j_max;
+        const double clocked = nck_min(least, PLAN_SHARE * axis->j_max + turn);
+        const double takes = nck_max(is_clocked ? clocked : least, BEND_SHARE * axis->j_max + turn);
         if (axis->present && bend * accel > takes) accel = takes / bend;
     }
     return accel;
@@ -127,22 +119,40 @@ static const nck_seg_t *seek_ahead(const nck_look_place_t *place, double way, do
     return seg;
 }
 
-double nck_look_bends(const nck_terms_t *terms, const nck_look_place_t *place, double v, double a,
-                      double j, double end_s) {
-    const double back = BEND_BACK * j;
-    double a_low = -terms->machine->path.a_max;
-    const double half = 0.5 * nck_fabs(a) / back + terms->machine->period_s;
+double nck_look_bends(const nck_terms_t *terms, const nck_look_place_t *place,
+                      const nck_look_tool_t *tool) {
+    const double back = BEND_BACK * tool->j;
+    double a_low = -tool->most;
+    const double half = 0.5 * nck_fabs(tool->a) / back + terms->machine->period_s;
     const int is_clocked = nck_look_is_clocked(place->seg);
     const int places = is_clocked ? (int)BEND_PLACES_CLOCKED : (int)BEND_PLACES;
     for (int n = 0; n < places; n++) {
         const double time = BEND_TIMES * half * (double)n / (double)(places - 1);
         double s = 0.0;
-        const nck_seg_t *const seg = seek_ahead(place, v * place->at.s[0] * time, &s);
-        const double v_there = nck_max(0.0, v + 0.5 * a * time);
-        const double there = accel_in_bend(terms, seg, s, v_there);
+        const nck_seg_t *const seg = seek_ahead(place, tool->v * place->at.s * time, &s);
+        const double v_there = nck_max(0.0, tool->v + 0.5 * tool->a * time);
+        const double there = accel_in_bend(terms, seg, s, v_there, tool->most);
         a_low = nck_max(a_low, -there - back * time);
     }
     if (!place->behind) return a_low;
-    const double there = accel_in_bend(terms, place->behind, 0.0, v);
-    return nck_max(a_low, -there - back * end_s);
+    const double there = accel_in_bend(terms, place->behind, 0.0, tool->v, tool->most);
+    return nck_max(a_low, -there - back * tool->end_s);
+}
+
+double nck_look_speeds(const nck_terms_t *terms, const nck_look_place_t *place, double way,
+                       double *most_out) {
+    double all = 0.0;
+    memset(most_out, 0, NCK_AXIS_MAX * sizeof *most_out);
+    for (int n = 0; n < SPEED_PLACES; n++) {
+        double s = 0.0;
+        nck_look_geometry_t at;
+        const double share = (double)n / (double)(SPEED_PLACES - 1);
+        const nck_seg_t *const seg = seek_ahead(place, way * place->at.s * share, &s);
+        nck_look_geometry(terms, seg, s, &at);
+        for (int x = 0; x < terms->axes; x++) {
+            most_out[x] = nck_max(most_out[x], nck_fabs(at.first[x]));
+        }
+        all = nck_max(all, nck_look_dot(at.first, at.first));
+    }
+    return nck_sqrt(all);
 }

@@ -9,12 +9,13 @@
 #include "nck/base/records.h" // nck_seg_t
 #include "nck/base/terms.h"   // nck_terms_t
 
-// The derivatives of the path by its length at a place, and those of the seg's coordinate by it.
+// The derivatives of the path at a place, by the coordinate that a brake goes by: the path's own; on
+// a clocked path its clock u [s], in which derivatives go on from seg to seg. Speeds are then du/dt.
 typedef struct nck_look_geometry {
     double first[NCK_AXIS_MAX];
     double second[NCK_AXIS_MAX];
     double third[NCK_AXIS_MAX];
-    double s[3];
+    double s; // the seg's coordinate by it
 } nck_look_geometry_t;
 
 // Where the tool is, for a brake.
@@ -24,8 +25,17 @@ typedef struct nck_look_place {
     double s;                // in the seg [path mm]
     const nck_link_t *link;  // where the segs are
     nck_look_geometry_t at;
-    double v, a, j;          // that the plan has there [path mm/s], [path mm/s²], [path mm/s³]
+    double v, a, j;          // that the plan has there [path mm/s], [path mm/s²], [path mm/s³]; of
+                             // a clock
 } nck_look_place_t;
+
+// How it brakes.
+typedef struct nck_look_tool {
+    double v, a;  // [path mm/s], [path mm/s²]; of a clock
+    double j;     // that makes braking weaker on a line [path mm/s³]
+    double end_s; // until the seg's end [s]
+    double most;  // braking without bends [path mm/s²]
+} nck_look_tool_t;
 
 // 1 if a seg is an interval of a clocked path. Cost: constant. Context: tick.
 static inline int nck_look_is_clocked(const nck_seg_t *seg) {
@@ -39,15 +49,9 @@ static inline double nck_look_dot(const double *a, const double *b) {
     return sum;
 }
 
-// How far the seg's coordinate goes on over a length of the path [path mm]. Cost: constant.
-static inline double nck_look_way(const nck_look_geometry_t *at, double length) {
-    if (!NCK_HAS_OPTIMAL) return length;
-    return (at->s[0] + (0.5 * at->s[1] + at->s[2] / 6.0 * length) * length) * length;
-}
-
-// The path at s of a seg. On a clocked path the coordinate goes on by the clock, so a brake goes by
-// the length. Cost: three derivatives.
-void nck_look_geometry(const nck_seg_t *seg, double s, nck_look_geometry_t *out);
+// The path at s of a seg. Cost: three derivatives.
+void nck_look_geometry(const nck_terms_t *terms, const nck_seg_t *seg, double s,
+                       nck_look_geometry_t *out);
 
 // By how much p′ jumps at the place's end, at a corner or by what the seam of splines leaves, with
 // the corners behind it that the sample of acceleration a period on mixes, by 1 − |t − T|/T, at the
@@ -56,10 +60,16 @@ void nck_look_corners(const nck_look_place_t *place, double v, double period, do
 
 // How weak braking has to be now [path mm/s²], so that it is as weak as a bend asks for when it is
 // there: here, where the tool is when braking can have become weaker by half, by all, and by half
-// as much again, and at the seg's end, where p‴ jumps. v, a: of the tool [path mm/s], [path mm/s²];
-// j: that makes braking weaker on a line [path mm/s³]; end_s: until that end.
-// Cost: as many looks at a place, and the segs on the way.
-double nck_look_bends(const nck_terms_t *terms, const nck_look_place_t *place, double v, double a,
-                      double j, double end_s);
+// as much again, and at the seg's end, where p‴ jumps. Positive: next to where a clocked path turns
+// back its clock has to run faster, as the plan's does. Cost: as many looks at a place, and the segs
+// on the way.
+double nck_look_bends(const nck_terms_t *terms, const nck_look_place_t *place,
+                      const nck_look_tool_t *tool);
+
+// By the clock |p′| of an axis is its speed there: the most of it on a way of the brake's
+// coordinate, of every axis. Returns the most of all together. Cost: 16 looks at a place, and the
+// segs on the way.
+double nck_look_speeds(const nck_terms_t *terms, const nck_look_place_t *place, double way,
+                       double *most_out);
 
 #endif

@@ -8,8 +8,17 @@
 // on the tail, before the tick brakes by itself.
 enum { ANSWER_PERIODS = 10, GONE_PERIODS = 50 };
 
+// A plan takes over between the knots of a clocked path: so many of them are a reason to wait longer.
+#define ANSWER_KNOTS 2.5
+
 // A planned rest at the caps of bends takes so many times what one along a line does, at most.
 #define PLANNED_MOST 3.0
+
+// Periods within which it has to be planned.
+static uint32_t answer_periods(const nck_terms_t *terms) {
+    const double knots = ANSWER_KNOTS * terms->knot_s / terms->machine->period_s;
+    return knots > (double)ANSWER_PERIODS ? (uint32_t)knots : (uint32_t)ANSWER_PERIODS;
+}
 
 // Periods within which a planned rest has come.
 static uint32_t rest_periods(const nck_terms_t *terms, double v) {
@@ -23,7 +32,7 @@ static uint32_t rest_periods(const nck_terms_t *terms, double v) {
     }
     const double ramps = v > a * a / j ? v / a + a / j : 2.0 * nck_sqrt(v / j);
     const double s = PLANNED_MOST * (terms->limits_jerk ? ramps : v / a);
-    return ANSWER_PERIODS + (uint32_t)nck_min(s / machine->period_s, (double)UINT32_MAX / 2.0);
+    return answer_periods(terms) + (uint32_t)nck_min(s / machine->period_s, (double)UINT32_MAX / 2.0);
 }
 
 static uint32_t one_more(uint32_t periods) {
@@ -48,7 +57,7 @@ static int is_gone(nck_watch_t *self, int on_tail) {
 static int is_late(nck_watch_t *self, const nck_terms_t *terms, const nck_watched_t *seen) {
     self->asked = seen->asks ? one_more(self->asked) : 0;
     if (self->asked == 1) self->most = rest_periods(terms, seen->v);
-    const int unplanned = self->asked > ANSWER_PERIODS && !seen->planned;
+    const int unplanned = self->asked > answer_periods(terms) && !seen->planned;
     const int late = unplanned || self->asked > self->most;
     self->stops = seen->asks && (late || seen->slow || self->stops);
     return self->stops;
