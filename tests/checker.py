@@ -283,7 +283,8 @@ class Checker:
             for most, of_axes in (
                 (limits.path_a_max, limits.a_max), (limits.path_j_max, limits.j_max))
         )  # fmt: skip
-        return (limits.slope == OPTIMAL and free) & (self.path.tolerance[block] > 0) & (self.path.length[block] > 0)
+        moves = (self.path.tolerance[block] > 0) & (self.path.length[block] > 0)
+        return moves & (limits.slope == OPTIMAL and free)
 
     def _progress(self, s, poses, way, clocked):
         """Forward, within acceleration and jerk of the path, twice the jerk where two motions may

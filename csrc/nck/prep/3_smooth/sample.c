@@ -371,8 +371,8 @@ static void set_places(nck_stream_t *self, const double *s, nck_sample_rest_t *r
     place[NCK_SAMPLE_REST + 2] = place[NCK_SAMPLE_REST];
 }
 
-// A control point next to three points of the program: as far outside of the middle one as keeps the
-// curve on them, a sixth of what that is off the others' chord.
+// A control point next to three points of the program: as far outside of the middle one as keeps
+// the curve on them, a sixth of what that is off the others' chord.
 static void set_outside(int axes, const double *before, const double *behind, double *point) {
     double along = 0.0;
     double square = 0.0;

@@ -95,7 +95,8 @@ void nck_timing_drop(nck_timing_t *self, double s);
 void nck_timing_keep(nck_timing_t *self, nck_timing_list_t *list, const nck_num *b, int from,
                      int to, int blend);
 
-// Begin to make a clock that begins at rest at s, of the guess alone. Cost: constant. Context: prep.
+// Begin to make a clock that begins at rest at s, of the guess alone. Cost: constant.
+// Context: prep.
 void nck_timing_rest(nck_timing_t *self, nck_timing_list_t *list, double s);
 
 // Make it. Returns NCK_OK (call again); NCK_DONE. Cost: 40 operations a place of the list.

@@ -12,7 +12,7 @@ enum { PARTS_MOST = 4 }; // cells of half an interval
 // Of an axis' jerk, what a cell may be off its plan by.
 #define CELL_SHARE 0.003
 
-// Acceleration b′/2 in the middle of interval k. Beyond the ends b is even, as base/motion.h has it.
+// Acceleration b′/2 in the middle of interval k. Beyond the ends b is even, as in base/motion.h.
 static double middle_accel(const nck_optimal_pace_t *pace, double knot, uint32_t k) {
     return (pace->b[k + 1] - pace->b[k]) / (2.0 * knot);
 }

@@ -9,8 +9,9 @@
 #include "nck/base/records.h" // nck_seg_t
 #include "nck/base/terms.h"   // nck_terms_t
 
-// The derivatives of the path at a place, by the coordinate that a brake goes by: the path's own; on
-// a clocked path its clock u [s], in which derivatives go on from seg to seg. Speeds are then du/dt.
+// The derivatives of the path at a place, by the coordinate that a brake goes by: the path's own;
+// on a clocked path its clock u [s], by which derivatives go on from seg to seg. Then speeds are
+// du/dt.
 typedef struct nck_look_geometry {
     double first[NCK_AXIS_MAX];
     double second[NCK_AXIS_MAX];
@@ -61,8 +62,8 @@ void nck_look_corners(const nck_look_place_t *place, double v, double period, do
 // How weak braking has to be now [path mm/s²], so that it is as weak as a bend asks for when it is
 // there: here, where the tool is when braking can have become weaker by half, by all, and by half
 // as much again, and at the seg's end, where p‴ jumps. Positive: next to where a clocked path turns
-// back its clock has to run faster, as the plan's does. Cost: as many looks at a place, and the segs
-// on the way.
+// back its clock has to run faster, as the plan's does. Cost: as many looks at a place, and the
+// segs on the way.
 double nck_look_bends(const nck_terms_t *terms, const nck_look_place_t *place,
                       const nck_look_tool_t *tool);
 

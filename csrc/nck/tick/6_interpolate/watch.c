@@ -8,7 +8,7 @@
 // on the tail, before the tick brakes by itself.
 enum { ANSWER_PERIODS = 10, GONE_PERIODS = 50 };
 
-// A plan takes over between the knots of a clocked path: so many of them are a reason to wait longer.
+// A plan takes over between the knots of a clocked path: so many of them are a reason to wait.
 #define ANSWER_KNOTS 2.5
 
 // A planned rest at the caps of bends takes so many times what one along a line does, at most.
@@ -32,7 +32,8 @@ static uint32_t rest_periods(const nck_terms_t *terms, double v) {
     }
     const double ramps = v > a * a / j ? v / a + a / j : 2.0 * nck_sqrt(v / j);
     const double s = PLANNED_MOST * (terms->limits_jerk ? ramps : v / a);
-    return answer_periods(terms) + (uint32_t)nck_min(s / machine->period_s, (double)UINT32_MAX / 2.0);
+    const double most = (double)UINT32_MAX / 2.0;
+    return answer_periods(terms) + (uint32_t)nck_min(s / machine->period_s, most);
 }
 
 static uint32_t one_more(uint32_t periods) {
