@@ -247,16 +247,12 @@ static double accel_to_rest(double v, double j, double period) {
     return step - nck_sqrt(step * step + 2.0 * j * v);
 }
 
-// 1 if the plan, which brakes harder, would be met before the brake has come to its acceleration. A
-// plan that goes by steps leaves some jerk for that. One that goes by jerk may take all: so the
-// brake keeps up with it from period to period, a behind this one.
+// 1 if the plan, which brakes harder, would be met before the brake has come to its acceleration.
 static int meets_plan(const nck_clock_t *self, const nck_look_place_t *place,
-                      const bounds_t *bounds, double a, double period) {
-    const double behind = a - (place->a + place->j * period);
-    const double harder = place->j < 0.0 ? behind : self->second.a - place->a;
-    const double spare = place->j < 0.0 ? place->j - bounds->j_floor : MEET_SHARE * bounds->j_end;
+                      const bounds_t *bounds) {
+    const double harder = self->second.a - place->a;
     const double apart = nck_max(0.0, place->v - self->first.v);
-    return harder > 0.0 && 2.0 * nck_max(0.0, spare) * apart < harder * harder;
+    return harder > 0.0 && 2.0 * MEET_SHARE * bounds->j_end * apart < harder * harder;
 }
 
 // The acceleration behind this period.
@@ -286,7 +282,7 @@ static double next_accel(nck_clock_t *self, const nck_terms_t *terms,
     if (bounds.j_low > bounds.j_high) return self->second.a + between(&bounds) * period;
     const double j = (wanted - self->second.a) / period;
     const double a = self->second.a + nck_max(bounds.j_low, nck_min(bounds.j_high, j)) * period;
-    if (!meets_plan(self, place, &bounds, a, period)) return a;
+    if (!meets_plan(self, place, &bounds)) return a;
     // A plan that comes to rest knows where: the brake may end with all that there is here, as it.
     const double j_here = nck_max(j_rest, FOLLOW_SHARE * bounds.j_high);
     const double most = nck_max(bounds.a_low, accel_to_rest(v, j_here, period));
@@ -336,7 +332,6 @@ void nck_clock_plan(const nck_cell_t *cell, double t, double a_before, nck_look_
     const double a = cell->a + cell->j * t + share * (cell->a - a_before);
     place->v = v / place->at.s;
     place->a = a / place->at.s;
-    place->j = cell->j / place->at.s;
 }
 
 double nck_clock_brake(nck_clock_t *self, const nck_terms_t *terms,

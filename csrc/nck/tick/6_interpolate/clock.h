@@ -56,8 +56,8 @@ static inline uint32_t nck_clock_taps(const nck_terms_t *terms, const nck_seg_t 
 // Context: tick.
 void nck_clock_measure(const nck_seg_t *seg, double s, nck_pose_t *pose);
 
-// The speed, acceleration and jerk that the plan has at the time t from the begin of the cell, at
-// the place that was found for it. a_before: of the cell before, where cells are steps; else the
+// The speed and the acceleration that the plan has at the time t from the begin of the cell, at the
+// place that was found for it. a_before: of the cell before, where cells are steps; else the
 // cell's own. Cost: constant. Context: tick.
 void nck_clock_plan(const nck_cell_t *cell, double t, double a_before, nck_look_place_t *place);
 

@@ -26,8 +26,7 @@ typedef struct nck_look_place {
     double s;                // in the seg [path mm]
     const nck_link_t *link;  // where the segs are
     nck_look_geometry_t at;
-    double v, a, j;          // that the plan has there [path mm/s], [path mm/s²], [path mm/s³]; of
-                             // a clock
+    double v, a;             // that the plan has there [path mm/s], [path mm/s²]; of a clock
 } nck_look_place_t;
 
 // How it brakes.
