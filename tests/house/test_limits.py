@@ -25,6 +25,7 @@ ENDS = "import os\ndef test_ends_its_process():\n    os.abort()\n"
 PASSES = "def test_passes_{}():\n    pass\n"
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize("behind", (0, 3))
 @pytest.mark.parametrize("before", (0, 5))
 def test_a_run_outlives_a_process(tmp_path, before, behind):

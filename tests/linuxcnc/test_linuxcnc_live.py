@@ -13,6 +13,8 @@ from pycnc import errors, linuxcnc
 from pycnc.bench import linuxcnc_live as bench
 from pycnc.linuxcnc import live
 
+pytestmark = pytest.mark.thorough  # each start of LinuxCNC takes 5 to 12 s
+
 PROGRAM = """G21 G90 G64 P0.01
 G1 F6000 X10 Y0
 X20 Y10
@@ -160,7 +162,6 @@ def test_feeds_and_threads_are_what_is_programmed_a_revolution(planner, folder):
     assert (np.diff(log.places[cut, 2]) < 0).all()  # no rest where the lead changes
 
 
-@pytest.mark.thorough
 @pytest.mark.sample(1)
 @pytest.mark.parametrize("chapter", lathe_live.MANUAL)
 def test_the_manuals_lathe_examples_cut_one_groove_of_their_lead(planner, folder, chapter):

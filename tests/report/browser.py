@@ -12,6 +12,9 @@ SOFTWARE_GL = ("--use-angle=swiftshader", "--enable-unsafe-swiftshader")
 NO_GL = ("--disable-3d-apis",)
 SIZE = {"width": 1500, "height": 940}
 
+# A page is ready within 2 s; one that never is is told soon, on a busy computer too.
+READY_MS = 15_000
+
 
 class Visit:
     """A page that is open.
@@ -41,7 +44,7 @@ class Visit:
     def load(self, fragment=""):
         """Open the file and wait until the page is ready."""
         self.page.goto(self._file.as_uri() + fragment)
-        self.page.wait_for_selector("body[data-ready]", timeout=120_000)
+        self.page.wait_for_selector("body[data-ready]", timeout=READY_MS)
         self.settle()
 
     def settle(self):

@@ -33,11 +33,13 @@ PROTOTYPE = {
 }
 
 
+@pytest.mark.sample(12)
 @pytest.mark.parametrize("seed", range(24))
 def test_a_program_keeps_its_promises(seed):
     assert clocked.findings(seed) == ""
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize("first", [100, 120])
 def test_a_rest_comes_in_time(first):
     stop_gate.hold(clocked.try_rest, range(first, first + 20))
@@ -59,6 +61,7 @@ def test_an_override_near_nothing_and_another_one_let_it_go_on():
     stop_gate.hold(clocked.try_rest, [262])
 
 
+@pytest.mark.sample(8)
 @pytest.mark.parametrize("name", PROTOTYPE)
 def test_it_is_as_fast_as_the_prototype(name):
     make, tolerance, prototype_s = PROTOTYPE[name]
