@@ -2,7 +2,6 @@
 // The derivatives of straight lines, arcs, helices and cubic splines.
 #include "nck/base/path.h"
 
-
 // Where the start radius (u, v) of an arc points at s: turned by sweep·s/L.
 static void radius_at(const nck_seg_t *seg, double s, double *radius_out) {
     const nck_seg_arc_t *const arc = &seg->shape.arc;

@@ -100,7 +100,8 @@ static double place_of(const bin_t *bin, double s) {
     return bin->w[0] + share * (bin->w[1] - bin->w[0]);
 }
 
-double nck_sample_room(const nck_stream_t *self, double tolerance) {
+// Of the tolerance what the curve may be off at samples: less by what may lie between them [mm].
+static double room_of(const nck_stream_t *self, double tolerance) {
     const double quarter = 0.25 * self->wish.terms.tau;
     const double lies_between = self->wish.terms.a_most * quarter * quarter / 8.0;
     return nck_max(tolerance - ROUNDING - lies_between, 0.5 * tolerance);
@@ -196,7 +197,7 @@ static void fill_bin(nck_stream_t *self, const cubic_t *cubic, const bin_t *bin,
         add_arc(self, cubic, bin, n);
     }
     nck_fair_close_bin(&self->work.fair,
-                       self->share * nck_sample_room(self, bin->tolerance) / self->unit);
+                       self->share * room_of(self, bin->tolerance) / self->unit);
 }
 
 void nck_sample_interval(nck_stream_t *self, int i) {

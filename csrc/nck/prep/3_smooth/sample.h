@@ -9,10 +9,6 @@
 // what it has to be. Cost: one point. Context: prep.
 void nck_sample_reference(nck_stream_t *self, int k);
 
-// Of the tolerance what the curve may be off at samples: less by what may lie between them [mm].
-// Cost: constant. Context: prep.
-double nck_sample_room(const nck_stream_t *self, double tolerance);
-
 // What interval i asks of the curve: the reference's jerk, samples of four bins.
 // Cost: 4 points, and linear in elements. Context: prep.
 void nck_sample_interval(nck_stream_t *self, int i);

@@ -241,18 +241,24 @@ static nck_status_t prove(nck_stream_t *self) {
     return go(self, NCK_STREAM_GIVE);
 }
 
+// s of the program at a knot and the two behind it.
+static void set_knots(const nck_stream_t *self, int knot, double *s_out) {
+    for (int k = 0; k < 3; k++) s_out[k] = self->clock.s[4 * (knot + k)];
+}
+
 // The joint is where the curve could rest within P, as late as may be: so the next window may fail.
 static nck_status_t find_rest(nck_stream_t *self) {
     const int here = self->given - self->at;
     nck_sample_rest_t rest;
+    double knot_s[3];
     if (here < 1) {
         self->told.restless++;
         self->sound = 0;
         return fail(self, FAR);
     }
-    for (int k = 0; k < 3; k++) self->next_s[k] = self->clock.s[4 * (here + k)];
+    set_knots(self, here, knot_s);
     memcpy(rest.point, &self->point[here], sizeof self->joint);
-    nck_sample_rest(self, self->next_s, &rest);
+    nck_sample_rest(self, knot_s, &rest);
     if (!(nck_sample_rest_miss(self, &rest) <= 1.0)) {
         self->at++;
         return NCK_OK;
@@ -344,7 +350,7 @@ static nck_status_t next_window(nck_stream_t *self) {
     if (self->clock.ends && !self->halts) return go(self, NCK_STREAM_OVER);
     const double s = self->clock.s[4 * self->commit];
     memcpy(self->joint, &self->point[self->commit], sizeof self->joint);
-    memcpy(self->knot_s, self->next_s, sizeof self->knot_s);
+    set_knots(self, self->commit, self->knot_s);
     if (self->halts) nck_timing_rest(&self->clock, &self->work.list, s);
     else turn(self, self->commit);
     self->halts = 0;

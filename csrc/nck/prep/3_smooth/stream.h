@@ -75,7 +75,6 @@ typedef struct nck_stream {
     nck_timing_t clock;
     uint8_t halts;       // 1: what is given comes to rest
     double knot_s[3];    // of the program at the joint and the two knots behind it [path mm]
-    double next_s[3];    // the same of the next joint
     double joint[3][NCK_AXIS_MAX];                // control points given last
     double point[NCK_FAIR_POINTS][NCK_AXIS_MAX];  // of the window
     nck_num b[NCK_FAIR_KNOTS + 1];                // of the clock's plan

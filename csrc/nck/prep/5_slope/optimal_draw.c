@@ -4,7 +4,6 @@
 
 #include <string.h> // memset
 
-#include "nck/base/gauss_math.h" // nck_gauss_place nck_gauss_weight
 #include "nck/base/real.h" // nck_fabs nck_min nck_max nck_sqrt
 #include "nck/prep/5_slope/optimal_pace.h" // nck_optimal_work …
 
@@ -31,13 +30,17 @@ static double pace_at(const nck_optimal_pace_t *pace, uint32_t k) {
 }
 
 // The time over a way h of the clock, along which b′/2 goes evenly from a0 to a1:   ∫ du/√b
-// by Gauss' three places (its error is below 1e-9 while b changes by a third).
+// by Gauss' three places (Abramowitz and Stegun 1964, 25.4.30; the error is below 1e-9 while b
+// changes by a third).
 static double time_over(double b0, double a0, double a1, double h) {
+    static const double low = 0.1127016653792583; // (1 − √(3/5))/2
+    const double places[3] = {low, 0.5, 1.0 - low};
+    static const double weights[3] = {5.0 / 18.0, 8.0 / 18.0, 5.0 / 18.0};
     double time = 0.0;
-    for (int i = 0; i < NCK_GAUSS_PLACES; i++) {
-        const double place = nck_gauss_place(i);
+    for (int i = 0; i < 3; i++) {
+        const double place = places[i];
         const double b = b0 + (2.0 * a0 + (a1 - a0) * place) * place * h;
-        time += nck_gauss_weight(i) * h / nck_sqrt(b);
+        time += weights[i] * h / nck_sqrt(b);
     }
     return time;
 }

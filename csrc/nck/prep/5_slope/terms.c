@@ -34,20 +34,30 @@ static uint8_t axes_of(const nck_machine_t *machine) {
     return axes;
 }
 
-// Jerk along a path, at most: along no tangent do the axes allow more than the root of their
-// squares' sum. Where a filter follows, no ramp A/J is shorter than it twice over: what it takes
-// from low caps (v_filter) grows with the jerk, and soon costs more time than the ramps win.
-static double jerk_along(const nck_machine_t *machine, uint8_t axes, double filter) {
-    double aa = 0.0;
-    double jj = 0.0;
+// What all axes allow together, squared: along no tangent do they allow more.
+typedef struct square_sums {
+    double aa; // of accelerations [mm²/s⁴]
+    double jj; // of jerks [mm²/s⁶]
+} square_sums_t;
+
+static square_sums_t sums_of(const nck_machine_t *machine, uint8_t axes) {
+    square_sums_t sums = {0.0, 0.0};
     for (int x = 0; x < axes; x++) {
         const nck_axis_t *const axis = &machine->axis[x];
         if (!axis->present) continue;
-        aa += axis->a_max * axis->a_max;
-        jj += axis->j_max * axis->j_max;
+        sums.aa += axis->a_max * axis->a_max;
+        sums.jj += axis->j_max * axis->j_max;
     }
-    const double a = nck_min(machine->path.a_max, nck_sqrt(aa));
-    const double j = nck_min(machine->path.j_max, nck_sqrt(jj));
+    return sums;
+}
+
+// Jerk along a path, at most. Where a filter follows, no ramp A/J is shorter than it twice over:
+// what it takes from low caps (v_filter) grows with the jerk, and soon costs more time than the
+// ramps win.
+static double jerk_along(const nck_machine_t *machine, uint8_t axes, double filter) {
+    const square_sums_t sums = sums_of(machine, axes);
+    const double a = nck_min(machine->path.a_max, nck_sqrt(sums.aa));
+    const double j = nck_min(machine->path.j_max, nck_sqrt(sums.jj));
     return filter > 0.0 ? nck_min(j, a / (FILTERS_LEAST * filter)) : j;
 }
 
@@ -72,17 +82,10 @@ static void set_knot(const nck_machine_t *machine, uint8_t axes, nck_terms_t *te
 // 1 if the path's own limits hold where no axis' limit does.
 static int path_binds(const nck_machine_t *machine, uint8_t axes) {
     const double near = 1.0 - 1e-9; // a root of the sum of squares is rounded
-    double aa = 0.0;
-    double jj = 0.0;
-    for (int x = 0; x < axes; x++) {
-        const nck_axis_t *const axis = &machine->axis[x];
-        if (!axis->present) continue;
-        aa += axis->a_max * axis->a_max;
-        jj += axis->j_max * axis->j_max;
-    }
+    const square_sums_t sums = sums_of(machine, axes);
     const double a = machine->path.a_max;
     const double j = machine->path.j_max;
-    return a * a < near * aa || j * j < near * jj;
+    return a * a < near * sums.aa || j * j < near * sums.jj;
 }
 
 // For how long two motions may overlap: the cells of the first one wait in the ring.

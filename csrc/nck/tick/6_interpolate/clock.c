@@ -35,6 +35,7 @@
 #define RUNS_EPSILON 1e-9
 // Newton's steps to a time within a cell: each doubles the digits of a first guess good to some %.
 enum { TIME_STEPS = 4 };
+
 // What all axes allow together.
 typedef struct bounds {
     double a_low;            // behind this period [path mm/s²]

@@ -52,7 +52,7 @@ static inline uint32_t nck_clock_taps(const nck_terms_t *terms, const nck_seg_t 
 }
 
 // At s of a clocked seg, whose coordinate goes by the clock: the pose tells the program's
-// coordinate by the share of the seg's length, and the tool's own speed. Cost: seven tangents.
+// coordinate by the share of the seg's length, and the tool's own speed. Cost: six tangents.
 // Context: tick.
 void nck_clock_measure(const nck_seg_t *seg, double s, nck_pose_t *pose);
 
