@@ -5,7 +5,6 @@ import ast
 import re
 from pathlib import Path
 
-import pytest
 from house import (
     C_FILES,
     CL_FILES,
@@ -17,6 +16,7 @@ from house import (
     c_functions,
     complexity,
     identifiers,
+    of_each,
     public_definitions,
     python_nodes,
     read,
@@ -44,7 +44,7 @@ def forbidden(names):
     return sorted(name for name, parts in words.items() if parts & FORBIDDEN_WORDS)
 
 
-@pytest.mark.parametrize("name", SOURCES)
+@of_each(SOURCES)
 def test_a_file_has_its_licence_and_its_size(name):
     lines = read(name).split("\n")
     licence = "GPL-2.0-or-later" if name in GUESTS else "MIT"
@@ -55,29 +55,29 @@ def test_a_file_has_its_licence_and_its_size(name):
     assert "\t" not in read(name) or name == "Makefile"
 
 
-@pytest.mark.parametrize("name", PAGES)
+@of_each(PAGES)
 def test_a_page_has_short_lines(name):
     lines = [line for line in read(name).split("\n") if not line.lstrip().startswith("|")]
     assert [line for line in lines if len(line) > 100] == []
 
 
-@pytest.mark.parametrize("name", CORE)
+@of_each(CORE)
 def test_the_core_is_simple(name):
     assert {f: count for f, count in complexity(name).items() if count > 12} == {}
 
 
-@pytest.mark.parametrize("name", PUBLIC_HEADERS)
+@of_each(PUBLIC_HEADERS)
 def test_a_public_declaration_of_c_has_a_comment(name):
     assert list(undocumented(read(name))) == []
 
 
-@pytest.mark.parametrize("name", PUBLIC_PYTHON)
+@of_each(PUBLIC_PYTHON)
 def test_a_public_definition_of_python_has_a_docstring(name):
     defined = public_definitions(python_nodes(name)[0])
     assert [node.name for node in defined if not ast.get_docstring(node)] == []
 
 
-@pytest.mark.parametrize("name", C_FILES)
+@of_each(C_FILES)
 def test_c_functions_are_short_and_shallow(name):
     for function, first, last, parameters, nesting in c_functions(read(name)):
         assert last - first < 60, f"{function} has {last - first + 1} lines"
@@ -86,7 +86,7 @@ def test_c_functions_are_short_and_shallow(name):
         assert parameters <= 6 or not own, f"{function} has {parameters} parameters"
 
 
-@pytest.mark.parametrize("name", PYTHON_FILES)
+@of_each(PYTHON_FILES)
 def test_python_functions_are_short(name):
     for node in python_nodes(name):
         if isinstance(node, (ast.FunctionDef, ast.AsyncFunctionDef)):
@@ -96,18 +96,18 @@ def test_python_functions_are_short(name):
             assert len(by_place) <= 6, f"{node.name}: what is more is given by name"
 
 
-@pytest.mark.parametrize("name", C_FILES + CL_FILES)
+@of_each(C_FILES + CL_FILES)
 def test_c_names_say_what_they_mean(name):
     found = set(re.findall(r"[A-Za-z_]\w*", without_comments(read(name))))
     assert forbidden(found | {Path(name).stem}) == []
 
 
-@pytest.mark.parametrize("name", PYTHON_FILES)
+@of_each(PYTHON_FILES)
 def test_python_names_say_what_they_mean(name):
     assert forbidden(set(identifiers(python_nodes(name))) | {Path(name).stem}) == []
 
 
-@pytest.mark.parametrize("name", CORE)
+@of_each(CORE)
 def test_preprocessor_branches_live_in_limits_real_and_bits(name):
     if name.endswith(("base/limits.h", "base/real.h", "base/bits.h")):
         return
@@ -116,6 +116,6 @@ def test_preprocessor_branches_live_in_limits_real_and_bits(name):
     assert [branch for branch in branches if not guard.match(branch.strip())] == []
 
 
-@pytest.mark.parametrize("name", PYTHON_FILES)
+@of_each(PYTHON_FILES)
 def test_python_says_what_a_module_is_for(name):
     assert ast.get_docstring(python_nodes(name)[0])

@@ -21,6 +21,7 @@ from house import (
     SOURCES,
     call_graph,
     circles,
+    of_each,
     python_imports,
     read,
     without_comments,
@@ -84,7 +85,7 @@ LIBC = {
 # Who may know whom
 
 
-@pytest.mark.parametrize("name", C_FILES + CL_FILES)
+@of_each(C_FILES + CL_FILES)
 def test_a_room_includes_only_the_ground_and_itself(name):
     fits = [start for start in MAY_INCLUDE if name.startswith(start)]
     assert fits, f"{name}: stands in no room of the plan"
@@ -99,7 +100,7 @@ def test_a_room_includes_only_the_ground_and_itself(name):
     assert strangers == []
 
 
-@pytest.mark.parametrize("name", [name for name in C_FILES if name.endswith("_math.h")])
+@of_each([name for name in C_FILES if name.endswith("_math.h")])
 def test_a_formula_header_has_formulas_only(name):
     text = without_comments(read(name))
     assert not re.search(r"^\s*#\s*include\s+<", read(name), re.M), "includes a system header"
@@ -111,7 +112,7 @@ def test_files_of_the_core_do_not_call_in_circles():
     assert circles(call_graph(CORE)) == []
 
 
-@pytest.mark.parametrize("name", CORE)
+@of_each(CORE)
 def test_only_the_fence_and_the_link_know_atomics(name):
     if name.endswith(("base/link.h", "base/fence.h")):
         return
@@ -119,7 +120,7 @@ def test_only_the_fence_and_the_link_know_atomics(name):
     assert not re.search(r"__atomic|__sync|_Atomic|\bvolatile\b|stdatomic", text)
 
 
-@pytest.mark.parametrize("name", PYCNC)
+@of_each(PYCNC)
 def test_a_room_of_python_imports_those_before_it(name):
     room = name.split("/")[1].removesuffix(".py")
     if room in ("__init__", "__main__", "examples"):  # the front doors; a program of its own
@@ -130,14 +131,14 @@ def test_a_room_of_python_imports_those_before_it(name):
     assert found <= {*before, *binding}
 
 
-@pytest.mark.parametrize("name", PYCNC)
+@of_each(PYCNC)
 def test_cffi_and_opencl_have_one_door_each(name):
     packages = {module.split(".")[0] for module in python_imports(name)}
     assert "cffi" not in packages
     assert "pyopencl" not in packages or name == "pycnc/device/__init__.py"
 
 
-@pytest.mark.parametrize("name", PYCNC)
+@of_each(PYCNC)
 def test_only_the_wrappers_call_the_kernel(name):
     if name.removeprefix("pycnc/").removesuffix(".py") in WRAPPERS:
         return
@@ -203,7 +204,7 @@ def test_the_core_calls_nothing_but_a_few_of_libc(kernel_build):
     assert strangers <= LIBC
 
 
-@pytest.mark.parametrize("name", [n for n in C_FILES if n.startswith(("csrc/", "firmware_sim/"))])
+@of_each([n for n in C_FILES if n.startswith(("csrc/", "firmware_sim/"))])
 def test_no_static_local_that_changes(name):
     text = without_comments(read(name))
     assert re.findall(r"^[ \t]+static (?!const\b|inline\b)[^\n]*", text, re.M) == []
@@ -217,7 +218,7 @@ def test_the_knobs_are_few():
 # The repository
 
 
-@pytest.mark.parametrize("name", SOURCES + PAGES)
+@of_each(SOURCES + PAGES)
 def test_a_page_that_is_named_is_there(name):
     named = {found.lstrip("./") for found in re.findall(r"[\w./-]+\.md\b", read(name))}
     pages = [f"/{page}" for page in PAGES]
@@ -275,7 +276,7 @@ def test_the_kernel_has_members_that_are_looked_for():
 OUTSIDE = ("csrc/host/", "firmware_sim/", "pycnc/")
 
 
-@pytest.mark.parametrize("name", [n for n in C_FILES + PYTHON_FILES if n.startswith(OUTSIDE)])
+@of_each([n for n in C_FILES + PYTHON_FILES if n.startswith(OUTSIDE)])
 def test_nobody_outside_of_the_kernel_touches_its_members(name):
     members = "|".join(kernel_members())
     assert re.findall(rf"\bnck\)?(?:\.|->|\[0\]\.)(?:{members})\b", read(name)) == []
