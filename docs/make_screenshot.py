@@ -24,12 +24,13 @@ EXAMPLE = ROOT / "pycnc" / "examples" / "first_part.ngc"
 def main():
     """Write the picture."""
     sys.path.insert(0, str(ROOT / "tests" / "report"))
-    from browser import SOFTWARE_GL, opened
+    from browser import SOFTWARE_GL, opened, start
 
     with tempfile.TemporaryDirectory() as folder, sync_playwright() as started:
         file = Path(folder) / "page.html"
         page.write(load(EXAMPLE), file)
-        with opened(started.chromium, shutil.which("chromium"), file, *SOFTWARE_GL) as visit:
+        browser = start(started.chromium, shutil.which("chromium"), *SOFTWARE_GL)
+        with browser, opened(browser, file) as visit:
             visit.page.click("[data-name=Iso]")
             visit.ask("report.ask.line(315)")
             visit.ask("report.curves.show(report.state.moment.i - 400, report.state.moment.i)")

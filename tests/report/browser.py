@@ -2,7 +2,7 @@
 """A page in Debian's Chromium, without a window and without a network."""
 
 import contextlib
-import tempfile
+import time
 
 FLAGS = (
     "--headless", "--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run",
@@ -12,8 +12,11 @@ SOFTWARE_GL = ("--use-angle=swiftshader", "--enable-unsafe-swiftshader")
 NO_GL = ("--disable-3d-apis",)
 SIZE = {"width": 1500, "height": 940}
 
-# A page is ready within 2 s; one that never is is told soon, on a busy computer too.
-READY_MS = 15_000
+# A page is ready within 2 s, and answers sooner; one that never does is told soon, on a busy
+# computer too.
+ANSWER_S = 15.0
+LOOK_MS = 20  # between two looks whether a page is ready
+WITHOUT_GL = "WebGL"  # in what a page may complain of on the way: it draws without
 
 
 class Visit:
@@ -28,6 +31,7 @@ class Visit:
 
     def __init__(self, page, file):
         self.page, self.complaints, self._file = page, [], file
+        page.set_default_timeout(1000 * ANSWER_S)
         page.on("console", self._hear)
         page.on("pageerror", lambda error: self.complaints.append(f"error: {error}"))
         page.on("request", self._ask)
@@ -42,9 +46,15 @@ class Visit:
             self.complaints.append(f"asks for {request.url}")
 
     def load(self, fragment=""):
-        """Open the file and wait until the page is ready."""
+        """Open the file and wait until the page is ready, or complains of what keeps it from that.
+        """
         self.page.goto(self._file.as_uri() + fragment)
-        self.page.wait_for_selector("body[data-ready]", timeout=READY_MS)
+        latest = time.monotonic() + ANSWER_S
+        while not self.page.locator("body[data-ready]").count():
+            broken = [words for words in self.complaints if WITHOUT_GL not in words]
+            assert not broken, broken
+            assert time.monotonic() < latest, "the page is never ready"
+            self.page.wait_for_timeout(LOOK_MS)
         self.settle()
 
     def settle(self):
@@ -61,20 +71,18 @@ class Visit:
         return self.page.inner_text(selector)
 
 
-@contextlib.contextmanager
-def opened(launcher, chromium, file, *flags, fragment=""):
-    """Open a file in a browser with a new profile; flags come on top of FLAGS.
+def start(launcher, chromium, *flags):
+    """Return a browser; flags come on top of FLAGS.
 
     launcher: ``chromium`` of playwright's synchronous interface.
     """
-    with tempfile.TemporaryDirectory() as profile:
-        context = launcher.launch_persistent_context(
-            profile, executable_path=chromium, args=[*FLAGS, *flags], offline=True,
-            headless=True, viewport=SIZE,
-        )  # fmt: skip
-        try:
-            visit = Visit(context.new_page(), file)
-            visit.load(fragment)
-            yield visit
-        finally:
-            context.close()
+    return launcher.launch(executable_path=chromium, args=[*FLAGS, *flags], headless=True)
+
+
+@contextlib.contextmanager
+def opened(browser, file, fragment=""):
+    """Open a file in a browser, in a profile of its own."""
+    with browser.new_context(offline=True, viewport=SIZE) as context:
+        visit = Visit(context.new_page(), file)
+        visit.load(fragment)
+        yield visit

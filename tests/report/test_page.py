@@ -1,13 +1,13 @@
 # SPDX-License-Identifier: MIT
 """The page of ``pycnc report`` in a browser: it draws, finds the line, and tells the numbers."""
 
+import contextlib
 import functools
 import io
 import json
 
-import numpy as np
 import pytest
-from browser import NO_GL, SOFTWARE_GL, opened
+from browser import NO_GL, SOFTWARE_GL, opened, start
 from PIL import Image
 from cases import busy
 from test_report import BAR, HOSTILE, PART, TURNTABLE
@@ -24,13 +24,18 @@ MOMENT = "report.timeOf(report.state.moment)"
 
 @pytest.fixture(scope="module")
 def browse(tool):
-    """Return the function that opens a file in Chromium: see `browser.opened`."""
+    """Return the function that opens a file in Chromium, of which there is one for all flags."""
     driver = pytest.importorskip(
         "playwright.sync_api", reason="playwright is not installed: NO PAGE WAS TESTED"
     )
     path = tool("chromium")
-    with driver.sync_playwright() as started:
-        yield functools.partial(opened, started.chromium, path)
+    with driver.sync_playwright() as started, contextlib.ExitStack() as browsers:
+
+        @functools.cache
+        def browser(*flags):
+            return browsers.enter_context(start(started.chromium, path, *flags))
+
+        yield lambda file, *flags, **words: opened(browser(*flags), file, **words)
 
 
 def write(folder, text, **changes):
@@ -50,9 +55,8 @@ def visit(browse, tmp_path_factory):
 def colours(visit):
     """Return how many pixels of the path's picture have which colour."""
     shot = visit.page.locator("#view").screenshot()
-    image = np.asarray(Image.open(io.BytesIO(shot)).convert("RGB")).reshape(-1, 3)
-    found, counts = np.unique(image, axis=0, return_counts=True)
-    return {tuple(map(int, colour)): int(n) for colour, n in zip(found, counts, strict=True)}
+    with Image.open(io.BytesIO(shot)).convert("RGB") as image:
+        return {colour: n for n, colour in image.getcolors(image.width * image.height)}
 
 
 def middle(visit, line):
