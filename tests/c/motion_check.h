@@ -294,6 +294,12 @@ static inline int motion_tick(motion_t *self, const motion_script_t *script)
     return !self->is_over && self->ticks < self->tick_most;
 }
 
+// Until the path is at s [mm]; a program that never gets there ends, or has tick_most.
+static inline void motion_to(motion_t *self, double s)
+{
+    while (motion_tick(self, NULL) && self->pose.s < s) continue;
+}
+
 // The whole program. Returns 1 if it came to its end within tick_most.
 static inline int motion_run(motion_t *self, const motion_script_t *script)
 {

@@ -119,10 +119,9 @@ static void a_lowered_override_is_kept_in_every_block_under_the_linear_slope(che
     }
     motion_line(&motion, "M2");
     motion.status = motion_start(&motion);
-    do (void)motion_tick(&motion, NULL);
-    while (motion.pose.s < 5.0);
+    motion_to(&motion, 5.0);
     (void)nck_set_override(&motion.nck, 40, 100);
-    while (motion.pose.s < 9.0) (void)motion_tick(&motion, NULL);
+    motion_to(&motion, 9.0);
     while (motion_tick(&motion, NULL)) v_most = fmax(v_most, motion.s[3] - motion.s[2]);
     CHECK(check, motion.is_over);
     CHECK_NEAR(check, v_most, 20e-3, 1e-9);

@@ -195,8 +195,7 @@ static void block_ends_too_near_to_rest_at_are_passed(check_t *check)
         motion_line(&motion, "Y10");
         motion_line(&motion, "M2");
         motion.status = motion_start(&motion);
-        do (void)motion_tick(&motion, NULL);
-        while (motion.pose.s < 9.7);
+        motion_to(&motion, 9.7);
         nck_set_single_block(&motion.nck, 1);
         CHECK(check, most_steps_to_rest() < MOTION_STEPS / 2);
         CHECK_INT(check, motion.starved, 0);
@@ -218,8 +217,7 @@ static void an_override_of_zero_rests_behind_a_block_end_too_near(check_t *check
         motion_line(&motion, "Y10");
         motion_line(&motion, "M2");
         motion.status = motion_start(&motion);
-        do (void)motion_tick(&motion, NULL);
-        while (motion.pose.s < 13.0);
+        motion_to(&motion, 13.0);
         nck_set_single_block(&motion.nck, single);
         nck_set_override(&motion.nck, 0, 100);
         CHECK(check, most_steps_to_rest() < MOTION_STEPS / 2);
