@@ -328,25 +328,33 @@ def commands_page():
     """Return the page about the command line: the help of every verb."""
     from pycnc.cli import app
 
-    lines = [COMMANDS_HEAD]
     groups = [(app, "")]
     groups += [(each.typer_instance, f"{each.name} ") for each in app.registered_groups]
-    for group, before in groups:
-        for command in group.registered_commands:
-            name = before + command.name
-            lines += [f"## {name}", "", "```text", _help_of(name.split()), "```", ""]
+    names = [before + command.name for group, before in groups
+             for command in group.registered_commands]  # fmt: skip
+    lines = [COMMANDS_HEAD]
+    for name, text in zip(names, _helps(names), strict=True):
+        lines += [f"## {name}", "", "```text", text, "```", ""]
     return "\n".join(lines)
 
 
-def _help_of(words):
-    """Return what ``--help`` prints, in lines that fit a page."""
-    code = "from pycnc.cli import main; main()"
+def _helps(names):
+    """Return what ``--help`` of each verb prints, in lines that fit a page."""
+    code = """import sys
+from pycnc.cli import main
+for name in sys.argv[1:]:
+    sys.argv = ["pycnc", *name.split(), "--help"]
+    try:
+        main()
+    except SystemExit:
+        print(end="\\0")
+"""
     done = subprocess.run(
-        [sys.executable, "-c", code, *words, "--help"], capture_output=True, text=True, check=True,
+        [sys.executable, "-c", code, *names], capture_output=True, text=True, check=True,
         env={**os.environ, "COLUMNS": "96", "TERMINAL_WIDTH": "96", "NO_COLOR": "1"},
     )  # fmt: skip
-    text = done.stdout.replace("Usage: -c ", "Usage: pycnc ")
-    return "\n".join(line.rstrip() for line in text.strip().splitlines())
+    texts = done.stdout.split("\0")[:-1]
+    return ["\n".join(line.rstrip() for line in text.strip().splitlines()) for text in texts]
 
 
 def trace_page():

@@ -166,9 +166,9 @@ def random_contour(family, seed):
 def no_room(elements, radius, side):
     """Tell whether more than R of the contour in a row, or at once, is out of the tool's reach."""
     q, row, most = np.linspace(0.02, 0.98, 15), 0.0, 0.0
-    for each in elements:
-        beside = each.points(q) + side * radius * each.left(q)
-        reached = (contours.to_the_nearest(elements, beside) >= radius - 1e-6).any()
+    beside = np.array([each.points(q) + side * radius * each.left(q) for each in elements])
+    far = contours.to_the_nearest(elements, beside.ravel()).reshape(beside.shape)
+    for each, reached in zip(elements, (far >= radius - 1e-6).any(axis=1), strict=True):
         row = 0.0 if reached else row + abs(each.end - each.start)
         most = max(most, row)
     return most > radius
