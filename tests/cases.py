@@ -283,4 +283,10 @@ PROGRAM_FILES = (
 
 CORPUS_FILES += PROGRAM_FILES
 RUNNING_FILES = tuple(file for file in CORPUS_FILES if file.ends is None and not file.threads)
+# They take 1 to 5 s of a test, where others take a tenth: a quick run has others.
+DEAR_FILES = {
+    "ax4_rotation_51k.nc", "laser_tball_engrave.gcode", "mill_fanuc_g81_g91.nc",
+    "mill_fusion_grbl_helix.nc", "mill_nist_circle_diamond_square.ngc",
+    "print_cura_bp_case_56k.gcode", "surf_la_peinture_180k.gc", "surf_webgcode_46k.ngc",
+}  # fmt: skip
 THREAD_FILES = tuple(file for file in CORPUS_FILES if file.ends is None and file.threads)

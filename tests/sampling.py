@@ -96,6 +96,12 @@ def generator(config, name):
     return random.Random(digest)
 
 
+def cheap_first(names, dear):
+    """Return the values of a parameter; a quick run has none that begins with a dear name."""
+    mark = pytest.mark.thorough
+    return [pytest.param(n, marks=mark) if str(n).split(" ")[0] in dear else n for n in names]
+
+
 def examples(count):
     """Return the settings of a test for which hypothesis thinks of so many examples."""
     shares = {"quick": 4, "suite": 2, "whole": 1}

@@ -54,7 +54,7 @@ def test_setpoints_are_the_same_on_every_controller(controllers, case):
     all_agree([controllers(name).run(case.text, machine) for name in controller.CONTROLLERS])
 
 
-@pytest.mark.sample(quick=2)
+@pytest.mark.sample(quick=1)
 @pytest.mark.parametrize("case", GOLDEN, ids=str)
 def test_jerk_limited_setpoints_are_the_same_on_host_and_m7(controllers, case):
     machine = Machine.load(case.machine, set=[*case.set, "path.slope=jerk"])

@@ -11,6 +11,7 @@ SEEDS = 20_000
 TRIED = {"quick": 2, "suite": 6, "whole": 120}  # an M7 and an M4F by turns
 
 
+@pytest.mark.sample(quick=1)
 @pytest.mark.parametrize("part", range(2))
 def test_every_rest_comes_in_time_and_within_limits(part, draw, draw_seed, tool):
     for core in firmware_stops.INSTRUCTIONS_NS:

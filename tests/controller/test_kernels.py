@@ -86,6 +86,7 @@ def test_a_kernel_with_another_prototype_is_noticed(build_folder, tool, tmp_path
 # What the documented command finds in a checkout
 
 
+@pytest.mark.thorough
 @pytest.mark.sample(1)
 @pytest.mark.parametrize("core", ["m4f", "m7"])
 @pytest.mark.parametrize("kernel", CHECKOUTS[:2], ids=str)
@@ -133,6 +134,7 @@ def test_a_template_of_ucos2_says_what_it_knows_and_the_glue_the_rest(
     assert said == ["3u", "(OS_LOWEST_PRIO - 2u)"]
 
 
+@pytest.mark.thorough
 def test_what_a_users_own_settings_say_holds(build_folder, tool, tmp_path):
     tool("arm-none-eabi-gcc")
     own = tmp_path / "own"

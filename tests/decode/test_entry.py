@@ -6,6 +6,7 @@ import entering
 import entering_families
 import numpy as np
 import pytest
+from sampling import cheap_first
 
 import pycnc
 from pycnc import stages
@@ -291,8 +292,9 @@ def test_the_run_of_a_random_program_from_a_line_on_is_that_tail(name, number, d
 
 
 @pytest.mark.sample(3)
-@pytest.mark.parametrize("file", [file for file in cases.RUNNING_FILES + cases.THREAD_FILES
-                                  if file.file not in entering.SLOW], ids=str)  # fmt: skip
+@pytest.mark.parametrize("file", cheap_first(
+    [file for file in cases.RUNNING_FILES + cases.THREAD_FILES if file.file not in entering.SLOW],
+    cases.DEAR_FILES), ids=str)  # fmt: skip
 def test_the_run_of_a_file_of_the_corpus_from_a_line_on_is_that_tail(file, draw_seed):
     if not file.path.exists():
         pytest.skip(f"{file.path} is not here: the corpus lies beside the repository")

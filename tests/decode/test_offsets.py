@@ -54,6 +54,7 @@ def tool_program(seed):
     return "\n".join([*lines, "G90 G0 X1 Y2 Z3", "M2", ""]).encode()
 
 
+@pytest.mark.sample(quick=2)
 @pytest.mark.parametrize("first", range(0, 100, 25))
 def test_shifted_zeros_are_those_of_rs274(first, tool, tmp_path):
     tool("rs274")

@@ -133,6 +133,7 @@ def program(seed):
     return "\n".join([*lines, "G90 G0 X1 Y2 Z3", "M2", ""])
 
 
+@pytest.mark.sample(quick=1)
 @pytest.mark.parametrize("first", range(0, 60, 20))
 def test_random_programs_equal_rs274(first, machine, oracle):
     for seed in range(first, first + 20):

@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
+from sampling import cheap_first
 
 from pycnc import stages
 from pycnc.errors import ArgumentError
@@ -124,7 +125,7 @@ def test_the_window_gives_the_bits_of_the_whole_path(name):
 
 
 @pytest.mark.sample(8)
-@pytest.mark.parametrize("name", FILES)
+@pytest.mark.parametrize("name", cheap_first(FILES, cases.DEAR_FILES))
 def test_the_window_gives_the_bits_of_the_whole_path_on_real_programs(name):
     if not FILES[name].path.exists():
         pytest.skip(f"{FILES[name].path} is not here: the corpus lies beside the repository")

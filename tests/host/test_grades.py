@@ -12,6 +12,7 @@ from command_line import pycnc as command
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from hypothesis.extra import numpy as arrays
+from sampling import cheap_first
 
 import pycnc
 from pycnc import errors, kernel
@@ -203,7 +204,7 @@ def test_a_run_by_grades_keeps_speeds_path_stops_and_end(name):
 
 
 @pytest.mark.sample(2)
-@pytest.mark.parametrize("name", FILES)
+@pytest.mark.parametrize("name", cheap_first(FILES, cases.DEAR_FILES))
 def test_a_corpus_file_runs_by_grades(name):
     file = next(each for each in cases.RUNNING_FILES if each.file == name)
     if not file.path.exists():

@@ -11,6 +11,7 @@ import numpy as np
 import pytest
 from hypothesis import example, given
 from hypothesis import strategies as st
+from sampling import cheap_first
 
 from pycnc import device, errors, stages
 from pycnc.planning import dispatch, parallel
@@ -79,6 +80,7 @@ def test_serial_c_is_the_recurrence(name, real):
     assert w.tobytes() == recurrence(w_cap, h, 50.0, 9.5).tobytes()
 
 
+@pytest.mark.sample(quick=24)
 @pytest.mark.parametrize("road", ROADS)
 @pytest.mark.parametrize("real", REALS)
 @pytest.mark.parametrize("name", FAMILIES)
@@ -115,7 +117,7 @@ def test_random_patterns_give_the_bits_of_the_serial_road(case, w_start, w_end):
 
 
 @pytest.mark.sample(8)
-@pytest.mark.parametrize("name", FILES)
+@pytest.mark.parametrize("name", cheap_first(FILES, cases.DEAR_FILES))
 def test_every_road_gives_the_same_bits_on_real_programs(name):
     if not FILES[name].path.exists():
         pytest.skip(f"{FILES[name].path} is not here: the corpus lies beside the repository")
@@ -189,6 +191,7 @@ def test_a_ramp_longer_than_a_lane_refuses_blocks_and_not_the_chunk():
 # Bad numbers
 
 
+@pytest.mark.sample(quick=12)
 @pytest.mark.parametrize("bad", [np.nan, np.inf, -np.inf, -1.0])
 @pytest.mark.parametrize("road", ["serial", *ROADS])
 @pytest.mark.parametrize("real", REALS)

@@ -12,6 +12,7 @@ import judged
 import numpy as np
 import pytest
 from command_line import pycnc
+from sampling import cheap_first
 
 from pycnc import kernel
 from pycnc.bench import kernel as programs
@@ -69,7 +70,7 @@ def two_cores(monkeypatch):
 
 @pytest.mark.sample(10)
 @pytest.mark.parametrize("slope", SLOPES)
-@pytest.mark.parametrize("name", FILES)
+@pytest.mark.parametrize("name", cheap_first(FILES, cases.DEAR_FILES))
 def test_real_programs_have_the_same_bits(name, slope):
     if not FILES[name].path.exists():
         pytest.skip(f"{FILES[name].path} is not here: the corpus lies beside the repository")
@@ -85,6 +86,7 @@ def test_cases_have_the_same_bits(name, slope):
     same_bits(program, 100)
 
 
+@pytest.mark.thorough
 @pytest.mark.sample(3)
 @pytest.mark.parametrize("slope", SLOPES)
 @pytest.mark.parametrize("text", [programs.relief(50_000), programs.arcs(40_000), programs.loop()],

@@ -8,6 +8,7 @@ import cases
 import judged
 import numpy as np
 import pytest
+from sampling import cheap_first
 
 from pycnc import kernel
 from pycnc.errors import ProgramError
@@ -22,8 +23,6 @@ FILES = {str(file): file for file in cases.CORPUS_FILES}
 RUNNING = {str(file): file for file in cases.RUNNING_FILES}
 # 17 and 4 million ticks: run once, and not measured a second time
 SLOW = {"ax4_rotation_51k.nc", "print_cura_bp_case_56k.gcode"}
-# More than 5 s to run starved: a quick run's tests take less
-DEAR = {"mill_fanuc_g81_g91.nc", "mill_fusion_grbl_helix.nc", "surf_la_peinture_180k.gc"}
 STARVED = 1  # prep step a tick: too few for moves of less than a period
 
 
@@ -47,20 +46,14 @@ def run_of(name):
 
 
 def short(names):
-    """Return the names of the files that are not slow."""
-    return [name for name in names if FILES[name].file not in SLOW]
-
-
-def quick_first(names):
-    """Return the names, of which a quick run has none that is dear."""
-    dear = pytest.mark.thorough
-    return [pytest.param(n, marks=dear) if FILES[n].file in DEAR else n for n in names]
+    """Return the names of the files that are not slow; a quick run has none of the dear ones."""
+    return cheap_first([n for n in names if FILES[n].file not in SLOW], cases.DEAR_FILES)
 
 
 def whole(names):
-    """Return the names, of which the campaign alone has those of slow files."""
-    slow = pytest.mark.campaign
-    return [pytest.param(n, marks=slow) if FILES[n].file in SLOW else n for n in names]
+    """Return the same names, and of slow files those that the campaign alone has."""
+    slow = [pytest.param(n, marks=pytest.mark.campaign) for n in names if FILES[n].file in SLOW]
+    return short(names) + slow
 
 
 def test_the_table_names_every_file_of_the_corpus():
@@ -120,12 +113,13 @@ def test_the_summary_tells_what_the_checker_found(name):
 
 
 @pytest.mark.sample(4)
-@pytest.mark.parametrize("name", quick_first(short(RUNNING)))
+@pytest.mark.parametrize("name", short(RUNNING))
 def test_a_starved_run_keeps_limits_path_and_stops(name):
     starved = judged.run(program_of(name), STARVED)
     assert starved.ticks >= run_of(name).ticks
 
 
+@pytest.mark.sample(quick=2)
 @pytest.mark.parametrize("name", [str(file) for file in cases.THREAD_FILES])
 def test_a_file_with_threads_runs_to_its_end(name):
     file = present(FILES[name])
@@ -167,10 +161,13 @@ def test_a_shipped_machine_keeps_every_limit_and_its_tolerance(name):
 LINES = 400  # read of a file: enough for arcs, corners and micro-segments
 HOUR = "mill_fanuc_g81_g91.nc"  # of feed: 4 million ticks, the next file has 700 000
 JERK_QUICK = [
-    pytest.param(name, marks=pytest.mark.campaign) if FILES[name].file == HOUR else name
-    for name in RUNNING
-    if FILES[name].file not in SLOW | {"tp_random_lines_0.001in.ngc", "odd_no_spaces.gcode"}
-]
+    *cheap_first([
+        name for name in RUNNING if FILES[name].file not in
+        SLOW | {HOUR, "tp_random_lines_0.001in.ngc", "odd_no_spaces.gcode"}
+    ], cases.DEAR_FILES),
+    *(pytest.param(name, marks=pytest.mark.campaign) for name in RUNNING
+      if FILES[name].file == HOUR),
+]  # fmt: skip
 
 
 def beginning_of(name, mode):

@@ -109,7 +109,7 @@ def is_quick(case, slope):
     return case.name in SHORT or (slope == "linear" and case not in SMOOTHED)
 
 
-@pytest.mark.sample(24)
+@pytest.mark.sample(24, quick=3)
 @pytest.mark.parametrize(("case", "slope"), RUNS, ids=str)
 def test_setpoints_are_the_same_on_every_core(case, slope, tmp_path, draw):
     runs = [("host", "default"), ("m7", "default")]

@@ -179,6 +179,7 @@ def random_script(seed):
     return [*script, "feed 1", REST], np.array([FREE, *most])
 
 
+@pytest.mark.sample(quick=15)
 @pytest.mark.parametrize("seed", range(SCRIPTS))
 def test_a_random_operator_makes_no_move_faster_than_its_cap(stand_in, seed):
     script, most = random_script(seed)

@@ -25,6 +25,7 @@ def test_cycles_within_a_tolerance_keep_every_limit_of_every_axis(name, seed):
     assert not found, f"{name} {seed}: {found}\n{case.machine} {case.set}\n{case.text}"
 
 
+@pytest.mark.sample(quick=2)
 @pytest.mark.parametrize("name", cycle_jerk.FAMILIES)
 def test_few_of_the_programs_are_refused(name):
     refused = sum(cycle_jerk.judge(cycle_jerk.case(name, seed)) is None for seed in range(1, 9))

@@ -14,7 +14,7 @@ import pytest
 from envelopes import HOME_DEVICES, REALS, by_c, on_device, random_path
 from hypothesis import given
 from hypothesis import strategies as st
-from sampling import examples
+from sampling import cheap_first, examples
 
 from pycnc import device
 from pycnc.device import grades as device_grades
@@ -43,6 +43,7 @@ def kernel(request):
 # The envelope
 
 
+@pytest.mark.sample(quick=80)
 @pytest.mark.parametrize("real", REALS)
 @pytest.mark.parametrize("rare", [0.5, 0.01, 0.0])
 @pytest.mark.parametrize(
@@ -127,6 +128,7 @@ def test_doubt_in_one_direction_alone_is_told(home, kernel, real, step):
     assert caught.value.id == "device-overlap"
 
 
+@pytest.mark.sample(quick=48)
 @pytest.mark.parametrize("bad", [np.nan, np.inf, -np.inf, -1.0])
 @pytest.mark.parametrize("which", [0, 1])
 @pytest.mark.parametrize("place", [0, 1, 15, 16, 5000, 9998])
@@ -182,7 +184,7 @@ def nodes_of(name):
 
 
 @pytest.mark.sample(30)
-@pytest.mark.parametrize("name", PROGRAMS)
+@pytest.mark.parametrize("name", cheap_first(PROGRAMS, cases.DEAR_FILES))
 def test_real_paths_have_the_bits_of_c(kernel, name):
     nodes = nodes_of(name)
     if len(nodes) == 0:
@@ -277,7 +279,7 @@ def assert_grades_have_the_bits_of_c(name, kinds):
 
 
 @pytest.mark.sample(15)
-@pytest.mark.parametrize("name", PROGRAMS)
+@pytest.mark.parametrize("name", cheap_first(PROGRAMS, cases.DEAR_FILES))
 def test_planning_by_grades_has_the_bits_of_c(name):
     assert_grades_have_the_bits_of_c(name, HOME_DEVICES)
 

@@ -119,21 +119,21 @@ def selftest(tool, tmp_path):
     return run
 
 
-@pytest.mark.sample(quick=3)
+@pytest.mark.sample(quick=1)
 @pytest.mark.parametrize("compiler", ["gcc", "clang-19"])
 @pytest.mark.parametrize("level", ["-O0", "-O2", "-O3", "-Os"])
 def test_arithmetic_passes_at_any_level(selftest, compiler, level):
     assert selftest(compiler, "-std=c99", level, "-ffp-contract=off") is True
 
 
-@pytest.mark.sample(quick=3)
+@pytest.mark.sample(quick=1)
 @pytest.mark.parametrize("compiler", ["gcc", "clang-19"])
 @pytest.mark.parametrize("options", CHANGED, ids=" ".join)
 def test_arithmetic_in_another_order_is_found(selftest, compiler, options):
     assert selftest(compiler, "-std=c99", "-O2", *options) is False
 
 
-@pytest.mark.sample(quick=3)
+@pytest.mark.sample(quick=1)
 @pytest.mark.parametrize("compiler", ["gcc", "clang-19"])
 @pytest.mark.parametrize(("options", "words"), REFUSED, ids=str)
 def test_fast_math_is_refused(selftest, compiler, options, words):

@@ -121,6 +121,7 @@ def test_a_component_brings_its_library_and_what_that_needs(prefix, tmp_path):
     assert call(tmp_path / "build" / "bulk") == "0 50 0\n"
 
 
+@pytest.mark.sample(quick=1)
 @pytest.mark.parametrize("want", ["0.2;REQUIRED", "0.0;REQUIRED", "1;REQUIRED"])
 def test_another_version_is_refused(prefix, tmp_path, want):
     done = stranger(tmp_path, f"-DCMAKE_PREFIX_PATH={prefix}", f"-DNCK_WANT={want}")

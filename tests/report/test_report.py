@@ -379,6 +379,7 @@ def test_a_page_of_whatever_length_stays_below_8_mb():
     assert made.facts["lines"] == 700_002 > sum(count for _, count in made.facts["spans"])
 
 
+@pytest.mark.thorough
 def test_a_large_surface_fits_in_4_mb():
     file = CORPUS / "surf_la_peinture_180k.gc"
     if not file.exists():

@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 P = 0.01
+pytestmark = pytest.mark.sample(quick=1, of="library")
 
 
 @pytest.fixture(scope="module", params=("double", "float"))

@@ -113,6 +113,7 @@ def test_every_plane_begins_and_ends_like_g17(start):
             assert (turned[:, order] == flat[:, (0, 1)]).all()
 
 
+@pytest.mark.sample(quick=6)
 @pytest.mark.parametrize("orientation", range(10))
 @pytest.mark.parametrize("start", ["A", "B"])
 def test_a_nose_is_led_by_its_point(start, orientation):
