@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Programs along clocked paths, which the slope in work plans by convex optimisation: what they
+"""Programs along clocked paths, which the slope `optimal` plans by convex optimisation: what they
 promise.
 
     .venv/bin/python tests/clocked.py 1000 [FIRST]      so many programs by seed
@@ -23,18 +23,11 @@ import stop_gate
 
 from pycnc import kernel
 from pycnc.bench import programs
-from pycnc.kernel import lib
 from pycnc.planning.plan import Plan
 from pycnc.program import Program
 
 TRAVEL = 190.0  # mm: of every axis, less a bit
 RUN_SHARE, RUN_TICKS = 30, 5000  # a run takes so many times its plan at most, and these
-
-
-def clocked(machine):
-    """Return the machine with the slope in work, which no machine file has."""
-    machine._rows["slope"] = lib.NCK_SLOPE_OPTIMAL
-    return machine
 
 
 def _words(rng, tolerance):
@@ -82,7 +75,7 @@ def text_of(seed):
 
 def findings(seed):
     """Return what is wrong with the run of a seed's program, in words; empty: nothing."""
-    machine = clocked(programs.machine())
+    machine = programs.machine("optimal")
     program = Program(text_of(seed).encode(), machine).check()
     judge = checker.Checker(program.blocks, machine.record)
     most = RUN_SHARE * Plan(program).time_s / machine.period_s + RUN_TICKS
@@ -97,18 +90,10 @@ def findings(seed):
     return ""
 
 
-class Rest(stop_gate.Case):
-    """A case of the stop gate along a clocked path."""
-
-    def machine(self):
-        """Return its machine."""
-        return clocked(super().machine())
-
-
 def try_rest(seed):
     """Return how a rest goes; None where nothing moves, or on the exact path."""
-    case = dataclasses.replace(stop_gate.draw(seed), slope="jerk")
-    return None if case.exact else stop_gate.try_case(Rest(**dataclasses.asdict(case)))
+    case = dataclasses.replace(stop_gate.draw(seed), slope="optimal")
+    return None if case.exact else stop_gate.try_case(case)
 
 
 def main():

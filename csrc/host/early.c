@@ -58,10 +58,10 @@ static nck_status_t push_seg(nck_host_early_t *self, const nck_seg_t *seg) {
     row->seq = seg->seq;
     row->block = seg->block;
     row->rapid = seg->rapid;
-    row->is_whole = self->overlaps || seg->overlap > 0.0;
+    row->is_whole = self->overlaps || seg->overlap > 0.0 || seg->keeps == NCK_KEEP_CLOCK;
     if (row->is_whole) {
-        batch->corners[batch->corner_count] = *seg;
-        batch->corner_count++;
+        batch->wholes[batch->whole_count] = *seg;
+        batch->whole_count++;
     }
     self->overlaps = seg->overlap > 0.0;
     batch->seg_count++;
@@ -153,7 +153,7 @@ static nck_status_t step_and_note(nck_host_early_t *self) {
 
 static int has_room(const nck_host_batch_t *batch) {
     return batch->seg_max - batch->seg_count >= NCK_HOST_BATCH_ROOM
-           && batch->corner_max - batch->corner_count >= NCK_HOST_BATCH_ROOM
+           && batch->whole_max - batch->whole_count >= NCK_HOST_BATCH_ROOM
            && batch->node_max - batch->node_count >= NCK_HOST_BATCH_ROOM
            && batch->output_max - batch->output_count >= NCK_HOST_BATCH_ROOM
            && batch->order_max - batch->order_count >= NCK_HOST_BATCH_ROOM;
@@ -161,7 +161,7 @@ static int has_room(const nck_host_batch_t *batch) {
 
 static void begin(nck_host_batch_t *batch) {
     batch->seg_count = 0;
-    batch->corner_count = 0;
+    batch->whole_count = 0;
     batch->node_count = 0;
     batch->output_count = 0;
     batch->order_count = 0;

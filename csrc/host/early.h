@@ -39,14 +39,14 @@ typedef struct nck_host_batch_seg {
     double length_mm;      // programmed path up to its end
     uint32_t seq, block;   // as in the seg
     uint8_t rapid;         // 1: G0
-    uint8_t is_whole;      // 1: room 5 asks for all of it, the next of batch.corners
+    uint8_t is_whole;      // 1: room 5 asks for all of it, the next of batch.wholes
     uint8_t reserved[6];   // 0
 } nck_host_batch_seg_t;
 
 // The path of some blocks. Rows belong to the caller, NCK_HOST_BATCH_ROOM of each at least.
 typedef struct nck_host_batch {
     nck_host_batch_seg_t *segs; size_t seg_max, seg_count;
-    nck_seg_t *corners;    size_t corner_max, corner_count; // segs beside a stop that overlaps
+    nck_seg_t *wholes;    size_t whole_max, whole_count;   // segs that room 5 asks for
     nck_node_t *nodes;     size_t node_max, node_count;
     nck_output_t *outputs; size_t output_max, output_count;
     uint8_t *orders;       size_t order_max, order_count; // NCK_HOST_BATCH_…

@@ -158,8 +158,12 @@ void nck_host_plan_take(nck_host_plan_t *plan, const nck_host_batch_t *batch) {
 static void take_seg(nck_host_plan_t *plan, const nck_host_batch_seg_t *row) {
     nck_link_t *const link = nck_link_of(plan->nck);
     nck_seg_t *const seg = nck_link_seg_place(link);
-    if (row->is_whole) *seg = plan->batch->corners[plan->used.corner++];
-    else seg->overlap = 0.0;
+    if (row->is_whole) {
+        *seg = plan->batch->wholes[plan->used.whole++];
+    } else {
+        seg->overlap = 0.0;
+        seg->keeps = NCK_KEEP_NOTHING;
+    }
     seg->line = row->why.line;
     seg->block = row->block;
     seg->rapid = row->rapid;

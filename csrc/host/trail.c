@@ -130,8 +130,14 @@ static int goes_on(const nck_host_trail_t *self, const nck_host_stride_t *stretc
            && nck_fabs(v - v_straight) <= LIKE_V * stretch->feed;
 }
 
-static double speed_at(const nck_cell_t *cell, double t) {
-    return nck_max(0.0, nck_cell_speed(cell, t));
+double nck_host_trail_speed(const nck_seg_t *seg, const nck_cell_t *cell, double t) {
+    const double v = nck_max(0.0, nck_cell_speed(cell, t));
+    if (seg->keeps != NCK_KEEP_CLOCK) return v;
+    double tangent[NCK_AXIS_MAX];
+    double square = 0.0;
+    nck_path_tangent(seg, nck_min(seg->length, cell->s + nck_cell_way(cell, t)), tangent);
+    for (int x = 0; x < NCK_AXIS_MAX; x++) square += tangent[x] * tangent[x];
+    return v * nck_sqrt(square);
 }
 
 // A part of a stretch, no longer than a chord may be.
@@ -139,14 +145,14 @@ static void step(nck_host_trail_t *self, const nck_host_stride_t *stretch, doubl
                  double to, double chord) {
     const nck_cell_t *const cell = stretch->cell;
     const double time = to - from;
-    const double v = speed_at(cell, to);
-    const double a = time > 0.0 ? (v - speed_at(cell, from)) / time : 0.0;
+    const double v = nck_host_trail_speed(stretch->seg, cell, to);
+    const double a = time > 0.0 ? (v - nck_host_trail_speed(stretch->seg, cell, from)) / time : 0.0;
     const double s = nck_cell_way(cell, to);
     const double length = s - nck_cell_way(cell, from);
     const int is_bent = chord > 0.0 && self->length + length > chord;
     if (is_bent || !goes_on(self, stretch, a, v, time)) {
         close_stretch(self);
-        begin(self, stretch, speed_at(cell, from));
+        begin(self, stretch, nck_host_trail_speed(stretch->seg, cell, from));
         self->a_begin = a;
         self->is_open = 1;
     }
@@ -187,11 +193,26 @@ void nck_host_trail_rest(nck_host_trail_t *self, const nck_host_stride_t *stretc
 
 void nck_host_trail_fastest(nck_host_trail_t *self) { self->fastest = told(self) + self->is_open; }
 
+// The number of the last point, which may be in work.
+static uint64_t last(const nck_host_trail_t *self) {
+    const uint64_t count = told(self) + self->is_open;
+    return count > 0 ? count - 1 : 0;
+}
+
+void nck_host_trail_slowest(nck_host_trail_t *self) { self->slowest = last(self); }
+
+void nck_host_trail_was_low(nck_host_trail_t *self) {
+    if (!self->points) return;
+    self->foot.first = self->fastest;
+    self->foot.at = self->slowest;
+    self->fastest = self->slowest + 1;
+}
+
 void nck_host_trail_low(nck_host_trail_t *self) {
     if (!self->points) return;
     close_stretch(self);
-    self->foot.first = self->fastest;
-    self->foot.at = told(self) > 0 ? told(self) - 1 : 0;
+    nck_host_trail_slowest(self);
+    nck_host_trail_was_low(self);
     self->fastest = told(self);
 }
 

@@ -50,7 +50,8 @@ typedef struct nck_host_stride {
     double from, to;            // of the cell's time [s]
     double feed;                // programmed [path mm/s]
     uint32_t tool;              // in the spindle
-    uint32_t falls;             // 1: behind the fastest point since the last low point
+    uint32_t falls;             // 1: behind the fastest point since the last low point; 2: and
+                                // behind the slowest one since then
 } nck_host_stride_t;
 
 // All of it. Rows belong to the caller; NULL: nobody asks.
@@ -59,6 +60,7 @@ typedef struct nck_host_trail {
     nck_host_foot_t *feet; size_t foot_max, foot_count;      // rows of this call
     uint64_t before;            // points of the calls before
     uint64_t fastest;           // points up to the fastest one since the last low point
+    uint64_t slowest;           // number of the slowest one behind it
     uint32_t broken;            // 1: a row had no room
     // the stretch in work
     uint32_t is_open;           // 1: open is one
@@ -70,6 +72,10 @@ typedef struct nck_host_trail {
     nck_host_sum_t t;           // so far [s]
     nck_host_foot_t foot;       // the last low point
 } nck_host_trail_t;
+
+// The speed of the path at a time of a cell within a seg [path mm/s]: along a clocked path, whose
+// coordinate is the program's, that of the curve. Cost: constant. Context: any.
+double nck_host_trail_speed(const nck_seg_t *seg, const nck_cell_t *cell, double t);
 
 // Rows from their start again. Cost: constant. Context: any.
 void nck_host_trail_again(nck_host_trail_t *self, const nck_machine_t *machine);
@@ -88,8 +94,14 @@ void nck_host_trail_rest(nck_host_trail_t *self, const nck_host_stride_t *stretc
 // All so far leads up from the last low point. Cost: constant. Context: any.
 void nck_host_trail_fastest(nck_host_trail_t *self);
 
+// Behind the fastest point nothing was slower than this place. Cost: constant. Context: any.
+void nck_host_trail_slowest(nck_host_trail_t *self);
+
 // The path is at a low point. Cost: constant. Context: any.
 void nck_host_trail_low(nck_host_trail_t *self);
+
+// The slowest place was a low point. Cost: constant. Context: any.
+void nck_host_trail_was_low(nck_host_trail_t *self);
 
 // What the last low point has lost is known. Cost: constant. Context: any.
 void nck_host_trail_settle(nck_host_trail_t *self, const nck_host_low_t *low);

@@ -14,6 +14,9 @@
 #define HELD 0.995
 // Two speeds are the same within this share.
 #define SAME 1e-3
+// A clocked path has a low point where the speed is lower by this share than before and behind it:
+// less is what its plan may be away from the fastest motion (5_slope/optimal.c).
+#define LOW 0.02
 // Two places of the path are the same within so much [path mm].
 #define NEAR 1e-9
 // A corner is one from this angle on [rad]: less is rounding.
@@ -64,6 +67,7 @@ void nck_host_why_row(nck_host_why_seg_t *row, double tangent[NCK_AXIS_MAX], con
     row->line = seg->line;
     row->s_begin = seg->s_begin;
     row->stop = seg->stop;
+    row->clocked = seg->keeps == NCK_KEEP_CLOCK;
     row->axis = NCK_AXIS_MAX;
     if (moves) nck_path_tangent_part(seg, 0.0, terms->axes, here);
     if (moves && seg->seq > 0) meet(row, tangent, here, terms);
@@ -114,21 +118,27 @@ static void settle_cap(nck_host_why_t *self) {
 }
 
 // The ramps before a low point are parted between it and the last one.
-static void take_low(nck_host_why_t *self, const nck_host_low_t *low) {
+static void end_ramps(nck_host_why_t *self, const nck_host_low_t *low) {
     if (self->has_low) {
         settle_low(self);
     } else {
         self->down.lost_s += self->up.lost_s;
         self->down.limit_s += self->up.limit_s;
     }
-    nck_host_trail_low(&self->trail);
     self->low = *low;
     self->low.lost_s = self->down.lost_s;
     nck_host_cause_sum(&self->limit_s[low->limit], self->down.limit_s);
     memset(&self->up, 0, sizeof self->up);
     memset(&self->down, 0, sizeof self->down);
     self->has_low = 1;
+    self->slow.is = 0;
     self->v_most = self->v;
+}
+
+// The path is at a low point.
+static void take_low(nck_host_why_t *self, const nck_host_low_t *low) {
+    end_ramps(self, low);
+    nck_host_trail_low(&self->trail);
 }
 
 static int is_rest(uint32_t kind) { return kind == NCK_SEG_DWELL || kind == NCK_SEG_WAIT; }
@@ -209,8 +219,8 @@ static int next_piece(nck_host_why_t *self) {
 
 // ---- time
 
-static double speed_at(const nck_cell_t *cell, double t) {
-    return nck_max(0.0, nck_cell_speed(cell, t));
+static double speed_at(const nck_host_why_t *self, const nck_cell_t *cell, double t) {
+    return nck_host_trail_speed(nck_link_seg(self->link, self->piece.seg), cell, t);
 }
 
 // When the cell has come so far: s = v·t + a·t²/2 + j·t³/6, by Newton's method from a time before.
@@ -265,14 +275,77 @@ static void follow(nck_host_why_t *self, const nck_cell_t *cell, double s_cell, 
                    double to) {
     if (!self->trail.points) return;
     const nck_seg_t *const seg = nck_link_seg(self->link, self->piece.seg);
+    const double v = speed_at(self, cell, to);
+    const uint32_t rises = self->slow.is && v > self->slow.v;
     const nck_host_stride_t stretch = {seg, cell, s_cell - seg->s_begin, from, to,
                                         self->piece.v_feed, self->shares.tool,
-                                        speed_at(cell, to) < self->v_most};
+                                        v < self->v_most ? 1 + rises : 0};
     nck_host_trail_move(&self->trail, &stretch);
 }
 
-// A stretch of the piece in work: its length, its time, and the speed that it ends with.
-static void pass(nck_host_why_t *self, const nck_cell_t *cell, double s, double lasts, double v) {
+// ---- low points of a clocked path
+
+// The axis that takes most of its limit of acceleration or jerk at a time of a cell.
+static uint32_t axis_at(const nck_seg_t *seg, const nck_cell_t *cell, double t,
+                        const nck_machine_t *machine) {
+    const double v = nck_cell_speed(cell, t);
+    const double a = cell->a + cell->j * t;
+    const double s = nck_min(seg->length, cell->s + nck_cell_way(cell, t));
+    double first[NCK_AXIS_MAX], second[NCK_AXIS_MAX], begin[NCK_AXIS_MAX], end[NCK_AXIS_MAX];
+    uint32_t axis = NCK_AXIS_MAX;
+    double most = 0.0;
+    nck_path_tangent(seg, s, first);
+    nck_path_second(seg, s, second);
+    nck_path_second(seg, 0.0, begin);
+    nck_path_second(seg, seg->length, end);
+    for (uint32_t x = 0; x < NCK_AXIS_MAX; x++) {
+        const double third = (end[x] - begin[x]) / seg->length;
+        const double share_a = (first[x] * a + second[x] * v * v) / machine->axis[x].a_max;
+        const double share_j = (first[x] * cell->j + (3.0 * second[x] * a + third * v * v) * v)
+                               / machine->axis[x].j_max;
+        const double share = nck_fabs(cell->limit == NCK_LIMIT_ACCEL ? share_a : share_j);
+        if (!machine->axis[x].present || share <= most) continue;
+        most = share;
+        axis = x;
+    }
+    return axis;
+}
+
+// A time of a cell as a low point: where the path is slow its acceleration is that of its bends.
+static void note_slow(nck_host_why_t *self, const nck_cell_t *cell, double t, double v) {
+    const uint32_t limit = cell->limit == NCK_LIMIT_ACCEL ? (uint32_t)NCK_LIMIT_CURVATURE
+                                                          : cell->limit;
+    const nck_host_low_t low = {limit, 0, self->piece.seg, seg_at(self, self->piece.seg)->line,
+                                NCK_AXIS_MAX, 0, 0.0, 0.0};
+    self->slow.is = 1;
+    self->slow.v = v;
+    self->slow.down = self->down;
+    self->slow.low = low;
+    if (limit >= NCK_LIMIT_AXIS_V) self->slow.low.axis = limit - NCK_LIMIT_AXIS_V;
+    if (limit == NCK_LIMIT_CURVATURE || limit == NCK_LIMIT_JERK) {
+        self->slow.low.axis = axis_at(nck_link_seg(self->link, self->piece.seg), cell, t,
+                                      nck_machine_of(self->nck));
+    }
+    nck_host_trail_slowest(&self->trail);
+}
+
+// Behind the fastest point: is this the slowest place, or is the path faster again than there?
+static void watch_slow(nck_host_why_t *self, const nck_cell_t *cell, double t, double v) {
+    nck_host_why_slow_t *const slow = &self->slow;
+    if (!slow->is || v < slow->v) note_slow(self, cell, t, v);
+    if (v * (1.0 - LOW) <= slow->v || self->v_most * (1.0 - LOW) <= slow->v) return;
+    const nck_host_why_ramp_t behind = {self->down.lost_s - slow->down.lost_s,
+                                        self->down.limit_s - slow->down.limit_s};
+    self->down = slow->down;
+    end_ramps(self, &slow->low);
+    nck_host_trail_was_low(&self->trail);
+    nck_host_trail_fastest(&self->trail);
+    self->up = behind;
+}
+
+// A stretch of the piece in work: its length, its time, when and how fast the path is at its end.
+static void pass(nck_host_why_t *self, const nck_cell_t *cell, double s, double lasts, double to) {
+    const double v = speed_at(self, cell, to);
     const nck_host_why_piece_t *const piece = &self->piece;
     const double time = cell->stop & NCK_STOP_RIDES ? 0.0 : lasts; // in that of what is beside it
     const int may_pace = piece->v_feed > 0.0 && piece->v_cap > 0.0;
@@ -282,7 +355,11 @@ static void pass(nck_host_why_t *self, const nck_cell_t *cell, double s, double 
     add_limit(self, cell->limit, time);
     add_lost(self, ideal, may_pace ? s / piece->v_cap : time, time);
     self->v = v;
-    if (v < self->v_most) return;
+    if (v < self->v_most) {
+        if (seg_at(self, piece->seg)->clocked) watch_slow(self, cell, to, v);
+        return;
+    }
+    self->slow.is = 0;
     self->v_most = v;
     nck_host_trail_fastest(&self->trail);
     self->up.lost_s += self->down.lost_s;
@@ -340,19 +417,19 @@ static void pass_cell(nck_host_why_t *self, const nck_cell_t *cell) {
     double s = s_begin;
     double at = 0.0;
     int is_last = 0; // what is left of the path is rounding
-    self->v = cell->v;
+    self->v = nck_host_trail_speed(nck_link_seg(self->link, cell->seg), cell, 0.0);
     for (;;) {
         while (is_behind(self, s) && !is_last) is_last = !next_piece(self);
         if (!self->begun) return;
         if (is_last || self->piece.s_end >= s_end - NEAR) break;
         const double t = time_at(cell, self->piece.s_end - s_begin, at);
         follow(self, cell, s_begin, at, t);
-        pass(self, cell, self->piece.s_end - s, t - at, speed_at(cell, t));
+        pass(self, cell, self->piece.s_end - s, t - at, t);
         s = self->piece.s_end;
         at = t;
     }
     follow(self, cell, s_begin, at, cell->duration);
-    pass(self, cell, s_end - s, cell->duration - at, speed_at(cell, cell->duration));
+    pass(self, cell, s_end - s, cell->duration - at, cell->duration);
 }
 
 void nck_host_why_cell(nck_host_why_t *self, const nck_cell_t *cell, double extra_s) {

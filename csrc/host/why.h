@@ -7,7 +7,8 @@
 // The ideal is the time at the programmed feed, or at the speed of rapids, and of the programmed
 // rests. What is more is lost: over a slower cap of the piece itself (an arc) to that cap, over a
 // ramp to the low point at its foot. Between two low points the ramp up from the first ends where
-// the path is fastest, and the ramp down to the second begins.
+// the path is fastest, and the ramp down to the second begins. Low points are nodes that hold the
+// path; along a clocked path, which has no cap but the feed, the places where it is slowest.
 #ifndef NCK_HOST_WHY_H
 #define NCK_HOST_WHY_H
 
@@ -32,7 +33,8 @@ enum {
 typedef struct nck_host_why_seg {
     uint32_t line;
     uint16_t axis;              // that has the most of the corner at its start
-    uint16_t stop;              // 1: exact stop at its end
+    uint8_t stop;               // 1: exact stop at its end
+    uint8_t clocked;            // 1: an interval of a clocked path
     double s_begin;             // path before it [path mm]
     double less, more;          // |a − b|² and |a + b|² of the tangents a, b at its start
 } nck_host_why_seg_t;
@@ -55,6 +57,15 @@ typedef struct nck_host_why_ramp {
     double limit_s;             // time in cells that no cap holds
 } nck_host_why_ramp_t;
 
+// The slowest place of a clocked path behind its fastest one.
+typedef struct nck_host_why_slow {
+    uint32_t is;                // 1: there is one
+    uint32_t reserved;
+    double v;                   // speed there [path mm/s]
+    nck_host_why_ramp_t down;   // the ramp to it
+    nck_host_low_t low;         // it as a low point
+} nck_host_why_slow_t;
+
 // All of it. Times in s.
 typedef struct nck_host_why {
     nck_host_sum_t cut_s, rapid_s, dwell_s; // the ideal; together with the causes: all time
@@ -74,6 +85,7 @@ typedef struct nck_host_why {
     double v;                   // speed so far [path mm/s]
     double v_most;              // the largest one behind low
     nck_host_why_ramp_t up, down; // behind low: ramps to the fastest point, and behind that
+    nck_host_why_slow_t slow;   // behind the fastest point
     nck_host_why_piece_t piece; // in work
     nck_host_low_t low;         // the last low point
     nck_host_low_t cap;         // what the cap of the piece in work has lost

@@ -21,6 +21,7 @@ class Slope(StrEnum):
     """What ``--slope`` takes."""
 
     jerk = "jerk"
+    optimal = "optimal"
     sshape = "sshape"
     linear = "linear"
 

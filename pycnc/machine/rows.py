@@ -19,6 +19,7 @@ from pycnc.machine.schema import (
 _FREE = (np.iinfo(np.int64).min, np.iinfo(np.int64).max)
 _KINEMATICS = {"identity": lib.NCK_KINEMATICS_IDENTITY, "lathe_xz": lib.NCK_KINEMATICS_LATHE_XZ}
 _SLOPES = {
+    "optimal": lib.NCK_SLOPE_OPTIMAL,
     "linear": lib.NCK_SLOPE_LINEAR,
     "jerk": lib.NCK_SLOPE_JERK,
     "sshape": lib.NCK_SLOPE_SSHAPE,

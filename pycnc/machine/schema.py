@@ -57,7 +57,7 @@ Travel = Annotated[
 ]
 
 
-Slope = Literal["linear", "jerk", "sshape"]
+Slope = Literal["linear", "jerk", "optimal", "sshape"]
 SLOPES = get_args(Slope)
 
 
@@ -111,8 +111,9 @@ class Path(Table):
     slope: Slope = Field(
         "jerk",
         description="Velocity profile. `linear`: acceleration-limited. `jerk`: jerk-limited, "
-        "acceleration is carried across junctions. `sshape`: jerk-limited, acceleration is zero "
-        "at every junction.",
+        "acceleration is carried across junctions. `optimal`: within a tolerance the fastest "
+        "motion along the smoothest curve; some 30 times slower to plan, for a PC alone; on the "
+        "exact path as `jerk`. `sshape`: jerk-limited, acceleration is zero at every junction.",
     )
 
 

@@ -15,7 +15,7 @@ from pycnc.kernel.records import counts_per_unit, enum
 LIMITS = enum("nck_limit_t")
 # Codes of a trace's column `kind`.
 KINDS = ("idle", "rapid", "line", "arc", "dwell", "wait", "spline", "thread", "tap")
-_TICK_STATES = enum("nck_tick_state_t")
+_TICK_STATES, _SEGS = enum("nck_tick_state_t"), enum("nck_seg_kind_t")
 _PAGE = 4096  # lines whose ticks are counted in one array
 
 
@@ -35,7 +35,8 @@ def limit_names(machine):
 
 class Peaks:
     """Largest speed, acceleration and jerk of every axis and of the path, over their limits; where
-    two motions overlap, of the path the mean of both."""
+    two motions overlap, of the path the mean of both. On a clocked path the coordinate is that of
+    the program: its speed is nobody's, and the path has no limit but those of the axes."""
 
     def __init__(self, machine):
         self._machine, self._period = machine, machine.period_s
@@ -44,22 +45,28 @@ class Peaks:
         start = (machine.record["start_nm"] / counts)[self._axes]
         self._tail = np.tile(np.append(start, 0.0), (3, 1))  # at rest before the first tick
         self._beside = np.zeros(3, bool)  # two motions overlap
+        self._clocked = np.zeros(3, bool)
+        self._clocks = machine.settings.path.slope == "optimal"
         self._peaks = np.zeros((3, len(self._axes) + 1))  # v, a, j of the axes and of s
 
     def add(self, rows):
         """Measure the next rows of a run (dtype ``sim_row_t``)."""
         now = np.column_stack([rows["pose"]["axis"][:, self._axes], rows["pose"]["s"]])
         track = np.concatenate([self._tail, now])
-        beside = np.concatenate([self._beside, rows["pose"]["left"] > 0])
+        beside = all_beside = np.concatenate([self._beside, rows["pose"]["left"] > 0])
+        splines = self._clocks & (rows["pose"]["kind"] == _SEGS.SPLINE)
+        clocked = all_clocked = np.concatenate([self._clocked, splines])
         step = track
         for order in range(3):
             step, beside = np.diff(step, axis=0), beside[1:] | beside[:-1]
+            clocked = clocked[1:] | clocked[:-1]
             if len(step):
                 size = np.abs(step)
                 size[beside, -1] /= 2  # s is the sum of two motions there
+                size[clocked, -1] = 0
                 np.maximum(self._peaks[order], size.max(axis=0), out=self._peaks[order])
         self._tail = track[-3:]
-        self._beside = np.concatenate([self._beside, rows["pose"]["left"] > 0])[-3:]
+        self._beside, self._clocked = all_beside[-3:], all_clocked[-3:]
 
     def result(self):
         """Return {"x": {"v", "a", "j"}, …, "path": {"a", "j"}}: 1 means at the limit."""

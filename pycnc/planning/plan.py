@@ -285,7 +285,7 @@ def plan(program, machine=None, slope=None, backend="auto", plan="exact"):
         What `load` takes, or a loaded program.
     machine : str, path or Machine, optional
         Another machine than the program's.
-    slope : {"linear", "jerk", "sshape"}, optional
+    slope : {"linear", "jerk", "optimal", "sshape"}, optional
         Another velocity profile than the machine's (``path.slope``).
     backend : {"auto", "c", "opencl"}
         Where it is computed; OpenCL plans by grades only.
@@ -321,7 +321,7 @@ def why(program, machine=None, slope=None, *, what_if=False):
         What `load` takes, or a loaded program.
     machine : str, path or Machine, optional
         Another machine than the program's.
-    slope : {"linear", "jerk", "sshape"}, optional
+    slope : {"linear", "jerk", "optimal", "sshape"}, optional
         Another velocity profile than the machine's.
     what_if : bool
         Plan it again with each cure.

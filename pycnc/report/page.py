@@ -40,7 +40,7 @@ def _facts(found, trail, told):
         "lathe": machine.settings.kinematics.type == "lathe_xz",
         "a_max": float(path["a_max"]),
         "j_max": float(path["j_max"]) if slope != "linear" else None,
-        "filter_s": lib.NCK_FILTER_TAPS * machine.period_s if slope == "jerk" else 0.0,
+        "filter_s": lib.NCK_FILTER_TAPS * machine.period_s if slope in ("jerk", "optimal") else 0.0,
         "points": told["points"],
         "feet": told["feet"],
         "limits": {code: {"name": name, "words": limit_words(name)}

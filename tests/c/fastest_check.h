@@ -181,6 +181,33 @@ static void caps_hold(check_t *check) {
     CHECK(check, nearest < 0.01);
 }
 
+// How often a limit is the one that holds a node.
+static int held_by(nck_motion_hold_t hold) {
+    int count = 0;
+    for (int k = 1; k < wish.nodes - 1; k++) count += nck_motion_hold(&motion, k) == hold;
+    return count;
+}
+
+// On a line by jerk alone, or through a long ramp by acceleration, or at the cap.
+static void what_holds_is_told(check_t *check) {
+    begin();
+    lay_line(5.0, 0.5);
+    plan(check);
+    CHECK(check, held_by(NCK_MOTION_JERK) >= NODES - 12);
+    CHECK_INT(check, held_by(NCK_MOTION_CAP), 0);
+    wish.a[0] = 150.0;
+    plan(check);
+    CHECK(check, held_by(NCK_MOTION_ACCELERATION) > NODES / 3);
+    CHECK_INT(check, held_by(NCK_MOTION_CAP), 0);
+    wish.a[0] = 1000.0;
+    for (int k = NODES / 2 - 8; k <= NODES / 2 + 8; k++) cap[k] = 0.1;
+    plan(check);
+    for (int k = NODES / 2 - 1; k <= NODES / 2 + 1; k++) {
+        CHECK_INT(check, nck_motion_hold(&motion, k), NCK_MOTION_CAP);
+    }
+    CHECK(check, held_by(NCK_MOTION_CAP) < 20);
+}
+
 static void a_mirrored_path_has_the_same_bits(check_t *check) {
     nck_num kept[NODES];
     begin();
@@ -335,6 +362,7 @@ static inline int fastest_check(void) {
     CHECK_RUN(&check, a_line_takes_its_least_time);
     CHECK_RUN(&check, limits_hold_everywhere);
     CHECK_RUN(&check, caps_hold);
+    CHECK_RUN(&check, what_holds_is_told);
     CHECK_RUN(&check, a_mirrored_path_has_the_same_bits);
     CHECK_RUN(&check, what_is_fixed_stays);
     CHECK_RUN(&check, an_open_end_does_not_brake);

@@ -189,6 +189,11 @@ def test_a_controller_that_does_not_end_is_given_up(controllers):
             controllers(name).run(PROGRAM, commands=silent, timeout_s=1)
 
 
+def test_a_slope_that_the_firmware_lacks_is_refused(controllers):
+    with pytest.raises(controller.FirmwareError, match="set path.slope=jerk"):
+        controllers("host").run(PROGRAM, Machine.load("mill3", set={"path.slope": "optimal"}))
+
+
 # The command line, and the page
 
 

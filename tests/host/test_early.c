@@ -18,12 +18,12 @@ static nck_toolcomp_t toolcomp;
 static nck_block_t blocks[BLOCKS];
 static nck_diagnostic_t findings[8];
 static nck_host_batch_seg_t segs[ROWS];
-static nck_seg_t corners[ROWS];
+static nck_seg_t wholes[ROWS];
 static nck_node_t nodes[ROWS];
 static nck_output_t outputs[ROWS];
 static uint8_t orders[8 * ROWS];
 static char text[TEXT];
-static nck_host_batch_t batch = {segs, ROWS, 0, corners, ROWS, 0, nodes, ROWS, 0, outputs, ROWS, 0,
+static nck_host_batch_t batch = {segs, ROWS, 0, wholes, ROWS, 0, nodes, ROWS, 0, outputs, ROWS, 0,
                                  orders, 8 * ROWS, 0, 0, 0};
 
 static nck_status_t run(nck_host_plan_t *self)

@@ -78,8 +78,8 @@ def test_real_programs_have_the_same_bits(name, slope):
     same_bits(program, 1000)
 
 
-@pytest.mark.sample(40)
-@pytest.mark.parametrize("slope", SLOPES)
+@pytest.mark.sample(50)
+@pytest.mark.parametrize("slope", [*SLOPES, "optimal"])
 @pytest.mark.parametrize("name", CASES)
 def test_cases_have_the_same_bits(name, slope):
     program = judged.load(CASES[name], [f"path.slope={slope}"]).check()

@@ -5,7 +5,6 @@ program, does its run keep every promise and come to an end, is it no slower tha
 import math
 
 import checker
-import clocked
 import numpy as np
 from nasty_programs import ARC, DWELL, Turn
 
@@ -27,10 +26,8 @@ COMPARED = ("line", "kind", "path_mode", "target_nm")
 
 
 def machine_of(case):
-    """Return a case's machine; the slope in work has no name in machine files."""
-    text = case.machine.replace('slope = "optimal"', 'slope = "jerk"')
-    machine = Machine.from_text(text, "nasty")
-    return machine if text == case.machine else clocked.clocked(machine)
+    """Return a case's machine."""
+    return Machine.from_text(case.machine, "nasty")
 
 
 def find(case):

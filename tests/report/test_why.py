@@ -34,7 +34,7 @@ def cause_of(found, name):
     return next(cause for cause in found.causes if cause["cause"] == name)
 
 
-@pytest.mark.parametrize("slope", ["jerk", "linear", "sshape"])
+@pytest.mark.parametrize("slope", ["jerk", "linear", "optimal", "sshape"])
 @pytest.mark.parametrize("tolerance", [0, 0.01])
 @pytest.mark.parametrize("family", FAMILIES)
 def test_ideal_and_causes_add_up_to_the_time(slope, tolerance, family):
@@ -117,6 +117,39 @@ def test_the_axis_that_holds_is_told():
     corner = cause_of(found, "corner")
     assert (corner["axis"], corner["angle_deg"]) == ("z", pytest.approx([90, 90]))
     assert corner["places"][0]["axis"] == "z"
+
+
+def zigzag(teeth, wide, high):
+    """Return a program of strokes to and fro."""
+    ways = "\n".join(f"G1 X{wide * k} Y{high * (k % 2)}" for k in range(1, teeth + 1))
+    return f"G21 G90 G17 G64 P0.01\nF6000\n{ways}\nM2\n"
+
+
+@pytest.mark.parametrize("seed", range(6))
+def test_bends_of_a_clocked_path_are_its_low_points(seed):
+    rng = np.random.default_rng([33, seed])
+    teeth, wide, high = int(rng.integers(4, 12)), rng.uniform(0.2, 6), rng.uniform(10, 30)
+    found = why(zigzag(teeth, round(wide, 3), round(high, 3)), "mill3", "optimal")
+    bends = [each for each in found.causes if each["cause"] in ("jerk", "curvature")]
+    assert sum(each["count"] for each in bends) == teeth - 1
+    lines = {place["line_worst"] for each in bends for place in each["places"]}
+    assert lines <= set(range(3, 3 + teeth))
+    assert {each["axis"] for each in bends} <= {"x", "y"}
+    ends = cause_of(found, "ends")
+    assert math.fsum(each["lost_s"] for each in (*bends, ends)) == pytest.approx(
+        found.time_s - found.ideal_s, rel=0.05
+    )
+
+
+def test_what_holds_a_clocked_path_has_its_name():
+    slow_x = {"axis.x.v_max_mm_s": 20, "axis.x.rapid_mm_s": 20}
+    text = "G21 G90 G17 G64 P0.01 F6000\nG1 X40 Y1\nX80\nM2\n"
+    limits = run(text, Machine.load("mill3", set=slow_x), slope="optimal").summary["limit_time_s"]
+    assert max(limits, key=limits.get) == "axis_v:x"
+    limits = run(text.replace("F6000", "F600"), "mill3", slope="optimal").summary["limit_time_s"]
+    assert max(limits, key=limits.get) == "feed"
+    assert limits["feed"] > 0.9 * sum(limits.values())
+    assert limits["lookahead"] == 0
 
 
 def test_far_places_are_apart_and_the_worst_comes_first():

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The slope in work, by convex optimisation along clocked paths, in the whole kernel: what its
+"""The slope `optimal`, by convex optimisation along clocked paths, in the whole kernel: what its
 programs promise, how soon a rest comes, and that it is as fast as its prototype."""
 
 import sys
@@ -67,6 +67,6 @@ def test_it_is_as_fast_as_the_prototype(name):
     make, tolerance, prototype_s = PROTOTYPE[name]
     made = make()
     points, moves = made if isinstance(made, tuple) else (made, None)
-    machine = clocked.clocked(programs.machine())
+    machine = programs.machine("optimal")
     program = bounds._program(points - points[0], tolerance, moves, machine)
     assert Plan(program).time_s <= NEAR * prototype_s

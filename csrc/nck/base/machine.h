@@ -35,8 +35,8 @@ typedef enum nck_slope_kind {
     NCK_SLOPE_JERK = 1,   // jerk-limited, acceleration carried across junctions
     NCK_SLOPE_SSHAPE = 2, // jerk-limited, no acceleration at junctions (classical S-shape)
     NCK_SLOPE_OPTIMAL = 3 // as NCK_SLOPE_JERK on the exact path; within a tolerance the fastest
-                          // motion along the smoothest curve, by convex optimisation. In work: no
-                          // machine file has it, and it may miss its tolerance (CURVE.md)
+                          // motion along the smoothest curve, by convex optimisation (CURVE.md,
+                          // OPTIMAL.md). Builds with room for its windows have it
 } nck_slope_kind_t;
 
 // How program text is read.

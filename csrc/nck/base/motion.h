@@ -93,6 +93,11 @@ typedef struct nck_motion_told {
     double share; // the most that any axis takes of v, a or j anywhere, between nodes, too
 } nck_motion_told_t;
 
+// Which of its limits a motion takes most of.
+typedef enum nck_motion_hold {
+    NCK_MOTION_CAP = 0, NCK_MOTION_ACCELERATION, NCK_MOTION_JERK
+} nck_motion_hold_t;
+
 // Of n nodes in lanes, with what stands before and behind them.
 #define NCK_MOTION_CHUNKS ((NCK_MOTION_NODES + NCK_MOTION_LANES - 1) / NCK_MOTION_LANES)
 #define NCK_MOTION_LINE (NCK_MOTION_CHUNKS * NCK_MOTION_LANES + 4)
@@ -171,6 +176,10 @@ nck_status_t nck_motion_step(nck_motion_t *self);
 
 // b at node k. Cost: constant. Context: prep only.
 nck_num nck_motion_b(const nck_motion_t *self, int k);
+
+// Which limit the finished motion takes most of at node k: its cap, or an axis' acceleration or
+// jerk. What is beyond its cap is not held by it. Cost: linear in axes. Context: prep only.
+nck_motion_hold_t nck_motion_hold(const nck_motion_t *self, int k);
 
 // What has come out. Cost: constant. Context: prep only.
 void nck_motion_told(const nck_motion_t *self, nck_motion_told_t *told_out);

@@ -92,3 +92,34 @@ void nck_motion_check(nck_motion_t *self, int chunk) {
                 nck_motion_max(sides.fastest[from][k], sides.fastest[to][k]));
     }
 }
+
+// A speed is beyond its cap from this share of v² on: a plan that slows down has not come to it.
+#define BEYOND NCK_NUM_OF(1.01)
+
+nck_motion_hold_t nck_motion_hold(const nck_motion_t *self, int k) {
+    const nck_num *const b = &self->b[k + 1];
+    const nck_num bend = b[1] - NCK_NUM_OF(2) * b[0] + b[-1];
+    const nck_num slope = NCK_NUM_OF(0.5) * (b[1] - b[-1]);
+    const nck_num level = nck_motion_max(b[0] + NCK_NUM_OF(0.125) * bend, 0);
+    const nck_num of_cap = b[0] / self->cap[k + 1];
+    nck_num most[] = {of_cap < BEYOND ? of_cap : 0, 0, 0};
+    for (int axis = 0; axis < self->wish.axes; axis++) {
+        const nck_num p1 = self->p1[axis][k + 1];
+        const nck_num *const p2 = &self->p2[axis][k + 1];
+        const nck_num q = self->ratio[axis] * NCK_NUM_SQRT(level);
+        const nck_num a = nck_motion_acceleration(p1, p2[0], slope, level);
+        most[NCK_MOTION_ACCELERATION] = nck_motion_max(most[NCK_MOTION_ACCELERATION],
+                                                       NCK_NUM_ABS(a));
+        for (int side = k > 0 ? -1 : 0; side <= 0 && k + side + 1 < self->wish.nodes; side++) {
+            const nck_num turn = p2[side + 1] - p2[side];
+            const nck_num j = q * nck_motion_jerk(p1 * bend, p2[0] * slope, turn * level);
+            most[NCK_MOTION_JERK] = nck_motion_max(most[NCK_MOTION_JERK], NCK_NUM_ABS(j));
+        }
+    }
+    if (most[NCK_MOTION_CAP] >= nck_motion_max(most[NCK_MOTION_ACCELERATION],
+                                               most[NCK_MOTION_JERK])) {
+        return NCK_MOTION_CAP;
+    }
+    return most[NCK_MOTION_ACCELERATION] >= most[NCK_MOTION_JERK] ? NCK_MOTION_ACCELERATION
+                                                                  : NCK_MOTION_JERK;
+}

@@ -47,6 +47,7 @@ typedef struct nck_optimal {
     double j_least;        // of any axis' jerk [mm/s³]
     double slower;         // the share that caps are lowered to of the speed now
     double vv_floor;       // what they are raised to for one plan, v²
+    uint8_t held_by[NCK_MOTION_NODES]; // nck_limit_t that caps a node
     nck_optimal_pace_t pace[2];
     nck_motion_t motion;
 } nck_optimal_t;

@@ -45,8 +45,19 @@ static double time_over(double b0, double a0, double a1, double h) {
     return time;
 }
 
+// What holds the path about node k. Behind its top a plan brakes for what it does not know.
+static uint8_t limit_at(const nck_optimal_t *self, const nck_optimal_pace_t *work, uint32_t k) {
+    if (!work->ends && k > work->top) return NCK_LIMIT_LOOKAHEAD;
+    switch (nck_motion_hold(&self->motion, (int)k)) {
+    case NCK_MOTION_ACCELERATION: return NCK_LIMIT_ACCEL;
+    case NCK_MOTION_JERK: return NCK_LIMIT_JERK;
+    default: return self->held_by[k];
+    }
+}
+
 // A stretch of the clock within half an interval, along which b′/2 goes evenly from a0 to a1.
 typedef struct portion {
+    uint8_t limit; // nck_limit_t that holds it
     double u;      // where it begins in the interval [s]
     double h;      // its way [s]
     double b0, b1; // at its ends
@@ -64,7 +75,7 @@ static void put_cell(nck_optimal_t *self, const nck_node_t *piece, const portion
     nck_cell_t cell;
     memset(&cell, 0, sizeof cell);
     cell.seg = piece->seg;
-    cell.limit = NCK_LIMIT_JERK;
+    cell.limit = on->limit;
     cell.last = (uint8_t)last;
     cell.stop = last && self->i + 1 == nck_optimal_work(self)->n ? NCK_STOP_REST : 0;
     if (self->job.kind == NCK_JOB_BRAKE && self->i >= self->slow) cell.stop |= NCK_STOP_SLOW;
@@ -122,13 +133,15 @@ static void draw_interval(nck_optimal_t *self, const nck_node_t *piece, uint32_t
     const double b = 0.5 * (work->b[k] + work->b[k + 1]);
     const double a = middle_accel(work, knot, k);
     if (k > 0 || !nck_optimal_goes_on(self)) {
-        const portion_t first = {0.0, half, pace_at(work, k), b, node_accel(work, knot, k), a};
+        const portion_t first = {limit_at(self, work, k), 0.0, half, pace_at(work, k), b,
+                                 node_accel(work, knot, k), a};
         put_half(self, piece, &first, 0);
     }
     if (k == self->takes_over) self->seam = self->cells;
     const int rests = k + 1 == work->n && !work->ends;
     const double a1 = node_accel(work, knot, k + 1);
-    const portion_t second = {half, half, b, rests ? 0.0 : pace_at(work, k + 1), a, a1};
+    const portion_t second = {limit_at(self, work, k + 1), half, half, b,
+                              rests ? 0.0 : pace_at(work, k + 1), a, a1};
     put_half(self, piece, &second, 1);
 }
 

@@ -82,15 +82,28 @@ static void look_around(const nck_optimal_t *self, const nck_pieces_t *pieces, u
     }
 }
 
-// Cap of b at a node where the path's speed is at most v: by it and by every axis.
-static double cap_of(const nck_optimal_t *self, const nck_num *first, double along, double vv) {
+// Which limit stands behind the speed that is wanted in a piece.
+static uint8_t wish_of(const nck_optimal_t *self, const nck_node_t *piece) {
+    const int is_lowered = nck_optimal_wanted(self, piece) < piece->vv_piece;
+    return is_lowered ? (uint8_t)NCK_LIMIT_FEED : piece->limit_piece;
+}
+
+// Cap of b at a node where the path's speed is at most v: by it and by every axis. Of a rapid every
+// axis' speed is its own.
+static double cap_of(const nck_optimal_t *self, const nck_num *first, const nearby_t *around,
+                     uint8_t *limit) {
     double cap = PACE_MOST;
+    int slowest = 0;
     for (int x = 0; x < self->terms->axes; x++) {
         const double v = SHARE_SPEED * self->terms->machine->axis[x].v_max;
         const double pp = (double)first[x] * (double)first[x];
-        if (self->terms->machine->axis[x].present && pp * cap > v * v) cap = v * v / pp;
+        if (!self->terms->machine->axis[x].present || pp * cap <= v * v) continue;
+        cap = v * v / pp;
+        slowest = x;
     }
-    return along * cap > vv ? vv / along : cap;
+    if (around->along * cap > around->vv) return around->vv / around->along;
+    if (*limit != NCK_LIMIT_RAPID) *limit = (uint8_t)(NCK_LIMIT_AXIS_V + slowest);
+    return cap;
 }
 
 // A pace to begin with, which may break limits by far: the last plan's, as far as that is not the
@@ -143,15 +156,15 @@ void nck_optimal_fill(nck_optimal_t *self, const nck_pieces_t *pieces, uint32_t 
     nck_num cap_and_b[2];
     nearby_t around;
     look_around(self, pieces, work->first + k, &around);
-    double vv = around.vv;
+    self->held_by[k] = wish_of(self, piece);
     derive(self, seg, at_end, first, second);
     if (k == 0) self->at_rest = (uint32_t)is_rest(self, first);
     work->along[k] = 0.0f;
     for (int x = 0; x < self->terms->axes; x++) {
         work->along[k] += (float)first[x] * (float)first[x];
     }
-    if (nck_optimal_slows(self)) vv = nck_max(vv, self->vv_floor);
-    cap_and_b[0] = (nck_num)cap_of(self, first, around.along, vv);
+    if (nck_optimal_slows(self)) around.vv = nck_max(around.vv, self->vv_floor);
+    cap_and_b[0] = (nck_num)cap_of(self, first, &around, &self->held_by[k]);
     if (k + 1 == work->n && !work->ends) {
         cap_and_b[0] = cap_at_end(self, first, cap_and_b[0]);
     }
