@@ -303,9 +303,9 @@ static uint32_t axis_at(const nck_seg_t *seg, const nck_cell_t *cell, double t,
         const double share_a = (first[x] * a + second[x] * v * v) / machine->axis[x].a_max;
         const double share_j = (first[x] * cell->j + (3.0 * second[x] * a + third * v * v) * v)
                                / machine->axis[x].j_max;
-        const double share = nck_fabs(cell->limit == NCK_LIMIT_ACCEL ? share_a : share_j);
-        if (!machine->axis[x].present || share <= most) continue;
-        most = share;
+        const double taken = nck_fabs(cell->limit == NCK_LIMIT_ACCEL ? share_a : share_j);
+        if (!machine->axis[x].present || taken <= most) continue;
+        most = taken;
         axis = x;
     }
     return axis;

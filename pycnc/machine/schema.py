@@ -110,10 +110,9 @@ class Path(Table):
     )
     slope: Slope = Field(
         "jerk",
-        description="Velocity profile. `linear`: acceleration-limited. `jerk`: jerk-limited, "
-        "acceleration is carried across junctions. `optimal`: within a tolerance the fastest "
-        "motion along the smoothest curve; some 30 times slower to plan, for a PC alone; on the "
-        "exact path as `jerk`. `sshape`: jerk-limited, acceleration is zero at every junction.",
+        description="Velocity profile. `linear`: acceleration-limited. `jerk`: jerk-limited. "
+        "`optimal`: the same, within a tolerance the fastest motion along the smoothest curve; "
+        "for a PC alone. `sshape`: jerk-limited, acceleration is zero at every junction.",
     )
 
 

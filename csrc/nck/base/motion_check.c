@@ -110,11 +110,12 @@ nck_motion_hold_t nck_motion_hold(const nck_motion_t *self, int k) {
         const nck_num a = nck_motion_acceleration(p1, p2[0], slope, level);
         most[NCK_MOTION_ACCELERATION] = nck_motion_max(most[NCK_MOTION_ACCELERATION],
                                                        NCK_NUM_ABS(a));
-        for (int side = k > 0 ? -1 : 0; side <= 0 && k + side + 1 < self->wish.nodes; side++) {
-            const nck_num turn = p2[side + 1] - p2[side];
-            const nck_num j = q * nck_motion_jerk(p1 * bend, p2[0] * slope, turn * level);
-            most[NCK_MOTION_JERK] = nck_motion_max(most[NCK_MOTION_JERK], NCK_NUM_ABS(j));
-        }
+        const nck_num before = k > 0 ? p2[0] - p2[-1] : 0;
+        const nck_num behind = k + 1 < self->wish.nodes ? p2[1] - p2[0] : 0;
+        const nck_num j0 = q * nck_motion_jerk(p1 * bend, p2[0] * slope, before * level);
+        const nck_num j1 = q * nck_motion_jerk(p1 * bend, p2[0] * slope, behind * level);
+        const nck_num j = nck_motion_max(NCK_NUM_ABS(j0), NCK_NUM_ABS(j1));
+        most[NCK_MOTION_JERK] = nck_motion_max(most[NCK_MOTION_JERK], j);
     }
     if (most[NCK_MOTION_CAP] >= nck_motion_max(most[NCK_MOTION_ACCELERATION],
                                                most[NCK_MOTION_JERK])) {
