@@ -30,6 +30,7 @@ SUBJECTS = {
     "corpus": [("corpus", "bench_corpus_rows")],
     "monotony": [("monotony", "bench_monotony_rows")],
     "gains": [("gains", "bench_gains_rows")],
+    "families": [("families", "bench_families_rows")],
     "linuxcnc": [("linuxcnc", "bench_linuxcnc_rows")],
     LIVE: [("linuxcnc_live", "bench_live_rows")],
     "butterfly": [("linuxcnc", "bench_butterfly_rows")],

@@ -2,16 +2,17 @@
 """Rows of `pycnc bench bounds`: how near our motion is to the fastest that there can be.
 
 Machine of the comparison (v 100 mm/s, a 1000 mm/s², j 10 000 mm/s³ an axis, T = 1 ms), every move
-at F6000, from rest to rest. ours_s: the tick's motion; ours_peak: the largest share of v, a and j
-that it takes of any axis; ours_miss: how far it is from the program at most, over P. scalar_s: the
-best along our smoothed path under the planner's own caps of v, a and j (it may be above ours: below
-a bend's cap the planner takes more than the cap leaves). axis_s: the best along our smoothed path
-under the true limits of the axes. tube_s: the best anywhere within P of the program, both ways, the
-tool's speed held to F. IPOPT finds them from our motion on: optima, but local ones. Each is checked
-on samples 1 ms apart and slowed down until it keeps every limit, so such a motion exists. step: by
-how much half the step makes axis or tube faster, what is left of it is the error of the pieces.
-tube_miss: how far the tube's motion is from the program at most, both ways, over P. These numbers
-are the same on every computer but for the last digits.
+at F6000, from rest to rest. ours_s: the tick's motion under the slope `jerk`, optimal_s: the plan
+under `optimal`; ours_peak: the largest share of v, a and j that it takes of any axis; ours_miss:
+how far it is from the program at most, over P. scalar_s: the best along our smoothed path under the
+planner's own caps of v, a and j (it may be above ours: below a bend's cap the planner takes more
+than the cap leaves). axis_s: the best along our smoothed path under the true limits of the axes.
+tube_s: the best anywhere within P of the program, both ways, the tool's speed held to F. IPOPT
+finds them from our motion on: optima, but local ones. Each is checked on samples 1 ms apart and
+slowed down until it keeps every limit, so such a motion exists. step: by how much half the step
+makes axis or tube faster, what is left of it is the error of the pieces. tube_miss: how far the
+tube's motion is from the program at most, both ways, over P. These numbers are the same on every
+computer but for the last digits.
 """
 
 import numpy as np
@@ -99,8 +100,9 @@ CASES = (
 
 def bench_bounds_rows(cases=CASES, step_s=STEP_S):
     """Return rows {program, P, moves, ours_s, ours_peak, ours_miss, scalar_s, axis_s, tube_s,
-    ours_over_axis, ours_over_tube, step, tube_miss, note}; scalar_s, axis_s and ours_over_axis are
-    None where two motions overlap at a corner: there is no one path to be fastest along.
+    ours_over_axis, ours_over_tube, optimal_s, optimal_over_tube, step, tube_miss, note}; scalar_s,
+    axis_s and ours_over_axis are None where two motions overlap at a corner: there is no one path
+    to be fastest along.
 
     Raises
     ------
@@ -120,6 +122,7 @@ def _row(name, made, tolerance, step_s):
     limits = _limits(points.shape[1])
     plan, seen, facts = ours(points, tolerance, moves)
     ours_s = float(seen.t[-1])
+    optimal_s = Plan(_program(points, tolerance, moves, programs.machine("optimal"))).time_s
     found = [bounds_tube.fastest(points, tolerance, limits, seen, step_s / k) for k in (1, 2)]
     tube_s, tube_miss = stretched(found[1], limits), miss(found[1], points) / tolerance
     row |= {"moves": len(points) - 1, "ours_s": ours_s, "ours_peak": _peak(facts),
@@ -137,6 +140,8 @@ def _row(name, made, tolerance, step_s):
     bounds_s = [row[name] for name in ("axis_s", "tube_s") if row[name]]
     return row | {
         "ours_over_tube": ours_s / tube_s,
+        "optimal_s": optimal_s,
+        "optimal_over_tube": optimal_s / tube_s,
         "step": step,
         "tube_miss": tube_miss,
         "note": _note(found, ours_s, bounds_s),

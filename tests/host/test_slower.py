@@ -2,9 +2,10 @@
 """The benches of steps that are slower, of the corpus and of what each part buys, on small
 programs."""
 
+import numpy as np
 import pytest
 
-from pycnc.bench import corpus, gains, monotony, programs
+from pycnc.bench import corpus, families, gains, monotony, programs
 
 
 def test_a_step_that_is_slower_is_a_row_and_all_are_counted():
@@ -54,3 +55,20 @@ def test_gains_tell_every_step_of_a_program():
     row, = gains.bench_gains_rows([("zigzag", lambda: programs.zigzag("", 8, 2.0))])
     assert list(row) == ["program", *gains.STEPS]
     assert row["keinert_s"] < row["p_0_1_s"] < row["p_0_01_s"] < row["jerk_s"] <= row["sshape_s"]
+
+
+def test_families_compare_the_slopes_by_seed():
+    few = {name: families.FAMILIES[name] for name in ("engraving", "zigzag")}
+    engraving, zigzag = families.bench_families_rows(few, ["stiff"], seeds=2)
+    assert engraving["of_0_01"] < 0.9
+    assert zigzag["worst"] < 1.03
+    assert {"of_0_002", "of_0_01", "of_0_05", "planned"} < set(zigzag)
+
+
+@pytest.mark.parametrize("family", families.FAMILIES)
+def test_a_family_draws_other_programs_by_other_seeds(family):
+    points, feed = families.draw(family, 3)
+    assert (points == families.draw(family, 3)[0]).all()
+    assert points.shape != families.draw(family, 4)[0].shape or feed != families.draw(family, 4)[1]
+    assert (np.linalg.norm(np.diff(points, axis=0), axis=1) > 0).all()
+    assert 900 < feed <= 6000

@@ -126,7 +126,7 @@
 #define NCK_HAS_SSHAPE (NCK_PROFILE > 0 && NCK_WINDOW >= 32)
 // Whether the stop at a sharp corner and the start behind it may overlap.
 #define NCK_HAS_OVERLAP (NCK_SMOOTH_SPAN > 0 && NCK_PROFILE > 0)
-// Whether there is the optimal slope, which takes 300 KB: where memory is not short.
+// Whether there is the optimal slope, which takes 2 MB: where memory is not short.
 #define NCK_HAS_OPTIMAL (NCK_SMOOTH_SPAN >= 512 && NCK_PROFILE >= 512)
 // Whether a jerk-limited plan is made as good as it can be: a short window has no time for it.
 #define NCK_HAS_BEST (NCK_PROFILE >= 256)
@@ -196,13 +196,15 @@
 #define NCK_CLOCKED_WINDOW 128
 #define NCK_CLOCKED_TRACK (4 * NCK_SMOOTH_SPAN)
 #else
-#define NCK_CLOCKED_WINDOW 128
-#define NCK_CLOCKED_TRACK 1024
+#define NCK_CLOCKED_WINDOW 256
+#define NCK_CLOCKED_TRACK 4096
 #endif
 
 // Nodes of a motion's window (base/motion.h): a multiple of NCK_MOTION_LANES. 128 cells and their
 // ends, fewer where memory is short.
-#if NCK_PROFILE >= 256
+#if NCK_PROFILE >= 512
+#define NCK_MOTION_NODES 264
+#elif NCK_PROFILE >= 256
 #define NCK_MOTION_NODES 136
 #else
 #define NCK_MOTION_NODES 96

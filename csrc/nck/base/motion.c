@@ -177,6 +177,21 @@ static void clear_system(nck_motion_t *self) {
 
 // ---- what is done in one step each
 
+// 1 if an axis stands in all of the window: it has no rows.
+static int stands(const nck_motion_t *self, int axis) {
+    for (int k = 1; k <= self->wish.nodes; k++) {
+        if (self->p1[axis][k] != 0 || self->p2[axis][k] != 0) return 0;
+    }
+    return 1;
+}
+
+static void find_moving(nck_motion_t *self) {
+    self->moving = 0;
+    for (int axis = 0; axis < self->wish.axes; axis++) {
+        if (!stands(self, axis)) self->axis[self->moving++] = (uint8_t)axis;
+    }
+}
+
 // Beyond its ends the path goes on as it is there; b is even about them.
 static void extend(nck_motion_t *self) {
     const int last = self->wish.nodes;
@@ -197,7 +212,7 @@ static void count_rows(nck_motion_t *self) {
     const int in_middles = 2 * cells + before;
     const int is_rough = (self->wish.ends & NCK_MOTION_ROUGH) != 0;
     const int at_nodes = is_rough ? 0 : NCK_MOTION_ROWS * nodes;
-    self->rows = self->wish.axes * (at_nodes + in_middles) + caps;
+    self->rows = self->moving * (at_nodes + in_middles) + caps;
 }
 
 // The next μ: by the gap that will be left, and no smaller than the last one has to be.
@@ -210,6 +225,7 @@ static void lower_mu(nck_motion_t *self, nck_num gone) {
 }
 
 static void begin_rounds(nck_motion_t *self) {
+    find_moving(self);
     extend(self);
     count_rows(self);
     for (int k = 0; k < self->wish.nodes; k++) {

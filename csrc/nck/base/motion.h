@@ -134,6 +134,8 @@ typedef struct nck_motion {
     int mended;                // how often reserves were taken
     int iteration;             // so many Newton steps are done
     int rows;                  // how many there are
+    int moving;                // axes that move, of axis[]
+    uint8_t axis[NCK_AXIS_MAX];
     nck_num mu;                // slack · multiplier that the next step aims at
     nck_num mu_was, slack_per; // what the last one aimed at, and 1/it: slacks of broken rows
     nck_num step;              // of the last Newton step this share was gone

@@ -82,7 +82,7 @@ static void reserve(nck_motion_t *self, int node, nck_num most, nck_num fastest)
 void nck_motion_check(nck_motion_t *self, int chunk) {
     sides_t sides;
     memset(&sides, 0, sizeof sides);
-    for (int axis = 0; axis < self->wish.axes; axis++) check_axis(self, chunk, axis, &sides);
+    for (int n = 0; n < self->moving; n++) check_axis(self, chunk, self->axis[n], &sides);
     for (int k = 0; k < NCK_MOTION_LANES; k++) {
         const int node = chunk * NCK_MOTION_LANES + k;
         if (node < self->low || node > self->high) continue;
@@ -103,7 +103,8 @@ nck_motion_hold_t nck_motion_hold(const nck_motion_t *self, int k) {
     const nck_num level = nck_motion_max(b[0] + NCK_NUM_OF(0.125) * bend, 0);
     const nck_num of_cap = b[0] / self->cap[k + 1];
     nck_num most[] = {of_cap < BEYOND ? of_cap : 0, 0, 0};
-    for (int axis = 0; axis < self->wish.axes; axis++) {
+    for (int n = 0; n < self->moving; n++) {
+        const int axis = self->axis[n];
         const nck_num p1 = self->p1[axis][k + 1];
         const nck_num *const p2 = &self->p2[axis][k + 1];
         const nck_num q = self->ratio[axis] * NCK_NUM_SQRT(level);

@@ -216,7 +216,8 @@ void nck_motion_seed(nck_motion_t *self, int chunk) {
     nck_motion_path_t path;
     for (int kind = first_kind(self); kind < NCK_MOTION_PLACES; kind++) {
         nck_motion_place(self, chunk, kind, &place);
-        for (int axis = 0; axis < self->wish.axes; axis++) {
+        for (int n = 0; n < self->moving; n++) {
+            const int axis = self->axis[n];
             const same_t same = same_of(self, axis);
             nck_motion_path(self, chunk, axis, kind, &path);
             seed_axis(self->z[chunk][axis][kind], &place, &path, &same);
@@ -231,7 +232,8 @@ void nck_motion_assemble(nck_motion_t *self, int chunk) {
     for (int kind = first_kind(self); kind < NCK_MOTION_PLACES; kind++) {
         nck_motion_place(self, chunk, kind, &place);
         memset(&system, 0, sizeof system);
-        for (int axis = 0; axis < self->wish.axes; axis++) {
+        for (int n = 0; n < self->moving; n++) {
+            const int axis = self->axis[n];
             const same_t same = same_of(self, axis);
             nck_motion_path(self, chunk, axis, kind, &path);
             assemble_axis(&system, &self->sums, self->z[chunk][axis][kind], &place, &path, &same);
@@ -249,7 +251,8 @@ void nck_motion_direct(nck_motion_t *self, int chunk) {
     for (int kind = first_kind(self); kind < NCK_MOTION_PLACES; kind++) {
         nck_motion_place(self, chunk, kind, &place);
         nck_motion_shape(&self->step_b[chunk * NCK_MOTION_LANES + 1], kind, &step);
-        for (int axis = 0; axis < self->wish.axes; axis++) {
+        for (int n = 0; n < self->moving; n++) {
+            const int axis = self->axis[n];
             const same_t same = same_of(self, axis);
             nck_motion_path(self, chunk, axis, kind, &path);
             direct_axis(self->z[chunk][axis][kind], &sums, &place, &step, &path, &same);

@@ -10,7 +10,7 @@
 #include "nck/prep/3_smooth/stream.h" // nck_stream_t
 
 // Outputs on their way at once, a power of two.
-enum { NCK_CLOCKED_OUTPUTS = 64 };
+enum { NCK_CLOCKED_OUTPUTS = 1024 };
 
 // The run in work.
 typedef struct nck_clocked {

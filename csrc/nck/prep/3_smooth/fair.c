@@ -69,8 +69,7 @@ void nck_fair_close_bin(nck_fair_t *self, double limit) {
 }
 
 // Take the step found last, of the control point and rows that interval i brings.
-static void take_step(nck_fair_t *self, int i) {
-    const int axes = self->task.axes;
+static inline void take_step(nck_fair_t *self, int axes, int i) {
     const nck_num step = self->sum.step;
     for (int u = (i + 3) * axes; u < (i + 4) * axes; u++) {
         self->y[u] += step * self->dy[u];
@@ -85,9 +84,8 @@ static void take_step(nck_fair_t *self, int i) {
 }
 
 // |e|² of a sample; e: where the curve is, from it.
-static nck_num measure(const nck_fair_t *self, int k, nck_num (*cubic)[4],
-                         nck_num *e_out) {
-    const int axes = self->task.axes;
+static inline nck_num measure(const nck_fair_t *self, int axes, int k, nck_num (*cubic)[4],
+                              nck_num *e_out) {
     nck_num sum = 0;
     for (int a = 0; a < axes; a++) {
         e_out[a] = self->off[k * axes + a] + nck_basis_value(cubic[a], self->place[k]);
@@ -97,16 +95,16 @@ static nck_num measure(const nck_fair_t *self, int k, nck_num (*cubic)[4],
 }
 
 // Find the worst sample of a bin and how far the curve is off it. Returns |e|².
-static nck_num find_worst(nck_fair_t *self, int b, nck_num (*cubic)[4]) {
-    nck_num *const e = &self->e[b * self->task.axes];
+static inline nck_num find_worst(nck_fair_t *self, int axes, int b, nck_num (*cubic)[4]) {
+    nck_num *const e = &self->e[b * axes];
     nck_num other[NCK_AXIS_MAX];
     int kept = self->iterations > 0 ? self->kept[b] : self->first[b];
-    nck_num most = measure(self, kept, cubic, e);
+    nck_num most = measure(self, axes, kept, cubic, e);
     const nck_num bar = self->iterations > 0 ? BETTER : 0;
     int found = kept;
     nck_num worst = most;
     for (int k = self->first[b]; k < self->first[b + 1]; k++) {
-        const nck_num here = k == kept ? most : measure(self, k, cubic, other);
+        const nck_num here = k == kept ? most : measure(self, axes, k, cubic, other);
         if (here > worst) {
             worst = here;
             found = k;
@@ -115,15 +113,15 @@ static nck_num find_worst(nck_fair_t *self, int b, nck_num (*cubic)[4]) {
     self->sum.worst = larger(self->sum.worst, worst);
     if (found != kept && worst > most + bar) {
         kept = found;
-        most = measure(self, kept, cubic, e);
+        most = measure(self, axes, kept, cubic, e);
     }
     self->kept[b] = (uint16_t)kept;
     return most;
 }
 
 // Look at a row: a slack below its row's would jam the steps, so it is raised.
-static void look_at_row(nck_fair_t *self, int b, nck_num (*cubic)[4]) {
-    const nck_num room = self->limit[b] - find_worst(self, b, cubic);
+static inline void look_at_row(nck_fair_t *self, int axes, int b, nck_num (*cubic)[4]) {
+    const nck_num room = self->limit[b] - find_worst(self, axes, b, cubic);
     if (self->iterations == 0) self->slack[b] = larger(room, ROOM);
     else self->slack[b] = larger(room, self->slack[b]);
     self->sum.primal = larger(self->sum.primal, self->slack[b] - room);
@@ -131,24 +129,22 @@ static void look_at_row(nck_fair_t *self, int b, nck_num (*cubic)[4]) {
 }
 
 // Jerk of an axis in interval i, over its limit.
-static nck_num jerk_of(const nck_fair_t *self, int i, int a) {
-    const int axes = self->task.axes;
+static inline nck_num jerk_of(const nck_fair_t *self, int axes, int i, int a) {
     const nck_num *const y = &self->y[i * axes + a];
     const nck_num third = y[3 * axes] - y[0] + 3 * (y[axes] - y[2 * axes]);
     return self->jerk[i * axes + a] + self->task.scale * third;
 }
 
-static void look_at(nck_fair_t *self, int i) {
-    const int axes = self->task.axes;
+static inline void look_at(nck_fair_t *self, int axes, int i) {
     nck_num cubic[NCK_AXIS_MAX][4];
-    if (self->iterations > 0) take_step(self, i);
+    if (self->iterations > 0) take_step(self, axes, i);
     for (int a = 0; a < axes; a++) {
-        const nck_num jerk = jerk_of(self, i, a);
+        const nck_num jerk = jerk_of(self, axes, i, a);
         self->sum.objective += self->task.weight[a] * jerk * jerk;
         nck_basis_cubic(&self->y[i * axes + a], axes, cubic[a]);
     }
     for (int b = NCK_FAIR_BINS * i; b < NCK_FAIR_BINS * (i + 1); b++) {
-        look_at_row(self, b, cubic);
+        look_at_row(self, axes, b, cubic);
     }
 }
 
@@ -162,8 +158,7 @@ typedef struct pulls {
 } pulls_t;
 
 // The share of row b.
-static void share_row(const nck_fair_t *self, int b, pulls_t *out) {
-    const int axes = self->task.axes;
+static inline void share_row(const nck_fair_t *self, int axes, int b, pulls_t *out) {
     const int k = b % NCK_FAIR_BINS;
     const nck_num *const e = &self->e[b * axes];
     const nck_num per_slack = 1 / self->slack[b];
@@ -187,9 +182,10 @@ static void share_row(const nck_fair_t *self, int b, pulls_t *out) {
 static const nck_num difference[4] = {-1, 3, -3, 1};
 
 // Pull the interval's control point p, the unknown point j, by the rows and the jerk.
-static void add_pull(nck_fair_t *self, int p, int j, const pulls_t *pulls,
-                     const nck_num *jerk_pull) {
-    const int axes = self->task.axes;
+static inline void add_pull(nck_fair_t *self, int axes, const int at[2], const pulls_t *pulls,
+                            const nck_num *jerk_pull) {
+    const int p = at[0];
+    const int j = at[1];
     const nck_num w0 = pulls->weight[0][p];
     const nck_num w1 = pulls->weight[1][p];
     const nck_num w2 = pulls->weight[2][p];
@@ -203,8 +199,10 @@ static void add_pull(nck_fair_t *self, int p, int j, const pulls_t *pulls,
 
 // Couple the interval's control points p and q ≥ p, p being the unknown point j: a block of the
 // matrix, of which the band has the upper half.
-static void add_block(nck_fair_t *self, int p, int q, int j, const pulls_t *pulls) {
-    const int axes = self->task.axes;
+static inline void add_block(nck_fair_t *self, int axes, const int at[2], int q,
+                             const pulls_t *pulls) {
+    const int p = at[0];
+    const int j = at[1];
     const int width = 4 * axes;
     const nck_num w0 = pulls->weight[0][p] * pulls->weight[0][q];
     const nck_num w1 = pulls->weight[1][p] * pulls->weight[1][q];
@@ -227,8 +225,7 @@ static void add_block(nck_fair_t *self, int p, int q, int j, const pulls_t *pull
 }
 
 // Eliminate the axes of the unknown point j: the band's rows become those of D Lᵀ, 1/D in front.
-static void eliminate(nck_fair_t *self, int j) {
-    const int axes = self->task.axes;
+static inline void eliminate(nck_fair_t *self, int axes, int j) {
     const int width = 4 * axes;
     for (int a = 0; a < axes; a++) {
         const int u = j * axes + a;
@@ -249,8 +246,7 @@ static void eliminate(nck_fair_t *self, int j) {
 }
 
 // Make room for the unknown point j in Newton's system.
-static void clear(nck_fair_t *self, int j) {
-    const int axes = self->task.axes;
+static inline void clear(nck_fair_t *self, int axes, int j) {
     const int width = 4 * axes;
     if (j >= self->unknown) return;
     memset(&self->band[j * axes * width], 0, (size_t)(axes * width) * sizeof *self->band);
@@ -258,30 +254,28 @@ static void clear(nck_fair_t *self, int j) {
 }
 
 // Newton's system: what interval i adds to it, and the elimination of what is complete then.
-static void solve_at(nck_fair_t *self, int i) {
-    const int axes = self->task.axes;
+static inline void solve_at(nck_fair_t *self, int axes, int i) {
     pulls_t pulls;
     nck_num jerk_pull[NCK_AXIS_MAX];
-    memset(&pulls, 0, sizeof pulls);
-    clear(self, i);
-    for (int k = 0; k < NCK_FAIR_BINS; k++) share_row(self, NCK_FAIR_BINS * i + k, &pulls);
+    clear(self, axes, i);
+    for (int k = 0; k < NCK_FAIR_BINS; k++) share_row(self, axes, NCK_FAIR_BINS * i + k, &pulls);
     for (int a = 0; a < axes; a++) {
-        jerk_pull[a] = 2 * self->task.weight[a] * self->task.scale * jerk_of(self, i, a);
+        jerk_pull[a] = 2 * self->task.weight[a] * self->task.scale * jerk_of(self, axes, i, a);
     }
     const int low = i < 3 ? 3 - i : 0;
     const int high = self->unknown + 3 - i < 4 ? self->unknown + 3 - i : 4;
     for (int p = low; p < high; p++) {
-        add_pull(self, p, i - 3 + p, &pulls, jerk_pull);
-        for (int q = p; q < high; q++) add_block(self, p, q, i - 3 + p, &pulls);
+        const int at[2] = {p, i - 3 + p};
+        add_pull(self, axes, at, &pulls, jerk_pull);
+        for (int q = p; q < high; q++) add_block(self, axes, at, q, &pulls);
     }
-    if (i >= 3 && i - 3 < self->unknown) eliminate(self, i - 3);
+    if (i >= 3 && i - 3 < self->unknown) eliminate(self, axes, i - 3);
     if (i + 1 < self->task.knots) return;
-    for (int j = i - 2; j < self->unknown; j++) eliminate(self, j);
+    for (int j = i - 2; j < self->unknown; j++) eliminate(self, axes, j);
 }
 
 // The step of the unknown point j, those behind it known.
-static void substitute(nck_fair_t *self, int j) {
-    const int axes = self->task.axes;
+static inline void substitute(nck_fair_t *self, int axes, int j) {
     const int width = 4 * axes;
     for (int a = axes - 1; a >= 0; a--) {
         const int u = j * axes + a;
@@ -296,8 +290,7 @@ static void substitute(nck_fair_t *self, int j) {
 }
 
 // How a row's slack and price change under the step, a cubic in every axis.
-static void respond(nck_fair_t *self, int b, nck_num (*cubic)[4]) {
-    const int axes = self->task.axes;
+static inline void respond(nck_fair_t *self, int axes, int b, nck_num (*cubic)[4]) {
     const nck_num *const e = &self->e[b * axes];
     const nck_num w = self->place[self->kept[b]];
     nck_num miss = self->slack[b] - self->limit[b];
@@ -310,15 +303,14 @@ static void respond(nck_fair_t *self, int b, nck_num (*cubic)[4]) {
 }
 
 // Substitute what interval i needs, from the last on, and find what its rows do.
-static void back_at(nck_fair_t *self, int i) {
-    const int axes = self->task.axes;
+static inline void back_at(nck_fair_t *self, int axes, int i) {
     nck_num cubic[NCK_AXIS_MAX][4];
     if (i + 1 == self->task.knots) {
-        for (int j = self->unknown - 1; j > i - 3; j--) substitute(self, j);
+        for (int j = self->unknown - 1; j > i - 3; j--) substitute(self, axes, j);
     }
-    if (i >= 3 && i - 3 < self->unknown) substitute(self, i - 3);
+    if (i >= 3 && i - 3 < self->unknown) substitute(self, axes, i - 3);
     for (int a = 0; a < axes; a++) nck_basis_cubic(&self->dy[i * axes + a], axes, cubic[a]);
-    for (int k = 0; k < NCK_FAIR_BINS; k++) respond(self, NCK_FAIR_BINS * i + k, cubic);
+    for (int k = 0; k < NCK_FAIR_BINS; k++) respond(self, axes, NCK_FAIR_BINS * i + k, cubic);
 }
 
 // All prices for the first iteration.
@@ -370,16 +362,25 @@ static void turn(nck_fair_t *self) {
     }
 }
 
-nck_status_t nck_fair_step(nck_fair_t *self) {
+// A slice of work. axes: as in the task; where it is a constant, loops over it are unrolled.
+static inline void work(nck_fair_t *self, int axes) {
     const int last = self->task.knots - 1;
     for (int k = 0; k < self->slice && self->phase != NCK_FAIR_DONE; k++) {
         const int i = self->at;
         const int is_back = self->phase == NCK_FAIR_BACK;
-        if (is_back) back_at(self, i);
-        else if (self->phase == NCK_FAIR_SOLVE) solve_at(self, i);
-        else look_at(self, i);
+        if (is_back) back_at(self, axes, i);
+        else if (self->phase == NCK_FAIR_SOLVE) solve_at(self, axes, i);
+        else look_at(self, axes, i);
         self->at += is_back ? -1 : 1;
         if (i == (is_back ? 0 : last)) turn(self);
+    }
+}
+
+nck_status_t nck_fair_step(nck_fair_t *self) {
+    switch (self->task.axes) {
+    case 2: work(self, 2); break;
+    case 3: work(self, 3); break;
+    default: work(self, self->task.axes); break;
     }
     return self->phase == NCK_FAIR_DONE ? NCK_DONE : NCK_OK;
 }

@@ -119,6 +119,7 @@ static double middle_of(const nck_timing_t *clock, int bin) {
 static void add_point(nck_stream_t *self, const cubic_t *cubic, double w, const double *point) {
     double off[NCK_AXIS_MAX];
     (void)set_off(self, cubic, w, point, off);
+    for (int n = 0; n < self->moving; n++) off[n] = off[self->axis[n]]; // axes go up
     nck_fair_add_sample(&self->work.fair, w, off);
 }
 
@@ -206,7 +207,7 @@ void nck_sample_interval(nck_stream_t *self, int i) {
     cubic_t cubic;
     double jerk[NCK_AXIS_MAX];
     set_interval(self, i, &cubic);
-    for (int x = 0; x < terms->axes; x++) jerk[x] = 6.0 * cubic.of[x][3] * per;
+    for (int n = 0; n < self->moving; n++) jerk[n] = 6.0 * cubic.of[self->axis[n]][3] * per;
     nck_fair_set_jerk(&self->work.fair, i, jerk);
     for (int k = 0; k < NCK_FAIR_BINS; k++) {
         bin_t bin;

@@ -8,8 +8,8 @@
 #include "nck/prep/3_smooth/sample.h" // nck_sample_…
 
 #define SHARE 0.98 // of P that samples may use: the solver is done when it is not far off
-#define ROUGH 1.0  // gap of a curve that only a clock is made of: a fifth fewer iterations
 #define BLEND 40   // knots over which a plan comes into the clock behind what is committed
+#define FURTHER 64 // knots of what follows that what is given has to know: a quarter of a second
 #define OPEN 12    // last knots of a plan that know too little of what follows
 #define BLEND_SOON 8 // the same where the clock was far too fast
 #define SOUND 0.02 // [P²] rows may be off by in what is the answer
@@ -26,6 +26,8 @@
 #define FRESH 0.6  // [1] b that the first plan begins with: slow enough nearly everywhere
 #define NEAR 0.85  // [1] the same where the clock comes from a plan
 #define FASTEST 1e6 // [1] b where a curve stands still: it is no limit there
+#define AHEAD 16   // intervals behind what is given whose clock matters to it
+#define STEADY 0.01 // mean share by which the plan is off its clock, below which that is the answer
 #define POINTS 8   // reference points and nodes a call
 
 void nck_stream_begin(nck_stream_t *self, const nck_stream_wish_t *wish) {
@@ -91,20 +93,47 @@ static nck_status_t make_clock(nck_stream_t *self) {
 // 1 if the curve that comes of this clock is to be given.
 static int is_last_round(const nck_stream_t *self) { return self->round + 1 >= self->wish.rounds; }
 
+// 1 if an axis moves in the window: what stands needs no curve.
+static int is_moving(const nck_stream_t *self, int x) {
+    const nck_track_t *const track = &self->track;
+    for (int k = 1; k < self->clock.knots + 3; k++) {
+        if (self->point[k][x] != self->point[0][x]) return 1;
+    }
+    const double end = self->clock.s[4 * self->clock.knots];
+    for (uint32_t n = track->tail; n != track->head; n++) {
+        const nck_track_element_t *const element = nck_track_at(track, n);
+        if (element->s > end) break;
+        if (element->start[x] != self->point[0][x]) return 1;
+        if (element->kind == NCK_SEG_ARC && x < 3) return 1;
+    }
+    return 0;
+}
+
+static void find_axes(nck_stream_t *self) {
+    self->moving = 0;
+    for (int x = 0; x < self->wish.terms.axes; x++) {
+        if (is_moving(self, x)) self->axis[self->moving++] = (uint8_t)x;
+    }
+    if (self->moving > 0) return;
+    self->moving = 1;
+    self->axis[0] = 0;
+}
+
 static void begin_fair(nck_stream_t *self) {
     const nck_timing_terms_t *const terms = &self->wish.terms;
     const double tau = terms->tau;
     nck_fair_task_t task;
+    find_axes(self);
     memset(&task, 0, sizeof task);
     task.knots = self->clock.knots;
-    task.axes = terms->axes;
+    task.axes = self->moving;
     task.ends = self->clock.ends;
     task.most = MOST;
-    task.gap = is_last_round(self) ? (nck_num)self->wish.gap : (nck_num)ROUGH;
+    task.gap = (nck_num)self->wish.gap;
     task.scale = (nck_num)(self->unit / (terms->j_least * tau * tau * tau));
-    for (int x = 0; x < terms->axes; x++) {
-        const double share = terms->j_least / terms->j[x];
-        task.weight[x] = (nck_num)(share * share);
+    for (int n = 0; n < self->moving; n++) {
+        const double share = terms->j_least / terms->j[self->axis[n]];
+        task.weight[n] = (nck_num)(share * share);
     }
     nck_fair_begin(&self->work.fair, &task);
 }
@@ -125,10 +154,10 @@ static nck_status_t set_samples(nck_stream_t *self) {
 
 // The reference becomes the curve.
 static void take_curve(nck_stream_t *self) {
-    const int axes = self->wish.terms.axes;
     for (int k = 0; k < self->clock.knots + 3; k++) {
-        for (int x = 0; x < axes; x++) {
-            self->point[k][x] += self->unit * (double)self->work.fair.y[k * axes + x];
+        const nck_num *const y = &self->work.fair.y[k * self->moving];
+        for (int n = 0; n < self->moving; n++) {
+            self->point[k][self->axis[n]] += self->unit * (double)y[n];
         }
     }
 }
@@ -140,14 +169,14 @@ static nck_num tightness(const nck_fair_t *fair, int k) {
     return sum;
 }
 
-// How much of the window is given: about the half that knows enough of what follows, up to where
-// the next window's begin is least held. In a corner another clock may have no curve at all.
+// How much of the window is given: what knows enough of what follows, half of a short window, up
+// to where the next one's begin is least held. In a corner another clock may have no curve at all.
 static int to_commit(const nck_stream_t *self) {
     const int knots = self->clock.knots;
     if (self->clock.ends) return knots;
-    int best = knots / 2;
+    int best = knots > 2 * FURTHER ? knots - FURTHER : knots / 2;
     nck_num least = tightness(&self->work.fair, best);
-    for (int k = best - 1; k >= knots / 4; k--) {
+    for (int k = best - 1; k >= best / 2; k--) {
         const nck_num here = tightness(&self->work.fair, k);
         if (!(here < RELAXED * least)) continue;
         least = here;
@@ -171,6 +200,7 @@ static nck_status_t make_fair(nck_stream_t *self) {
     if (nck_fair_step(&self->work.fair) == NCK_OK) return NCK_OK;
     const nck_num primal = self->work.fair.sum.primal;
     self->told.windows++;
+    self->planned = 0;
     self->told.iterations += (uint32_t)self->work.fair.iterations;
     self->sound = primal < (nck_num)SOUND;
     if (!(primal < (nck_num)LOST) && self->tries < tries_of(self)) {
@@ -265,7 +295,7 @@ static nck_status_t find_rest(nck_stream_t *self) {
     }
     self->given = here;
     self->commit = here;
-    return go(self, NCK_STREAM_NODES);
+    return go(self, self->planned ? NCK_STREAM_GIVE : NCK_STREAM_NODES);
 }
 
 static nck_status_t begin_motion(nck_stream_t *self) {
@@ -328,6 +358,18 @@ static void turn(nck_stream_t *self, int from) {
     nck_timing_keep(&self->clock, &self->work.list, self->b, from, to, blend);
 }
 
+// 1 if the plan along the curve is its clock: another round would change nothing.
+static int is_steady(const nck_stream_t *self) {
+    const int to = self->clock.knots < self->given + AHEAD ? self->clock.knots
+                                                           : self->given + AHEAD;
+    nck_num sum = 0;
+    for (int k = 0; k <= to; k++) {
+        const nck_num off = NCK_NUM_SQRT(self->b[k]) - 1;
+        sum += NCK_NUM_ABS(off);
+    }
+    return sum <= (nck_num)STEADY * (nck_num)(to + 1);
+}
+
 static nck_status_t make_motion(nck_stream_t *self) {
     if (nck_motion_step(&self->work.motion) == NCK_OK) return NCK_OK;
     nck_motion_told_t told;
@@ -340,6 +382,10 @@ static nck_status_t make_motion(nck_stream_t *self) {
     }
     for (int k = 0; k <= self->clock.knots && !good; k++) self->b[k] = (nck_num)NEAR;
     if (self->commit > 0) return go(self, NCK_STREAM_GIVE);
+    if (good && self->sound && is_steady(self)) {
+        self->planned = 1;
+        return go(self, NCK_STREAM_PROVE);
+    }
     self->round++;
     turn(self, 0);
     return go(self, NCK_STREAM_CLOCK);

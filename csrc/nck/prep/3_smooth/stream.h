@@ -78,6 +78,9 @@ typedef struct nck_stream {
     double joint[3][NCK_AXIS_MAX];                // control points given last
     double point[NCK_FAIR_POINTS][NCK_AXIS_MAX];  // of the window
     nck_num b[NCK_FAIR_KNOTS + 1];                // of the clock's plan
+    int planned;         // 1: it is that of the curve in work
+    int moving;          // axes that move in the window, of axis[]: those that `fair` has
+    uint8_t axis[NCK_AXIS_MAX];
     nck_stream_told_t told;
     union {
         nck_timing_list_t list;
