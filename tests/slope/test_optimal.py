@@ -10,7 +10,9 @@ import pytest
 TESTS = Path(__file__).resolve().parents[1]
 sys.path += [str(TESTS), str(TESTS / "kernel")]
 
+import cases
 import clocked
+import judged
 import nasty_judge
 import nasty_seeds
 import stop_gate
@@ -18,6 +20,7 @@ import stop_gate
 from pycnc.bench import bounds, programs
 from pycnc.planning.plan import Plan
 
+CASES = {str(case): case for case in cases.CASES}
 # Of the prototype's time: 0.3 % of every limit is kept, the spiral takes 1.1 % longer.
 NEAR = 1.015
 # Programs, P [mm], and what the prototype takes for them [s]: v 100 mm/s, a 1000, j 10 000.
@@ -37,6 +40,19 @@ PROTOTYPE = {
 @pytest.mark.parametrize("seed", range(24))
 def test_a_program_keeps_its_promises(seed):
     assert clocked.findings(seed) == ""
+
+
+@pytest.mark.sample(12, quick=2)
+@pytest.mark.parametrize("steps", [3, 7])
+@pytest.mark.parametrize("name", CASES)
+def test_a_case_keeps_its_limits_when_preparation_is_late(name, steps):
+    case = CASES[name]
+    text = case.text.replace("G61\n", "G64 P0.01\n", 1).replace("G94 G61 ", "G94 G64 P0.01 ", 1)
+    machine = (*case.set, "path.slope=optimal", "path.tolerance_mm=0")
+    program = judged.load(cases.Case(case.name, text, case.machine, machine)).check()
+    run = judged.run(program, prep_steps=steps)
+    assert run.judge.path_error_mm <= 0.01 * (1 + 1e-6)
+    assert run.judge.j.max() <= 1 + 1e-6
 
 
 @pytest.mark.thorough

@@ -257,6 +257,7 @@ static inline void clear(nck_fair_t *self, int axes, int j) {
 static inline void solve_at(nck_fair_t *self, int axes, int i) {
     pulls_t pulls;
     nck_num jerk_pull[NCK_AXIS_MAX];
+    memset(pulls.weight, 0, sizeof pulls.weight); // cppcheck does not see that they are set
     clear(self, axes, i);
     for (int k = 0; k < NCK_FAIR_BINS; k++) share_row(self, axes, NCK_FAIR_BINS * i + k, &pulls);
     for (int a = 0; a < axes; a++) {

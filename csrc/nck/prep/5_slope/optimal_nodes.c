@@ -131,10 +131,13 @@ static int is_rest(const nck_optimal_t *self, const nck_num *first) {
 }
 
 // Cap of b one node before a window's end, where the path goes on but the plan rests: what is left
-// of its acceleration there, b/2τ, is gone within a period.
-static nck_num cap_at_end(const nck_optimal_t *self, const nck_num *first, nck_num cap) {
+// of its acceleration there, b/2τ along the path at the end, is gone within a period.
+static nck_num cap_at_end(const nck_optimal_t *self, const nck_seg_t *seg, nck_num cap) {
     const nck_machine_t *const machine = self->terms->machine;
+    nck_num first[NCK_AXIS_MAX];
+    nck_num second[NCK_AXIS_MAX];
     double most = (double)cap;
+    derive(self, seg, 1, first, second);
     for (int x = 0; x < self->terms->axes; x++) {
         const double step = SHARE_ASKED * machine->axis[x].j_max * machine->period_s;
         const double along = nck_fabs((double)first[x]);
@@ -166,7 +169,7 @@ void nck_optimal_fill(nck_optimal_t *self, const nck_pieces_t *pieces, uint32_t 
     if (nck_optimal_slows(self)) around.vv = nck_max(around.vv, self->vv_floor);
     cap_and_b[0] = (nck_num)cap_of(self, first, &around, &self->held_by[k]);
     if (k + 1 == work->n && !work->ends) {
-        cap_and_b[0] = cap_at_end(self, first, cap_and_b[0]);
+        cap_and_b[0] = cap_at_end(self, seg, cap_and_b[0]);
     }
     cap_and_b[1] = (nck_num)pace_guess(self, k);
     nck_motion_node(&self->motion, (int)k, first, second, cap_and_b);
