@@ -116,7 +116,8 @@ class Why(shown.Tables):
         """Plan the program again with each cure, and return what it gains.
 
         Twice the acceleration, jerk and speed, of all axes and of each; a tolerance of 0.01 mm,
-        or twice the machine's where it has that; without the stops of G61.1 and G9.
+        or twice the machine's where it has that; under the slope `optimal`, where `jerk` is in
+        force; without the stops of G61.1 and G9.
 
         Returns
         -------
@@ -152,6 +153,8 @@ class Why(shown.Tables):
         has = machine.settings.path.tolerance_mm
         tolerance = TOLERANCE_MM if has < TOLERANCE_MM else 2 * has
         yield f"within {tolerance:g} mm", self._on({"path.tolerance_mm": tolerance})
+        if machine.settings.path.slope == "jerk":
+            yield "slope optimal", self._on({"path.slope": "optimal"})
         if self._free != self.program.text:
             free = Program(self._free, machine, file=self.program.file, keep=False)
             yield "without G61.1 and G9", free
