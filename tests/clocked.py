@@ -73,10 +73,25 @@ def text_of(seed):
     return "\n".join([*lines, "M2", ""])
 
 
-def findings(seed):
+def short_of(seed):
+    """Return a program with lines that last less than a knot, slower than those around them."""
+    rng = np.random.default_rng([8, seed])
+    feed, slower = rng.uniform(200, 3000), rng.uniform(0.5, 0.95)
+    way = np.cumsum(rng.normal(0, 0.02, 120))
+    last_s = np.where(np.arange(120) % 2, rng.uniform(0.002, 0.0035, 120), rng.uniform(0.01, 0.02))
+    feeds = feed * np.where(np.arange(120) % 2, slower, 1.0)
+    steps = (last_s * feeds / 60)[:, None]
+    points = np.cumsum(steps * np.column_stack([np.cos(way), np.sin(way)]), axis=0)
+    lines = [f"G21 G17 G90 G94 G64 P{rng.choice([0.002, 0.01, 0.05])}"]
+    for (x, y), f in zip(points, feeds, strict=True):
+        lines.append(f"G1 X{x:.5f} Y{y:.5f} F{f:.1f}")
+    return "\n".join([*lines, "M2", ""])
+
+
+def findings(seed, make=text_of):
     """Return what is wrong with the run of a seed's program, in words; empty: nothing."""
     machine = programs.machine("optimal")
-    program = Program(text_of(seed).encode(), machine).check()
+    program = Program(make(seed).encode(), machine).check()
     judge = checker.Checker(program.blocks, machine.record)
     most = RUN_SHARE * Plan(program).time_s / machine.period_s + RUN_TICKS
     try:

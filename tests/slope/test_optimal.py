@@ -42,6 +42,12 @@ def test_a_program_keeps_its_promises(seed):
     assert clocked.findings(seed) == ""
 
 
+@pytest.mark.sample(6)
+@pytest.mark.parametrize("seed", range(12))
+def test_feeds_of_lines_shorter_than_a_knot_are_kept(seed):
+    assert clocked.findings(seed, clocked.short_of) == ""
+
+
 @pytest.mark.sample(12, quick=2)
 @pytest.mark.parametrize("steps", [3, 7])
 @pytest.mark.parametrize("name", CASES)

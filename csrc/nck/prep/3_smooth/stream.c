@@ -438,6 +438,21 @@ nck_status_t nck_stream_step(nck_stream_t *self) {
 
 double nck_stream_place(const nck_stream_t *self) { return self->clock.s[4 * self->at]; }
 
+// The words of the piece in work: its begin's, but the feed of its slowest element. One may be
+// shorter than a knot.
+static void set_words(const nck_stream_t *self, double end, nck_track_words_t *words_out) {
+    const nck_track_t *const track = &self->track;
+    *words_out = nck_track_at(track, self->near)->words;
+    for (uint32_t n = self->near + 1; n != track->head; n++) {
+        const nck_track_element_t *const element = nck_track_at(track, n);
+        if (!(element->s < end)) return;
+        if (!(element->words.feed < words_out->feed)) continue;
+        words_out->feed = element->words.feed;
+        words_out->feed_scale = element->words.feed_scale;
+        words_out->rapid = element->words.rapid;
+    }
+}
+
 void nck_stream_take(nck_stream_t *self, nck_stream_piece_t *piece_out) {
     const int i = self->at++;
     memcpy(piece_out->point, &self->point[i], sizeof piece_out->point);
@@ -447,7 +462,7 @@ void nck_stream_take(nck_stream_t *self, nck_stream_piece_t *piece_out) {
     const nck_track_element_t *const element = nck_track_at(&self->track, self->near);
     memcpy(piece_out->line, element->line, sizeof piece_out->line);
     piece_out->block = element->block[0];
-    piece_out->words = element->words;
+    set_words(self, piece_out->s[1], &piece_out->words);
     const int begins = self->clock.begins && i == 0;
     const int ends = (self->clock.ends || self->halts) && i + 1 == self->commit;
     piece_out->rests = (uint8_t)(begins | (ends << 1));
