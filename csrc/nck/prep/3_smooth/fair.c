@@ -140,7 +140,8 @@ static inline void look_at(nck_fair_t *self, int axes, int i) {
     if (self->iterations > 0) take_step(self, axes, i);
     for (int a = 0; a < axes; a++) {
         const nck_num jerk = jerk_of(self, axes, i, a);
-        self->sum.objective += self->task.weight[a] * jerk * jerk;
+        const nck_num square = self->task.weight[a] * jerk * jerk;
+        self->sum.objective += square * (1 + self->task.even * square);
         nck_basis_cubic(&self->y[i * axes + a], axes, cubic[a]);
     }
     for (int b = NCK_FAIR_BINS * i; b < NCK_FAIR_BINS * (i + 1); b++) {
@@ -152,6 +153,7 @@ static inline void look_at(nck_fair_t *self, int axes, int i) {
 // this.
 enum { NCK_BLOCK_SIZE = NCK_AXIS_MAX * (NCK_AXIS_MAX + 1) / 2 };
 typedef struct pulls {
+    nck_num curve[NCK_AXIS_MAX];                  // of the jerk's share, its second derivative
     nck_num weight[NCK_FAIR_BINS][4];             // of the control points
     nck_num pull[NCK_FAIR_BINS][NCK_AXIS_MAX];    // on every axis
     nck_num block[NCK_FAIR_BINS][NCK_BLOCK_SIZE]; // 4 z/s e eᵀ + 2 (z + STAY) I, half of it
@@ -213,7 +215,7 @@ static inline void add_block(nck_fair_t *self, int axes, const int at[2], int q,
     int k = 0;
     for (int a = 0; a < axes; a++) {
         nck_num *const row = &self->band[(j * axes + a) * width + (q - p) * axes];
-        row[0] += jerk * self->task.weight[a];
+        row[0] += jerk * pulls->curve[a];
         for (int c = 0; c < axes - a; c++) {
             const nck_num rows = w0 * pulls->block[0][k] + w1 * pulls->block[1][k]
                                    + (w2 * pulls->block[2][k] + w3 * pulls->block[3][k]);
@@ -261,7 +263,11 @@ static inline void solve_at(nck_fair_t *self, int axes, int i) {
     clear(self, axes, i);
     for (int k = 0; k < NCK_FAIR_BINS; k++) share_row(self, axes, NCK_FAIR_BINS * i + k, &pulls);
     for (int a = 0; a < axes; a++) {
-        jerk_pull[a] = 2 * self->task.weight[a] * self->task.scale * jerk_of(self, axes, i, a);
+        const nck_num jerk = jerk_of(self, axes, i, a);
+        const nck_num square = self->task.weight[a] * jerk * jerk;
+        const nck_num raised = self->task.even * square;
+        jerk_pull[a] = 2 * self->task.weight[a] * self->task.scale * jerk * (1 + 2 * raised);
+        pulls.curve[a] = self->task.weight[a] * (1 + 6 * raised);
     }
     const int low = i < 3 ? 3 - i : 0;
     const int high = self->unknown + 3 - i < 4 ? self->unknown + 3 - i : 4;

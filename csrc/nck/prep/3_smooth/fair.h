@@ -5,12 +5,14 @@
 // Interval i has control points i … i + 3. The first three stay, and the last three where the path
 // ends. Wanted is the least
 //
-//     Σ_i Σ_a weight_a (jerk_ia + scale·Δ³y_ia)²  +  STAY Σ_b |e_b|²        |e| ≤ limit
+//     Σ_i Σ_a q + even q²  +  STAY Σ_b |e_b|²      q = weight_a (jerk_ia + scale·Δ³y_ia)²
+//                                                  |e| ≤ limit
 //
-// jerk: of the reference, over the axes' limit; e: how far the curve is from a sample, over P. A
-// bin is a quarter of an interval. It has one row, that of its worst sample, so the problem's size
-// does not depend on the program. Primal-dual interior point method (S. Boyd and L. Vandenberghe,
-// Convex Optimization, 2004, section 11.7), Newton steps by a banded L D Lᵀ.
+// jerk: of the reference, over the axes' limit. What a motion takes goes by its largest jerk, to
+// which a fourth power is nearer than a square: q² evens jerk out. e: how far the curve is from a
+// sample, over P. A bin is a quarter of an interval. It has one row, that of its worst sample, so
+// the problem's size does not depend on the program. Primal-dual interior point method (S. Boyd and
+// L. Vandenberghe, Convex Optimization, 2004, section 11.7), Newton steps by a banded L D Lᵀ.
 #ifndef NCK_PREP_FAIR_H
 #define NCK_PREP_FAIR_H
 
@@ -37,6 +39,7 @@ typedef struct nck_fair_task {
     int ends;         // 1: the last three control points stay, too; then 7 intervals at least
     int most;         // iterations at most
     nck_num gap;    // it is done when the answer is within this share of the best
+    nck_num even;   // what the fourth power of a share of jerk counts beside its square
     nck_num scale;  // P/(J τ³), J: the least jerk of an axis
     nck_num weight[NCK_AXIS_MAX]; // (J / jerk of the axis)²
 } nck_fair_task_t;
