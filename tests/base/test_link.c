@@ -444,6 +444,30 @@ static void a_link_is_spent_when_its_tail_rests(check_t *check)
     CHECK(check, nck_link_is_spent(&link_));
 }
 
+static void what_will_be_taken_is_seen_before(check_t *check)
+{
+    int from_tail = 0;
+    nck_link_init(&link_);
+    put_batch(0, 2, 0);
+    CHECK_INT(check, nck_link_publish(&link_), NCK_OK);
+    CHECK_INT(check, nck_link_ahead(&link_, nck_link_word(&link_), 1)->seg, 1);
+    CHECK(check, !nck_link_ahead(&link_, nck_link_word(&link_), 2)); // no tail
+    put_batch(2, 1, 3);
+    const uint32_t before = nck_link_word(&link_);
+    CHECK(check, nck_link_holds(&link_, before));
+    CHECK_INT(check, nck_link_publish(&link_), NCK_OK);
+    CHECK(check, !nck_link_holds(&link_, before));
+    for (long taken = 0; taken < 6; taken++) { // the last three from the tail
+        const uint32_t word = nck_link_word(&link_);
+        for (long n = 0; n < 7; n++) {
+            const nck_cell_t *const cell = nck_link_ahead(&link_, word, (uint32_t)n);
+            if (taken + n < 6) CHECK_INT(check, cell->seg, taken + n + (taken + n < 3 ? 0 : 1000));
+            else CHECK(check, !cell);
+        }
+        (void)take(&from_tail);
+    }
+}
+
 int main(void)
 {
     check_t check = {0};
@@ -470,5 +494,6 @@ int main(void)
     CHECK_RUN(&check, plans_come_out_in_order_round_the_ring);
     CHECK_RUN(&check, a_cell_that_goes_back_is_never_published);
     CHECK_RUN(&check, a_link_is_spent_when_its_tail_rests);
+    CHECK_RUN(&check, what_will_be_taken_is_seen_before);
     return check_end(&check);
 }

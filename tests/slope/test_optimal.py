@@ -23,6 +23,7 @@ from pycnc.planning.plan import Plan
 CASES = {str(case): case for case in cases.CASES}
 # Of the prototype's time: 0.3 % of every limit is kept.
 NEAR = 1.005
+TAKEN = 1.03  # of a limit, by a brake of the tick: a sample of jerk weighs three periods
 # Programs, P [mm], and what the prototype takes for them [s]: v 100 mm/s, a 1000, j 10 000.
 PROTOTYPE = {
     "two edges": (lambda: bounds._stairs(2, 10.0), 0.01, 0.599),
@@ -70,13 +71,46 @@ def test_a_rest_comes_in_time(first):
 # Found once, of nasty programs: b beside a rest was drawn as no row had it; whoever answered while
 # the other planner began behind a rest had the wrong one; at rest a plan that broke a limit was
 # sought again for ever; a coordinate went back where a path does; a clock of a run of 1 nm stood
-# still; a brake for a plan that brakes had no number in it.
+# still; a brake for a plan that brakes had no number in it; a brake took 1.1 to 1.7 of a jerk where
+# the path turned back.
 @pytest.mark.parametrize(
     ("seed", "number"),
-    [(1, 8), (1, 18), (1, 24), (1, 29), (1, 88), (1, 93), (1, 133), (1, 180), (1, 399), (2, 299)],
-)
+    [(1, 8), (1, 18), (1, 24), (1, 29), (1, 88), (1, 93), (1, 133), (1, 180), (1, 378), (1, 399),
+     (1, 466), (1, 503), (2, 26), (2, 299)],
+)  # fmt: skip
 def test_what_was_found_once_is_found_no_more(seed, number):
     assert nasty_judge.find(nasty_seeds.case("optimal", seed, number)) == []
+
+
+# Where a path turns back |p′| of its clock comes near nothing: there a brake can do nothing about
+# what it asks of the axis, and has to have eased off before.
+TURNS = {
+    "there and back": ["X1.2", "X0.3", "X1.7", "X1.6", "X2.6"],
+    "nearly back": ["X0.7 Y0.0001", "X0 Y0.03", "X0.5 Y-0.02 Z0.4", "Z-0.3"],
+    "arcs": ["X1 Y0.2", "G2 X1.4 Y0 I0.2 J-0.2", "G3 X2 Y0 I0.3 J0", "G1 X1 Y0.1", "Y-0.9"],
+}
+
+
+@pytest.mark.parametrize("turns", TURNS)
+def test_a_brake_that_begins_anywhere_keeps_every_limit(turns):
+    words = [f"G1 {TURNS[turns][0]}", *TURNS[turns][1:]]
+    text = "\n".join(["G21 G17 G90 G94 G64 P0.001", "F9000", *words, "M2", ""])
+    case = clocked.Rest(
+        0, turns, text, exact=False, slope="jerk", period_s=1e-3, a=2500.0, j=50_000.0,
+        prep_steps=4096, dead=True, goes_on=False, patience=0, first="none", value=0.0, last="hold",
+    )  # fmt: skip
+    whole = stop_gate.Run(case)
+    whole.go(1000)
+    for then in range(5, whole.ticks - 5, 4):
+        run = stop_gate.Run(case)
+        run.go(then)
+        run.rest("hold", None)
+        run.die()
+        run.go(200)
+        poses = run.poses()
+        told = stop_gate.judge(case, poses["v"], poses["axis"][:, :3], then)
+        assert not told.is_late(), then
+        assert max(told.fast, told.a, told.j) <= TAKEN, (then, told.fast, told.a, told.j)
 
 
 def test_an_override_near_nothing_and_another_one_let_it_go_on():

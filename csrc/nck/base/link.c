@@ -327,6 +327,17 @@ nck_status_t nck_link_take(nck_link_t *self, nck_cell_t *cell_out, int *from_tai
     return NCK_EMPTY;
 }
 
+const nck_cell_t *nck_link_ahead(const nck_link_t *self, uint32_t word, uint32_t n) {
+    const uint32_t parity = nck_link_parity(word);
+    const uint32_t waiting = cells_between(self->taken, end_of(word));
+    if (n < waiting) return &self->cell[(self->taken + n) & (NCK_CELL_MAX - 1)];
+    const uint32_t first = word & ENTERED ? self->tail_taken
+                                          : cells_between(self->tail_origin[parity], end_of(word));
+    const uint32_t place = first + n - waiting;
+    if (!(word & HAS_TAIL) || place >= self->tail_count[parity]) return (const nck_cell_t *)0;
+    return &self->tail[parity].cell[place];
+}
+
 // Every plan that overlaps another one is final to its rest, and so is a cell of the other.
 void nck_link_ride(nck_link_t *self) {
     uint32_t end = self->taken;

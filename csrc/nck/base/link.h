@@ -254,6 +254,17 @@ static inline void nck_link_take_final(nck_link_t *self, nck_cell_t *cell_out) {
 // Cost: constant, no spinning. Context: tick.
 nck_status_t nck_link_take(nck_link_t *self, nck_cell_t *cell_out, int *from_tail_out);
 
+// The cell that is taken when n others have been, under a word of the link: a final one, or of the
+// tail; NULL: none is known. What is read of a tail counts if the word still holds behind that.
+// Cost: constant. Context: tick.
+const nck_cell_t *nck_link_ahead(const nck_link_t *self, uint32_t word, uint32_t n);
+static inline uint32_t nck_link_word(const nck_link_t *self) {
+    return nck_fence_load(&self->word);
+}
+static inline int nck_link_holds(nck_link_t *self, uint32_t word) {
+    return nck_fence_exchange(&self->word, word, word);
+}
+
 // The cell taken last rides: go on behind the rest that the riding ones lead to. The next of them;
 // NCK_EMPTY behind the last one. Cost: linear in the riding cells; constant. Context: tick.
 void nck_link_ride(nck_link_t *self);

@@ -27,10 +27,6 @@
 #define LEAST_SHARE 0.02
 // A direction that asks nothing of an axis: below it no acceleration along the path moves it.
 #define ALONG_LEAST 1e-6
-// Of the jerk that is left at the last, what giving way may take in any case.
-#define WAY_SHARE 0.1
-// No axis' limit is more, by the clock [1/s², 1/s³].
-#define FASTEST 1e12
 // A clock that is so near to running runs: a jump of 1e-9 periods' way.
 #define RUNS_EPSILON 1e-9
 // Newton's steps to a time within a cell: each doubles the digits of a first guess good to some %.
@@ -94,7 +90,7 @@ static double least_jerk(const nck_terms_t *terms, const nck_seg_t *seg) {
 
 // What follows at the seg's end is felt one period on: a sample of acceleration spans two.
 static int feels_end(const nck_clock_t *self, const nck_look_place_t *place, double period) {
-    const double way = 2.0 * self->first.v * place->at.s * period;
+    const double way = 2.0 * self->first.v * period;
     return place->behind && place->s + way >= place->seg->length;
 }
 
@@ -143,51 +139,19 @@ static void bound_axis(const nck_clock_t *self, const nck_terms_t *terms, int x,
 static double last_jerk(const nck_clock_t *self, const nck_terms_t *terms,
                         const nck_look_place_t *place) {
     const double v = self->first.v;
-    const double left = nck_max(0.0, place->seg->length - place->s) / place->at.s;
+    const double left = nck_max(0.0, place->seg->length - place->s);
     const double here = least_jerk(terms, place->seg);
     if (!place->behind) return here;
     const double j = nck_min(here, least_jerk(terms, place->behind));
     return v * nck_sqrt(2.0 * v / j) < 3.0 * left ? here : j;
 }
 
-// The most speed up to where a brake comes to rest on a clocked path, of every axis and of all
-// together: on the way v²/2a + v√(v/j), and of a period.
-static double speeds_to_rest(const nck_clock_t *self, const nck_terms_t *terms,
-                             const nck_look_place_t *place, double *most_out) {
-    const double v = self->first.v;
-    double a = FASTEST;
-    double j = self->j_end > 0.0f ? (double)self->j_end : FASTEST;
-    for (int x = 0; x < terms->axes; x++) {
-        const nck_axis_t *const axis = &terms->machine->axis[x];
-        const double along = nck_max(nck_fabs(place->at.first[x]), ALONG_LEAST);
-        if (axis->present) {
-            a = nck_min(a, axis->a_max / along);
-            j = nck_min(j, axis->j_max / along);
-        }
-    }
-    const double way = 0.5 * v * v / a + v * nck_sqrt(v / j) + v * terms->machine->period_s;
-    return nck_max(nck_look_speeds(terms, place, way, most_out), ALONG_LEAST);
-}
-
-// … and what all axes allow of jerk at all of these.
-static double last_clock_jerk(const nck_terms_t *terms, const double *most, double j_path) {
-    double j = j_path;
-    for (int x = 0; x < terms->axes; x++) {
-        const nck_axis_t *const axis = &terms->machine->axis[x];
-        if (axis->present && most[x] >= ALONG_LEAST) j = nck_min(j, axis->j_max / most[x]);
-    }
-    return END_SHARE * j;
-}
-
 static bounds_t bounds_of(nck_clock_t *self, const nck_terms_t *terms,
                           const nck_look_place_t *place) {
     const nck_machine_t *const machine = terms->machine;
-    const int is_clocked = nck_look_is_clocked(place->seg);
-    double speeds[NCK_AXIS_MAX];
-    const double per = is_clocked ? 1.0 / speeds_to_rest(self, terms, place, speeds) : 1.0;
-    const double j_path = per * machine->path.j_max;
+    const double j_path = machine->path.j_max;
     const double back = self->follows ? 1.0 : BACK_SHARE;
-    const double a_path = per * machine->path.a_max;
+    const double a_path = machine->path.a_max;
     const int felt = feels_end(self, place, machine->period_s);
     bounds_t bounds = {-SHARE * a_path, -a_path, -BEGIN_SHARE * j_path, back * j_path, -j_path,
                        1.0 / j_path, 1.0 / j_path, j_path, back};
@@ -197,15 +161,14 @@ static bounds_t bounds_of(nck_clock_t *self, const nck_terms_t *terms,
     at[0] = &place->at;
     at[1] = &place->at;
     if (felt) {
-        nck_look_geometry(terms, place->behind, 0.0, &there);
+        nck_look_geometry(place->behind, 0.0, &there);
         at[1] = &there;
     }
     nck_look_corners(place, self->first.v, machine->period_s, end.jump);
     feel_corner(self, terms, end.jump, felt);
-    end.in_s = nck_max(0.0, place->seg->length - place->s) / (self->first.v * place->at.s);
+    end.in_s = nck_max(0.0, place->seg->length - place->s) / self->first.v;
     for (int x = 0; x < terms->axes; x++) bound_axis(self, terms, x, at, &end, &bounds);
-    bounds.j_end = is_clocked ? last_clock_jerk(terms, speeds, j_path)
-                              : last_jerk(self, terms, place);
+    bounds.j_end = last_jerk(self, terms, place);
     if (!terms->limits_jerk) return bounds;
     const nck_look_tool_t tool = {self->first.v, self->second.a, bounds.j_end, end.in_s, a_path};
     bounds.a_low = nck_max(bounds.a_low, nck_look_bends(terms, place, &tool));
@@ -263,8 +226,7 @@ static double next_accel(nck_clock_t *self, const nck_terms_t *terms,
     bounds_t bounds = bounds_of(self, terms, place);
     self->j_end = (float)bounds.j_end;
     // What the plan may ask for at a higher speed, the brake may as well.
-    const int is_clocked = nck_look_is_clocked(place->seg);
-    const double deeper = terms->limits_jerk && !is_clocked ? bounds.j_floor * period : 0.0;
+    const double deeper = terms->limits_jerk ? bounds.j_floor * period : 0.0;
     const double floor = nck_min(bounds.a_floor, place->a);
     bounds.a_low = nck_min(bounds.a_low, nck_max(place->a + deeper, floor));
     *v_least_out = 0.0;
@@ -276,10 +238,8 @@ static double next_accel(nck_clock_t *self, const nck_terms_t *terms,
     // Of what is left then, jerk and acceleration take no more than theirs.
     const double last = nck_max(0.0, -0.5 * bounds.a_low);
     *v_least_out = nck_min(0.125 * bounds.j_end * period, last) * period;
-    // No axis makes the brake harder: what a bend takes grows with that. Where a clocked path turns
-    // back, the brake gives way whatever is left of the jerk: |p′| is small there.
-    const int gives_way = is_clocked && self->second.a < bounds.a_low;
-    bounds.j_high = nck_max(gives_way ? WAY_SHARE * bounds.j_end : 0.0, bounds.j_high);
+    // No axis makes the brake harder: what a bend takes grows with that.
+    bounds.j_high = nck_max(0.0, bounds.j_high);
     if (bounds.j_low > bounds.j_high) return self->second.a + between(&bounds) * period;
     const double j = (wanted - self->second.a) / period;
     const double a = self->second.a + nck_max(bounds.j_low, nck_min(bounds.j_high, j)) * period;
@@ -308,8 +268,8 @@ void nck_clock_measure(const nck_seg_t *seg, double s, nck_pose_t *pose) {
     pose->v *= nck_sqrt(nck_look_dot(tangent, tangent));
 }
 
-void nck_clock_find(const nck_link_t *link, const nck_terms_t *terms, const nck_cell_t *cell,
-                    double t, nck_look_place_t *place_out) {
+void nck_clock_find(const nck_link_t *link, const nck_cell_t *cell, double t,
+                    nck_look_place_t *place_out) {
     const uint32_t last = cell->seg + cell->span;
     uint32_t seq = cell->seg;
     double s = cell->s + nck_max(0.0, nck_min(nck_cell_way(cell, t), cell->length));
@@ -323,7 +283,7 @@ void nck_clock_find(const nck_link_t *link, const nck_terms_t *terms, const nck_
     place_out->s = nck_min(s, place_out->seg->length);
     place_out->behind = behind && behind->length > 0.0 ? behind : NULL; // no dwell, no wait
     place_out->link = link;
-    nck_look_geometry(terms, place_out->seg, place_out->s, &place_out->at);
+    nck_look_geometry(place_out->seg, place_out->s, &place_out->at);
 }
 
 // Cells of constant acceleration are the steps of a ramp, which is met in the middle of each.
@@ -331,8 +291,8 @@ void nck_clock_plan(const nck_cell_t *cell, double t, double a_before, nck_look_
     const double share = cell->duration > 0.0 ? t / cell->duration - 0.5 : 0.0;
     const double v = nck_max(0.0, nck_cell_speed(cell, t));
     const double a = cell->a + cell->j * t + share * (cell->a - a_before);
-    place->v = v / place->at.s;
-    place->a = a / place->at.s;
+    place->v = v;
+    place->a = a;
 }
 
 double nck_clock_brake(nck_clock_t *self, const nck_terms_t *terms,
@@ -347,8 +307,7 @@ double nck_clock_brake(nck_clock_t *self, const nck_terms_t *terms,
     const int rests = !(v > v_least);
     self->second.a = rests ? 0.0 : a;
     self->first.v = rests ? 0.0 : v;
-    const double way = rests ? 0.5 * v0 * period : (v0 + (2.0 * a0 + a) / 6.0 * period) * period;
-    return place->at.s * way;
+    return rests ? 0.5 * v0 * period : (v0 + (2.0 * a0 + a) / 6.0 * period) * period;
 }
 
 // The least time constant τ that the quantities V, A and J of an axis let a clock have that sets

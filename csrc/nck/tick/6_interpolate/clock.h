@@ -42,8 +42,8 @@ void nck_clock_begin(nck_clock_t *self, double v, double a);
 
 // Where the cells stand at the time t from the begin of the cell: all of a place but v and a.
 // Cost: linear in the segs of the cell. Context: tick.
-void nck_clock_find(const nck_link_t *link, const nck_terms_t *terms, const nck_cell_t *cell,
-                    double t, nck_look_place_t *place_out);
+void nck_clock_find(const nck_link_t *link, const nck_cell_t *cell, double t,
+                    nck_look_place_t *place_out);
 
 // How many periods the tick hands out the mean of on a seg: a clocked path needs no filter.
 // Cost: constant. Context: tick.

@@ -10,6 +10,7 @@
 #include "nck/base/path_math.h" // nck_path_point
 #include "nck/base/real.h"      // nck_floor
 #include "nck/base/spin_math.h" // nck_spin_rpm
+#include "nck/tick/6_interpolate/ease.h" // nck_ease_begin nck_ease_brake
 
 // A brake follows the plan as long as it is slower by no more than rounding has made it.
 #define FOLLOWS_EPSILON 1e-6
@@ -311,7 +312,7 @@ static inline int seek(nck_interpolate_t *self) {
 static void find_place(const nck_interpolate_t *self, nck_look_place_t *place_out) {
     const double steps_from = self->filter.taps > 1 ? self->a_before : self->cell.a;
     const double t = now(self) - self->t_cell;
-    nck_clock_find(self->link, self->terms, &self->cell, t, place_out);
+    nck_clock_find(self->link, &self->cell, t, place_out);
     nck_clock_plan(&self->cell, t, steps_from, place_out);
 }
 
@@ -320,7 +321,10 @@ static void find_place(const nck_interpolate_t *self, nck_look_place_t *place_ou
 static void hear(nck_interpolate_t *self) {
     nck_clock_t *const clock = &self->clock;
     const int slows = clock->state == NCK_CLOCK_BRAKES || clock->state == NCK_CLOCK_STANDS;
-    if (self->brakes && !slows && self->cell.length > 0.0 && !self->rider.on) {
+    const int begins = self->brakes && !slows && self->cell.length > 0.0 && !self->rider.on;
+    if (begins && nck_look_is_clocked(seg_at(self, self->cell.seg))) {
+        nck_ease_begin(clock);
+    } else if (begins) {
         nck_look_place_t here;
         find_place(self, &here);
         nck_clock_begin(clock, here.v, here.a);
@@ -344,11 +348,8 @@ static int go(nck_interpolate_t *self, double way) {
         }
         left -= time;
         ahead = nck_max(0.0, ahead - length);
-        const nck_seg_t *const seg = seg_at(self, cell->seg);
         clock->late -= self->t_cell + cell->duration - now(self);
         if (!cross(self)) return 0;
-        const nck_seg_t *const next = seg_at(self, self->cell.seg);
-        if (nck_look_is_clocked(seg)) ahead *= next->length / seg->length;
     }
 }
 
@@ -370,15 +371,27 @@ static void brake(nck_interpolate_t *self) {
     if (!(clock->first.v > 0.0)) nck_fence_store(&clock->state, NCK_CLOCK_STANDS);
 }
 
+// Along a clocked path.
+static void ease(nck_interpolate_t *self) {
+    nck_clock_t *const clock = &self->clock;
+    const double t = nck_max(0.0, now(self) - self->t_cell);
+    clock->late -= nck_ease_brake(clock, self->terms, self->link, &self->cell, t);
+    if (!seek(self)) return;
+    pass_at(self, clock->first.rate);
+    if (!(clock->first.rate > 0.0)) nck_fence_store(&clock->state, NCK_CLOCK_STANDS);
+}
+
 // One period on in its own time; k has been counted.
 static void own_time(nck_interpolate_t *self) {
     nck_clock_t *const clock = &self->clock;
     clock->late += self->machine->period_s;
-    if (clock->state == NCK_CLOCK_BRAKES) {
-        brake(self);
-    } else {
+    if (clock->state == NCK_CLOCK_SETS_OFF) {
         clock->late -= nck_clock_set_off(clock, self->terms);
         if (seek(self)) pass_at(self, clock->first.rate);
+    } else if (nck_look_is_clocked(seg_at(self, self->cell.seg))) {
+        ease(self);
+    } else {
+        brake(self);
     }
 }
 

@@ -16,30 +16,16 @@
 // Of the jerk that a line has to make braking weaker, what is left of it before a bend.
 #define BEND_BACK 0.5
 // Places where a brake looks for bends, as far as BEND_TIMES of what it takes to become weaker by
-// half: the intervals of a clocked path are short.
-enum { BEND_PLACES = 4, BEND_PLACES_CLOCKED = 40 };
+// half.
+enum { BEND_PLACES = 4 };
 #define BEND_TIMES 3.0
-// … and for speeds up to where it rests there.
-enum { SPEED_PLACES = 16 };
-// Of an axis' jerk, what a clocked path may take where the plan's clock runs faster.
-#define PLAN_SHARE 0.97
 // Corners of a period and the next one that a brake looks at: that bounds the work of a tick.
 enum { CORNERS = 16 };
 
-void nck_look_geometry(const nck_terms_t *terms, const nck_seg_t *seg, double s,
-                       nck_look_geometry_t *out) {
+void nck_look_geometry(const nck_seg_t *seg, double s, nck_look_geometry_t *out) {
     nck_path_tangent(seg, s, out->first);
     nck_path_second(seg, s, out->second);
     nck_path_third(seg, s, out->third);
-    out->s = 1.0;
-    if (!nck_look_is_clocked(seg)) return;
-    const double by = seg->length / terms->knot_s;
-    out->s = by;
-    for (int x = 0; x < NCK_AXIS_MAX; x++) {
-        out->first[x] *= by;
-        out->second[x] *= by * by;
-        out->third[x] *= by * by * by;
-    }
 }
 
 // The seg behind one whose end the path goes over without a rest; NULL: none is known.
@@ -69,7 +55,7 @@ void nck_look_corners(const nck_look_place_t *place, double v, double period, do
     double time = nck_max(0.0, place->seg->length - place->s) / v;
     double share = 1.0;
     const nck_seg_t *seg = place->seg;
-    const nck_seg_t *next = nck_look_is_clocked(seg) ? NULL : place->behind;
+    const nck_seg_t *next = place->behind;
     memset(jump_out, 0, sizeof down);
     memset(down, 0, sizeof down);
     for (int n = 0; n < (int)CORNERS && next && share > 0.0; n++) {
@@ -88,15 +74,12 @@ static double accel_in_bend(const nck_terms_t *terms, const nck_seg_t *seg, doub
     double accel = most;
     nck_look_geometry_t at;
     if (seg->kind == NCK_SEG_LINE) return accel;
-    nck_look_geometry(terms, seg, s, &at);
-    const int is_clocked = nck_look_is_clocked(seg);
+    nck_look_geometry(seg, s, &at);
     for (int x = 0; x < terms->axes; x++) {
         const nck_axis_t *const axis = &terms->machine->axis[x];
         const double bend = 3.0 * nck_fabs(at.second[x]) * v;
         const double turn = (at.second[x] < 0.0 ? -1.0 : 1.0) * at.third[x] * v * v * v;
-        const double least = BEND_LEAST * axis->j_max;
-        const double clocked = nck_min(least, PLAN_SHARE * axis->j_max + turn);
-        const double takes = nck_max(is_clocked ? clocked : least, BEND_SHARE * axis->j_max + turn);
+        const double takes = nck_max(BEND_LEAST * axis->j_max, BEND_SHARE * axis->j_max + turn);
         if (axis->present && bend * accel > takes) accel = takes / bend;
     }
     return accel;
@@ -112,7 +95,7 @@ static const nck_seg_t *seek_ahead(const nck_look_place_t *place, double way, do
     while (s > seg->length && !seg->stop && head - seg->seq > 1) {
         const nck_seg_t *const next = nck_link_seg(link, seg->seq + 1);
         if (!(next->length > 0.0)) break;
-        s = (s - seg->length) * (nck_look_is_clocked(seg) ? next->length / seg->length : 1.0);
+        s -= seg->length;
         seg = next;
     }
     *s_out = nck_min(s, seg->length);
@@ -124,12 +107,10 @@ double nck_look_bends(const nck_terms_t *terms, const nck_look_place_t *place,
     const double back = BEND_BACK * tool->j;
     double a_low = -tool->most;
     const double half = 0.5 * nck_fabs(tool->a) / back + terms->machine->period_s;
-    const int is_clocked = nck_look_is_clocked(place->seg);
-    const int places = is_clocked ? (int)BEND_PLACES_CLOCKED : (int)BEND_PLACES;
-    for (int n = 0; n < places; n++) {
-        const double time = BEND_TIMES * half * (double)n / (double)(places - 1);
+    for (int n = 0; n < (int)BEND_PLACES; n++) {
+        const double time = BEND_TIMES * half * (double)n / (double)(BEND_PLACES - 1);
         double s = 0.0;
-        const nck_seg_t *const seg = seek_ahead(place, tool->v * place->at.s * time, &s);
+        const nck_seg_t *const seg = seek_ahead(place, tool->v * time, &s);
         const double v_there = nck_max(0.0, tool->v + 0.5 * tool->a * time);
         const double there = accel_in_bend(terms, seg, s, v_there, tool->most);
         a_low = nck_max(a_low, -there - back * time);
@@ -137,22 +118,4 @@ double nck_look_bends(const nck_terms_t *terms, const nck_look_place_t *place,
     if (!place->behind) return a_low;
     const double there = accel_in_bend(terms, place->behind, 0.0, tool->v, tool->most);
     return nck_max(a_low, -there - back * tool->end_s);
-}
-
-double nck_look_speeds(const nck_terms_t *terms, const nck_look_place_t *place, double way,
-                       double *most_out) {
-    double all = 0.0;
-    memset(most_out, 0, NCK_AXIS_MAX * sizeof *most_out);
-    for (int n = 0; n < SPEED_PLACES; n++) {
-        double s = 0.0;
-        nck_look_geometry_t at;
-        const double share = (double)n / (double)(SPEED_PLACES - 1);
-        const nck_seg_t *const seg = seek_ahead(place, way * place->at.s * share, &s);
-        nck_look_geometry(terms, seg, s, &at);
-        for (int x = 0; x < terms->axes; x++) {
-            most_out[x] = nck_max(most_out[x], nck_fabs(at.first[x]));
-        }
-        all = nck_max(all, nck_look_dot(at.first, at.first));
-    }
-    return nck_sqrt(all);
 }

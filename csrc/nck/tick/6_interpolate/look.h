@@ -9,14 +9,11 @@
 #include "nck/base/records.h" // nck_seg_t
 #include "nck/base/terms.h"   // nck_terms_t
 
-// The derivatives of the path at a place, by the coordinate that a brake goes by: the path's own;
-// on a clocked path its clock u [s], by which derivatives go on from seg to seg. Then speeds are
-// du/dt.
+// The derivatives of the path at a place, by its coordinate.
 typedef struct nck_look_geometry {
     double first[NCK_AXIS_MAX];
     double second[NCK_AXIS_MAX];
     double third[NCK_AXIS_MAX];
-    double s; // the seg's coordinate by it
 } nck_look_geometry_t;
 
 // Where the tool is, for a brake.
@@ -26,12 +23,12 @@ typedef struct nck_look_place {
     double s;                // in the seg [path mm]
     const nck_link_t *link;  // where the segs are
     nck_look_geometry_t at;
-    double v, a;             // that the plan has there [path mm/s], [path mm/s²]; of a clock
+    double v, a;             // that the plan has there [path mm/s], [path mm/s²]
 } nck_look_place_t;
 
 // How it brakes.
 typedef struct nck_look_tool {
-    double v, a;  // [path mm/s], [path mm/s²]; of a clock
+    double v, a;  // [path mm/s], [path mm/s²]
     double j;     // that makes braking weaker on a line [path mm/s³]
     double end_s; // until the seg's end [s]
     double most;  // braking without bends [path mm/s²]
@@ -50,8 +47,7 @@ static inline double nck_look_dot(const double *a, const double *b) {
 }
 
 // The path at s of a seg. Cost: three derivatives.
-void nck_look_geometry(const nck_terms_t *terms, const nck_seg_t *seg, double s,
-                       nck_look_geometry_t *out);
+void nck_look_geometry(const nck_seg_t *seg, double s, nck_look_geometry_t *out);
 
 // By how much p′ jumps at the place's end, at a corner or by what the seam of splines leaves, with
 // the corners behind it that the sample of acceleration a period on mixes, by 1 − |t − T|/T, at the
@@ -60,16 +56,9 @@ void nck_look_corners(const nck_look_place_t *place, double v, double period, do
 
 // How weak braking has to be now [path mm/s²], so that it is as weak as a bend asks for when it is
 // there: here, where the tool is when braking can have become weaker by half, by all, and by half
-// as much again, and at the seg's end, where p‴ jumps. Positive: next to where a clocked path turns
-// back its clock has to run faster, as the plan's does. Cost: as many looks at a place, and the
-// segs on the way.
+// as much again, and at the seg's end, where p‴ jumps. Cost: as many looks at a place, and the segs
+// on the way.
 double nck_look_bends(const nck_terms_t *terms, const nck_look_place_t *place,
                       const nck_look_tool_t *tool);
-
-// By the clock |p′| of an axis is its speed there: the most of it on a way of the brake's
-// coordinate, of every axis. Returns the most of all together. Cost: 16 looks at a place, and the
-// segs on the way.
-double nck_look_speeds(const nck_terms_t *terms, const nck_look_place_t *place, double way,
-                       double *most_out);
 
 #endif

@@ -1,0 +1,290 @@
+// SPDX-License-Identifier: MIT
+// Inside room 6: how the tick brakes along a clocked path.
+//
+// The tool is where the plan is at the time φ, which goes on at the rate k = dφ/dt:
+//     x″ = p″k² + p′k′      x‴ = p‴k³ + 3p″kk′ + p′k″      by the plan's time: p′, p″, p‴
+// At any constant k ≤ 1 accelerations and jerks are less than the plan's own, which keeps the
+// limits. So a brake can go on from wherever k′ can be taken away again: that is tried along the
+// plan that is known, stretch by stretch. p‴ is the mean of one: whoever looks at periods sees that.
+#include "nck/tick/6_interpolate/ease.h"
+
+#include "nck/base/cell_math.h" // nck_cell_way nck_cell_speed
+#include "nck/base/fence.h"     // nck_fence_store
+#include "nck/base/path.h"      // nck_path_tangent_part nck_path_second_part
+#include "nck/base/real.h"      // nck_min nck_max nck_sqrt nck_fabs
+
+// Of an axis' acceleration and jerk, what a brake takes where the plan takes less: a sample of jerk
+// weighs three periods, so it may pass their means by 0.03, …
+#define SHARE_TAKEN 0.97
+// … and what it counts on further on, where it looks at fewer places than there are periods.
+#define SHARE_AHEAD 0.9
+// What one of k″ is to an axis, of its limit [s²]: below it no change of k moves it.
+#define ALONG_LEAST 1e-6
+// The most of k″T²: what does not move may be slowed down in 7 periods.
+#define CHANGE_MOST 0.04
+// Of what k″ takes in a period, so slow that the clock may rest.
+#define REST_SHARE 0.3
+
+enum {
+    TRIALS = 4,      // how hard the brake may be: even steps from easing off to all there is
+    PLACES = 40,     // looked at ahead of the period: 340 periods
+    NEAR_PLACES = 8, // stretches grow by 1/8 from there on
+    TIME_STEPS = 2   // to a time: each halves the digits that lack
+};
+
+// Along the plan that is known.
+typedef struct ease_walk {
+    const nck_terms_t *terms;
+    nck_link_t *link;
+    uint32_t word;          // of the link
+    const nck_cell_t *cell;
+    uint32_t next;          // the cell behind it, as nck_link_ahead counts
+    uint32_t ends;          // 1: at the plan's rest
+    double t;               // in the cell [s]
+} ease_walk_t;
+
+// The derivatives of the plan by its time, at a place.
+typedef struct ease_point {
+    double first[NCK_AXIS_MAX];
+    double second[NCK_AXIS_MAX];
+} ease_point_t;
+
+// A stretch of the plan.
+typedef struct ease_stretch {
+    double far; // of the plan's time [s]
+    ease_point_t from, to;
+} ease_stretch_t;
+
+// A pace.
+typedef struct ease_pace {
+    double k;  // dφ/dt
+    double dk; // dk/dt [1/s]
+} ease_pace_t;
+
+// What all axes allow of k″ [1/s²].
+typedef struct ease_range {
+    double low, high;
+} ease_range_t;
+
+// How hard the brake may be in the period, and what comes of it.
+typedef enum ease_verdict { EASE_OPEN = 0, EASE_GOOD, EASE_BAD } ease_verdict_t;
+typedef struct ease_trial {
+    double change;    // k″ in the period [1/s²]
+    ease_pace_t pace; // as far as it has been tried
+    uint32_t verdict; // ease_verdict_t
+} ease_trial_t;
+
+static void look(const ease_walk_t *walk, ease_point_t *out) {
+    const int axes = walk->terms->axes;
+    const nck_cell_t *const cell = walk->cell;
+    const nck_seg_t *const seg = nck_link_seg(walk->link, cell->seg);
+    const double way = nck_max(0.0, nck_min(nck_cell_way(cell, walk->t), cell->length));
+    const double s = nck_min(cell->s + way, seg->length);
+    const double v = nck_max(0.0, nck_cell_speed(cell, walk->t));
+    const double a = cell->a + cell->j * walk->t;
+    nck_path_tangent_part(seg, s, axes, out->first);
+    nck_path_second_part(seg, s, axes, out->second);
+    for (int x = 0; x < axes; x++) {
+        out->second[x] = out->second[x] * v * v + out->first[x] * a;
+        out->first[x] *= v;
+    }
+}
+
+// On by so much of the plan's time, or to its rest. Returns how far [s].
+static double walk_on(ease_walk_t *walk, double far) {
+    double gone = 0.0;
+    for (uint32_t n = 0; n < NCK_TAIL_MAX; n++) {
+        const double left = walk->cell->duration - walk->t;
+        if (gone + left >= far) {
+            walk->t += far - gone;
+            return far;
+        }
+        gone += left;
+        walk->t = walk->cell->duration;
+        const nck_cell_t *const next = nck_link_ahead(walk->link, walk->word, walk->next);
+        walk->ends = (walk->cell->stop & NCK_STOP_REST) || !next;
+        if (walk->ends) return gone;
+        walk->cell = next;
+        walk->next++;
+        walk->t = 0.0;
+    }
+    return gone;
+}
+
+// The next stretch.
+static void take_stretch(ease_walk_t *walk, double far, ease_stretch_t *stretch) {
+    stretch->from = stretch->to;
+    stretch->far = walk_on(walk, far);
+    look(walk, &stretch->to);
+}
+
+// How long a pace takes for so much of the plan's time; 0: it stands before.
+static double time_for(const ease_pace_t *pace, double change, double far) {
+    double time = far / nck_max(pace->k, far);
+    for (int n = 0; n < TIME_STEPS; n++) {
+        const double dk = pace->dk + change * time / 3.0;
+        const double root = pace->k * pace->k + 2.0 * dk * far;
+        if (!(root > 0.0)) return 0.0;
+        time = 2.0 * far / (pace->k + nck_sqrt(root));
+    }
+    return time;
+}
+
+// |base + per·k″| ≤ most
+static void bound(ease_range_t *range, double base, double per, double most) {
+    const double size = nck_max(nck_fabs(per), ALONG_LEAST * most);
+    const double up = per < 0.0 ? -base : base;
+    range->low = nck_max(range->low, (-most - up) / size);
+    range->high = nck_min(range->high, (most - up) / size);
+}
+
+// What is allowed at both ends of a stretch that takes so long [s]. Nobody takes less than the plan
+// at the same rate, so that it can be followed.
+static void bound_all(ease_range_t *range, const nck_terms_t *terms, const ease_stretch_t *on,
+                      const ease_pace_t *pace, double time, double share) {
+    const double most = CHANGE_MOST / (terms->machine->period_s * terms->machine->period_s);
+    const double k[2] = {pace->k, nck_max(0.0, pace->k + pace->dk * time)};
+    range->low = -most;
+    range->high = most;
+    for (int x = 0; x < terms->axes; x++) {
+        const nck_axis_t *const axis = &terms->machine->axis[x];
+        if (!axis->present) continue;
+        const double turn = on->to.second[x] - on->from.second[x];
+        const double third = on->far > 0.0 ? turn / on->far : 0.0;
+        const double jerk = nck_max(share * axis->j_max, nck_fabs(third) * k[0] * k[0] * k[0]);
+        bound(range, (third * k[0] * k[0] + 3.0 * on->from.second[x] * pace->dk) * k[0],
+              on->from.first[x], jerk);
+        bound(range, (third * k[1] * k[1] + 3.0 * on->to.second[x] * pace->dk) * k[1],
+              on->to.first[x] + 3.0 * on->to.second[x] * k[1] * time, jerk);
+        const double bend = on->to.second[x] * k[1] * k[1];
+        bound(range, bend + on->to.first[x] * pace->dk,
+              (on->to.first[x] + on->to.second[x] * k[1] * time) * time,
+              nck_max(share * axis->a_max, nck_fabs(bend)));
+    }
+}
+
+// 1 if k′ is gone within so much of the plan's time, and half a period before the clock stands.
+static int eases_within(const ease_pace_t *pace, double change, double far, double period) {
+    if (!(change > 0.0)) return 0;
+    const double time = -pace->dk / change;
+    return pace->k + 0.5 * pace->dk * (time + period) >= 0.0
+           && time * (pace->k + pace->dk * time / 3.0) <= far;
+}
+
+// Try to ease off along a stretch.
+static void try_stretch(ease_trial_t *trial, const nck_terms_t *terms, const ease_stretch_t *on) {
+    ease_pace_t *const pace = &trial->pace;
+    const double free = time_for(pace, 0.0, on->far);
+    ease_range_t range;
+    bound_all(&range, terms, on, pace, free, SHARE_AHEAD);
+    trial->verdict = EASE_BAD;
+    if (range.low > range.high) return;
+    if (eases_within(pace, range.high, on->far, terms->machine->period_s)) {
+        trial->verdict = EASE_GOOD;
+        return;
+    }
+    const double time = time_for(pace, range.high, on->far);
+    if (!(time > 0.0)) return;
+    pace->k += (pace->dk + 0.5 * range.high * time) * time;
+    pace->dk += range.high * time;
+    if (pace->k > 0.0 && pace->dk < 0.0) trial->verdict = EASE_OPEN;
+}
+
+// Whether each trial can ease off, behind the period; what is open at the end cannot. k: about that
+// behind the period.
+static void try_all(ease_trial_t *trials, ease_walk_t *walk, ease_stretch_t *on, double k) {
+    const nck_terms_t *const terms = walk->terms;
+    const double least = k * terms->machine->period_s;
+    double gone = 0.0;
+    int open = 1;
+    for (int n = 0; n < PLACES && open && !walk->ends; n++) {
+        take_stretch(walk, nck_max(least, gone / (double)NEAR_PLACES), on);
+        if (!(on->far > 0.0)) continue;
+        gone += on->far;
+        open = 0;
+        for (int i = 0; i < TRIALS; i++) {
+            if (trials[i].verdict != EASE_OPEN) continue;
+            try_stretch(&trials[i], terms, on);
+            open |= trials[i].verdict == EASE_OPEN;
+        }
+    }
+    for (int i = 0; i < TRIALS && walk->ends; i++) { // the plan rests there
+        if (trials[i].verdict == EASE_OPEN) trials[i].verdict = EASE_GOOD;
+    }
+}
+
+// The hardest k″ in a period, within its range, behind which the brake can ease off again; the
+// least there is: easing off.
+static double choose(const ease_pace_t *pace, const ease_range_t *range, ease_walk_t *walk,
+                     ease_stretch_t *on) {
+    const double period = walk->terms->machine->period_s;
+    const double gone = -pace->dk / period; // … k′ is then
+    const double least = gone < 0.0 ? nck_max(gone, range->low) : nck_min(gone, range->high);
+    const double room = nck_min(0.0, range->low - least);
+    ease_trial_t trials[TRIALS];
+    for (int i = 0; i < TRIALS; i++) {
+        const double share = (double)(TRIALS - i) / (double)TRIALS;
+        ease_trial_t *const trial = &trials[i];
+        trial->change = least + room * share;
+        trial->pace.dk = pace->dk + trial->change * period;
+        trial->pace.k = pace->k + 0.5 * (pace->dk + trial->pace.dk) * period;
+        trial->verdict = !(trial->pace.k > 0.0) ? EASE_BAD
+                         : trial->pace.dk < 0.0 ? EASE_OPEN : EASE_GOOD;
+    }
+    try_all(trials, walk, on, nck_max(0.0, pace->k + pace->dk * period));
+    for (int i = 0; i < TRIALS; i++) {
+        if (trials[i].verdict == EASE_GOOD) return trials[i].change;
+    }
+    return least;
+}
+
+// k″ in the period that begins where the walk does. Where the plan comes to its rest in it, none:
+// that is its own. Never does k′ become positive. *most_out: what all axes allow.
+static double change_for(const ease_pace_t *pace, ease_walk_t *walk, double *most_out) {
+    const double period = walk->terms->machine->period_s;
+    const double k = nck_max(0.5 * pace->k, pace->k + 0.5 * pace->dk * period);
+    ease_stretch_t on;
+    ease_range_t range;
+    look(walk, &on.to);
+    take_stretch(walk, k * period, &on);
+    bound_all(&range, walk->terms, &on, pace, period, SHARE_TAKEN);
+    *most_out = range.high;
+    if (walk->ends) return 0.0;
+    if (range.low <= range.high) return choose(pace, &range, walk, &on);
+    return nck_min(0.5 * (range.low + range.high), nck_max(0.0, -pace->dk / period));
+}
+
+// The same, where prep may publish another plan at any time: then that counts. It does so once in
+// many periods.
+static double change_now(const ease_pace_t *pace, const ease_walk_t *here, double *most_out) {
+    for (int round = 0; round < 2; round++) {
+        ease_walk_t walk = *here;
+        walk.word = nck_link_word(walk.link);
+        const double change = change_for(pace, &walk, most_out);
+        if (nck_link_holds(walk.link, walk.word)) return change;
+    }
+    return 0.0;
+}
+
+void nck_ease_begin(nck_clock_t *clock) {
+    if (clock->state == NCK_CLOCK_RUNS) {
+        clock->first.rate = 1.0;
+        clock->second.gain = 0.0;
+    }
+    nck_fence_store(&clock->state, NCK_CLOCK_BRAKES);
+}
+
+double nck_ease_brake(nck_clock_t *clock, const nck_terms_t *terms, nck_link_t *link,
+                      const nck_cell_t *cell, double t) {
+    const double period = terms->machine->period_s;
+    const ease_pace_t pace = {clock->first.rate, clock->second.gain};
+    const ease_walk_t here = {terms, link, 0, cell, 0, 0, t};
+    double most = 0.0;
+    const double change = change_now(&pace, &here, &most);
+    const double k = pace.k + (pace.dk + 0.5 * change * period) * period;
+    const int rests = !(k > REST_SHARE * most * period * period);
+    clock->first.rate = rests ? 0.0 : k;
+    clock->second.gain = rests ? 0.0 : pace.dk + change * period;
+    if (rests) return 0.5 * pace.k * period;
+    return (pace.k + (0.5 * pace.dk + change / 6.0 * period) * period) * period;
+}

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+// Inside room 6: how the tick brakes along a clocked path. It slows down the plan's own time, never
+// so hard that it could not ease off again. README, "The clock".
+#ifndef NCK_TICK_EASE_H
+#define NCK_TICK_EASE_H
+
+#include "nck/base/link.h"                // nck_link_t
+#include "nck/base/records.h"             // nck_cell_t
+#include "nck/base/terms.h"               // nck_terms_t
+#include "nck/tick/6_interpolate/clock.h" // nck_clock_t
+
+// Begin to brake: from the plan's pace, or from that of a clock that sets off.
+// Cost: constant. Context: tick.
+void nck_ease_begin(nck_clock_t *clock);
+
+// One period of braking from the time t in a cell on, behind which the link's are: the clock's rate
+// becomes that behind it, 0 where it rests. Returns how far the plan's time goes on [s].
+// Cost: 42 looks at a place, each with 3 bounds an axis for 4 trials, and the cells on the way,
+// twice if prep publishes meanwhile. Context: tick.
+double nck_ease_brake(nck_clock_t *clock, const nck_terms_t *terms, nck_link_t *link,
+                      const nck_cell_t *cell, double t);
+
+#endif
