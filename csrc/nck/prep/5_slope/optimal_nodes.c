@@ -131,7 +131,8 @@ static int is_rest(const nck_optimal_t *self, const nck_num *first) {
 }
 
 // Cap of b one node before a window's end, where the path goes on but the plan rests: what is left
-// of its acceleration there, b/2τ along the path at the end, is gone within a period.
+// of its acceleration there, b/2τ by what |p′| is at the end, is no more than an axis' and gone
+// within a period.
 static nck_num cap_at_end(const nck_optimal_t *self, const nck_seg_t *seg, nck_num cap) {
     const nck_machine_t *const machine = self->terms->machine;
     nck_num first[NCK_AXIS_MAX];
@@ -139,9 +140,11 @@ static nck_num cap_at_end(const nck_optimal_t *self, const nck_seg_t *seg, nck_n
     double most = (double)cap;
     derive(self, seg, 1, first, second);
     for (int x = 0; x < self->terms->axes; x++) {
-        const double step = SHARE_ASKED * machine->axis[x].j_max * machine->period_s;
+        const nck_axis_t *const axis = &machine->axis[x];
+        const double most_accel = nck_min(axis->j_max * machine->period_s, axis->a_max);
+        const double step = SHARE_ASKED * most_accel;
         const double along = nck_fabs((double)first[x]);
-        if (machine->axis[x].present && along * most > 2.0 * self->terms->knot_s * step) {
+        if (axis->present && along * most > 2.0 * self->terms->knot_s * step) {
             most = 2.0 * self->terms->knot_s * step / along;
         }
     }
