@@ -272,8 +272,8 @@ WORDING = {
         "a loop without a move never ends: check its condition",
     ),
     "label-missing:N": (
-        "the program ends before line {value:.0f}, where it is to begin",
-        "choose a line that is reached",
+        "the program never comes to line {value:.0f}, where it is to begin",
+        "choose a line that is executed",
     ),
     "flow:M72": (
         "M72, and neither M70 nor M73 has kept a state in this call",

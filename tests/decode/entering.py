@@ -121,11 +121,18 @@ class Entered:
         return [*self._begin(), *self._way(), *self._end(), *self._path()]
 
     def _refused(self, error):
-        """A line may be refused that the whole program never comes to, and with words."""
+        """A line of a loop or a subprogram may be refused that no pass comes to, and with words."""
         reached = (self.whole.blocks["line"] == self.line).any()
-        if error.id == "label-missing" and not reached:
+        if error.id == "label-missing" and not reached and self._is_inside():
             return [] if error.help else ["refused without a remedy"]
         return [f"refused: {error.id} ({error.message})"]
+
+    def _is_inside(self):
+        """Something begins before the line that ends behind it, by the words of its lines."""
+        text = self.run.program.text.upper().split(b"\n")
+        begins = any(re.search(rb"SUB|WHILE|REPEAT|DO|^[O:] *\d+ *$", each.strip())
+                     for each in text[: self.line])  # fmt: skip
+        return begins and any(re.search(rb"END|WHILE|M99", each) for each in text[self.line - 1 :])
 
     def _bare(self, blocks):
         """Return blocks that can be compared: an extruder's places count from its last one."""
@@ -148,7 +155,7 @@ class Entered:
         if (before == self.line).any() and not self._is_contour():
             yield f"of the line {int((before == self.line).sum())} blocks are not executed"
         if (np.diff(lines.astype(np.int64)) >= 0).all():
-            if (before >= self.line).any():
+            if (before >= self.line).any() and not self._is_of_sub():
                 yield f"begins behind line {int(before.max())}"
             early = (behind < self.line).any() and not self._turns_back()
             if early and not self._is_whole(behind[0]):
@@ -158,6 +165,11 @@ class Entered:
         """The end of a loop at the line or behind it leads to earlier ones."""
         rest = self.run.program.text.upper().split(b"\n")[self.line - 1 :]
         return any(re.search(rb"\bEND[\dWR]|GOTO|\bWHILE", each) for each in rest)
+
+    def _is_of_sub(self):
+        """A line between O… sub and its endsub is come to behind the line that calls."""
+        before = b"\n".join(self.run.program.text.upper().split(b"\n")[: self.line - 1])
+        return len(re.findall(rb"O *(<[^>]*>|\d+) *SUB", before)) > before.count(b"ENDSUB")
 
     def _is_contour(self):
         """Lines of a contour move once more when it is finished."""

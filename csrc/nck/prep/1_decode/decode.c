@@ -101,13 +101,19 @@ static nck_status_t read_line(nck_decode_t *self) {
     return self->machine->dialect.block_skip ? NCK_OK : read_words(self, behind_skip(at));
 }
 
-// A line that jumps leave out is not read.
-static nck_status_t take_line(nck_decode_t *self) {
-    nck_macro_t *const macro = &self->macro;
-    if (macro->seek.kind == NCK_SEEK_NOT) return read_line(self);
-    nck_entry_leave_out(self);
+// A line waits that may be on the way of a jump.
+static int is_jumped(const nck_decode_t *self) {
+    const int seeks = NCK_HAS_CALLS && self->macro.seek.kind != NCK_SEEK_NOT;
+    return seeks && self->line.state == NCK_LINE_WAITING;
+}
+
+// A line on the way of a jump is not read. NCK_OK: the jump ends at it, and it is to be done.
+static nck_status_t jump_over(nck_decode_t *self) {
+    const nck_seek_kind_t kind = (nck_seek_kind_t)self->macro.seek.kind;
+    self->line.tag = self->line.number;
     const nck_status_t status = nck_seek_pass(self);
-    return status == NCK_OK ? read_line(self) : status;
+    nck_entry_leave_out(self, kind);
+    return status;
 }
 
 static void release_line(nck_decode_t *self) {
@@ -225,7 +231,7 @@ static nck_status_t begin_line(nck_decode_t *self) {
     self->words.steps = 0;
     if (state == NCK_LINE_WAITING) {
         self->line.tag = self->line.number;
-        return take_line(self);
+        return read_line(self);
     }
     self->text.begun = 1;
     self->text.words = 1;
@@ -310,6 +316,20 @@ static inline int give_quick(nck_decode_t *self, nck_block_t *out) {
     return 1;
 }
 
+// The line in work, or the one that waits and is not left out; before it what the program begins
+// with.
+static nck_status_t pull_line(nck_decode_t *self, nck_block_t *block_out) {
+    if (is_jumped(self)) {
+        const nck_status_t ends = jump_over(self);
+        if (ends != NCK_OK) return end_steps(self, ends, block_out);
+    }
+    if (self->entry.waits != NCK_ENTRY_NOT && nck_entry_is_here(self)) {
+        const nck_status_t entry = nck_entry_next(self, block_out);
+        if (entry != NCK_EMPTY) return entry < 0 ? fail_entry(self, entry) : entry;
+    }
+    return do_line(self, block_out);
+}
+
 // The block of a line that give_quick has refused, or that the room reads itself.
 static nck_status_t pull_block(nck_decode_t *self, nck_block_t *block_out) {
     if (self->text.over) return NCK_DONE;
@@ -319,11 +339,7 @@ static nck_status_t pull_block(nck_decode_t *self, nck_block_t *block_out) {
         if (self->line.state == NCK_LINE_OPEN) return next;
         if (give_quick(self, block_out)) return NCK_OK;
     }
-    if (self->entry.waits != NCK_ENTRY_NOT && nck_entry_is_here(self)) {
-        const nck_status_t entry = nck_entry_next(self, block_out);
-        if (entry != NCK_EMPTY) return entry < 0 ? fail_entry(self, entry) : entry;
-    }
-    return do_line(self, block_out);
+    return pull_line(self, block_out);
 }
 
 // The same of a program that begins in the middle: what comes before is passed.

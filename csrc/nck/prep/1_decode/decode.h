@@ -139,6 +139,7 @@ typedef struct nck_decode {
         uint8_t waits;     // nck_entry_t
         uint8_t phase;     // of what is given there, entry.c
         uint8_t is_called; // 1: the line is of a subprogram, which is still to be called
+        uint8_t is_passed; // 1: a loop has passed the line; a later pass may come to it
     } entry;
 
     nck_layout_t layout; // how the program's coordinates lie

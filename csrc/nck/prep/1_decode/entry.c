@@ -2,6 +2,7 @@
 // Beginning at a line in the middle: what stands before it is decoded; of its blocks only those of
 // the path are handed over, for 2_toolcomp follows the tool's centre along it. Then the way in, and
 // on it the tool, the spindle and the coolant that are in force there.
+#include "nck/prep/1_decode/jump.h"
 #include "nck/prep/1_decode/parts.h"
 
 #include <string.h> // memcmp memcpy
@@ -24,14 +25,18 @@ void nck_entry_begin(nck_decode_t *self) {
     memcpy(self->entry.at_nm, self->place.position_nm, sizeof self->entry.at_nm);
 }
 
-// The line that waits is the one, or lies behind it. In calls and loops it must be the one itself,
-// and also if the one is of a subprogram that was passed over.
-static int is_reached(const nck_decode_t *self) {
+// Is the line that waits the one, or has the program passed that over? In a loop a later pass may
+// come to the one, and to one of a subprogram that was passed over a call. Loops are those with
+// words of their own: a jump backward is known only when it comes.
+static int is_reached(nck_decode_t *self) {
     const uint32_t line = self->machine->dialect.from_line;
-    const int calls = NCK_HAS_CALLS && self->macro.depth > 0;
-    if (self->line.state != NCK_LINE_WAITING || self->macro.seek.kind != NCK_SEEK_NOT) return 0;
+    if (self->line.state != NCK_LINE_WAITING) return 0;
+    if (self->line.number == line) self->entry.is_passed = 0;
     if (self->line.number == line) return 1;
-    return self->line.number > line && !calls && !self->entry.is_called;
+    if (self->line.number < line || self->entry.is_called) return 0;
+    if (!NCK_HAS_CALLS || self->macro.depth == 0) return 1;
+    if (nck_call_level(self) == 0) self->entry.is_passed = 1;
+    return 0;
 }
 
 // A move with a corner behind it waits for the line that says where it ends: it is none of what the
@@ -48,19 +53,30 @@ int nck_entry_is_here(nck_decode_t *self) {
     return self->entry.waits == NCK_ENTRY_REACHED && !holds_move(self);
 }
 
-void nck_entry_leave_out(nck_decode_t *self) {
-    const int is_line = self->line.number == self->machine->dialect.from_line;
-    if (is_line && self->macro.seek.kind == NCK_SEEK_ENDSUB) self->entry.is_called = 1;
+// A subprogram that stands before its call is entered in the call, with its last line too. Where
+// another jump ends the program has come to that line: endif, the end of a loop, O… that is called.
+void nck_entry_leave_out(nck_decode_t *self, nck_seek_kind_t kind) {
+    const int seeks = self->entry.waits == NCK_ENTRY_SEEKS;
+    if (!seeks || self->line.number != self->machine->dialect.from_line) return;
+    if (kind == NCK_SEEK_ENDSUB) {
+        self->entry.is_called = 1;
+    } else if (self->macro.seek.kind == NCK_SEEK_NOT) {
+        self->entry.waits = NCK_ENTRY_REACHED;
+        self->entry.is_passed = 0;
+    }
 }
 
 // ---- before it
 
-nck_status_t nck_entry_pass(nck_decode_t *self, const nck_block_t *block) {
+// The program never comes to the line.
+static nck_status_t fail_reach(nck_decode_t *self) {
     const double line = (double)self->machine->dialect.from_line;
-    if (block->kind == NCK_BLOCK_END) {
-        self->text.over = 1;
-        return nck_decode_fail(self, NCK_E_LABEL, 0, 'N', line, 0.0);
-    }
+    self->text.over = 1;
+    return nck_decode_fail(self, NCK_E_LABEL, 0, 'N', line, 0.0);
+}
+
+nck_status_t nck_entry_pass(nck_decode_t *self, const nck_block_t *block) {
+    if (block->kind == NCK_BLOCK_END) return fail_reach(self);
     if (block->kind == NCK_BLOCK_COMP) return NCK_OK;
     if (block->kind > NCK_BLOCK_ARC && block->kind != NCK_BLOCK_THREAD) return NCK_EMPTY;
     for (unsigned axis = 0; axis < NCK_AXIS_MAX; axis++) {
@@ -171,6 +187,7 @@ static void stand(const nck_decode_t *self, nck_block_t *out) {
 nck_status_t nck_entry_next(nck_decode_t *self, nck_block_t *out) {
     nck_status_t status = NCK_EMPTY;
     self->line.tag = self->line.number;
+    if (self->entry.is_passed) return fail_reach(self);
     if (self->entry.phase == 0) {
         name_extruder(self);
         const nck_status_t way = check_way(self);

@@ -453,13 +453,14 @@ nck_status_t nck_decode_tap(nck_decode_t *self, const int64_t *bottom_nm, double
 nck_status_t nck_decode_screw(nck_decode_t *self, nck_block_t *out);
 
 // entry.c: where the axes stand before a program that begins in the middle; 1 if it begins here,
-// with the line in work or the one that waits; that line is left out by a jump; a block before it:
-// NCK_OK: it is of the path, NCK_EMPTY: it is not handed over; the next block of what is in force
-// there, NCK_EMPTY behind the last one. NCK_E_LABEL: the program ends before it; NCK_E_APPROACH.
+// with the line in work or the one that waits; a jump of that kind has met a line; a block before
+// it: NCK_OK: it is of the path, NCK_EMPTY: it is not handed over; the next block of what is in
+// force there, NCK_EMPTY behind the last one. NCK_E_LABEL: the program never comes to it;
+// NCK_E_APPROACH.
 // Cost: constant.
 void nck_entry_begin(nck_decode_t *self);
 int nck_entry_is_here(nck_decode_t *self);
-void nck_entry_leave_out(nck_decode_t *self);
+void nck_entry_leave_out(nck_decode_t *self, nck_seek_kind_t kind);
 nck_status_t nck_entry_pass(nck_decode_t *self, const nck_block_t *block);
 nck_status_t nck_entry_next(nck_decode_t *self, nck_block_t *out);
 
