@@ -3,7 +3,6 @@
 #include "nck/prep/5_slope/planner.h"
 
 #include "nck/base/budget.h"              // NCK_UNLIMITED
-#include "nck/prep/5_slope/ladder_math.h" // NCK_LADDER_STRETCH
 
 // The machine's slope, one of those that the build has (nck_machine_check): the others are not
 // called.
@@ -28,17 +27,10 @@ static nck_optimal_t *optimal_of(nck_slope_t *self) {
     return NCK_OPTIMAL_AT(self, optimal);
 }
 
-// What cells last that are not long, by a planner [s].
-static double cell_time(const nck_machine_t *machine, uint32_t planner) {
-    if (planner != NCK_SLOPE_JERK) return NCK_UNLIMITED;
-    return NCK_LADDER_STRETCH * nck_jerk_cell_s(machine);
-}
-
 void nck_planner_init(nck_slope_t *self) {
     const nck_machine_t *const machine = self->machine;
     nck_link_t *const link = self->link;
     self->kind_in_force = planner_of(machine);
-    self->cell_s = cell_time(machine, self->kind_in_force);
     if (slope_of(machine) == NCK_SLOPE_OPTIMAL) {
         nck_optimal_init(optimal_of(self), self->terms, link, &self->now, &self->next);
     }
@@ -59,7 +51,6 @@ void nck_planner_choose(nck_slope_t *self, const nck_node_t *piece) {
     if (!NCK_HAS_OPTIMAL || slope_of(self->machine) != NCK_SLOPE_OPTIMAL || !piece) return;
     const int is_clocked = nck_link_seg(self->link, piece->seg)->keeps == NCK_KEEP_CLOCK;
     self->kind_in_force = is_clocked ? (uint32_t)NCK_SLOPE_OPTIMAL : (uint32_t)NCK_SLOPE_JERK;
-    self->cell_s = cell_time(self->machine, self->kind_in_force);
 }
 
 void nck_planner_begin(nck_slope_t *self, const nck_job_t *job) {

@@ -7,7 +7,6 @@
 
 #include "nck/base/fence.h"               // nck_fence_load nck_fence_store
 #include "nck/base/real.h"                // nck_max nck_min
-#include "nck/prep/5_slope/ladder_math.h" // NCK_LADDER_STRETCH
 #include "nck/prep/5_slope/overlap.h"     // nck_overlap_…
 #include "nck/prep/5_slope/planner.h"     // nck_planner_…
 
@@ -21,7 +20,7 @@ enum { PHASE_IDLE = 0, PHASE_MAKE, PHASE_INSTALL };
 // A plan that answers the operator is put off while so many periods are still final: the tick must
 // not run into the tail, where nobody is heard.
 #define LEAD_LEAST 2.0
-// It gets so many times the cells that have passed in vain.
+// It gets so many times the time that has passed in vain.
 #define PATIENCE 4
 // Cells that pass until another plan is tried where none joined: time enough to make it.
 #define NO_WAY (1 + (NCK_PROFILE > 128 ? NCK_PROFILE / 16 : 8))
@@ -185,19 +184,15 @@ static uint32_t cell_after(const nck_slope_t *self, uint32_t first, double time,
 
 static uint32_t larger(uint32_t one, uint32_t other) { return one > other ? one : other; }
 
-// Where a plan begun now takes over. As many cells pass as for the last one, twice, because it is
-// made twice; where they are long, or those for the last one were short, as much time as others
-// last. A hold's is short. What was put off gets more.
+// Where a plan begun now takes over: as long on as the last one took, twice, because it may be made
+// twice. A hold's is short. What was put off gets more.
 static uint32_t takeover(nck_slope_t *self) {
     const double periods = self->wish.hold ? HOLD_PERIODS : PLAN_PERIODS;
-    const uint32_t done = final_count(self);
     const double least_s = periods * self->machine->period_s;
-    const uint32_t least = cell_after(self, done, least_s, self->now.n);
-    const uint32_t twice = self->wish.hold ? 0 : 2;
-    const uint32_t cells = larger(twice * self->spent.cells, self->answer.reserve.cells);
-    const uint32_t even = larger(twice * self->spent.even, self->answer.reserve.even);
-    const uint32_t first = cell_after(self, done, (double)even * self->cell_s, cells);
-    return nck_planner_seam(self, larger(larger(least, first), self->now.beside));
+    const double twice_s = self->wish.hold ? 0.0 : 2.0 * self->spent_s;
+    const double time = nck_max(nck_max(least_s, twice_s), self->answer.reserve_s);
+    const uint32_t first = cell_after(self, final_count(self), time, self->now.n);
+    return nck_planner_seam(self, larger(first, self->now.beside));
 }
 
 // Cells that the tick has taken since the plan in work was begun.
@@ -205,8 +200,9 @@ static uint32_t passed_meanwhile(const nck_slope_t *self) {
     return (nck_link_taken(self->link) - self->begun.taken) & NCK_LINK_COUNT_MASK;
 }
 
-// The same, with the time that they lasted: a ladder for far lower speeds is passed in no time.
-static void note_passed(nck_slope_t *self, nck_slope_passed_t *passed_out) {
+// How long they lasted [s]: a ladder for far lower speeds is passed in no time, and cells at an even
+// speed last several periods, so their count tells nothing of it.
+static double passed_s(const nck_slope_t *self) {
     int entered = 0;
     const uint32_t end = nck_link_end(self->link, &entered);
     double time = self->begun.lead_s - nck_link_lead(self->link);
@@ -215,9 +211,7 @@ static void note_passed(nck_slope_t *self, nck_slope_passed_t *passed_out) {
         if (!cell) break; // the tick has run into the tail
         time += cell->duration;
     }
-    const double even = 1.0 + NCK_LADDER_STRETCH * nck_max(time, 0.0) / self->cell_s;
-    passed_out->cells = passed_meanwhile(self);
-    passed_out->even = (uint32_t)nck_min(even, (double)passed_out->cells);
+    return nck_max(time, 0.0);
 }
 
 // Other wishes: plan anew from a few cells behind the final ones, unless the path rests by then.
@@ -244,10 +238,7 @@ static void replan(nck_slope_t *self, const nck_pieces_t *pieces) {
 // The answer to the operator is not made in time: the plan of now goes on, and another answer is
 // made from further on. Only answers may wait for time; other plans depend on counts alone.
 static void put_off(nck_slope_t *self, const nck_pieces_t *pieces) {
-    nck_slope_passed_t *const reserve = &self->answer.reserve;
-    note_passed(self, reserve);
-    reserve->cells = PATIENCE * (1 + reserve->cells);
-    reserve->even = PATIENCE * (1 + reserve->even);
+    self->answer.reserve_s = PATIENCE * (self->machine->period_s + passed_s(self));
     replan(self, pieces);
     if (self->phase == PHASE_IDLE) keep_plan(self, pieces, NCK_HELD_NOT);
 }
@@ -284,7 +275,7 @@ static void fall_into_tail(nck_slope_t *self, const nck_pieces_t *pieces) {
 static void finish(nck_slope_t *self) {
     nck_plan_t *const next = &self->next;
     if (next->commit >= next->n) next->complete = 1; // nothing to take over from
-    if (self->kind == NCK_JOB_GO_ON) note_passed(self, &self->spent);
+    if (self->kind == NCK_JOB_GO_ON) self->spent_s = passed_s(self);
     self->phase = PHASE_INSTALL;
 }
 

@@ -23,12 +23,6 @@
 #include "nck/prep/5_slope/plan.h"    // nck_plan_t nck_pieces_t nck_wish_t
 #include "nck/prep/5_slope/sshape.h"  // nck_sshape_t
 
-// Cells that have passed while a plan was made.
-typedef struct nck_slope_passed {
-    uint32_t cells;
-    uint32_t even;         // as many of those that are not short last as long; no more than cells
-} nck_slope_passed_t;
-
 // The room's state: plan after plan, and what the operator wants of them.
 typedef struct nck_slope {
     const nck_machine_t *machine;
@@ -36,7 +30,6 @@ typedef struct nck_slope {
     nck_link_t *link;      // producer's side
     nck_wish_t wish;
     double lead_s;         // duration of the cells that are final ahead of the tick [s]
-    double cell_s;         // what cells last that are not long [s]
     uint32_t phase;        // of the plan in work
     uint32_t kind;         // nck_job_kind_t of it
     nck_plan_t now;        // published
@@ -44,7 +37,7 @@ typedef struct nck_slope {
     struct {
         uint32_t pending;  // 1: the plan in work answers the operator
         uint32_t slower;   // 1: an override has come down
-        nck_slope_passed_t reserve; // that are to pass until it takes over, at least
+        double reserve_s;  // that are to pass until it takes over, at least [s]
     } answer;
     uint32_t anew;         // 1: the next plan does not begin where the plan of now meant it to
     uint32_t overlaps;     // 1: a plan may overlap the end of the one before
@@ -54,7 +47,7 @@ typedef struct nck_slope {
         uint32_t end;      // cells that were final then
         double lead_s;     // how long those lasted that the tick had not taken [s]
     } begun;
-    nck_slope_passed_t spent; // while the last plan was made
+    double spent_s;        // that passed while the last plan was made [s]
     uint32_t waits;        // 1: single block keeps the path behind now; any context reads
     uint32_t brakes;       // 1: the plan of now brings the rest asked for; any context reads
     uint32_t in_tail;      // 1: the tick has been seen in the stop tail
