@@ -157,6 +157,7 @@ typedef struct planner {
     uint32_t waits;         // 1: the unlocking or locking that is waited for has been asked for
     uint32_t first;         // entries before this one are behind the tool
     uint32_t calm;          // cycles since the overrides have changed
+    double pace;            // cycles between two that were told, in the mean
     uint32_t wanted;        // override of feeds that the host wants [ppm]
     uint32_t bound;         // the last move with a cap, or a feed a revolution, that the kernel has
     double cycle_s;         // 0: it takes no moves

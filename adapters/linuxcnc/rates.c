@@ -11,7 +11,9 @@ enum {
     CALM = 20,      // cycles between two overrides: each is a plan of its own, …
     PATIENCE = 200, // … and one that is being made is waited for, so long at most
     TREND = 32,     // cycles of the faster of two means of the spindle's speed; the other: twice
-    LATE = 45       // cycles until the tool has the speed that an override asks for, seen
+    SETTLES = 15,   // cycles from an answer in force until the tool has its speed, seen
+    PACES = 8,      // of them that their mean is of: one that is late does not step
+    PACE_MOST = 60  // cycles between two overrides that are told as soon as they can be, seen
 };
 
 static const double part_share = 5e-3; // of the radius, by which a part of a line under G96 goes
@@ -74,12 +76,16 @@ static double base_of(const planner_t *self, const move_t *move) {
     return move->given / move->feed;
 }
 
-// What a number will be when the tool has heard of it, if it is `now` and changes as it did: by the
+// Cycles until the tool has heard of an override, and half of the time that it is in force: an
+// answer takes as long as it is until the next one.
+static double late(const planner_t *self) { return SETTLES + 1.5 * self->pace; }
+
+// What a number will be so many cycles later, if it is `now` and changes as it did: by the
 // difference of two means.
-static double foreseen(trend_t *trend, double now) {
+static double foreseen(trend_t *trend, double now, double cycles) {
     trend->fast += (now - trend->fast) / TREND;
     trend->slow += (now - trend->slow) / (2 * TREND);
-    return fmax(now + (trend->fast - trend->slow) * ((double)LATE / TREND), 0.0);
+    return fmax(now + (trend->fast - trend->slow) * (cycles / TREND), 0.0);
 }
 
 // On its way to `end` it does not go beyond.
@@ -97,7 +103,7 @@ static int is_fed_line(const planner_t *self, uint32_t count) {
 // lines fed by the revolution follow each other.
 static const move_t *line_then(const planner_t *self, double *x_out) {
     uint32_t n = current(self);
-    double left = self->told.v * LATE * self->cycle_s;
+    double left = self->told.v * late(self) * self->cycle_s;
     double way = self->told.to_go;
     *x_out = self->told.place[NCK_AXIS_X];
     for (; left > way && is_fed_line(self, n + 1); n++) {
@@ -118,8 +124,8 @@ static double follows(planner_t *self, const move_t *move) {
     const double base = base_of(self, move);
     const double now = self->wish.rps / base;
     const double end = told_at(&self->wish, self->told.place[NCK_AXIS_X]) / base;
-    const double then = foreseen(&self->override, now);
-    const double rps = foreseen(&self->spins, self->wish.rps);
+    const double then = foreseen(&self->override, now, late(self));
+    const double rps = foreseen(&self->spins, self->wish.rps, late(self));
     const int lags = fabs(now - end) > there * end;
     if (!lags || move->kind != MOVE_LINE) return up_to(now, then, end);
     double x;
@@ -176,6 +182,7 @@ void rates_hear(planner_t *self, const planner_wish_t *wish) {
     const uint32_t feed = bound ? override_of(self, end) : self->wanted;
     const int same = is_same(self, asked.feed_ppm, feed) && asked.rapid_ppm == rapid
                      && asked.speed_um_s == speed && (asked.feed_ppm == 0) == (feed == 0);
+    if (!same) self->pace += (fmin(self->calm, PACE_MOST) - self->pace) / PACES;
     if (!same || bound) self->calm = 0;
     if (same) return;
     nck_set_override_ppm(&self->nck, feed, rapid);
@@ -242,6 +249,7 @@ void rates_bound(planner_t *self, nck_block_in_t *block) {
     move->given = fmax(move->given, block->feed);
     if (!begins) return;
     if (move->per_rev) self->turned = self->wish.feed * self->wish.rps / base_of(self, move);
+    self->pace = CALM;
     self->override = (trend_t){self->turned, self->turned};
     self->spins = (trend_t){self->wish.rps, self->wish.rps};
     nck_set_override_ppm(&self->nck, override_of(self, self->moves.next + 1), asked.rapid_ppm);

@@ -65,6 +65,17 @@ def test_an_answer_has_the_time_that_it_takes_where_cells_become_short(stand_in)
     assert linuxcnc_calls.feeds_failures(stand_in, 425) == []
 
 
+# Under G96 the spindle falls behind, so the override falls by 60 % a second, and each answer takes
+# 50 cycles. One that is right when it comes, and not half of that later, is 0.8 % too fast.
+def test_an_override_that_falls_is_right_in_the_mean_of_the_time_that_it_is_in_force(stand_in):
+    script, lead = linuxcnc_calls.feeds(774)
+    run = stand_in.run(script)
+    x = run.places[1:, 0]
+    wanted = lead * np.abs(np.diff(run.column("turns")))
+    off = np.abs(np.diff(run.places[:, 0]))[(x > 13) & (x < 18)] / wanted[(x > 13) & (x < 18)] - 1
+    assert abs(np.median(off)) < 2e-3
+
+
 STOPS = {"quick": 12, "suite": 60, "whole": 600}  # seeds of linuxcnc_stops.py
 STOP_SEEDS = 20_000
 
