@@ -162,9 +162,9 @@ class Entered:
                 yield f"begins already at line {int(behind.min())}"
 
     def _turns_back(self):
-        """The end of a loop at the line or behind it leads to earlier ones."""
+        """The end of a loop or a subprogram at the line or behind it leads to earlier ones."""
         rest = self.run.program.text.upper().split(b"\n")[self.line - 1 :]
-        return any(re.search(rb"\bEND[\dWR]|GOTO|\bWHILE", each) for each in rest)
+        return any(re.search(rb"\bEND[\dWRS]|GOTO|\bWHILE|M99", each) for each in rest)
 
     def _is_of_sub(self):
         """A line between O… sub and its endsub is come to behind the line that calls."""
