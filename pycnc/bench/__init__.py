@@ -31,6 +31,7 @@ SUBJECTS = {
     "monotony": [("monotony", "bench_monotony_rows")],
     "gains": [("gains", "bench_gains_rows")],
     "families": [("families", "bench_families_rows")],
+    "tubes": [("families", "bench_tubes_rows")],
     "linuxcnc": [("linuxcnc", "bench_linuxcnc_rows")],
     LIVE: [("linuxcnc_live", "bench_live_rows")],
     "butterfly": [("linuxcnc", "bench_butterfly_rows")],

@@ -6,13 +6,16 @@ A family is a kind of path as shops cut it; a seed draws its sizes, chords and f
 of_0_01, of_0_05: the time under `optimal` over that under `jerk` within so many mm, the median of
 the seeds; worst: the largest of all of them. These are the same on every computer. planned: how
 many times faster than real time the slowest part, `optimal`, is planned, on this one.
+
+`pycnc bench tubes` holds the first 60 mm and 4 s of two programs of each against the best anywhere
+within P (`pycnc bench bounds`, whose machine and columns they have).
 """
 
 import time
 
 import numpy as np
 
-from pycnc.bench import programs
+from pycnc.bench import bounds, programs
 from pycnc.machine import Machine
 from pycnc.planning.plan import Plan
 from pycnc.program import Program
@@ -22,6 +25,8 @@ MACHINES = {"soft": (500, 5_000), "stiff": (5_000, 100_000)}  # a [mm/s²], j [m
 SEEDS = 6
 V_MM_S = 100.0
 LEAST_MM = 1e-4  # between two points of a program
+TUBE_MM, TUBE_S, TUBE_POINTS = 60.0, 4.0, 500  # of a program that a bound is looked for
+TUBE_P = 0.01  # mm
 
 
 def _curve(rng, x, y, z=None):
@@ -187,3 +192,28 @@ def _row(family, name, seeds):
 def _plan(points, feed, tolerance, name, slope):
     machine = Machine.load(programs.machine(slope, *MACHINES[name]))
     return Plan(Program.from_points(points, feed, machine, tolerance=tolerance), keep=False).time_s
+
+
+def bench_tubes_rows(families=FAMILIES, seeds=2):
+    """Return the rows of `bounds.bench_bounds_rows` for beginnings of programs of families.
+
+    Raises
+    ------
+    AbsentError
+        If CasADi is not installed.
+    """
+    cases = [(f"{family} {seed}", _beginning(draw(family, seed)[0]), TUBE_P)
+             for seed in range(seeds) for family in families]  # fmt: skip
+    return bounds.bench_bounds_rows(
+        [(name, lambda points=points: points, tolerance) for name, points, tolerance in cases]
+    )
+
+
+def _beginning(points):
+    """Return the first points of a program, few enough to find the best for."""
+    gone = np.append(0, np.cumsum(np.linalg.norm(np.diff(points, axis=0), axis=1)))
+    points = points[: max(4, int(np.searchsorted(gone, TUBE_MM)))]
+    machine = programs.machine("optimal")
+    program = Program.from_points(points, bounds.FEED, machine, tolerance=TUBE_P)
+    share = min(TUBE_S / Plan(program, keep=False).time_s, TUBE_POINTS / len(points), 1)
+    return points[: max(4, int(len(points) * share))]
