@@ -23,7 +23,8 @@ SECTIONS = {
                   "api_python", "api_c"),
     "Programs": ("docs/cycles", "docs/lathe"),
     "Firmware": ("docs/firmware", "docs/controller", "docs/size", "docs/stops"),
-    "Planning": ("docs/jerk", "docs/grades", "docs/parallel", "docs/opencl", "docs/papers"),
+    "Planning": ("docs/jerk", "docs/planner", "docs/grades", "docs/parallel", "docs/opencl",
+                 "docs/papers"),
 }  # fmt: skip
 # Doxygen takes comments of three slashes: the house writes two.
 FILTER = r"sed -e 's,^\( *\)// ,\1/// ,' -e 's,\([;{},] *\)// ,\1///< ,'"
