@@ -78,12 +78,14 @@ double nck_host_totals_add(nck_host_totals_t *totals, double *since_stop_s, cons
 // Take all final cells, as long as there is room for their points. Returns how many.
 static uint32_t take_cells(nck_host_plan_t *plan) {
     const nck_machine_t *const machine = nck_machine_of(plan->nck);
-    const uint32_t settle = plan->terms.taps - 1u;
     nck_cell_t cell;
     uint32_t count = 0;
     while (nck_host_trail_has_room(&plan->why.trail) && nck_take(plan->nck, &cell) == NCK_OK) {
         const nck_link_t *const link = nck_link_of(plan->nck);
-        const int rapid = nck_link_seg(link, cell.seg)->rapid;
+        const nck_seg_t *const seg = nck_link_seg(link, cell.seg);
+        // Along a clocked path the tick takes no mean.
+        const uint32_t settle = seg->keeps == NCK_KEEP_CLOCK ? 0u : plan->terms.taps - 1u;
+        const int rapid = seg->rapid;
         nck_host_spindle_cell(&plan->spindle, link, &cell);
         const double extra_s = nck_host_totals_add(&plan->totals, &plan->since_stop_s, &cell,
                                                    rapid, machine->period_s, settle);

@@ -200,8 +200,8 @@
 #define NCK_CLOCKED_TRACK 4096
 #endif
 
-// Nodes of a motion's window (base/motion.h): a multiple of NCK_MOTION_LANES. 128 cells and their
-// ends, fewer where memory is short.
+// Nodes of a motion's window (base/motion.h): a multiple of NCK_MOTION_LANES. A second of a clocked
+// path, less where memory is short.
 #if NCK_PROFILE >= 512
 #define NCK_MOTION_NODES 264
 #elif NCK_PROFILE >= 256
