@@ -202,7 +202,7 @@ static uint32_t passed_meanwhile(const nck_slope_t *self) {
 
 // How long they lasted [s]: a ladder for far lower speeds is passed in no time, and cells at an even
 // speed last several periods, so their count tells nothing of it.
-static double passed_s(const nck_slope_t *self) {
+static double passed_s(nck_slope_t *self) {
     int entered = 0;
     const uint32_t end = nck_link_end(self->link, &entered);
     double time = self->begun.lead_s - nck_link_lead(self->link);
