@@ -5,7 +5,7 @@
 //     x″ = p″k² + p′k′      x‴ = p‴k³ + 3p″kk′ + p′k″      by the plan's time: p′, p″, p‴
 // At any constant k ≤ 1 accelerations and jerks are less than the plan's own, which keeps the
 // limits. So a brake can go on from wherever k′ can be taken away again: that is tried along the
-// plan that is known, stretch by stretch. p‴ is the mean of one: whoever looks at periods sees that.
+// plan that is known, stretch by stretch. p‴ is the mean of one, as periods show it.
 #include "nck/tick/6_interpolate/ease.h"
 
 #include "nck/base/cell_math.h" // nck_cell_way nck_cell_speed

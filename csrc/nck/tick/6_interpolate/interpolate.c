@@ -316,15 +316,14 @@ static void find_place(const nck_interpolate_t *self, nck_look_place_t *place_ou
     nck_clock_plan(&self->cell, t, steps_from, place_out);
 }
 
-// What is asked for now, on the way. A brake goes on to its rest: what ends it earlier would need
-// as much of the axes again.
+// What is asked for on the way. A brake goes on to its rest: to end it earlier takes as much again.
 static void hear(nck_interpolate_t *self) {
     nck_clock_t *const clock = &self->clock;
     const int slows = clock->state == NCK_CLOCK_BRAKES || clock->state == NCK_CLOCK_STANDS;
     const int begins = self->brakes && !slows && self->cell.length > 0.0 && !self->rider.on;
-    if (begins && nck_look_is_clocked(seg_at(self, self->cell.seg))) {
-        nck_ease_begin(clock);
-    } else if (begins) {
+    const int eases = begins && nck_look_is_clocked(seg_at(self, self->cell.seg));
+    if (eases) nck_ease_begin(clock);
+    if (begins && !eases) {
         nck_look_place_t here;
         find_place(self, &here);
         nck_clock_begin(clock, here.v, here.a);
@@ -371,28 +370,21 @@ static void brake(nck_interpolate_t *self) {
     if (!(clock->first.v > 0.0)) nck_fence_store(&clock->state, NCK_CLOCK_STANDS);
 }
 
-// Along a clocked path.
-static void ease(nck_interpolate_t *self) {
-    nck_clock_t *const clock = &self->clock;
-    const double t = nck_max(0.0, now(self) - self->t_cell);
-    clock->late -= nck_ease_brake(clock, self->terms, self->link, &self->cell, t);
-    if (!seek(self)) return;
-    pass_at(self, clock->first.rate);
-    if (!(clock->first.rate > 0.0)) nck_fence_store(&clock->state, NCK_CLOCK_STANDS);
-}
-
 // One period on in its own time; k has been counted.
 static void own_time(nck_interpolate_t *self) {
     nck_clock_t *const clock = &self->clock;
+    const int brakes = clock->state == NCK_CLOCK_BRAKES;
     clock->late += self->machine->period_s;
-    if (clock->state == NCK_CLOCK_SETS_OFF) {
-        clock->late -= nck_clock_set_off(clock, self->terms);
-        if (seek(self)) pass_at(self, clock->first.rate);
-    } else if (nck_look_is_clocked(seg_at(self, self->cell.seg))) {
-        ease(self);
-    } else {
+    const double t = nck_max(0.0, now(self) - self->t_cell);
+    if (brakes && !nck_look_is_clocked(seg_at(self, self->cell.seg))) {
         brake(self);
+        return;
     }
+    clock->late -= brakes ? nck_ease_brake(clock, self->terms, self->link, &self->cell, t)
+                          : nck_clock_set_off(clock, self->terms);
+    if (!seek(self)) return;
+    pass_at(self, clock->first.rate);
+    if (!(clock->first.rate > 0.0)) nck_fence_store(&clock->state, NCK_CLOCK_STANDS);
 }
 
 // One period on, what rides apart.
