@@ -59,8 +59,9 @@ def test_a_feed_a_revolution_is_what_is_programmed(stand_in, seed):
 
 # A rest that is asked for
 
-# Answers take over twice as long on as the last one took. While that was made few long cells passed,
-# as many short ones pass in half of the time, and a plan that is made twice was put off for 90 ms.
+# Answers take over twice as long on as the last one took. While that was made few long cells
+# passed, as many short ones pass in half of the time, and a plan that is made twice was put off for
+# 90 ms.
 def test_an_answer_has_the_time_that_it_takes_where_cells_become_short(stand_in):
     assert linuxcnc_calls.feeds_failures(stand_in, 425) == []
 

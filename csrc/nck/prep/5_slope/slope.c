@@ -200,8 +200,8 @@ static uint32_t passed_meanwhile(const nck_slope_t *self) {
     return (nck_link_taken(self->link) - self->begun.taken) & NCK_LINK_COUNT_MASK;
 }
 
-// How long they lasted [s]: a ladder for far lower speeds is passed in no time, and cells at an even
-// speed last several periods, so their count tells nothing of it.
+// How long they lasted [s]: a ladder for far lower speeds is passed in no time, and cells at an
+// even speed last several periods, so their count tells nothing of it.
 static double passed_s(nck_slope_t *self) {
     int entered = 0;
     const uint32_t end = nck_link_end(self->link, &entered);
