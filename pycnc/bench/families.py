@@ -23,7 +23,6 @@ from pycnc.program import Program
 TOLERANCES = (0.002, 0.01, 0.05)  # mm
 MACHINES = {"soft": (500, 5_000), "stiff": (5_000, 100_000)}  # a [mm/s²], j [mm/s³]
 SEEDS = 6
-V_MM_S = 100.0
 LEAST_MM = 1e-4  # between two points of a program
 TUBE_MM, TUBE_S, TUBE_POINTS = 60.0, 4.0, 500  # of a program that a bound is looked for
 TUBE_P = 0.01  # mm
