@@ -27,7 +27,7 @@
 #define NEAR 0.85  // [1] the same where the clock comes from a plan
 #define FASTEST 1e6 // [1] b where a curve stands still: it is no limit there
 #define AHEAD 16   // intervals behind what is given whose clock matters to it
-#define STEADY 0.02 // mean share by which the plan is off its clock, below which that is the answer:
+#define STEADY 0.02 // mean share by which a plan is off its clock, below which that is the answer;
                     // half of it wins 0.1 % and costs 8 % more
 #define EVEN ((nck_num)16.0) // of a curve along a planned clock: 4 to 50 are as good
 #define POINTS 8   // reference points and nodes a call
