@@ -288,3 +288,7 @@ double nck_ease_brake(nck_clock_t *clock, const nck_terms_t *terms, nck_link_t *
     if (rests) return 0.5 * pace.k * period;
     return (pace.k + (0.5 * pace.dk + change / 6.0 * period) * period) * period;
 }
+
+void nck_ease_rest(nck_clock_t *clock, int moves) {
+    if (moves && !(clock->first.rate > 0.0)) nck_fence_store(&clock->state, NCK_CLOCK_STANDS);
+}

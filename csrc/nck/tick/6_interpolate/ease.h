@@ -20,4 +20,8 @@ void nck_ease_begin(nck_clock_t *clock);
 double nck_ease_brake(nck_clock_t *clock, const nck_terms_t *terms, nck_link_t *link,
                       const nck_cell_t *cell, double t);
 
+// Behind that period: the clock stands, if its rate is 0 and the path goes on. Cost: constant.
+// Context: tick.
+void nck_ease_rest(nck_clock_t *clock, int moves);
+
 #endif

@@ -321,12 +321,11 @@ static void hear(nck_interpolate_t *self) {
     nck_clock_t *const clock = &self->clock;
     const int slows = clock->state == NCK_CLOCK_BRAKES || clock->state == NCK_CLOCK_STANDS;
     const int begins = self->brakes && !slows && self->cell.length > 0.0 && !self->rider.on;
-    const int eases = begins && nck_look_is_clocked(seg_at(self, self->cell.seg));
-    if (eases) nck_ease_begin(clock);
-    if (begins && !eases) {
-        nck_look_place_t here;
-        find_place(self, &here);
-        nck_clock_begin(clock, here.v, here.a);
+    nck_look_place_t here;
+    switch (begins ? nck_look_goes_by(seg_at(self, self->cell.seg)) : NCK_GOES_NOT) {
+    case NCK_GOES_BY_CLOCK: nck_ease_begin(clock); break;
+    case NCK_GOES_BY_LENGTH: find_place(self, &here); nck_clock_begin(clock, here.v, here.a); break;
+    default: break;
     }
     if (!self->brakes && clock->state == NCK_CLOCK_STANDS) nck_clock_go_on(clock);
 }
@@ -373,18 +372,19 @@ static void brake(nck_interpolate_t *self) {
 // One period on in its own time; k has been counted.
 static void own_time(nck_interpolate_t *self) {
     nck_clock_t *const clock = &self->clock;
-    const int brakes = clock->state == NCK_CLOCK_BRAKES;
     clock->late += self->machine->period_s;
     const double t = nck_max(0.0, now(self) - self->t_cell);
-    if (brakes && !nck_look_is_clocked(seg_at(self, self->cell.seg))) {
-        brake(self);
-        return;
+    const int brakes = clock->state == NCK_CLOCK_BRAKES;
+    switch (brakes ? nck_look_goes_by(seg_at(self, self->cell.seg)) : NCK_GOES_NOT) {
+    case NCK_GOES_BY_LENGTH: brake(self); return;
+    case NCK_GOES_BY_CLOCK:
+        clock->late -= nck_ease_brake(clock, self->terms, self->link, &self->cell, t);
+        break;
+    default: clock->late -= nck_clock_set_off(clock, self->terms); break;
     }
-    clock->late -= brakes ? nck_ease_brake(clock, self->terms, self->link, &self->cell, t)
-                          : nck_clock_set_off(clock, self->terms);
-    if (!seek(self)) return;
-    pass_at(self, clock->first.rate);
-    if (!(clock->first.rate > 0.0)) nck_fence_store(&clock->state, NCK_CLOCK_STANDS);
+    const int moves = seek(self);
+    if (moves) pass_at(self, clock->first.rate);
+    nck_ease_rest(clock, moves);
 }
 
 // One period on, what rides apart.

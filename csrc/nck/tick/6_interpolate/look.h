@@ -39,6 +39,12 @@ static inline int nck_look_is_clocked(const nck_seg_t *seg) {
     return NCK_HAS_OPTIMAL && seg->keeps == NCK_KEEP_CLOCK;
 }
 
+// By what a path goes on. Cost: constant. Context: tick.
+enum { NCK_GOES_NOT = 0, NCK_GOES_BY_LENGTH, NCK_GOES_BY_CLOCK };
+static inline int nck_look_goes_by(const nck_seg_t *seg) {
+    return NCK_GOES_BY_LENGTH + nck_look_is_clocked(seg);
+}
+
 // a·b over all axes. Cost: linear in them. Context: tick, as all below.
 static inline double nck_look_dot(const double *a, const double *b) {
     double sum = 0.0;
