@@ -5,8 +5,8 @@
     .venv/bin/python tests/rooms.py tick host  these
 
 In every room one file is touched, and its tests must pass; then one fault is planted in it, and
-they must fail. The file is put back, whatever happens. Prints the table of CONTRIBUTING.md; the
-exit status is the number of rooms that are too slow or do not tell. Run it on a quiet computer.
+they must fail. The file is put back, whatever happens. Prints a table; the exit status is the
+number of rooms that are too slow or do not tell. Run it on a quiet computer.
 """
 
 import signal

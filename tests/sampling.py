@@ -55,11 +55,15 @@ def seed_of_commit():
 def changed_files():
     """Return the files that the last commit changes, and what is not committed; relative paths.
 
-    None outside of a repository, nor where the commit before is not known.
+    No files outside of a repository, nor where the commit before is not known.
     """
-    command = ["git", "-C", str(ROOT), "diff", "--name-only", "HEAD~1"]
-    done = subprocess.run(command, capture_output=True, text=True)
-    return frozenset(done.stdout.splitlines()) if done.returncode == 0 else frozenset()
+    found = set()
+    for words in (["diff", "--name-only", "HEAD~1"], ["ls-files", "--others", "--exclude-standard"]):
+        done = subprocess.run(["git", "-C", str(ROOT), *words], capture_output=True, text=True)
+        if done.returncode != 0:
+            return frozenset()
+        found.update(done.stdout.splitlines())
+    return frozenset(found)
 
 
 def pytest_addoption(parser):

@@ -18,7 +18,7 @@ from pycnc.kernel.bind import lib
 from pycnc.machine import Machine
 from pycnc.program.lines import Lines
 from pycnc.report.path_error import PathError
-from pycnc.kernel.records import dtype
+from pycnc.kernel.records import dtype, enum
 
 SQUARE = b"G21 G90 G17 G91.1 G54 F1200\nG0 Z5\nG1 X20\nY20\nX0\nY0\nM2\n"
 ARCS = (
@@ -246,6 +246,37 @@ def test_a_jump_shows_in_the_peaks(trace):
     peaks = measure.Peaks(trace.program.machine)
     peaks.add(rows)
     assert peaks.result()["y"]["v"] > 3
+
+
+def _path_peaks(machine, s, **poses):
+    """Return the peaks of the path of a run that stands at coordinates, tick by tick."""
+    rows = np.zeros(len(s), dtype("sim_row_t"))
+    rows["pose"]["s"] = s
+    for name, values in poses.items():
+        rows["pose"][name] = values
+    peaks = measure.Peaks(machine)
+    for begin in range(0, len(rows), 5):
+        peaks.add(rows[begin : begin + 5])
+    return peaks.result()["path"]
+
+
+def test_two_motions_share_the_peaks_of_the_path_where_they_overlap():
+    machine = Machine.load("mill3")
+    s = 100 * (np.arange(30) * 1e-3) ** 2
+    alone = _path_peaks(machine, s)
+    assert alone["a"] == pytest.approx(200 / machine.record["path"]["a_max"], rel=1e-6)
+    assert _path_peaks(machine, s, left=1.0)["a"] == pytest.approx(alone["a"] / 2, rel=1e-9)
+    behind = np.where(np.arange(30) < 12, 1.0, 0.0)  # one of two ticks is enough
+    assert _path_peaks(machine, s, left=behind)["a"] == pytest.approx(alone["a"], rel=1e-6)
+
+
+def test_the_coordinate_of_a_clocked_path_has_no_peaks():
+    machine, s = Machine.load("mill3", set={"path.slope": "optimal"}), np.arange(30.0) ** 2
+    spline = int(enum("nck_seg_kind_t").SPLINE)
+    assert _path_peaks(machine, s, kind=spline) == {"a": 0, "j": 0}
+    assert _path_peaks(Machine.load("mill3"), s, kind=spline)["a"] > 1
+    kinds = np.where(np.arange(30) < 20, spline, int(enum("nck_seg_kind_t").LINE))
+    assert _path_peaks(machine, s, kind=kinds)["a"] > 1
 
 
 # How a run ends
