@@ -29,8 +29,8 @@
 #define AHEAD 16   // intervals behind what is given whose clock matters to it
 #define STEADY 0.02 // mean share by which a plan is off its clock, below which that is the answer;
                     // half of it wins 0.1 % and costs 8 % more
-#define EVEN ((nck_num)4.0) // of a curve along a planned clock: 16 wins 0.1 % and takes half as many
-                            // iterations again
+#define EVEN ((nck_num)4.0) // of a curve along a planned clock: 16 wins 0.1 % and takes half as
+                            // many iterations again
 #define POINTS 8   // reference points and nodes a call
 
 void nck_stream_begin(nck_stream_t *self, const nck_stream_wish_t *wish) {
