@@ -58,7 +58,8 @@ def changed_files():
     No files outside of a repository, nor where the commit before is not known.
     """
     found = set()
-    for words in (["diff", "--name-only", "HEAD~1"], ["ls-files", "--others", "--exclude-standard"]):
+    asked = ["diff", "--name-only", "HEAD~1"], ["ls-files", "--others", "--exclude-standard"]
+    for words in asked:
         done = subprocess.run(["git", "-C", str(ROOT), *words], capture_output=True, text=True)
         if done.returncode != 0:
             return frozenset()
