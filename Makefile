@@ -24,6 +24,8 @@ PYTEST = $(BIN)/python -m pytest -n logical --maxprocesses 8 --dist loadfile --n
 SOURCES := $(shell find csrc opencl firmware_sim adapters cmake CMakeLists.txt -type f)
 NAMES := $(shell find pycnc -name '*.py' | sort | cksum | cut -d' ' -f1)
 # After an edit three failures say enough, or two tests that had to be ended.
+IS_ROOM = test -n "$(R)" -a -e tests/$(R) || { echo "make room needs R=…, one of:" \
+	$(sort $(notdir $(patsubst %/,%,$(dir $(wildcard tests/*/test_*))))) >&2; exit 2; }
 SOON = --maxfail 3 --max-worker-restart 3
 PACKAGES_TEST = clang-19 libclang-rt-19-dev llvm-19 cppcheck gcc-arm-none-eabi \
                 libnewlib-arm-none-eabi qemu-system-arm pkgconf linuxcnc-uspace \
@@ -50,7 +52,7 @@ install = missing=$$(for package in $(1); do \
 # compiles nothing: all modules of the packages would take 20 s, and few of them are ever imported.
 unexport PYTHONDONTWRITEBYTECODE
 
-.PHONY: run test room is-room quick campaign
+.PHONY: run test room quick campaign
 
 run: $(STAMP)/module
 	$(BIN)/pycnc run "$(FILE)"$(MACHINE_OPTION)
@@ -69,13 +71,8 @@ test: $(STAMP)/venv-test $(STAMP)/module
 	($(MAKE) --no-print-directory $(STAMP)/packages-test; rm -f $(PACKAGES_COMING)) & \
 	$(PYTEST); status=$$?; wait; exit $$status
 
-room: is-room
-
-is-room:
-	@test -n "$(R)" -a -e tests/$(R) || { echo "make room needs R=…, one of:" \
-	$(sort $(notdir $(patsubst %/,%,$(dir $(wildcard tests/*/test_*))))) >&2; exit 2; }
-
 room quick: $(STAMP)/venv-test
+	@$(if $(filter room,$@),$(IS_ROOM))
 	@$(MAKE) -q $(STAMP)/module || $(MAKE) --no-print-directory $(STAMP)/module-quick
 	$(PYTEST) --draw quick -q $(if $(filter room,$@),$(SOON) tests/$(R))
 
