@@ -23,9 +23,10 @@ STAMP = build/stamp
 PYTEST = $(BIN)/python -m pytest -n logical --maxprocesses 8 --dist loadfile --no-loadscope-reorder
 SOURCES := $(shell find csrc opencl firmware_sim adapters cmake CMakeLists.txt -type f)
 NAMES := $(shell find pycnc -name '*.py' | sort | cksum | cut -d' ' -f1)
-# After an edit three failures say enough, or two tests that had to be ended.
+# A room is a folder of tests.
 IS_ROOM = test -n "$(R)" -a -e tests/$(R) || { echo "make room needs R=…, one of:" \
 	$(sort $(notdir $(patsubst %/,%,$(dir $(wildcard tests/*/test_*))))) >&2; exit 2; }
+# After an edit three failures say enough.
 SOON = --maxfail 3 --max-worker-restart 3
 PACKAGES_TEST = clang-19 libclang-rt-19-dev llvm-19 cppcheck gcc-arm-none-eabi \
                 libnewlib-arm-none-eabi qemu-system-arm pkgconf linuxcnc-uspace \

@@ -121,9 +121,11 @@ class Entered:
         return [*self._begin(), *self._way(), *self._end(), *self._path()]
 
     def _refused(self, error):
-        """A line of a loop or a subprogram may be refused that no pass comes to, and with words."""
+        """A line of a loop or subprogram, or behind the program's end, may be refused that no pass
+        comes to, and with words."""
         reached = (self.whole.blocks["line"] == self.line).any()
-        if error.id == "label-missing" and not reached and self._is_inside():
+        apart = self._is_inside() or self._is_behind()
+        if error.id == "label-missing" and not reached and apart:
             return [] if error.help else ["refused without a remedy"]
         return [f"refused: {error.id} ({error.message})"]
 
@@ -133,6 +135,12 @@ class Entered:
         begins = any(re.search(rb"SUB|WHILE|REPEAT|DO|^[O:] *\d+ *$", each.strip())
                      for each in text[: self.line])  # fmt: skip
         return begins and any(re.search(rb"END|WHILE|M99", each) for each in text[self.line - 1 :])
+
+    def _is_behind(self):
+        """The line stands behind an M2 or M30: only a call leads there; or behind all words."""
+        lines = self.run.program.text.upper().split(b"\n")
+        ends = any(re.match(rb"[^(;]*M(0?2|30)(?!\d)", each) for each in lines[: self.line - 1])
+        return ends or not any(each.strip() for each in lines[self.line - 1 :])
 
     def _bare(self, blocks):
         """Return blocks that can be compared: an extruder's places count from its last one."""
