@@ -16,7 +16,6 @@ import time
 import numpy as np
 
 from pycnc.bench import bounds, programs
-from pycnc.machine import Machine
 from pycnc.planning.plan import Plan
 from pycnc.program import Program
 
@@ -174,13 +173,14 @@ def bench_families_rows(families=FAMILIES, machines=MACHINES, seeds=SEEDS):
 
 def _row(family, name, seeds):
     drawn = [draw(family, seed) for seed in range(seeds)]
+    jerk, optimal = (programs.machine(slope, *MACHINES[name]) for slope in ("jerk", "optimal"))
     row = {"family": family, "machine": name, "programs": seeds}
     ratios, time_s, cost_s = [], 0.0, 0.0
     for tolerance in TOLERANCES:
         for points, feed in drawn:
-            jerk_s = _plan(points, feed, tolerance, name, "jerk")
+            jerk_s = _time_s(points, feed, tolerance, jerk)
             began = time.process_time()
-            optimal_s = _plan(points, feed, tolerance, name, "optimal")
+            optimal_s = _time_s(points, feed, tolerance, optimal)
             cost_s += time.process_time() - began
             time_s += optimal_s
             ratios.append(optimal_s / jerk_s)
@@ -188,8 +188,7 @@ def _row(family, name, seeds):
     return row | {"worst": max(ratios), "planned": time_s / cost_s}
 
 
-def _plan(points, feed, tolerance, name, slope):
-    machine = Machine.load(programs.machine(slope, *MACHINES[name]))
+def _time_s(points, feed, tolerance, machine):
     return Plan(Program.from_points(points, feed, machine, tolerance=tolerance), keep=False).time_s
 
 
@@ -201,18 +200,17 @@ def bench_tubes_rows(families=FAMILIES, seeds=2):
     AbsentError
         If CasADi is not installed.
     """
-    cases = [(f"{family} {seed}", _beginning(draw(family, seed)[0]), TUBE_P)
-             for seed in range(seeds) for family in families]  # fmt: skip
-    return bounds.bench_bounds_rows(
-        [(name, lambda points=points: points, tolerance) for name, points, tolerance in cases]
-    )
+    drawn = [(family, seed) for seed in range(seeds) for family in families]
+    return bounds.bench_bounds_rows([
+        (f"{family} {seed}", lambda each=(family, seed): _beginning(draw(*each)[0]), TUBE_P)
+        for family, seed in drawn
+    ])  # fmt: skip
 
 
 def _beginning(points):
     """Return the first points of a program, few enough to find the best for."""
     gone = np.append(0, np.cumsum(np.linalg.norm(np.diff(points, axis=0), axis=1)))
     points = points[: max(4, int(np.searchsorted(gone, TUBE_MM)))]
-    machine = programs.machine("optimal")
-    program = Program.from_points(points, bounds.FEED, machine, tolerance=TUBE_P)
-    share = min(TUBE_S / Plan(program, keep=False).time_s, TUBE_POINTS / len(points), 1)
+    time_s = _time_s(points, bounds.FEED, TUBE_P, programs.machine("optimal"))
+    share = min(TUBE_S / time_s, TUBE_POINTS / len(points), 1)
     return points[: max(4, int(len(points) * share))]

@@ -44,8 +44,7 @@ class Peaks:
         counts = counts_per_unit(machine.record["axis"]["rotary"])
         start = (machine.record["start_nm"] / counts)[self._axes]
         self._tail = np.tile(np.append(start, 0.0), (3, 1))  # at rest before the first tick
-        self._beside = np.zeros(3, bool)  # two motions overlap
-        self._clocked = np.zeros(3, bool)
+        self._flags = np.zeros((3, 2), bool)  # two motions overlap; on a clocked path
         self._clocks = machine.settings.path.slope == "optimal"
         self._peaks = np.zeros((3, len(self._axes) + 1))  # v, a, j of the axes and of s
 
@@ -53,20 +52,19 @@ class Peaks:
         """Measure the next rows of a run (dtype ``sim_row_t``)."""
         now = np.column_stack([rows["pose"]["axis"][:, self._axes], rows["pose"]["s"]])
         track = np.concatenate([self._tail, now])
-        beside = all_beside = np.concatenate([self._beside, rows["pose"]["left"] > 0])
         splines = self._clocks & (rows["pose"]["kind"] == _SEGS.SPLINE)
-        clocked = all_clocked = np.concatenate([self._clocked, splines])
+        told = np.column_stack([rows["pose"]["left"] > 0, splines])
+        flags = all_flags = np.concatenate([self._flags, told])
         step = track
         for order in range(3):
-            step, beside = np.diff(step, axis=0), beside[1:] | beside[:-1]
-            clocked = clocked[1:] | clocked[:-1]
+            step, flags = np.diff(step, axis=0), flags[1:] | flags[:-1]
             if len(step):
                 size = np.abs(step)
-                size[beside, -1] /= 2  # s is the sum of two motions there
-                size[clocked, -1] = 0
+                size[flags[:, 0], -1] /= 2  # s is the sum of two motions there
+                size[flags[:, 1], -1] = 0
                 np.maximum(self._peaks[order], size.max(axis=0), out=self._peaks[order])
         self._tail = track[-3:]
-        self._beside, self._clocked = all_beside[-3:], all_clocked[-3:]
+        self._flags = all_flags[-3:]
 
     def result(self):
         """Return {"x": {"v", "a", "j"}, …, "path": {"a", "j"}}: 1 means at the limit."""

@@ -108,6 +108,7 @@ class Entered:
         self.line, self.whole = line, whole
         self.machine = machine_of(case, f"dialect.from_line={line}")
         self.run = Run.of(bytes_of(case), self.machine)
+        self.lines = self.run.program.text.upper().split(b"\n")
         self.counts = counts_per_unit(self.machine.record["axis"]["rotary"])
         self.prints = self.machine.settings.dialect.base == "marlin"
         self.counted = slice(0, 6 if self.prints else 9)  # of the axes: U is an extruder
@@ -131,16 +132,16 @@ class Entered:
 
     def _is_inside(self):
         """Something begins before the line that ends behind it, by the words of its lines."""
-        text = self.run.program.text.upper().split(b"\n")
         begins = any(re.search(rb"SUB|WHILE|REPEAT|DO|^[O:] *\d+ *$", each.strip())
-                     for each in text[: self.line])  # fmt: skip
-        return begins and any(re.search(rb"END|WHILE|M99", each) for each in text[self.line - 1 :])
+                     for each in self.lines[: self.line])  # fmt: skip
+        rest = self.lines[self.line - 1 :]
+        return begins and any(re.search(rb"END|WHILE|M99", each) for each in rest)
 
     def _is_behind(self):
         """The line stands behind an M2 or M30: only a call leads there; or behind all words."""
-        lines = self.run.program.text.upper().split(b"\n")
-        ends = any(re.match(rb"[^(;]*M(0?2|30)(?!\d)", each) for each in lines[: self.line - 1])
-        return ends or not any(each.strip() for each in lines[self.line - 1 :])
+        before, rest = self.lines[: self.line - 1], self.lines[self.line - 1 :]
+        ends = any(re.match(rb"[^(;]*M(0?2|30)(?!\d)", each) for each in before)
+        return ends or not any(each.strip() for each in rest)
 
     def _bare(self, blocks):
         """Return blocks that can be compared: an extruder's places count from its last one."""
@@ -171,12 +172,12 @@ class Entered:
 
     def _turns_back(self):
         """The end of a loop or a subprogram at the line or behind it leads to earlier ones."""
-        rest = self.run.program.text.upper().split(b"\n")[self.line - 1 :]
+        rest = self.lines[self.line - 1 :]
         return any(re.search(rb"\bEND[\dWRS]|GOTO|\bWHILE|M99", each) for each in rest)
 
     def _is_of_sub(self):
         """A line between O… sub and its endsub is come to behind the line that calls."""
-        before = b"\n".join(self.run.program.text.upper().split(b"\n")[: self.line - 1])
+        before = b"\n".join(self.lines[: self.line - 1])
         return len(re.findall(rb"O *(<[^>]*>|\d+) *SUB", before)) > before.count(b"ENDSUB")
 
     def _is_contour(self):
