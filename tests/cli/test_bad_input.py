@@ -91,7 +91,7 @@ def test_bad_text_gives_one_clear_diagnostic(name):
         assert errors[0]["col"] == column
 
 
-@pytest.mark.sample(quick=3)
+@pytest.mark.sample(quick=1)
 @pytest.mark.parametrize("verb", ["canon", "time", "run", "plot"])
 @pytest.mark.parametrize("name", ["empty", "binary", "missing feed", "line of 10 MB"])
 def test_every_verb_refuses_bad_text(verb, name, tmp_path):

@@ -119,6 +119,7 @@ def test_a_gap_and_other_units_are_told(trace, part, tmp_path):
     assert compare.Comparison(compare.of_trace(trace, "A"), whole).notes == []
 
 
+@pytest.mark.thorough
 def test_settings_are_compared_by_line_and_tolerances_exit_3(part):
     options = ["compare", part, part, "--set-b", "axis.x.a_max_mm_s2=500"]
     told = json.loads(pycnc(*options, "--json").out)

@@ -35,6 +35,7 @@ def small(monkeypatch):
     monkeypatch.setattr(bench_parallel, "bench_lookahead_rows", rows)
 
 
+@pytest.mark.sample(quick=1)
 @pytest.mark.parametrize("made", ["relief", "arcs", "circles", "micrometres"])
 def test_a_program_of_a_bench_runs_and_keeps_every_promise(made):
     text = getattr(bench_kernel, made)(300)
@@ -67,6 +68,7 @@ def test_the_window_alone_gives_every_node_of_the_plan():
     assert pieces == judged.plan(program)[0]["nodes"]
 
 
+@pytest.mark.sample(quick=2)
 @pytest.mark.parametrize("name", ["decode", "lookahead", "tick", "time", "cores"])
 def test_a_bench_prints_json_of_the_contract(small, capsys, name):
     rows = bench.run(name, json=True)

@@ -59,6 +59,7 @@ def test_a_long_line_takes_all_seven_phases_and_keeps_the_feed():
     assert shares(slow, limits(feed=50.0))[0] <= 1 + 1e-3
 
 
+@pytest.mark.thorough
 def test_a_corner_lies_between_a_stop_and_one_move_of_both_axes():
     found = [tube(CORNER, tolerance) for tolerance in (1e-4, 0.01, 0.1, EDGE)]
     times = [motion.time_s for motion in found]

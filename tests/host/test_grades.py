@@ -204,6 +204,7 @@ def test_a_run_by_grades_keeps_speeds_path_stops_and_end(name):
 
 
 @pytest.mark.sample(2)
+@pytest.mark.thorough
 @pytest.mark.parametrize("name", cheap_first(FILES, cases.DEAR_FILES))
 def test_a_corpus_file_runs_by_grades(name):
     file = next(each for each in cases.RUNNING_FILES if each.file == name)

@@ -57,6 +57,7 @@ def test_gains_tell_every_step_of_a_program():
     assert row["keinert_s"] < row["p_0_1_s"] < row["p_0_01_s"] < row["jerk_s"] <= row["sshape_s"]
 
 
+@pytest.mark.thorough
 def test_families_compare_the_slopes_by_seed():
     few = {name: families.FAMILIES[name] for name in ("engraving", "zigzag")}
     engraving, zigzag = families.bench_families_rows(few, ["stiff"], seeds=2)

@@ -92,6 +92,7 @@ def test_the_plan_takes_as_long_as_the_run(name):
 
 
 @pytest.mark.sample(4)
+@pytest.mark.thorough
 @pytest.mark.parametrize("name", short(RUNNING))
 def test_two_runs_give_the_same_bytes(name):
     assert judged.digest_of(program_of(name)) == run_of(name).digest

@@ -460,6 +460,7 @@ def test_oclgrind_would_tell_of_a_race_and_of_an_overrun(tmp_path):
     assert "Invalid write" in words
 
 
+@pytest.mark.thorough
 def test_oclgrind_finds_no_race_and_no_overrun(tmp_path):
     done, words = oclgrind(UNDER_OCLGRIND, tmp_path / "log")
     assert done.returncode == 0, done.stderr

@@ -197,6 +197,7 @@ def pair(gcc_build):
     return gcc_build[0] / "amalgamation" / "nck"
 
 
+@pytest.mark.thorough
 def test_the_pair_is_the_same_bytes_wherever_it_is_made(pair, tmp_path):
     for seed, folder in (("1", tmp_path), ("2", ROOT)):
         out = tmp_path / seed
@@ -236,7 +237,7 @@ int main() {
 CPP_FLAGS = "-std=c++11 -fno-exceptions -fno-rtti -Wall -Wextra -Werror".split()
 
 
-@pytest.mark.sample(quick=1)
+@pytest.mark.thorough
 @pytest.mark.parametrize("form", ["library", "pair"])
 def test_a_cpp_file_includes_links_and_runs(gcc_build, pair, tool, tmp_path, form):
     source, program = tmp_path / "firmware.cpp", tmp_path / "firmware"

@@ -51,6 +51,7 @@ def workshop(tmp_path, monkeypatch):
 # What stands there runs
 
 
+@pytest.mark.thorough
 def test_the_commands_of_the_five_minutes_work(workshop):
     lines = [line for block in blocks("my_machine.md", "sh") for line in block.splitlines()]
     assert len(lines) >= 10
@@ -68,12 +69,14 @@ def test_the_commands_of_the_five_minutes_work(workshop):
     assert "tool change 16.00 s" in pycnc("time", "part.ngc", *set_them).out
 
 
+@pytest.mark.thorough
 def test_the_code_of_the_python_page_runs(workshop, capsys):
     code = "\n".join(blocks("python.md", "python"))
     exec(compile(code, "docs/python.md", "exec"), {})
     assert len(capsys.readouterr().out.splitlines()) >= 7
 
 
+@pytest.mark.thorough
 def test_the_notebook_runs_and_every_result_shows_itself(workshop):
     cells = json.loads((DOCS / "first_part.ipynb").read_text(encoding="utf-8"))["cells"]
     names, shown = {}, 0

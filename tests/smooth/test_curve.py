@@ -46,6 +46,7 @@ def test_the_curve_is_proven_within_the_tolerance(library):
         assert run.told[4] == 0 and run.told[5] <= 1.0
 
 
+@pytest.mark.thorough
 def test_no_curve_misses_a_tolerance_whatever_the_limits_are(library):
     random = np.random.default_rng(6)
     rests = 0
