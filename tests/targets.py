@@ -80,7 +80,7 @@ def build(core, *targets):
 
 @cache
 def capacities(name):
-    """Return {macro: value} of a set of cmake/capacities.cmake: "small" or "host"."""
+    """Return {macro: value} of a set of cmake/capacities.cmake: "small", "optimal" or "host"."""
     text = (ROOT / "cmake" / "capacities.cmake").read_text(encoding="utf-8")
     words = re.search(rf"NCK_CAPACITY_{name.upper()}\s+([^)]*)\)", text)[1].split()
     return {macro: int(value) for macro, value in (word.split("=") for word in words)}
@@ -92,7 +92,7 @@ def machine_image(machine, set_name):
     Parameters
     ----------
     machine : Machine
-    set_name : {"default", "small", "host"}
+    set_name : {"default", "small", "optimal", "host"}
     """
     given = {"default": {"NCK_TOOL_MAX": 32}, "host": {}}.get(set_name) or capacities(set_name)
     axes, tools = given.get("NCK_AXIS_MAX", lib.NCK_AXIS_MAX), given.get("NCK_TOOL_MAX")
@@ -167,7 +167,7 @@ def run_setpoints(core, set_name, case, machine, folder, count=False):
     Parameters
     ----------
     core : {"host", "m4f", "m7", "m55"}
-    set_name : {"default", "small", "host"}
+    set_name : {"default", "small", "optimal", "host"}
         Capacities.
     case : Case
     machine : Machine

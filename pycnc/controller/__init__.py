@@ -312,7 +312,7 @@ def _items(prefix, value):
 def _settings(machine):
     """Return the machine as lines of a job; what is zero need not be said."""
     if machine.settings.path.slope == "optimal":
-        raise FirmwareError("the firmware plans no slope optimal, which needs the memory of a PC: "
+        raise FirmwareError("this firmware is built without the slope optimal (NCK_CLOCKED is 0): "
                             "set path.slope=jerk", id="controller-slope")  # fmt: skip
     record = machine.record
     lines, tools = [], int(record["tool_count"])

@@ -112,7 +112,7 @@ class Path(Table):
         "jerk",
         description="Velocity profile. `linear`: acceleration-limited. `jerk`: jerk-limited. "
         "`optimal`: the same, within a tolerance the fastest motion along the smoothest curve; "
-        "for a PC alone. `sshape`: jerk-limited, acceleration is zero at every junction.",
+        "where a build has it. `sshape`: jerk-limited, acceleration is zero at every junction.",
     )
 
 

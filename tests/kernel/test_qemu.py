@@ -9,6 +9,7 @@ board's capacities, the boards. Programs that every capacity set plans alike clo
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import replace
 
+import clocked
 import numpy as np
 import pytest
 import targets
@@ -16,6 +17,7 @@ from cases import PROGRAM_CASES, RANDOM_CASES, Case
 from targets import run_setpoints
 
 import pycnc
+from pycnc.bench import programs
 from pycnc.machine import Machine
 
 SLOPES = ("linear", "jerk", "sshape")
@@ -44,6 +46,9 @@ DENSE = ("micrometres",)
 RUNS = [(case, slope) for slope in SLOPES for case in CASES]
 RUNS = [(case, slope) for case, slope in RUNS if slope != "sshape" or case.name in SHORT]
 SMALL_RUNS = [(case, slope) for case, slope in RUNS if case.name in SHORT]
+SHORT_WINDOW = 1.05  # of the time in Python's window, most that 64 knots in floats take here
+SHARE = 1.003  # of an axis' limit, what a plan may take (docs/planner.md)
+GRAIN_MM = 1e-6  # of setpoints
 HASH_BEGIN, HASH_PRIME = 0xCBF29CE484222325, 0x100000001B3
 
 
@@ -123,6 +128,36 @@ def test_setpoints_are_the_same_on_every_core(case, slope, tmp_path, draw):
 def test_setpoints_are_the_same_in_64_kilobytes_of_ram(case, slope, tmp_path):
     runs = [("host", "small"), ("m4f", "small")]
     assert_equal(runs, run_everywhere(runs, case, slope, tmp_path), tmp_path)
+
+
+@pytest.mark.sample(3, quick=1)
+@pytest.mark.parametrize("case", SMOOTHED, ids=str)
+def test_the_optimal_slope_has_the_same_bits_in_single_precision(case, tmp_path):
+    runs = [("host", "optimal"), ("m7", "optimal")]
+    runs += [("m4f", "optimal")] * (case.name == "zigzag_smoothed")
+    results = run_everywhere(runs, case, "optimal", tmp_path)
+    assert_equal(runs, results, tmp_path)
+    machine = machine_of(case, "optimal")
+    whole = pycnc.plan(pycnc.load(case.text, machine=machine))
+    assert results[0].ticks <= SHORT_WINDOW * whole.time_s / machine.period_s + 1
+
+
+@pytest.mark.sample(12, quick=4)
+@pytest.mark.parametrize("seed", range(1000))
+def test_a_short_window_of_the_optimal_slope_keeps_every_limit(seed, tmp_path):
+    machine = Machine.load(programs.machine("optimal"))
+    case = Case(f"clocked_{seed}", clocked.text_of(seed))
+    result = run_setpoints("host", "optimal", case, machine, tmp_path)
+    assert result.error == 0 and result.starved == 0
+    rows = np.fromfile(tmp_path / "rows", "i8").reshape(-1, 3) / 1e6
+    limits = machine.record["axis"]["v_max"][0], machine.record["axis"]["a_max"][0]
+    # Exact blocks pass the jerk of axes at junctions.
+    limits += () if "G61" in case.text else (machine.record["axis"]["j_max"][0],)
+    for order, limit in enumerate(limits, start=1):
+        most = np.abs(np.diff(rows, order, axis=0)).max() - 2**order * GRAIN_MM / 2
+        assert most <= SHARE * limit * machine.period_s**order
+    planned = pycnc.plan(pycnc.load(case.text, machine=machine))
+    np.testing.assert_allclose(rows[-1], planned.segs[-1]["end"][:3], rtol=0, atol=2 * GRAIN_MM)
 
 
 @pytest.mark.sample(24)

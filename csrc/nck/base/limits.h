@@ -92,6 +92,18 @@
 #define NCK_SMOOTH_SPAN 128
 #endif
 
+// Knots of the optimal slope's window (path.slope = "optimal"). A multiple of 8, 64..1024; 0 leaves
+// it out. It needs smoothing, the jerk-limited slope and pieces of look-ahead for one and a half
+// windows. Knots are further apart in a short window, which costs a few per cent of the time.
+#ifndef NCK_CLOCKED
+#define NCK_CLOCKED 0
+#endif
+
+// 1: the optimal slope's solvers have single precision: half of their memory, other bits. 0 or 1.
+#ifndef NCK_SINGLE
+#define NCK_SINGLE 0
+#endif
+
 // Cells between the slope and the tick. Power of two, 16..4096. More cells bridge longer pauses of
 // prep.
 #ifndef NCK_CELL_MAX
@@ -103,9 +115,15 @@
 
 // Cells of a stop tail: the rest of the window, to rest.
 #if NCK_PROFILE > NCK_WINDOW
-#define NCK_TAIL_MAX NCK_PROFILE
+#define NCK_TAIL_LEAST NCK_PROFILE
 #else
-#define NCK_TAIL_MAX NCK_WINDOW
+#define NCK_TAIL_LEAST NCK_WINDOW
+#endif
+// An interval of the optimal slope's window is two cells at least, often more.
+#if 3 * NCK_CLOCKED > NCK_TAIL_LEAST
+#define NCK_TAIL_MAX (3 * NCK_CLOCKED)
+#else
+#define NCK_TAIL_MAX NCK_TAIL_LEAST
 #endif
 
 // Outputs (S, M, T words) alive at once beside the segs. Power of two.
@@ -126,8 +144,8 @@
 #define NCK_HAS_SSHAPE (NCK_PROFILE > 0 && NCK_WINDOW >= 32)
 // Whether the stop at a sharp corner and the start behind it may overlap.
 #define NCK_HAS_OVERLAP (NCK_SMOOTH_SPAN > 0 && NCK_PROFILE > 0)
-// Whether there is the optimal slope, which takes 2 MB: where memory is not short.
-#define NCK_HAS_OPTIMAL (NCK_SMOOTH_SPAN >= 512 && NCK_PROFILE >= 512)
+// Whether there is the optimal slope.
+#define NCK_HAS_OPTIMAL (NCK_CLOCKED > 0 && NCK_SMOOTH_SPAN > 0 && NCK_PROFILE > 0)
 // Whether a jerk-limited plan is made as good as it can be: a short window has no time for it.
 #define NCK_HAS_BEST (NCK_PROFILE >= 256)
 // Whether the linear slope is made for even polygons: its corners get more there (room 4,
@@ -185,27 +203,25 @@
 #define NCK_OPTIMAL_VALUE(self, name) 0u
 #endif
 
-// Intervals of a window of the curve, and elements of its track (3_smooth/CURVE.md).
-#if NCK_SMOOTH_SPAN == 0
-#define NCK_CLOCKED_WINDOW 33
-#define NCK_CLOCKED_TRACK 4
-#elif NCK_SMOOTH_SPAN < 128
-#define NCK_CLOCKED_WINDOW (NCK_SMOOTH_SPAN + 32)
-#define NCK_CLOCKED_TRACK (4 * NCK_SMOOTH_SPAN)
-#elif NCK_SMOOTH_SPAN < 256
-#define NCK_CLOCKED_WINDOW 128
-#define NCK_CLOCKED_TRACK (4 * NCK_SMOOTH_SPAN)
-#else
+// Intervals of a window of the curve, elements of its track, outputs on their way along it
+// (3_smooth/CURVE.md), nodes of a motion's window (base/motion.h).
+// Where it is left out they are those of its rooms' tests.
+#if NCK_CLOCKED > 0
+#define NCK_CLOCKED_WINDOW NCK_CLOCKED
+#elif NCK_PROFILE >= 512
 #define NCK_CLOCKED_WINDOW 256
-#define NCK_CLOCKED_TRACK 4096
+#else
+#define NCK_CLOCKED_WINDOW 48
 #endif
-
-// Nodes of a motion's window (base/motion.h): a multiple of NCK_MOTION_LANES. A second of a clocked
-// path, less where memory is short.
-#if NCK_PROFILE >= 512
-#define NCK_MOTION_NODES 264
-#elif NCK_PROFILE >= 256
-#define NCK_MOTION_NODES 136
+#if NCK_CLOCKED_WINDOW >= 256
+#define NCK_CLOCKED_TRACK 4096
+#define NCK_CLOCKED_OUTPUTS 1024
+#else
+#define NCK_CLOCKED_TRACK 256
+#define NCK_CLOCKED_OUTPUTS 64
+#endif
+#if NCK_CLOCKED > 0 || NCK_CLOCKED_WINDOW >= 88
+#define NCK_MOTION_NODES (NCK_CLOCKED_WINDOW + 8)
 #else
 #define NCK_MOTION_NODES 96
 #endif
@@ -295,6 +311,20 @@
 #endif
 #if NCK_SMOOTH_SPAN != 0 && (NCK_SMOOTH_SPAN < 16 || NCK_SMOOTH_SPAN > 65536)
 #error "NCK_SMOOTH_SPAN must be 0 or 16..65536"
+#endif
+#if NCK_CLOCKED != 0 && (NCK_CLOCKED < 64 || NCK_CLOCKED > 1024 || NCK_CLOCKED % 8 != 0)
+#error "NCK_CLOCKED must be 0 or 64..1024, a multiple of 8"
+#endif
+#if NCK_CLOCKED > 0 && (NCK_SMOOTH_SPAN == 0 || NCK_PROFILE == 0)
+#error "NCK_CLOCKED needs NCK_SMOOTH_SPAN and NCK_PROFILE"
+#endif
+// A plan begins half a window behind the one before and has all pieces of its own. Without their
+// room it would wait for what has none.
+#if NCK_CLOCKED > 0 && 3 * NCK_CLOCKED + 40 > 2 * NCK_WINDOW
+#error "3 * NCK_CLOCKED + 40 must not exceed 2 * NCK_WINDOW"
+#endif
+#if NCK_SINGLE < 0 || NCK_SINGLE > 1
+#error "NCK_SINGLE must be 0 or 1"
 #endif
 #if NCK_SMOOTH_SPAN & (NCK_SMOOTH_SPAN - 1)
 #error "NCK_SMOOTH_SPAN must be a power of two"

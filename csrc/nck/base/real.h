@@ -3,6 +3,8 @@
 #ifndef NCK_BASE_REAL_H
 #define NCK_BASE_REAL_H
 
+#include "nck/base/limits.h" // NCK_SINGLE
+
 // The number type: double, or float for bulk planning in float (never for positions).
 #ifndef NCK_REAL
 #define NCK_REAL double
@@ -11,7 +13,11 @@
 // The number type of the solvers' arrays (base/motion.h): double, or float for a processor that has
 // no other in hardware.
 #ifndef NCK_NUM
+#if NCK_SINGLE
+#define NCK_NUM float
+#else
 #define NCK_NUM double
+#endif
 #endif
 
 #ifdef __OPENCL_VERSION__

@@ -40,19 +40,21 @@ RUNTIME = "C runtime"
 SMOOTHED = "_smoothed"
 WIRES = "nck.c (wires)"
 SETS = {
-    "linear": "linear", "jerk": "jerk", "small": "small", "default": "medium, the default",
-    "host": "host",
+    "linear": "linear", "jerk": "jerk", "small": "small", "optimal": "optimal",
+    "default": "medium, the default", "host": "host",
 }  # fmt: skip
-LEAN_SETS = ("linear", "jerk", "small")
+LEAN_SETS = ("linear", "jerk", "small", "optimal")
 FLASH = "flash [bytes]"
 LINKED = "flash that a firmware links, -Os [bytes]"
 DEEPEST = "deepest stack of a call [bytes]"
 PARTS = {"flash": (FLASH, LINKED), "stack": (DEEPEST,)}  # that compile libnck for themselves
-# Micro-segments, the same smoothed, arcs in three planes, one dense straight line, five axes.
+# Micro-segments, the same smoothed, arcs in three planes, one dense straight line, five axes, sharp
+# corners. The optimal slope has capacities of its own.
 BUDGETS = (
     ("star", "linear"), ("star", "jerk"), ("star_smoothed", "linear"), ("star_smoothed", "jerk"),
     ("planes", "linear"), ("planes", "jerk"), ("planes", "sshape"),
     ("micrometres", "linear"), ("micrometres", "jerk"), ("rotary", "linear"),
+    ("zigzag_smoothed", "jerk"), ("zigzag_smoothed", "optimal"),
 )  # fmt: skip
 
 
@@ -142,15 +144,18 @@ def measure_stack(core, image):
 
 
 def measure_instructions(core, name, slope):
-    """Return (most and mean of a tick, most of a step of prep) in instructions."""
+    """Return (most and mean of a tick, most of a step of prep, mean of prep in a period) in
+    instructions."""
     case = next(case for case in CASES if case.name == name.removesuffix(SMOOTHED))
     if name.endswith(SMOOTHED):
         case = replace(case, text=case.text.replace("G61", "G64 P0.01"))
     machine = Machine.load(case.machine, set=(*case.set, f"path.slope={slope}"))
     with tempfile.TemporaryDirectory() as folder:
-        result = targets.run_setpoints(core, "default", case, machine, Path(folder), count=True)
+        set_name = slope if slope == "optimal" else "default"
+        result = targets.run_setpoints(core, set_name, case, machine, Path(folder), count=True)
     runs, total, most = result.instructions["tick"]
-    return most, round(total / runs), result.instructions["prep"][2]
+    _, planned, step = result.instructions["prep"]
+    return most, round(total / runs), step, round(planned / runs)
 
 
 def in_order_of_flow(rooms):
@@ -263,7 +268,7 @@ def table(cores=tuple(CORES), lean=LEAN_SETS, parts=PARTS):
         lines += ram_lines()
         if "stack" in parts:
             lines += lines_of(DEEPEST, names, stack_rows(images))
-    spans = ("tick, most", "tick, mean", "prep step, most")
+    spans = ("tick, most", "tick, mean", "prep step, most", "prep, mean of a period")
     columns = [f"{name}: {span}" for name in map(str.upper, cores) for span in spans]
     lines += lines_of("instructions: program, slope", columns, instruction_rows(cores))
     lines += [

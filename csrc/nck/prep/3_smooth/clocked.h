@@ -9,9 +9,6 @@
 #include "nck/base/terms.h"           // nck_terms_t
 #include "nck/prep/3_smooth/stream.h" // nck_stream_t
 
-// Outputs on their way at once, a power of two.
-enum { NCK_CLOCKED_OUTPUTS = 1024 };
-
 // The run in work.
 typedef struct nck_clocked {
     uint8_t open;    // 1: there is one

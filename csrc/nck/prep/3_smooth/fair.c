@@ -19,7 +19,7 @@
 #define SLOWLY ((nck_num)0.3) // share of the complement that a step leads to
 #define QUICKLY ((nck_num)0.1)
 #define ENOUGH ((nck_num)0.4) // of the gap that is asked for: nothing is gained by less
-#define WORK 36000 // operations a call, of 40 000 allowed
+#define WORK 8000 // operations a call: 40 000 instructions of a processor without vectors
 
 static nck_num larger(nck_num a, nck_num b) { return b > a ? b : a; }
 

@@ -93,15 +93,19 @@ static void put_cell(nck_optimal_t *self, const nck_node_t *piece, const portion
 
 // Such a cell's acceleration is off by Δa·Δv/6v at its ends, which in m parts is less by m². One
 // sample of jerk feels it whole.
-static int parts_of(const nck_optimal_t *self, const nck_node_t *piece, const portion_t *on) {
+static int parts_of(nck_optimal_t *self, const nck_node_t *piece, const portion_t *on) {
     const double scale = piece->length / self->terms->knot_s;
     const double most = CELL_SHARE * self->j_least * self->terms->machine->period_s;
     const double v0 = nck_sqrt(on->b0);
     const double v1 = nck_sqrt(on->b1);
     const double turn = nck_fabs((on->a1 - on->a0) * (v1 - v0)) * scale;
     const double off = turn / (6.0 * nck_max(nck_min(v0, v1), 0.25 * nck_max(v0, v1)));
+    // Each half that is yet to come has one, and this interval may have two of the halves.
+    const int left = 2 * (int)(nck_optimal_work(self)->n - self->i) + 1;
+    const int room = (int)NCK_TAIL_MAX - (int)self->cells - left;
+    const int parts_most = room < PARTS_MOST ? room : (int)PARTS_MOST;
     int parts = 1;
-    while (parts < PARTS_MOST && off > most * (double)(parts * parts)) parts++;
+    while (parts < parts_most && off > most * (double)(parts * parts)) parts++;
     return parts;
 }
 

@@ -125,7 +125,7 @@ static double pace_guess(nck_optimal_t *self, uint32_t k) {
 // 1 if the path itself rests at a node: its clock goes on where its place does not.
 static int is_rest(const nck_optimal_t *self, const nck_num *first) {
     for (int x = 0; x < self->terms->axes; x++) {
-        if (!(NCK_NUM_ABS(first[x]) < REST_LEAST)) return 0;
+        if (!(nck_fabs((double)first[x]) < REST_LEAST)) return 0;
     }
     return 1;
 }

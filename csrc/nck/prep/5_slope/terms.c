@@ -17,10 +17,10 @@
 #define KNOT_SHARE_MOST 1.2
 #define KNOT_LEAST 0.00025
 #define KNOT_MOST 0.004
-// … but so many last as long as it takes to stop: a plan sees 135 of them, and gives a part. By so
-// much at most, else corners are too coarse.
-#define KNOTS_STOP 100.0
-#define KNOT_RAISE 2.0
+// … but a window lasts so many times as long as it takes to stop, since a plan sees two windows at
+// most and gives a part. Knots are raised by so much at most: a path within 2 µm is clocked yet.
+#define KNOT_STOPS 2.56
+#define KNOT_RAISE 1.75
 #define FILTERS_LEAST 2.0 // that a ramp lasts
 // Times D: what a cell lasts beside a rest, where a ladder has few cells and else.
 #define BESIDE_REST_FEW 3.0
@@ -73,7 +73,8 @@ static void set_knot(const nck_machine_t *machine, uint8_t axes, nck_terms_t *te
     }
     const double corner = KNOT_SHARE * nck_root_cube(KNOT_TOLERANCE / j);
     const double wanted = nck_max(KNOT_LEAST, nck_min(corner, KNOT_MOST));
-    const double knot = nck_max(wanted, nck_min(stop / KNOTS_STOP, KNOT_RAISE * wanted));
+    const double spread = KNOT_STOPS * stop / NCK_CLOCKED_WINDOW;
+    const double knot = nck_max(wanted, nck_min(spread, KNOT_RAISE * wanted));
     const double share = knot / KNOT_SHARE_MOST;
     terms_out->knot_s = knot;
     terms_out->knot_p = j * share * share * share;
