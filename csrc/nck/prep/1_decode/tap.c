@@ -28,7 +28,7 @@ nck_status_t nck_decode_tap(nck_decode_t *self, const int64_t *bottom_nm, double
                             double dwell_s, nck_block_t *out) {
     const double rpm = self->modal.speed;
     const double v = lead * rpm / SECONDS;
-    nck_tap_t tap = {{0.0, 0.0, 0.0}, lead, (float)dwell_s, 0.0f};
+    nck_tap_t tap = {.lead = lead, .dwell = (float)dwell_s};
     nck_pass_t pass;
     nck_ramp_t back;
     if (!NCK_HAS_CYCLES) return NCK_E_UNSUPPORTED;

@@ -63,25 +63,19 @@ static nck_status_t check_pass(nck_decode_t *self, const double *start, const do
     return NCK_OK;
 }
 
-// Both ends, and the ends of the straight way between X's own motions.
+// Both ends, and where X is in beside the straight way. Where it goes out from, it is by then, or
+// the line has named it.
 static nck_status_t check_travel(nck_decode_t *self, const int64_t *end_nm,
                                  const nck_thread_t *thread) {
     const int64_t x_nm = self->place.position_nm[NCK_AXIS_X];
     const int64_t in_nm = x_nm + (int64_t)(thread->enter * (double)NCK_COUNTS_PER_MM);
-    const int64_t out_nm = end_nm[NCK_AXIS_X]
-                           - (int64_t)(thread->leave * (double)NCK_COUNTS_PER_MM);
     nck_status_t status = NCK_OK;
     for (unsigned axis = 0; axis < NCK_AXIS_MAX && status == NCK_OK; axis++) {
         const int moves = end_nm[axis] != self->place.position_nm[axis];
         if (moves) status = nck_decode_travel(self, axis, end_nm[axis]);
     }
-    if (status == NCK_OK && thread->enter != 0.0) {
-        status = nck_decode_travel(self, NCK_AXIS_X, in_nm);
-    }
-    if (status == NCK_OK && thread->leave != 0.0) {
-        status = nck_decode_travel(self, NCK_AXIS_X, out_nm);
-    }
-    return status;
+    if (status != NCK_OK || thread->enter == 0.0) return status;
+    return nck_decode_travel(self, NCK_AXIS_X, in_nm);
 }
 
 nck_status_t nck_decode_pass(nck_decode_t *self, const int64_t *end_nm, nck_thread_t *thread,
@@ -119,7 +113,6 @@ nck_status_t nck_decode_lead(nck_decode_t *self, char letter, double *lead_out) 
 
 nck_status_t nck_decode_start_angle(nck_decode_t *self, float *turn_out) {
     const double word = nck_number_real(&self->words.number['Q' - 'A']);
-    *turn_out = 0.0f;
     if (!(self->words.letters & NCK_LETTER('Q'))) return NCK_OK;
     if (!(word >= 0.0 && word <= Q_TURN)) {
         return nck_decode_fail_word(self, NCK_E_NUMBER_RANGE, 'Q', word, Q_TURN);
