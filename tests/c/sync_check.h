@@ -73,6 +73,18 @@ static inline int wait_for_begin(check_t *check) {
     return ticks;
 }
 
+// Behind the begin: the pass is at t, with a spindle that turns evenly at a rate of its command.
+static inline void jump(double t, double rate) {
+    const double commanded = seg.spin.speed;
+    sync.t = t;
+    sync.rate = rate;
+    sync.was = 0.0;
+    sync.slow = 0.0;
+    sync.seen = turns;
+    sync.begin = turns - t * commanded / 60.0;
+    rpm = rate * commanded;
+}
+
 static inline void tick_for(int ticks) {
     for (int k = 0; k < ticks; k++) (void)tick();
 }

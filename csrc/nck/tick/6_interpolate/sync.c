@@ -49,10 +49,8 @@ static void begin(nck_sync_t *self, const nck_machine_t *machine, const nck_seg_
     const double angle = fraction(turn - lag / (taps ? seg->shape.tap.lead : thread->lead));
     self->begin = self->turns + fraction(angle - fraction(self->turns));
     self->seen = self->turns;
-    self->spin = 0.0;
     self->slow = 0.0;
     self->t = 0.0;
-    self->rate = 1.0;
     self->was = 0.0;
     self->state = NCK_SYNC_WAITS;
 }
@@ -164,7 +162,6 @@ static uint32_t stopping(nck_sync_t *self, const nck_machine_t *machine, const n
     stand(self, seg, &at, pose);
     pose->state = NCK_TICK_HOLD;
     if (goes_on) return NCK_SYNC_STOPS;
-    pose->v = 0.0;
     self->state = NCK_SYNC_NOT;
     return NCK_SYNC_ENDS;
 }
@@ -176,7 +173,7 @@ static double follow(nck_sync_t *self, double rpm, double period) {
     const double far = t + NCK_FOLLOW_FASTER * period;
     nck_follow_room_t room;
     room.least = 0.0;
-    room.most = 2.0 * pass->total;
+    room.most = UNLIMITED;
     room.change = UNLIMITED;
     room.rpm = rpm;
     room.period = period;
