@@ -197,8 +197,13 @@ def changes(text):
                     in_for.update(range(k + 1, close))
             if tokens[k].text == "if":
                 yield tokens[k + 1].end, tokens[k + 1].end, "!("
+        head = next((k for k in range(first, 0, -1) if tokens[k - 1].text in (";", "}")), 0)
+        is_truth = "int" in {each.text for each in tokens[head : head + 3]}  # what it returns
         for k in range(first, behind):
-            yield from changes_at(text, tokens, k)
+            if is_truth and (tokens[k - 1].text, tokens[k].text) == ("return", "1"):
+                yield tokens[k].begin, tokens[k].end, "0"  # 2 is as true
+            else:
+                yield from changes_at(text, tokens, k)
             if k in in_for or not is_removable(tokens, k, heads):
                 continue
             end = statement_end(tokens, k)

@@ -16,6 +16,12 @@ static int clamp(int a, const int *b) {
     work(seg);
     return a;
 }
+static int is_good(int a) {
+    return 1;
+}
+static unsigned count(void) {
+    return 1;
+}
 enum { NONE = 5 };
 """
 CHANGES = {
@@ -23,7 +29,7 @@ CHANGES = {
     ("!=", "=="), ("0", "1"), ("return 7", ""), ("7", "8"), ("7", "6"), ("3", "4"), ("3", "2"),
     ("+=", "-="), ("+=", "="), ("*", "/"), ("2", "3"), ("2", "1"), ("a += k * 2", ""),
     ("-", "+"), ("1.5", "(1.5 + 1.0)"), ("1.5", "(1.5 - 1.0)"), ("self->s = a - 1.5", ""),
-    ("work(seg)", ""),
+    ("work(seg)", ""), ("1", "0"), ("1", "2"),
 }  # fmt: skip
 
 
@@ -34,6 +40,8 @@ def test_changes_are_small_and_inside_of_functions(tmp_path, monkeypatch):
     found = list(mutate.mutants_of("clamp.c"))
     assert {(mutant.was, mutant.now) for mutant in found} == CHANGES
     assert all(mutant.was in mutant.source for mutant in found)
+    # a truth becomes none, a number its neighbours
+    assert [mutant.now for mutant in found if mutant.was == "1"] == ["0", "2", "0"]
 
 
 def test_a_sample_is_the_same_whatever_is_added_behind():
