@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Radius compensation through the front door: what waits in its ring is executed, to the last.
 #include "front_check.h"
+#include "nck/base/trig_math.h" // NCK_PI
 
 static front_t front;
 static nck_toolcomp_t room;
@@ -197,6 +198,69 @@ static void the_ring_gives_as_it_is_fed(check_t *check) {
     CHECK(check, !nck_toolcomp_is_on(&room));
 }
 
+// A contour of 10 mm along X, right of the tool or below it; the ring is filled until that is given,
+// and the next one ends in x, y, about a centre if it is an arc. Returns what comes of pushing it.
+static nck_status_t go_on_behind(check_t *check, nck_block_kind_t first, nck_block_t next) {
+    static nck_machine_t machine;
+    uint32_t line = 0;
+    nck_machine_default(&machine);
+    nck_toolcomp_init(&room, &machine);
+    nck_block_t block = line_to(-9.0, 0.0, 0);
+    block.kind = NCK_BLOCK_COMP;
+    block.output.value = 1.0;
+    CHECK_INT(check, nck_toolcomp_push(&room, &block), NCK_EMPTY);
+    for (uint32_t k = 1; k <= NCK_COMP_ROWS + 4; k++) {
+        block = line_to(10.0, 0.0, k);
+        if (k == 1) block = line_to(0.0, 0.0, 1);
+        if (k == 2) block.kind = (uint8_t)first;
+        if (k > 2) block.kind = NCK_BLOCK_OUTPUT;
+        CHECK_INT(check, nck_toolcomp_push(&room, &block), NCK_EMPTY);
+        (void)pull_all(check, &line);
+    }
+    return nck_toolcomp_push(&room, &next);
+}
+
+// What is given cannot be cut short: straight on the tool dips in by 1 − cos of the angle.
+static void an_inside_corner_behind_what_is_given_is_refused(check_t *check) {
+    static const double ends[][3] = {{10.0, 5.0, 1.0}, {20.0, 0.6, 1.7955e-3}, {20.0, 0.3, 0.0},
+                                     {20.0, 0.0, 0.0}, {10.0, -5.0, 0.0}, {0.0, 0.0, 0.0}};
+    nck_diagnostic_t found;
+    nck_block_t block;
+    for (int k = 0; k < 6; k++) {
+        const double dip = ends[k][2];
+        const nck_block_t next = line_to(ends[k][0], ends[k][1], 9999);
+        const nck_status_t status = go_on_behind(check, NCK_BLOCK_LINE, next);
+        CHECK_INT(check, status, dip > 0.0 ? NCK_E_COMP_GOUGE : NCK_EMPTY);
+        if (status == NCK_EMPTY) continue;
+        do CHECK_INT(check, nck_toolcomp_diagnostic(&room, &found), NCK_OK);
+        while (found.code == NCK_NOTE_COMP_WAY);
+        CHECK_INT(check, found.code, NCK_E_COMP_GOUGE);
+        CHECK_NEAR(check, found.value, dip, 1e-5);
+        CHECK_NEAR(check, found.limit, 9999.0, 0.0);
+        CHECK_INT(check, found.line, 2);
+        CHECK(check, !nck_toolcomp_is_on(&room));
+        CHECK_INT(check, nck_toolcomp_pull(&room, &block), NCK_EMPTY);
+    }
+    nck_block_t next = line_to(10.0, 5.0, 9999);
+    next.kind = NCK_BLOCK_RAPID; // cuts nothing
+    CHECK_INT(check, go_on_behind(check, NCK_BLOCK_LINE, next), NCK_EMPTY);
+    next.kind = NCK_BLOCK_LINE;
+    CHECK_INT(check, go_on_behind(check, NCK_BLOCK_RAPID, next), NCK_EMPTY);
+    next = line_to(10.0, 6.0, 9999); // half a turn to the left, from straight on
+    next.kind = NCK_BLOCK_ARC;
+    next.centre_mm[0] = 10.0;
+    next.centre_mm[1] = 3.0;
+    next.sweep_rad = NCK_PI;
+    CHECK_INT(check, go_on_behind(check, NCK_BLOCK_LINE, next), NCK_EMPTY);
+    nck_toolcomp_end(&room);
+    CHECK_INT(check, nck_toolcomp_pull(&room, &block), NCK_OK);
+    while (block.kind != NCK_BLOCK_ARC) {
+        if (nck_toolcomp_pull(&room, &block) != NCK_OK) break;
+    }
+    CHECK_NEAR(check, (double)block.target_nm[1] * 1e-6, 5.0, 1e-9);
+    CHECK_NEAR(check, block.sweep_rad, NCK_PI, 1e-9);
+}
+
 int main(void) {
     check_t check = {0};
     CHECK_RUN(&check, the_end_of_a_program_executes_what_waits);
@@ -207,5 +271,6 @@ int main(void) {
     CHECK_RUN(&check, a_way_in_without_a_height_is_refused);
     CHECK_RUN(&check, it_begins_and_ends_as_the_block_says);
     CHECK_RUN(&check, the_ring_gives_as_it_is_fed);
+    CHECK_RUN(&check, an_inside_corner_behind_what_is_given_is_refused);
     return check_end(&check);
 }

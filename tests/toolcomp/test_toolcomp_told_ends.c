@@ -256,6 +256,43 @@ static void a_nose_goes_beside_the_contour(check_t *check) {
     TOLD(check, &self, nose_rows);
 }
 
+// Entered at line 5, at X30 Y40 Z5 of the tip, which is 1, 2 and 3 mm beside the machine's place.
+static const told_row_t offset_rows[] = {
+    {"G43.1 X1 Y2 Z3\nG0 X10 Y20 Z5\nG1 F100 Z-1\nX30 Y40 Z5\nX50\nG49\nX60\n",
+     "5 rapid Z8 stop P0 Q0; 5 rapid X31 Y42; 5 line F100; 5 line X51 smooth P0.01 Q0.01;"
+     " 7 line X60"},
+    {"G43.1 X1 Y2 Z3\nG0 X10 Y20 Z5\nG1 F100 Z-1\nX30 Y40 Z5\nX50\nG49\nX60\n",
+     "5 rapid Z20 stop P0 Q0; 5 rapid X31 Y42; 5 line Z8 F100; 5 line X51 smooth P0.01 Q0.01;"
+     " 7 line X60"},
+    {"G43.1 X1 Y2 Z3\nG0 X10 Y20 Z5\nG1 F100 Z-1\nX30 Y40 Z5\nX50\nG49\nX60\n",
+     "5 line X51 Y42 Z8 F100; 7 line X60"},
+    {"G43.1 X1 Y2 Z3\nG0 X10 Y20 Z5\nG1 F100 Z-1\nX30 Y40 Z5\nX50\nG49\nX60\n",
+     "5 rapid X31 Y42 Z8 stop P0 Q0; 5 rapid; 5 line F100; 5 line X51 smooth P0.01 Q0.01;"
+     " 7 line X60"},
+    {"G43.1 X1 Y2 Z3\nG0 X10 Y20 Z5\nG1 F100 Z-1\nX30 Y40 Z5\nX50\nG49\nX60\n",
+     "5 rapid Z30 stop P0 Q0; 5 rapid X31 Y42; 5 line Z8 F100; 5 line X51 smooth P0.01 Q0.01;"
+     " 7 line X60"},
+};
+
+static void enter_at(check_t *check, double x, double y, double z, const told_row_t *row) {
+    const double start[3] = {x, y, z};
+    for (int k = 0; k < 3; k++) self.machine.start_nm[k] = (int64_t)(start[k] * 1e6);
+    told_check(check, &self, row, 1);
+}
+
+static void a_way_in_goes_to_where_the_tool_would_be(check_t *check) {
+    told_begin(&self, NCK_DIALECT_LINUXCNC);
+    self.machine.dialect.from_line = 5;
+    self.machine.approach.height_nm = 7 * NCK_COUNTS_PER_MM;
+    self.compensates = 1;
+    enter_at(check, 0.0, 0.0, 0.0, &offset_rows[0]);
+    enter_at(check, 0.0, 0.0, 20.0, &offset_rows[1]);
+    enter_at(check, 31.0, 42.0, 8.0, &offset_rows[2]);
+    enter_at(check, 31.0, 42.0, 5.0, &offset_rows[3]);
+    self.machine.approach.height_nm = 30 * NCK_COUNTS_PER_MM;
+    enter_at(check, 0.0, 0.0, 0.0, &offset_rows[4]);
+}
+
 int main(void) {
     check_t check = {0};
     if (!TOLD_WHOLE) return 0;
@@ -263,5 +300,6 @@ int main(void) {
     CHECK_RUN(&check, narrow_contours_are_cut_left_out_or_refused);
     CHECK_RUN(&check, what_stands_between_contours_is_executed_there);
     CHECK_RUN(&check, a_nose_goes_beside_the_contour);
+    CHECK_RUN(&check, a_way_in_goes_to_where_the_tool_would_be);
     return check_end(&check);
 }

@@ -120,6 +120,10 @@ static const told_row_t level_rows[] = {
     {"G41.1 D4 F100\nG1 X0 Y20\nX60 Z-3\nY60\nX50 Z-2\nY23.5 Z-2.4\nG40 X58 Y50\n",
      "?2:0 comp-way 0.00992561958/3; 2 line X-2 Y20 F100; 3 arc X0 Y22 G17 about 0 20 by -90;"
      " !3:0 comp-gouge 0.5/6; 7 line X58 Y50 Z-2.4"},
+    {"G41.1 D4 F100\nG1 X0 Y20 Z-3\nX39.3\nX39.6 Y20.2 Z-1.5\nX40 Y20.5 Z0\nY60\nX20\nZ-2\nY26\n"
+     "X36.5\nY40\nG40 X30\n",
+     "2 line X-2 Y20 Z-3 F100; 3 arc X0 Y22 G17 about 0 20 by -90; ?4:0 comp-left 0.5/5;"
+     " 3 line X38; !6:0 comp-gouge 0.5/10; 12 line X30 Y40 Z-2"},
 };
 
 static void a_path_passes_above_what_lies_lower(check_t *check) {

@@ -39,8 +39,9 @@ void nck_comp_stretch(nck_toolcomp_t *self, const nck_comp_piece_t *piece,
     out->height[1] = turns ? out->height[0] : nck_comp_height(self, entry->block.target_nm);
 }
 
-// The part of a stretch that is no higher than a height (sense 1), or no lower (−1). Returns where
-// on the stretch it begins [mm], −1 if there is none.
+// The part of a stretch that is no higher than a height (sense 1), or no lower (−1); an end that is
+// cut off keeps its height, which is further out than the part's other one. Returns where on the
+// stretch it begins [mm], −1 if there is none.
 static double cut(const nck_comp_stretch_t *self, double height, double sense,
                   nck_comp_stretch_t *out) {
     const double room[2] = {sense * (height - self->height[0]), sense * (height - self->height[1])};
@@ -51,7 +52,6 @@ static double cut(const nck_comp_stretch_t *self, double height, double sense,
     const double place = self->shape.length * (room[0] / (room[0] - room[1]));
     const double from = out_of_it[0] ? place : 0.0;
     nck_shape_part(&self->shape, from, out_of_it[0] ? self->shape.length : place, &out->shape);
-    out->height[out_of_it[0] ? 0 : 1] = height;
     return from;
 }
 
