@@ -198,8 +198,8 @@ static void the_ring_gives_as_it_is_fed(check_t *check) {
     CHECK(check, !nck_toolcomp_is_on(&room));
 }
 
-// A contour of 10 mm along X, right of the tool or below it; the ring is filled until that is given,
-// and the next one ends in x, y, about a centre if it is an arc. Returns what comes of pushing it.
+// A contour of 10 mm along X, the tool left of it; the ring is filled until that is given, and the
+// next one comes. Returns what comes of pushing it.
 static nck_status_t go_on_behind(check_t *check, nck_block_kind_t first, nck_block_t next) {
     static nck_machine_t machine;
     uint32_t line = 0;
