@@ -212,7 +212,7 @@ def test_no_static_local_that_changes(name):
 
 def test_the_knobs_are_few():
     knobs = re.findall(r"^#ifndef (NCK_\w+)$", read("csrc/nck/base/limits.h"), re.M)
-    assert len([knob for knob in knobs if not knob.endswith("_H")]) <= 16
+    assert len([knob for knob in knobs if not knob.endswith("_H")]) <= 17
 
 
 # The repository

@@ -94,14 +94,10 @@
 
 // Knots of the optimal slope's window (path.slope = "optimal"). A multiple of 8, 64..1024; 0 leaves
 // it out. It needs smoothing, the jerk-limited slope and pieces of look-ahead for one and a half
-// windows. Knots are further apart in a short window, which costs a few per cent of the time.
+// windows. Below 256 its solvers have single precision, half of the memory, and knots are further
+// apart, which costs a few per cent of the time.
 #ifndef NCK_CLOCKED
 #define NCK_CLOCKED 0
-#endif
-
-// 1: the optimal slope's solvers have single precision: half of their memory, other bits. 0 or 1.
-#ifndef NCK_SINGLE
-#define NCK_SINGLE 0
 #endif
 
 // Cells between the slope and the tick. Power of two, 16..4096. More cells bridge longer pauses of
@@ -144,6 +140,8 @@
 #define NCK_HAS_SSHAPE (NCK_PROFILE > 0 && NCK_WINDOW >= 32)
 // Whether the stop at a sharp corner and the start behind it may overlap.
 #define NCK_HAS_OVERLAP (NCK_SMOOTH_SPAN > 0 && NCK_PROFILE > 0)
+// Whether the optimal slope's solvers have single precision.
+#define NCK_SINGLE (NCK_CLOCKED > 0 && NCK_CLOCKED < 256)
 // Whether there is the optimal slope.
 #define NCK_HAS_OPTIMAL (NCK_CLOCKED > 0 && NCK_SMOOTH_SPAN > 0 && NCK_PROFILE > 0)
 // Whether a jerk-limited plan is made as good as it can be: a short window has no time for it.
@@ -322,9 +320,6 @@
 // room it would wait for what has none.
 #if NCK_CLOCKED > 0 && 3 * NCK_CLOCKED + 40 > 2 * NCK_WINDOW
 #error "3 * NCK_CLOCKED + 40 must not exceed 2 * NCK_WINDOW"
-#endif
-#if NCK_SINGLE < 0 || NCK_SINGLE > 1
-#error "NCK_SINGLE must be 0 or 1"
 #endif
 #if NCK_SMOOTH_SPAN & (NCK_SMOOTH_SPAN - 1)
 #error "NCK_SMOOTH_SPAN must be a power of two"
