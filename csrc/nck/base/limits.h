@@ -202,26 +202,30 @@
 #endif
 
 // Intervals of a window of the curve, elements of its track, outputs on their way along it
-// (3_smooth/CURVE.md), nodes of a motion's window (base/motion.h).
-// Where it is left out they are those of its rooms' tests.
-#if NCK_CLOCKED > 0
-#define NCK_CLOCKED_WINDOW NCK_CLOCKED
-#elif NCK_PROFILE >= 512
-#define NCK_CLOCKED_WINDOW 256
-#else
-#define NCK_CLOCKED_WINDOW 48
-#endif
-#if NCK_CLOCKED_WINDOW >= 256
+// (3_smooth/CURVE.md), nodes of a motion's window (base/motion.h). Where there is no optimal slope
+// they are those of its rooms' tests.
+#if NCK_CLOCKED >= 256
 #define NCK_CLOCKED_TRACK 4096
 #define NCK_CLOCKED_OUTPUTS 1024
 #else
-#define NCK_CLOCKED_TRACK 256
 #define NCK_CLOCKED_OUTPUTS 64
-#endif
-#if NCK_CLOCKED > 0 || NCK_CLOCKED_WINDOW >= 88
-#define NCK_MOTION_NODES (NCK_CLOCKED_WINDOW + 8)
+#if NCK_CLOCKED > 0
+#define NCK_CLOCKED_TRACK 256
+#elif NCK_PROFILE < 512
+#define NCK_CLOCKED_TRACK 64
 #else
+#define NCK_CLOCKED_TRACK 512
+#endif
+#endif
+#if NCK_CLOCKED > 0
+#define NCK_CLOCKED_WINDOW NCK_CLOCKED
+#define NCK_MOTION_NODES (NCK_CLOCKED + 8)
+#elif NCK_PROFILE < 512
+#define NCK_CLOCKED_WINDOW 48
 #define NCK_MOTION_NODES 96
+#else
+#define NCK_CLOCKED_WINDOW 128
+#define NCK_MOTION_NODES 264
 #endif
 // Nodes that are worked on side by side: sums over nodes are sums of so many sums, whatever the
 // processor, so that loops become vectors of the same bits.
