@@ -198,6 +198,23 @@ static void spans_are_taken_off_time_and_periods_alike(check_t *check)
     }
 }
 
+// Its time is a period's to the bit; less the span that is taken off both, it was rounded away.
+static void a_cell_that_begins_at_a_tick_begins_there(check_t *check)
+{
+    for (int k = NCK_INTERPOLATE_SPAN + 1; k < NCK_INTERPOLATE_SPAN + 200; k++) {
+        const double time = k * PERIOD;
+        const nck_cell_t first = {.length = 5.0, .v = 5.0 / time, .duration = time};
+        const nck_cell_t second = {.stop = NCK_STOP_REST, .last = 1, .s = 5.0, .length = 5.0,
+                                   .v = 5.0 / time, .duration = time};
+        begin();
+        put_line(check);
+        put_cell(check, &first);
+        put_cell(check, &second);
+        for (int n = 1; n < k; n++) (void)nck_interpolate_tick(&interpolate);
+        CHECK(check, nck_interpolate_tick(&interpolate)->axis[0] == 5.0);
+    }
+}
+
 static void landing_is_the_first_period_at_or_after_the_time(check_t *check)
 {
     CHECK_INT(check, nck_interpolate_periods(0.0, 1e-3), 1);
@@ -219,6 +236,7 @@ int main(void)
     CHECK_RUN(&check, brake_of_a_hold_is_told_from_its_first_period_to_the_end);
     CHECK_RUN(&check, cells_are_taken_for_planning_but_never_those_of_a_tail);
     CHECK_RUN(&check, spans_are_taken_off_time_and_periods_alike);
+    CHECK_RUN(&check, a_cell_that_begins_at_a_tick_begins_there);
     CHECK_RUN(&check, landing_is_the_first_period_at_or_after_the_time);
     return check_end(&check);
 }

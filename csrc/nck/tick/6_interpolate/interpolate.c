@@ -407,7 +407,7 @@ static const nck_pose_t *tick(nck_interpolate_t *self) {
     if (self->clock.state != NCK_CLOCK_RUNS) {
         own_time(self);
     } else if (seek(self)) {
-        evaluate(self, now(self) - self->t_cell);
+        evaluate(self, nck_max(0.0, now(self) - self->t_cell)); // a span less rounds otherwise
     }
     return &self->pose;
 }
