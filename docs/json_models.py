@@ -74,7 +74,7 @@ class Time(Program):
     length_mm: float = _is("of the programmed path; a degree counts as a millimetre")
     limit_time_s: dict[str, float] = _is("limit → how long it held the path; adds up to `time_s`")
     slope: Literal["jerk", "sshape", "linear"] = _is("velocity profile")
-    plan: Literal["exact", "grades"] = _is("how speed was planned")
+    plan: Literal["exact", "grades", "sshape"] = _is("how speed was planned")
     backend: str = _is("where it was planned")
     plan_s: float = _is("wall time that planning took")
     parts: list[Part] | None = _is("of `--by`; else the key is absent", default=None)

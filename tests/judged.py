@@ -10,6 +10,7 @@ import numpy as np
 from pycnc import kernel
 from pycnc.report import path_error
 from pycnc.machine import Machine
+from pycnc.planning import whole
 from pycnc.program import Program
 
 
@@ -74,6 +75,27 @@ def run(program, prep_steps=kernel.PREP_STEPS, commands=(), answer=None):
     if missed > 1 + checker.SHARE:
         raise checker.PhysicsError(f"the path misses a programmed point by {missed} P")
     return Run(program, judge.ticks, controller.starved_ticks, digest.hexdigest(), judge)
+
+
+def run_whole(program, motion):
+    """Run a motion that the host has planned whole under the checker's eyes; its totals hold.
+
+    Raises
+    ------
+    checker.PhysicsError
+        At the first promise that the run breaks.
+    """
+    judge = checker.Checker(program.blocks, program.machine.record)
+    simulation = whole.Simulation(motion)
+    for rows, _ in simulation.pieces():
+        judge.add(rows)
+    judge.finish()
+    if simulation.starved_ticks or judge.ticks != motion.totals["ticks"] * (len(motion.segs) > 0):
+        raise checker.PhysicsError(f"{judge.ticks} ticks, starved {simulation.starved_ticks}")
+    missed = missed_by(program)
+    if missed > 1 + checker.SHARE:
+        raise checker.PhysicsError(f"the path misses a programmed point by {missed} P")
+    return judge
 
 
 def missed_by(program):

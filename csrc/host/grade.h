@@ -11,7 +11,7 @@
 
 #include <stddef.h> // size_t
 
-#include "host/host.h" // nck_host_totals_t and all records
+#include "host/host.h" // all records
 #include "host/unit.h" // nck_unit_t nck_grade_rule_t
 
 #ifdef __cplusplus
@@ -40,8 +40,6 @@ typedef struct nck_host_grades {
     uint32_t steps;               // n of eq. 10, at least 1
     const nck_seg_t *segs;        // of the whole program, from nck_host_plan
     size_t seg_count;             // less than 2³²
-    const nck_output_t *outputs;  // in order; read by nck_host_grade_prep alone
-    size_t output_count;
     double *v_command;            // seg_count: commanded speed of every seg [path mm/s]
     uint8_t *limit;               // seg_count: nck_limit_t that set it
     nck_host_stretch_t *stretches;
@@ -129,8 +127,9 @@ nck_status_t nck_host_grade_plan(nck_host_grades_t *self);
 // Every invariant of a finished plan, for tests: 1 if all hold. Cost: linear. Context: any.
 int nck_host_grade_invariants(const nck_host_grades_t *self);
 
-// Where the making of cells stands; all zero at the begin.
+// Where the making of cells stands; all zero at the begin but the plan.
 typedef struct nck_host_grade_cursor {
+    const nck_host_grades_t *grades; // a finished plan
     size_t stretch, unit; // next unit
     size_t seg;           // under way
     double s;             // in it [path mm]
@@ -140,31 +139,10 @@ typedef struct nck_host_grade_cursor {
     double done;          // of the phase [path mm]
 } nck_host_grade_cursor_t;
 
-// The next cells of a finished plan, at most max; *count_out = 0: that was all. Constant
-// acceleration (15) in each unit; a unit between two rests speeds up and brakes within itself.
-// Cost: linear. Context: prep.
-void nck_host_grade_cells(const nck_host_grades_t *self, nck_host_grade_cursor_t *cursor,
-                          nck_cell_t *cells_out, size_t max, size_t *count_out);
-
-// Time and counts of a finished plan, as nck_host_plan tells them. Cost: linear. Context: prep.
-void nck_host_grade_totals(const nck_host_grades_t *self, nck_host_totals_t *totals_out);
-
-// Feeding a finished plan to the tick, in place of rooms 1 to 5.
-typedef struct nck_host_grade_feed {
-    const nck_host_grades_t *grades;
-    nck_t *nck;               // initialised by nck_init
-    nck_host_grade_cursor_t cursor;
-    nck_cell_t cell;          // made and not yet pushed
-    uint32_t has_cell;
-    uint32_t ended;           // 1: no more cells
-    size_t segs, outputs;     // pushed so far
-} nck_host_grade_feed_t;
-
-// Fill the link as far as it goes, in the shape of nck_prep (user: a nck_host_grade_feed_t, begun
-// with all zero but grades and nck). Returns NCK_OK, NCK_FULL (waits for the tick) or NCK_DONE.
-// Everything is final, so there is no stop tail: call it between any two ticks, and a period must
-// not use up all cells. Cost: linear in the capacities. Context: prep.
-nck_status_t nck_host_grade_prep(void *user);
+// The next cell of a plan (user: a nck_host_grade_cursor_t), for a nck_host_feed_t; 0: there is
+// none. Constant acceleration (15) in each unit; a unit between two rests speeds up and brakes
+// within itself. Cost: constant. Context: prep.
+int nck_host_grade_next(void *user, nck_cell_t *cell_out);
 
 #ifdef __cplusplus
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A plan by grades becomes cells, and cells go to the tick.
+// A plan by grades becomes cells.
 #include "host/grade.h"
 
 #include <string.h> // memset
@@ -135,94 +135,21 @@ static void end_unit(const nck_host_grades_t *self, nck_host_grade_cursor_t *cur
     cursor->stretch++;
 }
 
-// The next cell. 0: there is none.
-static int next_cell(const nck_host_grades_t *self, nck_host_grade_cursor_t *cursor,
-                     nck_cell_t *cell) {
+int nck_host_grade_next(void *user, nck_cell_t *cell_out) {
+    nck_host_grade_cursor_t *const cursor = user;
+    const nck_host_grades_t *const self = cursor->grades;
     for (;;) {
         if (cursor->phase == cursor->phases) {
             if (cursor->seg == self->seg_count) return 0;
             if (!moves(&self->segs[cursor->seg])) {
-                make_rest(&self->segs[cursor->seg], cell);
+                make_rest(&self->segs[cursor->seg], cell_out);
                 cursor->seg++;
                 return 1;
             }
             begin_unit(self, cursor);
         }
-        const int made = make_cell(self, cursor, cell);
-        if (cursor->phase == cursor->phases) end_unit(self, cursor, cell);
-        if (made || cell->stop) return 1;
+        const int made = make_cell(self, cursor, cell_out);
+        if (cursor->phase == cursor->phases) end_unit(self, cursor, cell_out);
+        if (made || cell_out->stop) return 1;
     }
-}
-
-void nck_host_grade_cells(const nck_host_grades_t *self, nck_host_grade_cursor_t *cursor,
-                          nck_cell_t *cells_out, size_t max, size_t *count_out) {
-    size_t count = 0;
-    while (count < max && next_cell(self, cursor, &cells_out[count])) count++;
-    *count_out = count;
-}
-
-void nck_host_grade_totals(const nck_host_grades_t *self, nck_host_totals_t *totals_out) {
-    const uint32_t first = self->seg_count > 0 ? self->segs[0].seq : 0;
-    nck_host_grade_cursor_t cursor;
-    nck_cell_t cell;
-    double since_stop_s = 0.0;
-    memset(&cursor, 0, sizeof cursor);
-    memset(totals_out, 0, sizeof *totals_out);
-    totals_out->segs = self->seg_count;
-    totals_out->nodes = self->unit_count;
-    while (next_cell(self, &cursor, &cell)) {
-        const nck_seg_t *const seg = &self->segs[cell.seg - first];
-        const double extra_s = nck_host_totals_add(totals_out, &since_stop_s, &cell, seg->rapid,
-                                                   self->machine->period_s, 0);
-        totals_out->limit_s[cell.limit] += cell.duration + extra_s;
-        totals_out->length_mm = seg->s_begin + seg->length;
-    }
-}
-
-// Segs and outputs, in order, as long as there is room for them.
-static void push_path(nck_host_grade_feed_t *feed) {
-    const nck_host_grades_t *const grades = feed->grades;
-    nck_link_t *const link = nck_link_of(feed->nck);
-    while (nck_link_has_room(link)) {
-        const int more = feed->outputs < grades->output_count;
-        if (more && grades->outputs[feed->outputs].after_segs <= feed->segs) {
-            (void)nck_link_push_output(link, &grades->outputs[feed->outputs]);
-            feed->outputs++;
-            continue;
-        }
-        if (feed->segs == grades->seg_count) return;
-        (void)nck_link_push_seg(link, &grades->segs[feed->segs]);
-        feed->segs++;
-    }
-}
-
-// Cells of segs that have been pushed. Returns how many.
-static uint32_t push_cells(nck_host_grade_feed_t *feed) {
-    nck_link_t *const link = nck_link_of(feed->nck);
-    uint32_t count = 0;
-    while (nck_link_cell_room(link) > 0) {
-        if (!feed->has_cell) {
-            feed->has_cell = (uint32_t)next_cell(feed->grades, &feed->cursor, &feed->cell);
-            feed->ended = !feed->has_cell;
-        }
-        if (!feed->has_cell || feed->cell.seg >= feed->segs) return count;
-        nck_link_push_cell(link, &feed->cell);
-        feed->has_cell = 0;
-        count++;
-    }
-    return count;
-}
-
-nck_status_t nck_host_grade_prep(void *user) {
-    nck_host_grade_feed_t *const feed = user;
-    nck_link_t *const link = nck_link_of(feed->nck);
-    push_path(feed);
-    (void)nck_link_batch_begin(link);
-    nck_link_tail_begin(link);
-    const uint32_t count = push_cells(feed);
-    if (count > 0 && nck_link_publish(link) != NCK_OK) return NCK_E_INTERNAL;
-    const int path_done = feed->segs == feed->grades->seg_count
-                          && feed->outputs == feed->grades->output_count;
-    if (feed->ended && path_done) return NCK_DONE;
-    return count > 0 ? NCK_OK : NCK_FULL;
 }

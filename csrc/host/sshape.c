@@ -64,12 +64,22 @@ static double cap_at(const nck_host_path_t *path, size_t node) {
     return cap;
 }
 
+// The junction that the look-ahead sees up to where the segment before `node` is in work; at the
+// path's begin none is.
+static size_t horizon_at(const nck_host_path_t *path, size_t node) {
+    size_t k = node;
+    if (!path->block) {
+        return path->n - node <= path->lookahead ? path->n : node + path->lookahead;
+    }
+    const size_t last = path->block[node > 0 ? node - 1 : 0] + path->lookahead;
+    while (k < path->n && path->block[k] <= last) k++;
+    return k;
+}
+
 // The largest speed at a node from which everything up to the horizon can be braked for.
 static double look_ahead(const nck_host_path_t *path, size_t node) {
-    const size_t left = path->n - node;
-    const int sees_end = left <= path->lookahead;
-    const size_t horizon = sees_end ? path->n : node + path->lookahead;
-    double v = sees_end ? cap_at(path, path->n) : 0.0;
+    const size_t horizon = horizon_at(path, node);
+    double v = horizon == path->n ? cap_at(path, path->n) : 0.0;
     for (size_t k = horizon; k-- > node;) {
         const segment_t seg = segment_of(path, k);
         v = nck_min(cap_at(path, k), brakeable(&seg, v));
@@ -175,9 +185,7 @@ static void draw_segment(nck_sshape_pen_t *pen, const segment_t *seg, double v1)
     pen->v = v1;
 }
 
-nck_status_t nck_host_slope(const nck_host_path_t *path, double *v_out, nck_cell_t *cells_out,
-                            size_t *cell_count_out, size_t *bad_out) {
-    *cell_count_out = 0;
+nck_status_t nck_host_slope_speeds(const nck_host_path_t *path, double *v_out, size_t *bad_out) {
     *bad_out = first_bad(path);
     if (*bad_out <= path->n) return NCK_E_ARGUMENT;
     const int whole = path->lookahead >= path->n;
@@ -185,14 +193,30 @@ nck_status_t nck_host_slope(const nck_host_path_t *path, double *v_out, nck_cell
     v_out[0] = path->kind == NCK_HOST_RAMP_FIXED ? 0.0
                : whole                           ? v_out[0]
                                                  : look_ahead(path, 0);
-    nck_sshape_pen_t pen = {cells_out, 0, 0, 0.0, v_out[0]};
     for (size_t i = 0; i < path->n; i++) {
         const segment_t seg = segment_of(path, i);
         const double most = whole ? v_out[i + 1] : look_ahead(path, i + 1);
         v_out[i + 1] = end_speed(&seg, v_out[i], most);
-        draw_segment(&pen, &seg, v_out[i + 1]);
+    }
+    return NCK_OK;
+}
+
+void nck_host_slope_cells(const nck_host_path_t *path, const double *v, size_t begin, size_t end,
+                          nck_cell_t *cells_out, size_t *cell_count_out) {
+    nck_sshape_pen_t pen = {cells_out, 0, 0, 0.0, v[begin]};
+    for (size_t i = begin; i < end; i++) {
+        const segment_t seg = segment_of(path, i);
+        draw_segment(&pen, &seg, v[i + 1]);
     }
     *cell_count_out = pen.count;
+}
+
+nck_status_t nck_host_slope(const nck_host_path_t *path, double *v_out, nck_cell_t *cells_out,
+                            size_t *cell_count_out, size_t *bad_out) {
+    const nck_status_t status = nck_host_slope_speeds(path, v_out, bad_out);
+    *cell_count_out = 0;
+    if (status != NCK_OK) return status;
+    nck_host_slope_cells(path, v_out, 0, path->n, cells_out, cell_count_out);
     return NCK_OK;
 }
 

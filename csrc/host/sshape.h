@@ -33,16 +33,25 @@ typedef struct nck_host_path {
     const double *j_max;  // n: jerk [mm/s³], positive; for NCK_HOST_RAMP_SSHAPE, else unread
     const double *v_node; // n + 1: cap at every junction, both ends included [mm/s], ≥ 0
     size_t n;             // segments, at least 1
-    size_t lookahead;     // segments seen behind the one in work; rest is assumed beyond
+    size_t lookahead;     // blocks seen behind the one in work; rest is assumed beyond
     uint32_t kind;        // nck_host_ramp_t
     double ramp_s;        // NCK_HOST_RAMP_FIXED: duration of every ramp [s], positive; else ignored
+    const uint32_t *block; // n: number of every segment's block, up by 0 or 1; NULL: each is one
 } nck_host_path_t;
 
-// Plan a path. v_out: n + 1 speeds at the junctions [mm/s]. cells_out: room for
-// NCK_HOST_SLOPE_CELLS·n cells, *cell_count_out of them are filled; cell.seg is the segment's
-// index. Linear in n when lookahead ≥ n (one backward pass sees all), else n·lookahead.
+// The speeds of a path, v_out: n + 1 at the junctions [mm/s]. Linear in n when lookahead ≥ n (one
+// backward pass sees all), else n·(segments seen).
 // Returns NCK_OK, or NCK_E_ARGUMENT and in *bad_out the index of the first segment (n: the last
 // junction, or the settings) whose number is NaN, infinite or outside of its range. Context: any.
+nck_status_t nck_host_slope_speeds(const nck_host_path_t *path, double *v_out, size_t *bad_out);
+
+// The cells of segments begin … end − 1 of a path with these speeds v. cells_out: room for
+// NCK_HOST_SLOPE_CELLS for each, *cell_count_out of them are filled; cell.seg is the segment's
+// index. Cost: linear in them. Context: any.
+void nck_host_slope_cells(const nck_host_path_t *path, const double *v, size_t begin, size_t end,
+                          nck_cell_t *cells_out, size_t *cell_count_out);
+
+// Both: all of a path's speeds and cells. Returns as nck_host_slope_speeds. Context: any.
 nck_status_t nck_host_slope(const nck_host_path_t *path, double *v_out, nck_cell_t *cells_out,
                             size_t *cell_count_out, size_t *bad_out);
 

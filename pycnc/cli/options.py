@@ -31,6 +31,7 @@ class PlanKind(StrEnum):
 
     exact = "exact"
     grades = "grades"
+    sshape = "sshape"
 
 
 class BackendName(StrEnum):
@@ -123,7 +124,7 @@ Backend = Annotated[
 ]
 PlanName = Annotated[
     PlanKind,
-    typer.Option("--plan", help="How speed is planned: the exact envelope, or velocity grades."),
+    typer.Option("--plan", help="How speed is planned: by the slope, by grades, by the S-shape."),
 ]
 
 By = Annotated[

@@ -195,9 +195,11 @@ def report(
 
 
 def _time_line(plan):
+    from pycnc.planning.plan import BY
+
     machine = plan.program.machine
     head = f"{plan.program.file} on {machine.name}, slope {machine.settings.path.slope}"
-    by = ", planned by grades" if plan.kind == "grades" else ""
+    by = f", planned {BY[plan.kind]}" if BY[plan.kind] else ""
     return f"{head}{by}: {_duration(plan.totals['total_s'])} ({_split(plan.totals)})"
 
 

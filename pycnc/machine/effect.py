@@ -12,6 +12,11 @@ _DECIDING = ("path.slope", "dialect.base")  # by these it goes whether others ha
 _JERK = {"path.j_max_mm_s3"} | {f"axis.{letter}.j_max_{unit}_s3" for letter in AXES
                                 for unit in ("mm", "deg")}  # fmt: skip
 
+_PLANNED = {
+    "grades": "grades are planned under the linear slope on the exact path",
+    "sshape": "the S-shape is planned under the limits of the slope jerk on the exact path",
+}
+
 
 def idle_changes(machine, plan="exact"):
     """Yield (change as it was asked for, why it has no effect).
@@ -20,7 +25,7 @@ def idle_changes(machine, plan="exact"):
     ----------
     machine : Machine
         With its changes.
-    plan : {"exact", "grades"}
+    plan : {"exact", "grades", "sshape"}
         How it is going to be planned.
 
     A change to what is in force already is none of these: it is as it was asked for.
@@ -56,9 +61,9 @@ def idle_keys(machine, axes):
 def _idle(machine, key, plan):
     """Return why a change of a key has no effect; empty if it has one."""
     settings = machine.settings
-    if plan == "grades" and key in ("path.slope", "path.tolerance_mm"):
-        return "grades are planned under the linear slope on the exact path"
-    if key in _JERK and settings.path.slope == "linear":
+    if plan in _PLANNED and key in ("path.slope", "path.tolerance_mm"):
+        return _PLANNED[plan]
+    if key in _JERK and settings.path.slope == "linear" and plan != "sshape":
         return "the linear slope tells jerk and does not limit it; path.slope=jerk does"
     if key == "path.slope" and settings.path.slope == "optimal" and _path_binds(machine):
         return ("[path] limits acceleration or jerk before its axes do: such a machine is planned "

@@ -6,10 +6,16 @@ Arrays in, arrays out; the theory and the costs are in ``docs/grades.md``.
 
 import numpy as np
 
-from pycnc import errors, kernel
+from pycnc import errors
 from pycnc.device import grades as device_grades
 from pycnc.kernel.bind import check, ffi, lib, pointer
-from pycnc.kernel.records import copied, dtype, join, room
+from pycnc.kernel.records import dtype, join, room
+from pycnc.planning.whole import Motion, Simulation, records_of
+
+__all__ = [
+    "STEPS", "Grades", "Simulation", "bubble", "bubble_printed", "link_angles", "of_text", "rule",
+    "table",
+]  # fmt: skip
 
 STEPS = lib.NCK_HOST_GRADE_STEPS  # n: steps of a planning unit at command velocity
 _INT32_MAX = 2**31 - 1
@@ -176,7 +182,7 @@ def link_angles(segs):
     return np.array([lib.nck_host_link_angle(at + k, at + k + 1) for k in joints])
 
 
-class Grades:
+class Grades(Motion):
     """A path planned by grades.
 
     Parameters
@@ -218,15 +224,14 @@ class Grades:
         If OpenCL was asked for and is not here, or fails.
     """
 
+    slope = "linear"  # the others' filter would blur the plan
+
     def __init__(self, segs, machine, outputs=None, *, steps=STEPS, backend="auto"):
-        self.machine = machine
-        self.segs = join("nck_seg_t", [segs])
-        self.outputs = join("nck_output_t", [] if outputs is None else [outputs])
+        super().__init__(segs, machine, outputs)
         self._plan = ffi.new("nck_host_grades_t *")
         self._plan.machine, self._plan.steps = machine.pointer, _steps(steps)
         self._give("segs", "nck_seg_t", self.segs)
-        self._give("outputs", "nck_output_t", self.outputs)
-        self._plan.seg_count, self._plan.output_count = len(self.segs), len(self.outputs)
+        self._plan.seg_count = len(self.segs)
         self._make("v_command", "double", len(self.segs))
         self._make("limit", "uint8_t", len(self.segs))
         self._check(lib.nck_host_grade_command(self._plan))
@@ -279,24 +284,14 @@ class Grades:
         )  # fmt: skip
 
     @property
-    def totals(self):
-        """Times and counts, a ``nck_host_totals_t``."""
-        sums = np.zeros(1, dtype("nck_host_totals_t"))
-        lib.nck_host_grade_totals(self._plan, pointer("nck_host_totals_t", sums))
-        return sums[0]
+    def count(self):
+        """How many units it has."""
+        return len(self.units)
 
-    def cells(self):
-        """Return the cells of the whole path, of dtype ``nck_cell_t``."""
-        cursor, count = ffi.new("nck_host_grade_cursor_t *"), ffi.new("size_t *")
-        rows = np.empty(_CELL_ROWS, dtype("nck_cell_t"))
-        kept = []
-        count[0] = 1
-        while count[0]:
-            lib.nck_host_grade_cells(
-                self._plan, cursor, pointer("nck_cell_t", rows), len(rows), count
-            )
-            kept.append(copied(rows[: count[0]]))
-        return join("nck_cell_t", kept)
+    def _walk(self):
+        cursor = ffi.new("nck_host_grade_cursor_t *")
+        cursor.grades = self._plan
+        return "nck_host_grade_next", cursor
 
     def holds(self):
         """Return whether every invariant of the plan holds."""
@@ -306,7 +301,6 @@ class Grades:
         return f"<Grades: {len(self.units):,} units in {len(self.stretches):,} stretches>"
 
 
-_CELL_ROWS = 16384
 _OF_UNITS = {"v": "double", "n_step": "uint32_t", "unit_limit": "uint8_t", "a": "double"}
 _OF_POINTS = {
     "v_transfer": "double", "angle": "double", "preplanned": "int32_t", "grade": "int32_t",
@@ -336,34 +330,7 @@ def of_text(text, machine, *, steps=STEPS, backend="auto", threads=False, progre
     exact : numpy.void
         Of dtype ``nck_host_totals_t``: the same program planned by the exact envelope.
     """
-    planner = kernel.Planner(text, machine, ("seg", "output"), threads=threads)
-    kept = [], []
-    for *pieces, used in planner.pieces():
-        for arrays, piece in zip(kept, pieces, strict=True):
-            arrays.append(copied(piece))
-        if progress:
-            progress(used, len(text))
-    segs, outputs = join("nck_seg_t", kept[0]), join("nck_output_t", kept[1])
-    return Grades(segs, machine, outputs, steps=steps, backend=backend), planner.totals
-
-
-class Simulation(kernel.Simulation):
-    """The simulation, fed with a plan by grades.
-
-    Parameters
-    ----------
-    grades : Grades
-        For a machine whose slope is linear: the others' filter would blur the plan.
-    prep_steps : int
-        Prep steps between two ticks, 1 at least.
-    """
-
-    def __init__(self, grades, prep_steps=kernel.PREP_STEPS):
-        slope = grades.machine.settings.path.slope
-        if slope != "linear":
-            raise errors.ArgumentError(f"grades run with the slope linear, not {slope}", id="slope")
-        super().__init__(b"", grades.machine, prep_steps)
-        self._feed = ffi.new("nck_host_grade_feed_t *")
-        self._grades = grades
-        self._feed.grades, self._feed.nck = grades._plan, self._nck
-        lib.sim_prepare_by(self._sim, ffi.addressof(lib, "nck_host_grade_prep"), self._feed)
+    (segs, outputs), exact = records_of(
+        text, machine, ("seg", "output"), threads=threads, progress=progress
+    )
+    return Grades(segs, machine, outputs, steps=steps, backend=backend), exact

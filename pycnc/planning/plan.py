@@ -16,7 +16,12 @@ RECORDS = ("segs", "nodes", "cells")
 _KEPT = ("seg", "node", "cell")
 _CELLS_AT_ONCE = 1 << 20  # 56 MB: a plan has a cell for every two periods of its time
 # Of every kind of planning.
-BACKENDS = {"exact": ("auto", "c"), "grades": ("auto", "c", "opencl")}
+BACKENDS = {
+    "exact": ("auto", "c"), "grades": ("auto", "c", "opencl"), "sshape": ("auto", "c"),
+}  # fmt: skip
+# The slope under which the kernel makes the path and caps of the kinds that are not its own.
+_SLOPE_OF = {"grades": "linear", "sshape": "jerk"}
+BY = {"exact": "", "grades": "by grades", "sshape": "by the S-shape"}  # for people
 
 
 def check_backend(backend, plan="exact"):
@@ -44,8 +49,9 @@ def for_machine(program, machine, slope=None):
     """Return a program for a machine and a slope: the same one if they are its own already."""
     program = _for_machine(program, machine)
     if slope not in (None, *SLOPES):
+        moved = ": the S-shape is a kind of planning, plan=\"sshape\"" if slope == "sshape" else ""
         raise errors.ArgumentError(
-            f"no slope {slope!r}; there are: {', '.join(SLOPES)}", id="slope"
+            f"no slope {slope!r}; there are: {', '.join(SLOPES)}{moved}", id="slope"
         )
     if slope is None or slope == program.machine.settings.path.slope:
         return program
@@ -54,12 +60,13 @@ def for_machine(program, machine, slope=None):
 
 
 def for_plan(program, plan):
-    """Return a program for a kind of planning: grades are as published, accelerations and no
-    jerk, the exact path wherever the program says nothing else."""
+    """Return a program for a kind of planning: what is not the kernel's is as published, on the
+    exact path wherever the program says nothing else; grades limit acceleration and no jerk."""
     path = program.machine.settings.path
-    if plan != "grades" or (path.slope, path.tolerance_mm) == ("linear", 0):
+    if plan not in _SLOPE_OF or (path.slope, path.tolerance_mm) == (_SLOPE_OF[plan], 0):
         return program
-    plain = Machine.load(program.machine, set={"path.slope": "linear", "path.tolerance_mm": 0})
+    changes = {"path.slope": _SLOPE_OF[plan], "path.tolerance_mm": 0}
+    plain = Machine.load(program.machine, set=changes)
     return Program(program.text, plain, file=program.file)
 
 
@@ -84,11 +91,14 @@ class Plan:
     plan_s : float
         Wall time that planning took [s].
     kind : str
-        ``"exact"``: the exact envelope; ``"grades"``: velocity grades (Cao et al. 2014).
+        ``"exact"``: by the machine's slope; ``"grades"``: velocity grades, ``"sshape"``: the
+        classical S-shape (both Cao et al. 2014).
+    motion : Grades, SShape or None
+        Units and grades, or hops and speeds, if it was planned by those.
     grades : Grades or None
-        The units and grades, if it was planned by them; there are no nodes then.
+        The same, if it is by grades; there are no nodes then.
     exact_time_s : float
-        Machining time by the exact envelope [s].
+        Machining time by the kernel's own plan [s].
     segs, nodes, cells : numpy.ndarray
         Of dtypes ``nck_seg_t``, ``nck_node_t``, ``nck_cell_t``; empty if they were not kept. A
         million cells and more are planned again when they are first asked for.
@@ -96,7 +106,7 @@ class Plan:
     parts : list of dict or None
         Where the time goes, if it was asked for, the longest first: see `shares.table`.
     lost : dict or None
-        What it is lost to, as `kernel.Planner.why` has it; None of a plan by grades.
+        What it is lost to, as `kernel.Planner.why` has it; None but of an exact plan.
 
     `look` is called with the segs as they come, kept or not; `trail` with the points and the low
     points of the path (``nck_host_point_t``, ``nck_host_foot_t``), of an exact plan; `by` is
@@ -107,32 +117,40 @@ class Plan:
     def __init__(self, program, *, plan="exact", backend="auto", keep=True, progress=None,
                  look=None, trail=None, by=None, beside=None):  # fmt: skip
         check_backend(backend, plan)
-        if by is not None and plan == "grades":
-            raise errors.ArgumentError("a plan by grades is not told by parts", id="by")
-        self.program, self.kind, self.grades = for_plan(program.check(), plan), plan, None
+        if by is not None and plan != "exact":
+            raise errors.ArgumentError(f"a plan {BY[plan]} is not told by parts", id="by")
+        self.program, self.kind, self.motion = for_plan(program.check(), plan), plan, None
         self.parts = self.lost = None
         begun = beside.begun if beside else time.perf_counter()
-        if plan == "grades":
-            totals, exact = self._by_grades(backend, keep, progress)
+        if plan == "exact":
+            totals = exact = self._exactly(keep, progress, look, trail, by, beside)
+        else:
+            totals, exact = self._whole(backend, keep, progress)
             if look:
                 look(self.segs)
-        else:
-            totals = exact = self._exactly(keep, progress, look, trail, by, beside)
         self.totals = measure.plan_times(totals, program.machine)
         self.time_s, self.exact_time_s = self.totals["time_s"], float(exact["time_s"])
         self.plan_s = time.perf_counter() - begun
 
-    def _by_grades(self, backend, keep, progress):
-        from pycnc.planning import grades
+    @property
+    def grades(self):
+        """The motion, if it is by grades."""
+        return self.motion if self.kind == "grades" else None
+
+    def _whole(self, backend, keep, progress):
+        """Plan all of it at once, as the kernel does not."""
+        from pycnc.planning import grades, sshape
 
         text, machine = self.program.text, self.program.machine
-        self.grades, exact = grades.of_text(
-            text, machine, backend=backend, threads=self.program.has_threads, progress=progress
-        )
-        self.segs = self.grades.segs
-        self.nodes = np.empty(0, dtype("nck_node_t"))
-        self._cells = self.grades.cells() if keep else np.empty(0, dtype("nck_cell_t"))
-        totals = self.grades.totals
+        given = {"threads": self.program.has_threads, "progress": progress}
+        if self.kind == "grades":
+            self.motion, exact = grades.of_text(text, machine, backend=backend, **given)
+        else:
+            self.motion, exact = sshape.of_text(text, machine, **given)
+        self.segs = self.motion.segs
+        self.nodes = self.motion.nodes
+        self._cells = self.motion.cells() if keep else np.empty(0, dtype("nck_cell_t"))
+        totals = self.motion.totals
         for name in ("blocks", "tool_changes", "spindle_starts"):
             totals[name] = exact[name]
         return totals, exact
@@ -217,7 +235,7 @@ class Plan:
             **self.totals,
             "slope": machine.settings.path.slope,
             "plan": self.kind,
-            "backend": self.grades.backend if self.grades else "c",
+            "backend": self.motion.backend if self.motion else "c",
             "plan_s": self.plan_s,
             **({} if self.parts is None else {"parts": self.parts}),
             "diagnostics": self.program.diagnostics.as_list(),
@@ -285,13 +303,14 @@ def plan(program, machine=None, slope=None, backend="auto", plan="exact"):
         What `load` takes, or a loaded program.
     machine : str, path or Machine, optional
         Another machine than the program's.
-    slope : {"linear", "jerk", "optimal", "sshape"}, optional
+    slope : {"linear", "jerk", "optimal"}, optional
         Another velocity profile than the machine's (``path.slope``).
     backend : {"auto", "c", "opencl"}
         Where it is computed; OpenCL plans by grades only.
-    plan : {"exact", "grades"}
-        By the exact envelope, or by velocity grades (Cao et al. 2014): these under the linear
-        slope and without the machine's tolerance.
+    plan : {"exact", "grades", "sshape"}
+        By the machine's slope; or as Cao et al. 2014, without the machine's tolerance: by velocity
+        grades, under the linear slope, or by the classical S-shape, acceleration zero at every
+        junction, under the limits of the slope jerk.
 
     Returns
     -------
@@ -321,7 +340,7 @@ def why(program, machine=None, slope=None, *, what_if=False):
         What `load` takes, or a loaded program.
     machine : str, path or Machine, optional
         Another machine than the program's.
-    slope : {"linear", "jerk", "optimal", "sshape"}, optional
+    slope : {"linear", "jerk", "optimal"}, optional
         Another velocity profile than the machine's.
     what_if : bool
         Plan it again with each cure.

@@ -63,7 +63,7 @@ class Why(shown.Tables):
 
     def __init__(self, plan):
         if plan.lost is None:
-            raise errors.ArgumentError("a plan by grades is not explained", id="plan")
+            raise errors.ArgumentError("only an exact plan is explained", id="plan")
         self.plan, self.program, found = plan, plan.program, plan.lost
         self.time_s = self.plan.time_s
         self.ideal_s = math.fsum(found[name] for name in ("cut_s", "rapid_s", "dwell_s"))

@@ -6,6 +6,7 @@ from rich.padding import Padding
 from rich.table import Table
 from rich.text import Text
 
+from pycnc.planning.plan import BY
 from pycnc.report.plot import duration
 
 _SHOWN_LIMITS = 6
@@ -68,9 +69,9 @@ def _head(trace):
         "dim",
     )
     lines = [first, second]
-    if trace.plan.kind == "grades":
-        exact = duration(trace.plan.exact_time_s)
-        lines.append(Text(f"planned by grades on {facts['backend']}; exactly: {exact}", "dim"))
+    if trace.plan.kind != "exact":
+        exact, by = duration(trace.plan.exact_time_s), BY[trace.plan.kind]
+        lines.append(Text(f"planned {by} on {facts['backend']}; exactly: {exact}", "dim"))
     return Group(*lines)
 
 

@@ -8,9 +8,9 @@ from concurrent.futures import ThreadPoolExecutor
 import numpy as np
 
 from pycnc import errors, kernel
-from pycnc.planning import grades, measure
+from pycnc.planning import measure, whole
 from pycnc.report.path_error import PathError
-from pycnc.planning.plan import Plan, check_backend, for_machine, for_plan
+from pycnc.planning.plan import BY, Plan, check_backend, for_machine, for_plan
 from pycnc.report.rows import Rows
 from pycnc.report.trace_file import Columns, writer
 from pycnc.program import shown
@@ -45,13 +45,15 @@ class Trace(Rows):
         sink = writer(output, self._layout, self.metadata()) if output is not None else None
         try:
             self._path_error = PathError(program)
-            if plan == "grades":
-                self._make_plan(plan, backend)
-                self._run(self._by_grades(prep_steps, commands), keep, sink, progress)
-            else:
+            if plan == "exact":
                 text, machine = program.text, program.machine
                 simulation = kernel.Simulation(text, machine, prep_steps, commands)
                 self._run_beside_plan(simulation, keep, sink, progress)
+            else:
+                self._refuse(commands, plan)
+                self._make_plan(plan, backend)
+                simulation = whole.Simulation(self.plan.motion, prep_steps)
+                self._run(simulation, keep, sink, progress)
             self._tell_limits(commands)
             if sink:
                 sink.close()
@@ -124,10 +126,12 @@ class Trace(Rows):
         self._limit_time_s["wait" if self._limit_time_s["wait"] else "starved"] += at_rest
         self.worst_lines |= measure.worst_lines(self.plan.lost["causes"], self.program.machine)
 
-    def _by_grades(self, prep_steps, commands):
+    def _refuse(self, commands, plan):
         if commands:
-            raise errors.ArgumentError("a plan by grades takes no commands", id="command")
-        return grades.Simulation(self.plan.grades, prep_steps)
+            raise errors.ArgumentError(
+                f"a plan {BY[plan]} takes no commands: it is made whole before the run, and only "
+                'the kernel\'s own (plan="exact") makes another on the way', id="command",
+            )  # fmt: skip
 
     def _summary(self, run_s):
         plan = self.plan.as_dict()

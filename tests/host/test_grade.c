@@ -398,12 +398,11 @@ static void cells_run_along_the_whole_path_without_a_jump(check_t *check)
     CHECK_INT(check, plan_all(&plan), NCK_OK);
     nck_host_grade_cursor_t cursor;
     memset(&cursor, 0, sizeof cursor);
+    cursor.grades = &plan;
     nck_cell_t cell;
-    size_t count = 1;
     uint32_t seg = 0;
     double s = 0.0, speed = 0.0;
-    for (nck_host_grade_cells(&plan, &cursor, &cell, 1, &count); count > 0;
-         nck_host_grade_cells(&plan, &cursor, &cell, 1, &count)) {
+    while (nck_host_grade_next(&cursor, &cell)) {
         if (cell.seg != seg) {
             CHECK_NEAR(check, s, segs[seg].length, 1e-9);
             CHECK_INT(check, cell.seg, seg + 1);

@@ -2,12 +2,17 @@
 """Nasty programs on nasty machines find nothing; nasty.py looks further. And the judge
 is judged: what a program means is told beside its text, and a finding is made small."""
 
+import judged
 import nasty
 import nasty_judge
 import nasty_seeds
 import numpy as np
 import pytest
 from nasty_programs import CONTINUOUS, Case, Feed, Mode, Move, Pause, Turn
+
+from pycnc.planning import sshape
+from pycnc.planning.plan import for_plan
+from pycnc.program import Program
 
 COUNT, SEED = 200, 1
 MACHINE = '[kernel]\nperiod_ms = 1\n[path]\nslope = "jerk"\n' + "".join(
@@ -41,6 +46,17 @@ def test_nasty_programs_find_nothing_and_few_are_slower_than_with_stops(slope, w
         smallest = nasty.shrink(case, nasty.kind_of(finding), worker)
         pytest.fail(nasty.told(smallest, finding))
     assert len(slower) <= SLOWER_MOST[slope], slower
+
+
+@pytest.mark.sample(20, quick=5)
+@pytest.mark.parametrize("number", range(400))
+def test_a_nasty_program_keeps_limits_path_and_stops_by_the_s_shape(number):
+    case = nasty_seeds.case("jerk", 33, number)
+    program = Program(case.written()[0].encode(), nasty_judge.machine_of(case))
+    program = for_plan(program.check(), "sshape")
+    lookahead = (None, 0, 1, 3)[number % 4]
+    motion, _ = sshape.of_text(program.text, program.machine, lookahead=lookahead)
+    judged.run_whole(program, motion)
 
 
 # Found once, with an operator: a hold that kept to what its bends leave at a lower speed; overrides

@@ -213,7 +213,7 @@ def test_every_limit_has_its_words():
 def test_a_plan_explains_itself_and_one_by_grades_does_not():
     program = load(circle(turns=1), Machine.load("mill3", set=EXACT))
     assert package.plan(program).why().causes == why(program).causes
-    with pytest.raises(package.ArgumentError, match="by grades is not explained"):
+    with pytest.raises(package.ArgumentError, match="only an exact plan is explained"):
         package.plan(program, plan="grades").why()
 
 

@@ -2,6 +2,7 @@
 // Profiles with N look-ahead segments: the ramps' formulas against each other, every limit on
 // random paths, exact lengths, and the first bad number told. The arrays have no spare row.
 #include <math.h>   // fabs sqrt NAN INFINITY
+#include <stddef.h> // NULL
 #include <stdint.h> // uint64_t
 
 #include "check.h"
@@ -90,7 +91,7 @@ static void make_path(path_t *path, uint64_t *state, uint32_t kind, size_t looka
         path->v_node[i] = v > 0.01 ? v : 0.0;
     }
     path->given = (nck_host_path_t){path->length, path->v_cap, path->a,  path->j, path->v_node,
-                                    n,            lookahead,   kind,     0.0};
+                                    n,            lookahead,   kind,     0.0, NULL};
 }
 
 static void check_cells(check_t *check, const path_t *path, const double *v,
@@ -160,7 +161,8 @@ static void a_sample_behind_the_end_stands_there(check_t *check)
     const double length[] = {4.0};
     const double one[] = {10.0};
     const double v_node[] = {0.0, 0.0};
-    const nck_host_path_t path = {length, one, one, one, v_node, 1, 1, NCK_HOST_RAMP_LINEAR, 0.0};
+    const nck_host_path_t path = {length, one, one, one, v_node, 1, 1, NCK_HOST_RAMP_LINEAR, 0.0,
+                                  NULL};
     double v[2], s[5], speed[5], a[5];
     nck_cell_t cells[NCK_HOST_SLOPE_CELLS];
     size_t count = 0;

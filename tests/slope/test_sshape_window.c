@@ -224,7 +224,7 @@ static void n_blocks_of_look_ahead_are_those_of_whole_programs(check_t *check)
         make_lines(1000 + (uint64_t)k);
         motion.machine.lookahead_blocks = n + 1;
         const nck_host_path_t path = {length, v_cap, a_max, j_max, v_node, LINES, n,
-                                      NCK_HOST_RAMP_SSHAPE, 0.0};
+                                      NCK_HOST_RAMP_SSHAPE, 0.0, NULL};
         CHECK_INT(check, nck_host_slope(&path, v_out, cells, &count, &bad), NCK_OK);
         for (size_t i = 0; i < count; i++) {
             time += cells[i].duration;
