@@ -73,7 +73,7 @@ class Time(Program):
     segments: int = _is("pieces of path")
     length_mm: float = _is("of the programmed path; a degree counts as a millimetre")
     limit_time_s: dict[str, float] = _is("limit → how long it held the path; adds up to `time_s`")
-    slope: Literal["jerk", "sshape", "linear"] = _is("velocity profile")
+    slope: Literal["jerk", "optimal", "linear"] = _is("velocity profile")
     plan: Literal["exact", "grades", "sshape"] = _is("how speed was planned")
     backend: str = _is("where it was planned")
     plan_s: float = _is("wall time that planning took")
@@ -147,7 +147,7 @@ class Why(Program):
     """`pycnc why --json`: `ideal_s` and the `lost_s` of all causes add up to `time_s`."""
 
     period_s: float = _is("interpolation period")
-    slope: Literal["jerk", "sshape", "linear"] = _is("velocity profile")
+    slope: Literal["jerk", "optimal", "linear"] = _is("velocity profile")
     time_s: float = _is("as `time` tells it")
     total_s: float = _is("as `time` tells it")
     tool_change_s: float = _is("changes of tool")

@@ -24,7 +24,7 @@ __version__: str
 
 _Path = str | PathLike[str]
 _Source = Program | _Path | bytes
-_Slope = Literal["linear", "jerk", "sshape"]
+_Slope = Literal["linear", "jerk", "optimal"]
 _Planning = Literal["exact", "grades", "sshape"]
 _Backend = Literal["auto", "c", "opencl"]
 _Dialect = Literal["linuxcnc", "fanuc", "grbl", "marlin", "auto"]

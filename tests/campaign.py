@@ -41,7 +41,7 @@ from builds import build_c
 
 ROOT = Path(__file__).resolve().parents[1]
 PYTEST = "-m pytest -q -n logical --dist loadfile --no-loadscope-reorder --draw whole"
-SLOPES = ("jerk", "linear", "sshape")
+SLOPES = ("jerk", "linear")
 PARTS = {
     "suite": [PYTEST],
     "fuzz": [f"{PYTEST} tests/house/test_fuzz.py --fuzz-factor 10"],

@@ -29,7 +29,7 @@ SHARE = 1e-6  # how far a limit may be passed
 # … by acceleration and jerk where a late prep lets the tick brake by itself: it goes by the steps
 # of a plan that it follows (csrc/nck/tick/6_interpolate/README.md, "The clock").
 LATE_SHARE = 0.05
-OPTIMAL = 3  # nck_slope_kind_t
+OPTIMAL = 2  # nck_slope_kind_t
 STRETCH = 2.5  # a smoothed path may be as much longer than its coordinate somewhere
 ROUNDING = 8 * 2.0**-52  # of a coordinate, 8 ulp at most; felt in accelerations by 1/T²
 PATH_ERROR_MM = 1e-6

@@ -21,7 +21,6 @@ from pycnc.errors import NckError
 from pycnc.machine import Machine
 from pycnc.program import Program
 
-SLOPES = ("jerk", "jerk", "sshape")
 PLANES = {17: "XYZ", 18: "ZXY", 19: "YZX"}  # of the plane, and of the drill
 MILL_BASES = ("linuxcnc", "fanuc")  # the languages that have cycles
 STILL = 4  # ticks at rest before the first one, and behind the last
@@ -57,8 +56,8 @@ class Writer:
         return f"G64 P{10 ** self.source.uniform(-3.5, -0.5):.5f}" + self.one_of("", "", " Q0")
 
     def settings(self, *more):
-        """Return a machine's settings: slope, period and the scale of jerk."""
-        settings = [f"path.slope={self.one_of(*SLOPES)}", f"path.tolerance_mm={self.p:.5f}"]
+        """Return a machine's settings: tolerance and period."""
+        settings = ["path.slope=jerk", f"path.tolerance_mm={self.p:.5f}"]
         if self.source.random() < 0.3:
             settings.append(f"kernel.period_ms={self.one_of('0.5', '2', '4')}")
         return (*settings, *more)

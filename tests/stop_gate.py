@@ -144,7 +144,7 @@ def draw(seed):
     ending = rng.choice(["dead", "goes on", "stays", "stays"])
     return Case(
         seed, family.__name__, "\n".join([f"G17 G21 G90 G94 {mode}", *family(rng, feed), "M2\n"]),
-        exact, str(rng.choice(["linear", "jerk", "sshape"])),
+        exact, str(rng.choice(["linear", "jerk"])),
         float(rng.choice([0.25, 0.5, 1, 2, 4, 10])) * 1e-3, a,
         float(round(a * 10 ** rng.uniform(0.5, 2))),
         int(rng.choice([2, 8, kernel.PREP_STEPS, kernel.PREP_STEPS])), ending == "dead",

@@ -95,7 +95,7 @@ class _Writer:
         return "\n".join([*lines, "M30" if self.fanuc else "M2", ""])
 
     def machine(self):
-        change = [f"path.slope={self.pick('jerk', 'linear', 'sshape')}",
+        change = [f"path.slope={self.pick('jerk', 'linear')}",
                   f"kernel.period_ms={self.pick(0.25, 0.5, 1, 1, 2, 4, 10)}"]  # fmt: skip
         if self.mill:
             return Machine.load("mill3", set=("dialect.base=linuxcnc", *change))

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-// Serial look-ahead over N segments, and the cells of every segment. The S-shape's rules are the
-// kernel's own (nck/prep/5_slope/sshape_piece.h); the other ramps have closed forms.
+// Serial look-ahead over N segments, and the cells of every segment. The S-shape's rules are
+// those of sshape_piece.h; the other ramps have closed forms.
 #include "host/sshape.h"
 
 #include <float.h> // DBL_MAX
 
 #include "nck/prep/5_slope/ramp_math.h"    // nck_ramp_length nck_ramp_peak
-#include "nck/prep/5_slope/sshape_math.h"  // nck_sshape_whole_reach nck_sshape_jerk
-#include "nck/prep/5_slope/sshape_piece.h" // nck_sshape_plan nck_sshape_draw …
+#include "host/sshape_math.h"  // nck_sshape_whole_reach nck_sshape_jerk
+#include "host/sshape_piece.h" // nck_sshape_plan nck_sshape_draw …
 
 // What the ramps of one segment go by.
 typedef struct segment {

@@ -9,7 +9,7 @@
 
 #include "nck/base/records.h" // nck_cell_t
 #include "nck/base/status.h"  // nck_status_t
-#include "nck/prep/5_slope/sshape_piece.h" // NCK_SSHAPE_CELLS
+#include "host/sshape_piece.h" // NCK_SSHAPE_CELLS
 
 #ifdef __cplusplus
 extern "C" {

@@ -125,7 +125,7 @@ typedef struct nck {
 } nck_t;
 
 // What nck_selftest returns where arithmetic is as it has to be.
-#define NCK_SELFTEST 0xf0b18588u
+#define NCK_SELFTEST 0x268f1eb2u
 
 // Compute formulas of all rooms from fixed numbers. Another number than NCK_SELFTEST: arithmetic
 // was compiled or set otherwise (a·b + c rounded once, x87, -ffast-math, no numbers below 2⁻¹⁰²²,

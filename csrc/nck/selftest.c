@@ -16,7 +16,6 @@
 #include "nck/prep/4_lookahead/limit_math.h"  // nck_limit_chord nck_corner_speed
 #include "nck/prep/5_slope/hull_math.h"       // nck_hull_rise
 #include "nck/prep/5_slope/ladder_math.h"     // nck_ladder_step
-#include "nck/prep/5_slope/sshape_math.h"     // nck_sshape_reach
 
 enum {
     ROUNDS = 16, // a fused operation differs in one of four results: never equal in so many
@@ -148,7 +147,6 @@ static void take_slope(selftest_t *self) {
     take(self, nck_scurve_over(&ramp, v, way));
     take(self, nck_hull_rise(&cell, v, 100.0 * draw(self), 200.0));
     take(self, nck_ladder_step(&piece, way, draw(self), 1e-3));
-    take(self, nck_sshape_reach(v, way, a, j));
     take(self, nck_limit_chord(v, 1e-3 * draw(self), 1e-3));
     take(self, nck_corner_speed(0.5, load, 0.1 * load, load * v, a, 1e-3));
 }

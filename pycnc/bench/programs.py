@@ -31,7 +31,7 @@ def machine(slope="jerk", a=1000, j=10_000):
 
     Parameters
     ----------
-    slope : {"jerk", "linear", "optimal", "sshape"}
+    slope : {"jerk", "linear", "optimal"}
     a, j : int
         Acceleration [mm/s²] and jerk [mm/s³] of every axis.
 

@@ -11,7 +11,7 @@ import numpy as np
 import pycnc
 from pycnc.bench import programs
 
-SLOPES = ("linear", "jerk", "sshape")
+SLOPES = ("linear", "jerk")
 EVENTS = {"hold": ("hold",), "abort": ("abort",), "override 0": ("override", 0, 0)}
 A, J = 1000, 10_000  # of the machine of the programs [mm/s², mm/s³]
 
@@ -49,7 +49,7 @@ def row(slope, name, event, moments=8):
 
     Parameters
     ----------
-    slope : {"linear", "jerk", "sshape"}
+    slope : {"linear", "jerk"}
     name : str
         Of `PROGRAMS`.
     event : str

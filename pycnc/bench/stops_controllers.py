@@ -70,7 +70,7 @@ def row(board, slope, name, events=tuple(EVENTS)):
     Parameters
     ----------
     board : {"host", "m4f", "m7"}
-    slope : {"linear", "jerk", "sshape"}
+    slope : {"linear", "jerk"}
     name : str
         Of `stops.PROGRAMS`.
     events : sequence of str

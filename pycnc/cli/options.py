@@ -22,8 +22,16 @@ class Slope(StrEnum):
 
     jerk = "jerk"
     optimal = "optimal"
-    sshape = "sshape"
     linear = "linear"
+
+
+def slope_of(word):
+    """Return the slope of a name."""
+    if word in [*Slope]:
+        return Slope(word)
+    moved = "; the S-shape is a kind of planning: --plan sshape" if word == "sshape" else ""
+    names = ", ".join(repr(each.value) for each in Slope)
+    raise typer.BadParameter(f"{word!r} is not one of {names}{moved}.")
 
 
 class PlanKind(StrEnum):
@@ -116,7 +124,10 @@ Quiet = Annotated[bool, typer.Option("--quiet", "-q", help="Errors and results o
 Verbose = Annotated[bool, typer.Option("--verbose", "-v", help="Tell the program's notes, too.")]
 SlopeName = Annotated[
     Slope | None,
-    typer.Option("--slope", help="Velocity profile: the same as --set path.slope=…"),
+    typer.Option(
+        "--slope", parser=slope_of, metavar=f"<{'|'.join(Slope)}>", autocompletion=lambda: [*Slope],
+        help="Velocity profile: the same as --set path.slope=…",
+    ),
 ]
 Backend = Annotated[
     BackendName,

@@ -380,7 +380,7 @@ def _problem(error, data):
         "greater_than_equal": lambda: f"must be {_plain(context['ge'])} at least (is {given})",
         "less_than_equal": lambda: f"must be {_plain(context['le'])} at most (is {given})",
         "finite_number": lambda: f"must be a finite number (is {given})",
-        "literal_error": lambda: f"must be {context['expected']} (is {given!r})",
+        "literal_error": lambda: f"must be {context['expected']} (is {given!r}){_moved(given)}",
         "bool_type": lambda: f"must be true or false (is {given!r})",
         "int_type": lambda: f"must be a whole number (is {given})",
         "value_error": lambda: (
@@ -393,6 +393,11 @@ def _problem(error, data):
         error["type"], lambda: error["msg"].removeprefix("Input ").replace("should", "must")
     )
     return ".".join(path), words()
+
+
+def _moved(given):
+    """Say where a value that was one has gone."""
+    return ": the S-shape is a kind of planning, --plan sshape" if given == "sshape" else ""
 
 
 def _unknown(path):

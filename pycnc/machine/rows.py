@@ -22,7 +22,6 @@ _SLOPES = {
     "optimal": lib.NCK_SLOPE_OPTIMAL,
     "linear": lib.NCK_SLOPE_LINEAR,
     "jerk": lib.NCK_SLOPE_JERK,
-    "sshape": lib.NCK_SLOPE_SSHAPE,
 }
 _DIALECTS = {
     "linuxcnc": lib.NCK_DIALECT_LINUXCNC,

@@ -57,7 +57,7 @@ Travel = Annotated[
 ]
 
 
-Slope = Literal["linear", "jerk", "optimal", "sshape"]
+Slope = Literal["linear", "jerk", "optimal"]
 SLOPES = get_args(Slope)
 
 
@@ -104,15 +104,14 @@ class Path(Table):
     lookahead_blocks: int = Field(
         0,
         ge=0,
-        description="Blocks that the look-ahead may see, the one in work among them, 2 at least "
-        "(`sshape`: 1, which stops at every block); within a tolerance two pieces of the spline at "
-        "least; 0: all that the kernel holds.",
+        description="Blocks that the look-ahead may see, the one in work among them, 2 at least; "
+        "within a tolerance two pieces of the spline at least; 0: all that the kernel holds.",
     )
     slope: Slope = Field(
         "jerk",
         description="Velocity profile. `linear`: acceleration-limited. `jerk`: jerk-limited. "
         "`optimal`: the same, within a tolerance the fastest motion along the smoothest curve; "
-        "where a build has it. `sshape`: jerk-limited, acceleration is zero at every junction.",
+        "where a build has it.",
     )
 
 
@@ -415,7 +414,7 @@ def contradictions(machine):
         )
     if 0 < machine.path.tolerance_mm < TOLERANCE_LEAST_MM:
         yield "path.tolerance_mm", f"must be 0 (exact path) or {TOLERANCE_LEAST_MM} at least"
-    if machine.path.lookahead_blocks == 1 and machine.path.slope != "sshape":
+    if machine.path.lookahead_blocks == 1:
         yield "path.lookahead_blocks", "must be 0 (all) or 2 at least"
     if machine.kinematics.type == "lathe_xz" and set(axes) != {"x", "z"}:
         yield (

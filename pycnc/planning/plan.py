@@ -49,7 +49,7 @@ def for_machine(program, machine, slope=None):
     """Return a program for a machine and a slope: the same one if they are its own already."""
     program = _for_machine(program, machine)
     if slope not in (None, *SLOPES):
-        moved = ": the S-shape is a kind of planning, plan=\"sshape\"" if slope == "sshape" else ""
+        moved = ": the S-shape is a kind of planning, plan='sshape'" if slope == "sshape" else ""
         raise errors.ArgumentError(
             f"no slope {slope!r}; there are: {', '.join(SLOPES)}{moved}", id="slope"
         )

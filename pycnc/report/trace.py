@@ -222,7 +222,7 @@ def run(program, machine=None, *, slope=None, prep_steps=kernel.PREP_STEPS, comm
         What `load` takes, or a loaded program.
     machine : str, path or Machine, optional
         Another machine than the program's.
-    slope : {"linear", "jerk", "optimal", "sshape"}, optional
+    slope : {"linear", "jerk", "optimal"}, optional
         Another velocity profile than the machine's (``path.slope``).
     prep_steps : int
         Prep steps between two ticks, 1 at least; few of them starve the tick.

@@ -187,7 +187,7 @@ static void check_word(check_t *check, uint32_t *word, uint32_t value, int good)
 
 static void choices_end_at_their_last_one(check_t *check) {
     nck_machine_default(&machine);
-    check_word(check, &machine.slope, NCK_SLOPE_SSHAPE, 1);
+    check_word(check, &machine.slope, NCK_SLOPE_JERK, 1);
     check_word(check, &machine.slope, NCK_SLOPE_OPTIMAL + 1, 0);
     check_word(check, &machine.kinematics, NCK_KINEMATICS_LATHE_XZ, 1);
     check_word(check, &machine.kinematics, NCK_KINEMATICS_LATHE_XZ + 1, 0);
@@ -200,8 +200,8 @@ static void choices_end_at_their_last_one(check_t *check) {
     machine.tool_count = NCK_TOOL_MAX;
     check_word(check, &machine.tool[NCK_TOOL_MAX - 1].orientation, 9, 1);
     check_word(check, &machine.tool[NCK_TOOL_MAX - 1].orientation, 10, 0);
-    machine.slope = NCK_SLOPE_SSHAPE;
-    check_word(check, &machine.lookahead_blocks, 1, 1);
+    check_word(check, &machine.lookahead_blocks, 1, 0);
+    check_word(check, &machine.lookahead_blocks, 2, 1);
     for (uint8_t plane = 15; plane < 22; plane++) {
         machine.dialect.plane = plane;
         const int good = plane >= 17 && plane <= 19;

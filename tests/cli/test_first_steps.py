@@ -135,10 +135,11 @@ def completing(step, **environment):
     [
         (["--set", "axis.x.j_max_mm_s3=5e4", "--slope", "linear"], "limits jerk"),
         (["--set", "path.j_max_mm_s3=5e4", "--set", "path.slope=linear"], "does not limit it"),
-        (["--set", "path.slope=linear", "--slope", "sshape"], "path.slope=sshape comes behind"),
+        (["--set", "path.slope=linear", "--slope", "optimal"], "path.slope=optimal comes behind"),
         (["--set", "dialect.system=B"], "only dialect.base=fanuc"),
         (["--set", "description=mine"], "only lists"),
         (["--set", "path.tolerance_mm=0.1", "--plan", "grades"], "grades are planned under"),
+        (["--set", "path.slope=linear", "--plan", "sshape"], "the S-shape is planned under"),
         (["--set", "axis.x.j_max_mm_s3=5e4"], ""),
         (["--set", "path.slope=jerk"], ""),
     ],

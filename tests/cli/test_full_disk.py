@@ -25,7 +25,7 @@ NOTHING_COMPILED = {"PYTHONDONTWRITEBYTECODE": "1"}
         ("run", (), "run.parquet"),
         ("plot", (), "picture.png"),
         ("plot", (), "picture.svg"),
-        ("sweep", ("--set", "path.slope=jerk,linear,sshape"), "sweep.csv"),
+        ("sweep", ("--set", "path.slope=jerk,linear"), "sweep.csv"),
         ("machine new", (), "my.toml"),
     ],
 )

@@ -20,7 +20,7 @@ from pycnc import sweep as make_sweep
 from pycnc.machine import Machine
 from pycnc.planning import parts, sweep, workers
 
-AXES = ["--set", "path.j_max_mm_s3=1e4..1e6/3", "--set", "path.slope=jerk,sshape"]
+AXES = ["--set", "path.j_max_mm_s3=1e4..1e6/3", "--set", "path.slope=jerk,linear"]
 
 
 @pytest.fixture
@@ -65,10 +65,10 @@ def test_a_grid_that_is_too_large_is_counted_and_not_begun(tmp_path):
 
 def test_rows_are_plans_in_the_order_of_the_grid(files):
     told = json.loads(pycnc("sweep", *files, *AXES, "--json").out)
-    assert told["settings"]["path.slope"] == ["jerk", "sshape"]
+    assert told["settings"]["path.slope"] == ["jerk", "linear"]
     points = [(row["file"], row["path.j_max_mm_s3"], row["path.slope"]) for row in told["rows"]]
     assert points == [(file, j, slope) for file in files for j in ("10000", "100000", "1000000")
-                      for slope in ("jerk", "sshape")]  # fmt: skip
+                      for slope in ("jerk", "linear")]  # fmt: skip
     for row in told["rows"]:
         settings = [f"path.j_max_mm_s3={row['path.j_max_mm_s3']}"]
         machine = Machine.load("mill3", set=[*settings, f"path.slope={row['path.slope']}"])
@@ -111,7 +111,7 @@ def test_a_cluster_that_is_not_there_is_told(files):
 
 def dying(unit, machine, texts):
     """Die at one task, always or once."""
-    if dict(unit.task.changes)["path.slope"] == "sshape" and not os.path.exists(texts["once"]):
+    if dict(unit.task.changes)["path.slope"] == "optimal" and not os.path.exists(texts["once"]):
         if texts["kind"] == "once":
             open(texts["once"], "w").close()
         os.kill(os.getpid(), signal.SIGKILL)
@@ -121,7 +121,7 @@ def dying(unit, machine, texts):
 @pytest.mark.thorough
 @pytest.mark.parametrize("kind", ["once", "always"])
 def test_a_dead_worker_is_replaced_and_its_task_tried_again_then_named(kind, tmp_path):
-    tasks = sweep.tasks_of(["a", "b"], {"path.slope": ["jerk", "sshape", "linear"]})
+    tasks = sweep.tasks_of(["a", "b"], {"path.slope": ["jerk", "optimal", "linear"]})
     texts = {"kind": kind, "once": str(tmp_path / "once")}
     board = sweep._Board(tasks, Machine.load("mill3"))
     found = workers.each(board.take, dying, (None, texts), 2)
@@ -162,7 +162,7 @@ def sums_of(text, machine, part=None):
 
 
 @pytest.mark.sample(quick=1)
-@pytest.mark.parametrize("slope", ["linear", "jerk", "sshape"])
+@pytest.mark.parametrize("slope", ["linear", "jerk"])
 def test_parts_add_up_to_the_plan_of_the_whole_program_to_the_tick(slope):
     machine = Machine.load("mill3", set=[f"path.slope={slope}"])
     text = with_rests(6000, 97)

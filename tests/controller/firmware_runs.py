@@ -10,7 +10,7 @@ import numpy as np
 from pycnc import controller
 from pycnc.machine import Machine
 
-SLOPES = ("linear", "sshape", "jerk")
+SLOPES = ("linear", "jerk")
 EVERYWHERE = ("host", "m7")  # where the faults are tried
 PERIOD_S = 1e-3
 NM = 1e-6  # mm

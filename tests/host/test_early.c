@@ -112,7 +112,7 @@ static void take_machine(uint32_t slope)
 static void rooms_apart_give_the_bits_of_the_kernel(check_t *check)
 {
     static const char *const modes[] = {"G61\n", "G64 P0.02\n", "G61.1\n"};
-    for (uint32_t slope = NCK_SLOPE_LINEAR; slope <= NCK_SLOPE_SSHAPE; slope++) {
+    for (uint32_t slope = NCK_SLOPE_LINEAR; slope <= NCK_SLOPE_JERK; slope++) {
         take_machine(slope);
         if (nck_machine_check(&machine) != NCK_OK) continue; // the build has no such slope
         for (int k = 0; k < 3; k++) {

@@ -202,7 +202,7 @@ static uint64_t watched_run(check_t *check, uint32_t prep_steps, nck_status_t en
 static void plan_takes_as_long_as_its_run(check_t *check)
 {
     begin(3000);
-    for (machine.slope = NCK_SLOPE_LINEAR; machine.slope <= NCK_SLOPE_SSHAPE; machine.slope++) {
+    for (machine.slope = NCK_SLOPE_LINEAR; machine.slope <= NCK_SLOPE_JERK; machine.slope++) {
         CHECK_INT(check, run_plan(0), NCK_DONE);
         CHECK_INT(check, watched_run(check, 1000, NCK_DONE), plan.totals.ticks);
         CHECK_INT(check, sim.starved_ticks, 0);
@@ -214,7 +214,7 @@ static void plan_takes_as_long_as_its_run(check_t *check)
 static void starved_run_comes_to_its_end_within_the_limits(check_t *check)
 {
     begin(3000);
-    for (machine.slope = NCK_SLOPE_LINEAR; machine.slope <= NCK_SLOPE_SSHAPE; machine.slope++) {
+    for (machine.slope = NCK_SLOPE_LINEAR; machine.slope <= NCK_SLOPE_JERK; machine.slope++) {
         for (uint32_t steps = 1; steps <= 5; steps++) {
             watched_run(check, steps, NCK_DONE);
             CHECK(check, steps > 1 || sim.starved_ticks > 0);

@@ -22,7 +22,7 @@ from pycnc.planning import pipeline
 from pycnc.planning.plan import Plan
 from pycnc.program import Program
 
-SLOPES = ("linear", "jerk", "sshape")
+SLOPES = ("linear", "jerk")
 FILES = {str(file): file for file in (*cases.RUNNING_FILES, *cases.THREAD_FILES)}
 CASES = {str(case): case for case in cases.CASES}
 FREE = [f"--set=axis.{axis}.{end}_mm=free" for axis in "xyz" for end in ("min", "max")]

@@ -224,6 +224,39 @@ def part(tmp_path):
     return str(file)
 
 
+@pytest.mark.parametrize(
+    "words",
+    [
+        ["time", "--slope", "sshape"],
+        ["time", "--set", "path.slope=sshape"],
+        ["controller", "--set", "path.slope=sshape"],
+    ],
+)
+def test_as_a_slope_it_is_refused_and_the_way_is_told(part, words):
+    verb, *options = words
+    refused = command(verb, part, *options)
+    assert refused.code == 2 and "is a kind of planning" in refused.err
+    assert "--plan sshape" in refused.err
+
+
+def test_as_a_slope_of_a_call_it_is_refused_too(part):
+    with pytest.raises(pycnc.errors.ArgumentError, match="plan='sshape'"):
+        pycnc.plan(part, slope="sshape")
+
+
+def test_an_operator_is_refused_and_the_way_is_told(part):
+    with pytest.raises(pycnc.errors.ArgumentError, match='takes no commands.*plan="exact"'):
+        pycnc.run(part, plan="sshape", commands=[(10, "hold")])
+
+
+def test_what_only_an_exact_plan_tells_is_refused(part):
+    with pytest.raises(pycnc.errors.ArgumentError, match="only an exact plan"):
+        pycnc.plan(part, plan="sshape").why()
+    assert "by the S-shape is not told by parts" in command(
+        "time", part, "--plan", "sshape", "--by", "tool"
+    ).err
+
+
 def test_a_run_and_its_time_say_so_and_agree(part):
     ran, timed = (command(verb, part, "--plan", "sshape", "--json") for verb in ("run", "time"))
     assert ran.code == timed.code == 0

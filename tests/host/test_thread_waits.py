@@ -24,7 +24,7 @@ def test_a_run_takes_as_long_as_planned(family):
     assert judged.count([]) >= 4  # the others' threads are too short
 
 
-@pytest.mark.parametrize("slope", ["linear", "jerk", "sshape"])
+@pytest.mark.parametrize("slope", ["linear", "jerk"])
 @pytest.mark.parametrize("tolerance", ["", " G64 P0.01"])
 def test_behind_a_surface_speed_too(slope, tolerance):
     machine = Machine.load("cak6150n", set=(*LATHE, f"path.slope={slope}"))

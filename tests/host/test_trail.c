@@ -81,7 +81,7 @@ static void check_sums(check_t *check)
 
 static void points_add_up_to_the_time_and_the_limits(check_t *check)
 {
-    for (uint32_t slope = NCK_SLOPE_LINEAR; slope <= NCK_SLOPE_SSHAPE; slope++) {
+    for (uint32_t slope = NCK_SLOPE_LINEAR; slope <= NCK_SLOPE_JERK; slope++) {
         begin(slope, 5);
         CHECK_INT(check, follow(ROWS), NCK_DONE);
         check_sums(check);
@@ -145,7 +145,7 @@ static void a_low_point_is_the_point_where_its_corner_is(check_t *check)
 
 static void speed_between_two_points_is_as_good_as_straight(check_t *check)
 {
-    begin(NCK_SLOPE_SSHAPE, 2);
+    begin(NCK_SLOPE_JERK, 2);
     CHECK_INT(check, follow(ROWS), NCK_DONE);
     double length = 0.0;
     for (size_t i = 1; i < point_count; i++) {

@@ -12,7 +12,7 @@ PERIODS_MS = (0.25, 0.5, 1, 2, 4, 10)
 PERIODS = 4000  # of a program, about
 TINY = 1e-6  # the shortest move [mm]
 LONGEST = 1000.0  # [mm]
-SLOPES = ("jerk", "sshape", "linear")
+SLOPES = ("jerk", "linear")
 COMMANDS = ("hold", "resume", "resume", "override", "override", "single_block", "abort")
 
 

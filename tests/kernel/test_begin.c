@@ -29,7 +29,7 @@ static const char *const program =
 // The same setpoints as of a new kernel whose axes stand there.
 static void it_goes_on_as_a_new_kernel_there(check_t *check)
 {
-    for (uint32_t slope = 0; slope < 3; slope++) {
+    for (uint32_t slope = NCK_SLOPE_LINEAR; slope <= NCK_SLOPE_JERK; slope++) {
         begin(slope);
         run(&front, "G1 X12.3456 Y-7 Z1\nM30\n");
         CHECK_INT(check, front.status, NCK_DONE);
@@ -101,7 +101,7 @@ static void it_is_idle_until_prep_begins_anew(check_t *check)
 // While the tick moves, and before the end is executed, it is refused and nothing is changed.
 static void it_is_refused_before_the_end(check_t *check)
 {
-    for (uint32_t slope = 0; slope < 3; slope++) {
+    for (uint32_t slope = NCK_SLOPE_LINEAR; slope <= NCK_SLOPE_JERK; slope++) {
         begin(slope);
         CHECK_INT(check, nck_begin(&front.nck), NCK_E_STATE);
         front_push(&front, "G1 X5\n");
@@ -122,7 +122,7 @@ static void it_is_refused_before_the_end(check_t *check)
 // An abort drops the rest of the program, outputs too, and the axes go on from where they rest.
 static void after_an_abort_it_goes_on_from_the_rest(check_t *check)
 {
-    for (uint32_t slope = 0; slope < 3; slope++) {
+    for (uint32_t slope = NCK_SLOPE_LINEAR; slope <= NCK_SLOPE_JERK; slope++) {
         begin(slope);
         front_push(&front, "G92 X10\nG1 F3000 X60 Y1\nX90\n");
         front_push(&front, "M8\nX10 Y0\n");
@@ -152,7 +152,7 @@ static void after_an_abort_it_goes_on_from_the_rest(check_t *check)
 // Again and again, with the rings full of what was dropped.
 static void it_can_be_done_for_ever(check_t *check)
 {
-    for (uint32_t slope = 0; slope < 3; slope++) {
+    for (uint32_t slope = NCK_SLOPE_LINEAR; slope <= NCK_SLOPE_JERK; slope++) {
         begin(slope);
         for (int n = 0; n < 40; n++) {
             const double x = front_x(&front);
@@ -175,7 +175,7 @@ static void it_can_be_done_for_ever(check_t *check)
 // A WAIT that was aborted waits no longer, an error is over, a hold is.
 static void what_kept_it_is_over(check_t *check)
 {
-    for (uint32_t slope = 0; slope < 3; slope++) {
+    for (uint32_t slope = NCK_SLOPE_LINEAR; slope <= NCK_SLOPE_JERK; slope++) {
         begin(slope);
         front_push(&front, "G1 X1\nM0\nG1 X2\n");
         nck_flush(&front.nck);

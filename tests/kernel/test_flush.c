@@ -18,10 +18,8 @@ static nck_t other;
 static nck_host_plan_t plan;
 static char text[20000];
 
-static const char *const slope_name[] = {"linear", "jerk", "sshape"};
-// At 100 mm/s all the way; the S-shape, which brakes over more than AHEAD lines of 1 mm: with a
-// look-ahead of AHEAD blocks over 750 mm.
-static const uint64_t late_ticks[] = {7700, 7700, 11135};
+static const char *const slope_name[] = {"linear", "jerk"};
+#define LATE_TICKS 7700 // at 100 mm/s all the way
 
 static double planned_s(const char *program)
 {
@@ -44,7 +42,7 @@ static void a_console_line_ends_on_its_target_in_time(check_t *check)
     static const char *const lines[] = {"G1 X5\n", "G1 X-0.001\n", "G0 X20 Y30\n", "G2 X0 Y10 J5\n",
                                         "G64 P0.01 G1 X2 Y2\n", "G61.1 G1 X1"};
     static const double ends[][2] = {{5, 0}, {-0.001, 0}, {20, 30}, {0, 10}, {2, 2}, {1, 0}};
-    for (uint32_t slope = 0; slope < 3; slope++) {
+    for (uint32_t slope = 0; slope <= NCK_SLOPE_JERK; slope++) {
         for (unsigned k = 0; k < sizeof lines / sizeof lines[0]; k++) {
             begin(slope);
             const double time_s = planned_s(lines[k]);
@@ -64,7 +62,7 @@ static void a_console_line_ends_on_its_target_in_time(check_t *check)
 static void what_is_known_is_executed(check_t *check)
 {
     static const char *const modes[] = {"G61.1\n", "G61\n", "G64 P0.01\n", "G64 P0.001 Q0\n"};
-    for (uint32_t slope = 0; slope < 3; slope++) {
+    for (uint32_t slope = 0; slope <= NCK_SLOPE_JERK; slope++) {
         for (unsigned k = 0; k < sizeof modes / sizeof modes[0]; k++) {
             const int lines = k == 0 ? 10 : LINES;
             begin(slope);
@@ -102,14 +100,16 @@ static void late_input_costs_no_stop(check_t *check, uint32_t slope)
         before = x;
     }
     CHECK_INT(check, rests, 0);
-    if (!CHECK(check, may_creep || front.moving <= late_ticks[slope])) {
+    if (!CHECK(check, may_creep || front.moving <= LATE_TICKS)) {
         printf("    %s: %u ticks\n", slope_name[slope], (unsigned)front.moving);
     }
 }
 
 static void input_that_comes_late_costs_no_stop(check_t *check)
 {
-    for (uint32_t slope = 0; slope < 3; slope++) late_input_costs_no_stop(check, slope);
+    for (uint32_t slope = 0; slope <= NCK_SLOPE_JERK; slope++) {
+        late_input_costs_no_stop(check, slope);
+    }
 }
 
 // One tick with a budget. What prep wants more of is one block, once: a chord of y = bow·x².
@@ -189,7 +189,7 @@ static void a_hurried_bend_begins_soon(check_t *check)
 // Flushed anywhere, a path is the same path; behind the flush it goes on to its end.
 static void behind_a_flush_the_path_goes_on(check_t *check)
 {
-    for (uint32_t slope = 0; slope < 3; slope++) {
+    for (uint32_t slope = 0; slope <= NCK_SLOPE_JERK; slope++) {
         for (int every = 1; every <= 64; every *= 4) {
             begin(slope);
             front_push(&front, "G64 P0.005\n");
@@ -231,7 +231,7 @@ static void a_flush_has_a_place_not_a_time(check_t *check)
 static void a_flush_at_the_end_is_the_end(check_t *check)
 {
     uint64_t hash[2] = {0, 0};
-    for (uint32_t slope = 0; slope < 3; slope++) {
+    for (uint32_t slope = 0; slope <= NCK_SLOPE_JERK; slope++) {
         for (int flushes = 0; flushes < 2; flushes++) {
             begin(slope);
             front_push(&front, "G64 P0.01\nG1 X3\nY4 X6\nG3 X0 I-3\nG1 X-5\n");

@@ -3,11 +3,11 @@
 // program to its end within its limits. It runs in every set of capacities.
 #include "motion_check.h" // motion_t
 
-enum { SLOPES = 4 };
+enum { SLOPES = 3 };
 
 static motion_t motion;
-static const int built[SLOPES] = {1, NCK_HAS_JERK, NCK_HAS_SSHAPE, NCK_HAS_OPTIMAL};
-static const char *const slope_name[SLOPES] = {"linear", "jerk", "sshape", "optimal"};
+static const int built[SLOPES] = {1, NCK_HAS_JERK, NCK_HAS_OPTIMAL};
+static const char *const slope_name[SLOPES] = {"linear", "jerk", "optimal"};
 
 static void begin(uint32_t slope, uint64_t seed)
 {

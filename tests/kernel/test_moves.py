@@ -33,7 +33,7 @@ def rows_of(program, slope):
     return {name: trace[name] for name in ("line", "joint_0_nm", "joint_1_nm", "joint_2_nm")}
 
 
-@pytest.mark.parametrize("slope", ["linear", "jerk", "sshape"])
+@pytest.mark.parametrize("slope", ["linear", "jerk"])
 def test_moves_are_executed_as_the_same_text(slope):
     by_text = rows_of(pycnc.load(TEXT, "mill3"), slope)
     by_moves = rows_of(Program.from_moves(MOVES, "mill3"), slope)
@@ -65,7 +65,7 @@ def test_feed_may_be_given_for_every_point():
 
 def test_a_block_program_goes_to_another_slope_and_machine():
     program = Program.from_points([[0, 0, 0], [5, 5, 5]], feed=600, machine="mill3")
-    assert pycnc.plan(program, machine="mill5_xyzac", slope="sshape").time_s > 0.5
+    assert pycnc.plan(program, machine="mill5_xyzac", slope="optimal").time_s > 0.5
     assert pycnc.plan(program, plan="grades", slope="linear").time_s > 0.5
 
 

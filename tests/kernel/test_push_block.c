@@ -61,7 +61,7 @@ static void push_the_same(void)
 
 static void blocks_are_executed_as_the_same_text(check_t *check)
 {
-    for (uint32_t slope = 0; slope < 3; slope++) {
+    for (uint32_t slope = NCK_SLOPE_LINEAR; slope <= NCK_SLOPE_JERK; slope++) {
         uint64_t hash[2] = {0, 0}, ticks[2] = {0, 0};
         double values[2] = {0.0, 0.0};
         for (int n = 0; n < 2; n++) {
@@ -227,7 +227,7 @@ static nck_status_t set_limits(void)
 // Limits change where they are said to: what was pushed before keeps the old ones to its end.
 static void limits_change_in_their_place(check_t *check)
 {
-    for (uint32_t slope = 0; slope < 3; slope++) {
+    for (uint32_t slope = NCK_SLOPE_LINEAR; slope <= NCK_SLOPE_JERK; slope++) {
         begin(slope);
         front_push(&front, "G64 P0.01\nG1 F4800 X30\nX60 Y1\n");
         front.machine.path.feed_max = 20.0;

@@ -20,7 +20,7 @@ import pycnc
 from pycnc.bench import programs
 from pycnc.machine import Machine
 
-SLOPES = ("linear", "jerk", "sshape")
+SLOPES = ("linear", "jerk")
 # Once the slope's last node but one came out at rest, and its cell never ended.
 STOPS = Case(
     "stops_after_stops",
@@ -44,7 +44,6 @@ SHORT = (
 # does.
 DENSE = ("micrometres",)
 RUNS = [(case, slope) for slope in SLOPES for case in CASES]
-RUNS = [(case, slope) for case, slope in RUNS if slope != "sshape" or case.name in SHORT]
 SMALL_RUNS = [(case, slope) for case, slope in RUNS if case.name in SHORT]
 SHORT_WINDOW = 1.05  # of the time in Python's window, most that 64 knots in floats take here
 SHARE = 1.003  # of an axis' limit, what a plan may take (docs/planner.md)

@@ -347,14 +347,13 @@ static void happen(void)
 // A script by its number. Returns 1 if all promises held.
 static int run_script(check_t *check, uint32_t number)
 {
-    static const uint32_t slopes[] = {NCK_SLOPE_JERK, NCK_SLOPE_LINEAR, NCK_SLOPE_JERK,
-                                      NCK_SLOPE_SSHAPE};
+    static const uint32_t slopes[] = {NCK_SLOPE_JERK, NCK_SLOPE_LINEAR, NCK_SLOPE_JERK};
     const nck_hooks_t hooks = {&motion, on_output, NULL, on_seg};
     memset(&script, 0, sizeof script);
     script.seed = 88172645463325252u + 0x9e3779b97f4a7c15u * (uint64_t)(number + 1);
     for (int n = 0; n < 4; n++) (void)draw();
     motion_begin(&motion, 1);
-    motion.machine.slope = slopes[number % 4];
+    motion.machine.slope = slopes[number % 3];
     if (motion.machine.slope == NCK_SLOPE_LINEAR) motion.machine.path.j_max = 1e12;
     (void)motion_start(&motion);
     (void)nck_init(&motion.nck, &motion.machine, &hooks);

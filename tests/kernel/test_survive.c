@@ -37,7 +37,7 @@ static int count_errors(uint64_t ticks) {
 }
 
 static void a_broken_plan_ends_in_one_error_and_a_stop(check_t *check) {
-    for (uint32_t slope = NCK_SLOPE_LINEAR; slope <= NCK_SLOPE_SSHAPE; slope++) {
+    for (uint32_t slope = NCK_SLOPE_LINEAR; slope <= NCK_SLOPE_JERK; slope++) {
         begin_zigzag(slope);
         CHECK_INT(check, motion_start(&self), NCK_OK);
         CHECK_INT(check, count_errors(500), 0);
@@ -61,7 +61,7 @@ static void abort_at(void *user, uint64_t tick) {
 
 // Also where the cells end at a corner that is passed at no speed.
 static void an_abort_ends_wherever_it_comes(check_t *check) {
-    for (uint32_t slope = NCK_SLOPE_LINEAR; slope <= NCK_SLOPE_SSHAPE; slope++) {
+    for (uint32_t slope = NCK_SLOPE_LINEAR; slope <= NCK_SLOPE_JERK; slope++) {
         for (uint64_t at = 1; at < 3000; at += 149) {
             const motion_script_t script = {NULL, abort_at, &at};
             begin_zigzag(slope);
@@ -108,7 +108,7 @@ static void outputs_that_fill_their_ring_do_not_stop_the_program(check_t *check)
     } cases[] = {{"G61", 2 * NCK_WINDOW, 3}, {"G61", 2 * NCK_WINDOW, 7},
                  {"G61", 5, 2 * NCK_OUTPUT_MAX}, {"G64 P0.01", 2 * NCK_WINDOW, 3},
                  {"G64 P0.01", 5, 2 * NCK_OUTPUT_MAX}};
-    for (uint32_t slope = NCK_SLOPE_LINEAR; slope <= NCK_SLOPE_SSHAPE; slope++) {
+    for (uint32_t slope = NCK_SLOPE_LINEAR; slope <= NCK_SLOPE_JERK; slope++) {
         for (unsigned k = 0; k < sizeof cases / sizeof cases[0]; k++) {
             begin_talkative(slope, cases[k].mode, cases[k].moves, cases[k].outputs);
             motion_line(&self, "M2");
@@ -122,7 +122,7 @@ static void outputs_that_fill_their_ring_do_not_stop_the_program(check_t *check)
 
 // What is known of the path ends there: the line is not the way to what comes behind them.
 static void outputs_behind_a_short_line_do_not_lengthen_it(check_t *check) {
-    for (uint32_t slope = NCK_SLOPE_LINEAR; slope <= NCK_SLOPE_SSHAPE; slope++) {
+    for (uint32_t slope = NCK_SLOPE_LINEAR; slope <= NCK_SLOPE_JERK; slope++) {
         begin_talkative(slope, "G64 P0.01", 0, 0);
         motion_line(&self, "G1 X0.000029 Y0.000032");
         for (int n = 0; n < 2 * NCK_SMOOTH_SPAN; n++) motion_line(&self, "M8");

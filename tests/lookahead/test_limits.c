@@ -166,7 +166,6 @@ static double most_jerk(void)
     const double tau = NCK_FILTER_TAPS * machine.period_s;
     const double along = fmin(machine.path.j_max, j);
     if (machine.slope == NCK_SLOPE_LINEAR) return machine.path.j_max;
-    if (machine.slope == NCK_SLOPE_SSHAPE) return along;
     return fmin(along, fmin(machine.path.a_max, a) / (2.0 * tau));
 }
 
@@ -271,7 +270,7 @@ static void check_speed(check_t *check, const allowed_t *allowed)
 
 static void lines_get_what_every_axis_allows(check_t *check)
 {
-    for (uint32_t slope = NCK_SLOPE_LINEAR; slope <= NCK_SLOPE_SSHAPE; slope++) {
+    for (uint32_t slope = NCK_SLOPE_LINEAR; slope <= NCK_SLOPE_JERK; slope++) {
         begin(1 + slope, slope);
         for (int k = 0; k < TRIALS; k++) {
             draw_machine();

@@ -34,7 +34,7 @@ def cause_of(found, name):
     return next(cause for cause in found.causes if cause["cause"] == name)
 
 
-@pytest.mark.parametrize("slope", ["jerk", "linear", "optimal", "sshape"])
+@pytest.mark.parametrize("slope", ["jerk", "linear", "optimal"])
 @pytest.mark.parametrize("tolerance", [0, 0.01])
 @pytest.mark.parametrize("family", FAMILIES)
 def test_ideal_and_causes_add_up_to_the_time(slope, tolerance, family):

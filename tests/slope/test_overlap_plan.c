@@ -119,10 +119,10 @@ static void the_tolerance_is_made_use_of(check_t *check)
     CHECK(check, FEW || worst > 0.6 * TOLERANCE); // of the lines; of the corner √2 times as much
 }
 
-static void the_linear_slope_rests_and_the_s_shape_does_not(check_t *check)
+static void the_linear_slope_rests_there(check_t *check)
 {
     at = 0;
-    for (uint32_t slope = 0; slope < 3; slope++) {
+    for (uint32_t slope = NCK_SLOPE_LINEAR; slope <= NCK_SLOPE_JERK; slope++) {
         begin(&right_angle);
         motion.machine.slope = slope;
         motion_line(&motion, "M2");
@@ -261,7 +261,7 @@ int main(void)
     check_t check = {0};
     CHECK_RUN(&check, a_stop_and_the_start_behind_it_overlap);
     CHECK_RUN(&check, the_tolerance_is_made_use_of);
-    CHECK_RUN(&check, the_linear_slope_rests_and_the_s_shape_does_not);
+    CHECK_RUN(&check, the_linear_slope_rests_there);
     CHECK_RUN(&check, limits_hold_whatever_the_operator_does);
     CHECK_RUN(&check, an_axis_that_moves_in_both_keeps_its_jerk);
     CHECK_RUN(&check, a_path_that_is_not_known_further_rests);

@@ -131,7 +131,7 @@ static void a_lowered_override_is_kept_in_every_block_under_the_linear_slope(che
 // override; under a mixed move the tool has it, and the path is faster.
 static void the_tool_is_no_faster_than_the_operator_allows(check_t *check)
 {
-    for (uint32_t slope = 0; slope < 3; slope++) {
+    for (uint32_t slope = NCK_SLOPE_LINEAR; slope <= NCK_SLOPE_JERK; slope++) {
         double v_most = 0.0, rapid_most = 0.0;
         motion_begin(&motion, 1);
         motion.machine.slope = slope;

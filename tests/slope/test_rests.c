@@ -65,7 +65,7 @@ static uint64_t ticks_of(const corners_t *corners, uint32_t slope, int stops)
 static void nothing_is_slower_than_with_a_stop_at_every_corner(check_t *check)
 {
     for (size_t k = 0; k < sizeof cases / sizeof cases[0]; k++) {
-        for (uint32_t slope = cases[k].slope; slope < 3; slope++) {
+        for (uint32_t slope = cases[k].slope; slope <= NCK_SLOPE_JERK; slope++) {
             const uint64_t ticks = ticks_of(&cases[k], slope, 0);
             const uint64_t stops = ticks_of(&cases[k], slope, 1);
             const double most = SLOWER * (double)stops + SLOWER_PERIODS;

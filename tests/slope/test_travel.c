@@ -3,8 +3,7 @@
 // than a brake needs, and goes on when they are wide enough.
 #include "front_check.h"
 
-// In a small window the S-shape brakes so late that a soft limit may be passed (room 5, Not done).
-enum { SLOPES = NCK_PROFILE < 1024 ? 2 : 3 };
+enum { SLOPES = 2 };
 
 static front_t front;
 static double a_most; // of any axis at any tick [mm/s²]
@@ -63,7 +62,7 @@ static nck_status_t limit(double least, double most)
 static const char *const line = "G1 X1000 F6000\nM2\n";
 
 // A brake from 100 mm/s, and ten periods until it begins: what is lost in front of the limit.
-static const double least_way[] = {5.0, 10.0, 10.0};
+static const double least_way[] = {5.0, 10.0};
 
 static void a_line_is_left_as_late_as_it_can_be(check_t *check)
 {

@@ -121,10 +121,9 @@ def test_right_angles_within_a_tolerance_are_not_slower_than_with_stops(count, s
     assert tight <= stops
 
 
-@pytest.mark.parametrize("slope", ["linear", "sshape"])
 @pytest.mark.parametrize("make", [micro_segments, corners])
-def test_other_slopes_stay_within_the_tolerance_too(make, slope):
-    judge = judged.run(load(make("G64 P0.02"), slope=slope)).judge
+def test_the_linear_slope_stays_within_the_tolerance_too(make):
+    judge = judged.run(load(make("G64 P0.02"), slope="linear")).judge
     assert 0.2 < judge.tolerance_used <= 1.0
 
 

@@ -8,7 +8,7 @@ import pytest
 from pycnc.machine import Machine
 from pycnc.program import Program
 
-SLOPES = ("linear", "jerk", "sshape")
+SLOPES = ("linear", "jerk")
 FACING = "G21 G18 G99\nG50 S2000\nG96 S200 M3\nG0 X{d} Z0\nG1 X0 F0.2\nG0 Z5\nM30\n"
 PROFILE = (
     "G21 G18 G99\nG50 S2500\nG96 S150 M3\nG0 X20 Z2\nG1 Z0 F0.3\nX24 Z-2\nZ-10\n"

@@ -33,7 +33,7 @@ def findings(text, *change):
     return [(each.id, each.line) for each in errors]
 
 
-@pytest.mark.parametrize("slope", ["linear", "jerk", "sshape"])
+@pytest.mark.parametrize("slope", ["linear", "jerk"])
 @pytest.mark.parametrize("drive", [0, 3000])
 @pytest.mark.parametrize("spindle", [EXACT, UNEVEN])
 def test_the_tool_is_on_the_helix_in_and_out(slope, drive, spindle):

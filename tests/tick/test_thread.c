@@ -65,7 +65,7 @@ static double most_acceleration(size_t from)
 static void the_full_thread_is_on_its_helix(check_t *check)
 {
     const sim_spindle_t spindles[] = {{0.0, 0.0, 1.0, 0.0, 0.0, 1}, {0.3, 0.02, 0.7, 0.0, 0.0, 1}};
-    for (uint32_t slope = NCK_SLOPE_LINEAR; slope <= NCK_SLOPE_SSHAPE; slope++) {
+    for (uint32_t slope = NCK_SLOPE_LINEAR; slope <= NCK_SLOPE_JERK; slope++) {
         for (int n = 0; n < 2; n++) {
             double worst = 0.0;
             prepare(slope);

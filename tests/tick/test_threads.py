@@ -68,7 +68,7 @@ def beside_helix(rows, line, start):
 # In step
 
 
-@pytest.mark.parametrize("slope", ["linear", "jerk", "sshape"])
+@pytest.mark.parametrize("slope", ["linear", "jerk"])
 @pytest.mark.parametrize("rpm", [300, 600, 1200])
 @pytest.mark.parametrize("spindle, most_mm", [(EXACT, 1e-3), (UNEVEN, 5e-3)])
 def test_the_full_thread_is_on_the_helix_of_a_start_at_full_speed(slope, rpm, spindle, most_mm):

@@ -118,7 +118,7 @@ static void starvation_is_told_until_prep_goes_on(check_t *check)
 
 static void wait_lasts_until_it_is_resumed(check_t *check)
 {
-    for (uint32_t slope = NCK_SLOPE_LINEAR; slope <= NCK_SLOPE_SSHAPE; slope++) {
+    for (uint32_t slope = NCK_SLOPE_LINEAR; slope <= NCK_SLOPE_JERK; slope++) {
         begin(slope);
         motion_line(&motion, "X1");
         motion_line(&motion, "M0");
@@ -138,7 +138,7 @@ static void wait_lasts_until_it_is_resumed(check_t *check)
 
 static void abort_at_a_wait_ends_there(check_t *check)
 {
-    for (uint32_t slope = NCK_SLOPE_LINEAR; slope <= NCK_SLOPE_SSHAPE; slope++) {
+    for (uint32_t slope = NCK_SLOPE_LINEAR; slope <= NCK_SLOPE_JERK; slope++) {
         begin(slope);
         motion_line(&motion, "X1");
         motion_line(&motion, "M0");

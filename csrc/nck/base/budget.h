@@ -22,7 +22,5 @@
 #define NCK_BUDGET_RAMP_SHARE 0.5
 // How steep the caps of neighbouring pieces may be: this share of the acceleration that is left.
 #define NCK_BUDGET_STEEP_SHARE 0.8
-// The same under the classical S-shape: its acceleration is zero at both ends of a piece.
-#define NCK_BUDGET_STEEP_HALF 0.4
 
 #endif

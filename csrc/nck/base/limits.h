@@ -58,9 +58,8 @@
 #define NCK_COMP_SPAN 64
 #endif
 
-// Nodes of the look-ahead window (three a seg at most). Power of two, 16..65536. 16 leaves out the
-// S-shaped slope, which has to see more.
-// Too short for the braking distance costs time, never safety; it is reported as limit "lookahead".
+// Nodes of the look-ahead window (three a seg at most). Power of two, 16..65536. Too short
+// for the braking distance costs time, never safety; it is reported as limit "lookahead".
 #ifndef NCK_WINDOW
 #define NCK_WINDOW 256
 #endif
@@ -80,7 +79,7 @@
 
 // Nodes of the jerk-limited slope's window. Power of two, 32..65536. A node lasts half a period
 // (two to four periods if the window would else be shorter than braking takes): fewer nodes cost
-// time, never safety. 0 leaves out both slopes that limit jerk: jerk-limited and S-shaped.
+// time, never safety. 0 leaves it out, and "optimal".
 #ifndef NCK_PROFILE
 #define NCK_PROFILE 1024
 #endif
@@ -133,11 +132,10 @@
 #define NCK_HAS_LAYOUTS (NCK_LAYOUTS > 0)
 #define NCK_HAS_CONTOUR (NCK_CYCLES > 0 && NCK_CONTOUR > 0)
 
-// Whether there is radius compensation; smoothing; the jerk-limited slope, and the S-shaped one.
+// Whether there is radius compensation; smoothing; the jerk-limited slope.
 #define NCK_HAS_COMP (NCK_COMP_SPAN > 0)
 #define NCK_HAS_SMOOTH (NCK_SMOOTH_SPAN > 0)
 #define NCK_HAS_JERK (NCK_PROFILE > 0)
-#define NCK_HAS_SSHAPE (NCK_PROFILE > 0 && NCK_WINDOW >= 32)
 // Whether the stop at a sharp corner and the start behind it may overlap.
 #define NCK_HAS_OVERLAP (NCK_SMOOTH_SPAN > 0 && NCK_PROFILE > 0)
 // Whether the optimal slope's solvers have single precision.
@@ -151,8 +149,8 @@
 #define NCK_HAS_POLYGONS (NCK_WINDOW >= 256)
 
 // What holds the state of cycles, of layouts, of parameters and calls, of compensation, of
-// smoothing, of the jerk-limited and the S-shaped slope. Where they are left out it is only read,
-// as zero: one place serves all members.
+// smoothing, of the jerk-limited slope. Where they are left out it is only read, as zero: one place
+// serves all members.
 #if NCK_CYCLES > 0
 #define NCK_CYCLE_STATE struct
 #else
@@ -182,11 +180,6 @@
 #define NCK_JERK_STATE struct
 #else
 #define NCK_JERK_STATE union
-#endif
-#if NCK_PROFILE > 0 && NCK_WINDOW >= 32
-#define NCK_SSHAPE_STATE struct
-#else
-#define NCK_SSHAPE_STATE union
 #endif
 
 // A member that only builds with the optimal slope have, and its address: elsewhere nobody asks for

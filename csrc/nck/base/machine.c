@@ -53,9 +53,8 @@ static int within(double value, double low, double high) {
 }
 
 // In the order of nck_quantity_t. With lengths from 1e-7 to 1e7 mm the formulas of the rooms then
-// keep their digits: v² and a·l stay within 1e-12 … 1e16, the cube root's j²·l (nck_ladder_cbrt)
-// within 1e-13 … 1e31 (good to 2 %), and Newton's start a/j within 1e14 of its root
-// (nck_sshape_half: 1e17).
+// keep their digits: v² and a·l stay within 1e-12 … 1e16, and the cube root's j²·l
+// (nck_ladder_cbrt) within 1e-13 … 1e31 (good to 2 %).
 static const nck_range_t ranges[NCK_QUANTITIES] = {
     {1e-5, 0.1}, {1e-6, 1e6}, {1e-3, 1e9}, {1e-3, 1e12}, {1e-9, 1e6}, {0.0, 1e6}, {0.0, 1e9},
     {0.0, 1e9}};
@@ -127,12 +126,11 @@ static int numbers_good(const nck_machine_t *machine) {
 
 static int path_good(const nck_machine_t *machine) {
     return machine->slope <= NCK_SLOPE_OPTIMAL && machine->lookahead_blocks <= NCK_WINDOW
-           && (machine->lookahead_blocks != 1 || machine->slope == NCK_SLOPE_SSHAPE);
+           && machine->lookahead_blocks != 1;
 }
 
 static int is_slope_built(const nck_machine_t *machine) {
     return machine->slope == NCK_SLOPE_LINEAR || (machine->slope == NCK_SLOPE_JERK && NCK_HAS_JERK)
-           || (machine->slope == NCK_SLOPE_SSHAPE && NCK_HAS_SSHAPE)
            || (machine->slope == NCK_SLOPE_OPTIMAL && NCK_HAS_OPTIMAL);
 }
 

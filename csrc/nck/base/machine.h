@@ -33,8 +33,7 @@ typedef enum nck_kinematics {
 typedef enum nck_slope_kind {
     NCK_SLOPE_LINEAR = 0, // acceleration-limited
     NCK_SLOPE_JERK = 1,   // jerk-limited, acceleration carried across junctions
-    NCK_SLOPE_SSHAPE = 2, // jerk-limited, no acceleration at junctions (classical S-shape)
-    NCK_SLOPE_OPTIMAL = 3 // as NCK_SLOPE_JERK on the exact path; within a tolerance the fastest
+    NCK_SLOPE_OPTIMAL = 2 // as NCK_SLOPE_JERK on the exact path; within a tolerance the fastest
                           // motion along the smoothest curve, by convex optimisation (CURVE.md,
                           // OPTIMAL.md). Builds with room for its windows have it
 } nck_slope_kind_t;
@@ -156,8 +155,8 @@ typedef struct nck_machine {
         double tolerance;    // SIZE: what a bare G64 means
         double arc_radius;   // ERROR: how far an arc's end may miss its circle
     } path;
-    uint32_t lookahead_blocks; // blocks in the window, the one in work among them, 2 … NCK_WINDOW
-                             // (NCK_SLOPE_SSHAPE: from 1 on); 0: all of it
+    uint32_t lookahead_blocks; // blocks in the window, the one in work among them, 2 … NCK_WINDOW;
+                             // 0: all of it
     uint32_t slope;          // nck_slope_kind_t
     uint32_t kinematics;     // nck_kinematics_t
 
@@ -233,12 +232,6 @@ int64_t nck_machine_approach_nm(const nck_machine_t *machine);
 // from where a formula of the rooms would lose its digits (machine.c).
 // Cost: constant. Context: any.
 void nck_machine_range(uint32_t quantity, nck_range_t *range_out);
-
-// 1 if the exact path is planned by the jerk-limited slope, which the tick's filter goes with.
-// Cost: constant. Context: any.
-static inline int nck_machine_filters(const nck_machine_t *machine) {
-    return machine->slope == NCK_SLOPE_JERK || machine->slope == NCK_SLOPE_OPTIMAL;
-}
 
 // Check every number. Returns NCK_OK; NCK_E_MACHINE at the first that is outside of its range (NaN
 // and infinity included; travel may be free); NCK_E_UNSUPPORTED if all are good and the slope is

@@ -11,7 +11,6 @@
 typedef struct nck_terms {
     const nck_machine_t *machine; // whose terms they are
     uint8_t limits_jerk; // 1: the slope keeps to limits of jerk
-    uint8_t carries;     // 1: acceleration is carried across junctions
     uint8_t overlaps;    // 1: a motion may begin before the one that leads to its rest has ended
     uint8_t taps;        // the tick hands out the mean of so many periods; 1: no filter
     uint8_t axes;        // the machine's are among the first so many; the others never move

@@ -111,8 +111,8 @@ static void make_machine(run_t *self) {
     nck_machine_default(machine);
     const uint8_t kind = byte_of(source);
     const uint8_t edits = byte_of(source);
-    machine->slope = kind % 3u;
-    machine->period_s = periods[kind / 3 % 8];
+    machine->slope = kind % 2u; // linear or jerk
+    machine->period_s = periods[kind / 2 % 8];
     machine->dialect.feed_default = 1000.0;
     for (int x = 0; x < 3 && (edits & 64); x++) scale_axis(&machine->axis[x], source);
     if (edits & 32) {

@@ -52,7 +52,7 @@ PARTS = {"flash": (FLASH, LINKED), "stack": (DEEPEST,)}  # that compile libnck f
 # corners. The optimal slope has capacities of its own.
 BUDGETS = (
     ("star", "linear"), ("star", "jerk"), ("star_smoothed", "linear"), ("star_smoothed", "jerk"),
-    ("planes", "linear"), ("planes", "jerk"), ("planes", "sshape"),
+    ("planes", "linear"), ("planes", "jerk"),
     ("micrometres", "linear"), ("micrometres", "jerk"), ("rotary", "linear"),
     ("zigzag_smoothed", "jerk"), ("zigzag_smoothed", "optimal"),
 )  # fmt: skip

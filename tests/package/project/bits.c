@@ -5,7 +5,7 @@
 
 #include "nck/nck.h" // nck_t
 
-enum { SLOPES = 3 };
+enum { SLOPES = 2 };
 
 static nck_machine_t machine;
 static nck_t nck;
@@ -47,7 +47,7 @@ static size_t read_file(const char *name) {
 }
 
 int main(int count, char **arguments) {
-    const uint8_t slopes[SLOPES] = {NCK_SLOPE_LINEAR, NCK_SLOPE_JERK, NCK_SLOPE_SSHAPE};
+    const uint8_t slopes[SLOPES] = {NCK_SLOPE_LINEAR, NCK_SLOPE_JERK};
     printf("%d\n", nck_selftest() == NCK_SELFTEST);
     for (int k = 1; k < count; k++) {
         const size_t size = read_file(arguments[k]);

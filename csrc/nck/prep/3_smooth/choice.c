@@ -306,7 +306,7 @@ static double again_time(const corner_t *corner, int n, double d) {
 // Time of a stop, over d of either block at least: where a block is shorter the path goes on as
 // fast as it has become. That is less than stops at all the corners there would take, if they are
 // alike. Under a jerk limit a block that is much shorter is a part of this corner: then the next
-// corner's stop is the bound. So it is for the S-shape, which brakes for each junction.
+// corner's stop is the bound.
 static double stop_time(const corner_t *corner, double d, nck_corner_stop_t *stop_out) {
     double time = 0.0;
     double half_s = NCK_UNLIMITED; // a line overlaps at both ends
@@ -318,9 +318,8 @@ static double stop_time(const corner_t *corner, double d, nck_corner_stop_t *sto
         double on = beyond / nck_scurve_reach(ramp, 0.0, corner->half[n]);
         if (corner->terms->limits_jerk) on = nck_min(on, half + again_time(corner, n, d));
         const int is_apart = !corner->terms->limits_jerk || corner->half[n] >= ALIKE * d;
-        const int goes_on = corner->terms->carries && is_apart;
         if (corner->rests[n]) time += 2.0 * half;
-        else time += half + (goes_on ? on : nck_min(half, on));
+        else time += half + (is_apart ? on : nck_min(half, on));
     }
     const double overlap = overlap_of(corner, half_s, stop_out);
     return overlap > 0.0 ? time - overlap : time + corner->terms->rest_s;

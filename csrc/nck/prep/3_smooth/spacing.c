@@ -353,9 +353,9 @@ static double plain_spacing(const vertex_t *corner, double narrow) {
 }
 
 // With a lift, if that is more. It makes six pieces of a corner for four: a short window sees less
-// then, and under the S-shape each is a stop of acceleration.
+// then.
 static double widen(nck_smooth_t *self, uint32_t count, double narrow, double plain) {
-    if (NCK_WINDOW < NCK_CURVE_WINDOW || !self->terms->carries) return plain;
+    if (NCK_WINDOW < NCK_CURVE_WINDOW) return plain;
     const double in = nck_raw_at(self, count)->seg.length;
     const double out = nck_raw_at(self, nck_raw_next(self, count))->seg.length;
     const nck_raw_t *const raw = nck_raw_at(self, count);

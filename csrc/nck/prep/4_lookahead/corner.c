@@ -45,8 +45,7 @@
 
 // Where a period gains as much speed as short lines have room for, a crowd of corners would have to
 // be passed at next to none: less acceleration on the lines lets it be passed at more. What the
-// filter adds to a speed is not worth less, nor without one a share of what a period gains. The
-// S-shape, at rest in acceleration at each corner, is slower by it.
+// filter adds to a speed is not worth less, nor without one a share of what a period gains.
 static void tame(nck_joint_t *in, nck_joint_t *out, const nck_terms_t *terms) {
     const double period = terms->machine->period_s;
     const int is_sharp = in->load * nck_max(in->a_most, out->a_most) >= TAME_LOAD;
@@ -125,7 +124,7 @@ void nck_corner_meet(nck_joint_t *in, nck_joint_t *out, const double *tangent_in
         return;
     }
     in->load = load;
-    if (terms->carries) tame(in, out, terms);
+    tame(in, out, terms);
 }
 
 // A junction that is decided, between two known segs.

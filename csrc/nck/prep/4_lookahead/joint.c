@@ -255,7 +255,6 @@ int nck_joint_parts(const nck_joint_t *joint, const nck_terms_t *terms) {
     const double mixed = joint->v_free * terms->mix_s;
     double change = 0.0;
     if (!(mixed > 0.0)) return 1;
-    if (!terms->carries) return 1; // each part ends without acceleration
     for (int x = 0; x < terms->axes; x++) {
         const double third = joint->shape.bend.third[x];
         const nck_axis_t *const axis = &machine->axis[x];

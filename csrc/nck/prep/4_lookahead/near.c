@@ -54,8 +54,7 @@ static neighbour_t beyond_line(const nck_joint_t *joint, const nck_joint_t *line
 static double reach(const nck_joint_t *joint, const neighbour_t *side, double w,
                     const nck_terms_t *terms) {
     const double left = nck_max(0.0, nck_joint_left(joint, w, terms));
-    const double steep = terms->carries ? NCK_BUDGET_STEEP_SHARE : NCK_BUDGET_STEEP_HALF;
-    return side->w + 2.0 * steep * left * side->apart;
+    return side->w + 2.0 * NCK_BUDGET_STEEP_SHARE * left * side->apart;
 }
 
 // The largest v² that a joint can come down from to its neighbour's: about the root of w = g(w). As

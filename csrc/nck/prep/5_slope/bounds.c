@@ -10,10 +10,6 @@
 #include "nck/prep/5_slope/hull_math.h" // nck_hull_share
 #include "nck/prep/5_slope/window.h"    // nck_window_…
 
-// Samples at the seam hold both the constant jerk before a ladder and its jumps of acceleration. So
-// a ladder's acceleration all but stays for so many periods (README, section "S-shape").
-#define SEAM_PERIODS 0.25
-#define SEAM_SHARE 0.02
 // Room for rounding.
 #define CHECK_MARGIN 1e-6
 // Long ladders are worth the code that treats many cells of a piece at once.
@@ -26,11 +22,6 @@ static int is_hold(const nck_jerk_t *self) { return self->work.reach > 0.0; }
 static double tried_speed(const nck_jerk_t *self, size_t i) {
     const double end = i + 1 < self->work.n ? self->w[i + 1] : 0.0;
     return nck_sqrt(nck_max(self->w[i], end));
-}
-
-// Path behind constant jerk.
-static double seam_of(const nck_jerk_t *self) {
-    return self->profile.q > 0.0 ? 0.0 : SEAM_PERIODS * self->machine->period_s * self->profile.v;
 }
 
 // What a piece leaves to the cells inside of it.
@@ -110,10 +101,6 @@ static void limit_cell(nck_jerk_t *self, const nck_pieces_t *pieces, size_t i,
     double w_node = i > 0 ? self->work.w_cell : NCK_WINDOW_UNCAPPED;
     if (self->rung_s[i] == piece->s) w_node = nck_min(w_node, nck_window_node_cap(self, piece));
     if (piece->kind == NCK_SEG_SPLINE) self->work.bends = 1;
-    if (self->work.seam > 0.0) {
-        limits.j *= SEAM_SHARE;
-        self->work.seam -= self->h[i];
-    }
     self->work.w_cell = w_cell;
     self->w_cap[i] = nck_min(w_node, w_cell);
     self->a_max[i] = limits.a;
@@ -160,10 +147,7 @@ nck_status_t nck_bounds_set(nck_jerk_t *self, const nck_pieces_t *pieces) {
     const int holds = is_hold(self);
     inside_t inside = {(const nck_node_t *)0, 0, 0.0, 0.0, 0.0};
     nck_brake_mixed_t mixed = {0};
-    if (begin == 0) {
-        self->work.seam = seam_of(self);
-        self->work.bends = 0;
-    }
+    if (begin == 0) self->work.bends = 0;
     size_t i = begin;
     while (i < end) {
         limit_cell(self, pieces, i, &inside);
@@ -173,7 +157,7 @@ nck_status_t nck_bounds_set(nck_jerk_t *self, const nck_pieces_t *pieces) {
         }
         if (is_lowered(self, i)) self->work.lowered = 1;
         i++;
-        const int alike = MANY_CELLS && !holds && !(self->work.seam > 0.0);
+        const int alike = MANY_CELLS && !holds;
         if (alike && is_within(self, i, inside.number)) i = limit_alike(self, i, end, &inside);
     }
     self->work.i = (uint32_t)end;

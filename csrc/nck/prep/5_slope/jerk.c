@@ -30,9 +30,6 @@ enum { SHARE_AT_REST = 4 };
 #define RAMPS_AT_REST 8.0
 // Cells last half a period at least: finer ladders gain next to nothing (README).
 #define STEP_LEAST 0.5
-// Cells of constant jerk last longer than a ladder's: a hold divides them so far, before it knows
-// more. Long cells it divides into steps.
-#define HOLD_STEPS 2.0
 // At constant speed a cell lasts up to so many periods: a plan takes over at a cell's end only. But
 // not where that is less than so many steps of the ladder: then the window is short, and sees
 // further than what is done in time.
@@ -49,10 +46,6 @@ enum { TRIES_MOST = 4 };
 // A hold is made anew so many times on one ladder.
 #define REDONE_MOST 3
 
-static int taps_of(const nck_machine_t *machine) {
-    return nck_machine_filters(machine) ? NCK_FILTER_TAPS : 1;
-}
-
 // What a ramp from full speed to rest takes [s]: no more acceleration is come to than √(v·j).
 static double ramp_s(const nck_machine_t *machine) {
     const double v = machine->path.feed_max;
@@ -64,7 +57,7 @@ static double ramp_s(const nck_machine_t *machine) {
 double nck_jerk_cell_s(const nck_machine_t *machine) {
     const double period = machine->period_s;
     const double ramp = ramp_s(machine);
-    const double most = nck_max(1.0, 0.25 * (double)taps_of(machine)) * period;
+    const double most = nck_max(1.0, 0.25 * (double)NCK_FILTER_TAPS) * period;
     return nck_max(STEP_LEAST * period,
                    nck_min(most, RAMPS_SEEN * ramp / (double)NCK_PROFILE_ROWS));
 }
@@ -81,10 +74,9 @@ void nck_jerk_init(nck_jerk_t *self, const nck_machine_t *machine, nck_link_t *l
     const double long_steps = LONG_PERIODS * machine->period_s / self->step_s;
     self->long_steps = long_steps < LONG_STEPS ? 1.0 : long_steps;
     self->hold_s = self->long_steps > 1.0 ? self->step_s : NCK_JERK_UNKNOWN;
-    if (machine->slope == NCK_SLOPE_SSHAPE) self->hold_s = HOLD_STEPS * self->step_s;
     self->margin_s = COMMIT_RAMPS * ramp_s(machine);
     self->q_cap = NCK_LADDER_STRETCH * self->step_s;
-    const double excess = nck_ladder_excess(self->q_cap, machine->period_s, taps_of(machine));
+    const double excess = nck_ladder_excess(self->q_cap, machine->period_s, NCK_FILTER_TAPS);
     self->j_scale = (1.0 - JERK_MARGIN) / (1.0 + excess);
     nck_profile_t *const p = &self->profile;
     p->h = self->h;

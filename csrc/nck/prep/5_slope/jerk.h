@@ -81,7 +81,6 @@ typedef NCK_JERK_STATE nck_jerk {
         uint32_t to_pass;  // lay: of them, those still ahead
         uint32_t over;     // 1: limits for overrides beyond 100 %
         double w_cell;     // cap of the cell before
-        double seam;       // limit: so much path is left behind the constant jerk before [mm]
         uint32_t lowered;  // limit: 1: a cap is below the speed that was taken over with its node
         uint32_t anew;     // 1: the whole ladder is laid anew, over the path of the plan of now
         uint32_t planned_cell; // brake: cell of that plan …

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Room 5, slope: legs of constant jerk as cells.
+// Room 5, slope: legs of constant acceleration as cells.
 #include "nck/prep/5_slope/legs.h"
 
 #include "nck/base/cell_math.h" // nck_cell_part
@@ -18,20 +18,17 @@ void nck_legs_divide(nck_legs_t *self, double most) {
     self->slice_s = nck_floor(GRAINS * leg->duration / (double)self->slices) / GRAINS;
 }
 
-void nck_legs_slices(const nck_legs_t *self, uint32_t count, nck_cell_t *cell_out) {
+// The next one of the leg in work, which has several.
+static void slice(const nck_legs_t *self, nck_cell_t *cell_out) {
     const nck_cell_t *const leg = &self->cell[self->k];
-    if (self->slices == 1) {
-        *cell_out = *leg;
-        return;
-    }
-    const int is_last = self->m + count == self->slices;
+    const int is_last = self->m + 1 == self->slices;
     const double t0 = self->slice_s * (double)self->m;
-    const double t1 = is_last ? leg->duration : self->slice_s * (double)(self->m + count);
+    const double t1 = is_last ? leg->duration : self->slice_s * (double)(self->m + 1);
     nck_cell_part(leg, t0, t1, cell_out);
 }
 
 int nck_legs_part(nck_legs_t *self, double period, nck_cell_t *cell_out) {
-    if (self->slices > 1) nck_legs_slices(self, 1, cell_out);
+    if (self->slices > 1) slice(self, cell_out);
     else *cell_out = self->cell[self->k];
     self->m++;
     if (self->m < self->slices) return 0;

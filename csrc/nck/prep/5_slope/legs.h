@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Inside room 5: legs of constant jerk come as cells that are short enough to be left soon.
+// Inside room 5: legs of constant acceleration come as cells that are short enough to be left soon.
 #ifndef NCK_PREP_LEGS_H
 #define NCK_PREP_LEGS_H
 
@@ -49,9 +49,5 @@ static inline int nck_legs_next(nck_legs_t *self, double period, nck_cell_t *cel
     self->count = 0;
     return 1;
 }
-
-// The next slices of the leg in work as one cell; slices − m of them are what is left of it.
-// Cost: constant.
-void nck_legs_slices(const nck_legs_t *self, uint32_t count, nck_cell_t *cell_out);
 
 #endif

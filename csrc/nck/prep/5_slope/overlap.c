@@ -107,7 +107,6 @@ typedef struct beside {
     double j[2];     // limits of jerk there [path mm/s³]
     double v_most;   // of either, and of both in sum: no feed is exceeded
     double period;   // [s]
-    double taps;     // of the output filter; 1: there is none
     int shares;      // 1: an axis moves in both
     int ordered;     // 1: only the order in time keeps their jerks to an axis' limit in sum
 } beside_t;
@@ -164,7 +163,7 @@ static int may_begin(const beside_t *corner, const nck_cell_t *cell, double befo
 static way_beside_t look_ahead(const nck_link_t *link, const nck_plan_t *next, beside_t *corner) {
     way_beside_t stretch = {corner->distance, 0.0, 0.0};
     const uint32_t most = next->complete ? next->n : next->commit;
-    const double filter = corner->taps * corner->period;
+    const double filter = (double)NCK_FILTER_TAPS * corner->period;
     double before = 0.0; // acceleration
     double time = 0.0;
     int goes_on = 1;
@@ -284,7 +283,7 @@ static double time_of(const nck_link_t *link, const nck_plan_t *now, const nck_p
     const double most = nck_min(corner->time[0], corner->time[1]);
     const double j = nck_max(corner->j[0], corner->j[1]);
     const double a = nck_max(end.a, begin.a) + corner->period * j;
-    corner->distance -= filter_sag(a, corner->taps, corner->period);
+    corner->distance -= filter_sag(a, (double)NCK_FILTER_TAPS, corner->period);
     if (!(corner->distance > 0.0)) return 0.0;
     end = look_back(link, now, corner);
     begin = look_ahead(link, next, corner);
@@ -318,7 +317,6 @@ static int are_straight(const nck_seg_t *in, const nck_seg_t *out, double furthe
 
 // By how much cells of constant acceleration, which stays for their time, may pass t·j sooner [s].
 static double slack_of(const nck_machine_t *machine) {
-    if (!nck_machine_filters(machine)) return 0.0;
     return NCK_LADDER_STRETCH * nck_jerk_cell_s(machine);
 }
 
@@ -359,7 +357,6 @@ static double join(const nck_machine_t *machine, const nck_link_t *link,
     }
     corner.v_most = nck_sqrt(vv);
     corner.period = machine->period_s;
-    corner.taps = nck_machine_filters(machine) ? (double)NCK_FILTER_TAPS : 1.0;
     corner.shares = nck_overlap_shares(machine, NCK_AXIS_MAX, &motions);
     // At a low speed a spline has more jerk than its piece tells (jerk.md, "What a bend leaves").
     const int are_lines = seg[0]->kind == NCK_SEG_LINE && seg[1]->kind == NCK_SEG_LINE;

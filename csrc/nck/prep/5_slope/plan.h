@@ -80,7 +80,7 @@ typedef struct nck_job {
     nck_wish_t wish;
     double v;          // speed where it begins [path mm/s]
     double a;          // acceleration at the end of the cell before [path mm/s²]
-    double q;          // duration of that cell [s]; 0: from rest, or out of constant jerk
+    double q;          // duration of that cell [s]; 0: from rest
 } nck_job_t;
 
 // Room 4's piece of a running number that is there; else it must not be asked for anything.

@@ -7,8 +7,7 @@
 // The machine's slope, one of those that the build has (nck_machine_check): the others are not
 // called.
 static uint32_t slope_of(const nck_machine_t *machine) {
-    const int is_built = machine->slope != NCK_SLOPE_SSHAPE || NCK_HAS_SSHAPE;
-    return NCK_HAS_JERK && is_built ? machine->slope : NCK_SLOPE_LINEAR;
+    return NCK_HAS_JERK ? machine->slope : (uint32_t)NCK_SLOPE_LINEAR;
 }
 
 // Its planner on the exact path.
@@ -34,16 +33,10 @@ void nck_planner_init(nck_slope_t *self) {
     if (slope_of(machine) == NCK_SLOPE_OPTIMAL) {
         nck_optimal_init(optimal_of(self), self->terms, link, &self->now, &self->next);
     }
-    switch (self->kind_in_force) {
-    case NCK_SLOPE_JERK:
+    if (self->kind_in_force == NCK_SLOPE_JERK) {
         nck_jerk_init(&self->planner.jerk, machine, link, &self->now, &self->next);
-        break;
-    case NCK_SLOPE_SSHAPE:
-        nck_sshape_init(&self->planner.sshape, machine, link, &self->now, &self->next);
-        break;
-    default:
+    } else {
         nck_linear_init(&self->planner.linear, machine, link, &self->next);
-        break;
     }
 }
 
@@ -57,7 +50,6 @@ void nck_planner_begin(nck_slope_t *self, const nck_job_t *job) {
     switch (nck_planner_kind(self)) {
     case NCK_SLOPE_OPTIMAL: nck_optimal_begin(optimal_of(self), job); break;
     case NCK_SLOPE_JERK: nck_jerk_begin(&self->planner.jerk, job); break;
-    case NCK_SLOPE_SSHAPE: nck_sshape_begin(&self->planner.sshape, job); break;
     default: nck_linear_begin(&self->planner.linear, job); break;
     }
 }
@@ -66,7 +58,6 @@ nck_status_t nck_planner_step(nck_slope_t *self, const nck_pieces_t *pieces) {
     switch (nck_planner_kind(self)) {
     case NCK_SLOPE_OPTIMAL: return nck_optimal_step(optimal_of(self), pieces);
     case NCK_SLOPE_JERK: return nck_jerk_step(&self->planner.jerk, pieces);
-    case NCK_SLOPE_SSHAPE: return nck_sshape_step(&self->planner.sshape, pieces);
     default: return nck_linear_step(&self->planner.linear, pieces);
     }
 }
@@ -75,7 +66,6 @@ void nck_planner_hurry(nck_slope_t *self) {
     switch (nck_planner_kind(self)) {
     case NCK_SLOPE_OPTIMAL: nck_optimal_hurry(optimal_of(self)); break;
     case NCK_SLOPE_JERK: nck_jerk_hurry(&self->planner.jerk); break;
-    case NCK_SLOPE_SSHAPE: nck_sshape_hurry(&self->planner.sshape); break;
     default: nck_linear_hurry(&self->planner.linear); break;
     }
 }

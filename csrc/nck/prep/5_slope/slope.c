@@ -109,7 +109,7 @@ static void go_on(nck_slope_t *self, const nck_pieces_t *pieces, uint32_t first)
     begin(self, &job, count, self->now.over);
     job.v = cell->v;
     if (cell->v > 0.0) job.a = before->a + before->j * before->duration;
-    if (cell->v > 0.0 && before->j == 0.0) job.q = before->duration;
+    if (cell->v > 0.0) job.q = before->duration;
     job.slower = self->answer.slower;
     self->next.piece = nck_plan_find(pieces, self->now.piece, cell);
     self->next.s = cell->s;

@@ -6,7 +6,7 @@
 //                                                  ▼
 //                         hold, resume ─▶ now: published; its first cells are final
 //
-// Planners of one shape (begin, step): linear, jerk, sshape and optimal. A plan goes on from the
+// Planners of one shape (begin, step): linear, jerk and optimal. A plan goes on from the
 // moving state where the last one is left, and ends at rest. Hold, override, single block and abort
 // are plans like any other.
 #ifndef NCK_PREP_SLOPE_H
@@ -21,7 +21,6 @@
 #include "nck/prep/5_slope/linear.h"  // nck_linear_t
 #include "nck/prep/5_slope/optimal.h" // nck_optimal_t
 #include "nck/prep/5_slope/plan.h"    // nck_plan_t nck_pieces_t nck_wish_t
-#include "nck/prep/5_slope/sshape.h"  // nck_sshape_t
 
 // The room's state: plan after plan, and what the operator wants of them.
 typedef struct nck_slope {
@@ -65,7 +64,6 @@ typedef struct nck_slope {
     union {                // by it
         nck_linear_t linear;
         nck_jerk_t jerk;
-        nck_sshape_t sshape;
     } planner;
     NCK_OPTIMAL_MEMBER(nck_optimal_t, optimal) // beside the exact path's
 } nck_slope_t;

@@ -51,14 +51,14 @@ static square_sums_t sums_of(const nck_machine_t *machine, uint8_t axes) {
     return sums;
 }
 
-// Jerk along a path, at most. Where a filter follows, no ramp A/J is shorter than it twice over:
+// Jerk along a path, at most. No ramp A/J is shorter than the filter behind it twice over:
 // what it takes from low caps (v_filter) grows with the jerk, and soon costs more time than the
 // ramps win.
 static double jerk_along(const nck_machine_t *machine, uint8_t axes, double filter) {
     const square_sums_t sums = sums_of(machine, axes);
     const double a = nck_min(machine->path.a_max, nck_sqrt(sums.aa));
     const double j = nck_min(machine->path.j_max, nck_sqrt(sums.jj));
-    return filter > 0.0 ? nck_min(j, a / (FILTERS_LEAST * filter)) : j;
+    return nck_min(j, a / (FILTERS_LEAST * filter));
 }
 
 // How long an interval of a clocked path lasts by its clock, and for what P that is short enough.
@@ -92,32 +92,27 @@ static int path_binds(const nck_machine_t *machine, uint8_t axes) {
 // For how long two motions may overlap: the cells of the first one wait in the ring.
 static double ride_of(const nck_machine_t *machine) {
     const double times = NCK_PROFILE_ROWS < FEW ? BESIDE_REST_FEW : BESIDE_REST;
-    const int is_filtered = nck_machine_filters(machine);
-    const double cell = is_filtered ? times * nck_jerk_cell_s(machine) : machine->period_s;
-    return (double)NCK_OVERLAP_CELLS * cell;
+    return (double)NCK_OVERLAP_CELLS * (times * nck_jerk_cell_s(machine));
 }
 
-// Only the jerk-limited slope has a filter, and waits at a rest until it has run out. Room 4 gives
-// the classical S-shape the same margins.
+// Only slopes that limit jerk have a filter, and wait at a rest until it has run out.
 void nck_slope_terms(const nck_machine_t *machine, nck_terms_t *terms_out) {
     const double period = machine->period_s;
     const double filter = (double)NCK_FILTER_TAPS * period;
-    const int is_filtered = nck_machine_filters(machine);
     const uint8_t axes = axes_of(machine);
-    const nck_terms_t linear = {machine, 0, 1, 0, 1, axes, machine->path.j_max, 0.0, 0.0, period,
+    const nck_terms_t linear = {machine, 0, 0, 1, axes, machine->path.j_max, 0.0, 0.0, period,
                                 0.0, 0.0, 0.0};
     *terms_out = linear;
     if (!NCK_HAS_JERK || machine->slope == NCK_SLOPE_LINEAR) return;
     terms_out->limits_jerk = 1;
-    terms_out->carries = (uint8_t)is_filtered;
     terms_out->overlaps = NCK_HAS_OVERLAP;
-    terms_out->taps = is_filtered ? NCK_FILTER_TAPS : 1;
-    terms_out->j_max = jerk_along(machine, axes, is_filtered ? filter : 0.0);
+    terms_out->taps = NCK_FILTER_TAPS;
+    terms_out->j_max = jerk_along(machine, axes, filter);
     terms_out->mix_s = 0.5 * filter;
     const double cell = nck_max(period, nck_jerk_cell_s(machine));
     terms_out->v_filter =
         nck_ladder_raise(terms_out->j_max, filter, NCK_LADDER_STRETCH * cell);
-    terms_out->rest_s = is_filtered ? period + filter : period;
+    terms_out->rest_s = period + filter;
     const int is_clocked = machine->slope == NCK_SLOPE_OPTIMAL && !path_binds(machine, axes);
     if (is_clocked) set_knot(machine, axes, terms_out);
     if (NCK_HAS_OVERLAP) terms_out->ride_s = ride_of(machine);

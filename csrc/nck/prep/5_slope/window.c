@@ -126,11 +126,9 @@ static int load_cell(nck_jerk_t *self, const nck_pieces_t *pieces, const nck_cel
     for (int k = 1; k <= parts; k++) {
         if (self->work.n == NCK_JERK_CELLS) return 0;
         const double t = cell->duration * (double)k / (double)parts;
-        const double t0 = cell->duration * (double)(k - 1) / (double)parts;
-        const double bend = cell->j / 6.0 * t * t;
-        const double end = k < parts ? t * (cell->v + 0.5 * cell->a * t + bend) : cell->length;
+        const double end = k < parts ? t * (cell->v + 0.5 * cell->a * t) : cell->length;
         const double rise = cell->a * cell->duration * (double)(k - 1) / (double)parts;
-        const double v = cell->v + rise + 0.5 * cell->j * t0 * t0;
+        const double v = cell->v + rise;
         double h = end - begin;
         const double room = self->work.reach - self->work.length;
         const int rests = is_hold && room <= h + NCK_WINDOW_LENGTH_EPSILON * self->work.reach;

@@ -43,8 +43,7 @@ static inline double nck_window_rounding(const nck_node_t *piece, double length)
 
 // 1 if the speed in a cell stays what it is, but for rounding. Cost: constant.
 static inline int nck_window_is_even(const nck_cell_t *cell) {
-    return cell->j == 0.0
-           && nck_fabs(cell->a) * cell->duration <= NCK_WINDOW_LENGTH_EPSILON * cell->v;
+    return nck_fabs(cell->a) * cell->duration <= NCK_WINDOW_LENGTH_EPSILON * cell->v;
 }
 
 // In how many parts a cell of an earlier plan is taken over; a hold's ladder is divided later.

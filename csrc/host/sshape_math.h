@@ -7,8 +7,8 @@
 //   ___/       \___       ┘     symmetric in time, so its mean speed is (v0 + v1)/2
 //
 // Derived in docs/papers.md, section "The S-shape". a [mm/s²] and j [mm/s³] are positive.
-#ifndef NCK_PREP_SSHAPE_MATH_H
-#define NCK_PREP_SSHAPE_MATH_H
+#ifndef NCK_HOST_SSHAPE_MATH_H
+#define NCK_HOST_SSHAPE_MATH_H
 
 #include "nck/base/real.h" // nck_real nck_sqrt nck_min nck_max
 

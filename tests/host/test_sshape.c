@@ -7,8 +7,8 @@
 
 #include "check.h"
 #include "host/sshape.h"                  // nck_host_slope
-#include "nck/prep/5_slope/sshape_math.h" // nck_sshape_…
-#include "nck/prep/5_slope/sshape_piece.h" // nck_sshape_draw_ramp
+#include "host/sshape_math.h" // nck_sshape_…
+#include "host/sshape_piece.h" // nck_sshape_draw_ramp
 
 enum { SEGMENTS = 40, PATHS = 3000 };
 

@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: MIT
 // One piece of path under the classical S-shape: acceleration is zero at both of its ends. How fast
-// it may be entered and left, how fast it gets in between, and its cells of constant jerk. For the
-// kernel's window and a host's whole programs alike.
+// it may be entered and left, how fast it gets in between, and its cells of constant jerk. 
 //
 //     v     ______         rise: jerk up, acceleration constant, jerk down
 //          /      \        cruise
 //     ____/        \____   fall: the same downwards
 //     v_in          v_out
-#ifndef NCK_PREP_SSHAPE_PIECE_H
-#define NCK_PREP_SSHAPE_PIECE_H
+#ifndef NCK_HOST_SSHAPE_PIECE_H
+#define NCK_HOST_SSHAPE_PIECE_H
 
 #include <stdint.h> // uint32_t
 

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: MIT
-// Room 5, slope: one piece of path under the classical S-shape.
+// One piece of path under the classical S-shape.
 //
 // With an S-shape a ramp to a speed in the middle may need more length than one to zero: its length
 // (v0 + v1)/2 · duration(v0 − v1) rises with v1 near 0 before it falls. So "can still be braked"
 // asks for the better of the two, and the good speeds at a junction stay an interval from 0.
-#include "nck/prep/5_slope/sshape_piece.h"
+#include "host/sshape_piece.h"
 
 #include <string.h> // memset
 
 #include "nck/base/real.h"                // nck_min nck_max nck_fabs
-#include "nck/prep/5_slope/sshape_math.h" // nck_sshape_length …
+#include "host/sshape_math.h" // nck_sshape_length …
 
 enum { HALVINGS = 60 }; // a double has 53 bits
 
