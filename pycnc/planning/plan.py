@@ -95,8 +95,6 @@ class Plan:
         classical S-shape (both Cao et al. 2014).
     motion : Grades, SShape or None
         Units and grades, or hops and speeds, if it was planned by those.
-    grades : Grades or None
-        The same, if it is by grades; there are no nodes then.
     exact_time_s : float
         Machining time by the kernel's own plan [s].
     segs, nodes, cells : numpy.ndarray
@@ -134,7 +132,7 @@ class Plan:
 
     @property
     def grades(self):
-        """The motion, if it is by grades."""
+        """The motion, if it is by grades; there are no nodes then."""
         return self.motion if self.kind == "grades" else None
 
     def _whole(self, backend, keep, progress):

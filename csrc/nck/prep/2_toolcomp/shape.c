@@ -108,7 +108,7 @@ double nck_shape_along(const nck_shape_t *self, const double *point) {
         double along[2];
         const double length = way(self->p, self->q, along);
         (void)way(self->p, point, arm);
-        return inner(arm, along) / length;
+        return length > 0.0 ? inner(arm, along) / length : 0.0;
     }
     (void)way(self->c, point, arm);
     return along_arc(self, arm);
