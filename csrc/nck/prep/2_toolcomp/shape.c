@@ -198,6 +198,7 @@ static unsigned line_with_arc(const nck_shape_t *a, const nck_shape_t *b, int sw
     double along[2];
     double to[2];
     const double length = way(line->p, line->q, along);
+    if (!(length > 0.0)) return 0;
     (void)way(line->p, arc->c, to);
     const double aside = outer(along, to) / length;
     const double rest = (arc->radius - aside) * (arc->radius + aside);
