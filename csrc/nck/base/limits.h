@@ -141,7 +141,7 @@
 // Whether the optimal slope's solvers have single precision.
 #define NCK_SINGLE (NCK_CLOCKED > 0 && NCK_CLOCKED < 256)
 // Whether there is the optimal slope.
-#define NCK_HAS_OPTIMAL (NCK_CLOCKED > 0 && NCK_SMOOTH_SPAN > 0 && NCK_PROFILE > 0)
+#define NCK_HAS_OPTIMAL (NCK_CLOCKED > 0)
 // Whether a jerk-limited plan is made as good as it can be: a short window has no time for it.
 #define NCK_HAS_BEST (NCK_PROFILE >= 256)
 // Whether the linear slope is made for even polygons: its corners get more there (room 4,

@@ -105,7 +105,7 @@ void nck_fair_close_bin(nck_fair_t *self, double limit);
 int nck_fair_room(const nck_fair_t *self);
 
 // Work on it: a slice of an iteration. Returns NCK_OK (call again); NCK_DONE: y is the answer.
-// Cost: 40 000 operations or one interval. Context: prep.
+// Cost: 8 000 operations or one interval. Context: prep.
 nck_status_t nck_fair_step(nck_fair_t *self);
 
 #endif
