@@ -290,6 +290,62 @@ static void caps_at_a_price_break_no_limit(check_t *check) {
     CHECK(check, (double)nck_motion_b(&motion, last - 8) <= 1.001 * cap[last - 8]);
 }
 
+// The end of a path, of few nodes down to two cells: from the plan of all of it on to its rest, or
+// from a rest of its own.
+static void few_nodes_keep_the_limits(check_t *check) {
+    static double all[KNOTS][AXES];
+    nck_num b[NODES];
+    begin();
+    lay_waves(11);
+    cap_speeds();
+    plan(check);
+    for (int k = 0; k < NODES; k++) b[k] = nck_motion_b(&motion, k);
+    memcpy(all, knots, sizeof all);
+    for (int fixed = 0; fixed <= 2; fixed += 2) {
+        for (int nodes = fixed + 2; nodes < 12; nodes++) {
+            const int from = NODES - nodes;
+            begin();
+            memcpy(knots, all[from], (size_t)(nodes + 2) * sizeof knots[0]);
+            cap_speeds();
+            wish.nodes = nodes;
+            wish.fixed = fixed;
+            for (int k = 0; k < nodes; k++) guess[k] = 0.9 * (double)b[from + k];
+            for (int k = 0; k < fixed; k++) guess[k] = (double)b[from + k];
+            if (fixed > 0) wish.ends |= NCK_MOTION_INSIDE;
+            plan(check);
+            CHECK(check, told().time > 0.0 && told().time < 1.0);
+            CHECK(check, told().least >= -met);
+            CHECK(check, fixed > 0 || told().share <= 1.001 + met);
+            for (int k = 0; k < fixed; k++) {
+                CHECK(check, nck_motion_b(&motion, k) == (nck_num)guess[k]);
+            }
+        }
+    }
+}
+
+// Where the plan rests and the path goes on, the cap before that has no price.
+static void a_firm_end_has_no_price(check_t *check) {
+    begin();
+    lay_line(10.0, 0.2);
+    plan(check);
+    wish.nodes = 40;
+    wish.fixed = 2;
+    for (int k = 0; k < wish.nodes; k++) {
+        guess[k] = (double)nck_motion_b(&motion, k);
+        cap[k] = 1e-3 * guess[k];
+    }
+    wish.ends = NCK_MOTION_SOFT;
+    wish.price = 1e-3; // next to nothing: all caps are broken
+    guess[39] = 0.0;
+    plan(check);
+    CHECK(check, (double)nck_motion_b(&motion, 38) > 1.5 * cap[38]);
+    wish.ends |= NCK_MOTION_FIRM_END;
+    plan(check);
+    CHECK(check, (double)nck_motion_b(&motion, 38) <= (1.0 + met) * cap[38]);
+    CHECK(check, (double)nck_motion_b(&motion, 30) > 1.5 * cap[30]);
+    CHECK(check, told().least >= -met);
+}
+
 // No way to a rest within five cells: told, after as many iterations as are allowed, and finite.
 static void what_cannot_be_is_told(check_t *check) {
     begin();
@@ -367,6 +423,8 @@ static inline int fastest_check(void) {
     CHECK_RUN(&check, what_is_fixed_stays);
     CHECK_RUN(&check, an_open_end_does_not_brake);
     CHECK_RUN(&check, caps_at_a_price_break_no_limit);
+    CHECK_RUN(&check, few_nodes_keep_the_limits);
+    CHECK_RUN(&check, a_firm_end_has_no_price);
     CHECK_RUN(&check, what_cannot_be_is_told);
     CHECK_RUN(&check, a_rough_motion_tells_the_time);
     CHECK_RUN(&check, a_window_has_so_many_steps);

@@ -347,7 +347,7 @@ static void do_chunk(nck_motion_t *self, int next) {
 // ---- the door
 
 static int is_in_range(const nck_motion_wish_t *wish) {
-    const int is_window = wish->nodes >= NCK_MOTION_LANES && wish->nodes <= NCK_MOTION_NODES;
+    const int is_window = wish->nodes >= 2 && wish->nodes <= NCK_MOTION_NODES;
     const int is_fixed = wish->fixed >= 0 && wish->fixed <= wish->nodes - 2;
     return wish->tau > 0.0 && wish->axes >= 1 && wish->axes <= NCK_AXIS_MAX && is_window && is_fixed
            && wish->gap >= 1e-7 && wish->gap <= 1.0 && wish->room > 0.0;
@@ -387,8 +387,7 @@ void nck_motion_node(nck_motion_t *self, int k, const nck_num *p1, const nck_num
     }
     self->cap[k + 1] = cap;
     self->b[k + 1] = b;
-    const int is_soft = (self->wish.ends & NCK_MOTION_SOFT) != 0;
-    self->scale[k + 1] = NCK_NUM_OF(1) / (is_soft && b > cap ? b : cap);
+    self->scale[k + 1] = NCK_NUM_OF(1) / (nck_motion_is_soft(self, k) && b > cap ? b : cap);
 }
 
 nck_status_t nck_motion_step(nck_motion_t *self) {

@@ -65,6 +65,7 @@ extern "C" {
 #define NCK_MOTION_OPEN_END 2u // the path goes on behind the last node: it is free, without rows
 #define NCK_MOTION_FREE_END 4u // the last node is free: the path itself comes to rest there
 #define NCK_MOTION_SOFT 8u     // caps may be broken at a price: no start is infeasible
+#define NCK_MOTION_FIRM_END 32u // … but the cap of the last node but one
 #define NCK_MOTION_ROUGH 16u   // for the time of it: rows in the middles of cells alone, half the
                                // work; what is taken between them is told, not mended
 
@@ -75,7 +76,7 @@ typedef struct nck_motion_wish {
     double j[NCK_AXIS_MAX]; // the same of jerk [mm/s³]
     double v[NCK_AXIS_MAX]; // the same of speed [mm/s], for the check alone: caps hold it; 0: none
     int axes;               // 1 … NCK_AXIS_MAX
-    int nodes;              // 8 … NCK_MOTION_NODES
+    int nodes;              // 2 … NCK_MOTION_NODES
     int fixed;              // the first so many nodes stay as they are set: 0 … nodes − 2
     unsigned ends;          // NCK_MOTION_…
     int most;               // iterations at most

@@ -35,11 +35,16 @@ static soft_cap_t soft_cap_of(const nck_motion_t *self, int k) {
     return cap;
 }
 
+int nck_motion_is_soft(const nck_motion_t *self, int k) {
+    const int is_firm = (self->wish.ends & NCK_MOTION_FIRM_END) && k == self->wish.nodes - 2;
+    return (self->wish.ends & NCK_MOTION_SOFT) && !is_firm;
+}
+
 static void seed_cap(nck_motion_t *self, int k) {
     const nck_num room = (self->cap[k + 1] - self->b[k + 1]) * self->scale[k + 1];
     const nck_num slack = nck_motion_max(room, self->room);
     const nck_num z = self->mu_was / slack;
-    if (!(self->wish.ends & NCK_MOTION_SOFT)) {
+    if (!nck_motion_is_soft(self, k)) {
         self->cap_z[k + 1] = z;
         return;
     }
@@ -113,7 +118,6 @@ static int has_cap(const nck_motion_t *self, int k) {
     return k >= self->cap_low && k <= self->high;
 }
 
-static int is_soft(const nck_motion_t *self) { return (self->wish.ends & NCK_MOTION_SOFT) != 0; }
 
 void nck_motion_seed_caps(nck_motion_t *self, int first) {
     for (int k = first; k < first + NCK_MOTION_LANES; k++) {
@@ -123,14 +127,14 @@ void nck_motion_seed_caps(nck_motion_t *self, int first) {
 
 void nck_motion_assemble_caps(nck_motion_t *self, int first) {
     for (int k = first; k < first + NCK_MOTION_LANES; k++) {
-        if (has_cap(self, k) && is_soft(self)) assemble_soft_cap(self, k);
-        if (has_cap(self, k) && !is_soft(self)) assemble_cap(self, k);
+        if (has_cap(self, k) && nck_motion_is_soft(self, k)) assemble_soft_cap(self, k);
+        if (has_cap(self, k) && !nck_motion_is_soft(self, k)) assemble_cap(self, k);
     }
 }
 
 void nck_motion_direct_caps(nck_motion_t *self, int first) {
     for (int k = first; k < first + NCK_MOTION_LANES; k++) {
-        if (has_cap(self, k) && is_soft(self)) direct_soft_cap(self, k);
-        if (has_cap(self, k) && !is_soft(self)) direct_cap(self, k);
+        if (has_cap(self, k) && nck_motion_is_soft(self, k)) direct_soft_cap(self, k);
+        if (has_cap(self, k) && !nck_motion_is_soft(self, k)) direct_cap(self, k);
     }
 }

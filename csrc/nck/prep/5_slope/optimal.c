@@ -138,7 +138,7 @@ static nck_status_t set_wish(nck_optimal_t *self) {
     if (nck_optimal_slows(self)) {
         const nck_optimal_pace_t *const now = nck_optimal_now(self);
         const double share = self->slower;
-        asked.ends |= NCK_MOTION_SOFT;
+        asked.ends |= NCK_MOTION_SOFT | (work->ends ? 0u : NCK_MOTION_FIRM_END);
         asked.price = SLOWER_PRICE / (share * share * share);
         asked.price /= nck_sqrt(now->b[work->first - now->first + 1]);
         asked.room = ROOM_SLOWED;
