@@ -53,6 +53,7 @@ PARTS = {
     "stops": ["tests/stop_gate.py 20000 {seed}", "tests/linuxcnc/linuxcnc_stops.py 10000 {seed}",
               "tests/controller/firmware_stops.py 2000 {seed}"],
     "clocked": ["tests/clocked.py 1000 {seed}", "tests/clocked.py stops 2000 {seed}",
+                "tests/clocked.py offs 1000 {seed}",
                 "tests/kernel/nasty.py --slope optimal --count 4000 --seed {seed}"],
     "scripts": ["build/gcc/tests_kernel test_script 24000 {seed}"],
     "cycles": ["tests/cycle_jerk.py --count 4000 --seed {seed}"],

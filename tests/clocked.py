@@ -111,10 +111,29 @@ def try_rest(seed):
     return None if case.exact else stop_gate.try_case(case)
 
 
+def try_off(seed):
+    """Return how a run goes that rests while prep is dead, and goes on once it works again."""
+    case = dataclasses.replace(stop_gate.draw(seed), slope="optimal", dead=True, last="hold")
+    drawn = None if case.exact else stop_gate.moments(case)
+    if drawn is None:
+        return None
+    run = drawn.run
+    run.rest("hold", None)
+    run.die()
+    run.go(stop_gate.RESTS)
+    run.live()
+    run.go_on()
+    run.go(stop_gate.RESTS)
+    poses = run.poses()
+    return stop_gate.judge(case, poses["v"], poses["axis"][:, :3], drawn.then)
+
+
 def main():
     """Try what the command line says; return 1 if something is wrong."""
     if sys.argv[1:2] == ["stops"]:
         return stop_gate.search(try_rest, 300)
+    if sys.argv[1:2] == ["offs"]:
+        return stop_gate.search(try_off, 300)
     count, first = [*(int(word) for word in sys.argv[1:]), *(1000, 0)[len(sys.argv) - 1 :]]
     wrong = 0
     for seed in range(first, first + count):

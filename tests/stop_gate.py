@@ -185,6 +185,10 @@ class Run:
         """Let prep do nothing any more."""
         self._sim.prep_steps = 0
 
+    def live(self):
+        """Let prep work again."""
+        self._sim.prep_steps = self._case.prep_steps
+
     def first(self, name, value):
         """Do what the operator does first."""
         ppm = max(1, round(value * CALLS))

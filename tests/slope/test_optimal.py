@@ -5,6 +5,7 @@ programs promise, how soon a rest comes, and that it is as fast as its prototype
 import sys
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 TESTS = Path(__file__).resolve().parents[1]
@@ -64,6 +65,12 @@ def test_a_case_keeps_its_limits_when_preparation_is_late(name, steps):
 
 @pytest.mark.thorough
 @pytest.mark.parametrize("first", [100, 120])
+def test_who_rests_while_prep_is_dead_goes_on_within_the_limits(first):
+    stop_gate.hold(clocked.try_off, range(first, first + 20))
+
+
+@pytest.mark.thorough
+@pytest.mark.parametrize("first", [100, 120])
 def test_a_rest_comes_in_time(first):
     stop_gate.hold(clocked.try_rest, range(first, first + 20))
 
@@ -117,6 +124,38 @@ def test_a_brake_that_begins_anywhere_keeps_every_limit(turns):
         bound_s = max(stop_gate.bound_of(case, speeds, end) for end in ends)
         assert told.rest_s <= stop_gate.MOST * bound_s, then
         assert max(told.fast, told.a, told.j) <= TAKEN, (then, told.fast, told.a, told.j)
+
+
+# Whoever was held in the middle of a plan, while prep was dead, goes on from there by the tick's own
+# clock: so soon that it is behind a run without that by what a ramp to the speed of then takes.
+@pytest.mark.parametrize("turns", TURNS)
+@pytest.mark.parametrize("stiff", [0.2, 1.0, 30.0])  # of the jerk
+def test_a_clock_that_sets_off_anywhere_keeps_every_limit(turns, stiff):
+    words = [f"G1 {TURNS[turns][0]}", *TURNS[turns][1:]]
+    text = "\n".join(["G21 G17 G90 G94 G64 P0.001", "F9000", *words, "M2", ""])
+    case = stop_gate.Case(
+        0, turns, text, exact=False, slope="optimal", period_s=1e-3, a=2500.0, j=50_000.0 * stiff,
+        prep_steps=4096, dead=True, goes_on=True, patience=0, first="none", value=0.0, last="hold",
+    )  # fmt: skip
+    whole = stop_gate.Run(case)
+    whole.go(1000)
+    for then in range(5, whole.ticks - 5, 9):
+        run = stop_gate.Run(case)
+        run.go(then)
+        run.rest("hold", None)
+        run.die()
+        run.go(300)
+        run.live()
+        stood = run.ticks
+        run.go_on()
+        assert run.go(4000), f"{then}: no end"
+        poses = run.poses()
+        told = stop_gate.judge(case, poses["v"], poses["axis"][:, :3], then)
+        assert max(told.fast, told.a, told.j) <= TAKEN, (then, told.fast, told.a, told.j)
+        moves = np.flatnonzero(np.diff(poses["axis"][stood - 1 :, :3], axis=0).any(axis=1))
+        ramp_s = whole.poses()["v"].max() / case.a + case.a / case.j
+        late_s = (moves.max(initial=0) - (whole.ticks - then)) * case.period_s
+        assert late_s <= ramp_s + 20 * case.period_s, (then, late_s, ramp_s)
 
 
 def test_an_override_near_nothing_and_another_one_let_it_go_on():

@@ -27,6 +27,10 @@
 #define LEAST_SHARE 0.02
 // A direction that asks nothing of an axis: below it no acceleration along the path moves it.
 #define ALONG_LEAST 1e-6
+// Of the speed now, what an axis may have on the way, with what acceleration makes while jerk brings
+// it: k′ is as large as the speed of then allows, so a plan that speeds up by A meets a k that is
+// nearly 1.
+#define SOON_SHARE 1.5
 // A clock that is so near to running runs: a jump of 1e-9 periods' way.
 #define RUNS_EPSILON 1e-9
 // Newton's steps to a time within a cell: each doubles the digits of a first guess good to some %.
@@ -322,17 +326,23 @@ static double time_constant(double v, double a, double j) {
 void nck_clock_go_on(nck_clock_t *self) {
     self->first.rate = 0.0;
     self->second.gain = 0.0;
+    self->feels = 1;
     nck_fence_store(&self->state, NCK_CLOCK_SETS_OFF);
 }
 
-double nck_clock_set_off(nck_clock_t *self, const nck_terms_t *terms) {
+// The speed that an axis may have on the way, where the path's is v now: it grows by A.
+static double speed_soon(const nck_axis_t *axis, double v) {
+    return nck_min(axis->v_max, SOON_SHARE * v + axis->a_max * axis->a_max / axis->j_max);
+}
+
+double nck_clock_set_off(nck_clock_t *self, const nck_terms_t *terms, double v) {
     const nck_machine_t *const machine = terms->machine;
     const double period = machine->period_s;
     double tau = 0.0;
     for (int x = 0; x < terms->axes; x++) {
         const nck_axis_t *const axis = &machine->axis[x];
         if (!axis->present) continue;
-        tau = nck_max(tau, time_constant(axis->v_max, axis->a_max, axis->j_max));
+        tau = nck_max(tau, time_constant(speed_soon(axis, v), axis->a_max, axis->j_max));
     }
     // k″ = (1 − k)/τ² − 2k′/τ by an implicit step, which never overshoots.
     const double share = period / tau;

@@ -21,7 +21,8 @@ typedef enum nck_clock_state {
 // The clock. A plan says s(φ); the tick is at φ = k·T − late.
 typedef struct nck_clock {
     uint32_t state;           // nck_clock_state_t; the tick writes
-    uint16_t feels;           // braking: the last corner, for so many periods more
+    uint16_t feels;           // for so many periods more: braking, the last corner; setting off,
+                              // what came to rest before
     uint8_t follows;          // … 1: the plan, which is slower
     double late;              // [s]
     union {
@@ -74,9 +75,9 @@ void nck_clock_follow(nck_clock_t *self, double v, double a);
 // Begin to set off. Cost: constant. Context: tick.
 void nck_clock_go_on(nck_clock_t *self);
 
-// One period of setting off. Returns how far φ goes on [s].
-// Cost: linear in the axes. Context: tick.
-double nck_clock_set_off(nck_clock_t *self, const nck_terms_t *terms);
+// One period of setting off, where the plan has the speed v [path mm/s]. Returns how far φ goes on
+// [s]. Cost: linear in the axes. Context: tick.
+double nck_clock_set_off(nck_clock_t *self, const nck_terms_t *terms, double v);
 
 // How long a cell takes from t on to a place `way` further on, which lies in it [s].
 // Cost: constant. Context: tick.

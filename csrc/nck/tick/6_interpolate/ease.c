@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-// Inside room 6: how the tick brakes along a clocked path.
+// Inside room 6: how the tick brakes along a clocked path, and sets off again.
 //
 // The tool is where the plan is at the time φ, which goes on at the rate k = dφ/dt:
 //     x″ = p″k² + p′k′      x‴ = p‴k³ + 3p″kk′ + p′k″      by the plan's time: p′, p″, p‴
 // At any constant k ≤ 1 accelerations and jerks are less than the plan's own, which keeps the
-// limits. So a brake can go on from wherever k′ can be taken away again: that is tried along the
-// plan that is known, stretch by stretch. p‴ is the mean of one, as periods show it.
+// limits. So both can go on from wherever k′ can be taken away again, with k between 0 and 1: that is
+// tried along the plan that is known, stretch by stretch. p‴ is the mean of one, as periods show it.
 #include "nck/tick/6_interpolate/ease.h"
 
 #include "nck/base/cell_math.h" // nck_cell_way nck_cell_speed
@@ -13,20 +13,25 @@
 #include "nck/base/path.h"      // nck_path_tangent_part nck_path_second_part
 #include "nck/base/real.h"      // nck_min nck_max nck_sqrt nck_fabs
 
-// Of an axis' acceleration and jerk, what a brake takes where the plan takes less: a sample of jerk
-// weighs three periods, so it may pass their means by 0.03, …
+// Of an axis' acceleration and jerk, what is taken where the plan takes less: a sample of jerk weighs
+// three periods, so it may pass their means by 0.03, …
 #define SHARE_TAKEN 0.97
-// … and what it counts on further on, where it looks at fewer places than there are periods.
+// … what it counts on further on, where it looks at fewer places than there are periods.
 #define SHARE_AHEAD 0.9
+// The same of a clock that sets off: it is in no hurry, and what it takes grows with it.
+#define OFF_TAKEN 0.9
+#define OFF_AHEAD 0.7
 // What one of k″ is to an axis, of its limit [s²]: below it no change of k moves it.
 #define ALONG_LEAST 1e-6
 // The most of k″T²: what does not move may be slowed down in 7 periods.
 #define CHANGE_MOST 0.04
-// Of what k″ takes in a period, so slow that the clock may rest.
+// Of what k″ takes in a period, so slow that the clock may rest …
 #define REST_SHARE 0.3
+// … and of all that axes have in a period, so near 1 that it may run: the plan may take all of it.
+#define RUN_SHARE 0.003
 
 enum {
-    TRIALS = 4,      // how hard the brake may be: even steps from easing off to all there is
+    TRIALS = 4,      // how hard k may change: even steps from easing off to all there is
     PLACES = 40,     // looked at ahead of the period: 340 periods
     NEAR_PLACES = 8, // stretches grow by 1/8 from there on
     TIME_STEPS = 2   // to a time: each halves the digits that lack
@@ -57,8 +62,9 @@ typedef struct ease_stretch {
 
 // A pace.
 typedef struct ease_pace {
-    double k;  // dφ/dt
-    double dk; // dk/dt [1/s]
+    double k;   // dφ/dt
+    double dk;  // dk/dt [1/s]
+    double way; // -1: it slows down, 1: it sets off
 } ease_pace_t;
 
 // What all axes allow of k″ [1/s²].
@@ -66,7 +72,7 @@ typedef struct ease_range {
     double low, high;
 } ease_range_t;
 
-// How hard the brake may be in the period, and what comes of it.
+// How hard k may change in the period, and what comes of it.
 typedef enum ease_verdict { EASE_OPEN = 0, EASE_GOOD, EASE_BAD } ease_verdict_t;
 typedef struct ease_trial {
     double change;    // k″ in the period [1/s²]
@@ -160,15 +166,27 @@ static void bound_all(ease_range_t *range, const nck_terms_t *terms, const ease_
         bound(range, bend + on->to.first[x] * pace->dk,
               (on->to.first[x] + on->to.second[x] * k[1] * time) * time,
               nck_max(share * axis->a_max, nck_fabs(bend)));
+        if (!(time > 0.0)) continue; // the clock stands before
+        // What a sample shows is the mean, whatever the plan does within it.
+        const double rise = on->to.first[x] - on->from.first[x];
+        const double mean = on->far > 0.0 ? rise / on->far : 0.0;
+        bound(range, (rise * k[0] + on->to.first[x] * pace->dk * time) / time,
+              0.5 * on->to.first[x] * time,
+              nck_max(share * axis->a_max, nck_fabs(mean) * k[0] * k[0]));
     }
 }
 
-// 1 if k′ is gone within so much of the plan's time, and half a period before the clock stands.
+// 1 while k changes the way that it is to, between the clock's rest and its run.
+static int is_on_way(const ease_pace_t *pace) {
+    return pace->k > 0.0 && pace->k <= 1.0 && pace->way * pace->dk > 0.0;
+}
+
+// 1 if k′ is gone within so much of the plan's time, half a period before the clock stands or runs.
 static int eases_within(const ease_pace_t *pace, double change, double far, double period) {
-    if (!(change > 0.0)) return 0;
+    if (!(pace->way * change < 0.0)) return 0;
     const double time = -pace->dk / change;
-    return pace->k + 0.5 * pace->dk * (time + period) >= 0.0
-           && time * (pace->k + pace->dk * time / 3.0) <= far;
+    const double k = pace->k + 0.5 * pace->dk * (time + period);
+    return k >= 0.0 && k <= 1.0 && time * (pace->k + pace->dk * time / 3.0) <= far;
 }
 
 // Try to ease off along a stretch.
@@ -176,18 +194,19 @@ static void try_stretch(ease_trial_t *trial, const nck_terms_t *terms, const eas
     ease_pace_t *const pace = &trial->pace;
     const double free = time_for(pace, 0.0, on->far);
     ease_range_t range;
-    bound_all(&range, terms, on, pace, free, SHARE_AHEAD);
+    bound_all(&range, terms, on, pace, free, pace->way < 0.0 ? SHARE_AHEAD : OFF_AHEAD);
     trial->verdict = EASE_BAD;
     if (range.low > range.high) return;
-    if (eases_within(pace, range.high, on->far, terms->machine->period_s)) {
+    const double easing = pace->way < 0.0 ? range.high : range.low;
+    if (eases_within(pace, easing, on->far, terms->machine->period_s)) {
         trial->verdict = EASE_GOOD;
         return;
     }
-    const double time = time_for(pace, range.high, on->far);
+    const double time = time_for(pace, easing, on->far);
     if (!(time > 0.0)) return;
-    pace->k += (pace->dk + 0.5 * range.high * time) * time;
-    pace->dk += range.high * time;
-    if (pace->k > 0.0 && pace->dk < 0.0) trial->verdict = EASE_OPEN;
+    pace->k += (pace->dk + 0.5 * easing * time) * time;
+    pace->dk += easing * time;
+    if (is_on_way(pace)) trial->verdict = EASE_OPEN;
 }
 
 // Whether each trial can ease off, behind the period; what is open at the end cannot. k: about that
@@ -213,33 +232,57 @@ static void try_all(ease_trial_t *trials, ease_walk_t *walk, ease_stretch_t *on,
     }
 }
 
-// The hardest k″ in a period, within its range, behind which the brake can ease off again; the
-// least there is: easing off.
+// The hardest k″ in a period that sets off: easing off behind it, k comes to 1 by two thirds of the
+// way, so that it never passes it.
+static double change_to_run(const ease_pace_t *pace, double period) {
+    return (1.0 - pace->k - 2.0 * pace->dk * period) / (1.5 * period * period);
+}
+
+// The hardest k″ in a period, within its range, behind which k′ can be eased off again; the least
+// there is: easing off.
 static double choose(const ease_pace_t *pace, const ease_range_t *range, ease_walk_t *walk,
                      ease_stretch_t *on) {
     const double period = walk->terms->machine->period_s;
     const double gone = -pace->dk / period; // … k′ is then
     const double least = gone < 0.0 ? nck_max(gone, range->low) : nck_min(gone, range->high);
-    const double room = nck_min(0.0, range->low - least);
+    const double most = nck_min(range->high, change_to_run(pace, period));
+    const double room = pace->way < 0.0 ? nck_min(0.0, range->low - least)
+                                        : nck_max(0.0, most - least);
+    const double k = pace->k + (pace->dk + 0.5 * nck_max(0.0, room) * period) * period;
     ease_trial_t trials[TRIALS];
     for (int i = 0; i < TRIALS; i++) {
         const double share = (double)(TRIALS - i) / (double)TRIALS;
         ease_trial_t *const trial = &trials[i];
         trial->change = least + room * share;
+        trial->pace.way = pace->way;
         trial->pace.dk = pace->dk + trial->change * period;
         trial->pace.k = pace->k + 0.5 * (pace->dk + trial->pace.dk) * period;
-        trial->verdict = !(trial->pace.k > 0.0) ? EASE_BAD
-                         : trial->pace.dk < 0.0 ? EASE_OPEN : EASE_GOOD;
+        trial->verdict = !(trial->pace.k > 0.0) || trial->pace.k > 1.0 ? EASE_BAD
+                         : is_on_way(&trial->pace) ? EASE_OPEN : EASE_GOOD;
     }
-    try_all(trials, walk, on, nck_max(0.0, pace->k + pace->dk * period));
+    try_all(trials, walk, on, nck_max(0.0, nck_min(k, 1.0)));
     for (int i = 0; i < TRIALS; i++) {
         if (trials[i].verdict == EASE_GOOD) return trials[i].change;
     }
     return least;
 }
 
+// What k″ may be where the plan itself asks for nothing.
+static double free_change(const ease_walk_t *walk, const ease_point_t *at) {
+    const double period = walk->terms->machine->period_s;
+    double most = CHANGE_MOST / (period * period);
+    for (int x = 0; x < walk->terms->axes; x++) {
+        const nck_axis_t *const axis = &walk->terms->machine->axis[x];
+        const double size = nck_fabs(at->first[x]);
+        const double takes = nck_min(axis->j_max, axis->a_max / period);
+        if (axis->present && size * most > takes) most = takes / size;
+    }
+    return most;
+}
+
 // k″ in the period that begins where the walk does. Where the plan comes to its rest in it, none:
-// that is its own. Never does k′ become positive. *most_out: what all axes allow.
+// that is its own. Never does k′ turn round. *most_out: what all axes allow, of a clock that sets off
+// without the plan.
 static double change_for(const ease_pace_t *pace, ease_walk_t *walk, double *most_out) {
     const double period = walk->terms->machine->period_s;
     const double k = nck_max(0.5 * pace->k, pace->k + 0.5 * pace->dk * period);
@@ -247,11 +290,14 @@ static double change_for(const ease_pace_t *pace, ease_walk_t *walk, double *mos
     ease_range_t range;
     look(walk, &on.to);
     take_stretch(walk, k * period, &on);
-    bound_all(&range, walk->terms, &on, pace, period, SHARE_TAKEN);
-    *most_out = range.high;
+    bound_all(&range, walk->terms, &on, pace, period, pace->way < 0.0 ? SHARE_TAKEN : OFF_TAKEN);
+    *most_out = pace->way < 0.0 ? range.high : free_change(walk, &on.to);
     if (walk->ends) return 0.0;
     if (range.low <= range.high) return choose(pace, &range, walk, &on);
-    return nck_min(0.5 * (range.low + range.high), nck_max(0.0, -pace->dk / period));
+    const double gone = -pace->dk / period;
+    const double middle = 0.5 * (range.low + range.high);
+    return pace->way < 0.0 ? nck_min(middle, nck_max(0.0, gone))
+                           : nck_max(middle, nck_min(0.0, gone));
 }
 
 // The same, where prep may publish another plan at any time: then that counts. It does so once in
@@ -277,7 +323,7 @@ void nck_ease_begin(nck_clock_t *clock) {
 double nck_ease_brake(nck_clock_t *clock, const nck_terms_t *terms, nck_link_t *link,
                       const nck_cell_t *cell, double t) {
     const double period = terms->machine->period_s;
-    const ease_pace_t pace = {clock->first.rate, clock->second.gain};
+    const ease_pace_t pace = {clock->first.rate, clock->second.gain, -1.0};
     const ease_walk_t here = {terms, link, 0, cell, 0, 0, t};
     double most = 0.0;
     const double change = change_now(&pace, &here, &most);
@@ -289,6 +335,31 @@ double nck_ease_brake(nck_clock_t *clock, const nck_terms_t *terms, nck_link_t *
     return (pace.k + (0.5 * pace.dk + change / 6.0 * period) * period) * period;
 }
 
+double nck_ease_set_off(nck_clock_t *clock, const nck_terms_t *terms, nck_link_t *link,
+                        const nck_cell_t *cell, double t) {
+    const double period = terms->machine->period_s;
+    const ease_pace_t pace = {clock->first.rate, clock->second.gain, 1.0};
+    const ease_walk_t here = {terms, link, 0, cell, 0, 0, t};
+    if (clock->feels > 0) { // a rest may end with a jerk of its own
+        clock->feels--;
+        return 0.0;
+    }
+    double most = 0.0;
+    const double change = change_now(&pace, &here, &most);
+    const double k = pace.k + (pace.dk + 0.5 * change * period) * period;
+    const double dk = pace.dk + change * period;
+    const double near = RUN_SHARE * most * period;
+    const int runs = 1.0 - k <= near * period && dk <= near;
+    clock->first.rate = runs ? 1.0 : k;
+    clock->second.gain = runs ? 0.0 : dk;
+    if (runs) nck_fence_store(&clock->state, NCK_CLOCK_RUNS);
+    return (pace.k + (0.5 * pace.dk + change / 6.0 * period) * period) * period;
+}
+
 void nck_ease_rest(nck_clock_t *clock, int moves) {
+    if (clock->state == NCK_CLOCK_SETS_OFF) {
+        if (!moves) nck_fence_store(&clock->state, NCK_CLOCK_RUNS);
+        return;
+    }
     if (moves && !(clock->first.rate > 0.0)) nck_fence_store(&clock->state, NCK_CLOCK_STANDS);
 }

@@ -20,8 +20,13 @@ void nck_ease_begin(nck_clock_t *clock);
 double nck_ease_brake(nck_clock_t *clock, const nck_terms_t *terms, nck_link_t *link,
                       const nck_cell_t *cell, double t);
 
-// Behind that period: the clock stands, if its rate is 0 and the path goes on. Cost: constant.
-// Context: tick.
+// One period of setting off, likewise: the clock runs once its rate is 1. Returns how far the plan's
+// time goes on [s]. Cost and context: as of braking.
+double nck_ease_set_off(nck_clock_t *clock, const nck_terms_t *terms, nck_link_t *link,
+                        const nck_cell_t *cell, double t);
+
+// Behind a period of either: the clock stands, if its rate is 0 and the path goes on; where the path
+// rests a clock that sets off runs, since nothing moves. Cost: constant. Context: tick.
 void nck_ease_rest(nck_clock_t *clock, int moves);
 
 #endif

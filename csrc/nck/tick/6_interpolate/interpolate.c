@@ -375,16 +375,18 @@ static void own_time(nck_interpolate_t *self) {
     clock->late += self->machine->period_s;
     const double t = nck_max(0.0, now(self) - self->t_cell);
     const int brakes = clock->state == NCK_CLOCK_BRAKES;
-    switch (brakes ? nck_look_goes_by(seg_at(self, self->cell.seg)) : NCK_GOES_NOT) {
-    case NCK_GOES_BY_LENGTH: brake(self); return;
-    case NCK_GOES_BY_CLOCK:
-        clock->late -= nck_ease_brake(clock, self->terms, self->link, &self->cell, t);
-        break;
-    default: clock->late -= nck_clock_set_off(clock, self->terms); break;
+    const int by_clock = nck_look_is_clocked(seg_at(self, self->cell.seg));
+    if (brakes && !by_clock) {
+        brake(self);
+        return;
     }
+    const double v = nck_cell_speed(&self->cell, t);
+    clock->late -= !by_clock ? nck_clock_set_off(clock, self->terms, v)
+                   : brakes ? nck_ease_brake(clock, self->terms, self->link, &self->cell, t)
+                            : nck_ease_set_off(clock, self->terms, self->link, &self->cell, t);
     const int moves = seek(self);
     if (moves) pass_at(self, clock->first.rate);
-    nck_ease_rest(clock, moves);
+    if (by_clock) nck_ease_rest(clock, moves);
 }
 
 // One period on, what rides apart.
