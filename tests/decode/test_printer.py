@@ -89,5 +89,5 @@ def test_a_machine_without_an_extruder_and_another_dialect_have_no_e():
 def test_f_is_the_speed_of_the_nozzle_and_e_alone_has_it_too(machine):
     program = pycnc.load(f"{HEAD}G1 X100 E500 F3000\nG1 E490\nG1 X0 E700\n", machine)
     peaks = pycnc.run(program).summary["peaks"]
-    assert peaks["x"]["v"] == pytest.approx(100 / 2.1 / 300, rel=1e-3)  # held down by E
+    assert 100 / 2.1 <= 300 * peaks["x"]["v"] <= 50 + 1e-6  # held down by E, at corners less
     assert all(peaks[axis]["v"] <= 1 + 1e-9 for axis in ("x", "u"))

@@ -41,14 +41,18 @@ static void derive(const nck_optimal_t *self, const nck_seg_t *seg, int at_end, 
     }
 }
 
-// |p′|² within an interval, at w of it.
+// |p′|² within an interval, at w of it; where the path is longer than what F is meant for, that of
+// X Y Z over that share, if it is more: a curve goes over from one such line to the next.
 static double along_at(const nck_optimal_t *self, const nck_seg_t *seg, double w) {
     const double per = seg->length / self->terms->knot_s;
     double tangent[NCK_AXIS_MAX];
-    double sum = 0.0;
-    nck_path_tangent_part(seg, w * seg->length, self->terms->axes, tangent);
-    for (int x = 0; x < self->terms->axes; x++) sum += tangent[x] * tangent[x];
-    return per * per * sum;
+    const int axes = self->terms->axes;
+    double tool = 0.0;
+    double rest = 0.0;
+    nck_path_tangent_part(seg, w * seg->length, axes, tangent);
+    for (int x = 0; x < axes && x <= NCK_AXIS_Z; x++) tool += tangent[x] * tangent[x];
+    for (int x = NCK_AXIS_Z + 1; x < axes; x++) rest += tangent[x] * tangent[x];
+    return per * per * nck_max(tool + rest, tool / (seg->feed_scale * seg->feed_scale));
 }
 
 // What stands about a node: within half an interval of it b is a mean of its own and both
