@@ -5,6 +5,12 @@
 #include <stddef.h> // offsetof
 #include <string.h> // memcpy memset
 
+#include "nck/base/real.h" // nck_fabs
+
+// The speed along a clocked path wavers by the gap of its solver. It is steady while it changes by
+// less than this share of the path's acceleration: half or twice as much moves 0.5 % of a part.
+#define STEADY (1.0 / 128.0)
+
 static void keep_seg(void *user, const nck_seg_t *seg) {
     nck_host_plan_t *const plan = user;
     plan->totals.segs++;
@@ -75,6 +81,19 @@ double nck_host_totals_add(nck_host_totals_t *totals, double *since_stop_s, cons
     return extra_s;
 }
 
+// A cell as its speed changes along the path: a clocked path's own is the clock's, and its speed is
+// never quite even. Less of the path's acceleration than STEADY is none.
+static nck_cell_t along_path(const nck_machine_t *machine, const nck_seg_t *seg,
+                             const nck_cell_t *cell) {
+    nck_cell_t told = *cell;
+    if (seg->keeps != NCK_KEEP_CLOCK || !(cell->duration > 0.0)) return told;
+    const double v_end = nck_host_trail_speed(seg, cell, cell->duration);
+    const double a = (v_end - nck_host_trail_speed(seg, cell, 0.0)) / cell->duration;
+    told.a = nck_fabs(a) > STEADY * machine->path.a_max ? a : 0.0;
+    told.j = 0.0;
+    return told;
+}
+
 // Take all final cells, as long as there is room for their points. Returns how many.
 static uint32_t take_cells(nck_host_plan_t *plan) {
     const nck_machine_t *const machine = nck_machine_of(plan->nck);
@@ -87,7 +106,8 @@ static uint32_t take_cells(nck_host_plan_t *plan) {
         const uint32_t settle = seg->keeps == NCK_KEEP_CLOCK ? 0u : plan->terms.taps - 1u;
         const int rapid = seg->rapid;
         nck_host_spindle_cell(&plan->spindle, link, &cell);
-        const double extra_s = nck_host_totals_add(&plan->totals, &plan->since_stop_s, &cell,
+        const nck_cell_t told = along_path(machine, seg, &cell);
+        const double extra_s = nck_host_totals_add(&plan->totals, &plan->since_stop_s, &told,
                                                    rapid, machine->period_s, settle);
         nck_host_why_cell(&plan->why, &cell, extra_s);
         if (plan->cells) plan->cells[plan->cell_count++] = cell;

@@ -145,7 +145,8 @@ def _peaks(trace):
         jerk = _ratio(peak["j"], promised=False)
         table.add_row(f"  {letter.upper()}", _ratio(peak["v"]), _ratio(peak["a"]), jerk)
     path = trace.summary["peaks"]["path"]
-    table.add_row("  path", "", _ratio(path["a"]), _ratio(path["j"], promised=limited))
+    if trace.summary["slope"] != "optimal" or max(path.values()) > 0:  # else all is by the axes
+        table.add_row("  path", "", _ratio(path["a"]), _ratio(path["j"], promised=limited))
     error = f"largest distance of path and program: {trace.summary['path_error_mm']:.1e} mm"
     words = [error, *_jerk_words(trace.summary)]
     return Group(table, *(Padding(Text(each, "dim"), (0, 0, 0, 2)) for each in words))
