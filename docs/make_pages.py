@@ -188,7 +188,7 @@ def diagnostics_page():
 
 
 BEGIN, END = "<!-- output -->\n", "<!-- /output -->"
-EXAMPLE = ("run", "pycnc/examples/first_part.ngc", "--set", "path.slope=jerk")
+EXAMPLE = ("run", "pycnc/examples/first_part.ngc")
 
 
 def example_output():

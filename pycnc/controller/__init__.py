@@ -141,6 +141,7 @@ class Controller:
         program : str or bytes
             NC text.
         machine : str, path or Machine
+            Planned by the slope jerk where its file has the slope optimal (`machine_for`).
         commands : iterable of tuple
             (tick, name, numbers…), in any order: what the operator does behind the setpoint of
             that tick. Names: "hold", "resume", "override" (feed and rapid in percent),
@@ -177,7 +178,7 @@ class Controller:
         >>> outcome.state, outcome.joints_nm[0]
         ('done', 5000000)
         """
-        mill = Machine.load(machine)
+        mill = machine_for(machine)
         job = [*_settings(mill), *_conditions(conditions, trace), *_commands(commands)]
         text = program.encode() if isinstance(program, str) else program
         with tempfile.TemporaryDirectory(prefix="pycnc-") as folder:
@@ -309,11 +310,34 @@ def _items(prefix, value):
         yield prefix, value
 
 
-def _settings(machine):
-    """Return the machine as lines of a job; what is zero need not be said."""
-    if machine.settings.path.slope == "optimal":
+def machine_for(machine):
+    """Return the machine as the firmware plans it, which has no slope optimal (NCK_CLOCKED is 0).
+
+    Parameters
+    ----------
+    machine : str, path or Machine
+
+    Returns
+    -------
+    Machine
+        The same, or one with the slope jerk where a machine file has optimal or leaves it open.
+
+    Raises
+    ------
+    FirmwareError
+        If a change asked for the slope optimal.
+    """
+    mill = Machine.load(machine)
+    if mill.settings.path.slope != "optimal":
+        return mill
+    if any(key == "path.slope" for key, _, _ in mill.changes):
         raise FirmwareError("this firmware is built without the slope optimal (NCK_CLOCKED is 0): "
                             "set path.slope=jerk", id="controller-slope")  # fmt: skip
+    return Machine.load(mill, set={"path.slope": "jerk"})
+
+
+def _settings(machine):
+    """Return the machine as lines of a job; what is zero need not be said."""
     record = machine.record
     lines, tools = [], int(record["tool_count"])
     for name, *index, number in _items("", record):

@@ -108,7 +108,7 @@ class Path(Table):
         "within a tolerance two pieces of the spline at least; 0: all that the kernel holds.",
     )
     slope: Slope = Field(
-        "jerk",
+        "optimal",
         description="Velocity profile. `linear`: acceleration-limited. `jerk`: jerk-limited. "
         "`optimal`: the same, within a tolerance the fastest motion along the smoothest curve; "
         "where a build has it.",

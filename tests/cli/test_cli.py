@@ -175,7 +175,7 @@ def test_check_looks_at_every_file(good, wrong, tmp_path):
 
 def test_time_names_machine_and_slope_and_tells_what_was_assumed():
     result = pycnc("time", "-", stdin=b"G1 X10 F600\nM2\n")
-    assert re.match(r"<stdin> on mill3, slope jerk: 1\.0\d\d s \(cut 1\.", result.out)
+    assert re.match(r"<stdin> on mill3, slope optimal: 1\.0\d\d s \(cut 1\.", result.out)
     assert "note[assumed-units]" in result.err
     assert pycnc("time", "-q", "-", stdin=b"G1 X10 F600\nM2\n").err == ""
     grades = pycnc("time", "-", "--plan", "grades", stdin=GOOD)
@@ -195,7 +195,7 @@ def test_run_writes_json_a_trace_and_a_picture(good, tmp_path):
     result = pycnc("run", "--json", good, "-o", trace, "--plot", picture)
     told = json.loads(result.out)
     assert result.code == 0
-    assert told["slope"] == "jerk"
+    assert told["slope"] == "optimal"
     assert 0 < told["path_error_mm"] <= 0.01, "the machine's tolerance"
     assert told["peaks"]["x"]["a"] <= 1 + 1e-6
     assert told["peaks"]["x"]["j"] <= 1 + 1e-6
@@ -210,11 +210,11 @@ def test_a_long_path_cuts_nothing_off_the_summary(tmp_path):
     file, trace = folder / "part.nc", folder / "trace.csv"
     file.write_bytes(GOOD)
     result = pycnc("run", file, "-o", trace)
-    assert re.match(re.escape(str(file)) + r" on mill3, slope jerk: \d\.\d+ s\n", result.out)
+    assert re.match(re.escape(str(file)) + r" on mill3, slope optimal: \d\.\d+ s\n", result.out)
     assert result.out.endswith(f"Trace: {trace}\n")
     shown = on_a_terminal("run", file, "-o", trace, COLUMNS="80", NO_COLOR="1").decode()
     told = re.sub(r"\x1b\[[0-9;?]*[A-Za-z]", "", shown).replace("\r", "\n").splitlines()
-    assert any(line.endswith(" s") and f"{file} on mill3, slope jerk: " in line for line in told)
+    assert any(line.endswith(" s") and f"{file} on mill3, slope optimal: " in line for line in told)
     assert any(line.endswith(f"Trace: {trace}") for line in told)
 
 

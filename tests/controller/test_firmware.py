@@ -189,7 +189,11 @@ def test_a_controller_that_does_not_end_is_given_up(controllers):
             controllers(name).run(PROGRAM, commands=silent, timeout_s=1)
 
 
-def test_a_slope_that_the_firmware_lacks_is_refused(controllers):
+def test_a_slope_that_the_firmware_lacks_is_refused_or_the_next_one_taken(controllers):
+    plain = controllers("host").run(PROGRAM, "mill3")
+    jerk = controllers("host").run(PROGRAM, Machine.load("mill3", set={"path.slope": "jerk"}))
+    assert plain.hash == jerk.hash
+    assert controller.machine_for("cao2014").settings.path.slope == "linear"
     with pytest.raises(controller.FirmwareError, match="set path.slope=jerk"):
         controllers("host").run(PROGRAM, Machine.load("mill3", set={"path.slope": "optimal"}))
 

@@ -152,7 +152,7 @@ SHORT = ("arcs_rword.gcode", "mill_fanuc_g17_18_19.nc", "tp_trochoidal.ngc", "tp
 def test_a_shipped_machine_keeps_every_limit_and_its_tolerance(name):
     program = judged.load(present(FILES[name]))
     judge = judged.run(program).judge
-    assert program.machine.settings.path.slope == "jerk"
+    assert program.machine.settings.path.slope == "optimal"
     assert judge.tolerance_used <= 1
     assert judge.j.max() <= 1 + 1e-6
 

@@ -98,7 +98,7 @@ def test_a_shipped_machine_is_good_and_described(name):
 )
 def test_a_shipped_machine_limits_jerk_and_rounds_corners(name, tolerance):
     machine = Machine.load(name)
-    assert machine.settings.path.slope == "jerk"
+    assert machine.settings.path.slope == "optimal"
     assert machine.record["path"]["tolerance"] == tolerance
     ramp_s = machine.limits("a_max") / machine.limits("j_max")
     assert ((ramp_s >= 0.01) & (ramp_s <= 0.1)).all(), "full acceleration within 10 to 100 ms"

@@ -318,12 +318,15 @@ def test_a_program_of_blocks_has_a_page_without_text():
     assert made.column("x").max() == pytest.approx(10, abs=0.01)  # within the machine's tolerance
 
 
-def thinned(text, monkeypatch, path=10_000, lines=4_000, points=1 << 10):
+JERK = {"path.slope": "jerk"}  # has more low points, and is planned in a tenth of the time
+
+
+def thinned(text, monkeypatch, path=10_000, lines=4_000, points=1 << 10, **changes):
     """Return a page that holds less than its program has."""
     monkeypatch.setattr(trail, "PATH_MOST", path)
     monkeypatch.setattr(trail, "TEXT_MOST", lines)
     monkeypatch.setattr(trail, "_POINTS", points)
-    return page_of(text)
+    return page_of(text, **changes)
 
 
 def test_a_thinned_path_is_where_the_whole_one_is_at_every_moment(monkeypatch):
@@ -349,7 +352,8 @@ def test_a_thinned_path_is_where_the_whole_one_is_at_every_moment(monkeypatch):
 
 def test_of_too_many_low_points_the_dearest_stay(monkeypatch):
     text = busy(4000)
-    whole, less = page_of(text), thinned(text, monkeypatch, path=10_000, points=1 << 9)
+    whole = page_of(text, **JERK)
+    less = thinned(text, monkeypatch, path=10_000, points=1 << 9, **JERK)
     kept, every = less.column("foot_lost"), np.sort(whole.column("foot_lost"))[::-1]
     assert len(kept) == less.facts["feet"] < whole.facts["feet"] == less.facts["all"]["feet"]
     assert kept.sum() >= 0.5 * every[: len(kept)].sum()
@@ -371,7 +375,7 @@ def test_of_too_long_a_text_the_worst_places_and_the_begin_stay(monkeypatch):
 
 @pytest.mark.seldom(4, "pycnc/report", "tests/report")
 def test_a_page_of_whatever_length_stays_below_8_mb():
-    html, found = page.make(load(busy(700_000)))
+    html, found = page.make(load(busy(700_000), Machine.load("mill3", set=JERK)))
     assert len(html.encode()) <= 8e6
     made = Unpacked(html)
     assert made.facts["all"]["points"] > made.facts["points"] > 2e5

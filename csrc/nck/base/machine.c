@@ -26,7 +26,9 @@ void nck_machine_default(nck_machine_t *machine) {
     machine->path.chord_error = 1e-3;
     machine->path.tolerance = 0.01;
     machine->path.arc_radius = 5e-3;
-    machine->slope = NCK_HAS_JERK ? NCK_SLOPE_JERK : NCK_SLOPE_LINEAR;
+    machine->slope = NCK_HAS_OPTIMAL ? NCK_SLOPE_OPTIMAL
+                     : NCK_HAS_JERK  ? NCK_SLOPE_JERK
+                                     : NCK_SLOPE_LINEAR;
     machine->kinematics = NCK_KINEMATICS_IDENTITY;
     machine->dialect.base = NCK_DIALECT_LINUXCNC;
     machine->dialect.plane = 17;

@@ -208,9 +208,9 @@ typedef struct nck_machine {
 #define nck_machine_check NCK_SIZED(nck_machine_check)
 
 // Fill in a machine that is safe and complete: three axes X Y Z of 100 mm/s, 1000 mm/s², 10 000
-// mm/s³ and free travel, T = 1 ms, jerk-limited slope (linear in a build without it), tolerance
-// 0.01 mm, a way in of 100 mm/min: who sees it go wrong has a second for each 2 mm. The caller
-// changes what differs.
+// mm/s³ and free travel, T = 1 ms, tolerance 0.01 mm, a way in of
+// 100 mm/min: who sees it go wrong has a second for each 2 mm; the best slope that the build has:
+// optimal, jerk or linear. The caller changes what differs.
 // Cost: constant. Context: any, before nck_init.
 void nck_machine_default(nck_machine_t *machine);
 
