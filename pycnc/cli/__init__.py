@@ -172,7 +172,8 @@ def controller(
     """Run a program on a controller: the firmware, with its tasks and interrupts."""
     from pycnc import controller, kernel
 
-    mill = controller.machine_for(machine_of(machine, set, tools, dialect, slope=slope, quiet=quiet))
+    mill = machine_of(machine, set, tools, dialect, slope=slope, quiet=quiet)
+    mill = controller.machine_for(mill)
     name, text = read(file)
     done = controller.open(on).run(
         text, mill, controller.read_commands(at or ()), file=name, prep_steps=prep_steps or 0

@@ -141,7 +141,6 @@ class Controller:
         program : str or bytes
             NC text.
         machine : str, path or Machine
-            Planned by the slope jerk where its file has the slope optimal (`machine_for`).
         commands : iterable of tuple
             (tick, name, numbers…), in any order: what the operator does behind the setpoint of
             that tick. Names: "hold", "resume", "override" (feed and rapid in percent),

@@ -126,8 +126,8 @@ def test_a_brake_that_begins_anywhere_keeps_every_limit(turns):
         assert max(told.fast, told.a, told.j) <= TAKEN, (then, told.fast, told.a, told.j)
 
 
-# Whoever was held in the middle of a plan, while prep was dead, goes on from there by the tick's own
-# clock: so soon that it is behind a run without that by what a ramp to the speed of then takes.
+# Whoever was held in the middle of a plan, while prep was dead, goes on from there by the tick's
+# own clock: so soon that it is behind a run without that by what a ramp to the top speed takes.
 @pytest.mark.parametrize("turns", TURNS)
 @pytest.mark.parametrize("stiff", [0.2, 1.0, 30.0])  # of the jerk
 def test_a_clock_that_sets_off_anywhere_keeps_every_limit(turns, stiff):

@@ -27,9 +27,9 @@
 #define LEAST_SHARE 0.02
 // A direction that asks nothing of an axis: below it no acceleration along the path moves it.
 #define ALONG_LEAST 1e-6
-// Of the speed now, what an axis may have on the way, with what acceleration makes while jerk brings
-// it: k′ is as large as the speed of then allows, so a plan that speeds up by A meets a k that is
-// nearly 1.
+// Of the speed now, what an axis may have on the way, with what acceleration makes while jerk
+// brings it: k′ is as large as the speed of then allows, so a plan that speeds up by A meets a k
+// that is nearly 1.
 #define SOON_SHARE 1.5
 // A clock that is so near to running runs: a jump of 1e-9 periods' way.
 #define RUNS_EPSILON 1e-9

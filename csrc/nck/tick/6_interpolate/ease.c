@@ -4,8 +4,9 @@
 // The tool is where the plan is at the time φ, which goes on at the rate k = dφ/dt:
 //     x″ = p″k² + p′k′      x‴ = p‴k³ + 3p″kk′ + p′k″      by the plan's time: p′, p″, p‴
 // At any constant k ≤ 1 accelerations and jerks are less than the plan's own, which keeps the
-// limits. So both can go on from wherever k′ can be taken away again, with k between 0 and 1: that is
-// tried along the plan that is known, stretch by stretch. p‴ is the mean of one, as periods show it.
+// limits. So both can go on from wherever k′ can be taken away again, with k between 0 and 1: that
+// is tried along the plan that is known, stretch by stretch. p‴ is the mean of one, as periods show
+// it.
 #include "nck/tick/6_interpolate/ease.h"
 
 #include "nck/base/cell_math.h" // nck_cell_way nck_cell_speed
@@ -13,8 +14,8 @@
 #include "nck/base/path.h"      // nck_path_tangent_part nck_path_second_part
 #include "nck/base/real.h"      // nck_min nck_max nck_sqrt nck_fabs
 
-// Of an axis' acceleration and jerk, what is taken where the plan takes less: a sample of jerk weighs
-// three periods, so it may pass their means by 0.03, …
+// Of an axis' acceleration and jerk, what is taken where the plan takes less: a sample of jerk
+// weighs three periods, so it may pass their means by 0.03, …
 #define SHARE_TAKEN 0.97
 // … what it counts on further on, where it looks at fewer places than there are periods.
 #define SHARE_AHEAD 0.9
@@ -281,8 +282,8 @@ static double free_change(const ease_walk_t *walk, const ease_point_t *at) {
 }
 
 // k″ in the period that begins where the walk does. Where the plan comes to its rest in it, none:
-// that is its own. Never does k′ turn round. *most_out: what all axes allow, of a clock that sets off
-// without the plan.
+// that is its own. Never does k′ turn round. *most_out: what all axes allow, of a clock that sets
+// off without the plan.
 static double change_for(const ease_pace_t *pace, ease_walk_t *walk, double *most_out) {
     const double period = walk->terms->machine->period_s;
     const double k = nck_max(0.5 * pace->k, pace->k + 0.5 * pace->dk * period);
@@ -320,39 +321,32 @@ void nck_ease_begin(nck_clock_t *clock) {
     nck_fence_store(&clock->state, NCK_CLOCK_BRAKES);
 }
 
-double nck_ease_brake(nck_clock_t *clock, const nck_terms_t *terms, nck_link_t *link,
-                      const nck_cell_t *cell, double t) {
-    const double period = terms->machine->period_s;
-    const ease_pace_t pace = {clock->first.rate, clock->second.gain, -1.0};
-    const ease_walk_t here = {terms, link, 0, cell, 0, 0, t};
-    double most = 0.0;
-    const double change = change_now(&pace, &here, &most);
-    const double k = pace.k + (pace.dk + 0.5 * change * period) * period;
-    const int rests = !(k > REST_SHARE * most * period * period);
-    clock->first.rate = rests ? 0.0 : k;
-    clock->second.gain = rests ? 0.0 : pace.dk + change * period;
-    if (rests) return 0.5 * pace.k * period;
-    return (pace.k + (0.5 * pace.dk + change / 6.0 * period) * period) * period;
+// The clock at a pace that is reached, or at its rest or its run next to it. near: of k [1/s].
+static void take_pace(nck_clock_t *clock, const ease_pace_t *pace, double near, double period) {
+    const int brakes = pace->way < 0.0;
+    const int rests = brakes && !(pace->k > near * period);
+    const int runs = !brakes && 1.0 - pace->k <= near * period && pace->dk <= near;
+    clock->first.rate = rests ? 0.0 : runs ? 1.0 : pace->k;
+    clock->second.gain = rests || runs ? 0.0 : pace->dk;
+    if (runs) nck_fence_store(&clock->state, NCK_CLOCK_RUNS);
 }
 
-double nck_ease_set_off(nck_clock_t *clock, const nck_terms_t *terms, nck_link_t *link,
-                        const nck_cell_t *cell, double t) {
+double nck_ease_period(nck_clock_t *clock, const nck_terms_t *terms, nck_link_t *link,
+                       const nck_cell_t *cell, double t) {
     const double period = terms->machine->period_s;
-    const ease_pace_t pace = {clock->first.rate, clock->second.gain, 1.0};
+    const int brakes = clock->state == NCK_CLOCK_BRAKES;
+    const ease_pace_t pace = {clock->first.rate, clock->second.gain, brakes ? -1.0 : 1.0};
     const ease_walk_t here = {terms, link, 0, cell, 0, 0, t};
-    if (clock->feels > 0) { // a rest may end with a jerk of its own
+    double most = 0.0;
+    if (!brakes && clock->feels > 0) { // a rest may end with a jerk of its own
         clock->feels--;
         return 0.0;
     }
-    double most = 0.0;
     const double change = change_now(&pace, &here, &most);
-    const double k = pace.k + (pace.dk + 0.5 * change * period) * period;
-    const double dk = pace.dk + change * period;
-    const double near = RUN_SHARE * most * period;
-    const int runs = 1.0 - k <= near * period && dk <= near;
-    clock->first.rate = runs ? 1.0 : k;
-    clock->second.gain = runs ? 0.0 : dk;
-    if (runs) nck_fence_store(&clock->state, NCK_CLOCK_RUNS);
+    const ease_pace_t next = {pace.k + (pace.dk + 0.5 * change * period) * period,
+                              pace.dk + change * period, pace.way};
+    take_pace(clock, &next, (brakes ? REST_SHARE : RUN_SHARE) * most * period, period);
+    if (!(clock->first.rate > 0.0)) return 0.5 * pace.k * period;
     return (pace.k + (0.5 * pace.dk + change / 6.0 * period) * period) * period;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Inside room 6: how the tick brakes along a clocked path. It slows down the plan's own time, never
-// so hard that it could not ease off again. README, "The clock".
+// Inside room 6: how the tick brakes along a clocked path, and sets off again. It slows down the
+// plan's own time or quickens it, never so hard that it could not ease off again. README, "The
+// clock".
 #ifndef NCK_TICK_EASE_H
 #define NCK_TICK_EASE_H
 
@@ -13,20 +14,16 @@
 // Cost: constant. Context: tick.
 void nck_ease_begin(nck_clock_t *clock);
 
-// One period of braking from the time t in a cell on, behind which the link's are: the clock's rate
-// becomes that behind it, 0 where it rests. Returns how far the plan's time goes on [s].
-// Cost: 42 looks at a place, each with 3 bounds an axis for 4 trials, and the cells on the way,
+// One period of braking, or of setting off, from the time t in a cell on, behind which the link's
+// are: the clock's rate becomes that behind it, 0 where it rests, 1 where it runs from then on.
+// Returns how far the plan's time goes on [s].
+// Cost: 42 looks at a place, each with 4 bounds an axis for 4 trials, and the cells on the way,
 // twice if prep publishes meanwhile. Context: tick.
-double nck_ease_brake(nck_clock_t *clock, const nck_terms_t *terms, nck_link_t *link,
-                      const nck_cell_t *cell, double t);
+double nck_ease_period(nck_clock_t *clock, const nck_terms_t *terms, nck_link_t *link,
+                       const nck_cell_t *cell, double t);
 
-// One period of setting off, likewise: the clock runs once its rate is 1. Returns how far the plan's
-// time goes on [s]. Cost and context: as of braking.
-double nck_ease_set_off(nck_clock_t *clock, const nck_terms_t *terms, nck_link_t *link,
-                        const nck_cell_t *cell, double t);
-
-// Behind a period of either: the clock stands, if its rate is 0 and the path goes on; where the path
-// rests a clock that sets off runs, since nothing moves. Cost: constant. Context: tick.
+// Behind a period: the clock stands, if its rate is 0 and the path goes on; where the path rests
+// one that sets off runs, since nothing moves. Cost: constant. Context: tick.
 void nck_ease_rest(nck_clock_t *clock, int moves);
 
 #endif

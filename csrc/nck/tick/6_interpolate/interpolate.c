@@ -374,16 +374,13 @@ static void own_time(nck_interpolate_t *self) {
     nck_clock_t *const clock = &self->clock;
     clock->late += self->machine->period_s;
     const double t = nck_max(0.0, now(self) - self->t_cell);
-    const int brakes = clock->state == NCK_CLOCK_BRAKES;
     const int by_clock = nck_look_is_clocked(seg_at(self, self->cell.seg));
-    if (brakes && !by_clock) {
+    if (!by_clock && clock->state == NCK_CLOCK_BRAKES) {
         brake(self);
         return;
     }
-    const double v = nck_cell_speed(&self->cell, t);
-    clock->late -= !by_clock ? nck_clock_set_off(clock, self->terms, v)
-                   : brakes ? nck_ease_brake(clock, self->terms, self->link, &self->cell, t)
-                            : nck_ease_set_off(clock, self->terms, self->link, &self->cell, t);
+    clock->late -= by_clock ? nck_ease_period(clock, self->terms, self->link, &self->cell, t)
+                            : nck_clock_set_off(clock, self->terms, nck_cell_speed(&self->cell, t));
     const int moves = seek(self);
     if (moves) pass_at(self, clock->first.rate);
     if (by_clock) nck_ease_rest(clock, moves);
