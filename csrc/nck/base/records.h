@@ -120,7 +120,7 @@ typedef struct nck_block {
     double centre_mm[2];  // arc: centre along the plane's axes (G17 XY, G18 ZX, G19 YZ),
                           // tip coordinates, already moved onto the chord's bisector
     double sweep_rad;     // arc: signed angle, full turns included, + anticlockwise
-    double feed;          // in force, unit by feed_mode; 0 for a rapid
+    double feed;          // in force, unit by feed_mode; 0 for a rapid but a printer's
     double spindle_rpm;   // in force (for feed per revolution), 0 if stopped; under G96 the most
     double surface;       // surface speed in force [mm/min]; 0: G97
     double spindle_x_mm;  // X of the spindle's axis, where the program's X is 0

@@ -96,6 +96,8 @@ nck_status_t nck_decode_go(nck_decode_t *self, const nck_block_in_t *pushed,
         status = nck_decode_straight(self, code == 0 ? NCK_BLOCK_RAPID : NCK_BLOCK_LINE, target_nm,
                                      out);
     }
+    // A printer's G0 is its G1: F holds for it, too, where a control's own planner asks for it.
+    if (code == 0 && self->tongue == NCK_TONGUE_MARLIN) out->feed = self->modal.feed;
     stop_exactly(self, out);
     return status;
 }
