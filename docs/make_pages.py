@@ -13,7 +13,7 @@ import typing
 from decimal import Decimal
 from pathlib import Path
 
-from pycnc.machine import schema
+from pycnc.machine import control, schema
 from pycnc.program import diagnostics
 
 ROOT = Path(__file__).resolve().parents[1]
@@ -62,6 +62,8 @@ TABLES = (
     ("[axis.x], y, z, u, v, w", schema.LinearAxis),
     ("[axis.a], b, c", schema.RotaryAxis),
     ("[kinematics]", schema.Kinematics),
+    ("[control]", control.Control),
+    ("[control.steps_per_mm], [control.jerk]", control.ByAxis),
     ("[spindle]", schema.Spindle),
     ("[times]", schema.Times),
     ("[dialect]", schema.Dialect),
@@ -82,9 +84,10 @@ every value in force and where it comes from. `--set axis.x.max_mm=500` changes 
 `--tools FILE` adds the tools of a LinuxCNC tool table (mm; D is a diameter).
 
 `pycnc machine new NAME` writes one to begin with, each key with its meaning. `pycnc machine import
-FILE` makes one of LinuxCNC's INI, grbl's `$$`, Klipper's cfg or FluidNC's yaml: units are
-converted, each value has the line that it comes from as its comment, and every line that nothing is
-made of is told. Files that it includes are read. `--units` says the unit where an INI does not.
+FILE` makes one of LinuxCNC's INI, grbl's `$$`, Klipper's cfg, FluidNC's yaml or Marlin's `M503`:
+units are converted, each value has the line that it comes from as its comment, and every line that
+nothing is made of is told. It says whose planner it is, [control], with that control's settings.
+Files that it includes are read. `--units` says the unit where an INI does not.
 
 Positions are machine coordinates. A key without a default must be there, if its table is.
 This page is written by `docs/make_pages.py` from `pycnc/machine/schema.py`; a test compares.
@@ -139,7 +142,7 @@ def takes(field):
         members = [m for m in typing.get_args(kind) if m is not type(None)]
     if isinstance(kind, type) and issubclass(kind, schema.Table):
         return "table"
-    words = {bool: "true, false", str: "text", dict: "tables", int: "whole number"}
+    words = {bool: "true, false", str: "text", dict: "tables", int: "whole number", tuple: "texts"}
     number = words.get(typing.get_origin(kind) or kind, "number")
     return " ".join([number, *limits(bounds)])
 

@@ -14,6 +14,7 @@ import numpy as np
 import pydantic
 
 from pycnc import errors, files
+from pycnc.machine import control as controls
 from pycnc.machine import foreign, schema, tool_table
 from pycnc.kernel.bind import ffi, lib, pointer
 from pycnc.machine.rows import base_number, rows_of
@@ -195,11 +196,15 @@ class Machine:
     def effective(self):
         """Yield (path to key, value, source) for every setting, in the order of the description.
 
-        Positions along axes that the machine does not have are left out.
+        Positions along axes that the machine does not have, and other controls' settings, are left
+        out.
         """
+        kind = self.settings.control.kind
         absent = {position_key(letter) for letter in AXES if letter not in self.axes}
         for key, value in _walk(self.settings):
             folder, _, leaf = key.rpartition(".")
+            if controls.is_idle(kind, key):
+                continue
             if leaf not in absent or folder.startswith("tool."):
                 yield key, value, self.sources.get(key, "default")
 

@@ -12,6 +12,8 @@ _DECIDING = ("path.slope", "dialect.base")  # by these it goes whether others ha
 _JERK = {"path.j_max_mm_s3"} | {f"axis.{letter}.j_max_{unit}_s3" for letter in AXES
                                 for unit in ("mm", "deg")}  # fmt: skip
 
+_NCK_ALONE = {"path.slope", "path.lookahead_blocks"}
+
 _PLANNED = {
     "grades": "grades are planned under the linear slope on the exact path",
     "sshape": "the S-shape is planned under the limits of the slope jerk on the exact path",
@@ -63,6 +65,9 @@ def _idle(machine, key, plan):
     settings = machine.settings
     if plan in _PLANNED and key in ("path.slope", "path.tolerance_mm"):
         return _PLANNED[plan]
+    kind = settings.control.kind
+    if kind != "nck" and plan == "exact" and (key in _JERK or key in _NCK_ALONE):
+        return f"{kind} plans without it; control.kind=nck does with it"
     if key in _JERK and settings.path.slope == "linear" and plan != "sshape":
         return "the linear slope tells jerk and does not limit it; path.slope=jerk does"
     if key == "path.slope" and settings.path.slope == "optimal" and _path_binds(machine):

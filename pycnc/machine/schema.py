@@ -7,64 +7,37 @@ This is the one description of the format. ``docs/machine.md`` is generated from
 from decimal import Decimal
 from typing import Annotated, Literal, get_args
 
-from pydantic import BaseModel, BeforeValidator, ConfigDict, Field, Strict, model_validator
+from pydantic import Field, model_validator
 
-from pycnc.kernel.records import quantity_range
+from pycnc.machine.control import Control, contradictions as _control_contradictions
+from pycnc.machine.quantity import (
+    TRAVEL_LIMIT,
+    Acceleration,
+    Coordinate,
+    Error,
+    Feed,
+    Jerk,
+    Leads,
+    Period,
+    Rotation,
+    Seconds,
+    Size,
+    Speed,
+    SpeedPerMinute,
+    Table,
+    Travel,
+    Unit,
+)
 
 LINEAR_AXES = ("x", "y", "z", "u", "v", "w")
 ROTARY_AXES = ("a", "b", "c")
 AXES = ("x", "y", "z", "a", "b", "c", "u", "v", "w")  # the kernel's order
 WORK_SYSTEMS = ("g54", "g55", "g56", "g57", "g58", "g59", "g59_1", "g59_2", "g59_3")
 TOLERANCE_LEAST_MM = Decimal("0.0001")  # the kernel smooths within nothing smaller
-TRAVEL_LIMIT = 1_000_000  # mm or degrees: a position beyond a kilometre is a mistake
-
-
-def _number(value):
-    """Let numbers pass and nothing that only looks like one."""
-    if isinstance(value, bool) or not isinstance(value, int | float | Decimal):
-        raise ValueError("must be a number")
-    return value
-
-
-def _travel(value):
-    return None if value is None or value == "free" else _number(value)
-
-
-Number = Annotated[Decimal, Strict(False)]
-
-
-def _within(quantity, units=1):
-    """Return the type of a number with the kernel's range; units: the file's in one of its."""
-    low, high = ((end * units).normalize() for end in quantity_range(quantity))
-    return Annotated[Number, Field(ge=low, le=high), BeforeValidator(_number)]
-
-
-Period = _within("period", 1000)
-Speed = _within("speed")
-SpeedPerMinute = _within("speed", 60)
-Acceleration = _within("acceleration")
-Jerk = _within("jerk")
-Error = _within("error")
-Size = _within("size")
-Feed = _within("feed")
-Rotation = _within("rotation")
-Leads = Annotated[Number, Field(ge=0, le=10), BeforeValidator(_number)]
-Unit = Annotated[Number, Field(ge=0, le=1), BeforeValidator(_number)]
-Seconds = Annotated[Number, Field(ge=0, le=3600), BeforeValidator(_number)]
-Coordinate = Annotated[Number, Field(ge=-TRAVEL_LIMIT, le=TRAVEL_LIMIT), BeforeValidator(_number)]
-Travel = Annotated[
-    Annotated[Number, Field(ge=-TRAVEL_LIMIT, le=TRAVEL_LIMIT)] | None, BeforeValidator(_travel)
-]
 
 
 Slope = Literal["linear", "jerk", "optimal"]
 SLOPES = get_args(Slope)
-
-
-class Table(BaseModel):
-    """A table of the file: keys it does not know are errors, numbers are finite."""
-
-    model_config = ConfigDict(extra="forbid", strict=True, frozen=True, allow_inf_nan=False)
 
 
 class Kernel(Table):
@@ -378,6 +351,9 @@ class MachineFile(Table):
     path: Path = Field(Path(), description="Limits along the path and tolerances.")
     axis: Axis = Field(description="The axes.")
     kinematics: Kinematics = Field(Kinematics(), description="How axes become joints.")
+    control: Control = Field(
+        Control(), description="Whose planner the time is told of (controls.md)."
+    )
     spindle: Spindle = Field(Spindle(), description="The main spindle.")
     times: Times = Field(Times(), description="What takes time that no axis makes.")
     dialect: Dialect = Field(Dialect(), description="How program text is read.")
@@ -421,6 +397,7 @@ def contradictions(machine):
             "kinematics.type",
             f"lathe_xz needs the axes X and Z alone (the file has {', '.join(axes).upper()})",
         )
+    yield from _control_contradictions(machine.control, axes)
     yield from _approach_contradictions(machine.approach, machine.kinematics, axes)
     for number in machine.m:
         if not (number.isdecimal() and number.isascii() and number == str(int(number))):
