@@ -74,6 +74,9 @@ class Time(Program):
     length_mm: float = _is("of the programmed path; a degree counts as a millimetre")
     limit_time_s: dict[str, float] = _is("limit → how long it held the path; adds up to `time_s`")
     slope: Literal["jerk", "optimal", "linear"] = _is("velocity profile")
+    control: Literal["nck", "klipper", "grbl", "grblhal", "fluidnc", "marlin", "linuxcnc"] = _is(
+        "whose rules it is planned by; `nck`: this kernel's"
+    )
     plan: Literal["exact", "grades", "sshape"] = _is("how speed was planned")
     backend: str = _is("where it was planned")
     plan_s: float = _is("wall time that planning took")
@@ -148,6 +151,9 @@ class Why(Program):
 
     period_s: float = _is("interpolation period")
     slope: Literal["jerk", "optimal", "linear"] = _is("velocity profile")
+    control: Literal["nck", "klipper", "grbl", "grblhal", "fluidnc", "marlin", "linuxcnc"] = _is(
+        "whose rules it is planned by; `nck`: this kernel's"
+    )
     time_s: float = _is("as `time` tells it")
     total_s: float = _is("as `time` tells it")
     tool_change_s: float = _is("changes of tool")

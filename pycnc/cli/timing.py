@@ -111,7 +111,7 @@ def _timed(machine, file, *, plan, backend, by, as_json, quiet):
     from pycnc.planning import pipeline
     from pycnc.planning.plan import Plan
 
-    with pipeline.beside(plan == "exact" and not by) as beside:
+    with pipeline.beside(plan == "exact" and not by, machine) as beside:
         program, facts, code = look_at(file, machine, quiet, as_json, keep=False, beside=beside)
         if program is None:
             return facts, code
@@ -148,7 +148,7 @@ def why(
     if output is not None and not output.lower().endswith(".csv"):
         raise Refused(f"{output}: error[format]: a table is written as .csv")
     mill = machine_of(machine, set, tools, dialect, slope=slope, quiet=quiet)
-    with pipeline.beside() as beside:
+    with pipeline.beside(True, mill) as beside:
         program, facts, code = look_at(file, mill, quiet, json_, keep=False, beside=beside)
         if program is None:
             return give_up(facts, code, json_)
@@ -195,10 +195,11 @@ def report(
 
 
 def _time_line(plan):
+    from pycnc.planning.control import title
     from pycnc.planning.plan import BY
 
     machine = plan.program.machine
-    head = f"{plan.program.file} on {machine.name}, slope {machine.settings.path.slope}"
+    head = f"{plan.program.file} on {machine.name}, {title(machine)}"
     by = f", planned {BY[plan.kind]}" if BY[plan.kind] else ""
     return f"{head}{by}: {_duration(plan.totals['total_s'])} ({_split(plan.totals)})"
 

@@ -175,7 +175,7 @@ class Planner:
             check(lib.nck_host_plan_part(self._plan, cut, part[1]))
         elif threads:
             lib.nck_host_plan_threads(self._plan)
-        self._ask_shares(shares)
+        self._shares = ask_shares(self._plan.why.shares, shares)
         self._arrays = {
             name: np.empty(_TRAIL_ROWS if name in _TRAIL else _PLAN_ROWS, dtype(f"nck_{name}_t"))
             for name in records
@@ -190,17 +190,6 @@ class Planner:
         if name in _TRAIL:
             return self._plan.why.trail, *_TRAIL[name]
         return self._plan, f"{name}s", name
-
-    def _ask_shares(self, asked):
-        shares, by_line = self._plan.why.shares, isinstance(asked, np.ndarray)
-        rows = 0 if asked is None else int(asked.max()) + 1 if by_line else asked
-        self._rows = np.zeros(rows, dtype("nck_host_share_t"))
-        if rows:
-            shares.rows, shares.max = pointer("nck_host_share_t", self._rows), rows
-        if by_line:
-            self._row_of_line = np.ascontiguousarray(asked, np.uint32)
-            shares.row_of_line = pointer("uint32_t", self._row_of_line)
-            shares.line_max = len(asked) - 1
 
     def pieces(self):
         """Yield (segs, nodes, cells, bytes used) or what was asked for, until the plan is done.
@@ -224,23 +213,52 @@ class Planner:
     @property
     def totals(self):
         """What the plan adds up to, as a record of ``nck_host_totals_t``."""
-        data = ffi.buffer(ffi.addressof(self._plan, "totals"))
-        return np.frombuffer(bytes(data), dtype("nck_host_totals_t"))[0]
+        return record_of(self._plan.totals, "nck_host_totals_t")
 
     @property
     def shares(self):
         """The parts of the time, as they were asked for."""
-        by_line = self._plan.why.shares.row_of_line != ffi.NULL
-        return self._rows if by_line else self._rows[: self._plan.why.shares.count]
+        return shares_of(self._plan.why.shares, self._shares[0])
 
     @property
     def why(self):
         """What the time goes to."""
-        why = self._plan.why
-        data = bytes(ffi.buffer(why.causes))
-        causes = np.frombuffer(data, dtype("nck_host_cause_t"))
-        ideal = {name: _sum(getattr(why, name)) for name in ("cut_s", "rapid_s", "dwell_s")}
-        return {"causes": causes[causes["lost_s"]["sum"] != 0], **ideal}
+        return causes_of(self._plan.why)
+
+
+def ask_shares(shares, asked):
+    """Ask a ``nck_host_shares_t`` for parts of the time; return what must live as long: rows first.
+
+    asked: as `Planner` takes it.
+    """
+    by_line = isinstance(asked, np.ndarray)
+    count = 0 if asked is None else int(asked.max()) + 1 if by_line else asked
+    rows = np.zeros(count, dtype("nck_host_share_t"))
+    if count:
+        shares.rows, shares.max = pointer("nck_host_share_t", rows), count
+    if not by_line:
+        return (rows,)
+    row_of_line = np.ascontiguousarray(asked, np.uint32)
+    shares.row_of_line = pointer("uint32_t", row_of_line)
+    shares.line_max = len(asked) - 1
+    return rows, row_of_line
+
+
+def shares_of(shares, rows):
+    """Return the rows of a ``nck_host_shares_t`` that have something."""
+    return rows if shares.row_of_line != ffi.NULL else rows[: shares.count]
+
+
+def record_of(struct, name):
+    """Return a copy of a struct in C as a record of a dtype."""
+    return np.frombuffer(bytes(ffi.buffer(ffi.addressof(struct))), dtype(name))[0]
+
+
+def causes_of(why):
+    """Return what time is lost to, and the ideal: of a record with causes and these sums."""
+    causes = np.frombuffer(bytes(ffi.buffer(why.causes)), dtype("nck_host_cause_t"))
+    ideal = {name: _sum(getattr(why, name)) for name in ("cut_s", "rapid_s", "dwell_s")}
+    return {"causes": causes[causes["lost_s"]["sum"] != 0], **ideal}
 
 
 def _sum(number):

@@ -12,6 +12,7 @@ know; so parts give times.
 import numpy as np
 
 from pycnc import kernel
+from pycnc.planning import control
 from pycnc.kernel.records import dtype
 
 PART_BLOCKS = 20_000  # blocks of a part at least
@@ -21,6 +22,8 @@ def of(program):
     """Return an iterator over the parts of a program, for `totals_of`; None if it is not huge, or
     has threads: at what angle the spindle is where a part begins, only what is before it tells.
     """
+    if control.is_foreign(program.machine):
+        return None
     if isinstance(program.text, kernel.Blocks) or program.has_threads:
         return None
     if program.block_count < 2 * PART_BLOCKS:

@@ -19,6 +19,7 @@ import time
 import numpy as np
 
 from pycnc import errors, kernel
+from pycnc.planning import control
 from pycnc.kernel.batches import Batch, Early, Late
 from pycnc.kernel.records import dtype
 
@@ -45,9 +46,10 @@ def is_worth(program):
 
 
 @contextlib.contextmanager
-def beside(wanted=True):
-    """Give a Pipeline, whose threads end with the context; None on one core, and if not wanted."""
-    if not wanted or cores() == 1:
+def beside(wanted=True, machine=None):
+    """Give a Pipeline, whose threads end with the context; None on one core, if not wanted, and
+    for a machine with another control's planner."""
+    if not wanted or cores() == 1 or (machine is not None and control.is_foreign(machine)):
         yield None
         return
     with Pipeline() as line:

@@ -6,7 +6,7 @@ import time
 import numpy as np
 
 from pycnc import errors, kernel
-from pycnc.planning import measure, pipeline, shares
+from pycnc.planning import control, measure, pipeline, shares
 from pycnc.machine import Machine
 from pycnc.machine.schema import SLOPES
 from pycnc.program import Program, load, shown
@@ -153,8 +153,23 @@ class Plan:
             totals[name] = exact[name]
         return totals, exact
 
+    def _as_control(self, progress, by):
+        """Plan it by another control's rules, which keep no records."""
+        asked, names = shares.ask(self.program, by) if by else (None, [])
+        planner = control.Planner(self.program, asked)
+        planner.run(progress)
+        self.parts = shares.table(self.program, by, planner.shares, names) if by else None
+        return planner
+
     def _exactly(self, keep, progress, look, trail, by, beside):
         planner = None
+        if control.is_foreign(self.program.machine):
+            if look or trail:
+                control.refuse(self.program.machine, "a path with its curves")
+            planner = self._as_control(progress, by)
+            self.segs, self.nodes, self._cells = (join(f"nck_{name}_t", []) for name in _KEPT)
+            self.lost = planner.why
+            return planner.totals
         if not (keep or look or trail or by):
             planner = beside.end() if beside else None
             if planner is None and (not beside or beside.is_left):
@@ -232,6 +247,7 @@ class Plan:
             "period_s": machine.period_s,
             **self.totals,
             "slope": machine.settings.path.slope,
+            "control": machine.settings.control.kind,
             "plan": self.kind,
             "backend": self.motion.backend if self.motion else "c",
             "plan_s": self.plan_s,
@@ -274,9 +290,9 @@ class Plan:
         return shown.frame(columns, names, kind)
 
     def _facts(self):
-        totals, settings = self.totals, self.program.machine.settings
+        totals, machine = self.totals, self.program.machine
         yield "file", self.program.file
-        yield "machine", f"{self.program.machine.name}, slope {settings.path.slope}"
+        yield "machine", f"{machine.name}, {control.title(machine)}"
         for name in ("total", "time", "cut", "rapid", "dwell", "tool_change", "spindle"):
             yield f"{name.replace('_', ' ')} [s]", f"{totals[f'{name}_s']:.3f}"
         held = sorted(totals["limit_time_s"].items(), key=lambda item: -item[1])

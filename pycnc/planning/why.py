@@ -13,7 +13,7 @@ from pycnc import errors, kernel
 from pycnc.files import Part
 from pycnc.machine import Machine
 from pycnc.machine.schema import AXES, unit_of
-from pycnc.planning import measure
+from pycnc.planning import control, measure
 from pycnc.program import Program, shown
 
 TOLERANCE_MM = Decimal("0.01")  # of the cure "within 0.01 mm"
@@ -86,7 +86,7 @@ class Why(shown.Tables):
         angles = [math.degrees(row[end]) for end in ("angle_least", "angle_most")]
         return {
             "cause": name,
-            "words": _ASKED if asked else _words(name, angles),
+            "words": _ASKED if asked else _words(name, angles, self.program.machine),
             "lost_s": lost_s,
             "share": lost_s / max(self.time_s, 1e-9),
             "count": int(row["count"]),
@@ -137,6 +137,10 @@ class Why(shown.Tables):
     def _cures(self):
         """Yield (cure in words, program that has it)."""
         machine = self.program.machine
+        if control.is_foreign(machine):
+            for words, changes in control.cures(machine):
+                yield words, self._on(changes)
+            return
         for words, kinds, path in (
             ("acceleration", ("a_max",), "a_max_mm_s2"), ("jerk", ("j_max",), "j_max_mm_s3"),
             ("speed", ("v_max", "rapid"), "feed_max_mm_min"),
@@ -170,7 +174,7 @@ class Why(shown.Tables):
     def as_dict(self):
         """Return what ``pycnc why --json`` tells."""
         facts = self.plan.as_dict()
-        names = ("file", "machine", "version", "period_s", "slope", "time_s", "total_s",
+        names = ("file", "machine", "version", "period_s", "slope", "control", "time_s", "total_s",
                  "tool_change_s", "spindle_s", "limit_time_s", "diagnostics")  # fmt: skip
         return {
             **{name: facts[name] for name in names},
@@ -215,11 +219,17 @@ class Why(shown.Tables):
         return f"<Why of {self.program.file}: {self.time_s:.3f} s, {lost:.3f} s lost{worst}>"
 
 
-def _words(name, angles):
+def _words(name, angles, machine):
     if name == "ends":
         return _ENDS
+    if control.is_foreign(machine):
+        return control.words(name, machine, _angle_words(*angles)) or _own_words(name)
     if name == "corner":
         return f"corners of {_angle_words(*angles)}, acceleration"
+    return _own_words(name)
+
+
+def _own_words(name):
     kind, _, axis = name.partition(":")
     return f"the top speed of {axis.upper()}" if axis else WORDS.get(kind, kind)
 

@@ -4,7 +4,7 @@
 import hashlib
 
 from pycnc import errors, files, kernel
-from pycnc.program import guess, moves
+from pycnc.program import guess, limits, moves
 from pycnc.program.diagnostics import Diagnostic, Diagnostics, Wording
 from pycnc.program.geometry import Moves
 from pycnc.program.lines import Lines
@@ -47,11 +47,12 @@ class Program:
         self.lines = Lines(b"" if isinstance(self.text, kernel.Blocks) else self.text)
         self.file, self.diagnostics, kept, self.block_count = file, Diagnostics(), [], 0
         self.machine = machine = self._choose_dialect(machine)
+        self._veil(machine)
         self.tolerance_most_mm, self.has_threads = 0.0, False
         wording = Wording(file, self.lines, machine)
         another = beside.another if beside else None
         for blocks, findings, used in kernel.decode(self.text, machine, another):
-            wording.add(self.diagnostics, findings)
+            wording.add(self.diagnostics, limits.heard(findings, machine))
             self.block_count += len(blocks)
             most = blocks["tolerance_mm"].max(initial=0.0)
             self.tolerance_most_mm = max(self.tolerance_most_mm, float(most))
@@ -64,6 +65,17 @@ class Program:
                 progress(used, len(self.text))
         self.blocks = join("nck_block_t", kept) if keep else None
         self._moves = None
+
+    def _veil(self, machine):
+        """Hide what the machine's control would do beside motion; tell of each kind once."""
+        self.text, findings = limits.veil(self.text, machine)
+        for line, name, macro, count in findings:
+            message, remedy = limits.words_of(name, macro, count)
+            severity = "note" if name == "macro-still" else "warning"
+            source = self.lines[line]
+            self.diagnostics.add(
+                Diagnostic(self.file, line, 0, name, severity, message, remedy, source)
+            )
 
     def _choose_dialect(self, machine):
         """Return the machine; if it leaves the dialect to the text, with that of the text."""
@@ -142,7 +154,7 @@ class Program:
     @property
     def sha256(self):
         """Hash of the text."""
-        return hashlib.sha256(self.text).hexdigest()
+        return hashlib.sha256(getattr(self.text, "original", self.text)).hexdigest()
 
     def pieces(self, another=None):
         """Yield the blocks in pieces, again from the text if they were not kept.

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 """What ``pycnc why`` tells a person: causes with their worst places, and what cures gain."""
 
+from pycnc.planning.control import title
 from pycnc.report.plot import duration
 
 _CAUSES_SHOWN = 12
@@ -19,8 +20,9 @@ def lines(found):
     """
     facts = found.as_dict()
     yield (
-        f"{facts['file']}: {duration(found.time_s)} on {facts['machine']}, slope "
-        f"{facts['slope']}; {duration(found.ideal_s)} if only feeds, rapids and dwells held it back"
+        f"{facts['file']}: {duration(found.time_s)} on {facts['machine']}, "
+        f"{title(found.program.machine)}; {duration(found.ideal_s)} if only feeds, rapids and "
+        "dwells held it back"
     )
     extra = facts["total_s"] - facts["time_s"]
     if extra > 0:

@@ -8,7 +8,7 @@ from concurrent.futures import ThreadPoolExecutor
 import numpy as np
 
 from pycnc import errors, kernel
-from pycnc.planning import measure, whole
+from pycnc.planning import control, measure, whole
 from pycnc.report.path_error import PathError
 from pycnc.planning.plan import BY, Plan, check_backend, for_machine, for_plan
 from pycnc.report.rows import Rows
@@ -39,6 +39,8 @@ class Trace(Rows):
     def __init__(self, program, *, prep_steps=kernel.PREP_STEPS, keep=True, output=None,
                  plan="exact", backend="auto", commands=(), progress=None):  # fmt: skip
         check_backend(backend, plan)
+        if plan == "exact":
+            control.refuse(program.machine, "a run")
         begun = time.perf_counter()
         self.program = program = for_plan(program.check(), plan)
         self._layout = Columns(program.machine)

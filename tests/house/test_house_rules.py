@@ -41,8 +41,8 @@ PYTHON_ROOMS = (
 # Who calls the kernel; everybody else may read its constants.
 WRAPPERS = (
     "kernel/__init__", "kernel/batches", "kernel/bind", "kernel/records", "machine/__init__",
-    "planning/grades", "planning/parallel", "planning/sshape", "planning/whole",
-    "stages", "report/path_error", "bench/timing",
+    "planning/control", "planning/grades", "planning/parallel", "planning/sshape",
+    "planning/whole", "stages", "report/path_error", "bench/timing",
 )  # fmt: skip
 
 # Headers beside a file of the adapter; those of LinuxCNC are for GUESTS alone.

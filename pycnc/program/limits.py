@@ -1,0 +1,150 @@
+# SPDX-License-Identifier: MIT
+"""Limits that a program itself sets (M201 to M205, SET_VELOCITY_LIMIT), and Klipper's macros."""
+
+import re
+from collections import Counter
+
+import numpy as np
+
+from pycnc.kernel.bind import lib
+from pycnc.kernel.records import dtype
+from pycnc.machine.control import PRINTERS
+from pycnc.machine.schema import AXES
+
+# Commands of Klipper that move nothing, by how their names begin.
+STILL = (
+    "SET_VELOCITY_LIMIT", "SET_PRESSURE_ADVANCE", "EXCLUDE_OBJECT", "SET_INPUT_SHAPER", "SET_PIN",
+    "SET_HEATER_TEMPERATURE", "SET_TEMPERATURE", "SET_FAN_SPEED", "SET_LED", "SET_DISPLAY",
+    "SET_GCODE_VARIABLE", "SAVE_VARIABLE", "SAVE_GCODE_STATE", "SET_RETRACTION", "SET_TMC",
+    "SET_IDLE_TIMEOUT", "SET_PRINT_STATS_INFO", "SET_STEPPER_ENABLE", "TURN_OFF_HEATERS",
+    "TEMPERATURE_WAIT", "ACTIVATE_EXTRUDER", "BED_MESH_PROFILE", "BED_MESH_CLEAR", "RESPOND",
+    "STATUS", "_",
+)  # fmt: skip
+# Long enough to be no word of a letter and a number, and no O word.
+_MACRO = re.compile(rb"(?m)^([ \t]*)([A-Za-z_][A-Za-z_][A-Za-z0-9_]*)(?=[ \t;#\r\n]|\Z)")
+_LIMIT = re.compile(
+    rb"(?im)^[ \t]*(?:N\d+[ \t]*)?(?:M[ \t]*(20[1345])(?![.\d])|(SET_VELOCITY_LIMIT)\b)([^\n;(]*)"
+)
+_WORD = re.compile(rb"([A-Z])[ \t]*([+-]?(?:\d+\.?\d*|\.\d+))")
+_PAIR = re.compile(rb"(\w+)[ \t]*=[ \t]*([+-]?(?:\d+\.?\d*|\.\d+))")
+_VELOCITY_LIMIT = {
+    b"VELOCITY": lib.NCK_CONTROL_V_PATH,
+    b"ACCEL": lib.NCK_CONTROL_A_PATH,
+    b"SQUARE_CORNER_VELOCITY": lib.NCK_CONTROL_CORNER,
+    b"MINIMUM_CRUISE_RATIO": lib.NCK_CONTROL_CRUISE_RATIO,
+}
+_BY_AXIS = {b"201": lib.NCK_CONTROL_A, b"203": lib.NCK_CONTROL_V, b"205": lib.NCK_CONTROL_JERK}
+
+
+class Veiled(bytes):
+    """A text whose macros are comments, so that what moves can be read; `original` has them."""
+
+
+def veil(text, machine):
+    """Return (text for the kernel, findings) of a program for a machine.
+
+    A finding is (line, id, name, how many lines): of each macro its first line. Only Klipper has
+    macros: of its own commands some are known to move nothing, of the printer's own macros the
+    machine file tells (``control.still_macros``).
+    """
+    original = getattr(text, "original", text)
+    if machine.settings.control.kind != "klipper":
+        return text, []
+    still = {name.upper() for name in machine.settings.control.still_macros}
+    counts, firsts = Counter(), {}
+
+    def hide(match):
+        name = match[2].decode().upper()
+        counts[name] += 1
+        firsts.setdefault(name, match.start())
+        return match[1] + b";" + match[2][1:]
+
+    hidden = _MACRO.sub(hide, original)
+    if not counts:
+        return original, []
+    veiled = Veiled(hidden)
+    veiled.original = original
+    findings = []
+    for name, place in sorted(firsts.items(), key=lambda item: item[1]):
+        known = name in still or name.startswith(STILL)
+        line = original.count(b"\n", 0, place) + 1
+        findings.append((line, "macro-still" if known else "macro-own", name, counts[name]))
+    return veiled, findings
+
+
+def words_of(identity, name, count):
+    """Return what is said of a macro, and the remedy."""
+    lines = f"on {count:,} lines" if count > 1 else "on one line"
+    if identity == "macro-still":
+        return f"{name}, {lines}: moves nothing, and is skipped", ""
+    return (
+        f"{name}, {lines}: a macro of the printer's own, whose moves are not in the time",
+        f'if it moves nothing, say so: control.still_macros = ["{name}"]',
+    )
+
+
+def heard(findings, machine):
+    """Return what holds of the kernel's findings (dtype ``nck_diagnostic_t``) with a machine's
+    control: of a printer's planner the limits that a program sets are in force, and no note."""
+    if machine.settings.control.kind not in PRINTERS:
+        return findings
+    return findings[findings["code"] != lib.NCK_NOTE_LIMITS]
+
+
+def changes(text, machine):
+    """Return what a program changes of a control's limits, of dtype ``nck_host_control_change_t``.
+
+    Each holds from its line on.
+    """
+    kind = machine.settings.control.kind
+    read = {"klipper": _of_klipper, "marlin": _of_marlin}.get(kind)
+    original, rows, line, seen = getattr(text, "original", text), [], 1, 0
+    for match in _LIMIT.finditer(original) if read else ():
+        line += original.count(b"\n", seen, match.start())
+        seen = match.start()
+        rows += [(line, value, to) for value, to in read(match[1], match[3].upper())]
+    return np.array(rows, dtype("nck_host_control_change_t"))
+
+
+def _of_klipper(code, words):
+    if code is None:
+        said = dict(_PAIR.findall(words))
+        return [(_VELOCITY_LIMIT[name], float(to)) for name, to in said.items()
+                if name in _VELOCITY_LIMIT and _is_good(name, float(to))]  # fmt: skip
+    said = dict(_WORD.findall(words))
+    if code != b"204":
+        return []
+    if b"S" in said:
+        return [(lib.NCK_CONTROL_A_PATH, float(said[b"S"]))] if float(said[b"S"]) > 0 else []
+    if b"P" in said and b"T" in said:
+        least = min(float(said[b"P"]), float(said[b"T"]))
+        return [(lib.NCK_CONTROL_A_PATH, least)] if least > 0 else []
+    return []
+
+
+def _is_good(name, to):
+    """Tell whether Klipper takes a value; what it does not take it refuses, and nothing changes."""
+    if name == b"MINIMUM_CRUISE_RATIO":
+        return 0 <= to < 1
+    return to >= 0 if name == b"SQUARE_CORNER_VELOCITY" else to > 0
+
+
+def _of_marlin(code, words):
+    if code is None:
+        return
+    said = {letter.decode(): float(to) for letter, to in _WORD.findall(words) if float(to) >= 0}
+    if code == b"204":
+        for letters, value in (
+            ("SP", lib.NCK_CONTROL_A_PATH), ("ST", lib.NCK_CONTROL_A_TRAVEL),
+            ("R", lib.NCK_CONTROL_A_RETRACT),
+        ):  # fmt: skip
+            yield from ((value, said[letter]) for letter in letters if said.get(letter, 0) > 0)
+        return
+    for letter, to in said.items():
+        if letter in "XYZABCE":
+            axis = AXES.index("u" if letter == "E" else letter.lower())
+            yield _BY_AXIS[code] + axis, to
+        elif code == b"205" and letter == "J":
+            yield lib.NCK_CONTROL_DEVIATION, to
+        elif code == b"205" and letter == "B":
+            yield lib.NCK_CONTROL_SEGMENT_S, to * 1e-6
