@@ -60,6 +60,8 @@ class Draft:
             a_max = self.limit(letter, "a_max")
             if a_max is not None and self.limit(letter, "j_max") is None:
                 rise = f"not in the source: all acceleration within {JERK_RISE_S} s"
+                if self.values.get("control.kind", ("nck", ""))[0] != "nck":
+                    rise += "; asked for where control.kind is nck"
                 self.axis(letter, "j_max", a_max / JERK_RISE_S, rise)
             self._stand_within(letter)
 

@@ -7,6 +7,7 @@ _SIGNS = {  # of each a line that its files have and the others' do not
     "grbl or grblHAL ($$)": r"^[ \t]*\$1[0-3][0-9][ \t]*=",
     "Klipper (printer.cfg)": r"^[ \t]*\[(stepper_\w+|printer|mcu|include [^]]+)\]",
     "LinuxCNC (INI)": r"^[ \t]*(\[(EMC|TRAJ|KINS|AXIS_\w|JOINT_\d+)\]|#INCLUDE\b)",
+    "Marlin (M503)": r"^[ \t]*(echo:)?[ \t]*M(92|201|203)[ \t]+[XYZE][\d.]+[ \t]",
     "FluidNC (YAML)": r"^axes:[ \t]*(#.*)?\r?$",
 }
 

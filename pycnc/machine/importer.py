@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Machine files from the configurations of LinuxCNC, grbl and grblHAL, Klipper and FluidNC.
+"""Machine files from the configurations of LinuxCNC, grbl and grblHAL, Klipper, FluidNC and Marlin.
 
 Units are converted; each value has the line that it comes from as its comment; what a machine file
 has no equal for is told.
@@ -24,8 +24,8 @@ _DEGREES = {  # ANGULAR_UNITS of LinuxCNC → degrees
 }  # fmt: skip
 _NUMBER = re.compile(r"[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d{1,3})?", re.ASCII)
 _MOTION = re.compile(  # what has to do with motion, and no equal here
-    r"junction_deviation|square_corner|backlash|instant_corner|accel_to_decel|minimum_cruise|ferror"
-    r"|stepgen_maxvel|stepgen_maxaccel|max_joint|input_shap|pressure_advance|shaper_freq", re.I,
+    r"backlash|accel_to_decel|ferror|stepgen_maxvel|stepgen_maxaccel|max_joint|input_shap"
+    r"|pressure_advance|shaper_freq", re.I,
 )  # fmt: skip
 
 
@@ -89,6 +89,14 @@ class Source:
         value, comment = self.number(*keys)
         if value is not None and value > 0:
             self.draft.put(key, value * scale, comment)
+
+    def own(self, key, keys, default=None, scale=Decimal(1)):
+        """Set a setting of the control from the first of some keys, else its own default."""
+        value, comment = self.number(*keys)
+        if value is None and default is None:
+            return
+        told = comment or "not in the source: the control's own default"
+        self.draft.put(f"control.{key}", default if value is None else value * scale, told)
 
     def tell_left(self):
         """List every line that nothing was made of: what has to do with motion, and the rest."""
@@ -194,6 +202,8 @@ def _fill_linuxcnc(source):
     source.path("path.feed_max_mm_min", [("traj", "max_linear_velocity")], 60 * unit)
     source.path("kernel.period_ms", [("emcmot", "servo_period")], Decimal("1e-6"))
     source.path("spindle.rpm_max", [("spindle_0", "max_forward_velocity")])
+    source.draft.put("control.kind", "linuxcnc")
+    _startup(source, unit)
     if unit == _MM["inch"]:
         source.draft.put("dialect.units", "inch", "LINEAR_UNITS")
     if source.word(("display", "lathe")) == "1" and letters == ["x", "z"]:
@@ -202,6 +212,22 @@ def _fill_linuxcnc(source):
     if source.word(("emcio", "tool_table")):
         source.draft.left.append("the tool table: give it by --tools")
     return letters
+
+
+def _startup(source, unit):
+    """What is in force before a program says G61 or G64; without both LinuxCNC has a bare G64."""
+    code = source.word(("rs274ngc", "rs274ngc_startup_code"))
+    words = re.sub(r"\s+", "", code or "").upper()
+    within = re.search(r"G64P([\d.]+)", words)
+    if within and _NUMBER.fullmatch(within[1]):
+        source.draft.put("path.tolerance_mm", Decimal(within[1]) * unit, f"start-up code {code}")
+    elif re.search(r"G61(?!\d)", words):
+        source.draft.put("path.tolerance_mm", 0, f"start-up code {code}")
+    else:
+        words = f"start-up code {code}" if code else "no start-up code: G64 without P"
+        source.draft.put("control.g64_without_p", "length", words)
+        return
+    source.draft.put("control.g64_without_p", "tolerance", f"start-up code {code}")
 
 
 def _fill_grbl(source):
@@ -215,11 +241,19 @@ def _fill_grbl(source):
         if travel:
             source.draft.axis(letter, "min", -travel, comment)
             source.draft.axis(letter, "max", Decimal(0), "homed at the upper end, as grbl does")
+        source.own(f"steps_per_mm.{letter}", [("$", f"{100 + k}")])
     source.path("path.chord_error_mm", [("$", "12")])
     source.path("spindle.rpm_max", [("$", "30")])
-    deviation, comment = source.number(("$", "11"))
-    if deviation is not None:
-        source.draft.left.append(f"{comment} (junction deviation; see path.tolerance_mm)")
+    is_hal = ("$", "398") in has or ("i", "firmware") in has
+    words = "its settings say so" if is_hal else 'grblHAL writes the same: then say "grblhal"'
+    source.draft.put("control.kind", "grblhal" if is_hal else "grbl", words)
+    source.own("junction_deviation", [("$", "11")], Decimal("0.01"))
+    source.own("arc_tolerance", [("$", "12")], Decimal("0.002"))
+    laser, comment = source.number(("$", "32"))
+    source.draft.put("control.laser_mode", laser == 1, comment or "not in the source: off")
+    blocks, comment = source.number(("$", "398"), ("i", "blocks"))
+    if blocks is not None:
+        source.draft.put("control.planner_blocks", blocks + (("$", "398") not in has), comment)
     source.draft.put("dialect.base", "grbl")
     return letters
 
@@ -239,9 +273,63 @@ def _fill_klipper(source):
             source.draft.axis(letter, "min", Decimal(0), "position_min is 0 unless it is told")
     source.path("path.feed_max_mm_min", [("printer", "max_velocity")], Decimal(60))
     source.path("path.a_max_mm_s2", [("printer", "max_accel")])
+    _own_klipper(source)
     source.draft.put("dialect.base", "marlin")
-    source.draft.put("dialect.feed_default_mm_min", 1800, "until the first F; not in the source")
+    source.draft.put("dialect.feed_default_mm_min", 1500, "until the first F, as Klipper has it")
+    if "extruder" in source.form.heads.values():
+        source.axes.add("extruder")
+        _extruder(source)
+        letters = [*letters, "u"]
     return letters
+
+
+_KLIPPER = {  # Klipper's own defaults, where it has any
+    "max_velocity": None, "max_accel": None, "max_z_velocity": None, "max_z_accel": None,
+    "square_corner_velocity": Decimal(5), "minimum_cruise_ratio": Decimal("0.5"),
+}  # fmt: skip
+_EXTRUDER = {
+    "instantaneous_corner_velocity": Decimal(1), "max_extrude_only_velocity": None,
+    "max_extrude_only_accel": None, "nozzle_diameter": None, "filament_diameter": None,
+}  # fmt: skip
+
+
+def _own_klipper(source):
+    source.draft.put("control.kind", "klipper")
+    for key, default in _KLIPPER.items():
+        source.own(key, [("printer", key)], default)
+    for key, default in _EXTRUDER.items():
+        source.own(key, [("extruder", key)], default)
+    arcs = "gcode_arcs" in source.form.heads.values()
+    if arcs:
+        source.axes.add("gcode_arcs")
+        source.own("resolution", [("gcode_arcs", "resolution")], Decimal(1))
+    else:
+        source.draft.left.append("no [gcode_arcs]: Klipper knows no G2 and G3; their time is told")
+
+
+def _extruder(source):
+    """The axis of the filament: as fast alone as Klipper lets it be."""
+    values = source.draft.values
+
+    def of(key, default):
+        return Decimal(values.get(f"control.{key}", (default, ""))[0])
+
+    radius = of("filament_diameter", "1.75") / 2
+    ratio = 4 * of("nozzle_diameter", "0.4") ** 2 / (_PI * radius**2)
+    for quantity, own, key in (
+        ("v_max", "max_extrude_only_velocity", "max_velocity"),
+        ("a_max", "max_extrude_only_accel", "max_accel"),
+    ):
+        if f"control.{own}" in values:
+            source.draft.axis("u", quantity, of(own, 1), own)
+        elif f"control.{key}" in values:
+            words = "the extruder, E: by nozzle and filament, as Klipper has it"
+            source.draft.axis("u", quantity, round(of(key, 1) * ratio, 3), words)
+    for end in ("min", "max"):
+        source.draft.put(f"axis.u.{end}_mm", "free")
+
+
+_PI = Decimal("3.14159265358979")
 
 
 def _fill_fluidnc(source):
@@ -258,9 +346,55 @@ def _fill_fluidnc(source):
             ends = (at - travel, at) if up else (at, at + travel)
             for end, place in zip(("min", "max"), ends, strict=True):
                 source.draft.axis(letter, end, place, comment)
+        source.own(f"steps_per_mm.{letter}", [(own, "steps_per_mm")])
     source.path("path.chord_error_mm", [("", "arc_tolerance_mm")])
+    source.draft.put("control.kind", "fluidnc")
+    source.own("junction_deviation", [("", "junction_deviation_mm")], Decimal("0.01"))
+    source.own("arc_tolerance", [("", "arc_tolerance_mm")], Decimal("0.002"))
+    source.own("planner_blocks", [("", "planner_blocks")])
     source.draft.put("dialect.base", "grbl")
     return letters
+
+
+def _fill_marlin(source):
+    has = source.settings
+    letters = [letter for letter in AXES if ("m203", letter) in has]
+    if ("", "g20") in has:
+        source.draft.problems.append(("M503", "in inches: send G21 before M503"))
+    source.draft.put("control.kind", "marlin")
+    extrudes = ("m203", "e") in has
+    for own in [*letters, *(["e"] if extrudes else [])]:
+        letter = "u" if own == "e" else own
+        source.axis(letter, "v_max", [("m203", own)])
+        source.axis(letter, "a_max", [("m201", own)])
+        source.own(f"steps_per_mm.{own}", [("m92", own)])
+        if ("m205", "j") not in has:
+            source.own(f"jerk.{own}", [("m205", own)])
+    for key, word in (("acceleration", "p"), ("travel_acceleration", "t"),
+                      ("retract_acceleration", "r")):  # fmt: skip
+        source.own(key, [("m204", word), ("m204", "s")])
+    source.own("min_segment_time_us", [("m205", "b")])
+    _deviation_of_marlin(source)
+    if extrudes:
+        letters = [*letters, "u"]
+        for end in ("min", "max"):
+            source.draft.put(f"axis.u.{end}_mm", "free")
+    source.draft.left.append("travel: M503 does not have it; taken as free")
+    source.draft.put("dialect.base", "marlin")
+    source.draft.put("dialect.feed_default_mm_min", 1500, "until the first F, as Marlin has it")
+    return letters
+
+
+def _deviation_of_marlin(source):
+    deviation, comment = source.number(("m205", "j"))
+    if deviation is None:
+        return
+    source.draft.put("control.junction_deviation", deviation, comment)
+    if deviation.as_tuple().exponent >= -2:
+        source.draft.left.append(
+            f"{comment}: M503 prints two decimals, so J0.01 may be 0.005 to 0.015; "
+            "Configuration.h has it whole: JUNCTION_DEVIATION_MM"
+        )
 
 
 _READERS = {
@@ -268,4 +402,5 @@ _READERS = {
     "grbl or grblHAL ($$)": (forms.grbl, _fill_grbl),
     "Klipper (printer.cfg)": (forms.klipper, _fill_klipper),
     "FluidNC (YAML)": (forms.fluidnc, _fill_fluidnc),
+    "Marlin (M503)": (forms.marlin, _fill_marlin),
 }

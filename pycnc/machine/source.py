@@ -272,11 +272,11 @@ class _Klipper:
             self.section = None
 
 
-# ---- grbl: $110=500.000
+# ---- grbl: $110=500.000, and of $I what it says of the build
 
 
 def grbl(text, folder):
-    """Read what $$ prints, or what is sent to set it; grbl has no other files."""
+    """Read what $$ and $I print, or what is sent to set it; grbl has no other files."""
     del folder
     form = Form()
     for row in _rows(text):
@@ -286,6 +286,37 @@ def grbl(text, folder):
         pair = re.match(r"\s*\$(\d+)\s*=\s*([^\s(;]+)", row.raw, re.ASCII)
         if pair:
             form.put(("$", str(int(pair[1]))), pair[2], [row], last_counts=True)
+        build = re.match(r"\s*\[OPT:[^,\]]*,(\d+)", row.raw, re.ASCII)
+        if build:
+            form.put(("i", "blocks"), build[1], [row], last_counts=True)
+        if re.match(r"\s*\[FIRMWARE:\s*grblHAL", row.raw, re.I):
+            form.put(("i", "firmware"), "grblHAL", [row], last_counts=True)
+    return form
+
+
+# ---- Marlin: M203 X300.00 Y300.00 Z20.00 E60.00
+
+
+def marlin(text, folder):
+    """Read what M503 prints, or what is sent to set it: M words with a number behind each letter.
+
+    Of another extruder (T1) the line is told and not read.
+    """
+    del folder
+    form = Form()
+    for row in _rows(text):
+        bare = re.sub(r";.*", "", re.sub(r"^\s*echo:", "", row.raw, flags=re.I)).strip()
+        if not bare:
+            continue
+        form.rows.append(row)
+        words = re.match(r"([GM]\d+)\b(.*)", bare, re.I)
+        if not words or re.search(r"\bT[1-9]", words[2]) and words[1].upper() != "M204":
+            continue
+        if words[1].upper() == "G20":
+            form.put(("", "g20"), "G20", [row], last_counts=True)
+        for letter, value in re.findall(r"([A-Za-z])\s*([^\sA-Za-z]+)", words[2]):
+            key = (words[1].lower(), letter.lower())
+            form.put(key, value, [row], last_counts=True)
     return form
 
 

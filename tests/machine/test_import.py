@@ -105,8 +105,9 @@ def test_klipper():
     assert data["path"] == {"feed_max_mm_min": 18000, "a_max_mm_s2": 3000}
     assert data["dialect"]["base"] == "marlin"
     assert "v_max_mm_s = 10 # line 14: max_z_velocity: 10" in result.out
-    assert "square_corner_velocity: 5.0" in result.err
-    assert "#   line 16: square_corner_velocity: 5.0" in result.out
+    assert data["control"]["kind"] == "klipper" and data["control"]["max_accel"] == 3000
+    assert "square_corner_velocity = 5 # line 16: square_corner_velocity: 5.0" in result.out
+    assert "minimum_cruise_ratio = 0.5 # not in the source: the control's own default" in result.out
 
 
 def test_linuxcnc_in_inches():
@@ -129,7 +130,7 @@ def test_grbl():
     assert (data["axis"]["x"]["min_mm"], data["axis"]["x"]["max_mm"]) == (-300, 0)
     assert "min_mm" not in data["axis"]["y"]
     assert (data["path"]["chord_error_mm"], data["spindle"]["rpm_max"]) == (0.002, 12000)
-    assert "junction deviation" in result.err
+    assert data["control"]["kind"] == "grbl" and "junction_deviation" in data["control"]
 
 
 def test_fluidnc():
