@@ -47,12 +47,14 @@ static double along_at(const nck_optimal_t *self, const nck_seg_t *seg, double w
     const double per = seg->length / self->terms->knot_s;
     double tangent[NCK_AXIS_MAX];
     const int axes = self->terms->axes;
+    double all = 0.0;
     double tool = 0.0;
-    double rest = 0.0;
     nck_path_tangent_part(seg, w * seg->length, axes, tangent);
-    for (int x = 0; x < axes && x <= NCK_AXIS_Z; x++) tool += tangent[x] * tangent[x];
-    for (int x = NCK_AXIS_Z + 1; x < axes; x++) rest += tangent[x] * tangent[x];
-    return per * per * nck_max(tool + rest, tool / (seg->feed_scale * seg->feed_scale));
+    for (int x = 0; x < axes; x++) {
+        all += tangent[x] * tangent[x];
+        if (x <= NCK_AXIS_Z) tool = all;
+    }
+    return per * per * nck_max(all, tool / (seg->feed_scale * seg->feed_scale));
 }
 
 // What stands about a node: within half an interval of it b is a mean of its own and both
