@@ -72,6 +72,7 @@ TABLES = (
     ("[home.g28], [home.g30], [home.g30_p3], [home.g30_p4], [work.g54] …", schema.Position),
     ("[tool.N]", schema.Tool),
     ("[m.N]", schema.OwnM),
+    ("[g.N]", schema.OwnG),
 )
 RAISED = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
 MACHINE_HEAD = """\

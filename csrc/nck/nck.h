@@ -81,7 +81,7 @@ typedef struct nck_modal {
     uint8_t feed_mode;    // nck_feed_mode_t
     uint8_t path_mode;    // nck_path_mode_t
     uint8_t spindle_on;   // 1: M3 or M4
-    uint8_t work_system;  // 0: G54 … 8: G59.3
+    uint8_t work_system;  // 0: G54 … 8: G59.3, 9: that of G54.1 P
     double tolerance_mm;  // G64 P
     double feed;          // by feed_mode [mm/min, 1/min, mm/rev]; 0: none yet
     double spindle_rpm;   // S; 0: none yet

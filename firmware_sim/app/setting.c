@@ -61,6 +61,7 @@ static const setting_t settings[] = {
     ONE(dialect.probe, BYTE),
     ONE(dialect.integers, BYTE),
     ONE(dialect.comp_start, BYTE),
+    ONE(dialect.skip_switches, WORD),
     ONE(dialect.from_line, WORD),
     ONE(dialect.feed_default, REAL),
     ONE(dialect.scale_unit, REAL),
@@ -85,6 +86,17 @@ static const setting_t settings[] = {
     ONE(own_m_count, WORD),
     RECORDS(own_m, code, HALF),
     RECORDS(own_m, waits, BYTE),
+    ONE(own_g_count, WORD),
+    RECORDS(own_g, tolerance, REAL),
+    RECORDS(own_g, value, WORD),
+    RECORDS(own_g, code, HALF),
+    RECORDS(own_g, letter, BYTE),
+    RECORDS(own_g, action, BYTE),
+    ONE(work_more_count, WORD),
+    {"work_more.zero_nm", INTEGER, offsetof(nck_machine_t, work_more[0].zero_nm),
+     (int64_t)(sizeof MACHINE->work_more / sizeof MACHINE->work_more[0]), NCK_AXIS_MAX,
+     sizeof MACHINE->work_more[0]},
+    RECORDS(work_more, number, WORD),
 };
 
 static const setting_t *find(const app_word_t *name) {

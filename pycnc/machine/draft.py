@@ -4,6 +4,7 @@
 from decimal import Decimal
 
 from pycnc.machine import schema
+from pycnc.machine.quantity import TRAVEL_LIMIT
 from pycnc.machine.schema import AXES, MachineFile, position_key, unit_of
 
 JERK_RISE_S = Decimal("0.05")  # where nobody says: so long until the highest acceleration
@@ -39,7 +40,7 @@ class Draft:
         """Set a limit of an axis: v_max, rapid, a_max, j_max, min or max [mm, deg, s]."""
         ends = {"v_max": "_s", "rapid": "_s", "a_max": "_s2", "j_max": "_s3"}
         key = f"axis.{letter}.{quantity}_{unit_of(letter)}{ends.get(quantity, '')}"
-        is_free = quantity in ("min", "max") and abs(value) > schema.TRAVEL_LIMIT
+        is_free = quantity in ("min", "max") and abs(value) > TRAVEL_LIMIT
         self.put(key, "free" if is_free else value, comment)
 
     def limit(self, letter, quantity):

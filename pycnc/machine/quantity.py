@@ -22,6 +22,14 @@ def _travel(value):
     return None if value is None or value == "free" else number(value)
 
 
+def _digits(value):
+    """Let digits pass, as text or as a whole number."""
+    text = str(value) if isinstance(value, str | int) and not isinstance(value, bool) else ""
+    if not isinstance(value, str | int) or not set(text) <= set("123456789"):
+        raise ValueError("must be digits 1 to 9, as in 25")
+    return text
+
+
 Number = Annotated[Decimal, Strict(False)]
 
 
@@ -44,6 +52,7 @@ Leads = Annotated[Number, Field(ge=0, le=10), BeforeValidator(number)]
 Unit = Annotated[Number, Field(ge=0, le=1), BeforeValidator(number)]
 Seconds = Annotated[Number, Field(ge=0, le=3600), BeforeValidator(number)]
 Coordinate = Annotated[Number, Field(ge=-TRAVEL_LIMIT, le=TRAVEL_LIMIT), BeforeValidator(number)]
+Switches = Annotated[str, BeforeValidator(_digits)]
 Travel = Annotated[
     Annotated[Number, Field(ge=-TRAVEL_LIMIT, le=TRAVEL_LIMIT)] | None, BeforeValidator(_travel)
 ]

@@ -7,6 +7,7 @@ import numpy as np
 
 from pycnc.kernel.bind import lib
 from pycnc.kernel.records import counts_per_unit, dtype, quantity_range
+from pycnc.machine.own import g_code
 from pycnc.machine.schema import (
     AXES,
     ROTARY_AXES,
@@ -61,6 +62,11 @@ _FEEDS = {
     "per_minute": lib.NCK_FEED_START_MINUTE,
     "per_rev": lib.NCK_FEED_START_REV,
 }
+_ACTIONS = {
+    "note": lib.NCK_G_NOTE,
+    "ignore": lib.NCK_G_IGNORE,
+    "tolerance": lib.NCK_G_TOLERANCE,
+}
 DIALECTS = frozenset(_DIALECTS)
 
 
@@ -86,6 +92,8 @@ def rows_of(settings):
     _fill_positions(record, settings)
     _fill_tools(record, settings.tool)
     _fill_own_m(record, settings.m)
+    _fill_own_g(record, settings.g)
+    _fill_further(record, settings.work.p)
     return rows
 
 
@@ -142,6 +150,7 @@ def _fill_dialect(row, dialect):
     row["diameter"], row["inch"] = dialect.diameter, dialect.units == "inch"
     row["plane"], row["arc_absolute"] = dialect.plane, dialect.arc_centre == "absolute"
     row["block_skip"], row["optional_stop"] = dialect.block_skip, dialect.optional_stop
+    row["skip_switches"] = sum(1 << int(digit) for digit in set(dialect.skip_switches))
     row["from_line"] = dialect.from_line
     row["feed_default"] = float(dialect.feed_default_mm_min)
 
@@ -182,3 +191,19 @@ def _fill_own_m(record, codes):
     record["own_m_count"] = len(codes)
     for row, (number, code) in zip(record["own_m"], codes.items(), strict=False):
         row["code"], row["waits"] = int(number), code.action == "wait"
+
+
+def _fill_own_g(record, codes):
+    record["own_g_count"] = len(codes)
+    for row, (name, own) in zip(record["own_g"], codes.items(), strict=False):
+        row["code"], letter, row["value"] = g_code(name) or (0, "", 0)
+        row["letter"] = ord(letter) if letter else 0
+        row["action"] = _ACTIONS[own.action]
+        row["tolerance"] = float(own.tolerance_mm)
+
+
+def _fill_further(record, places):
+    record["work_more_count"] = len(places)
+    for row, (number, place) in zip(record["work_more"], places.items(), strict=False):
+        row["number"] = int(number)
+        row["zero_nm"] = [_counts(place.along(letter), letter) for letter in AXES]

@@ -10,6 +10,7 @@ from typing import Annotated, Literal, get_args
 from pydantic import Field, model_validator
 
 from pycnc.machine.control import Control, contradictions as _control_contradictions
+from pycnc.machine.own import OwnG, OwnM, code_problems
 from pycnc.machine.quantity import (
     TRAVEL_LIMIT,
     Acceleration,
@@ -24,6 +25,7 @@ from pycnc.machine.quantity import (
     Size,
     Speed,
     SpeedPerMinute,
+    Switches,
     Table,
     Travel,
     Unit,
@@ -200,7 +202,7 @@ class Dialect(Table):
     feed: Literal["per_minute", "per_rev"] | None = Field(
         None,
         description="What F means at start (G94 or G95, in system A G98 or G99). Not said: per "
-        "minute, and on a lathe that speaks Fanuc's language a note.",
+        "minute; on a lathe that speaks Fanuc's language per revolution, and a note.",
     )
     scale_unit: Unit = Field(
         Decimal(0),
@@ -238,6 +240,16 @@ class Dialect(Table):
         "incremental", description="How I J K are meant at start (G91.1 or G90.1)."
     )
     block_skip: bool = Field(False, description="Lines that begin with / are skipped.")
+    skip_switches: Switches = Field(
+        "",
+        description="Digits 1 to 9: the same for these numbers alone, as `25` for /2 and /5. A / "
+        "without a number is /1; in the middle of a line, where Fanuc has it, it skips the rest.",
+    )
+    programs: str = Field(
+        "",
+        description="Folder of the programs that a text calls and does not hold, such as O9000.nc, "
+        "9000.nc or name.ngc, seen from where pycnc runs.",
+    )
     optional_stop: bool = Field(False, description="M1 stops.")
     from_line: int = Field(
         0, ge=0, le=4_294_967_295,
@@ -315,6 +327,11 @@ class Work(Table):
     g59_1: Position = Field(Position(), description="Zero point of G59.1.")
     g59_2: Position = Field(Position(), description="Zero point of G59.2.")
     g59_3: Position = Field(Position(), description="Zero point of G59.3.")
+    p: dict[str, Position] = Field(
+        {},
+        description="Zero points of Fanuc's further systems, a table for each: `[work.p.7]` is "
+        "that of G54.1 P7 (G54 P7; Haas: G154 P7, G116).",
+    )
 
 
 class Tool(Table):
@@ -331,15 +348,6 @@ class Tool(Table):
         0,
         description="Lathe: where the tip points, 0 to 9, as the language of the file's "
         "`dialect.base` numbers it: X−, Z− is 3 for Fanuc (and Haas), 2 for LinuxCNC.",
-    )
-
-
-class OwnM(Table):
-    """An M code of the machine's own."""
-
-    action: Literal["output", "wait"] = Field(
-        description="`output`: the code is handed over and the path goes on. `wait`: the path "
-        "rests, the code is handed over, and the program waits to be resumed."
     )
 
 
@@ -366,6 +374,11 @@ class MachineFile(Table):
     tool: dict[str, Tool] = Field({}, description="The tool table, one table for each number.")
     m: dict[str, OwnM] = Field(
         {}, description="M codes of the machine's own, one table for each: `[m.428]`."
+    )
+    g: dict[str, OwnG] = Field(
+        {},
+        description="G codes that choose a mode of the control's, or that the language does not "
+        "have: `[g.187]`, `[g.5_1_q1]` for G5.1 Q1.",
     )
 
 
@@ -399,9 +412,7 @@ def contradictions(machine):
         )
     yield from _control_contradictions(machine.control, axes)
     yield from _approach_contradictions(machine.approach, machine.kinematics, axes)
-    for number in machine.m:
-        if not (number.isdecimal() and number.isascii() and number == str(int(number))):
-            yield f"m.{number}", "an M code's name is its number, as in [m.428]"
+    yield from code_problems(machine)
     for number in machine.tool:
         if not (
             number.isdecimal()
@@ -456,6 +467,8 @@ def _positions(machine):
             yield f"home.{name}", place
     for name in WORK_SYSTEMS:
         yield f"work.{name}", getattr(machine.work, name)
+    for number, position in machine.work.p.items():
+        yield f"work.p.{number}", position
 
 
 def _position_contradictions(name, position, axes, travel):

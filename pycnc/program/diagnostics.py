@@ -108,6 +108,16 @@ class Diagnostics(Tables):
         self.counts[finding.id] += count
         self.errors += count * (finding.severity == "error")
 
+    def lead(self, finding, cured):
+        """Put a finding before all others; of the ids that it explains one each is shown."""
+        once = {}
+        for each in self.shown:
+            if each.id in cured:
+                once.setdefault(each.id, each)
+        kept = [each for each in self.shown if each.id not in cured or once[each.id] is each]
+        self.shown = [finding, *kept]
+        self.counts[finding.id] += 1
+
     def hidden(self):
         """Yield (id, severity, how many) of what is counted and not shown."""
         shown = Counter(finding.id for finding in self.shown)
@@ -152,8 +162,14 @@ class Diagnostics(Tables):
 class Wording:
     """Puts the kernel's findings about one program into words."""
 
-    def __init__(self, file, lines, machine):
+    def __init__(self, file, lines, machine, places=()):
         self._file, self._lines, self._machine = file, lines, machine
+        self._places = places  # (line of its remark, file) of programs of other files
+
+    def _place(self, line):
+        """Return (file, line there) of a line of the text."""
+        before = [each for each in self._places if each[0] < line]
+        return (before[-1][1], line - before[-1][0]) if before else (self._file, line)
 
     def add(self, diagnostics, rows):
         """Add findings of the kernel to a collection.
@@ -183,7 +199,7 @@ class Wording:
         fields = self._fields(name, row, source)
         message, remedy = (words.format_map(fields) for words in _wording(name, fields))
         severity = severity_of(name)
-        return Diagnostic(self._file, line, column, name, severity, message, remedy, source)
+        return Diagnostic(*self._place(line), column, name, severity, message, remedy, source)
 
     def _fields(self, name, row, source):
         letter, column = chr(row["letter"]) if row["letter"] else "", int(row["column"])
@@ -205,6 +221,7 @@ class Wording:
             "end": "max" if value > limit else "min",
             "dialect": _DIALECTS.get(int(value), "a language of its own"),
             "remark": _remark(source, column),
+            "key_of_g": f"{float(value):g}".replace(".", "_"),
             "base": settings.dialect.base,
             **_whose(int(limit) if name == "other-base" else 0),
             "units": "inches (G20)" if settings.dialect.units == "inch" else "mm (G21)",

@@ -17,14 +17,14 @@ _SIGNS = {
     "linuxcnc": (
         (rb"^(N\d+ *)?O *(<[^>]+>|\d+) *(SUB|CALL|IF|WHILE|DO|REPEAT)\b", "a controlling O word"),
         (rb"#<\w+>", "a named parameter"),
-        (rb"^[^;(]*G(64 *P|33\.1|43\.2|59\.[123]|61\.1|7[0123]\.[0-9]|9[0123]\.[0-9])", "{found}"),
+        (rb"^[^;(]*G(64 *P|33\.1|43\.2|59\.[123]|7[0123]\.[0-9]|9[0123]\.[0-9])", "{found}"),
         (rb"^[^;(]*G9[56][^;(]* D\d", "G96 with D"),
     ),
     "fanuc": (
         (rb"^[O:]\d{2,}\s*(\(.*)?$", "{found} names the program"),
         (rb"^(N\d+ *)?(IF *\[|WHILE *\[|GOTO *\d|#\d+ *= *|G65\b|G66\b)", "a macro: {found}"),
         (rb"^[^;(]*\bM98 *P", "M98 calls a subprogram"),
-        (rb"^[^;(]*\bG(50 *S|43\.4|05\.1|28 *U)", "{found}"),
+        (rb"^[^;(]*\bG(50 *S|43\.4|0?5(\.1)? *[PQ]\d|0?8 *P\d|54\.1|154 *P|187|28 *U)", "{found}"),
     ),
     "grbl": (
         (rb"\bgrbl\b", "the text names it"),
@@ -35,6 +35,11 @@ _SIGNS = {
     dialect: [(re.compile(sign, re.IGNORECASE), reason) for sign, reason in signs]
     for dialect, signs in _SIGNS.items()
 }
+
+
+def beginning(text):
+    """Return the first lines of a text."""
+    return text[: 200 * LINES].splitlines()[:LINES]
 
 
 def dialect_of(text):
@@ -53,7 +58,7 @@ def dialect_of(text):
     reason : str
         In words.
     """
-    lines = [line.strip().lstrip(b"/") for line in text[: 200 * LINES].splitlines()[:LINES]]
+    lines = [line.strip().lstrip(b"/") for line in beginning(text)]
     for dialect, signs in _SIGNS.items():
         for number, line in enumerate(lines, 1):
             for sign, reason in signs:

@@ -15,6 +15,15 @@ _D_OFFSET = (
     "G10 L{value} sets an offset for D: Fanuc's mills do, by radius or by diameter",
     "where the control is one, say which it takes: --set dialect.d_offset=radius (or diameter)",
 )
+_PROBES = (
+    "{found} has the printer probe: its moves and their time are left out",
+    "say so: --set g.{key_of_g}.action=ignore",
+)
+_RETRACTS = (
+    "{found} is a retraction of the firmware's own: it is left out, and so is its time",
+    "have the slicer write retractions as moves of E, or say so: "
+    "--set g.{key_of_g}.action=ignore",
+)
 _OWN_M = (
     "M{value} is a function of the machine's own, and its file does not name it",
     "if the machine has it: --set m.{value:.0f}.action=output (or wait, until it is done)",
@@ -283,6 +292,13 @@ WORDING = {
         "states are kept in more calls than {limit:.0f}",
         "restore or forget them (M72, M71) before",
     ),
+    "mode-stays": (
+        "{found} chooses how the control smooths or looks ahead; here the path's tolerance holds",
+        "say what it means on this machine: --set g.{key_of_g}.action=ignore, or "
+        "g.{key_of_g}.action=tolerance and g.{key_of_g}.tolerance_mm=0.01",
+    ),
+    **{f"mode-stays:G{code}": _PROBES for code in (29, 30, 34)},
+    **{f"mode-stays:G{code}": _RETRACTS for code in (10, 11)},
     "limits-stay": (
         "M201 to M205 change limits of a printer's firmware: here the machine's hold",
         "set them in the machine file, as in --set axis.x.a_max_mm_s2=1000",
@@ -303,8 +319,9 @@ WORDING = {
         "if that is wrong: --set dialect.system=B (or C); if it is right, A says so",
     ),
     "assumed-feed-mode": (
-        "F is read per minute: no G98 or G99 (systems B and C: G94 or G95) stands before it",
-        "if that is wrong: --set dialect.feed=per_rev; if it is right, per_minute says so",
+        "F is read per revolution, as Fanuc's lathes begin: no G98 or G99 (systems B and C: G94 or "
+        "G95) stands before it",
+        "if that is wrong: --set dialect.feed=per_minute; if it is right, per_rev says so",
     ),
     "assumed-integers": (
         "numbers without a point are read in mm, inches, degrees or seconds: X100 is 100.0",

@@ -54,6 +54,18 @@ _SPLINE_OPEN = (
     "say G5.3 behind its last point; of G6.2 as many lines with K alone as its order P",
 )
 
+_POLAR_ZERO = (
+    "{found} counts from the program's zero, and another code of its block moves that",
+    "put the other code on a line before",
+)
+_POLAR_SHARED = ("{found} says where X and Y are, and so does another word", "keep one of both")
+_POLAR_PLANE = ("{found} is a place in the plane of X and Y, and another one is in force",
+                "say G17 before it")  # fmt: skip
+_POLAR_STEP = (
+    "{found} is a step from the program's zero, where no angle is",
+    "go away from the zero before, or say G90 with a distance (@) and an angle (^)",
+)
+
 # As in wording.py.
 MOTION = {
     "word-missing:X90": _BOTH_ENDS,
@@ -178,6 +190,16 @@ MOTION = {
     "layout-on:?": (
         "an arc while its plane is scaled unevenly would be none, and I J K count from its start",
         "give both axes of the plane the same factor; G91.1 (dialect.arc_centre)",
+    ),
+    **{f"incremental:{sign}": _POLAR_ZERO for sign in "@^"},
+    **{f"word-shared:{sign}": _POLAR_SHARED for sign in "@^"},
+    **{f"unsupported:{sign}": _POLAR_PLANE for sign in "@^"},
+    **{f"value:{sign}": _POLAR_STEP for sign in "@^"},
+    "scale-unit:Q": (
+        "a control may read {letter}{value} as {value} mm, or as {value} least increments "
+        "(0.001 mm)",
+        "write a point ({letter}{value}.) or say what it is: --set dialect.integers=increments "
+        "(or units)",
     ),
     "scale-unit": (
         "a control may read the factor {letter}{value} as {value}, as thousandths, or less",

@@ -112,7 +112,7 @@ static void fanuc_keeps_places_and_data(check_t *check) {
     case_decode(&self, "G21 G90 F60 G0 Z9\nG91 G81 X2 R-7 Z-3\nG90 X4\nM2\n");
     CHECK_INT(check, self.errors, 0);
     check_deeds(check, 5, 2, (const deed_t[]){{'r', 9}, {'r', 2}, {'l', -1}, {'r', 9}, {0, 0}});
-    case_decode(&self, "G21 G90 G99 F60 G0 Z9\nG81 X2 R2 Z-1 K0\nG83 X4 Q2\nR1\nF70\nM2\n");
+    case_decode(&self, "G21 G90 G99 F60 G0 Z9\nG81 X2 R2 Z-1 K0\nG83 X4 Q2.\nR1\nF70\nM2\n");
     CHECK_INT(check, self.errors, 0);
     check_deeds(check, 1, 2, (const deed_t[]){{'r', 9}, {'r', 2}, {'l', 0}, {'r', 2}, {'r', 0.254},
                                               {'l', -1}, {'r', 2}, {'r', 1}, {'l', -1}, {'r', 1},

@@ -7,6 +7,7 @@ static decode_case_t self;
 
 static void begin(nck_system_t system) {
     case_begin(&self);
+    self.machine.dialect.feed = NCK_FEED_START_MINUTE;
     self.machine.dialect.base = NCK_DIALECT_FANUC;
     self.machine.dialect.system = (uint8_t)system;
     self.machine.dialect.plane = 18;

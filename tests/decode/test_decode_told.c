@@ -120,7 +120,7 @@ static const told_row_t plain_rows[] = {
      " 17 rapid X25; 18 rapid X5.5; !19:6 word-unknown E; !20:6 character 44/0"},
     {"G0 X1 !\nG0 X1 [2]\nG0 X1 @\nG0 X1 ^\nG0 X1 -2\nG0 X1 .5\nG0 X1 )\n(open\nG0 X1 \"a\"\n"
      "G0 X1 $\n",
-     "!1:7 character 33/0; !2:7 unsupported 91/0; !3:7 unsupported 64/0; !4:7 unsupported 94/0;"
+     "!1:7 character 33/0; !2:7 unsupported 91/0; !3:8 expression; !4:8 expression;"
      " !5:7 number 45/0; 6 rapid X1.5; !7:7 character 41/0; !8:1 comment; !9:7 character 34/0;"
      " !10:7 character 36/0"},
 };

@@ -168,8 +168,8 @@ static const told_row_t fnotes_rows[] = {
      "G10 L2 P1 X5\n",
      "?1:0 assumed-units; ?1:0 assumed-distance; 1 rapid X1 Y2; ?2:0 assumed-integers;"
      " 2 rapid X5; 3 rapid Y6; ?4:0 assumed-plane; 4 arc X6 G17 about 5.5 5.13397 by -60 F100;"
-     " 5 dwell for 1; 6 dwell for 0.001; 7 rapid~ Z1; 7 line~ Z-1; 7 rapid~ Z1; 8 line~ Z0;"
-     " 8 rapid~ Z1; 8 rapid~ Z0.254; 8 line~ Z-1; 8 rapid~ Z1; !9:1 axis-unknown A"},
+     " 5 dwell for 1; 6 dwell for 0.001; 7 rapid~ Z1; 7 line~ Z-1; 7 rapid~ Z1;"
+     " !8:14 scale-unit Q 1/0; !9:1 axis-unknown A"},
 };
 
 static void what_a_mill_of_fanucs_assumes_is_noted(check_t *check) {
@@ -179,17 +179,17 @@ static void what_a_mill_of_fanucs_assumes_is_noted(check_t *check) {
 }
 
 static const told_row_t lnotes_rows[] = {
-    {"G0 X1. Z1.\nG1 X2. F.1\nG90 X1. Z-1.\nG94 X1. Z-1.\nG0 X5\nG92 X1. Z-1. F1.\n",
-     "?1:0 assumed-units; 1 rapid X0.5 Z1; ?2:0 assumed-feed-mode; 2 line X1 F0.1;"
-     " ?3:0 assumed-system; 3 rapid~ X0.5; 3 line~ Z-1; 3 line~ X1; 3 rapid~ Z1; 4 rapid~ Z-1;"
-     " 4 line~ X0.5; 4 line~ Z1; 4 rapid~ X1; ?5:0 assumed-integers; 5 rapid X2.5;"
-     " !6:1 thread-speed S"},
+    {"G0 X1. Z1.\nM3 S60\nG1 X2. F.1\nG90 X1. Z-1.\nG94 X1. Z-1.\nG0 X5\nM5\nG92 X1. Z-1. F1.\n",
+     "?1:0 assumed-units; 1 rapid X0.5 Z1 per-rev; 2 out S60; 2 out M3 S60;"
+     " ?3:0 assumed-feed-mode; 3 line X1 F0.1; ?4:0 assumed-system; 4 rapid~ X0.5; 4 line~ Z-1;"
+     " 4 line~ X1; 4 rapid~ Z1; 5 rapid~ Z-1; 5 line~ X0.5; 5 line~ Z1; 5 rapid~ X1;"
+     " ?6:0 assumed-integers; 6 rapid X2.5; 7 out M5 S0; !8:1 thread-speed S"},
     {"G98 G1 X1. F100.\nG99 G1 X1. F.1\n",
      "?1:0 assumed-units; 1 line X0.5 F100; !2:0 feed-missing S"},
     {"S9 M3 G92 X1. Z-1. F1.\nG90 X1. F1.\n",
-     "?1:0 assumed-feed-mode; 1 out S9; 1 out M3 S9; ?1:0 assumed-units; ?1:0 assumed-system;"
-     " 1 rapid~ X0.5; 1 thread Z-1 of 1 lead 1 for 10.01; 1 rapid~ X0; 1 rapid~ Z0;"
-     " !2:1 word-missing Z 90/0"},
+     "?1:0 assumed-feed-mode; 1 out S9 per-rev; 1 out M3 S9; ?1:0 assumed-units;"
+     " ?1:0 assumed-system; 1 rapid~ X0.5; 1 thread Z-1 of 1 lead 1 for 10.01; 1 rapid~ X0;"
+     " 1 rapid~ Z0; !2:1 word-missing Z 90/0"},
 };
 
 static void what_a_lathe_of_fanucs_assumes_is_noted(check_t *check) {

@@ -20,7 +20,7 @@ static const told_row_t fanuc_rows[] = {
      " 5 line~ Z-7; 5 dwell for 0.5; 5 rapid~ Z0; 6 rapid~ Z1; 6 rapid~ X0; 6 line~ Z-3;"
      " 6 rapid~ Z1; 6 rapid~ Z-2.746; 6 line~ Z-7; 6 rapid~ Z1; 6 rapid~ Z-6.746; 6 line~ Z-9;"
      " 6 rapid~ Z1; 7 rapid~ Z2; 7 line~ Z-2; 7 rapid~ Z2; 7 rapid~ Z-1.746; 7 line~ Z-6;"
-     " 7 rapid~ Z2; 7 rapid~ Z-5.746; 7 line~ Z-9; 7 rapid~ Z2; !9:1 no-motion X"},
+     " 7 rapid~ Z2; 7 rapid~ Z-5.746; 7 line~ Z-9; 7 rapid~ Z2; 9 rapid X9"},
     {"G0 Z10. F100.\nG98 G81 X1. Z-5. R2. K0\nX2.\nG99 X3. L2\nX4. K2 L2\nG73 X5. Q3.\n"
      "G86 X6.\nG89 X7. P1000\nG80 G0 Z20.\n",
      "1 rapid Z10; 3 rapid~ X2; 3 rapid~ Z2; 3 line~ Z-5 F100; 3 rapid~ Z10; 4 rapid~ X3;"
@@ -44,7 +44,7 @@ static const told_row_t fanuc_rows[] = {
     {"G10 L2 P1 X10. Y20.\nG0 X1. Y1.\nG10 L2 P0 X5.\nX1.\nG91 G10 L2 P1 X1.\nG90 X1.\n"
      "G10 L2 P0 X1.\nG54 X0.\nG10 L2 P7 X1.\nG10 L20 P1 X0.\nG10 L2 P6 X100.\nG59 X1.\n",
      "2 rapid X11 Y21; 4 rapid X16; 6 rapid X17; 8 rapid X12; !9:8 number-range P 7/6;"
-     " !10:5 unsupported L 20/0; 12 rapid X102"},
+     " 12 rapid X102"},
     {"G52 X1. Y2.\nG0 X1. Y1.\nG52 X0. Y0.\nX1.\nG92 X5.\nX6.\nG52 X3.\nG92.1\n",
      "2 rapid X2 Y3; 4 rapid X1; !5:1 unsupported G 92/0; 6 rapid X6; !8:1 unsupported G 92.1/0"},
     {"G43\nG43 H1\nG49 G0 X1.\nG30 X1.\nG30 P2\nG30 P3\nG30 P1\nG30 P5\nG53 X1.\nG28 X5. Y6.\n"

@@ -114,7 +114,7 @@ static const told_row_t ports_rows[] = {
      " !19:8 number-range Q -1/1e+09; !20:8 modal-group M 63/0; !21:11 word-twice P"},
     {"M19\nM19 R90\nM41\nM61 Q1\nM100\nM6\nM199\nM30 X1\n",
      "!1:1 unsupported M 19/0; !2:1 unsupported M 19/0; !3:1 unsupported M 41/0;"
-     " !4:1 unsupported M 61/0; !5:1 m-unknown M 100/0; 6 out M5; 6 wait M6;"
+     " !5:1 m-unknown M 100/0; 6 out M5; 6 wait M6;"
      " !7:1 m-unknown M 199/0; !8:5 no-motion X"},
 };
 
@@ -152,7 +152,7 @@ static const told_row_t marlin_rows[] = {
      " 20 out M106=128; 21 out M107; 22 out M220=50; 23 out M221=95; 24 out M17; 25 out M84;"
      " 26 out M117; 27 out M118; 28 dwell for 0; ?29:0 limits-stay; 29 out M201; 30 out M205;"
      " 31 wait M1; 32 wait M0; 33 dwell for 1.5; 34 dwell for 0.25; 35 rapid;"
-     " 35 rapid X0 Y0 U0; 36 rapid; 36 rapid; !37:5 number Z; !38:1 unsupported G 29/0;"
+     " 35 rapid X0 Y0 U0; 36 rapid; 36 rapid; 37 rapid; 37 rapid; ?38:1 mode-stays G 29/0;"
      " 39 out M900"},
     {"M104\nM104 S-1\nM104 S1000001\nM104 S1000000\nM104 S200 G0 X1\nM104 S200 M106\n"
      "G1 X1 E1 U1 F60\nG4\nG4 S-1\nE2000000\nM82 M83\nM117\nM18 X\nM110 N5\nE1\n",
@@ -160,7 +160,7 @@ static const told_row_t marlin_rows[] = {
      " !3:6 number-range S 1000001/1000000; 4 out M104=1000000; !5:1 modal-group M 104/0;"
      " !6:11 modal-group M 106/0; !7:10 word-twice U; !8:1 word-missing P;"
      " !9:4 number-range S -1/1000000; !10:1 number-range E 2000000/1000000;"
-     " !11:5 modal-group M 83/0; 12 out M117; !13:5 number X; 14 out M110; 15 rapid U1"},
+     " !11:5 modal-group M 83/0; 12 out M117; 13 out M18; 14 out M110; 15 rapid U1"},
 };
 
 static void printers_have_words_of_their_own(check_t *check) {

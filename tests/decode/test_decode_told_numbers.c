@@ -101,7 +101,7 @@ static const told_row_t kept_rows[] = {
      " 19 rapid X54 Y170 Z0; 20 rapid X540; !21:7 modal-group G 90.1/0; 22 rapid X0;"
      " 23 line F5; 24 line X10; 27 rapid X800; 28 rapid; 29 rapid X0; 30 rapid;"
      " !31:7 unsupported # 5429/0; 32 rapid Y0; 33 out T3; 33 out M5; 33 wait M6; 33 rapid;"
-     " 34 rapid; 35 rapid X7; 36 rapid X0; 38 rapid X1 Y2 Z3; 39 rapid X0;"
+     " 34 rapid X3; 35 rapid X7; 36 rapid X0; 38 rapid X1 Y2 Z3; 39 rapid X0;"
      " !40:7 unsupported # 5401/0; !41:7 other-base # 5001/6"},
 };
 

@@ -91,7 +91,7 @@ def last_place(text):
         ("G54 G0 X1 Y0 Z0\nG92 X5\nG52 X10\nX1\nM30\n", "unsupported"),
         ("G54 G0 X1 Y0 Z0\nG52 X10\nG92 X5\nX1\nM30\n", "unsupported"),
         ("G54 G0 X1 Y0 Z0\nG91 G52 X10\nX1\nM30\n", "incremental"),
-        ("G54 G0 X1 Y2 Z3\nG10 L20 P1 X0 Y0\nX1 Y1\nM30\n", "unsupported"),
+        ("G54 G0 X1 Y2 Z3\nG10 L20 P1 X0 Y0\nX1 Y1\nM30\n", [1, 1, 3]),
         ("G54 G0 X1 Y2 Z3\nG10 L2 P7 X0 Y0\nX1 Y1\nM30\n", "number-range"),
         ("G10 L2 P0 X5 Y6\nG54 G0 X1 Y2 Z3\nG55 X1\nM30\n", [6, 8, 3]),
         ("G10 L2 P0 X5\nG91 G10 L2 P0 X1\nG10 L2 P1 X1\nG90 G54 G0 X1 Y2 Z3\nM30\n",

@@ -37,7 +37,7 @@ def test_a_parameter_of_the_control_is_told_or_refused(tongue):
         told = {*range(1, 5001), *range(5061, 5071), *range(5220, 5401), *range(5420, 5429)}
     else:
         axes, turning = len(machine.axes), {4016} if tongue == "turning" else set()
-        rows = [5001, 5021, 5041, 5201, *range(5221, 5341, 20)]
+        rows = [5001, 5021, 5041, 5061, 5201, *range(5221, 5341, 20)]
         told = {*range(1, 34), *range(100, 1000), *groups, *turning, *range(5401, 5501)}
         told |= {first + k for first in rows for k in range(axes)}
     numbers = range(1, 10000)
@@ -59,15 +59,15 @@ def test_a_word_of_another_language_is_refused_where_it_stands(first):
 
 
 def test_a_refusal_names_line_column_and_whose_the_word_is():
-    program = pycnc.load("G21 G90\nG0 X1 G7\nM62 P1\nM30\n", machine_of("grbl"))
+    program = pycnc.load("G21 G90\nG0 X1 G7\nM60\nM30\n", machine_of("grbl"))
     errors = [each for each in program.diagnostics if each.severity == "error"]
     assert [(each.id, each.line, each.col) for each in errors] == [
         ("other-base", 2, 7), ("other-base", 3, 1)
     ]  # fmt: skip
     assert "linuxcnc" in errors[0].message and "--dialect linuxcnc" in errors[0].help
-    assert "m.62.action=output" in errors[1].help
-    own = machine_of("grbl", **{"m.62.action": "output"})
-    assert decode("G21 G90\nM62\nM30\n", own)[1] == []
+    assert "m.60.action=output" in errors[1].help
+    own = machine_of("grbl", **{"m.60.action": "output"})
+    assert decode("G21 G90\nM60\nM30\n", own)[1] == []
 
 
 def places(text, machine):
@@ -132,6 +132,7 @@ def test_a_nose_is_numbered_as_its_language_does(number, tmp_path):
     there = pycnc.Machine.load("cak6150n", set={
         "dialect.base": "linuxcnc", "dialect.diameter": False, "tool.1.radius_mm": 0.4,
         "tool.1.orientation": number, "dialect.comp_start": "rs274",
+        "dialect.feed": "per_minute",
     })  # fmt: skip
     here = pycnc.Machine.load(there, dialect="fanuc", set={"tool.1.orientation": NOSES[number]})
     table = tmp_path / "tool.tbl"

@@ -12,7 +12,8 @@ from pycnc.machine import Machine
 TONGUES = {
     "linuxcnc": ("mill3", {"dialect.base": "linuxcnc"}),
     "fanuc": ("mill3", {"dialect.base": "fanuc"}),
-    "turning": ("cak6150n", {"dialect.base": "fanuc", "dialect.system": "B"}),
+    "turning": ("cak6150n", {"dialect.base": "fanuc", "dialect.system": "B",
+                             "dialect.feed": "per_minute"}),
     "grbl": ("mill3", {"dialect.base": "grbl"}),
     "marlin": ("mill3", {"dialect.base": "marlin"}),
 }
@@ -34,24 +35,29 @@ def _spread(words):
 # LinuxCNC 2.9, "G-Codes"; grbl 1.1, "Supported G-Codes"; Fanuc 0i-MF and 0i-TF, "Preparatory
 # function (G function)"; Marlin 2.1, "G-code Index".
 _MODAL = "0-4 17-21 28 53-59 80 90-92 "
+_HAAS = "110 111 114-129 154 187"  # Haas, "Mill G-codes"; G61.1: Mitsubishi's, and Mazak's
 G = {
     "linuxcnc": _MODAL
     + "5 5.1 5.2 5.3 7 8 9 10 28.1 30 30.1 33 33.1 38.2 38.3 38.4 38.5 40-43 41.1 42.1 43.1 43.2 "
     "49 52 59.1 59.2 59.3 61 61.1 64 73 74 76 81-86 89 90.1 91.1 92.1 92.2 92.3 93-99",
     "fanuc": _MODAL
-    + "6.2 9 10 15 16 30 40-43 49-52 50.1 51.1 61 64-69 73 74 81-86 89 93-99",
-    "turning": _MODAL + "9 10 30 33 40-42 52 61 64-67 70-79 93-97",
+    + "5 5.1 6.2 8 9 10 13.1 15 16 23 25 30 31 40-43 40.1 49-52 50.1 50.2 51.1 54.1 61-69 61.1 73 "
+    "74 81-86 89 93-99 " + _HAAS,
+    "turning": _MODAL
+    + "5 5.1 8 9 10 13.1 23 25 30 31 33 40-42 40.1 50.2 52 54.1 61-67 61.1 70-79 93-97 " + _HAAS,
     "grbl": _MODAL + "10 28.1 30 30.1 38.2 38.3 38.4 38.5 40 43.1 49 61 91.1 92.1 93 94",
-    "marlin": _MODAL + "5 59.1 59.2 59.3",
+    "marlin": _MODAL + "5 10 11 29 30 34 59.1 59.2 59.3",
 }
 G = {name: _spread(words) for name, words in G.items()}
 M = {
-    "linuxcnc": "0-9 30 48 49 60 62-68 70-73 98 99",
+    "linuxcnc": "0-9 30 48 49 60-68 70-73 98 99",
     "fanuc": "0-9 29 30 48 49 98 99",
     "turning": "0-9 29 30 48 49 98 99",
-    "grbl": "0-5 7-9 30",
-    "marlin": "0 1 3-5 7-9 17 18 82-84 104-107 109 110 114 115 117-119 140 141 190 191 201-205 220 "
-    "221 400 900",
+    "grbl": "0-5 7-9 30 62-68",  # M62 … M68: of grblHAL and FluidNC
+    # Marlin 2.1; M73 M86 M142 M601 M603 M862: of Prusa's firmware.
+    "marlin": "0 1 3-5 7-9 17 18 31 42 73 75-78 80-86 92 104-111 113-115 117-119 140-142 150 155 "
+    "190 191 201-205 207-209 211 220 221 240 250 280 300-302 304 355 400-402 412 413 420 486 "
+    "500-503 569 593 600 601 603 851 862.1 862.2 862.3 862.4 862.5 862.6 900 906 913 914",
 }
 M = {name: _spread(words) for name, words in M.items()}
 UNKNOWN = {"unsupported", "other-base", "g-unknown", "m-unknown"}
@@ -59,12 +65,14 @@ UNKNOWN = {"unsupported", "other-base", "g-unknown", "m-unknown"}
 # Words of one language that others must not take for their own: line, whose it is.
 LINES = (
     ("G7", "linuxcnc"), ("G8", "linuxcnc"), ("G43.1 Z1.", "linuxcnc grbl"),
-    ("G41.1 D1.", "linuxcnc"), ("G59.1", "linuxcnc marlin"), ("G61.1", "linuxcnc"),
+    ("G41.1 D1.", "linuxcnc"), ("G59.1", "linuxcnc marlin"), ("G61.1", "linuxcnc fanuc turning"),
     ("G64 P0.1", "linuxcnc"), ("G90.1", "linuxcnc"), ("G91.1", "linuxcnc grbl"),
     ("G92.1", "linuxcnc grbl"), ("G92.2", "linuxcnc"), ("G28.1", "linuxcnc grbl"),
-    ("G10 L20 P1 X0.", "linuxcnc grbl"), ("G10 L2 P7 X0.", "linuxcnc"),
+    ("G10 L20 P1 X0.", "linuxcnc fanuc turning grbl"), ("G10 L2 P7 X0.", "linuxcnc"),
     ("G33 Z-1. K1.", "linuxcnc"), ("G5.1 X1. Y1. I1. J0.", "linuxcnc"),
-    ("M62 P1", "linuxcnc"), ("M66 P1 L0", "linuxcnc"), ("M70", "linuxcnc"), ("M60", "linuxcnc"),
+    ("M62 P1", "linuxcnc grbl"), ("M66 P1 L0", "linuxcnc grbl"), ("G54.1 P1", "fanuc turning"),
+    ("G187 P1", "fanuc turning"), ("M73 P1", "linuxcnc marlin"),
+    ("G31 X1. F100.", "fanuc turning"), ("M70", "linuxcnc"), ("M60", "linuxcnc"),
     ("#<wide>=1", "linuxcnc"), ("X[EXISTS[#1]]", "linuxcnc"), ("X[2**3]", "linuxcnc"),
     ("O7 if [1 gt 2]", "linuxcnc"), ("X#5220", "linuxcnc"),
     ("G2 X0. Y0. I1. P2", "linuxcnc marlin"), ("G96 S100 D900", "linuxcnc"),

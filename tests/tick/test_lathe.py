@@ -178,7 +178,7 @@ def test_dwell_and_reference_by_fanucs_words():
 @pytest.mark.parametrize("feed, ids", [("", ["assumed-feed-mode"]), ("per_minute", [])])
 def test_what_f_means_before_g98_or_g99_is_told(feed, ids):
     change = (f"dialect.feed={feed}",) if feed else ()
-    program = lathe("G21\nG1 X10. F100\nM30\n", *change)
+    program = lathe("G21\nM3 S500\nG1 X10. F0.2\nM30\n", *change)
     assert [each.id for each in program.diagnostics] == ids
 
 

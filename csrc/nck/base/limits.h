@@ -19,7 +19,8 @@
 #define NCK_TOOL_MAX 32
 #endif
 
-// M codes of the machine's own. Range 1..1000.
+// M codes of the machine's own; G codes whose meaning it says; work systems behind G59.3 (G54.1 P)
+// that it has zeros of: so many of each. Range 1..1000.
 #ifndef NCK_OWN_M_MAX
 #define NCK_OWN_M_MAX 16
 #endif

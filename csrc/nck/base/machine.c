@@ -4,6 +4,8 @@
 
 #include <string.h> // memset
 
+enum { SWITCHES = 10 }; // of /1 … /9
+
 static const int64_t free_below = -INT64_MAX - 1; // INT64_MIN, whose macro some checkers misread
 
 void nck_machine_default(nck_machine_t *machine) {
@@ -164,7 +166,9 @@ static int approach_good(const nck_machine_t *machine) {
 
 static int dialect_numbers_good(const nck_machine_t *machine) {
     return within(machine->dialect.thread_pull, 0.0, 10.0)
-           && within(machine->dialect.scale_unit, 0.0, 1.0);
+           && within(machine->dialect.scale_unit, 0.0, 1.0)
+           && machine->dialect.skip_switches >> SWITCHES == 0
+           && !(machine->dialect.skip_switches & 1u);
 }
 
 static int tools_good(const nck_machine_t *machine) {
@@ -189,11 +193,42 @@ static int own_good(const nck_machine_t *machine) {
     return all;
 }
 
+static int own_g_good(const nck_own_g_t *own) {
+    return own->code <= NCK_G_MAX && own->action <= NCK_G_TOLERANCE
+           && (own->letter == 0 || own->letter == 'P' || own->letter == 'Q')
+           && good(NCK_QUANTITY_SIZE, own->tolerance);
+}
+
+static int more_good(const nck_machine_t *machine, const nck_work_more_t *work) {
+    int all = work->number >= 1 && work->number <= NCK_WORK_MOST;
+    for (unsigned k = 0; all && k < NCK_AXIS_MAX; k++) {
+        all = place_good(&machine->axis[k], work->zero_nm[k]);
+    }
+    return all;
+}
+
+// Further G codes and work systems.
+static int further_good(const nck_machine_t *machine) {
+    int all = machine->own_g_count <= NCK_OWN_M_MAX && machine->work_more_count <= NCK_OWN_M_MAX;
+    for (uint32_t k = 0; all && k < machine->own_g_count; k++) {
+        all = own_g_good(&machine->own_g[k]);
+    }
+    for (uint32_t k = 0; all && k < machine->work_more_count; k++) {
+        all = more_good(machine, &machine->work_more[k]);
+    }
+    return all;
+}
+
+static int tables_good(const nck_machine_t *machine) {
+    return tools_good(machine) && own_good(machine) && further_good(machine)
+           && machine->home_more >> (NCK_HOMES - 2) == 0;
+}
+
 nck_status_t nck_machine_check(const nck_machine_t *machine) {
     const int all = numbers_good(machine) && axes_good(machine) && path_good(machine)
                     && dialect_good(machine) && choices_good(machine)
-                    && dialect_numbers_good(machine) && tools_good(machine) && own_good(machine)
-                    && approach_good(machine) && machine->home_more >> (NCK_HOMES - 2) == 0;
+                    && dialect_numbers_good(machine) && tables_good(machine)
+                    && approach_good(machine);
     if (!all) return NCK_E_MACHINE;
     return is_slope_built(machine) ? NCK_OK : NCK_E_UNSUPPORTED;
 }

@@ -16,11 +16,13 @@ extern "C" {
 // Counts and ranges that are no machine's to choose.
 enum {
     NCK_WORK_SYSTEMS = 9,         // G54 … G59, G59.1 … G59.3
+    NCK_WORK_MOST = 300,          // Fanuc's G54.1 P1 … P300
     NCK_LINEAR_MAX_MM = 1000000,  // furthest position, word and offset of X Y Z U V W
     NCK_ROTARY_MAX_DEG = 1000000, // of A B C
     NCK_COUNTS_PER_MM = 1000000,  // fixed point of X Y Z U V W: 1 nm
     NCK_COUNTS_PER_DEG = 1000000000, // fixed point of A B C: 1 ndeg
-    NCK_M_MAX = 999               // largest M code
+    NCK_M_MAX = 999,              // largest M code
+    NCK_G_MAX = 9999              // largest G code in tenths that a machine may explain
 };
 
 // How axes become joints.
@@ -60,7 +62,8 @@ typedef enum nck_system {
 
 // What F means before a program says so.
 typedef enum nck_feed_start {
-    NCK_FEED_START_OPEN = 0,   // per minute; a lathe that speaks Fanuc's language gives a note
+    NCK_FEED_START_OPEN = 0,   // per minute; a lathe that speaks Fanuc's language: per revolution,
+                               // and a note
     NCK_FEED_START_MINUTE = 1, // G94
     NCK_FEED_START_REV = 2     // G95
 } nck_feed_start_t;
@@ -142,6 +145,29 @@ typedef struct nck_own_m {
     uint8_t reserved;
 } nck_own_m_t;
 
+// What a G code means to the machine that only chooses how a control smooths or looks ahead.
+typedef enum nck_g_action {
+    NCK_G_NOTE = 0,     // nothing, and a note says so
+    NCK_G_IGNORE = 1,   // nothing
+    NCK_G_TOLERANCE = 2 // the tolerance of a path that no P says one of
+} nck_g_action_t;
+
+// A G code that chooses a mode of the control's (G5.1 Q1), or that the language does not have.
+typedef struct nck_own_g {
+    double tolerance;    // SIZE: of NCK_G_TOLERANCE
+    uint32_t value;      // of its letter's word
+    uint16_t code;       // in tenths: 5.1 is 51; up to NCK_G_MAX
+    uint8_t letter;      // P or Q: counts with that word alone; 0: whatever stands beside it
+    uint8_t action;      // nck_g_action_t
+} nck_own_g_t;
+
+// The zero of a work system behind G59.3: G54.1 P1 …
+typedef struct nck_work_more {
+    int64_t zero_nm[NCK_AXIS_MAX];
+    uint32_t number;     // 1 … NCK_WORK_MOST
+    uint32_t reserved;
+} nck_work_more_t;
+
 // Numbers name their quantity in capitals.
 typedef struct nck_machine {
     double period_s;         // PERIOD: T, interpolation period
@@ -166,7 +192,7 @@ typedef struct nck_machine {
         uint8_t inch;        // 1: G20 at start
         uint8_t plane;       // 17, 18, 19 at start
         uint8_t arc_absolute;// 1: G90.1 at start
-        uint8_t block_skip;  // 1: lines that begin with / are skipped
+        uint8_t block_skip;  // 1: lines that begin with / are skipped, whatever its number
         uint8_t optional_stop; // 1: M1 stops
         uint8_t system;      // nck_system_t
         uint8_t feed;        // nck_feed_start_t
@@ -174,6 +200,7 @@ typedef struct nck_machine {
         uint8_t probe;       // nck_probe_t
         uint8_t integers;    // nck_integers_t
         uint8_t comp_start;  // nck_comp_start_t
+        uint32_t skip_switches; // bit k: lines that begin with /k are skipped; a / alone is /1
         uint32_t from_line;  // where programs begin: what stands before is not done; 0: all is
         double feed_default; // FEED: in force before the first F
         double scale_unit;   // what 1 means where a factor of G51 has no point, 0 … 1; 0: open
@@ -201,6 +228,10 @@ typedef struct nck_machine {
     uint32_t home_more;                           // bit 0: home_nm has one of P3, bit 1: of P4
     uint32_t own_m_count;
     nck_own_m_t own_m[NCK_OWN_M_MAX];
+    uint32_t own_g_count;
+    uint32_t work_more_count;
+    nck_own_g_t own_g[NCK_OWN_M_MAX];
+    nck_work_more_t work_more[NCK_OWN_M_MAX];
 } nck_machine_t;
 
 // For the linker these names have capacities and version in them (sized.h).

@@ -135,6 +135,9 @@ typedef enum nck_note {
     NCK_NOTE_LIMITS = 14,    // "limits-stay": M201 … M205 of a printer: the machine's limits hold
     NCK_NOTE_FEED_MODE = 13, // "assumed-feed-mode": F of a lathe before its G98 or G99
     NCK_NOTE_ABORT = 20,     // "abort": (abort, …) ends the program; column: of its text
+    NCK_NOTE_MODE = 17,      // "mode-stays": a code chooses how the control smooths or looks
+                             // ahead, or moves what no text tells, and the machine does not say
+                             // what that means; letter G, value: the code
     NCK_NOTE_INTEGERS = 15   // "assumed-integers": a length, angle or dwell of Fanuc's has no point
 } nck_note_t;
 

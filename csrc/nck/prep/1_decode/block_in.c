@@ -134,6 +134,7 @@ static nck_status_t move(nck_decode_t *self, const nck_block_in_t *block, nck_bl
     int64_t target_nm[NCK_AXIS_MAX];
     self->words.code[NCK_STEP_MOTION] = motion_of(block);
     self->modal.motion = self->words.code[NCK_STEP_MOTION];
+    self->modal.group = (uint8_t)self->modal.motion;
     self->words.axes = block->axes;
     if (block->kind == NCK_IN_ARC) self->modal.plane = block->plane;
     const nck_status_t status = read_target(self, block, target_nm);

@@ -1,17 +1,23 @@
 // SPDX-License-Identifier: MIT
 // The codes of the language: which step executes a G or M code, and which letters it uses.
 #include "nck/prep/1_decode/parts.h"
+#include "nck/prep/1_decode/printer.h" // nck_printer_ … nck_decode_printer
 
 #include <stddef.h> // NULL size_t
 
-enum { RIGID = 290 }; // M29
+enum {
+    RIGID = 290, // M29
+    // Haas: G110 … G129 are G154 P1 … P20. G112 and G113 mean something else to Fanuc.
+    FURTHER = 1100, FURTHER_LAST = 1290, POLAR = 1120, POLAR_END = 1130
+};
 
 // The sets of letters that codes use.
 enum {
     NONE, AXES, ARC, CURVE, DWELL, PATH, LENGTH, REFERENCE, SET, CALL, MACRO, DRILL, DRILL_P,
-    DRILL_Q, HOLE, HOLE_P, HOLE_Q, RADIUS, DIAMETER, TAP, TURN_PLANE, SCALE, MIRROR, DYNAMIC, INPUT,
+    DRILL_Q, HOLE, HOLE_P, RADIUS, DIAMETER, TAP, TURN_PLANE, SCALE, MIRROR, DYNAMIC, INPUT,
     ANALOGUE, BEZIER, PARABOLA, NURBS, KNOTS, TURN, FACE, PECK, PASS, PASS_Q, THREAD, SCREW,
-    SCREW_FANUC, LINES, SUB, SETS
+    SCREW_FANUC, LINES, SUB, COUNT, LEVEL, ROUGHNESS, EITHER,
+    HOLE_PQ, ASKED, SETS
 };
 
 static const uint32_t letters_of[SETS] = {
@@ -34,8 +40,6 @@ static const uint32_t letters_of[SETS] = {
     [HOLE] = NCK_LETTERS_AXES | NCK_LETTER('R') | NCK_LETTER('L') | NCK_LETTER('K'),
     [HOLE_P] = NCK_LETTERS_AXES | NCK_LETTER('R') | NCK_LETTER('L') | NCK_LETTER('K')
                | NCK_LETTER('P'),
-    [HOLE_Q] = NCK_LETTERS_AXES | NCK_LETTER('R') | NCK_LETTER('L') | NCK_LETTER('K')
-               | NCK_LETTER('Q'),
     [RADIUS] = NCK_LETTER('D'),
     [DIAMETER] = NCK_LETTER('D') | NCK_LETTER('L'),
     [TURN_PLANE] = NCK_LETTERS_XYZ | NCK_LETTER('R'),
@@ -64,7 +68,14 @@ static const uint32_t letters_of[SETS] = {
     [LINES] = NCK_LETTER('P') | NCK_LETTER('Q') | NCK_LETTER('U') | NCK_LETTER('W')
               | NCK_LETTER('R') | NCK_LETTER('D') | NCK_LETTER('I') | NCK_LETTER('K'),
     [SUB] = NCK_LETTER('Q') | NCK_LETTER('X') | NCK_LETTER('Z') | NCK_LETTER('D') | NCK_LETTER('E')
-            | NCK_LETTER('I') | NCK_LETTER('P') | NCK_LETTER('R')
+            | NCK_LETTER('I') | NCK_LETTER('P') | NCK_LETTER('R'),
+    [COUNT] = NCK_LETTER('P'),
+    [ASKED] = NCK_LETTER('Q'),
+    [EITHER] = NCK_LETTER('D') | NCK_LETTER('H'),
+    [HOLE_PQ] = NCK_LETTERS_AXES | NCK_LETTER('R') | NCK_LETTER('L') | NCK_LETTER('K')
+                | NCK_LETTER('P') | NCK_LETTER('Q'),
+    [LEVEL] = NCK_LETTER('Q') | NCK_LETTER('P') | NCK_LETTER('R'),
+    [ROUGHNESS] = NCK_LETTER('P') | NCK_LETTER('E')
 };
 
 // Whose a row is: bits of nck_tongue_t behind those of the code.
@@ -102,11 +113,18 @@ static const code_t g_codes[] = {
     {L | F | T | G | 930, NCK_STEP_FEED_MODE, NONE},
     {L | F | T | 950, NCK_STEP_FEED_MODE, NONE}, {L | F | T | G | 610, NCK_STEP_PATH, NONE},
     {L | 611, NCK_STEP_PATH, NONE}, {L | 640, NCK_STEP_PATH, PATH},
-    {F | T | 640, NCK_STEP_PATH, NONE}, {ALL | 800, NCK_STEP_MOTION, NONE},
+    {F | T | 640, NCK_STEP_PATH, NONE}, {F | T | 50, NCK_STEP_PATH, COUNT},
+    {F | T | 51, NCK_STEP_PATH, LEVEL}, {F | T | 80, NCK_STEP_PATH, COUNT},
+    {F | T | 611, NCK_STEP_PATH, NONE}, {F | T | 620, NCK_STEP_PATH, NONE},
+    {F | T | 630, NCK_STEP_PATH, NONE}, {F | T | 1870, NCK_STEP_PATH, ROUGHNESS},
+    {L | T | G | P | 800, NCK_STEP_MOTION, NONE}, {F | 800, NCK_STEP_MOTION, AXES},
     {ALL | 530, NCK_STEP_MACHINE, NONE}, {L | F | T | G | 400, NCK_STEP_RADIUS_COMP, NONE},
-    {L | F | T | 410, NCK_STEP_RADIUS_COMP, RADIUS},
-    {L | F | T | 420, NCK_STEP_RADIUS_COMP, RADIUS}, {L | 411, NCK_STEP_RADIUS_COMP, DIAMETER},
-    {L | 421, NCK_STEP_RADIUS_COMP, DIAMETER}, {ALL | 540, NCK_STEP_WORK, NONE},
+    {L | 410, NCK_STEP_RADIUS_COMP, RADIUS}, {L | 420, NCK_STEP_RADIUS_COMP, RADIUS},
+    {F | T | 410, NCK_STEP_RADIUS_COMP, EITHER}, {F | T | 420, NCK_STEP_RADIUS_COMP, EITHER},
+    {L | 411, NCK_STEP_RADIUS_COMP, DIAMETER},
+    {L | 421, NCK_STEP_RADIUS_COMP, DIAMETER}, {L | G | P | 540, NCK_STEP_WORK, NONE},
+    {F | T | 540, NCK_STEP_WORK, COUNT}, {F | T | 541, NCK_STEP_WORK, COUNT},
+    {F | T | 1540, NCK_STEP_WORK, COUNT}, {F | T | FURTHER, NCK_STEP_WORK, NONE},
     {ALL | 550, NCK_STEP_WORK, NONE}, {ALL | 560, NCK_STEP_WORK, NONE},
     {ALL | 570, NCK_STEP_WORK, NONE}, {ALL | 580, NCK_STEP_WORK, NONE},
     {ALL | 590, NCK_STEP_WORK, NONE}, {L | P | 591, NCK_STEP_WORK, NONE},
@@ -123,14 +141,18 @@ static const code_t g_codes[] = {
     {L | F | T | 90, NCK_STEP_EXACT, NONE}, {L | F | T | 970, NCK_STEP_SPEED_MODE, NONE},
     {L | 960, NCK_STEP_SPEED_MODE, RADIUS}, {F | T | 960, NCK_STEP_SPEED_MODE, NONE},
     {F | T | 650, NCK_STEP_CALL, MACRO}, {F | T | 660, NCK_STEP_CALL, MACRO},
-    {F | T | 670, NCK_STEP_CALL, NONE}
+    {F | T | 670, NCK_STEP_CALL, NONE},
+    // What they end is not built, so they have nothing to do.
+    {F | T | 131, NCK_STEP_COUNT, NONE}, {F | T | 230, NCK_STEP_COUNT, NONE},
+    {F | T | 250, NCK_STEP_COUNT, NONE}, {F | T | 401, NCK_STEP_COUNT, NONE},
+    {F | T | 502, NCK_STEP_COUNT, NONE}
 };
 
 // Behind the others: nobody's plain lines pay for them.
 static const code_t cycle_codes[] = {
     {L | 810, NCK_STEP_MOTION, DRILL}, {F | 810, NCK_STEP_MOTION, HOLE},
-    {L | 830, NCK_STEP_MOTION, DRILL_Q}, {F | 830, NCK_STEP_MOTION, HOLE_Q},
-    {L | 730, NCK_STEP_MOTION, DRILL_Q}, {F | 730, NCK_STEP_MOTION, HOLE_Q},
+    {L | 830, NCK_STEP_MOTION, DRILL_Q}, {F | 830, NCK_STEP_MOTION, HOLE_PQ},
+    {L | 730, NCK_STEP_MOTION, DRILL_Q}, {F | 730, NCK_STEP_MOTION, HOLE_PQ},
     {L | 820, NCK_STEP_MOTION, DRILL_P}, {F | 820, NCK_STEP_MOTION, HOLE_P},
     {L | 850, NCK_STEP_MOTION, DRILL}, {F | 850, NCK_STEP_MOTION, HOLE},
     {L | 860, NCK_STEP_MOTION, DRILL_P}, {F | 860, NCK_STEP_MOTION, HOLE_P},
@@ -141,7 +163,8 @@ static const code_t cycle_codes[] = {
     {F | NCK_MOTION_TAP_LEFT, NCK_STEP_MOTION, HOLE_P}, {L | F | 980, NCK_STEP_RETRACT, NONE},
     {L | F | 990, NCK_STEP_RETRACT, NONE}, {L | G | 382, NCK_STEP_MOTION, AXES},
     {L | G | 383, NCK_STEP_MOTION, AXES}, {L | G | 384, NCK_STEP_MOTION, AXES},
-    {L | G | 385, NCK_STEP_MOTION, AXES}, {L | NCK_MOTION_PASS, NCK_STEP_MOTION, PASS},
+    {L | G | 385, NCK_STEP_MOTION, AXES}, {F | T | NCK_MOTION_SKIP, NCK_STEP_MOTION, AXES},
+    {L | NCK_MOTION_PASS, NCK_STEP_MOTION, PASS},
     {L | NCK_MOTION_SCREW, NCK_STEP_MOTION, SCREW}, {L | NCK_MOTION_TAP, NCK_STEP_MOTION, TAP},
     {T | NCK_MOTION_TURN, NCK_STEP_MOTION, TURN}, {T | NCK_MOTION_FACE, NCK_STEP_MOTION, FACE},
     {T | NCK_MOTION_PASS, NCK_STEP_MOTION, PASS_Q},
@@ -176,32 +199,33 @@ static const code_t m_codes[] = {
     {L | F | T | G | 20, NCK_STEP_STOP, NONE}, {L | F | T | G | 300, NCK_STEP_STOP, NONE},
     {L | 600, NCK_STEP_STOP, NONE}, {ALL | 30, NCK_STEP_SPINDLE, NONE},
     {ALL | 40, NCK_STEP_SPINDLE, NONE}, {ALL | 50, NCK_STEP_SPINDLE, NONE},
-    {L | F | T | 60, NCK_STEP_CHANGE, NONE}, {ALL | 70, NCK_STEP_MIST, NONE},
+    {L | F | T | 60, NCK_STEP_CHANGE, NONE}, {L | 610, NCK_STEP_CHANGE, ASKED},
+    {ALL | 70, NCK_STEP_MIST, NONE},
     {ALL | 80, NCK_STEP_FLOOD, NONE}, {ALL | 90, NCK_STEP_FLOOD, NONE},
     {L | F | T | 480, NCK_STEP_OVERRIDE, NONE}, {L | F | T | 490, NCK_STEP_OVERRIDE, NONE},
     {L | F | T | 980, NCK_STEP_CALL, CALL}, {L | F | T | 990, NCK_STEP_CALL, CALL},
-    {L | 620, NCK_STEP_PORT, DWELL}, {L | 630, NCK_STEP_PORT, DWELL},
-    {L | 640, NCK_STEP_PORT, DWELL}, {L | 650, NCK_STEP_PORT, DWELL},
-    {L | 660, NCK_STEP_PORT, INPUT}, {L | 670, NCK_STEP_PORT, ANALOGUE},
-    {L | 680, NCK_STEP_PORT, ANALOGUE}, {L | 700, NCK_STEP_STATE, NONE},
+    {L | G | 620, NCK_STEP_PORT, DWELL}, {L | G | 630, NCK_STEP_PORT, DWELL},
+    {L | G | 640, NCK_STEP_PORT, DWELL}, {L | G | 650, NCK_STEP_PORT, DWELL},
+    {L | G | 660, NCK_STEP_PORT, INPUT}, {L | G | 670, NCK_STEP_PORT, ANALOGUE},
+    {L | G | 680, NCK_STEP_PORT, ANALOGUE}, {L | 700, NCK_STEP_STATE, NONE},
     {L | 710, NCK_STEP_STATE, NONE}, {L | 720, NCK_STEP_STATE, NONE},
     {L | 730, NCK_STEP_STATE, NONE}
 };
 
 // Of a language, and not built: a code and whose it is.
 static const uint16_t g_later[] = {
-    F | T | 50, F | T | 51, F | 54, P | 60, L | T | 62, L | 63, F | T | 70, F | T | 71, T | 72,
-    F | T | 80, P | 100, F | T | 106, F | T | 109, F | T | P | 110, F | T | P | 120, F | T | 121,
-    F | T | 130, F | T | 131, T | 150, T | 160, L | 171, L | 181, L | 191, F | T | 220, F | T | 230,
-    F | T | 250, F | T | P | 260, F | T | P | 270, F | T | P | 290, P | 300, F | T | 301,
-    F | T | P | 310, P | 320, F | P | 330, F | T | P | 340, F | T | P | 350, F | T | 360,
-    F | T | 370, F | T | 380, P | 382, P | 383, P | 384, P | 385, F | T | 390, F | T | 401,
+    F | 54, P | 60, L | T | 62, L | 63, F | T | 70, F | T | 71, T | 72, P | 100, F | T | 106,
+    F | T | 109, F | T | P | 110, F | T | P | 120, F | T | 121,
+    F | T | 130, T | 150, T | 160, L | 171, L | 181, L | 191, F | T | 220,
+    F | T | P | 260, F | T | P | 270, F | T | P | 290, P | 300, F | T | 301,
+    P | 310, P | 320, F | P | 330, F | T | P | 340, F | T | P | 350, F | T | 360,
+    F | T | 370, F | T | 380, P | 382, P | 383, P | 384, P | 385, F | T | 390,
     F | T | 411, F | T | 412, F | T | 413, F | T | 414, F | T | 415, F | T | 416, P | 420,
     F | T | 421, F | T | 422, F | T | 424, F | T | P | 425, F | T | 426, T | 430, F | T | 431,
     F | T | 433, F | T | 434, F | T | 435, F | T | 437, F | T | 440, F | 450, F | 460, F | 470,
-    F | 480, T | 490, T | 500, T | 501, F | T | 502, F | T | 503, T | 510, T | 511, F | T | 512,
-    F | T | 531, F | 532, F | T | 536, F | T | 541, F | 542, F | 544, F | T | P | 600, P | 610,
-    F | T | 620, F | T | 630, F | T | 661, T | 680, F | T | 681, F | 682, F | 683, F | 684, T | 690,
+    F | 480, T | 490, T | 500, T | 501, F | T | 503, T | 510, T | 511, F | T | 512,
+    F | T | 531, F | 532, F | T | 536, F | 542, F | 544, F | T | P | 600, P | 610,
+    F | T | 661, T | 680, F | T | 681, F | 682, F | 683, F | 684, T | 690,
     F | T | 691, L | F | 700, L | F | 710, L | 711, L | 712, L | F | 720, L | F | 721, L | F | 722,
     F | 750, P | 760, F | 770, F | 780, F | 790, T | 810, F | T | 811, T | 820, T | 830, T | 840,
     F | T | 842, F | T | 843, T | 850, T | 860, L | F | T | 870, L | F | T | 880, T | 890, F | 911,
@@ -211,7 +235,7 @@ static const uint16_t g_later[] = {
 static const uint16_t m_later[] = {
     ALL | 100, ALL | 110, ALL | 130, ALL | 140, ALL | 190, F | T | 290, P | 300, ALL | 400,
     ALL | 410, ALL | 420, ALL | 430, ALL | 440, ALL | 450, P | 480, P | 490, L | 500, L | 510,
-    L | 520, L | 530, G | 560, L | 610, P | 730, F | T | 960, F | T | 970, F | T | 1980
+    L | 520, L | 530, G | 560, F | T | 960, F | T | 970, F | T | 1980
 };
 
 #define ALL_OF(rows) rows, sizeof rows / sizeof rows[0]
@@ -225,7 +249,14 @@ static const code_t *find(const code_t *codes, size_t count, int64_t tenths, uin
     return NULL;
 }
 
-static const code_t *find_g(int64_t tenths, uint32_t who) {
+// A code of the row of G110.
+static int is_further(int64_t tenths) {
+    return tenths >= FURTHER && tenths <= FURTHER_LAST && tenths % 10 == 0 && tenths != POLAR
+           && tenths != POLAR_END;
+}
+
+static const code_t *find_g(int64_t named, uint32_t who) {
+    const int64_t tenths = is_further(named) ? FURTHER : named;
     const code_t *code = find(ALL_OF(g_codes), tenths, who);
     if (code == NULL && NCK_HAS_CYCLES) code = find(ALL_OF(cycle_codes), tenths, who);
     if (code == NULL && NCK_HAS_CONTOUR) code = find(ALL_OF(contour_codes), tenths, who);
@@ -275,13 +306,13 @@ static int is_own(const nck_decode_t *self, int64_t tenths) {
     const unsigned fanuc = NCK_TONGUE_FANUC | NCK_TONGUE_TURNING;
     const int taps = NCK_HAS_CYCLES && (self->tongue & fanuc) != 0;
     if (taps && tenths == RIGID) return 1;
-    if (tenths % 10 == 0 && nck_printer_has(self, tenths / 10)) return 1;
+    if (nck_printer_has(self, tenths)) return 1;
     return tenths % 10 == 0 && nck_decode_own_m(self, tenths / 10) != NULL;
 }
 
 uint32_t nck_decode_who(int letter, int64_t tenths) {
     const int g = letter == 'G';
-    const int printer = !g && tenths % 10 == 0 && nck_printer_names(tenths / 10);
+    const int printer = !g && nck_printer_names(tenths);
     uint32_t all = printer ? NCK_TONGUE_MARLIN : 0;
     for (uint32_t who = NCK_TONGUE_LINUXCNC; who <= NCK_TONGUE_MARLIN; who <<= 1) {
         const code_t *const code = g ? find_g(tenths, who) : find(ALL_OF(m_codes), tenths, who);
@@ -295,9 +326,15 @@ enum { HAS_ALL = NCK_HAS_CYCLES && NCK_HAS_CONTOUR && NCK_HAS_LAYOUTS };
 
 // What is in no table of the language: the machine may have it.
 static nck_status_t other_code(const nck_decode_t *self, int g, int64_t tenths,
-                               unsigned *step_out) {
+                               unsigned *step_out, uint32_t *takes_out) {
     if (!g && is_own(self, tenths)) {
         *step_out = NCK_STEP_OWN;
+        return NCK_OK;
+    }
+    const int own_g = g && nck_decode_has_own_g(self, tenths);
+    if (own_g || (g && nck_printer_has_g(self, tenths, takes_out))) {
+        *step_out = NCK_STEP_OWN;
+        if (own_g) *takes_out = letters_of[MACRO];
         return NCK_OK;
     }
     if (is_named(g, tenths, self->tongue)) return NCK_E_UNSUPPORTED;
@@ -313,7 +350,7 @@ nck_status_t nck_decode_code(const nck_decode_t *self, int letter, int64_t tenth
     const code_t *const code = g ? find_g(tenths, self->tongue)
                                  : find(ALL_OF(m_codes), tenths, self->tongue);
     *takes_out = 0;
-    if (code == NULL) return other_code(self, g, tenths, step_out);
+    if (code == NULL) return other_code(self, g, tenths, step_out, takes_out);
     if (g && !is_able(self, code)) return NCK_E_UNSUPPORTED;
     *step_out = code->step;
     *takes_out = letters_of[code->takes];

@@ -41,15 +41,23 @@ static nck_status_t read_whole(nck_decode_t *self, int letter, int64_t most, int
                                 (double)most);
 }
 
+// Fanuc's H in place of D, where G43 does not have it.
+static int says_h(const nck_decode_t *self) {
+    const int is_length = (self->words.codes & NCK_STEP(NCK_STEP_LENGTH)) != 0;
+    return self->machine->dialect.base == NCK_DIALECT_FANUC && !is_length
+           && (self->words.letters & (NCK_LETTER('D') | NCK_LETTER('H'))) == NCK_LETTER('H');
+}
+
 // G41, G42: the tool in the spindle, or the one that D names; D0 and no tool have no radius.
 static nck_status_t read_tool(nck_decode_t *self, double *radius_out, int64_t *nose_out) {
     const int32_t offset = self->modal.offset_in;
     int64_t number = offset >= 0 ? offset : (int64_t)self->modal.tool_in;
-    const nck_status_t status = read_whole(self, 'D', NCK_DECODE_VALUE_MAX, &number);
+    const char letter = says_h(self) ? 'H' : 'D';
+    const nck_status_t status = read_whole(self, letter, NCK_DECODE_VALUE_MAX, &number);
     if (status != NCK_OK || number == 0) return status;
     nck_tool_t tool;
     if (!nck_table_find(self, (uint32_t)number, &tool)) {
-        return nck_decode_fail_word(self, NCK_E_TOOL_UNKNOWN, 'D', (double)number, 0.0);
+        return nck_decode_fail_word(self, NCK_E_TOOL_UNKNOWN, letter, (double)number, 0.0);
     }
     *radius_out = tool.radius_mm + tool.wear_mm;
     *nose_out = tool.orientation;

@@ -37,6 +37,7 @@ static nck_status_t set_own(nck_decode_t *self, const char *at, uint64_t number,
     if (fanuc && number == ALARMS) {
         return nck_decode_fail_last(self, NCK_E_ALARM, nck_value_is(value) ? value : 0.0, 0.0);
     }
+    if (nck_parameter_is_switch(self, (uint32_t)number)) return NCK_OK;
     if (!fanuc || number != STOPS) return set_work(self, at, number, value);
     self->words.steps |= NCK_STEP(NCK_STEP_STOP);
     self->words.codes |= NCK_STEP(NCK_STEP_STOP);
@@ -91,7 +92,8 @@ nck_status_t nck_decode_assign(nck_decode_t *self, const char **at) {
     if (status != NCK_OK) return status;
     if (key <= NCK_VARIABLE_LAST && nck_parameter_is_own(self, (uint32_t)key)) {
         status = set_own(self, first, key, value);
-        return status == NCK_OK && key != STOPS ? check_behind(self, *at, key) : status;
+        const int alone = key != STOPS && !nck_parameter_is_switch(self, (uint32_t)key);
+        return status == NCK_OK && alone ? check_behind(self, *at, key) : status;
     }
     return nck_variable_wait(self, key, value);
 }

@@ -15,6 +15,10 @@ enum {
 // What a cycle does beside its cut to the bottom.
 enum { PECKS = 1, CLEARS = 2, DWELLS = 4, STOPS = 8, FEEDS_OUT = 16, TAPS = 32 };
 
+// Beside the letters of words that hold: P was said where the drill pecks. The P of a cycle before
+// is none of a peck's.
+#define PECK_RESTS ((uint32_t)1 << 31)
+
 // Places in level_nm.
 enum { LEVEL_R, LEVEL_BOTTOM, LEVEL_CLEAR, LEVEL_CUT };
 
@@ -136,6 +140,10 @@ static nck_status_t read_rest(nck_decode_t *self) {
     nck_status_t status = NCK_OK;
     int64_t peck_nm = cycle->peck_nm;
     if (said & NCK_LETTER('Q')) {
+        if (nck_decode_asks_unit(self, 'Q')) {
+            return nck_decode_fail_word(self, NCK_E_SCALE_UNIT, 'Q', nck_decode_said(self, 'Q'),
+                                        0.0);
+        }
         status = nck_decode_length_word(self, 'Q', &peck_nm);
         if (status == NCK_OK && peck_nm <= 0) {
             status = nck_decode_fail_word(self, NCK_E_NUMBER_RANGE, 'Q',
@@ -145,6 +153,8 @@ static nck_status_t read_rest(nck_decode_t *self) {
     }
     if (status == NCK_OK && (said & NCK_LETTER('P'))) {
         status = nck_decode_dwell_word(self, 'P', &cycle->dwell_s);
+        cycle->said &= ~PECK_RESTS;
+        if (cycle->does & PECKS) cycle->said |= PECK_RESTS;
     }
     cycle->said |= said;
     return status;
@@ -195,6 +205,7 @@ static nck_status_t read_count(nck_decode_t *self, int64_t *count_out) {
 // The place that the words name, the drill left out.
 static nck_status_t next_hole(nck_decode_t *self) {
     const uint32_t axes = self->words.axes;
+    if (self->words.polars != 0) nck_polar_next(self);
     self->words.axes = axes & ~((uint32_t)1 << self->held.cycle.drill);
     const nck_status_t status = nck_decode_target(self, 0, self->held.cycle.hole_nm);
     self->words.axes = axes;
@@ -205,11 +216,13 @@ static nck_status_t next_hole(nck_decode_t *self) {
 static nck_status_t check_circle(nck_decode_t *self, int64_t count, int64_t *last_nm) {
     nck_cycle_t *const cycle = &self->held.cycle;
     const nck_layout_t layout = self->layout;
+    const double at[2] = {self->words.polar_at[0], self->words.polar_at[1]};
     const unsigned drill = cycle->drill;
     int64_t first_nm[NCK_AXIS_MAX];
     nck_status_t status = NCK_OK;
     memcpy(first_nm, cycle->hole_nm, sizeof first_nm);
-    if (count > CIRCLE_MOST || nck_layout_says_radius(self)) {
+    const int is_radius = self->words.polars == 0 && nck_layout_says_radius(self);
+    if (count > CIRCLE_MOST || is_radius) {
         return nck_decode_fail_word(self, NCK_E_NUMBER_RANGE, 'K', (double)count, CIRCLE_MOST);
     }
     for (int64_t k = 1; k < count && status == NCK_OK; k++) {
@@ -220,16 +233,22 @@ static nck_status_t check_circle(nck_decode_t *self, int64_t count, int64_t *las
     }
     memcpy(last_nm, cycle->hole_nm, sizeof first_nm);
     memcpy(cycle->hole_nm, first_nm, sizeof first_nm);
+    memcpy(self->words.polar_at, at, sizeof at);
     self->layout = layout;
     return status;
+}
+
+// Whether the steps from hole to hole are of an angle.
+static int turns_on(const nck_decode_t *self) {
+    const int polar = (self->layout.on & NCK_LAYOUT_POLAR) != 0 || self->words.polars != 0;
+    return self->modal.incremental && polar;
 }
 
 // The first hole, and the way from one to the next. last_nm: where the axes stand in the end.
 static nck_status_t place_holes(nck_decode_t *self, int64_t count, int64_t *last_nm) {
     nck_cycle_t *const cycle = &self->held.cycle;
     const uint32_t axes = self->words.axes;
-    cycle->circles = count > 1 && self->modal.incremental
-                     && (self->layout.on & NCK_LAYOUT_POLAR) != 0;
+    cycle->circles = count > 1 && turns_on(self);
     self->words.axes = axes & ~((uint32_t)1 << cycle->drill);
     nck_status_t status = nck_decode_target(self, 0, cycle->hole_nm);
     memcpy(last_nm, cycle->hole_nm, sizeof cycle->hole_nm);
@@ -349,7 +368,9 @@ static int64_t back_nm(const nck_cycle_t *cycle) {
 
 static nck_status_t dwell(nck_decode_t *self, nck_block_t *out) {
     const nck_cycle_t *const cycle = &self->held.cycle;
-    if (!(cycle->does & DWELLS) || !(cycle->dwell_s > 0.0)) return NCK_EMPTY;
+    const int peck_rests = (cycle->does & PECKS) && (cycle->said & PECK_RESTS);
+    const int rests = (cycle->does & DWELLS) || peck_rests;
+    if (!rests || !(cycle->dwell_s > 0.0)) return NCK_EMPTY;
     return nck_decode_give_dwell(self, cycle->dwell_s, out);
 }
 
@@ -363,7 +384,7 @@ static nck_status_t spindle(nck_decode_t *self, double code, nck_block_t *out) {
 // At feed up to R. RS274NGC's G89 goes on so, to where it retracts to.
 static nck_status_t feed_out(nck_decode_t *self, nck_block_t *out) {
     const nck_cycle_t *const cycle = &self->held.cycle;
-    const int whole = (cycle->does & DWELLS) && !is_fanuc(self);
+    const int whole = (cycle->does & DWELLS) && !is_fanuc(self); // no peck feeds out
     if (!(cycle->does & FEEDS_OUT)) return NCK_EMPTY;
     return drill_to(self, NCK_BLOCK_LINE, cycle->level_nm[whole ? LEVEL_CLEAR : LEVEL_R], out);
 }

@@ -72,15 +72,10 @@ static nck_status_t read_words(nck_decode_t *self, const char *at) {
         self->text.words = 1;
         return unreadable(self, status);
     }
-    if (self->words.codes == 0 && !(self->words.letters & ~NCK_LETTER('N'))) return NCK_OK;
+    const int says = self->words.codes != 0 || self->words.polars != 0;
+    if (!says && !(self->words.letters & ~NCK_LETTER('N'))) return NCK_OK;
     self->text.words = 1;
     return is_watched(self) ? read_watched(self) : nck_decode_resolve(self);
-}
-
-// Behind the / of a line that may be skipped, and the number of its switch: one setting is for all.
-static const char *behind_skip(const char *at) {
-    do at++; while (*at == ' ' || *at == '\t');
-    return *at >= '1' && *at <= '9' ? at + 1 : at;
 }
 
 static int is_binary(const nck_decode_t *self) {
@@ -97,8 +92,9 @@ static nck_status_t read_line(nck_decode_t *self) {
         return status;
     }
     self->text.begun = 1;
+    const char *behind = at;
     if (*at != '/') return read_words(self, at);
-    return self->machine->dialect.block_skip ? NCK_OK : read_words(self, behind_skip(at));
+    return nck_decode_skips(self, &behind) ? NCK_OK : read_words(self, behind);
 }
 
 // A line waits that may be on the way of a jump.
@@ -401,9 +397,14 @@ static void begin_modes(nck_decode_t *self) {
     self->modal.diameter = machine->dialect.diameter;
     self->modal.centre_absolute = machine->dialect.arc_absolute;
     self->modal.path_mode = NCK_PATH_CONTINUOUS;
-    if (machine->dialect.feed == NCK_FEED_START_REV) self->modal.feed_mode = NCK_FEED_PER_REV;
+    // Fanuc's lathes begin with feed per revolution, unless a parameter says otherwise.
+    const int open = machine->dialect.feed == NCK_FEED_START_OPEN && self->lathe;
+    if (open || machine->dialect.feed == NCK_FEED_START_REV) {
+        self->modal.feed_mode = NCK_FEED_PER_REV;
+    }
     self->modal.tolerance_mm = machine->path.tolerance;
     self->modal.merge_mm = machine->path.tolerance;
+    self->modal.plain_mm = machine->path.tolerance;
     self->modal.feed = machine->dialect.feed_default;
     self->modal.feed_word = machine->dialect.feed_default;
     self->modal.speed = -1.0;
@@ -463,7 +464,7 @@ void nck_decode_init(nck_decode_t *self, const nck_machine_t *machine) {
         if (machine->axis[axis].rotary) self->place.rotary |= bit;
     }
     nck_decode_stand(self);
-    memcpy(self->place.work_nm, machine->work_nm, sizeof self->place.work_nm);
+    memcpy(self->place.work_nm, machine->work_nm, sizeof machine->work_nm);
     memcpy(self->place.home_nm, machine->home_nm, sizeof self->place.home_nm);
     self->place.work_system = machine->work_system;
     nck_decode_origin(self);
@@ -490,7 +491,7 @@ static int cycle_works(const nck_decode_t *self) {
 int nck_decode_invariants(const nck_decode_t *self) {
     int good = self->line.size <= NCK_LINE_MAX && self->line.state <= NCK_LINE_PUSHED
                && self->finding.count <= NCK_DECODE_FINDINGS
-               && self->place.work_system < NCK_WORK_SYSTEMS
+               && self->place.work_system <= NCK_WORK_SYSTEMS
                && (self->line.state == NCK_LINE_RUNNING || self->words.steps == 0)
                && (!cycle_works(self) || (self->words.steps & NCK_STEP(NCK_STEP_REST)))
                && nck_variable_invariants(self);

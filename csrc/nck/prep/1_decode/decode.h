@@ -121,12 +121,13 @@ typedef struct nck_decode {
         int64_t position_nm[NCK_AXIS_MAX]; // machine position, tool offset included
         int64_t origin_nm[NCK_AXIS_MAX];   // where the program's zero is: outer + work + g92 + tool
         int64_t outer_nm[NCK_AXIS_MAX];    // Fanuc's external zero offset, of all work systems
-        int64_t work_nm[NCK_WORK_SYSTEMS][NCK_AXIS_MAX];
+        int64_t work_nm[NCK_WORK_SYSTEMS + 1][NCK_AXIS_MAX]; // the last: G54.1 P's, if in force
         int64_t g92_nm[NCK_AXIS_MAX];
         int64_t g92_kept_nm[NCK_AXIS_MAX]; // what G92.3 brings back
         int64_t home_nm[2][NCK_AXIS_MAX];  // G28, G30; set by G28.1, G30.1
         int64_t tool_nm[3];                // G43
-        uint32_t work_system;              // 0: G54
+        uint32_t work_system;              // 0: G54; NCK_WORK_SYSTEMS: the one of G54.1 P
+        uint32_t work_more;                // its P, if it is in force
         uint32_t axes;                     // bit k: the machine has axis k
         uint8_t is_local;                  // 1: G52 has set g92_nm
         uint32_t rotary;                   // bit k: axis k turns

@@ -36,9 +36,10 @@ nck_status_t nck_decode_fail_code(nck_decode_t *self, nck_status_t code, nck_ste
                        | NCK_STEP(NCK_STEP_OVERRIDE) | NCK_STEP(NCK_STEP_OWN)
                        | NCK_STEP(NCK_STEP_CALL) | NCK_STEP(NCK_STEP_STOP);
     const uint16_t tenths = self->words.code[step];
-    const int macro = step == NCK_STEP_CALL && tenths < 980; // G65 G66 G67; M98 M99
-    return nck_decode_fail_step(self, code, step, !macro && (m & NCK_STEP(step)) ? 'M' : 'G',
-                                tenths / 10.0, 0.0);
+    const int own_g = step == NCK_STEP_OWN && tenths >= NCK_CODE_OWN_G;
+    const int is_g = own_g || (step == NCK_STEP_CALL && tenths < 980); // G65 G66 G67; M98 M99
+    return nck_decode_fail_step(self, code, step, !is_g && (m & NCK_STEP(step)) ? 'M' : 'G',
+                                (own_g ? tenths - NCK_CODE_OWN_G : tenths) / 10.0, 0.0);
 }
 
 nck_status_t nck_decode_only(nck_decode_t *self, const char *at, uint32_t whose) {
@@ -70,5 +71,11 @@ void nck_decode_note_word(nck_decode_t *self, nck_note_t note, char letter, doub
     const int said = (self->words.letters & NCK_LETTER(letter)) != 0;
     const unsigned column = said ? self->words.column[letter - 'A'] : 0;
     const nck_diagnostic_t finding = {(int32_t)note, self->line.tag, column, letter, value, 0.0};
+    note_once(self, &finding);
+}
+
+void nck_decode_note_code(nck_decode_t *self, nck_note_t note, nck_step_t step, double code) {
+    const unsigned column = self->words.code_column[step];
+    const nck_diagnostic_t finding = {(int32_t)note, self->line.tag, column, 'G', code, 0.0};
     note_once(self, &finding);
 }

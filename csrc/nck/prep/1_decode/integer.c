@@ -34,6 +34,12 @@ int nck_decode_asks_integers(const nck_decode_t *self) {
     return integers == NCK_INTEGERS_INCREMENTS || (integers == NCK_INTEGERS_OPEN && !noted);
 }
 
+int nck_decode_asks_unit(const nck_decode_t *self, int letter) {
+    return self->machine->dialect.base == NCK_DIALECT_FANUC
+           && self->machine->dialect.integers == NCK_INTEGERS_OPEN
+           && is_integer(self, word_of(self, letter));
+}
+
 double nck_decode_counts_of(const nck_decode_t *self, const nck_number_t *word) {
     const int counts = self->machine->dialect.base == NCK_DIALECT_FANUC
                        && self->machine->dialect.integers == NCK_INTEGERS_INCREMENTS;

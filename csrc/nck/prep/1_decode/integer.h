@@ -32,6 +32,10 @@ int nck_decode_increments(const nck_decode_t *self, int letter, int64_t *out);
 // A word in degrees or seconds, whose least increments are thousandths. Cost: linear in its digits.
 double nck_decode_real_word(nck_decode_t *self, int letter);
 
+// 1 if a word of Fanuc's has no point, and the machine does not say what it counts: where its maker
+// reads least increments whatever other words do, nobody should guess. Cost: linear in the word.
+int nck_decode_asks_unit(const nck_decode_t *self, int letter);
+
 // How much larger a number is than what it means: 1000 or 10 000 where it counts least increments,
 // else 1. The number as the program says it. Cost: linear in the digits.
 double nck_decode_counts_of(const nck_decode_t *self, const nck_number_t *word);

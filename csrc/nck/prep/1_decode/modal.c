@@ -2,12 +2,13 @@
 // Settings that stay in force, and what is not motion: outputs, dwell, stops.
 #include "nck/prep/1_decode/integer.h" // nck_decode_counts nck_decode_real_word nck_…
 #include "nck/prep/1_decode/parts.h"
+#include "nck/prep/1_decode/printer.h" // nck_printer_ … nck_decode_printer
 
 #include <stddef.h> // NULL
 
 #include "nck/base/budget.h" // NCK_TOLERANCE_MIN
 
-enum { CHANGE_WAITS = 1 }; // code of M6 whose M5 has been given
+enum { CHANGE_WAITS = 1, SET_TOOL = 610 }; // code of M6 whose M5 has been given; M61
 
 static const double value_max = NCK_DECODE_VALUE_MAX;
 static const double dwell_max_s = NCK_DECODE_DWELL_MAX_S;
@@ -94,9 +95,27 @@ nck_status_t nck_decode_feed(nck_decode_t *self, nck_block_t *out) {
     return NCK_EMPTY;
 }
 
+// M61: the tool in the spindle is this one; nothing moves.
+static nck_status_t set_tool(nck_decode_t *self) {
+    int64_t number = 0;
+    if (!has_word(self, 'Q')) {
+        return nck_decode_fail_step(self, NCK_E_WORD_MISSING, NCK_STEP_CHANGE, 'Q', 0.0, 0.0);
+    }
+    const nck_status_t status = nck_decode_whole(self, 'Q', NCK_DECODE_VALUE_MAX, 0, &number);
+    if (status != NCK_OK) return status;
+    const uint32_t tool = (uint32_t)number;
+    const int unknown = self->machine->tool_count > 0 && nck_decode_find_tool(self, tool) == NULL;
+    if (tool > 0 && unknown) {
+        return nck_decode_fail_word(self, NCK_E_TOOL_UNKNOWN, 'Q', (double)number, 0.0);
+    }
+    self->modal.tool_in = tool;
+    return NCK_EMPTY;
+}
+
 // A tool is changed at rest (NISTIR 6556, M6): the spindle's stop goes before the wait, whether or
 // not the program has started it.
 nck_status_t nck_decode_change(nck_decode_t *self, nck_block_t *out) {
+    if (self->words.code[NCK_STEP_CHANGE] == SET_TOOL) return set_tool(self);
     if (self->words.code[NCK_STEP_CHANGE] == CHANGE_WAITS) {
         return nck_decode_give_output(self, NCK_BLOCK_WAIT, NCK_OUTPUT_M, 6.0, out);
     }
@@ -132,10 +151,14 @@ nck_status_t nck_decode_override(nck_decode_t *self, nck_block_t *out) {
 
 // What the machine does at its own M codes is its own: the code is handed over.
 nck_status_t nck_decode_own(nck_decode_t *self, nck_block_t *out) {
+    if (self->words.code[NCK_STEP_OWN] >= NCK_CODE_OWN_G) {
+        nck_decode_own_mode(self);
+        return NCK_EMPTY;
+    }
     const int code = self->words.code[NCK_STEP_OWN] / 10;
     const nck_own_m_t *const own = nck_decode_own_m(self, code);
     const int waits = own != NULL && own->waits;
-    if (own == NULL && nck_printer_has(self, code)) return nck_decode_printer(self, out);
+    if (own == NULL && nck_printer_speaks(self)) return nck_decode_printer(self, out);
     return nck_decode_give_output(self, waits ? NCK_BLOCK_WAIT : NCK_BLOCK_OUTPUT, NCK_OUTPUT_M,
                                   code, out);
 }
@@ -198,7 +221,7 @@ nck_status_t nck_decode_diameter(nck_decode_t *self, nck_block_t *out) {
 static double read_tolerance(nck_decode_t *self) {
     const int says = has_word(self, 'P');
     const double tolerance =
-        says ? real_word(self, 'P') * unit_mm(self) : self->machine->path.tolerance;
+        says ? real_word(self, 'P') * unit_mm(self) : self->modal.plain_mm;
     if (!NCK_HAS_SMOOTH) nck_decode_assume(self, NCK_NOTE_TOLERANCE);
     if (tolerance >= NCK_TOLERANCE_MIN || tolerance < 0.0) return tolerance;
     if (says) nck_decode_note_word(self, NCK_NOTE_TOLERANCE, 'P', tolerance);
@@ -206,18 +229,21 @@ static double read_tolerance(nck_decode_t *self) {
     return tolerance;
 }
 
+static nck_status_t set_exact(nck_decode_t *self, int stop) {
+    self->modal.path_mode = stop ? NCK_PATH_STOP : NCK_PATH_EXACT;
+    self->modal.tolerance_mm = 0.0;
+    self->modal.merge_mm = 0.0;
+    return NCK_EMPTY;
+}
+
 // G64 without Q: Q is the tolerance in force.
 nck_status_t nck_decode_path(nck_decode_t *self, nck_block_t *out) {
     const uint16_t code = self->words.code[NCK_STEP_PATH];
+    const int fanuc = self->machine->dialect.base == NCK_DIALECT_FANUC;
     (void)out;
-    if (code != 640) {
-        // Fanuc's G61 is exact stop, RS274NGC's is exact path.
-        const int stop = code == 611 || self->machine->dialect.base == NCK_DIALECT_FANUC;
-        self->modal.path_mode = stop ? NCK_PATH_STOP : NCK_PATH_EXACT;
-        self->modal.tolerance_mm = 0.0;
-        self->modal.merge_mm = 0.0;
-        return NCK_EMPTY;
-    }
+    if (fanuc && code != 610 && code != 640) return nck_decode_mode(self);
+    // Fanuc's G61 is exact stop, RS274NGC's is exact path.
+    if (code != 640) return set_exact(self, code == 611 || fanuc);
     const double tolerance = read_tolerance(self);
     const double merge = has_word(self, 'Q') ? real_word(self, 'Q') * unit_mm(self) : tolerance;
     const int p_good = tolerance >= 0.0 && tolerance <= linear_max_mm;

@@ -113,10 +113,25 @@ static nck_status_t other_motion(nck_decode_t *self, int taken) {
     return NCK_EMPTY;
 }
 
-nck_status_t nck_decode_motion(nck_decode_t *self, nck_block_t *out) {
-    const int32_t code = self->words.code[NCK_STEP_MOTION];
-    const uint32_t plane = (uint32_t)(code >= 20) << NCK_NOTE_PLANE;
+// G80 on Fanuc's mills: cycles are a group of their own there, and the motion of the other group,
+// which was in force before them, goes on.
+static int ends_cycle(const nck_decode_t *self) {
+    return self->words.code[NCK_STEP_MOTION] == 800 && self->tongue == NCK_TONGUE_FANUC;
+}
+
+// What a move needs and the program has not said.
+static void note_assumed(nck_decode_t *self, int turns) {
+    const uint32_t plane = (uint32_t)turns << NCK_NOTE_PLANE;
     const uint32_t assumed = 1u << NCK_NOTE_UNITS | 1u << NCK_NOTE_DISTANCE | plane;
+    if (!(~(self->finding.given | self->finding.notes) & assumed)) return;
+    nck_decode_assume(self, NCK_NOTE_UNITS);
+    nck_decode_assume(self, NCK_NOTE_DISTANCE);
+    if (plane != 0) nck_decode_assume(self, NCK_NOTE_PLANE);
+}
+
+nck_status_t nck_decode_motion(nck_decode_t *self, nck_block_t *out) {
+    const int ends = ends_cycle(self);
+    const int32_t code = ends ? self->modal.group : self->words.code[NCK_STEP_MOTION];
     const int taken = (self->words.codes & NCK_STEPS_AXES) && nck_words_set_axes(&self->words);
     int64_t target_nm[NCK_AXIS_MAX];
 
@@ -125,13 +140,11 @@ nck_status_t nck_decode_motion(nck_decode_t *self, nck_block_t *out) {
         if (status != NCK_OK) return status;
     }
     if (code > 30) return other_motion(self, taken);
+    self->words.code[NCK_STEP_MOTION] = (uint16_t)code;
     self->modal.motion = code;
-    if (taken || (self->words.axes == 0 && code < 20)) return NCK_EMPTY;
-    if (~(self->finding.given | self->finding.notes) & assumed) {
-        nck_decode_assume(self, NCK_NOTE_UNITS);
-        nck_decode_assume(self, NCK_NOTE_DISTANCE);
-        if (plane != 0) nck_decode_assume(self, NCK_NOTE_PLANE);
-    }
+    self->modal.group = (uint8_t)code;
+    if (taken || (self->words.axes == 0 && (ends || code < 20))) return NCK_EMPTY;
+    note_assumed(self, code >= 20);
     const int absolute = (self->words.codes & NCK_STEP(NCK_STEP_MACHINE)) != 0;
     const nck_status_t status = nck_decode_target(self, absolute, target_nm);
     if (status != NCK_OK) return status;

@@ -14,9 +14,13 @@ enum {
 // G38.2 … G38.5: towards something, away from it; even ones must meet (leave) it.
 enum { NCK_MOTION_PROBE = 382, NCK_MOTION_PROBE_LAST = 385 };
 
+// Fanuc's G31: it need not meet anything, and the motion before it stays in force.
+enum { NCK_MOTION_SKIP = 310 };
+
 // Whether a motion in tenths is a straight probe.
 static inline int nck_motion_probes(int32_t motion) {
-    return motion >= NCK_MOTION_PROBE && motion <= NCK_MOTION_PROBE_LAST;
+    return (motion >= NCK_MOTION_PROBE && motion <= NCK_MOTION_PROBE_LAST)
+           || motion == NCK_MOTION_SKIP;
 }
 
 // Whether a motion in tenths is of a spline.

@@ -53,8 +53,8 @@ static nck_status_t call(nck_decode_t *self, const char **at, uint64_t key) {
     return nck_variable_commit(self, status);
 }
 
-// endsub, return: with a value or without.
-static nck_status_t give_back(nck_decode_t *self, const char **at, uint64_t key) {
+// endsub, return: with a value or without. Whatever name return has, it leaves the subprogram.
+static nck_status_t give_back(nck_decode_t *self, const char **at, uint64_t key, int returns) {
     const nck_frame_t *const frame = nck_frame_call(self);
     double value = 0.0;
     *at = nck_decode_skip(*at);
@@ -63,7 +63,8 @@ static nck_status_t give_back(nck_decode_t *self, const char **at, uint64_t key)
         const nck_status_t status = nck_decode_value(self, at, 0, &value);
         if (status != NCK_OK) return status;
     }
-    if (frame == NULL || frame->kind != NCK_FRAME_SUB || frame->key != key) {
+    const int fits = frame != NULL && frame->kind == NCK_FRAME_SUB;
+    if (!fits || (!returns && frame->key != key)) {
         return nck_decode_fail_last(self, NCK_E_FLOW, 0.0, 0.0);
     }
     self->macro.returned = value;
@@ -171,7 +172,7 @@ static nck_status_t do_word(nck_decode_t *self, const char **at, unsigned word, 
         return NCK_OK;
     case NCK_O_CALL: return call(self, at, key);
     case NCK_O_ENDSUB:
-    case NCK_O_RETURN: return give_back(self, at, key);
+    case NCK_O_RETURN: return give_back(self, at, key, word == NCK_O_RETURN);
     case NCK_O_IF: return condition(self, at, key);
     case NCK_O_ELSEIF: return else_if(self, at, key);
     case NCK_O_ELSE:

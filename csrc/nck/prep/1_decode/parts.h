@@ -22,6 +22,8 @@ enum {
     NCK_TONGUES_MACRO = NCK_TONGUE_LINUXCNC | NCK_TONGUES_FANUC
 };
 
+enum { NCK_CODE_OWN_G = 0x8000 }; // of the codes of NCK_STEP_OWN those of letter G are higher
+
 enum { NCK_LIST_WORK = 2, NCK_LIST_WORK_HERE = 20 }; // lists of G10
 
 // Sets of letters.
@@ -35,6 +37,9 @@ enum {
 
 // codes.c: 1 if the words are arguments of G65 or G66. Cost: constant.
 int nck_words_are_arguments(const nck_words_t *words);
+
+// rest.c: at a /: is what stands behind it skipped? *at: one past it, its number. Cost: constant.
+int nck_decode_skips(const nck_decode_t *self, const char **at);
 
 // rest.c: something is left of the line. Cost: constant.
 void nck_decode_leave(nck_decode_t *self, nck_rest_t rest);
@@ -57,8 +62,8 @@ nck_status_t nck_decode_fail_step(nck_decode_t *self, nck_status_t code, nck_ste
                                   int letter, double value, double limit);
 nck_status_t nck_decode_fail_code(nck_decode_t *self, nck_status_t code, nck_step_t step);
 
-// finding.c: is the text at a place of the line in the language that is read? whose: bits of
-// nck_tongue_t. NCK_E_OTHER_BASE. Cost: constant.
+// finding.c: is the text at a place in the language that is read? whose: bits of nck_tongue_t.
+// NCK_E_OTHER_BASE. Cost: constant.
 nck_status_t nck_decode_only(nck_decode_t *self, const char *at, uint32_t whose);
 
 // finding.c: queue a finding. Cost: constant.
@@ -69,6 +74,8 @@ void nck_decode_assume(nck_decode_t *self, nck_note_t note);
 
 // finding.c: give a note, once in a program, about what a word asks for. Cost: constant.
 void nck_decode_note_word(nck_decode_t *self, nck_note_t note, char letter, double value);
+// The same about a G code.
+void nck_decode_note_code(nck_decode_t *self, nck_note_t note, nck_step_t step, double code);
 
 // axis.c: the letter of axis 0 … 8: X Y Z A B C U V W. Cost: constant.
 int nck_decode_letter(unsigned axis);
@@ -199,11 +206,18 @@ uint32_t nck_decode_who(int letter, int64_t tenths);
 // codes.c: the machine's entry for an M code; NULL: it has none. Cost: linear in the entries.
 const nck_own_m_t *nck_decode_own_m(const nck_decode_t *self, int64_t code);
 
+// mode.c: 1 if the machine's file explains a G code in tenths; what G5 G5.1 G8 G61.1 G62 G63 G187
+// of Fanuc's language do: NCK_E_WORD_MISSING, NCK_E_WORD_UNUSED, NCK_E_NUMBER_RANGE; what a code
+// does that only the machine's file has. Cost: linear in its entries.
+int nck_decode_has_own_g(const nck_decode_t *self, int64_t tenths);
+nck_status_t nck_decode_mode(nck_decode_t *self);
+void nck_decode_own_mode(nck_decode_t *self);
+
 // codes.c: whether a motion in tenths works on a contour: Fanuc's G70 to G73 on a lathe, RS274NGC's
 // G70 … G72.2. Cost: constant.
 int nck_decode_follows(const nck_decode_t *self, int32_t motion);
 
-// codes.c: the letters that a motion uses. Cost: constant.
+// codes.c: the letters that a motion, or another G code in tenths, uses. Cost: constant.
 uint32_t nck_decode_motion_takes(const nck_decode_t *self, int32_t motion);
 
 // resolve.c: do words and codes of the line fit, and who gets the axis words? Cost: constant.
@@ -279,18 +293,6 @@ nck_status_t nck_table_set(nck_decode_t *self, int64_t list);
 // table.c: does the language have this list of G10? NCK_E_UNSUPPORTED. Cost: constant.
 nck_status_t nck_table_lists(nck_decode_t *self, int64_t list);
 
-// printer.c: 1 if an M code is one of Marlin's; if the line is one's; one past its text; who takes
-// its words; what it hands over. NCK_E_MODAL_GROUP. Cost: linear in the codes, and in the text.
-int nck_printer_has(const nck_decode_t *self, int64_t code);
-int nck_printer_names(int64_t code);
-int nck_printer_speaks(const nck_decode_t *self);
-const char *nck_printer_text(const nck_decode_t *self, const char *at, int64_t tenths);
-nck_status_t nck_printer_resolve(nck_decode_t *self);
-nck_status_t nck_decode_printer(nck_decode_t *self, nck_block_t *out);
-
-// printer.c: E becomes U. NCK_E_AXIS_UNKNOWN, NCK_E_WORD_TWICE, NCK_E_NUMBER_RANGE. Cost: constant.
-nck_status_t nck_printer_extrude(nck_decode_t *self);
-
 // port.c: M62 … M68. Cost: constant.
 nck_status_t nck_decode_port(nck_decode_t *self, nck_block_t *out);
 
@@ -317,6 +319,12 @@ int nck_layout_says_radius(const nck_decode_t *self);
 
 // layout.c: is an axis neither mirrored nor scaled? NCK_E_LAYOUT_ON. Cost: constant.
 nck_status_t nck_layout_spares(nck_decode_t *self, unsigned axis);
+
+// polar.c: @ or ^ of RS274NGC; both become words of X and Y; those of the next hole. NCK_E_VALUE,
+// NCK_E_WORD_SHARED, NCK_E_INCREMENTAL, NCK_E_UNSUPPORTED, NCK_E_NUMBER_RANGE. Cost: constant.
+nck_status_t nck_polar_read(nck_decode_t *self, const char **at);
+nck_status_t nck_polar_resolve(nck_decode_t *self);
+void nck_polar_next(nck_decode_t *self);
 
 // layout.c: the bit of a code, 0: it is none of them; 1 if it cannot stand beside others; what
 // cannot be done while one is in force: NCK_E_LAYOUT_ON. Cost: constant.

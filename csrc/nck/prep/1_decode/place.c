@@ -5,7 +5,10 @@
 #include <stddef.h> // NULL
 #include <string.h> // memcpy memset
 
-enum { SYSTEMS_OF_OTHERS = 6 }; // G54 … G59
+enum {
+    SYSTEMS_OF_OTHERS = 6, // G54 … G59
+    G154_MOST = 99, G54 = 540, G54_1 = 541, G110 = 1100, G154 = 1540
+};
 
 // G43.1: the words of X Y Z are the offset.
 static nck_status_t set_length(nck_decode_t *self) {
@@ -60,9 +63,53 @@ nck_status_t nck_decode_length(nck_decode_t *self, nck_block_t *out) {
     return NCK_EMPTY;
 }
 
+// The zero of a further system: what the program has set, else what the machine has.
+static void read_further(const nck_decode_t *self, uint32_t number, int64_t *zero_nm) {
+    const nck_machine_t *const machine = self->machine;
+    memset(zero_nm, 0, NCK_AXIS_MAX * sizeof *zero_nm);
+    for (uint32_t k = 0; k < machine->work_more_count; k++) {
+        if (machine->work_more[k].number != number) continue;
+        memcpy(zero_nm, machine->work_more[k].zero_nm, NCK_AXIS_MAX * sizeof *zero_nm);
+    }
+    for (unsigned axis = 0; axis < NCK_AXIS_MAX; axis++) {
+        const double *const set = nck_variable_find(self, nck_variable_work(number, axis));
+        if (set != NULL) zero_nm[axis] = (int64_t)*set;
+    }
+}
+
+// Which one P names, from 1.
+static nck_status_t read_further_number(nck_decode_t *self, int64_t most, uint32_t *number_out) {
+    int64_t number = 0;
+    const nck_status_t status = nck_decode_whole(self, 'P', most, 0, &number);
+    *number_out = (uint32_t)number;
+    if (status != NCK_OK || number > 0) return status;
+    return nck_decode_fail_word(self, NCK_E_NUMBER_RANGE, 'P', 0.0, (double)most);
+}
+
+// Fanuc's G54.1 P, G54 P; Haas' G154 P, and G110 …, which are its first ones.
+static nck_status_t take_further(nck_decode_t *self, unsigned code) {
+    uint32_t number = (code - G110) / 10 + 1;
+    if (code < G110 || code == G154) {
+        if (!(self->words.letters & NCK_LETTER('P'))) {
+            return nck_decode_fail_step(self, NCK_E_WORD_MISSING, NCK_STEP_WORK, 'P', 0.0, 0.0);
+        }
+        const int64_t most = code == G154 ? G154_MOST : NCK_WORK_MOST;
+        const nck_status_t status = read_further_number(self, most, &number);
+        if (status != NCK_OK) return status;
+    }
+    read_further(self, number, self->place.work_nm[NCK_WORK_SYSTEMS]);
+    self->place.work_system = NCK_WORK_SYSTEMS;
+    self->place.work_more = number;
+    nck_decode_origin(self);
+    return NCK_EMPTY;
+}
+
 nck_status_t nck_decode_work(nck_decode_t *self, nck_block_t *out) {
     const unsigned code = self->words.code[NCK_STEP_WORK];
+    const int fanuc = (self->tongue & NCK_TONGUES_FANUC) != 0;
+    const int says = code == G54 && fanuc && (self->words.letters & NCK_LETTER('P'));
     (void)out;
+    if (code == G54_1 || code >= G110 || says) return take_further(self, code);
     self->place.work_system = code <= 590 ? (code - 540) / 10 : code - 590 + 5;
     nck_decode_origin(self);
     return NCK_EMPTY;
@@ -171,6 +218,38 @@ static nck_status_t set_work(nck_decode_t *self, int64_t list) {
     return NCK_EMPTY;
 }
 
+static nck_status_t set_further_axis(nck_decode_t *self, uint32_t number, unsigned axis,
+                                     int64_t before_nm) {
+    int64_t value_nm = 0;
+    nck_status_t status = nck_decode_axis_word(self, axis, &value_nm);
+    if (self->modal.incremental) value_nm += before_nm;
+    if (status == NCK_OK) status = nck_decode_steps(self, axis, 0, 0, &value_nm);
+    if (status != NCK_OK) return status;
+    return nck_variable_wait(self, nck_variable_work(number, axis), (double)value_nm);
+}
+
+// Fanuc's G10 L20: the zero of a further system for the axes named, kept among the parameters.
+static nck_status_t set_further(nck_decode_t *self) {
+    int64_t work_nm[NCK_AXIS_MAX];
+    uint32_t number = 0;
+    nck_status_t status = read_further_number(self, NCK_WORK_MOST, &number);
+    if (status != NCK_OK) return status;
+    if (self->words.letters & (NCK_LETTER('Q') | NCK_LETTER('R'))) {
+        const int letter = self->words.letters & NCK_LETTER('R') ? 'R' : 'Q';
+        return nck_decode_fail_word(self, NCK_E_WORD_UNUSED, letter, 0.0, 0.0);
+    }
+    read_further(self, number, work_nm);
+    for (unsigned axis = 0; axis < NCK_AXIS_MAX && status == NCK_OK; axis++) {
+        if (!(self->words.axes & ((uint32_t)1 << axis))) continue;
+        status = set_further_axis(self, number, axis, work_nm[axis]);
+    }
+    status = nck_variable_commit(self, status);
+    const int in_force = self->place.work_system == NCK_WORK_SYSTEMS
+                         && self->place.work_more == number;
+    if (in_force) read_further(self, number, self->place.work_nm[NCK_WORK_SYSTEMS]);
+    return status == NCK_OK ? NCK_EMPTY : status;
+}
+
 // G10: L says of what.
 static nck_status_t set_data(nck_decode_t *self) {
     const nck_words_t *const words = &self->words;
@@ -180,6 +259,8 @@ static nck_status_t set_data(nck_decode_t *self) {
     if (!nck_number_whole(&words->number['L' - 'A'], 0, &list)) list = 0; // none has that number
     const nck_status_t known = nck_table_lists(self, list);
     if (known != NCK_OK) return known;
+    const int fanuc = (self->tongue & NCK_TONGUES_FANUC) != 0;
+    if (list == NCK_LIST_WORK_HERE && fanuc) return set_further(self);
     if (list == NCK_LIST_WORK || list == NCK_LIST_WORK_HERE) return set_work(self, list);
     const nck_status_t status = nck_table_set(self, list);
     return status == NCK_OK ? NCK_EMPTY : status;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Straight probes, G38.2 … G38.5, simulated: from rest to rest to the place that the words name.
+// Straight probes, G38.2 … G38.5, and Fanuc's G31, simulated: from rest to rest to the place that
+// the words name.
 // The machine says whether they meet something there; nothing is asked on the way.
 #include "nck/prep/1_decode/parts.h"
 
@@ -12,7 +13,7 @@ static nck_status_t fail(nck_decode_t *self, nck_status_t code, int letter, doub
 // G38.2 and G38.4 must meet what they are sent for, and so must have a way to go.
 static nck_status_t check_contact(nck_decode_t *self, const int64_t *target_nm, int touches) {
     const int32_t code = self->words.code[NCK_STEP_MOTION];
-    if ((code & 1) != 0) return NCK_OK;
+    if ((code & 1) != 0 || code == NCK_MOTION_SKIP) return NCK_OK;
     if (memcmp(target_nm, self->place.position_nm, sizeof self->place.position_nm) == 0) {
         return fail(self, NCK_E_PROBE, 'X', code / 10.0);
     }
@@ -43,9 +44,11 @@ static nck_status_t go(nck_decode_t *self, int touches, nck_block_t *out) {
 nck_status_t nck_decode_probe(nck_decode_t *self, nck_block_t *out) {
     const int touches = self->machine->dialect.probe == NCK_PROBE_TOUCHES;
     if (!NCK_HAS_CYCLES) return NCK_E_UNSUPPORTED;
-    self->modal.motion = self->words.code[NCK_STEP_MOTION];
+    const int32_t before = self->modal.motion, code = self->words.code[NCK_STEP_MOTION];
+    self->modal.motion = code;
     nck_status_t status = go(self, touches, out);
     if (status == NCK_OK) status = nck_parameter_set_probe(self, touches);
     if (status < NCK_OK) self->modal.motion = NCK_MOTION_REFUSED; // one mistake, one finding
+    else if (code == NCK_MOTION_SKIP) self->modal.motion = before;
     return status;
 }

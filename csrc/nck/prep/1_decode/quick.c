@@ -167,6 +167,7 @@ int nck_decode_quick(nck_decode_t *self, nck_block_t *out) {
     self->text.quick = 1;
     self->line.tag = self->line.number;
     self->modal.motion = line.code;
+    self->modal.group = (uint8_t)line.code;
     for (unsigned axis = 0; axis < 3; axis++) {
         if (line.axes & 1u << axis) self->place.position_nm[axis] = line.at[axis];
     }

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Do the words and codes of a line fit together, and who gets the axis words?
 #include "nck/prep/1_decode/parts.h"
+#include "nck/prep/1_decode/printer.h" // nck_printer_ … nck_decode_printer
+
+enum { AXIS_C = 5 };
 
 static int has(const nck_words_t *words, nck_step_t step) {
     return (words->codes & NCK_STEP(step)) != 0;
@@ -34,9 +37,15 @@ static int follows(const nck_decode_t *self) {
            && nck_decode_follows(self, self->words.code[NCK_STEP_MOTION]);
 }
 
+// C of a lathe that speaks Fanuc's language and has no such axis: a corner's.
+static uint32_t corner_letter(const nck_decode_t *self) {
+    const int has_axis = NCK_AXIS_MAX > AXIS_C && (self->place.axes >> AXIS_C & 1u);
+    return self->lathe && !has_axis ? self->words.letters & NCK_LETTER('C') : 0;
+}
+
 // The axis words that no dwell has.
 static uint32_t axis_letters(const nck_decode_t *self) {
-    const uint32_t letters = self->words.letters & NCK_LETTERS_AXES;
+    const uint32_t letters = self->words.letters & NCK_LETTERS_AXES & ~corner_letter(self);
     const int dwells = has(&self->words, NCK_STEP_DWELL);
     const int screws = self->lathe && has(&self->words, NCK_STEP_MOTION)
                        && self->words.code[NCK_STEP_MOTION] == NCK_MOTION_SCREW;
@@ -129,12 +138,15 @@ static nck_status_t check_shared(nck_decode_t *self) {
     const int moves = (words->steps & NCK_STEP(NCK_STEP_MOTION)) && (of_motion & NCK_LETTER('P'));
     const int work = has(words, NCK_STEP_OFFSET) && (words->code[NCK_STEP_OFFSET] == 100
                                                      || words->code[NCK_STEP_OFFSET] == 300);
-    const int path = has(words, NCK_STEP_PATH) && words->code[NCK_STEP_PATH] == 640;
+    const uint32_t of_path = nck_decode_motion_takes(self, words->code[NCK_STEP_PATH]);
+    const int path = has(words, NCK_STEP_PATH) && (of_path & NCK_LETTER('P'));
+    const uint32_t of_zero = nck_decode_motion_takes(self, words->code[NCK_STEP_WORK]);
+    const int zero = has(words, NCK_STEP_WORK) && (of_zero & NCK_LETTER('P'));
     const int scale = has(words, NCK_STEP_LAYOUT)
                       && (words->code[NCK_STEP_LAYOUT] & NCK_LAYOUT_G51);
     const int others = has(words, NCK_STEP_DWELL) + has(words, NCK_STEP_CALL) + scale
                        + has(words, NCK_STEP_PORT);
-    if (moves + work + path + others <= 1) return NCK_OK;
+    if (moves + work + path + zero + others <= 1) return NCK_OK;
     return nck_decode_fail_word(self, NCK_E_WORD_SHARED, 'P', 0.0, 0.0);
 }
 
@@ -189,13 +201,25 @@ static nck_status_t resolve_words(nck_decode_t *self) {
     nck_status_t status = claim_axes(self);
     if (status == NCK_OK) status = claim_motion(self);
     if (status != NCK_OK) return status;
-    uint32_t unused = words->letters & ~(words->takes | always);
+    uint32_t unused = (words->letters & ~(words->takes | always)) | corner_letter(self);
     if (unused != 0) unused &= ~nck_corner_letters(self, unused);
     if (unused != 0) {
         const int letter = leftmost(words, unused);
         return nck_decode_fail_word(self, NCK_E_WORD_UNUSED, letter, 0.0, 0.0);
     }
     return plain ? NCK_OK : check_codes(self);
+}
+
+// A G code that only the machine's file has, or of a printer: it stands alone.
+static nck_status_t resolve_own(nck_decode_t *self) {
+    nck_words_t *const words = &self->words;
+    const uint32_t unused = words->letters & ~(words->takes | NCK_LETTER('N'));
+    words->steps = NCK_STEP(NCK_STEP_OWN);
+    if (words->codes != words->steps) {
+        return nck_decode_fail_code(self, NCK_E_MODAL_GROUP, NCK_STEP_OWN);
+    }
+    if (unused == 0) return NCK_OK;
+    return nck_decode_fail_word(self, NCK_E_WORD_UNUSED, leftmost(words, unused), 0.0, 0.0);
 }
 
 static nck_status_t resolve_printer(nck_decode_t *self) {
@@ -207,6 +231,9 @@ static nck_status_t resolve_printer(nck_decode_t *self) {
 nck_status_t nck_decode_resolve(nck_decode_t *self) {
     const int calls = has(&self->words, NCK_STEP_CALL);
     if (calls && nck_words_are_arguments(&self->words)) return resolve_macro(self);
+    const int own = has(&self->words, NCK_STEP_OWN);
+    if (own && self->words.code[NCK_STEP_OWN] >= NCK_CODE_OWN_G) return resolve_own(self);
     if (self->machine->dialect.base == NCK_DIALECT_MARLIN) return resolve_printer(self);
-    return resolve_words(self);
+    const nck_status_t polar = self->words.polars != 0 ? nck_polar_resolve(self) : NCK_OK;
+    return polar == NCK_OK ? resolve_words(self) : polar;
 }

@@ -39,3 +39,14 @@ nck_status_t nck_spline_missing(nck_decode_t *self) {
     self->line.tag = spline->line;
     return nck_decode_fail(self, NCK_E_SPLINE, spline->column, 'M', self->modal.motion / 10.0, 0.0);
 }
+
+int nck_decode_skips(const nck_decode_t *self, const char **at) {
+    unsigned number = 1; // of a / alone
+    do ++*at; while (**at == ' ' || **at == '\t');
+    if (**at >= '1' && **at <= '9') {
+        number = (unsigned)(**at - '0');
+        ++*at;
+    }
+    const uint32_t on = self->machine->dialect.skip_switches;
+    return self->machine->dialect.block_skip || (on >> number & 1u);
+}

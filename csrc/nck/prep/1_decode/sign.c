@@ -28,11 +28,20 @@ const char *nck_decode_spells(const char *at, const char *word) {
     return at;
 }
 
-unsigned nck_decode_listed(const char *at, const char *words, const char **behind) {
+// One past a letter of a word; of an O word past the blanks behind it, too, which count nowhere.
+static const char *behind_letter(const char *at, int is_o_word) {
+    at++;
+    while (is_o_word && (*at == ' ' || *at == '\t')) at++;
+    return at;
+}
+
+static unsigned listed(const char *at, const char *words, int is_o_word, const char **behind) {
     unsigned place = 1;
     while (*words != '\0') {
         const char *end = at;
-        for (; *words != ' ' && capital(*end) == *words; words++) end++;
+        for (; *words != ' ' && capital(*end) == *words; words++) {
+            end = behind_letter(end, is_o_word && words[1] != ' ');
+        }
         *behind = end;
         if (*words == ' ') return place;
         while (*words != ' ') words++;
@@ -40,6 +49,10 @@ unsigned nck_decode_listed(const char *at, const char *words, const char **behin
         place++;
     }
     return 0;
+}
+
+unsigned nck_decode_listed(const char *at, const char *words, const char **behind) {
+    return listed(at, words, 0, behind);
 }
 
 const char *nck_decode_name_end(const char *at) {
@@ -71,7 +84,7 @@ unsigned nck_decode_word(const char *at, const char **behind) {
     const char *end = at;
     *behind = at;
     if (*at == '\n' || *at == ';') return NCK_O_NAME;
-    const unsigned k = nck_decode_listed(at, words, &end);
+    const unsigned k = listed(at, words, 1, &end);
     if (k == 0 || is_letter(*end)) return NCK_O_OTHER;
     *behind = end;
     return NCK_O_SUB + k - 1;

@@ -23,9 +23,11 @@ typedef struct nck_modes {
     uint8_t comp;           // nck_comp_state_t
     uint8_t extrudes_steps; // 1: M83
     uint8_t coolant;        // bit 0: M7, bit 1: M8
+    uint8_t group;          // G0 … G3 in tenths, the last of them: Fanuc's G80 goes back to it
     uint8_t excused;        // NCK_EXCUSED_…: what is missing was told, or is an error's
     double tolerance_mm;    // G64 P
     double merge_mm;        // G64 Q
+    double plain_mm;        // what G64 without P means: the machine's, or what a mode has chosen
     double feed;            // F in mm/min, mm/rev or 1/min; 0: none yet
     double feed_word;       // F as written: what a move of rotary axes alone goes by
     double speed;           // S [rpm], −1: none yet

@@ -15,6 +15,8 @@ enum {
     FANUC_OUTER = 5201, FANUC_WORK = 5221, FANUC_SYSTEMS = 6,
     LINUXCNC_OWN = 5001, LINUXCNC_KEPT = 5061, LINUXCNC_LAST = 5601,
     LAST_OF_GROUP = 30,        // G3, in tenths
+    CLOCK = 3001, OPERATING = 3004, // Fanuc: clocks, and what the operator may do meanwhile
+    SHOWN = 5599, // LinuxCNC: whether (DEBUG, …) is shown
     PROBED = 5061, PROBE_TOUCHED = 5070 // where a probe has ended; did it meet anything?
 };
 
@@ -133,8 +135,9 @@ enum { L = NCK_TONGUE_LINUXCNC, F = NCK_TONGUE_FANUC, T = NCK_TONGUE_TURNING };
 
 // #5401 … #5500 are Haas's: how long each tool has cut. Here all are new.
 static const row_t rows[] = {
-    {PROBED, 10, ASK_ZERO, L, 0}, {5220, 1, ASK_SYSTEM, L, 0},
-    {5221, 9 * SYSTEM_ROW, ASK_WORK, L, 0}, {5400, 1, ASK_TOOL, L, 0}, {5420, 9, ASK_PROGRAM, L, 0},
+    {5400, 1, ASK_TOOL, L, 0}, // before the zeros, whose last row ends there
+    {PROBED, 10, ASK_ZERO, L, 0}, {PROBED, 9, ASK_ZERO, F | T, 1}, {5220, 1, ASK_SYSTEM, L, 0},
+    {5221, 9 * SYSTEM_ROW, ASK_WORK, L, 0}, {5420, 9, ASK_PROGRAM, L, 0},
     {5001, 9, ASK_PROGRAM, F | T, 1}, {5021, 9, ASK_MACHINE, F | T, 1},
     {5041, 9, ASK_NOSE, F | T, 1}, {FANUC_OUTER, SYSTEM_ROW, ASK_OUTER, F | T, 1},
     {FANUC_WORK, FANUC_SYSTEMS * SYSTEM_ROW, ASK_WORK, F | T, 1},
@@ -178,6 +181,11 @@ static nck_status_t refuse(const nck_decode_t *self, uint32_t number) {
     return linuxcnc && number > LINUXCNC_LAST ? NCK_E_NUMBER_RANGE : NCK_E_UNSUPPORTED;
 }
 
+int nck_parameter_is_switch(const nck_decode_t *self, uint32_t number) {
+    if (self->tongue == NCK_TONGUE_LINUXCNC) return number == SHOWN;
+    return (self->tongue & NCK_TONGUES_FANUC) && number >= CLOCK && number <= OPERATING;
+}
+
 double nck_parameter_limit(nck_status_t status) {
     if (status == NCK_E_OTHER_BASE) return NCK_TONGUES_FANUC;
     return status == NCK_E_NUMBER_RANGE ? (double)LINUXCNC_LAST : 0.0;
@@ -212,11 +220,16 @@ nck_status_t nck_parameter_number(nck_decode_t *self, uint32_t number, double *v
 
 nck_status_t nck_parameter_set_probe(nck_decode_t *self, int touched) {
     if (!NCK_HAS_VARIABLES) return NCK_OK;
+    const int fanuc = (self->tongue & NCK_TONGUES_FANUC) != 0;
     nck_status_t status = NCK_OK;
+    unsigned present = 0;
     for (unsigned axis = 0; axis < NCK_AXIS_MAX && status == NCK_OK; axis++) {
         if (!(self->place.axes >> axis & 1u)) continue;
-        status = nck_variable_set(self, PROBED + axis, place(self, ASK_PROGRAM, axis));
+        const unsigned index = fanuc ? present++ : axis;
+        const double at = place(self, fanuc ? ASK_NOSE : ASK_PROGRAM, axis);
+        status = nck_variable_set(self, PROBED + index, at);
     }
+    if (fanuc) return status; // which does not tell whether something was met
     return status == NCK_OK ? nck_variable_set(self, PROBE_TOUCHED, touched) : status;
 }
 

@@ -113,7 +113,7 @@ static nck_status_t set_radius(nck_decode_t *self, uint32_t number, int64_t list
 }
 
 // Whose a list of G10 is; what no row gives to a language is refused there. Fanuc's L20 is of its
-// further work systems (G54.1), and its lathes' tools are not built.
+// further work systems (G54.1); its lathes' tools are not built.
 static const struct list {
     uint8_t list, whose; // bits of nck_tongue_t
 } lists[] = {
@@ -122,13 +122,14 @@ static const struct list {
     {L_HERE, NCK_TONGUE_LINUXCNC | NCK_TONGUE_FANUC},
     {L_FIXTURE, NCK_TONGUE_LINUXCNC | NCK_TONGUE_FANUC},
     {L_RADIUS, NCK_TONGUE_FANUC}, {L_RADIUS_WEAR, NCK_TONGUE_FANUC},
-    {NCK_LIST_WORK_HERE, NCK_TONGUE_LINUXCNC | NCK_TONGUE_GRBL}
+    {NCK_LIST_WORK_HERE, NCK_TONGUE_LINUXCNC | NCK_TONGUES_FANUC | NCK_TONGUE_GRBL}
 };
 
 nck_status_t nck_table_lists(nck_decode_t *self, int64_t list) {
     const int radius = list == L_RADIUS || list == L_RADIUS_WEAR;
     const int open = radius && self->machine->dialect.d_offset == NCK_D_OPEN;
-    const int built = NCK_HAS_VARIABLES || list == NCK_LIST_WORK || list == NCK_LIST_WORK_HERE;
+    const int here = list == NCK_LIST_WORK_HERE && !(self->tongue & NCK_TONGUES_FANUC);
+    const int built = NCK_HAS_VARIABLES || list == NCK_LIST_WORK || here;
     for (size_t k = 0; k < sizeof lists / sizeof lists[0] && built && !open; k++) {
         if (lists[k].list == list && (lists[k].whose & self->tongue)) return NCK_OK;
     }

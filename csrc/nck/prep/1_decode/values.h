@@ -20,8 +20,9 @@ nck_status_t nck_variable_add(nck_decode_t *self, uint64_t key, double value);
 // variables.c: a parameter that counts at once. NCK_E_VARIABLES. Cost: linear in the parameters.
 nck_status_t nck_variable_set(nck_decode_t *self, uint64_t key, double value);
 
-// variables.c: the key of what G10 has changed in a tool; a program begins: only what was changed
-// in tools stays. Cost: linear in the parameters.
+// variables.c: the key of what G10 has changed in a tool, and in the zero of G54.1 P; a program
+// begins: only these stay. Cost: linear in the parameters.
+uint64_t nck_variable_work(uint32_t number, unsigned axis);
 uint64_t nck_variable_tool(uint32_t number, unsigned field);
 void nck_variable_restart(nck_decode_t *self);
 
@@ -40,6 +41,10 @@ nck_status_t nck_parameter_number(nck_decode_t *self, uint32_t number, double *v
 nck_status_t nck_parameter_name(nck_decode_t *self, const char *at, const char *end,
                                 double *value_out);
 int nck_parameter_is_own(const nck_decode_t *self, uint32_t number);
+
+// system.c: 1 if a parameter may be set and changes nothing of the path: Fanuc's #3001 … #3004,
+// RS274NGC's #5599. Cost: constant.
+int nck_parameter_is_switch(const nck_decode_t *self, uint32_t number);
 
 // system.c: the limit of the finding that one of these statuses becomes. Cost: constant.
 double nck_parameter_limit(nck_status_t status);

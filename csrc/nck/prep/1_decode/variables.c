@@ -15,6 +15,7 @@ enum {
 #define KEPT ((uint64_t)1 << 61)   // an argument of a call, kept for the next one
 #define KEPT_ALL ((uint64_t)3 << 60)
 #define TOOL ((uint64_t)1 << 59)   // of a tool
+#define WORK ((uint64_t)1 << 40)   // beside it: of a work system; above the number of any tool
 
 int nck_value_is(double value) { return value < 0.5 * NCK_NO_VALUE; }
 
@@ -83,6 +84,10 @@ nck_status_t nck_variable_add(nck_decode_t *self, uint64_t key, double value) {
     macro->variable[LAST - macro->locals] = (nck_variable_t){key, value};
     macro->locals++;
     return NCK_OK;
+}
+
+uint64_t nck_variable_work(uint32_t number, unsigned axis) {
+    return TOOL | WORK | (uint64_t)number << 4 | axis;
 }
 
 uint64_t nck_variable_tool(uint32_t number, unsigned field) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // One source line → words: a single pass over its bytes.
 #include "nck/prep/1_decode/parts.h"
+#include "nck/prep/1_decode/printer.h" // nck_printer_ … nck_decode_printer
 
 #include <stddef.h> // NULL
 
@@ -45,6 +46,11 @@ static nck_status_t read_value(nck_decode_t *self, const char **at, nck_number_t
     double value = 0.0;
     nck_status_t status = nck_decode_control(self, at);
     if (status != NCK_EMPTY) return status == NCK_OK ? NCK_EMPTY : status;
+    if (nck_printer_flag(self, (char)(*letter & ~0x20))) {
+        *at = letter + 1;
+        nck_decode_number(0.0, out);
+        return (*letter & ~0x20) == 'W' ? NCK_EMPTY : NCK_OK;
+    }
     if (!begins_value(first) || !NCK_HAS_VARIABLES) {
         return nck_decode_fail(self, begins_value(first) ? NCK_E_UNSUPPORTED : NCK_E_NUMBER,
                                column_of(self, letter), *letter & ~0x20, 0.0, 0.0);
@@ -68,6 +74,7 @@ static nck_status_t fail_character(nck_decode_t *self, const char *at) {
 // A code whose step has one already. G80 cancels cycles, and a motion beside it is the motion;
 // Fanuc's last one of a group counts, so the G90 of a safety line is none.
 static nck_status_t collide(nck_words_t *words, unsigned step, int64_t tenths) {
+    if (!(words->codes & NCK_STEP(step))) return NCK_OK;
     if (step == NCK_STEP_LAYOUT) {
         const int both = nck_layout_collides(words->code[step], nck_layout_bit(tenths));
         return both ? NCK_E_MODAL_GROUP : NCK_OK;
@@ -90,7 +97,8 @@ static void keep_code(nck_words_t *words, unsigned step, int64_t tenths) {
 
 // A printer's text is no word.
 static const char *behind_code(const nck_decode_t *self, const char *at, unsigned step) {
-    return step == NCK_STEP_OWN ? nck_printer_text(self, at, self->words.code[step]) : at;
+    const int may = step == NCK_STEP_OWN || step == NCK_STEP_STOP;
+    return may ? nck_printer_text(self, at, step) : at;
 }
 
 // G and M codes: sorted into the step that executes them.
@@ -104,6 +112,15 @@ static nck_status_t find_code(const nck_decode_t *self, int letter, const nck_nu
     return nck_decode_code(self, letter, *tenths, step, takes);
 }
 
+// Its number, as it is written or as a value.
+static nck_status_t read_code_number(nck_decode_t *self, const char **at, nck_number_t *out) {
+    const char *next = nck_printer_code(self, *at, out);
+    if (next == NULL) next = nck_number_read(self->line.text, *at + 1, out);
+    if (next == NULL) return read_value(self, at, out);
+    *at = next;
+    return NCK_OK;
+}
+
 static nck_status_t read_code(nck_decode_t *self, const char **at) {
     nck_words_t *const words = &self->words;
     const unsigned column = column_of(self, *at);
@@ -113,12 +130,11 @@ static nck_status_t read_code(nck_decode_t *self, const char **at) {
     unsigned step = 0;
     uint32_t takes = 0;
 
-    const char *const next = nck_number_read(self->line.text, *at + 1, &number);
-    nck_status_t status = next != NULL ? NCK_OK : read_value(self, at, &number);
+    nck_status_t status = read_code_number(self, at, &number);
     if (status != NCK_OK) return status;
-    if (next != NULL) *at = next;
     status = find_code(self, letter, &number, &tenths, &step, &takes);
-    if (status == NCK_OK && (words->codes & NCK_STEP(step))) status = collide(words, step, tenths);
+    if (status == NCK_OK && step == NCK_STEP_COUNT) return NCK_OK; // it ends what is not built
+    if (status == NCK_OK) status = collide(words, step, tenths);
     if (status == NCK_EMPTY) return NCK_OK;
     if (status != NCK_OK) {
         const double who = status == NCK_E_OTHER_BASE ? nck_decode_who(letter, tenths) : 0.0;
@@ -126,7 +142,8 @@ static nck_status_t read_code(nck_decode_t *self, const char **at) {
     }
     words->takes |= takes;
     words->code_column[step] = (uint16_t)column;
-    keep_code(words, step, tenths);
+    const int own_g = letter == 'G' && step == NCK_STEP_OWN;
+    keep_code(words, step, own_g ? tenths + NCK_CODE_OWN_G : tenths);
     *at = behind_code(self, *at, step);
     return NCK_OK;
 }
@@ -198,13 +215,35 @@ static nck_status_t read_corner(nck_decode_t *self, const char **at) {
     return NCK_OK;
 }
 
+// Fanuc's / in the middle: what stands behind it may be skipped.
+static nck_status_t skip_rest(nck_decode_t *self, const char **at) {
+    const char *behind = *at;
+    if (!(self->tongue & NCK_TONGUES_FANUC)) return fail_character(self, *at);
+    const int skips = nck_decode_skips(self, &behind);
+    *at = skips ? self->line.text + self->line.size : behind;
+    return NCK_OK;
+}
+
+// What begins with another sign, or is a mistake.
+static nck_status_t read_sign(nck_decode_t *self, const char **at) {
+    switch (**at) {
+    case ':': return nck_decode_o_word(self, at);
+    case ',': return read_corner(self, at);
+    case '/': return skip_rest(self, at);
+    case '@':
+    case '^': return NCK_HAS_LAYOUTS ? nck_polar_read(self, at) : fail_character(self, *at);
+    case '*':
+        if (self->tongue == NCK_TONGUE_MARLIN) return nck_printer_checksum(self, at);
+        return fail_character(self, *at);
+    default: return fail_character(self, *at);
+    }
+}
+
 // What begins with no letter: a remark, a parameter, or the name of a program behind a colon.
 static nck_status_t read_other(nck_decode_t *self, const char **at) {
     const char *const first = *at;
-    if (*first == ':') return nck_decode_o_word(self, at);
     if (*first == '#') return nck_decode_assign(self, at);
-    if (*first == ',') return read_corner(self, at);
-    if (*first != '(') return fail_character(self, first);
+    if (*first != '(') return read_sign(self, at);
     while (**at != ')' && **at != '\n') ++*at;
     if (**at == '\n') {
         return nck_decode_fail(self, NCK_E_COMMENT, column_of(self, first), 0, 0.0, 0.0);
@@ -222,6 +261,7 @@ nck_status_t nck_decode_words(nck_decode_t *self, const char *at) {
     self->words.takes = 0;
     self->words.tail = 0;
     self->words.place = 0;
+    self->words.polars = 0;
     while (status >= NCK_OK && *at != '\n') {
         if (is_letter(*at)) {
             status = read_word(self, &at);

@@ -67,6 +67,10 @@ typedef struct nck_words {
     uint16_t code_column[NCK_STEP_COUNT]; // 1-based byte column of the code
     uint16_t column[NCK_LETTERS];         // 1-based byte column of the word
     nck_number_t number[NCK_LETTERS];
+    double polar_at[2];                   // where @ and ^ lead: [mm], [deg]
+    double polar_step[2];                 // what they say
+    uint16_t polar_column;                // of the first of them
+    uint8_t polars;                       // bit 0: @, bit 1: ^ stands in the line
     uint8_t rest;                         // nck_rest_t
     uint8_t tail;                         // 1: the line ended in a ; comment
     uint8_t place;                        // of the last I, J or K behind G65 or G66, from 1

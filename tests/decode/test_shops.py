@@ -1,0 +1,299 @@
+# SPDX-License-Identifier: MIT
+"""Room 1: words of shops. Random programs that say them against the same programs without."""
+
+import random
+
+import numpy as np
+import pytest
+
+import pycnc
+from pycnc import stages
+from pycnc.kernel.bind import lib, note_id, status_id
+from pycnc.machine import Machine
+
+FREE = [f"axis.{axis}.{end}_mm=free" for axis in "xyz" for end in ("min", "max")]
+FANUC = [*FREE, "dialect.base=fanuc", "tool.1.radius_mm=2", "tool.1.length_mm=0"]
+HEAD = "G21 G90 G94 G17 G54\nS900 M3\nG0 X0. Y0. Z9.\n"
+SEEDS = range(40)
+
+
+def mill(*changes):
+    return Machine.load("mill3", set=[*FANUC, *changes])
+
+
+def decode(text, machine):
+    """Return (blocks, ids and lines of the errors, ids of the notes)."""
+    blocks, findings = stages.decode(text.encode(), machine)
+    errors, notes = findings[findings["code"] < 0], findings[findings["code"] > 0]
+    return (blocks, [(status_id(int(each["code"])), int(each["line"])) for each in errors],
+            [note_id(int(each["code"])) for each in notes])  # fmt: skip
+
+
+def told(text, machine):
+    """Return what a program without a mistake does, but for the numbers of its lines."""
+    blocks, errors, _ = decode(text, machine)
+    assert errors == [], text
+    return blocks[["kind", "target_nm", "feed", "tolerance_mm", "path_mode", "dwell_s"]]
+
+
+def same(one, other, machine, second=None):
+    np.testing.assert_array_equal(told(one, machine), told(other, second or machine), one)
+
+
+def move(rng):
+    code = rng.choice(("G0", "G1 F300."))
+    return f"{code} X{rng.uniform(-50, 50):.3f} Y{rng.uniform(-50, 50):.3f}"
+
+
+# ---- modes
+
+MODES = ("G05 P10000", "G05 P0", "G05.1 Q1", "G5.1 Q1 R5", "G05.1 Q0", "G08 P1", "G08 P0", "G61.1",
+         "G62", "G63", "G64", "G187", "G187 P2", "G13.1", "G23", "G40.1 G50.2")  # fmt: skip
+
+
+@pytest.mark.parametrize("seed", SEEDS)
+def test_a_mode_that_nobody_explains_changes_nothing(seed):
+    rng = random.Random(seed)
+    lines = [move(rng) for _ in range(8)]
+    with_modes = [line for each in lines for line in (*rng.choices(MODES, k=2), each)]
+    ends = (HEAD, "M30\n")
+    same("\n".join(with_modes).join(ends), "\n".join(["", *lines, ""]).join(ends), mill())
+
+
+def test_a_mode_is_noted_once_unless_it_ends_or_is_explained():
+    text = f"{HEAD}G05.1 Q1\nG1 X1. F100.\nG05.1 Q1\nX2.\nM30\n"
+    assert decode(text, mill())[2].count("mode-stays") == 1
+    assert "mode-stays" not in decode(text, mill("g.5_1.action=ignore"))[2]
+    assert "mode-stays" not in decode(f"{HEAD}G5.1 Q0\nG8 P0\nG5 P0\nG187\nM30\n", mill())[2]
+
+
+@pytest.mark.parametrize("seed", SEEDS)
+def test_an_explained_mode_is_the_tolerance_that_g64_says(seed):
+    rng = random.Random(seed)
+    sizes = {f"{code}": rng.choice((0, 0.005, 0.02, 0.3)) for code in ("5_1_q1", "187_p2", "62")}
+    said = {"5_1_q1": "G5.1 Q1", "187_p2": "G187 P2", "62": "G62", "e": "G187 P1 E.125",
+            "end": "G5.1 Q0"}  # fmt: skip
+    changes = [f"g.{key}.{name}={value}" for key, size in sizes.items()
+               for name, value in (("action", "tolerance"), ("tolerance_mm", size))]  # fmt: skip
+    fanuc, linuxcnc = [], []
+    for _ in range(6):
+        key, line = rng.choice(list(said)), move(rng)
+        size = {**sizes, "e": 0.125, "end": 0.01}[key]
+        fanuc += [said[key], line]
+        linuxcnc += [f"G64 P{size} Q{size}", line]
+    machine = mill(*changes)
+    same(HEAD + "\n".join(fanuc) + "\nM30\n", HEAD + "\n".join(linuxcnc) + "\nM30\n", machine,
+         Machine.load("mill3", set=FREE))  # fmt: skip
+
+
+@pytest.mark.parametrize(
+    ("line", "found"),
+    [
+        ("G05", "word-missing"), ("G5.1 R1", "word-missing"), ("G8", "word-missing"),
+        ("G5.1 Q1 X0.", "word-unused"), ("G187 P1 E-.1", "number-range"),
+        ("G187 Q1", "word-unused"),
+        ("G8 G4 P5", "word-shared"), ("G68.2 X0.", "unsupported"), ("G43.4 H1", "unsupported"),
+        ("G12.1", "unsupported"), ("G7.1 C5.", "unsupported"),
+    ],
+)  # fmt: skip
+def test_a_mode_that_says_too_little_or_is_not_built_is_refused(line, found):
+    assert decode(f"{HEAD}{line}\nM30\n", mill())[1] == [(found, 4)]
+
+
+def test_a_code_of_the_machine_file_alone_is_done_as_it_says():
+    machine = mill("g.103.action=ignore", "g.332_p2.action=tolerance", "g.332_p2.tolerance_mm=0.2")
+    text = f"{HEAD}G103 P1\nG332 P2 K9.\nG1 X1. F100.\nM30\n"
+    assert told(text, machine)["tolerance_mm"][-2] == 0.2
+    assert decode(f"{HEAD}G103 P1 G1 X5.\nM30\n", machine)[1] == [("modal-group", 4)]
+    assert decode(f"{HEAD}G103 P1\nM30\n", mill())[1] == [("g-unknown", 4)]
+
+
+@pytest.mark.parametrize(
+    ("change", "key"),
+    [
+        ("g.x.action=ignore", "g.x"), ("g.5_1_r3.action=ignore", "g.5_1_r3"),
+        ("g.62.tolerance_mm=0.1", "g.62.action"), ("work.p.0.x_mm=1", "work.p.0"),
+        ("work.p.301.x_mm=1", "work.p.301"), ("dialect.skip_switches=20", "skip_switches"),
+    ],
+)  # fmt: skip
+def test_a_wrong_name_in_the_machine_file_is_told(change, key):
+    with pytest.raises(pycnc.MachineFileError) as told:
+        mill(change)
+    assert key in str(told.value)
+
+
+# ---- work systems
+
+FURTHER = ("G54.1 P{0}", "G54 P{0}", "G154 P{0}", "G{1}")
+
+
+@pytest.mark.parametrize("seed", SEEDS)
+def test_further_work_systems_are_work_systems(seed):
+    rng = random.Random(seed)
+    places = {n: [rng.randint(-90, 90) for _ in range(3)] for n in (1, 2, 5)}
+    systems = dict(zip(places, ("g55", "g56", "g57"), strict=True))
+    key = {name: f"work.{name}" for name in systems.values()}
+    changes = [f"{stem}.{axis}_mm={at}" for n, place in places.items()
+               for stem in (f"work.p.{n}", key[systems[n]])
+               for axis, at in zip("xyz", place, strict=True)]  # fmt: skip
+    further, common = [], []
+    for _ in range(8):
+        n, kind = rng.choice(list(places)), rng.random()
+        if kind < 0.3:
+            words = f"X{rng.randint(-9, 9)}. Z{rng.randint(-9, 9)}."
+            mode = rng.choice(("G90", "G91"))
+            further += [f"{mode} G10 L20 P{n} {words}", "G90"]
+            common += [f"{mode} G10 L2 P{int(systems[n][1:]) - 53} {words}", "G90"]
+        elif kind < 0.6:
+            further.append(rng.choice(FURTHER).format(n, 109 + n))
+            common.append(systems[n])
+        elif kind < 0.7:
+            further.append("G54")
+            common.append("G54")
+        line = move(rng)
+        further.append(line)
+        common.append(line)
+    machine = mill(*changes)
+    same(HEAD + "\n".join(further) + "\nM30\n", HEAD + "\n".join(common) + "\nM30\n", machine)
+
+
+@pytest.mark.parametrize(
+    ("line", "found"),
+    [
+        ("G54.1", "word-missing"), ("G54.1 P0", "number-range"), ("G54.1 P301", "number-range"),
+        ("G154 P100", "number-range"), ("G10 L20 P0 X1.", "number-range"),
+        ("G10 L20 P1 X1. R5.", "word-unused"), ("G112", "unsupported"), ("G130", "g-unknown"),
+        ("G54.1 G4 P5", "word-shared"),
+    ],
+)  # fmt: skip
+def test_a_work_system_that_is_none_is_refused(line, found):
+    assert decode(f"{HEAD}{line}\nM30\n", mill())[1] == [(found, 4)]
+
+
+def test_offsets_of_a_program_stay_for_the_next_one():
+    nck = pycnc.Machine.load("mill3", set=FANUC)
+    text = f"{HEAD}G10 L20 P7 X5.\nG54.1 P7\nG0 X0.\nM30\n"
+    assert told(text, nck)["target_nm"][-2][0] == 5_000_000
+
+
+# ---- cycles, compensation, skips
+
+@pytest.mark.parametrize("seed", SEEDS)
+def test_behind_g80_the_motion_before_the_cycle_goes_on(seed):
+    rng = random.Random(seed)
+    before = rng.choice(("G0", "G1"))
+    cycle = rng.choice(("G81 Z-5. R2.", "G82 Z-5. R2. P50", "G83 Z-5. R2. Q1.5", "G85 Z-5. R2."))
+    words = f"X{rng.randint(-9, 9)}. Y{rng.randint(-9, 9)}."
+    begin = f"{HEAD}{before} X1. F200.\nG99 {cycle}\nX3.\n"
+    plain, said = rng.choice(((f"G80 {words}", f"G80\n{before} {words}"),
+                              (f"G80\n{words}", f"G80\n{before} {words}")))  # fmt: skip
+    same(f"{begin}{plain}\nM30\n", f"{begin}{said}\nM30\n", mill())
+
+
+def test_a_peck_rests_at_the_bottom_for_p():
+    text = "G99 {} Z-5. R2. Q2. F100. {}\nX5.\nG80\nM30\n"
+    for code in ("G83", "G73"):
+        plain, rests = (told(HEAD + text.format(code, p), mill()) for p in ("", "P250"))
+        dwells = rests[rests["kind"] == lib.NCK_BLOCK_DWELL]
+        np.testing.assert_array_equal(rests[rests["kind"] != lib.NCK_BLOCK_DWELL], plain)
+        assert dwells["dwell_s"].tolist() == [0.25, 0.25]
+        assert set(dwells["target_nm"][:, 2]) == {-5_000_000}
+
+
+def test_a_peck_without_a_point_needs_the_machine_to_say_its_unit():
+    text = f"{HEAD}G99 G83 Z-5. R2. Q2000 F100.\nG80\nM30\n"
+    assert decode(text, mill())[1] == [("scale-unit", 4)]
+    same(text, text.replace("Q2000", "Q2."), mill("dialect.integers=increments"))
+
+
+def test_h_names_the_radius_where_no_d_does():
+    text = "{} {} G1 X10. F200.\nX30.\nY30.\nG40 Y50.\nM30\n"
+    for side in ("G41", "G42"):
+        same(HEAD + text.format(side, "H1"), HEAD + text.format(side, "D1"), mill())
+    both = f"{HEAD}G43 H1 G41 D1 G1 X10. F200.\nG40 X50.\nM30\n"
+    assert decode(both, mill())[1] == []
+
+
+@pytest.mark.parametrize("seed", SEEDS)
+def test_what_stands_behind_a_slash_is_skipped_by_its_switch(seed):
+    rng = random.Random(seed)
+    on = set(rng.sample(range(1, 10), rng.randint(0, 3)))
+    with_slashes, plain = [], []
+    for _ in range(10):
+        number, in_middle = rng.randint(0, 9), rng.random() < 0.5
+        skips, digit = (number or 1) in on, str(number or "")
+        x, y = f"X{rng.randint(-50, 50)}.", f"Y{rng.randint(-50, 50)}."
+        with_slashes.append(f"G0 {x} /{digit} {y}" if in_middle else f"/{digit} G0 {x}")
+        plain.append(f"G0 {x if in_middle or not skips else ''} "
+                     f"{y if in_middle and not skips else ''}")  # fmt: skip
+    machine = mill(f"dialect.skip_switches={''.join(map(str, on))}")
+    ends = (HEAD, "M30\n")
+    same("\n".join(["", *with_slashes, ""]).join(ends), "\n".join(["", *plain, ""]).join(ends),
+         machine)  # fmt: skip
+
+
+def test_block_skip_is_for_every_number_and_for_the_rest_of_a_line():
+    text = f"{HEAD}/5 G0 X7.\nG0 X1. /Y2.\nM30\n"
+    same(text, f"{HEAD}G0 X1.\nM30\n", mill("dialect.block_skip=true"))
+    assert decode(f"{HEAD}G0 X1. /Y2.\n", Machine.load("mill3"))[1] == [("character", 4)]
+
+
+def test_clocks_and_switches_of_the_operator_change_no_path():
+    text = "#3001=0\nG0 X1. #3003=1\n#3004=7\nX2.\nM30\n"
+    same(HEAD + text, f"{HEAD}G0 X1.\nX2.\nM30\n", mill())
+    assert decode(f"{HEAD}#100=#3012\nM30\n", mill())[1] == [("unsupported", 4)]
+
+
+# ---- probes
+
+@pytest.mark.parametrize("seed", SEEDS)
+def test_g31_is_a_probe_that_need_not_meet_anything(seed):
+    rng = random.Random(seed)
+    x, z = rng.uniform(-9, 9), rng.uniform(-9, 9)
+    words = f"X{x:.3f} Z{z:.3f} F100."
+    fanuc = f"G55 G31 {words}\nG1 X#5061 Y#5062 Z[#5063+1.]\nG0 Z9.\n"
+    linuxcnc = f"G55 G38.3 {words}\nG1 X{x:.3f} Y#5062 Z[{z:.3f}+1.]\nG0 Z9.\n"
+    zero = ["work.g55.x_mm=3", "work.g55.y_mm=-4"]
+    same(HEAD + fanuc + "M30\n", HEAD + linuxcnc + "M30\n", mill(*zero),
+         Machine.load("mill3", set=[*FREE, *zero]))  # fmt: skip
+    after = f"{HEAD}G1 F50. X1.\nG31 Z0.\nX2.\nM30\n"
+    same(after, after.replace("X2.", "G1 X2."), mill())
+
+
+def test_g31_is_refused_where_probes_are():
+    text = f"{HEAD}G31 Z0. F100.\nM30\n"
+    assert decode(text, mill("dialect.probe=refused"))[1] == [("unsupported", 4)]
+
+
+# ---- lathes
+
+def lathe(*changes):
+    free = [each for each in FREE if ".y." not in each]
+    return Machine.load("cak6150n", set=[*free, "dialect.system=A", *changes])
+
+
+def test_c_of_a_lathe_without_that_axis_cuts_a_corner_off():
+    text = "G21\nG97 S500 M3\nG0 X20. Z0\nG1 Z-10. {} F.2\nX40.\nG0 X60.\nM30\n"
+    same(text.format("C2."), text.format(",C2."), lathe())
+    assert decode("G21\nG0 X20. C2.\nM30\n", lathe())[1] == [("word-unused", 2)]
+
+
+def test_a_lathe_of_fanucs_begins_with_feed_per_revolution():
+    text = "G21\nG97 S500 M3\nG1 X20. F.2\nM30\n"
+    found, said = (stages.decode(text.encode(), lathe(*change))[0]["feed_mode"][-2]
+                   for change in ((), ("dialect.feed=per_minute",)))  # fmt: skip
+    assert (found, said) == (lib.NCK_FEED_PER_REV, lib.NCK_FEED_PER_MINUTE)
+    assert "assumed-feed-mode" in decode(text, lathe())[2]
+
+
+# ---- grbl's dialects
+
+@pytest.mark.parametrize("code", ["M62 P1", "M63 P1", "M64 P0", "M65 P3", "M66 P1 L3 Q2",
+                                  "M67 E1 Q20", "M68 E0 Q.5"])  # fmt: skip
+def test_grbl_hands_ports_over_as_linuxcnc_does(code):
+    text = f"G21 G90 G94\n{code}\nG0 X1\nM2\n"
+    grbl, linuxcnc = (stages.decode(text.encode(), Machine.load(
+        "mill3", set=[f"dialect.base={base}"]))[0] for base in ("grbl", "linuxcnc"))  # fmt: skip
+    assert len(grbl) == 3
+    np.testing.assert_array_equal(grbl[["kind", "output", "target_nm"]],
+                                  linuxcnc[["kind", "output", "target_nm"]])  # fmt: skip
