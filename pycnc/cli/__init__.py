@@ -27,6 +27,7 @@ from pycnc.cli.options import (
     Picture,
     PlanName,
     PrepSteps,
+    Programs,
     Quiet,
     Set,
     SlopeName,
@@ -61,10 +62,13 @@ PEAK_TOLERANCE = 1e-6  # of a limit, on the double setpoints
 @verb(app, "check part.ngc --machine mill3")
 def check(
     *, files: Files, machine: MachineName = DEFAULT, dialect: DialectName = None, set: Set = None,
-    tools: Tools = None, from_line: FromLine = None, json_: Json = False, quiet: Quiet = False,
+    tools: Tools = None, from_line: FromLine = None, programs: Programs = None,
+    json_: Json = False, quiet: Quiet = False,
 ):  # fmt: skip
     """Tell all diagnostics of programs, without planning."""
-    mill = machine_of(machine, set, tools, dialect, from_line=from_line, quiet=quiet)
+    mill = machine_of(
+        machine, set, tools, dialect, from_line=from_line, programs=programs, quiet=quiet
+    )
     found, code = [], GOOD
     for file in files:
         try:
@@ -105,8 +109,8 @@ def canon(
 def run(
     *, file: File, machine: MachineName = DEFAULT, dialect: DialectName = None,
     slope: SlopeName = None, set: Set = None, tools: Tools = None, from_line: FromLine = None,
-    output: Output = None, picture: Picture = None, prep_steps: PrepSteps = None,
-    plan: PlanName = "exact", backend: Backend = "auto",
+    programs: Programs = None, output: Output = None, picture: Picture = None,
+    prep_steps: PrepSteps = None, plan: PlanName = "exact", backend: Backend = "auto",
     json_: Json = False, quiet: Quiet = False, verbose: Verbose = False,
 ):  # fmt: skip
     """Run a program in the simulation, tick by tick."""
@@ -116,8 +120,9 @@ def run(
     if picture is not None:
         need("matplotlib.figure")
     mill = machine_of(
-        machine, set, tools, dialect, slope=slope, plan=plan, from_line=from_line, quiet=quiet
-    )
+        machine, set, tools, dialect, slope=slope, plan=plan, from_line=from_line,
+        programs=programs, quiet=quiet,
+    )  # fmt: skip
     program, facts, code = look_at(file, mill, quiet, json_, keep=False)
     if program is None:
         return give_up(facts, code, json_)

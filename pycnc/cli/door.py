@@ -87,13 +87,15 @@ def verb(group, example):
 
 
 def machine_of(
-    name, set, tools, dialect, *, slope=None, plan="exact", from_line=None, quiet=False
+    name, set, tools, dialect, *, slope=None, plan="exact", from_line=None, programs=None,
+    quiet=False
 ):
     """Return the machine that the options describe, after telling the changes without effect."""
     from pycnc.machine import Machine, effect
 
     changes = [*(set or ()), *([f"path.slope={slope.value}"] if slope else ())]
     changes += [f"dialect.from_line={from_line}"] if from_line else []
+    changes += [f"dialect.programs={programs}"] if programs else []
     machine = Machine.load(name, set=changes, tools=tools, dialect=dialect and dialect.value)
     if not quiet:
         for change, reason in effect.idle_changes(machine, plan):

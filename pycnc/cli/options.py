@@ -119,6 +119,13 @@ DialectName = Annotated[
     Dialect | None,
     typer.Option("--dialect", help="Read the text as this dialect; auto: as it looks."),
 ]
+Programs = Annotated[
+    str | None,
+    typer.Option(
+        "--programs", metavar="DIR",
+        help="Folder of subprograms that the text calls: the same as --set dialect.programs=…",
+    ),
+]
 Json = Annotated[bool, typer.Option("--json", help="Results as JSON.")]
 Quiet = Annotated[bool, typer.Option("--quiet", "-q", help="Errors and results only.")]
 Verbose = Annotated[bool, typer.Option("--verbose", "-v", help="Tell the program's notes, too.")]

@@ -21,6 +21,7 @@ from pycnc.cli.options import (
     MachineName,
     Page,
     PlanName,
+    Programs,
     Quiet,
     Set,
     SlopeName,
@@ -50,8 +51,8 @@ _MOTION = ("accelerate", "cruise", "decelerate")
 def time(
     *, files: Files, by: By = None, machine: MachineName = DEFAULT, dialect: DialectName = None,
     slope: SlopeName = None, set: Set = None, tools: Tools = None, from_line: FromLine = None,
-    plan: PlanName = "exact", backend: Backend = "auto", jobs: Jobs = 1, json_: Json = False,
-    quiet: Quiet = False,
+    programs: Programs = None, plan: PlanName = "exact", backend: Backend = "auto",
+    jobs: Jobs = 1, json_: Json = False, quiet: Quiet = False,
 ):  # fmt: skip
     """Tell the machining time of programs, from the plan.
 
@@ -61,8 +62,9 @@ def time(
 
     check_backend(backend, plan)
     mill = machine_of(
-        machine, set, tools, dialect, slope=slope, plan=plan, from_line=from_line, quiet=quiet
-    )
+        machine, set, tools, dialect, slope=slope, plan=plan, from_line=from_line,
+        programs=programs, quiet=quiet,
+    )  # fmt: skip
     how = {"plan": plan, "backend": backend, "by": by and by.value, "as_json": json_,
            "quiet": quiet}  # fmt: skip
     told, code = [], GOOD

@@ -12,7 +12,6 @@ from pydantic import Field, model_validator
 from pycnc.machine.control import Control, contradictions as _control_contradictions
 from pycnc.machine.own import OwnG, OwnM, code_problems
 from pycnc.machine.quantity import (
-    TRAVEL_LIMIT,
     Acceleration,
     Coordinate,
     Error,

@@ -4,7 +4,7 @@
 import hashlib
 
 from pycnc import errors, files, kernel
-from pycnc.program import guess, limits, moves
+from pycnc.program import folder, guess, kind, limits, moves
 from pycnc.program.diagnostics import Diagnostic, Diagnostics, Wording
 from pycnc.program.geometry import Moves
 from pycnc.program.lines import Lines
@@ -47,9 +47,11 @@ class Program:
         self.lines = Lines(b"" if isinstance(self.text, kernel.Blocks) else self.text)
         self.file, self.diagnostics, kept, self.block_count = file, Diagnostics(), [], 0
         self.machine = machine = self._choose_dialect(machine)
+        if machine.settings.dialect.programs and not isinstance(self.text, kernel.Blocks):
+            self._join_programs()
         self._veil(machine)
         self.tolerance_most_mm, self.has_threads = 0.0, False
-        wording = Wording(file, self.lines, machine)
+        wording = Wording(file, self.lines, machine, self._places())
         another = beside.another if beside else None
         for blocks, findings, used in kernel.decode(self.text, machine, another):
             wording.add(self.diagnostics, limits.heard(findings, machine))
@@ -65,6 +67,39 @@ class Program:
                 progress(used, len(self.text))
         self.blocks = join("nck_block_t", kept) if keep else None
         self._moves = None
+        if self.diagnostics.errors and not isinstance(self.text, kernel.Blocks):
+            self._tell_kind()
+
+    def _places(self):
+        """Return where the lines of programs of other files begin."""
+        plain = isinstance(self.text, kernel.Blocks) or not self.machine.settings.dialect.programs
+        return [] if plain else folder.places(self.text)
+
+    def _tell_kind(self):
+        """Say in one line what the text is for, in place of what all its strange words are."""
+        seen = kind.kind_of(self.text, self.machine)
+        if not seen or not seen.cures & set(self.diagnostics.counts):
+            return
+        found = seen.source.decode("utf-8", "replace")[:40]
+        self.diagnostics.lead(
+            Diagnostic(
+                self.file, seen.line, 0, "looks-like", "note", f"looks like {seen.name}: {found}",
+                f"pycnc time {self.file} {seen.options}", self.lines[seen.line],
+            ),
+            seen.cures,
+        )  # fmt: skip
+
+    def _join_programs(self):
+        """Put the programs of the machine's folder that the text calls behind it."""
+        dialect = self.machine.settings.dialect
+        try:
+            self.text = folder.joined(self.text, dialect.programs, dialect.base)
+        except (folder.FolderError, OSError) as cause:
+            self.diagnostics.add(
+                Diagnostic(self.file, 0, 0, "programs", "error", str(cause),
+                           "--programs takes a folder of files such as O9000.nc or name.ngc")
+            )  # fmt: skip
+        self.lines = Lines(self.text)
 
     def _veil(self, machine):
         """Hide what the machine's control would do beside motion; tell of each kind once."""

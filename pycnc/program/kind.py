@@ -1,0 +1,59 @@
+# SPDX-License-Identifier: MIT
+"""What a text is for, by what it says: a print, turning, an axis that turns; and who reads it."""
+
+import re
+from collections import namedtuple
+
+from pycnc.program.guess import beginning, dialect_of
+
+_REMARKS = re.compile(rb"\([^)]*\)|;.*")
+_PRINTS = re.compile(
+    rb"(N\d+ *)?(M(104|109|140|190|82|83)\b|G1 .*\bE-?[\d.]|(EXCLUDE_OBJECT|PRINT_START|START_PRINT"
+    rb"|BED_MESH|SET_[A-Z_]+)\b)", re.IGNORECASE
+)  # fmt: skip
+_TURNS = re.compile(rb"G96\b|G50 *S|\bT\d{4}\b|G7[0-3]\b.*\b[PQ] *\d+|\b[UW]-?[\d.]", re.IGNORECASE)
+_CROSS = re.compile(rb"\bY *-?[\d.]", re.IGNORECASE)
+_ROTARY = re.compile(rb"(?<![A-Z])([ABC]) *-?[\d.]", re.IGNORECASE)
+
+# name: as a person says it; line, source: where it shows; options: of the command that reads it;
+# cures: the ids of the findings that this command has not.
+Kind = namedtuple("Kind", "name line source options cures")
+
+_STRANGE = frozenset({"axis-unknown", "word-unknown", "other-base", "m-unknown", "word-unused",
+                      "number", "character", "unsupported"})  # fmt: skip
+
+
+def kind_of(text, machine):
+    """Return what a text is for if the machine is no such one; None: nothing tells, or it is."""
+    lines = [_REMARKS.sub(b"", line).strip() for line in beginning(text)]
+    return _print(lines, machine) or _turning(lines, machine) or _rotary(lines, machine)
+
+
+def _first(lines, sign):
+    return next(((n, line) for n, line in enumerate(lines, 1) if sign.match(line)), None)
+
+
+def _print(lines, machine):
+    found = _first(lines, _PRINTS)
+    if not found or (machine.settings.dialect.base == "marlin" and "u" in machine.axes):
+        return None
+    return Kind("a print", *found, "-m printer", _STRANGE)
+
+
+def _turning(lines, machine):
+    sign = next(((n, line) for n, line in enumerate(lines, 1) if _TURNS.search(line)), None)
+    across = any(_CROSS.search(line) for line in lines)
+    lathe = machine.settings.kinematics.type == "lathe_xz"
+    if lathe or across or not sign:
+        return None
+    dialect = dialect_of(b"\n".join(lines))[0]
+    options = "-m cak6150n" if dialect == "fanuc" else "-m cak6150n --dialect linuxcnc"
+    return Kind("a lathe's program", *sign, options, _STRANGE)
+
+
+def _rotary(lines, machine):
+    found = [(number, line) for number, line in enumerate(lines, 1) if _ROTARY.search(line)]
+    letters = {match[1].decode().lower() for _, line in found for match in _ROTARY.finditer(line)}
+    if len(found) < 2 or letters <= set(machine.axes) or not letters <= {"a", "c"}:
+        return None
+    return Kind("a program for axes that turn", *found[0], "-m mill5_xyzac", {"axis-unknown"})

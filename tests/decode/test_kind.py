@@ -1,0 +1,70 @@
+# SPDX-License-Identifier: MIT
+"""What a text is for is told in one line, with the command that reads it."""
+
+import random
+import shlex
+
+import pytest
+from cases import CORPUS
+
+import pycnc
+from pycnc.machine import Machine
+
+KINDS = {"a print": "printer", "a lathe's program": "cak6150n",
+         "a program for axes that turn": "mill5_xyzac"}  # fmt: skip
+
+
+def number(rng):
+    return f"{rng.uniform(-40, 40):.2f}"
+
+
+def text_of(kind, seed):
+    """Return a random program of a kind."""
+    rng = random.Random(seed)
+    if kind == "a print":
+        lines = [rng.choice(("M104 S200", "M140 S60", "M82", "N4 M190 S60")), "G21 G90"]
+        lines += [f"G1 X{number(rng)} Y{number(rng)} E{k}.5 F900" for k in range(30)]
+    elif kind == "a lathe's program":
+        lines = ["G21", rng.choice(("G50 S2000", "G96 S200 M3", "T0101"))]
+        lines += [f"{rng.choice(('G0', 'G1'))} X{number(rng)} W{number(rng)} F.2"
+                  for _ in range(30)]  # fmt: skip
+    else:
+        lines = ["G21 G90 G94 F300"]
+        lines += [f"G1 X{number(rng)} Y1. {rng.choice('AC')}{number(rng)}" for _ in range(30)]
+    return "(X1 Y2 A3)\n" + "\n".join(lines) + "\n"
+
+
+@pytest.mark.parametrize("seed", range(20))
+@pytest.mark.parametrize("kind", KINDS)
+def test_a_kind_is_told_once_with_the_machine_that_reads_it(kind, seed):
+    program = pycnc.load(text_of(kind, seed), Machine.load("mill3", set=["dialect.base=linuxcnc"]))
+    first = program.diagnostics.shown[0]
+    strange = [each.id for each in program.diagnostics.shown if each.id.endswith("-unknown")]
+    assert (first.id, kind in first.message) == ("looks-like", True)
+    assert f"-m {KINDS[kind]}" in first.help
+    assert len(strange) == len(set(strange))
+    assert program.diagnostics.errors >= 10
+
+
+@pytest.mark.parametrize("kind", KINDS)
+def test_a_machine_of_the_kind_says_nothing(kind):
+    machine = Machine.load(KINDS[kind])
+    told = pycnc.load(text_of(kind, 1) + "G777\n", machine).diagnostics.counts
+    assert (told["looks-like"], told["g-unknown"]) == (0, 1)
+
+
+@pytest.mark.parametrize("text", [
+    "G21 G90\nG1 X1 Y2 F9\nG777\n", "G21 G90\nG0 X1 Y2\nA5 M2\n", "G96 S100 D900\nG1 X1 Y1\nG777\n",
+])  # fmt: skip
+def test_a_mills_program_with_a_mistake_is_no_other_kind(text):
+    assert pycnc.load(text).diagnostics.counts["looks-like"] == 0
+
+
+def test_the_command_of_a_print_reads_it():
+    file = CORPUS / "print_cura_bp_case_56k.gcode"
+    if not file.exists():
+        pytest.skip("no corpus")
+    text = file.read_bytes()[:100_000].rpartition(b"\n")[0]
+    command = shlex.split(pycnc.load(text, Machine.load("mill3")).diagnostics.shown[0].help)
+    assert command[:2] == ["pycnc", "time"]
+    assert pycnc.load(text, command[command.index("-m") + 1]).diagnostics.errors == 0
