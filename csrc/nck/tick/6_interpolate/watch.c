@@ -11,8 +11,13 @@ enum { ANSWER_PERIODS = 10, GONE_PERIODS = 50 };
 // A plan takes over between the knots of a clocked path: so many of them are a reason to wait.
 #define ANSWER_KNOTS 2.5
 
-// A planned rest at the caps of bends takes so many times what one along a line does, at most.
-#define PLANNED_MOST 3.0
+// A rest may take so many times what one along a line does, with LINE_PERIODS to hear of it. Later
+// than the tick itself could come to rest by then, it waits for no plan.
+#define REST_MOST 1.2
+enum { LINE_PERIODS = 20 };
+
+// … and on a clocked path from whatever speed the tick takes so many to ease off and on.
+enum { EASE_PERIODS = 10 };
 
 // Periods within which it has to be planned.
 static uint32_t answer_periods(const nck_terms_t *terms) {
@@ -20,9 +25,10 @@ static uint32_t answer_periods(const nck_terms_t *terms) {
     return knots > (double)ANSWER_PERIODS ? (uint32_t)knots : (uint32_t)ANSWER_PERIODS;
 }
 
-// Periods within which a planned rest has come.
-static uint32_t rest_periods(const nck_terms_t *terms, double v) {
+// Periods that a rest along a line takes, from a speed and what it has gained in a period.
+static double line_periods(const nck_terms_t *terms, double v, double gain) {
     const nck_machine_t *const machine = terms->machine;
+    const double period = machine->period_s;
     double a = machine->path.a_max;
     double j = machine->path.j_max;
     for (int x = 0; x < terms->axes; x++) {
@@ -30,10 +36,12 @@ static uint32_t rest_periods(const nck_terms_t *terms, double v) {
         a = nck_min(a, machine->axis[x].a_max);
         j = nck_min(j, machine->axis[x].j_max);
     }
-    const double ramps = v > a * a / j ? v / a + a / j : 2.0 * nck_sqrt(v / j);
-    const double s = PLANNED_MOST * (terms->limits_jerk ? ramps : v / a);
-    const double most = (double)UINT32_MAX / 2.0;
-    return answer_periods(terms) + (uint32_t)nck_min(s / machine->period_s, most);
+    const double most = (double)(UINT32_MAX / 4u);
+    if (!terms->limits_jerk) return nck_min(v / a / period, most);
+    const double back = nck_max(0.0, nck_min(gain / period, a)) / j; // until it gains no more
+    const double top = v + 0.5 * j * back * back;
+    const double ramps = top > a * a / j ? top / a + a / j : 2.0 * nck_sqrt(top / j);
+    return nck_min((back + ramps) / period, most);
 }
 
 static uint32_t one_more(uint32_t periods) {
@@ -56,11 +64,18 @@ static int is_gone(nck_watch_t *self, int on_tail) {
 
 // 1 if the rest that is asked for has no plan in time, or takes too long.
 static int is_late(nck_watch_t *self, const nck_terms_t *terms, const nck_watched_t *seen) {
-    self->asked = seen->asks ? one_more(self->asked) : 0;
-    if (self->asked == 1) self->most = rest_periods(terms, seen->v);
+    if (!seen->asks) {
+        self->asked = 0;
+        self->stops = 0;
+        return 0;
+    }
+    self->asked = one_more(self->asked);
+    const double ease = terms->knot_s > 0.0 ? (double)EASE_PERIODS : 0.0;
+    const double line = line_periods(terms, seen->v, seen->v - self->v);
+    if (self->asked == 1) self->most = (uint32_t)(REST_MOST * (line + (double)LINE_PERIODS));
     const int unplanned = self->asked > answer_periods(terms) && !seen->planned;
-    const int late = unplanned || self->asked > self->most;
-    self->stops = seen->asks && (late || seen->slow || self->stops);
+    const int late = unplanned || (double)self->asked + line + ease > (double)self->most;
+    self->stops = late || seen->slow || self->stops;
     return self->stops;
 }
 
@@ -72,5 +87,6 @@ nck_tick_state_t nck_watch_tick(nck_watch_t *self, const nck_terms_t *terms,
     const int asks = seen->asks || self->asked > 0;
     const int late = asks && is_late(self, terms, seen);
     const int gone = is_gone(self, seen->on_tail);
+    self->v = seen->v;
     return late ? NCK_TICK_HOLD : gone ? NCK_TICK_STARVED : NCK_TICK_IDLE;
 }

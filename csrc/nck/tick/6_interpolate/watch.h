@@ -21,8 +21,9 @@ typedef struct nck_watched {
 
 // The watch.
 typedef struct nck_watch {
+    double v;        // of the last tick as seen one before [path mm/s]
     uint32_t asked;  // periods since a rest has been asked for; 0: none is
-    uint32_t most;   // so many are enough for a planned one
+    uint32_t most;   // so many are enough for it
     uint32_t steps;  // of prep as last seen, …
     uint32_t unseen; // … and for how many periods it has made none
     uint8_t stops;   // 1: no plan has brought the rest in time, so the tick does
