@@ -6,6 +6,7 @@
 
 #include "nck/base/budget.h"        // NCK_UNLIMITED
 #include "nck/base/fence.h"         // nck_fence_store
+#include "nck/base/path.h"          // nck_path_tangent nck_path_share
 #include "nck/base/path_math.h"     // nck_path_point
 #include "nck/base/real.h"          // nck_min nck_max nck_sqrt
 #include "nck/prep/5_slope/brake.h" // NCK_BRAKE_SHARE
@@ -70,9 +71,32 @@ static double leave_line(const nck_travel_t *self, const nck_seg_t *seg, const d
     return self->s + share * (seg->length - self->s);
 }
 
+static int is_clocked(const nck_seg_t *seg) {
+    return NCK_HAS_OPTIMAL && seg->keeps == NCK_KEEP_CLOCK;
+}
+
+// How far along the path a place is [path mm]: a clocked path's coordinate goes by time.
+static double along(const nck_seg_t *seg, double s) {
+    return seg->s_begin + (is_clocked(seg) ? seg->length * nck_path_share(seg, s) : s);
+}
+
 static void found(nck_travel_t *self, const nck_seg_t *seg, double s) {
     self->leaves = 1;
-    self->exit = seg->s_begin + s;
+    self->exit = along(seg, s);
+}
+
+// The share of a way to a limit for which s may go on along a spline: that of a clock has the
+// slopes between its points.
+static double slower(const nck_seg_t *seg) {
+    double most = 0.0;
+    if (!is_clocked(seg)) return SLOWER;
+    for (int x = 0; x < NCK_AXIS_MAX; x++) {
+        const double b1 = seg->shape.inner[0][x];
+        const double b2 = seg->shape.inner[1][x];
+        const double ends = nck_max(nck_fabs(b1 - seg->start[x]), nck_fabs(seg->end[x] - b2));
+        most = nck_max(most, nck_max(ends, nck_fabs(b2 - b1)));
+    }
+    return seg->length / nck_max(3.0 * most, seg->length);
 }
 
 static void next_seg(nck_travel_t *self) {
@@ -97,7 +121,7 @@ static void look_at(nck_travel_t *self, const nck_seg_t *seg) {
     const int spline = seg->kind == NCK_SEG_SPLINE;
     const double room = room_at(self, point) - (straight ? 0.0 : STEP_LEAST / 2.0);
     const double leaves = straight ? leave_line(self, seg, point) : NCK_UNLIMITED;
-    const double step = nck_max(spline ? SLOWER * room : room, STEP_LEAST);
+    const double step = nck_max(spline ? slower(seg) * room : room, STEP_LEAST);
     if (room < 0.0) found(self, seg, self->s);
     else if (leaves < NCK_UNLIMITED) found(self, seg, leaves);
     else if (straight || self->s >= seg->length) next_seg(self);
@@ -133,7 +157,30 @@ static front_t rest_of(const nck_link_t *link, const nck_pieces_t *pieces, const
     return rest;
 }
 
-static front_t front_of(const nck_link_t *link, const nck_pieces_t *pieces) {
+// What every axis can take anywhere along a clocked path: its pieces know nothing of that.
+static double least_of(const nck_terms_t *terms, int of_jerk) {
+    double least = of_jerk ? terms->machine->path.j_max : terms->machine->path.a_max;
+    for (int x = 0; x < terms->axes; x++) {
+        const nck_axis_t *const axis = &terms->machine->axis[x];
+        if (axis->present) least = nck_min(least, of_jerk ? axis->j_max : axis->a_max);
+    }
+    return least;
+}
+
+// A clocked path's front by its length. A brake there has to wait for what bends take: as if speed
+// rose with all there is.
+static front_t by_length(const nck_terms_t *terms, const nck_seg_t *seg, const front_t *front) {
+    double tangent[NCK_AXIS_MAX];
+    double sum = 0.0;
+    nck_path_tangent(seg, front->s, tangent);
+    for (int x = 0; x < NCK_AXIS_MAX; x++) sum += tangent[x] * tangent[x];
+    const front_t there = {front->seq, front->s, front->v * nck_sqrt(sum),
+                           least_of(terms, 0)};
+    return there;
+}
+
+static front_t front_of(const nck_terms_t *terms, const nck_link_t *link,
+                        const nck_pieces_t *pieces) {
     int entered = 0;
     uint32_t count = 0;
     const uint32_t end = nck_link_end(link, &entered);
@@ -143,7 +190,8 @@ static front_t front_of(const nck_link_t *link, const nck_pieces_t *pieces) {
     if (!cell) return rest_of(link, pieces, before);
     const double a = before ? before->a + before->j * before->duration : 0.0;
     const front_t front = {cell->seg, cell->s, cell->v, a};
-    return front;
+    const nck_seg_t *const seg = nck_link_seg(link, cell->seg);
+    return is_clocked(seg) ? by_length(terms, seg, &front) : front;
 }
 
 // ---- how long before
@@ -155,9 +203,18 @@ typedef struct weakest {
     double margin; // of the way: where bends take most of a, they take some of the brake's too
 } weakest_t;
 
+// … before any piece is looked at.
+static weakest_t strongest(const nck_terms_t *terms) {
+    weakest_t limits = {NCK_UNLIMITED, NCK_UNLIMITED, 0.0, 0.0, 1.0};
+    if (!NCK_HAS_OPTIMAL || !(terms->knot_s > 0.0)) return limits;
+    limits.a = BRAKE_LEAST * least_of(terms, 0);
+    limits.j = BRAKE_LEAST * least_of(terms, 1);
+    return limits;
+}
+
 static weakest_t weakest_before(const nck_travel_t *self, const nck_pieces_t *pieces,
                                 const nck_terms_t *terms) {
-    weakest_t limits = {NCK_UNLIMITED, NCK_UNLIMITED, 0.0, 0.0, 1.0};
+    weakest_t limits = strongest(terms);
     for (uint32_t i = 0; i < pieces->fill; i++) {
         const nck_node_t *const piece = nck_plan_piece(pieces, pieces->head + i);
         if (piece->seg > self->seq && piece->seg - self->seq < NCK_SEG_MAX) break;
@@ -195,7 +252,7 @@ static int is_near(const nck_travel_t *self, const front_t *front, double begin,
 
 int nck_travel_step(nck_travel_t *self, const nck_terms_t *terms, const nck_link_t *link,
                     const nck_pieces_t *pieces) {
-    const front_t front = front_of(link, pieces);
+    const front_t front = front_of(terms, link, pieces);
     if (!self->known || (int32_t)(front.seq - self->seq) > 0) {
         self->known = 1;
         self->seq = front.seq;
@@ -205,7 +262,7 @@ int nck_travel_step(nck_travel_t *self, const nck_terms_t *terms, const nck_link
     if (!self->leaves || self->stops) return (int)self->stops;
     const double begin = front.seq == link->seg_head
                              ? self->exit
-                             : nck_link_seg(link, front.seq)->s_begin + front.s;
+                             : along(nck_link_seg(link, front.seq), front.s);
     const uint32_t end = pieces->head + pieces->fill;
     if (self->asked == begin && self->asked_end == end) return 0;
     self->asked = begin;
