@@ -108,13 +108,14 @@ def try_case(case, took, death):
     again = case.patience if case.goes_on_again() else 0
     commands = [*firsts(case, drawn.at, then), *lasts(case, then, death, box)]
 
-    def end_by(v):
-        longest = int(stop_gate.MOST * stop_gate.bound_of(case, v, then) / case.period_s)
+    def end_by(v, joints):
+        bound_s = stop_gate.bound_of(case, v, joints, then)
+        longest = int(case.most() * bound_s / case.period_s)
         return then + again + (stop_gate.RESTS if box else longest + 2 * STILL)
 
-    end, v = 0, twin
-    while end < end_by(v):
-        end = end_by(v)
+    end, v, joints = 0, twin, drawn.run.poses()["axis"][:, :3]
+    while end < end_by(v, joints):
+        end = end_by(v, joints)
         joints = run_until(case, took, commands, end)
         v = speeds_of(case, twin, joints)
         if len(v) <= then or not v[then - 1] > 0:

@@ -142,8 +142,8 @@ def soft_limits(before, place):
 def ending(case):
     """Return the script from the asking on: longer than any rest in time, twice that where a limit
     comes later."""
-    longest = stop_gate.MOST * (case.least_s(stop_gate.V_MAX, case.a) / case.period_s)
-    still = f"still {int(longest + 2 * stop_gate.MOST * stop_gate.PERIODS)}"
+    longest = case.most() * (case.least_s(stop_gate.V_MAX, case.a) / case.period_s)
+    still = f"still {int(longest + 2 * case.most() * stop_gate.PERIODS)}"
     settles = f"run {stop_gate.SETTLES}"
     goes_on = [f"run {case.patience}", *GOES_ON] if case.goes_on_again() else []
     return [*goes_on, still, *([still] if case.last == "soft" else []), settles]

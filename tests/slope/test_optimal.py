@@ -121,8 +121,9 @@ def test_a_brake_that_begins_anywhere_keeps_every_limit(turns):
         poses = run.poses()
         told = stop_gate.judge(case, poses["v"], poses["axis"][:, :3], then)
         ends = range(then, min(then + ramp, len(speeds)))
-        bound_s = max(stop_gate.bound_of(case, speeds, end) for end in ends)
-        assert told.rest_s <= stop_gate.MOST * bound_s, then
+        axes = whole.poses()["axis"][:, :3]
+        bound_s = max(stop_gate.bound_of(case, speeds, axes, end) for end in ends)
+        assert told.rest_s <= case.most() * bound_s, then
         assert max(told.fast, told.a, told.j) <= TAKEN, (then, told.fast, told.a, told.j)
 
 
