@@ -4,8 +4,8 @@
 A seeded sample of changes ("mutants") over base/, the wires and all rooms, each compiled into a
 copy of the tree in build/mutate and run against the C tests: those of its own room first, the
 quickest first, then all others. A test that fails, crashes or does not end kills the mutant.
-Survivors are printed; those of tests/house/mutants.toml are reviewed: nobody can tell them from the
-original, for the reason that stands there. The exit status is 1 below the share of GOAL.
+Survivors are printed; those of tests/house/mutants*.toml are reviewed: nobody can tell them from
+the original, for the reason that stands there. The exit status is 1 below the share of GOAL.
 
     python tests/house/mutate.py                      the sample, 100 mutants
     python tests/house/mutate.py --count 50 tick/     50 of the files whose path contains tick/
@@ -437,14 +437,15 @@ def judge(mutant, tests, original):
 
 
 def name_of(mutant):
-    """Return what names a mutant in tests/house/mutants.toml."""
+    """Return what names a mutant in tests/house/mutants*.toml."""
     return mutant.file, mutant.source.strip(), mutant.was, " ".join(mutant.now.split())
 
 
 def reviewed():
-    """Return the names of the mutants of tests/house/mutants.toml."""
-    text = (ROOT / "tests" / "house" / "mutants.toml").read_text(encoding="utf-8")
-    rows = tomllib.loads(text).get("equivalent", [])
+    """Return the names of the mutants of tests/house/mutants*.toml."""
+    files = sorted((ROOT / "tests" / "house").glob("mutants*.toml"))
+    texts = [file.read_text(encoding="utf-8") for file in files]
+    rows = [row for text in texts for row in tomllib.loads(text)["equivalent"]]
     return {(row["file"], row["line"], row["was"], row["now"]) for row in rows}
 
 

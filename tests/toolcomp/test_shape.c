@@ -238,6 +238,20 @@ static void an_end_belongs_to_its_shape(check_t *check) {
     }
 }
 
+// A turn ends where it begins: met about there it is met at its beginning, however it is rounded.
+static void a_turn_is_met_where_it_begins(check_t *check) {
+    for (int k = 0; k < 8; k++) {
+        const double sweep = k & 1 ? TURN : -TURN, y = (k & 2 ? 0.3 : -0.3) * ON;
+        nck_shape_t a, b;
+        nck_meeting_t at[2];
+        arc(0.0, 0.0, 3.0, 0.0, sweep, &b);
+        if (k & 4) line(2.0, y, 4.0, y, &a);
+        else arc(0.0, 4.0, 5.0, -1.0, 0.6, &a); // through (3, 0)
+        CHECK_INT(check, nck_shape_cross(&a, &b, at), 1);
+        CHECK_NEAR(check, at[0].on_b, 0.0, ON);
+    }
+}
+
 static void what_is_parallel_or_touches_does_not_cross(check_t *check) {
     nck_shape_t a, b;
     nck_meeting_t at[2];
@@ -303,6 +317,7 @@ int main(void) {
     CHECK_RUN(&check, what_is_far_is_told_by_circles);
     CHECK_RUN(&check, shapes_cross_as_often_as_their_chords);
     CHECK_RUN(&check, an_end_belongs_to_its_shape);
+    CHECK_RUN(&check, a_turn_is_met_where_it_begins);
     CHECK_RUN(&check, what_is_parallel_or_touches_does_not_cross);
     CHECK_RUN(&check, parts_and_parallels_are_of_their_shape);
     return check_end(&check);

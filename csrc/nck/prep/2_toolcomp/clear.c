@@ -174,7 +174,7 @@ static double depth_in(nck_toolcomp_t *self, const nck_comp_piece_t *piece,
 static void note_deep(nck_toolcomp_t *self, uint32_t count, double depth) {
     const uint32_t ahead = self->deep.of - self->ring.tail;
     const uint32_t own = count - self->ring.tail;
-    const int waits = self->deep.most > 0.0 && ahead < self->ring.head - self->ring.tail;
+    const int waits = ahead < self->ring.head - self->ring.tail;
     if (waits && (ahead < own || (ahead == own && self->deep.most >= depth))) return;
     self->deep.most = depth;
     self->deep.of = count;

@@ -136,10 +136,10 @@ static nck_status_t go_round(nck_toolcomp_t *self, nck_comp_entry_t *entry) {
 nck_status_t nck_comp_leave(nck_toolcomp_t *self, const nck_block_t *block) {
     if (self->start != NCK_COMP_START_B) return go_straight(self, block);
     nck_comp_entry_t *const entry = read_entry(self, block);
-    double ahead[2];
+    double onward[2];
     entry->height = nck_comp_height(self, self->given_nm); // there may be moves along Z between
-    nck_shape_tangent(&entry->contour, 0.0, ahead);
-    const double turn = nck_comp_turn(self, self->last.tangent, ahead);
+    nck_shape_tangent(&entry->contour, 0.0, onward);
+    const double turn = nck_comp_turn(self, self->last.tangent, onward);
     if (!(self->radius * turn > NCK_COMP_SHORT)) return go_straight(self, block);
     memcpy(entry->tangent, self->last.tangent, sizeof entry->tangent);
     const nck_status_t status = go_round(self, entry);

@@ -13,7 +13,6 @@ void nck_comp_off(nck_toolcomp_t *self) {
     self->closed = 0;
     self->walk.open = 0;
     self->walk.part = 0;
-    self->deep.most = 0.0;
     self->ring.tail = self->ring.head;
 }
 

@@ -96,7 +96,6 @@ nck_status_t nck_toolcomp_take(nck_toolcomp_t *self, nck_block_t *block) {
         const nck_status_t status = stay_away(self, block);
         return status == NCK_OK ? leave(self, block) : status;
     }
-    if (block->kind == NCK_BLOCK_END) self->closed = 1;
     return nck_comp_take(self, block);
 }
 
