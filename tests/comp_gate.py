@@ -374,8 +374,28 @@ def refusal(case, start, plain, error):
     return f"refused without a reason: {error.text().splitlines()[0]}"
 
 
+def turned(elements, centre, close):
+    """Return by how much arcs turn about a centre [rad]."""
+    return sum(abs(each.sweep) for each in elements if abs(each.centre - centre) < close)
+
+
+def loses_turn(case, elements):
+    """Tell whether a path lacks one of the turns that are programmed: most of one about its centre.
+
+    rs274 does, where a turn ends in a corner that it passes over, and begins behind its end then.
+    """
+    plain = Program(text_of(case, False).encode(), MACHINES["rs274"], file="plain")
+    programmed = [each for _, each, _ in shapes_of(plain, case.plane)]
+    close = 1.5 * 10.0**-case.decimals
+    for each in programmed:
+        missing = turned(programmed, each.centre, close) - turned(elements, each.centre, close)
+        if abs(each.sweep) > math.pi and missing > math.pi:
+            return True
+    return False
+
+
 def differs_from_rs274(case, folder):
-    """Return words for what is not as in rs274; none if that refuses the program.
+    """Return words for what is not as in rs274; none if that refuses the program, or loses a turn.
 
     It passes over corners of less than 0.05 rad, by up to R·0.025 along either side.
     """
@@ -388,6 +408,8 @@ def differs_from_rs274(case, folder):
         return ""
     ours = [each for _, each, _ in shapes_of(program, case.plane)]
     theirs = rs274_oracle.elements_of(moves, AXES[case.plane])
+    if loses_turn(case, theirs) and not loses_turn(case, ours):
+        return ""
     for one, other in ((ours, theirs), (theirs, ours)):
         points = np.concatenate([samples(each, 30) for each in one if length(each) > 1e-9])
         away = nearest(other, points).max()
