@@ -94,6 +94,11 @@ def bytes_of(case):
     return case.path.read_bytes() if hasattr(case, "path") else case.text.encode()
 
 
+def without_comments(text):
+    """Return a program without what stands in brackets or behind a semicolon, line by line."""
+    return re.sub(rb"\([^)\n]*\)?|;[^\n]*", b" ", text)
+
+
 def findings(case, line):
     """Return what is wrong with a case that begins at a line: a list of texts."""
     whole = whole_of(case)
@@ -111,7 +116,7 @@ class Entered:
         self.line, self.whole = line, whole
         self.machine = machine_of(case, f"dialect.from_line={line}")
         self.run = Run.of(bytes_of(case), self.machine)
-        self.lines = self.run.program.text.upper().split(b"\n")
+        self.lines = without_comments(self.run.program.text).upper().split(b"\n")
         self.counts = counts_per_unit(self.machine.record["axis"]["rotary"])
         self.prints = self.machine.settings.dialect.base == "marlin"
         self.counted = slice(0, 6 if self.prints else 9)  # of the axes: U is an extruder
@@ -185,12 +190,11 @@ class Entered:
 
     def _is_contour(self):
         """Lines of a contour move once more when it is finished."""
-        return any(code in self.run.program.text.upper() for code in (b"G70", b"G71", b"G72"))
+        return any(code in each for code in (b"G70", b"G71", b"G72") for each in self.lines)
 
     def _is_whole(self, line):
         """What several lines say together begins with the first of them."""
-        text = self.run.program.text.splitlines()[line - 1 : self.line]
-        words = b" ".join(text).upper()
+        words = b" ".join(self.lines[line - 1 : self.line])
         return any(code in words for code in (b"G5.", b"G6.2", b"G7", b",R", b",C", b"R", b"C"))
 
     def _way(self):
