@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The room's inner doors: what its files call of each other. Nobody outside of 1_decode includes
-// this.
+// The room's inner doors: what its files call of each other. Nobody outside includes this.
 //
 // A step does one thing of a block. It returns NCK_OK if it filled a block, NCK_EMPTY if it had
 // none to give, or the error that nck_decode_fail has noted. Context of all: prep.
@@ -360,8 +359,9 @@ nck_status_t nck_decode_second(nck_decode_t *self, nck_block_t *out);
 // standstill; NCK_EMPTY: the same, and known. Cost: constant.
 nck_status_t nck_decode_cutting_feed(nck_decode_t *self, int rotary_alone, double *feed_out);
 
-// motion.c: straight on to a machine position, as G0 or G1 (of G1 all that one needs); it is taken
-// as reached. NCK_E_TRAVEL, and as above. Cost: constant.
+// motion.c: whether a straight move of a kind has the F in force; straight on to a machine place,
+// as G0 or G1, taken as reached. NCK_E_TRAVEL, and as above. Cost of both: constant.
+int nck_decode_has_feed(const nck_decode_t *self, uint8_t kind);
 nck_status_t nck_decode_straight(nck_decode_t *self, nck_block_kind_t kind,
                                  const int64_t *target_nm, nck_block_t *out);
 

@@ -172,6 +172,6 @@ int nck_decode_quick(nck_decode_t *self, nck_block_t *out) {
         if (line.axes & 1u << axis) self->place.position_nm[axis] = line.at[axis];
     }
     nck_decode_block(self, line.code == CODE_LINE ? NCK_BLOCK_LINE : NCK_BLOCK_RAPID, out);
-    if (out->kind == NCK_BLOCK_LINE) out->feed = self->modal.feed;
+    if (nck_decode_has_feed(self, out->kind)) out->feed = self->modal.feed;
     return 1;
 }
