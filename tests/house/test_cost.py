@@ -12,9 +12,9 @@ from pycnc.bench import cost
 pytestmark = pytest.mark.thorough
 
 COMPILER = "12.2.0"  # what the numbers here and on the page were counted with, -O2 on x86-64
-INSTRUCTIONS = {"line": 694, "modal": 570, "arc": 3183, "macro": 6955}  # of decoding a line
+INSTRUCTIONS = {"line": 694, "modal": 570, "arc": 3323, "macro": 6955}  # of decoding a line
 BEFORE_MACROS = {"line": 1917, "modal": 1416, "arc": 3185}
-WITHIN, MOST = 0.05, 1.03  # 2 % for macros, 1 % for whose a code is
+WITHIN, MOST = 0.05, 1.05  # 2 % for macros, 1 % for whose a code is, 2 % for words of shops
 
 
 @pytest.fixture(scope="module")

@@ -93,8 +93,8 @@ static nck_status_t read_line(nck_decode_t *self) {
     }
     self->text.begun = 1;
     const char *behind = at;
-    if (*at != '/') return read_words(self, at);
-    return nck_decode_skips(self, &behind) ? NCK_OK : read_words(self, behind);
+    const int skips = *at == '/' && nck_decode_skips(self, &behind);
+    return skips ? NCK_OK : read_words(self, behind);
 }
 
 // A line waits that may be on the way of a jump.

@@ -49,6 +49,7 @@ static const struct {
     {NCK_LETTER('A') | NCK_LETTER('E') | NCK_LETTER('I') | NCK_LETTER('T'), 340}
 };
 
+enum { CODE_LAST = 99999 }; // in tenths, of M
 enum { G_CODES = sizeof g_codes / sizeof g_codes[0] };
 
 static const printer_code_t *row_of(int64_t code) {
@@ -63,7 +64,9 @@ static const printer_code_t *find(const nck_decode_t *self, int64_t code) {
 }
 
 int nck_printer_names(int64_t tenths) {
-    const int64_t code = tenths / 10, part = tenths % 10;
+    if (tenths < 0 || tenths > CODE_LAST) return 0;
+    const int32_t code = (int32_t)tenths / 10;
+    const int32_t part = (int32_t)tenths % 10;
     const int checks = code == CHECKS && part >= 1 && part <= CHECKS_LAST;
     return (checks || (part == 0 && code != CHECKS)) && row_of(code) != NULL;
 }
@@ -88,10 +91,10 @@ int nck_printer_speaks(const nck_decode_t *self) {
 
 static int is_digit(char c) { return c >= '0' && c <= '9'; }
 
-const char *nck_printer_code(const nck_decode_t *self, const char *at, nck_number_t *out) {
+const char *nck_printer_code(const char *at, nck_number_t *out) {
     const char *const first = at + 1;
     double value = 0.0;
-    if (self->tongue != NCK_TONGUE_MARLIN || (*at & ~0x20) != 'M') return NULL;
+    if ((*at & ~0x20) != 'M') return NULL;
     for (at = first; is_digit(*at) && at - first < CODE_DIGITS; at++) {
         value = 10.0 * value + (*at - '0');
     }
@@ -119,7 +122,7 @@ static const char *checksum_end(const char *at, int32_t *value_out) {
 
 // May any text stand behind the code of a step?
 static int has_text(const nck_decode_t *self, unsigned step) {
-    const int64_t tenths = self->words.code[step];
+    const int32_t tenths = self->words.code[step];
     if (step == NCK_STEP_STOP) return 1;
     if (tenths >= NCK_CODE_OWN_G) return self->words.takes == 0;
     const printer_code_t *const code = find(self, tenths / 10);

@@ -16,7 +16,7 @@ const char *nck_printer_text(const nck_decode_t *self, const char *at, unsigned 
 
 // One past an M code, and its number: a blank ends it, since text may follow (M117 5 %).
 // NULL: it is none of a printer's. Cost: constant.
-const char *nck_printer_code(const nck_decode_t *self, const char *at, nck_number_t *out);
+const char *nck_printer_code(const char *at, nck_number_t *out);
 
 // The line's checksum behind a *; NCK_E_NUMBER; NCK_E_NUMBER_RANGE: it is another one.
 // 1 if a letter stands without a number here: the axes of G28, and its W. Cost: linear in the line.

@@ -129,6 +129,13 @@ static nck_status_t check_machine(nck_decode_t *self) {
     return incremental ? nck_decode_fail_code(self, NCK_E_INCREMENTAL, NCK_STEP_MACHINE) : NCK_OK;
 }
 
+// Whether the code of a step is there and takes P.
+static int takes_p(const nck_decode_t *self, nck_step_t step) {
+    const nck_words_t *const words = &self->words;
+    if (!has(words, step)) return 0;
+    return (nck_decode_motion_takes(self, words->code[step]) & NCK_LETTER('P')) != 0;
+}
+
 // P is a dwell's, a tolerance, a work system, a point, a program, an arc's turns or a cycle's: of
 // one.
 // (rs274 refuses G4 with G2 alone and lets the others share.)
@@ -138,10 +145,8 @@ static nck_status_t check_shared(nck_decode_t *self) {
     const int moves = (words->steps & NCK_STEP(NCK_STEP_MOTION)) && (of_motion & NCK_LETTER('P'));
     const int work = has(words, NCK_STEP_OFFSET) && (words->code[NCK_STEP_OFFSET] == 100
                                                      || words->code[NCK_STEP_OFFSET] == 300);
-    const uint32_t of_path = nck_decode_motion_takes(self, words->code[NCK_STEP_PATH]);
-    const int path = has(words, NCK_STEP_PATH) && (of_path & NCK_LETTER('P'));
-    const uint32_t of_zero = nck_decode_motion_takes(self, words->code[NCK_STEP_WORK]);
-    const int zero = has(words, NCK_STEP_WORK) && (of_zero & NCK_LETTER('P'));
+    const int path = takes_p(self, NCK_STEP_PATH);
+    const int zero = takes_p(self, NCK_STEP_WORK);
     const int scale = has(words, NCK_STEP_LAYOUT)
                       && (words->code[NCK_STEP_LAYOUT] & NCK_LAYOUT_G51);
     const int others = has(words, NCK_STEP_DWELL) + has(words, NCK_STEP_CALL) + scale

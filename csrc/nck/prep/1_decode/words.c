@@ -114,7 +114,8 @@ static nck_status_t find_code(const nck_decode_t *self, int letter, const nck_nu
 
 // Its number, as it is written or as a value.
 static nck_status_t read_code_number(nck_decode_t *self, const char **at, nck_number_t *out) {
-    const char *next = nck_printer_code(self, *at, out);
+    const int prints = self->tongue == NCK_TONGUE_MARLIN;
+    const char *next = prints ? nck_printer_code(*at, out) : NULL;
     if (next == NULL) next = nck_number_read(self->line.text, *at + 1, out);
     if (next == NULL) return read_value(self, at, out);
     *at = next;
