@@ -276,7 +276,7 @@ PROGRAM_FILES = (
     ),
     CorpusFile(
         "mill5_fanuc_g43_4_tcp.nc", "mill5_xyzac",
-        set=("dialect.base=fanuc", "tool.5.length_mm=60"), ends=("unsupported", 7),
+        set=("dialect.base=fanuc", "tool.5.length_mm=60"), ends=("unsupported", 9),
         folder=SHARED_PROGRAMS,
     ),
 )  # fmt: skip
