@@ -442,7 +442,7 @@ def test_a_rotary_machine_has_degrees_in_its_columns():
 
 
 def test_a_lathe_counts_radii_where_the_program_counts_diameters():
-    trace = pycnc.run(b"G21 G90 G18 G94\nG1 X30 Z-10 F600\nM30\n", machine="cak6150n")
+    trace = pycnc.run(b"G21 G90 G18 G98\nG1 X30 Z-10 F600\nM30\n", machine="cak6150n")
     assert trace["pos_x_mm"][-1] == 15.0
     assert trace["joint_0_nm"][-1] == 15_000_000
     assert trace["joint_1_nm"][-1] == (300 - 10) * 1_000_000
@@ -457,7 +457,7 @@ def test_a_lathe_counts_radii_where_the_program_counts_diameters():
     [
         (SQUARE, "mill3", False),
         (ARCS, "mill3", True),
-        (b"G21 G90 G94 G18\nG1 X30 Z-10 F600\nM30\n", "cak6150n", False),
+        (b"G21 G90 G98 G18\nG1 X30 Z-10 F600\nM30\n", "cak6150n", False),
         (b"G21 G90\nG0 X5\nM2\n", "cao2014", False),
         (b"G21\nM2\n", "mill3", False),
     ],

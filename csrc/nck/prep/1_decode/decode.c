@@ -404,7 +404,7 @@ static void begin_modes(nck_decode_t *self) {
     }
     self->modal.tolerance_mm = machine->path.tolerance;
     self->modal.merge_mm = machine->path.tolerance;
-    self->modal.plain_mm = machine->path.tolerance;
+    self->modal.plain_mm = NCK_PLAIN_OPEN;
     self->modal.feed = machine->dialect.feed_default;
     self->modal.feed_word = machine->dialect.feed_default;
     self->modal.speed = -1.0;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Settings that stay in force, and what is not motion: outputs, dwell, stops.
 #include "nck/prep/1_decode/integer.h" // nck_decode_counts nck_decode_real_word nck_…
+#include "nck/prep/1_decode/mode.h" // nck_decode_plain_mm
 #include "nck/prep/1_decode/parts.h"
 #include "nck/prep/1_decode/printer.h" // nck_printer_ … nck_decode_printer
 
@@ -221,7 +222,7 @@ nck_status_t nck_decode_diameter(nck_decode_t *self, nck_block_t *out) {
 static double read_tolerance(nck_decode_t *self) {
     const int says = has_word(self, 'P');
     const double tolerance =
-        says ? real_word(self, 'P') * unit_mm(self) : self->modal.plain_mm;
+        says ? real_word(self, 'P') * unit_mm(self) : nck_decode_plain_mm(self);
     if (!NCK_HAS_SMOOTH) nck_decode_assume(self, NCK_NOTE_TOLERANCE);
     if (tolerance >= NCK_TOLERANCE_MIN || tolerance < 0.0) return tolerance;
     if (says) nck_decode_note_word(self, NCK_NOTE_TOLERANCE, 'P', tolerance);

@@ -2,6 +2,7 @@
 // Codes that choose how a control smooths or looks ahead: Fanuc's G5 G5.1 G8, Haas' G187, G61.1
 // G62 G63. The machine's file says what they mean here; what it does not say is noted. And G codes
 // that no language but the machine's file has.
+#include "nck/prep/1_decode/mode.h"
 #include "nck/prep/1_decode/parts.h"
 
 #include <stddef.h> // NULL
@@ -45,14 +46,14 @@ static const nck_own_g_t *find(const nck_decode_t *self, uint32_t tenths) {
 static void set_tolerance(nck_decode_t *self, double tolerance) {
     self->modal.plain_mm = tolerance;
     if (self->modal.path_mode != NCK_PATH_CONTINUOUS) return;
-    self->modal.tolerance_mm = tolerance;
-    self->modal.merge_mm = tolerance;
+    self->modal.tolerance_mm = nck_decode_plain_mm(self);
+    self->modal.merge_mm = self->modal.tolerance_mm;
 }
 
 static void explain(nck_decode_t *self, nck_step_t step, uint32_t tenths, int is_end) {
     const nck_own_g_t *const own = find(self, tenths);
     if (own != NULL && own->action == NCK_G_TOLERANCE) set_tolerance(self, own->tolerance);
-    else if (is_end) set_tolerance(self, self->machine->path.tolerance);
+    else if (is_end) set_tolerance(self, NCK_PLAIN_OPEN);
     if (own != NULL ? own->action != NCK_G_NOTE : is_end) return;
     nck_decode_note_code(self, NCK_NOTE_MODE, step, tenths / 10.0);
 }

@@ -7,6 +7,9 @@
 
 #include "nck/base/limits.h" // NCK_STATE_ROWS
 
+// Of modal.plain_mm: the machine's tolerance, which may change on the way.
+#define NCK_PLAIN_OPEN (-1.0)
+
 // What stays in force until a word changes it.
 typedef struct nck_modes {
     int32_t motion;         // G0 … G3 or a canned cycle in tenths; nck_no_motion_t
@@ -27,7 +30,7 @@ typedef struct nck_modes {
     uint8_t excused;        // NCK_EXCUSED_…: what is missing was told, or is an error's
     double tolerance_mm;    // G64 P
     double merge_mm;        // G64 Q
-    double plain_mm;        // what G64 without P means: the machine's, or what a mode has chosen
+    double plain_mm;        // what G64 without P means, as a mode has chosen; mode.h
     double feed;            // F in mm/min, mm/rev or 1/min; 0: none yet
     double feed_word;       // F as written: what a move of rotary axes alone goes by
     double speed;           // S [rpm], −1: none yet
