@@ -203,6 +203,11 @@ double nck_number_real(const nck_number_t *number) {
     return number->negative ? -value : value;
 }
 
+void nck_number_tenths(int32_t tenths, nck_number_t *out) {
+    const nck_number_t number = {tenths, 1, 0, 0, 0, 0};
+    *out = number;
+}
+
 int nck_number_whole(const nck_number_t *number, int places, int64_t *out) {
     const int shift = places - number->decimals;
     int64_t magnitude = number->mantissa;

@@ -40,6 +40,9 @@ int nck_number_fixed(const char *text, const nck_number_t *number, const nck_sca
 // beyond. Cost: constant, or linear in the digits of a long number. Context: prep.
 double nck_number_real(const nck_number_t *number);
 
+// A number of so many tenths, which stands nowhere in the line. Cost: constant. Context: prep.
+void nck_number_tenths(int32_t tenths, nck_number_t *out);
+
 // The number times 10^places if that is whole. Returns 1, or 0 if it is not whole or above 1e15;
 // places: 0 or 1. Cost: constant. Context: prep.
 int nck_number_whole(const nck_number_t *number, int places, int64_t *out);

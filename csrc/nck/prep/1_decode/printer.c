@@ -93,18 +93,18 @@ static int is_digit(char c) { return c >= '0' && c <= '9'; }
 
 const char *nck_printer_code(const char *at, nck_number_t *out) {
     const char *const first = at + 1;
-    double value = 0.0;
+    int32_t tenths = 0;
     if ((*at & ~0x20) != 'M') return NULL;
     for (at = first; is_digit(*at) && at - first < CODE_DIGITS; at++) {
-        value = 10.0 * value + (*at - '0');
+        tenths = 10 * tenths + 10 * (*at - '0');
     }
     const int has_tenths = *at == '.' && is_digit(at[1]);
     if (*at != ' ' && *at != '\t' && !has_tenths) return NULL; // nothing that could be misread
     if (has_tenths) {
-        value += (at[1] - '0') / 10.0;
+        tenths += at[1] - '0';
         at += 2;
     }
-    nck_decode_number(value, out);
+    nck_number_tenths(tenths, out);
     return at > first ? at : NULL;
 }
 

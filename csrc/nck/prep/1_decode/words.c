@@ -48,7 +48,7 @@ static nck_status_t read_value(nck_decode_t *self, const char **at, nck_number_t
     if (status != NCK_EMPTY) return status == NCK_OK ? NCK_EMPTY : status;
     if (nck_printer_flag(self, (char)(*letter & ~0x20))) {
         *at = letter + 1;
-        nck_decode_number(0.0, out);
+        nck_number_tenths(0, out);
         return (*letter & ~0x20) == 'W' ? NCK_EMPTY : NCK_OK;
     }
     if (!begins_value(first) || !NCK_HAS_VARIABLES) {
