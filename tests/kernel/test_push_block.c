@@ -193,6 +193,30 @@ static void program_errors_have_the_id(check_t *check)
     }
 }
 
+// Beside a contour an arc of another plane has no radius, nor has another tool the one in force.
+static void a_contour_keeps_its_plane_and_tool(check_t *check)
+{
+    const double end[2] = {40.0, 10.0}, centre[2] = {40.0, 5.0};
+    nck_block_in_t blocks[] = {front_arc(7, end, centre, 1), front_word(7, NCK_IN_M, 8.0),
+                               front_arc(7, end, centre, 1), front_word(7, NCK_IN_M, 6.0)};
+    blocks[2].plane = 18;
+    for (int k = 0; k < 4; k++) {
+        const double values[] = {0.0, 0.0, 18.0, 6.0};
+        nck_diagnostic_t found;
+        double told = 0.0;
+        begin(NCK_SLOPE_JERK);
+        front_push(&front, "G64 P0 F900\nG41.1 D4 G1 X10 Y0\nX40\n");
+        CHECK_INT(check, front_push_block(&front, &blocks[k]), NCK_OK);
+        nck_end(&front.nck);
+        front_rest(&front);
+        CHECK_INT(check, front.error, k < 2 ? NCK_OK : NCK_E_COMP_ON);
+        while (nck_diagnostic(&front.nck, &found) == NCK_OK) {
+            if (found.line == 7) told += found.value;
+        }
+        CHECK_NEAR(check, told, values[k], 0.0);
+    }
+}
+
 // M codes do what they do in text: M0 waits, M2 ends, M6 stops the spindle first.
 static void codes_mean_what_they_mean_in_text(check_t *check)
 {
@@ -285,6 +309,7 @@ int main(void)
     CHECK_RUN(&check, text_and_blocks_alternate);
     CHECK_RUN(&check, bad_arguments_are_refused);
     CHECK_RUN(&check, program_errors_have_the_id);
+    if (NCK_HAS_COMP) CHECK_RUN(&check, a_contour_keeps_its_plane_and_tool);
     CHECK_RUN(&check, codes_mean_what_they_mean_in_text);
     CHECK_RUN(&check, limits_change_in_their_place);
     CHECK_RUN(&check, the_queue_tells_what_is_under_way);

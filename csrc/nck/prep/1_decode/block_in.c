@@ -86,6 +86,15 @@ static nck_status_t set_code(nck_decode_t *self, const nck_block_in_t *block) {
     return NCK_OK;
 }
 
+// What radius compensation has no place for: an arc in another plane, a change of tool.
+static nck_status_t comp_refuses(nck_decode_t *self, const nck_block_in_t *block) {
+    const int turns = block->kind == NCK_IN_ARC && block->plane != self->modal.plane;
+    const int changes = (self->words.steps & NCK_STEP(NCK_STEP_CHANGE)) != 0;
+    if (!self->modal.comp) return NCK_OK;
+    if (turns) return nck_decode_fail(self, NCK_E_COMP_ON, 0, 'G', (double)block->plane, 0.0);
+    return changes ? nck_decode_fail(self, NCK_E_COMP_ON, 0, 'M', block->value, 0.0) : NCK_OK;
+}
+
 nck_status_t nck_decode_pushed(nck_decode_t *self) {
     const nck_block_in_t *const block = &self->pushed;
     self->words.letters = 0;
@@ -97,7 +106,8 @@ nck_status_t nck_decode_pushed(nck_decode_t *self) {
     self->finding.given |= 1u << NCK_NOTE_NO_END; // geometry has no M2
     set_feed(self, block);
     set_path(self, block);
-    return block->kind == NCK_IN_M ? set_code(self, block) : NCK_OK;
+    const nck_status_t status = block->kind == NCK_IN_M ? set_code(self, block) : NCK_OK;
+    return status == NCK_OK ? comp_refuses(self, block) : status;
 }
 
 // The machine position that the block names.
