@@ -95,11 +95,12 @@ static int is_inside(const nck_shape_t *shape, double along) {
 // Does the path, at a place where two of its pieces cross, go into either contour?
 static int goes_in(nck_toolcomp_t *self, const nck_shape_t *shapes, const uint32_t *contours,
                    const nck_meeting_t *at) {
-    const double step = BESIDE * self->radius;
+    static const double side[2] = {-BESIDE, BESIDE};
     depth_t depth = {0.0, 0};
-    for (int sign = -1; sign <= 1; sign += 2) {
-        sound(self, &shapes[0], at->on_a + sign * step, contours[1], &depth);
-        sound(self, &shapes[1], at->on_b + sign * step, contours[0], &depth);
+    for (unsigned k = 0; k < 2; k++) {
+        const double step = side[k] * self->radius;
+        sound(self, &shapes[0], at->on_a + step, contours[1], &depth);
+        sound(self, &shapes[1], at->on_b + step, contours[0], &depth);
     }
     return depth.most > NCK_COMP_CLOSE;
 }
@@ -230,9 +231,9 @@ static int are_apart(nck_toolcomp_t *self, uint32_t first, uint32_t second) {
                              &nck_comp_at(self, second)->contour, 2.0 * self->radius);
 }
 
-// Is the piece in work at fault with what the path has of an entry, from a part of it on?
-static int crosses(nck_toolcomp_t *self, const nck_shape_t *shape, uint32_t count, int part) {
-    for (; part < NCK_COMP_PARTS; part++) {
+// Is the piece in work at fault with what the path has of an entry?
+static int crosses(nck_toolcomp_t *self, const nck_shape_t *shape, uint32_t count) {
+    for (int part = 0; part < NCK_COMP_PARTS; part++) {
         nck_comp_piece_t other;
         if (!nck_comp_at(self, count)->on[part]) continue;
         nck_comp_piece(self, count, (nck_comp_part_t)part, &other);
@@ -241,16 +242,16 @@ static int crosses(nck_toolcomp_t *self, const nck_shape_t *shape, uint32_t coun
     return 0;
 }
 
+// What runs beside a contour is nowhere nearer than R to the corner before it, so it does not cross
+// the arc about that.
 nck_status_t nck_comp_hold(nck_toolcomp_t *self) {
     const uint32_t of = self->walk.piece.of;
-    int part = self->walk.piece.part + 1;
     nck_shape_t shape;
     if (!is_held(self)) return NCK_OK;
     on_path(self, &self->walk.piece, &shape);
-    for (uint32_t m = of; m != self->ring.head; m = nck_comp_next(self, m)) {
+    for (uint32_t m = nck_comp_next(self, of); m != self->ring.head; m = nck_comp_next(self, m)) {
         if (nck_comp_at(self, m)->rapid) return NCK_OK;
-        if (!are_apart(self, of, m) && crosses(self, &shape, m, part)) return fail(self, &shape, m);
-        part = 0;
+        if (!are_apart(self, of, m) && crosses(self, &shape, m)) return fail(self, &shape, m);
     }
     return NCK_OK;
 }

@@ -57,7 +57,6 @@ static nck_status_t bend(nck_toolcomp_t *self, const nck_shape_t *shape, nck_blo
     double d[2];
     double c[2];
     double to[2];
-    const double turn = shape->sweep < 0.0 ? -1.0 : 1.0;
     for (unsigned k = 0; k < 2; k++) {
         const int64_t given_nm = self->given_nm[self->axis[k]];
         from[k] = (double)given_nm * 1e-6;
@@ -69,8 +68,7 @@ static nck_status_t bend(nck_toolcomp_t *self, const nck_shape_t *shape, nck_blo
     if (!(length > 0.0)) return NCK_OK;
     const double height = nck_arc_height(d[0], d[1], c[0], c[1]);
     out->kind = NCK_BLOCK_ARC;
-    out->plane = self->plane;
-    out->sweep_rad = nck_arc_sweep(length, height, turn);
+    out->sweep_rad = nck_arc_sweep(length, height, nck_shape_turn(shape));
     nck_arc_centre(d[0], d[1], height, c);
     for (unsigned k = 0; k < 2; k++) {
         out->centre_mm[k] = from[k] + c[k];

@@ -59,11 +59,11 @@ double nck_comp_depth(const nck_toolcomp_t *self, const nck_comp_stretch_t *path
                       const nck_comp_stretch_t *wall, nck_approach_t *at) {
     nck_comp_stretch_t low;
     nck_comp_stretch_t high;
-    const double top = nck_max(wall->height[0], wall->height[1]) + NCK_COMP_CLOSE;
-    const double on_path = cut(path, top, 1.0, &low);
+    const double top = nck_max(wall->height[0], wall->height[1]);
+    const double on_path = cut(path, top + NCK_COMP_CLOSE, 1.0, &low);
     if (on_path < 0.0) return 0.0;
-    const double bottom = nck_min(low.height[0], low.height[1]) - NCK_COMP_CLOSE;
-    const double on_wall = nck_max(0.0, cut(wall, bottom, -1.0, &high)); // its top is no lower
+    const double bottom = nck_min(top, nck_min(low.height[0], low.height[1])) - NCK_COMP_CLOSE;
+    const double on_wall = cut(wall, bottom, -1.0, &high); // its top is in it
     nck_shape_approach(&low.shape, &high.shape, at);
     at->on_a += on_path;
     at->on_b += on_wall;

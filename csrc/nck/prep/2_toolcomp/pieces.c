@@ -23,7 +23,7 @@ int nck_comp_enter(const nck_toolcomp_t *self, const nck_shape_t *contour, nck_s
         return any;
     }
     nck_shape_tangent(contour, contour->length, tangent);
-    const double turn = contour->sweep < 0.0 ? -1.0 : 1.0;
+    const double turn = nck_shape_turn(contour);
     const double to[2] = {self->at[0] - beside.q[0], self->at[1] - beside.q[1]};
     const double aside = turn * (tangent[0] * to[1] - tangent[1] * to[0]);
     if (!any || !(aside > 0.0)) return 0;

@@ -19,7 +19,7 @@ static double way(const double *from, const double *to, double *out) {
     return nck_arc_norm(out[0], out[1]);
 }
 
-static double turn_of(const nck_shape_t *self) { return self->sweep < 0.0 ? -1.0 : 1.0; }
+double nck_shape_turn(const nck_shape_t *self) { return self->sweep < 0.0 ? -1.0 : 1.0; }
 
 void nck_shape_line(const double *p, const double *q, nck_shape_t *out) {
     double along[2];
@@ -53,7 +53,7 @@ void nck_shape_point(const nck_shape_t *self, double along, double *out) {
     }
     (void)way(self->c, self->p, arm);
     double sine, cosine;
-    nck_sincos(turn_of(self) * along / self->radius, &sine, &cosine);
+    nck_sincos(nck_shape_turn(self) * along / self->radius, &sine, &cosine);
     out[0] = self->c[0] + arm[0] * cosine - arm[1] * sine;
     out[1] = self->c[1] + arm[0] * sine + arm[1] * cosine;
 }
@@ -68,7 +68,7 @@ void nck_shape_tangent(const nck_shape_t *self, double along, double *out) {
     double point[2];
     double arm[2];
     nck_shape_point(self, along, point);
-    const double per_radius = turn_of(self) / way(self->c, point, arm);
+    const double per_radius = nck_shape_turn(self) / way(self->c, point, arm);
     out[0] = -arm[1] * per_radius;
     out[1] = arm[0] * per_radius;
 }
@@ -78,7 +78,7 @@ void nck_shape_tangent(const nck_shape_t *self, double along, double *out) {
 static double along_arc(const nck_shape_t *self, const double *arm) {
     double from[2];
     (void)way(self->c, self->p, from);
-    const double turn = turn_of(self);
+    const double turn = nck_shape_turn(self);
     double angle = nck_atan2(turn * outer(from, arm), inner(from, arm));
     if (angle < 0.0) angle += 2.0 * NCK_PI;
     const double along = angle * self->radius;
@@ -141,7 +141,7 @@ int nck_shape_parallel(const nck_shape_t *self, double left, nck_shape_t *out) {
         return 1;
     }
     nck_shape_arc(point[0], point[1], self->c, self->sweep, out);
-    return self->radius - turn_of(self) * left > SMALLEST;
+    return self->radius - nck_shape_turn(self) * left > SMALLEST;
 }
 
 static int is_on(const nck_shape_t *self, double along) {
@@ -182,9 +182,10 @@ static unsigned line_with_line(const nck_shape_t *a, const nck_shape_t *b, nck_m
 // base: the foot of a centre on the line that both points lie on; along: its direction.
 static unsigned both_sides(const nck_shape_t *a, const nck_shape_t *b, const double *base,
                            const double *along, nck_meeting_t *out) {
+    static const double side[2] = {-1.0, 1.0};
     unsigned count = 0;
-    for (int sign = -1; sign <= 1; sign += 2) {
-        const double point[2] = {base[0] + sign * along[0], base[1] + sign * along[1]};
+    for (unsigned k = 0; k < 2; k++) {
+        const double point[2] = {base[0] + side[k] * along[0], base[1] + side[k] * along[1]};
         count += add(a, b, point, out + count);
     }
     return count;

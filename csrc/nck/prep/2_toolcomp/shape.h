@@ -33,6 +33,9 @@ void nck_shape_line(const double *p, const double *q, nck_shape_t *out);
 void nck_shape_arc(const double *p, const double *q, const double *c, double sweep,
                    nck_shape_t *out);
 
+// 1: an arc turns from the plane's first axis to its second, −1: the other way. Cost: constant.
+double nck_shape_turn(const nck_shape_t *self);
+
 // The point, and the direction of length 1, so far along. Cost: constant.
 void nck_shape_point(const nck_shape_t *self, double along, double *out);
 void nck_shape_tangent(const nck_shape_t *self, double along, double *out);
