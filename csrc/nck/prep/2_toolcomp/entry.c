@@ -31,7 +31,6 @@ nck_status_t nck_comp_way_in(const nck_toolcomp_t *self, nck_block_t *block) {
     find_way(self, block, &way);
     if (!memcmp(way.to_nm, start_nm, sizeof way.to_nm)) return NCK_EMPTY; // it is there
     block->kind = part == NCK_WAY_IN ? NCK_BLOCK_LINE : NCK_BLOCK_RAPID;
-    block->output.number = 0;
     if (part == NCK_WAY_IN) return NCK_OK;
     const int64_t *const at_nm = part == NCK_WAY_AWAY ? start_nm : way.to_nm;
     for (unsigned x = 0; x < NCK_AXIS_MAX; x++) {

@@ -51,7 +51,7 @@ static nck_status_t check_bulge(nck_toolcomp_t *self, const nck_block_t *block, 
 // ---- lines and arcs
 
 // An arc of half a turn at most, through both ends as they are rounded, about the point nearest to
-// its centre.
+// its centre. It is longer than NCK_COMP_SHORT, and cut into a few parts: none is without a length.
 static nck_status_t bend(nck_toolcomp_t *self, const nck_shape_t *shape, nck_block_t *out) {
     double from[2];
     double d[2];
@@ -64,8 +64,6 @@ static nck_status_t bend(nck_toolcomp_t *self, const nck_shape_t *shape, nck_blo
         c[k] = shape->c[k] + self->nose[k] - from[k];
     }
     const double length = nck_arc_norm(d[0], d[1]);
-    out->kind = NCK_BLOCK_LINE;
-    if (!(length > 0.0)) return NCK_OK;
     const double height = nck_arc_height(d[0], d[1], c[0], c[1]);
     out->kind = NCK_BLOCK_ARC;
     out->sweep_rad = nck_arc_sweep(length, height, nck_shape_turn(shape));

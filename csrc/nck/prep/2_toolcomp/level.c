@@ -39,12 +39,10 @@ void nck_comp_stretch(nck_toolcomp_t *self, const nck_comp_piece_t *piece,
     out->height[1] = turns ? out->height[0] : nck_comp_height(self, entry->block.target_nm);
 }
 
-// The part of a stretch that is no higher than a height (sense 1), or no lower (−1); an end that is
-// cut off keeps its height, which is further out than the part's other one. Returns where on the
-// stretch it begins [mm], −1 if there is none.
-static double cut(const nck_comp_stretch_t *self, double height, double sense,
-                  nck_comp_stretch_t *out) {
-    const double room[2] = {sense * (height - self->height[0]), sense * (height - self->height[1])};
+// The part of a stretch where there is room, which its ends have so much of; an end that is cut off
+// keeps its height, which is further out than the part's other one. Returns where on the stretch it
+// begins [mm], −1 if there is none.
+static double cut(const nck_comp_stretch_t *self, const double *room, nck_comp_stretch_t *out) {
     const int out_of_it[2] = {room[0] < 0.0, room[1] < 0.0};
     *out = *self;
     if (out_of_it[0] && out_of_it[1]) return -1.0;
@@ -60,10 +58,13 @@ double nck_comp_depth(const nck_toolcomp_t *self, const nck_comp_stretch_t *path
     nck_comp_stretch_t low;
     nck_comp_stretch_t high;
     const double top = nck_max(wall->height[0], wall->height[1]);
-    const double on_path = cut(path, top + NCK_COMP_CLOSE, 1.0, &low);
+    const double roof = top + NCK_COMP_CLOSE;
+    const double below[2] = {roof - path->height[0], roof - path->height[1]};
+    const double on_path = cut(path, below, &low);
     if (on_path < 0.0) return 0.0;
-    const double bottom = nck_min(top, nck_min(low.height[0], low.height[1])) - NCK_COMP_CLOSE;
-    const double on_wall = cut(wall, bottom, -1.0, &high); // its top is in it
+    const double floor = nck_min(top, nck_min(low.height[0], low.height[1])) - NCK_COMP_CLOSE;
+    const double above[2] = {wall->height[0] - floor, wall->height[1] - floor};
+    const double on_wall = cut(wall, above, &high); // the wall's top is in it
     nck_shape_approach(&low.shape, &high.shape, at);
     at->on_a += on_path;
     at->on_b += on_wall;

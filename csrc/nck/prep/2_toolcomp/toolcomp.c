@@ -69,7 +69,6 @@ static void switch_on(nck_toolcomp_t *self, const nck_block_t *block) {
     self->plane = block->plane;
     self->radius = nck_fabs(radius);
     self->side = radius < 0.0 ? -1.0 : 1.0;
-    self->s = 0.0;
     for (unsigned k = 0; k < 2; k++) {
         self->nose[k] = block->centre_mm[k];
         self->at[k] = (double)self->given_nm[self->axis[k]] * 1e-6 - self->nose[k];
@@ -142,7 +141,7 @@ static nck_status_t step(nck_toolcomp_t *self, nck_block_t *out) {
     if (!self->walk.open) return begin_entry(self, out);
     nck_status_t status = self->walk.planned ? NCK_OK : plan_piece(self);
     if (status == NCK_OK) status = nck_comp_give(self, out);
-    if (status >= NCK_OK && !(self->walk.along < self->walk.until)) self->walk.open = 0;
+    if (!(self->walk.along < self->walk.until)) self->walk.open = 0;
     return status;
 }
 

@@ -55,7 +55,7 @@ nck_status_t nck_comp_way_to(nck_toolcomp_t *self) {
     nck_comp_stretch_t way;
     trespass_t found = {{0.0, 0.0}, {0, 0}};
     double to[2];
-    if (entry->rapid || self->last.begins == 0) return NCK_OK;
+    if (entry->rapid) return NCK_OK;
     nck_shape_point(&piece->shape, self->walk.until, to);
     if (piece->shape.radius > 0.0) nck_shape_part(&piece->shape, 0.0, self->walk.until, &way.shape);
     else nck_shape_line(self->at, to, &way.shape);
@@ -79,9 +79,7 @@ nck_status_t nck_comp_way_from(nck_toolcomp_t *self, const nck_block_t *block,
     const uint32_t kept = taken < NCK_COMP_ROWS ? taken : NCK_COMP_ROWS - 1;
     const uint32_t last = self->last.count;
     trespass_t found = {{0.0, 0.0}, {0, 0}};
-    if (block->kind == NCK_BLOCK_RAPID || self->last.begins == 0 || head - last > kept) {
-        return NCK_OK;
-    }
+    if (block->kind == NCK_BLOCK_RAPID || head - last > kept) return NCK_OK;
     const double *const at = nck_comp_at(self, last)->contour.q;
     for (uint32_t m = head; m != head - kept;) {
         const nck_comp_entry_t *const entry = nck_comp_at(self, --m);
