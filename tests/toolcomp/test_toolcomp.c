@@ -261,6 +261,57 @@ static void an_inside_corner_behind_what_is_given_is_refused(check_t *check) {
     CHECK_NEAR(check, block.sweep_rad, NCK_PI, 1e-9);
 }
 
+// The move behind G40 leads through a contour: as long as the ring has that, it is refused.
+static void a_way_out_is_held_against_what_the_ring_has(check_t *check) {
+    static nck_machine_t machine;
+    nck_machine_default(&machine);
+    for (uint32_t others = 0; others <= NCK_COMP_ROWS; others++) {
+        uint32_t line = 0;
+        nck_toolcomp_init(&room, &machine);
+        nck_block_t block = line_to(0.0, 0.0, 0);
+        block.kind = NCK_BLOCK_COMP;
+        block.output.value = 1.0;
+        CHECK_INT(check, nck_toolcomp_push(&room, &block), NCK_EMPTY);
+        for (uint32_t k = 1; k <= others + 2; k++) {
+            block = line_to(k == 1 ? 10.0 : 20.0, 0.0, k);
+            if (k > 2) block.kind = NCK_BLOCK_OUTPUT;
+            CHECK_INT(check, nck_toolcomp_push(&room, &block), NCK_EMPTY);
+            (void)pull_all(check, &line);
+        }
+        block.kind = NCK_BLOCK_COMP;
+        block.output.value = 0.0;
+        CHECK_INT(check, nck_toolcomp_push(&room, &block), NCK_EMPTY);
+        (void)pull_all(check, &line);
+        block = line_to(5.0, -2.0, 9999);
+        const nck_status_t want = others + 2 <= NCK_COMP_ROWS ? NCK_E_COMP_GOUGE : NCK_OK;
+        CHECK_INT(check, nck_toolcomp_push(&room, &block), want);
+    }
+}
+
+static void its_invariants_tell_what_is_broken(check_t *check) {
+    static nck_machine_t machine;
+    static const struct {
+        uint8_t phase, open;
+        uint32_t waiting;
+        double radius;
+        int holds;
+    } rows[] = {
+        {NCK_COMP_OFF, 0, 0, 0.0, 1},           {NCK_COMP_OFF, 1, 0, 1.0, 0},
+        {NCK_COMP_OFF, 0, 1, 1.0, 0},           {NCK_COMP_ON, 1, NCK_COMP_ROWS, 0.1, 1},
+        {NCK_COMP_ON, 1, 1, 0.0, 0},            {NCK_COMP_ON, 0, NCK_COMP_ROWS + 1, 1.0, 0},
+        {NCK_COMP_LEAVES, 1, 1, 1.0, 1},        {NCK_COMP_LEAVES + 1, 1, 1, 1.0, 0},
+    };
+    nck_machine_default(&machine);
+    for (unsigned k = 0; k < sizeof rows / sizeof *rows; k++) {
+        nck_toolcomp_init(&room, &machine);
+        room.phase = rows[k].phase;
+        room.walk.open = rows[k].open;
+        room.ring.head = rows[k].waiting;
+        room.radius = rows[k].radius;
+        CHECK_INT(check, nck_toolcomp_invariants(&room), rows[k].holds);
+    }
+}
+
 int main(void) {
     check_t check = {0};
     CHECK_RUN(&check, the_end_of_a_program_executes_what_waits);
@@ -272,5 +323,7 @@ int main(void) {
     CHECK_RUN(&check, it_begins_and_ends_as_the_block_says);
     CHECK_RUN(&check, the_ring_gives_as_it_is_fed);
     CHECK_RUN(&check, an_inside_corner_behind_what_is_given_is_refused);
+    CHECK_RUN(&check, a_way_out_is_held_against_what_the_ring_has);
+    CHECK_RUN(&check, its_invariants_tell_what_is_broken);
     return check_end(&check);
 }

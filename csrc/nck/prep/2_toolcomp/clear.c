@@ -31,7 +31,7 @@ static double place_of(nck_toolcomp_t *self, const nck_comp_piece_t *piece, doub
 
 static window_t window_about(nck_toolcomp_t *self, uint32_t of, double s) {
     const double near = NEAR * self->radius;
-    window_t window = {of, of + 1};
+    window_t window = {of, of};
     while (window.from != self->ring.tail) {
         const nck_comp_entry_t *const entry = nck_comp_at(self, window.from - 1);
         if (entry->s + entry->contour.length < s - near) break;

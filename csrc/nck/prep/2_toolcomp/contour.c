@@ -48,14 +48,11 @@ static void read_contour(nck_toolcomp_t *self, nck_comp_entry_t *entry) {
     memcpy(self->reached_nm, block->target_nm, sizeof self->reached_nm);
 }
 
-// Does the path go on from where the contour before ends? What is done with does.
+// Does the path go on from where the contour before ends? What is done with does, and what is on
+// the path, which only a contour behind it cuts short.
 static int follows_last(nck_toolcomp_t *self) {
     const uint32_t count = self->last.count;
-    if (nck_comp_is_given(self, count)) return 1;
-    const nck_comp_entry_t *const entry = nck_comp_at(self, count);
-    nck_comp_piece_t piece;
-    nck_comp_piece(self, count, NCK_COMP_BESIDE, &piece);
-    return entry->on[NCK_COMP_BESIDE] && !(entry->path[NCK_COMP_BESIDE].to < piece.shape.length);
+    return nck_comp_is_given(self, count) || nck_comp_at(self, count)->on[NCK_COMP_BESIDE];
 }
 
 static void note_last(nck_toolcomp_t *self, nck_comp_entry_t *entry) {

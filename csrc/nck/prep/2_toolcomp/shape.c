@@ -158,10 +158,8 @@ static unsigned add(const nck_shape_t *a, const nck_shape_t *b, const double *po
         const double turn = 2.0 * NCK_PI * a->radius;
         on_a += turn * nck_floor((a->length + ROUNDING - on_a) / turn);
     }
-    if (b->radius > 0.0) {
-        const double turn = 2.0 * NCK_PI * b->radius;
-        if (on_b - turn > -ROUNDING) on_b -= turn;
-    }
+    const double turn = 2.0 * NCK_PI * b->radius; // of a line 0
+    if (on_b - turn > -ROUNDING) on_b -= turn;
     *out = (nck_meeting_t){on_a, on_b};
     return 1;
 }

@@ -146,7 +146,7 @@ static nck_status_t step(nck_toolcomp_t *self, nck_block_t *out) {
 }
 
 nck_status_t nck_toolcomp_pull(nck_toolcomp_t *self, nck_block_t *block_out) {
-    if (!NCK_HAS_COMP || self->phase == NCK_COMP_OFF) return NCK_EMPTY;
+    if (!NCK_HAS_COMP) return NCK_EMPTY;
     const uint32_t waiting = self->ring.head - self->ring.tail;
     if (!self->closed && waiting < NCK_COMP_ROWS) return NCK_EMPTY;
     while (self->ring.tail != self->ring.head) {
