@@ -126,6 +126,7 @@ static void bound_axis(const nck_clock_t *self, const nck_terms_t *terms, int x,
     const double least = -LEAST_SHARE * axis->a_max / along;
     bounds->a_floor = nck_max(bounds->a_floor, -axis->a_max / along);
     bounds->a_low = nck_max(bounds->a_low, nck_min((-a_max - curve) / along, least));
+    if (!terms->limits_jerk) return; // by steps: what follows counts where it is felt
     const double a_there = nck_max(0.0, SHARE * axis->a_max - end->jump[x] * v / period);
     const double ramp = BEGIN_SHARE * axis->j_max * end->in_s;
     bounds->a_low = nck_max(bounds->a_low, nck_min((-a_there - ramp) / along, least));

@@ -19,14 +19,18 @@ enum { LINE_PERIODS = 20 };
 // … and on a clocked path from whatever speed the tick takes so many to ease off and on.
 enum { EASE_PERIODS = 10 };
 
+// Of an axis' jerk, what a brake of the tick begins and ends with: see clock.c.
+#define BRAKE_SHARE 0.9
+
 // Periods within which it has to be planned.
 static uint32_t answer_periods(const nck_terms_t *terms) {
     const double knots = ANSWER_KNOTS * terms->knot_s / terms->machine->period_s;
     return knots > (double)ANSWER_PERIODS ? (uint32_t)knots : (uint32_t)ANSWER_PERIODS;
 }
 
-// Periods that a rest along a line takes, from a speed and what it has gained in a period.
-static double line_periods(const nck_terms_t *terms, double v, double gain) {
+// Periods that a rest along a line takes, from a speed and what it has gained in a period, by a
+// share of all jerk.
+static double line_periods(const nck_terms_t *terms, double v, double gain, double share) {
     const nck_machine_t *const machine = terms->machine;
     const double period = machine->period_s;
     double a = machine->path.a_max;
@@ -38,10 +42,17 @@ static double line_periods(const nck_terms_t *terms, double v, double gain) {
     }
     const double most = (double)(UINT32_MAX / 4u);
     if (!terms->limits_jerk) return nck_min(v / a / period, most);
+    j *= share;
     const double back = nck_max(0.0, nck_min(gain / period, a)) / j; // until it gains no more
     const double top = v + 0.5 * j * back * back;
     const double ramps = top > a * a / j ? top / a + a / j : 2.0 * nck_sqrt(top / j);
     return nck_min((back + ramps) / period, most);
+}
+
+// Periods that the tick takes to brake there: it eases off, or the filter rests behind it.
+static double brake_periods(const nck_terms_t *terms, double v, double gain) {
+    if (terms->knot_s > 0.0) return line_periods(terms, v, gain, 1.0) + (double)EASE_PERIODS;
+    return line_periods(terms, v, gain, BRAKE_SHARE) + (double)terms->taps - 1.0;
 }
 
 static uint32_t one_more(uint32_t periods) {
@@ -70,11 +81,14 @@ static int is_late(nck_watch_t *self, const nck_terms_t *terms, const nck_watche
         return 0;
     }
     self->asked = one_more(self->asked);
-    const double ease = terms->knot_s > 0.0 ? (double)EASE_PERIODS : 0.0;
-    const double line = line_periods(terms, seen->v, seen->v - self->v);
-    if (self->asked == 1) self->most = (uint32_t)(REST_MOST * (line + (double)LINE_PERIODS));
+    const double gain = seen->v - self->v;
+    if (self->asked == 1) {
+        const double line = line_periods(terms, seen->v, gain, 1.0);
+        self->most = (uint32_t)(REST_MOST * (line + (double)LINE_PERIODS));
+    }
     const int unplanned = self->asked > answer_periods(terms) && !seen->planned;
-    const int late = unplanned || (double)self->asked + line + ease > (double)self->most;
+    const double last = (double)self->asked + brake_periods(terms, seen->v, gain);
+    const int late = unplanned || last > (double)self->most;
     self->stops = late || seen->slow || self->stops;
     return self->stops;
 }
