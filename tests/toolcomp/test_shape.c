@@ -122,6 +122,12 @@ static void a_distance_is_the_least_of_all_places(check_t *check) {
     line(0.0, 0.0, 0.0, 0.0, &none); // a place: no direction is asked for
     CHECK_NEAR(check, nck_shape_distance(&none, beside), 5.0, 0.0);
     CHECK_NEAR(check, from_point(&none, 0.0, beside), 5.0, 0.0);
+    nck_shape_t circle;
+    nck_approach_t near;
+    arc(3.0, 4.0, 2.0, 0.0, TURN, &circle);
+    nck_shape_approach(&none, &circle, &near);
+    CHECK_NEAR(check, near.gap, 3.0, NEAR);
+    CHECK_NEAR(check, near.on_a, 0.0, 0.0);
 }
 
 static void two_shapes_are_nearest_where_they_say(check_t *check) {
@@ -157,6 +163,9 @@ static void what_is_far_is_told_by_circles(check_t *check) {
     arc(3.0, -8.0, 1.0, 1.0, 1.0, &b);
     CHECK_INT(check, nck_shape_are_far(&a, &b, 5.999), 1);
     CHECK_INT(check, nck_shape_are_far(&a, &b, 6.001), 0);
+    arc(3.0, -8.0, 0.5, 1.0, 1.0, &b); // of less than a millimetre
+    CHECK_INT(check, nck_shape_are_far(&a, &b, 6.499), 1);
+    CHECK_INT(check, nck_shape_are_far(&a, &b, 6.501), 0);
 }
 
 // Do the chords of two shapes cross, away from all ends? 1: yes, −1: nobody can say.

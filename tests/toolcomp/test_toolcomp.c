@@ -246,7 +246,13 @@ static void an_inside_corner_behind_what_is_given_is_refused(check_t *check) {
     CHECK_INT(check, go_on_behind(check, NCK_BLOCK_LINE, next), NCK_EMPTY);
     next.kind = NCK_BLOCK_LINE;
     CHECK_INT(check, go_on_behind(check, NCK_BLOCK_RAPID, next), NCK_EMPTY);
-    next = line_to(10.0, 6.0, 9999); // half a turn to the left, from straight on
+    next = line_to(10.0, -6.0, 9999); // half a turn to the right, from straight on
+    next.kind = NCK_BLOCK_ARC;
+    next.centre_mm[0] = 10.0;
+    next.centre_mm[1] = -3.0;
+    next.sweep_rad = -NCK_PI;
+    CHECK_INT(check, go_on_behind(check, NCK_BLOCK_LINE, next), NCK_EMPTY);
+    next = line_to(10.0, 6.0, 9999); // … to the left
     next.kind = NCK_BLOCK_ARC;
     next.centre_mm[0] = 10.0;
     next.centre_mm[1] = 3.0;

@@ -113,7 +113,6 @@ static int is_fault(nck_toolcomp_t *self, const nck_shape_t *shape, const nck_co
     nck_shape_t shapes[2];
     nck_meeting_t at[2];
     shapes[0] = *shape;
-    shapes[1] = *shape;
     on_path(self, other, &shapes[1]);
     const unsigned count = nck_shape_cross(&shapes[0], &shapes[1], at);
     for (unsigned k = 0; k < count; k++) {

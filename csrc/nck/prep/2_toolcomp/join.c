@@ -15,10 +15,9 @@
 #define ANYWHERE 1e12  // [mm]
 
 double nck_comp_dip(const nck_toolcomp_t *self, double turn) {
-    double sine = 0.0;
-    double cosine = 0.0;
-    if (!(turn < 0.0)) return 0.0;
-    if (turn > -0.5 * NCK_PI) nck_sincos(turn, &sine, &cosine);
+    double sine;
+    double cosine;
+    nck_sincos(nck_max(-0.5 * NCK_PI, nck_min(turn, 0.0)), &sine, &cosine);
     return self->radius * (1.0 - cosine);
 }
 

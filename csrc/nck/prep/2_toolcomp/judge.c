@@ -18,7 +18,6 @@ typedef struct apart {
     nck_shape_t side[2]; // what the path has of them
     double left;         // most of the material that stays [mm]
     double length;       // contour that is left out [mm]
-    double longest;      // of its elements [mm]
     uint32_t first;      // count of the first one of them
     uint32_t last;
     uint32_t elements;   // how many
@@ -95,7 +94,6 @@ static int leave_out(nck_toolcomp_t *self, apart_t *gap, uint32_t count) {
     gap->elements++;
     gap->left = nck_max(gap->left, far - self->radius);
     gap->length += contour->length;
-    gap->longest = nck_max(gap->longest, contour->length);
     return fits(self, gap, count, all);
 }
 
@@ -175,8 +173,7 @@ nck_status_t nck_comp_judge(nck_toolcomp_t *self) {
     const int ends = ends_fit(self, &gap);
     const uint32_t end = next.part == NCK_COMP_ABOUT && !lost ? next.of : next.of + 1;
     const int fit = ends || leave_out_until(self, &gap, piece->of, end);
-    const int deep = gap.longest > self->radius
-                     || nck_min(gap.left, gap.length) > self->radius;
+    const int deep = nck_min(gap.left, gap.length) > self->radius;
     if (fit || deep || lost) return fail(self, &gap);
     tell(self, &gap);
     return NCK_OK;

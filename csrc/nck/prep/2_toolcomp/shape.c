@@ -2,6 +2,8 @@
 // Lines and arcs in a plane, and how they meet.
 #include "nck/prep/2_toolcomp/shape.h"
 
+#include <string.h> // memcpy memset
+
 #include "nck/base/arc_math.h" // nck_arc_norm nck_arc_angle NCK_PI
 #include "nck/base/real.h"     // nck_sqrt nck_fabs nck_min nck_max nck_floor
 
@@ -23,13 +25,9 @@ double nck_shape_turn(const nck_shape_t *self) { return self->sweep < 0.0 ? -1.0
 
 void nck_shape_line(const double *p, const double *q, nck_shape_t *out) {
     double along[2];
-    for (unsigned k = 0; k < 2; k++) {
-        out->p[k] = p[k];
-        out->q[k] = q[k];
-        out->c[k] = 0.0;
-    }
-    out->radius = 0.0;
-    out->sweep = 0.0;
+    memset(out, 0, sizeof *out);
+    memcpy(out->p, p, sizeof out->p);
+    memcpy(out->q, q, sizeof out->q);
     out->length = way(p, q, along);
 }
 
@@ -255,18 +253,22 @@ static double nearest(const nck_shape_t *self, const double *point) {
     return way(self->p, point, arm) < way(self->q, point, arm) ? 0.0 : self->length;
 }
 
+// From a place of one shape to the other one.
+static nck_approach_t approach_at(const nck_shape_t *a, double on_a, const nck_shape_t *b) {
+    double point[2];
+    nck_shape_point(a, on_a, point);
+    return (nck_approach_t){nck_shape_distance(b, point), on_a, nearest(b, point)};
+}
+
 // From the ends of one shape, and from its point nearest to an arc's centre, to the other one: two
 // circles that do not cross are nearest on the line through their centres.
 static void approach_from(const nck_shape_t *a, const nck_shape_t *b, nck_approach_t *out) {
-    const double on_a[3] = {0.0, a->length, b->radius > 0.0 ? nearest(a, b->c) : 0.0};
-    nck_approach_t least = {0.0, 0.0, 0.0};
-    for (unsigned k = 0; k < 3; k++) {
-        double point[2];
-        nck_shape_point(a, on_a[k], point);
-        const double gap = nck_shape_distance(b, point);
-        if (k == 0 || gap < least.gap) least = (nck_approach_t){gap, on_a[k], nearest(b, point)};
+    const double further[2] = {a->length, b->radius > 0.0 ? nearest(a, b->c) : a->length};
+    *out = approach_at(a, 0.0, b);
+    for (unsigned k = 0; k < 2; k++) {
+        const nck_approach_t at = approach_at(a, further[k], b);
+        if (at.gap < out->gap) *out = at;
     }
-    *out = least;
 }
 
 void nck_shape_approach(const nck_shape_t *a, const nck_shape_t *b, nck_approach_t *out) {
