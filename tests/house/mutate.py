@@ -175,7 +175,7 @@ def is_removable(tokens, k, heads):
 
 
 def is_size(tokens, k):
-    """Tell whether a number is the size of an array that a statement declares."""
+    """Tell whether a number is the size of an array, which the address sanitizer is to judge."""
     is_index = (tokens[k - 1].text, tokens[k + 1].text) == ("[", "]")
     while is_index and tokens[k - 1].text not in (";", "{", "}", "(", "="):
         k -= 1
@@ -215,7 +215,7 @@ def changes_at(text, tokens, k):
     """Yield the changes of one token."""
     token = tokens[k]
     if token.kind == "number":
-        for now in other_numbers(token.text)[is_size(tokens, k) :]:  # a larger array is as good
+        for now in () if is_size(tokens, k) else other_numbers(token.text):
             yield token.begin, token.end, now
     elif token.text in SWAPS and is_binary(text, token):
         for now in SWAPS[token.text]:

@@ -128,6 +128,7 @@ static void a_distance_is_the_least_of_all_places(check_t *check) {
     nck_shape_approach(&none, &circle, &near);
     CHECK_NEAR(check, near.gap, 3.0, NEAR);
     CHECK_NEAR(check, near.on_a, 0.0, 0.0);
+    CHECK_NEAR(check, nck_shape_along(&none, beside), 0.0, 0.0);
 }
 
 static void two_shapes_are_nearest_where_they_say(check_t *check) {

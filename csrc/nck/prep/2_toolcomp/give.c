@@ -168,5 +168,6 @@ void nck_comp_give_along(nck_toolcomp_t *self, const nck_block_t *block, nck_blo
     for (unsigned k = 0; k < 2; k++) {
         out->target_nm[self->axis[k]] = self->given_nm[self->axis[k]];
     }
-    if (block->kind <= NCK_BLOCK_ARC) memcpy(self->given_nm, out->target_nm, sizeof out->target_nm);
+    if (block->kind > NCK_BLOCK_ARC) return;
+    memcpy(self->given_nm, out->target_nm, sizeof self->given_nm);
 }
