@@ -10,9 +10,10 @@ import numpy as np
 ROOT = Path(__file__).resolve().parents[2]
 ROOM = ROOT / "csrc" / "nck" / "prep" / "3_smooth"
 BASE = ROOT / "csrc" / "nck" / "base"
+PARTS = ("fair", "track", "timing", "timing_make", "sample", "stream")
 SOURCES = (
     Path(__file__).with_suffix(".c"),
-    *(ROOM / f"{name}.c" for name in ("fair", "track", "timing", "sample", "stream")),
+    *(ROOM / f"{name}.c" for name in PARTS),
     *sorted(BASE.glob("motion*.c")), BASE / "path.c", BASE / "trig.c",
 )  # fmt: skip
 

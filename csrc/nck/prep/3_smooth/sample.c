@@ -405,20 +405,18 @@ void nck_sample_rest(nck_stream_t *self, const double *s, nck_sample_rest_t *res
     }
 }
 
-double nck_sample_rest_miss(nck_stream_t *self, const nck_sample_rest_t *rest) {
+double nck_sample_rest_miss(nck_stream_t *self, const nck_sample_rest_t *rest, int i) {
+    const double *const c[4] = {rest->point[i], rest->point[i + 1], rest->point[i + 2],
+                                rest->point[i + 3]};
     double most = 0.0;
-    for (int i = 0; i < NCK_SAMPLE_REST; i++) {
-        cubic_t cubic;
-        const double *const c[4] = {rest->point[i], rest->point[i + 1], rest->point[i + 2],
-                                    rest->point[i + 3]};
-        set_cubic(self->track.axes, c, &cubic);
-        for (int n = 0; n < REST_BINS; n++) {
-            bin_t bin = {.w = {(double)n / REST_BINS, (double)(n + 1) / REST_BINS}};
-            bin.s[0] = spline_of(&rest->place[i], bin.w[0]);
-            bin.s[1] = nck_max(spline_of(&rest->place[i], bin.w[1]), bin.s[0]);
-            set_elements(self, &bin);
-            most = nck_max(most, bin_miss(self, &cubic, &bin));
-        }
+    cubic_t cubic;
+    set_cubic(self->track.axes, c, &cubic);
+    for (int n = 0; n < REST_BINS; n++) {
+        bin_t bin = {.w = {(double)n / REST_BINS, (double)(n + 1) / REST_BINS}};
+        bin.s[0] = spline_of(&rest->place[i], bin.w[0]);
+        bin.s[1] = nck_max(spline_of(&rest->place[i], bin.w[1]), bin.s[0]);
+        set_elements(self, &bin);
+        most = nck_max(most, bin_miss(self, &cubic, &bin));
     }
     return most;
 }

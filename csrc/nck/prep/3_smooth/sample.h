@@ -31,8 +31,8 @@ typedef struct nck_sample_rest {
 // knot on at most. Cost: 8 points. Context: prep.
 void nck_sample_rest(nck_stream_t *self, const double *s, nck_sample_rest_t *rest);
 
-// The most that it is off the program, over the tolerance: a bound. Cost: 200 points, more where
-// that is above 1. Context: prep.
-double nck_sample_rest_miss(nck_stream_t *self, const nck_sample_rest_t *rest);
+// The most that its interval i is off the program, over the tolerance: a bound. Cost: 40 points,
+// more where that is above 1. Context: prep.
+double nck_sample_rest_miss(nck_stream_t *self, const nck_sample_rest_t *rest, int i);
 
 #endif

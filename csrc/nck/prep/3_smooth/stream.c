@@ -37,6 +37,7 @@ void nck_stream_begin(nck_stream_t *self, const nck_stream_wish_t *wish) {
     self->wish = *wish;
     self->phase = NCK_STREAM_GUESS;
     self->at = 0;
+    self->leg = 0;
     self->round = 0;
     self->tries = 0;
     self->commit = 0;
@@ -67,6 +68,7 @@ void nck_stream_close(nck_stream_t *self) {
 static nck_status_t go(nck_stream_t *self, nck_stream_phase_t phase) {
     self->phase = phase;
     self->at = 0;
+    self->leg = 0;
     return NCK_OK;
 }
 
@@ -294,10 +296,13 @@ static nck_status_t find_rest(nck_stream_t *self) {
     set_knots(self, here, knot_s);
     memcpy(rest.point, &self->point[here], sizeof self->joint);
     nck_sample_rest(self, knot_s, &rest);
-    if (!(nck_sample_rest_miss(self, &rest) <= 1.0)) {
+    if (!(nck_sample_rest_miss(self, &rest, self->leg) <= 1.0)) {
         self->at++;
+        self->leg = 0;
         return NCK_OK;
     }
+    self->leg++;
+    if (self->leg < NCK_SAMPLE_REST) return NCK_OK;
     self->given = here;
     self->commit = here;
     return go(self, self->planned ? NCK_STREAM_GIVE : NCK_STREAM_NODES);

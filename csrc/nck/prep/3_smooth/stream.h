@@ -62,6 +62,7 @@ typedef struct nck_stream {
     nck_stream_wish_t wish;
     nck_stream_phase_t phase;
     int at;              // interval, point or piece in work
+    int leg;             // interval of the rest that is held against the program next
     int round;           // clocks of the window made so far
     int tries;           // curves of it that missed P
     uint8_t sound;       // 1: the curve is the smoothest one, as far as it is sought

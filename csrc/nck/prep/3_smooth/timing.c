@@ -1,24 +1,15 @@
 // SPDX-License-Identifier: MIT
-// Inside room 3: the clock's guess from the program's shape, and clocks from plans.
+// Inside room 3: the clock's guess from the program's shape, and what is kept of a plan.
 #include "nck/prep/3_smooth/timing.h"
 
-#include <string.h> // memcpy
-
-#include "nck/base/real.h"      // nck_fabs nck_max nck_min nck_sqrt
-#include "nck/base/root_math.h" // nck_root_cube
+#include "nck/base/real.h"                 // nck_fabs nck_max nck_min nck_sqrt
+#include "nck/base/root_math.h"            // nck_root_cube
+#include "nck/prep/3_smooth/timing_math.h" // nck_timing_reach_speed …
 
 #define RUNG 1.4422495703074083 // ∛3: what a rung is longer than the last one; the third from it
                                 // is 3 times as long
 #define REACH 0.06   // [s] at the feed: what bends further apart ask for the passes know, too
 #define USE 0.8      // share of what the rungs allow: a curve is not as good everywhere
-#define ASK 0.7      // share of the acceleration that the guess builds up speed with
-#define KEEP_ASK 1.5 // what a kept place gives way to alone
-#define REST 0.4     // share of the jerk that the guess leaves a rest with
-#define BLUR 0.016   // [s] of each of two means: as long as acceleration takes to change
-#define MARGIN 2     // knots at the end of what is known that no window has
-#define SHORTEST (NCK_FAIR_WINDOW / 2) // knots of a window behind which the run goes on: where less
-                     // is known than they last the clock goes slower
-#define LEAST 7      // knots of a window: three control points at both ends stay
 #define SLOWEST 0.3  // the least and
 #define FASTEST 1.5  // most that a plan may change the clock by at once
 
@@ -29,18 +20,14 @@ void nck_timing_begin(nck_timing_t *self, const nck_timing_terms_t *terms) {
     self->brakes = 0;
     self->ends = 0;
     self->begins = 1;
-    self->phase = NCK_TIMING_FORWARD;
+    self->phase = NCK_TIMING_ADD;
+    self->at = 0;
     self->knots = 0;
     self->guess.head = 0;
     self->guess.tail = 0;
     self->guess.v = 0.0;
     for (int k = 0; k <= 2 * NCK_TIMING_RUNGS; k++) self->guess.near[k] = 0;
     self->s[0] = 0.0;
-}
-
-// The speed from rest after x: s = J' t³/6 gives v = (4.5 J' x²)^(1/3).
-static double rest_speed(const nck_timing_terms_t *terms, double x) {
-    return x > 0.0 ? nck_root_cube(4.5 * REST * terms->j_least * x * x) : 0.0;
 }
 
 // What the rungs find at a place: v² ≤ 1/second, v³ ≤ 1/third, and the steepest axis.
@@ -131,29 +118,14 @@ static double look_around(nck_timing_t *self, const nck_track_t *track, sight_t 
     return nck_max(v, 0.5 * terms->j_least * terms->tau * terms->tau);
 }
 
-static nck_place_t *place_at(nck_timing_t *self, uint32_t count) {
-    return &self->guess.at[count % NCK_TIMING_PLACES];
-}
-
-// The acceleration that speed is built up with from v on: jerk from 0 leaves a = √(2 J v).
-static double push_of(const nck_timing_terms_t *terms, double wish, double v) {
-    const double low = terms->j_least * terms->tau * terms->tau / 32.0;
-    return wish * nck_min(terms->a_least, nck_sqrt(2.0 * terms->j_least * nck_max(v, low)));
-}
-
-// The speed a way h on from v.
-static double reach_speed(const nck_timing_terms_t *terms, double wish, double v, double h) {
-    return nck_sqrt(v * v + 2.0 * push_of(terms, wish, v) * h);
-}
-
 // Where the next place is: half a knot on at the speed that is reached. Towards the run's end half
 // of the way that is left, so that there is one within the shortest run.
 static double next_place(nck_timing_t *self, double end) {
     const nck_timing_terms_t *const terms = self->terms;
     const double half = 0.5 * terms->tau;
-    const double least = REST * terms->j_least * half * half * half / 6.0;
+    const double least = NCK_TIMING_REST * terms->j_least * half * half * half / 6.0;
     if (self->guess.head == 0) return 0.0;
-    const double s = place_at(self, self->guess.head - 1)->s;
+    const double s = nck_timing_place(self, self->guess.head - 1)->s;
     const double step = nck_max(least, half * self->guess.v);
     if (!self->closed) return s + step;
     return s > 0.0 && end - s <= least ? end : s + nck_min(step, 0.5 * (end - s));
@@ -164,17 +136,20 @@ static double speed_of(nck_timing_t *self, const nck_track_t *track, sight_t *si
                        const nck_track_element_t *element) {
     const double around = look_around(self, track, sight, REACH * element->words.feed);
     const double feed = element->words.feed;
-    const double v = nck_min(around, nck_min(feed, rest_speed(self->terms, sight->s)));
-    return self->closed ? nck_min(v, rest_speed(self->terms, sight->known - sight->s)) : v;
+    const double v = nck_min(around, nck_min(feed, nck_timing_rest_speed(self->terms, sight->s)));
+    if (!self->closed) return v;
+    return nck_min(v, nck_timing_rest_speed(self->terms, sight->known - sight->s));
 }
 
 // The guess goes on to a place.
 static void add_place(nck_timing_t *self, double s, double v) {
     if (self->guess.head > 0) {
-        const double h = s - place_at(self, self->guess.head - 1)->s;
-        self->guess.v = nck_min(v, reach_speed(self->terms, ASK, self->guess.v, h));
+        const double h = s - nck_timing_place(self, self->guess.head - 1)->s;
+        const double most =
+            nck_timing_reach_speed(self->terms, NCK_TIMING_ASK, self->guess.v, h);
+        self->guess.v = nck_min(v, most);
     }
-    nck_place_t *const place = place_at(self, self->guess.head++);
+    nck_place_t *const place = nck_timing_place(self, self->guess.head++);
     place->s = s;
     place->v = v;
 }
@@ -206,7 +181,8 @@ double nck_timing_reach(const nck_timing_t *self, const nck_track_t *track) {
 }
 
 void nck_timing_drop(nck_timing_t *self, double s) {
-    while (self->guess.tail + 1 < self->guess.head && place_at(self, self->guess.tail)->s < s) {
+    while (self->guess.tail + 1 < self->guess.head
+           && nck_timing_place(self, self->guess.tail)->s < s) {
         self->guess.tail++;
     }
 }
@@ -243,7 +219,8 @@ void nck_timing_keep(nck_timing_t *self, nck_timing_list_t *list, const nck_num 
     }
     list->kept = list->count;
     if (from > 0) self->begins = 0;
-    self->phase = NCK_TIMING_FORWARD;
+    self->phase = NCK_TIMING_ADD;
+    self->at = 0;
 }
 
 void nck_timing_rest(nck_timing_t *self, nck_timing_list_t *list, double s) {
@@ -252,181 +229,6 @@ void nck_timing_rest(nck_timing_t *self, nck_timing_list_t *list, double s) {
     list->count = 1;
     list->kept = 1;
     self->begins = 1;
-    self->phase = NCK_TIMING_FORWARD;
-}
-
-// The guess behind what is kept; where that is a rest, as slow as it leaves one.
-static void add_guess(nck_timing_t *self, nck_timing_list_t *list, double end) {
-    const double from = list->count > 0 ? list->at[list->count - 1].s + 1e-7 : -1.0;
-    for (uint32_t k = self->guess.tail; k != self->guess.head; k++) {
-        nck_place_t place = *place_at(self, k);
-        if (place.s <= from) continue;
-        if (self->begins && list->count > 0) {
-            place.v = nck_min(place.v, rest_speed(self->terms, place.s - list->at[0].s));
-        }
-        if (self->closed || self->brakes) {
-            place.v = nck_min(place.v, rest_speed(self->terms, end - place.s));
-        }
-        list->at[list->count++] = place;
-    }
-}
-
-static void pass_forward(const nck_timing_t *self, nck_timing_list_t *list) {
-    for (int k = list->kept > 0 ? list->kept - 1 : 0; k + 1 < list->count; k++) {
-        const nck_place_t *const at = &list->at[k];
-        const double v = reach_speed(self->terms, ASK, at->v, at[1].s - at->s);
-        list->at[k + 1].v = nck_min(at[1].v, v);
-    }
-}
-
-static void pass_backward(const nck_timing_t *self, nck_timing_list_t *list) {
-    for (int k = list->count - 2; k >= 1; k--) {
-        const nck_place_t *const at = &list->at[k];
-        const double wish = k >= list->kept ? ASK : KEEP_ASK;
-        list->at[k].v = nck_min(at->v, reach_speed(self->terms, wish, at[1].v, at[1].s - at->s));
-    }
-}
-
-// How long it takes from a place to the next one, at even acceleration.
-static double time_of(const nck_place_t *at) {
-    return 2.0 * (at[1].s - at[0].s) / nck_max(at[0].v + at[1].v, 1e-9);
-}
-
-// Where in such a cell it is at the share w of its time.
-static double within(const nck_place_t *at, double w) {
-    const double sum = nck_max(at[0].v + at[1].v, 1e-9);
-    const double way = (2.0 * at[0].v + (at[1].v - at[0].v) * w) * w / sum;
-    return at[0].s + (at[1].s - at[0].s) * nck_min(way, 1.0);
-}
-
-// Cut the list behind the window. Returns its time.
-static double cut(const nck_timing_t *self, nck_timing_list_t *list) {
-    const double most = self->terms->tau * (NCK_FAIR_WINDOW + NCK_TIMING_AHEAD);
-    double t = 0.0;
-    int k = 0;
-    while (k + 1 < list->count && t < most) t += time_of(&list->at[k++]);
-    list->count = k + 1;
-    return t;
-}
-
-// A time that lasts `all` and is to end at another: stretched smoothly.
-typedef struct delay {
-    double all;  // [s]
-    double more; // by so much in all [s]
-} delay_t;
-
-static double stretched(const delay_t *delay, double t) {
-    const double w = nck_min(t / delay->all, 1.0);
-    return t + delay->more * w * w * (3.0 - 2.0 * w);
-}
-
-// s at count + 1 even times of a list; behind its end straight on.
-static void sample(nck_timing_t *self, const nck_timing_list_t *list, int count, double step,
-                   const delay_t *delay) {
-    const nck_place_t *at = list->at;
-    const nck_place_t *const last = &list->at[list->count - 1];
-    double t = time_of(at);
-    double begin = 0.0;
-    double end = stretched(delay, t);
-    for (int k = 0; k <= count; k++) {
-        const double wanted = k * step;
-        while (wanted > end && at + 1 < last) {
-            at++;
-            t += time_of(at);
-            begin = end;
-            end = stretched(delay, t);
-        }
-        self->s[k] = wanted > end ? last->s + (wanted - end) * last->v
-                                  : within(at, (wanted - begin) / (end - begin));
-    }
-}
-
-// A mean over up to 2 `half` + 1 quarters of s[0 … count], less where it would pass the ends. sum:
-// room for as many.
-static void smear(nck_timing_t *self, int count, int half, nck_place_t *sum) {
-    double all = 0.0;
-    for (int k = 0; k <= count; k++) {
-        sum[k].s = all;
-        all += self->s[k];
-    }
-    sum[count + 1].s = all;
-    for (int k = 0; k <= count; k++) {
-        const int end = k < count - k ? k : count - k;
-        const int n = half < end ? half : end;
-        self->s[k] = (sum[k + n + 1].s - sum[k - n].s) / (2 * n + 1);
-    }
-}
-
-// The list anew: behind what is kept, from the means.
-static void blur(nck_timing_t *self, nck_timing_list_t *list) {
-    const double quarter = 0.25 * self->terms->tau;
-    const double all = cut(self, list);
-    const nck_place_t last = list->at[list->count - 1];
-    if (list->kept >= list->count) {
-        list->kept = list->count;
-        return;
-    }
-    int count = (int)(all / quarter) + 1;
-    if (count > NCK_TIMING_CELLS) count = NCK_TIMING_CELLS;
-    if (count < LEAST) count = LEAST; // from rest to rest something has to move between
-    const double step = nck_min(all / count, quarter);
-    const delay_t even = {all, 0.0};
-    const int half = (int)(0.5 * BLUR / step + 0.5);
-    sample(self, list, count, step, &even);
-    const int kept = list->kept > 0 ? list->kept : 1;
-    smear(self, count, half, &list->at[kept]);
-    smear(self, count, half, &list->at[kept]);
-    list->count = kept;
-    for (int k = 1; k <= count; k++) {
-        if (!(self->s[k] > list->at[list->count - 1].s + 1e-9)) continue;
-        nck_place_t *const place = &list->at[list->count++];
-        place->s = self->s[k];
-        place->v = k < count ? (self->s[k + 1] - self->s[k - 1]) / (2.0 * step) : last.v;
-    }
-}
-
-// s at quarters, and how many knots the window has.
-static void set(nck_timing_t *self, const nck_timing_list_t *list, double end) {
-    const double tau = self->terms->tau;
-    double all = 0.0;
-    for (int k = 0; k + 1 < list->count; k++) all += time_of(&list->at[k]);
-    const int is_whole = self->looked && list->at[list->count - 1].s >= end - 1e-9;
-    self->ends = is_whole && all <= (NCK_FAIR_WINDOW + 2) * tau;
-    delay_t delay = {all, 0.0};
-    if (self->ends) {
-        const int knots = (int)(all / tau);
-        self->knots = knots + (knots * tau < all);
-        if (self->knots < LEAST) self->knots = LEAST;
-        delay.more = self->knots * tau - all;
-    } else {
-        const int knots = (int)(all / tau) - MARGIN;
-        self->knots = knots < NCK_FAIR_WINDOW ? knots : NCK_FAIR_WINDOW;
-        if (self->knots < SHORTEST) self->knots = SHORTEST;
-        delay.more = nck_max(0.0, (SHORTEST + MARGIN) * tau - all);
-    }
-    sample(self, list, 4 * (self->knots + 1), 0.25 * tau, &delay);
-}
-
-nck_status_t nck_timing_make(nck_timing_t *self, nck_timing_list_t *list,
-                             const nck_track_t *track) {
-    const double end = nck_track_known(track);
-    switch (self->phase) {
-    case NCK_TIMING_FORWARD:
-        add_guess(self, list, end);
-        pass_forward(self, list);
-        self->phase = NCK_TIMING_BACKWARD;
-        return NCK_OK;
-    case NCK_TIMING_BACKWARD:
-        pass_backward(self, list);
-        self->phase = NCK_TIMING_BLUR;
-        return NCK_OK;
-    case NCK_TIMING_BLUR:
-        blur(self, list);
-        self->phase = NCK_TIMING_SET;
-        return NCK_OK;
-    default:
-        set(self, list, end);
-        self->phase = NCK_TIMING_MADE;
-        return NCK_DONE;
-    }
+    self->phase = NCK_TIMING_ADD;
+    self->at = 0;
 }

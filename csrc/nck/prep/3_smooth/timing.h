@@ -47,11 +47,18 @@ typedef struct nck_timing_list {
 
 // What makes a clock, in order.
 typedef enum nck_timing_phase {
-    NCK_TIMING_FORWARD = 0, // no faster than it can have become
+    NCK_TIMING_ADD = 0,     // the guess behind what is kept
+    NCK_TIMING_FORWARD,     // no faster than it can have become
     NCK_TIMING_BACKWARD,    // nor than it can brake
-    NCK_TIMING_BLUR,        // steps of acceleration rounded
-    NCK_TIMING_SET,         // s at all quarters
-    NCK_TIMING_MADE
+    NCK_TIMING_CUT,         // behind the window
+    NCK_TIMING_SAMPLE,      // s at quarters
+    NCK_TIMING_ADD_UP,      // their sums,
+    NCK_TIMING_MEAN,        // so steps of acceleration are rounded;
+    NCK_TIMING_ADD_UP_AGAIN, // both again
+    NCK_TIMING_MEAN_AGAIN,
+    NCK_TIMING_LIST_ANEW,   // places of that
+    NCK_TIMING_SUM,         // their time
+    NCK_TIMING_SET          // s at all quarters of the window
 } nck_timing_phase_t;
 
 // The clock.
@@ -63,7 +70,19 @@ typedef struct nck_timing {
     uint8_t begins;   // 1: the window begins at rest
     uint8_t ends;     // 1: it ends at the run's end
     nck_timing_phase_t phase;
+    int at;           // place or quarter of the phase that comes next
     int knots;        // of the window
+    struct {
+        double all;   // time of the list [s]; to be stretched
+        double more;  // by so much [s]
+        double step;  // s is sought at times so far apart [s]
+        double t;     // time behind the place in work [s]
+        double begin; // when that begins, and
+        double end;   // ends, stretched [s]
+        double last_v; // of the list's end before the means [path mm/s]
+        int count;    // so many steps
+        int place;    // of the list, in work
+    } make;
     struct {
         uint32_t head; // places looked at
         uint32_t tail; // done with
@@ -99,7 +118,7 @@ void nck_timing_keep(nck_timing_t *self, nck_timing_list_t *list, const nck_num 
 // Context: prep.
 void nck_timing_rest(nck_timing_t *self, nck_timing_list_t *list, double s);
 
-// Make it. Returns NCK_OK (call again); NCK_DONE. Cost: 40 operations a place of the list.
+// Make it. Returns NCK_OK (call again); NCK_DONE. Cost: a slice of 24 places or quarters.
 // Context: prep.
 nck_status_t nck_timing_make(nck_timing_t *self, nck_timing_list_t *list,
                              const nck_track_t *track);

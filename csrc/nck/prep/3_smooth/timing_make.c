@@ -1,0 +1,269 @@
+// SPDX-License-Identifier: MIT
+// Inside room 3: the next clock, of what is kept of a plan and of the guess behind it. Slice by
+// slice: each phase is a walk over places or quarters.
+#include "nck/base/real.h"                 // nck_max nck_min
+#include "nck/prep/3_smooth/timing.h"
+#include "nck/prep/3_smooth/timing_math.h" // nck_timing_reach_speed …
+
+#define KEEP_ASK 1.5 // what a kept place gives way to alone
+#define BLUR 0.016   // [s] of each of two means: as long as acceleration takes to change
+#define MARGIN 2     // knots at the end of what is known that no window has
+#define SHORTEST (NCK_FAIR_WINDOW / 2) // knots of a window behind which the run goes on: where less
+                     // is known than they last the clock goes slower
+#define LEAST 7      // knots of a window: three control points at both ends stay
+#define SLICE 24     // places or quarters a call: 5 000 instructions of a processor with doubles
+
+// The next phase, from its begin.
+static void go(nck_timing_t *self, nck_timing_phase_t phase) {
+    self->phase = phase;
+    self->at = 0;
+}
+
+// The end of a slice that begins where the walk is; `all`: of the walk.
+static int slice_end(const nck_timing_t *self, int all) {
+    return self->at + SLICE < all ? self->at + SLICE : all;
+}
+
+// ---- places
+
+// The guess behind what is kept; where that is a rest, as slow as it leaves one.
+static void add_guess(nck_timing_t *self, nck_timing_list_t *list, double end) {
+    const double from = list->kept > 0 ? list->at[list->kept - 1].s + 1e-7 : -1.0;
+    const int all = (int)(self->guess.head - self->guess.tail);
+    const int to = slice_end(self, all);
+    for (; self->at < to; self->at++) {
+        nck_place_t place = *nck_timing_place(self, self->guess.tail + (uint32_t)self->at);
+        if (place.s <= from) continue;
+        if (self->begins && list->count > 0) {
+            const double way = place.s - list->at[0].s;
+            place.v = nck_min(place.v, nck_timing_rest_speed(self->terms, way));
+        }
+        if (self->closed || self->brakes) {
+            place.v = nck_min(place.v, nck_timing_rest_speed(self->terms, end - place.s));
+        }
+        list->at[list->count++] = place;
+    }
+    if (to == all) go(self, NCK_TIMING_FORWARD);
+}
+
+static void pass_forward(nck_timing_t *self, nck_timing_list_t *list) {
+    const int first = list->kept > 0 ? list->kept - 1 : 0;
+    const int all = list->count - 1 - first;
+    const int to = slice_end(self, all);
+    for (; self->at < to; self->at++) {
+        nck_place_t *const at = &list->at[first + self->at];
+        const double way = at[1].s - at->s;
+        const double v = nck_timing_reach_speed(self->terms, NCK_TIMING_ASK, at->v, way);
+        at[1].v = nck_min(at[1].v, v);
+    }
+    if (to >= all) go(self, NCK_TIMING_BACKWARD);
+}
+
+// The walk goes from the last place but one to the second.
+static void pass_backward(nck_timing_t *self, nck_timing_list_t *list) {
+    const int all = list->count - 2;
+    const int to = slice_end(self, all);
+    for (; self->at < to; self->at++) {
+        const int k = all - self->at;
+        nck_place_t *const at = &list->at[k];
+        const double wish = k >= list->kept ? NCK_TIMING_ASK : KEEP_ASK;
+        const double way = at[1].s - at->s;
+        at->v = nck_min(at->v, nck_timing_reach_speed(self->terms, wish, at[1].v, way));
+    }
+    if (to >= all) {
+        go(self, NCK_TIMING_CUT);
+        self->make.all = 0.0;
+    }
+}
+
+// How long it takes from a place to the next one, at even acceleration.
+static double time_of(const nck_place_t *at) {
+    return 2.0 * (at[1].s - at[0].s) / nck_max(at[0].v + at[1].v, 1e-9);
+}
+
+// Where in such a cell it is at the share w of its time.
+static double within(const nck_place_t *at, double w) {
+    const double sum = nck_max(at[0].v + at[1].v, 1e-9);
+    const double way = (2.0 * at[0].v + (at[1].v - at[0].v) * w) * w / sum;
+    return at[0].s + (at[1].s - at[0].s) * nck_min(way, 1.0);
+}
+
+// ---- s at even times
+
+// A time that lasts `all` and is to end at another: stretched smoothly.
+static double stretched(const nck_timing_t *self, double t) {
+    const double w = nck_min(t / self->make.all, 1.0);
+    return t + self->make.more * w * w * (3.0 - 2.0 * w);
+}
+
+// Begin to find s at count + 1 times, `step` apart, of a list whose time is made.all and grows by
+// `more`.
+static void begin_sampling(nck_timing_t *self, const nck_timing_list_t *list, int count,
+                           double step, double more) {
+    self->make.count = count;
+    self->make.step = step;
+    self->make.more = more;
+    self->make.place = 0;
+    self->make.t = time_of(list->at);
+    self->make.begin = 0.0;
+    self->make.end = stretched(self, self->make.t);
+}
+
+// A slice of it; behind the list's end straight on. Returns 1 once all are found.
+static int sample(nck_timing_t *self, const nck_timing_list_t *list) {
+    const int last = list->count - 1;
+    const int all = self->make.count + 1;
+    int work = SLICE; // places passed count as quarters found do
+    for (; self->at < all && work > 0; work--) {
+        const double wanted = self->at * self->make.step;
+        const nck_place_t *const at = &list->at[self->make.place];
+        const double end = self->make.end;
+        if (wanted > end && self->make.place + 1 < last) {
+            self->make.place++;
+            self->make.t += time_of(at + 1);
+            self->make.begin = end;
+            self->make.end = stretched(self, self->make.t);
+            continue;
+        }
+        const double begin = self->make.begin;
+        self->s[self->at++] = wanted > end
+                                  ? list->at[last].s + (wanted - end) * list->at[last].v
+                                  : within(at, (wanted - begin) / (end - begin));
+    }
+    return self->at == all;
+}
+
+// ---- the means
+
+// Cut the list behind the window, and begin to blur what is left.
+static void cut(nck_timing_t *self, nck_timing_list_t *list) {
+    const double most = self->terms->tau * (NCK_FAIR_WINDOW + NCK_TIMING_AHEAD);
+    const double quarter = 0.25 * self->terms->tau;
+    const int to = slice_end(self, list->count - 1);
+    while (self->at < to && self->make.all < most) {
+        self->make.all += time_of(&list->at[self->at++]);
+    }
+    if (self->at == to && to < list->count - 1 && self->make.all < most) return;
+    list->count = self->at + 1;
+    self->make.last_v = list->at[self->at].v;
+    if (list->kept >= list->count) {
+        list->kept = list->count;
+        go(self, NCK_TIMING_SUM);
+        return;
+    }
+    int count = (int)(self->make.all / quarter) + 1;
+    if (count > NCK_TIMING_CELLS) count = NCK_TIMING_CELLS;
+    if (count < LEAST) count = LEAST; // from rest to rest something has to move between
+    begin_sampling(self, list, count, nck_min(self->make.all / count, quarter), 0.0);
+    go(self, NCK_TIMING_SAMPLE);
+}
+
+// Where the list has room for sums: behind what is kept.
+static int kept_of(const nck_timing_list_t *list) { return list->kept > 0 ? list->kept : 1; }
+
+// Sums of s before each quarter, for means.
+static void add_up(nck_timing_t *self, nck_timing_list_t *list) {
+    nck_place_t *const sum = &list->at[kept_of(list)];
+    const int all = self->make.count + 1;
+    const int to = slice_end(self, all);
+    if (self->at == 0) sum[0].s = 0.0;
+    for (; self->at < to; self->at++) sum[self->at + 1].s = sum[self->at].s + self->s[self->at];
+    if (to == all) go(self, self->phase == NCK_TIMING_ADD_UP ? NCK_TIMING_MEAN
+                                                             : NCK_TIMING_MEAN_AGAIN);
+}
+
+// A mean over up to 2 `half` + 1 quarters, less where it would pass the ends.
+static void take_mean(nck_timing_t *self, nck_timing_list_t *list) {
+    const nck_place_t *const sum = &list->at[kept_of(list)];
+    const int half = (int)(0.5 * BLUR / self->make.step + 0.5);
+    const int all = self->make.count + 1;
+    const int to = slice_end(self, all);
+    for (; self->at < to; self->at++) {
+        const int k = self->at;
+        const int end = k < self->make.count - k ? k : self->make.count - k;
+        const int n = half < end ? half : end;
+        self->s[k] = (sum[k + n + 1].s - sum[k - n].s) / (2 * n + 1);
+    }
+    if (to < all) return;
+    if (self->phase == NCK_TIMING_MEAN) {
+        go(self, NCK_TIMING_ADD_UP_AGAIN);
+        return;
+    }
+    go(self, NCK_TIMING_LIST_ANEW);
+    list->count = kept_of(list);
+}
+
+// The list anew: behind what is kept, from the means.
+static void list_anew(nck_timing_t *self, nck_timing_list_t *list) {
+    const int all = self->make.count;
+    const int to = slice_end(self, all);
+    for (; self->at < to; self->at++) {
+        const int k = self->at + 1;
+        if (!(self->s[k] > list->at[list->count - 1].s + 1e-9)) continue;
+        nck_place_t *const place = &list->at[list->count++];
+        place->s = self->s[k];
+        place->v = k < all ? (self->s[k + 1] - self->s[k - 1]) / (2.0 * self->make.step)
+                           : self->make.last_v;
+    }
+    if (to == all) go(self, NCK_TIMING_SUM);
+}
+
+// ---- the window
+
+// How many knots the window has, and begin to find s at its quarters.
+static void set_window(nck_timing_t *self, const nck_timing_list_t *list, double end) {
+    const double tau = self->terms->tau;
+    const double all = self->make.all;
+    const int is_whole = self->looked && list->at[list->count - 1].s >= end - 1e-9;
+    double more = 0.0;
+    self->ends = is_whole && all <= (NCK_FAIR_WINDOW + 2) * tau;
+    if (self->ends) {
+        const int knots = (int)(all / tau);
+        self->knots = knots + (knots * tau < all);
+        if (self->knots < LEAST) self->knots = LEAST;
+        more = self->knots * tau - all;
+    } else {
+        const int knots = (int)(all / tau) - MARGIN;
+        self->knots = knots < NCK_FAIR_WINDOW ? knots : NCK_FAIR_WINDOW;
+        if (self->knots < SHORTEST) self->knots = SHORTEST;
+        more = nck_max(0.0, (SHORTEST + MARGIN) * tau - all);
+    }
+    begin_sampling(self, list, 4 * (self->knots + 1), 0.25 * tau, more);
+    go(self, NCK_TIMING_SET);
+}
+
+// The list's time.
+static void sum_up(nck_timing_t *self, const nck_timing_list_t *list, double end) {
+    const int all = list->count - 1;
+    const int to = slice_end(self, all);
+    if (self->at == 0) self->make.all = 0.0;
+    for (; self->at < to; self->at++) self->make.all += time_of(&list->at[self->at]);
+    if (to >= all) set_window(self, list, end);
+}
+
+// A slice of what rounds steps of acceleration.
+static void round_steps(nck_timing_t *self, nck_timing_list_t *list) {
+    switch (self->phase) {
+    case NCK_TIMING_CUT: cut(self, list); break;
+    case NCK_TIMING_SAMPLE:
+        if (sample(self, list)) go(self, NCK_TIMING_ADD_UP);
+        break;
+    case NCK_TIMING_ADD_UP: case NCK_TIMING_ADD_UP_AGAIN: add_up(self, list); break;
+    case NCK_TIMING_MEAN: case NCK_TIMING_MEAN_AGAIN: take_mean(self, list); break;
+    default: list_anew(self, list); break;
+    }
+}
+
+nck_status_t nck_timing_make(nck_timing_t *self, nck_timing_list_t *list,
+                             const nck_track_t *track) {
+    const double end = nck_track_known(track);
+    switch (self->phase) {
+    case NCK_TIMING_ADD: add_guess(self, list, end); break;
+    case NCK_TIMING_FORWARD: pass_forward(self, list); break;
+    case NCK_TIMING_BACKWARD: pass_backward(self, list); break;
+    case NCK_TIMING_SUM: sum_up(self, list, end); break;
+    case NCK_TIMING_SET: return sample(self, list) ? NCK_DONE : NCK_OK;
+    default: round_steps(self, list); break;
+    }
+    return NCK_OK;
+}
