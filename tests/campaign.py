@@ -17,7 +17,8 @@ printed before it. The exit status is the number of parts that found something.
     nasty       4 000 nasty programs a slope
     clocked     1 000 programs, 2 000 rests and 4 000 nasty programs along clocked paths (they find
                 some yet)
-    scripts     24 000 random scripts of the front door, 100 000 programs
+    scripts     24 000 random scripts of the front door, 100 000 programs; 20 000 sessions with
+                wrong lines in them
     cycles      4 000 programs with cycles within a tolerance: limits of every axis
     threads     2 000 programs of each family with threads and taps; 20 000 spindles that fail
     comp        2 000 contours of each family under radius compensation, rs274 beside them
@@ -55,7 +56,8 @@ PARTS = {
     "clocked": ["tests/clocked.py 1000 {seed}", "tests/clocked.py stops 2000 {seed}",
                 "tests/clocked.py offs 1000 {seed}",
                 "tests/kernel/nasty.py --slope optimal --count 4000 --seed {seed}"],
-    "scripts": ["build/gcc/tests_kernel test_script 24000 {seed}"],
+    "scripts": ["build/gcc/tests_kernel test_script 24000 {seed}",
+                "build/gcc/tests_kernel test_session 20000 {seed}"],
     "cycles": ["tests/cycle_jerk.py --count 4000 --seed {seed}"],
     "threads": ["tests/thread_programs.py --count 2000 --seed {seed}",
                 "build/gcc/tests_tick test_spindle 20000 {seed}"],

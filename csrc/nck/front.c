@@ -127,19 +127,75 @@ static int is_executed(const nck_t *nck) {
     return nck->wire.ended && queue.segs == 0 && queue.outputs == 0;
 }
 
-nck_status_t nck_begin(nck_t *nck) {
+static nck_status_t begin_at_rest(nck_t *nck) {
     const int aborted = nck_fence_load(&nck->command.abort) != 0;
     const int over = aborted || is_executed(nck);
     const int rests = nck_interpolate_is_at_rest(&nck->interpolate)
                       || nck_interpolate_stands(&nck->interpolate);
     if (nck->wire.given_up || !over || !rests) return NCK_E_STATE;
     nck_link_ask(&nck->link); // nck_prep begins the other rooms when the tick has yielded it
-    nck_decode_begin(&nck->decode);
     nck_travel_begin(&nck->travel);
     memset(&nck->wire, 0, sizeof nck->wire);
     nck_fence_store(&nck->command.hold, 0);
     nck_interpolate_hold_thread(&nck->interpolate, 0);
     nck_fence_store(&nck->command.abort, 0);
+    return NCK_OK;
+}
+
+nck_status_t nck_begin(nck_t *nck) {
+    const nck_status_t status = begin_at_rest(nck);
+    if (status == NCK_OK) nck_decode_begin(&nck->decode);
+    return status;
+}
+
+// ---- a session
+
+nck_status_t nck_begin_session(nck_t *nck, nck_decode_t *before) {
+    return nck_decode_lend(&nck->decode, before);
+}
+
+nck_status_t nck_go_on(nck_t *nck) {
+    if (!nck->decode.session.before) return NCK_E_STATE;
+    const nck_status_t status = begin_at_rest(nck);
+    if (status == NCK_OK) nck_decode_drop(&nck->decode);
+    return status;
+}
+
+nck_status_t nck_leave_nothing(nck_t *nck) {
+    return flushes(nck) ? NCK_FULL : nck_decode_leave_nothing(&nck->decode);
+}
+
+void nck_check_only(nck_t *nck, uint32_t on) { nck->wire.checks = on != 0; }
+
+void nck_name_line(nck_t *nck, uint32_t name) { nck_decode_name_line(&nck->decode, name); }
+
+// Nothing is under way in any room, and the link is both sides'.
+static int is_all_done(const nck_t *nck) {
+    nck_queue_t queue;
+    nck_queue(nck, &queue);
+    const int empty = nck_decode_is_empty(&nck->decode) && !nck_toolcomp_is_on(&nck->toolcomp)
+                      && queue.smooth == 0 && queue.segs == 0 && queue.outputs == 0;
+    return empty && !flushes(nck) && !nck->wire.given_up
+           && nck_link_owner(&nck->link) == NCK_LINK_BOTH
+           && nck_interpolate_is_at_rest(&nck->interpolate);
+}
+
+// 1 if an axis that the machine has can stand there.
+static int is_place(const nck_machine_t *machine, int x, int64_t at_nm) {
+    const double counts = nck_machine_counts(machine, x);
+    const double most = machine->axis[x].rotary ? NCK_ROTARY_MAX_DEG : NCK_LINEAR_MAX_MM;
+    return (double)at_nm >= -most * counts && (double)at_nm <= most * counts;
+}
+
+nck_status_t nck_set_position(nck_t *nck, const int64_t *position_nm) {
+    nck_machine_t *const machine = &nck->machine;
+    for (int x = 0; x < NCK_AXIS_MAX; x++) {
+        if (!is_place(machine, x, position_nm[x])) return NCK_E_ARGUMENT;
+    }
+    if (!is_all_done(nck)) return NCK_E_STATE;
+    memcpy(machine->start_nm, position_nm, sizeof machine->start_nm);
+    nck->interpolate.told = 1;
+    nck_link_ask(&nck->link);
     return NCK_OK;
 }
 
@@ -164,6 +220,10 @@ void nck_queue(const nck_t *nck, nck_queue_t *queue_out) {
     queue_out->segs = link->seg_head - nck_link_finished(link);
     queue_out->outputs = link->output_head - nck_fence_load(&link->output_taken);
     queue_out->cells = nck_link_waiting(link);
+    queue_out->text = nck_decode_is_empty(&nck->decode) ? 0 : 1;
+    const int rests = queue_out->segs == 0 && queue_out->smooth == 0;
+    const uint32_t oldest = link->seg_head - queue_out->segs;
+    queue_out->executed = rests ? nck->wire.blocks : nck_link_seg(link, oldest)->block;
 }
 
 uint32_t nck_queue_cells(const nck_t *nck) { return nck_link_waiting(&nck->link); }
@@ -191,6 +251,10 @@ void nck_modal(const nck_t *nck, nck_modal_t *modal_out) {
     memcpy(modal_out->origin_nm, decode->place.origin_nm, sizeof modal_out->origin_nm);
     memcpy(modal_out->work_nm, decode->place.work_nm[system], sizeof modal_out->work_nm);
     memcpy(modal_out->g92_nm, decode->place.g92_nm, sizeof modal_out->g92_nm);
+    memcpy(modal_out->systems_nm, decode->place.work_nm, sizeof modal_out->systems_nm);
+    memcpy(modal_out->home_nm, decode->place.home_nm, sizeof modal_out->home_nm);
+    modal_out->coolant = decode->modal.coolant;
+    modal_out->spindle_code = decode->modal.spindle_code;
     memcpy(modal_out->tool_nm, decode->place.tool_nm, sizeof modal_out->tool_nm);
 }
 

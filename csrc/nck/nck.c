@@ -120,18 +120,26 @@ static void end_blocks(nck_t *nck) {
     if (!nck->wire.last) nck_smooth_end(&nck->smooth);
 }
 
-// decode ─▶ toolcomp. NCK_OK: the block passes; NCK_DONE: it does not, or there is none.
-static nck_status_t decode_block(nck_t *nck) {
-    nck_status_t status = nck_decode_pull(&nck->decode, &nck->wire.block);
+// Nothing is decoded. NCK_DONE: call again; else the status.
+static nck_status_t end_decode(nck_t *nck, nck_status_t status) {
     if (status == NCK_EMPTY && nck_decode_reads(&nck->decode)) return NCK_DONE;
     if (status == NCK_EMPTY && nck->wire.flush == NCK_FLUSH_ASKED) {
         nck->wire.flush = NCK_FLUSH_SMOOTH;
         nck_smooth_end(&nck->smooth);
         return NCK_DONE;
     }
-    if (status == NCK_DONE) end_blocks(nck);
-    if (status != NCK_OK) return status;
+    const int refused = status < NCK_OK && nck->decode.session.before; // a line, and no more
+    if (status != NCK_EMPTY && !refused) end_blocks(nck);
+    return status;
+}
+
+// decode ─▶ toolcomp. NCK_OK: the block passes; NCK_DONE: it does not, or there is none.
+static nck_status_t decode_block(nck_t *nck) {
+    nck_status_t status = nck_decode_pull(&nck->decode, &nck->wire.block);
+    if (status != NCK_OK) return end_decode(nck, status);
+    if (nck->wire.checks) return NCK_DONE;
     status = nck_toolcomp_push(&nck->toolcomp, &nck->wire.block);
+    if (status < NCK_OK) end_blocks(nck);
     return status == NCK_EMPTY ? NCK_DONE : status;
 }
 
@@ -140,13 +148,13 @@ static nck_status_t next_block(nck_t *nck) {
     nck_status_t status = NCK_EMPTY;
     if (nck_toolcomp_is_on(&nck->toolcomp)) {
         status = nck_toolcomp_pull(&nck->toolcomp, &nck->wire.block);
+        if (status < NCK_OK) end_blocks(nck);
     }
     if (status == NCK_EMPTY && nck->wire.last) {
         end_blocks(nck);
         return NCK_DONE;
     }
     if (status == NCK_EMPTY) status = decode_block(nck);
-    if (status < NCK_OK) end_blocks(nck);
     if (status == NCK_OK) nck_toolcomp_place(&nck->toolcomp, &nck->wire.block);
     return status;
 }

@@ -65,10 +65,12 @@ typedef enum nck_flush_state {
 // How much is under way.
 typedef struct nck_queue {
     uint64_t blocks;  // taken from text and pushed blocks since nck_init or nck_begin
+    uint64_t executed; // of them, to their ends; those without motion with the motion before them
     uint32_t smooth;  // of them, held back until what follows them is known
     uint32_t segs;    // not executed to their ends
     uint32_t outputs; // not handed over
     uint32_t cells;   // final and not taken by the tick
+    uint32_t text;    // 1: a line, a part of one or a pushed block is not taken to its end
 } nck_queue_t;
 
 // What is in force where the next line or block begins.
@@ -81,6 +83,8 @@ typedef struct nck_modal {
     uint8_t feed_mode;    // nck_feed_mode_t
     uint8_t path_mode;    // nck_path_mode_t
     uint8_t spindle_on;   // 1: M3 or M4
+    uint8_t spindle_code; // 3 or 4: the last of them; 0: none yet
+    uint8_t coolant;      // bit 0: M7, bit 1: M8
     uint8_t work_system;  // 0: G54 … 8: G59.3, 9: that of G54.1 P
     double tolerance_mm;  // G64 P
     double feed;          // by feed_mode [mm/min, 1/min, mm/rev]; 0: none yet
@@ -93,6 +97,8 @@ typedef struct nck_modal {
     int64_t work_nm[NCK_AXIS_MAX];     // of the work system in force
     int64_t g92_nm[NCK_AXIS_MAX];
     int64_t tool_nm[3];                // G43: X Y Z
+    int64_t systems_nm[NCK_WORK_SYSTEMS][NCK_AXIS_MAX]; // G54 … G59.3
+    int64_t home_nm[2][NCK_AXIS_MAX];  // G28, G30
 } nck_modal_t;
 
 // The kernel. The order of the members is the order of the flow. They are its own: the functions
@@ -118,6 +124,7 @@ typedef struct nck {
         uint8_t ended;          // 1: no more blocks: END, end of text or a program error
         uint8_t given_up;       // 1: after NCK_E_INTERNAL
         uint8_t flush;          // nck_flush_state_t
+        uint8_t checks;         // 1: blocks are dropped behind decode
         uint32_t blocks;        // blocks so far, of all kinds
         nck_diagnostic_t diagnostic; // of a room behind 1_decode; code 0: none
         uint32_t steps;         // of nck_prep, 0 when it is done; any reads
@@ -221,6 +228,44 @@ void nck_hurry(nck_t *nck, uint32_t periods);
 // (nck_abort drops the rest), and after NCK_E_INTERNAL: there only nck_init begins anew.
 // Cost: linear in the capacities. Context: prep; the tick may go on running.
 nck_status_t nck_begin(nck_t *nck);
+
+// Have an error refuse its line and no more, as whoever types or sends lines expects: nck_prep and
+// nck_diagnostic tell it, nothing of the line was done, what was in force before it is in force
+// behind it, and the lines that follow are taken. Every line that does more than move straight is
+// tried first, which takes its time once more. What radius compensation finds in lines that were
+// taken before still ends the path, as in a program. before: memory that the kernel keeps a copy of
+// its room 1 in; it must outlive the kernel. Text is pushed: nck_read is refused.
+// Returns NCK_OK; NCK_E_STATE if text was pushed or is read. Cost: constant. Context: prep, right
+// after nck_init.
+nck_status_t nck_begin_session(nck_t *nck, nck_decode_t *before);
+
+// In a session: as nck_begin, and modes stay, too, those of the last line that was taken. A line
+// that was not taken to its end was never there. Returns as nck_begin, NCK_E_STATE outside of a
+// session. Cost: linear in the capacities. Context: prep; the tick may go on running.
+nck_status_t nck_go_on(nck_t *nck);
+
+// In a session: the next line leaves nothing in force but the place that it moves to, as a jog
+// must. Returns NCK_OK; NCK_FULL or NCK_E_STATE where a line or a part of one is not taken,
+// NCK_E_STATE outside of a session. Cost: constant. Context: prep.
+nck_status_t nck_leave_nothing(nck_t *nck);
+
+// From now on (1) lines are read and checked alone: nothing moves, nothing is switched, and what
+// they say is in force for the lines behind them. 0, or nck_begin, ends it; after 0 the axes are
+// not where the text thinks, so nck_abort and nck_begin are to follow. Cost: constant. Context:
+// prep.
+void nck_check_only(nck_t *nck, uint32_t on);
+
+// What pose, outputs and diagnostics call the next line that is pushed, in place of its number; the
+// one behind it is one more. Cost: constant. Context: prep, between two lines.
+void nck_name_line(nck_t *nck, uint32_t name);
+
+// The axes stand elsewhere than the kernel took them to, as homing finds out: this is where they
+// are, in the machine. Offsets and modes stay. The next tick gives it as its setpoint; nck_prep
+// says NCK_FULL until then. position_nm: NCK_AXIS_MAX of them [nm, ndeg]. Returns NCK_OK;
+// NCK_E_ARGUMENT if a number is out of range; NCK_E_STATE unless all that was pushed is executed
+// (nck_flush) and the axes rest, and while G41 or G42 is in force. Cost: constant. Context: prep;
+// the tick may go on running.
+nck_status_t nck_set_position(nck_t *nck, const int64_t *position_nm);
 
 // Change limits between blocks: of every axis v_max, rapid, a_max and j_max, of the path feed_max,
 // a_max, j_max, chord_error and tolerance (what a bare G64 means from the next one on). The rest of

@@ -25,6 +25,7 @@
 #include "nck/prep/1_decode/layout.h" // nck_layout_t
 #include "nck/prep/1_decode/macro.h" // nck_macro_t nck_source_t
 #include "nck/prep/1_decode/screw.h" // nck_screw_t
+#include "nck/prep/1_decode/session.h" // nck_session_t
 #include "nck/prep/1_decode/spline.h" // nck_spline_t
 #include "nck/prep/1_decode/state.h" // nck_modes_t nck_states_t
 #include "nck/prep/1_decode/words.h" // nck_words_t
@@ -143,6 +144,8 @@ typedef struct nck_decode {
         uint8_t is_passed; // 1: a loop has passed the line; a later pass may come to it
     } entry;
 
+    nck_session_t session; // errors refuse their lines
+
     nck_layout_t layout; // how the program's coordinates lie
     nck_macro_t macro; // parameters, calls, jumps
     nck_cycles_t held; // cycles
@@ -188,8 +191,8 @@ nck_status_t nck_decode_push(nck_decode_t *self, const char *text, size_t n, siz
 // begun. Cost: constant. Context: prep, and so is that of source->read.
 nck_status_t nck_decode_source(nck_decode_t *self, const nck_source_t *source);
 
-// 1 if a source is there and the program has not ended: NCK_EMPTY of pull means that it read a line
-// that gave no block. Cost: constant. Context: prep.
+// 1 if NCK_EMPTY of pull means that there is more to pull: a source is there and the program has
+// not ended, or a line is tried. Cost: constant. Context: prep.
 int nck_decode_reads(const nck_decode_t *self);
 
 // How far the source is read: where the next line begins. Cost: constant. Context: prep.
@@ -225,6 +228,25 @@ void nck_decode_begin(nck_decode_t *self);
 
 // The axes stand at the machine's start position. Cost: constant. Context: prep.
 void nck_decode_stand(nck_decode_t *self);
+
+// From now on an error refuses its line: nck_decode_pull tells it and goes on behind the line, and
+// all is as it was before. A line is done twice, once to try it. before: memory for a copy of the
+// room, which outlives it. Returns NCK_OK, or NCK_E_STATE if the text has begun, or the room reads
+// it itself. Cost: constant. Context: prep.
+nck_status_t nck_decode_lend(nck_decode_t *self, struct nck_decode *before);
+
+// The next line leaves nothing in force but the place that it moves to. Returns NCK_OK;
+// NCK_E_STATE outside of a session, or while a line or a part of one waits. Cost: constant.
+// Context: prep.
+nck_status_t nck_decode_leave_nothing(nck_decode_t *self);
+
+// What blocks and findings call the next line, in place of its number; the one behind it is one
+// more. Cost: constant. Context: prep.
+void nck_decode_name_line(nck_decode_t *self, uint32_t name);
+
+// In a session: a line that has not given its last block was never there, nor what waits for lines
+// to come. An end is over. Modes and offsets stay. Cost: a copy of the room. Context: prep.
+void nck_decode_drop(nck_decode_t *self);
 
 // Say that the text is complete: a last line without line feed counts, and the program ends there
 // if it has not. Cost: constant. Context: prep.

@@ -27,7 +27,8 @@ static int is_plain(const nck_decode_t *self) {
     const uint32_t noted = self->finding.given | self->finding.notes;
     const uint32_t wanted = 1u << NCK_NOTE_UNITS | 1u << NCK_NOTE_DISTANCE;
     const int by_itself = self->macro.seek.kind == NCK_SEEK_NOT && self->macro.modal == 0
-                          && (self->held.contour.mode | self->entry.waits | self->layout.on) == 0;
+                          && (self->held.contour.mode | self->entry.waits | self->layout.on
+                           | self->session.passes) == 0;
     const int linear = !(self->place.rotary & 7u);
     return self->text.words && by_itself && linear && (noted & wanted) == wanted;
 }

@@ -101,6 +101,7 @@ nck_status_t nck_decode_source(nck_decode_t *self, const nck_source_t *source) {
     if (!NCK_HAS_CALLS) return NCK_E_STATE;
     const int begun = self->line.number > 0 || !nck_decode_is_empty(self) || self->text.begun;
     if (begun || self->text.complete || self->text.over || self->macro.reads) return NCK_E_STATE;
+    if (self->session.before) return NCK_E_STATE;
     if (source->text == NULL && source->read == NULL) return NCK_E_ARGUMENT;
     self->macro.source = *source;
     self->macro.reads = 1;
@@ -108,6 +109,7 @@ nck_status_t nck_decode_source(nck_decode_t *self, const nck_source_t *source) {
 }
 
 int nck_decode_reads(const nck_decode_t *self) {
+    if (self->session.phase != NCK_SESSION_NOT) return 1;
     return self->macro.reads && !self->text.over;
 }
 

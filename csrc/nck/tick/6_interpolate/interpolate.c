@@ -18,15 +18,23 @@
 // Nothing in a build where no motions overlap.
 enum { OVERLAPS = NCK_HAS_OVERLAP, RIDES = OVERLAPS * NCK_STOP_RIDES };
 
+// The next path begins where the drives stand: at whole counts, or where prep says.
+static void settle_on_counts(nck_interpolate_t *self) {
+    for (int x = 0; x < NCK_AXIS_MAX; x++) {
+        const double counts = nck_machine_counts(self->machine, x);
+        const double at = nck_floor(self->pose.axis[x] * counts + 0.5);
+        self->pose.axis[x] = (self->told ? (double)self->machine->start_nm[x] : at) / counts;
+    }
+    self->told = 0;
+}
+
 void nck_interpolate_init(nck_interpolate_t *self, const nck_terms_t *terms, nck_link_t *link) {
-    const nck_machine_t *const machine = terms->machine;
     memset(self, 0, sizeof *self);
-    self->machine = machine;
+    self->machine = terms->machine;
     self->terms = terms;
     self->link = link;
-    for (int x = 0; x < NCK_AXIS_MAX; x++) {
-        self->pose.axis[x] = (double)machine->start_nm[x] / nck_machine_counts(machine, x);
-    }
+    self->told = 1;
+    settle_on_counts(self);
     self->pose.feed_scale = 1.0;
     self->cell.stop = NCK_STOP_REST;
     self->rests = 1;
@@ -216,14 +224,6 @@ static const nck_pose_t *rest(nck_interpolate_t *self) {
     self->pose.state = self->cell.stop & NCK_STOP_HOLD ? NCK_TICK_HOLD
                        : on_path ? NCK_TICK_STARVED : NCK_TICK_IDLE;
     return &self->pose;
-}
-
-// The next path begins where the drives stand: at whole counts.
-static void settle_on_counts(nck_interpolate_t *self) {
-    for (int x = 0; x < NCK_AXIS_MAX; x++) {
-        const double counts = nck_machine_counts(self->machine, x);
-        self->pose.axis[x] = nck_floor(self->pose.axis[x] * counts + 0.5) / counts;
-    }
 }
 
 // Prep wants to begin anew: once nothing is left to execute the link is its own, and what the last

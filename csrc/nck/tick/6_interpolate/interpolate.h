@@ -38,6 +38,7 @@ typedef struct nck_interpolate {
     uint32_t stands;        // 1: it has, and rests; any reads it
     uint64_t k;             // periods since time began to count
     double t_cell;          // when the cell begins [s]
+    uint32_t told;          // 1: the axes stand at the machine's start position: prep says so
     nck_pose_t pose;        // of the last tick
 } nck_interpolate_t;
 
