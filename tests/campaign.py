@@ -19,6 +19,7 @@ printed before it. The exit status is the number of parts that found something.
                 some yet)
     scripts     24 000 random scripts of the front door, 100 000 programs; 20 000 sessions with
                 wrong lines in them
+    serve       in grbl's protocol 500 random streams, 20 000 jogs cancelled, 2 000 times noise
     cycles      4 000 programs with cycles within a tolerance: limits of every axis
     threads     2 000 programs of each family with threads and taps; 20 000 spindles that fail
     comp        2 000 contours of each family under radius compensation, rs274 beside them
@@ -58,6 +59,9 @@ PARTS = {
                 "tests/kernel/nasty.py --slope optimal --count 4000 --seed {seed}"],
     "scripts": ["build/gcc/tests_kernel test_script 24000 {seed}",
                 "build/gcc/tests_kernel test_session 20000 {seed}"],
+    "serve": ["tests/controller/serving_runs.py streams 500 {seed}",
+              "tests/controller/serving_runs.py jogs 1000 {seed}",
+              "tests/controller/serving_runs.py bytes 2000 {seed}"],
     "cycles": ["tests/cycle_jerk.py --count 4000 --seed {seed}"],
     "threads": ["tests/thread_programs.py --count 2000 --seed {seed}",
                 "build/gcc/tests_tick test_spindle 20000 {seed}"],

@@ -9,7 +9,7 @@ from typing import Annotated
 import typer
 
 # They register their verbs.
-from pycnc.cli import adapting, comparing, configuring, sweeping, timing  # noqa: F401
+from pycnc.cli import adapting, comparing, configuring, serving, sweeping, timing  # noqa: F401
 from pycnc.cli.door import app, close_list, machine_of, machines, verb
 from pycnc.cli.options import (
     Backend,

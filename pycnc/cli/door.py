@@ -13,8 +13,8 @@ from pycnc.cli.words import GOOD, drop_stdout, explain, fail
 
 # In the order of help.
 VERBS = (
-    "check", "canon", "time", "why", "report", "run", "controller", "plot", "compare", "sweep",
-    "bench",
+    "check", "canon", "time", "why", "report", "run", "controller", "serve", "plot", "compare",
+    "sweep", "bench",
 )  # fmt: skip
 
 app = typer.Typer(

@@ -40,7 +40,8 @@ PYTHON_ROOMS = (
 )  # fmt: skip
 # Who calls the kernel; everybody else may read its constants.
 WRAPPERS = (
-    "kernel/__init__", "kernel/batches", "kernel/bind", "kernel/records", "machine/__init__",
+    "kernel/__init__", "kernel/batches", "kernel/bind", "kernel/records", "kernel/session",
+    "machine/__init__",
     "planning/control", "planning/grades", "planning/parallel", "planning/sshape",
     "planning/whole", "stages", "report/path_error", "bench/timing",
 )  # fmt: skip
@@ -67,10 +68,13 @@ MAY_INCLUDE = {
     "firmware_sim/examples/": ("nck/nck.h", "board/board.h", "os.h"),
     "firmware_sim/soft_double/": ("soft_double/",),
     "firmware_sim/glue/": ("glue/", "os/os.h"),
+    "firmware_sim/serve/": ("serve/", "nck/nck.h", "nck/base/fence.h"),
+    "firmware_sim/host_serve": ("host_serve.h", "serve/serve.h", "nck/nck.h"),
     "firmware_sim/sim": ("nck/", "sim", "app/", "os.h", "hal.h"),
     "adapters/linuxcnc/": ("nck/nck.h", *HOST_OF_ADAPTER),
     "tests/linuxcnc/": (),
-    "tests/": ("nck/", "host/", "sim.h", "check.h", "pace.h", "os/", "board/", "app/", "hal/",
+    "tests/": ("nck/", "host/", "sim.h", "host_serve.h", "serve/", "check.h", "pace.h", "os/",
+                 "board/", "app/", "hal/",
                  "soft_double/"),
     "tests/house/fuzz/": ("nck/", "host/", "sim.h"),
     "tests/qemu/": ("nck/nck.h", "nck/base/link.h", "board/", "mark.h", "traffic.h"),

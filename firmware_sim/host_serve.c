@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: MIT
+// The machine: one loop in place of a task, a timer's interrupt and a UART's.
+#include "host_serve.h"
+
+#include <math.h>   // fabs fmax
+#include <string.h> // memcpy memmove memset
+
+static void write_out(void *user, const char *bytes, uint32_t n) {
+    host_serve_t *const self = user;
+    const size_t room = HOST_OUT - self->out_count;
+    const size_t fits = n < room ? n : room;
+    memcpy(self->out + self->out_count, bytes, fits);
+    self->out_count += fits;
+    self->out_lost += n - fits;
+}
+
+static void on_output(void *user, const nck_output_t *output) {
+    host_serve_t *const self = user;
+    serve_output(&self->serve, output);
+}
+
+nck_status_t host_serve_init(host_serve_t *self, nck_t *nck, const nck_machine_t *machine) {
+    const nck_hooks_t hooks = {self, on_output, NULL, NULL};
+    const serve_port_t port = {self, write_out};
+    memset(self, 0, sizeof *self);
+    self->nck = nck;
+    self->hash = 14695981039346656037u;
+    const nck_status_t status = nck_init(nck, machine, &hooks);
+    if (status != NCK_OK) return status;
+    (void)nck_position(nck, &self->pose, &self->axes);
+    return serve_init(&self->serve, nck, &self->room, &port);
+}
+
+// What waits outside goes in.
+static void let_in(host_serve_t *self) {
+    size_t used = 0;
+    while (used < self->in_count && serve_has_room(&self->serve)) {
+        serve_put(&self->serve, (uint8_t)self->in[used]);
+        used++;
+    }
+    self->in_count -= used;
+    memmove(self->in, self->in + used, self->in_count);
+}
+
+size_t host_serve_receive(host_serve_t *self, const char *bytes, size_t n) {
+    enum { RESET = 0x18 };
+    size_t used = 0;
+    for (; used < n && self->in_count < HOST_IN; used++) {
+        if (bytes[used] == RESET) self->in_count = 0; // nobody waits for what was before
+        if (serve_hear(&self->serve, (uint8_t)bytes[used])) continue;
+        self->in[self->in_count++] = bytes[used];
+    }
+    let_in(self);
+    return used;
+}
+
+void host_serve_part(host_serve_t *self) {
+    self->in_count = 0;
+    serve_part(&self->serve);
+}
+
+// What the drives feel of a period.
+static void note(host_serve_t *self, const nck_axes_t *before) {
+    const nck_machine_t *const machine = nck_machine_of(self->nck);
+    int moved = 0;
+    for (uint32_t k = 0; k < nck_joint_count(self->nck); k++) {
+        const uint32_t axis = nck_joint_axis(self->nck, k);
+        const int64_t step = self->axes.joint_nm[k] - before->joint_nm[k];
+        const double way = (double)step / nck_machine_counts(machine, (int)axis);
+        const double share = fabs(way) / machine->period_s / machine->axis[axis].v_max;
+        self->v_most = fmax(self->v_most, share);
+        moved |= step != 0;
+    }
+    if (!moved) return;
+    self->moving++;
+    for (uint32_t k = 0; k < nck_joint_count(self->nck); k++) {
+        self->hash = (self->hash ^ (uint64_t)self->axes.joint_nm[k]) * 1099511628211u;
+    }
+}
+
+static void prepare(host_serve_t *self, uint32_t steps) {
+    self->status = NCK_OK;
+    for (uint32_t k = 0; k < steps && self->status == NCK_OK; k++) {
+        self->status = serve_step(&self->serve);
+    }
+}
+
+void host_serve_run(host_serve_t *self, uint32_t ticks, uint32_t steps) {
+    for (uint32_t k = 0; k < ticks; k++) {
+        const nck_axes_t before = self->axes;
+        let_in(self);
+        prepare(self, steps);
+        (void)nck_tick(self->nck, &self->pose, &self->axes);
+        serve_tick(&self->serve, &self->pose);
+        note(self, &before);
+        self->ticks++;
+    }
+    prepare(self, steps);
+}
+
+size_t host_serve_take(host_serve_t *self, char *bytes, size_t n) {
+    const size_t taken = n < self->out_count ? n : self->out_count;
+    memcpy(bytes, self->out, taken);
+    self->out_count -= taken;
+    memmove(self->out, self->out + taken, self->out_count);
+    return taken;
+}

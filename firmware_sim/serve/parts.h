@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: MIT
+// The protocol's inner doors. Context of all: prep.
+#ifndef SERVE_PARTS_H
+#define SERVE_PARTS_H
+
+#include "serve/serve.h" // serve_t
+
+// Numbers of grbl's errors.
+typedef enum serve_error {
+    SERVE_E_STATEMENT = 3, SERVE_E_NEGATIVE = 4, SERVE_E_DISABLED = 5, SERVE_E_BUSY = 8,
+    SERVE_E_LOCKED = 9, SERVE_E_LENGTH = 11, SERVE_E_TRAVEL = 15, SERVE_E_JOG = 16,
+    SERVE_E_CODE = 20, SERVE_E_FEED = 22
+} serve_error_t;
+
+// Whatever the kernel finds wrong is one of them. Cost: constant.
+uint8_t serve_error_of(int32_t status);
+
+// words.c: what a line is that is no command: its N word, whether it settles or ends. Cost: linear
+// in the line.
+void serve_look(serve_t *self);
+
+// words.c: the same of a jog's words, behind the =; makes a line of them. Returns 0 or its error.
+uint8_t serve_look_jog(serve_t *self);
+
+// A number as it is written.
+typedef struct serve_number {
+    uint32_t whole, thousandths; // of its size
+    uint32_t negative;
+} serve_number_t;
+
+// words.c: a number at *at, which moves behind it. Returns 0 if there is none. Cost: linear.
+int serve_number(const char **at, serve_number_t *out);
+
+// dollar.c: a line that begins with $, but for a jog's. Returns 0, or its error.
+uint8_t serve_command(serve_t *self);
+
+// report.c: say a text; a number, whose last so many digits stand behind its point; begin the next
+// report anew.
+void serve_say(serve_t *self, const char *text);
+void serve_say_number(serve_t *self, int32_t value, uint32_t places);
+void serve_forget(serve_t *self);
+
+// report.c: a text and a number.
+void serve_say_code(serve_t *self, const char *before, int32_t number);
+
+// report.c: to the nearest whole number that fits. Cost: constant.
+int32_t serve_round(double value);
+
+// report.c: the whole status; modes; the parameters of $#. The last two return 0.
+void serve_say_status(serve_t *self);
+uint8_t serve_say_modes(serve_t *self);
+uint8_t serve_say_offsets(serve_t *self);
+
+// serve.c: nothing is under way, and all stands. Cost: constant.
+int serve_is_idle(const serve_t *self);
+
+// serve.c: what the last tick has left. Cost: constant.
+const serve_seen_t *serve_seen(const serve_t *self);
+
+// serve.c: come to rest, drop the rest, then do that. Cost: constant.
+void serve_brake(serve_t *self, serve_then_t then);
+
+#endif

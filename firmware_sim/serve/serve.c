@@ -1,0 +1,478 @@
+// SPDX-License-Identifier: MIT
+// The session: what is received becomes lines, lines go to the kernel one by one, and each is
+// answered once.
+#include "serve/serve.h"
+
+#include <string.h> // memcpy memset
+
+#include "nck/base/fence.h" // nck_fence_load nck_fence_store
+#include "serve/parts.h"
+
+enum {
+    QUIET_TICKS = 20, // at rest without a line for so long: nothing follows for now
+    REPORTS = 0x3,    // $10: machine position, and what room there is
+    WHOLE = 100       // [%]
+};
+
+static const char banner[] = "\r\nGrbl 1.1f ['$' for help]\r\n";
+static const char at_reset[] = "G54G92.1G49M5M9\n"; // what a reset undoes
+static const char at_end[] = "G54M5M9\n";          // and the end of a program
+
+// ---- what the tick tells
+
+const serve_seen_t *serve_seen(const serve_t *self) {
+    return &self->seen[nck_fence_load(&self->tick.now)];
+}
+
+void serve_tick(serve_t *self, const nck_pose_t *pose) {
+    const uint32_t next = 1 - self->tick.now;
+    serve_seen_t *const seen = &self->seen[next];
+    memcpy(seen->at, pose->axis, sizeof seen->at);
+    seen->speed = pose->v * 60.0 / pose->feed_scale;
+    seen->line = pose->line;
+    seen->state = pose->state;
+    seen->moves = pose->v > 0.0 || pose->state == NCK_TICK_MOVE;
+    seen->idle = (uint8_t)nck_is_idle(self->nck);
+    nck_fence_store(&self->tick.now, next);
+    nck_fence_store(&self->tick.ticks, self->tick.ticks + 1);
+}
+
+static void switch_code(serve_t *self, uint32_t code) {
+    const uint32_t coolant = self->tick.coolant;
+    switch (code) {
+    case 3: self->tick.turns = 1; break;
+    case 4: self->tick.turns = 2; break;
+    case 5: self->tick.turns = 0; break;
+    case 7: nck_fence_store(&self->tick.coolant, coolant | 1); break;
+    case 8: nck_fence_store(&self->tick.coolant, coolant | 2); break;
+    case 9: nck_fence_store(&self->tick.coolant, 0); break;
+    default: break;
+    }
+}
+
+void serve_output(void *user, const nck_output_t *output) {
+    serve_t *const self = user;
+    if (output->kind == NCK_OUTPUT_SPINDLE_SPEED) self->tick.rpm = (uint32_t)output->value;
+    if (output->kind == NCK_OUTPUT_M) switch_code(self, (uint32_t)output->value);
+}
+
+uint32_t serve_spindle(const serve_t *self) { return self->spindle; }
+
+uint32_t serve_coolant(const serve_t *self) {
+    return nck_fence_load(&self->tick.coolant) ^ self->turned;
+}
+
+// ---- what is received
+
+// A letter outside of ASCII counts for nothing, though its later bytes look like signals.
+static int is_of_letter(serve_t *self, uint8_t byte) {
+    if (byte >= 0xc2 && byte <= 0xf4) {
+        self->in.rest = byte < 0xe0 ? 1 : byte < 0xf0 ? 2 : 3;
+        return 1;
+    }
+    const int continues = self->in.rest > 0 && byte >= 0x80 && byte <= 0xbf;
+    self->in.rest = continues ? self->in.rest - 1 : 0;
+    return continues;
+}
+
+static int is_urgent(uint8_t byte) {
+    return byte == '!' || byte == 0x18 || byte == 0x84 || byte == 0x85;
+}
+
+static int is_signal(uint8_t byte) {
+    const int overrides = byte >= 0x90 && byte <= 0x9d;
+    return is_urgent(byte) || byte == '?' || byte == '~' || overrides || byte == 0xa0
+           || byte == 0xa1;
+}
+
+// A quarter of the room is for what stops.
+static void put_signal(serve_t *self, uint8_t byte) {
+    const uint32_t head = self->in.signal_head;
+    const uint32_t used = head - nck_fence_load(&self->in.signal_tail);
+    const uint32_t room = is_urgent(byte) ? SERVE_SIGNALS : SERVE_SIGNALS * 3 / 4;
+    if (used >= room) return;
+    self->signal[head & (SERVE_SIGNALS - 1)] = byte;
+    nck_fence_store(&self->in.signal_head, head + 1);
+}
+
+int serve_has_room(const serve_t *self) {
+    return self->in.head - nck_fence_load(&self->in.tail) < SERVE_RING - 1;
+}
+
+int serve_hear(serve_t *self, uint8_t byte) {
+    if (is_of_letter(self, byte)) return 1;
+    if (!is_signal(byte)) return byte >= 0x80;
+    put_signal(self, byte);
+    return 1;
+}
+
+void serve_put(serve_t *self, uint8_t byte) {
+    if (!serve_has_room(self)) {
+        nck_fence_store(&self->in.lost, 1);
+        return;
+    }
+    self->ring[self->in.head & (SERVE_RING - 1)] = (char)byte;
+    nck_fence_store(&self->in.head, self->in.head + 1);
+}
+
+void serve_receive(serve_t *self, uint8_t byte) {
+    if (serve_hear(self, byte)) return;
+    serve_put(self, byte);
+}
+
+// ---- signals
+
+int serve_is_idle(const serve_t *self) {
+    nck_queue_t queue;
+    nck_queue(self->nck, &queue);
+    const serve_seen_t *const seen = serve_seen(self);
+    const uint32_t left = queue.segs + queue.outputs + queue.smooth + queue.text;
+    return left == 0 && seen->idle && !seen->moves;
+}
+
+// Jogs are deaf to overrides.
+static void override(serve_t *self) {
+    if (self->jogging) nck_set_override(self->nck, WHOLE, WHOLE);
+    else nck_set_override(self->nck, self->feed, self->rapid);
+}
+
+void serve_brake(serve_t *self, serve_then_t then) {
+    nck_abort(self->nck);
+    self->phase = SERVE_BRAKES;
+    self->then = (uint8_t)then;
+}
+
+static void reset(serve_t *self) {
+    nck_fence_store(&self->in.tail, nck_fence_load(&self->in.head));
+    nck_fence_store(&self->in.lost, 0);
+    memset(&self->line, 0, sizeof self->line);
+    nck_check_only(self->nck, 0);
+    self->held = self->door = self->checks = self->sleeps = self->waits = self->turned = 0;
+    self->feed = self->rapid = self->spindle = WHOLE;
+    serve_brake(self, SERVE_THEN_BANNER);
+}
+
+// Jogs are executed, or one is on its way to the kernel.
+static int is_jogging(const serve_t *self) {
+    return self->jogging || (self->line.jogs && self->phase != SERVE_READS);
+}
+
+static void cancel_jog(serve_t *self) {
+    if (!is_jogging(self) || self->phase == SERVE_BRAKES) return;
+    self->waits = self->phase != SERVE_READS;
+    serve_brake(self, SERVE_THEN_NOTHING);
+}
+
+static void hold(serve_t *self, int door) {
+    const int jogs = is_jogging(self);
+    if (self->checks || self->locked || self->sleeps) return;
+    if (door) self->door = 1;
+    cancel_jog(self);
+    if (jogs || self->phase == SERVE_BRAKES) return;
+    self->held = 1;
+    nck_hold(self->nck);
+}
+
+static void resume(serve_t *self) {
+    const int waits = serve_seen(self)->state == NCK_TICK_WAIT;
+    const int rests = self->held || waits;
+    self->held = self->door = 0;
+    if (rests && self->phase != SERVE_BRAKES) nck_resume(self->nck);
+}
+
+static uint8_t stepped(uint8_t percent, int by) {
+    enum { LEAST = 10, MOST = 200 };
+    const int next = percent + by;
+    return (uint8_t)(next < LEAST ? LEAST : next > MOST ? MOST : next);
+}
+
+static const int8_t steps[] = {10, -10, 1, -1};
+
+static void change_override(serve_t *self, uint8_t byte) {
+    static const uint8_t rapids[] = {100, 50, 25};
+    if (byte == 0x90) self->feed = WHOLE;
+    else if (byte <= 0x94) self->feed = stepped(self->feed, steps[byte - 0x91]);
+    else if (byte <= 0x97) self->rapid = rapids[byte - 0x95];
+    else if (byte == 0x99) self->spindle = WHOLE;
+    else if (byte >= 0x9a) self->spindle = stepped(self->spindle, steps[byte - 0x9a]);
+    self->ov_in = 0;
+    override(self);
+}
+
+static void obey(serve_t *self, uint8_t byte) {
+    switch (byte) {
+    case '?': serve_say_status(self); break;
+    case '!': hold(self, 0); break;
+    case '~': resume(self); break;
+    case 0x18: reset(self); break;
+    case 0x84: hold(self, 1); break;
+    case 0x85: cancel_jog(self); break;
+    case 0xa0: self->turned ^= 2; break;
+    case 0xa1: self->turned ^= 1; break;
+    default: change_override(self, byte); break;
+    }
+}
+
+// Returns 1 if a signal was there.
+static int hear(serve_t *self) {
+    const uint32_t tail = self->in.signal_tail;
+    if (tail == nck_fence_load(&self->in.signal_head)) return 0;
+    const uint8_t byte = self->signal[tail & (SERVE_SIGNALS - 1)];
+    nck_fence_store(&self->in.signal_tail, tail + 1);
+    obey(self, byte);
+    return 1;
+}
+
+// ---- lines
+
+static void clear_line(serve_t *self) {
+    memset(&self->line, 0, sizeof self->line);
+    self->phase = SERVE_READS;
+    self->silence = nck_fence_load(&self->tick.ticks);
+}
+
+// The line in work is over.
+static void answer(serve_t *self) {
+    if (self->line.error != 0 && !self->line.own) {
+        serve_say_code(self, "error:", self->line.error);
+        serve_say(self, "\r\n");
+    } else if (self->then == SERVE_THEN_BANNER) {
+        serve_forget(self);
+        serve_say(self, banner);
+    } else if (self->then == SERVE_THEN_ENDED || !self->line.own) {
+        serve_say(self, self->then == SERVE_THEN_ENDED ? "[MSG:Pgm End]\r\nok\r\n" : "ok\r\n");
+    }
+    self->then = SERVE_THEN_OK;
+    clear_line(self);
+}
+
+static void collect(serve_t *self, char byte) {
+    const char upper = byte >= 'a' && byte <= 'z' ? (char)(byte - 'a' + 'A') : byte;
+    if (self->line.comment != 0) {
+        if (byte == (char)self->line.comment) self->line.comment = 0;
+        return;
+    }
+    if (byte == '(') self->line.comment = ')';
+    if (byte == ';') self->line.comment = '\n';
+    if (byte <= ' ' || self->line.comment != 0 || byte == '/' || byte == '%') return;
+    if (self->line.size >= SERVE_LINE_MAX) self->line.overflow = 1;
+    else self->text[self->line.size++] = upper;
+}
+
+// Returns 1 at the end of a line.
+static int collects_end(serve_t *self, char byte) {
+    const int is_second = byte == '\n' && self->after_return;
+    self->after_return = byte == '\r';
+    if (is_second) return 0;
+    if (byte == '\n' || byte == '\r') return 1;
+    collect(self, byte);
+    return 0;
+}
+
+static int read_line(serve_t *self) {
+    while (self->in.tail != nck_fence_load(&self->in.head)) {
+        const char byte = self->ring[self->in.tail & (SERVE_RING - 1)];
+        nck_fence_store(&self->in.tail, self->in.tail + 1);
+        if (collects_end(self, byte)) return 1;
+    }
+    return 0;
+}
+
+// Text of our own goes the way of a line.
+static void give_own(serve_t *self, const char *text, uint32_t size, serve_then_t then) {
+    clear_line(self);
+    memcpy(self->text, text, size);
+    self->line.size = size;
+    self->line.own = self->line.settles = 1;
+    self->phase = SERVE_GIVES;
+    self->then = (uint8_t)then;
+}
+
+static uint8_t begin_jog(serve_t *self) {
+    const int may = self->jogging || serve_is_idle(self);
+    if (self->locked || self->held || self->checks || !may) return SERVE_E_BUSY;
+    self->line.jogs = 1;
+    return serve_look_jog(self);
+}
+
+static uint8_t begin_code(serve_t *self) {
+    if (self->locked || self->jogging) return SERVE_E_LOCKED;
+    serve_look(self);
+    return 0;
+}
+
+// A line is complete. Returns 1 if the kernel is to have it; else it is answered by its error, or
+// by ok where that is 0.
+static int begin_line(serve_t *self) {
+    const char *const text = self->text;
+    const uint32_t size = self->line.size;
+    self->line.error = 0;
+    if (self->line.overflow || nck_fence_load(&self->in.lost)) self->line.error = SERVE_E_LENGTH;
+    else if (size == 0) return 0;
+    else if (self->sleeps) self->line.error = SERVE_E_LOCKED;
+    else if (size > 3 && memcmp(text, "$J=", 3) == 0) self->line.error = begin_jog(self);
+    else if (*text != '$') self->line.error = begin_code(self);
+    else {
+        self->text[size] = '\0';
+        self->line.error = serve_command(self);
+        return 0;
+    }
+    if (self->line.error != 0) return 0;
+    self->text[self->line.size++] = '\n';
+    return 1;
+}
+
+// Where the path rests and nobody has sent a line for a while, it ends for now.
+static void be_patient(serve_t *self, nck_status_t status) {
+    const uint32_t ticks = nck_fence_load(&self->tick.ticks) - self->silence;
+    if (self->flushed || status != NCK_EMPTY || ticks < QUIET_TICKS) return;
+    if (serve_seen(self)->moves) return;
+    nck_flush(self->nck);
+    self->flushed = 1;
+}
+
+static int read(serve_t *self, nck_status_t status) {
+    if (self->jogging && serve_is_idle(self)) {
+        self->jogging = 0;
+        override(self);
+    }
+    if (!read_line(self)) {
+        if (self->in.tail == nck_fence_load(&self->in.head)) nck_fence_store(&self->in.lost, 0);
+        be_patient(self, status);
+        return 0;
+    }
+    self->phase = SERVE_GIVES;
+    if (begin_line(self)) return 1;
+    if (self->phase == SERVE_GIVES) answer(self);
+    return 1;
+}
+
+// Returns 1 if the kernel has taken it.
+static int give(serve_t *self) {
+    size_t used = 0;
+    if (self->line.jogs && nck_leave_nothing(self->nck) != NCK_OK) return 0;
+    nck_name_line(self->nck, self->line.name);
+    (void)nck_push(self->nck, self->text, self->line.size, &used);
+    if (used == 0) return 0;
+    self->line.error = 0;
+    self->flushed = 0;
+    self->phase = SERVE_TAKES;
+    return 1;
+}
+
+static int take(serve_t *self) {
+    nck_queue_t queue;
+    nck_queue(self->nck, &queue);
+    if (self->line.error == 0 && queue.text != 0) return 0;
+    if (self->line.error != 0 || !(self->line.settles || self->line.ends)) {
+        if (self->line.jogs && self->line.error == 0) {
+            self->jogging = 1;
+            override(self);
+        }
+        answer(self);
+        return 1;
+    }
+    if (!self->line.ends) nck_flush(self->nck);
+    self->phase = SERVE_SETTLES;
+    return 1;
+}
+
+static int settle(serve_t *self, nck_status_t status) {
+    if (!serve_is_idle(self)) return 0;
+    if (!self->line.ends) {
+        answer(self);
+        return 1;
+    }
+    if (status != NCK_DONE || nck_begin(self->nck) != NCK_OK) return 0;
+    nck_check_only(self->nck, self->checks);
+    give_own(self, at_end, sizeof at_end - 1, self->line.own ? SERVE_THEN_OK : SERVE_THEN_ENDED);
+    return 1;
+}
+
+static int end_brake(serve_t *self) {
+    const int resets = self->then == SERVE_THEN_BANNER;
+    if ((resets ? nck_begin(self->nck) : nck_go_on(self->nck)) != NCK_OK) return 0;
+    self->jogging = self->held = 0;
+    self->flushed = 1;
+    override(self);
+    if (resets) {
+        give_own(self, at_reset, sizeof at_reset - 1, SERVE_THEN_BANNER);
+        return 1;
+    }
+    self->then = SERVE_THEN_OK;
+    self->phase = SERVE_READS;
+    if (self->waits) answer(self);
+    self->waits = 0;
+    return 1;
+}
+
+// The path has ended though no line has said so. Returns 1 if it goes on.
+static int revive(serve_t *self) {
+    if (!serve_seen(self)->idle || nck_go_on(self->nck) != NCK_OK) return 0;
+    if (self->phase == SERVE_TAKES) self->line.error = SERVE_E_CODE;
+    return 1;
+}
+
+// The line in work has ended the program.
+static int has_ended(const serve_t *self) {
+    nck_queue_t queue;
+    nck_queue(self->nck, &queue);
+    if (!self->line.ends) return 0;
+    return self->phase == SERVE_SETTLES || (self->phase == SERVE_TAKES && queue.text == 0);
+}
+
+static int follow(serve_t *self, nck_status_t status) {
+    const int ends = status == NCK_DONE && has_ended(self);
+    if (status == NCK_DONE && !ends && self->phase != SERVE_BRAKES) return revive(self);
+    switch (self->phase) {
+    case SERVE_READS: return read(self, status);
+    case SERVE_GIVES: return give(self);
+    case SERVE_TAKES: return take(self);
+    case SERVE_SETTLES: return settle(self, status);
+    default: return end_brake(self);
+    }
+}
+
+static void find(serve_t *self) {
+    nck_diagnostic_t found;
+    while (nck_diagnostic(self->nck, &found) == NCK_OK) {
+        if (found.code == NCK_E_INTERNAL) self->locked = 1;
+        if (found.code < NCK_OK) self->line.error = serve_error_of(found.code);
+    }
+}
+
+nck_status_t serve_step(serve_t *self) {
+    const int heard = hear(self);
+    const nck_status_t status = nck_prep(self->nck);
+    find(self);
+    const int went = follow(self, status);
+    if (heard || went || status <= NCK_OK) return NCK_OK;
+    return status == NCK_EMPTY ? NCK_EMPTY : NCK_FULL;
+}
+
+void serve_join(serve_t *self) {
+    if (serve_is_idle(self) && !self->held && self->phase != SERVE_BRAKES) reset(self);
+}
+
+void serve_part(serve_t *self) {
+    const int idle = serve_is_idle(self);
+    nck_fence_store(&self->in.tail, nck_fence_load(&self->in.head));
+    if (self->phase == SERVE_READS) memset(&self->line, 0, sizeof self->line);
+    self->line.own = 1;
+    if (!idle) hold(self, 0);
+}
+
+nck_status_t serve_init(serve_t *self, nck_t *nck, nck_decode_t *room, const serve_port_t *port) {
+    memset(self, 0, sizeof *self);
+    self->nck = nck;
+    self->port = *port;
+    self->mask = REPORTS;
+    self->feed = self->rapid = self->spindle = WHOLE;
+    self->flushed = 1;
+    nck_pose_t pose;
+    nck_axes_t axes;
+    (void)nck_position(nck, &pose, &axes);
+    serve_tick(self, &pose);
+    serve_say(self, banner);
+    return nck_begin_session(nck, room);
+}

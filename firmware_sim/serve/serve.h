@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: MIT
+// The protocol of grbl 1.1 around one nck_t: bytes in, bytes out. It has no operating system and no
+// streams, so that it runs on a microcontroller as it does on a PC. docs/serve.md says where it is
+// not grbl.
+//
+//     nck_init(&nck, &machine, &hooks);      // on_output: serve_output, or what calls it
+//     serve_init(&serve, &nck, &room, &port);
+//     UART interrupt:     serve_receive(&serve, byte)
+//     low-priority task:  serve_step, as long as it says NCK_OK, then until the next tick or byte
+//     1 ms interrupt:     nck_tick(&nck, &pose, &axes); serve_tick(&serve, &pose)
+#ifndef SERVE_H
+#define SERVE_H
+
+#include "nck/nck.h" // nck_t
+
+// Sizes: the ring holds one byte less.
+enum {
+    SERVE_RING = 128,      // bytes that were received; a power of two
+    SERVE_SIGNALS = 16,    // real-time bytes that wait; a power of two
+    SERVE_LINE_MAX = 80    // bytes of a line, blanks and comments left out
+};
+
+// Where the answers go. write: all bytes, before it comes back. Context: that of serve_step.
+typedef struct serve_port {
+    void *user;
+    void (*write)(void *user, const char *bytes, uint32_t n);
+} serve_port_t;
+
+// What the line in work, or the session, is at.
+typedef enum serve_phase {
+    SERVE_READS = 0,  // a line is collected
+    SERVE_GIVES = 1,  // one is to be pushed
+    SERVE_TAKES = 2,  // and taken by the kernel to its end
+    SERVE_SETTLES = 3,// all before it, and it, is to be executed
+    SERVE_BRAKES = 4  // the path comes to rest, what is left of it is dropped
+} serve_phase_t;
+
+// What comes when the line in work, or the brake, is over.
+typedef enum serve_then {
+    SERVE_THEN_OK = 0,      // ok
+    SERVE_THEN_BANNER = 1,  // a reset is over
+    SERVE_THEN_END = 2,     // M2, M30: modes of the beginning, then ok
+    SERVE_THEN_ENDED = 3,   // these are there
+    SERVE_THEN_NOTHING = 4  // a jog is cancelled
+} serve_then_t;
+
+// What a tick leaves for reports.
+typedef struct serve_seen {
+    double at[NCK_AXIS_MAX]; // [mm, deg]
+    double speed;            // [mm/min] of the program's feed
+    uint32_t line;           // its N word, 0: none
+    uint8_t state;           // nck_tick_state_t
+    uint8_t moves;           // 1: the path does
+    uint8_t idle;            // 1: nck_is_idle
+} serve_seen_t;
+
+// All of it: one static instance. What is asked for often stands first, which makes code smaller.
+typedef struct serve {
+    uint8_t phase;               // serve_phase_t
+    uint8_t then;                // serve_then_t
+    uint8_t held;                // 1: by !, until ~
+    uint8_t door;                // 1: by 0x84, until ~
+    uint8_t jogging;             // 1: what is executed are jogs
+    uint8_t checks;              // 1: $C
+    uint8_t locked;              // 1: an alarm
+    uint8_t sleeps;              // 1: $SLP
+    uint8_t flushed;             // 1: that nothing follows for now was said
+    uint8_t waits;               // 1: a line is to be answered behind the brake
+    uint8_t after_return;        // 1: a line feed that comes next is of the line before
+    uint8_t turned;              // coolant that the operator turned over, as in serve_coolant
+    uint8_t mask;                // $10
+    uint8_t inches;              // $13
+    uint8_t feed, rapid, spindle; // overrides [%]
+    uint8_t wco_in, ov_in;       // reports until these are told again
+
+    struct {                     // the line in work
+        uint8_t error;           // to be answered, 0: none
+        uint8_t comment;         // the byte that ends the comment in work; 0: none is
+        uint8_t overflow;        // 1: longer than SERVE_LINE_MAX
+        uint8_t jogs;            // 1: it is one
+        uint8_t settles;         // 1: ok when it is executed
+        uint8_t ends;            // 1: M2 or M30
+        uint8_t own;             // 1: nobody has sent it, or who has is gone
+        uint32_t name;           // its N word
+        uint32_t size;           // of text
+    } line;
+
+    nck_t *nck;
+    uint32_t silence;            // tick of the last line
+    uint32_t told;               // a sum over the offsets that were told
+
+    struct {                     // received: heads by serve_receive, tails by serve_step
+        uint32_t head, tail;
+        uint32_t signal_head, signal_tail;
+        uint32_t lost;           // 1: a byte found no room
+        uint32_t rest;           // bytes of a UTF-8 letter still to be dropped
+    } in;
+
+    struct {                     // written by the tick
+        uint32_t now;            // which of seen counts
+        uint32_t ticks;
+        uint32_t rpm;            // S
+        uint32_t turns;          // M3: 1, M4: 2, M5: 0
+        uint32_t coolant;        // bit 0: M7, bit 1: M8
+    } tick;
+
+    serve_port_t port;
+    char text[SERVE_LINE_MAX + 8]; // of the line, behind a jog's prefix, ended by a line feed
+    uint8_t signal[SERVE_SIGNALS]; // real-time bytes
+    char ring[SERVE_RING];         // all others
+    serve_seen_t seen[2];          // written by the tick
+} serve_t;
+
+// Begin, with the banner. nck: behind nck_init; nothing was pushed. room: memory that is nck's from
+// now on (nck_begin_session). Returns NCK_OK, or what nck_begin_session does. Cost: constant.
+// Context: prep, before the tick runs.
+nck_status_t serve_init(serve_t *self, nck_t *nck, nck_decode_t *room, const serve_port_t *port);
+
+// A byte has come: serve_hear, and serve_put where it says 0. Cost: constant. Context: any, but
+// one.
+void serve_receive(serve_t *self, uint8_t byte);
+
+// Take a byte if it is a real-time one, whatever it stands in, or of a letter that counts for
+// nothing. Returns 0: it is one of a line. Cost: constant. Context: as serve_receive.
+int serve_hear(serve_t *self, uint8_t byte);
+
+// A byte of a line. What finds no room is lost, and the lines that wait then are refused. Cost:
+// constant. Context: as serve_receive.
+void serve_put(serve_t *self, uint8_t byte);
+
+// 1 if one more byte finds room. Cost: constant. Context: any.
+int serve_has_room(const serve_t *self);
+
+// Somebody is connected: at rest that is a reset, with its banner; a session that was left in
+// motion is as it was, and held. Cost: constant. Context: prep.
+void serve_join(serve_t *self);
+
+// The connection is gone: the path comes to rest and is held, what was received and is no line in
+// work is dropped, and nothing is answered. Cost: constant. Context: prep.
+void serve_part(serve_t *self);
+
+// Do one bounded piece of work, nck_prep among it. Returns NCK_OK: call again; NCK_EMPTY, NCK_FULL:
+// when a byte has come or a tick has passed. Cost: as nck_prep's. Context: prep.
+nck_status_t serve_step(serve_t *self);
+
+// Behind each nck_tick: what it has given. Cost: constant. Context: tick.
+void serve_tick(serve_t *self, const nck_pose_t *pose);
+
+// What the program switches is told; user is the serve_t. Cost: constant. Context: tick.
+void serve_output(void *user, const nck_output_t *output);
+
+// Of the programmed speed the spindle has so much [%]. Cost: constant. Context: any.
+uint32_t serve_spindle(const serve_t *self);
+
+// What coolant is on: bit 0: mist, bit 1: flood; by the program, turned over by the operator. Cost:
+// constant. Context: any.
+uint32_t serve_coolant(const serve_t *self);
+
+#endif

@@ -1,0 +1,48 @@
+# SPDX-License-Identifier: MIT
+"""The verb ``serve``: a machine for programs that speak grbl's protocol."""
+
+import sys
+from typing import Annotated
+
+import typer
+
+from pycnc.cli.door import app, machine_of, verb
+from pycnc.cli.options import Dialect, DialectName, MachineName, Quiet, Set, SlopeName, Tools
+from pycnc.cli.words import GOOD, USAGE, fail
+from pycnc.names import DEFAULT
+
+_PORT = 8023
+
+
+@verb(app, "serve --tcp 8023 --time-scale 10")
+def serve(
+    *, machine: MachineName = DEFAULT,
+    pty: Annotated[str | None, typer.Option(
+        metavar="LINK", help="A pseudo-terminal; LINK will lead to it.")] = None,
+    tcp: Annotated[int | None, typer.Option(
+        metavar="PORT", min=0, max=65535, help=f"A TCP port; {_PORT} without --pty.")] = None,
+    listen: Annotated[str, typer.Option(
+        metavar="ADDRESS", help="Of the interface; others than this computer's are everybody's."
+    )] = "127.0.0.1",
+    time_scale: Annotated[float, typer.Option(
+        min=0.01, max=1000.0, help="Seconds of the machine in one of the clock.")] = 1.0,
+    dialect: DialectName = None, slope: SlopeName = None, set: Set = None, tools: Tools = None,
+    quiet: Quiet = False,
+):  # fmt: skip
+    """Be a machine that speaks grbl 1.1, for senders to try; docs/serve.md."""
+    from pycnc.controller import serving
+
+    if pty is not None and tcp is not None:
+        fail("--pty and --tcp: one of them")
+        return USAGE
+    mill = machine_of(machine, set, tools, dialect or Dialect.grbl, slope=slope, quiet=quiet)
+    line = serving.Tcp(_PORT if tcp is None else tcp, listen) if pty is None else serving.Pty(pty)
+    try:
+        if not quiet:
+            print(f"{mill.name} at {line.name}; Ctrl-C ends it", file=sys.stderr, flush=True)
+        serving.Server(mill, line, time_scale).serve()
+    except KeyboardInterrupt:
+        return GOOD
+    finally:
+        line.close()
+    return GOOD

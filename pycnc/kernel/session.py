@@ -1,0 +1,92 @@
+# SPDX-License-Identifier: MIT
+"""A machine that speaks grbl's protocol, in virtual time: bytes in, bytes out."""
+
+from pycnc.kernel.bind import check, ffi, lib
+
+STEPS = 64  # of preparation between two ticks, at most
+_ANSWERS = 65536
+
+
+class Session:
+    """A machine with the protocol around it. Time passes when `run` lets it.
+
+    Parameters
+    ----------
+    machine : Machine
+    steps : int
+        Steps of preparation between two ticks, 1 at least.
+
+    Raises
+    ------
+    MachineError
+        The kernel refuses the machine.
+
+    Examples
+    --------
+    >>> from pycnc.machine import Machine
+    >>> session = Session(Machine.load("mill3", dialect="grbl"))
+    >>> session.take()
+    b"\\r\\nGrbl 1.1f ['$' for help]\\r\\n"
+    >>> session.receive(b"G1 X2 F600\\n")
+    11
+    >>> session.run(400)
+    >>> session.take(), session.joints_nm[0]
+    (b'ok\\r\\n', 2000000)
+    """
+
+    def __init__(self, machine, steps=STEPS):
+        self._machine, self._steps = machine, steps
+        self._nck, self._host = ffi.new("nck_t *"), ffi.new("host_serve_t *")
+        self._out = ffi.new("char[]", _ANSWERS)
+        check(lib.host_serve_init(self._host, self._nck, machine.pointer))
+
+    def receive(self, data):
+        """Hand over bytes as they arrive; return how many found room."""
+        return lib.host_serve_receive(self._host, data, len(data))
+
+    def run(self, ticks):
+        """Let so many periods pass."""
+        lib.host_serve_run(self._host, ticks, self._steps)
+
+    def take(self):
+        """Return the bytes that were said since the last time."""
+        n = lib.host_serve_take(self._host, self._out, _ANSWERS)
+        return bytes(ffi.buffer(self._out, n))
+
+    def join(self):
+        """Somebody is connected: the banner, or a session that is held."""
+        lib.serve_join(ffi.addressof(self._host.serve))
+
+    def part(self):
+        """The connection is gone: the machine comes to rest and is held."""
+        lib.host_serve_part(self._host)
+
+    @property
+    def waiting(self):
+        """Return how many bytes wait since the ring has no room for them."""
+        return self._host.in_count
+
+    @property
+    def joints_nm(self):
+        """Return where the joints are [nm, nanodegrees]."""
+        return tuple(self._host.axes.joint_nm[0 : lib.nck_joint_count(self._nck)])
+
+    @property
+    def ticks(self):
+        """Return how many periods have passed."""
+        return self._host.ticks
+
+    @property
+    def moving(self):
+        """Return in how many of them the setpoint changed."""
+        return self._host.moving
+
+    @property
+    def speed_most(self):
+        """Return the highest speed of an axis so far, as a share of its limit."""
+        return self._host.v_most
+
+    @property
+    def broken(self):
+        """Return 0, or which rooms of the kernel have a broken invariant."""
+        return lib.nck_invariants(self._nck)
