@@ -35,6 +35,7 @@ from pycnc.cli.options import (
     Tools,
     Units,
     Verbose,
+    Zero,
 )
 from pycnc.cli.words import (
     GOOD,
@@ -63,12 +64,13 @@ PEAK_TOLERANCE = 1e-6  # of a limit, on the double setpoints
 def check(
     *, files: Files, machine: MachineName = DEFAULT, dialect: DialectName = None, set: Set = None,
     tools: Tools = None, from_line: FromLine = None, programs: Programs = None,
-    json_: Json = False, quiet: Quiet = False,
+    zero: Zero = None, json_: Json = False, quiet: Quiet = False,
 ):  # fmt: skip
     """Tell all diagnostics of programs, without planning."""
     mill = machine_of(
-        machine, set, tools, dialect, from_line=from_line, programs=programs, quiet=quiet
-    )
+        machine, set, tools, dialect, from_line=from_line, programs=programs, zero=zero,
+        quiet=quiet,
+    )  # fmt: skip
     found, code = [], GOOD
     for file in files:
         try:
@@ -93,12 +95,13 @@ def check(
 def canon(
     *, file: File, machine: MachineName = DEFAULT, dialect: DialectName = None, set: Set = None,
     tools: Tools = None, units: Annotated[Units, typer.Option(help="Units of the listing.")] = "mm",
-    json_: Json = False, quiet: Quiet = False,
+    zero: Zero = None, json_: Json = False, quiet: Quiet = False,
 ):  # fmt: skip
     """List the decoded motions: one a line, machine coordinates of the tool tip."""
     from pycnc.report import listing
 
-    program = decoded(file, machine_of(machine, set, tools, dialect, quiet=quiet), quiet)
+    mill = machine_of(machine, set, tools, dialect, zero=zero, quiet=quiet)
+    program = decoded(file, mill, quiet)
     make = listing.json_lines if json_ else listing.lines
     sys.stdout.writelines(f"{line}\n" for line in make(program, Units(units).value))
     tell(program, quiet, sys.stderr)
@@ -110,8 +113,8 @@ def run(
     *, file: File, machine: MachineName = DEFAULT, dialect: DialectName = None,
     slope: SlopeName = None, set: Set = None, tools: Tools = None, from_line: FromLine = None,
     programs: Programs = None, output: Output = None, picture: Picture = None,
-    prep_steps: PrepSteps = None, plan: PlanName = "exact", backend: Backend = "auto",
-    json_: Json = False, quiet: Quiet = False, verbose: Verbose = False,
+    zero: Zero = None, prep_steps: PrepSteps = None, plan: PlanName = "exact",
+    backend: Backend = "auto", json_: Json = False, quiet: Quiet = False, verbose: Verbose = False,
 ):  # fmt: skip
     """Run a program in the simulation, tick by tick."""
     from pycnc import kernel
@@ -121,7 +124,7 @@ def run(
         need("matplotlib.figure")
     mill = machine_of(
         machine, set, tools, dialect, slope=slope, plan=plan, from_line=from_line,
-        programs=programs, quiet=quiet,
+        programs=programs, zero=zero, quiet=quiet,
     )  # fmt: skip
     program, facts, code = look_at(file, mill, quiet, json_, keep=False)
     if program is None:
@@ -203,14 +206,14 @@ def plot(
     output: Annotated[str, typer.Option(
         "--output", "-o", metavar="PICTURE", help="Where to: .png, .svg or .pdf.")],
     machine: MachineName = DEFAULT, dialect: DialectName = None, slope: SlopeName = None,
-    set: Set = None, tools: Tools = None, backend: Backend = "auto", json_: Json = False,
-    quiet: Quiet = False,
+    set: Set = None, tools: Tools = None, zero: Zero = None, backend: Backend = "auto",
+    json_: Json = False, quiet: Quiet = False,
 ):  # fmt: skip
     """Draw the path coloured by the speed really reached, and speed and acceleration over time."""
     from pycnc.report import trace
 
     need("matplotlib.figure")
-    mill = machine_of(machine, set, tools, dialect, slope=slope, quiet=quiet)
+    mill = machine_of(machine, set, tools, dialect, slope=slope, zero=zero, quiet=quiet)
     program, facts, code = look_at(file, mill, quiet, json_)
     if program is None:
         return give_up(facts, code, json_)

@@ -88,7 +88,7 @@ def verb(group, example):
 
 def machine_of(
     name, set, tools, dialect, *, slope=None, plan="exact", from_line=None, programs=None,
-    quiet=False
+    zero=None, quiet=False
 ):
     """Return the machine that the options describe, after telling the changes without effect."""
     from pycnc.machine import Machine, effect
@@ -97,6 +97,10 @@ def machine_of(
     changes += [f"dialect.from_line={from_line}"] if from_line else []
     changes += [f"dialect.programs={programs}"] if programs else []
     machine = Machine.load(name, set=changes, tools=tools, dialect=dialect and dialect.value)
+    if zero is not None:
+        from pycnc.program import zero as zeros
+
+        machine = Machine.load(machine, set=zeros.changes(zero, machine))
     if not quiet:
         for change, reason in effect.idle_changes(machine, plan):
             fail(f"--set {change}: warning[no-effect]: {reason}")

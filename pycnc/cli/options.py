@@ -126,6 +126,13 @@ Programs = Annotated[
         help="Folder of subprograms that the text calls: the same as --set dialect.programs=…",
     ),
 ]
+Zero = Annotated[
+    str | None,
+    typer.Option(
+        "--zero", metavar="X,Y,Z",
+        help="Where the program's zero lies, machine coordinates, in the order of the axes.",
+    ),
+]
 Json = Annotated[bool, typer.Option("--json", help="Results as JSON.")]
 Quiet = Annotated[bool, typer.Option("--quiet", "-q", help="Errors and results only.")]
 Verbose = Annotated[bool, typer.Option("--verbose", "-v", help="Tell the program's notes, too.")]

@@ -28,6 +28,7 @@ from pycnc.cli.options import (
     Table,
     Tools,
     WhatIf,
+    Zero,
 )
 from pycnc.cli.words import (
     GOOD,
@@ -51,8 +52,8 @@ _MOTION = ("accelerate", "cruise", "decelerate")
 def time(
     *, files: Files, by: By = None, machine: MachineName = DEFAULT, dialect: DialectName = None,
     slope: SlopeName = None, set: Set = None, tools: Tools = None, from_line: FromLine = None,
-    programs: Programs = None, plan: PlanName = "exact", backend: Backend = "auto",
-    jobs: Jobs = 1, json_: Json = False, quiet: Quiet = False,
+    programs: Programs = None, zero: Zero = None, plan: PlanName = "exact",
+    backend: Backend = "auto", jobs: Jobs = 1, json_: Json = False, quiet: Quiet = False,
 ):  # fmt: skip
     """Tell the machining time of programs, from the plan.
 
@@ -63,7 +64,7 @@ def time(
     check_backend(backend, plan)
     mill = machine_of(
         machine, set, tools, dialect, slope=slope, plan=plan, from_line=from_line,
-        programs=programs, quiet=quiet,
+        programs=programs, zero=zero, quiet=quiet,
     )  # fmt: skip
     how = {"plan": plan, "backend": backend, "by": by and by.value, "as_json": json_,
            "quiet": quiet}  # fmt: skip
@@ -136,7 +137,7 @@ def _timed(machine, file, *, plan, backend, by, as_json, quiet):
 def why(
     *, file: File, what_if: WhatIf = False, output: Table = None, machine: MachineName = DEFAULT,
     dialect: DialectName = None, slope: SlopeName = None, set: Set = None, tools: Tools = None,
-    json_: Json = False, quiet: Quiet = False,
+    zero: Zero = None, json_: Json = False, quiet: Quiet = False,
 ):  # fmt: skip
     """Tell which limit costs how much time, on which lines, and what a cure would gain.
 
@@ -149,7 +150,7 @@ def why(
 
     if output is not None and not output.lower().endswith(".csv"):
         raise Refused(f"{output}: error[format]: a table is written as .csv")
-    mill = machine_of(machine, set, tools, dialect, slope=slope, quiet=quiet)
+    mill = machine_of(machine, set, tools, dialect, slope=slope, zero=zero, quiet=quiet)
     with pipeline.beside(True, mill) as beside:
         program, facts, code = look_at(file, mill, quiet, json_, keep=False, beside=beside)
         if program is None:
@@ -174,7 +175,7 @@ def why(
 def report(
     *, file: File, output: Page, what_if: WhatIf = False, machine: MachineName = DEFAULT,
     dialect: DialectName = None, slope: SlopeName = None, set: Set = None, tools: Tools = None,
-    json_: Json = False, quiet: Quiet = False,
+    zero: Zero = None, json_: Json = False, quiet: Quiet = False,
 ):  # fmt: skip
     """Write one page for a browser: path, curves, program, and what holds it back where.
 
@@ -184,7 +185,7 @@ def report(
 
     if not output.lower().endswith((".html", ".htm")):
         raise Refused(f"{output}: error[format]: a report is written as .html")
-    mill = machine_of(machine, set, tools, dialect, slope=slope, quiet=quiet)
+    mill = machine_of(machine, set, tools, dialect, slope=slope, zero=zero, quiet=quiet)
     program, facts, code = look_at(file, mill, quiet, json_, keep=False)
     if program is None:
         return give_up(facts, code, json_)

@@ -147,6 +147,8 @@ def read(text, file, folder=None, units=None):
     letters = fill(source)
     if not letters:
         source.draft.problems.append(("", "no axis found"))
+    if kind not in _PRINTERS:  # of a printer it is the bed's
+        source.draft.put("work.zero", "unknown", "whoever clamps the work sets it: --zero says it")
     source.draft.complete(letters)
     source.tell_left()
     return source.draft
@@ -397,6 +399,7 @@ def _deviation_of_marlin(source):
         )
 
 
+_PRINTERS = ("Klipper (printer.cfg)", "Marlin (M503)", "RepRapFirmware (config.g)")
 _READERS = {
     "LinuxCNC (INI)": (forms.linuxcnc, _fill_linuxcnc),
     "grbl or grblHAL ($$)": (forms.grbl, _fill_grbl),

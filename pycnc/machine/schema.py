@@ -317,6 +317,11 @@ class Home(Table):
 class Work(Table):
     """Work offsets: the machine coordinates of each system's zero point."""
 
+    zero: Literal["told", "unknown"] = Field(
+        "told",
+        description="`unknown`: nobody says where the work lies. A program then begins at its "
+        "zero, and the travel is laid around it so that all of it fits, if it does.",
+    )
     g54: Position = Field(Position(), description="Zero point of G54.")
     g55: Position = Field(Position(), description="Zero point of G55.")
     g56: Position = Field(Position(), description="Zero point of G56.")

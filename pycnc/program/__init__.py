@@ -4,7 +4,7 @@
 import hashlib
 
 from pycnc import errors, files, kernel
-from pycnc.program import folder, guess, kind, limits, moves
+from pycnc.program import folder, guess, kind, limits, moves, zero
 from pycnc.program.diagnostics import Diagnostic, Diagnostics, Wording
 from pycnc.program.geometry import Moves
 from pycnc.program.lines import Lines
@@ -50,6 +50,8 @@ class Program:
         if machine.settings.dialect.programs and not isinstance(self.text, kernel.Blocks):
             self._join_programs()
         self._veil(machine)
+        if machine.settings.work.zero == "unknown":
+            machine = self.machine = self._lay_travel(machine)
         self.tolerance_most_mm, self.has_threads = 0.0, False
         wording = Wording(file, self.lines, machine, self._places())
         another = beside.another if beside else None
@@ -111,6 +113,16 @@ class Program:
             self.diagnostics.add(
                 Diagnostic(self.file, line, 0, name, severity, message, remedy, source)
             )
+
+    def _lay_travel(self, machine):
+        """Return the machine with its travel where the program needs it; tell once if it fits."""
+        placed = zero.place(self.text, machine)
+        if placed.message:
+            self.diagnostics.add(
+                Diagnostic(self.file, 0, 0, placed.identity, placed.severity, placed.message,
+                           placed.remedy)
+            )  # fmt: skip
+        return placed.machine
 
     def _choose_dialect(self, machine):
         """Return the machine; if it leaves the dialect to the text, with that of the text."""

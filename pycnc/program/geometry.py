@@ -14,6 +14,11 @@ _PLANE_AXES = {17: (0, 1), 18: (2, 0), 19: (1, 2)}
 _MOVES = (lib.NCK_BLOCK_RAPID, lib.NCK_BLOCK_LINE, lib.NCK_BLOCK_ARC)
 
 
+def is_move(blocks):
+    """Tell of blocks whether they move axes, passes of threads among them."""
+    return np.isin(blocks["kind"], (*_MOVES, lib.NCK_BLOCK_THREAD))
+
+
 class Moves:
     """The moves of decoded blocks.
 
@@ -37,8 +42,7 @@ class Moves:
         position[:, :3] += blocks["tool_nm"]
         # A thread's pass is no path: it is in step with the spindle.
         is_thread = blocks["kind"] == lib.NCK_BLOCK_THREAD
-        is_move = np.isin(blocks["kind"], _MOVES) | is_thread
-        last = np.maximum.accumulate(np.where(is_move, np.arange(len(blocks)), -1))
+        last = np.maximum.accumulate(np.where(is_move(blocks), np.arange(len(blocks)), -1))
         end_nm = np.where((last >= 0)[:, None], position[last], start_nm)
         counts = counts_per_unit(machine.record["axis"]["rotary"])
         self.end = end_nm / counts
@@ -90,7 +94,13 @@ class Moves:
         low, high : numpy.ndarray
             (axes,) [mm, deg].
         """
+        every, _ = self.corners()
+        return every.min(axis=0), every.max(axis=0)
+
+    def corners(self):
+        """Return (points, the block of each) that no move reaches beyond: -1 is the start's."""
         corners = [self.start[:1], self.end]
+        owners = [np.arange(-1, len(self.end))]
         arc = np.flatnonzero(self.is_arc)
         for quarter in range(4):  # an arc reaches beyond its ends only on its quadrants
             angle = quarter * np.pi / 2 - self._angle[arc]
@@ -99,8 +109,8 @@ class Moves:
             inside = ahead < np.abs(sweep)
             hit = arc[inside]
             corners.append(self.point(hit, ahead[inside] / np.abs(sweep[inside])))
-        every = np.concatenate(corners)
-        return every.min(axis=0), every.max(axis=0)
+            owners.append(hit)
+        return np.concatenate(corners), np.concatenate(owners)
 
     def length(self):
         """Return the length of all moves [mm of the path metric]."""

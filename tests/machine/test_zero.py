@@ -1,0 +1,159 @@
+# SPDX-License-Identifier: MIT
+"""Work whose zero nobody knows: what a program needs, and whether the machine has it."""
+
+import random
+from decimal import Decimal
+
+import pytest
+from command_line import pycnc
+
+from pycnc.errors import ArgumentError
+from pycnc.machine import Machine
+from pycnc.program import Program, load, zero
+
+ROUTER = """\
+[axis.x]
+v_max_mm_s = 100
+a_max_mm_s2 = 500
+j_max_mm_s3 = 5000
+min_mm = {0}
+max_mm = {1}
+[axis.y]
+v_max_mm_s = 100
+a_max_mm_s2 = 500
+j_max_mm_s3 = 5000
+min_mm = {2}
+max_mm = {3}
+[axis.z]
+v_max_mm_s = 100
+a_max_mm_s2 = 500
+j_max_mm_s3 = 5000
+min_mm = {4}
+max_mm = {5}
+[work]
+zero = "unknown"
+[work.p.7]
+x_mm = 3
+"""
+HALF = 200
+
+
+def _router(pen):
+    ends = []
+    for _ in "xyz":
+        low = pen.randrange(-2 * HALF, HALF)
+        ends += [low, low + pen.randrange(2 * HALF, 4 * HALF)]
+    text = ROUTER.format(*ends)
+    inside = "".join(f"{letter}_mm = {ends[2 * k] + 1}\n" for k, letter in enumerate("xyz"))
+    text += "".join(f"[{table}]\n{inside}" for table in ("home.g28", "home.g30", "start"))
+    return Machine.from_text(text, name="router"), ends
+
+
+def _program(pen, offset):
+    """Return (text, what it needs of X, Y and Z) of moves with words of the machine between."""
+    rows, places = ["G17 G21 G90 G94"], []
+    at = [0, 0, 0]
+    systems = pen.sample(["G54", "G55", "G59.3", "G92.1"], 2)
+    for _ in range(pen.randrange(3, 20)):
+        kind = pen.randrange(6)
+        if kind == 0:  # half a circle beyond its ends
+            radius = pen.randrange(1, 20)
+            rows.append(f"G2 X{at[0] + 2 * radius} Y{at[1]} I{radius} J0 F900")
+            places += [(at[0] + radius, at[1] + radius, at[2])]
+            at[0] += 2 * radius
+        elif kind == 1 and places:
+            rows.append(pen.choice(["G53 G0 X{0} Y{1} Z{2}", "G28", "G28 X{0}"]).format(*offset))
+            rows.append("G90")
+            at = [pen.randrange(-50, 50) for _ in range(3)]
+            rows.append(f"{systems[0]}\nG0 X{at[0]} Y{at[1]} Z{at[2]}")
+            if rows[-3].startswith("G28 X"):
+                places.append((offset[0], *places[-1][1:]))
+        else:
+            at = [pen.randrange(-60, 60) + pen.choice([0, 0.5]) for _ in range(3)]
+            rows.append(f"G{pen.randrange(2)} X{at[0]} Y{at[1]} Z{at[2]} F800")
+        places.append(tuple(at))
+        if pen.random() < 0.2:
+            rows.append(systems[1])
+    return "\n".join([*rows, "M2", ""]), places
+
+
+def _spans(places):
+    return [(min(axis), max(axis)) for axis in zip(*places, strict=True)]
+
+
+@pytest.mark.sample(60)
+@pytest.mark.parametrize("number", range(400))
+def test_a_program_that_fits_is_laid_so_that_it_does(number, draw_seed):
+    pen = random.Random(draw_seed + number)
+    machine, ends = _router(pen)
+    inside = [ends[0] + 2, ends[2] + 2, ends[4] + 2]
+    text, places = _program(pen, inside)
+    program = load(text, machine)
+    found = [each for each in program.diagnostics if each.id in ("work-zero", "travel")]
+    assert [each.id for each in found] == ["work-zero"]
+    if "G28 X" not in text:  # goes there by way of a place of the work
+        size = " × ".join(f"{high - low:g}" for low, high in _spans(places))
+        assert f"needs {size} mm: fits into" in found[0].message
+    assert not program.diagnostics.errors
+    for letter, low, high in zip("xyz", ends[::2], ends[1::2], strict=True):
+        assert low <= program.bounds[letter][0] and program.bounds[letter][1] <= high
+
+
+@pytest.mark.sample(30)
+@pytest.mark.parametrize("number", range(100))
+def test_a_program_that_is_too_large_is_told_so_once(number, draw_seed):
+    pen = random.Random(draw_seed + number)
+    machine, ends = _router(pen)
+    text, places = _program(pen, [ends[0] + 2, ends[2] + 2, ends[4] + 2])
+    k = pen.randrange(3)
+    letter, room = "XYZ"[k], ends[2 * k + 1] - ends[2 * k]
+    text = text.replace("M2\n", f"G0 {letter}{-room}\nG1 {letter}{room} F100\n" * 9 + "M2\n")
+    program = load(text, machine)
+    wrong = [each for each in program.diagnostics if each.severity == "error"]
+    assert [each.id for each in wrong] == ["travel"] and program.diagnostics.errors == 1
+    assert f"does not fit, {letter} has {room}" in wrong[0].message
+
+
+def test_the_zero_can_be_told():
+    machine, ends = _router(random.Random(5))
+    text = "G21 G90\nG1 X10 Y5 Z2 F600\nG55 X10\nM2\n"
+    changes = zero.changes(f"{ends[0]},{ends[2]}", machine)
+    program = load(text, Machine.load(machine, set=changes))
+    assert "work-zero" not in program.diagnostics.counts
+    assert program.bounds["x"][1] == ends[0] + 10 and program.bounds["y"][1] == ends[2] + 5
+    for words in ("", "1,", "a,2", "nan", "1,2,3,4"):
+        with pytest.raises(ArgumentError, match="--zero"):
+            zero.changes(words, machine)
+
+
+def test_a_laid_program_begins_at_its_zero_and_takes_as_long():
+    """Where the work lies makes no difference to the time but by what leads to the machine."""
+    machine, ends = _router(random.Random(8))
+    text = "G21 G90\nG0 X10\nG1 X80 Y5 F6000\nM2\n"
+    laid = load(text, machine)
+    free = {f"axis.{k}.{end}_mm": "free" for k in "xyz" for end in ("min", "max")}
+    told = load(text, Machine.load(machine, set=free | {"work.zero": "told"} | {
+        f"start.{k}_mm": 0 for k in "xyz"}))  # fmt: skip
+    assert laid.length_mm == pytest.approx(told.length_mm, abs=1e-6)
+
+
+def test_a_big_program_is_laid_piece_by_piece():
+    machine, ends = _router(random.Random(11))
+    rows = [f"G1 X{k % 50} Y{k % 31} Z{-(k % 11)}" for k in range(40_000)]
+    text = "\n".join(["G17 G21 G90 F900", *rows, "M2", ""]).encode()
+    program = Program(text, machine, keep=False)
+    (told,) = [each for each in program.diagnostics if each.id == "work-zero"]
+    assert "needs 49 × 30 × 10 mm" in told.message
+
+
+def test_verbs_take_a_zero(tmp_path):
+    machine, ends = _router(random.Random(3))
+    file = tmp_path / "router.toml"
+    file.write_text(machine.text)
+    at = ",".join(str(Decimal(low) + 1) for low in ends[::2])
+    program = b"G21 G90\nG1 X10 Y5 Z2 F600\nM2\n"
+    for verb in ("check", "time", "canon", "why", "run"):
+        told = pycnc(verb, "-", "-m", file, f"--zero={at}", stdin=program)
+        assert told.code == 0 and "work-zero" not in told.out + told.err, verb
+        told = pycnc(verb, "-", "-m", file, "--zero=1e9,0", stdin=program)
+        assert told.code == 2 and "work.g54.x_mm" in told.err
