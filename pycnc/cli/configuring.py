@@ -77,9 +77,13 @@ def _travel(words, letters):
 @verb(machines, "machine import printer.cfg -o printer.toml")
 def import_(
     *, file: Annotated[str, typer.Argument(
-        metavar="FILE", help="LinuxCNC INI, grbl $$, Klipper cfg or FluidNC yaml; - is stdin.")],
+        metavar="FILE", help="LinuxCNC INI, grbl $$, FluidNC yaml, Klipper cfg, Marlin M503 or "
+        "RepRapFirmware config.g; - is stdin.")],
     units: Annotated[
         Units | None, typer.Option(help="Unit of lengths where a LinuxCNC INI does not say it.")
+    ] = None,
+    junction_deviation: Annotated[float | None, typer.Option(
+        min=0, max=10, metavar="MM", help="Marlin's JUNCTION_DEVIATION_MM, which M503 rounds.")
     ] = None,
     output: Output = None, quiet: Quiet = False,
 ):  # fmt: skip
@@ -92,7 +96,10 @@ def import_(
 
     name, data = read(file, "give a file with the configuration of a control")
     folder = None if file == "-" else Path(file).parent
-    found = importer.read(source.decode(data), Path(name).name, folder, units and units.value)
+    deviation = None if junction_deviation is None else Decimal(str(junction_deviation))
+    found = importer.read(
+        source.decode(data), Path(name).name, folder, units and units.value, deviation
+    )
     if found.problems:
         raise MachineFileError(name, found.problems)
     head = [f"Imported from {Path(name).name}. Check every line: a file cannot tell all of it."]

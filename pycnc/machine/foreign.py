@@ -5,11 +5,15 @@ import re
 
 _SIGNS = {  # of each a line that its files have and the others' do not
     "grbl or grblHAL ($$)": r"^[ \t]*\$1[0-3][0-9][ \t]*=",
-    "Klipper (printer.cfg)": r"^[ \t]*\[(stepper_\w+|printer|mcu|include [^]]+)\]",
+    "Klipper (printer.cfg)": r"^[ \t]*\[(stepper_\w+|printer|mcu( \w+)?|include [^]]+"
+                             r"|board_pins\b.*|gcode_macro [^]]+|extruder\d*"
+                             r"|tmc\d{4} [^]]+|display\w*( \w+)?"
+                             r"|carriage \w+|neopixel [^]]+|duplicate_pin_override)\]",
     "LinuxCNC (INI)": r"^[ \t]*(\[(EMC|TRAJ|KINS|AXIS_\w|JOINT_\d+)\]|#INCLUDE\b)",
+    "RepRapFirmware (config.g)": r"^[ \t]*M(584|566|667|669)[ \t]+[A-Z]",
     "Marlin (M503)": r"^[ \t]*(echo:)?[ \t]*M(92|201|203)[ \t]+[XYZE][\d.]+[ \t]",
     "FluidNC (YAML)": r"^axes:[ \t]*(#.*)?\r?$",
-}
+}  # fmt: skip
 
 
 def kind_of(text):

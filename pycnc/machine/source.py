@@ -320,6 +320,46 @@ def marlin(text, folder):
     return form
 
 
+# ---- RepRapFirmware: M203 X12000 Y12000:12000 E4200:4200
+
+
+def reprap(text, folder):
+    """Read a config.g: M words with a number behind each letter, of several drivers the first's.
+
+    Of M208 "m208.1" are the lower ends, "m208.0" the upper ones; X-5:210 says both.
+    """
+    del folder
+    form = Form()
+    for row in _rows(text):
+        bare = re.sub(r";.*", "", row.raw).strip()
+        if not bare:
+            continue
+        form.rows.append(row)
+        words = re.match(r"([GM]\d+(?:\.\d+)?)(?![\d.])(.*)", bare, re.I)
+        if not words or words[1].upper().startswith(("M98", "M291")):
+            continue
+        if words[1].upper() == "G20":
+            form.put(("", "g20"), "G20", [row], last_counts=True)
+        _take_words(form, words[1].lower(), re.sub(r'"[^"]*"', "", words[2]), row)
+    return form
+
+
+def _take_words(form, code, words, row):
+    pairs = [(letter.lower(), value) for letter, value in
+             re.findall(r"([A-Za-z])\s*([-+.:\d]+)", words)]  # fmt: skip
+    lower = dict(pairs).get("s") == "1"
+    for letter, value in pairs:
+        first, _, more = value.partition(":")
+        if code == "m208" and letter != "s":
+            if more:
+                form.put(("m208.1", letter), first, [row], last_counts=True)
+            upper = more or first
+            key = "m208.1" if lower and not more else "m208.0"
+            form.put((key, letter), upper, [row], last_counts=True)
+        else:
+            form.put((code, letter), first, [row], last_counts=True)
+
+
 # ---- FluidNC: maps of YAML
 
 

@@ -141,6 +141,84 @@ def test_fluidnc():
     assert set(data["axis"]) == {"x", "z"}
 
 
+DELTA = """\
+[printer]
+kinematics: delta
+max_velocity: 300
+max_accel: 3000
+max_accel_to_decel: 1200
+max_z_velocity: 150
+minimum_z_position: -2
+delta_radius: 120
+print_radius: 100
+[stepper_a]
+position_endstop: 310.5
+arm_length: 250
+[stepper_b]
+[stepper_c]
+position_endstop: 309
+"""
+
+
+def test_a_delta_is_told_by_its_name():
+    data, result = imported(DELTA)
+    ends = {k: (axis["min_mm"], axis["max_mm"]) for k, axis in data["axis"].items()}
+    assert ends == {"x": (-100, 100), "y": (-100, 100), "z": (-2, 309)}
+    assert data["axis"]["z"]["v_max_mm_s"] == 150
+    assert data["control"]["minimum_cruise_ratio"] == pytest.approx(0.6)
+    assert "kinematics delta: three towers; Klipper is slower near the edge" in result.err
+    for name, words in (("polar", "a bed that turns"), ("winch", "cables"),
+                        ("rotary_delta", "three arms"), ("deltesian", "two towers")):  # fmt: skip
+        _, result = imported(DELTA.replace("delta\nmax_vel", f"{name}\nmax_vel"))
+        assert f"kinematics {name}: {words}" in result.err
+
+
+@pytest.mark.parametrize("number, words", [
+    (1, "CoreXY"), (4, "a SCARA of two arms"), (10, "a rotary delta"), (99, "M669 K99"),
+])  # fmt: skip
+def test_kinematics_of_reprap_are_told_by_their_name(number, words):
+    text = f"M669 K{number}\nM584 X0\nM203 X60 Y60 Z60 E6\nM201 X9 Y9 Z9 E9\nM665 R1\n"
+    _, result = imported(text)
+    assert f"kinematics: {words}; planned is the tool's path" in result.err
+    data, _ = imported(text.replace(f"M669 K{number}", "M665 B80 H200"))
+    assert (data["axis"]["x"]["min_mm"], data["axis"]["x"]["max_mm"]) == (-80, 80)
+
+
+def test_kinematics_of_linuxcnc_are_told_by_their_name():
+    for name, words in (("lineardeltakins", "three towers"), ("scarakins", "a SCARA"),
+                        ("corexykins", "CoreXY"), ("xyzac-trt-kins", "a mill with a table"),
+                        ("mine", "joints")):  # fmt: skip
+        _, result = imported(f"{LINUXCNC}[KINS]\nKINEMATICS = {name} coordinates=xyza\n")
+        assert f"kinematics {name}: " in result.err and words in result.err
+    _, result = imported(f"{LINUXCNC}[KINS]\nKINEMATICS = trivkins\n")
+    assert "kinematics" not in result.err
+
+
+def test_what_is_absent_is_the_controls_own_default_and_told():
+    data, result = imported(LINUXCNC.replace("MAX_VELOCITY = 90\nMAX_ACCELERATION = 1200\n", ""))
+    assert (data["axis"]["a"]["v_max_deg_s"], data["axis"]["a"]["a_max_deg_s2"]) == (1, 1)
+    assert "v_max_deg_s = 1 # not in the source: the control's own default" in result.out
+    data, _ = imported("axes:\n  x:\n    max_travel_mm: 90\n")
+    assert data["axis"]["x"]["a_max_mm_s2"] == 25
+    data, _ = imported(LINUXCNC.replace("[AXIS_X]", "[AXIS_X]\nOFFSET_AV_RATIO = 0.25"))
+    assert data["axis"]["x"]["v_max_mm_s"] == pytest.approx(76.2 * 0.75)
+
+
+def test_junction_deviation_of_marlin_is_asked_for():
+    text = "M203 X9 Y9\nM201 X9 Y9\nM205 J{0}\n"
+    data, _ = imported(text.format("0.01"), "--junction-deviation", "0.013")
+    assert data["control"]["junction_deviation"] == 0.013
+    for told in ("0.013", "0.00"):
+        data, _ = imported(text.format(told))
+        assert data["control"]["junction_deviation"] == float(told)
+
+
+def test_nobody_knows_where_the_work_of_a_mill_lies():
+    for text in (LINUXCNC, GRBL, FLUIDNC):
+        assert imported(text)[0]["work"] == {"zero": "unknown"}
+    assert "work" not in imported(KLIPPER)[0]
+
+
 @pytest.mark.parametrize("text", [KLIPPER, LINUXCNC, GRBL, FLUIDNC])
 def test_what_is_imported_is_a_machine_and_moves(text, tmp_path):
     source, target = tmp_path / "source", tmp_path / "machine.toml"
@@ -160,12 +238,15 @@ def test_what_is_imported_is_a_machine_and_moves(text, tmp_path):
         ("", "is no configuration that can be imported"),
         ("[path]\nslope = 1\n", "LinuxCNC (INI), grbl or grblHAL ($$), Klipper"),
         (KLIPPER.replace("max_accel: 3000\n", ""), "axis.x: no a_max for it in the file"),
-        (KLIPPER.replace("corexy", "delta"), "delta has no equal here"),
+        (KLIPPER.replace("corexy", "none"), "none moves no axes that are known here; known: "),
+        ("[gcode_macro A]\ngcode:\n  G28\n", "no [printer]: it is a part of a configuration"),
+        ("M203 X9 Y9\nM201 X9 Y9\nM205 J0.01\n", "J0.01: M503 prints two decimals of J: add"),
+        ("M584 X0\nM203 X9\n", "axis.x: no a_max"),
+        ("M584 X0\nG20\nM203 X9\nM201 X9\n", "in inches (G20)"),
         (KLIPPER.replace("3000", "fast"), "line 13: 'fast' is no number: max_accel: fast"),
         (LINUXCNC.replace("= 30\n", "= nan\n"), "'nan' is no number"),
         (GRBL.replace("$120=200.000", "$120="), "axis.x: no a_max"),
         (GRBL.replace("$130=300", "$130=-300"), "axis.x.min_mm"),
-        ("axes:\n  x:\n    max_rate_mm_per_min: 5", "axis.x: no a_max"),
         ("axes:\n", "no axis found"),
         (LINUXCNC.replace("LINEAR_UNITS = inch", "LINEAR_UNITS = ell"), "'ell' is none of mm, "),
         (LINUXCNC.replace("= 30\n", "= -30\n"), "is -762); line "),

@@ -1,0 +1,181 @@
+# SPDX-License-Identifier: MIT
+"""What the configurations of mills and routers mean: LinuxCNC, grbl and grblHAL, FluidNC."""
+
+import re
+from decimal import Decimal
+
+from pycnc.machine.schema import AXES, ROTARY_AXES
+
+_MM = {  # LINEAR_UNITS of LinuxCNC → millimetres
+    **dict.fromkeys(("mm", "metric"), Decimal(1)), "cm": Decimal(10), "um": Decimal("1e-3"),
+    **dict.fromkeys(("inch", "in", "imperial"), Decimal("25.4")),
+}  # fmt: skip
+_DEGREES = {  # ANGULAR_UNITS of LinuxCNC → degrees
+    **dict.fromkeys(("deg", "degree"), Decimal(1)), "grad": Decimal("0.9"), "gon": Decimal("0.9"),
+    **dict.fromkeys(("rad", "radian"), Decimal("57.29577951308232087679815")),
+}  # fmt: skip
+_NUMBER = re.compile(r"\d+\.?\d*|\.\d+")
+
+
+def _length_unit(source):
+    """Return the millimetres of a LinuxCNC machine's unit: as it says, else as the caller does."""
+    told = source.unit(("traj", "linear_units"), "LINEAR_UNITS", _MM)
+    given = source.units and _MM[source.units]
+    if told is None and given is None:
+        source.draft.problems.append(
+            ("LINEAR_UNITS", "the file does not say them: add --units mm or --units inch")
+        )
+    if told and given and told != given:
+        source.draft.problems.append(("--units", f"{source.units}: the file says otherwise"))
+    return told or given or Decimal(1)
+
+
+_KINEMATICS = (  # by how its name begins
+    ("lineardelta", "a delta of three towers"), ("rotarydelta", "a delta of three arms"),
+    ("corexy", "CoreXY: two belts for X and Y"), ("scara", "a SCARA of two arms"),
+    ("scorbot", "an arm"), ("puma", "an arm"), ("genser", "an arm"), ("genhex", "a hexapod"),
+    ("pentakins", "a pentapod"), ("tripod", "a tripod"), ("rotatekins", "X and Y turned"),
+    ("millturn", "a mill that turns"), ("5axis", "a mill with a head that turns"),
+    ("max", "a mill with a head that turns"), ("xyz", "a mill with a table or a head that turns"),
+    ("gantry", "a gantry"), ("gentriv", "joints as they are named"),
+)  # fmt: skip
+
+
+def _joints(source):
+    """Return {axis: its first joint} of a LinuxCNC machine, in the order of the axes."""
+    kinematics = source.word(("kins", "kinematics")) or "trivkins"
+    name = kinematics.split()[0].lower() if kinematics.split() else "trivkins"
+    if name != "trivkins":
+        what = next((words for begin, words in _KINEMATICS if name.startswith(begin)), "joints")
+        source.draft.left.append(
+            f"kinematics {name}: {what}; planned is the tool's path in X Y Z, within the limits of "
+            "[AXIS_L]; what a joint alone forbids is not known"
+        )
+    told = source.word(("traj", "coordinates"))
+    if told is None:
+        source.draft.left.append("COORDINATES: not in the source; taken as X Y Z")
+    of_joints = re.search(r"\bcoordinates=(\w+)", kinematics.lower())
+    named = re.sub("[^a-z]", "", (told or "xyz").lower())
+    order = of_joints[1] if of_joints else named
+    return {letter: order.find(letter) for letter in AXES if letter in named}
+
+
+def linuxcnc(source):
+    """Fill in an INI; return the letters of its axes."""
+    unit = _length_unit(source)
+    degrees = source.unit(("traj", "angular_units"), "ANGULAR_UNITS", _DEGREES) or Decimal(1)
+    joints = _joints(source)
+    letters = list(joints)
+    for letter, joint in joints.items():
+        rotary = letter in ROTARY_AXES
+        scale = degrees if rotary else unit
+        own = (f"axis_{letter}", f"axis_{joint}", f"joint_{joint}")
+        most = "max_angular" if rotary else "max_linear"
+        for quantity, name in (("v_max", "velocity"), ("a_max", "acceleration"),
+                               ("j_max", "jerk")):  # fmt: skip
+            keys = [*((section, f"max_{name}") for section in own), ("traj", f"{most}_{name}"),
+                    ("traj", f"max_{name}")]  # fmt: skip
+            default = None if quantity == "j_max" else Decimal(1)  # a unit a second
+            source.axis(letter, quantity, keys, scale, default)
+        _for_offsets(source, letter)
+        source.axis(letter, "min", [(section, "min_limit") for section in own], scale)
+        source.axis(letter, "max", [(section, "max_limit") for section in own], scale)
+    source.path("path.feed_max_mm_min", [("traj", "max_linear_velocity")], 60 * unit)
+    source.path("kernel.period_ms", [("emcmot", "servo_period")], Decimal("1e-6"))
+    source.path("spindle.rpm_max", [("spindle_0", "max_forward_velocity")])
+    source.draft.put("control.kind", "linuxcnc")
+    _startup(source, unit)
+    if unit == _MM["inch"]:
+        source.draft.put("dialect.units", "inch", "LINEAR_UNITS")
+    if source.word(("display", "lathe")) == "1" and letters == ["x", "z"]:
+        source.draft.put("kinematics.type", "lathe_xz", "LATHE = 1")
+        source.draft.put("dialect.plane", 18, "LATHE = 1")
+    if source.word(("emcio", "tool_table")):
+        source.draft.left.append("the tool table: give it by --tools")
+    return letters
+
+
+def _for_offsets(source, letter):
+    """Leave what LinuxCNC keeps of an axis for external offsets out of what a program has."""
+    share, comment = source.number((f"axis_{letter}", "offset_av_ratio"))
+    for quantity in ("v_max", "a_max") if share and 0 < share < 1 else ():
+        value = source.draft.limit(letter, quantity)
+        source.draft.axis(letter, quantity, value * (1 - share), f"without {comment}")
+
+
+def _startup(source, unit):
+    """What is in force before a program says G61 or G64; without both LinuxCNC has a bare G64."""
+    code = source.word(("rs274ngc", "rs274ngc_startup_code"))
+    words = re.sub(r"\s+", "", code or "").upper()
+    within = re.search(r"G64P([\d.]+)", words)
+    if within and _NUMBER.fullmatch(within[1]):
+        source.draft.put("path.tolerance_mm", Decimal(within[1]) * unit, f"start-up code {code}")
+    elif re.search(r"G61(?!\d)", words):
+        source.draft.put("path.tolerance_mm", 0, f"start-up code {code}")
+    else:
+        words = f"start-up code {code}" if code else "no start-up code: G64 without P"
+        source.draft.put("control.g64_without_p", "length", words)
+        return
+    source.draft.put("control.g64_without_p", "tolerance", f"start-up code {code}")
+
+
+def grbl(source):
+    """Fill in what $$ and $I print; return the letters of its axes."""
+    has = source.settings
+    letters = [letter for k, letter in enumerate("xyzabc") if ("$", f"{110 + k}") in has]
+    for letter in letters:
+        k = "xyzabc".index(letter)
+        source.axis(letter, "v_max", [("$", f"{110 + k}")], 1 / Decimal(60))
+        source.axis(letter, "a_max", [("$", f"{120 + k}")])
+        travel, comment = source.number(("$", f"{130 + k}"))
+        if travel:
+            source.draft.axis(letter, "min", -travel, comment)
+            source.draft.axis(letter, "max", Decimal(0), "homed at the upper end, as grbl does")
+        source.own(f"steps_per_mm.{letter}", [("$", f"{100 + k}")])
+    source.path("path.chord_error_mm", [("$", "12")])
+    source.path("spindle.rpm_max", [("$", "30")])
+    source.draft.left.append("home and G28: where they are, the settings do not say; taken as 0")
+    is_hal = ("$", "398") in has or ("i", "firmware") in has
+    words = "its settings say so" if is_hal else 'grblHAL writes the same: then say "grblhal"'
+    source.draft.put("control.kind", "grblhal" if is_hal else "grbl", words)
+    source.own("junction_deviation", [("$", "11")], Decimal("0.01"))
+    source.own("arc_tolerance", [("$", "12")], Decimal("0.002"))
+    laser, comment = source.number(("$", "32"))
+    source.draft.put("control.laser_mode", laser == 1, comment or "not in the source: off")
+    blocks, comment = source.number(("$", "398"), ("i", "blocks"))
+    if blocks is not None:
+        source.draft.put("control.planner_blocks", blocks + (("$", "398") not in has), comment)
+    source.draft.put("dialect.base", "grbl")
+    return letters
+
+
+def fluidnc(source):
+    """Fill in a config.yaml; return the letters of its axes."""
+    letters = source.letters_of("axes.", AXES)
+    for letter in letters:
+        own = f"axes.{letter}"
+        source.axis(letter, "v_max", [(own, "max_rate_mm_per_min")], 1 / Decimal(60),
+                    Decimal(1000))  # fmt: skip
+        source.axis(letter, "a_max", [(own, "acceleration_mm_per_sec2")], default=Decimal(25))
+        travel, comment = source.number((own, "max_travel_mm"))
+        if travel is None:
+            travel, comment = Decimal(1000), "not in the source: the control's own default"
+        at, _ = source.number((f"{own}.homing", "mpos_mm"))
+        up = (source.word((f"{own}.homing", "positive_direction")) or "true").lower() == "true"
+        if travel:
+            at = at or Decimal(0)
+            ends = (at - travel, at) if up else (at, at + travel)
+            for end, place in zip(("min", "max"), ends, strict=True):
+                source.draft.axis(letter, end, place, comment)
+        source.own(f"steps_per_mm.{letter}", [(own, "steps_per_mm")], Decimal(80))
+    named = [each for each in source.form.heads.values() if each.startswith("kinematics.")]
+    for name in (each.removeprefix("kinematics.") for each in named):
+        if name != "cartesian":
+            source.draft.left.append(f"kinematics {name}: planned is the tool's path in X Y Z")
+    source.path("path.chord_error_mm", [("", "arc_tolerance_mm")])
+    source.draft.put("control.kind", "fluidnc")
+    source.own("junction_deviation", [("", "junction_deviation_mm")], Decimal("0.01"))
+    source.own("arc_tolerance", [("", "arc_tolerance_mm")], Decimal("0.002"))
+    source.own("planner_blocks", [("", "planner_blocks")], Decimal(16))
+    source.draft.put("dialect.base", "grbl")
+    return letters
