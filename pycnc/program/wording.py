@@ -303,6 +303,10 @@ WORDING = {
         "M201 to M205 change limits of a printer's firmware: here the machine's hold",
         "set them in the machine file, as in --set axis.x.a_max_mm_s2=1000",
     ),
+    "speed-clipped": (
+        "{found} is above spindle.rpm_max: grbl clips it there, and so are all like it",
+        "if the spindle has more: --set spindle.rpm_max=… ($30)",
+    ),
     "argument": ("a call to the kernel had a number outside of its range", "please report this"),
     "machine": ("the kernel refuses a number of the machine", "pycnc machine validate tells which"),
     "state": ("a call to the kernel came at the wrong time", "please report this"),

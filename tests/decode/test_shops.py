@@ -297,3 +297,27 @@ def test_grbl_hands_ports_over_as_linuxcnc_does(code):
     assert len(grbl) == 3
     np.testing.assert_array_equal(grbl[["kind", "output", "target_nm"]],
                                   linuxcnc[["kind", "output", "target_nm"]])  # fmt: skip
+
+
+# ---- grbl's spindle
+
+
+@pytest.mark.parametrize("seed", SEEDS)
+def test_a_speed_above_the_spindles_is_clipped_in_grbl_and_wrong_elsewhere(seed):
+    rng = random.Random(seed)
+    most = rng.randrange(500, 3000)
+    words = [rng.choice([rng.randrange(most), most, most + rng.randrange(1, 9000)])
+             for _ in range(6)]  # fmt: skip
+    text = "G21 G90 G94 G17\nM3 S{}\nG1 X1 F99\nS{}\nX2 S{}\nS{} M4\nX3\nS{}\nG0 X4 S{}\nM2\n"
+    grbl = Machine.load("mill3", set=[*FREE, "dialect.base=grbl", f"spindle.rpm_max={most}"])
+    clipped = [min(word, most) for word in words]
+    blocks, errors, notes = decode(text.format(*words), grbl)
+    assert errors == []
+    assert notes.count("speed-clipped") == (max(words) > most)
+    outputs = blocks["output"]["value"], decode(text.format(*clipped), grbl)[0]["output"]["value"]
+    np.testing.assert_array_equal(*outputs)
+    mill3 = Machine.load("mill3", set=[*FREE, f"spindle.rpm_max={most}"])
+    lines = [found for found, _ in decode(text.format(*words), mill3)[1]]
+    assert lines == ["number-range"] * sum(word > most for word in words)
+    assert decode("G21\nM3 S-1\nM2\n", grbl)[1] == [("number-range", 2)]
+    assert decode("G21\nM3 S1e15\nM2\n", grbl)[1] != []

@@ -138,6 +138,7 @@ typedef enum nck_note {
     NCK_NOTE_MODE = 17,      // "mode-stays": a code chooses how the control smooths or looks
                              // ahead, or moves what no text tells, and the machine does not say
                              // what that means; letter G, value: the code
+    NCK_NOTE_CLIPPED = 18,   // "speed-clipped": S is more than the spindle has: grbl clips it
     NCK_NOTE_INTEGERS = 15   // "assumed-integers": a length, angle or dwell of Fanuc's has no point
 } nck_note_t;
 
