@@ -126,6 +126,13 @@ Programs = Annotated[
         help="Folder of subprograms that the text calls: the same as --set dialect.programs=…",
     ),
 ]
+Override = Annotated[
+    int, typer.Option("--override", min=1, max=200, metavar="PERCENT", help="Of the feed."),
+]
+Left = Annotated[
+    int | None,
+    typer.Option("--left", min=1, metavar="N", help="Tell what is left at line N, too."),
+]
 Zero = Annotated[
     str | None,
     typer.Option(

@@ -18,7 +18,9 @@ from pycnc.cli.options import (
     FromLine,
     Jobs,
     Json,
+    Left,
     MachineName,
+    Override,
     Page,
     PlanName,
     Programs,
@@ -45,6 +47,8 @@ from pycnc.names import DEFAULT
 
 _PARTS_SHOWN = 20
 _TIMES = ("cut", "rapid", "dwell", "tool_change", "spindle")
+_WITHOUT_PARTS = ("file", "machine", "version", "period_s", "time_s", "total_s", "ticks", "slope",
+                  "control", "diagnostics")  # fmt: skip
 _MOTION = ("accelerate", "cruise", "decelerate")
 
 
@@ -52,8 +56,9 @@ _MOTION = ("accelerate", "cruise", "decelerate")
 def time(
     *, files: Files, by: By = None, machine: MachineName = DEFAULT, dialect: DialectName = None,
     slope: SlopeName = None, set: Set = None, tools: Tools = None, from_line: FromLine = None,
-    programs: Programs = None, zero: Zero = None, plan: PlanName = "exact",
-    backend: Backend = "auto", jobs: Jobs = 1, json_: Json = False, quiet: Quiet = False,
+    programs: Programs = None, zero: Zero = None, override: Override = 100, left: Left = None,
+    plan: PlanName = "exact", backend: Backend = "auto", jobs: Jobs = 1, json_: Json = False,
+    quiet: Quiet = False,
 ):  # fmt: skip
     """Tell the machining time of programs, from the plan.
 
@@ -67,7 +72,8 @@ def time(
         programs=programs, zero=zero, quiet=quiet,
     )  # fmt: skip
     how = {"plan": plan, "backend": backend, "by": by and by.value, "as_json": json_,
-           "quiet": quiet}  # fmt: skip
+           "override": override, "left": left, "quiet": quiet}  # fmt: skip
+    _refuse_beside(mill, how, len(files))
     told, code = [], GOOD
     for facts, this, out, err in _each(functools.partial(_timed, mill, **how), files, jobs):
         sys.stderr.write(err)
@@ -79,6 +85,18 @@ def time(
     elif len(files) > 1:
         print(_total_line([facts for facts in told if "time_s" in facts], len(files)))
     return code
+
+
+def _refuse_beside(machine, how, count):
+    """Refuse what an override, or the time left at a line, does not go with."""
+    from pycnc.planning.control import is_foreign
+
+    whole = how["override"] == 100 or is_foreign(machine)
+    if not whole and (count > 1 or how["by"] or how["left"] or how["plan"] != "exact"):
+        raise Refused("--override: error[override]: this kernel's is run: of one program, without "
+                      "--by, --left and --plan")  # fmt: skip
+    if how["left"] and (how["by"] not in (None, "line") or how["plan"] != "exact"):
+        raise Refused("--left: error[left]: it is told by lines: without another --by, or --plan")
 
 
 def _each(work, files, jobs):
@@ -109,28 +127,57 @@ def _aside(unit, work):
     return facts, code, out.getvalue(), err.getvalue()
 
 
-def _timed(machine, file, *, plan, backend, by, as_json, quiet):
+def _timed(machine, file, *, plan, backend, by, as_json, override, left, quiet):
     """Plan a program and tell its time. Returns (what --json tells of it, exit code)."""
     from pycnc.planning import pipeline
+    from pycnc.planning.control import is_foreign
     from pycnc.planning.plan import Plan
+    from pycnc.planning.shares import left as left_at
 
+    if override != 100 and not is_foreign(machine):
+        return _run_at(machine, file, override, as_json, quiet)
+    shown, by = by, "line" if left else by
     with pipeline.beside(plan == "exact" and not by, machine) as beside:
         program, facts, code = look_at(file, machine, quiet, as_json, keep=False, beside=beside)
         if program is None:
             return facts, code
-        how = {"plan": plan, "backend": backend, "by": by, "beside": beside}
+        how = {"plan": plan, "backend": backend, "by": by, "beside": beside,
+               "override": override / 100}  # fmt: skip
         try:
             with progress(f"planning {program.file}", quiet) as bar:
                 planned = Plan(program, keep=False, progress=bar, **how)
+            rest_s = left_at(program, planned.parts, left) if left else None
         except Exception as cause:
             return facts_of_failure(facts, cause) if as_json else {}, explain(cause)
     if as_json:
-        return planned.as_dict(), GOOD
+        more = {"override": override, "left_s": rest_s}
+        is_asked = {"override": override != 100, "left_s": left is not None}
+        return planned.as_dict() | {k: v for k, v in more.items() if is_asked[k]}, GOOD
     tell(program, quiet, sys.stderr)
-    print(_time_line(planned))
-    if by:
-        print("\n".join(_part_lines(planned, by)))
+    print(_time_line(planned, override))
+    if left:
+        print(f"  left at line {left}: {_duration(rest_s)}")
+    if shown:
+        print("\n".join(_part_lines(planned, shown)))
     return planned.totals, GOOD
+
+
+def _run_at(machine, file, override, as_json, quiet):
+    """Run a program under an override, as the kernel's clock has it, and tell its time."""
+    from pycnc.planning.control import title
+    from pycnc.report.trace import Trace
+
+    program, facts, code = look_at(file, machine, quiet, as_json, keep=False)
+    if program is None:
+        return facts, code
+    with progress(f"running {program.file}", quiet) as bar:
+        done = Trace(program, keep=False, commands=((0, "override", override, 100),), progress=bar)
+    told = {name: done.summary[name] for name in _WITHOUT_PARTS} | {"override": override}
+    if not as_json:
+        tell(program, quiet, sys.stderr)
+        head = f"{program.file} on {program.machine.name}, {title(program.machine)}"
+        print(f"{head}, override {override} %: {_duration(told['total_s'])}")
+    return told, GOOD
 
 
 @verb(app, "why part.ngc --what-if")
@@ -197,13 +244,14 @@ def report(
     return GOOD
 
 
-def _time_line(plan):
+def _time_line(plan, override):
     from pycnc.planning.control import title
     from pycnc.planning.plan import BY
 
     machine = plan.program.machine
     head = f"{plan.program.file} on {machine.name}, {title(machine)}"
     by = f", planned {BY[plan.kind]}" if BY[plan.kind] else ""
+    by += f", override {override} %" if override != 100 else ""
     return f"{head}{by}: {_duration(plan.totals['total_s'])} ({_split(plan.totals)})"
 
 

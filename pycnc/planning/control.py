@@ -11,9 +11,9 @@ import numpy as np
 
 from pycnc import errors, kernel
 from pycnc.kernel.bind import check, ffi, lib, pointer
-from pycnc.kernel.records import dtype
+from pycnc.kernel.records import copied, dtype
 from pycnc.machine import Machine
-from pycnc.machine.control import GRBLS
+from pycnc.machine.control import GRBLS, PRINTERS
 from pycnc.machine.schema import AXES, unit_of
 from pycnc.program import limits
 
@@ -206,6 +206,8 @@ class Planner:
     program : Program
     shares : int or numpy.ndarray, optional
         As `kernel.Planner` takes it.
+    override : float
+        Of the feed, 1 for 100 %; printers have one for rapids, too.
 
     Attributes
     ----------
@@ -213,8 +215,9 @@ class Planner:
         As of `kernel.Planner`.
     """
 
-    def __init__(self, program, shares=None):
+    def __init__(self, program, shares=None, override=1.0):
         machine = self._machine = program.machine
+        self._override = override
         self._program, self._rule = program, rule_of(machine)
         self._bare = _bare(machine)
         if self._bare is not None:
@@ -238,12 +241,25 @@ class Planner:
     def run(self, progress=None):
         """Plan it."""
         done, count = 0, self._program.block_count
-        for blocks in self._pieces():
+        for piece in self._pieces():
+            blocks = self._overridden(piece)
             lib.nck_host_control_take(self._state, pointer("nck_block_t", blocks), len(blocks))
             done += len(blocks)
             if progress:
                 progress(done, count)
         lib.nck_host_control_end(self._state)
+
+    def _overridden(self, blocks):
+        """Return blocks at the speeds that the override leaves of them."""
+        if self._override == 1:
+            return blocks
+        blocks = copied(blocks)
+        if self._machine.settings.control.kind in PRINTERS:
+            scaled = np.ones(len(blocks), bool)
+        else:
+            scaled = blocks["kind"] != lib.NCK_BLOCK_RAPID
+        blocks["feed"][scaled] *= self._override
+        return blocks
 
     def _pieces(self):
         if self._bare is None:

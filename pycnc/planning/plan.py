@@ -108,17 +108,19 @@ class Plan:
 
     `look` is called with the segs as they come, kept or not; `trail` with the points and the low
     points of the path (``nck_host_point_t``, ``nck_host_foot_t``), of an exact plan; `by` is
-    "tool", "section" or "line"; `beside` is the `Pipeline` that has planned the program while it
-    was read. Without all of these, and `keep`, the rooms of a big program work side by side.
+    "tool", "section" or "line"; `override` is that of the feed where another control plans;
+    `beside` is the `Pipeline` that has planned the program while it was read. Without all of
+    these, and `keep`, the rooms of a big program work side by side.
     """
 
     def __init__(self, program, *, plan="exact", backend="auto", keep=True, progress=None,
-                 look=None, trail=None, by=None, beside=None):  # fmt: skip
+                 look=None, trail=None, by=None, beside=None, override=1.0):  # fmt: skip
         check_backend(backend, plan)
         if by is not None and plan != "exact":
             raise errors.ArgumentError(f"a plan {BY[plan]} is not told by parts", id="by")
         self.program, self.kind, self.motion = for_plan(program.check(), plan), plan, None
         self.parts = self.lost = None
+        self._override = override
         begun = beside.begun if beside else time.perf_counter()
         if plan == "exact":
             totals = exact = self._exactly(keep, progress, look, trail, by, beside)
@@ -156,7 +158,7 @@ class Plan:
     def _as_control(self, progress, by):
         """Plan it by another control's rules, which keep no records."""
         asked, names = shares.ask(self.program, by) if by else (None, [])
-        planner = control.Planner(self.program, asked)
+        planner = control.Planner(self.program, asked, self._override)
         planner.run(progress)
         self.parts = shares.table(self.program, by, planner.shares, names) if by else None
         return planner

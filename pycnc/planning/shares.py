@@ -83,3 +83,29 @@ def _name(by, place, row, names):
     if by == "tool":
         return f"T{int(row['key'])}" if row["key"] else "no tool"
     return names[place] if by == "section" else _words(names[place])
+
+
+def left(program, parts, line):
+    """Return the time [s] from where a program first comes to a line, or behind it, to its end.
+
+    Parameters
+    ----------
+    parts : list of dict
+        Of the lines, as `table` returns them.
+
+    Raises
+    ------
+    ArgumentError
+        If lines come again, so that a line does not say how far the program is.
+    """
+    last = 0
+    for blocks in program.pieces():
+        lines = np.concatenate([[last], blocks["line"]])
+        back = np.flatnonzero(np.diff(lines) < 0)
+        if back.size:
+            raise errors.ArgumentError(
+                f"line {lines[back[0] + 1]} comes behind line {lines[back[0]]}: in a program with "
+                "loops or subprograms a line does not say how far it is", id="left",
+            )  # fmt: skip
+        last = int(lines[-1])
+    return sum(part["time_s"] for part in parts if part["line"] >= line)
