@@ -260,7 +260,7 @@ def list_(*, json_: Json = False, quiet: Quiet = False):
         print(json.dumps(rows))
         return
     for each in loaded:
-        print(f"{each.name:14}{each.axes.upper():7}{each.settings.description}")
+        print(f"{each.name:16}{each.axes.upper():7}{each.settings.description}")
 
 
 @verb(machines, "machine show mill3 --effective")

@@ -7,9 +7,11 @@ from collections import namedtuple
 from pycnc.program.guess import beginning, dialect_of
 
 _REMARKS = re.compile(rb"\([^)]*\)|;.*")
+_MACROS = re.compile(
+    rb"(EXCLUDE_OBJECT|PRINT_START|START_PRINT|BED_MESH|SET_[A-Z]{2})\w*( |$)", re.IGNORECASE
+)
 _PRINTS = re.compile(
-    rb"(N\d+ *)?(M(104|109|140|190|82|83)\b|G1 .*\bE-?[\d.]|(EXCLUDE_OBJECT|PRINT_START|START_PRINT"
-    rb"|BED_MESH|SET_[A-Z_]+)\b)", re.IGNORECASE
+    rb"(N\d+ *)?(M(104|109|140|190|82|83)\b|G1 .*\bE-?[\d.])|" + _MACROS.pattern, re.IGNORECASE
 )  # fmt: skip
 _TURNS = re.compile(rb"G96\b|G50 *S|\bT\d{4}\b|G7[0-3]\b.*\b[PQ] *\d+|\b[UW]-?[\d.]", re.IGNORECASE)
 _CROSS = re.compile(rb"\bY *-?[\d.]", re.IGNORECASE)
@@ -19,6 +21,7 @@ _ROTARY = re.compile(rb"(?<![A-Z])([ABC]) *-?[\d.]", re.IGNORECASE)
 # cures: the ids of the findings that this command has not.
 Kind = namedtuple("Kind", "name line source options cures")
 
+_STRANGE_TO_MACROS = frozenset({"expression"})
 _STRANGE = frozenset({"axis-unknown", "word-unknown", "other-base", "m-unknown", "word-unused",
                       "number", "character", "unsupported"})  # fmt: skip
 
@@ -34,6 +37,10 @@ def _first(lines, sign):
 
 
 def _print(lines, machine):
+    found = _first(lines, _MACROS)
+    if found and machine.settings.control.kind != "klipper":
+        cures = _STRANGE | _STRANGE_TO_MACROS
+        return Kind("a Klipper print", *found, "-m printer_klipper", cures)
     found = _first(lines, _PRINTS)
     if not found or (machine.settings.dialect.base == "marlin" and "u" in machine.axes):
         return None

@@ -10,7 +10,8 @@ from cases import CORPUS
 import pycnc
 from pycnc.machine import Machine
 
-KINDS = {"a print": "printer", "a lathe's program": "cak6150n",
+KINDS = {"a print": "printer", "a Klipper print": "printer_klipper",
+         "a lathe's program": "cak6150n",
          "a program for axes that turn": "mill5_xyzac"}  # fmt: skip
 
 
@@ -24,6 +25,11 @@ def text_of(kind, seed):
     if kind == "a print":
         lines = [rng.choice(("M104 S200", "M140 S60", "M82", "N4 M190 S60")), "G21 G90"]
         lines += [f"G1 X{number(rng)} Y{number(rng)} E{k}.5 F900" for k in range(30)]
+    elif kind == "a Klipper print":
+        words = ("EXCLUDE_OBJECT_DEFINE NAME=a", "SET_VELOCITY_LIMIT ACCEL=900", "START_PRINT B=60")
+        lines = ["M104 S200", "G21", "G90", rng.choice(words)]
+        lines += [f"G1 X{number(rng)} Y{number(rng)} E{k}.5 F900" for k in range(30)]
+        lines.insert(9, rng.choice(words))
     elif kind == "a lathe's program":
         lines = ["G21", rng.choice(("G50 S2000", "G96 S200 M3", "T0101"))]
         lines += [f"{rng.choice(('G0', 'G1'))} X{number(rng)} W{number(rng)} F.2"

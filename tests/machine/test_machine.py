@@ -82,7 +82,10 @@ def problems(text, **options):
 
 
 def test_the_promised_machines_are_shipped():
-    assert {"cak6150n", "cao2014", "mill3", "mill5_xyzac", "printer"} <= set(shipped())
+    assert {
+        "cak6150n", "cao2014", "haas_vf2", "laser", "mill3", "mill4", "mill5_xyzac", "printer",
+        "printer_klipper", "printer_marlin", "router",
+    } <= set(shipped())  # fmt: skip
 
 
 @pytest.mark.parametrize("name", shipped())
