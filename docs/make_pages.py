@@ -69,6 +69,7 @@ TABLES = (
     ("[dialect]", schema.Dialect),
     ("[approach]", schema.Approach),
     ("[start]", schema.Start),
+    ("[work]", schema.Work),
     ("[home.g28], [home.g30], [home.g30_p3], [home.g30_p4], [work.g54] …", schema.Position),
     ("[tool.N]", schema.Tool),
     ("[m.N]", schema.OwnM),
@@ -85,10 +86,11 @@ every value in force and where it comes from. `--set axis.x.max_mm=500` changes 
 `--tools FILE` adds the tools of a LinuxCNC tool table (mm; D is a diameter).
 
 `pycnc machine new NAME` writes one to begin with, each key with its meaning. `pycnc machine import
-FILE` makes one of LinuxCNC's INI, grbl's `$$`, Klipper's cfg, FluidNC's yaml or Marlin's `M503`:
-units are converted, each value has the line that it comes from as its comment, and every line that
-nothing is made of is told. It says whose planner it is, [control], with that control's settings.
-Files that it includes are read. `--units` says the unit where an INI does not.
+FILE` makes one of LinuxCNC's INI, grbl's `$$`, Klipper's cfg, FluidNC's yaml, Marlin's `M503` or
+RepRapFirmware's config.g: units are converted, each value has the line that it comes from as its
+comment, and every line that nothing is made of is told. It says whose planner it is, [control],
+with that control's settings. Files that it includes are read. `--units` says the unit where an INI
+does not.
 
 Positions are machine coordinates. A key without a default must be there, if its table is.
 This page is written by `docs/make_pages.py` from `pycnc/machine/schema.py`; a test compares.

@@ -320,7 +320,7 @@ class Work(Table):
     zero: Literal["told", "unknown"] = Field(
         "told",
         description="`unknown`: nobody says where the work lies. A program then begins at its "
-        "zero, and the travel is laid around it so that all of it fits, if it does.",
+        "zero, which is laid so that all of it is within the travel; one line tells what it needs.",
     )
     g54: Position = Field(Position(), description="Zero point of G54.")
     g55: Position = Field(Position(), description="Zero point of G55.")
