@@ -59,7 +59,7 @@ def _program(pen, offset):
         if kind == 0 and at[0] <= 60:  # half a circle beyond its ends
             radius = pen.randrange(1, 20)
             rows.append(f"G2 X{at[0] + 2 * radius} Y{at[1]} I{radius} J0 F900")
-            places += [(at[0] + radius, at[1] + radius, at[2])]
+            places += [tuple(at), (at[0] + radius, at[1] + radius, at[2])]
             at[0] += 2 * radius
         elif kind == 1 and places:
             rows.append(pen.choice(["G53 G0 X{0} Y{1} Z{2}", "G28", "G28 X5"]).format(*offset))
