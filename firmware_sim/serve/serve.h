@@ -39,9 +39,8 @@ typedef enum serve_phase {
 typedef enum serve_then {
     SERVE_THEN_OK = 0,      // ok
     SERVE_THEN_BANNER = 1,  // a reset is over
-    SERVE_THEN_END = 2,     // M2, M30: modes of the beginning, then ok
-    SERVE_THEN_ENDED = 3,   // these are there
-    SERVE_THEN_NOTHING = 4  // a jog is cancelled
+    SERVE_THEN_ENDED = 2,   // M2, M30: the modes of the beginning are there; ok
+    SERVE_THEN_NOTHING = 3  // a jog is cancelled
 } serve_then_t;
 
 // What a tick leaves for reports.

@@ -4,7 +4,6 @@
 from pycnc.kernel.bind import check, ffi, lib
 
 STEPS = 64  # of preparation between two ticks, at most
-_ANSWERS = 65536
 
 
 class Session:
@@ -37,7 +36,7 @@ class Session:
     def __init__(self, machine, steps=STEPS):
         self._machine, self._steps = machine, steps
         self._nck, self._host = ffi.new("nck_t *"), ffi.new("host_serve_t *")
-        self._out = ffi.new("char[]", _ANSWERS)
+        self._out = ffi.new("char[]", lib.HOST_OUT)
         check(lib.host_serve_init(self._host, self._nck, machine.pointer))
 
     def receive(self, data):
@@ -50,7 +49,7 @@ class Session:
 
     def take(self):
         """Return the bytes that were said since the last time."""
-        n = lib.host_serve_take(self._host, self._out, _ANSWERS)
+        n = lib.host_serve_take(self._host, self._out, lib.HOST_OUT)
         return bytes(ffi.buffer(self._out, n))
 
     def join(self):

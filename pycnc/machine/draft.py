@@ -8,6 +8,7 @@ from pycnc.machine.quantity import TRAVEL_LIMIT
 from pycnc.machine.schema import AXES, MachineFile, position_key, unit_of
 
 JERK_RISE_S = Decimal("0.05")  # where nobody says: so long until the highest acceleration
+OWN_DEFAULT = "not in the source: the control's own default"
 _WIDTH = 98
 _DIGITS = 20  # before the point; six behind it are kept
 

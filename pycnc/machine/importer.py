@@ -11,14 +11,13 @@ from decimal import Decimal
 from pycnc import errors
 from pycnc.machine import foreign, of_mills, of_printers
 from pycnc.machine import source as forms
-from pycnc.machine.draft import Draft
+from pycnc.machine.draft import OWN_DEFAULT, Draft
 
 _NUMBER = re.compile(r"[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d{1,3})?", re.ASCII)
 _MOTION = re.compile(  # what has to do with motion, and no equal here
     r"backlash|accel_to_decel|ferror|stepgen_maxvel|stepgen_maxaccel|max_joint|input_shap"
     r"|pressure_advance|shaper_freq|\bM(566|572|593|955|956)\b", re.I,
 )  # fmt: skip
-OWN_DEFAULT = "not in the source: the control's own default"
 
 
 class Source:

@@ -4,6 +4,7 @@
 import re
 from decimal import Decimal
 
+from pycnc.machine.draft import OWN_DEFAULT
 from pycnc.machine.schema import AXES, ROTARY_AXES
 
 _MM = {  # LINEAR_UNITS of LinuxCNC → millimetres
@@ -159,7 +160,7 @@ def fluidnc(source):
         source.axis(letter, "a_max", [(own, "acceleration_mm_per_sec2")], default=Decimal(25))
         travel, comment = source.number((own, "max_travel_mm"))
         if travel is None:
-            travel, comment = Decimal(1000), "not in the source: the control's own default"
+            travel, comment = Decimal(1000), OWN_DEFAULT
         at, _ = source.number((f"{own}.homing", "mpos_mm"))
         up = (source.word((f"{own}.homing", "positive_direction")) or "true").lower() == "true"
         if travel:

@@ -43,8 +43,15 @@ def klipper(source):
     if "extruder" in source.form.heads.values():
         source.axes.add("extruder")
         _extruder(source)
-        letters = [*letters, "u"]
+        letters = [*letters, _filament(source)]
     return letters
+
+
+def _filament(source):
+    """The extruder's axis, which has no ends; return its letter."""
+    for end in ("min", "max"):
+        source.draft.put(f"axis.u.{end}_mm", "free")
+    return "u"
 
 
 def _is_rail(section):
@@ -172,8 +179,6 @@ def _extruder(source):
         elif f"control.{key}" in values:
             words = "the extruder, E: by nozzle and filament, as Klipper has it"
             source.draft.axis("u", quantity, round(of(key, 1) * ratio, 3), words)
-    for end in ("min", "max"):
-        source.draft.put(f"axis.u.{end}_mm", "free")
 
 
 def marlin(source):
@@ -197,9 +202,7 @@ def marlin(source):
     source.own("min_segment_time_us", [("m205", "b")])
     _deviation_of_marlin(source)
     if extrudes:
-        letters = [*letters, "u"]
-        for end in ("min", "max"):
-            source.draft.put(f"axis.u.{end}_mm", "free")
+        letters = [*letters, _filament(source)]
     source.draft.left.append("travel: M503 does not have it; taken as free")
     source.draft.put("dialect.base", "marlin")
     source.draft.put("dialect.feed_default_mm_min", 1500, "until the first F, as Marlin has it")
@@ -249,9 +252,7 @@ def reprap(source):
     source.draft.put("dialect.base", "marlin")
     source.draft.put("dialect.feed_default_mm_min", 3000, "until the first F: 50 mm/s")
     if extrudes:
-        letters = [*letters, "u"]
-        for end in ("min", "max"):
-            source.draft.put(f"axis.u.{end}_mm", "free")
+        letters = [*letters, _filament(source)]
     return letters
 
 
