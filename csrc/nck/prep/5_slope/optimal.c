@@ -158,6 +158,7 @@ static nck_status_t lay_window(nck_optimal_t *self, const nck_pieces_t *pieces) 
     const nck_status_t status = count_intervals(self, pieces);
     if (status != NCK_DONE) return status;
     self->i = 0;
+    memset(self->looked, 0, sizeof self->looked);
     self->phase = PHASE_FILL;
     return set_wish(self);
 }

@@ -29,6 +29,16 @@ typedef struct nck_optimal_pace {
     float along[NCK_MOTION_NODES]; // |p′|² [(mm/s)²]
 } nck_optimal_pace_t;
 
+// Intervals about a node that are looked at.
+enum { NCK_OPTIMAL_LOOKS = 4 };
+
+// How fast the path goes by its clock in both halves of an interval.
+typedef struct nck_optimal_look {
+    uint32_t number;  // of the piece
+    uint32_t known;   // 1: by this plan
+    nck_num along[2]; // the most |p′|² [(mm/s)²]
+} nck_optimal_look_t;
+
 // The planner: a window in work, and the pace of the plan before.
 typedef struct nck_optimal {
     const nck_terms_t *terms;
@@ -48,6 +58,7 @@ typedef struct nck_optimal {
     double slower;         // the share that caps are lowered to of the speed now
     double vv_floor;       // what they are raised to for one plan, v²
     uint8_t held_by[NCK_MOTION_NODES]; // nck_limit_t that caps a node
+    nck_optimal_look_t looked[NCK_OPTIMAL_LOOKS];
     nck_optimal_pace_t pace[2];
     nck_motion_t motion;
 } nck_optimal_t;

@@ -2,7 +2,6 @@
 // Inside room 5: intervals of a clocked path become the nodes of a motion.
 #include "nck/prep/5_slope/optimal_nodes.h"
 
-#include "nck/base/path.h" // nck_path_tangent_part nck_path_second_part
 #include "nck/base/real.h" // nck_fabs nck_min nck_max nck_sqrt nck_num
 #include "nck/prep/5_slope/optimal_pace.h" // nck_optimal_work …
 
@@ -25,66 +24,114 @@ enum { LOOKS = 4 };
 // The same of speed, which it passes by less.
 #define SHARE_SPEED 0.999
 
-// Derivatives by the clock, at the begin or the end of an interval.
-static void derive(const nck_optimal_t *self, const nck_seg_t *seg, int at_end, nck_num *first_out,
-                   nck_num *second_out) {
-    const int axes = self->terms->axes;
-    const double per = seg->length / self->terms->knot_s;
-    const double s = at_end ? seg->length : 0.0;
-    double first[NCK_AXIS_MAX];
-    double second[NCK_AXIS_MAX];
-    nck_path_tangent_part(seg, s, axes, first);
-    nck_path_second_part(seg, s, axes, second);
-    for (int x = 0; x < axes; x++) {
-        first_out[x] = (nck_num)(per * first[x]);
-        second_out[x] = (nck_num)(per * per * second[x]);
+// A spline by the clock: differences of its points, and what a derivative by its own parameter is
+// multiplied by to be one by the clock [1/s].
+typedef struct hodograph {
+    nck_num of[3][NCK_AXIS_MAX]; // [mm]
+    nck_num length;              // of the path [path mm]
+    nck_num per;                 // length over the clock's time [path mm/s]
+} hodograph_t;
+
+static void set_hodograph(const nck_optimal_t *self, const nck_seg_t *seg, hodograph_t *out) {
+    const double (*const inner)[NCK_AXIS_MAX] = seg->shape.inner;
+    out->length = (nck_num)seg->length;
+    out->per = (nck_num)(seg->length / self->terms->knot_s);
+    for (int x = 0; x < self->terms->axes; x++) {
+        out->of[0][x] = (nck_num)(inner[0][x] - seg->start[x]);
+        out->of[1][x] = (nck_num)(inner[1][x] - inner[0][x]);
+        out->of[2][x] = (nck_num)(seg->end[x] - inner[1][x]);
     }
 }
 
-// |p′|² within an interval, at w of it; where the path is longer than what F is meant for, that of
-// X Y Z over that share, if it is more: a curve goes over from one such line to the next.
-static double along_at(const nck_optimal_t *self, const nck_seg_t *seg, double w) {
-    const double per = seg->length / self->terms->knot_s;
-    double tangent[NCK_AXIS_MAX];
-    const int axes = self->terms->axes;
-    double all = 0.0;
-    double tool = 0.0;
-    nck_path_tangent_part(seg, w * seg->length, axes, tangent);
-    for (int x = 0; x < axes; x++) {
-        all += tangent[x] * tangent[x];
+// dp/ds at f of an interval: nck_path_tangent, near the path.
+static nck_num tangent_at(const hodograph_t *path, int x, nck_num f) {
+    const nck_num d0 = path->of[0][x];
+    const nck_num d1 = path->of[1][x];
+    const nck_num d2 = path->of[2][x];
+    const nck_num d01 = d0 + (d1 - d0) * f;
+    const nck_num d12 = d1 + (d2 - d1) * f;
+    return 3 * (d01 + (d12 - d01) * f) / path->length;
+}
+
+// Derivatives by the clock, at the begin or the end of an interval.
+static void derive(const nck_optimal_t *self, const nck_seg_t *seg, int at_end, nck_num *first_out,
+                   nck_num *second_out) {
+    hodograph_t path;
+    set_hodograph(self, seg, &path);
+    const nck_num f = (nck_num)at_end;
+    const nck_num scale = 6 / (path.length * path.length);
+    for (int x = 0; x < self->terms->axes; x++) {
+        const nck_num dd0 = path.of[1][x] - path.of[0][x];
+        const nck_num dd1 = path.of[2][x] - path.of[1][x];
+        first_out[x] = path.per * tangent_at(&path, x, f);
+        second_out[x] = path.per * path.per * (scale * (dd0 + (dd1 - dd0) * f));
+    }
+}
+
+// |p′|² at f of an interval; where the path is longer than what F is meant for, that of X Y Z over
+// that share, if it is more: a curve goes over from one such line to the next.
+static nck_num along_at(const nck_optimal_t *self, const hodograph_t *path, nck_num scale,
+                        nck_num f) {
+    nck_num all = 0;
+    nck_num tool = 0;
+    for (int x = 0; x < self->terms->axes; x++) {
+        const nck_num tangent = tangent_at(path, x, f);
+        all += tangent * tangent;
         if (x <= NCK_AXIS_Z) tool = all;
     }
-    return per * per * nck_max(all, tool / (seg->feed_scale * seg->feed_scale));
+    tool /= scale * scale;
+    return path->per * path->per * (all > tool ? all : tool);
+}
+
+// The most |p′|² in either half of an interval. It is looked for once a plan: three nodes ask.
+static const nck_num *look_along(nck_optimal_t *self, const nck_node_t *piece, uint32_t number) {
+    nck_optimal_look_t *const look = &self->looked[number % NCK_OPTIMAL_LOOKS];
+    if (look->known && look->number == number) return look->along;
+    const nck_seg_t *const seg = nck_link_seg(self->link, piece->seg);
+    hodograph_t path;
+    set_hodograph(self, seg, &path);
+    look->known = 1;
+    look->number = number;
+    look->along[0] = 0;
+    look->along[1] = 0;
+    for (int n = 0; n <= LOOKS; n++) {
+        const nck_num f = (nck_num)n / (nck_num)LOOKS;
+        const nck_num along = along_at(self, &path, (nck_num)seg->feed_scale, f);
+        if (2 * n <= LOOKS && along > look->along[0]) look->along[0] = along;
+        if (2 * n >= LOOKS && along > look->along[1]) look->along[1] = along;
+    }
+    return look->along;
 }
 
 // What stands about a node: within half an interval of it b is a mean of its own and both
 // neighbours', so what holds at all three within one and a half keeps feeds between nodes, too.
 typedef struct nearby {
-    double along; // the most |p′|² [(mm/s)²]
-    double vv;    // the least that is wanted [(mm/s)²]
+    nck_num along; // the most |p′|² [(mm/s)²]
+    double vv;     // the least that is wanted [(mm/s)²]
 } nearby_t;
 
-// … an interval of it, from one place to another.
-static void look_at(const nck_optimal_t *self, const nck_node_t *piece, const int span[2],
-                    nearby_t *around) {
-    const nck_seg_t *const seg = nck_link_seg(self->link, piece->seg);
+// … an interval of it, from one half to another.
+static void look_at(nck_optimal_t *self, const nck_node_t *piece, uint32_t number,
+                    const int span[2], nearby_t *around) {
+    const nck_num *const along = look_along(self, piece, number);
     around->vv = nck_min(around->vv, nck_optimal_wanted(self, piece));
     for (int n = span[0]; n <= span[1]; n++) {
-        around->along = nck_max(around->along, along_at(self, seg, (double)n / (double)LOOKS));
+        if (along[n] > around->along) around->along = along[n];
     }
 }
 
 // Begin of the path's motion or of the window, and its end, end what is looked at.
-static void look_around(const nck_optimal_t *self, const nck_pieces_t *pieces, uint32_t number,
+static void look_around(nck_optimal_t *self, const nck_pieces_t *pieces, uint32_t number,
                         nearby_t *around_out) {
-    static const int span[4][2] = {{LOOKS / 2, LOOKS}, {0, LOOKS}, {0, LOOKS}, {0, LOOKS / 2}};
-    around_out->along = 0.0;
+    static const int span[4][2] = {{1, 1}, {0, 1}, {0, 1}, {0, 0}};
+    around_out->along = 0;
     around_out->vv = PACE_MOST * PACE_MOST;
     for (uint32_t n = 0; n < 4; n++) {
-        const nck_node_t *const piece = nck_plan_piece(pieces, number + n - 2);
+        const uint32_t at = number + n - 2;
+        const nck_node_t *const piece = nck_plan_piece(pieces, at);
         const int is_of_run = piece && piece->length > 0.0
                               && nck_link_seg(self->link, piece->seg)->keeps == NCK_KEEP_CLOCK;
-        if (is_of_run) look_at(self, piece, span[n], around_out);
+        if (is_of_run) look_at(self, piece, at, span[n], around_out);
     }
 }
 
@@ -107,7 +154,7 @@ static double cap_of(const nck_optimal_t *self, const nck_num *first, const near
         cap = v * v / pp;
         slowest = x;
     }
-    if (around->along * cap > around->vv) return around->vv / around->along;
+    if ((double)around->along * cap > around->vv) return around->vv / (double)around->along;
     if (*limit != NCK_LIMIT_RAPID) *limit = (uint8_t)(NCK_LIMIT_AXIS_V + slowest);
     return cap;
 }
