@@ -50,19 +50,23 @@ static void fair_begin(nck_fair_t *fair, const fair_case_t *about)
     for (int a = 0; a < about->axes; a++) task.weight[a] = (nck_num)(a == 1 ? 0.5 : 1.0);
     nck_fair_begin(fair, &task);
     for (int i = 0; i < FAIR_KNOTS; i++) {
-        double jerk[NCK_AXIS_MAX];
+        nck_num jerk[NCK_AXIS_MAX];
         for (int a = 0; a < about->axes; a++) {
             const int turns = i == 10 + 3 * a || i == 25;
-            jerk[a] = turns ? about->bend : i == 11 + 3 * a ? -about->bend : 0.1 * any(&state);
+            jerk[a] = (nck_num)(turns ? about->bend
+                                      : i == 11 + 3 * a ? -about->bend : 0.1 * any(&state));
         }
         nck_fair_set_jerk(fair, i, jerk);
         for (int k = 0; k < NCK_FAIR_BINS; k++) {
             for (int n = 0; n < FAIR_PER_BIN; n++) {
-                double off[NCK_AXIS_MAX];
-                for (int a = 0; a < about->axes; a++) off[a] = about->noise * any(&state);
-                nck_fair_add_sample(fair, (k + 0.3 + 0.4 * n) / (double)NCK_FAIR_BINS, off);
+                const double place = (k + 0.3 + 0.4 * n) / (double)NCK_FAIR_BINS;
+                nck_num off[NCK_AXIS_MAX];
+                for (int a = 0; a < about->axes; a++) {
+                    off[a] = (nck_num)(about->noise * any(&state));
+                }
+                nck_fair_add_sample(fair, (nck_num)place, off);
             }
-            nck_fair_close_bin(fair, 0.98);
+            nck_fair_close_bin(fair, (nck_num)0.98);
         }
     }
 }
@@ -198,12 +202,14 @@ static void a_full_problem_leaves_samples_out_and_has_one_in_every_bin(check_t *
 {
     const nck_fair_task_t task = {FAIR_KNOTS, 2, 0, 40, (nck_num)0.05, 0, 15, {1, 1}};
     nck_fair_begin(&fair, &task);
-    const double off[2] = {0.1, 0.0}, none[2] = {0.0, 0.0};
+    const nck_num off[2] = {(nck_num)0.1, 0}, none[2] = {0, 0};
     for (int i = 0; i < FAIR_KNOTS; i++) {
         nck_fair_set_jerk(&fair, i, none);
         for (int k = 0; k < NCK_FAIR_BINS; k++) {
-            for (int n = 0; n < NCK_FAIR_SAMPLES; n++) nck_fair_add_sample(&fair, 0.25 * k, off);
-            nck_fair_close_bin(&fair, 0.98);
+            for (int n = 0; n < NCK_FAIR_SAMPLES; n++) {
+                nck_fair_add_sample(&fair, (nck_num)(0.25 * k), off);
+            }
+            nck_fair_close_bin(&fair, (nck_num)0.98);
         }
     }
     CHECK_INT(check, fair.bins, NCK_FAIR_BINS * FAIR_KNOTS);

@@ -107,30 +107,49 @@ void nck_path_third(const nck_seg_t *seg, double s, double *third_out) {
     nck_path_third_part(seg, s, NCK_AXIS_MAX, third_out);
 }
 
-// |dp/ds| at s.
-static double speed_at(const nck_seg_t *seg, double s) {
-    double tangent[NCK_AXIS_MAX];
-    double square = 0.0;
-    nck_path_tangent(seg, s, tangent);
-    for (int x = 0; x < NCK_AXIS_MAX; x++) square += tangent[x] * tangent[x];
-    return nck_sqrt(square);
-}
-
-// Parts of a seg over which that is straight, as good as. A length from it never goes back, where a
-// spline all but stands still, too.
+// Parts of a spline over which its speed is straight, as good as. A length from it never goes back,
+// where it all but stands still, too.
 enum { SHARE_PARTS = 4 };
 
-double nck_path_share(const nck_seg_t *seg, double s) {
-    const double place = nck_min(s / seg->length, 1.0) * (double)SHARE_PARTS;
-    double before = speed_at(seg, 0.0);
-    double whole = 0.0;
-    double part = 0.0;
-    for (int i = 0; i < SHARE_PARTS; i++) {
-        const double behind = speed_at(seg, seg->length * (double)(i + 1) / (double)SHARE_PARTS);
-        const double way = nck_min(nck_max(place - (double)i, 0.0), 1.0);
-        whole += 0.5 * (before + behind);
-        part += way * (before + 0.5 * way * (behind - before));
-        before = behind;
+// Differences of a spline's points along an axis: short, so a number of the solvers' type holds
+// them.
+static void find_ways(const nck_seg_t *seg, int x, nck_num *way_out) {
+    way_out[0] = (nck_num)(seg->shape.inner[0][x] - seg->start[x]);
+    way_out[1] = (nck_num)(seg->shape.inner[1][x] - seg->shape.inner[0][x]);
+    way_out[2] = (nck_num)(seg->end[x] - seg->shape.inner[1][x]);
+}
+
+// L/3 · dp/ds by them at f.
+static nck_num third_of_way(const nck_num *way, nck_num f) {
+    const nck_num d01 = way[0] + (way[1] - way[0]) * f;
+    const nck_num d12 = way[1] + (way[2] - way[1]) * f;
+    return d01 + (d12 - d01) * f;
+}
+
+double nck_path_share(const nck_seg_t *seg, double s, double *speed_out) {
+    const nck_num f = (nck_num)nck_min(s / seg->length, 1.0);
+    nck_num speed[SHARE_PARTS + 1] = {0};
+    nck_num here = 0;
+    nck_num whole = 0;
+    nck_num part = 0;
+    for (int x = 0; x < NCK_AXIS_MAX; x++) {
+        nck_num way[3];
+        find_ways(seg, x, way);
+        const nck_num own = third_of_way(way, f);
+        here += own * own;
+        for (int i = 0; i <= SHARE_PARTS; i++) {
+            const nck_num third = third_of_way(way, (nck_num)i / (nck_num)SHARE_PARTS);
+            speed[i] += third * third;
+        }
     }
-    return whole > 0.0 ? nck_min(part / whole, 1.0) : s / seg->length;
+    for (int i = 0; i <= SHARE_PARTS; i++) speed[i] = NCK_NUM_SQRT(speed[i]);
+    for (int i = 0; i < SHARE_PARTS; i++) {
+        const nck_num at = f * (nck_num)SHARE_PARTS - (nck_num)i;
+        const nck_num way = at > 0 ? (at < 1 ? at : 1) : 0;
+        whole += (speed[i] + speed[i + 1]) / 2;
+        part += way * (speed[i] + way * (speed[i + 1] - speed[i]) / 2);
+    }
+    *speed_out = (double)(3 * NCK_NUM_SQRT(here)) / seg->length;
+    if (!(whole > 0)) return (double)f;
+    return part < whole ? (double)(part / whole) : 1.0;
 }

@@ -26,8 +26,8 @@ void nck_path_second_part(const nck_seg_t *seg, double s, int axes, double *seco
 void nck_path_third_part(const nck_seg_t *seg, double s, int axes, double *third_out);
 
 // The share of a spline's own length that lies before s, by the trapezoid rule of four parts.
-// 0 ≤ s ≤ L; L must be positive. Cost: five tangents. Context: any.
-double nck_path_share(const nck_seg_t *seg, double s);
+// speed_out: |dp/ds| there. 0 ≤ s ≤ L; L must be positive. Cost: six tangents. Context: any.
+double nck_path_share(const nck_seg_t *seg, double s, double *speed_out);
 
 #ifdef __cplusplus
 }

@@ -58,6 +58,8 @@ typedef int64_t nck_int64;
 
 // A literal of the solvers' type.
 #define NCK_NUM_OF(x) ((nck_num)(x))
+// What its numbers next to 1 are apart.
+#define NCK_NUM_EPSILON ((nck_num)(sizeof(nck_num) == 4 ? 0x1p-23 : 0x1p-52))
 
 // Ternaries on purpose: fmin in a dependent chain costs 2.5 times more, and NaN rules stay visible.
 static inline nck_real nck_min(nck_real a, nck_real b) { return b < a ? b : a; }

@@ -42,9 +42,9 @@ void nck_fair_begin(nck_fair_t *self, const nck_fair_task_t *task) {
     self->first[1] = 0;
 }
 
-void nck_fair_set_jerk(nck_fair_t *self, int i, const double *jerk) {
+void nck_fair_set_jerk(nck_fair_t *self, int i, const nck_num *jerk) {
     const int axes = self->task.axes;
-    for (int a = 0; a < axes; a++) self->jerk[i * axes + a] = (nck_num)jerk[a];
+    for (int a = 0; a < axes; a++) self->jerk[i * axes + a] = jerk[a];
 }
 
 int nck_fair_room(const nck_fair_t *self) {
@@ -53,17 +53,17 @@ int nck_fair_room(const nck_fair_t *self) {
     return NCK_FAIR_SAMPLES - self->first[self->bins + 1] - to_come + 1 - own;
 }
 
-void nck_fair_add_sample(nck_fair_t *self, double place, const double *off) {
+void nck_fair_add_sample(nck_fair_t *self, nck_num place, const nck_num *off) {
     const int axes = self->task.axes;
     const int k = self->first[self->bins + 1];
     if (k > self->first[self->bins] && nck_fair_room(self) <= 0) return;
-    self->place[k] = (nck_num)place;
-    for (int a = 0; a < axes; a++) self->off[k * axes + a] = (nck_num)off[a];
+    self->place[k] = place;
+    for (int a = 0; a < axes; a++) self->off[k * axes + a] = off[a];
     self->first[self->bins + 1] = (uint16_t)(k + 1);
 }
 
-void nck_fair_close_bin(nck_fair_t *self, double limit) {
-    self->limit[self->bins] = (nck_num)(limit * limit);
+void nck_fair_close_bin(nck_fair_t *self, nck_num limit) {
+    self->limit[self->bins] = limit * limit;
     self->bins++;
     if (self->bins < NCK_FAIR_ROWS) self->first[self->bins + 1] = self->first[self->bins];
 }

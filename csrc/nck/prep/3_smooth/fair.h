@@ -92,14 +92,14 @@ typedef struct nck_fair {
 void nck_fair_begin(nck_fair_t *self, const nck_fair_task_t *task);
 
 // The reference's jerk in interval i, so many axes. Cost: constant. Context: prep.
-void nck_fair_set_jerk(nck_fair_t *self, int i, const double *jerk);
+void nck_fair_set_jerk(nck_fair_t *self, int i, const nck_num *jerk);
 
 // Add a sample to the bin that is filled: its place in the interval, and how far the reference is
 // off it, over P. What has no room is left out. Cost: constant. Context: prep.
-void nck_fair_add_sample(nck_fair_t *self, double place, const double *off);
+void nck_fair_add_sample(nck_fair_t *self, nck_num place, const nck_num *off);
 
 // Close the bin. limit: of |e|. It must have a sample. Cost: constant. Context: prep.
-void nck_fair_close_bin(nck_fair_t *self, double limit);
+void nck_fair_close_bin(nck_fair_t *self, nck_num limit);
 
 // So many samples still have room beside one for each bin to come. Cost: constant. Context: prep.
 int nck_fair_room(const nck_fair_t *self);

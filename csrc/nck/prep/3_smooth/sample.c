@@ -10,7 +10,8 @@
 #define PLENTY 8      // bins of the window may have as many samples as this one without its choice
 #define PARTS 8       // of a stretch, where its bound is not within P
 #define REST_BINS 16  // of an interval on the way to a rest, over which s is as good as straight
-#define ROUNDING 2e-6 // [mm] kept of the tolerance: setpoints are whole nanometres
+#define ROUNDING ((nck_num)2e-6) // [mm] kept of the tolerance: setpoints are whole nanometres
+#define LOSS (8 * NCK_NUM_EPSILON) // what eight sums lose of the largest number in them
 
 // The program's point at s.
 static void find_point(nck_stream_t *self, double s, double *point_out) {
@@ -27,38 +28,52 @@ void nck_sample_reference(nck_stream_t *self, int k) {
     else find_point(self, clock->s[4 * (k - 1)], point);
 }
 
-// The curve in an interval: coefficients of w, w = 0 … 1, an axis a row.
+// The curve in an interval, from a point of the program near it: coefficients of w, w = 0 … 1, an
+// axis a row [mm].
 typedef struct cubic {
-    double of[NCK_AXIS_MAX][4];
+    nck_track_view_t from;
+    nck_num of[NCK_AXIS_MAX][4];
+    nck_num loss; // what rounding may take of a distance from it [mm]
 } cubic_t;
 
 // c: four control points.
 static void set_cubic(int axes, const double *const *c, cubic_t *cubic_out) {
+    nck_num most = 0;
     for (int x = 0; x < axes; x++) {
-        cubic_out->of[x][0] = (c[0][x] + 4.0 * c[1][x] + c[2][x]) / 6.0;
-        cubic_out->of[x][1] = (c[2][x] - c[0][x]) / 2.0;
-        cubic_out->of[x][2] = (c[0][x] - 2.0 * c[1][x] + c[2][x]) / 2.0;
-        cubic_out->of[x][3] = (c[3][x] - c[0][x] + 3.0 * (c[1][x] - c[2][x])) / 6.0;
+        nck_num *const of = cubic_out->of[x];
+        nck_num at[4];
+        for (int k = 0; k < 4; k++) {
+            at[k] = (nck_num)(c[k][x] - cubic_out->from.point[x]);
+            if (NCK_NUM_ABS(at[k]) > most) most = NCK_NUM_ABS(at[k]);
+        }
+        of[0] = (at[0] + 4 * at[1] + at[2]) / 6;
+        of[1] = (at[2] - at[0]) / 2;
+        of[2] = (at[0] - 2 * at[1] + at[2]) / 2;
+        of[3] = (at[3] - at[0] + 3 * (at[1] - at[2])) / 6;
     }
+    cubic_out->loss = LOSS * most;
 }
 
-static void set_interval(const nck_stream_t *self, int i, cubic_t *cubic_out) {
+static void set_interval(nck_stream_t *self, int i, cubic_t *cubic_out) {
     const double *const c[4] = {self->point[i], self->point[i + 1], self->point[i + 2],
                                 self->point[i + 3]};
+    const double s = self->clock.s[NCK_FAIR_BINS * i];
+    self->near = nck_track_find(&self->track, self->near, s);
+    nck_track_view(&self->track, self->near, s, &cubic_out->from);
     set_cubic(self->track.axes, c, cubic_out);
 }
 
-static double curve_at(const cubic_t *cubic, int x, double w) {
-    const double *const of = cubic->of[x];
+static nck_num curve_at(const cubic_t *cubic, int x, nck_num w) {
+    const nck_num *const of = cubic->of[x];
     return of[0] + w * (of[1] + w * (of[2] + w * of[3]));
 }
 
-// How far the curve is from the point, over `unit`. Returns the distance's square.
-static double set_off(const nck_stream_t *self, const cubic_t *cubic, double w, const double *point,
-                      double *off_out) {
-    double sum = 0.0;
+// How far the curve is from a point of the program [mm]. Returns the distance's square.
+static nck_num set_off(const nck_stream_t *self, const cubic_t *cubic, nck_num w,
+                       const nck_num *point, nck_num *off_out) {
+    nck_num sum = 0;
     for (int x = 0; x < self->track.axes; x++) {
-        off_out[x] = (curve_at(cubic, x, w) - point[x]) / self->unit;
+        off_out[x] = curve_at(cubic, x, w) - point[x];
         sum += off_out[x] * off_out[x];
     }
     return sum;
@@ -66,11 +81,11 @@ static double set_off(const nck_stream_t *self, const cubic_t *cubic, double w, 
 
 // A bin while its samples are chosen.
 typedef struct bin {
-    double s[2];    // of the program
-    double w[2];    // of the interval
-    uint32_t first; // element at its begin
-    uint32_t last;  // and at its end
-    double tolerance; // the least of them [mm]
+    double s[2];       // of the program
+    nck_num w[2];      // of the interval
+    uint32_t first;    // element at its begin
+    uint32_t last;     // and at its end
+    nck_num tolerance; // the least of them [mm]
 } bin_t;
 
 // Elements and tolerance of a bin whose ends are known.
@@ -80,91 +95,113 @@ static void set_elements(nck_stream_t *self, bin_t *bin_out) {
     bin_out->first = nck_track_find(track, self->near, s[0]);
     self->near = bin_out->first;
     bin_out->last = nck_track_find(track, self->near, s[1]);
-    bin_out->tolerance = 1e9;
-    for (uint32_t n = bin_out->first; n != bin_out->last + 1; n++) {
-        bin_out->tolerance = nck_min(bin_out->tolerance, (double)nck_track_at(track, n)->tolerance);
+    bin_out->tolerance = (nck_num)nck_track_at(track, bin_out->first)->tolerance;
+    for (uint32_t n = bin_out->first + 1; n != bin_out->last + 1; n++) {
+        const nck_num tolerance = (nck_num)nck_track_at(track, n)->tolerance;
+        if (tolerance < bin_out->tolerance) bin_out->tolerance = tolerance;
     }
 }
 
 static void set_bin(nck_stream_t *self, int i, int k, bin_t *bin_out) {
-    memcpy(bin_out->s, &self->clock.s[4 * i + k], sizeof bin_out->s);
-    bin_out->w[0] = 0.25 * k;
-    bin_out->w[1] = 0.25 * (k + 1);
+    memcpy(bin_out->s, &self->clock.s[NCK_FAIR_BINS * i + k], sizeof bin_out->s);
+    bin_out->w[0] = (nck_num)0.25 * (nck_num)k;
+    bin_out->w[1] = (nck_num)0.25 * (nck_num)(k + 1);
     set_elements(self, bin_out);
 }
 
 // Where in the interval the program comes to s.
-static double place_of(const bin_t *bin, double s) {
-    const double way = bin->s[1] - bin->s[0];
-    const double share = way > 0.0 ? nck_min(nck_max((s - bin->s[0]) / way, 0.0), 1.0) : 0.0;
-    return bin->w[0] + share * (bin->w[1] - bin->w[0]);
+static nck_num place_of(const bin_t *bin, double s) {
+    const nck_num way = (nck_num)(bin->s[1] - bin->s[0]);
+    const nck_num share = way > 0 ? (nck_num)(s - bin->s[0]) / way : 0;
+    if (!(share > 0)) return bin->w[0];
+    return share < 1 ? bin->w[0] + share * (bin->w[1] - bin->w[0]) : bin->w[1];
 }
 
 // Of the tolerance what the curve may be off at samples: less by what may lie between them [mm].
-static double room_of(const nck_stream_t *self, double tolerance) {
-    const double quarter = 0.25 * self->wish.terms.tau;
-    const double lies_between = self->wish.terms.a_most * quarter * quarter / 8.0;
-    return nck_max(tolerance - ROUNDING - lies_between, 0.5 * tolerance);
+static nck_num room_of(const nck_stream_t *self, nck_num tolerance) {
+    const nck_num quarter = (nck_num)(0.25 * self->wish.terms.tau);
+    const nck_num lies_between = (nck_num)self->wish.terms.a_most * quarter * quarter / 8;
+    const nck_num room = tolerance - ROUNDING - lies_between;
+    return room > tolerance / 2 ? room : tolerance / 2;
 }
 
 // s in the middle of a bin, as its neighbours let expect: straight between its ends it would be off
 // by a tenth of a micrometre, at full acceleration.
 static double middle_of(const nck_timing_t *clock, int bin) {
     const double *const s = &clock->s[bin];
-    const double middle = bin > 0 ? (9.0 * (s[0] + s[1]) - s[-1] - s[2]) / 16.0
-                                  : (3.0 * s[0] + 6.0 * s[1] - s[2]) / 8.0;
-    return nck_min(nck_max(middle, s[0]), s[1]);
+    const nck_num way = (nck_num)(s[1] - s[0]);
+    const nck_num behind = (nck_num)(s[2] - s[1]);
+    nck_num part = (5 * way - behind) / 8;
+    if (bin > 0) part = (8 * way + (nck_num)(s[0] - s[-1]) - behind) / 16;
+    if (!(part > 0)) return s[0];
+    return part < way ? s[0] + (double)part : s[1];
 }
 
-static void add_point(nck_stream_t *self, const cubic_t *cubic, double w, const double *point) {
-    double off[NCK_AXIS_MAX];
+static void add_point(nck_stream_t *self, const cubic_t *cubic, nck_num w, const nck_num *point) {
+    const nck_num per = 1 / (nck_num)self->unit;
+    nck_num off[NCK_AXIS_MAX];
     (void)set_off(self, cubic, w, point, off);
-    for (int n = 0; n < self->moving; n++) off[n] = off[self->axis[n]]; // axes go up
+    for (int n = 0; n < self->moving; n++) off[n] = per * off[self->axis[n]]; // axes go up
     nck_fair_add_sample(&self->work.fair, w, off);
 }
 
 // Add the begin of an element as a sample: it is within the bin.
 static void add_vertex(nck_stream_t *self, const cubic_t *cubic, const bin_t *bin, uint32_t n) {
-    const nck_track_element_t *const element = nck_track_at(&self->track, n);
-    add_point(self, cubic, place_of(bin, element->s), element->start);
+    const double s = nck_track_at(&self->track, n)->s;
+    nck_num point[NCK_AXIS_MAX];
+    nck_track_offset(&self->track, &cubic->from, n, s, point);
+    add_point(self, cubic, place_of(bin, s), point);
 }
 
+// A bin's chord: its begin, and from there to its end [mm].
+typedef struct chord {
+    nck_num begin[NCK_AXIS_MAX];
+    nck_num way[NCK_AXIS_MAX];
+} chord_t;
+
 // How far the begin of an element is off the bin's chord, as a vector; its square.
-static double aside(const nck_stream_t *self, const bin_t *bin, const double *from,
-                    const double *to, uint32_t n, double *aside_out) {
-    const nck_track_element_t *const element = nck_track_at(&self->track, n);
-    const double f = 4.0 * (place_of(bin, element->s) - bin->w[0]);
-    double sum = 0.0;
+static nck_num aside(const nck_stream_t *self, const cubic_t *cubic, const bin_t *bin,
+                     const chord_t *chord, uint32_t n, nck_num *aside_out) {
+    const double s = nck_track_at(&self->track, n)->s;
+    const nck_num f = (nck_num)NCK_FAIR_BINS * (place_of(bin, s) - bin->w[0]);
+    nck_num sum = 0;
+    nck_track_offset(&self->track, &cubic->from, n, s, aside_out);
     for (int x = 0; x < self->track.axes; x++) {
-        aside_out[x] = element->start[x] - (from[x] + (to[x] - from[x]) * f);
+        aside_out[x] -= chord->begin[x] + chord->way[x] * f;
         sum += aside_out[x] * aside_out[x];
     }
     return sum;
 }
 
+static void set_chord(const nck_stream_t *self, const cubic_t *cubic, const bin_t *bin,
+                      chord_t *chord_out) {
+    nck_track_offset(&self->track, &cubic->from, bin->first, bin->s[0], chord_out->begin);
+    nck_track_offset(&self->track, &cubic->from, bin->last, bin->s[1], chord_out->way);
+    for (int x = 0; x < self->track.axes; x++) chord_out->way[x] -= chord_out->begin[x];
+}
+
 // Of many vertices in a bin, over which the curve is as good as straight: the one that is furthest
 // aside, and the one that is furthest to its other side.
 static void add_extremes(nck_stream_t *self, const cubic_t *cubic, const bin_t *bin) {
-    double ends[2][NCK_AXIS_MAX];
-    double here[NCK_AXIS_MAX];
-    double most[NCK_AXIS_MAX];
-    nck_track_point(&self->track, bin->first, bin->s[0], ends[0]);
-    nck_track_point(&self->track, bin->last, bin->s[1], ends[1]);
+    chord_t chord;
+    nck_num here[NCK_AXIS_MAX];
+    nck_num most[NCK_AXIS_MAX];
     uint32_t best[2] = {bin->first + 1, bin->first + 1};
-    double top = -1.0;
+    nck_num top = -1;
+    set_chord(self, cubic, bin, &chord);
     for (uint32_t n = bin->first + 1; n != bin->last + 1; n++) {
-        const double square = aside(self, bin, ends[0], ends[1], n, here);
+        const nck_num square = aside(self, cubic, bin, &chord, n, here);
         if (!(square > top)) continue;
         top = square;
         best[0] = n;
         memcpy(most, here, sizeof most);
     }
-    double other = 0.0;
+    nck_num other = 0;
     for (uint32_t n = bin->first + 1; n != bin->last + 1; n++) {
-        (void)aside(self, bin, ends[0], ends[1], n, here);
-        double along = 0.0;
+        (void)aside(self, cubic, bin, &chord, n, here);
+        nck_num along = 0;
         for (int x = 0; x < self->track.axes; x++) along += here[x] * most[x];
-        if (!(along < other) && other < 0.0) continue;
+        if (!(along < other) && other < 0) continue;
         other = along;
         best[1] = n;
     }
@@ -175,19 +212,20 @@ static void add_extremes(nck_stream_t *self, const cubic_t *cubic, const bin_t *
 // Add the middle of what an arc has in the bin: it is furthest from the chord of its ends.
 static void add_arc(nck_stream_t *self, const cubic_t *cubic, const bin_t *bin, uint32_t n) {
     const nck_track_element_t *const element = nck_track_at(&self->track, n);
-    double point[NCK_AXIS_MAX];
+    nck_num point[NCK_AXIS_MAX];
     if (element->kind != NCK_SEG_ARC || nck_fair_room(&self->work.fair) <= 0) return;
     const double begin = nck_max(bin->s[0], element->s);
     const double middle = 0.5 * (begin + nck_min(bin->s[1], element->s + element->length));
-    nck_track_point(&self->track, n, middle, point);
+    nck_track_offset(&self->track, &cubic->from, n, middle, point);
     add_point(self, cubic, place_of(bin, middle), point);
 }
 
 // The samples of a bin: its middle, vertices, and arcs among them.
 static void fill_bin(nck_stream_t *self, const cubic_t *cubic, const bin_t *bin, double middle) {
-    double point[NCK_AXIS_MAX];
-    find_point(self, middle, point);
-    add_point(self, cubic, 0.5 * (bin->w[0] + bin->w[1]), point);
+    nck_num point[NCK_AXIS_MAX];
+    self->near = nck_track_find(&self->track, self->near, middle);
+    nck_track_offset(&self->track, &cubic->from, self->near, middle, point);
+    add_point(self, cubic, (bin->w[0] + bin->w[1]) / 2, point);
     const uint32_t vertices = bin->last - bin->first;
     if (vertices > 2 && (int)vertices > nck_fair_room(&self->work.fair) / PLENTY) {
         add_extremes(self, cubic, bin);
@@ -197,17 +235,17 @@ static void fill_bin(nck_stream_t *self, const cubic_t *cubic, const bin_t *bin,
     for (uint32_t n = bin->first; vertices > 0 && n != bin->last + 1; n++) {
         add_arc(self, cubic, bin, n);
     }
-    nck_fair_close_bin(&self->work.fair,
-                       self->share * room_of(self, bin->tolerance) / self->unit);
+    nck_fair_close_bin(&self->work.fair, (nck_num)self->share * room_of(self, bin->tolerance)
+                                             / (nck_num)self->unit);
 }
 
 void nck_sample_interval(nck_stream_t *self, int i) {
     const nck_timing_terms_t *const terms = &self->wish.terms;
-    const double per = 1.0 / (terms->j_least * terms->tau * terms->tau * terms->tau);
+    const double per = 6.0 / (terms->j_least * terms->tau * terms->tau * terms->tau);
     cubic_t cubic;
-    double jerk[NCK_AXIS_MAX];
+    nck_num jerk[NCK_AXIS_MAX];
     set_interval(self, i, &cubic);
-    for (int n = 0; n < self->moving; n++) jerk[n] = 6.0 * cubic.of[self->axis[n]][3] * per;
+    for (int n = 0; n < self->moving; n++) jerk[n] = (nck_num)per * cubic.of[self->axis[n]][3];
     nck_fair_set_jerk(&self->work.fair, i, jerk);
     for (int k = 0; k < NCK_FAIR_BINS; k++) {
         bin_t bin;
@@ -218,63 +256,72 @@ void nck_sample_interval(nck_stream_t *self, int i) {
 
 // A place where the curve is held against the program.
 typedef struct stand {
-    double w;                  // of the interval
-    double off;                // |r − p| [mm]
-    double bend[NCK_AXIS_MAX]; // r″ − p″ over w [mm]
-    double drift;              // most |p‴| over w: how that changes apart from r‴ [mm]
+    nck_num w;                  // of the interval
+    nck_num off;                // |r − p| [mm]
+    nck_num bend[NCK_AXIS_MAX]; // r″ − p″ over w [mm]
+    nck_num drift;              // most |p‴| over w: how that changes apart from r‴ [mm]
 } stand_t;
+
+// What an arc bends beside the curve there.
+static void set_arc_bend(const nck_stream_t *self, uint32_t n, double s, nck_num rate,
+                         stand_t *stand) {
+    const nck_track_element_t *const element = nck_track_at(&self->track, n);
+    double second[NCK_AXIS_MAX];
+    nck_seg_t seg;
+    nck_num square = 0;
+    nck_track_seg(&self->track, n, &seg);
+    nck_path_second_part(&seg, nck_max(s - element->s, 0.0), self->track.axes, second);
+    for (int x = 0; x < self->track.axes; x++) {
+        stand->bend[x] -= (nck_num)second[x] * rate * rate;
+        square += (nck_num)second[x] * (nck_num)second[x];
+    }
+    const nck_num turn = (nck_num)(nck_fabs(element->shape.arc.sweep) / element->length);
+    stand->drift = NCK_NUM_SQRT(square) * turn * rate * rate * rate;
+}
 
 // Hold them against each other at s of the element n; rate: ds/dw there.
 static void set_stand(const nck_stream_t *self, const cubic_t *cubic, uint32_t n, double s,
-                      double rate, stand_t *stand) {
-    const int axes = self->track.axes;
-    const nck_track_element_t *const element = nck_track_at(&self->track, n);
-    double point[NCK_AXIS_MAX];
-    double off[NCK_AXIS_MAX];
-    nck_track_point(&self->track, n, s, point);
-    stand->off = self->unit * nck_sqrt(set_off(self, cubic, stand->w, point, off));
-    for (int x = 0; x < axes; x++) {
-        stand->bend[x] = 2.0 * cubic->of[x][2] + 6.0 * cubic->of[x][3] * stand->w;
+                      nck_num rate, stand_t *stand) {
+    nck_num point[NCK_AXIS_MAX];
+    nck_num off[NCK_AXIS_MAX];
+    nck_track_offset(&self->track, &cubic->from, n, s, point);
+    stand->off = NCK_NUM_SQRT(set_off(self, cubic, stand->w, point, off));
+    for (int x = 0; x < self->track.axes; x++) {
+        stand->bend[x] = 2 * cubic->of[x][2] + 6 * cubic->of[x][3] * stand->w;
     }
-    stand->drift = 0.0;
-    if (element->kind != NCK_SEG_ARC) return;
-    nck_seg_t seg;
-    nck_track_seg(&self->track, n, &seg);
-    nck_path_second_part(&seg, nck_max(s - element->s, 0.0), axes, off);
-    double square = 0.0;
-    for (int x = 0; x < axes; x++) {
-        stand->bend[x] -= off[x] * rate * rate;
-        square += off[x] * off[x];
+    stand->drift = 0;
+    if (nck_track_at(&self->track, n)->kind == NCK_SEG_ARC) {
+        set_arc_bend(self, n, s, rate, stand);
     }
-    const double turn = nck_fabs(element->arc.sweep) / element->length;
-    stand->drift = nck_sqrt(square) * turn * rate * rate * rate;
 }
 
-static double size_of(const double *vector, int axes) {
-    double sum = 0.0;
+static nck_num size_of(const nck_num *vector, int axes) {
+    nck_num sum = 0;
     for (int x = 0; x < axes; x++) sum += vector[x] * vector[x];
-    return nck_sqrt(sum);
+    return NCK_NUM_SQRT(sum);
 }
+
+static nck_num larger(nck_num a, nck_num b) { return b > a ? b : a; }
 
 // The most |r − p| from one place to another with no vertex between. A function whose second
 // derivative is no more than c leaves its chord by no more than c h²/8.
-static double most_between(const stand_t *a, const stand_t *b, int axes) {
-    const double h = b->w - a->w;
-    const double bend = nck_max(size_of(a->bend, axes), size_of(b->bend, axes));
-    return nck_max(a->off, b->off) + (bend + 0.5 * h * nck_max(a->drift, b->drift)) * h * h / 8.0;
+static nck_num most_between(const stand_t *a, const stand_t *b, int axes) {
+    const nck_num h = b->w - a->w;
+    const nck_num bend = larger(size_of(a->bend, axes), size_of(b->bend, axes));
+    return larger(a->off, b->off) + (bend + h * larger(a->drift, b->drift) / 2) * h * h / 8;
 }
 
 // A stretch of an interval with no vertex in it.
 typedef struct reach {
     uint32_t element;
-    double s[2]; // of the program
-    double w[2]; // of the interval
+    double s[2];  // of the program
+    nck_num w[2]; // of the interval
 } reach_t;
 
 // The most |r − p| along it, s straight over w [mm].
-static double most_along(const nck_stream_t *self, const cubic_t *cubic, const reach_t *on) {
-    const double way = on->w[1] - on->w[0];
-    const double rate = way > 0.0 ? (on->s[1] - on->s[0]) / way : 0.0;
+static nck_num most_along(const nck_stream_t *self, const cubic_t *cubic, const reach_t *on) {
+    const nck_num way = on->w[1] - on->w[0];
+    const nck_num rate = way > 0 ? (nck_num)(on->s[1] - on->s[0]) / way : 0;
     stand_t from = {.w = on->w[0]};
     stand_t to = {.w = on->w[1]};
     set_stand(self, cubic, on->element, on->s[0], rate, &from);
@@ -282,33 +329,31 @@ static double most_along(const nck_stream_t *self, const cubic_t *cubic, const r
     return most_between(&from, &to, self->track.axes);
 }
 
-// s of the program that is next to a point, near another s in the element n.
-static double nearest(const nck_stream_t *self, uint32_t n, double s, const double *point) {
-    nck_seg_t seg;
-    double here[NCK_AXIS_MAX];
-    double tangent[NCK_AXIS_MAX];
-    double along = 0.0;
-    nck_track_point(&self->track, n, s, here);
-    nck_track_seg(&self->track, n, &seg);
-    nck_path_tangent_part(&seg, s - nck_track_at(&self->track, n)->s, self->track.axes, tangent);
-    for (int x = 0; x < self->track.axes; x++) along += (point[x] - here[x]) * tangent[x];
-    return s + along;
+// s of the program that is next to a point, which is `off` its point at another s in the element n.
+static double nearest(const nck_stream_t *self, uint32_t n, double s, const nck_num *off) {
+    nck_num tangent[NCK_AXIS_MAX];
+    nck_num along = 0;
+    nck_track_tangent(&self->track, n, s, tangent);
+    for (int x = 0; x < self->track.axes; x++) along += off[x] * tangent[x];
+    return s + (double)along;
 }
 
 // The same, s as it is best at places within: any s does that never goes back.
-static double most_along_parts(const nck_stream_t *self, const cubic_t *cubic,
-                               const reach_t *on) {
-    double most = 0.0;
-    double point[NCK_AXIS_MAX];
+static nck_num most_along_parts(const nck_stream_t *self, const cubic_t *cubic,
+                                const reach_t *on) {
+    nck_num most = 0;
+    nck_num point[NCK_AXIS_MAX];
+    nck_num off[NCK_AXIS_MAX];
     reach_t part = *on;
     for (int k = 1; k <= PARTS; k++) {
-        const double share = (double)k / PARTS;
-        const double s = on->s[0] + (on->s[1] - on->s[0]) * share;
+        const nck_num share = (nck_num)k / (nck_num)PARTS;
+        const double s = on->s[0] + (on->s[1] - on->s[0]) * (double)share;
         part.w[1] = on->w[0] + (on->w[1] - on->w[0]) * share;
-        for (int x = 0; x < self->track.axes; x++) point[x] = curve_at(cubic, x, part.w[1]);
-        part.s[1] = k < PARTS ? nearest(self, on->element, s, point) : on->s[1];
+        nck_track_offset(&self->track, &cubic->from, on->element, s, point);
+        (void)set_off(self, cubic, part.w[1], point, off);
+        part.s[1] = k < PARTS ? nearest(self, on->element, s, off) : on->s[1];
         part.s[1] = nck_min(nck_max(part.s[1], part.s[0]), on->s[1]);
-        most = nck_max(most, most_along(self, cubic, &part));
+        most = larger(most, most_along(self, cubic, &part));
         part.s[0] = part.s[1];
         part.w[0] = part.w[1];
     }
@@ -316,42 +361,58 @@ static double most_along_parts(const nck_stream_t *self, const cubic_t *cubic,
 }
 
 // The most |r − p|/P in a bin.
-static double bin_miss(const nck_stream_t *self, const cubic_t *cubic, const bin_t *bin) {
-    double most = 0.0;
-    reach_t on = {.w = {bin->w[0], 0.0}};
+static nck_num bin_miss(const nck_stream_t *self, const cubic_t *cubic, const bin_t *bin) {
+    const nck_num kept = ROUNDING + cubic->loss;
+    nck_num most = 0;
+    reach_t on = {.w = {bin->w[0], 0}};
     for (uint32_t n = bin->first; n != bin->last + 1; n++) {
         const nck_track_element_t *const element = nck_track_at(&self->track, n);
-        const double room = (double)element->tolerance - ROUNDING;
+        const nck_num room = (nck_num)element->tolerance - kept;
         on.element = n;
         on.s[0] = nck_max(bin->s[0], element->s);
         on.s[1] = n == bin->last ? bin->s[1] : element->s + element->length;
         on.w[1] = n == bin->last ? bin->w[1] : place_of(bin, on.s[1]);
-        double off = most_along(self, cubic, &on);
-        if (off > room) off = nck_min(off, most_along_parts(self, cubic, &on));
-        most = nck_max(most, (off + ROUNDING) / (double)element->tolerance);
+        nck_num off = most_along(self, cubic, &on);
+        if (off > room) {
+            const nck_num parts = most_along_parts(self, cubic, &on);
+            if (parts < off) off = parts;
+        }
+        most = larger(most, (off + kept) / (nck_num)element->tolerance);
         on.w[0] = on.w[1];
     }
     return most;
 }
 
 double nck_sample_miss(nck_stream_t *self, int i) {
-    double most = 0.0;
+    nck_num most = 0;
     cubic_t cubic;
     set_interval(self, i, &cubic);
     for (int k = 0; k < NCK_FAIR_BINS; k++) {
         bin_t bin;
         set_bin(self, i, k, &bin);
-        most = nck_max(most, bin_miss(self, &cubic, &bin));
+        most = larger(most, bin_miss(self, &cubic, &bin));
     }
-    return most;
+    return (double)most;
 }
 
-// The uniform cubic B-spline of four coefficients.
-static double spline_of(const double *c, double w) {
-    const double v = 1.0 - w;
-    const double second = (4.0 + w * w * (3.0 * w - 6.0)) / 6.0;
-    const double third = (4.0 + v * v * (3.0 * v - 6.0)) / 6.0;
-    return (c[0] * v * v * v + c[3] * w * w * w) / 6.0 + c[1] * second + c[2] * third;
+// The uniform cubic B-spline of four coefficients, near the second one.
+static double spline_of(const double *c, nck_num w) {
+    const nck_num v = 1 - w;
+    const nck_num first = (nck_num)(c[0] - c[1]);
+    const nck_num third = (nck_num)(c[2] - c[1]);
+    const nck_num fourth = (nck_num)(c[3] - c[1]);
+    const nck_num share = (4 + v * v * (3 * v - 6)) / 6;
+    return c[1] + (double)((first * v * v * v + fourth * w * w * w) / 6 + third * share);
+}
+
+// s of the program next to a control point, from an s near it.
+static double next_to(nck_stream_t *self, double s, const double *point) {
+    nck_track_view_t view;
+    nck_num off[NCK_AXIS_MAX];
+    self->near = nck_track_find(&self->track, self->near, s);
+    nck_track_view(&self->track, self->near, s, &view);
+    for (int x = 0; x < self->track.axes; x++) off[x] = (nck_num)(point[x] - view.point[x]);
+    return nearest(self, self->near, s, off);
 }
 
 // s of the program on the way to a rest behind the joint, as coefficients of a spline: as near to
@@ -359,8 +420,7 @@ static double spline_of(const double *c, double w) {
 static void set_places(nck_stream_t *self, const double *s, nck_sample_rest_t *rest) {
     double *const place = rest->place;
     for (int n = 1; n < 3; n++) {
-        self->near = nck_track_find(&self->track, self->near, s[n - 1]);
-        const double here = nearest(self, self->near, s[n - 1], rest->point[n]);
+        const double here = next_to(self, s[n - 1], rest->point[n]);
         place[n] = nck_min(nck_max(here, n == 1 ? s[0] : place[1]), s[n]);
     }
     place[0] = nck_min(6.0 * s[0] - 4.0 * place[1] - place[2], place[1]);
@@ -408,15 +468,18 @@ void nck_sample_rest(nck_stream_t *self, const double *s, nck_sample_rest_t *res
 double nck_sample_rest_miss(nck_stream_t *self, const nck_sample_rest_t *rest, int i) {
     const double *const c[4] = {rest->point[i], rest->point[i + 1], rest->point[i + 2],
                                 rest->point[i + 3]};
-    double most = 0.0;
+    const double s = rest->place[i + 1];
+    nck_num most = 0;
     cubic_t cubic;
+    self->near = nck_track_find(&self->track, self->near, s);
+    nck_track_view(&self->track, self->near, s, &cubic.from);
     set_cubic(self->track.axes, c, &cubic);
     for (int n = 0; n < REST_BINS; n++) {
-        bin_t bin = {.w = {(double)n / REST_BINS, (double)(n + 1) / REST_BINS}};
+        bin_t bin = {.w = {(nck_num)n / (nck_num)REST_BINS, (nck_num)(n + 1) / (nck_num)REST_BINS}};
         bin.s[0] = spline_of(&rest->place[i], bin.w[0]);
         bin.s[1] = nck_max(spline_of(&rest->place[i], bin.w[1]), bin.s[0]);
         set_elements(self, &bin);
-        most = nck_max(most, bin_miss(self, &cubic, &bin));
+        most = larger(most, bin_miss(self, &cubic, &bin));
     }
-    return most;
+    return (double)most;
 }

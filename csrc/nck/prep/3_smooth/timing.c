@@ -2,7 +2,7 @@
 // Inside room 3: the clock's guess from the program's shape, and what is kept of a plan.
 #include "nck/prep/3_smooth/timing.h"
 
-#include "nck/base/real.h"                 // nck_fabs nck_max nck_min nck_sqrt
+#include "nck/base/real.h"                 // nck_max nck_min nck_num nck_sqrt
 #include "nck/base/root_math.h"            // nck_root_cube
 #include "nck/prep/3_smooth/timing_math.h" // nck_timing_reach_speed …
 
@@ -32,25 +32,24 @@ void nck_timing_begin(nck_timing_t *self, const nck_timing_terms_t *terms) {
 
 // What the rungs find at a place: v² ≤ 1/second, v³ ≤ 1/third, and the steepest axis.
 typedef struct bends {
-    double second; // [s²/mm²]
-    double third;  // [s³/mm³]
+    nck_num second; // [s²/mm²]
+    nck_num third;  // [s³/mm³]
 } bends_t;
 
-// The path so far before and behind a place.
+// The path so far before and behind a place, from there.
 typedef struct rung {
-    double h;
-    double front[NCK_AXIS_MAX];
-    double back[NCK_AXIS_MAX];
+    nck_num h;
+    nck_num front[NCK_AXIS_MAX];
+    nck_num back[NCK_AXIS_MAX];
 } rung_t;
 
 // A place while it is looked at.
 typedef struct sight {
-    double s;
-    double first;     // the path is known from here
-    double known;     // to here [path mm]
-    double tolerance; // P [mm]
-    double middle[NCK_AXIS_MAX];
-    double odd[4][NCK_AXIS_MAX]; // p(s + h) − p(s − h) of the last four rungs
+    double first;      // the path is known from here
+    double known;      // to here [path mm]
+    nck_num tolerance; // P [mm]
+    nck_track_view_t middle;
+    nck_num odd[4][NCK_AXIS_MAX]; // p(s + h) − p(s − h) of the last four rungs
 } sight_t;
 
 // Add what the rung n, of the length h, shows:
@@ -59,35 +58,36 @@ typedef struct sight {
 // for each point may be P off.
 static void add_rung(const nck_timing_terms_t *terms, sight_t *sight, int n, const rung_t *rung,
                      bends_t *bends) {
-    const double h = rung->h;
-    double *const odd = sight->odd[n % 4];
-    const double *const inner = sight->odd[(n + 1) % 4];
-    const double l = 2.0 * h / 3.0;
+    const nck_num h = rung->h;
+    const nck_num l = 2 * h / 3;
+    nck_num *const odd = sight->odd[n % 4];
+    const nck_num *const inner = sight->odd[(n + 1) % 4];
     for (int x = 0; x < terms->axes; x++) {
-        const double even = nck_fabs(rung->front[x] + rung->back[x] - 2.0 * sight->middle[x]);
+        const nck_num even = NCK_NUM_ABS(rung->front[x] + rung->back[x]);
+        const nck_num second = (even - 4 * sight->tolerance) / ((nck_num)terms->a[x] * h * h);
         odd[x] = rung->front[x] - rung->back[x];
-        bends->second =
-            nck_max(bends->second, (even - 4.0 * sight->tolerance) / (terms->a[x] * h * h));
+        if (second > bends->second) bends->second = second;
         if (n < 3) continue;
-        const double third = nck_fabs(odd[x] - 3.0 * inner[x]);
-        bends->third =
-            nck_max(bends->third, (third - 8.0 * sight->tolerance) / (terms->j[x] * l * l * l));
+        const nck_num turn = NCK_NUM_ABS(odd[x] - 3 * inner[x]);
+        const nck_num third = (turn - 8 * sight->tolerance) / ((nck_num)terms->j[x] * l * l * l);
+        if (third > bends->third) bends->third = third;
     }
 }
 
 // The speed that the axes' own speeds allow, by the path's direction over the first rung.
-static double axis_speed(const nck_timing_terms_t *terms, const double *odd, double h) {
+static double axis_speed(const nck_timing_terms_t *terms, const nck_num *odd, nck_num h) {
     double slowness = 1e-9;
     for (int x = 0; x < terms->axes; x++) {
-        slowness = nck_max(slowness, nck_fabs(odd[x]) / (2.0 * h * terms->v[x]));
+        const nck_num share = NCK_NUM_ABS(odd[x]) / (2 * h);
+        slowness = nck_max(slowness, (double)share / terms->v[x]);
     }
     return 1.0 / slowness;
 }
 
-static void find_point(nck_timing_t *self, const nck_track_t *track, int k, double s,
-                       double *point_out) {
+static void find_offset(nck_timing_t *self, const nck_track_t *track, const sight_t *sight, int k,
+                        double s, nck_num *offset_out) {
     self->guess.near[k] = nck_track_find(track, self->guess.near[k], s);
-    nck_track_point(track, self->guess.near[k], s, point_out);
+    nck_track_offset(track, &sight->middle, self->guess.near[k], s, offset_out);
 }
 
 // 1 if the path is known at s, or goes on straight there.
@@ -97,24 +97,25 @@ static int is_seen(const nck_timing_t *self, const sight_t *sight, double s) {
 
 // How fast the place may be passed, as its surroundings up to `reach` show.
 static double look_around(nck_timing_t *self, const nck_track_t *track, sight_t *sight,
-                          double reach) {
+                          nck_num reach) {
     const nck_timing_terms_t *const terms = self->terms;
     rung_t rung;
-    bends_t bends = {0.0, 0.0};
+    bends_t bends = {0, 0};
     double v = 1e9;
-    double h = 2.0 * sight->tolerance;
-    find_point(self, track, 2 * NCK_TIMING_RUNGS, sight->s, sight->middle);
+    nck_num h = 2 * sight->tolerance;
     for (int n = 0; n < NCK_TIMING_RUNGS && (n < 1 || h <= reach); n++) {
-        if (!is_seen(self, sight, sight->s - h) || !is_seen(self, sight, sight->s + h)) break;
-        find_point(self, track, 2 * n, sight->s + h, rung.front);
-        find_point(self, track, 2 * n + 1, sight->s - h, rung.back);
+        const double front = sight->middle.s + (double)h;
+        const double back = sight->middle.s - (double)h;
+        if (!is_seen(self, sight, back) || !is_seen(self, sight, front)) break;
+        find_offset(self, track, sight, 2 * n, front, rung.front);
+        find_offset(self, track, sight, 2 * n + 1, back, rung.back);
         rung.h = h;
         add_rung(terms, sight, n, &rung, &bends);
         if (n == 0) v = axis_speed(terms, sight->odd[0], h);
-        h *= RUNG;
+        h *= (nck_num)RUNG;
     }
-    if (bends.second > 0.0) v = nck_min(v, USE / nck_sqrt(bends.second));
-    if (bends.third > 0.0) v = nck_min(v, USE * nck_root_cube(1.0 / bends.third));
+    if (bends.second > 0) v = nck_min(v, USE / (double)NCK_NUM_SQRT(bends.second));
+    if (bends.third > 0) v = nck_min(v, USE * nck_root_cube(1.0 / (double)bends.third));
     return nck_max(v, 0.5 * terms->j_least * terms->tau * terms->tau);
 }
 
@@ -134,11 +135,12 @@ static double next_place(nck_timing_t *self, double end) {
 // How fast a place may be passed by all that is known.
 static double speed_of(nck_timing_t *self, const nck_track_t *track, sight_t *sight,
                        const nck_track_element_t *element) {
-    const double around = look_around(self, track, sight, REACH * element->words.feed);
     const double feed = element->words.feed;
-    const double v = nck_min(around, nck_min(feed, nck_timing_rest_speed(self->terms, sight->s)));
+    const double s = sight->middle.s;
+    const double around = look_around(self, track, sight, (nck_num)(REACH * feed));
+    const double v = nck_min(around, nck_min(feed, nck_timing_rest_speed(self->terms, s)));
     if (!self->closed) return v;
-    return nck_min(v, nck_timing_rest_speed(self->terms, sight->known - sight->s));
+    return nck_min(v, nck_timing_rest_speed(self->terms, sight->known - s));
 }
 
 // The guess goes on to a place.
@@ -160,18 +162,19 @@ nck_status_t nck_timing_look(nck_timing_t *self, const nck_track_t *track) {
     sight_t sight = {.known = nck_track_known(track)};
     if (!(sight.known > 0.0)) return self->closed ? NCK_DONE : NCK_EMPTY;
     sight.first = nck_track_at(track, track->tail)->s;
-    sight.s = next_place(self, sight.known);
+    const double s = next_place(self, sight.known);
     uint32_t *const near = &self->guess.near[2 * NCK_TIMING_RUNGS];
-    *near = nck_track_find(track, *near, sight.s);
+    *near = nck_track_find(track, *near, s);
     const nck_track_element_t *const element = nck_track_at(track, *near);
-    if (!self->closed && sight.s + REACH * element->words.feed > sight.known) {
+    if (!self->closed && s + REACH * element->words.feed > sight.known) {
         if (!nck_track_is_full(track)) return NCK_EMPTY;
         self->brakes = self->guess.head - self->guess.tail < NCK_FAIR_WINDOW;
-        if (sight.s > sight.known) return NCK_DONE;
+        if (s > sight.known) return NCK_DONE;
     }
-    sight.tolerance = (double)element->tolerance;
-    add_place(self, sight.s, speed_of(self, track, &sight, element));
-    self->looked = self->closed && sight.s >= sight.known;
+    sight.tolerance = (nck_num)element->tolerance;
+    nck_track_view(track, *near, s, &sight.middle);
+    add_place(self, s, speed_of(self, track, &sight, element));
+    self->looked = self->closed && s >= sight.known;
     return NCK_OK;
 }
 

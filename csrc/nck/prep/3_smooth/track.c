@@ -69,6 +69,10 @@ static int is_same(const nck_track_words_t *words, const nck_seg_t *seg) {
            && words->rapid == seg->rapid;
 }
 
+static void set_way(const nck_track_t *self, nck_track_element_t *line, const double *end) {
+    for (int x = 0; x < self->axes; x++) line->shape.way[x] = (nck_num)(end[x] - line->start[x]);
+}
+
 // Join the line to the newest element. Returns 1, or 0: it cannot be.
 static int join(nck_track_t *self, const nck_seg_t *seg, double tolerance) {
     nck_track_element_t *const line = newest(self);
@@ -82,6 +86,7 @@ static int join(nck_track_t *self, const nck_seg_t *seg, double tolerance) {
     const int fill = (int)(self->head - self->tail) * NCK_TRACK_LEVELS;
     if (level == NCK_TRACK_LEVELS || level * NCK_TRACK_SPAN > fill) return 0;
     line->length = length;
+    set_way(self, line, seg->end);
     line->tolerance = (float)((1.0 - costs[level]) * tolerance);
     line->line[1] = seg->line;
     line->block[1] = seg->block;
@@ -112,7 +117,8 @@ nck_status_t nck_track_push(nck_track_t *self, const nck_seg_t *seg, double tole
     memcpy(element->start, seg->start, sizeof element->start);
     set_words(&element->words, seg);
     element->kind = seg->kind;
-    if (seg->kind == NCK_SEG_ARC) element->arc = seg->shape.arc;
+    if (seg->kind == NCK_SEG_ARC) element->shape.arc = seg->shape.arc;
+    else set_way(self, element, seg->end);
     element->tolerance = (float)tolerance;
     element->line[0] = seg->line;
     element->line[1] = seg->line;
@@ -157,7 +163,7 @@ void nck_track_seg(const nck_track_t *self, uint32_t count, nck_seg_t *seg_out) 
     seg_out->length = element->length;
     memcpy(seg_out->start, element->start, sizeof seg_out->start);
     memcpy(seg_out->end, nck_track_end(self, count), sizeof seg_out->end);
-    seg_out->shape.arc = element->arc;
+    if (element->kind == NCK_SEG_ARC) seg_out->shape.arc = element->shape.arc;
 }
 
 // The point of an arc at f mm from its start; beyond it straight on.
@@ -183,6 +189,59 @@ void nck_track_point(const nck_track_t *self, uint32_t count, double s, double *
     for (int x = 0; x < self->axes; x++) {
         point_out[x] = element->start[x] + (end[x] - element->start[x]) * f;
     }
+}
+
+void nck_track_view(const nck_track_t *self, uint32_t count, double s,
+                    nck_track_view_t *view_out) {
+    view_out->count = count;
+    view_out->s = s;
+    nck_track_point(self, count, s, view_out->point);
+}
+
+// What s is of an element past its point that is next to the view; `near_out`: that point.
+static double way_from(const nck_track_t *self, const nck_track_view_t *from, uint32_t count,
+                       double s, const double **near_out) {
+    const nck_track_element_t *const element = nck_track_at(self, count);
+    if (count == from->count) {
+        *near_out = from->point;
+        return s - from->s;
+    }
+    const int is_before = count - self->tail < from->count - self->tail;
+    *near_out = is_before ? nck_track_end(self, count) : element->start;
+    return s - (is_before ? element->s + element->length : element->s);
+}
+
+void nck_track_offset(const nck_track_t *self, const nck_track_view_t *from, uint32_t count,
+                      double s, nck_num *offset_out) {
+    const nck_track_element_t *const element = nck_track_at(self, count);
+    if (element->kind == NCK_SEG_ARC) {
+        double point[NCK_AXIS_MAX];
+        arc_point(self, count, s - element->s, point);
+        for (int x = 0; x < self->axes; x++) offset_out[x] = (nck_num)(point[x] - from->point[x]);
+        return;
+    }
+    const double *near = from->point;
+    const nck_num way = (nck_num)way_from(self, from, count, s, &near);
+    const nck_num f = way / (nck_num)element->length;
+    for (int x = 0; x < self->axes; x++) {
+        const nck_num before = near == from->point ? 0 : (nck_num)(near[x] - from->point[x]);
+        offset_out[x] = before + element->shape.way[x] * f;
+    }
+}
+
+void nck_track_tangent(const nck_track_t *self, uint32_t count, double s, nck_num *tangent_out) {
+    const nck_track_element_t *const element = nck_track_at(self, count);
+    if (element->kind != NCK_SEG_ARC) {
+        for (int x = 0; x < self->axes; x++) {
+            tangent_out[x] = element->shape.way[x] / (nck_num)element->length;
+        }
+        return;
+    }
+    nck_seg_t seg;
+    double tangent[NCK_AXIS_MAX];
+    nck_track_seg(self, count, &seg);
+    nck_path_tangent_part(&seg, s - element->s, self->axes, tangent);
+    for (int x = 0; x < self->axes; x++) tangent_out[x] = (nck_num)tangent[x];
 }
 
 void nck_track_drop(nck_track_t *self, double s, double back) {

@@ -7,6 +7,7 @@
 #include <stdint.h> // uint32_t
 
 #include "nck/base/limits.h"  // NCK_AXIS_MAX NCK_SMOOTH_ROWS
+#include "nck/base/real.h"    // nck_num
 #include "nck/base/records.h" // nck_seg_t
 #include "nck/base/status.h"  // nck_status_t
 
@@ -31,7 +32,10 @@ typedef struct nck_track_element {
     double length;    // [path mm]
     double start[NCK_AXIS_MAX]; // [mm, deg]
     nck_track_words_t words;
-    nck_seg_arc_t arc; // of an arc
+    union {
+        nck_num way[NCK_AXIS_MAX]; // of a line: from start to end
+        nck_seg_arc_t arc;         // of an arc
+    } shape;
     float tolerance;  // what joining has left of P [mm]
     uint32_t line[2]; // first and last source line
     uint32_t block[2]; // first and last block
@@ -84,6 +88,24 @@ uint32_t nck_track_find(const nck_track_t *self, uint32_t near, double s);
 
 // The point at s of a known element, straight on beyond it. Cost: constant. Context: prep.
 void nck_track_point(const nck_track_t *self, uint32_t count, double s, double *point_out);
+
+// A place that points near it are told from: floats hold what is near.
+typedef struct nck_track_view {
+    uint32_t count;             // element
+    double s;                   // [path mm]
+    double point[NCK_AXIS_MAX]; // [mm, deg]
+} nck_track_view_t;
+
+// The view from s of a known element. Cost: constant. Context: prep.
+void nck_track_view(const nck_track_t *self, uint32_t count, double s, nck_track_view_t *view_out);
+
+// p(s) of a known element less the point of a view [mm, deg]. It is as exact as a number of its
+// size can be, however long an element is. Cost: constant. Context: prep.
+void nck_track_offset(const nck_track_t *self, const nck_track_view_t *from, uint32_t count,
+                      double s, nck_num *offset_out);
+
+// dp/ds at s of a known element. Cost: constant. Context: prep.
+void nck_track_tangent(const nck_track_t *self, uint32_t count, double s, nck_num *tangent_out);
 
 // Where an element ends. Cost: constant. Context: prep.
 const double *nck_track_end(const nck_track_t *self, uint32_t count);

@@ -2,6 +2,8 @@
 // Inside room 5: intervals of a clocked path become the nodes of a motion.
 #include "nck/prep/5_slope/optimal_nodes.h"
 
+#include <string.h> // memset
+
 #include "nck/base/real.h" // nck_fabs nck_min nck_max nck_sqrt nck_num
 #include "nck/prep/5_slope/optimal_pace.h" // nck_optimal_work …
 
@@ -34,6 +36,7 @@ typedef struct hodograph {
 
 static void set_hodograph(const nck_optimal_t *self, const nck_seg_t *seg, hodograph_t *out) {
     const double (*const inner)[NCK_AXIS_MAX] = seg->shape.inner;
+    memset(out, 0, sizeof *out);
     out->length = (nck_num)seg->length;
     out->per = (nck_num)(seg->length / self->terms->knot_s);
     for (int x = 0; x < self->terms->axes; x++) {

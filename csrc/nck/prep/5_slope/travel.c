@@ -77,7 +77,9 @@ static int is_clocked(const nck_seg_t *seg) {
 
 // How far along the path a place is [path mm]: a clocked path's coordinate goes by time.
 static double along(const nck_seg_t *seg, double s) {
-    return seg->s_begin + (is_clocked(seg) ? seg->length * nck_path_share(seg, s) : s);
+    double speed = 0.0;
+    if (!is_clocked(seg)) return seg->s_begin + s;
+    return seg->s_begin + seg->length * nck_path_share(seg, s, &speed);
 }
 
 static void found(nck_travel_t *self, const nck_seg_t *seg, double s) {

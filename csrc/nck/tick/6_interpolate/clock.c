@@ -6,7 +6,7 @@
 
 #include "nck/base/cell_math.h"          // nck_cell_way nck_cell_speed
 #include "nck/base/fence.h"              // nck_fence_load nck_fence_store
-#include "nck/base/path.h"               // nck_path_slope nck_path_tangent nck_path_turns
+#include "nck/base/path.h"               // nck_path_slope nck_path_share nck_path_turns
 #include "nck/base/real.h"               // nck_min nck_max nck_sqrt nck_fabs
 #include "nck/tick/6_interpolate/look.h" // nck_look_…
 
@@ -267,10 +267,9 @@ void nck_clock_begin(nck_clock_t *self, double v, double a) {
 }
 
 void nck_clock_measure(const nck_seg_t *seg, double s, nck_pose_t *pose) {
-    double tangent[NCK_AXIS_MAX];
-    nck_path_tangent(seg, s, tangent);
-    pose->s = seg->s_begin + seg->length * nck_path_share(seg, s);
-    pose->v *= nck_sqrt(nck_look_dot(tangent, tangent));
+    double speed = 0.0;
+    pose->s = seg->s_begin + seg->length * nck_path_share(seg, s, &speed);
+    pose->v *= speed;
 }
 
 void nck_clock_find(const nck_link_t *link, const nck_cell_t *cell, double t,
