@@ -10,8 +10,8 @@
                                 // is 3 times as long
 #define REACH 0.06   // [s] at the feed: what bends further apart ask for the passes know, too
 #define USE 0.8      // share of what the rungs allow: a curve is not as good everywhere
-#define SLOWEST 0.3  // the least and
-#define FASTEST 1.5  // most that a plan may change the clock by at once
+#define SLOWEST ((nck_num)0.3) // the least and
+#define FASTEST ((nck_num)1.5) // most that a plan may change the clock by at once
 
 void nck_timing_begin(nck_timing_t *self, const nck_timing_terms_t *terms) {
     self->terms = terms;
@@ -191,23 +191,26 @@ void nck_timing_drop(nck_timing_t *self, double s) {
 }
 
 // ds/du at a quarter.
-static double speed_at(const nck_timing_t *self, int k, int last) {
-    const double quarter = 0.25 * self->terms->tau;
-    if (k == 0) return self->begins ? 0.0 : (self->s[1] - self->s[0]) / quarter;
-    if (self->ends && k == last) return 0.0;
-    return (self->s[k + 1] - self->s[k - 1]) / (2.0 * quarter);
+static nck_num speed_at(const nck_timing_t *self, int k, int last) {
+    const nck_num quarter = (nck_num)(0.25 * self->terms->tau);
+    if (k == 0) return self->begins ? 0 : (nck_num)(self->s[1] - self->s[0]) / quarter;
+    if (self->ends && k == last) return 0;
+    return (nck_num)(self->s[k + 1] - self->s[k - 1]) / (2 * quarter);
+}
+
+static nck_num clamp(nck_num x, nck_num least, nck_num most) {
+    return x < least ? least : x < most ? x : most;
 }
 
 // The plan's du/dt at a quarter, as far as it comes in there: smoothly over `blend` knots.
-static double factor_at(const nck_num *b, int k, int from, int blend) {
+static nck_num factor_at(const nck_num *b, int k, int from, int blend) {
     const int knot = k / 4;
-    const double w = 0.25 * (k % 4);
-    const double here = (double)b[knot];
-    const double at = w > 0.0 ? here + w * ((double)b[knot + 1] - here) : here;
-    const double rate = nck_min(nck_max(nck_sqrt(nck_max(at, 0.0)), SLOWEST), FASTEST);
-    const double way = blend > 0 ? (0.25 * k - from) / blend : 1.0;
-    const double g = nck_min(nck_max(way, 0.0), 1.0);
-    return 1.0 + (rate - 1.0) * g * g * (3.0 - 2.0 * g);
+    const nck_num w = (nck_num)0.25 * (nck_num)(k % 4);
+    const nck_num at = w > 0 ? b[knot] + w * (b[knot + 1] - b[knot]) : b[knot];
+    const nck_num rate = clamp(NCK_NUM_SQRT(at > 0 ? at : 0), SLOWEST, FASTEST);
+    const nck_num way = (nck_num)0.25 * (nck_num)k - (nck_num)from;
+    const nck_num g = blend > 0 ? clamp(way / (nck_num)blend, 0, 1) : 1;
+    return 1 + (rate - 1) * g * g * (3 - 2 * g);
 }
 
 void nck_timing_keep(nck_timing_t *self, nck_timing_list_t *list, const nck_num *b, int from,
@@ -217,7 +220,8 @@ void nck_timing_keep(nck_timing_t *self, nck_timing_list_t *list, const nck_num 
         const double s = self->s[k];
         if (list->count > 0 && !(s > list->at[list->count - 1].s + 1e-9)) continue;
         list->at[list->count].s = s;
-        list->at[list->count].v = speed_at(self, k, 4 * self->knots) * factor_at(b, k, from, blend);
+        list->at[list->count].v =
+            (double)(speed_at(self, k, 4 * self->knots) * factor_at(b, k, from, blend));
         list->count++;
     }
     list->kept = list->count;

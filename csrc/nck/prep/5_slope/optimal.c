@@ -165,7 +165,7 @@ static nck_status_t lay_window(nck_optimal_t *self, const nck_pieces_t *pieces) 
 
 static nck_status_t fill_nodes(nck_optimal_t *self, const nck_pieces_t *pieces) {
     const nck_optimal_pace_t *const work = nck_optimal_work(self);
-    for (int n = 0; n < NCK_OPTIMAL_STEP && self->i <= work->n; n++) {
+    for (int n = 0; n < NCK_OPTIMAL_FILL && self->i <= work->n; n++) {
         nck_optimal_fill(self, pieces, self->i++);
     }
     if (self->i > work->n) self->phase = PHASE_SOLVE;

@@ -164,7 +164,7 @@ static void finish(nck_optimal_t *self) {
 nck_status_t nck_optimal_draw(nck_optimal_t *self, const nck_pieces_t *pieces) {
     if (!NCK_HAS_OPTIMAL) return NCK_E_INTERNAL;
     const nck_optimal_pace_t *const work = nck_optimal_work(self);
-    for (int n = 0; n < NCK_OPTIMAL_STEP && self->i < work->n; n++) {
+    for (int n = 0; n < NCK_OPTIMAL_DRAW && self->i < work->n; n++) {
         draw_interval(self, nck_plan_there(pieces, work->first + self->i), self->i);
         self->i++;
     }

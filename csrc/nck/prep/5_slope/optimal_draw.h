@@ -6,7 +6,7 @@
 #include "nck/prep/5_slope/optimal.h" // nck_optimal_t
 
 // Draw some intervals of the plan in work. NCK_OK: call again; NCK_DONE: it stands in the link's
-// built tail. Cost: NCK_OPTIMAL_STEP intervals. Context: prep.
+// built tail. Cost: NCK_OPTIMAL_DRAW intervals. Context: prep.
 nck_status_t nck_optimal_draw(nck_optimal_t *self, const nck_pieces_t *pieces);
 
 #endif
