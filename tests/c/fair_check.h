@@ -42,6 +42,19 @@ static const fair_case_t fair_cases[] = {
 };
 enum { FAIR_CASES = sizeof fair_cases / sizeof *fair_cases };
 
+// Samples of an interval's bins.
+static void fair_fill(nck_fair_t *fair, const fair_case_t *about, uint32_t *state)
+{
+    for (int n = 0; n < NCK_FAIR_BINS * FAIR_PER_BIN; n++) {
+        const int k = n / FAIR_PER_BIN;
+        const double place = (k + 0.3 + 0.4 * (n % FAIR_PER_BIN)) / (double)NCK_FAIR_BINS;
+        nck_num off[NCK_AXIS_MAX];
+        for (int a = 0; a < about->axes; a++) off[a] = (nck_num)(about->noise * any(state));
+        nck_fair_add_sample(fair, (nck_num)place, off);
+        if (n % FAIR_PER_BIN == FAIR_PER_BIN - 1) nck_fair_close_bin(fair, (nck_num)0.98);
+    }
+}
+
 static void fair_begin(nck_fair_t *fair, const fair_case_t *about)
 {
     nck_fair_task_t task = {FAIR_KNOTS, about->axes, about->ends, 40, (nck_num)0.05,
@@ -57,17 +70,7 @@ static void fair_begin(nck_fair_t *fair, const fair_case_t *about)
                                       : i == 11 + 3 * a ? -about->bend : 0.1 * any(&state));
         }
         nck_fair_set_jerk(fair, i, jerk);
-        for (int k = 0; k < NCK_FAIR_BINS; k++) {
-            for (int n = 0; n < FAIR_PER_BIN; n++) {
-                const double place = (k + 0.3 + 0.4 * n) / (double)NCK_FAIR_BINS;
-                nck_num off[NCK_AXIS_MAX];
-                for (int a = 0; a < about->axes; a++) {
-                    off[a] = (nck_num)(about->noise * any(&state));
-                }
-                nck_fair_add_sample(fair, (nck_num)place, off);
-            }
-            nck_fair_close_bin(fair, (nck_num)0.98);
-        }
+        fair_fill(fair, about, &state);
     }
 }
 

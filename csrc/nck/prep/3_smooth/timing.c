@@ -8,8 +8,9 @@
 
 #define RUNG 1.4422495703074083 // ∛3: what a rung is longer than the last one; the third from it
                                 // is 3 times as long
-#define REACH 0.06   // [s] at the feed: what bends further apart ask for the passes know, too
-#define USE 0.8      // share of what the rungs allow: a curve is not as good everywhere
+#define REACH ((nck_num)0.06) // [s] at the feed: what bends further apart ask for the passes know,
+                              // too
+#define USE ((nck_num)0.8)    // share of what the rungs allow: a curve is not as good everywhere
 #define SLOWEST ((nck_num)0.3) // the least and
 #define FASTEST ((nck_num)1.5) // most that a plan may change the clock by at once
 
@@ -25,7 +26,7 @@ void nck_timing_begin(nck_timing_t *self, const nck_timing_terms_t *terms) {
     self->knots = 0;
     self->guess.head = 0;
     self->guess.tail = 0;
-    self->guess.v = 0.0;
+    self->guess.v = 0;
     for (int k = 0; k <= 2 * NCK_TIMING_RUNGS; k++) self->guess.near[k] = 0;
     self->s[0] = 0.0;
 }
@@ -75,13 +76,13 @@ static void add_rung(const nck_timing_terms_t *terms, sight_t *sight, int n, con
 }
 
 // The speed that the axes' own speeds allow, by the path's direction over the first rung.
-static double axis_speed(const nck_timing_terms_t *terms, const nck_num *odd, nck_num h) {
-    double slowness = 1e-9;
+static nck_num axis_speed(const nck_timing_terms_t *terms, const nck_num *odd, nck_num h) {
+    nck_num slowness = (nck_num)1e-9;
     for (int x = 0; x < terms->axes; x++) {
-        const nck_num share = NCK_NUM_ABS(odd[x]) / (2 * h);
-        slowness = nck_max(slowness, (double)share / terms->v[x]);
+        const nck_num own = NCK_NUM_ABS(odd[x]) / (2 * h * (nck_num)terms->v[x]);
+        if (own > slowness) slowness = own;
     }
-    return 1.0 / slowness;
+    return 1 / slowness;
 }
 
 static void find_offset(nck_timing_t *self, const nck_track_t *track, const sight_t *sight, int k,
@@ -96,12 +97,12 @@ static int is_seen(const nck_timing_t *self, const sight_t *sight, double s) {
 }
 
 // How fast the place may be passed, as its surroundings up to `reach` show.
-static double look_around(nck_timing_t *self, const nck_track_t *track, sight_t *sight,
+static nck_num look_around(nck_timing_t *self, const nck_track_t *track, sight_t *sight,
                           nck_num reach) {
     const nck_timing_terms_t *const terms = self->terms;
     rung_t rung;
     bends_t bends = {0, 0};
-    double v = 1e9;
+    nck_num v = (nck_num)1e9;
     nck_num h = 2 * sight->tolerance;
     for (int n = 0; n < NCK_TIMING_RUNGS && (n < 1 || h <= reach); n++) {
         const double front = sight->middle.s + (double)h;
@@ -114,9 +115,12 @@ static double look_around(nck_timing_t *self, const nck_track_t *track, sight_t 
         if (n == 0) v = axis_speed(terms, sight->odd[0], h);
         h *= (nck_num)RUNG;
     }
-    if (bends.second > 0) v = nck_min(v, USE / (double)NCK_NUM_SQRT(bends.second));
-    if (bends.third > 0) v = nck_min(v, USE * nck_root_cube(1.0 / (double)bends.third));
-    return nck_max(v, 0.5 * terms->j_least * terms->tau * terms->tau);
+    if (v * v * bends.second > USE * USE) v = USE / NCK_NUM_SQRT(bends.second);
+    if (v * v * v * bends.third > USE * USE * USE) {
+        v = USE * (nck_num)nck_root_cube(1.0 / (double)bends.third);
+    }
+    const nck_num least = (nck_num)(0.5 * terms->j_least * terms->tau * terms->tau);
+    return v > least ? v : least;
 }
 
 // Where the next place is: half a knot on at the speed that is reached. Towards the run's end half
@@ -124,32 +128,31 @@ static double look_around(nck_timing_t *self, const nck_track_t *track, sight_t 
 static double next_place(nck_timing_t *self, double end) {
     const nck_timing_terms_t *const terms = self->terms;
     const double half = 0.5 * terms->tau;
-    const double least = NCK_TIMING_REST * terms->j_least * half * half * half / 6.0;
+    const double least = NCK_TIMING_LEAVE * terms->j_least * half * half * half / 6.0;
     if (self->guess.head == 0) return 0.0;
     const double s = nck_timing_place(self, self->guess.head - 1)->s;
-    const double step = nck_max(least, half * self->guess.v);
+    const double step = nck_max(least, half * (double)self->guess.v);
     if (!self->closed) return s + step;
     return s > 0.0 && end - s <= least ? end : s + nck_min(step, 0.5 * (end - s));
 }
 
 // How fast a place may be passed by all that is known.
-static double speed_of(nck_timing_t *self, const nck_track_t *track, sight_t *sight,
+static nck_num speed_of(nck_timing_t *self, const nck_track_t *track, sight_t *sight,
                        const nck_track_element_t *element) {
-    const double feed = element->words.feed;
+    const nck_num feed = (nck_num)element->words.feed;
     const double s = sight->middle.s;
-    const double around = look_around(self, track, sight, (nck_num)(REACH * feed));
-    const double v = nck_min(around, nck_min(feed, nck_timing_rest_speed(self->terms, s)));
-    if (!self->closed) return v;
-    return nck_min(v, nck_timing_rest_speed(self->terms, sight->known - s));
+    const nck_num around = look_around(self, track, sight, REACH * feed);
+    const nck_num v = nck_timing_near_rest(self->terms, s, around < feed ? around : feed);
+    return self->closed ? nck_timing_near_rest(self->terms, sight->known - s, v) : v;
 }
 
 // The guess goes on to a place.
-static void add_place(nck_timing_t *self, double s, double v) {
+static void add_place(nck_timing_t *self, double s, nck_num v) {
     if (self->guess.head > 0) {
         const double h = s - nck_timing_place(self, self->guess.head - 1)->s;
-        const double most =
+        const nck_num most =
             nck_timing_reach_speed(self->terms, NCK_TIMING_ASK, self->guess.v, h);
-        self->guess.v = nck_min(v, most);
+        self->guess.v = v < most ? v : most;
     }
     nck_place_t *const place = nck_timing_place(self, self->guess.head++);
     place->s = s;
@@ -166,7 +169,7 @@ nck_status_t nck_timing_look(nck_timing_t *self, const nck_track_t *track) {
     uint32_t *const near = &self->guess.near[2 * NCK_TIMING_RUNGS];
     *near = nck_track_find(track, *near, s);
     const nck_track_element_t *const element = nck_track_at(track, *near);
-    if (!self->closed && s + REACH * element->words.feed > sight.known) {
+    if (!self->closed && s + (double)REACH * element->words.feed > sight.known) {
         if (!nck_track_is_full(track)) return NCK_EMPTY;
         self->brakes = self->guess.head - self->guess.tail < NCK_FAIR_WINDOW;
         if (s > sight.known) return NCK_DONE;
@@ -180,7 +183,7 @@ nck_status_t nck_timing_look(nck_timing_t *self, const nck_track_t *track) {
 
 double nck_timing_reach(const nck_timing_t *self, const nck_track_t *track) {
     const uint32_t near = nck_track_find(track, track->tail, self->s[0]);
-    return REACH * nck_track_at(track, near)->words.feed;
+    return (double)REACH * nck_track_at(track, near)->words.feed;
 }
 
 void nck_timing_drop(nck_timing_t *self, double s) {
@@ -220,8 +223,7 @@ void nck_timing_keep(nck_timing_t *self, nck_timing_list_t *list, const nck_num 
         const double s = self->s[k];
         if (list->count > 0 && !(s > list->at[list->count - 1].s + 1e-9)) continue;
         list->at[list->count].s = s;
-        list->at[list->count].v =
-            (double)(speed_at(self, k, 4 * self->knots) * factor_at(b, k, from, blend));
+        list->at[list->count].v = speed_at(self, k, 4 * self->knots) * factor_at(b, k, from, blend);
         list->count++;
     }
     list->kept = list->count;
@@ -232,7 +234,7 @@ void nck_timing_keep(nck_timing_t *self, nck_timing_list_t *list, const nck_num 
 
 void nck_timing_rest(nck_timing_t *self, nck_timing_list_t *list, double s) {
     list->at[0].s = s;
-    list->at[0].v = 0.0;
+    list->at[0].v = 0;
     list->count = 1;
     list->kept = 1;
     self->begins = 1;

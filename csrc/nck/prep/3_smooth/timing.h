@@ -6,6 +6,7 @@
 
 #include <stdint.h> // uint32_t
 
+#include "nck/base/real.h"           // nck_num
 #include "nck/base/status.h"         // nck_status_t
 #include "nck/prep/3_smooth/fair.h"  // NCK_FAIR_…
 #include "nck/prep/3_smooth/track.h" // nck_track_t
@@ -33,8 +34,8 @@ typedef struct nck_timing_terms {
 
 // A place of the program, and how fast it may be passed.
 typedef struct nck_place {
-    double s; // [path mm]
-    double v; // [path mm/s]
+    double s;  // [path mm]
+    nck_num v; // [path mm/s]
 } nck_place_t;
 
 // Places in work: what is kept of the last plan, then those of the guess. Needed for making a clock
@@ -79,14 +80,14 @@ typedef struct nck_timing {
         double t;     // time behind the place in work [s]
         double begin; // when that begins, and
         double end;   // ends, stretched [s]
-        double last_v; // of the list's end before the means [path mm/s]
+        nck_num last_v; // of the list's end before the means [path mm/s]
         int count;    // so many steps
         int place;    // of the list, in work
     } make;
     struct {
         uint32_t head; // places looked at
         uint32_t tail; // done with
-        double v;      // what the newest can be reached with [path mm/s]
+        nck_num v;     // what the newest can be reached with [path mm/s]
         uint32_t near[2 * NCK_TIMING_RUNGS + 1]; // elements, where each point was found last
         nck_place_t at[NCK_TIMING_PLACES];
     } guess;

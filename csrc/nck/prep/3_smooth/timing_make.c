@@ -5,7 +5,8 @@
 #include "nck/prep/3_smooth/timing.h"
 #include "nck/prep/3_smooth/timing_math.h" // nck_timing_reach_speed …
 
-#define KEEP_ASK 1.5 // what a kept place gives way to alone
+#define KEEP_ASK ((nck_num)1.5) // what a kept place gives way to alone
+#define SLOW_MOST ((nck_num)1e-9) // [mm/s] of a cell that stands
 #define BLUR 0.016   // [s] of each of two means: as long as acceleration takes to change
 #define MARGIN 2     // knots at the end of what is known that no window has
 #define SHORTEST (NCK_FAIR_WINDOW / 2) // knots of a window behind which the run goes on: where less
@@ -36,10 +37,10 @@ static void add_guess(nck_timing_t *self, nck_timing_list_t *list, double end) {
         if (place.s <= from) continue;
         if (self->begins && list->count > 0) {
             const double way = place.s - list->at[0].s;
-            place.v = nck_min(place.v, nck_timing_rest_speed(self->terms, way));
+            place.v = nck_timing_near_rest(self->terms, way, place.v);
         }
         if (self->closed || self->brakes) {
-            place.v = nck_min(place.v, nck_timing_rest_speed(self->terms, end - place.s));
+            place.v = nck_timing_near_rest(self->terms, end - place.s, place.v);
         }
         list->at[list->count++] = place;
     }
@@ -53,8 +54,8 @@ static void pass_forward(nck_timing_t *self, nck_timing_list_t *list) {
     for (; self->at < to; self->at++) {
         nck_place_t *const at = &list->at[first + self->at];
         const double way = at[1].s - at->s;
-        const double v = nck_timing_reach_speed(self->terms, NCK_TIMING_ASK, at->v, way);
-        at[1].v = nck_min(at[1].v, v);
+        const nck_num v = nck_timing_reach_speed(self->terms, NCK_TIMING_ASK, at->v, way);
+        if (v < at[1].v) at[1].v = v;
     }
     if (to >= all) go(self, NCK_TIMING_BACKWARD);
 }
@@ -66,9 +67,10 @@ static void pass_backward(nck_timing_t *self, nck_timing_list_t *list) {
     for (; self->at < to; self->at++) {
         const int k = all - self->at;
         nck_place_t *const at = &list->at[k];
-        const double wish = k >= list->kept ? NCK_TIMING_ASK : KEEP_ASK;
-        const double way = at[1].s - at->s;
-        at->v = nck_min(at->v, nck_timing_reach_speed(self->terms, wish, at[1].v, way));
+        const nck_num wish = k >= list->kept ? NCK_TIMING_ASK : KEEP_ASK;
+        const nck_num v =
+            nck_timing_reach_speed(self->terms, wish, at[1].v, at[1].s - at->s);
+        if (v < at->v) at->v = v;
     }
     if (to >= all) {
         go(self, NCK_TIMING_CUT);
@@ -76,22 +78,29 @@ static void pass_backward(nck_timing_t *self, nck_timing_list_t *list) {
     }
 }
 
+// Both speeds of a cell, which does not last for ever.
+static nck_num speeds_of(const nck_place_t *at) {
+    const nck_num sum = at[0].v + at[1].v;
+    return sum > SLOW_MOST ? sum : SLOW_MOST;
+}
+
 // How long it takes from a place to the next one, at even acceleration.
 static double time_of(const nck_place_t *at) {
-    return 2.0 * (at[1].s - at[0].s) / nck_max(at[0].v + at[1].v, 1e-9);
+    return (double)(2 * (nck_num)(at[1].s - at[0].s) / speeds_of(at));
 }
 
 // Where in such a cell it is at the share w of its time.
-static double within(const nck_place_t *at, double w) {
-    const double sum = nck_max(at[0].v + at[1].v, 1e-9);
-    const double way = (2.0 * at[0].v + (at[1].v - at[0].v) * w) * w / sum;
-    return at[0].s + (at[1].s - at[0].s) * nck_min(way, 1.0);
+static double within(const nck_place_t *at, nck_num w) {
+    const nck_num way = (2 * at[0].v + (at[1].v - at[0].v) * w) * w / speeds_of(at);
+    if (!(way < 1)) return at[1].s;
+    return at[0].s + (double)((nck_num)(at[1].s - at[0].s) * way);
 }
 
 // ---- s at even times
 
 // A time that lasts `all` and is to end at another: stretched smoothly.
 static double stretched(const nck_timing_t *self, double t) {
+    if (!(self->make.more > 0.0)) return t;
     const double w = nck_min(t / self->make.all, 1.0);
     return t + self->make.more * w * w * (3.0 - 2.0 * w);
 }
@@ -127,8 +136,8 @@ static int sample(nck_timing_t *self, const nck_timing_list_t *list) {
         }
         const double begin = self->make.begin;
         self->s[self->at++] = wanted > end
-                                  ? list->at[last].s + (wanted - end) * list->at[last].v
-                                  : within(at, (wanted - begin) / (end - begin));
+                                  ? list->at[last].s + (wanted - end) * (double)list->at[last].v
+                                  : within(at, (nck_num)(wanted - begin) / (nck_num)(end - begin));
     }
     return self->at == all;
 }
@@ -202,7 +211,8 @@ static void list_anew(nck_timing_t *self, nck_timing_list_t *list) {
         if (!(self->s[k] > list->at[list->count - 1].s + 1e-9)) continue;
         nck_place_t *const place = &list->at[list->count++];
         place->s = self->s[k];
-        place->v = k < all ? (self->s[k + 1] - self->s[k - 1]) / (2.0 * self->make.step)
+        const nck_num steps = 2 * (nck_num)self->make.step;
+        place->v = k < all ? (nck_num)(self->s[k + 1] - self->s[k - 1]) / steps
                            : self->make.last_v;
     }
     if (to == all) go(self, NCK_TIMING_SUM);

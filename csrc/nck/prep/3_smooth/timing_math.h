@@ -3,28 +3,35 @@
 #ifndef NCK_PREP_TIMING_MATH_H
 #define NCK_PREP_TIMING_MATH_H
 
-#include "nck/base/real.h"            // nck_max nck_min nck_sqrt
+#include "nck/base/real.h"            // nck_num NCK_NUM_SQRT
 #include "nck/base/root_math.h"       // nck_root_cube
 #include "nck/prep/3_smooth/timing.h" // nck_timing_t
 
-#define NCK_TIMING_REST 0.4 // share of the jerk that the guess leaves a rest with
-#define NCK_TIMING_ASK 0.7  // share of the acceleration that the guess builds up speed with
+#define NCK_TIMING_LEAVE 0.4 // share of the jerk that the guess leaves a rest with
+#define NCK_TIMING_REST ((nck_num)(4.5 * NCK_TIMING_LEAVE)) // v³ over J x² there
+#define NCK_TIMING_ASK ((nck_num)0.7) // share of the acceleration that the guess builds up speed
+                                      // with
 
-// The speed from rest after x: s = J' t³/6 gives v = (4.5 J' x²)^(1/3).
-static inline double nck_timing_rest_speed(const nck_timing_terms_t *terms, double x) {
-    return x > 0.0 ? nck_root_cube(4.5 * NCK_TIMING_REST * terms->j_least * x * x) : 0.0;
+// A speed v where the way x from or to a rest allows it, else what that allows: s = J' t³/6 gives
+// v³ = 4.5 J' x².
+static inline nck_num nck_timing_near_rest(const nck_timing_terms_t *terms, double x, nck_num v) {
+    const nck_num way = (nck_num)x;
+    const nck_num most = NCK_TIMING_REST * (nck_num)terms->j_least * way * way;
+    if (!(way > 0)) return 0;
+    return v * v * v <= most ? v : (nck_num)nck_root_cube((double)most);
 }
 
-// The acceleration that speed is built up with from v on: jerk from 0 leaves a = √(2 J v).
-static inline double nck_timing_push(const nck_timing_terms_t *terms, double wish, double v) {
-    const double low = terms->j_least * terms->tau * terms->tau / 32.0;
-    return wish * nck_min(terms->a_least, nck_sqrt(2.0 * terms->j_least * nck_max(v, low)));
-}
-
-// The speed a way h on from v.
-static inline double nck_timing_reach_speed(const nck_timing_terms_t *terms, double wish, double v,
-                                            double h) {
-    return nck_sqrt(v * v + 2.0 * nck_timing_push(terms, wish, v) * h);
+// The speed a way h on from v. The acceleration that it is built up with is `wish` of an axis', or
+// what jerk leaves from 0 on, a = √(2 J v).
+static inline nck_num nck_timing_reach_speed(const nck_timing_terms_t *terms, nck_num wish,
+                                             nck_num v, double h) {
+    const nck_num a = (nck_num)terms->a_least;
+    const nck_num j = (nck_num)terms->j_least;
+    const nck_num tau = (nck_num)terms->tau;
+    const nck_num low = j * tau * tau / 32;
+    const nck_num leaves = NCK_NUM_SQRT(2 * j * (v > low ? v : low));
+    const nck_num push = wish * (leaves < a ? leaves : a);
+    return NCK_NUM_SQRT(v * v + 2 * push * (nck_num)h);
 }
 
 // A place of the guess.
