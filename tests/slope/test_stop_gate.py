@@ -34,3 +34,19 @@ def test_a_brake_counts_all_corners_of_a_period(seed):
 @pytest.mark.parametrize("seed", [303830, 308996])
 def test_a_brake_of_the_tick_begins_in_time(seed):
     assert stop_gate.try_seed(seed).share < 1.4
+
+
+# A plan's jerk jumps between its cells, also amid a period: 1.05 to 1.10 times.
+@pytest.mark.parametrize("seed", [303747, 304778, 307402, 310695, 317181, 306438])
+def test_a_brake_along_a_clocked_path_knows_cells_that_end_in_a_period(seed):
+    assert stop_gate.try_seed(seed).j <= 1.005
+
+
+# Tangent arcs bend either way: what the second one takes was not known before it began: 1.13 times.
+def test_a_brake_knows_the_bend_behind_an_arc():
+    assert stop_gate.try_seed(311085).a <= 1.005
+
+
+# A clock that set off at 0.4 mm/s went on at its rate while the plan sped up to 140: 1.05 times.
+def test_a_clock_that_sets_off_leaves_the_plan_what_it_takes():
+    assert stop_gate.try_seed(306871).a <= 1 + ROUNDING

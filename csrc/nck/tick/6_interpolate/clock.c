@@ -31,6 +31,7 @@
 // brings it: k′ is as large as the speed of then allows, so a plan that speeds up by A meets a k
 // that is nearly 1.
 #define SOON_SHARE 1.5
+#define SPEED_LEAST 1e-9 // [mm/s] a tool that is slower takes any k′
 // A clock that is so near to running runs: a jump of 1e-9 periods' way.
 #define RUNS_EPSILON 1e-9
 // Newton's steps to a time within a cell: each doubles the digits of a first guess good to some %.
@@ -51,6 +52,8 @@ typedef struct bounds {
 typedef struct seg_end {
     double jump[NCK_AXIS_MAX]; // by which dp/ds jumps there
     double in_s;               // until then [s]
+    nck_look_geometry_t there; // behind it
+    double vv;                 // (path mm/s)² that braking leaves then
 } seg_end_t;
 
 // Jerk of one axis along its own direction on the path:
@@ -129,7 +132,8 @@ static void bound_axis(const nck_clock_t *self, const nck_terms_t *terms, int x,
     if (!terms->limits_jerk) return; // by steps: what follows counts where it is felt
     const double a_there = nck_max(0.0, SHARE * axis->a_max - end->jump[x] * v / period);
     const double ramp = BEGIN_SHARE * axis->j_max * end->in_s;
-    bounds->a_low = nck_max(bounds->a_low, nck_min((-a_there - ramp) / along, least));
+    const double bend = nck_min(0.0, sign * end->there.second[x] * end->vv);
+    bounds->a_low = nck_max(bounds->a_low, nck_min((-a_there - bend - ramp) / along, least));
     const double speed[2] = {v, next};
     for (int n = 0; n < 4; n++) {
         const double u = speed[n / 2];
@@ -151,6 +155,18 @@ static double last_jerk(const nck_clock_t *self, const nck_terms_t *terms,
     return v * nck_sqrt(2.0 * v / j) < 3.0 * left ? here : j;
 }
 
+// What is to be known of it.
+static void look_at_end(const nck_clock_t *self, const nck_look_place_t *place, double period,
+                        seg_end_t *end) {
+    const double left = nck_max(0.0, place->seg->length - place->s);
+    const double v = self->first.v;
+    end->in_s = left / v;
+    end->vv = nck_max(0.0, v * v + 2.0 * nck_min(0.0, self->second.a) * left);
+    nck_look_corners(place, v, period, end->jump);
+    if (place->behind) nck_look_geometry(place->behind, 0.0, &end->there);
+    else end->there = place->at;
+}
+
 static bounds_t bounds_of(nck_clock_t *self, const nck_terms_t *terms,
                           const nck_look_place_t *place) {
     const nck_machine_t *const machine = terms->machine;
@@ -160,18 +176,12 @@ static bounds_t bounds_of(nck_clock_t *self, const nck_terms_t *terms,
     const int felt = feels_end(self, place, machine->period_s);
     bounds_t bounds = {-SHARE * a_path, -a_path, -BEGIN_SHARE * j_path, back * j_path, -j_path,
                        1.0 / j_path, 1.0 / j_path, j_path, back};
-    nck_look_geometry_t there;
     const nck_look_geometry_t *at[2];
     seg_end_t end;
+    look_at_end(self, place, machine->period_s, &end);
     at[0] = &place->at;
-    at[1] = &place->at;
-    if (felt) {
-        nck_look_geometry(place->behind, 0.0, &there);
-        at[1] = &there;
-    }
-    nck_look_corners(place, self->first.v, machine->period_s, end.jump);
+    at[1] = felt ? &end.there : &place->at;
     feel_corner(self, terms, end.jump, felt);
-    end.in_s = nck_max(0.0, place->seg->length - place->s) / self->first.v;
     for (int x = 0; x < terms->axes; x++) bound_axis(self, terms, x, at, &end, &bounds);
     bounds.j_end = last_jerk(self, terms, place);
     if (!terms->limits_jerk) return bounds;
@@ -339,16 +349,20 @@ double nck_clock_set_off(nck_clock_t *self, const nck_terms_t *terms, double v) 
     const nck_machine_t *const machine = terms->machine;
     const double period = machine->period_s;
     double tau = 0.0;
+    double a_max = machine->path.a_max;
     for (int x = 0; x < terms->axes; x++) {
         const nck_axis_t *const axis = &machine->axis[x];
         if (!axis->present) continue;
+        a_max = nck_min(a_max, axis->a_max);
         tau = nck_max(tau, time_constant(speed_soon(axis, v), axis->a_max, axis->j_max));
     }
     // k″ = (1 − k)/τ² − 2k′/τ by an implicit step, which never overshoots.
     const double share = period / tau;
     const double before = self->first.rate;
     const double gain = self->second.gain + share * (1.0 - before) / tau;
-    self->second.gain = gain / ((1.0 + share) * (1.0 + share));
+    // A plan that has sped up since may take A by itself: what it leaves is A(1 − k²)/v.
+    const double most = a_max * (1.0 - before * before) / nck_max(v, SPEED_LEAST);
+    self->second.gain = nck_min(gain / ((1.0 + share) * (1.0 + share)), most);
     self->first.rate += self->second.gain * period;
     if (1.0 - self->first.rate <= RUNS_EPSILON) {
         self->first.rate = 1.0;

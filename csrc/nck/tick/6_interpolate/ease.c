@@ -18,10 +18,12 @@
 // weighs three periods, so it may pass their means by 0.03, …
 #define SHARE_TAKEN 0.97
 // … what it counts on further on, where it looks at fewer places than there are periods.
-#define SHARE_AHEAD 0.9
+#define SHARE_AHEAD 0.93
 // The same of a clock that sets off: it is in no hurry, and what it takes grows with it.
 #define OFF_TAKEN 0.9
 #define OFF_AHEAD 0.7
+// Of a period, what is looked at apart. What is shorter weighs 0.055 in a sample of jerk at most.
+#define PART_LEAST 0.125
 // What one of k″ is to an axis, of its limit [s²]: below it no change of k moves it.
 #define ALONG_LEAST 1e-6
 // The most of k″T²: what does not move may be slowed down in 7 periods.
@@ -145,35 +147,53 @@ static void bound(ease_range_t *range, double base, double per, double most) {
     range->high = nck_min(range->high, (most - up) / size);
 }
 
-// What is allowed at both ends of a stretch that takes so long [s]. Nobody takes less than the plan
-// at the same rate, so that it can be followed.
+// What is allowed of one axis' jerk on a stretch, times since the pace [s]. Nobody takes less than
+// the plan at the same rate, so that it can be followed.
+static void bound_jerk(ease_range_t *range, int x, double j_max, const ease_stretch_t *on,
+                       const ease_pace_t *pace, const double *times) {
+    const double turn = on->to.second[x] - on->from.second[x];
+    const double third = on->far > 0.0 ? turn / on->far : 0.0;
+    const double most = nck_max(j_max, nck_fabs(third) * pace->k * pace->k * pace->k);
+    for (int n = 0; n < 2; n++) {
+        const ease_point_t *const at = n == 0 ? &on->from : &on->to;
+        const double k = nck_max(0.0, pace->k + pace->dk * times[n]);
+        bound(range, (third * k * k + 3.0 * at->second[x] * pace->dk) * k,
+              at->first[x] + 3.0 * at->second[x] * k * times[n], most);
+    }
+}
+
+// … of its acceleration, at the stretch's end and in its mean.
+static void bound_accel(ease_range_t *range, int x, double a_max, const ease_stretch_t *on,
+                        const ease_pace_t *pace, double time) {
+    const double k = nck_max(0.0, pace->k + pace->dk * time);
+    const double bend = on->to.second[x] * k * k;
+    bound(range, bend + on->to.first[x] * pace->dk,
+          (on->to.first[x] + on->to.second[x] * k * time) * time,
+          nck_max(a_max, nck_fabs(bend)));
+    if (!(time > 0.0)) return; // the clock stands before
+    // What a sample shows is the mean, whatever the plan does within it.
+    const double rise = on->to.first[x] - on->from.first[x];
+    const double mean = on->far > 0.0 ? rise / on->far : 0.0;
+    bound(range, (rise * pace->k + on->to.first[x] * pace->dk * time) / time,
+          0.5 * on->to.first[x] * time, nck_max(a_max, nck_fabs(mean) * pace->k * pace->k));
+}
+
+// Before any axis is asked.
+static void bound_nothing(ease_range_t *range, double period) {
+    range->high = CHANGE_MOST / (period * period);
+    range->low = -range->high;
+}
+
+// What is allowed on a stretch that takes so long [s].
 static void bound_all(ease_range_t *range, const nck_terms_t *terms, const ease_stretch_t *on,
                       const ease_pace_t *pace, double time, double share) {
-    const double most = CHANGE_MOST / (terms->machine->period_s * terms->machine->period_s);
-    const double k[2] = {pace->k, nck_max(0.0, pace->k + pace->dk * time)};
-    range->low = -most;
-    range->high = most;
+    const double times[2] = {0.0, time};
+    bound_nothing(range, terms->machine->period_s);
     for (int x = 0; x < terms->axes; x++) {
         const nck_axis_t *const axis = &terms->machine->axis[x];
         if (!axis->present) continue;
-        const double turn = on->to.second[x] - on->from.second[x];
-        const double third = on->far > 0.0 ? turn / on->far : 0.0;
-        const double jerk = nck_max(share * axis->j_max, nck_fabs(third) * k[0] * k[0] * k[0]);
-        bound(range, (third * k[0] * k[0] + 3.0 * on->from.second[x] * pace->dk) * k[0],
-              on->from.first[x], jerk);
-        bound(range, (third * k[1] * k[1] + 3.0 * on->to.second[x] * pace->dk) * k[1],
-              on->to.first[x] + 3.0 * on->to.second[x] * k[1] * time, jerk);
-        const double bend = on->to.second[x] * k[1] * k[1];
-        bound(range, bend + on->to.first[x] * pace->dk,
-              (on->to.first[x] + on->to.second[x] * k[1] * time) * time,
-              nck_max(share * axis->a_max, nck_fabs(bend)));
-        if (!(time > 0.0)) continue; // the clock stands before
-        // What a sample shows is the mean, whatever the plan does within it.
-        const double rise = on->to.first[x] - on->from.first[x];
-        const double mean = on->far > 0.0 ? rise / on->far : 0.0;
-        bound(range, (rise * k[0] + on->to.first[x] * pace->dk * time) / time,
-              0.5 * on->to.first[x] * time,
-              nck_max(share * axis->a_max, nck_fabs(mean) * k[0] * k[0]));
+        bound_jerk(range, x, share * axis->j_max, on, pace, times);
+        bound_accel(range, x, share * axis->a_max, on, pace, time);
     }
 }
 
@@ -281,6 +301,47 @@ static double free_change(const ease_walk_t *walk, const ease_point_t *at) {
     return most;
 }
 
+// What is allowed of jerk in the period that begins where the walk does, far along the plan. The
+// plan's jerk jumps between its cells, and a sample weighs the begin of a period and its end
+// unlike: so it is bounded part by part. The walk stands behind it then.
+static void bound_parts(ease_range_t *range, ease_walk_t *walk, const ease_pace_t *pace,
+                        double far, ease_stretch_t *on) {
+    const nck_terms_t *const terms = walk->terms;
+    const double period = terms->machine->period_s;
+    const double share = pace->way < 0.0 ? SHARE_TAKEN : OFF_TAKEN;
+    const double scale = far > 0.0 ? period / far : 0.0;
+    const double least = PART_LEAST * far;
+    double gone = 0.0;
+    bound_nothing(range, period);
+    for (int last = 0; !last && !walk->ends;) {
+        const double part = nck_max(walk->cell->duration - walk->t, least);
+        last = gone + part + least >= far;
+        take_stretch(walk, last ? far - gone : part, on);
+        const double times[2] = {gone * scale, (gone + on->far) * scale};
+        gone += on->far;
+        for (int x = 0; x < terms->axes; x++) {
+            const nck_axis_t *const axis = &terms->machine->axis[x];
+            if (axis->present) bound_jerk(range, x, share * axis->j_max, on, pace, times);
+        }
+    }
+}
+
+// What is allowed in the period: in its mean, and of what makes k′ larger also in its parts. Easing
+// off was counted on before.
+static void bound_period(ease_range_t *range, ease_walk_t *walk, const ease_pace_t *pace,
+                         double far, ease_stretch_t *on) {
+    const double share = pace->way < 0.0 ? SHARE_TAKEN : OFF_TAKEN;
+    const ease_point_t begin = on->to;
+    ease_walk_t parts = *walk;
+    ease_range_t each;
+    bound_parts(&each, &parts, pace, far, on);
+    on->to = begin;
+    take_stretch(walk, far, on);
+    bound_all(range, walk->terms, on, pace, walk->terms->machine->period_s, share);
+    if (pace->way < 0.0) range->low = nck_max(range->low, nck_min(0.0, each.low));
+    else range->high = nck_min(range->high, nck_max(0.0, each.high));
+}
+
 // k″ in the period that begins where the walk does. Where the plan comes to its rest in it, none:
 // that is its own. Never does k′ turn round. *most_out: what all axes allow, of a clock that sets
 // off without the plan.
@@ -290,8 +351,7 @@ static double change_for(const ease_pace_t *pace, ease_walk_t *walk, double *mos
     ease_stretch_t on;
     ease_range_t range;
     look(walk, &on.to);
-    take_stretch(walk, k * period, &on);
-    bound_all(&range, walk->terms, &on, pace, period, pace->way < 0.0 ? SHARE_TAKEN : OFF_TAKEN);
+    bound_period(&range, walk, pace, k * period, &on);
     *most_out = pace->way < 0.0 ? range.high : free_change(walk, &on.to);
     if (walk->ends) return 0.0;
     if (range.low <= range.high) return choose(pace, &range, walk, &on);
