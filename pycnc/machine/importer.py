@@ -77,6 +77,13 @@ class Source:
             given = default if value is None else value
             self.draft.axis(letter, quantity, given * scale, comment or OWN_DEFAULT)
 
+    def tightest(self, letter, quantity, pick, keys, scale=Decimal(1)):
+        """Set an axis' limit from some keys that all count: what pick, min or max, takes."""
+        found = [each for each in (self.number(key) for key in keys) if each[0] is not None]
+        if found:
+            value, comment = pick(found, key=lambda each: each[0])
+            self.draft.axis(letter, quantity, value * scale, comment)
+
     def path(self, key, keys, scale=Decimal(1)):
         """Set a value that is no axis' from the first of some keys."""
         value, comment = self.number(*keys)

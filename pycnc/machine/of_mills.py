@@ -42,10 +42,15 @@ _KINEMATICS = (  # by how its name begins
 )  # fmt: skip
 
 
+def _kinematics(source):
+    """Return (the kinematics of a LinuxCNC machine with what is said of them, their name)."""
+    words = source.word(("kins", "kinematics")) or ""
+    return words, words.split()[0].lower() if words.split() else "trivkins"
+
+
 def _joints(source):
     """Return {axis: its first joint} of a LinuxCNC machine, in the order of the axes."""
-    kinematics = source.word(("kins", "kinematics")) or "trivkins"
-    name = kinematics.split()[0].lower() if kinematics.split() else "trivkins"
+    kinematics, name = _kinematics(source)
     if name != "trivkins":
         what = next((words for begin, words in _KINEMATICS if name.startswith(begin)), "joints")
         source.draft.left.append(
@@ -79,8 +84,11 @@ def linuxcnc(source):
             default = None if quantity == "j_max" else Decimal(1)  # a unit a second
             source.axis(letter, quantity, keys, scale, default)
         _for_offsets(source, letter)
-        source.axis(letter, "min", [(section, "min_limit") for section in own], scale)
-        source.axis(letter, "max", [(section, "max_limit") for section in own], scale)
+        # An axis' and its joint's both forbid; where joints are no axes the axis' alone.
+        ends = own if _kinematics(source)[1] == "trivkins" else own[:2]
+        for end, pick in (("min", max), ("max", min)):
+            keys = [(section, f"{end}_limit") for section in ends]
+            source.tightest(letter, end, pick, keys, scale)
     source.path("path.feed_max_mm_min", [("traj", "max_linear_velocity")], 60 * unit)
     source.path("kernel.period_ms", [("emcmot", "servo_period")], Decimal("1e-6"))
     source.path("spindle.rpm_max", [("spindle_0", "max_forward_velocity")])

@@ -245,6 +245,7 @@ def test_what_is_imported_is_a_machine_and_moves(text, tmp_path):
         ("M584 X0\nG20\nM203 X9\nM201 X9\n", "in inches (G20)"),
         (KLIPPER.replace("3000", "fast"), "line 13: 'fast' is no number: max_accel: fast"),
         (LINUXCNC.replace("= 30\n", "= nan\n"), "'nan' is no number"),
+        (f"{LINUXCNC}[JOINT_0]\nMAX_LIMIT = 3,5\n", "'3,5' is no number"),
         (GRBL.replace("$120=200.000", "$120="), "axis.x: no a_max"),
         (GRBL.replace("$130=300", "$130=-300"), "axis.x.min_mm"),
         ("axes:\n", "no axis found"),
@@ -329,6 +330,21 @@ def test_angles_have_their_unit_too():
     data, _ = imported(text)
     assert data["axis"]["a"]["v_max_deg_s"] == pytest.approx(90)
     assert data["axis"]["a"]["a_max_deg_s2"] == pytest.approx(1145.91559)
+
+
+# Both forbid: who read the axis' alone went beyond its joint's.
+@pytest.mark.parametrize(
+    ("joint", "kinematics", "ends"),
+    [
+        ("MIN_LIMIT = -4\nMAX_LIMIT = 20", "", (-101.6, 266.7)),
+        ("MIN_LIMIT = -40\nMAX_LIMIT = 3.5", "KINEMATICS = trivkins", (-254, 88.9)),
+        ("MIN_LIMIT = -4\nMAX_LIMIT = 3", "KINEMATICS = corexykins", (-254, 266.7)),
+    ],
+)
+def test_the_travel_is_the_tighter_one_of_an_axis_and_its_joint(joint, kinematics, ends):
+    data, _ = imported(f"{LINUXCNC}[JOINT_0]\n{joint}\n[KINS]\n{kinematics}\n")
+    x = data["axis"]["x"]
+    assert (x["min_mm"], x["max_mm"]) == pytest.approx(ends)
 
 
 def test_two_joints_of_an_axis_do_not_move_the_next():
