@@ -6,6 +6,7 @@
 #include <string.h> // memcpy memset
 
 #include "nck/base/link_invariants.h" // nck_link_invariants
+#include "nck/base/real.h"            // nck_floor
 
 // ---- in
 
@@ -197,6 +198,26 @@ nck_status_t nck_set_position(nck_t *nck, const int64_t *position_nm) {
     nck->interpolate.told = 1;
     nck_link_ask(&nck->link);
     return NCK_OK;
+}
+
+// ---- what has stopped
+
+nck_status_t nck_stopped_at(const nck_t *nck, const nck_halt_t *halt, nck_axes_t *joints_out) {
+    nck_pose_t pose;
+    if (nck_fence_load(&halt->periods) == 0) return NCK_EMPTY;
+    memset(&pose, 0, sizeof pose);
+    memcpy(pose.axis, halt->at, sizeof pose.axis);
+    nck_transform_tick(&nck->transform, &pose, joints_out);
+    return NCK_OK;
+}
+
+nck_status_t nck_probed(nck_t *nck, const nck_halt_t *halt) {
+    int64_t at_nm[NCK_AXIS_MAX];
+    if (!nck->decode.session.before || !nck_decode_is_empty(&nck->decode)) return NCK_E_STATE;
+    for (int x = 0; halt && x < NCK_AXIS_MAX; x++) {
+        at_nm[x] = (int64_t)nck_floor(halt->at[x] * nck_machine_counts(&nck->machine, x) + 0.5);
+    }
+    return nck_decode_probed(&nck->decode, halt ? at_nm : NULL);
 }
 
 // ---- what it tells

@@ -414,6 +414,11 @@ void nck_abort(nck_t *nck) {
     nck_interpolate_stop_thread(&nck->interpolate);
 }
 
+void nck_stop_at(nck_t *nck, nck_halt_t *halt) {
+    nck_abort(nck);
+    nck_interpolate_stop(&nck->interpolate, halt);
+}
+
 void nck_set_single_block(nck_t *nck, uint32_t on) {
     nck_fence_store(&nck->command.single_block, on ? 1 : 0);
 }

@@ -343,6 +343,27 @@ void nck_set_speed(nck_t *nck, uint32_t most_um_s);
 // Cost: constant. Context: any.
 void nck_abort(nck_t *nck);
 
+// An input asks for a stop: a probe touches, an axis is at its switch. Where the axes were told to
+// be by the tick before is kept in halt.at, and from the next tick on every axis brakes straight
+// on, in a time in which all keep halt.quick times their accelerations and, under a slope that
+// knows jerk, their jerks (halt.h has the formula; what the path had of acceleration is gone at
+// once). On a straight path that is on the path. The rest is dropped, as by nck_abort: at rest
+// nck_prep says NCK_DONE, and nck_begin or nck_go_on goes on from where the axes stand. A stop in
+// work is not begun anew. A pass of a thread is lost. halt must stay until then. Cost: constant.
+// Context: tick, before nck_tick.
+void nck_stop_at(nck_t *nck, nck_halt_t *halt);
+
+// The joints where a stop was asked for. Returns NCK_OK; NCK_EMPTY before the next tick.
+// Cost: constant. Context: any.
+nck_status_t nck_stopped_at(const nck_t *nck, const nck_halt_t *halt, nck_axes_t *joints_out);
+
+// Behind a probe (G38.2 … G38.5, G31) and nck_go_on: what it has found, which #5061 … #5070 tell
+// the lines that follow. halt: where it touched; NULL: nothing was there on its way. A line that
+// probes is to be pushed alone: nck_flush, and nothing behind it before it is executed or stopped.
+// Returns NCK_OK; NCK_E_STATE outside of a session, and in the middle of a line. Cost: linear in
+// the parameters. Context: prep.
+nck_status_t nck_probed(nck_t *nck, const nck_halt_t *halt);
+
 // 1 if the tick has nothing left to do: at rest, no WAIT, no cell and no output left.
 // Cost: constant. Context: tick.
 int nck_is_idle(const nck_t *nck);

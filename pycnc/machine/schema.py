@@ -225,7 +225,7 @@ class Dialect(Table):
     probe: Literal["refused", "misses", "touches"] = Field(
         "misses",
         description="What probes (G38.2 to G38.5) meet in the simulation: nothing, or something "
-        "where they end. No probe is asked on the way: a machine that moves says `refused`.",
+        "where they end. A session asks the machine's own probe; `refused` refuses there, too.",
     )
     thread_pull_leads: Leads = Field(
         Decimal(1),

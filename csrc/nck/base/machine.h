@@ -103,7 +103,7 @@ typedef enum nck_quantity {
     NCK_QUANTITIES = 8
 } nck_quantity_t;
 
-// What a straight probe (G38.2 … G38.5) meets. The kernel asks no probe: it is simulated.
+// What a straight probe (G38.2 … G38.5) meets where it is simulated: everywhere but in a session.
 typedef enum nck_probe {
     NCK_PROBE_REFUSED = 0, // probing is refused
     NCK_PROBE_MISSES = 1,  // nothing, on all of its way

@@ -240,6 +240,11 @@ nck_status_t nck_decode_lend(nck_decode_t *self, struct nck_decode *before);
 // Context: prep.
 nck_status_t nck_decode_leave_nothing(nck_decode_t *self);
 
+// A probe has ended: where it touched, of the machine; NULL: it has met nothing, and stands where
+// it was sent. #5061 … #5070. Returns NCK_OK or NCK_E_VARIABLES. Cost: linear in the parameters.
+// Context: prep.
+nck_status_t nck_decode_probed(nck_decode_t *self, const int64_t *at_nm);
+
 // What blocks and findings call the next line, in place of its number; the one behind it is one
 // more. Cost: constant. Context: prep.
 void nck_decode_name_line(nck_decode_t *self, uint32_t name);

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Straight probes, G38.2 … G38.5, and Fanuc's G31, simulated: from rest to rest to the place that
-// the words name.
-// The machine says whether they meet something there; nothing is asked on the way.
+// Straight probes, G38.2 … G38.5, and Fanuc's G31: from rest to rest to the place that the words
+// name. In a program they are simulated: the machine file says whether they meet something there.
+// In a session whoever watches the probe stops them (nck_stop_at) and tells where.
 #include "nck/prep/1_decode/parts.h"
 
-#include <string.h> // memcmp
+#include <string.h> // memcmp memcpy
 
 static nck_status_t fail(nck_decode_t *self, nck_status_t code, int letter, double value) {
     return nck_decode_fail_step(self, code, NCK_STEP_MOTION, letter, value, 0.0);
@@ -17,7 +17,7 @@ static nck_status_t check_contact(nck_decode_t *self, const int64_t *target_nm, 
     if (memcmp(target_nm, self->place.position_nm, sizeof self->place.position_nm) == 0) {
         return fail(self, NCK_E_PROBE, 'X', code / 10.0);
     }
-    return touches ? NCK_OK : fail(self, NCK_E_PROBE, 'G', code / 10.0);
+    return touches || self->session.before ? NCK_OK : fail(self, NCK_E_PROBE, 'G', code / 10.0);
 }
 
 static nck_status_t check_modes(nck_decode_t *self) {
@@ -50,5 +50,15 @@ nck_status_t nck_decode_probe(nck_decode_t *self, nck_block_t *out) {
     if (status == NCK_OK) status = nck_parameter_set_probe(self, touches);
     if (status < NCK_OK) self->modal.motion = NCK_MOTION_REFUSED; // one mistake, one finding
     else if (code == NCK_MOTION_SKIP) self->modal.motion = before;
+    return status;
+}
+
+nck_status_t nck_decode_probed(nck_decode_t *self, const int64_t *at_nm) {
+    int64_t stands_nm[NCK_AXIS_MAX];
+    if (!NCK_HAS_CYCLES) return NCK_E_UNSUPPORTED;
+    memcpy(stands_nm, self->place.position_nm, sizeof stands_nm);
+    if (at_nm) memcpy(self->place.position_nm, at_nm, sizeof stands_nm);
+    const nck_status_t status = nck_parameter_set_probe(self, at_nm != NULL);
+    memcpy(self->place.position_nm, stands_nm, sizeof stands_nm);
     return status;
 }

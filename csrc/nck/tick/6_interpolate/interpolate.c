@@ -243,6 +243,7 @@ static int yields(nck_interpolate_t *self, uint32_t owner) {
     settle_on_counts(self);
     self->from_tail = 0;
     self->rests = 1;
+    self->halt = NULL;
     nck_fence_store(&self->waits, 0);
     nck_fence_store(&self->sync.asked, 0);
     nck_fence_store(&self->sync.lost, 0);
@@ -416,11 +417,42 @@ static void tell_rest(nck_interpolate_t *self) {
     nck_fence_store(&self->stands, self->brakes && rests && !(self->pose.v > 0.0));
 }
 
-const nck_pose_t *nck_interpolate_tick(nck_interpolate_t *self) {
-    const nck_pose_t *const pose = tick(self);
+static void go_on(nck_interpolate_t *self) {
+    (void)tick(self);
     if (self->rider.on & OVERLAPS) ride(self);
     if (self->brakes | self->stands) tell_rest(self);
-    return pose;
+}
+
+// One period on by the path tells the speed of every axis; from where it began they brake.
+static void begin_halt(nck_interpolate_t *self) {
+    nck_halt_t *const halt = self->halt;
+    memcpy(halt->at, self->pose.axis, sizeof halt->at);
+    go_on(self);
+    nck_halt_plan(halt, self->terms, &self->pose);
+    self->rider.on = 0;
+    if (self->sync.state == NCK_SYNC_NOT) return;
+    self->sync.state = NCK_SYNC_NOT;
+    nck_fence_store(&self->sync.lost, 1);
+}
+
+// Beside the path to rest. What is left of it is dropped.
+static void stop_axes(nck_interpolate_t *self) {
+    nck_halt_t *const halt = self->halt;
+    const uint32_t periods = nck_fence_load(&halt->periods);
+    if (periods > 0 && stands_aside(self)) {
+        (void)rest(self);
+        return;
+    }
+    if (periods == 0) begin_halt(self);
+    const int rests = nck_halt_tick(halt, self->machine->period_s, &self->pose);
+    nck_fence_store(&self->has_cell, 1);
+    nck_fence_store(&self->stands, (uint32_t)rests);
+}
+
+const nck_pose_t *nck_interpolate_tick(nck_interpolate_t *self) {
+    if (self->halt) stop_axes(self);
+    else go_on(self);
+    return &self->pose;
 }
 
 // As if it were executed: a tick that follows sets off from rest, and begins to count here.
@@ -442,58 +474,4 @@ void nck_interpolate_watch(nck_interpolate_t *self, int asks, int planned, uint3
     const int slow = self->has_cell && (self->cell.stop & NCK_STOP_SLOW);
     const nck_watched_t seen = {asks, planned, slow, steps, (int)self->from_tail, self->pose.v};
     self->brakes = (uint32_t)nck_watch_tick(&self->watch, self->terms, &seen);
-}
-
-int nck_interpolate_stands(const nck_interpolate_t *self) {
-    return nck_fence_load(&self->stands) != 0;
-}
-
-int nck_interpolate_is_waiting(const nck_interpolate_t *self) {
-    return nck_fence_load(&self->waits) && !nck_fence_load(&self->resume);
-}
-
-int nck_interpolate_is_at_rest(const nck_interpolate_t *self) {
-    if (nck_fence_load(&self->waits)) return 1;
-    return nck_link_is_spent(self->link) && !nck_fence_load(&self->has_cell);
-}
-
-void nck_interpolate_measure(nck_interpolate_t *self, double turns) {
-    nck_sync_measure(&self->sync, turns);
-}
-
-void nck_interpolate_stop_thread(nck_interpolate_t *self) {
-    nck_fence_store(&self->sync.asked, 1);
-}
-
-void nck_interpolate_hold_thread(nck_interpolate_t *self, uint32_t on) {
-    nck_fence_store(&self->sync.held, on);
-}
-
-void nck_interpolate_resume(nck_interpolate_t *self) { nck_fence_store(&self->resume, 1); }
-
-// Up to 2⁵² periods the quotient is never too large by one, however it is rounded.
-uint64_t nck_interpolate_periods(double t, double period) {
-    uint64_t k = (uint64_t)(t / period);
-    while ((double)k * period < t) k++;
-    return k > 0 ? k : 1;
-}
-
-uint64_t nck_interpolate_rebase(double *t, double period) {
-    const double span = (double)NCK_INTERPOLATE_SPAN * period;
-    if (*t < span) return 0;
-    const double spans = nck_floor(*t / span);
-    *t -= spans * span;
-    return (uint64_t)spans * NCK_INTERPOLATE_SPAN;
-}
-
-int nck_interpolate_invariants(const nck_interpolate_t *self) {
-    const nck_filter_t *const filter = &self->filter;
-    const nck_pose_t *const pose = &self->pose;
-    double sum = pose->s + pose->left + pose->feed;
-    for (int x = 0; x < NCK_AXIS_MAX; x++) sum += pose->axis[x];
-    return sum - sum == 0.0 && pose->v >= 0.0 && pose->state <= NCK_TICK_HOLD
-           && filter->taps >= 1 && filter->taps <= NCK_FILTER_TAPS && filter->at < filter->taps
-           && filter->settle <= filter->taps && self->t_cell >= 0.0
-           && self->t_cell < (double)NCK_INTERPOLATE_SPAN * self->machine->period_s
-           && (!self->has_cell || self->cell.duration >= 0.0);
 }

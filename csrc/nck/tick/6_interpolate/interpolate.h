@@ -10,6 +10,7 @@
 #include "nck/base/terms.h"   // nck_terms_t
 #include "nck/tick/6_interpolate/clock.h" // nck_clock_t
 #include "nck/tick/6_interpolate/mean.h"  // nck_filter_t nck_rider_t
+#include "nck/tick/6_interpolate/halt.h"  // nck_halt_t
 #include "nck/tick/6_interpolate/sync.h"  // nck_sync_t
 #include "nck/tick/6_interpolate/watch.h" // nck_watch_t
 
@@ -36,6 +37,7 @@ typedef struct nck_interpolate {
     nck_watch_t watch;      // over prep
     uint32_t brakes;        // as what a tick is told that has to brake, an nck_tick_state_t; 0: not
     uint32_t stands;        // 1: it has, and rests; any reads it
+    nck_halt_t *halt;       // of the axes beside the path, in work or at its rest; NULL: none
     uint64_t k;             // periods since time began to count
     double t_cell;          // when the cell begins [s]
     uint32_t told;          // 1: the axes stand at the machine's start position: prep says so
@@ -64,6 +66,9 @@ void nck_interpolate_stop_thread(nck_interpolate_t *self);
 
 // 1: begin no pass of a thread, one in work goes on; 0: as before. Cost: constant. Context: any.
 void nck_interpolate_hold_thread(nck_interpolate_t *self, uint32_t on);
+
+// Stop the axes in the next tick: see nck_stop_at. Cost: constant. Context: tick.
+void nck_interpolate_stop(nck_interpolate_t *self, nck_halt_t *halt);
 
 // What is known of prep before a tick: 1 if somebody asks for rest; 1 if the plan in force brings
 // it; prep's steps so far, 0 if it has nothing left to do. The tick brakes by itself, and comes to
