@@ -28,8 +28,12 @@ nck_status_t host_serve_init(host_serve_t *self, nck_t *nck, const nck_machine_t
     const nck_status_t status = nck_init(nck, machine, &hooks);
     if (status != NCK_OK) return status;
     (void)nck_position(nck, &self->pose, &self->axes);
+    inputs_init(&self->inputs, nck);
+    host_switches_init(&self->switches, nck);
     return serve_init(&self->serve, nck, &self->room, &port);
 }
+
+void host_serve_connect(host_serve_t *self) { serve_switches(&self->serve, &self->inputs); }
 
 // What waits outside goes in.
 static void let_in(host_serve_t *self) {
@@ -62,7 +66,10 @@ void host_serve_part(host_serve_t *self) {
 // What the drives feel of a period.
 static void note(host_serve_t *self, const nck_axes_t *before) {
     const nck_machine_t *const machine = nck_machine_of(self->nck);
+    const int told = nck_places(self->nck) != self->switches.places;
     int moved = 0;
+    host_switches_move(&self->switches, self->nck, &self->axes);
+    if (told) return;
     for (uint32_t k = 0; k < nck_joint_count(self->nck); k++) {
         const uint32_t axis = nck_joint_axis(self->nck, k);
         const int64_t step = self->axes.joint_nm[k] - before->joint_nm[k];
@@ -90,6 +97,7 @@ void host_serve_run(host_serve_t *self, uint32_t ticks, uint32_t steps) {
         const nck_axes_t before = self->axes;
         let_in(self);
         prepare(self, steps);
+        (void)inputs_tick(&self->inputs, host_switches_read(&self->switches));
         (void)nck_tick(self->nck, &self->pose, &self->axes);
         serve_tick(&self->serve, &self->pose);
         note(self, &before);

@@ -6,6 +6,8 @@
 
 #include <stddef.h> // size_t
 
+#include "host_switches.h" // host_switches_t
+#include "inputs/inputs.h" // inputs_t
 #include "nck/nck.h"     // nck_t
 #include "serve/serve.h" // serve_t
 
@@ -18,6 +20,8 @@ typedef struct host_serve {
     nck_t *nck;
     nck_decode_t room;
     serve_t serve;
+    inputs_t inputs;
+    host_switches_t switches;
     char in[HOST_IN];
     size_t in_count;
     char out[HOST_OUT];
@@ -34,6 +38,9 @@ typedef struct host_serve {
 // Begin at rest, with the banner to take. nck is initialised here and must outlive self.
 // Returns as nck_init. Cost: constant. Context: any.
 nck_status_t host_serve_init(host_serve_t *self, nck_t *nck, const nck_machine_t *machine);
+
+// The machine has switches: inputs.set and switches as the caller has set them. Cost: constant.
+void host_serve_connect(host_serve_t *self);
 
 // Bytes arrive. Those that find no room in the ring wait outside, but for real-time ones. Returns
 // how many were taken: fewer than n where too many wait. Cost: linear in them.

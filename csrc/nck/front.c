@@ -195,10 +195,12 @@ nck_status_t nck_set_position(nck_t *nck, const int64_t *position_nm) {
     }
     if (!is_all_done(nck)) return NCK_E_STATE;
     memcpy(machine->start_nm, position_nm, sizeof machine->start_nm);
-    nck->interpolate.told = 1;
+    nck->interpolate.told |= 1u;
     nck_link_ask(&nck->link);
     return NCK_OK;
 }
+
+uint32_t nck_places(const nck_t *nck) { return nck->interpolate.told >> 1; }
 
 // ---- what has stopped
 

@@ -267,6 +267,11 @@ void nck_name_line(nck_t *nck, uint32_t name);
 // the tick may go on running.
 nck_status_t nck_set_position(nck_t *nck, const int64_t *position_nm);
 
+// How often nck_set_position has been heard, nck_init counted. Where it is another number behind a
+// tick, that tick's setpoint is where the drives stand, and no way for them to go.
+// Cost: constant. Context: tick.
+uint32_t nck_places(const nck_t *nck);
+
 // Change limits between blocks: of every axis v_max, rapid, a_max and j_max, of the path feed_max,
 // a_max, j_max, chord_error and tolerance (what a bare G64 means from the next one on). The rest of
 // `machine` must be valid and counts for nothing. They hold for what is pushed afterwards; the path

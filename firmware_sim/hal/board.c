@@ -104,6 +104,8 @@ void NMI_Handler(void) {
     board_exit(barked ? BOARD_EXIT_WATCHDOG : BOARD_EXIT_NMI);
 }
 
+uint32_t hal_inputs(void) { return 0; } // nothing is wired
+
 void hal_exit(int status) {
     hal_make_safe();
     flush(HAL_REPORT);

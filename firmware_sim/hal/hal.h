@@ -8,6 +8,8 @@
 #include <stddef.h> // size_t
 #include <stdint.h> // uint32_t
 
+#include "hal/input.h" // hal_input_t
+
 // Streams to and from the world outside.
 typedef enum hal_stream {
     HAL_JOB = 0,     // in, "job": what this run is to do
@@ -43,6 +45,10 @@ uint32_t hal_clock_hz(void);
 // Switch an output; in the safe state it stays off. Cost: constant. Context: tick or task, each
 // output from one of them.
 void hal_switch(hal_output_t output, int32_t value);
+
+// All inputs as they are now, one bit each: hal_input_t. Cost: constant. Context: tick, before
+// nck_tick.
+uint32_t hal_inputs(void);
 
 // What an output is switched to. Cost: constant. Context: any.
 int32_t hal_switched(hal_output_t output);

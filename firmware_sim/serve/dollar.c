@@ -10,7 +10,7 @@ enum {
     KIND = 10, MASK_MOST = 3
 };
 
-static void say_setting(serve_t *self, uint32_t number, int32_t value, uint32_t places) {
+void serve_say_setting(serve_t *self, uint32_t number, int32_t value, uint32_t places) {
     serve_say_code(self, "$", (int32_t)number);
     serve_say(self, "=");
     serve_say_number(self, value, places);
@@ -31,15 +31,15 @@ static void say_axes(serve_t *self, uint32_t kind) {
         if (!machine->axis[axis].present) continue;
         const double counts = nck_machine_counts(machine, axis);
         const double value = value_of(&machine->axis[axis], kind, counts);
-        say_setting(self, number++, serve_round(value * 1e3), 3);
+        serve_say_setting(self, number++, serve_round(value * 1e3), 3);
     }
 }
 
 static uint8_t say_settings(serve_t *self) {
-    say_setting(self, MASK, self->mask, 0);
-    say_setting(self, INCHES, self->inches, 0);
-    say_setting(self, SOFT_LIMITS, 1, 0);
-    say_setting(self, HOMING, 0, 0);
+    serve_say_setting(self, MASK, self->mask, 0);
+    serve_say_setting(self, INCHES, self->inches, 0);
+    serve_say_setting(self, SOFT_LIMITS, 1, 0);
+    if (!serve_beside(self, SERVE_AT_LIST, 0.0)) serve_say_setting(self, HOMING, 0, 0);
     for (uint32_t kind = RATE; kind <= TRAVEL; kind += KIND) say_axes(self, kind);
     return 0;
 }
@@ -76,8 +76,10 @@ static uint8_t set(serve_t *self) {
     case MASK: self->mask = (uint8_t)value.whole & MASK_MOST; return 0;
     default: break;
     }
+    const double number = value.whole + value.thousandths / 1e3;
+    if (name.whole < RATE && serve_beside(self, SERVE_AT_SET + name.whole, number)) return 0;
     if (name.whole < RATE || name.whole >= TRAVEL) return SERVE_E_STATEMENT;
-    return set_axis(self, name.whole, value.whole + value.thousandths / 1e3);
+    return set_axis(self, name.whole, number);
 }
 
 // Behind its end nothing moves and nothing is checked: as behind a reset.
@@ -128,8 +130,8 @@ static uint8_t help(serve_t *self) {
 }
 
 static uint8_t home(serve_t *self) {
-    (void)self;
-    return SERVE_E_DISABLED;
+    if (!self->beside) return SERVE_E_DISABLED;
+    return (uint8_t)serve_beside(self, SERVE_AT_HOME, 0.0);
 }
 
 typedef struct command {

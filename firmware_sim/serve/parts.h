@@ -51,6 +51,19 @@ void serve_say_status(serve_t *self);
 uint8_t serve_say_modes(serve_t *self);
 uint8_t serve_say_offsets(serve_t *self);
 
+// report.c: where the axes are, counted from a zero; without a place, the zero.
+void serve_say_axes(serve_t *self, const char *before, const double *at, const int64_t *zero_nm);
+
+// dollar.c: a line of $$. Cost: constant.
+void serve_say_setting(serve_t *self, uint32_t number, int32_t value, uint32_t places);
+
+// serve.c: the line in work is over. Hold as by !, or by a door. Cost: constant.
+void serve_answer(serve_t *self);
+void serve_hold(serve_t *self, int door);
+
+// serve.c: ask who knows the switches. Cost: that of the answer.
+int serve_beside(serve_t *self, uint32_t event, double value);
+
 // serve.c: nothing is under way, and all stands. Cost: constant.
 int serve_is_idle(const serve_t *self);
 

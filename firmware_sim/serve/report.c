@@ -45,8 +45,7 @@ void serve_say_code(serve_t *self, const char *before, int32_t number) {
     serve_say_number(self, number, 0);
 }
 
-// Where the axes are, counted from a zero; without a place, the zero.
-static void say_axes(serve_t *self, const char *before, const double *at, const int64_t *zero_nm) {
+void serve_say_axes(serve_t *self, const char *before, const double *at, const int64_t *zero_nm) {
     const nck_machine_t *const machine = nck_machine_of(self->nck);
     const char *comma = before;
     for (int axis = 0; axis < NCK_AXIS_MAX; axis++) {
@@ -65,6 +64,7 @@ static const int64_t nowhere_nm[NCK_AXIS_MAX];
 static const char *state_of(const serve_t *self) {
     const serve_seen_t *const seen = serve_seen(self);
     if (self->sleeps) return "Sleep";
+    if (self->phase == SERVE_HOMES) return "Home";
     if (self->locked) return "Alarm";
     if (self->door) return seen->moves ? "Door:2" : "Door:0";
     if (self->held || self->phase == SERVE_BRAKES) return seen->moves ? "Hold:1" : "Hold:0";
@@ -116,7 +116,7 @@ static void say_seldom(serve_t *self, const nck_modal_t *modal, int moves) {
     self->told = sum;
     if (self->wco_in == 0) {
         self->wco_in = moves ? WCO_MOVING : WCO_RESTING;
-        say_axes(self, "|WCO:", NULL, modal->origin_nm);
+        serve_say_axes(self, "|WCO:", NULL, modal->origin_nm);
     } else if (self->ov_in == 0) {
         self->ov_in = moves ? OV_MOVING : OV_RESTING;
         say_overrides(self);
@@ -134,11 +134,12 @@ void serve_say_status(serve_t *self) {
     nck_modal(self->nck, &modal);
     serve_say(self, "<");
     serve_say(self, state);
-    if (self->mask & 1) say_axes(self, "|MPos:", seen.at, nowhere_nm);
-    else say_axes(self, "|WPos:", seen.at, modal.origin_nm);
+    if (self->mask & 1) serve_say_axes(self, "|MPos:", seen.at, nowhere_nm);
+    else serve_say_axes(self, "|WPos:", seen.at, modal.origin_nm);
     if (self->mask & 2) say_room(self);
     if (seen.line != 0 && *state != 'I') serve_say_code(self, "|Ln:", (int32_t)seen.line);
     say_speeds(self, &seen);
+    (void)serve_beside(self, SERVE_AT_STATUS, 0.0);
     say_seldom(self, &modal, seen.moves);
     serve_say(self, ">\r\n");
 }
@@ -181,13 +182,15 @@ uint8_t serve_say_offsets(serve_t *self) {
         if (k == SYSTEMS) place_nm = modal.home_nm[0];
         if (k == SYSTEMS + 2) place_nm = modal.g92_nm;
         serve_say_code(self, "[G", names[k]);
-        say_axes(self, ":", NULL, place_nm);
+        serve_say_axes(self, ":", NULL, place_nm);
         serve_say(self, "]\r\n");
         place_nm += NCK_AXIS_MAX;
     }
     serve_say(self, "[TLO:");
     serve_say_number(self, serve_round((double)modal.tool_nm[2] * UM_PER_NM), 3);
-    say_axes(self, "]\r\n[PRB:", NULL, nowhere_nm);
+    serve_say(self, "]\r\n");
+    if (serve_beside(self, SERVE_AT_OFFSETS, 0.0)) return 0;
+    serve_say_axes(self, "[PRB:", NULL, nowhere_nm);
     serve_say(self, ":0]\r\n");
     return 0;
 }

@@ -62,6 +62,10 @@ uint32_t serve_coolant(const serve_t *self) {
     return nck_fence_load(&self->tick.coolant) ^ self->turned;
 }
 
+int serve_beside(serve_t *self, uint32_t event, double value) {
+    return self->beside ? self->beside(self, event, value) : 0;
+}
+
 // ---- what is received
 
 // A letter outside of ASCII counts for nothing, though its later bytes look like signals.
@@ -143,6 +147,7 @@ void serve_brake(serve_t *self, serve_then_t then) {
 }
 
 static void reset(serve_t *self) {
+    if (self->phase == SERVE_HOMES) (void)serve_beside(self, SERVE_AT_BREAK, 0.0);
     nck_fence_store(&self->in.tail, nck_fence_load(&self->in.head));
     nck_fence_store(&self->in.lost, 0);
     memset(&self->line, 0, sizeof self->line);
@@ -163,8 +168,13 @@ static void cancel_jog(serve_t *self) {
     serve_brake(self, SERVE_THEN_NOTHING);
 }
 
-static void hold(serve_t *self, int door) {
+void serve_hold(serve_t *self, int door) {
     const int jogs = is_jogging(self);
+    if (self->phase == SERVE_HOMES) {
+        (void)serve_beside(self, SERVE_AT_BREAK, 0.0);
+        self->waits = 1;
+        serve_brake(self, SERVE_THEN_NOTHING);
+    }
     if (self->checks || self->locked || self->sleeps) return;
     if (door) self->door = 1;
     cancel_jog(self);
@@ -176,6 +186,7 @@ static void hold(serve_t *self, int door) {
 static void resume(serve_t *self) {
     const int waits = serve_seen(self)->state == NCK_TICK_WAIT;
     const int rests = self->held || waits;
+    if (serve_beside(self, SERVE_AT_RESUME, 0.0)) return;
     self->held = self->door = 0;
     if (rests && self->phase != SERVE_BRAKES) nck_resume(self->nck);
 }
@@ -202,10 +213,10 @@ static void change_override(serve_t *self, uint8_t byte) {
 static void obey(serve_t *self, uint8_t byte) {
     switch (byte) {
     case '?': serve_say_status(self); break;
-    case '!': hold(self, 0); break;
+    case '!': serve_hold(self, 0); break;
     case '~': resume(self); break;
     case 0x18: reset(self); break;
-    case 0x84: hold(self, 1); break;
+    case 0x84: serve_hold(self, 1); break;
     case 0x85: cancel_jog(self); break;
     case 0xa0: self->turned ^= 2; break;
     case 0xa1: self->turned ^= 1; break;
@@ -232,7 +243,7 @@ static void clear_line(serve_t *self) {
 }
 
 // The line in work is over.
-static void answer(serve_t *self) {
+void serve_answer(serve_t *self) {
     if (self->line.error != 0 && !self->line.own) {
         serve_say_code(self, "error:", self->line.error);
         serve_say(self, "\r\n");
@@ -298,7 +309,7 @@ static uint8_t begin_jog(serve_t *self) {
 static uint8_t begin_code(serve_t *self) {
     if (self->locked || self->jogging) return SERVE_E_LOCKED;
     serve_look(self);
-    return 0;
+    return self->line.probes && !self->beside ? SERVE_E_CODE : 0;
 }
 
 // A line is complete. Returns 1 if the kernel is to have it; else it is answered by its error, or
@@ -343,13 +354,16 @@ static int read(serve_t *self, nck_status_t status) {
     }
     self->phase = SERVE_GIVES;
     if (begin_line(self)) return 1;
-    if (self->phase == SERVE_GIVES) answer(self);
+    if (self->phase == SERVE_GIVES) serve_answer(self);
     return 1;
 }
 
 // Returns 1 if the kernel has taken it.
 static int give(serve_t *self) {
     size_t used = 0;
+    const int goes = self->line.probes ? serve_beside(self, SERVE_AT_PROBE, 0.0) : 1;
+    if (goes == 2) serve_answer(self);
+    if (goes != 1) return 0;
     if (self->line.jogs && nck_leave_nothing(self->nck) != NCK_OK) return 0;
     nck_name_line(self->nck, self->line.name);
     (void)nck_push(self->nck, self->text, self->line.size, &used);
@@ -369,7 +383,7 @@ static int take(serve_t *self) {
             self->jogging = 1;
             override(self);
         }
-        answer(self);
+        serve_answer(self);
         return 1;
     }
     if (!self->line.ends) nck_flush(self->nck);
@@ -379,8 +393,9 @@ static int take(serve_t *self) {
 
 static int settle(serve_t *self, nck_status_t status) {
     if (!serve_is_idle(self)) return 0;
+    if (self->line.probes) (void)serve_beside(self, SERVE_AT_PROBED, 0.0);
     if (!self->line.ends) {
-        answer(self);
+        serve_answer(self);
         return 1;
     }
     if (status != NCK_DONE || nck_begin(self->nck) != NCK_OK) return 0;
@@ -401,7 +416,7 @@ static int end_brake(serve_t *self) {
     }
     self->then = SERVE_THEN_OK;
     self->phase = SERVE_READS;
-    if (self->waits) answer(self);
+    if (self->waits) serve_answer(self);
     self->waits = 0;
     return 1;
 }
@@ -445,7 +460,7 @@ nck_status_t serve_step(serve_t *self) {
     const int heard = hear(self);
     const nck_status_t status = nck_prep(self->nck);
     find(self);
-    const int went = follow(self, status);
+    const int went = serve_beside(self, SERVE_AT_STEP, 0.0) ? 0 : follow(self, status);
     if (heard || went || status <= NCK_OK) return NCK_OK;
     return status == NCK_EMPTY ? NCK_EMPTY : NCK_FULL;
 }
@@ -459,7 +474,7 @@ void serve_part(serve_t *self) {
     nck_fence_store(&self->in.tail, nck_fence_load(&self->in.head));
     if (self->phase == SERVE_READS) memset(&self->line, 0, sizeof self->line);
     self->line.own = 1;
-    if (!idle) hold(self, 0);
+    if (!idle) serve_hold(self, 0);
 }
 
 nck_status_t serve_init(serve_t *self, nck_t *nck, nck_decode_t *room, const serve_port_t *port) {

@@ -32,7 +32,8 @@ typedef enum serve_phase {
     SERVE_GIVES = 1,  // one is to be pushed
     SERVE_TAKES = 2,  // and taken by the kernel to its end
     SERVE_SETTLES = 3,// all before it, and it, is to be executed
-    SERVE_BRAKES = 4  // the path comes to rest, what is left of it is dropped
+    SERVE_BRAKES = 4, // the path comes to rest, what is left of it is dropped
+    SERVE_HOMES = 5   // $H is in work
 } serve_phase_t;
 
 // What comes when the line in work, or the brake, is over.
@@ -53,6 +54,20 @@ typedef struct serve_seen {
     uint8_t idle;            // 1: nck_is_idle
 } serve_seen_t;
 
+// When whoever knows the machine's switches is asked. What is not said returns 0.
+typedef enum serve_event {
+    SERVE_AT_STEP = 0,    // in every step; 1: the step is done
+    SERVE_AT_PROBE = 1,   // a line that probes is to go: 1 now, 0 later, 2 never
+    SERVE_AT_PROBED = 2,  // it is over
+    SERVE_AT_HOME = 3,    // $H: its error
+    SERVE_AT_BREAK = 4,   // $H is broken off
+    SERVE_AT_RESUME = 5,  // 1: not now
+    SERVE_AT_STATUS = 6,  // a report wants its fields
+    SERVE_AT_OFFSETS = 7, // $# wants where the probe touched; 1: it was said
+    SERVE_AT_LIST = 8,    // $$ wants settings; 1: they were said
+    SERVE_AT_SET = 9      // and above: $(event − 9)=value; 1: it is one
+} serve_event_t;
+
 // All of it: one static instance. What is asked for often stands first, which makes code smaller.
 typedef struct serve {
     uint8_t phase;               // serve_phase_t
@@ -71,6 +86,7 @@ typedef struct serve {
     uint8_t inches;              // $13
     uint8_t feed, rapid, spindle; // overrides [%]
     uint8_t wco_in, ov_in;       // reports until these are told again
+    uint8_t probe;               // the last G38.n
 
     struct {                     // the line in work
         uint8_t error;           // to be answered, 0: none
@@ -80,6 +96,7 @@ typedef struct serve {
         uint8_t settles;         // 1: ok when it is executed
         uint8_t ends;            // 1: M2 or M30
         uint8_t own;             // 1: nobody has sent it, or who has is gone
+        uint8_t probes;          // G38.n: n; 0: it does not
         uint32_t name;           // its N word
         uint32_t size;           // of text
     } line;
@@ -104,6 +121,8 @@ typedef struct serve {
     } tick;
 
     serve_port_t port;
+    int (*beside)(struct serve *self, uint32_t event, double value); // NULL: no switches
+    struct inputs *inputs;         // serve_switches
     char text[SERVE_LINE_MAX + 8]; // of the line, behind a jog's prefix, ended by a line feed
     uint8_t signal[SERVE_SIGNALS]; // real-time bytes
     char ring[SERVE_RING];         // all others
@@ -114,6 +133,12 @@ typedef struct serve {
 // now on (nck_begin_session). Returns NCK_OK, or what nck_begin_session does. Cost: constant.
 // Context: prep, before the tick runs.
 nck_status_t serve_init(serve_t *self, nck_t *nck, nck_decode_t *room, const serve_port_t *port);
+
+// The machine has switches, which somebody gives to inputs_tick (inputs/inputs.h). Where it is to
+// be homed it is locked until it is. Links beside.c, which is left out otherwise. Cost: constant.
+// Context: prep, before the tick runs.
+struct inputs;
+void serve_switches(serve_t *self, struct inputs *inputs);
 
 // A byte has come: serve_hear, and serve_put where it says 0. Cost: constant. Context: any, but
 // one.

@@ -5,7 +5,7 @@
 
 #include "serve/parts.h"
 
-enum { TENTHS = 10, WHOLE_MOST = 99999999 };
+enum { TENTHS = 10, WHOLE_MOST = 99999999, PROBES = 38 };
 
 static const char jog_prefix[] = "G1G94"; // in place of $J=
 
@@ -42,12 +42,28 @@ static void look_at_word(serve_t *self, char letter, const serve_number_t *numbe
         if (code == 20 || code == 300) self->line.ends = 1;
         if (code == 0 || code == 10 || code == 60 || code == 600) self->line.settles = 1;
     }
+    if (letter == 'G' && code >= 382 && code <= 385) {
+        self->probe = self->line.probes = (uint8_t)(code - 380);
+    }
+    if (letter == 'G' && (code < 40 || code == 800)) self->probe = 0;
     if (letter == 'G' && (code == 40 || code == 100 || code == 281 || code == 301)) {
         self->line.settles = 1;
     }
 }
 
+// Axes alone probe where the line before has.
+static int probes_on(const serve_t *self) {
+    nck_modal_t modal;
+    nck_modal(self->nck, &modal);
+    return modal.motion == PROBES;
+}
+
+static int is_axis(char letter) {
+    return (letter >= 'A' && letter <= 'C') || (letter >= 'U' && letter <= 'Z');
+}
+
 void serve_look(serve_t *self) {
+    int moves = 0;
     const char *at = self->text;
     const char *const behind = at + self->line.size;
     self->text[self->line.size] = '\0';
@@ -56,16 +72,15 @@ void serve_look(serve_t *self) {
         const char letter = *at++;
         if (letter < 'A' || letter > 'Z') continue;
         if (serve_number(&at, &number)) look_at_word(self, letter, &number);
+        moves |= is_axis(letter);
     }
+    if (moves && self->probe && probes_on(self)) self->line.probes = self->probe;
+    if (self->line.probes) self->line.settles = 1;
 }
 
 static int is_jog_code(const serve_number_t *number) {
     const uint32_t code = tenths_of(number);
     return code == 200 || code == 210 || code == 900 || code == 910 || code == 530;
-}
-
-static int is_axis(char letter) {
-    return (letter >= 'A' && letter <= 'C') || (letter >= 'U' && letter <= 'Z');
 }
 
 uint8_t serve_look_jog(serve_t *self) {

@@ -39,6 +39,34 @@ class Session:
         self._out = ffi.new("char[]", lib.HOST_OUT)
         check(lib.host_serve_init(self._host, self._nck, machine.pointer))
 
+    def connect(self, inputs=None, **switches):
+        """Give the machine switches: what of them is set, and where the real axes are.
+
+        Parameters
+        ----------
+        inputs : dict
+            Members of ``inputs_set_t``.
+        switches
+            Members of ``host_switches_t``; lists of nanometres begin with X.
+        """
+        for name, value in (inputs or {}).items():
+            setattr(self._host.inputs.set, name, value)
+        for name, value in switches.items():
+            self.wire(name, value)
+        lib.host_serve_connect(self._host)
+
+    def wire(self, name, value):
+        """Change a member of the simulated switches."""
+        if isinstance(value, list | tuple):
+            getattr(self._host.switches, name)[0 : len(value)] = value
+        else:
+            setattr(self._host.switches, name, value)
+
+    @property
+    def real_nm(self):
+        """Return where the real axes are [nm, nanodegrees], which the kernel may not know."""
+        return tuple(self._host.switches.real_nm[0:9])
+
     def receive(self, data):
         """Hand over bytes as they arrive; return how many found room."""
         return lib.host_serve_receive(self._host, data, len(data))

@@ -248,7 +248,9 @@ static void the_axes_can_be_told_to_stand_elsewhere(check_t *check)
     place_nm[1] = 0;
     CHECK_INT(check, nck_set_position(&front.nck, place_nm), NCK_OK);
     front.hash = 0;
+    CHECK_INT(check, nck_places(&front.nck), 1);
     front_tick(&front);
+    CHECK_INT(check, nck_places(&front.nck), 2);
     CHECK_INT(check, front.axes.joint_nm[0], -7000000);
     CHECK_INT(check, front.axes.joint_nm[2], 3000000);
     line(&front, "X2");

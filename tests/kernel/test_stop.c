@@ -212,6 +212,33 @@ static void it_stops_what_does_not_move(check_t *check)
     }
 }
 
+// The axes are told where they stand, and an input stops them in the period that hears of it.
+static void a_stop_while_the_place_is_told(check_t *check)
+{
+    const int64_t place_nm[NCK_AXIS_MAX] = {70000000, -30000000};
+    for (int late = 0; late < 3; late++) {
+        begin(NCK_SLOPE_JERK);
+        front_push(&front, "G91 G1 X3 F900\n");
+        nck_flush(&front.nck);
+        front_rest(&front);
+        CHECK_INT(check, nck_set_position(&front.nck, place_nm), NCK_OK);
+        for (int n = 0; n < late; n++) front_tick(&front);
+        nck_stop_at(&front.nck, &halt);
+        for (int n = 0; n < 50; n++) {
+            front_tick(&front);
+            CHECK_INT(check, front.axes.joint_nm[0], 70000000);
+            CHECK_INT(check, front.axes.joint_nm[1], -30000000);
+        }
+        CHECK(check, nck_is_idle(&front.nck) && nck_fence_load(&halt.periods) == 1);
+        CHECK_INT(check, nck_go_on(&front.nck), NCK_OK);
+        front_push(&front, "G1 X1\n");
+        nck_flush(&front.nck);
+        front_rest(&front);
+        CHECK_INT(check, front.axes.joint_nm[0], 71000000);
+        CHECK_INT(check, nck_invariants(&front.nck), 0);
+    }
+}
+
 // What a probe has found is told to the lines behind it, in the program's coordinates.
 static void a_probe_tells_where_it_touched(check_t *check)
 {
@@ -261,6 +288,7 @@ int main(int argc, char **argv)
     CHECK_RUN(&check, a_stop_at_rest_is_none);
     CHECK_RUN(&check, a_stop_in_work_is_not_begun_anew);
     CHECK_RUN(&check, it_stops_what_does_not_move);
+    CHECK_RUN(&check, a_stop_while_the_place_is_told);
     CHECK_RUN(&check, a_probe_tells_where_it_touched);
     CHECK_RUN(&check, a_probe_is_asked_in_a_session_alone);
     return check_end(&check);

@@ -20,12 +20,13 @@ enum { OVERLAPS = NCK_HAS_OVERLAP, RIDES = OVERLAPS * NCK_STOP_RIDES };
 
 // The next path begins where the drives stand: at whole counts, or where prep says.
 static void settle_on_counts(nck_interpolate_t *self) {
+    const int told = (self->told & 1u) != 0;
     for (int x = 0; x < NCK_AXIS_MAX; x++) {
         const double counts = nck_machine_counts(self->machine, x);
         const double at = nck_floor(self->pose.axis[x] * counts + 0.5);
-        self->pose.axis[x] = (self->told ? (double)self->machine->start_nm[x] : at) / counts;
+        self->pose.axis[x] = (told ? (double)self->machine->start_nm[x] : at) / counts;
     }
-    self->told = 0;
+    self->told += self->told & 1u;
 }
 
 void nck_interpolate_init(nck_interpolate_t *self, const nck_terms_t *terms, nck_link_t *link) {
@@ -426,8 +427,9 @@ static void go_on(nck_interpolate_t *self) {
 // One period on by the path tells the speed of every axis; from where it began they brake.
 static void begin_halt(nck_interpolate_t *self) {
     nck_halt_t *const halt = self->halt;
+    const int aside = stands_aside(self); // the axes may be told where they stand
     memcpy(halt->at, self->pose.axis, sizeof halt->at);
-    go_on(self);
+    if (!aside) go_on(self);
     nck_halt_plan(halt, self->terms, &self->pose);
     self->rider.on = 0;
     if (self->sync.state == NCK_SYNC_NOT) return;
@@ -438,13 +440,14 @@ static void begin_halt(nck_interpolate_t *self) {
 // Beside the path to rest. What is left of it is dropped.
 static void stop_axes(nck_interpolate_t *self) {
     nck_halt_t *const halt = self->halt;
-    const uint32_t periods = nck_fence_load(&halt->periods);
-    if (periods > 0 && stands_aside(self)) {
+    if (nck_fence_load(&halt->periods) == 0) {
+        begin_halt(self);
+    } else if (stands_aside(self)) {
         (void)rest(self);
         return;
     }
-    if (periods == 0) begin_halt(self);
     const int rests = nck_halt_tick(halt, self->machine->period_s, &self->pose);
+    if (!self->halt) return; // prep has begun anew
     nck_fence_store(&self->has_cell, 1);
     nck_fence_store(&self->stands, (uint32_t)rests);
 }

@@ -40,7 +40,8 @@ typedef struct nck_interpolate {
     nck_halt_t *halt;       // of the axes beside the path, in work or at its rest; NULL: none
     uint64_t k;             // periods since time began to count
     double t_cell;          // when the cell begins [s]
-    uint32_t told;          // 1: the axes stand at the machine's start position: prep says so
+    uint32_t told;          // bit 0: the axes stand at the machine's start position: prep says so;
+                            // above it, how often that was
     nck_pose_t pose;        // of the last tick
 } nck_interpolate_t;
 

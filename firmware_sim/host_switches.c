@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT
+// Switches of a machine that is not there.
+#include "host_switches.h"
+
+#include <string.h> // memset
+
+enum { INPUTS = 32, LONG = 1 << 30 };
+
+static const int64_t nowhere_nm = -1000000000000;
+
+void host_switches_init(host_switches_t *self, const nck_t *nck) {
+    nck_pose_t pose;
+    nck_axes_t axes;
+    memset(self, 0, sizeof *self);
+    self->plate_nm = nowhere_nm;
+    self->seed = 1;
+    for (int k = 0; k < INPUTS; k++) self->since[k] = LONG;
+    (void)nck_position(nck, &pose, &axes);
+    host_switches_move(self, nck, &axes);
+    memset(self->real_nm, 0, sizeof self->real_nm);
+    for (uint32_t k = 0; k < nck_joint_count(nck); k++) {
+        self->real_nm[nck_joint_axis(nck, k)] = axes.joint_nm[k];
+    }
+}
+
+static uint32_t closed_now(const host_switches_t *self) {
+    uint32_t closed = self->pushed;
+    for (uint32_t x = 0; x < NCK_AXIS_MAX; x++) {
+        const int64_t beyond = self->real_nm[x] - self->place_nm[x];
+        const int is_closed = (self->least >> x & 1u) ? beyond <= 0 : beyond >= 0;
+        if ((self->wired >> x & 1u) == 0 || !is_closed) continue;
+        closed |= 1u << (HAL_IN_LIMIT + x) | 1u << (HAL_IN_HOME + x);
+    }
+    if (self->real_nm[NCK_AXIS_Z] <= self->plate_nm) closed |= 1u << HAL_IN_PROBE;
+    return closed;
+}
+
+static uint32_t coin(host_switches_t *self) {
+    self->seed = self->seed * 6364136223846793005u + 1442695040888963407u;
+    return (uint32_t)(self->seed >> 40) & 1u;
+}
+
+uint32_t host_switches_read(host_switches_t *self) {
+    const uint32_t closed = closed_now(self);
+    const uint32_t changed = closed ^ self->closed;
+    uint32_t read = closed;
+    self->closed = closed;
+    for (uint32_t k = 0; k < INPUTS; k++) {
+        if (changed >> k & 1u) self->since[k] = 0;
+        else if (self->since[k] < LONG) self->since[k]++;
+        if (self->since[k] < self->bounce && coin(self)) read ^= 1u << k;
+    }
+    return read | self->broken;
+}
+
+void host_switches_move(host_switches_t *self, const nck_t *nck, const nck_axes_t *axes) {
+    const int told = nck_places(nck) != self->places;
+    for (uint32_t k = 0; k < nck_joint_count(nck); k++) {
+        const uint32_t x = nck_joint_axis(nck, k);
+        if (!told) self->real_nm[x] += axes->joint_nm[k] - self->told_nm[x];
+        self->told_nm[x] = axes->joint_nm[k];
+    }
+    self->places = nck_places(nck);
+}

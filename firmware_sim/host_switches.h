@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+// A machine's switches on the host: they close where the real axes are, which only homing knows,
+// and bounce; a plate for the probe; wires that break.
+#ifndef HOST_SWITCHES_H
+#define HOST_SWITCHES_H
+
+#include "hal/input.h" // hal_input_t
+#include "nck/nck.h" // nck_t
+
+// All of it. Change what differs behind host_switches_init.
+typedef struct host_switches {
+    uint32_t wired;              // bit k: axis k has a switch, for home and limit
+    uint32_t least;              // bit k: it closes below its place, else above
+    int64_t place_nm[NCK_AXIS_MAX]; // of the switch, of the real axis
+    int64_t plate_nm;            // the probe touches at this Z and below
+    uint32_t bounce;             // ticks for which a switch that changes reads at random
+    uint32_t broken;             // inputs whose wire is broken
+    uint32_t pushed;             // inputs that somebody holds: door, emergency stop
+    uint64_t seed;
+    uint32_t closed;             // as they are, without bounce
+    uint32_t since[32];          // ticks that an input has not changed
+    uint32_t places;             // nck_places behind the last tick
+    int64_t real_nm[NCK_AXIS_MAX]; // where the axes are
+    int64_t told_nm[NCK_AXIS_MAX]; // and their setpoints
+} host_switches_t;
+
+// No switches; the real axes are where the kernel believes them. Cost: constant. Context: any.
+void host_switches_init(host_switches_t *self, const nck_t *nck);
+
+// What the inputs read. Once a tick. Cost: linear in the inputs. Context: tick, before nck_tick.
+uint32_t host_switches_read(host_switches_t *self);
+
+// The axes go where the tick has told. Cost: linear in the axes. Context: tick.
+void host_switches_move(host_switches_t *self, const nck_t *nck, const nck_axes_t *axes);
+
+#endif

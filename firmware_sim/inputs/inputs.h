@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: MIT
+// The inputs of a machine around one nck_t: what stops it in the very period, and homing.
+//
+//     inputs_init(&inputs, &nck);             // then change what differs in inputs.set
+//     1 ms interrupt:  inputs_tick(&inputs, hal_inputs()); nck_tick(&nck, &pose, &axes)
+//     prep:            inputs_home; inputs_step beside nck_prep, as long as it says INPUTS_GOES
+//
+// It needs a session (nck_begin_session). No operating system, no heap.
+#ifndef INPUTS_H
+#define INPUTS_H
+
+#include "hal/input.h" // hal_input_t
+#include "nck/nck.h" // nck_t
+
+// What a machine has. Read by prep; the tick reads inverted alone.
+typedef struct inputs_set {
+    uint32_t inverted;   // inputs that read 0 where hal_input_t says 1
+    uint32_t limits;     // 1: a limit switch stops the axes
+    uint32_t homes;      // 1: there is homing
+    uint32_t reverse;    // bit k: axis k has its home switch at the least end, else at the most
+    uint32_t order;      // axes in the order of homing, four bits each, lowest first: axis + 1
+    uint32_t debounce;   // ticks in which a switch does not change, before it is believed open
+    double feed, seek;   // slow and fast approach [mm/min, deg/min]
+    double pull_off;     // from the switch [mm, deg]
+} inputs_set_t;
+
+// What homing has come to.
+typedef enum inputs_result {
+    INPUTS_NOT = 0,    // no homing is in work
+    INPUTS_GOES = 1,
+    INPUTS_DONE = 2,   // the axes stand pull_off in front of their ends
+    INPUTS_STUCK = 3,  // a switch has not opened
+    INPUTS_MISSED = 4  // no switch was found
+} inputs_result_t;
+
+// A leg of an axis' homing, in their order.
+typedef enum inputs_leg {
+    INPUTS_CLEAR = 0,  // off a switch that is closed
+    INPUTS_SEEK = 1,   // to it, fast
+    INPUTS_AGAIN = 2,  // as far once more
+    INPUTS_BACK = 3,   // off it
+    INPUTS_LOCATE = 4, // to it, slowly
+    INPUTS_LEAVE = 5,  // to where homing ends
+    INPUTS_LEGS = 6
+} inputs_leg_t;
+
+// How far a leg is.
+typedef enum inputs_phase {
+    INPUTS_PLACES = 0, // the axes are told where they stand
+    INPUTS_GIVES = 1,  // the move is to be pushed
+    INPUTS_MOVES = 2,
+    INPUTS_WAITS = 3   // until the switch does not bounce
+} inputs_phase_t;
+
+// All of it: one static instance.
+typedef struct inputs {
+    nck_t *nck;
+    inputs_set_t set;
+    nck_halt_t halt;       // the last stop
+
+    uint32_t watched;      // inputs that stop when they are 1; prep writes
+    uint32_t opened;       // … when they are 0
+    uint32_t pins;         // of the last tick, inverted ones turned; the tick writes
+    uint32_t steady;       // ticks since one of them changed
+    uint32_t tripped;      // inputs that have stopped the axes; prep takes them back at rest
+
+    uint32_t probed;       // 1: the last probe has touched, …
+    double probe_at[NCK_AXIS_MAX]; // there, or it has ended there [mm, deg]; prep
+
+    struct {               // prep
+        uint8_t result;    // inputs_result_t
+        uint8_t leg, phase;
+        uint8_t at;        // how many axes are home
+        int64_t over_nm;   // by which the axis went on beyond its switch
+    } home;
+} inputs_t;
+
+// Nothing is inverted, limits and homing are off. Cost: constant. Context: any, before the tick.
+void inputs_init(inputs_t *self, nck_t *nck);
+
+// One period: an input that is watched stops the axes now (nck_stop_at). Returns 1 while the
+// emergency stop is pushed: then make safe. Cost: constant. Context: tick, before nck_tick.
+int inputs_tick(inputs_t *self, uint32_t pins);
+
+// From now on these stop when they close, or open; beside the limits, if those are on.
+// Cost: constant. Context: prep.
+void inputs_watch(inputs_t *self, uint32_t closing, uint32_t opening);
+
+// The stop is over and understood: go on. Returns NCK_OK; NCK_E_STATE until the axes rest.
+// Cost: as nck_go_on's. Context: prep.
+nck_status_t inputs_go_on(inputs_t *self);
+
+// Begin to home, with everything at rest. Returns NCK_OK; NCK_E_ARGUMENT where an axis of the order
+// is none, has no travel, or five times pull_off do not fit into it. Cost: constant. Context: prep.
+nck_status_t inputs_home(inputs_t *self);
+
+// Behind each nck_prep while homing: rests is 1 where all that was pushed is executed and the axes
+// stand. Returns inputs_result_t; the last three once. Cost: constant. Context: prep.
+inputs_result_t inputs_step(inputs_t *self, int rests);
+
+// End homing: what is under way is stopped by who asks for it. Cost: constant. Context: prep.
+void inputs_give_up(inputs_t *self);
+
+#endif
