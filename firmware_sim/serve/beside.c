@@ -183,7 +183,7 @@ static int list(serve_t *self) {
 }
 
 // Speeds and ways must be more than nothing.
-static int set(serve_t *self, uint32_t number, double value) {
+static int change(serve_t *self, uint32_t number, double value) {
     inputs_set_t *const set = &self->inputs->set;
     const uint32_t whole = value < 1e6 ? (uint32_t)value : 0;
     const int positive = value > 0.0;
@@ -210,7 +210,7 @@ static int beside(serve_t *self, uint32_t event, double value) {
     case SERVE_AT_STATUS: return say_pins(self);
     case SERVE_AT_OFFSETS: return say_probe(self);
     case SERVE_AT_LIST: return list(self);
-    default: return set(self, event - SERVE_AT_SET, value);
+    default: return change(self, event - SERVE_AT_SET, value);
     }
 }
 

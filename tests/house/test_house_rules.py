@@ -69,6 +69,7 @@ MAY_INCLUDE = {
     "firmware_sim/soft_double/": ("soft_double/",),
     "firmware_sim/glue/": ("glue/", "os/os.h"),
     "firmware_sim/serve/": ("serve/", "inputs/inputs.h", "nck/nck.h", "nck/base/fence.h"),
+    "firmware_sim/pulse/": ("pulse/", "nck/base/"),
     "firmware_sim/inputs/": ("inputs/", "hal/input.h", "nck/nck.h", "nck/base/fence.h"),
     "firmware_sim/host_serve": ("host_s", "inputs/inputs.h", "serve/serve.h", "nck/nck.h"),
     "firmware_sim/host_switches": ("host_s", "hal/input.h", "nck/nck.h"),
@@ -76,10 +77,11 @@ MAY_INCLUDE = {
     "adapters/linuxcnc/": ("nck/nck.h", *HOST_OF_ADAPTER),
     "tests/linuxcnc/": (),
     "tests/": ("nck/", "host/", "sim.h", "host_serve.h", "serve/", "check.h", "pace.h", "os/",
-                 "board/", "app/", "hal/",
+                 "board/", "app/", "hal/", "pulse/",
                  "soft_double/"),
     "tests/house/fuzz/": ("nck/", "host/", "sim.h"),
-    "tests/qemu/": ("nck/nck.h", "nck/base/link.h", "board/", "mark.h", "traffic.h"),
+    "tests/qemu/": ("nck/nck.h", "nck/base/link.h", "board/", "mark.h", "traffic.h",
+                    "pulse/"),
     "tests/package/project/": ("nck/nck.h", "host/"),
 }
 PYCNC = [name for name in PYTHON_FILES if name.startswith("pycnc/")]
