@@ -69,6 +69,8 @@ MAY_INCLUDE = {
     "firmware_sim/soft_double/": ("soft_double/",),
     "firmware_sim/glue/": ("glue/", "os/os.h"),
     "firmware_sim/serve/": ("serve/", "inputs/inputs.h", "nck/nck.h", "nck/base/fence.h"),
+    "firmware_sim/moving/": ("moving/", "inputs/inputs.h", "nck/nck.h", "pulse/pulse.h",
+                             "serve/serve.h", "hal/input.h"),
     "firmware_sim/pulse/": ("pulse/", "nck/base/"),
     "firmware_sim/inputs/": ("inputs/", "hal/input.h", "nck/nck.h", "nck/base/fence.h"),
     "firmware_sim/host_serve": ("host_s", "inputs/inputs.h", "serve/serve.h", "nck/nck.h"),
