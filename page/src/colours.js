@@ -18,8 +18,8 @@ export const RAPID = "#4a5361";
 const HOT = ["#ff2d3f", "#ff5a36", "#ff8a2b", "#ffc02e", "#d6d06a", "#86b6a8", "#5d8fc0"];
 // Slow is blue, fast is red.
 const SPEED = ["#3b5bdb", "#2f9bf0", "#27cfc0", "#6fe06a", "#d9e04a", "#ffb03a", "#ff5a3c"];
-// Braking, steady, speeding up.
-const BRAKE = ["#ff4d5e", "#c96f7c", "#6c7684", "#5aa58a", "#36e0a0"];
+// Nothing is felt, or as much as an axis can do.
+const NEAR = ["#3f4a5a", "#3f7f93", "#36b39a", "#b5cf5a", "#ffd23f"];
 
 export function limitColour(name) {
   const [kind, axis] = name.split(":");
@@ -106,16 +106,14 @@ export const toolColour = (tool) => TOOLS[tool % TOOLS.length];
 export function modes(facts, model) {
   const share = (i) => (model.feed[i] > 0 ? model.v[i] / model.feed[i] : 0);
   const speed = spread(model, (i) => model.v[i]);
-  const [brake, gain] = spread(model, (i) => model.a[i]);
-  const a = Math.max(-brake, gain, 1e-9);
   const tools = [...new Set(model.tool)].sort((one, other) => one - other);
   const found = {
     slowness: scale("Share of the programmed feed", HOT, share, [0, 1],
       ["standing", "as programmed"]),
     speed: scale("Speed reached", SPEED, (i) => model.v[i], [0, speed[1]],
       ["0", `${grouped(speed[1] * 60)} mm/min`]),
-    acceleration: scale("Acceleration along the path", BRAKE, (i) => model.a[i], [-a, a],
-      [`braking ${grouped(a)}`, `speeding up ${grouped(a)} mm/s²`]),
+    ...(model.felt ? { acceleration: scale("Acceleration of the axis nearest to its limit", NEAR,
+      (i) => model.near[i], [0, 1], ["0", "at its limit"]) } : {}),
     limit: kinds("What holds the speed", (i) => {
       const { name } = facts.limits[model.limit[i]];
       return [name, limitColour(name)];

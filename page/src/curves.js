@@ -4,10 +4,12 @@
 import uPlot from "uplot";
 import { limitColour } from "./colours.js";
 import { momentOf, place, stretchAt, wayShare } from "./data.js";
+import { edges } from "./felt.js";
 import { clock, element, grouped } from "./words.js";
 
 const INK = "#55606e";
 const GRID = { stroke: "#e6e9ee", width: 1 };
+const LIMIT = "#d9480f";
 const BAND = 9; // height of the band that tells the limits [px]
 const HEIGHTS = { v: 128, a: 84, j: 84 };
 const SYNC = "pycnc";
@@ -47,19 +49,67 @@ function sample(model, xs, [first, last], width, { value, feed }) {
   return out;
 }
 
+// The least and the largest felt in each pixel, of bins between their edges.
+function sampleFelt(at, [low, high], width, { least, largest }, factor) {
+  const out = [[], [], [], [], []];
+  const first = place(at, low);
+  const last = Math.min(least.length - 1, stretchAt(at, high) - 1);
+  const step = Math.max(1, (last - first + 1) / width);
+  for (let from = first; from <= last;) {
+    const to = Math.min(last, Math.floor(first + (out[0].length / 2 + 1) * step) - 1);
+    let [down, up] = [Infinity, -Infinity];
+    for (let k = from; k <= to; k++) {
+      down = Math.min(down, least[k]);
+      up = Math.max(up, largest[k]);
+    }
+    const values = [down * factor, up * factor, 0.5 * (down + up) * factor, null];
+    for (const x of [at[from], at[to + 1]]) [x, ...values].forEach((one, k) => out[k].push(one));
+    from = to + 1;
+  }
+  return out;
+}
+
 export function makeCurves(holder, facts, model, ask) {
   const last = model.n - 1;
   const state = {
     xs: model.t, range: [0, model.t[last]], isTime: true, now: { i: 1, f: 0 }, rapids: true,
   };
   const none = () => null;
+  const { felt } = model;
+  state.track = felt?.of.get("axes");
+  let bins = felt && edges(felt, model, true);
+  const isShare = () => state.track.name === "axes";
+  // Of a share 100 are the limit; of an axis its own number.
+  const full = (key) => (isShare() ? 100 : state.track.limits[key]);
+  const unitOf = (key) => {
+    const what = { a: "accel.", j: "jerk" }[key];
+    const length = "abc".includes(state.track.name) ? "°" : "mm";
+    return `${what} ${isShare() ? "% of limit" : `${length}/s${{ a: "²", j: "³" }[key]}`}`;
+  };
   const curves = [
     { key: "v", unit: "speed mm/min", colour: "28,100,216",
       value: (i, end) => 60 * model.v[i - 1 + end], feed: (i) => 60 * model.feed[i] },
-    { key: "a", unit: "accel. mm/s²", colour: "13,155,108", value: (i) => model.a[i], feed: none },
-    ...(facts.j_max === null ? [] : [{ key: "j", unit: "jerk mm/s³", colour: "145,70,214",
-      value: (i, end) => model.j[i - 1 + end], feed: none }]),
+    ...(felt ? [{ key: "a", colour: "13,155,108" }] : []),
+    ...(felt && facts.j_max !== null ? [{ key: "j", colour: "145,70,214" }] : []),
   ];
+
+  // The limits of acceleration or jerk, to both sides.
+  function bounds(u, key) {
+    const pen = u.ctx;
+    const { left, width } = u.bbox;
+    pen.save();
+    pen.strokeStyle = LIMIT;
+    pen.lineWidth = devicePixelRatio;
+    pen.setLineDash([5 * devicePixelRatio, 4 * devicePixelRatio]);
+    for (const value of [-full(key), full(key)]) {
+      const y = Math.round(u.valToPos(value, "y", true)) + 0.5;
+      pen.beginPath();
+      pen.moveTo(left, y);
+      pen.lineTo(left + width, y);
+      pen.stroke();
+    }
+    pen.restore();
+  }
 
   // The room belongs to the cuts: what is much faster is not in the picture.
   function top(first, end) {
@@ -122,7 +172,7 @@ export function makeCurves(holder, facts, model, ask) {
     const { key, unit, colour } = curve;
     const isLast = k === curves.length - 1;
     const box = element("div", "curve");
-    box.append(element("span", "unit", unit));
+    box.append(element("span", "unit", unit ?? unitOf(key)));
     holder.append(box);
     const line = (width, alpha) => ({
       stroke: `rgba(${colour},${alpha})`, width, points: { show: false },
@@ -146,18 +196,19 @@ export function makeCurves(holder, facts, model, ask) {
       bands: [{ series: [2, 1], fill: `rgba(${colour},0.22)` }],
       hooks: {
         drawClear: key === "v" ? [band] : [],
+        draw: key === "v" ? [] : [(u) => bounds(u, key)],
         setSelect: [(u) => select(u)],
         setCursor: [(u) => hover(u)],
       },
     };
     const plot = new uPlot(options, [[], [], [], [], []], box);
     bind(plot);
-    return { curve, plot };
+    return { curve, plot, box };
   }
 
   function range(key, least, most) {
     if (key === "v") return [0, top(...visible())];
-    const far = Math.max(Math.abs(least ?? 0), Math.abs(most ?? 0), 1e-6) * 1.12;
+    const far = Math.max(Math.abs(least ?? 0), Math.abs(most ?? 0), full(key)) * 1.12;
     return [-far, far];
   }
 
@@ -204,7 +255,9 @@ export function makeCurves(holder, facts, model, ask) {
     const ends = visible();
     for (const { plot, curve } of plots) {
       const width = Math.max(50, Math.round(plot.bbox.width / devicePixelRatio));
-      plot.setData(sample(model, state.xs, ends, width, curve), true);
+      const data = curve.key === "v" ? sample(model, state.xs, ends, width, curve)
+        : sampleFelt(bins, state.range, width, state.track[curve.key], full(curve.key));
+      plot.setData(data, true);
     }
     mark();
   }
@@ -259,10 +312,19 @@ export function makeCurves(holder, facts, model, ask) {
       const whole = state.range[0] <= 0 && state.range[1] >= state.xs[last];
       state.isTime = isTime;
       state.xs = isTime ? model.t : model.s;
+      bins = felt && edges(felt, model, isTime);
       zoom(whole ? null : ends.map((i) => state.xs[i]));
     },
     rapids(isShown) {
       state.rapids = isShown;
+      fill();
+    },
+    // Whose acceleration and jerk are shown.
+    track(name) {
+      state.track = felt.of.get(name);
+      for (const { curve, box } of plots) {
+        if (curve.key !== "v") box.querySelector(".unit").textContent = unitOf(curve.key);
+      }
       fill();
     },
     whole: () => zoom(null),

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What the page knows: facts and columns of numbers, unpacked from the page itself.
+import { makeFelt, nearest } from "./felt.js";
 
 const RAPID = 32;
 const RESTS = 64;
@@ -77,29 +78,13 @@ function owners(n, first) {
   return owner;
 }
 
-// Shorter stretches than this share of a period tell no acceleration: their speeds are rounded.
-const LEAST = 0.2;
-
-// What follows from speeds and times: acceleration of the stretch that ends at a point; jerk
-// between the middles of two stretches, over no less than the filter of the ticks mixes; path.
-function derive(model, { length_mm: length, filter_s: filter, period_s: period }) {
-  const { n, t, v } = model;
-  const least = LEAST * period;
-  const a = new Float32Array(n);
-  const j = new Float32Array(n);
+// The path that lies behind each point, from speeds and times.
+function way({ n, t, v }, length) {
   const s = new Float64Array(n);
-  for (let i = 1; i < n; i++) {
-    const time = t[i] - t[i - 1];
-    a[i] = time > least ? (v[i] - v[i - 1]) / time : a[i - 1];
-    s[i] = s[i - 1] + 0.5 * (v[i] + v[i - 1]) * time;
-  }
-  for (let i = 1; i + 1 < n; i++) {
-    const time = Math.max(filter, 0.5 * (t[i + 1] - t[i - 1]));
-    j[i] = (a[i + 1] - a[i]) / time;
-  }
+  for (let i = 1; i < n; i++) s[i] = s[i - 1] + 0.5 * (v[i] + v[i - 1]) * (t[i] - t[i - 1]);
   const scale = s[n - 1] > 0 ? length / s[n - 1] : 1;
   for (let i = 0; i < n; i++) s[i] *= scale;
-  return { a, j, s };
+  return s;
 }
 
 // Which limit holds each stretch: of a ramp that of its low point.
@@ -169,7 +154,9 @@ export async function load() {
   }
   model.owner = owners(model.n, model.feet.first);
   model.limit = limits(model, facts.ramps);
-  Object.assign(model, derive(model, facts));
+  model.s = way(model, facts.length_mm);
+  model.felt = makeFelt(facts, columns);
+  model.near = nearest(model.felt, model);
   model.isRapid = (i) => (model.code[i] & RAPID) > 0;
   model.rests = (i) => (model.code[i] & RESTS) > 0;
   model.isLow = new Uint8Array(model.n);

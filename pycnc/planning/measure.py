@@ -33,52 +33,64 @@ def limit_names(machine):
     return names
 
 
-class Peaks:
-    """Largest speed, acceleration and jerk of every axis and of the path, over their limits; where
-    two motions overlap, of the path the mean of both. On a clocked path the coordinate is that of
-    the program: its speed is nobody's, and the path has no limit but those of the axes."""
+class Derivatives:
+    """Speed, acceleration and jerk of every axis and of the path, tick by tick; where two motions
+    overlap, of the path the mean of both. On a clocked path the coordinate is that of the program:
+    its speed is nobody's, and the path has no limit but those of the axes."""
 
     def __init__(self, machine):
-        self._machine, self._period = machine, machine.period_s
         self._axes = [AXES.index(letter) for letter in machine.axes]
         counts = counts_per_unit(machine.record["axis"]["rotary"])
         start = (machine.record["start_nm"] / counts)[self._axes]
         self._tail = np.tile(np.append(start, 0.0), (3, 1))  # at rest before the first tick
         self._flags = np.zeros((3, 2), bool)  # two motions overlap; on a clocked path
         self._clocks = machine.settings.path.slope == "optimal"
-        self._peaks = np.zeros((3, len(self._axes) + 1))  # v, a, j of the axes and of s
+        self._period = machine.period_s
 
-    def add(self, rows):
-        """Measure the next rows of a run (dtype ``sim_row_t``)."""
+    def of(self, rows):
+        """Yield those of the next rows of a run (dtype ``sim_row_t``): v, then a, then j.
+
+        Each has a row for each of `rows`, and a column for each axis and for the path.
+        """
         now = np.column_stack([rows["pose"]["axis"][:, self._axes], rows["pose"]["s"]])
         track = np.concatenate([self._tail, now])
         splines = self._clocks & (rows["pose"]["kind"] == _SEGS.SPLINE)
         told = np.column_stack([rows["pose"]["left"] > 0, splines])
         flags = all_flags = np.concatenate([self._flags, told])
-        step = track
-        for order in range(3):
+        self._tail, self._flags, step = track[-3:], all_flags[-3:], track
+        for order in range(1, 4):
             step, flags = np.diff(step, axis=0), flags[1:] | flags[:-1]
-            if len(step):
-                size = np.abs(step)
-                size[flags[:, 0], -1] /= 2  # s is the sum of two motions there
-                size[flags[:, 1], -1] = 0
-                np.maximum(self._peaks[order], size.max(axis=0), out=self._peaks[order])
-        self._tail = track[-3:]
-        self._flags = all_flags[-3:]
+            rate = step[3 - order :] / self._period**order
+            rate[flags[3 - order :, 0], -1] /= 2  # s is the sum of two motions there
+            rate[flags[3 - order :, 1], -1] = 0
+            yield rate
+
+
+class Peaks:
+    """Largest speed, acceleration and jerk of every axis and of the path, over their limits."""
+
+    def __init__(self, machine):
+        self._machine, self._derivatives = machine, Derivatives(machine)
+        self._peaks = np.zeros((3, len(machine.axes) + 1))  # v, a, j of the axes and of s
+
+    def add(self, rows):
+        """Measure the next rows of a run (dtype ``sim_row_t``)."""
+        for order, rate in enumerate(self._derivatives.of(rows)):
+            if len(rate):
+                np.maximum(self._peaks[order], np.abs(rate).max(axis=0), out=self._peaks[order])
 
     def result(self):
         """Return {"x": {"v", "a", "j"}, …, "path": {"a", "j"}}: 1 means at the limit."""
-        per_second = self._peaks / self._period ** np.arange(1, 4)[:, None]
         limits = np.stack([self._machine.limits(kind) for kind in ("v_max", "a_max", "j_max")])
-        ratios = per_second[:, :-1] / limits
+        ratios = self._peaks[:, :-1] / limits
         peaks = {
             letter: dict(zip("vaj", map(float, ratios[:, k]), strict=True))
             for k, letter in enumerate(self._machine.axes)
         }
         path = self._machine.record["path"]
         peaks["path"] = {
-            "a": float(per_second[1, -1] / path["a_max"]),
-            "j": float(per_second[2, -1] / path["j_max"]),
+            "a": float(self._peaks[1, -1] / path["a_max"]),
+            "j": float(self._peaks[2, -1] / path["j_max"]),
         }
         return peaks
 

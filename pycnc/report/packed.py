@@ -78,8 +78,10 @@ class Columns:
                 stream.packed()
 
     def drop(self, name):
-        """Forget a column."""
-        del self._columns[name]
+        """Forget a column, and what stands beside its steps."""
+        for each in (name, f"{name}+"):
+            self._columns.pop(each, None)
+        self._last.pop(name, None)
 
     def _streams(self, name, kind, count, **facts):
         """Return the streams of a column, which stand behind one another."""

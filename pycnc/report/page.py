@@ -19,6 +19,7 @@ from pycnc.kernel.bind import lib
 from pycnc.kernel.records import enum
 from pycnc.planning import measure
 from pycnc.planning.plan import Plan
+from pycnc.report import felt
 from pycnc.report.summary import limit_words
 from pycnc.report.trail import Trail
 
@@ -91,14 +92,20 @@ def _base64(pieces):
 
 def _page(program, progress, what_if):
     """Return the page of a program as pieces of text, and what it tells."""
-    trail = Trail(program)
-    found = Plan(program, keep=False, trail=trail.add, progress=progress).why()
+    trail, axes = Trail(program), felt.of(program)
+
+    def plan():
+        return Plan(program, keep=False, trail=trail.add, progress=progress).why()
+
+    found = axes.beside(plan) if axes else plan()
     if not found.time_s > 0:
         raise errors.ArgumentError(f"{program.file}: nothing moves: there is no path", id="empty")
     if what_if:
         found.what_if()
     columns, told = trail.columns(program.text, _worst(found))
-    facts, parts = _facts(found, trail, told) | {"columns": columns.told()}, _assets()
+    facts, parts = _facts(found, trail, told), _assets()
+    facts["felt"] = axes.add_to(columns) if axes else None
+    facts["columns"] = columns.told()
     fields = {
         "TITLE": [html.escape(f"{program.file}: why it takes its time")],
         "POLICY": [

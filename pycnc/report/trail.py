@@ -15,7 +15,7 @@ from pycnc.report.turning import Turning, turns
 
 PLACE_MM = 1e-3  # positions are told in steps of so much
 TIME_S = 1e-6  # and times
-PATH_MOST, TEXT_MOST = 4_000_000, 1_200_000  # packed bytes of a page: 7 MB of base64
+PATH_MOST, TEXT_MOST = 3_400_000, 1_200_000  # packed bytes of a page: with what is felt 7 MB
 _POINTS = 1 << 18  # that stay of a path which is larger, and a quarter less till it fits
 _RAPID, _RESTS = 32, 64  # bits beside the limit in the column "code"
 

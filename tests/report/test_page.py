@@ -13,7 +13,7 @@ from PIL import Image
 from cases import busy
 from test_report import BAR, HOSTILE, PART, TURNTABLE
 
-from pycnc import load, why
+from pycnc import load, run, why
 from pycnc.machine import Machine
 from pycnc.report import page as report_page
 from pycnc.report import trail
@@ -21,6 +21,8 @@ from pycnc.report.plot import duration
 
 BACKGROUND = (16, 22, 31)
 PIXELS = 3  # what a click may miss
+DRAWN = """([k]) => report.curves.plots[k].plot.data.slice(1, 3).flat()
+    .reduce((a, b) => Math.max(a, Math.abs(b)), 0)"""
 MOMENT = "report.timeOf(report.state.moment)"
 
 
@@ -128,7 +130,18 @@ def test_the_curves_are_drawn_and_go_to_the_program_s_end(visit):
     facts = visit.ask("report.facts")
     fastest = visit.ask("report.model.v.reduce((a, b) => Math.max(a, b), 0)")
     assert highest[0] == pytest.approx(60 * fastest, rel=1e-6)
-    assert 0.5 * facts["a_max"] < highest[1] <= 1.02 * facts["a_max"]
+    tracks = {track["name"]: track for track in facts["felt"]["tracks"]}
+    run_peaks = run(load(PART, Machine.load("mill3"))).summary["peaks"]
+    axes = {letter: run_peaks[letter] for letter in tracks if letter != "path"}
+    for kind, k in (("a", 1), ("j", 2)):
+        most = visit.ask(DRAWN, [k])
+        share = max(peak[kind] for peak in axes.values())
+        assert most == pytest.approx(100 * share, rel=0.01)
+        for letter, peak in axes.items():
+            visit.page.click(f"#tracks [data-name={letter}]")
+            assert visit.ask(DRAWN, [k]) == pytest.approx(
+                peak[kind] * tracks[letter][kind], rel=0.01)  # fmt: skip
+        visit.page.click("#tracks [data-name=axes]")
     ends = visit.ask("report.curves.plots.map(({ plot }) => plot.data[0].at(-1))")
     assert ends == pytest.approx([facts["time_s"]] * 3, abs=1e-6)
 
