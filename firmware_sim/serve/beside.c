@@ -1,5 +1,6 @@
-// SPDX-License-Identifier: MIT The machine's switches in the protocol: homing, probing, limits, the
-// door. A session that has none does not link this file.
+// SPDX-License-Identifier: MIT
+// The machine's switches in the protocol: homing, probing, limits, the door. A session that has
+// none does not link this file.
 #include <string.h> // memcpy
 
 #include "inputs/inputs.h"

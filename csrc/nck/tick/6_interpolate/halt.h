@@ -1,5 +1,6 @@
-// SPDX-License-Identifier: MIT Inside room 6: a stop that an input asks for. Where the axes are is
-// kept, and each brakes straight on, whatever the path does there.
+// SPDX-License-Identifier: MIT
+// Inside room 6: a stop that an input asks for. Where the axes are is kept, and each brakes
+// straight on, whatever the path does there.
 //
 //        p(t) = p₀ + V·(t − D·(τ³ − τ⁴/2))      τ = t/D      v(t) = V·(1 − 3τ² + 2τ³)
 //
