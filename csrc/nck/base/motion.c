@@ -163,7 +163,7 @@ static nck_num sum_of(const nck_num *lanes) {
 
 static nck_num most_of(const nck_num *lanes) {
     nck_num most = 0;
-    for (int k = 0; k < NCK_MOTION_LANES; k++) most = nck_motion_max(most, lanes[k]);
+    for (int k = 0; k < NCK_MOTION_LANES; k++) most = nck_num_max(most, lanes[k]);
     return most;
 }
 
@@ -221,7 +221,7 @@ static void lower_mu(nck_motion_t *self, nck_num gone) {
     const nck_num fall = broken > BROKEN ? MU_FALL_BROKEN : MU_FALL;
     const nck_num last = MU_LAST * self->gap * (self->time + self->paid);
     const nck_num least = MU_BROKEN * self->time * (broken < 1 ? broken : NCK_NUM_OF(1));
-    self->mu = nck_motion_max(nck_motion_max(fall * gone, last), least) / (nck_num)self->rows;
+    self->mu = nck_num_max(nck_num_max(fall * gone, last), least) / (nck_num)self->rows;
 }
 
 static void begin_rounds(nck_motion_t *self) {
@@ -277,7 +277,7 @@ static nck_num step_length(const nck_motion_t *self) {
     nck_num step = up > WAY ? WAY / up : NCK_NUM_OF(1);
     nck_num down = 0;
     for (int k = self->wish.fixed; k < self->free_end; k++) {
-        down = nck_motion_max(down, -self->step_b[k + 1] / self->b[k + 1]);
+        down = nck_num_max(down, -self->step_b[k + 1] / self->b[k + 1]);
     }
     if (down * step > WAY_TO_ZERO) step = WAY_TO_ZERO / down;
     return step;

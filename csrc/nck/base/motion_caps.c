@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Caps of b: rows of one node each, which nothing breaks or, SOFT, at a price.
-#include "nck/base/motion_math.h" // nck_motion_max
+#include "nck/base/motion_math.h" // nck_num_max
 #include "nck/base/motion_rows.h" // nck_motion_t
 
 // Room of a cap that nothing gives way to, and 1/slack, as of any other row.
@@ -42,7 +42,7 @@ int nck_motion_is_soft(const nck_motion_t *self, int k) {
 
 static void seed_cap(nck_motion_t *self, int k) {
     const nck_num room = (self->cap[k + 1] - self->b[k + 1]) * self->scale[k + 1];
-    const nck_num slack = nck_motion_max(room, self->room);
+    const nck_num slack = nck_num_max(room, self->room);
     const nck_num z = self->mu_was / slack;
     if (!nck_motion_is_soft(self, k)) {
         self->cap_z[k + 1] = z;
@@ -51,7 +51,7 @@ static void seed_cap(nck_motion_t *self, int k) {
     const nck_num half = NCK_NUM_OF(0.5) * self->price;
     self->cap_z[k + 1] = z < half ? z : half;
     self->cap_y[k + 1] = self->price - self->cap_z[k + 1];
-    self->excess[k + 1] = nck_motion_max(slack - room, self->mu_was / self->cap_y[k + 1]);
+    self->excess[k + 1] = nck_num_max(slack - room, self->mu_was / self->cap_y[k + 1]);
     self->slack[k + 1] = room + self->excess[k + 1];
 }
 
@@ -64,7 +64,7 @@ static void assemble_cap(nck_motion_t *self, int k) {
     if (cap.is_broken) self->g[k + 1] += scale * (z - weight * cap.room);
     self->h0[k + 1] += scale * scale * weight;
     self->sums.gone[0] += cap.is_broken ? self->mu_was : cap.room * z;
-    self->sums.most[0] = nck_motion_max(self->sums.most[0], NCK_NUM_OF(1) - cap.room);
+    self->sums.most[0] = nck_num_max(self->sums.most[0], NCK_NUM_OF(1) - cap.room);
 }
 
 static void assemble_soft_cap(nck_motion_t *self, int k) {
@@ -83,8 +83,8 @@ static void direct_cap(nck_motion_t *self, int k) {
     const nck_num z = self->cap_z[k + 1];
     nck_num now = (self->mu + z * rise) * cap.per;
     if (cap.is_broken) now += z - z * cap.room * cap.per;
-    if (!cap.is_broken) self->sums.up[0] = nck_motion_max(self->sums.up[0], rise * cap.per);
-    self->sums.back[0] = nck_motion_max(self->sums.back[0], -now - z);
+    if (!cap.is_broken) self->sums.up[0] = nck_num_max(self->sums.up[0], rise * cap.per);
+    self->sums.back[0] = nck_num_max(self->sums.back[0], -now - z);
     self->cap_z[k + 1] = nck_motion_renewed(now, z);
 }
 
@@ -92,12 +92,12 @@ static void direct_cap(nck_motion_t *self, int k) {
 static void renew_soft_cap(nck_motion_t *self, int k, nck_num dz) {
     const nck_num z = self->cap_z[k + 1];
     const nck_num y = self->cap_y[k + 1];
-    self->cap_z[k + 1] = nck_motion_max(z + dz, NCK_MOTION_KEPT * z);
-    self->cap_y[k + 1] = nck_motion_max(y - dz, NCK_MOTION_KEPT * y);
+    self->cap_z[k + 1] = nck_num_max(z + dz, NCK_MOTION_KEPT * z);
+    self->cap_y[k + 1] = nck_num_max(y - dz, NCK_MOTION_KEPT * y);
     if (z + dz < NCK_MOTION_KEPT * z) self->cap_y[k + 1] = self->price - self->cap_z[k + 1];
     if (y - dz < NCK_MOTION_KEPT * y) self->cap_z[k + 1] = self->price - self->cap_y[k + 1];
-    self->sums.back[0] = nck_motion_max(self->sums.back[0],
-                                nck_motion_max(-dz - NCK_NUM_OF(2) * z, dz - NCK_NUM_OF(2) * y));
+    self->sums.back[0] = nck_num_max(self->sums.back[0],
+                                nck_num_max(-dz - NCK_NUM_OF(2) * z, dz - NCK_NUM_OF(2) * y));
 }
 
 static void direct_soft_cap(nck_motion_t *self, int k) {
@@ -107,7 +107,7 @@ static void direct_soft_cap(nck_motion_t *self, int k) {
     const nck_num dz = cap.weight * (apart - cap.room + rise);
     const nck_num de = (self->mu + cap.e * dz) / cap.y - cap.e;
     const nck_num ds = de - rise + cap.room + cap.e - cap.s;
-    self->sums.up[0] = nck_motion_max(self->sums.up[0], nck_motion_max(-de / cap.e, -ds / cap.s));
+    self->sums.up[0] = nck_num_max(self->sums.up[0], nck_num_max(-de / cap.e, -ds / cap.s));
     self->step_excess[k + 1] = de;
     self->step_slack[k + 1] = ds;
     renew_soft_cap(self, k, dz);

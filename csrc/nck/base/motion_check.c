@@ -32,13 +32,13 @@ static void check_at(nck_num *restrict most, nck_num *restrict fastest,
     for (int k = 0; k < NCK_MOTION_LANES; k++) {
         const spot_t at = spot_at(b, path, x, k);
         const nck_num turn = path->turn[x < 0][k];
-        const nck_num v = NCK_NUM_SQRT(nck_motion_max(at.level, 0));
+        const nck_num v = NCK_NUM_SQRT(nck_num_max(at.level, 0));
         const nck_num jerk = nck_motion_jerk(at.p1 * b->bend[0][k], at.p2 * at.slope,
                                              turn * at.level);
         const nck_num a = nck_motion_acceleration(at.p1, at.p2, at.slope, at.level);
-        const nck_num share = nck_motion_max(NCK_NUM_ABS(a), NCK_NUM_ABS(ratios[0] * v * jerk));
-        most[k] = nck_motion_max(most[k], share);
-        fastest[k] = nck_motion_max(fastest[k], NCK_NUM_ABS(ratios[1] * v * at.p1));
+        const nck_num share = nck_num_max(NCK_NUM_ABS(a), NCK_NUM_ABS(ratios[0] * v * jerk));
+        most[k] = nck_num_max(most[k], share);
+        fastest[k] = nck_num_max(fastest[k], NCK_NUM_ABS(ratios[1] * v * at.p1));
     }
 }
 
@@ -70,7 +70,7 @@ static void reserve(nck_motion_t *self, int node, nck_num most, nck_num fastest)
     const nck_num share = most / (NCK_NUM_OF(1) + *reserve);
     const nck_num speed = fastest / (NCK_NUM_OF(1) + *reserve);
     nck_num *const lane = &self->sums.most[node % NCK_MOTION_LANES];
-    *lane = nck_motion_max(*lane, nck_motion_max(share, speed));
+    *lane = nck_num_max(*lane, nck_num_max(share, speed));
     if (node > 0 && node <= self->wish.fixed) return;
     if (share > NCK_NUM_OF(1)) *reserve += share - NCK_NUM_OF(1) + NCK_MOTION_MARGIN;
     if (speed > NCK_NUM_OF(1) && !(self->wish.ends & NCK_MOTION_SOFT)) {
@@ -88,8 +88,8 @@ void nck_motion_check(nck_motion_t *self, int chunk) {
         if (node < self->low || node > self->high) continue;
         const int from = node == 0;
         const int to = node < self->wish.nodes - 1;
-        reserve(self, node, nck_motion_max(sides.most[from][k], sides.most[to][k]),
-                nck_motion_max(sides.fastest[from][k], sides.fastest[to][k]));
+        reserve(self, node, nck_num_max(sides.most[from][k], sides.most[to][k]),
+                nck_num_max(sides.fastest[from][k], sides.fastest[to][k]));
     }
 }
 
@@ -100,7 +100,7 @@ nck_motion_hold_t nck_motion_hold(const nck_motion_t *self, int k) {
     const nck_num *const b = &self->b[k + 1];
     const nck_num bend = b[1] - NCK_NUM_OF(2) * b[0] + b[-1];
     const nck_num slope = NCK_NUM_OF(0.5) * (b[1] - b[-1]);
-    const nck_num level = nck_motion_max(b[0] + NCK_NUM_OF(0.125) * bend, 0);
+    const nck_num level = nck_num_max(b[0] + NCK_NUM_OF(0.125) * bend, 0);
     const nck_num of_cap = b[0] / self->cap[k + 1];
     nck_num most[] = {of_cap < BEYOND ? of_cap : 0, 0, 0};
     for (int n = 0; n < self->moving; n++) {
@@ -109,16 +109,16 @@ nck_motion_hold_t nck_motion_hold(const nck_motion_t *self, int k) {
         const nck_num *const p2 = &self->p2[axis][k + 1];
         const nck_num q = self->ratio[axis] * NCK_NUM_SQRT(level);
         const nck_num a = nck_motion_acceleration(p1, p2[0], slope, level);
-        most[NCK_MOTION_ACCELERATION] = nck_motion_max(most[NCK_MOTION_ACCELERATION],
+        most[NCK_MOTION_ACCELERATION] = nck_num_max(most[NCK_MOTION_ACCELERATION],
                                                        NCK_NUM_ABS(a));
         const nck_num before = k > 0 ? p2[0] - p2[-1] : 0;
         const nck_num behind = k + 1 < self->wish.nodes ? p2[1] - p2[0] : 0;
         const nck_num j0 = q * nck_motion_jerk(p1 * bend, p2[0] * slope, before * level);
         const nck_num j1 = q * nck_motion_jerk(p1 * bend, p2[0] * slope, behind * level);
-        const nck_num j = nck_motion_max(NCK_NUM_ABS(j0), NCK_NUM_ABS(j1));
-        most[NCK_MOTION_JERK] = nck_motion_max(most[NCK_MOTION_JERK], j);
+        const nck_num j = nck_num_max(NCK_NUM_ABS(j0), NCK_NUM_ABS(j1));
+        most[NCK_MOTION_JERK] = nck_num_max(most[NCK_MOTION_JERK], j);
     }
-    if (most[NCK_MOTION_CAP] >= nck_motion_max(most[NCK_MOTION_ACCELERATION],
+    if (most[NCK_MOTION_CAP] >= nck_num_max(most[NCK_MOTION_ACCELERATION],
                                                most[NCK_MOTION_JERK])) {
         return NCK_MOTION_CAP;
     }

@@ -30,14 +30,10 @@ typedef struct nck_motion_load {
     nck_num force;  // along its gradient and its tangent: μ/s, and z − z·room/s where broken
 } nck_motion_load_t;
 
-// The larger, the smaller of two.
-static inline nck_num nck_motion_max(nck_num a, nck_num b) { return b > a ? b : a; }
-static inline nck_num nck_motion_min(nck_num a, nck_num b) { return b < a ? b : a; }
-
 // `on` where x > 0, 0 where x = 0, without a branch that would keep loops from becoming vectors. x
 // is a difference of numbers near 1e-10 or above: a positive one is more than 1e-20.
 static inline nck_num nck_motion_where(nck_num x, nck_num on) {
-    return nck_motion_min(NCK_NUM_OF(1e20) * x, on);
+    return nck_num_min(NCK_NUM_OF(1e20) * x, on);
 }
 
 // x, no further from 0 than 1.
@@ -69,7 +65,7 @@ static inline nck_motion_row_t nck_motion_row(nck_num x, nck_num z, nck_num on, 
     nck_motion_row_t row;
     row.pull = nck_motion_clip(x);
     row.room = NCK_NUM_OF(0.5) + row.pull * (NCK_NUM_OF(0.5) * row.pull - x);
-    const nck_num room = nck_motion_max(row.room, least);
+    const nck_num room = nck_num_max(row.room, least);
     row.held = nck_motion_where(room - least, on);
     row.broken = on - row.held;
     row.per = row.held / room + row.broken * (z * slack_per);
@@ -100,7 +96,7 @@ static inline nck_num nck_motion_multiplier(nck_motion_row_t row, nck_num z, nck
 
 // The same, kept within what a multiplier may be.
 static inline nck_num nck_motion_renewed(nck_num now, nck_num z) {
-    return nck_motion_min(nck_motion_max(now, NCK_MOTION_KEPT * z), NCK_MOTION_Z_MOST);
+    return nck_num_min(nck_num_max(now, NCK_MOTION_KEPT * z), NCK_MOTION_Z_MOST);
 }
 
 // 1/(share of the step that ends at the limit) of a row that is held: the larger one of

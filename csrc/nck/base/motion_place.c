@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Where rows stand: nodes and the middles of cells, and how their sums reach the Newton system.
-#include "nck/base/motion_math.h" // nck_motion_max
+#include "nck/base/motion_math.h" // nck_num_max
 #include "nck/base/motion_rows.h"
 
 // Keeps 1/γ finite in lanes where nothing stands; b is a million times more wherever it is at work.
@@ -57,7 +57,7 @@ void nck_motion_place(const nck_motion_t *self, int chunk, int kind,
     nck_motion_shape(&self->b[first + 1], kind, &place_out->b);
     for (int k = 0; k < NCK_MOTION_LANES; k++) {
         const nck_num level = place_out->b.level[k];
-        const nck_num safe = nck_motion_max(level, LEVEL_MIN);
+        const nck_num safe = nck_num_max(level, LEVEL_MIN);
         place_out->root[k] = NCK_NUM_SQRT(safe);
         place_out->tangent[k] = NCK_NUM_OF(0.5) / safe;
     }
@@ -80,7 +80,7 @@ static void path_at_nodes(const nck_num *restrict p1, const nck_num *restrict p2
 static void path_in_middles(const nck_num *restrict p1, const nck_num *restrict p2,
                             const nck_num *restrict reserve, nck_motion_path_t *restrict path) {
     for (int k = 0; k < NCK_MOTION_LANES; k++) {
-        const nck_num share = NCK_NUM_OF(1) + nck_motion_max(reserve[k], reserve[k + 1]);
+        const nck_num share = NCK_NUM_OF(1) + nck_num_max(reserve[k], reserve[k + 1]);
         const nck_num turn = p2[k + 1] - p2[k];
         const nck_num mean = NCK_NUM_OF(0.5) * (p1[k] + p1[k + 1]);
         path->p1[k] = share * (mean - NCK_NUM_OF(0.0625) * turn);

@@ -69,7 +69,7 @@ static inline nck_motion_row_t row_of(nck_num x, const nck_num *restrict z,
 }
 
 static inline nck_num largest_of(nck_num a, nck_num b, nck_num c) {
-    return nck_motion_max(nck_motion_max(a, b), c);
+    return nck_num_max(nck_num_max(a, b), c);
 }
 
 static void seed_axis(nck_num *restrict z, const nck_motion_place_t *restrict place,
@@ -82,7 +82,7 @@ static void seed_axis(nck_num *restrict z, const nck_motion_place_t *restrict pl
     }
     for (int k = 0; k < NCK_MOTION_BATCH; k++) {
         const nck_num room = nck_motion_row(z[k], 0, 0, same->least, 0).room;
-        z[k] = place->on[k] * (same->mu_was / nck_motion_max(room, same->least));
+        z[k] = place->on[k] * (same->mu_was / nck_num_max(room, same->least));
     }
 }
 
@@ -171,7 +171,7 @@ static void assemble_axis(nck_motion_system_t *restrict m, nck_motion_sums_t *re
                          + nck_motion_gone(j0, z0, same->mu_was)
                          + nck_motion_gone(j1, z1, same->mu_was);
         const nck_num most = largest_of(NCK_NUM_ABS(x.a), NCK_NUM_ABS(x.j0), NCK_NUM_ABS(x.j1));
-        sums->most[k] = nck_motion_max(sums->most[k], most);
+        sums->most[k] = nck_num_max(sums->most[k], most);
     }
 }
 
@@ -201,8 +201,8 @@ static void direct_axis(nck_num *restrict z, nck_motion_sums_t *restrict sums,
         z[ACCELERATION + k] = nck_motion_renewed(za, was_a);
         z[JERK_0 + k] = nck_motion_renewed(z0, was_0);
         z[JERK_1 + k] = nck_motion_renewed(z1, was_1);
-        sums->up[k] = nck_motion_max(sums->up[k], up);
-        sums->back[k] = nck_motion_max(sums->back[k], back);
+        sums->up[k] = nck_num_max(sums->up[k], up);
+        sums->back[k] = nck_num_max(sums->back[k], back);
     }
 }
 

@@ -111,21 +111,6 @@ void nck_path_third(const nck_seg_t *seg, double s, double *third_out) {
 // where it all but stands still, too.
 enum { SHARE_PARTS = 4 };
 
-// Differences of a spline's points along an axis: short, so a number of the solvers' type holds
-// them.
-static void find_ways(const nck_seg_t *seg, int x, nck_num *way_out) {
-    way_out[0] = (nck_num)(seg->shape.inner[0][x] - seg->start[x]);
-    way_out[1] = (nck_num)(seg->shape.inner[1][x] - seg->shape.inner[0][x]);
-    way_out[2] = (nck_num)(seg->end[x] - seg->shape.inner[1][x]);
-}
-
-// L/3 · dp/ds by them at f.
-static nck_num third_of_way(const nck_num *way, nck_num f) {
-    const nck_num d01 = way[0] + (way[1] - way[0]) * f;
-    const nck_num d12 = way[1] + (way[2] - way[1]) * f;
-    return d01 + (d12 - d01) * f;
-}
-
 double nck_path_share(const nck_seg_t *seg, double s, double *speed_out) {
     const nck_num f = (nck_num)nck_min(s / seg->length, 1.0);
     nck_num speed[SHARE_PARTS + 1] = {0};
@@ -134,11 +119,11 @@ double nck_path_share(const nck_seg_t *seg, double s, double *speed_out) {
     nck_num part = 0;
     for (int x = 0; x < NCK_AXIS_MAX; x++) {
         nck_num way[3];
-        find_ways(seg, x, way);
-        const nck_num own = third_of_way(way, f);
+        nck_path_ways(seg, x, way);
+        const nck_num own = nck_path_way_at(way, f);
         here += own * own;
         for (int i = 0; i <= SHARE_PARTS; i++) {
-            const nck_num third = third_of_way(way, (nck_num)i / (nck_num)SHARE_PARTS);
+            const nck_num third = nck_path_way_at(way, (nck_num)i / (nck_num)SHARE_PARTS);
             speed[i] += third * third;
         }
     }

@@ -65,4 +65,8 @@ typedef int64_t nck_int64;
 static inline nck_real nck_min(nck_real a, nck_real b) { return b < a ? b : a; }
 static inline nck_real nck_max(nck_real a, nck_real b) { return b > a ? b : a; }
 
+// The same of the solvers' type.
+static inline nck_num nck_num_min(nck_num a, nck_num b) { return b < a ? b : a; }
+static inline nck_num nck_num_max(nck_num a, nck_num b) { return b > a ? b : a; }
+
 #endif

@@ -21,8 +21,6 @@
 #define ENOUGH ((nck_num)0.4) // of the gap that is asked for: nothing is gained by less
 #define WORK 8000 // operations a call: 40 000 instructions of a processor without vectors
 
-static nck_num larger(nck_num a, nck_num b) { return b > a ? b : a; }
-
 // Operations of an interval's dearest phase: 4 rows enter a triangle of (4 axes)²/2 elements, each
 // of the axes' rows is eliminated from as many, and what is linear in them.
 static int operations(int axes) { return 64 * axes * axes + 16 * axes * axes * axes + 150 * axes; }
@@ -110,7 +108,7 @@ static inline nck_num find_worst(nck_fair_t *self, int axes, int b, nck_num (*cu
             found = k;
         }
     }
-    self->sum.worst = larger(self->sum.worst, worst);
+    self->sum.worst = nck_num_max(self->sum.worst, worst);
     if (found != kept && worst > most + bar) {
         kept = found;
         most = measure(self, axes, kept, cubic, e);
@@ -122,9 +120,9 @@ static inline nck_num find_worst(nck_fair_t *self, int axes, int b, nck_num (*cu
 // Look at a row: a slack below its row's would jam the steps, so it is raised.
 static inline void look_at_row(nck_fair_t *self, int axes, int b, nck_num (*cubic)[4]) {
     const nck_num room = self->limit[b] - find_worst(self, axes, b, cubic);
-    if (self->iterations == 0) self->slack[b] = larger(room, ROOM);
-    else self->slack[b] = larger(room, self->slack[b]);
-    self->sum.primal = larger(self->sum.primal, self->slack[b] - room);
+    if (self->iterations == 0) self->slack[b] = nck_num_max(room, ROOM);
+    else self->slack[b] = nck_num_max(room, self->slack[b]);
+    self->sum.primal = nck_num_max(self->sum.primal, self->slack[b] - room);
     if (self->iterations > 0) self->sum.complement += self->slack[b] * self->price[b];
 }
 
@@ -305,8 +303,8 @@ static inline void respond(nck_fair_t *self, int axes, int b, nck_num (*cubic)[4
     const nck_num s = self->slack[b];
     const nck_num z = self->price[b];
     self->d_slack[b] = -miss;
-    self->sum.shrink = larger(self->sum.shrink, miss / s);
-    self->sum.cheapen = larger(self->sum.cheapen, 1 - (self->sum.mu + z * miss) / (s * z));
+    self->sum.shrink = nck_num_max(self->sum.shrink, miss / s);
+    self->sum.cheapen = nck_num_max(self->sum.cheapen, 1 - (self->sum.mu + z * miss) / (s * z));
 }
 
 // Substitute what interval i needs, from the last on, and find what its rows do.
@@ -323,7 +321,7 @@ static inline void back_at(nck_fair_t *self, int axes, int i) {
 // All prices for the first iteration.
 static void set_prices(nck_fair_t *self) {
     const int rows = self->task.knots * NCK_FAIR_BINS;
-    self->sum.mu = larger(self->sum.objective / (nck_num)(2 * rows), LEAST_MU);
+    self->sum.mu = nck_num_max(self->sum.objective / (nck_num)(2 * rows), LEAST_MU);
     for (int b = 0; b < rows; b++) self->price[b] = self->sum.mu / self->slack[b];
     self->sum.complement = (nck_num)rows * self->sum.mu;
 }
@@ -336,7 +334,7 @@ static int is_done(nck_fair_t *self) {
     else if (self->sum.complement <= bar && self->sum.primal < SOUND) return 1;
     if (self->iterations >= self->task.most) return 1;
     const nck_num shrink = self->sum.primal > FAR ? SLOWLY : QUICKLY;
-    self->sum.mu = larger(shrink * self->sum.complement, ENOUGH * bar) / rows;
+    self->sum.mu = nck_num_max(shrink * self->sum.complement, ENOUGH * bar) / rows;
     self->sum.shrink = 0;
     self->sum.cheapen = 0;
     return 0;

@@ -5,7 +5,7 @@
 #include <string.h> // memcpy
 
 #include "nck/base/path.h" // nck_path_second_part
-#include "nck/base/real.h" // nck_fabs nck_max nck_min nck_sqrt
+#include "nck/base/real.h" // nck_num_max nck_num_min …
 
 #define PLENTY 8      // bins of the window may have as many samples as this one without its choice
 #define PARTS 8       // of a stretch, where its bound is not within P
@@ -44,7 +44,7 @@ static void set_cubic(int axes, const double *const *c, cubic_t *cubic_out) {
         nck_num at[4];
         for (int k = 0; k < 4; k++) {
             at[k] = (nck_num)(c[k][x] - cubic_out->from.point[x]);
-            if (NCK_NUM_ABS(at[k]) > most) most = NCK_NUM_ABS(at[k]);
+            most = nck_num_max(most, NCK_NUM_ABS(at[k]));
         }
         of[0] = (at[0] + 4 * at[1] + at[2]) / 6;
         of[1] = (at[2] - at[0]) / 2;
@@ -98,7 +98,7 @@ static void set_elements(nck_stream_t *self, bin_t *bin_out) {
     bin_out->tolerance = (nck_num)nck_track_at(track, bin_out->first)->tolerance;
     for (uint32_t n = bin_out->first + 1; n != bin_out->last + 1; n++) {
         const nck_num tolerance = (nck_num)nck_track_at(track, n)->tolerance;
-        if (tolerance < bin_out->tolerance) bin_out->tolerance = tolerance;
+        bin_out->tolerance = nck_num_min(bin_out->tolerance, tolerance);
     }
 }
 
@@ -121,8 +121,7 @@ static nck_num place_of(const bin_t *bin, double s) {
 static nck_num room_of(const nck_stream_t *self, nck_num tolerance) {
     const nck_num quarter = (nck_num)(0.25 * self->wish.terms.tau);
     const nck_num lies_between = (nck_num)self->wish.terms.a_most * quarter * quarter / 8;
-    const nck_num room = tolerance - ROUNDING - lies_between;
-    return room > tolerance / 2 ? room : tolerance / 2;
+    return nck_num_max(tolerance - ROUNDING - lies_between, tolerance / 2);
 }
 
 // s in the middle of a bin, as its neighbours let expect: straight between its ends it would be off
@@ -301,14 +300,13 @@ static nck_num size_of(const nck_num *vector, int axes) {
     return NCK_NUM_SQRT(sum);
 }
 
-static nck_num larger(nck_num a, nck_num b) { return b > a ? b : a; }
-
 // The most |r − p| from one place to another with no vertex between. A function whose second
 // derivative is no more than c leaves its chord by no more than c h²/8.
 static nck_num most_between(const stand_t *a, const stand_t *b, int axes) {
     const nck_num h = b->w - a->w;
-    const nck_num bend = larger(size_of(a->bend, axes), size_of(b->bend, axes));
-    return larger(a->off, b->off) + (bend + h * larger(a->drift, b->drift) / 2) * h * h / 8;
+    const nck_num bend = nck_num_max(size_of(a->bend, axes), size_of(b->bend, axes));
+    const nck_num drift = nck_num_max(a->drift, b->drift);
+    return nck_num_max(a->off, b->off) + (bend + h * drift / 2) * h * h / 8;
 }
 
 // A stretch of an interval with no vertex in it.
@@ -353,7 +351,7 @@ static nck_num most_along_parts(const nck_stream_t *self, const cubic_t *cubic,
         (void)set_off(self, cubic, part.w[1], point, off);
         part.s[1] = k < PARTS ? nearest(self, on->element, s, off) : on->s[1];
         part.s[1] = nck_min(nck_max(part.s[1], part.s[0]), on->s[1]);
-        most = larger(most, most_along(self, cubic, &part));
+        most = nck_num_max(most, most_along(self, cubic, &part));
         part.s[0] = part.s[1];
         part.w[0] = part.w[1];
     }
@@ -373,11 +371,8 @@ static nck_num bin_miss(const nck_stream_t *self, const cubic_t *cubic, const bi
         on.s[1] = n == bin->last ? bin->s[1] : element->s + element->length;
         on.w[1] = n == bin->last ? bin->w[1] : place_of(bin, on.s[1]);
         nck_num off = most_along(self, cubic, &on);
-        if (off > room) {
-            const nck_num parts = most_along_parts(self, cubic, &on);
-            if (parts < off) off = parts;
-        }
-        most = larger(most, (off + kept) / (nck_num)element->tolerance);
+        if (off > room) off = nck_num_min(off, most_along_parts(self, cubic, &on));
+        most = nck_num_max(most, (off + kept) / (nck_num)element->tolerance);
         on.w[0] = on.w[1];
     }
     return most;
@@ -390,7 +385,7 @@ double nck_sample_miss(nck_stream_t *self, int i) {
     for (int k = 0; k < NCK_FAIR_BINS; k++) {
         bin_t bin;
         set_bin(self, i, k, &bin);
-        most = larger(most, bin_miss(self, &cubic, &bin));
+        most = nck_num_max(most, bin_miss(self, &cubic, &bin));
     }
     return (double)most;
 }
@@ -479,7 +474,7 @@ double nck_sample_rest_miss(nck_stream_t *self, const nck_sample_rest_t *rest, i
         bin.s[0] = spline_of(&rest->place[i], bin.w[0]);
         bin.s[1] = nck_max(spline_of(&rest->place[i], bin.w[1]), bin.s[0]);
         set_elements(self, &bin);
-        most = larger(most, bin_miss(self, &cubic, &bin));
+        most = nck_num_max(most, bin_miss(self, &cubic, &bin));
     }
     return (double)most;
 }

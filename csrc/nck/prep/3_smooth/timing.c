@@ -67,11 +67,11 @@ static void add_rung(const nck_timing_terms_t *terms, sight_t *sight, int n, con
         const nck_num even = NCK_NUM_ABS(rung->front[x] + rung->back[x]);
         const nck_num second = (even - 4 * sight->tolerance) / ((nck_num)terms->a[x] * h * h);
         odd[x] = rung->front[x] - rung->back[x];
-        if (second > bends->second) bends->second = second;
+        bends->second = nck_num_max(bends->second, second);
         if (n < 3) continue;
         const nck_num turn = NCK_NUM_ABS(odd[x] - 3 * inner[x]);
         const nck_num third = (turn - 8 * sight->tolerance) / ((nck_num)terms->j[x] * l * l * l);
-        if (third > bends->third) bends->third = third;
+        bends->third = nck_num_max(bends->third, third);
     }
 }
 
@@ -79,8 +79,7 @@ static void add_rung(const nck_timing_terms_t *terms, sight_t *sight, int n, con
 static nck_num axis_speed(const nck_timing_terms_t *terms, const nck_num *odd, nck_num h) {
     nck_num slowness = (nck_num)1e-9;
     for (int x = 0; x < terms->axes; x++) {
-        const nck_num own = NCK_NUM_ABS(odd[x]) / (2 * h * (nck_num)terms->v[x]);
-        if (own > slowness) slowness = own;
+        slowness = nck_num_max(slowness, NCK_NUM_ABS(odd[x]) / (2 * h * (nck_num)terms->v[x]));
     }
     return 1 / slowness;
 }
@@ -120,7 +119,7 @@ static nck_num look_around(nck_timing_t *self, const nck_track_t *track, sight_t
         v = USE * (nck_num)nck_root_cube(1.0 / (double)bends.third);
     }
     const nck_num least = (nck_num)(0.5 * terms->j_least * terms->tau * terms->tau);
-    return v > least ? v : least;
+    return nck_num_max(v, least);
 }
 
 // Where the next place is: half a knot on at the speed that is reached. Towards the run's end half
@@ -142,7 +141,7 @@ static nck_num speed_of(nck_timing_t *self, const nck_track_t *track, sight_t *s
     const nck_num feed = (nck_num)element->words.feed;
     const double s = sight->middle.s;
     const nck_num around = look_around(self, track, sight, REACH * feed);
-    const nck_num v = nck_timing_near_rest(self->terms, s, around < feed ? around : feed);
+    const nck_num v = nck_timing_near_rest(self->terms, s, nck_num_min(around, feed));
     return self->closed ? nck_timing_near_rest(self->terms, sight->known - s, v) : v;
 }
 
@@ -152,7 +151,7 @@ static void add_place(nck_timing_t *self, double s, nck_num v) {
         const double h = s - nck_timing_place(self, self->guess.head - 1)->s;
         const nck_num most =
             nck_timing_reach_speed(self->terms, NCK_TIMING_ASK, self->guess.v, h);
-        self->guess.v = v < most ? v : most;
+        self->guess.v = nck_num_min(v, most);
     }
     nck_place_t *const place = nck_timing_place(self, self->guess.head++);
     place->s = s;
@@ -202,7 +201,7 @@ static nck_num speed_at(const nck_timing_t *self, int k, int last) {
 }
 
 static nck_num clamp(nck_num x, nck_num least, nck_num most) {
-    return x < least ? least : x < most ? x : most;
+    return nck_num_min(nck_num_max(x, least), most);
 }
 
 // The plan's du/dt at a quarter, as far as it comes in there: smoothly over `blend` knots.
@@ -210,7 +209,7 @@ static nck_num factor_at(const nck_num *b, int k, int from, int blend) {
     const int knot = k / 4;
     const nck_num w = (nck_num)0.25 * (nck_num)(k % 4);
     const nck_num at = w > 0 ? b[knot] + w * (b[knot + 1] - b[knot]) : b[knot];
-    const nck_num rate = clamp(NCK_NUM_SQRT(at > 0 ? at : 0), SLOWEST, FASTEST);
+    const nck_num rate = clamp(NCK_NUM_SQRT(nck_num_max(at, 0)), SLOWEST, FASTEST);
     const nck_num way = (nck_num)0.25 * (nck_num)k - (nck_num)from;
     const nck_num g = blend > 0 ? clamp(way / (nck_num)blend, 0, 1) : 1;
     return 1 + (rate - 1) * g * g * (3 - 2 * g);

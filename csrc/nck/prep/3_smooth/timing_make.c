@@ -55,7 +55,7 @@ static void pass_forward(nck_timing_t *self, nck_timing_list_t *list) {
         nck_place_t *const at = &list->at[first + self->at];
         const double way = at[1].s - at->s;
         const nck_num v = nck_timing_reach_speed(self->terms, NCK_TIMING_ASK, at->v, way);
-        if (v < at[1].v) at[1].v = v;
+        at[1].v = nck_num_min(at[1].v, v);
     }
     if (to >= all) go(self, NCK_TIMING_BACKWARD);
 }
@@ -70,7 +70,7 @@ static void pass_backward(nck_timing_t *self, nck_timing_list_t *list) {
         const nck_num wish = k >= list->kept ? NCK_TIMING_ASK : KEEP_ASK;
         const nck_num v =
             nck_timing_reach_speed(self->terms, wish, at[1].v, at[1].s - at->s);
-        if (v < at->v) at->v = v;
+        at->v = nck_num_min(at->v, v);
     }
     if (to >= all) {
         go(self, NCK_TIMING_CUT);
@@ -80,8 +80,7 @@ static void pass_backward(nck_timing_t *self, nck_timing_list_t *list) {
 
 // Both speeds of a cell, which does not last for ever.
 static nck_num speeds_of(const nck_place_t *at) {
-    const nck_num sum = at[0].v + at[1].v;
-    return sum > SLOW_MOST ? sum : SLOW_MOST;
+    return nck_num_max(at[0].v + at[1].v, SLOW_MOST);
 }
 
 // How long it takes from a place to the next one, at even acceleration.

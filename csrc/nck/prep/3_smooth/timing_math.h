@@ -3,7 +3,7 @@
 #ifndef NCK_PREP_TIMING_MATH_H
 #define NCK_PREP_TIMING_MATH_H
 
-#include "nck/base/real.h"            // nck_num NCK_NUM_SQRT
+#include "nck/base/real.h"            // nck_num_min NCK_NUM_SQRT …
 #include "nck/base/root_math.h"       // nck_root_cube
 #include "nck/prep/3_smooth/timing.h" // nck_timing_t
 
@@ -29,8 +29,8 @@ static inline nck_num nck_timing_reach_speed(const nck_timing_terms_t *terms, nc
     const nck_num j = (nck_num)terms->j_least;
     const nck_num tau = (nck_num)terms->tau;
     const nck_num low = j * tau * tau / 32;
-    const nck_num leaves = NCK_NUM_SQRT(2 * j * (v > low ? v : low));
-    const nck_num push = wish * (leaves < a ? leaves : a);
+    const nck_num leaves = NCK_NUM_SQRT(2 * j * nck_num_max(v, low));
+    const nck_num push = wish * nck_num_min(leaves, a);
     return NCK_NUM_SQRT(v * v + 2 * push * (nck_num)h);
 }
 

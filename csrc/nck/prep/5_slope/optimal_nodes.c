@@ -4,6 +4,7 @@
 
 #include <string.h> // memset
 
+#include "nck/base/path.h" // nck_path_ways nck_path_way_at
 #include "nck/base/real.h" // nck_fabs nck_min nck_max nck_sqrt nck_num
 #include "nck/prep/5_slope/optimal_pace.h" // nck_optimal_work …
 
@@ -29,31 +30,21 @@ enum { LOOKS = 4 };
 // A spline by the clock: differences of its points, and what a derivative by its own parameter is
 // multiplied by to be one by the clock [1/s].
 typedef struct hodograph {
-    nck_num of[3][NCK_AXIS_MAX]; // [mm]
+    nck_num of[NCK_AXIS_MAX][3]; // [mm]
     nck_num length;              // of the path [path mm]
     nck_num per;                 // length over the clock's time [path mm/s]
 } hodograph_t;
 
 static void set_hodograph(const nck_optimal_t *self, const nck_seg_t *seg, hodograph_t *out) {
-    const double (*const inner)[NCK_AXIS_MAX] = seg->shape.inner;
     memset(out, 0, sizeof *out);
     out->length = (nck_num)seg->length;
     out->per = (nck_num)(seg->length / self->terms->knot_s);
-    for (int x = 0; x < self->terms->axes; x++) {
-        out->of[0][x] = (nck_num)(inner[0][x] - seg->start[x]);
-        out->of[1][x] = (nck_num)(inner[1][x] - inner[0][x]);
-        out->of[2][x] = (nck_num)(seg->end[x] - inner[1][x]);
-    }
+    for (int x = 0; x < self->terms->axes; x++) nck_path_ways(seg, x, out->of[x]);
 }
 
 // dp/ds at f of an interval: nck_path_tangent, near the path.
 static nck_num tangent_at(const hodograph_t *path, int x, nck_num f) {
-    const nck_num d0 = path->of[0][x];
-    const nck_num d1 = path->of[1][x];
-    const nck_num d2 = path->of[2][x];
-    const nck_num d01 = d0 + (d1 - d0) * f;
-    const nck_num d12 = d1 + (d2 - d1) * f;
-    return 3 * (d01 + (d12 - d01) * f) / path->length;
+    return 3 * nck_path_way_at(path->of[x], f) / path->length;
 }
 
 // Derivatives by the clock, at the begin or the end of an interval.
@@ -64,8 +55,8 @@ static void derive(const nck_optimal_t *self, const nck_seg_t *seg, int at_end, 
     const nck_num f = (nck_num)at_end;
     const nck_num scale = 6 / (path.length * path.length);
     for (int x = 0; x < self->terms->axes; x++) {
-        const nck_num dd0 = path.of[1][x] - path.of[0][x];
-        const nck_num dd1 = path.of[2][x] - path.of[1][x];
+        const nck_num dd0 = path.of[x][1] - path.of[x][0];
+        const nck_num dd1 = path.of[x][2] - path.of[x][1];
         first_out[x] = path.per * tangent_at(&path, x, f);
         second_out[x] = path.per * path.per * (scale * (dd0 + (dd1 - dd0) * f));
     }
@@ -83,7 +74,7 @@ static nck_num along_at(const nck_optimal_t *self, const hodograph_t *path, nck_
         if (x <= NCK_AXIS_Z) tool = all;
     }
     tool /= scale * scale;
-    return path->per * path->per * (all > tool ? all : tool);
+    return path->per * path->per * nck_num_max(all, tool);
 }
 
 // The most |p′|² in either half of an interval. It is looked for once a plan: three nodes ask.
@@ -100,8 +91,8 @@ static const nck_num *look_along(nck_optimal_t *self, const nck_node_t *piece, u
     for (int n = 0; n <= LOOKS; n++) {
         const nck_num f = (nck_num)n / (nck_num)LOOKS;
         const nck_num along = along_at(self, &path, (nck_num)seg->feed_scale, f);
-        if (2 * n <= LOOKS && along > look->along[0]) look->along[0] = along;
-        if (2 * n >= LOOKS && along > look->along[1]) look->along[1] = along;
+        if (2 * n <= LOOKS) look->along[0] = nck_num_max(look->along[0], along);
+        if (2 * n >= LOOKS) look->along[1] = nck_num_max(look->along[1], along);
     }
     return look->along;
 }
@@ -118,9 +109,7 @@ static void look_at(nck_optimal_t *self, const nck_node_t *piece, uint32_t numbe
                     const int span[2], nearby_t *around) {
     const nck_num *const along = look_along(self, piece, number);
     around->vv = nck_min(around->vv, nck_optimal_wanted(self, piece));
-    for (int n = span[0]; n <= span[1]; n++) {
-        if (along[n] > around->along) around->along = along[n];
-    }
+    for (int n = span[0]; n <= span[1]; n++) around->along = nck_num_max(around->along, along[n]);
 }
 
 // Begin of the path's motion or of the window, and its end, end what is looked at.

@@ -305,10 +305,9 @@ static double free_change(const ease_walk_t *walk, const ease_point_t *at) {
 // plan's jerk jumps between its cells, and a sample weighs the begin of a period and its end
 // unlike: so it is bounded part by part. The walk stands behind it then.
 static void bound_parts(ease_range_t *range, ease_walk_t *walk, const ease_pace_t *pace,
-                        double far, ease_stretch_t *on) {
+                        double far, double share, ease_stretch_t *on) {
     const nck_terms_t *const terms = walk->terms;
     const double period = terms->machine->period_s;
-    const double share = pace->way < 0.0 ? SHARE_TAKEN : OFF_TAKEN;
     const double scale = far > 0.0 ? period / far : 0.0;
     const double least = PART_LEAST * far;
     double gone = 0.0;
@@ -334,7 +333,7 @@ static void bound_period(ease_range_t *range, ease_walk_t *walk, const ease_pace
     const ease_point_t begin = on->to;
     ease_walk_t parts = *walk;
     ease_range_t each;
-    bound_parts(&each, &parts, pace, far, on);
+    bound_parts(&each, &parts, pace, far, share, on);
     on->to = begin;
     take_stretch(walk, far, on);
     bound_all(range, walk->terms, on, pace, walk->terms->machine->period_s, share);
