@@ -313,9 +313,9 @@ def bytes_at_random(seed):
 SEARCHES = {"streams": streams, "jogs": jogs, "bytes": bytes_at_random}
 
 
-def main():
+def main(searches):
     """Try so many seeds; tell those that break something."""
-    search, count = SEARCHES[sys.argv[1]], int(sys.argv[2])
+    search, count = searches[sys.argv[1]], int(sys.argv[2])
     first = int(sys.argv[3]) if len(sys.argv) > 3 else 1
     broken = 0
     for seed in range(first, first + count):
@@ -329,4 +329,4 @@ def main():
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    sys.exit(main(SEARCHES))

@@ -9,7 +9,7 @@
 import random
 import sys
 
-from serving_runs import RESET, RESUME, Broken, Talk, mill
+from serving_runs import RESET, RESUME, Broken, Talk, main, mill
 
 STEP_NM = 5000  # of a motor: 200 steps a millimetre
 MOST_NM = 200_000_000  # of the least travel, either way
@@ -258,20 +258,5 @@ def _break_off(draw, talk, kind):
 SEARCHES = {"homes": homes, "probes": probes, "limits": limits}
 
 
-def main():
-    """Try so many seeds; tell those that break something."""
-    search, count = SEARCHES[sys.argv[1]], int(sys.argv[2])
-    first = int(sys.argv[3]) if len(sys.argv) > 3 else 1
-    broken = 0
-    for seed in range(first, first + count):
-        try:
-            search(seed)
-        except Broken as cause:
-            broken += 1
-            print(f"{sys.argv[1]} {seed}: {cause}", flush=True)
-    print(f"{count} {sys.argv[1]} from {first}, {broken} broken")
-    return broken > 0
-
-
 if __name__ == "__main__":
-    sys.exit(main())
+    sys.exit(main(SEARCHES))
