@@ -112,8 +112,8 @@ export function modes(facts, model) {
       ["standing", "as programmed"]),
     speed: scale("Speed reached", SPEED, (i) => model.v[i], [0, speed[1]],
       ["0", `${grouped(speed[1] * 60)} mm/min`]),
-    ...(model.felt ? { acceleration: scale("Acceleration of the axis nearest to its limit", NEAR,
-      (i) => model.near[i], [0, 1], ["0", "at its limit"]) } : {}),
+    acceleration: scale("Acceleration of the axis nearest to its limit", NEAR,
+      (i) => model.near[i], [0, 1], ["0", "at its limit"]),
     limit: kinds("What holds the speed", (i) => {
       const { name } = facts.limits[model.limit[i]];
       return [name, limitColour(name)];

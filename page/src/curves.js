@@ -76,8 +76,8 @@ export function makeCurves(holder, facts, model, ask) {
   };
   const none = () => null;
   const { felt } = model;
-  state.track = felt?.of.get("axes");
-  let bins = felt && edges(felt, model, true);
+  state.track = felt.of.get("axes");
+  let bins = edges(felt, model, true);
   const isShare = () => state.track.name === "axes";
   // Of a share 100 are the limit; of an axis its own number.
   const full = (key) => (isShare() ? 100 : state.track.limits[key]);
@@ -89,8 +89,8 @@ export function makeCurves(holder, facts, model, ask) {
   const curves = [
     { key: "v", unit: "speed mm/min", colour: "28,100,216",
       value: (i, end) => 60 * model.v[i - 1 + end], feed: (i) => 60 * model.feed[i] },
-    ...(felt ? [{ key: "a", colour: "13,155,108" }] : []),
-    ...(felt && facts.j_max !== null ? [{ key: "j", colour: "145,70,214" }] : []),
+    { key: "a", colour: "13,155,108" },
+    ...(facts.j_max !== null ? [{ key: "j", colour: "145,70,214" }] : []),
   ];
 
   // The limits of acceleration or jerk, to both sides.
@@ -312,7 +312,7 @@ export function makeCurves(holder, facts, model, ask) {
       const whole = state.range[0] <= 0 && state.range[1] >= state.xs[last];
       state.isTime = isTime;
       state.xs = isTime ? model.t : model.s;
-      bins = felt && edges(felt, model, isTime);
+      bins = edges(felt, model, isTime);
       zoom(whole ? null : ends.map((i) => state.xs[i]));
     },
     rapids(isShown) {

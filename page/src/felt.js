@@ -3,9 +3,8 @@
 // least and the largest of its ticks.
 import { stretchAt, wayShare } from "./data.js";
 
-// Tracks by their name: {name, limits: {a, j}, a: {least, largest}, j: {…}}; null without a run.
+// Tracks by their name: {name, limits: {a, j}, a: {least, largest}, j: {…}}.
 export function makeFelt({ felt }, columns) {
-  if (!felt) return null;
   const tracks = felt.tracks.map(({ name, a, j }) => {
     const track = { name, limits: { a, j } };
     for (const kind of ["a", "j"]) {
@@ -54,7 +53,6 @@ export function edges({ bins, bin }, model, isTime) {
 // How near to its limit of acceleration an axis is in each stretch, at most: 1 is at the limit.
 export function nearest(felt, model) {
   const share = new Float32Array(model.n);
-  if (!felt) return share;
   const { least, largest } = felt.of.get("axes").a;
   const bin = (t) => Math.max(0, Math.min(felt.bins - 1, Math.floor(t / felt.bin)));
   for (let i = 1; i < model.n; i++) {

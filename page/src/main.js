@@ -178,12 +178,8 @@ function start({ facts, model, text }) {
   choice(by("views"), scene.views, (name) => name, (name) => scene.turn(name))(scene.start);
   choice(by("across"), ["time", "path"], (name) => name, (name) => curves.over(name === "time"))(
     "time");
-  if (model.felt) {
-    choice(by("tracks"), model.felt.names, (name) => (name.length > 1 ? name : name.toUpperCase()),
-      (name) => curves.track(name))("axes");
-  } else {
-    by("tracks").previousElementSibling.hidden = by("tracks").hidden = true;
-  }
+  choice(by("tracks"), model.felt.names, (name) => (name.length > 1 ? name : name.toUpperCase()),
+    (name) => curves.track(name))("axes");
   by("rapids").addEventListener("change", (event) => {
     scene.look({ rapids: event.target.checked });
     curves.rapids(event.target.checked);

@@ -12,7 +12,7 @@ from concurrent.futures import ThreadPoolExecutor
 import numpy as np
 
 from pycnc import kernel
-from pycnc.planning import control, measure
+from pycnc.planning import measure
 
 BINS = 1 << 16  # of a page at most; of a longer run a bin holds twice, four times … as many ticks
 PACKED_MOST = 700_000  # bytes of all columns; above it bins are joined, too
@@ -150,8 +150,3 @@ class Felt:
                 if moves[k]
             ],
         }
-
-
-def of(program):
-    """Return what the axes of a program feel, to be run; None where another control has them."""
-    return None if control.is_foreign(program.machine) else Felt(program)

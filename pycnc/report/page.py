@@ -15,7 +15,6 @@ from importlib import resources
 
 from pycnc import errors
 from pycnc.files import Part
-from pycnc.kernel.bind import lib
 from pycnc.kernel.records import enum
 from pycnc.planning import measure
 from pycnc.planning.plan import Plan
@@ -39,9 +38,7 @@ def _facts(found, trail, told):
         "axes": machine.axes,
         "turned": trail.turned,
         "lathe": machine.settings.kinematics.type == "lathe_xz",
-        "a_max": float(path["a_max"]),
         "j_max": float(path["j_max"]) if slope != "linear" else None,
-        "filter_s": lib.NCK_FILTER_TAPS * machine.period_s if slope in ("jerk", "optimal") else 0.0,
         "points": told["points"],
         "feet": told["feet"],
         "limits": {code: {"name": name, "words": limit_words(name)}
@@ -92,19 +89,19 @@ def _base64(pieces):
 
 def _page(program, progress, what_if):
     """Return the page of a program as pieces of text, and what it tells."""
-    trail, axes = Trail(program), felt.of(program)
+    trail, axes = Trail(program), felt.Felt(program)
 
     def plan():
         return Plan(program, keep=False, trail=trail.add, progress=progress).why()
 
-    found = axes.beside(plan) if axes else plan()
+    found = axes.beside(plan)
     if not found.time_s > 0:
         raise errors.ArgumentError(f"{program.file}: nothing moves: there is no path", id="empty")
     if what_if:
         found.what_if()
     columns, told = trail.columns(program.text, _worst(found))
     facts, parts = _facts(found, trail, told), _assets()
-    facts["felt"] = axes.add_to(columns) if axes else None
+    facts["felt"] = axes.add_to(columns)
     facts["columns"] = columns.told()
     fields = {
         "TITLE": [html.escape(f"{program.file}: why it takes its time")],
