@@ -311,8 +311,9 @@ static void bound_parts(ease_range_t *range, ease_walk_t *walk, const ease_pace_
     const double scale = far > 0.0 ? period / far : 0.0;
     const double least = PART_LEAST * far;
     double gone = 0.0;
+    int last = 0;
     bound_nothing(range, period);
-    for (int last = 0; !last && !walk->ends;) {
+    while (!last && !walk->ends) {
         const double part = nck_max(walk->cell->duration - walk->t, least);
         last = gone + part + least >= far;
         take_stretch(walk, last ? far - gone : part, on);
@@ -330,11 +331,11 @@ static void bound_parts(ease_range_t *range, ease_walk_t *walk, const ease_pace_
 static void bound_period(ease_range_t *range, ease_walk_t *walk, const ease_pace_t *pace,
                          double far, ease_stretch_t *on) {
     const double share = pace->way < 0.0 ? SHARE_TAKEN : OFF_TAKEN;
-    const ease_point_t begin = on->to;
     ease_walk_t parts = *walk;
+    ease_stretch_t part;
     ease_range_t each;
-    bound_parts(&each, &parts, pace, far, share, on);
-    on->to = begin;
+    part.to = on->to;
+    bound_parts(&each, &parts, pace, far, share, &part);
     take_stretch(walk, far, on);
     bound_all(range, walk->terms, on, pace, walk->terms->machine->period_s, share);
     if (pace->way < 0.0) range->low = nck_max(range->low, nck_min(0.0, each.low));
