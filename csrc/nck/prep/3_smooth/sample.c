@@ -336,9 +336,10 @@ static double nearest(const nck_stream_t *self, uint32_t n, double s, const nck_
     return s + (double)along;
 }
 
-// The same, s as it is best at places within: any s does that never goes back.
-static nck_num most_along_parts(const nck_stream_t *self, const cubic_t *cubic,
-                                const reach_t *on) {
+// The same in parts. Any s does at places within that never goes back: it is straight, or that
+// which is next to the curve (of a circle as small as P its tangent knows nothing).
+static nck_num most_along_parts(const nck_stream_t *self, const cubic_t *cubic, const reach_t *on,
+                                int is_straight) {
     nck_num most = 0;
     nck_num point[NCK_AXIS_MAX];
     nck_num off[NCK_AXIS_MAX];
@@ -349,8 +350,8 @@ static nck_num most_along_parts(const nck_stream_t *self, const cubic_t *cubic,
         part.w[1] = on->w[0] + (on->w[1] - on->w[0]) * share;
         nck_track_offset(&self->track, &cubic->from, on->element, s, point);
         (void)set_off(self, cubic, part.w[1], point, off);
-        part.s[1] = k < PARTS ? nearest(self, on->element, s, off) : on->s[1];
-        part.s[1] = nck_min(nck_max(part.s[1], part.s[0]), on->s[1]);
+        part.s[1] = is_straight ? s : nearest(self, on->element, s, off);
+        part.s[1] = k < PARTS ? nck_min(nck_max(part.s[1], part.s[0]), on->s[1]) : on->s[1];
         most = nck_num_max(most, most_along(self, cubic, &part));
         part.s[0] = part.s[1];
         part.w[0] = part.w[1];
@@ -371,7 +372,9 @@ static nck_num bin_miss(const nck_stream_t *self, const cubic_t *cubic, const bi
         on.s[1] = n == bin->last ? bin->s[1] : element->s + element->length;
         on.w[1] = n == bin->last ? bin->w[1] : place_of(bin, on.s[1]);
         nck_num off = most_along(self, cubic, &on);
-        if (off > room) off = nck_num_min(off, most_along_parts(self, cubic, &on));
+        for (int k = 0; k < 2 && off > room; k++) {
+            off = nck_num_min(off, most_along_parts(self, cubic, &on, k));
+        }
         most = nck_num_max(most, (off + kept) / (nck_num)element->tolerance);
         on.w[0] = on.w[1];
     }
