@@ -120,9 +120,10 @@ def try_case(stand_in, case, pace):
     before = script_of(case, moves, pace, acts, then)
     run = stand_in.run([*before, *asked, *ending(case)], machine)
     if case.last == "soft":
-        if not run.told("limit"):
+        met = [int(told[0]) + 1 for told in run.told("limit")]
+        if not met or met[0] + longest(case) > len(run.places):
             return None
-        then = int(run.told("limit")[0][0]) + 1
+        then = met[0]
     v = speeds_of(case, ways, run)
     return stop_gate.judge(case, v, run.places, then) if v[then - 1] > 0 else None
 
@@ -139,14 +140,21 @@ def soft_limits(before, place):
     return [f"soft {k} {low:.9f} {high:.9f}"]
 
 
+def longest(case):
+    """Return how many cycles are more than any rest in time takes."""
+    bound = case.least_s(stop_gate.V_MAX, case.a) / case.period_s + 2 * stop_gate.PERIODS
+    return int(case.most() * bound)
+
+
 def ending(case):
-    """Return the script from the asking on: longer than any rest in time, twice that where a limit
-    comes later."""
-    longest = case.most() * (case.least_s(stop_gate.V_MAX, case.a) / case.period_s)
-    still = f"still {int(longest + 2 * case.most() * stop_gate.PERIODS)}"
-    settles = f"run {stop_gate.SETTLES}"
+    """Return the script from the asking on: a rest's longest, twice that where a limit comes later.
+
+    A path that stands between two moves is still, and goes on to the limit.
+    """
+    if case.last == "soft":
+        return [f"run {2 * longest(case) + stop_gate.SETTLES}"]
     goes_on = [f"run {case.patience}", *GOES_ON] if case.goes_on_again() else []
-    return [*goes_on, still, *([still] if case.last == "soft" else []), settles]
+    return [*goes_on, f"still {longest(case)}", f"run {stop_gate.SETTLES}"]
 
 
 def main():
