@@ -3,10 +3,10 @@
 
 python cmake/amalgamate.py --out DIR [--define NCK_WINDOW=128 …]
 
-It stands beside the other generator of the build (make_binding.py). nck.h holds what the front door
-includes, nck.c the formulas and sources in the order of the flow. Names that a source file keeps to
-itself and another file spells too get the file's name in front; formulas that nobody calls are left
-out. The same sources give the same bytes.
+It stands beside the other generator of the build (make_binding.py). nck.h holds what the front
+doors include, nck.c the formulas and sources in the order of the flow. Names that a source file
+keeps to itself and another file spells too get the file's name in front; formulas that nobody calls
+are left out. The same sources give the same bytes.
 """
 
 import argparse
@@ -16,7 +16,8 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[1]
 CSRC = ROOT / "csrc"
-FRONT_DOOR = "nck/nck.h"
+FRONT_DOOR = "nck/nck_tools.h"  # it includes the others
+OTHER_DOORS = ("nck_memory.h", "nck_session.h", "nck_tools.h")  # they lead to nck.h here
 BITS = "nck/base/bits.h"  # what it says of arithmetic holds for all that follows it
 NO_WORD = (
     r'//[^\n]*|/\*.*?\*/|"(?:\\.|[^"\\\n])*"|\'(?:\\.|[^\'\\\n])*\''  # comment, string, character
@@ -181,6 +182,9 @@ def main():
     given.out.mkdir(parents=True, exist_ok=True)
     (given.out / "nck.h").write_text(face, encoding="utf-8")
     (given.out / "nck.c").write_text(code, encoding="utf-8")
+    for name in OTHER_DOORS:
+        way = '// SPDX-License-Identifier: MIT\n#include "nck.h"\n'
+        (given.out / name).write_text(way, encoding="utf-8")
 
 
 if __name__ == "__main__":

@@ -14,7 +14,8 @@ add_custom_command(
             --cc "${CMAKE_C_COMPILER}" --module pycnc._nck --out _nck.c
             --include "${PROJECT_SOURCE_DIR}/csrc" --include "${PROJECT_SOURCE_DIR}/firmware_sim"
             --capacities nck/base/limits.h
-            ${definitions} nck/nck.h ${host_headers} sim.h host_serve.h app/outcome.h board/exits.h
+            ${definitions} nck/nck_tools.h ${host_headers} sim.h host_serve.h app/outcome.h
+            board/exits.h
     DEPENDS cmake/make_binding.py cmake/capacities.cmake ${all_headers}
     VERBATIM)
 

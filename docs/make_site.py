@@ -15,8 +15,9 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parents[1]
 SOURCE, XML, SITE = (ROOT / "build" / name for name in ("site-source", "site-xml", "site"))
 COPIED = ("*.md", "*.png", "csrc/*.h", "firmware_sim/*.h", "cmake/*.cmake", "docs/site/*.py")
-HEADERS = ("nck/nck.h", "nck/base/machine.h", "nck/base/records.h", "nck/base/status.h",
-           "nck/base/limits.h", "host/host.h", "host/why.h", "host/trail.h")  # fmt: skip
+HEADERS = ("nck/nck.h", "nck/nck_session.h", "nck/nck_tools.h", "nck/base/machine.h",
+           "nck/base/records.h", "nck/base/status.h", "nck/base/limits.h", "host/host.h",
+           "host/why.h", "host/trail.h")  # fmt: skip
 SECTIONS = {
     "Begin": ("README", "docs/my_machine", "docs/commands", "docs/report", "docs/why"),
     "Reference": ("docs/machine", "docs/diagnostics", "docs/json", "docs/trace", "docs/python",

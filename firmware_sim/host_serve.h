@@ -8,7 +8,7 @@
 
 #include "host_switches.h" // host_switches_t
 #include "inputs/inputs.h" // inputs_t
-#include "nck/nck.h"     // nck_t
+#include "nck/nck_session.h" // nck_t
 #include "serve/serve.h" // serve_t
 
 // Bytes that wait outside of the ring, and answers that nobody has taken; of these what finds no

@@ -5,7 +5,7 @@
 #define HOST_SWITCHES_H
 
 #include "hal/input.h" // hal_input_t
-#include "nck/nck.h" // nck_t
+#include "nck/nck_session.h" // nck_t
 
 // All of it. Change what differs behind host_switches_init.
 typedef struct host_switches {

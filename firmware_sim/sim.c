@@ -50,7 +50,7 @@ void sim_operate(sim_t *sim, const sim_command_t *commands, size_t count) {
 }
 
 static void override(sim_t *sim, const sim_command_t *command) {
-    nck_set_override(sim->nck, command->value[0], command->value[1]);
+    nck_set_override(sim->nck, command->value[0] * NCK_PERCENT, command->value[1] * NCK_PERCENT);
     sim->feed_percent = (uint16_t)command->value[0];
     sim->rapid_percent = (uint16_t)command->value[1];
 }

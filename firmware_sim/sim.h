@@ -6,7 +6,7 @@
 
 #include <stddef.h> // size_t
 
-#include "nck/nck.h" // nck_t and all records
+#include "nck/nck_tools.h" // nck_t and all records
 
 // One row per tick.
 typedef struct sim_row {

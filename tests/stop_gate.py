@@ -209,9 +209,9 @@ class Run:
         """Do what the operator does first."""
         ppm = max(1, round(value * CALLS))
         if name in ("override", "up"):
-            lib.nck_set_override_ppm(self._nck, ppm, CALLS)
+            lib.nck_set_override(self._nck, ppm, CALLS)
         elif name == "rapid":
-            lib.nck_set_override_ppm(self._nck, CALLS, min(ppm, CALLS))
+            lib.nck_set_override(self._nck, CALLS, min(ppm, CALLS))
         elif name == "speed":
             lib.nck_set_speed(self._nck, max(1, round(value * 1e5)))
         elif name == "hold":
@@ -225,7 +225,7 @@ class Run:
         """Take it back, where it is of those that are."""
         self._sim.rest_ticks = 0
         if name == "up":
-            lib.nck_set_override_ppm(self._nck, CALLS, CALLS)
+            lib.nck_set_override(self._nck, CALLS, CALLS)
         if name == "hold":
             lib.nck_resume(self._nck)
 
@@ -242,14 +242,14 @@ class Run:
         elif name == "speed":
             lib.nck_set_speed(self._nck, 0)
         else:
-            lib.nck_set_override_ppm(self._nck, 0, 0)
+            lib.nck_set_override(self._nck, 0, 0)
 
     def go_on(self):
         """End every rest but an abort's."""
         self._rests = False
         self._sim.end = self._sim.rest_ticks = 0
         lib.nck_set_speed(self._nck, FREE)
-        lib.nck_set_override_ppm(self._nck, CALLS, CALLS)
+        lib.nck_set_override(self._nck, CALLS, CALLS)
         lib.nck_set_single_block(self._nck, 0)
         lib.nck_resume(self._nck)
 

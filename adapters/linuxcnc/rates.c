@@ -185,7 +185,7 @@ void rates_hear(planner_t *self, const planner_wish_t *wish) {
     if (!same) self->pace += (fmin(self->calm, PACE_MOST) - self->pace) / PACES;
     if (!same || bound) self->calm = 0;
     if (same) return;
-    nck_set_override_ppm(&self->nck, feed, rapid);
+    nck_set_override(&self->nck, feed, rapid);
     nck_set_speed(&self->nck, speed);
 }
 
@@ -252,5 +252,5 @@ void rates_bound(planner_t *self, nck_block_in_t *block) {
     self->pace = CALM;
     self->override = (trend_t){self->turned, self->turned};
     self->spins = (trend_t){self->wish.rps, self->wish.rps};
-    nck_set_override_ppm(&self->nck, override_of(self, self->moves.next + 1), asked.rapid_ppm);
+    nck_set_override(&self->nck, override_of(self, self->moves.next + 1), asked.rapid_ppm);
 }

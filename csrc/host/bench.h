@@ -6,7 +6,7 @@
 #include <stddef.h> // size_t
 #include <stdint.h> // uint32_t int64_t
 
-#include "nck/nck.h" // nck_t nck_lookahead_t
+#include "nck/nck_tools.h" // nck_t nck_lookahead_t
 
 #ifdef __cplusplus
 extern "C" {

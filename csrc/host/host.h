@@ -10,7 +10,7 @@
 #include "host/early.h" // nck_host_batch_t
 #include "host/spindle.h" // nck_host_spindle_t
 #include "host/why.h" // nck_host_why_t
-#include "nck/nck.h"  // nck_t and all records
+#include "nck/nck_tools.h"  // nck_t and all records
 
 #ifdef __cplusplus
 extern "C" {

@@ -17,7 +17,7 @@
 #include "host/trail.h"      // nck_host_trail_t
 #include "nck/base/limits.h" // NCK_WINDOW
 #include "nck/base/terms.h"  // nck_terms_t
-#include "nck/nck.h"         // nck_t
+#include "nck/nck_tools.h"         // nck_t
 
 #ifdef __cplusplus
 extern "C" {

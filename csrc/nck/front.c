@@ -1,12 +1,21 @@
 // SPDX-License-Identifier: MIT
 // The wires, second half: what goes in at the front door, how the kernel begins anew, and what it
 // tells. nck.c moves the records from room to room.
-#include "nck/nck.h"
+#include "nck/nck_tools.h"
 
 #include <string.h> // memcpy memset
 
 #include "nck/base/link_invariants.h" // nck_link_invariants
 #include "nck/base/real.h"            // nck_floor
+
+// ---- memory
+
+size_t nck_size(void) { return sizeof(nck_t); }
+
+nck_t *nck_place(void *memory, size_t size) {
+    const int is_aligned = (uintptr_t)memory % sizeof(double) == 0;
+    return is_aligned && size >= sizeof(nck_t) ? (nck_t *)memory : NULL;
+}
 
 // ---- in
 

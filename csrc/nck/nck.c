@@ -2,7 +2,7 @@
 // The wires: pull from room k, push into room k + 1. Only this file and front.c name two rooms.
 #include "nck/base/bits.h" // a compiler that would change them is stopped
 
-#include "nck/nck.h"
+#include "nck/nck_tools.h"
 
 #include <string.h> // memset
 
@@ -10,7 +10,6 @@
 
 enum {
     PPM = 1000000, FEED_MOST = 2, // overrides
-    PPM_PER_PERMILLE = 1000, PPM_PER_PERCENT = 10000,
     STEPS_PER_BLOCK = 2 // of the look-ahead
 };
 
@@ -22,6 +21,7 @@ static void begin_rooms(nck_t *nck) {
 }
 
 nck_status_t nck_init(nck_t *nck, const nck_machine_t *machine, const nck_hooks_t *hooks) {
+    if (!nck) return NCK_E_ARGUMENT;
     const nck_status_t status = nck_machine_check(machine);
     if (status != NCK_OK) return status;
     memset(nck, 0, sizeof *nck);
@@ -423,25 +423,10 @@ void nck_set_single_block(nck_t *nck, uint32_t on) {
     nck_fence_store(&nck->command.single_block, on ? 1 : 0);
 }
 
-void nck_set_override_ppm(nck_t *nck, uint32_t feed_ppm, uint32_t rapid_ppm) {
+void nck_set_override(nck_t *nck, uint32_t feed_ppm, uint32_t rapid_ppm) {
     const uint32_t feed = feed_ppm < FEED_MOST * PPM ? feed_ppm : FEED_MOST * PPM;
     nck_fence_store(&nck->command.feed_ppm, feed);
     nck_fence_store(&nck->command.rapid_ppm, rapid_ppm < PPM ? rapid_ppm : PPM);
-}
-
-// An override in units of so many millionths; one that does not fit counts as the most.
-static uint32_t ppm_of(uint32_t override, uint32_t unit) {
-    return override < FEED_MOST * PPM / unit ? override * unit : FEED_MOST * PPM;
-}
-
-void nck_set_override_permille(nck_t *nck, uint32_t feed_permille, uint32_t rapid_permille) {
-    nck_set_override_ppm(nck, ppm_of(feed_permille, PPM_PER_PERMILLE),
-                         ppm_of(rapid_permille, PPM_PER_PERMILLE));
-}
-
-void nck_set_override(nck_t *nck, uint32_t feed_percent, uint32_t rapid_percent) {
-    nck_set_override_ppm(nck, ppm_of(feed_percent, PPM_PER_PERCENT),
-                         ppm_of(rapid_percent, PPM_PER_PERCENT));
 }
 
 void nck_set_speed(nck_t *nck, uint32_t most_um_s) {

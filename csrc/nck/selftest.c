@@ -2,7 +2,7 @@
 // Formulas of the rooms computed from fixed numbers, and a hash of the bits that come out.
 #include "nck/base/bits.h" // what may not be compiled at all
 
-#include "nck/nck.h"
+#include "nck/nck_tools.h"
 
 #include <string.h> // memcpy memset
 

@@ -99,25 +99,26 @@ static void start(app_t *app) {
     const os_hooks_t hooks = {app_tick, note_fault, app, end_run};
     os_init(&hooks);
     if (!make_queues(app) || !make_tasks(app)) return;
-    const double units = nck_machine_of(&app->nck)->period_s * (double)hal_clock_hz();
+    const double units = nck_machine_of(app->nck)->period_s * (double)hal_clock_hz();
     const uint32_t tick_units = (uint32_t)(units + 0.5);
     hal_watchdog_start(tick_units * WATCHDOG_TICKS);
     (void)os_start(tick_units);
 }
 
-int app_run(app_t *app) {
+int app_run(app_t *app, nck_t *nck) {
     memset(app, 0, sizeof *app);
+    app->nck = nck;
     if (nck_selftest() != NCK_SELFTEST) return APP_EXIT_BITS;
     if (!read_job(&app->job)) return APP_EXIT_JOB;
     app->tick.hash = app_hash_begin();
     const nck_hooks_t hooks = {.user = app, .on_output = app_output};
-    if (nck_init(&app->nck, &app->job.machine, &hooks) != NCK_OK) {
+    if (nck_init(app->nck, &app->job.machine, &hooks) != NCK_OK) {
         app->supervisor.state = APP_FAULT_MACHINE;
         app_report(app);
         return 0;
     }
     app_guard_init(app);
-    (void)nck_position(&app->nck, &app->tick.pose, &app->tick.axes);
+    (void)nck_position(app->nck, &app->tick.pose, &app->tick.axes);
     start(app);
     return APP_EXIT_SYSTEM;
 }

@@ -6,7 +6,7 @@
 
 #include "app/job.h"     // app_job_t
 #include "app/outcome.h" // app_row_t app_exit_t
-#include "nck/nck.h"     // nck_t
+#include "nck/nck_session.h" // nck_t
 #include "os/os.h"       // os_queue_t os_stack_t
 
 // Sizes of the app.
@@ -75,7 +75,7 @@ typedef struct app_task {
 
 // The whole app: one static instance.
 typedef struct app {
-    nck_t nck;
+    nck_t *nck;
     app_job_t job;
 
     struct {                      // feeder ─▶ prep, and the empty ones back
@@ -148,7 +148,7 @@ typedef struct app {
 // Read the job, make the kernel and the tasks, run until the run is over, write the report and end.
 // Returns an exit status if it does not come to a run: 0 for a machine that the report refuses.
 // Context: before os_start.
-int app_run(app_t *app);
+int app_run(app_t *app, nck_t *nck);
 
 // The tasks; user is the app_task_t. Context: task.
 void app_feed(void *user);

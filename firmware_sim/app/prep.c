@@ -25,11 +25,11 @@ static void push_text(app_task_t *task) {
     app_chunk_t *const chunk = message;
     app->prep.chunk = chunk;
     if (chunk->size == 0) {
-        nck_end(&app->nck);
+        nck_end(app->nck);
         return;
     }
     size_t used = 0;
-    (void)nck_push(&app->nck, chunk->text + chunk->used, chunk->size - chunk->used, &used);
+    (void)nck_push(app->nck, chunk->text + chunk->used, chunk->size - chunk->used, &used);
     chunk->used += (uint32_t)used;
     if (chunk->used < chunk->size) return;
     app->prep.chunk = NULL;
@@ -38,7 +38,7 @@ static void push_text(app_task_t *task) {
 
 static void keep_diagnostics(app_t *app) {
     nck_diagnostic_t found;
-    while (nck_diagnostic(&app->nck, &found) == NCK_OK) {
+    while (nck_diagnostic(app->nck, &found) == NCK_OK) {
         if (app->prep.diagnostic_count == APP_DIAGNOSTICS) continue;
         app->prep.diagnostic[app->prep.diagnostic_count] = found;
         app->prep.diagnostic_count++;
@@ -52,7 +52,7 @@ void app_prepare(void *user) {
         app_suffer(app, task->priority);
         ration(task);
         app_guard_tell(app);
-        const nck_status_t status = nck_prep(&app->nck);
+        const nck_status_t status = nck_prep(app->nck);
         app->prep.steps++;
         os_spend(app->job.prep_units);
         if (status < NCK_OK) app->prep.error = status;

@@ -145,7 +145,7 @@ void app_report(const app_t *app) {
     put_name("hash");
     put_bits(app->tick.hash);
     put_name("joints");
-    for (uint32_t k = 0; k < nck_joint_count(&app->nck); k++) {
+    for (uint32_t k = 0; k < nck_joint_count(app->nck); k++) {
         put_integer(app->tick.axes.joint_nm[k]);
     }
     put_name("line");

@@ -9,7 +9,8 @@
 
 enum {
     SETTLE_TICKS = 16,  // that a last state is watched for
-    ALONE_TICKS = 1000  // at rest after the last command: nobody will resume any more
+    ALONE_TICKS = 1000, // at rest after the last command: nobody will resume any more
+    PERCENT_MOST = 200  // of an override: what is more counts as much
 };
 
 static int is_over(const app_t *app) { return app->supervisor.state >= APP_DONE; }
@@ -25,7 +26,12 @@ static void finish(app_t *app, uint32_t state) {
 static void end_in(app_t *app, uint32_t goal) {
     if (app->supervisor.goal != APP_IDLE) return;
     app->supervisor.goal = goal;
-    nck_abort(&app->nck);
+    nck_abort(app->nck);
+}
+
+// An override in millionths.
+static uint32_t ppm_of(uint32_t percent) {
+    return percent < PERCENT_MOST ? percent * NCK_PERCENT : PERCENT_MOST * NCK_PERCENT;
 }
 
 // Returns 1, or 0 if this machine cannot follow: a travel needs a joint.
@@ -34,10 +40,10 @@ static int execute(app_t *app, const app_command_t *command) {
     const uint32_t first = (uint32_t)command->argument[0];
     const uint32_t second = (uint32_t)command->argument[1];
     switch (command->kind) {
-    case APP_HOLD: nck_hold(&app->nck); break;
-    case APP_RESUME: nck_resume(&app->nck); break;
-    case APP_OVERRIDE: nck_set_override(&app->nck, first, second); break;
-    case APP_SINGLE_BLOCK: nck_set_single_block(&app->nck, first); break;
+    case APP_HOLD: nck_hold(app->nck); break;
+    case APP_RESUME: nck_resume(app->nck); break;
+    case APP_OVERRIDE: nck_set_override(app->nck, ppm_of(first), ppm_of(second)); break;
+    case APP_SINGLE_BLOCK: nck_set_single_block(app->nck, first); break;
     case APP_ABORT: end_in(app, APP_ABORTED); break;
     case APP_ESTOP: finish(app, APP_EMERGENCY); break;
     case APP_TRAVEL: return app_guard_set(app, command->argument[0], &travel);
@@ -68,7 +74,7 @@ static void look_for_faults(app_t *app) {
     if (app->tick.beyond) finish(app, APP_SOFT_LIMIT);
     if (app->fault_stack) end_in(app, APP_FAULT_STACK);
     if (os_overruns() > 0) end_in(app, APP_FAULT_OVERRUN);
-    if (nck_is_at_travel(&app->nck)) end_in(app, APP_SOFT_LIMIT);
+    if (nck_is_at_travel(app->nck)) end_in(app, APP_SOFT_LIMIT);
     const int starving = app->tick.state == NCK_TICK_STARVED && app->tick.resting > 0;
     app->supervisor.starved = starving ? app->supervisor.starved + 1 : 0;
     if (app->job.starve_ticks > 0 && app->supervisor.starved >= app->job.starve_ticks) {
@@ -82,7 +88,7 @@ static void wait_for_operator(app_t *app) {
     if (!waits || app->supervisor.wait_seg != app->tick.pose.seg) app->supervisor.waited = 0;
     app->supervisor.wait_seg = app->tick.pose.seg;
     app->supervisor.waited += (uint32_t)waits;
-    if (waits && app->supervisor.waited == app->job.wait_ticks) nck_resume(&app->nck);
+    if (waits && app->supervisor.waited == app->job.wait_ticks) nck_resume(app->nck);
 }
 
 static uint32_t state_of_motion(const app_t *app) {

@@ -31,19 +31,19 @@ static void count_setpoint(app_t *app) {
     if (app->supervisor.frozen) app->tick.state = NCK_TICK_IDLE;
     if (app->tick.state == NCK_TICK_IDLE) return;
     app->tick.used++;
-    for (uint32_t k = 0; k < nck_joint_count(&app->nck); k++) {
+    for (uint32_t k = 0; k < nck_joint_count(app->nck); k++) {
         app->tick.hash = hash_integer(app->tick.hash, app->tick.axes.joint_nm[k]);
     }
 }
 
 static void write_row(const app_t *app) {
     const app_row_t row = {
-        app->tick.count, app->tick.pose.line, nck_queue_cells(&app->nck),
+        app->tick.count, app->tick.pose.line, nck_queue_cells(app->nck),
         (uint8_t)app->supervisor.state, (uint8_t)app->tick.state, app->tick.pose.limit,
         hal_switched(HAL_DRIVES) != 0
     };
     uint8_t bytes[sizeof row + sizeof app->tick.axes.joint_nm];
-    const size_t joints = nck_joint_count(&app->nck) * sizeof app->tick.axes.joint_nm[0];
+    const size_t joints = nck_joint_count(app->nck) * sizeof app->tick.axes.joint_nm[0];
     memcpy(bytes, &row, sizeof row);
     memcpy(bytes + sizeof row, app->tick.axes.joint_nm, joints);
     hal_write(HAL_TRACE, bytes, sizeof row + joints);
@@ -53,7 +53,7 @@ static void write_row(const app_t *app) {
 // an ended program does, but the operator wants it so.
 static uint32_t state_of(const app_t *app, nck_tick_state_t state) {
     nck_command_t asked;
-    nck_asked(&app->nck, &asked);
+    nck_asked(app->nck, &asked);
     const int nothing = asked.feed_ppm == 0 || asked.rapid_ppm == 0;
     const int rests = state == NCK_TICK_STARVED || (state == NCK_TICK_IDLE && !app->prep.done);
     return nothing && rests ? NCK_TICK_HOLD : state;
@@ -69,8 +69,8 @@ static void count_lateness(app_t *app) {
 static void take_setpoint(app_t *app) {
     nck_pose_t pose;
     nck_axes_t axes;
-    app->tick.state = state_of(app, nck_tick(&app->nck, &pose, &axes));
-    app->tick.idle = (uint32_t)nck_is_idle(&app->nck);
+    app->tick.state = state_of(app, nck_tick(app->nck, &pose, &axes));
+    app->tick.idle = (uint32_t)nck_is_idle(app->nck);
     if (!app_guard_lets(app, &axes)) {
         hal_make_safe();
         app->supervisor.frozen = 1;
@@ -96,7 +96,7 @@ static void do_other_work(app_t *app) {
 static void watch_supervisor(app_t *app) {
     if (os_time() - app->supervisor.seen < SUPERVISOR_LATE) return;
     if (app->supervisor.goal == APP_IDLE) app->supervisor.goal = APP_FAULT_TASK;
-    nck_abort(&app->nck);
+    nck_abort(app->nck);
     if (app->tick.resting < APP_REST_TICKS && !app->supervisor.frozen) return;
     hal_make_safe();
     app_enter(app, app->fault_stack ? (uint32_t)APP_FAULT_STACK : app->supervisor.goal);

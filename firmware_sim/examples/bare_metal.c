@@ -5,7 +5,7 @@
 //
 // SETPOINTS gets nck_axes_t as it lies in memory, one for every period.
 #include "board/board.h"
-#include "nck/nck.h"
+#include "nck/nck_memory.h" // nck_t
 
 enum { CORE_HZ = 25000000, LOG_PERIODS = 200000, CHUNK_BYTES = 512 };
 

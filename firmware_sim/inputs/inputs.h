@@ -10,7 +10,7 @@
 #define INPUTS_H
 
 #include "hal/input.h" // hal_input_t
-#include "nck/nck.h" // nck_t
+#include "nck/nck_session.h" // nck_t
 
 // What a machine has. Read by prep; the tick reads inverted alone.
 typedef struct inputs_set {

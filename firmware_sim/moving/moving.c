@@ -3,7 +3,7 @@
 #include "moving/moving.h"
 
 #include "inputs/inputs.h"
-#include "nck/nck.h"
+#include "nck/nck_memory.h" // nck_t
 #include "pulse/pulse.h"
 #include "serve/serve.h"
 

@@ -80,7 +80,7 @@ static int begin_home(serve_t *self) {
     inputs_t *const inputs = self->inputs;
     if (!inputs->set.homes) return SERVE_E_DISABLED;
     if (inputs_home(inputs) != NCK_OK) return SERVE_E_STATEMENT;
-    nck_set_override(self->nck, 100, 100);
+    nck_set_override(self->nck, 100 * NCK_PERCENT, 100 * NCK_PERCENT);
     self->phase = SERVE_HOMES;
     return 0;
 }
@@ -90,7 +90,7 @@ static void go_home(serve_t *self) {
     if (result == INPUTS_GOES) return;
     if (result == INPUTS_DONE) self->locked = 0;
     else alarm(self, result == INPUTS_STUCK ? ALARM_STUCK : ALARM_NO_SWITCH);
-    nck_set_override(self->nck, self->feed, self->rapid);
+    nck_set_override(self->nck, self->feed * NCK_PERCENT, self->rapid * NCK_PERCENT);
     serve_answer(self);
 }
 

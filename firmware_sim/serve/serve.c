@@ -136,8 +136,8 @@ int serve_is_idle(const serve_t *self) {
 
 // Jogs are deaf to overrides.
 static void override(serve_t *self) {
-    if (self->jogging) nck_set_override(self->nck, WHOLE, WHOLE);
-    else nck_set_override(self->nck, self->feed, self->rapid);
+    if (self->jogging) nck_set_override(self->nck, WHOLE * NCK_PERCENT, WHOLE * NCK_PERCENT);
+    else nck_set_override(self->nck, self->feed * NCK_PERCENT, self->rapid * NCK_PERCENT);
 }
 
 void serve_brake(serve_t *self, serve_then_t then) {

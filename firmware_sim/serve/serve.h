@@ -11,7 +11,7 @@
 #ifndef SERVE_H
 #define SERVE_H
 
-#include "nck/nck.h" // nck_t
+#include "nck/nck_session.h" // nck_t
 
 // Sizes: the ring holds one byte less.
 enum {

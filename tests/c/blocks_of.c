@@ -8,7 +8,7 @@
 #include <string.h> // memset
 
 #include "host/host.h" // nck_host_decode
-#include "nck/nck.h"   // nck_machine_t
+#include "nck/nck_tools.h"   // nck_machine_t
 
 enum { TEXT_MAX = 1 << 20, ROWS = 64 };
 

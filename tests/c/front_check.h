@@ -8,7 +8,7 @@
 #include <string.h> // memset strlen
 
 #include "check.h"
-#include "nck/nck.h" // nck_t
+#include "nck/nck_tools.h" // nck_t
 
 enum { FRONT_OUTPUTS = 64, FRONT_LINES = 1024, FRONT_TICKS = 200000 };
 

@@ -10,7 +10,7 @@
 
 #include "check.h"
 #include "nck/base/path.h" // nck_path_tangent
-#include "nck/nck.h"       // nck_t
+#include "nck/nck_tools.h"       // nck_t
 
 enum { MOTION_TEXT = 400000, MOTION_SEGS = 8192, MOTION_OUTPUTS = 512, MOTION_MOVES = 12,
        MOTION_STEPS = 100000 /* prep does all that it can */ };

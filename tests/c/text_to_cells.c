@@ -4,7 +4,7 @@
 #include <stdio.h>
 #include <stdlib.h> // calloc
 
-#include "nck/nck.h" // nck_t
+#include "nck/nck_tools.h" // nck_t
 
 static nck_machine_t machine;
 static nck_t nck;

@@ -121,7 +121,7 @@ static void operate(void)
     case 0: nck_hold(&front.nck); break;
     case 1:
     case 2: nck_resume(&front.nck); break;
-    case 3: nck_set_override(&front.nck, pick(200), 100); break;
+    case 3: nck_set_override(&front.nck, pick(200) * NCK_PERCENT, 100 * NCK_PERCENT); break;
     case 4: halt.quick = 1.0; nck_stop_at(&front.nck, &halt); break;
     default: break;
     }

@@ -52,29 +52,33 @@ LINUXCNC = ("rtapi.h", "rtapi_app.h", "rtapi_string.h", "hal.h", "motion.h", "mo
 HOST_OF_ADAPTER = ("arc.h", "bounds.h", "feed.h", "follow.h", "moves.h", "planner.h",
                    "rates.h", "settings.h", "thread.h")
 
+# What a firmware opens; nck_tools.h is for hosts and tests.
+DOORS = ("nck/nck.h", "nck/nck_session.h", "nck/nck_memory.h")
+
 # Which of our headers a file may include, by the longest path that fits the file.
 MAY_INCLUDE = {
     "csrc/nck/base/": ("nck/base/",),
     **{f"csrc/nck/{room}/": ("nck/base/", f"nck/{room}/") for room in ROOMS},
     "csrc/nck/nck.": ("nck/",),
-    "csrc/nck/front.": ("nck/nck.h", "nck/base/"),
+    "csrc/nck/nck_": ("nck/",),
+    "csrc/nck/front.": ("nck/nck_tools.h", "nck/base/"),
     "csrc/nck/selftest.": ("nck/",),
     "csrc/host/": ("nck/", "host/"),
     "opencl/": ("nck/base/", "_math.h", "host/unit.h", "opencl/"),
     "firmware_sim/os/": ("os/", "os.h"),
-    "firmware_sim/app/": ("app/", "nck/nck.h", "os.h", "hal.h"),
+    "firmware_sim/app/": ("app/", *DOORS, "os.h", "hal.h"),
     "firmware_sim/hal/": ("hal", "board/board.h", "os/port.h"),
     "firmware_sim/board/": ("board/", "hal.h", "os.h"),
-    "firmware_sim/examples/": ("nck/nck.h", "board/board.h", "os.h"),
+    "firmware_sim/examples/": ("nck/nck_memory.h", "board/board.h", "os.h"),
     "firmware_sim/soft_double/": ("soft_double/",),
     "firmware_sim/glue/": ("glue/", "os/os.h"),
-    "firmware_sim/serve/": ("serve/", "inputs/inputs.h", "nck/nck.h", "nck/base/fence.h"),
-    "firmware_sim/moving/": ("moving/", "inputs/inputs.h", "nck/nck.h", "pulse/pulse.h",
+    "firmware_sim/serve/": ("serve/", "inputs/inputs.h", *DOORS, "nck/base/fence.h"),
+    "firmware_sim/moving/": ("moving/", "inputs/inputs.h", *DOORS, "pulse/pulse.h",
                              "serve/serve.h", "hal/input.h"),
     "firmware_sim/pulse/": ("pulse/", "nck/base/"),
-    "firmware_sim/inputs/": ("inputs/", "hal/input.h", "nck/nck.h", "nck/base/fence.h"),
-    "firmware_sim/host_serve": ("host_s", "inputs/inputs.h", "serve/serve.h", "nck/nck.h"),
-    "firmware_sim/host_switches": ("host_s", "hal/input.h", "nck/nck.h"),
+    "firmware_sim/inputs/": ("inputs/", "hal/input.h", *DOORS, "nck/base/fence.h"),
+    "firmware_sim/host_serve": ("host_s", "inputs/inputs.h", "serve/serve.h", *DOORS),
+    "firmware_sim/host_switches": ("host_s", "hal/input.h", *DOORS),
     "firmware_sim/sim": ("nck/", "sim", "app/", "os.h", "hal.h"),
     "adapters/linuxcnc/": ("nck/nck.h", *HOST_OF_ADAPTER),
     "tests/linuxcnc/": (),
@@ -82,9 +86,9 @@ MAY_INCLUDE = {
                  "board/", "app/", "hal/", "pulse/",
                  "soft_double/"),
     "tests/house/fuzz/": ("nck/", "host/", "sim.h"),
-    "tests/qemu/": ("nck/nck.h", "nck/base/link.h", "board/", "mark.h", "traffic.h",
+    "tests/qemu/": ("nck/nck_tools.h", "nck/base/link.h", "board/", "mark.h", "traffic.h",
                     "pulse/"),
-    "tests/package/project/": ("nck/nck.h", "host/"),
+    "tests/package/project/": ("nck/nck.h", "nck/nck_memory.h", "host/"),
 }
 PYCNC = [name for name in PYTHON_FILES if name.startswith("pycnc/")]
 LIBC = {
@@ -272,11 +276,34 @@ def test_the_installed_packages_fit_together():
 
 # The front door
 
+FRONT_MOST = 24  # functions: what a firmware calls
+FRONT_LINES_MOST = 800  # that a file which includes it compiles: names of records, no rooms
+
+
+def functions_of(header):
+    return re.findall(r"^[a-z][\w ]*?[ *](nck_\w+)\(", read(header), re.M)
+
+
+def test_the_front_door_is_small_and_knows_no_room():
+    assert 20 < len(functions_of("csrc/nck/nck.h")) <= FRONT_MOST
+    command = ["gcc", "-std=c99", "-E", "-P", "-Icsrc", "csrc/nck/nck.h"]
+    done = subprocess.run(command, cwd=ROOT, capture_output=True, text=True, check=True)
+    lines = [line for line in done.stdout.splitlines() if line.strip()]
+    assert 200 < len(lines) <= FRONT_LINES_MOST
+    assert "struct nck {" not in done.stdout
+
+
+@pytest.mark.parametrize("header", ["nck.h", "nck_session.h", "nck_tools.h"])
+def test_every_door_has_its_own_text(header):
+    text = read(f"csrc/nck/{header}")
+    told = re.findall(r"^//[^\n]*\n[a-z][\w ]*?[ *](nck_\w+)\(", text, re.M)
+    assert told == functions_of(f"csrc/nck/{header}") != []
+
 
 def kernel_members():
     """Return the names of nck_t's members."""
-    text = without_comments(read("csrc/nck/nck.h"))
-    body = re.search(r"typedef struct nck \{(.*?)\n\} nck_t;", text, re.S)[1]
+    text = without_comments(read("csrc/nck/nck_memory.h"))
+    body = re.search(r"^struct nck \{(.*?)\n\};", text, re.S | re.M)[1]
     return re.findall(r"^    (?:nck_\w+_t|\}) (\w+);", body, re.M)
 
 

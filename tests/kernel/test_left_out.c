@@ -200,9 +200,9 @@ static void meddle(void *user, uint64_t tick)
     switch (tick % 400) {
     case 60: nck_hold(&motion.nck); break;
     case 160: nck_resume(&motion.nck); break;
-    case 200: nck_set_override(&motion.nck, 30, 30); break;
-    case 260: nck_set_override(&motion.nck, 180, 100); break;
-    case 330: nck_set_override(&motion.nck, 100, 100); break;
+    case 200: nck_set_override(&motion.nck, 30 * NCK_PERCENT, 30 * NCK_PERCENT); break;
+    case 260: nck_set_override(&motion.nck, 180 * NCK_PERCENT, 100 * NCK_PERCENT); break;
+    case 330: nck_set_override(&motion.nck, 100 * NCK_PERCENT, 100 * NCK_PERCENT); break;
     default: break;
     }
 }

@@ -8,7 +8,8 @@
 
 #include "motion_check.h"
 
-enum { COUNT = 1000, EVENTS = 24, MOVES = 512, PATIENCE = 40, TICKS = 60000, LOOK = 16 };
+enum { COUNT = 1000, EVENTS = 24, MOVES = 512, PATIENCE = 40, TICKS = 60000, LOOK = 16,
+       WHOLE = 1000000 }; // an override of 100 %
 
 // A move that has been pushed, as the segs are to name it.
 typedef struct move {
@@ -105,7 +106,7 @@ static void tick(void)
 
 static void free_path(void)
 {
-    nck_set_override(&motion.nck, 100, 100);
+    nck_set_override(&motion.nck, 100 * NCK_PERCENT, 100 * NCK_PERCENT);
     nck_set_single_block(&motion.nck, 0);
     for (uint32_t x = 0; x < 2; x++) (void)nck_set_travel(&motion.nck, x, INT64_MIN, INT64_MAX);
     nck_resume(&motion.nck);
@@ -324,8 +325,8 @@ static void ask(void)
     switch (pick(7)) {
     case 0: nck_hold(&motion.nck); break;
     case 1: nck_resume(&motion.nck); break;
-    case 2: nck_set_override(&motion.nck, (uint32_t)pick(201), 100); break;
-    case 3: nck_set_override(&motion.nck, 100, (uint32_t)pick(101)); break;
+    case 2: nck_set_override(&motion.nck, (uint32_t)pick(201) * NCK_PERCENT, WHOLE); break;
+    case 3: nck_set_override(&motion.nck, WHOLE, (uint32_t)pick(101) * NCK_PERCENT); break;
     case 4: nck_set_single_block(&motion.nck, (uint32_t)pick(2)); break;
     case 5: set_travel(); break;
     default: free_path(); break;

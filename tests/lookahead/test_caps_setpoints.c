@@ -104,7 +104,10 @@ static peaks_t run(check_t *check, const nck_machine_t *machine, uint32_t spread
     nck_status_t status = NCK_OK;
     while (status == NCK_OK && peaks.ticks < TICKS_MAX) {
         size_t count = 0;
-        if (spread > 0) nck_set_override(&nck, 100 - spread + random_below(2 * spread + 1), 100);
+        if (spread > 0) {
+            const uint32_t percent = 100 - spread + random_below(2 * spread + 1);
+            nck_set_override(&nck, percent * NCK_PERCENT, 100 * NCK_PERCENT);
+        }
         status = sim_run(&sim, rows, ROWS, &count);
         for (size_t i = 0; i < count; i++) look_at(machine, p, &rows[i].pose, &peaks);
     }

@@ -227,11 +227,12 @@ def test_the_pair_gives_the_same_setpoints(pair, setpoints, expected, tool, tmp_
 
 CPP = """
 #include "nck/nck.h"
-static nck_t kernel;
+static double memory[100000];
 static nck_machine_t machine;
 int main() {
+    nck_t *const kernel = nck_place(memory, sizeof memory);
     nck_machine_default(&machine);
-    return nck_init(&kernel, &machine, nullptr) == NCK_OK && nck_is_idle(&kernel) ? 0 : 1;
+    return nck_init(kernel, &machine, nullptr) == NCK_OK && nck_is_idle(kernel) ? 0 : 1;
 }
 """
 CPP_FLAGS = "-std=c++11 -fno-exceptions -fno-rtti -Wall -Wextra -Werror".split()

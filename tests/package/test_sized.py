@@ -30,10 +30,11 @@ VALUES = {
 CALLER = """
 #include "nck/nck.h"
 static nck_machine_t machine;
-static nck_t kernel;
+static double memory[100000];
 int main(void) {
+    nck_t *const kernel = nck_place(memory, sizeof memory);
     nck_machine_default(&machine);
-    return nck_init(&kernel, &machine, NULL) == NCK_OK ? 0 : 1;
+    return nck_init(kernel, &machine, NULL) == NCK_OK ? 0 : 1;
 }
 """
 OUTER = """

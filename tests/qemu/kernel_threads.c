@@ -10,7 +10,7 @@
 #include <stdio.h>   // printf
 
 #include "board/board.h" // files, arguments
-#include "nck/nck.h"     // the kernel
+#include "nck/nck_tools.h"     // the kernel
 
 enum { NAME_MAX = 200, TEXT_MAX = 1 << 20, TICKS_BETWEEN = 50 };
 
@@ -44,7 +44,7 @@ static void *run_operator(void *user) {
         pause_for(TICKS_BETWEEN);
         nck_resume(&nck);
         pause_for(TICKS_BETWEEN);
-        nck_set_override(&nck, 50 + n % 3 * 50, 100);
+        nck_set_override(&nck, (50 + n % 3 * 50) * NCK_PERCENT, 100 * NCK_PERCENT);
         pause_for(TICKS_BETWEEN);
     }
     return user;

@@ -11,7 +11,7 @@
 
 #include "board/board.h" // files, arguments
 #include "mark.h"        // mark_*
-#include "nck/nck.h"     // the kernel
+#include "nck/nck_tools.h"     // the kernel
 
 enum {
     NAME_MAX = 200,

@@ -184,7 +184,7 @@ static uint32_t random_percent(uint64_t *seed, double most)
 
 static void let_go_on(nck_t *nck)
 {
-    nck_set_override(nck, 100, 100);
+    nck_set_override(nck, 100 * NCK_PERCENT, 100 * NCK_PERCENT);
     nck_set_single_block(nck, 0);
     nck_resume(nck);
 }
@@ -204,7 +204,7 @@ static void command_at_random(void *user, uint64_t tick)
     case 5: nck_resume(nck); return;
     default: {
         const uint32_t feed = random_percent(&hand->seed, 200.0);
-        nck_set_override(nck, feed, random_percent(&hand->seed, 100.0));
+        nck_set_override(nck, feed * NCK_PERCENT, random_percent(&hand->seed, 100.0) * NCK_PERCENT);
     }
     }
 }

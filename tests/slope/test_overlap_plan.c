@@ -44,7 +44,8 @@ static void operate(void *user, uint64_t tick)
 {
     (void)user;
     if (at == 0) return;
-    if (tick == at && percent > 0) nck_set_override(&motion.nck, percent, 100);
+    const uint32_t ppm = percent * NCK_PERCENT;
+    if (tick == at && percent > 0) nck_set_override(&motion.nck, ppm, 100 * NCK_PERCENT);
     if (tick == at && percent == 0) nck_hold(&motion.nck);
     if (tick == at + PAUSE) nck_resume(&motion.nck);
 }

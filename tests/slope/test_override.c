@@ -29,7 +29,7 @@ static int ticks_to_meet(uint32_t percent, double *peak_out)
     nck_end(&nck);
     for (int tick = 1; tick < 3000; tick++) {
         while (nck_prep(&nck) == NCK_OK) continue;
-        if (tick == 1000) nck_set_override(&nck, percent, 100);
+        if (tick == 1000) nck_set_override(&nck, percent * NCK_PERCENT, 100 * NCK_PERCENT);
         (void)nck_tick(&nck, &pose, &axes);
         memmove(s, s + 1, 3 * sizeof *s);
         s[3] = pose.s;
@@ -73,11 +73,11 @@ static void an_override_lowered_twice_keeps_the_acceleration_on_an_arc(check_t *
         motion_line(&motion, "G1 Y5");
         motion_line(&motion, "M2");
         motion.status = motion_start(&motion);
-        nck_set_override(&motion.nck, 200, 100);
+        nck_set_override(&motion.nck, 200 * NCK_PERCENT, 100 * NCK_PERCENT);
         while (motion.ticks < tick) (void)motion_tick(&motion, NULL);
-        nck_set_override(&motion.nck, 95, 100);
+        nck_set_override(&motion.nck, 95 * NCK_PERCENT, 100 * NCK_PERCENT);
         while (motion.ticks < tick + 12) (void)motion_tick(&motion, NULL);
-        nck_set_override(&motion.nck, 30, 100);
+        nck_set_override(&motion.nck, 30 * NCK_PERCENT, 100 * NCK_PERCENT);
         while (motion_tick(&motion, NULL)) continue;
         CHECK(check, motion.is_over);
         motion_holds(check, &motion, "an override lowered twice");
@@ -98,7 +98,7 @@ static void an_override_on_the_way_to_a_corner_rests_at_it_under_the_linear_slop
         motion_line(&motion, "M2");
         motion.status = motion_start(&motion);
         while (motion.ticks < tick) (void)motion_tick(&motion, NULL);
-        (void)nck_set_override(&motion.nck, 120, 100);
+        (void)nck_set_override(&motion.nck, 120 * NCK_PERCENT, 100 * NCK_PERCENT);
         while (motion_tick(&motion, NULL)) continue;
         CHECK(check, motion.is_over);
         motion_holds(check, &motion, "an override before a corner");
@@ -120,7 +120,7 @@ static void a_lowered_override_is_kept_in_every_block_under_the_linear_slope(che
     motion_line(&motion, "M2");
     motion.status = motion_start(&motion);
     motion_to(&motion, 5.0);
-    (void)nck_set_override(&motion.nck, 40, 100);
+    (void)nck_set_override(&motion.nck, 40 * NCK_PERCENT, 100 * NCK_PERCENT);
     motion_to(&motion, 9.0);
     while (motion_tick(&motion, NULL)) v_most = fmax(v_most, motion.s[3] - motion.s[2]);
     CHECK(check, motion.is_over);
@@ -140,7 +140,7 @@ static void the_tool_is_no_faster_than_the_operator_allows(check_t *check)
         motion_line(&motion, "G0 X0");
         motion_line(&motion, "M2");
         motion.status = motion_start(&motion);
-        nck_set_override_permille(&motion.nck, 1999, 995);
+        nck_set_override(&motion.nck, 1999000, 995000);
         while (motion.ticks < 500) (void)motion_tick(&motion, NULL);
         nck_set_speed(&motion.nck, 30500);
         while (motion.ticks < 1000) (void)motion_tick(&motion, NULL);
@@ -157,21 +157,7 @@ static void the_tool_is_no_faster_than_the_operator_allows(check_t *check)
     }
 }
 
-// The same under per mille, which a percent could not tell.
-static void an_override_counts_in_per_mille(check_t *check)
-{
-    double v_most = 0.0;
-    motion_begin(&motion, 1);
-    motion.machine.slope = NCK_SLOPE_LINEAR;
-    motion_line(&motion, "G21 G90 G61 G1 X100 F3000");
-    motion_line(&motion, "M2");
-    motion.status = motion_start(&motion);
-    nck_set_override_permille(&motion.nck, 777, 1000);
-    while (motion_tick(&motion, NULL)) v_most = fmax(v_most, motion.pose.v);
-    CHECK_NEAR(check, v_most, 0.777 * 50.0, 1e-6);
-}
-
-// And under millionths; what is more than 200 and 100 % is the most, in any unit.
+// An override counts in millionths; what is more than 200 and 100 % is the most.
 static void an_override_counts_in_millionths(check_t *check)
 {
     nck_command_t asked;
@@ -181,16 +167,15 @@ static void an_override_counts_in_millionths(check_t *check)
     motion_line(&motion, "G21 G90 G61 G1 X100 F3000");
     motion_line(&motion, "M2");
     motion.status = motion_start(&motion);
-    nck_set_override_ppm(&motion.nck, 777123, 1000000);
+    nck_set_override(&motion.nck, 777123, 1000000);
     while (motion_tick(&motion, NULL)) v_most = fmax(v_most, motion.pose.v);
     CHECK_NEAR(check, v_most, 0.777123 * 50.0, 1e-6);
-    for (uint32_t unit = 0; unit < 3; unit++) {
+    for (uint32_t unit = 0; unit < 2; unit++) {
         if (unit == 0) nck_set_override(&motion.nck, UINT32_MAX, UINT32_MAX);
-        if (unit == 1) nck_set_override_permille(&motion.nck, 2001, 1001);
-        if (unit == 2) nck_set_override_ppm(&motion.nck, 2000001, 1000001);
+        if (unit == 1) nck_set_override(&motion.nck, 2000001, 1000001);
         nck_asked(&motion.nck, &asked);
         CHECK(check, asked.feed_ppm == 2000000 && asked.rapid_ppm == 1000000);
-        nck_set_override(&motion.nck, 100, 100);
+        nck_set_override(&motion.nck, 100 * NCK_PERCENT, 100 * NCK_PERCENT);
     }
 }
 
@@ -210,7 +195,7 @@ static int ticks_to_follow(double feed, int apart)
     motion.status = motion_start(&motion);
     for (int tick = 0; tick < begin + 2 * apart + 1000; tick++) {
         const int k = tick < begin ? 0 : 1 + (tick - begin) / apart;
-        nck_set_override_ppm(&motion.nck, ppm[k < 3 ? k : 3], 1000000);
+        nck_set_override(&motion.nck, ppm[k < 3 ? k : 3], 1000000);
         for (int n = 0; n < STEPS_A_TICK && motion_prep(&motion); n++) continue;
         (void)nck_tick(&motion.nck, &motion.pose, &motion.axes);
         const double v = motion.pose.v * motion.pose.feed_scale;
@@ -264,7 +249,6 @@ int main(void)
     CHECK_RUN(&check, a_lowered_override_is_kept_in_every_block_under_the_linear_slope);
     CHECK_RUN(&check, the_tool_is_no_faster_than_the_operator_allows);
     CHECK_RUN(&check, overrides_that_go_up_in_steps_are_followed_at_once);
-    CHECK_RUN(&check, an_override_counts_in_per_mille);
     CHECK_RUN(&check, an_override_counts_in_millionths);
 #if NCK_AXIS_MAX > 3
     CHECK_RUN(&check, a_rotary_axis_alone_does_not_heed_the_speed_of_the_tool);

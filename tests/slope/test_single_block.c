@@ -95,7 +95,7 @@ static void an_override_is_met_and_the_block_end_kept(check_t *check)
         double v_least = 1e9;
         double v_most = 0.0;
         begin(400);
-        nck_set_override(&motion.nck, percent[k], 100);
+        nck_set_override(&motion.nck, percent[k] * NCK_PERCENT, 100 * NCK_PERCENT);
         while (motion.pose.s < 18.0 && motion.ticks < LONG_RUN) {
             (void)motion_tick(&motion, NULL);
             if (motion.pose.s > 17.0) continue;
@@ -116,10 +116,10 @@ static void an_override_is_met_and_the_block_end_kept(check_t *check)
 static void an_override_of_zero_rests_on_the_way_and_goes_on_with_it(check_t *check)
 {
     begin(400);
-    nck_set_override(&motion.nck, 0, 100);
+    nck_set_override(&motion.nck, 0, 100 * NCK_PERCENT);
     CHECK(check, ticks_to_rest() <= 300);
     CHECK(check, motion.pose.s < 20.0);
-    nck_set_override(&motion.nck, 100, 100);
+    nck_set_override(&motion.nck, 100 * NCK_PERCENT, 100 * NCK_PERCENT);
     for (int k = 0; k < 10; k++) (void)motion_tick(&motion, NULL);
     (void)ticks_to_rest();
     CHECK_NEAR(check, motion.pose.s, 20.0, 1e-9);
@@ -218,11 +218,11 @@ static void an_override_of_zero_rests_behind_a_block_end_too_near(check_t *check
         motion.status = motion_start(&motion);
         motion_to(&motion, 13.0);
         nck_set_single_block(&motion.nck, single);
-        nck_set_override(&motion.nck, 0, 100);
+        nck_set_override(&motion.nck, 0, 100 * NCK_PERCENT);
         CHECK(check, most_steps_to_rest() < MOTION_STEPS / 2);
         CHECK_INT(check, motion.starved, 0);
         CHECK(check, motion.pose.s < 40.0);
-        nck_set_override(&motion.nck, 100, 100);
+        nck_set_override(&motion.nck, 100 * NCK_PERCENT, 100 * NCK_PERCENT);
         for (int k = 0; k < 10; k++) (void)motion_tick(&motion, NULL);
         (void)ticks_to_rest();
         const int in_front = NCK_PROFILE < 256 && single;

@@ -9,7 +9,7 @@
 #include <string.h> // strlen
 
 #include "check.h"
-#include "nck/nck.h" // nck_t
+#include "nck/nck_tools.h" // nck_t
 
 enum { COUNT = 400, STEPS = 100000, TEXT = 400 };
 

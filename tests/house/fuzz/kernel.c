@@ -4,7 +4,7 @@
 // finite, nothing jumps, and the run comes to its end where the program ends.
 //
 //     machine: slope, edits │ one byte for an operation, more for what it needs │ …
-#include "nck/nck.h" // nck_t
+#include "nck/nck_tools.h" // nck_t
 
 #include <math.h>   // isfinite fabs pow
 #include <stdint.h> // uint8_t
@@ -331,9 +331,9 @@ static void command(run_t *self) {
     case 0: nck_hold(nck); break;
     case 1: nck_resume(nck); break;
     case 2: nck_set_single_block(nck, what >> 3 & 1u); break;
-    case 3: nck_set_override(nck, byte_of(&self->source), what); break;
-    case 4: nck_set_override(nck, 10u + what, 100); break;
-    case 5: nck_set_override(nck, 100, 100); break;
+    case 3: nck_set_override(nck, byte_of(&self->source) * NCK_PERCENT, what * NCK_PERCENT); break;
+    case 4: nck_set_override(nck, (10u + what) * NCK_PERCENT, 100 * NCK_PERCENT); break;
+    case 5: nck_set_override(nck, 100 * NCK_PERCENT, 100 * NCK_PERCENT); break;
     case 6:
         self->complete |= what > 200;
         (void)nck_set_travel(nck, what >> 3 & 1u, -1000000 * (int64_t)byte_of(&self->source),
@@ -377,7 +377,7 @@ static void operate(run_t *self) {
 static void release(run_t *self) {
     nck_t *const nck = &self->nck;
     nck_set_single_block(nck, 0);
-    nck_set_override(nck, 100, 100);
+    nck_set_override(nck, 100 * NCK_PERCENT, 100 * NCK_PERCENT);
     for (uint32_t x = 0; x < 2; x++) (void)nck_set_travel(nck, x, INT64_MIN, INT64_MAX);
     nck_resume(nck);
 }

@@ -122,15 +122,15 @@ def measure_flash(built, image):
 def measure_structs(set_name):
     """Return {member of nck_t: bytes}, and {capacity: value}, as they are on a 32-bit Arm."""
     definitions = [f"-D{definition}" for definition in definitions_of(set_name)]
-    text = (CSRC / "nck" / "nck.h").read_text(encoding="utf-8")
-    body = re.search(r"typedef struct nck \{\n(.*?)\n\} nck_t;", text, re.S)[1]
+    text = (CSRC / "nck" / "nck_memory.h").read_text(encoding="utf-8")
+    body = re.search(r"^struct nck \{\n(.*?)\n\};", text, re.S | re.M)[1]
     members = re.findall(r"^    (?:nck_\w+_t|\}) (\w+);", body, re.M)
     probes = [f"char p_{name}[sizeof(((nck_t *)0)->{name})];" for name in members]
     probes += [f"char p_{name}[{name}];" for name in ("NCK_AXIS_MAX", "NCK_WINDOW")]
     with tempfile.TemporaryDirectory() as folder:
         source, binary = Path(folder, "probe.c"), Path(folder, "probe.o")
         probes.append("char p_all[sizeof(nck_t)];\n")
-        source.write_text("\n".join(['#include "nck/nck.h"', *probes]))
+        source.write_text("\n".join(['#include "nck/nck_memory.h"', *probes]))
         run("gcc", *OPTIONS["m7"], *definitions, f"-I{CSRC}", "-c", source, "-o", binary)
         rows = re.findall(r"^\w+ (\w+) \w p_(\w+)$", run("nm", "-S", binary), re.M)
     found = {name: int(size, 16) for size, name in rows}

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The size of the kernel as a caller of the installed headers sees it, to be read from the object.
-#include "nck/nck.h" // nck_t
+#include "nck/nck_memory.h" // nck_t
 
 extern const char kernel_size[sizeof(nck_t)];
 const char kernel_size[sizeof(nck_t)] = {0};

@@ -8,6 +8,7 @@
 #include <stdint.h> // uint32_t
 
 #include "nck/base/limits.h" // NCK_VARIABLES NCK_CALL_DEPTH
+#include "nck/base/source.h" // nck_source_t
 
 // Bounds of what is remembered, and of patience.
 enum {
@@ -15,15 +16,6 @@ enum {
     NCK_DECODE_JUMPS_MOST = 1000000,  // jumps backward before it does, whatever it moves
     NCK_DECODE_IDLE_MOST = 1000000    // lines without a block before a program counts as endless
 };
-
-// Text that the room reads by itself, from any place: what jumps backward need. text or read.
-typedef struct nck_source {
-    const char *text; // in place, `size` bytes; NULL: read gives them
-    size_t size;
-    size_t (*read)(void *user, size_t offset, char *out, size_t n); // n bytes from an offset on:
-                      // how many there are, fewer at the end of the text, 0 behind it
-    void *user;       // handed back in every call
-} nck_source_t;
 
 // A place between two lines of the text.
 typedef struct nck_text_place {
