@@ -219,7 +219,8 @@ def from_blocks(blocks, counts_per_degree):
         move = Move(("rapid", "line", "arc")[block["kind"]], end, line=int(block["line"]))
         move.feed = float(block["feed"]) if block["feed_mode"] == 0 else -1.0
         before, at = at, (block["target_nm"][:3] + block["tool_nm"]).tolist()
-        move.only_rotary = move.kind != "arc" and at == before
+        turned = not moves or move.end[3:] != moves[-1].end[3:]
+        move.only_rotary = move.kind != "arc" and at == before and turned
         if move.kind == "arc":
             move.centre = tuple(block["centre_mm"])
             last = moves[-1] if moves else move

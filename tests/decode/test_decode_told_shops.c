@@ -6,10 +6,12 @@ static told_t self;
 
 static const told_row_t modes_rows[] = {
     {"G5 P10000\nG1 X1. F100.\nG5 P0\nG62\nG61\nX2.\nG61.1\nX3.\nG187 P2 E.2\nX4.\nG187\nX5.\n"
-     "G187 P1\nG05.1 Q1\nG8 P1\nG5\nG5.1\nG5.1 Q1 X9.\nG187 E-1.\nG13.1 G23\nX6.\n",
+     "G187 P1\nG05.1 Q1\nG8 P1\nG5\nG5.1\nG5.1 Q1 X9.\nG187 E-1.\nG13.1 G23\nX6.\nG10.9\n"
+     "G10.9 X1.\nX7.\n",
      "?1:1 mode-stays G 5/0; 2 line X1 F100; 6 line X2 stop P0 Q0; 8 line X3 smooth P0.01 Q0.01;"
      " 10 line X4 P0.2 Q0.2; 12 line X5 P0.01 Q0.01; !16:1 word-missing P; !17:1 word-missing Q;"
-     " !18:9 word-unused X; !19:6 number-range E -1/0; 21 line X6"},
+     " !18:9 word-unused X; !19:6 number-range E -1/0; 21 line X6;"
+     " !23:7 word-unused X; 24 line X7"},
 };
 
 static void modes_are_noted_once(check_t *check) {
@@ -64,11 +66,11 @@ static void a_switch_skips_lines_and_what_stands_behind(check_t *check) {
 static const told_row_t drill_rows[] = {
     {"G1 F100. X1.\nG99 G83 Z-3. R1. Q3. P500\nG80 X5.\nX6.\nG81 Z-1. R1.\nG80\nX7.\nG2 X9. R1.\n"
      "G81 Z-1. R1.\nG80\nG0 X0.\nG83 Z-3. R1. Q3000\nG80\n#3001=0 #3004=7\nX1. #3003=1\n"
-     "#100=#3001\n",
+     "#100=#3001\nX#3003 Y#3004\n",
      "1 line X1 F100; 2 rapid~ Z1; 2 line~ Z-2; 2 rapid~ Z1; 2 rapid~ Z-1.746; 2 line~ Z-3;"
      " 2 dwell for 0.5; 2 rapid~ Z1; 3 line X5; 4 line X6; 5 line~ Z-1; 5 rapid~ Z1;"
      " 7 line X7; 8 arc X9 G17 about 8 0 by -180; 9 line~ Z-1; 9 rapid~ Z1; 11 rapid X0;"
-     " !12:14 scale-unit Q 3000/0; 15 rapid X1; !16:11 unsupported # 3001/0"},
+     " !12:14 scale-unit Q 3000/0; 15 rapid X1; !16:11 unsupported # 3001/0; 17 rapid Y7"},
     {"G31 X5. F100.\n#100=#5061\nG0 X[#100+1.]\nG31 Z-1.\nX1.\nG31\nX2.\n",
      "1 line X5 F100 stop; 3 rapid X6 smooth; 4 line Z-1 stop; 5 rapid X1 smooth;"
      " !6:1 word-missing X 31/0"},

@@ -65,6 +65,14 @@ def test_before_any_probe_the_parameters_are_nought(oracle):
     assert places(decode(text)[0]) == [[1, 0, 0]]
 
 
+def test_a_program_may_set_what_a_probe_has_found(oracle):
+    text = "G21 G90 F120\n#5070=5\n#5061=[#5070+2]\nG0 X#5061 Y#5070\nG38.3 X1\nG0 Z#5061\nM2\n"
+    moves, found = decode(text, "misses")
+    assert found == [] and places(moves)[0] == [7, 5, 0] and places(moves)[-1] == [1, 5, 1]
+    text = text.replace("G38.3 X1\n", "")
+    assert oracle(text)[1] == "" and places(decode(text)[0])[0] == [7, 5, 0]
+
+
 @pytest.mark.parametrize("code", ["G38.2", "G38.4"])
 def test_a_probe_that_must_touch_and_does_not_is_one_clear_error(code):
     text = f"G21 G90 F120\n{code} Z-5\nZ-6\nX1\nG1 X2\nM2\n"

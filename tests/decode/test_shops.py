@@ -48,7 +48,8 @@ def move(rng):
 # ---- modes
 
 MODES = ("G05 P10000", "G05 P0", "G05.1 Q1", "G5.1 Q1 R5", "G05.1 Q0", "G08 P1", "G08 P0", "G61.1",
-         "G62", "G63", "G64", "G187", "G187 P2", "G13.1", "G23", "G40.1 G50.2")  # fmt: skip
+         "G62", "G63", "G64", "G187", "G187 P2", "G13.1", "G23", "G40.1 G50.2",
+         "G10.9")  # fmt: skip
 
 
 @pytest.mark.parametrize("seed", SEEDS)
@@ -93,7 +94,7 @@ def test_an_explained_mode_is_the_tolerance_that_g64_says(seed):
         ("G5.1 Q1 X0.", "word-unused"), ("G187 P1 E-.1", "number-range"),
         ("G187 Q1", "word-unused"),
         ("G8 G4 P5", "word-shared"), ("G68.2 X0.", "unsupported"), ("G43.4 H1", "unsupported"),
-        ("G12.1", "unsupported"), ("G7.1 C5.", "unsupported"),
+        ("G12.1", "unsupported"), ("G7.1 C5.", "unsupported"), ("G10.9 X0.", "word-unused"),
     ],
 )  # fmt: skip
 def test_a_mode_that_says_too_little_or_is_not_built_is_refused(line, found):

@@ -117,6 +117,7 @@ static const code_t g_codes[] = {
     {F | T | 51, NCK_STEP_PATH, LEVEL}, {F | T | 80, NCK_STEP_PATH, COUNT},
     {F | T | 611, NCK_STEP_PATH, NONE}, {F | T | 620, NCK_STEP_PATH, NONE},
     {F | T | 630, NCK_STEP_PATH, NONE}, {F | T | 1870, NCK_STEP_PATH, ROUGHNESS},
+    {F | T | 109, NCK_STEP_PATH, NONE},
     {L | T | G | P | 800, NCK_STEP_MOTION, NONE}, {F | 800, NCK_STEP_MOTION, AXES},
     {ALL | 530, NCK_STEP_MACHINE, NONE}, {L | F | T | G | 400, NCK_STEP_RADIUS_COMP, NONE},
     {L | 410, NCK_STEP_RADIUS_COMP, RADIUS}, {L | 420, NCK_STEP_RADIUS_COMP, RADIUS},
@@ -215,7 +216,7 @@ static const code_t m_codes[] = {
 // Of a language, and not built: a code and whose it is.
 static const uint16_t g_later[] = {
     F | 54, P | 60, L | T | 62, L | 63, F | T | 70, F | T | 71, T | 72, P | 100, F | T | 106,
-    F | T | 109, F | T | P | 110, F | T | P | 120, F | T | 121,
+    F | T | P | 110, F | T | P | 120, F | T | 121,
     F | T | 130, T | 150, T | 160, L | 171, L | 181, L | 191, F | T | 220,
     F | T | P | 260, F | T | P | 270, F | T | P | 290, P | 300, F | T | 301,
     P | 310, P | 320, F | P | 330, F | T | P | 340, F | T | P | 350, F | T | 360,

@@ -90,7 +90,8 @@ nck_status_t nck_decode_assign(nck_decode_t *self, const char **at) {
     ++*at;
     status = nck_decode_value(self, at, fanuc, &value);
     if (status != NCK_OK) return status;
-    if (key <= NCK_VARIABLE_LAST && nck_parameter_is_own(self, (uint32_t)key)) {
+    const int own = key <= NCK_VARIABLE_LAST && nck_parameter_is_own(self, (uint32_t)key);
+    if (own && !nck_parameter_is_free(self, (uint32_t)key)) {
         status = set_own(self, first, key, value);
         const int alone = key != STOPS && !nck_parameter_is_switch(self, (uint32_t)key);
         return status == NCK_OK && alone ? check_behind(self, *at, key) : status;

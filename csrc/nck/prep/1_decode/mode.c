@@ -7,7 +7,7 @@
 
 #include <stddef.h> // NULL
 
-enum { G5 = 50, G5_1 = 51, G8 = 80, G187 = 1870 };
+enum { G5 = 50, G5_1 = 51, G8 = 80, G10_9 = 109, G61_1 = 611, G187 = 1870 };
 
 static int has(const nck_decode_t *self, int letter) {
     return (self->words.letters & NCK_LETTER(letter)) != 0;
@@ -92,13 +92,11 @@ static nck_status_t join_group(nck_decode_t *self, uint32_t tenths) {
     return NCK_EMPTY;
 }
 
-nck_status_t nck_decode_mode(nck_decode_t *self) {
-    const uint32_t tenths = self->words.code[NCK_STEP_PATH];
+// G5 G5.1 G8 G187.
+static nck_status_t choose(nck_decode_t *self, uint32_t tenths) {
     const int letter = word_of(tenths);
     int64_t value = 0;
-    if (letter == 0 && tenths != G187) return join_group(self, tenths);
-    nck_status_t status = refuse_axes(self);
-    if (status != NCK_OK) return status;
+    nck_status_t status = NCK_OK;
     if (tenths == G187 && has(self, 'E')) return read_rounding(self);
     if (letter != 0 && !has(self, letter)) {
         return nck_decode_fail_step(self, NCK_E_WORD_MISSING, NCK_STEP_PATH, letter, 0.0, 0.0);
@@ -109,6 +107,14 @@ nck_status_t nck_decode_mode(nck_decode_t *self) {
     if (status != NCK_OK) return status;
     explain(self, NCK_STEP_PATH, tenths, letter != 0 ? value == 0 : !has(self, 'P'));
     return NCK_EMPTY;
+}
+
+nck_status_t nck_decode_mode(nck_decode_t *self) {
+    const uint32_t tenths = self->words.code[NCK_STEP_PATH];
+    if (tenths >= G61_1 && tenths != G187) return join_group(self, tenths);
+    const nck_status_t status = refuse_axes(self);
+    if (status != NCK_OK) return status;
+    return tenths == G10_9 ? NCK_EMPTY : choose(self, tenths); // G10.9 names no axis to switch
 }
 
 void nck_decode_own_mode(nck_decode_t *self) {

@@ -15,7 +15,7 @@ enum {
     FANUC_OUTER = 5201, FANUC_WORK = 5221, FANUC_SYSTEMS = 6,
     LINUXCNC_OWN = 5001, LINUXCNC_KEPT = 5061, LINUXCNC_LAST = 5601,
     LAST_OF_GROUP = 30,        // G3, in tenths
-    CLOCK = 3001, OPERATING = 3004, // Fanuc: clocks, and what the operator may do meanwhile
+    CLOCK = 3001, BLOCKS = 3003, OPERATING = 3004, // Fanuc: clocks, what the operator may do
     SHOWN = 5599, // LinuxCNC: whether (DEBUG, …) is shown
     PROBED = 5061, PROBE_TOUCHED = 5070 // where a probe has ended; did it meet anything?
 };
@@ -145,7 +145,7 @@ static const row_t rows[] = {
     {4002, 1, ASK_SURFACE, T, 0}, {4003, 1, ASK_DISTANCE, F | T, 0},
     {4005, 1, ASK_FEED_MODE, F | T, 0}, {4006, 1, ASK_UNITS, F | T, 0},
     {4016, 1, ASK_PLANE, T, 0}, {4109, 1, ASK_FEED, F | T, 0}, {4119, 1, ASK_SPEED, F | T, 0},
-    {4120, 1, ASK_NEXT_TOOL, F, 0}, {4120, 1, ASK_TURRET, T, 0}
+    {4120, 1, ASK_NEXT_TOOL, F, 0}, {4120, 1, ASK_TURRET, T, 0}, {BLOCKS, 2, ASK_ZERO, F | T, 0}
 };
 
 static const row_t *find(const nck_decode_t *self, uint32_t number) {
@@ -184,6 +184,13 @@ static nck_status_t refuse(const nck_decode_t *self, uint32_t number) {
 int nck_parameter_is_switch(const nck_decode_t *self, uint32_t number) {
     if (self->tongue == NCK_TONGUE_LINUXCNC) return number == SHOWN;
     return (self->tongue & NCK_TONGUES_FANUC) && number >= CLOCK && number <= OPERATING;
+}
+
+int nck_parameter_is_free(const nck_decode_t *self, uint32_t number) {
+    if (!NCK_HAS_VARIABLES) return 0;
+    const int linuxcnc = self->tongue == NCK_TONGUE_LINUXCNC;
+    const uint32_t first = linuxcnc ? PROBED : BLOCKS, last = linuxcnc ? PROBE_TOUCHED : OPERATING;
+    return number >= first && number <= last;
 }
 
 double nck_parameter_limit(nck_status_t status) {

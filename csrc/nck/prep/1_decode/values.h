@@ -46,6 +46,10 @@ int nck_parameter_is_own(const nck_decode_t *self, uint32_t number);
 // RS274NGC's #5599. Cost: constant.
 int nck_parameter_is_switch(const nck_decode_t *self, uint32_t number);
 
+// system.c: 1 if the control keeps a parameter itself and the program may set it to what it then
+// is: Fanuc's #3003 #3004, RS274NGC's #5061 … #5070. Cost: constant.
+int nck_parameter_is_free(const nck_decode_t *self, uint32_t number);
+
 // system.c: the limit of the finding that one of these statuses becomes. Cost: constant.
 double nck_parameter_limit(nck_status_t status);
 
