@@ -4,6 +4,7 @@
 rs274 prints positions with four decimals, in the units of the program, without work offset and G92.
 """
 
+import cmath
 import math
 import os
 import re
@@ -55,6 +56,7 @@ class Listing:
     def __init__(self, text):
         self.unit, self.plane, self.feed = 1.0, PLANES["XY"], (0.0, 1.0)
         self.offsets = {name: ([0.0] * AXES, 0.0) for name in ("G5X", "G92")}
+        self.turn = 1 + 0j  # of the work system in X and Y
         self.at = [0.0] * AXES
         self.moves, self.cycles, self.cycle, self.tolerance = [], 0, 0, 0.0
         self.remark, self.lead, self.rpm = "", 0.0, 0.0
@@ -88,6 +90,8 @@ class Listing:
             error = ROUNDING * self.unit if any(numbers) else 0.0
             values = [a * b for a, b in zip(numbers, self._scale())]
             self.offsets[name[4:7]] = values, error
+        elif name == "SET_XY_ROTATION":
+            self.turn = cmath.exp(1j * math.radians(float(arguments)))
         elif name == "SET_SPINDLE_SPEED":
             self.rpm = float(arguments.split(",")[1])
         elif name in SYNCHRONOUS:
@@ -105,17 +109,24 @@ class Listing:
         self._move("STRAIGHT_FEED", back)
         self.tolerance = self.moves[-1].tolerance = self.moves[-2].tolerance
 
+    def _place(self, numbers):
+        """Return the machine position that the numbers of six axes name."""
+        (zero, _), (shift, _) = self.offsets["G5X"], self.offsets["G92"]
+        at = [n * scale + more for n, scale, more in zip(numbers, self._scale(), shift)]
+        turned = complex(at[0], at[1]) * self.turn
+        return [a + b for a, b in zip((turned.real, turned.imag, *at[2:]), zero)]
+
     def _move(self, name, numbers):
-        offset, scale = self._offset(), self._scale()
         if name == "ARC_FEED":
             u, v, w = self.plane
-            end = list(self.at)
+            end, centre = [0.0] * AXES, [0.0] * AXES
             for axis, number in zip((u, v, w, 3, 4, 5), (*numbers[:2], *numbers[5:9])):
-                end[axis] = number * scale[axis] + offset[axis]
-            centre = [numbers[2 + k] * self.unit + offset[axis] for k, axis in enumerate((u, v))]
-            move = Move("arc", end, (u, v), tuple(centre), int(numbers[4]))
+                end[axis] = number
+            centre[u], centre[v] = numbers[2:4]
+            end, centre = self._place(end), self._place(centre)
+            move = Move("arc", end, (u, v), (centre[u], centre[v]), int(numbers[4]))
         else:
-            end = [numbers[k] * scale[k] + offset[k] for k in range(AXES)]
+            end = self._place(numbers[:AXES])
             move = Move("rapid" if name == "STRAIGHT_TRAVERSE" else "line", end)
         # The first move behind a change of units begins where the others' rounding has left it.
         (move.feed, move.unit), before = self.feed, self.tolerance

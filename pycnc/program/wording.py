@@ -163,8 +163,8 @@ WORDING = {
         "put G49 before G10, and G43 H behind it",
     ),
     "unsupported:R": (
-        "G10 L2 R turns the work system, which is not supported",
-        "turn the part in the post-processor, or G68 X0 Y0 R… where the program is Fanuc's",
+        "R turns a work system by G10 L2 alone, in LinuxCNC's language, and on no lathe",
+        "G10 L2 P… R…; where the program is Fanuc's, G68 X0 Y0 R…",
     ),
     "unsupported:G91": _NOT_IN_A,
     "unsupported:G95": _NOT_IN_A,

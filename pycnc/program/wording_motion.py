@@ -185,7 +185,7 @@ MOTION = {
     ),
     "layout-on": (
         "{letter}{value} cannot be done while coordinates are mirrored, scaled, turned or polar",
-        "end it before, in this order: G15, G69, G50, G50.1; they begin in the other one",
+        "end it before, in this order: G15, G69, G50, G50.1; LinuxCNC: G10 L2 P0 R0",
     ),
     "layout-on:?": (
         "an arc while its plane is scaled unevenly would be none, and I J K count from its start",

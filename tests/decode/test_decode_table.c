@@ -97,7 +97,7 @@ static void what_a_table_cannot_take_is_told(check_t *check) {
     check_error(check, &self, "G10 L10 P1 Z-999999\nM2\n", NCK_OK, 0, 0);
     check_error(check, &self, "G10 L1 P1 R9999999\nM2\n", NCK_E_NUMBER_RANGE, 1, 11);
     check_error(check, &self, "G10 L2 P1 Q1\nM2\n", NCK_E_WORD_UNUSED, 1, 11);
-    check_error(check, &self, "G10 L2 P1 R30\nM2\n", NCK_E_UNSUPPORTED, 1, 11);
+    check_error(check, &self, "G10 L20 P1 R30\nM2\n", NCK_E_UNSUPPORTED, 1, 12);
     check_error(check, &self, "G10 L2 P1 R0 X1\nM2\n", NCK_OK, 0, 0);
     check_error(check, &self, "G10 L1.5 P1 X1\nM2\n", NCK_E_UNSUPPORTED, 1, 5);
     self.machine.dialect.base = NCK_DIALECT_GRBL;

@@ -78,13 +78,17 @@ static const told_row_t plain_rows[] = {
     {"G28 P1\nG30 P2 X1\nG30 P3\nG30 P1\nG30 P5\nG30 P1.5\n",
      "!1:5 word-unused P; !2:5 word-unused P; !3:5 word-unused P; !4:5 word-unused P;"
      " !5:5 word-unused P; !6:5 word-unused P"},
-    {"G10 L2 P10 X1\nG10 L2 P-1 X1\nG10 L20 P1.5 X1\nG10 L2 P1 R0 X1\nG10 L2 P1 R5 X1\n"
+    {"G10 L2 P10 X1\nG10 L2 P-1 X1\nG10 L20 P1.5 X1\nG10 L2 P1 R0 X1\nG10 L20 P1 R5 X1\n"
      "G10 L2 P1 Q5 X1\nG10 P1 X1\nG10 L2 X1\nG10 L99 P1 X1\nG10 L2.5 P1 X1\n"
      "G10 L2 P1 X1000001\nG92\nG52\n",
      "!1:8 number-range P 10/9; !2:8 number-range P -1/9; !3:9 number-range P 1.5/9;"
-     " !5:11 unsupported R 5/0; !6:11 word-unused Q; !7:1 word-missing L; !8:1 word-missing P;"
+     " !5:12 unsupported R 5/0; !6:11 word-unused Q; !7:1 word-missing L; !8:1 word-missing P;"
      " !9:5 unsupported L 99/0; !10:5 unsupported L 2.5/0;"
      " !11:11 number-range X 1000001/1000000; !12:1 word-missing X; !13:1 word-missing X"},
+    {"G10 L2 P1 R90 X1\nG0 X2 Y1\nG92 X0 Y0\nX1\nG53 X9\nG28 X1\nG10 L20 P1 X1\n"
+     "G10 L2 P1 R1000001\nG55 X1\nG54 G18 G2 X5 Z1 R9 F1\nG0 X#5230\n",
+     "2 rapid Y2; 4 rapid Y3; 5 rapid X9; !6:1 layout-on G 28/0; !7:1 layout-on G 10/0;"
+     " !8:11 number-range R 1000001/1000000; 9 rapid X3; !10:9 layout-on; 11 rapid Y92 Z1"},
     {"G43.1 Z5\nG0 Z1\nG43.1 X1 Y2\nZ0\nG49\nX0\nG20 G43.1 Z1\nZ0\nG91 G43.1 Z2\nG90 Z0\n",
      "2 rapid Z1 tool Z5; 4 rapid X-1 Y-2 Z0 tool X1 tool Y2;"
      " 6 rapid X0 Y0 Z5 tool X0 tool Y0 tool Z0; 8 rapid Z0 tool Z25.4; 10 rapid tool Z50.8"},

@@ -262,6 +262,11 @@
 #else
 #define NCK_VARIABLE_ROWS 1
 #endif
+#if NCK_LAYOUTS > 0
+#define NCK_TURNED_ROWS 9 // work systems that may be turned: NCK_WORK_SYSTEMS
+#else
+#define NCK_TURNED_ROWS 1
+#endif
 #if NCK_CALL_DEPTH > 0
 #define NCK_FRAME_ROWS NCK_CALL_DEPTH
 #define NCK_LABEL_ROWS 8

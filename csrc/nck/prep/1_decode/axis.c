@@ -102,12 +102,3 @@ void nck_decode_scale(nck_decode_t *self) {
     scale[1] = (nck_scale_t){self->modal.diameter ? per_mm / 2 : per_mm, 5, linear_max};
     scale[2] = (nck_scale_t){NCK_COUNTS_PER_DEG / 1000000, 6, rotary_max};
 }
-
-void nck_decode_origin(nck_decode_t *self) {
-    const int64_t *const work = self->place.work_nm[self->place.work_system];
-    for (unsigned axis = 0; axis < NCK_AXIS_MAX; axis++) {
-        const int64_t tool = axis < 3 ? self->place.tool_nm[axis] : 0;
-        self->place.origin_nm[axis] =
-            self->place.outer_nm[axis] + work[axis] + self->place.g92_nm[axis] + tool;
-    }
-}

@@ -62,6 +62,7 @@ void nck_decode_begin(nck_decode_t *self) {
     self->modal.tool_next = tool_next;
     self->modal.tool_in = tool_in;
     self->modal.offset_in = offset_in;
+    nck_decode_origin(self);
 }
 
 void nck_decode_stand(nck_decode_t *self) {

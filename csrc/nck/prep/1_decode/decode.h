@@ -123,6 +123,7 @@ typedef struct nck_decode {
         int64_t origin_nm[NCK_AXIS_MAX];   // where the program's zero is: outer + work + g92 + tool
         int64_t outer_nm[NCK_AXIS_MAX];    // Fanuc's external zero offset, of all work systems
         int64_t work_nm[NCK_WORK_SYSTEMS + 1][NCK_AXIS_MAX]; // the last: G54.1 P's, if in force
+        double turn_deg[NCK_TURNED_ROWS]; // G10 L2 R, 0 … 360
         int64_t g92_nm[NCK_AXIS_MAX];
         int64_t g92_kept_nm[NCK_AXIS_MAX]; // what G92.3 brings back
         int64_t home_nm[2][NCK_AXIS_MAX];  // G28, G30; set by G28.1, G30.1

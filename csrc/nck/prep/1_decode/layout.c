@@ -5,6 +5,7 @@
 #include "nck/prep/1_decode/axis.h" // nck_decode_scale_of
 #include "nck/prep/1_decode/integer.h" // nck_decode_real_word nck_decode_said nck_…
 #include "nck/prep/1_decode/parts.h"
+#include "nck/prep/1_decode/turned.h" // nck_layout_
 
 #include <string.h> // memcmp memcpy memset
 
@@ -34,8 +35,8 @@ static int64_t rounded(double x) { return (int64_t)nck_floor(x + 0.5); }
 
 static void turn(const nck_decode_t *self, double sine, double *place) {
     const nck_layout_t *const layout = &self->layout;
-    unsigned u, v;
-    plane_axes(self, &u, &v);
+    unsigned u = NCK_AXIS_X, v = NCK_AXIS_Y;
+    if (!(layout->on & NCK_LAYOUT_SYSTEM)) plane_axes(self, &u, &v);
     const double a = place[u] - (double)layout->turn_nm[0];
     const double b = place[v] - (double)layout->turn_nm[1];
     place[u] = (double)layout->turn_nm[0] + (layout->cosine * a - sine * b);
@@ -61,7 +62,7 @@ static double unstretch(const nck_layout_t *layout, unsigned axis, double place)
 }
 
 // What the program calls the place where the axes stand.
-static void where(const nck_decode_t *self, int64_t *at_nm) {
+void nck_layout_where(const nck_decode_t *self, int64_t *at_nm) {
     const nck_layout_t *const layout = &self->layout;
     const int64_t *const position_nm = self->place.position_nm;
     double place[3];
@@ -138,7 +139,7 @@ nck_status_t nck_layout_target(nck_decode_t *self, int64_t *target_nm) {
     nck_layout_t *const layout = &self->layout;
     int64_t at_nm[3];
     double place[3];
-    where(self, at_nm);
+    nck_layout_where(self, at_nm);
     nck_status_t status = read_place(self, at_nm);
     for (unsigned axis = 0; axis < 3; axis++) {
         place[axis] = stretch(layout, axis, (double)at_nm[axis]);
@@ -175,6 +176,7 @@ double nck_layout_way(const nck_decode_t *self, double *way) {
     unsigned axes[2];
     plane_axes(self, &axes[0], &axes[1]);
     double factor[2];
+    if ((layout->on & NCK_LAYOUT_SYSTEM) && self->modal.plane != 17) return 0.0;
     for (unsigned k = 0; k < 2; k++) {
         factor[k] = layout->mirrors >> axes[k] & 1u ? -1.0 : 1.0;
         if (layout->on & NCK_LAYOUT_SCALE) factor[k] *= layout->scale[axes[k]];
@@ -194,7 +196,9 @@ nck_status_t nck_layout_spares(nck_decode_t *self, unsigned axis) {
     const nck_layout_t *const layout = &self->layout;
     const int scales = (layout->on & NCK_LAYOUT_SCALE)
                        && (layout->scale[axis] > 1.0 || layout->scale[axis] < 1.0);
-    if (!NCK_HAS_LAYOUTS || (!scales && !(layout->mirrors >> axis & 1u))) return NCK_OK;
+    const int turns = (layout->on & NCK_LAYOUT_SYSTEM) && axis != NCK_AXIS_Z;
+    const int lies = scales || turns || (layout->mirrors >> axis & 1u);
+    if (!NCK_HAS_LAYOUTS || !lies) return NCK_OK;
     return nck_decode_fail(self, NCK_E_LAYOUT_ON, 0, nck_decode_letter(axis), 0.0, 0.0);
 }
 
@@ -248,7 +252,7 @@ static nck_status_t check_order(nck_decode_t *self, uint32_t later, double code)
 
 // A place that the words name; an axis without one: where the program stands.
 static nck_status_t read_centre(nck_decode_t *self, int64_t *centre_nm) {
-    where(self, centre_nm);
+    nck_layout_where(self, centre_nm);
     for (unsigned axis = 0; axis < 3; axis++) {
         if (!(self->words.axes >> axis & 1u)) continue;
         const nck_status_t status = nck_decode_axis_word(self, axis, &centre_nm[axis]);
@@ -354,7 +358,7 @@ static void begin_polar(nck_decode_t *self) {
     nck_layout_t *const layout = &self->layout;
     int64_t at_nm[3];
     unsigned u, v;
-    where(self, at_nm);
+    nck_layout_where(self, at_nm);
     plane_axes(self, &u, &v);
     const double a = (double)at_nm[u];
     const double b = (double)at_nm[v];
@@ -377,18 +381,22 @@ static nck_status_t end(nck_decode_t *self, uint32_t codes) {
     return status == NCK_OK && (codes & NCK_LAYOUT_G50_1) ? mirror(self, 0) : status;
 }
 
+void nck_layout_name(nck_decode_t *self) {
+    nck_layout_t *const layout = &self->layout;
+    layout->stands_nm[0] = self->place.position_nm[0] + 1; // its name is to be found anew
+    nck_layout_where(self, layout->at_nm);
+    memcpy(layout->stands_nm, self->place.position_nm, sizeof layout->stands_nm);
+}
+
 nck_status_t nck_decode_layout(nck_decode_t *self, nck_block_t *out) {
     if (!NCK_HAS_LAYOUTS) return NCK_E_UNSUPPORTED;
-    nck_layout_t *const layout = &self->layout;
     const uint32_t codes = self->words.code[NCK_STEP_LAYOUT];
     nck_status_t status = end(self, codes);
     (void)out;
     if (status == NCK_OK && (codes & NCK_LAYOUT_G51_1)) status = mirror(self, 1);
     if (status == NCK_OK && (codes & NCK_LAYOUT_G51)) status = scale(self);
     if (status == NCK_OK && (codes & NCK_LAYOUT_G68)) status = rotate(self);
-    layout->stands_nm[0] = self->place.position_nm[0] + 1; // its name is to be found anew
-    where(self, layout->at_nm);
-    memcpy(layout->stands_nm, self->place.position_nm, sizeof layout->stands_nm);
+    nck_layout_name(self);
     if (status == NCK_OK && (codes & NCK_LAYOUT_G16)) begin_polar(self);
     return status == NCK_OK ? NCK_EMPTY : status;
 }

@@ -8,7 +8,10 @@
 #include "nck/base/limits.h" // NCK_LAYOUT_STATE
 
 // What may be in force, bit by bit.
-enum { NCK_LAYOUT_MIRROR = 1, NCK_LAYOUT_SCALE = 2, NCK_LAYOUT_TURN = 4, NCK_LAYOUT_POLAR = 8 };
+enum {
+    NCK_LAYOUT_MIRROR = 1, NCK_LAYOUT_SCALE = 2, NCK_LAYOUT_TURN = 4, NCK_LAYOUT_POLAR = 8,
+    NCK_LAYOUT_SYSTEM = 16 // the turn is that of the work system, in X and Y, whatever the plane
+};
 
 // Codes of NCK_STEP_LAYOUT, bit by bit: a line may have one of each pair.
 enum {

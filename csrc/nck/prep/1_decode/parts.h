@@ -347,7 +347,7 @@ nck_status_t nck_decode_length(nck_decode_t *self, nck_block_t *out);
 nck_status_t nck_decode_work(nck_decode_t *self, nck_block_t *out);
 nck_status_t nck_decode_offset(nck_decode_t *self, nck_block_t *out);
 
-// axis.c: the origin from its parts, after a change of one. Cost: constant.
+// turned.c: the origin from its parts, after a change of one. Cost: constant.
 void nck_decode_origin(nck_decode_t *self);
 
 // motion.c: moves.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Where the program's zero is: work offsets, G92, tool length.
 #include "nck/prep/1_decode/parts.h"
+#include "nck/prep/1_decode/turned.h" // nck_turned_place nck_turned_set
 
 #include <stddef.h> // NULL
 #include <string.h> // memcpy memset
@@ -9,6 +10,8 @@ enum {
     SYSTEMS_OF_OTHERS = 6, // G54 … G59
     G154_MOST = 99, G54 = 540, G54_1 = 541, G110 = 1100, G154 = 1540
 };
+
+static const double turn_most = 1e6; // of G10 L2 R [deg]
 
 // G43.1: the words of X Y Z are the offset.
 static nck_status_t set_length(nck_decode_t *self) {
@@ -142,7 +145,7 @@ static nck_status_t rename_position(nck_decode_t *self) {
         if (!(self->words.axes & ((uint32_t)1 << axis))) continue;
         const nck_status_t status = nck_decode_axis_word(self, axis, &value);
         if (status != NCK_OK) return status;
-        g92_nm[axis] += self->place.position_nm[axis] - self->place.origin_nm[axis] - value;
+        g92_nm[axis] += nck_turned_place(self, axis) - value;
     }
     memcpy(self->place.g92_nm, g92_nm, sizeof g92_nm);
     memcpy(self->place.g92_kept_nm, g92_nm, sizeof g92_nm);
@@ -173,24 +176,39 @@ static nck_status_t set_local(nck_decode_t *self) {
     return NCK_EMPTY;
 }
 
-// G10 L2 L20 Pn: which work system, 0 for the one in force, to Fanuc for the external offset. A
-// work system that is turned (R) is not built, and Q is nothing to it.
-static nck_status_t read_system(nck_decode_t *self, int64_t **zero_out) {
+// R turns a work system of RS274NGC by G10 L2. L20 in one that is turned is not built.
+static nck_status_t check_turn(nck_decode_t *self, int64_t list) {
+    const int turns = (self->words.letters & NCK_LETTER('R')) != 0;
+    const double degrees = turns ? nck_number_real(&self->words.number['R' - 'A']) : 0.0;
+    const int here = list == NCK_LIST_WORK_HERE;
+    const int builds = NCK_HAS_LAYOUTS && self->tongue == NCK_TONGUE_LINUXCNC && !here
+                       && self->machine->kinematics != NCK_KINEMATICS_LATHE_XZ;
+    if (here && self->layout.on != 0) {
+        return nck_decode_fail_code(self, NCK_E_LAYOUT_ON, NCK_STEP_OFFSET);
+    }
+    if (!builds && (degrees > 0.0 || degrees < 0.0)) {
+        return nck_decode_fail_word(self, NCK_E_UNSUPPORTED, 'R', degrees, 0.0);
+    }
+    if (degrees >= -turn_most && degrees <= turn_most) return NCK_OK;
+    return nck_decode_fail_word(self, NCK_E_NUMBER_RANGE, 'R', degrees, turn_most);
+}
+
+// G10 L2 L20 Pn: which work system, 0 for the one in force, to Fanuc for the external offset. Q is
+// nothing to it.
+static nck_status_t read_system(nck_decode_t *self, int64_t list, int64_t **zero_out,
+                                uint32_t *row_out) {
     const nck_words_t *const words = &self->words;
-    const double turn = nck_number_real(&words->number['R' - 'A']);
     const int64_t most = self->tongue == NCK_TONGUE_LINUXCNC ? NCK_WORK_SYSTEMS : SYSTEMS_OF_OTHERS;
     int64_t number = 0;
-    if ((words->letters & NCK_LETTER('R')) && (turn > 0.0 || turn < 0.0)) {
-        return nck_decode_fail_word(self, NCK_E_UNSUPPORTED, 'R', turn, 0.0);
-    }
     if (words->letters & NCK_LETTER('Q')) {
         return nck_decode_fail_word(self, NCK_E_WORD_UNUSED, 'Q', 0.0, 0.0);
     }
-    *zero_out = self->place.work_nm[self->place.work_system];
-    const nck_status_t status = nck_decode_whole(self, 'P', most, 0, &number);
+    nck_status_t status = check_turn(self, list);
+    if (status == NCK_OK) status = nck_decode_whole(self, 'P', most, 0, &number);
     if (status != NCK_OK) return status;
-    if (number > 0) *zero_out = self->place.work_nm[number - 1];
-    else if (self->tongue & NCK_TONGUES_FANUC) *zero_out = self->place.outer_nm;
+    *row_out = number > 0 ? (uint32_t)number - 1 : self->place.work_system;
+    *zero_out = self->place.work_nm[*row_out];
+    if (number == 0 && (self->tongue & NCK_TONGUES_FANUC)) *zero_out = self->place.outer_nm;
     return NCK_OK;
 }
 
@@ -200,7 +218,8 @@ static nck_status_t set_work(nck_decode_t *self, int64_t list) {
     const int adds = self->modal.incremental && (self->tongue & NCK_TONGUES_FANUC);
     const int64_t *const in_force = self->place.work_nm[self->place.work_system];
     int64_t *kept = NULL;
-    const nck_status_t system = read_system(self, &kept);
+    uint32_t row = 0;
+    const nck_status_t system = read_system(self, list, &kept, &row);
     if (system != NCK_OK) return system;
     int64_t work[NCK_AXIS_MAX];
     memcpy(work, kept, sizeof work);
@@ -215,6 +234,8 @@ static nck_status_t set_work(nck_decode_t *self, int64_t list) {
         work[axis] = list == NCK_LIST_WORK ? value : here + in_force[axis] - value;
     }
     memcpy(kept, work, sizeof work);
+    const int turns = (self->words.letters & NCK_LETTER('R')) != 0;
+    if (turns) nck_turned_set(self, row, nck_number_real(&self->words.number['R' - 'A']));
     return NCK_EMPTY;
 }
 

@@ -2,6 +2,7 @@
 // RS274NGC's polar words: @ is the distance from the program's zero, ^ the angle from X [deg]. They
 // become words of X and Y.
 #include "nck/prep/1_decode/parts.h"
+#include "nck/prep/1_decode/turned.h" // nck_turned_place
 
 #include <stddef.h> // NULL
 
@@ -53,7 +54,7 @@ static nck_status_t fail(nck_decode_t *self, nck_status_t code) {
 
 // Where an axis is in the program [nm].
 static int64_t here_nm(const nck_decode_t *self, unsigned axis) {
-    return self->place.position_nm[axis] - self->place.origin_nm[axis];
+    return nck_turned_place(self, axis);
 }
 
 static int is_incremental(const nck_decode_t *self) {

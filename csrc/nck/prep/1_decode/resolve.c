@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Do the words and codes of a line fit together, and who gets the axis words?
 #include "nck/prep/1_decode/parts.h"
+#include "nck/prep/1_decode/turned.h" // nck_turned_refuses
 #include "nck/prep/1_decode/printer.h" // nck_printer_ … nck_decode_printer
 
 enum { AXIS_C = 5 };
@@ -166,7 +167,10 @@ static nck_status_t check_limit(nck_decode_t *self) {
 
 // What cannot be done while something else is in force.
 static nck_status_t check_in_force(nck_decode_t *self) {
-    const nck_status_t status = self->layout.on ? nck_layout_refuses(self) : NCK_OK;
+    const uint32_t on = self->layout.on;
+    nck_status_t status = NCK_OK;
+    if (on & NCK_LAYOUT_SYSTEM) status = nck_turned_refuses(self);
+    else if (on != 0) status = nck_layout_refuses(self);
     return status == NCK_OK && self->modal.comp ? nck_decode_comp_refuses(self) : status;
 }
 

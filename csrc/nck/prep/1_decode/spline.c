@@ -170,8 +170,9 @@ static nck_status_t add_beside(nck_decode_t *self, const int64_t *from_nm, char 
     nck_status_t status = NCK_OK;
     if (says(self, x)) status = nck_decode_length_word(self, x, &place_nm[0]);
     if (status == NCK_OK && says(self, y)) status = nck_decode_length_word(self, y, &place_nm[1]);
-    place_nm[0] += from_nm[0];
-    place_nm[1] += from_nm[1];
+    double way[2] = {(double)place_nm[0], (double)place_nm[1]};
+    if (self->layout.on != 0) (void)nck_layout_way(self, way);
+    for (unsigned k = 0; k < 2; k++) place_nm[k] = from_nm[k] + (int64_t)nck_floor(way[k] + 0.5);
     add_point(self, place_nm, 1.0);
     return status;
 }

@@ -3,6 +3,7 @@
 // set, the others are read only.
 #include "nck/prep/1_decode/axis.h" // nck_decode_scale_of
 #include "nck/prep/1_decode/parts.h"
+#include "nck/prep/1_decode/turned.h" // nck_turned_by nck_turned_place
 
 #include <stddef.h> // NULL size_t
 
@@ -49,12 +50,17 @@ static double counts_of(const nck_decode_t *self, unsigned axis) {
 // the tool's offset included, as Fanuc tells where an axis is now.
 static double place(const nck_decode_t *self, ask_t ask, unsigned index) {
     const unsigned axis = index % SYSTEM_ROW;
+    const int linuxcnc = self->tongue == NCK_TONGUE_LINUXCNC;
+    if (linuxcnc && ask == ASK_WORK && axis == NCK_AXIS_MAX) { // R, behind the axes
+        return nck_turned_by(self, index / SYSTEM_ROW);
+    }
     if (axis >= NCK_AXIS_MAX) return 0.0;
     const int64_t at = self->place.position_nm[axis];
     const int64_t tool = ask == ASK_NOSE && axis < 3 ? self->place.tool_nm[axis] : 0;
     if (ask == ASK_MACHINE) return shown(self, axis, at);
     if (ask == ASK_OUTER) return shown(self, axis, self->place.outer_nm[axis]);
     if (ask == ASK_WORK) return shown(self, axis, self->place.work_nm[index / SYSTEM_ROW][axis]);
+    if (linuxcnc) return shown(self, axis, nck_turned_place(self, axis));
     return shown(self, axis, at - self->place.origin_nm[axis] + tool);
 }
 

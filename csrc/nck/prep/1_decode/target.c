@@ -8,7 +8,7 @@
 nck_status_t nck_decode_target(nck_decode_t *self, int absolute, int64_t *target_nm) {
     memcpy(target_nm, self->place.position_nm, sizeof self->place.position_nm);
     uint32_t axes = self->words.axes;
-    if (self->layout.on != 0) {
+    if (self->layout.on != 0 && !absolute) {
         const nck_status_t status = nck_layout_target(self, target_nm);
         if (status != NCK_OK) return status;
         axes &= ~(uint32_t)7;
