@@ -245,6 +245,67 @@ def test_clocks_and_switches_of_the_operator_change_no_path():
     assert decode(f"{HEAD}#100=#3012\nM30\n", mill())[1] == [("unsupported", 4)]
 
 
+# ---- boring
+
+def bored(rng):
+    """Return two texts: holes by G76 and G87, and the same by plain words."""
+    lines, plain, at, shift = ["G0 Z20."], ["G0 Z20."], 20.0, ""
+    for k in range(6):
+        x, y, low, high = (round(rng.uniform(-40, 40), 3) for _ in range(4))
+        low, high = sorted((low - 50, high - 50))
+        code, level = rng.choice((76, 87)), rng.choice((98, 99))
+        if k == 0 or rng.random() < 0.7:
+            shift, aside = rng.choice((("Q0.5", (0.5, 0)), ("I-0.25 J0.75", (-0.25, 0.75))))
+        r, depth = (high, low) if code == 76 else (low, high)
+        back = r if (code, level) == (76, 99) else 20.0
+        words = shift if k == 0 or rng.random() < 0.5 else ""
+        if shift and not words and plain[-1] != shift:
+            words = shift
+        lines.append(f"G{level} G{code} X{x} Y{y} Z{depth} R{r} {words} P250 F90.")
+        over, off = f"G0 X{x} Y{y}", f"G0 X{x + aside[0]:.3f} Y{y + aside[1]:.3f}"
+        stop, cut = ["M5", "M19", off], [f"G1 Z{depth} F90.", "G4 P250"]
+        if code == 76:
+            rise = [f"G0 Z{r}"] if at < r else []
+            plain += [*rise, over, f"G0 Z{r}", *cut, *stop, f"G0 Z{back}", over, "M3"]
+        else:
+            plain += [over, *stop, f"G0 Z{r}", over, "M3", *cut, *stop, "G0 Z20.", over, "M3"]
+        at = back
+    return lines, plain
+
+
+@pytest.mark.parametrize("seed", SEEDS)
+def test_boring_is_what_its_parts_are(seed):
+    lines, plain = bored(random.Random(seed))
+    machine, found = mill("m.19.action=output"), []
+    for each in (lines, plain):
+        blocks, errors, _ = decode(f"{HEAD}{chr(10).join(each)}\nG80\nM30\n", machine)
+        assert errors == []
+        steps = [tuple(block["target_nm"][:3]) for block in blocks]
+        moved = [k == 0 or steps[k] != steps[k - 1] for k in range(len(steps))]
+        found.append([
+            (int(b["kind"]), steps[k], float(b["dwell_s"]), float(b["output"]["value"]),
+             float(b["feed"]) if b["kind"] == 1 else 0.0)
+            for k, b in enumerate(blocks) if b["kind"] > 1 or moved[k]
+        ])  # fmt: skip
+    assert found[0] == found[1]
+
+
+@pytest.mark.parametrize(
+    ("line", "found"),
+    [
+        ("G76 X1. Z-5. R1.", "word-missing"), ("G76 X1. Z5. R1. Q1.", "number-range"),
+        ("G87 X1. Z-5. R1. Q1.", "number-range"), ("G76 X1. Z-5. R1. Q5", "scale-unit"),
+        ("G76 X1. Z-5. R1. Q-1.", "number-range"), ("G18 G76 X1. Y-5. R1. I1.", "word-unused"),
+        ("M5\nG76 X1. Z-5. R1. Q1.", "word-missing"), ("G76 X9. Z-5. R1. Q2.", "travel"),
+    ],
+)
+def test_boring_that_cannot_be_done_moves_nothing(line, found):
+    machine = mill("axis.x.max_mm=10")
+    blocks, errors, _ = decode(f"{HEAD}F50.\n{line}\nM30\n", machine)
+    assert [each[0] for each in errors] == [found]
+    assert (blocks["kind"] <= 1).sum() == 1
+
+
 # ---- probes
 
 @pytest.mark.parametrize("seed", SEEDS)

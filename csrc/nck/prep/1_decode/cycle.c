@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Canned cycles of drilling, boring and tapping: G73 G74 G81 … G86 G89.
 #include "nck/prep/1_decode/axis.h"    // nck_decode_scale_of
+#include "nck/prep/1_decode/bore.h"    // nck_bore_
 #include "nck/prep/1_decode/integer.h" // nck_decode_said
 #include "nck/prep/1_decode/parts.h"
 
@@ -13,14 +14,11 @@ enum {
 };
 
 // What a cycle does beside its cut to the bottom.
-enum { PECKS = 1, CLEARS = 2, DWELLS = 4, STOPS = 8, FEEDS_OUT = 16, TAPS = 32 };
+enum { PECKS = 1, CLEARS = 2, DWELLS = 4, STOPS = 8, FEEDS_OUT = 16, TAPS = 32, SHIFTS = 64 };
 
 // Beside the letters of words that hold: P was said where the drill pecks. The P of a cycle before
 // is none of a peck's.
 #define PECK_RESTS ((uint32_t)1 << 31)
-
-// Places in level_nm.
-enum { LEVEL_R, LEVEL_BOTTOM, LEVEL_CLEAR, LEVEL_CUT };
 
 // The parts of a hole in their order.
 enum {
@@ -39,6 +37,7 @@ static int pecks(const nck_decode_t *self, int32_t code) {
 static int turns(int32_t code) { return code == NCK_MOTION_TURN || code == NCK_MOTION_FACE; }
 
 static int drills(const nck_decode_t *self, int32_t code) {
+    if (nck_bore_has(self, code)) return 1;
     return !nck_decode_follows(self, code) && !turns(code) && !pecks(self, code)
            && !nck_motion_cuts_threads(code) && !nck_motion_is_spline(code)
            && !nck_motion_probes(code);
@@ -51,7 +50,8 @@ static uint8_t does_of(int32_t code) {
     } cycles[] = {
         {730, PECKS}, {NCK_MOTION_TAP_LEFT, TAPS}, {820, DWELLS}, {830, PECKS | CLEARS},
         {NCK_MOTION_TAP_RIGHT, TAPS}, {850, FEEDS_OUT}, {860, DWELLS | STOPS},
-        {890, DWELLS | FEEDS_OUT}
+        {890, DWELLS | FEEDS_OUT},
+        {NCK_MOTION_SCREW, DWELLS | STOPS | SHIFTS}, {NCK_MOTION_BORE_BACK, DWELLS | STOPS | SHIFTS}
     };
     for (unsigned k = 0; k < sizeof cycles / sizeof cycles[0]; k++) {
         if (cycles[k].code == code) return cycles[k].does;
@@ -112,19 +112,20 @@ static nck_status_t set_levels(nck_decode_t *self) {
     const int64_t r_nm = cycle->r_nm + (steps ? cycle->initial_nm : 0);
     const int64_t bottom_nm = cycle->depth_nm + (steps ? r_nm : 0);
     const int64_t high_nm = cycle->initial_nm > r_nm ? cycle->initial_nm : r_nm;
-    if (r_nm < bottom_nm) {
+    const int up = self->modal.motion == NCK_MOTION_BORE_BACK; // from R up to the depth
+    if (up ? r_nm > bottom_nm : r_nm < bottom_nm) {
         const nck_scale_t *const scale = nck_decode_scale_of(self, cycle->drill);
         const double most_nm = (double)(bottom_nm - (r_nm - cycle->r_nm));
         return nck_decode_fail_word(self, NCK_E_NUMBER_RANGE, 'R',
                                     nck_decode_as_word(scale, (double)cycle->r_nm),
                                     nck_decode_as_word(scale, most_nm));
     }
-    cycle->level_nm[LEVEL_R] = r_nm + origin_nm;
-    cycle->level_nm[LEVEL_BOTTOM] = bottom_nm + origin_nm;
-    cycle->level_nm[LEVEL_CLEAR] = (cycle->to_r ? r_nm : high_nm) + origin_nm;
-    cycle->level_nm[LEVEL_CUT] = cycle->level_nm[LEVEL_R];
+    cycle->level_nm[NCK_LEVEL_R] = r_nm + origin_nm;
+    cycle->level_nm[NCK_LEVEL_BOTTOM] = bottom_nm + origin_nm;
+    cycle->level_nm[NCK_LEVEL_CLEAR] = (cycle->to_r && !up ? r_nm : high_nm) + origin_nm;
+    cycle->level_nm[NCK_LEVEL_CUT] = cycle->level_nm[NCK_LEVEL_R];
     nck_status_t status = NCK_OK;
-    for (unsigned k = LEVEL_R; k <= LEVEL_CLEAR && status == NCK_OK; k++) {
+    for (unsigned k = NCK_LEVEL_R; k <= NCK_LEVEL_CLEAR && status == NCK_OK; k++) {
         status = nck_decode_steps(self, cycle->drill, 0, 0, &cycle->level_nm[k]);
         if (status == NCK_OK) {
             status = nck_decode_travel(self, cycle->drill, cycle->level_nm[k]);
@@ -263,7 +264,7 @@ static nck_status_t place_holes(nck_decode_t *self, int64_t count, int64_t *last
     }
     self->words.axes = axes;
     if (cycle->circles && status == NCK_OK) status = check_circle(self, count, last_nm);
-    last_nm[cycle->drill] = cycle->level_nm[LEVEL_CLEAR];
+    last_nm[cycle->drill] = cycle->level_nm[NCK_LEVEL_CLEAR];
     return status;
 }
 
@@ -278,6 +279,7 @@ static nck_status_t read_cycle(nck_decode_t *self, int64_t *count_out) {
     if (status == NCK_OK) status = set_levels(self);
     if (status == NCK_OK) status = read_rest(self);
     if (status == NCK_OK) status = check_rest(self);
+    if (status == NCK_OK && (self->held.cycle.does & SHIFTS)) status = nck_bore_shift(self);
     return status == NCK_OK ? read_count(self, count_out) : status;
 }
 
@@ -301,6 +303,7 @@ static nck_status_t begin(nck_decode_t *self) {
     nck_status_t status = read_cycle(self, &count);
     if (status != NCK_OK || count == 0) return status;
     status = place_holes(self, count, last_nm);
+    if (status == NCK_OK) status = nck_bore_fits(self, last_nm);
     if (status != NCK_OK) return status;
     status = nck_decode_cutting_feed(self, 0, &cycle->feed);
     if (status != NCK_OK) {
@@ -344,7 +347,7 @@ static nck_status_t tap(nck_decode_t *self, nck_block_t *out) {
     nck_cycle_t *const cycle = &self->held.cycle;
     int64_t bottom_nm[NCK_AXIS_MAX];
     memcpy(bottom_nm, self->place.position_nm, sizeof bottom_nm);
-    bottom_nm[cycle->drill] = cycle->level_nm[LEVEL_BOTTOM];
+    bottom_nm[cycle->drill] = cycle->level_nm[NCK_LEVEL_BOTTOM];
     cycle->phase = PHASE_CLEAR;
     return nck_decode_tap(self, bottom_nm, cycle->lead, cycle->dwell_s, out);
 }
@@ -353,17 +356,17 @@ static nck_status_t tap(nck_decode_t *self, nck_block_t *out) {
 static nck_status_t cut(nck_decode_t *self, nck_block_t *out) {
     nck_cycle_t *const cycle = &self->held.cycle;
     int64_t *const level_nm = cycle->level_nm;
-    const int64_t left_nm = level_nm[LEVEL_CUT] - level_nm[LEVEL_BOTTOM];
+    const int64_t left_nm = level_nm[NCK_LEVEL_CUT] - level_nm[NCK_LEVEL_BOTTOM];
     const int goes_on = (cycle->does & PECKS) && left_nm > cycle->peck_nm;
-    level_nm[LEVEL_CUT] -= goes_on ? cycle->peck_nm : left_nm;
+    level_nm[NCK_LEVEL_CUT] -= goes_on ? cycle->peck_nm : left_nm;
     if (!goes_on) cycle->phase = PHASE_DWELL;
-    return drill_to(self, NCK_BLOCK_LINE, level_nm[LEVEL_CUT], out);
+    return drill_to(self, NCK_BLOCK_LINE, level_nm[NCK_LEVEL_CUT], out);
 }
 
 // Above what is cut, never above R.
 static int64_t back_nm(const nck_cycle_t *cycle) {
-    const int64_t level_nm = cycle->level_nm[LEVEL_CUT] + CLEARANCE_NM;
-    return level_nm < cycle->level_nm[LEVEL_R] ? level_nm : cycle->level_nm[LEVEL_R];
+    const int64_t level_nm = cycle->level_nm[NCK_LEVEL_CUT] + CLEARANCE_NM;
+    return level_nm < cycle->level_nm[NCK_LEVEL_R] ? level_nm : cycle->level_nm[NCK_LEVEL_R];
 }
 
 static nck_status_t dwell(nck_decode_t *self, nck_block_t *out) {
@@ -386,7 +389,8 @@ static nck_status_t feed_out(nck_decode_t *self, nck_block_t *out) {
     const nck_cycle_t *const cycle = &self->held.cycle;
     const int whole = (cycle->does & DWELLS) && !is_fanuc(self); // no peck feeds out
     if (!(cycle->does & FEEDS_OUT)) return NCK_EMPTY;
-    return drill_to(self, NCK_BLOCK_LINE, cycle->level_nm[whole ? LEVEL_CLEAR : LEVEL_R], out);
+    const unsigned level = whole ? NCK_LEVEL_CLEAR : NCK_LEVEL_R;
+    return drill_to(self, NCK_BLOCK_LINE, cycle->level_nm[level], out);
 }
 
 static nck_status_t turn(nck_decode_t *self, nck_block_t *out) {
@@ -400,8 +404,7 @@ static nck_status_t turn(nck_decode_t *self, nck_block_t *out) {
 static void end_hole(nck_decode_t *self) {
     nck_cycle_t *const cycle = &self->held.cycle;
     cycle->holes--;
-    cycle->phase = PHASE_OVER;
-    cycle->level_nm[LEVEL_CUT] = cycle->level_nm[LEVEL_R];
+    cycle->level_nm[NCK_LEVEL_CUT] = cycle->level_nm[NCK_LEVEL_R];
     if (cycle->circles) {
         if (cycle->holes > 0) (void)next_hole(self); // it was looked at
         return;
@@ -417,14 +420,14 @@ static nck_status_t do_way(nck_decode_t *self, unsigned phase, nck_block_t *out)
     switch (phase) {
     case PHASE_TURN: return turn(self, out);
     case PHASE_RISE:
-        if (self->place.position_nm[cycle->drill] >= level_nm[LEVEL_R]) return NCK_EMPTY;
-        return drill_to(self, NCK_BLOCK_RAPID, level_nm[LEVEL_R], out);
+        if (self->place.position_nm[cycle->drill] >= level_nm[NCK_LEVEL_R]) return NCK_EMPTY;
+        return drill_to(self, NCK_BLOCK_RAPID, level_nm[NCK_LEVEL_R], out);
     case PHASE_OVER: return over(self, out);
-    case PHASE_DOWN: return drill_to(self, NCK_BLOCK_RAPID, level_nm[LEVEL_R], out);
+    case PHASE_DOWN: return drill_to(self, NCK_BLOCK_RAPID, level_nm[NCK_LEVEL_R], out);
     case PHASE_CUT: return cycle->does & TAPS ? tap(self, out) : cut(self, out);
     case PHASE_BACK:
         if (!(cycle->does & CLEARS)) return NCK_EMPTY;
-        return drill_to(self, NCK_BLOCK_RAPID, level_nm[LEVEL_R], out);
+        return drill_to(self, NCK_BLOCK_RAPID, level_nm[NCK_LEVEL_R], out);
     default: // PHASE_RETURN
         cycle->phase = PHASE_CUT;
         return drill_to(self, NCK_BLOCK_RAPID, back_nm(cycle), out);
@@ -437,9 +440,10 @@ static nck_status_t do_bottom(nck_decode_t *self, unsigned phase, nck_block_t *o
     case PHASE_DWELL: return dwell(self, out);
     case PHASE_STOP: return spindle(self, 5.0, out);
     case PHASE_FEED_OUT: return feed_out(self, out);
-    case PHASE_CLEAR: return drill_to(self, NCK_BLOCK_RAPID, cycle->level_nm[LEVEL_CLEAR], out);
+    case PHASE_CLEAR: return drill_to(self, NCK_BLOCK_RAPID, cycle->level_nm[NCK_LEVEL_CLEAR], out);
     default: // PHASE_START
         end_hole(self);
+        cycle->phase = PHASE_OVER;
         return spindle(self, self->modal.spindle_code, out);
     }
 }
@@ -461,6 +465,10 @@ nck_status_t nck_decode_cycle(nck_decode_t *self, nck_block_t *out) {
     nck_status_t status = cycle->holes == 0 ? begin(self) : NCK_OK;
     if (status == NCK_OK) status = NCK_EMPTY;
     while (status == NCK_EMPTY && cycle->holes > 0) { // a hole has a cut: PHASES times at most
+        if (cycle->does & SHIFTS) {
+            if (nck_bore_step(self, &status, out)) end_hole(self);
+            continue;
+        }
         const unsigned phase = cycle->phase++;
         status = phase < PHASE_DWELL ? do_way(self, phase, out) : do_bottom(self, phase, out);
     }

@@ -7,6 +7,9 @@
 
 #include "nck/base/limits.h" // NCK_AXIS_MAX
 
+// Places in level_nm.
+enum { NCK_LEVEL_R, NCK_LEVEL_BOTTOM, NCK_LEVEL_CLEAR, NCK_LEVEL_CUT };
+
 // All of it.
 typedef NCK_CYCLE_STATE nck_cycle {
     uint32_t said;       // letters of words that hold: R Q P, Z for the depth whatever its axis
@@ -21,6 +24,7 @@ typedef NCK_CYCLE_STATE nck_cycle {
     int64_t depth_nm;    // of the bottom: the same
     int64_t peck_nm;     // Q
     int64_t initial_nm;  // where the drill stood when the first cycle began, program coordinates
+    int64_t shift_nm[2]; // Q, or I and J: how far a boring tool steps aside in the plane
     double dwell_s;      // P
 
     uint32_t holes;      // left, the one in work included; 0: none in work
