@@ -64,7 +64,7 @@ PEAK_TOLERANCE = 1e-6  # of a limit, on the double setpoints
 def check(
     *, files: Files, machine: MachineName = DEFAULT, dialect: DialectName = None, set: Set = None,
     tools: Tools = None, from_line: FromLine = None, programs: Programs = None,
-    zero: Zero = None, json_: Json = False, quiet: Quiet = False,
+    zero: Zero = None, json_: Json = False, quiet: Quiet = False, verbose: Verbose = False,
 ):  # fmt: skip
     """Tell all diagnostics of programs, without planning."""
     mill = machine_of(
@@ -83,7 +83,7 @@ def check(
         if json_:
             found += program.diagnostics.as_list()
             continue
-        tell(program, quiet, sys.stdout)
+        tell(program, quiet, sys.stdout, verbose)
         if not program.diagnostics.errors and not quiet:
             print(f"{program.file}: no errors in {program.block_count:,} blocks")
     if json_:
@@ -130,7 +130,7 @@ def run(
     if program is None:
         return give_up(facts, code, json_)
     if verbose:
-        tell(program, quiet, sys.stderr)
+        tell(program, quiet, sys.stderr, verbose)
     with progress(f"running {program.file}", quiet) as bar, writing(output):
         done = trace.Trace(
             program, prep_steps=prep_steps or kernel.PREP_STEPS, keep=picture is not None,

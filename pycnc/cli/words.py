@@ -9,6 +9,7 @@ import traceback
 
 from pycnc import errors, files, names
 
+_USUAL = ("assumed-centre", "assumed-plane")  # what nearly all programs leave to the control
 GOOD, WRONG, USAGE, OUTSIDE, INTERNAL, INTERRUPTED = 0, 1, 2, 3, 4, 130
 
 
@@ -111,14 +112,14 @@ def decoded(file, machine, quiet, keep=True, beside=None):
         return Program(text, machine, file=name, keep=keep, progress=bar, beside=beside)
 
 
-def tell(program, quiet, stream):
-    """Write the diagnostics of a program; quiet: errors only."""
+def tell(program, quiet, stream, verbose=False):
+    """Write the diagnostics of a program; quiet: errors only; verbose: what all assume, too."""
     found = program.diagnostics
     if quiet:
         kept = [each.text(colour(stream)) for each in found if each.severity == "error"]
         text = "\n".join(kept)
     else:
-        text = found.text(program.file, colour(stream))
+        text = found.text(program.file, colour(stream), () if verbose else _USUAL)
     if text:
         print(text, file=stream)
 

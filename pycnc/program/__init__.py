@@ -69,7 +69,7 @@ class Program:
                 progress(used, len(self.text))
         self.blocks = join("nck_block_t", kept) if keep else None
         self._moves = None
-        if self.diagnostics.errors and not isinstance(self.text, kernel.Blocks):
+        if not isinstance(self.text, kernel.Blocks):
             self._tell_kind()
 
     def _places(self):
@@ -80,7 +80,7 @@ class Program:
     def _tell_kind(self):
         """Say in one line what the text is for, in place of what all its strange words are."""
         seen = kind.kind_of(self.text, self.machine)
-        if not seen or not seen.cures & set(self.diagnostics.counts):
+        if not seen or (seen.cures and not seen.cures & set(self.diagnostics.counts)):
             return
         found = seen.source.decode("utf-8", "replace")[:40]
         self.diagnostics.lead(

@@ -126,10 +126,12 @@ class Diagnostics(Tables):
             if count > shown[name]:
                 yield name, severities[name], count - shown[name]
 
-    def text(self, file, colour=False):
-        """Return all of it as text, empty if there is nothing to say."""
-        lines = [finding.text(colour) for finding in self.shown]
+    def text(self, file, colour=False, without=()):
+        """Return all of it as text but for some ids, empty if there is nothing to say."""
+        lines = [finding.text(colour) for finding in self.shown if finding.id not in without]
         for name, severity, count in self.hidden():
+            if name in without:
+                continue
             lines.append(
                 f"{file}: {_tag(severity, name, colour)}: {count} more like this are not shown"
             )

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What a text is for, by what it says: a print, turning, an axis that turns; and who reads it."""
+"""What a text is for: a print, turning, an axis that turns, a laser; and who reads it."""
 
 import re
 from collections import namedtuple
@@ -17,8 +17,12 @@ _TURNS = re.compile(rb"G96\b|G50 *S|\bT\d{4}\b|G7[0-3]\b.*\b[PQ] *\d+|\b[UW]-?[\
 _CROSS = re.compile(rb"\bY *-?[\d.]", re.IGNORECASE)
 _ROTARY = re.compile(rb"(?<![A-Z])([ABC]) *-?[\d.]", re.IGNORECASE)
 
+_BEAM = re.compile(rb"(?:N\d+ *)?G0?1(?!\d)[^S]*S *(\d+\.?\d*)", re.IGNORECASE)
+_DEPTH = re.compile(rb"Z *-", re.IGNORECASE)
+_BEAMS, _POWERS = 3, 2  # cuts that say S, and with how many values, that no spindle is told
+
 # name: as a person says it; line, source: where it shows; options: of the command that reads it;
-# cures: the ids of the findings that this command has not.
+# cures: the ids of the findings that this command has not; none: it is said without one, too.
 Kind = namedtuple("Kind", "name line source options cures")
 
 _STRANGE_TO_MACROS = frozenset({"expression"})
@@ -29,7 +33,8 @@ _STRANGE = frozenset({"axis-unknown", "word-unknown", "other-base", "m-unknown",
 def kind_of(text, machine):
     """Return what a text is for if the machine is no such one; None: nothing tells, or it is."""
     lines = [_REMARKS.sub(b"", line).strip() for line in beginning(text)]
-    return _print(lines, machine) or _turning(lines, machine) or _rotary(lines, machine)
+    kinds = (_print, _turning, _rotary, _laser)
+    return next((seen for kind in kinds if (seen := kind(lines, machine))), None)
 
 
 def _first(lines, sign):
@@ -64,3 +69,12 @@ def _rotary(lines, machine):
     if len(found) < 2 or letters <= set(machine.axes) or not letters <= {"a", "c"}:
         return None
     return Kind("a program for axes that turn", *found[0], "-m mill5_xyzac", {"axis-unknown"})
+
+
+def _laser(lines, machine):
+    found = [(n, line, power[1]) for n, line in enumerate(lines, 1) if (power := _BEAM.match(line))]
+    deep = any(_DEPTH.search(line) for line in lines)
+    laser = machine.settings.control.laser_mode or machine.settings.kinematics.type == "lathe_xz"
+    if laser or deep or len(found) < _BEAMS or len({power for *_, power in found}) < _POWERS:
+        return None
+    return Kind("a laser's program", *found[0][:2], "-m laser", frozenset())

@@ -178,3 +178,12 @@ def test_times_have_their_range(value):
     result = pycnc("time", "-", "--set", f"times.tool_change_s={value}", stdin=PROGRAM)
     assert result.code == 2
     assert "times.tool_change_s" in result.err
+
+
+def test_what_nearly_all_programs_leave_to_the_control_is_told_when_asked(tmp_path):
+    file = tmp_path / "arc.ngc"
+    file.write_text("G21 G90 F100\nG2 X10 I5\nM2\n")
+    for verb in ("check", "time"):
+        assert "assumed-" not in "".join((run := pycnc(verb, file)).out + run.err)
+    told = pycnc("check", file, "-v").out
+    assert "note[assumed-centre]" in told and "note[assumed-plane]" in told

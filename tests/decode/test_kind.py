@@ -59,6 +59,24 @@ def test_a_machine_of_the_kind_says_nothing(kind):
     assert (told["looks-like"], told["g-unknown"]) == (0, 1)
 
 
+@pytest.mark.parametrize("seed", range(20))
+def test_a_laser_is_told_without_an_error_and_cuts_of_a_spindle_are_none(seed):
+    rng = random.Random(seed)
+    mill = Machine.load("mill3", set=["dialect.base=linuxcnc"])
+    cuts = [f"G1 X{number(rng)} Y{number(rng)} S{rng.choice((0, 300, 850.5))} F900"
+            for _ in range(40)]  # fmt: skip
+    text = f"; G1 S1\nG21 G90\n{rng.choice(('M3', 'M4'))} S0\n" + "\n".join(cuts) + "\nM5\nM2\n"
+    program = pycnc.load(text, mill)
+    (found,) = [each for each in program.diagnostics if each.id == "looks-like"]
+    assert "a laser" in found.message and "-m laser" in found.help
+    assert program.diagnostics.errors == 0
+    others = (text.replace("M5", "G1 Z-3"), "\n".join(cuts[:2]) + "\n",
+              "G21 G90 M3 S900\n" + "\n".join(f"G1 X{number(rng)} S900 F90" for _ in range(40)))
+    for other in others:
+        assert pycnc.load(f"{other}\nM2\n", mill).diagnostics.counts["looks-like"] == 0
+    assert pycnc.load(text, "laser").diagnostics.counts["looks-like"] == 0
+
+
 @pytest.mark.parametrize("text", [
     "G21 G90\nG1 X1 Y2 F9\nG777\n", "G21 G90\nG0 X1 Y2\nA5 M2\n", "G96 S100 D900\nG1 X1 Y1\nG777\n",
 ])  # fmt: skip
