@@ -49,6 +49,7 @@ from pycnc.cli.words import (
     fail,
     give_up,
     look_at,
+    next_to,
     progress,
     read,
     tell,
@@ -200,11 +201,12 @@ def controller(
     return GOOD if done.state in controller.WANTED else WRONG
 
 
-@verb(app, "plot part.ngc -o part.png")
+@verb(app, "plot part.ngc")
 def plot(
     *, file: File,
-    output: Annotated[str, typer.Option(
-        "--output", "-o", metavar="PICTURE", help="Where to: .png, .svg or .pdf.")],
+    output: Annotated[str | None, typer.Option(
+        "--output", "-o", metavar="PICTURE",
+        help="Where to: .png, .svg or .pdf; else a .png next to the program.")] = None,
     machine: MachineName = DEFAULT, dialect: DialectName = None, slope: SlopeName = None,
     set: Set = None, tools: Tools = None, zero: Zero = None, backend: Backend = "auto",
     json_: Json = False, quiet: Quiet = False,
@@ -212,6 +214,7 @@ def plot(
     """Draw the path coloured by the speed really reached, and speed and acceleration over time."""
     from pycnc.report import trace
 
+    output = next_to(file, ".png") if output is None else output
     need("matplotlib.figure")
     mill = machine_of(machine, set, tools, dialect, slope=slope, zero=zero, quiet=quiet)
     program, facts, code = look_at(file, mill, quiet, json_)

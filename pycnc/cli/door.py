@@ -3,24 +3,39 @@
 
 import contextlib
 import functools
+import os
 import signal
 import sys
 
 import typer
+from typer.core import TyperGroup
 
 from pycnc import names
 from pycnc.cli.words import GOOD, drop_stdout, explain, fail
 
 # In the order of help.
 VERBS = (
-    "check", "canon", "time", "why", "report", "run", "controller", "serve", "plot", "compare",
-    "sweep", "bench",
+    "look", "check", "canon", "time", "why", "report", "run", "controller", "serve", "plot",
+    "compare", "sweep", "bench",
 )  # fmt: skip
+
+
+class Verbs(TyperGroup):
+    """The verbs. A program in the place of one asks for what most people want of it."""
+
+    def resolve_command(self, ctx, args):
+        """Find the verb of a command line."""
+        word = args[0]
+        is_program = "." in word or os.sep in word or os.path.isfile(word)
+        named = word in self.commands or not is_program
+        return super().resolve_command(ctx, args if named else ["look", *args])
+
 
 app = typer.Typer(
     name="pycnc",
+    cls=Verbs,
     help="An NC kernel: from NC text to axis setpoints, tick by tick.",
-    epilog="Begin with: pycnc run part.ngc. Every verb's --help ends with an example.",
+    epilog="Begin with: pycnc part.ngc. Every verb's --help ends with an example.",
     no_args_is_help=True,
     pretty_exceptions_enable=False,
     rich_markup_mode=None,

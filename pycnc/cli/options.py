@@ -177,7 +177,10 @@ Table = Annotated[
     typer.Option("--output", "-o", metavar="TABLE", help="Write all rows as a table: .csv."),
 ]
 Page = Annotated[
-    str, typer.Option("--output", "-o", metavar="PAGE", help="Where to: .html.")
+    str | None,
+    typer.Option(
+        "--output", "-o", metavar="PAGE", help="Where to: .html; else next to the program."
+    ),
 ]
 Jobs = Annotated[
     int, typer.Option("--jobs", min=1, max=256, help="Programs that are planned side by side.")

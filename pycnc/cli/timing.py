@@ -39,6 +39,7 @@ from pycnc.cli.words import (
     facts_of_failure,
     give_up,
     look_at,
+    next_to,
     progress,
     tell,
     writing,
@@ -218,9 +219,9 @@ def why(
     return GOOD
 
 
-@verb(app, "report part.ngc -o part.html")
+@verb(app, "report part.ngc")
 def report(
-    *, file: File, output: Page, what_if: WhatIf = False, machine: MachineName = DEFAULT,
+    *, file: File, output: Page = None, what_if: WhatIf = False, machine: MachineName = DEFAULT,
     dialect: DialectName = None, slope: SlopeName = None, set: Set = None, tools: Tools = None,
     zero: Zero = None, json_: Json = False, quiet: Quiet = False,
 ):  # fmt: skip
@@ -230,8 +231,7 @@ def report(
     """
     from pycnc.report import page
 
-    if not output.lower().endswith((".html", ".htm")):
-        raise Refused(f"{output}: error[format]: a report is written as .html")
+    output = _page_of(file, output)
     mill = machine_of(machine, set, tools, dialect, slope=slope, zero=zero, quiet=quiet)
     program, facts, code = look_at(file, mill, quiet, json_, keep=False)
     if program is None:
@@ -242,6 +242,41 @@ def report(
         tell(program, quiet, sys.stderr)
     print(json.dumps({**found.as_dict(), "report": output}) if json_ else output)
     return GOOD
+
+
+@verb(app, "look part.ngc")
+def look(
+    *, file: File, output: Page = None, machine: MachineName = DEFAULT,
+    dialect: DialectName = None, slope: SlopeName = None, set: Set = None, tools: Tools = None,
+    zero: Zero = None, json_: Json = False, quiet: Quiet = False,
+):  # fmt: skip
+    """Check a program, tell its time and what holds it back, and write its page.
+
+    The same as the program alone: pycnc part.ngc.
+    """
+    from pycnc.report import page, reasons
+
+    output = _page_of(file, output)
+    mill = machine_of(machine, set, tools, dialect, slope=slope, zero=zero, quiet=quiet)
+    program, facts, code = look_at(file, mill, quiet, json_, keep=False)
+    if program is None:
+        return give_up(facts, code, json_)
+    with progress(f"planning {program.file}", quiet) as bar, writing(output):
+        found = page.write(program, output, bar)
+    if json_:
+        print(json.dumps({**found.as_dict(), "report": output}))
+        return GOOD
+    tell(program, quiet, sys.stderr)
+    print("\n".join([_time_line(found.plan, 100), *reasons.lines(found), output]))
+    return GOOD
+
+
+def _page_of(file, output):
+    """Return where the page of a program goes: next to it, if no other place is told."""
+    output = next_to(file, ".html") if output is None else output
+    if not output.lower().endswith((".html", ".htm")):
+        raise Refused(f"{output}: error[format]: a report is written as .html")
+    return output
 
 
 def _time_line(plan, override):

@@ -6,6 +6,7 @@ import json
 import os
 import sys
 import traceback
+from pathlib import Path
 
 from pycnc import errors, files, names
 
@@ -167,6 +168,23 @@ def give_up(facts, code, as_json):
     if as_json:
         print(json.dumps(facts))
     return code
+
+
+def next_to(file, ending):
+    """Return where a result goes that has no other place: next to its program.
+
+    Examples
+    --------
+    >>> next_to("parts/plate.ngc", ".html")
+    'parts/plate.html'
+    """
+    if file == "-":
+        words = f"stdin has no place: tell where to, as -o part{ending}"
+        raise Refused(f"--output: error[output]: {words}")
+    path = Path(file).with_suffix(ending)
+    if path == Path(file):
+        raise Refused(f"--output: error[output]: {file} would be written over: tell where to")
+    return str(path)
 
 
 @contextlib.contextmanager

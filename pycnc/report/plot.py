@@ -15,6 +15,12 @@ from pycnc.planning.measure import KINDS
 _POINTS = 200_000  # points of the path that are drawn at most
 _BINS = 1600  # columns of the curves over time: about one a pixel
 _FLAT = 0.12  # a path whose third extent is smaller than this part of the largest is drawn flat
+_TURN, _TILT = math.radians(-60), math.radians(32)  # from where a path in space is seen
+_ON_SCREEN = np.array([  # of a box with X, Y, Z: width and height, seen from there
+    [-math.sin(_TURN), math.cos(_TURN), 0],
+    [math.sin(_TILT) * math.cos(_TURN), -math.sin(_TILT) * math.sin(_TURN), math.cos(_TILT)],
+])  # fmt: skip
+_TITLE, _GAP = 0.4, 0.1  # height of its line, and below the path [inch]
 _RAPID, _INK, _GRID = "#b8bec8", "#20242c", "#e4e7ec"
 _SPEED, _FEED, _ACCELERATION = "#1f6feb", "#9aa4b2", "#d1495b"
 
@@ -59,12 +65,14 @@ def draw(trace):
     grid = figure.add_gridspec(3, 1, height_ratios=(height, 2, 2))
     three = len(shape) == 3
     path_axes = figure.add_subplot(grid[0], projection="3d" if three else None)
-    _draw_path(figure, path_axes, trace, shape)
+    bar = _draw_path(figure, path_axes, trace, shape)
     speed_axes = figure.add_subplot(grid[1])
     _draw_speed(speed_axes, trace)
     _draw_acceleration(figure.add_subplot(grid[2], sharex=speed_axes), trace)
     speed_axes.tick_params(labelbottom=False)
     figure.suptitle(_title(trace), fontsize=13, color=_INK)
+    if three:
+        _fill(figure, path_axes, bar.ax, speed_axes)
     return figure
 
 
@@ -136,9 +144,8 @@ def _colours():
 
 def _path_height(trace, shape):
     """Return the height of the path's picture [inch]: what a flat path needs at full width."""
-    if len(shape) == 3:
-        return 7.5
-    across, up = (np.ptp(_positions(trace)[letter][_cutting(trace)]) for letter in shape)
+    extents = [np.ptp(_positions(trace)[letter][_cutting(trace)]) for letter in shape]
+    across, up = _ON_SCREEN @ extents if len(shape) == 3 else extents
     return float(np.clip(8.6 * up / across, 3.2, 7.5)) if across > 0 else 7.5
 
 
@@ -178,6 +185,7 @@ def _draw_path(figure, axes, trace, shape):
     )
     bar.set_label("speed reached [mm/min]; rapids in grey", color=_INK)
     bar.outline.set_visible(False)
+    return bar
 
 
 def _frame(axes, points, shape):
@@ -191,12 +199,56 @@ def _frame(axes, points, shape):
     axes.set_ylabel(f"{shape[1].upper()} [mm]")
     if len(shape) == 3:
         axes.set_zlabel(f"{shape[2].upper()} [mm]")
-        box = np.maximum(high - low, 0.05 * (high - low).max()) + 2 * margin
-        axes.set_box_aspect(box, zoom=0.88)
-        axes.view_init(elev=32, azim=-60)
+        axes.set_box_aspect(_box(axes))
+        axes.view_init(elev=math.degrees(_TILT), azim=math.degrees(_TURN))
         return
     axes.set_aspect("equal")
     _plain(axes)
+
+
+def _box(axes):
+    """Return the extents of a box in space: all axes have one scale."""
+    return [float(np.ptp(limits)) for limits in (axes.get_xlim(), axes.get_ylim(), axes.get_zlim())]
+
+
+def _fill(figure, axes, bar, below):
+    """Let a path in space fill its place: the box and its labels, which do not grow with it."""
+    from matplotlib.transforms import Bbox, TransformedBbox
+
+    axes.set_in_layout(False)
+    figure.draw_without_rendering()
+    figure.set_layout_engine("none")
+    drawn = figure.transFigure.inverted().transform_bbox(bar.get_tightbbox())
+    bottom = below.get_position().y1 + _GAP / figure.get_figheight()
+    place = Bbox([[0, bottom], [1 - drawn.width, 1 - _TITLE / figure.get_figheight()]])
+    was = bar.get_position()
+    up = (place.ymin + place.ymax - was.ymin - was.ymax) / 2
+    bar.set_position(was.translated(1 - drawn.x1, up))
+    box, zoom = _box(axes), 1.0
+    for _ in range(3):
+        drawn = _drawn(figure, axes)
+        zoom *= min(place.width / drawn.width, place.height / drawn.height)
+        axes.set_box_aspect(box, zoom=zoom)
+        figure.draw_without_rendering()
+    drawn, now = _drawn(figure, axes), axes.get_position()
+    shift = (place.min + place.max - drawn.min - drawn.max) / 2
+    axes.set_position([*(now.min + shift), now.width, now.height])
+    for collection in axes.collections:  # a rapid goes on beyond the box
+        collection.set_clip_box(TransformedBbox(place, figure.transFigure))
+
+
+def _drawn(figure, axes):
+    """Return where the box in space and its labels are, in parts of the figure."""
+    from matplotlib.transforms import Bbox
+    from mpl_toolkits.mplot3d import proj3d
+
+    limits = (axes.get_xlim(), axes.get_ylim(), axes.get_zlim())
+    corners = np.stack(np.meshgrid(*limits)).reshape(3, -1)
+    across, up, _ = proj3d.proj_transform(*corners, axes.get_proj())
+    box = Bbox.null()
+    box.update_from_data_xy(axes.transData.transform(np.column_stack([across, up])))
+    labels = [axis.get_tightbbox() for axis in (axes.xaxis, axes.yaxis, axes.zaxis)]
+    return figure.transFigure.inverted().transform_bbox(Bbox.union([box, *labels]))
 
 
 def _draw_speed(axes, trace):

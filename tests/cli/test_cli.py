@@ -47,7 +47,7 @@ def script(*arguments, **options):
 def test_the_verbs_are_those_that_are_built():
     shown = pycnc("--help").out
     verbs = re.findall(r"^  (\w+) {2,}\S", shown.split("Commands:")[1], re.M)
-    built = "check canon time why report run controller serve plot compare sweep bench"
+    built = "look check canon time why report run controller serve plot compare sweep bench"
     assert verbs == [*built.split(), "machine", "linuxcnc"]
 
 

@@ -119,6 +119,8 @@ def test_a_shell_completes_verbs_machines_and_settings(shell):
     typed = {"COMP_CWORD": "3", "COMP_WORDS": "pycnc time -m c"}
     machines = [name for name in shipped() if name.startswith("c")]
     assert completing("complete_bash", **typed).split() == machines
+    typed["COMP_WORDS"] = "pycnc part.ngc -m c"
+    assert completing("complete_bash", **typed).split() == machines
     typed["COMP_WORDS"] = "pycnc time --set path.s"
     assert completing("complete_bash", **typed).split() == ["path.slope="]
 
