@@ -94,9 +94,22 @@ static nck_status_t carry_item(nck_host_early_t *self) {
     return status == NCK_FULL || status == NCK_DONE ? NCK_OK : status;
 }
 
+// A block that waits in smooth: the path marks its line.
+static nck_status_t push_block(nck_host_early_t *self, const nck_block_t *block) {
+    nck_host_batch_t *const batch = self->batch;
+    const double before = self->smooth.known;
+    const nck_status_t status = nck_smooth_push(&self->smooth, block, self->block_seq);
+    if (!(self->smooth.known > before)) return status;
+    const nck_mark_t mark = {self->smooth.known, block->line, 0};
+    batch->marks[batch->mark_count] = mark;
+    batch->mark_count++;
+    note(batch, NCK_HOST_BATCH_MARK);
+    return status;
+}
+
 static nck_status_t smooth_block(nck_host_early_t *self, const nck_block_t *block) {
     const nck_status_t status = nck_smooth_pass(&self->smooth, block, self->block_seq, &self->seg);
-    if (status == NCK_FULL) return nck_smooth_push(&self->smooth, block, self->block_seq);
+    if (status == NCK_FULL) return push_block(self, block);
     if (status == NCK_EMPTY) return NCK_OK;
     return status == NCK_OK ? push_seg(self, &self->seg) : status;
 }
@@ -156,6 +169,7 @@ static int has_room(const nck_host_batch_t *batch) {
            && batch->whole_max - batch->whole_count >= NCK_HOST_BATCH_ROOM
            && batch->node_max - batch->node_count >= NCK_HOST_BATCH_ROOM
            && batch->output_max - batch->output_count >= NCK_HOST_BATCH_ROOM
+           && batch->mark_max - batch->mark_count >= NCK_HOST_BATCH_ROOM
            && batch->order_max - batch->order_count >= NCK_HOST_BATCH_ROOM;
 }
 
@@ -164,6 +178,7 @@ static void begin(nck_host_batch_t *batch) {
     batch->whole_count = 0;
     batch->node_count = 0;
     batch->output_count = 0;
+    batch->mark_count = 0;
     batch->order_count = 0;
 }
 

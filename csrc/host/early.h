@@ -27,7 +27,8 @@ extern "C" {
 enum {
     NCK_HOST_BATCH_SEG = 0, NCK_HOST_BATCH_NODE = 1, NCK_HOST_BATCH_OUTPUT = 2,
     NCK_HOST_BATCH_END = 3, // the path ends behind the last node
-    NCK_HOST_BATCH_STEP = 4 // room 5 works on what is there
+    NCK_HOST_BATCH_STEP = 4, // room 5 works on what is there
+    NCK_HOST_BATCH_MARK = 5  // a line's way ends
 };
 
 // Rows of a batch that must be free before a step of these rooms, of each kind.
@@ -49,6 +50,7 @@ typedef struct nck_host_batch {
     nck_seg_t *wholes;    size_t whole_max, whole_count;   // segs that room 5 asks for
     nck_node_t *nodes;     size_t node_max, node_count;
     nck_output_t *outputs; size_t output_max, output_count;
+    nck_mark_t *marks;     size_t mark_max, mark_count;
     uint8_t *orders;       size_t order_max, order_count; // NCK_HOST_BATCH_…
     uint32_t blocks;       // of the path so far
     int32_t error;         // of the program, that ends the path; NCK_OK: none

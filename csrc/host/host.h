@@ -66,7 +66,7 @@ typedef struct nck_host_plan {
     uint32_t begun;             // 1: the kernel has its text, or will be given it piece by piece
     uint32_t reads;             // 1: the kernel reads the text itself
     const nck_host_batch_t *batch; // in work, in the place of text; NULL: the text is planned
-    struct { size_t seg, whole, node, output, order; } used; // rows of it
+    struct { size_t seg, whole, node, output, mark, order; } used; // rows of it
     nck_seg_t *segs;   size_t seg_max, seg_count;     // rows of this call
     nck_node_t *nodes; size_t node_max, node_count;
     nck_cell_t *cells; size_t cell_max, cell_count;

@@ -183,6 +183,8 @@ static void take_seg(nck_host_plan_t *plan, const nck_host_batch_seg_t *row) {
     if (row->is_whole) {
         *seg = plan->batch->wholes[plan->used.whole++];
     } else {
+        seg->s_begin = row->why.s_begin;
+        seg->length = row->length_mm - row->why.s_begin;
         seg->overlap = 0.0;
         seg->keeps = NCK_KEEP_NOTHING;
     }
@@ -190,7 +192,9 @@ static void take_seg(nck_host_plan_t *plan, const nck_host_batch_seg_t *row) {
     seg->block = row->block;
     seg->rapid = row->rapid;
     nck_link_seg_placed(link);
-    *nck_host_why_at(&plan->why, row->seq) = row->why;
+    nck_host_why_seg_t *const why = nck_host_why_at(&plan->why, row->seq);
+    *why = row->why;
+    why->line = seg->line;
     plan->totals.segs++;
     plan->totals.length_mm = row->length_mm;
 }
@@ -208,6 +212,11 @@ static nck_status_t feed_item(nck_host_plan_t *plan, uint8_t what) {
         const nck_status_t status = nck_push_piece(plan->nck, &batch->nodes[plan->used.node]);
         plan->used.node += status == NCK_OK;
         return status;
+    }
+    if (what == NCK_HOST_BATCH_MARK) {
+        const nck_mark_t *const mark = &batch->marks[plan->used.mark++];
+        nck_link_push_mark(link, mark->line, mark->s);
+        return NCK_OK;
     }
     if (!nck_link_has_room(link)) return NCK_FULL;
     if (what == NCK_HOST_BATCH_OUTPUT) {

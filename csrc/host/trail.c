@@ -60,7 +60,7 @@ static void pass_time(nck_host_trail_t *self, const nck_cell_t *cell, double tim
 static void begin(nck_host_trail_t *self, const nck_host_stride_t *stretch, double v) {
     nck_host_point_t *const open = &self->open;
     open->feed = stretch->feed;
-    open->line = stretch->seg->line;
+    open->line = stretch->line;
     open->tool = stretch->tool;
     open->limit = stretch->cell->limit;
     open->rapid = stretch->seg->rapid;
@@ -124,7 +124,8 @@ static int goes_on(const nck_host_trail_t *self, const nck_host_stride_t *stretc
                    double v, double time) {
     const nck_host_point_t *const open = &self->open;
     const double v_straight = self->v_begin + self->a_begin * (self->duration + time);
-    return self->is_open && self->seg == stretch->seg->seq && self->falls == stretch->falls
+    return self->is_open && self->seg == stretch->seg->seq && open->line == stretch->line
+           && self->falls == stretch->falls
            && open->limit == stretch->cell->limit && !(open->feed < stretch->feed)
            && !(open->feed > stretch->feed) && nck_fabs(a - self->a_begin) <= self->a_like
            && nck_fabs(v - v_straight) <= LIKE_V * stretch->feed;

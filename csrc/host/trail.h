@@ -52,6 +52,7 @@ typedef struct nck_host_stride {
     uint32_t tool;              // in the spindle
     uint32_t falls;             // 1: behind the fastest point since the last low point; 2: and
                                 // behind the slowest one since then
+    uint32_t line;              // source line
 } nck_host_stride_t;
 
 // All of it. Rows belong to the caller; NULL: nobody asks.

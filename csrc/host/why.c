@@ -141,6 +141,12 @@ static void take_low(nck_host_why_t *self, const nck_host_low_t *low) {
     nck_host_trail_low(&self->trail);
 }
 
+// The source line at a place of the piece in work.
+static uint32_t line_at(const nck_host_why_t *self, double s) {
+    const nck_seg_t *const seg = nck_link_seg(self->link, self->piece.seg);
+    return nck_marks_line(&self->link->marks, seg, s - seg->s_begin);
+}
+
 static int is_rest(uint32_t kind) { return kind == NCK_SEG_DWELL || kind == NCK_SEG_WAIT; }
 
 // 1 if the path rests at the start of the piece in work for its corner alone: nothing asks for it.
@@ -160,7 +166,7 @@ static nck_host_low_t low_of(nck_host_why_t *self, const nck_host_why_piece_t *b
     const nck_host_why_seg_t *const own = seg_at(self, piece->seg);
     nck_host_low_t low = {piece->limit, 0, is_before ? before->seg : piece->seg, 0,
                           NCK_AXIS_MAX, 0, 0.0, 0.0};
-    low.line = seg_at(self, low.seg)->line;
+    low.line = is_before ? self->line : line_at(self, self->begun ? before->s_end : own->s_begin);
     const uint32_t rest = is_rest(piece->kind) ? piece->kind : before->kind;
     if (!self->begun) {
         low.ends = 1;
@@ -239,8 +245,7 @@ static double time_at(const nck_cell_t *cell, double s, double t) {
     return t;
 }
 
-static void share(nck_host_why_t *self, const nck_cell_t *cell, double time) {
-    const uint32_t line = seg_at(self, self->piece.seg)->line;
+static void share(nck_host_why_t *self, const nck_cell_t *cell, uint32_t line, double time) {
     const int rests = !(cell->length > 0.0);
     const nck_host_share_kind_t moves = self->piece.rapid ? NCK_HOST_SHARE_RAPID
                                                           : NCK_HOST_SHARE_CUT;
@@ -271,16 +276,53 @@ static void add_lost(nck_host_why_t *self, double ideal, double at_cap, double t
 }
 
 // The stretch of a cell from one time to another, as the trail takes it. s_cell: path before it.
-static void follow(nck_host_why_t *self, const nck_cell_t *cell, double s_cell, double from,
-                   double to) {
+static void follow_line(nck_host_why_t *self, const nck_cell_t *cell, double s_cell, uint32_t line,
+                        double from, double to) {
     if (!self->trail.points) return;
     const nck_seg_t *const seg = nck_link_seg(self->link, self->piece.seg);
     const double v = speed_at(self, cell, to);
     const uint32_t rises = self->slow.is && v > self->slow.v;
     const nck_host_stride_t stretch = {seg, cell, s_cell - seg->s_begin, from, to,
                                         self->piece.v_feed, self->shares.tool,
-                                        v < self->v_most ? 1 + rises : 0};
+                                        v < self->v_most ? 1 + rises : 0, line};
     nck_host_trail_move(&self->trail, &stretch);
+}
+
+// What rides takes no time of its own: the time beside it is shared by half, for the ramps of both
+// motions are alike.
+static void share_way(nck_host_why_t *self, const nck_cell_t *cell, uint32_t line, double time) {
+    const int rides = cell->stop & NCK_STOP_RIDES;
+    const double other = rides ? -0.5 * time : nck_min(time, self->lent_s);
+    self->lent_s -= other;
+    share(self, cell, line, rides ? -other : time - other);
+}
+
+// A stretch of a cell that belongs to one line.
+static void take_line(nck_host_why_t *self, const nck_cell_t *cell, double s_cell, uint32_t line,
+                      double from, double to) {
+    follow_line(self, cell, s_cell, line, from, to);
+    self->line = line;
+    share_way(self, cell, line, to - from);
+}
+
+// The stretch of a cell from one time to another, line by line. s_cell: path before the cell.
+static void follow(nck_host_why_t *self, const nck_cell_t *cell, double s_cell, double from,
+                   double to) {
+    const nck_seg_t *const seg = nck_link_seg(self->link, self->piece.seg);
+    const double s_end = nck_cell_way(cell, to);
+    double at = from;
+    uint32_t line = line_at(self, s_cell + nck_cell_way(cell, from));
+    const uint32_t first = nck_marks_first(seg);
+    for (uint32_t k = first; k != first + nck_marks_count(seg); k++) {
+        const double s = nck_marks_end(&self->link->marks, k) - s_cell;
+        if (s >= s_end) break;
+        if (s <= nck_cell_way(cell, at)) continue;
+        const double t = time_at(cell, s, at);
+        take_line(self, cell, s_cell, line, at, t);
+        line = nck_marks_after(&self->link->marks, k);
+        at = t;
+    }
+    take_line(self, cell, s_cell, line, at, to);
 }
 
 // ---- low points of a clocked path
@@ -315,7 +357,8 @@ static uint32_t axis_at(const nck_seg_t *seg, const nck_cell_t *cell, double t,
 static void note_slow(nck_host_why_t *self, const nck_cell_t *cell, double t, double v) {
     const uint32_t limit = cell->limit == NCK_LIMIT_ACCEL ? (uint32_t)NCK_LIMIT_CURVATURE
                                                           : cell->limit;
-    const nck_host_low_t low = {limit, 0, self->piece.seg, seg_at(self, self->piece.seg)->line,
+    const double s = seg_at(self, cell->seg)->s_begin + cell->s + nck_cell_way(cell, t);
+    const nck_host_low_t low = {limit, 0, self->piece.seg, line_at(self, s),
                                 NCK_AXIS_MAX, 0, 0.0, 0.0};
     self->slow.is = 1;
     self->slow.v = v;
@@ -351,7 +394,6 @@ static void pass(nck_host_why_t *self, const nck_cell_t *cell, double s, double 
     const int may_pace = piece->v_feed > 0.0 && piece->v_cap > 0.0;
     const double ideal = may_pace ? s / piece->v_feed : time;
     nck_host_cause_sum(piece->rapid ? &self->rapid_s : &self->cut_s, ideal);
-    share(self, cell, time);
     add_limit(self, cell->limit, time);
     add_lost(self, ideal, may_pace ? s / piece->v_cap : time, time);
     self->v = v;
@@ -367,11 +409,17 @@ static void pass(nck_host_why_t *self, const nck_cell_t *cell, double s, double 
     memset(&self->down, 0, sizeof self->down);
 }
 
+// The line at a cell's end, or that of its rest.
+static uint32_t rests_on(nck_host_why_t *self, const nck_cell_t *cell) {
+    return cell->length > 0.0 ? self->line : seg_at(self, self->piece.seg)->line;
+}
+
 // The path rests for some time, where the piece in work does not move or at its end.
 static void follow_rest(nck_host_why_t *self, const nck_cell_t *cell, double time) {
     if (!self->trail.points) return;
     const nck_host_stride_t stretch = {nck_link_seg(self->link, self->piece.seg), cell, 0.0, 0.0,
-                                        0.0, self->piece.v_feed, self->shares.tool, 0};
+                                        0.0, self->piece.v_feed, self->shares.tool, 0,
+                                        rests_on(self, cell)};
     nck_host_trail_rest(&self->trail, &stretch, time);
 }
 
@@ -382,7 +430,7 @@ static void end_cell(nck_host_why_t *self, const nck_cell_t *cell, double extra_
         self->v = 0.0;
         return;
     }
-    share(self, cell, extra_s);
+    share(self, cell, rests_on(self, cell), extra_s);
     add_limit(self, cell->limit, extra_s);
     follow_rest(self, cell, extra_s);
     if (cell->length > 0.0) {
@@ -399,7 +447,7 @@ static void pass_rest(nck_host_why_t *self, const nck_cell_t *cell) {
         if (!next_piece(self)) return;
     }
     self->v = 0.0;
-    share(self, cell, cell->duration);
+    share(self, cell, seg_at(self, self->piece.seg)->line, cell->duration);
     add_limit(self, cell->limit, cell->duration);
     follow_rest(self, cell, cell->duration);
     nck_host_cause_sum(&self->dwell_s, cell->duration);

@@ -90,12 +90,21 @@ static inline nck_status_t carry_item(nck_t *nck) {
     return nck_smooth_is_hungry(&nck->smooth) ? NCK_EMPTY : pull_item(nck);
 }
 
+// A block that waits in smooth: the path marks its line.
+static nck_status_t push_block(nck_t *nck, const nck_block_t *block) {
+    const double before = nck->smooth.known;
+    const nck_status_t status = nck_smooth_push(&nck->smooth, block, nck->wire.blocks);
+    const double known = nck->smooth.known;
+    if (NCK_HAS_MARKS && known > before) nck_link_push_mark(&nck->link, block->line, known);
+    return status;
+}
+
 // A block into smooth, which asks for it; on the exact path its seg is made in its place and goes
 // on at once. There is room.
 static nck_status_t smooth_block(nck_t *nck, const nck_block_t *block) {
     nck_seg_t *const seg = nck_link_seg_place(&nck->link);
     const nck_status_t status = nck_smooth_pass(&nck->smooth, block, nck->wire.blocks, seg);
-    if (status == NCK_FULL) return nck_smooth_push(&nck->smooth, block, nck->wire.blocks);
+    if (status == NCK_FULL) return push_block(nck, block);
     if (status == NCK_EMPTY) return NCK_OK;
     return status == NCK_OK ? push_seg(nck, seg) : status;
 }

@@ -10,7 +10,8 @@ from pycnc.kernel.records import dtype
 # Of a batch: type and number of its rows, under the names of C.
 _ROWS = {
     "seg": ("nck_host_batch_seg_t", 4096), "whole": ("nck_seg_t", 4096),
-    "node": ("nck_node_t", 8192), "output": ("nck_output_t", 1024), "order": ("uint8_t", 32768),
+    "node": ("nck_node_t", 8192), "output": ("nck_output_t", 1024), "mark": ("nck_mark_t", 4096),
+    "order": ("uint8_t", 32768),
 }  # fmt: skip
 
 

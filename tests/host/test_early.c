@@ -21,10 +21,11 @@ static nck_host_batch_seg_t segs[ROWS];
 static nck_seg_t wholes[ROWS];
 static nck_node_t nodes[ROWS];
 static nck_output_t outputs[ROWS];
+static nck_mark_t marks[ROWS];
 static uint8_t orders[8 * ROWS];
 static char text[TEXT];
 static nck_host_batch_t batch = {segs, ROWS, 0, wholes, ROWS, 0, nodes, ROWS, 0, outputs, ROWS, 0,
-                                 orders, 8 * ROWS, 0, 0, 0};
+                                 marks, ROWS, 0, orders, 8 * ROWS, 0, 0, 0};
 
 static nck_status_t run(nck_host_plan_t *self)
 {

@@ -113,6 +113,13 @@ static double mean_at(const ride_t *ride, double periods)
     return sum / (double)TAPS;
 }
 
+// The line of a place.
+static uint32_t line_of(double s, uint32_t segs)
+{
+    if (s < HALF) return 1;
+    return s < 2.0 * HALF ? segs : segs + 1;
+}
+
 // All of it, tick by tick.
 static void run(check_t *check, const ride_t *ride)
 {
@@ -135,7 +142,7 @@ static void run(check_t *check, const ride_t *ride)
         CHECK_NEAR(check, pose->s, in + out, 1e-11);
         CHECK_NEAR(check, pose->left, rides ? 2.0 * HALF - in : 0.0, 1e-11);
         CHECK(check, pose->s > s && (pose->left > 0.0) == rides && pose->v >= 0.0);
-        CHECK_INT(check, pose->line, k >= apart ? segs + 1 : in < HALF ? 1 : segs);
+        CHECK_INT(check, pose->line, line_of(in + out, segs));
         if (!rides) done = k >= settled ? segs : in < HALF ? 0 : segs - 1;
         CHECK_INT(check, link_.seg_done, k == landing ? segs + 1 : done);
         CHECK(check, nck_interpolate_invariants(&interpolate));

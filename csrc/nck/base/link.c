@@ -25,6 +25,8 @@ void nck_link_ask(nck_link_t *self) { nck_fence_store(&self->owner, NCK_LINK_ASK
 // What lies in the rings counts for nothing.
 void nck_link_renew(nck_link_t *self) {
     memset(self, 0, offsetof(nck_link_t, cell));
+    self->marks.head = 0;
+    self->marks.tail = 0;
 }
 
 void nck_link_give_back(nck_link_t *self) { nck_fence_store(&self->owner, NCK_LINK_BOTH); }
@@ -42,6 +44,13 @@ uint32_t nck_link_cell_room(const nck_link_t *self) {
     const uint32_t end = end_of(nck_fence_load(&self->word));
     const uint32_t used = cells_between(nck_fence_load(&self->kept), end) + self->batch;
     return NCK_CELL_MAX - used;
+}
+
+// What the seg ring has written over is done, however far the tick is: marks depend on the path
+// alone.
+void nck_link_push_mark(nck_link_t *self, uint32_t line, double s) {
+    const int goes_round = self->seg_head >= NCK_SEG_MAX;
+    nck_marks_push(&self->marks, goes_round ? nck_marks_first(nck_link_seg_place(self)) : 0, line, s);
 }
 
 nck_status_t nck_link_push_seg(nck_link_t *self, const nck_seg_t *seg) {

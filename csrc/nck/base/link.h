@@ -24,6 +24,7 @@
 
 #include "nck/base/fence.h"   // nck_fence_load and its kin
 #include "nck/base/limits.h"  // capacities
+#include "nck/base/marks.h"   // nck_marks_t
 #include "nck/base/records.h" // nck_cell_t nck_seg_t nck_output_t
 #include "nck/base/status.h"  // nck_status_t
 
@@ -85,6 +86,7 @@ typedef struct nck_link {
     nck_link_tail_t tail[2];
     nck_seg_t seg[NCK_SEG_MAX];
     nck_output_t output[NCK_OUTPUT_MAX];
+    nck_marks_t marks; // lines of the path; prep writes
     uint32_t owner; // nck_link_owner_t; both: prep asks and gives back, the tick yields
 } nck_link_t;
 
@@ -100,6 +102,9 @@ static inline int nck_link_has_room(const nck_link_t *self) {
            && self->output_head - nck_fence_load(&self->output_taken) < NCK_OUTPUT_MAX;
 }
 
+// The way of a source line ends at s of the path. Cost: constant. Context: prep.
+void nck_link_push_mark(nck_link_t *self, uint32_t line, double s);
+
 // Put a seg in; its place is its seq. NCK_OK or NCK_FULL. Cost: constant. Context: prep.
 nck_status_t nck_link_push_seg(nck_link_t *self, const nck_seg_t *seg);
 
@@ -109,6 +114,7 @@ static inline nck_seg_t *nck_link_seg_place(nck_link_t *self) {
     return &self->seg[self->seg_head & (NCK_SEG_MAX - 1)];
 }
 static inline void nck_link_seg_placed(nck_link_t *self) {
+    if (NCK_HAS_MARKS) nck_marks_tell(&self->marks, nck_link_seg_place(self));
     nck_fence_store(&self->seg_head, self->seg_head + 1);
 }
 

@@ -181,12 +181,16 @@ typedef struct nck_spin {
 // 3_smooth → 4_lookahead, and by its own ring → 6_interpolate: a piece of path with its geometry.
 typedef struct nck_seg {
     uint32_t seq;        // running number, the name of the seg for nodes and cells
-    uint32_t line;       // source line
+    uint32_t line;       // source line where it begins
     uint32_t block;      // running number of the block it came from
     uint8_t kind;        // nck_seg_kind_t
     uint8_t rapid;       // 1: G0
     uint8_t stop;        // 1: exact stop at the end
     uint8_t keeps;       // nck_keep_t
+#if NCK_HAS_MARKS
+    uint32_t mark;       // its first mark (marks.h)
+    uint32_t marks;      // so many more lines begin in it
+#endif
     double start[NCK_AXIS_MAX]; // pose at s = 0 [mm, deg]
     double end[NCK_AXIS_MAX];   // pose at s = length [mm, deg]
     double length;       // range of s [path mm]: path length (spline: that of the programmed path

@@ -272,6 +272,8 @@ nck_status_t nck_smooth_push(nck_smooth_t *self, const nck_block_t *block, uint3
         if (status != NCK_OK) return status == NCK_EMPTY ? NCK_OK : status;
         arrive(self, block, &raw->seg);
     }
+    if (nck_smooth_is_empty(self)) self->known = self->s;
+    self->known += raw->seg.length;
     self->hungry = 0;
     if (nck_runs_are_clocked(self) && goes_clocked(self, block, raw)) return NCK_OK;
     const int is_smoothed = NCK_HAS_SMOOTH && raw->smooth;

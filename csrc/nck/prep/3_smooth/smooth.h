@@ -110,6 +110,7 @@ typedef struct nck_smooth {
     int64_t position_nm[NCK_AXIS_MAX]; // end of the last block pushed [nm, ndeg]
     double position[NCK_AXIS_MAX];     // the same [mm, deg]
     double s;            // length of all segs pulled [path mm]
+    double known;        // and of the blocks that have been pushed [path mm]
     double spacing_max;  // of knots [path mm]
     double travel[2][NCK_AXIS_MAX]; // of every axis, from … to [mm, deg]
     double tolerance;    // of the newest smoothed block [mm]; 0: none yet

@@ -100,7 +100,7 @@ static int fetch(nck_interpolate_t *self) {
 static void place(nck_interpolate_t *self, const nck_seg_t *seg, double s, double v) {
     nck_pose_t *const pose = &self->pose;
     pose->seg = seg->seq;
-    pose->line = seg->line;
+    pose->line = nck_marks_line(&self->link->marks, seg, s);
     pose->block = seg->block;
     pose->kind = seg->kind;
     pose->rapid = seg->rapid;
@@ -208,10 +208,19 @@ static void evaluate(nck_interpolate_t *self, double t) {
     pass(self, s, v);
 }
 
+// Two motions at once: the tool is where the sum of their ways is.
+static void name_rider(nck_interpolate_t *self) {
+    const nck_seg_t *const rider = seg_at(self, self->rider.filter.seg);
+    if (self->pose.s >= rider->s_begin + rider->length) return;
+    self->pose.line = nck_marks_line(&self->link->marks, rider, self->pose.s - rider->s_begin);
+}
+
 // What rides is one period further on.
 static void ride(nck_interpolate_t *self) {
     const double t = (double)self->k * self->machine->period_s - self->rider.late;
-    if (!nck_mean_ride(&self->rider, self->link, t, &self->pose)) return;
+    const int is_over = nck_mean_ride(&self->rider, self->link, t, &self->pose);
+    name_rider(self);
+    if (!is_over) return;
     self->rider.on = 0;
     finish_before(self, self->filter.seg);
 }
