@@ -37,6 +37,7 @@ class Program(Model):
     file: str = _is("as it was given; `<stdin>` for `-`")
     machine: str = _is("name of the machine")
     version: str = _is("of pycnc")
+    schema_version: int = _is("of these tables: another one where a key's meaning has changed")
     diagnostics: list[Diagnostic] = _is("in the order of the lines")
 
 

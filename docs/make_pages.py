@@ -257,7 +257,7 @@ has degrees in place of millimetres. This page is written by `docs/make_pages.py
 """
 _COLUMNS = {
     "t_s": "end of the tick, from the start of the program",
-    "line": "source line that the path is at; 0 before the first",
+    "line": "source line of the place, however many a piece has; 0 before the first",
     "block": "running number of the block",
     "kind": "what it does: `idle`, `rapid`, `line`, `arc`, `dwell`, `wait`, `spline`, `thread`",
     "s_mm": "path so far; where two motions overlap at a corner, of both",

@@ -176,6 +176,7 @@ class Trace(Rows):
     program: Program
     plan: Plan
     summary: dict[str, Any]
+    as_planned: bool
     worst_lines: dict[str, list[tuple[int, float]]]
     def plot(self, path: _Path | None = None) -> Any: ...
 

@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: MIT
-"""What is known before a room is opened: the version, and the machine to begin with."""
+"""What is known before a room is opened: versions, and the machine to begin with."""
 
 DEFAULT = "mill3"  # the machine where none is named
+SCHEMA = 1  # of --json: another number where a key that stood there means something else
 
 
 def version():

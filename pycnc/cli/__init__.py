@@ -56,7 +56,7 @@ from pycnc.cli.words import (
     writing,
 )
 from pycnc.extras import need
-from pycnc.names import DEFAULT
+from pycnc.names import DEFAULT, SCHEMA
 
 PEAK_TOLERANCE = 1e-6  # of a limit, on the double setpoints
 
@@ -189,7 +189,7 @@ def controller(
     )
     if json_:
         facts = {"file": name, "machine": mill.name, "version": kernel.version(),
-                 "controller": on, "slope": mill.settings.path.slope,
+                 "schema_version": SCHEMA, "controller": on, "slope": mill.settings.path.slope,
                  "period_s": mill.period_s}  # fmt: skip
         print(json.dumps(facts | done.as_dict()))
         return GOOD if done.state in controller.WANTED else WRONG

@@ -48,8 +48,8 @@ from pycnc.names import DEFAULT
 
 _PARTS_SHOWN = 20
 _TIMES = ("cut", "rapid", "dwell", "tool_change", "spindle")
-_WITHOUT_PARTS = ("file", "machine", "version", "period_s", "time_s", "total_s", "ticks", "slope",
-                  "control", "diagnostics")  # fmt: skip
+_WITHOUT_PARTS = ("file", "machine", "version", "schema_version", "period_s", "time_s", "total_s",
+                  "ticks", "slope", "control", "diagnostics")  # fmt: skip
 _MOTION = ("accelerate", "cruise", "decelerate")
 
 
@@ -299,11 +299,16 @@ def _total_line(told, count):
 
 
 def _split(facts):
-    """Return what a time is made of; what most programs do not have, only where it is."""
-    made = [name for name in _TIMES if name in _TIMES[:3] or facts[f"{name}_s"] > 0]
-    groups = ([f"{name.replace('_', ' ')} {_duration(facts[f'{name}_s'])}" for name in names]
-              for names in (made, _MOTION))  # fmt: skip
-    return "; ".join(", ".join(group) for group in groups)
+    """Return what a time is made of, in the words of ``run``; zeros are left out."""
+    groups = ([f"{_words(name)} {_duration(facts[f'{name}_s'])}" for name in names
+               if facts[f"{name}_s"] > 0] for names in (_TIMES, _MOTION))  # fmt: skip
+    return "; ".join(", ".join(group) for group in groups if group)
+
+
+def _words(name):
+    from pycnc.report.summary import MOTION_WORDS
+
+    return MOTION_WORDS.get(name, name.replace("_", " "))
 
 
 def _part_lines(plan, by):

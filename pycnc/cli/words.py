@@ -149,6 +149,7 @@ def facts_of(name, machine, findings):
         "file": name,
         "machine": machine.name,
         "version": names.version(),
+        "schema_version": names.SCHEMA,
         "diagnostics": findings,
     }
 

@@ -10,6 +10,7 @@ from pycnc.planning import control, measure, pipeline, shares
 from pycnc.machine import Machine
 from pycnc.machine.schema import SLOPES
 from pycnc.program import Program, load, shown
+from pycnc.names import SCHEMA
 from pycnc.kernel.records import copied, dtype, join
 
 RECORDS = ("segs", "nodes", "cells")
@@ -246,6 +247,7 @@ class Plan:
             "file": self.program.file,
             "machine": machine.name,
             "version": kernel.version(),
+            "schema_version": SCHEMA,
             "period_s": machine.period_s,
             **self.totals,
             "slope": machine.settings.path.slope,

@@ -174,8 +174,9 @@ class Why(shown.Tables):
     def as_dict(self):
         """Return what ``pycnc why --json`` tells."""
         facts = self.plan.as_dict()
-        names = ("file", "machine", "version", "period_s", "slope", "control", "time_s", "total_s",
-                 "tool_change_s", "spindle_s", "limit_time_s", "diagnostics")  # fmt: skip
+        names = ("file", "machine", "version", "schema_version", "period_s", "slope", "control",
+                 "time_s", "total_s", "tool_change_s", "spindle_s", "limit_time_s",
+                 "diagnostics")  # fmt: skip
         return {
             **{name: facts[name] for name in names},
             "ideal_s": self.ideal_s,

@@ -5,10 +5,34 @@ from pycnc.planning.control import title
 from pycnc.report.plot import duration
 
 _CAUSES_SHOWN = 12
+_SHORT = 6  # causes that a run tells
 _PLACES_SHOWN = 3
 _PLACE_SHARE = 0.1  # of a cause's loss: what another place must have to be shown
 _TEXT = 40  # characters of a source line
 GAIN_S = 5e-4  # what is less is no gain
+
+
+def short(found):
+    """Yield the first lines of the same table, which a run has among others.
+
+    Parameters
+    ----------
+    found : Why
+    """
+    ideal = duration(found.ideal_s)
+    yield f"What holds it back: {ideal} if only feeds, rapids and dwells did"
+    yield from _table_of(found, _SHORT, 1)
+
+
+def _table_of(found, most, places=_PLACES_SHOWN):
+    rows = [row for cause in found.causes[:most] for row in _rows(cause, places)]
+    if rows:
+        heads = ("lost", "share", "to", "places", "lines", "worst at line")
+        yield from _table(heads, rows, ">><><<")
+    rest = found.causes[most:]
+    if rest:
+        lost_s = sum(cause["lost_s"] for cause in rest)
+        yield f"  {duration(lost_s)} to {len(rest)} more causes (all: pycnc why --json)"
 
 
 def lines(found):
@@ -27,19 +51,12 @@ def lines(found):
     extra = facts["total_s"] - facts["time_s"]
     if extra > 0:
         yield f"  and {duration(extra)} for changes of tool and starts of the spindle"
-    rows = [row for cause in found.causes[:_CAUSES_SHOWN] for row in _rows(cause)]
-    if rows:
-        heads = ("lost", "share", "to", "places", "lines", "worst at line")
-        yield from _table(heads, rows, ">><><<")
-    rest = found.causes[_CAUSES_SHOWN:]
-    if rest:
-        lost_s = sum(cause["lost_s"] for cause in rest)
-        yield f"  {duration(lost_s)} to {len(rest)} more causes (all: --json)"
+    yield from _table_of(found, _CAUSES_SHOWN)
     if found.cures:
         yield from _cures(found.cures)
 
 
-def _rows(cause):
+def _rows(cause, most):
     """Yield a row of a cause with its worst place, and rows of others that matter."""
     if cause["count"] == 0:
         return
@@ -47,7 +64,7 @@ def _rows(cause):
     worst = _place(places[0]) if places else ["", ""]
     yield [duration(cause["lost_s"]), f"{cause['share']:.1%}", cause["words"],
            f"{cause['count']:,}", *worst]  # fmt: skip
-    for place in places[1:_PLACES_SHOWN]:
+    for place in places[1:most]:
         if place["lost_s"] > _PLACE_SHARE * cause["lost_s"]:
             words = f"  of it {duration(place['lost_s'])}"
             yield ["", "", words, f"{place['count']:,}", *_place(place)]

@@ -7,11 +7,13 @@ from rich.table import Table
 from rich.text import Text
 
 from pycnc.planning.plan import BY
+from pycnc.report import reasons
 from pycnc.report.plot import duration
 
 _SHOWN_LIMITS = 6
 _BAR = 40  # characters
 JERK_TOLD = 1e-6  # by how much a peak of jerk is above its limit before words are made of it
+MOTION_WORDS = {"accelerate": "speeding up", "cruise": "steady", "decelerate": "braking"}
 LIMIT_WORDS = {
     "feed": "the programmed feed",
     "rapid": "rapid speed",
@@ -101,11 +103,10 @@ def _times(facts):
             table.add_row(f"  {name}", duration(seconds), Text(share, "blue"))
     moving = " · ".join(
         f"{word} {duration(facts[f'{name}_s'])}"
-        for name, word in (
-            ("accelerate", "speeding up"), ("cruise", "steady"), ("decelerate", "braking"),
-        )
-    )  # fmt: skip
-    words = [moving, *_extra_words(facts)]
+        for name, word in MOTION_WORDS.items()
+        if facts[f"{name}_s"] > 0
+    )
+    words = [*([moving] if moving else ()), *_extra_words(facts)]
     return Group(table, *(Padding(Text(each, "dim"), (0, 0, 0, 2)) for each in words))
 
 
@@ -122,6 +123,10 @@ def _bar(share):
 
 
 def _limits(trace):
+    """Return what holds the path: as ``why`` tells it, if the run was as planned."""
+    if trace.as_planned:
+        words = "\n".join(reasons.short(trace.plan.why()))
+        return Text(words, no_wrap=True, overflow="ellipsis")
     columns = (("What set the speed", "left"), ("time", "right"), ("share", "right"),
                ("most at line", "left"))  # fmt: skip
     table = _table(*columns)

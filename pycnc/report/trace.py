@@ -13,6 +13,7 @@ from pycnc.report.path_error import PathError
 from pycnc.planning.plan import BY, Plan, check_backend, for_machine, for_plan
 from pycnc.report.rows import Rows
 from pycnc.report.trace_file import Columns, writer
+from pycnc.names import SCHEMA
 from pycnc.program import shown
 
 
@@ -121,7 +122,8 @@ class Trace(Rows):
         other ramps than the plan's, they stay what the ticks call them: ``accel`` and ``jerk``.
         """
         self.worst_lines, self._limit_time_s = self._ticks.worst_lines(), self._ticks.limit_time_s()
-        if commands or self._starved_ticks or self.plan.lost is None:
+        self.as_planned = not (commands or self._starved_ticks or self.plan.lost is None)
+        if not self.as_planned:
             return
         self._limit_time_s = dict(self.plan.totals["limit_time_s"])
         at_rest = self._ticks.time_s - self.plan.time_s  # few prep steps: no plan behind a WAIT
@@ -158,6 +160,7 @@ class Trace(Rows):
         machine = self.program.machine
         return {
             "version": kernel.version(),
+            "schema_version": SCHEMA,
             "file": self.program.file,
             "program_sha256": self.program.sha256,
             "machine": machine.name,

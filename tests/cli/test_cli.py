@@ -119,7 +119,8 @@ def test_canon_as_json_and_in_inches(good):
 def test_time_as_json_has_the_promised_keys(good):
     told = json.loads(pycnc("time", "--json", good).out)
     promised = {
-        "file", "machine", "version", "period_s", "time_s", "blocks", "segments", "length_mm",
+        "file", "machine", "version", "schema_version", "period_s",
+        "time_s", "blocks", "segments", "length_mm",
         "slope", "plan_s", "limit_time_s", "diagnostics", "cut_s", "rapid_s", "dwell_s",
         "accelerate_s", "cruise_s", "decelerate_s",
     }  # fmt: skip
@@ -223,7 +224,7 @@ def test_the_summary_of_a_run_fits_a_screen(good):
     lines = result.out.splitlines()
     assert len(lines) <= 40
     assert max(map(len, lines)) <= 100 + len(str(good))
-    for words in ("What set the speed", "Peaks", "the programmed feed", "No errors"):
+    for words in ("What holds it back", "Peaks", "worst at line", "No errors"):
         assert words in result.out
 
 

@@ -64,7 +64,7 @@ def test_the_command_line_needs_no_extra(bare):
     for verb in ("check", "canon", "time", "run"):
         done = bare(COMMAND, verb, "--json", "-", input=PROGRAM)
         assert (done.returncode, done.stderr) == (0, b""), verb
-    assert b"What set the speed" in bare(COMMAND, "run", "-", input=PROGRAM).stdout
+    assert b"What holds it back" in bare(COMMAND, "run", "-", input=PROGRAM).stdout
 
 
 def test_programs_are_loaded_planned_and_run_without_an_extra(bare):

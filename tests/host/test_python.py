@@ -369,7 +369,8 @@ def test_few_prep_steps_starve_the_tick_and_break_no_limit(exact):
 
 def test_the_summary_has_the_promised_keys(trace):
     promised = {
-        "file", "machine", "version", "period_s", "time_s", "ticks", "blocks", "segments",
+        "file", "machine", "version", "schema_version", "period_s",
+        "time_s", "ticks", "blocks", "segments",
         "length_mm", "slope", "plan_s", "run_s", "peaks", "path_error_mm", "starved_ticks",
         "limit_time_s", "diagnostics",
     }  # fmt: skip
