@@ -7,8 +7,9 @@ import { momentOf, place, stretchAt, wayShare } from "./data.js";
 import { edges } from "./felt.js";
 import { clock, element, grouped } from "./words.js";
 
-const INK = "#55606e";
-const GRID = { stroke: "#e6e9ee", width: 1 };
+const DARK = matchMedia("(prefers-color-scheme: dark)").matches;
+const INK = DARK ? "#9aa7b8" : "#55606e";
+const GRID = { stroke: DARK ? "#26303d" : "#e6e9ee", width: 1 };
 const LIMIT = "#d9480f";
 const BAND = 9; // height of the band that tells the limits [px]
 const HEIGHTS = { v: 128, a: 84, j: 84 };

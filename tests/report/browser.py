@@ -80,9 +80,9 @@ def start(launcher, chromium, *flags):
 
 
 @contextlib.contextmanager
-def opened(browser, file, fragment=""):
+def opened(browser, file, fragment="", scheme="light", size=SIZE):
     """Open a file in a browser, in a profile of its own."""
-    with browser.new_context(offline=True, viewport=SIZE) as context:
+    with browser.new_context(offline=True, viewport=size, color_scheme=scheme) as context:
         visit = Visit(context.new_page(), file)
         visit.load(fragment)
         yield visit
