@@ -119,10 +119,9 @@ def test_canon_as_json_and_in_inches(good):
 def test_time_as_json_has_the_promised_keys(good):
     told = json.loads(pycnc("time", "--json", good).out)
     promised = {
-        "file", "machine", "version", "schema_version", "period_s",
-        "time_s", "blocks", "segments", "length_mm",
-        "slope", "plan_s", "limit_time_s", "diagnostics", "cut_s", "rapid_s", "dwell_s",
-        "accelerate_s", "cruise_s", "decelerate_s",
+        "file", "machine", "version", "schema_version", "period_s", "time_s", "blocks", "segments",
+        "length_mm", "slope", "plan_s", "limit_time_s", "diagnostics", "cut_s", "rapid_s",
+        "dwell_s", "accelerate_s", "cruise_s", "decelerate_s",
     }  # fmt: skip
     assert promised <= set(told)
     assert not {"peaks", "path_error_mm", "run_s", "ticks"} & set(told)
