@@ -57,6 +57,27 @@ void bounds_share(bounds_t *bounds, const bounds_most_t *most, const move_t *mov
     bounds->v_share = share(most->v, bounds_along(bounds->v, move), bounds->v_share);
 }
 
+// Of what a move has along its path, an axis' part; 0: it does not move.
+static double part_of(const move_t *move, int k) {
+    const int round = is_arc(move);
+    const double way = fabs(move->end[k] - move->start[k]);
+    const double length = round ? arc_length(&move->arc) : bounds_length(move);
+    return round && k <= NCK_AXIS_Z ? 1.0 : way / length;
+}
+
+void bounds_jerk(bounds_t *bounds, const bounds_most_t *most, const move_t *move) {
+    const double along = bounds_along(bounds->j, move);
+    if (!(most->j > 0.0) || fabs(most->j - along) <= rounding * most->j) return;
+    for (int k = 0; k < MOVES_AXES; k++) {
+        const double part = part_of(move, k);
+        const double least = most->j * part;
+        const int has = bounds->j[k] > 0.0;
+        if (!(bounds->v[k] > 0.0) || !(part > 0.0)) continue;
+        if (!has || (most->j > along && bounds->j[k] < least)) bounds->j[k] = least;
+        else if (most->j < along) bounds->j[k] *= most->j / along;
+    }
+}
+
 double bounds_cap(const bounds_t *bounds, const bounds_most_t *most, const move_t *move) {
     if (move->kind == MOVE_RAPID || !(most->v > 0.0)) return 0.0;
     if (is_arc(move)) return most->v;
@@ -67,7 +88,8 @@ int bounds_same(const bounds_t *one, const bounds_t *other) {
     int same = one->a_path == other->a_path && one->a_share == other->a_share
                && one->v_share == other->v_share;
     for (int k = 0; k < MOVES_AXES; k++) {
-        same = same && one->v[k] == other->v[k] && one->a[k] == other->a[k];
+        same = same && one->v[k] == other->v[k] && one->a[k] == other->a[k]
+               && one->j[k] == other->j[k];
     }
     return same;
 }

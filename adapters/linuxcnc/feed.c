@@ -2,8 +2,9 @@
 // From the ring of moves into the kernel.
 #include "feed.h"
 
-#include <math.h>  // fabs fmax fmin
-#include <stdio.h> // snprintf
+#include <math.h>   // fmax fmin
+#include <stdio.h>  // snprintf
+#include <string.h> // memcpy
 
 #include "rates.h" // rates_wait rates_bound
 
@@ -33,6 +34,12 @@ void feed_bounds(const planner_t *self, bounds_t *bounds) {
     bounds->a_path = self->a_path;
 }
 
+// Without a limit an axis turns all of its acceleration round within a cycle.
+static double jerk_of(const planner_t *self, const bounds_t *bounds, int axis) {
+    const double turn = 2.0 * bounds->a[axis] / self->cycle_s;
+    return bounds->j[axis] > 0.0 ? bounds->j[axis] : turn;
+}
+
 void feed_machine(const planner_t *self, const bounds_t *bounds, nck_machine_t *machine_out) {
     nck_machine_t *const machine = machine_out;
     double j_most = 1.0;
@@ -49,7 +56,7 @@ void feed_machine(const planner_t *self, const bounds_t *bounds, nck_machine_t *
         axis->v_max = within(NCK_QUANTITY_SPEED, bounds->v[k]);
         axis->a_max = within(NCK_QUANTITY_ACCELERATION, bounds->a[k] * bounds->a_share);
         axis->rapid = within(NCK_QUANTITY_SPEED, bounds->v[k] * bounds->v_share);
-        axis->j_max = within(NCK_QUANTITY_JERK, fmax(self->settings.jerk[k], 1e-3));
+        axis->j_max = within(NCK_QUANTITY_JERK, jerk_of(self, bounds, k));
         v_most += axis->v_max;
         a_most += axis->a_max;
         j_most += axis->j_max;
@@ -69,6 +76,7 @@ static int set_limits(planner_t *self) {
     const move_t *const move = moves_at(&self->moves, self->moves.next);
     bounds_t bounds = {.a_share = move->a_share, .v_share = move->v_share};
     nck_machine_t machine;
+    memcpy(bounds.j, move->start, sizeof bounds.j);
     feed_bounds(self, &bounds);
     feed_machine(self, &bounds, &machine);
     if (nck_set_limits(&self->nck, &machine) == NCK_FULL) return 0;

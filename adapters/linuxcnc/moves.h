@@ -57,7 +57,7 @@ typedef struct move {
     double given;      // feed that the kernel has of it [mm/min, deg/min]; 0: not yet
     double tolerance;  // [mm]
     double way;        // programmed path up to its end [mm]
-    double start[MOVES_AXES];
+    double start[MOVES_AXES]; // of limits: the axes' jerk
     double end[MOVES_AXES];
     arc_t arc;
 } move_t;

@@ -96,17 +96,27 @@ static void spindle_turn(double share) { spindle()->speed *= share; }
 
 // ---- moves
 
+// From LinuxCNC 2.10 on a move tells its jerk; the Makefile looks into the headers.
+#ifdef TP_TAKES_JERK
+#define MOST_JERK , double ini_maxjerk
+#define MOVE_JERK ini_maxjerk
+#else
+#define MOST_JERK
+#define MOVE_JERK 0.0
+#endif
+
 static planner_order_t order_of(int motion, double vel, unsigned char enables, char waits,
                                 int indexer) {
-    const planner_order_t order = {vel, 0.0, 0.0, motion, enables,
+    const planner_order_t order = {vel, 0.0, 0.0, 0.0, motion, enables,
                                    motion == EMC_MOTION_TYPE_TRAVERSE, waits != 0, indexer};
     return order;
 }
 
 // No override makes a move faster than ini_maxvel.
-static planner_order_t within(planner_order_t order, double ini_maxvel, double acc) {
+static planner_order_t within(planner_order_t order, double ini_maxvel, double acc, double jerk) {
     order.v_most = ini_maxvel;
     order.a_most = acc;
+    order.j_most = jerk;
     return order;
 }
 
@@ -122,10 +132,10 @@ static int added(int taken, struct state_tag_t tag) {
 }
 
 int tpAddLine(TP_STRUCT *const tp, EmcPose end, int motion, double vel, double ini_maxvel,
-              double acc, unsigned char enables, char atspeed, int indexrotary,
+              double acc MOST_JERK, unsigned char enables, char atspeed, int indexrotary,
               struct state_tag_t tag) {
     const planner_order_t order =
-        within(order_of(motion, vel, enables, atspeed, indexrotary), ini_maxvel, acc);
+        within(order_of(motion, vel, enables, atspeed, indexrotary), ini_maxvel, acc, MOVE_JERK);
     double place[MOVES_AXES];
     (void)tp;
     from_pose(&end, place);
@@ -143,10 +153,10 @@ static void find_travel(void) {
 }
 
 int tpAddCircle(TP_STRUCT *const tp, EmcPose end, PmCartesian center, PmCartesian normal, int turn,
-                int motion, double vel, double ini_maxvel, double acc, unsigned char enables,
-                char atspeed, struct state_tag_t tag) {
+                int motion, double vel, double ini_maxvel, double acc MOST_JERK,
+                unsigned char enables, char atspeed, struct state_tag_t tag) {
     const planner_order_t order =
-        within(order_of(motion, vel, enables, atspeed, -1), ini_maxvel, acc);
+        within(order_of(motion, vel, enables, atspeed, -1), ini_maxvel, acc, MOVE_JERK);
     const double unit = scale(0);
     const double centre[3] = {center.x * unit, center.y * unit, center.z * unit};
     const double along[3] = {normal.x, normal.y, normal.z};
@@ -157,10 +167,11 @@ int tpAddCircle(TP_STRUCT *const tp, EmcPose end, PmCartesian center, PmCartesia
     return added(planner_arc(&self, &order, place, centre, along, turn), tag);
 }
 
-int tpAddRigidTap(TP_STRUCT *const tp, EmcPose end, double vel, double ini_maxvel, double acc,
-                  unsigned char enables, double reverse, struct state_tag_t tag) {
+int tpAddRigidTap(TP_STRUCT *const tp, EmcPose end, double vel, double ini_maxvel,
+                  double acc MOST_JERK, unsigned char enables, double reverse,
+                  struct state_tag_t tag) {
     const planner_order_t order =
-        within(order_of(EMC_MOTION_TYPE_FEED, vel, enables, 0, -1), ini_maxvel, acc);
+        within(order_of(EMC_MOTION_TYPE_FEED, vel, enables, 0, -1), ini_maxvel, acc, MOVE_JERK);
     double place[MOVES_AXES];
     (void)tp;
     from_pose(&end, place);
@@ -278,6 +289,12 @@ static void report(void) {
     status->distance_to_go = told->to_go / unit;
     status->enables_queued = move ? move->enables : status->enables_new;
     to_pose(told->dtg, &status->dtg);
+#ifdef TP_TAKES_JERK
+    const PmCartesian along = {told->along[0], told->along[1], told->along[2]};
+    status->current_acc = told->a / unit;
+    status->current_jerk = told->j / unit;
+    status->current_dir = along;
+#endif
     *pins->speed = told->v / unit;
     *pins->acceleration = told->a / unit;
     *pins->jerk = told->j / unit;
@@ -430,8 +447,9 @@ static void tell_settings(void) {
                     (unsigned)settings.budget, settings.mm_per_unit > 1.0 ? "inch" : "mm");
     for (int k = 0; k < MOVES_AXES && settings.slope != NCK_SLOPE_LINEAR; k++) {
         if (!(settings.axes >> k & 1u)) continue;
-        rtapi_print_msg(RTAPI_MSG_ERR, "nck_tp: %c jerk %ld units/s^3\n", letters[k],
-                        (long)(settings.jerk[k] / scale(k)));
+        rtapi_print_msg(RTAPI_MSG_ERR, "nck_tp: %c jerk %ld units/s^3%s\n", letters[k],
+                        (long)(settings.jerk[k] / scale(k)),
+                        settings.jerk[k] > 0.0 ? "" : ": none");
     }
 }
 
@@ -456,33 +474,13 @@ int rtapi_app_main(void) {
 
 void rtapi_app_exit(void) { hal_exit(component); }
 
-EXPORT_SYMBOL(tpMotFunctions);
-EXPORT_SYMBOL(tpMotData);
-EXPORT_SYMBOL(tpAbort);
-EXPORT_SYMBOL(tpActiveDepth);
-EXPORT_SYMBOL(tpAddCircle);
-EXPORT_SYMBOL(tpAddLine);
-EXPORT_SYMBOL(tpAddRigidTap);
-EXPORT_SYMBOL(tpClear);
-EXPORT_SYMBOL(tpCreate);
-EXPORT_SYMBOL(tpGetExecId);
-EXPORT_SYMBOL(tpGetExecTag);
-EXPORT_SYMBOL(tpGetMotionType);
-EXPORT_SYMBOL(tpGetPos);
-EXPORT_SYMBOL(tpIsDone);
-EXPORT_SYMBOL(tpPause);
-EXPORT_SYMBOL(tpQueueDepth);
-EXPORT_SYMBOL(tpResume);
-EXPORT_SYMBOL(tpRunCycle);
-EXPORT_SYMBOL(tpSetAmax);
-EXPORT_SYMBOL(tpSetAout);
-EXPORT_SYMBOL(tpSetCycleTime);
-EXPORT_SYMBOL(tpSetDout);
-EXPORT_SYMBOL(tpSetId);
-EXPORT_SYMBOL(tpSetPos);
-EXPORT_SYMBOL(tpSetRunDir);
-EXPORT_SYMBOL(tpSetSpindleSync);
-EXPORT_SYMBOL(tpSetTermCond);
-EXPORT_SYMBOL(tpSetVlimit);
-EXPORT_SYMBOL(tpSetVmax);
-EXPORT_SYMBOL(tcqFull);
+EXPORT_SYMBOL(tpMotFunctions); EXPORT_SYMBOL(tpMotData); EXPORT_SYMBOL(tpAbort);
+EXPORT_SYMBOL(tpActiveDepth); EXPORT_SYMBOL(tpAddCircle); EXPORT_SYMBOL(tpAddLine);
+EXPORT_SYMBOL(tpAddRigidTap); EXPORT_SYMBOL(tpClear); EXPORT_SYMBOL(tpCreate);
+EXPORT_SYMBOL(tpGetExecId); EXPORT_SYMBOL(tpGetExecTag); EXPORT_SYMBOL(tpGetMotionType);
+EXPORT_SYMBOL(tpGetPos); EXPORT_SYMBOL(tpIsDone); EXPORT_SYMBOL(tpPause);
+EXPORT_SYMBOL(tpQueueDepth); EXPORT_SYMBOL(tpResume); EXPORT_SYMBOL(tpRunCycle);
+EXPORT_SYMBOL(tpSetAmax); EXPORT_SYMBOL(tpSetAout); EXPORT_SYMBOL(tpSetCycleTime);
+EXPORT_SYMBOL(tpSetDout); EXPORT_SYMBOL(tpSetId); EXPORT_SYMBOL(tpSetPos);
+EXPORT_SYMBOL(tpSetRunDir); EXPORT_SYMBOL(tpSetSpindleSync); EXPORT_SYMBOL(tpSetTermCond);
+EXPORT_SYMBOL(tpSetVlimit); EXPORT_SYMBOL(tpSetVmax); EXPORT_SYMBOL(tcqFull);

@@ -59,6 +59,7 @@ int planner_init(planner_t *self, const settings_t *settings, const planner_hook
     self->moves.head = 1; // 0 is no move to the kernel
     self->done = 1;
     self->bounds.a_share = self->bounds.v_share = 1.0;
+    memcpy(self->bounds.j, settings->jerk, sizeof self->bounds.j);
     feed_bounds(self, &self->bounds);
     feed_machine(self, &self->bounds, &self->machine);
     if (nck_init(&self->nck, &self->machine, &listens) != NCK_OK) {
@@ -220,16 +221,21 @@ static int leaves(const planner_t *self, const move_t *move) {
 static void put_bounds(planner_t *self, const planner_order_t *order, move_t *move) {
     const double scale = settings_scale(&self->settings, unit_of(self, move->end));
     const double v = order->rapid ? fmin(order->vel, order->v_most) : order->v_most;
-    const bounds_most_t most = {v * scale, order->a_most * scale};
+    const bounds_most_t most = {v * scale, order->a_most * scale, order->j_most * scale};
     bounds_t bounds = self->bounds_asked;
+    if (!self->settings.jerk_given) bounds_jerk(&bounds, &most, move);
+    const int other_jerk = memcmp(bounds.j, self->bounds_asked.j, sizeof bounds.j) != 0;
     feed_bounds(self, &bounds);
     bounds_share(&bounds, &most, move);
     move->cap = 60.0 * bounds_cap(&bounds, &most, move);
     move->a_share = bounds.a_share;
-    if (move->kind >= MOVE_THREAD || bounds_same(&bounds, &self->bounds_asked)) return;
+    const int hears = move->kind < MOVE_THREAD || other_jerk;
+    if (!hears || bounds_same(&bounds, &self->bounds_asked)) return;
     put_word(self, order, MOVE_LIMITS, 0);
-    moves_at(&self->moves, self->moves.head - 1)->a_share = bounds.a_share;
-    moves_at(&self->moves, self->moves.head - 1)->v_share = bounds.v_share;
+    move_t *const limits = moves_at(&self->moves, self->moves.head - 1);
+    limits->a_share = bounds.a_share;
+    limits->v_share = bounds.v_share;
+    memcpy(limits->start, bounds.j, sizeof bounds.j);
     self->bounds_asked = bounds;
 }
 
@@ -375,6 +381,9 @@ static void tell_place(planner_t *self, const double *place) {
     const double v = speed(told->place, place, self->cycle_s);
     const double a = (v - told->v) / self->cycle_s;
     told->j = (a - told->a) / self->cycle_s;
+    for (int k = 0; k < 3; k++) {
+        told->along[k] = v > 0.0 ? (place[k] - told->place[k]) / (v * self->cycle_s) : 0.0;
+    }
     told->a = a;
     told->v = v;
     memcpy(told->place, place, sizeof told->place);

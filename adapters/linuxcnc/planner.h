@@ -63,6 +63,7 @@ typedef struct planner_order {
     double vel;        // [units/s] of the tool; of rotary axes where they move alone
     double v_most;     // the same at any override; 0: as the axes can
     double a_most;     // [units/s²] along the path, likewise
+    double j_most;     // [units/s³] along the path, as the axes leave it; 0: nothing is told
     int motion;        // the host's kind, told back
     uint8_t enables;   // the host's, told back
     uint8_t rapid;     // 1: as fast as the axes can
@@ -91,6 +92,7 @@ typedef struct planner_told {
     double to_go;      // the same along the path [mm]
     double v;          // of the tool, [mm/s]; of rotary axes where they move alone
     double a, j;       // along the path [mm/s², mm/s³]
+    double along[3];   // X Y Z: in which direction, of length 1; 0 where they rest
     uint32_t limit;    // nck_limit_t in force
     uint32_t steps;    // of preparation in this cycle
 } planner_told_t;

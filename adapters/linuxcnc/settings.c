@@ -22,12 +22,25 @@ static char *stripped(char *text) {
     return text;
 }
 
+// The next line; one that ends in a backslash goes on in the next. Returns 0 where there is none.
+static int next_line(FILE *file, char *line_out) {
+    size_t n = 0;
+    while (fgets(line_out + n, LINE - (int)n, file)) {
+        n = strlen(line_out);
+        const size_t ends = n - (size_t)(n > 0 && line_out[n - 1] == '\n');
+        if (ends == 0 || line_out[ends - 1] != '\\') return 1;
+        n = ends - 1;
+        line_out[n] = '\0';
+    }
+    return n > 0;
+}
+
 // The first value of a word in a section. Returns 1 if there is one.
 static int find(FILE *file, const char *section, const char *word, char *value_out) {
     char line[LINE];
     int within = 0;
     rewind(file);
-    while (fgets(line, sizeof line, file)) {
+    while (next_line(file, line)) {
         char *const text = stripped(line);
         char *const equals = strchr(text, '=');
         if (*text == '[') {
@@ -52,6 +65,17 @@ static int find_number(FILE *file, const char *section, const char *word, double
     const double number = strtod(value, &end);
     if (end == value || !(number > 0.0) || number > 1e15) return -1;
     *number_out = number;
+    return 1;
+}
+
+// A jerk [units/s³]; 0: none. Returns as find_number does.
+static int find_jerk(FILE *file, const char *section, const char *word, double *jerk_out) {
+    char value[LINE];
+    char *end = value;
+    if (!find(file, section, word, value)) return 0;
+    const double none = strtod(value, &end);
+    if (end == value || none != 0.0) return find_number(file, section, word, jerk_out);
+    *jerk_out = 0.0;
     return 1;
 }
 
@@ -132,9 +156,10 @@ static int joint_jerk(FILE *file, const char *joints, char letter, double *jerk_
         double jerk = 0.0;
         if (joints[n] != letter) continue;
         (void)snprintf(section, sizeof section, "JOINT_%d", n);
-        const int state = find_number(file, section, "MAX_JERK", &jerk);
+        const int state = find_jerk(file, section, "MAX_JERK", &jerk);
         if (state < 0) return -1;
-        if (state > 0 && (!found || jerk < *jerk_out)) *jerk_out = jerk;
+        const int less = jerk > 0.0 && (jerk < *jerk_out || !(*jerk_out > 0.0));
+        if (state > 0 && (!found || less)) *jerk_out = jerk;
         found |= state;
     }
     return found;
@@ -145,10 +170,10 @@ static int read_jerk(FILE *file, const char *joints, int axis, double *jerk_out)
     char section[NAME];
     const int rotary = axis >= NCK_AXIS_A && axis <= NCK_AXIS_C;
     (void)snprintf(section, sizeof section, "AXIS_%c", letters[axis]);
-    int state = find_number(file, section, "MAX_JERK", jerk_out);
+    int state = find_jerk(file, section, "MAX_JERK", jerk_out);
     if (state == 0) state = joint_jerk(file, joints, letters[axis], jerk_out);
     if (state != 0) return state;
-    return find_number(file, "TRAJ", rotary ? "MAX_ANGULAR_JERK" : "MAX_LINEAR_JERK", jerk_out);
+    return find_jerk(file, "TRAJ", rotary ? "MAX_ANGULAR_JERK" : "MAX_LINEAR_JERK", jerk_out);
 }
 
 // What LinuxCNC would fill in for a limit that is not there no machine is built for.
@@ -170,6 +195,7 @@ static int read_host(settings_t *settings, FILE *file, int axis, char *why) {
 
 static int read_limits(settings_t *settings, FILE *file, const settings_given_t *given, char *why) {
     char joints[JOINTS + 1], what[LINE];
+    int limited = 0;
     read_joints(file, joints);
     for (int k = 0; k < SETTINGS_AXES; k++) {
         double jerk = (double)given->jerk;
@@ -184,7 +210,9 @@ static int read_limits(settings_t *settings, FILE *file, const settings_given_t 
                                    "or MAX_ANGULAR_JERK for all; docs/linuxcnc.md helps to choose");
         }
         settings->jerk[k] = jerk * settings_scale(settings, k);
+        limited |= jerk > 0.0;
     }
+    if (!limited) settings->slope = NCK_SLOPE_LINEAR;
     return 1;
 }
 
@@ -241,6 +269,7 @@ int settings_read(settings_t *settings, const char *path, const settings_given_t
     settings->slope = NCK_SLOPE_JERK;
     settings->budget = given->budget > 0 ? (uint32_t)given->budget : SETTINGS_BUDGET;
     settings->tolerance = 0.05;
+    settings->jerk_given = given->jerk > 0;
     if (given->jerk < 0 || given->budget < 0) {
         return fail(why, "jerk=, budget=", "write numbers above zero");
     }

@@ -20,7 +20,8 @@ typedef struct settings {
     uint32_t slope;          // nck_slope_kind_t
     uint32_t budget;         // steps of preparation a cycle, 1 at least
     double tolerance;        // of a G64 without P [mm]
-    double jerk[SETTINGS_AXES]; // [mm/s³, deg/s³]
+    uint32_t jerk_given;     // 1: by the command that loads the module: no move changes it
+    double jerk[SETTINGS_AXES]; // [mm/s³, deg/s³]; 0: none
     double v_max[SETTINGS_AXES]; // [mm/s, deg/s] until the host tells its own
     double a_max[SETTINGS_AXES]; // [mm/s², deg/s²]
 } settings_t;

@@ -26,10 +26,10 @@ static void find_limits(const planner_t *self, follow_limits_t *limits_out) {
     feed_bounds(self, &bounds);
     for (int k = 0; k < FOLLOW_AXES; k++) {
         const int there = (int)(self->settings.axes >> k & 1u);
-        const double jerk = self->settings.jerk[k];
+        const int linear = self->settings.slope == NCK_SLOPE_LINEAR || !(self->bounds.j[k] > 0.0);
         limits_out->v[k] = there ? bounds.v[k] : 0.0;
         limits_out->a[k] = bounds.a[k];
-        limits_out->j[k] = self->settings.slope == NCK_SLOPE_LINEAR ? INFINITY : jerk;
+        limits_out->j[k] = linear ? INFINITY : self->bounds.j[k];
     }
 }
 

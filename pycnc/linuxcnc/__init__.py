@@ -38,13 +38,15 @@ def _lay_out(folder):
     subprocess.run([sys.executable, generator, "--out", folder / "nck"], check=True)
 
 
-def build(folder):
+def build(folder, headers=None):
     """Compile the planner module for the LinuxCNC of this computer.
 
     Parameters
     ----------
     folder : path
         Where to; it is made if it is not there. The sources stay in it.
+    headers : path, optional
+        Of the LinuxCNC that is to load it, where they are not the installed ones.
 
     Returns
     -------
@@ -69,7 +71,8 @@ def build(folder):
                 f"{tool} is not there: apt-get install build-essential", id="linuxcnc-absent"
             )
     _lay_out(folder)
-    done = subprocess.run(["make", "-s", "-C", folder], capture_output=True, text=True)
+    others = [f"HEADERS={Path(headers).resolve()}"] if headers else []
+    done = subprocess.run(["make", "-s", "-C", folder, *others], capture_output=True, text=True)
     if done.returncode or not (folder / MODULE).is_file():
         raise errors.InternalError(f"{done.stderr.strip()}\nthe module does not compile")
     return folder / MODULE

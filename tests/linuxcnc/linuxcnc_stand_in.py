@@ -25,6 +25,7 @@ FLAGS = ["-D_GNU_SOURCE", "-DRTAPI", "-DSIM", "-Drealtime", "-D__MODULE__", "-rd
 AXES = "XYZABCUVW"
 # Jerk where an answer comes late and the tick brakes by itself (docs/stops.md).
 BY_TICK = 1.15
+JERK_COLUMNS = ("a_told", "j_told", "x_along", "y_along", "z_along")  # from 2.10 on
 COLUMNS = (*AXES.lower(), "turns", "speed", "to_go", "id", "depth", "done", "v_asked")
 CYCLE_S = 1e-3
 EVER = 1_000_000  # cycles: longer than any script takes
@@ -65,7 +66,7 @@ class Machine(NamedTuple):
 
 
 class Run(NamedTuple):
-    """What a script has brought about."""
+    """What a script has brought about; the rows have JERK_COLUMNS from 2.10 on."""
 
     machine: Machine
     answers: list  # lines of words
@@ -74,7 +75,7 @@ class Run(NamedTuple):
 
     def column(self, name):
         """Return one column."""
-        return self.rows[:, COLUMNS.index(name)]
+        return self.rows[:, (*COLUMNS, *JERK_COLUMNS).index(name)]
 
     @property
     def places(self):
@@ -95,9 +96,26 @@ class Run(NamedTuple):
         return shares
 
 
-def built_module():
+def headers_with_jerk(folder):
+    """Write LinuxCNC's headers as they are from 2.10 on, as far as a planner meets them.
+
+    A move tells its jerk behind its acceleration; the status has what the path's motion is.
+    """
+    text = (HEADERS / "tp.h").read_text(encoding="utf-8")
+    told, moves = re.subn(r"(double\s+acc\s*,)(\s*unsigned)", r"\1 double ini_maxjerk,\2", text)
+    status = (HEADERS / "motion.h").read_text(encoding="utf-8")
+    fields = r"\1 double current_acc, current_jerk; PmCartesian current_dir;"
+    more, places = re.subn(r"(double current_vel;)", fields, status)
+    assert (moves, places) == (3, 1)
+    folder.mkdir(parents=True, exist_ok=True)
+    (folder / "tp.h").write_text(told, encoding="utf-8")
+    (folder / "motion.h").write_text(more, encoding="utf-8")
+    return folder
+
+
+def built_module(headers=None):
     """Return the planner module of this tree, compiled once for all tests that load it."""
-    digest = hashlib.sha256()
+    digest = hashlib.sha256(b"jerk" if headers else b"")
     for pattern in ("csrc/nck/**/*.[ch]", "adapters/linuxcnc/*"):
         for path in sorted(ROOT.glob(pattern)):
             digest.update(path.read_bytes())
@@ -106,20 +124,26 @@ def built_module():
     cached_first = {"PATH": f"{CACHED}:{os.environ['PATH']}"}
     with locked(folder), mock.patch.dict(os.environ, cached_first):
         module = folder / linuxcnc.MODULE
-        return module if module.exists() else linuxcnc.build(folder)
+        return module if module.exists() else linuxcnc.build(folder, headers)
 
 
 class StandIn:
-    """The module and the stand-in, compiled into a folder; it needs LinuxCNC's headers."""
+    """The module and the stand-in, compiled into a folder; it needs LinuxCNC's headers.
 
-    def __init__(self, folder):
+    tells_jerk: as LinuxCNC does from 2.10 on.
+    """
+
+    def __init__(self, folder, *, tells_jerk=False):
         if not (HEADERS / "tp.h").is_file():
             pytest.skip("linuxcnc-uspace-dev is not installed")
         self.folder = Path(folder)
-        self.module = built_module()
+        headers = headers_with_jerk(self.folder / "headers") if tells_jerk else None
+        self.module = built_module(headers)
+        self.columns = len(COLUMNS) + len(JERK_COLUMNS) * tells_jerk
+        found = [f"-I{headers}", "-DTP_TAKES_JERK"] if tells_jerk else []
         self.program = self.folder / "stand_in"
         source = ROOT / "tests/linuxcnc/stand_in.c"
-        command = ["gcc", *FLAGS, f"-I{HEADERS}", source, "-o", self.program, "-ldl", "-lm"]
+        command = ["gcc", *FLAGS, *found, f"-I{HEADERS}", source, "-o", self.program, "-ldl", "-lm"]
         subprocess.run(command, check=True)
 
     def start(self, script, machine, ini=None, module=None, under=()):
@@ -140,7 +164,7 @@ class StandIn:
         machine = machine or Machine()
         done = self.start(script, machine, module=module)
         assert done.returncode == 0, done.stderr
-        rows = np.fromfile(self.folder / "trace").reshape(-1, len(COLUMNS))
+        rows = np.fromfile(self.folder / "trace").reshape(-1, self.columns)
         return Run(machine, [line.split() for line in done.stdout.splitlines()], done.stderr, rows)
 
     def count(self, script, module=None):

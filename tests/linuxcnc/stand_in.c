@@ -30,6 +30,7 @@ static double v_max[AXES], a_max[AXES], goal[AXES]; // goal: where the last move
 static double turns, rps;       // of the spindle, and its speed
 static double rps_s = 1e9;      // by which it can change in a second
 static double adaptive = 1.0;
+static double j_max[AXES]; // as the host knows them; 0: it says nothing of jerk
 static int held, id_for_step, unlocked, id;
 static double soft[AXES][2];    // limits of joints, at which the host aborts; both 0: none
 static int abort_in;            // cycles until the host's task has heard of them
@@ -120,7 +121,12 @@ static void put_down(const EmcPose *pos) {
     const double row[] = {pos->tran.x, pos->tran.y, pos->tran.z, pos->a, pos->b, pos->c, pos->u,
                           pos->v, pos->w, turns, status.current_vel, status.distance_to_go,
                           (double)p_tpGetExecId(&tp), (double)p_tpQueueDepth(&tp),
-                          (double)p_tpIsDone(&tp), status.requested_vel};
+                          (double)p_tpIsDone(&tp), status.requested_vel,
+#ifdef TP_TAKES_JERK
+                          status.current_acc, status.current_jerk, status.current_dir.x,
+                          status.current_dir.y, status.current_dir.z,
+#endif
+    };
     fwrite(row, sizeof row, 1, trace);
 }
 
@@ -218,7 +224,7 @@ static EmcPose place_of(const double *n) {
 
 // What the axes leave to the path of a move: along its direction, or on an arc the least of theirs.
 static double left_of(const double *limit, const double *end, int straight) {
-    double way[AXES], length = 0.0, least = 1e9;
+    double way[AXES], length = 0.0, least = HUGE_VAL;
     for (int k = 0; k < AXES; k++) {
         way[k] = end[k] - goal[k];
         if (k < 3) length += way[k] * way[k];
@@ -228,27 +234,35 @@ static double left_of(const double *limit, const double *end, int straight) {
         const double share = straight && length > 0.0 ? fabs(way[k]) / length : 1.0;
         if (limit[k] > 0.0 && share > 0.0) least = fmin(least, limit[k] / share);
     }
-    return least;
+    return least < HUGE_VAL ? least : 0.0;
 }
+
+#ifdef TP_TAKES_JERK
+#define JERK , jerk
+#else
+#define JERK
+#endif
 
 static void move(const char *word, const double *n) {
     const EmcPose end = place_of(n + 1);
     const int straight = strcmp(word, "arc") != 0;
     const double v = asked_v > 0.0 ? asked_v : left_of(v_max, n + 1, straight);
     const double a = asked_a > 0.0 ? asked_a : left_of(a_max, n + 1, straight);
+    const double jerk = left_of(j_max, n + 1, straight);
     int good = 0;
+    (void)jerk;
     memcpy(goal, n + 1, sizeof goal);
     p_tpSetId(&tp, ++id);
     if (strcmp(word, "arc") == 0) {
         const PmCartesian centre = {n[10], n[11], n[12]}, normal = {n[13], n[14], n[15]};
-        good = p_tpAddCircle(&tp, end, centre, normal, (int)n[16], EMC_MOTION_TYPE_ARC, n[0], v, a,
-                             status.enables_new, at_speed, tag);
+        good = p_tpAddCircle(&tp, end, centre, normal, (int)n[16], EMC_MOTION_TYPE_ARC, n[0], v,
+                             a JERK, status.enables_new, at_speed, tag);
     } else if (strcmp(word, "tap") == 0) {
-        good = p_tpAddRigidTap(&tp, end, n[0], v, a, status.enables_new, n[10], tag);
+        good = p_tpAddRigidTap(&tp, end, n[0], v, a JERK, status.enables_new, n[10], tag);
     } else {
         const int rapid = strcmp(word, "rapid") == 0;
         good = p_tpAddLine(&tp, end, rapid ? EMC_MOTION_TYPE_TRAVERSE : EMC_MOTION_TYPE_FEED, n[0],
-                           v, a, status.enables_new, at_speed, indexer, tag);
+                           v, a JERK, status.enables_new, at_speed, indexer, tag);
     }
     if (good) printf("move %d %d\n", id, good);
     at_speed = 0;
@@ -316,6 +330,7 @@ static void set(const char *word, const double *n) {
         asked_v = n[0];
         asked_a = n[1];
     }
+    else if (strcmp(word, "jerk") == 0) j_max[(int)n[0]] = n[1];
     else if (strcmp(word, "axis") == 0) {
         v_max[(int)n[0]] = n[1];
         a_max[(int)n[0]] = n[2];
