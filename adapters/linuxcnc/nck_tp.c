@@ -51,6 +51,7 @@ static emcmot_config_t *config;
 static uint32_t told_up_to;  // entries of the ring before this one have their tags
 static const char no_reverse[] =
     "running in reverse is not offered, for moves behind the tool are forgotten: it stays";
+static char refused[SETTINGS_WHY]; // why it takes no move; empty: it does
 static double v_limit = 1e9; // of the tool [mm/s]
 static int forward = 1;      // 1, −1: how it turned when the pass began
 
@@ -120,7 +121,10 @@ static planner_order_t within(planner_order_t order, double ini_maxvel, double a
     return order;
 }
 
+// An owner who starts LinuxCNC from his desktop sees no terminal: what is wrong with the INI file
+// is told where he wants the machine to move.
 static int added(int taken, struct state_tag_t tag) {
+    if (refused[0]) message(refused);
     if (taken > 0) {
         for (uint32_t n = told_up_to; n != self.moves.head; n++) tags[n % MOVES_MAX] = tag;
         told_up_to = self.moves.head;
@@ -389,7 +393,10 @@ int tpSetCycleTime(TP_STRUCT *tp, double secs) {
     (void)tp;
     if (!(secs > 0.0)) return TP_ERR_FAIL;
     if (secs == self.cycle_s) return TP_ERR_OK;
-    if (planner_init(&self, &settings, &hooks, secs)) return TP_ERR_OK;
+    if (planner_init(&self, &settings, &hooks, secs)) {
+        if (refused[0]) self.cycle_s = 0.0;
+        return TP_ERR_OK;
+    }
     message("the servo period is outside of 0.01 to 100 ms: no move is taken");
     return TP_ERR_FAIL;
 }
@@ -455,18 +462,17 @@ static void tell_settings(void) {
 
 int rtapi_app_main(void) {
     const settings_given_t given = {jerk, budget, planner};
-    char why[SETTINGS_WHY];
-    if (!settings_read(&settings, getenv("INI_FILE_NAME"), &given, why)) {
-        message(why);
-        return -1;
-    }
+    const int good = settings_read(&settings, getenv("INI_FILE_NAME"), &given, refused);
+    if (good) refused[0] = '\0';
+    else settings_rest(&settings);
     component = hal_init("nck_tp");
     if (component < 0) return component;
     if (!make_pins()) {
         hal_exit(component);
         return -1;
     }
-    tell_settings();
+    if (good) tell_settings();
+    else message(refused);
     memset(tags, 1, sizeof tags); // every page is there before the first cycle
     hal_ready(component);
     return 0;

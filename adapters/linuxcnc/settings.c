@@ -261,6 +261,13 @@ static int read_file(settings_t *settings, FILE *file, const settings_given_t *g
            && read_limits(settings, file, given, why);
 }
 
+void settings_rest(settings_t *settings) {
+    const settings_t rest = {.mm_per_unit = 1.0, .deg_per_unit = 1.0, .axes = 1u,
+                             .slope = NCK_SLOPE_LINEAR, .budget = 1, .tolerance = 0.05,
+                             .v_max = {1.0}, .a_max = {1.0}};
+    *settings = rest;
+}
+
 int settings_read(settings_t *settings, const char *path, const settings_given_t *given,
                   char *why) {
     memset(settings, 0, sizeof *settings);

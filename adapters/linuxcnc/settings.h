@@ -38,6 +38,9 @@ typedef struct settings_given {
 // Cost: reads the file once for every word. Context: while the module loads.
 int settings_read(settings_t *settings, const char *path, const settings_given_t *given, char *why);
 
+// What serves a planner that takes no move. Cost: constant. Context: while the module loads.
+void settings_rest(settings_t *settings);
+
 // Millimetres or degrees in one unit of the axis. Cost: constant. Context: any.
 double settings_scale(const settings_t *settings, int axis);
 

@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: MIT
-"""The verbs of LinuxCNC's planner: ``linuxcnc build``, ``install`` and ``ini``."""
+"""The verbs of LinuxCNC's planner: ``linuxcnc build``, ``install``, ``package``, ``ini``."""
 
 import json as json_text
+import os
 from typing import Annotated
 
 import typer
@@ -36,6 +37,18 @@ def install(
     return GOOD
 
 
+@verb(linuxcnc, "linuxcnc package")
+def package(
+    *, folder: Annotated[str, typer.Argument(metavar="FOLDER", help="Where it was built.")] =
+    "nck_tp",
+):  # fmt: skip
+    """Make a Debian package of the module."""
+    from pycnc.linuxcnc import package as debian
+
+    print(debian.pack(folder))
+    return GOOD
+
+
 @verb(linuxcnc, "linuxcnc ini machine.ini")
 def ini(
     *, file: Annotated[str, typer.Argument(metavar="FILE", help="An INI file of LinuxCNC.")],
@@ -44,8 +57,12 @@ def ini(
     """Read a machine's INI file and say what to add to it."""
     from pycnc.linuxcnc import configuration
 
-    name, text = read(file)
-    found = configuration.look_at(text.decode("utf-8", errors="replace"))
+    name, text = read(file, "give an INI file of LinuxCNC")
+    text, absent = configuration.expand(
+        text.decode("utf-8", errors="replace"), os.path.dirname(file)
+    )
+    found = configuration.look_at(text)
+    found["notes"] = absent + found["notes"]
     if json:
         print(json_text.dumps({"file": name, **found}))
         return WRONG if found["errors"] else GOOD

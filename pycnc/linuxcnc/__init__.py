@@ -5,6 +5,7 @@ docs/linuxcnc.md tells a machine's owner what to do with it.
 """
 
 import os
+import shlex
 import shutil
 import subprocess
 import sys
@@ -17,7 +18,7 @@ MODULES = Path("/usr/lib/linuxcnc/modules")
 MODULE = "nck_tp.so"
 
 
-def _adapter():
+def adapter():
     """Return the folder of the adapter's sources: of the source tree, or of the package."""
     here = Path(__file__).resolve()
     tree, package = here.parents[2] / "adapters/linuxcnc", here.parents[1] / "adapters/linuxcnc"
@@ -26,15 +27,15 @@ def _adapter():
 
 def _lay_out(folder):
     """Put the sources into a folder, the kernel as a pair of files among them."""
-    adapter = _adapter()
+    sources = adapter()
     folder.mkdir(parents=True, exist_ok=True)
-    for path in [*adapter.glob("*.[ch]"), adapter / "Makefile"]:
+    for path in [*sources.glob("*.[ch]"), sources / "Makefile"]:
         shutil.copyfile(path, folder / path.name)
-    pair = adapter / "nck"
+    pair = sources / "nck"
     if pair.is_dir():
         shutil.copytree(pair, folder / "nck", dirs_exist_ok=True)
         return
-    generator = adapter.parents[1] / "cmake" / "amalgamate.py"
+    generator = sources.parents[1] / "cmake" / "amalgamate.py"
     subprocess.run([sys.executable, generator, "--out", folder / "nck"], check=True)
 
 
@@ -106,6 +107,7 @@ def install(module, modules=MODULES):
         os.replace(beside, place)
     except PermissionError:
         raise errors.StateError(
-            f"{place.parent} may not be written: run it with sudo, or copy {module} there as root"
+            f"{place.parent} may not be written; as root it may:\n"
+            f"    sudo install -m 644 {shlex.quote(str(Path(module).resolve()))} {place}"
         ) from None
     return place

@@ -1,16 +1,38 @@
 # SPDX-License-Identifier: MIT
 """What a configuration of LinuxCNC lacks for this planner."""
 
+import os
 import re
+from pathlib import Path
 
 LETTERS = "XYZABCUVW"
 RAMP_S = 0.1  # until an axis has its acceleration: what jerk is proposed
 
 
+def expand(text, folder):
+    """Return (text, notes) of an INI file with what its ``#INCLUDE`` lines name in their place.
+
+    As LinuxCNC does it: names are relative to the file's folder, ``~`` and ``$NAME`` count, and
+    what is included includes nothing more. What cannot be read it leaves out.
+    """
+    lines, notes = [], []
+    for number, line in enumerate(text.splitlines(), 1):
+        word, _, name = line.strip().partition(" ")
+        if word != "#INCLUDE":
+            lines.append(line)
+            continue
+        path = Path(folder) / Path(os.path.expandvars(name.strip().strip("\"'"))).expanduser()
+        try:
+            lines += path.read_text(encoding="utf-8", errors="replace").splitlines()
+        except OSError as cause:
+            notes.append(f"line {number}: #INCLUDE {name}: {cause.strerror}")
+    return "\n".join(lines), notes
+
+
 def settings(text):
     """Return {(section, WORD): first value} of an INI file's text."""
     found, section = {}, ""
-    for line in text.splitlines():
+    for line in re.sub(r"\\\r?\n", "", text).splitlines():
         line = line.strip()
         if line.startswith("["):
             section = line[1:].partition("]")[0]
@@ -39,13 +61,19 @@ def _joints(found, axes):
     return {axis: [n for n, letter in enumerate(letters) if letter == axis] for axis in axes}
 
 
-def _jerk(found, axis, joints):
-    """Return the jerk that is in force for an axis; None if there is none."""
-    own = _number(found, f"AXIS_{axis}", "MAX_JERK")
-    of_joints = [_number(found, f"JOINT_{n}", "MAX_JERK") for n in joints]
+def _places_of_jerk(found, axis, joints):
+    """Return where the jerk of an axis is told, [(section, WORD)]."""
     every = "MAX_ANGULAR_JERK" if axis in "ABC" else "MAX_LINEAR_JERK"
-    least = min((jerk for jerk in of_joints if jerk), default=None)
-    return own or least or _number(found, "TRAJ", every)
+    places = [(f"AXIS_{axis}", "MAX_JERK"), *((f"JOINT_{n}", "MAX_JERK") for n in joints)]
+    return [place for place in [*places, ("TRAJ", every)] if place in found]
+
+
+def _is_none(text):
+    """Return whether a value is zero: no limit."""
+    try:
+        return float(text.split()[0]) == 0
+    except (ValueError, IndexError):
+        return False
 
 
 def look_at(text):
@@ -81,6 +109,12 @@ def look_at(text):
             if not _number(found, f"AXIS_{axis}", word):
                 wrong.append(f"[AXIS_{axis}] {word} is missing or no number above zero")
         a_max = _number(found, f"AXIS_{axis}", "MAX_ACCELERATION")
-        if a_max and not _jerk(found, axis, (joints or {}).get(axis, [])):
+        places = _places_of_jerk(found, axis, (joints or {}).get(axis, []))
+        wrong += [
+            f"[{section}] {word} is no number above zero; 0 means none"
+            for section, word in places
+            if not _number(found, section, word) and not _is_none(found[section, word])
+        ]
+        if a_max and not places:
             add[f"AXIS_{axis}"] = [f"MAX_JERK = {a_max / RAMP_S:g}"]
     return {"add": add, "errors": wrong, "notes": notes}

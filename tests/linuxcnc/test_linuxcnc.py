@@ -351,18 +351,32 @@ def test_a_feed_a_revolution_follows_the_spindles_speed(stand_in):
     assert_within_limits(run)
 
 
-# What does not load, and what is no move
+# What the INI file lacks, and what is no move
+
+MOVES = ["line 50 1 0 0", "run 20"]
 
 
 @pytest.mark.parametrize(("line", "found"), [
     ("MAX_JERK = 10000.0\n", "MAX_JERK is missing"), ("MAX_VELOCITY = 100.0\n", "MAX_VELOCITY"),
     ("COORDINATES = X Y Z\n", "COORDINATES"), ("LINEAR_UNITS = mm\n", ""),
 ])  # fmt: skip
-def test_what_is_missing_in_the_ini_is_told_and_nothing_loads(stand_in, line, found):
+def test_what_is_missing_in_the_ini_is_told_and_nothing_moves(stand_in, line, found):
     machine = Machine()
-    done = stand_in.start([], machine, ini=machine.ini.replace(line, ""))
-    assert (done.returncode == 0) == (found == "")
-    assert found in done.stderr
+    done = stand_in.start(MOVES, machine, ini=machine.ini.replace(line, ""))
+    assert done.returncode == 0 and found in done.stderr
+    assert ("move 1 -1" in done.stdout) == (found != "")
+
+
+def test_what_is_wrong_is_told_again_where_a_move_is_asked_for(stand_in):
+    machine = Machine()
+    ini = machine.ini.replace("MAX_JERK = 10000.0", "")
+    done = stand_in.start(["run 3", "setpos 4 5 6", *MOVES, "pause", "resume", "abort", "run 3",
+                           "clear", "run 3", "tell"], machine, ini=ini)  # fmt: skip
+    at_load, at_move = done.stderr.splitlines()
+    assert at_load == at_move and "axis X: MAX_JERK is missing" in at_move
+    words = done.stdout.splitlines()[-1].split()  # where the host has put it
+    assert [float(each) for each in words[1:4]] == [4, 5, 6]
+    assert words[6:8] == ["done", "1"]
 
 
 @pytest.mark.parametrize(("line", "wrong", "found"), [
@@ -373,14 +387,14 @@ def test_what_is_missing_in_the_ini_is_told_and_nothing_loads(stand_in, line, fo
     ("MAX_JERK = 10000.0", "MAX_JERK = -1", "MAX_JERK is no number above zero"),
     ("MAX_ACCELERATION = 1000.0", "MAX_ACCELERATION = 0", "MAX_ACCELERATION"),
 ])  # fmt: skip
-def test_what_is_wrong_in_the_ini_is_told_in_one_line_and_nothing_loads(
+def test_what_is_wrong_in_the_ini_is_told_in_one_line_and_nothing_moves(
     stand_in, line, wrong, found
 ):
     machine = Machine()
-    done = stand_in.start([], machine, ini=machine.ini.replace(line, wrong))
-    assert done.returncode != 0
-    (message,) = done.stderr.splitlines()
-    assert found in message
+    done = stand_in.start(MOVES, machine, ini=machine.ini.replace(line, wrong))
+    assert "move 1 -1" in done.stdout
+    message, again = done.stderr.splitlines()
+    assert found in message and again == message
 
 
 def test_kinematics_of_any_kind_are_served_by_their_axes(stand_in):
