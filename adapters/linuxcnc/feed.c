@@ -9,11 +9,11 @@
 #include "rates.h" // rates_wait rates_bound
 
 enum {
-    PATIENCE_AT_REST = 10, // cycles without a move until what is there counts as all
-    WAIT_AT_REST = 30,     // cycles that the kernel may wait there for a whole window
+    PATIENCE_AT_REST = 10, // [ms] without a move until what is there counts as all
+    WAIT_AT_REST = 30,     // [ms] that the kernel may wait there for a whole window
     PATIENCE = 40,         // the same while the tool moves, and is near the end of what is known
     PATIENCE_FAR = 100,    // the same wherever it is: chords may be known and not be a path yet
-    WAY_UNDER_WAY = 60     // periods at full speed that a plan takes to be made, at most
+    WAY_UNDER_WAY = 60     // [ms] at full speed that a plan takes to be made, at most
 };
 
 // Limits further out than the kernel takes are none.
@@ -133,14 +133,14 @@ static int is_far(const planner_t *self) {
     const uint32_t held = queue.smooth + 1; // their ends are not planned
     const move_t *const known = moves_at((moves_t *)&self->moves, self->moves.next - held);
     const double brake = 0.5 * v * (v / a + a / j);
-    return known->way - self->at > brake + WAY_UNDER_WAY * self->cycle_s * v;
+    return known->way - self->at > brake + WAY_UNDER_WAY * 1e-3 * v;
 }
 
 // Nothing more has come for a while: what is there is all, as far as anybody knows.
 static int flush(planner_t *self) {
     const uint32_t patience = self->told.v > 0.0 ? PATIENCE : PATIENCE_AT_REST;
-    if (self->flushed == self->moves.next || self->quiet < patience) return 0;
-    if (self->quiet < PATIENCE_FAR && is_far(self)) return 0;
+    if (self->flushed == self->moves.next || self->quiet < planner_cycles(self, patience)) return 0;
+    if (self->quiet < planner_cycles(self, PATIENCE_FAR) && is_far(self)) return 0;
     nck_flush(&self->nck);
     self->flushed = self->moves.next;
     return 1;
@@ -162,7 +162,8 @@ static void fail(planner_t *self) {
 static void hurry(planner_t *self) {
     const int moves = self->told.v > 0.0;
     self->idle = moves ? 0 : self->idle + 1;
-    if (moves || self->idle > WAIT_AT_REST) nck_hurry(&self->nck, WAY_UNDER_WAY);
+    if (!moves && self->idle <= planner_cycles(self, WAIT_AT_REST)) return;
+    nck_hurry(&self->nck, planner_cycles(self, WAY_UNDER_WAY));
 }
 
 // The kernel needs input.
@@ -180,7 +181,7 @@ int feed_is_done(const planner_t *self) {
 
 void feed_prepare(planner_t *self) {
     uint32_t n = 0;
-    for (; n < self->settings.budget; n++) {
+    for (; n < self->budget; n++) {
         const nck_status_t status = nck_prep(&self->nck);
         if (status == NCK_OK) continue;
         self->empty = status == NCK_EMPTY && self->flushed == self->moves.next;

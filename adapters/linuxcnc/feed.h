@@ -14,7 +14,7 @@ void feed_machine(const planner_t *self, const bounds_t *bounds, nck_machine_t *
 // 1 if the kernel has executed all that it was given, and was told that it is all. Cost: constant.
 int feed_is_done(const planner_t *self);
 
-// At most settings.budget steps of preparation. Cost: they.
+// At most `budget` steps of preparation. Cost: they.
 void feed_prepare(planner_t *self);
 
 #endif

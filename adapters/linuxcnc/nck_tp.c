@@ -395,6 +395,8 @@ int tpSetCycleTime(TP_STRUCT *tp, double secs) {
     if (secs == self.cycle_s) return TP_ERR_OK;
     if (planner_init(&self, &settings, &hooks, secs)) {
         if (refused[0]) self.cycle_s = 0.0;
+        if (secs < 0.99e-3 && !SETTINGS_SHORT) message("slow at this servo period: build it anew, "
+                                                       "pycnc linuxcnc build --short-servo");
         return TP_ERR_OK;
     }
     message("the servo period is outside of 0.01 to 100 ms: no move is taken");
@@ -449,9 +451,11 @@ static int make_pins(void) {
 
 static void tell_settings(void) {
     static const char letters[] = "XYZABCUVW";
-    rtapi_print_msg(RTAPI_MSG_ERR, "nck_tp: planner %s, budget %u steps a cycle, %s\n",
+    const int given = settings.budget > 0;
+    rtapi_print_msg(RTAPI_MSG_ERR, "nck_tp: planner %s, budget %u steps a %s, %s\n",
                     settings.slope == NCK_SLOPE_LINEAR ? "linear" : "jerk",
-                    (unsigned)settings.budget, settings.mm_per_unit > 1.0 ? "inch" : "mm");
+                    given ? (unsigned)settings.budget : (unsigned)SETTINGS_BUDGET,
+                    given ? "cycle" : "millisecond", settings.mm_per_unit > 1.0 ? "inch" : "mm");
     for (int k = 0; k < MOVES_AXES && settings.slope != NCK_SLOPE_LINEAR; k++) {
         if (!(settings.axes >> k & 1u)) continue;
         rtapi_print_msg(RTAPI_MSG_ERR, "nck_tp: %c jerk %ld units/s^3%s\n", letters[k],

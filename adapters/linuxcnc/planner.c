@@ -53,6 +53,8 @@ int planner_init(planner_t *self, const settings_t *settings, const planner_hook
     self->settings = *settings;
     self->hooks = *hooks;
     self->cycle_s = cycle_s;
+    self->budget = (uint32_t)fmax(SETTINGS_BUDGET * cycle_s * 1e3, 1.0);
+    if (settings->budget > 0) self->budget = settings->budget;
     self->a_path = a_path;
     self->modal = modal;
     self->travel = travel;

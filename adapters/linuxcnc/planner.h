@@ -8,13 +8,14 @@
 #ifndef PLANNER_H
 #define PLANNER_H
 
+#include <math.h>   // fmax
 #include <stdint.h> // uint32_t
 
-#include "bounds.h"   // bounds_t bounds_most_t
-#include "follow.h"   // follow_t
-#include "moves.h"    // moves_t
-#include "nck/nck.h"  // nck_t
-#include "settings.h" // settings_t
+#include "bounds.h"        // bounds_t bounds_most_t
+#include "follow.h"        // follow_t
+#include "moves.h"         // moves_t
+#include "nck/nck_tools.h" // nck_t
+#include "settings.h"      // settings_t
 
 // What the planner asks of the host. Every pointer is needed.
 typedef struct planner_hooks {
@@ -163,12 +164,18 @@ typedef struct planner {
     uint32_t wanted;        // override of feeds that the host wants [ppm]
     uint32_t bound;         // the last move with a cap, or a feed a revolution, that the kernel has
     double cycle_s;         // 0: it takes no moves
+    uint32_t budget;        // steps of preparation a cycle
     double a_path;          // tangential acceleration at most [mm/s²]
     double goal[MOVES_AXES];// where the last move ends
     double offset[MOVES_AXES]; // the host's place less the kernel's
     double at;              // programmed path up to the tool, as the kernel counts [mm]
     double way;             // programmed path up to the goal, as the kernel counts [mm]
 } planner_t;
+
+// Cycles that so many milliseconds take, 1 at least. Cost: constant. Context: any.
+static inline uint32_t planner_cycles(const planner_t *self, double ms) {
+    return self->cycle_s > 0.0 ? (uint32_t)fmax(ms * 1e-3 / self->cycle_s + 0.5, 1.0) : 1;
+}
 
 // Make it ready, at rest at zero; cycle_s: a period of the servo thread. modal and a_path stay.
 // Returns 1, or 0 if the kernel refuses the machine or the period: it takes no moves then. Cost:

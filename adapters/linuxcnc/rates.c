@@ -8,12 +8,12 @@
 
 enum {
     PPM = 1000000,
-    CALM = 20,      // cycles between two overrides: each is a plan of its own, …
+    CALM = 20,      // [ms] between two overrides: each is a plan of its own, …
     PATIENCE = 200, // … and one that is being made is waited for, so long at most
-    TREND = 32,     // cycles of the faster of two means of the spindle's speed; the other: twice
-    SETTLES = 15,   // cycles from an answer in force until the tool has its speed, seen
+    TREND = 32,     // [ms] of the faster of two means of the spindle's speed; the other: twice
+    SETTLES = 15,   // [ms] from an answer in force until the tool has its speed, seen
     PACES = 8,      // of them that their mean is of: one that is late does not step
-    PACE_MOST = 60  // cycles between two overrides that are told as soon as they can be, seen
+    PACE_MOST = 60  // [ms] between two overrides that are told as soon as they can be, seen
 };
 
 static const double part_share = 5e-3; // of the radius, by which a part of a line under G96 goes
@@ -50,7 +50,7 @@ void rates_measure(planner_t *self, const planner_wish_t *wish) {
     self->wish = *wish;
     self->rps = fmax(wish->rps, told_at(wish, self->told.place[NCK_AXIS_X]));
     self->wanted = ppm(wish->feed, 2.0);
-    if (self->done) self->calm = PATIENCE;
+    if (self->done) self->calm = planner_cycles(self, PATIENCE);
 }
 
 // ---- what the kernel's override has to be
@@ -78,14 +78,17 @@ static double base_of(const planner_t *self, const move_t *move) {
 
 // Cycles until the tool has heard of an override, and half of the time that it is in force: an
 // answer takes as long as it is until the next one.
-static double late(const planner_t *self) { return SETTLES + 1.5 * self->pace; }
+static double late(const planner_t *self) {
+    return planner_cycles(self, SETTLES) + 1.5 * self->pace;
+}
 
-// What a number will be so many cycles later, if it is `now` and changes as it did: by the
-// difference of two means.
-static double foreseen(trend_t *trend, double now, double cycles) {
-    trend->fast += (now - trend->fast) / TREND;
-    trend->slow += (now - trend->slow) / (2 * TREND);
-    return fmax(now + (trend->fast - trend->slow) * (cycles / TREND), 0.0);
+// What a number will be when the tool has heard of it, if it is `now` and changes as it did: by
+// the difference of two means.
+static double foreseen(const planner_t *self, trend_t *trend, double now) {
+    const double cycles = planner_cycles(self, TREND);
+    trend->fast += (now - trend->fast) / cycles;
+    trend->slow += (now - trend->slow) / (2.0 * cycles);
+    return fmax(now + (trend->fast - trend->slow) * (late(self) / cycles), 0.0);
 }
 
 // On its way to `end` it does not go beyond.
@@ -124,8 +127,8 @@ static double follows(planner_t *self, const move_t *move) {
     const double base = base_of(self, move);
     const double now = self->wish.rps / base;
     const double end = told_at(&self->wish, self->told.place[NCK_AXIS_X]) / base;
-    const double then = foreseen(&self->override, now, late(self));
-    const double rps = foreseen(&self->spins, self->wish.rps, late(self));
+    const double then = foreseen(self, &self->override, now);
+    const double rps = foreseen(self, &self->spins, self->wish.rps);
     const int lags = fabs(now - end) > there * end;
     if (!lags || move->kind != MOVE_LINE) return up_to(now, then, end);
     double x;
@@ -176,13 +179,14 @@ void rates_hear(planner_t *self, const planner_wish_t *wish) {
     const int rests = (asked.feed_ppm == 0) != stands || (asked.rapid_ppm == 0) != (rapid == 0)
                       || (asked.speed_um_s == 0) != (speed == 0);
     self->calm++;
-    const uint32_t calm = nck_is_answering(&self->nck) ? PATIENCE : CALM;
+    const uint32_t calm = planner_cycles(self, nck_is_answering(&self->nck) ? PATIENCE : CALM);
     if (!rests && self->calm < calm) return;
     const uint32_t end = self->moves.next + (self->moves.part > 0);
     const uint32_t feed = bound ? override_of(self, end) : self->wanted;
     const int same = is_same(self, asked.feed_ppm, feed) && asked.rapid_ppm == rapid
                      && asked.speed_um_s == speed && (asked.feed_ppm == 0) == (feed == 0);
-    if (!same) self->pace += (fmin(self->calm, PACE_MOST) - self->pace) / PACES;
+    const double calm_most = planner_cycles(self, PACE_MOST);
+    if (!same) self->pace += (fmin(self->calm, calm_most) - self->pace) / PACES;
     if (!same || bound) self->calm = 0;
     if (same) return;
     nck_set_override(&self->nck, feed, rapid);
@@ -249,7 +253,7 @@ void rates_bound(planner_t *self, nck_block_in_t *block) {
     move->given = fmax(move->given, block->feed);
     if (!begins) return;
     if (move->per_rev) self->turned = self->wish.feed * self->wish.rps / base_of(self, move);
-    self->pace = CALM;
+    self->pace = planner_cycles(self, CALM);
     self->override = (trend_t){self->turned, self->turned};
     self->spins = (trend_t){self->wish.rps, self->wish.rps};
     nck_set_override(&self->nck, override_of(self, self->moves.next + 1), asked.rapid_ppm);

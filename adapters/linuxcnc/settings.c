@@ -274,12 +274,12 @@ int settings_read(settings_t *settings, const char *path, const settings_given_t
     settings->mm_per_unit = 1.0;
     settings->deg_per_unit = 1.0;
     settings->slope = NCK_SLOPE_JERK;
-    settings->budget = given->budget > 0 ? (uint32_t)given->budget : SETTINGS_BUDGET;
     settings->tolerance = 0.05;
     settings->jerk_given = given->jerk > 0;
     if (given->jerk < 0 || given->budget < 0) {
         return fail(why, "jerk=, budget=", "write numbers above zero");
     }
+    settings->budget = (uint32_t)given->budget;
     if (given->planner && !read_planner(settings, given->planner, why)) return 0;
     FILE *const file = path ? fopen(path, "r") : NULL;
     if (!file) return fail(why, path ? path : "no INI file", "start LinuxCNC with one");

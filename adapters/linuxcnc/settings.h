@@ -6,9 +6,14 @@
 #include <stddef.h> // size_t
 #include <stdint.h> // uint32_t
 
+#include "nck/nck.h" // NCK_PROFILE
+
 enum {
     SETTINGS_AXES = 9,    // X Y Z A B C U V W
-    SETTINGS_BUDGET = 48, // steps of preparation a cycle, where the INI says nothing
+    SETTINGS_SHORT = NCK_PROFILE > 1024, // 1: built for servo periods of less than 1 ms
+    // Steps of preparation a millisecond, where the INI says nothing; of the long window they are
+    // four times as long.
+    SETTINGS_BUDGET = SETTINGS_SHORT ? 20 : 48,
     SETTINGS_WHY = 256    // longest message
 };
 
@@ -18,7 +23,7 @@ typedef struct settings {
     double deg_per_unit;     // of A B C
     uint32_t axes;           // bit k: the machine has axis k
     uint32_t slope;          // nck_slope_kind_t
-    uint32_t budget;         // steps of preparation a cycle, 1 at least
+    uint32_t budget;         // steps of preparation a cycle; 0: SETTINGS_BUDGET a millisecond
     double tolerance;        // of a G64 without P [mm]
     uint32_t jerk_given;     // 1: by the command that loads the module: no move changes it
     double jerk[SETTINGS_AXES]; // [mm/s³, deg/s³]; 0: none

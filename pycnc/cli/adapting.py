@@ -15,11 +15,15 @@ Folder = Annotated[str, typer.Argument(metavar="FOLDER", help="Where to.")]
 
 
 @verb(linuxcnc, "linuxcnc build")
-def build(*, folder: Folder = "nck_tp"):
+def build(
+    *, folder: Folder = "nck_tp",
+    short_servo: Annotated[bool, typer.Option(
+        "--short-servo", help="For a servo period of less than 1 ms.")] = False,
+):  # fmt: skip
     """Compile the planner module for the LinuxCNC of this computer."""
     from pycnc import linuxcnc as adapter
 
-    print(adapter.build(folder))
+    print(adapter.build(folder, short_servo=short_servo))
     return GOOD
 
 

@@ -39,7 +39,7 @@ def _lay_out(folder):
     subprocess.run([sys.executable, generator, "--out", folder / "nck"], check=True)
 
 
-def build(folder, headers=None):
+def build(folder, headers=None, *, short_servo=False):
     """Compile the planner module for the LinuxCNC of this computer.
 
     Parameters
@@ -48,6 +48,8 @@ def build(folder, headers=None):
         Where to; it is made if it is not there. The sources stay in it.
     headers : path, optional
         Of the LinuxCNC that is to load it, where they are not the installed ones.
+    short_servo : bool
+        For a servo period of less than 1 ms: a longer window of speeds, in shorter steps.
 
     Returns
     -------
@@ -73,6 +75,7 @@ def build(folder, headers=None):
             )
     _lay_out(folder)
     others = [f"HEADERS={Path(headers).resolve()}"] if headers else []
+    others += ["SHORT_SERVO=1"] if short_servo else []
     done = subprocess.run(["make", "-s", "-C", folder, *others], capture_output=True, text=True)
     if done.returncode or not (folder / MODULE).is_file():
         raise errors.InternalError(f"{done.stderr.strip()}\nthe module does not compile")

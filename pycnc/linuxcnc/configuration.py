@@ -6,6 +6,7 @@ import re
 from pathlib import Path
 
 LETTERS = "XYZABCUVW"
+SERVO_NS = 990_000  # a shorter servo period wants another build
 RAMP_S = 0.1  # until an axis has its acceleration: what jerk is proposed
 
 
@@ -104,6 +105,12 @@ def look_at(text):
     joints = _joints(found, axes)
     if joints is None:
         notes.append("the kinematics are no trivkins: limits hold for axes, not for joints")
+    period_ns = _number(found, "EMCMOT", "SERVO_PERIOD")
+    if period_ns and period_ns < SERVO_NS:
+        notes.append(
+            f"[EMCMOT] SERVO_PERIOD = {period_ns:g}: pycnc linuxcnc build --short-servo, or "
+            "dense programs are slow"
+        )
     for axis in axes:
         for word in ("MAX_VELOCITY", "MAX_ACCELERATION"):
             if not _number(found, f"AXIS_{axis}", word):

@@ -80,7 +80,7 @@ MAY_INCLUDE = {
     "firmware_sim/host_serve": ("host_s", "inputs/inputs.h", "serve/serve.h", *DOORS),
     "firmware_sim/host_switches": ("host_s", "hal/input.h", *DOORS),
     "firmware_sim/sim": ("nck/", "sim", "app/", "os.h", "hal.h"),
-    "adapters/linuxcnc/": ("nck/nck.h", *HOST_OF_ADAPTER),
+    "adapters/linuxcnc/": ("nck/nck.h", "nck/nck_tools.h", *HOST_OF_ADAPTER),
     "tests/linuxcnc/": (),
     "tests/": ("nck/", "host/", "sim.h", "host_serve.h", "serve/", "check.h", "pace.h", "os/",
                  "board/", "app/", "hal/", "pulse/",

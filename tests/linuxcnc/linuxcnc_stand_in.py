@@ -113,9 +113,9 @@ def headers_with_jerk(folder):
     return folder
 
 
-def built_module(headers=None):
+def built_module(headers=None, *, short_servo=False):
     """Return the planner module of this tree, compiled once for all tests that load it."""
-    digest = hashlib.sha256(b"jerk" if headers else b"")
+    digest = hashlib.sha256(f"{bool(headers)} {short_servo}".encode())
     for pattern in ("csrc/nck/**/*.[ch]", "adapters/linuxcnc/*"):
         for path in sorted(ROOT.glob(pattern)):
             digest.update(path.read_bytes())
@@ -124,21 +124,22 @@ def built_module(headers=None):
     cached_first = {"PATH": f"{CACHED}:{os.environ['PATH']}"}
     with locked(folder), mock.patch.dict(os.environ, cached_first):
         module = folder / linuxcnc.MODULE
-        return module if module.exists() else linuxcnc.build(folder, headers)
+        return module if module.exists() else linuxcnc.build(
+            folder, headers, short_servo=short_servo)
 
 
 class StandIn:
     """The module and the stand-in, compiled into a folder; it needs LinuxCNC's headers.
 
-    tells_jerk: as LinuxCNC does from 2.10 on.
+    tells_jerk: as LinuxCNC does from 2.10 on; short_servo: as `build --short-servo` makes it.
     """
 
-    def __init__(self, folder, *, tells_jerk=False):
+    def __init__(self, folder, *, tells_jerk=False, short_servo=False):
         if not (HEADERS / "tp.h").is_file():
             pytest.skip("linuxcnc-uspace-dev is not installed")
         self.folder = Path(folder)
         headers = headers_with_jerk(self.folder / "headers") if tells_jerk else None
-        self.module = built_module(headers)
+        self.module = built_module(headers, short_servo=short_servo)
         self.columns = len(COLUMNS) + len(JERK_COLUMNS) * tells_jerk
         found = [f"-I{headers}", "-DTP_TAKES_JERK"] if tells_jerk else []
         self.program = self.folder / "stand_in"

@@ -66,6 +66,13 @@ def test_no_jerk_is_no_error_and_a_wrong_one_is(ini, jerk, code):
     assert ("nothing to add" in done.out) != bool(code)
 
 
+def test_a_short_servo_period_wants_a_build_of_its_own(ini):
+    text = Machine(traj="TPMOD = nck_tp").ini
+    for period_ns, noted in ((250_000, True), (1_000_000, False)):
+        done = pycnc("linuxcnc", "ini", ini(f"{text}[EMCMOT]\nSERVO_PERIOD = {period_ns}\n"))
+        assert ("build --short-servo" in done.out) == noted
+
+
 def test_what_an_ini_file_includes_counts(ini, tmp_path):
     whole = Machine(traj="TPMOD = nck_tp").ini
     at = whole.index("[AXIS_Y]")
