@@ -6,7 +6,7 @@ import random
 
 import numpy as np
 import pytest
-from linuxcnc_stand_in import BY_TICK, CYCLE_S, EVER, OWN, Machine, StandIn
+from linuxcnc_stand_in import BY_TICK, CYCLE_S, EVER, OWN, ROOT, Machine, StandIn
 
 WITHIN, EXACT = "term 2 0.01", "term 1 0"
 LINE, BEND = "line 80 100 0 0", "line 80 40 30 0"
@@ -222,6 +222,28 @@ def test_an_output_to_be_switched_off_waits_for_a_move_and_is_dropped_by_an_abor
     run = stand_in.run(["line 50 10 0 0", REST, "dout 3 0", "run 100", "abort", "line 50 20 0 0",
                         REST])  # fmt: skip
     assert run.told("dout") == []
+
+
+# What a stop takes
+
+
+def overtravels():
+    """Return what the page tells, [(feed, jerk, mm)]."""
+    page = (ROOT / "docs/linuxcnc.md").read_text(encoding="utf-8")
+    begin = page.index("| feed [mm/min] | own |")
+    lines = page[begin : page.index("\n\n", begin)].splitlines()[2:]
+    rows = [[float(word) for word in line.strip(" |").split("|")] for line in lines]
+    return [(feed, jerk, mm) for feed, _, slow, quick in rows
+            for jerk, mm in ((10_000, slow), (50_000, quick))]  # fmt: skip
+
+
+@pytest.mark.sample(30)
+@pytest.mark.parametrize("cycles", range(1000, 1500, 11))  # any moment on the way
+@pytest.mark.parametrize(("feed", "jerk", "told"), overtravels())
+def test_a_stop_overtravels_by_what_the_page_says(stand_in, feed, jerk, told, cycles):
+    script = [f"line {feed / 60} 300 0 0", f"run {cycles}", "abort", "rest 20000"]
+    x = stand_in.run(script, Machine(j=jerk)).places[:, 0]
+    assert 0.9 * told < x[-1] - x[cycles - 1] <= told + 0.0005
 
 
 # The servo period
