@@ -42,6 +42,13 @@ void board_end_in_fault(void) {
     board_exit(known ? BOARD_EXIT_NMI + (int)number - NMI : BOARD_EXIT_UNEXPECTED);
 }
 
+// errno of Newlib's mathematics, which lies in 1 KB of state of its streams otherwise.
+int *__errno(void);
+int *__errno(void) {
+    static int number = 0;
+    return &number;
+}
+
 // The stack may be what is broken: begin it anew. Nobody goes back.
 __attribute__((naked)) void board_fault(void) {
     __asm__ volatile("ldr r0, =board_stack_top\n"
