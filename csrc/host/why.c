@@ -312,8 +312,7 @@ static void follow(nck_host_why_t *self, const nck_cell_t *cell, double s_cell, 
     const double s_end = nck_cell_way(cell, to);
     double at = from;
     uint32_t line = line_at(self, s_cell + nck_cell_way(cell, from));
-    const uint32_t first = nck_marks_first(seg);
-    for (uint32_t k = first; k != first + nck_marks_count(seg); k++) {
+    for (uint32_t k = seg->mark; k != seg->mark + seg->marks; k++) {
         const double s = nck_marks_end(&self->link->marks, k) - s_cell;
         if (s >= s_end) break;
         if (s <= nck_cell_way(cell, at)) continue;

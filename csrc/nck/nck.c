@@ -95,7 +95,8 @@ static nck_status_t push_block(nck_t *nck, const nck_block_t *block) {
     const double before = nck->smooth.known;
     const nck_status_t status = nck_smooth_push(&nck->smooth, block, nck->wire.blocks);
     const double known = nck->smooth.known;
-    if (NCK_HAS_MARKS && known > before) nck_link_push_mark(&nck->link, block->line, known);
+    if (!NCK_HAS_MARKS) return status;
+    if (known > before) nck_link_push_mark(&nck->link, block->line, known);
     return status;
 }
 

@@ -44,10 +44,8 @@ void board_end_in_fault(void) {
 
 // errno of Newlib's mathematics, which lies in 1 KB of state of its streams otherwise.
 int *__errno(void);
-int *__errno(void) {
-    static int number = 0;
-    return &number;
-}
+static int error_number = 0;
+int *__errno(void) { return &error_number; }
 
 // The stack may be what is broken: begin it anew. Nobody goes back.
 __attribute__((naked)) void board_fault(void) {

@@ -38,8 +38,8 @@ def until(holds, limit_s):
 
 
 def is_idle():
-    """Return whether the program is at its end and the axes are at rest."""
-    done = status.state == linuxcnc.RCS_DONE and status.inpos
+    """Return whether the program has ended, or was refused, and the axes are at rest."""
+    done = status.state in (linuxcnc.RCS_DONE, linuxcnc.RCS_ERROR) and status.inpos
     return status.interp_state == linuxcnc.INTERP_IDLE and done
 
 
@@ -141,7 +141,8 @@ def main():
         time.sleep(SETTLE_S)
         sampler.terminate()
         sampler.wait()
-    print("end" if done else "late", file=sys.stderr, flush=True)
+    refused = status.state == linuxcnc.RCS_ERROR
+    print("end" if done and not refused else "late", file=sys.stderr, flush=True)
 
 
 main()

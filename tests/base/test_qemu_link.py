@@ -102,18 +102,21 @@ SWEEP_FAULTS = (OUTPUT_FIRST, NO_EXCHANGE, SAME_TAIL, NO_WAIT, NO_LOSS, ROOM)
 THREAD_FAULTS = (OUTPUT_FIRST, PLAIN_STORE, PLAIN_LOAD, FREE_FIRST, SAME_TAIL, NO_WAIT)
 
 
+GROUND = ("link.c", "marks.c")  # what the link calls
+
+
 def ground(folder, fault=None):
-    """Return the include folders and link.c: the real ones, or a copy with a fault."""
+    """Return the include folder and the link's sources: the real ones, or with a fault."""
     csrc = targets.ROOT / "csrc"
     if fault is None:
-        return [f"-I{csrc}", csrc / "nck" / "base" / "link.c"]
+        return [f"-I{csrc}", *(csrc / "nck" / "base" / name for name in GROUND)]
     copy = folder / "csrc"
     shutil.copytree(csrc / "nck" / "base", copy / "nck" / "base", dirs_exist_ok=True)
     file = copy / "nck" / "base" / fault.file
     text = file.read_text(encoding="utf-8")
     assert text.count(fault.was) >= 1, f"{fault.file} has nothing that can be changed so"
     file.write_text(text.replace(fault.was, fault.now), encoding="utf-8")
-    return [f"-I{copy}", copy / "nck" / "base" / "link.c"]
+    return [f"-I{copy}", *(copy / "nck" / "base" / name for name in GROUND)]
 
 
 def compile_c(compiler, options, sources, program):
@@ -202,7 +205,7 @@ def test_two_threads_catch_a_broken_link(tool, tmp_path, fault):
 def build_kernel(tool, folder, fault=None):
     """Build prep, tick and operator in three threads under the thread sanitizer."""
     csrc = targets.ROOT / "csrc"
-    includes = [*ground(folder, fault)[:-1], f"-I{csrc}", f"-I{targets.ROOT / 'firmware_sim'}"]
+    includes = [ground(folder, fault)[0], f"-I{csrc}", f"-I{targets.ROOT / 'firmware_sim'}"]
     options = ["-O1", "-g1", "-fsanitize=thread", *includes, "-pthread", "-lm"]
     sources = ["kernel_threads.c", "board_host.c", *sorted((csrc / "nck").rglob("*.c"))]
     program = folder / "kernel_threads"

@@ -101,7 +101,7 @@ def test_help_lists_what_an_option_takes(choices, names):
 
 def test_verbose_stands_only_where_more_is_told():
     has = [verb for verb in COMMANDS if "--verbose" in pycnc(*verb, "--help").out]
-    assert has == [("run",)]
+    assert has == [("check",), ("run",)]
     assert "note[" in pycnc("run", "-v", "-", stdin=b"G1 X1 F100\n").err
     assert "note[" not in pycnc("run", "-", stdin=b"G1 X1 F100\n").err
 

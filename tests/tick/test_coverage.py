@@ -16,7 +16,7 @@ import pytest
 pytestmark = pytest.mark.thorough
 
 TESTS = (
-    "pass", "link", "link_races", "interpolate", "transform", "filter", "path", "tick",
+    "pass", "link", "link_races", "marks", "interpolate", "transform", "filter", "path", "tick",
     "kernel", "begin", "flush", "survive", "travel", "single_block", "thread", "spindle",
     "ride", "link_join", "overlap_plan", "sync", "sync_tap", "stop",
 )  # fmt: skip
@@ -29,6 +29,7 @@ TICK_PATH = {
     "base/thread.c": None,
     "tick/7_transform/transform.c": None,
     "base/link.c": None,
+    "base/marks.c": {"nck_marks_line"},
     "base/path_math.h": {"nck_path_point", "nck_path_cubic"},
     "base/trig.c": {"nck_sincos"},
     "base/trig_math.h": {"nck_trig_sincos", "nck_sin_core", "nck_cos_core"},
@@ -68,7 +69,7 @@ def programs(root, tool, tmp_path_factory):
         counted = list(pool.map(compiled, [root / "csrc" / "nck" / name for name in COUNTED]))
     for path, program in files.items():
         if program == path.stem:  # it brings the source that it is about
-            run([clang, PROFILED, compiled(path), "-o", folder / program])
+            run([clang, PROFILED, compiled(path), folder / "marks.o", "-o", folder / program])
         elif not (folder / program).exists():
             c_tests.link_anew(program, counted, folder / program, clang, PROFILED)
     return {path.stem: folder / program for path, program in files.items()}

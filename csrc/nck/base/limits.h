@@ -248,8 +248,8 @@
 #define NCK_SPLINE_ROWS 1
 #endif
 // Marks of source lines along the path alive at once: two for each seg of the ring, 16 B each. Of
-// chords shorter than half a seg some are told as a neighbour once the ring is full. Power of two. A
-// window of less than 64, for 64 KB of RAM, has none: there the line of a seg is that of its begin.
+// chords shorter than half a seg some are told as a neighbour once the ring is full. Power of two.
+// A window of less than 64, for 64 KB of RAM, has none: there a seg is of the line of its begin.
 #if NCK_SMOOTH_SPAN > 0 && NCK_WINDOW >= 64
 #define NCK_HAS_MARKS 1
 #define NCK_MARK_MAX (4 * NCK_WINDOW)

@@ -50,7 +50,7 @@ uint32_t nck_link_cell_room(const nck_link_t *self) {
 // alone.
 void nck_link_push_mark(nck_link_t *self, uint32_t line, double s) {
     const int goes_round = self->seg_head >= NCK_SEG_MAX;
-    nck_marks_push(&self->marks, goes_round ? nck_marks_first(nck_link_seg_place(self)) : 0, line, s);
+    nck_marks_push(&self->marks, goes_round ? nck_link_seg_place(self)->mark : 0, line, s);
 }
 
 nck_status_t nck_link_push_seg(nck_link_t *self, const nck_seg_t *seg) {

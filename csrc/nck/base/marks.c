@@ -17,40 +17,29 @@ void nck_marks_push(nck_marks_t *self, uint32_t oldest, uint32_t line, double s)
     self->head++;
 }
 
-// The first of a seg's marks, and the last one.
-static void set_marks(nck_seg_t *seg, uint32_t first, uint32_t last) {
-#if NCK_HAS_MARKS
-    seg->mark = first;
-    seg->marks = last - first;
-#else
-    (void)seg;
-    (void)first;
-    (void)last;
-#endif
-}
-
 void nck_marks_tell(nck_marks_t *self, nck_seg_t *seg) {
     const double end = seg->s_begin + seg->length;
     const double begin = seg->s_begin + least(seg->s_begin);
     uint32_t last = 0;
     while (self->tail != self->head && self->at[place_of(self->tail)].s <= begin) self->tail++;
-    set_marks(seg, self->tail, self->tail);
+    seg->mark = self->tail;
+    seg->marks = 0;
     if (self->tail == self->head || !(seg->length > 0.0)) return;
     seg->line = self->at[place_of(self->tail)].line;
     last = self->tail;
     while (last + 1 != self->head && self->at[place_of(last)].s < end - least(end)) last++;
-    set_marks(seg, self->tail, last);
+    seg->marks = last - self->tail;
 }
 
 uint32_t nck_marks_line(const nck_marks_t *self, const nck_seg_t *seg, double s) {
     const double place = seg->s_begin + s;
     uint32_t low = 0;
-    uint32_t high = nck_marks_count(seg); // the way at `place` ends at this mark or before
+    uint32_t high = seg->marks; // the way at `place` ends at this mark or before
     if (high == 0u) return seg->line;
     while (low < high) {
         const uint32_t middle = (low + high) / 2u;
-        if (self->at[place_of(nck_marks_first(seg) + middle)].s < place) low = middle + 1u;
+        if (self->at[place_of(seg->mark + middle)].s < place) low = middle + 1u;
         else high = middle;
     }
-    return self->at[place_of(nck_marks_first(seg) + low)].line;
+    return self->at[place_of(seg->mark + low)].line;
 }

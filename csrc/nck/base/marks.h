@@ -34,15 +34,6 @@ void nck_marks_push(nck_marks_t *self, uint32_t oldest, uint32_t line, double s)
 // passes. Context: prep, before the tick sees the seg.
 void nck_marks_tell(nck_marks_t *self, nck_seg_t *seg);
 
-// A seg's first mark, and how many more lines begin in it. Cost: constant. Context: any.
-#if NCK_HAS_MARKS
-static inline uint32_t nck_marks_first(const nck_seg_t *seg) { return seg->mark; }
-static inline uint32_t nck_marks_count(const nck_seg_t *seg) { return seg->marks; }
-#else
-static inline uint32_t nck_marks_first(const nck_seg_t *seg) { return 0u * seg->seq; }
-static inline uint32_t nck_marks_count(const nck_seg_t *seg) { return 0u * seg->seq; }
-#endif
-
 // Where the way of a mark's line ends, and the line behind it. Cost: constant. Context: any.
 static inline double nck_marks_end(const nck_marks_t *self, uint32_t count) {
     return self->at[count & (NCK_MARK_MAX - 1)].s;

@@ -187,10 +187,8 @@ typedef struct nck_seg {
     uint8_t rapid;       // 1: G0
     uint8_t stop;        // 1: exact stop at the end
     uint8_t keeps;       // nck_keep_t
-#if NCK_HAS_MARKS
     uint32_t mark;       // its first mark (marks.h)
     uint32_t marks;      // so many more lines begin in it
-#endif
     double start[NCK_AXIS_MAX]; // pose at s = 0 [mm, deg]
     double end[NCK_AXIS_MAX];   // pose at s = length [mm, deg]
     double length;       // range of s [path mm]: path length (spline: that of the programmed path

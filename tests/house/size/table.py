@@ -140,7 +140,8 @@ def measure_structs(set_name):
 def measure_stack(core, image):
     """Return {public function: deepest stack in bytes}."""
     graph = stack.CallGraph(objects(core, "nck_called").values(), image)
-    return {name: graph.depth(name) for name in stack.entry_points(CSRC / "nck" / "nck.h")}
+    doors = [CSRC / "nck" / name for name in ("nck.h", "nck_session.h")]
+    return {name: graph.depth(name) for door in doors for name in stack.entry_points(door)}
 
 
 def measure_instructions(core, name, slope):
