@@ -50,16 +50,6 @@ nck_status_t nck_call_return(nck_decode_t *self) {
 
 // ---- words
 
-nck_status_t nck_decode_whole(nck_decode_t *self, char letter, int64_t most, int64_t otherwise,
-                              int64_t *out) {
-    const nck_number_t *const word = &self->words.number[letter - 'A'];
-    *out = otherwise;
-    if (!(self->words.letters & NCK_LETTER(letter))) return NCK_OK;
-    if (nck_number_whole(word, 0, out) && *out >= 0 && *out <= most) return NCK_OK;
-    return nck_decode_fail_word(self, NCK_E_NUMBER_RANGE, letter, nck_number_real(word),
-                                (double)most);
-}
-
 // P: the program; L: how often. Fanuc writes both into P: 0031000 is three times 1000.
 static nck_status_t read_target(nck_decode_t *self, int64_t *program, int64_t *count) {
     const int fanuc = self->machine->dialect.base == NCK_DIALECT_FANUC;

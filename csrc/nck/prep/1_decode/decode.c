@@ -137,6 +137,20 @@ static nck_status_t rest(nck_decode_t *self, nck_block_t *out) {
     }
 }
 
+// G28 and G30 move; the others of their group do not.
+static nck_status_t offset(nck_decode_t *self, nck_block_t *out) {
+    const uint16_t code = self->words.code[NCK_STEP_OFFSET];
+    if (code == 280 || code == 300) return nck_decode_reference(self, out);
+    return nck_decode_offset(self);
+}
+
+// Where the program ends, what follows is looked at.
+static nck_status_t stop(nck_decode_t *self, nck_block_t *out) {
+    const nck_status_t status = nck_decode_stop(self, out);
+    if (status == NCK_OK && out->kind == NCK_BLOCK_END) nck_decode_watch(self);
+    return status;
+}
+
 // Do the steps of the line until one gives a block.
 static nck_status_t run_steps(nck_decode_t *self, nck_block_t *out) {
     static const nck_step_function_t steps[NCK_STEP_COUNT] = {
@@ -145,8 +159,8 @@ static nck_status_t run_steps(nck_decode_t *self, nck_block_t *out) {
         nck_decode_state, nck_decode_mist, nck_decode_flood, nck_decode_override, nck_decode_own,
         nck_decode_dwell, nck_decode_plane, nck_decode_diameter, nck_decode_comp, nck_decode_length,
         nck_decode_work, nck_decode_path, nck_decode_distance, nck_decode_centre,
-        nck_decode_retract, nck_decode_layout, nck_decode_offset, nothing, nothing,
-        nck_decode_motion, rest, nck_decode_call, nck_decode_stop
+        nck_decode_retract, nck_decode_layout, offset, nothing, nothing,
+        nck_decode_motion, rest, nck_decode_call, stop
     };
     nck_status_t status = NCK_EMPTY;
     unsigned step = 0;

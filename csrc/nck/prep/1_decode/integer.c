@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Numbers without a point in Fanuc's language: units, or least increments (IS-B).
+// Whole numbers, and those without a point in Fanuc's language: units, or least increments (IS-B).
 //
 //     X100.  100 mm           X100  100 mm, or 0.1 mm; of 0 nobody asks
 #include "nck/prep/1_decode/integer.h"
@@ -99,4 +99,14 @@ nck_status_t nck_decode_plain_word(nck_decode_t *self, int letter, double *value
     *value_out = whole ? value * unit : value;
     if (!whole || unit > 0.0) return NCK_OK;
     return nck_decode_fail_word(self, NCK_E_SCALE_UNIT, letter, value, 0.0);
+}
+
+nck_status_t nck_decode_whole(nck_decode_t *self, char letter, int64_t most, int64_t otherwise,
+                              int64_t *out) {
+    const nck_number_t *const word = &self->words.number[letter - 'A'];
+    *out = otherwise;
+    if (!(self->words.letters & NCK_LETTER(letter))) return NCK_OK;
+    if (nck_number_whole(word, 0, out) && *out >= 0 && *out <= most) return NCK_OK;
+    return nck_decode_fail_word(self, NCK_E_NUMBER_RANGE, letter, nck_number_real(word),
+                                (double)most);
 }

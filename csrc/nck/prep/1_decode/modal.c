@@ -290,7 +290,5 @@ nck_status_t nck_decode_stop(nck_decode_t *self, nck_block_t *out) {
         self->text.over = 1;
         self->text.watch = 1;
     }
-    const nck_status_t status = nck_decode_give_output(self, kind, NCK_OUTPUT_M, code / 10, out);
-    if (kind == NCK_BLOCK_END) nck_decode_watch(self);
-    return status;
+    return nck_decode_give_output(self, kind, NCK_OUTPUT_M, code / 10, out);
 }

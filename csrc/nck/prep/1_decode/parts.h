@@ -158,7 +158,7 @@ nck_status_t nck_decode_control(nck_decode_t *self, const char **at);
 // oword.c: an O word. Cost: linear in the line.
 nck_status_t nck_decode_o_word(nck_decode_t *self, const char **at);
 
-// call.c: a whole number of a word within 0 … most; without the word `otherwise`.
+// integer.c: a whole number of a word within 0 … most; without the word `otherwise`.
 // NCK_E_NUMBER_RANGE.
 nck_status_t nck_decode_whole(nck_decode_t *self, char letter, int64_t most, int64_t otherwise,
                               int64_t *out);
@@ -345,7 +345,7 @@ nck_status_t nck_decode_comp_refuses(nck_decode_t *self);
 // place.c: offsets.
 nck_status_t nck_decode_length(nck_decode_t *self, nck_block_t *out);
 nck_status_t nck_decode_work(nck_decode_t *self, nck_block_t *out);
-nck_status_t nck_decode_offset(nck_decode_t *self, nck_block_t *out);
+nck_status_t nck_decode_offset(nck_decode_t *self);
 
 // turned.c: the origin from its parts, after a change of one. Cost: constant.
 void nck_decode_origin(nck_decode_t *self);

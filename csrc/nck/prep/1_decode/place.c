@@ -287,11 +287,9 @@ static nck_status_t set_data(nck_decode_t *self) {
     return status == NCK_OK ? NCK_EMPTY : status;
 }
 
-nck_status_t nck_decode_offset(nck_decode_t *self, nck_block_t *out) {
+nck_status_t nck_decode_offset(nck_decode_t *self) {
     nck_status_t status = NCK_EMPTY;
     switch (self->words.code[NCK_STEP_OFFSET]) {
-    case 280:
-    case 300: return nck_decode_reference(self, out);
     case 281:
     case 301: // here
         memcpy(self->place.home_nm[self->words.code[NCK_STEP_OFFSET] == 301],

@@ -4,7 +4,7 @@
 // In a session whoever watches the probe stops them (nck_stop_at) and tells where.
 #include "nck/prep/1_decode/parts.h"
 
-#include <string.h> // memcmp memcpy
+#include <string.h> // memcmp
 
 static nck_status_t fail(nck_decode_t *self, nck_status_t code, int letter, double value) {
     return nck_decode_fail_step(self, code, NCK_STEP_MOTION, letter, value, 0.0);
@@ -50,15 +50,5 @@ nck_status_t nck_decode_probe(nck_decode_t *self, nck_block_t *out) {
     if (status == NCK_OK) status = nck_parameter_set_probe(self, touches);
     if (status < NCK_OK) self->modal.motion = NCK_MOTION_REFUSED; // one mistake, one finding
     else if (code == NCK_MOTION_SKIP) self->modal.motion = before;
-    return status;
-}
-
-nck_status_t nck_decode_probed(nck_decode_t *self, const int64_t *at_nm) {
-    int64_t stands_nm[NCK_AXIS_MAX];
-    if (!NCK_HAS_CYCLES) return NCK_E_UNSUPPORTED;
-    memcpy(stands_nm, self->place.position_nm, sizeof stands_nm);
-    if (at_nm) memcpy(self->place.position_nm, at_nm, sizeof stands_nm);
-    const nck_status_t status = nck_parameter_set_probe(self, at_nm != NULL);
-    memcpy(self->place.position_nm, stands_nm, sizeof stands_nm);
     return status;
 }

@@ -3,7 +3,7 @@
 // what it makes of a line.
 #include "nck/prep/1_decode/session.h"
 
-#include <string.h> // memset
+#include <string.h> // memcpy memset
 
 #include "nck/prep/1_decode/decode.h" // nck_decode_t
 #include "nck/prep/1_decode/parts.h"
@@ -27,6 +27,16 @@ nck_status_t nck_decode_leave_nothing(nck_decode_t *self) {
     self->session.passes = 1;
     self->text.quick = 0; // its modes are to be kept
     return NCK_OK;
+}
+
+nck_status_t nck_decode_probed(nck_decode_t *self, const int64_t *at_nm) {
+    int64_t stands_nm[NCK_AXIS_MAX];
+    if (!NCK_HAS_CYCLES) return NCK_E_UNSUPPORTED;
+    memcpy(stands_nm, self->place.position_nm, sizeof stands_nm);
+    if (at_nm) memcpy(self->place.position_nm, at_nm, sizeof stands_nm);
+    const nck_status_t status = nck_parameter_set_probe(self, at_nm != NULL);
+    memcpy(self->place.position_nm, stands_nm, sizeof stands_nm);
+    return status;
 }
 
 void nck_decode_name_line(nck_decode_t *self, uint32_t name) { self->line.number = name - 1; }
