@@ -11,7 +11,8 @@ int nck_decode_letter(unsigned axis) {
     return letters[axis];
 }
 
-double nck_decode_shown(const nck_decode_t *self, unsigned axis, int64_t value_nm) {
+// A value as it is told [mm] or [deg].
+static double shown(const nck_decode_t *self, unsigned axis, int64_t value_nm) {
     const int rotary = (self->place.rotary >> axis & 1u) != 0;
     return (double)value_nm / (rotary ? NCK_COUNTS_PER_DEG : NCK_COUNTS_PER_MM);
 }
@@ -88,8 +89,7 @@ nck_status_t nck_decode_travel(nck_decode_t *self, unsigned axis, int64_t positi
     if (position_nm >= travel->min_nm && position_nm <= travel->max_nm) return NCK_OK;
     const int64_t limit_nm = position_nm < travel->min_nm ? travel->min_nm : travel->max_nm;
     return nck_decode_fail(self, NCK_E_TRAVEL, column_of_axis(self, axis), nck_decode_letter(axis),
-                           nck_decode_shown(self, axis, position_nm),
-                           nck_decode_shown(self, axis, limit_nm));
+                           shown(self, axis, position_nm), shown(self, axis, limit_nm));
 }
 
 void nck_decode_scale(nck_decode_t *self) {

@@ -24,7 +24,8 @@ int nck_decode_turns(const nck_decode_t *self) {
            && (self->modal.surface_on ? self->modal.surface : self->modal.speed) > 0.0;
 }
 
-void nck_decode_spin(const nck_decode_t *self, nck_block_t *out) {
+// How a block has the spindle.
+static void spin(const nck_decode_t *self, nck_block_t *out) {
     if (!nck_decode_turns(self)) return;
     out->spindle_rpm = self->modal.surface_on ? nck_decode_speed_most(self) : self->modal.speed;
     out->surface = self->modal.surface_on ? self->modal.surface : 0.0;
@@ -55,7 +56,7 @@ void nck_decode_block(const nck_decode_t *self, nck_block_kind_t kind, nck_block
     memcpy(out->tool_nm, self->place.tool_nm, sizeof out->tool_nm);
     for (unsigned axis = 0; axis < 3; axis++) out->target_nm[axis] -= out->tool_nm[axis];
     clear(out);
-    if (nck_decode_turns(self)) nck_decode_spin(self, out);
+    if (nck_decode_turns(self)) spin(self, out);
     out->kind = (uint8_t)kind;
     out->plane = self->modal.plane;
     out->tolerance_mm = self->modal.tolerance_mm;

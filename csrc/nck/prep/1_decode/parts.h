@@ -82,9 +82,6 @@ int nck_decode_letter(unsigned axis);
 // axis.c: the word of an axis, [nm] or [ndeg]; NCK_E_NUMBER_RANGE. Cost: constant.
 nck_status_t nck_decode_axis_word(nck_decode_t *self, unsigned axis, int64_t *value_out);
 
-// axis.c: a value as it is told [mm] or [deg]. Cost: constant.
-double nck_decode_shown(const nck_decode_t *self, unsigned axis, int64_t value_nm);
-
 // target.c: the machine position that the axis words name; axes without a word stay. absolute: 1:
 // words count from the machine's zero (G53). NCK_E_NUMBER_RANGE. Cost: constant.
 nck_status_t nck_decode_target(nck_decode_t *self, int absolute, int64_t *target_nm);
@@ -257,10 +254,9 @@ nck_status_t nck_decode_speed_limit(nck_decode_t *self);
 // spindle.c: a speed [rpm], which ends G96. Cost: constant.
 nck_status_t nck_decode_set_speed(nck_decode_t *self, double value, nck_block_t *out);
 
-// output.c: the most under G96 [rpm], 0: none; 1 if the spindle turns; how a block has it.
+// output.c: the most under G96 [rpm], 0: none; 1 if the spindle turns. Cost: constant.
 double nck_decode_speed_most(const nck_decode_t *self);
 int nck_decode_turns(const nck_decode_t *self);
-void nck_decode_spin(const nck_decode_t *self, nck_block_t *out);
 
 // output.c: a block that hands something over.
 nck_status_t nck_decode_give_output(const nck_decode_t *self, nck_block_kind_t block,
