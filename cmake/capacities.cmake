@@ -35,10 +35,13 @@ set(NCK_CAPACITY_HOST
 # Sources that no ordinary line needs, or a rare one: on a microcontroller small before fast.
 set(NCK_RARE_SOURCES
     base/link_invariants base/machine base/thread front prep/3_smooth/divide prep/5_slope/terms)
-foreach(name IN ITEMS argument bits block_in call comp contour control corner cycle entry expression
-        fillet finding follow foreign integer jump knots lathe layout level oword place port power
-        printer probe profile rough sign source spindle spline state system table tap thread tool
-        turn variables)
+foreach(name IN ITEMS state/finding state/variables number/bits number/integer number/power
+        tongue/foreign tongue/printer tongue/turning modal/port modal/spindle place/comp
+        place/layout place/place place/table place/tool macro/argument macro/call macro/control
+        macro/expression macro/jump macro/keep macro/oword macro/sign macro/system motion/corner
+        motion/fillet motion/knots motion/probe motion/spline motion/tap motion/thread
+        lathe/contour lathe/follow lathe/level lathe/profile lathe/rough lathe/turn cycle/cycle
+        line/block_in entry source)
     list(APPEND NCK_RARE_SOURCES prep/1_decode/${name})
 endforeach()
 foreach(name IN ITEMS clear contour entry give join judge level pieces ring shape toolcomp

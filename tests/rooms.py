@@ -33,7 +33,7 @@ FAULTS = {
     "house": Fault("csrc/nck/base/status.c", "// SPDX-License-Identifier: MIT", "// Status."),
     "base": Fault("csrc/nck/base/link.c", "return NCK_CELL_MAX - used;",
                   "return NCK_CELL_MAX + 1 - used;"),
-    "decode": Fault("csrc/nck/prep/1_decode/number.c", "    out->negative = *at == '-';",
+    "decode": Fault("csrc/nck/prep/1_decode/number/number.c", "    out->negative = *at == '-';",
                     "    out->negative = *at == '+';"),
     "toolcomp": Fault("csrc/nck/prep/2_toolcomp/shape.c",
                       "{ return self->sweep < 0.0 ? -1.0 : 1.0; }",

@@ -32,7 +32,7 @@ extern "C" {
 #include "nck/base/sized.h"             // NCK_SIZED NCK_VERSION
 #include "nck/base/source.h"            // nck_source_t
 #include "nck/base/status.h"            // nck_status_t nck_diagnostic_t
-#include "nck/prep/1_decode/block_in.h" // nck_block_in_t
+#include "nck/prep/1_decode/state/block_in.h" // nck_block_in_t
 
 // The kernel: nck_memory.h has what is in it.
 typedef struct nck nck_t;

@@ -2,7 +2,7 @@
 // Room 1: blocks that come without text, and texts that end without M2.
 #include <math.h> // INFINITY NAN
 
-#include "nck/prep/1_decode/parts.h" // nck_decode_block_good
+#include "nck/prep/1_decode/line/line.h" // nck_decode_block_good
 #include "told_check.h"
 
 static told_t self;

@@ -4,7 +4,7 @@
 #include <stdio.h>  // snprintf
 
 #include "check.h"
-#include "nck/prep/1_decode/number.h" // nck_number_read
+#include "nck/prep/1_decode/number/number.h" // nck_number_read
 
 static const nck_scale_t mm = {10, 5, 1000000000000};
 static const nck_scale_t inch = {254, 5, 1000000000000};

@@ -136,10 +136,16 @@ def complexity(name):
 
 
 def call_graph(names):
-    """Return {file: files whose functions it calls}; a header and its source are one file."""
-    texts = {name: without_comments(read(name)) for name in names}
+    """Return {file: files whose functions it calls}; a header and its source are one file.
+
+    The face of a folder (number/number.h) tells of all its files, and is one by itself.
+    """
+    is_face = re.compile(r"(?:^|/)(\w+)/\1\.h$")
+    file_of = {name: name if is_face.search(name) else name.rsplit(".", 1)[0] for name in names}
+    told = re.compile(r"^[a-z][\w *]*\([^;{}]*\);", re.M)  # which calls nobody
+    texts = {name: told.sub("", without_comments(read(name))) for name in names}
     home = {
-        function: name.rsplit(".", 1)[0]
+        function: file_of[name]
         for name in names
         for function, *_ in c_functions(read(name))
         if function.startswith("nck_")
@@ -147,7 +153,7 @@ def call_graph(names):
     graph = {}
     for name, text in texts.items():
         called = set(re.findall(r"\b(nck_\w+)\s*\(", text)) & home.keys()
-        graph.setdefault(name.rsplit(".", 1)[0], set()).update(home[call] for call in called)
+        graph.setdefault(file_of[name], set()).update(home[call] for call in called)
     return graph
 
 

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
 // A program's beginning: what is in force before its first line, and where the axes stand.
 #include "nck/prep/1_decode/decode.h"
-#include "nck/prep/1_decode/parts.h"
+#include "nck/prep/1_decode/state/state.h" // nck_variable_restart
+#include "nck/prep/1_decode/number/number.h" // nck_decode_scale
+#include "nck/prep/1_decode/tongue/tongue.h" // nck_lathe_is_a nck_lathe_speaks_fanuc
+#include "nck/prep/1_decode/place/place.h" // nck_decode_origin
 
 #include <string.h> // memcpy memset
 

@@ -2,8 +2,12 @@
 // Beginning at a line in the middle: what stands before it is decoded; of its blocks only those of
 // the path are handed over, for 2_toolcomp follows the tool's centre along it. Then the way in, and
 // on it the tool, the spindle and the coolant that are in force there.
-#include "nck/prep/1_decode/jump.h"
+#include "nck/prep/1_decode/decode.h"
 #include "nck/prep/1_decode/parts.h"
+#include "nck/prep/1_decode/state/state.h" // nck_decode_block nck_decode_fail nck_decode_give_m …
+#include "nck/prep/1_decode/number/number.h" // nck_decode_letter
+#include "nck/prep/1_decode/place/place.h" // nck_decode_origin
+#include "nck/prep/1_decode/macro/macro.h" // nck_call_level
 
 #include <string.h> // memcmp memcpy
 

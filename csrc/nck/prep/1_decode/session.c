@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 // A session: how it begins, what it is told between lines, and what of it is dropped. decode.c has
 // what it makes of a line.
-#include "nck/prep/1_decode/session.h"
+#include "nck/prep/1_decode/decode.h"
+#include "nck/prep/1_decode/parts.h"
+#include "nck/prep/1_decode/state/state.h" // nck_spline_break
+#include "nck/prep/1_decode/macro/macro.h" // nck_parameter_set_probe
 
 #include <string.h> // memcpy memset
-
-#include "nck/prep/1_decode/decode.h" // nck_decode_t
-#include "nck/prep/1_decode/parts.h"
 
 void nck_session_go_back(nck_decode_t *self) {
     const uint8_t complete = self->text.complete; // may have come meanwhile

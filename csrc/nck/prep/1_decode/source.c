@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Text becomes lines: what is pushed, and what the room reads itself, also from another place.
+#include "nck/prep/1_decode/decode.h"
 #include "nck/prep/1_decode/parts.h"
+#include "nck/prep/1_decode/state/state.h" // nck_decode_assume
 
 #include <assert.h> // assert
 #include <string.h> // memchr memcpy

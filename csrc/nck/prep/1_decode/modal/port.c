@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: MIT
+// Outputs and inputs of RS274NGC: M62 … M68. They are handed over in their place in the program.
+#include "nck/prep/1_decode/modal/modal.h"
+#include "nck/prep/1_decode/state/state.h" // nck_decode_fail_step nck_decode_fail_word …
+#include "nck/prep/1_decode/number/number.h" // nck_decode_whole nck_number_real
+
+enum {
+    PORT_MOST = 63, ANALOGUE_MOST = 15, WAIT_KINDS = 4, PER_KIND = 100, PER_ANALOGUE = 1000
+};
+
+static const double value_most = NCK_DECODE_VALUE_MAX;
+
+static int has(const nck_decode_t *self, char letter) {
+    return (self->words.letters & NCK_LETTER(letter)) != 0;
+}
+
+static double code_of(const nck_decode_t *self) { return self->words.code[NCK_STEP_PORT] / 10.0; }
+
+static nck_status_t fail_missing(nck_decode_t *self, char letter) {
+    return nck_decode_fail_step(self, NCK_E_WORD_MISSING, NCK_STEP_PORT, letter, code_of(self),
+                                0.0);
+}
+
+static nck_status_t read_port(nck_decode_t *self, char letter, uint32_t *port_out) {
+    int64_t port = 0;
+    if (!has(self, letter)) return fail_missing(self, letter);
+    const int64_t most = letter == 'P' ? PORT_MOST : ANALOGUE_MOST;
+    const nck_status_t status = nck_decode_whole(self, letter, most, 0, &port);
+    *port_out = (uint32_t)port;
+    return status;
+}
+
+static nck_status_t read_real(nck_decode_t *self, char letter, double least, double *value_out) {
+    *value_out = has(self, letter) ? nck_number_real(&self->words.number[letter - 'A']) : 0.0;
+    if (*value_out >= least && *value_out <= value_most) return NCK_OK;
+    return nck_decode_fail_word(self, NCK_E_NUMBER_RANGE, letter, *value_out, value_most);
+}
+
+static nck_status_t give(nck_decode_t *self, nck_output_kind_t kind, uint32_t number, double value,
+                         nck_block_t *out) {
+    (void)nck_decode_give_output(self, NCK_BLOCK_OUTPUT, kind, value, out);
+    out->output.number = number;
+    return NCK_OK;
+}
+
+// A wait has an end, and is for a digital input.
+static nck_status_t check_wait(nck_decode_t *self, char letter, int64_t kind, double most_s) {
+    if (!(most_s > 0.0)) return fail_missing(self, 'Q');
+    if (letter == 'P') return NCK_OK;
+    return nck_decode_fail_word(self, NCK_E_NUMBER_RANGE, 'L', (double)kind, 0.0);
+}
+
+// M66: the program waits there for an input, L0: it does not.
+static nck_status_t read_input(nck_decode_t *self, nck_block_t *out) {
+    const char letter = has(self, 'E') ? 'E' : 'P';
+    uint32_t port = 0;
+    int64_t kind = 0;
+    double most_s = 0.0;
+    if (has(self, 'E') && has(self, 'P')) {
+        return nck_decode_fail_word(self, NCK_E_WORD_SHARED, 'E', 0.0, 0.0);
+    }
+    nck_status_t status = read_port(self, letter, &port);
+    if (status == NCK_OK) status = nck_decode_whole(self, 'L', WAIT_KINDS, 0, &kind);
+    if (status == NCK_OK) status = read_real(self, 'Q', 0.0, &most_s);
+    if (status == NCK_OK && kind > 0) status = check_wait(self, letter, kind, most_s);
+    if (status != NCK_OK) return status;
+    port += (uint32_t)kind * PER_KIND + (letter == 'E' ? PER_ANALOGUE : 0);
+    status = give(self, NCK_OUTPUT_INPUT, port, most_s, out);
+    if (kind > 0) out->kind = NCK_BLOCK_WAIT;
+    return status;
+}
+
+nck_status_t nck_decode_port(nck_decode_t *self, nck_block_t *out) {
+    const uint16_t code = self->words.code[NCK_STEP_PORT];
+    uint32_t port = 0;
+    double value = 0.0;
+    if (code == 660) return read_input(self, out);
+    const int analogue = code >= 670;
+    nck_status_t status = read_port(self, analogue ? 'E' : 'P', &port);
+    if (status == NCK_OK && analogue && !has(self, 'Q')) status = fail_missing(self, 'Q');
+    if (status == NCK_OK && analogue) status = read_real(self, 'Q', -value_most, &value);
+    if (status != NCK_OK) return status;
+    if (analogue) return give(self, NCK_OUTPUT_ANALOGUE, port, value, out);
+    return give(self, NCK_OUTPUT_DIGITAL, port, code == 620 || code == 640 ? 1.0 : 0.0, out);
+}

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+// What the files of this wing call of each other, and nobody else. Context of all: prep.
+#ifndef NCK_PREP_DECODE_MOTION_PARTS_H
+#define NCK_PREP_DECODE_MOTION_PARTS_H
+
+#include "nck/prep/1_decode/motion/motion.h"
+
+// ---- arc.c
+
+// The arc to a machine position; a second part of it goes to self->second. pushed: the block that
+// says centre and turns, NULL: words do. Cost: constant.
+nck_status_t nck_decode_arc(nck_decode_t *self, const nck_block_in_t *pushed,
+                            const int64_t *target_nm, nck_block_t *out);
+
+// ---- motion.c
+
+// Straight on to a machine place, as G0 or G1, taken as reached. NCK_E_TRAVEL, and as
+// nck_decode_cutting_feed. Cost: constant.
+nck_status_t nck_decode_straight(nck_decode_t *self, nck_block_kind_t kind,
+                                 const int64_t *target_nm, nck_block_t *out);
+
+// ---- knots.c
+
+// A line of G6.2: a knot, and a point or not. NCK_OK; NCK_DONE: it was the last one; NCK_E_SPLINE,
+// NCK_E_CONTOUR_FULL, NCK_E_SCALE_UNIT, and as nck_decode_cycle_fits. Cost: linear in the points.
+nck_status_t nck_decode_knots(nck_decode_t *self);
+
+#endif
