@@ -7,6 +7,8 @@ import ast
 import re
 import subprocess
 import sys
+from collections import Counter
+from functools import cache
 from pathlib import Path
 
 import pytest
@@ -19,6 +21,7 @@ from house import (
     PYTHON_FILES,
     ROOT,
     SOURCES,
+    c_functions,
     call_graph,
     circles,
     of_each,
@@ -32,6 +35,12 @@ ROOMS = (
     "prep/1_decode", "prep/2_toolcomp", "prep/3_smooth", "prep/4_lookahead", "prep/5_slope",
     "tick/6_interpolate", "tick/7_transform",
 )  # fmt: skip
+# The wings of room 1: each may call those before it, by their faces, and all know the room's state.
+DECODE = "nck/prep/1_decode/"
+WINGS = (
+    "state", "number", "tongue", "modal", "place", "macro", "motion", "lathe", "cycle", "line",
+)  # fmt: skip
+FACES = tuple(f"{DECODE}{wing}/{wing}.h" for wing in WINGS)
 EXTRAS = ("typer", "rich", "pydantic", "matplotlib", "pyarrow", "pyopencl")
 # The rooms of pycnc: each may import those before it.
 PYTHON_ROOMS = (
@@ -59,6 +68,10 @@ DOORS = ("nck/nck.h", "nck/nck_session.h", "nck/nck_memory.h")
 MAY_INCLUDE = {
     "csrc/nck/base/": ("nck/base/",),
     **{f"csrc/nck/{room}/": ("nck/base/", f"nck/{room}/") for room in ROOMS},
+    f"csrc/{DECODE}": ("nck/base/", f"{DECODE}decode.h", f"{DECODE}parts.h",
+                       f"{DECODE}state/room.h", *FACES),
+    **{f"csrc/{DECODE}{wing}/": ("nck/base/", f"{DECODE}state/", f"{DECODE}{wing}/", *FACES[:k])
+       for k, wing in enumerate(WINGS)},
     "csrc/nck/nck.": ("nck/",),
     "csrc/nck/nck_": ("nck/",),
     "csrc/nck/front.": ("nck/nck_tools.h", "nck/base/"),
@@ -125,6 +138,54 @@ def test_a_formula_header_has_formulas_only(name):
 
 def test_files_of_the_core_do_not_call_in_circles():
     assert circles(call_graph(CORE)) == []
+
+
+def wing_of(path):
+    """Return the place of a path's wing in WINGS; the room's door stands behind them all."""
+    folder = path.removeprefix(f"csrc/{DECODE}").rpartition("/")[0]
+    return WINGS.index(folder) if folder else len(WINGS)
+
+
+IN_DECODE = [name for name in CORE if name.startswith(f"csrc/{DECODE}")]
+
+
+def test_a_wing_calls_those_before_it():
+    graph = call_graph(IN_DECODE)
+    arrows = [(one, other) for one, needs in graph.items() for other in needs]
+    assert {wing_of(one) for one, _ in arrows} == set(range(len(WINGS) + 1))
+    assert [(one, other) for one, other in arrows if wing_of(one) < wing_of(other)] == []
+
+
+@cache
+def of_decode():
+    """Return {file: (how often it has each word, functions that it defines)} of room 1."""
+    found = {}
+    for name in IN_DECODE:
+        defined = {function for function, *_ in c_functions(read(name))}
+        found[name] = Counter(re.findall(r"\w+", without_comments(read(name)))), defined
+    return found
+
+
+def callers(function, header):
+    """Return the files that call a function: not the one that has it, nor the header that tells it.
+
+    An inline function of the header calls it for whoever includes that.
+    """
+    return [name for name, (words, defined) in of_decode().items()
+            if words[function] > (name == header)
+            and (function not in defined or name == header)]  # fmt: skip
+
+
+@of_each([n for n in IN_DECODE if n.removeprefix("csrc/") in FACES or n.endswith("/parts.h")])
+def test_a_face_tells_what_other_wings_call_and_parts_what_none_does(name):
+    text = without_comments(read(name))
+    told = re.findall(r"^(?!static )[a-z][\w ]*?[ *]+(nck_\w+)\(", text, re.M)
+    assert told
+    is_face = name.removeprefix("csrc/") in FACES
+    for function in told:
+        users = callers(function, name)
+        beyond = [user for user in users if wing_of(user) != wing_of(name) or user == name]
+        assert users and bool(beyond) == is_face, f"{function}: called by {users}"
 
 
 @of_each(CORE)
