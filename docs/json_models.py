@@ -85,11 +85,12 @@ class Time(Program):
 
 
 class Peak(Model):
-    """Largest values over their limits: 1 is at the limit."""
+    """Largest values over their limits: 1 is at the limit. Where another control plans, of its own
+    limits: of jerk there is none."""
 
     v: float | None = _is("speed; the path has none", default=None)
-    a: float = _is("acceleration")
-    j: float = _is("jerk")
+    a: float | None = _is("acceleration", default=None)
+    j: float | None = _is("jerk", default=None)
 
 
 class Run(Time):

@@ -31,7 +31,9 @@ nck_status_t nck_host_control_init(nck_host_control_t *self, const nck_host_cont
         const double unit = machine->axis[x].rotary ? 1e-9 : 1e-6;
         self->target[x] = (double)machine->start_nm[x] * unit;
         self->place[x] = self->target[x];
+        self->trace.place[x] = self->target[x];
     }
+    nck_host_course_init(&self->trace.course, machine);
     self->at_rest = 1;
     nck_control_low(self, &begin);
     return NCK_OK;
@@ -87,6 +89,7 @@ static void take_rest(nck_host_control_t *self, const nck_block_t *block) {
     if (block->kind == NCK_BLOCK_TAP) time_s = (double)block->tap.duration;
     if (block->kind == NCK_BLOCK_WAIT) nck_host_share_output(&self->shares, &block->output);
     nck_control_rest(self, dwells ? NCK_LIMIT_DWELL : NCK_LIMIT_WAIT, block->line);
+    if (block->kind == NCK_BLOCK_THREAD) nck_control_reach(self, block);
     if (time_s > 0.0) nck_control_dwell(self, block->line, time_s);
 }
 
@@ -94,6 +97,10 @@ static void take(nck_host_control_t *self, const nck_block_t *block) {
     change_settings(self, block->line);
     settle_speed(self, block);
     self->block++;
+    if (self->trace.stretches) {
+        nck_host_course_give(&self->trace.course, block, 1);
+        (void)nck_host_course_next(&self->trace.course, &self->trace.move);
+    }
     switch (block->kind) {
     case NCK_BLOCK_RAPID:
     case NCK_BLOCK_LINE:
@@ -111,16 +118,30 @@ static void take(nck_host_control_t *self, const nck_block_t *block) {
     }
 }
 
-void nck_host_control_take(nck_host_control_t *self, const nck_block_t *blocks, size_t count) {
-    for (size_t i = 0; i < count; i++) take(self, &blocks[i]);
+static int has_room(const nck_host_control_t *self, const nck_block_t *block) {
+    const nck_host_control_trace_t *const trace = &self->trace;
+    return !trace->stretches
+           || trace->stretch_max - trace->stretch_count >= nck_host_control_room(self, block);
+}
+
+size_t nck_host_control_take(nck_host_control_t *self, const nck_block_t *blocks, size_t count) {
+    size_t taken = 0;
+    nck_control_trace_again(self);
+    while (taken < count && has_room(self, &blocks[taken])) {
+        take(self, &blocks[taken]);
+        taken++;
+    }
+    return taken;
 }
 
 void nck_host_control_end(nck_host_control_t *self) {
+    nck_control_trace_again(self);
     settle_speed(self, NULL);
     const int moved = self->has_last != 0;
     nck_control_rest(self, NCK_LIMIT_EXACT_STOP, self->last.line);
     if (moved) self->low.ends = 1;
     nck_host_cause_add(self->causes, &self->low);
+    if (self->trace.stretches) nck_control_trace_settle(self);
     nck_host_cause_end(self->causes);
     self->totals.time_s = self->time_s.sum + self->time_s.rest;
     self->totals.blocks = self->block;

@@ -12,8 +12,10 @@
 #include <stddef.h> // size_t
 
 #include "host/cause.h" // nck_host_cause_t nck_host_low_t
+#include "host/course.h" // nck_host_course_t
 #include "host/host.h"  // nck_host_totals_t and all records
 #include "host/share.h" // nck_host_shares_t
+#include "host/trail.h" // nck_host_point_t nck_host_foot_t
 
 #ifdef __cplusplus
 extern "C" {
@@ -87,10 +89,17 @@ typedef struct nck_host_control_line {
     double start, cruise;      // Klipper: planned, v²
     double angle;              // of the corner at its start [rad]
     double out[3];             // LinuxCNC: direction of the tool at its end
+    double end[NCK_AXIS_MAX];  // where it ends [mm, deg]
+    double along[3], inward[3]; // LinuxCNC: of a bend at its start: the part of unit that turns,
+                               // and where to it turns, as long
+    double turn;               // LinuxCNC: by which it turns [rad]; 0: it is straight
+    double spindle_rpm;        // in force
+    double s;                  // of its end, along the program [path mm]; nobody asks: 0
     double whole;              // LinuxCNC: length before blends [mm]
     double keeps;              // LinuxCNC: share of a that its kinks leave
     uint32_t number;           // running number of its block
     uint32_t line;             // source line
+    uint32_t tool;             // in the spindle
     uint8_t limit;             // nck_limit_t that holds v
     uint8_t limit_cap;         // nck_limit_t that holds cap
     uint8_t rapid;             // 1: G0
@@ -98,6 +107,7 @@ typedef struct nck_host_control_line {
     uint8_t round;             // 1: LinuxCNC: an arc
     uint8_t bare;              // 1: LinuxCNC: under G64 without P
     uint8_t stops;             // 1: LinuxCNC: G61.1, G9: an exact stop at its end
+    uint8_t arc;               // 1: of an arc of the program
 } nck_host_control_line_t;
 
 // Time lost, and all time, by one low point.
@@ -113,6 +123,34 @@ typedef struct nck_host_control_chain {
     uint32_t count;
     uint32_t reserved;
 } nck_host_control_chain_t;
+
+// A straight stretch of constant acceleration, or a rest: where it ends, and what is told of it.
+typedef struct nck_host_control_stretch {
+    nck_host_point_t end;
+    double uvw[3];             // of the other linear axes there [mm]
+    double duration;           // [s]
+    double v_begin;            // [mm/s]; end.v is the speed at its end
+    double spindle_rpm;        // in force
+    double s;                  // of its end, along the program [path mm]
+    uint32_t block;            // running number
+    uint32_t kind;             // nck_seg_kind_t: line, of an arc, dwell
+} nck_host_control_stretch_t;
+
+// All stretches in order, and the low points between them. Rows belong to the caller; NULL: nobody
+// asks.
+typedef struct nck_host_control_trace {
+    nck_host_control_stretch_t *stretches; size_t stretch_max, stretch_count; // rows of this call
+    nck_host_foot_t *feet; size_t foot_count; // as many rows; first and at count stretches
+    uint64_t before;           // stretches of the calls before
+    uint64_t fastest;          // stretches up to the fastest place since the last low point
+    nck_host_foot_t foot;      // the last low point
+    nck_host_sum_t t;          // so far [s]
+    double place[NCK_AXIS_MAX]; // where the path has come to [mm, deg]
+    double v;                  // how fast it is there [mm/s]
+    double s;                  // along the program [path mm]
+    nck_host_course_t course;  // the program as it comes
+    nck_host_move_t move;      // the move that has come last
+} nck_host_control_trace_t;
 
 // A plan under way.
 typedef struct nck_host_control {
@@ -144,6 +182,7 @@ typedef struct nck_host_control {
     nck_host_low_t low;        // the last low point
     nck_host_control_ramp_t fall; // down from the fastest place behind it
     uint32_t is_begun;         // 1: there is a low point
+    nck_host_control_trace_t trace; // may be asked for at the start
 } nck_host_control_t;
 
 // Begin. rule is copied; changes and lines must stay. line_max: 2 × ahead at least, and 1024.
@@ -152,11 +191,18 @@ typedef struct nck_host_control {
 nck_status_t nck_host_control_init(nck_host_control_t *self, const nck_host_control_rule_t *rule,
                                    const nck_machine_t *machine);
 
-// The next blocks of the program, as nck_host_decode gives them. Cost: linear in them and their
+// The next blocks of the program, as nck_host_decode gives them. Returns how many it has taken:
+// where stretches are asked for, fewer than count if the rows that are left have no room for the
+// next one. The counts of rows start from 0 at every call. Cost: linear in the blocks and their
 // chords, times the lines that are planned together. Context: any.
-void nck_host_control_take(nck_host_control_t *self, const nck_block_t *blocks, size_t count);
+size_t nck_host_control_take(nck_host_control_t *self, const nck_block_t *blocks, size_t count);
 
-// The program has ended: sums and causes are complete. Cost: linear in what waits. Context: any.
+// Rows of stretches that the next block may need; NULL: that the end may. Cost: constant.
+// Context: any.
+size_t nck_host_control_room(const nck_host_control_t *self, const nck_block_t *next);
+
+// The program has ended: sums and causes are complete, and the last stretches are in their rows, of
+// which the counts start from 0. Cost: linear in what waits. Context: any.
 void nck_host_control_end(nck_host_control_t *self);
 
 #ifdef __cplusplus

@@ -131,6 +131,31 @@ static void take_kink(nck_host_control_line_t *in, nck_host_control_line_t *out,
     out->cap = v * v;
 }
 
+// Where the arc between two lines begins and ends, and how it turns.
+static void lay_arc(nck_host_control_line_t *in, nck_host_control_line_t *out,
+                    nck_host_control_line_t *arc, const blend_t *blend) {
+    const double cosine = dot(in->out, out->unit);
+    const double sine = nck_sqrt(nck_max(0.0, 1.0 - cosine * cosine));
+    const double less = blend->trim / in->length;
+    const double more = blend->trim / out->length;
+    double before[3];
+    double behind[3];
+    nck_control_bend_way(in, 1.0 - less, 1.0, before);
+    nck_control_bend_way(out, 0.0, more, behind);
+    for (unsigned x = 0; x < 3; x++) {
+        arc->end[x] = in->end[x] + behind[x];
+        in->end[x] -= before[x];
+        arc->unit[x] = in->out[x];
+        arc->along[x] = in->out[x];
+        arc->inward[x] = sine > 0.0 ? (out->unit[x] - cosine * in->out[x]) / sine : 0.0;
+    }
+    arc->s = in->s + blend->trim;
+    in->s -= blend->trim;
+    arc->turn = sine > 0.0 ? blend->angle : 0.0;
+    in->turn *= 1.0 - less;
+    nck_control_bend_shorten(out, more);
+}
+
 // The arc takes its part of both lines, and all of a line that is over too soon.
 static void put_arc(nck_host_control_t *self, nck_host_control_line_t *out, const blend_t *blend) {
     nck_host_control_line_t *const in = &self->held;
@@ -145,6 +170,7 @@ static void put_arc(nck_host_control_t *self, nck_host_control_line_t *out, cons
     arc.length = blend->length + (is_over ? left : 0.0);
     arc.a = blend->a;
     arc.keeps = 1.0;
+    lay_arc(in, out, &arc, blend);
     in->length = left;
     if (!is_over) {
         arc.cap = give(self, in);
@@ -222,6 +248,7 @@ static void straight(nck_host_control_t *self, const nck_host_control_line_t *wo
     line.length = nck_sqrt(tool > 0.0 ? tool : all);
     if (line.length <= 0.0) return;
     for (unsigned x = 0; x < NCK_AXIS_MAX; x++) line.unit[x] = way[x] / line.length;
+    memcpy(line.end, target, sizeof line.end);
     memcpy(line.out, line.unit, sizeof line.out);
     line.v = line.v_wanted;
     nck_control_limit(self, &line);
@@ -286,6 +313,12 @@ static void curve(nck_host_control_t *self, const nck_block_t *block,
     line.out[plane[0]] = tu * cos_phi - tv * sin_phi;
     line.out[plane[1]] = tu * sin_phi + tv * cos_phi;
     line.out[plane[2]] = across / line.length;
+    line.along[plane[0]] = tu;
+    line.along[plane[1]] = tv;
+    line.inward[plane[0]] = -turn * tv;
+    line.inward[plane[1]] = turn * tu;
+    line.turn = nck_fabs(block->sweep_rad);
+    memcpy(line.end, target, sizeof line.end);
     const double u_v = value(self, NCK_CONTROL_V + plane[0]);
     const double a = nck_min(value(self, NCK_CONTROL_A + plane[0]),
                              value(self, NCK_CONTROL_A + plane[1]));

@@ -111,6 +111,7 @@ static void go(nck_host_control_t *self, const double target[NCK_AXIS_MAX],
     for (unsigned x = 0; x < NCK_AXIS_MAX; x++) {
         line.unit[x] = way[x] / line.length;
         self->place[x] = in_steps(target[x], self->rule.value[NCK_CONTROL_STEPS + x]);
+        line.end[x] = self->place[x];
     }
     line.v = line.v_wanted;
     slow_down(self, &line);
@@ -137,38 +138,70 @@ static double chords_of(const nck_host_control_t *self, double radius, double sw
     return flat / count < CHORD_LEAST_MM ? nck_floor(flat / CHORD_LEAST_MM) : count;
 }
 
+// An arc about its centre, in mm.
+typedef struct circle {
+    plane_t plane;
+    double cu, cv, ru, rv; // its centre; from there to its start
+    double radius, across; // across: along the axis beside the plane
+    double chords;
+} circle_t;
+
+static circle_t circle_of(const nck_host_control_t *self, const nck_block_t *block,
+                          const double target[NCK_AXIS_MAX]) {
+    const double most = 1e6; // chords of one arc: more are no arc
+    circle_t round;
+    round.plane = plane_of(block);
+    const unsigned u = round.plane.u;
+    const unsigned v = round.plane.v;
+    round.cu = block->centre_mm[0] + (target[u] - (double)block->target_nm[u] * NM);
+    round.cv = block->centre_mm[1] + (target[v] - (double)block->target_nm[v] * NM);
+    round.ru = self->target[u] - round.cu;
+    round.rv = self->target[v] - round.cv;
+    round.radius = nck_sqrt(round.ru * round.ru + round.rv * round.rv);
+    round.across = target[round.plane.across] - self->target[round.plane.across];
+    round.chords = chords_of(self, round.radius, block->sweep_rad, round.across);
+    round.chords = nck_min(most, round.chords);
+    return round;
+}
+
 static void go_round(nck_host_control_t *self, const nck_block_t *block,
                      const double target[NCK_AXIS_MAX], nck_host_control_line_t *word) {
-    const plane_t plane = plane_of(block);
-    const double most = 1e6; // chords of one arc: more are no arc
+    const circle_t round = circle_of(self, block, target);
     double begin[NCK_AXIS_MAX];
     double at[NCK_AXIS_MAX];
     memcpy(begin, self->target, sizeof begin);
-    const double tool[2] = {target[plane.u] - (double)block->target_nm[plane.u] * NM,
-                            target[plane.v] - (double)block->target_nm[plane.v] * NM};
-    const double cu = block->centre_mm[0] + tool[0];
-    const double cv = block->centre_mm[1] + tool[1];
-    const double ru = begin[plane.u] - cu;
-    const double rv = begin[plane.v] - cv;
-    const double radius = nck_sqrt(ru * ru + rv * rv);
-    const double across = target[plane.across] - begin[plane.across];
-    const double count = nck_min(most, chords_of(self, radius, block->sweep_rad, across));
     if (block->feed_mode == NCK_FEED_INVERSE) {
-        const double flat = radius * block->sweep_rad;
-        word->v_wanted = block->feed * nck_sqrt(flat * flat + across * across) / 60.0;
+        const double flat = round.radius * block->sweep_rad;
+        const double square = flat * flat + round.across * round.across;
+        word->v_wanted = block->feed * nck_sqrt(square) / 60.0;
     }
-    for (double k = 1.0; k < count; k += 1.0) {
+    const nck_host_move_t *const move = &self->trace.move;
+    for (double k = 1.0; k < round.chords; k += 1.0) {
         double sin_phi = 0.0;
         double cos_phi = 1.0;
         for (unsigned x = 0; x < NCK_AXIS_MAX; x++) {
-            at[x] = begin[x] + (target[x] - begin[x]) * (k / count);
+            at[x] = begin[x] + (target[x] - begin[x]) * (k / round.chords);
         }
-        nck_sincos(block->sweep_rad * (k / count), &sin_phi, &cos_phi);
-        at[plane.u] = cu + (ru * cos_phi - rv * sin_phi);
-        at[plane.v] = cv + (ru * sin_phi + rv * cos_phi);
+        nck_sincos(block->sweep_rad * (k / round.chords), &sin_phi, &cos_phi);
+        at[round.plane.u] = round.cu + (round.ru * cos_phi - round.rv * sin_phi);
+        at[round.plane.v] = round.cv + (round.ru * sin_phi + round.rv * cos_phi);
+        word->s = move->begin_s + (move->end_s - move->begin_s) * (k / round.chords);
         go(self, at, word);
     }
+    word->s = move->end_s;
     go(self, target, word);
+}
+
+void nck_control_reach(nck_host_control_t *self, const nck_block_t *block) {
+    targets_of(block, self->target);
+    memcpy(self->place, self->target, sizeof self->place);
+}
+
+size_t nck_control_lines_of(const nck_host_control_t *self, const nck_block_t *block) {
+    double target[NCK_AXIS_MAX];
+    if (block->kind != NCK_BLOCK_ARC || self->rule.kind == NCK_HOST_CONTROL_LINUXCNC) return 1;
+    targets_of(block, target);
+    return 1 + (size_t)nck_max(0.0, circle_of(self, block, target).chords);
 }
 
 // The speed that the program asks for [mm/s].
@@ -199,6 +232,10 @@ void nck_control_move(nck_host_control_t *self, const nck_block_t *block) {
     word.tolerance = block->path_mode == NCK_PATH_CONTINUOUS ? block->tolerance_mm : 0.0;
     word.bare = word.tolerance > 0.0 && word.tolerance == self->rule.value[NCK_CONTROL_BARE];
     word.stops = block->path_mode == NCK_PATH_STOP;
+    word.arc = block->kind == NCK_BLOCK_ARC;
+    word.tool = self->shares.tool;
+    word.s = self->trace.move.end_s;
+    word.spindle_rpm = block->spindle_rpm;
     if (self->rule.kind == NCK_HOST_CONTROL_LINUXCNC) nck_control_blend(self, block, &word, target);
     else if (block->kind == NCK_BLOCK_ARC) go_round(self, block, target, &word);
     else go(self, target, &word);

@@ -12,6 +12,12 @@ extern "C" {
 // The lines of a move: arcs in chords, ends in whole steps. Cost: linear in them.
 void nck_control_move(nck_host_control_t *self, const nck_block_t *block);
 
+// A pass of a thread ends here: what follows goes on from its target. Cost: constant.
+void nck_control_reach(nck_host_control_t *self, const nck_block_t *block);
+
+// How many lines a block becomes at most. Cost: constant.
+size_t nck_control_lines_of(const nck_host_control_t *self, const nck_block_t *block);
+
 // Limits of a line along its direction: a, v, limit. Cost: constant.
 void nck_control_limit(const nck_host_control_t *self, nck_host_control_line_t *line);
 
@@ -48,6 +54,30 @@ typedef struct nck_control_times {
 // The same line step by step, as Marlin's stepper makes it. ends: v² there. Cost: linear in those
 // of its steps that are slow.
 nck_control_times_t nck_control_step(const nck_host_control_line_t *line, const double ends[2]);
+
+// Rows from their start again. Cost: constant.
+void nck_control_trace_again(nck_host_control_t *self);
+
+// A line of such times is final: it begins at v² = w[0], ends at w[1], and top holds its top speed.
+// Stretches are asked for. Cost: linear in the chords of its bend.
+void nck_control_trace_line(nck_host_control_t *self, const nck_host_control_line_t *line,
+                            const nck_control_times_t *times, const double w[2], uint32_t top);
+
+// Time at rest; stretches are asked for. Cost: constant.
+void nck_control_trace_rest(nck_host_control_t *self, uint32_t line, double time_s);
+
+// What the last low point has lost is known; stretches are asked for. Cost: constant.
+void nck_control_trace_settle(nck_host_control_t *self);
+
+// There is another low point here; stretches are asked for. Cost: constant.
+void nck_control_trace_low(nck_host_control_t *self);
+
+// The way between two shares of a line's length, of X Y Z [mm]. Cost: constant.
+void nck_control_bend_way(const nck_host_control_line_t *line, double from, double to,
+                          double way_out[3]);
+
+// A bend loses this share of its length at its start. Cost: constant.
+void nck_control_bend_shorten(nck_host_control_line_t *line, double share);
 
 // Time at rest. Cost: constant.
 void nck_control_dwell(nck_host_control_t *self, uint32_t line, double dwell_s);

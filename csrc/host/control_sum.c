@@ -15,7 +15,11 @@ static void add_time(nck_host_control_t *self, uint32_t limit, double time_s) {
 }
 
 void nck_control_low(nck_host_control_t *self, const nck_host_low_t *low) {
-    if (self->is_begun) nck_host_cause_add(self->causes, &self->low);
+    if (self->is_begun) {
+        nck_host_cause_add(self->causes, &self->low);
+        if (self->trace.stretches) nck_control_trace_settle(self);
+    }
+    if (self->trace.stretches) nck_control_trace_low(self);
     self->low = *low;
     self->low.lost_s = self->fall.lost_s;
     add_time(self, low->limit, self->fall.time_s);
@@ -85,6 +89,10 @@ void nck_control_spend(nck_host_control_t *self, const nck_host_control_line_t *
     lose_here(self, line, line->limit, line->length / line->v - ideal_s);
     lose_here(self, line, NCK_LIMIT_ACCEL, t.top_s - top_mm / line->v);
     add_time(self, top, t.top_s);
+    if (self->trace.stretches) {
+        const double ends[2] = {self->w, w_end};
+        nck_control_trace_line(self, line, &t, ends, top);
+    }
     self->fall.lost_s += t.down_s - t.down_mm / line->v;
     self->fall.time_s += t.down_s;
     totals->accelerate_s += t.up_s;
@@ -108,4 +116,5 @@ void nck_control_dwell(nck_host_control_t *self, uint32_t line, double dwell_s) 
     nck_host_cause_sum(&self->dwell_s, dwell_s);
     nck_host_cause_sum(&self->time_s, dwell_s);
     nck_host_share_add(&self->shares, line, NCK_HOST_SHARE_DWELL, dwell_s);
+    if (self->trace.stretches) nck_control_trace_rest(self, line, dwell_s);
 }

@@ -3,11 +3,11 @@
 // least and the largest of its ticks.
 import { stretchAt, wayShare } from "./data.js";
 
-// Tracks by their name: {name, limits: {a, j}, a: {least, largest}, j: {…}}.
+// Tracks by their name: {name, limits: {a, j}, a: {least, largest}, j: {…}}; j where it is limited.
 export function makeFelt({ felt }, columns) {
   const tracks = felt.tracks.map(({ name, a, j }) => {
     const track = { name, limits: { a, j } };
-    for (const kind of ["a", "j"]) {
+    for (const kind of felt.kinds) {
       const least = columns.steps(`felt_${name}_${kind}`, Float32Array);
       const span = columns.steps(`felt_${name}_${kind}_span`, Float32Array);
       track[kind] = { least, largest: least.map((value, k) => value + span[k]) };
@@ -17,7 +17,7 @@ export function makeFelt({ felt }, columns) {
   const axes = tracks.filter(({ name }) => name !== "path");
   // Of all axes together: what is nearest to its limit, to either side.
   const all = { name: "axes", limits: { a: 1, j: 1 } };
-  for (const kind of ["a", "j"]) {
+  for (const kind of felt.kinds) {
     const least = new Float32Array(felt.bins);
     const largest = new Float32Array(felt.bins);
     for (const track of axes) {

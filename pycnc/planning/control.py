@@ -24,7 +24,8 @@ _KINDS = {
 }  # fmt: skip
 _LINES = 16384  # of Klipper that are planned together
 _LINES_LEAST = 1024
-_FREE = 1e12  # mm/s, mm/s²: no limit
+_STRETCHES = 65536  # rows at a time; more, where one block has more of them
+FREE = 1e12  # mm/s, mm/s²: no limit
 _NOBODY_S_MM = Decimal("0.0101010101")
 _DEVIATION = {"marlin": 0.013}
 
@@ -35,19 +36,18 @@ def is_foreign(machine):
 
 
 def refuse(machine, what):
-    """Refuse what only this kernel makes, for a machine whose times are another control's.
+    """Refuse what only this kernel does, for a machine with another control's planner.
 
     Raises
     ------
     ArgumentError
     """
-    if is_foreign(machine):
-        kind = machine.settings.control.kind
-        raise errors.ArgumentError(
-            f"{what} is made by this kernel, and control.kind is {kind}, of which time, why and "
-            "sweep tell; for this kernel: --set control.kind=nck",
-            id="control",
-        )
+    kind = machine.settings.control.kind
+    raise errors.ArgumentError(
+        f"{what} of this kernel alone, and control.kind is {kind}; for this kernel: "
+        "--set control.kind=nck",
+        id="control",
+    )
 
 
 def title(machine):
@@ -116,9 +116,9 @@ def rule_of(machine):
     rule, value = rows[0], rows[0]["value"]
     rule["kind"], rule["laser"] = _KINDS[kind], own.laser_mode
     rule["classic"] = bool(own.jerk.present())
-    value[: lib.NCK_CONTROL_JERK] = _FREE
-    value[lib.NCK_CONTROL_JERK : lib.NCK_CONTROL_STEPS] = _FREE
-    value[lib.NCK_CONTROL_V_PATH] = value[lib.NCK_CONTROL_A_PATH] = _FREE
+    value[: lib.NCK_CONTROL_JERK] = FREE
+    value[lib.NCK_CONTROL_JERK : lib.NCK_CONTROL_STEPS] = FREE
+    value[lib.NCK_CONTROL_V_PATH] = value[lib.NCK_CONTROL_A_PATH] = FREE
     for letter, axis in settings.axis.present().items():
         place, unit = AXES.index(letter), unit_of(letter)
         value[lib.NCK_CONTROL_V + place] = getattr(axis, f"v_max_{unit}_s")
@@ -145,7 +145,7 @@ def _klipper(rule, value, own, machine):
     radius = float(own.filament_diameter) / 2
     ratio = 4 * float(own.nozzle_diameter) ** 2 / (math.pi * radius**2)
     z = AXES.index("z")
-    value[: lib.NCK_CONTROL_JERK] = _FREE  # one for all axes but Z
+    value[: lib.NCK_CONTROL_JERK] = FREE  # one for all axes but Z
     value[lib.NCK_CONTROL_V + z] = own.max_z_velocity or velocity
     value[lib.NCK_CONTROL_A + z] = own.max_z_accel or accel
     value[lib.NCK_CONTROL_V_PATH], value[lib.NCK_CONTROL_A_PATH] = velocity, accel
@@ -172,7 +172,7 @@ def _marlin(rule, value, own, machine):
     _ring(rule, own)
     # The block in work is not planned again: one line less is seen.
     rule["ahead"] -= 1
-    accel = own.acceleration or _FREE
+    accel = own.acceleration or FREE
     value[lib.NCK_CONTROL_A_PATH] = accel
     value[lib.NCK_CONTROL_A_TRAVEL] = own.travel_acceleration or accel
     value[lib.NCK_CONTROL_A_RETRACT] = own.retract_acceleration or accel
@@ -208,6 +208,8 @@ class Planner:
         As `kernel.Planner` takes it.
     override : float
         Of the feed, 1 for 100 %; printers have one for rapids, too.
+    traced : bool
+        Whether `pieces` yields the path.
 
     Attributes
     ----------
@@ -215,7 +217,7 @@ class Planner:
         As of `kernel.Planner`.
     """
 
-    def __init__(self, program, shares=None, override=1.0):
+    def __init__(self, program, shares=None, override=1.0, traced=False):
         machine = self._machine = program.machine
         self._override = override
         self._program, self._rule = program, rule_of(machine)
@@ -237,17 +239,57 @@ class Planner:
             raise errors.ArgumentError("a setting of the control is out of range", id="control")
         check(status)
         self._rows = kernel.ask_shares(state.shares, shares)
+        self._stretches = np.empty(0, dtype("nck_host_control_stretch_t"))
+        self._feet = np.empty(0, dtype("nck_host_foot_t"))
+        if traced:
+            self._have_rows(_STRETCHES)
+
+    def _have_rows(self, count):
+        """Have rows for so many stretches, where they are asked for."""
+        if not 0 < count > len(self._stretches):
+            return
+        trace = self._state.trace
+        self._stretches = np.zeros(count, self._stretches.dtype)
+        self._feet = np.zeros(count, self._feet.dtype)
+        trace.stretches = pointer("nck_host_control_stretch_t", self._stretches)
+        trace.feet, trace.stretch_max = pointer("nck_host_foot_t", self._feet), count
 
     def run(self, progress=None):
         """Plan it."""
-        done, count = 0, self._program.block_count
+        for _ in self.pieces(progress):
+            pass
+
+    def pieces(self, progress=None):
+        """Plan it, and yield (stretches, low points) as they are final, if it is traced.
+
+        Their dtypes are ``nck_host_control_stretch_t`` and ``nck_host_foot_t``, whose numbers
+        count stretches. The arrays are filled again by the next piece.
+        """
+        state, done, count = self._state, 0, self._program.block_count
         for piece in self._pieces():
             blocks = self._overridden(piece)
-            lib.nck_host_control_take(self._state, pointer("nck_block_t", blocks), len(blocks))
+            yield from self._taken(blocks)
             done += len(blocks)
             if progress:
                 progress(done, count)
-        lib.nck_host_control_end(self._state)
+        if len(self._stretches):
+            self._have_rows(lib.nck_host_control_room(state, ffi.NULL))
+        lib.nck_host_control_end(state)
+        yield self._told()
+
+    def _taken(self, blocks):
+        first, taken = pointer("nck_block_t", blocks), 0
+        while taken < len(blocks):
+            some = lib.nck_host_control_take(self._state, first + taken, len(blocks) - taken)
+            taken += some
+            if some == 0:
+                self._have_rows(lib.nck_host_control_room(self._state, first + taken))
+            elif len(self._stretches):
+                yield self._told()
+
+    def _told(self):
+        trace = self._state.trace
+        return self._stretches[: trace.stretch_count], self._feet[: trace.foot_count]
 
     def _overridden(self, blocks):
         """Return blocks at the speeds that the override leaves of them."""

@@ -11,6 +11,7 @@ import numpy as np
 
 from pycnc.machine.schema import AXES
 from pycnc.kernel.records import counts_per_unit, enum
+from pycnc.planning import stretches
 
 LIMITS = enum("nck_limit_t")
 # Codes of a trace's column `kind`.
@@ -50,8 +51,12 @@ class Derivatives:
     def of(self, rows):
         """Yield those of the next rows of a run (dtype ``sim_row_t``): v, then a, then j.
 
-        Each has a row for each of `rows`, and a column for each axis and for the path.
+        Each has a row for each of `rows`, and a column for each axis and for the path. Where
+        another control plans, the rows have v and a, as it means them, and there is no j.
         """
+        if "speed" in rows.dtype.names:
+            yield from (rows["speed"], rows["acceleration"])
+            return
         now = np.column_stack([rows["pose"]["axis"][:, self._axes], rows["pose"]["s"]])
         track = np.concatenate([self._tail, now])
         splines = self._clocks & (rows["pose"]["kind"] == _SEGS.SPLINE)
@@ -72,15 +77,22 @@ class Peaks:
     def __init__(self, machine):
         self._machine, self._derivatives = machine, Derivatives(machine)
         self._peaks = np.zeros((3, len(machine.axes) + 1))  # v, a, j of the axes and of s
+        self._orders = 3
 
     def add(self, rows):
         """Measure the next rows of a run (dtype ``sim_row_t``)."""
         for order, rate in enumerate(self._derivatives.of(rows)):
+            self._orders = order + 1
             if len(rate):
                 np.maximum(self._peaks[order], np.abs(rate).max(axis=0), out=self._peaks[order])
 
     def result(self):
-        """Return {"x": {"v", "a", "j"}, …, "path": {"a", "j"}}: 1 means at the limit."""
+        """Return {"x": {"v", "a", "j"}, …, "path": {"a", "j"}}: 1 means at the limit.
+
+        Where another control plans, only of limits that it has.
+        """
+        if self._orders == 2:
+            return self._foreign()
         limits = np.stack([self._machine.limits(kind) for kind in ("v_max", "a_max", "j_max")])
         ratios = self._peaks[:, :-1] / limits
         peaks = {
@@ -92,6 +104,15 @@ class Peaks:
             "a": float(self._peaks[1, -1] / path["a_max"]),
             "j": float(self._peaks[2, -1] / path["j_max"]),
         }
+        return peaks
+
+    def _foreign(self):
+        limits, peaks = stretches.limits_of(self._machine), {}
+        for k, track in enumerate([*self._machine.axes, "path"]):
+            told = {kind: float(peak[k] / most[k])
+                    for kind, most, peak in zip("va", limits, self._peaks, strict=False)
+                    if np.isfinite(most[k])}  # fmt: skip
+            peaks |= {track: told} if told else {}
         return peaks
 
 

@@ -107,11 +107,12 @@ class Plan:
     lost : dict or None
         What it is lost to, as `kernel.Planner.why` has it; None but of an exact plan.
 
-    `look` is called with the segs as they come, kept or not; `trail` with the points and the low
-    points of the path (``nck_host_point_t``, ``nck_host_foot_t``), of an exact plan; `by` is
-    "tool", "section" or "line"; `override` is that of the feed where another control plans;
-    `beside` is the `Pipeline` that has planned the program while it was read. Without all of
-    these, and `keep`, the rooms of a big program work side by side.
+    `look` is called with the segs as they come, kept or not, of which another control has none;
+    `trail` with the points and the low points of the path (``nck_host_point_t``,
+    ``nck_host_foot_t``), of an exact plan; `by` is "tool", "section" or "line"; `override` is that
+    of the feed where another control plans; `beside` is the `Pipeline` that has planned the program
+    while it was read. Without all of these, and `keep`, the rooms of a big program work side by
+    side.
     """
 
     def __init__(self, program, *, plan="exact", backend="auto", keep=True, progress=None,
@@ -156,20 +157,20 @@ class Plan:
             totals[name] = exact[name]
         return totals, exact
 
-    def _as_control(self, progress, by):
+    def _as_control(self, progress, trail, by):
         """Plan it by another control's rules, which keep no records."""
         asked, names = shares.ask(self.program, by) if by else (None, [])
-        planner = control.Planner(self.program, asked, self._override)
-        planner.run(progress)
+        planner = control.Planner(self.program, asked, self._override, trail is not None)
+        for stretches, feet in planner.pieces(progress):
+            if trail:
+                trail(stretches["end"], feet)
         self.parts = shares.table(self.program, by, planner.shares, names) if by else None
         return planner
 
     def _exactly(self, keep, progress, look, trail, by, beside):
         planner = None
         if control.is_foreign(self.program.machine):
-            if look or trail:
-                control.refuse(self.program.machine, "a path with its curves")
-            planner = self._as_control(progress, by)
+            planner = self._as_control(progress, trail, by)
             self.segs, self.nodes, self._cells = (join(f"nck_{name}_t", []) for name in _KEPT)
             self.lost = planner.why
             return planner.totals

@@ -11,8 +11,7 @@ from concurrent.futures import ThreadPoolExecutor
 
 import numpy as np
 
-from pycnc import kernel
-from pycnc.planning import measure
+from pycnc.planning import control, measure, stretches
 
 BINS = 1 << 16  # of a page at most; of a longer run a bin holds twice, four times … as many ticks
 PACKED_MOST = 700_000  # bytes of all columns; above it bins are joined, too
@@ -81,7 +80,7 @@ class Felt:
     Parameters
     ----------
     program : Program
-        Of a machine that this kernel controls.
+        Of another control's accelerations, and no jerk.
     """
 
     def __init__(self, program):
@@ -90,8 +89,11 @@ class Felt:
         path = machine.record["path"]
         self.tracks = [*machine.axes, "path"]
         limits = [np.append(machine.limits(f"{kind}_max"), path[f"{kind}_max"]) for kind in "aj"]
+        self._kinds = "aj"
+        if control.is_foreign(machine):
+            self._kinds, limits = "a", [stretches.limits_of(machine)[1]]
         self._limits = np.concatenate(limits).astype(float)
-        self._bins = Bins(2 * len(self.tracks), BINS)
+        self._bins = Bins(len(self._limits), BINS)
         self._stop = threading.Event()
 
     def beside(self, work):
@@ -108,10 +110,9 @@ class Felt:
 
     def _run(self):
         program = self._program
-        simulation = kernel.Simulation(program.text, program.machine, kernel.PREP_STEPS, ())
-        for rows, _ in simulation.pieces():
-            _, a, j = self._derivatives.of(rows)
-            self._bins.add(np.hstack([a, j]))
+        for rows, _ in stretches.simulation(program).pieces():
+            _, *rates = self._derivatives.of(rows)
+            self._bins.add(np.hstack(rates))
             if self._stop.is_set():
                 return
 
@@ -121,7 +122,7 @@ class Felt:
         ``felt_x_a`` and ``felt_x_j`` are the least of each bin, in thousandths of X's limit,
         ``felt_x_a_span`` tells by how much the largest is more.
         """
-        names = [f"felt_{track}_{kind}" for kind in "aj" for track in self.tracks]
+        names = [f"felt_{track}_{kind}" for kind in self._kinds for track in self.tracks]
         while True:
             before = columns.packed
             least, largest = (np.rint(end / (_STEP * self._limits)) for end in self._bins.ends())
@@ -144,9 +145,11 @@ class Felt:
         return {
             "bin_s": self._bins.size * self._period,
             "bins": count,
+            "kinds": list(self._kinds),
             "tracks": [
-                {"name": track, "a": self._limits[k], "j": self._limits[half + k]}
+                {"name": track, **{kind: self._limits[k + half * order]
+                                   for order, kind in enumerate(self._kinds)}}
                 for k, track in enumerate(self.tracks)
-                if moves[k]
+                if moves[k] and np.isfinite(self._limits[k])
             ],
         }

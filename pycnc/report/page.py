@@ -16,7 +16,7 @@ from importlib import resources
 from pycnc import errors
 from pycnc.files import Part
 from pycnc.kernel.records import enum
-from pycnc.planning import measure
+from pycnc.planning import control, measure
 from pycnc.planning.plan import Plan
 from pycnc.report import felt
 from pycnc.report.summary import limit_words
@@ -29,7 +29,7 @@ def _facts(found, trail, told):
     """Return what the page knows beside its columns: what ``pycnc why --json`` tells, and names."""
     plan, machine = found.plan, found.program.machine
     names, path = measure.limit_names(machine), machine.record["path"]
-    slope = machine.settings.path.slope
+    slope, foreign = machine.settings.path.slope, control.is_foreign(machine)
     limits = enum("nck_limit_t")
     return {
         **found.as_dict(),
@@ -38,14 +38,20 @@ def _facts(found, trail, told):
         "axes": machine.axes,
         "turned": trail.turned,
         "lathe": machine.settings.kinematics.type == "lathe_xz",
-        "j_max": float(path["j_max"]) if slope != "linear" else None,
+        "j_max": float(path["j_max"]) if slope != "linear" and not foreign else None,
         "points": told["points"],
         "feet": told["feet"],
-        "limits": {code: {"name": name, "words": limit_words(name)}
+        "limits": {code: {"name": name, "words": _words(name, machine)}
                    for code, name in names.items()},
         "ramps": [int(limits.ACCEL), int(limits.JERK)],
         **{name: told[name] for name in ("all", "spans", "lines") if name in told},
     }  # fmt: skip
+
+
+def _words(name, machine):
+    """Return a limit in words; a ring that another control looks ahead in is its own."""
+    theirs = control.is_foreign(machine) and name not in ("corner", "exact_stop")
+    return (control.words(name, machine, "") if theirs else "") or limit_words(name)
 
 
 def _worst(found):

@@ -6,6 +6,7 @@ from rich.padding import Padding
 from rich.table import Table
 from rich.text import Text
 
+from pycnc.planning.control import title
 from pycnc.planning.plan import BY
 from pycnc.report import reasons
 from pycnc.report.plot import duration
@@ -60,7 +61,7 @@ def render(trace, files=()):
 def _head(trace):
     facts, machine = trace.summary, trace.program.machine
     first = _whole_line(Text.assemble(
-        (trace.program.file, "bold"), " on ", (machine.name, "bold"), f", slope {facts['slope']}: ",
+        (trace.program.file, "bold"), " on ", (machine.name, "bold"), f", {title(machine)}: ",
         (duration(facts["time_s"]), "bold green"),
     ))  # fmt: skip
     rate = facts["ticks"] / max(facts["run_s"], 1e-9)
@@ -142,19 +143,25 @@ def _limits(trace):
 
 
 def _peaks(trace):
+    peaks, slope = trace.summary["peaks"], trace.summary["slope"]
+    told = any("j" in peak for peak in peaks.values())
     columns = (("Peaks, of the limit", "left"), ("speed", "right"), ("acceleration", "right"),
-               ("jerk", "right"))  # fmt: skip
-    table, limited = _table(*columns), trace.summary["slope"] != "linear"
-    for letter in trace.program.machine.axes:
-        peak = trace.summary["peaks"][letter]
-        jerk = _ratio(peak["j"], promised=False)
-        table.add_row(f"  {letter.upper()}", _ratio(peak["v"]), _ratio(peak["a"]), jerk)
-    path = trace.summary["peaks"]["path"]
-    if trace.summary["slope"] != "optimal" or max(path.values()) > 0:  # else all is by the axes
-        table.add_row("  path", "", _ratio(path["a"]), _ratio(path["j"], promised=limited))
+               *([("jerk", "right")] if told else []))  # fmt: skip
+    table = _table(*columns)
+    for letter, peak in peaks.items():
+        axis, limited = letter != "path", letter == "path" and slope != "linear"
+        if axis or not told or slope != "optimal" or max(peak.values()) > 0:  # else: by the axes
+            ratios = [_ratio(peak[kind], told and (limited or kind != "j")) if kind in peak else ""
+                      for kind in ("vaj" if told else "va")]  # fmt: skip
+            table.add_row(f"  {letter.upper() if axis else letter}", *ratios)
     error = f"largest distance of path and program: {trace.summary['path_error_mm']:.1e} mm"
-    words = [error, *_jerk_words(trace.summary)]
+    words = [error, *(_jerk_words(trace.summary) if told else _control_words(trace))]
     return Group(table, *(Padding(Text(each, "dim"), (0, 0, 0, 2)) for each in words))
+
+
+def _control_words(trace):
+    kind = trace.program.machine.settings.control.kind
+    yield f"Along lines: {kind} limits no jerk, and passes corners with a step of speed."
 
 
 def _jerk_words(facts):

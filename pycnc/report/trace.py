@@ -8,7 +8,7 @@ from concurrent.futures import ThreadPoolExecutor
 import numpy as np
 
 from pycnc import errors, kernel
-from pycnc.planning import control, measure, whole
+from pycnc.planning import control, measure, stretches, whole
 from pycnc.report.path_error import PathError
 from pycnc.planning.plan import BY, Plan, check_backend, for_machine, for_plan
 from pycnc.report.rows import Rows
@@ -40,17 +40,15 @@ class Trace(Rows):
     def __init__(self, program, *, prep_steps=kernel.PREP_STEPS, keep=True, output=None,
                  plan="exact", backend="auto", commands=(), progress=None):  # fmt: skip
         check_backend(backend, plan)
-        if plan == "exact":
-            control.refuse(program.machine, "a run")
         begun = time.perf_counter()
         self.program = program = for_plan(program.check(), plan)
+        self._is_foreign = plan == "exact" and control.is_foreign(program.machine)
         self._layout = Columns(program.machine)
         sink = writer(output, self._layout, self.metadata()) if output is not None else None
         try:
             self._path_error = PathError(program)
             if plan == "exact":
-                text, machine = program.text, program.machine
-                simulation = kernel.Simulation(text, machine, prep_steps, commands)
+                simulation = stretches.simulation(program, prep_steps, commands)
                 self._run_beside_plan(simulation, keep, sink, progress)
             else:
                 self._refuse(commands, plan)
@@ -71,7 +69,8 @@ class Trace(Rows):
         self.plan = Plan(
             self.program, plan=plan, backend=backend, keep=False, look=look, progress=progress
         )
-        self._path_error.finish_segs()
+        if not self._is_foreign:  # else there are no segs
+            self._path_error.finish_segs()
 
     def _run_beside_plan(self, *run):
         """Plan on a second thread while the simulation runs: neither needs the other."""
@@ -126,7 +125,7 @@ class Trace(Rows):
         if not self.as_planned:
             return
         self._limit_time_s = dict(self.plan.totals["limit_time_s"])
-        at_rest = self._ticks.time_s - self.plan.time_s  # few prep steps: no plan behind a WAIT
+        at_rest = self._time_s - self.plan.time_s  # few prep steps: no plan behind a WAIT
         self._limit_time_s["wait" if self._limit_time_s["wait"] else "starved"] += at_rest
         self.worst_lines |= measure.worst_lines(self.plan.lost["causes"], self.program.machine)
 
@@ -137,13 +136,18 @@ class Trace(Rows):
                 'the kernel\'s own (plan="exact") makes another on the way', id="command",
             )  # fmt: skip
 
+    @property
+    def _time_s(self):
+        """Whole periods; of another control, which rests at no tick of ours, the plan's."""
+        return self.plan.time_s if self._is_foreign else self._ticks.time_s
+
     def _summary(self, run_s):
         plan = self.plan.as_dict()
         diagnostics = plan.pop("diagnostics")
         return {
             **plan,
-            "time_s": self._ticks.time_s,
-            "total_s": self._ticks.time_s + plan["tool_change_s"] + plan["spindle_s"],
+            "time_s": self._time_s,
+            "total_s": self._time_s + plan["tool_change_s"] + plan["spindle_s"],
             "ticks": self._ticks.count,
             "length_mm": self._ticks.length_mm,
             "run_s": run_s,
@@ -167,6 +171,7 @@ class Trace(Rows):
             "machine_sha256": machine.sha256,
             "dialect": machine.settings.dialect.base,
             "period_s": machine.period_s,
+            "control": machine.settings.control.kind,
         }
 
     def __len__(self):
@@ -205,7 +210,7 @@ class Trace(Rows):
 
     def _facts(self):
         yield "file", self.program.file
-        yield "machine", f"{self.program.machine.name}, slope {self.summary['slope']}"
+        yield "machine", f"{self.program.machine.name}, {control.title(self.program.machine)}"
         for name in ("time_s", "ticks", "starved_ticks", "end", "path_error_mm"):
             value = self.summary[name]
             yield name, f"{value:.6g}" if isinstance(value, float) else str(value)

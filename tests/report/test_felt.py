@@ -114,9 +114,3 @@ def test_bins_are_joined_until_they_have_room(monkeypatch):
     assert less.facts["felt"]["bin_s"] > whole.facts["felt"]["bin_s"]
     for name, told in peaks_drawn(whole).items():
         assert peaks_drawn(less)[name] == pytest.approx(told, abs=1e-9)
-
-
-def test_a_control_that_is_not_this_kernel_s_has_no_page():
-    program = load("G21 G90\nG1 X10 F600\n", Machine.load("printer_marlin"))
-    with pytest.raises(errors.ArgumentError, match=r"control\.kind is marlin"):
-        page.make(program)
