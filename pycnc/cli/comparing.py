@@ -66,6 +66,7 @@ def compare(
 
 def _side(file, machine, columns, quiet, name):
     """Return (side, exit code) of a file; the side is None if the program has errors."""
+    from pycnc.planning.control import title
     from pycnc.report import compare as comparing
     from pycnc.report.trace import Trace
 
@@ -77,8 +78,9 @@ def _side(file, machine, columns, quiet, name):
         return None, max(code, WRONG)
     with progress(f"running {program.file}", quiet) as bar:
         trace = Trace(program, progress=bar)
-    slope = machine.settings.path.slope
-    return comparing.of_trace(trace, f"{program.file} on {machine.name}, slope {slope}"), GOOD
+    name = f"{program.file} on {machine.name}, {title(machine)}"
+    is_laid = machine.settings.work.zero == "unknown"
+    return comparing.of_trace(trace, name, is_laid), GOOD
 
 
 def _is_trace(file):

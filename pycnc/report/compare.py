@@ -8,6 +8,7 @@ from pathlib import Path
 import numpy as np
 
 from pycnc import errors
+from pycnc.kernel.records import counts_per_unit
 from pycnc.machine.schema import AXES, ROTARY_AXES, position_key
 from pycnc.report import trace_file
 
@@ -35,10 +36,15 @@ class Side:
         Axis letter → (n,) position [mm, deg].
     line : numpy.ndarray or None
         (n,) source line; a measured log has none.
+    zero : dict or None
+        Axis letter → where the program's zero lies; None: nobody says.
+    is_laid : bool
+        Whether it lies there because nobody knows where the work is.
     """
 
     def __init__(self, name, t, places, line=None):
         self.name, self.t, self.places, self.line = name, t, places, line
+        self.zero, self.is_laid = None, False
         if len(t) < 2:
             raise errors.ArgumentError(f"{name}: has less than two samples", id="log")
         for what, array in (("time", t), *places.items()):
@@ -60,9 +66,27 @@ class Side:
         return float(self.t[-1] - self.t[0])
 
 
-def of_trace(trace, name):
-    """Return the side of a run that kept its rows."""
-    return _of_columns(name, trace.columns)
+def of_trace(trace, name, is_laid=False):
+    """Return the side of a run that kept its rows.
+
+    is_laid: its machine does not know where the work lies.
+    """
+    side, record = _of_columns(name, trace.columns), trace.program.machine.record
+    zeros = record["work_nm"][int(record["work_system"])]
+    zeros = zeros / counts_per_unit(record["axis"]["rotary"])
+    side.zero, side.is_laid = dict(zip(AXES, zeros.tolist(), strict=False)), is_laid
+    return side
+
+
+def _from_zero(a, b):
+    """Return both runs with places from their programs' zeros, where those are what is alike."""
+    if not (a.is_laid or b.is_laid) or a.zero is None or b.zero is None:
+        return a, b
+    moved = []
+    for side in (a, b):
+        places = {letter: at - side.zero[letter] for letter, at in side.places.items()}
+        moved.append(Side(side.name, side.t, places, side.line))
+    return moved
 
 
 def _of_columns(name, columns):
@@ -189,6 +213,7 @@ class Comparison:
         shared = [letter for letter in AXES if letter in a.places and letter in b.places]
         if not shared:
             raise errors.ArgumentError("the two have no axis in common", id="map")
+        a, b = _from_zero(a, b)
         self.a, self.b, self.axes = a, b, "".join(shared)
         self.time_s = b.time_s - a.time_s
         path_a, path_b = (np.stack([side.places[k] for k in shared], axis=1) for side in (a, b))
