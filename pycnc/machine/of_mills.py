@@ -15,6 +15,11 @@ _DEGREES = {  # ANGULAR_UNITS of LinuxCNC → degrees
     **dict.fromkeys(("deg", "degree"), Decimal(1)), "grad": Decimal("0.9"), "gon": Decimal("0.9"),
     **dict.fromkeys(("rad", "radian"), Decimal("57.29577951308232087679815")),
 }  # fmt: skip
+# LinuxCNC's [RS274NGC] CENTER_ARC_RADIUS_TOLERANCE: the least, and the most, its default.
+_ARCS = {
+    "mm": (Decimal("0.001"), Decimal("0.02828427")),
+    "inch": (Decimal("0.00004"), Decimal("0.002828427")),
+}
 _NUMBER = re.compile(r"\d+\.?\d*|\.\d+")
 
 
@@ -94,6 +99,7 @@ def linuxcnc(source):
     source.path("spindle.rpm_max", [("spindle_0", "max_forward_velocity")])
     source.draft.put("control.kind", "linuxcnc")
     _startup(source, unit)
+    _arcs(source, unit)
     if unit == _MM["inch"]:
         source.draft.put("dialect.units", "inch", "LINEAR_UNITS")
     if source.word(("display", "lathe")) == "1" and letters == ["x", "z"]:
@@ -126,6 +132,19 @@ def _startup(source, unit):
         source.draft.put("control.g64_without_p", "length", words)
         return
     source.draft.put("control.g64_without_p", "tolerance", f"start-up code {code}")
+
+
+def _arcs(source, unit):
+    """How far arcs may miss their circle; the others' tolerance is for programs in the other unit.
+    """
+    named = "inch" if unit == _MM["inch"] else "mm"
+    least, most = _ARCS[named]
+    told, comment = source.number(("rs274ngc", f"center_arc_radius_tolerance_{named}"))
+    if told is None:
+        told, comment = most, OWN_DEFAULT
+    elif not least <= told <= most:
+        told, comment = most, f"{comment} is beyond {least} to {most}, so {OWN_DEFAULT}"
+    source.draft.put("path.arc_radius_mm", told * _MM[named], comment)
 
 
 def grbl(source):

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 """Machine files from other controls' configurations, and new ones."""
 
+import math
 import random
 import time
 import tomllib
@@ -11,6 +12,7 @@ from command_line import pycnc
 
 from pycnc.errors import ArgumentError
 from pycnc.machine import Machine, MachineFileError, importer
+from pycnc.program import load
 
 KLIPPER = """\
 # a printer
@@ -122,6 +124,28 @@ def test_linuxcnc_in_inches():
     assert data["path"]["feed_max_mm_min"] == 4 * 60 * 25.4
     assert data["dialect"]["units"] == "inch"
     assert "BACKLASH = 0.001" in result.err
+
+
+@pytest.mark.parametrize("seed", range(8))
+def test_arcs_of_linuxcnc_miss_their_circle_by_its_tolerance(tmp_path, seed):
+    rng, said = random.Random(seed), seed % 4
+    unit, scale = rng.choice((("mm", 1.0), ("inch", 25.4)))
+    most = 0.02 * math.sqrt(2) / (1 if unit == "mm" else 10)
+    told = (None, most * rng.uniform(0.1, 0.9), most * rng.uniform(1.1, 9), 1e-6)[said]
+    key = f"CENTER_ARC_RADIUS_TOLERANCE_{unit.upper()}"
+    lines = ["[EMC]", "[TRAJ]", "COORDINATES = X Y Z", f"LINEAR_UNITS = {unit}", "[RS274NGC]",
+             *([f"{key} = {told:.7f}"] if told else [])]  # fmt: skip
+    draft = importer.read("\n".join([*lines, ""]), "machine.ini", tmp_path)
+    machine = Machine.from_text(draft.text())
+    within = scale * (told if said == 1 else most)
+    assert float(machine.settings.path.arc_radius_mm) == pytest.approx(within, rel=1e-5)
+    free = {f"axis.{letter}.{end}_mm": "free" for letter in "xyz" for end in ("min", "max")}
+    loose, radius = Machine.load(machine, set=free), 500 * within  # a thousandth of it is less
+    for share, good in ((0.98, True), (1.02, False)):
+        end = 2 * radius + share * within
+        text = f"G21\nG17\nG1 F30 X0\nG2 X{end:.6f} I{radius:.6f}\nM2\n"
+        found = {each.id for each in load(text.encode(), loose).diagnostics}
+        assert ("arc-radius" not in found) == good, (share, found)
 
 
 def test_grbl():
