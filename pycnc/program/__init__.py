@@ -4,7 +4,7 @@
 import hashlib
 
 from pycnc import errors, files, kernel
-from pycnc.program import folder, guess, kind, limits, moves, zero
+from pycnc.program import folder, guess, kind, limits, moves, remarks, zero
 from pycnc.program.diagnostics import Diagnostic, Diagnostics, Wording
 from pycnc.program.geometry import Moves
 from pycnc.program.lines import Lines
@@ -12,9 +12,16 @@ from pycnc.program.shown import facts_table
 from pycnc.machine import DEFAULT, Machine
 from pycnc.machine.rows import DIALECTS
 from pycnc.machine.schema import AXES, unit_of
+from pycnc.kernel.bind import lib
 from pycnc.kernel.records import copied, join
 
 _PIECE = 16384  # blocks that are looked at at a time
+
+
+def _line_of_end(blocks, before):
+    """Return the line that ends a program, which may be among the next blocks."""
+    ends = blocks["line"][blocks["kind"] == lib.NCK_BLOCK_END]
+    return int(ends[0]) if len(ends) and not before else before
 
 
 class Program:
@@ -52,7 +59,7 @@ class Program:
         self._veil(machine)
         if machine.settings.work.zero == "unknown":
             machine = self.machine = self._lay_travel(machine)
-        self.tolerance_most_mm, self.has_threads = 0.0, False
+        self.tolerance_most_mm, self.has_threads, self._end = 0.0, False, 0
         wording = Wording(file, self.lines, machine, self._places())
         another = beside.another if beside else None
         for blocks, findings, used in kernel.decode(self.text, machine, another):
@@ -67,10 +74,12 @@ class Program:
                 beside.take(machine, blocks, used)
             if progress:
                 progress(used, len(self.text))
+            self._end = _line_of_end(blocks, self._end)
         self.blocks = join("nck_block_t", kept) if keep else None
         self._moves = None
         if not isinstance(self.text, kernel.Blocks):
             self._tell_kind()
+            self._tell_remarks()
 
     def _places(self):
         """Return where the lines of programs of other files begin."""
@@ -90,6 +99,14 @@ class Program:
             ),
             seen.cures,
         )  # fmt: skip
+
+    def _tell_remarks(self):
+        """Tell what the program says to its operator."""
+        for line, column, words in remarks.found(self.text, self.machine, self._end):
+            source = self.lines[line]
+            self.diagnostics.add(
+                Diagnostic(self.file, line, column, "remark", "note", words, "", source)
+            )
 
     def _join_programs(self):
         """Put the programs of the machine's folder that the text calls behind it."""

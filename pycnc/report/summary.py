@@ -53,7 +53,7 @@ def render(trace, files=()):
     parts = [_head(trace), "", _times(facts), "", _limits(trace), "", _peaks(trace)]
     if facts["starved_ticks"]:
         parts += ["", Text(f"{facts['starved_ticks']:,} ticks waited for the path.", "yellow")]
-    parts += ["", _diagnostics(trace.program.diagnostics)]
+    parts += ["", _diagnostics(trace.program.diagnostics), *_remarks(trace.program.diagnostics)]
     parts += [_whole_line(Text.assemble((f"{what}: ", "bold"), path)) for what, path in files]
     return Group(*parts)
 
@@ -181,6 +181,13 @@ def _ratio(value, promised=True):
     """Return a peak in words: red if it breaks a promise, pale if none is given."""
     broken = "red" if value > 1 + 1e-6 else ""
     return Text(f"{value:.1%}", broken if promised else "dim")
+
+
+def _remarks(found):
+    """Yield what the program says to its operator."""
+    for each in found:
+        if each.id == "remark":
+            yield _whole_line(Text(f"Line {each.line} {each.message}"))
 
 
 def _diagnostics(found):
