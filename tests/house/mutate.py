@@ -374,7 +374,7 @@ def _written(name, family):
 
 def room_of(file):
     """Return the room whose tests are the nearest to a file of libnck."""
-    folder = Path("nck", file).parent.name
+    folder = re.match(r"(?:prep/|tick/)?(?:(\w+)/)?", file)[1] or "nck"  # whatever wing of it
     return ROOMS.get(folder, folder.partition("_")[2] or folder)
 
 

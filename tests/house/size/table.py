@@ -112,7 +112,8 @@ def measure_flash(built, image):
     rooms, ram = {}, 0
     for source, binary in built.items():
         flash, data = sizes(binary)
-        room = Path(source).parent.name or WIRES
+        folder = re.match(r"(?:prep/|tick/)?(\w+)/", source)  # whatever wing of it
+        room = folder[1] if folder else WIRES
         rooms[room] = rooms.get(room, 0) + flash
         ram += data
     rooms[RUNTIME] = sizes(image)[0] - sum(rooms.values())
