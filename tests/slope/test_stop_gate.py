@@ -31,7 +31,8 @@ def test_a_brake_counts_all_corners_of_a_period(seed):
 
 # What the tick would take was counted without its filter, and a corner ahead by jerk where there is
 # no limit of it: 1.56 and 1.72 times the bound.
-@pytest.mark.parametrize("seed", [303830, 308996])
+# It was counted from what the filter shows, which sets off later than the cells: 1.5 times.
+@pytest.mark.parametrize("seed", [303830, 308996, 317399])
 def test_a_brake_of_the_tick_begins_in_time(seed):
     assert stop_gate.try_seed(seed).share < 1.4
 

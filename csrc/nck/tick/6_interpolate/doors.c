@@ -2,8 +2,9 @@
 // Room 6, interpolate: what others tell it and ask, how periods are counted, and its invariants.
 #include "nck/tick/6_interpolate/interpolate.h"
 
-#include "nck/base/fence.h" // nck_fence_load nck_fence_store
-#include "nck/base/real.h"  // nck_floor
+#include "nck/base/cell_math.h" // nck_cell_speed
+#include "nck/base/fence.h"     // nck_fence_load nck_fence_store
+#include "nck/base/real.h"      // nck_floor
 
 int nck_interpolate_stands(const nck_interpolate_t *self) {
     return nck_fence_load(&self->stands) != 0;
@@ -63,4 +64,23 @@ int nck_interpolate_invariants(const nck_interpolate_t *self) {
            && filter->settle <= filter->taps && self->t_cell >= 0.0
            && self->t_cell < (double)NCK_INTERPOLATE_SPAN * self->machine->period_s
            && (!self->has_cell || self->cell.duration >= 0.0);
+}
+
+// The speed that the cells have and what they gain in a period, which the filter shows later.
+static void see_ahead(const nck_interpolate_t *self, nck_watched_t *seen) {
+    const nck_cell_t *const cell = &self->cell;
+    const double now = (double)self->k * self->machine->period_s - self->clock.late;
+    seen->ahead_v = self->pose.v;
+    seen->ahead_gain = self->pose.v - self->watch.v;
+    if (self->clock.state != NCK_CLOCK_RUNS || !self->has_cell || self->rider.on) return;
+    seen->ahead_v = nck_cell_speed(cell, now - self->t_cell);
+    seen->ahead_gain = (cell->a + cell->j * (now - self->t_cell)) * self->machine->period_s;
+}
+
+void nck_interpolate_watch(nck_interpolate_t *self, int asks, int planned, uint32_t steps) {
+    const int stands = self->clock.state == NCK_CLOCK_STANDS; // a rest that is asked for is here
+    const int slow = stands || (self->has_cell && (self->cell.stop & NCK_STOP_SLOW));
+    nck_watched_t seen = {asks, planned, slow, steps, (int)self->from_tail, self->pose.v, 0.0, 0.0};
+    if (asks) see_ahead(self, &seen);
+    self->brakes = (uint32_t)nck_watch_tick(&self->watch, self->terms, &seen);
 }

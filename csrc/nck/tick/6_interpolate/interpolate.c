@@ -319,10 +319,13 @@ static inline int seek(nck_interpolate_t *self) {
 
 // ---- the tick's own clock
 
-// Where the plan is, and the speed and the acceleration that it has.
+// Where the plan is, and the speed and the acceleration that it has. A step of acceleration is a
+// ramp's for as long as the filter knows it: what lasts longer is the plan's own acceleration.
 static void find_place(const nck_interpolate_t *self, nck_look_place_t *place_out) {
-    const double steps_from = self->filter.taps > 1 ? self->a_before : self->cell.a;
     const double t = now(self) - self->t_cell;
+    const double known_s = (double)self->filter.taps * self->machine->period_s;
+    const int steps = self->filter.taps > 1 && t <= known_s;
+    const double steps_from = steps ? self->a_before : self->cell.a;
     nck_clock_find(self->link, &self->cell, t, place_out);
     nck_clock_plan(&self->cell, t, steps_from, place_out);
 }
@@ -480,10 +483,4 @@ nck_status_t nck_interpolate_take(nck_interpolate_t *self, nck_cell_t *cell_out)
     begin_to_count(self);
     *cell_out = self->cell;
     return NCK_OK;
-}
-
-void nck_interpolate_watch(nck_interpolate_t *self, int asks, int planned, uint32_t steps) {
-    const int slow = self->has_cell && (self->cell.stop & NCK_STOP_SLOW);
-    const nck_watched_t seen = {asks, planned, slow, steps, (int)self->from_tail, self->pose.v};
-    self->brakes = (uint32_t)nck_watch_tick(&self->watch, self->terms, &seen);
 }

@@ -87,7 +87,8 @@ static int is_late(nck_watch_t *self, const nck_terms_t *terms, const nck_watche
         self->most = (uint32_t)(REST_MOST * (line + (double)LINE_PERIODS));
     }
     const int unplanned = self->asked > answer_periods(terms) && !seen->planned;
-    const double last = (double)self->asked + brake_periods(terms, seen->v, gain);
+    const double brake = brake_periods(terms, seen->ahead_v, seen->ahead_gain);
+    const double last = (double)self->asked + brake;
     const int late = unplanned || last > (double)self->most;
     self->stops = late || seen->slow || self->stops;
     return self->stops;
