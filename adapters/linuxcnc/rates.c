@@ -2,7 +2,8 @@
 // How fast: overrides, caps, feeds a revolution.
 #include "rates.h"
 
-#include <math.h> // fabs floor fmax fmin HUGE_VAL
+#include <math.h>   // fabs floor fmax fmin HUGE_VAL
+#include <stddef.h> // NULL
 
 #include "feed.h" // feed_is_done
 
@@ -136,10 +137,20 @@ static double follows(planner_t *self, const move_t *move) {
     return up_to(self->wish.rps, rps, told_at(&self->wish, x)) / base_at(self, line, x);
 }
 
-// The override by which the move in work follows the spindle.
+// The move in work, or the first one that will be: words have no feed. NULL: the kernel has none.
+static const move_t *fed_now(const planner_t *self) {
+    const uint32_t end = self->moves.next + (self->moves.part > 0);
+    for (uint32_t n = current(self); (int32_t)(end - n) > 0; n++) {
+        const move_t *const move = moves_at((moves_t *)&self->moves, n);
+        if (move->given > 0.0) return move;
+    }
+    return NULL;
+}
+
+// The override by which it follows the spindle.
 static void measure(planner_t *self) {
-    const move_t *const move = moves_at(&self->moves, current(self));
-    if (!self->by_turns || !move->per_rev || !(move->given > 0.0)) return;
+    const move_t *const move = fed_now(self);
+    if (!self->by_turns || !move || !move->per_rev) return;
     self->turned = self->wish.feed * follows(self, move);
 }
 

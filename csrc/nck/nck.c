@@ -385,13 +385,15 @@ nck_tick_state_t nck_position(const nck_t *nck, nck_pose_t *pose_out, nck_axes_t
     return (nck_tick_state_t)pose_out->state;
 }
 
-// 1 if somebody asks for rest.
-static inline int asks_for_rest(const nck_t *nck) {
+// 1 if somebody asks for rest: of the motion in work, or of the next one where the path rests.
+static inline int asks_for_rest(nck_t *nck) {
     const nck_command_t *const command = &nck->command;
-    const int rapid = nck->interpolate.pose.rapid;
-    const uint32_t ppm = nck_fence_load(rapid ? &command->rapid_ppm : &command->feed_ppm);
+    const uint32_t feed = nck_fence_load(&command->feed_ppm);
+    const uint32_t rapid = nck_fence_load(&command->rapid_ppm);
     if (nck_fence_load(&command->hold) | nck_fence_load(&nck->travel.stops)) return 1;
-    return ppm == 0 || nck_fence_load(&command->speed_um_s) == 0;
+    if (nck_fence_load(&command->speed_um_s) == 0) return 1;
+    if (feed > 0 && rapid > 0) return 0;
+    return (nck_interpolate_is_rapid(&nck->interpolate) ? rapid : feed) == 0;
 }
 
 nck_tick_state_t nck_tick(nck_t *nck, nck_pose_t *pose_out, nck_axes_t *axes_out) {

@@ -26,7 +26,7 @@ STEADY = 0.8  # for so long, before it is judged, tool and spindle have changed 
 FASTEST = {"css": 0.25, "": 0.1}  # … the spindle by no more than this share a second
 LATE_S = 0.05  # and for so long its change may not be heard [s]
 REST = f"rest {EVER}"
-SETTLES = "run 2500"  # every move of `calls` is done by then
+SETTLES = "run 9000"  # every move of `calls` is done by then
 
 
 def held(run, rows=slice(None)):
@@ -39,49 +39,169 @@ def held(run, rows=slice(None)):
 # ---- calls: each at rest, so that both planners are at the same place behind it
 
 
-def calls(seed):
-    """Return a script whose places behind every call are those of LinuxCNC's own planner."""
-    draw, x = random.Random(seed), 0
-    script, waits, backward = ["term 1 0"], False, False
-    for _ in range(draw.randrange(6, 20)):
-        word = draw.choice(["line", "line", "lines", "pause", "resume", "step", "abort", "nothing",
-                            "reverse", "paused line"])  # fmt: skip
-        if word in ("line", "lines"):
-            for _ in range(1 if word == "line" else draw.randrange(2, 5)):
-                x += draw.choice([4, 7, 10])
-                script.append(f"line 50 {x} 0 0")
+def words_of(*numbers):
+    """Return the words of numbers."""
+    return " ".join(f"{x:.4f}" for x in numbers)
+
+
+class Calls:
+    """A host whose calls are drawn; each lets the machine settle, and asks where it is.
+
+    What differs on purpose is not among them: running in reverse, which is refused; a tap or a
+    thread while a hold is in force, behind which LinuxCNC's own planner stands before its end;
+    setpos on top of moves that wait; outputs before a tap or a move of no length, which its own
+    planner drops or puts off; a pause or a step where moves blend, for its own stands in blends.
+    """
+
+    MOVES = ("line", "lines", "rapid", "same", "arc", "tap", "thread", "revolution")
+    OTHERS = ("spindle", "at speed", "output", "resume", "forward", "abort", "scale", "hold",
+              "vlimit", "enables", "term", "limits", "nothing")  # fmt: skip
+    AT_RESTS = ("pause", "paused line", "step")
+    TERMS = (("term 0 0", "term 1 0"), ("term 1 0", "term 2 0", "term 2 0.05"))
+
+    def __init__(self, seed):
+        self.draw = random.Random(seed)
+        self.place = [0.0, 0.0, 0.0]
+        self.script = ["term 1 0", "spindle 10 0"]
+        self.holds, self.outputs = set(), False
+        self.blends = self.draw.random() < 0.4
+
+    def all(self):
+        """Return the script, behind whose last call nothing is held and all is done."""
+        for _ in range(self.draw.randrange(6, 24)):
+            led = not self.holds and not self.outputs
+            others = self.OTHERS + (() if self.blends else self.AT_RESTS)
+            self.call(self.draw.choice(self.MOVES[: None if led else -3] + others))
+            self.script.append(self.draw.choice(["run 1", "run 3", SETTLES]))
+            self.script += [SETTLES, "tell"]
+        ends = ["feed 1", "rapids 1", "adaptive 1", "feedhold 0", "vlimit 1000", "enables 7",
+                "spindle 10 0", "atspeed 1", "resume"]  # fmt: skip
+        return [*self.script, *ends, "run 30000", "tell"]
+
+    def call(self, word):
+        """Make one call, or those that belong together."""
+        draw, script = self.draw, self.script
+        if word in self.MOVES:
+            self.move(word)
+        elif word == "spindle":
+            script.append(f"spindle {draw.choice([0, 5, 10, 10])} 0")
+        elif word == "at speed":
+            script.append(draw.choice(["wait", "atspeed 0", "atspeed 1"]))
+        elif word == "output":
+            kind = draw.choice(["dout", "aout"])
+            script.append(f"{kind} {draw.randrange(4)} {draw.randrange(2)}")
+            self.outputs = True
         elif word == "paused line":
-            x += 5
-            script += ["pause", f"line 50 {x} 0 0"]
-        elif word == "reverse" and waits and not backward:
-            continue  # LinuxCNC's own goes back: test_reverse tells what ours does
-        elif word not in ("nothing", "reverse"):
+            self.hold("pause", held=True)
+            self.move("line")
+        elif word in ("pause", "resume"):
+            self.hold(word, held=word == "pause", name="pause")
+        elif word == "abort":
+            self.abort()
+        elif word == "scale":
+            name, share = draw.choice(["feed", "rapids", "adaptive"]), draw.choice([0, 0.5, 1, 1])
+            self.hold(f"{name} {share}", held=share == 0, name=name)
+        elif word == "hold":
+            on = draw.randrange(2)
+            self.hold(f"feedhold {on}", held=on == 1, name=word)
+        elif word == "vlimit":
+            most = draw.choice([0, 30, 1000])
+            self.hold(f"vlimit {most}", held=most == 0, name=word)
+        elif word == "enables":
+            script.append(f"enables {draw.choice([0, 1, 5, 7])}")
+        elif word == "term":
+            script.append(draw.choice(self.TERMS[self.blends]))
+        elif word == "limits":
+            most = f"{draw.choice([30, 100])} {draw.choice([300, 1000])}"
+            script.append(f"axis {draw.randrange(3)} {most}")
+        elif word != "nothing":
             script.append(word)
-        if word == "abort":
-            script += [SETTLES, "clear"]
-        script += [draw.choice(["run 1", "run 3", SETTLES]) if draw.random() < 0.2 else SETTLES,
-                   "tell"]  # fmt: skip
-    return [*script, "resume", "run 30000", "tell"]
+
+    def hold(self, call, *, held, name="pause"):
+        """Hold, or end a hold."""
+        self.script.append(call)
+        (self.holds.add if held else self.holds.discard)(name)
+
+    def abort(self):
+        """Abort, as LinuxCNC does it; from another place at times."""
+        self.script += ["abort", SETTLES, "tell", SETTLES, "clear", self.TERMS[0][1]]
+        self.holds.discard("pause")
+        self.outputs = False
+        if self.draw.random() < 0.3:
+            self.place = [self.draw.uniform(-9, 9) for _ in self.place]
+            self.script.append(f"setpos {words_of(*self.place)}")
+
+    def move(self, word):
+        """Ask for one move, or a few."""
+        draw = self.draw
+        if word in ("line", "lines", "rapid"):
+            for _ in range(draw.randrange(2, 5) if word == "lines" else 1):
+                for k in draw.sample(range(3), draw.randrange(1, 4)):
+                    self.place[k] += draw.choice([-7, -3, -1, 0.5, 2, 6])
+                kind = "rapid 100" if word == "rapid" else f"line {draw.choice([20, 50, 100])}"
+                self.script.append(f"{kind} {words_of(*self.place)}")
+        elif word == "same" and not self.outputs:
+            self.script.append(f"line 50 {words_of(*self.place)}")
+        elif word == "arc":
+            self.arc()
+        elif word == "tap":
+            hole = [*self.place[:2], self.place[2] - draw.choice([1, 3])]
+            self.led(0.5, 0, f"tap 50 {words_of(*hole)} 0 0 0 0 0 0 1")
+        elif word != "same":
+            self.place[2] -= draw.choice([1, 3])
+            lead = draw.choice([0.25, 0.5])
+            self.led(lead, int(word == "revolution"), f"line 50 {words_of(*self.place)}")
+        self.outputs &= word == "same"
+
+    def led(self, lead, mode, move):
+        """Ask for a move that the spindle leads."""
+        self.script += [f"sync {lead} {mode}", move, "sync 0 0"]
+
+    def arc(self):
+        """Ask for half of a circle in any plane, a helix at times, or more than a turn."""
+        draw, axis = self.draw, self.draw.randrange(3)
+        u, radius = (axis + 1) % 3, self.draw.choice([0.5, 2, 4])
+        centre = list(self.place)
+        centre[u] += radius
+        self.place[u] += 2 * radius
+        self.place[axis] += draw.choice([0, 0, 2, -1])
+        normal = [float(k == axis) for k in range(3)]
+        end, others = words_of(*self.place), "0 0 0 0 0 0"
+        around = f"{words_of(*centre)} {words_of(*normal)} {draw.choice([0, 0, -1, 1])}"
+        self.script.append(f"arc 50 {end} {others} {around}")
 
 
 def tells(run):
-    """Return place and what is left to do behind every call."""
-    return [(float(each[0]), each[5] + each[6]) for each in run.told("tell")]
+    """Return where it is behind every call, and whether something is left to do."""
+    told = ((np.array(each[:3], float), dict(zip(each[3::2], each[4::2], strict=True)))
+            for each in run.told("tell"))  # fmt: skip
+    return [(place, flags["done"], flags["depth"] != "0") for place, flags in told]
+
+
+def order(run):
+    """Return what was handed over in which order: answers, moves on the way, outputs."""
+    ids = run.column("id")[run.column("speed") > 0]
+    way = [int(ids[n]) for n in np.flatnonzero(np.diff(ids, prepend=-1)) if ids[n]]
+    outputs = sorted({(word, *each[:2]) for word in ("dout", "aout") for each in run.told(word)})
+    return run.told("move"), way, outputs
 
 
 def calls_failures(stand_in, seed):
     """Return what differs from LinuxCNC's own planner, in words."""
-    script = settled(calls(seed))
-    ours, own = (tells(stand_in.run(script, module=module)) for module in (None, OWN))
-    pairs = enumerate(zip(ours, own, strict=True))
-    wrong = [f"call {n}: {a} in place of {b}" for n, (a, b) in pairs
-             if abs(a[0] - b[0]) > NEAR or a[1] != b[1]]  # fmt: skip
-    return wrong + held(stand_in.run(script))
-
-
-def settled(script):
-    """Return the script with time to settle wherever something is told."""
-    return [line for each in script for line in ([SETTLES, each] if each == "tell" else [each])]
+    calls = Calls(seed)
+    script = calls.all()
+    runs = [stand_in.run(script, module=module) for module in (OWN, None)]
+    pairs = enumerate(zip(*map(tells, runs), strict=True))
+    wrong = [f"call {n}: {ours} in place of {own}" for n, (own, ours) in pairs
+             if np.abs(ours[0] - own[0]).max() > NEAR or ours[1:] != own[1:]]  # fmt: skip
+    own, ours = map(order, runs)
+    # blends take moves over; a move that waits behind a step has begun, and is aborted
+    ways = not calls.blends and "abort" not in script
+    told = zip(ours, own, (True, ways, True), strict=True)
+    wrong += [f"{a} in place of {b}" for a, b, judged in told if judged and a != b]
+    free = not any(line.startswith(("setpos", "sync")) for line in script)  # jumps; is led
+    exact = "jerk"  # at junctions of an exact path a step of acceleration is allowed
+    return wrong + [each for each in held(runs[1]) if free and exact not in each]
 
 
 # ---- stops: an operator, and limits, while it moves

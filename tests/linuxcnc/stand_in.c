@@ -382,6 +382,7 @@ static void set_up(void) {
     status.spindle_status[0].at_speed = 1;
     status.spindle_status[0].net_scale = 1.0;
     config.numSpindles = 1;
+    config.numDIO = config.numAIO = 8;
     config.arcBlendEnable = 1;
     config.arcBlendOptDepth = 50;
     config.arcBlendGapCycles = 4;

@@ -25,8 +25,8 @@ def ends(run):
 # Whatever comes
 
 
-@pytest.mark.sample(4)
-@pytest.mark.parametrize("seed", range(60))
+@pytest.mark.sample(20)
+@pytest.mark.parametrize("seed", range(1000))
 def test_calls_at_rest_bring_what_linuxcncs_own_planner_makes_of_them(stand_in, seed):
     if not OWN.is_file():
         pytest.skip("linuxcnc-uspace is not installed")

@@ -179,6 +179,41 @@ static void an_override_counts_in_millionths(check_t *check)
     }
 }
 
+// A dwell between a rapid and a feed, in which the operator stops one of both. Returns where the
+// tool is after more ticks than all of the rest takes.
+static double stopped_between(uint8_t slope, int rapid_first, int stops_rapid, int into)
+{
+    enum { ENOUGH = 1500 };
+    int since = 0;
+    motion_begin(&motion, 1);
+    motion.machine.slope = slope;
+    motion_line(&motion, rapid_first ? "G21 G90 G61 G0 X10" : "G21 G90 G61 G1 X10 F3000");
+    motion_line(&motion, "G4 P0.2");
+    motion_line(&motion, rapid_first ? "G1 X20 F3000" : "G0 X20");
+    motion_line(&motion, "M2");
+    motion.status = motion_start(&motion);
+    while (motion_tick(&motion, NULL) && since < ENOUGH) {
+        since += motion.pose.s >= 10.0;
+        if (since != into) continue;
+        if (stops_rapid) nck_set_override(&motion.nck, 100 * NCK_PERCENT, 0);
+        else nck_set_override(&motion.nck, 0, 100 * NCK_PERCENT);
+    }
+    return motion.pose.s;
+}
+
+// Feeds at 0 % stop no rapid, rapids at 0 % no feed: of a path that rests the next motion counts.
+static void what_is_stopped_is_the_motion_that_comes_next(check_t *check)
+{
+    static const uint8_t slope[] = {NCK_SLOPE_LINEAR, NCK_SLOPE_JERK};
+    uint64_t seed = 91;
+    for (int n = 0; n < 64; n++) {
+        const int first = n & 1, stops = n >> 1 & 1, k = n >> 2 & 1;
+        const int into = 1 + (int)(motion_random(&seed) * 150.0);
+        const double s = stopped_between(slope[k], first, stops, into);
+        CHECK_NEAR(check, s, first == stops ? 20.0 : 10.0, 1e-9);
+    }
+}
+
 enum { STEPS_A_TICK = 48, // with so little prep a plan takes up to 30 ticks
        FOLLOWED = 150 };  // ticks: three such plans, and a ramp of 5 mm/s
 
@@ -250,6 +285,7 @@ int main(void)
     CHECK_RUN(&check, the_tool_is_no_faster_than_the_operator_allows);
     CHECK_RUN(&check, overrides_that_go_up_in_steps_are_followed_at_once);
     CHECK_RUN(&check, an_override_counts_in_millionths);
+    CHECK_RUN(&check, what_is_stopped_is_the_motion_that_comes_next);
 #if NCK_AXIS_MAX > 3
     CHECK_RUN(&check, a_rotary_axis_alone_does_not_heed_the_speed_of_the_tool);
 #endif

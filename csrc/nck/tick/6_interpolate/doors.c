@@ -19,6 +19,16 @@ int nck_interpolate_is_at_rest(const nck_interpolate_t *self) {
     return nck_link_is_spent(self->link) && !nck_fence_load(&self->has_cell);
 }
 
+int nck_interpolate_is_rapid(nck_interpolate_t *self) {
+    if (self->has_cell && self->cell.length > 0.0) return self->pose.rapid;
+    const uint32_t word = nck_link_word(self->link);
+    const nck_cell_t *const next = nck_link_ahead(self->link, word, 0);
+    if (!next) return self->pose.rapid;
+    const uint32_t seg = next->seg;
+    return nck_link_holds(self->link, word) ? nck_link_seg(self->link, seg)->rapid
+                                            : self->pose.rapid;
+}
+
 void nck_interpolate_measure(nck_interpolate_t *self, double turns) {
     nck_sync_measure(&self->sync, turns);
 }

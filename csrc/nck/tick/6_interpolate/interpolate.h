@@ -84,6 +84,9 @@ int nck_interpolate_stands(const nck_interpolate_t *self);
 // 1 at a WAIT that nobody has ended. Cost: constant. Context: any.
 int nck_interpolate_is_waiting(const nck_interpolate_t *self);
 
+// 1 if a rapid is in work, or comes next where the path rests. Cost: constant. Context: tick.
+int nck_interpolate_is_rapid(nck_interpolate_t *self);
+
 // 1 if the tick has nothing left to execute, or waits. Cost: constant. Context: any; another than
 // the tick's: as long as nothing is published.
 int nck_interpolate_is_at_rest(const nck_interpolate_t *self);
