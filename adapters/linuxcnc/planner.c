@@ -262,9 +262,9 @@ static int add(planner_t *self, const planner_order_t *order, const shape_t *sha
     if (length < 0.0) return -2;
     if (shape->centre && leaves(self, &move)) return -3;
     put_bounds(self, order, &move);
-    put_outputs(self, order);
     if (order->at_speed) put_word(self, order, MOVE_AT_SPEED, 0);
     if (order->indexer >= 0) put_word(self, order, MOVE_UNLOCK, order->indexer);
+    put_outputs(self, order);
     self->way += length;
     move.way = self->way;
     *moves_at(&self->moves, self->moves.head++) = move;

@@ -136,6 +136,35 @@ static void wait_lasts_until_it_is_resumed(check_t *check)
     }
 }
 
+// A spindle that starts behind M0 or M6 does so when the operator goes on; after an abort never.
+static void what_stands_behind_a_wait_waits(check_t *check)
+{
+    static const char *const words[] = {"M8", "S500 M3", "M62 P1", "M64 P2", "M5", "G4 P0.01"};
+    static const char *const stops[] = {"M0", "T1 M6", "M60"};
+    uint64_t seed = 2611;
+    for (int n = 0; n < 96; n++) {
+        const int aborts = n & 1, waits = n >> 1;
+        begin(waits % 2 ? NCK_SLOPE_JERK : NCK_SLOPE_LINEAR);
+        if (waits % 3) motion_line(&motion, "X1");
+        motion_line(&motion, stops[(int)(3.0 * motion_random(&seed))]);
+        for (int k = 0; k < 3; k++) motion_line(&motion, words[(int)(6.0 * motion_random(&seed))]);
+        motion_line(&motion, "M9");
+        motion_line(&motion, "X2");
+        motion_line(&motion, "M2");
+        CHECK_INT(check, motion_start(&motion), NCK_OK);
+        CHECK_INT(check, tick_until(NCK_TICK_WAIT), NCK_TICK_WAIT);
+        const uint32_t outputs = motion.outputs;
+        CHECK(check, outputs <= 3); // M0; T, M5 and M6
+        for (int k = 0; k < 40; k++) CHECK_INT(check, tick(1), NCK_TICK_WAIT);
+        CHECK_INT(check, motion.outputs, outputs);
+        if (aborts) nck_abort(&motion.nck);
+        else nck_resume(&motion.nck);
+        for (int k = 0; k < 40; k++) (void)tick(1);
+        CHECK(check, aborts ? motion.outputs == outputs : motion.outputs > outputs);
+        CHECK(check, aborts || (runs_to_the_end() && motion.pose.axis[0] == 2.0));
+    }
+}
+
 static void abort_at_a_wait_ends_there(check_t *check)
 {
     for (uint32_t slope = NCK_SLOPE_LINEAR; slope <= NCK_SLOPE_JERK; slope++) {
@@ -217,6 +246,7 @@ int main(void)
     CHECK_RUN(&check, hold_at_rest_is_told_until_it_is_resumed);
     CHECK_RUN(&check, starvation_is_told_until_prep_goes_on);
     CHECK_RUN(&check, wait_lasts_until_it_is_resumed);
+    CHECK_RUN(&check, what_stands_behind_a_wait_waits);
     CHECK_RUN(&check, abort_at_a_wait_ends_there);
     CHECK_RUN(&check, abort_is_idle_only_at_rest);
     CHECK_RUN(&check, kernel_is_idle_when_nothing_is_left_to_do);

@@ -161,10 +161,11 @@ static void land(nck_interpolate_t *self) {
     const nck_seg_t *const seg = seg_at(self, seq);
     const double s = cell->s + cell->length - nck_mean_length(self->link, cell->seg, seq);
     place(self, seg, cell->last ? seg->length : s, 0.0);
-    nck_fence_store(&self->waits, seg->kind == NCK_SEG_WAIT);
+    const int waits = seg->kind == NCK_SEG_WAIT;
+    nck_fence_store(&self->waits, (uint32_t)waits);
     nck_fence_store(&self->resume, 0);
     leave_cell(self);
-    nck_link_seg_finish(self->link, cell->last ? seq + 1 : seq);
+    nck_link_seg_finish(self->link, cell->last && !waits ? seq + 1 : seq);
     if (self->from_tail) nck_link_tail_rest(self->link);
     self->rests = 1;
     begin_to_count(self);
@@ -284,10 +285,11 @@ static const nck_pose_t *run_dry(nck_interpolate_t *self) {
     return rest(self);
 }
 
-// At a WAIT until somebody resumes.
+// At a WAIT until somebody resumes. Outputs behind it wait, too.
 static int waits_on(nck_interpolate_t *self) {
     if (!self->waits) return 0;
     if (!nck_fence_load(&self->resume)) return 1;
+    nck_link_seg_finish(self->link, self->pose.seg + 1);
     nck_fence_store(&self->resume, 0);
     nck_fence_store(&self->waits, 0);
     return 0;
