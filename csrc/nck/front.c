@@ -249,6 +249,7 @@ void nck_queue(const nck_t *nck, nck_queue_t *queue_out) {
     const nck_link_t *const link = &nck->link;
     queue_out->blocks = nck->wire.blocks;
     queue_out->smooth = nck->smooth.raw.head - nck->smooth.raw.tail;
+    if (queue_out->smooth == 0 && !nck_smooth_is_empty(&nck->smooth)) queue_out->smooth = 1;
     queue_out->segs = link->seg_head - nck_link_finished(link);
     queue_out->outputs = link->output_head - nck_fence_load(&link->output_taken);
     queue_out->cells = nck_link_waiting(link);

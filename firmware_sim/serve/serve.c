@@ -343,6 +343,8 @@ static void be_patient(serve_t *self, nck_status_t status) {
 }
 
 static int read(serve_t *self, nck_status_t status) {
+    if (self->renews && !serve_is_idle(self)) return 0;
+    self->renews = 0;
     if (self->jogging && serve_is_idle(self)) {
         self->jogging = 0;
         override(self);
@@ -416,6 +418,7 @@ static int end_brake(serve_t *self) {
     }
     self->then = SERVE_THEN_OK;
     self->phase = SERVE_READS;
+    self->renews = 1;
     if (self->waits) serve_answer(self);
     self->waits = 0;
     return 1;

@@ -80,6 +80,7 @@ typedef struct serve {
     uint8_t sleeps;              // 1: $SLP
     uint8_t flushed;             // 1: that nothing follows for now was said
     uint8_t waits;               // 1: a line is to be answered behind the brake
+    uint8_t renews;              // 1: no line is read until the tick has begun anew, too
     uint8_t after_return;        // 1: a line feed that comes next is of the line before
     uint8_t turned;              // coolant that the operator turned over, as in serve_coolant
     uint8_t mask;                // $10

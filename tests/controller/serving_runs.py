@@ -18,6 +18,7 @@ from pycnc.kernel.session import Session
 from pycnc.machine import Machine
 
 RING = 127
+MICRON_NM = 1000  # what a report counts by
 PATIENCE = 400_000  # ticks without an answer
 HOLD, RESUME, RESET, CANCEL = b"!", b"~", b"\x18", b"\x85"
 OVERRIDES = b"\x90\x91\x92\x93\x94\x95\x96\x97\x99\x9a"
@@ -253,10 +254,9 @@ def jogs(seed):
             raise Broken(f"{lines}: {answers}")
         report, moving = talk.status(), talk.session.moving
         talk.wait(200)
-        at = tuple(round(float(word) * 1000) for word in report["MPos"].split(","))
-        if moving != talk.session.moving or at != tuple(
-            (nm + 500) // 1000 for nm in talk.session.joints_nm
-        ):
+        at = [float(word) * 1e6 for word in report["MPos"].split(",")]
+        off = max(abs(told - nm) for told, nm in zip(at, talk.session.joints_nm, strict=True))
+        if moving != talk.session.moving or off > MICRON_NM / 2 + 1e-3:
             raise Broken(f"reported at rest at {at}, moves to {talk.session.joints_nm}")
         if talk.ask("$G") != modes:
             raise Broken(f"a jog has changed the modes: {modes}")
