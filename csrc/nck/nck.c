@@ -396,6 +396,17 @@ static inline int asks_for_rest(nck_t *nck) {
     return (nck_interpolate_is_rapid(&nck->interpolate) ? rapid : feed) == 0;
 }
 
+// 1 where single block keeps the path, until the operator goes on: what stands behind the block
+// waits, too.
+static inline int stands_behind_block(nck_t *nck) {
+    const uint32_t resumes = nck_fence_load(&nck->command.resumes);
+    const int moves = nck->interpolate.has_cell || !nck_link_is_spent(&nck->link);
+    const int stands = nck_slope_waits(&nck->slope) && !moves;
+    if (!stands || !nck->wire.stands) nck->wire.resumed = resumes;
+    nck->wire.stands = (uint8_t)stands;
+    return stands && resumes == nck->wire.resumed;
+}
+
 nck_tick_state_t nck_tick(nck_t *nck, nck_pose_t *pose_out, nck_axes_t *axes_out) {
     const int asks = asks_for_rest(nck);
     nck_interpolate_watch(&nck->interpolate, asks, asks && nck_slope_brakes(&nck->slope),
@@ -403,7 +414,8 @@ nck_tick_state_t nck_tick(nck_t *nck, nck_pose_t *pose_out, nck_axes_t *axes_out
     (void)nck_interpolate_tick(&nck->interpolate);
     if (nck_fence_load(&nck->interpolate.sync.lost)) nck_abort(nck); // nothing can follow it
     const nck_tick_state_t state = nck_position(nck, pose_out, axes_out);
-    if (nck_link_has_output(&nck->link)) hand_over_outputs(nck);
+    const int waits = stands_behind_block(nck);
+    if (nck_link_has_output(&nck->link) && !waits) hand_over_outputs(nck);
     return state;
 }
 

@@ -195,7 +195,8 @@ void nck_resume(nck_t *nck);
 // Cost: constant. Context: any.
 void nck_abort(nck_t *nck);
 
-// Hold at the end of every block (1) or no longer (0). Cost: constant. Context: any.
+// Hold at the end of every block (1) or no longer (0); outputs behind it wait, too. Cost: constant.
+// Context: any.
 void nck_set_single_block(nck_t *nck, uint32_t on);
 
 // Millionths in one per cent, as nck_set_override takes them.

@@ -52,6 +52,8 @@ struct nck {
         uint8_t given_up;       // 1: after NCK_E_INTERNAL
         uint8_t flush;          // nck_flush_state_t
         uint8_t checks;         // 1: blocks are dropped behind decode
+        uint8_t stands;         // 1: single block keeps the path; tick's own, …
+        uint32_t resumed;       // … and so often the operator had gone on until then
         uint32_t blocks;        // blocks so far, of all kinds
         nck_diagnostic_t diagnostic; // of a room behind 1_decode; code 0: none
         uint32_t steps;         // of nck_prep, 0 when it is done; any reads

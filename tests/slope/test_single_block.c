@@ -170,6 +170,43 @@ static void single_block_switched_off_at_rest_waits_for_a_resume(check_t *check)
     CHECK_NEAR(check, next_rest(), 30.0, 1e-9);
 }
 
+// A spindle that starts behind a block does so when the operator goes on, wherever he switched
+// single block on; what stands behind the last block, too.
+static void what_stands_behind_a_block_waits(check_t *check)
+{
+    static const uint8_t slope[] = {NCK_SLOPE_LINEAR, NCK_SLOPE_JERK};
+    uint64_t seed = 2912;
+    for (int n = 0; n < 24; n++) {
+        const uint64_t on = (uint64_t)(500.0 * motion_random(&seed));
+        motion_begin(&motion, 1);
+        motion.machine.slope = slope[n & 1];
+        motion_line(&motion, "G21 G90 G61 G1 F1500 X20");
+        motion_line(&motion, "S500 M3");
+        motion_line(&motion, "M8");
+        motion_line(&motion, "Y10");
+        motion_line(&motion, "M9");
+        motion_line(&motion, "M2");
+        motion.status = motion_start(&motion);
+        while (motion.ticks < on && motion_tick(&motion, NULL)) continue;
+        nck_set_single_block(&motion.nck, 1);
+        while (motion.pose.state != NCK_TICK_HOLD && motion_tick(&motion, NULL)) continue;
+        (void)ticks_to_rest();
+        for (int k = 0; k < 50; k++) (void)motion_tick(&motion, NULL);
+        CHECK_NEAR(check, motion.pose.s, 20.0, 1e-9);
+        CHECK_INT(check, motion.outputs, 0);
+        nck_resume(&motion.nck);
+        for (int k = 0; k < 50; k++) (void)motion_tick(&motion, NULL);
+        CHECK_INT(check, motion.outputs, 3);
+        for (int press = 0; press < 2 && !motion.is_over; press++) {
+            (void)ticks_to_rest();
+            nck_resume(&motion.nck);
+            for (int k = 0; k < 50 && motion_tick(&motion, NULL); k++) continue;
+        }
+        CHECK(check, motion.is_over);
+        CHECK_INT(check, motion.outputs, 5);
+    }
+}
+
 // The most prep steps between two ticks, until the path rests.
 static uint32_t most_steps_to_rest(void)
 {
@@ -270,6 +307,7 @@ int main(void)
     CHECK_RUN(&check, single_block_switched_off_on_the_way_needs_no_resume);
     CHECK_RUN(&check, single_block_switched_on_again_on_the_way_waits_for_a_resume);
     CHECK_RUN(&check, single_block_switched_off_at_rest_waits_for_a_resume);
+    CHECK_RUN(&check, what_stands_behind_a_block_waits);
     CHECK_RUN(&check, block_ends_too_near_to_rest_at_are_passed);
     CHECK_RUN(&check, an_override_of_zero_rests_behind_a_block_end_too_near);
     CHECK_RUN(&check, a_slow_preparation_hears_a_hold_before_the_window_ends);
