@@ -14,6 +14,8 @@ from pycnc.planning import control
 from pycnc.planning.plan import Plan, plan, why
 from pycnc.program import load
 
+KINDS = ("klipper", "grbl", "grblhal", "fluidnc", "marlin", "linuxcnc")
+PRINTERS = ("klipper", "marlin")
 _AXES = "".join(
     f"[axis.{letter}]\nv_max_mm_s = {v}\na_max_mm_s2 = {a}\nj_max_mm_s3 = 100000\n"
     for letter, v, a in (("x", 100, 1000), ("y", 80, 500), ("z", 20, 200), ("u", 80, 800))
@@ -29,6 +31,25 @@ def machine_of(kind, **settings):
     return Machine.from_text(
         f'[control]\nkind = "{kind}"\n{own}{_AXES}[dialect]\nbase = "{base}"{feed}\n'
     )
+
+
+def any_program(kind, seed, count=150):
+    """Return a program of all kinds of lines that a control knows."""
+    rng = random.Random(f"{kind}{seed}")
+    prints = kind in PRINTERS
+    lines = ["G21", "G90", "G1 F600", *(["M82"] if prints else ["M3 S100"])]
+    if kind == "linuxcnc":
+        lines.append(rng.choice(("G61", "G64", "G64 P0.01", "G64 P0.2 Q0.05", "G61.1")))
+    for _ in range(count):
+        x, y, z = (round(rng.uniform(-20, 20), rng.choice((0, 3))) for _ in "xyz")
+        lines.append(rng.choice((
+            f"G1 X{x} Y{y}", f"G1 Z{z}", f"G0 X{x} Y{y} Z{z}", f"G1 X{x} F{rng.randint(1, 9000)}",
+            "G91\nG2 X0 Y0 I2 J0\nG90", "G91\nG3 X2 Y0 I1 J0 Z0.5\nG90", "G4 P0.1", "G1",
+            f"G1 E{x}" if prints else f"G1 X{x} S{rng.randint(0, 99)}",
+            f"G1 X{x} E{y}" if prints else "M8", "G91\nG1 X0.001\nG90", "G91\nG1 X-0.001\nG90",
+            f"G91\nG1 X0.4 Y{rng.uniform(-0.2, 0.2):.3f}\nG1 X0.4\nG90",
+        )))  # fmt: skip
+    return load(("\n".join(lines) + "\n").encode(), machine_of(kind))
 
 
 def time_of(text, machine):
@@ -162,21 +183,10 @@ def test_what_klipper_has_in_its_queue_does_not_matter(monkeypatch, ratio):
     assert pieces.time_s == pytest.approx(whole.time_s, rel=1e-9)
 
 
-@pytest.mark.parametrize("kind", ["klipper", "grbl", "grblhal", "fluidnc", "marlin", "linuxcnc"])
+@pytest.mark.parametrize("kind", KINDS)
 @pytest.mark.parametrize("seed", range(4))
 def test_programs_of_all_kinds_of_lines_have_a_time(kind, seed):
-    rng = random.Random(f"{kind}{seed}")
-    prints = kind in ("klipper", "marlin")
-    lines = ["G21", "G90", "G1 F600", *(["M82"] if prints else ["M3 S100"])]
-    for _ in range(200):
-        x, y, z = (round(rng.uniform(-20, 20), rng.choice((0, 3))) for _ in "xyz")
-        lines.append(rng.choice((
-            f"G1 X{x} Y{y}", f"G1 Z{z}", f"G0 X{x} Y{y} Z{z}", f"G1 X{x} F{rng.randint(1, 9000)}",
-            "G91\nG2 X0 Y0 I2 J0\nG90", "G91\nG3 X2 Y0 I1 J0 Z0.5\nG90", "G4 P0.1", "G1",
-            f"G1 E{x}" if prints else f"G1 X{x} S{rng.randint(0, 99)}",
-            f"G1 X{x} E{y}" if prints else "M8", "G91\nG1 X0.001\nG90", "G91\nG1 X-0.001\nG90",
-        )))  # fmt: skip
-    found = plan(load(("\n".join(lines) + "\n").encode(), machine_of(kind)))
+    found = plan(any_program(kind, seed, 200))
     assert 0 < found.time_s < math.inf
     told = found.why()
     lost = math.fsum(cause["lost_s"] for cause in told.causes)
@@ -184,7 +194,7 @@ def test_programs_of_all_kinds_of_lines_have_a_time(kind, seed):
     assert all(cause["lost_s"] > -1e-6 * found.time_s for cause in told.causes), told.causes
 
 
-@pytest.mark.parametrize("kind", ["klipper", "grbl", "grblhal", "fluidnc", "marlin", "linuxcnc"])
+@pytest.mark.parametrize("kind", KINDS)
 def test_what_is_lost_and_what_is_not_add_up(kind):
     rng = random.Random(kind)
     text = _text(_walk(rng, 400, 1.0), 60) + "G4 P0\nG0 X0 Y0\n"

@@ -9,7 +9,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 from control_oracle import trapezoid
-from test_control import klipper, machine_of
+from test_control import KINDS, PRINTERS, any_program, klipper, machine_of
 
 from pycnc import errors
 from pycnc.kernel.records import copied
@@ -21,28 +21,7 @@ from pycnc.report import compare, page
 from pycnc.report.trace import Trace, run
 from pycnc.report.trail import Trail
 
-KINDS = ("klipper", "grbl", "grblhal", "fluidnc", "marlin", "linuxcnc")
-PRINTERS = ("klipper", "marlin")
 CORPUS = Path(__file__).resolve().parents[3] / "shared" / "corpus"
-
-
-def any_program(kind, seed, count=150):
-    """Return a program of all kinds of lines that a control knows."""
-    rng = random.Random(f"{kind}{seed}")
-    prints = kind in PRINTERS
-    lines = ["G21", "G90", "G1 F600", *(["M82"] if prints else ["M3 S100"])]
-    if kind == "linuxcnc":
-        lines.append(rng.choice(("G61", "G64", "G64 P0.01", "G64 P0.2 Q0.05", "G61.1")))
-    for _ in range(count):
-        x, y, z = (round(rng.uniform(-20, 20), rng.choice((0, 3))) for _ in "xyz")
-        lines.append(rng.choice((
-            f"G1 X{x} Y{y}", f"G1 Z{z}", f"G0 X{x} Y{y} Z{z}", f"G1 X{x} F{rng.randint(1, 9000)}",
-            "G91\nG2 X0 Y0 I2 J0\nG90", "G91\nG3 X2 Y0 I1 J0 Z0.5\nG90", "G4 P0.1", "G1",
-            f"G1 E{x}" if prints else f"G1 X{x} S{rng.randint(0, 99)}",
-            f"G1 X{x} E{y}" if prints else "M8", "G91\nG1 X0.001\nG90", "G91\nG1 X-0.001\nG90",
-            f"G91\nG1 X0.4 Y{rng.uniform(-0.2, 0.2):.3f}\nG1 X0.4\nG90",
-        )))  # fmt: skip
-    return load(("\n".join(lines) + "\n").encode(), machine_of(kind))
 
 
 def traced(program):
