@@ -229,19 +229,13 @@ def report(
 
     The page needs no network, and nothing beside it.
     """
-    from pycnc.report import page
-
     output = _page_of(file, output)
     mill = machine_of(machine, set, tools, dialect, slope=slope, zero=zero, quiet=quiet)
-    program, facts, code = look_at(file, mill, quiet, json_, keep=False)
-    if program is None:
-        return give_up(facts, code, json_)
-    with progress(f"planning {program.file}", quiet) as bar, writing(output):
-        found = page.write(program, output, bar, what_if)
-    if not json_:
-        tell(program, quiet, sys.stderr)
-    print(json.dumps({**found.as_dict(), "report": output}) if json_ else output)
-    return GOOD
+
+    def lines(_found):
+        return [output]
+
+    return _write_page(file, mill, output, lines, quiet=quiet, json_=json_, what_if=what_if)
 
 
 @verb(app, "look part.ngc")
@@ -254,20 +248,31 @@ def look(
 
     The same as the program alone: pycnc part.ngc.
     """
-    from pycnc.report import page, reasons
+    from pycnc.report import reasons
 
     output = _page_of(file, output)
     mill = machine_of(machine, set, tools, dialect, slope=slope, zero=zero, quiet=quiet)
+
+    def lines(found):
+        return [_time_line(found.plan, 100), *reasons.lines(found), output]
+
+    return _write_page(file, mill, output, lines, quiet=quiet, json_=json_)
+
+
+def _write_page(file, mill, output, lines, *, quiet, json_, what_if=False):
+    """Write the page of a program, and print what `lines` says of what was found."""
+    from pycnc.report import page
+
     program, facts, code = look_at(file, mill, quiet, json_, keep=False)
     if program is None:
         return give_up(facts, code, json_)
     with progress(f"planning {program.file}", quiet) as bar, writing(output):
-        found = page.write(program, output, bar)
+        found = page.write(program, output, bar, what_if)
     if json_:
         print(json.dumps({**found.as_dict(), "report": output}))
         return GOOD
     tell(program, quiet, sys.stderr)
-    print("\n".join([_time_line(found.plan, 100), *reasons.lines(found), output]))
+    print("\n".join(lines(found)))
     return GOOD
 
 
