@@ -7,7 +7,8 @@ acceleration and jerk is a finite difference of setpoints.
 
 - every axis keeps its speed and acceleration, in the double poses and in the integer joints;
 - the path coordinate goes forward, to the end, at the feed at most, within the acceleration and,
-  under a jerk-limited slope, the jerk that the machine allows on the path;
+  under a jerk-limited slope, the jerk that the machine allows on the path; on a clocked path, whose
+  coordinate is the program's, what of the axes' acceleration and jerk lies along it does;
 - every pose is on the programmed path where its coordinate says, or within the tolerance in force
   there, and no longer way is gone than the coordinate's;
 - within a tolerance the run comes as near to every corner of the program and every part of an arc,
@@ -33,6 +34,7 @@ OPTIMAL = 2  # nck_slope_kind_t
 STRETCH = 2.5  # a smoothed path may be as much longer than its coordinate somewhere
 ROUNDING = 8 * 2.0**-52  # of a coordinate, 8 ulp at most; felt in accelerations by 1/T²
 PATH_ERROR_MM = 1e-6
+STANDS_MM = 1e-9  # a step that has no direction
 COORDINATE_MM = 1e-7  # between a path coordinate and the pose it belongs to
 BACKWARD_MM = 1e-9  # steps back that are rounding
 ORDERS = ("speed", "acceleration", "jerk")
@@ -44,6 +46,12 @@ ANSWER_S = 0.2  # to a command, before braking begins
 # (csrc/nck/prep/5_slope/README.md, "Output filter").
 # A feed may be passed by so much where a faster block begins; no limit of an axis may.
 FILTER_PERIODS, CELL_PERIODS = 4, 1.35
+
+
+def _units(ways):
+    """Return the directions of ways; of none, zero."""
+    size = np.linalg.norm(ways, axis=1, keepdims=True)
+    return np.divide(ways, size, out=np.zeros_like(ways), where=size > STANDS_MM)
 
 
 class PhysicsError(AssertionError):
@@ -180,6 +188,7 @@ class Checker:
         s = rows["pose"]["s"]
         way = np.linalg.norm(np.diff(np.concatenate([self._poses[-1:], poses]), axis=0), axis=1)
         clocked = self._is_clocked(block)
+        self._along_limits(poses, clocked)
         self._progress(s, poses, np.where(clocked, 0, way), clocked)
         self._feed(s, way, clocked)
         self._on_path(block, s, poses)
@@ -275,16 +284,35 @@ class Checker:
         return smoothed | ((self.path.length[block] > 0) & (age >= SETTLED))
 
     def _is_clocked(self, block):
-        """Return where the path is clocked: its coordinate is the program's, not its length. Where
-        the path's own limits hold before those of the axes it never is."""
-        limits = self._limits
-        free = all(
-            most >= np.linalg.norm(of_axes[limits.present]) * (1 - SHARE)
-            for most, of_axes in (
-                (limits.path_a_max, limits.a_max), (limits.path_j_max, limits.j_max))
-        )  # fmt: skip
+        """Return where the path is clocked: its coordinate is the program's, not its length."""
         moves = (self.path.tolerance[block] > 0) & (self.path.length[block] > 0)
-        return moves & (limits.slope == OPTIMAL and free)
+        return moves & (self._limits.slope == OPTIMAL)
+
+    def _along_limits(self, poses, clocked):
+        """What of acceleration and jerk lies along a clocked path keeps to the path's own limits.
+
+        The direction is that of the chord over the same poses: where it turns by the angle φ within
+        them, what lies across leaks in by φ²/8 at most.
+        """
+        limits, track = self._limits, np.concatenate([self._poses, poses])
+        here = np.concatenate([self._clocked_before, clocked])
+        bounds = ((limits.a_max, limits.path_a_max), (limits.j_max, limits.path_j_max))
+        for order, (of_axes, most) in enumerate(bounds, 1):
+            if most >= np.linalg.norm(of_axes[limits.present]) * (1 - SHARE):
+                continue
+            points = track[2 - order :]
+            step, chord = np.diff(points, axis=0), points[order + 1 :] - points[: -order - 1]
+            rate = np.diff(points, n=order + 1, axis=0) / limits.period_s ** (order + 1)
+            along = np.abs(np.einsum("ij,ij->i", rate, _units(chord)))
+            turn = np.linalg.norm(_units(step[order:]) - _units(step[:-order]), axis=1)
+            noise = SUMS[order] * ROUNDING * np.abs(poses).max() / limits.period_s ** (order + 1)
+            more = noise + turn**2 / 8 * np.linalg.norm(rate, axis=1)
+            more += self._late_more(order, most)
+            judged = here[3:]
+            for k in range(1, order + 2):
+                judged = judged & here[3 - k : -k]
+            what = f"along the path {ORDERS[order]} {along.max():.9g}, limit {most:g}"
+            self._hold(~judged | (along <= most * (1 + SHARE) + more), what)
 
     def _progress(self, s, poses, way, clocked):
         """Forward, within acceleration and jerk of the path, twice the jerk where two motions may

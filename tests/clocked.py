@@ -23,6 +23,7 @@ import stop_gate
 
 from pycnc import kernel
 from pycnc.bench import programs
+from pycnc.machine import Machine
 from pycnc.planning.plan import Plan
 from pycnc.program import Program
 
@@ -88,14 +89,43 @@ def short_of(seed):
     return "\n".join([*lines, "M2", ""])
 
 
-def findings(seed, make=text_of):
+def machine_of(seed):
+    """Return the machine of a seed: every third has limits of its path, 0.1 to 1.4 of its axes'."""
+    if seed % 3:
+        return programs.machine("optimal")
+    rng = np.random.default_rng([9, seed])
+    text = programs.MACHINE.format(slope="optimal")
+    for key, most in (("a_max_mm_s2", 1000), ("j_max_mm_s3", 10_000)):
+        text += f"{key} = {most * 10 ** rng.uniform(-1, 0.15)}\n"
+    text += "".join(programs.AXIS.format(axis=axis, a=1000, j=10_000) for axis in "xyz")
+    return Machine.from_text(text, name="comparison with limits of its path")
+
+
+def operated(seed):
+    """Return what an operator does to the program of a seed: overrides, holds that are resumed."""
+    rng, tick, commands = np.random.default_rng([10, seed]), 0, []
+    for _ in range(int(rng.integers(1, 6))):
+        tick += int(10 ** rng.uniform(1.0, 3.3))
+        if rng.random() < 0.5:
+            commands.append((tick, "override", int(rng.integers(10, 200)), 100))
+        else:
+            commands.append((tick, "hold"))
+            tick += int(10 ** rng.uniform(1.0, 3.0))
+            commands.append((tick, "resume"))
+    return [*commands, (tick + 2000, "override", 100, 100)]
+
+
+def findings(seed, make=text_of, operate=None):
     """Return what is wrong with the run of a seed's program, in words; empty: nothing."""
-    machine = programs.machine("optimal")
+    machine = machine_of(seed)
     program = Program(make(seed).encode(), machine).check()
-    judge = checker.Checker(program.blocks, machine.record)
+    commands, answer = (operate(seed), np.inf) if operate else ((), None)
+    judge = checker.Checker(program.blocks, machine.record, commands, answer)
     most = RUN_SHARE * Plan(program).time_s / machine.period_s + RUN_TICKS
     try:
-        for rows, _ in kernel.Simulation(program.text, machine, kernel.PREP_STEPS, ()).pieces():
+        for rows, _ in kernel.Simulation(
+            program.text, machine, kernel.PREP_STEPS, commands
+        ).pieces():
             judge.add(rows)
             if judge.ticks > most:
                 return "no end"

@@ -193,6 +193,13 @@ class Machine:
         axis = self._rows[0]["axis"]
         return np.array([axis[kind][AXES.index(letter)] for letter in self.axes])
 
+    @property
+    def limits_path(self):
+        """Whether the path has limits of its own, before those of its axes (5_slope/terms.c)."""
+        path = self._rows[0]["path"]
+        kinds = ("a_max", "j_max")
+        return any(path[kind] < (1 - 1e-9) * np.linalg.norm(self.limits(kind)) for kind in kinds)
+
     def effective(self):
         """Yield (path to key, value, source) for every setting, in the order of the description.
 

@@ -2,7 +2,6 @@
 """Which changes of a machine change nothing: `--set` of what this machine does not use."""
 
 import itertools
-import math
 
 from pycnc.machine import Machine
 from pycnc.machine.schema import AXES
@@ -70,19 +69,8 @@ def _idle(machine, key, plan):
         return f"{kind} plans without it; control.kind=nck does with it"
     if key in _JERK and settings.path.slope == "linear" and plan != "sshape":
         return "the linear slope tells jerk and does not limit it; path.slope=jerk does"
-    if key == "path.slope" and settings.path.slope == "optimal" and _path_binds(machine):
-        return ("[path] limits acceleration or jerk before its axes do: such a machine is planned "
-                "as by jerk")  # fmt: skip
     if key == "dialect.system" and settings.dialect.base not in ("fanuc", "auto"):
         return f"only dialect.base=fanuc has it (is {settings.dialect.base})"
     if key == "description":
         return "only lists of machines show it"
     return ""
-
-
-def _path_binds(machine):
-    """Tell whether the path's own limits hold where no axis' limit does (5_slope/terms.c)."""
-    row = machine.record["path"]
-    return any(
-        row[kind] < (1 - 1e-9) * math.hypot(*machine.limits(kind)) for kind in ("a_max", "j_max")
-    )

@@ -37,7 +37,8 @@ def limit_names(machine):
 class Derivatives:
     """Speed, acceleration and jerk of every axis and of the path, tick by tick; where two motions
     overlap, of the path the mean of both. On a clocked path the coordinate is that of the program:
-    its speed is nobody's, and the path has no limit but those of the axes."""
+    its speed is nobody's. Where the path has limits of its own, what of the axes' acceleration and
+    jerk lies along the last steps stands there, else nothing."""
 
     def __init__(self, machine):
         self._axes = [AXES.index(letter) for letter in machine.axes]
@@ -46,7 +47,7 @@ class Derivatives:
         self._tail = np.tile(np.append(start, 0.0), (3, 1))  # at rest before the first tick
         self._flags = np.zeros((3, 2), bool)  # two motions overlap; on a clocked path
         self._clocks = machine.settings.path.slope == "optimal"
-        self._period = machine.period_s
+        self._period, self._limited = machine.period_s, machine.limits_path
 
     def of(self, rows):
         """Yield those of the next rows of a run (dtype ``sim_row_t``): v, then a, then j.
@@ -67,8 +68,18 @@ class Derivatives:
             step, flags = np.diff(step, axis=0), flags[1:] | flags[:-1]
             rate = step[3 - order :] / self._period**order
             rate[flags[3 - order :, 0], -1] /= 2  # s is the sum of two motions there
-            rate[flags[3 - order :, 1], -1] = 0
+            clocked = flags[3 - order :, 1]
+            rate[clocked, -1] = 0
+            if self._limited and order > 1 and clocked.any():
+                chord = track[3:, :-1] - track[3 - order : -order, :-1]
+                rate[clocked, -1] = _along(rate[clocked, :-1], chord[clocked])
             yield rate
+
+
+def _along(rates, ways):
+    """Return what of rates has the direction of ways, a row each."""
+    size = np.linalg.norm(ways, axis=1)
+    return np.einsum("ij,ij->i", rates, ways) / np.where(size > 0, size, 1)
 
 
 class Peaks:

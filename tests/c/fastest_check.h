@@ -79,10 +79,19 @@ static void cap_speeds(void) {
     }
 }
 
-// The most of a limit that any axis takes anywhere: b is the quadratic B-spline of its nodes, even
-// about the path's ends; p between nodes by Taylor's series.
+// What of the axes' acceleration and jerk lies along the path, of its limits.
+static double taken_along(double (*of)[3]) {
+    const double size = sqrt(of[0][0] * of[0][0] + of[1][0] * of[1][0]);
+    const double a = (of[0][0] * of[0][1] + of[1][0] * of[1][1]) / fmax(size, 1e-12);
+    const double j = (of[0][0] * of[0][2] + of[1][0] * of[1][2]) / fmax(size, 1e-12);
+    return wish.along[0] > 0.0 ? fmax(fabs(a) / wish.along[0], fabs(j) / wish.along[1]) : 0.0;
+}
+
+// The most of a limit that any axis takes anywhere, or the path: b is the quadratic B-spline of its
+// nodes, even about the path's ends; p between nodes by Taylor's series.
 static double taken(int low, int high) {
     double most = 0.0;
+    double of[AXES][3];
     for (int k = low; k <= high; k++) {
         const double here = (double)nck_motion_b(&motion, k);
         const double before = (double)nck_motion_b(&motion, k > 0 ? k - 1 : 1);
@@ -104,7 +113,11 @@ static double taken(int low, int high) {
                 most = fmax(most, fabs(a) / wish.a[x]);
                 most = fmax(most, fabs(j) / wish.j[x]);
                 if (wish.v[x] > 0.0) most = fmax(most, fabs(q1) * sqrt(b) / wish.v[x]);
+                of[x][0] = q1;
+                of[x][1] = a;
+                of[x][2] = j;
             }
+            most = fmax(most, taken_along(of));
         }
     }
     return most;
@@ -166,6 +179,50 @@ static void limits_hold_everywhere(check_t *check) {
     }
 }
 
+// How often a limit is the one that holds a node.
+static int held_by(nck_motion_hold_t hold) {
+    int count = 0;
+    for (int k = 1; k < wish.nodes - 1; k++) count += nck_motion_hold(&motion, k) == hold;
+    return count;
+}
+
+// Along a line the path is an axis: one with such limits alone takes as long.
+static void a_limit_along_a_line_is_an_axis(check_t *check) {
+    const double slant = sqrt(1.25);
+    begin();
+    lay_line(5.0, 0.5);
+    wish.gap = 1e-5;
+    wish.a[0] = 300.0 / slant;
+    wish.j[0] = 4000.0 / slant;
+    plan(check);
+    const double axis = told().time;
+    begin();
+    wish.gap = 1e-5;
+    wish.along[0] = 300.0;
+    wish.along[1] = 4000.0;
+    plan(check);
+    CHECK_NEAR(check, told().time / axis, 1.0, 1e-3);
+    CHECK(check, held_by(NCK_MOTION_ACCELERATION) > 0 && held_by(NCK_MOTION_JERK) > NODES / 2);
+}
+
+static void limits_along_the_path_hold_everywhere(check_t *check) {
+    for (unsigned seed = 1; seed <= 12; seed++) {
+        begin();
+        lay_waves(seed);
+        cap_speeds();
+        plan(check);
+        const double before = told().time;
+        wish.along[0] = 1000.0 / (double)(seed % 4 + 1);
+        wish.along[1] = 10000.0 / (double)(seed % 3 + 1);
+        plan(check);
+        const double most = taken(0, NODES - 1);
+        CHECK(check, told().least >= -met);
+        CHECK(check, most <= 1.001 + met);
+        CHECK(check, most > 0.99);
+        CHECK(check, told().time > before);
+    }
+}
+
 // Caps hold where they are, and are met.
 static void caps_hold(check_t *check) {
     double nearest = 1.0;
@@ -179,13 +236,6 @@ static void caps_hold(check_t *check) {
     }
     CHECK(check, nearest >= 0.0);
     CHECK(check, nearest < 0.01);
-}
-
-// How often a limit is the one that holds a node.
-static int held_by(nck_motion_hold_t hold) {
-    int count = 0;
-    for (int k = 1; k < wish.nodes - 1; k++) count += nck_motion_hold(&motion, k) == hold;
-    return count;
 }
 
 // On a line by jerk alone, or through a long ramp by acceleration, or at the cap.
@@ -417,6 +467,8 @@ static inline int fastest_check(void) {
     check_t check = {0};
     CHECK_RUN(&check, a_line_takes_its_least_time);
     CHECK_RUN(&check, limits_hold_everywhere);
+    CHECK_RUN(&check, a_limit_along_a_line_is_an_axis);
+    CHECK_RUN(&check, limits_along_the_path_hold_everywhere);
     CHECK_RUN(&check, caps_hold);
     CHECK_RUN(&check, what_holds_is_told);
     CHECK_RUN(&check, a_mirrored_path_has_the_same_bits);

@@ -45,6 +45,12 @@ def test_a_program_keeps_its_promises(seed):
 
 
 @pytest.mark.sample(6)
+@pytest.mark.parametrize("seed", range(0, 72, 3))
+def test_whatever_the_operator_does_the_path_keeps_limits_of_its_own(seed):
+    assert clocked.findings(seed, operate=clocked.operated) == ""
+
+
+@pytest.mark.sample(6)
 @pytest.mark.parametrize("seed", range(12))
 def test_feeds_of_lines_shorter_than_a_knot_are_kept(seed):
     assert clocked.findings(seed, clocked.short_of) == ""

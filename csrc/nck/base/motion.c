@@ -185,11 +185,27 @@ static int stands(const nck_motion_t *self, int axis) {
     return 1;
 }
 
+// 1 if what moves could pass a limit of the path within its own: along none of its directions do
+// axes have more than the root of their squares' sum.
+static int may_pass(const nck_motion_t *self) {
+    const nck_motion_wish_t *const wish = &self->wish;
+    double aa = 0.0;
+    double jj = 0.0;
+    for (int n = 0; n < self->moving; n++) {
+        const int axis = self->axis[n];
+        aa += wish->a[axis] * wish->a[axis];
+        jj += wish->j[axis] * wish->j[axis];
+    }
+    return wish->along[0] * wish->along[0] < aa || wish->along[1] * wish->along[1] < jj;
+}
+
 static void find_moving(nck_motion_t *self) {
     self->moving = 0;
     for (int axis = 0; axis < self->wish.axes; axis++) {
         if (!stands(self, axis)) self->axis[self->moving++] = (uint8_t)axis;
     }
+    self->limited = self->moving;
+    if (self->wish.along[0] > 0.0 && may_pass(self)) self->axis[self->limited++] = NCK_MOTION_ALONG;
 }
 
 // Beyond its ends the path goes on as it is there; b is even about them.
@@ -212,7 +228,7 @@ static void count_rows(nck_motion_t *self) {
     const int in_middles = 2 * cells + before;
     const int is_rough = (self->wish.ends & NCK_MOTION_ROUGH) != 0;
     const int at_nodes = is_rough ? 0 : NCK_MOTION_ROWS * nodes;
-    self->rows = self->moving * (at_nodes + in_middles) + caps;
+    self->rows = self->limited * (at_nodes + in_middles) + caps;
 }
 
 // The next μ: by the gap that will be left, and no smaller than the last one has to be.
@@ -307,11 +323,11 @@ static void go(nck_motion_t *self) {
 
 // The end; or, where more than the limits is taken between rows, a few rounds more with reserves.
 static nck_status_t finish(nck_motion_t *self) {
-    self->share = most_of(self->sums.most);
+    self->found = most_of(self->sums.most);
     const int may_mend = !(self->wish.ends & NCK_MOTION_ROUGH) && self->mended < MENDED_MOST;
-    if (may_mend && is_met(self) && self->share > NCK_NUM_OF(1) + MENDED) {
+    if (may_mend && is_met(self) && self->found > NCK_NUM_OF(1) + MENDED) {
         self->mended++;
-        self->most = self->share;
+        self->most = self->found;
         lower_mu(self, self->gone);
         self->phase = ASSEMBLE;
         clear_system(self);
@@ -372,6 +388,10 @@ nck_status_t nck_motion_begin(nck_motion_t *self, const nck_motion_wish_t *wish)
         const double a = wish->a[axis];
         self->ratio[axis] = (nck_num)(a / (wish->j[axis] * wish->tau));
         if (wish->v[axis] > 0.0) self->speed[axis] = (nck_num)(2.0 * wish->tau * a / wish->v[axis]);
+        if (wish->along[0] > 0.0) self->share[axis] = (nck_num)(a / wish->along[0]);
+    }
+    if (wish->along[0] > 0.0) {
+        self->ratio[NCK_MOTION_ALONG] = (nck_num)(wish->along[0] / (wish->along[1] * wish->tau));
     }
     return NCK_OK;
 }
@@ -426,5 +446,5 @@ void nck_motion_told(const nck_motion_t *self, nck_motion_told_t *told_out) {
     told_out->time = (double)self->time;
     told_out->least = 1.0 - (double)self->most;
     told_out->gap = (double)(self->gone / self->time);
-    told_out->share = (double)self->share;
+    told_out->share = (double)self->found;
 }

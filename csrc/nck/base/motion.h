@@ -22,6 +22,9 @@
 //     acceleration  x = p₁β + p₂γ                        p̈ = p′a + p″b
 //     jerk          x = √γ·A/(Jτ)·(p₁α + 3/2 p₂β + δγ)   p⃛ = √b (p′a′ + 3p″a + p‴b)
 //
+// Where the path has limits of its own it is one more axis: its p′, p″ and p‴ are those that the
+// path's direction p′/|p′| has of all axes (nck_motion_along).
+//
 // Rows |x| ≤ 1: at each node acceleration, jerk left and right of it; in each middle acceleration,
 // jerk with the α of the node before and with that of the node behind. The jerk's row is |g(b)| ≤
 // J/√b with g linear. 1/√b is convex, so its tangent at the last iterate lies below it: the row
@@ -75,6 +78,8 @@ typedef struct nck_motion_wish {
     double a[NCK_AXIS_MAX]; // of each axis: limit of acceleration [mm/s²]
     double j[NCK_AXIS_MAX]; // the same of jerk [mm/s³]
     double v[NCK_AXIS_MAX]; // the same of speed [mm/s], for the check alone: caps hold it; 0: none
+    double along[2];        // the most acceleration [mm/s²] and jerk [mm/s³] along the path: what
+                            // of the axes' has its direction; 0: none
     int axes;               // 1 … NCK_AXIS_MAX
     int nodes;              // 2 … NCK_MOTION_NODES
     int fixed;              // the first so many nodes stay as they are set: 0 … nodes − 2
@@ -109,6 +114,9 @@ typedef enum nck_motion_hold {
 // Rows of an axis at a place, for all lanes.
 #define NCK_MOTION_BATCH (NCK_MOTION_ROWS * NCK_MOTION_LANES)
 
+// Rows of the path, behind those of the axes.
+#define NCK_MOTION_ALONG NCK_AXIS_MAX
+
 // One number a lane.
 typedef nck_num nck_motion_lanes_t[NCK_MOTION_LANES];
 
@@ -136,15 +144,17 @@ typedef struct nck_motion {
     int iteration;             // so many Newton steps are done
     int rows;                  // how many there are
     int moving;                // axes that move, of axis[]
-    uint8_t axis[NCK_AXIS_MAX];
+    int limited;               // the same, and the path if its limits may hold
+    uint8_t axis[NCK_AXIS_MAX + 1];
     nck_num mu;                // slack · multiplier that the next step aims at
     nck_num mu_was, slack_per; // what the last one aimed at, and 1/it: slacks of broken rows
     nck_num step;              // of the last Newton step this share was gone
     nck_num tau, gap, room, price; // of wish
     nck_num time, paid, gone, most; // of the last iterate
-    nck_num share;             // see nck_motion_told_t
-    nck_num ratio[NCK_AXIS_MAX]; // A/(Jτ)
-    nck_num speed[NCK_AXIS_MAX]; // 2τA/V
+    nck_num found;             // see nck_motion_told_t: share
+    nck_num ratio[NCK_AXIS_MAX + 1]; // A/(Jτ)
+    nck_num speed[NCK_AXIS_MAX + 1]; // 2τA/V
+    nck_num share[NCK_AXIS_MAX];     // A of an axis over that of the path
     nck_motion_line_t b, step_b;          // the motion and its Newton step
     nck_motion_line_t h0, h1, h2;         // the Newton matrix' diagonals, then its factors
     nck_motion_line_t g;                  // gradient
@@ -157,7 +167,7 @@ typedef struct nck_motion {
     nck_motion_line_t reserve;            // so much more than at its rows is taken about a node
     nck_motion_line_t p1[NCK_AXIS_MAX], p2[NCK_AXIS_MAX]; // p′/(2τA), p″/A
     // multipliers
-    nck_num z[NCK_MOTION_CHUNKS][NCK_AXIS_MAX][NCK_MOTION_PLACES][NCK_MOTION_BATCH];
+    nck_num z[NCK_MOTION_CHUNKS][NCK_AXIS_MAX + 1][NCK_MOTION_PLACES][NCK_MOTION_BATCH];
 } nck_motion_t;
 
 // Begin a window: nck_motion_node then sets every node 0 … nodes − 1.

@@ -13,6 +13,9 @@
 // Seconds for one whole limit: what no limit of a feasible window is worth. Keeps others finite.
 #define NCK_MOTION_Z_MOST NCK_NUM_OF(1e8)
 
+// A path rests where |p′/2τ|² is no more than so many times |τp‴|²: a cell from a rest it is 1/16.
+#define NCK_MOTION_REST NCK_NUM_OF(1e-6)
+
 // A row at an iterate.
 typedef struct nck_motion_row {
     nck_num pull;   // φ′
@@ -51,6 +54,42 @@ static inline nck_num nck_motion_acceleration(nck_num p1, nck_num p2, nck_num sl
 // Share of the jerk over √γ·A/(Jτ): p₁α + 3/2 p₂β + δγ (p′a′ + 3p″a + p‴b by the chain rule).
 static inline nck_num nck_motion_jerk(nck_num p1_bend, nck_num p2_slope, nck_num turn_level) {
     return p1_bend + (NCK_NUM_OF(1.5) * p2_slope + turn_level);
+}
+
+// The path of an axis at a place (nck_motion_path_t), of one lane.
+typedef struct nck_motion_ways {
+    nck_num p1, p2;  // p′/(2τA), p″/A
+    nck_num turn[2]; // δ on either side
+} nck_motion_ways_t;
+
+// Products of p′, p″ and δ, summed over axes.
+typedef struct nck_motion_dots {
+    nck_num one_one, one_two, one_turn[2], turn_turn, two_turn;
+} nck_motion_dots_t;
+
+// Add an axis; share: its A over that of the path.
+static inline void nck_motion_add(nck_motion_dots_t *dots, nck_motion_ways_t ways, nck_num share) {
+    const nck_num weight = share * share;
+    dots->one_one += weight * ways.p1 * ways.p1;
+    dots->one_two += weight * ways.p1 * ways.p2;
+    dots->one_turn[0] += weight * ways.p1 * ways.turn[0];
+    dots->one_turn[1] += weight * ways.p1 * ways.turn[1];
+    dots->turn_turn += weight * ways.turn[0] * ways.turn[0];
+    dots->two_turn += weight * ways.p2 * ways.turn[0];
+}
+
+// What of all axes has the direction p′/|p′| of the path; where it rests, p‴/|p‴|.
+static inline nck_motion_ways_t nck_motion_along(const nck_motion_dots_t *dots) {
+    const int rests = !(dots->one_one > NCK_MOTION_REST * dots->turn_turn);
+    const nck_num square = rests ? dots->turn_turn : dots->one_one;
+    const nck_num size = NCK_NUM_SQRT(square);
+    const nck_num per = size > 0 ? 1 / size : 0;
+    nck_motion_ways_t ways;
+    ways.p1 = rests ? 0 : size;
+    ways.p2 = per * (rests ? dots->two_turn : dots->one_two);
+    ways.turn[0] = rests ? size : per * dots->one_turn[0];
+    ways.turn[1] = rests ? size : per * dots->one_turn[1];
+    return ways;
 }
 
 // A limit |x| ≤ 1 as one row φ(x) ≤ 0:

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Where rows stand: nodes and the middles of cells, and how their sums reach the Newton system.
+#include <string.h> // memset
+
 #include "nck/base/motion_math.h" // nck_num_max
 #include "nck/base/motion_rows.h"
 
@@ -90,13 +92,41 @@ static void path_in_middles(const nck_num *restrict p1, const nck_num *restrict 
     }
 }
 
-void nck_motion_path(const nck_motion_t *self, int chunk, int axis, int kind,
-                     nck_motion_path_t *path_out) {
+static void path_of_axis(const nck_motion_t *self, int chunk, int axis, int kind,
+                         nck_motion_path_t *path_out) {
     const nck_num *const p1 = &self->p1[axis][chunk * NCK_MOTION_LANES + 1];
     const nck_num *const p2 = &self->p2[axis][chunk * NCK_MOTION_LANES + 1];
     const nck_num *const reserve = &self->reserve[chunk * NCK_MOTION_LANES + 1];
     if (kind == 0) path_at_nodes(p1, p2, reserve, path_out);
     if (kind != 0) path_in_middles(p1, p2, reserve, path_out);
+}
+
+static nck_motion_ways_t lane_of(const nck_motion_path_t *path, int k) {
+    const nck_motion_ways_t ways = {path->p1[k], path->p2[k], {path->turn[0][k], path->turn[1][k]}};
+    return ways;
+}
+
+void nck_motion_path(const nck_motion_t *self, int chunk, int axis, int kind,
+                     nck_motion_path_t *path_out) {
+    nck_motion_dots_t dots[NCK_MOTION_LANES];
+    if (axis != NCK_MOTION_ALONG) {
+        path_of_axis(self, chunk, axis, kind, path_out);
+        return;
+    }
+    memset(dots, 0, sizeof dots);
+    for (int n = 0; n < self->moving; n++) {
+        path_of_axis(self, chunk, self->axis[n], kind, path_out);
+        for (int k = 0; k < NCK_MOTION_LANES; k++) {
+            nck_motion_add(&dots[k], lane_of(path_out, k), self->share[self->axis[n]]);
+        }
+    }
+    for (int k = 0; k < NCK_MOTION_LANES; k++) {
+        const nck_motion_ways_t along = nck_motion_along(&dots[k]);
+        path_out->p1[k] = along.p1;
+        path_out->p2[k] = along.p2;
+        path_out->turn[0][k] = along.turn[0];
+        path_out->turn[1][k] = along.turn[1];
+    }
 }
 
 // Add lanes to a line.

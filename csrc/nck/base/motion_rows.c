@@ -216,7 +216,7 @@ void nck_motion_seed(nck_motion_t *self, int chunk) {
     nck_motion_path_t path;
     for (int kind = first_kind(self); kind < NCK_MOTION_PLACES; kind++) {
         nck_motion_place(self, chunk, kind, &place);
-        for (int n = 0; n < self->moving; n++) {
+        for (int n = 0; n < self->limited; n++) {
             const int axis = self->axis[n];
             const same_t same = same_of(self, axis);
             nck_motion_path(self, chunk, axis, kind, &path);
@@ -232,7 +232,7 @@ void nck_motion_assemble(nck_motion_t *self, int chunk) {
     for (int kind = first_kind(self); kind < NCK_MOTION_PLACES; kind++) {
         nck_motion_place(self, chunk, kind, &place);
         memset(&system, 0, sizeof system);
-        for (int n = 0; n < self->moving; n++) {
+        for (int n = 0; n < self->limited; n++) {
             const int axis = self->axis[n];
             const same_t same = same_of(self, axis);
             nck_motion_path(self, chunk, axis, kind, &path);
@@ -251,7 +251,7 @@ void nck_motion_direct(nck_motion_t *self, int chunk) {
     for (int kind = first_kind(self); kind < NCK_MOTION_PLACES; kind++) {
         nck_motion_place(self, chunk, kind, &place);
         nck_motion_shape(&self->step_b[chunk * NCK_MOTION_LANES + 1], kind, &step);
-        for (int n = 0; n < self->moving; n++) {
+        for (int n = 0; n < self->limited; n++) {
             const int axis = self->axis[n];
             const same_t same = same_of(self, axis);
             nck_motion_path(self, chunk, axis, kind, &path);

@@ -50,7 +50,7 @@ void nck_motion_place(const nck_motion_t *self, int chunk, int kind, nck_motion_
 // The shape of a line about a chunk's places.
 void nck_motion_shape(const nck_num *line, int kind, nck_motion_shape_t *shape_out);
 
-// The path of an axis at the place of a chunk.
+// The path of an axis, or NCK_MOTION_ALONG, at the place of a chunk.
 void nck_motion_path(const nck_motion_t *self, int chunk, int axis, int kind,
                      nck_motion_path_t *path_out);
 

@@ -11,6 +11,7 @@
 typedef struct nck_terms {
     const nck_machine_t *machine; // whose terms they are
     uint8_t limits_jerk; // 1: the slope keeps to limits of jerk
+    uint8_t limits_path; // 1: the path has limits of its own, before those of its axes
     uint8_t overlaps;    // 1: a motion may begin before the one that leads to its rest has ended
     uint8_t taps;        // the tick hands out the mean of so many periods; 1: no filter
     uint8_t axes;        // the machine's are among the first so many; the others never move

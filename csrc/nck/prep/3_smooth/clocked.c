@@ -31,8 +31,12 @@ static void set_terms(nck_timing_terms_t *out, const nck_terms_t *terms) {
     memset(out, 0, sizeof *out);
     out->axes = terms->axes;
     out->tau = terms->knot_s;
-    out->a_least = 1e300;
-    out->j_least = 1e300;
+    if (terms->limits_path) {
+        out->along[0] = machine->path.a_max;
+        out->along[1] = machine->path.j_max;
+    }
+    out->a_least = machine->path.a_max;
+    out->j_least = machine->path.j_max;
     for (int x = 0; x < terms->axes; x++) {
         const nck_axis_t *const axis = &machine->axis[x];
         out->v[x] = axis->present ? axis->v_max : 1.0;

@@ -315,6 +315,7 @@ static nck_status_t begin_motion(nck_stream_t *self) {
     wish.tau = terms->tau;
     memcpy(wish.a, terms->a, sizeof wish.a);
     memcpy(wish.j, terms->j, sizeof wish.j);
+    memcpy(wish.along, terms->along, sizeof wish.along);
     wish.axes = terms->axes;
     wish.nodes = self->clock.knots + 1;
     wish.ends = (self->clock.ends ? NCK_MOTION_FREE_END : NCK_MOTION_OPEN_END)

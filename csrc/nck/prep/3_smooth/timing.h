@@ -27,8 +27,9 @@ typedef struct nck_timing_terms {
     double v[NCK_AXIS_MAX]; // of every axis [mm/s]
     double a[NCK_AXIS_MAX]; // [mm/s²]
     double j[NCK_AXIS_MAX]; // [mm/s³]
-    double a_least; // the least of them, of the axes that move
-    double a_most;  // the most
+    double along[2]; // along the path, acceleration [mm/s²] and jerk [mm/s³]; 0: as axes have it
+    double a_least; // the least of the axes and the path
+    double a_most;  // the most of the axes
     double j_least;
 } nck_timing_terms_t;
 

@@ -175,6 +175,13 @@ static int is_rest(const nck_optimal_t *self, const nck_num *first) {
     return 1;
 }
 
+// The most b, of `most`, that leaves an axis or the path, as fast by the clock, no more than a step
+// of acceleration.
+static double least_of(const nck_optimal_t *self, double speed, double step, double most) {
+    const double room = 2.0 * self->terms->knot_s * SHARE_ASKED * step;
+    return speed * most > room ? room / speed : most;
+}
+
 // Cap of b one node before a window's end, where the path goes on but the plan rests: what is left
 // of its acceleration there, b/2τ by what |p′| is at the end, is no more than an axis' and gone
 // within a period.
@@ -183,17 +190,16 @@ static nck_num cap_at_end(const nck_optimal_t *self, const nck_seg_t *seg, nck_n
     nck_num first[NCK_AXIS_MAX];
     nck_num second[NCK_AXIS_MAX];
     double most = (double)cap;
+    double square = 0.0;
     derive(self, seg, 1, first, second);
     for (int x = 0; x < self->terms->axes; x++) {
         const nck_axis_t *const axis = &machine->axis[x];
-        const double most_accel = nck_min(axis->j_max * machine->period_s, axis->a_max);
-        const double step = SHARE_ASKED * most_accel;
-        const double along = nck_fabs((double)first[x]);
-        if (axis->present && along * most > 2.0 * self->terms->knot_s * step) {
-            most = 2.0 * self->terms->knot_s * step / along;
-        }
+        const double step = nck_min(axis->j_max * machine->period_s, axis->a_max);
+        if (axis->present) most = least_of(self, nck_fabs((double)first[x]), step, most);
+        square += (double)first[x] * (double)first[x];
     }
-    return (nck_num)most;
+    const double step = nck_min(machine->path.j_max * machine->period_s, machine->path.a_max);
+    return (nck_num)least_of(self, nck_sqrt(square), step, most);
 }
 
 void nck_optimal_fill(nck_optimal_t *self, const nck_pieces_t *pieces, uint32_t k) {
@@ -228,6 +234,10 @@ void nck_optimal_set_limits(nck_optimal_t *self, nck_motion_wish_t *asked) {
     if (!NCK_HAS_OPTIMAL) return;
     const nck_machine_t *const machine = self->terms->machine;
     self->j_least = machine->path.j_max;
+    if (self->terms->limits_path) {
+        asked->along[0] = SHARE_ASKED * machine->path.a_max;
+        asked->along[1] = SHARE_ASKED * machine->path.j_max;
+    }
     for (int x = 0; x < self->terms->axes; x++) {
         const nck_axis_t *const axis = &machine->axis[x];
         asked->a[x] = axis->present ? SHARE_ASKED * axis->a_max : 1.0;

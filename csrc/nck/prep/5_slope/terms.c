@@ -61,15 +61,28 @@ static double jerk_along(const nck_machine_t *machine, uint8_t axes, double filt
     return nck_min(j, a / (FILTERS_LEAST * filter));
 }
 
-// How long an interval of a clocked path lasts by its clock, and for what P that is short enough.
-static void set_knot(const nck_machine_t *machine, uint8_t axes, nck_terms_t *terms_out) {
-    double j = 0.0;
+// How long it takes to stop: the slowest axis, or a straight path [s].
+static double stop_of(const nck_machine_t *machine, uint8_t axes) {
+    const double a = machine->path.a_max;
+    const double j = machine->path.j_max;
+    double vv = 0.0;
     double stop = 0.0;
     for (int x = 0; x < axes; x++) {
         const nck_axis_t *const axis = &machine->axis[x];
         if (!axis->present) continue;
-        j = nck_max(j, axis->j_max);
+        vv += axis->v_max * axis->v_max;
         stop = nck_max(stop, axis->v_max / axis->a_max + axis->a_max / axis->j_max);
+    }
+    const double v = nck_sqrt(vv);
+    return nck_max(stop, v / a + nck_min(a, nck_sqrt(v * j)) / j);
+}
+
+// How long an interval of a clocked path lasts by its clock, and for what P that is short enough.
+static void set_knot(const nck_machine_t *machine, uint8_t axes, nck_terms_t *terms_out) {
+    const double stop = stop_of(machine, axes);
+    double j = 0.0;
+    for (int x = 0; x < axes; x++) {
+        if (machine->axis[x].present) j = nck_max(j, machine->axis[x].j_max);
     }
     const double corner = KNOT_SHARE * nck_root_cube(KNOT_TOLERANCE / j);
     const double wanted = nck_max(KNOT_LEAST, nck_min(corner, KNOT_MOST));
@@ -100,11 +113,12 @@ void nck_slope_terms(const nck_machine_t *machine, nck_terms_t *terms_out) {
     const double period = machine->period_s;
     const double filter = (double)NCK_FILTER_TAPS * period;
     const uint8_t axes = axes_of(machine);
-    const nck_terms_t linear = {machine, 0, 0, 1, axes, machine->path.j_max, 0.0, 0.0, period,
+    const nck_terms_t linear = {machine, 0, 0, 0, 1, axes, machine->path.j_max, 0.0, 0.0, period,
                                 0.0, 0.0, 0.0};
     *terms_out = linear;
     if (!NCK_HAS_JERK || machine->slope == NCK_SLOPE_LINEAR) return;
     terms_out->limits_jerk = 1;
+    terms_out->limits_path = (uint8_t)path_binds(machine, axes);
     terms_out->overlaps = NCK_HAS_OVERLAP;
     terms_out->taps = NCK_FILTER_TAPS;
     terms_out->j_max = jerk_along(machine, axes, filter);
@@ -113,7 +127,6 @@ void nck_slope_terms(const nck_machine_t *machine, nck_terms_t *terms_out) {
     terms_out->v_filter =
         nck_ladder_raise(terms_out->j_max, filter, NCK_LADDER_STRETCH * cell);
     terms_out->rest_s = period + filter;
-    const int is_clocked = machine->slope == NCK_SLOPE_OPTIMAL && !path_binds(machine, axes);
-    if (is_clocked) set_knot(machine, axes, terms_out);
+    if (machine->slope == NCK_SLOPE_OPTIMAL) set_knot(machine, axes, terms_out);
     if (NCK_HAS_OVERLAP) terms_out->ride_s = ride_of(machine);
 }

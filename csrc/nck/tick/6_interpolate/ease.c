@@ -6,8 +6,10 @@
 // At any constant k ≤ 1 accelerations and jerks are less than the plan's own, which keeps the
 // limits. So both can go on from wherever k′ can be taken away again, with k between 0 and 1: that
 // is tried along the plan that is known, stretch by stretch. p‴ is the mean of one, as periods show
-// it.
+// it. A path with limits of its own is one more axis: what of all axes has its direction.
 #include "nck/tick/6_interpolate/ease.h"
+
+#include <string.h> // memset
 
 #include "nck/base/cell_math.h" // nck_cell_way nck_cell_speed
 #include "nck/base/fence.h"     // nck_fence_store
@@ -147,35 +149,67 @@ static void bound(ease_range_t *range, double base, double per, double most) {
     range->high = nck_min(range->high, (most - up) / size);
 }
 
-// What is allowed of one axis' jerk on a stretch, times since the pace [s]. Nobody takes less than
-// the plan at the same rate, so that it can be followed.
-static void bound_jerk(ease_range_t *range, int x, double j_max, const ease_stretch_t *on,
-                       const ease_pace_t *pace, const double *times) {
+// What an axis does at the ends of a stretch, or the path: what of all axes has its direction.
+typedef struct ease_ways {
+    double first[2], second[2], third[2];
+    double rise; // of the first derivative, from one end to the other
+} ease_ways_t;
+
+static void ways_of(const ease_stretch_t *on, int x, ease_ways_t *out) {
     const double turn = on->to.second[x] - on->from.second[x];
-    const double third = on->far > 0.0 ? turn / on->far : 0.0;
-    const double most = nck_max(j_max, nck_fabs(third) * pace->k * pace->k * pace->k);
+    out->first[0] = on->from.first[x];
+    out->first[1] = on->to.first[x];
+    out->second[0] = on->from.second[x];
+    out->second[1] = on->to.second[x];
+    out->third[0] = on->far > 0.0 ? turn / on->far : 0.0;
+    out->third[1] = out->third[0];
+    out->rise = on->to.first[x] - on->from.first[x];
+}
+
+static void ways_along(const ease_stretch_t *on, int axes, ease_ways_t *out) {
+    memset(out, 0, sizeof *out);
     for (int n = 0; n < 2; n++) {
         const ease_point_t *const at = n == 0 ? &on->from : &on->to;
-        const double k = nck_max(0.0, pace->k + pace->dk * times[n]);
-        bound(range, (third * k * k + 3.0 * at->second[x] * pace->dk) * k,
-              at->first[x] + 3.0 * at->second[x] * k * times[n], most);
+        double square = 0.0;
+        for (int x = 0; x < axes; x++) square += at->first[x] * at->first[x];
+        out->first[n] = nck_sqrt(square);
+        const double per = square > 0.0 ? 1.0 / out->first[n] : 0.0; // 0: it rests there
+        for (int x = 0; x < axes; x++) {
+            ease_ways_t own;
+            const double share = per * at->first[x];
+            ways_of(on, x, &own);
+            out->second[n] += share * own.second[n];
+            out->third[n] += share * own.third[n];
+            if (n == 1) out->rise += share * own.rise;
+        }
     }
 }
 
-// … of its acceleration, at the stretch's end and in its mean.
-static void bound_accel(ease_range_t *range, int x, double a_max, const ease_stretch_t *on,
+// What is allowed of jerk on a stretch, times since the pace [s]. Nobody takes less than the plan
+// at the same rate, so that it can be followed.
+static void bound_jerk(ease_range_t *range, const ease_ways_t *on, double j_max,
+                       const ease_pace_t *pace, const double *times) {
+    const double third = nck_max(nck_fabs(on->third[0]), nck_fabs(on->third[1]));
+    const double most = nck_max(j_max, third * pace->k * pace->k * pace->k);
+    for (int n = 0; n < 2; n++) {
+        const double k = nck_max(0.0, pace->k + pace->dk * times[n]);
+        bound(range, (on->third[n] * k * k + 3.0 * on->second[n] * pace->dk) * k,
+              on->first[n] + 3.0 * on->second[n] * k * times[n], most);
+    }
+}
+
+// … of acceleration, at the stretch's end and in its mean.
+static void bound_accel(ease_range_t *range, const ease_ways_t *on, double a_max, double far,
                         const ease_pace_t *pace, double time) {
     const double k = nck_max(0.0, pace->k + pace->dk * time);
-    const double bend = on->to.second[x] * k * k;
-    bound(range, bend + on->to.first[x] * pace->dk,
-          (on->to.first[x] + on->to.second[x] * k * time) * time,
-          nck_max(a_max, nck_fabs(bend)));
+    const double bend = on->second[1] * k * k;
+    bound(range, bend + on->first[1] * pace->dk,
+          (on->first[1] + on->second[1] * k * time) * time, nck_max(a_max, nck_fabs(bend)));
     if (!(time > 0.0)) return; // the clock stands before
     // What a sample shows is the mean, whatever the plan does within it.
-    const double rise = on->to.first[x] - on->from.first[x];
-    const double mean = on->far > 0.0 ? rise / on->far : 0.0;
-    bound(range, (rise * pace->k + on->to.first[x] * pace->dk * time) / time,
-          0.5 * on->to.first[x] * time, nck_max(a_max, nck_fabs(mean) * pace->k * pace->k));
+    const double mean = far > 0.0 ? on->rise / far : 0.0;
+    bound(range, (on->rise * pace->k + on->first[1] * pace->dk * time) / time,
+          0.5 * on->first[1] * time, nck_max(a_max, nck_fabs(mean) * pace->k * pace->k));
 }
 
 // Before any axis is asked.
@@ -184,17 +218,37 @@ static void bound_nothing(ease_range_t *range, double period) {
     range->low = -range->high;
 }
 
+// What all axes and the path are allowed of jerk on a stretch.
+static void bound_jerks(ease_range_t *range, const nck_terms_t *terms, const ease_stretch_t *on,
+                        const ease_pace_t *pace, const double *times, double share) {
+    for (int x = 0; x < terms->axes; x++) {
+        const nck_axis_t *const axis = &terms->machine->axis[x];
+        ease_ways_t ways;
+        ways_of(on, x, &ways);
+        if (axis->present) bound_jerk(range, &ways, share * axis->j_max, pace, times);
+    }
+    if (!terms->limits_path) return;
+    ease_ways_t along;
+    ways_along(on, terms->axes, &along);
+    bound_jerk(range, &along, share * terms->machine->path.j_max, pace, times);
+}
+
 // What is allowed on a stretch that takes so long [s].
 static void bound_all(ease_range_t *range, const nck_terms_t *terms, const ease_stretch_t *on,
                       const ease_pace_t *pace, double time, double share) {
     const double times[2] = {0.0, time};
     bound_nothing(range, terms->machine->period_s);
+    bound_jerks(range, terms, on, pace, times, share);
     for (int x = 0; x < terms->axes; x++) {
         const nck_axis_t *const axis = &terms->machine->axis[x];
-        if (!axis->present) continue;
-        bound_jerk(range, x, share * axis->j_max, on, pace, times);
-        bound_accel(range, x, share * axis->a_max, on, pace, time);
+        ease_ways_t ways;
+        ways_of(on, x, &ways);
+        if (axis->present) bound_accel(range, &ways, share * axis->a_max, on->far, pace, time);
     }
+    if (!terms->limits_path) return;
+    ease_ways_t along;
+    ways_along(on, terms->axes, &along);
+    bound_accel(range, &along, share * terms->machine->path.a_max, on->far, pace, time);
 }
 
 // 1 while k changes the way that it is to, between the clock's rest and its run.
@@ -292,13 +346,17 @@ static double choose(const ease_pace_t *pace, const ease_range_t *range, ease_wa
 static double free_change(const ease_walk_t *walk, const ease_point_t *at) {
     const double period = walk->terms->machine->period_s;
     double most = CHANGE_MOST / (period * period);
+    double square = 0.0;
     for (int x = 0; x < walk->terms->axes; x++) {
         const nck_axis_t *const axis = &walk->terms->machine->axis[x];
         const double size = nck_fabs(at->first[x]);
         const double takes = nck_min(axis->j_max, axis->a_max / period);
         if (axis->present && size * most > takes) most = takes / size;
+        square += size * size;
     }
-    return most;
+    const nck_machine_t *const machine = walk->terms->machine;
+    const double takes = nck_min(machine->path.j_max, machine->path.a_max / period);
+    return nck_min(most, takes / nck_max(nck_sqrt(square), ALONG_LEAST));
 }
 
 // What is allowed of jerk in the period that begins where the walk does, far along the plan. The
@@ -319,10 +377,7 @@ static void bound_parts(ease_range_t *range, ease_walk_t *walk, const ease_pace_
         take_stretch(walk, last ? far - gone : part, on);
         const double times[2] = {gone * scale, (gone + on->far) * scale};
         gone += on->far;
-        for (int x = 0; x < terms->axes; x++) {
-            const nck_axis_t *const axis = &terms->machine->axis[x];
-            if (axis->present) bound_jerk(range, x, share * axis->j_max, on, pace, times);
-        }
+        bound_jerks(range, terms, on, pace, times, share);
     }
 }
 
