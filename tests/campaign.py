@@ -14,6 +14,7 @@ printed before it. The exit status is the number of parts that found something.
     mutants     100 mutants of libnck against all C tests
     stops       20 000 rests asked for at any moment, after anything, prep alive or dead; 10 000 in
                 the stand-in for LinuxCNC, 1 000 on each Cortex-M under QEMU
+    limits      3 000 programs whose limits change while they run, and an operator
     nasty       4 000 nasty programs a slope
     clocked     1 000 programs, 2 000 rests and 4 000 nasty programs along clocked paths (they find
                 some yet)
@@ -54,6 +55,7 @@ PARTS = {
               for slope in SLOPES],
     "stops": ["tests/stop_gate.py 20000 {seed}", "tests/linuxcnc/linuxcnc_stops.py 10000 {seed}",
               "tests/controller/firmware_stops.py 2000 {seed}"],
+    "limits": ["tests/new_limits.py 3000 {seed}"],
     "clocked": ["tests/clocked.py 1000 {seed}", "tests/clocked.py stops 2000 {seed}",
                 "tests/clocked.py offs 1000 {seed}",
                 "tests/kernel/nasty.py --slope optimal --count 4000 --seed {seed}"],
