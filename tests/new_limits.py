@@ -1,13 +1,14 @@
 # SPDX-License-Identifier: MIT
 """Limits that change while a program runs, and an answer behind that: is the path what it was?
 
-    .venv/bin/python tests/new_limits.py 1000 [FIRST]      so many seeds
-    .venv/bin/python tests/new_limits.py 1 70 -v           one case, told whatever it does
+    .venv/bin/python tests/new_limits.py 1000 [FIRST] [SLOPE]  so many seeds, of one slope
+    .venv/bin/python tests/new_limits.py 1 70 -v               one case, told whatever it does
 
 A seed draws a case of tests/stop_gate.py, other accelerations and jerks, and three moments: from
 one on nck_set_limits is called between the ticks until it is taken, at the others the operator
 wants something, and goes on, again and again. The second half of the program comes behind the
-change. Every axis keeps to the larger one of both limits all along.
+change. Every axis keeps to the larger one of both limits all along; by far, nowhere: that would be
+a jump.
 """
 
 import dataclasses
@@ -22,9 +23,11 @@ from pycnc.kernel import check, ffi, lib
 PREP_STEPS = 4096  # between two ticks
 TICKS = 3000  # of a case
 PAUSE = 50  # ticks, from when the operator goes on until he begins to count again
+SLOPES = ("linear", "jerk", "optimal")
 ANSWERS = ("hold", "override", "speed")
 SHARE = 1.05  # of a limit, as in stop_gate.py
 SOME = 0.02  # of the cases may pass it: where the tick brakes by itself
+JUMP = 20  # times a jerk: what passes it is a jump
 
 
 class Live:
@@ -94,6 +97,11 @@ class Told:
     a: float  # … the larger one of acceleration, …
     j: float  # … and of jerk
 
+    def jumps(self):
+        """Tell whether the tool jumped."""
+        jerks = self.case.keeps_jerk() and self.j > JUMP
+        return max(self.fast, self.a) > SHARE or jerks
+
     def is_beyond(self):
         """Tell whether an axis passed its limits."""
         jerks = self.case.keeps_jerk() and self.j > SHARE
@@ -153,16 +161,19 @@ def main():
     """Try the seeds of the command line; return 1 if more than some pass a limit."""
     numbers = [int(word) for word in sys.argv[1:] if word.isdigit()]
     count, first = [*numbers, *(1000, 0)[len(numbers) :]]
+    slope = next((word for word in sys.argv[1:] if word in SLOPES), None)
     every = []
     for seed in range(first, first + count):
-        told = try_seed(seed)
+        told = try_seed(seed, slope)
         every.append(told)
         if told.is_beyond() or "-v" in sys.argv:
             tell(told)
     taken = sum(told.ticks[1] >= 0 for told in every)
-    beyond = sum(told.is_beyond() for told in every)
-    print(f"{count} cases from {first} on: limits taken in {taken}, {beyond} beyond one")
-    return int(beyond > SOME * count)
+    pairs = ((told.is_beyond(), told.jumps()) for told in every)
+    beyond, jumps = (sum(told) for told in zip(*pairs, strict=True))
+    print(f"{count} cases from {first} on: limits taken in {taken}, {beyond} beyond one, "
+          f"{jumps} jump")  # fmt: skip
+    return int(jumps or beyond > SOME * count)
 
 
 if __name__ == "__main__":

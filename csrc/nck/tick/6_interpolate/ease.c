@@ -313,10 +313,20 @@ static double change_to_run(const ease_pace_t *pace, double period) {
     return (1.0 - pace->k - 2.0 * pace->dk * period) / (1.5 * period * period);
 }
 
+// Where no k″ is known behind which k′ can be eased off, of a clock that sets off: a plan has come
+// that brakes, so that its axes allow less than was counted on. Once it takes all that axes allow
+// without the plan (most), k′ is led to be gone when k is 1: the plan is never overtaken.
+static double change_at_last(const ease_pace_t *pace, double change, double most, double period) {
+    const double left = nck_max(1.0 - pace->k, 0.5 * pace->dk * period);
+    const double must = 0.5 * pace->dk * pace->dk / left;
+    const int is_last = pace->way > 0.0 && pace->dk > 0.0 && must > most;
+    return is_last ? nck_min(change, -must) : change;
+}
+
 // The hardest k″ in a period, within its range, behind which k′ can be eased off again; the least
 // there is: easing off.
-static double choose(const ease_pace_t *pace, const ease_range_t *range, ease_walk_t *walk,
-                     ease_stretch_t *on) {
+static double choose(const ease_pace_t *pace, const ease_range_t *range, double free,
+                     ease_walk_t *walk, ease_stretch_t *on) {
     const double period = walk->terms->machine->period_s;
     const double gone = -pace->dk / period; // … k′ is then
     const double least = gone < 0.0 ? nck_max(gone, range->low) : nck_min(gone, range->high);
@@ -339,7 +349,7 @@ static double choose(const ease_pace_t *pace, const ease_range_t *range, ease_wa
     for (int i = 0; i < TRIALS; i++) {
         if (trials[i].verdict == EASE_GOOD) return trials[i].change;
     }
-    return least;
+    return change_at_last(pace, least, free, period);
 }
 
 // What k″ may be where the plan itself asks for nothing.
@@ -409,11 +419,12 @@ static double change_for(const ease_pace_t *pace, ease_walk_t *walk, double *mos
     bound_period(&range, walk, pace, k * period, &on);
     *most_out = pace->way < 0.0 ? range.high : free_change(walk, &on.to);
     if (walk->ends) return 0.0;
-    if (range.low <= range.high) return choose(pace, &range, walk, &on);
+    if (range.low <= range.high) return choose(pace, &range, *most_out, walk, &on);
     const double gone = -pace->dk / period;
     const double middle = 0.5 * (range.low + range.high);
-    return pace->way < 0.0 ? nck_min(middle, nck_max(0.0, gone))
-                           : nck_max(middle, nck_min(0.0, gone));
+    const double change = pace->way < 0.0 ? nck_min(middle, nck_max(0.0, gone))
+                                          : nck_max(middle, nck_min(0.0, gone));
+    return change_at_last(pace, change, *most_out, period);
 }
 
 // The same, where prep may publish another plan at any time: then that counts. It does so once in
