@@ -28,6 +28,7 @@ from pycnc.planning.plan import Plan
 from pycnc.program import Program
 
 TRAVEL = 190.0  # mm: of every axis, less a bit
+LOWERED_TICKS, LOWERED_MOST, LOWERED_NEAR = 3000, 5, 0.02  # of a run; bounds; of the feed
 RUN_SHARE, RUN_TICKS = 30, 5000  # a run takes so many times its plan at most, and these
 
 
@@ -156,6 +157,31 @@ def try_off(seed):
     run.go(stop_gate.RESTS)
     poses = run.poses()
     return stop_gate.judge(case, poses["v"], poses["axis"][:, :3], drawn.then)
+
+
+def try_lowered(seed):
+    """Return how long a lowered override takes to be kept to 2 % of the feed, of what a brake may
+    take along a line; None where nothing moves, or on the exact path."""
+    case = stop_gate.draw(seed)
+    if case.exact or case.family == "rapids":
+        return None
+    case = dataclasses.replace(case, slope="optimal", prep_steps=kernel.PREP_STEPS)
+    rng = np.random.default_rng([seed, 41])
+    plain = stop_gate.Run(case)
+    plain.go(LOWERED_TICKS)
+    fast = np.flatnonzero(plain.poses()["v"] > 1.0)
+    if len(fast) < 100:
+        return None
+    at, share = int(rng.choice(fast[:-20])), float(rng.choice([0.01, 0.03, 0.1, 0.3]))
+    run = stop_gate.Run(case)
+    run.go(at)
+    run.first("override", share)
+    poses = run.poses()
+    bound_s = stop_gate.bound_of(case, poses["v"], poses["axis"][:, :3], at)
+    run.go(int(LOWERED_MOST * bound_s / case.period_s) + 1)
+    poses = run.poses()[at:]
+    kept = np.flatnonzero(poses["v"] <= (share + LOWERED_NEAR) * poses["feed"])
+    return (int(kept[0]) if len(kept) else len(poses)) * case.period_s / bound_s
 
 
 def main():

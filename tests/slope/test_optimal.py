@@ -165,6 +165,18 @@ def test_a_clock_that_sets_off_anywhere_keeps_every_limit(turns, stiff):
         assert late_s <= ramp_s + 20 * case.period_s, (then, late_s, ramp_s)
 
 
+# A plan slows down to 2 % of its speed, so far a tenth takes longer than a line's brake would.
+@pytest.mark.thorough
+@pytest.mark.parametrize("first", [200, 300])
+def test_a_lowered_override_is_heard_in_time(first):
+    shares = [clocked.try_lowered(seed) for seed in range(first, first + 100)]
+    shares = [share for share in shares if share]
+    half, most, longest = np.percentile(shares, [50, 90, 100])
+    assert half < 1
+    assert most < stop_gate.MOST
+    assert longest < 3
+
+
 def test_an_override_near_nothing_and_another_one_let_it_go_on():
     stop_gate.hold(clocked.try_rest, [262])
 

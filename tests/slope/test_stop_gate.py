@@ -51,3 +51,8 @@ def test_a_brake_knows_the_bend_behind_an_arc():
 # A clock that set off at 0.4 mm/s went on at its rate while the plan sped up to 140: 1.05 times.
 def test_a_clock_that_sets_off_leaves_the_plan_what_it_takes():
     assert stop_gate.try_seed(306871).a <= 1 + ROUNDING
+
+
+# Where a plan takes all of its axes' limits the clock could not leave it: 2.40 times the bound.
+def test_a_brake_along_a_clocked_path_leaves_a_plan_that_takes_all():
+    assert stop_gate.try_seed(319576).share < 1.5

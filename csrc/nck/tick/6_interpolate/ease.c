@@ -24,6 +24,8 @@
 // The same of a clock that sets off: it is in no hurry, and what it takes grows with it.
 #define OFF_TAKEN 0.9
 #define OFF_AHEAD 0.7
+// What it takes more than a plan that takes all: a slower rate leaves more, so it grows from there.
+#define LEAVE_SHARE 0.01
 // Of a period, what is looked at apart. What is shorter weighs 0.055 in a sample of jerk at most.
 #define PART_LEAST 0.125
 // What one of k″ is to an axis, of its limit [s²]: below it no change of k moves it.
@@ -186,11 +188,12 @@ static void ways_along(const ease_stretch_t *on, int axes, ease_ways_t *out) {
 }
 
 // What is allowed of jerk on a stretch, times since the pace [s]. Nobody takes less than the plan
-// at the same rate, so that it can be followed.
+// at the same rate, so that it can be followed, and a little more, so that it can be left.
 static void bound_jerk(ease_range_t *range, const ease_ways_t *on, double j_max,
                        const ease_pace_t *pace, const double *times) {
     const double third = nck_max(nck_fabs(on->third[0]), nck_fabs(on->third[1]));
-    const double most = nck_max(j_max, third * pace->k * pace->k * pace->k);
+    const double plan = third * pace->k * pace->k * pace->k;
+    const double most = nck_max(j_max, plan + LEAVE_SHARE * j_max);
     for (int n = 0; n < 2; n++) {
         const double k = nck_max(0.0, pace->k + pace->dk * times[n]);
         bound(range, (on->third[n] * k * k + 3.0 * on->second[n] * pace->dk) * k,
