@@ -143,8 +143,9 @@ class Ideal(Model):
 class Cure(Model):
     """A plan with one thing changed."""
 
-    cure: str = _is("what was changed")
+    cure: str = _is("what was changed, in words or as `--what-if KEY=VALUE` asks for it")
     time_s: float = _is("of that plan")
+    total_s: float = _is("the same with changes of tool and starts of the spindle")
     gain_s: float = _is("how much sooner it ends; negative: later")
 
 

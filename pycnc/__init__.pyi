@@ -145,7 +145,10 @@ class Why(Tables):
     causes: list[dict[str, Any]]
     cures: list[dict[str, Any]]
     def what_if(
-        self, progress: Callable[[int, int], None] | None = None
+        self,
+        progress: Callable[[int, int], None] | None = None,
+        changes: Iterable[str] = (),
+        cures: bool = True,
     ) -> list[dict[str, Any]]: ...
     def as_dict(self) -> dict[str, Any]: ...
     def rows(self) -> list[dict[str, Any]]: ...
@@ -197,7 +200,7 @@ def why(
     machine: _Path | Machine | None = None,
     slope: _Slope | None = None,
     *,
-    what_if: bool = False,
+    what_if: bool | list[str] = False,
 ) -> Why: ...
 def sweep(
     files: Iterable[_Path],

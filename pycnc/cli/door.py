@@ -8,9 +8,10 @@ import signal
 import sys
 
 import typer
-from typer.core import TyperGroup
+from typer.core import TyperCommand, TyperGroup
 
 from pycnc import names
+from pycnc.cli.options import CURES
 from pycnc.cli.words import GOOD, drop_stdout, explain, fail
 
 # In the order of help.
@@ -29,6 +30,23 @@ class Verbs(TyperGroup):
         is_program = "." in word or os.sep in word or os.path.isfile(word)
         named = word in self.commands or not is_program
         return super().resolve_command(ctx, args if named else ["look", *args])
+
+
+class OptionalValue(TyperCommand):
+    """A verb whose ``--what-if`` may have a KEY=VALUE behind it, or nothing."""
+
+    def parse_args(self, ctx, args):
+        """Give a bare ``--what-if`` its empty value."""
+        following = [*args[1:], ""]
+        return super().parse_args(ctx, [
+            f"{word}={CURES}" if word == "--what-if" and not _is_change(behind) else word
+            for word, behind in zip(args, following, strict=True)
+        ])  # fmt: skip
+
+
+def _is_change(word):
+    """Tell whether a word behind an option that needs none is its KEY=VALUE, and no file."""
+    return "=" in word and not word.startswith("-") and not os.path.isfile(word)
 
 
 app = typer.Typer(
@@ -74,10 +92,11 @@ def _hearing():
         signal.signal(signal.SIGINT, signal.SIG_DFL)
 
 
-def verb(group, example):
+def verb(group, example, cls=None):
     """Register a function as a verb: whatever goes wrong in it becomes words and an exit code.
 
-    Its name is the verb's. The example ends the verb's help.
+    Its name is the verb's. The example ends the verb's help. cls: of a command that reads its
+    words in a way of its own.
     """
 
     def register(function):
@@ -95,7 +114,7 @@ def verb(group, example):
             raise typer.Exit(code or GOOD)
 
         name = function.__name__.rstrip("_")
-        group.command(name=name, epilog=f"Example: pycnc {example}")(guarded)
+        group.command(name=name, cls=cls, epilog=f"Example: pycnc {example}")(guarded)
         return function
 
     return register
@@ -120,6 +139,17 @@ def machine_of(
         for change, reason in effect.idle_changes(machine, plan):
             fail(f"--set {change}: warning[no-effect]: {reason}")
     return machine
+
+
+def tell_idle(machine, changes, quiet):
+    """Check changes that ``--what-if`` asks for, and tell those without effect."""
+    from pycnc.machine import effect
+    from pycnc.planning.why import changed_machines
+
+    for change, changed in changed_machines(machine, changes):
+        reason = effect.idle(changed, change.partition("=")[0].strip())
+        if reason and not quiet:
+            fail(f"--what-if {change}: warning[no-effect]: {reason}")
 
 
 def close_list():

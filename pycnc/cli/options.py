@@ -7,6 +7,9 @@ from typing import Annotated
 import typer
 
 
+CURES = ""  # what --what-if without a value stands for
+
+
 class Dialect(StrEnum):
     """What ``--dialect`` takes."""
 
@@ -170,6 +173,14 @@ WhatIf = Annotated[
     typer.Option(
         "--what-if",
         help="Plan it again with each cure: twice the limits of the axes, a tolerance, no stops.",
+    ),
+]
+WhatIfs = Annotated[
+    list[str] | None,
+    typer.Option(
+        "--what-if", metavar="[KEY=VALUE]", autocompletion=settings_of,
+        help="Plan it again with each cure: twice the limits of the axes, a tolerance, no stops; "
+        "or with a setting as --set takes it: control.kind=nck.",
     ),
 ]
 Table = Annotated[

@@ -8,8 +8,9 @@ import json
 import sys
 
 from pycnc import errors
-from pycnc.cli.door import app, machine_of, verb
+from pycnc.cli.door import OptionalValue, app, machine_of, tell_idle, verb
 from pycnc.cli.options import (
+    CURES,
     Backend,
     By,
     DialectName,
@@ -30,6 +31,7 @@ from pycnc.cli.options import (
     Table,
     Tools,
     WhatIf,
+    WhatIfs,
     Zero,
 )
 from pycnc.cli.words import (
@@ -181,9 +183,9 @@ def _run_at(machine, file, override, as_json, quiet):
     return told, GOOD
 
 
-@verb(app, "why part.ngc --what-if")
+@verb(app, "why part.ngc --what-if", cls=OptionalValue)
 def why(
-    *, file: File, what_if: WhatIf = False, output: Table = None, machine: MachineName = DEFAULT,
+    *, file: File, what_if: WhatIfs = None, output: Table = None, machine: MachineName = DEFAULT,
     dialect: DialectName = None, slope: SlopeName = None, set: Set = None, tools: Tools = None,
     zero: Zero = None, json_: Json = False, quiet: Quiet = False,
 ):  # fmt: skip
@@ -199,6 +201,8 @@ def why(
     if output is not None and not output.lower().endswith(".csv"):
         raise Refused(f"{output}: error[format]: a table is written as .csv")
     mill = machine_of(machine, set, tools, dialect, slope=slope, zero=zero, quiet=quiet)
+    changes = [change for change in what_if or () if change != CURES]
+    tell_idle(mill, changes, quiet)
     with pipeline.beside(True, mill) as beside:
         program, facts, code = look_at(file, mill, quiet, json_, keep=False, beside=beside)
         if program is None:
@@ -207,7 +211,7 @@ def why(
             found = Plan(program, keep=False, progress=bar, beside=beside).why()
     if what_if:
         with progress(f"planning {program.file} with each cure", quiet) as bar:
-            found.what_if(bar)
+            found.what_if(bar, changes, cures=CURES in what_if)
     if output is not None:
         with writing(output):
             found.to_csv(output)

@@ -34,7 +34,7 @@ def idle_changes(machine, plan="exact"):
     asked = [(key, value) for key, value, source in machine.changes if source == "--set"]
     for place, (key, value) in enumerate(asked):
         later = [number for name, number in asked[place + 1 :] if name == key]
-        reason = f"{key}={later[-1]} comes behind it" if later else _idle(machine, key, plan)
+        reason = f"{key}={later[-1]} comes behind it" if later else idle(machine, key, plan)
         if reason:
             yield f"{key}={str(value).replace('E+', 'e')}", reason
 
@@ -54,13 +54,13 @@ def idle_keys(machine, axes):
         for point in itertools.product(*(axes[each] for each in deciding)):
             settings = {key: values[0]} | dict(zip(deciding, point, strict=True))
             changed = Machine.load(machine, set=[f"{k}={v}" for k, v in settings.items()])
-            reasons.add(_idle(changed, key, "exact"))
+            reasons.add(idle(changed, key, "exact"))
         if all(reasons):
             yield key, reasons.pop()
 
 
-def _idle(machine, key, plan):
-    """Return why a change of a key has no effect; empty if it has one."""
+def idle(machine, key, plan="exact"):
+    """Return why a change of a key has no effect on a machine; empty if it has one."""
     settings = machine.settings
     if plan in _PLANNED and key in ("path.slope", "path.tolerance_mm"):
         return _PLANNED[plan]

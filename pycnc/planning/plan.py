@@ -361,8 +361,8 @@ def why(program, machine=None, slope=None, *, what_if=False):
         Another machine than the program's.
     slope : {"linear", "jerk", "optimal"}, optional
         Another velocity profile than the machine's.
-    what_if : bool
-        Plan it again with each cure.
+    what_if : bool or list of str
+        Plan it again with each cure, or with each of these changes: ``["control.kind=nck"]``.
 
     Returns
     -------
@@ -381,5 +381,6 @@ def why(program, machine=None, slope=None, *, what_if=False):
     """
     found = Plan(for_machine(program, machine, slope), keep=False).why()
     if what_if:
-        found.what_if()
+        cures = what_if is True
+        found.what_if(changes=() if cures else what_if, cures=cures)
     return found

@@ -11,7 +11,7 @@ import numpy as np
 
 from pycnc import errors, kernel
 from pycnc.files import Part
-from pycnc.machine import Machine
+from pycnc.machine import Machine, MachineFileError
 from pycnc.machine.schema import AXES, unit_of
 from pycnc.planning import control, measure
 from pycnc.program import Program, shown
@@ -39,6 +39,21 @@ WORDS = {
 _ENDS = "start and end of the program"
 _ASKED = "stops that G61.1 and G9 ask for"
 _STOPS = re.compile(rb"\([^()]*\)|;[^\n]*|G\s*61\s*\.\s*1(?!\d)|G\s*0*9(?![\d.])", re.I)
+
+
+def changed_machines(machine, changes):
+    """Yield (change, the machine that has it) of changes that are asked for, as ``KEY=VALUE``.
+
+    Raises
+    ------
+    MachineFileError
+        What is wrong with a change, told of it.
+    """
+    for change in changes:
+        try:
+            yield change, Machine.load(machine, set=[change])
+        except MachineFileError as cause:
+            raise MachineFileError(f"--what-if {change}", cause.problems) from None
 
 
 class Why(shown.Tables):
@@ -112,27 +127,57 @@ class Why(shown.Tables):
             "text": " ".join(text.decode("utf-8", errors="replace").split()),
         }
 
-    def what_if(self, progress=None):
+    def what_if(self, progress=None, changes=(), cures=True):
         """Plan the program again with each cure, and return what it gains.
 
         Twice the acceleration, jerk and speed, of all axes and of each; a tolerance of 0.01 mm,
         or twice the machine's where it has that; under the slope `optimal`, where `jerk` is in
         force; without the stops of G61.1 and G9.
 
+        Parameters
+        ----------
+        progress : callable, optional
+            Called with (plans done, of so many).
+        changes : iterable of str
+            Of the machine, each tried by itself: ``"control.kind=nck"``.
+        cures : bool
+            Whether the cures are tried.
+
         Returns
         -------
         list of dict
-            ``cure``, ``time_s``, ``gain_s`` (negative: it is slower), the best first; `cures`.
+            ``cure``, ``time_s``, ``total_s`` with changes of tool and starts of the spindle,
+            ``gain_s`` of that (negative: it is slower), the best first; `cures`.
+
+        Raises
+        ------
+        MachineFileError
+            If a change is none that the machine can have.
+        ProgramError
+            If the program has an error on the changed machine.
         """
-        wanted = list(self._cures())
+        wanted = [*self._asked(changes), *(self._cures() if cures else ())]
         self.cures = []
         for done, (cure, program) in enumerate(wanted):
             if progress:
                 progress(done, len(wanted))
-            time_s = type(self.plan)(program, keep=False).time_s
-            self.cures.append({"cure": cure, "time_s": time_s, "gain_s": self.time_s - time_s})
+            told = type(self.plan)(program, keep=False).totals
+            gain_s = self.plan.totals["total_s"] - told["total_s"]
+            self.cures.append({"cure": cure, "time_s": told["time_s"],
+                               "total_s": told["total_s"], "gain_s": gain_s})  # fmt: skip
         self.cures.sort(key=lambda cure: -cure["gain_s"])
         return self.cures
+
+    def _asked(self, changes):
+        """Yield (change, program that has it)."""
+        for change, machine in changed_machines(self.program.machine, changes):
+            try:
+                yield change, self._with(machine).check()
+            except errors.ProgramError as cause:
+                raise errors.ProgramError(
+                    f"--what-if {change}: {cause}", id=cause.id, line=cause.line,
+                    column=cause.column,
+                ) from None  # fmt: skip
 
     def _cures(self):
         """Yield (cure in words, program that has it)."""
@@ -168,8 +213,10 @@ class Why(shown.Tables):
         return text if isinstance(text, kernel.Blocks) else _STOPS.sub(_unless_comment, text)
 
     def _on(self, changes):
-        changed = Machine.load(self.program.machine, set=changes)
-        return Program(self.program.text, changed, file=self.program.file, keep=False)
+        return self._with(Machine.load(self.program.machine, set=changes))
+
+    def _with(self, machine):
+        return Program(self.program.text, machine, file=self.program.file, keep=False)
 
     def as_dict(self):
         """Return what ``pycnc why --json`` tells."""

@@ -82,7 +82,7 @@ def _place(place):
 def _cures(cures):
     yield ""
     told = [cure for cure in cures if abs(cure["gain_s"]) >= GAIN_S]
-    rows = [[duration(cure["time_s"]), _signed(cure["gain_s"]), cure["cure"]] for cure in told]
+    rows = [[duration(cure["total_s"]), _signed(cure["gain_s"]), cure["cure"]] for cure in told]
     yield from _table(("time", "gain", "what if"), rows, ">><")
     if len(told) < len(cures):
         idle = ", ".join(cure["cure"] for cure in cures if cure not in told)

@@ -241,6 +241,50 @@ def test_the_table_has_units_and_the_worst_first(tmp_path):
     assert float(rows[0]["lost_s"]) == pytest.approx(told["causes"][0]["lost_s"])
 
 
+PART = b"G21 G90 G61\nT1 M6\nG1 X10 F6000\nY10\nX50\nM2\n"
+
+
+def test_what_if_buys_what_the_same_change_by_set_does(tmp_path):
+    file = tmp_path / "part.ngc"
+    file.write_bytes(PART)
+    changes = ["path.slope=linear", "control.kind=klipper", "times.tool_change_s=9"]
+    asked = [word for change in changes for word in ("--what-if", change)]
+    told = json.loads(pycnc("why", file, "--json", *asked).out)
+    assert sorted(cure["cure"] for cure in told["what_if"]) == sorted(changes)
+    for cure in told["what_if"]:
+        own = json.loads(pycnc("why", file, "--json", "--set", cure["cure"]).out)
+        assert (cure["time_s"], cure["total_s"]) == (own["time_s"], own["total_s"])
+        assert cure["gain_s"] == pytest.approx(told["total_s"] - own["total_s"], abs=1e-12)
+    *_, worst = pycnc("why", file, *asked).out.splitlines()
+    assert worst.split() == ["9.870", "s", "-1.000", "s", "times.tool_change_s=9"]
+
+
+def test_what_if_may_stand_before_the_file_and_beside_its_cures(tmp_path):
+    file = tmp_path / "part.ngc"
+    file.write_bytes(PART)
+    bare = [cure["cure"] for cure in json.loads(
+        pycnc("why", "--what-if", file, "--json").out)["what_if"]]  # fmt: skip
+    both = [cure["cure"] for cure in json.loads(pycnc(
+        "why", "--what-if", "path.slope=linear", "--what-if", file, "--json").out)["what_if"]]
+    assert len(bare) > 8 and sorted(both) == sorted([*bare, "path.slope=linear"])
+    assert why(PART, what_if=["path.slope=linear"]).cures[0]["gain_s"] > 0.1
+
+
+@pytest.mark.parametrize(
+    ("change", "code", "words"),
+    [
+        ("axis.x.a=2000", 2, "--what-if axis.x.a=2000: error[machine]: axis.x.a: unknown key"),
+        ("control.kind=cnc", 2, "--what-if control.kind=cnc: error[machine]: control.kind: must"),
+        ("=3", 2, "--what-if =3: error[machine]"),
+        ("axis.x.max_mm=5", 1, "--what-if axis.x.max_mm=5: <stdin>:3:4: error[travel]"),
+        ("description=a", 0, "--what-if description=a: warning[no-effect]: only lists"),
+    ],
+)
+def test_a_change_that_cannot_be_tried_is_told_with_its_place(change, code, words):
+    result = pycnc("why", "-", "--what-if", change, stdin=PART)
+    assert (result.code, words in result.err) == (code, True)
+
+
 def test_a_data_frame_has_a_row_a_place():
     frame = why(circle(turns=2), Machine.load("mill3", set=EXACT)).to_pandas()
     assert list(frame.columns)[:3] == ["cause", "words", "lost_s"]
