@@ -59,7 +59,7 @@ def _turning(lines, machine):
     if lathe or across or not sign:
         return None
     dialect = dialect_of(b"\n".join(lines))[0]
-    options = "-m cak6150n" if dialect == "fanuc" else "-m cak6150n --dialect linuxcnc"
+    options = "-m lathe_fanuc" if dialect == "fanuc" else "-m cak6150n --dialect linuxcnc"
     return Kind("a lathe's program", *sign, options, _STRANGE)
 
 

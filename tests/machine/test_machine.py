@@ -12,10 +12,11 @@ from command_line import pycnc
 from hypothesis import given
 from hypothesis import strategies as st
 
+from pycnc import load
 from pycnc.kernel.bind import lib, pointer
+from pycnc.kernel.records import dtype, quantity_range
 from pycnc.machine import Machine, MachineFileError, shipped
 from pycnc.machine.schema import AXES
-from pycnc.kernel.records import dtype, quantity_range
 
 DOCS = Path(__file__).resolve().parents[2] / "docs"
 SMALL = """\
@@ -83,8 +84,8 @@ def problems(text, **options):
 
 def test_the_promised_machines_are_shipped():
     assert {
-        "cak6150n", "cao2014", "haas_vf2", "laser", "mill3", "mill4", "mill5_xyzac", "printer",
-        "printer_klipper", "printer_marlin", "router",
+        "cak6150n", "cao2014", "haas_vf2", "laser", "lathe_fanuc", "mill3", "mill4",
+        "mill5_xyzac", "printer", "printer_klipper", "printer_marlin", "router",
     } <= set(shipped())  # fmt: skip
 
 
@@ -97,7 +98,8 @@ def test_a_shipped_machine_is_good_and_described(name):
 
 @pytest.mark.parametrize(
     ("name", "tolerance"),
-    [("mill3", 0.01), ("mill5_xyzac", 0.01), ("cak6150n", 0.005), ("printer", 0.05)],
+    [("mill3", 0.01), ("mill5_xyzac", 0.01), ("cak6150n", 0.005), ("lathe_fanuc", 0.005),
+     ("printer", 0.05)],
 )
 def test_a_shipped_machine_limits_jerk_and_rounds_corners(name, tolerance):
     machine = Machine.load(name)
@@ -130,6 +132,18 @@ def test_the_lathe_has_rapids_of_15_m_per_minute_and_programs_diameters():
     assert record["axis"]["rapid"][[x, z]].tolist() == [15000 / 60, 15000 / 60]
     assert record["dialect"]["diameter"] == 1
     assert record["dialect"]["plane"] == 18
+
+
+def test_a_fanuc_lathe_is_switched_on_per_revolution_in_diameters_and_in_system_a():
+    text = "G50 S3000\nT0202\nG97 S1200 M3\nG21\nG0 X40. Z2.\nG1 Z-20. F.25\nX50.\nG28 U0 W0\nM30\n"
+    program = load(text.encode(), Machine.load("lathe_fanuc"))
+    assert list(program.diagnostics) == []
+    places = [AXES.index("x"), AXES.index("z")]
+    cut, rapid = (program.blocks[program.blocks["kind"] == kind]
+                  for kind in (lib.NCK_BLOCK_LINE, lib.NCK_BLOCK_RAPID))  # fmt: skip
+    assert set(cut["feed_mode"]) == {lib.NCK_FEED_PER_REV} and set(cut["feed"]) == {0.25}
+    assert cut["target_nm"][:, places].tolist() == [[20e6, 180e6], [25e6, 180e6]]
+    assert rapid["target_nm"][-1, places].tolist() == [240e6, 850e6]
 
 
 def test_the_experiment_has_the_numbers_of_its_paper():
